@@ -1,0 +1,149 @@
+//! Axis-aligned boxes in the plane.
+use crate::error::{Field, Flaw, Validate, finite};
+use crate::{Scalar, Vec2};
+
+/// An axis-aligned box in the plane. Valid when finite and `min ≤ max`; zero size is valid.
+///
+/// ```
+/// use geograd::Aabb2;
+/// let a = Aabb2::new(0.0, 0.0, 2.0, 2.0);
+/// let b = Aabb2::new(1.0, 1.0, 3.0, 3.0);
+/// assert_eq!(a.meet(b), Aabb2::new(1.0, 1.0, 2.0, 2.0));
+/// assert_eq!(a.iou(b), 1.0 / 7.0);
+/// ```
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+pub struct Aabb2<S> {
+    /// The lower bounds.
+    pub min: Vec2<S>,
+    /// The upper bounds.
+    pub max: Vec2<S>,
+}
+
+impl<S> Aabb2<S> {
+    /// From lower and upper bounds, unchecked.
+    #[inline(always)]
+    pub const fn new(min_x: S, min_y: S, max_x: S, max_y: S) -> Self {
+        Aabb2 {
+            min: Vec2::new(min_x, min_y),
+            max: Vec2::new(max_x, max_y),
+        }
+    }
+}
+
+impl<S: Scalar> Aabb2<S> {
+    /// From lower and upper bounds.
+    ///
+    /// # Errors
+    ///
+    /// When a bound is not finite or a lower one is above its upper one.
+    pub fn try_new(min: Vec2<S>, max: Vec2<S>) -> Result<Self, Flaw>
+    where
+        S: Scalar<Mask = bool>,
+    {
+        let made = Aabb2 { min, max };
+        made.validate().map(|()| made)
+    }
+    /// The smallest box around the points; `None` without points. Where several points share a
+    /// bound they share its slope.
+    #[must_use]
+    pub fn around(points: &[Vec2<S>]) -> Option<Self> {
+        let (&first, rest) = points.split_first()?;
+        let start = Aabb2 {
+            min: first,
+            max: first,
+        };
+        Some(rest.iter().fold(start, |bounds, &point| Aabb2 {
+            min: bounds.min.least(point),
+            max: bounds.max.most(point),
+        }))
+    }
+    /// Width and height.
+    #[must_use]
+    #[inline(always)]
+    pub fn size(self) -> Vec2<S> {
+        self.max - self.min
+    }
+    /// The centre.
+    #[must_use]
+    #[inline(always)]
+    pub fn center(self) -> Vec2<S> {
+        Vec2::new(
+            self.min.x.halved() + self.max.x.halved(),
+            self.min.y.halved() + self.max.y.halved(),
+        )
+    }
+    /// The area.
+    #[must_use]
+    #[inline(always)]
+    pub fn area(self) -> S {
+        let size = self.size();
+        size.x * size.y
+    }
+    /// The corners, counter-clockwise from the lower left.
+    #[must_use]
+    #[inline(always)]
+    pub fn corners(self) -> [Vec2<S>; 4] {
+        [
+            self.min,
+            Vec2::new(self.max.x, self.min.y),
+            self.max,
+            Vec2::new(self.min.x, self.max.y),
+        ]
+    }
+    /// The shared part. Inverted (`min > max`, not valid) when the boxes are apart. Ties share
+    /// the slope.
+    #[must_use]
+    #[inline(always)]
+    pub fn meet(self, other: Self) -> Self {
+        Aabb2 {
+            min: self.min.most(other.min),
+            max: self.max.least(other.max),
+        }
+    }
+    /// The smallest box around both. Ties share the slope.
+    #[must_use]
+    #[inline(always)]
+    pub fn join(self, other: Self) -> Self {
+        Aabb2 {
+            min: self.min.least(other.min),
+            max: self.max.most(other.max),
+        }
+    }
+    /// Whether the point is in the box; the border belongs to it.
+    #[must_use]
+    #[inline(always)]
+    pub fn contains(self, point: Vec2<S>) -> S::Mask {
+        self.min.x.at_most(point.x)
+            & point.x.at_most(self.max.x)
+            & self.min.y.at_most(point.y)
+            & point.y.at_most(self.max.y)
+    }
+}
+
+impl<S: Scalar<Mask = bool>> Validate for Aabb2<S> {
+    #[inline]
+    fn validate(&self) -> Result<(), Flaw> {
+        finite(self.min.x, Field::MinX)?;
+        finite(self.min.y, Field::MinY)?;
+        finite(self.max.x, Field::MaxX)?;
+        finite(self.max.y, Field::MaxY)?;
+        if self.min.x.above(self.max.x) {
+            return Err(Flaw::Inverted(Field::MinX));
+        }
+        if self.min.y.above(self.max.y) {
+            return Err(Flaw::Inverted(Field::MinY));
+        }
+        Ok(())
+    }
+}
+
+impl<S: std::fmt::Display> std::fmt::Display for Aabb2<S> {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        f.write_str("[")?;
+        self.min.fmt(f)?;
+        f.write_str(" to ")?;
+        self.max.fmt(f)?;
+        f.write_str("]")
+    }
+}

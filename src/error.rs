@@ -1,0 +1,198 @@
+//! What can be wrong with an input, as data.
+use std::fmt;
+
+/// Which argument of a call is meant.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+#[non_exhaustive]
+pub enum Argument {
+    /// The only shape of a constructor or a validation.
+    Shape,
+    /// The first list of shapes.
+    A,
+    /// The second list of shapes.
+    B,
+    /// The vertices of a ragged batch.
+    Vertices,
+    /// The offsets of a ragged batch.
+    Offsets,
+    /// The gradient that comes from above, one number per result.
+    Upstream,
+    /// The caller's buffer for results.
+    Values,
+    /// The caller's buffer for gradients of the first list.
+    GradA,
+    /// The caller's buffer for gradients of the second list.
+    GradB,
+    /// The caller's buffer for gradients of the vertices.
+    GradVertices,
+}
+
+impl fmt::Display for Argument {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(match self {
+            Argument::Shape => "shape",
+            Argument::A => "a",
+            Argument::B => "b",
+            Argument::Vertices => "vertices",
+            Argument::Offsets => "offsets",
+            Argument::Upstream => "upstream",
+            Argument::Values => "values",
+            Argument::GradA => "grad_a",
+            Argument::GradB => "grad_b",
+            Argument::GradVertices => "grad_vertices",
+        })
+    }
+}
+
+/// Which field of a shape is meant.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+#[non_exhaustive]
+pub enum Field {
+    /// A lone number.
+    Value,
+    /// The x coordinate (of the centre, if the shape has one).
+    X,
+    /// The y coordinate (of the centre, if the shape has one).
+    Y,
+    /// The size along the shape's own x axis.
+    Width,
+    /// The size along the shape's own y axis.
+    Height,
+    /// The heading.
+    Heading,
+    /// The lower x bound.
+    MinX,
+    /// The lower y bound.
+    MinY,
+    /// The upper x bound.
+    MaxX,
+    /// The upper y bound.
+    MaxY,
+}
+
+impl fmt::Display for Field {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(match self {
+            Field::Value => "value",
+            Field::X => "x",
+            Field::Y => "y",
+            Field::Width => "width",
+            Field::Height => "height",
+            Field::Heading => "heading",
+            Field::MinX => "min.x",
+            Field::MinY => "min.y",
+            Field::MaxX => "max.x",
+            Field::MaxY => "max.y",
+        })
+    }
+}
+
+/// Why a shape is not valid.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+#[non_exhaustive]
+pub enum Flaw {
+    /// A field is NaN or infinite.
+    NotFinite(Field),
+    /// A size is below zero.
+    Negative(Field),
+    /// A lower bound is above its upper bound.
+    Inverted(Field),
+}
+
+impl fmt::Display for Flaw {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Flaw::NotFinite(field) => write!(f, "{field} is not a finite number"),
+            Flaw::Negative(field) => write!(f, "{field} is negative"),
+            Flaw::Inverted(field) => write!(f, "{field} is above its upper bound"),
+        }
+    }
+}
+
+impl std::error::Error for Flaw {}
+
+/// Why a call was refused. Nothing was computed and no buffer was written.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+#[non_exhaustive]
+pub enum Error {
+    /// An argument has the wrong number of items.
+    Length {
+        /// The argument.
+        argument: Argument,
+        /// How many items the other arguments call for.
+        expected: usize,
+        /// How many it has.
+        found: usize,
+    },
+    /// A row of an argument is not a valid shape.
+    Invalid {
+        /// The argument.
+        argument: Argument,
+        /// The row, from zero.
+        row: usize,
+        /// What is wrong with it.
+        flaw: Flaw,
+    },
+    /// The offsets of a ragged batch decrease at this row, do not start at zero (row 0) or do not
+    /// end at the number of vertices (last row).
+    Offsets {
+        /// The index into the offsets.
+        row: usize,
+    },
+    /// The number of results does not fit in memory.
+    TooLarge,
+}
+
+impl fmt::Display for Error {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Error::Length {
+                argument,
+                expected,
+                found,
+            } => {
+                write!(
+                    f,
+                    "`{argument}` has {found} items where {expected} are needed"
+                )
+            }
+            Error::Invalid {
+                argument,
+                row,
+                flaw,
+            } => {
+                write!(f, "`{argument}` row {row}: {flaw}")
+            }
+            Error::Offsets { row } => {
+                write!(
+                    f,
+                    "`offsets` row {row}: offsets go from 0 to the number of vertices and never decrease"
+                )
+            }
+            Error::TooLarge => f.write_str("more results than memory can hold"),
+        }
+    }
+}
+
+impl std::error::Error for Error {}
+
+/// Shapes that can say what is wrong with them.
+pub trait Validate {
+    /// `Ok` when every field is finite and the shape's own rules hold.
+    ///
+    /// # Errors
+    ///
+    /// The first flaw found, in the order of the fields.
+    fn validate(&self) -> Result<(), Flaw>;
+}
+
+/// `Ok` for a finite number.
+#[inline(always)]
+pub(crate) fn finite<S: crate::Scalar<Mask = bool>>(x: S, field: Field) -> Result<(), Flaw> {
+    // A difference with itself is zero for finite numbers only.
+    if (x - x).equals(S::zero()) {
+        Ok(())
+    } else {
+        Err(Flaw::NotFinite(field))
+    }
+}

@@ -1,0 +1,341 @@
+//! How much two boxes overlap: area of intersection, intersection over union, intersection over
+//! the first box.
+//!
+//! All results are exactly zero, with all slopes zero, for boxes that are apart or merely touch.
+//! The ratios are within `[0, 1]`; identical boxes of positive area give exactly 1 with slope
+//! zero. Where a ratio's denominator is zero it is 0 with slope zero.
+//!
+//! Kinks: sides lying along each other (the slope is the mean of both sides of the kink), and
+//! boxes that begin to touch (slope zero). A corner on a side is no kink.
+use crate::clip::{Framed, Relative, clip, frame, relate, related_area, size_scale};
+use crate::{Aabb2, Mask, Obb2, Scalar, Vec2};
+
+/// Intersection over union from areas, in `[0, 1]`; zero with slope zero when the union is empty.
+#[inline(always)]
+pub fn ratio_of_union<S: Scalar>(inter: S, area_a: S, area_b: S) -> S {
+    let total = area_a + area_b - inter;
+    let empty = total.at_most(S::zero());
+    S::select(
+        empty,
+        S::zero(),
+        inter.over(S::select(empty, S::one(), total)),
+    )
+}
+
+/// Intersection over the first area, in `[0, 1]`; zero with slope zero when that is empty.
+#[inline(always)]
+pub fn ratio_of_first<S: Scalar>(inter: S, area_a: S) -> S {
+    let empty = area_a.at_most(S::zero());
+    S::select(
+        empty,
+        S::zero(),
+        inter.over(S::select(empty, S::one(), area_a)),
+    )
+}
+
+/// The area of a box from half its size.
+#[inline(always)]
+pub fn area_from_half<S: Scalar>(half: Vec2<S>) -> S {
+    S::lit(4.0) * (half.x * half.y)
+}
+
+/// Relates two framed boxes and measures what they share, in units of `1 / scale`.
+///
+/// `extreme` says whether sizes may be so small or large that products over- or underflow; the
+/// bits of the result are the same for ordinary boxes either way.
+#[inline(always)]
+pub fn shared_area<S: Scalar>(a: Framed<S>, b: Framed<S>, extreme: bool) -> (Relative<S>, S, S) {
+    let scale = if extreme {
+        size_scale(a.half, b.half)
+    } else {
+        S::one()
+    };
+    let pair = relate(a, b, scale);
+    let area = if pair.apart.all() {
+        S::zero()
+    } else {
+        related_area(&pair, &clip(pair))
+    };
+    (pair, area, scale)
+}
+
+/// What an area of intersection is divided by.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Denominator {
+    /// Nothing: the score is the area itself.
+    None,
+    /// The area of the union.
+    Union,
+    /// The area of the first box.
+    First,
+}
+
+/// Which score of two boxes is meant, as a type.
+pub trait Measure: Copy + Default + std::fmt::Debug + Send + Sync + 'static {
+    /// What the area of intersection is divided by.
+    const DENOMINATOR: Denominator;
+    /// Whether the score is a ratio of areas, without unit.
+    const IS_RATIO: bool;
+    /// The name of the function for rotated boxes.
+    const OBB2: &'static str;
+    /// The name of the function for axis-aligned boxes.
+    const AABB2: &'static str;
+}
+
+/// The area of intersection itself.
+#[derive(Clone, Copy, Debug, Default)]
+pub struct Intersection;
+
+/// Intersection over union.
+#[derive(Clone, Copy, Debug, Default)]
+pub struct OverUnion;
+
+/// Intersection over the first box.
+#[derive(Clone, Copy, Debug, Default)]
+pub struct OverFirst;
+
+impl Measure for Intersection {
+    const DENOMINATOR: Denominator = Denominator::None;
+    const IS_RATIO: bool = false;
+    const OBB2: &'static str = "intersection_area_obb2";
+    const AABB2: &'static str = "intersection_area_aabb2";
+}
+impl Measure for OverUnion {
+    const DENOMINATOR: Denominator = Denominator::Union;
+    const IS_RATIO: bool = true;
+    const OBB2: &'static str = "iou_obb2";
+    const AABB2: &'static str = "iou_aabb2";
+}
+impl Measure for OverFirst {
+    const DENOMINATOR: Denominator = Denominator::First;
+    const IS_RATIO: bool = true;
+    const OBB2: &'static str = "iof_obb2";
+    const AABB2: &'static str = "iof_aabb2";
+}
+
+/// A score from areas.
+#[inline(always)]
+pub fn measure<M: Measure, S: Scalar>(inter: S, area_a: S, area_b: S) -> S {
+    match M::DENOMINATOR {
+        Denominator::None => inter,
+        Denominator::Union => ratio_of_union(inter, area_a, area_b),
+        Denominator::First => ratio_of_first(inter, area_a),
+    }
+}
+
+/// A score in the caller's unit: ratios have none, areas go back from units of `1 / scale²`.
+#[inline(always)]
+pub fn in_outer_unit<M: Measure, S: Scalar>(value: S, scale: S) -> S {
+    if M::IS_RATIO {
+        value
+    } else {
+        value.over(scale).over(scale).saturated()
+    }
+}
+
+/// A score of two rotated boxes with their trigonometry done.
+#[inline(always)]
+pub fn score_framed<M: Measure, S: Scalar>(a: Framed<S>, b: Framed<S>, extreme: bool) -> S {
+    let (pair, inter, scale) = shared_area::<S>(a, b, extreme);
+    let (area_a, area_b) = (area_from_half(pair.half_a), area_from_half(pair.half_b));
+    let value = measure::<M, S>(inter, area_a, area_b);
+    if extreme {
+        in_outer_unit::<M, S>(value, scale)
+    } else {
+        value
+    }
+}
+
+/// A score of two axis-aligned boxes.
+#[inline(always)]
+pub fn score_aabb2<M: Measure, S: Scalar>(a: Aabb2<S>, b: Aabb2<S>) -> S {
+    let shared = share(a, b);
+    let (area_a, area_b) = (area_from_half(shared.half_a), area_from_half(shared.half_b));
+    let value = measure::<M, S>(area_of_shared(&shared), area_a, area_b);
+    in_outer_unit::<M, S>(value, shared.scale)
+}
+
+/// The area shared by two rotated boxes, from 0 to the area of the smaller one, in squared units
+/// of length. Saturates at the largest finite number.
+///
+/// By the boundary integral of [`clip`](crate::clip). Kinks and conventions: see the
+/// [module](self).
+///
+/// ```
+/// use geograd::{Obb2, overlap::intersection_area_obb2};
+/// let a = Obb2::new(0.0, 0.0, 2.0, 2.0, 0.0);
+/// let b = Obb2::new(0.0, 0.0, 2.0, 2.0, std::f64::consts::FRAC_PI_4);
+/// let octagon = 8.0 * (2.0_f64.sqrt() - 1.0);
+/// assert!((intersection_area_obb2(a, b) - octagon).abs() < 1e-15);
+/// ```
+#[must_use]
+#[inline]
+pub fn intersection_area_obb2<S: Scalar>(a: Obb2<S>, b: Obb2<S>) -> S {
+    score_framed::<Intersection, S>(frame(a), frame(b), true)
+}
+
+/// Intersection over union of two rotated boxes, in `[0, 1]`.
+///
+/// Kinks and conventions: see the [module](self).
+///
+/// ```
+/// use geograd::{Obb2, overlap::iou_obb2};
+/// let a = Obb2::new(0.0, 0.0, 2.0, 2.0, 0.3);
+/// assert_eq!(iou_obb2(a, a), 1.0);
+/// assert_eq!(iou_obb2(a, Obb2::new(9.0, 0.0, 2.0, 2.0, 0.1)), 0.0);
+/// ```
+#[must_use]
+#[inline]
+pub fn iou_obb2<S: Scalar>(a: Obb2<S>, b: Obb2<S>) -> S {
+    score_framed::<OverUnion, S>(frame(a), frame(b), true)
+}
+
+/// The share of the first rotated box that lies in the second, in `[0, 1]`.
+///
+/// Kinks and conventions: see the [module](self).
+///
+/// ```
+/// use geograd::{Obb2, overlap::iof_obb2};
+/// let lane = Obb2::new(0.0, 0.0, 50.0, 4.0, 0.0);
+/// let car = Obb2::new(10.0, 2.0, 4.0, 2.0, 0.0);
+/// assert_eq!(iof_obb2(car, lane), 0.5);
+/// ```
+#[must_use]
+#[inline]
+pub fn iof_obb2<S: Scalar>(a: Obb2<S>, b: Obb2<S>) -> S {
+    score_framed::<OverFirst, S>(frame(a), frame(b), true)
+}
+
+/// What two axis-aligned boxes share, all sizes halved and in units of `1 / scale`.
+#[derive(Clone, Copy, Debug)]
+pub struct Shared<S: Scalar> {
+    /// Half the size of the shared part.
+    pub half: Vec2<S>,
+    /// Half the size of a.
+    pub half_a: Vec2<S>,
+    /// Half the size of b.
+    pub half_b: Vec2<S>,
+    /// Where the boxes are apart or merely touch.
+    pub apart: S::Mask,
+    /// The power of two by which sizes were multiplied.
+    pub scale: S,
+}
+
+/// Measures what two axis-aligned boxes share.
+#[inline(always)]
+pub fn share<S: Scalar>(a: Aabb2<S>, b: Aabb2<S>) -> Shared<S> {
+    // Halving first keeps the difference of two huge bounds finite.
+    let half_of = |shape: Aabb2<S>| {
+        Vec2::new(
+            shape.max.x.halved() - shape.min.x.halved(),
+            shape.max.y.halved() - shape.min.y.halved(),
+        )
+    };
+    let (half_a, half_b, half) = (half_of(a), half_of(b), half_of(a.meet(b)));
+    let scale = size_scale(half_a, half_b);
+    let apart = a.max.x.at_most(b.min.x)
+        | b.max.x.at_most(a.min.x)
+        | a.max.y.at_most(b.min.y)
+        | b.max.y.at_most(a.min.y);
+    Shared {
+        half: half * scale,
+        half_a: half_a * scale,
+        half_b: half_b * scale,
+        apart,
+        scale,
+    }
+}
+
+/// The area of the shared part, in units of `1 / scale²`.
+#[inline(always)]
+pub fn area_of_shared<S: Scalar>(shared: &Shared<S>) -> S {
+    S::select(shared.apart, S::zero(), area_from_half(shared.half))
+}
+
+/// The area shared by two axis-aligned boxes, from 0 to the area of the smaller one, in squared
+/// units of length. Saturates at the largest finite number.
+///
+/// Kinks and conventions: see the [module](self).
+///
+/// ```
+/// use geograd::{Aabb2, overlap::intersection_area_aabb2};
+/// let a = Aabb2::new(0.0, 0.0, 2.0, 2.0);
+/// assert_eq!(intersection_area_aabb2(a, Aabb2::new(1.0, -1.0, 3.0, 1.0)), 1.0);
+/// ```
+#[must_use]
+#[inline]
+pub fn intersection_area_aabb2<S: Scalar>(a: Aabb2<S>, b: Aabb2<S>) -> S {
+    score_aabb2::<Intersection, S>(a, b)
+}
+
+/// Intersection over union of two axis-aligned boxes, in `[0, 1]`.
+///
+/// Kinks and conventions: see the [module](self).
+///
+/// ```
+/// use geograd::{Aabb2, overlap::iou_aabb2};
+/// let a = Aabb2::new(0.0, 0.0, 2.0, 2.0);
+/// assert_eq!(iou_aabb2(a, Aabb2::new(1.0, 0.0, 3.0, 2.0)), 1.0 / 3.0);
+/// ```
+#[must_use]
+#[inline]
+pub fn iou_aabb2<S: Scalar>(a: Aabb2<S>, b: Aabb2<S>) -> S {
+    score_aabb2::<OverUnion, S>(a, b)
+}
+
+/// The share of the first axis-aligned box that lies in the second, in `[0, 1]`.
+///
+/// Kinks and conventions: see the [module](self).
+///
+/// ```
+/// use geograd::{Aabb2, overlap::iof_aabb2};
+/// let a = Aabb2::new(0.0, 0.0, 2.0, 2.0);
+/// assert_eq!(iof_aabb2(a, Aabb2::new(1.0, 0.0, 9.0, 9.0)), 0.5);
+/// ```
+#[must_use]
+#[inline]
+pub fn iof_aabb2<S: Scalar>(a: Aabb2<S>, b: Aabb2<S>) -> S {
+    score_aabb2::<OverFirst, S>(a, b)
+}
+
+impl<S: Scalar> Obb2<S> {
+    /// [`intersection_area_obb2`].
+    #[must_use]
+    #[inline]
+    pub fn intersection_area(self, other: Self) -> S {
+        intersection_area_obb2(self, other)
+    }
+    /// [`iou_obb2`].
+    #[must_use]
+    #[inline]
+    pub fn iou(self, other: Self) -> S {
+        iou_obb2(self, other)
+    }
+    /// [`iof_obb2`].
+    #[must_use]
+    #[inline]
+    pub fn iof(self, other: Self) -> S {
+        iof_obb2(self, other)
+    }
+}
+
+impl<S: Scalar> Aabb2<S> {
+    /// [`intersection_area_aabb2`].
+    #[must_use]
+    #[inline]
+    pub fn intersection_area(self, other: Self) -> S {
+        intersection_area_aabb2(self, other)
+    }
+    /// [`iou_aabb2`].
+    #[must_use]
+    #[inline]
+    pub fn iou(self, other: Self) -> S {
+        iou_aabb2(self, other)
+    }
+    /// [`iof_aabb2`].
+    #[must_use]
+    #[inline]
+    pub fn iof(self, other: Self) -> S {
+        iof_aabb2(self, other)
+    }
+}

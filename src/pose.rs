@@ -1,0 +1,143 @@
+//! Rotations and rigid motions of the plane.
+use crate::{Scalar, Vec2};
+use std::ops::Mul;
+
+/// A rotation of the plane, as the cosine and sine of its angle (counter-clockwise).
+///
+/// ```
+/// use geograd::{Rotation2, Vec2};
+/// let quarter = Rotation2::from_angle(std::f64::consts::FRAC_PI_2);
+/// assert!((quarter * Vec2::new(1.0, 0.0)).distance(Vec2::new(0.0, 1.0)) < 1e-15);
+/// ```
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+pub struct Rotation2<S> {
+    /// The cosine of the angle.
+    pub cos: S,
+    /// The sine of the angle.
+    pub sin: S,
+}
+
+impl<S: Scalar> Rotation2<S> {
+    /// No rotation.
+    #[inline(always)]
+    pub fn identity() -> Self {
+        Rotation2 {
+            cos: S::one(),
+            sin: S::zero(),
+        }
+    }
+    /// By an angle in radians, counter-clockwise.
+    #[inline(always)]
+    pub fn from_angle(angle: S) -> Self {
+        let (sin, cos) = angle.sin_cos();
+        Rotation2 { cos, sin }
+    }
+    /// The angle in radians, in `[−π, π]`.
+    #[must_use]
+    #[inline(always)]
+    pub fn angle(self) -> S {
+        self.sin.atan2(self.cos)
+    }
+    /// The rotation back.
+    #[must_use]
+    #[inline(always)]
+    pub fn inverse(self) -> Self {
+        Rotation2 {
+            cos: self.cos,
+            sin: -self.sin,
+        }
+    }
+}
+
+impl<S: Scalar> Mul for Rotation2<S> {
+    type Output = Self;
+    /// First `other`, then `self`.
+    #[inline(always)]
+    fn mul(self, other: Self) -> Self {
+        Rotation2 {
+            cos: self.cos * other.cos - self.sin * other.sin,
+            sin: self.sin * other.cos + self.cos * other.sin,
+        }
+    }
+}
+
+impl<S: Scalar> Mul<Vec2<S>> for Rotation2<S> {
+    type Output = Vec2<S>;
+    #[inline(always)]
+    fn mul(self, v: Vec2<S>) -> Vec2<S> {
+        Vec2::new(
+            self.cos * v.x - self.sin * v.y,
+            self.sin * v.x + self.cos * v.y,
+        )
+    }
+}
+
+/// A rigid motion of the plane: a rotation, then a translation.
+///
+/// Named `a_from_b` it maps coordinates of frame b to frame a, and
+/// `a_from_b * b_from_c` is `a_from_c`.
+///
+/// ```
+/// use geograd::{Pose2, Vec2};
+/// let world_from_car = Pose2::new(Vec2::new(10.0, 0.0), 0.5);
+/// let there = world_from_car * Vec2::new(2.0, 1.0);
+/// assert!((world_from_car.inverse() * there).distance(Vec2::new(2.0, 1.0)) < 1e-15);
+/// ```
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+pub struct Pose2<S> {
+    /// Applied first.
+    pub rotation: Rotation2<S>,
+    /// Applied second: where the origin goes.
+    pub translation: Vec2<S>,
+}
+
+impl<S: Scalar> Pose2<S> {
+    /// From where the origin goes and the angle in radians, counter-clockwise.
+    #[inline(always)]
+    pub fn new(translation: Vec2<S>, angle: S) -> Self {
+        Pose2 {
+            rotation: Rotation2::from_angle(angle),
+            translation,
+        }
+    }
+    /// No motion.
+    #[inline(always)]
+    pub fn identity() -> Self {
+        Pose2 {
+            rotation: Rotation2::identity(),
+            translation: Vec2::zero(),
+        }
+    }
+    /// The motion back.
+    #[must_use]
+    #[inline(always)]
+    pub fn inverse(self) -> Self {
+        let rotation = self.rotation.inverse();
+        Pose2 {
+            rotation,
+            translation: -(rotation * self.translation),
+        }
+    }
+}
+
+impl<S: Scalar> Mul for Pose2<S> {
+    type Output = Self;
+    /// First `other`, then `self`.
+    #[inline(always)]
+    fn mul(self, other: Self) -> Self {
+        Pose2 {
+            rotation: self.rotation * other.rotation,
+            translation: self * other.translation,
+        }
+    }
+}
+
+impl<S: Scalar> Mul<Vec2<S>> for Pose2<S> {
+    type Output = Vec2<S>;
+    #[inline(always)]
+    fn mul(self, point: Vec2<S>) -> Vec2<S> {
+        self.rotation * point + self.translation
+    }
+}

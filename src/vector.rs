@@ -1,0 +1,219 @@
+//! Vectors in the plane and in space.
+use crate::{Mask, Scalar};
+use std::ops::{Add, AddAssign, Mul, Neg, Sub, SubAssign};
+
+/// The vector of one dimension: its fields and what acts field by field.
+macro_rules! vector {
+    ($(#[$doc:meta])* $name:ident { $($field:ident),* }) => {
+        $(#[$doc])*
+        #[derive(Clone, Copy, Debug, Default, PartialEq)]
+        #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+        pub struct $name<S> {
+            $(
+                #[doc = concat!("The ", stringify!($field), " coordinate.")]
+                pub $field: S,
+            )*
+        }
+
+        impl<S> $name<S> {
+            /// From coordinates.
+            #[inline(always)]
+            pub const fn new($($field: S),*) -> Self {
+                Self { $($field),* }
+            }
+        }
+
+        impl<S: Scalar> $name<S> {
+            /// The zero vector.
+            #[inline(always)]
+            pub fn zero() -> Self {
+                Self { $($field: S::zero()),* }
+            }
+            /// The inner product.
+            #[must_use]
+            #[inline(always)]
+            pub fn dot(self, other: Self) -> S {
+                let mut sum = S::zero();
+                $(sum += self.$field * other.$field;)*
+                sum
+            }
+            /// The squared length; smooth everywhere.
+            #[must_use]
+            #[inline(always)]
+            pub fn length_squared(self) -> S {
+                self.dot(self)
+            }
+            /// The vector of length one in the same direction, or the zero vector (with slope
+            /// zero) for the zero vector.
+            #[must_use]
+            #[inline(always)]
+            pub fn normalize_or_zero(self) -> Self {
+                let length = self.length();
+                let zero = length.at_most(S::zero());
+                let length = S::select(zero, S::one(), length);
+                Self { $($field: S::select(zero, S::zero(), self.$field.over(length))),* }
+            }
+            /// The vector of length one in the same direction; `None` for the zero vector.
+            #[must_use]
+            #[inline]
+            pub fn try_normalize(self) -> Option<Self>
+            where
+                S: Scalar<Mask = bool>,
+            {
+                self.length().above(S::zero()).then(|| self.normalize_or_zero())
+            }
+            /// The distance to another point; slope zero where they coincide.
+            #[must_use]
+            #[inline(always)]
+            pub fn distance(self, other: Self) -> S {
+                (self - other).length()
+            }
+            /// The point a fraction `t` of the way to another one.
+            #[must_use]
+            #[inline(always)]
+            pub fn lerp(self, other: Self, t: S) -> Self {
+                self + (other - self) * t
+            }
+            /// Coordinate by coordinate the smaller one; ties share the slope.
+            #[must_use]
+            #[inline(always)]
+            pub fn least(self, other: Self) -> Self {
+                Self { $($field: self.$field.least(other.$field)),* }
+            }
+            /// Coordinate by coordinate the larger one; ties share the slope.
+            #[must_use]
+            #[inline(always)]
+            pub fn most(self, other: Self) -> Self {
+                Self { $($field: self.$field.most(other.$field)),* }
+            }
+            /// Whether every coordinate is a finite number.
+            #[must_use]
+            #[inline]
+            pub fn is_finite(self) -> bool {
+                // A difference with itself is zero for finite numbers only.
+                true $(&& (self.$field - self.$field).equals(S::zero()).all())*
+            }
+        }
+
+        impl<S: Add<Output = S>> Add for $name<S> {
+            type Output = Self;
+            #[inline(always)]
+            fn add(self, other: Self) -> Self {
+                Self { $($field: self.$field + other.$field),* }
+            }
+        }
+        impl<S: Sub<Output = S>> Sub for $name<S> {
+            type Output = Self;
+            #[inline(always)]
+            fn sub(self, other: Self) -> Self {
+                Self { $($field: self.$field - other.$field),* }
+            }
+        }
+        impl<S: Neg<Output = S>> Neg for $name<S> {
+            type Output = Self;
+            #[inline(always)]
+            fn neg(self) -> Self {
+                Self { $($field: -self.$field),* }
+            }
+        }
+        impl<S: Copy + Mul<Output = S>> Mul<S> for $name<S> {
+            type Output = Self;
+            #[inline(always)]
+            fn mul(self, factor: S) -> Self {
+                Self { $($field: self.$field * factor),* }
+            }
+        }
+        impl<S: AddAssign> AddAssign for $name<S> {
+            #[inline(always)]
+            fn add_assign(&mut self, other: Self) {
+                $(self.$field += other.$field;)*
+            }
+        }
+        impl<S: SubAssign> SubAssign for $name<S> {
+            #[inline(always)]
+            fn sub_assign(&mut self, other: Self) {
+                $(self.$field -= other.$field;)*
+            }
+        }
+        impl<S: std::fmt::Display> std::fmt::Display for $name<S> {
+            fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+                let mut separator = "(";
+                $(
+                    f.write_str(std::mem::replace(&mut separator, ", "))?;
+                    self.$field.fmt(f)?;
+                )*
+                f.write_str(")")
+            }
+        }
+    };
+}
+
+vector! {
+    /// A point or a direction in the plane: x to the right, y up.
+    ///
+    /// ```
+    /// use geograd::Vec2;
+    /// let a = Vec2::new(3.0, 4.0);
+    /// assert_eq!(a.length(), 5.0);
+    /// assert_eq!(a.perp_dot(Vec2::new(0.0, 1.0)), 3.0);
+    /// assert_eq!(a.to_string(), "(3, 4)");
+    /// ```
+    Vec2 { x, y }
+}
+vector! {
+    /// A point or a direction in space, right-handed.
+    Vec3 { x, y, z }
+}
+
+impl<S: Scalar> Vec2<S> {
+    /// The length; slope zero at the zero vector.
+    #[must_use]
+    #[inline(always)]
+    pub fn length(self) -> S {
+        self.x.hypot(self.y)
+    }
+    /// The cross product's third coordinate: positive when `other` is counter-clockwise of `self`.
+    #[must_use]
+    #[inline(always)]
+    pub fn perp_dot(self, other: Self) -> S {
+        self.x * other.y - self.y * other.x
+    }
+    /// A quarter turn counter-clockwise.
+    #[must_use]
+    #[inline(always)]
+    pub fn perp(self) -> Self {
+        Vec2::new(-self.y, self.x)
+    }
+    /// The direction's angle in radians, counter-clockwise from x, in `[−π, π]`; zero with slope
+    /// zero for the zero vector.
+    #[must_use]
+    #[inline(always)]
+    pub fn angle(self) -> S {
+        self.y.atan2(self.x)
+    }
+    /// The angle in radians that turns `self` into the direction of `other`, in `[−π, π]`.
+    #[must_use]
+    #[inline(always)]
+    pub fn angle_to(self, other: Self) -> S {
+        self.perp_dot(other).atan2(self.dot(other))
+    }
+}
+
+impl<S: Scalar> Vec3<S> {
+    /// The length; slope zero at the zero vector.
+    #[must_use]
+    #[inline(always)]
+    pub fn length(self) -> S {
+        self.x.hypot(self.y).hypot(self.z)
+    }
+    /// The cross product.
+    #[must_use]
+    #[inline(always)]
+    pub fn cross(self, other: Self) -> Self {
+        Vec3::new(
+            self.y * other.z - self.z * other.y,
+            self.z * other.x - self.x * other.z,
+            self.x * other.y - self.y * other.x,
+        )
+    }
+}
