@@ -13,23 +13,27 @@ use crate::kernels::op::{PairOp, RingOp};
 use crate::kernels::real::{Bundle, Real};
 use crate::kernels::simd::vectorized;
 use crate::{Fixed, Scalar, Vec2};
+use std::hint::black_box;
 
 /// A first shape of a pair operation.
 pub type A<O, T> = <O as PairOp>::A<T>;
 /// A second shape of a pair operation.
 pub type B<O, T> = <O as PairOp>::B<T>;
 
-/// Columns whose frames are made and kept together: few enough for the innermost cache.
-const BLOCK: usize = 256;
+/// Tiles of columns whose frames are made and kept together: few enough for the innermost cache.
+const BLOCK: usize = 16;
+
+/// No bundle has more lanes.
+const MOST_LANES: usize = 16;
 
 /// Aligned pairs per piece of work: enough to be worth a thread's while.
 const STRETCH: usize = 2048;
 
 /// A value and slopes for every row of one list with every row of another.
 ///
-/// Slopes are kept as planes, field by field, because that is how a consumer of millions reads
-/// them and because the processor can write nothing else at full speed: row `i` of the matrix
-/// holds one run of all columns for each field of `A`, then for each field of `B`.
+/// Slopes are kept as planes, one matrix per field of `A`, then one per field of `B`, because that
+/// is how a consumer of millions reads them and because the processor can write nothing else at
+/// full speed.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct PairGrads<T> {
     /// Rows: shapes of the first list.
@@ -38,7 +42,7 @@ pub struct PairGrads<T> {
     pub columns: usize,
     /// The results, row by row.
     pub values: Vec<T>,
-    /// The slopes: `planes[(i · fields + k) · columns + j]`.
+    /// The slopes: `planes[(k · rows + i) · columns + j]` for field `k`.
     pub planes: Vec<T>,
 }
 
@@ -54,12 +58,18 @@ impl<T: Real> PairGrads<T> {
             i < self.rows && j < self.columns,
             "pair ({i}, {j}) out of range"
         );
-        let fields = A::<O, T>::LEN + B::<O, T>::LEN;
-        let mut slopes = [T::default(); 2 * MOST_FIELDS];
-        for k in 0..fields {
-            slopes[k] = self.planes[(i * fields + k) * self.columns + j];
+        let plane = |k: usize| self.planes[(k * self.rows + i) * self.columns + j];
+        let (mut of_a, mut of_b) = (
+            zeros::<T, A<O, T>>().to_array(),
+            zeros::<T, B<O, T>>().to_array(),
+        );
+        for (k, slope) in of_a.as_mut().iter_mut().enumerate() {
+            *slope = plane(k);
         }
-        Fixed::take(&slopes)
+        for (k, slope) in of_b.as_mut().iter_mut().enumerate() {
+            *slope = plane(A::<O, T>::LEN + k);
+        }
+        (Fixed::from_array(of_a), Fixed::from_array(of_b))
     }
 }
 
@@ -121,53 +131,119 @@ fn check_upstream<T: Real>(upstream: &[T]) -> Result<(), Error> {
     Ok(())
 }
 
-/// More fields than any shape or frame has.
-const MOST_FIELDS: usize = 16;
-
-/// The shape of a bundle: one shape per lane, the last one again where there are fewer.
-#[inline(always)]
-fn gather<T: Real, P: Fixed<Scalar = T>, Q: Fixed<Scalar = T::Bundle>>(shapes: &[P]) -> Q {
-    let mut fields = [T::Bundle::splat(T::default()); MOST_FIELDS];
-    let mut one = [T::default(); MOST_FIELDS];
-    for lane in 0..T::Bundle::WIDTH {
-        shapes[lane.min(shapes.len() - 1)].put(&mut one);
-        for field in 0..P::LEN {
-            fields[field].lanes_mut()[lane] = one[field];
+/// Runs a kernel on bundles with the best instructions there are, or one pair after another where
+/// sizes are extreme: too rare a case to be compiled once more for every instruction set.
+macro_rules! run {
+    ($extreme:expr, $kernel:ident::<$op:ident, $t:ident>($($argument:expr),* $(,)?)) => {
+        if $extreme {
+            $kernel::<$op, $t, $t::Single, true>($($argument),*)
+        } else {
+            vectorized!($kernel::<$op, $t, $t::Bundle, false>($($argument),*))
         }
-    }
-    Q::take(&fields)
+    };
 }
 
-/// The other way: as many shapes as there is room for.
+/// The shape of a bundle: one shape per lane, from as many shapes as there are lanes.
+///
+/// The lanes pass through memory behind a [`black_box`], here and in [`scatter`]: otherwise the
+/// compiler sees through the transposition and computes the whole kernel one lane at a time.
 #[inline(always)]
-fn scatter<T: Real, P: Fixed<Scalar = T>, Q: Fixed<Scalar = T::Bundle>>(from: Q, shapes: &mut [P]) {
-    let mut fields = [T::Bundle::splat(T::default()); MOST_FIELDS];
-    let mut one = [T::default(); MOST_FIELDS];
-    from.put(&mut fields);
-    for (lane, shape) in shapes.iter_mut().enumerate() {
-        for field in 0..P::LEN {
-            one[field] = fields[field].lanes()[lane];
+fn gather<T: Real, L: Bundle<T>, P: Fixed<Scalar = T>, Q: Fixed<Scalar = L>>(shapes: &[P]) -> Q {
+    let shapes = &shapes[..L::WIDTH];
+    let mut bundles = zeros::<L, Q>().to_array();
+    for (field, bundle) in bundles.as_mut().iter_mut().enumerate() {
+        for (x, shape) in bundle.lanes_mut().iter_mut().zip(shapes) {
+            *x = shape.to_array().as_ref()[field];
         }
-        *shape = P::take(&one);
+    }
+    black_box(&mut bundles);
+    Q::from_array(bundles)
+}
+
+/// The other way.
+#[inline(always)]
+fn scatter<T: Real, L: Bundle<T>, P: Fixed<Scalar = T>, Q: Fixed<Scalar = L>>(
+    from: Q,
+    shapes: &mut [P],
+) {
+    let shapes = &mut shapes[..L::WIDTH];
+    let mut lanes = from.to_array();
+    black_box(&mut lanes);
+    for lane in 0..L::WIDTH {
+        let mut one = zeros::<T, P>().to_array();
+        for (x, bundle) in one.as_mut().iter_mut().zip(lanes.as_ref()) {
+            *x = bundle.lanes()[lane];
+        }
+        shapes[lane] = P::from_array(one);
     }
 }
 
 /// One shape in every lane.
 #[inline(always)]
-fn splat<T: Real, P: Fixed<Scalar = T>, Q: Fixed<Scalar = T::Bundle>>(shape: P) -> Q {
-    let mut one = [T::default(); MOST_FIELDS];
-    let mut fields = [T::Bundle::splat(T::default()); MOST_FIELDS];
-    shape.put(&mut one);
-    for field in 0..P::LEN {
-        fields[field] = T::Bundle::splat(one[field]);
+fn splat<T: Real, L: Bundle<T>, P: Fixed<Scalar = T>, Q: Fixed<Scalar = L>>(shape: P) -> Q {
+    let one = shape.to_array();
+    let mut lanes = zeros::<L, Q>().to_array();
+    for (bundle, &x) in lanes.as_mut().iter_mut().zip(one.as_ref()) {
+        *bundle = L::splat(x);
     }
-    Q::take(&fields)
+    Q::from_array(lanes)
 }
 
-/// Copies lanes out, as many as there is room for.
+/// Copies a bundle out.
 #[inline(always)]
-fn store<T: Real>(from: T::Bundle, to: &mut [T]) {
-    to.copy_from_slice(&from.lanes()[..to.len()]);
+fn store<T: Real, L: Bundle<T>>(from: L, to: &mut [T]) {
+    to[..L::WIDTH].copy_from_slice(from.lanes());
+}
+
+/// Copies a bundle in.
+#[inline(always)]
+fn load<T: Real, L: Bundle<T>>(from: &[T]) -> L {
+    let mut lanes = L::splat(T::default());
+    lanes.lanes_mut().copy_from_slice(&from[..L::WIDTH]);
+    lanes
+}
+
+/// Where a tile starts. The last one overlaps the one before where the items do not come out even
+/// (its results are the same bits): no kernel has a case for what is left over. There are at least
+/// as many items as lanes; see [`padded`].
+#[inline(always)]
+fn start_of<T: Real, L: Bundle<T>>(tile: usize, items: usize) -> usize {
+    (tile * L::WIDTH).min(items - L::WIDTH)
+}
+
+/// A list too short for one tile, filled up with copies of its last item.
+fn padded<P: Copy>(items: &[P], width: usize) -> Vec<P> {
+    let mut padded = items.to_vec();
+    padded.extend(
+        items
+            .last()
+            .copied()
+            .into_iter()
+            .cycle()
+            .take(width - items.len()),
+    );
+    padded
+}
+
+/// Columns too few for one tile, filled up; `None` where there are enough.
+fn widened<P: Copy>(columns: &[P], width: usize) -> Option<Vec<P>> {
+    (columns.len() < width).then(|| padded(columns, width))
+}
+
+/// The first columns of every row.
+fn narrow<T: Copy>(from: &[T], width: usize, to: &mut [T], columns: usize) {
+    for (to, from) in to.chunks_mut(columns).zip(from.chunks(width)) {
+        to.copy_from_slice(&from[..columns]);
+    }
+}
+
+/// The lanes of the narrowest tile there may be.
+fn width_of<T: Real>(extreme: bool) -> usize {
+    if extreme {
+        T::Single::WIDTH
+    } else {
+        T::Bundle::WIDTH
+    }
 }
 
 /// The index of a tile, hidden from the optimizer.
@@ -176,7 +252,7 @@ fn store<T: Real>(from: T::Bundle, to: &mut [T]) {
 /// scatters, at a third of the speed.
 #[inline(always)]
 fn opaque(tile: usize) -> usize {
-    std::hint::black_box(tile)
+    black_box(tile)
 }
 
 /// Row i of `a` with row i of `b`: one result per row.
@@ -222,29 +298,37 @@ pub fn aligned_into<O: PairOp, T: Real>(
     spread(
         work,
         |((a, b), values): ((&[A<O, T>], &[B<O, T>]), &mut [T])| {
-            vectorized!(aligned_values::<O, T>(a, b, values, extreme));
+            let (n, width) = (a.len(), width_of::<T>(extreme));
+            let (wide_a, wide_b) = (widened(a, width), widened(b, width));
+            let mut wide = wide_a.as_ref().map(|_| vec![T::default(); width]);
+            run!(
+                extreme,
+                aligned_values::<O, T>(
+                    wide_a.as_deref().unwrap_or(a),
+                    wide_b.as_deref().unwrap_or(b),
+                    wide.as_deref_mut().unwrap_or(values),
+                )
+            );
+            if let Some(wide) = wide {
+                values.copy_from_slice(&wide[..n]);
+            }
         },
     );
     Ok(())
 }
 
 #[inline(always)]
-fn aligned_values<O: PairOp, T: Real>(
+fn aligned_values<O: PairOp, T: Real, L: Bundle<T>, const EXTREME: bool>(
     a: &[A<O, T>],
     b: &[B<O, T>],
     values: &mut [T],
-    extreme: bool,
 ) {
-    let width = T::Bundle::WIDTH;
-    for ((a, b), values) in a
-        .chunks(width)
-        .zip(b.chunks(width))
-        .zip(values.chunks_mut(width))
-    {
-        let a: A<O, T::Bundle> = gather::<T, _, _>(a);
-        let b: B<O, T::Bundle> = gather::<T, _, _>(b);
-        let value = O::value::<T::Bundle>(O::frame_a(a), O::frame_b(b), extreme);
-        store::<T>(value, values);
+    for tile in 0..a.len().div_ceil(L::WIDTH) {
+        let start = start_of::<T, L>(opaque(tile), a.len());
+        let a: A<O, L> = gather::<T, L, _, _>(&a[start..]);
+        let b: B<O, L> = gather::<T, L, _, _>(&b[start..]);
+        let value = O::value::<L, EXTREME>(O::frame_a(a), O::frame_b(b));
+        store::<T, L>(value, &mut values[start..]);
     }
 }
 
@@ -362,69 +446,91 @@ fn aligned_slopes<O: PairOp, T: Real>(
             ((&[A<O, T>], &[B<O, T>]), _),
             (&mut [A<O, T>], &mut [B<O, T>]),
         )| {
-            vectorized!(aligned_bars::<O, T>(a, b, &mut seed, a_bar, b_bar, extreme));
+            let (n, width) = (a.len(), width_of::<T>(extreme));
+            let (wide_a, wide_b) = (widened(a, width), widened(b, width));
+            let (mut wide_a_bar, mut wide_b_bar) = (wide_a.clone(), wide_b.clone());
+            let mut wide = match &seed {
+                _ if wide_a.is_none() => Vec::new(),
+                Seed::One(_) => vec![T::default(); width],
+                Seed::Upstream(upstream) => padded(upstream, width),
+            };
+            let mut to = match &mut seed {
+                Seed::One(_) if wide_a.is_some() => Seed::One(&mut wide),
+                Seed::Upstream(_) if wide_a.is_some() => Seed::Upstream(&wide),
+                Seed::One(values) => Seed::One(values),
+                Seed::Upstream(upstream) => Seed::Upstream(upstream),
+            };
+            run!(
+                extreme,
+                aligned_bars::<O, T>(
+                    wide_a.as_deref().unwrap_or(a),
+                    wide_b.as_deref().unwrap_or(b),
+                    &mut to,
+                    wide_a_bar.as_deref_mut().unwrap_or(a_bar),
+                    wide_b_bar.as_deref_mut().unwrap_or(b_bar),
+                )
+            );
+            if let (Some(wide_a_bar), Some(wide_b_bar)) = (wide_a_bar, wide_b_bar) {
+                if let Seed::One(values) = seed {
+                    values.copy_from_slice(&wide[..n]);
+                }
+                a_bar.copy_from_slice(&wide_a_bar[..n]);
+                b_bar.copy_from_slice(&wide_b_bar[..n]);
+            }
         },
     );
     Ok(())
 }
 
 #[inline(always)]
-fn aligned_bars<O: PairOp, T: Real>(
+fn aligned_bars<O: PairOp, T: Real, L: Bundle<T>, const EXTREME: bool>(
     a: &[A<O, T>],
     b: &[B<O, T>],
     seed: &mut Seed<'_, T>,
     a_bar: &mut [A<O, T>],
     b_bar: &mut [B<O, T>],
-    extreme: bool,
 ) {
-    let width = T::Bundle::WIDTH;
-    for tile in 0..a.len().div_ceil(width) {
-        let start = opaque(tile) * width;
-        let range = start..a.len().min(start + width);
-        let a: A<O, T::Bundle> = gather::<T, _, _>(&a[range.clone()]);
-        let b: B<O, T::Bundle> = gather::<T, _, _>(&b[range.clone()]);
-        let (value, mut bars) = O::grad::<T::Bundle>(O::frame_a(a), O::frame_b(b), extreme);
+    for tile in 0..a.len().div_ceil(L::WIDTH) {
+        let start = start_of::<T, L>(opaque(tile), a.len());
+        let a: A<O, L> = gather::<T, L, _, _>(&a[start..]);
+        let b: B<O, L> = gather::<T, L, _, _>(&b[start..]);
+        let (value, mut bars) = O::grad::<L, EXTREME>(O::frame_a(a), O::frame_b(b));
         match seed {
-            Seed::One(values) => store::<T>(value, &mut values[range.clone()]),
+            Seed::One(values) => store::<T, L>(value, &mut values[start..]),
             Seed::Upstream(upstream) => {
-                let mut factor = T::Bundle::splat(T::default());
-                let here = &upstream[range.clone()];
-                factor.lanes_mut()[..here.len()].copy_from_slice(here);
+                let factor = load::<T, L>(&upstream[start..]);
                 bars = (times(bars.0, factor), times(bars.1, factor));
             }
         }
-        scatter::<T, _, _>(bars.0, &mut a_bar[range.clone()]);
-        scatter::<T, _, _>(bars.1, &mut b_bar[range]);
+        scatter::<T, L, _, _>(bars.0, &mut a_bar[start..]);
+        scatter::<T, L, _, _>(bars.1, &mut b_bar[start..]);
     }
 }
 
 /// Every field times a factor.
 #[inline(always)]
 fn times<S: Scalar, P: Fixed<Scalar = S>>(shape: P, factor: S) -> P {
-    let mut fields = [S::zero(); MOST_FIELDS];
-    shape.put(&mut fields);
-    for field in &mut fields[..P::LEN] {
+    let mut fields = shape.to_array();
+    for field in fields.as_mut() {
         *field *= factor;
     }
-    P::take(&fields)
+    P::from_array(fields)
 }
 
 /// Field by field the sum.
 #[inline(always)]
 fn plus<S: Scalar, P: Fixed<Scalar = S>>(x: P, y: P) -> P {
-    let (mut fields, mut more) = ([S::zero(); MOST_FIELDS], [S::zero(); MOST_FIELDS]);
-    x.put(&mut fields);
-    y.put(&mut more);
-    for field in 0..P::LEN {
-        fields[field] += more[field];
+    let (mut fields, more) = (x.to_array(), y.to_array());
+    for (field, &y) in fields.as_mut().iter_mut().zip(more.as_ref()) {
+        *field += y;
     }
-    P::take(&fields)
+    P::from_array(fields)
 }
 
 /// A shape of zeros.
 #[inline(always)]
 fn zeros<S: Scalar, P: Fixed<Scalar = S>>() -> P {
-    P::take(&[S::zero(); MOST_FIELDS])
+    P::filled(S::zero())
 }
 
 /// Every row of `a` with every row of `b`: a matrix, row by row.
@@ -484,13 +590,22 @@ pub fn all_pairs_into<O: PairOp, T: Real>(
     if values.is_empty() {
         return Ok(());
     }
-    let rows = rows_per_piece(a.len());
+    let (rows, columns, width) = (rows_per_piece(a.len()), b.len(), width_of::<T>(extreme));
+    let wide_b = widened(b, width);
     let work = a
         .chunks(rows)
-        .zip(values.chunks_mut(rows * b.len()))
+        .zip(values.chunks_mut(rows * columns))
         .collect();
     spread(work, |(a, values): (&[A<O, T>], &mut [T])| {
-        vectorized!(matrix_values::<O, T>(a, b, values, extreme));
+        let mut wide = wide_b.as_ref().map(|_| vec![T::default(); a.len() * width]);
+        let to = wide.as_deref_mut().unwrap_or(&mut *values);
+        run!(
+            extreme,
+            matrix_values::<O, T>(a, wide_b.as_deref().unwrap_or(b), to)
+        );
+        if let Some(wide) = wide {
+            narrow(&wide, width, values, columns);
+        }
     });
     Ok(())
 }
@@ -501,36 +616,38 @@ fn frames_a<O: PairOp, T: Real>(a: &[A<O, T>]) -> Vec<O::FrameA<T>> {
     a.iter().map(|&shape| O::frame_a(shape)).collect()
 }
 
-/// Frames of a block of columns, in bundles.
+/// Frames of some tiles of columns, in bundles.
 #[inline(always)]
-fn frames_b<O: PairOp, T: Real>(b: &[B<O, T>], frames: &mut Vec<O::FrameB<T::Bundle>>) {
+fn frames_b<O: PairOp, T: Real, L: Bundle<T>>(
+    b: &[B<O, T>],
+    tiles: std::ops::Range<usize>,
+    frames: &mut Vec<O::FrameB<L>>,
+) {
     frames.clear();
-    for shapes in b.chunks(T::Bundle::WIDTH) {
-        let shapes: B<O, T::Bundle> = gather::<T, _, _>(shapes);
+    for tile in tiles {
+        let shapes: B<O, L> = gather::<T, L, _, _>(&b[start_of::<T, L>(tile, b.len())..]);
         frames.push(O::frame_b(shapes));
     }
 }
 
 #[inline(always)]
-fn matrix_values<O: PairOp, T: Real>(
+fn matrix_values<O: PairOp, T: Real, L: Bundle<T>, const EXTREME: bool>(
     a: &[A<O, T>],
     b: &[B<O, T>],
     values: &mut [T],
-    extreme: bool,
 ) {
-    let (width, columns) = (T::Bundle::WIDTH, b.len());
+    let (columns, tiles) = (b.len(), b.len().div_ceil(L::WIDTH));
     let rows = frames_a::<O, T>(a);
-    let mut frames = Vec::with_capacity(BLOCK / width);
-    for (block, b) in b.chunks(BLOCK).enumerate() {
-        frames_b::<O, T>(b, &mut frames);
+    let mut frames = Vec::with_capacity(BLOCK);
+    for first in (0..tiles).step_by(BLOCK) {
+        frames_b::<O, T, L>(b, first..tiles.min(first + BLOCK), &mut frames);
         for (i, &row) in rows.iter().enumerate() {
-            let row: O::FrameA<T::Bundle> = splat::<T, _, _>(row);
-            let values = &mut values[i * columns + block * BLOCK..][..b.len()];
-            for tile in 0..frames.len() {
-                let tile = opaque(tile);
-                let value = O::value::<T::Bundle>(row, frames[tile], extreme);
-                let end = b.len().min((tile + 1) * width);
-                store::<T>(value, &mut values[tile * width..end]);
+            let row: O::FrameA<L> = splat::<T, L, _, _>(row);
+            let values = &mut values[i * columns..][..columns];
+            for (k, &frame) in frames.iter().enumerate() {
+                let start = start_of::<T, L>(first + opaque(k), columns);
+                let value = O::value::<L, EXTREME>(row, frame);
+                store::<T, L>(value, &mut values[start..]);
             }
         }
     }
@@ -595,53 +712,76 @@ pub fn all_pairs_grad_into<O: PairOp, T: Real>(
     if grads.values.is_empty() {
         return Ok(());
     }
-    let rows = rows_per_piece(a.len());
+    let (rows, columns, width) = (rows_per_piece(a.len()), b.len(), width_of::<T>(extreme));
+    let wide_b = widened(b, width);
     let values = grads.values.chunks_mut(rows * b.len());
-    let planes = grads.planes.chunks_mut(rows * b.len() * fields);
+    // Every piece gets its rows of every plane.
+    let mut planes: Vec<Vec<&mut [T]>> = Vec::new();
+    planes.resize_with(a.len().div_ceil(rows), || Vec::with_capacity(fields));
+    for plane in grads.planes.chunks_mut(a.len() * b.len()) {
+        for (piece, part) in planes.iter_mut().zip(plane.chunks_mut(rows * b.len())) {
+            piece.push(part);
+        }
+    }
     let work = a.chunks(rows).zip(values).zip(planes).collect();
     spread(
         work,
-        |((a, values), planes): ((&[A<O, T>], &mut [T]), &mut [T])| {
-            vectorized!(matrix_grads::<O, T>(a, b, values, planes, extreme));
+        |((a, values), mut planes): ((&[A<O, T>], &mut [T]), Vec<&mut [T]>)| {
+            let fill = |n: usize| wide_b.as_ref().map(|_| vec![T::default(); n]);
+            let mut wide = fill(a.len() * width);
+            let mut wide_planes = fill(a.len() * width * fields);
+            let to = wide.as_deref_mut().unwrap_or(&mut *values);
+            let mut to_planes: Vec<&mut [T]> = match &mut wide_planes {
+                Some(wide) => wide.chunks_mut(a.len() * width).collect(),
+                None => planes.iter_mut().map(|plane| &mut **plane).collect(),
+            };
+            run!(
+                extreme,
+                matrix_grads::<O, T>(a, wide_b.as_deref().unwrap_or(b), to, &mut to_planes)
+            );
+            if let (Some(wide), Some(wide_planes)) = (wide, wide_planes) {
+                narrow(&wide, width, values, columns);
+                for (from, to) in wide_planes.chunks(a.len() * width).zip(planes) {
+                    narrow(from, width, to, columns);
+                }
+            }
         },
     );
     Ok(())
 }
 
 #[inline(always)]
-fn matrix_grads<O: PairOp, T: Real>(
+fn matrix_grads<O: PairOp, T: Real, L: Bundle<T>, const EXTREME: bool>(
     a: &[A<O, T>],
     b: &[B<O, T>],
     values: &mut [T],
-    planes: &mut [T],
-    extreme: bool,
+    planes: &mut [&mut [T]],
 ) {
-    let (width, columns) = (T::Bundle::WIDTH, b.len());
-    let fields = A::<O, T>::LEN + B::<O, T>::LEN;
+    let (columns, tiles) = (b.len(), b.len().div_ceil(L::WIDTH));
     let rows = frames_a::<O, T>(a);
-    let mut frames = Vec::with_capacity(BLOCK / width);
-    for (block, b) in b.chunks(BLOCK).enumerate() {
-        frames_b::<O, T>(b, &mut frames);
+    let mut frames = Vec::with_capacity(BLOCK);
+    for first in (0..tiles).step_by(BLOCK) {
+        frames_b::<O, T, L>(b, first..tiles.min(first + BLOCK), &mut frames);
         for (i, &row) in rows.iter().enumerate() {
-            let row: O::FrameA<T::Bundle> = splat::<T, _, _>(row);
+            let row: O::FrameA<L> = splat::<T, L, _, _>(row);
             let values = &mut values[i * columns..][..columns];
-            let planes = &mut planes[i * columns * fields..][..columns * fields];
-            for tile in 0..frames.len() {
-                let tile = opaque(tile);
-                let (value, bars) = O::grad::<T::Bundle>(row, frames[tile], extreme);
-                let start = block * BLOCK + tile * width;
-                let end = columns.min(start + width);
-                store::<T>(value, &mut values[start..end]);
-                let mut slopes = [T::Bundle::splat(T::default()); 2 * MOST_FIELDS];
-                bars.put(&mut slopes);
-                for (field, &slope) in slopes[..fields].iter().enumerate() {
-                    store::<T>(
-                        slope,
-                        &mut planes[field * columns + start..field * columns + end],
-                    );
-                }
+            for (k, &frame) in frames.iter().enumerate() {
+                let start = start_of::<T, L>(first + opaque(k), columns);
+                let (value, bars) = O::grad::<L, EXTREME>(row, frame);
+                store::<T, L>(value, &mut values[start..]);
+                let (of_a, of_b) = planes.split_at_mut(A::<O, T>::LEN);
+                store_planes::<T, L>(bars.0.to_array().as_ref(), of_a, i * columns + start);
+                store_planes::<T, L>(bars.1.to_array().as_ref(), of_b, i * columns + start);
             }
         }
+    }
+}
+
+/// Copies a bundle into each plane.
+#[inline(always)]
+fn store_planes<T: Real, L: Bundle<T>>(bundles: &[L], planes: &mut [&mut [T]], at: usize) {
+    for (&bundle, plane) in bundles.iter().zip(planes) {
+        store::<T, L>(bundle, &mut plane[at..]);
     }
 }
 
@@ -702,7 +842,8 @@ pub fn all_pairs_vjp_into<O: PairOp, T: Real>(
     if upstream.is_empty() {
         return Ok(());
     }
-    let rows = rows_per_piece(a.len());
+    let (rows, columns, width) = (rows_per_piece(a.len()), b.len(), width_of::<T>(extreme));
+    let wide_b = widened(b, width);
     let mut partials = vec![zeros(); a.len().div_ceil(rows) * b.len()];
     let ups = upstream.chunks(rows * b.len());
     let work = a
@@ -716,7 +857,28 @@ pub fn all_pairs_vjp_into<O: PairOp, T: Real>(
             ((&[A<O, T>], &[T]), &mut [A<O, T>]),
             &mut [B<O, T>],
         )| {
-            vectorized!(matrix_vjp::<O, T>(a, b, upstream, a_bar, b_bar, extreme));
+            // The columns added have no upstream.
+            let wide = wide_b.as_ref().map(|_| {
+                let mut wide = vec![T::default(); a.len() * width];
+                for (to, from) in wide.chunks_mut(width).zip(upstream.chunks(columns)) {
+                    to[..columns].copy_from_slice(from);
+                }
+                wide
+            });
+            let mut wide_bar = wide_b.clone();
+            run!(
+                extreme,
+                matrix_vjp::<O, T>(
+                    a,
+                    wide_b.as_deref().unwrap_or(b),
+                    wide.as_deref().unwrap_or(upstream),
+                    a_bar,
+                    wide_bar.as_deref_mut().unwrap_or(&mut *b_bar),
+                )
+            );
+            if let Some(wide_bar) = wide_bar {
+                b_bar.copy_from_slice(&wide_bar[..columns]);
+            }
         },
     );
     // Piece after piece, so the order of the sum is fixed.
@@ -729,50 +891,50 @@ pub fn all_pairs_vjp_into<O: PairOp, T: Real>(
 }
 
 #[inline(always)]
-fn matrix_vjp<O: PairOp, T: Real>(
+fn matrix_vjp<O: PairOp, T: Real, L: Bundle<T>, const EXTREME: bool>(
     a: &[A<O, T>],
     b: &[B<O, T>],
     upstream: &[T],
     a_bar: &mut [A<O, T>],
     b_bar: &mut [B<O, T>],
-    extreme: bool,
 ) {
-    let (width, columns) = (T::Bundle::WIDTH, b.len());
+    let columns = b.len();
     let rows = frames_a::<O, T>(a);
-    let zero = T::Bundle::splat(T::default());
-    let mut sums: Vec<A<O, T::Bundle>> = vec![zeros(); rows.len()];
-    for tile in 0..columns.div_ceil(width) {
-        let start = opaque(tile) * width;
-        let range = start..columns.min(start + width);
-        let shapes: B<O, T::Bundle> = gather::<T, _, _>(&b[range.clone()]);
+    let mut sums: Vec<A<O, L>> = vec![zeros(); rows.len()];
+    for tile in 0..columns.div_ceil(L::WIDTH) {
+        let start = start_of::<T, L>(opaque(tile), columns);
+        // Lanes of the tile before, where the last one overlaps it: they must not count twice.
+        let counted = tile * L::WIDTH - start;
+        let shapes: B<O, L> = gather::<T, L, _, _>(&b[start..]);
         let frame = O::frame_b(shapes);
-        let mut column: B<O, T::Bundle> = zeros();
+        let mut column: B<O, L> = zeros();
         for i in 0..rows.len() {
             let i = opaque(i);
-            let row: O::FrameA<T::Bundle> = splat::<T, _, _>(rows[i]);
-            // Lanes beyond the last column have upstream zero and add nothing.
-            let mut factor = zero;
-            let here = &upstream[i * columns..][range.clone()];
-            factor.lanes_mut()[..here.len()].copy_from_slice(here);
-            let (_, bars) = O::grad::<T::Bundle>(row, frame, extreme);
+            let row: O::FrameA<L> = splat::<T, L, _, _>(rows[i]);
+            let mut factor = load::<T, L>(&upstream[i * columns + start..]);
+            if counted > 0 {
+                factor.lanes_mut()[..counted].fill(T::default());
+            }
+            let (_, bars) = O::grad::<L, EXTREME>(row, frame);
             sums[i] = plus(sums[i], times(bars.0, factor));
             column = plus(column, times(bars.1, factor));
         }
-        scatter::<T, _, _>(column, &mut b_bar[range]);
+        let mut bars = [zeros(); MOST_LANES];
+        scatter::<T, L, _, _>(column, &mut bars);
+        b_bar[start + counted..start + L::WIDTH].copy_from_slice(&bars[counted..L::WIDTH]);
     }
     for (bar, sum) in a_bar.iter_mut().zip(sums) {
-        *bar = folded::<T, _, _>(sum);
+        *bar = folded::<T, L, _, _>(sum);
     }
 }
 
 /// The sum of all lanes of every field, always in the same order: halves onto halves.
 #[inline(always)]
-fn folded<T: Real, P: Fixed<Scalar = T>, Q: Fixed<Scalar = T::Bundle>>(sum: Q) -> P {
-    let mut fields = [T::Bundle::splat(T::default()); MOST_FIELDS];
-    let mut totals = [T::default(); MOST_FIELDS];
-    sum.put(&mut fields);
-    for field in 0..Q::LEN {
-        let lanes = fields[field].lanes_mut();
+fn folded<T: Real, L: Bundle<T>, P: Fixed<Scalar = T>, Q: Fixed<Scalar = L>>(sum: Q) -> P {
+    let mut bundles = sum.to_array();
+    let mut totals = zeros::<T, P>().to_array();
+    for (total, bundle) in totals.as_mut().iter_mut().zip(bundles.as_mut()) {
+        let lanes = bundle.lanes_mut();
         let mut half = lanes.len() / 2;
         while half > 0 {
             for lane in 0..half {
@@ -780,9 +942,9 @@ fn folded<T: Real, P: Fixed<Scalar = T>, Q: Fixed<Scalar = T::Bundle>>(sum: Q) -
             }
             half /= 2;
         }
-        totals[field] = lanes[0];
+        *total = lanes[0];
     }
-    P::take(&totals)
+    P::from_array(totals)
 }
 
 /// One result per ring. Ring i has the vertices `offsets[i]..offsets[i + 1]`; there is one offset
@@ -943,9 +1105,7 @@ pub fn ragged_vjp_into<O: RingOp, T: Real>(
     expect(Argument::Upstream, offsets.len() - 1, upstream.len())?;
     expect(Argument::GradVertices, vertices.len(), bars.len())?;
     for (row, out_bar) in upstream.iter().enumerate() {
-        let mut slopes = [T::default(); MOST_FIELDS];
-        out_bar.put(&mut slopes);
-        for &slope in &slopes[..O::Out::<T>::LEN] {
+        for &slope in out_bar.to_array().as_ref() {
             crate::error::finite(slope, crate::error::Field::Value).map_err(|flaw| {
                 Error::Invalid {
                     argument: Argument::Upstream,
