@@ -278,5 +278,5 @@ macro_rules! float {
     };
 }
 
-float!(f32, u32, compensated: true, parallel: 1e-12, low_half: 12, mantissa: 23);
+float!(f32, u32, compensated: true, parallel: 2e-10, low_half: 12, mantissa: 23);
 float!(f64, u64, compensated: false, parallel: 4e-16, low_half: 27, mantissa: 52);
