@@ -1,11 +1,12 @@
 //! Moves boxes onto their truths along the gradient of the overlap.
 //!
 //! The loss of a pair is `1 − IoU`. Its slope says which way to go but not how far: IoU grows
-//! steeply towards a peak with a kink, where slopes do not fade but flip. So every number of every
-//! box keeps a step length of its own, which grows while the sign of its slope stays and halves when
-//! it flips (resilient gradient descent, Riedmiller and Braun 1993). A step that would not raise the
-//! overlap of its pair is taken back and tried shorter, so no pair ever gets worse. Pairs that overlap
-//! by a sliver have small slopes, which makes no difference to their steps.
+//! steeply towards a peak with a kink, where slopes do not fade but flip. So a box moves by its four
+//! sides and its heading, which hardly depend on each other there, and each of the five keeps a step
+//! length of its own, which grows while the sign of its slope stays and halves when it flips (resilient
+//! gradient descent, Riedmiller and Braun 1993). A step that would not raise the overlap of its pair is
+//! taken back and tried shorter, so no pair ever gets worse. Pairs that overlap by a sliver have small
+//! slopes, which makes no difference to their steps.
 use crate::cli::Backend;
 use geograd::kernels::cpu;
 use geograd::kernels::overlap::IouObb2;
@@ -35,7 +36,7 @@ struct Walker {
     /// The best place so far, and its overlap.
     shape: Obb2<f32>,
     iou: f32,
-    /// The slopes there: along and across the box, of its sizes, of its heading.
+    /// The slopes there: of moving the front, rear, left and right side outwards, and of turning.
     slopes: [f32; 5],
     /// How far to go next, in metres and radians, in the same order.
     steps: [f32; 5],
@@ -43,18 +44,12 @@ struct Walker {
 
 impl Walker {
     fn new(shape: Obb2<f32>) -> Self {
-        let (width, height) = (shape.size.x, shape.size.y);
+        let (length, width) = (0.04 * shape.size.x, 0.04 * shape.size.y);
         Walker {
             shape,
             iou: -1.0,
             slopes: [0.0; 5],
-            steps: [
-                0.03 * width,
-                0.03 * height,
-                0.02 * width,
-                0.02 * height,
-                0.03,
-            ],
+            steps: [length, length, width, width, 0.03],
         }
     }
 
@@ -66,30 +61,30 @@ impl Walker {
                 *by = step.copysign(slope);
             }
         }
+        let [front, rear, left, right, turn] = by;
         let Obb2 {
             center,
             size,
             heading,
         } = self.shape;
+        let off = Vec2::new(front - rear, left - right) * 0.5;
         // A size halves at most, so it stays positive.
         Obb2 {
-            center: center + Rotation2::from_angle(heading) * Vec2::new(by[0], by[1]),
-            size: Vec2::new(
-                (size.x + by[2]).max(0.5 * size.x),
-                (size.y + by[3]).max(0.5 * size.y),
-            ),
-            heading: heading + by[4],
+            center: center + Rotation2::from_angle(heading) * off,
+            size: (size + Vec2::new(front + rear, left + right)).most(size * 0.5),
+            heading: heading + turn,
         }
     }
 
     /// Takes the step if the overlap there is better, and learns from it either way.
     fn learn(&mut self, tried: Obb2<f32>, iou: f32, slope: Obb2<f32>) {
-        let center = Rotation2::from_angle(tried.heading).inverse() * slope.center;
+        // A side moves the centre by half of what it moves the size.
+        let off = Rotation2::from_angle(tried.heading).inverse() * slope.center * 0.5;
         let slopes = [
-            center.x,
-            center.y,
-            slope.size.x,
-            slope.size.y,
+            slope.size.x + off.x,
+            slope.size.x - off.x,
+            slope.size.y + off.y,
+            slope.size.y - off.y,
             slope.heading,
         ];
         let better = iou > self.iou;
@@ -113,8 +108,8 @@ impl Walker {
 
     fn is_done(&self) -> bool {
         let size = self.shape.size.x.max(self.shape.size.y);
-        let [along, across, width, height, turn] = self.steps;
-        let longest = along.max(across).max(width).max(height);
+        let [front, rear, left, right, turn] = self.steps;
+        let longest = front.max(rear).max(left).max(right);
         self.iou >= CLOSE || longest.max(turn * size) <= STILL * size
     }
 }

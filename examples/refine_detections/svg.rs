@@ -116,7 +116,7 @@ struct Extent {
 impl Extent {
     /// All boxes and the camera, out to the next five metres.
     fn of<'a>(shapes: impl Iterator<Item = &'a Seen>) -> Self {
-        let (mut min, mut max) = (Vec2::new(-10.0, 0.0), Vec2::new(10.0_f32, 20.0));
+        let (mut min, mut max) = (Vec2::new(-9.0, 1.0), Vec2::new(9.0_f32, 19.0));
         for seen in shapes {
             let bounds = seen.shape.bounding();
             (min, max) = (min.least(bounds.min), max.most(bounds.max));
@@ -354,7 +354,7 @@ fn close_up(page: &mut String, index: usize, top: f32, pair: &CloseUp) {
     let left = MARGIN + index as f32 * (width + CLOSE_UP_GAP);
     let (truth, before) = (pair.truth.shape.bounding(), pair.before.bounding());
     let (min, max) = (truth.min.least(before.min), truth.max.most(before.max));
-    // As large as fits with some air around, in steps that keep the bar below a round number.
+    // As large as fits with some air around.
     let room = Vec2::new(width, CLOSE_UP_HEIGHT) * 0.74;
     let scale = (room.x / (max.x - min.x)).min(room.y / (max.y - min.y));
     let middle = (min + max) * 0.5;
@@ -381,10 +381,10 @@ fn close_up(page: &mut String, index: usize, top: f32, pair: &CloseUp) {
     );
     let small = format!(r#"font-size="11" fill="{FAINT}""#);
     let length = format!("{bar} m");
-    text(page, x + 4.0, y - 4.0, &small, &length);
+    text(page, x + bar * scale + 6.0, y, &small, &length);
     let center = pair.truth.shape.center;
     let place = format!(
-        r##"{} {:.0} m ahead: IoU <tspan fill="#e8590c" font-weight="600">{:.2}</tspan> → <tspan fill="#1864ab" font-weight="600">{:.2}</tspan>"##,
+        r##"{} at {:.0} m: IoU <tspan fill="#e8590c" font-weight="600">{:.2}</tspan> → <tspan fill="#1864ab" font-weight="600">{:.2}</tspan>"##,
         pair.truth.class.name(),
         center.y,
         pair.iou[0],
