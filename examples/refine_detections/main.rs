@@ -47,7 +47,7 @@ gradient and no claim about the detector.
 Usage: refine_detections [options]
 
 Without files it makes a street of its own:
-  --seed N                 which street [default: 1]
+  --seed N                 which street [default: 4]
   --frames N               how many frames, a tenth of a second apart [default: 100]
 
 With files of the KITTI tracking benchmark:
@@ -89,7 +89,7 @@ struct Options {
 fn options() -> Result<Option<Options>, Failure> {
     use lexopt::prelude::*;
     let mut options = Options {
-        seed: 1,
+        seed: 4,
         frames: 100,
         detections: Vec::new(),
         labels: None,

@@ -200,7 +200,7 @@ pub fn picture(scene: &Scene<'_>) -> String {
             HEAD - 9.0,
             "",
             &format!(
-                r##"<tspan font-weight="600">{name}</tspan><tspan fill="{FAINT}">: frame {}, {} matches, mean IoU {mean:.3}</tspan>"##,
+                r##"<tspan font-weight="600">{name}</tspan><tspan fill="{FAINT}">: frame {}, {} matches, mean IoU {mean:.4}</tspan>"##,
                 scene.number,
                 matches.len(),
             ),
