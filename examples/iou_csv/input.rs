@@ -1,5 +1,6 @@
 //! Reads a table of boxes, or says everything that is wrong with it.
 use geograd::Obb2;
+use geograd::float::Float;
 use geograd::kernels::real::Real;
 use std::path::Path;
 use std::str::FromStr;
@@ -84,8 +85,8 @@ fn parse<T: Real + FromStr>(line: &str) -> Result<Obb2<T>, String> {
         *number = field
             .parse()
             .map_err(|_| format!("{column} is not a number: `{field}`"))?;
-        // A difference with itself is zero for finite numbers only; huge literals read as infinite.
-        if *number - *number != T::default() {
+        // Numbers beyond the format's range read as infinite.
+        if !number.widen().is_finite() {
             return Err(format!("{column} is not finite: `{field}`"));
         }
         if (column == "w" || column == "h") && *number < T::default() {
