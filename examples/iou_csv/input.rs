@@ -1,6 +1,5 @@
 //! Reads a table of boxes, or says everything that is wrong with it.
 use geograd::Obb2;
-use geograd::float::Float;
 use geograd::kernels::real::Real;
 use std::path::Path;
 use std::str::FromStr;

@@ -301,15 +301,21 @@ fn table(counts: &Counts, before: &Quality, after: &Quality, times: &Times) {
         row(&name("recall"), before.recall[i], after.recall[i]);
     }
     row("mean IoU", before.mean_iou, after.mean_iou);
-    let rate = |count: usize, time: Duration| count as f64 / time.as_secs_f64().max(1e-9) / 1e6;
+    let rate = |count: usize, time: Duration| match count {
+        0 => "-".to_string(),
+        _ => format!(
+            "{:.2} million",
+            count as f64 / time.as_secs_f64().max(1e-9) / 1e6
+        ),
+    };
     let cost = times.refining;
     println!("\npairs per second");
     println!(
-        "  matching         {:>9.2} million, assignment included",
+        "  matching         {:>17}, assignment included",
         rate(counts.pairs, times.matching)
     );
     println!(
-        "  with gradients   {:>9.2} million, {} computed",
+        "  with gradients   {:>17}, {} computed",
         rate(cost.gradients, cost.time),
         cost.gradients
     );
