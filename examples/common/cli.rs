@@ -1,4 +1,5 @@
 //! What the examples' command lines share: how they fail, and which machine runs the batches.
+use std::io::Write;
 use std::process::ExitCode;
 
 /// Why a run ends early.
@@ -30,6 +31,11 @@ impl Failure {
             }
         }
     }
+}
+
+/// Prints a text. A reader that has seen enough and gone away is no failure.
+pub fn say(text: &str) {
+    let _ = std::io::stdout().write_all(text.as_bytes());
 }
 
 /// The machine that runs the batches.

@@ -180,7 +180,7 @@ fn progress(pairs: u64) -> ProgressBar {
 fn main() -> ExitCode {
     let done = options().and_then(|options| match options {
         None => {
-            print!("{HELP}");
+            cli::say(HELP);
             Ok(())
         }
         Some(options) if options.double => run::<f64>(&options),

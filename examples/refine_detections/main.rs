@@ -227,7 +227,7 @@ fn run(options: &Options) -> Result<bool, Failure> {
         refining: cost,
         all: time,
     };
-    table(&counts, &quality(&before), &quality(&after), &times);
+    cli::say(&table(&counts, &quality(&before), &quality(&after), &times));
 
     let empty = (Frame::default(), Vec::new());
     let number = options.frame.or_else(|| most_improved(&before, &after));
@@ -243,7 +243,9 @@ fn run(options: &Options) -> Result<bool, Failure> {
     let name = options.svg.display();
     std::fs::write(&options.svg, picture)
         .map_err(|error| Failure::Work(format!("{name}: {error}")))?;
-    println!("\nFrame {at} before and after is drawn in {name}.");
+    cli::say(&format!(
+        "\nFrame {at} before and after is drawn in {name}.\n"
+    ));
     if bad_lines > 0 {
         eprintln!("refine_detections: {bad_lines} bad lines were left out");
     }
@@ -275,25 +277,29 @@ struct Times {
     all: Duration,
 }
 
-fn table(counts: &Counts, before: &Quality, after: &Quality, times: &Times) {
+fn table(counts: &Counts, before: &Quality, after: &Quality, times: &Times) -> String {
     let Counts {
         detections, truths, ..
     } = counts;
-    println!("frames             {:>9}", counts.frames);
-    println!("boxes              {detections:>9} detections, {truths} ground truth");
+    let mut lines = vec![
+        format!("frames             {:>9}", counts.frames),
+        format!("boxes              {detections:>9} detections, {truths} ground truth"),
+    ];
     if counts.left_out != (0, 0) {
         let (low, other) = counts.left_out;
-        println!("  left out         {low:>9} by score, {other} of other classes");
+        lines.push(format!(
+            "  left out         {low:>9} by score, {other} of other classes"
+        ));
     }
-    println!("pairs              {:>9}", counts.pairs);
-    println!("\n                      before     after");
-    println!(
+    lines.push(format!("pairs              {:>9}", counts.pairs));
+    lines.push("\n                      before     after".into());
+    lines.push(format!(
         "matches            {:>9} {:>9}",
         before.matches, after.matches
-    );
-    let row = |name: &str, before: Option<f64>, after: Option<f64>| {
+    ));
+    let mut row = |name: &str, before: Option<f64>, after: Option<f64>| {
         let show = |x: Option<f64>| x.map_or("-".to_string(), |x| format!("{x:.4}"));
-        println!("{name:18} {:>9} {:>9}", show(before), show(after));
+        lines.push(format!("{name:18} {:>9} {:>9}", show(before), show(after)));
     };
     for (i, threshold) in matching::THRESHOLDS.iter().enumerate() {
         let name = |what: &str| format!("{what} at {threshold}");
@@ -301,34 +307,32 @@ fn table(counts: &Counts, before: &Quality, after: &Quality, times: &Times) {
         row(&name("recall"), before.recall[i], after.recall[i]);
     }
     row("mean IoU", before.mean_iou, after.mean_iou);
-    let rate = |count: usize, time: Duration| match count {
-        0 => "-".to_string(),
-        _ => format!(
-            "{:.2} million",
-            count as f64 / time.as_secs_f64().max(1e-9) / 1e6
-        ),
+    lines.push("\npairs per second".into());
+    let mut rate = |name: &str, count: usize, time: Duration, what: &str| {
+        // Nothing done is no rate.
+        if count > 0 {
+            let millions = count as f64 / time.as_secs_f64().max(1e-9) / 1e6;
+            lines.push(format!("  {name:16} {millions:>9.2} million, {what}"));
+        }
     };
     let cost = times.refining;
-    println!("\npairs per second");
-    println!(
-        "  matching         {:>17}, assignment included",
-        rate(counts.pairs, times.matching)
+    let computed = format!("{} computed", cost.gradients);
+    rate(
+        "matching",
+        counts.pairs,
+        times.matching,
+        "assignment included",
     );
-    println!(
-        "  with gradients   {:>17}, {} computed",
-        rate(cost.gradients, cost.time),
-        cost.gradients
-    );
-    println!(
-        "time               {:>9.1} ms",
-        times.all.as_secs_f64() * 1e3
-    );
+    rate("with gradients", cost.gradients, cost.time, &computed);
+    let time = times.all.as_secs_f64() * 1e3;
+    lines.push(format!("time               {time:>9.1} ms\n"));
+    lines.join("\n")
 }
 
 fn main() -> ExitCode {
     let done = options().and_then(|options| match options {
         None => {
-            print!("{HELP}");
+            cli::say(HELP);
             Ok(false)
         }
         Some(options) => run(&options),
