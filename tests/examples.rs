@@ -276,6 +276,31 @@ fn refine_detections_on_files() {
     assert!(at.join("out.svg").exists());
 }
 
+/// A box shifted along its heading by half its length shares a third with the union; with the turn
+/// the other way round it would share less.
+#[test]
+fn refine_detections_turns_the_way_cameras_do() {
+    let at = folder("refine_heading");
+    let (turn, length) = (0.7_f32, 4.0);
+    // A positive turn moves +z towards +x, so it moves +x towards -z.
+    let (x, z) = (
+        3.0 + 0.5 * length * turn.cos(),
+        15.0 - 0.5 * length * turn.sin(),
+    );
+    let seen = format!("0,2,0,0,1,1,9,1.5,1.0,{length},{x},1.6,{z},{turn},0\n");
+    let truth = format!("0 0 Car 0 0 0 0 0 1 1 1.5 1.0 {length} 3 1.6 15 {turn}\n");
+    std::fs::write(at.join("seen.txt"), seen).unwrap();
+    std::fs::write(at.join("true.txt"), truth).unwrap();
+    let done = run(
+        "refine_detections",
+        &at,
+        "--detections seen.txt --labels true.txt",
+    );
+    assert_eq!((status(&done), stderr(&done)), (0, ""));
+    assert_eq!(row(&done, "mean IoU")[0], 0.3333);
+    assert!(row(&done, "mean IoU")[1] > 0.999);
+}
+
 #[test]
 fn refine_detections_tells_bad_lines_and_goes_on() {
     let at = folder("refine_bad_lines");
