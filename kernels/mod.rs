@@ -8,12 +8,22 @@
 //!
 //! Each comes as value, value with gradient (`…_grad`) and adjoint with an upstream gradient
 //! (`…_vjp`), and with buffers of the caller's (`…_into`).
+mod aligned;
 pub mod cpu;
+mod matrix;
 pub mod op;
 pub mod overlap;
+mod ragged;
 pub mod real;
 pub mod ring;
 pub mod simd;
+mod tile;
+
+pub use op::{Op, PairOp, RingOp};
+pub use overlap::{
+    IntersectionAreaAabb2, IntersectionAreaObb2, IofAabb2, IofObb2, IouAabb2, IouObb2,
+};
+pub use ring::{Centroid, Perimeter, SignedArea};
 
 /// Every operation, one per line: a name and a type. Tests, benches and documentation walk this
 /// list.

@@ -67,7 +67,7 @@ pub trait Fixed: Pack + Copy + Send + Sync {
 /// A lone number is a pack of one.
 macro_rules! leaf {
     ($([$($generic:tt)*] $type:ty),* $(,)?) => { $(
-        impl<$($generic)*> Pack for $type {
+        impl<$($generic)*> $crate::Pack for $type {
             type Scalar = Self;
             type With<R: Clone> = R;
             #[inline(always)]
@@ -79,7 +79,7 @@ macro_rules! leaf {
                 f(self)
             }
         }
-        impl<$($generic)*> Fixed for $type {
+        impl<$($generic)*> $crate::Fixed for $type {
             const LEN: usize = 1;
             type Array = [Self; 1];
             #[inline(always)]
@@ -97,6 +97,9 @@ macro_rules! leaf {
         }
     )* };
 }
+
+#[cfg(feature = "nalgebra")]
+pub(crate) use leaf;
 
 leaf! {
     [] f32,

@@ -13,7 +13,10 @@ struct Dice(u64);
 
 impl Dice {
     fn roll(&mut self) -> f64 {
-        self.0 = self.0.wrapping_mul(6364136223846793005).wrapping_add(1442695040888963407);
+        self.0 = self
+            .0
+            .wrapping_mul(6364136223846793005)
+            .wrapping_add(1442695040888963407);
         let mixed = (self.0 ^ (self.0 >> 33)).wrapping_mul(0xff51afd7ed558ccd);
         ((mixed ^ (mixed >> 29)) >> 11) as f64 / (1_u64 << 53) as f64
     }
@@ -46,7 +49,10 @@ fn f64_agrees_with_the_oracle_on_random_boxes() {
     for _ in 0..3000 {
         let (a, b) = (dice.obb(), dice.obb());
         let (got, exact) = (iou_obb2(a, b), oracle::iou(a, b));
-        assert!((got - exact).abs() < 1e-12, "{a} and {b}: {got}, exactly {exact}");
+        assert!(
+            (got - exact).abs() < 1e-12,
+            "{a} and {b}: {got}, exactly {exact}"
+        );
     }
 }
 
@@ -56,7 +62,10 @@ fn f32_agrees_with_the_oracle_on_random_boxes() {
     for _ in 0..3000 {
         let (a, b) = (narrow(dice.obb()), narrow(dice.obb()));
         let (got, exact) = (iou_obb2(a, b), oracle::iou(widen(a), widen(b)));
-        assert!((f64::from(got) - exact).abs() < 2e-6, "{a} and {b}: {got}, exactly {exact}");
+        assert!(
+            (f64::from(got) - exact).abs() < 2e-6,
+            "{a} and {b}: {got}, exactly {exact}"
+        );
     }
 }
 
@@ -71,7 +80,10 @@ fn f32_agrees_with_f64_on_a_million_pairs() {
     let got = cpu::all_pairs::<IouObb2, f32>(&a, &b).unwrap();
     let exact = cpu::all_pairs::<IouObb2, f64>(&wide(&a), &wide(&b)).unwrap();
     for (got, exact) in got.iter().zip(&exact) {
-        assert!((f64::from(*got) - exact).abs() < 2e-6, "{got}, exactly {exact}");
+        assert!(
+            (f64::from(*got) - exact).abs() < 2e-6,
+            "{got}, exactly {exact}"
+        );
     }
 }
 
@@ -89,7 +101,10 @@ fn far_and_small_boxes_keep_their_digits() {
         let a = narrow(Obb2::new(x, y, w, h, dice.within(-5.0, 5.0)));
         let b = narrow(Obb2::new(u, v, p, q, dice.within(-5.0, 5.0)));
         let exact = oracle::iou(widen(a), widen(b));
-        assert!((f64::from(iou_obb2(a, b)) - exact).abs() < 2e-6, "{a} and {b}");
+        assert!(
+            (f64::from(iou_obb2(a, b)) - exact).abs() < 2e-6,
+            "{a} and {b}"
+        );
         let (a, b) = (widen(a), widen(b));
         assert!((iou_obb2(a, b) - exact).abs() < 1e-12, "{a} and {b}");
     }
@@ -105,20 +120,34 @@ fn thin_nearly_parallel_boxes() {
     for i in 0..2000 {
         let heading = dice.within(-3.2, 3.2) as f32;
         let apart = 10f64.powf(dice.within(-7.0, -3.0)) as f32;
-        let quarter = if i % 3 == 0 { std::f32::consts::FRAC_PI_2 } else { 0.0 };
+        let quarter = if i % 3 == 0 {
+            std::f32::consts::FRAC_PI_2
+        } else {
+            0.0
+        };
         let (along, across) = (dice.within(-20.0, 20.0), dice.within(-8e-4, 8e-4));
         let (sin, cos) = f64::from(heading).sin_cos();
         let (x, y) = (along * cos - across * sin, along * sin + across * cos);
-        let (w, h) = if i % 3 == 0 { (1e-3, 50.0) } else { (50.0, 1e-3) };
+        let (w, h) = if i % 3 == 0 {
+            (1e-3, 50.0)
+        } else {
+            (50.0, 1e-3)
+        };
         let a = Obb2::new(0.0_f32, 0.0, 50.0, 1e-3, heading);
         let b = Obb2::new(x as f32, y as f32, w, h, heading + apart + quarter);
         let exact = oracle::iou(widen(a), widen(b));
         for (a, b) in [(a, b), (b, a)] {
             let got = f64::from(iou_obb2(a, b));
-            assert!((got - exact).abs() < 1e-4, "{a} and {b}: {got}, exactly {exact}");
+            assert!(
+                (got - exact).abs() < 1e-4,
+                "{a} and {b}: {got}, exactly {exact}"
+            );
         }
         let got = iou_obb2(widen(a), widen(b));
-        assert!((got - exact).abs() < 1e-10, "{a} and {b}: {got}, exactly {exact}");
+        assert!(
+            (got - exact).abs() < 1e-10,
+            "{a} and {b}: {got}, exactly {exact}"
+        );
     }
 }
 
@@ -127,9 +156,22 @@ fn hard() -> Vec<Obb2<f64>> {
     use std::f64::consts::{FRAC_PI_2, FRAC_PI_4, PI};
     let mut all = Vec::new();
     for heading in [0.0, FRAC_PI_2, PI, FRAC_PI_4, 0.5, 1e-7] {
-        for (x, y) in [(0.0, 0.0), (1.0, 0.0), (1.0, 1.0), (2.0, 0.0), (0.5, 0.25), (1e5, 1e5)] {
-            for (w, h) in [(2.0, 2.0), (4.0, 2.0), (2.0, 1.0), (0.0, 2.0), (0.0, 0.0), (1e-3, 50.0)]
-            {
+        for (x, y) in [
+            (0.0, 0.0),
+            (1.0, 0.0),
+            (1.0, 1.0),
+            (2.0, 0.0),
+            (0.5, 0.25),
+            (1e5, 1e5),
+        ] {
+            for (w, h) in [
+                (2.0, 2.0),
+                (4.0, 2.0),
+                (2.0, 1.0),
+                (0.0, 2.0),
+                (0.0, 0.0),
+                (1e-3, 50.0),
+            ] {
                 all.push(Obb2::new(x, y, w, h, heading));
             }
         }
@@ -144,11 +186,17 @@ fn hard_pairs_agree_with_the_oracle() {
         for &b in hard().iter().skip(i % 7).step_by(7) {
             let exact = oracle::iou(a, b);
             let got = iou_obb2(a, b);
-            assert!((got - exact).abs() < 1e-10, "{a} and {b}: {got}, exactly {exact}");
+            assert!(
+                (got - exact).abs() < 1e-10,
+                "{a} and {b}: {got}, exactly {exact}"
+            );
             let (a, b) = (narrow(a), narrow(b));
             let exact = oracle::iou(widen(a), widen(b));
             let got = f64::from(iou_obb2(a, b));
-            assert!((got - exact).abs() < 1e-4, "{a} and {b}: {got}, exactly {exact}");
+            assert!(
+                (got - exact).abs() < 1e-4,
+                "{a} and {b}: {got}, exactly {exact}"
+            );
         }
     }
 }
@@ -156,12 +204,21 @@ fn hard_pairs_agree_with_the_oracle() {
 /// Scores and slopes of every pair of hard boxes are finite, within range, and agree in format.
 fn sound<S: Scalar<Mask = bool> + Into<f64>>(a: Obb2<S>, b: Obb2<S>) {
     let (iou, (a_bar, b_bar)) = iou_obb2_grad(a, b);
-    assert!(iou.at_least(S::zero()) && iou.at_most(S::one()), "{a:?} {b:?}: {iou:?}");
+    assert!(
+        iou.at_least(S::zero()) && iou.at_most(S::one()),
+        "{a:?} {b:?}: {iou:?}"
+    );
     for slope in (a_bar, b_bar).scalars() {
-        assert!(Into::<f64>::into(slope).is_finite(), "{a:?} {b:?}: {a_bar:?} {b_bar:?}");
+        assert!(
+            Into::<f64>::into(slope).is_finite(),
+            "{a:?} {b:?}: {a_bar:?} {b_bar:?}"
+        );
     }
     let iof = iof_obb2(a, b);
-    assert!(iof.at_least(S::zero()) && iof.at_most(S::one()), "{a:?} {b:?}: {iof:?}");
+    assert!(
+        iof.at_least(S::zero()) && iof.at_most(S::one()),
+        "{a:?} {b:?}: {iof:?}"
+    );
     let inter: f64 = intersection_area_obb2(a, b).into();
     assert!(inter.is_finite() && inter >= 0.0);
 }
@@ -178,7 +235,9 @@ fn hard_pairs_are_sound() {
 
 #[test]
 fn extreme_sizes_are_sound() {
-    let sizes: [f64; 11] = [0.0, 1e-300, 1e-40, 1e-20, 1e-5, 1.0, 1e5, 1e20, 1e37, 1e150, 1e307];
+    let sizes: [f64; 11] = [
+        0.0, 1e-300, 1e-40, 1e-20, 1e-5, 1.0, 1e5, 1e20, 1e37, 1e150, 1e307,
+    ];
     for &s in &sizes {
         for &t in &sizes {
             for place in [0.0, 0.3, 1.0, 1e10] {
@@ -196,9 +255,21 @@ fn extreme_sizes_are_sound() {
     // Scaled alike, the same bits.
     let unit = Obb2::new(0.25, 0.5, 2.0, 1.0, 0.3);
     let other = Obb2::new(0.5, 0.125, 1.5, 3.0, 1.1);
-    let scaled = |x: Obb2<f64>, by: f64| Obb2 { center: x.center * by, size: x.size * by, ..x };
-    for by in [2f64.powi(-1000), 2f64.powi(-60), 2f64.powi(60), 2f64.powi(1000)] {
-        assert_eq!(iou_obb2(scaled(unit, by), scaled(other, by)), iou_obb2(unit, other));
+    let scaled = |x: Obb2<f64>, by: f64| Obb2 {
+        center: x.center * by,
+        size: x.size * by,
+        ..x
+    };
+    for by in [
+        2f64.powi(-1000),
+        2f64.powi(-60),
+        2f64.powi(60),
+        2f64.powi(1000),
+    ] {
+        assert_eq!(
+            iou_obb2(scaled(unit, by), scaled(other, by)),
+            iou_obb2(unit, other)
+        );
     }
 }
 
@@ -212,11 +283,17 @@ fn identical_boxes_give_one_and_no_slope() {
         }
         let (iou, slopes) = iou_obb2_grad(a, a);
         assert_eq!(iou, 1.0, "{a}");
-        assert!(slopes.scalars().iter().all(|&s| s == 0.0), "{a}: {slopes:?}");
+        assert!(
+            slopes.scalars().iter().all(|&s| s == 0.0),
+            "{a}: {slopes:?}"
+        );
         let a = narrow(a);
         let (iou, slopes) = iou_obb2_grad(a, a);
         assert_eq!(iou, 1.0, "{a}");
-        assert!(slopes.scalars().iter().all(|&s| s == 0.0), "{a}: {slopes:?}");
+        assert!(
+            slopes.scalars().iter().all(|&s| s == 0.0),
+            "{a}: {slopes:?}"
+        );
     }
 }
 
@@ -237,7 +314,10 @@ fn boxes_that_are_apart_or_touch_give_zero_and_no_slope() {
     }
     assert!(found > 1000);
     let square = Obb2::new(0.0, 0.0, 2.0, 2.0, 0.0);
-    for touching in [Obb2::new(2.0, 0.0, 2.0, 2.0, 0.0), Obb2::new(2.0, 2.0, 2.0, 2.0, 0.0)] {
+    for touching in [
+        Obb2::new(2.0, 0.0, 2.0, 2.0, 0.0),
+        Obb2::new(2.0, 2.0, 2.0, 2.0, 0.0),
+    ] {
         let (iou, slopes) = iou_obb2_grad(square, touching);
         assert_eq!(iou, 0.0);
         assert!(slopes.scalars().iter().all(|&s| s == 0.0));
@@ -250,19 +330,42 @@ fn cases_that_others_get_wrong() {
     let case = |a: [f64; 5], b: [f64; 5], exact: f64| {
         let shape = |x: [f64; 5]| Obb2::new(x[0], x[1], x[2], x[3], x[4]);
         let got = iou_obb2(shape(a), shape(b));
-        assert!((got - exact).abs() < 1e-12, "{a:?} {b:?}: {got}, exactly {exact}");
+        assert!(
+            (got - exact).abs() < 1e-12,
+            "{a:?} {b:?}: {got}, exactly {exact}"
+        );
     };
     // Equal headings: reported as containment.
     case([0.0, 0.0, 2.0, 2.0, 0.3], [10.0, 0.0, 2.0, 2.0, 0.3], 0.0);
-    case([0.0, 0.0, 2.0, 2.0, 0.0], [1.0, 0.0, 2.0, 2.0, 0.0], 1.0 / 3.0);
+    case(
+        [0.0, 0.0, 2.0, 2.0, 0.0],
+        [1.0, 0.0, 2.0, 2.0, 0.0],
+        1.0 / 3.0,
+    );
     // Axis-aligned: 4 × 2 shifted by half, 4 × 2 with 2 × 4, a thin one far away.
-    case([0.0, 0.0, 4.0, 2.0, 0.0], [2.0, 0.0, 4.0, 2.0, 0.0], 1.0 / 3.0);
-    case([0.0, 0.0, 4.0, 2.0, 0.0], [0.0, 0.0, 2.0, 4.0, 0.0], 1.0 / 3.0);
+    case(
+        [0.0, 0.0, 4.0, 2.0, 0.0],
+        [2.0, 0.0, 4.0, 2.0, 0.0],
+        1.0 / 3.0,
+    );
+    case(
+        [0.0, 0.0, 4.0, 2.0, 0.0],
+        [0.0, 0.0, 2.0, 4.0, 0.0],
+        1.0 / 3.0,
+    );
     case([0.0, 0.0, 100.0, 2.0, 0.0], [0.0, 50.0, 2.0, 2.0, 0.0], 0.0);
     // The same box turned by a quarter.
     let quarter = std::f64::consts::FRAC_PI_2;
-    case([1.0, 2.0, 3.0, 3.0, 0.0], [1.0, 2.0, 3.0, 3.0, quarter], 1.0);
-    case([1.0, 2.0, 3.0, 1.0, 0.2], [1.0, 2.0, 1.0, 3.0, 0.2 + quarter], 1.0);
+    case(
+        [1.0, 2.0, 3.0, 3.0, 0.0],
+        [1.0, 2.0, 3.0, 3.0, quarter],
+        1.0,
+    );
+    case(
+        [1.0, 2.0, 3.0, 1.0, 0.2],
+        [1.0, 2.0, 1.0, 3.0, 0.2 + quarter],
+        1.0,
+    );
     // The slope of equal axis-aligned boxes is not ±1.
     let square = Aabb2::new(0.0, 0.0, 1.0, 1.0);
     let (iou, slopes) = iou_aabb2_grad(square, square);

@@ -134,7 +134,7 @@ where
             if options.grad {
                 let grads = cpu::all_pairs_grad::<IouObb2, T>(a, &b).map_err(refused)?;
                 sink.rows(grads.values.len(), |pair| {
-                    let (a_bar, b_bar) = grads.at::<IouObb2>(pair / b.len(), pair % b.len());
+                    let (a_bar, b_bar) = grads.at(pair / b.len(), pair % b.len());
                     (grads.values[pair], Some([a_bar, b_bar]))
                 })?;
             } else {

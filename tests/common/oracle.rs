@@ -19,11 +19,18 @@ impl Fixed {
         }
         let bits = x.abs().to_bits();
         let (exponent, fraction) = ((bits >> 52) as i64, bits & ((1 << 52) - 1));
-        let (mantissa, exponent) =
-            if exponent == 0 { (fraction, -1074) } else { (fraction | 1 << 52, exponent - 1075) };
+        let (mantissa, exponent) = if exponent == 0 {
+            (fraction, -1074)
+        } else {
+            (fraction | 1 << 52, exponent - 1075)
+        };
         let shift = exponent + BITS as i64;
         let magnitude = BigInt::from(mantissa);
-        let magnitude = if shift >= 0 { magnitude << shift } else { magnitude >> -shift };
+        let magnitude = if shift >= 0 {
+            magnitude << shift
+        } else {
+            magnitude >> -shift
+        };
         Fixed(if x < 0.0 { -magnitude } else { magnitude })
     }
     fn to_f64(&self) -> f64 {
@@ -96,16 +103,14 @@ fn corners(shape: Obb2<f64>) -> Vec<Point> {
 
 /// Twice the signed area of a triangle: positive when `p` is left of `a → b`.
 fn side(a: &Point, b: &Point, p: &Point) -> Fixed {
-    let (ab, ap) =
-        ([b[0].sub(&a[0]), b[1].sub(&a[1])], [p[0].sub(&a[0]), p[1].sub(&a[1])]);
+    let (ab, ap) = (
+        [b[0].sub(&a[0]), b[1].sub(&a[1])],
+        [p[0].sub(&a[0]), p[1].sub(&a[1])],
+    );
     ab[0].mul(&ap[1]).sub(&ab[1].mul(&ap[0]))
 }
 
 /// The area shared by two boxes.
-pub fn intersection_area(a: Obb2<f64>, b: Obb2<f64>) -> f64 {
-    area_of_intersection(a, b).to_f64()
-}
-
 fn area_of_intersection(a: Obb2<f64>, b: Obb2<f64>) -> Fixed {
     let zero = Fixed(BigInt::from(0));
     if a.area() == 0.0 || b.area() == 0.0 {
@@ -140,5 +145,9 @@ pub fn iou(a: Obb2<f64>, b: Obb2<f64>) -> f64 {
     let inter = area_of_intersection(a, b);
     let area = |x: Obb2<f64>| Fixed::new(x.size.x).mul(&Fixed::new(x.size.y));
     let total = area(a).add(&area(b)).sub(&inter);
-    if total.0 == BigInt::from(0) { 0.0 } else { inter.div(&total).to_f64() }
+    if total.0 == BigInt::from(0) {
+        0.0
+    } else {
+        inter.div(&total).to_f64()
+    }
 }
