@@ -80,24 +80,12 @@ pub(crate) fn sin_cos_wide<W: Scalar<Primal = W>>(
 pub trait Float: Copy + std::fmt::Debug + Send + Sync + 'static {
     /// The bit pattern as an integer, also the type of a lane's mask.
     type Bits: Copy + std::fmt::Debug + Send + Sync + 'static;
-    /// A pattern without ones, and one without zeros.
+    /// All zeros.
     const NONE: Self::Bits;
-    /// All ones.
-    const ALL: Self::Bits;
-    /// Whether products carry a low part.
-    const COMPENSATED: bool;
-    /// Distance from 1 to the next number.
-    const EPSILON: f64;
-    /// A sine below which directions are parallel.
-    const PARALLEL: f64;
-    /// Rounds a literal.
-    fn lit(x: f64) -> Self;
     /// The exact value as `f64`.
     fn widen(self) -> f64;
     /// The high half of the significand.
     fn high(self) -> Self;
-    /// `2⁻ᵉ` bringing it into `[2, 4)`.
-    fn binade(self) -> Self;
     /// All ones if `yes`.
     fn mask(yes: bool) -> Self::Bits;
     /// Bitwise choice.
@@ -117,14 +105,6 @@ macro_rules! float {
         impl Float for $f {
             type Bits = $bits;
             const NONE: $bits = 0;
-            const ALL: $bits = !0;
-            const COMPENSATED: bool = $compensated;
-            const EPSILON: f64 = $f::EPSILON as f64;
-            const PARALLEL: f64 = $parallel;
-            #[inline(always)]
-            fn lit(x: f64) -> Self {
-                x as $f
-            }
             #[inline(always)]
             fn widen(self) -> f64 {
                 self as f64
@@ -132,18 +112,6 @@ macro_rules! float {
             #[inline(always)]
             fn high(self) -> Self {
                 $f::from_bits(self.to_bits() & !((1 << $low) - 1))
-            }
-            #[inline(always)]
-            fn binade(self) -> Self {
-                // The exponent field e becomes 2·bias + 1 − e.
-                let normal = if self < $f::MIN_POSITIVE {
-                    $f::MIN_POSITIVE
-                } else {
-                    self
-                };
-                let field = normal.to_bits() >> $mantissa << $mantissa;
-                let twice_bias = (2 * ($f::MAX_EXP as $bits - 1) + 1) << $mantissa;
-                $f::from_bits(twice_bias - field)
             }
             #[inline(always)]
             fn mask(yes: bool) -> $bits {
@@ -247,7 +215,15 @@ macro_rules! float {
             }
             #[inline(always)]
             fn binade(self) -> Self {
-                Float::binade(self)
+                // The exponent field e becomes 2·bias + 1 − e.
+                let normal = if self < $f::MIN_POSITIVE {
+                    $f::MIN_POSITIVE
+                } else {
+                    self
+                };
+                let field = normal.to_bits() >> $mantissa << $mantissa;
+                let twice_bias = (2 * ($f::MAX_EXP as $bits - 1) + 1) << $mantissa;
+                $f::from_bits(twice_bias - field)
             }
             // A tie of plain numbers has one value, so the kinks need a single choice.
             #[inline(always)]
