@@ -9,11 +9,16 @@
 //! Each comes as value, value with gradient (`…_grad`) and adjoint with an upstream gradient
 //! (`…_vjp`), and with buffers of the caller's (`…_into`).
 pub mod cpu;
+#[cfg(feature = "gpu")]
+pub mod gpu;
+mod gpu_error;
 pub mod op;
 pub mod overlap;
 pub mod real;
 pub mod ring;
 pub mod simd;
+
+pub use gpu_error::GpuError;
 
 /// Every operation, one per line: a name and a type. Tests, benches and documentation walk this
 /// list.

@@ -1,0 +1,3 @@
+#[path = "gpu_source.rs"]
+mod source;
+pub use source::*;
