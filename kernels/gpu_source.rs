@@ -105,19 +105,29 @@ pub trait GpuRing: RingOp {
     const MOMENTS: bool;
     /// Whether it sums lengths of edges.
     const LENGTHS: bool;
+    /// The entry point of the value.
+    const ENTRY: &'static str;
+    /// The entry point of the adjoint.
+    const VJP_ENTRY: &'static str;
 }
 
 impl GpuRing for SignedArea {
     const MOMENTS: bool = false;
     const LENGTHS: bool = false;
+    const ENTRY: &'static str = "signed_area_main";
+    const VJP_ENTRY: &'static str = "signed_area_vjp_main";
 }
 impl GpuRing for Perimeter {
     const MOMENTS: bool = false;
     const LENGTHS: bool = true;
+    const ENTRY: &'static str = "perimeter_main";
+    const VJP_ENTRY: &'static str = "perimeter_vjp_main";
 }
 impl GpuRing for Centroid {
     const MOMENTS: bool = true;
     const LENGTHS: bool = false;
+    const ENTRY: &'static str = "centroid_main";
+    const VJP_ENTRY: &'static str = "centroid_vjp_main";
 }
 
 /// A shader file of batches of pairs.

@@ -15,6 +15,7 @@ mod gpu_error;
 pub mod op;
 pub mod overlap;
 pub mod real;
+pub mod reduce;
 pub mod ring;
 pub mod simd;
 
