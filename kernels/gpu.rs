@@ -35,6 +35,8 @@ mod pairs;
 mod reduce;
 #[path = "gpu_ring.rs"]
 mod ring;
+#[path = "gpu_slices.rs"]
+mod slices;
 #[path = "gpu_source.rs"]
 mod source;
 #[path = "gpu_work.rs"]
@@ -79,6 +81,12 @@ struct Inner {
 impl std::fmt::Debug for Gpu {
     fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
         f.debug_tuple("Gpu").field(&self.inner.adapter).finish()
+    }
+}
+
+impl std::fmt::Display for Gpu {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        self.inner.adapter.fmt(f)
     }
 }
 

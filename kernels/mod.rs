@@ -8,8 +8,9 @@
 //!
 //! Each comes as value, value with gradient (`…_grad`) and adjoint with an upstream gradient
 //! (`…_vjp`), and with buffers of the caller's (`…_into`).
+pub mod backend;
 pub mod cpu;
-#[cfg(feature = "gpu")]
+#[cfg_attr(not(feature = "gpu"), path = "gpu_none.rs")]
 pub mod gpu;
 mod gpu_error;
 pub mod op;
@@ -19,6 +20,7 @@ pub mod reduce;
 pub mod ring;
 pub mod simd;
 
+pub use backend::Backend;
 pub use gpu_error::GpuError;
 
 /// Every operation, one per line: a name and a type. Tests, benches and documentation walk this
