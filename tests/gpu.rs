@@ -195,7 +195,9 @@ fn wide_slopes<O: GpuPair>(a: &[f64], b: &[f64]) -> Vec<f64> {
 /// How far each slope may lie from the CPU's: both are the exact slopes of inputs moved by at most
 /// k·ε of the longest side (rounding is a displacement of borders), and round a few times
 /// themselves. Slopes jump at kinks, so inputs are moved every which way and the spread is taken.
-fn slope_bounds<O: GpuPair>(a: O::Shape, b: O::Shape, draws: &mut Draws) -> Vec<f64>
+/// A ratio's slope with respect to a size is the difference of two terms as large as the ratio over
+/// that size, which may cancel.
+fn slope_bounds<O: GpuPair>(a: O::Shape, b: O::Shape, value: f64, draws: &mut Draws) -> Vec<f64>
 where
     O::Shape: Draw,
 {
@@ -223,8 +225,13 @@ where
         }
     }
     let largest = exact.iter().fold(0.0_f64, |most, x| most.max(x.abs()));
-    let rounding = ROUNDINGS * EPSILON * largest;
-    spread.iter().map(|x| 2.0 * x + rounding).collect()
+    let term = |shape: O::Shape| match shape.sides().1 {
+        short if short > 0.0 && O::IS_RATIO => value / short,
+        _ => 0.0,
+    };
+    let terms = largest.max(term(a)).max(term(b));
+    let bound = |x: &f64| 2.0 * x + ROUNDINGS * EPSILON * terms;
+    spread.iter().map(bound).collect()
 }
 
 fn aligned_agree<O: GpuPair>()
@@ -259,7 +266,7 @@ where
         }
         let found = [fields(a_bars[i]), fields(b_bars[i])].concat();
         let expected = [fields(expected.1[i]), fields(expected.2[i])].concat();
-        let bounds = slope_bounds::<O>(a[i], b[i], &mut draws);
+        let bounds = slope_bounds::<O>(a[i], b[i], f64::from(values[i]), &mut draws);
         for k in 0..found.len() {
             assert!(
                 (found[k] - expected[k]).abs() <= bounds[k],
@@ -388,6 +395,287 @@ where
     assert!((sum - exact).abs() <= (4096.0 + ROUNDINGS) * EPSILON * exact);
 }
 
+/// Bits, so that not even the sign of a zero may differ.
+fn bits(values: &[f32]) -> Vec<u32> {
+    values.iter().map(|x| x.to_bits()).collect()
+}
+
+#[test]
+fn repeated_runs_give_the_same_bits() {
+    let Some((_turn, gpu)) = gpu() else { return };
+    let mut draws = Draws(1);
+    let boxes: Vec<Obb2<f32>> = (0..700).map(|_| Draw::draw(&mut draws)).collect();
+    let on = gpu.upload(&boxes).unwrap();
+    let run = || {
+        let matrix = gpu.all_pairs::<overlap::IouObb2>(&on, &on).unwrap();
+        let bars = gpu.all_pairs_vjp::<overlap::IouObb2>(&on, &on, &matrix);
+        let (a_bars, b_bars) = bars.unwrap();
+        let mut all = bits(&matrix.download().unwrap());
+        for bar in [a_bars, b_bars].iter().flat_map(|x| x.download().unwrap()) {
+            let mut fields = [0.0; 5];
+            bar.put(&mut fields);
+            all.extend(bits(&fields));
+        }
+        all
+    };
+    let first = run();
+    for _ in 0..3 {
+        assert_eq!(run(), first);
+    }
+}
+
+#[test]
+fn without_subgroups() {
+    let Some((_turn, _)) = gpu() else { return };
+    let mut options = Options::default();
+    options.subgroups = false;
+    let gpu = Gpu::with(&options).unwrap();
+    assert!(!gpu.has_subgroups());
+    all_pairs_agree::<overlap::IouObb2>(&gpu, 40, 300);
+    all_pairs_agree::<overlap::IofAabb2>(&gpu, 300, 40);
+}
+
+#[test]
+fn identical_and_thin_boxes() {
+    let Some((_turn, gpu)) = gpu() else { return };
+    let mut draws = Draws(9);
+    let mut boxes: Vec<Obb2<f32>> = (0..200).map(|_| Draw::draw(&mut draws)).collect();
+    boxes.extend((0..200).map(|_| Obb2::new(0.0, 0.0, 1e-3, 50.0, 7.0 * draws.next())));
+    let on = gpu.upload(&boxes).unwrap();
+    let (values, a_bars, _) = gpu.aligned_grad::<overlap::IouObb2>(&on, &on).unwrap();
+    assert!(values.download().unwrap().iter().all(|&value| value == 1.0));
+    for bar in a_bars.download().unwrap() {
+        assert!(fields(bar).iter().all(|&slope| slope == 0.0), "{bar:?}");
+    }
+    // Thin boxes ever so slightly turned: the exact ratio, from f64, to the last few digits.
+    for by in [1e-7_f32, 1e-6, 1e-5] {
+        let turned: Vec<Obb2<f32>> = boxes
+            .iter()
+            .map(|shape| Obb2 {
+                heading: shape.heading + by,
+                ..*shape
+            })
+            .collect();
+        let found = gpu.upload(&turned).unwrap();
+        let found = gpu.aligned::<overlap::IouObb2>(&on, &found).unwrap();
+        for (i, found) in found.download().unwrap().into_iter().enumerate() {
+            let wide = |x: &Obb2<f32>| <Obb2<f64> as Fixed>::take(&fields(*x));
+            let exact = wide(&boxes[i]).iou(wide(&turned[i]));
+            // The relative heading is right to 2⁻³⁵, which over 25 is 7e-10 of a width of 1e-3.
+            assert!(
+                (f64::from(found) - exact).abs() < 5e-6,
+                "{i}: {found} for {exact}"
+            );
+        }
+    }
+}
+
+#[test]
+fn extreme_sizes_stay_finite() {
+    let Some((_turn, gpu)) = gpu() else { return };
+    let sizes = [0.0, 1e-38, 1e-20, 1.0, 1e18, 1e38_f32];
+    let mut boxes = Vec::new();
+    for x in sizes {
+        for y in sizes {
+            boxes.push(Obb2::new(0.0, 0.0, x, y, 0.3));
+            boxes.push(Obb2::new(x, -y, y, x, 1.0));
+        }
+    }
+    let on = gpu.upload(&boxes).unwrap();
+    let grads = gpu.all_pairs_grad::<overlap::IouObb2>(&on, &on).unwrap();
+    let expected = cpu::all_pairs::<overlap::IouObb2, f32>(&boxes, &boxes).unwrap();
+    assert!(grads.planes.iter().all(|x| x.is_finite()));
+    for (found, expected) in grads.values.iter().zip(expected) {
+        assert!((found - expected).abs() < 1e-5, "{found} for {expected}");
+    }
+    let grads = gpu.all_pairs_grad::<overlap::IntersectionAreaObb2>(&on, &on);
+    let grads = grads.unwrap();
+    assert!(
+        grads
+            .planes
+            .iter()
+            .chain(&grads.values)
+            .all(|x| x.is_finite())
+    );
+}
+
+fn bad_input_is_refused<O: GpuPair>()
+where
+    O::Shape: Draw,
+{
+    let Some((_turn, gpu)) = gpu() else { return };
+    let (bad, flaw) = O::Shape::flawed();
+    let good = O::Shape::hard()[0];
+    let invalid = |argument| {
+        GpuError::Input(Error::Invalid {
+            argument,
+            row: 1,
+            flaw,
+        })
+    };
+    assert_eq!(
+        gpu.upload(&[good, bad]).unwrap_err(),
+        invalid(Argument::Shape)
+    );
+    let backend = Backend::Gpu(gpu);
+    let refused = backend.aligned::<O>(&[good, good], &[good, bad]);
+    assert_eq!(refused.unwrap_err(), invalid(Argument::B));
+    let refused = backend.all_pairs::<O>(&[good, bad], &[good]);
+    assert_eq!(refused.unwrap_err(), invalid(Argument::A));
+    let on = gpu.upload(&[good, good]).unwrap();
+    let one = gpu.upload(&[good]).unwrap();
+    let length = |argument, expected, found| {
+        GpuError::Input(Error::Length {
+            argument,
+            expected,
+            found,
+        })
+    };
+    let refused = gpu.aligned::<O>(&on, &one).unwrap_err();
+    assert_eq!(refused, length(Argument::B, 2, 1));
+    let upstream = gpu.upload_values(&[1.0]).unwrap();
+    let refused = gpu.aligned_vjp::<O>(&on, &on, &upstream).unwrap_err();
+    assert_eq!(refused, length(Argument::Upstream, 2, 1));
+    assert!(gpu.upload_values(&[f32::INFINITY]).is_err());
+    assert!(gpu.upload_matrix(2, 2, &[1.0; 3]).is_err());
+    assert!(gpu.above::<O>(&on, &on, f32::NAN).is_err());
+    // What was refused harmed nothing.
+    assert!(gpu.aligned::<O>(&on, &on).unwrap().download().is_ok());
+}
+
+fn empty_batches_are_valid<O: GpuPair>()
+where
+    O::Shape: Draw,
+{
+    let Some((_turn, gpu)) = gpu() else { return };
+    let backend = Backend::Gpu(gpu);
+    let (none, one) = (&[][..], &[O::Shape::hard()[0]][..]);
+    assert_eq!(backend.aligned::<O>(none, none).unwrap(), []);
+    assert_eq!(backend.aligned_grad::<O>(none, none).unwrap().0, []);
+    assert_eq!(backend.all_pairs::<O>(none, one).unwrap(), []);
+    assert_eq!(backend.all_pairs::<O>(one, none).unwrap(), []);
+    assert_eq!(backend.all_pairs_grad::<O>(one, none).unwrap().planes, []);
+    let (a_bars, b_bars) = backend.all_pairs_vjp::<O>(one, none, &[]).unwrap();
+    assert_eq!((a_bars.len(), b_bars.len()), (1, 0));
+    assert!(fields(a_bars[0]).iter().all(|&slope| slope == 0.0));
+    assert_eq!(backend.row_max::<O>(none, one).unwrap(), []);
+    assert_eq!(
+        backend.row_max::<O>(one, none).unwrap_err(),
+        Backend::Cpu.row_max::<O>(one, none).unwrap_err()
+    );
+    assert_eq!(backend.above::<O>(one, none, 0.5).unwrap(), []);
+    assert_eq!(backend.sum::<O>(one, none).unwrap(), 0.0);
+    assert_eq!(backend.mean::<O>(none, none).unwrap(), 0.0);
+}
+
+#[test]
+fn rings_may_be_missing_or_bad() {
+    let Some((_turn, gpu)) = gpu() else { return };
+    let backend = Backend::Gpu(gpu);
+    assert_eq!(backend.ragged::<ring::SignedArea>(&[], &[0]).unwrap(), []);
+    assert_eq!(
+        backend.ragged::<ring::SignedArea>(&[], &[0, 0]).unwrap(),
+        [0.0]
+    );
+    for (vertices, offsets) in [
+        (vec![Vec2::new(f32::NAN, 0.0)], vec![0, 1]),
+        (vec![Vec2::new(0.0, 0.0)], vec![0, 2]),
+        (vec![], vec![]),
+    ] {
+        assert_eq!(
+            backend
+                .ragged::<ring::Centroid>(&vertices, &offsets)
+                .unwrap_err(),
+            Backend::Cpu
+                .ragged::<ring::Centroid>(&vertices, &offsets)
+                .unwrap_err()
+        );
+    }
+}
+
+#[test]
+fn a_lost_device_is_an_error() {
+    let Some((_turn, other)) = gpu() else { return };
+    let gpu = Gpu::new().unwrap();
+    let boxes = Obb2::<f32>::hard();
+    let on = gpu.upload(&boxes).unwrap();
+    let values = gpu.aligned::<overlap::IouObb2>(&on, &on).unwrap();
+    let pending = values.start_download().unwrap();
+    // A handle of one context is nothing to another.
+    let foreign = other.aligned::<overlap::IouObb2>(&on, &on);
+    assert_eq!(foreign.unwrap_err(), GpuError::ForeignBuffer);
+    gpu.destroy();
+    assert_eq!(pending.wait().unwrap_err(), GpuError::DeviceLost);
+    assert_eq!(values.download().unwrap_err(), GpuError::DeviceLost);
+    assert_eq!(gpu.upload(&boxes).unwrap_err(), GpuError::DeviceLost);
+    assert_eq!(gpu.wait().unwrap_err(), GpuError::DeviceLost);
+    let lost = gpu.all_pairs::<overlap::IouObb2>(&on, &on);
+    assert_eq!(lost.unwrap_err(), GpuError::DeviceLost);
+}
+
+#[test]
+fn too_much_is_an_error() {
+    let Some((_turn, gpu)) = gpu() else { return };
+    // More than any address space: refused before anything is asked of the device.
+    let refused = gpu.upload_matrix(usize::MAX, 2, &[]);
+    assert_eq!(refused.unwrap_err(), GpuError::Input(Error::TooLarge));
+}
+
+#[test]
+fn downloads_can_be_awaited() {
+    let Some((_turn, gpu)) = gpu() else { return };
+    let on = gpu.upload(&Obb2::<f32>::hard()).unwrap();
+    let matrix = gpu.all_pairs::<overlap::IouObb2>(&on, &on).unwrap();
+    let awaited = pollster::block_on(matrix.start_download().unwrap()).unwrap();
+    assert_eq!(bits(&awaited), bits(&matrix.download().unwrap()));
+}
+
+#[test]
+fn contexts_are_shared_between_threads() {
+    let Some((_turn, gpu)) = gpu() else { return };
+    let on = gpu.upload(&Obb2::<f32>::hard()).unwrap();
+    let once = || {
+        gpu.all_pairs::<overlap::IouObb2>(&on, &on)
+            .unwrap()
+            .download()
+            .unwrap()
+    };
+    let first = bits(&once());
+    std::thread::scope(|scope| {
+        for _ in 0..4 {
+            scope.spawn(|| assert_eq!(bits(&once()), first));
+        }
+    });
+}
+
+#[test]
+fn adapters_are_chosen_by_name() {
+    use geograd::kernels::gpu::Choice;
+    assert_eq!(Choice::parse(" CPU "), Choice::Cpu);
+    assert_eq!(Choice::parse("1"), Choice::Index(1));
+    assert_eq!(Choice::parse("H200"), Choice::Name("H200".to_owned()));
+    let Some((_turn, gpu)) = gpu() else { return };
+    let mut options = Options::default();
+    options.adapter = Choice::Index(gpu.adapter().index);
+    assert_eq!(Gpu::with(&options).unwrap().adapter(), gpu.adapter());
+    options.adapter = Choice::Name("no such GPU".to_owned());
+    assert_eq!(Gpu::with(&options).unwrap_err(), GpuError::NoAdapter);
+}
+
+#[test]
+fn rows_in_errors_count_from_the_start() {
+    // More rows than a reduction on the CPU takes at a time.
+    let mut boxes = vec![Aabb2::new(0.0, 0.0, 1.0, 1.0); 600];
+    boxes[599].max.x = -1.0;
+    let refused = reduce::row_max::<overlap::IouAabb2, f32>(&boxes, &boxes[..500]);
+    let expected = Error::Invalid {
+        argument: Argument::A,
+        row: 599,
+        flaw: Flaw::Inverted(Field::MinX),
+    };
+    assert_eq!(refused.unwrap_err(), expected);
+}
+
 /// A context whose buffers are so small that everything is split.
 fn small() -> Gpu {
     let mut options = Options::default();
@@ -500,6 +788,11 @@ macro_rules! walk {
                 let Some((_turn, gpu)) = super::gpu() else { return };
                 super::all_pairs_agree::<$pair_op>(gpu, 67, 300);
                 super::all_pairs_agree::<$pair_op>(gpu, 1, 1);
+            }
+            #[test]
+            fn bad_input() {
+                super::bad_input_is_refused::<$pair_op>();
+                super::empty_batches_are_valid::<$pair_op>();
             }
             #[test]
             fn all_pairs_split() {
