@@ -29,15 +29,16 @@ fn best_of_strips_main(@builtin(global_invocation_id) thread: vec3u) {
 var<workgroup> sums: array<u32, GROUP>;
 
 // Turns counts into places: each becomes the sum of all before it, and the last entry the sum of
-// all. One workgroup walks through the list.
+// all. One workgroup walks through the list, every thread with a run of its own.
 @compute @workgroup_size(GROUP)
 fn places_main(@builtin(local_invocation_index) here: u32) {
     var before = 0u;
-    for (var start = 0u; start < params.own_count; start += GROUP) {
-        let item = start + here;
+    for (var start = 0u; start < params.own_count; start += GROUP * RUN) {
+        let first = start + here * RUN;
+        let end = min(first + RUN, params.own_count);
         var count = 0u;
-        if item < params.own_count {
-            count = indices[item];
+        for (var item = first; item < end; item++) {
+            count += indices[item];
         }
         workgroupBarrier();
         sums[here] = count;
@@ -51,12 +52,23 @@ fn places_main(@builtin(local_invocation_index) here: u32) {
             sums[here] += left;
         }
         workgroupBarrier();
-        if item < params.own_count {
-            indices[item] = before + sums[here] - count;
+        var at = before + sums[here] - count;
+        for (var item = first; item < end; item++) {
+            let own = indices[item];
+            indices[item] = at;
+            at += own;
         }
         before += sums[GROUP - 1u];
     }
     if here == 0u {
         indices[params.own_count] = before;
+    }
+}
+
+// Numbers to another buffer.
+@compute @workgroup_size(GROUP)
+fn copy_main(@builtin(global_invocation_id) thread: vec3u) {
+    if thread.x < params.own_count {
+        values[thread.x] = upstream[thread.x];
     }
 }

@@ -1,5 +1,6 @@
 //! Data that stays on the GPU: shapes, results, slopes, matrices; and how they come back.
 use super::source::{GpuShape, MOST_QUADS, TILE};
+use super::work::{Params, Work, groups};
 use super::{Gpu, Inner};
 use crate::error::{Argument, Error, Field, finite};
 use crate::kernels::GpuError;
@@ -190,7 +191,10 @@ impl Arrival {
     /// Hands each part over, in order.
     pub fn read(&self, mut each: impl FnMut(usize, &[u32])) -> Result<(), GpuError> {
         self.gpu.inner.alive()?;
-        if !self.is_ready() || self.state.failed.load(Ordering::Acquire) {
+        if !self.is_ready() {
+            return Err(GpuError::DeviceLost);
+        }
+        if self.state.failed.load(Ordering::Acquire) {
             return Err(GpuError::OutOfMemory);
         }
         for (part, (staging, bytes)) in self.staged.iter().enumerate() {
@@ -203,11 +207,14 @@ impl Arrival {
     }
 }
 
+/// Makes what was asked for out of what arrived.
+type Make<T> = dyn FnMut(&Arrival) -> Result<T, GpuError> + Send;
+
 /// A download that was started: wait for it with [`wait`](Pending::wait), or await it.
 #[must_use = "nothing arrives unless waited for"]
 pub struct Pending<T> {
     arrival: Arrival,
-    make: Box<dyn FnMut(&Arrival) -> Result<T, GpuError> + Send>,
+    make: Box<Make<T>>,
 }
 
 impl<T> std::fmt::Debug for Pending<T> {
@@ -468,6 +475,34 @@ macro_rules! list {
 list!(Shapes<P: GpuShape>, Bars<P: GpuShape>, Values,);
 
 impl Values {
+    /// The same numbers in other buffers, copied by a kernel: also how fast memory can be had.
+    ///
+    /// # Errors
+    ///
+    /// What the device says.
+    pub fn duplicate(&self) -> Result<Values, GpuError> {
+        let inner = &self.gpu.inner;
+        inner.guarded(|| {
+            let pipeline = inner.copy_pipeline();
+            let pieces = inner.pieces(self.len, 1);
+            let mut work = Work::new(inner);
+            for (from, to) in self.pieces.iter().zip(&pieces) {
+                let params = Params {
+                    own_count: from.items as u32,
+                    ..Params::default()
+                };
+                let buffers = [(3, &from.buffer), (4, &to.buffer)];
+                work.dispatch(&pipeline, params, &buffers, [groups(from.items), 1]);
+            }
+            work.submit()?;
+            Ok(Values {
+                gpu: self.gpu.clone(),
+                pieces,
+                len: self.len,
+            })
+        })
+    }
+
     /// Starts bringing the numbers back.
     ///
     /// # Errors

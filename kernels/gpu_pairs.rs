@@ -22,6 +22,12 @@ impl Inner {
     ) -> wgpu::ComputePipeline {
         self.pipeline(source, entry, || pair_source::<O>(source))
     }
+
+    /// The pipeline that copies numbers; the operation does not matter.
+    pub fn copy_pipeline(&self) -> wgpu::ComputePipeline {
+        let source = Source::of(Kernel::Gather, "any");
+        self.pair_pipeline::<crate::kernels::overlap::IouAabb2>(source, "copy_main")
+    }
 }
 
 /// The shader of an operation for two lists.
@@ -176,29 +182,55 @@ impl Gpu {
             .filter(|&n| n <= isize::MAX as usize / 8)
             .ok_or(Error::TooLarge)?;
         let inner = &self.inner;
-        let source = source_for::<O>(Kernel::Pairs, a, b);
-        inner.guarded(|| {
-            let pipeline = inner.pair_pipeline::<O>(source, "pairs_main");
-            let mut blocks = Vec::new();
-            for block in inner.cut(a.len, b.len, 4) {
+        let matrix = inner.guarded(|| {
+            let blocks = inner.cut(a.len, b.len, 4).into_iter().map(|block| {
                 let values = inner.storage(block.rows * block.columns);
-                let mut work = Work::new(inner);
-                let buffers = [
-                    (1, &a.pieces[block.row_piece].buffer),
-                    (2, &b.pieces[block.column_piece].buffer),
-                    (4, &values),
-                ];
-                let size = [groups(block.columns), block.rows.div_ceil(STEP) as u32];
-                work.dispatch(&pipeline, block_params(&block), &buffers, size);
-                work.submit()?;
-                blocks.push((block, values));
-            }
+                (block, values)
+            });
             Ok(Matrix {
                 gpu: self.clone(),
                 rows: a.len,
                 columns: b.len,
-                blocks,
+                blocks: blocks.collect(),
             })
+        })?;
+        self.all_pairs_into::<O>(a, b, &matrix)?;
+        Ok(matrix)
+    }
+
+    /// [`all_pairs`](Gpu::all_pairs) over a matrix that is there already: a loop that needs no new
+    /// one each time saves clearing it.
+    ///
+    /// # Errors
+    ///
+    /// As [`all_pairs`](Gpu::all_pairs), and [`GpuError::Input`] for a matrix of another size.
+    pub fn all_pairs_into<O: GpuPair>(
+        &self,
+        a: &ShapesOf<O>,
+        b: &ShapesOf<O>,
+        matrix: &Matrix,
+    ) -> Result<(), GpuError> {
+        self.owns(&a.gpu)?;
+        self.owns(&b.gpu)?;
+        self.owns(&matrix.gpu)?;
+        expect(Argument::Values, a.len, matrix.rows)?;
+        expect(Argument::Values, b.len, matrix.columns)?;
+        let inner = &self.inner;
+        let source = source_for::<O>(Kernel::Pairs, a, b);
+        inner.guarded(|| {
+            let pipeline = inner.pair_pipeline::<O>(source, "pairs_main");
+            for (block, values) in &matrix.blocks {
+                let mut work = Work::new(inner);
+                let buffers = [
+                    (1, &a.pieces[block.row_piece].buffer),
+                    (2, &b.pieces[block.column_piece].buffer),
+                    (4, values),
+                ];
+                let size = [groups(block.columns), block.rows.div_ceil(STEP) as u32];
+                work.dispatch(&pipeline, block_params(block), &buffers, size);
+                work.submit()?;
+            }
+            Ok(())
         })
     }
 

@@ -320,7 +320,7 @@ impl Gpu {
         Ok(count)
     }
 
-    /// The sum of all scores: what a loss is made of. Up to 4096 scores are added in `f32`, those
+    /// The sum of all scores: what a loss is made of. Up to 1024 scores are added in `f32`, those
     /// sums in `f64`, always in the same order.
     ///
     /// # Errors

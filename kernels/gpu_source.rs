@@ -18,11 +18,16 @@ pub(super) const TILE: usize = 64;
 pub(super) const GROUP: usize = 256;
 /// Walked shapes kept close to the threads at a time.
 pub(super) const STEP: usize = 64;
-/// The same for adjoints, which keep sums beside them.
-pub(super) const STEP_VJP: usize = 16;
+/// The same for adjoints, which keep sums beside them, one of 20 bytes per walked shape and slot:
+/// at most 10 KiB, of the 16 KiB that WebGPU promises.
+const fn step_vjp(slots: usize) -> usize {
+    if slots > 32 { 8 } else { 16 }
+}
 /// Walked shapes per thread in reductions: few enough that a hundred thousand rows fill a large
 /// GPU, many enough that the partial results stay small.
-pub(super) const STRIP: usize = 4096;
+pub(super) const STRIP: usize = 1024;
+/// Counts per thread when they are turned into places.
+const RUN: usize = 16;
 /// The same for adjoints, whose upstream matrix makes every step dearer.
 pub(super) const STRIP_VJP: usize = 256;
 /// The most quads a frame has.
@@ -182,6 +187,7 @@ fn constants(step: usize, strip: usize) -> String {
         ("GROUP", GROUP as u32),
         ("STEP", step as u32),
         ("STRIP", strip as u32),
+        ("RUN", RUN as u32),
         ("HIGH_HALF", high_half),
         ("UNION", Denominator::Union as u32),
         ("FIRST", Denominator::First as u32),
@@ -206,7 +212,7 @@ const BATCH: &str = include_str!("batch.wgsl");
 /// The shader of an operation of two shapes.
 pub(super) fn pair_source<O: GpuPair>(source: Source) -> String {
     let (step, strip) = match source.kernel {
-        Kernel::Vjp => (STEP_VJP, STRIP_VJP),
+        Kernel::Vjp => (step_vjp(source.slots), STRIP_VJP),
         _ => (STEP, STRIP),
     };
     let mut text = constants(step, strip);
