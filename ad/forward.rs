@@ -197,8 +197,7 @@ where
             value = y.value.value;
             for i in row..n.min(row + CHUNK2) {
                 gradient[i] = y.slope[i - row].value;
-                for j in column..n.min(column + CHUNK2) {
-                    let entry = y.slope[i - row].slope[j - column];
+                for (j, &entry) in (column..n).zip(&y.slope[i - row].slope) {
                     rows[i][j] = entry;
                     rows[j][i] = entry;
                 }

@@ -49,12 +49,11 @@ pub type Grads<S> = (Obb2<S>, Obb2<S>);
 /// Moving b by `(∂u, ∂v)` in a's frame is moving a the other way; turning the pair about a's centre
 /// changes nothing, so `∂heading_a = −(∂heading_b + u ∂v − v ∂u)`.
 #[inline(always)]
-pub fn score_framed_grad<M: Measure, S: Scalar>(
+pub fn score_framed_grad<M: Measure, S: Scalar, const EXTREME: bool>(
     a: Framed<S>,
     b: Framed<S>,
-    extreme: bool,
 ) -> (S, Grads<S>) {
-    let scale = if extreme {
+    let scale = if EXTREME {
         size_scale(a.half, b.half)
     } else {
         S::one()
@@ -71,7 +70,7 @@ pub fn score_framed_grad<M: Measure, S: Scalar>(
 
     // From the pair's unit of length to the caller's.
     let (mut area_unit, mut length_unit) = (S::one(), scale);
-    if extreme && !M::IS_RATIO {
+    if EXTREME && !M::IS_RATIO {
         length_unit = S::one().over(scale);
         area_unit = length_unit * length_unit;
     }
@@ -79,7 +78,7 @@ pub fn score_framed_grad<M: Measure, S: Scalar>(
     let (area_a, area_b) = (area_from_half(pair.half_a), area_from_half(half_b));
     let value = measure::<M, S>(inter, area_a, area_b);
     let [inter_bar, area_a_bar, area_b_bar] = measure_slopes::<M, S>(value, inter, area_a, area_b);
-    let value = if extreme {
+    let value = if EXTREME {
         in_outer_unit::<M, S>(value, scale)
     } else {
         value
@@ -105,7 +104,7 @@ pub fn score_framed_grad<M: Measure, S: Scalar>(
     );
     (
         value,
-        if extreme {
+        if EXTREME {
             (saturated(grads.0), saturated(grads.1))
         } else {
             grads
@@ -220,7 +219,7 @@ macro_rules! adjoints {
         #[must_use]
         #[inline]
         pub fn $obb_grad<S: Scalar>(a: Obb2<S>, b: Obb2<S>) -> (S, (Obb2<S>, Obb2<S>)) {
-            score_framed_grad::<$measure, S>(frame(a), frame(b), true)
+            score_framed_grad::<$measure, S, true>(frame(a), frame(b))
         }
         #[doc = concat!("Adjoint of [`", stringify!($obb), "`](crate::overlap::", stringify!($obb),
             "): `out_bar` times the slopes with respect to both boxes.")]

@@ -110,7 +110,7 @@ calls! {
     all_pairs<GpuPair>(a: &[A<O, f32>], b: &[B<O, f32>]) -> Vec<f32>
         = cpu::all_pairs::<O, f32>, all_pairs_slices;
     /// [`cpu::all_pairs_grad`].
-    all_pairs_grad<GpuPair>(a: &[A<O, f32>], b: &[B<O, f32>]) -> PairGrads<f32>
+    all_pairs_grad<GpuPair>(a: &[A<O, f32>], b: &[B<O, f32>]) -> PairGrads<O, f32>
         = cpu::all_pairs_grad::<O, f32>, all_pairs_grad_slices;
     /// [`cpu::all_pairs_vjp`].
     all_pairs_vjp<GpuPair>(a: &[A<O, f32>], b: &[B<O, f32>], upstream: &[f32]) -> Slopes<O>

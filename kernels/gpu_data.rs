@@ -2,8 +2,9 @@
 use super::source::{GpuShape, MOST_QUADS, TILE};
 use super::work::{Params, Work, groups};
 use super::{Gpu, Inner};
-use crate::error::{Argument, Error, Field, finite};
+use crate::error::{Argument, Error};
 use crate::kernels::GpuError;
+use crate::kernels::tile::{check_upstream, expect};
 use std::future::Future;
 use std::marker::PhantomData;
 use std::pin::Pin;
@@ -391,30 +392,6 @@ pub(super) fn block_of(block: &Block, columns: usize, values: &[f32]) -> Vec<f32
     own
 }
 
-/// Checks the number of items of an argument.
-pub(super) fn expect(argument: Argument, expected: usize, found: usize) -> Result<(), Error> {
-    if expected == found {
-        return Ok(());
-    }
-    Err(Error::Length {
-        argument,
-        expected,
-        found,
-    })
-}
-
-/// Checks that every upstream slope is finite.
-pub(super) fn check_upstream(upstream: &[f32]) -> Result<(), Error> {
-    for (row, &x) in upstream.iter().enumerate() {
-        finite(x, Field::Value).map_err(|flaw| Error::Invalid {
-            argument: Argument::Upstream,
-            row,
-            flaw,
-        })?;
-    }
-    Ok(())
-}
-
 /// Prepared shapes in tiles.
 fn quads<P: GpuShape>(shapes: &[P]) -> Vec<[f32; 4]> {
     let mut tiles = vec![[0.0; 4]; shapes.len().next_multiple_of(TILE) * P::QUADS];
@@ -568,13 +545,13 @@ impl<P: GpuShape> Bars<P> {
             let mut all = Vec::with_capacity(items.iter().sum());
             arrival.read(|part, numbers| {
                 let lanes: &[f32] = bytemuck::cast_slice(numbers);
-                let mut fields = [0.0; 8];
+                let mut fields = P::filled(0.0).to_array();
                 for i in 0..items[part] {
                     let tile = &lanes[i / TILE * P::LEN * TILE..];
-                    for (k, field) in fields[..P::LEN].iter_mut().enumerate() {
+                    for (k, field) in fields.as_mut().iter_mut().enumerate() {
                         *field = tile[k * TILE + i % TILE];
                     }
-                    all.push(P::take(&fields));
+                    all.push(P::from_array(fields));
                 }
             })?;
             Ok(all)

@@ -74,7 +74,7 @@ impl Gpu {
         &self,
         _a: &[A<O, f32>],
         _b: &[B<O, f32>],
-    ) -> Result<PairGrads<f32>, GpuError> {
+    ) -> Result<PairGrads<O, f32>, GpuError> {
         match *self {}
     }
     pub(crate) fn all_pairs_vjp_slices<O: GpuPair>(

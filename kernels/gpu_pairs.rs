@@ -1,5 +1,5 @@
 //! Batches of pairs on the GPU.
-use super::data::{block_of, check_upstream, expect, place_block};
+use super::data::{block_of, place_block};
 use super::source::{GpuPair, Kernel, STEP, STRIP_VJP, Source, pair_source};
 use super::work::{Params, Work, groups};
 use super::{Bars, Gpu, Inner, Matrix, Shapes, Values};
@@ -7,6 +7,7 @@ use crate::Fixed;
 use crate::error::{Argument, Error};
 use crate::kernels::GpuError;
 use crate::kernels::cpu::PairGrads;
+use crate::kernels::tile::{check_upstream, expect};
 
 /// Shapes of an operation on the GPU.
 pub type ShapesOf<O> = Shapes<<O as GpuPair>::Shape>;
@@ -243,22 +244,11 @@ impl Gpu {
         &self,
         a: &ShapesOf<O>,
         b: &ShapesOf<O>,
-    ) -> Result<PairGrads<f32>, GpuError> {
+    ) -> Result<PairGrads<O, f32>, GpuError> {
         self.owns(&a.gpu)?;
         self.owns(&b.gpu)?;
         let fields = 2 * O::Shape::LEN;
-        let entries = a
-            .len
-            .checked_mul(b.len)
-            .and_then(|n| n.checked_mul(fields))
-            .filter(|&n| n <= isize::MAX as usize / 8)
-            .ok_or(Error::TooLarge)?;
-        let mut grads = PairGrads {
-            rows: a.len,
-            columns: b.len,
-            values: vec![0.0; entries / fields],
-            planes: vec![0.0; entries],
-        };
+        let mut grads = PairGrads::new(a.len, b.len)?;
         let inner = &self.inner;
         let source = source_for::<O>(Kernel::Pairs, a, b);
         for block in inner.cut(a.len, b.len, 4 * fields as u64) {
@@ -282,14 +272,14 @@ impl Gpu {
                 (&values, 4 * pairs as u64),
                 (&planes, 4 * (pairs * fields) as u64),
             ];
-            // Planes are a matrix with one row per row and field.
-            let mut tall = block;
-            (tall.row_base, tall.rows) = (block.row_base * fields, block.rows * fields);
             inner.bring(self, &sizes)?.finish(|part, numbers| {
                 let numbers = bytemuck::cast_slice(numbers);
-                match part {
-                    0 => place_block(&block, b.len, numbers, &mut grads.values),
-                    _ => place_block(&tall, b.len, numbers, &mut grads.planes),
+                if part == 0 {
+                    return place_block(&block, b.len, numbers, &mut grads.values);
+                }
+                let planes = grads.planes.chunks_exact_mut(a.len * b.len);
+                for (from, to) in numbers.chunks_exact(pairs).zip(planes) {
+                    place_block(&block, b.len, from, to);
                 }
             })?;
         }

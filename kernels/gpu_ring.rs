@@ -1,10 +1,11 @@
 //! Batches of rings on the GPU.
-use super::data::{check_upstream, expect};
 use super::source::{GpuRing, Kernel, Source, ring_source};
 use super::work::{Params, Work, groups};
 use super::{Gpu, Pending};
 use crate::error::{Argument, Error};
-use crate::kernels::{GpuError, cpu};
+use crate::kernels::GpuError;
+use crate::kernels::ragged::check_ragged;
+use crate::kernels::tile::{check_upstream, expect};
 use crate::{Fixed, Vec2};
 use std::marker::PhantomData;
 
@@ -65,7 +66,11 @@ impl<T: Fixed<Scalar = f32> + 'static> RingValues<T> {
             let mut all = Vec::new();
             arrival.read(|_, numbers| {
                 let numbers: &[f32] = bytemuck::cast_slice(numbers);
-                all.extend(numbers.chunks_exact(T::LEN).map(T::take));
+                all.extend(numbers.chunks_exact(T::LEN).map(|numbers| {
+                    let mut fields = T::filled(0.0).to_array();
+                    fields.as_mut().copy_from_slice(numbers);
+                    T::from_array(fields)
+                }));
             })?;
             Ok(all)
         }))
@@ -110,14 +115,14 @@ impl Gpu {
     ///
     /// # Errors
     ///
-    /// [`GpuError::Input`] as [`cpu::ragged`](crate::kernels::cpu::ragged) and for a ring that fits
+    /// [`GpuError::Input`] as [`ragged`](crate::kernels::cpu::ragged) and for a ring that fits
     /// no buffer, or what the device says.
     pub fn upload_rings(
         &self,
         vertices: &[Vec2<f32>],
         offsets: &[usize],
     ) -> Result<Rings, GpuError> {
-        cpu::check_ragged(vertices, offsets)?;
+        check_ragged(vertices, offsets)?;
         let inner = &self.inner;
         let most_vertices = (inner.most_bytes / 8) as usize;
         let most_rings = inner.chunk - 1;
@@ -212,7 +217,7 @@ impl Gpu {
         let fields = OutOf::<O>::LEN;
         let mut numbers = vec![0.0; upstream.len() * fields];
         for (out_bar, numbers) in upstream.iter().zip(numbers.chunks_exact_mut(fields)) {
-            out_bar.put(numbers);
+            numbers.copy_from_slice(out_bar.to_array().as_ref());
         }
         check_upstream(&numbers).map_err(|error| match error {
             Error::Invalid {

@@ -7,6 +7,7 @@ use crate::error::Argument;
 use crate::kernels::GpuError;
 use crate::kernels::cpu::{A, AlignedGrads, B, PairGrads};
 use crate::kernels::reduce::{Best, Found};
+use crate::kernels::tile::expect;
 
 /// Slopes with respect to both lists.
 type Both<O> = (Vec<A<O, f32>>, Vec<B<O, f32>>);
@@ -41,7 +42,7 @@ impl Gpu {
         a: &[A<O, f32>],
         b: &[B<O, f32>],
     ) -> Result<Vec<f32>, GpuError> {
-        super::data::expect(Argument::B, a.len(), b.len())?;
+        expect(Argument::B, a.len(), b.len())?;
         let (a, b) = lists::<O>(self, a, b)?;
         self.aligned::<O>(&a, &b)?.download()
     }
@@ -51,7 +52,7 @@ impl Gpu {
         a: &[A<O, f32>],
         b: &[B<O, f32>],
     ) -> Result<AlignedGrads<O, f32>, GpuError> {
-        super::data::expect(Argument::B, a.len(), b.len())?;
+        expect(Argument::B, a.len(), b.len())?;
         let (a, b) = lists::<O>(self, a, b)?;
         let (values, a_bars, b_bars) = self.aligned_grad::<O>(&a, &b)?;
         let values = values.start_download()?;
@@ -65,8 +66,8 @@ impl Gpu {
         b: &[B<O, f32>],
         upstream: &[f32],
     ) -> Result<Both<O>, GpuError> {
-        super::data::expect(Argument::B, a.len(), b.len())?;
-        super::data::expect(Argument::Upstream, a.len(), upstream.len())?;
+        expect(Argument::B, a.len(), b.len())?;
+        expect(Argument::Upstream, a.len(), upstream.len())?;
         let (a, b) = lists::<O>(self, a, b)?;
         let upstream = self.upload_values(upstream)?;
         both::<O>(self.aligned_vjp::<O>(&a, &b, &upstream)?)
@@ -85,7 +86,7 @@ impl Gpu {
         &self,
         a: &[A<O, f32>],
         b: &[B<O, f32>],
-    ) -> Result<PairGrads<f32>, GpuError> {
+    ) -> Result<PairGrads<O, f32>, GpuError> {
         let (a, b) = lists::<O>(self, a, b)?;
         self.all_pairs_grad::<O>(&a, &b)
     }

@@ -38,14 +38,13 @@ pub trait PairOp: Op {
     fn frame_a<S: Scalar>(a: Self::A<S>) -> Self::FrameA<S>;
     /// Prepares a second shape.
     fn frame_b<S: Scalar>(b: Self::B<S>) -> Self::FrameB<S>;
-    /// The result. `extreme` is false when every shape of the batch is ordinary; results are the
+    /// The result. `EXTREME` is false when every shape of the batch is ordinary; results are the
     /// same bits either way.
-    fn value<S: Scalar>(a: Self::FrameA<S>, b: Self::FrameB<S>, extreme: bool) -> S;
+    fn value<S: Scalar, const EXTREME: bool>(a: Self::FrameA<S>, b: Self::FrameB<S>) -> S;
     /// The result and its slopes, fused.
-    fn grad<S: Scalar>(
+    fn grad<S: Scalar, const EXTREME: bool>(
         a: Self::FrameA<S>,
         b: Self::FrameB<S>,
-        extreme: bool,
     ) -> (S, (Self::A<S>, Self::B<S>));
     /// Checks a first shape; `Ok(true)` when it is ordinary: products of its numbers stay far
     /// from over- and underflow.

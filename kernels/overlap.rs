@@ -34,11 +34,11 @@ impl<M: Measure> Op for Obb2Score<M> {
     type Out<S: Scalar> = S;
     #[inline]
     fn eval<S: Scalar>(&(a, b): &Self::In<S>) -> S {
-        score_framed::<M, S>(frame(a), frame(b), true)
+        score_framed::<M, S, true>(frame(a), frame(b))
     }
     #[inline]
     fn vjp<S: Scalar>(&(a, b): &Self::In<S>, out_bar: S) -> Self::In<S> {
-        let (a_bar, b_bar) = score_framed_grad::<M, S>(frame(a), frame(b), true).1;
+        let (a_bar, b_bar) = score_framed_grad::<M, S, true>(frame(a), frame(b)).1;
         (scaled_obb2(a_bar, out_bar), scaled_obb2(b_bar, out_bar))
     }
     fn map<S: Scalar, T: Scalar>(x: &Self::In<S>, f: &mut impl FnMut(S) -> T) -> Self::In<T> {
@@ -60,12 +60,12 @@ impl<M: Measure> PairOp for Obb2Score<M> {
         frame(b)
     }
     #[inline(always)]
-    fn value<S: Scalar>(a: Framed<S>, b: Framed<S>, extreme: bool) -> S {
-        score_framed::<M, S>(a, b, extreme)
+    fn value<S: Scalar, const EXTREME: bool>(a: Framed<S>, b: Framed<S>) -> S {
+        score_framed::<M, S, EXTREME>(a, b)
     }
     #[inline(always)]
-    fn grad<S: Scalar>(a: Framed<S>, b: Framed<S>, extreme: bool) -> (S, (Obb2<S>, Obb2<S>)) {
-        score_framed_grad::<M, S>(a, b, extreme)
+    fn grad<S: Scalar, const EXTREME: bool>(a: Framed<S>, b: Framed<S>) -> (S, (Obb2<S>, Obb2<S>)) {
+        score_framed_grad::<M, S, EXTREME>(a, b)
     }
     #[inline]
     fn check_a<S: Scalar<Mask = bool>>(a: &Obb2<S>) -> Result<bool, Flaw> {
@@ -109,11 +109,11 @@ impl<M: Measure> PairOp for Aabb2Score<M> {
         b
     }
     #[inline(always)]
-    fn value<S: Scalar>(a: Aabb2<S>, b: Aabb2<S>, _extreme: bool) -> S {
+    fn value<S: Scalar, const EXTREME: bool>(a: Aabb2<S>, b: Aabb2<S>) -> S {
         score_aabb2::<M, S>(a, b)
     }
     #[inline(always)]
-    fn grad<S: Scalar>(a: Aabb2<S>, b: Aabb2<S>, _extreme: bool) -> (S, (Aabb2<S>, Aabb2<S>)) {
+    fn grad<S: Scalar, const EXTREME: bool>(a: Aabb2<S>, b: Aabb2<S>) -> (S, (Aabb2<S>, Aabb2<S>)) {
         score_aabb2_grad::<M, S>(a, b)
     }
     #[inline]

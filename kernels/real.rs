@@ -20,13 +20,17 @@ pub trait Real:
 {
     /// As many lanes as fill the widest registers.
     type Bundle: Bundle<Self>;
+    /// One lane, for what is too rare to be compiled for every instruction set.
+    type Single: Bundle<Self>;
 }
 
 impl Real for f32 {
     type Bundle = Lanes<f32, 16>;
+    type Single = Lanes<f32, 1>;
 }
 impl Real for f64 {
     type Bundle = Lanes<f64, 8>;
+    type Single = Lanes<f64, 1>;
 }
 
 /// A bundle of one format.

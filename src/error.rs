@@ -192,8 +192,7 @@ pub trait Validate {
 /// `Ok` for a finite number.
 #[inline(always)]
 pub(crate) fn finite<S: crate::Scalar<Mask = bool>>(x: S, field: Field) -> Result<(), Flaw> {
-    // A difference with itself is zero for finite numbers only.
-    if (x - x).equals(S::zero()) {
+    if x.finite() {
         Ok(())
     } else {
         Err(Flaw::NotFinite(field))

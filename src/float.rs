@@ -18,9 +18,9 @@ fn sin_cos_reduced<W: Scalar<Primal = W>>(angle: W) -> (W, W) {
     let shift = W::lit(6_755_399_441_055_744.0);
     let quadrant = (angle * W::lit(std::f64::consts::FRAC_2_PI) + shift) - shift;
     // π/2 in parts of 33 bits (fdlibm, e_rem_pio2.c).
-    let r = ((angle - quadrant * W::lit(1.570_796_326_734_125_614_17))
-        - quadrant * W::lit(6.077_100_506_303_965_976_60e-11))
-        - quadrant * W::lit(2.022_266_248_795_950_631_54e-21);
+    let r = ((angle - quadrant * W::lit(1.570_796_326_734_125_6))
+        - quadrant * W::lit(6.077_100_506_303_966e-11))
+        - quadrant * W::lit(2.022_266_248_795_950_6e-21);
     let z = r * r;
     let poly = |coefficients: [f64; 6]| {
         let mut sum = W::lit(coefficients[5]);
@@ -30,20 +30,20 @@ fn sin_cos_reduced<W: Scalar<Primal = W>>(angle: W) -> (W, W) {
         sum
     };
     let s = poly([
-        -1.666_666_666_666_663_243_48e-01,
-        8.333_333_333_322_489_461_24e-03,
-        -1.984_126_982_985_794_931_34e-04,
-        2.755_731_370_707_006_767_89e-06,
-        -2.505_076_025_340_686_341_95e-08,
-        1.589_690_995_211_550_102_21e-10,
+        -1.666_666_666_666_663_2e-1,
+        8.333_333_333_322_49e-3,
+        -1.984_126_982_985_795e-4,
+        2.755_731_370_707_006_8e-6,
+        -2.505_076_025_340_686_3e-8,
+        1.589_690_995_211_55e-10,
     ]);
     let c = poly([
-        4.166_666_666_666_660_190_37e-02,
-        -1.388_888_888_887_410_957_49e-03,
-        2.480_158_728_947_672_941_78e-05,
-        -2.755_731_435_139_066_330_35e-07,
-        2.087_572_321_298_174_827_90e-09,
-        -1.135_964_755_778_819_482_65e-11,
+        4.166_666_666_666_66e-2,
+        -1.388_888_888_887_411e-3,
+        2.480_158_728_947_673e-5,
+        -2.755_731_435_139_066_3e-7,
+        2.087_572_321_298_175e-9,
+        -1.135_964_755_778_819_5e-11,
     ]);
     let sin = r + r * z * s;
     let half = z.halved();
@@ -80,24 +80,12 @@ pub(crate) fn sin_cos_wide<W: Scalar<Primal = W>>(
 pub trait Float: Copy + std::fmt::Debug + Send + Sync + 'static {
     /// The bit pattern as an integer, also the type of a lane's mask.
     type Bits: Copy + std::fmt::Debug + Send + Sync + 'static;
-    /// A pattern without ones, and one without zeros.
+    /// All zeros.
     const NONE: Self::Bits;
-    /// All ones.
-    const ALL: Self::Bits;
-    /// Whether products carry a low part.
-    const COMPENSATED: bool;
-    /// Distance from 1 to the next number.
-    const EPSILON: f64;
-    /// A sine below which directions are parallel.
-    const PARALLEL: f64;
-    /// Rounds a literal.
-    fn lit(x: f64) -> Self;
     /// The exact value as `f64`.
     fn widen(self) -> f64;
     /// The high half of the significand.
     fn high(self) -> Self;
-    /// `2⁻ᵉ` bringing it into `[2, 4)`.
-    fn binade(self) -> Self;
     /// All ones if `yes`.
     fn mask(yes: bool) -> Self::Bits;
     /// Bitwise choice.
@@ -117,14 +105,6 @@ macro_rules! float {
         impl Float for $f {
             type Bits = $bits;
             const NONE: $bits = 0;
-            const ALL: $bits = !0;
-            const COMPENSATED: bool = $compensated;
-            const EPSILON: f64 = $f::EPSILON as f64;
-            const PARALLEL: f64 = $parallel;
-            #[inline(always)]
-            fn lit(x: f64) -> Self {
-                x as $f
-            }
             #[inline(always)]
             fn widen(self) -> f64 {
                 self as f64
@@ -132,18 +112,6 @@ macro_rules! float {
             #[inline(always)]
             fn high(self) -> Self {
                 $f::from_bits(self.to_bits() & !((1 << $low) - 1))
-            }
-            #[inline(always)]
-            fn binade(self) -> Self {
-                // The exponent field e becomes 2·bias + 1 − e.
-                let normal = if self < $f::MIN_POSITIVE {
-                    $f::MIN_POSITIVE
-                } else {
-                    self
-                };
-                let field = normal.to_bits() >> $mantissa << $mantissa;
-                let twice_bias = (2 * ($f::MAX_EXP as $bits - 1) + 1) << $mantissa;
-                $f::from_bits(twice_bias - field)
             }
             #[inline(always)]
             fn mask(yes: bool) -> $bits {
@@ -247,7 +215,15 @@ macro_rules! float {
             }
             #[inline(always)]
             fn binade(self) -> Self {
-                Float::binade(self)
+                // The exponent field e becomes 2·bias + 1 − e.
+                let normal = if self < $f::MIN_POSITIVE {
+                    $f::MIN_POSITIVE
+                } else {
+                    self
+                };
+                let field = normal.to_bits() >> $mantissa << $mantissa;
+                let twice_bias = (2 * ($f::MAX_EXP as $bits - 1) + 1) << $mantissa;
+                $f::from_bits(twice_bias - field)
             }
             // A tie of plain numbers has one value, so the kinks need a single choice.
             #[inline(always)]
@@ -278,5 +254,5 @@ macro_rules! float {
     };
 }
 
-float!(f32, u32, compensated: true, parallel: 1e-12, low_half: 12, mantissa: 23);
+float!(f32, u32, compensated: true, parallel: 2e-10, low_half: 12, mantissa: 23);
 float!(f64, u64, compensated: false, parallel: 4e-16, low_half: 27, mantissa: 52);

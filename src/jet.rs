@@ -13,8 +13,8 @@ use std::ops::{Add, AddAssign, Div, Mul, MulAssign, Neg, Sub, SubAssign};
 /// use geograd::{Jet, Scalar};
 /// let x = Jet::variable(3.0_f64, 0);
 /// let y = Jet::variable(4.0, 1);
-/// let norm: Jet<f64, 2> = x.hypot(y);
-/// assert_eq!((norm.value, norm.slope), (5.0, [0.6, 0.8]));
+/// let squares: Jet<f64, 2> = x * x + y * y;
+/// assert_eq!((squares.value, squares.slope), (25.0, [6.0, 8.0]));
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Jet<T, const N: usize> {
@@ -63,6 +63,8 @@ impl<T: Scalar, const N: usize> Sub for Jet<T, N> {
 }
 impl<T: Scalar, const N: usize> Mul for Jet<T, N> {
     type Output = Self;
+    // The product rule is a sum.
+    #[expect(clippy::suspicious_arithmetic_impl)]
     #[inline(always)]
     fn mul(self, other: Self) -> Self {
         let (x, y) = (self.value, other.value);

@@ -163,9 +163,9 @@ macro_rules! lanes {
         impl<const N: usize> Scalar for Lanes<$f, N> {
             type Mask = LaneMask<$f, N>;
             type Primal = Self;
-            const COMPENSATED: bool = <$f as Float>::COMPENSATED;
-            const EPSILON: f64 = <$f as Float>::EPSILON;
-            const PARALLEL: f64 = <$f as Float>::PARALLEL;
+            const COMPENSATED: bool = <$f as Scalar>::COMPENSATED;
+            const EPSILON: f64 = <$f as Scalar>::EPSILON;
+            const PARALLEL: f64 = <$f as Scalar>::PARALLEL;
             const LARGEST: f64 = <$f>::MAX as f64;
             #[inline(always)]
             fn lit(x: f64) -> Self {
@@ -244,7 +244,7 @@ macro_rules! lanes {
             }
             #[inline(always)]
             fn binade(self) -> Self {
-                Lanes(lanes_of!(0.0; |i| Float::binade(self.0[i])))
+                Lanes(lanes_of!(0.0; |i| Scalar::binade(self.0[i])))
             }
             #[inline(always)]
             fn least(self, other: Self) -> Self {

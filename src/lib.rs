@@ -3,10 +3,15 @@
 #![forbid(unsafe_code)]
 
 pub mod aabb;
+mod approximate;
 pub mod clip;
 pub mod dual;
+#[cfg(feature = "nalgebra")]
+mod dual_vector;
 pub mod error;
 pub mod float;
+#[cfg(feature = "glam")]
+mod interop;
 pub mod jet;
 pub mod lanes;
 pub mod obb;

@@ -64,9 +64,9 @@ impl<S: Scalar> Obb2<S> {
     ///
     /// ```
     /// use geograd::{Obb2, Vec2};
-    /// let car = Obb2::new(1.0, 2.0, 4.0, 2.0, 0.5);
+    /// let car = Obb2::new(1.0, 2.0, 4.0, 2.0, 0.5_f64);
     /// let again = Obb2::from_corners(car.corners());
-    /// assert!((again.heading - 0.5).abs() < 1e-15 && (again.size.x - 4.0_f64).abs() < 1e-15);
+    /// assert!((again.heading - 0.5).abs() < 1e-15 && (again.size.x - 4.0).abs() < 1e-14);
     /// ```
     #[must_use]
     pub fn from_corners(corners: [Vec2<S>; 4]) -> Self {

@@ -41,11 +41,14 @@ pub fn area_from_half<S: Scalar>(half: Vec2<S>) -> S {
 
 /// Relates two framed boxes and measures what they share, in units of `1 / scale`.
 ///
-/// `extreme` says whether sizes may be so small or large that products over- or underflow; the
+/// `EXTREME` says whether sizes may be so small or large that products over- or underflow; the
 /// bits of the result are the same for ordinary boxes either way.
 #[inline(always)]
-pub fn shared_area<S: Scalar>(a: Framed<S>, b: Framed<S>, extreme: bool) -> (Relative<S>, S, S) {
-    let scale = if extreme {
+pub fn shared_area<S: Scalar, const EXTREME: bool>(
+    a: Framed<S>,
+    b: Framed<S>,
+) -> (Relative<S>, S, S) {
+    let scale = if EXTREME {
         size_scale(a.half, b.half)
     } else {
         S::one()
@@ -135,11 +138,11 @@ pub fn in_outer_unit<M: Measure, S: Scalar>(value: S, scale: S) -> S {
 
 /// A score of two rotated boxes with their trigonometry done.
 #[inline(always)]
-pub fn score_framed<M: Measure, S: Scalar>(a: Framed<S>, b: Framed<S>, extreme: bool) -> S {
-    let (pair, inter, scale) = shared_area::<S>(a, b, extreme);
+pub fn score_framed<M: Measure, S: Scalar, const EXTREME: bool>(a: Framed<S>, b: Framed<S>) -> S {
+    let (pair, inter, scale) = shared_area::<S, EXTREME>(a, b);
     let (area_a, area_b) = (area_from_half(pair.half_a), area_from_half(pair.half_b));
     let value = measure::<M, S>(inter, area_a, area_b);
-    if extreme {
+    if EXTREME {
         in_outer_unit::<M, S>(value, scale)
     } else {
         value
@@ -171,7 +174,7 @@ pub fn score_aabb2<M: Measure, S: Scalar>(a: Aabb2<S>, b: Aabb2<S>) -> S {
 #[must_use]
 #[inline]
 pub fn intersection_area_obb2<S: Scalar>(a: Obb2<S>, b: Obb2<S>) -> S {
-    score_framed::<Intersection, S>(frame(a), frame(b), true)
+    score_framed::<Intersection, S, true>(frame(a), frame(b))
 }
 
 /// Intersection over union of two rotated boxes, in `[0, 1]`.
@@ -187,7 +190,7 @@ pub fn intersection_area_obb2<S: Scalar>(a: Obb2<S>, b: Obb2<S>) -> S {
 #[must_use]
 #[inline]
 pub fn iou_obb2<S: Scalar>(a: Obb2<S>, b: Obb2<S>) -> S {
-    score_framed::<OverUnion, S>(frame(a), frame(b), true)
+    score_framed::<OverUnion, S, true>(frame(a), frame(b))
 }
 
 /// The share of the first rotated box that lies in the second, in `[0, 1]`.
@@ -203,7 +206,7 @@ pub fn iou_obb2<S: Scalar>(a: Obb2<S>, b: Obb2<S>) -> S {
 #[must_use]
 #[inline]
 pub fn iof_obb2<S: Scalar>(a: Obb2<S>, b: Obb2<S>) -> S {
-    score_framed::<OverFirst, S>(frame(a), frame(b), true)
+    score_framed::<OverFirst, S, true>(frame(a), frame(b))
 }
 
 /// What two axis-aligned boxes share, all sizes halved and in units of `1 / scale`.

@@ -51,29 +51,23 @@ pub trait Pack: Clone {
 }
 
 /// A shape with the same number of scalars for every value.
-///
-/// Batches read and write it lane by lane, so both directions are always inlined.
 pub trait Fixed: Pack + Copy + Send + Sync {
     /// How many scalars.
     const LEN: usize;
-    /// Builds a shape from its scalars, first field first.
-    ///
-    /// # Panics
-    ///
-    /// When there are fewer than `LEN`.
-    fn take(from: &[Self::Scalar]) -> Self;
-    /// Writes the scalars, first field first.
-    ///
-    /// # Panics
-    ///
-    /// When there is room for fewer than `LEN`.
-    fn put(self, to: &mut [Self::Scalar]);
+    /// An array of `LEN` scalars.
+    type Array: Copy + AsRef<[Self::Scalar]> + AsMut<[Self::Scalar]>;
+    /// The scalars, first field first.
+    fn to_array(self) -> Self::Array;
+    /// The shape with these scalars, first field first.
+    fn from_array(scalars: Self::Array) -> Self;
+    /// The shape with the same scalar everywhere.
+    fn filled(scalar: Self::Scalar) -> Self;
 }
 
 /// A lone number is a pack of one.
 macro_rules! leaf {
     ($([$($generic:tt)*] $type:ty),* $(,)?) => { $(
-        impl<$($generic)*> Pack for $type {
+        impl<$($generic)*> $crate::Pack for $type {
             type Scalar = Self;
             type With<R: Clone> = R;
             #[inline(always)]
@@ -85,19 +79,27 @@ macro_rules! leaf {
                 f(self)
             }
         }
-        impl<$($generic)*> Fixed for $type {
+        impl<$($generic)*> $crate::Fixed for $type {
             const LEN: usize = 1;
+            type Array = [Self; 1];
             #[inline(always)]
-            fn take(from: &[Self]) -> Self {
-                from[0]
+            fn to_array(self) -> [Self; 1] {
+                [self]
             }
             #[inline(always)]
-            fn put(self, to: &mut [Self]) {
-                to[0] = self;
+            fn from_array([scalar]: [Self; 1]) -> Self {
+                scalar
+            }
+            #[inline(always)]
+            fn filled(scalar: Self) -> Self {
+                scalar
             }
         }
     )* };
 }
+
+#[cfg(feature = "nalgebra")]
+pub(crate) use leaf;
 
 leaf! {
     [] f32,
@@ -112,10 +114,11 @@ leaf! {
     [T: Copy + Send + Sync] num_dual::HyperHyperDual<T>,
 }
 
-/// A shape of scalars and smaller shapes: the macro lists its fields in order, `scalar` before a
-/// lone number.
+/// A shape of scalars and smaller shapes. The macro lists the fields, `scalar` before a lone
+/// number, then all scalars in the same order, and how the shape is made from them.
 macro_rules! shape {
-    ($name:ident { $($field:ident : $kind:ident),* } $len:expr) => {
+    ($name:ident { $($field:ident : $kind:ident),* }
+     $len:literal [$($at:ident $(. $inner:ident)?),*] |$from:pat_param| $made:expr) => {
         impl<S: Clone> Pack for $name<S> {
             type Scalar = S;
             type With<T: Clone> = $name<T>;
@@ -130,18 +133,18 @@ macro_rules! shape {
         }
         impl<S: Copy + Send + Sync> Fixed for $name<S> {
             const LEN: usize = $len;
+            type Array = [S; $len];
             #[inline(always)]
-            fn take(from: &[S]) -> Self {
-                let mut at = 0;
-                $(let $field = shape!(@take $kind from, at);)*
-                debug_assert_eq!(at, Self::LEN);
-                $name { $($field),* }
+            fn to_array(self) -> [S; $len] {
+                [$(self.$at $(. $inner)?),*]
             }
             #[inline(always)]
-            fn put(self, to: &mut [S]) {
-                let mut at = 0;
-                $(shape!(@put $kind self.$field, to, at);)*
-                debug_assert_eq!(at, Self::LEN);
+            fn from_array($from: [S; $len]) -> Self {
+                $made
+            }
+            #[inline(always)]
+            fn filled(scalar: S) -> Self {
+                Self::from_array([scalar; $len])
             }
         }
     };
@@ -149,42 +152,51 @@ macro_rules! shape {
     (@map $kind:ident $at:expr, $f:ident) => { $at.map($f) };
     (@each scalar $at:expr, $f:ident) => { $f(&mut $at) };
     (@each $kind:ident $at:expr, $f:ident) => { $at.each($f) };
-    (@take scalar $from:ident, $at:ident) => {{
-        $at += 1;
-        $from[$at - 1]
-    }};
-    (@take $kind:ident $from:ident, $at:ident) => {{
-        $at += <$kind<S> as Fixed>::LEN;
-        $kind::take(&$from[$at - <$kind<S> as Fixed>::LEN..])
-    }};
-    (@put scalar $field:expr, $to:ident, $at:ident) => {{
-        $to[$at] = $field;
-        $at += 1;
-    }};
-    (@put $kind:ident $field:expr, $to:ident, $at:ident) => {{
-        $field.put(&mut $to[$at..]);
-        $at += <$kind<S> as Fixed>::LEN;
-    }};
 }
 
 use crate::clip::Framed;
 use crate::{Aabb2, Obb2, Pose2, Rotation2, Vec2, Vec3};
-shape!(Vec2 { x: scalar, y: scalar } 2);
-shape!(Vec3 { x: scalar, y: scalar, z: scalar } 3);
-shape!(Rotation2 { cos: scalar, sin: scalar } 2);
-shape!(Pose2 { rotation: Rotation2, translation: Vec2 } 4);
-shape!(Aabb2 { min: Vec2, max: Vec2 } 4);
-shape!(Obb2 { center: Vec2, size: Vec2, heading: scalar } 5);
-shape!(Framed {
-    center: Vec2,
-    half: Vec2,
-    cos: scalar,
-    sin: scalar,
-    cos_high: scalar,
-    cos_low: scalar,
-    sin_high: scalar,
-    sin_low: scalar
-} 10);
+shape!(Vec2 { x: scalar, y: scalar } 2 [x, y] |[x, y]| Vec2 { x, y });
+shape!(Vec3 { x: scalar, y: scalar, z: scalar } 3 [x, y, z] |[x, y, z]| Vec3 { x, y, z });
+shape!(Rotation2 { cos: scalar, sin: scalar } 2 [cos, sin] |[cos, sin]| Rotation2 { cos, sin });
+shape!(
+    Pose2 { rotation: Rotation2, translation: Vec2 }
+    4 [rotation.cos, rotation.sin, translation.x, translation.y]
+    |[cos, sin, x, y]| Pose2 { rotation: Rotation2 { cos, sin }, translation: Vec2 { x, y } }
+);
+shape!(
+    Aabb2 { min: Vec2, max: Vec2 }
+    4 [min.x, min.y, max.x, max.y]
+    |[min_x, min_y, max_x, max_y]| Aabb2::new(min_x, min_y, max_x, max_y)
+);
+shape!(
+    Obb2 { center: Vec2, size: Vec2, heading: scalar }
+    5 [center.x, center.y, size.x, size.y, heading]
+    |[x, y, width, height, heading]| Obb2::new(x, y, width, height, heading)
+);
+shape!(
+    Framed {
+        center: Vec2,
+        half: Vec2,
+        cos: scalar,
+        sin: scalar,
+        cos_high: scalar,
+        cos_low: scalar,
+        sin_high: scalar,
+        sin_low: scalar
+    }
+    10 [center.x, center.y, half.x, half.y, cos, sin, cos_high, cos_low, sin_high, sin_low]
+    |[x, y, half_x, half_y, cos, sin, cos_high, cos_low, sin_high, sin_low]| Framed {
+        center: Vec2 { x, y },
+        half: Vec2 { x: half_x, y: half_y },
+        cos,
+        sin,
+        cos_high,
+        cos_low,
+        sin_high,
+        sin_low,
+    }
+);
 
 impl<A: Pack, B: Pack<Scalar = A::Scalar>> Pack for (A, B) {
     type Scalar = A::Scalar;
@@ -199,19 +211,6 @@ impl<A: Pack, B: Pack<Scalar = A::Scalar>> Pack for (A, B) {
         self.1.each(f);
     }
 }
-impl<A: Fixed, B: Fixed<Scalar = A::Scalar>> Fixed for (A, B) {
-    const LEN: usize = A::LEN + B::LEN;
-    #[inline(always)]
-    fn take(from: &[Self::Scalar]) -> Self {
-        (A::take(from), B::take(&from[A::LEN..]))
-    }
-    #[inline(always)]
-    fn put(self, to: &mut [Self::Scalar]) {
-        self.0.put(to);
-        self.1.put(&mut to[A::LEN..]);
-    }
-}
-
 impl<A: Pack, B: Pack<Scalar = A::Scalar>, C: Pack<Scalar = A::Scalar>> Pack for (A, B, C) {
     type Scalar = A::Scalar;
     type With<T: Clone> = (A::With<T>, B::With<T>, C::With<T>);
@@ -239,20 +238,6 @@ impl<P: Pack, const N: usize> Pack for [P; N] {
         }
     }
 }
-impl<P: Fixed, const N: usize> Fixed for [P; N] {
-    const LEN: usize = P::LEN * N;
-    #[inline(always)]
-    fn take(from: &[Self::Scalar]) -> Self {
-        std::array::from_fn(|i| P::take(&from[i * P::LEN..]))
-    }
-    #[inline(always)]
-    fn put(self, to: &mut [Self::Scalar]) {
-        for (i, shape) in self.into_iter().enumerate() {
-            shape.put(&mut to[i * P::LEN..]);
-        }
-    }
-}
-
 impl<P: Pack> Pack for Vec<P> {
     type Scalar = P::Scalar;
     type With<T: Clone> = Vec<P::With<T>>;

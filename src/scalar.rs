@@ -211,6 +211,11 @@ pub trait Scalar:
     fn with_primal(self, value: Self::Primal) -> Self {
         (self - Self::from_primal(self.primal())) + Self::from_primal(value)
     }
+    /// Whether the value is neither infinite nor NaN.
+    #[inline(always)]
+    fn finite(self) -> Self::Mask {
+        self.unsigned().at_most(Self::lit(Self::LARGEST))
+    }
     /// The nearest finite number.
     #[inline(always)]
     fn saturated(self) -> Self {

@@ -90,8 +90,7 @@ macro_rules! vector {
             #[must_use]
             #[inline]
             pub fn is_finite(self) -> bool {
-                // A difference with itself is zero for finite numbers only.
-                true $(&& (self.$field - self.$field).equals(S::zero()).all())*
+                true $(&& self.$field.finite().all())*
             }
         }
 

@@ -1,0 +1,158 @@
+//! Reads the text files of the KITTI tracking benchmark, and tells every line it cannot use.
+//!
+//! Camera coordinates: x right, y down, z forward, metres and radians. Seen from above a box is
+//! centred at (x, z); its length runs along the heading and its width across. `rotation_y` is 0
+//! along +x and a positive turn moves +z towards +x, so in the plane with the axes (x, z) the
+//! counter-clockwise heading is its negative.
+use crate::model::{Class, Frames, Seen};
+use geograd::Obb2;
+use std::path::Path;
+
+/// Bad lines are told on stderr, at most this many of each file one by one.
+const TOLD: usize = 20;
+
+/// What became of the lines of all files.
+#[derive(Debug, Default)]
+pub struct Report {
+    /// Lines that could not be used.
+    pub bad: usize,
+}
+
+/// Detections: `frame, class (1 pedestrian, 2 car, 3 cyclist), image box x1, y1, x2, y2, score, h,
+/// w, l, x, y, z, rotation_y, alpha`.
+pub fn read_detections(
+    path: &Path,
+    frames: &mut Frames,
+    report: &mut Report,
+) -> Result<(), String> {
+    each_line(path, report, |line| {
+        let fields: Vec<&str> = line.split(',').map(str::trim).collect();
+        let fields = Fields::new(&fields, 15)?;
+        let class = match fields.text(1) {
+            "1" => Class::Pedestrian,
+            "2" => Class::Car,
+            "3" => Class::Cyclist,
+            other => {
+                return Err(format!(
+                    "class is 1 (pedestrian), 2 (car) or 3 (cyclist): `{other}`"
+                ));
+            }
+        };
+        let detection = Seen {
+            class,
+            score: fields.number(6, "score")?,
+            shape: fields.shape(7)?,
+        };
+        frames
+            .entry(fields.frame()?)
+            .or_default()
+            .detections
+            .push(detection);
+        Ok(())
+    })
+}
+
+/// Ground truth: `frame, track id, class name, truncated, occluded, alpha, image box x1 y1 x2 y2, h
+/// w l, x y z, rotation_y`. Regions marked DontCare have no geometry and are passed over.
+pub fn read_labels(path: &Path, frames: &mut Frames, report: &mut Report) -> Result<(), String> {
+    each_line(path, report, |line| {
+        let fields: Vec<&str> = line.split_whitespace().collect();
+        if fields.get(2) == Some(&"DontCare") {
+            return Ok(());
+        }
+        let fields = Fields::new(&fields, 17)?;
+        let truth = Seen {
+            class: match fields.text(2) {
+                "Car" => Class::Car,
+                "Pedestrian" => Class::Pedestrian,
+                "Cyclist" => Class::Cyclist,
+                "Van" | "Truck" | "Tram" | "Misc" | "Person" | "Person_sitting" => Class::Other,
+                other => return Err(format!("unknown class name `{other}`")),
+            },
+            score: 1.0,
+            shape: fields.shape(10)?,
+        };
+        frames
+            .entry(fields.frame()?)
+            .or_default()
+            .truths
+            .push(truth);
+        Ok(())
+    })
+}
+
+/// Every line that is not blank; what is wrong with one is told with file and line number.
+fn each_line(
+    path: &Path,
+    report: &mut Report,
+    mut take: impl FnMut(&str) -> Result<(), String>,
+) -> Result<(), String> {
+    let name = path.display();
+    let bytes = std::fs::read(path).map_err(|error| format!("{name}: {error}"))?;
+    // A byte that is no UTF-8 becomes a character that fits nowhere, so its line is told like any.
+    let text = String::from_utf8_lossy(&bytes);
+    let text = text.strip_prefix('\u{feff}').unwrap_or(&text);
+    let mut bad = 0;
+    for (i, line) in text.lines().enumerate() {
+        if line.trim().is_empty() {
+            continue;
+        }
+        if let Err(why) = take(line) {
+            bad += 1;
+            if bad <= TOLD {
+                eprintln!("{name}:{}: {why}", i + 1);
+            }
+        }
+    }
+    if bad > TOLD {
+        eprintln!("{name}: and {} more bad lines", bad - TOLD);
+    }
+    report.bad += bad;
+    Ok(())
+}
+
+/// The fields of a line.
+struct Fields<'a>(&'a [&'a str]);
+
+impl<'a> Fields<'a> {
+    fn new(fields: &'a [&'a str], count: usize) -> Result<Self, String> {
+        if fields.len() == count {
+            Ok(Fields(fields))
+        } else {
+            Err(format!("{} fields where {count} are needed", fields.len()))
+        }
+    }
+
+    fn text(&self, i: usize) -> &'a str {
+        self.0[i]
+    }
+
+    fn frame(&self) -> Result<u32, String> {
+        let text = self.text(0);
+        text.parse()
+            .map_err(|_| format!("frame is not a whole number: `{text}`"))
+    }
+
+    fn number(&self, i: usize, name: &str) -> Result<f32, String> {
+        let text = self.text(i);
+        match text.parse::<f32>() {
+            Ok(number) if number.is_finite() => Ok(number),
+            Ok(_) => Err(format!("{name} is not finite: `{text}`")),
+            Err(_) => Err(format!("{name} is not a number: `{text}`")),
+        }
+    }
+
+    /// The box seen from above, from the seven fields `h, w, l, x, y, z, rotation_y`.
+    fn shape(&self, first: usize) -> Result<Obb2<f32>, String> {
+        let mut values = [0.0; 7];
+        let names = ["h", "w", "l", "x", "y", "z", "rotation_y"];
+        for (i, (value, name)) in values.iter_mut().zip(names).enumerate() {
+            *value = self.number(first + i, name)?;
+            if i < 3 && *value < 0.0 {
+                return Err(format!("{name} is negative: `{}`", self.text(first + i)));
+            }
+        }
+        let [_, width, length, x, _, z, rotation_y] = values;
+        Ok(Obb2::new(x, z, length, width, -rotation_y))
+    }
+}

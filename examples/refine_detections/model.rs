@@ -1,0 +1,65 @@
+//! What a frame holds.
+use geograd::Obb2;
+use std::collections::{BTreeMap, BTreeSet};
+
+/// What an object is. Only objects of the same class are matched.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub enum Class {
+    Car,
+    Pedestrian,
+    Cyclist,
+    /// Something no detector here looks for.
+    Other,
+}
+
+impl Class {
+    pub fn name(self) -> &'static str {
+        match self {
+            Class::Car => "Car",
+            Class::Pedestrian => "Pedestrian",
+            Class::Cyclist => "Cyclist",
+            Class::Other => "Other",
+        }
+    }
+}
+
+/// An object as a detector or a labeller saw it.
+#[derive(Clone, Copy, Debug)]
+pub struct Seen {
+    pub class: Class,
+    /// How sure the detector is; the scale is its own.
+    pub score: f32,
+    /// From above: the axes are x to the right and z forward.
+    pub shape: Obb2<f32>,
+}
+
+/// One moment.
+#[derive(Clone, Debug, Default)]
+pub struct Frame {
+    pub detections: Vec<Seen>,
+    pub truths: Vec<Seen>,
+}
+
+/// All moments, by number.
+pub type Frames = BTreeMap<u32, Frame>;
+
+/// Sets aside what the numbers are not about: detections with a lower score, and truths of classes
+/// that no detection has. Gives the number of each.
+pub fn keep_scored(frames: &mut Frames, least_score: f32) -> (usize, usize) {
+    let count = |frames: &Frames| {
+        frames.values().fold((0, 0), |(d, t), frame| {
+            (d + frame.detections.len(), t + frame.truths.len())
+        })
+    };
+    let before = count(frames);
+    let classes: BTreeSet<Class> = frames
+        .values()
+        .flat_map(|frame| frame.detections.iter().map(|seen| seen.class))
+        .collect();
+    for frame in frames.values_mut() {
+        frame.detections.retain(|seen| seen.score >= least_score);
+        frame.truths.retain(|seen| classes.contains(&seen.class));
+    }
+    let after = count(frames);
+    (before.0 - after.0, before.1 - after.1)
+}

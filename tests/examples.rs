@@ -1,0 +1,383 @@
+//! The examples as their users meet them: files in, text and exit status out.
+use std::path::{Path, PathBuf};
+use std::process::{Command, Output};
+use std::sync::OnceLock;
+
+#[path = "../examples/refine_detections/assign.rs"]
+mod assign;
+
+/// The program of an example, built from the present source into the same folders and with the
+/// same features as this test, so there is little or nothing to build.
+fn example(name: &str) -> PathBuf {
+    static FOLDER: OnceLock<PathBuf> = OnceLock::new();
+    let folder = FOLDER.get_or_init(|| {
+        // target/PROFILE/deps/this-test
+        let this = std::env::current_exe().unwrap();
+        let profile = this.parent().and_then(Path::parent).unwrap();
+        let mut features = Vec::new();
+        for (feature, is_on) in [
+            ("parallel", cfg!(feature = "parallel")),
+            ("gpu", cfg!(feature = "gpu")),
+            ("glam", cfg!(feature = "glam")),
+            ("serde", cfg!(feature = "serde")),
+            ("nalgebra", cfg!(feature = "nalgebra")),
+        ] {
+            if is_on {
+                features.push(feature);
+            }
+        }
+        let name = match profile.file_name().and_then(|name| name.to_str()) {
+            Some("debug") | None => "dev",
+            Some(name) => name,
+        };
+        let built = Command::new(env!("CARGO"))
+            .args(["build", "--examples", "--no-default-features", "--features"])
+            .arg(features.join(","))
+            .args(["--profile", name, "--manifest-path"])
+            .arg(concat!(env!("CARGO_MANIFEST_DIR"), "/Cargo.toml"))
+            .arg("--target-dir")
+            .arg(profile.parent().unwrap())
+            .output()
+            .unwrap();
+        let why = String::from_utf8_lossy(&built.stderr);
+        assert!(built.status.success(), "the examples do not build: {why}");
+        profile.join("examples")
+    });
+    folder.join(format!("{name}{}", std::env::consts::EXE_SUFFIX))
+}
+
+/// A folder of a test's own, empty at the start.
+fn folder(test: &str) -> PathBuf {
+    let folder = Path::new(env!("CARGO_TARGET_TMPDIR")).join(test);
+    let _ = std::fs::remove_dir_all(&folder);
+    std::fs::create_dir_all(&folder).unwrap();
+    folder
+}
+
+/// Runs an example in a folder; arguments are parted by spaces.
+fn run(name: &str, folder: &Path, arguments: &str) -> Output {
+    Command::new(example(name))
+        .args(arguments.split_whitespace())
+        .current_dir(folder)
+        .output()
+        .unwrap()
+}
+
+fn stdout(output: &Output) -> &str {
+    std::str::from_utf8(&output.stdout).unwrap()
+}
+
+fn stderr(output: &Output) -> &str {
+    std::str::from_utf8(&output.stderr).unwrap()
+}
+
+fn status(output: &Output) -> i32 {
+    output.status.code().unwrap()
+}
+
+fn files(folder: &Path) -> Vec<String> {
+    let mut names: Vec<_> = std::fs::read_dir(folder)
+        .unwrap()
+        .map(|entry| entry.unwrap().file_name().into_string().unwrap())
+        .collect();
+    names.sort();
+    names
+}
+
+#[test]
+fn iou_csv_aligned() {
+    let at = folder("iou_csv_aligned");
+    // With all that spreadsheets add: a byte order mark, a header, spaces, CRLF, blank last lines.
+    let a = "\u{feff}X, y,w,h,r\r\n0,0,2,2,0\r\n 5, 5 ,1,3,0.7\r\n\r\n\r\n";
+    std::fs::write(at.join("a.csv"), a).unwrap();
+    std::fs::write(at.join("b.csv"), "1,0,2,2,0\n9,9,1e0,3,0.7").unwrap();
+    let done = run("iou_csv", &at, "--a a.csv --b b.csv");
+    assert_eq!(stderr(&done), "");
+    assert_eq!(status(&done), 0);
+    assert_eq!(stdout(&done), "iou\n0.3333333333333333\n0\n");
+    let done = run("iou_csv", &at, "--a a.csv --b b.csv --precision f32");
+    assert_eq!(stdout(&done), "iou\n0.33333334\n0\n");
+}
+
+#[test]
+fn iou_csv_gradients() {
+    let at = folder("iou_csv_gradients");
+    std::fs::write(at.join("a.csv"), "0,0,2,2,0\n").unwrap();
+    std::fs::write(at.join("b.csv"), "1,0.1,2,3,0.2\n").unwrap();
+    let done = run("iou_csv", &at, "--a a.csv --b b.csv --grad --out out.csv");
+    assert_eq!((status(&done), stdout(&done)), (0, ""));
+    let text = std::fs::read_to_string(at.join("out.csv")).unwrap();
+    let (header, row) = text.split_once('\n').unwrap();
+    assert_eq!(header, "iou,dax,day,daw,dah,dar,dbx,dby,dbw,dbh,dbr");
+    let numbers = row.trim_end().split(',');
+    let found: Vec<f64> = numbers.map(|x| x.parse().unwrap()).collect();
+    let (a, b) = (
+        geograd::Obb2::new(0.0, 0.0, 2.0, 2.0, 0.0),
+        geograd::Obb2::new(1.0, 0.1, 2.0, 3.0, 0.2),
+    );
+    let (iou, (da, db)) = geograd::ad::gradient(|(a, b)| geograd::Obb2::iou(a, b), (a, b));
+    let mut expected = vec![iou];
+    for x in [da, db] {
+        expected.extend([x.center.x, x.center.y, x.size.x, x.size.y, x.heading]);
+    }
+    assert_eq!(found.len(), expected.len());
+    for (found, expected) in found.iter().zip(expected) {
+        assert!((found - expected).abs() < 1e-12, "{found} {expected}");
+    }
+}
+
+#[test]
+fn iou_csv_all_pairs() {
+    let at = folder("iou_csv_all_pairs");
+    let two = "0,0,2,2,0\n10,0,2,2,0\n";
+    std::fs::write(at.join("a.csv"), two).unwrap();
+    std::fs::write(at.join("b.csv"), format!("{two}1,0,2,2,0\n")).unwrap();
+    std::fs::write(at.join("none.csv"), "x,y,w,h,r\n").unwrap();
+    let done = run("iou_csv", &at, "--a a.csv --b b.csv --all-pairs");
+    let rows = "iou\n1\n0\n0.3333333333333333\n0\n1\n0\n";
+    assert_eq!((status(&done), stdout(&done)), (0, rows));
+    // The gradient goes through another path; its first column is the same.
+    let done = run("iou_csv", &at, "--a a.csv --b b.csv --all-pairs --grad");
+    let first: Vec<_> = stdout(&done)
+        .lines()
+        .map(|line| line.split(',').next().unwrap())
+        .collect();
+    assert_eq!(first, rows.lines().collect::<Vec<_>>());
+    for empty in ["--a none.csv --b b.csv", "--a a.csv --b none.csv"] {
+        let done = run("iou_csv", &at, &format!("{empty} --all-pairs"));
+        assert_eq!((status(&done), stdout(&done)), (0, "iou\n"));
+    }
+}
+
+#[test]
+fn iou_csv_refuses_bad_rows_and_leaves_the_target_alone() {
+    let at = folder("iou_csv_bad");
+    std::fs::write(at.join("good.csv"), "0,0,2,2,0\n").unwrap();
+    std::fs::write(at.join("out.csv"), "as it was").unwrap();
+    for (rows, why) in [
+        ("0,0,2,2,0\n1,2,3\n", "row 2 (line 2): 3 fields"),
+        ("x,y,w,h,r\n0,0,2,-2,0\n", "row 1 (line 2): h is negative"),
+        ("0,NaN,2,2,0\n", "row 1 (line 1): y is not finite"),
+        ("0,1e999,2,2,0\n", "row 1 (line 1): y is not finite"),
+        ("0,0,two,2,0\n", "row 1 (line 1): w is not a number: `two`"),
+        ("0,0,2,2,0\n\n0,0,2,2,0\n", "row 2 (line 2): is empty"),
+        ("w,h,x,y,r\n2,2,0,0,0\n", "the order must be x,y,w,h,r"),
+        (
+            "0,0,2,2,0\n0,0,2,2,0\n",
+            "good.csv has 1 rows and bad.csv has 2",
+        ),
+    ] {
+        std::fs::write(at.join("bad.csv"), rows).unwrap();
+        let done = run("iou_csv", &at, "--a good.csv --b bad.csv --out out.csv");
+        assert_eq!(status(&done), 1, "{rows}");
+        assert!(stderr(&done).contains("bad.csv"), "{}", stderr(&done));
+        assert!(stderr(&done).contains(why), "{why}: {}", stderr(&done));
+        assert_eq!(stdout(&done), "");
+        let kept = std::fs::read_to_string(at.join("out.csv")).unwrap();
+        assert_eq!(kept, "as it was");
+        assert_eq!(files(&at), ["bad.csv", "good.csv", "out.csv"]);
+    }
+    let done = run("iou_csv", &at, "--a good.csv --b nowhere.csv");
+    assert_eq!(status(&done), 1);
+    assert!(stderr(&done).contains("nowhere.csv"));
+}
+
+#[test]
+fn wrong_command_lines() {
+    let at = folder("wrong_command_lines");
+    for (name, arguments) in [
+        ("iou_csv", ""),
+        ("iou_csv", "--a a.csv"),
+        ("iou_csv", "--a a.csv --b b.csv --frobnicate"),
+        ("iou_csv", "--a a.csv --b b.csv --precision f16"),
+        ("iou_csv", "--a a.csv --b b.csv --backend abacus"),
+        ("refine_detections", "--frobnicate"),
+        ("refine_detections", "--frames many"),
+        ("refine_detections", "--detections a.txt"),
+        ("refine_detections", "--labels a.txt"),
+    ] {
+        let done = run(name, &at, arguments);
+        assert_eq!(status(&done), 2, "{name} {arguments}");
+        assert!(stderr(&done).starts_with(name), "{}", stderr(&done));
+    }
+    for name in ["iou_csv", "refine_detections"] {
+        let done = run(name, &at, "--help");
+        assert_eq!(status(&done), 0);
+        assert!(stdout(&done).contains("Usage"));
+    }
+    assert_eq!(files(&at), [""; 0]);
+}
+
+/// The numbers of a row of the table.
+fn row(output: &Output, name: &str) -> Vec<f64> {
+    let row = stdout(output).lines().find(|line| line.starts_with(name));
+    let row = row.unwrap_or_else(|| panic!("no row {name}: {}", stdout(output)));
+    let words = row[name.len()..].split_whitespace();
+    words.filter_map(|x| x.parse().ok()).collect()
+}
+
+#[test]
+fn refine_detections_on_its_own_scene() {
+    let at = folder("refine_scene");
+    let done = run("refine_detections", &at, "--frames 2 --seed 7");
+    assert_eq!((status(&done), stderr(&done)), (0, ""));
+    assert_eq!(row(&done, "frames"), [2.0]);
+    let mean = row(&done, "mean IoU");
+    assert!(mean[0] < 0.9 && mean[1] > 0.99, "{mean:?}");
+    for name in ["precision at 0.7", "recall at 0.7"] {
+        let numbers = row(&done, name);
+        assert!(numbers[1] >= numbers[0], "{name} {numbers:?}");
+    }
+    let picture = std::fs::read_to_string(at.join("refine_detections.svg")).unwrap();
+    assert!(picture.starts_with("<svg") && picture.ends_with("</svg>\n"));
+    assert!(!picture.contains("NaN") && !picture.contains("inf"));
+    // The same seed gives the same picture.
+    run(
+        "refine_detections",
+        &at,
+        "--frames 2 --seed 7 --svg again.svg",
+    );
+    let again = std::fs::read_to_string(at.join("again.svg")).unwrap();
+    assert!(picture == again);
+}
+
+/// Cars seen well, and a pedestrian seen with a sliver of overlap.
+const DETECTIONS: &str = "\
+0,2,0,0,1,1,9.5,1.5,1.7,4.2,2.0,1.6,12.0,-1.57,0
+0,1,0,0,1,1,3.5,1.7,0.6,0.8,-4.7,1.6,9.0,0.0,0
+1,2,0,0,1,1,9.5,1.5,1.7,4.2,2.0,1.6,13.0,-1.57,0
+";
+/// Beside them what is not scored: a region to be passed over, and a van.
+const LABELS: &str = "\
+0 -1 DontCare -1 -1 -10 0 0 1 1 -1000 -1000 -1000 -10 -1 -1 -1
+0 0 Car 0 0 0 0 0 1 1 1.5 1.8 4.4 2.1 1.6 12.2 -1.5
+0 1 Pedestrian 0 0 0 0 0 1 1 1.7 0.6 0.8 -4.0 1.6 9.0 0.0
+0 2 Van 0 0 0 0 0 1 1 1.7 2.0 5.0 9.0 1.6 20.0 0.0
+1 0 Car 0 0 0 0 0 1 1 1.5 1.8 4.4 2.1 1.6 13.2 -1.5
+";
+
+#[test]
+fn refine_detections_on_files() {
+    let at = folder("refine_files");
+    std::fs::write(at.join("seen.txt"), DETECTIONS).unwrap();
+    std::fs::write(at.join("true.txt"), LABELS).unwrap();
+    let done = run(
+        "refine_detections",
+        &at,
+        "--detections seen.txt --labels true.txt --svg out.svg --frame 0",
+    );
+    assert_eq!((status(&done), stderr(&done)), (0, ""));
+    assert_eq!(row(&done, "frames"), [2.0]);
+    assert_eq!(row(&done, "boxes"), [3.0, 3.0]);
+    assert_eq!(row(&done, "pairs"), [5.0]);
+    assert_eq!(row(&done, "matches"), [3.0, 3.0]);
+    assert_eq!(row(&done, "recall at 0.7"), [0.6667, 1.0]);
+    assert!(row(&done, "mean IoU")[1] > 0.999);
+    assert!(at.join("out.svg").exists());
+}
+
+/// A box shifted along its heading by half its length shares a third with the union; with the turn
+/// the other way round it would share less.
+#[test]
+fn refine_detections_turns_the_way_cameras_do() {
+    let at = folder("refine_heading");
+    let (turn, length) = (0.7_f32, 4.0);
+    // A positive turn moves +z towards +x, so it moves +x towards -z.
+    let (x, z) = (
+        3.0 + 0.5 * length * turn.cos(),
+        15.0 - 0.5 * length * turn.sin(),
+    );
+    let seen = format!("0,2,0,0,1,1,9,1.5,1.0,{length},{x},1.6,{z},{turn},0\n");
+    let truth = format!("0 0 Car 0 0 0 0 0 1 1 1.5 1.0 {length} 3 1.6 15 {turn}\n");
+    std::fs::write(at.join("seen.txt"), seen).unwrap();
+    std::fs::write(at.join("true.txt"), truth).unwrap();
+    let done = run(
+        "refine_detections",
+        &at,
+        "--detections seen.txt --labels true.txt",
+    );
+    assert_eq!((status(&done), stderr(&done)), (0, ""));
+    assert_eq!(row(&done, "mean IoU")[0], 0.3333);
+    assert!(row(&done, "mean IoU")[1] > 0.999);
+}
+
+#[test]
+fn refine_detections_tells_bad_lines_and_goes_on() {
+    let at = folder("refine_bad_lines");
+    let bad = "0,2,0,0,1,1,9.5,1.5,1.7,4.2,2.0,1.6,12.0\n\
+        0,2,0,0,1,1,9.5,1.5,1.7,-4.2,2.0,1.6,12.0,-1.57,0\n\
+        0,9,0,0,1,1,9.5,1.5,1.7,4.2,2.0,1.6,12.0,-1.57,0\n\
+        zero,2,0,0,1,1,9.5,1.5,1.7,4.2,2.0,1.6,12.0,-1.57,0\n\
+        0,2,0,0,1,1,9.5,1.5,1.7,4.2,inf,1.6,12.0,-1.57,0\n\n";
+    std::fs::write(at.join("seen.txt"), format!("{bad}{DETECTIONS}")).unwrap();
+    let bad = "0 3 Car 0 0 0 0 0 1 1 1.5 wide 4.4 2.1 1.6 12.2 -1.5\n";
+    std::fs::write(at.join("true.txt"), format!("{LABELS}{bad}")).unwrap();
+    let done = run(
+        "refine_detections",
+        &at,
+        "--detections seen.txt --labels true.txt",
+    );
+    assert_eq!(status(&done), 1);
+    for told in [
+        "seen.txt:1: 13 fields where 15 are needed",
+        "seen.txt:2: l is negative: `-4.2`",
+        "seen.txt:3: class is 1 (pedestrian), 2 (car) or 3 (cyclist): `9`",
+        "seen.txt:4: frame is not a whole number: `zero`",
+        "seen.txt:5: x is not finite: `inf`",
+        "true.txt:6: w is not a number: `wide`",
+        "6 bad lines were left out",
+    ] {
+        assert!(stderr(&done).contains(told), "{told}: {}", stderr(&done));
+    }
+    // The rest went on.
+    assert_eq!(row(&done, "matches"), [3.0, 3.0]);
+    assert!(at.join("refine_detections.svg").exists());
+}
+
+#[test]
+fn refine_detections_without_anything() {
+    let at = folder("refine_nothing");
+    std::fs::write(at.join("none.txt"), "").unwrap();
+    let files = "--detections none.txt --labels none.txt";
+    for arguments in [files, "--frames 0"] {
+        let done = run("refine_detections", &at, arguments);
+        assert_eq!((status(&done), stderr(&done)), (0, ""));
+        assert_eq!(row(&done, "boxes"), [0.0, 0.0]);
+    }
+}
+
+/// Against trying everything.
+#[test]
+fn assignment_has_the_largest_sum() {
+    fn best(gains: &[f32], columns: usize, taken: u32) -> f32 {
+        if gains.is_empty() {
+            return 0.0;
+        }
+        let rest = &gains[columns..];
+        let skip = best(rest, columns, taken);
+        let free = (0..columns).filter(|c| (taken >> c) & 1 == 0);
+        free.map(|c| gains[c] + best(rest, columns, taken | (1 << c)))
+            .fold(skip, f32::max)
+    }
+    let mut state = 1_u32;
+    for (rows, columns) in [(1, 1), (1, 4), (4, 1), (3, 3), (5, 3), (3, 5), (5, 5)] {
+        for _ in 0..50 {
+            // Sixteenths, half of them zero, so that sums are exact and ties are common.
+            let gains: Vec<f32> = (0..rows * columns)
+                .map(|_| {
+                    state = state.wrapping_mul(1_664_525).wrapping_add(1_013_904_223);
+                    (state >> 27).saturating_sub(16) as f32 / 16.0
+                })
+                .collect();
+            let pairs = assign::assign(&gains, rows, columns);
+            let sum: f32 = pairs.iter().map(|&(r, c)| gains[r * columns + c]).sum();
+            assert_eq!(sum, best(&gains, columns, 0), "{gains:?}");
+            assert_eq!(pairs.len(), rows.min(columns));
+            for (i, x) in pairs.iter().enumerate() {
+                assert!(pairs[..i].iter().all(|y| x.0 != y.0 && x.1 != y.1));
+            }
+        }
+    }
+    assert_eq!(assign::assign(&[], 0, 3), []);
+    assert_eq!(assign::assign(&[], 3, 0), []);
+}

@@ -1,0 +1,125 @@
+//! What the measures of a ring promise.
+use geograd::ring::{centroid, perimeter, signed_area};
+use geograd::{Obb2, Pack, Vec2, ad};
+use proptest::prelude::*;
+
+fn v(x: f64, y: f64) -> Vec2<f64> {
+    Vec2::new(x, y)
+}
+
+#[test]
+fn degenerate_rings_are_valid() {
+    let none: [Vec2<f64>; 0] = [];
+    assert_eq!(
+        (signed_area(&none), perimeter(&none), centroid(&none)),
+        (0.0, 0.0, v(0.0, 0.0))
+    );
+    let one = [v(3.0, 4.0)];
+    assert_eq!(
+        (signed_area(&one), perimeter(&one), centroid(&one)),
+        (0.0, 0.0, v(3.0, 4.0))
+    );
+    let two = [v(0.0, 0.0), v(3.0, 4.0)];
+    assert_eq!(
+        (signed_area(&two), perimeter(&two), centroid(&two)),
+        (0.0, 10.0, v(1.5, 2.0))
+    );
+    // Collinear: no area, so the mean of the vertices.
+    let line = [v(0.0, 0.0), v(1.0, 1.0), v(5.0, 5.0)];
+    assert_eq!((signed_area(&line), centroid(&line)), (0.0, v(2.0, 2.0)));
+    // Repeated vertices change nothing but the count of edges of length zero.
+    let square = [v(0.0, 0.0), v(2.0, 0.0), v(2.0, 2.0), v(0.0, 2.0)];
+    let repeated = [
+        square[0], square[0], square[1], square[2], square[2], square[2], square[3],
+    ];
+    assert_eq!((signed_area(&repeated), perimeter(&repeated)), (4.0, 8.0));
+    assert_eq!(centroid(&repeated), v(1.0, 1.0));
+    let (_, bars) = ad::gradient(|r: Vec<Vec2<_>>| perimeter(&r), repeated.to_vec());
+    assert!(bars.scalars().iter().all(|x| x.is_finite()));
+    // Clockwise is negative.
+    let clockwise: Vec<_> = square.into_iter().rev().collect();
+    assert_eq!(signed_area(&clockwise), -4.0);
+    assert_eq!(centroid(&clockwise), v(1.0, 1.0));
+}
+
+#[test]
+fn extreme_rings_are_finite() {
+    for size in [1e-300, 1e-160, 1e-20, 1.0, 1e20, 1e160, 1e307] {
+        let ring = [
+            v(0.0, 0.0),
+            v(size, 0.0),
+            v(size, size),
+            v(0.0, size),
+            v(0.0, size),
+        ];
+        assert!(signed_area(&ring).is_finite() && perimeter(&ring).is_finite());
+        let middle = centroid(&ring);
+        assert!((middle.x / size - 0.5).abs() < 1e-15 && (middle.y / size - 0.5).abs() < 1e-15);
+        let mut bars = vec![v(0.0, 0.0); 5];
+        ad::ring::centroid_vjp(&ring, v(1.0, 1.0), &mut bars);
+        assert!(bars.iter().all(|bar| bar.is_finite()));
+        ad::ring::signed_area_vjp(&ring, 1.0, &mut bars);
+        assert!(bars.iter().all(|bar| bar.is_finite()));
+    }
+    // Far from the origin f32 keeps the digits that the inputs have.
+    let far = [(0, 0), (2, 0), (2, 1), (0, 1)]
+        .map(|(x, y)| Vec2::new(1e6_f32 + x as f32, -1e6 + y as f32));
+    assert_eq!((signed_area(&far), perimeter(&far)), (2.0, 6.0));
+    assert_eq!(centroid(&far), Vec2::new(1_000_001.0, -999_999.5));
+}
+
+fn rings() -> impl Strategy<Value = Vec<Vec2<f64>>> {
+    prop::collection::vec((-10.0..10.0, -10.0..10.0).prop_map(|(x, y)| v(x, y)), 3..12)
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig { failure_persistence: None, ..Default::default() })]
+
+    #[test]
+    fn the_start_and_the_place_do_not_matter(ring in rings(), start in 0_usize..12, x in -50.0..50.0, turn in -3.0..3.0) {
+        let mut rolled = ring.clone();
+        rolled.rotate_left(start % ring.len());
+        prop_assert!((signed_area(&ring) - signed_area(&rolled)).abs() < 1e-11);
+        prop_assert!((perimeter(&ring) - perimeter(&rolled)).abs() < 1e-11);
+        let motion = geograd::Pose2::new(v(x, -x), turn);
+        let moved: Vec<_> = ring.iter().map(|&p| motion * p).collect();
+        prop_assert!((signed_area(&ring) - signed_area(&moved)).abs() < 1e-9);
+        prop_assert!((perimeter(&ring) - perimeter(&moved)).abs() < 1e-10);
+        if signed_area(&ring).abs() > 1.0 {
+            prop_assert!((motion * centroid(&ring) - centroid(&moved)).length() < 1e-8);
+        }
+    }
+
+    #[test]
+    fn area_and_centroid_add_up_over_a_fan(ring in rings()) {
+        // An independent way: triangles from the origin, weighted by their areas.
+        let (mut area, mut moment) = (0.0, v(0.0, 0.0));
+        for i in 0..ring.len() {
+            let (p, q) = (ring[i], ring[(i + 1) % ring.len()]);
+            let part = (p.x * q.y - q.x * p.y) / 2.0;
+            area += part;
+            moment += (p + q) * (part / 3.0);
+        }
+        prop_assert!((signed_area(&ring) - area).abs() < 1e-10);
+        if area.abs() > 1.0 {
+            prop_assert!((centroid(&ring) - moment * (1.0 / area)).length() < 1e-9);
+        }
+    }
+
+    #[test]
+    fn a_box_is_a_ring(x in -5.0..5.0, y in -5.0..5.0, w in 0.1..5.0, h in 0.1..5.0, r in -3.0..3.0) {
+        let shape: Obb2<f64> = Obb2::new(x, y, w, h, r);
+        let ring = shape.corners();
+        prop_assert!((signed_area(&ring) - shape.area()).abs() < 1e-12);
+        prop_assert!((perimeter(&ring) - 2.0 * (w + h)).abs() < 1e-12);
+        prop_assert!((centroid(&ring) - shape.center).length() < 1e-12);
+        let again = Obb2::from_corners(ring);
+        prop_assert!((again.iou(shape) - 1.0).abs() < 1e-12);
+        prop_assert!(shape.bounding().area() >= shape.area() - 1e-12);
+        for corner in ring {
+            let slightly_in = corner.lerp(shape.center, 1e-9);
+            prop_assert!(shape.contains(slightly_in) && shape.bounding().contains(slightly_in));
+            prop_assert!(!shape.contains(corner.lerp(shape.center, -1e-9)));
+        }
+    }
+}

@@ -1,0 +1,260 @@
+//! Every scalar on every kink, and its elementary functions against the platform's.
+use geograd::{Jet, Lanes, Mask, Scalar};
+use num_dual::{Dual, Dual2, Dual3, HyperDual, HyperHyperDual, Real};
+
+/// The kinks by value, for any scalar.
+fn values<S: Scalar>() {
+    let s = |x: f64| S::lit(x);
+    let same = |x: S, y: f64| x.equals(s(y)).all();
+    assert!(same(s(2.0).least(s(3.0)), 2.0) && same(s(3.0).least(s(2.0)), 2.0));
+    assert!(same(s(2.0).most(s(3.0)), 3.0) && same(s(2.0).most(s(2.0)), 2.0));
+    assert!(same(s(-2.0).magnitude(), 2.0) && same(s(0.0).magnitude(), 0.0));
+    assert!(same(s(5.0).clamp(s(-1.0), s(1.0)), 1.0) && same(s(0.5).clamp(s(-1.0), s(1.0)), 0.5));
+    assert!(same(s(9.0).root(), 3.0) && same(s(0.0).root(), 0.0) && same(s(-4.0).root(), 0.0));
+    assert!(same(s(3.0).hypot(s(4.0)), 5.0) && same(s(0.0).hypot(s(0.0)), 0.0));
+    assert!(same(s(0.0).atan2(s(0.0)), 0.0));
+    assert!(same(s(-3.0).unsigned(), 3.0) && same(s(3.0).signed_as(s(-0.1)), -3.0));
+    assert!(same(s(7.0).over(s(2.0)), 3.5) && same(s(2.0).powi(-3), 0.125));
+    assert!(same(s(5.0).binade(), 0.5) && same(s(2.0).binade(), 1.0));
+    assert!(same(s(5.0).damp(S::Primal::lit(0.25)), 5.0));
+    assert!(same(s(5.0).with_primal(S::Primal::lit(2.0)), 2.0));
+    assert!(s(1.0).finite().all() && !s(f64::INFINITY).finite().any());
+    assert!(!s(f64::NAN).finite().any() && same(s(f64::INFINITY).saturated(), S::LARGEST));
+    assert!(
+        S::select(s(1.0).below(s(2.0)), s(1.0), s(f64::NAN))
+            .finite()
+            .all()
+    );
+    let (high, low) = s(std::f64::consts::PI).parts();
+    assert!((high + low).equals(s(std::f64::consts::PI)).all());
+    // Huge and tiny lengths neither over- nor underflow.
+    let big = S::LARGEST / 4.0;
+    assert!(s(big).hypot(s(big)).finite().all());
+    let small = 1.0 / big;
+    assert!(s(small).hypot(s(small)).above(s(small)).all());
+}
+
+#[test]
+fn kinks_have_the_same_values_for_every_scalar() {
+    values::<f32>();
+    values::<f64>();
+    values::<Lanes<f32, 16>>();
+    values::<Lanes<f64, 8>>();
+    values::<Jet<f64, 3>>();
+    values::<Jet<f32, 3>>();
+    values::<Jet<Jet<f64, 2>, 2>>();
+    values::<Jet<Lanes<f32, 8>, 2>>();
+    values::<Real<f64>>();
+    values::<Dual<f64>>();
+    values::<Dual<f32>>();
+    values::<Dual<Dual<f64>>>();
+    values::<Dual2<f64>>();
+    values::<Dual3<f64>>();
+    values::<HyperDual<f64>>();
+    values::<HyperHyperDual<f64>>();
+    values::<Jet<Dual<f64>, 2>>();
+}
+
+/// The slopes on the kinks, for any scalar with one slope. `x(v, d)` has value v and slope d.
+fn slopes<S: Scalar>(x: impl Fn(f64, f64) -> S, slope: impl Fn(S) -> f64) {
+    // Ties share, half and half.
+    assert_eq!(slope(x(2.0, 1.0).least(x(2.0, 3.0))), 2.0);
+    assert_eq!(slope(x(2.0, 1.0).most(x(2.0, 3.0))), 2.0);
+    assert_eq!(slope(x(1.0, 1.0).clamp(x(-1.0, 0.0), x(1.0, 0.0))), 0.5);
+    // Otherwise the winner takes all.
+    assert_eq!(slope(x(1.0, 1.0).least(x(2.0, 3.0))), 1.0);
+    assert_eq!(slope(x(1.0, 1.0).most(x(2.0, 3.0))), 3.0);
+    // A norm at zero has slope zero, whatever the sign of the zero.
+    for zero in [0.0, -0.0] {
+        assert_eq!(slope(x(zero, 1.0).magnitude()), 0.0);
+        assert_eq!(slope(x(zero, 1.0).root()), 0.0);
+        assert_eq!(slope(x(zero, 1.0).hypot(x(zero, 2.0))), 0.0);
+        assert_eq!(slope(x(zero, 1.0).atan2(x(zero, 1.0))), 0.0);
+    }
+    assert_eq!(slope(x(-2.0, 1.0).magnitude()), -1.0);
+    assert_eq!(slope(x(-2.0, 1.0).root()), 0.0);
+    assert_eq!(slope(x(4.0, 1.0).root()), 0.25);
+    // A choice between equal descriptions is no kink.
+    assert_eq!(slope(x(0.0, 1.0).unsigned()), 1.0);
+    // At a right angle the arctangent has its true slope.
+    assert_eq!(slope(x(2.0, 0.0).atan2(x(0.0, 1.0))), -0.5);
+    assert_eq!(slope(x(1.0, 1.0).atan2(x(0.0, 0.0))), 0.0);
+    assert_eq!(slope(x(0.0, 1.0).atan2(x(-2.0, 0.0))), -0.5);
+    // What a select drops leaves no trace.
+    let dropped = S::select(
+        x(0.0, 0.0).below(x(1.0, 0.0)),
+        x(1.0, 2.0),
+        x(f64::NAN, f64::NAN),
+    );
+    assert_eq!(slope(dropped), 2.0);
+    assert_eq!(slope(x(3.0, 2.0).damp(S::Primal::lit(0.5))), 1.0);
+    assert_eq!(slope(x(3.0, 2.0).with_primal(S::Primal::lit(8.0))), 2.0);
+    assert_eq!(slope(x(1.0, 4.0).over(x(2.0, 0.0))), 2.0);
+    assert_eq!(slope(x(1.0, 0.0).over(x(2.0, 1.0))), -0.25);
+    let (high, low) = x(0.3, 2.0).parts();
+    assert_eq!((slope(high), slope(low)), (0.0, 2.0));
+    let (sin, cos) = x(0.5, 1.0).sin_cos();
+    assert!((slope(sin) - 0.5f64.cos()).abs() < 1e-6 && (slope(cos) + 0.5f64.sin()).abs() < 1e-6);
+    let [(sin_high, sin_low), (cos_high, cos_low)] = x(0.5, 1.0).sin_cos_parts();
+    assert!((slope(sin_low) - 0.5f64.cos()).abs() < 1e-6 && slope(sin_high) == 0.0);
+    assert!((slope(cos_low) + 0.5f64.sin()).abs() < 1e-6 && slope(cos_high) == 0.0);
+    assert!((slope(x(0.5, 1.0).exp()) - 0.5f64.exp()).abs() < 1e-6);
+    assert_eq!(slope(x(0.5, 1.0).ln()), 2.0);
+}
+
+#[test]
+fn kinks_have_the_same_slopes_for_every_dual() {
+    slopes(|v, d| Dual::new(v, d), |y| y.eps);
+    slopes(|v, d| Dual::new(v as f32, d as f32), |y| f64::from(y.eps));
+    slopes(|v, d| Dual2::new(v, d, 0.0), |y| y.v1);
+    slopes(|v, d| Dual3::new(v, d, 0.0, 0.0), |y| y.v1);
+    slopes(|v, d| HyperDual::new(v, d, 0.0, 0.0), |y| y.eps1);
+    slopes(
+        |v, d| HyperHyperDual::new(v, 0.0, d, 0.0, 0.0, 0.0, 0.0, 0.0),
+        |y| y.eps2,
+    );
+    slopes(
+        |v, d| Dual::new(Dual::new(v, d), Dual::new(0.0, 0.0)),
+        |y| y.re.eps,
+    );
+    slopes(
+        |v, d| Dual::new(Dual::new(v, 0.0), Dual::new(d, 0.0)),
+        |y| y.eps.re,
+    );
+    slopes(
+        |v, d| Jet {
+            value: v,
+            slope: [0.0, d],
+        },
+        |y| y.slope[1],
+    );
+    slopes(
+        |v, d| Jet {
+            value: v as f32,
+            slope: [d as f32],
+        },
+        |y| f64::from(y.slope[0]),
+    );
+    slopes(
+        |v, d| Jet {
+            value: Jet {
+                value: v,
+                slope: [d],
+            },
+            slope: [Jet {
+                value: 0.0,
+                slope: [0.0],
+            }],
+        },
+        |y| y.value.slope[0],
+    );
+    slopes(
+        |v, d| Jet {
+            value: Lanes([v; 4]),
+            slope: [Lanes([d; 4])],
+        },
+        |y| y.slope[0].0[3],
+    );
+}
+
+/// Second and third derivatives follow the chain rule.
+#[test]
+fn higher_derivatives() {
+    let x = 0.7_f64;
+    let cube = Dual3::new(x, 1.0, 0.0, 0.0);
+    let (sin, _) = Scalar::sin_cos(cube);
+    let (s, c) = (x.sin(), x.cos());
+    for (got, want) in [(sin.re, s), (sin.v1, c), (sin.v2, -s), (sin.v3, -c)] {
+        assert!((got - want).abs() < 1e-15);
+    }
+    let root = cube.root();
+    let wants = [
+        x.sqrt(),
+        0.5 / x.sqrt(),
+        -0.25 * x.powf(-1.5),
+        0.375 * x.powf(-2.5),
+    ];
+    for (got, want) in [root.re, root.v1, root.v2, root.v3].into_iter().zip(wants) {
+        assert!((got - want).abs() < 1e-14);
+    }
+    let angle = Scalar::atan2(cube, Dual3::from_re(1.0));
+    let d = 1.0 + x * x;
+    let wants = [
+        x.atan(),
+        1.0 / d,
+        -2.0 * x / (d * d),
+        (6.0 * x * x - 2.0) / (d * d * d),
+    ];
+    for (got, want) in [angle.re, angle.v1, angle.v2, angle.v3]
+        .into_iter()
+        .zip(wants)
+    {
+        assert!((got - want).abs() < 1e-14, "{got} {want}");
+    }
+}
+
+#[test]
+fn sine_and_cosine_are_right_everywhere() {
+    let mut worst: f64 = 0.0;
+    for i in -200_000..200_000 {
+        let x = f64::from(i) * 0.000_731 + f64::from(i).powi(3) * 1e-12;
+        let (sin, cos) = Scalar::sin_cos(x);
+        worst = worst.max((sin - x.sin()).abs()).max((cos - x.cos()).abs());
+        // A lane gives the bits of a number.
+        if i % 97 == 0 {
+            let lanes = Lanes::<f64, 4>::splat(x).sin_cos();
+            assert_eq!((lanes.0.0[2], lanes.1.0[1]), (sin, cos));
+            let parts = (x as f32).sin_cos_parts();
+            let in_lanes = Lanes::<f32, 16>::splat(x as f32).sin_cos_parts();
+            for (one, many) in parts.iter().zip(&in_lanes) {
+                assert_eq!((one.0, one.1), (many.0.0[7], many.1.0[15]));
+            }
+            // High and low parts together hold eleven digits; the high one has twelve bits.
+            let [(high, low), _] = parts;
+            let exact = f64::from(x as f32).sin();
+            assert!((f64::from(high) + f64::from(low) - exact).abs() < 8e-12);
+            assert_eq!(high.to_bits() & 0xfff, 0);
+        }
+    }
+    assert!(worst < 3e-16, "{worst}");
+    for huge in [1e6, 1e9, -1e15, 1e300] {
+        assert_eq!(Scalar::sin_cos(huge), (f64::sin(huge), f64::cos(huge)));
+        let mixed = Lanes([huge, 0.5]).sin_cos();
+        assert_eq!(mixed.0.0, [huge.sin(), Scalar::sin(0.5_f64)]);
+    }
+}
+
+/// The value under a dual is that of the plain number, to the bit.
+#[test]
+fn duals_have_the_values_of_plain_numbers() {
+    fn mix<S: Scalar>(x: S, y: S) -> S {
+        (x.over(y) + x.hypot(y)).root() + y.atan2(x) * x.sin() - (x * y).cos()
+    }
+    for i in 1..2000 {
+        let (x, y) = (
+            f64::from(i) * 0.37 - 300.0,
+            f64::from(i * i % 977) * 0.11 - 50.0,
+        );
+        let plain = mix(x, y + 0.01);
+        let y = y + 0.01;
+        assert_eq!(
+            mix(Jet::<f64, 2>::variable(x, 0), Jet::variable(y, 1))
+                .value
+                .to_bits(),
+            plain.to_bits()
+        );
+        assert_eq!(
+            mix(Dual::new(x, 1.0), Dual::new(y, 0.5)).re.to_bits(),
+            plain.to_bits()
+        );
+        assert_eq!(
+            mix(
+                HyperDual::new(x, 1.0, 0.0, 0.0),
+                HyperDual::new(y, 0.5, 1.0, 0.0)
+            )
+            .re
+            .to_bits(),
+            plain.to_bits()
+        );
+    }
+}
