@@ -7,18 +7,27 @@
 //! | [`cpu::ragged`] | rings as vertices and offsets | one result per ring |
 //!
 //! Each comes as value, value with gradient (`…_grad`) and adjoint with an upstream gradient
-//! (`…_vjp`), and with buffers of the caller's (`…_into`).
+//! (`…_vjp`), and with buffers of the caller's (`…_into`). [`reduce`] gives maxima, sums and lists
+//! of all pairs without the matrix. The same on a GPU, where shapes and results can stay between
+//! calls, is [`gpu`]; [`Backend`] is one front for both.
 mod aligned;
+pub mod backend;
 pub mod cpu;
+#[cfg_attr(not(feature = "gpu"), path = "gpu_none.rs")]
+pub mod gpu;
+mod gpu_error;
 mod matrix;
 pub mod op;
 pub mod overlap;
 mod ragged;
 pub mod real;
+pub mod reduce;
 pub mod ring;
 pub mod simd;
 mod tile;
 
+pub use backend::Backend;
+pub use gpu_error::GpuError;
 pub use op::{Op, PairOp, RingOp};
 pub use overlap::{
     IntersectionAreaAabb2, IntersectionAreaObb2, IofAabb2, IofObb2, IouAabb2, IouObb2,

@@ -34,7 +34,7 @@ pub fn ragged<O: RingOp, T: Real>(
 }
 
 /// Checks offsets and vertices.
-fn check_ragged<T: Real>(vertices: &[Vec2<T>], offsets: &[usize]) -> Result<(), Error> {
+pub(crate) fn check_ragged<T: Real>(vertices: &[Vec2<T>], offsets: &[usize]) -> Result<(), Error> {
     if offsets.first() != Some(&0) {
         return Err(Error::Offsets { row: 0 });
     }

@@ -84,11 +84,11 @@ pub fn size_scale<S: Scalar>(half_a: Vec2<S>, half_b: Vec2<S>) -> S {
 }
 
 /// The larger box of a pair may be 2⁶⁰ times as large as the smaller one; its area fits an `f32`.
-const LARGEST_INVERSE: f64 = 1.0 / (1_u64 << 60) as f64;
+pub(crate) const LARGEST_INVERSE: f64 = 1.0 / (1_u64 << 60) as f64;
 
 /// Beyond this many units (of which the smaller box has about one) between the centres in either
 /// coordinate, only the fact that the boxes are apart matters.
-const FAR: f64 = (1_u64 << 62) as f64;
+pub(crate) const FAR: f64 = (1_u64 << 62) as f64;
 
 /// Box `b` seen from box `a`, both in units of `1 / scale`.
 #[derive(Clone, Copy, Debug)]

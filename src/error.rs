@@ -17,6 +17,8 @@ pub enum Argument {
     Offsets,
     /// The gradient that comes from above, one number per result.
     Upstream,
+    /// The threshold of a reduction.
+    Threshold,
     /// The caller's buffer for results.
     Values,
     /// The caller's buffer for gradients of the first list.
@@ -36,6 +38,7 @@ impl fmt::Display for Argument {
             Argument::Vertices => "vertices",
             Argument::Offsets => "offsets",
             Argument::Upstream => "upstream",
+            Argument::Threshold => "threshold",
             Argument::Values => "values",
             Argument::GradA => "grad_a",
             Argument::GradB => "grad_b",

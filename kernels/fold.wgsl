@@ -1,0 +1,19 @@
+// Adds partial sums in a fixed order: one thread per item and field.
+
+@compute @workgroup_size(GROUP)
+fn fold_main(@builtin(global_invocation_id) thread: vec3u) {
+    let item = thread.x;
+    let field = thread.y;
+    if item >= params.own_count {
+        return;
+    }
+    let to = place(params.own_start + item, field, params.fields);
+    var sum = 0.0;
+    if params.more == 1u {
+        sum = a_bars[to];
+    }
+    for (var part = 0u; part < params.parts; part++) {
+        sum += upstream[(part * params.fields + field) * params.own_count + item];
+    }
+    a_bars[to] = sum;
+}

@@ -1,0 +1,166 @@
+//! Which GPU: choosing and describing adapters.
+use crate::kernels::GpuError;
+use std::fmt;
+
+/// Which adapter a context is for.
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
+#[non_exhaustive]
+pub enum Choice {
+    /// What the environment variable `GEOGRAD_GPU` says; without it the fastest kind: discrete,
+    /// then integrated, virtual, other, and last a driver in software.
+    #[default]
+    Best,
+    /// By index into [`Gpu::adapters`](super::Gpu::adapters).
+    Index(usize),
+    /// By a part of its name, in upper or lower case.
+    Name(String),
+    /// A driver in software.
+    Cpu,
+}
+
+impl Choice {
+    /// As the environment variable is read: `cpu`, an index, or a part of a name.
+    #[must_use]
+    pub fn parse(text: &str) -> Self {
+        let text = text.trim();
+        match text.parse() {
+            Ok(index) => Choice::Index(index),
+            Err(_) if text.is_empty() => Choice::Best,
+            Err(_) if text.eq_ignore_ascii_case("cpu") => Choice::Cpu,
+            Err(_) => Choice::Name(text.to_owned()),
+        }
+    }
+}
+
+/// How a context is made.
+#[derive(Clone, Debug)]
+#[non_exhaustive]
+pub struct Options {
+    /// Which adapter.
+    pub adapter: Choice,
+    /// The most bytes of one buffer, below what the device allows: mostly for tests of splitting.
+    pub most_bytes: Option<u64>,
+    /// Whether to use subgroup operations where there are any (default: yes).
+    pub subgroups: bool,
+    /// Whether to measure the time of kernels (default: no). Every call then waits for its end.
+    pub timing: bool,
+}
+
+impl Default for Options {
+    fn default() -> Self {
+        Options {
+            adapter: Choice::Best,
+            most_bytes: None,
+            subgroups: true,
+            timing: false,
+        }
+    }
+}
+
+/// What an adapter is.
+#[derive(Clone, Debug, PartialEq, Eq)]
+#[non_exhaustive]
+pub struct Adapter {
+    /// The index by which it can be chosen.
+    pub index: usize,
+    /// The name of the GPU.
+    pub name: String,
+    /// The driver and its version.
+    pub driver: String,
+    /// The interface: Vulkan, Metal, Dx12 or Gl.
+    pub backend: String,
+    /// Whether it is a driver in software.
+    pub is_software: bool,
+    /// Whether it adds across threads by itself.
+    pub subgroups: bool,
+    /// Whether it measures the time of kernels.
+    pub timestamps: bool,
+    /// The most bytes of one buffer that a kernel can read.
+    pub most_bytes: u64,
+}
+
+impl fmt::Display for Adapter {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(
+            f,
+            "[{}] {} ({}, {})",
+            self.index, self.name, self.backend, self.driver
+        )
+    }
+}
+
+/// Every adapter that can compute.
+pub(super) fn all() -> Vec<(wgpu::Adapter, Adapter)> {
+    let descriptor = wgpu::InstanceDescriptor::new_without_display_handle_from_env();
+    let backends = descriptor.backends;
+    let instance = wgpu::Instance::new(descriptor);
+    let found = pollster::block_on(instance.enumerate_adapters(backends));
+    found
+        .into_iter()
+        .filter(|adapter| {
+            let flags = adapter.get_downlevel_capabilities().flags;
+            flags.contains(wgpu::DownlevelFlags::COMPUTE_SHADERS)
+                && adapter.limits().max_compute_invocations_per_workgroup
+                    >= super::source::GROUP as u32
+        })
+        .enumerate()
+        .map(|(index, adapter)| {
+            let info = describe(index, &adapter);
+            (adapter, info)
+        })
+        .collect()
+}
+
+fn describe(index: usize, adapter: &wgpu::Adapter) -> Adapter {
+    let (info, features, limits) = (adapter.get_info(), adapter.features(), adapter.limits());
+    let driver = [info.driver, info.driver_info].join(" ");
+    Adapter {
+        index,
+        name: info.name,
+        driver: driver.trim().to_owned(),
+        backend: format!("{:?}", info.backend),
+        is_software: info.device_type == wgpu::DeviceType::Cpu,
+        subgroups: features.contains(wgpu::Features::SUBGROUP),
+        timestamps: features.contains(wgpu::Features::TIMESTAMP_QUERY),
+        most_bytes: limits
+            .max_storage_buffer_binding_size
+            .min(limits.max_buffer_size),
+    }
+}
+
+/// How willingly an adapter is taken, most willingly first.
+fn rank(adapter: &wgpu::Adapter) -> (u8, bool) {
+    let info = adapter.get_info();
+    let kind = match info.device_type {
+        wgpu::DeviceType::DiscreteGpu => 0,
+        wgpu::DeviceType::IntegratedGpu => 1,
+        wgpu::DeviceType::VirtualGpu => 2,
+        wgpu::DeviceType::Other => 3,
+        wgpu::DeviceType::Cpu => 4,
+    };
+    // The same GPU through GL knows fewer features.
+    (kind, info.backend == wgpu::Backend::Gl)
+}
+
+/// The adapter asked for.
+pub(super) fn choose(choice: &Choice) -> Result<(wgpu::Adapter, Adapter), GpuError> {
+    let choice = match (choice, std::env::var("GEOGRAD_GPU")) {
+        (Choice::Best, Ok(text)) => Choice::parse(&text),
+        _ => choice.clone(),
+    };
+    let mut adapters = all();
+    for (_, info) in &adapters {
+        log::debug!("found {info}");
+    }
+    adapters.sort_by_key(|(adapter, _)| rank(adapter));
+    let wanted = |info: &Adapter| match &choice {
+        Choice::Best => true,
+        Choice::Index(index) => info.index == *index,
+        Choice::Name(part) => info.name.to_lowercase().contains(&part.to_lowercase()),
+        Choice::Cpu => info.is_software,
+    };
+    adapters
+        .into_iter()
+        .find(|(_, info)| wanted(info))
+        .ok_or(GpuError::NoAdapter)
+}

@@ -1,0 +1,58 @@
+//! Why a GPU, or a call on one, failed.
+use crate::error::Error;
+use std::fmt;
+
+/// Why a GPU could not be had or a call on it failed. Inputs are as they were and stay usable,
+/// except after [`GpuError::DeviceLost`].
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+#[non_exhaustive]
+pub enum GpuError {
+    /// No adapter was found, or none as asked for: install a driver (Mesa's lavapipe runs on any
+    /// processor) or ask for another one.
+    NoAdapter,
+    /// The adapter gave no device, or cannot compute.
+    AdapterRefused,
+    /// The device is gone (removed, reset by its driver, or destroyed), and everything on it: make
+    /// a new context and upload again.
+    DeviceLost,
+    /// The device has not enough memory: give up some handles, or take smaller batches.
+    OutOfMemory,
+    /// The driver refused a shader or a command: a fault of ours or of the driver's. The log says
+    /// more.
+    Shader,
+    /// A handle that belongs to another context.
+    ForeignBuffer,
+    /// The input was refused.
+    Input(Error),
+}
+
+impl fmt::Display for GpuError {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(match self {
+            GpuError::NoAdapter => "no GPU found as asked for: install a driver or choose another",
+            GpuError::AdapterRefused => "the GPU gave no device for computing",
+            GpuError::DeviceLost => "the GPU is lost: make a new context and upload again",
+            GpuError::OutOfMemory => {
+                "the GPU is out of memory: free handles or take smaller batches"
+            }
+            GpuError::Shader => "the GPU's driver refused a command: see the log",
+            GpuError::ForeignBuffer => "a handle belongs to another GPU context",
+            GpuError::Input(error) => return error.fmt(f),
+        })
+    }
+}
+
+impl std::error::Error for GpuError {
+    fn source(&self) -> Option<&(dyn std::error::Error + 'static)> {
+        match self {
+            GpuError::Input(error) => Some(error),
+            _ => None,
+        }
+    }
+}
+
+impl From<Error> for GpuError {
+    fn from(error: Error) -> Self {
+        GpuError::Input(error)
+    }
+}

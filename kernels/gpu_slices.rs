@@ -1,0 +1,168 @@
+//! Whole calls from slices to vectors: what [`Backend`](crate::kernels::Backend) runs on a GPU.
+use super::pairs::{BarsOf, ShapesOf};
+use super::ring::OutOf;
+use super::{Gpu, GpuPair, GpuRing};
+use crate::Vec2;
+use crate::error::Argument;
+use crate::kernels::GpuError;
+use crate::kernels::cpu::{A, AlignedGrads, B, PairGrads};
+use crate::kernels::reduce::{Best, Found};
+use crate::kernels::tile::expect;
+
+/// Slopes with respect to both lists.
+type Both<O> = (Vec<A<O, f32>>, Vec<B<O, f32>>);
+
+/// Both lists on the GPU.
+fn lists<O: GpuPair>(
+    gpu: &Gpu,
+    a: &[A<O, f32>],
+    b: &[B<O, f32>],
+) -> Result<(ShapesOf<O>, ShapesOf<O>), GpuError> {
+    Ok((
+        gpu.upload_as(Argument::A, a)?,
+        gpu.upload_as(Argument::B, b)?,
+    ))
+}
+
+/// Both lists of slopes, brought back.
+fn both<O: GpuPair>(bars: (BarsOf<O>, BarsOf<O>)) -> Result<Both<O>, GpuError> {
+    let (a, b) = (bars.0.start_download()?, bars.1.start_download()?);
+    Ok((a.wait()?, b.wait()?))
+}
+
+impl Gpu {
+    /// Whether it computes faster than the processor: not so for a driver in software, unless the
+    /// environment asks for one.
+    pub(crate) fn is_worth_it(&self) -> bool {
+        !self.adapter().is_software || std::env::var_os("GEOGRAD_GPU").is_some()
+    }
+
+    pub(crate) fn aligned_slices<O: GpuPair>(
+        &self,
+        a: &[A<O, f32>],
+        b: &[B<O, f32>],
+    ) -> Result<Vec<f32>, GpuError> {
+        expect(Argument::B, a.len(), b.len())?;
+        let (a, b) = lists::<O>(self, a, b)?;
+        self.aligned::<O>(&a, &b)?.download()
+    }
+
+    pub(crate) fn aligned_grad_slices<O: GpuPair>(
+        &self,
+        a: &[A<O, f32>],
+        b: &[B<O, f32>],
+    ) -> Result<AlignedGrads<O, f32>, GpuError> {
+        expect(Argument::B, a.len(), b.len())?;
+        let (a, b) = lists::<O>(self, a, b)?;
+        let (values, a_bars, b_bars) = self.aligned_grad::<O>(&a, &b)?;
+        let values = values.start_download()?;
+        let (a_bars, b_bars) = both::<O>((a_bars, b_bars))?;
+        Ok((values.wait()?, a_bars, b_bars))
+    }
+
+    pub(crate) fn aligned_vjp_slices<O: GpuPair>(
+        &self,
+        a: &[A<O, f32>],
+        b: &[B<O, f32>],
+        upstream: &[f32],
+    ) -> Result<Both<O>, GpuError> {
+        expect(Argument::B, a.len(), b.len())?;
+        expect(Argument::Upstream, a.len(), upstream.len())?;
+        let (a, b) = lists::<O>(self, a, b)?;
+        let upstream = self.upload_values(upstream)?;
+        both::<O>(self.aligned_vjp::<O>(&a, &b, &upstream)?)
+    }
+
+    pub(crate) fn all_pairs_slices<O: GpuPair>(
+        &self,
+        a: &[A<O, f32>],
+        b: &[B<O, f32>],
+    ) -> Result<Vec<f32>, GpuError> {
+        let (a, b) = lists::<O>(self, a, b)?;
+        self.all_pairs::<O>(&a, &b)?.download()
+    }
+
+    pub(crate) fn all_pairs_grad_slices<O: GpuPair>(
+        &self,
+        a: &[A<O, f32>],
+        b: &[B<O, f32>],
+    ) -> Result<PairGrads<O, f32>, GpuError> {
+        let (a, b) = lists::<O>(self, a, b)?;
+        self.all_pairs_grad::<O>(&a, &b)
+    }
+
+    pub(crate) fn all_pairs_vjp_slices<O: GpuPair>(
+        &self,
+        a: &[A<O, f32>],
+        b: &[B<O, f32>],
+        upstream: &[f32],
+    ) -> Result<Both<O>, GpuError> {
+        let (a, b) = lists::<O>(self, a, b)?;
+        both::<O>(self.all_pairs_vjp_from::<O>(&a, &b, upstream)?)
+    }
+
+    pub(crate) fn row_max_slices<O: GpuPair>(
+        &self,
+        a: &[A<O, f32>],
+        b: &[B<O, f32>],
+    ) -> Result<Vec<Best>, GpuError> {
+        let (a, b) = lists::<O>(self, a, b)?;
+        self.row_max::<O>(&a, &b)?.download()
+    }
+
+    pub(crate) fn column_max_slices<O: GpuPair>(
+        &self,
+        a: &[A<O, f32>],
+        b: &[B<O, f32>],
+    ) -> Result<Vec<Best>, GpuError> {
+        let (a, b) = lists::<O>(self, a, b)?;
+        self.column_max::<O>(&a, &b)?.download()
+    }
+
+    pub(crate) fn above_slices<O: GpuPair>(
+        &self,
+        a: &[A<O, f32>],
+        b: &[B<O, f32>],
+        threshold: f32,
+    ) -> Result<Vec<Found>, GpuError> {
+        let (a, b) = lists::<O>(self, a, b)?;
+        self.above::<O>(&a, &b, threshold)
+    }
+
+    pub(crate) fn sum_slices<O: GpuPair>(
+        &self,
+        a: &[A<O, f32>],
+        b: &[B<O, f32>],
+    ) -> Result<f64, GpuError> {
+        let (a, b) = lists::<O>(self, a, b)?;
+        self.sum::<O>(&a, &b)
+    }
+
+    pub(crate) fn mean_slices<O: GpuPair>(
+        &self,
+        a: &[A<O, f32>],
+        b: &[B<O, f32>],
+    ) -> Result<f64, GpuError> {
+        let (a, b) = lists::<O>(self, a, b)?;
+        self.mean::<O>(&a, &b)
+    }
+
+    pub(crate) fn ragged_slices<O: GpuRing>(
+        &self,
+        vertices: &[Vec2<f32>],
+        offsets: &[usize],
+    ) -> Result<Vec<OutOf<O>>, GpuError> {
+        let rings = self.upload_rings(vertices, offsets)?;
+        self.ragged::<O>(&rings)?.download()
+    }
+
+    pub(crate) fn ragged_vjp_slices<O: GpuRing>(
+        &self,
+        vertices: &[Vec2<f32>],
+        offsets: &[usize],
+        upstream: &[OutOf<O>],
+    ) -> Result<Vec<Vec2<f32>>, GpuError> {
+        let rings = self.upload_rings(vertices, offsets)?;
+        self.ragged_vjp::<O>(&rings, upstream)?.download()
+    }
+}

@@ -1,0 +1,304 @@
+//! The shaders: which files make one, and the constants put in front of them.
+//!
+//! A shader is its constants and its files, one after the other. Constants are written down in Rust
+//! alone.
+use crate::clip::{FAR, LARGEST_INVERSE, frame, is_ordinary};
+use crate::error::Validate;
+use crate::float::Float;
+use crate::kernels::op::{PairOp, RingOp};
+use crate::kernels::overlap::{Aabb2Score, Obb2Score};
+use crate::kernels::ring::{Centroid, Perimeter, SignedArea};
+use crate::overlap::{Denominator, Measure};
+use crate::{Aabb2, Fixed, Obb2, Scalar};
+use std::fmt::Write;
+
+/// Items per tile of a buffer: a run of 64 numbers is 256 bytes, where WebGPU lets a binding begin.
+pub(super) const TILE: usize = 64;
+/// Threads per workgroup.
+pub(super) const GROUP: usize = 256;
+/// Walked shapes kept close to the threads at a time.
+pub(super) const STEP: usize = 64;
+/// The same for adjoints, which keep sums beside them, one of 20 bytes per walked shape and slot:
+/// at most 10 KiB, of the 16 KiB that WebGPU promises.
+const fn step_vjp(slots: usize) -> usize {
+    if slots > 32 { 8 } else { 16 }
+}
+/// Walked shapes per thread in reductions: few enough that a hundred thousand rows fill a large
+/// GPU, many enough that the partial results stay small.
+pub(super) const STRIP: usize = 1024;
+/// Counts per thread when they are turned into places.
+const RUN: usize = 16;
+/// The same for adjoints, whose upstream matrix makes every step dearer.
+pub(super) const STRIP_VJP: usize = 256;
+/// The most quads a frame has.
+pub(super) const MOST_QUADS: usize = 2;
+
+/// A shape that batches on a GPU take.
+pub trait GpuShape: Fixed<Scalar = f32> + Validate + 'static {
+    /// How many groups of four numbers a prepared shape has.
+    const QUADS: usize;
+    /// The shape in WGSL.
+    const WGSL: &'static str;
+    /// Prepares the shape.
+    ///
+    /// The processor does that, once per upload: its sines and cosines come from `f64`, so a GPU
+    /// starts from the very numbers that a batch on the processor starts from, for huge headings
+    /// and for long thin boxes too, and no driver's trigonometry matters.
+    fn quads(self) -> [[f32; 4]; 2];
+    /// Whether plain products of its numbers stay far from over- and underflow.
+    fn is_ordinary(self) -> bool;
+}
+
+impl GpuShape for Obb2<f32> {
+    const QUADS: usize = 2;
+    const WGSL: &'static str = include_str!("obb2.wgsl");
+    #[inline]
+    fn quads(self) -> [[f32; 4]; 2] {
+        // Sine and cosine are the sums of their parts.
+        let f = frame(self);
+        [
+            [f.center.x, f.center.y, f.half.x, f.half.y],
+            [f.cos_high, f.cos_low, f.sin_high, f.sin_low],
+        ]
+    }
+    #[inline]
+    fn is_ordinary(self) -> bool {
+        is_ordinary(self)
+    }
+}
+
+impl GpuShape for Aabb2<f32> {
+    const QUADS: usize = 1;
+    const WGSL: &'static str = include_str!("aabb.wgsl");
+    #[inline]
+    fn quads(self) -> [[f32; 4]; 2] {
+        [[self.min.x, self.min.y, self.max.x, self.max.y], [0.0; 4]]
+    }
+    #[inline]
+    fn is_ordinary(self) -> bool {
+        true
+    }
+}
+
+/// An operation of two shapes that has a mirror in WGSL.
+pub trait GpuPair:
+    PairOp<A<f32> = <Self as GpuPair>::Shape, B<f32> = <Self as GpuPair>::Shape>
+{
+    /// Both shapes.
+    type Shape: GpuShape;
+    /// What the score is divided by.
+    const DENOMINATOR: Denominator;
+    /// Whether the score is a ratio.
+    const IS_RATIO: bool;
+}
+
+impl<M: Measure> GpuPair for Obb2Score<M> {
+    type Shape = Obb2<f32>;
+    const DENOMINATOR: Denominator = M::DENOMINATOR;
+    const IS_RATIO: bool = M::IS_RATIO;
+}
+
+impl<M: Measure> GpuPair for Aabb2Score<M> {
+    type Shape = Aabb2<f32>;
+    const DENOMINATOR: Denominator = M::DENOMINATOR;
+    const IS_RATIO: bool = M::IS_RATIO;
+}
+
+/// An operation of a ring that has a mirror in WGSL.
+pub trait GpuRing: RingOp {
+    /// Whether it sums moments of edges.
+    const MOMENTS: bool;
+    /// Whether it sums lengths of edges.
+    const LENGTHS: bool;
+    /// The entry point of the value.
+    const ENTRY: &'static str;
+    /// The entry point of the adjoint.
+    const VJP_ENTRY: &'static str;
+}
+
+impl GpuRing for SignedArea {
+    const MOMENTS: bool = false;
+    const LENGTHS: bool = false;
+    const ENTRY: &'static str = "signed_area_main";
+    const VJP_ENTRY: &'static str = "signed_area_vjp_main";
+}
+impl GpuRing for Perimeter {
+    const MOMENTS: bool = false;
+    const LENGTHS: bool = true;
+    const ENTRY: &'static str = "perimeter_main";
+    const VJP_ENTRY: &'static str = "perimeter_vjp_main";
+}
+impl GpuRing for Centroid {
+    const MOMENTS: bool = true;
+    const LENGTHS: bool = false;
+    const ENTRY: &'static str = "centroid_main";
+    const VJP_ENTRY: &'static str = "centroid_vjp_main";
+}
+
+/// A shader file of batches of pairs.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub(super) enum Kernel {
+    Aligned,
+    Pairs,
+    Vjp,
+    Fold,
+    Reduce,
+    Gather,
+    Ragged,
+}
+
+/// Everything a shader depends on.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub(super) struct Source {
+    pub kernel: Kernel,
+    /// The operation's name.
+    pub name: &'static str,
+    pub extreme: bool,
+    /// Whether threads stand for rows, and not for columns.
+    pub own_rows: bool,
+    /// Slots for sums of rows: the most subgroups a workgroup can have; zero without subgroups.
+    pub slots: usize,
+}
+
+impl Source {
+    pub fn of(kernel: Kernel, name: &'static str) -> Self {
+        Source {
+            kernel,
+            name,
+            extreme: false,
+            own_rows: false,
+            slots: 0,
+        }
+    }
+}
+
+/// A number as WGSL reads it back to the same bits.
+fn literal(x: f32) -> String {
+    format!("{x:e}f")
+}
+
+/// The constants of every shader.
+fn constants(step: usize, strip: usize) -> String {
+    // All ones, without the low half of the significand.
+    let high_half = Float::high(f32::from_bits(u32::MAX)).to_bits();
+    let mut text = String::new();
+    for (name, value) in [
+        ("TILE", TILE as u32),
+        ("GROUP", GROUP as u32),
+        ("STEP", step as u32),
+        ("STRIP", strip as u32),
+        ("RUN", RUN as u32),
+        ("HIGH_HALF", high_half),
+        ("UNION", Denominator::Union as u32),
+        ("FIRST", Denominator::First as u32),
+    ] {
+        let _ = writeln!(text, "const {name}: u32 = {value}u;");
+    }
+    for (name, value) in [
+        ("LARGEST", f32::MAX),
+        ("SMALLEST_NORMAL", f32::MIN_POSITIVE),
+        ("FAR", FAR as f32),
+        ("LARGEST_INVERSE", LARGEST_INVERSE as f32),
+        ("PARALLEL", <f32 as Scalar>::PARALLEL as f32),
+    ] {
+        let _ = writeln!(text, "const {name}: f32 = {};", literal(value));
+    }
+    text
+}
+
+const PRELUDE: &str = include_str!("prelude.wgsl");
+const BATCH: &str = include_str!("batch.wgsl");
+
+/// The shader of an operation of two shapes.
+pub(super) fn pair_source<O: GpuPair>(source: Source) -> String {
+    let (step, strip) = match source.kernel {
+        Kernel::Vjp => (step_vjp(source.slots), STRIP_VJP),
+        _ => (STEP, STRIP),
+    };
+    let mut text = constants(step, strip);
+    let _ = writeln!(
+        text,
+        "const QUADS: u32 = {}u;\nconst FIELDS: u32 = {}u;\nconst SLOTS: u32 = {}u;\n\
+         const DENOMINATOR: u32 = {}u;\nconst IS_RATIO: bool = {};\nconst EXTREME: bool = {};\n\
+         const OWN_ROWS: bool = {};",
+        O::Shape::QUADS,
+        O::Shape::LEN,
+        source.slots.max(1),
+        O::DENOMINATOR as u32,
+        O::IS_RATIO,
+        source.extreme,
+        source.own_rows,
+    );
+    let clip = include_str!("clip.wgsl");
+    let overlap = include_str!("overlap.wgsl");
+    for file in [PRELUDE, clip, overlap, O::Shape::WGSL, BATCH] {
+        text.push_str(file);
+    }
+    match source.kernel {
+        Kernel::Aligned => text.push_str(include_str!("aligned.wgsl")),
+        Kernel::Pairs => text.push_str(include_str!("pairs.wgsl")),
+        Kernel::Vjp => {
+            text.push_str(include_str!("vjp.wgsl"));
+            text.push_str(match source.slots {
+                0 => include_str!("sum_workgroup.wgsl"),
+                _ => include_str!("sum_subgroup.wgsl"),
+            });
+        }
+        Kernel::Reduce => text.push_str(include_str!("reduce.wgsl")),
+        Kernel::Fold => text.push_str(include_str!("fold.wgsl")),
+        Kernel::Gather | Kernel::Ragged => text.push_str(include_str!("gather.wgsl")),
+    }
+    text
+}
+
+/// The shader of an operation of rings.
+pub(super) fn ring_source<O: GpuRing>() -> String {
+    let mut text = constants(STEP, STRIP);
+    let _ = writeln!(
+        text,
+        "const MOMENTS: bool = {};\nconst LENGTHS: bool = {};",
+        O::MOMENTS,
+        O::LENGTHS
+    );
+    for file in [
+        PRELUDE,
+        include_str!("ring.wgsl"),
+        include_str!("ragged.wgsl"),
+    ] {
+        text.push_str(file);
+    }
+    text
+}
+
+/// Every shader an operation of two shapes can need, with a name: for tests that have no GPU.
+#[doc(hidden)]
+#[must_use]
+pub fn pair_sources<O: GpuPair>() -> Vec<(String, String)> {
+    let mut all = Vec::new();
+    for kernel in [
+        Kernel::Aligned,
+        Kernel::Pairs,
+        Kernel::Vjp,
+        Kernel::Fold,
+        Kernel::Reduce,
+        Kernel::Gather,
+    ] {
+        for (extreme, own_rows, slots) in [(false, false, 0), (true, true, 8)] {
+            let source = Source {
+                extreme,
+                own_rows,
+                slots,
+                ..Source::of(kernel, O::NAME)
+            };
+            all.push((format!("{source:?}"), pair_source::<O>(source)));
+        }
+    }
+    all
+}
+
+/// Every shader an operation of rings can need.
+#[doc(hidden)]
+#[must_use]
+pub fn ring_sources<O: GpuRing>() -> Vec<(String, String)> {
+    vec![(O::NAME.to_owned(), ring_source::<O>())]
+}

@@ -1,0 +1,285 @@
+//! Running kernels: pipelines, dispatches, error scopes.
+use super::source::{GROUP, Source};
+use super::{Inner, locked};
+use crate::kernels::GpuError;
+use std::sync::atomic::Ordering;
+use std::time::Duration;
+
+/// The numbers every kernel of pairs is given; the shader's `Params`.
+#[derive(Clone, Copy, Debug, Default, bytemuck::NoUninit)]
+#[repr(C)]
+pub(super) struct Params {
+    pub own_count: u32,
+    pub loop_count: u32,
+    pub own_start: u32,
+    pub loop_start: u32,
+    pub loop_base: u32,
+    pub own_base: u32,
+    pub parts: u32,
+    pub more: u32,
+    pub threshold: f32,
+    pub fields: u32,
+}
+
+/// The bytes of the parameters, rounded up as uniform buffers want them.
+const PARAMS_BYTES: u64 = 48;
+
+/// Commands on their way to the queue.
+pub(super) struct Work<'a> {
+    inner: &'a Inner,
+    encoder: wgpu::CommandEncoder,
+    queries: Option<wgpu::QuerySet>,
+    timed: u32,
+}
+
+/// Passes whose time one submission can measure.
+const MOST_TIMED: u32 = 2048;
+
+impl<'a> Work<'a> {
+    pub fn new(inner: &'a Inner) -> Self {
+        let queries = inner.timing.then(|| {
+            inner.device.create_query_set(&wgpu::QuerySetDescriptor {
+                label: None,
+                ty: wgpu::QueryType::Timestamp,
+                count: 2 * MOST_TIMED,
+            })
+        });
+        Work {
+            inner,
+            encoder: inner.encoder(),
+            queries,
+            timed: 0,
+        }
+    }
+
+    /// One dispatch; `buffers` says what is bound where.
+    pub fn dispatch(
+        &mut self,
+        pipeline: &wgpu::ComputePipeline,
+        params: Params,
+        buffers: &[(u32, &wgpu::Buffer)],
+        groups: [u32; 2],
+    ) {
+        let uniform = self.inner.filled(
+            &[params],
+            PARAMS_BYTES,
+            wgpu::BufferUsages::UNIFORM | wgpu::BufferUsages::COPY_DST,
+        );
+        let mut entries = vec![wgpu::BindGroupEntry {
+            binding: 0,
+            resource: uniform.as_entire_binding(),
+        }];
+        entries.extend(
+            buffers
+                .iter()
+                .map(|&(binding, buffer)| wgpu::BindGroupEntry {
+                    binding,
+                    resource: buffer.as_entire_binding(),
+                }),
+        );
+        let group = self
+            .inner
+            .device
+            .create_bind_group(&wgpu::BindGroupDescriptor {
+                label: None,
+                layout: &pipeline.get_bind_group_layout(0),
+                entries: &entries,
+            });
+        let timestamps = self.queries.as_ref().filter(|_| self.timed < MOST_TIMED);
+        let mut pass = self
+            .encoder
+            .begin_compute_pass(&wgpu::ComputePassDescriptor {
+                label: None,
+                timestamp_writes: timestamps.map(|set| wgpu::ComputePassTimestampWrites {
+                    query_set: set,
+                    beginning_of_pass_write_index: Some(2 * self.timed),
+                    end_of_pass_write_index: Some(2 * self.timed + 1),
+                }),
+            });
+        self.timed += u32::from(timestamps.is_some());
+        pass.set_pipeline(pipeline);
+        pass.set_bind_group(0, &group, &[]);
+        pass.dispatch_workgroups(groups[0], groups[1], 1);
+    }
+
+    /// A copy from buffer to buffer, from an offset in bytes on.
+    pub fn copy(&mut self, from: &wgpu::Buffer, offset: u64, to: &wgpu::Buffer, bytes: u64) {
+        self.encoder
+            .copy_buffer_to_buffer(from, offset, to, 0, bytes);
+    }
+
+    /// Hands the commands to the queue; with timing it waits for them.
+    pub fn submit(mut self) -> Result<wgpu::SubmissionIndex, GpuError> {
+        let Some(queries) = self.queries.take().filter(|_| self.timed > 0) else {
+            return Ok(self.inner.queue.submit([self.encoder.finish()]));
+        };
+        let bytes = u64::from(self.timed) * 16;
+        let usage = wgpu::BufferUsages::QUERY_RESOLVE | wgpu::BufferUsages::COPY_SRC;
+        let resolved = self.inner.buffer(bytes, usage);
+        self.encoder
+            .resolve_query_set(&queries, 0..2 * self.timed, &resolved, 0);
+        let staging = self.inner.staging(bytes);
+        self.copy(&resolved, 0, &staging, bytes);
+        let index = self.inner.queue.submit([self.encoder.finish()]);
+        staging.map_async(wgpu::MapMode::Read, .., |_| {});
+        self.inner.wait(Some(index.clone()))?;
+        let view = staging
+            .get_mapped_range(..)
+            .map_err(|_| GpuError::DeviceLost)?;
+        let ticks: Vec<u64> = bytemuck::pod_collect_to_vec(&view[..]);
+        let sum: u64 = ticks
+            .chunks_exact(2)
+            .map(|pass| pass[1].saturating_sub(pass[0]))
+            .sum();
+        let nanoseconds = sum as f64 * f64::from(self.inner.queue.get_timestamp_period());
+        *locked(&self.inner.kernel_time) += Duration::from_nanos(nanoseconds as u64);
+        Ok(index)
+    }
+}
+
+/// Workgroups for so many threads.
+pub(super) fn groups(threads: usize) -> u32 {
+    threads.div_ceil(GROUP) as u32
+}
+
+impl Inner {
+    pub fn encoder(&self) -> wgpu::CommandEncoder {
+        self.device
+            .create_command_encoder(&wgpu::CommandEncoderDescriptor { label: None })
+    }
+
+    /// A buffer; its size a multiple of four, and never zero, which WebGPU has no binding for.
+    pub fn buffer(&self, bytes: u64, usage: wgpu::BufferUsages) -> wgpu::Buffer {
+        self.device.create_buffer(&wgpu::BufferDescriptor {
+            label: None,
+            size: bytes.max(16).next_multiple_of(4),
+            usage,
+            mapped_at_creation: false,
+        })
+    }
+
+    /// A buffer that kernels read and write, for so many numbers.
+    pub fn storage(&self, numbers: usize) -> wgpu::Buffer {
+        self.buffer(
+            4 * numbers as u64,
+            wgpu::BufferUsages::STORAGE
+                | wgpu::BufferUsages::COPY_SRC
+                | wgpu::BufferUsages::COPY_DST,
+        )
+    }
+
+    /// A buffer that the processor reads.
+    pub fn staging(&self, bytes: u64) -> wgpu::Buffer {
+        self.buffer(
+            bytes,
+            wgpu::BufferUsages::MAP_READ | wgpu::BufferUsages::COPY_DST,
+        )
+    }
+
+    /// A buffer with contents.
+    pub fn filled<T: bytemuck::NoUninit>(
+        &self,
+        from: &[T],
+        bytes: u64,
+        usage: wgpu::BufferUsages,
+    ) -> wgpu::Buffer {
+        let buffer = self.buffer(bytes, usage);
+        if !from.is_empty() {
+            self.queue
+                .write_buffer(&buffer, 0, bytemuck::cast_slice(from));
+        }
+        buffer
+    }
+
+    /// A storage buffer with contents.
+    pub fn stored<T: bytemuck::NoUninit>(&self, from: &[T]) -> wgpu::Buffer {
+        self.filled(
+            from,
+            size_of_val(from) as u64,
+            wgpu::BufferUsages::STORAGE
+                | wgpu::BufferUsages::COPY_SRC
+                | wgpu::BufferUsages::COPY_DST,
+        )
+    }
+
+    /// The pipeline of an entry point, compiled the first time it is asked for.
+    pub fn pipeline(
+        &self,
+        source: Source,
+        entry: &'static str,
+        text: impl FnOnce() -> String,
+    ) -> wgpu::ComputePipeline {
+        let mut pipelines = locked(&self.pipelines);
+        let make = || {
+            log::debug!("compiling {} of {source:?}", entry);
+            let module = self
+                .device
+                .create_shader_module(wgpu::ShaderModuleDescriptor {
+                    label: Some(source.name),
+                    source: wgpu::ShaderSource::Wgsl(text().into()),
+                });
+            self.device
+                .create_compute_pipeline(&wgpu::ComputePipelineDescriptor {
+                    label: Some(entry),
+                    layout: None,
+                    module: &module,
+                    entry_point: Some(entry),
+                    compilation_options: wgpu::PipelineCompilationOptions {
+                        // Every kernel writes what it reads.
+                        zero_initialize_workgroup_memory: false,
+                        ..Default::default()
+                    },
+                    cache: None,
+                })
+        };
+        pipelines
+            .entry((source, entry))
+            .or_insert_with(make)
+            .clone()
+    }
+
+    /// Refuses when the device is gone.
+    pub fn alive(&self) -> Result<(), GpuError> {
+        if self.lost.load(Ordering::Acquire) {
+            return Err(GpuError::DeviceLost);
+        }
+        Ok(())
+    }
+
+    /// Waits for a submission, or for all.
+    pub fn wait(&self, submission: Option<wgpu::SubmissionIndex>) -> Result<(), GpuError> {
+        self.alive()?;
+        let waited = self.device.poll(wgpu::PollType::Wait {
+            submission_index: submission,
+            timeout: None,
+        });
+        self.alive()?;
+        waited.map(|_| ()).map_err(|error| {
+            log::error!("waiting: {error}");
+            GpuError::DeviceLost
+        })
+    }
+
+    /// Runs what talks to the device, and turns whatever the device says into an error.
+    pub fn guarded<T>(&self, run: impl FnOnce() -> Result<T, GpuError>) -> Result<T, GpuError> {
+        self.alive()?;
+        let memory = self.device.push_error_scope(wgpu::ErrorFilter::OutOfMemory);
+        let validation = self.device.push_error_scope(wgpu::ErrorFilter::Validation);
+        let internal = self.device.push_error_scope(wgpu::ErrorFilter::Internal);
+        let out = run();
+        let internal = pollster::block_on(internal.pop());
+        let validation = pollster::block_on(validation.pop());
+        let memory = pollster::block_on(memory.pop());
+        self.alive()?;
+        match memory.or(validation).or(internal) {
+            None => out,
+            Some(error) => {
+                log::error!("{error}");
+                Err(match error {
+                    wgpu::Error::OutOfMemory { .. } => GpuError::OutOfMemory,
+                    _ => GpuError::Shader,
+                })
+            }
+        }
+    }
+}
