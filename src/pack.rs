@@ -40,6 +40,19 @@ pub trait Pack: Clone {
     {
         self.map(&mut |&x| D::lit(x.into()))
     }
+    /// The shape in another format, rounded.
+    ///
+    /// ```
+    /// use geograd::{Obb2, Pack};
+    /// let single: Obb2<f32> = Obb2::new(0.1_f64, 0.2, 1.0, 1.0, 0.3).cast();
+    /// assert_eq!(single.center.x, 0.1);
+    /// ```
+    fn cast<T: Copy + 'static>(&self) -> Self::With<T>
+    where
+        Self::Scalar: num_traits::AsPrimitive<T>,
+    {
+        self.map(&mut |x| num_traits::AsPrimitive::as_(*x))
+    }
     /// How many scalars the shape has.
     fn count(&self) -> usize {
         let mut n = 0;
