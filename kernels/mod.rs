@@ -8,6 +8,7 @@
 //!
 //! Each comes as value, value with gradient (`…_grad`) and adjoint with an upstream gradient
 //! (`…_vjp`), and with buffers of the caller's (`…_into`).
+pub mod check;
 pub mod cpu;
 pub mod op;
 pub mod overlap;

@@ -1,0 +1,286 @@
+//! Finite differences that say how far they can be trusted, and the sensitivity of any witness to
+//! rounding.
+//!
+//! A [`Ladder`] holds values at steps of geometrically falling size on both sides of a point. From
+//! it come the central slope and the slopes of both sides, each extrapolated to step zero by
+//! Richardson's scheme; of all extrapolations the one with the smallest error estimate counts
+//! (Ridders' method), where the estimate includes the rounding noise of the values.
+use crate::Scalar;
+use crate::ad::sample::Draw;
+use crate::ad::trace::Trace;
+
+/// The number format a function is checked in.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum Precision {
+    /// 24 bits.
+    F32,
+    /// 53 bits.
+    F64,
+}
+
+impl Precision {
+    /// That of a type.
+    #[must_use]
+    pub fn of<S: Scalar>() -> Self {
+        if S::EPSILON > f64::EPSILON {
+            Precision::F32
+        } else {
+            Precision::F64
+        }
+    }
+    /// The distance from 1 to the next larger number.
+    #[must_use]
+    pub fn epsilon(self) -> f64 {
+        match self {
+            Precision::F32 => f64::from(f32::EPSILON),
+            Precision::F64 => f64::EPSILON,
+        }
+    }
+    /// The nearest number of the format.
+    #[must_use]
+    pub fn round(self, x: f64) -> f64 {
+        match self {
+            Precision::F32 => f64::from(x as f32),
+            Precision::F64 => x,
+        }
+    }
+    /// So many numbers of the format farther from zero (nearer, when negative). Zero stays.
+    #[must_use]
+    pub fn beside(self, x: f64, ulps: i32) -> f64 {
+        if x == 0.0 || !x.is_finite() {
+            return x;
+        }
+        let moved = match self {
+            Precision::F32 => {
+                let bits = (x as f32).to_bits() as i32;
+                f64::from(f32::from_bits(bits.saturating_add(ulps) as u32))
+            }
+            Precision::F64 => {
+                let bits = x.to_bits() as i64;
+                f64::from_bits(bits.saturating_add(i64::from(ulps)) as u64)
+            }
+        };
+        if moved.is_finite() && (moved < 0.0) == (x < 0.0) {
+            moved
+        } else {
+            x
+        }
+    }
+}
+
+/// A number and how far it may be off.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Estimate {
+    /// The number.
+    pub value: f64,
+    /// Its estimated error.
+    pub error: f64,
+}
+
+/// A value beside the point.
+#[derive(Clone, Debug)]
+pub struct Rung {
+    /// How far away, in multiples of the direction.
+    pub step: f64,
+    /// The value there.
+    pub values: Vec<f64>,
+    /// Whether the same branches were taken as at the point; true when nothing is known.
+    pub same: bool,
+}
+
+/// A value and, if there is a traced source, its branches; `None` outside the domain.
+pub type Probe<'a> = &'a dyn Fn(&[f64]) -> Option<(Vec<f64>, Option<Trace>)>;
+
+/// Values along a direction on both sides of a point.
+#[derive(Clone, Debug)]
+pub struct Ladder {
+    /// Ahead, largest step first; shorter than asked for at the border of the domain.
+    pub ahead: Vec<Rung>,
+    /// Behind.
+    pub behind: Vec<Rung>,
+    /// The value at the point.
+    pub center: Vec<f64>,
+    /// Whether branches are known.
+    pub traced: bool,
+}
+
+/// How many steps a ladder has on each side.
+const RUNGS: i32 = 12;
+/// By what the step falls from one to the next: 12 of them span seven decades.
+const RATIO: f64 = 4.0;
+
+impl Ladder {
+    /// Evaluates at `x ± step · direction`, from `first` downwards.
+    pub fn climb(
+        probe: Probe<'_>,
+        precision: Precision,
+        x: &[f64],
+        center: &[f64],
+        trace: Option<Trace>,
+        direction: &[f64],
+        first: f64,
+    ) -> Ladder {
+        // The step that is really taken is read off where the direction is largest.
+        let main = (0..x.len())
+            .max_by(|&i, &j| direction[i].abs().total_cmp(&direction[j].abs()))
+            .unwrap_or(0);
+        let side = |sign: f64| {
+            let mut rungs: Vec<Rung> = Vec::with_capacity(RUNGS as usize);
+            for k in 0..RUNGS {
+                let wanted = first * RATIO.powi(-k);
+                let there: Vec<f64> = x
+                    .iter()
+                    .zip(direction)
+                    .map(|(&x, &d)| precision.round(x + sign * wanted * d))
+                    .collect();
+                let step = sign * (there[main] - x[main]) / direction[main];
+                // Steps lost in rounding, or no smaller than the one before, say nothing.
+                if step.is_nan()
+                    || step <= 0.0
+                    || rungs.last().is_some_and(|last| last.step < 1.5 * step)
+                {
+                    continue;
+                }
+                let Some((values, there)) = probe(&there) else {
+                    continue;
+                };
+                let same = match (trace, there) {
+                    (Some(here), Some(there)) => here.hash == there.hash,
+                    _ => true,
+                };
+                rungs.push(Rung { step, values, same });
+            }
+            rungs
+        };
+        Ladder {
+            ahead: side(1.0),
+            behind: side(-1.0),
+            center: center.to_vec(),
+            traced: trace.is_some(),
+        }
+    }
+
+    /// The central slope of `weights · value`. With `within`, only from steps inside which the
+    /// branches are those of the point.
+    #[must_use]
+    pub fn central(&self, weights: &[f64], noise: f64, within: bool) -> Option<Estimate> {
+        let mut points = Vec::new();
+        let mut behind = self.behind.iter().peekable();
+        for ahead in &self.ahead {
+            while behind.next_if(|b| b.step > 1.5 * ahead.step).is_some() {}
+            let Some(&b) = behind.peek() else { break };
+            if b.step < ahead.step / 1.5 {
+                continue;
+            }
+            if within && !(ahead.same && b.same) {
+                // A larger step may come back to the same branches after having left them.
+                points.clear();
+                continue;
+            }
+            let span = ahead.step + b.step;
+            let rise = dot(weights, &ahead.values) - dot(weights, &b.values);
+            points.push((span / 2.0, rise / span));
+        }
+        extrapolated(&points, 2, noise)
+    }
+
+    /// The slope of `weights · value` on one side.
+    #[must_use]
+    pub fn one_sided(&self, ahead: bool, weights: &[f64], noise: f64) -> Option<Estimate> {
+        let (side, sign) = if ahead {
+            (&self.ahead, 1.0)
+        } else {
+            (&self.behind, -1.0)
+        };
+        let here = dot(weights, &self.center);
+        let points: Vec<(f64, f64)> = side
+            .iter()
+            .map(|rung| {
+                let rise = dot(weights, &rung.values) - here;
+                (rung.step, sign * rise / rung.step)
+            })
+            .collect();
+        extrapolated(&points, 1, 2.0 * noise)
+    }
+
+    /// How far the value jumps on either side, if it does: the change to the nearest rungs does
+    /// not shrink with the step.
+    #[must_use]
+    pub fn jump(&self, weights: &[f64], noise: f64) -> Option<f64> {
+        let here = dot(weights, &self.center);
+        [&self.ahead, &self.behind].into_iter().find_map(|side| {
+            let near = side.last_chunk::<3>()?;
+            let rises = near
+                .each_ref()
+                .map(|rung| dot(weights, &rung.values) - here);
+            let (low, high) = rises
+                .iter()
+                .fold((f64::INFINITY, 0.0_f64), |(low, high), r| {
+                    (low.min(r.abs()), high.max(r.abs()))
+                });
+            (low > 0.8 * high && low > 64.0 * noise).then_some(low)
+        })
+    }
+}
+
+/// The inner product.
+pub(crate) fn dot(a: &[f64], b: &[f64]) -> f64 {
+    a.iter()
+        .zip(b)
+        .map(|(a, b)| if *a == 0.0 { 0.0 } else { a * b })
+        .sum()
+}
+
+/// Extrapolates `(step, slope)` to step zero, eliminating the powers `order, 2 order, …`.
+fn extrapolated(points: &[(f64, f64)], order: i32, noise: f64) -> Option<Estimate> {
+    if points.len() < 2 {
+        return None;
+    }
+    let mut best: Option<Estimate> = None;
+    let mut last: Vec<f64> = Vec::new();
+    for (k, &(step, slope)) in points.iter().enumerate() {
+        let mut row = vec![slope];
+        for j in 1..=k.min(6) {
+            let ratio = (points[k - j].0 / step).powi(order);
+            row.push(row[j - 1] + (row[j - 1] - last[j - 1]) / (ratio - 1.0));
+        }
+        for j in 0..row.len() {
+            let change = if j > 0 {
+                (row[j] - row[j - 1])
+                    .abs()
+                    .max((row[j] - last[j - 1]).abs())
+            } else if k > 0 {
+                (row[0] - last[0]).abs()
+            } else {
+                continue;
+            };
+            let error = change + noise / step;
+            if error.is_finite() && best.is_none_or(|best| error < best.error) {
+                best = Some(Estimate {
+                    value: row[j],
+                    error,
+                });
+            }
+        }
+        last = row;
+    }
+    best
+}
+
+/// The point moved by one or two units in the last place. Equal numbers move alike, so that ties
+/// stay ties; zeros move by the precision times their scale, in every other round.
+#[must_use]
+pub fn beside(precision: Precision, x: &[f64], scales: &[f64], round: u64) -> Vec<f64> {
+    x.iter()
+        .zip(scales)
+        .map(|(&x, &scale)| {
+            let mut draw = Draw::new(x.abs().to_bits() ^ round.wrapping_mul(0x9e37_79b9));
+            let ulps = [-2, -1, 1, 2][draw.below(4)];
+            if x == 0.0 && round % 2 == 1 {
+                precision.round(f64::from(ulps) * precision.epsilon() * scale)
+            } else {
+                precision.beside(x, ulps)
+            }
+        })
+        .collect()
+}

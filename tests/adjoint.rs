@@ -1,0 +1,34 @@
+//! Every operation of the list, proved by the harness: hard cases first, then random inputs, in
+//! both formats.
+use geograd::kernels::check::{prove_pair, prove_ring};
+
+/// Random inputs per operation and format. Hard cases come on top.
+const SAMPLES: usize = 200;
+
+macro_rules! prove_all {
+    (pairs { $($pair:ident: $pair_op:ty,)* } rings { $($ring:ident: $ring_op:ty,)* }) => {
+        mod f64 {
+            use super::*;
+            $(#[test] fn $pair() {
+                let report = prove_pair::<$pair_op, f64>(SAMPLES, 1);
+                assert!(report.passed(), "{report}");
+            })*
+            $(#[test] fn $ring() {
+                let report = prove_ring::<$ring_op, f64>(SAMPLES, 1);
+                assert!(report.passed(), "{report}");
+            })*
+        }
+        mod f32 {
+            use super::*;
+            $(#[test] fn $pair() {
+                let report = prove_pair::<$pair_op, f32>(SAMPLES, 1);
+                assert!(report.passed(), "{report}");
+            })*
+            $(#[test] fn $ring() {
+                let report = prove_ring::<$ring_op, f32>(SAMPLES, 1);
+                assert!(report.passed(), "{report}");
+            })*
+        }
+    };
+}
+geograd::for_each_op!(prove_all);
