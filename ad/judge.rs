@@ -21,7 +21,7 @@ pub(crate) const SAFETY: f64 = 8.0;
 /// Outputs up to this number are checked one by one, more of them in random combinations.
 const FEW_OUTPUTS: usize = 8;
 /// How often rounding is provoked.
-const ROUNDS: u64 = 8;
+const ROUNDS: u64 = 12;
 
 /// The slopes of one combination of the outputs.
 pub(crate) struct Row {
@@ -39,6 +39,17 @@ pub(crate) struct Row {
     pub(crate) noise: f64,
 }
 
+/// What is known about an input beside the one that is judged.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Beside {
+    /// The same branches.
+    Same,
+    /// Equal numbers stayed equal, so a change of branch comes from rounding.
+    Tied,
+    /// Numbers moved on their own: an exact tie may have been broken.
+    Loose,
+}
+
 /// The state of a judgement.
 pub(crate) struct Judge<'a> {
     pub(crate) subject: &'a dyn Subject,
@@ -48,7 +59,7 @@ pub(crate) struct Judge<'a> {
     pub(crate) scales: Vec<f64>,
     pub(crate) eps: f64,
     /// Inputs beside `x`, with the branches of `x` as far as possible.
-    pub(crate) around: Vec<(Vec<f64>, bool)>,
+    pub(crate) around: Vec<(Vec<f64>, Beside)>,
     pub(crate) found: Findings,
 }
 
@@ -136,15 +147,18 @@ impl Judge<'_> {
                 self.compare_values(&values, Witness::Dual);
             }
         }
+        let rounding = self.subject.rounding(self.x);
         for round in 0..ROUNDS {
-            let there = beside(self.subject.precision(), self.x, &self.scales, round);
+            let there = beside(self.subject.precision(), self.x, &rounding, round);
             if self.subject.inside(&there) {
-                let same = match (self.trace, round < 3 || self.trace.is_some()) {
-                    (Some(here), _) => self
-                        .subject
-                        .traced(&there)
-                        .is_some_and(|(_, trace)| trace.hash == here.hash),
-                    _ => true,
+                let traced = || self.subject.traced(&there);
+                let same = self
+                    .trace
+                    .is_some_and(|here| traced().is_some_and(|(_, trace)| trace.hash == here.hash));
+                let same = match (same, round % 3) {
+                    (true, _) => Beside::Same,
+                    (false, 1) => Beside::Loose,
+                    (false, _) => Beside::Tied,
                 };
                 self.around.push((there, same));
             }
@@ -181,24 +195,29 @@ impl Judge<'_> {
         }
     }
 
-    /// The largest change of a list-valued function under provoked rounding, per number.
+    /// The largest change of a list-valued function under provoked rounding, per number. With
+    /// `sizes`, a change of branch that may have broken an exact tie counts only when it changes
+    /// less than a thousandth of them: more is a kink, and a tie must be decided as it stands.
     pub(crate) fn spread(
         &self,
         base: &[f64],
-        same_branch: bool,
+        sizes: Option<&[f64]>,
         f: impl Fn(&[f64]) -> Option<Vec<f64>>,
     ) -> Vec<f64> {
         let mut spread = vec![0.0_f64; base.len()];
         for (there, same) in &self.around {
-            if same_branch && !same {
+            let Some(list) = f(there) else { continue };
+            if list.len() != base.len() {
                 continue;
             }
-            if let Some(list) = f(there) {
-                for ((spread, base), there) in spread.iter_mut().zip(base).zip(&list) {
-                    let change = (there - base).abs();
-                    if change.is_finite() {
-                        *spread = spread.max(change);
-                    }
+            let change = |i: usize| (list[i] - base[i]).abs();
+            let small = |sizes: &[f64]| (0..base.len()).all(|i| change(i) <= 1e-3 * sizes[i]);
+            if *same == Beside::Loose && sizes.is_some_and(|sizes| !small(sizes)) {
+                continue;
+            }
+            for (i, spread) in spread.iter_mut().enumerate() {
+                if change(i).is_finite() {
+                    *spread = spread.max(change(i));
                 }
             }
         }
@@ -218,7 +237,7 @@ impl Judge<'_> {
         if same_bits(other, &self.y) {
             return;
         }
-        let spread = self.spread(&self.y, false, |x| Some(self.subject.value(x)));
+        let spread = self.spread(&self.y, None, |x| Some(self.subject.value(x)));
         for j in 0..other.len() {
             let (a, b) = (self.y[j], other[j]);
             let tolerance = ROUNDINGS * self.eps * a.abs().max(b.abs()) + SAFETY * spread[j];
@@ -336,7 +355,7 @@ impl Judge<'_> {
             .map(|(w, y)| (w * y).abs())
             .sum();
         let mut noise = self.eps * size;
-        for (there, _) in self.around.iter().take(3) {
+        for (there, _) in self.around.iter().take(4) {
             let change = dot(weights, &self.subject.value(there)) - here;
             let by_slope = slopes.map_or(0.0, |slopes| {
                 (0..self.x.len())
@@ -357,13 +376,15 @@ impl Judge<'_> {
             return;
         }
         if let Some(adjoint) = &row.adjoint {
-            let spread = self.spread(adjoint, true, |x| self.subject.adjoint(x, &row.weights));
+            let spread = self.spread(adjoint, Some(&row.size), |x| {
+                self.subject.adjoint(x, &row.weights)
+            });
             for (tolerance, spread) in row.tolerance.iter_mut().zip(spread) {
                 *tolerance += SAFETY * spread;
             }
         }
         if let Some(dual) = &row.dual {
-            let spread = self.spread(dual, true, |x| {
+            let spread = self.spread(dual, Some(&row.size), |x| {
                 let jacobian = self.subject.jacobian(x)?;
                 Some(
                     (0..x.len())
@@ -389,9 +410,9 @@ impl Judge<'_> {
         if self.subject.precision() == Precision::F64 || std::mem::replace(&mut row.wide, true) {
             return;
         }
-        let own = self.spread(adjoint, false, |x| self.subject.adjoint(x, &row.weights));
+        let own = self.spread(adjoint, None, |x| self.subject.adjoint(x, &row.weights));
         let exact = wide.adjoint(self.x, &row.weights).unwrap_or_default();
-        let theirs = self.spread(&exact, false, |x| wide.adjoint(x, &row.weights));
+        let theirs = self.spread(&exact, None, |x| wide.adjoint(x, &row.weights));
         for (i, own) in own.iter().enumerate() {
             row.tolerance[i] += SAFETY * (own + theirs.get(i).unwrap_or(&0.0));
         }
@@ -404,10 +425,31 @@ impl Judge<'_> {
             Some(exchanged(&slopes))
         };
         let Some(base) = of(self.x) else { return };
-        let spread = self.spread(&base, true, of);
+        if let Some(adjoint) = &row.adjoint {
+            let own = self.spread(adjoint, None, |x| self.subject.adjoint(x, &row.weights));
+            for (tolerance, spread) in row.tolerance.iter_mut().zip(own) {
+                *tolerance += SAFETY * spread;
+            }
+        }
+        // The exchanged arguments are rounded differently, so near a tie they may be decided
+        // differently.
+        let spread = self.spread(&base, None, of);
         for (tolerance, spread) in row.tolerance.iter_mut().zip(spread) {
             *tolerance += SAFETY * spread;
         }
+    }
+
+    /// Whether a convention may decide about this slope: the value is zero and the input cannot be
+    /// moved both ways.
+    fn conventional_border(&self, row: &Row, i: usize) -> bool {
+        let stuck = |sign: f64| {
+            let mut there = self.x.to_vec();
+            there[i] += sign * 1e-3 * self.scales[i];
+            !self.subject.inside(&there)
+        };
+        self.subject.conventions().flat
+            && dot(&row.weights, &self.y) == 0.0
+            && (stuck(1.0) || stuck(-1.0))
     }
 
     /// The adjoint against duals and further witnesses: no steps, so hardly any tolerance.
@@ -436,7 +478,10 @@ impl Judge<'_> {
                 let pair = if witness == Witness::Dual { 0 } else { 4 };
                 let tolerance = row.tolerance[i];
                 self.found.worst[pair].note(gap, row.size[i], tolerance, self.eps, i);
-                if gap > tolerance || gap.is_nan() {
+                if gap > tolerance && self.conventional_border(row, i) {
+                    // Differences will ask both whether they lie between zero and the only side.
+                    self.found.convention = true;
+                } else if gap > tolerance || gap.is_nan() {
                     let numbers = Numbers {
                         adjoint: Some(adjoint[i]),
                         dual: row.dual.as_ref().map(|dual| dual[i]),
@@ -460,8 +505,8 @@ impl Judge<'_> {
             return;
         }
         // Decisions may fall differently in the other format, so other branches count as spread.
-        let spread = self.spread(&value, false, |x| Some(wide.value(x)));
-        let own = self.spread(&self.y, false, |x| Some(self.subject.value(x)));
+        let spread = self.spread(&value, None, |x| Some(wide.value(x)));
+        let own = self.spread(&self.y, None, |x| Some(self.subject.value(x)));
         for j in 0..value.len().min(self.y.len()) {
             let tolerance = ROUNDINGS * self.eps * value[j].abs().max(self.y[j].abs())
                 + SAFETY * (spread[j] + own[j]);
@@ -502,8 +547,8 @@ impl Judge<'_> {
                 (0..exact.len()).any(|i| (exact[i] - adjoint[i]).abs() > tolerance[i])
             };
             if outside(&tolerance) {
-                let theirs = self.spread(&exact, false, combined);
-                let own = self.spread(adjoint, false, |x| self.subject.adjoint(x, &row.weights));
+                let theirs = self.spread(&exact, None, combined);
+                let own = self.spread(adjoint, None, |x| self.subject.adjoint(x, &row.weights));
                 for i in 0..tolerance.len() {
                     tolerance[i] += SAFETY * (theirs[i] + own[i]);
                 }

@@ -62,6 +62,16 @@ pub trait Sample: Pack<Scalar = f64> + std::fmt::Debug {
     fn kinds(&self) -> Vec<Kind>;
     /// For each number, the length over which the function may be expected to change.
     fn scales(&self) -> Vec<f64>;
+    /// For each number, the largest number of the same unit that it is added to: the size of the
+    /// shape for its coordinates, one for angles.
+    fn extents(&self) -> Vec<f64> {
+        let (kinds, scales) = (self.kinds(), self.scales());
+        let largest = (0..kinds.len())
+            .filter(|&i| kinds[i] != Kind::Angle)
+            .fold(0.0_f64, |m, i| m.max(scales[i]));
+        let extent = |kind: &Kind| if *kind == Kind::Angle { 1.0 } else { largest };
+        kinds.iter().map(extent).collect()
+    }
     /// Whether it is valid.
     fn inside(&self) -> bool;
     /// Simpler ones of another length.
@@ -435,6 +445,10 @@ impl<A: Sample, B: Sample> Sample for (A, B) {
                 _ => *own,
             })
             .collect()
+    }
+    fn extents(&self) -> Vec<f64> {
+        // Nothing matters beyond the smaller shape but what turns it or cuts it.
+        [self.0.extents(), self.1.extents()].concat()
     }
     fn inside(&self) -> bool {
         self.0.inside() && self.1.inside()

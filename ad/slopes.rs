@@ -1,16 +1,19 @@
 //! The part of a judgement that takes steps: differences, kinks, second derivatives, motions.
 use crate::ad::judge::{Judge, ROUNDINGS, Row, SAFETY};
 use crate::ad::sample::Draw;
-use crate::ad::subject::Subject;
+use crate::ad::subject::{Jumps, Subject};
 use crate::ad::symmetry::{Answer, Kind, Motion, answer, exchanged, moved_by, velocity};
 use crate::ad::trace::Trace;
 use crate::ad::verdict::{Numbers, Place, Reason, Witness};
-use crate::ad::witness::{Estimate, Ladder, Precision, Probe, dot};
+use crate::ad::witness::{Estimate, Ladder, Precision, Probe, beside, dot};
 
 /// Inputs up to this number are stepped one by one, more of them along random directions.
 pub(crate) const FEW_INPUTS: usize = 48;
-/// First steps of the ladder that judges and of those that confirm, in units of the scales.
-const FIRST: [f64; 3] = [0.1, 0.037, 0.23];
+/// First steps of the ladder that judges and of those that confirm, in units of the scales. The
+/// last ones look for features smaller than the first one can see.
+const FIRST: [f64; 5] = [0.1, 0.037, 0.23, 1e-3, 1e-5];
+/// First step of the ladder that tells a jump from a kink very near.
+const NEAR: f64 = 1e-8;
 /// A difference whose error is larger than this share of the largest slope says nothing.
 const INFORMATIVE: f64 = 0.02;
 
@@ -23,13 +26,23 @@ enum Said {
         switched: bool,
         estimate: Option<Estimate>,
     },
-    /// The function jumps.
-    Jumps,
     /// Another slope.
     Other { estimate: Estimate, tolerance: f64 },
     /// A kink, and the slope is not between both sides; or the border of the domain, and it is not
     /// that of the only side.
     Outside { sides: [f64; 2], tolerance: f64 },
+}
+
+/// Whether a complaint stands: some other ladder repeats it, and none contradicts.
+fn confirmed(again: impl Iterator<Item = Option<bool>>) -> bool {
+    let mut repeated = false;
+    for said in again.flatten() {
+        if !said {
+            return false;
+        }
+        repeated = true;
+    }
+    repeated
 }
 
 /// Hears what a ladder says about a slope; `exact` is by how much that may be off by itself,
@@ -53,9 +66,6 @@ fn hear(ladder: &Ladder, weights: &[f64], noise: f64, slope: f64, exact: f64, si
             }
         };
     }
-    if ladder.jump(weights, noise).is_some() {
-        return Said::Jumps;
-    }
     let undefined = Said::Fine {
         place: Place::Undefined,
         switched: ladder.traced,
@@ -70,10 +80,23 @@ fn hear(ladder: &Ladder, weights: &[f64], noise: f64, slope: f64, exact: f64, si
     };
     let error = ahead.error.max(behind.error);
     let border = ladder.ahead.len() < 2 || ladder.behind.len() < 2;
+    if !ladder.settled() {
+        return undefined;
+    }
     if !border && (ahead.value - behind.value).abs() <= 2.0 * SAFETY * error + exact {
-        let Some(e) = ladder.central(weights, noise, false).filter(informative) else {
-            return undefined;
+        // Where branches meet smoothly, the central slope converges slowly and the sides fast.
+        let mean = Estimate {
+            value: 0.5 * (ahead.value + behind.value),
+            error: error + 0.5 * (ahead.value - behind.value).abs() / SAFETY,
         };
+        let central = ladder.central(weights, noise, false);
+        let e = match central {
+            Some(central) if !ladder.traced && central.error < mean.error => central,
+            _ => mean,
+        };
+        if !informative(&e) {
+            return undefined;
+        }
         let tolerance = SAFETY * e.error + exact;
         return if (e.value - slope).abs() <= tolerance {
             Said::Fine {
@@ -155,6 +178,12 @@ impl Judge<'_> {
         while k < directions.len() {
             let direction = directions[k].clone();
             let here = ladder(&direction, FIRST[0]);
+            if self.jumps(&here, &|| ladder(&direction, NEAR), k) {
+                self.found.directions[2] += rows.len() as u64;
+                said.push(true);
+                k += 1;
+                continue;
+            }
             for row in rows.iter_mut() {
                 let noise = if wide.is_some() {
                     4.0 * f64::EPSILON * center.iter().map(|y| y.abs()).sum::<f64>()
@@ -189,6 +218,35 @@ impl Judge<'_> {
             Place::Smooth
         };
         self.found.place == Place::Smooth && undefined == 0 && !said.contains(&true)
+    }
+
+    /// Whether any output jumps along a direction; if it must not, that is refused.
+    fn jumps(&mut self, here: &Ladder, near: &dyn Fn() -> Ladder, k: usize) -> bool {
+        let mut unrest = Vec::new();
+        for j in 0..self.y.len() {
+            let mut weights = vec![0.0; self.y.len()];
+            weights[j] = 1.0;
+            if here.traced && here.jump(&weights, self.eps * self.y[j].abs()).is_some() {
+                // Rounding within a branch is no jump.
+                let none = vec![0.0; self.y.len()];
+                unrest = self.spread(&self.y, Some(&none), |x| Some(self.subject.value(x)));
+            }
+            let noise = self.eps * self.y[j].abs() + unrest.get(j).unwrap_or(&0.0);
+            // A kink may be nearer than the smallest step; a jump still jumps nearer by.
+            if here.jump(&weights, noise).is_some() && near().jump(&weights, noise).is_some() {
+                self.found.jump = true;
+                let allowed = match self.subject.conventions().jumps {
+                    Jumps::Never => false,
+                    Jumps::FromZero => self.y[j] == 0.0,
+                    Jumps::Anywhere => true,
+                };
+                if !allowed {
+                    self.refuse(Reason::Jump, j, k);
+                }
+                return true;
+            }
+        }
+        false
     }
 
     /// One direction: what kind of place it is there, and whether branches switch.
@@ -265,29 +323,26 @@ impl Judge<'_> {
                         self.found.worst[pair].note(gap, largest, tolerance, eps, input);
                     }
                 }
-                Said::Jumps => {
-                    self.found.jump = true;
-                    result = (Place::Undefined, true);
-                    if !self.subject.conventions().jumps {
-                        self.refuse(Reason::Jump, row.output, input);
-                    }
-                }
                 Said::Other {
                     estimate,
                     tolerance,
                 } => {
                     result = (Place::Smooth, false);
-                    let confirmed = FIRST[1..].iter().all(|&first| {
+                    let confirmed = confirmed(FIRST[1..].iter().map(|&first| {
                         let again = ladder(first);
                         match hear(&again, &row.weights, noise, slope, exact(row), largest) {
-                            Said::Other { estimate: e, .. } => {
+                            Said::Other { estimate: e, .. } => Some(
                                 (e.value - estimate.value).abs()
-                                    <= SAFETY * (e.error + estimate.error) + exact(row)
-                            }
-                            Said::Outside { .. } => true,
-                            _ => false,
+                                    <= SAFETY * (e.error + estimate.error) + exact(row),
+                            ),
+                            Said::Outside { .. } => Some(true),
+                            Said::Fine {
+                                place: Place::Undefined,
+                                ..
+                            } => None,
+                            Said::Fine { .. } => Some(false),
                         }
-                    });
+                    }));
                     if confirmed {
                         let suspect = other_agrees(estimate.value, tolerance).then_some(witness);
                         let reason = Reason::Disagree(witness, Witness::Difference);
@@ -302,15 +357,25 @@ impl Judge<'_> {
                     result = (if border { Place::Smooth } else { Place::Kink }, true);
                     let value = dot(&row.weights, &self.y);
                     let flat = self.subject.conventions().flat
-                        && slope.abs() <= tolerance
-                        && (border || value == 0.0);
+                        && if border {
+                            let (low, high) = (sides[0].min(0.0), sides[0].max(0.0));
+                            slope >= low - tolerance && slope <= high + tolerance
+                        } else {
+                            value == 0.0 && slope.abs() <= tolerance
+                        };
                     if flat {
                         self.found.convention = true;
-                    } else if FIRST[1..].iter().all(|&first| {
+                    } else if confirmed(FIRST[1..].iter().map(|&first| {
                         let again = ladder(first);
-                        let said = hear(&again, &row.weights, noise, slope, exact(row), largest);
-                        matches!(said, Said::Outside { .. } | Said::Other { .. })
-                    }) {
+                        match hear(&again, &row.weights, noise, slope, exact(row), largest) {
+                            Said::Outside { .. } | Said::Other { .. } => Some(true),
+                            Said::Fine {
+                                place: Place::Undefined,
+                                ..
+                            } => None,
+                            Said::Fine { .. } => Some(false),
+                        }
+                    })) {
                         let numbers = numbers(None, Some(sides));
                         self.refuse_with(
                             Reason::OutsideKink,
@@ -387,12 +452,17 @@ impl Judge<'_> {
         let largest = (0..n)
             .fold(0.0_f64, |m, i| m.max(bend[i].abs() * scales[i]))
             .max((0..n).fold(0.0_f64, |m, i| m.max(row.size[i] * scales[i])));
+        let sizes: Vec<f64> = scales.iter().map(|s| largest / s).collect();
         let spread = std::cell::OnceCell::new();
         let spread = || {
             spread.get_or_init(|| {
-                let own = self.spread(&bend, true, |x| subject.curvature(x, &row.weights, &v));
+                let own = self.spread(&bend, Some(&sizes), |x| {
+                    subject.curvature(x, &row.weights, &v)
+                });
                 let nested = subject.nested(self.x, &row.weights, &v).unwrap_or_default();
-                let other = self.spread(&nested, true, |x| subject.nested(x, &row.weights, &v));
+                let other = self.spread(&nested, Some(&sizes), |x| {
+                    subject.nested(x, &row.weights, &v)
+                });
                 (0..n)
                     .map(|i| own[i] + other.get(i).unwrap_or(&0.0))
                     .collect::<Vec<f64>>()
@@ -428,7 +498,9 @@ impl Judge<'_> {
                 .sum();
             let mut tolerance = sum;
             if (a - b).abs() > tolerance {
-                let theirs = self.spread(&other, true, |x| subject.curvature(x, &row.weights, &u));
+                let theirs = self.spread(&other, Some(&sizes), |x| {
+                    subject.curvature(x, &row.weights, &u)
+                });
                 tolerance += (0..n)
                     .map(|i| SAFETY * (u[i].abs() * spread()[i] + v[i].abs() * theirs[i]))
                     .sum::<f64>();
@@ -479,11 +551,17 @@ impl Judge<'_> {
                 }
                 let exact = exact(i) + SAFETY * spread()[i];
                 if let Some((e, tolerance)) = wrong(&ladder, exact)
-                    && FIRST[1..].iter().all(|&first| {
-                        wrong(&climb(first), exact).is_some_and(|(again, _)| {
-                            (again.value - e.value).abs() <= SAFETY * (again.error + e.error)
+                    && confirmed(FIRST[1..].iter().map(|&first| {
+                        let again = climb(first);
+                        let heard = again.central(&weights, noise, true)?;
+                        let says =
+                            SAFETY * heard.error <= INFORMATIVE * size.max(heard.value.abs());
+                        says.then(|| {
+                            wrong(&again, exact).is_some_and(|(again, _)| {
+                                (again.value - e.value).abs() <= SAFETY * (again.error + e.error)
+                            })
                         })
-                    })
+                    }))
                 {
                     let numbers = Numbers {
                         adjoint: Some(bend[i]),
@@ -528,7 +606,7 @@ impl Judge<'_> {
                     Answer::Power(p) => self.y.iter().map(|y| y * amount.powi(p)).collect(),
                     Answer::Follows => moved_by(motion, amount, &points, &self.y),
                 };
-                let spread = self.spread(&self.y, false, |x| Some(subject.value(x)));
+                let spread = self.spread(&self.y, None, |x| Some(subject.value(x)));
                 for j in 0..y.len() {
                     // Moving rounds every number; what that may do, a slope says.
                     let rounding: f64 =
@@ -541,9 +619,13 @@ impl Judge<'_> {
                             })
                             .sum();
                     let size = y[j].abs().max(wanted[j].abs());
-                    let growth = size / self.y[j].abs().max(f64::MIN_POSITIVE);
-                    let tolerance = ROUNDINGS * self.eps * size
-                        + growth.clamp(1.0, 9.0) * SAFETY * (spread[j] * 2.0 + self.eps * rounding);
+                    let growth = (size / self.y[j].abs().max(f64::MIN_POSITIVE)).clamp(1.0, 9.0);
+                    let mut tolerance = ROUNDINGS * self.eps * size
+                        + growth * SAFETY * (2.0 * spread[j] + self.eps * rounding);
+                    if (y[j] - wanted[j]).abs() > tolerance {
+                        // The moved input has a conditioning of its own.
+                        tolerance += SAFETY * self.unrest(&there, &y)[j];
+                    }
                     if (y[j] - wanted[j]).abs() > tolerance {
                         let numbers = Numbers {
                             adjoint: Some(y[j]),
@@ -592,6 +674,22 @@ impl Judge<'_> {
                 self.unbalanced(motion, row, 0, balance, wanted, tolerance);
             }
         }
+    }
+
+    /// By how much the value at another input changes under provoked rounding.
+    fn unrest(&self, x: &[f64], y: &[f64]) -> Vec<f64> {
+        let (subject, precision) = (self.subject, self.subject.precision());
+        let rounding = subject.rounding(x);
+        let mut unrest = vec![0.0_f64; y.len()];
+        for round in 0..12 {
+            let there = beside(precision, x, &rounding, round);
+            if subject.inside(&there) {
+                for (unrest, (a, b)) in unrest.iter_mut().zip(subject.value(&there).iter().zip(y)) {
+                    *unrest = unrest.max((a - b).abs());
+                }
+            }
+        }
+        unrest
     }
 
     /// Refuses slopes that do not follow a motion.

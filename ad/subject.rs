@@ -9,8 +9,20 @@ pub struct Conventions {
     /// Where the value is zero, or the input lies on the border of its domain, the slope may be
     /// zero although it is not between the slopes of both sides.
     pub flat: bool,
-    /// The value may jump.
-    pub jumps: bool,
+    /// Where the value may jump.
+    pub jumps: Jumps,
+}
+
+/// Where a function may jump.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Jumps {
+    /// Nowhere.
+    #[default]
+    Never,
+    /// Where its value is exactly zero.
+    FromZero,
+    /// Anywhere.
+    Anywhere,
 }
 
 /// A function near one input, with every way there is to differentiate it. All lists are `f64`;
@@ -65,6 +77,13 @@ pub trait Subject {
     /// For each number, the length over which the function may be expected to change.
     fn scales(&self, x: &[f64]) -> Vec<f64> {
         default_scales(x)
+    }
+    /// For each number, how large a rounding error of it the function may behave as if it had
+    /// made. By default that of the number itself; functions that add numbers of one unit may only
+    /// be held to that of the largest of them.
+    fn rounding(&self, x: &[f64]) -> Vec<f64> {
+        let eps = self.precision().epsilon();
+        x.iter().map(|x| eps * x.abs()).collect()
     }
     /// What each number is; needed for promises only.
     fn kinds(&self) -> Vec<Kind> {

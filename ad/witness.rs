@@ -86,6 +86,8 @@ pub struct Rung {
     pub values: Vec<f64>,
     /// Whether the same branches were taken as at the point; true when nothing is known.
     pub same: bool,
+    /// The branches taken; zero when nothing is known.
+    pub branch: u64,
 }
 
 /// A value and, if there is a traced source, its branches; `None` outside the domain.
@@ -148,7 +150,13 @@ impl Ladder {
                     (Some(here), Some(there)) => here.hash == there.hash,
                     _ => true,
                 };
-                rungs.push(Rung { step, values, same });
+                let branch = there.map_or(0, |trace| trace.hash);
+                rungs.push(Rung {
+                    step,
+                    values,
+                    same,
+                    branch,
+                });
             }
             rungs
         };
@@ -193,7 +201,7 @@ impl Ladder {
             (&self.behind, -1.0)
         };
         let here = dot(weights, &self.center);
-        let points: Vec<(f64, f64)> = side
+        let points: Vec<(f64, f64)> = nearest_branch(side)
             .iter()
             .map(|rung| {
                 let rise = dot(weights, &rung.values) - here;
@@ -201,6 +209,15 @@ impl Ladder {
             })
             .collect();
         extrapolated(&points, 1, 2.0 * noise)
+    }
+
+    /// Whether both sides have a branch of their own long enough to be judged by.
+    #[must_use]
+    pub fn settled(&self) -> bool {
+        [&self.ahead, &self.behind].iter().all(|side| {
+            let branch = side.last().map_or(0, |rung| rung.branch);
+            side.len() < 3 || side.iter().rev().take(3).all(|rung| rung.branch == branch)
+        })
     }
 
     /// How far the value jumps on either side, if it does: the change to the nearest rungs does
@@ -220,6 +237,22 @@ impl Ladder {
                 });
             (low > 0.8 * high && low > 64.0 * noise).then_some(low)
         })
+    }
+}
+
+/// The rungs nearest to the point that all took the same branches; all rungs when those are too
+/// few.
+fn nearest_branch(side: &[Rung]) -> &[Rung] {
+    let branch = side.last().map_or(0, |rung| rung.branch);
+    let near = side
+        .iter()
+        .rev()
+        .take_while(|rung| rung.branch == branch)
+        .count();
+    if near < 3 {
+        side
+    } else {
+        &side[side.len() - near..]
     }
 }
 
@@ -267,19 +300,23 @@ fn extrapolated(points: &[(f64, f64)], order: i32, noise: f64) -> Option<Estimat
     best
 }
 
-/// The point moved by one or two units in the last place. Equal numbers move alike, so that ties
-/// stay ties; zeros move by the precision times their scale, in every other round.
+/// The point with its rounding provoked, in three ways by turns: every number moves by one or two
+/// units in its last place, equal numbers alike, so that ties stay ties; every number moves by up
+/// to twice its `rounding`; the same, equal numbers alike.
 #[must_use]
-pub fn beside(precision: Precision, x: &[f64], scales: &[f64], round: u64) -> Vec<f64> {
-    x.iter()
-        .zip(scales)
-        .map(|(&x, &scale)| {
-            let mut draw = Draw::new(x.abs().to_bits() ^ round.wrapping_mul(0x9e37_79b9));
-            let ulps = [-2, -1, 1, 2][draw.below(4)];
-            if x == 0.0 && round % 2 == 1 {
-                precision.round(f64::from(ulps) * precision.epsilon() * scale)
+pub fn beside(precision: Precision, x: &[f64], rounding: &[f64], round: u64) -> Vec<f64> {
+    (0..x.len())
+        .map(|i| {
+            let key = if round % 3 == 1 {
+                i as u64
             } else {
-                precision.beside(x, ulps)
+                x[i].abs().to_bits()
+            };
+            let mut draw = Draw::new(key ^ round.wrapping_mul(0x9e37_79b9));
+            if round.is_multiple_of(3) {
+                precision.beside(x[i], [-2, -1, 1, 2][draw.below(4)])
+            } else {
+                precision.round(x[i] + 2.0 * rounding[i] * draw.within(-1.0, 1.0))
             }
         })
         .collect()

@@ -8,7 +8,7 @@
 use crate::ad::check::{Plan, Report, examine};
 use crate::ad::forward::{Along, First};
 use crate::ad::sample::{Sample, hard_cases, random};
-use crate::ad::subject::{Conventions, Subject};
+use crate::ad::subject::{Conventions, Jumps, Subject};
 use crate::ad::symmetry::{Answer, Kind, Motion, Promise};
 use crate::ad::trace::{Number, Trace, Traced, trace};
 use crate::ad::witness::Precision;
@@ -84,7 +84,13 @@ pub fn promises(name: &str) -> &'static [Promise] {
 pub fn conventions(name: &str) -> Conventions {
     Conventions {
         flat: true,
-        jumps: name == "centroid",
+        jumps: match name {
+            // Where the area is zero.
+            "centroid" => Jumps::Anywhere,
+            // Where the denominator is zero.
+            "iou_obb2" | "iof_obb2" | "iou_aabb2" | "iof_aabb2" => Jumps::FromZero,
+            _ => Jumps::Never,
+        },
     }
 }
 
@@ -232,6 +238,11 @@ where
     }
     fn scales(&self, x: &[f64]) -> Vec<f64> {
         self.near.refill(x).scales()
+    }
+    fn rounding(&self, x: &[f64]) -> Vec<f64> {
+        let eps = self.precision().epsilon();
+        let extents = self.near.refill(x).extents();
+        extents.iter().map(|extent| eps * extent).collect()
     }
     fn kinds(&self) -> Vec<Kind> {
         self.near.kinds()
