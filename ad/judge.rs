@@ -33,6 +33,8 @@ pub(crate) struct Row {
     pub(crate) tolerance: Vec<f64>,
     /// The largest slope in each input's unit.
     pub(crate) size: Vec<f64>,
+    /// The largest slope per scale.
+    pub(crate) largest: f64,
     pub(crate) provoked: bool,
     pub(crate) wide: bool,
     /// Rounding noise of the combined value.
@@ -57,6 +59,7 @@ pub(crate) struct Judge<'a> {
     pub(crate) y: Vec<f64>,
     pub(crate) trace: Option<Trace>,
     pub(crate) scales: Vec<f64>,
+    pub(crate) units: Vec<f64>,
     pub(crate) eps: f64,
     /// Inputs beside `x`, with the branches of `x` as far as possible.
     pub(crate) around: Vec<(Vec<f64>, Beside)>,
@@ -72,6 +75,7 @@ pub fn judge(subject: &dyn Subject, x: &[f64], seed: u64) -> Findings {
         y: subject.value(x),
         trace: None,
         scales: subject.scales(x),
+        units: subject.units(x),
         eps: subject.precision().epsilon(),
         around: Vec::new(),
         found: Findings {
@@ -212,7 +216,9 @@ impl Judge<'_> {
             }
             let change = |i: usize| (list[i] - base[i]).abs();
             let small = |sizes: &[f64]| (0..base.len()).all(|i| change(i) <= 1e-3 * sizes[i]);
-            if *same == Beside::Loose && sizes.is_some_and(|sizes| !small(sizes)) {
+            // Single precision is nearly tied everywhere, so there every change counts.
+            let strict = *same == Beside::Loose && self.subject.precision() == Precision::F64;
+            if strict && sizes.is_some_and(|sizes| !small(sizes)) {
                 continue;
             }
             for (i, spread) in spread.iter_mut().enumerate() {
@@ -323,9 +329,9 @@ impl Judge<'_> {
             };
             let largest = (0..n).fold(0.0_f64, |m, i| m.max(slope(i) * self.scales[i]));
             let value = dot(&weights, &self.y).abs();
-            let size: Vec<f64> = (0..n)
-                .map(|i| largest.max(value) / self.scales[i])
-                .collect();
+            let per_unit = (0..n).fold(value, |m, i| m.max(slope(i) * self.units[i]));
+            let size: Vec<f64> = (0..n).map(|i| per_unit / self.units[i]).collect();
+            let largest = largest.max(value);
             let tolerance = size
                 .iter()
                 .map(|size| ROUNDINGS * self.eps * size)
@@ -338,6 +344,7 @@ impl Judge<'_> {
                 dual,
                 tolerance,
                 size,
+                largest,
                 provoked: false,
                 wide: false,
                 noise,

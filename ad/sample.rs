@@ -72,6 +72,10 @@ pub trait Sample: Pack<Scalar = f64> + std::fmt::Debug {
         let extent = |kind: &Kind| if *kind == Kind::Angle { 1.0 } else { largest };
         kinds.iter().map(extent).collect()
     }
+    /// For each number, its unit: the size of the smaller shape for lengths, one for angles.
+    fn units(&self) -> Vec<f64> {
+        self.extents()
+    }
     /// Whether it is valid.
     fn inside(&self) -> bool;
     /// Simpler ones of another length.
@@ -447,8 +451,19 @@ impl<A: Sample, B: Sample> Sample for (A, B) {
             .collect()
     }
     fn extents(&self) -> Vec<f64> {
-        // Nothing matters beyond the smaller shape but what turns it or cuts it.
         [self.0.extents(), self.1.extents()].concat()
+    }
+    fn units(&self) -> Vec<f64> {
+        let (own, kinds) = (self.extents(), self.kinds());
+        let lengths = own
+            .iter()
+            .zip(&kinds)
+            .filter(|(_, kind)| **kind != Kind::Angle);
+        let least = lengths.fold(f64::INFINITY, |m, (extent, _)| m.min(*extent));
+        kinds
+            .iter()
+            .map(|kind| if *kind == Kind::Angle { 1.0 } else { least })
+            .collect()
     }
     fn inside(&self) -> bool {
         self.0.inside() && self.1.inside()

@@ -262,7 +262,7 @@ impl Judge<'_> {
         let n = self.x.len();
         let along = |list: &[f64]| dot(list, direction);
         // Along random directions the steps are rounded in every coordinate.
-        let largest = (0..n).fold(0.0_f64, |m, i| m.max(row.size[i] * self.scales[i]));
+        let largest = row.largest;
         let mut noise = noise;
         if direction.iter().filter(|d| **d != 0.0).count() > 1
             && let Some(slopes) = row.adjoint.as_ref().or(row.dual.as_ref())
@@ -448,7 +448,7 @@ impl Judge<'_> {
             self.refuse(Reason::NotFinite(Witness::Adjoint), output, i);
             return;
         }
-        let scales = &self.scales;
+        let scales = &self.units;
         let largest = (0..n)
             .fold(0.0_f64, |m, i| m.max(bend[i].abs() * scales[i]))
             .max((0..n).fold(0.0_f64, |m, i| m.max(row.size[i] * scales[i])));

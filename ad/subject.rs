@@ -78,6 +78,11 @@ pub trait Subject {
     fn scales(&self, x: &[f64]) -> Vec<f64> {
         default_scales(x)
     }
+    /// For each number, its unit: slopes times units are comparable, and a derivative is right to
+    /// within the rounding of the largest of them.
+    fn units(&self, x: &[f64]) -> Vec<f64> {
+        self.scales(x)
+    }
     /// For each number, how large a rounding error of it the function may behave as if it had
     /// made. By default that of the number itself; functions that add numbers of one unit may only
     /// be held to that of the largest of them.

@@ -208,7 +208,15 @@ impl Ladder {
                 (rung.step, sign * rise / rung.step)
             })
             .collect();
-        extrapolated(&points, 1, 2.0 * noise)
+        let mut estimate = extrapolated(&points, 1, 2.0 * noise)?;
+        if self.traced
+            && let [.., before, last] = &points[..]
+        {
+            // Other branches than at the point: nearer than the smallest step the slope may still
+            // change as much as it does there.
+            estimate.error += (last.1 - before.1).abs();
+        }
+        Some(estimate)
     }
 
     /// Whether both sides have a branch of their own long enough to be judged by.
@@ -265,10 +273,11 @@ pub(crate) fn dot(a: &[f64], b: &[f64]) -> f64 {
 }
 
 /// Extrapolates `(step, slope)` to step zero, eliminating the powers `order, 2 order, …`.
+///
+/// Of all extrapolations the one with the smallest error counts. Its error is the change from the
+/// ones it was made of, the noise, and whatever makes smaller steps disagree with it: a function
+/// with a feature smaller than the large steps looks smooth, and wrong, to them.
 fn extrapolated(points: &[(f64, f64)], order: i32, noise: f64) -> Option<Estimate> {
-    if points.len() < 2 {
-        return None;
-    }
     let mut best: Option<Estimate> = None;
     let mut last: Vec<f64> = Vec::new();
     for (k, &(step, slope)) in points.iter().enumerate() {
@@ -277,17 +286,21 @@ fn extrapolated(points: &[(f64, f64)], order: i32, noise: f64) -> Option<Estimat
             let ratio = (points[k - j].0 / step).powi(order);
             row.push(row[j - 1] + (row[j - 1] - last[j - 1]) / (ratio - 1.0));
         }
-        for j in 0..row.len() {
-            let change = if j > 0 {
-                (row[j] - row[j - 1])
+        for j in 0..row.len().min(k + 1) {
+            let change = match j {
+                0 if k == 0 => continue,
+                0 => (row[0] - last[0]).abs(),
+                _ => (row[j] - row[j - 1])
                     .abs()
-                    .max((row[j] - last[j - 1]).abs())
-            } else if k > 0 {
-                (row[0] - last[0]).abs()
-            } else {
-                continue;
+                    .max((row[j] - last[j - 1]).abs()),
             };
-            let error = change + noise / step;
+            let off = (slope - row[j]).abs();
+            let excess = points[k + 1..].iter().fold(0.0_f64, |excess, near| {
+                let truncation = 2.0 * off * (near.0 / step).powi(order);
+                let allowed = truncation + 16.0 * noise / near.0 + change;
+                excess.max((near.1 - row[j]).abs() - allowed)
+            });
+            let error = change + noise / step + excess;
             if error.is_finite() && best.is_none_or(|best| error < best.error) {
                 best = Some(Estimate {
                     value: row[j],

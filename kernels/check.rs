@@ -239,10 +239,17 @@ where
     fn scales(&self, x: &[f64]) -> Vec<f64> {
         self.near.refill(x).scales()
     }
+    fn units(&self, x: &[f64]) -> Vec<f64> {
+        self.near.refill(x).units()
+    }
     fn rounding(&self, x: &[f64]) -> Vec<f64> {
         let eps = self.precision().epsilon();
         let extents = self.near.refill(x).extents();
-        extents.iter().map(|extent| eps * extent).collect()
+        extents
+            .iter()
+            .zip(x)
+            .map(|(extent, x)| eps * extent.max(0.5 * x.abs()))
+            .collect()
     }
     fn kinds(&self) -> Vec<Kind> {
         self.near.kinds()
