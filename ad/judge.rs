@@ -177,7 +177,7 @@ impl Judge<'_> {
             self.compare_exact(row);
         }
         self.compare_wide(&rows);
-        self.linear(&rows, draw);
+        self.linear(&mut rows, draw);
         let plain = self.differences(&mut rows, draw);
         self.promises(&mut rows);
         if plain {
@@ -579,7 +579,7 @@ impl Judge<'_> {
     }
 
     /// The adjoint is linear in what it is seeded with.
-    fn linear(&mut self, rows: &[Row], draw: &mut Draw) {
+    fn linear(&mut self, rows: &mut [Row], draw: &mut Draw) {
         if rows.is_empty() || rows.iter().any(|row| row.adjoint.is_none()) {
             return;
         }
@@ -599,30 +599,38 @@ impl Judge<'_> {
         let Some(combined) = self.subject.adjoint(self.x, &weights) else {
             return;
         };
-        for i in 0..self.x.len() {
+        if combined.len() != self.x.len() {
+            self.refuse(Reason::WrongLength(Witness::Adjoint), 0, 0);
+            return;
+        }
+        let total = |rows: &[Row], i: usize| {
             let parts = rows.iter().zip(&factors).map(|(row, f)| {
                 let slope = row.adjoint.as_ref().map_or(0.0, |adjoint| adjoint[i]);
-                (
-                    f * slope,
-                    f.abs() * (ROUNDINGS * self.eps * slope.abs() + row.tolerance[i]),
-                )
+                let own = ROUNDINGS * self.eps * slope.abs() + row.tolerance[i];
+                (f * slope, f.abs() * own)
             });
-            let (sum, tolerance) = parts.fold((0.0, 0.0), |(s, t), (a, b)| (s + a, t + b));
-            if (combined[i] - sum).abs() > tolerance || combined.len() != self.x.len() {
+            parts.fold((0.0, 0.0), |(s, t), (a, b)| (s + a, t + b))
+        };
+        let mut fault = None;
+        for (i, &got) in combined.iter().enumerate() {
+            let (sum, tolerance) = total(rows, i);
+            if (got - sum).abs() > tolerance {
+                rows.iter_mut().for_each(|row| self.provoke(row));
+            }
+            let (_, tolerance) = total(rows, i);
+            if (got - sum).abs() > tolerance {
                 let numbers = Numbers {
-                    adjoint: Some(combined[i]),
+                    adjoint: Some(got),
                     other: Some(sum),
                     ..Numbers::default()
                 };
-                self.refuse_with(
-                    Reason::NotLinear,
-                    Some(Witness::Adjoint),
-                    0,
-                    i,
-                    numbers,
-                    tolerance,
-                );
+                fault = Some((i, numbers, tolerance));
+                break;
             }
+        }
+        if let Some((i, numbers, tolerance)) = fault {
+            let suspect = Some(Witness::Adjoint);
+            self.refuse_with(Reason::NotLinear, suspect, 0, i, numbers, tolerance);
         }
         if let Some(nothing) = self.subject.adjoint(self.x, &vec![0.0; m])
             && let Some(i) = nothing.iter().position(|&x| x != 0.0)

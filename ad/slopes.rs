@@ -48,6 +48,7 @@ fn confirmed(again: impl Iterator<Item = Option<bool>>) -> bool {
 /// Hears what a ladder says about a slope; `exact` is by how much that may be off by itself,
 /// `size` the largest slope there is.
 fn hear(ladder: &Ladder, weights: &[f64], noise: f64, slope: f64, exact: f64, size: f64) -> Said {
+    let noise = noise.max(ladder.noise(weights));
     let informative = |e: &Estimate| SAFETY * e.error <= INFORMATIVE * size.max(e.value.abs());
     if ladder.traced
         && let Some(e) = ladder.central(weights, noise, true).filter(informative)
@@ -209,6 +210,7 @@ impl Judge<'_> {
                 directions.extend(more.iter().cloned());
             }
         }
+        self.vote();
         let [smooth, kinked, undefined] = self.found.directions;
         self.found.place = if self.found.jump || (smooth + kinked == 0 && undefined > 0) {
             Place::Undefined
@@ -218,6 +220,29 @@ impl Judge<'_> {
             Place::Smooth
         };
         self.found.place == Place::Smooth && undefined == 0 && !said.contains(&true)
+    }
+
+    /// Where adjoint and duals differ, the one that the differences are against is outvoted.
+    fn vote(&mut self) {
+        let faults = self.found.faults.clone();
+        for fault in &mut self.found.faults {
+            if fault.reason != Reason::Disagree(Witness::Adjoint, Witness::Dual) {
+                continue;
+            }
+            let against = |witness: Witness| {
+                let reason = Reason::Disagree(witness, Witness::Difference);
+                let found = faults
+                    .iter()
+                    .find(|f| f.reason == reason && f.output == fault.output);
+                found.copied()
+            };
+            let (adjoint, dual) = (against(Witness::Adjoint), against(Witness::Dual));
+            fault.suspect = match (adjoint, dual) {
+                (Some(_), None) => Some(Witness::Adjoint),
+                (None, Some(_)) => Some(Witness::Dual),
+                _ => None,
+            };
+        }
     }
 
     /// Whether any output jumps along a direction; if it must not, that is refused.

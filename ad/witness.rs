@@ -219,6 +219,35 @@ impl Ladder {
         Some(estimate)
     }
 
+    /// The rounding noise that the smallest steps show: how far they are from a straight
+    /// continuation of the next larger ones, on the calmer side. Rounding need not show at the
+    /// point itself, where values may be quantised.
+    #[must_use]
+    pub fn noise(&self, weights: &[f64]) -> f64 {
+        let here = dot(weights, &self.center);
+        let side = |side: &[Rung]| {
+            let slopes: Vec<(f64, f64)> = side
+                .iter()
+                .map(|rung| (rung.step, (dot(weights, &rung.values) - here) / rung.step))
+                .collect();
+            // Values that stand still and then leap are no finer than the smallest leap.
+            let leaps = slopes.iter().map(|(step, slope)| (step * slope).abs());
+            let least = leaps
+                .filter(|leap| *leap > 0.0)
+                .fold(f64::INFINITY, f64::min);
+            let still = slopes.iter().any(|(_, slope)| *slope == 0.0) && least.is_finite();
+            let small = &slopes[slopes.len().saturating_sub(5)..];
+            small
+                .windows(3)
+                .fold(if still { least } else { 0.0 }, |noise, w| {
+                    let [(h0, a0), (h1, a1), (h2, a2)] = [w[0], w[1], w[2]];
+                    let ahead = a1 + (a1 - a0) * (h2 - h1) / (h1 - h0);
+                    noise.max((a2 - ahead).abs() * h2)
+                })
+        };
+        side(&self.ahead).min(side(&self.behind))
+    }
+
     /// Whether both sides have a branch of their own long enough to be judged by.
     #[must_use]
     pub fn settled(&self) -> bool {
