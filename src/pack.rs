@@ -90,6 +90,17 @@ pub trait Fixed: Pack + Copy + Send + Sync {
     fn from_array(scalars: Self::Array) -> Self;
     /// The shape with the same scalar everywhere.
     fn filled(scalar: Self::Scalar) -> Self;
+    /// The shape with the first `LEN` scalars of a slice.
+    ///
+    /// # Panics
+    ///
+    /// When there are fewer.
+    #[inline]
+    fn from_slice(scalars: &[Self::Scalar]) -> Self {
+        let mut array = Self::filled(scalars[0].clone()).to_array();
+        array.as_mut().clone_from_slice(&scalars[..Self::LEN]);
+        Self::from_array(array)
+    }
 }
 
 /// A lone number is a pack of one.
@@ -126,7 +137,6 @@ macro_rules! leaf {
     )* };
 }
 
-#[cfg(feature = "nalgebra")]
 pub(crate) use leaf;
 
 leaf! {
