@@ -1,4 +1,40 @@
 //! Computational geometry with exact derivatives.
+//!
+//! Geometry is written once, generic over a [`Scalar`]: the same code runs on `f32`, `f64`, dual
+//! numbers and SIMD lanes. Hot paths have adjoints by hand, proved against the duals. Batches run
+//! on all cores in a default build.
+//!
+//! ```
+//! use geograd::{Obb2, Pack, ad};
+//!
+//! let truth = Obb2::new(0.0, 0.0, 4.0, 2.0, 0.0); // centre, size, heading in radians
+//! let guess = Obb2::new(0.5, 0.2, 4.2, 1.8, 0.1);
+//!
+//! let iou: f64 = guess.iou(truth);
+//! let (same, slopes) = ad::gradient(|b: Obb2<_>| b.iou(truth.lift()), guess);
+//! let (_, _, curvature) = ad::hessian(|b: Obb2<_>| b.iou(truth.lift()), guess);
+//! assert_eq!(iou, same);
+//! assert!(slopes.center.x < 0.0); // moving right makes it worse
+//! assert_eq!(curvature.heading.center.x, curvature.center.x.heading);
+//! ```
+//!
+//! # Where to find what
+//!
+//! | to | see |
+//! | --- | --- |
+//! | measure overlap of boxes | [`overlap`], [`Obb2::iou`], [`Aabb2::iou`] |
+//! | measure polygons | [`ring`] |
+//! | differentiate any generic function of shapes | [`ad`]: [`ad::gradient`], [`ad::hessian`], … |
+//! | use an adjoint by hand | [`ad::overlap`], [`ad::ring`] |
+//! | work on many shapes at once | [`kernels::cpu`] |
+//! | make a shape | [`Vec2`], [`Vec3`], [`Rotation2`], [`Pose2`], [`Aabb2`], [`Obb2`] |
+//! | write generic geometry | [`Scalar`], [`Mask`], [`Pack`] |
+//! | know what happens at a kink | [`scalar`] |
+//!
+//! # Features
+//!
+//! `parallel` (default): batches on all cores. `gpu`: batches on a GPU. `glam`, `serde`, `nalgebra`:
+//! conversions, serialization, `num-dual`'s vector duals.
 #![warn(missing_docs)]
 #![forbid(unsafe_code)]
 

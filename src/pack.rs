@@ -25,6 +25,21 @@ pub trait Pack: Clone {
     /// Hands out every scalar for change, first field first.
     fn each(&mut self, f: &mut impl FnMut(&mut Self::Scalar));
 
+    /// The shape as constants of another scalar: of dual numbers, to take part in a function that
+    /// is differentiated with respect to something else.
+    ///
+    /// ```
+    /// use geograd::{Obb2, Pack, ad};
+    /// let (here, there) = (Obb2::new(0.0, 0.0, 2.0, 2.0, 0.0), Obb2::new(1.0, 0.0, 2.0, 2.0, 0.0));
+    /// let (_, slopes) = ad::gradient(|b: Obb2<_>| b.iou(there.lift()), here);
+    /// assert!(slopes.center.x > 0.0);
+    /// ```
+    fn lift<D: crate::Scalar>(&self) -> Self::With<D>
+    where
+        Self::Scalar: Into<f64> + Copy,
+    {
+        self.map(&mut |&x| D::lit(x.into()))
+    }
     /// How many scalars the shape has.
     fn count(&self) -> usize {
         let mut n = 0;

@@ -1,0 +1,122 @@
+//! Every listed operation, in nanoseconds and millions of items a second: `cargo bench`.
+//!
+//! A plain main, no framework: medians of repeated runs, nothing asserted. For rotated boxes next
+//! to other libraries see `cargo run --release -p peers`.
+use geograd::kernels::real::Real;
+use geograd::kernels::{Op, PairOp, RingOp, cpu};
+use geograd::{Aabb2, Fixed, Obb2, Vec2};
+use std::hint::black_box;
+use std::time::Instant;
+
+const N: usize = 512;
+
+fn median(mut run: impl FnMut()) -> f64 {
+    run();
+    let (start, mut times) = (Instant::now(), Vec::new());
+    while times.len() < 5 || start.elapsed().as_secs_f64() < 0.2 {
+        let now = Instant::now();
+        run();
+        times.push(now.elapsed().as_secs_f64());
+    }
+    times.sort_by(f64::total_cmp);
+    times[times.len() / 2]
+}
+
+fn line(name: &str, form: &str, items: usize, run: impl FnMut()) {
+    let seconds = median(run);
+    let (each, rate) = (seconds / items as f64 * 1e9, items as f64 / seconds / 1e6);
+    println!("{name:<24} {form:<22} {each:>9.2} ns {rate:>9.1} M/s");
+}
+
+fn roll(state: &mut u64) -> f32 {
+    *state = state
+        .wrapping_mul(6364136223846793005)
+        .wrapping_add(1442695040888963407);
+    (*state >> 40) as f32 / (1 << 24) as f32
+}
+
+/// A shape to measure with.
+trait Draw: Fixed {
+    fn draw(state: &mut u64) -> Self;
+}
+
+impl Draw for Obb2<f32> {
+    fn draw(s: &mut u64) -> Self {
+        let mut at = |low: f32, high: f32| low + (high - low) * roll(s);
+        Obb2::new(
+            at(-5.0, 5.0),
+            at(-5.0, 5.0),
+            at(0.0, 5.0),
+            at(0.0, 5.0),
+            at(-5.0, 5.0),
+        )
+    }
+}
+
+impl Draw for Aabb2<f32> {
+    fn draw(s: &mut u64) -> Self {
+        let (x, y) = (roll(s) * 10.0, roll(s) * 10.0);
+        Aabb2::new(x, y, x + roll(s) * 5.0, y + roll(s) * 5.0)
+    }
+}
+
+fn pairs<O: PairOp>()
+where
+    O::A<f32>: Draw,
+    O::B<f32>: Draw,
+{
+    let mut state = 3;
+    let a: Vec<O::A<f32>> = (0..N).map(|_| Draw::draw(&mut state)).collect();
+    let b: Vec<O::B<f32>> = (0..N).map(|_| Draw::draw(&mut state)).collect();
+    let mut values = vec![0.0; N * N];
+    line(O::NAME, "all pairs, value", N * N, || {
+        cpu::all_pairs_into::<O, f32>(&a, &b, &mut values).unwrap();
+    });
+    let (mut p, mut q) = (a.clone(), b.clone());
+    line(O::NAME, "all pairs, adjoint", N * N, || {
+        cpu::all_pairs_vjp_into::<O, f32>(&a, &b, &values, &mut p, &mut q).unwrap();
+    });
+    line(O::NAME, "aligned, value + grad", N, || {
+        cpu::aligned_grad_into::<O, f32>(&a, &b, &mut values[..N], &mut p, &mut q).unwrap();
+    });
+}
+
+fn rings<O: RingOp, T: Real>() {
+    let mut state = 5;
+    let vertices: Vec<Vec2<T>> = (0..8 * N)
+        .map(|_| {
+            Vec2::new(
+                T::lit(roll(&mut state).into()),
+                T::lit(roll(&mut state).into()),
+            )
+        })
+        .collect();
+    let offsets: Vec<usize> = (0..=N).map(|i| 8 * i).collect();
+    line(O::NAME, "octagons, value", N, || {
+        black_box(cpu::ragged::<O, T>(&vertices, &offsets).unwrap());
+    });
+    let upstream = vec![<O as Op>::Out::<T>::filled(T::lit(1.0)); N];
+    line(O::NAME, "octagons, adjoint", N, || {
+        black_box(cpu::ragged_vjp::<O, T>(&vertices, &offsets, &upstream).unwrap());
+    });
+}
+
+macro_rules! measure {
+    (pairs { $($pair:ident: $pair_op:ty,)* } rings { $($ring:ident: $ring_op:ty,)* }) => {
+        $(pairs::<$pair_op>();)*
+        $(rings::<$ring_op, f32>();)*
+    };
+}
+
+fn main() {
+    // `cargo test --benches` calls this too, and then only wants to know that it runs.
+    if std::env::args().any(|a| a == "--test") {
+        return;
+    }
+    println!(
+        "f32, {} threads at most, {:?}",
+        std::thread::available_parallelism().map_or(1, |n| n.get()),
+        geograd::kernels::simd::Simd::current()
+    );
+    geograd::for_each_op!(measure);
+}
