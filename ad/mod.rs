@@ -16,9 +16,19 @@
 //! derivatives.
 //!
 //! `x_bar` is the cotangent of `x`. `…_grad` functions give value and slopes fused.
+pub mod check;
 pub mod clip;
 pub mod forward;
+pub mod judge;
 pub mod overlap;
+pub mod report;
 pub mod ring;
+pub mod sample;
+mod slopes;
+pub mod subject;
+pub mod symmetry;
+pub mod trace;
+pub mod verdict;
+pub mod witness;
 
 pub use forward::{gradient, hessian, hvp, jacobian, jvp, value};

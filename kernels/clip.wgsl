@@ -14,7 +14,10 @@ struct Framed {
 fn size_scale(half_a: vec2f, half_b: vec2f) -> f32 {
     let size_a = most(half_a.x, half_a.y);
     let size_b = most(half_b.x, half_b.y);
-    let size = most(least(size_a, size_b), most(size_a, size_b) * LARGEST_INVERSE);
+    let smaller = least(size_a, size_b);
+    let larger = most(size_a, size_b);
+    let bounded = most(smaller, larger * LARGEST_INVERSE);
+    let size = choose(smaller <= 0.0, larger, bounded);
     let zero = size <= 0.0;
     return choose(zero, 1.0, binade(choose(zero, 1.0, size)));
 }

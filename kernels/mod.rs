@@ -12,6 +12,7 @@
 //! calls, is [`gpu`]; [`Backend`] is one front for both.
 mod aligned;
 pub mod backend;
+pub mod check;
 pub mod cpu;
 #[cfg_attr(not(feature = "gpu"), path = "gpu_none.rs")]
 pub mod gpu;

@@ -71,14 +71,15 @@ pub fn frame<S: Scalar>(shape: Obb2<S>) -> Framed<S> {
     }
 }
 
-/// The power of two by which a pair of boxes, given by half their sizes, is multiplied so that no area over- or underflows: it brings
-/// the larger side of the smaller box near one, unless the other box would become too large.
+/// The power of two by which a pair of boxes, given by half their sizes, is multiplied so that no
+/// area over- or underflows: it brings the larger side of the smaller box near one, unless that is
+/// zero or the other box would become too large.
 #[inline(always)]
 pub fn size_scale<S: Scalar>(half_a: Vec2<S>, half_b: Vec2<S>) -> S {
     let (size_a, size_b) = (half_a.x.most(half_a.y), half_b.x.most(half_b.y));
-    let size = size_a
-        .least(size_b)
-        .most(size_a.most(size_b) * S::lit(LARGEST_INVERSE));
+    let (smaller, larger) = (size_a.least(size_b), size_a.most(size_b));
+    let bounded = smaller.most(larger * S::lit(LARGEST_INVERSE));
+    let size = S::select(smaller.at_most(S::zero()), larger, bounded);
     let zero = size.at_most(S::zero());
     S::select(zero, S::one(), S::select(zero, S::one(), size).binade())
 }

@@ -40,6 +40,19 @@ pub trait Pack: Clone {
     {
         self.map(&mut |&x| D::lit(x.into()))
     }
+    /// The shape in another format, rounded.
+    ///
+    /// ```
+    /// use geograd::{Obb2, Pack};
+    /// let single: Obb2<f32> = Obb2::new(0.1_f64, 0.2, 1.0, 1.0, 0.3).cast();
+    /// assert_eq!(single.center.x, 0.1);
+    /// ```
+    fn cast<T: Copy + 'static>(&self) -> Self::With<T>
+    where
+        Self::Scalar: num_traits::AsPrimitive<T>,
+    {
+        self.map(&mut |x| num_traits::AsPrimitive::as_(*x))
+    }
     /// How many scalars the shape has.
     fn count(&self) -> usize {
         let mut n = 0;
@@ -77,6 +90,17 @@ pub trait Fixed: Pack + Copy + Send + Sync {
     fn from_array(scalars: Self::Array) -> Self;
     /// The shape with the same scalar everywhere.
     fn filled(scalar: Self::Scalar) -> Self;
+    /// The shape with the first `LEN` scalars of a slice.
+    ///
+    /// # Panics
+    ///
+    /// When there are fewer.
+    #[inline]
+    fn from_slice(scalars: &[Self::Scalar]) -> Self {
+        let mut array = Self::filled(scalars[0].clone()).to_array();
+        array.as_mut().clone_from_slice(&scalars[..Self::LEN]);
+        Self::from_array(array)
+    }
 }
 
 /// A lone number is a pack of one.
@@ -113,7 +137,6 @@ macro_rules! leaf {
     )* };
 }
 
-#[cfg(feature = "nalgebra")]
 pub(crate) use leaf;
 
 leaf! {

@@ -1,0 +1,648 @@
+//! The gradient verification harness: is a derivative right?
+//!
+//! Every derivative is heard from three sides: by hand (the adjoint), by forward duals through the
+//! generic source, by finite differences with an error estimate. They must agree as far as their
+//! own errors allow; no tolerance is chosen by anybody. Beside that a derivative must be the same
+//! bits twice, linear in its seed, finite, right at kinks, consistent with declared invariances,
+//! and have the right derivatives itself.
+//!
+//! # A correct derivative
+//!
+//! ```
+//! use geograd::assert_gradient;
+//! assert_gradient!(
+//!     |[x, y]: [f64; 2]| x * x * y.sin(),
+//!     |[x, y]| [2.0 * x * y.sin(), x * x * y.cos()],
+//!     at [1.0, 2.0], [-3.0, 0.5]
+//! );
+//! ```
+//!
+//! With a function that is generic over the scalar, duals and branch tracing join in:
+//!
+//! ```
+//! use geograd::{assert_gradient, Scalar};
+//! fn norm<S: Scalar>([x, y]: [S; 2]) -> S {
+//!     x.hypot(y)
+//! }
+//! assert_gradient!(generic norm, |[x, y]| [x / x.hypot(y), y / x.hypot(y)], at [3.0, 4.0]);
+//! ```
+//!
+//! # A subtly wrong one
+//!
+//! The signed distance of the point `(x, y)` from the line `a x + b y + c = 0`, with derivatives as
+//! a published library had them: those with respect to c, x and y are right, those with respect to
+//! a and b miss a part of the chain rule, and are nearly right for many lines.
+//!
+//! ```
+//! use geograd::ad::check::Check;
+//! use geograd::ad::verdict::{Reason, Witness};
+//! use geograd::Scalar;
+//! fn distance<S: Scalar>([a, b, c, x, y]: [S; 5]) -> S {
+//!     (a * x + b * y + c).over((a * a + b * b).root())
+//! }
+//! let wrong = |[a, b, _c, x, y]: [f64; 5]| {
+//!     let n = (a * a + b * b).sqrt();
+//!     let cube = n * n * n;
+//!     [a * y * y / cube, b * x * x / cube, 1.0 / n, a / n, b / n]
+//! };
+//! let report = Check::at([1.3, -0.7, 0.4, 2.1, 0.9])
+//!     .value(distance)
+//!     .dual(distance)
+//!     .gradient(wrong)
+//!     .run();
+//! let fault = report.failures[0].fault;
+//! assert_eq!(fault.reason, Reason::Disagree(Witness::Adjoint, Witness::Dual));
+//! assert_eq!(fault.input, 0); // the derivative with respect to a
+//! assert_eq!(fault.suspect, Some(Witness::Adjoint)); // the differences side with the duals
+//! let right = |[a, b, c, x, y]: [f64; 5]| {
+//!     let n = (a * a + b * b).sqrt();
+//!     let cube = n * n * n;
+//!     let (by_a, by_b) = (b * (b * x - a * y) - a * c, a * (a * y - b * x) - b * c);
+//!     [by_a / cube, by_b / cube, 1.0 / n, a / n, b / n]
+//! };
+//! geograd::assert_gradient!(generic distance, right, at [1.3, -0.7, 0.4, 2.1, 0.9]);
+//! ```
+//!
+//! # A function with a kink
+//!
+//! At a kink a derivative is right when it lies between the slopes of both sides along every
+//! direction. The report says how many samples were kinks, so that a function cannot pass by being
+//! nothing but kinks.
+//!
+//! ```
+//! use geograd::ad::check::Check;
+//! use geograd::ad::verdict::Reason;
+//! let larger = |[x, y]: [f64; 2]| x.max(y);
+//! // Halves at the tie: between the sides.
+//! let halves = |[x, y]: [f64; 2]| match x.partial_cmp(&y) {
+//!     Some(std::cmp::Ordering::Greater) => [1.0, 0.0],
+//!     Some(std::cmp::Ordering::Less) => [0.0, 1.0],
+//!     _ => [0.5, 0.5],
+//! };
+//! let report = Check::at([1.0, 1.0]).and([2.0, 1.0]).value(larger).gradient(halves).run();
+//! assert!(report.passed());
+//! assert_eq!(report.places, [1, 1, 0]); // one smooth place, one kink
+//! // One and one at the tie: not the slope of anything.
+//! let both = |[x, y]: [f64; 2]| [f64::from(x >= y), f64::from(y >= x)];
+//! let report = Check::at([1.0, 1.0]).value(larger).gradient(both).run();
+//! assert!(report.refused_for(Reason::OutsideKink));
+//! ```
+use crate::ad::judge::judge;
+use crate::ad::sample::{Draw, Sample, hard_cases, random, simpler};
+use crate::ad::subject::{Conventions, Subject, default_scales};
+use crate::ad::symmetry::{Kind, Promise};
+use crate::ad::trace::{Number, Trace, Traced, trace};
+use crate::ad::verdict::{Fault, Findings, Numbers, PAIRS, Place, Reason, Worst};
+use crate::ad::witness::Precision;
+use crate::{Jet, Pack};
+use std::fmt::Debug;
+
+pub use crate::ad::report::{Failure, Report};
+
+/// The seed of everything random, unless another one is given.
+pub const SEED: u64 = 0x6765_6f67_7261_6421;
+/// How many failures a report keeps.
+const KEPT: usize = 8;
+/// How many simpler inputs are tried for a failure.
+const TRIES: usize = 400;
+
+/// How many inputs to judge, and which.
+#[derive(Clone, Copy)]
+pub struct Plan<'a> {
+    /// How many random inputs.
+    pub samples: usize,
+    /// What they are drawn from.
+    pub seed: u64,
+    /// Whether hard cases come first.
+    pub hard: bool,
+    /// Called after every sample: for a progress bar.
+    pub tick: Option<&'a dyn Fn()>,
+}
+
+impl Plan<'_> {
+    /// Hard cases and so many random inputs.
+    #[must_use]
+    pub fn new(samples: usize, seed: u64) -> Self {
+        Plan {
+            samples,
+            seed,
+            hard: true,
+            tick: None,
+        }
+    }
+    /// The generator of random sample `i`: samples do not depend on each other.
+    #[must_use]
+    pub fn draw(&self, i: usize) -> Draw {
+        Draw::new(
+            self.seed
+                .wrapping_add((i as u64).wrapping_mul(0x2545_f491_4f6c_dd1d)),
+        )
+    }
+}
+
+/// Judges a function at many inputs. `meet` hands the function near an input to its argument;
+/// `random_from` is the number of the first input that was drawn at random.
+pub fn examine<S: Number, X: Pack<Scalar = S> + Debug>(
+    name: &str,
+    plan: &Plan<'_>,
+    inputs: &[X],
+    random_from: usize,
+    shorter: impl Fn(&X) -> Vec<X>,
+    meet: impl Fn(&X, &mut dyn FnMut(&dyn Subject)),
+) -> Report {
+    let mut precision = Precision::F64;
+    let mut judged = |x: &X, sample: usize| -> Findings {
+        let list: Vec<f64> = x.scalars().iter().map(|x| x.widen()).collect();
+        let mut findings = None;
+        meet(x, &mut |subject| {
+            precision = subject.precision();
+            // Shrinking makes up numbers that single precision may not have.
+            let list: Vec<f64> = list.iter().map(|&x| precision.round(x)).collect();
+            findings = Some(judge(subject, &list, plan.seed ^ sample as u64));
+        });
+        findings.expect("the function was handed over")
+    };
+    let mut report = Report {
+        name: name.to_owned(),
+        precision: Precision::F64,
+        seed: plan.seed,
+        samples: 0,
+        places: [0; 3],
+        conventions: 0,
+        jumps: 0,
+        directions: [0; 3],
+        switched: 0,
+        margin: f64::INFINITY,
+        worst: [Worst::default(); PAIRS.len()],
+        worst_input: Vec::new(),
+        refused: 0,
+        failures: Vec::new(),
+    };
+    let mut smooth = 0;
+    for (sample, x) in inputs.iter().enumerate() {
+        let findings = judged(x, sample);
+        report.samples += 1;
+        report.places[match findings.place {
+            Place::Smooth => 0,
+            Place::Kink => 1,
+            Place::Undefined => 2,
+        }] += 1;
+        smooth += usize::from(findings.place == Place::Smooth && sample >= random_from);
+        report.conventions += u64::from(findings.convention);
+        report.jumps += u64::from(findings.jump);
+        for (all, here) in report.directions.iter_mut().zip(findings.directions) {
+            *all += here;
+        }
+        report.switched += findings.switched;
+        if findings.margin > 0.0 {
+            report.margin = report.margin.min(findings.margin);
+        }
+        if findings.worst[1].share > report.worst[1].share || report.worst_input.is_empty() {
+            report.worst_input = x.scalars().iter().map(|x| x.widen()).collect();
+        }
+        for (all, here) in report.worst.iter_mut().zip(&findings.worst) {
+            all.merge(here, sample);
+        }
+        report.refused += u64::from(!findings.faults.is_empty());
+        for fault in findings.faults {
+            // All reasons once, rather than one reason many times.
+            let known = |failure: &Failure| failure.fault.reason == fault.reason;
+            if report.failures.iter().any(known) || report.failures.len() >= KEPT {
+                continue;
+            }
+            let (least, fault) = shrunk(x, fault, &shorter, |x| judged(x, sample).faults);
+            report.failures.push(Failure {
+                sample,
+                fault,
+                input: least.scalars().iter().map(|x| x.widen()).collect(),
+                code: code(&least),
+            });
+        }
+        if let Some(tick) = plan.tick {
+            tick();
+        }
+    }
+    report.precision = precision;
+    let drawn = inputs.len().saturating_sub(random_from);
+    if drawn >= 20 && smooth * 10 < drawn {
+        report.refused += 1;
+        report.failures.push(Failure {
+            sample: random_from,
+            fault: Fault {
+                reason: Reason::NothingSmooth,
+                suspect: None,
+                output: 0,
+                input: 0,
+                numbers: Numbers::default(),
+                tolerance: 0.0,
+            },
+            input: Vec::new(),
+            code: String::new(),
+        });
+    }
+    report
+}
+
+/// The simplest input found that fails for the same reason.
+fn shrunk<S: Number, X: Pack<Scalar = S> + Debug>(
+    x: &X,
+    fault: Fault,
+    shorter: &impl Fn(&X) -> Vec<X>,
+    mut faults: impl FnMut(&X) -> Vec<Fault>,
+) -> (X, Fault) {
+    let (mut least, mut fault) = (x.clone(), fault);
+    let mut tries = 0;
+    'again: loop {
+        for candidate in shorter(&least).into_iter().chain(simpler(&least)) {
+            tries += 1;
+            if tries > TRIES {
+                return (least, fault);
+            }
+            let found = faults(&candidate)
+                .into_iter()
+                .find(|f| f.reason == fault.reason);
+            if let Some(found) = found {
+                (least, fault) = (candidate, found);
+                continue 'again;
+            }
+        }
+        return (least, fault);
+    }
+}
+
+/// An input as code.
+fn code<X: Debug>(x: &X) -> String {
+    let text = format!("{x:?}");
+    if std::any::type_name::<X>().starts_with("alloc::vec::Vec") {
+        format!("vec!{text}")
+    } else {
+        text
+    }
+}
+
+type ValueFn<'a, X> = Box<dyn Fn(&X) -> Vec<f64> + 'a>;
+type AdjointFn<'a, X> = Box<dyn Fn(&X, &[f64]) -> Vec<f64> + 'a>;
+type TracedFn<'a, X> = Box<dyn Fn(&X) -> (Vec<f64>, Trace) + 'a>;
+
+/// A check of a function given as closures, at inputs of any shape: `[f64; 2]`, `Vec<f64>`,
+/// `(Obb2<f32>, Obb2<f32>)`.
+///
+/// ```
+/// use geograd::ad::check::Check;
+/// // Run-time size, 32 bits: the sum of squares.
+/// let report = Check::at(vec![1.0_f32, 2.0, 3.0, 4.0])
+///     .value(|x| x.iter().map(|x| x * x).sum::<f32>())
+///     .gradient(|x| x.iter().map(|x| 2.0 * x).collect())
+///     .run();
+/// assert!(report.passed(), "{report}");
+/// ```
+pub struct Check<'a, X: Pack> {
+    name: String,
+    points: Vec<X>,
+    random_from: usize,
+    seed: u64,
+    value: Option<ValueFn<'a, X>>,
+    paths: Vec<ValueFn<'a, X>>,
+    adjoint: Option<AdjointFn<'a, X>>,
+    further: Vec<AdjointFn<'a, X>>,
+    dual: Option<AdjointFn<'a, X>>,
+    traced: Option<TracedFn<'a, X>>,
+    curvature: Option<AdjointFn<'a, X>>,
+    inside: Option<Box<dyn Fn(&X) -> bool + 'a>>,
+    scales: Option<ValueFn<'a, X>>,
+    kinds: Vec<Kind>,
+    promises: Vec<Promise>,
+    conventions: Conventions,
+}
+
+/// A pack of floats as a list.
+fn wide<S: Number, X: Pack<Scalar = S>>(x: &X) -> Vec<f64> {
+    x.scalars().iter().map(|x| x.widen()).collect()
+}
+
+/// A list as floats.
+fn narrow<S: Number>(list: &[f64]) -> Vec<S> {
+    list.iter().map(|&x| S::nearest(x)).collect()
+}
+
+impl<'a, S: Number, X: Pack<Scalar = S> + Debug + 'a> Check<'a, X> {
+    /// At a point. Everything else is added with the other methods.
+    #[must_use]
+    pub fn at(point: X) -> Self {
+        Check::among([point])
+    }
+    /// At points.
+    #[must_use]
+    pub fn among(points: impl IntoIterator<Item = X>) -> Self {
+        let points: Vec<X> = points.into_iter().collect();
+        Check {
+            name: "function".to_owned(),
+            random_from: points.len(),
+            points,
+            seed: SEED,
+            value: None,
+            paths: Vec::new(),
+            adjoint: None,
+            further: Vec::new(),
+            dual: None,
+            traced: None,
+            curvature: None,
+            inside: None,
+            scales: None,
+            kinds: Vec::new(),
+            promises: Vec::new(),
+            conventions: Conventions::default(),
+        }
+    }
+    /// At so many points of one's own making, from a seed.
+    #[must_use]
+    pub fn drawn(count: usize, seed: u64, mut make: impl FnMut(&mut Draw) -> X) -> Self {
+        let plan = Plan::new(count, seed);
+        let mut check = Check::among((0..count).map(|i| make(&mut plan.draw(i))));
+        (check.seed, check.random_from) = (seed, 0);
+        check
+    }
+    /// At one more point.
+    #[must_use]
+    pub fn and(mut self, point: X) -> Self {
+        self.points.insert(self.random_from, point);
+        self.random_from += 1;
+        self
+    }
+    /// Under a name, for the report.
+    #[must_use]
+    pub fn named(mut self, name: &str) -> Self {
+        self.name = name.to_owned();
+        self
+    }
+    /// The function.
+    #[must_use]
+    pub fn value<Y: Pack<Scalar = S>>(mut self, f: impl Fn(X) -> Y + 'a) -> Self {
+        self.value = Some(Box::new(move |x| wide(&f(x.clone()))));
+        self
+    }
+    /// The function by another path, which must give the same value.
+    #[must_use]
+    pub fn path<Y: Pack<Scalar = S>>(mut self, f: impl Fn(X) -> Y + 'a) -> Self {
+        self.paths.push(Box::new(move |x| wide(&f(x.clone()))));
+        self
+    }
+    /// The derivative by hand of a function with one number as result.
+    #[must_use]
+    pub fn gradient(mut self, f: impl Fn(X) -> X + 'a) -> Self {
+        self.adjoint = Some(Box::new(move |x, y_bar| {
+            let seed = y_bar.first().copied().unwrap_or(0.0);
+            wide(&f(x.clone()))
+                .iter()
+                .map(|slope| seed * slope)
+                .collect()
+        }));
+        self
+    }
+    /// The derivative by hand: the slopes of `y_bar · value` with respect to the input.
+    #[must_use]
+    pub fn adjoint(mut self, f: impl Fn(X, &[S]) -> X + 'a) -> Self {
+        self.adjoint = Some(Box::new(move |x, y_bar| {
+            wide(&f(x.clone(), &narrow(y_bar)))
+        }));
+        self
+    }
+    /// A further witness of the same kind: another path, a GPU.
+    #[must_use]
+    pub fn witness(mut self, f: impl Fn(X, &[S]) -> X + 'a) -> Self {
+        self.further.push(Box::new(move |x, y_bar| {
+            wide(&f(x.clone(), &narrow(y_bar)))
+        }));
+        self
+    }
+    /// The generic source, called with duals.
+    #[must_use]
+    pub fn dual<Y>(mut self, f: impl Fn(X::With<Jet<S, 1>>) -> Y + 'a) -> Self
+    where
+        Y: Pack<Scalar = Jet<S, 1>>,
+    {
+        self.dual = Some(Box::new(move |x, direction| {
+            let mut i = 0;
+            let jets = x.map(&mut |&value| {
+                i += 1;
+                let slope = [S::nearest(direction[i - 1])];
+                Jet { value, slope }
+            });
+            f(jets)
+                .scalars()
+                .iter()
+                .map(|jet| jet.slope[0].widen())
+                .collect()
+        }));
+        self
+    }
+    /// The generic source, called with numbers that record every comparison.
+    #[must_use]
+    pub fn traced<Y>(mut self, f: impl Fn(X::With<Traced<S>>) -> Y + 'a) -> Self
+    where
+        Y: Pack<Scalar = Traced<S>>,
+    {
+        self.traced = Some(Box::new(move |x| {
+            let (y, trace) = trace(|| f(x.map(&mut |&value| Traced(value))));
+            (y.scalars().iter().map(|y| y.0.widen()).collect(), trace)
+        }));
+        self
+    }
+    /// The Hessian by hand times a direction, of a function with one number as result.
+    #[must_use]
+    pub fn hessian_times(mut self, f: impl Fn(X, X) -> X + 'a) -> Self {
+        self.curvature = Some(Box::new(move |x, direction| {
+            wide(&f(x.clone(), x.refill(&narrow::<S>(direction))))
+        }));
+        self
+    }
+    /// Where the function is defined.
+    #[must_use]
+    pub fn inside(mut self, f: impl Fn(&X) -> bool + 'a) -> Self {
+        self.inside = Some(Box::new(f));
+        self
+    }
+    /// For each number, the length over which the function may be expected to change. By default
+    /// the number itself.
+    #[must_use]
+    pub fn scales(mut self, f: impl Fn(&X) -> X + 'a) -> Self {
+        self.scales = Some(Box::new(move |x| wide(&f(x))));
+        self
+    }
+    /// What the function promises under motions, and what each number of the input is.
+    #[must_use]
+    pub fn promises(mut self, kinds: &[Kind], promises: &[Promise]) -> Self {
+        self.kinds = kinds.to_vec();
+        self.promises = promises.to_vec();
+        self
+    }
+    /// What the function does on purpose.
+    #[must_use]
+    pub fn conventions(mut self, conventions: Conventions) -> Self {
+        self.conventions = conventions;
+        self
+    }
+    /// From another seed.
+    #[must_use]
+    pub fn seed(mut self, seed: u64) -> Self {
+        self.seed = seed;
+        self
+    }
+    /// Judges.
+    ///
+    /// # Panics
+    ///
+    /// When no [`value`](Check::value) was given.
+    #[must_use]
+    pub fn run(&self) -> Report {
+        assert!(self.value.is_some(), "a check needs a function");
+        let plan = Plan::new(self.points.len(), self.seed);
+        examine(
+            &self.name,
+            &plan,
+            &self.points,
+            self.random_from,
+            |_| Vec::new(),
+            |near, judge| judge(&Near { check: self, near }),
+        )
+    }
+    /// Judges, and panics with the report when something was refused.
+    ///
+    /// # Panics
+    ///
+    /// When something was refused.
+    #[track_caller]
+    pub fn prove(&self) {
+        let report = self.run();
+        assert!(report.passed(), "the derivative is refused\n{report}");
+    }
+}
+
+impl<'a, X: Sample + 'a> Check<'a, X> {
+    /// At the hard cases of a shape and so many random ones.
+    #[must_use]
+    pub fn random(count: usize, seed: u64) -> Self {
+        let plan = Plan::new(count, seed);
+        let mut check = Check::among(hard_cases());
+        check
+            .points
+            .extend((0..count).map(|i| random::<X>(&mut plan.draw(i))));
+        check.seed = seed;
+        check.inside(X::inside).scales(|x| x.refill(&x.scales()))
+    }
+}
+
+/// A check near one of its points.
+struct Near<'c, 'a, X: Pack> {
+    check: &'c Check<'a, X>,
+    near: &'c X,
+}
+
+impl<S: Number, X: Pack<Scalar = S>> Near<'_, '_, X> {
+    fn made(&self, x: &[f64]) -> X {
+        self.near.refill(&narrow::<S>(x))
+    }
+}
+
+impl<S: Number, X: Pack<Scalar = S>> Subject for Near<'_, '_, X> {
+    fn precision(&self) -> Precision {
+        Precision::of::<S>()
+    }
+    fn value(&self, x: &[f64]) -> Vec<f64> {
+        let value = self.check.value.as_ref().expect("checked at the start");
+        value(&self.made(x))
+    }
+    fn other_values(&self, x: &[f64]) -> Vec<Vec<f64>> {
+        self.check
+            .paths
+            .iter()
+            .map(|path| path(&self.made(x)))
+            .collect()
+    }
+    fn adjoint(&self, x: &[f64], y_bar: &[f64]) -> Option<Vec<f64>> {
+        let adjoint = self.check.adjoint.as_ref()?;
+        Some(adjoint(&self.made(x), y_bar))
+    }
+    fn further(&self, x: &[f64], y_bar: &[f64]) -> Vec<Vec<f64>> {
+        self.check
+            .further
+            .iter()
+            .map(|f| f(&self.made(x), y_bar))
+            .collect()
+    }
+    fn jacobian(&self, x: &[f64]) -> Option<Vec<Vec<f64>>> {
+        let dual = self.check.dual.as_ref()?;
+        let here = self.made(x);
+        let columns: Vec<Vec<f64>> = (0..x.len())
+            .map(|i| {
+                let mut direction = vec![0.0; x.len()];
+                direction[i] = 1.0;
+                dual(&here, &direction)
+            })
+            .collect();
+        let outputs = columns.first().map_or(0, Vec::len);
+        Some(
+            (0..outputs)
+                .map(|j| columns.iter().map(|c| c[j]).collect())
+                .collect(),
+        )
+    }
+    fn along(&self, x: &[f64], direction: &[f64]) -> Option<Vec<f64>> {
+        let dual = self.check.dual.as_ref()?;
+        Some(dual(&self.made(x), direction))
+    }
+    fn traced(&self, x: &[f64]) -> Option<(Vec<f64>, Trace)> {
+        let traced = self.check.traced.as_ref()?;
+        Some(traced(&self.made(x)))
+    }
+    fn curvature(&self, x: &[f64], y_bar: &[f64], direction: &[f64]) -> Option<Vec<f64>> {
+        let curvature = self.check.curvature.as_ref()?;
+        let bend = curvature(&self.made(x), direction);
+        Some(bend.iter().map(|b| b * y_bar[0]).collect())
+    }
+    fn inside(&self, x: &[f64]) -> bool {
+        self.check
+            .inside
+            .as_ref()
+            .is_none_or(|inside| inside(&self.made(x)))
+    }
+    fn scales(&self, x: &[f64]) -> Vec<f64> {
+        match &self.check.scales {
+            Some(scales) => scales(&self.made(x)),
+            None => default_scales(x),
+        }
+    }
+    fn kinds(&self) -> Vec<Kind> {
+        self.check.kinds.clone()
+    }
+    fn promises(&self) -> &[Promise] {
+        &self.check.promises
+    }
+    fn conventions(&self) -> Conventions {
+        self.check.conventions
+    }
+}
+
+/// Proves a gradient at points, or panics with the numbers. For use in tests; see the
+/// [module](crate::ad::check) for examples.
+///
+/// `assert_gradient!(value, gradient, at point, …)` takes closures;
+/// `assert_gradient!(generic function, gradient, at point, …)` takes a function generic over the
+/// scalar, which is then also run on duals and traced.
+#[macro_export]
+macro_rules! assert_gradient {
+    (generic $value:path, $gradient:expr, at $($point:expr),+ $(,)?) => {
+        $crate::ad::check::Check::among([$($point),+])
+            .value($value)
+            .dual($value)
+            .traced($value)
+            .gradient($gradient)
+            .prove()
+    };
+    ($value:expr, $gradient:expr, at $($point:expr),+ $(,)?) => {
+        $crate::ad::check::Check::among([$($point),+])
+            .value($value)
+            .gradient($gradient)
+            .prove()
+    };
+}

@@ -1,0 +1,277 @@
+//! What came out: a table for reading, JSON for machines, a drill-down for the one that failed.
+use crate::ad::verdict::{Fault, PAIRS, Reason, Witness, Worst};
+use crate::ad::witness::Precision;
+use std::fmt::{self, Write};
+
+/// One refused sample.
+#[derive(Clone, Debug)]
+pub struct Failure {
+    /// The number of the sample, counted from the first hard case or point.
+    pub sample: usize,
+    /// What was refused.
+    pub fault: Fault,
+    /// The input, shrunk as far as it still fails for the same reason.
+    pub input: Vec<f64>,
+    /// The same as Rust code.
+    pub code: String,
+}
+
+/// Everything found out about one function.
+#[derive(Clone, Debug)]
+pub struct Report {
+    /// Its name.
+    pub name: String,
+    /// The format it computes in.
+    pub precision: Precision,
+    /// What random samples were drawn from.
+    pub seed: u64,
+    /// How many inputs were judged.
+    pub samples: u64,
+    /// How many of them were smooth places, kinks, and undefined.
+    pub places: [u64; 3],
+    /// How many needed a declared convention.
+    pub conventions: u64,
+    /// How many were jumps of the value.
+    pub jumps: u64,
+    /// Directions that were smooth, kinked and not to be judged, over all samples.
+    pub directions: [u64; 3],
+    /// Directions along which another branch was taken however small the step.
+    pub switched: u64,
+    /// The smallest margin of any comparison that was not a tie.
+    pub margin: f64,
+    /// The worst of each pair of witnesses.
+    pub worst: [Worst; PAIRS.len()],
+    /// The input where adjoint and differences were farthest apart, measured by tolerance.
+    pub worst_input: Vec<f64>,
+    /// How many samples were refused.
+    pub refused: u64,
+    /// The first of them.
+    pub failures: Vec<Failure>,
+}
+
+impl Report {
+    /// Whether nothing was refused.
+    #[must_use]
+    pub fn passed(&self) -> bool {
+        self.refused == 0 && self.failures.is_empty()
+    }
+    /// Whether something was refused for this reason.
+    #[must_use]
+    pub fn refused_for(&self, reason: Reason) -> bool {
+        self.failures
+            .iter()
+            .any(|failure| failure.fault.reason == reason)
+    }
+    /// The line over the lines of a table.
+    #[must_use]
+    pub fn heading() -> String {
+        format!(
+            "{:<24} {:>4} {:>8} {:>8} {:>7} {:>6} | {:>8} {:>8} {:>6} | {:>8} {:>8} | {:>8} | {}",
+            "function",
+            "in",
+            "samples",
+            "smooth",
+            "kink",
+            "undef",
+            "adj-dual",
+            "relative",
+            "ulps",
+            "adj-diff",
+            "relative",
+            "adj-wide",
+            "verdict"
+        )
+    }
+    /// One line of a table.
+    #[must_use]
+    pub fn line(&self) -> String {
+        let number = |worst: &Worst, x: f64| {
+            if worst.count == 0 {
+                "-".to_owned()
+            } else {
+                format!("{x:.1e}")
+            }
+        };
+        let [dual, difference, _, wide, _] = &self.worst;
+        let ulps = if dual.count == 0 {
+            "-".to_owned()
+        } else {
+            shortened(dual.ulps)
+        };
+        let verdict = if self.passed() {
+            "proved".to_owned()
+        } else {
+            format!("REFUSED ({} samples)", self.refused)
+        };
+        format!(
+            "{:<24} {:>4} {:>8} {:>8} {:>7} {:>6} | {:>8} {:>8} {:>6} | {:>8} {:>8} | {:>8} | {}",
+            self.name,
+            match self.precision {
+                Precision::F32 => "f32",
+                Precision::F64 => "f64",
+            },
+            self.samples,
+            self.places[0],
+            self.places[1],
+            self.places[2],
+            number(dual, dual.absolute),
+            number(dual, dual.relative),
+            ulps,
+            number(difference, difference.absolute),
+            number(difference, difference.relative),
+            number(wide, wide.relative),
+            verdict
+        )
+    }
+    /// The whole report as one JSON object.
+    #[must_use]
+    pub fn json(&self) -> String {
+        let mut out = String::new();
+        let _ = write!(
+            out,
+            "{{\"name\":{},\"precision\":\"{:?}\",\"seed\":{},\"passed\":{},\"samples\":{},\
+             \"smooth\":{},\"kink\":{},\"undefined\":{},\"conventions\":{},\"jumps\":{},\
+             \"directions\":{{\"smooth\":{},\"kink\":{},\"undefined\":{},\"switched\":{}}},\
+             \"smallest_margin\":{},\"refused\":{},\"pairs\":[",
+            quoted(&self.name),
+            self.precision,
+            self.seed,
+            self.passed(),
+            self.samples,
+            self.places[0],
+            self.places[1],
+            self.places[2],
+            self.conventions,
+            self.jumps,
+            self.directions[0],
+            self.directions[1],
+            self.directions[2],
+            self.switched,
+            json_number(self.margin),
+            self.refused,
+        );
+        for (k, ((a, b), worst)) in PAIRS.iter().zip(&self.worst).enumerate() {
+            let comma = if k == 0 { "" } else { "," };
+            let _ = write!(
+                out,
+                "{comma}{{\"witnesses\":[\"{a:?}\",\"{b:?}\"],\"compared\":{},\"absolute\":{},\
+                 \"relative\":{},\"ulps\":{},\"share_of_tolerance\":{},\"sample\":{},\"input\":{}}}",
+                worst.count,
+                json_number(worst.absolute),
+                json_number(worst.relative),
+                json_number(worst.ulps),
+                json_number(worst.share),
+                worst.sample,
+                worst.input
+            );
+        }
+        out.push_str("],\"failures\":[");
+        for (k, failure) in self.failures.iter().enumerate() {
+            let Fault {
+                reason,
+                suspect,
+                output,
+                input,
+                numbers,
+                tolerance,
+            } = failure.fault;
+            let optional = |x: Option<f64>| x.map_or("null".to_owned(), json_number);
+            let list: Vec<String> = failure.input.iter().map(|&x| json_number(x)).collect();
+            let _ = write!(
+                out,
+                "{}{{\"reason\":{},\"suspect\":{},\"sample\":{},\"output\":{output},\
+                 \"input\":{input},\"adjoint\":{},\"dual\":{},\"difference\":{},\"other\":{},\
+                 \"tolerance\":{},\"at\":[{}],\"code\":{}}}",
+                if k == 0 { "" } else { "," },
+                quoted(&format!("{reason:?}")),
+                suspect.map_or("null".to_owned(), |s| quoted(&format!("{s:?}"))),
+                failure.sample,
+                optional(numbers.adjoint),
+                optional(numbers.dual),
+                optional(numbers.difference),
+                optional(numbers.other),
+                json_number(tolerance),
+                list.join(","),
+                quoted(&failure.code),
+            );
+        }
+        out.push_str("]}");
+        out
+    }
+}
+
+impl fmt::Display for Report {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        writeln!(f, "{}", Report::heading())?;
+        writeln!(f, "{}", self.line())?;
+        for failure in &self.failures {
+            let fault = &failure.fault;
+            writeln!(
+                f,
+                "\n  {:?} at sample {} (seed {}): output {}, input {}",
+                fault.reason, failure.sample, self.seed, fault.output, fault.input
+            )?;
+            let numbers = [
+                ("adjoint", fault.numbers.adjoint),
+                ("dual", fault.numbers.dual),
+                ("difference", fault.numbers.difference),
+                ("other", fault.numbers.other),
+            ];
+            for (name, number) in numbers {
+                if let Some(number) = number {
+                    writeln!(f, "    {name:<11} {number:>24.16e}")?;
+                }
+            }
+            if let Some([behind, ahead]) = fault.numbers.sides {
+                writeln!(f, "    both sides  {behind:>24.16e} {ahead:>24.16e}")?;
+            }
+            writeln!(f, "    tolerance   {:>24.16e}", fault.tolerance)?;
+            if let Some(suspect) = fault.suspect {
+                let who = match suspect {
+                    Witness::Adjoint => "the derivative by hand",
+                    Witness::Dual => "the duals",
+                    Witness::Difference => "the differences",
+                    Witness::Value | Witness::Wide | Witness::Further(_) => "another witness",
+                };
+                writeln!(f, "    outvoted:   {who}")?;
+            }
+            writeln!(f, "    let input = {};", failure.code)?;
+        }
+        Ok(())
+    }
+}
+
+/// Large counts of units in the last place, kept short.
+fn shortened(x: f64) -> String {
+    if x < 1e4 {
+        format!("{x:.0}")
+    } else {
+        format!("{x:.0e}")
+    }
+}
+
+/// A number as JSON, which knows no infinity.
+fn json_number(x: f64) -> String {
+    if x.is_finite() {
+        format!("{x:?}")
+    } else {
+        "null".to_owned()
+    }
+}
+
+/// A string as JSON.
+fn quoted(text: &str) -> String {
+    let mut out = String::from("\"");
+    for c in text.chars() {
+        match c {
+            '"' => out.push_str("\\\""),
+            '\\' => out.push_str("\\\\"),
+            c if u32::from(c) < 0x20 => {
+                let _ = write!(out, "\\u{:04x}", u32::from(c));
+            }
+            c => out.push(c),
+        }
+    }
+    out.push('"');
+    out
+}

@@ -1,0 +1,113 @@
+//! A function under test as the harness sees it: lists of numbers in, lists of numbers out.
+use crate::ad::symmetry::{Kind, Promise};
+use crate::ad::trace::Trace;
+use crate::ad::witness::Precision;
+
+/// What a function does on purpose at places where its derivative is nobody's.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct Conventions {
+    /// Where the value is zero, or the input lies on the border of its domain, the slope may be
+    /// zero although it is not between the slopes of both sides.
+    pub flat: bool,
+    /// Where the value may jump.
+    pub jumps: Jumps,
+}
+
+/// Where a function may jump.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Jumps {
+    /// Nowhere.
+    #[default]
+    Never,
+    /// Where its value is exactly zero.
+    FromZero,
+    /// Anywhere.
+    Anywhere,
+}
+
+/// A function near one input, with every way there is to differentiate it. All lists are `f64`;
+/// a function of `f32` is asked only at inputs that are `f32` numbers and answers in them.
+///
+/// Only [`value`](Subject::value) is required. What is `None` is not checked.
+pub trait Subject {
+    /// The format the function computes in.
+    fn precision(&self) -> Precision;
+    /// The function.
+    fn value(&self, x: &[f64]) -> Vec<f64>;
+    /// The function by other paths.
+    fn other_values(&self, _x: &[f64]) -> Vec<Vec<f64>> {
+        Vec::new()
+    }
+    /// The derivative by hand: the slopes of `y_bar · value`.
+    fn adjoint(&self, _x: &[f64], _y_bar: &[f64]) -> Option<Vec<f64>> {
+        None
+    }
+    /// The same by further witnesses: a fused path, a GPU.
+    fn further(&self, _x: &[f64], _y_bar: &[f64]) -> Vec<Vec<f64>> {
+        Vec::new()
+    }
+    /// The Jacobian by duals, one row per output.
+    fn jacobian(&self, _x: &[f64]) -> Option<Vec<Vec<f64>>> {
+        None
+    }
+    /// Value and slope along a direction by duals, for inputs too long for a whole Jacobian.
+    fn along(&self, _x: &[f64], _direction: &[f64]) -> Option<Vec<f64>> {
+        None
+    }
+    /// The value through the same source on traced numbers.
+    fn traced(&self, _x: &[f64]) -> Option<(Vec<f64>, Trace)> {
+        None
+    }
+    /// The Hessian of `y_bar · value` times a direction, through the adjoint.
+    fn curvature(&self, _x: &[f64], _y_bar: &[f64], _direction: &[f64]) -> Option<Vec<f64>> {
+        None
+    }
+    /// The same by nested duals through the value.
+    fn nested(&self, _x: &[f64], _y_bar: &[f64], _direction: &[f64]) -> Option<Vec<f64>> {
+        None
+    }
+    /// The same function in double precision, when it computes in single.
+    fn wide(&self) -> Option<Box<dyn Subject + '_>> {
+        None
+    }
+    /// Whether an input is valid.
+    fn inside(&self, _x: &[f64]) -> bool {
+        true
+    }
+    /// For each number, the length over which the function may be expected to change.
+    fn scales(&self, x: &[f64]) -> Vec<f64> {
+        default_scales(x)
+    }
+    /// For each number, its unit: slopes times units are comparable, and a derivative is right to
+    /// within the rounding of the largest of them.
+    fn units(&self, x: &[f64]) -> Vec<f64> {
+        self.scales(x)
+    }
+    /// For each number, how large a rounding error of it the function may behave as if it had
+    /// made. By default that of the number itself; functions that add numbers of one unit may only
+    /// be held to that of the largest of them.
+    fn rounding(&self, x: &[f64]) -> Vec<f64> {
+        let eps = self.precision().epsilon();
+        x.iter().map(|x| eps * x.abs()).collect()
+    }
+    /// What each number is; needed for promises only.
+    fn kinds(&self) -> Vec<Kind> {
+        Vec::new()
+    }
+    /// What the function promises under motions.
+    fn promises(&self) -> &[Promise] {
+        &[]
+    }
+    /// What it does on purpose.
+    fn conventions(&self) -> Conventions {
+        Conventions::default()
+    }
+}
+
+/// Numbers change over their own size, but not over less than a thousandth of the largest one.
+#[must_use]
+pub fn default_scales(x: &[f64]) -> Vec<f64> {
+    let largest = x.iter().fold(0.0_f64, |m, x| m.max(x.abs()));
+    let least = if largest > 0.0 { 1e-3 * largest } else { 1.0 };
+    x.iter().map(|x| x.abs().max(least)).collect()
+}

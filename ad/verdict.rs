@@ -1,0 +1,171 @@
+//! What the harness can say: typed reasons, the numbers behind them, no strings.
+use crate::ad::symmetry::Motion;
+
+/// One way to obtain a value or a derivative.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum Witness {
+    /// The function itself.
+    Value,
+    /// The derivative by hand.
+    Adjoint,
+    /// Forward duals through the generic source.
+    Dual,
+    /// Finite differences with an error estimate.
+    Difference,
+    /// Duals through the same source in double precision.
+    Wide,
+    /// A further witness, by its position in the list that was given: another code path, a GPU.
+    Further(usize),
+}
+
+/// Why a function was refused.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+#[non_exhaustive]
+pub enum Reason {
+    /// A derivative has not as many numbers as the input.
+    WrongLength(Witness),
+    /// A finite input gave a NaN or an infinity.
+    NotFinite(Witness),
+    /// The same input gave other bits the second time.
+    Impure(Witness),
+    /// Another path to the value gives another value.
+    ValuesDisagree(Witness),
+    /// Two derivatives differ by more than both can err.
+    Disagree(Witness, Witness),
+    /// At a kink the derivative is not between the slopes of both sides.
+    OutsideKink,
+    /// The value jumps, and the function does not declare that it does.
+    Jump,
+    /// The adjoint of a sum is not the sum of the adjoints.
+    NotLinear,
+    /// The second derivative differs from differences of the first, or from nested duals.
+    CurvatureDisagrees(Witness),
+    /// Second derivatives taken in the other order differ.
+    CurvatureNotSymmetric,
+    /// The value does not follow a declared motion.
+    MotionBroken(Motion),
+    /// The derivative does not follow a declared motion: forces or torques do not balance.
+    MotionUnbalanced(Motion),
+    /// Hardly a sample was smooth, so that nothing was proved.
+    NothingSmooth,
+}
+
+/// What kind of place a sample turned out to be.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum Place {
+    /// Differentiable as far as can be seen.
+    Smooth,
+    /// The slopes of both sides differ.
+    Kink,
+    /// A jump, an infinite slope, or nowhere to step to.
+    Undefined,
+}
+
+/// One number per witness, as far as there is one.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Numbers {
+    /// Of the derivative by hand.
+    pub adjoint: Option<f64>,
+    /// Of forward duals.
+    pub dual: Option<f64>,
+    /// Of finite differences.
+    pub difference: Option<f64>,
+    /// Of the further witness in question.
+    pub other: Option<f64>,
+    /// Slopes of both sides, at a kink.
+    pub sides: Option<[f64; 2]>,
+}
+
+/// A refusal: what, where, and the numbers.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Fault {
+    /// Why.
+    pub reason: Reason,
+    /// Which witness is outvoted by the others, when that can be told.
+    pub suspect: Option<Witness>,
+    /// The number of the output concerned.
+    pub output: usize,
+    /// The number of the input concerned.
+    pub input: usize,
+    /// What every witness says.
+    pub numbers: Numbers,
+    /// How much the two numbers in question may differ.
+    pub tolerance: f64,
+}
+
+/// The worst difference between two witnesses.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Worst {
+    /// How many numbers were compared.
+    pub count: u64,
+    /// Largest difference.
+    pub absolute: f64,
+    /// Largest difference, relative to the largest slope in the same unit.
+    pub relative: f64,
+    /// The same in units of the precision.
+    pub ulps: f64,
+    /// Largest share of the tolerance used up.
+    pub share: f64,
+    /// The sample where that was.
+    pub sample: usize,
+    /// The number of the input there.
+    pub input: usize,
+}
+
+impl Worst {
+    /// One more comparison.
+    pub(crate) fn note(&mut self, gap: f64, size: f64, tolerance: f64, eps: f64, at: usize) {
+        self.count += 1;
+        self.absolute = self.absolute.max(gap);
+        let relative = if gap == 0.0 { 0.0 } else { gap / size };
+        if relative.is_finite() {
+            self.relative = self.relative.max(relative);
+            self.ulps = self.ulps.max(relative / eps);
+        }
+        let share = if gap == 0.0 { 0.0 } else { gap / tolerance };
+        if share > self.share {
+            self.share = share;
+            self.input = at;
+        }
+    }
+    /// Both together.
+    pub(crate) fn merge(&mut self, other: &Worst, sample: usize) {
+        self.count += other.count;
+        self.absolute = self.absolute.max(other.absolute);
+        self.relative = self.relative.max(other.relative);
+        self.ulps = self.ulps.max(other.ulps);
+        if other.share > self.share {
+            (self.share, self.sample, self.input) = (other.share, sample, other.input);
+        }
+    }
+}
+
+/// The pairs of witnesses a report has a line for.
+pub const PAIRS: [(Witness, Witness); 5] = [
+    (Witness::Adjoint, Witness::Dual),
+    (Witness::Adjoint, Witness::Difference),
+    (Witness::Dual, Witness::Difference),
+    (Witness::Adjoint, Witness::Wide),
+    (Witness::Adjoint, Witness::Further(0)),
+];
+
+/// What was found at one sample.
+#[derive(Clone, Debug)]
+pub struct Findings {
+    /// What kind of place it is.
+    pub place: Place,
+    /// Directions along which the function is smooth, kinked and not to be judged.
+    pub directions: [u64; 3],
+    /// Directions along which another branch was taken, however small the step.
+    pub switched: u64,
+    /// Whether the value jumps there.
+    pub jump: bool,
+    /// Whether a declared convention was needed.
+    pub convention: bool,
+    /// How near the nearest change of branch is, relative; infinite when nothing was compared.
+    pub margin: f64,
+    /// What each pair of [`PAIRS`] differs by.
+    pub worst: [Worst; PAIRS.len()],
+    /// Everything refused, first things first.
+    pub faults: Vec<Fault>,
+}

