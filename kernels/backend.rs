@@ -124,6 +124,9 @@ calls! {
     /// [`reduce::above`].
     above<GpuPair>(a: &[A<O, f32>], b: &[B<O, f32>], threshold: f32) -> Vec<Found>
         = reduce::above::<O, f32>, above_slices;
+    /// [`reduce::count_above`].
+    count_above<GpuPair>(a: &[A<O, f32>], b: &[B<O, f32>], threshold: f32) -> u64
+        = reduce::count_above::<O, f32>, count_above_slices;
     /// [`reduce::sum`].
     sum<GpuPair>(a: &[A<O, f32>], b: &[B<O, f32>]) -> f64
         = reduce::sum::<O, f32>, sum_slices;

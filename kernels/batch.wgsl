@@ -65,19 +65,22 @@ fn load_b(item: u32) -> Frame {
     return frame_of(b_quads[place(item, 0u, QUADS)], b_quads[place(item, QUADS - 1u, QUADS)]);
 }
 
+// Field by field without a loop: an index that is not constant would send registers to memory.
 fn put_a(item: u32, bar: Bar) {
-    for (var field = 0u; field < 4u; field++) {
-        a_bars[place(item, field, FIELDS)] = bar.quad[field];
-    }
+    a_bars[place(item, 0u, FIELDS)] = bar.quad.x;
+    a_bars[place(item, 1u, FIELDS)] = bar.quad.y;
+    a_bars[place(item, 2u, FIELDS)] = bar.quad.z;
+    a_bars[place(item, 3u, FIELDS)] = bar.quad.w;
     if FIELDS > 4u {
         a_bars[place(item, 4u, FIELDS)] = bar.rest;
     }
 }
 
 fn put_b(item: u32, bar: Bar) {
-    for (var field = 0u; field < 4u; field++) {
-        b_bars[place(item, field, FIELDS)] = bar.quad[field];
-    }
+    b_bars[place(item, 0u, FIELDS)] = bar.quad.x;
+    b_bars[place(item, 1u, FIELDS)] = bar.quad.y;
+    b_bars[place(item, 2u, FIELDS)] = bar.quad.z;
+    b_bars[place(item, 3u, FIELDS)] = bar.quad.w;
     if FIELDS > 4u {
         b_bars[place(item, 4u, FIELDS)] = bar.rest;
     }

@@ -107,6 +107,14 @@ impl Gpu {
     ) -> Result<Vec<Found>, GpuError> {
         match *self {}
     }
+    pub(crate) fn count_above_slices<O: GpuPair>(
+        &self,
+        _a: &[A<O, f32>],
+        _b: &[B<O, f32>],
+        _threshold: f32,
+    ) -> Result<u64, GpuError> {
+        match *self {}
+    }
     pub(crate) fn sum_slices<O: GpuPair>(
         &self,
         _a: &[A<O, f32>],

@@ -129,6 +129,16 @@ impl Gpu {
         self.above::<O>(&a, &b, threshold)
     }
 
+    pub(crate) fn count_above_slices<O: GpuPair>(
+        &self,
+        a: &[A<O, f32>],
+        b: &[B<O, f32>],
+        threshold: f32,
+    ) -> Result<u64, GpuError> {
+        let (a, b) = lists::<O>(self, a, b)?;
+        self.count_above::<O>(&a, &b, threshold)
+    }
+
     pub(crate) fn sum_slices<O: GpuPair>(
         &self,
         a: &[A<O, f32>],

@@ -23,6 +23,16 @@ fn plane(field: u32, row: u32, column: u32) -> u32 {
     return (field * params.loop_count + row) * params.own_count + column;
 }
 
+fn put_planes(first: u32, row: u32, column: u32, bar: Bar) {
+    a_bars[plane(first, row, column)] = bar.quad.x;
+    a_bars[plane(first + 1u, row, column)] = bar.quad.y;
+    a_bars[plane(first + 2u, row, column)] = bar.quad.z;
+    a_bars[plane(first + 3u, row, column)] = bar.quad.w;
+    if FIELDS > 4u {
+        a_bars[plane(first + 4u, row, column)] = bar.rest;
+    }
+}
+
 @compute @workgroup_size(GROUP)
 fn pairs_grad_main(
     @builtin(workgroup_id) group: vec3u,
@@ -38,14 +48,8 @@ fn pairs_grad_main(
         if column < params.own_count {
             let row = first + i;
             values[row * params.own_count + column] = grad.value;
-            for (var field = 0u; field < 4u; field++) {
-                a_bars[plane(field, row, column)] = grad.a.quad[field];
-                a_bars[plane(FIELDS + field, row, column)] = grad.b.quad[field];
-            }
-            if FIELDS > 4u {
-                a_bars[plane(4u, row, column)] = grad.a.rest;
-                a_bars[plane(FIELDS + 4u, row, column)] = grad.b.rest;
-            }
+            put_planes(0u, row, column, grad.a);
+            put_planes(FIELDS, row, column, grad.b);
         }
     }
 }

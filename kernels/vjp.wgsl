@@ -45,9 +45,10 @@ fn sweep_vjp(group: vec3u, here: u32, slot: u32, lane: u32) {
         }
     }
     if column < columns {
-        for (var field = 0u; field < 4u; field++) {
-            b_bars[(group.y * FIELDS + field) * columns + column] = column_sum.quad[field];
-        }
+        b_bars[(group.y * FIELDS) * columns + column] = column_sum.quad.x;
+        b_bars[(group.y * FIELDS + 1u) * columns + column] = column_sum.quad.y;
+        b_bars[(group.y * FIELDS + 2u) * columns + column] = column_sum.quad.z;
+        b_bars[(group.y * FIELDS + 3u) * columns + column] = column_sum.quad.w;
         if FIELDS > 4u {
             b_bars[(group.y * FIELDS + 4u) * columns + column] = column_sum.rest;
         }
