@@ -56,11 +56,15 @@ fn folder(test: &str) -> PathBuf {
 
 /// Runs an example in a folder; arguments are parted by spaces.
 fn run(name: &str, folder: &Path, arguments: &str) -> Output {
-    Command::new(example(name))
+    command(name, folder, arguments).output().unwrap()
+}
+
+fn command(name: &str, folder: &Path, arguments: &str) -> Command {
+    let mut command = Command::new(example(name));
+    command
         .args(arguments.split_whitespace())
-        .current_dir(folder)
-        .output()
-        .unwrap()
+        .current_dir(folder);
+    command
 }
 
 fn stdout(output: &Output) -> &str {
@@ -191,6 +195,12 @@ fn wrong_command_lines() {
         ("iou_csv", "--a a.csv --b b.csv --frobnicate"),
         ("iou_csv", "--a a.csv --b b.csv --precision f16"),
         ("iou_csv", "--a a.csv --b b.csv --backend abacus"),
+        ("iou_csv", "--a a.csv --b b.csv --backend gpu"),
+        (
+            "iou_csv",
+            "--a a.csv --b b.csv --precision f64 --backend gpu",
+        ),
+        ("refine_detections", "--backend abacus"),
         ("refine_detections", "--frobnicate"),
         ("refine_detections", "--frames many"),
         ("refine_detections", "--detections a.txt"),
@@ -344,6 +354,172 @@ fn refine_detections_without_anything() {
         assert_eq!((status(&done), stderr(&done)), (0, ""));
         assert_eq!(row(&done, "boxes"), [0.0, 0.0]);
     }
+}
+
+/// The environment variable asks for a GPU that no machine has: the same on every machine.
+fn without_gpu(name: &str, folder: &Path, arguments: &str) -> Output {
+    command(name, folder, arguments)
+        .env("GEOGRAD_GPU", "no such GPU")
+        .output()
+        .unwrap()
+}
+
+const NEITHER: [(&str, &str); 2] = [
+    (
+        "iou_csv",
+        "--a a.csv --b a.csv --out out --precision f32 --backend",
+    ),
+    ("refine_detections", "--frames 2 --svg out --backend"),
+];
+
+#[test]
+fn backend_gpu_without_a_gpu() {
+    let at = folder("backend_gpu_without_a_gpu");
+    std::fs::write(at.join("a.csv"), "0,0,2,2,0\n").unwrap();
+    std::fs::write(at.join("out"), "as it was").unwrap();
+    let (expected, why) = match cfg!(feature = "gpu") {
+        true => (1, "no GPU found that is GEOGRAD_GPU=no such GPU"),
+        false => (2, "`cargo run --features gpu`"),
+    };
+    for (name, arguments) in NEITHER {
+        let done = without_gpu(name, &at, &format!("{arguments} gpu"));
+        assert_eq!((status(&done), stdout(&done)), (expected, ""), "{name}");
+        let told = stderr(&done);
+        assert!(told.contains(name) && told.contains(why), "{told}");
+        let kept = std::fs::read_to_string(at.join("out")).unwrap();
+        assert_eq!(kept, "as it was");
+        assert_eq!(files(&at), ["a.csv", "out"]);
+    }
+}
+
+#[test]
+fn backend_auto_without_a_gpu_is_the_cpu_and_says_so() {
+    let at = folder("backend_auto_without_a_gpu");
+    std::fs::write(at.join("a.csv"), "0,0,2,2,0\n").unwrap();
+    for (name, arguments) in NEITHER {
+        let on_cpu = run(name, &at, &format!("{arguments} cpu"));
+        assert_eq!((status(&on_cpu), stderr(&on_cpu)), (0, ""));
+        let expected = std::fs::read_to_string(at.join("out")).unwrap();
+        let done = without_gpu(name, &at, &format!("{arguments} auto"));
+        let told = stderr(&done);
+        assert_eq!(status(&done), 0, "{told}");
+        assert!(told.contains("computing on the CPU: "), "{told}");
+        assert!(std::fs::read_to_string(at.join("out")).unwrap() == expected);
+    }
+    // Whatever there is, f64 is for the CPU.
+    let done = run("iou_csv", &at, "--a a.csv --b a.csv --backend auto");
+    assert_eq!((status(&done), stdout(&done)), (0, "iou\n1\n"));
+    let told = stderr(&done);
+    assert!(
+        told.contains("computing on the CPU: GPUs have no f64"),
+        "{told}"
+    );
+}
+
+/// Whether there is a GPU to test on, a driver in software included. Without one the tests say so
+/// and pass, unless `GEOGRAD_REQUIRE_GPU=1`.
+#[cfg(feature = "gpu")]
+fn has_gpu() -> bool {
+    match geograd::kernels::gpu::Gpu::new() {
+        Ok(_) => true,
+        Err(error) => {
+            let required = std::env::var("GEOGRAD_REQUIRE_GPU").is_ok_and(|x| x == "1");
+            assert!(!required, "a GPU is required: {error}");
+            eprintln!("SKIPPED, NOTHING WAS TESTED: {error}");
+            false
+        }
+    }
+}
+
+/// A table of that many boxes on a square, of which many overlap.
+#[cfg(feature = "gpu")]
+fn boxes(count: usize, seed: u64) -> String {
+    let mut state = seed;
+    let mut next = || {
+        state = state
+            .wrapping_mul(6_364_136_223_846_793_005)
+            .wrapping_add(1_442_695_040_888_963_407);
+        (state >> 40) as f32 / (1_u64 << 24) as f32
+    };
+    let rows = (0..count).map(|_| {
+        let (x, y) = (8.0 * next(), 8.0 * next());
+        let (w, h) = (1.0 + 3.0 * next(), 1.0 + 3.0 * next());
+        format!("{x},{y},{w},{h},{}\n", 7.0 * next() - 3.5)
+    });
+    rows.collect()
+}
+
+#[cfg(feature = "gpu")]
+#[test]
+fn iou_csv_on_the_gpu_is_iou_csv_on_the_cpu() {
+    if !has_gpu() {
+        return;
+    }
+    let at = folder("iou_csv_gpu");
+    std::fs::write(at.join("a.csv"), boxes(600, 1)).unwrap();
+    std::fs::write(at.join("b.csv"), boxes(600, 2)).unwrap();
+    std::fs::write(at.join("none.csv"), "x,y,w,h,r\n").unwrap();
+    let numbers = |name: &str| -> Vec<f32> {
+        let text = std::fs::read_to_string(at.join(name)).unwrap();
+        let rows = text.lines().skip(1).flat_map(|row| row.split(','));
+        rows.map(|x| x.parse().unwrap()).collect()
+    };
+    for (arguments, count, fields) in [
+        ("--a a.csv --b b.csv", 600, 1),
+        ("--a a.csv --b b.csv --grad", 600, 11),
+        // More than one block.
+        ("--a a.csv --b b.csv --all-pairs", 360_000, 1),
+        ("--a a.csv --b b.csv --all-pairs --grad", 360_000, 11),
+        ("--a none.csv --b b.csv --all-pairs --grad", 0, 11),
+        ("--a a.csv --b none.csv --all-pairs --grad", 0, 11),
+        ("--a none.csv --b none.csv", 0, 1),
+    ] {
+        for backend in ["cpu", "gpu"] {
+            let rest = format!("--precision f32 --backend {backend} --out {backend}");
+            let done = run("iou_csv", &at, &format!("{arguments} {rest}"));
+            assert_eq!((status(&done), stdout(&done)), (0, ""), "{}", stderr(&done));
+            let told = stderr(&done).contains("iou_csv: computing on ");
+            assert_eq!(told, backend == "gpu", "{}", stderr(&done));
+        }
+        let (on_cpu, on_gpu) = (numbers("cpu"), numbers("gpu"));
+        assert_eq!(
+            (on_cpu.len(), on_gpu.len()),
+            (count * fields, count * fields)
+        );
+        let overlapping = on_cpu.iter().step_by(fields).filter(|&&iou| iou > 0.0);
+        assert!(overlapping.count() >= count / 10, "{arguments}");
+        for (i, (x, y)) in on_cpu.iter().zip(&on_gpu).enumerate() {
+            // An overlap is at most one, a slope may be more.
+            let near = 1e-5 * x.abs().max(1.0);
+            let place = (i / fields, i % fields);
+            assert!((x - y).abs() <= near, "{arguments}: {x} {y} at {place:?}");
+        }
+    }
+}
+
+#[cfg(feature = "gpu")]
+#[test]
+fn refine_detections_on_the_gpu() {
+    if !has_gpu() {
+        return;
+    }
+    let at = folder("refine_gpu");
+    let on_cpu = run("refine_detections", &at, "--frames 2 --seed 7");
+    let on_gpu = run(
+        "refine_detections",
+        &at,
+        "--frames 2 --seed 7 --backend gpu",
+    );
+    assert_eq!((status(&on_cpu), status(&on_gpu)), (0, 0));
+    let told = stderr(&on_gpu);
+    assert!(told.contains("refine_detections: computing on "), "{told}");
+    for name in ["frames", "boxes", "pairs", "matches", "recall at 0.7"] {
+        assert_eq!(row(&on_cpu, name), row(&on_gpu, name), "{name}");
+    }
+    let (cpu, gpu) = (row(&on_cpu, "mean IoU"), row(&on_gpu, "mean IoU"));
+    // Both as they are printed. Refined on the GPU, every step differs in its last bits.
+    assert!((cpu[0] - gpu[0]).abs() < 1.5e-4, "{cpu:?} {gpu:?}");
+    assert!((cpu[1] - gpu[1]).abs() < 5e-3, "{cpu:?} {gpu:?}");
 }
 
 /// Against trying everything.

@@ -1,4 +1,7 @@
 //! What the examples' command lines share: how they fail, and which machine runs the batches.
+use geograd::kernels::backend::Auto;
+use geograd::kernels::gpu::Gpu;
+use geograd::kernels::{Backend, GpuError};
 use std::io::Write;
 use std::process::ExitCode;
 
@@ -14,6 +17,12 @@ pub enum Failure {
 impl From<lexopt::Error> for Failure {
     fn from(error: lexopt::Error) -> Self {
         Failure::Usage(error.to_string())
+    }
+}
+
+impl From<GpuError> for Failure {
+    fn from(error: GpuError) -> Self {
+        Failure::Work(reason(error))
     }
 }
 
@@ -38,24 +47,86 @@ pub fn say(text: &str) {
     let _ = std::io::stdout().write_all(text.as_bytes());
 }
 
-/// The machine that runs the batches.
+/// The value of `--backend`.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Backend {
-    /// `geograd::kernels::cpu`.
+pub enum Wish {
     Cpu,
+    Gpu,
+    /// A GPU if there is one that is faster.
+    Auto,
 }
 
-impl Backend {
-    /// From the value of `--backend`.
+impl Wish {
+    /// From the text on the command line. A build without GPU support refuses to wish for one.
     pub fn from_name(name: &str) -> Result<Self, Failure> {
         match name {
-            "cpu" | "auto" => Ok(Backend::Cpu),
-            "gpu" => Err(Failure::Usage(
-                "this program was built without GPU support; use `--backend cpu`".into(),
-            )),
+            "cpu" => Ok(Wish::Cpu),
+            "auto" => Ok(Wish::Auto),
+            "gpu" if cfg!(feature = "gpu") => Ok(Wish::Gpu),
+            "gpu" => Err(Failure::Usage(format!(
+                "`--backend gpu`: {UNSUPPORTED}; or use `--backend cpu`"
+            ))),
             other => Err(Failure::Usage(format!(
                 "`--backend {other}`: it is cpu, gpu or auto"
             ))),
+        }
+    }
+
+    /// Gets the machine ready. Says on stderr what it is, unless it was clear from the start.
+    pub fn machine(self, program: &str) -> Result<Machine, Failure> {
+        let gpu = match self {
+            Wish::Cpu => return Ok(Machine::Cpu),
+            Wish::Gpu => Gpu::new()?,
+            Wish::Auto => match Backend::auto() {
+                Auto::Gpu(gpu) => gpu,
+                Auto::Cpu(_) if cfg!(not(feature = "gpu")) => {
+                    return Ok(on_the_cpu(program, UNSUPPORTED));
+                }
+                Auto::Cpu(error) => return Ok(on_the_cpu(program, &reason(error))),
+            },
+        };
+        eprintln!("{program}: computing on {gpu}");
+        Ok(Machine::Gpu(gpu))
+    }
+}
+
+/// Why there is no GPU in a build without the feature.
+const UNSUPPORTED: &str =
+    "this program was built without GPU support; `cargo run --features gpu` builds it with";
+
+/// The processor where a GPU would have done, with the reason told.
+pub fn on_the_cpu(program: &str, why: &str) -> Machine {
+    eprintln!("{program}: computing on the CPU: {why}");
+    Machine::Cpu
+}
+
+/// What a failed call on a GPU means to whoever runs the program.
+fn reason(error: GpuError) -> String {
+    let wanted = std::env::var("GEOGRAD_GPU").unwrap_or_default();
+    match error {
+        GpuError::NoAdapter if wanted.is_empty() => {
+            "no GPU found (GEOGRAD_GPU=cpu takes a driver in software, if one is installed)".into()
+        }
+        GpuError::NoAdapter => format!("no GPU found that is GEOGRAD_GPU={wanted}"),
+        GpuError::DeviceLost => "the GPU was lost while it computed".into(),
+        GpuError::OutOfMemory => "the GPU ran out of memory".into(),
+        GpuError::Shader => "the GPU's driver refused a command".into(),
+        other => other.to_string(),
+    }
+}
+
+/// The machine that runs the batches.
+#[derive(Debug)]
+pub enum Machine {
+    Cpu,
+    Gpu(Gpu),
+}
+
+impl Machine {
+    pub fn backend(&self) -> Backend<'_> {
+        match self {
+            Machine::Cpu => Backend::Cpu,
+            Machine::Gpu(gpu) => Backend::Gpu(gpu),
         }
     }
 }

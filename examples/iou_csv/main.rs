@@ -2,6 +2,7 @@
 //!
 //! ```text
 //! cargo run --release --example iou_csv -- --a A.csv --b B.csv [--all-pairs] [--grad]
+//! cargo run --release --features gpu --example iou_csv -- --backend gpu --precision f32 …
 //! ```
 //!
 //! `--help` has the rest. Both inputs are read and checked as a whole before anything is computed,
@@ -9,18 +10,18 @@
 #[path = "../common/cli.rs"]
 mod cli;
 mod input;
+mod number;
 mod output;
 
-use cli::{Backend, Failure};
+use cli::{Failure, Machine, Wish};
 use geograd::Obb2;
-use geograd::kernels::overlap::IouObb2;
-use geograd::kernels::{cpu, real::Real};
 use indicatif::{ProgressBar, ProgressStyle};
+use number::Number;
 use output::Sink;
-use std::fmt::Debug;
 use std::path::PathBuf;
 use std::process::ExitCode;
-use std::str::FromStr;
+
+const PROGRAM: &str = "iou_csv";
 
 const HELP: &str = "\
 Overlap (intersection over union) of rotated boxes, and its derivatives.
@@ -34,7 +35,11 @@ Usage: iou_csv --a A.csv --b B.csv [options]
                            Without it row i of A goes with row i of B.
   --grad                   also the ten partial derivatives of every overlap
   --precision f32|f64      the format to compute in [default: f64]
-  --backend cpu|gpu|auto   the machine to compute on [default: cpu]
+  --backend cpu|gpu|auto   the machine to compute on [default: cpu]. A GPU needs a build with
+                           `--features gpu`, and --precision f32, the only format of GPUs.
+                           auto takes a GPU where it can and says on stderr what it took.
+                           The environment variable GEOGRAD_GPU chooses among GPUs: an index,
+                           a part of a name, or `cpu` for a driver in software.
   --out FILE               where the result goes [default: standard output]
   --help                   this text
 
@@ -42,7 +47,8 @@ The result has a header and the column `iou`, with --grad followed by
 `dax,day,daw,dah,dar,dbx,dby,dbw,dbh,dbr`. Numbers are the shortest that read back as the same.
 
 Exit status: 0 when all went well; 1 for bad rows (all input is checked first, and then nothing
-is written) or a file that cannot be read or written; 2 for a wrong command line.
+is written), a file that cannot be read or written, or a GPU that fails; 2 for a wrong command
+line. On failure --out is as it was; standard output may have the first rows, whole ones.
 ";
 
 struct Options {
@@ -51,7 +57,7 @@ struct Options {
     all_pairs: bool,
     grad: bool,
     double: bool,
-    backend: Backend,
+    wish: Wish,
     out: Option<PathBuf>,
 }
 
@@ -59,7 +65,7 @@ struct Options {
 fn options() -> Result<Option<Options>, Failure> {
     use lexopt::prelude::*;
     let (mut a, mut b, mut out) = (None, None, None);
-    let (mut all_pairs, mut grad, mut double, mut backend) = (false, false, true, Backend::Cpu);
+    let (mut all_pairs, mut grad, mut double, mut wish) = (false, false, true, Wish::Cpu);
     let mut parser = lexopt::Parser::from_env();
     while let Some(argument) = parser.next()? {
         match argument {
@@ -77,20 +83,25 @@ fn options() -> Result<Option<Options>, Failure> {
                     }
                 }
             }
-            Long("backend") => backend = Backend::from_name(&parser.value()?.string()?)?,
+            Long("backend") => wish = Wish::from_name(&parser.value()?.string()?)?,
             Long("out") => out = Some(parser.value()?.into()),
             Long("help") | Short('h') => return Ok(None),
             _ => return Err(argument.unexpected().into()),
         }
     }
     let missing = |name| Failure::Usage(format!("`{name}` is missing"));
+    if double && wish == Wish::Gpu {
+        let why =
+            "`--backend gpu` computes in f32 only; the default is f64, so say `--precision f32`";
+        return Err(Failure::Usage(why.into()));
+    }
     Ok(Some(Options {
         a: a.ok_or_else(|| missing("--a"))?,
         b: b.ok_or_else(|| missing("--b"))?,
         all_pairs,
         grad,
         double,
-        backend,
+        wish,
         out,
     }))
 }
@@ -99,10 +110,18 @@ fn options() -> Result<Option<Options>, Failure> {
 /// does not grow with the job.
 const BLOCK: usize = 1 << 18;
 
-fn run<T>(options: &Options) -> Result<(), Failure>
-where
-    T: Real + FromStr + Debug + Send + Sync,
-{
+/// The machine asked for, as far as it has the format.
+fn machine<T: Number>(wish: Wish) -> Result<Machine, Failure> {
+    match wish {
+        Wish::Auto if !T::ON_GPUS => Ok(cli::on_the_cpu(
+            PROGRAM,
+            "GPUs have no f64; `--precision f32` allows one",
+        )),
+        _ => wish.machine(PROGRAM),
+    }
+}
+
+fn run<T: Number>(options: &Options) -> Result<(), Failure> {
     // Both files are checked before either is refused: one run shows all that is wrong.
     let (a, b) = (
         input::read::<T>(&options.a, "--a"),
@@ -122,23 +141,22 @@ where
             b.len(),
         )));
     }
-    let refused = |error: geograd::Error| Failure::Work(error.to_string());
-    let mut sink = Sink::create(options.out.as_deref())?;
-    sink.header(options.grad)?;
-    let Backend::Cpu = options.backend;
+    let machine = machine::<T>(options.wish)?;
+    let backend = machine.backend();
+    let mut sink = Sink::create(options.out.as_deref(), options.grad)?;
     if options.all_pairs {
         // An empty B has no pairs, but still a number of rows that fits a block.
         let rows = (BLOCK / b.len().max(1)).max(1);
         let progress = progress(a.len() as u64 * b.len() as u64);
         for a in a.chunks(rows) {
             if options.grad {
-                let grads = cpu::all_pairs_grad::<IouObb2, T>(a, &b).map_err(refused)?;
+                let grads = T::all_pairs_grad(backend, a, &b)?;
                 sink.rows(grads.values.len(), |pair| {
                     let (a_bar, b_bar) = grads.at(pair / b.len(), pair % b.len());
                     (grads.values[pair], Some([a_bar, b_bar]))
                 })?;
             } else {
-                let values = cpu::all_pairs::<IouObb2, T>(a, &b).map_err(refused)?;
+                let values = T::all_pairs(backend, a, &b)?;
                 sink.rows(values.len(), |pair| (values[pair], None))?;
             }
             progress.inc((a.len() * b.len()) as u64);
@@ -151,11 +169,10 @@ where
         let progress = progress(a.len() as u64);
         for (a, b) in a.chunks(BLOCK).zip(b.chunks(BLOCK)) {
             if options.grad {
-                let (values, a_bar, b_bar) =
-                    cpu::aligned_grad::<IouObb2, T>(a, b).map_err(refused)?;
+                let (values, a_bar, b_bar) = T::aligned_grad(backend, a, b)?;
                 sink.rows(a.len(), |i| (values[i], Some([a_bar[i], b_bar[i]])))?;
             } else {
-                let values = cpu::aligned::<IouObb2, T>(a, b).map_err(refused)?;
+                let values = T::aligned(backend, a, b)?;
                 sink.rows(a.len(), |i| (values[i], None))?;
             }
             progress.inc(a.len() as u64);
@@ -188,6 +205,6 @@ fn main() -> ExitCode {
     });
     match done {
         Ok(()) => ExitCode::SUCCESS,
-        Err(failure) => failure.report("iou_csv"),
+        Err(failure) => failure.report(PROGRAM),
     }
 }

@@ -13,6 +13,9 @@ const STRETCH: usize = 1 << 14;
 pub struct Sink {
     to: BufWriter<Box<dyn Write>>,
     name: String,
+    /// What comes before the first row. It waits for that row or the end, so that a job that fails
+    /// before writes nothing.
+    header: &'static str,
     /// The file being written and the name it gets when complete.
     pending: Option<(PathBuf, PathBuf)>,
     /// The reader has gone away: what is left need not be written.
@@ -20,8 +23,8 @@ pub struct Sink {
 }
 
 impl Sink {
-    /// The file of that name, or standard output.
-    pub fn create(out: Option<&Path>) -> Result<Self, Failure> {
+    /// The file of that name, or standard output, for rows with slopes or without.
+    pub fn create(out: Option<&Path>, grad: bool) -> Result<Self, Failure> {
         let (to, name, pending): (Box<dyn Write>, _, _) = match out {
             None => (Box::new(io::stdout()), "standard output".to_string(), None),
             Some(path) => {
@@ -45,16 +48,12 @@ impl Sink {
         Ok(Sink {
             to: BufWriter::with_capacity(1 << 16, to),
             name,
+            header: match grad {
+                true => "iou,dax,day,daw,dah,dar,dbx,dby,dbw,dbh,dbr\n",
+                false => "iou\n",
+            },
             pending,
             closed: false,
-        })
-    }
-
-    pub fn header(&mut self, grad: bool) -> Result<(), Failure> {
-        self.write(if grad {
-            "iou,dax,day,daw,dah,dar,dbx,dby,dbw,dbh,dbr\n"
-        } else {
-            "iou\n"
         })
     }
 
@@ -106,7 +105,11 @@ impl Sink {
         if self.closed {
             return Ok(());
         }
-        let written = self.to.write_all(text.as_bytes());
+        let header = std::mem::take(&mut self.header);
+        let written = self
+            .to
+            .write_all(header.as_bytes())
+            .and_then(|()| self.to.write_all(text.as_bytes()));
         self.check(written)
     }
 
@@ -128,6 +131,8 @@ impl Sink {
 
     /// Gives the result its name.
     pub fn finish(mut self) -> Result<(), Failure> {
+        // Without any rows this is where the header goes.
+        self.write("")?;
         let flushed = self.to.flush();
         self.check(flushed)?;
         if let Some((part, target)) = self.pending.take() {

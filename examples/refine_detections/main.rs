@@ -4,6 +4,7 @@
 //! ```text
 //! cargo run --release --example refine_detections
 //! cargo run --release --example refine_detections -- --detections Car.txt Cyclist.txt --labels 0001.txt
+//! cargo run --release --features gpu --example refine_detections -- --backend gpu
 //! ```
 //!
 //! The boxes are moved towards the very ground truth that they are then scored by, so the numbers
@@ -28,7 +29,10 @@ mod refine;
 mod scene;
 mod svg;
 
-use cli::{Backend, Failure};
+use cli::{Failure, Wish};
+use geograd::Obb2;
+use geograd::kernels::overlap::IouObb2;
+use geograd::kernels::{Backend, GpuError};
 use indicatif::{ProgressBar, ProgressStyle};
 use matching::{Match, Quality};
 use model::{Frame, Frames};
@@ -36,6 +40,8 @@ use std::collections::BTreeMap;
 use std::path::PathBuf;
 use std::process::ExitCode;
 use std::time::{Duration, Instant};
+
+const PROGRAM: &str = "refine_detections";
 
 const HELP: &str = "\
 Matches detections to ground truth by rotated overlap, seen from above, and improves the matched
@@ -61,7 +67,11 @@ And:
   --steps N                steps of gradient descent at most [default: 200]
   --svg FILE               where the picture goes [default: refine_detections.svg]
   --frame N                the frame to draw [default: the one that improves most]
-  --backend cpu|gpu|auto   the machine to compute on [default: cpu]
+  --backend cpu|gpu|auto   the machine to compute on [default: cpu]. A GPU needs a build with
+                           `--features gpu`. auto takes a GPU if there is one and says on
+                           stderr what it took. The environment variable GEOGRAD_GPU chooses
+                           among GPUs: an index, a part of a name, or `cpu` for a driver in
+                           software.
   --help                   this text
 
 Matching is one to one within a class and a frame, with the largest sum of overlaps (the Hungarian
@@ -70,7 +80,8 @@ overlap among all detections and among all truths of the detected classes. Other
 and DontCare regions are left out. Before and after are matched afresh.
 
 Exit status: 0 when all went well; 1 for lines that could not be used (each is told on stderr, the
-rest goes on) and for files that cannot be read or written; 2 for a wrong command line.
+rest goes on), files that cannot be read or written, and a GPU that fails (nothing is drawn then);
+2 for a wrong command line.
 ";
 
 struct Options {
@@ -82,7 +93,7 @@ struct Options {
     steps: u64,
     svg: PathBuf,
     frame: Option<u32>,
-    backend: Backend,
+    wish: Wish,
 }
 
 /// `None` when only help was wanted.
@@ -97,7 +108,7 @@ fn options() -> Result<Option<Options>, Failure> {
         steps: 200,
         svg: "refine_detections.svg".into(),
         frame: None,
-        backend: Backend::Cpu,
+        wish: Wish::Cpu,
     };
     let mut made = false;
     let mut parser = lexopt::Parser::from_env();
@@ -119,7 +130,7 @@ fn options() -> Result<Option<Options>, Failure> {
             Long("steps") => options.steps = parser.value()?.parse()?,
             Long("svg") => options.svg = parser.value()?.into(),
             Long("frame") => options.frame = Some(parser.value()?.parse()?),
-            Long("backend") => options.backend = Backend::from_name(&parser.value()?.string()?)?,
+            Long("backend") => options.wish = Wish::from_name(&parser.value()?.string()?)?,
             Long("help") | Short('h') => return Ok(None),
             _ => return Err(argument.unexpected().into()),
         }
@@ -150,10 +161,10 @@ fn load(options: &Options) -> Result<(Frames, usize), Failure> {
 type Matches = BTreeMap<u32, Vec<Match>>;
 
 fn match_all(
-    backend: Backend,
+    backend: Backend<'_>,
     frames: &Frames,
     progress: &ProgressBar,
-) -> Result<Matches, geograd::Error> {
+) -> Result<Matches, GpuError> {
     let mut matches = Matches::new();
     for (&number, frame) in frames {
         matches.insert(number, matching::match_frame(backend, number, frame)?);
@@ -170,18 +181,29 @@ fn progress(what: &'static str, length: u64) -> ProgressBar {
         .with_message(what)
 }
 
+/// A GPU compiles what it runs at its first call; the clock starts after that.
+fn warm_up(backend: Backend<'_>) -> Result<(), GpuError> {
+    let shape = [Obb2::new(0.0, 0.0, 1.0, 1.0, 0.0)];
+    backend.all_pairs::<IouObb2>(&shape, &shape)?;
+    backend.aligned_grad::<IouObb2>(&shape, &shape)?;
+    Ok(())
+}
+
 /// Exit status 1 for the `true` of lines that could not be used.
 fn run(options: &Options) -> Result<bool, Failure> {
-    let refused = |error: geograd::Error| Failure::Work(error.to_string());
     let (mut frames, bad_lines) = load(options)?;
     let (low_scores, other_classes) = model::keep_scored(&mut frames, options.min_score);
     if let Some(wanted) = options.frame.filter(|number| !frames.contains_key(number)) {
         return Err(Failure::Work(format!("there is no frame {wanted}")));
     }
 
+    let machine = options.wish.machine(PROGRAM)?;
+    let backend = machine.backend();
+    warm_up(backend)?;
+
     let started = Instant::now();
     let bar = progress("matching", frames.len() as u64);
-    let before = match_all(options.backend, &frames, &bar).map_err(refused)?;
+    let before = match_all(backend, &frames, &bar)?;
     bar.finish_and_clear();
     let matching_time = started.elapsed();
 
@@ -193,10 +215,7 @@ fn run(options: &Options) -> Result<bool, Failure> {
         truths.push(frame.truths[pair.truth].shape);
     }
     let bar = progress("refining", options.steps + 1);
-    let (shapes, cost) = refine::refine(options.backend, &shapes, &truths, options.steps, || {
-        bar.inc(1);
-    })
-    .map_err(refused)?;
+    let (shapes, cost) = refine::refine(backend, &shapes, &truths, options.steps, || bar.inc(1))?;
     bar.finish_and_clear();
     let mut refined = frames.clone();
     for (pair, shape) in pairs.iter().zip(shapes) {
@@ -206,7 +225,7 @@ fn run(options: &Options) -> Result<bool, Failure> {
     }
 
     let bar = progress("matching", frames.len() as u64);
-    let after = match_all(options.backend, &refined, &bar).map_err(refused)?;
+    let after = match_all(backend, &refined, &bar)?;
     bar.finish_and_clear();
     let time = started.elapsed();
 
@@ -247,7 +266,7 @@ fn run(options: &Options) -> Result<bool, Failure> {
         "\nFrame {at} before and after is drawn in {name}.\n"
     ));
     if bad_lines > 0 {
-        eprintln!("refine_detections: {bad_lines} bad lines were left out");
+        eprintln!("{PROGRAM}: {bad_lines} bad lines were left out");
     }
     Ok(bad_lines > 0)
 }
@@ -340,6 +359,6 @@ fn main() -> ExitCode {
     match done {
         Ok(false) => ExitCode::SUCCESS,
         Ok(true) => ExitCode::FAILURE,
-        Err(failure) => failure.report("refine_detections"),
+        Err(failure) => failure.report(PROGRAM),
     }
 }

@@ -1,9 +1,8 @@
 //! Which detection belongs to which truth, and how good the detections are by that.
 use crate::assign::assign;
-use crate::cli::Backend;
 use crate::model::{Frame, Frames};
-use geograd::kernels::cpu;
 use geograd::kernels::overlap::IouObb2;
+use geograd::kernels::{Backend, GpuError};
 
 /// A detection and the truth it was matched to.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -23,14 +22,13 @@ pub struct Match {
 /// their classes this takes the one whose overlaps have the largest sum (the Hungarian method), and
 /// drops the pairs without overlap.
 pub fn match_frame(
-    backend: Backend,
+    backend: Backend<'_>,
     number: u32,
     frame: &Frame,
-) -> Result<Vec<Match>, geograd::Error> {
+) -> Result<Vec<Match>, GpuError> {
     let shapes = |seen: &[crate::model::Seen]| seen.iter().map(|s| s.shape).collect::<Vec<_>>();
     let (detections, truths) = (shapes(&frame.detections), shapes(&frame.truths));
-    let Backend::Cpu = backend;
-    let mut overlaps = cpu::all_pairs::<IouObb2, f32>(&detections, &truths)?;
+    let mut overlaps = backend.all_pairs::<IouObb2>(&detections, &truths)?;
     for (i, iou) in overlaps.iter_mut().enumerate() {
         let (detection, truth) = (i / truths.len(), i % truths.len());
         if frame.detections[detection].class != frame.truths[truth].class {

@@ -7,9 +7,8 @@
 //! gradient descent, Riedmiller and Braun 1993). A step that would not raise the overlap of its pair is
 //! taken back and tried shorter, so no pair ever gets worse. Pairs that overlap by a sliver have small
 //! slopes, which makes no difference to their steps.
-use crate::cli::Backend;
-use geograd::kernels::cpu;
 use geograd::kernels::overlap::IouObb2;
+use geograd::kernels::{Backend, GpuError};
 use geograd::{Obb2, Rotation2, Vec2};
 use std::time::{Duration, Instant};
 
@@ -117,18 +116,16 @@ impl Walker {
 /// Where the boxes end up after at most that many steps towards their truths. Every step of all
 /// pairs that still move is one batch.
 pub fn refine(
-    backend: Backend,
+    backend: Backend<'_>,
     shapes: &[Obb2<f32>],
     truths: &[Obb2<f32>],
     steps: u64,
     mut stepped: impl FnMut(),
-) -> Result<(Vec<Obb2<f32>>, Cost), geograd::Error> {
+) -> Result<(Vec<Obb2<f32>>, Cost), GpuError> {
     let mut walkers: Vec<Walker> = shapes.iter().map(|&shape| Walker::new(shape)).collect();
     let mut moving: Vec<usize> = (0..walkers.len()).collect();
     let mut tried = shapes.to_vec();
     let mut goals = truths.to_vec();
-    let mut ious = vec![0.0; shapes.len()];
-    let (mut slopes, mut goal_slopes) = (shapes.to_vec(), truths.to_vec());
     let mut cost = Cost::default();
     // The first evaluation is of the boxes as they are.
     for _ in 0..=steps {
@@ -136,28 +133,17 @@ pub fn refine(
             break;
         }
         let started = Instant::now();
-        let Backend::Cpu = backend;
-        cpu::aligned_grad_into::<IouObb2, f32>(
-            &tried,
-            &goals,
-            &mut ious,
-            &mut slopes,
-            &mut goal_slopes,
-        )?;
+        let (ious, slopes, _) = backend.aligned_grad::<IouObb2>(&tried, &goals)?;
         cost.time += started.elapsed();
         cost.gradients += moving.len();
         for (i, &walker) in moving.iter().enumerate() {
             walkers[walker].learn(tried[i], ious[i], slopes[i]);
         }
         moving.retain(|&walker| !walkers[walker].is_done());
-        let left = moving.len();
         tried.clear();
         tried.extend(moving.iter().map(|&walker| walkers[walker].next()));
         goals.clear();
         goals.extend(moving.iter().map(|&walker| truths[walker]));
-        ious.truncate(left);
-        slopes.truncate(left);
-        goal_slopes.truncate(left);
         stepped();
     }
     Ok((walkers.iter().map(|walker| walker.shape).collect(), cost))
