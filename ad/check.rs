@@ -115,6 +115,8 @@ pub struct Plan<'a> {
     pub seed: u64,
     /// Whether hard cases come first.
     pub hard: bool,
+    /// Whether to draw the worst case of an operation.
+    pub draws: bool,
     /// Called after every sample: for a progress bar.
     pub tick: Option<&'a dyn Fn()>,
 }
@@ -127,6 +129,7 @@ impl Plan<'_> {
             samples,
             seed,
             hard: true,
+            draws: false,
             tick: None,
         }
     }
@@ -175,6 +178,7 @@ pub fn examine<S: Number, X: Pack<Scalar = S> + Debug>(
         margin: f64::INFINITY,
         worst: [Worst::default(); PAIRS.len()],
         worst_input: Vec::new(),
+        picture: None,
         refused: 0,
         failures: Vec::new(),
     };

@@ -21,6 +21,7 @@ pub mod clip;
 pub mod forward;
 pub mod judge;
 pub mod overlap;
+pub mod picture;
 pub mod report;
 pub mod ring;
 pub mod sample;

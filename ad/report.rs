@@ -43,6 +43,8 @@ pub struct Report {
     pub worst: [Worst; PAIRS.len()],
     /// The input where adjoint and differences were farthest apart, measured by tolerance.
     pub worst_input: Vec<f64>,
+    /// That input as SVG, when the plan says to draw it.
+    pub picture: Option<String>,
     /// How many samples were refused.
     pub refused: u64,
     /// The first of them.
