@@ -131,8 +131,8 @@ pub struct Plan<'a> {
     pub samples: usize,
     /// What they are drawn from.
     pub seed: u64,
-    /// Whether hard cases come first.
-    pub hard: bool,
+    /// Hard cases come first: every so many of them, all by default, none for zero.
+    pub hard: usize,
     /// Whether to draw the worst case of an operation.
     pub draws: bool,
     /// Called after every sample: for a progress bar.
@@ -146,7 +146,7 @@ impl Plan<'_> {
         Plan {
             samples,
             seed,
-            hard: true,
+            hard: 1,
             draws: false,
             tick: None,
         }

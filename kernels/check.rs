@@ -322,7 +322,10 @@ where
         let list: Vec<f64> = x.scalars().iter().map(|&x| S::nearest(x).widen()).collect();
         x.refill(&list)
     };
-    let hard = if plan.hard { hard_cases() } else { Vec::new() };
+    let hard: Vec<O::In<f64>> = match plan.hard {
+        0 => Vec::new(),
+        every => hard_cases().into_iter().step_by(every).collect(),
+    };
     let mut inputs: Vec<O::In<f64>> = hard
         .into_iter()
         .map(rounded)
