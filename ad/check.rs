@@ -87,6 +87,24 @@
 //! let report = Check::at([1.0, 1.0]).value(larger).gradient(both).run();
 //! assert!(report.refused_for(Reason::OutsideKink));
 //! ```
+//! # How far the verdict goes
+//!
+//! | measured by the tests of this crate | |
+//! | --- | --- |
+//! | planted faults refused for the right reason | all 47 |
+//! | difficult but correct functions accepted | all 21 |
+//! | right gradients of random functions refused | 0 of 1000 |
+//! | random functions with one number off by 10⁻⁶ to 1, by differences alone, accepted | 0 of 1000 |
+//! | the library's own operations, 20 000 random samples each and all hard cases, in both formats | no false alarm |
+//!
+//! Give a function's generic source where there is one ([`Check::dual`], [`Check::traced`]): duals
+//! know no step, and traces tell a kink from a coincidence. Differences alone do not see a
+//! feature smaller than a hundred-millionth of the [scale](Check::scales); a function that has
+//! such features (boxes tilted by less) may be refused falsely without a trace.
+//!
+//! Where a value is decided within rounding (a tie that is none in exact arithmetic), no witness
+//! is better than another, and what provoked rounding changes is tolerated. Exact ties of equal
+//! inputs are judged strictly in double precision.
 use crate::ad::judge::judge;
 use crate::ad::sample::{Draw, Sample, hard_cases, random, simpler};
 use crate::ad::subject::{Conventions, Subject, default_scales};
@@ -113,8 +131,10 @@ pub struct Plan<'a> {
     pub samples: usize,
     /// What they are drawn from.
     pub seed: u64,
-    /// Whether hard cases come first.
-    pub hard: bool,
+    /// Hard cases come first: every so many of them, all by default, none for zero.
+    pub hard: usize,
+    /// Whether to draw the worst case of an operation.
+    pub draws: bool,
     /// Called after every sample: for a progress bar.
     pub tick: Option<&'a dyn Fn()>,
 }
@@ -126,7 +146,8 @@ impl Plan<'_> {
         Plan {
             samples,
             seed,
-            hard: true,
+            hard: 1,
+            draws: false,
             tick: None,
         }
     }
@@ -175,6 +196,7 @@ pub fn examine<S: Number, X: Pack<Scalar = S> + Debug>(
         margin: f64::INFINITY,
         worst: [Worst::default(); PAIRS.len()],
         worst_input: Vec::new(),
+        picture: None,
         refused: 0,
         failures: Vec::new(),
     };
@@ -280,6 +302,7 @@ fn code<X: Debug>(x: &X) -> String {
     }
 }
 
+type InsideFn<'a, X> = Box<dyn Fn(&X) -> bool + 'a>;
 type ValueFn<'a, X> = Box<dyn Fn(&X) -> Vec<f64> + 'a>;
 type AdjointFn<'a, X> = Box<dyn Fn(&X, &[f64]) -> Vec<f64> + 'a>;
 type TracedFn<'a, X> = Box<dyn Fn(&X) -> (Vec<f64>, Trace) + 'a>;
@@ -308,7 +331,7 @@ pub struct Check<'a, X: Pack> {
     dual: Option<AdjointFn<'a, X>>,
     traced: Option<TracedFn<'a, X>>,
     curvature: Option<AdjointFn<'a, X>>,
-    inside: Option<Box<dyn Fn(&X) -> bool + 'a>>,
+    inside: Option<InsideFn<'a, X>>,
     scales: Option<ValueFn<'a, X>>,
     kinds: Vec<Kind>,
     promises: Vec<Promise>,

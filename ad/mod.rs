@@ -15,12 +15,18 @@
 //! Everywhere else the duals suffice. Adjoints are generic too: run on duals they give second
 //! derivatives.
 //!
+//! # Verification
+//!
+//! [`check`] proves derivatives, the library's and anybody's: see there, and
+//! [`assert_gradient!`](crate::assert_gradient).
+//!
 //! `x_bar` is the cotangent of `x`. `…_grad` functions give value and slopes fused.
 pub mod check;
 pub mod clip;
 pub mod forward;
 pub mod judge;
 pub mod overlap;
+pub mod picture;
 pub mod report;
 pub mod ring;
 pub mod sample;

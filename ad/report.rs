@@ -43,6 +43,8 @@ pub struct Report {
     pub worst: [Worst; PAIRS.len()],
     /// The input where adjoint and differences were farthest apart, measured by tolerance.
     pub worst_input: Vec<f64>,
+    /// That input as SVG, when the plan says to draw it.
+    pub picture: Option<String>,
     /// How many samples were refused.
     pub refused: u64,
     /// The first of them.
@@ -66,7 +68,7 @@ impl Report {
     #[must_use]
     pub fn heading() -> String {
         format!(
-            "{:<24} {:>4} {:>8} {:>8} {:>7} {:>6} | {:>8} {:>8} {:>6} | {:>8} {:>8} | {:>8} | {}",
+            "{:<24} {:>4} {:>7} {:>7} {:>6} {:>6} | {:>8} {:>8} {:>8} | {:>8} {:>8} {:>8} | {:>8} | {}",
             "function",
             "in",
             "samples",
@@ -75,9 +77,10 @@ impl Report {
             "undef",
             "adj-dual",
             "relative",
-            "ulps",
+            "99% ulps",
             "adj-diff",
             "relative",
+            "99% ulps",
             "adj-wide",
             "verdict"
         )
@@ -93,10 +96,12 @@ impl Report {
             }
         };
         let [dual, difference, _, wide, _] = &self.worst;
-        let ulps = if dual.count == 0 {
-            "-".to_owned()
-        } else {
-            shortened(dual.ulps)
+        let usual = |worst: &Worst| {
+            if worst.count == 0 {
+                "-".to_owned()
+            } else {
+                format!("<{:.0e}", worst.usual())
+            }
         };
         let verdict = if self.passed() {
             "proved".to_owned()
@@ -104,7 +109,7 @@ impl Report {
             format!("REFUSED ({} samples)", self.refused)
         };
         format!(
-            "{:<24} {:>4} {:>8} {:>8} {:>7} {:>6} | {:>8} {:>8} {:>6} | {:>8} {:>8} | {:>8} | {}",
+            "{:<24} {:>4} {:>7} {:>7} {:>6} {:>6} | {:>8} {:>8} {:>8} | {:>8} {:>8} {:>8} | {:>8} | {}",
             self.name,
             match self.precision {
                 Precision::F32 => "f32",
@@ -116,9 +121,10 @@ impl Report {
             self.places[2],
             number(dual, dual.absolute),
             number(dual, dual.relative),
-            ulps,
+            usual(dual),
             number(difference, difference.absolute),
             number(difference, difference.relative),
+            usual(difference),
             number(wide, wide.relative),
             verdict
         )
@@ -155,11 +161,12 @@ impl Report {
             let _ = write!(
                 out,
                 "{comma}{{\"witnesses\":[\"{a:?}\",\"{b:?}\"],\"compared\":{},\"absolute\":{},\
-                 \"relative\":{},\"ulps\":{},\"share_of_tolerance\":{},\"sample\":{},\"input\":{}}}",
+                 \"relative\":{},\"ulps\":{},\"usual_ulps\":{},\"share_of_tolerance\":{},\"sample\":{},\"input\":{}}}",
                 worst.count,
                 json_number(worst.absolute),
                 json_number(worst.relative),
                 json_number(worst.ulps),
+                json_number(worst.usual()),
                 json_number(worst.share),
                 worst.sample,
                 worst.input
@@ -238,15 +245,6 @@ impl fmt::Display for Report {
             writeln!(f, "    let input = {};", failure.code)?;
         }
         Ok(())
-    }
-}
-
-/// Large counts of units in the last place, kept short.
-fn shortened(x: f64) -> String {
-    if x < 1e4 {
-        format!("{x:.0}")
-    } else {
-        format!("{x:.0e}")
     }
 }
 

@@ -78,6 +78,10 @@ pub trait Sample: Pack<Scalar = f64> + std::fmt::Debug {
     }
     /// Whether it is valid.
     fn inside(&self) -> bool;
+    /// What to draw of it.
+    fn outlines(&self) -> Vec<Vec<[f64; 2]>> {
+        Vec::new()
+    }
     /// Simpler ones of another length.
     fn shorter(&self) -> Vec<Self> {
         Vec::new()
@@ -248,6 +252,9 @@ impl Sample for Obb2<f64> {
         let place = (width.sqrt() * height.sqrt()).max(1e-3 * size);
         vec![place, place, width, height, place / size]
     }
+    fn outlines(&self) -> Vec<Vec<[f64; 2]>> {
+        vec![self.corners().map(|p| [p.x, p.y]).to_vec()]
+    }
     fn inside(&self) -> bool {
         self.validate().is_ok()
     }
@@ -289,6 +296,9 @@ impl Sample for Aabb2<f64> {
         let x = if size.x > 0.0 { size.x } else { both };
         let y = if size.y > 0.0 { size.y } else { both };
         vec![x, y, x, y]
+    }
+    fn outlines(&self) -> Vec<Vec<[f64; 2]>> {
+        vec![self.corners().map(|p| [p.x, p.y]).to_vec()]
     }
     fn inside(&self) -> bool {
         self.validate().is_ok()
@@ -356,6 +366,9 @@ impl Sample for Vec<Vec2<f64>> {
             positive(size.x.max(size.y))
         });
         vec![size; 2 * self.len()]
+    }
+    fn outlines(&self) -> Vec<Vec<[f64; 2]>> {
+        vec![self.iter().map(|p| [p.x, p.y]).collect()]
     }
     fn inside(&self) -> bool {
         self.iter().all(|point| point.is_finite())
@@ -464,6 +477,9 @@ impl<A: Sample, B: Sample> Sample for (A, B) {
             .iter()
             .map(|kind| if *kind == Kind::Angle { 1.0 } else { least })
             .collect()
+    }
+    fn outlines(&self) -> Vec<Vec<[f64; 2]>> {
+        [self.0.outlines(), self.1.outlines()].concat()
     }
     fn inside(&self) -> bool {
         self.0.inside() && self.1.inside()

@@ -104,6 +104,8 @@ pub struct Worst {
     pub relative: f64,
     /// The same in units of the precision.
     pub ulps: f64,
+    /// How many differences, in units of the precision, are below 1, 10, 100 and so on.
+    pub decades: [u64; 20],
     /// Largest share of the tolerance used up.
     pub share: f64,
     /// The sample where that was.
@@ -121,6 +123,8 @@ impl Worst {
         if relative.is_finite() {
             self.relative = self.relative.max(relative);
             self.ulps = self.ulps.max(relative / eps);
+            let decade = (relative / eps).log10().floor() + 1.0;
+            self.decades[(decade.max(0.0) as usize).min(19)] += 1;
         }
         let share = if gap == 0.0 { 0.0 } else { gap / tolerance };
         if share > self.share {
@@ -128,12 +132,29 @@ impl Worst {
             self.input = at;
         }
     }
+    /// The power of ten of units of the precision that 99 of 100 differences stay below. The
+    /// largest ones belong to inputs that no format can decide, such as nearly parallel sides.
+    #[must_use]
+    pub fn usual(&self) -> f64 {
+        let total: u64 = self.decades.iter().sum();
+        let mut seen = 0;
+        for (decade, count) in (0..).zip(self.decades) {
+            seen += count;
+            if seen * 100 >= total * 99 {
+                return 10_f64.powi(decade);
+            }
+        }
+        f64::INFINITY
+    }
     /// Both together.
     pub(crate) fn merge(&mut self, other: &Worst, sample: usize) {
         self.count += other.count;
         self.absolute = self.absolute.max(other.absolute);
         self.relative = self.relative.max(other.relative);
         self.ulps = self.ulps.max(other.ulps);
+        for (all, here) in self.decades.iter_mut().zip(other.decades) {
+            *all += here;
+        }
         if other.share > self.share {
             (self.share, self.sample, self.input) = (other.share, sample, other.input);
         }

@@ -7,6 +7,7 @@
 //! ```
 use crate::ad::check::{Plan, Report, examine};
 use crate::ad::forward::{Along, First};
+use crate::ad::picture::picture;
 use crate::ad::sample::{Sample, hard_cases, random};
 use crate::ad::subject::{Conventions, Jumps, Subject};
 use crate::ad::symmetry::{Answer, Kind, Motion, Promise};
@@ -326,7 +327,10 @@ where
         let list: Vec<f64> = x.scalars().iter().map(|&x| S::nearest(x).widen()).collect();
         x.refill(&list)
     };
-    let hard = if plan.hard { hard_cases() } else { Vec::new() };
+    let hard: Vec<O::In<f64>> = match plan.hard {
+        0 => Vec::new(),
+        every => hard_cases().into_iter().step_by(every).collect(),
+    };
     let mut inputs: Vec<O::In<f64>> = hard
         .into_iter()
         .map(rounded)
@@ -335,17 +339,25 @@ where
     let random_from = inputs.len();
     let drawn = (0..plan.samples).map(|i| random(&mut plan.draw(i)));
     inputs.extend(drawn.map(rounded).filter(Sample::inside));
-    examine(
+    let mut report = examine(
         O::NAME,
         plan,
         &inputs,
         random_from,
         |x| x.shorter(),
-        |x, judge| {
-            // What shrinking makes is rounded and judged only where it is valid.
-            judge(&OpSubject::<O, S>::new(x, paths, fused));
-        },
-    )
+        |x, judge| judge(&OpSubject::<O, S>::new(x, paths, fused)),
+    );
+    let worst = inputs
+        .iter()
+        .find(|x| plan.draws && x.scalars() == report.worst_input);
+    report.picture = worst.map(|x| {
+        let title = format!(
+            "{}: where adjoint and differences are farthest apart",
+            O::NAME
+        );
+        picture(&title, x, &OpSubject::<O, S>::new(x, paths, fused))
+    });
+    report
 }
 
 /// Runs every check of an operation of two shapes.

@@ -1,0 +1,141 @@
+//! Proves every operation of the library and prints the table.
+//!
+//! ```text
+//! cargo run --release --example gradient_report -- --samples 1000 --seed 1
+//!   --op NAME       only operations whose name contains NAME
+//!   --samples N     random inputs per operation and format (hard cases come on top)
+//!   --seed N        what they are drawn from
+//!   --f32, --f64    only one format
+//!   --json          JSON lines instead of the table
+//!   --svg FILE      a picture of the worst case of the (last) operation in double precision
+//!   --gpu           the GPU as a further witness, where this build has one
+//! ```
+//!
+//! The exit status is 0 when everything is proved, 1 when something is refused, 2 for a wrong
+//! argument.
+use geograd::ad::check::{Plan, Report, SEED};
+use geograd::kernels::check::{prove_pair_with, prove_ring_with};
+use indicatif::{ProgressBar, ProgressStyle};
+use std::process::ExitCode;
+
+/// What the command line says.
+struct Options {
+    op: String,
+    samples: usize,
+    seed: u64,
+    formats: [bool; 2],
+    json: bool,
+    svg: Option<String>,
+}
+
+fn options() -> Result<Options, String> {
+    let mut options = Options {
+        op: String::new(),
+        samples: 1000,
+        seed: SEED,
+        formats: [true, true],
+        json: false,
+        svg: None,
+    };
+    let mut arguments = std::env::args().skip(1);
+    while let Some(argument) = arguments.next() {
+        let mut value = || arguments.next().ok_or(format!("{argument} needs a value"));
+        match argument.as_str() {
+            "--op" => options.op = value()?,
+            "--samples" => options.samples = value()?.parse().map_err(|e| format!("{e}"))?,
+            "--seed" => options.seed = value()?.parse().map_err(|e| format!("{e}"))?,
+            "--svg" => options.svg = Some(value()?),
+            "--json" => options.json = true,
+            "--f32" => options.formats = [true, false],
+            "--f64" => options.formats = [false, true],
+            "--gpu" => return Err("this build has no GPU witness".to_owned()),
+            _ => return Err(format!("unknown argument {argument}")),
+        }
+    }
+    Ok(options)
+}
+
+/// One operation in one format: its name and its proof.
+type Job = (&'static str, bool, fn(&Plan<'_>) -> Report);
+
+macro_rules! jobs {
+    (pairs { $($pair:ident: $pair_op:ty,)* } rings { $($ring:ident: $ring_op:ty,)* }) => {
+        [
+            $(
+                (stringify!($pair), true, prove_pair_with::<$pair_op, f64> as fn(&Plan<'_>) -> Report),
+                (stringify!($pair), false, prove_pair_with::<$pair_op, f32>),
+            )*
+            $(
+                (stringify!($ring), true, prove_ring_with::<$ring_op, f64>),
+                (stringify!($ring), false, prove_ring_with::<$ring_op, f32>),
+            )*
+        ]
+    };
+}
+
+fn main() -> ExitCode {
+    let options = match options() {
+        Ok(options) => options,
+        Err(message) => {
+            eprintln!("{message}");
+            return ExitCode::from(2);
+        }
+    };
+    let jobs: Vec<Job> = geograd::for_each_op!(jobs)
+        .into_iter()
+        .filter(|(name, wide, _)| name.contains(&options.op) && options.formats[usize::from(*wide)])
+        .collect();
+    if jobs.is_empty() {
+        eprintln!("no operation is named {}", options.op);
+        return ExitCode::from(2);
+    }
+    let bar = ProgressBar::new(jobs.len() as u64).with_style(
+        ProgressStyle::with_template("{bar:30} {pos}/{len} {msg} ({elapsed})")
+            .expect("a valid template"),
+    );
+    let (mut proved, mut failed, mut picture) = (0, Vec::new(), None);
+    let say = |line: String| bar.suspend(|| println!("{line}"));
+    if !options.json {
+        say(Report::heading());
+    }
+    for (name, wide, prove) in jobs {
+        bar.set_message(name);
+        let tick = || bar.tick();
+        let plan = Plan {
+            draws: options.svg.is_some() && wide,
+            tick: Some(&tick),
+            ..Plan::new(options.samples, options.seed)
+        };
+        let report = prove(&plan);
+        say(if options.json {
+            report.json()
+        } else {
+            report.line()
+        });
+        picture = report.picture.clone().or(picture);
+        if report.passed() {
+            proved += 1;
+        } else {
+            failed.push(report);
+        }
+        bar.inc(1);
+    }
+    bar.finish_and_clear();
+    if !options.json {
+        for report in &failed {
+            println!("\n{report}");
+        }
+        println!(
+            "\n{proved} proved, {} refused (seed {})",
+            failed.len(),
+            options.seed
+        );
+    }
+    if let (Some(path), Some(picture)) = (&options.svg, &picture)
+        && let Err(error) = std::fs::write(path, picture)
+    {
+        eprintln!("{path}: {error}");
+        return ExitCode::from(2);
+    }
+    ExitCode::from(u8::from(!failed.is_empty()))
+}
