@@ -23,10 +23,12 @@
 //! `x_bar` is the cotangent of `x`. `…_grad` functions give value and slopes fused.
 pub mod check;
 pub mod clip;
+mod curvature;
 pub mod forward;
 pub mod judge;
 pub mod overlap;
 pub mod picture;
+mod promise;
 pub mod report;
 pub mod ring;
 pub mod sample;

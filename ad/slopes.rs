@@ -1,21 +1,20 @@
-//! The part of a judgement that takes steps: differences, kinks, second derivatives, motions.
+//! The part of a judgement that takes steps: differences and kinks.
 use crate::ad::judge::{Judge, ROUNDINGS, Row, SAFETY};
 use crate::ad::sample::Draw;
 use crate::ad::subject::{Jumps, Subject};
-use crate::ad::symmetry::{Answer, Kind, Motion, answer, exchanged, moved_by, velocity};
 use crate::ad::trace::Trace;
 use crate::ad::verdict::{Numbers, Place, Reason, Witness};
-use crate::ad::witness::{Estimate, Ladder, Precision, Probe, beside, dot};
+use crate::ad::witness::{Estimate, Ladder, dot};
 
 /// Inputs up to this number are stepped one by one, more of them along random directions.
 pub(crate) const FEW_INPUTS: usize = 48;
 /// First steps of the ladder that judges and of those that confirm, in units of the scales. The
 /// last ones look for features smaller than the first one can see.
-const FIRST: [f64; 5] = [0.1, 0.037, 0.23, 1e-3, 1e-5];
+pub(crate) const FIRST: [f64; 5] = [0.1, 0.037, 0.23, 1e-3, 1e-5];
 /// First step of the ladder that tells a jump from a kink very near.
 const NEAR: f64 = 1e-8;
 /// A difference whose error is larger than this share of the largest slope says nothing.
-const INFORMATIVE: f64 = 0.02;
+pub(crate) const INFORMATIVE: f64 = 0.02;
 
 /// What steps along one direction say about a slope.
 #[derive(Clone, Copy, Debug)]
@@ -34,7 +33,7 @@ enum Said {
 }
 
 /// Whether a complaint stands: some other ladder repeats it, and none contradicts.
-fn confirmed(again: impl Iterator<Item = Option<bool>>) -> bool {
+pub(crate) fn confirmed(again: impl Iterator<Item = Option<bool>>) -> bool {
     let mut repeated = false;
     for said in again.flatten() {
         if !said {
@@ -446,294 +445,5 @@ impl Judge<'_> {
             }
         }
         result
-    }
-
-    /// Second derivatives: through the adjoint, by nested duals, by differences of the adjoint.
-    pub(crate) fn curvature(&mut self, row: &Row, draw: &mut Draw) {
-        let subject = self.subject;
-        if subject.precision() == Precision::F32 || self.x.is_empty() {
-            return;
-        }
-        let (n, output) = (self.x.len(), row.output);
-        let mut random = || -> Vec<f64> {
-            self.scales
-                .iter()
-                .map(|s| s * draw.within(-1.0, 1.0))
-                .collect()
-        };
-        let (u, v) = (random(), random());
-        let Some(bend) = subject.curvature(self.x, &row.weights, &v) else {
-            return;
-        };
-        if bend.len() != n {
-            self.refuse(Reason::WrongLength(Witness::Adjoint), output, 0);
-            return;
-        }
-        if let Some(i) = bend.iter().position(|b| !b.is_finite()) {
-            self.refuse(Reason::NotFinite(Witness::Adjoint), output, i);
-            return;
-        }
-        let scales = &self.units;
-        let largest = (0..n)
-            .fold(0.0_f64, |m, i| m.max(bend[i].abs() * scales[i]))
-            .max((0..n).fold(0.0_f64, |m, i| m.max(row.size[i] * scales[i])));
-        let sizes: Vec<f64> = scales.iter().map(|s| largest / s).collect();
-        let spread = std::cell::OnceCell::new();
-        let spread = || {
-            spread.get_or_init(|| {
-                let own = self.spread(&bend, Some(&sizes), |x| {
-                    subject.curvature(x, &row.weights, &v)
-                });
-                let nested = subject.nested(self.x, &row.weights, &v).unwrap_or_default();
-                let other = self.spread(&nested, Some(&sizes), |x| {
-                    subject.nested(x, &row.weights, &v)
-                });
-                (0..n)
-                    .map(|i| own[i] + other.get(i).unwrap_or(&0.0))
-                    .collect::<Vec<f64>>()
-            })
-        };
-        let exact = |i: usize| 4.0 * ROUNDINGS * self.eps * largest / scales[i];
-        let mut faults = Vec::new();
-        if let Some(nested) = subject.nested(self.x, &row.weights, &v) {
-            for i in 0..n {
-                let gap = (bend[i] - nested[i]).abs();
-                let mut tolerance = exact(i);
-                if gap > tolerance {
-                    tolerance += SAFETY * spread()[i];
-                }
-                if gap > tolerance || gap.is_nan() {
-                    let numbers = Numbers {
-                        adjoint: Some(bend[i]),
-                        dual: Some(nested[i]),
-                        ..Numbers::default()
-                    };
-                    let reason = Reason::CurvatureDisagrees(Witness::Dual);
-                    faults.push((reason, i, numbers, tolerance));
-                }
-            }
-        }
-        if let Some(other) = subject.curvature(self.x, &row.weights, &u) {
-            let (a, b) = (dot(&u, &bend), dot(&v, &other));
-            let sum: f64 = (0..n)
-                .map(|i| {
-                    let size = (u[i] * bend[i]).abs() + (v[i] * other[i]).abs();
-                    ROUNDINGS * self.eps * size + (u[i].abs() + v[i].abs()) * exact(i)
-                })
-                .sum();
-            let mut tolerance = sum;
-            if (a - b).abs() > tolerance {
-                let theirs = self.spread(&other, Some(&sizes), |x| {
-                    subject.curvature(x, &row.weights, &u)
-                });
-                tolerance += (0..n)
-                    .map(|i| SAFETY * (u[i].abs() * spread()[i] + v[i].abs() * theirs[i]))
-                    .sum::<f64>();
-            }
-            if (a - b).abs() > tolerance {
-                let numbers = Numbers {
-                    adjoint: Some(a),
-                    other: Some(b),
-                    ..Numbers::default()
-                };
-                faults.push((Reason::CurvatureNotSymmetric, 0, numbers, tolerance));
-            }
-        }
-        if let Some(adjoint) = &row.adjoint {
-            let probe = |there: &[f64]| -> Option<(Vec<f64>, Option<Trace>)> {
-                if !subject.inside(there) {
-                    return None;
-                }
-                let slopes = subject.adjoint(there, &row.weights)?;
-                let usable = slopes.len() == n && slopes.iter().all(|y| y.is_finite());
-                usable.then(|| (slopes, subject.traced(there).map(|(_, trace)| trace)))
-            };
-            let probe: Probe<'_> = &probe;
-            let climb = |first| {
-                let (x, precision) = (self.x, subject.precision());
-                Ladder::climb(probe, precision, x, adjoint, self.trace, &v, first)
-            };
-            let ladder = climb(FIRST[0]);
-            for i in 0..n {
-                let mut weights = vec![0.0; n];
-                weights[i] = 1.0;
-                let noise = self.eps * row.size[i]
-                    + row.tolerance[i] / ROUNDINGS
-                    + (0..n)
-                        .map(|k| self.x[k].abs() * self.eps * largest / scales[k])
-                        .sum::<f64>()
-                        / scales[i];
-                let size = largest / scales[i];
-                let wrong = |ladder: &Ladder, exact: f64| {
-                    let e = ladder.central(&weights, noise, true)?;
-                    let tolerance = SAFETY * e.error + exact;
-                    let wrong = SAFETY * e.error <= INFORMATIVE * size.max(e.value.abs())
-                        && (e.value - bend[i]).abs() > tolerance;
-                    wrong.then_some((e, tolerance))
-                };
-                if wrong(&ladder, exact(i)).is_none() {
-                    continue;
-                }
-                let exact = exact(i) + SAFETY * spread()[i];
-                if let Some((e, tolerance)) = wrong(&ladder, exact)
-                    && confirmed(FIRST[1..].iter().map(|&first| {
-                        let again = climb(first);
-                        let heard = again.central(&weights, noise, true)?;
-                        let says =
-                            SAFETY * heard.error <= INFORMATIVE * size.max(heard.value.abs());
-                        says.then(|| {
-                            wrong(&again, exact).is_some_and(|(again, _)| {
-                                (again.value - e.value).abs() <= SAFETY * (again.error + e.error)
-                            })
-                        })
-                    }))
-                {
-                    let numbers = Numbers {
-                        adjoint: Some(bend[i]),
-                        difference: Some(e.value),
-                        ..Numbers::default()
-                    };
-                    let reason = Reason::CurvatureDisagrees(Witness::Difference);
-                    faults.push((reason, i, numbers, tolerance));
-                }
-            }
-        }
-        for (reason, input, numbers, tolerance) in faults {
-            self.refuse_with(reason, None, output, input, numbers, tolerance);
-        }
-    }
-
-    /// Declared motions, of values and of slopes.
-    pub(crate) fn promises(&mut self, rows: &mut [Row]) {
-        let subject = self.subject;
-        let kinds = subject.kinds();
-        if self.found.jump || kinds.len() != self.x.len() || self.x.is_empty() {
-            return;
-        }
-        let points: Vec<Kind> = [Kind::X, Kind::Y].repeat(self.y.len().div_ceil(2));
-        let typical = self.scales.iter().fold(f64::INFINITY, |m, s| m.min(*s));
-        for &promise in subject.promises() {
-            let motion = promise.motion;
-            // The whole input, moved.
-            let amount = match motion {
-                Motion::TranslationX | Motion::TranslationY => 0.75 * typical,
-                Motion::Rotation => 0.6,
-                Motion::Scaling => 3.0,
-                Motion::Exchange => 0.0,
-            };
-            let there = moved_by(motion, amount, &kinds, self.x);
-            let precision = subject.precision();
-            let there: Vec<f64> = there.iter().map(|x| precision.round(*x)).collect();
-            if subject.inside(&there) {
-                let y = subject.value(&there);
-                let wanted = match promise.answer {
-                    Answer::Stays => self.y.clone(),
-                    Answer::Power(p) => self.y.iter().map(|y| y * amount.powi(p)).collect(),
-                    Answer::Follows => moved_by(motion, amount, &points, &self.y),
-                };
-                let spread = self.spread(&self.y, None, |x| Some(subject.value(x)));
-                for j in 0..y.len() {
-                    // Moving rounds every number; what that may do, a slope says.
-                    let rounding: f64 =
-                        rows.iter()
-                            .filter_map(|row| row.adjoint.as_ref().or(row.dual.as_ref()))
-                            .flat_map(|slopes| {
-                                slopes.iter().zip(self.x).zip(&there).map(|((s, x), t)| {
-                                    s.abs() * (x.abs() + t.abs() / amount.max(1.0))
-                                })
-                            })
-                            .sum();
-                    let size = y[j].abs().max(wanted[j].abs());
-                    let growth = (size / self.y[j].abs().max(f64::MIN_POSITIVE)).clamp(1.0, 9.0);
-                    let mut tolerance = ROUNDINGS * self.eps * size
-                        + growth * SAFETY * (2.0 * spread[j] + self.eps * rounding);
-                    if (y[j] - wanted[j]).abs() > tolerance {
-                        // The moved input has a conditioning of its own.
-                        tolerance += SAFETY * self.unrest(&there, &y)[j];
-                    }
-                    if (y[j] - wanted[j]).abs() > tolerance {
-                        let numbers = Numbers {
-                            adjoint: Some(y[j]),
-                            other: Some(wanted[j]),
-                            ..Numbers::default()
-                        };
-                        let reason = Reason::MotionBroken(motion);
-                        self.refuse_with(reason, None, j, 0, numbers, tolerance);
-                    }
-                }
-            }
-            for row in rows.iter_mut() {
-                let Some(slopes) = row.adjoint.clone() else {
-                    continue;
-                };
-                if motion == Motion::Exchange {
-                    let Some(other) = subject.adjoint(&exchanged(self.x), &row.weights) else {
-                        continue;
-                    };
-                    let other = exchanged(&other);
-                    for i in 0..other.len() {
-                        if (other[i] - slopes[i]).abs() > row.tolerance[i] {
-                            self.provoke(row);
-                            self.provoke_exchanged(row);
-                        }
-                        self.unbalanced(motion, row, i, slopes[i], other[i], row.tolerance[i]);
-                    }
-                    continue;
-                }
-                let speed = velocity(motion, &kinds, self.x);
-                let wanted = dot(&row.weights, &answer(promise, &self.y));
-                let balance = dot(&slopes, &speed);
-                let tolerance = |row: &Row| -> f64 {
-                    (0..self.x.len())
-                        .map(|i| {
-                            let own = ROUNDINGS * self.eps * slopes[i].abs() + row.tolerance[i];
-                            own * speed[i].abs()
-                        })
-                        .sum::<f64>()
-                        + ROUNDINGS * self.eps * wanted.abs()
-                };
-                if (balance - wanted).abs() > tolerance(row) {
-                    self.provoke(row);
-                }
-                let tolerance = tolerance(row);
-                self.unbalanced(motion, row, 0, balance, wanted, tolerance);
-            }
-        }
-    }
-
-    /// By how much the value at another input changes under provoked rounding.
-    fn unrest(&self, x: &[f64], y: &[f64]) -> Vec<f64> {
-        let (subject, precision) = (self.subject, self.subject.precision());
-        let rounding = subject.rounding(x);
-        let mut unrest = vec![0.0_f64; y.len()];
-        for round in 0..12 {
-            let there = beside(precision, x, &rounding, round);
-            if subject.inside(&there) {
-                for (unrest, (a, b)) in unrest.iter_mut().zip(subject.value(&there).iter().zip(y)) {
-                    *unrest = unrest.max((a - b).abs());
-                }
-            }
-        }
-        unrest
-    }
-
-    /// Refuses slopes that do not follow a motion.
-    fn unbalanced(&mut self, motion: Motion, row: &Row, i: usize, a: f64, b: f64, tolerance: f64) {
-        if (a - b).abs() > tolerance || (a - b).is_nan() {
-            let numbers = Numbers {
-                adjoint: Some(a),
-                other: Some(b),
-                ..Numbers::default()
-            };
-            let reason = Reason::MotionUnbalanced(motion);
-            self.refuse_with(
-                reason,
-                Some(Witness::Adjoint),
-                row.output,
-                i,
-                numbers,
-                tolerance,
-            );
-        }
     }
 }

@@ -1,0 +1,164 @@
+//! The part of a judgement that takes second derivatives.
+use crate::ad::judge::{Judge, ROUNDINGS, Row, SAFETY};
+use crate::ad::sample::Draw;
+use crate::ad::slopes::{FIRST, INFORMATIVE, confirmed};
+use crate::ad::trace::Trace;
+use crate::ad::verdict::{Numbers, Reason, Witness};
+use crate::ad::witness::{Ladder, Precision, Probe, dot};
+
+impl Judge<'_> {
+    /// Second derivatives: through the adjoint, by nested duals, by differences of the adjoint.
+    pub(crate) fn curvature(&mut self, row: &Row, draw: &mut Draw) {
+        let subject = self.subject;
+        if subject.precision() == Precision::F32 || self.x.is_empty() {
+            return;
+        }
+        let (n, output) = (self.x.len(), row.output);
+        let mut random = || -> Vec<f64> {
+            self.scales
+                .iter()
+                .map(|s| s * draw.within(-1.0, 1.0))
+                .collect()
+        };
+        let (u, v) = (random(), random());
+        let Some(bend) = subject.curvature(self.x, &row.weights, &v) else {
+            return;
+        };
+        if bend.len() != n {
+            self.refuse(Reason::WrongLength(Witness::Adjoint), output, 0);
+            return;
+        }
+        if let Some(i) = bend.iter().position(|b| !b.is_finite()) {
+            self.refuse(Reason::NotFinite(Witness::Adjoint), output, i);
+            return;
+        }
+        let scales = &self.units;
+        let largest = (0..n)
+            .fold(0.0_f64, |m, i| m.max(bend[i].abs() * scales[i]))
+            .max((0..n).fold(0.0_f64, |m, i| m.max(row.size[i] * scales[i])));
+        let sizes: Vec<f64> = scales.iter().map(|s| largest / s).collect();
+        let spread = std::cell::OnceCell::new();
+        let spread = || {
+            spread.get_or_init(|| {
+                let own = self.spread(&bend, Some(&sizes), |x| {
+                    subject.curvature(x, &row.weights, &v)
+                });
+                let nested = subject.nested(self.x, &row.weights, &v).unwrap_or_default();
+                let other = self.spread(&nested, Some(&sizes), |x| {
+                    subject.nested(x, &row.weights, &v)
+                });
+                (0..n)
+                    .map(|i| own[i] + other.get(i).unwrap_or(&0.0))
+                    .collect::<Vec<f64>>()
+            })
+        };
+        let exact = |i: usize| 4.0 * ROUNDINGS * self.eps * largest / scales[i];
+        let mut faults = Vec::new();
+        if let Some(nested) = subject.nested(self.x, &row.weights, &v) {
+            for i in 0..n {
+                let gap = (bend[i] - nested[i]).abs();
+                let mut tolerance = exact(i);
+                if gap > tolerance {
+                    tolerance += SAFETY * spread()[i];
+                }
+                if gap > tolerance || gap.is_nan() {
+                    let numbers = Numbers {
+                        adjoint: Some(bend[i]),
+                        dual: Some(nested[i]),
+                        ..Numbers::default()
+                    };
+                    let reason = Reason::CurvatureDisagrees(Witness::Dual);
+                    faults.push((reason, i, numbers, tolerance));
+                }
+            }
+        }
+        if let Some(other) = subject.curvature(self.x, &row.weights, &u) {
+            let (a, b) = (dot(&u, &bend), dot(&v, &other));
+            let sum: f64 = (0..n)
+                .map(|i| {
+                    let size = (u[i] * bend[i]).abs() + (v[i] * other[i]).abs();
+                    ROUNDINGS * self.eps * size + (u[i].abs() + v[i].abs()) * exact(i)
+                })
+                .sum();
+            let mut tolerance = sum;
+            if (a - b).abs() > tolerance {
+                let theirs = self.spread(&other, Some(&sizes), |x| {
+                    subject.curvature(x, &row.weights, &u)
+                });
+                tolerance += (0..n)
+                    .map(|i| SAFETY * (u[i].abs() * spread()[i] + v[i].abs() * theirs[i]))
+                    .sum::<f64>();
+            }
+            if (a - b).abs() > tolerance {
+                let numbers = Numbers {
+                    adjoint: Some(a),
+                    other: Some(b),
+                    ..Numbers::default()
+                };
+                faults.push((Reason::CurvatureNotSymmetric, 0, numbers, tolerance));
+            }
+        }
+        if let Some(adjoint) = &row.adjoint {
+            let probe = |there: &[f64]| -> Option<(Vec<f64>, Option<Trace>)> {
+                if !subject.inside(there) {
+                    return None;
+                }
+                let slopes = subject.adjoint(there, &row.weights)?;
+                let usable = slopes.len() == n && slopes.iter().all(|y| y.is_finite());
+                usable.then(|| (slopes, subject.traced(there).map(|(_, trace)| trace)))
+            };
+            let probe: Probe<'_> = &probe;
+            let climb = |first| {
+                let (x, precision) = (self.x, subject.precision());
+                Ladder::climb(probe, precision, x, adjoint, self.trace, &v, first)
+            };
+            let ladder = climb(FIRST[0]);
+            for i in 0..n {
+                let mut weights = vec![0.0; n];
+                weights[i] = 1.0;
+                let noise = self.eps * row.size[i]
+                    + row.tolerance[i] / ROUNDINGS
+                    + (0..n)
+                        .map(|k| self.x[k].abs() * self.eps * largest / scales[k])
+                        .sum::<f64>()
+                        / scales[i];
+                let size = largest / scales[i];
+                let wrong = |ladder: &Ladder, exact: f64| {
+                    let e = ladder.central(&weights, noise, true)?;
+                    let tolerance = SAFETY * e.error + exact;
+                    let wrong = SAFETY * e.error <= INFORMATIVE * size.max(e.value.abs())
+                        && (e.value - bend[i]).abs() > tolerance;
+                    wrong.then_some((e, tolerance))
+                };
+                if wrong(&ladder, exact(i)).is_none() {
+                    continue;
+                }
+                let exact = exact(i) + SAFETY * spread()[i];
+                if let Some((e, tolerance)) = wrong(&ladder, exact)
+                    && confirmed(FIRST[1..].iter().map(|&first| {
+                        let again = climb(first);
+                        let heard = again.central(&weights, noise, true)?;
+                        let says =
+                            SAFETY * heard.error <= INFORMATIVE * size.max(heard.value.abs());
+                        says.then(|| {
+                            wrong(&again, exact).is_some_and(|(again, _)| {
+                                (again.value - e.value).abs() <= SAFETY * (again.error + e.error)
+                            })
+                        })
+                    }))
+                {
+                    let numbers = Numbers {
+                        adjoint: Some(bend[i]),
+                        difference: Some(e.value),
+                        ..Numbers::default()
+                    };
+                    let reason = Reason::CurvatureDisagrees(Witness::Difference);
+                    faults.push((reason, i, numbers, tolerance));
+                }
+            }
+        }
+        for (reason, input, numbers, tolerance) in faults {
+            self.refuse_with(reason, None, output, input, numbers, tolerance);
+        }
+    }
+}
