@@ -30,10 +30,10 @@ fn measure_slopes<M: Measure, S: Scalar>(value: S, inter: S, area_a: S, area_b: 
     }
 }
 
-/// One over a positive number, else zero.
+/// One over a number that is not empty, else zero.
 #[inline(always)]
 fn reciprocal_or_zero<S: Scalar>(x: S) -> S {
-    let empty = x.at_most(S::zero());
+    let empty = x.at_most(S::lit(S::EMPTY));
     S::select(
         empty,
         S::zero(),
@@ -69,10 +69,10 @@ pub fn score_framed_grad<M: Measure, S: Scalar, const EXTREME: bool>(
     let slopes = clipped_area_slopes(&pair, &clip);
 
     // From the pair's unit of length to the caller's.
-    let (mut area_unit, mut length_unit) = (S::one(), scale);
+    let (mut heading_unit, mut length_unit) = (S::one(), scale);
     if EXTREME && !M::IS_RATIO {
         length_unit = S::one().over(scale);
-        area_unit = length_unit * length_unit;
+        heading_unit = length_unit;
     }
     let half_b = b.half * scale;
     let (area_a, area_b) = (area_from_half(pair.half_a), area_from_half(half_b));
@@ -94,12 +94,12 @@ pub fn score_framed_grad<M: Measure, S: Scalar, const EXTREME: bool>(
         Obb2 {
             center: -center_bar,
             size: size_slopes(pair.half_a, slopes.half_a * inter_bar, area_a_bar) * length_unit,
-            heading: -(turn_bar * area_unit),
+            heading: -(turn_bar * heading_unit * heading_unit),
         },
         Obb2 {
             center: center_bar,
             size: size_slopes(half_b, slopes.half_b * inter_bar, area_b_bar) * length_unit,
-            heading: heading_bar * area_unit,
+            heading: heading_bar * heading_unit * heading_unit,
         },
     );
     (

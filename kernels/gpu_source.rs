@@ -196,6 +196,7 @@ fn constants(step: usize, strip: usize) -> String {
     }
     for (name, value) in [
         ("LARGEST", f32::MAX),
+        ("EMPTY", <f32 as Scalar>::EMPTY as f32),
         ("SMALLEST_NORMAL", f32::MIN_POSITIVE),
         ("FAR", FAR as f32),
         ("LARGEST_INVERSE", LARGEST_INVERSE as f32),

@@ -2,12 +2,12 @@
 
 fn ratio_of_union(inter: f32, area_a: f32, area_b: f32) -> f32 {
     let total = area_a + area_b - inter;
-    let empty = total <= 0.0;
+    let empty = total <= EMPTY;
     return choose(empty, 0.0, inter / choose(empty, 1.0, total));
 }
 
 fn ratio_of_first(inter: f32, area_a: f32) -> f32 {
-    let empty = area_a <= 0.0;
+    let empty = area_a <= EMPTY;
     return choose(empty, 0.0, inter / choose(empty, 1.0, area_a));
 }
 
@@ -92,7 +92,7 @@ fn score_aabb2(a: Aabb2, b: Aabb2) -> f32 {
 }
 
 fn reciprocal_or_zero(x: f32) -> f32 {
-    let empty = x <= 0.0;
+    let empty = x <= EMPTY;
     return choose(empty, 0.0, 1.0 / choose(empty, 1.0, x));
 }
 
@@ -137,11 +137,11 @@ fn score_framed_grad(a: Framed, b: Framed) -> Obb2Grad {
     let nothing = nothing_shared(pair, area);
     let slopes = clipped_area_slopes(pair, clip);
 
-    var area_unit = 1.0;
+    var heading_unit = 1.0;
     var length_unit = scale;
     if EXTREME && !IS_RATIO {
         length_unit = 1.0 / scale;
-        area_unit = length_unit * length_unit;
+        heading_unit = length_unit;
     }
     let half_b = b.half * scale;
     let area_a = area_from_half(pair.half_a);
@@ -163,12 +163,12 @@ fn score_framed_grad(a: Framed, b: Framed) -> Obb2Grad {
     let a_bar = Obb2(
         -center_bar,
         size_slopes(pair.half_a, slopes.half_a * inter_bar, area_a_bar) * length_unit,
-        -(turn_bar * area_unit),
+        -(turn_bar * heading_unit * heading_unit),
     );
     let b_bar = Obb2(
         center_bar,
         size_slopes(half_b, slopes.half_b * inter_bar, area_b_bar) * length_unit,
-        heading_bar * area_unit,
+        heading_bar * heading_unit * heading_unit,
     );
     if EXTREME {
         return Obb2Grad(value, saturated_obb2(a_bar), saturated_obb2(b_bar));

@@ -14,7 +14,7 @@ use crate::{Aabb2, Mask, Obb2, Scalar, Vec2};
 #[inline(always)]
 pub fn ratio_of_union<S: Scalar>(inter: S, area_a: S, area_b: S) -> S {
     let total = area_a + area_b - inter;
-    let empty = total.at_most(S::zero());
+    let empty = total.at_most(S::lit(S::EMPTY));
     S::select(
         empty,
         S::zero(),
@@ -25,7 +25,7 @@ pub fn ratio_of_union<S: Scalar>(inter: S, area_a: S, area_b: S) -> S {
 /// Intersection over the first area, in `[0, 1]`; zero with slope zero when that is empty.
 #[inline(always)]
 pub fn ratio_of_first<S: Scalar>(inter: S, area_a: S) -> S {
-    let empty = area_a.at_most(S::zero());
+    let empty = area_a.at_most(S::lit(S::EMPTY));
     S::select(
         empty,
         S::zero(),

@@ -1,4 +1,6 @@
 //! The drivers against num-dual's own, on functions of shapes.
+#![expect(clippy::needless_range_loop)] // rows and columns of a matrix read best as indices
+
 use geograd::{Obb2, Pack, Scalar, Vec2, ad, ring};
 use num_dual::{Dual64, HyperDual64};
 
