@@ -1,6 +1,4 @@
 //! The drivers against num-dual's own, on functions of shapes.
-#![expect(clippy::needless_range_loop)] // rows and columns of a matrix read best as indices
-
 use geograd::{Obb2, Pack, Scalar, Vec2, ad, ring};
 use num_dual::{Dual64, HyperDual64};
 
@@ -33,16 +31,17 @@ fn gradient_hessian_and_products_agree_with_num_dual() {
     let (same, first) = ad::gradient(overlap, pair());
     assert_eq!(same, value);
     let rows: Vec<Vec<f64>> = hessian.scalars().iter().map(Pack::scalars).collect();
-    for i in 0..10 {
+    assert_eq!(rows.len(), 10);
+    for (i, row) in rows.iter().enumerate() {
         let dual = overlap(seeded(|k, x| Dual64::new(x, f64::from(k == i))));
         assert!((gradient.scalars()[i] - dual.eps).abs() < 1e-13);
         assert!((first.scalars()[i] - dual.eps).abs() < 1e-13);
-        for j in 0..10 {
+        for (j, &entry) in row.iter().enumerate() {
             let hyper = overlap(seeded(|k, x| {
                 HyperDual64::new(x, f64::from(k == i), f64::from(k == j), 0.0)
             }));
-            assert!((rows[i][j] - hyper.eps1eps2).abs() < 1e-12, "{i} {j}");
-            assert_eq!(rows[i][j], rows[j][i]);
+            assert!((entry - hyper.eps1eps2).abs() < 1e-12, "{i} {j}");
+            assert_eq!(entry, rows[j][i]);
         }
     }
     let direction = seeded(|i, _| 0.1 * i as f64 - 0.4);
@@ -51,9 +50,9 @@ fn gradient_hessian_and_products_agree_with_num_dual() {
     let along = direction.scalars();
     let dot = |row: &[f64]| row.iter().zip(&along).map(|(x, y)| x * y).sum::<f64>();
     assert!((slope - dot(&first.scalars())).abs() < 1e-13);
-    for i in 0..10 {
+    for (i, row) in rows.iter().enumerate() {
         assert!((again.scalars()[i] - first.scalars()[i]).abs() < 1e-13);
-        assert!((product.scalars()[i] - dot(&rows[i])).abs() < 1e-12);
+        assert!((product.scalars()[i] - dot(row)).abs() < 1e-12);
     }
     assert_eq!(ad::value(overlap, pair()), value);
 }
@@ -101,11 +100,13 @@ fn jacobian_of_a_long_ring() {
 fn the_adjoint_of_duals_gives_hessian_columns() {
     let (_, _, hessian) = ad::hessian(|(a, b): Pair<_>| a.iou(b), pair());
     let rows: Vec<Vec<f64>> = hessian.scalars().iter().map(Pack::scalars).collect();
-    for j in 0..10 {
+    assert_eq!(rows.len(), 10);
+    for (j, row) in rows.iter().enumerate() {
         let (a, b) = seeded(|k, x| Dual64::new(x, f64::from(k == j)));
         let bars = ad::overlap::iou_obb2_vjp(a, b, Dual64::from_re(1.0));
-        for (i, bar) in bars.scalars().iter().enumerate() {
-            assert!((bar.eps - rows[i][j]).abs() < 1e-12, "{i} {j}");
+        // The Hessian is symmetric: its column is its row.
+        for (i, (bar, entry)) in bars.scalars().iter().zip(row).enumerate() {
+            assert!((bar.eps - entry).abs() < 1e-12, "{i} {j}");
         }
     }
 }

@@ -104,7 +104,7 @@ fn slopes<S: Scalar>(x: impl Fn(f64, f64) -> S, slope: impl Fn(S) -> f64) {
 
 #[test]
 fn kinks_have_the_same_slopes_for_every_dual() {
-    slopes(Dual::new, |y: Dual<f64>| y.eps);
+    slopes(Dual::new, |y| y.eps);
     slopes(|v, d| Dual::new(v as f32, d as f32), |y| f64::from(y.eps));
     slopes(|v, d| Dual2::new(v, d, 0.0), |y| y.v1);
     slopes(|v, d| Dual3::new(v, d, 0.0, 0.0), |y| y.v1);
