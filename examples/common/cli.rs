@@ -63,9 +63,7 @@ impl Wish {
             "cpu" => Ok(Wish::Cpu),
             "auto" => Ok(Wish::Auto),
             "gpu" if cfg!(feature = "gpu") => Ok(Wish::Gpu),
-            "gpu" => Err(Failure::Usage(format!(
-                "`--backend gpu`: {UNSUPPORTED}; or use `--backend cpu`"
-            ))),
+            "gpu" => Err(Failure::Usage(format!("`--backend gpu`: {UNSUPPORTED}"))),
             other => Err(Failure::Usage(format!(
                 "`--backend {other}`: it is cpu, gpu or auto"
             ))),
@@ -92,7 +90,7 @@ impl Wish {
 
 /// Why there is no GPU in a build without the feature.
 const UNSUPPORTED: &str =
-    "this program was built without GPU support; `cargo run --features gpu` builds it with";
+    "this program was built without GPU support (`cargo run --features gpu` adds it)";
 
 /// The processor where a GPU would have done, with the reason told.
 pub fn on_the_cpu(program: &str, why: &str) -> Machine {
