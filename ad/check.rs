@@ -2,7 +2,7 @@
 //!
 //! Every derivative is heard from three sides: by hand (the adjoint), by forward duals through the
 //! generic source, by finite differences with an error estimate. They must agree as far as their
-//! own errors allow; no tolerance is chosen by anybody. Beside that a derivative must be the same
+//! own errors, measured at every sample, allow; no tolerance is set per function. Beside that a derivative must be the same
 //! bits twice, linear in its seed, finite, right at kinks, consistent with declared invariances,
 //! and have the right derivatives itself.
 //!
