@@ -63,6 +63,11 @@ pub mod ad;
 #[path = "../kernels/mod.rs"]
 pub mod kernels;
 
+/// README's examples, run with the documentation's.
+#[cfg(doctest)]
+#[doc = include_str!("../README.md")]
+pub struct Readme;
+
 pub use aabb::Aabb2;
 pub use error::{Error, Flaw, Validate};
 pub use jet::Jet;
