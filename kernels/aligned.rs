@@ -11,6 +11,10 @@ use crate::kernels::tile::{
 /// Aligned pairs per piece of work: enough to be worth a thread's while.
 const STRETCH: usize = 2048;
 
+/// Tiles whose shapes wait in bundles between one loop and the next: few enough for the innermost
+/// cache.
+const BLOCK: usize = 8;
+
 /// Row i of `a` with row i of `b`: one result per row.
 ///
 /// # Errors
@@ -79,12 +83,33 @@ fn aligned_values<O: PairOp, T: Real, L: Bundle<T>, const EXTREME: bool>(
     b: &[B<O, T>],
     values: &mut [T],
 ) {
-    for tile in 0..a.len().div_ceil(L::WIDTH) {
+    let tiles = a.len().div_ceil(L::WIDTH);
+    let mut shapes = Vec::with_capacity(BLOCK);
+    for first in (0..tiles).step_by(BLOCK) {
+        bring::<O, T, L>(a, b, first..tiles.min(first + BLOCK), &mut shapes);
+        for (k, &(a_tile, b_tile)) in shapes.iter().enumerate() {
+            let start = start_of::<T, L>(first + opaque(k), a.len());
+            let value = O::value::<L, EXTREME>(O::frame_a(a_tile), O::frame_b(b_tile));
+            store::<T, L>(value, &mut values[start..]);
+        }
+    }
+}
+
+/// Some tiles of both lists, in bundles.
+#[inline(always)]
+fn bring<O: PairOp, T: Real, L: Bundle<T>>(
+    a: &[A<O, T>],
+    b: &[B<O, T>],
+    tiles: std::ops::Range<usize>,
+    shapes: &mut Vec<(A<O, L>, B<O, L>)>,
+) {
+    shapes.clear();
+    for tile in tiles {
         let start = start_of::<T, L>(opaque(tile), a.len());
-        let a: A<O, L> = gather::<T, L, _, _>(&a[start..]);
-        let b: B<O, L> = gather::<T, L, _, _>(&b[start..]);
-        let value = O::value::<L, EXTREME>(O::frame_a(a), O::frame_b(b));
-        store::<T, L>(value, &mut values[start..]);
+        shapes.push((
+            gather::<T, L, _, _>(&a[start..]),
+            gather::<T, L, _, _>(&b[start..]),
+        ));
     }
 }
 
@@ -246,19 +271,29 @@ fn aligned_bars<O: PairOp, T: Real, L: Bundle<T>, const EXTREME: bool>(
     a_bar: &mut [A<O, T>],
     b_bar: &mut [B<O, T>],
 ) {
-    for tile in 0..a.len().div_ceil(L::WIDTH) {
-        let start = start_of::<T, L>(opaque(tile), a.len());
-        let a: A<O, L> = gather::<T, L, _, _>(&a[start..]);
-        let b: B<O, L> = gather::<T, L, _, _>(&b[start..]);
-        let (value, mut bars) = O::grad::<L, EXTREME>(O::frame_a(a), O::frame_b(b));
-        match seed {
-            Seed::One(values) => store::<T, L>(value, &mut values[start..]),
-            Seed::Upstream(upstream) => {
-                let factor = load::<T, L>(&upstream[start..]);
-                bars = (times(bars.0, factor), times(bars.1, factor));
+    let tiles = a.len().div_ceil(L::WIDTH);
+    let mut shapes = Vec::with_capacity(BLOCK);
+    for first in (0..tiles).step_by(BLOCK) {
+        bring::<O, T, L>(a, b, first..tiles.min(first + BLOCK), &mut shapes);
+        // The slopes take the shapes' place.
+        for (k, tile) in shapes.iter_mut().enumerate() {
+            let start = start_of::<T, L>(first + opaque(k), a.len());
+            let (value, bars) = O::grad::<L, EXTREME>(O::frame_a(tile.0), O::frame_b(tile.1));
+            match seed {
+                Seed::One(values) => {
+                    store::<T, L>(value, &mut values[start..]);
+                    *tile = bars;
+                }
+                Seed::Upstream(upstream) => {
+                    let factor = load::<T, L>(&upstream[start..]);
+                    *tile = (times(bars.0, factor), times(bars.1, factor));
+                }
             }
         }
-        scatter::<T, L, _, _>(bars.0, &mut a_bar[start..]);
-        scatter::<T, L, _, _>(bars.1, &mut b_bar[start..]);
+        for (k, &(a_tile, b_tile)) in shapes.iter().enumerate() {
+            let start = start_of::<T, L>(first + opaque(k), a.len());
+            scatter::<T, L, _, _>(a_tile, &mut a_bar[start..]);
+            scatter::<T, L, _, _>(b_tile, &mut b_bar[start..]);
+        }
     }
 }

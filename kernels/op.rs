@@ -46,6 +46,10 @@ pub trait PairOp: Op {
         a: Self::FrameA<S>,
         b: Self::FrameB<S>,
     ) -> (S, (Self::A<S>, Self::B<S>));
+    /// Whether a first shape is valid and ordinary, told without branches.
+    fn is_ordinary_a<S: Scalar<Mask = bool>>(a: Self::A<S>) -> bool;
+    /// Whether a second shape is valid and ordinary, told without branches.
+    fn is_ordinary_b<S: Scalar<Mask = bool>>(b: Self::B<S>) -> bool;
     /// Checks a first shape; `Ok(true)` when it is ordinary: products of its numbers stay far
     /// from over- and underflow.
     ///

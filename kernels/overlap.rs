@@ -67,6 +67,14 @@ impl<M: Measure> PairOp for Obb2Score<M> {
     fn grad<S: Scalar, const EXTREME: bool>(a: Framed<S>, b: Framed<S>) -> (S, (Obb2<S>, Obb2<S>)) {
         score_framed_grad::<M, S, EXTREME>(a, b)
     }
+    #[inline(always)]
+    fn is_ordinary_a<S: Scalar<Mask = bool>>(a: Obb2<S>) -> bool {
+        is_ordinary(a)
+    }
+    #[inline(always)]
+    fn is_ordinary_b<S: Scalar<Mask = bool>>(b: Obb2<S>) -> bool {
+        is_ordinary(b)
+    }
     #[inline]
     fn check_a<S: Scalar<Mask = bool>>(a: &Obb2<S>) -> Result<bool, Flaw> {
         a.validate().map(|()| is_ordinary(*a))
@@ -115,6 +123,19 @@ impl<M: Measure> PairOp for Aabb2Score<M> {
     #[inline(always)]
     fn grad<S: Scalar, const EXTREME: bool>(a: Aabb2<S>, b: Aabb2<S>) -> (S, (Aabb2<S>, Aabb2<S>)) {
         score_aabb2_grad::<M, S>(a, b)
+    }
+    #[inline(always)]
+    fn is_ordinary_a<S: Scalar<Mask = bool>>(a: Aabb2<S>) -> bool {
+        a.min.x.finite()
+            & a.min.y.finite()
+            & a.max.x.finite()
+            & a.max.y.finite()
+            & a.min.x.at_most(a.max.x)
+            & a.min.y.at_most(a.max.y)
+    }
+    #[inline(always)]
+    fn is_ordinary_b<S: Scalar<Mask = bool>>(b: Aabb2<S>) -> bool {
+        Self::is_ordinary_a(b)
     }
     #[inline]
     fn check_a<S: Scalar<Mask = bool>>(a: &Aabb2<S>) -> Result<bool, Flaw> {

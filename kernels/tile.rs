@@ -32,24 +32,41 @@ pub(crate) fn expect(argument: Argument, expected: usize, found: usize) -> Resul
 
 /// Checks every shape of both lists; `Ok(true)` when some product might over- or underflow.
 pub(crate) fn check<O: PairOp, T: Real>(a: &[A<O, T>], b: &[B<O, T>]) -> Result<bool, Error> {
+    // Nearly always all is well, which one pass without branches can tell.
+    if crate::kernels::simd::vectorized!(all_ordinary::<O, T>(a, b)) {
+        return Ok(false);
+    }
     let mut ordinary = true;
     for (row, shape) in a.iter().enumerate() {
-        let invalid = |flaw| Error::Invalid {
-            argument: Argument::A,
+        let argument = Argument::A;
+        ordinary &= O::check_a(shape).map_err(|flaw| Error::Invalid {
+            argument,
             row,
             flaw,
-        };
-        ordinary &= O::check_a(shape).map_err(invalid)?;
+        })?;
     }
     for (row, shape) in b.iter().enumerate() {
-        let invalid = |flaw| Error::Invalid {
-            argument: Argument::B,
+        let argument = Argument::B;
+        ordinary &= O::check_b(shape).map_err(|flaw| Error::Invalid {
+            argument,
             row,
             flaw,
-        };
-        ordinary &= O::check_b(shape).map_err(invalid)?;
+        })?;
     }
     Ok(!ordinary)
+}
+
+/// Whether every shape is valid and ordinary.
+#[inline(always)]
+fn all_ordinary<O: PairOp, T: Real>(a: &[A<O, T>], b: &[B<O, T>]) -> bool {
+    let mut all = true;
+    for shape in a {
+        all &= O::is_ordinary_a(*shape);
+    }
+    for shape in b {
+        all &= O::is_ordinary_b(*shape);
+    }
+    all
 }
 
 /// Checks that every upstream slope is finite.
@@ -80,8 +97,8 @@ pub(crate) use run;
 
 /// The shape of a bundle: one shape per lane, from as many shapes as there are lanes.
 ///
-/// The lanes pass through memory behind a [`black_box`], here and in [`scatter`]: otherwise the
-/// compiler sees through the transposition and computes the whole kernel one lane at a time.
+/// Kernels call it, and [`scatter`], in loops of their own: next to the arithmetic the compiler
+/// would see through the transposition and compute the whole kernel one lane at a time.
 #[inline(always)]
 pub(crate) fn gather<T: Real, L: Bundle<T>, P: Fixed<Scalar = T>, Q: Fixed<Scalar = L>>(
     shapes: &[P],
@@ -93,7 +110,6 @@ pub(crate) fn gather<T: Real, L: Bundle<T>, P: Fixed<Scalar = T>, Q: Fixed<Scala
             *x = shape.to_array().as_ref()[field];
         }
     }
-    black_box(&mut bundles);
     Q::from_array(bundles)
 }
 
@@ -104,8 +120,7 @@ pub(crate) fn scatter<T: Real, L: Bundle<T>, P: Fixed<Scalar = T>, Q: Fixed<Scal
     shapes: &mut [P],
 ) {
     let shapes = &mut shapes[..L::WIDTH];
-    let mut lanes = from.to_array();
-    black_box(&mut lanes);
+    let lanes = from.to_array();
     for (lane, shape) in shapes.iter_mut().enumerate() {
         let mut one = zeros::<T, P>().to_array();
         for (x, bundle) in one.as_mut().iter_mut().zip(lanes.as_ref()) {

@@ -16,7 +16,7 @@
 //! identical, touching, contained and collinear boxes need no handling. Each corner's y is clamped
 //! once and both edges that meet there use the result, so that rounding cannot make them disagree
 //! about whether the corner is inside.
-use crate::{Mask, Obb2, Scalar, Vec2};
+use crate::{Obb2, Scalar, Vec2};
 
 /// A box with its trigonometry done: what a batch computes once per box.
 #[derive(Clone, Copy, Debug)]
@@ -384,11 +384,17 @@ pub fn nothing_shared<S: Scalar>(pair: &Relative<S>, area: S) -> S::Mask {
     pair.apart | area.below(S::zero())
 }
 
-/// Whether plain products of a box's numbers stay far from over- and underflow, so that a batch
-/// of such boxes needs no [`size_scale`]. The results are the same bits either way.
-#[inline]
-pub fn is_ordinary<S: Scalar>(shape: Obb2<S>) -> bool {
-    let size = |x: S| x.equals(S::zero()) | (x.at_least(S::lit(1e-9)) & x.at_most(S::lit(1e9)));
-    let place = |x: S| x.at_most(S::lit(1e15)) & x.at_least(S::lit(-1e15));
-    (size(shape.size.x) & size(shape.size.y) & place(shape.center.x) & place(shape.center.y)).all()
+/// Whether a box is valid and plain products of its numbers stay far from over- and underflow, so
+/// that a batch of such boxes needs no [`size_scale`]. The results are the same bits either way.
+///
+/// Without branches: a batch asks this of every box before anything else.
+#[inline(always)]
+pub fn is_ordinary<S: Scalar>(shape: Obb2<S>) -> S::Mask {
+    let (low, high, far) = (S::lit(1e-9), S::lit(1e9), S::lit(1e15));
+    let (w, h) = (shape.size.x, shape.size.y);
+    (w.equals(S::zero()) | (w.at_least(low) & w.at_most(high)))
+        & (h.equals(S::zero()) | (h.at_least(low) & h.at_most(high)))
+        & shape.center.x.unsigned().at_most(far)
+        & shape.center.y.unsigned().at_most(far)
+        & shape.heading.finite()
 }
