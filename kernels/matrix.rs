@@ -438,27 +438,36 @@ fn matrix_vjp<O: PairOp, T: Real, L: Bundle<T>, const EXTREME: bool>(
     let columns = b.len();
     let rows = frames_a::<O, T>(a);
     let mut sums: Vec<A<O, L>> = vec![zeros(); rows.len()];
-    for tile in 0..columns.div_ceil(L::WIDTH) {
-        let start = start_of::<T, L>(opaque(tile), columns);
-        // Lanes of the tile before, where the last one overlaps it: they must not count twice.
-        let counted = tile * L::WIDTH - start;
-        let shapes: B<O, L> = gather::<T, L, _, _>(&b[start..]);
-        let frame = O::frame_b(shapes);
-        let mut column: B<O, L> = zeros();
-        for i in 0..rows.len() {
-            let i = opaque(i);
-            let row: O::FrameA<L> = splat::<T, L, _, _>(rows[i]);
-            let mut factor = load::<T, L>(&upstream[i * columns + start..]);
-            if counted > 0 {
-                factor.lanes_mut()[..counted].fill(T::default());
+    let tiles = columns.div_ceil(L::WIDTH);
+    let (mut frames, mut bars) = (Vec::with_capacity(BLOCK), Vec::with_capacity(BLOCK));
+    for first in (0..tiles).step_by(BLOCK) {
+        frames_b::<O, T, L>(b, first..tiles.min(first + BLOCK), &mut frames);
+        bars.clear();
+        for (k, &frame) in frames.iter().enumerate() {
+            let start = start_of::<T, L>(first + opaque(k), columns);
+            // Lanes of the tile before, where the last one overlaps it: they must not count twice.
+            let counted = (first + k) * L::WIDTH - start;
+            let mut column: B<O, L> = zeros();
+            for i in 0..rows.len() {
+                let i = opaque(i);
+                let row: O::FrameA<L> = splat::<T, L, _, _>(rows[i]);
+                let mut factor = load::<T, L>(&upstream[i * columns + start..]);
+                if counted > 0 {
+                    factor.lanes_mut()[..counted].fill(T::default());
+                }
+                let (_, bars) = O::grad::<L, EXTREME>(row, frame);
+                sums[i] = plus(sums[i], times(bars.0, factor));
+                column = plus(column, times(bars.1, factor));
             }
-            let (_, bars) = O::grad::<L, EXTREME>(row, frame);
-            sums[i] = plus(sums[i], times(bars.0, factor));
-            column = plus(column, times(bars.1, factor));
+            bars.push(column);
         }
-        let mut bars = [zeros(); MOST_LANES];
-        scatter::<T, L, _, _>(column, &mut bars);
-        b_bar[start + counted..start + L::WIDTH].copy_from_slice(&bars[counted..L::WIDTH]);
+        for (k, &column) in bars.iter().enumerate() {
+            let start = start_of::<T, L>(first + opaque(k), columns);
+            let counted = (first + k) * L::WIDTH - start;
+            let mut shapes = [zeros(); MOST_LANES];
+            scatter::<T, L, _, _>(column, &mut shapes);
+            b_bar[start + counted..start + L::WIDTH].copy_from_slice(&shapes[counted..L::WIDTH]);
+        }
     }
     for (bar, sum) in a_bar.iter_mut().zip(sums) {
         *bar = folded::<T, L, _, _>(sum);
