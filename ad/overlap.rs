@@ -3,7 +3,9 @@
 //! Each comes fused, as value and slopes (`…_grad`), because the slopes need the value's pieces
 //! anyway, and as a plain adjoint (`…_vjp`).
 use crate::ad::clip::clipped_area_slopes;
-use crate::clip::{Framed, clip, frame, nothing_shared, relate, related_area, size_scale};
+use crate::clip::{
+    Framed, clip, clipped_area, frame, nothing_shared, relate, related_area, size_scale,
+};
 use crate::overlap::{
     Denominator, Intersection, Measure, OverFirst, OverUnion, Shared, area_from_half,
     area_of_shared, in_outer_unit, measure, share,
@@ -64,8 +66,9 @@ pub fn score_framed_grad<M: Measure, S: Scalar, const EXTREME: bool>(
         return (S::zero(), (zero, zero));
     }
     let clip = clip(pair);
-    let inter = related_area(&pair, &clip);
-    let nothing = nothing_shared(&pair, crate::clip::clipped_area(&clip));
+    let area = clipped_area(&clip);
+    let inter = related_area(&pair, area);
+    let nothing = nothing_shared(&pair, area);
     let slopes = clipped_area_slopes(&pair, &clip);
 
     // From the pair's unit of length to the caller's.

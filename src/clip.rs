@@ -364,18 +364,17 @@ pub fn clipped_area<S: Scalar>(clip: &Clip<S>) -> S {
     (straight + (flat - upright)).halved()
 }
 
-/// The area of intersection of a related pair, in units of `1 / scale²`: exactly zero for boxes
-/// that are apart, never more than either box has.
+/// The area of intersection of a related pair from its [`clipped_area`], in units of `1 / scale²`:
+/// exactly zero for boxes that are apart, never more than either box has.
 #[inline(always)]
-pub fn related_area<S: Scalar>(pair: &Relative<S>, clip: &Clip<S>) -> S {
+pub fn related_area<S: Scalar>(pair: &Relative<S>, area: S) -> S {
     let four = S::Primal::lit(4.0);
     let area_a = four * (pair.half_a.x.primal() * pair.half_a.y.primal());
     let area_b = four * (pair.half_b.x.primal() * pair.half_b.y.primal());
     let limit = area_a.least(area_b);
-    let area = clipped_area(clip);
     let beyond = area.above(S::from_primal(limit));
-    let area = S::select(beyond, area.with_primal(limit), area);
-    S::select(nothing_shared(pair, area), S::zero(), area)
+    let bounded = S::select(beyond, area.with_primal(limit), area);
+    S::select(nothing_shared(pair, area), S::zero(), bounded)
 }
 
 /// Where a pair counts as sharing nothing, so that value and slopes are zero.

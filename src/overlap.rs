@@ -7,7 +7,7 @@
 //!
 //! Kinks: sides lying along each other (the slope is the mean of both sides of the kink), and
 //! boxes that begin to touch (slope zero). A corner on a side is no kink.
-use crate::clip::{Framed, Relative, clip, frame, relate, related_area, size_scale};
+use crate::clip::{Framed, Relative, clip, clipped_area, frame, relate, related_area, size_scale};
 use crate::{Aabb2, Mask, Obb2, Scalar, Vec2};
 
 /// Intersection over union from areas, in `[0, 1]`; zero with slope zero when the union is empty.
@@ -57,7 +57,7 @@ pub fn shared_area<S: Scalar, const EXTREME: bool>(
     let area = if pair.apart.all() {
         S::zero()
     } else {
-        related_area(&pair, &clip(pair))
+        related_area(&pair, clipped_area(&clip(pair)))
     };
     (pair, area, scale)
 }
