@@ -190,7 +190,6 @@ pub fn aligned_vjp_into<O: PairOp, T: Real>(
 ) -> Result<(), Error> {
     expect(Argument::B, a.len(), b.len())?;
     expect(Argument::Upstream, a.len(), upstream.len())?;
-    check_upstream(upstream)?;
     aligned_slopes::<O, T>(a, b, Seed::Upstream(upstream), a_bar, b_bar)
 }
 
@@ -210,6 +209,9 @@ fn aligned_slopes<O: PairOp, T: Real>(
     expect(Argument::GradA, a.len(), a_bar.len())?;
     expect(Argument::GradB, b.len(), b_bar.len())?;
     let extreme = check::<O, T>(a, b)?;
+    if let Seed::Upstream(upstream) = seed {
+        check_upstream(upstream)?;
+    }
     let seeds: Vec<Seed<'_, T>> = match seed {
         Seed::One(values) => values.chunks_mut(STRETCH).map(Seed::One).collect(),
         Seed::Upstream(upstream) => upstream.chunks(STRETCH).map(Seed::Upstream).collect(),

@@ -14,10 +14,9 @@ pub use crate::kernels::aligned::{
     AlignedGrads, aligned, aligned_grad, aligned_grad_into, aligned_into, aligned_vjp,
     aligned_vjp_into,
 };
-pub use crate::kernels::matrix::{
-    PairGrads, all_pairs, all_pairs_grad, all_pairs_grad_into, all_pairs_into, all_pairs_vjp,
-    all_pairs_vjp_into,
-};
+pub use crate::kernels::matrix::{all_pairs, all_pairs_into};
+pub use crate::kernels::matrix_grad::{PairGrads, all_pairs_grad, all_pairs_grad_into};
+pub use crate::kernels::matrix_vjp::{all_pairs_vjp, all_pairs_vjp_into};
 pub use crate::kernels::ragged::{
     RaggedGrads, ragged, ragged_grad, ragged_into, ragged_vjp, ragged_vjp_into,
 };

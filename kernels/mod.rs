@@ -18,6 +18,8 @@ pub mod cpu;
 pub mod gpu;
 mod gpu_error;
 mod matrix;
+mod matrix_grad;
+mod matrix_vjp;
 pub mod op;
 pub mod overlap;
 mod ragged;

@@ -93,6 +93,26 @@ fn all_forms_agree_with_single_calls() {
 }
 
 #[test]
+fn long_rows_agree_with_single_calls() {
+    // Slopes leave in runs of 512 or 1024 columns: lengths around the end of one and of two.
+    fn agree<T: geograd::kernels::real::Real>(make: impl Fn(usize, u64) -> Vec<Obb2<T>>) {
+        let rows = make(3, 1);
+        for n in [511, 512, 513, 1023, 1024, 1025, 1041, 2050] {
+            let b = make(n, 2);
+            let grads = cpu::all_pairs_grad::<IouObb2, T>(&rows, &b).unwrap();
+            for (i, &row) in rows.iter().enumerate() {
+                for (j, &column) in b.iter().enumerate() {
+                    assert_eq!(grads.values[i * n + j], IouObb2::eval(&(row, column)));
+                    assert_eq!(grads.at(i, j), IouObb2::vjp(&(row, column), T::one()));
+                }
+            }
+        }
+    }
+    agree::<f64>(boxes);
+    agree::<f32>(|n, seed| narrow(&boxes(n, seed)));
+}
+
+#[test]
 fn extreme_batches_have_the_same_bits() {
     // One enormous box sends the batch down the path for extreme sizes.
     let (a, b) = (narrow(&boxes(40, 1)), narrow(&boxes(40, 2)));
