@@ -270,6 +270,28 @@ fn peers() {
         || cpu::all_pairs_vjp_into::<IouObb2, f64>(&a, &b, &up, &mut p, &mut q).unwrap(),
     );
     line(
+        "geograd, f64, value, call by call (Obb2::iou)",
+        300 * 300,
+        || {
+            for &a in &a[..300] {
+                for &b in &b[..300] {
+                    black_box(a.iou(b));
+                }
+            }
+        },
+    );
+    line(
+        "geograd, f64, value + ten slopes, call by call (iou_obb2_grad)",
+        300 * 300,
+        || {
+            for &a in &a[..300] {
+                for &b in &b[..300] {
+                    black_box(ad::overlap::iou_obb2_grad(a, b));
+                }
+            }
+        },
+    );
+    line(
         "geograd, f64, gradient by forward duals (ad::gradient)",
         SLOW * SLOW,
         || {
