@@ -114,6 +114,7 @@ use crate::ad::verdict::{Fault, Findings, Numbers, PAIRS, Place, Reason, Worst};
 use crate::ad::witness::Precision;
 use crate::{Jet, Pack};
 use std::fmt::Debug;
+use std::panic::{AssertUnwindSafe, catch_unwind};
 
 pub use crate::ad::report::{Failure, Report};
 
@@ -121,8 +122,8 @@ pub use crate::ad::report::{Failure, Report};
 pub const SEED: u64 = 0x6765_6f67_7261_6421;
 /// How many failures a report keeps.
 const KEPT: usize = 8;
-/// How many simpler inputs are tried for a failure.
-const TRIES: usize = 400;
+/// How many numbers simpler inputs of a failure may have together: 400 short inputs are tried.
+const WORK: usize = 400 * 48;
 
 /// How many inputs to judge, and which.
 #[derive(Clone, Copy)]
@@ -168,7 +169,6 @@ pub fn examine<S: Number, X: Pack<Scalar = S> + Debug>(
     plan: &Plan<'_>,
     inputs: &[X],
     random_from: usize,
-    shorter: impl Fn(&X) -> Vec<X>,
     meet: impl Fn(&X, &mut dyn FnMut(&dyn Subject)),
 ) -> Report {
     let mut precision = Precision::F64;
@@ -232,7 +232,7 @@ pub fn examine<S: Number, X: Pack<Scalar = S> + Debug>(
             if report.failures.iter().any(known) || report.failures.len() >= KEPT {
                 continue;
             }
-            let (least, fault) = shrunk(x, fault, &shorter, |x| judged(x, sample).faults);
+            let (least, fault) = shrunk(x, fault, |x| judged(x, sample).faults);
             report.failures.push(Failure {
                 sample,
                 fault,
@@ -265,30 +265,29 @@ pub fn examine<S: Number, X: Pack<Scalar = S> + Debug>(
     report
 }
 
-/// The simplest input found that fails for the same reason.
+/// The simplest input found that fails for the same reason. A function that panics at an input of
+/// another length does not fail there for the same reason.
 fn shrunk<S: Number, X: Pack<Scalar = S> + Debug>(
     x: &X,
     fault: Fault,
-    shorter: &impl Fn(&X) -> Vec<X>,
     mut faults: impl FnMut(&X) -> Vec<Fault>,
 ) -> (X, Fault) {
-    let (mut least, mut fault) = (x.clone(), fault);
-    let mut tries = 0;
-    'again: loop {
-        for candidate in shorter(&least).into_iter().chain(simpler(&least)) {
-            tries += 1;
-            if tries > TRIES {
-                return (least, fault);
+    let mut least = (x.clone(), fault);
+    let mut left = WORK;
+    loop {
+        let found = simpler(&least.0).find_map(|candidate| {
+            left = left.saturating_sub(candidate.count().max(48));
+            if left == 0 {
+                return None;
             }
-            let found = faults(&candidate)
-                .into_iter()
-                .find(|f| f.reason == fault.reason);
-            if let Some(found) = found {
-                (least, fault) = (candidate, found);
-                continue 'again;
-            }
+            let found = catch_unwind(AssertUnwindSafe(|| faults(&candidate))).unwrap_or_default();
+            let same = found.into_iter().find(|f| f.reason == fault.reason)?;
+            Some((candidate, same))
+        });
+        match found {
+            Some(found) => least = found,
+            None => return least,
         }
-        return (least, fault);
     }
 }
 
@@ -479,7 +478,8 @@ impl<'a, S: Number, X: Pack<Scalar = S> + Debug + 'a> Check<'a, X> {
         }));
         self
     }
-    /// Where the function is defined.
+    /// Where the function is defined. A refused input is shrunk, to other lengths too: those outside,
+    /// and those at which the function panics, are passed over.
     #[must_use]
     pub fn inside(mut self, f: impl Fn(&X) -> bool + 'a) -> Self {
         self.inside = Some(Box::new(f));
@@ -525,7 +525,6 @@ impl<'a, S: Number, X: Pack<Scalar = S> + Debug + 'a> Check<'a, X> {
             &plan,
             &self.points,
             self.random_from,
-            |_| Vec::new(),
             |near, judge| judge(&Near { check: self, near }),
         )
     }

@@ -177,6 +177,7 @@ impl Judge<'_> {
             self.compare_exact(row);
         }
         self.compare_wide(&rows);
+        self.projections(&mut rows, draw);
         self.linear(&mut rows, draw);
         let plain = self.differences(&mut rows, draw);
         self.promises(&mut rows);
@@ -448,7 +449,7 @@ impl Judge<'_> {
 
     /// Whether a convention may decide about this slope: the value is zero and the input cannot be
     /// moved both ways.
-    fn conventional_border(&self, row: &Row, i: usize) -> bool {
+    pub(crate) fn conventional_border(&self, row: &Row, i: usize) -> bool {
         let stuck = |sign: f64| {
             let mut there = self.x.to_vec();
             there[i] += sign * 1e-3 * self.scales[i];
@@ -527,6 +528,12 @@ impl Judge<'_> {
                 self.refuse_with(reason, None, j, 0, numbers, tolerance);
             }
         }
+        // Longer inputs are projected.
+        let rows = if self.x.len() <= FEW_INPUTS {
+            rows
+        } else {
+            &[]
+        };
         for row in rows {
             let combined = |x: &[f64]| {
                 let jacobian = wide.jacobian(x)?;

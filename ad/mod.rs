@@ -28,6 +28,7 @@ pub mod forward;
 pub mod judge;
 pub mod overlap;
 pub mod picture;
+mod projection;
 mod promise;
 pub mod report;
 pub mod ring;

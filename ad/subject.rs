@@ -50,7 +50,8 @@ pub trait Subject {
     fn jacobian(&self, _x: &[f64]) -> Option<Vec<Vec<f64>>> {
         None
     }
-    /// Value and slope along a direction by duals, for inputs too long for a whole Jacobian.
+    /// The slopes of all outputs along a direction by duals: the Jacobian times the direction, for
+    /// inputs too long for a whole one.
     fn along(&self, _x: &[f64], _direction: &[f64]) -> Option<Vec<f64>> {
         None
     }

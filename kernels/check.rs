@@ -189,6 +189,14 @@ where
         }
         Some(rows)
     }
+    fn along(&self, x: &[f64], direction: &[f64]) -> Option<Vec<f64>> {
+        let input = self.made(x, |i, value| Jet {
+            value,
+            slope: [S::nearest(direction[i])],
+        });
+        let out = O::eval::<Jet<S, 1>>(&input).scalars();
+        Some(out.iter().map(|jet| jet.slope[0].widen()).collect())
+    }
     fn traced(&self, x: &[f64]) -> Option<(Vec<f64>, Trace)> {
         let input = self.made(x, |_, v| Traced(v));
         let (out, trace) = trace(|| O::eval::<Traced<S>>(&input));
@@ -339,14 +347,9 @@ where
     let random_from = inputs.len();
     let drawn = (0..plan.samples).map(|i| random(&mut plan.draw(i)));
     inputs.extend(drawn.map(rounded).filter(Sample::inside));
-    let mut report = examine(
-        O::NAME,
-        plan,
-        &inputs,
-        random_from,
-        |x| x.shorter(),
-        |x, judge| judge(&OpSubject::<O, S>::new(x, paths, fused)),
-    );
+    let mut report = examine(O::NAME, plan, &inputs, random_from, |x, judge| {
+        judge(&OpSubject::<O, S>::new(x, paths, fused))
+    });
     let worst = inputs
         .iter()
         .find(|x| plan.draws && x.scalars() == report.worst_input);
