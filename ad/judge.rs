@@ -466,14 +466,20 @@ impl Judge<'_> {
             return;
         };
         let further = self.subject.further(self.x, &row.weights);
+        let batch = self.subject.batch(self.x, &row.weights);
+        if let Some((value, _)) = &batch {
+            self.compare_values(value, Witness::Batch);
+        }
         let others = row
             .dual
             .iter()
             .cloned()
             .map(|dual| (Witness::Dual, dual))
             .chain((0..).map(Witness::Further).zip(further))
+            .chain(batch.map(|(_, slopes)| (Witness::Batch, slopes)))
             .collect::<Vec<_>>();
         for (witness, other) in others {
+            let mut theirs: Option<Vec<f64>> = None;
             if other.len() != adjoint.len() {
                 self.refuse(Reason::WrongLength(witness), row.output, 0);
                 continue;
@@ -483,8 +489,25 @@ impl Judge<'_> {
                 if gap > row.tolerance[i] || gap.is_nan() {
                     self.provoke(row);
                 }
-                let pair = if witness == Witness::Dual { 0 } else { 4 };
-                let tolerance = row.tolerance[i];
+                let mut tolerance = row.tolerance[i];
+                if gap > tolerance && witness != Witness::Dual {
+                    // Duals were provoked with the row; others on their own.
+                    let theirs = theirs.get_or_insert_with(|| {
+                        self.spread(&other, Some(&row.size), |x| match witness {
+                            Witness::Further(k) => {
+                                let further = self.subject.further(x, &row.weights);
+                                further.into_iter().nth(k)
+                            }
+                            _ => Some(self.subject.batch(x, &row.weights)?.1),
+                        })
+                    });
+                    tolerance += SAFETY * theirs[i];
+                }
+                let pair = match witness {
+                    Witness::Dual => 0,
+                    Witness::Batch => 5,
+                    _ => 4,
+                };
                 self.found.worst[pair].note(gap, row.size[i], tolerance, self.eps, i);
                 if gap > tolerance && self.conventional_border(row, i) {
                     // Differences will ask both whether they lie between zero and the only side.

@@ -46,6 +46,10 @@ pub trait Subject {
     fn further(&self, _x: &[f64], _y_bar: &[f64]) -> Vec<Vec<f64>> {
         Vec::new()
     }
+    /// Value and slopes of `y_bar · value` from a batch, on the CPU or a GPU.
+    fn batch(&self, _x: &[f64], _y_bar: &[f64]) -> Option<(Vec<f64>, Vec<f64>)> {
+        None
+    }
     /// The Jacobian by duals, one row per output.
     fn jacobian(&self, _x: &[f64]) -> Option<Vec<Vec<f64>>> {
         None
