@@ -106,7 +106,8 @@
 //! is better than another, and what provoked rounding changes is tolerated. Exact ties of equal
 //! inputs are judged strictly in double precision.
 use crate::ad::judge::judge;
-use crate::ad::sample::{Draw, Sample, hard_cases, random, simpler};
+use crate::ad::sample::{Draw, Sample, hard_cases, random};
+use crate::ad::shrink::{code, shrunk};
 use crate::ad::subject::{Conventions, Subject, default_scales};
 use crate::ad::symmetry::{Kind, Promise};
 use crate::ad::trace::{Number, Trace, Traced, trace};
@@ -114,7 +115,6 @@ use crate::ad::verdict::{Fault, Findings, Numbers, PAIRS, Place, Reason, Worst};
 use crate::ad::witness::Precision;
 use crate::{Jet, Pack};
 use std::fmt::Debug;
-use std::panic::{AssertUnwindSafe, catch_unwind};
 
 pub use crate::ad::report::{Failure, Report};
 
@@ -122,8 +122,6 @@ pub use crate::ad::report::{Failure, Report};
 pub const SEED: u64 = 0x6765_6f67_7261_6421;
 /// How many failures a report keeps.
 const KEPT: usize = 8;
-/// How many numbers simpler inputs of a failure may have together: 400 short inputs are tried.
-const WORK: usize = 400 * 48;
 
 /// How many inputs to judge, and which.
 #[derive(Clone, Copy)]
@@ -263,42 +261,6 @@ pub fn examine<S: Number, X: Pack<Scalar = S> + Debug>(
         });
     }
     report
-}
-
-/// The simplest input found that fails for the same reason. A function that panics at an input of
-/// another length does not fail there for the same reason.
-fn shrunk<S: Number, X: Pack<Scalar = S> + Debug>(
-    x: &X,
-    fault: Fault,
-    mut faults: impl FnMut(&X) -> Vec<Fault>,
-) -> (X, Fault) {
-    let mut least = (x.clone(), fault);
-    let mut left = WORK;
-    loop {
-        let found = simpler(&least.0).find_map(|candidate| {
-            left = left.saturating_sub(candidate.count().max(48));
-            if left == 0 {
-                return None;
-            }
-            let found = catch_unwind(AssertUnwindSafe(|| faults(&candidate))).unwrap_or_default();
-            let same = found.into_iter().find(|f| f.reason == fault.reason)?;
-            Some((candidate, same))
-        });
-        match found {
-            Some(found) => least = found,
-            None => return least,
-        }
-    }
-}
-
-/// An input as code.
-fn code<X: Debug>(x: &X) -> String {
-    let text = format!("{x:?}");
-    if std::any::type_name::<X>().starts_with("alloc::vec::Vec") {
-        format!("vec!{text}")
-    } else {
-        text
-    }
 }
 
 type InsideFn<'a, X> = Box<dyn Fn(&X) -> bool + 'a>;

@@ -33,7 +33,11 @@ mod promise;
 pub mod report;
 pub mod ring;
 pub mod sample;
+mod shapes;
+mod shrink;
 mod slopes;
+#[cfg(feature = "proptest")]
+pub mod strategy;
 pub mod subject;
 pub mod symmetry;
 pub mod trace;
