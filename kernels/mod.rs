@@ -28,6 +28,7 @@ pub mod reduce;
 pub mod ring;
 pub mod simd;
 mod tile;
+pub mod witness;
 
 pub use backend::Backend;
 pub use gpu_error::GpuError;
