@@ -40,15 +40,15 @@ pub enum Auto {
 }
 
 impl Backend<'_> {
-    /// Takes the best GPU, or the processor where there is none, and says which.
+    /// Takes the best GPU, or the processor where there is none, and says which, and why.
     ///
-    /// A driver in software counts as no GPU unless the environment variable `GEOGRAD_GPU` asks for
-    /// one.
+    /// A driver in software counts as no GPU ([`GpuError::OnlySoftware`]) unless the environment
+    /// variable `GEOGRAD_GPU` asks for one.
     #[must_use]
     pub fn auto() -> Auto {
         match Gpu::new() {
             Ok(gpu) if gpu.is_worth_it() => Auto::Gpu(gpu),
-            Ok(_) => Auto::Cpu(GpuError::NoAdapter),
+            Ok(_) => Auto::Cpu(GpuError::OnlySoftware),
             Err(error) => Auto::Cpu(error),
         }
     }

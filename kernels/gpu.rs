@@ -101,7 +101,7 @@ impl Gpu {
     ///
     /// # Errors
     ///
-    /// [`GpuError::NoAdapter`] or [`GpuError::AdapterRefused`].
+    /// [`GpuError::NoAdapter`], [`GpuError::NoSuchAdapter`] or [`GpuError::AdapterRefused`].
     pub fn new() -> Result<Self, GpuError> {
         Self::with(&Options::default())
     }
@@ -110,7 +110,7 @@ impl Gpu {
     ///
     /// # Errors
     ///
-    /// [`GpuError::NoAdapter`] or [`GpuError::AdapterRefused`].
+    /// [`GpuError::NoAdapter`], [`GpuError::NoSuchAdapter`] or [`GpuError::AdapterRefused`].
     pub fn with(options: &Options) -> Result<Self, GpuError> {
         let (chosen, adapter) = adapter::choose(&options.adapter)?;
         let limits = chosen.limits();

@@ -9,8 +9,9 @@ use std::future::Future;
 use std::marker::PhantomData;
 use std::pin::Pin;
 use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
-use std::sync::{Arc, Mutex};
+use std::sync::{Arc, Condvar, Mutex, PoisonError};
 use std::task::{Context, Poll, Waker};
+use std::time::Duration;
 
 /// A buffer and how many items it holds.
 #[derive(Clone, Debug)]
@@ -131,24 +132,7 @@ impl Inner {
                 staged.push((staging, bytes));
             }
             let submission = self.queue.submit([encoder.finish()]);
-            let state = Arc::new(State {
-                left: AtomicUsize::new(staged.len()),
-                failed: AtomicBool::new(false),
-                waker: Mutex::new(None),
-            });
-            for (staging, _) in &staged {
-                let state = Arc::clone(&state);
-                staging.map_async(wgpu::MapMode::Read, .., move |mapped| {
-                    if let Err(error) = mapped {
-                        log::error!("mapping: {error}");
-                        state.failed.store(true, Ordering::Release);
-                    }
-                    state.left.fetch_sub(1, Ordering::AcqRel);
-                    if let Some(waker) = super::locked(&state.waker).take() {
-                        waker.wake();
-                    }
-                });
-            }
+            let state = State::of(staged.iter().map(|(staging, _)| staging));
             Ok(Arrival {
                 gpu: gpu.clone(),
                 staged,
@@ -161,12 +145,67 @@ impl Inner {
 }
 
 /// How far a download is.
-#[derive(Debug)]
-struct State {
+#[derive(Debug, Default)]
+pub(super) struct State {
     left: AtomicUsize,
     failed: AtomicBool,
     waker: Mutex<Option<Waker>>,
+    arrived: Condvar,
 }
+
+impl State {
+    /// Maps buffers for reading.
+    pub fn of<'a>(staged: impl ExactSizeIterator<Item = &'a wgpu::Buffer>) -> Arc<State> {
+        let state = Arc::new(State {
+            left: AtomicUsize::new(staged.len()),
+            ..State::default()
+        });
+        for staging in staged {
+            let state = Arc::clone(&state);
+            staging.map_async(wgpu::MapMode::Read, .., move |mapped| {
+                if let Err(error) = mapped {
+                    log::error!("mapping: {error}");
+                    state.failed.store(true, Ordering::Release);
+                }
+                let waker = {
+                    let mut waker = super::locked(&state.waker);
+                    state.left.fetch_sub(1, Ordering::AcqRel);
+                    state.arrived.notify_all();
+                    waker.take()
+                };
+                if let Some(waker) = waker {
+                    waker.wake();
+                }
+            });
+        }
+        state
+    }
+
+    fn is_ready(&self) -> bool {
+        self.left.load(Ordering::Acquire) == 0
+    }
+
+    /// Waits for a submission and for what it maps.
+    ///
+    /// Any thread that drives the device may be the one that is told of a mapped buffer, so the
+    /// end of the submission is not the end of the wait.
+    pub fn wait(&self, inner: &Inner, submission: &wgpu::SubmissionIndex) -> Result<(), GpuError> {
+        inner.wait(Some(submission.clone()))?;
+        let mut waker = super::locked(&self.waker);
+        while !self.is_ready() {
+            let told = self.arrived.wait_timeout(waker, PATIENCE);
+            waker = told.unwrap_or_else(PoisonError::into_inner).0;
+            inner.alive()?;
+        }
+        if self.failed.load(Ordering::Acquire) {
+            return Err(GpuError::OutOfMemory);
+        }
+        Ok(())
+    }
+}
+
+/// How long to wait for another thread before looking whether the device is still there.
+const PATIENCE: Duration = Duration::from_millis(50);
 
 /// Buffers on their way to the processor.
 #[derive(Debug)]
@@ -179,22 +218,19 @@ pub(super) struct Arrival {
 }
 
 impl Arrival {
-    fn is_ready(&self) -> bool {
-        self.state.left.load(Ordering::Acquire) == 0
-    }
-
     /// Waits, then hands each part over.
     pub fn finish(self, each: impl FnMut(usize, &[u32])) -> Result<(), GpuError> {
-        self.gpu.inner.wait(Some(self.submission.clone()))?;
+        self.wait()?;
         self.read(each)
+    }
+
+    fn wait(&self) -> Result<(), GpuError> {
+        self.state.wait(&self.gpu.inner, &self.submission)
     }
 
     /// Hands each part over, in order.
     pub fn read(&self, mut each: impl FnMut(usize, &[u32])) -> Result<(), GpuError> {
         self.gpu.inner.alive()?;
-        if !self.is_ready() {
-            return Err(GpuError::DeviceLost);
-        }
         if self.state.failed.load(Ordering::Acquire) {
             return Err(GpuError::OutOfMemory);
         }
@@ -221,7 +257,7 @@ pub struct Pending<T> {
 impl<T> std::fmt::Debug for Pending<T> {
     fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
         f.debug_struct("Pending")
-            .field("is_ready", &self.arrival.is_ready())
+            .field("is_ready", &self.arrival.state.is_ready())
             .finish_non_exhaustive()
     }
 }
@@ -248,7 +284,7 @@ impl<T> Pending<T> {
         let polled = inner.device.poll(wgpu::PollType::Poll);
         inner.alive()?;
         polled.map_err(|_| GpuError::DeviceLost)?;
-        Ok(self.arrival.is_ready())
+        Ok(self.arrival.state.is_ready())
     }
 
     /// Waits for the numbers.
@@ -257,8 +293,7 @@ impl<T> Pending<T> {
     ///
     /// [`GpuError::DeviceLost`], or [`GpuError::OutOfMemory`] when they have no room.
     pub fn wait(mut self) -> Result<T, GpuError> {
-        let submission = self.arrival.submission.clone();
-        self.arrival.gpu.inner.wait(Some(submission))?;
+        self.arrival.wait()?;
         (self.make)(&self.arrival)
     }
 }

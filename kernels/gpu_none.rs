@@ -34,9 +34,9 @@ impl Gpu {
     ///
     /// # Errors
     ///
-    /// Always [`GpuError::NoAdapter`].
+    /// Always [`GpuError::NotBuilt`].
     pub fn new() -> Result<Self, GpuError> {
-        Err(GpuError::NoAdapter)
+        Err(GpuError::NotBuilt)
     }
     pub(crate) fn is_worth_it(&self) -> bool {
         match *self {}

@@ -1,4 +1,5 @@
 //! Running kernels: pipelines, dispatches, error scopes.
+use super::data::State;
 use super::source::{GROUP, Source};
 use super::{Inner, locked};
 use crate::kernels::GpuError;
@@ -121,8 +122,7 @@ impl<'a> Work<'a> {
         let staging = self.inner.staging(bytes);
         self.copy(&resolved, 0, &staging, bytes);
         let index = self.inner.queue.submit([self.encoder.finish()]);
-        staging.map_async(wgpu::MapMode::Read, .., |_| {});
-        self.inner.wait(Some(index.clone()))?;
+        State::of([&staging].into_iter()).wait(self.inner, &index)?;
         let view = staging
             .get_mapped_range(..)
             .map_err(|_| GpuError::DeviceLost)?;
