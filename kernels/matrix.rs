@@ -5,8 +5,8 @@ use crate::kernels::cpu::{A, B, Bars};
 use crate::kernels::op::PairOp;
 use crate::kernels::real::{Bundle, Real};
 use crate::kernels::tile::{
-    check, check_upstream, expect, gather, load, narrow, opaque, plus, run, scatter, splat, spread,
-    start_of, store, times, widened, width_of, zeros,
+    check, check_upstream, entries, expect, gather, load, narrow, opaque, plus, run, scatter,
+    splat, spread, start_of, store, times, widened, width_of, zeros,
 };
 use std::marker::PhantomData;
 
@@ -95,16 +95,6 @@ pub fn all_pairs<O: PairOp, T: Real>(a: &[A<O, T>], b: &[B<O, T>]) -> Result<Vec
     let mut values = vec![T::default(); entries(a.len(), b.len(), 1)?];
     all_pairs_into::<O, T>(a, b, &mut values)?;
     Ok(values)
-}
-
-/// The number of entries of a matrix.
-fn entries(rows: usize, columns: usize, fields: usize) -> Result<usize, Error> {
-    let count = rows
-        .checked_mul(columns)
-        .and_then(|n| n.checked_mul(fields));
-    count
-        .filter(|&n| n <= isize::MAX as usize / 8)
-        .ok_or(Error::TooLarge)
 }
 
 /// Rows per piece of work: at most 64 pieces, each of them worth a thread's while. Never depends
