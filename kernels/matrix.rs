@@ -4,7 +4,8 @@ use crate::kernels::cpu::{A, B};
 use crate::kernels::op::PairOp;
 use crate::kernels::real::{Bundle, Real};
 use crate::kernels::tile::{
-    check, expect, gather, narrow, opaque, run, splat, spread, start_of, store, widened, width_of,
+    check, entries, expect, gather, narrow, opaque, run, splat, spread, start_of, store, widened,
+    width_of,
 };
 
 /// Tiles of columns whose frames are made and kept together: few enough for the innermost cache.
@@ -29,16 +30,6 @@ pub fn all_pairs<O: PairOp, T: Real>(a: &[A<O, T>], b: &[B<O, T>]) -> Result<Vec
     let mut values = vec![T::default(); entries(a.len(), b.len(), 1)?];
     all_pairs_into::<O, T>(a, b, &mut values)?;
     Ok(values)
-}
-
-/// The number of entries of a matrix.
-pub(super) fn entries(rows: usize, columns: usize, fields: usize) -> Result<usize, Error> {
-    let count = rows
-        .checked_mul(columns)
-        .and_then(|n| n.checked_mul(fields));
-    count
-        .filter(|&n| n <= isize::MAX as usize / 8)
-        .ok_or(Error::TooLarge)
 }
 
 /// Rows per piece of work: at most 64 pieces, each of them worth a thread's while. Never depends

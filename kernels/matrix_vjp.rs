@@ -2,12 +2,12 @@
 use crate::Fixed;
 use crate::error::{Argument, Error};
 use crate::kernels::cpu::{A, B, Bars};
-use crate::kernels::matrix::{BLOCK, entries, frames_a, frames_b, rows_per_piece};
+use crate::kernels::matrix::{BLOCK, frames_a, frames_b, rows_per_piece};
 use crate::kernels::op::PairOp;
 use crate::kernels::real::{Bundle, Real};
 use crate::kernels::tile::{
-    check, check_upstream, expect, load, opaque, plus, run, scatter, splat, spread, start_of,
-    times, widened, width_of, zeros,
+    check, check_upstream, entries, expect, load, opaque, plus, run, scatter, splat, spread,
+    start_of, times, widened, width_of, zeros,
 };
 
 /// No bundle has more lanes.

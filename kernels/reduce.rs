@@ -1,8 +1,10 @@
-//! Reductions of all pairs on the CPU, without the matrix: what `gpu` reduces where it is.
+//! Reductions on the CPU, of all pairs without the matrix or of a [`Matrix`] that is there already:
+//! what `gpu` reduces where it is.
 use crate::error::{Argument, Error, Field, Flaw};
 use crate::kernels::cpu::{self, A, B};
 use crate::kernels::op::PairOp;
 use crate::kernels::real::Real;
+use crate::kernels::tile::{check_upstream, entries, expect, plus, zeros};
 
 /// The largest score of a row or column, and where in it.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -75,6 +77,66 @@ fn bands<O: PairOp, T: Real>(
     Ok(())
 }
 
+/// Takes the largest of some more rows.
+fn best_of_rows<T: Real>(columns: usize, values: &[T], all: &mut Vec<Best<T>>) {
+    all.extend(values.chunks(columns).map(|row| {
+        let first = Best {
+            value: row[0],
+            index: 0,
+        };
+        row.iter().enumerate().fold(first, larger)
+    }));
+}
+
+/// Takes the largest so far of every column, of rows that count from `first` on.
+fn best_of_columns<T: Real>(first: usize, columns: usize, values: &[T], all: &mut Vec<Best<T>>) {
+    for (i, row) in values.chunks(columns).enumerate() {
+        if all.is_empty() {
+            all.extend(row.iter().map(|&value| Best { value, index: 0 }));
+        }
+        for (best, value) in all.iter_mut().zip(row) {
+            *best = larger(*best, (first + i, value));
+        }
+    }
+}
+
+/// The larger one; of equals the one that was there.
+fn larger<T: Real>(best: Best<T>, (index, &value): (usize, &T)) -> Best<T> {
+    if value.above(best.value) {
+        Best { value, index }
+    } else {
+        best
+    }
+}
+
+/// Takes what is above the threshold, of rows that count from `first` on.
+fn found_above<T: Real>(
+    first: usize,
+    columns: usize,
+    values: &[T],
+    threshold: T,
+    all: &mut Vec<Found<T>>,
+) {
+    for (i, row) in values.chunks(columns).enumerate() {
+        let found = row.iter().enumerate().filter(|(_, v)| v.above(threshold));
+        all.extend(found.map(|(column, &value)| Found {
+            row: first + i,
+            column,
+            value,
+        }));
+    }
+}
+
+fn count<T: Real>(values: &[T], threshold: T) -> u64 {
+    values.iter().filter(|v| v.above(threshold)).count() as u64
+}
+
+/// The sum, row by row.
+fn total<T: Real + Into<f64>>(columns: usize, values: &[T]) -> f64 {
+    let of_row = |row: &[T]| row.iter().map(|&v| v.into()).sum::<f64>();
+    values.chunks(columns).map(of_row).sum()
+}
+
 /// The largest score of every row and its column; of several the first.
 ///
 /// # Errors
@@ -93,25 +155,8 @@ fn bands<O: PairOp, T: Real>(
 pub fn row_max<O: PairOp, T: Real>(a: &[A<O, T>], b: &[B<O, T>]) -> Result<Vec<Best<T>>, Error> {
     check_sides(a.len(), b.len(), true)?;
     let mut all = Vec::with_capacity(a.len());
-    bands::<O, T>(a, b, |_, values| {
-        all.extend(values.chunks(b.len()).map(|row| {
-            let first = Best {
-                value: row[0],
-                index: 0,
-            };
-            row.iter().enumerate().fold(first, larger)
-        }));
-    })?;
+    bands::<O, T>(a, b, |_, values| best_of_rows(b.len(), values, &mut all))?;
     Ok(all)
-}
-
-/// The larger one; of equals the one that was there.
-fn larger<T: Real>(best: Best<T>, (index, &value): (usize, &T)) -> Best<T> {
-    if value.above(best.value) {
-        Best { value, index }
-    } else {
-        best
-    }
 }
 
 /// The largest score of every column and its row; of several the first.
@@ -123,14 +168,7 @@ pub fn column_max<O: PairOp, T: Real>(a: &[A<O, T>], b: &[B<O, T>]) -> Result<Ve
     check_sides(a.len(), b.len(), false)?;
     let mut all: Vec<Best<T>> = Vec::new();
     bands::<O, T>(a, b, |first, values| {
-        for (i, row) in values.chunks(b.len()).enumerate() {
-            if all.is_empty() {
-                all.extend(row.iter().map(|&value| Best { value, index: 0 }));
-            }
-            for (best, value) in all.iter_mut().zip(row) {
-                *best = larger(*best, (first + i, value));
-            }
-        }
+        best_of_columns(first, b.len(), values, &mut all);
     })?;
     Ok(all)
 }
@@ -148,14 +186,7 @@ pub fn above<O: PairOp, T: Real>(
     check_threshold(threshold)?;
     let mut all = Vec::new();
     bands::<O, T>(a, b, |first, values| {
-        for (i, row) in values.chunks(b.len()).enumerate() {
-            let found = row.iter().enumerate().filter(|(_, v)| v.above(threshold));
-            all.extend(found.map(|(column, &value)| Found {
-                row: first + i,
-                column,
-                value,
-            }));
-        }
+        found_above(first, b.len(), values, threshold, &mut all);
     })?;
     Ok(all)
 }
@@ -171,11 +202,9 @@ pub fn count_above<O: PairOp, T: Real>(
     threshold: T,
 ) -> Result<u64, Error> {
     check_threshold(threshold)?;
-    let mut count = 0;
-    bands::<O, T>(a, b, |_, values| {
-        count += values.iter().filter(|v| v.above(threshold)).count() as u64;
-    })?;
-    Ok(count)
+    let mut found = 0;
+    bands::<O, T>(a, b, |_, values| found += count(values, threshold))?;
+    Ok(found)
 }
 
 /// The sum of all scores, added in `f64` row by row.
@@ -186,9 +215,7 @@ pub fn count_above<O: PairOp, T: Real>(
 pub fn sum<O: PairOp, T: Real + Into<f64>>(a: &[A<O, T>], b: &[B<O, T>]) -> Result<f64, Error> {
     let mut sum = 0.0;
     bands::<O, T>(a, b, |_, values| {
-        for row in values.chunks(b.len()) {
-            sum += row.iter().map(|&v| v.into()).sum::<f64>();
-        }
+        sum += total(b.len(), values);
     })?;
     Ok(sum)
 }
@@ -201,4 +228,196 @@ pub fn sum<O: PairOp, T: Real + Into<f64>>(a: &[A<O, T>], b: &[B<O, T>]) -> Resu
 pub fn mean<O: PairOp, T: Real + Into<f64>>(a: &[A<O, T>], b: &[B<O, T>]) -> Result<f64, Error> {
     let count = a.len() as f64 * b.len() as f64;
     Ok(sum::<O, T>(a, b)? / count.max(1.0))
+}
+
+/// The sum of all scores and its slopes with respect to every shape of both lists: a loss and its
+/// gradient without a matrix of scores or of upstream slopes.
+///
+/// # Errors
+///
+/// [`Error::Invalid`] for a shape that is not valid.
+///
+/// ```
+/// use geograd::Aabb2;
+/// use geograd::kernels::{overlap::IntersectionAreaAabb2, reduce};
+/// let a = [Aabb2::new(0.0, 0.0, 2.0, 2.0)];
+/// let b = [Aabb2::new(1.0, 0.0, 3.0, 2.0), Aabb2::new(0.0, 1.0, 2.0, 3.0)];
+/// let (sum, a_bar, _) = reduce::sum_grad::<IntersectionAreaAabb2, f64>(&a, &b)?;
+/// assert_eq!(sum, 4.0);
+/// assert_eq!(a_bar[0].max.x, 3.0); // 2 along the one, 1 along the other
+/// # Ok::<(), geograd::Error>(())
+/// ```
+pub fn sum_grad<O: PairOp, T: Real + Into<f64>>(
+    a: &[A<O, T>],
+    b: &[B<O, T>],
+) -> Result<(f64, Vec<A<O, T>>, Vec<B<O, T>>), Error> {
+    let (mut a_bar, mut b_bar) = (a.to_vec(), b.to_vec());
+    let sum = sum_grad_into::<O, T>(a, b, T::one(), &mut a_bar, &mut b_bar)?;
+    Ok((sum, a_bar, b_bar))
+}
+
+/// The mean of all scores and its slopes, as [`sum_grad`]; zeros where there are none.
+///
+/// # Errors
+///
+/// As [`sum_grad`].
+pub fn mean_grad<O: PairOp, T: Real + Into<f64>>(
+    a: &[A<O, T>],
+    b: &[B<O, T>],
+) -> Result<(f64, Vec<A<O, T>>, Vec<B<O, T>>), Error> {
+    let (mut a_bar, mut b_bar) = (a.to_vec(), b.to_vec());
+    let factor = 1.0 / (a.len() as f64 * b.len() as f64).max(1.0);
+    let sum = sum_grad_into::<O, T>(a, b, T::lit(factor), &mut a_bar, &mut b_bar)?;
+    Ok((sum * factor, a_bar, b_bar))
+}
+
+/// The sum of all scores; into the caller's buffers the slopes of the sum times `factor`.
+///
+/// # Errors
+///
+/// As [`sum_grad`], and for a buffer of another length or a factor that is not finite. The buffers
+/// are then as they were.
+pub fn sum_grad_into<O: PairOp, T: Real + Into<f64>>(
+    a: &[A<O, T>],
+    b: &[B<O, T>],
+    factor: T,
+    a_bar: &mut [A<O, T>],
+    b_bar: &mut [B<O, T>],
+) -> Result<f64, Error> {
+    expect(Argument::GradA, a.len(), a_bar.len())?;
+    expect(Argument::GradB, b.len(), b_bar.len())?;
+    check_upstream(&[factor])?;
+    cpu::all_pairs::<O, T>(a, &[])?;
+    cpu::all_pairs::<O, T>(&[], b)?;
+    a_bar.fill(zeros());
+    b_bar.fill(zeros());
+    if b.is_empty() {
+        return Ok(0.0);
+    }
+    let rows = (PART / b.len()).max(1);
+    let (mut values, mut more, mut sum) = (Vec::new(), b.to_vec(), 0.0);
+    for (a, a_bar) in a.chunks(rows).zip(a_bar.chunks_mut(rows)) {
+        values.resize(a.len() * b.len(), T::default());
+        cpu::all_pairs_into::<O, T>(a, b, &mut values)?;
+        sum += total(b.len(), &values);
+        values.fill(factor);
+        cpu::all_pairs_vjp_into::<O, T>(a, b, &values, a_bar, &mut more)?;
+        for (b_bar, more) in b_bar.iter_mut().zip(&more) {
+            *b_bar = plus(*b_bar, *more);
+        }
+    }
+    Ok(sum)
+}
+
+/// A matrix of scores on the CPU, to be reduced more than once.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Matrix<T = f32> {
+    rows: usize,
+    columns: usize,
+    pub(crate) values: Vec<T>,
+}
+
+impl<T: Real> Matrix<T> {
+    /// From its numbers, row by row.
+    ///
+    /// # Errors
+    ///
+    /// [`Error::Length`] for another number of them than rows times columns, [`Error::TooLarge`]
+    /// when that is beyond memory.
+    ///
+    /// ```
+    /// use geograd::kernels::reduce::Matrix;
+    /// let matrix = Matrix::new(2, 3, vec![0.1, 0.4, 0.2, 0.0, 0.0, 0.9])?;
+    /// assert_eq!(matrix.row_max()?[0].index, 1);
+    /// assert_eq!(matrix.above(0.3)?.len(), 2);
+    /// # Ok::<(), geograd::Error>(())
+    /// ```
+    pub fn new(rows: usize, columns: usize, values: Vec<T>) -> Result<Self, Error> {
+        expect(Argument::Values, entries(rows, columns, 1)?, values.len())?;
+        Ok(Matrix {
+            rows,
+            columns,
+            values,
+        })
+    }
+
+    /// How many rows.
+    #[must_use]
+    pub fn rows(&self) -> usize {
+        self.rows
+    }
+    /// How many columns.
+    #[must_use]
+    pub fn columns(&self) -> usize {
+        self.columns
+    }
+    /// Its numbers, row by row.
+    #[must_use]
+    pub fn values(&self) -> &[T] {
+        &self.values
+    }
+
+    /// The largest number of every row and its column; of several the first.
+    ///
+    /// # Errors
+    ///
+    /// [`Error::Length`] for rows without columns.
+    pub fn row_max(&self) -> Result<Vec<Best<T>>, Error> {
+        check_sides(self.rows, self.columns, true)?;
+        let mut all = Vec::with_capacity(self.rows);
+        best_of_rows(self.columns.max(1), &self.values, &mut all);
+        Ok(all)
+    }
+
+    /// The largest number of every column and its row; of several the first.
+    ///
+    /// # Errors
+    ///
+    /// [`Error::Length`] for columns without rows.
+    pub fn column_max(&self) -> Result<Vec<Best<T>>, Error> {
+        check_sides(self.rows, self.columns, false)?;
+        let mut all = Vec::new();
+        best_of_columns(0, self.columns.max(1), &self.values, &mut all);
+        Ok(all)
+    }
+
+    /// Every number above the threshold, row by row and within a row by column.
+    ///
+    /// # Errors
+    ///
+    /// [`Error::Invalid`] for a threshold that is not finite.
+    pub fn above(&self, threshold: T) -> Result<Vec<Found<T>>, Error> {
+        check_threshold(threshold)?;
+        let mut all = Vec::new();
+        found_above(0, self.columns.max(1), &self.values, threshold, &mut all);
+        Ok(all)
+    }
+
+    /// How many numbers are above the threshold.
+    ///
+    /// # Errors
+    ///
+    /// As [`above`](Matrix::above).
+    pub fn count_above(&self, threshold: T) -> Result<u64, Error> {
+        check_threshold(threshold)?;
+        Ok(count(&self.values, threshold))
+    }
+
+    /// The sum of all numbers, added in `f64` row by row.
+    #[must_use]
+    pub fn sum(&self) -> f64
+    where
+        T: Into<f64>,
+    {
+        total(self.columns.max(1), &self.values)
+    }
+
+    /// The mean of all numbers; zero where there are none.
+    #[must_use]
+    pub fn mean(&self) -> f64
+    where
+        T: Into<f64>,
+    {
+        self.sum() / (self.rows as f64 * self.columns as f64).max(1.0)
+    }
 }
