@@ -58,24 +58,32 @@ pub fn all_pairs_into<O: PairOp, T: Real>(
     if values.is_empty() {
         return Ok(());
     }
-    let (rows, columns, width) = (rows_per_piece(a.len()), b.len(), width_of::<T>(extreme));
-    let wide_b = widened(b, width);
+    let (rows, columns) = (rows_per_piece(a.len()), b.len());
     let work = a
         .chunks(rows)
         .zip(values.chunks_mut(rows * columns))
         .collect();
     spread(work, |(a, values): (&[A<O, T>], &mut [T])| {
-        let mut wide = wide_b.as_ref().map(|_| vec![T::default(); a.len() * width]);
-        let to = wide.as_deref_mut().unwrap_or(&mut *values);
-        run!(
-            extreme,
-            matrix_values::<O, T>(a, wide_b.as_deref().unwrap_or(b), to)
-        );
-        if let Some(wide) = wide {
-            narrow(&wide, width, values, columns);
-        }
+        block::<O, T>(a, b, extreme, values);
     });
     Ok(())
+}
+
+/// A block of the matrix on the calling thread. Nothing is checked, and nothing is empty.
+pub(super) fn block<O: PairOp, T: Real>(
+    a: &[A<O, T>],
+    b: &[B<O, T>],
+    extreme: bool,
+    values: &mut [T],
+) {
+    let (columns, width) = (b.len(), width_of::<T>(extreme));
+    if let Some(b) = widened(b, width) {
+        let mut wide = vec![T::default(); a.len() * width];
+        run!(extreme, matrix_values::<O, T>(a, &b, &mut wide));
+        narrow(&wide, width, values, columns);
+    } else {
+        run!(extreme, matrix_values::<O, T>(a, b, values));
+    }
 }
 
 /// Frames of rows, one by one.
