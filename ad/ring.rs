@@ -1,5 +1,5 @@
 //! Adjoints of the measures of a ring: one cotangent per vertex, written into the caller's slice.
-use crate::ring::Local;
+use crate::ring::{Local, SIDE};
 use crate::{Scalar, Vec2};
 
 /// A vertex's slopes at the nearest finite numbers.
@@ -8,13 +8,52 @@ fn limited<S: Scalar>(x: S, y: S) -> Vec2<S> {
     Vec2::new(x.saturated(), y.saturated())
 }
 
-/// The vertices before and after each one, in the local frame.
+/// Writes a cotangent for every vertex, from it and its neighbours, each brought to its `place`
+/// first.
 #[inline(always)]
-fn neighbours<S: Scalar>(local: &Local<'_, S>, n: usize, i: usize) -> (Vec2<S>, Vec2<S>) {
-    (
-        local.at(if i == 0 { n - 1 } else { i - 1 }),
-        local.at(local.after(i)),
-    )
+fn each_vertex<S: Scalar>(
+    ring: &[Vec2<S>],
+    ring_bar: &mut [Vec2<S>],
+    place: impl Fn(Vec2<S>) -> Vec2<S>,
+    slope: impl Fn(Vec2<S>, Vec2<S>, Vec2<S>) -> Vec2<S>,
+) {
+    let n = ring.len();
+    let ring_bar = &mut ring_bar[..n];
+    if n == 0 {
+        return;
+    }
+    let (origin, last) = (place(ring[0]), place(ring[n - 1]));
+    ring_bar[0] = slope(last, origin, place(ring[1 % n]));
+    let (mut x, mut y) = ([S::zero(); SIDE + 2], [S::zero(); SIDE + 2]);
+    let (mut x_bar, mut y_bar) = ([S::zero(); SIDE], [S::zero(); SIDE]);
+    let mut first = 1;
+    while first + SIDE < n {
+        for (k, &vertex) in ring[first - 1..=first + SIDE].iter().enumerate() {
+            let at = place(vertex);
+            (x[k], y[k]) = (at.x, at.y);
+        }
+        let at = |k: usize| Vec2::new(x[k], y[k]);
+        for k in 0..SIDE {
+            let bar = slope(at(k), at(k + 1), at(k + 2));
+            (x_bar[k], y_bar[k]) = (bar.x, bar.y);
+        }
+        for (k, bar) in ring_bar[first..first + SIDE].iter_mut().enumerate() {
+            *bar = Vec2::new(x_bar[k], y_bar[k]);
+        }
+        first += SIDE;
+    }
+    if first < n {
+        let (mut before, mut here) = (place(ring[first - 1]), place(ring[first]));
+        for i in first..n {
+            let after = if i + 1 == n {
+                origin
+            } else {
+                place(ring[i + 1])
+            };
+            ring_bar[i] = slope(before, here, after);
+            (before, here) = (here, after);
+        }
+    }
 }
 
 /// Adjoint of [`signed_area`](crate::ring::signed_area); writes one cotangent per vertex.
@@ -24,16 +63,13 @@ fn neighbours<S: Scalar>(local: &Local<'_, S>, n: usize, i: usize) -> (Vec2<S>, 
 /// # Panics
 ///
 /// When `ring_bar` is shorter than `ring`.
+#[inline(always)]
 pub fn signed_area_vjp<S: Scalar>(ring: &[Vec2<S>], out_bar: S, ring_bar: &mut [Vec2<S>]) {
-    let (local, n) = (Local::new(ring), ring.len());
-    for (i, bar) in ring_bar[..n].iter_mut().enumerate() {
-        let (before, after) = neighbours(&local, n, i);
-        let across = (after - before).halved();
-        *bar = limited(
-            local.outer(across.y) * out_bar,
-            -(local.outer(across.x) * out_bar),
-        );
-    }
+    // Halved first: the whole way may not be finite.
+    each_vertex(ring, ring_bar, Vec2::halved, |before, _, after| {
+        let across = after - before;
+        limited(across.y * out_bar, -(across.x * out_bar))
+    });
 }
 
 /// Adjoint of [`perimeter`](crate::ring::perimeter); writes one cotangent per vertex.
@@ -43,14 +79,20 @@ pub fn signed_area_vjp<S: Scalar>(ring: &[Vec2<S>], out_bar: S, ring_bar: &mut [
 /// # Panics
 ///
 /// When `ring_bar` is shorter than `ring`.
+#[inline(always)]
 pub fn perimeter_vjp<S: Scalar>(ring: &[Vec2<S>], out_bar: S, ring_bar: &mut [Vec2<S>]) {
-    let (local, n) = (Local::new(ring), ring.len());
-    for (i, bar) in ring_bar[..n].iter_mut().enumerate() {
-        let (before, after) = neighbours(&local, n, i);
-        let here = local.at(i);
-        let pull = (here - before).normalize_or_zero() + (here - after).normalize_or_zero();
-        *bar = pull * out_bar;
+    if ring.is_empty() {
+        return;
     }
+    let local = Local::new(ring);
+    each_vertex(
+        ring,
+        ring_bar,
+        |v| local.place(v),
+        |before, here, after| {
+            ((here - before).normalize_or_zero() + (here - after).normalize_or_zero()) * out_bar
+        },
+    );
 }
 
 /// Adjoint of [`centroid`](crate::ring::centroid); writes one cotangent per vertex.
@@ -63,36 +105,39 @@ pub fn perimeter_vjp<S: Scalar>(ring: &[Vec2<S>], out_bar: S, ring_bar: &mut [Ve
 /// # Panics
 ///
 /// When `ring_bar` is shorter than `ring`.
+#[inline(always)]
 pub fn centroid_vjp<S: Scalar>(ring: &[Vec2<S>], out_bar: Vec2<S>, ring_bar: &mut [Vec2<S>]) {
-    let (local, n) = (Local::new(ring), ring.len());
-    if n == 0 {
+    if ring.is_empty() {
         return;
     }
-    let (mut twice, mut moment) = (S::zero(), Vec2::zero());
-    for (start, end) in local.edges() {
+    let local = Local::new(ring);
+    let [twice, moment_x, moment_y] = local.sums(|start, end| {
         let cross = start.perp_dot(end);
-        twice += cross;
-        moment += (start + end) * cross;
-    }
+        let moment = (start + end) * cross;
+        [cross, moment.x, moment.y]
+    });
     let flat = twice.equals(S::zero());
     let per = S::one().over(S::lit(3.0) * S::select(flat, S::one(), twice));
-    let thrice_at = moment.dot(out_bar) * per * S::lit(3.0);
-    let mean = S::one().over(S::lit(n as f64));
-    for (i, bar) in ring_bar[..n].iter_mut().enumerate() {
-        let (before, after) = neighbours(&local, n, i);
-        let here = local.at(i);
-        let weight = |m: Vec2<S>| (m.dot(out_bar) - thrice_at) * per;
-        let (arrive, leave) = (weight(before + here), weight(here + after));
-        let cross = (before.perp_dot(here) + here.perp_dot(after)) * per;
-        let pull = |arrive_at: S, leave_at: S, bar: S| {
-            let solid = arrive * arrive_at + leave * leave_at + cross * bar;
-            S::select(flat, bar * mean, solid)
-        };
-        *bar = limited(
-            pull(-before.y, after.y, out_bar.x),
-            pull(before.x, -after.x, out_bar.y),
-        );
-    }
+    let thrice_at = Vec2::new(moment_x, moment_y).dot(out_bar) * per * S::lit(3.0);
+    let mean = S::one().over(S::lit(ring.len() as f64));
+    let weight = |m: Vec2<S>| (m.dot(out_bar) - thrice_at) * per;
+    each_vertex(
+        ring,
+        ring_bar,
+        |v| local.place(v),
+        |before, here, after| {
+            let (arrive, leave) = (weight(before + here), weight(here + after));
+            let cross = (before.perp_dot(here) + here.perp_dot(after)) * per;
+            let pull = |arrive_at: S, leave_at: S, bar: S| {
+                let solid = arrive * arrive_at + leave * leave_at + cross * bar;
+                S::select(flat, bar * mean, solid)
+            };
+            limited(
+                pull(-before.y, after.y, out_bar.x),
+                pull(before.x, -after.x, out_bar.y),
+            )
+        },
+    );
 }
 
 impl<S: Scalar> Vec2<S> {

@@ -81,8 +81,8 @@ pub(super) struct Upstream<'a, T> {
 }
 
 impl<T: Real> Upstream<'_, T> {
-    /// From a row on.
-    fn from_row(&self, row: usize) -> Self {
+    /// Without its first rows.
+    fn below(&self, row: usize) -> Self {
         Upstream {
             slopes: &self.slopes[row * self.step..],
             ..*self
@@ -115,7 +115,7 @@ pub(super) fn pull_back<O: PairOp, T: Real>(
     spread(
         work.collect(),
         |(piece, ((a, a_bar), b_bar)): (usize, ((&[A<O, T>], &mut [A<O, T>]), &mut [B<O, T>]))| {
-            let upstream = upstream.from_row(piece * rows);
+            let upstream = upstream.below(piece * rows);
             let Some(b) = &wide_b else {
                 run!(extreme, matrix_vjp::<O, T>(a, b, upstream, a_bar, b_bar));
                 return;
@@ -123,7 +123,7 @@ pub(super) fn pull_back<O: PairOp, T: Real>(
             // The columns added have no upstream.
             let mut slopes = vec![T::default(); a.len() * width];
             for (i, row) in slopes.chunks_mut(width).enumerate() {
-                row[..columns].copy_from_slice(&upstream.from_row(i).slopes[..columns]);
+                row[..columns].copy_from_slice(&upstream.below(i).slopes[..columns]);
             }
             let wide = Upstream {
                 slopes: &slopes,

@@ -2,7 +2,8 @@
 use crate::error::{Argument, Error, Field, finite};
 use crate::kernels::op::{Op, RingOp};
 use crate::kernels::real::Real;
-use crate::kernels::tile::{expect, spread, zeros};
+use crate::kernels::simd::vectorized;
+use crate::kernels::tile::{all_finite, expect, spread, zeros};
 use crate::{Fixed, Vec2};
 
 /// Vertices, or rings, per piece of work.
@@ -47,6 +48,9 @@ pub(crate) fn check_ragged<T: Real>(vertices: &[Vec2<T>], offsets: &[usize]) -> 
         return Err(Error::Offsets {
             row: offsets.len() - 1,
         });
+    }
+    if vectorized!(all_finite(vertices)) {
+        return Ok(());
     }
     for (row, vertex) in vertices.iter().enumerate() {
         finite(vertex.x, Field::X)
@@ -97,11 +101,20 @@ pub fn ragged_into<O: RingOp, T: Real>(
         work.push((&offsets[cut[0]..=cut[1]], values));
     }
     spread(work, |(offsets, values): (&[usize], &mut [O::Out<T>])| {
-        for (ring, value) in offsets.windows(2).zip(values) {
-            *value = O::value(&vertices[ring[0]..ring[1]]);
-        }
+        vectorized!(values_of::<O, T>(vertices, offsets, values));
     });
     Ok(())
+}
+
+#[inline(always)]
+fn values_of<O: RingOp, T: Real>(
+    vertices: &[Vec2<T>],
+    offsets: &[usize],
+    values: &mut [O::Out<T>],
+) {
+    for (ring, value) in offsets.windows(2).zip(values) {
+        *value = O::value(&vertices[ring[0]..ring[1]]);
+    }
 }
 
 /// Results and slopes of a ragged batch.
@@ -183,11 +196,21 @@ pub fn ragged_vjp_into<O: RingOp, T: Real>(
     spread(
         work,
         |(offsets, upstream, bars): (&[usize], &[O::Out<T>], &mut [Vec2<T>])| {
-            for (ring, &out_bar) in offsets.windows(2).zip(upstream) {
-                let bars = &mut bars[ring[0] - offsets[0]..ring[1] - offsets[0]];
-                O::ring_vjp(&vertices[ring[0]..ring[1]], out_bar, bars);
-            }
+            vectorized!(bars_of::<O, T>(vertices, offsets, upstream, bars));
         },
     );
     Ok(())
+}
+
+#[inline(always)]
+fn bars_of<O: RingOp, T: Real>(
+    vertices: &[Vec2<T>],
+    offsets: &[usize],
+    upstream: &[O::Out<T>],
+    bars: &mut [Vec2<T>],
+) {
+    for (ring, &out_bar) in offsets.windows(2).zip(upstream) {
+        let bars = &mut bars[ring[0] - offsets[0]..ring[1] - offsets[0]];
+        O::ring_vjp(&vertices[ring[0]..ring[1]], out_bar, bars);
+    }
 }

@@ -24,9 +24,11 @@ impl Op for SignedArea {
 }
 
 impl RingOp for SignedArea {
+    #[inline(always)]
     fn value<S: Scalar>(ring: &[Vec2<S>]) -> S {
         ring::signed_area(ring)
     }
+    #[inline(always)]
     fn ring_vjp<S: Scalar>(ring: &[Vec2<S>], out_bar: S, ring_bar: &mut [Vec2<S>]) {
         ad::ring::signed_area_vjp(ring, out_bar, ring_bar);
     }
@@ -54,9 +56,11 @@ impl Op for Perimeter {
 }
 
 impl RingOp for Perimeter {
+    #[inline(always)]
     fn value<S: Scalar>(ring: &[Vec2<S>]) -> S {
         ring::perimeter(ring)
     }
+    #[inline(always)]
     fn ring_vjp<S: Scalar>(ring: &[Vec2<S>], out_bar: S, ring_bar: &mut [Vec2<S>]) {
         ad::ring::perimeter_vjp(ring, out_bar, ring_bar);
     }
@@ -84,9 +88,11 @@ impl Op for Centroid {
 }
 
 impl RingOp for Centroid {
+    #[inline(always)]
     fn value<S: Scalar>(ring: &[Vec2<S>]) -> Vec2<S> {
         ring::centroid(ring)
     }
+    #[inline(always)]
     fn ring_vjp<S: Scalar>(ring: &[Vec2<S>], out_bar: Vec2<S>, ring_bar: &mut [Vec2<S>]) {
         ad::ring::centroid_vjp(ring, out_bar, ring_bar);
     }

@@ -79,8 +79,23 @@ fn all_ordinary<O: PairOp, T: Real>(a: &[A<O, T>], b: &[B<O, T>]) -> bool {
     all
 }
 
+/// Whether every number is finite.
+#[inline(always)]
+pub(crate) fn all_finite<T: Real, P: Fixed<Scalar = T>>(items: &[P]) -> bool {
+    let mut all = true;
+    for item in items {
+        for &x in item.to_array().as_ref() {
+            all &= x.finite();
+        }
+    }
+    all
+}
+
 /// Checks that every upstream slope is finite.
 pub(crate) fn check_upstream<T: Real>(upstream: &[T]) -> Result<(), Error> {
+    if crate::kernels::simd::vectorized!(all_finite(upstream)) {
+        return Ok(());
+    }
     for (row, &x) in upstream.iter().enumerate() {
         crate::error::finite(x, crate::error::Field::Value).map_err(|flaw| Error::Invalid {
             argument: Argument::Upstream,

@@ -6,6 +6,10 @@
 //! the distance from the origin nor the size costs digits.
 use crate::{Scalar, Vec2};
 
+/// Vertices worked on side by side: sums of their own that need not wait for each other, and arrays
+/// that the compiler turns into SIMD.
+pub(crate) const SIDE: usize = 16;
+
 /// A ring in its own frame: the first vertex at the origin, lengths multiplied by a power of two.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Local<'a, S> {
@@ -21,12 +25,26 @@ impl<'a, S: Scalar> Local<'a, S> {
             ring,
             scale: S::one(),
         };
-        let extent = (0..ring.len()).fold(S::Primal::zero(), |extent, i| {
-            let at = unscaled.halved(i);
-            extent
-                .most(at.x.primal().magnitude())
-                .most(at.y.primal().magnitude())
-        });
+        let reach = |vertex: Vec2<S>| {
+            let at = unscaled.halved(vertex);
+            at.x.primal().magnitude().most(at.y.primal().magnitude())
+        };
+        let mut extent = S::Primal::zero();
+        let (blocks, rest) = ring.as_chunks::<SIDE>();
+        if !blocks.is_empty() {
+            let mut extents = [S::Primal::zero(); SIDE];
+            for block in blocks {
+                for (extent, &vertex) in extents.iter_mut().zip(block) {
+                    *extent = extent.most(reach(vertex));
+                }
+            }
+            for other in extents {
+                extent = extent.most(other);
+            }
+        }
+        for &vertex in rest {
+            extent = extent.most(reach(vertex));
+        }
         let point = extent.at_most(S::Primal::zero());
         let scale = S::Primal::select(point, S::Primal::one(), extent).binade();
         // Halved, because the vertices are.
@@ -35,43 +53,62 @@ impl<'a, S: Scalar> Local<'a, S> {
             scale: S::from_primal(S::Primal::select(point, S::Primal::one(), scale)),
         }
     }
-    /// Half the way from the first vertex to vertex `i`: the whole way may not be finite.
+    /// Half the way from the first vertex to another: the whole way may not be finite.
     #[inline(always)]
-    fn halved(&self, i: usize) -> Vec2<S> {
-        let (at, first) = (self.ring[i], self.ring[0]);
+    fn halved(&self, vertex: Vec2<S>) -> Vec2<S> {
+        let first = self.ring[0];
         Vec2::new(
-            at.x.halved() - first.x.halved(),
-            at.y.halved() - first.y.halved(),
+            vertex.x.halved() - first.x.halved(),
+            vertex.y.halved() - first.y.halved(),
         )
     }
-    /// Vertex `i` in the local frame.
+    /// A vertex in the local frame.
     #[inline(always)]
-    pub fn at(&self, i: usize) -> Vec2<S> {
-        self.halved(i) * self.scale
+    pub fn place(&self, vertex: Vec2<S>) -> Vec2<S> {
+        self.halved(vertex) * self.scale
     }
-    /// The index after `i`, around the ring.
+    /// The sums of some quantities of an edge over all edges, from start and end of each.
     #[inline(always)]
-    pub fn after(&self, i: usize) -> usize {
-        if i + 1 == self.ring.len() { 0 } else { i + 1 }
-    }
-    /// The edges: start and end of each.
-    #[inline(always)]
-    pub fn edges(self) -> impl Iterator<Item = (Vec2<S>, Vec2<S>)> {
-        (0..self.ring.len()).map(move |i| (self.at(i), self.at(self.after(i))))
+    pub fn sums<const K: usize>(&self, of_edge: impl Fn(Vec2<S>, Vec2<S>) -> [S; K]) -> [S; K] {
+        let (ring, n) = (self.ring, self.ring.len());
+        let mut sums = [[S::zero(); SIDE]; K];
+        let (mut x, mut y) = ([S::zero(); SIDE + 1], [S::zero(); SIDE + 1]);
+        let mut first = 0;
+        while first + SIDE < n {
+            for (k, &vertex) in ring[first..=first + SIDE].iter().enumerate() {
+                let at = self.place(vertex);
+                (x[k], y[k]) = (at.x, at.y);
+            }
+            for k in 0..SIDE {
+                let edge = of_edge(Vec2::new(x[k], y[k]), Vec2::new(x[k + 1], y[k + 1]));
+                for (sum, of_edge) in sums.iter_mut().zip(edge) {
+                    sum[k] += of_edge;
+                }
+            }
+            first += SIDE;
+        }
+        let mut totals = [S::zero(); K];
+        if first > 0 {
+            for (total, sums) in totals.iter_mut().zip(sums) {
+                for sum in sums {
+                    *total += sum;
+                }
+            }
+        }
+        let mut start = self.place(ring[first]);
+        for i in first..n {
+            let end = self.place(ring[if i + 1 == n { 0 } else { i + 1 }]);
+            for (total, of_edge) in totals.iter_mut().zip(of_edge(start, end)) {
+                *total += of_edge;
+            }
+            start = end;
+        }
+        totals
     }
     /// A local length in the caller's unit.
     #[inline(always)]
     pub fn outer(&self, length: S) -> S {
         (length + length).over(self.scale)
-    }
-    /// Twice the signed area, in the local unit.
-    #[inline(always)]
-    pub fn twice_area(self) -> S {
-        let mut twice = S::zero();
-        for (start, end) in self.edges() {
-            twice += start.perp_dot(end);
-        }
-        twice
     }
 }
 
@@ -87,11 +124,14 @@ impl<'a, S: Scalar> Local<'a, S> {
 /// assert_eq!(signed_area(&triangle), 6.0);
 /// ```
 #[must_use]
+#[inline(always)]
 pub fn signed_area<S: Scalar>(ring: &[Vec2<S>]) -> S {
+    if ring.is_empty() {
+        return S::zero();
+    }
     let local = Local::new(ring);
-    local
-        .outer(local.outer(local.twice_area().halved()))
-        .saturated()
+    let [twice] = local.sums(|start, end| [start.perp_dot(end)]);
+    local.outer(local.outer(twice.halved())).saturated()
 }
 
 /// The perimeter of a ring, in units of length: the sum of the lengths of its edges. Saturates at
@@ -106,12 +146,13 @@ pub fn signed_area<S: Scalar>(ring: &[Vec2<S>]) -> S {
 /// assert_eq!(perimeter(&triangle), 12.0);
 /// ```
 #[must_use]
+#[inline(always)]
 pub fn perimeter<S: Scalar>(ring: &[Vec2<S>]) -> S {
-    let local = Local::new(ring);
-    let mut sum = S::zero();
-    for (start, end) in local.edges() {
-        sum += (end - start).length();
+    if ring.is_empty() {
+        return S::zero();
     }
+    let local = Local::new(ring);
+    let [sum] = local.sums(|start, end| [(end - start).length()]);
     local.outer(sum).saturated()
 }
 
@@ -129,18 +170,17 @@ pub fn perimeter<S: Scalar>(ring: &[Vec2<S>]) -> S {
 /// assert_eq!(centroid(&triangle), Vec2::new(1.0, 1.0));
 /// ```
 #[must_use]
+#[inline(always)]
 pub fn centroid<S: Scalar>(ring: &[Vec2<S>]) -> Vec2<S> {
     let Some(&first) = ring.first() else {
         return Vec2::zero();
     };
     let local = Local::new(ring);
-    let (mut twice, mut moment, mut sum) = (S::zero(), Vec2::zero(), Vec2::zero());
-    for (start, end) in local.edges() {
+    let [twice, moment_x, moment_y, sum_x, sum_y] = local.sums(|start, end| {
         let cross = start.perp_dot(end);
-        twice += cross;
-        moment += (start + end) * cross;
-        sum += start;
-    }
+        let moment = (start + end) * cross;
+        [cross, moment.x, moment.y, start.x, start.y]
+    });
     let flat = twice.equals(S::zero());
     let thrice = S::lit(3.0) * S::select(flat, S::one(), twice);
     let count = S::lit(ring.len() as f64);
@@ -149,7 +189,7 @@ pub fn centroid<S: Scalar>(ring: &[Vec2<S>]) -> Vec2<S> {
         (first + local.outer(at)).saturated()
     };
     Vec2::new(
-        place(first.x, moment.x, sum.x),
-        place(first.y, moment.y, sum.y),
+        place(first.x, moment_x, sum_x),
+        place(first.y, moment_y, sum_y),
     )
 }

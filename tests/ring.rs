@@ -1,4 +1,5 @@
 //! What the measures of a ring promise.
+use geograd::ad::check::Check;
 use geograd::ad::strategy::ordinary;
 use geograd::ring::{centroid, perimeter, signed_area};
 use geograd::{Obb2, Pack, Vec2, ad};
@@ -119,4 +120,76 @@ proptest! {
             prop_assert!(!shape.contains(corner.lerp(shape.center, -1e-9)));
         }
     }
+}
+
+/// Vertices are worked on sixteen at a time: lengths around one, two and four times that.
+fn lengths() -> impl Iterator<Item = usize> {
+    (1..40).chain([63, 64, 65, 66, 100])
+}
+
+/// A ring with whole numbers.
+fn whole(n: usize) -> Vec<Vec2<f64>> {
+    let at = |i: usize| {
+        v(
+            ((i * i * 7 + 3) % 41) as f64,
+            ((i * 13 + i * i) % 37) as f64,
+        )
+    };
+    (0..n).map(at).collect()
+}
+
+#[test]
+fn every_length_agrees_with_plain_sums() {
+    for ring in lengths().map(whole) {
+        let n = ring.len();
+        let next = |i: usize| ring[(i + 1) % n];
+        // Exact on whole numbers.
+        let twice: f64 = (0..n).map(|i| ring[i].perp_dot(next(i))).sum();
+        assert_eq!(signed_area(&ring), twice / 2.0, "{n} vertices");
+        let length: f64 = (0..n).map(|i| (next(i) - ring[i]).length()).sum();
+        assert!((perimeter(&ring) - length).abs() <= 1e-14 * length * n as f64);
+        if twice != 0.0 {
+            let moment = (0..n).fold(v(0.0, 0.0), |sum, i| {
+                sum + (ring[i] + next(i)) * ring[i].perp_dot(next(i))
+            });
+            let expected = moment * (1.0 / (3.0 * twice));
+            let far = expected.length().max(40.0);
+            assert!(
+                centroid(&ring).distance(expected) < 1e-12 * far,
+                "{n} vertices"
+            );
+        }
+    }
+}
+
+#[test]
+fn adjoints_are_right_at_every_length() {
+    let bars = |ring: &Vec<Vec2<f64>>| ring.clone();
+    Check::among(lengths().map(whole))
+        .value(|ring: Vec<Vec2<f64>>| signed_area(&ring))
+        .dual(|ring: Vec<Vec2<_>>| signed_area(&ring))
+        .gradient(|ring| {
+            let mut bar = bars(&ring);
+            ad::ring::signed_area_vjp(&ring, 1.0, &mut bar);
+            bar
+        })
+        .prove();
+    Check::among(lengths().map(whole))
+        .value(|ring: Vec<Vec2<f64>>| perimeter(&ring))
+        .dual(|ring: Vec<Vec2<_>>| perimeter(&ring))
+        .gradient(|ring| {
+            let mut bar = bars(&ring);
+            ad::ring::perimeter_vjp(&ring, 1.0, &mut bar);
+            bar
+        })
+        .prove();
+    Check::among(lengths().filter(|&n| n > 2).map(whole))
+        .value(|ring: Vec<Vec2<f64>>| centroid(&ring))
+        .dual(|ring: Vec<Vec2<_>>| centroid(&ring))
+        .adjoint(|ring, out_bar: &[f64]| {
+            let mut bar = bars(&ring);
+            ad::ring::centroid_vjp(&ring, v(out_bar[0], out_bar[1]), &mut bar);
+            bar
+        })
+        .prove();
 }
