@@ -53,7 +53,7 @@ pub fn shared_area<S: Scalar, const EXTREME: bool>(
     } else {
         S::one()
     };
-    let pair = relate(a, b, scale);
+    let pair = relate::<S, EXTREME>(a, b, scale);
     let area = if pair.apart.all() {
         S::zero()
     } else {

@@ -113,7 +113,8 @@ fn far_and_small_boxes_keep_their_digits() {
     assert!((iou_obb2(a, b) - oracle::iou(a, b)).abs() < 1e-12);
 }
 
-/// Thin boxes a hair's breadth from parallel, shifted along and across each other, at any heading.
+/// Thin boxes a hair's breadth from parallel, shifted along and across each other, at any heading,
+/// at the origin (where differences of centres are exact) and elsewhere.
 #[test]
 fn thin_nearly_parallel_boxes() {
     let mut dice = Dice(5);
@@ -133,8 +134,13 @@ fn thin_nearly_parallel_boxes() {
         } else {
             (50.0, 1e-3)
         };
-        let a = Obb2::new(0.0_f32, 0.0, 50.0, 1e-3, heading);
-        let b = Obb2::new(x as f32, y as f32, w, h, heading + apart + quarter);
+        let (x0, y0) = match i % 2 {
+            0 => (0.0, 0.0),
+            _ => (dice.within(-50.0, 50.0), dice.within(-50.0, 50.0)),
+        };
+        let a = Obb2::new(x0 as f32, y0 as f32, 50.0, 1e-3, heading);
+        let (x, y) = ((x0 + x) as f32, (y0 + y) as f32);
+        let b = Obb2::new(x, y, w, h, heading + apart + quarter);
         let exact = oracle::iou(widen(a), widen(b));
         for (a, b) in [(a, b), (b, a)] {
             let got = f64::from(iou_obb2(a, b));
