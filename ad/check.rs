@@ -106,7 +106,8 @@
 //! is better than another, and what provoked rounding changes is tolerated. Exact ties of equal
 //! inputs are judged strictly in double precision.
 use crate::ad::judge::judge;
-use crate::ad::sample::{Draw, Sample, hard_cases, random, simpler};
+use crate::ad::sample::{Draw, Sample, hard_cases, random};
+use crate::ad::shrink::{code, shrunk};
 use crate::ad::subject::{Conventions, Subject, default_scales};
 use crate::ad::symmetry::{Kind, Promise};
 use crate::ad::trace::{Number, Trace, Traced, trace};
@@ -121,8 +122,6 @@ pub use crate::ad::report::{Failure, Report};
 pub const SEED: u64 = 0x6765_6f67_7261_6421;
 /// How many failures a report keeps.
 const KEPT: usize = 8;
-/// How many simpler inputs are tried for a failure.
-const TRIES: usize = 400;
 
 /// How many inputs to judge, and which.
 #[derive(Clone, Copy)]
@@ -168,7 +167,6 @@ pub fn examine<S: Number, X: Pack<Scalar = S> + Debug>(
     plan: &Plan<'_>,
     inputs: &[X],
     random_from: usize,
-    shorter: impl Fn(&X) -> Vec<X>,
     meet: impl Fn(&X, &mut dyn FnMut(&dyn Subject)),
 ) -> Report {
     let mut precision = Precision::F64;
@@ -232,7 +230,7 @@ pub fn examine<S: Number, X: Pack<Scalar = S> + Debug>(
             if report.failures.iter().any(known) || report.failures.len() >= KEPT {
                 continue;
             }
-            let (least, fault) = shrunk(x, fault, &shorter, |x| judged(x, sample).faults);
+            let (least, fault) = shrunk(x, fault, |x| judged(x, sample).faults);
             report.failures.push(Failure {
                 sample,
                 fault,
@@ -263,43 +261,6 @@ pub fn examine<S: Number, X: Pack<Scalar = S> + Debug>(
         });
     }
     report
-}
-
-/// The simplest input found that fails for the same reason.
-fn shrunk<S: Number, X: Pack<Scalar = S> + Debug>(
-    x: &X,
-    fault: Fault,
-    shorter: &impl Fn(&X) -> Vec<X>,
-    mut faults: impl FnMut(&X) -> Vec<Fault>,
-) -> (X, Fault) {
-    let (mut least, mut fault) = (x.clone(), fault);
-    let mut tries = 0;
-    'again: loop {
-        for candidate in shorter(&least).into_iter().chain(simpler(&least)) {
-            tries += 1;
-            if tries > TRIES {
-                return (least, fault);
-            }
-            let found = faults(&candidate)
-                .into_iter()
-                .find(|f| f.reason == fault.reason);
-            if let Some(found) = found {
-                (least, fault) = (candidate, found);
-                continue 'again;
-            }
-        }
-        return (least, fault);
-    }
-}
-
-/// An input as code.
-fn code<X: Debug>(x: &X) -> String {
-    let text = format!("{x:?}");
-    if std::any::type_name::<X>().starts_with("alloc::vec::Vec") {
-        format!("vec!{text}")
-    } else {
-        text
-    }
 }
 
 type InsideFn<'a, X> = Box<dyn Fn(&X) -> bool + 'a>;
@@ -479,7 +440,8 @@ impl<'a, S: Number, X: Pack<Scalar = S> + Debug + 'a> Check<'a, X> {
         }));
         self
     }
-    /// Where the function is defined.
+    /// Where the function is defined. A refused input is shrunk, to other lengths too: those outside,
+    /// and those at which the function panics, are passed over.
     #[must_use]
     pub fn inside(mut self, f: impl Fn(&X) -> bool + 'a) -> Self {
         self.inside = Some(Box::new(f));
@@ -525,7 +487,6 @@ impl<'a, S: Number, X: Pack<Scalar = S> + Debug + 'a> Check<'a, X> {
             &plan,
             &self.points,
             self.random_from,
-            |_| Vec::new(),
             |near, judge| judge(&Near { check: self, near }),
         )
     }

@@ -1,7 +1,7 @@
 //! The part of a judgement that takes second derivatives.
 use crate::ad::judge::{Judge, ROUNDINGS, Row, SAFETY};
 use crate::ad::sample::Draw;
-use crate::ad::slopes::{FIRST, INFORMATIVE, confirmed};
+use crate::ad::slopes::{FEW_INPUTS, FIRST, INFORMATIVE, confirmed};
 use crate::ad::trace::Trace;
 use crate::ad::verdict::{Numbers, Reason, Witness};
 use crate::ad::witness::{Ladder, Precision, Probe, dot};
@@ -37,16 +37,19 @@ impl Judge<'_> {
             .fold(0.0_f64, |m, i| m.max(bend[i].abs() * scales[i]))
             .max((0..n).fold(0.0_f64, |m, i| m.max(row.size[i] * scales[i])));
         let sizes: Vec<f64> = scales.iter().map(|s| largest / s).collect();
+        // A whole Hessian row by row is for short inputs.
+        let by_duals = |x: &[f64]| {
+            let short = n <= FEW_INPUTS;
+            short.then(|| subject.nested(x, &row.weights, &v)).flatten()
+        };
         let spread = std::cell::OnceCell::new();
         let spread = || {
             spread.get_or_init(|| {
                 let own = self.spread(&bend, Some(&sizes), |x| {
                     subject.curvature(x, &row.weights, &v)
                 });
-                let nested = subject.nested(self.x, &row.weights, &v).unwrap_or_default();
-                let other = self.spread(&nested, Some(&sizes), |x| {
-                    subject.nested(x, &row.weights, &v)
-                });
+                let nested = by_duals(self.x).unwrap_or_default();
+                let other = self.spread(&nested, Some(&sizes), by_duals);
                 (0..n)
                     .map(|i| own[i] + other.get(i).unwrap_or(&0.0))
                     .collect::<Vec<f64>>()
@@ -54,7 +57,7 @@ impl Judge<'_> {
         };
         let exact = |i: usize| 4.0 * ROUNDINGS * self.eps * largest / scales[i];
         let mut faults = Vec::new();
-        if let Some(nested) = subject.nested(self.x, &row.weights, &v) {
+        if let Some(nested) = by_duals(self.x) {
             for i in 0..n {
                 let gap = (bend[i] - nested[i]).abs();
                 let mut tolerance = exact(i);
@@ -113,27 +116,39 @@ impl Judge<'_> {
                 Ladder::climb(probe, precision, x, adjoint, self.trace, &v, first)
             };
             let ladder = climb(FIRST[0]);
-            for i in 0..n {
-                let mut weights = vec![0.0; n];
-                weights[i] = 1.0;
-                let noise = self.eps * row.size[i]
-                    + row.tolerance[i] / ROUNDINGS
-                    + (0..n)
-                        .map(|k| self.x[k].abs() * self.eps * largest / scales[k])
-                        .sum::<f64>()
-                        / scales[i];
-                let size = largest / scales[i];
+            let moved: f64 = (0..n)
+                .map(|k| self.x[k].abs() * self.eps * largest / scales[k])
+                .sum();
+            // One by one, or all of a long input in random combinations.
+            let combinations: Vec<Vec<f64>> = if n <= FEW_INPUTS {
+                (0..n)
+                    .map(|i| (0..n).map(|k| f64::from(u8::from(i == k))).collect())
+                    .collect()
+            } else {
+                (0..4).map(|_| random()).collect()
+            };
+            for (i, weights) in combinations.into_iter().enumerate() {
+                let over = |f: &dyn Fn(usize) -> f64| -> f64 {
+                    (0..n).map(|k| weights[k].abs() * f(k)).sum()
+                };
+                let noise = over(&|k| {
+                    self.eps * row.size[k] + row.tolerance[k] / ROUNDINGS + moved / scales[k]
+                });
+                let size = over(&|k| largest / scales[k]);
+                let bend = dot(&weights, &bend);
+                let i = if n <= FEW_INPUTS { i } else { 0 };
+                let exact = over(&exact);
                 let wrong = |ladder: &Ladder, exact: f64| {
                     let e = ladder.central(&weights, noise, true)?;
                     let tolerance = SAFETY * e.error + exact;
                     let wrong = SAFETY * e.error <= INFORMATIVE * size.max(e.value.abs())
-                        && (e.value - bend[i]).abs() > tolerance;
+                        && (e.value - bend).abs() > tolerance;
                     wrong.then_some((e, tolerance))
                 };
-                if wrong(&ladder, exact(i)).is_none() {
+                if wrong(&ladder, exact).is_none() {
                     continue;
                 }
-                let exact = exact(i) + SAFETY * spread()[i];
+                let exact = exact + SAFETY * over(&|k| spread()[k]);
                 if let Some((e, tolerance)) = wrong(&ladder, exact)
                     && confirmed(FIRST[1..].iter().map(|&first| {
                         let again = climb(first);
@@ -148,7 +163,7 @@ impl Judge<'_> {
                     }))
                 {
                     let numbers = Numbers {
-                        adjoint: Some(bend[i]),
+                        adjoint: Some(bend),
                         difference: Some(e.value),
                         ..Numbers::default()
                     };

@@ -177,6 +177,7 @@ impl Judge<'_> {
             self.compare_exact(row);
         }
         self.compare_wide(&rows);
+        self.projections(&mut rows, draw);
         self.linear(&mut rows, draw);
         let plain = self.differences(&mut rows, draw);
         self.promises(&mut rows);
@@ -448,7 +449,7 @@ impl Judge<'_> {
 
     /// Whether a convention may decide about this slope: the value is zero and the input cannot be
     /// moved both ways.
-    fn conventional_border(&self, row: &Row, i: usize) -> bool {
+    pub(crate) fn conventional_border(&self, row: &Row, i: usize) -> bool {
         let stuck = |sign: f64| {
             let mut there = self.x.to_vec();
             there[i] += sign * 1e-3 * self.scales[i];
@@ -465,14 +466,20 @@ impl Judge<'_> {
             return;
         };
         let further = self.subject.further(self.x, &row.weights);
+        let batch = self.subject.batch(self.x, &row.weights);
+        if let Some((value, _)) = &batch {
+            self.compare_values(value, Witness::Batch);
+        }
         let others = row
             .dual
             .iter()
             .cloned()
             .map(|dual| (Witness::Dual, dual))
             .chain((0..).map(Witness::Further).zip(further))
+            .chain(batch.map(|(_, slopes)| (Witness::Batch, slopes)))
             .collect::<Vec<_>>();
         for (witness, other) in others {
+            let mut theirs: Option<Vec<f64>> = None;
             if other.len() != adjoint.len() {
                 self.refuse(Reason::WrongLength(witness), row.output, 0);
                 continue;
@@ -482,8 +489,25 @@ impl Judge<'_> {
                 if gap > row.tolerance[i] || gap.is_nan() {
                     self.provoke(row);
                 }
-                let pair = if witness == Witness::Dual { 0 } else { 4 };
-                let tolerance = row.tolerance[i];
+                let mut tolerance = row.tolerance[i];
+                if gap > tolerance && witness != Witness::Dual {
+                    // Duals were provoked with the row; others on their own.
+                    let theirs = theirs.get_or_insert_with(|| {
+                        self.spread(&other, Some(&row.size), |x| match witness {
+                            Witness::Further(k) => {
+                                let further = self.subject.further(x, &row.weights);
+                                further.into_iter().nth(k)
+                            }
+                            _ => Some(self.subject.batch(x, &row.weights)?.1),
+                        })
+                    });
+                    tolerance += SAFETY * theirs[i];
+                }
+                let pair = match witness {
+                    Witness::Dual => 0,
+                    Witness::Batch => 5,
+                    _ => 4,
+                };
                 self.found.worst[pair].note(gap, row.size[i], tolerance, self.eps, i);
                 if gap > tolerance && self.conventional_border(row, i) {
                     // Differences will ask both whether they lie between zero and the only side.
@@ -527,6 +551,12 @@ impl Judge<'_> {
                 self.refuse_with(reason, None, j, 0, numbers, tolerance);
             }
         }
+        // Longer inputs are projected.
+        let rows = if self.x.len() <= FEW_INPUTS {
+            rows
+        } else {
+            &[]
+        };
         for row in rows {
             let combined = |x: &[f64]| {
                 let jacobian = wide.jacobian(x)?;

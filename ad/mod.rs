@@ -28,11 +28,16 @@ pub mod forward;
 pub mod judge;
 pub mod overlap;
 pub mod picture;
+mod projection;
 mod promise;
 pub mod report;
 pub mod ring;
 pub mod sample;
+mod shapes;
+mod shrink;
 mod slopes;
+#[cfg(feature = "proptest")]
+pub mod strategy;
 pub mod subject;
 pub mod symmetry;
 pub mod trace;

@@ -68,7 +68,7 @@ impl Report {
     #[must_use]
     pub fn heading() -> String {
         format!(
-            "{:<24} {:>4} {:>7} {:>7} {:>6} {:>6} | {:>8} {:>8} {:>8} | {:>8} {:>8} {:>8} | {:>8} | {}",
+            "{:<24} {:>4} {:>7} {:>7} {:>6} {:>6} | {:>8} {:>8} {:>8} | {:>8} {:>8} {:>8} | {:>8} {:>9} | {}",
             "function",
             "in",
             "samples",
@@ -82,6 +82,7 @@ impl Report {
             "relative",
             "99% ulps",
             "adj-wide",
+            "adj-batch",
             "verdict"
         )
     }
@@ -95,7 +96,7 @@ impl Report {
                 format!("{x:.1e}")
             }
         };
-        let [dual, difference, _, wide, _] = &self.worst;
+        let [dual, difference, _, wide, _, batch] = &self.worst;
         let usual = |worst: &Worst| {
             if worst.count == 0 {
                 "-".to_owned()
@@ -109,7 +110,7 @@ impl Report {
             format!("REFUSED ({} samples)", self.refused)
         };
         format!(
-            "{:<24} {:>4} {:>7} {:>7} {:>6} {:>6} | {:>8} {:>8} {:>8} | {:>8} {:>8} {:>8} | {:>8} | {}",
+            "{:<24} {:>4} {:>7} {:>7} {:>6} {:>6} | {:>8} {:>8} {:>8} | {:>8} {:>8} {:>8} | {:>8} {:>9} | {}",
             self.name,
             match self.precision {
                 Precision::F32 => "f32",
@@ -126,6 +127,7 @@ impl Report {
             number(difference, difference.relative),
             usual(difference),
             number(wide, wide.relative),
+            number(batch, batch.relative),
             verdict
         )
     }
@@ -238,6 +240,7 @@ impl fmt::Display for Report {
                     Witness::Adjoint => "the derivative by hand",
                     Witness::Dual => "the duals",
                     Witness::Difference => "the differences",
+                    Witness::Batch => "the batch",
                     Witness::Value | Witness::Wide | Witness::Further(_) => "another witness",
                 };
                 writeln!(f, "    outvoted:   {who}")?;

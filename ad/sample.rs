@@ -1,14 +1,12 @@
-//! Where functions are checked: seeded random inputs, hard cases of every shape, shrinking.
+//! Where functions are checked: seeded random inputs and hard cases of every shape.
 //!
 //! A generator of our own keeps the library free of dependencies and the samples the same on every
 //! machine. Random pairs are snapped to each other now and then, so that ties, touching sides and
 //! near ties come up without being asked for; whole inputs are moved far away and scaled, because
 //! that is where digits are lost.
+use crate::Pack;
 use crate::ad::symmetry::Kind;
-use crate::ad::trace::Number;
-use crate::error::Validate;
-use crate::{Aabb2, Obb2, Pack, Vec2};
-use std::f64::consts::{FRAC_PI_2, FRAC_PI_4, PI};
+use std::f64::consts::FRAC_PI_2;
 
 /// A small seeded generator of random numbers (SplitMix64).
 #[derive(Clone, Debug)]
@@ -55,7 +53,27 @@ impl Draw {
 /// An input the harness can make up by itself.
 pub trait Sample: Pack<Scalar = f64> + std::fmt::Debug {
     /// A random one, of about unit size near the origin.
-    fn draw(draw: &mut Draw) -> Self;
+    fn ordinary(draw: &mut Draw) -> Self;
+    /// A random one that is much longer than wide.
+    fn thin(draw: &mut Draw) -> Self {
+        Self::ordinary(draw)
+    }
+    /// Another one that touches this one, exactly or up to rounding.
+    fn beside(&self, _draw: &mut Draw) -> Self {
+        self.clone()
+    }
+    /// A random one whose parts touch.
+    fn touching(draw: &mut Draw) -> Self {
+        Self::ordinary(draw)
+    }
+    /// A random one of any of these, mostly an ordinary one.
+    fn draw(draw: &mut Draw) -> Self {
+        if draw.once_in(10) {
+            Self::thin(draw)
+        } else {
+            Self::ordinary(draw)
+        }
+    }
     /// The cases at which geometry fails.
     fn hard() -> Vec<Self>;
     /// What each number is.
@@ -82,9 +100,61 @@ pub trait Sample: Pack<Scalar = f64> + std::fmt::Debug {
     fn outlines(&self) -> Vec<Vec<[f64; 2]>> {
         Vec::new()
     }
-    /// Simpler ones of another length.
-    fn shorter(&self) -> Vec<Self> {
-        Vec::new()
+}
+
+/// Which inputs to draw.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum Family {
+    /// Whatever the harness itself draws: of all the others some.
+    Any,
+    /// The cases at which geometry fails.
+    Hard,
+    /// Of about unit size near the origin.
+    Ordinary,
+    /// Much longer than wide.
+    Thin,
+    /// From 10⁻¹² to 10⁻⁴ in size.
+    Tiny,
+    /// From 10⁴ to 10¹² in size.
+    Huge,
+    /// As far from the origin as 10² to 10⁶ of their own size.
+    Far,
+    /// Of several shapes, the second touches the first.
+    Touching,
+}
+
+impl Family {
+    /// A random input of the family.
+    pub fn draw<X: Sample>(self, draw: &mut Draw) -> X {
+        let placed = |x: X, scale: f64, shift: [f64; 2]| {
+            let there = moved(&x.scalars(), &x.kinds(), 0.0, scale, shift);
+            let there = x.refill(&there);
+            if there.inside() { there } else { x }
+        };
+        match self {
+            Family::Any => random(draw),
+            Family::Hard => {
+                let mut plain = X::hard();
+                if plain.is_empty() {
+                    return X::draw(draw);
+                }
+                let x = plain.swap_remove(draw.below(plain.len()));
+                let there = put(&x, PLACES[draw.below(PLACES.len())]);
+                there.unwrap_or(x)
+            }
+            Family::Ordinary => X::ordinary(draw),
+            Family::Thin => X::thin(draw),
+            Family::Tiny => placed(X::draw(draw), draw.magnitude(1e-12, 1e-4), [0.0; 2]),
+            Family::Huge => placed(X::draw(draw), draw.magnitude(1e4, 1e12), [0.0; 2]),
+            Family::Far => {
+                let shift = [(); 2].map(|()| {
+                    let sign = if draw.once_in(2) { -1.0 } else { 1.0 };
+                    sign * draw.magnitude(1e2, 1e6)
+                });
+                placed(X::draw(draw), 1.0, shift)
+            }
+            Family::Touching => X::touching(draw),
+        }
     }
 }
 
@@ -131,362 +201,32 @@ pub fn random<X: Sample>(draw: &mut Draw) -> X {
     if placed.inside() { placed } else { x }
 }
 
+/// Where hard cases are put: turned by an angle, scaled, moved away.
+const PLACES: [(f64, f64, [f64; 2]); 7] = [
+    (0.0, 1.0, [0.0, 0.0]),
+    (0.0, 1.0, [1e5, 3.0]),
+    (0.0, 1e-4, [0.0, 0.0]),
+    (0.0, 1e-12, [0.0, 0.0]),
+    (0.0, 1e5, [-7e5, 1e5]),
+    (0.3, 1.0, [0.0, 0.0]),
+    (FRAC_PI_2, 1.0, [0.0, 0.0]),
+];
+
+/// A hard case in a place; nothing for a shape that cannot turn or does not fit there.
+fn put<X: Sample>(x: &X, (angle, scale, shift): (f64, f64, [f64; 2])) -> Option<X> {
+    let kinds = x.kinds();
+    if angle != 0.0 && !kinds.contains(&Kind::Angle) {
+        return None;
+    }
+    let there = x.refill(&moved(&x.scalars(), &kinds, angle, scale, shift));
+    there.inside().then_some(there)
+}
+
 /// The hard cases as they are, turned, scaled and moved away.
 pub fn hard_cases<X: Sample>() -> Vec<X> {
     let plain = X::hard();
-    let turns = plain
-        .first()
-        .is_some_and(|x| x.kinds().contains(&Kind::Angle));
-    let places = [
-        (0.0, 1.0, [0.0, 0.0]),
-        (0.0, 1.0, [1e5, 3.0]),
-        (0.0, 1e-4, [0.0, 0.0]),
-        (0.0, 1e-12, [0.0, 0.0]),
-        (0.0, 1e5, [-7e5, 1e5]),
-        (0.3, 1.0, [0.0, 0.0]),
-        (FRAC_PI_2, 1.0, [0.0, 0.0]),
-    ];
-    let mut all = Vec::new();
-    for (angle, scale, shift) in places {
-        if angle != 0.0 && !turns {
-            continue;
-        }
-        for x in &plain {
-            let there = x.refill(&moved(&x.scalars(), &x.kinds(), angle, scale, shift));
-            if there.inside() {
-                all.push(there);
-            }
-        }
-    }
-    all
-}
-
-/// Simpler inputs, simplest first: for shrinking.
-pub fn simpler<S: Number, X: Pack<Scalar = S>>(x: &X) -> Vec<X> {
-    let list: Vec<f64> = x.scalars().iter().map(|x| x.widen()).collect();
-    let mut all = Vec::new();
-    for i in 0..list.len() {
-        let at = list[i];
-        let power = if at == 0.0 {
-            1.0
-        } else {
-            10_f64.powi(at.abs().log10().floor() as i32)
-        };
-        for simple in [
-            0.0,
-            at.signum(),
-            at.round(),
-            (at / power).round() * power,
-            (at * 64.0).round() / 64.0,
-        ] {
-            // Simpler means fewer digits, or it might go round in circles.
-            if digits(simple) < digits(at) {
-                let mut shorter = list.clone();
-                shorter[i] = simple;
-                let shorter: Vec<S> = shorter.iter().map(|&x| S::nearest(x)).collect();
-                all.push(x.refill(&shorter));
-            }
-        }
-    }
-    all
-}
-
-/// How long a number is when written out.
-fn digits(x: f64) -> usize {
-    if x == 0.0 { 0 } else { format!("{x:e}").len() }
-}
-
-/// A scale that is never zero.
-fn positive(x: f64) -> f64 {
-    if x > 0.0 { x } else { 1.0 }
-}
-
-impl Sample for Obb2<f64> {
-    fn draw(draw: &mut Draw) -> Self {
-        let heading = match draw.below(6) {
-            0 => FRAC_PI_4 * draw.below(8) as f64,
-            _ => draw.within(-PI, PI),
-        };
-        let (mut width, mut height) = (draw.within(0.2, 3.0), draw.within(0.2, 3.0));
-        if draw.once_in(10) {
-            (width, height) = (draw.magnitude(1.0, 50.0), draw.magnitude(1e-3, 0.1));
-        }
-        Obb2::new(
-            draw.within(-1.2, 1.2),
-            draw.within(-1.2, 1.2),
-            width,
-            height,
-            heading,
-        )
-    }
-    fn hard() -> Vec<Self> {
-        vec![
-            Obb2::new(0.0, 0.0, 2.0, 1.0, 0.0),
-            Obb2::new(0.0, 0.0, 1.0, 0.5, 0.0),
-            Obb2::new(0.5, 0.25, 1.0, 0.5, 0.0),
-            Obb2::new(2.0, 0.0, 2.0, 1.0, 0.0),
-            Obb2::new(2.0, 1.0, 2.0, 1.0, 0.0),
-            Obb2::new(1.0, 0.0, 2.0, 1.0, 0.0),
-            Obb2::new(0.0, 0.0, 2.0, 1.0, FRAC_PI_2),
-            Obb2::new(0.0, 0.0, 2.0, 1.0, PI),
-            Obb2::new(0.25, 0.125, 1.5, 1.5, FRAC_PI_4),
-            Obb2::new(0.0, 0.0, 2.0, 1.0, 1e-9),
-            Obb2::new(0.0, 0.0, 2.0, 1.0, 1e-5),
-            Obb2::new(0.0, 0.0, 50.0, 1e-3, 0.0),
-            Obb2::new(0.0, 0.0, 50.0, 1e-3, 1e-6),
-            Obb2::new(0.0, 2e-4, 50.0, 1e-3, 0.0),
-            Obb2::new(0.25, 0.0, 0.0, 1.0, 0.0),
-            Obb2::new(0.25, 0.125, 0.0, 0.0, 0.0),
-            Obb2::new(9.0, 9.0, 2.0, 1.0, 0.5),
-            Obb2::new(0.3, -0.2, 1.4, 0.9, 0.7),
-            Obb2::new(0.0, 0.0, 1e5, 2e5, 0.1),
-        ]
-    }
-    fn kinds(&self) -> Vec<Kind> {
-        vec![Kind::X, Kind::Y, Kind::Length, Kind::Length, Kind::Angle]
-    }
-    fn scales(&self) -> Vec<f64> {
-        let size = positive(self.size.x.max(self.size.y));
-        let width = if self.size.x > 0.0 { self.size.x } else { size };
-        let height = if self.size.y > 0.0 { self.size.y } else { size };
-        let place = (width.sqrt() * height.sqrt()).max(1e-3 * size);
-        vec![place, place, width, height, place / size]
-    }
-    fn outlines(&self) -> Vec<Vec<[f64; 2]>> {
-        vec![self.corners().map(|p| [p.x, p.y]).to_vec()]
-    }
-    fn inside(&self) -> bool {
-        self.validate().is_ok()
-    }
-}
-
-impl Sample for Aabb2<f64> {
-    fn draw(draw: &mut Draw) -> Self {
-        let (x, y) = (draw.within(-1.0, 1.0), draw.within(-1.0, 1.0));
-        let (mut width, mut height) = (draw.within(0.2, 3.0), draw.within(0.2, 3.0));
-        if draw.once_in(10) {
-            (width, height) = (draw.magnitude(1.0, 50.0), draw.magnitude(1e-3, 0.1));
-        }
-        Aabb2::new(x, y, x + width, y + height)
-    }
-    fn hard() -> Vec<Self> {
-        vec![
-            Aabb2::new(0.0, 0.0, 2.0, 1.0),
-            Aabb2::new(0.5, 0.25, 1.0, 0.75),
-            Aabb2::new(0.0, 0.0, 1.0, 1.0),
-            Aabb2::new(0.0, 0.25, 2.0, 0.5),
-            Aabb2::new(1.0, 0.0, 3.0, 1.0),
-            Aabb2::new(2.0, 0.0, 4.0, 1.0),
-            Aabb2::new(2.0, 1.0, 4.0, 2.0),
-            Aabb2::new(-2.0, -1.0, 0.0, 0.0),
-            Aabb2::new(0.7, 0.3, 2.9, 1.7),
-            Aabb2::new(1.0, 0.0, 1.0, 1.0),
-            Aabb2::new(1.0, 0.5, 1.0, 0.5),
-            Aabb2::new(-25.0, 0.5, 25.0, 0.501),
-            Aabb2::new(0.0, 0.0, 1e5, 1e5),
-            Aabb2::new(9.0, 9.0, 11.0, 10.0),
-        ]
-    }
-    fn kinds(&self) -> Vec<Kind> {
-        vec![Kind::X, Kind::Y, Kind::X, Kind::Y]
-    }
-    fn scales(&self) -> Vec<f64> {
-        let size = self.size();
-        let both = positive(size.x.max(size.y));
-        let x = if size.x > 0.0 { size.x } else { both };
-        let y = if size.y > 0.0 { size.y } else { both };
-        vec![x, y, x, y]
-    }
-    fn outlines(&self) -> Vec<Vec<[f64; 2]>> {
-        vec![self.corners().map(|p| [p.x, p.y]).to_vec()]
-    }
-    fn inside(&self) -> bool {
-        self.validate().is_ok()
-    }
-}
-
-/// A ring from pairs of coordinates.
-fn ring(points: &[[f64; 2]]) -> Vec<Vec2<f64>> {
-    points.iter().map(|&[x, y]| Vec2::new(x, y)).collect()
-}
-
-impl Sample for Vec<Vec2<f64>> {
-    fn draw(draw: &mut Draw) -> Self {
-        let n = 3 + draw.below(6);
-        let star = draw.once_in(2);
-        let mut points: Vec<Vec2<f64>> = (0..n)
-            .map(|i| {
-                if star {
-                    let angle = 2.0 * PI * (i as f64 + 0.8 * draw.unit()) / n as f64;
-                    let reach = draw.within(0.3, 1.5);
-                    Vec2::new(reach * angle.cos(), reach * angle.sin())
-                } else {
-                    Vec2::new(draw.within(-1.0, 1.0), draw.within(-1.0, 1.0))
-                }
-            })
-            .collect();
-        if draw.once_in(8) {
-            let i = draw.below(n);
-            points.insert(i, points[i]);
-        }
-        points
-    }
-    fn hard() -> Vec<Self> {
-        vec![
-            ring(&[[0.0, 0.0], [4.0, 0.0], [0.0, 3.0]]),
-            ring(&[[0.0, 0.0], [1.0, 0.0], [1.0, 1.0], [0.0, 1.0]]),
-            ring(&[[0.0, 0.0], [0.0, 1.0], [1.0, 1.0], [1.0, 0.0]]),
-            ring(&[[0.0, 0.0], [2.0, 0.0], [2.0, 0.0], [1.0, 1.0]]),
-            ring(&[[0.0, 0.0], [0.0, 0.0], [0.0, 0.0], [2.0, 1.0], [1.0, 3.0]]),
-            ring(&[[0.0, 0.0], [1.0, 0.5], [2.0, 1.0]]),
-            ring(&[[0.0, 0.0], [1.0, 1.0], [1.0, 0.0], [0.0, 1.0]]),
-            ring(&[
-                [0.0, 0.0],
-                [2.0, 0.0],
-                [2.0, 1.0],
-                [1.0, 1.0],
-                [1.0, 2.0],
-                [0.0, 2.0],
-            ]),
-            ring(&[[0.0, 0.0], [50.0, 0.0], [50.0, 1e-3], [0.0, 1e-3]]),
-            ring(&[[1.0, 2.0], [1.0, 2.0], [1.0, 2.0]]),
-            ring(&[[0.0, 0.0], [1.0, 2.0]]),
-            ring(&[[0.5, 0.25]]),
-            ring(&[]),
-            ring(&[[0.0, 0.0], [1.0, 0.0], [1.0, 1e-9], [0.0, 2e-9]]),
-            ring(&[[1e5, 0.0], [0.0, 1e5], [-1e5, 0.0], [0.0, -1e5]]),
-        ]
-    }
-    fn kinds(&self) -> Vec<Kind> {
-        [Kind::X, Kind::Y].repeat(self.len())
-    }
-    fn scales(&self) -> Vec<f64> {
-        let size = Aabb2::around(self).map_or(1.0, |bounds| {
-            let size = bounds.size();
-            positive(size.x.max(size.y))
-        });
-        vec![size; 2 * self.len()]
-    }
-    fn outlines(&self) -> Vec<Vec<[f64; 2]>> {
-        vec![self.iter().map(|p| [p.x, p.y]).collect()]
-    }
-    fn inside(&self) -> bool {
-        self.iter().all(|point| point.is_finite())
-    }
-    fn shorter(&self) -> Vec<Self> {
-        (0..self.len())
-            .map(|i| {
-                let mut fewer = self.clone();
-                fewer.remove(i);
-                fewer
-            })
-            .collect()
-    }
-}
-
-impl Sample for Vec2<f64> {
-    fn draw(draw: &mut Draw) -> Self {
-        Vec2::new(draw.within(-2.0, 2.0), draw.within(-2.0, 2.0))
-    }
-    fn hard() -> Vec<Self> {
-        vec![
-            Vec2::new(0.0, 0.0),
-            Vec2::new(1.0, 0.0),
-            Vec2::new(0.0, -1.0),
-            Vec2::new(0.5, 0.5),
-            Vec2::new(0.3, -0.2),
-        ]
-    }
-    fn kinds(&self) -> Vec<Kind> {
-        vec![Kind::X, Kind::Y]
-    }
-    fn scales(&self) -> Vec<f64> {
-        vec![positive(self.x.abs().max(self.y.abs())); 2]
-    }
-    fn inside(&self) -> bool {
-        self.is_finite()
-    }
-}
-
-impl<A: Sample, B: Sample> Sample for (A, B) {
-    fn draw(draw: &mut Draw) -> Self {
-        let pair = (A::draw(draw), B::draw(draw));
-        if pair.0.kinds() != pair.1.kinds() || !draw.once_in(3) {
-            return pair;
-        }
-        // Snaps some numbers of the second shape to those of the first, exactly or nearly.
-        let off = if draw.once_in(2) {
-            0.0
-        } else {
-            draw.magnitude(1e-13, 1e-2)
-        };
-        let (a, mut b) = (pair.0.scalars(), pair.1.scalars());
-        for i in 0..b.len() {
-            if draw.once_in(2) {
-                b[i] = a[i] + off * draw.within(-1.0, 1.0);
-            }
-        }
-        let snapped = (pair.0.clone(), pair.1.refill(&b));
-        if snapped.inside() { snapped } else { pair }
-    }
-    fn hard() -> Vec<Self> {
-        let b = B::hard();
-        A::hard()
-            .iter()
-            .flat_map(|x| b.iter().map(|y| (x.clone(), y.clone())))
-            .collect()
-    }
-    fn kinds(&self) -> Vec<Kind> {
-        [self.0.kinds(), self.1.kinds()].concat()
-    }
-    fn scales(&self) -> Vec<f64> {
-        // The smaller shape says over what lengths things change; a turn moves the far end of the
-        // larger one.
-        let (a, b, kinds) = (self.0.scales(), self.1.scales(), self.kinds());
-        let own = [a, b].concat();
-        let lengths = || {
-            own.iter()
-                .zip(&kinds)
-                .filter(|(_, kind)| **kind != Kind::Angle)
-        };
-        let place = lengths().fold(f64::INFINITY, |m, (s, k)| match k {
-            Kind::X | Kind::Y => m.min(*s),
-            _ => m,
-        });
-        let largest = lengths().fold(0.0_f64, |m, (s, _)| m.max(*s));
-        own.iter()
-            .zip(&kinds)
-            .map(|(own, kind)| match kind {
-                Kind::Angle => (10.0 * place / largest).clamp(1e-9, 1.0),
-                _ if place.is_finite() => own.min(10.0 * place),
-                _ => *own,
-            })
-            .collect()
-    }
-    fn extents(&self) -> Vec<f64> {
-        [self.0.extents(), self.1.extents()].concat()
-    }
-    fn units(&self) -> Vec<f64> {
-        let (own, kinds) = (self.extents(), self.kinds());
-        let lengths = own
-            .iter()
-            .zip(&kinds)
-            .filter(|(_, kind)| **kind != Kind::Angle);
-        let least = lengths.fold(f64::INFINITY, |m, (extent, _)| m.min(*extent));
-        kinds
-            .iter()
-            .map(|kind| if *kind == Kind::Angle { 1.0 } else { least })
-            .collect()
-    }
-    fn outlines(&self) -> Vec<Vec<[f64; 2]>> {
-        [self.0.outlines(), self.1.outlines()].concat()
-    }
-    fn inside(&self) -> bool {
-        self.0.inside() && self.1.inside()
-    }
-    fn shorter(&self) -> Vec<Self> {
-        let first = self.0.shorter().into_iter().map(|a| (a, self.1.clone()));
-        let second = self.1.shorter().into_iter().map(|b| (self.0.clone(), b));
-        first.chain(second).collect()
-    }
+    PLACES
+        .iter()
+        .flat_map(|place| plain.iter().filter_map(|x| put(x, *place)))
+        .collect()
 }

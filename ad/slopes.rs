@@ -190,9 +190,7 @@ impl Judge<'_> {
                 } else {
                     row.noise
                 };
-                let place = self.one_direction(row, k, &direction, noise, &here, &|first| {
-                    ladder(&direction, first)
-                });
+                let place = self.one_direction(row, k, &direction, noise, &here, &ladder);
                 said.push(place.1);
                 kinks |= place.0 == Place::Kink;
                 let at = match place.0 {
@@ -204,6 +202,10 @@ impl Judge<'_> {
                 self.found.switched += u64::from(place.1);
             }
             k += 1;
+            // The directions of a long input are all alike: one refusal says it.
+            if n > FEW_INPUTS && !self.found.faults.is_empty() {
+                break;
+            }
             // At a kink the coordinate axes are not enough.
             if k == n && kinks && n <= FEW_INPUTS {
                 directions.extend(more.iter().cloned());
@@ -281,9 +283,10 @@ impl Judge<'_> {
         direction: &[f64],
         noise: f64,
         here: &Ladder,
-        ladder: &dyn Fn(f64) -> Ladder,
+        climb: &dyn Fn(&[f64], f64) -> Ladder,
     ) -> (Place, bool) {
         let n = self.x.len();
+        let ladder = |first| climb(direction, first);
         let along = |list: &[f64]| dot(list, direction);
         // Along random directions the steps are rounded in every coordinate.
         let largest = row.largest;
@@ -296,15 +299,15 @@ impl Judge<'_> {
                 .sum::<f64>();
         }
         let input = if n <= FEW_INPUTS && k < n { k } else { 0 };
-        let slopes = [
-            (Witness::Adjoint, row.adjoint.clone()),
-            (Witness::Dual, row.dual.clone()),
-        ];
+        let by_hand = row.adjoint.as_ref().map(|list| along(list));
+        let by_duals = match &row.dual {
+            Some(list) => Some(along(list)),
+            None => self.by_duals(row, direction),
+        };
         let mut result = (Place::Undefined, here.traced);
         let mut judged = false;
-        for (witness, list) in slopes {
-            let Some(list) = list else { continue };
-            let slope = along(&list);
+        for (witness, slope) in [(Witness::Adjoint, by_hand), (Witness::Dual, by_duals)] {
+            let Some(slope) = slope else { continue };
             let exact =
                 |row: &Row| -> f64 { (0..n).map(|i| direction[i].abs() * row.tolerance[i]).sum() };
             let mut said = hear(here, &row.weights, noise, slope, exact(row), largest);
@@ -315,21 +318,19 @@ impl Judge<'_> {
             }
             let pair = if witness == Witness::Adjoint { 1 } else { 2 };
             let numbers = |difference, sides| Numbers {
-                adjoint: row.adjoint.as_ref().map(|list| along(list)),
-                dual: row.dual.as_ref().map(|list| along(list)),
+                adjoint: by_hand,
+                dual: by_duals,
                 difference,
                 sides,
                 other: None,
             };
             let other_agrees = |value: f64, tolerance: f64| {
                 let other = if witness == Witness::Adjoint {
-                    &row.dual
+                    by_duals
                 } else {
-                    &row.adjoint
+                    by_hand
                 };
-                other
-                    .as_ref()
-                    .is_some_and(|list| (along(list) - value).abs() <= tolerance)
+                other.is_some_and(|slope| (slope - value).abs() <= tolerance)
             };
             match said {
                 Said::Fine {
@@ -370,6 +371,13 @@ impl Judge<'_> {
                     if confirmed {
                         let suspect = other_agrees(estimate.value, tolerance).then_some(witness);
                         let reason = Reason::Disagree(witness, Witness::Difference);
+                        let input = if n <= FEW_INPUTS {
+                            input
+                        } else {
+                            self.worst_input(row, witness, direction, &|there| {
+                                climb(there, FIRST[0])
+                            })
+                        };
                         let numbers = numbers(Some(estimate.value), None);
                         self.refuse_with(reason, suspect, row.output, input, numbers, tolerance);
                     } else {
@@ -414,20 +422,14 @@ impl Judge<'_> {
             }
             judged = true;
             // Duals that say what the adjoint says need no hearing of their own.
-            let same = row
-                .dual
-                .as_ref()
-                .is_some_and(|dual| (along(dual) - slope).abs() <= ROUNDINGS * self.eps * largest);
-            if same {
+            let gap = by_duals.map(|dual| (dual - slope).abs());
+            if gap.is_some_and(|gap| gap <= ROUNDINGS * self.eps * largest) {
                 if let Said::Fine {
                     estimate: Some(e), ..
                 } = said
                 {
                     let tolerance = SAFETY * e.error + exact(row);
-                    let gap = row
-                        .dual
-                        .as_ref()
-                        .map_or(0.0, |d| (along(d) - e.value).abs());
+                    let gap = by_duals.map_or(0.0, |dual| (dual - e.value).abs());
                     let eps = self.eps;
                     self.found.worst[2].note(gap, largest, tolerance, eps, input);
                 }

@@ -46,11 +46,16 @@ pub trait Subject {
     fn further(&self, _x: &[f64], _y_bar: &[f64]) -> Vec<Vec<f64>> {
         Vec::new()
     }
+    /// Value and slopes of `y_bar · value` from a batch, on the CPU or a GPU.
+    fn batch(&self, _x: &[f64], _y_bar: &[f64]) -> Option<(Vec<f64>, Vec<f64>)> {
+        None
+    }
     /// The Jacobian by duals, one row per output.
     fn jacobian(&self, _x: &[f64]) -> Option<Vec<Vec<f64>>> {
         None
     }
-    /// Value and slope along a direction by duals, for inputs too long for a whole Jacobian.
+    /// The slopes of all outputs along a direction by duals: the Jacobian times the direction, for
+    /// inputs too long for a whole one.
     fn along(&self, _x: &[f64], _direction: &[f64]) -> Option<Vec<f64>> {
         None
     }

@@ -14,6 +14,8 @@ pub enum Witness {
     Difference,
     /// Duals through the same source in double precision.
     Wide,
+    /// A batch of the same operation, on the CPU or a GPU.
+    Batch,
     /// A further witness, by its position in the list that was given: another code path, a GPU.
     Further(usize),
 }
@@ -162,12 +164,13 @@ impl Worst {
 }
 
 /// The pairs of witnesses a report has a line for.
-pub const PAIRS: [(Witness, Witness); 5] = [
+pub const PAIRS: [(Witness, Witness); 6] = [
     (Witness::Adjoint, Witness::Dual),
     (Witness::Adjoint, Witness::Difference),
     (Witness::Dual, Witness::Difference),
     (Witness::Adjoint, Witness::Wide),
     (Witness::Adjoint, Witness::Further(0)),
+    (Witness::Adjoint, Witness::Batch),
 ];
 
 /// What was found at one sample.

@@ -136,9 +136,15 @@ impl Ladder {
                     .map(|(&x, &d)| precision.round(x + sign * wanted * d))
                     .collect();
                 let step = sign * (there[main] - x[main]) / direction[main];
-                // Steps lost in rounding, or no smaller than the one before, say nothing.
+                // Steps lost in rounding, bent by it to another direction, or no smaller than the
+                // one before, say nothing.
+                let bent = |i: usize| {
+                    let wanted = wanted * direction[i];
+                    (sign * (there[i] - x[i]) - wanted).abs() > 0.25 * wanted.abs()
+                };
                 if step.is_nan()
                     || step <= 0.0
+                    || (0..x.len()).any(bent)
                     || rungs.last().is_some_and(|last| last.step < 1.5 * step)
                 {
                     continue;
@@ -293,8 +299,14 @@ fn nearest_branch(side: &[Rung]) -> &[Rung] {
     }
 }
 
-/// The inner product.
+/// The inner product, by halves when long: so it is off by less than a few units in the last place
+/// of its terms, however many there are.
 pub(crate) fn dot(a: &[f64], b: &[f64]) -> f64 {
+    let n = a.len().min(b.len());
+    if n > 64 {
+        let (low, high) = (a.split_at(n / 2), b.split_at(n / 2));
+        return dot(low.0, high.0) + dot(low.1, &high.1[..n - n / 2]);
+    }
     a.iter()
         .zip(b)
         .map(|(a, b)| if *a == 0.0 { 0.0 } else { a * b })

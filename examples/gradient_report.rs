@@ -8,13 +8,15 @@
 //!   --f32, --f64    only one format
 //!   --json          JSON lines instead of the table
 //!   --svg FILE      a picture of the worst case of the (last) operation in double precision
-//!   --gpu           the GPU as a further witness, where this build has one
+//!   --gpu           batches on a GPU as a further witness of f32 (needs --features gpu)
 //! ```
 //!
 //! The exit status is 0 when everything is proved, 1 when something is refused, 2 for a wrong
-//! argument.
+//! argument, 3 when a GPU was asked for and there is none, or it failed.
 use geograd::ad::check::{Plan, Report, SEED};
-use geograd::kernels::check::{prove_pair_with, prove_ring_with};
+use geograd::kernels::check::{prove_pair_on, prove_pair_with, prove_ring_on, prove_ring_with};
+use geograd::kernels::gpu::Gpu;
+use geograd::kernels::{Backend, GpuError};
 use indicatif::{ProgressBar, ProgressStyle};
 use std::process::ExitCode;
 
@@ -26,6 +28,7 @@ struct Options {
     formats: [bool; 2],
     json: bool,
     svg: Option<String>,
+    gpu: bool,
 }
 
 fn options() -> Result<Options, String> {
@@ -36,6 +39,7 @@ fn options() -> Result<Options, String> {
         formats: [true, true],
         json: false,
         svg: None,
+        gpu: false,
     };
     let mut arguments = std::env::args().skip(1);
     while let Some(argument) = arguments.next() {
@@ -48,26 +52,37 @@ fn options() -> Result<Options, String> {
             "--json" => options.json = true,
             "--f32" => options.formats = [true, false],
             "--f64" => options.formats = [false, true],
-            "--gpu" => return Err("this build has no GPU witness".to_owned()),
+            "--gpu" => options.gpu = true,
             _ => return Err(format!("unknown argument {argument}")),
         }
     }
     Ok(options)
 }
 
-/// One operation in one format: its name and its proof.
-type Job = (&'static str, bool, fn(&Plan<'_>) -> Report);
+/// One operation in one format: its name, whether that is `f64`, and its proof.
+type Job = (&'static str, bool, Prove);
+type Prove = fn(&Plan<'_>, Option<&Gpu>) -> Result<Report, GpuError>;
 
 macro_rules! jobs {
     (pairs { $($pair:ident: $pair_op:ty,)* } rings { $($ring:ident: $ring_op:ty,)* }) => {
         [
             $(
-                (stringify!($pair), true, prove_pair_with::<$pair_op, f64> as fn(&Plan<'_>) -> Report),
-                (stringify!($pair), false, prove_pair_with::<$pair_op, f32>),
+                (
+                    stringify!($pair),
+                    true,
+                    (|plan, _| Ok(prove_pair_with::<$pair_op, f64>(plan))) as Prove,
+                ),
+                (stringify!($pair), false, |plan, gpu| match gpu {
+                    Some(gpu) => prove_pair_on::<$pair_op>(Backend::Gpu(gpu), plan),
+                    None => Ok(prove_pair_with::<$pair_op, f32>(plan)),
+                }),
             )*
             $(
-                (stringify!($ring), true, prove_ring_with::<$ring_op, f64>),
-                (stringify!($ring), false, prove_ring_with::<$ring_op, f32>),
+                (stringify!($ring), true, |plan, _| Ok(prove_ring_with::<$ring_op, f64>(plan))),
+                (stringify!($ring), false, |plan, gpu| match gpu {
+                    Some(gpu) => prove_ring_on::<$ring_op>(Backend::Gpu(gpu), plan),
+                    None => Ok(prove_ring_with::<$ring_op, f32>(plan)),
+                }),
             )*
         ]
     };
@@ -89,6 +104,20 @@ fn main() -> ExitCode {
         eprintln!("no operation is named {}", options.op);
         return ExitCode::from(2);
     }
+    let gpu = match options.gpu.then(Gpu::new).transpose() {
+        Ok(gpu) => gpu,
+        Err(_) if !cfg!(feature = "gpu") => {
+            eprintln!("this build has no GPU witness: build it with --features gpu");
+            return ExitCode::from(3);
+        }
+        Err(error) => {
+            eprintln!("{error}");
+            return ExitCode::from(3);
+        }
+    };
+    if let Some(gpu) = &gpu {
+        eprintln!("batches of f32 on {gpu}");
+    }
     let bar = ProgressBar::new(jobs.len() as u64).with_style(
         ProgressStyle::with_template("{bar:30} {pos}/{len} {msg} ({elapsed})")
             .expect("a valid template"),
@@ -106,7 +135,13 @@ fn main() -> ExitCode {
             tick: Some(&tick),
             ..Plan::new(options.samples, options.seed)
         };
-        let report = prove(&plan);
+        let report = match prove(&plan, gpu.as_ref()) {
+            Ok(report) => report,
+            Err(error) => {
+                eprintln!("{name}: {error}");
+                return ExitCode::from(3);
+            }
+        };
         say(if options.json {
             report.json()
         } else {

@@ -8,11 +8,13 @@ use crate::kernels::reduce::{self, Best, Found};
 
 /// Slopes with respect to both lists of shapes.
 pub type Slopes<O> = (Vec<<O as PairOp>::A<f32>>, Vec<<O as PairOp>::B<f32>>);
+/// A sum or mean of scores and its slopes with respect to both lists.
+pub type Loss<O> = (f64, Vec<<O as PairOp>::A<f32>>, Vec<<O as PairOp>::B<f32>>);
 
 /// Where batches run. Nothing ever falls back from one to the other by itself.
 ///
-/// Calls take and give slices. To keep shapes and results on the GPU between calls, use [`Gpu`]
-/// itself.
+/// These calls take and give slices. [`upload`](Backend::upload) makes handles whose data stay
+/// where they are computed with, between calls; see [`resident`](crate::kernels::resident).
 ///
 /// ```
 /// use geograd::Obb2;
@@ -40,15 +42,16 @@ pub enum Auto {
 }
 
 impl Backend<'_> {
-    /// Takes the best GPU, or the processor where there is none, and says which.
+    /// Takes the best GPU, or the processor where there is none, and says which, and why.
     ///
-    /// A driver in software counts as no GPU unless the environment variable `GEOGRAD_GPU` asks for
-    /// one.
+    /// A driver in software counts as no GPU ([`GpuError::OnlySoftware`]) unless the environment
+    /// variable `GEOGRAD_GPU` asks for one.
     #[must_use]
     pub fn auto() -> Auto {
         match Gpu::new() {
-            Ok(gpu) if gpu.is_worth_it() => Auto::Gpu(gpu),
-            Ok(_) => Auto::Cpu(GpuError::NoAdapter),
+            #[cfg(feature = "gpu")]
+            Ok(gpu) if !gpu.is_worth_it() => Auto::Cpu(GpuError::OnlySoftware),
+            Ok(gpu) => Auto::Gpu(gpu),
             Err(error) => Auto::Cpu(error),
         }
     }
@@ -88,7 +91,10 @@ macro_rules! calls {
                 pub fn $name<O: $bound>(self, $($arg: $type),*) -> Result<$out, GpuError> {
                     match self {
                         Backend::Cpu => Ok($cpu($($arg),*)?),
+                        #[cfg(feature = "gpu")]
                         Backend::Gpu(gpu) => gpu.$gpu::<O>($($arg),*),
+                        #[cfg(not(feature = "gpu"))]
+                        Backend::Gpu(gpu) => match *gpu {},
                     }
                 }
             )*
@@ -100,9 +106,18 @@ calls! {
     /// [`cpu::aligned`].
     aligned<GpuPair>(a: &[A<O, f32>], b: &[B<O, f32>]) -> Vec<f32>
         = cpu::aligned::<O, f32>, aligned_slices;
+    /// [`cpu::aligned_into`].
+    aligned_into<GpuPair>(a: &[A<O, f32>], b: &[B<O, f32>], values: &mut [f32]) -> ()
+        = cpu::aligned_into::<O, f32>, aligned_into_slices;
     /// [`cpu::aligned_grad`].
     aligned_grad<GpuPair>(a: &[A<O, f32>], b: &[B<O, f32>]) -> AlignedGrads<O, f32>
         = cpu::aligned_grad::<O, f32>, aligned_grad_slices;
+    /// [`cpu::aligned_grad_into`].
+    aligned_grad_into<GpuPair>(
+        a: &[A<O, f32>], b: &[B<O, f32>],
+        values: &mut [f32], a_bar: &mut [A<O, f32>], b_bar: &mut [B<O, f32>]
+    ) -> ()
+        = cpu::aligned_grad_into::<O, f32>, aligned_grad_into_slices;
     /// [`cpu::aligned_vjp`].
     aligned_vjp<GpuPair>(a: &[A<O, f32>], b: &[B<O, f32>], upstream: &[f32]) -> Slopes<O>
         = cpu::aligned_vjp::<O, f32>, aligned_vjp_slices;
@@ -115,6 +130,12 @@ calls! {
     /// [`cpu::all_pairs_vjp`].
     all_pairs_vjp<GpuPair>(a: &[A<O, f32>], b: &[B<O, f32>], upstream: &[f32]) -> Slopes<O>
         = cpu::all_pairs_vjp::<O, f32>, all_pairs_vjp_slices;
+    /// [`reduce::sum_grad`].
+    sum_grad<GpuPair>(a: &[A<O, f32>], b: &[B<O, f32>]) -> Loss<O>
+        = reduce::sum_grad::<O, f32>, sum_grad_slices;
+    /// [`reduce::mean_grad`].
+    mean_grad<GpuPair>(a: &[A<O, f32>], b: &[B<O, f32>]) -> Loss<O>
+        = reduce::mean_grad::<O, f32>, mean_grad_slices;
     /// [`reduce::row_max`].
     row_max<GpuPair>(a: &[A<O, f32>], b: &[B<O, f32>]) -> Vec<Best>
         = reduce::row_max::<O, f32>, row_max_slices;

@@ -18,8 +18,11 @@ struct Params {
     // Partial results to be put together; whether they add to what is there.
     parts: u32,
     more: u32,
-    threshold: f32,
+    // What scores are compared with, or slopes multiplied by.
+    factor: f32,
     fields: u32,
+    // Where results of own items begin.
+    out_start: u32,
 }
 
 @group(0) @binding(0) var<uniform> params: Params;
@@ -86,16 +89,8 @@ fn put_b(item: u32, bar: Bar) {
     }
 }
 
-// Shapes of the list that threads stand for: rows (a) or columns (b).
-fn load_own(item: u32) -> Frame {
-    if OWN_ROWS {
-        return load_a(item);
-    }
-    return load_b(item);
-}
-
 // Brings STEP walked shapes close to the threads.
-fn bring(start: u32, end: u32, here: u32) {
+fn bring_walked(start: u32, end: u32, here: u32) {
     workgroupBarrier();
     for (var k = here; k < STEP * QUADS; k += GROUP) {
         let item = params.loop_start + min(start + k / QUADS, end - 1u);
@@ -110,12 +105,4 @@ fn bring(start: u32, end: u32, here: u32) {
 
 fn walked_frame(k: u32) -> Frame {
     return frame_of(walked[k * QUADS], walked[k * QUADS + QUADS - 1u]);
-}
-
-// The score of an own shape and a walked one, in the order a, b.
-fn score(own: Frame, other: Frame) -> f32 {
-    if OWN_ROWS {
-        return value_of(own, other);
-    }
-    return value_of(other, own);
 }

@@ -14,8 +14,11 @@ use crate::ad::symmetry::{Answer, Kind, Motion, Promise};
 use crate::ad::trace::{Number, Trace, Traced, trace};
 use crate::ad::witness::Precision;
 use crate::float::Float;
+use crate::kernels::gpu::{GpuPair, GpuRing};
 use crate::kernels::op::{Op, PairOp, RingOp};
 use crate::kernels::real::{Bundle, Real};
+use crate::kernels::witness::{Ask, Batch, ask_pairs, ask_rings};
+use crate::kernels::{Backend, GpuError};
 use crate::{Fixed, Jet, Pack, Scalar, Vec2};
 use std::marker::PhantomData;
 
@@ -108,6 +111,7 @@ where
     near: &'a O::In<f64>,
     paths: &'a [Path<S>],
     fused: Option<Fused<S>>,
+    batch: Option<&'a Batch<'a>>,
     op: PhantomData<O>,
 }
 
@@ -130,8 +134,15 @@ where
             near,
             paths,
             fused,
+            batch: None,
             op: PhantomData,
         }
+    }
+    /// With a batch as a further witness; a batch computes in `f32`.
+    #[must_use]
+    pub fn with_batch(mut self, batch: Option<&'a Batch<'a>>) -> Self {
+        self.batch = batch;
+        self
     }
     /// The input made of another scalar, one made from the index and value of each number.
     fn made<T: Scalar>(&self, x: &[f64], mut of: impl FnMut(usize, S) -> T) -> O::In<T> {
@@ -176,6 +187,11 @@ where
         let scaled = |list: Vec<S>| list.iter().map(|s| s.widen() * y_bar[0]).collect();
         fused.map(scaled).into_iter().collect()
     }
+    fn batch(&self, x: &[f64], y_bar: &[f64]) -> Option<(Vec<f64>, Vec<f64>)> {
+        let answer = self.batch?.about(x)?;
+        let slopes = answer.slopes(y_bar);
+        Some((answer.value, slopes))
+    }
     fn jacobian(&self, x: &[f64]) -> Option<Vec<Vec<f64>>> {
         let mut rows = vec![vec![0.0; x.len()]; O::Out::<S>::LEN];
         let chunk = <First<S> as Scalar>::lit(0.0).slope.len();
@@ -188,6 +204,14 @@ where
             }
         }
         Some(rows)
+    }
+    fn along(&self, x: &[f64], direction: &[f64]) -> Option<Vec<f64>> {
+        let input = self.made(x, |i, value| Jet {
+            value,
+            slope: [S::nearest(direction[i])],
+        });
+        let out = O::eval::<Jet<S, 1>>(&input).scalars();
+        Some(out.iter().map(|jet| jet.slope[0].widen()).collect())
     }
     fn traced(&self, x: &[f64]) -> Option<(Vec<f64>, Trace)> {
         let input = self.made(x, |_, v| Traced(v));
@@ -314,12 +338,14 @@ fn ring_value<O: RingOp, S: Number>(x: &[S]) -> Vec<S> {
     O::value(&ring).scalars()
 }
 
-/// Judges an operation at hard cases and random inputs, all rounded to the format.
+/// Judges an operation at hard cases and random inputs, all rounded to the format, with a batch as a
+/// further witness if there is one to ask.
 fn prove_with<O: Op, S: Number>(
     plan: &Plan<'_>,
     paths: &[Path<S>],
     fused: Option<Fused<S>>,
-) -> Report
+    ask: Option<Ask<'_>>,
+) -> Result<Report, GpuError>
 where
     O::In<f64>: Sample,
 {
@@ -339,14 +365,17 @@ where
     let random_from = inputs.len();
     let drawn = (0..plan.samples).map(|i| random(&mut plan.draw(i)));
     inputs.extend(drawn.map(rounded).filter(Sample::inside));
-    let mut report = examine(
-        O::NAME,
-        plan,
-        &inputs,
-        random_from,
-        |x| x.shorter(),
-        |x, judge| judge(&OpSubject::<O, S>::new(x, paths, fused)),
-    );
+    let batch = match ask {
+        Some(ask) => {
+            let lists: Vec<Vec<f64>> = inputs.iter().map(Pack::scalars).collect();
+            Some(Batch::new(ask, &lists)?)
+        }
+        None => None,
+    };
+    let batch = batch.as_ref();
+    let mut report = examine(O::NAME, plan, &inputs, random_from, |x, judge| {
+        judge(&OpSubject::<O, S>::new(x, paths, fused).with_batch(batch));
+    });
     let worst = inputs
         .iter()
         .find(|x| plan.draws && x.scalars() == report.worst_input);
@@ -357,7 +386,10 @@ where
         );
         picture(&title, x, &OpSubject::<O, S>::new(x, paths, fused))
     });
-    report
+    match batch.and_then(Batch::error) {
+        Some(error) => Err(error),
+        None => Ok(report),
+    }
 }
 
 /// Runs every check of an operation of two shapes.
@@ -373,12 +405,38 @@ pub fn prove_pair_with<O: PairOp, S: Number + Real>(plan: &Plan<'_>) -> Report
 where
     O::In<f64>: Sample,
 {
+    without_batch(pair::<O, S>(plan, None))
+}
+
+/// The same in `f32`, with batches on a backend as a further witness.
+///
+/// A backend rounds differently: a GPU may fuse products and sums, divides to within two and a half
+/// units in the last place, and takes numbers below the smallest normal one for zero. All of it is
+/// less than what moving inputs by twice their rounding, eight times over, allows.
+///
+/// # Errors
+///
+/// The backend's.
+pub fn prove_pair_on<O: GpuPair>(backend: Backend<'_>, plan: &Plan<'_>) -> Result<Report, GpuError>
+where
+    O::In<f64>: Sample,
+{
+    pair::<O, f32>(plan, Some(&|inputs| ask_pairs::<O>(backend, inputs)))
+}
+
+fn pair<O: PairOp, S: Number + Real>(
+    plan: &Plan<'_>,
+    ask: Option<Ask<'_>>,
+) -> Result<Report, GpuError>
+where
+    O::In<f64>: Sample,
+{
     let paths: [Path<S>; 3] = [
         pair_value::<O, S>,
         pair_ordinary::<O, S>,
         pair_lanes::<O, S>,
     ];
-    prove_with::<O, S>(plan, &paths, Some(pair_fused::<O, S>))
+    prove_with::<O, S>(plan, &paths, Some(pair_fused::<O, S>), ask)
 }
 
 /// Runs every check of an operation of a ring.
@@ -394,6 +452,31 @@ pub fn prove_ring_with<O: RingOp, S: Number + Real>(plan: &Plan<'_>) -> Report
 where
     O::In<f64>: Sample,
 {
-    let paths: [Path<S>; 1] = [ring_value::<O, S>];
-    prove_with::<O, S>(plan, &paths, None)
+    without_batch(ring::<O, S>(plan, None))
+}
+
+/// The same in `f32`, with batches on a backend as a further witness; see [`prove_pair_on`].
+///
+/// # Errors
+///
+/// The backend's.
+pub fn prove_ring_on<O: GpuRing>(backend: Backend<'_>, plan: &Plan<'_>) -> Result<Report, GpuError>
+where
+    O::In<f64>: Sample,
+{
+    ring::<O, f32>(plan, Some(&|inputs| ask_rings::<O>(backend, inputs)))
+}
+
+fn ring<O: RingOp, S: Number + Real>(
+    plan: &Plan<'_>,
+    ask: Option<Ask<'_>>,
+) -> Result<Report, GpuError>
+where
+    O::In<f64>: Sample,
+{
+    prove_with::<O, S>(plan, &[ring_value::<O, S>], None, ask)
+}
+
+fn without_batch(report: Result<Report, GpuError>) -> Report {
+    report.unwrap_or_else(|_| unreachable!("only a batch can fail"))
 }

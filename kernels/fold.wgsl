@@ -7,7 +7,7 @@ fn fold_main(@builtin(global_invocation_id) thread: vec3u) {
     if item >= params.own_count {
         return;
     }
-    let to = place(params.own_start + item, field, params.fields);
+    let to = place(params.out_start + item, field, params.fields);
     var sum = 0.0;
     if params.more == 1u {
         sum = a_bars[to];

@@ -12,8 +12,8 @@ fn best_of_strips_main(@builtin(global_invocation_id) thread: vec3u) {
     var best = -LARGEST;
     var best_at = 0u;
     if params.more == 1u {
-        best = values[params.own_start + item];
-        best_at = indices[params.own_start + item];
+        best = values[params.out_start + item];
+        best_at = indices[params.out_start + item];
     }
     for (var part = 0u; part < params.parts; part++) {
         let value = upstream[part * params.own_count + item];
@@ -22,8 +22,8 @@ fn best_of_strips_main(@builtin(global_invocation_id) thread: vec3u) {
             best_at = strip_indices[part * params.own_count + item];
         }
     }
-    values[params.own_start + item] = best;
-    indices[params.own_start + item] = best_at;
+    values[params.out_start + item] = best;
+    indices[params.out_start + item] = best_at;
 }
 
 var<workgroup> sums: array<u32, GROUP>;
@@ -62,6 +62,27 @@ fn places_main(@builtin(local_invocation_index) here: u32) {
     }
     if here == 0u {
         indices[params.own_count] = before;
+    }
+}
+
+// Shapes of another list, by index: those of one of its pieces.
+@compute @workgroup_size(GROUP)
+fn pick_main(@builtin(global_invocation_id) thread: vec3u) {
+    let item = thread.x;
+    if item >= params.own_count {
+        return;
+    }
+    // What comes before the piece wraps round to far beyond it.
+    let picked = indices[item] - params.loop_base;
+    if picked < params.loop_count {
+        for (var q = 0u; q < params.fields; q++) {
+            let quad = a_quads[place(picked, q, params.fields)];
+            let to = 4u * place(item, q, params.fields);
+            values[to] = quad.x;
+            values[to + 1u] = quad.y;
+            values[to + 2u] = quad.z;
+            values[to + 3u] = quad.w;
+        }
     }
 }
 

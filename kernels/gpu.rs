@@ -27,8 +27,16 @@
 //! ```
 #[path = "gpu_adapter.rs"]
 mod adapter;
+#[path = "gpu_aligned.rs"]
+mod aligned;
+#[path = "gpu_block.rs"]
+mod block;
 #[path = "gpu_data.rs"]
 mod data;
+#[path = "gpu_download.rs"]
+mod download;
+#[path = "gpu_found.rs"]
+mod found;
 #[path = "gpu_pairs.rs"]
 mod pairs;
 #[path = "gpu_reduce.rs"]
@@ -43,7 +51,10 @@ mod source;
 mod work;
 
 pub use adapter::{Adapter, Choice, Options};
-pub use data::{Bars, Matrix, Pending, Shapes, Values};
+pub use data::{Bars, Matrix, Shapes, Values};
+pub use download::Pending;
+pub use found::Founds;
+pub use pairs::PairBars;
 pub use reduce::{Best, Bests};
 pub use ring::{RingBars, RingValues, Rings};
 pub use source::{GpuPair, GpuRing, GpuShape, pair_sources, ring_sources};
@@ -101,7 +112,7 @@ impl Gpu {
     ///
     /// # Errors
     ///
-    /// [`GpuError::NoAdapter`] or [`GpuError::AdapterRefused`].
+    /// [`GpuError::NoAdapter`], [`GpuError::NoSuchAdapter`] or [`GpuError::AdapterRefused`].
     pub fn new() -> Result<Self, GpuError> {
         Self::with(&Options::default())
     }
@@ -110,7 +121,7 @@ impl Gpu {
     ///
     /// # Errors
     ///
-    /// [`GpuError::NoAdapter`] or [`GpuError::AdapterRefused`].
+    /// [`GpuError::NoAdapter`], [`GpuError::NoSuchAdapter`] or [`GpuError::AdapterRefused`].
     pub fn with(options: &Options) -> Result<Self, GpuError> {
         let (chosen, adapter) = adapter::choose(&options.adapter)?;
         let limits = chosen.limits();

@@ -159,8 +159,12 @@ pub(super) fn choose(choice: &Choice) -> Result<(wgpu::Adapter, Adapter), GpuErr
         Choice::Name(part) => info.name.to_lowercase().contains(&part.to_lowercase()),
         Choice::Cpu => info.is_software,
     };
+    let missing = match adapters.is_empty() {
+        true => GpuError::NoAdapter,
+        false => GpuError::NoSuchAdapter,
+    };
     adapters
         .into_iter()
         .find(|(_, info)| wanted(info))
-        .ok_or(GpuError::NoAdapter)
+        .ok_or(missing)
 }

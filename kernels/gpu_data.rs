@@ -1,16 +1,15 @@
-//! Data that stays on the GPU: shapes, results, slopes, matrices; and how they come back.
+//! Data that stays on the GPU: shapes, results, slopes, matrices.
+use super::block::{Block, block_of, place_block};
+use super::download::{Arrival, download, parts};
 use super::source::{GpuShape, MOST_QUADS, TILE};
 use super::work::{Params, Work, groups};
-use super::{Gpu, Inner};
+use super::{Gpu, Inner, Pending};
 use crate::error::{Argument, Error};
 use crate::kernels::GpuError;
-use crate::kernels::tile::{check_upstream, expect};
-use std::future::Future;
+use crate::kernels::tile::{check_upstream, entries, expect};
 use std::marker::PhantomData;
-use std::pin::Pin;
-use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
-use std::sync::{Arc, Mutex};
-use std::task::{Context, Poll, Waker};
+use std::sync::Arc;
+use std::sync::atomic::{AtomicBool, Ordering};
 
 /// A buffer and how many items it holds.
 #[derive(Clone, Debug)]
@@ -19,17 +18,17 @@ pub(super) struct Piece {
     pub items: usize,
 }
 
-/// Shapes on the GPU, checked and prepared.
+/// Shapes on the GPU, checked and prepared. Clones of a handle are the same shapes.
 #[derive(Clone, Debug)]
 pub struct Shapes<P> {
     pub(super) gpu: Gpu,
     pub(super) pieces: Vec<Piece>,
     pub(super) len: usize,
-    pub(super) is_ordinary: bool,
+    is_ordinary: Arc<AtomicBool>,
     shape: PhantomData<fn() -> P>,
 }
 
-/// One number per aligned pair, on the GPU.
+/// One number per aligned pair, on the GPU. Clones of a handle are the same numbers.
 #[derive(Clone, Debug)]
 pub struct Values {
     pub(super) gpu: Gpu,
@@ -37,7 +36,8 @@ pub struct Values {
     pub(super) len: usize,
 }
 
-/// Slopes with respect to every shape of a list, on the GPU.
+/// Slopes with respect to every shape of a list, on the GPU. Clones of a handle are the same
+/// numbers.
 #[derive(Clone, Debug)]
 pub struct Bars<P> {
     pub(super) gpu: Gpu,
@@ -46,22 +46,8 @@ pub struct Bars<P> {
     shape: PhantomData<fn() -> P>,
 }
 
-/// A part of a matrix that fits one buffer: rows of one piece of `a` by all columns of one piece
-/// of `b`.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) struct Block {
-    /// Which piece of `a`, where in it the rows begin, and the first one's index in the list.
-    pub row_piece: usize,
-    pub row_start: usize,
-    pub row_base: usize,
-    pub rows: usize,
-    /// Which piece of `b`, and the first column's index in the list.
-    pub column_piece: usize,
-    pub column_base: usize,
-    pub columns: usize,
-}
-
-/// A matrix on the GPU: one number per row of one list and row of another.
+/// A matrix on the GPU: one number per row of one list and row of another. Clones of a handle are
+/// the same numbers.
 #[derive(Clone, Debug)]
 pub struct Matrix {
     pub(super) gpu: Gpu,
@@ -69,44 +55,6 @@ pub struct Matrix {
     pub(super) columns: usize,
     pub(super) blocks: Vec<(Block, wgpu::Buffer)>,
 }
-
-/// Cuts a matrix into blocks of at most so many pairs. `a` and `b` are the items of each piece.
-fn blocks(a: &[usize], b: &[usize], most_pairs: usize) -> Vec<Block> {
-    let mut blocks = Vec::new();
-    let mut base = 0;
-    // The widest piece of columns sets the height of all blocks, so that blocks of a band have the
-    // same rows.
-    let widest = b.iter().copied().max().unwrap_or(1);
-    let most_rows = (most_pairs / widest).clamp(1, MOST_ROWS);
-    for (row_piece, &items) in a.iter().enumerate() {
-        let mut row_start = 0;
-        while row_start < items {
-            let rows = most_rows.min(items - row_start);
-            let mut column_base = 0;
-            for (column_piece, &columns) in b.iter().enumerate() {
-                blocks.push(Block {
-                    row_piece,
-                    row_start,
-                    row_base: base + row_start,
-                    rows,
-                    column_piece,
-                    column_base,
-                    columns,
-                });
-                column_base += columns;
-            }
-            row_start += rows;
-        }
-        base += items;
-    }
-    blocks
-}
-
-/// Rows per block: what one dimension of a dispatch may hold.
-const MOST_ROWS: usize = 65_535 * super::source::STEP;
-
-/// Pairs per dispatch: drivers reset a GPU that is busy with one for seconds.
-const MOST_PAIRS: u64 = 1 << 30;
 
 impl Inner {
     /// Buffers for a list of items of so many numbers each.
@@ -118,175 +66,6 @@ impl Inner {
                 Piece { buffer, items }
             })
             .collect()
-    }
-
-    /// Starts bringing numbers back.
-    pub fn bring(&self, gpu: &Gpu, parts: &[(&wgpu::Buffer, u64)]) -> Result<Arrival, GpuError> {
-        self.guarded(|| {
-            let mut encoder = self.encoder();
-            let mut staged = Vec::new();
-            for &(buffer, bytes) in parts.iter().filter(|&&(_, bytes)| bytes > 0) {
-                let staging = self.staging(bytes);
-                encoder.copy_buffer_to_buffer(buffer, 0, &staging, 0, bytes);
-                staged.push((staging, bytes));
-            }
-            let submission = self.queue.submit([encoder.finish()]);
-            let state = Arc::new(State {
-                left: AtomicUsize::new(staged.len()),
-                failed: AtomicBool::new(false),
-                waker: Mutex::new(None),
-            });
-            for (staging, _) in &staged {
-                let state = Arc::clone(&state);
-                staging.map_async(wgpu::MapMode::Read, .., move |mapped| {
-                    if let Err(error) = mapped {
-                        log::error!("mapping: {error}");
-                        state.failed.store(true, Ordering::Release);
-                    }
-                    state.left.fetch_sub(1, Ordering::AcqRel);
-                    if let Some(waker) = super::locked(&state.waker).take() {
-                        waker.wake();
-                    }
-                });
-            }
-            Ok(Arrival {
-                gpu: gpu.clone(),
-                staged,
-                state,
-                submission,
-                watched: false,
-            })
-        })
-    }
-}
-
-/// How far a download is.
-#[derive(Debug)]
-struct State {
-    left: AtomicUsize,
-    failed: AtomicBool,
-    waker: Mutex<Option<Waker>>,
-}
-
-/// Buffers on their way to the processor.
-#[derive(Debug)]
-pub(super) struct Arrival {
-    gpu: Gpu,
-    staged: Vec<(wgpu::Buffer, u64)>,
-    state: Arc<State>,
-    submission: wgpu::SubmissionIndex,
-    watched: bool,
-}
-
-impl Arrival {
-    fn is_ready(&self) -> bool {
-        self.state.left.load(Ordering::Acquire) == 0
-    }
-
-    /// Waits, then hands each part over.
-    pub fn finish(self, each: impl FnMut(usize, &[u32])) -> Result<(), GpuError> {
-        self.gpu.inner.wait(Some(self.submission.clone()))?;
-        self.read(each)
-    }
-
-    /// Hands each part over, in order.
-    pub fn read(&self, mut each: impl FnMut(usize, &[u32])) -> Result<(), GpuError> {
-        self.gpu.inner.alive()?;
-        if !self.is_ready() {
-            return Err(GpuError::DeviceLost);
-        }
-        if self.state.failed.load(Ordering::Acquire) {
-            return Err(GpuError::OutOfMemory);
-        }
-        for (part, (staging, bytes)) in self.staged.iter().enumerate() {
-            let view = staging
-                .get_mapped_range(..*bytes)
-                .map_err(|_| GpuError::DeviceLost)?;
-            each(part, bytemuck::cast_slice(&view[..]));
-        }
-        Ok(())
-    }
-}
-
-/// Makes what was asked for out of what arrived.
-type Make<T> = dyn FnMut(&Arrival) -> Result<T, GpuError> + Send;
-
-/// A download that was started: wait for it with [`wait`](Pending::wait), or await it.
-#[must_use = "nothing arrives unless waited for"]
-pub struct Pending<T> {
-    arrival: Arrival,
-    make: Box<Make<T>>,
-}
-
-impl<T> std::fmt::Debug for Pending<T> {
-    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
-        f.debug_struct("Pending")
-            .field("is_ready", &self.arrival.is_ready())
-            .finish_non_exhaustive()
-    }
-}
-
-impl<T> Pending<T> {
-    pub(super) fn new(
-        arrival: Arrival,
-        make: impl FnMut(&Arrival) -> Result<T, GpuError> + Send + 'static,
-    ) -> Self {
-        Pending {
-            arrival,
-            make: Box::new(make),
-        }
-    }
-
-    /// Whether the numbers have arrived. Never blocks.
-    ///
-    /// # Errors
-    ///
-    /// [`GpuError::DeviceLost`].
-    pub fn is_ready(&self) -> Result<bool, GpuError> {
-        let inner = &self.arrival.gpu.inner;
-        inner.alive()?;
-        let polled = inner.device.poll(wgpu::PollType::Poll);
-        inner.alive()?;
-        polled.map_err(|_| GpuError::DeviceLost)?;
-        Ok(self.arrival.is_ready())
-    }
-
-    /// Waits for the numbers.
-    ///
-    /// # Errors
-    ///
-    /// [`GpuError::DeviceLost`], or [`GpuError::OutOfMemory`] when they have no room.
-    pub fn wait(mut self) -> Result<T, GpuError> {
-        let submission = self.arrival.submission.clone();
-        self.arrival.gpu.inner.wait(Some(submission))?;
-        (self.make)(&self.arrival)
-    }
-}
-
-impl<T> Future for Pending<T> {
-    type Output = Result<T, GpuError>;
-
-    fn poll(self: Pin<&mut Self>, context: &mut Context<'_>) -> Poll<Self::Output> {
-        let this = self.get_mut();
-        *super::locked(&this.arrival.state.waker) = Some(context.waker().clone());
-        match this.is_ready() {
-            Ok(true) => return Poll::Ready((this.make)(&this.arrival)),
-            Ok(false) => {}
-            Err(error) => return Poll::Ready(Err(error)),
-        }
-        if !this.arrival.watched {
-            this.arrival.watched = true;
-            // Somebody has to drive the device while the task sleeps.
-            let (gpu, state) = (this.arrival.gpu.clone(), Arc::clone(&this.arrival.state));
-            let submission = this.arrival.submission.clone();
-            std::thread::spawn(move || {
-                let _ = gpu.inner.wait(Some(submission));
-                if let Some(waker) = super::locked(&state.waker).take() {
-                    waker.wake();
-                }
-            });
-        }
-        Poll::Pending
     }
 }
 
@@ -300,33 +79,16 @@ impl Gpu {
         self.upload_as(Argument::Shape, shapes)
     }
 
-    pub(super) fn upload_as<P: GpuShape>(
+    pub(crate) fn upload_as<P: GpuShape>(
         &self,
         argument: Argument,
         shapes: &[P],
     ) -> Result<Shapes<P>, GpuError> {
-        let mut is_ordinary = true;
-        for (row, shape) in shapes.iter().enumerate() {
-            shape.validate().map_err(|flaw| Error::Invalid {
-                argument,
-                row,
-                flaw,
-            })?;
-            is_ordinary &= shape.is_ordinary();
-        }
-        let pieces = self.inner.guarded(|| {
-            let pieces = shapes.chunks(self.inner.chunk).map(|shapes| Piece {
-                buffer: self.inner.stored(&quads(shapes)),
-                items: shapes.len(),
-            });
-            Ok(pieces.collect())
-        })?;
-        Ok(Shapes {
-            gpu: self.clone(),
-            pieces,
-            len: shapes.len(),
-            is_ordinary,
-            shape: PhantomData,
+        let is_ordinary = checked(argument, shapes)?;
+        self.inner.guarded(|| {
+            let made = Shapes::room(self, shapes.len(), is_ordinary);
+            made.write(shapes);
+            Ok(made)
         })
     }
 
@@ -337,17 +99,10 @@ impl Gpu {
     /// [`GpuError::Input`] for a number that is not finite, or what the device says.
     pub fn upload_values(&self, values: &[f32]) -> Result<Values, GpuError> {
         check_upstream(values)?;
-        let pieces = self.inner.guarded(|| {
-            let pieces = values.chunks(self.inner.chunk).map(|values| Piece {
-                buffer: self.inner.stored(values),
-                items: values.len(),
-            });
-            Ok(pieces.collect())
-        })?;
-        Ok(Values {
-            gpu: self.clone(),
-            pieces,
-            len: values.len(),
+        self.inner.guarded(|| {
+            let made = Values::room(self, values.len());
+            made.write(values);
+            Ok(made)
         })
     }
 
@@ -366,30 +121,76 @@ impl Gpu {
         let expected = rows.checked_mul(columns).ok_or(Error::TooLarge)?;
         expect(Argument::Upstream, expected, values.len())?;
         check_upstream(values)?;
-        let inner = &self.inner;
-        let blocks = inner.guarded(|| {
-            let made = inner
-                .cut(rows, columns, 4)
-                .into_iter()
-                .map(|block| (block, inner.stored(&block_of(&block, columns, values))));
-            Ok(made.collect())
-        })?;
-        Ok(Matrix {
-            gpu: self.clone(),
-            rows,
-            columns,
-            blocks,
+        self.inner.guarded(|| {
+            let made = Matrix::room(self, rows, columns)?;
+            made.write(values);
+            Ok(made)
         })
     }
 }
 
-/// The numbers of one block of a matrix, row by row.
-pub(super) fn block_of(block: &Block, columns: usize, values: &[f32]) -> Vec<f32> {
-    let mut own = Vec::with_capacity(block.rows * block.columns);
-    for row in block.row_base..block.row_base + block.rows {
-        own.extend_from_slice(&values[row * columns + block.column_base..][..block.columns]);
+/// Checks shapes; whether all are ordinary.
+fn checked<P: GpuShape>(argument: Argument, shapes: &[P]) -> Result<bool, Error> {
+    let mut is_ordinary = true;
+    for (row, shape) in shapes.iter().enumerate() {
+        shape.validate().map_err(|flaw| Error::Invalid {
+            argument,
+            row,
+            flaw,
+        })?;
+        is_ordinary &= shape.is_ordinary();
     }
-    own
+    Ok(is_ordinary)
+}
+
+impl<P> Shapes<P> {
+    /// The context that they are in.
+    #[must_use]
+    pub fn gpu(&self) -> &Gpu {
+        &self.gpu
+    }
+}
+
+impl<P: GpuShape> Shapes<P> {
+    /// Room for shapes.
+    pub(super) fn room(gpu: &Gpu, len: usize, is_ordinary: bool) -> Self {
+        Shapes {
+            gpu: gpu.clone(),
+            pieces: gpu.inner.pieces(len, 4 * P::QUADS),
+            len,
+            is_ordinary: Arc::new(AtomicBool::new(is_ordinary)),
+            shape: PhantomData,
+        }
+    }
+
+    fn write(&self, shapes: &[P]) {
+        let inner = &self.gpu.inner;
+        for (piece, shapes) in self.pieces.iter().zip(shapes.chunks(inner.chunk)) {
+            inner.write(&piece.buffer, &quads(shapes));
+        }
+    }
+
+    /// Whether plain products of their numbers stay far from over- and underflow.
+    pub(super) fn is_ordinary(&self) -> bool {
+        self.is_ordinary.load(Ordering::Acquire)
+    }
+
+    /// Puts as many other shapes in their place: what a loop does that moves them. No buffer is
+    /// made. Calls before it used the old ones, and keep their results.
+    ///
+    /// # Errors
+    ///
+    /// [`GpuError::Input`] for another number of shapes or one that is not valid (the old ones are
+    /// then as they were), or what the device says.
+    pub fn update(&mut self, shapes: &[P]) -> Result<(), GpuError> {
+        expect(Argument::Shape, self.len, shapes.len())?;
+        let is_ordinary = checked(Argument::Shape, shapes)?;
+        self.gpu.inner.guarded(|| {
+            self.write(shapes);
+            self.is_ordinary.store(is_ordinary, Ordering::Release);
+            Ok(())
+        })
+    }
 }
 
 /// Prepared shapes in tiles.
@@ -417,21 +218,6 @@ fn quads<P: GpuShape>(shapes: &[P]) -> Vec<[f32; 4]> {
     tiles
 }
 
-impl Inner {
-    /// How a list is cut: the items of each piece.
-    fn counted(&self, len: usize) -> Vec<usize> {
-        (0..len.div_ceil(self.chunk))
-            .map(|i| self.chunk.min(len - i * self.chunk))
-            .collect()
-    }
-
-    /// How a matrix is cut, of whose pairs each takes so many bytes.
-    pub fn cut(&self, rows: usize, columns: usize, bytes: u64) -> Vec<Block> {
-        let most_pairs = (self.most_bytes / bytes).min(MOST_PAIRS) as usize;
-        blocks(&self.counted(rows), &self.counted(columns), most_pairs)
-    }
-}
-
 /// The number of items of each handle, and what comes back of it.
 macro_rules! list {
     ($($name:ident $(<$p:ident: $bound:ident>)?,)*) => { $(
@@ -452,32 +238,92 @@ macro_rules! list {
 list!(Shapes<P: GpuShape>, Bars<P: GpuShape>, Values,);
 
 impl Values {
+    pub(super) fn room(gpu: &Gpu, len: usize) -> Self {
+        Values {
+            gpu: gpu.clone(),
+            pieces: gpu.inner.pieces(len, 1),
+            len,
+        }
+    }
+
+    fn write(&self, values: &[f32]) {
+        let inner = &self.gpu.inner;
+        for (piece, values) in self.pieces.iter().zip(values.chunks(inner.chunk)) {
+            inner.write(&piece.buffer, values);
+        }
+    }
+
+    /// Puts as many other numbers in their place, without a new buffer.
+    ///
+    /// # Errors
+    ///
+    /// [`GpuError::Input`] for another number of them or one that is not finite, or what the device
+    /// says.
+    pub fn update(&mut self, values: &[f32]) -> Result<(), GpuError> {
+        expect(Argument::Upstream, self.len, values.len())?;
+        check_upstream(values)?;
+        self.gpu.inner.guarded(|| {
+            self.write(values);
+            Ok(())
+        })
+    }
+
     /// The same numbers in other buffers, copied by a kernel: also how fast memory can be had.
     ///
     /// # Errors
     ///
     /// What the device says.
     pub fn duplicate(&self) -> Result<Values, GpuError> {
-        let inner = &self.gpu.inner;
-        inner.guarded(|| {
-            let pipeline = inner.copy_pipeline();
-            let pieces = inner.pieces(self.len, 1);
-            let mut work = Work::new(inner);
-            for (from, to) in self.pieces.iter().zip(&pieces) {
-                let params = Params {
-                    own_count: from.items as u32,
-                    ..Params::default()
-                };
-                let buffers = [(3, &from.buffer), (4, &to.buffer)];
-                work.dispatch(&pipeline, params, &buffers, [groups(from.items), 1]);
-            }
-            work.submit()?;
-            Ok(Values {
-                gpu: self.gpu.clone(),
-                pieces,
-                len: self.len,
-            })
+        self.gpu.inner.guarded(|| {
+            let to = Values::room(&self.gpu, self.len);
+            self.copy_to(&to)?;
+            Ok(to)
         })
+    }
+
+    /// [`duplicate`](Values::duplicate) over numbers that are there already.
+    ///
+    /// # Errors
+    ///
+    /// [`GpuError::ForeignBuffer`], [`GpuError::Input`] for another number of them, or what the
+    /// device says.
+    pub fn duplicate_into(&self, to: &mut Values) -> Result<(), GpuError> {
+        self.gpu.owns(&to.gpu)?;
+        expect(Argument::Values, self.len, to.len)?;
+        self.gpu.inner.guarded(|| self.copy_to(to))
+    }
+
+    fn copy_to(&self, to: &Values) -> Result<(), GpuError> {
+        let inner = &self.gpu.inner;
+        let pipeline = inner.gather_pipeline("copy_main");
+        let mut work = Work::new(inner);
+        for (from, to) in self.pieces.iter().zip(&to.pieces) {
+            let params = Params {
+                own_count: from.items as u32,
+                ..Params::default()
+            };
+            let buffers = [(3, &from.buffer), (4, &to.buffer)];
+            work.dispatch(&pipeline, params, &buffers, [groups(from.items), 1]);
+        }
+        work.submit().map(drop)
+    }
+
+    /// Brings the numbers back into a slice.
+    ///
+    /// # Errors
+    ///
+    /// [`GpuError::Input`] for a slice of another length, or what the device says.
+    pub fn download_into(&self, to: &mut [f32]) -> Result<(), GpuError> {
+        expect(Argument::Values, self.len, to.len())?;
+        let inner = &self.gpu.inner;
+        let mut rest = to.chunks_mut(inner.chunk);
+        inner
+            .bring(&self.gpu, &parts(&self.pieces, |n| n))?
+            .finish(|_, numbers| {
+                if let Some(to) = rest.next() {
+                    to.copy_from_slice(bytemuck::cast_slice(numbers));
+                }
+            })
     }
 
     /// Starts bringing the numbers back.
@@ -487,40 +333,18 @@ impl Values {
     /// What the device says.
     pub fn start_download(&self) -> Result<Pending<Vec<f32>>, GpuError> {
         let len = self.len;
-        let arrival = self
-            .gpu
-            .inner
-            .bring(&self.gpu, &parts(&self.pieces, |n| n))?;
+        let parts = parts(&self.pieces, |n| n);
+        let arrival = self.gpu.inner.bring(&self.gpu, &parts)?;
         Ok(Pending::new(arrival, move |arrival| {
             let mut all = Vec::with_capacity(len);
             arrival.read(|_, numbers| all.extend_from_slice(bytemuck::cast_slice(numbers)))?;
             Ok(all)
         }))
     }
-
-    /// Brings the numbers back.
-    ///
-    /// # Errors
-    ///
-    /// What the device says.
-    pub fn download(&self) -> Result<Vec<f32>, GpuError> {
-        self.start_download()?.wait()
-    }
-}
-
-/// What to bring back of each piece, whose numbers follow from its items.
-pub(super) fn parts(
-    pieces: &[Piece],
-    numbers: impl Fn(usize) -> usize,
-) -> Vec<(&wgpu::Buffer, u64)> {
-    pieces
-        .iter()
-        .map(|piece| (&piece.buffer, 4 * numbers(piece.items) as u64))
-        .collect()
 }
 
 impl<P: GpuShape> Bars<P> {
-    pub(super) fn new(gpu: &Gpu, len: usize) -> Self {
+    pub(super) fn room(gpu: &Gpu, len: usize) -> Self {
         Bars {
             gpu: gpu.clone(),
             pieces: gpu.inner.pieces(len, P::LEN),
@@ -529,46 +353,92 @@ impl<P: GpuShape> Bars<P> {
         }
     }
 
-    /// Starts bringing the slopes back.
+    /// Starts bringing the slopes back, in the order of the shapes.
     ///
     /// # Errors
     ///
     /// What the device says.
     pub fn start_download(&self) -> Result<Pending<Vec<P>>, GpuError> {
-        let items: Vec<usize> = self.pieces.iter().map(|piece| piece.items).collect();
-        let whole = |n: usize| n.next_multiple_of(TILE) * P::LEN;
-        let arrival = self
-            .gpu
-            .inner
-            .bring(&self.gpu, &parts(&self.pieces, whole))?;
+        let (len, chunk) = (self.len, self.gpu.inner.chunk);
+        let arrival = self.bring()?;
         Ok(Pending::new(arrival, move |arrival| {
-            let mut all = Vec::with_capacity(items.iter().sum());
-            arrival.read(|part, numbers| {
-                let lanes: &[f32] = bytemuck::cast_slice(numbers);
-                let mut fields = P::filled(0.0).to_array();
-                for i in 0..items[part] {
-                    let tile = &lanes[i / TILE * P::LEN * TILE..];
-                    for (k, field) in fields.as_mut().iter_mut().enumerate() {
-                        *field = tile[k * TILE + i % TILE];
-                    }
-                    all.push(P::from_array(fields));
-                }
-            })?;
+            let mut all = vec![P::filled(0.0); len];
+            let mut rest = all.chunks_mut(chunk);
+            arrival.read(|_, numbers| untile(numbers, rest.next().unwrap_or_default()))?;
             Ok(all)
         }))
     }
 
-    /// Brings the slopes back, in the order of the shapes.
+    /// Brings the slopes back into a slice.
     ///
     /// # Errors
     ///
-    /// What the device says.
-    pub fn download(&self) -> Result<Vec<P>, GpuError> {
-        self.start_download()?.wait()
+    /// [`GpuError::Input`] for a slice of another length, or what the device says.
+    pub fn download_into(&self, to: &mut [P]) -> Result<(), GpuError> {
+        expect(Argument::Values, self.len, to.len())?;
+        let mut rest = to.chunks_mut(self.gpu.inner.chunk);
+        self.bring()?
+            .finish(|_, numbers| untile(numbers, rest.next().unwrap_or_default()))
+    }
+
+    fn bring(&self) -> Result<Arrival, GpuError> {
+        let whole = |n: usize| n.next_multiple_of(TILE) * P::LEN;
+        let parts = parts(&self.pieces, whole);
+        self.gpu.inner.bring(&self.gpu, &parts)
+    }
+}
+
+/// Shapes out of tiles of single fields.
+fn untile<P: GpuShape>(numbers: &[u32], to: &mut [P]) {
+    let lanes: &[f32] = bytemuck::cast_slice(numbers);
+    let mut fields = P::filled(0.0).to_array();
+    for (i, shape) in to.iter_mut().enumerate() {
+        let tile = &lanes[i / TILE * P::LEN * TILE..];
+        for (k, field) in fields.as_mut().iter_mut().enumerate() {
+            *field = tile[k * TILE + i % TILE];
+        }
+        *shape = P::from_array(fields);
     }
 }
 
 impl Matrix {
+    /// Room for a matrix.
+    pub(super) fn room(gpu: &Gpu, rows: usize, columns: usize) -> Result<Self, GpuError> {
+        entries(rows, columns, 1)?;
+        let blocks = gpu.inner.cut(rows, columns, 4).into_iter().map(|block| {
+            let values = gpu.inner.storage(block.rows * block.columns);
+            (block, values)
+        });
+        Ok(Matrix {
+            gpu: gpu.clone(),
+            rows,
+            columns,
+            blocks: blocks.collect(),
+        })
+    }
+
+    fn write(&self, values: &[f32]) {
+        for (block, buffer) in &self.blocks {
+            let inner = &self.gpu.inner;
+            inner.write(buffer, &block_of(block, self.columns, values));
+        }
+    }
+
+    /// Puts another matrix of the same size in its place, without a new buffer.
+    ///
+    /// # Errors
+    ///
+    /// [`GpuError::Input`] for another size or a number that is not finite, or what the device
+    /// says.
+    pub fn update(&mut self, values: &[f32]) -> Result<(), GpuError> {
+        expect(Argument::Upstream, self.rows * self.columns, values.len())?;
+        check_upstream(values)?;
+        self.gpu.inner.guarded(|| {
+            self.write(values);
+            Ok(())
+        })
+    }
+
     /// How many rows.
     #[must_use]
     pub fn rows(&self) -> usize {
@@ -580,7 +450,7 @@ impl Matrix {
         self.columns
     }
 
-    /// Starts bringing the matrix back.
+    /// Starts bringing the matrix back, row by row.
     ///
     /// # Errors
     ///
@@ -597,31 +467,16 @@ impl Matrix {
         Ok(Pending::new(arrival, move |arrival| {
             let mut all = vec![0.0; rows * columns];
             arrival.read(|part, numbers| {
-                place_block(
-                    &blocks[part],
-                    columns,
-                    bytemuck::cast_slice(numbers),
-                    &mut all,
-                );
+                let numbers = bytemuck::cast_slice(numbers);
+                place_block(&blocks[part], columns, numbers, &mut all);
             })?;
             Ok(all)
         }))
     }
-
-    /// Brings the matrix back, row by row.
-    ///
-    /// # Errors
-    ///
-    /// What the device says.
-    pub fn download(&self) -> Result<Vec<f32>, GpuError> {
-        self.start_download()?.wait()
-    }
 }
 
-/// Copies a block to its place in a matrix of so many columns.
-pub(super) fn place_block(block: &Block, columns: usize, from: &[f32], to: &mut [f32]) {
-    for (i, row) in from.chunks_exact(block.columns).enumerate() {
-        let at = (block.row_base + i) * columns + block.column_base;
-        to[at..][..block.columns].copy_from_slice(row);
-    }
+download! {
+    [] Values => Vec<f32>;
+    [P: GpuShape] Bars<P> => Vec<P>;
+    [] Matrix => Vec<f32>;
 }

@@ -7,9 +7,18 @@ use std::fmt;
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 #[non_exhaustive]
 pub enum GpuError {
-    /// No adapter was found, or none as asked for: install a driver (Mesa's lavapipe runs on any
-    /// processor) or ask for another one.
+    /// This build has no GPU support: build with the feature `gpu`.
+    NotBuilt,
+    /// No adapter was found at all: install the GPU's driver, or Mesa's lavapipe, which runs on any
+    /// processor.
     NoAdapter,
+    /// Adapters were found, but none as asked for: choose another index, name or kind.
+    NoSuchAdapter,
+    /// Only a driver in software was found, which is slower than the CPU: install the GPU's driver,
+    /// or ask for software with `GEOGRAD_GPU=cpu`. Only [`Backend::auto`] says so.
+    ///
+    /// [`Backend::auto`]: crate::kernels::Backend::auto
+    OnlySoftware,
     /// The adapter gave no device, or cannot compute.
     AdapterRefused,
     /// The device is gone (removed, reset by its driver, or destroyed), and everything on it: make
@@ -29,7 +38,16 @@ pub enum GpuError {
 impl fmt::Display for GpuError {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         f.write_str(match self {
-            GpuError::NoAdapter => "no GPU found as asked for: install a driver or choose another",
+            GpuError::NotBuilt => "built without GPU support: build with `--features gpu`",
+            GpuError::NoAdapter => "no GPU found: install its driver",
+            GpuError::NoSuchAdapter => {
+                "no GPU found as asked for: choose another with GEOGRAD_GPU (an index, a part of a \
+                 name, or `cpu`)"
+            }
+            GpuError::OnlySoftware => {
+                "no GPU found but a driver in software, which is slower than the CPU: install the \
+                 GPU's driver, or ask for software with GEOGRAD_GPU=cpu"
+            }
             GpuError::AdapterRefused => "the GPU gave no device for computing",
             GpuError::DeviceLost => "the GPU is lost: make a new context and upload again",
             GpuError::OutOfMemory => {

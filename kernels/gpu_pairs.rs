@@ -1,13 +1,15 @@
-//! Batches of pairs on the GPU.
-use super::data::{block_of, place_block};
-use super::source::{GpuPair, Kernel, STEP, STRIP_VJP, Source, pair_source};
+//! All pairs on the GPU: the matrix, its slopes, and the adjoint.
+use super::block::{Block, block_of, place_block};
+use super::download::download;
+use super::source::{GpuPair, Kernel, STEP, STRIP_VJP, Seed, Source, pair_source};
 use super::work::{Params, Work, groups};
-use super::{Bars, Gpu, Inner, Matrix, Shapes, Values};
+use super::{Bars, Gpu, Inner, Matrix, Pending, Shapes};
 use crate::Fixed;
 use crate::error::{Argument, Error};
 use crate::kernels::GpuError;
 use crate::kernels::cpu::PairGrads;
-use crate::kernels::tile::{check_upstream, expect};
+use crate::kernels::tile::{check_upstream, entries, expect};
+use std::marker::PhantomData;
 
 /// Shapes of an operation on the GPU.
 pub type ShapesOf<O> = Shapes<<O as GpuPair>::Shape>;
@@ -24,148 +26,79 @@ impl Inner {
         self.pipeline(source, entry, || pair_source::<O>(source))
     }
 
-    /// The pipeline that copies numbers; the operation does not matter.
-    pub fn copy_pipeline(&self) -> wgpu::ComputePipeline {
-        let source = Source::of(Kernel::Gather, "any");
-        self.pair_pipeline::<crate::kernels::overlap::IouAabb2>(source, "copy_main")
+    /// A pipeline that moves and gathers numbers; the operation does not matter.
+    pub fn gather_pipeline(&self, entry: &'static str) -> wgpu::ComputePipeline {
+        self.pair_pipeline::<Any>(Source::of(Kernel::Gather, "any"), entry)
     }
 }
+
+/// An operation for shaders in which it does not matter.
+pub(super) type Any = crate::kernels::overlap::IouAabb2;
 
 /// The shader of an operation for two lists.
 pub(super) fn source_for<O: GpuPair>(kernel: Kernel, a: &ShapesOf<O>, b: &ShapesOf<O>) -> Source {
     Source {
-        extreme: !(a.is_ordinary && b.is_ordinary),
+        extreme: !(a.is_ordinary() && b.is_ordinary()),
         ..Source::of(kernel, O::NAME)
     }
 }
 
+/// The results of all pairs and their slopes, on the GPU.
+#[derive(Clone, Debug)]
+pub struct PairBars<O> {
+    values: Matrix,
+    /// The planes of slopes of every block of the matrix.
+    planes: Vec<wgpu::Buffer>,
+    operation: PhantomData<fn() -> O>,
+}
+
+impl<O: GpuPair> PairBars<O> {
+    /// The results alone.
+    #[must_use]
+    pub fn values(&self) -> &Matrix {
+        &self.values
+    }
+
+    /// Starts bringing results and slopes back.
+    ///
+    /// # Errors
+    ///
+    /// [`GpuError::Input`] when there are more than memory has addresses, or what the device says.
+    pub fn start_download(&self) -> Result<Pending<PairGrads<O, f32>>, GpuError> {
+        let (rows, columns) = (self.values.rows, self.values.columns);
+        let fields = 2 * O::Shape::LEN;
+        entries(rows, columns, fields)?;
+        let mut parts = Vec::new();
+        for ((block, values), planes) in self.values.blocks.iter().zip(&self.planes) {
+            let bytes = 4 * (block.rows * block.columns) as u64;
+            parts.extend([(values, bytes), (planes, bytes * fields as u64)]);
+        }
+        let gpu = &self.values.gpu;
+        let arrival = gpu.inner.bring(gpu, &parts)?;
+        let blocks: Vec<Block> = self.values.blocks.iter().map(|part| part.0).collect();
+        Ok(Pending::new(arrival, move |arrival| {
+            let mut grads = PairGrads::new(rows, columns)?;
+            arrival.read(|part, numbers| {
+                let (block, numbers) = (&blocks[part / 2], bytemuck::cast_slice(numbers));
+                if part % 2 == 0 {
+                    return place_block(block, columns, numbers, &mut grads.values);
+                }
+                let planes = grads.planes.chunks_exact_mut(rows * columns);
+                let from = numbers.chunks_exact(block.rows * block.columns);
+                for (from, to) in from.zip(planes) {
+                    place_block(block, columns, from, to);
+                }
+            })?;
+            Ok(grads)
+        }))
+    }
+}
+
+download! {
+    [O: GpuPair] PairBars<O> => PairGrads<O, f32>;
+}
+
 impl Gpu {
-    fn aligned_lists<O: GpuPair>(
-        &self,
-        a: &ShapesOf<O>,
-        b: &ShapesOf<O>,
-    ) -> Result<Source, GpuError> {
-        self.owns(&a.gpu)?;
-        self.owns(&b.gpu)?;
-        expect(Argument::B, a.len, b.len)?;
-        Ok(source_for::<O>(Kernel::Aligned, a, b))
-    }
-
-    /// Row i of `a` with row i of `b`: one result per row.
-    ///
-    /// # Errors
-    ///
-    /// [`GpuError::Input`] when the lists differ in length, [`GpuError::ForeignBuffer`], or what
-    /// the device says.
-    pub fn aligned<O: GpuPair>(
-        &self,
-        a: &ShapesOf<O>,
-        b: &ShapesOf<O>,
-    ) -> Result<Values, GpuError> {
-        let source = self.aligned_lists::<O>(a, b)?;
-        let inner = &self.inner;
-        inner.guarded(|| {
-            let pipeline = inner.pair_pipeline::<O>(source, "aligned_main");
-            let values = Values {
-                gpu: self.clone(),
-                pieces: inner.pieces(a.len, 1),
-                len: a.len,
-            };
-            let mut work = Work::new(inner);
-            for ((a, b), out) in a.pieces.iter().zip(&b.pieces).zip(&values.pieces) {
-                let buffers = [(1, &a.buffer), (2, &b.buffer), (4, &out.buffer)];
-                work.dispatch(
-                    &pipeline,
-                    aligned_params(a.items),
-                    &buffers,
-                    [groups(a.items), 1],
-                );
-            }
-            work.submit()?;
-            Ok(values)
-        })
-    }
-
-    /// [`aligned`](Gpu::aligned) with the slopes of every result with respect to both shapes.
-    ///
-    /// # Errors
-    ///
-    /// As [`aligned`](Gpu::aligned).
-    pub fn aligned_grad<O: GpuPair>(
-        &self,
-        a: &ShapesOf<O>,
-        b: &ShapesOf<O>,
-    ) -> Result<(Values, BarsOf<O>, BarsOf<O>), GpuError> {
-        let source = self.aligned_lists::<O>(a, b)?;
-        let inner = &self.inner;
-        inner.guarded(|| {
-            let pipeline = inner.pair_pipeline::<O>(source, "aligned_grad_main");
-            let values = Values {
-                gpu: self.clone(),
-                pieces: inner.pieces(a.len, 1),
-                len: a.len,
-            };
-            let (a_bars, b_bars) = (Bars::new(self, a.len), Bars::new(self, a.len));
-            let mut work = Work::new(inner);
-            for (i, (a, b)) in a.pieces.iter().zip(&b.pieces).enumerate() {
-                let buffers = [
-                    (1, &a.buffer),
-                    (2, &b.buffer),
-                    (4, &values.pieces[i].buffer),
-                    (5, &a_bars.pieces[i].buffer),
-                    (6, &b_bars.pieces[i].buffer),
-                ];
-                work.dispatch(
-                    &pipeline,
-                    aligned_params(a.items),
-                    &buffers,
-                    [groups(a.items), 1],
-                );
-            }
-            work.submit()?;
-            Ok((values, a_bars, b_bars))
-        })
-    }
-
-    /// The adjoint of [`aligned`](Gpu::aligned): `upstream[i]` times the slopes of result i.
-    ///
-    /// # Errors
-    ///
-    /// As [`aligned`](Gpu::aligned), and for an upstream of another length.
-    pub fn aligned_vjp<O: GpuPair>(
-        &self,
-        a: &ShapesOf<O>,
-        b: &ShapesOf<O>,
-        upstream: &Values,
-    ) -> Result<(BarsOf<O>, BarsOf<O>), GpuError> {
-        let source = self.aligned_lists::<O>(a, b)?;
-        self.owns(&upstream.gpu)?;
-        expect(Argument::Upstream, a.len, upstream.len)?;
-        let inner = &self.inner;
-        inner.guarded(|| {
-            let pipeline = inner.pair_pipeline::<O>(source, "aligned_vjp_main");
-            let (a_bars, b_bars) = (Bars::new(self, a.len), Bars::new(self, a.len));
-            let mut work = Work::new(inner);
-            for (i, (a, b)) in a.pieces.iter().zip(&b.pieces).enumerate() {
-                let buffers = [
-                    (1, &a.buffer),
-                    (2, &b.buffer),
-                    (3, &upstream.pieces[i].buffer),
-                    (5, &a_bars.pieces[i].buffer),
-                    (6, &b_bars.pieces[i].buffer),
-                ];
-                work.dispatch(
-                    &pipeline,
-                    aligned_params(a.items),
-                    &buffers,
-                    [groups(a.items), 1],
-                );
-            }
-            work.submit()?;
-            Ok((a_bars, b_bars))
-        })
-    }
-
     /// Every row of `a` with every row of `b`: a matrix that stays on the GPU.
     ///
     /// # Errors
@@ -176,26 +109,10 @@ impl Gpu {
         a: &ShapesOf<O>,
         b: &ShapesOf<O>,
     ) -> Result<Matrix, GpuError> {
-        self.owns(&a.gpu)?;
-        self.owns(&b.gpu)?;
-        a.len
-            .checked_mul(b.len)
-            .filter(|&n| n <= isize::MAX as usize / 8)
-            .ok_or(Error::TooLarge)?;
-        let inner = &self.inner;
-        let matrix = inner.guarded(|| {
-            let blocks = inner.cut(a.len, b.len, 4).into_iter().map(|block| {
-                let values = inner.storage(block.rows * block.columns);
-                (block, values)
-            });
-            Ok(Matrix {
-                gpu: self.clone(),
-                rows: a.len,
-                columns: b.len,
-                blocks: blocks.collect(),
-            })
-        })?;
-        self.all_pairs_into::<O>(a, b, &matrix)?;
+        self.own_lists(a, b)?;
+        let room = || Matrix::room(self, a.len, b.len);
+        let mut matrix = self.inner.guarded(room)?;
+        self.all_pairs_into::<O>(a, b, &mut matrix)?;
         Ok(matrix)
     }
 
@@ -209,33 +126,20 @@ impl Gpu {
         &self,
         a: &ShapesOf<O>,
         b: &ShapesOf<O>,
-        matrix: &Matrix,
+        matrix: &mut Matrix,
     ) -> Result<(), GpuError> {
-        self.owns(&a.gpu)?;
-        self.owns(&b.gpu)?;
-        self.owns(&matrix.gpu)?;
-        expect(Argument::Values, a.len, matrix.rows)?;
+        self.own_lists(a, b)?;
+        self.fits(&matrix.gpu, Argument::Values, a.len, matrix.rows)?;
         expect(Argument::Values, b.len, matrix.columns)?;
-        let inner = &self.inner;
-        let source = source_for::<O>(Kernel::Pairs, a, b);
-        inner.guarded(|| {
-            let pipeline = inner.pair_pipeline::<O>(source, "pairs_main");
-            for (block, values) in &matrix.blocks {
-                let mut work = Work::new(inner);
-                let buffers = [
-                    (1, &a.pieces[block.row_piece].buffer),
-                    (2, &b.pieces[block.column_piece].buffer),
-                    (4, values),
-                ];
-                let size = [groups(block.columns), block.rows.div_ceil(STEP) as u32];
-                work.dispatch(&pipeline, block_params(block), &buffers, size);
-                work.submit()?;
-            }
-            Ok(())
-        })
+        for (block, values) in &matrix.blocks {
+            self.run_pairs::<O>(Kernel::Pairs, a, b, block, &[(4, values)])?;
+        }
+        Ok(())
     }
 
-    /// [`all_pairs`](Gpu::all_pairs) with the slopes of every result, brought back block by block.
+    /// [`all_pairs`](Gpu::all_pairs) with the slopes of every result, which take eleven times the
+    /// memory for rotated boxes. [`all_pairs_vjp`](Gpu::all_pairs_vjp) sums slopes without keeping
+    /// them.
     ///
     /// # Errors
     ///
@@ -244,46 +148,55 @@ impl Gpu {
         &self,
         a: &ShapesOf<O>,
         b: &ShapesOf<O>,
-    ) -> Result<PairGrads<O, f32>, GpuError> {
-        self.owns(&a.gpu)?;
-        self.owns(&b.gpu)?;
+    ) -> Result<PairBars<O>, GpuError> {
+        self.own_lists(a, b)?;
         let fields = 2 * O::Shape::LEN;
-        let mut grads = PairGrads::new(a.len, b.len)?;
+        entries(a.len, b.len, fields)?;
+        let mut grads = PairBars {
+            values: Matrix {
+                gpu: self.clone(),
+                rows: a.len,
+                columns: b.len,
+                blocks: Vec::new(),
+            },
+            planes: Vec::new(),
+            operation: PhantomData,
+        };
         let inner = &self.inner;
-        let source = source_for::<O>(Kernel::Pairs, a, b);
         for block in inner.cut(a.len, b.len, 4 * fields as u64) {
             let pairs = block.rows * block.columns;
-            let (values, planes) = inner.guarded(|| {
-                let pipeline = inner.pair_pipeline::<O>(source, "pairs_grad_main");
-                let (values, planes) = (inner.storage(pairs), inner.storage(pairs * fields));
-                let mut work = Work::new(inner);
-                let buffers = [
-                    (1, &a.pieces[block.row_piece].buffer),
-                    (2, &b.pieces[block.column_piece].buffer),
-                    (4, &values),
-                    (5, &planes),
-                ];
-                let size = [groups(block.columns), block.rows.div_ceil(STEP) as u32];
-                work.dispatch(&pipeline, block_params(&block), &buffers, size);
-                work.submit()?;
-                Ok((values, planes))
-            })?;
-            let sizes = [
-                (&values, 4 * pairs as u64),
-                (&planes, 4 * (pairs * fields) as u64),
-            ];
-            inner.bring(self, &sizes)?.finish(|part, numbers| {
-                let numbers = bytemuck::cast_slice(numbers);
-                if part == 0 {
-                    return place_block(&block, b.len, numbers, &mut grads.values);
-                }
-                let planes = grads.planes.chunks_exact_mut(a.len * b.len);
-                for (from, to) in numbers.chunks_exact(pairs).zip(planes) {
-                    place_block(&block, b.len, from, to);
-                }
-            })?;
+            let (values, planes) =
+                inner.guarded(|| Ok((inner.storage(pairs), inner.storage(pairs * fields))))?;
+            let bound = [(4, &values), (5, &planes)];
+            self.run_pairs::<O>(Kernel::PairsGrad, a, b, &block, &bound)?;
+            grads.values.blocks.push((block, values));
+            grads.planes.push(planes);
         }
         Ok(grads)
+    }
+
+    /// Runs a kernel over one block of all pairs.
+    fn run_pairs<O: GpuPair>(
+        &self,
+        kernel: Kernel,
+        a: &ShapesOf<O>,
+        b: &ShapesOf<O>,
+        block: &Block,
+        bound: &[(u32, &wgpu::Buffer)],
+    ) -> Result<(), GpuError> {
+        let inner = &self.inner;
+        inner.guarded(|| {
+            let pipeline = inner.pair_pipeline::<O>(source_for::<O>(kernel, a, b), "pairs_main");
+            let mut work = Work::new(inner);
+            let mut buffers = vec![
+                (1, &a.pieces[block.row_piece].buffer),
+                (2, &b.pieces[block.column_piece].buffer),
+            ];
+            buffers.extend(bound);
+            let size = [groups(block.columns), block.rows.div_ceil(STEP) as u32];
+            work.dispatch(&pipeline, block_params(block), &buffers, size);
+            work.submit().map(drop)
+        })
     }
 
     /// The adjoint of [`all_pairs`](Gpu::all_pairs): slopes of `Σ upstream[i, j] · result[i, j]`
@@ -298,11 +211,33 @@ impl Gpu {
         b: &ShapesOf<O>,
         upstream: &Matrix,
     ) -> Result<(BarsOf<O>, BarsOf<O>), GpuError> {
-        self.owns(&upstream.gpu)?;
-        expect(Argument::Upstream, a.len, upstream.rows)?;
+        let (mut a_bar, mut b_bar) = self.bars_for::<O>(a, b)?;
+        self.all_pairs_vjp_into::<O>(a, b, upstream, &mut a_bar, &mut b_bar)?;
+        Ok((a_bar, b_bar))
+    }
+
+    /// [`all_pairs_vjp`](Gpu::all_pairs_vjp) over slopes that are there already.
+    ///
+    /// # Errors
+    ///
+    /// As [`all_pairs_vjp`](Gpu::all_pairs_vjp), and for slopes of another length.
+    pub fn all_pairs_vjp_into<O: GpuPair>(
+        &self,
+        a: &ShapesOf<O>,
+        b: &ShapesOf<O>,
+        upstream: &Matrix,
+        a_bar: &mut BarsOf<O>,
+        b_bar: &mut BarsOf<O>,
+    ) -> Result<(), GpuError> {
+        self.own_lists(a, b)?;
+        self.fits(&upstream.gpu, Argument::Upstream, a.len, upstream.rows)?;
         expect(Argument::Upstream, b.len, upstream.columns)?;
-        let mut blocks = upstream.blocks.iter();
-        self.sweep::<O>(a, b, |_| Ok(blocks.next().expect("cut alike").1.clone()))
+        self.fit_bars::<O>(a, b, a_bar, b_bar)?;
+        let sweep = VjpSweep::new::<O>(self, Seed::Matrix, a, b, a_bar, b_bar)?;
+        for (block, upstream) in &upstream.blocks {
+            sweep.run(block, 0.0, &[(3, upstream)])?;
+        }
+        Ok(())
     }
 
     /// [`all_pairs_vjp`](Gpu::all_pairs_vjp) with an upstream matrix that is brought to the GPU
@@ -320,93 +255,201 @@ impl Gpu {
         let expected = a.len.checked_mul(b.len).ok_or(Error::TooLarge)?;
         expect(Argument::Upstream, expected, upstream.len())?;
         check_upstream(upstream)?;
-        self.sweep::<O>(a, b, |block| {
-            Ok(self.inner.stored(&block_of(block, b.len, upstream)))
-        })
+        let (a_bar, b_bar) = self.bars_for::<O>(a, b)?;
+        let sweep = VjpSweep::new::<O>(self, Seed::Matrix, a, b, &a_bar, &b_bar)?;
+        let inner = &self.inner;
+        for block in inner.cut(a.len, b.len, 4) {
+            let own = block_of(&block, b.len, upstream);
+            let upstream = inner.guarded(|| Ok(inner.stored(&own)))?;
+            sweep.run(&block, 0.0, &[(3, &upstream)])?;
+        }
+        Ok((a_bar, b_bar))
     }
 
-    /// Runs the adjoint over every block of the upstream matrix.
+    /// The sum of all results and its slopes with respect to every shape of both lists: a loss and
+    /// its gradient in one pass, without a matrix of results or of upstream slopes. It comes with
+    /// the sum as [`sum`](Gpu::sum) gives it.
     ///
-    /// What a kernel leaves are partial sums: per strip of rows for columns, per workgroup of
-    /// columns for rows. They are added block by block, in order.
-    fn sweep<O: GpuPair>(
+    /// # Errors
+    ///
+    /// As [`all_pairs`](Gpu::all_pairs).
+    pub fn sum_grad<O: GpuPair>(
         &self,
         a: &ShapesOf<O>,
         b: &ShapesOf<O>,
-        mut upstream: impl FnMut(&super::data::Block) -> Result<wgpu::Buffer, GpuError>,
-    ) -> Result<(BarsOf<O>, BarsOf<O>), GpuError> {
-        self.owns(&a.gpu)?;
-        self.owns(&b.gpu)?;
+    ) -> Result<(f64, BarsOf<O>, BarsOf<O>), GpuError> {
+        let (mut a_bar, mut b_bar) = self.bars_for::<O>(a, b)?;
+        let sum = self.sum_grad_into::<O>(a, b, 1.0, &mut a_bar, &mut b_bar)?;
+        Ok((sum, a_bar, b_bar))
+    }
+
+    /// The mean of all results and its slopes, as [`sum_grad`](Gpu::sum_grad); zeros where there
+    /// are no pairs.
+    ///
+    /// # Errors
+    ///
+    /// As [`all_pairs`](Gpu::all_pairs).
+    pub fn mean_grad<O: GpuPair>(
+        &self,
+        a: &ShapesOf<O>,
+        b: &ShapesOf<O>,
+    ) -> Result<(f64, BarsOf<O>, BarsOf<O>), GpuError> {
+        let (mut a_bar, mut b_bar) = self.bars_for::<O>(a, b)?;
+        let factor = 1.0 / (a.len as f64 * b.len as f64).max(1.0);
+        let sum = self.sum_grad_into::<O>(a, b, factor as f32, &mut a_bar, &mut b_bar)?;
+        Ok((sum * factor, a_bar, b_bar))
+    }
+
+    /// The sum of all results; over slopes that are there already those of the sum times `factor`.
+    ///
+    /// # Errors
+    ///
+    /// As [`all_pairs`](Gpu::all_pairs), and [`GpuError::Input`] for slopes of another length or a
+    /// factor that is not finite.
+    pub fn sum_grad_into<O: GpuPair>(
+        &self,
+        a: &ShapesOf<O>,
+        b: &ShapesOf<O>,
+        factor: f32,
+        a_bar: &mut BarsOf<O>,
+        b_bar: &mut BarsOf<O>,
+    ) -> Result<f64, GpuError> {
+        self.own_lists(a, b)?;
+        self.fit_bars::<O>(a, b, a_bar, b_bar)?;
+        check_upstream(&[factor])?;
+        let sweep = VjpSweep::new::<O>(self, Seed::Factor, a, b, a_bar, b_bar)?;
         let inner = &self.inner;
-        let source = Source {
-            slots: inner.slots,
-            ..source_for::<O>(Kernel::Vjp, a, b)
-        };
-        inner.guarded(|| {
-            let pipeline = inner.pair_pipeline::<O>(source, "pairs_vjp_main");
-            let fold = inner.pair_pipeline::<O>(Source::of(Kernel::Fold, "any"), "fold_main");
-            let (a_bars, b_bars) = (Bars::new(self, a.len), Bars::new(self, b.len));
-            let fields = O::Shape::LEN;
-            let cut = inner.cut(a.len, b.len, 4);
-            if cut.is_empty() {
-                // Sums of nothing: new buffers hold zeros.
-                return Ok((a_bars, b_bars));
-            }
-            for block in cut {
-                let upstream = upstream(&block)?;
-                let wide = groups(block.columns) as usize;
-                let tall = block.rows.div_ceil(STRIP_VJP);
-                let row_parts = inner.storage(wide * fields * block.rows);
-                let column_parts = inner.storage(tall * fields * block.columns);
-                let mut work = Work::new(inner);
-                let buffers = [
-                    (1, &a.pieces[block.row_piece].buffer),
-                    (2, &b.pieces[block.column_piece].buffer),
-                    (3, &upstream),
-                    (5, &row_parts),
-                    (6, &column_parts),
-                ];
-                let size = [wide as u32, tall as u32];
-                work.dispatch(&pipeline, block_params(&block), &buffers, size);
-                let a_bar = &a_bars.pieces[block.row_piece].buffer;
-                let b_bar = &b_bars.pieces[block.column_piece].buffer;
-                let rows = Params {
-                    own_count: block.rows as u32,
-                    own_start: block.row_start as u32,
-                    parts: wide as u32,
-                    more: u32::from(block.column_base > 0),
-                    fields: fields as u32,
-                    ..Params::default()
-                };
-                let columns = Params {
-                    own_count: block.columns as u32,
-                    parts: tall as u32,
-                    more: u32::from(block.row_base > 0),
-                    fields: fields as u32,
-                    ..Params::default()
-                };
-                for (params, from, to) in
-                    [(rows, &row_parts, a_bar), (columns, &column_parts, b_bar)]
-                {
-                    let size = [groups(params.own_count as usize), fields as u32];
-                    work.dispatch(&fold, params, &[(3, from), (5, to)], size);
-                }
-                work.submit()?;
-            }
-            Ok((a_bars, b_bars))
-        })
+        let mut totals = Vec::new();
+        for block in inner.cut(a.len, b.len, 4) {
+            let numbers = block.rows.div_ceil(STRIP_VJP) * block.columns;
+            let own = inner.guarded(|| Ok(inner.storage(numbers)))?;
+            sweep.run(&block, factor, &[(4, &own)])?;
+            totals.push((own, 4 * numbers as u64));
+        }
+        let mut sum = 0.0;
+        for (totals, bytes) in &totals {
+            inner
+                .bring(self, &[(totals, *bytes)])?
+                .finish(|_, numbers| sum += super::reduce::sum_of(numbers))?;
+        }
+        Ok(sum)
+    }
+
+    /// Refuses lists of other contexts.
+    pub(super) fn own_lists<P>(&self, a: &Shapes<P>, b: &Shapes<P>) -> Result<(), GpuError> {
+        self.owns(&a.gpu)?;
+        self.owns(&b.gpu)
+    }
+
+    /// Room for slopes of both lists.
+    fn bars_for<O: GpuPair>(
+        &self,
+        a: &ShapesOf<O>,
+        b: &ShapesOf<O>,
+    ) -> Result<(BarsOf<O>, BarsOf<O>), GpuError> {
+        self.own_lists(a, b)?;
+        self.inner
+            .guarded(|| Ok((Bars::room(self, a.len), Bars::room(self, b.len))))
     }
 }
 
-fn aligned_params(items: usize) -> Params {
-    Params {
-        own_count: items as u32,
-        ..Params::default()
+/// The adjoint of all pairs, block by block.
+///
+/// What a kernel leaves are partial sums: per strip of rows for columns, per workgroup of columns
+/// for rows. They are added block by block, in order.
+struct VjpSweep<'a> {
+    inner: &'a Inner,
+    pipeline: wgpu::ComputePipeline,
+    fold: wgpu::ComputePipeline,
+    fields: usize,
+    lists: [&'a [super::data::Piece]; 4],
+}
+
+impl<'a> VjpSweep<'a> {
+    fn new<O: GpuPair>(
+        gpu: &'a Gpu,
+        seed: Seed,
+        a: &'a ShapesOf<O>,
+        b: &'a ShapesOf<O>,
+        a_bar: &'a BarsOf<O>,
+        b_bar: &'a BarsOf<O>,
+    ) -> Result<Self, GpuError> {
+        let inner = &*gpu.inner;
+        let source = Source {
+            slots: inner.slots,
+            ..source_for::<O>(Kernel::Vjp(seed), a, b)
+        };
+        inner.guarded(|| {
+            let lists = [&a.pieces[..], &b.pieces, &a_bar.pieces, &b_bar.pieces];
+            if a.len == 0 || b.len == 0 {
+                // Sums of nothing.
+                inner.clear(lists[2].iter().chain(lists[3]).map(|piece| &piece.buffer));
+            }
+            Ok(VjpSweep {
+                inner,
+                pipeline: inner.pair_pipeline::<O>(source, "pairs_vjp_main"),
+                fold: inner.pair_pipeline::<Any>(Source::of(Kernel::Fold, "any"), "fold_main"),
+                fields: O::Shape::LEN,
+                lists,
+            })
+        })
+    }
+
+    /// One block; `bound` says what else the kernel is given.
+    fn run(
+        &self,
+        block: &Block,
+        factor: f32,
+        bound: &[(u32, &wgpu::Buffer)],
+    ) -> Result<(), GpuError> {
+        let VjpSweep { inner, fields, .. } = *self;
+        let [a, b, a_bar, b_bar] = self.lists;
+        inner.guarded(|| {
+            let wide = groups(block.columns) as usize;
+            let tall = block.rows.div_ceil(STRIP_VJP);
+            let row_parts = inner.storage(wide * fields * block.rows);
+            let column_parts = inner.storage(tall * fields * block.columns);
+            let mut work = Work::new(inner);
+            let mut buffers = vec![
+                (1, &a[block.row_piece].buffer),
+                (2, &b[block.column_piece].buffer),
+                (5, &row_parts),
+                (6, &column_parts),
+            ];
+            buffers.extend(bound);
+            let params = Params {
+                factor,
+                ..block_params(block)
+            };
+            work.dispatch(&self.pipeline, params, &buffers, [wide as u32, tall as u32]);
+            let rows = Params {
+                own_count: block.rows as u32,
+                out_start: block.row_start as u32,
+                parts: wide as u32,
+                more: u32::from(block.column_base > 0),
+                fields: fields as u32,
+                ..Params::default()
+            };
+            let columns = Params {
+                own_count: block.columns as u32,
+                parts: tall as u32,
+                more: u32::from(block.row_base > 0),
+                fields: fields as u32,
+                ..Params::default()
+            };
+            let a_bar = &a_bar[block.row_piece].buffer;
+            let b_bar = &b_bar[block.column_piece].buffer;
+            for (params, from, to) in [(rows, &row_parts, a_bar), (columns, &column_parts, b_bar)] {
+                let size = [groups(params.own_count as usize), fields as u32];
+                work.dispatch(&self.fold, params, &[(3, from), (5, to)], size);
+            }
+            work.submit().map(drop)
+        })
     }
 }
 
 /// Threads stand for columns and walk through rows.
-fn block_params(block: &super::data::Block) -> Params {
+fn block_params(block: &Block) -> Params {
     Params {
         own_count: block.columns as u32,
         loop_count: block.rows as u32,

@@ -1,12 +1,17 @@
-//! Reductions of all pairs on the GPU: the matrix is never written, so memory stays bounded.
-use super::data::{Piece, parts};
-use super::pairs::{ShapesOf, source_for};
-use super::source::{GpuPair, Kernel, STRIP, Source};
+//! Reductions on the GPU, of all pairs of two lists or of a matrix that is there already.
+//!
+//! Of two lists the matrix is never written, so memory stays bounded.
+use super::block::Block;
+use super::data::Piece;
+use super::download::{download, parts};
+use super::pairs::{Any, ShapesOf, source_for};
+use super::source::{GpuPair, Kernel, STRIP, Source, Take, pair_source};
 use super::work::{Params, Work, groups};
-use super::{Gpu, Inner, Pending};
+use super::{Gpu, Inner, Matrix, Pending, Shapes};
+use crate::error::Argument;
 use crate::kernels::GpuError;
 pub use crate::kernels::reduce::Best;
-use crate::kernels::reduce::Found;
+use crate::kernels::reduce::{check_sides, check_threshold};
 
 /// The largest score of every row (or column) and where it is, on the GPU.
 #[derive(Clone, Debug)]
@@ -14,10 +19,13 @@ pub struct Bests {
     gpu: Gpu,
     values: Vec<Piece>,
     indices: Vec<Piece>,
+    len: usize,
+    /// How many there were to choose from.
+    among: usize,
 }
 
 impl Bests {
-    /// Starts bringing them back.
+    /// Starts bringing them back, in the order of the rows (or columns).
     ///
     /// # Errors
     ///
@@ -45,85 +53,287 @@ impl Bests {
                 .collect())
         }))
     }
-
-    /// Brings them back, in the order of the rows (or columns).
-    ///
-    /// # Errors
-    ///
-    /// What the device says.
-    pub fn download(&self) -> Result<Vec<Best>, GpuError> {
-        self.start_download()?.wait()
-    }
 }
 
-/// One dispatch of a reduction: a run of own shapes by a run of walked ones.
-#[derive(Clone, Copy, Debug)]
-struct Sweep {
-    own_piece: usize,
+download! {
+    [] Bests => Vec<Best>;
+}
+
+/// One dispatch of a reduction: a run of own rows (or columns) by a run of walked ones.
+#[derive(Clone, Debug)]
+pub(super) struct Sweep {
+    /// Where the own ones begin in what is bound.
     own_start: usize,
+    /// Where their results go.
+    out_piece: usize,
+    out_start: usize,
+    /// The first one's index in the whole list.
     own_base: usize,
-    own: usize,
-    walked_piece: usize,
-    walked_base: usize,
+    pub own: usize,
+    pub walked_base: usize,
     walked: usize,
+    /// Two lists of shapes or a block of a matrix, and where they are bound.
+    pub bound: Vec<(u32, wgpu::Buffer)>,
 }
 
 impl Sweep {
-    fn strips(&self) -> usize {
+    pub fn strips(&self) -> usize {
         self.walked.div_ceil(STRIP)
     }
 
-    /// The same in two, for own shapes that found more than a buffer holds.
-    fn halves(self) -> (Sweep, Sweep) {
+    /// Partial results: one per own row (or column) and strip.
+    pub fn room(&self) -> usize {
+        self.own * self.strips()
+    }
+
+    /// Workgroups.
+    pub fn size(&self) -> [u32; 2] {
+        [groups(self.own), self.strips() as u32]
+    }
+
+    /// The same in two, for own rows that found more than a buffer holds.
+    pub fn halves(self) -> [Sweep; 2] {
         let half = self.own / 2;
         let second = Sweep {
             own_start: self.own_start + half,
+            out_start: self.out_start + half,
             own_base: self.own_base + half,
             own: self.own - half,
-            ..self
+            ..self.clone()
         };
-        (Sweep { own: half, ..self }, second)
+        [Sweep { own: half, ..self }, second]
     }
 
-    fn params(&self) -> Params {
+    pub fn params(&self, threshold: f32) -> Params {
         Params {
             own_count: self.own as u32,
             own_start: self.own_start as u32,
+            out_start: self.out_start as u32,
             own_base: self.own_base as u32,
             loop_count: self.walked as u32,
             loop_base: self.walked_base as u32,
             parts: self.strips() as u32,
+            more: u32::from(self.walked_base > 0),
+            factor: threshold,
             ..Params::default()
         }
     }
+
+    /// Everything a kernel is given, with what else is bound.
+    pub fn buffers<'a>(&'a self, more: &[(u32, &'a wgpu::Buffer)]) -> Vec<(u32, &'a wgpu::Buffer)> {
+        let own = self.bound.iter().map(|(at, buffer)| (*at, buffer));
+        own.chain(more.iter().copied()).collect()
+    }
+}
+
+/// All pairs as a reduction sees them: own rows (or columns) by walked columns (or rows).
+pub(super) struct Table<'a> {
+    pub gpu: &'a Gpu,
+    own: usize,
+    walked: usize,
+    /// The shader but for what it takes of the scores.
+    source: Source,
+    text: fn(Source) -> String,
+    pub sweeps: Vec<Sweep>,
+}
+
+impl<'a> Table<'a> {
+    /// Of two lists.
+    pub fn of_shapes<O: GpuPair>(
+        gpu: &'a Gpu,
+        a: &ShapesOf<O>,
+        b: &ShapesOf<O>,
+        own_rows: bool,
+    ) -> Result<Self, GpuError> {
+        gpu.own_lists(a, b)?;
+        let (own, walked) = if own_rows { (a, b) } else { (b, a) };
+        let bound = |own: &Piece, walked: &Piece| {
+            let (at_own, at_walked) = if own_rows { (1, 2) } else { (2, 1) };
+            vec![
+                (at_own, own.buffer.clone()),
+                (at_walked, walked.buffer.clone()),
+            ]
+        };
+        Ok(Table {
+            gpu,
+            own: own.len,
+            walked: walked.len,
+            source: Source {
+                own_rows,
+                ..source_for::<O>(Kernel::Reduce(Take::Best), a, b)
+            },
+            text: pair_source::<O>,
+            sweeps: gpu.inner.sweeps(&own.pieces, &walked.pieces, bound),
+        })
+    }
+
+    /// Of a matrix that is there already.
+    pub fn of_matrix(matrix: &'a Matrix, own_rows: bool) -> Self {
+        let (own, walked) = match own_rows {
+            true => (matrix.rows, matrix.columns),
+            false => (matrix.columns, matrix.rows),
+        };
+        let rows = |(block, buffer): &(Block, wgpu::Buffer)| Sweep {
+            own_start: 0,
+            out_piece: block.row_piece,
+            out_start: block.row_start,
+            own_base: block.row_base,
+            own: block.rows,
+            walked_base: block.column_base,
+            walked: block.columns,
+            bound: vec![(3, buffer.clone())],
+        };
+        let columns = |(block, buffer): &(Block, wgpu::Buffer)| Sweep {
+            own_start: 0,
+            out_piece: block.column_piece,
+            out_start: 0,
+            own_base: block.column_base,
+            own: block.columns,
+            walked_base: block.row_base,
+            walked: block.rows,
+            bound: vec![(3, buffer.clone())],
+        };
+        Table {
+            gpu: &matrix.gpu,
+            own,
+            walked,
+            source: Source {
+                own_rows,
+                ..Source::of(Kernel::ReduceMatrix(Take::Best), "any")
+            },
+            text: pair_source::<Any>,
+            sweeps: match own_rows {
+                true => matrix.blocks.iter().map(rows).collect(),
+                false => matrix.blocks.iter().map(columns).collect(),
+            },
+        }
+    }
+
+    /// The shader that takes this of the scores.
+    pub fn pipeline(&self, take: Take) -> wgpu::ComputePipeline {
+        let kernel = match self.source.kernel {
+            Kernel::ReduceMatrix(_) => Kernel::ReduceMatrix(take),
+            _ => Kernel::Reduce(take),
+        };
+        let source = Source {
+            kernel,
+            ..self.source
+        };
+        let inner = &self.gpu.inner;
+        inner.pipeline(source, "reduce_main", || (self.text)(source))
+    }
+
+    /// The largest of every own row (or column).
+    fn best(self) -> Result<Bests, GpuError> {
+        let inner = &self.gpu.inner;
+        inner.guarded(|| {
+            let pipeline = self.pipeline(Take::Best);
+            let gather = inner.gather_pipeline("best_of_strips_main");
+            let values = inner.pieces(self.own, 1);
+            let indices = inner.pieces(self.own, 1);
+            for sweep in &self.sweeps {
+                let part_values = inner.storage(sweep.room());
+                let part_indices = inner.storage(sweep.room());
+                let mut work = Work::new(inner);
+                let buffers = sweep.buffers(&[(4, &part_values), (7, &part_indices)]);
+                work.dispatch(&pipeline, sweep.params(0.0), &buffers, sweep.size());
+                let buffers = [
+                    (3, &part_values),
+                    (8, &part_indices),
+                    (4, &values[sweep.out_piece].buffer),
+                    (7, &indices[sweep.out_piece].buffer),
+                ];
+                let size = [groups(sweep.own), 1];
+                work.dispatch(&gather, sweep.params(0.0), &buffers, size);
+                work.submit()?;
+            }
+            Ok(Bests {
+                gpu: self.gpu.clone(),
+                values,
+                indices,
+                len: self.own,
+                among: self.walked,
+            })
+        })
+    }
+
+    /// One number per own row and strip, brought back.
+    fn totals(
+        self,
+        take: Take,
+        threshold: f32,
+        mut each: impl FnMut(&[u32]),
+    ) -> Result<(), GpuError> {
+        let inner = &self.gpu.inner;
+        let binding = if take == Take::Count { 7 } else { 4 };
+        for sweep in &self.sweeps {
+            let totals = inner.guarded(|| {
+                let pipeline = self.pipeline(take);
+                let totals = inner.storage(sweep.room());
+                let mut work = Work::new(inner);
+                let buffers = sweep.buffers(&[(binding, &totals)]);
+                work.dispatch(&pipeline, sweep.params(threshold), &buffers, sweep.size());
+                work.submit()?;
+                Ok(totals)
+            })?;
+            inner
+                .bring(self.gpu, &[(&totals, 4 * sweep.room() as u64)])?
+                .finish(|_, numbers| each(numbers))?;
+        }
+        Ok(())
+    }
+
+    fn count_above(self, threshold: f32) -> Result<u64, GpuError> {
+        check_threshold(threshold)?;
+        let mut count = 0;
+        self.totals(Take::Count, threshold, |numbers| {
+            count += numbers.iter().map(|&n| u64::from(n)).sum::<u64>();
+        })?;
+        Ok(count)
+    }
+
+    fn sum(self) -> Result<f64, GpuError> {
+        let mut sum = 0.0;
+        self.totals(Take::Sum, 0.0, |numbers| sum += sum_of(numbers))?;
+        Ok(sum)
+    }
+}
+
+/// The sum of partial sums that were brought back.
+pub(super) fn sum_of(numbers: &[u32]) -> f64 {
+    let wide = |&n: &u32| f64::from(f32::from_bits(n));
+    numbers.iter().map(wide).sum()
 }
 
 impl Inner {
-    /// How a reduction is cut: own shapes so that partial results fit a buffer.
-    fn sweeps(&self, own: usize, walked: usize) -> Vec<Sweep> {
+    /// How a reduction of two lists is cut: own shapes so that partial results fit a buffer.
+    fn sweeps(
+        &self,
+        own: &[Piece],
+        walked: &[Piece],
+        bound: impl Fn(&Piece, &Piece) -> Vec<(u32, wgpu::Buffer)>,
+    ) -> Vec<Sweep> {
         // As a matrix with one column per strip and four numbers per entry; whole workgroups.
-        let widest = self.chunk.min(walked).max(1);
+        let widest = walked.first().map_or(1, |piece| piece.items);
         let pairs =
             (self.most_bytes as usize / 16 / widest.div_ceil(STRIP)).min((1 << 30) / widest);
-        let most = (pairs.max(1)).min(self.chunk);
+        let most = pairs.max(1);
         let mut sweeps = Vec::new();
-        let mut own_base = 0;
-        while own_base < own {
-            // Not beyond the end of the piece.
-            let own_start = own_base % self.chunk;
-            let count = most.min(own - own_base).min(self.chunk - own_start);
-            for (walked_piece, walked_base) in (0..walked).step_by(self.chunk).enumerate() {
-                sweeps.push(Sweep {
-                    own_piece: own_base / self.chunk,
-                    own_start,
-                    own_base,
-                    own: count,
-                    walked_piece,
-                    walked_base,
-                    walked: self.chunk.min(walked - walked_base),
-                });
+        for (out_piece, own) in own.iter().enumerate() {
+            for own_start in (0..own.items).step_by(most) {
+                for (i, walked) in walked.iter().enumerate() {
+                    sweeps.push(Sweep {
+                        own_start,
+                        out_piece,
+                        out_start: own_start,
+                        own_base: out_piece * self.chunk + own_start,
+                        own: most.min(own.items - own_start),
+                        walked_base: i * self.chunk,
+                        walked: walked.items,
+                        bound: bound(own, walked),
+                    });
+                }
             }
-            own_base += count;
         }
         sweeps
     }
@@ -138,7 +348,8 @@ impl Gpu {
     /// [`GpuError::ForeignBuffer`], [`GpuError::Input`] for rows without columns, or what the
     /// device says.
     pub fn row_max<O: GpuPair>(&self, a: &ShapesOf<O>, b: &ShapesOf<O>) -> Result<Bests, GpuError> {
-        self.best::<O>(a, b, true)
+        check_sides(a.len, b.len, true)?;
+        Table::of_shapes::<O>(self, a, b, true)?.best()
     }
 
     /// The largest score of every column and its row; of several the first.
@@ -151,154 +362,8 @@ impl Gpu {
         a: &ShapesOf<O>,
         b: &ShapesOf<O>,
     ) -> Result<Bests, GpuError> {
-        self.best::<O>(a, b, false)
-    }
-
-    fn best<O: GpuPair>(
-        &self,
-        a: &ShapesOf<O>,
-        b: &ShapesOf<O>,
-        own_rows: bool,
-    ) -> Result<Bests, GpuError> {
-        self.owns(&a.gpu)?;
-        self.owns(&b.gpu)?;
-        crate::kernels::reduce::check_sides(a.len, b.len, own_rows)?;
-        let (own, walked) = if own_rows { (a, b) } else { (b, a) };
-        let inner = &self.inner;
-        let source = Source {
-            own_rows,
-            ..source_for::<O>(Kernel::Reduce, a, b)
-        };
-        inner.guarded(|| {
-            let pipeline = inner.pair_pipeline::<O>(source, "best_main");
-            let gather = Source::of(Kernel::Gather, "any");
-            let gather = inner.pair_pipeline::<O>(gather, "best_of_strips_main");
-            let values = inner.pieces(own.len, 1);
-            let indices = inner.pieces(own.len, 1);
-            for sweep in inner.sweeps(own.len, walked.len) {
-                let room = sweep.own * sweep.strips();
-                let (part_values, part_indices) = (inner.storage(room), inner.storage(room));
-                let mut work = Work::new(inner);
-                let buffers = [
-                    (1, &a.pieces[sweep.piece_of_a(own_rows)].buffer),
-                    (2, &b.pieces[sweep.piece_of_b(own_rows)].buffer),
-                    (4, &part_values),
-                    (7, &part_indices),
-                ];
-                let size = [groups(sweep.own), sweep.strips() as u32];
-                work.dispatch(&pipeline, sweep.params(), &buffers, size);
-                let params = Params {
-                    more: u32::from(sweep.walked_base > 0),
-                    ..sweep.params()
-                };
-                let buffers = [
-                    (3, &part_values),
-                    (8, &part_indices),
-                    (4, &values[sweep.own_piece].buffer),
-                    (7, &indices[sweep.own_piece].buffer),
-                ];
-                work.dispatch(&gather, params, &buffers, [groups(sweep.own), 1]);
-                work.submit()?;
-            }
-            Ok(Bests {
-                gpu: self.clone(),
-                values,
-                indices,
-            })
-        })
-    }
-
-    /// Every pair whose score is above the threshold, row by row and within a row by column.
-    ///
-    /// Counted first, then written to places that follow from the counts, so the order is the same
-    /// every time.
-    ///
-    /// # Errors
-    ///
-    /// [`GpuError::ForeignBuffer`], [`GpuError::Input`] for a threshold that is not a number, or
-    /// what the device says.
-    pub fn above<O: GpuPair>(
-        &self,
-        a: &ShapesOf<O>,
-        b: &ShapesOf<O>,
-        threshold: f32,
-    ) -> Result<Vec<Found>, GpuError> {
-        self.owns(&a.gpu)?;
-        self.owns(&b.gpu)?;
-        crate::kernels::reduce::check_threshold(threshold)?;
-        let inner = &self.inner;
-        let source = Source {
-            own_rows: true,
-            ..source_for::<O>(Kernel::Reduce, a, b)
-        };
-        let mut all: Vec<Found> = Vec::new();
-        let columns = b.pieces.len();
-        let mut sweeps = inner.sweeps(a.len, b.len);
-        sweeps.reverse();
-        while let Some(sweep) = sweeps.pop() {
-            let counts_len = sweep.own * sweep.strips();
-            let params = Params {
-                threshold,
-                ..sweep.params()
-            };
-            let size = [groups(sweep.own), sweep.strips() as u32];
-            let (a, b) = (
-                &a.pieces[sweep.own_piece].buffer,
-                &b.pieces[sweep.walked_piece].buffer,
-            );
-            let (places, total) = inner.guarded(|| {
-                let count = inner.pair_pipeline::<O>(source, "count_main");
-                let gather = Source::of(Kernel::Gather, "any");
-                let place = inner.pair_pipeline::<O>(gather, "places_main");
-                let places = inner.storage(counts_len + 1);
-                let total = inner.storage(1);
-                let mut work = Work::new(inner);
-                work.dispatch(&count, params, &[(1, a), (2, b), (7, &places)], size);
-                let list = Params {
-                    own_count: counts_len as u32,
-                    ..Params::default()
-                };
-                work.dispatch(&place, list, &[(7, &places)], [1, 1]);
-                work.copy(&places, 4 * counts_len as u64, &total, 4);
-                work.submit()?;
-                Ok((places, total))
-            })?;
-            let mut found = 0;
-            inner
-                .bring(self, &[(&total, 4)])?
-                .finish(|_, numbers| found = numbers[0] as usize)?;
-            if found == 0 {
-                continue;
-            }
-            if 12 * found as u64 > inner.most_bytes && sweep.own > 1 {
-                let (first, second) = sweep.halves();
-                sweeps.extend([second, first]);
-                continue;
-            }
-            let list = inner.guarded(|| {
-                let write = inner.pair_pipeline::<O>(source, "write_main");
-                let list = inner.storage(3 * found);
-                let mut work = Work::new(inner);
-                let buffers = [(1, a), (2, b), (4, &list), (7, &places)];
-                work.dispatch(&write, params, &buffers, size);
-                work.submit()?;
-                Ok(list)
-            })?;
-            inner
-                .bring(self, &[(&list, 12 * found as u64)])?
-                .finish(|_, numbers| {
-                    all.extend(numbers.chunks_exact(3).map(|entry| Found {
-                        row: entry[0] as usize,
-                        column: entry[1] as usize,
-                        value: f32::from_bits(entry[2]),
-                    }));
-                })?;
-        }
-        if columns > 1 {
-            // Columns came piece by piece.
-            all.sort_by_key(|found| (found.row, found.column));
-        }
-        Ok(all)
+        check_sides(a.len, b.len, false)?;
+        Table::of_shapes::<O>(self, a, b, false)?.best()
     }
 
     /// How many pairs have a score above the threshold.
@@ -312,12 +377,7 @@ impl Gpu {
         b: &ShapesOf<O>,
         threshold: f32,
     ) -> Result<u64, GpuError> {
-        crate::kernels::reduce::check_threshold(threshold)?;
-        let mut count = 0;
-        self.totals::<O>(a, b, "count_main", 7, threshold, |numbers| {
-            count += numbers.iter().map(|&n| u64::from(n)).sum::<u64>();
-        })?;
-        Ok(count)
+        Table::of_shapes::<O>(self, a, b, true)?.count_above(threshold)
     }
 
     /// The sum of all scores: what a loss is made of. Up to 1024 scores are added in `f32`, those
@@ -327,14 +387,7 @@ impl Gpu {
     ///
     /// [`GpuError::ForeignBuffer`], or what the device says.
     pub fn sum<O: GpuPair>(&self, a: &ShapesOf<O>, b: &ShapesOf<O>) -> Result<f64, GpuError> {
-        let mut sum = 0.0;
-        self.totals::<O>(a, b, "sum_main", 4, 0.0, |numbers| {
-            sum += numbers
-                .iter()
-                .map(|&n| f64::from(f32::from_bits(n)))
-                .sum::<f64>();
-        })?;
-        Ok(sum)
+        Table::of_shapes::<O>(self, a, b, true)?.sum()
     }
 
     /// The mean of all scores; zero where there are none.
@@ -346,65 +399,89 @@ impl Gpu {
         let count = a.len as f64 * b.len as f64;
         Ok(self.sum::<O>(a, b)? / count.max(1.0))
     }
+}
 
-    /// One number per row and strip, brought back.
-    fn totals<O: GpuPair>(
-        &self,
-        a: &ShapesOf<O>,
-        b: &ShapesOf<O>,
-        entry: &'static str,
-        binding: u32,
-        threshold: f32,
-        mut each: impl FnMut(&[u32]),
-    ) -> Result<(), GpuError> {
-        self.owns(&a.gpu)?;
-        self.owns(&b.gpu)?;
-        let inner = &self.inner;
-        let source = Source {
-            own_rows: true,
-            ..source_for::<O>(Kernel::Reduce, a, b)
-        };
-        for sweep in inner.sweeps(a.len, b.len) {
-            let room = sweep.own * sweep.strips();
-            let totals = inner.guarded(|| {
-                let pipeline = inner.pair_pipeline::<O>(source, entry);
-                let totals = inner.storage(room);
-                let mut work = Work::new(inner);
-                let buffers = [
-                    (1, &a.pieces[sweep.own_piece].buffer),
-                    (2, &b.pieces[sweep.walked_piece].buffer),
-                    (binding, &totals),
-                ];
-                let params = Params {
-                    threshold,
-                    ..sweep.params()
-                };
-                let size = [groups(sweep.own), sweep.strips() as u32];
-                work.dispatch(&pipeline, params, &buffers, size);
-                work.submit()?;
-                Ok(totals)
-            })?;
-            inner
-                .bring(self, &[(&totals, 4 * room as u64)])?
-                .finish(|_, numbers| each(numbers))?;
-        }
-        Ok(())
+impl Matrix {
+    /// The largest number of every row and its column; of several the first.
+    ///
+    /// # Errors
+    ///
+    /// [`GpuError::Input`] for rows without columns, or what the device says.
+    pub fn row_max(&self) -> Result<Bests, GpuError> {
+        check_sides(self.rows, self.columns, true)?;
+        Table::of_matrix(self, true).best()
+    }
+
+    /// The largest number of every column and its row; of several the first.
+    ///
+    /// # Errors
+    ///
+    /// [`GpuError::Input`] for columns without rows, or what the device says.
+    pub fn column_max(&self) -> Result<Bests, GpuError> {
+        check_sides(self.rows, self.columns, false)?;
+        Table::of_matrix(self, false).best()
+    }
+
+    /// How many numbers are above the threshold.
+    ///
+    /// # Errors
+    ///
+    /// [`GpuError::Input`] for a threshold that is not finite, or what the device says.
+    pub fn count_above(&self, threshold: f32) -> Result<u64, GpuError> {
+        Table::of_matrix(self, true).count_above(threshold)
+    }
+
+    /// The sum of all numbers, added as [`Gpu::sum`] does.
+    ///
+    /// # Errors
+    ///
+    /// What the device says.
+    pub fn sum(&self) -> Result<f64, GpuError> {
+        Table::of_matrix(self, true).sum()
+    }
+
+    /// The mean of all numbers; zero where there are none.
+    ///
+    /// # Errors
+    ///
+    /// What the device says.
+    pub fn mean(&self) -> Result<f64, GpuError> {
+        let count = self.rows as f64 * self.columns as f64;
+        Ok(self.sum()? / count.max(1.0))
     }
 }
 
-impl Sweep {
-    fn piece_of_a(&self, own_rows: bool) -> usize {
-        if own_rows {
-            self.own_piece
-        } else {
-            self.walked_piece
-        }
-    }
-    fn piece_of_b(&self, own_rows: bool) -> usize {
-        if own_rows {
-            self.walked_piece
-        } else {
-            self.own_piece
-        }
+impl<P: super::GpuShape> Shapes<P> {
+    /// The shape of this list that each row (or column) found best: `b.pick(&row_max)` has as many
+    /// shapes as `a`, ready to be aligned with it.
+    ///
+    /// # Errors
+    ///
+    /// [`GpuError::ForeignBuffer`], [`GpuError::Input`] for results about a list of another length,
+    /// or what the device says.
+    pub fn pick(&self, bests: &Bests) -> Result<Shapes<P>, GpuError> {
+        self.gpu
+            .fits(&bests.gpu, Argument::Shape, bests.among, self.len)?;
+        let inner = &self.gpu.inner;
+        inner.guarded(|| {
+            let picked = Shapes::room(&self.gpu, bests.len, self.is_ordinary());
+            let pipeline = inner.gather_pipeline("pick_main");
+            let mut work = Work::new(inner);
+            for (to, indices) in picked.pieces.iter().zip(&bests.indices) {
+                for (i, from) in self.pieces.iter().enumerate() {
+                    let params = Params {
+                        own_count: to.items as u32,
+                        loop_count: from.items as u32,
+                        loop_base: (i * inner.chunk) as u32,
+                        fields: P::QUADS as u32,
+                        ..Params::default()
+                    };
+                    let buffers = [(1, &from.buffer), (7, &indices.buffer), (4, &to.buffer)];
+                    work.dispatch(&pipeline, params, &buffers, [groups(to.items), 1]);
+                }
+            }
+            work.submit()?;
+            Ok(picked)
+        })
     }
 }

@@ -5,12 +5,10 @@ use super::{Gpu, GpuPair, GpuRing};
 use crate::Vec2;
 use crate::error::Argument;
 use crate::kernels::GpuError;
+use crate::kernels::backend::{Loss, Slopes as Both};
 use crate::kernels::cpu::{A, AlignedGrads, B, PairGrads};
 use crate::kernels::reduce::{Best, Found};
 use crate::kernels::tile::expect;
-
-/// Slopes with respect to both lists.
-type Both<O> = (Vec<A<O, f32>>, Vec<B<O, f32>>);
 
 /// Both lists on the GPU.
 fn lists<O: GpuPair>(
@@ -60,6 +58,38 @@ impl Gpu {
         Ok((values.wait()?, a_bars, b_bars))
     }
 
+    pub(crate) fn aligned_into_slices<O: GpuPair>(
+        &self,
+        a: &[A<O, f32>],
+        b: &[B<O, f32>],
+        values: &mut [f32],
+    ) -> Result<(), GpuError> {
+        expect(Argument::B, a.len(), b.len())?;
+        expect(Argument::Values, a.len(), values.len())?;
+        let (a, b) = lists::<O>(self, a, b)?;
+        self.aligned::<O>(&a, &b)?.download_into(values)
+    }
+
+    pub(crate) fn aligned_grad_into_slices<O: GpuPair>(
+        &self,
+        a: &[A<O, f32>],
+        b: &[B<O, f32>],
+        values: &mut [f32],
+        a_bar: &mut [A<O, f32>],
+        b_bar: &mut [B<O, f32>],
+    ) -> Result<(), GpuError> {
+        expect(Argument::B, a.len(), b.len())?;
+        expect(Argument::Values, a.len(), values.len())?;
+        expect(Argument::GradA, a.len(), a_bar.len())?;
+        expect(Argument::GradB, b.len(), b_bar.len())?;
+        let found = self.aligned_grad_slices::<O>(a, b)?;
+        // All of it is here: nothing is left half written.
+        values.copy_from_slice(&found.0);
+        a_bar.copy_from_slice(&found.1);
+        b_bar.copy_from_slice(&found.2);
+        Ok(())
+    }
+
     pub(crate) fn aligned_vjp_slices<O: GpuPair>(
         &self,
         a: &[A<O, f32>],
@@ -88,7 +118,7 @@ impl Gpu {
         b: &[B<O, f32>],
     ) -> Result<PairGrads<O, f32>, GpuError> {
         let (a, b) = lists::<O>(self, a, b)?;
-        self.all_pairs_grad::<O>(&a, &b)
+        self.all_pairs_grad::<O>(&a, &b)?.download()
     }
 
     pub(crate) fn all_pairs_vjp_slices<O: GpuPair>(
@@ -99,6 +129,28 @@ impl Gpu {
     ) -> Result<Both<O>, GpuError> {
         let (a, b) = lists::<O>(self, a, b)?;
         both::<O>(self.all_pairs_vjp_from::<O>(&a, &b, upstream)?)
+    }
+
+    pub(crate) fn sum_grad_slices<O: GpuPair>(
+        &self,
+        a: &[A<O, f32>],
+        b: &[B<O, f32>],
+    ) -> Result<Loss<O>, GpuError> {
+        let (a, b) = lists::<O>(self, a, b)?;
+        let (sum, a_bar, b_bar) = self.sum_grad::<O>(&a, &b)?;
+        let (a_bar, b_bar) = both::<O>((a_bar, b_bar))?;
+        Ok((sum, a_bar, b_bar))
+    }
+
+    pub(crate) fn mean_grad_slices<O: GpuPair>(
+        &self,
+        a: &[A<O, f32>],
+        b: &[B<O, f32>],
+    ) -> Result<Loss<O>, GpuError> {
+        let (a, b) = lists::<O>(self, a, b)?;
+        let (mean, a_bar, b_bar) = self.mean_grad::<O>(&a, &b)?;
+        let (a_bar, b_bar) = both::<O>((a_bar, b_bar))?;
+        Ok((mean, a_bar, b_bar))
     }
 
     pub(crate) fn row_max_slices<O: GpuPair>(
@@ -126,7 +178,7 @@ impl Gpu {
         threshold: f32,
     ) -> Result<Vec<Found>, GpuError> {
         let (a, b) = lists::<O>(self, a, b)?;
-        self.above::<O>(&a, &b, threshold)
+        self.above::<O>(&a, &b, threshold)?.download()
     }
 
     pub(crate) fn count_above_slices<O: GpuPair>(

@@ -18,6 +18,9 @@ pub(super) const TILE: usize = 64;
 pub(super) const GROUP: usize = 256;
 /// Walked shapes kept close to the threads at a time.
 pub(super) const STEP: usize = 64;
+/// Walked columns of a matrix kept close to the threads at a time: whole sectors of memory, of every
+/// thread's row.
+const STEP_MATRIX: usize = 8;
 /// The same for adjoints, which keep sums beside them, one of 20 bytes per walked shape and slot:
 /// at most 10 KiB, of the 16 KiB that WebGPU promises.
 const fn step_vjp(slots: usize) -> usize {
@@ -135,17 +138,52 @@ impl GpuRing for Centroid {
     const VJP_ENTRY: &'static str = "centroid_vjp_main";
 }
 
-/// A shader file of batches of pairs.
+/// What a shader does.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub(super) enum Kernel {
     Aligned,
     Pairs,
-    Vjp,
+    PairsGrad,
+    Vjp(Seed),
     Fold,
-    Reduce,
+    /// Of two lists.
+    Reduce(Take),
+    /// Of a matrix that is there already.
+    ReduceMatrix(Take),
     Gather,
     Ragged,
 }
+
+/// What slopes are multiplied by.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub(super) enum Seed {
+    Matrix,
+    /// One factor for all; the scores are added up as well.
+    Factor,
+}
+
+/// What a reduction takes of scores.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub(super) enum Take {
+    Best,
+    Count,
+    Found,
+    Sum,
+}
+
+impl Take {
+    fn text(self) -> &'static str {
+        match self {
+            Take::Best => include_str!("take_best.wgsl"),
+            Take::Count => include_str!("take_count.wgsl"),
+            Take::Found => include_str!("take_found.wgsl"),
+            Take::Sum => include_str!("take_sum.wgsl"),
+        }
+    }
+}
+
+const REDUCE: &str = include_str!("reduce.wgsl");
+const PAIRS: &str = include_str!("pairs.wgsl");
 
 /// Everything a shader depends on.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
@@ -213,7 +251,8 @@ const BATCH: &str = include_str!("batch.wgsl");
 /// The shader of an operation of two shapes.
 pub(super) fn pair_source<O: GpuPair>(source: Source) -> String {
     let (step, strip) = match source.kernel {
-        Kernel::Vjp => (step_vjp(source.slots), STRIP_VJP),
+        Kernel::Vjp(_) => (step_vjp(source.slots), STRIP_VJP),
+        Kernel::ReduceMatrix(_) => (STEP_MATRIX, STRIP),
         _ => (STEP, STRIP),
     };
     let mut text = constants(step, strip);
@@ -235,20 +274,27 @@ pub(super) fn pair_source<O: GpuPair>(source: Source) -> String {
     for file in [PRELUDE, clip, overlap, O::Shape::WGSL, BATCH] {
         text.push_str(file);
     }
-    match source.kernel {
-        Kernel::Aligned => text.push_str(include_str!("aligned.wgsl")),
-        Kernel::Pairs => text.push_str(include_str!("pairs.wgsl")),
-        Kernel::Vjp => {
-            text.push_str(include_str!("vjp.wgsl"));
-            text.push_str(match source.slots {
+    let files: &[&str] = match source.kernel {
+        Kernel::Aligned => &[include_str!("aligned.wgsl")],
+        Kernel::Pairs => &[PAIRS, include_str!("put_value.wgsl")],
+        Kernel::PairsGrad => &[PAIRS, include_str!("put_grad.wgsl")],
+        Kernel::Vjp(seed) => &[
+            include_str!("vjp.wgsl"),
+            match seed {
+                Seed::Matrix => include_str!("seed_matrix.wgsl"),
+                Seed::Factor => include_str!("seed_factor.wgsl"),
+            },
+            match source.slots {
                 0 => include_str!("sum_workgroup.wgsl"),
                 _ => include_str!("sum_subgroup.wgsl"),
-            });
-        }
-        Kernel::Reduce => text.push_str(include_str!("reduce.wgsl")),
-        Kernel::Fold => text.push_str(include_str!("fold.wgsl")),
-        Kernel::Gather | Kernel::Ragged => text.push_str(include_str!("gather.wgsl")),
-    }
+            },
+        ],
+        Kernel::Reduce(take) => &[REDUCE, include_str!("reduce_shapes.wgsl"), take.text()],
+        Kernel::ReduceMatrix(take) => &[REDUCE, include_str!("reduce_matrix.wgsl"), take.text()],
+        Kernel::Fold => &[include_str!("fold.wgsl")],
+        Kernel::Gather | Kernel::Ragged => &[include_str!("gather.wgsl")],
+    };
+    text.extend(files.iter().copied());
     text
 }
 
@@ -276,14 +322,19 @@ pub(super) fn ring_source<O: GpuRing>() -> String {
 #[must_use]
 pub fn pair_sources<O: GpuPair>() -> Vec<(String, String)> {
     let mut all = Vec::new();
-    for kernel in [
+    let takes = [Take::Best, Take::Count, Take::Found, Take::Sum];
+    let mut kernels = vec![
         Kernel::Aligned,
         Kernel::Pairs,
-        Kernel::Vjp,
+        Kernel::PairsGrad,
+        Kernel::Vjp(Seed::Matrix),
+        Kernel::Vjp(Seed::Factor),
         Kernel::Fold,
-        Kernel::Reduce,
         Kernel::Gather,
-    ] {
+    ];
+    kernels.extend(takes.map(Kernel::Reduce));
+    kernels.extend(takes.map(Kernel::ReduceMatrix));
+    for kernel in kernels {
         for (extreme, own_rows, slots) in [(false, false, 0), (true, true, 8)] {
             let source = Source {
                 extreme,

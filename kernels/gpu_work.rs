@@ -1,4 +1,5 @@
 //! Running kernels: pipelines, dispatches, error scopes.
+use super::download::State;
 use super::source::{GROUP, Source};
 use super::{Inner, locked};
 use crate::kernels::GpuError;
@@ -17,8 +18,10 @@ pub(super) struct Params {
     pub own_base: u32,
     pub parts: u32,
     pub more: u32,
-    pub threshold: f32,
+    /// What scores are compared with, or slopes multiplied by.
+    pub factor: f32,
     pub fields: u32,
+    pub out_start: u32,
 }
 
 /// The bytes of the parameters, rounded up as uniform buffers want them.
@@ -121,8 +124,7 @@ impl<'a> Work<'a> {
         let staging = self.inner.staging(bytes);
         self.copy(&resolved, 0, &staging, bytes);
         let index = self.inner.queue.submit([self.encoder.finish()]);
-        staging.map_async(wgpu::MapMode::Read, .., |_| {});
-        self.inner.wait(Some(index.clone()))?;
+        State::of([&staging].into_iter()).wait(self.inner, &index)?;
         let view = staging
             .get_mapped_range(..)
             .map_err(|_| GpuError::DeviceLost)?;
@@ -184,11 +186,16 @@ impl Inner {
         usage: wgpu::BufferUsages,
     ) -> wgpu::Buffer {
         let buffer = self.buffer(bytes, usage);
+        self.write(&buffer, from);
+        buffer
+    }
+
+    /// Writes to the start of a buffer.
+    pub fn write<T: bytemuck::NoUninit>(&self, buffer: &wgpu::Buffer, from: &[T]) {
         if !from.is_empty() {
             self.queue
-                .write_buffer(&buffer, 0, bytemuck::cast_slice(from));
+                .write_buffer(buffer, 0, bytemuck::cast_slice(from));
         }
-        buffer
     }
 
     /// A storage buffer with contents.
@@ -200,6 +207,13 @@ impl Inner {
                 | wgpu::BufferUsages::COPY_SRC
                 | wgpu::BufferUsages::COPY_DST,
         )
+    }
+
+    /// Writes zeros all over buffers.
+    pub fn clear<'a>(&self, buffers: impl Iterator<Item = &'a wgpu::Buffer>) {
+        let mut encoder = self.encoder();
+        buffers.for_each(|buffer| encoder.clear_buffer(buffer, 0, None));
+        self.queue.submit([encoder.finish()]);
     }
 
     /// The pipeline of an entry point, compiled the first time it is asked for.

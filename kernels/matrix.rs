@@ -4,7 +4,8 @@ use crate::kernels::cpu::{A, B};
 use crate::kernels::op::PairOp;
 use crate::kernels::real::{Bundle, Real};
 use crate::kernels::tile::{
-    check, expect, gather, narrow, opaque, run, splat, spread, start_of, store, widened, width_of,
+    check, entries, expect, gather, narrow, opaque, run, splat, spread, start_of, store, widened,
+    width_of,
 };
 
 /// Tiles of columns whose frames are made and kept together: few enough for the innermost cache.
@@ -29,16 +30,6 @@ pub fn all_pairs<O: PairOp, T: Real>(a: &[A<O, T>], b: &[B<O, T>]) -> Result<Vec
     let mut values = vec![T::default(); entries(a.len(), b.len(), 1)?];
     all_pairs_into::<O, T>(a, b, &mut values)?;
     Ok(values)
-}
-
-/// The number of entries of a matrix.
-pub(super) fn entries(rows: usize, columns: usize, fields: usize) -> Result<usize, Error> {
-    let count = rows
-        .checked_mul(columns)
-        .and_then(|n| n.checked_mul(fields));
-    count
-        .filter(|&n| n <= isize::MAX as usize / 8)
-        .ok_or(Error::TooLarge)
 }
 
 /// Rows per piece of work: at most 64 pieces, each of them worth a thread's while. Never depends
@@ -67,24 +58,32 @@ pub fn all_pairs_into<O: PairOp, T: Real>(
     if values.is_empty() {
         return Ok(());
     }
-    let (rows, columns, width) = (rows_per_piece(a.len()), b.len(), width_of::<T>(extreme));
-    let wide_b = widened(b, width);
+    let (rows, columns) = (rows_per_piece(a.len()), b.len());
     let work = a
         .chunks(rows)
         .zip(values.chunks_mut(rows * columns))
         .collect();
     spread(work, |(a, values): (&[A<O, T>], &mut [T])| {
-        let mut wide = wide_b.as_ref().map(|_| vec![T::default(); a.len() * width]);
-        let to = wide.as_deref_mut().unwrap_or(&mut *values);
-        run!(
-            extreme,
-            matrix_values::<O, T>(a, wide_b.as_deref().unwrap_or(b), to)
-        );
-        if let Some(wide) = wide {
-            narrow(&wide, width, values, columns);
-        }
+        block::<O, T>(a, b, extreme, values);
     });
     Ok(())
+}
+
+/// A block of the matrix on the calling thread. Nothing is checked, and nothing is empty.
+pub(super) fn block<O: PairOp, T: Real>(
+    a: &[A<O, T>],
+    b: &[B<O, T>],
+    extreme: bool,
+    values: &mut [T],
+) {
+    let (columns, width) = (b.len(), width_of::<T>(extreme));
+    if let Some(b) = widened(b, width) {
+        let mut wide = vec![T::default(); a.len() * width];
+        run!(extreme, matrix_values::<O, T>(a, &b, &mut wide));
+        narrow(&wide, width, values, columns);
+    } else {
+        run!(extreme, matrix_values::<O, T>(a, b, values));
+    }
 }
 
 /// Frames of rows, one by one.

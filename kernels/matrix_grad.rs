@@ -2,11 +2,12 @@
 use crate::Fixed;
 use crate::error::{Argument, Error};
 use crate::kernels::cpu::{A, B};
-use crate::kernels::matrix::{entries, frames_a, frames_b, rows_per_piece};
+use crate::kernels::matrix::{frames_a, frames_b, rows_per_piece};
 use crate::kernels::op::PairOp;
 use crate::kernels::real::{Bundle, Real};
 use crate::kernels::tile::{
-    check, expect, narrow, opaque, run, splat, spread, start_of, store, widened, width_of, zeros,
+    check, entries, expect, narrow, opaque, run, splat, spread, start_of, store, widened, width_of,
+    zeros,
 };
 use std::marker::PhantomData;
 

@@ -2,12 +2,12 @@
 use crate::Fixed;
 use crate::error::{Argument, Error};
 use crate::kernels::cpu::{A, B, Bars};
-use crate::kernels::matrix::{BLOCK, entries, frames_a, frames_b, rows_per_piece};
+use crate::kernels::matrix::{BLOCK, frames_a, frames_b, rows_per_piece};
 use crate::kernels::op::PairOp;
 use crate::kernels::real::{Bundle, Real};
 use crate::kernels::tile::{
-    check, check_upstream, expect, load, opaque, plus, run, scatter, splat, spread, start_of,
-    times, widened, width_of, zeros,
+    check, check_upstream, entries, expect, load, opaque, plus, run, scatter, splat, spread,
+    start_of, times, widened, width_of, zeros,
 };
 
 /// No bundle has more lanes.
@@ -65,68 +65,96 @@ pub fn all_pairs_vjp_into<O: PairOp, T: Real>(
     expect(Argument::GradB, b.len(), b_bar.len())?;
     let extreme = check::<O, T>(a, b)?;
     check_upstream(upstream)?;
+    let upstream = Upstream {
+        slopes: upstream,
+        step: b.len(),
+    };
+    pull_back::<O, T>(a, b, upstream, extreme, a_bar, b_bar);
+    Ok(())
+}
+
+/// An upstream matrix: row `i` starts at `i * step`. With a step of zero all rows are the same one.
+#[derive(Clone, Copy)]
+pub(super) struct Upstream<'a, T> {
+    pub slopes: &'a [T],
+    pub step: usize,
+}
+
+impl<T: Real> Upstream<'_, T> {
+    /// From a row on.
+    fn from_row(&self, row: usize) -> Self {
+        Upstream {
+            slopes: &self.slopes[row * self.step..],
+            ..*self
+        }
+    }
+}
+
+/// [`all_pairs_vjp_into`] without checks.
+pub(super) fn pull_back<O: PairOp, T: Real>(
+    a: &[A<O, T>],
+    b: &[B<O, T>],
+    upstream: Upstream<'_, T>,
+    extreme: bool,
+    a_bar: &mut [A<O, T>],
+    b_bar: &mut [B<O, T>],
+) {
     a_bar.fill(zeros());
     b_bar.fill(zeros());
-    if upstream.is_empty() {
-        return Ok(());
+    if a.is_empty() || b.is_empty() {
+        return;
     }
     let (rows, columns, width) = (rows_per_piece(a.len()), b.len(), width_of::<T>(extreme));
     let wide_b = widened(b, width);
-    let mut partials = vec![zeros(); a.len().div_ceil(rows) * b.len()];
-    let ups = upstream.chunks(rows * b.len());
+    let mut partials = vec![zeros(); a.len().div_ceil(rows) * columns];
     let work = a
         .chunks(rows)
-        .zip(ups)
         .zip(a_bar.chunks_mut(rows))
-        .zip(partials.chunks_mut(b.len()));
+        .zip(partials.chunks_mut(columns))
+        .enumerate();
     spread(
         work.collect(),
-        |(((a, upstream), a_bar), b_bar): (
-            ((&[A<O, T>], &[T]), &mut [A<O, T>]),
-            &mut [B<O, T>],
-        )| {
+        |(piece, ((a, a_bar), b_bar)): (usize, ((&[A<O, T>], &mut [A<O, T>]), &mut [B<O, T>]))| {
+            let upstream = upstream.from_row(piece * rows);
+            let Some(b) = &wide_b else {
+                run!(extreme, matrix_vjp::<O, T>(a, b, upstream, a_bar, b_bar));
+                return;
+            };
             // The columns added have no upstream.
-            let wide = wide_b.as_ref().map(|_| {
-                let mut wide = vec![T::default(); a.len() * width];
-                for (to, from) in wide.chunks_mut(width).zip(upstream.chunks(columns)) {
-                    to[..columns].copy_from_slice(from);
-                }
-                wide
-            });
-            let mut wide_bar = wide_b.clone();
+            let mut slopes = vec![T::default(); a.len() * width];
+            for (i, row) in slopes.chunks_mut(width).enumerate() {
+                row[..columns].copy_from_slice(&upstream.from_row(i).slopes[..columns]);
+            }
+            let wide = Upstream {
+                slopes: &slopes,
+                step: width,
+            };
+            let mut wide_bar = b.clone();
             run!(
                 extreme,
-                matrix_vjp::<O, T>(
-                    a,
-                    wide_b.as_deref().unwrap_or(b),
-                    wide.as_deref().unwrap_or(upstream),
-                    a_bar,
-                    wide_bar.as_deref_mut().unwrap_or(&mut *b_bar),
-                )
+                matrix_vjp::<O, T>(a, b, wide, a_bar, &mut wide_bar)
             );
-            if let Some(wide_bar) = wide_bar {
-                b_bar.copy_from_slice(&wide_bar[..columns]);
-            }
+            b_bar.copy_from_slice(&wide_bar[..columns]);
         },
     );
     // Piece after piece, so the order of the sum is fixed.
-    for partial in partials.chunks(b.len()) {
+    for partial in partials.chunks(columns) {
         for (sum, &part) in b_bar.iter_mut().zip(partial) {
             *sum = plus(*sum, part);
         }
     }
-    Ok(())
 }
 
 #[inline(always)]
 fn matrix_vjp<O: PairOp, T: Real, L: Bundle<T>, const EXTREME: bool>(
     a: &[A<O, T>],
     b: &[B<O, T>],
-    upstream: &[T],
+    upstream: Upstream<'_, T>,
     a_bar: &mut [A<O, T>],
     b_bar: &mut [B<O, T>],
 ) {
     let columns = b.len();
+    let Upstream { slopes, step } = upstream;
     let rows = frames_a::<O, T>(a);
     let mut sums: Vec<A<O, L>> = vec![zeros(); rows.len()];
     let tiles = columns.div_ceil(L::WIDTH);
@@ -142,7 +170,7 @@ fn matrix_vjp<O: PairOp, T: Real, L: Bundle<T>, const EXTREME: bool>(
             for i in 0..rows.len() {
                 let i = opaque(i);
                 let row: O::FrameA<L> = splat::<T, L, _, _>(rows[i]);
-                let mut factor = load::<T, L>(&upstream[i * columns + start..]);
+                let mut factor = load::<T, L>(&slopes[i * step + start..]);
                 if counted > 0 {
                     factor.lanes_mut()[..counted].fill(T::default());
                 }

@@ -8,8 +8,8 @@
 //!
 //! Each comes as value, value with gradient (`…_grad`) and adjoint with an upstream gradient
 //! (`…_vjp`), and with buffers of the caller's (`…_into`). [`reduce`] gives maxima, sums and lists
-//! of all pairs without the matrix. The same on a GPU, where shapes and results can stay between
-//! calls, is [`gpu`]; [`Backend`] is one front for both.
+//! of all pairs without the matrix. The same on a GPU is [`gpu`]; [`Backend`] is one front for both,
+//! and [`resident`] keeps shapes and results where they are between its calls.
 mod aligned;
 pub mod backend;
 pub mod check;
@@ -25,9 +25,11 @@ pub mod overlap;
 mod ragged;
 pub mod real;
 pub mod reduce;
+pub mod resident;
 pub mod ring;
 pub mod simd;
 mod tile;
+pub mod witness;
 
 pub use backend::Backend;
 pub use gpu_error::GpuError;

@@ -1,8 +1,13 @@
-//! Reductions of all pairs on the CPU, without the matrix: what `gpu` reduces where it is.
+//! Reductions on the CPU, of all pairs without the matrix or of a [`Matrix`] that is there already:
+//! what `gpu` reduces where it is.
 use crate::error::{Argument, Error, Field, Flaw};
-use crate::kernels::cpu::{self, A, B};
+use crate::kernels::cpu::{A, B};
+use crate::kernels::matrix::block;
+use crate::kernels::matrix_vjp::{Upstream, pull_back};
 use crate::kernels::op::PairOp;
 use crate::kernels::real::Real;
+use crate::kernels::simd::vectorized;
+use crate::kernels::tile::{check, check_upstream, entries, expect, spread};
 
 /// The largest score of a row or column, and where in it.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -24,8 +29,10 @@ pub struct Found<T = f32> {
     pub value: T,
 }
 
-/// Numbers of a matrix kept at a time: few enough for a cache further out.
-const PART: usize = 1 << 18;
+/// Rows and columns of a block of the matrix: together few enough numbers for a cache of one core,
+/// each enough to be worth preparing the shapes for.
+const ROWS: usize = 128;
+const COLUMNS: usize = 1024;
 
 /// Refuses to look for the largest of nothing.
 pub(crate) fn check_sides(rows: usize, columns: usize, of_rows: bool) -> Result<(), Error> {
@@ -52,27 +59,154 @@ pub(crate) fn check_threshold<T: Real>(threshold: T) -> Result<(), Error> {
     })
 }
 
-/// Hands the matrix over in bands of whole rows: the first row's index, and the numbers.
-fn bands<O: PairOp, T: Real>(
+/// A block of a matrix, row by row, and where it starts.
+struct Block<'a, T> {
+    row: usize,
+    column: usize,
+    columns: usize,
+    values: &'a [T],
+}
+
+impl<'a, T: Real> Block<'a, T> {
+    /// A whole matrix.
+    fn whole(columns: usize, values: &'a [T]) -> Self {
+        Block {
+            row: 0,
+            column: 0,
+            columns: columns.max(1),
+            values,
+        }
+    }
+    fn rows(&self) -> impl Iterator<Item = &'a [T]> {
+        self.values.chunks(self.columns)
+    }
+    /// Takes the largest of every row so far; `best` has one place per row of the block.
+    fn row_max(&self, best: &mut [Option<Best<T>>]) {
+        for (row, best) in self.rows().zip(best) {
+            let largest = vectorized!(largest(row));
+            if best.is_none_or(|best| largest.above(best.value)) {
+                let index = row.iter().position(|&x| x == largest).unwrap_or(0);
+                *best = Some(Best {
+                    value: largest,
+                    index: self.column + index,
+                });
+            }
+        }
+    }
+    /// Takes the largest of every column so far; `best` has one place per column of the matrix.
+    fn column_max(&self, best: &mut [Best<T>]) {
+        let best = &mut best[self.column..][..self.columns];
+        for (i, row) in self.rows().enumerate() {
+            for (best, &value) in best.iter_mut().zip(row) {
+                if value.above(best.value) {
+                    *best = Best {
+                        value,
+                        index: self.row + i,
+                    };
+                }
+            }
+        }
+    }
+    /// Adds what is above the threshold, row by row.
+    fn above(&self, threshold: T, found: &mut Vec<Found<T>>) {
+        for (i, row) in self.rows().enumerate() {
+            // Most rows of most matrices have nothing.
+            if vectorized!(largest(row)).above(threshold) {
+                let above = row.iter().enumerate().filter(|(_, x)| x.above(threshold));
+                found.extend(above.map(|(j, &value)| Found {
+                    row: self.row + i,
+                    column: self.column + j,
+                    value,
+                }));
+            }
+        }
+    }
+    fn count_above(&self, threshold: T) -> u64 {
+        self.rows()
+            .map(|row| vectorized!(count(row, threshold)))
+            .sum()
+    }
+    /// The sum, in `f64`.
+    fn sum(&self) -> f64
+    where
+        T: Into<f64>,
+    {
+        self.rows().map(|row| vectorized!(total(row))).sum()
+    }
+}
+
+/// Numbers looked at side by side.
+const SIDE: usize = 32;
+
+/// The largest of a row that has at least one number.
+#[inline(always)]
+fn largest<T: Real>(row: &[T]) -> T {
+    let mut lanes = [row[0]; SIDE];
+    let (whole, rest) = row.as_chunks::<SIDE>();
+    for part in whole {
+        for (lane, &x) in lanes.iter_mut().zip(part) {
+            *lane = if x > *lane { x } else { *lane };
+        }
+    }
+    let all = lanes.iter().chain(rest);
+    all.fold(row[0], |most, &x| if x > most { x } else { most })
+}
+
+/// How many of a row are above a threshold.
+#[inline(always)]
+fn count<T: Real>(row: &[T], threshold: T) -> u64 {
+    row.iter().map(|&x| u64::from(x > threshold)).sum()
+}
+
+/// The sum of a row.
+#[inline(always)]
+fn total<T: Real + Into<f64>>(row: &[T]) -> f64 {
+    let mut lanes = [0.0; SIDE];
+    let (whole, rest) = row.as_chunks::<SIDE>();
+    for part in whole {
+        for (lane, &x) in lanes.iter_mut().zip(part) {
+            *lane += x.into();
+        }
+    }
+    let rest = rest.iter().map(|&x| x.into()).sum::<f64>();
+    lanes.iter().sum::<f64>() + rest
+}
+
+/// Hands the matrix over block by block: pieces of rows on all threads, within a piece from left to
+/// right. What `take` made of every piece, in order.
+fn blocks<O: PairOp, T: Real, R: Send>(
     a: &[A<O, T>],
     b: &[B<O, T>],
-    mut each: impl FnMut(usize, &[T]),
-) -> Result<(), Error> {
-    // One check of everything, so that nothing is handed over from a batch that is refused, and
-    // rows in errors count from the start of the list.
-    cpu::all_pairs::<O, T>(a, &[])?;
-    cpu::all_pairs::<O, T>(&[], b)?;
-    if b.is_empty() {
-        return Ok(());
-    }
-    let rows = (PART / b.len()).max(1);
-    let mut values = Vec::new();
-    for (band, a) in a.chunks(rows).enumerate() {
-        values.resize(a.len() * b.len(), T::default());
-        cpu::all_pairs_into::<O, T>(a, b, &mut values)?;
-        each(band * rows, &values);
-    }
-    Ok(())
+    start: impl Fn(usize) -> R,
+    take: impl Fn(&mut R, Block<'_, T>) + Send + Sync,
+) -> Result<Vec<R>, Error> {
+    let extreme = check::<O, T>(a, b)?;
+    let mut results: Vec<R> = a.chunks(ROWS).map(|a| start(a.len())).collect();
+    let work = a.chunks(ROWS).zip(&mut results).enumerate().collect();
+    spread(
+        work,
+        |(piece, (a, result)): (usize, (&[A<O, T>], &mut R))| {
+            let mut values = vec![T::default(); a.len() * b.len().min(COLUMNS)];
+            for (part, b) in b.chunks(COLUMNS).enumerate() {
+                let values = &mut values[..a.len() * b.len()];
+                block::<O, T>(a, b, extreme, values);
+                let block = Block {
+                    row: piece * ROWS,
+                    column: part * COLUMNS,
+                    columns: b.len(),
+                    values,
+                };
+                take(result, block);
+            }
+        },
+    );
+    Ok(results)
+}
+
+/// Nothing found yet in so many columns.
+fn no_best<T: Real>(columns: usize) -> Vec<Best<T>> {
+    let value = T::lit(f64::NEG_INFINITY);
+    vec![Best { value, index: 0 }; columns]
 }
 
 /// The largest score of every row and its column; of several the first.
@@ -92,26 +226,9 @@ fn bands<O: PairOp, T: Real>(
 /// ```
 pub fn row_max<O: PairOp, T: Real>(a: &[A<O, T>], b: &[B<O, T>]) -> Result<Vec<Best<T>>, Error> {
     check_sides(a.len(), b.len(), true)?;
-    let mut all = Vec::with_capacity(a.len());
-    bands::<O, T>(a, b, |_, values| {
-        all.extend(values.chunks(b.len()).map(|row| {
-            let first = Best {
-                value: row[0],
-                index: 0,
-            };
-            row.iter().enumerate().fold(first, larger)
-        }));
-    })?;
-    Ok(all)
-}
-
-/// The larger one; of equals the one that was there.
-fn larger<T: Real>(best: Best<T>, (index, &value): (usize, &T)) -> Best<T> {
-    if value.above(best.value) {
-        Best { value, index }
-    } else {
-        best
-    }
+    let none = |rows| vec![None; rows];
+    let pieces = blocks::<O, T, _>(a, b, none, |best: &mut Vec<_>, block| block.row_max(best))?;
+    Ok(pieces.into_iter().flatten().flatten().collect())
 }
 
 /// The largest score of every column and its row; of several the first.
@@ -121,17 +238,18 @@ fn larger<T: Real>(best: Best<T>, (index, &value): (usize, &T)) -> Best<T> {
 /// As [`row_max`], for columns without rows.
 pub fn column_max<O: PairOp, T: Real>(a: &[A<O, T>], b: &[B<O, T>]) -> Result<Vec<Best<T>>, Error> {
     check_sides(a.len(), b.len(), false)?;
-    let mut all: Vec<Best<T>> = Vec::new();
-    bands::<O, T>(a, b, |first, values| {
-        for (i, row) in values.chunks(b.len()).enumerate() {
-            if all.is_empty() {
-                all.extend(row.iter().map(|&value| Best { value, index: 0 }));
-            }
-            for (best, value) in all.iter_mut().zip(row) {
-                *best = larger(*best, (first + i, value));
+    let mut all = no_best(b.len());
+    let none = |_| no_best(b.len());
+    let pieces = blocks::<O, T, _>(a, b, none, |best: &mut Vec<_>, block| {
+        block.column_max(best)
+    })?;
+    for piece in pieces {
+        for (best, other) in all.iter_mut().zip(piece) {
+            if other.value.above(best.value) {
+                *best = other;
             }
         }
-    })?;
+    }
     Ok(all)
 }
 
@@ -146,18 +264,13 @@ pub fn above<O: PairOp, T: Real>(
     threshold: T,
 ) -> Result<Vec<Found<T>>, Error> {
     check_threshold(threshold)?;
-    let mut all = Vec::new();
-    bands::<O, T>(a, b, |first, values| {
-        for (i, row) in values.chunks(b.len()).enumerate() {
-            let found = row.iter().enumerate().filter(|(_, v)| v.above(threshold));
-            all.extend(found.map(|(column, &value)| Found {
-                row: first + i,
-                column,
-                value,
-            }));
-        }
-    })?;
-    Ok(all)
+    let take = |found: &mut Vec<_>, block: Block<'_, T>| block.above(threshold, found);
+    let mut pieces = blocks::<O, T, _>(a, b, |_| Vec::new(), take)?;
+    for found in &mut pieces {
+        // They came block by block.
+        found.sort_unstable_by_key(|x: &Found<T>| (x.row, x.column));
+    }
+    Ok(pieces.concat())
 }
 
 /// How many pairs have a score above the threshold.
@@ -171,26 +284,18 @@ pub fn count_above<O: PairOp, T: Real>(
     threshold: T,
 ) -> Result<u64, Error> {
     check_threshold(threshold)?;
-    let mut count = 0;
-    bands::<O, T>(a, b, |_, values| {
-        count += values.iter().filter(|v| v.above(threshold)).count() as u64;
-    })?;
-    Ok(count)
+    let take = |found: &mut u64, block: Block<'_, T>| *found += block.count_above(threshold);
+    Ok(blocks::<O, T, _>(a, b, |_| 0, take)?.iter().sum())
 }
 
-/// The sum of all scores, added in `f64` row by row.
+/// The sum of all scores, added in `f64`, always in the same order.
 ///
 /// # Errors
 ///
 /// [`Error::Invalid`] for a shape that is not valid.
 pub fn sum<O: PairOp, T: Real + Into<f64>>(a: &[A<O, T>], b: &[B<O, T>]) -> Result<f64, Error> {
-    let mut sum = 0.0;
-    bands::<O, T>(a, b, |_, values| {
-        for row in values.chunks(b.len()) {
-            sum += row.iter().map(|&v| v.into()).sum::<f64>();
-        }
-    })?;
-    Ok(sum)
+    let take = |sum: &mut f64, block: Block<'_, T>| *sum += block.sum();
+    Ok(blocks::<O, T, _>(a, b, |_| 0.0, take)?.iter().sum())
 }
 
 /// The mean of all scores; zero where there are none.
@@ -201,4 +306,187 @@ pub fn sum<O: PairOp, T: Real + Into<f64>>(a: &[A<O, T>], b: &[B<O, T>]) -> Resu
 pub fn mean<O: PairOp, T: Real + Into<f64>>(a: &[A<O, T>], b: &[B<O, T>]) -> Result<f64, Error> {
     let count = a.len() as f64 * b.len() as f64;
     Ok(sum::<O, T>(a, b)? / count.max(1.0))
+}
+
+/// The sum of all scores and its slopes with respect to every shape of both lists: a loss and its
+/// gradient without a matrix of scores or of upstream slopes.
+///
+/// # Errors
+///
+/// [`Error::Invalid`] for a shape that is not valid.
+///
+/// ```
+/// use geograd::Aabb2;
+/// use geograd::kernels::{overlap::IntersectionAreaAabb2, reduce};
+/// let a = [Aabb2::new(0.0, 0.0, 2.0, 2.0)];
+/// let b = [Aabb2::new(1.0, 0.0, 3.0, 2.0), Aabb2::new(0.0, 1.0, 3.0, 3.0)];
+/// let (sum, a_bar, _) = reduce::sum_grad::<IntersectionAreaAabb2, f64>(&a, &b)?;
+/// assert_eq!(sum, 4.0);
+/// assert_eq!(a_bar[0].max.x, 3.0); // 2 along the one, 1 along the other
+/// # Ok::<(), geograd::Error>(())
+/// ```
+pub fn sum_grad<O: PairOp, T: Real + Into<f64>>(
+    a: &[A<O, T>],
+    b: &[B<O, T>],
+) -> Result<(f64, Vec<A<O, T>>, Vec<B<O, T>>), Error> {
+    let (mut a_bar, mut b_bar) = (a.to_vec(), b.to_vec());
+    let sum = sum_grad_into::<O, T>(a, b, T::one(), &mut a_bar, &mut b_bar)?;
+    Ok((sum, a_bar, b_bar))
+}
+
+/// The mean of all scores and its slopes, as [`sum_grad`]; zeros where there are none.
+///
+/// # Errors
+///
+/// As [`sum_grad`].
+pub fn mean_grad<O: PairOp, T: Real + Into<f64>>(
+    a: &[A<O, T>],
+    b: &[B<O, T>],
+) -> Result<(f64, Vec<A<O, T>>, Vec<B<O, T>>), Error> {
+    let (mut a_bar, mut b_bar) = (a.to_vec(), b.to_vec());
+    let factor = 1.0 / (a.len() as f64 * b.len() as f64).max(1.0);
+    let sum = sum_grad_into::<O, T>(a, b, T::lit(factor), &mut a_bar, &mut b_bar)?;
+    Ok((sum * factor, a_bar, b_bar))
+}
+
+/// The sum of all scores; into the caller's buffers the slopes of the sum times `factor`.
+///
+/// # Errors
+///
+/// As [`sum_grad`], and for a buffer of another length or a factor that is not finite. The buffers
+/// are then as they were.
+pub fn sum_grad_into<O: PairOp, T: Real + Into<f64>>(
+    a: &[A<O, T>],
+    b: &[B<O, T>],
+    factor: T,
+    a_bar: &mut [A<O, T>],
+    b_bar: &mut [B<O, T>],
+) -> Result<f64, Error> {
+    expect(Argument::GradA, a.len(), a_bar.len())?;
+    expect(Argument::GradB, b.len(), b_bar.len())?;
+    check_upstream(&[factor])?;
+    let sum = sum::<O, T>(a, b)?;
+    let extreme = check::<O, T>(a, b)?;
+    let upstream = Upstream {
+        slopes: &vec![factor; b.len()],
+        step: 0,
+    };
+    pull_back::<O, T>(a, b, upstream, extreme, a_bar, b_bar);
+    Ok(sum)
+}
+
+/// A matrix of scores on the CPU, to be reduced more than once.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Matrix<T = f32> {
+    rows: usize,
+    columns: usize,
+    pub(crate) values: Vec<T>,
+}
+
+impl<T: Real> Matrix<T> {
+    /// From its numbers, row by row.
+    ///
+    /// # Errors
+    ///
+    /// [`Error::Length`] for another number of them than rows times columns, [`Error::TooLarge`]
+    /// when that is beyond memory.
+    ///
+    /// ```
+    /// use geograd::kernels::reduce::Matrix;
+    /// let matrix = Matrix::new(2, 3, vec![0.1, 0.4, 0.2, 0.0, 0.0, 0.9])?;
+    /// assert_eq!(matrix.row_max()?[0].index, 1);
+    /// assert_eq!(matrix.above(0.3)?.len(), 2);
+    /// # Ok::<(), geograd::Error>(())
+    /// ```
+    pub fn new(rows: usize, columns: usize, values: Vec<T>) -> Result<Self, Error> {
+        expect(Argument::Values, entries(rows, columns, 1)?, values.len())?;
+        Ok(Matrix {
+            rows,
+            columns,
+            values,
+        })
+    }
+
+    /// How many rows.
+    #[must_use]
+    pub fn rows(&self) -> usize {
+        self.rows
+    }
+    /// How many columns.
+    #[must_use]
+    pub fn columns(&self) -> usize {
+        self.columns
+    }
+    /// Its numbers, row by row.
+    #[must_use]
+    pub fn values(&self) -> &[T] {
+        &self.values
+    }
+
+    fn block(&self) -> Block<'_, T> {
+        Block::whole(self.columns, &self.values)
+    }
+    /// The largest number of every row and its column; of several the first.
+    ///
+    /// # Errors
+    ///
+    /// [`Error::Length`] for rows without columns.
+    pub fn row_max(&self) -> Result<Vec<Best<T>>, Error> {
+        check_sides(self.rows, self.columns, true)?;
+        let mut best = vec![None; self.rows];
+        self.block().row_max(&mut best);
+        Ok(best.into_iter().flatten().collect())
+    }
+
+    /// The largest number of every column and its row; of several the first.
+    ///
+    /// # Errors
+    ///
+    /// [`Error::Length`] for columns without rows.
+    pub fn column_max(&self) -> Result<Vec<Best<T>>, Error> {
+        check_sides(self.rows, self.columns, false)?;
+        let mut best = no_best(self.columns);
+        self.block().column_max(&mut best);
+        Ok(best)
+    }
+
+    /// Every number above the threshold, row by row and within a row by column.
+    ///
+    /// # Errors
+    ///
+    /// [`Error::Invalid`] for a threshold that is not finite.
+    pub fn above(&self, threshold: T) -> Result<Vec<Found<T>>, Error> {
+        check_threshold(threshold)?;
+        let mut found = Vec::new();
+        self.block().above(threshold, &mut found);
+        Ok(found)
+    }
+
+    /// How many numbers are above the threshold.
+    ///
+    /// # Errors
+    ///
+    /// As [`above`](Matrix::above).
+    pub fn count_above(&self, threshold: T) -> Result<u64, Error> {
+        check_threshold(threshold)?;
+        Ok(self.block().count_above(threshold))
+    }
+
+    /// The sum of all numbers, added in `f64`, always in the same order.
+    #[must_use]
+    pub fn sum(&self) -> f64
+    where
+        T: Into<f64>,
+    {
+        self.block().sum()
+    }
+
+    /// The mean of all numbers; zero where there are none.
+    #[must_use]
+    pub fn mean(&self) -> f64
+    where
+        T: Into<f64>,
+    {
+        self.sum() / (self.rows as f64 * self.columns as f64).max(1.0)
+    }
 }

@@ -30,6 +30,16 @@ pub(crate) fn expect(argument: Argument, expected: usize, found: usize) -> Resul
     }
 }
 
+/// The number of entries of a matrix.
+pub(crate) fn entries(rows: usize, columns: usize, fields: usize) -> Result<usize, Error> {
+    let count = rows
+        .checked_mul(columns)
+        .and_then(|n| n.checked_mul(fields));
+    count
+        .filter(|&n| n <= isize::MAX as usize / 8)
+        .ok_or(Error::TooLarge)
+}
+
 /// Checks every shape of both lists; `Ok(true)` when some product might over- or underflow.
 pub(crate) fn check<O: PairOp, T: Real>(a: &[A<O, T>], b: &[B<O, T>]) -> Result<bool, Error> {
     // Nearly always all is well, which one pass without branches can tell.

@@ -3,7 +3,7 @@
 // One thread per column walks through a strip of rows. What belongs to its column it sums in
 // registers; what belongs to a row is summed across the threads (`row_sum`), tile by tile. Both go
 // out as partial sums: one per strip for columns, one per workgroup for rows, which `fold_main`
-// adds in a fixed order.
+// adds in a fixed order. What slopes are multiplied by (`seed_at`) is in other files.
 
 var<workgroup> slot_quad: array<vec4f, STEP * SLOTS>;
 var<workgroup> slot_rest: array<f32, STEP * SLOTS>;
@@ -16,14 +16,16 @@ fn sweep_vjp(group: vec3u, here: u32, slot: u32, lane: u32) {
     let end = min(first + STRIP, rows);
     let b = load_b(params.own_start + min(column, columns - 1u));
     var column_sum = Bar();
+    var total = 0.0;
     for (var start = first; start < end; start += STEP) {
         let count = min(STEP, end - start);
-        bring(start, end, here);
+        bring_walked(start, end, here);
         for (var i = 0u; i < count; i++) {
             var a_bar = Bar();
             if column < columns {
-                let factor = upstream[(start + i) * columns + column];
+                let factor = seed_at(start + i, column);
                 let grad = grad_of(walked_frame(i), b);
+                total += grad.value;
                 a_bar = times(grad.a, factor);
                 column_sum = plus(column_sum, times(grad.b, factor));
             }
@@ -45,6 +47,7 @@ fn sweep_vjp(group: vec3u, here: u32, slot: u32, lane: u32) {
         }
     }
     if column < columns {
+        put_total(group.y, column, total);
         b_bars[(group.y * FIELDS) * columns + column] = column_sum.quad.x;
         b_bars[(group.y * FIELDS + 1u) * columns + column] = column_sum.quad.y;
         b_bars[(group.y * FIELDS + 2u) * columns + column] = column_sum.quad.z;

@@ -389,8 +389,8 @@ pub fn related_area<S: Scalar>(pair: &Relative<S>, area: S) -> S {
     let area_b = four * (pair.half_b.x.primal() * pair.half_b.y.primal());
     let limit = area_a.least(area_b);
     let beyond = area.above(S::from_primal(limit));
-    let bounded = S::select(beyond, area.with_primal(limit), area);
-    S::select(nothing_shared(pair, area), S::zero(), bounded)
+    let area = S::select(beyond, area.with_primal(limit), area);
+    S::select(nothing_shared(pair, area), S::zero(), area)
 }
 
 /// Where a pair counts as sharing nothing, so that value and slopes are zero.

@@ -53,6 +53,17 @@ pub trait Pack: Clone {
     {
         self.map(&mut |x| num_traits::AsPrimitive::as_(*x))
     }
+    /// The same with some elements of a list of run-time length dropped: halves first, single ones
+    /// last. Nothing for shapes of fixed size. For shrinking.
+    ///
+    /// ```
+    /// use geograd::Pack;
+    /// let all: Vec<_> = vec![1.0, 2.0, 3.0].fewer().collect();
+    /// assert_eq!(all, [vec![3.0], vec![1.0, 2.0], vec![2.0, 3.0], vec![1.0, 3.0], vec![1.0, 2.0]]);
+    /// ```
+    fn fewer(&self) -> Box<dyn Iterator<Item = Self> + '_> {
+        Box::new(std::iter::empty())
+    }
     /// How many scalars the shape has.
     fn count(&self) -> usize {
         let mut n = 0;
@@ -248,6 +259,11 @@ impl<A: Pack, B: Pack<Scalar = A::Scalar>> Pack for (A, B) {
         self.0.each(f);
         self.1.each(f);
     }
+    fn fewer(&self) -> Box<dyn Iterator<Item = Self> + '_> {
+        let first = self.0.fewer().map(|a| (a, self.1.clone()));
+        let second = self.1.fewer().map(|b| (self.0.clone(), b));
+        Box::new(first.chain(second))
+    }
 }
 impl<A: Pack, B: Pack<Scalar = A::Scalar>, C: Pack<Scalar = A::Scalar>> Pack for (A, B, C) {
     type Scalar = A::Scalar;
@@ -259,6 +275,13 @@ impl<A: Pack, B: Pack<Scalar = A::Scalar>, C: Pack<Scalar = A::Scalar>> Pack for
         self.0.each(f);
         self.1.each(f);
         self.2.each(f);
+    }
+    fn fewer(&self) -> Box<dyn Iterator<Item = Self> + '_> {
+        let (a, b, c) = self;
+        let first = a.fewer().map(|a| (a, b.clone(), c.clone()));
+        let second = b.fewer().map(|b| (a.clone(), b, c.clone()));
+        let third = c.fewer().map(|c| (a.clone(), b.clone(), c));
+        Box::new(first.chain(second).chain(third))
     }
 }
 
@@ -275,6 +298,22 @@ impl<P: Pack, const N: usize> Pack for [P; N] {
             shape.each(f);
         }
     }
+    fn fewer(&self) -> Box<dyn Iterator<Item = Self> + '_> {
+        Box::new(fewer_inside(self, self))
+    }
+}
+/// A list with one element replaced by one with fewer numbers.
+fn fewer_inside<P: Pack, L: Clone + AsMut<[P]>>(
+    list: &L,
+    elements: &[P],
+) -> impl Iterator<Item = L> {
+    elements.iter().enumerate().flat_map(move |(i, element)| {
+        element.fewer().map(move |smaller| {
+            let mut list = list.clone();
+            list.as_mut()[i] = smaller;
+            list
+        })
+    })
 }
 impl<P: Pack> Pack for Vec<P> {
     type Scalar = P::Scalar;
@@ -286,5 +325,19 @@ impl<P: Pack> Pack for Vec<P> {
         for shape in self {
             shape.each(f);
         }
+    }
+    fn fewer(&self) -> Box<dyn Iterator<Item = Self> + '_> {
+        let n = self.len();
+        let half = |k: usize| k.div_ceil(2);
+        let lengths = std::iter::successors((n > 0).then_some(half(n)), move |&k| {
+            (k > 1).then_some(half(k))
+        });
+        let dropped = lengths.flat_map(move |k| {
+            (0..n).step_by(k).map(move |start| {
+                let rest = self[(start + k).min(n)..].iter();
+                self[..start].iter().chain(rest).cloned().collect()
+            })
+        });
+        Box::new(dropped.chain(fewer_inside(self, self)))
     }
 }

@@ -439,6 +439,65 @@ fn backend_auto_without_a_gpu_is_the_cpu_and_says_so() {
     );
 }
 
+/// What auto says on stderr where the environment is made to offer this and no more.
+#[cfg(target_os = "linux")]
+fn told_by_auto(folder: &Path, driver: &str, wanted: Option<&str>) -> String {
+    let mut run = command(
+        "iou_csv",
+        folder,
+        "--a a.csv --b a.csv --precision f32 --backend auto",
+    );
+    run.env("WGPU_BACKEND", "vulkan")
+        .env("VK_DRIVER_FILES", driver)
+        .env("VK_ICD_FILENAMES", driver)
+        .env_remove("GEOGRAD_GPU");
+    if let Some(wanted) = wanted {
+        run.env("GEOGRAD_GPU", wanted);
+    }
+    let done = run.output().unwrap();
+    assert_eq!((status(&done), stdout(&done)), (0, "iou\n1\n"));
+    stderr(&done).to_owned()
+}
+
+#[cfg(target_os = "linux")]
+#[test]
+fn backend_auto_says_which_of_the_reasons_it_was() {
+    let at = folder("backend_auto_reasons");
+    std::fs::write(at.join("a.csv"), "0,0,2,2,0\n").unwrap();
+    let nothing = "/no/such/driver.json";
+    let told = told_by_auto(&at, nothing, None);
+    if cfg!(not(feature = "gpu")) {
+        assert!(told.contains("`cargo run --features gpu`"), "{told}");
+        return;
+    }
+    assert!(told.contains("no GPU found: install its driver"), "{told}");
+    // Software alone is no GPU unless it is asked for.
+    let Some(software) = software_driver() else {
+        eprintln!("SKIPPED: no driver in software");
+        return;
+    };
+    let told = told_by_auto(&at, &software, None);
+    assert!(
+        told.contains("the CPU: no GPU found but a driver in software"),
+        "{told}"
+    );
+    let told = told_by_auto(&at, &software, Some("cpu"));
+    assert!(told.contains("computing on ["), "{told}");
+    let told = told_by_auto(&at, &software, Some("no such GPU"));
+    assert!(
+        told.contains("no GPU found that is GEOGRAD_GPU=no such GPU"),
+        "{told}"
+    );
+}
+
+/// Where Mesa's software driver says it is.
+#[cfg(target_os = "linux")]
+fn software_driver() -> Option<String> {
+    let folder = std::fs::read_dir("/usr/share/vulkan/icd.d").ok()?;
+    let mut files = folder.filter_map(|file| file.ok()?.path().to_str().map(str::to_owned));
+    files.find(|file| file.contains("lvp_icd"))
+}
+
 /// Whether there is a GPU to test on, a driver in software included. Without one the tests say so
 /// and pass, unless `GEOGRAD_REQUIRE_GPU=1`.
 #[cfg(feature = "gpu")]

@@ -4,6 +4,7 @@
 mod oracle;
 
 use geograd::ad::overlap::{iou_aabb2_grad, iou_obb2_grad};
+use geograd::ad::strategy::{self, ordinary, thin, touching};
 use geograd::overlap::{intersection_area_obb2, iof_obb2, iou_aabb2, iou_obb2};
 use geograd::{Aabb2, Obb2, Pack, Scalar, Vec2};
 use proptest::prelude::*;
@@ -384,17 +385,19 @@ fn cases_that_others_get_wrong() {
     assert!(slopes.scalars().iter().all(|&s: &f64| s == 0.0));
 }
 
+/// Any two boxes: tiny, huge, far, thin, touching, with ties.
+fn any_pair() -> impl Strategy<Value = (Obb2<f64>, Obb2<f64>)> {
+    prop_oneof![
+        strategy::any(),
+        strategy::hard(),
+        strategy::tiny(),
+        strategy::huge()
+    ]
+}
+
+/// Boxes of ordinary size, some thin.
 fn obb() -> impl Strategy<Value = Obb2<f64>> {
-    let place = prop_oneof![-5.0..5.0, Just(0.0), Just(1.0)];
-    let size = prop_oneof![0.01..5.0, Just(2.0), Just(1e-3), Just(40.0)];
-    let heading = prop_oneof![
-        -5.0..5.0,
-        Just(0.0),
-        Just(std::f64::consts::FRAC_PI_2),
-        Just(std::f64::consts::FRAC_PI_4)
-    ];
-    (place.clone(), place, size.clone(), size, heading)
-        .prop_map(|(x, y, w, h, r)| Obb2::new(x, y, w, h, r))
+    prop_oneof![3 => ordinary::<Obb2<f64>>(), 1 => thin()]
 }
 
 proptest! {
@@ -404,6 +407,20 @@ proptest! {
     fn symmetric(a in obb(), b in obb()) {
         let (ab, ba) = (iou_obb2(a, b), iou_obb2(b, a));
         prop_assert!((ab - ba).abs() < 1e-12, "{ab} {ba}");
+    }
+
+    #[test]
+    fn ratios_of_any_boxes_stay_in_bounds((a, b) in any_pair()) {
+        let (iou, slopes) = iou_obb2_grad(a, b);
+        prop_assert!((0.0..=1.0).contains(&iou), "{iou}");
+        prop_assert!(slopes.scalars().iter().all(|s| s.is_finite()));
+        let single: f32 = iou_obb2(a.cast::<f32>(), b.cast::<f32>());
+        prop_assert!((0.0..=1.0).contains(&single), "{single}");
+    }
+
+    #[test]
+    fn touching_boxes_share_no_more_than_rounding((a, b) in touching::<(Obb2<f64>, Obb2<f64>)>()) {
+        prop_assert!(iou_obb2(a, b) < 1e-12, "{}", iou_obb2(a, b));
     }
 
     #[test]

@@ -1,4 +1,5 @@
 //! What the measures of a ring promise.
+use geograd::ad::strategy::ordinary;
 use geograd::ring::{centroid, perimeter, signed_area};
 use geograd::{Obb2, Pack, Vec2, ad};
 use proptest::prelude::*;
@@ -68,15 +69,11 @@ fn extreme_rings_are_finite() {
     assert_eq!(centroid(&far), Vec2::new(1_000_001.0, -999_999.5));
 }
 
-fn rings() -> impl Strategy<Value = Vec<Vec2<f64>>> {
-    prop::collection::vec((-10.0..10.0, -10.0..10.0).prop_map(|(x, y)| v(x, y)), 3..12)
-}
-
 proptest! {
     #![proptest_config(ProptestConfig { failure_persistence: None, ..Default::default() })]
 
     #[test]
-    fn the_start_and_the_place_do_not_matter(ring in rings(), start in 0_usize..12, x in -50.0..50.0, turn in -3.0..3.0) {
+    fn the_start_and_the_place_do_not_matter(ring in ordinary::<Vec<Vec2<f64>>>(), start in 0_usize..12, x in -50.0..50.0, turn in -3.0..3.0) {
         let mut rolled = ring.clone();
         rolled.rotate_left(start % ring.len());
         prop_assert!((signed_area(&ring) - signed_area(&rolled)).abs() < 1e-11);
@@ -85,13 +82,13 @@ proptest! {
         let moved: Vec<_> = ring.iter().map(|&p| motion * p).collect();
         prop_assert!((signed_area(&ring) - signed_area(&moved)).abs() < 1e-9);
         prop_assert!((perimeter(&ring) - perimeter(&moved)).abs() < 1e-10);
-        if signed_area(&ring).abs() > 1.0 {
+        if signed_area(&ring).abs() > 0.1 {
             prop_assert!((motion * centroid(&ring) - centroid(&moved)).length() < 1e-8);
         }
     }
 
     #[test]
-    fn area_and_centroid_add_up_over_a_fan(ring in rings()) {
+    fn area_and_centroid_add_up_over_a_fan(ring in ordinary::<Vec<Vec2<f64>>>()) {
         // An independent way: triangles from the origin, weighted by their areas.
         let (mut area, mut moment) = (0.0, v(0.0, 0.0));
         for i in 0..ring.len() {
@@ -101,7 +98,7 @@ proptest! {
             moment += (p + q) * (part / 3.0);
         }
         prop_assert!((signed_area(&ring) - area).abs() < 1e-10);
-        if area.abs() > 1.0 {
+        if area.abs() > 0.1 {
             prop_assert!((centroid(&ring) - moment * (1.0 / area)).length() < 1e-9);
         }
     }

@@ -77,9 +77,6 @@ impl Wish {
             Wish::Gpu => Gpu::new()?,
             Wish::Auto => match Backend::auto() {
                 Auto::Gpu(gpu) => gpu,
-                Auto::Cpu(_) if cfg!(not(feature = "gpu")) => {
-                    return Ok(on_the_cpu(program, UNSUPPORTED));
-                }
                 Auto::Cpu(error) => return Ok(on_the_cpu(program, &reason(error))),
             },
         };
@@ -102,13 +99,8 @@ pub fn on_the_cpu(program: &str, why: &str) -> Machine {
 fn reason(error: GpuError) -> String {
     let wanted = std::env::var("GEOGRAD_GPU").unwrap_or_default();
     match error {
-        GpuError::NoAdapter if wanted.is_empty() => {
-            "no GPU found (GEOGRAD_GPU=cpu takes a driver in software, if one is installed)".into()
-        }
-        GpuError::NoAdapter => format!("no GPU found that is GEOGRAD_GPU={wanted}"),
-        GpuError::DeviceLost => "the GPU was lost while it computed".into(),
-        GpuError::OutOfMemory => "the GPU ran out of memory".into(),
-        GpuError::Shader => "the GPU's driver refused a command".into(),
+        GpuError::NotBuilt => UNSUPPORTED.into(),
+        GpuError::NoSuchAdapter => format!("no GPU found that is GEOGRAD_GPU={wanted}"),
         other => other.to_string(),
     }
 }

@@ -1,12 +1,12 @@
 //! Rotated-box IoU: geograd next to other Rust libraries, measured in one run.
 //!
-//! `cargo run --release -p peers` prints medians in million pairs a second and ratios. Nothing is
-//! asserted but that the values agree. "Random" is the distribution of the DGAL paper's benchmark
+//! `cargo run --release -p peers` prints medians in million pairs a second and ratios, on one thread,
+//! and then how geograd's batches scale with threads. Nothing is asserted but that the values agree. "Random" is the distribution of the DGAL paper's benchmark
 //! (centres in [-5, 5], sizes in [0, 5], headings in [-5, 5]), all pairs; "overlapping" are aligned
 //! pairs a small motion apart, as a loss sees them.
-use geo::{Area, BooleanOps, Coord, LineString, Polygon};
-use geograd::kernels::{IouObb2, cpu};
-use geograd::{Obb2, Pack, ad};
+use geo::{Area, BooleanOps, Centroid, Coord, Euclidean, Length, LineString, Polygon};
+use geograd::kernels::{self, IouObb2, RingOp, cpu};
+use geograd::{Obb2, Pack, Vec2, ad};
 use parry2d_f64::math::Vector2;
 use parry2d_f64::transformation::convex_polygons_intersection_points;
 use std::hint::black_box;
@@ -112,20 +112,135 @@ fn flat(list: &[Obb2<f64>]) -> Vec<f64> {
     list.iter().flat_map(five).collect()
 }
 
+/// Runs on so many threads.
+fn on_threads(threads: usize, run: impl FnOnce() + Send) {
+    let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build();
+    pool.expect("threads").install(run);
+}
+
 fn main() {
+    println!(
+        "{:?}, geograd {}",
+        geograd::kernels::simd::Simd::current(),
+        env!("CARGO_PKG_VERSION")
+    );
+    on_threads(1, peers);
+    for vertices in [8, 1000] {
+        on_threads(1, || rings(vertices));
+    }
+    scaling();
+}
+
+/// Vertices of rings, a hundred thousand in all.
+fn rings(vertices: usize) {
+    let count = 100_000 / vertices;
+    let mut dice = Dice(13);
+    let mut list: Vec<Vec2<f64>> = Vec::new();
+    for _ in 0..count {
+        let (x, y) = (dice.within(-5.0, 5.0), dice.within(-5.0, 5.0));
+        for k in 0..vertices {
+            let angle = std::f64::consts::TAU * k as f64 / vertices as f64;
+            let radius = dice.within(0.5, 1.5);
+            list.push(Vec2::new(
+                x + radius * angle.cos(),
+                y + radius * angle.sin(),
+            ));
+        }
+    }
+    let offsets: Vec<usize> = (0..=count).map(|i| i * vertices).collect();
+    let of = |ring: &[Vec2<f64>]| {
+        let border = ring.iter().map(|v| Coord { x: v.x, y: v.y }).collect();
+        Polygon::new(LineString(border), vec![])
+    };
+    let polygons: Vec<Polygon> = list.chunks(vertices).map(of).collect();
+    let total = list.len();
+    println!(
+        "\n| {count} rings of {vertices} vertices, f64, one thread | M vertices/s |\n| --- | ---: |"
+    );
+    ring::<kernels::SignedArea>("signed area", &list, &offsets);
+    line("geo, signed area", total, || {
+        black_box(polygons.iter().map(Area::signed_area).sum::<f64>());
+    });
+    ring::<kernels::Perimeter>("perimeter", &list, &offsets);
+    line("geo, perimeter", total, || {
+        black_box(
+            polygons
+                .iter()
+                .map(|p| Euclidean.length(p.exterior()))
+                .sum::<f64>(),
+        );
+    });
+    ring::<kernels::Centroid>("centroid", &list, &offsets);
+    line("geo, centroid", total, || {
+        for polygon in &polygons {
+            black_box(polygon.centroid());
+        }
+    });
+    let ours = cpu::ragged::<kernels::Centroid, f64>(&list, &offsets).unwrap();
+    for (ours, theirs) in ours.iter().zip(&polygons) {
+        let theirs = theirs.centroid().unwrap();
+        assert!(
+            ours.distance(Vec2::new(theirs.x(), theirs.y())) < 1e-12,
+            "geo disagrees"
+        );
+    }
+}
+
+/// Our two lines of one measure of rings.
+fn ring<O: RingOp>(name: &str, list: &[Vec2<f64>], offsets: &[usize]) {
+    let mut values = cpu::ragged::<O, f64>(list, offsets).unwrap();
+    line(&format!("geograd, {name}"), list.len(), || {
+        cpu::ragged_into::<O, f64>(list, offsets, &mut values).unwrap();
+    });
+    let mut bars = list.to_vec();
+    line(&format!("geograd, {name}, adjoint"), list.len(), || {
+        cpu::ragged_vjp_into::<O, f64>(list, offsets, &values, &mut bars).unwrap();
+    });
+}
+
+/// The batches of a large matrix on one thread, two, four and so on.
+fn scaling() {
+    const LARGE: usize = 2000;
+    let mut dice = Dice(11);
+    let (a, b): (Vec<_>, Vec<_>) = (0..LARGE).map(|_| (dice.random(), dice.random())).unzip();
+    let (a, b, pairs) = (narrow(&a), narrow(&b), LARGE * LARGE);
+    let mut values = vec![0.0; pairs];
+    let mut grads = cpu::PairGrads::<IouObb2, f32>::new(LARGE, LARGE).unwrap();
+    let (up, mut p, mut q) = (vec![1.0; pairs], a.clone(), b.clone());
+    let cores = std::thread::available_parallelism().map_or(1, usize::from);
+    println!(
+        "\n| f32, all pairs of {LARGE} x {LARGE}, threads | value | value + ten slopes per pair | adjoint |\n| ---: | ---: | ---: | ---: |"
+    );
+    let mut threads = 1;
+    loop {
+        on_threads(threads, || {
+            let rate = |seconds| pairs as f64 / seconds / 1e6;
+            let value = rate(median(|| {
+                cpu::all_pairs_into::<IouObb2, f32>(&a, &b, &mut values).unwrap()
+            }));
+            let slopes = rate(median(|| {
+                cpu::all_pairs_grad_into(&a, &b, &mut grads).unwrap()
+            }));
+            let adjoint = rate(median(|| {
+                cpu::all_pairs_vjp_into::<IouObb2, f32>(&a, &b, &up, &mut p, &mut q).unwrap()
+            }));
+            println!("| {threads} | {value:.0} | {slopes:.0} | {adjoint:.0} |");
+        });
+        if threads >= cores {
+            break;
+        }
+        threads = cores.min(threads * 2);
+    }
+}
+
+fn peers() {
     let mut dice = Dice(7);
     let (a, b): (Vec<_>, Vec<_>) = (0..N).map(|_| (dice.random(), dice.random())).unzip();
     let near: Vec<_> = a.iter().map(|&x| dice.near(x)).collect();
     let (a32, b32, near32) = (narrow(&a), narrow(&b), narrow(&near));
     let pairs = N * N;
 
-    println!(
-        "one thread (RAYON_NUM_THREADS={}), {:?}, geograd {}",
-        std::env::var("RAYON_NUM_THREADS").unwrap_or("unset: all cores".into()),
-        geograd::kernels::simd::Simd::current(),
-        env!("CARGO_PKG_VERSION")
-    );
-    println!("\n| random, all pairs of {N} x {N} | M pairs/s |\n| --- | ---: |");
+    println!("\n| random, all pairs of {N} x {N}, one thread | M pairs/s |\n| --- | ---: |");
     let mut values = vec![0.0; pairs];
     let ours = line("geograd, f32, value", pairs, || {
         cpu::all_pairs_into::<IouObb2, f32>(&a32, &b32, &mut values).unwrap()
@@ -153,6 +268,28 @@ fn main() {
         "geograd, f64, adjoint with an upstream matrix",
         pairs,
         || cpu::all_pairs_vjp_into::<IouObb2, f64>(&a, &b, &up, &mut p, &mut q).unwrap(),
+    );
+    line(
+        "geograd, f64, value, call by call (Obb2::iou)",
+        300 * 300,
+        || {
+            for &a in &a[..300] {
+                for &b in &b[..300] {
+                    black_box(a.iou(b));
+                }
+            }
+        },
+    );
+    line(
+        "geograd, f64, value + ten slopes, call by call (iou_obb2_grad)",
+        300 * 300,
+        || {
+            for &a in &a[..300] {
+                for &b in &b[..300] {
+                    black_box(ad::overlap::iou_obb2_grad(a, b));
+                }
+            }
+        },
     );
     line(
         "geograd, f64, gradient by forward duals (ad::gradient)",
@@ -208,7 +345,7 @@ fn main() {
         ours_grad / ours
     );
 
-    println!("\n| overlapping, {N} aligned pairs | M pairs/s |\n| --- | ---: |");
+    println!("\n| overlapping, {N} aligned pairs, one thread | M pairs/s |\n| --- | ---: |");
     let (mut v, mut p, mut q) = cpu::aligned_grad::<IouObb2, f32>(&a32, &near32).unwrap();
     line("geograd, f32, value, with sines and cosines", N, || {
         cpu::aligned_into::<IouObb2, f32>(&a32, &near32, &mut v).unwrap()

@@ -1,0 +1,229 @@
+//! The part of a judgement that projects: `⟨vjp(w), v⟩ = ⟨w, jvp(v)⟩`.
+//!
+//! One jvp costs about as much as one value, whatever the number of inputs, so this is how duals
+//! judge an input too long for a whole Jacobian. No number of the direction is smaller than half a
+//! unit: a single slope that is off by `e` units moves the product by `e / 2` at least, while the
+//! product may be off by what all slopes may be off by together. So among n inputs a single slope
+//! is refused from 32 n roundings of the largest slope on: 10⁻¹¹ of it for a thousand numbers in
+//! double precision. What does not agree is halved until the number at fault is found.
+use crate::ad::judge::{Judge, ROUNDINGS, Row, SAFETY};
+use crate::ad::sample::Draw;
+use crate::ad::slopes::FEW_INPUTS;
+use crate::ad::subject::Subject;
+use crate::ad::verdict::{Numbers, Reason, Witness};
+use crate::ad::witness::{Ladder, dot};
+use std::ops::Range;
+
+/// Random directions for an input whose Jacobian is too large. Two slopes that are both wrong
+/// cancel along one of them with probability zero; more only guard against that.
+const DIRECTIONS: usize = 3;
+
+/// What both sides say along a direction.
+struct Product {
+    adjoint: f64,
+    other: f64,
+    tolerance: f64,
+}
+
+impl Product {
+    fn excess(&self) -> f64 {
+        let excess = (self.adjoint - self.other).abs() - self.tolerance;
+        if excess.is_nan() {
+            f64::INFINITY
+        } else {
+            excess
+        }
+    }
+}
+
+/// The direction without the numbers outside a range.
+fn part(direction: &[f64], range: &Range<usize>) -> Vec<f64> {
+    let keep = |i| {
+        if range.contains(&i) {
+            direction[i]
+        } else {
+            0.0
+        }
+    };
+    (0..direction.len()).map(keep).collect()
+}
+
+impl Judge<'_> {
+    /// The adjoint against duals along random directions, and that of a function of `f32` against
+    /// its duals in double precision.
+    pub(crate) fn projections(&mut self, rows: &mut [Row], draw: &mut Draw) {
+        let (n, subject) = (self.x.len(), self.subject);
+        if n == 0 || self.found.convention {
+            return;
+        }
+        let long = n > FEW_INPUTS;
+        let wide = subject.wide().filter(|_| long);
+        let largest = self.units.iter().fold(0.0_f64, |m, u| m.max(*u));
+        for _ in 0..if long { DIRECTIONS } else { 1 } {
+            let direction: Vec<f64> = (self.units.iter())
+                .map(|unit| {
+                    let sign = if draw.once_in(2) { -1.0 } else { 1.0 };
+                    let length = sign * draw.within(0.5, 1.0) * (unit / largest);
+                    subject.precision().round(length)
+                })
+                .collect();
+            for row in rows.iter_mut() {
+                self.project(row, Witness::Dual, subject, &direction);
+                if let Some(wide) = &wide {
+                    self.project(row, Witness::Wide, wide.as_ref(), &direction);
+                }
+            }
+        }
+    }
+
+    /// One row along one direction; the duals are those of `on`.
+    fn project(&mut self, row: &mut Row, witness: Witness, on: &dyn Subject, direction: &[f64]) {
+        let Some(whole) = self.product(row, witness, on, direction) else {
+            return;
+        };
+        let size: f64 = dot(
+            &row.size,
+            &direction.iter().map(|d| d.abs()).collect::<Vec<_>>(),
+        );
+        if row.dual.is_none() {
+            let pair = if witness == Witness::Dual { 0 } else { 3 };
+            let gap = (whole.adjoint - whole.other).abs();
+            self.found.worst[pair].note(gap, size, whole.tolerance, self.eps, 0);
+        }
+        if whole.excess() <= 0.0 {
+            return;
+        }
+        // Halves: the part that is off by more has the number that is off most, or one of those.
+        let (mut range, mut last) = (0..direction.len(), whole);
+        while range.len() > 1 {
+            let middle = usize::midpoint(range.start, range.end);
+            let halves = [range.start..middle, middle..range.end].map(|half| {
+                let product = self.product(row, witness, on, &part(direction, &half));
+                (half, product)
+            });
+            let worse = halves
+                .into_iter()
+                .filter_map(|(half, product)| Some((half, product?)))
+                .max_by(|a, b| a.1.excess().total_cmp(&b.1.excess()));
+            match worse {
+                Some((half, product)) if product.excess() > 0.0 => (range, last) = (half, product),
+                _ => break,
+            }
+        }
+        let input = range.start;
+        // One number left: say slopes rather than products.
+        let per = if range.len() == 1 {
+            direction[input]
+        } else {
+            1.0
+        };
+        if range.len() == 1 && self.conventional_border(row, input) {
+            self.found.convention = true;
+            return;
+        }
+        let other = last.other / per;
+        let numbers = Numbers {
+            adjoint: Some(last.adjoint / per),
+            dual: (witness == Witness::Dual).then_some(other),
+            other: (witness != Witness::Dual).then_some(other),
+            ..Numbers::default()
+        };
+        let suspect = (witness == Witness::Wide).then_some(Witness::Adjoint);
+        let reason = Reason::Disagree(Witness::Adjoint, witness);
+        let tolerance = last.tolerance / per.abs();
+        self.refuse_with(reason, suspect, row.output, input, numbers, tolerance);
+    }
+
+    /// The slope of a row along a direction by duals.
+    pub(crate) fn by_duals(&self, row: &Row, direction: &[f64]) -> Option<f64> {
+        let ahead = self.subject.along(self.x, direction)?;
+        let usable = ahead.len() == self.y.len() && ahead.iter().all(|y| y.is_finite());
+        usable.then(|| dot(&row.weights, &ahead))
+    }
+
+    /// The number of the input at which a slope that differences refuse along a direction is off
+    /// most, as far as halving the direction tells.
+    pub(crate) fn worst_input(
+        &self,
+        row: &Row,
+        witness: Witness,
+        direction: &[f64],
+        climb: &dyn Fn(&[f64]) -> Ladder,
+    ) -> usize {
+        let excess = |range: &Range<usize>| {
+            let there = part(direction, range);
+            let slope = match (witness, &row.adjoint) {
+                (Witness::Adjoint, Some(list)) => dot(list, &there),
+                _ => self.by_duals(row, &there)?,
+            };
+            let estimate = climb(&there).central(&row.weights, row.noise, false)?;
+            Some((estimate.value - slope).abs() - SAFETY * estimate.error)
+        };
+        let mut range = 0..direction.len();
+        while range.len() > 1 {
+            let middle = usize::midpoint(range.start, range.end);
+            let (low, high) = (range.start..middle, middle..range.end);
+            range = match (excess(&low), excess(&high)) {
+                (Some(a), Some(b)) if b > a => high,
+                (Some(_), Some(_)) => low,
+                _ => break,
+            };
+        }
+        range.start
+    }
+
+    /// Both products along a direction; rounding is provoked when they differ. `None` when there
+    /// is nothing to compare, or a length or number that was refused.
+    fn product(
+        &mut self,
+        row: &mut Row,
+        witness: Witness,
+        on: &dyn Subject,
+        direction: &[f64],
+    ) -> Option<Product> {
+        let adjoint = dot(row.adjoint.as_ref()?, direction);
+        let ahead = on.along(self.x, direction)?;
+        if ahead.len() != self.y.len() {
+            self.refuse(Reason::WrongLength(witness), row.output, 0);
+            return None;
+        }
+        if ahead.iter().any(|y| !y.is_finite()) {
+            if row.dual.is_none() && witness == Witness::Dual {
+                self.refuse(Reason::NotFinite(witness), row.output, 0);
+            }
+            return None;
+        }
+        let other = dot(&row.weights, &ahead);
+        let terms: f64 = row
+            .weights
+            .iter()
+            .zip(&ahead)
+            .map(|(w, y)| (w * y).abs())
+            .sum();
+        let allowed = |row: &Row| {
+            let own: f64 = (0..direction.len())
+                .map(|i| direction[i].abs() * row.tolerance[i])
+                .sum();
+            own + ROUNDINGS * self.eps * terms
+        };
+        let mut tolerance = allowed(row);
+        if (adjoint - other).abs() > tolerance {
+            self.provoke(row);
+            self.provoke_widely(row);
+            // A tie is decided as it stands: a kink in a single number is no rounding.
+            let single = (0..direction.len())
+                .map(|i| direction[i].abs() * row.size[i])
+                .fold(0.0, f64::max);
+            let strict = (witness == Witness::Dual).then_some([single]);
+            let spread = self.spread(&[other], strict.as_ref().map(|s| &s[..]), |x| {
+                Some(vec![dot(&row.weights, &on.along(x, direction)?)])
+            });
+            tolerance = allowed(row) + SAFETY * spread[0];
+        }
+        Some(Product {
+            adjoint,
+            other,
+            tolerance,
+        })
+    }
+}

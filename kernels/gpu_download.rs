@@ -1,0 +1,244 @@
+//! How results come back: at once, later, or awaited.
+use super::data::Piece;
+use super::{Gpu, Inner};
+use crate::kernels::GpuError;
+use std::future::Future;
+use std::pin::Pin;
+use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
+use std::sync::{Arc, Condvar, Mutex, PoisonError};
+use std::task::{Context, Poll, Waker};
+use std::time::Duration;
+
+impl Inner {
+    /// Starts bringing numbers back.
+    pub fn bring(&self, gpu: &Gpu, parts: &[(&wgpu::Buffer, u64)]) -> Result<Arrival, GpuError> {
+        self.guarded(|| {
+            let mut encoder = self.encoder();
+            let mut staged = Vec::new();
+            for &(buffer, bytes) in parts.iter().filter(|&&(_, bytes)| bytes > 0) {
+                let staging = self.staging(bytes);
+                encoder.copy_buffer_to_buffer(buffer, 0, &staging, 0, bytes);
+                staged.push((staging, bytes));
+            }
+            let submission = self.queue.submit([encoder.finish()]);
+            let state = State::of(staged.iter().map(|(staging, _)| staging));
+            Ok(Arrival {
+                gpu: gpu.clone(),
+                staged,
+                state,
+                submission,
+                watched: false,
+            })
+        })
+    }
+}
+
+/// How far a download is.
+#[derive(Debug, Default)]
+pub(super) struct State {
+    left: AtomicUsize,
+    failed: AtomicBool,
+    waker: Mutex<Option<Waker>>,
+    arrived: Condvar,
+}
+
+impl State {
+    /// Maps buffers for reading.
+    pub fn of<'a>(staged: impl ExactSizeIterator<Item = &'a wgpu::Buffer>) -> Arc<State> {
+        let state = Arc::new(State {
+            left: AtomicUsize::new(staged.len()),
+            ..State::default()
+        });
+        for staging in staged {
+            let state = Arc::clone(&state);
+            staging.map_async(wgpu::MapMode::Read, .., move |mapped| {
+                if let Err(error) = mapped {
+                    log::error!("mapping: {error}");
+                    state.failed.store(true, Ordering::Release);
+                }
+                let waker = {
+                    let mut waker = super::locked(&state.waker);
+                    state.left.fetch_sub(1, Ordering::AcqRel);
+                    state.arrived.notify_all();
+                    waker.take()
+                };
+                if let Some(waker) = waker {
+                    waker.wake();
+                }
+            });
+        }
+        state
+    }
+
+    fn is_ready(&self) -> bool {
+        self.left.load(Ordering::Acquire) == 0
+    }
+
+    /// Waits for a submission and for what it maps.
+    ///
+    /// Any thread that drives the device may be the one that is told of a mapped buffer, so the
+    /// end of the submission is not the end of the wait.
+    pub fn wait(&self, inner: &Inner, submission: &wgpu::SubmissionIndex) -> Result<(), GpuError> {
+        inner.wait(Some(submission.clone()))?;
+        let mut waker = super::locked(&self.waker);
+        while !self.is_ready() {
+            let told = self.arrived.wait_timeout(waker, PATIENCE);
+            waker = told.unwrap_or_else(PoisonError::into_inner).0;
+            inner.alive()?;
+        }
+        if self.failed.load(Ordering::Acquire) {
+            return Err(GpuError::OutOfMemory);
+        }
+        Ok(())
+    }
+}
+
+/// How long to wait for another thread before looking whether the device is still there.
+const PATIENCE: Duration = Duration::from_millis(50);
+
+/// Buffers on their way to the processor.
+#[derive(Debug)]
+pub(super) struct Arrival {
+    gpu: Gpu,
+    staged: Vec<(wgpu::Buffer, u64)>,
+    state: Arc<State>,
+    submission: wgpu::SubmissionIndex,
+    watched: bool,
+}
+
+impl Arrival {
+    /// Waits, then hands each part over.
+    pub fn finish(self, each: impl FnMut(usize, &[u32])) -> Result<(), GpuError> {
+        self.wait()?;
+        self.read(each)
+    }
+
+    fn wait(&self) -> Result<(), GpuError> {
+        self.state.wait(&self.gpu.inner, &self.submission)
+    }
+
+    /// Hands each part over, in order.
+    pub fn read(&self, mut each: impl FnMut(usize, &[u32])) -> Result<(), GpuError> {
+        self.gpu.inner.alive()?;
+        if self.state.failed.load(Ordering::Acquire) {
+            return Err(GpuError::OutOfMemory);
+        }
+        for (part, (staging, bytes)) in self.staged.iter().enumerate() {
+            let view = staging
+                .get_mapped_range(..*bytes)
+                .map_err(|_| GpuError::DeviceLost)?;
+            each(part, bytemuck::cast_slice(&view[..]));
+        }
+        Ok(())
+    }
+}
+
+/// Makes what was asked for out of what arrived.
+type Make<T> = dyn FnMut(&Arrival) -> Result<T, GpuError> + Send;
+
+/// A download that was started: wait for it with [`wait`](Pending::wait), or await it.
+#[must_use = "nothing arrives unless waited for"]
+pub struct Pending<T> {
+    arrival: Arrival,
+    make: Box<Make<T>>,
+}
+
+impl<T> std::fmt::Debug for Pending<T> {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        f.debug_struct("Pending")
+            .field("is_ready", &self.arrival.state.is_ready())
+            .finish_non_exhaustive()
+    }
+}
+
+impl<T> Pending<T> {
+    pub(super) fn new(
+        arrival: Arrival,
+        make: impl FnMut(&Arrival) -> Result<T, GpuError> + Send + 'static,
+    ) -> Self {
+        Pending {
+            arrival,
+            make: Box::new(make),
+        }
+    }
+
+    /// Whether the numbers have arrived. Never blocks.
+    ///
+    /// # Errors
+    ///
+    /// [`GpuError::DeviceLost`].
+    pub fn is_ready(&self) -> Result<bool, GpuError> {
+        let inner = &self.arrival.gpu.inner;
+        inner.alive()?;
+        let polled = inner.device.poll(wgpu::PollType::Poll);
+        inner.alive()?;
+        polled.map_err(|_| GpuError::DeviceLost)?;
+        Ok(self.arrival.state.is_ready())
+    }
+
+    /// Waits for the numbers.
+    ///
+    /// # Errors
+    ///
+    /// [`GpuError::DeviceLost`], or [`GpuError::OutOfMemory`] when they have no room.
+    pub fn wait(mut self) -> Result<T, GpuError> {
+        self.arrival.wait()?;
+        (self.make)(&self.arrival)
+    }
+}
+
+impl<T> Future for Pending<T> {
+    type Output = Result<T, GpuError>;
+
+    fn poll(self: Pin<&mut Self>, context: &mut Context<'_>) -> Poll<Self::Output> {
+        let this = self.get_mut();
+        *super::locked(&this.arrival.state.waker) = Some(context.waker().clone());
+        match this.is_ready() {
+            Ok(true) => return Poll::Ready((this.make)(&this.arrival)),
+            Ok(false) => {}
+            Err(error) => return Poll::Ready(Err(error)),
+        }
+        if !this.arrival.watched {
+            this.arrival.watched = true;
+            // Somebody has to drive the device while the task sleeps.
+            let (gpu, state) = (this.arrival.gpu.clone(), Arc::clone(&this.arrival.state));
+            let submission = this.arrival.submission.clone();
+            std::thread::spawn(move || {
+                let _ = gpu.inner.wait(Some(submission));
+                if let Some(waker) = super::locked(&state.waker).take() {
+                    waker.wake();
+                }
+            });
+        }
+        Poll::Pending
+    }
+}
+
+/// What to bring back of each piece, whose numbers follow from its items.
+pub(super) fn parts(
+    pieces: &[Piece],
+    numbers: impl Fn(usize) -> usize,
+) -> Vec<(&wgpu::Buffer, u64)> {
+    pieces
+        .iter()
+        .map(|piece| (&piece.buffer, 4 * numbers(piece.items) as u64))
+        .collect()
+}
+
+/// The download that waits, for every handle that has one that does not.
+macro_rules! download {
+    ($([$($generic:tt)*] $name:ty => $out:ty;)*) => { $(
+        impl<$($generic)*> $name {
+            /// Brings it back and waits for it.
+            ///
+            /// # Errors
+            ///
+            /// What the device says.
+            pub fn download(&self) -> Result<$out, GpuError> {
+                self.start_download()?.wait()
+            }
+        }
+    )* };
+}
+
+pub(super) use download;

@@ -1,0 +1,151 @@
+//! Compacted lists on the GPU: the pairs whose score is above a threshold.
+use super::download::download;
+use super::pairs::ShapesOf;
+use super::reduce::Table;
+use super::source::{GpuPair, Take};
+use super::work::{Params, Work};
+use super::{Gpu, Matrix, Pending};
+use crate::kernels::GpuError;
+use crate::kernels::reduce::{Found, check_threshold};
+
+/// Pairs whose score is above a threshold, on the GPU.
+#[derive(Clone, Debug)]
+pub struct Founds {
+    gpu: Gpu,
+    /// Triples of row, column and score, and how many.
+    lists: Vec<(wgpu::Buffer, usize)>,
+    /// Whether rows come once per piece of columns.
+    is_mixed: bool,
+}
+
+impl Founds {
+    /// How many pairs.
+    #[must_use]
+    pub fn len(&self) -> usize {
+        self.lists.iter().map(|list| list.1).sum()
+    }
+
+    /// Whether there are none.
+    #[must_use]
+    pub fn is_empty(&self) -> bool {
+        self.lists.is_empty()
+    }
+
+    /// Starts bringing them back, row by row and within a row by column.
+    ///
+    /// # Errors
+    ///
+    /// What the device says.
+    pub fn start_download(&self) -> Result<Pending<Vec<Found>>, GpuError> {
+        let (len, is_mixed) = (self.len(), self.is_mixed);
+        let lists = self.lists.iter();
+        let parts: Vec<_> = lists.map(|(list, n)| (list, BYTES * *n as u64)).collect();
+        let arrival = self.gpu.inner.bring(&self.gpu, &parts)?;
+        Ok(Pending::new(arrival, move |arrival| {
+            let mut all = Vec::with_capacity(len);
+            arrival.read(|_, numbers| {
+                all.extend(numbers.chunks_exact(3).map(|entry| Found {
+                    row: entry[0] as usize,
+                    column: entry[1] as usize,
+                    value: f32::from_bits(entry[2]),
+                }));
+            })?;
+            if is_mixed {
+                all.sort_by_key(|found| (found.row, found.column));
+            }
+            Ok(all)
+        }))
+    }
+}
+
+download! {
+    [] Founds => Vec<Found>;
+}
+
+/// Of one pair in a list.
+const BYTES: u64 = 12;
+
+impl Table<'_> {
+    /// Every pair above the threshold: counted first, then written to places that follow from the
+    /// counts, so the order is the same every time.
+    fn above(mut self, threshold: f32) -> Result<Founds, GpuError> {
+        check_threshold(threshold)?;
+        let (gpu, inner) = (self.gpu, &self.gpu.inner);
+        let mut all = Founds {
+            gpu: gpu.clone(),
+            lists: Vec::new(),
+            is_mixed: self.sweeps.iter().any(|sweep| sweep.walked_base > 0),
+        };
+        self.sweeps.reverse();
+        while let Some(sweep) = self.sweeps.pop() {
+            let (places, total) = inner.guarded(|| {
+                let count = self.pipeline(Take::Count);
+                let place = inner.gather_pipeline("places_main");
+                let places = inner.storage(sweep.room() + 1);
+                let total = inner.storage(1);
+                let mut work = Work::new(inner);
+                let buffers = sweep.buffers(&[(7, &places)]);
+                work.dispatch(&count, sweep.params(threshold), &buffers, sweep.size());
+                let list = Params {
+                    own_count: sweep.room() as u32,
+                    ..Params::default()
+                };
+                work.dispatch(&place, list, &[(7, &places)], [1, 1]);
+                work.copy(&places, 4 * sweep.room() as u64, &total, 4);
+                work.submit()?;
+                Ok((places, total))
+            })?;
+            let mut found = 0;
+            inner
+                .bring(gpu, &[(&total, 4)])?
+                .finish(|_, numbers| found = numbers[0] as usize)?;
+            if found == 0 {
+                continue;
+            }
+            if BYTES * found as u64 > inner.most_bytes && sweep.own > 1 {
+                let [first, second] = sweep.halves();
+                self.sweeps.extend([second, first]);
+                continue;
+            }
+            let list = inner.guarded(|| {
+                let write = self.pipeline(Take::Found);
+                let list = inner.storage(3 * found);
+                let mut work = Work::new(inner);
+                let buffers = sweep.buffers(&[(4, &list), (7, &places)]);
+                work.dispatch(&write, sweep.params(threshold), &buffers, sweep.size());
+                work.submit()?;
+                Ok(list)
+            })?;
+            all.lists.push((list, found));
+        }
+        Ok(all)
+    }
+}
+
+impl Gpu {
+    /// Every pair whose score is above the threshold, as a list that stays on the GPU.
+    ///
+    /// # Errors
+    ///
+    /// [`GpuError::ForeignBuffer`], [`GpuError::Input`] for a threshold that is not a number, or
+    /// what the device says.
+    pub fn above<O: GpuPair>(
+        &self,
+        a: &ShapesOf<O>,
+        b: &ShapesOf<O>,
+        threshold: f32,
+    ) -> Result<Founds, GpuError> {
+        Table::of_shapes::<O>(self, a, b, true)?.above(threshold)
+    }
+}
+
+impl Matrix {
+    /// Every number above the threshold and where it is, as a list that stays on the GPU.
+    ///
+    /// # Errors
+    ///
+    /// [`GpuError::Input`] for a threshold that is not finite, or what the device says.
+    pub fn above(&self, threshold: f32) -> Result<Founds, GpuError> {
+        Table::of_matrix(self, true).above(threshold)
+    }
+}

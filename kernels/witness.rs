@@ -1,0 +1,151 @@
+//! Batches as witnesses: what a [`Backend`] answers, beside what everybody else says.
+//!
+//! ```
+//! use geograd::ad::check::Plan;
+//! use geograd::kernels::{Backend, IouObb2, check::prove_pair_on};
+//! // Backend::Gpu(&gpu) asks a GPU.
+//! let report = prove_pair_on::<IouObb2>(Backend::Cpu, &Plan::new(20, 1))?;
+//! assert!(report.passed(), "{report}");
+//! # Ok::<(), geograd::kernels::GpuError>(())
+//! ```
+use crate::kernels::gpu::{GpuPair, GpuRing};
+use crate::kernels::op::Op;
+use crate::kernels::{Backend, GpuError};
+use crate::{Fixed, Pack, Vec2};
+use std::cell::Cell;
+use std::collections::HashMap;
+
+/// What a batch says about one input.
+#[derive(Clone, Debug)]
+pub struct Answer {
+    /// The value.
+    pub value: Vec<f64>,
+    /// The slopes of every output.
+    pub rows: Vec<Vec<f64>>,
+}
+
+impl Answer {
+    /// The slopes of `y_bar · value`.
+    #[must_use]
+    pub fn slopes(&self, y_bar: &[f64]) -> Vec<f64> {
+        let count = self.rows.first().map_or(0, Vec::len);
+        let slope = |i| self.rows.iter().zip(y_bar).map(|(row, y)| row[i] * y).sum();
+        (0..count).map(slope).collect()
+    }
+}
+
+/// Something that answers many inputs, given as lists of numbers, at once.
+pub type Ask<'a> = &'a dyn Fn(&[Vec<f32>]) -> Result<Vec<Answer>, GpuError>;
+
+/// A batch as a witness. Inputs known beforehand are asked about in one large batch, as users would;
+/// others (shrunk ones, those beside a point) one by one.
+pub struct Batch<'a> {
+    ask: Ask<'a>,
+    known: HashMap<Vec<u32>, Answer>,
+    error: Cell<Option<GpuError>>,
+}
+
+fn single(x: &[f64]) -> Vec<f32> {
+    x.iter().map(|&x| x as f32).collect()
+}
+fn key(x: &[f32]) -> Vec<u32> {
+    x.iter().map(|x| x.to_bits()).collect()
+}
+fn widened(list: &[f32]) -> Vec<f64> {
+    list.iter().map(|&x| f64::from(x)).collect()
+}
+
+impl<'a> Batch<'a> {
+    /// A witness that has been asked about all these inputs.
+    ///
+    /// # Errors
+    ///
+    /// As the batch's.
+    pub fn new(ask: Ask<'a>, inputs: &[Vec<f64>]) -> Result<Self, GpuError> {
+        let inputs: Vec<Vec<f32>> = inputs.iter().map(|x| single(x)).collect();
+        let answers = ask(&inputs)?;
+        Ok(Batch {
+            ask,
+            known: inputs.iter().map(|x| key(x)).zip(answers).collect(),
+            error: Cell::new(None),
+        })
+    }
+    /// What it says about an input; nothing after an error, which [`error`](Batch::error) keeps.
+    #[must_use]
+    pub fn about(&self, x: &[f64]) -> Option<Answer> {
+        let x = single(x);
+        if let Some(known) = self.known.get(&key(&x)) {
+            return Some(known.clone());
+        }
+        if self.error.get().is_some() {
+            return None;
+        }
+        match (self.ask)(&[x]) {
+            Ok(answers) => answers.into_iter().next(),
+            Err(error) => {
+                self.error.set(Some(error));
+                None
+            }
+        }
+    }
+    /// The first error, if there was one.
+    #[must_use]
+    pub fn error(&self) -> Option<GpuError> {
+        self.error.get()
+    }
+}
+
+/// Asks a backend about pairs: values from the one kernel, slopes from the other.
+pub(crate) fn ask_pairs<O: GpuPair>(
+    backend: Backend<'_>,
+    inputs: &[Vec<f32>],
+) -> Result<Vec<Answer>, GpuError> {
+    let (mut a, mut b) = (Vec::new(), Vec::new());
+    for x in inputs {
+        let (first, second) = x.split_at(O::A::<f32>::LEN);
+        a.push(O::A::<f32>::from_slice(first));
+        b.push(O::B::<f32>::from_slice(second));
+    }
+    let values = backend.aligned::<O>(&a, &b)?;
+    let (a_bars, b_bars) = backend.aligned_vjp::<O>(&a, &b, &vec![1.0; a.len()])?;
+    let bars = a_bars.iter().zip(&b_bars);
+    let answers = values.iter().zip(bars).map(|(value, (a, b))| Answer {
+        value: widened(&[*value]),
+        rows: vec![widened(&[a.scalars(), b.scalars()].concat())],
+    });
+    Ok(answers.collect())
+}
+
+/// Asks a backend about rings, one call per output for the slopes.
+pub(crate) fn ask_rings<O: GpuRing>(
+    backend: Backend<'_>,
+    inputs: &[Vec<f32>],
+) -> Result<Vec<Answer>, GpuError> {
+    let mut offsets = vec![0];
+    let mut vertices = Vec::new();
+    for x in inputs {
+        vertices.extend(x.chunks_exact(2).map(|p| Vec2::new(p[0], p[1])));
+        offsets.push(vertices.len());
+    }
+    let values = backend.ragged::<O>(&vertices, &offsets)?;
+    let mut answers: Vec<Answer> = values
+        .iter()
+        .map(|value| Answer {
+            value: widened(&value.scalars()),
+            rows: Vec::new(),
+        })
+        .collect();
+    let outputs = <O as Op>::Out::<f32>::LEN;
+    for j in 0..outputs {
+        let seed: Vec<f32> = (0..outputs).map(|k| f32::from(u8::from(j == k))).collect();
+        let seeds = vec![<O as Op>::Out::<f32>::from_slice(&seed); inputs.len()];
+        let bars = backend.ragged_vjp::<O>(&vertices, &offsets, &seeds)?;
+        for (answer, bounds) in answers.iter_mut().zip(offsets.windows(2)) {
+            let ring = bars[bounds[0]..bounds[1]].iter();
+            answer
+                .rows
+                .push(ring.flat_map(|p| [p.x.into(), p.y.into()]).collect());
+        }
+    }
+    Ok(answers)
+}

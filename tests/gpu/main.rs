@@ -1,0 +1,107 @@
+//! Batches on the GPU against batches on the CPU, for every operation of the list.
+//!
+//! Without an adapter the tests say so and pass, unless `GEOGRAD_REQUIRE_GPU=1`. A driver in
+//! software will do.
+mod bounds;
+mod context;
+mod faults;
+mod parity;
+mod resident;
+mod rings;
+mod shapes;
+
+use geograd::kernels::gpu::{Gpu, Options, pair_sources, ring_sources};
+use std::sync::{Mutex, MutexGuard, OnceLock, PoisonError};
+
+/// One context for all tests, one test at a time: drivers in software use all cores anyway.
+fn gpu() -> Option<(MutexGuard<'static, ()>, &'static Gpu)> {
+    static TURN: Mutex<()> = Mutex::new(());
+    static GPU: OnceLock<Option<Gpu>> = OnceLock::new();
+    let turn = TURN.lock().unwrap_or_else(PoisonError::into_inner);
+    let made = GPU.get_or_init(|| match Gpu::new() {
+        Ok(gpu) => {
+            eprintln!("testing on {}", gpu.adapter());
+            Some(gpu)
+        }
+        Err(error) => {
+            let required = std::env::var("GEOGRAD_REQUIRE_GPU").is_ok_and(|x| x == "1");
+            assert!(!required, "a GPU is required: {error}");
+            eprintln!("SKIPPED, NOTHING WAS TESTED: {error}");
+            None
+        }
+    });
+    made.as_ref().map(|gpu| (turn, gpu))
+}
+
+/// A context whose buffers are so small that everything is split.
+fn small() -> Gpu {
+    let mut options = Options::default();
+    options.most_bytes = Some(64 * 64);
+    Gpu::with(&options).unwrap()
+}
+
+/// A shader parses and passes validation without any GPU.
+fn validate(name: &str, text: &str) {
+    use naga::valid::{Capabilities, ValidationFlags, Validator};
+    let module = match naga::front::wgsl::parse_str(text) {
+        Ok(module) => module,
+        Err(error) => panic!("{name}: {}", error.emit_to_string(text)),
+    };
+    // WebGPU's own capabilities, and subgroups where a device has them.
+    let capabilities = Capabilities::SUBGROUP;
+    if let Err(error) = Validator::new(ValidationFlags::all(), capabilities).validate(&module) {
+        panic!("{name}: {}", error.emit_to_string(text));
+    }
+}
+
+macro_rules! walk {
+    (pairs { $($pair:ident: $pair_op:ty,)* } rings { $($ring:ident: $ring_op:ty,)* }) => {
+        $(mod $pair {
+            #[test]
+            fn shaders_are_valid() {
+                for (name, text) in super::pair_sources::<$pair_op>() {
+                    super::validate(&name, &text);
+                }
+            }
+            #[test]
+            fn aligned() {
+                super::parity::aligned_agree::<$pair_op>();
+            }
+            #[test]
+            fn all_pairs() {
+                let Some((_turn, gpu)) = super::gpu() else { return };
+                super::parity::all_pairs_agree::<$pair_op>(gpu, 67, 300);
+                super::parity::all_pairs_agree::<$pair_op>(gpu, 1, 1);
+            }
+            #[test]
+            fn chains() {
+                super::resident::chains_agree::<$pair_op>();
+            }
+            #[test]
+            fn bad_input() {
+                super::faults::bad_input_is_refused::<$pair_op>();
+                super::faults::empty_batches_are_valid::<$pair_op>();
+            }
+            #[test]
+            fn all_pairs_split() {
+                let Some((_turn, _)) = super::gpu() else { return };
+                super::parity::all_pairs_agree::<$pair_op>(&super::small(), 70, 150);
+            }
+        })*
+        $(mod $ring {
+            #[test]
+            fn shaders_are_valid() {
+                for (name, text) in super::ring_sources::<$ring_op>() {
+                    super::validate(&name, &text);
+                }
+            }
+            #[test]
+            fn ragged() {
+                let Some((_turn, gpu)) = super::gpu() else { return };
+                super::rings::rings_agree::<$ring_op>(gpu);
+                super::rings::rings_agree::<$ring_op>(&super::small());
+            }
+        })*
+    };
+}
+geograd::for_each_op!(walk);

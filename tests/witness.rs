@@ -1,0 +1,146 @@
+//! Batches as witnesses: those of the CPU, and of a GPU where there is one, agree with everybody
+//! else; a batch that is wrong is refused.
+use geograd::ad::check::{Check, Plan, examine};
+use geograd::ad::subject::{Conventions, Jumps};
+use geograd::ad::verdict::{Reason, Witness};
+use geograd::kernels::check::{OpSubject, prove_pair_on, prove_ring_on};
+use geograd::kernels::gpu::Gpu;
+use geograd::kernels::witness::{Answer, Batch};
+use geograd::kernels::{Backend, GpuError, IouObb2};
+use geograd::{Obb2, Pack, ad};
+
+/// Every so many hard cases, and random inputs on top.
+fn plan() -> Plan<'static> {
+    Plan {
+        hard: 23,
+        ..Plan::new(40, 1)
+    }
+}
+
+/// A GPU, unless there is none and none is required.
+fn gpu() -> Option<Gpu> {
+    let required = std::env::var("GEOGRAD_REQUIRE_GPU").is_ok_and(|x| x == "1");
+    match Gpu::new() {
+        Ok(gpu) => Some(gpu),
+        Err(error) => {
+            assert!(
+                !(required && cfg!(feature = "gpu")),
+                "a GPU is required: {error}"
+            );
+            eprintln!("SKIPPED, NOTHING WAS TESTED: {error}");
+            None
+        }
+    }
+}
+
+macro_rules! prove_all {
+    (pairs { $($pair:ident: $pair_op:ty,)* } rings { $($ring:ident: $ring_op:ty,)* }) => {
+        fn prove_on(backend: Backend<'_>) {
+            $(
+                let report = prove_pair_on::<$pair_op>(backend, &plan()).unwrap();
+                assert!(report.passed() && report.worst[5].count > 0, "{report}");
+            )*
+            $(
+                let report = prove_ring_on::<$ring_op>(backend, &plan()).unwrap();
+                assert!(report.passed() && report.worst[5].count > 0, "{report}");
+            )*
+        }
+    };
+}
+geograd::for_each_op!(prove_all);
+
+#[test]
+fn batches_on_the_cpu() {
+    prove_on(Backend::Cpu);
+}
+
+#[test]
+fn batches_on_a_gpu() {
+    if let Some(gpu) = gpu() {
+        prove_on(Backend::Gpu(&gpu));
+    }
+}
+
+#[test]
+fn a_wrong_batch_is_refused() {
+    let input: (Obb2<f64>, Obb2<f64>) = (
+        Obb2::new(0.0, 0.0, 2.0, 1.0, 0.25),
+        Obb2::new(0.5, 0.25, 1.5, 1.0, 0.5),
+    );
+    let report = |value: f32, slope: f32| {
+        let ask = |inputs: &[Vec<f32>]| {
+            let answer = |x: &Vec<f32>| {
+                let x: Vec<f64> = x.iter().map(|&x| f64::from(x)).collect();
+                let (a, b) = input.refill(&x);
+                let (iou, bars) = ad::overlap::iou_obb2_grad(a.cast::<f32>(), b.cast::<f32>());
+                let mut slopes: Vec<f64> = bars.scalars().iter().map(|&x| f64::from(x)).collect();
+                slopes[7] *= f64::from(slope);
+                Answer {
+                    value: vec![f64::from(iou * value)],
+                    rows: vec![slopes],
+                }
+            };
+            Ok(inputs.iter().map(answer).collect())
+        };
+        let batch = Batch::new(&ask, &[input.scalars()]).unwrap();
+        let inputs = [input];
+        examine("wrong", &Plan::new(1, 1), &inputs, 1, |x, judge| {
+            let subject = OpSubject::<IouObb2, f32>::new(x, &[], None);
+            judge(&subject.with_batch(Some(&batch)));
+        })
+    };
+    assert!(report(1.0, 1.0).passed(), "{}", report(1.0, 1.0));
+    let wrong = report(1.001, 1.0);
+    assert!(
+        wrong.refused_for(Reason::ValuesDisagree(Witness::Batch)),
+        "{wrong}"
+    );
+    let wrong = report(1.0, 0.999);
+    let reason = Reason::Disagree(Witness::Adjoint, Witness::Batch);
+    assert!(wrong.refused_for(reason), "{wrong}");
+    assert_eq!(wrong.failures[0].fault.input, 7);
+}
+
+#[test]
+fn an_error_of_the_backend_is_handed_on() {
+    let unit: Obb2<f64> = Obb2::new(0.0, 0.0, 1.0, 1.0, 0.0);
+    let input = (unit, unit);
+    let lost = |_: &[Vec<f32>]| Err(GpuError::DeviceLost);
+    let error = Batch::new(&lost, &[input.scalars()]).err();
+    assert_eq!(error, Some(GpuError::DeviceLost));
+    // Nothing was known beforehand.
+    let late = |inputs: &[Vec<f32>]| {
+        if inputs.is_empty() {
+            Ok(Vec::new())
+        } else {
+            Err(GpuError::DeviceLost)
+        }
+    };
+    let batch = Batch::new(&late, &[]).unwrap();
+    assert!(batch.about(&input.scalars()).is_none());
+    assert_eq!(batch.error(), Some(GpuError::DeviceLost));
+}
+
+#[test]
+fn a_backend_as_a_witness_of_ones_own_check() {
+    // What a user of the feature `gpu` writes; `Backend::Gpu(&gpu)` asks the GPU.
+    let gpu = gpu();
+    let backend = gpu.as_ref().map_or(Backend::Cpu, Backend::Gpu);
+    type Pair = (Obb2<f32>, Obb2<f32>);
+    Check::at((
+        Obb2::new(0.0, 0.0, 2.0, 1.0, 0.25),
+        Obb2::new(0.5, 0.25, 1.5, 1.0, 0.5),
+    ))
+    .value(|(a, b): Pair| a.iou(b))
+    .gradient(|(a, b)| ad::overlap::iou_obb2_vjp(a, b, 1.0))
+    .conventions(Conventions {
+        flat: true,
+        jumps: Jumps::FromZero,
+    })
+    .witness(|(a, b): Pair, seed| {
+        let bars = backend.aligned_vjp::<IouObb2>(&[a], &[b], seed);
+        let (a_bars, b_bars) = bars.expect("the backend answers");
+        (a_bars[0], b_bars[0])
+    })
+    .prove();
+}
