@@ -60,7 +60,7 @@ pub fn score_framed_grad<M: Measure, S: Scalar, const EXTREME: bool>(
     } else {
         S::one()
     };
-    let pair = relate(a, b, scale);
+    let pair = relate::<S, EXTREME>(a, b, scale);
     let zero = Obb2::new(S::zero(), S::zero(), S::zero(), S::zero(), S::zero());
     if pair.apart.all() {
         return (S::zero(), (zero, zero));

@@ -115,26 +115,42 @@ pub struct Relative<S: Scalar> {
     pub apart: S::Mask,
 }
 
-/// No farther than it matters.
+/// `b − a` in units of `1 / scale`, no farther than it matters, and what rounding took away (a
+/// constant; zero where products carry no low part).
 #[inline(always)]
-fn bounded<S: Scalar>(x: S) -> S {
-    let far = S::lit(FAR);
-    let x = S::select(x.above(far), far, x);
-    S::select(x.below(-far), -far, x)
+fn difference<S: Scalar, const EXTREME: bool>(a: S, b: S, scale: S) -> (S, S) {
+    let rounded = b - a;
+    let mut lost = S::Primal::zero();
+    if S::COMPENSATED {
+        // The exact error of a difference (Knuth, The Art of Computer Programming 2, 4.2.2).
+        let (a, b, rounded) = (a.primal(), b.primal(), rounded.primal());
+        let taken = rounded - b;
+        lost = (b - (rounded - taken)) - (a + taken);
+    }
+    let lost = S::from_primal(lost);
+    if !EXTREME {
+        return (rounded, lost);
+    }
+    let (x, far) = (rounded * scale, S::lit(FAR));
+    let near = x.unsigned().at_most(far);
+    let x = S::select(near, x, S::select(x.below(S::zero()), -far, far));
+    (x, S::select(near, lost * scale, S::zero()))
 }
 
 /// Sees `b` from `a`.
 ///
 /// The difference of the centres comes first, so the distance from the origin costs no digits.
 /// Where the scalar has 24 bits the products carry low parts: the result is right to about 2⁻³⁵ of
-/// its inputs even where it cancels, which long thin boxes need.
+/// its inputs even where it cancels, which long thin boxes need. `EXTREME` says whether there is a
+/// scale at all.
 #[inline(always)]
-pub fn relate<S: Scalar>(a: Framed<S>, b: Framed<S>, scale: S) -> Relative<S> {
-    let dx = bounded((b.center.x - a.center.x) * scale);
-    let dy = bounded((b.center.y - a.center.y) * scale);
+pub fn relate<S: Scalar, const EXTREME: bool>(a: Framed<S>, b: Framed<S>, scale: S) -> Relative<S> {
+    let (dx, lost_x) = difference::<S, EXTREME>(a.center.x, b.center.x, scale);
+    let (dy, lost_y) = difference::<S, EXTREME>(a.center.y, b.center.y, scale);
     let (u, v, cos, sin);
     if S::COMPENSATED {
         let ((dx_high, dx_low), (dy_high, dy_low)) = (dx.parts(), dy.parts());
+        let (dx_low, dy_low) = (dx_low + lost_x, dy_low + lost_y);
         u = (a.cos_high * dx_high + a.sin_high * dy_high)
             + ((a.cos_high * dx_low + a.sin_high * dy_low) + (a.cos_low * dx + a.sin_low * dy));
         v = (a.cos_high * dy_high - a.sin_high * dx_high)

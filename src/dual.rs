@@ -81,9 +81,10 @@ impl<D: Tangent> Scalar for D {
         // Scaling the divisor to about one keeps its square from over- or underflowing.
         let scale = Self::from_primal(Self::Primal::one().over(divisor.primal()));
         let quotient = (self * scale) / (divisor * scale);
-        // Only the derivative parts are wanted from it: the value is that of plain numbers.
-        let slopes = quotient - D::constant(quotient.value());
-        slopes + D::constant(self.value().over(divisor.value()))
+        // Only the derivative parts are wanted from it: the value is that of plain numbers, also
+        // where it overflows.
+        let (zero, one) = (D::Inner::zero(), D::Inner::one());
+        quotient.chain([self.value().over(divisor.value()), one, zero, zero])
     }
     #[inline(always)]
     fn root(self) -> Self {

@@ -159,6 +159,12 @@ impl fmt::Display for Error {
                     "`{argument}` has {found} items where {expected} are needed"
                 )
             }
+            // A threshold is one number.
+            Error::Invalid {
+                argument: Argument::Threshold,
+                flaw,
+                ..
+            } => write!(f, "`threshold`: {flaw}"),
             Error::Invalid {
                 argument,
                 row,

@@ -5,6 +5,10 @@
 //! The ratios are within `[0, 1]`; identical boxes of positive area give exactly 1 with slope
 //! zero. Where a ratio's denominator is zero it is 0 with slope zero.
 //!
+//! Ratios by the union are right to a few roundings. Where one box is R times longer than the other,
+//! the area and its ratio to the small box are right to about R roundings: in `f32`, the share of a
+//! car in a kilometre of lane to 10⁻⁵.
+//!
 //! Kinks: sides lying along each other (the slope is the mean of both sides of the kink), and
 //! boxes that begin to touch (slope zero). A corner on a side is no kink.
 use crate::clip::{Framed, Relative, clip, clipped_area, frame, relate, related_area, size_scale};
@@ -53,7 +57,7 @@ pub fn shared_area<S: Scalar, const EXTREME: bool>(
     } else {
         S::one()
     };
-    let pair = relate(a, b, scale);
+    let pair = relate::<S, EXTREME>(a, b, scale);
     let area = if pair.apart.all() {
         S::zero()
     } else {

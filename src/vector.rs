@@ -68,6 +68,12 @@ macro_rules! vector {
             pub fn distance(self, other: Self) -> S {
                 (self - other).length()
             }
+            /// The square of the distance to another point: smooth everywhere.
+            #[must_use]
+            #[inline(always)]
+            pub fn distance_squared(self, other: Self) -> S {
+                (self - other).length_squared()
+            }
             /// The point a fraction `t` of the way to another one.
             #[must_use]
             #[inline(always)]

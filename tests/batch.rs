@@ -3,7 +3,7 @@
 use geograd::error::{Argument, Field};
 use geograd::kernels::simd::Simd;
 use geograd::kernels::{
-    Centroid, IofAabb2, IouAabb2, IouObb2, Op, PairOp, Perimeter, SignedArea, cpu,
+    Centroid, IofAabb2, IouAabb2, IouObb2, Op, PairOp, Perimeter, SignedArea, cpu, reduce,
 };
 use geograd::{Aabb2, Error, Flaw, Obb2, Pack, Vec2};
 use std::sync::{Mutex, PoisonError};
@@ -344,6 +344,11 @@ fn bad_input_is_refused_with_its_place() {
         }
         .to_string(),
         "`a` row 3: width is negative"
+    );
+    let refused = reduce::above::<IouObb2, f64>(&good, &good, f64::NAN).unwrap_err();
+    assert_eq!(
+        refused.to_string(),
+        "`threshold`: value is not a finite number"
     );
 }
 

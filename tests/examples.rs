@@ -187,6 +187,28 @@ fn iou_csv_refuses_bad_rows_and_leaves_the_target_alone() {
 }
 
 #[test]
+fn iou_csv_keeps_its_inputs() {
+    let at = folder("iou_csv_keeps_its_inputs");
+    std::fs::write(at.join("a.csv"), "0,0,2,2,0\n").unwrap();
+    std::fs::write(at.join("bad.csv"), "0,0,-2,2,0\n").unwrap();
+    for out in ["a.csv", "./a.csv"] {
+        let done = run(
+            "iou_csv",
+            &at,
+            &format!("--a bad.csv --b a.csv --out {out}"),
+        );
+        assert_eq!(status(&done), 2);
+        assert!(stderr(&done).contains("`--out` is an input as well"));
+    }
+    let kept = std::fs::read_to_string(at.join("a.csv")).unwrap();
+    assert_eq!(kept, "0,0,2,2,0\n");
+    // What is wrong with one file as both inputs is told once.
+    let done = run("iou_csv", &at, "--a bad.csv --b ./bad.csv");
+    assert_eq!(status(&done), 1);
+    assert_eq!(stderr(&done).matches("w is negative").count(), 1);
+}
+
+#[test]
 fn wrong_command_lines() {
     let at = folder("wrong_command_lines");
     for (name, arguments) in [
@@ -203,6 +225,7 @@ fn wrong_command_lines() {
         ("refine_detections", "--backend abacus"),
         ("refine_detections", "--frobnicate"),
         ("refine_detections", "--frames many"),
+        ("refine_detections", "--min-score nan"),
         ("refine_detections", "--detections a.txt"),
         ("refine_detections", "--labels a.txt"),
     ] {

@@ -32,6 +32,9 @@ fn values<S: Scalar>() {
     assert!(s(big).hypot(s(big)).finite().all());
     let small = 1.0 / big;
     assert!(s(small).hypot(s(small)).above(s(small)).all());
+    // A quotient that overflows is infinite, not undefined.
+    let quotient = s(big).over(s(small));
+    assert!(same(quotient.saturated(), S::LARGEST) && !quotient.finite().any());
 }
 
 #[test]

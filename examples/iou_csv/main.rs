@@ -18,7 +18,7 @@ use geograd::Obb2;
 use indicatif::{ProgressBar, ProgressStyle};
 use number::Number;
 use output::Sink;
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 
 const PROGRAM: &str = "iou_csv";
@@ -40,7 +40,7 @@ Usage: iou_csv --a A.csv --b B.csv [options]
                            auto takes a GPU where it can and says on stderr what it took.
                            The environment variable GEOGRAD_GPU chooses among GPUs: an index,
                            a part of a name, or `cpu` for a driver in software.
-  --out FILE               where the result goes [default: standard output]
+  --out FILE               where the result goes, no input [default: standard output]
   --help                   this text
 
 The result has a header and the column `iou`, with --grad followed by
@@ -64,7 +64,7 @@ struct Options {
 /// `None` when only help was wanted.
 fn options() -> Result<Option<Options>, Failure> {
     use lexopt::prelude::*;
-    let (mut a, mut b, mut out) = (None, None, None);
+    let (mut a, mut b, mut out) = (None::<PathBuf>, None::<PathBuf>, None::<PathBuf>);
     let (mut all_pairs, mut grad, mut double, mut wish) = (false, false, true, Wish::Cpu);
     let mut parser = lexopt::Parser::from_env();
     while let Some(argument) = parser.next()? {
@@ -90,6 +90,14 @@ fn options() -> Result<Option<Options>, Failure> {
         }
     }
     let missing = |name| Failure::Usage(format!("`{name}` is missing"));
+    if let Some(out) = &out
+        && [&a, &b]
+            .into_iter()
+            .flatten()
+            .any(|input| same_file(input, out))
+    {
+        return Err(Failure::Usage("`--out` is an input as well".into()));
+    }
     if double && wish == Wish::Gpu {
         let why =
             "`--backend gpu` computes in f32 only; the default is f64, so say `--precision f32`";
@@ -104,6 +112,11 @@ fn options() -> Result<Option<Options>, Failure> {
         wish,
         out,
     }))
+}
+
+/// Whether both are names of one file that is there.
+fn same_file(a: &Path, b: &Path) -> bool {
+    matches!((a.canonicalize(), b.canonicalize()), (Ok(a), Ok(b)) if a == b && a.is_file())
 }
 
 /// Results computed and written at a time: enough to keep all threads busy, few enough that memory
@@ -130,6 +143,9 @@ fn run<T: Number>(options: &Options) -> Result<(), Failure> {
     let (a, b) = match (a, b) {
         (Ok(a), Ok(b)) => (a, b),
         (Err(why), Ok(_)) | (Ok(_), Err(why)) => return Err(Failure::Work(why)),
+        (Err(why), Err(_)) if same_file(&options.a, &options.b) => {
+            return Err(Failure::Work(why));
+        }
         (Err(a), Err(b)) => return Err(Failure::Work(format!("{a}\n{b}"))),
     };
     if !options.all_pairs && a.len() != b.len() {

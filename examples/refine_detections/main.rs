@@ -136,6 +136,9 @@ fn options() -> Result<Option<Options>, Failure> {
         }
     }
     let usage = |why: &str| Err(Failure::Usage(why.into()));
+    if options.min_score.is_nan() {
+        return usage("`--min-score` is not a number");
+    }
     match (options.detections.is_empty(), &options.labels) {
         (false, None) => usage("`--detections` needs `--labels`"),
         (true, Some(_)) => usage("`--labels` needs `--detections`"),
