@@ -115,8 +115,8 @@ impl Gpu {
     ///
     /// # Errors
     ///
-    /// [`GpuError::Input`] as [`ragged`](crate::kernels::cpu::ragged) and for a ring that fits
-    /// no buffer, or what the device says.
+    /// [`GpuError::Input`] as [`ragged`](crate::kernels::cpu::ragged), [`GpuError::TooLarge`] for a
+    /// ring that fits no buffer, or what the device says.
     pub fn upload_rings(
         &self,
         vertices: &[Vec2<f32>],
@@ -130,7 +130,7 @@ impl Gpu {
         for ring in 1..offsets.len() {
             let start = cuts[cuts.len() - 1];
             if offsets[ring] - offsets[ring - 1] > most_vertices {
-                return Err(Error::TooLarge.into());
+                return Err(GpuError::TooLarge);
             }
             if offsets[ring] - offsets[start] > most_vertices || ring - start > most_rings {
                 cuts.push(ring - 1);
