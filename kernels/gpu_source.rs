@@ -5,7 +5,7 @@
 use crate::clip::{FAR, LARGEST_INVERSE, frame, is_ordinary};
 use crate::error::Validate;
 use crate::float::Float;
-use crate::kernels::op::{PairOp, RingOp};
+use crate::kernels::op::{Op, PairOp, RingOp};
 use crate::kernels::overlap::{Aabb2Score, Obb2Score};
 use crate::kernels::ring::{Centroid, Perimeter, SignedArea};
 use crate::overlap::{Denominator, Measure};
@@ -33,6 +33,12 @@ pub(super) const STRIP: usize = 1024;
 const RUN: usize = 16;
 /// The same for adjoints, whose upstream matrix makes every step dearer.
 pub(super) const STRIP_VJP: usize = 256;
+/// Vertices from which on a ring is long: more than one thread works on it.
+pub(super) const LONG: usize = 1024;
+/// Vertices of a long ring per workgroup.
+pub(super) const SPAN: usize = 2048;
+/// Spans along the first dimension of a dispatch.
+pub(super) const ROW: usize = 32_768;
 /// The most quads a frame has.
 pub(super) const MOST_QUADS: usize = 2;
 
@@ -113,29 +119,24 @@ pub trait GpuRing: RingOp {
     const MOMENTS: bool;
     /// Whether it sums lengths of edges.
     const LENGTHS: bool;
-    /// The entry point of the value.
-    const ENTRY: &'static str;
-    /// The entry point of the adjoint.
-    const VJP_ENTRY: &'static str;
+    /// The measure of a ring and its slope at a vertex, in WGSL.
+    const WGSL: &'static str;
 }
 
 impl GpuRing for SignedArea {
     const MOMENTS: bool = false;
     const LENGTHS: bool = false;
-    const ENTRY: &'static str = "signed_area_main";
-    const VJP_ENTRY: &'static str = "signed_area_vjp_main";
+    const WGSL: &'static str = include_str!("signed_area.wgsl");
 }
 impl GpuRing for Perimeter {
     const MOMENTS: bool = false;
     const LENGTHS: bool = true;
-    const ENTRY: &'static str = "perimeter_main";
-    const VJP_ENTRY: &'static str = "perimeter_vjp_main";
+    const WGSL: &'static str = include_str!("perimeter.wgsl");
 }
 impl GpuRing for Centroid {
     const MOMENTS: bool = true;
     const LENGTHS: bool = false;
-    const ENTRY: &'static str = "centroid_main";
-    const VJP_ENTRY: &'static str = "centroid_vjp_main";
+    const WGSL: &'static str = include_str!("centroid.wgsl");
 }
 
 /// What a shader does.
@@ -226,6 +227,9 @@ fn constants(step: usize, strip: usize) -> String {
         ("STEP", step as u32),
         ("STRIP", strip as u32),
         ("RUN", RUN as u32),
+        ("LONG", LONG as u32),
+        ("SPAN", SPAN as u32),
+        ("ROW", ROW as u32),
         ("HIGH_HALF", high_half),
         ("UNION", Denominator::Union as u32),
         ("FIRST", Denominator::First as u32),
@@ -303,14 +307,17 @@ pub(super) fn ring_source<O: GpuRing>() -> String {
     let mut text = constants(STEP, STRIP);
     let _ = writeln!(
         text,
-        "const MOMENTS: bool = {};\nconst LENGTHS: bool = {};",
+        "const MOMENTS: bool = {};\nconst LENGTHS: bool = {};\nconst FIELDS: u32 = {}u;",
         O::MOMENTS,
-        O::LENGTHS
+        O::LENGTHS,
+        <O as Op>::Out::<f32>::LEN,
     );
     for file in [
         PRELUDE,
         include_str!("ring.wgsl"),
+        O::WGSL,
         include_str!("ragged.wgsl"),
+        include_str!("ragged_long.wgsl"),
     ] {
         text.push_str(file);
     }

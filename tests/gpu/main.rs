@@ -101,6 +101,10 @@ macro_rules! walk {
                 super::rings::rings_agree::<$ring_op>(gpu);
                 super::rings::rings_agree::<$ring_op>(&super::small());
             }
+            #[test]
+            fn long() {
+                super::rings::long_rings::<$ring_op>();
+            }
         })*
     };
 }
