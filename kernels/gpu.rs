@@ -60,7 +60,7 @@ pub use ring::{RingBars, RingValues, Rings};
 pub use source::{GpuPair, GpuRing, GpuShape, pair_sources, ring_sources};
 
 use crate::kernels::GpuError;
-use source::{GROUP, Source, TILE};
+use source::{GROUP, GROUP_VJP, Source, TILE};
 use std::collections::HashMap;
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
@@ -81,7 +81,7 @@ struct Inner {
     chunk: usize,
     /// Bytes per binding.
     most_bytes: u64,
-    /// The most subgroups a workgroup can have, zero without subgroup operations.
+    /// The most subgroups an adjoint's workgroup can have, zero without subgroup operations.
     slots: usize,
     timing: bool,
     kernel_time: Mutex<Duration>,
@@ -156,7 +156,7 @@ impl Gpu {
         let chunk = (most_bytes / MOST_BYTES_PER_SHAPE).min(threads) as usize / TILE * TILE;
         let subgroups = options.subgroups && device.features().contains(wgpu::Features::SUBGROUP);
         let slots = match chosen.get_info().subgroup_min_size {
-            4.. if subgroups => (GROUP / chosen.get_info().subgroup_min_size as usize).max(1),
+            4.. if subgroups => (GROUP_VJP / chosen.get_info().subgroup_min_size as usize).max(1),
             _ => 0,
         };
         let timing = options.timing && device.features().contains(wgpu::Features::TIMESTAMP_QUERY);

@@ -16,6 +16,9 @@ use std::fmt::Write;
 pub(super) const TILE: usize = 64;
 /// Threads per workgroup.
 pub(super) const GROUP: usize = 256;
+/// The same for adjoints, whose threads take two columns each: with what one needs in registers, a
+/// larger workgroup would leave room for no second one.
+pub(super) const GROUP_VJP: usize = GROUP / 2;
 /// Walked shapes kept close to the threads at a time.
 pub(super) const STEP: usize = 64;
 /// Walked columns of a matrix kept close to the threads at a time: whole sectors of memory, of every
@@ -195,7 +198,8 @@ pub(super) struct Source {
     pub extreme: bool,
     /// Whether threads stand for rows, and not for columns.
     pub own_rows: bool,
-    /// Slots for sums of rows: the most subgroups a workgroup can have; zero without subgroups.
+    /// Slots for sums of rows: the most subgroups an adjoint's workgroup can have; zero without
+    /// subgroups.
     pub slots: usize,
 }
 
@@ -217,13 +221,13 @@ fn literal(x: f32) -> String {
 }
 
 /// The constants of every shader.
-fn constants(step: usize, strip: usize) -> String {
+fn constants(group: usize, step: usize, strip: usize) -> String {
     // All ones, without the low half of the significand.
     let high_half = Float::high(f32::from_bits(u32::MAX)).to_bits();
     let mut text = String::new();
     for (name, value) in [
         ("TILE", TILE as u32),
-        ("GROUP", GROUP as u32),
+        ("GROUP", group as u32),
         ("STEP", step as u32),
         ("STRIP", strip as u32),
         ("RUN", RUN as u32),
@@ -254,12 +258,12 @@ const BATCH: &str = include_str!("batch.wgsl");
 
 /// The shader of an operation of two shapes.
 pub(super) fn pair_source<O: GpuPair>(source: Source) -> String {
-    let (step, strip) = match source.kernel {
-        Kernel::Vjp(_) => (step_vjp(source.slots), STRIP_VJP),
-        Kernel::ReduceMatrix(_) => (STEP_MATRIX, STRIP),
-        _ => (STEP, STRIP),
+    let (group, step, strip) = match source.kernel {
+        Kernel::Vjp(_) => (GROUP_VJP, step_vjp(source.slots), STRIP_VJP),
+        Kernel::ReduceMatrix(_) => (GROUP, STEP_MATRIX, STRIP),
+        _ => (GROUP, STEP, STRIP),
     };
-    let mut text = constants(step, strip);
+    let mut text = constants(group, step, strip);
     let _ = writeln!(
         text,
         "const QUADS: u32 = {}u;\nconst FIELDS: u32 = {}u;\nconst SLOTS: u32 = {}u;\n\
@@ -304,7 +308,7 @@ pub(super) fn pair_source<O: GpuPair>(source: Source) -> String {
 
 /// The shader of an operation of rings.
 pub(super) fn ring_source<O: GpuRing>() -> String {
-    let mut text = constants(STEP, STRIP);
+    let mut text = constants(GROUP, STEP, STRIP);
     let _ = writeln!(
         text,
         "const MOMENTS: bool = {};\nconst LENGTHS: bool = {};\nconst FIELDS: u32 = {}u;",
