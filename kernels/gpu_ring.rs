@@ -80,6 +80,38 @@ impl Rings {
     pub fn is_empty(&self) -> bool {
         self.len == 0
     }
+    /// The context that they are in.
+    #[must_use]
+    pub fn gpu(&self) -> &Gpu {
+        &self.gpu
+    }
+
+    /// Moves the vertices, in the same buffers; each ring keeps as many as it has.
+    ///
+    /// # Errors
+    ///
+    /// [`GpuError::Input`] for another number of vertices or one that is not finite (the old ones
+    /// are then as they were), or what the device says.
+    pub fn update(&mut self, vertices: &[Vec2<f32>]) -> Result<(), GpuError> {
+        let corners = self.runs.iter().map(|run| run.corners).sum();
+        expect(Argument::Vertices, corners, vertices.len())?;
+        check_ragged(vertices, &[0, corners])?;
+        let inner = &self.gpu.inner;
+        inner.guarded(|| {
+            let mut rest = vertices;
+            for run in &self.runs {
+                let (own, after) = rest.split_at(run.corners);
+                rest = after;
+                inner.write(&run.vertices, &pairs_of(own));
+            }
+            Ok(())
+        })
+    }
+}
+
+/// Vertices as the shader reads them.
+fn pairs_of(vertices: &[Vec2<f32>]) -> Vec<[f32; 2]> {
+    vertices.iter().map(|v| [v.x, v.y]).collect()
 }
 
 /// One result per ring, on the GPU.
@@ -173,10 +205,7 @@ impl Gpu {
             let run = |cut: &[usize]| {
                 let own = &offsets[cut[0]..=cut[1]];
                 let base = own[0];
-                let corners: Vec<[f32; 2]> = vertices[base..own[own.len() - 1]]
-                    .iter()
-                    .map(|v| [v.x, v.y])
-                    .collect();
+                let corners = pairs_of(&vertices[base..own[own.len() - 1]]);
                 let own: Vec<u32> = own.iter().map(|&at| (at - base) as u32).collect();
                 Run {
                     vertices: inner.stored(&corners),

@@ -239,7 +239,7 @@ fn no_more_memory_is_an_error_and_everything_goes_on() {
     }
     let name = "faults::no_more_memory_is_an_error_and_everything_goes_on";
     let done = std::process::Command::new("sh")
-        .args(["-c", "ulimit -v 5000000; exec \"$0\" \"$@\""])
+        .args(["-c", "ulimit -v 3500000; exec \"$0\" \"$@\""])
         .arg(std::env::current_exe().unwrap())
         .args([name, "--exact", "--nocapture"])
         .env(STARVED, "1")
@@ -262,7 +262,7 @@ fn starve(gpu: &Gpu) {
         .unwrap()
         .download()
         .unwrap();
-    let first = gpu.upload_values(&vec![1.0; 64 << 20]).unwrap();
+    let first = gpu.upload_values(&vec![1.0; 32 << 20]).unwrap();
     let mut held = Vec::new();
     let error = loop {
         assert!(held.len() < 100, "memory without end");

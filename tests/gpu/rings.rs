@@ -1,8 +1,8 @@
 //! Rings on the GPU.
 use crate::bounds::{EPSILON, ROUNDINGS};
 use crate::shapes::{Draws, fields, shape_of};
-use geograd::kernels::cpu;
 use geograd::kernels::gpu::{Gpu, GpuRing, Options};
+use geograd::kernels::{Backend, cpu};
 use geograd::{Fixed, Vec2};
 
 fn rings() -> (Vec<Vec2<f32>>, Vec<usize>) {
@@ -166,4 +166,35 @@ pub fn long_rings<O: GpuRing>() {
     options.most_bytes = Some(1 << 16);
     let gpu = Gpu::with(&options).unwrap();
     long_rings_agree::<O>(&gpu, &[5000, 8192, 1, 3000, 3000, 3000]);
+}
+
+/// Rings that stay and move: the same bits as of rings that are new.
+pub fn moved_rings_agree<O: GpuRing>() {
+    let Some((_turn, gpu)) = crate::gpu() else {
+        return;
+    };
+    let (vertices, offsets) = rings();
+    let moved: Vec<_> = vertices.iter().map(|v| Vec2::new(v.y, v.x * 0.5)).collect();
+    let upstream = vec![shape_of(&[1.5, -0.5]); offsets.len() - 1];
+    for backend in [
+        Backend::Cpu,
+        Backend::Gpu(gpu),
+        Backend::Gpu(&crate::small()),
+    ] {
+        let mut on = backend.upload_rings(&vertices, &offsets).unwrap();
+        on.update(&moved).unwrap();
+        assert!(on.update(&moved[1..]).is_err());
+        let bad = vec![Vec2::new(0.0, f32::NAN); moved.len()];
+        assert!(on.update(&bad).is_err());
+        let found = on.ragged::<O>().unwrap().download().unwrap();
+        let expected = backend.ragged::<O>(&moved, &offsets).unwrap();
+        for (x, y) in found.iter().zip(&expected) {
+            assert_eq!(fields(*x), fields(*y));
+        }
+        let bars = on.ragged_vjp::<O>(&upstream).unwrap().download().unwrap();
+        let expected = backend
+            .ragged_vjp::<O>(&moved, &offsets, &upstream)
+            .unwrap();
+        assert_eq!(bars, expected);
+    }
 }
