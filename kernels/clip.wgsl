@@ -35,7 +35,7 @@ struct Relative {
 }
 
 fn bounded(x: f32) -> f32 {
-    return choose(x > FAR, FAR, choose(x < -FAR, -FAR, x));
+    return clamped(x, -FAR, FAR);
 }
 
 fn relate(a: Framed, b: Framed, scale: f32) -> Relative {

@@ -14,6 +14,10 @@
 //! | row i with row i | [`Gpu::aligned`], [`Gpu::aligned_grad`], [`Gpu::aligned_vjp`] |
 //! | every row with every row | [`Gpu::all_pairs`], [`Gpu::all_pairs_grad`], [`Gpu::all_pairs_vjp`] |
 //! | the same, reduced where it is | [`Gpu::row_max`], [`Gpu::column_max`], [`Gpu::above`], [`Gpu::sum`] |
+//! | a loss with its gradient | [`Gpu::sum_grad`], [`Gpu::mean_grad`] |
+//! | a matrix that is there already | [`Matrix::row_max`], [`Matrix::above`], [`Matrix::sum`] |
+//! | the best match of each | [`Shapes::pick`] |
+//! | other shapes in the same buffers | [`Shapes::update`], [`Values::update`], [`Matrix::update`] |
 //! | rings | [`Gpu::ragged`], [`Gpu::ragged_vjp`] |
 //!
 //! ```no_run
@@ -37,6 +41,8 @@ mod data;
 mod download;
 #[path = "gpu_found.rs"]
 mod found;
+#[path = "gpu_matrix.rs"]
+mod matrix;
 #[path = "gpu_pairs.rs"]
 mod pairs;
 #[path = "gpu_reduce.rs"]
@@ -47,20 +53,23 @@ mod ring;
 mod slices;
 #[path = "gpu_source.rs"]
 mod source;
+#[path = "gpu_table.rs"]
+mod table;
 #[path = "gpu_work.rs"]
 mod work;
 
 pub use adapter::{Adapter, Choice, Options};
-pub use data::{Bars, Matrix, Shapes, Values};
+pub use data::{Bars, Shapes, Values};
 pub use download::Pending;
 pub use found::Founds;
+pub use matrix::Matrix;
 pub use pairs::PairBars;
 pub use reduce::{Best, Bests};
 pub use ring::{RingBars, RingValues, Rings};
 pub use source::{GpuPair, GpuRing, GpuShape, pair_sources, ring_sources};
 
 use crate::kernels::GpuError;
-use source::{GROUP, Source, TILE};
+use source::{GROUP, GROUP_VJP, Source, TILE};
 use std::collections::HashMap;
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
@@ -81,7 +90,7 @@ struct Inner {
     chunk: usize,
     /// Bytes per binding.
     most_bytes: u64,
-    /// The most subgroups a workgroup can have, zero without subgroup operations.
+    /// The most subgroups an adjoint's workgroup can have, zero without subgroup operations.
     slots: usize,
     timing: bool,
     kernel_time: Mutex<Duration>,
@@ -156,7 +165,7 @@ impl Gpu {
         let chunk = (most_bytes / MOST_BYTES_PER_SHAPE).min(threads) as usize / TILE * TILE;
         let subgroups = options.subgroups && device.features().contains(wgpu::Features::SUBGROUP);
         let slots = match chosen.get_info().subgroup_min_size {
-            4.. if subgroups => (GROUP / chosen.get_info().subgroup_min_size as usize).max(1),
+            4.. if subgroups => (GROUP_VJP / chosen.get_info().subgroup_min_size as usize).max(1),
             _ => 0,
         };
         let timing = options.timing && device.features().contains(wgpu::Features::TIMESTAMP_QUERY);

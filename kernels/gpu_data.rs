@@ -1,12 +1,11 @@
-//! Data that stays on the GPU: shapes, results, slopes, matrices.
-use super::block::{Block, block_of, place_block};
+//! Lists that stay on the GPU: shapes, results, slopes.
 use super::download::{Arrival, download, parts};
 use super::source::{GpuShape, MOST_QUADS, TILE};
 use super::work::{Params, Work, groups};
 use super::{Gpu, Inner, Pending};
 use crate::error::{Argument, Error};
 use crate::kernels::GpuError;
-use crate::kernels::tile::{check_upstream, entries, expect};
+use crate::kernels::tile::{check_upstream, expect};
 use std::marker::PhantomData;
 use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
@@ -44,16 +43,6 @@ pub struct Bars<P> {
     pub(super) pieces: Vec<Piece>,
     pub(super) len: usize,
     shape: PhantomData<fn() -> P>,
-}
-
-/// A matrix on the GPU: one number per row of one list and row of another. Clones of a handle are
-/// the same numbers.
-#[derive(Clone, Debug)]
-pub struct Matrix {
-    pub(super) gpu: Gpu,
-    pub(super) rows: usize,
-    pub(super) columns: usize,
-    pub(super) blocks: Vec<(Block, wgpu::Buffer)>,
 }
 
 impl Inner {
@@ -101,28 +90,6 @@ impl Gpu {
         check_upstream(values)?;
         self.inner.guarded(|| {
             let made = Values::room(self, values.len());
-            made.write(values);
-            Ok(made)
-        })
-    }
-
-    /// Brings a matrix to the GPU, such as the upstream gradient of all pairs of two lists.
-    ///
-    /// # Errors
-    ///
-    /// [`GpuError::Input`] for a number that is not finite or a slice of another length than
-    /// rows times columns, or what the device says.
-    pub fn upload_matrix(
-        &self,
-        rows: usize,
-        columns: usize,
-        values: &[f32],
-    ) -> Result<Matrix, GpuError> {
-        let expected = rows.checked_mul(columns).ok_or(Error::TooLarge)?;
-        expect(Argument::Upstream, expected, values.len())?;
-        check_upstream(values)?;
-        self.inner.guarded(|| {
-            let made = Matrix::room(self, rows, columns)?;
             made.write(values);
             Ok(made)
         })
@@ -401,82 +368,7 @@ fn untile<P: GpuShape>(numbers: &[u32], to: &mut [P]) {
     }
 }
 
-impl Matrix {
-    /// Room for a matrix.
-    pub(super) fn room(gpu: &Gpu, rows: usize, columns: usize) -> Result<Self, GpuError> {
-        entries(rows, columns, 1)?;
-        let blocks = gpu.inner.cut(rows, columns, 4).into_iter().map(|block| {
-            let values = gpu.inner.storage(block.rows * block.columns);
-            (block, values)
-        });
-        Ok(Matrix {
-            gpu: gpu.clone(),
-            rows,
-            columns,
-            blocks: blocks.collect(),
-        })
-    }
-
-    fn write(&self, values: &[f32]) {
-        for (block, buffer) in &self.blocks {
-            let inner = &self.gpu.inner;
-            inner.write(buffer, &block_of(block, self.columns, values));
-        }
-    }
-
-    /// Puts another matrix of the same size in its place, without a new buffer.
-    ///
-    /// # Errors
-    ///
-    /// [`GpuError::Input`] for another size or a number that is not finite, or what the device
-    /// says.
-    pub fn update(&mut self, values: &[f32]) -> Result<(), GpuError> {
-        expect(Argument::Upstream, self.rows * self.columns, values.len())?;
-        check_upstream(values)?;
-        self.gpu.inner.guarded(|| {
-            self.write(values);
-            Ok(())
-        })
-    }
-
-    /// How many rows.
-    #[must_use]
-    pub fn rows(&self) -> usize {
-        self.rows
-    }
-    /// How many columns.
-    #[must_use]
-    pub fn columns(&self) -> usize {
-        self.columns
-    }
-
-    /// Starts bringing the matrix back, row by row.
-    ///
-    /// # Errors
-    ///
-    /// What the device says.
-    pub fn start_download(&self) -> Result<Pending<Vec<f32>>, GpuError> {
-        let (rows, columns) = (self.rows, self.columns);
-        let blocks: Vec<Block> = self.blocks.iter().map(|&(block, _)| block).collect();
-        let parts: Vec<_> = self
-            .blocks
-            .iter()
-            .map(|(block, buffer)| (buffer, 4 * (block.rows * block.columns) as u64))
-            .collect();
-        let arrival = self.gpu.inner.bring(&self.gpu, &parts)?;
-        Ok(Pending::new(arrival, move |arrival| {
-            let mut all = vec![0.0; rows * columns];
-            arrival.read(|part, numbers| {
-                let numbers = bytemuck::cast_slice(numbers);
-                place_block(&blocks[part], columns, numbers, &mut all);
-            })?;
-            Ok(all)
-        }))
-    }
-}
-
 download! {
     [] Values => Vec<f32>;
     [P: GpuShape] Bars<P> => Vec<P>;
-    [] Matrix => Vec<f32>;
 }

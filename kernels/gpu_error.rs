@@ -26,6 +26,10 @@ pub enum GpuError {
     DeviceLost,
     /// The device has not enough memory: give up some handles, or take smaller batches.
     OutOfMemory,
+    /// One item, such as a ring, is larger than any buffer the device allows
+    /// ([`Gpu::most_bytes`](crate::kernels::gpu::Gpu)): split it, or compute it on the CPU. Batches
+    /// are split as they need.
+    TooLarge,
     /// The driver refused a shader or a command: a fault of ours or of the driver's. The log says
     /// more.
     Shader,
@@ -52,6 +56,9 @@ impl fmt::Display for GpuError {
             GpuError::DeviceLost => "the GPU is lost: make a new context and upload again",
             GpuError::OutOfMemory => {
                 "the GPU is out of memory: free handles or take smaller batches"
+            }
+            GpuError::TooLarge => {
+                "one item is larger than any buffer of the GPU: split it, or use the CPU"
             }
             GpuError::Shader => "the GPU's driver refused a command: see the log",
             GpuError::ForeignBuffer => "a handle belongs to another GPU context",

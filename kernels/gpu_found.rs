@@ -1,8 +1,8 @@
 //! Compacted lists on the GPU: the pairs whose score is above a threshold.
 use super::download::download;
 use super::pairs::ShapesOf;
-use super::reduce::Table;
 use super::source::{GpuPair, Take};
+use super::table::Table;
 use super::work::{Params, Work};
 use super::{Gpu, Matrix, Pending};
 use crate::kernels::GpuError;

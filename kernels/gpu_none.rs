@@ -58,4 +58,4 @@ macro_rules! none {
         }
     )* };
 }
-none! { Shapes Values Bars Matrix Bests Founds PairBars Pending }
+none! { Shapes Values Bars Matrix Bests Founds PairBars Pending Rings RingValues RingBars }

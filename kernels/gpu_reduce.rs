@@ -1,13 +1,13 @@
 //! Reductions on the GPU, of all pairs of two lists or of a matrix that is there already.
 //!
 //! Of two lists the matrix is never written, so memory stays bounded.
-use super::block::Block;
 use super::data::Piece;
 use super::download::{download, parts};
-use super::pairs::{Any, ShapesOf, source_for};
-use super::source::{GpuPair, Kernel, STRIP, Source, Take, pair_source};
+use super::pairs::ShapesOf;
+use super::source::{GpuPair, Take};
+use super::table::Table;
 use super::work::{Params, Work, groups};
-use super::{Gpu, Inner, Matrix, Pending, Shapes};
+use super::{Gpu, Matrix, Pending, Shapes};
 use crate::error::Argument;
 use crate::kernels::GpuError;
 pub use crate::kernels::reduce::Best;
@@ -59,170 +59,7 @@ download! {
     [] Bests => Vec<Best>;
 }
 
-/// One dispatch of a reduction: a run of own rows (or columns) by a run of walked ones.
-#[derive(Clone, Debug)]
-pub(super) struct Sweep {
-    /// Where the own ones begin in what is bound.
-    own_start: usize,
-    /// Where their results go.
-    out_piece: usize,
-    out_start: usize,
-    /// The first one's index in the whole list.
-    own_base: usize,
-    pub own: usize,
-    pub walked_base: usize,
-    walked: usize,
-    /// Two lists of shapes or a block of a matrix, and where they are bound.
-    pub bound: Vec<(u32, wgpu::Buffer)>,
-}
-
-impl Sweep {
-    pub fn strips(&self) -> usize {
-        self.walked.div_ceil(STRIP)
-    }
-
-    /// Partial results: one per own row (or column) and strip.
-    pub fn room(&self) -> usize {
-        self.own * self.strips()
-    }
-
-    /// Workgroups.
-    pub fn size(&self) -> [u32; 2] {
-        [groups(self.own), self.strips() as u32]
-    }
-
-    /// The same in two, for own rows that found more than a buffer holds.
-    pub fn halves(self) -> [Sweep; 2] {
-        let half = self.own / 2;
-        let second = Sweep {
-            own_start: self.own_start + half,
-            out_start: self.out_start + half,
-            own_base: self.own_base + half,
-            own: self.own - half,
-            ..self.clone()
-        };
-        [Sweep { own: half, ..self }, second]
-    }
-
-    pub fn params(&self, threshold: f32) -> Params {
-        Params {
-            own_count: self.own as u32,
-            own_start: self.own_start as u32,
-            out_start: self.out_start as u32,
-            own_base: self.own_base as u32,
-            loop_count: self.walked as u32,
-            loop_base: self.walked_base as u32,
-            parts: self.strips() as u32,
-            more: u32::from(self.walked_base > 0),
-            factor: threshold,
-            ..Params::default()
-        }
-    }
-
-    /// Everything a kernel is given, with what else is bound.
-    pub fn buffers<'a>(&'a self, more: &[(u32, &'a wgpu::Buffer)]) -> Vec<(u32, &'a wgpu::Buffer)> {
-        let own = self.bound.iter().map(|(at, buffer)| (*at, buffer));
-        own.chain(more.iter().copied()).collect()
-    }
-}
-
-/// All pairs as a reduction sees them: own rows (or columns) by walked columns (or rows).
-pub(super) struct Table<'a> {
-    pub gpu: &'a Gpu,
-    own: usize,
-    walked: usize,
-    /// The shader but for what it takes of the scores.
-    source: Source,
-    text: fn(Source) -> String,
-    pub sweeps: Vec<Sweep>,
-}
-
-impl<'a> Table<'a> {
-    /// Of two lists.
-    pub fn of_shapes<O: GpuPair>(
-        gpu: &'a Gpu,
-        a: &ShapesOf<O>,
-        b: &ShapesOf<O>,
-        own_rows: bool,
-    ) -> Result<Self, GpuError> {
-        gpu.own_lists(a, b)?;
-        let (own, walked) = if own_rows { (a, b) } else { (b, a) };
-        let bound = |own: &Piece, walked: &Piece| {
-            let (at_own, at_walked) = if own_rows { (1, 2) } else { (2, 1) };
-            vec![
-                (at_own, own.buffer.clone()),
-                (at_walked, walked.buffer.clone()),
-            ]
-        };
-        Ok(Table {
-            gpu,
-            own: own.len,
-            walked: walked.len,
-            source: Source {
-                own_rows,
-                ..source_for::<O>(Kernel::Reduce(Take::Best), a, b)
-            },
-            text: pair_source::<O>,
-            sweeps: gpu.inner.sweeps(&own.pieces, &walked.pieces, bound),
-        })
-    }
-
-    /// Of a matrix that is there already.
-    pub fn of_matrix(matrix: &'a Matrix, own_rows: bool) -> Self {
-        let (own, walked) = match own_rows {
-            true => (matrix.rows, matrix.columns),
-            false => (matrix.columns, matrix.rows),
-        };
-        let rows = |(block, buffer): &(Block, wgpu::Buffer)| Sweep {
-            own_start: 0,
-            out_piece: block.row_piece,
-            out_start: block.row_start,
-            own_base: block.row_base,
-            own: block.rows,
-            walked_base: block.column_base,
-            walked: block.columns,
-            bound: vec![(3, buffer.clone())],
-        };
-        let columns = |(block, buffer): &(Block, wgpu::Buffer)| Sweep {
-            own_start: 0,
-            out_piece: block.column_piece,
-            out_start: 0,
-            own_base: block.column_base,
-            own: block.columns,
-            walked_base: block.row_base,
-            walked: block.rows,
-            bound: vec![(3, buffer.clone())],
-        };
-        Table {
-            gpu: &matrix.gpu,
-            own,
-            walked,
-            source: Source {
-                own_rows,
-                ..Source::of(Kernel::ReduceMatrix(Take::Best), "any")
-            },
-            text: pair_source::<Any>,
-            sweeps: match own_rows {
-                true => matrix.blocks.iter().map(rows).collect(),
-                false => matrix.blocks.iter().map(columns).collect(),
-            },
-        }
-    }
-
-    /// The shader that takes this of the scores.
-    pub fn pipeline(&self, take: Take) -> wgpu::ComputePipeline {
-        let kernel = match self.source.kernel {
-            Kernel::ReduceMatrix(_) => Kernel::ReduceMatrix(take),
-            _ => Kernel::Reduce(take),
-        };
-        let source = Source {
-            kernel,
-            ..self.source
-        };
-        let inner = &self.gpu.inner;
-        inner.pipeline(source, "reduce_main", || (self.text)(source))
-    }
-
+impl Table<'_> {
     /// The largest of every own row (or column).
     fn best(self) -> Result<Bests, GpuError> {
         let inner = &self.gpu.inner;
@@ -303,40 +140,6 @@ impl<'a> Table<'a> {
 pub(super) fn sum_of(numbers: &[u32]) -> f64 {
     let wide = |&n: &u32| f64::from(f32::from_bits(n));
     numbers.iter().map(wide).sum()
-}
-
-impl Inner {
-    /// How a reduction of two lists is cut: own shapes so that partial results fit a buffer.
-    fn sweeps(
-        &self,
-        own: &[Piece],
-        walked: &[Piece],
-        bound: impl Fn(&Piece, &Piece) -> Vec<(u32, wgpu::Buffer)>,
-    ) -> Vec<Sweep> {
-        // As a matrix with one column per strip and four numbers per entry; whole workgroups.
-        let widest = walked.first().map_or(1, |piece| piece.items);
-        let pairs =
-            (self.most_bytes as usize / 16 / widest.div_ceil(STRIP)).min((1 << 30) / widest);
-        let most = pairs.max(1);
-        let mut sweeps = Vec::new();
-        for (out_piece, own) in own.iter().enumerate() {
-            for own_start in (0..own.items).step_by(most) {
-                for (i, walked) in walked.iter().enumerate() {
-                    sweeps.push(Sweep {
-                        own_start,
-                        out_piece,
-                        out_start: own_start,
-                        own_base: out_piece * self.chunk + own_start,
-                        own: most.min(own.items - own_start),
-                        walked_base: i * self.chunk,
-                        walked: walked.items,
-                        bound: bound(own, walked),
-                    });
-                }
-            }
-        }
-        sweeps
-    }
 }
 
 impl Gpu {

@@ -1,7 +1,8 @@
 //! Batches of rings on the GPU.
-use super::source::{GpuRing, Kernel, Source, ring_source};
+use super::download::download;
+use super::source::{GpuRing, Kernel, LONG, ROW, SPAN, Source, ring_source};
 use super::work::{Params, Work, groups};
-use super::{Gpu, Pending};
+use super::{Gpu, Inner, Pending};
 use crate::error::{Argument, Error};
 use crate::kernels::GpuError;
 use crate::kernels::ragged::check_ragged;
@@ -16,7 +17,49 @@ struct Run {
     offsets: wgpu::Buffer,
     rings: usize,
     corners: usize,
+    long: Option<LongRings>,
 }
+
+/// The long rings of a run, cut into spans: a thread each would take its time.
+#[derive(Clone, Debug)]
+struct LongRings {
+    /// Which long ring, and the first vertex in it.
+    spans: wgpu::Buffer,
+    span_count: usize,
+    /// Which ring, its first span and how many.
+    longs: wgpu::Buffer,
+    long_count: usize,
+}
+
+impl LongRings {
+    fn new(inner: &Inner, offsets: &[u32]) -> Option<Self> {
+        let (mut spans, mut longs): (Vec<[u32; 2]>, Vec<[u32; 3]>) = (Vec::new(), Vec::new());
+        for (ring, ends) in offsets.windows(2).enumerate() {
+            let count = ends[1] - ends[0];
+            if count >= LONG as u32 {
+                let (long, first) = (longs.len() as u32, spans.len() as u32);
+                spans.extend((0..count).step_by(SPAN).map(|start| [long, start]));
+                longs.push([ring as u32, first, spans.len() as u32 - first]);
+            }
+        }
+        (!longs.is_empty()).then(|| LongRings {
+            span_count: spans.len(),
+            spans: inner.stored(&spans),
+            long_count: longs.len(),
+            longs: inner.stored(&longs),
+        })
+    }
+}
+
+/// What the kernels of long rings are given, and how many threads of them.
+enum Over {
+    Spans,
+    Longs,
+}
+
+/// Bytes of a part's sums, and of a ring's with its scale.
+const PART_BYTES: usize = 24;
+const WHOLE_BYTES: usize = 32;
 
 /// Rings on the GPU, checked.
 #[derive(Clone, Debug)]
@@ -37,6 +80,38 @@ impl Rings {
     pub fn is_empty(&self) -> bool {
         self.len == 0
     }
+    /// The context that they are in.
+    #[must_use]
+    pub fn gpu(&self) -> &Gpu {
+        &self.gpu
+    }
+
+    /// Moves the vertices, in the same buffers; each ring keeps as many as it has.
+    ///
+    /// # Errors
+    ///
+    /// [`GpuError::Input`] for another number of vertices or one that is not finite (the old ones
+    /// are then as they were), or what the device says.
+    pub fn update(&mut self, vertices: &[Vec2<f32>]) -> Result<(), GpuError> {
+        let corners = self.runs.iter().map(|run| run.corners).sum();
+        expect(Argument::Vertices, corners, vertices.len())?;
+        check_ragged(vertices, &[0, corners])?;
+        let inner = &self.gpu.inner;
+        inner.guarded(|| {
+            let mut rest = vertices;
+            for run in &self.runs {
+                let (own, after) = rest.split_at(run.corners);
+                rest = after;
+                inner.write(&run.vertices, &pairs_of(own));
+            }
+            Ok(())
+        })
+    }
+}
+
+/// Vertices as the shader reads them.
+fn pairs_of(vertices: &[Vec2<f32>]) -> Vec<[f32; 2]> {
+    vertices.iter().map(|v| [v.x, v.y]).collect()
 }
 
 /// One result per ring, on the GPU.
@@ -54,7 +129,7 @@ pub struct RingBars {
 }
 
 impl<T: Fixed<Scalar = f32> + 'static> RingValues<T> {
-    /// Starts bringing the results back.
+    /// Starts bringing the results back, in the order of the rings.
     ///
     /// # Errors
     ///
@@ -75,19 +150,10 @@ impl<T: Fixed<Scalar = f32> + 'static> RingValues<T> {
             Ok(all)
         }))
     }
-
-    /// Brings the results back, in the order of the rings.
-    ///
-    /// # Errors
-    ///
-    /// What the device says.
-    pub fn download(&self) -> Result<Vec<T>, GpuError> {
-        self.start_download()?.wait()
-    }
 }
 
 impl RingBars {
-    /// Starts bringing the slopes back.
+    /// Starts bringing the slopes back, in the order of the vertices.
     ///
     /// # Errors
     ///
@@ -95,15 +161,11 @@ impl RingBars {
     pub fn start_download(&self) -> Result<Pending<Vec<Vec2<f32>>>, GpuError> {
         self.values.start_download()
     }
+}
 
-    /// Brings the slopes back, in the order of the vertices.
-    ///
-    /// # Errors
-    ///
-    /// What the device says.
-    pub fn download(&self) -> Result<Vec<Vec2<f32>>, GpuError> {
-        self.values.download()
-    }
+download! {
+    [T: Fixed<Scalar = f32> + 'static] RingValues<T> => Vec<T>;
+    [] RingBars => Vec<Vec2<f32>>;
 }
 
 /// A result of an operation of rings.
@@ -115,8 +177,8 @@ impl Gpu {
     ///
     /// # Errors
     ///
-    /// [`GpuError::Input`] as [`ragged`](crate::kernels::cpu::ragged) and for a ring that fits
-    /// no buffer, or what the device says.
+    /// [`GpuError::Input`] as [`ragged`](crate::kernels::cpu::ragged), [`GpuError::TooLarge`] for a
+    /// ring that fits no buffer, or what the device says.
     pub fn upload_rings(
         &self,
         vertices: &[Vec2<f32>],
@@ -130,7 +192,7 @@ impl Gpu {
         for ring in 1..offsets.len() {
             let start = cuts[cuts.len() - 1];
             if offsets[ring] - offsets[ring - 1] > most_vertices {
-                return Err(Error::TooLarge.into());
+                return Err(GpuError::TooLarge);
             }
             if offsets[ring] - offsets[start] > most_vertices || ring - start > most_rings {
                 cuts.push(ring - 1);
@@ -143,16 +205,14 @@ impl Gpu {
             let run = |cut: &[usize]| {
                 let own = &offsets[cut[0]..=cut[1]];
                 let base = own[0];
-                let corners: Vec<[f32; 2]> = vertices[base..own[own.len() - 1]]
-                    .iter()
-                    .map(|v| [v.x, v.y])
-                    .collect();
+                let corners = pairs_of(&vertices[base..own[own.len() - 1]]);
                 let own: Vec<u32> = own.iter().map(|&at| (at - base) as u32).collect();
                 Run {
                     vertices: inner.stored(&corners),
                     offsets: inner.stored(&own),
                     rings: own.len() - 1,
                     corners: corners.len(),
+                    long: LongRings::new(inner, &own),
                 }
             };
             Ok(cuts.windows(2).map(run).collect())
@@ -174,22 +234,16 @@ impl Gpu {
         let inner = &self.inner;
         let fields = OutOf::<O>::LEN;
         inner.guarded(|| {
-            let pipeline = inner.pipeline(
-                Source::of(Kernel::Ragged, O::NAME),
-                O::ENTRY,
-                ring_source::<O>,
-            );
             let mut work = Work::new(inner);
             let mut parts = Vec::new();
             for run in &rings.runs {
                 let values = inner.storage(run.rings * fields);
-                let buffers = [(1, &run.vertices), (2, &run.offsets), (4, &values)];
-                work.dispatch(
-                    &pipeline,
-                    ring_params(run),
-                    &buffers,
-                    [groups(run.rings), 1],
-                );
+                run.dispatch::<O>(&mut work, "ragged_main", &[(4, &values)]);
+                if let Some(long) = &run.long {
+                    let wholes = run.sum_up::<O>(&mut work, long);
+                    let bound = [(4, &values), (7, &long.longs), (9, &wholes)];
+                    run.over::<O>(&mut work, long, "long_main", Over::Longs, &bound);
+                }
                 parts.push((values, 4 * (run.rings * fields) as u64));
             }
             work.submit()?;
@@ -233,11 +287,6 @@ impl Gpu {
         })?;
         let inner = &self.inner;
         inner.guarded(|| {
-            let pipeline = inner.pipeline(
-                Source::of(Kernel::Ragged, O::NAME),
-                O::VJP_ENTRY,
-                ring_source::<O>,
-            );
             let mut work = Work::new(inner);
             let mut parts = Vec::new();
             let mut rest = &numbers[..];
@@ -245,18 +294,19 @@ impl Gpu {
                 let (own, after) = rest.split_at(run.rings * fields);
                 rest = after;
                 let (upstream, bars) = (inner.stored(own), inner.storage(2 * run.corners));
-                let buffers = [
-                    (1, &run.vertices),
-                    (2, &run.offsets),
-                    (3, &upstream),
-                    (5, &bars),
-                ];
-                work.dispatch(
-                    &pipeline,
-                    ring_params(run),
-                    &buffers,
-                    [groups(run.rings), 1],
-                );
+                let bound = [(3, &upstream), (5, &bars)];
+                run.dispatch::<O>(&mut work, "ragged_vjp_main", &bound);
+                if let Some(long) = &run.long {
+                    let wholes = run.sum_up::<O>(&mut work, long);
+                    let bound = [
+                        (3, &upstream),
+                        (5, &bars),
+                        (6, &long.spans),
+                        (7, &long.longs),
+                        (9, &wholes),
+                    ];
+                    run.over::<O>(&mut work, long, "long_vjp_main", Over::Spans, &bound);
+                }
                 parts.push((bars, 8 * run.corners as u64));
             }
             work.submit()?;
@@ -270,9 +320,75 @@ impl Gpu {
     }
 }
 
-fn ring_params(run: &Run) -> Params {
+impl Run {
+    /// The kernel of short rings: a thread each.
+    fn dispatch<O: GpuRing>(
+        &self,
+        work: &mut Work<'_>,
+        entry: &'static str,
+        bound: &[(u32, &wgpu::Buffer)],
+    ) {
+        let mut buffers = vec![(1, &self.vertices), (2, &self.offsets)];
+        buffers.extend(bound);
+        let pipeline = ring_pipeline::<O>(work.inner, entry);
+        let size = [groups(self.rings), 1];
+        work.dispatch(&pipeline, counted(self.rings), &buffers, size);
+    }
+
+    /// A kernel of long rings.
+    fn over<O: GpuRing>(
+        &self,
+        work: &mut Work<'_>,
+        long: &LongRings,
+        entry: &'static str,
+        over: Over,
+        bound: &[(u32, &wgpu::Buffer)],
+    ) {
+        let (count, size) = match over {
+            Over::Spans => {
+                let wide = long.span_count.min(ROW);
+                let tall = long.span_count.div_ceil(ROW);
+                (long.span_count, [wide as u32, tall as u32])
+            }
+            Over::Longs => (long.long_count, [groups(long.long_count), 1]),
+        };
+        let mut buffers: Vec<_> = match entry {
+            // It reads sums alone.
+            "scale_main" | "whole_main" => Vec::new(),
+            _ => vec![(1, &self.vertices), (2, &self.offsets)],
+        };
+        buffers.extend(bound);
+        let pipeline = ring_pipeline::<O>(work.inner, entry);
+        work.dispatch(&pipeline, counted(count), &buffers, size);
+    }
+
+    /// The scale and the sums of every long ring.
+    fn sum_up<O: GpuRing>(&self, work: &mut Work<'_>, long: &LongRings) -> wgpu::Buffer {
+        let inner = work.inner;
+        let parts = inner.storage(long.span_count * PART_BYTES / 4);
+        let wholes = inner.storage(long.long_count * WHOLE_BYTES / 4);
+        let (spans, longs) = ((6, &long.spans), (7, &long.longs));
+        let (parts, sums) = ((8, &parts), (9, &wholes));
+        for (entry, over, bound) in [
+            ("extent_main", Over::Spans, &[spans, longs, parts][..]),
+            ("scale_main", Over::Longs, &[longs, parts, sums]),
+            ("sums_main", Over::Spans, &[spans, longs, parts, sums]),
+            ("whole_main", Over::Longs, &[longs, parts, sums]),
+        ] {
+            self.over::<O>(work, long, entry, over, bound);
+        }
+        wholes
+    }
+}
+
+fn ring_pipeline<O: GpuRing>(inner: &Inner, entry: &'static str) -> wgpu::ComputePipeline {
+    let source = Source::of(Kernel::Ragged, O::NAME);
+    inner.pipeline(source, entry, ring_source::<O>)
+}
+
+fn counted(count: usize) -> Params {
     Params {
-        own_count: run.rings as u32,
+        own_count: count as u32,
         ..Params::default()
     }
 }

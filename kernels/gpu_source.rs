@@ -5,7 +5,7 @@
 use crate::clip::{FAR, LARGEST_INVERSE, frame, is_ordinary};
 use crate::error::Validate;
 use crate::float::Float;
-use crate::kernels::op::{PairOp, RingOp};
+use crate::kernels::op::{Op, PairOp, RingOp};
 use crate::kernels::overlap::{Aabb2Score, Obb2Score};
 use crate::kernels::ring::{Centroid, Perimeter, SignedArea};
 use crate::overlap::{Denominator, Measure};
@@ -16,6 +16,9 @@ use std::fmt::Write;
 pub(super) const TILE: usize = 64;
 /// Threads per workgroup.
 pub(super) const GROUP: usize = 256;
+/// The same for adjoints, whose threads take two columns each: with what one needs in registers, a
+/// larger workgroup would leave room for no second one.
+pub(super) const GROUP_VJP: usize = GROUP / 2;
 /// Walked shapes kept close to the threads at a time.
 pub(super) const STEP: usize = 64;
 /// Walked columns of a matrix kept close to the threads at a time: whole sectors of memory, of every
@@ -33,6 +36,12 @@ pub(super) const STRIP: usize = 1024;
 const RUN: usize = 16;
 /// The same for adjoints, whose upstream matrix makes every step dearer.
 pub(super) const STRIP_VJP: usize = 256;
+/// Vertices from which on a ring is long: more than one thread works on it.
+pub(super) const LONG: usize = 1024;
+/// Vertices of a long ring per workgroup.
+pub(super) const SPAN: usize = 2048;
+/// Spans along the first dimension of a dispatch.
+pub(super) const ROW: usize = 32_768;
 /// The most quads a frame has.
 pub(super) const MOST_QUADS: usize = 2;
 
@@ -113,29 +122,24 @@ pub trait GpuRing: RingOp {
     const MOMENTS: bool;
     /// Whether it sums lengths of edges.
     const LENGTHS: bool;
-    /// The entry point of the value.
-    const ENTRY: &'static str;
-    /// The entry point of the adjoint.
-    const VJP_ENTRY: &'static str;
+    /// The measure of a ring and its slope at a vertex, in WGSL.
+    const WGSL: &'static str;
 }
 
 impl GpuRing for SignedArea {
     const MOMENTS: bool = false;
     const LENGTHS: bool = false;
-    const ENTRY: &'static str = "signed_area_main";
-    const VJP_ENTRY: &'static str = "signed_area_vjp_main";
+    const WGSL: &'static str = include_str!("signed_area.wgsl");
 }
 impl GpuRing for Perimeter {
     const MOMENTS: bool = false;
     const LENGTHS: bool = true;
-    const ENTRY: &'static str = "perimeter_main";
-    const VJP_ENTRY: &'static str = "perimeter_vjp_main";
+    const WGSL: &'static str = include_str!("perimeter.wgsl");
 }
 impl GpuRing for Centroid {
     const MOMENTS: bool = true;
     const LENGTHS: bool = false;
-    const ENTRY: &'static str = "centroid_main";
-    const VJP_ENTRY: &'static str = "centroid_vjp_main";
+    const WGSL: &'static str = include_str!("centroid.wgsl");
 }
 
 /// What a shader does.
@@ -194,7 +198,8 @@ pub(super) struct Source {
     pub extreme: bool,
     /// Whether threads stand for rows, and not for columns.
     pub own_rows: bool,
-    /// Slots for sums of rows: the most subgroups a workgroup can have; zero without subgroups.
+    /// Slots for sums of rows: the most subgroups an adjoint's workgroup can have; zero without
+    /// subgroups.
     pub slots: usize,
 }
 
@@ -216,16 +221,19 @@ fn literal(x: f32) -> String {
 }
 
 /// The constants of every shader.
-fn constants(step: usize, strip: usize) -> String {
+fn constants(group: usize, step: usize, strip: usize) -> String {
     // All ones, without the low half of the significand.
     let high_half = Float::high(f32::from_bits(u32::MAX)).to_bits();
     let mut text = String::new();
     for (name, value) in [
         ("TILE", TILE as u32),
-        ("GROUP", GROUP as u32),
+        ("GROUP", group as u32),
         ("STEP", step as u32),
         ("STRIP", strip as u32),
         ("RUN", RUN as u32),
+        ("LONG", LONG as u32),
+        ("SPAN", SPAN as u32),
+        ("ROW", ROW as u32),
         ("HIGH_HALF", high_half),
         ("UNION", Denominator::Union as u32),
         ("FIRST", Denominator::First as u32),
@@ -250,12 +258,12 @@ const BATCH: &str = include_str!("batch.wgsl");
 
 /// The shader of an operation of two shapes.
 pub(super) fn pair_source<O: GpuPair>(source: Source) -> String {
-    let (step, strip) = match source.kernel {
-        Kernel::Vjp(_) => (step_vjp(source.slots), STRIP_VJP),
-        Kernel::ReduceMatrix(_) => (STEP_MATRIX, STRIP),
-        _ => (STEP, STRIP),
+    let (group, step, strip) = match source.kernel {
+        Kernel::Vjp(_) => (GROUP_VJP, step_vjp(source.slots), STRIP_VJP),
+        Kernel::ReduceMatrix(_) => (GROUP, STEP_MATRIX, STRIP),
+        _ => (GROUP, STEP, STRIP),
     };
-    let mut text = constants(step, strip);
+    let mut text = constants(group, step, strip);
     let _ = writeln!(
         text,
         "const QUADS: u32 = {}u;\nconst FIELDS: u32 = {}u;\nconst SLOTS: u32 = {}u;\n\
@@ -300,17 +308,20 @@ pub(super) fn pair_source<O: GpuPair>(source: Source) -> String {
 
 /// The shader of an operation of rings.
 pub(super) fn ring_source<O: GpuRing>() -> String {
-    let mut text = constants(STEP, STRIP);
+    let mut text = constants(GROUP, STEP, STRIP);
     let _ = writeln!(
         text,
-        "const MOMENTS: bool = {};\nconst LENGTHS: bool = {};",
+        "const MOMENTS: bool = {};\nconst LENGTHS: bool = {};\nconst FIELDS: u32 = {}u;",
         O::MOMENTS,
-        O::LENGTHS
+        O::LENGTHS,
+        <O as Op>::Out::<f32>::LEN,
     );
     for file in [
         PRELUDE,
         include_str!("ring.wgsl"),
+        O::WGSL,
         include_str!("ragged.wgsl"),
+        include_str!("ragged_long.wgsl"),
     ] {
         text.push_str(file);
     }

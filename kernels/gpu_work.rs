@@ -29,7 +29,7 @@ const PARAMS_BYTES: u64 = 48;
 
 /// Commands on their way to the queue.
 pub(super) struct Work<'a> {
-    inner: &'a Inner,
+    pub inner: &'a Inner,
     encoder: wgpu::CommandEncoder,
     queries: Option<wgpu::QuerySet>,
     timed: u32,

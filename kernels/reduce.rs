@@ -319,7 +319,7 @@ pub fn mean<O: PairOp, T: Real + Into<f64>>(a: &[A<O, T>], b: &[B<O, T>]) -> Res
 /// use geograd::Aabb2;
 /// use geograd::kernels::{overlap::IntersectionAreaAabb2, reduce};
 /// let a = [Aabb2::new(0.0, 0.0, 2.0, 2.0)];
-/// let b = [Aabb2::new(1.0, 0.0, 3.0, 2.0), Aabb2::new(0.0, 1.0, 3.0, 3.0)];
+/// let b = [Aabb2::new(1.0, 0.0, 3.0, 2.0), Aabb2::new(-1.0, 1.0, 3.0, 3.0)];
 /// let (sum, a_bar, _) = reduce::sum_grad::<IntersectionAreaAabb2, f64>(&a, &b)?;
 /// assert_eq!(sum, 4.0);
 /// assert_eq!(a_bar[0].max.x, 3.0); // 2 along the one, 1 along the other

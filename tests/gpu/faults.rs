@@ -120,6 +120,175 @@ fn a_lost_device_is_an_error() {
     assert_eq!(lost.unwrap_err(), GpuError::DeviceLost);
 }
 
+/// What every call of the front comes to.
+fn every_call(backend: Backend<'_>) -> Vec<Result<(), GpuError>> {
+    type O = overlap::IouObb2;
+    type R = ring::Centroid;
+    let boxes = Obb2::<f32>::hard();
+    let (a, b) = (&boxes[..], &boxes[..]);
+    let ones = vec![1.0; a.len()];
+    let matrix = vec![1.0; a.len() * a.len()];
+    let corners = [
+        Vec2::new(0.0, 0.0),
+        Vec2::new(1.0, 0.0),
+        Vec2::new(0.0, 1.0),
+    ];
+    let mut values = ones.clone();
+    let (mut a_bar, mut b_bar) = (boxes.clone(), boxes.clone());
+    vec![
+        backend.aligned::<O>(a, b).map(drop),
+        backend.aligned_into::<O>(a, b, &mut values),
+        backend.aligned_grad::<O>(a, b).map(drop),
+        backend.aligned_grad_into::<O>(a, b, &mut values, &mut a_bar, &mut b_bar),
+        backend.aligned_vjp::<O>(a, b, &ones).map(drop),
+        backend.all_pairs::<O>(a, b).map(drop),
+        backend.all_pairs_grad::<O>(a, b).map(drop),
+        backend.all_pairs_vjp::<O>(a, b, &matrix).map(drop),
+        backend.sum_grad::<O>(a, b).map(drop),
+        backend.mean_grad::<O>(a, b).map(drop),
+        backend.row_max::<O>(a, b).map(drop),
+        backend.column_max::<O>(a, b).map(drop),
+        backend.above::<O>(a, b, 0.5).map(drop),
+        backend.count_above::<O>(a, b, 0.5).map(drop),
+        backend.sum::<O>(a, b).map(drop),
+        backend.mean::<O>(a, b).map(drop),
+        backend.ragged::<R>(&corners, &[0, 3]).map(drop),
+        backend
+            .ragged_vjp::<R>(&corners, &[0, 3], &corners[..1])
+            .map(drop),
+        backend.upload(a).map(drop),
+        backend.upload_values(&ones).map(drop),
+        backend.upload_matrix(1, a.len(), &ones).map(drop),
+    ]
+}
+
+#[test]
+fn a_lost_device_is_an_error_of_every_call_of_the_front() {
+    let Some((_turn, _)) = gpu() else { return };
+    let gpu = Gpu::new().unwrap();
+    let backend = Backend::Gpu(&gpu);
+    assert!(every_call(backend).iter().all(Result::is_ok));
+    let boxes = Obb2::<f32>::hard();
+    let mut on = backend.upload(&boxes).unwrap();
+    let matrix = on.all_pairs::<overlap::IouObb2>(&on).unwrap();
+    gpu.destroy();
+    for (call, found) in every_call(backend).into_iter().enumerate() {
+        assert_eq!(found, Err(GpuError::DeviceLost), "call {call}");
+    }
+    assert_eq!(on.update(&boxes), Err(GpuError::DeviceLost));
+    assert_eq!(matrix.row_max().unwrap_err(), GpuError::DeviceLost);
+    assert_eq!(matrix.download().unwrap_err(), GpuError::DeviceLost);
+    // A new context is as good as the old one was.
+    let gpu = Gpu::new().unwrap();
+    assert!(every_call(Backend::Gpu(&gpu)).iter().all(Result::is_ok));
+}
+
+#[test]
+fn a_device_lost_in_the_middle_of_work_is_an_error() {
+    let Some((_turn, _)) = gpu() else { return };
+    for pause in [0, 3, 10, 30] {
+        let gpu = Gpu::new().unwrap();
+        std::thread::scope(|scope| {
+            let workers: Vec<_> = (0..2)
+                .map(|_| {
+                    scope.spawn(|| {
+                        loop {
+                            let found = every_call(Backend::Gpu(&gpu));
+                            let failed = found.into_iter().find_map(Result::err);
+                            if let Some(error) = failed {
+                                return error;
+                            }
+                        }
+                    })
+                })
+                .collect();
+            std::thread::sleep(std::time::Duration::from_millis(pause));
+            gpu.destroy();
+            for worker in workers {
+                assert_eq!(worker.join().unwrap(), GpuError::DeviceLost);
+            }
+        });
+    }
+}
+
+#[test]
+fn a_ring_beyond_every_buffer_is_an_error() {
+    let Some((_turn, _)) = gpu() else { return };
+    let gpu = crate::small();
+    let backend = Backend::Gpu(&gpu);
+    let most = gpu.most_bytes() as usize / 8;
+    let corners = vec![Vec2::new(1.0, 2.0); most + 1];
+    let refused = backend.ragged::<ring::Centroid>(&corners, &[0, most + 1]);
+    assert_eq!(refused.unwrap_err(), GpuError::TooLarge);
+    let found = backend.ragged::<ring::Centroid>(&corners, &[0, most, most + 1]);
+    assert_eq!(found.unwrap(), [corners[0]; 2]);
+}
+
+/// The address space is cut down, in a process of its own, until the driver has no more memory.
+#[cfg(target_os = "linux")]
+#[test]
+fn no_more_memory_is_an_error_and_everything_goes_on() {
+    const STARVED: &str = "GEOGRAD_TEST_STARVED";
+    if std::env::var_os(STARVED).is_some() {
+        return starve(&Gpu::new().unwrap());
+    }
+    let Some((_turn, gpu)) = gpu() else { return };
+    if !gpu.adapter().is_software {
+        eprintln!("SKIPPED: the memory of this GPU is not the process's");
+        return;
+    }
+    let name = "faults::no_more_memory_is_an_error_and_everything_goes_on";
+    let done = std::process::Command::new("sh")
+        .args(["-c", "ulimit -v 3500000; exec \"$0\" \"$@\""])
+        .arg(std::env::current_exe().unwrap())
+        .args([name, "--exact", "--nocapture"])
+        .env(STARVED, "1")
+        .env("GEOGRAD_GPU", gpu.adapter().index.to_string())
+        .output()
+        .unwrap();
+    let told = String::from_utf8_lossy(&done.stderr);
+    assert!(
+        done.status.success() && told.contains("starved after"),
+        "{told}"
+    );
+}
+
+#[cfg(target_os = "linux")]
+fn starve(gpu: &Gpu) {
+    let boxes = Obb2::<f32>::hard();
+    let on = gpu.upload(&boxes).unwrap();
+    let expected = gpu
+        .aligned::<overlap::IouObb2>(&on, &on)
+        .unwrap()
+        .download()
+        .unwrap();
+    let first = gpu.upload_values(&vec![1.0; 32 << 20]).unwrap();
+    let mut held = Vec::new();
+    let error = loop {
+        assert!(held.len() < 100, "memory without end");
+        match first.duplicate().and_then(|copy| gpu.wait().map(|()| copy)) {
+            Ok(copy) => held.push(copy),
+            Err(error) => break error,
+        }
+    };
+    eprintln!("starved after {}", held.len());
+    assert_eq!(error, GpuError::OutOfMemory);
+    // What was there before is as it was, with the memory still full and after it was given back.
+    let again = || {
+        gpu.aligned::<overlap::IouObb2>(&on, &on)
+            .unwrap()
+            .download()
+    };
+    assert_eq!(again().unwrap(), expected);
+    held.clear();
+    gpu.wait().unwrap();
+    assert_eq!(again().unwrap(), expected);
+    assert_eq!(
+        first.duplicate().unwrap().download().unwrap()[..3],
+        [1.0; 3]
+    );
+}
+
 #[test]
 fn too_much_is_an_error() {
     let Some((_turn, gpu)) = gpu() else { return };

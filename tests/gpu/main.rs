@@ -101,6 +101,14 @@ macro_rules! walk {
                 super::rings::rings_agree::<$ring_op>(gpu);
                 super::rings::rings_agree::<$ring_op>(&super::small());
             }
+            #[test]
+            fn moved() {
+                super::rings::moved_rings_agree::<$ring_op>();
+            }
+            #[test]
+            fn long() {
+                super::rings::long_rings::<$ring_op>();
+            }
         })*
     };
 }

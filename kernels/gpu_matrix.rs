@@ -1,0 +1,119 @@
+//! Matrices that stay on the GPU.
+use super::block::{Block, block_of, place_block};
+use super::download::download;
+use super::{Gpu, Pending};
+use crate::error::{Argument, Error};
+use crate::kernels::GpuError;
+use crate::kernels::tile::{check_upstream, entries, expect};
+
+/// A matrix on the GPU: one number per row of one list and row of another. Clones of a handle are
+/// the same numbers.
+#[derive(Clone, Debug)]
+pub struct Matrix {
+    pub(super) gpu: Gpu,
+    pub(super) rows: usize,
+    pub(super) columns: usize,
+    pub(super) blocks: Vec<(Block, wgpu::Buffer)>,
+}
+
+impl Gpu {
+    /// Brings a matrix to the GPU, such as the upstream gradient of all pairs of two lists.
+    ///
+    /// # Errors
+    ///
+    /// [`GpuError::Input`] for a number that is not finite or a slice of another length than
+    /// rows times columns, or what the device says.
+    pub fn upload_matrix(
+        &self,
+        rows: usize,
+        columns: usize,
+        values: &[f32],
+    ) -> Result<Matrix, GpuError> {
+        let expected = rows.checked_mul(columns).ok_or(Error::TooLarge)?;
+        expect(Argument::Upstream, expected, values.len())?;
+        check_upstream(values)?;
+        self.inner.guarded(|| {
+            let made = Matrix::room(self, rows, columns)?;
+            made.write(values);
+            Ok(made)
+        })
+    }
+}
+
+impl Matrix {
+    /// Room for a matrix.
+    pub(super) fn room(gpu: &Gpu, rows: usize, columns: usize) -> Result<Self, GpuError> {
+        entries(rows, columns, 1)?;
+        let blocks = gpu.inner.cut(rows, columns, 4).into_iter().map(|block| {
+            let values = gpu.inner.storage(block.rows * block.columns);
+            (block, values)
+        });
+        Ok(Matrix {
+            gpu: gpu.clone(),
+            rows,
+            columns,
+            blocks: blocks.collect(),
+        })
+    }
+
+    fn write(&self, values: &[f32]) {
+        for (block, buffer) in &self.blocks {
+            let inner = &self.gpu.inner;
+            inner.write(buffer, &block_of(block, self.columns, values));
+        }
+    }
+
+    /// Puts another matrix of the same size in its place, without a new buffer.
+    ///
+    /// # Errors
+    ///
+    /// [`GpuError::Input`] for another size or a number that is not finite, or what the device
+    /// says.
+    pub fn update(&mut self, values: &[f32]) -> Result<(), GpuError> {
+        expect(Argument::Upstream, self.rows * self.columns, values.len())?;
+        check_upstream(values)?;
+        self.gpu.inner.guarded(|| {
+            self.write(values);
+            Ok(())
+        })
+    }
+
+    /// How many rows.
+    #[must_use]
+    pub fn rows(&self) -> usize {
+        self.rows
+    }
+    /// How many columns.
+    #[must_use]
+    pub fn columns(&self) -> usize {
+        self.columns
+    }
+
+    /// Starts bringing the matrix back, row by row.
+    ///
+    /// # Errors
+    ///
+    /// What the device says.
+    pub fn start_download(&self) -> Result<Pending<Vec<f32>>, GpuError> {
+        let (rows, columns) = (self.rows, self.columns);
+        let blocks: Vec<Block> = self.blocks.iter().map(|&(block, _)| block).collect();
+        let parts: Vec<_> = self
+            .blocks
+            .iter()
+            .map(|(block, buffer)| (buffer, 4 * (block.rows * block.columns) as u64))
+            .collect();
+        let arrival = self.gpu.inner.bring(&self.gpu, &parts)?;
+        Ok(Pending::new(arrival, move |arrival| {
+            let mut all = vec![0.0; rows * columns];
+            arrival.read(|part, numbers| {
+                let numbers = bytemuck::cast_slice(numbers);
+                place_block(&blocks[part], columns, numbers, &mut all);
+            })?;
+            Ok(all)
+        }))
+    }
+}
+
+download! {
+    [] Matrix => Vec<f32>;
+}

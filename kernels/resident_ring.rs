@@ -1,0 +1,86 @@
+//! Rings that stay between calls.
+use super::{RingBars, RingValues, Side};
+use crate::Vec2;
+use crate::error::Argument;
+use crate::kernels::gpu::{self, GpuRing};
+use crate::kernels::op::Op;
+use crate::kernels::ragged::check_ragged;
+use crate::kernels::tile::expect;
+use crate::kernels::{Backend, GpuError, cpu};
+
+/// Vertices, and where each ring begins among them.
+type Held = (Vec<Vec2<f32>>, Vec<usize>);
+
+/// Rings, checked and ready.
+#[derive(Clone, Debug)]
+pub struct Rings(Side<Held, gpu::Rings>);
+
+impl Backend<'_> {
+    /// Checks rings and brings them to where it computes. Ring i has the vertices
+    /// `offsets[i]..offsets[i + 1]`.
+    ///
+    /// # Errors
+    ///
+    /// [`GpuError::Input`] as [`cpu::ragged`], or what the device says.
+    pub fn upload_rings(
+        self,
+        vertices: &[Vec2<f32>],
+        offsets: &[usize],
+    ) -> Result<Rings, GpuError> {
+        Ok(Rings(match self {
+            Backend::Cpu => {
+                check_ragged(vertices, offsets)?;
+                Side::Cpu((vertices.to_vec(), offsets.to_vec()))
+            }
+            #[cfg(feature = "gpu")]
+            Backend::Gpu(gpu) => Side::Gpu(gpu.upload_rings(vertices, offsets)?),
+            #[cfg(not(feature = "gpu"))]
+            Backend::Gpu(gpu) => match *gpu {},
+        }))
+    }
+}
+
+impl Rings {
+    /// [`cpu::ragged`].
+    ///
+    /// # Errors
+    ///
+    /// What the device says.
+    pub fn ragged<O: GpuRing>(&self) -> Result<RingValues<<O as Op>::Out<f32>>, GpuError> {
+        on!(own = &self.0;
+            Ok(RingValues(Side::Cpu(cpu::ragged::<O, f32>(&own.0, &own.1)?)));
+            Ok(RingValues(Side::Gpu(own.gpu().ragged::<O>(own)?))))
+    }
+
+    /// [`cpu::ragged_vjp`].
+    ///
+    /// # Errors
+    ///
+    /// [`GpuError::Input`] for an upstream of another length or one that is not finite, or what the
+    /// device says.
+    pub fn ragged_vjp<O: GpuRing>(
+        &self,
+        upstream: &[<O as Op>::Out<f32>],
+    ) -> Result<RingBars, GpuError> {
+        on!(own = &self.0;
+            Ok(RingBars(Side::Cpu(cpu::ragged_vjp::<O, f32>(&own.0, &own.1, upstream)?)));
+            Ok(RingBars(Side::Gpu(own.gpu().ragged_vjp::<O>(own, upstream)?))))
+    }
+
+    /// Moves the vertices; each ring keeps as many as it has.
+    ///
+    /// # Errors
+    ///
+    /// [`GpuError::Input`] for another number of vertices or one that is not finite (the old ones
+    /// are then as they were), or what the device says.
+    pub fn update(&mut self, vertices: &[Vec2<f32>]) -> Result<(), GpuError> {
+        on!(own = &mut self.0;
+        {
+            expect(Argument::Vertices, own.0.len(), vertices.len())?;
+            check_ragged(vertices, &own.1)?;
+            own.0.copy_from_slice(vertices);
+            Ok(())
+        };
+        own.update(vertices))
+    }
+}

@@ -1,0 +1,13 @@
+// The signed area of a ring and its slope at one vertex.
+
+fn measure(local: Local, all: Edges) -> vec2f {
+    return vec2f(saturated(outer(local, outer(local, halved(all.twice)))), 0.0);
+}
+
+fn measure_vjp(local: Local, all: Edges, i: u32, out_bar: vec2f) -> vec2f {
+    let across = (local_at(local, after(local, i)) - local_at(local, before(local, i))) * 0.5;
+    return limited(
+        outer(local, across.y) * out_bar.x,
+        -(outer(local, across.x) * out_bar.x),
+    );
+}
