@@ -415,6 +415,22 @@ fn right_slope_wrong_hessian() {
     refused(&report, Reason::CurvatureDisagrees(Witness::Difference));
 }
 #[test]
+fn right_slope_wrong_hessian_in_single() {
+    let check = || {
+        Check::at([1.3_f32, 0.7])
+            .and([-0.4, 1.9])
+            .value(|[x, y]: [f32; 2]| x * x * x * y)
+            .gradient(|[x, y]| [3.0 * x * x * y, x * x * x])
+    };
+    let right =
+        |[x, y]: [f32; 2], [u, v]: [f32; 2]| [6.0 * x * y * u + 3.0 * x * x * v, 3.0 * x * x * u];
+    check().hessian_times(right).prove();
+    let report = check()
+        .hessian_times(|x, [u, v]| right(x, [1.05 * u, 1.05 * v]))
+        .run();
+    refused(&report, Reason::CurvatureDisagrees(Witness::Difference));
+}
+#[test]
 fn hessian_not_symmetric() {
     let report = points()
         .value(|[x, y]: [f64; 2]| x * x * y)
