@@ -51,8 +51,11 @@ impl Judge<'_> {
                 });
                 let nested = by_duals(self.x).unwrap_or_default();
                 let other = self.spread(&nested, Some(&sizes), by_duals);
+                let noise = self.roundings(&bend, &sizes, |seed| {
+                    subject.noisy_curvature(self.x, &row.weights, &v, seed)
+                });
                 (0..n)
-                    .map(|i| own[i] + other.get(i).unwrap_or(&0.0))
+                    .map(|i| own[i].max(noise[i]) + other.get(i).unwrap_or(&0.0))
                     .collect::<Vec<f64>>()
             })
         };

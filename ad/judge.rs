@@ -2,8 +2,8 @@
 //!
 //! Tolerances come from the witnesses themselves. Two derivatives that are both exact up to
 //! rounding may differ by a few units in the last place of the largest slope in the same unit, and
-//! by as much as either of them changes when the input is moved by its last digit: whatever a
-//! function does to rounding errors, it does to that too. A finite difference may be off by its
+//! by as much as either of them changes when the input is moved by its last digit (whatever a
+//! function does to rounding errors, it does to that too) or its own roundings fall differently. A finite difference may be off by its
 //! own error estimate. A refusal by differences must be repeated by other ladders of steps that
 //! agree among themselves.
 use crate::ad::sample::Draw;
@@ -22,6 +22,8 @@ pub(crate) const SAFETY: f64 = 8.0;
 const FEW_OUTPUTS: usize = 8;
 /// How often rounding is provoked.
 const ROUNDS: u64 = 12;
+/// How often an adjoint's own roundings are drawn.
+const RUNS: u64 = 6;
 
 /// The slopes of one combination of the outputs.
 pub(crate) struct Row {
@@ -231,6 +233,26 @@ impl Judge<'_> {
         spread
     }
 
+    /// The largest change of a derivative when its own roundings fall differently. What changes more
+    /// than a thousandth of the sizes was decided differently, which is no rounding.
+    pub(crate) fn roundings(
+        &self,
+        base: &[f64],
+        sizes: &[f64],
+        noisy: impl Fn(u64) -> Option<Vec<f64>>,
+    ) -> Vec<f64> {
+        let mut spread = vec![0.0_f64; base.len()];
+        for list in (0..RUNS).map_while(noisy) {
+            let change = |i: usize| (list[i] - base[i]).abs();
+            if (0..list.len()).all(|i| change(i) <= 1e-3 * sizes[i]) {
+                for (i, spread) in spread.iter_mut().enumerate() {
+                    *spread = spread.max(change(i));
+                }
+            }
+        }
+        spread
+    }
+
     /// Another path's value against the value.
     fn compare_values(&mut self, other: &[f64], witness: Witness) {
         if other.len() != self.y.len() {
@@ -387,8 +409,13 @@ impl Judge<'_> {
             let spread = self.spread(adjoint, Some(&row.size), |x| {
                 self.subject.adjoint(x, &row.weights)
             });
-            for (tolerance, spread) in row.tolerance.iter_mut().zip(spread) {
-                *tolerance += SAFETY * spread;
+            let noise = self.roundings(adjoint, &row.size, |seed| {
+                self.subject.noisy(self.x, &row.weights, seed)
+            });
+            for (tolerance, (spread, noise)) in
+                row.tolerance.iter_mut().zip(spread.iter().zip(noise))
+            {
+                *tolerance += SAFETY * spread.max(noise);
             }
         }
         if let Some(dual) = &row.dual {

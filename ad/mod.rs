@@ -26,6 +26,7 @@ pub mod clip;
 mod curvature;
 pub mod forward;
 pub mod judge;
+pub mod noise;
 pub mod overlap;
 pub mod picture;
 mod projection;

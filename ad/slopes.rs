@@ -178,7 +178,8 @@ impl Judge<'_> {
         while k < directions.len() {
             let direction = directions[k].clone();
             let here = ladder(&direction, FIRST[0]);
-            if self.jumps(&here, &|| ladder(&direction, NEAR), k) {
+            let reach = self.reach(rows, &direction);
+            if self.jumps(&here, &|| ladder(&direction, NEAR), reach, k) {
                 self.found.directions[2] += rows.len() as u64;
                 said.push(true);
                 k += 1;
@@ -246,8 +247,20 @@ impl Judge<'_> {
         }
     }
 
-    /// Whether any output jumps along a direction; if it must not, that is refused.
-    fn jumps(&mut self, here: &Ladder, near: &dyn Fn() -> Ladder, k: usize) -> bool {
+    /// By how much the value may change within the rounding of the steps along a direction. Along
+    /// an axis steps are exact.
+    fn reach(&self, rows: &[Row], direction: &[f64]) -> f64 {
+        let moved = || (0..self.x.len()).filter(|&i| direction[i] != 0.0);
+        if moved().count() < 2 {
+            return 0.0;
+        }
+        let slope = |i: usize| rows.iter().fold(0.0_f64, |m, row| m.max(row.size[i]));
+        moved().map(|i| slope(i) * self.eps * self.x[i].abs()).sum()
+    }
+
+    /// Whether any output jumps along a direction by more than `reach`; if it must not, that is
+    /// refused.
+    fn jumps(&mut self, here: &Ladder, near: &dyn Fn() -> Ladder, reach: f64, k: usize) -> bool {
         let mut unrest = Vec::new();
         for j in 0..self.y.len() {
             let mut weights = vec![0.0; self.y.len()];
@@ -257,7 +270,7 @@ impl Judge<'_> {
                 let none = vec![0.0; self.y.len()];
                 unrest = self.spread(&self.y, Some(&none), |x| Some(self.subject.value(x)));
             }
-            let noise = self.eps * self.y[j].abs() + unrest.get(j).unwrap_or(&0.0);
+            let noise = self.eps * self.y[j].abs() + unrest.get(j).unwrap_or(&0.0) + reach;
             // A kink may be nearer than the smallest step; a jump still jumps nearer by.
             if here.jump(&weights, noise).is_some() && near().jump(&weights, noise).is_some() {
                 self.found.jump = true;

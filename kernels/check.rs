@@ -7,6 +7,7 @@
 //! ```
 use crate::ad::check::{Plan, Report, examine};
 use crate::ad::forward::{Along, First};
+use crate::ad::noise::{Noisy, noisy};
 use crate::ad::picture::picture;
 use crate::ad::sample::{Sample, hard_cases, random};
 use crate::ad::subject::{Conventions, Jumps, Subject};
@@ -152,6 +153,28 @@ where
             of(i - 1, S::nearest(x[i - 1]))
         })
     }
+    /// The slopes by hand, on another kind of number.
+    fn slopes<T: Scalar>(&self, x: &[f64], y_bar: &[f64], of: impl Fn(S) -> T) -> Vec<T> {
+        let y_bar: Vec<T> = y_bar.iter().map(|&y| of(S::nearest(y))).collect();
+        O::vjp::<T>(&self.made(x, |_, v| of(v)), O::Out::<T>::from_slice(&y_bar)).scalars()
+    }
+    /// The Hessian times a direction, through the adjoint, on another kind of number.
+    fn bends<T>(&self, x: &[f64], y_bar: &[f64], direction: &[f64], of: impl Fn(S) -> T) -> Vec<T>
+    where
+        T: Scalar<Primal = T>,
+    {
+        let input = self.made(x, |i, value| Jet {
+            value: of(value),
+            slope: [of(S::nearest(direction[i]))],
+        });
+        let y_bar: Vec<Jet<T, 1>> = y_bar
+            .iter()
+            .map(|&y| <Jet<T, 1> as Scalar>::lit(y))
+            .collect();
+        let y_bar = O::Out::<Jet<T, 1>>::from_slice(&y_bar);
+        let slopes = O::vjp::<Jet<T, 1>>(&input, y_bar).scalars();
+        slopes.iter().map(|jet| jet.slope[0]).collect()
+    }
 }
 
 impl<O: Op, S: Number> Subject for OpSubject<'_, O, S>
@@ -177,10 +200,15 @@ where
         all
     }
     fn adjoint(&self, x: &[f64], y_bar: &[f64]) -> Option<Vec<f64>> {
-        let y_bar = O::Out::<S>::from_slice(&nearest::<S>(y_bar));
-        Some(widened(
-            &O::vjp::<S>(&self.made(x, |_, v| v), y_bar).scalars(),
-        ))
+        Some(widened(&self.slopes(x, y_bar, |x| x)))
+    }
+    fn noisy(&self, x: &[f64], y_bar: &[f64], seed: u64) -> Option<Vec<f64>> {
+        // Low parts of single precision hold what roundings leave; others would spoil them.
+        if S::COMPENSATED {
+            return None;
+        }
+        let slopes = noisy(seed, || self.slopes(x, y_bar, Noisy));
+        Some(slopes.iter().map(|s| s.0.widen()).collect())
     }
     fn further(&self, x: &[f64], y_bar: &[f64]) -> Vec<Vec<f64>> {
         let fused = self.fused.map(|fused| fused(&nearest(x)).1);
@@ -219,16 +247,21 @@ where
         Some((out.scalars().iter().map(|y| y.0.widen()).collect(), trace))
     }
     fn curvature(&self, x: &[f64], y_bar: &[f64], direction: &[f64]) -> Option<Vec<f64>> {
-        let input = self.made(x, |i, value| Jet {
-            value,
-            slope: [S::nearest(direction[i])],
-        });
-        let y_bar: Vec<Jet<S, 1>> = y_bar
-            .iter()
-            .map(|&y| <Jet<S, 1> as Scalar>::lit(y))
-            .collect();
-        let slopes = O::vjp::<Jet<S, 1>>(&input, O::Out::<Jet<S, 1>>::from_slice(&y_bar)).scalars();
-        Some(slopes.iter().map(|jet| jet.slope[0].widen()).collect())
+        let bends = self.bends(x, y_bar, direction, |x| x);
+        Some(bends.iter().map(|bend| bend.widen()).collect())
+    }
+    fn noisy_curvature(
+        &self,
+        x: &[f64],
+        y_bar: &[f64],
+        direction: &[f64],
+        seed: u64,
+    ) -> Option<Vec<f64>> {
+        if S::COMPENSATED {
+            return None;
+        }
+        let bends = noisy(seed, || self.bends(x, y_bar, direction, Noisy));
+        Some(bends.iter().map(|bend| bend.0.widen()).collect())
     }
     fn nested(&self, x: &[f64], y_bar: &[f64], direction: &[f64]) -> Option<Vec<f64>> {
         let chunk = <First<S> as Scalar>::lit(0.0).slope.len();
