@@ -1,7 +1,8 @@
 //! The part of a judgement that takes second derivatives.
+use crate::ad::hearing::{INFORMATIVE, confirmed};
 use crate::ad::judge::{Judge, ROUNDINGS, Row, SAFETY};
 use crate::ad::sample::Draw;
-use crate::ad::slopes::{FEW_INPUTS, FIRST, INFORMATIVE, confirmed};
+use crate::ad::slopes::{FEW_INPUTS, FIRST};
 use crate::ad::trace::Trace;
 use crate::ad::verdict::{Numbers, Reason, Witness};
 use crate::ad::witness::{Ladder, Probe, dot};

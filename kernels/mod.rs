@@ -25,6 +25,7 @@ pub mod real;
 pub mod reduce;
 pub mod ring;
 pub mod simd;
+mod subject;
 mod tile;
 pub mod witness;
 
