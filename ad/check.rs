@@ -105,163 +105,16 @@
 //! Where a value is decided within rounding (a tie that is none in exact arithmetic), no witness
 //! is better than another, and what provoked rounding changes is tolerated. Exact ties of equal
 //! inputs are judged strictly in double precision.
-use crate::ad::judge::judge;
+use crate::ad::near::Near;
 use crate::ad::sample::{Draw, Sample, hard_cases, random};
-use crate::ad::shrink::{code, shrunk};
-use crate::ad::subject::{Conventions, Subject, default_scales};
+use crate::ad::subject::Conventions;
 use crate::ad::symmetry::{Kind, Promise};
 use crate::ad::trace::{Number, Trace, Traced, trace};
-use crate::ad::verdict::{Fault, Findings, Numbers, PAIRS, Place, Reason, Worst};
-use crate::ad::witness::Precision;
 use crate::{Jet, Pack};
 use std::fmt::Debug;
 
+pub use crate::ad::examine::{Plan, SEED, examine};
 pub use crate::ad::report::{Failure, Report};
-
-/// The seed of everything random, unless another one is given.
-pub const SEED: u64 = 0x6765_6f67_7261_6421;
-/// How many failures a report keeps.
-const KEPT: usize = 8;
-
-/// How many inputs to judge, and which.
-#[derive(Clone, Copy)]
-pub struct Plan<'a> {
-    /// How many random inputs.
-    pub samples: usize,
-    /// What they are drawn from.
-    pub seed: u64,
-    /// Hard cases come first: every so many of them, all by default, none for zero.
-    pub hard: usize,
-    /// Whether to draw the worst case of an operation.
-    pub draws: bool,
-    /// Called after every sample: for a progress bar.
-    pub tick: Option<&'a dyn Fn()>,
-}
-
-impl Plan<'_> {
-    /// Hard cases and so many random inputs.
-    #[must_use]
-    pub fn new(samples: usize, seed: u64) -> Self {
-        Plan {
-            samples,
-            seed,
-            hard: 1,
-            draws: false,
-            tick: None,
-        }
-    }
-    /// The generator of random sample `i`: samples do not depend on each other.
-    #[must_use]
-    pub fn draw(&self, i: usize) -> Draw {
-        Draw::new(
-            self.seed
-                .wrapping_add((i as u64).wrapping_mul(0x2545_f491_4f6c_dd1d)),
-        )
-    }
-}
-
-/// Judges a function at many inputs. `meet` hands the function near an input to its argument;
-/// `random_from` is the number of the first input that was drawn at random.
-pub fn examine<S: Number, X: Pack<Scalar = S> + Debug>(
-    name: &str,
-    plan: &Plan<'_>,
-    inputs: &[X],
-    random_from: usize,
-    meet: impl Fn(&X, &mut dyn FnMut(&dyn Subject)),
-) -> Report {
-    let mut precision = Precision::F64;
-    let mut judged = |x: &X, sample: usize| -> Findings {
-        let list: Vec<f64> = x.scalars().iter().map(|x| x.widen()).collect();
-        let mut findings = None;
-        meet(x, &mut |subject| {
-            precision = subject.precision();
-            // Shrinking makes up numbers that single precision may not have.
-            let list: Vec<f64> = list.iter().map(|&x| precision.round(x)).collect();
-            findings = Some(judge(subject, &list, plan.seed ^ sample as u64));
-        });
-        findings.expect("the function was handed over")
-    };
-    let mut report = Report {
-        name: name.to_owned(),
-        precision: Precision::F64,
-        seed: plan.seed,
-        samples: 0,
-        places: [0; 3],
-        conventions: 0,
-        jumps: 0,
-        directions: [0; 3],
-        switched: 0,
-        margin: f64::INFINITY,
-        worst: [Worst::default(); PAIRS.len()],
-        worst_input: Vec::new(),
-        picture: None,
-        refused: 0,
-        failures: Vec::new(),
-    };
-    let mut smooth = 0;
-    for (sample, x) in inputs.iter().enumerate() {
-        let findings = judged(x, sample);
-        report.samples += 1;
-        report.places[match findings.place {
-            Place::Smooth => 0,
-            Place::Kink => 1,
-            Place::Undefined => 2,
-        }] += 1;
-        smooth += usize::from(findings.place == Place::Smooth && sample >= random_from);
-        report.conventions += u64::from(findings.convention);
-        report.jumps += u64::from(findings.jump);
-        for (all, here) in report.directions.iter_mut().zip(findings.directions) {
-            *all += here;
-        }
-        report.switched += findings.switched;
-        if findings.margin > 0.0 {
-            report.margin = report.margin.min(findings.margin);
-        }
-        if findings.worst[1].share > report.worst[1].share || report.worst_input.is_empty() {
-            report.worst_input = x.scalars().iter().map(|x| x.widen()).collect();
-        }
-        for (all, here) in report.worst.iter_mut().zip(&findings.worst) {
-            all.merge(here, sample);
-        }
-        report.refused += u64::from(!findings.faults.is_empty());
-        for fault in findings.faults {
-            // All reasons once, rather than one reason many times.
-            let known = |failure: &Failure| failure.fault.reason == fault.reason;
-            if report.failures.iter().any(known) || report.failures.len() >= KEPT {
-                continue;
-            }
-            let (least, fault) = shrunk(x, fault, |x| judged(x, sample).faults);
-            report.failures.push(Failure {
-                sample,
-                fault,
-                input: least.scalars().iter().map(|x| x.widen()).collect(),
-                code: code(&least),
-            });
-        }
-        if let Some(tick) = plan.tick {
-            tick();
-        }
-    }
-    report.precision = precision;
-    let drawn = inputs.len().saturating_sub(random_from);
-    if drawn >= 20 && smooth * 10 < drawn {
-        report.refused += 1;
-        report.failures.push(Failure {
-            sample: random_from,
-            fault: Fault {
-                reason: Reason::NothingSmooth,
-                suspect: None,
-                output: 0,
-                input: 0,
-                numbers: Numbers::default(),
-                tolerance: 0.0,
-            },
-            input: Vec::new(),
-            code: String::new(),
-        });
-    }
-    report
-}
 
 type InsideFn<'a, X> = Box<dyn Fn(&X) -> bool + 'a>;
 type ValueFn<'a, X> = Box<dyn Fn(&X) -> Vec<f64> + 'a>;
@@ -281,22 +134,22 @@ type TracedFn<'a, X> = Box<dyn Fn(&X) -> (Vec<f64>, Trace) + 'a>;
 /// assert!(report.passed(), "{report}");
 /// ```
 pub struct Check<'a, X: Pack> {
-    name: String,
-    points: Vec<X>,
-    random_from: usize,
-    seed: u64,
-    value: Option<ValueFn<'a, X>>,
-    paths: Vec<ValueFn<'a, X>>,
-    adjoint: Option<AdjointFn<'a, X>>,
-    further: Vec<AdjointFn<'a, X>>,
-    dual: Option<AdjointFn<'a, X>>,
-    traced: Option<TracedFn<'a, X>>,
-    curvature: Option<AdjointFn<'a, X>>,
-    inside: Option<InsideFn<'a, X>>,
-    scales: Option<ValueFn<'a, X>>,
-    kinds: Vec<Kind>,
-    promises: Vec<Promise>,
-    conventions: Conventions,
+    pub(crate) name: String,
+    pub(crate) points: Vec<X>,
+    pub(crate) random_from: usize,
+    pub(crate) seed: u64,
+    pub(crate) value: Option<ValueFn<'a, X>>,
+    pub(crate) paths: Vec<ValueFn<'a, X>>,
+    pub(crate) adjoint: Option<AdjointFn<'a, X>>,
+    pub(crate) further: Vec<AdjointFn<'a, X>>,
+    pub(crate) dual: Option<AdjointFn<'a, X>>,
+    pub(crate) traced: Option<TracedFn<'a, X>>,
+    pub(crate) curvature: Option<AdjointFn<'a, X>>,
+    pub(crate) inside: Option<InsideFn<'a, X>>,
+    pub(crate) scales: Option<ValueFn<'a, X>>,
+    pub(crate) kinds: Vec<Kind>,
+    pub(crate) promises: Vec<Promise>,
+    pub(crate) conventions: Conventions,
 }
 
 /// A pack of floats as a list.
@@ -305,7 +158,7 @@ fn wide<S: Number, X: Pack<Scalar = S>>(x: &X) -> Vec<f64> {
 }
 
 /// A list as floats.
-fn narrow<S: Number>(list: &[f64]) -> Vec<S> {
+pub(crate) fn narrow<S: Number>(list: &[f64]) -> Vec<S> {
     list.iter().map(|&x| S::nearest(x)).collect()
 }
 
@@ -513,97 +366,6 @@ impl<'a, X: Sample + 'a> Check<'a, X> {
             .extend((0..count).map(|i| random::<X>(&mut plan.draw(i))));
         check.seed = seed;
         check.inside(X::inside).scales(|x| x.refill(&x.scales()))
-    }
-}
-
-/// A check near one of its points.
-struct Near<'c, 'a, X: Pack> {
-    check: &'c Check<'a, X>,
-    near: &'c X,
-}
-
-impl<S: Number, X: Pack<Scalar = S>> Near<'_, '_, X> {
-    fn made(&self, x: &[f64]) -> X {
-        self.near.refill(&narrow::<S>(x))
-    }
-}
-
-impl<S: Number, X: Pack<Scalar = S>> Subject for Near<'_, '_, X> {
-    fn precision(&self) -> Precision {
-        Precision::of::<S>()
-    }
-    fn value(&self, x: &[f64]) -> Vec<f64> {
-        let value = self.check.value.as_ref().expect("checked at the start");
-        value(&self.made(x))
-    }
-    fn other_values(&self, x: &[f64]) -> Vec<Vec<f64>> {
-        self.check
-            .paths
-            .iter()
-            .map(|path| path(&self.made(x)))
-            .collect()
-    }
-    fn adjoint(&self, x: &[f64], y_bar: &[f64]) -> Option<Vec<f64>> {
-        let adjoint = self.check.adjoint.as_ref()?;
-        Some(adjoint(&self.made(x), y_bar))
-    }
-    fn further(&self, x: &[f64], y_bar: &[f64]) -> Vec<Vec<f64>> {
-        self.check
-            .further
-            .iter()
-            .map(|f| f(&self.made(x), y_bar))
-            .collect()
-    }
-    fn jacobian(&self, x: &[f64]) -> Option<Vec<Vec<f64>>> {
-        let dual = self.check.dual.as_ref()?;
-        let here = self.made(x);
-        let columns: Vec<Vec<f64>> = (0..x.len())
-            .map(|i| {
-                let mut direction = vec![0.0; x.len()];
-                direction[i] = 1.0;
-                dual(&here, &direction)
-            })
-            .collect();
-        let outputs = columns.first().map_or(0, Vec::len);
-        Some(
-            (0..outputs)
-                .map(|j| columns.iter().map(|c| c[j]).collect())
-                .collect(),
-        )
-    }
-    fn along(&self, x: &[f64], direction: &[f64]) -> Option<Vec<f64>> {
-        let dual = self.check.dual.as_ref()?;
-        Some(dual(&self.made(x), direction))
-    }
-    fn traced(&self, x: &[f64]) -> Option<(Vec<f64>, Trace)> {
-        let traced = self.check.traced.as_ref()?;
-        Some(traced(&self.made(x)))
-    }
-    fn curvature(&self, x: &[f64], y_bar: &[f64], direction: &[f64]) -> Option<Vec<f64>> {
-        let curvature = self.check.curvature.as_ref()?;
-        let bend = curvature(&self.made(x), direction);
-        Some(bend.iter().map(|b| b * y_bar[0]).collect())
-    }
-    fn inside(&self, x: &[f64]) -> bool {
-        self.check
-            .inside
-            .as_ref()
-            .is_none_or(|inside| inside(&self.made(x)))
-    }
-    fn scales(&self, x: &[f64]) -> Vec<f64> {
-        match &self.check.scales {
-            Some(scales) => scales(&self.made(x)),
-            None => default_scales(x),
-        }
-    }
-    fn kinds(&self) -> Vec<Kind> {
-        self.check.kinds.clone()
-    }
-    fn promises(&self) -> &[Promise] {
-        &self.check.promises
-    }
-    fn conventions(&self) -> Conventions {
-        self.check.conventions
     }
 }
 

@@ -1,16 +1,18 @@
 //! The part of a judgement that takes second derivatives.
+use crate::ad::hearing::{INFORMATIVE, confirmed};
 use crate::ad::judge::{Judge, ROUNDINGS, Row, SAFETY};
 use crate::ad::sample::Draw;
-use crate::ad::slopes::{FEW_INPUTS, FIRST, INFORMATIVE, confirmed};
+use crate::ad::slopes::{FEW_INPUTS, FIRST};
 use crate::ad::trace::Trace;
 use crate::ad::verdict::{Numbers, Reason, Witness};
-use crate::ad::witness::{Ladder, Precision, Probe, dot};
+use crate::ad::witness::{Ladder, Probe, dot};
 
 impl Judge<'_> {
-    /// Second derivatives: through the adjoint, by nested duals, by differences of the adjoint.
+    /// Second derivatives: through the adjoint, by nested duals, by differences of the adjoint; those
+    /// of a function of `f32` also by nested duals in double precision.
     pub(crate) fn curvature(&mut self, row: &Row, draw: &mut Draw) {
         let subject = self.subject;
-        if subject.precision() == Precision::F32 || self.x.is_empty() {
+        if self.x.is_empty() {
             return;
         }
         let (n, output) = (self.x.len(), row.output);
@@ -50,8 +52,11 @@ impl Judge<'_> {
                 });
                 let nested = by_duals(self.x).unwrap_or_default();
                 let other = self.spread(&nested, Some(&sizes), by_duals);
+                let noise = self.roundings(&bend, &sizes, |seed| {
+                    subject.noisy_curvature(self.x, &row.weights, &v, seed)
+                });
                 (0..n)
-                    .map(|i| own[i] + other.get(i).unwrap_or(&0.0))
+                    .map(|i| own[i].max(noise[i]) + other.get(i).unwrap_or(&0.0))
                     .collect::<Vec<f64>>()
             })
         };
@@ -71,6 +76,38 @@ impl Judge<'_> {
                         ..Numbers::default()
                     };
                     let reason = Reason::CurvatureDisagrees(Witness::Dual);
+                    faults.push((reason, i, numbers, tolerance));
+                }
+            }
+        }
+        let wide = subject.wide().filter(|_| n <= FEW_INPUTS);
+        let widely = |x: &[f64]| wide.as_ref()?.nested(x, &row.weights, &v);
+        if let Some(nested) = widely(self.x) {
+            // Decisions may fall differently in the other format, so other branches count.
+            let spread = std::cell::OnceCell::new();
+            let theirs = || {
+                spread.get_or_init(|| {
+                    let own = self.spread(&bend, None, |x| subject.curvature(x, &row.weights, &v));
+                    let theirs = self.spread(&nested, None, widely);
+                    own.iter()
+                        .zip(theirs)
+                        .map(|(a, b)| a + b)
+                        .collect::<Vec<f64>>()
+                })
+            };
+            for i in 0..n {
+                let gap = (bend[i] - nested[i]).abs();
+                let mut tolerance = exact(i);
+                if gap > tolerance {
+                    tolerance += SAFETY * theirs()[i];
+                }
+                if gap > tolerance {
+                    let numbers = Numbers {
+                        adjoint: Some(bend[i]),
+                        other: Some(nested[i]),
+                        ..Numbers::default()
+                    };
+                    let reason = Reason::CurvatureDisagrees(Witness::Wide);
                     faults.push((reason, i, numbers, tolerance));
                 }
             }

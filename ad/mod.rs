@@ -21,17 +21,23 @@
 //! [`assert_gradient!`](crate::assert_gradient).
 //!
 //! `x_bar` is the cotangent of `x`. `…_grad` functions give value and slopes fused.
+mod agreement;
 pub mod check;
 pub mod clip;
 mod curvature;
+mod examine;
 pub mod forward;
+mod hearing;
 pub mod judge;
+mod near;
+pub mod noise;
 pub mod overlap;
 pub mod picture;
 mod projection;
 mod promise;
 pub mod report;
 pub mod ring;
+mod rounding;
 pub mod sample;
 mod shapes;
 mod shrink;

@@ -1,10 +1,11 @@
 //! The part of a judgement that takes steps: differences and kinks.
+use crate::ad::hearing::{Said, confirmed, hear};
 use crate::ad::judge::{Judge, ROUNDINGS, Row, SAFETY};
 use crate::ad::sample::Draw;
 use crate::ad::subject::{Jumps, Subject};
 use crate::ad::trace::Trace;
 use crate::ad::verdict::{Numbers, Place, Reason, Witness};
-use crate::ad::witness::{Estimate, Ladder, dot};
+use crate::ad::witness::{Ladder, dot};
 
 /// Inputs up to this number are stepped one by one, more of them along random directions.
 pub(crate) const FEW_INPUTS: usize = 48;
@@ -13,122 +14,6 @@ pub(crate) const FEW_INPUTS: usize = 48;
 pub(crate) const FIRST: [f64; 5] = [0.1, 0.037, 0.23, 1e-3, 1e-5];
 /// First step of the ladder that tells a jump from a kink very near.
 const NEAR: f64 = 1e-8;
-/// A difference whose error is larger than this share of the largest slope says nothing.
-pub(crate) const INFORMATIVE: f64 = 0.02;
-
-/// What steps along one direction say about a slope.
-#[derive(Clone, Copy, Debug)]
-enum Said {
-    /// In order, at such a place; `switched` when other branches were taken however small the step.
-    Fine {
-        place: Place,
-        switched: bool,
-        estimate: Option<Estimate>,
-    },
-    /// Another slope.
-    Other { estimate: Estimate, tolerance: f64 },
-    /// A kink, and the slope is not between both sides; or the border of the domain, and it is not
-    /// that of the only side.
-    Outside { sides: [f64; 2], tolerance: f64 },
-}
-
-/// Whether a complaint stands: some other ladder repeats it, and none contradicts.
-pub(crate) fn confirmed(again: impl Iterator<Item = Option<bool>>) -> bool {
-    let mut repeated = false;
-    for said in again.flatten() {
-        if !said {
-            return false;
-        }
-        repeated = true;
-    }
-    repeated
-}
-
-/// Hears what a ladder says about a slope; `exact` is by how much that may be off by itself,
-/// `size` the largest slope there is.
-fn hear(ladder: &Ladder, weights: &[f64], noise: f64, slope: f64, exact: f64, size: f64) -> Said {
-    let noise = noise.max(ladder.noise(weights));
-    let informative = |e: &Estimate| SAFETY * e.error <= INFORMATIVE * size.max(e.value.abs());
-    if ladder.traced
-        && let Some(e) = ladder.central(weights, noise, true).filter(informative)
-    {
-        let tolerance = SAFETY * e.error + exact;
-        return if (e.value - slope).abs() <= tolerance {
-            Said::Fine {
-                place: Place::Smooth,
-                switched: false,
-                estimate: Some(e),
-            }
-        } else {
-            Said::Other {
-                estimate: e,
-                tolerance,
-            }
-        };
-    }
-    let undefined = Said::Fine {
-        place: Place::Undefined,
-        switched: ladder.traced,
-        estimate: None,
-    };
-    let ahead = ladder.one_sided(true, weights, noise);
-    let behind = ladder.one_sided(false, weights, noise);
-    let (ahead, behind) = match (ahead, behind) {
-        (Some(ahead), Some(behind)) => (ahead, behind),
-        (Some(side), None) | (None, Some(side)) => (side, side),
-        (None, None) => return undefined,
-    };
-    let error = ahead.error.max(behind.error);
-    let border = ladder.ahead.len() < 2 || ladder.behind.len() < 2;
-    if !ladder.settled() {
-        return undefined;
-    }
-    if !border && (ahead.value - behind.value).abs() <= 2.0 * SAFETY * error + exact {
-        // Where branches meet smoothly, the central slope converges slowly and the sides fast.
-        let mean = Estimate {
-            value: 0.5 * (ahead.value + behind.value),
-            error: error + 0.5 * (ahead.value - behind.value).abs() / SAFETY,
-        };
-        let central = ladder.central(weights, noise, false);
-        let e = match central {
-            Some(central) if !ladder.traced && central.error < mean.error => central,
-            _ => mean,
-        };
-        if !informative(&e) {
-            return undefined;
-        }
-        let tolerance = SAFETY * e.error + exact;
-        return if (e.value - slope).abs() <= tolerance {
-            Said::Fine {
-                place: Place::Smooth,
-                switched: ladder.traced,
-                estimate: Some(e),
-            }
-        } else {
-            Said::Other {
-                estimate: e,
-                tolerance,
-            }
-        };
-    }
-    if SAFETY * error > INFORMATIVE * size.max(ahead.value.abs()).max(behind.value.abs()) {
-        return undefined;
-    }
-    let sides = [behind.value, ahead.value];
-    let tolerance = SAFETY * error + exact;
-    let (low, high) = (sides[0].min(sides[1]), sides[0].max(sides[1]));
-    if slope >= low - tolerance && slope <= high + tolerance {
-        let place = if border { Place::Smooth } else { Place::Kink };
-        Said::Fine {
-            place,
-            switched: ladder.traced,
-            estimate: None,
-        }
-    } else {
-        Said::Outside { sides, tolerance }
-    }
-}
-
 impl Judge<'_> {
     /// Slopes against differences along every direction. True when the function stays in one
     /// branch for a while along all of them, so that second derivatives make sense.
@@ -178,7 +63,8 @@ impl Judge<'_> {
         while k < directions.len() {
             let direction = directions[k].clone();
             let here = ladder(&direction, FIRST[0]);
-            if self.jumps(&here, &|| ladder(&direction, NEAR), k) {
+            let reach = self.reach(rows, &direction);
+            if self.jumps(&here, &|| ladder(&direction, NEAR), reach, k) {
                 self.found.directions[2] += rows.len() as u64;
                 said.push(true);
                 k += 1;
@@ -246,8 +132,20 @@ impl Judge<'_> {
         }
     }
 
-    /// Whether any output jumps along a direction; if it must not, that is refused.
-    fn jumps(&mut self, here: &Ladder, near: &dyn Fn() -> Ladder, k: usize) -> bool {
+    /// By how much the value may change within the rounding of the steps along a direction. Along
+    /// an axis steps are exact.
+    fn reach(&self, rows: &[Row], direction: &[f64]) -> f64 {
+        let moved = || (0..self.x.len()).filter(|&i| direction[i] != 0.0);
+        if moved().count() < 2 {
+            return 0.0;
+        }
+        let slope = |i: usize| rows.iter().fold(0.0_f64, |m, row| m.max(row.size[i]));
+        moved().map(|i| slope(i) * self.eps * self.x[i].abs()).sum()
+    }
+
+    /// Whether any output jumps along a direction by more than `reach`; if it must not, that is
+    /// refused.
+    fn jumps(&mut self, here: &Ladder, near: &dyn Fn() -> Ladder, reach: f64, k: usize) -> bool {
         let mut unrest = Vec::new();
         for j in 0..self.y.len() {
             let mut weights = vec![0.0; self.y.len()];
@@ -257,7 +155,7 @@ impl Judge<'_> {
                 let none = vec![0.0; self.y.len()];
                 unrest = self.spread(&self.y, Some(&none), |x| Some(self.subject.value(x)));
             }
-            let noise = self.eps * self.y[j].abs() + unrest.get(j).unwrap_or(&0.0);
+            let noise = self.eps * self.y[j].abs() + unrest.get(j).unwrap_or(&0.0) + reach;
             // A kink may be nearer than the smallest step; a jump still jumps nearer by.
             if here.jump(&weights, noise).is_some() && near().jump(&weights, noise).is_some() {
                 self.found.jump = true;

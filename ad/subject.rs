@@ -42,6 +42,11 @@ pub trait Subject {
     fn adjoint(&self, _x: &[f64], _y_bar: &[f64]) -> Option<Vec<f64>> {
         None
     }
+    /// The derivative by hand with every rounding on the way drawn from a seed
+    /// ([`noise`](crate::ad::noise)).
+    fn noisy(&self, _x: &[f64], _y_bar: &[f64], _seed: u64) -> Option<Vec<f64>> {
+        None
+    }
     /// The same by further witnesses: a fused path, a GPU.
     fn further(&self, _x: &[f64], _y_bar: &[f64]) -> Vec<Vec<f64>> {
         Vec::new()
@@ -65,6 +70,16 @@ pub trait Subject {
     }
     /// The Hessian of `y_bar · value` times a direction, through the adjoint.
     fn curvature(&self, _x: &[f64], _y_bar: &[f64], _direction: &[f64]) -> Option<Vec<f64>> {
+        None
+    }
+    /// The same with every rounding on the way drawn from a seed.
+    fn noisy_curvature(
+        &self,
+        _x: &[f64],
+        _y_bar: &[f64],
+        _direction: &[f64],
+        _seed: u64,
+    ) -> Option<Vec<f64>> {
         None
     }
     /// The same by nested duals through the value.

@@ -136,15 +136,9 @@ impl Ladder {
                     .map(|(&x, &d)| precision.round(x + sign * wanted * d))
                     .collect();
                 let step = sign * (there[main] - x[main]) / direction[main];
-                // Steps lost in rounding, bent by it to another direction, or no smaller than the
-                // one before, say nothing.
-                let bent = |i: usize| {
-                    let wanted = wanted * direction[i];
-                    (sign * (there[i] - x[i]) - wanted).abs() > 0.25 * wanted.abs()
-                };
+                // Steps lost in rounding, or no smaller than the one before, say nothing.
                 if step.is_nan()
                     || step <= 0.0
-                    || (0..x.len()).any(bent)
                     || rungs.last().is_some_and(|last| last.step < 1.5 * step)
                 {
                     continue;

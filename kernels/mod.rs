@@ -28,6 +28,7 @@ pub mod reduce;
 pub mod resident;
 pub mod ring;
 pub mod simd;
+mod subject;
 mod tile;
 pub mod witness;
 

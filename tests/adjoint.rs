@@ -43,3 +43,78 @@ macro_rules! prove_all {
     };
 }
 geograd::for_each_op!(prove_all);
+
+/// Inputs at which the harness once refused what is right.
+mod alarms {
+    use super::*;
+    use geograd::Obb2;
+    use geograd::ad::check::{self, Report, examine};
+    use geograd::ad::sample::Sample;
+    use geograd::kernels::check::OpSubject;
+    use geograd::kernels::{IntersectionAreaObb2, IofObb2, IouObb2, Op};
+
+    /// By the random directions of the sample at which it was refused.
+    fn judged<O: Op>(pair: O::In<f64>, sample: u64) -> Report
+    where
+        O::In<f64>: Sample,
+    {
+        examine(
+            O::NAME,
+            &Plan::new(1, check::SEED ^ sample),
+            &[pair],
+            1,
+            |x, judge| {
+                judge(&OpSubject::<O, f64>::new(x, &[], None));
+            },
+        )
+    }
+
+    #[test]
+    fn thin_boxes_cross() {
+        // The length of the crossing is the difference of coordinates a thousand times as large:
+        // the slope, exactly zero, is a unit in the last place of those.
+        let pair = (
+            Obb2::new(
+                -0.42486146573920247,
+                -1.0619874081697955,
+                8.0,
+                0.0014724316655195474,
+                -2.888910144994646,
+            ),
+            Obb2::new(
+                -0.421875,
+                -0.03318524962798741,
+                8.492170491538626,
+                0.0014670495840883287,
+                1.0368425661331484,
+            ),
+        );
+        for report in [
+            judged::<IntersectionAreaObb2>(pair, 63022),
+            judged::<IouObb2>(pair, 63022),
+            judged::<IofObb2>(pair, 63022),
+        ] {
+            assert!(report.passed(), "{report}");
+        }
+    }
+
+    #[test]
+    fn steps_that_rounding_bends() {
+        // A hundred thousand away, a centre cannot move by as little as the sides differ.
+        let place = (99998.97814376671, -100000.86538001457);
+        let report = judged::<IofObb2>(
+            (
+                Obb2::new(
+                    place.0,
+                    place.1,
+                    1.0,
+                    1.1666254555809743,
+                    -2.561210113158039,
+                ),
+                Obb2::new(place.0, place.1, 2.0, 1.166625455576332, -2.561210113158644),
+            ),
+            70440,
+        );
+        assert!(report.passed(), "{report}");
+    }
+}

@@ -1,0 +1,98 @@
+//! A check of closures as a subject, near one of its points.
+use crate::Pack;
+use crate::ad::check::{Check, narrow};
+use crate::ad::subject::{Conventions, Subject, default_scales};
+use crate::ad::symmetry::{Kind, Promise};
+use crate::ad::trace::{Number, Trace};
+use crate::ad::witness::Precision;
+
+/// A check near one of its points.
+pub(crate) struct Near<'c, 'a, X: Pack> {
+    pub(crate) check: &'c Check<'a, X>,
+    pub(crate) near: &'c X,
+}
+
+impl<S: Number, X: Pack<Scalar = S>> Near<'_, '_, X> {
+    fn made(&self, x: &[f64]) -> X {
+        self.near.refill(&narrow::<S>(x))
+    }
+}
+
+impl<S: Number, X: Pack<Scalar = S>> Subject for Near<'_, '_, X> {
+    fn precision(&self) -> Precision {
+        Precision::of::<S>()
+    }
+    fn value(&self, x: &[f64]) -> Vec<f64> {
+        let value = self.check.value.as_ref().expect("checked at the start");
+        value(&self.made(x))
+    }
+    fn other_values(&self, x: &[f64]) -> Vec<Vec<f64>> {
+        self.check
+            .paths
+            .iter()
+            .map(|path| path(&self.made(x)))
+            .collect()
+    }
+    fn adjoint(&self, x: &[f64], y_bar: &[f64]) -> Option<Vec<f64>> {
+        let adjoint = self.check.adjoint.as_ref()?;
+        Some(adjoint(&self.made(x), y_bar))
+    }
+    fn further(&self, x: &[f64], y_bar: &[f64]) -> Vec<Vec<f64>> {
+        self.check
+            .further
+            .iter()
+            .map(|f| f(&self.made(x), y_bar))
+            .collect()
+    }
+    fn jacobian(&self, x: &[f64]) -> Option<Vec<Vec<f64>>> {
+        let dual = self.check.dual.as_ref()?;
+        let here = self.made(x);
+        let columns: Vec<Vec<f64>> = (0..x.len())
+            .map(|i| {
+                let mut direction = vec![0.0; x.len()];
+                direction[i] = 1.0;
+                dual(&here, &direction)
+            })
+            .collect();
+        let outputs = columns.first().map_or(0, Vec::len);
+        Some(
+            (0..outputs)
+                .map(|j| columns.iter().map(|c| c[j]).collect())
+                .collect(),
+        )
+    }
+    fn along(&self, x: &[f64], direction: &[f64]) -> Option<Vec<f64>> {
+        let dual = self.check.dual.as_ref()?;
+        Some(dual(&self.made(x), direction))
+    }
+    fn traced(&self, x: &[f64]) -> Option<(Vec<f64>, Trace)> {
+        let traced = self.check.traced.as_ref()?;
+        Some(traced(&self.made(x)))
+    }
+    fn curvature(&self, x: &[f64], y_bar: &[f64], direction: &[f64]) -> Option<Vec<f64>> {
+        let curvature = self.check.curvature.as_ref()?;
+        let bend = curvature(&self.made(x), direction);
+        Some(bend.iter().map(|b| b * y_bar[0]).collect())
+    }
+    fn inside(&self, x: &[f64]) -> bool {
+        self.check
+            .inside
+            .as_ref()
+            .is_none_or(|inside| inside(&self.made(x)))
+    }
+    fn scales(&self, x: &[f64]) -> Vec<f64> {
+        match &self.check.scales {
+            Some(scales) => scales(&self.made(x)),
+            None => default_scales(x),
+        }
+    }
+    fn kinds(&self) -> Vec<Kind> {
+        self.check.kinds.clone()
+    }
+    fn promises(&self) -> &[Promise] {
+        &self.check.promises
+    }
+    fn conventions(&self) -> Conventions {
+        self.check.conventions
+    }
+}

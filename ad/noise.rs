@@ -1,0 +1,158 @@
+//! Stochastic arithmetic: a scalar whose every operation rounds at random.
+//!
+//! Moving the input shows what a function does to errors of its input. Numbers on the way that are
+//! larger than both input and result (the coordinates whose difference is the length of a crossing)
+//! round too, and only a run whose own roundings fall differently shows that. This is discrete
+//! stochastic arithmetic (Vignes): each result moves by one unit in its last place up, down, or not
+//! at all, and the spread of a few runs is the error of one.
+use crate::Scalar;
+use crate::ad::sample::Draw;
+use crate::ad::trace::Number;
+use crate::ad::witness::Precision;
+use std::cell::RefCell;
+use std::ops::{Add, AddAssign, Div, Mul, MulAssign, Neg, Sub, SubAssign};
+
+thread_local! {
+    // A sum has no place to carry a generator along, so it belongs to the thread.
+    static DRAW: RefCell<Draw> = RefCell::new(Draw::new(0));
+}
+
+/// Runs a function with roundings of [`Noisy`] numbers drawn from a seed.
+pub fn noisy<R>(seed: u64, run: impl FnOnce() -> R) -> R {
+    DRAW.set(Draw::new(seed));
+    run()
+}
+
+/// A float whose operations round at random.
+#[derive(Clone, Copy, Debug, Default)]
+pub struct Noisy<T>(
+    /// The number.
+    pub T,
+);
+
+impl<T: Number> Noisy<T> {
+    /// A result, rounded otherwise.
+    fn rounded(x: T) -> Self {
+        let by = DRAW.with_borrow_mut(|draw| draw.below(3)) as i32 - 1;
+        let x = x.widen();
+        Noisy(T::nearest(Precision::of::<T>().beside(x, by)))
+    }
+}
+
+/// Operators, each with a rounding of its own.
+macro_rules! rounded {
+    ($($operator:ident $method:ident;)*) => { $(
+        impl<T: Number> $operator for Noisy<T> {
+            type Output = Self;
+            fn $method(self, other: Self) -> Self {
+                Self::rounded(self.0.$method(other.0))
+            }
+        }
+    )* };
+}
+rounded! {
+    Add add;
+    Sub sub;
+    Mul mul;
+    Div div;
+}
+impl<T: Number> AddAssign for Noisy<T> {
+    fn add_assign(&mut self, other: Self) {
+        *self = *self + other;
+    }
+}
+impl<T: Number> SubAssign for Noisy<T> {
+    fn sub_assign(&mut self, other: Self) {
+        *self = *self - other;
+    }
+}
+impl<T: Number> MulAssign for Noisy<T> {
+    fn mul_assign(&mut self, other: Self) {
+        *self = *self * other;
+    }
+}
+impl<T: Number> Neg for Noisy<T> {
+    type Output = Self;
+    fn neg(self) -> Self {
+        Noisy(-self.0)
+    }
+}
+
+crate::pack::leaf! {
+    [T: Number] Noisy<T>,
+}
+
+impl<T: Number> Scalar for Noisy<T> {
+    type Mask = bool;
+    type Primal = Self;
+    const COMPENSATED: bool = <T as Scalar>::COMPENSATED;
+    const EPSILON: f64 = <T as Scalar>::EPSILON;
+    const PARALLEL: f64 = <T as Scalar>::PARALLEL;
+    const LARGEST: f64 = T::LARGEST;
+
+    fn lit(x: f64) -> Self {
+        Noisy(T::nearest(x))
+    }
+    fn from_primal(x: Self) -> Self {
+        x
+    }
+    fn primal(self) -> Self {
+        self
+    }
+    fn below(self, other: Self) -> bool {
+        self.0.below(other.0)
+    }
+    fn at_most(self, other: Self) -> bool {
+        self.0.at_most(other.0)
+    }
+    fn equals(self, other: Self) -> bool {
+        self.0.equals(other.0)
+    }
+    fn select(mask: bool, yes: Self, no: Self) -> Self {
+        if mask { yes } else { no }
+    }
+    fn over(self, divisor: Self) -> Self {
+        Self::rounded(self.0.over(divisor.0))
+    }
+    fn root(self) -> Self {
+        Self::rounded(self.0.root())
+    }
+    fn sin_cos(self) -> (Self, Self) {
+        let (sin, cos) = self.0.sin_cos();
+        (Self::rounded(sin), Self::rounded(cos))
+    }
+    fn sin_cos_parts(self) -> [(Self, Self); 2] {
+        // The low part rounds; noise in the high one would make it useless.
+        self.0
+            .sin_cos_parts()
+            .map(|(high, low)| (Noisy(high), Self::rounded(low)))
+    }
+    fn parts(self) -> (Self, Self) {
+        let (high, low) = self.0.parts();
+        (Noisy(high), Noisy(low))
+    }
+    fn atan2(self, x: Self) -> Self {
+        Self::rounded(self.0.atan2(x.0))
+    }
+    fn exp(self) -> Self {
+        Self::rounded(self.0.exp())
+    }
+    fn ln(self) -> Self {
+        Self::rounded(self.0.ln())
+    }
+    fn binade(self) -> Self {
+        Noisy(Scalar::binade(self.0))
+    }
+    fn least(self, other: Self) -> Self {
+        Noisy(self.0.least(other.0))
+    }
+    fn most(self, other: Self) -> Self {
+        Noisy(self.0.most(other.0))
+    }
+    fn damp(self, _share: Self) -> Self {
+        self
+    }
+    fn with_primal(self, value: Self) -> Self {
+        value
+    }
+}

@@ -1,0 +1,134 @@
+//! The part of a judgement that provokes rounding: how far each witness can be trusted here.
+use crate::ad::judge::{Beside, Judge, Row, SAFETY};
+use crate::ad::symmetry::exchanged;
+use crate::ad::witness::{Precision, dot};
+
+/// How often an adjoint's own roundings are drawn.
+const RUNS: u64 = 6;
+
+impl Judge<'_> {
+    /// The largest change of a list-valued function under provoked rounding, per number. With
+    /// `sizes`, a change of branch that may have broken an exact tie counts only when it changes
+    /// less than a thousandth of them: more is a kink, and a tie must be decided as it stands.
+    pub(crate) fn spread(
+        &self,
+        base: &[f64],
+        sizes: Option<&[f64]>,
+        f: impl Fn(&[f64]) -> Option<Vec<f64>>,
+    ) -> Vec<f64> {
+        let mut spread = vec![0.0_f64; base.len()];
+        for (there, same) in &self.around {
+            let Some(list) = f(there) else { continue };
+            if list.len() != base.len() {
+                continue;
+            }
+            let change = |i: usize| (list[i] - base[i]).abs();
+            let small = |sizes: &[f64]| (0..base.len()).all(|i| change(i) <= 1e-3 * sizes[i]);
+            // Single precision is nearly tied everywhere, so there every change counts.
+            let strict = *same == Beside::Loose && self.subject.precision() == Precision::F64;
+            if strict && sizes.is_some_and(|sizes| !small(sizes)) {
+                continue;
+            }
+            for (i, spread) in spread.iter_mut().enumerate() {
+                if change(i).is_finite() {
+                    *spread = spread.max(change(i));
+                }
+            }
+        }
+        spread
+    }
+
+    /// The largest change of a derivative when its own roundings fall differently. What changes more
+    /// than a thousandth of the sizes was decided differently, which is no rounding.
+    pub(crate) fn roundings(
+        &self,
+        base: &[f64],
+        sizes: &[f64],
+        noisy: impl Fn(u64) -> Option<Vec<f64>>,
+    ) -> Vec<f64> {
+        let mut spread = vec![0.0_f64; base.len()];
+        for list in (0..RUNS).map_while(noisy) {
+            let change = |i: usize| (list[i] - base[i]).abs();
+            if (0..list.len()).all(|i| change(i) <= 1e-3 * sizes[i]) {
+                for (i, spread) in spread.iter_mut().enumerate() {
+                    *spread = spread.max(change(i));
+                }
+            }
+        }
+        spread
+    }
+
+    /// Adds to a row's tolerance what provoked rounding shows.
+    pub(crate) fn provoke(&self, row: &mut Row) {
+        if std::mem::replace(&mut row.provoked, true) {
+            return;
+        }
+        if let Some(adjoint) = &row.adjoint {
+            let spread = self.spread(adjoint, Some(&row.size), |x| {
+                self.subject.adjoint(x, &row.weights)
+            });
+            let noise = self.roundings(adjoint, &row.size, |seed| {
+                self.subject.noisy(self.x, &row.weights, seed)
+            });
+            for (tolerance, (spread, noise)) in
+                row.tolerance.iter_mut().zip(spread.iter().zip(noise))
+            {
+                *tolerance += SAFETY * spread.max(noise);
+            }
+        }
+        if let Some(dual) = &row.dual {
+            let spread = self.spread(dual, Some(&row.size), |x| {
+                let jacobian = self.subject.jacobian(x)?;
+                Some(
+                    (0..x.len())
+                        .map(|i| {
+                            let column: Vec<f64> = jacobian.iter().map(|row| row[i]).collect();
+                            dot(&row.weights, &column)
+                        })
+                        .collect(),
+                )
+            });
+            for (tolerance, spread) in row.tolerance.iter_mut().zip(spread) {
+                *tolerance += SAFETY * spread;
+            }
+        }
+    }
+
+    /// Where single precision is judged by double, decisions may fall differently: what that does
+    /// counts too.
+    pub(crate) fn provoke_widely(&self, row: &mut Row) {
+        let (Some(wide), Some(adjoint)) = (self.subject.wide(), &row.adjoint) else {
+            return;
+        };
+        if self.subject.precision() == Precision::F64 || std::mem::replace(&mut row.wide, true) {
+            return;
+        }
+        let own = self.spread(adjoint, None, |x| self.subject.adjoint(x, &row.weights));
+        let exact = wide.adjoint(self.x, &row.weights).unwrap_or_default();
+        let theirs = self.spread(&exact, None, |x| wide.adjoint(x, &row.weights));
+        for (i, own) in own.iter().enumerate() {
+            row.tolerance[i] += SAFETY * (own + theirs.get(i).unwrap_or(&0.0));
+        }
+    }
+
+    /// Adds what provoked rounding shows with the arguments exchanged.
+    pub(crate) fn provoke_exchanged(&self, row: &mut Row) {
+        let of = |x: &[f64]| {
+            let slopes = self.subject.adjoint(&exchanged(x), &row.weights)?;
+            Some(exchanged(&slopes))
+        };
+        let Some(base) = of(self.x) else { return };
+        if let Some(adjoint) = &row.adjoint {
+            let own = self.spread(adjoint, None, |x| self.subject.adjoint(x, &row.weights));
+            for (tolerance, spread) in row.tolerance.iter_mut().zip(own) {
+                *tolerance += SAFETY * spread;
+            }
+        }
+        // The exchanged arguments are rounded differently, so near a tie they may be decided
+        // differently.
+        let spread = self.spread(&base, None, of);
+        for (tolerance, spread) in row.tolerance.iter_mut().zip(spread) {
+            *tolerance += SAFETY * spread;
+        }
+    }
+}
