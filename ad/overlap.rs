@@ -8,7 +8,7 @@ use crate::clip::{
 };
 use crate::overlap::{
     Denominator, Intersection, Measure, OverFirst, OverUnion, Shared, area_from_half,
-    area_of_shared, in_outer_unit, measure, share,
+    area_of_shared, exchanged, in_outer_unit, larger_first, measure, share,
 };
 use crate::{Aabb2, Mask, Obb2, Scalar, Vec2};
 
@@ -55,6 +55,7 @@ pub fn score_framed_grad<M: Measure, S: Scalar, const EXTREME: bool>(
     a: Framed<S>,
     b: Framed<S>,
 ) -> (S, Grads<S>) {
+    let (swap, a, b) = larger_first::<M, S>(a, b);
     let scale = if EXTREME {
         size_scale(a.half, b.half)
     } else {
@@ -78,9 +79,12 @@ pub fn score_framed_grad<M: Measure, S: Scalar, const EXTREME: bool>(
         heading_unit = length_unit;
     }
     let half_b = b.half * scale;
-    let (area_a, area_b) = (area_from_half(pair.half_a), area_from_half(half_b));
+    let (large, small) = (area_from_half(pair.half_a), area_from_half(half_b));
+    let (area_a, area_b) = (exchanged(swap, small, large), exchanged(swap, large, small));
     let value = measure::<M, S>(inter, area_a, area_b);
     let [inter_bar, area_a_bar, area_b_bar] = measure_slopes::<M, S>(value, inter, area_a, area_b);
+    let large_bar = exchanged(swap, area_b_bar, area_a_bar);
+    let small_bar = exchanged(swap, area_a_bar, area_b_bar);
     let value = if EXTREME {
         in_outer_unit::<M, S>(value, scale)
     } else {
@@ -93,17 +97,21 @@ pub fn score_framed_grad<M: Measure, S: Scalar, const EXTREME: bool>(
     let turn_bar = heading_bar + (pair.u * v_bar - pair.v * u_bar);
     let center_bar =
         Vec2::new(a.cos * u_bar - a.sin * v_bar, a.sin * u_bar + a.cos * v_bar) * length_unit;
-    let grads = (
+    let (of_large, of_small) = (
         Obb2 {
             center: -center_bar,
-            size: size_slopes(pair.half_a, slopes.half_a * inter_bar, area_a_bar) * length_unit,
+            size: size_slopes(pair.half_a, slopes.half_a * inter_bar, large_bar) * length_unit,
             heading: -(turn_bar * heading_unit * heading_unit),
         },
         Obb2 {
             center: center_bar,
-            size: size_slopes(half_b, slopes.half_b * inter_bar, area_b_bar) * length_unit,
+            size: size_slopes(half_b, slopes.half_b * inter_bar, small_bar) * length_unit,
             heading: heading_bar * heading_unit * heading_unit,
         },
+    );
+    let grads = (
+        exchanged_obb2(swap, of_small, of_large),
+        exchanged_obb2(swap, of_large, of_small),
     );
     (
         value,
@@ -113,6 +121,19 @@ pub fn score_framed_grad<M: Measure, S: Scalar, const EXTREME: bool>(
             grads
         },
     )
+}
+
+/// [`exchanged`], field by field.
+#[inline(always)]
+fn exchanged_obb2<S: Scalar>(swap: Option<S::Mask>, yes: Obb2<S>, no: Obb2<S>) -> Obb2<S> {
+    let of = |yes: Vec2<S>, no: Vec2<S>| {
+        Vec2::new(exchanged(swap, yes.x, no.x), exchanged(swap, yes.y, no.y))
+    };
+    Obb2 {
+        center: of(yes.center, no.center),
+        size: of(yes.size, no.size),
+        heading: exchanged(swap, yes.heading, no.heading),
+    }
 }
 
 /// Slopes with respect to a size, which is twice its half: those through the area of intersection

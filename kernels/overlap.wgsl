@@ -32,7 +32,28 @@ fn in_outer_unit(value: f32, scale: f32) -> f32 {
     return saturated((value / scale) / scale);
 }
 
-fn score_framed(a: Framed, b: Framed) -> f32 {
+// Two boxes with the larger one first, and whether that exchanged them.
+struct Ordered {
+    swap: bool,
+    a: Framed,
+    b: Framed,
+}
+
+fn larger_first(a: Framed, b: Framed) -> Ordered {
+    if DENOMINATOR == UNION {
+        return Ordered(false, a, b);
+    }
+    if most(a.half.x, a.half.y) < most(b.half.x, b.half.y) {
+        return Ordered(true, b, a);
+    }
+    return Ordered(false, a, b);
+}
+
+fn score_framed(first: Framed, second: Framed) -> f32 {
+    let ordered = larger_first(first, second);
+    let swap = ordered.swap;
+    let a = ordered.a;
+    let b = ordered.b;
     var scale = 1.0;
     if EXTREME {
         scale = size_scale(a.half, b.half);
@@ -42,8 +63,10 @@ fn score_framed(a: Framed, b: Framed) -> f32 {
         return 0.0;
     }
     let inter = related_area(pair, clipped_area(clip(pair)));
-    let area_a = area_from_half(pair.half_a);
-    let area_b = area_from_half(pair.half_b);
+    let large = area_from_half(pair.half_a);
+    let small = area_from_half(pair.half_b);
+    let area_a = choose(swap, small, large);
+    let area_b = choose(swap, large, small);
     let value = measure(inter, area_a, area_b);
     if EXTREME {
         return in_outer_unit(value, scale);
@@ -122,7 +145,11 @@ struct Obb2Grad {
     b_bar: Obb2,
 }
 
-fn score_framed_grad(a: Framed, b: Framed) -> Obb2Grad {
+fn score_framed_grad(first: Framed, second: Framed) -> Obb2Grad {
+    let ordered = larger_first(first, second);
+    let swap = ordered.swap;
+    let a = ordered.a;
+    let b = ordered.b;
     var scale = 1.0;
     if EXTREME {
         scale = size_scale(a.half, b.half);
@@ -144,36 +171,42 @@ fn score_framed_grad(a: Framed, b: Framed) -> Obb2Grad {
         heading_unit = length_unit;
     }
     let half_b = b.half * scale;
-    let area_a = area_from_half(pair.half_a);
-    let area_b = area_from_half(half_b);
+    let large = area_from_half(pair.half_a);
+    let small = area_from_half(half_b);
+    let area_a = choose(swap, small, large);
+    let area_b = choose(swap, large, small);
     var value = measure(inter, area_a, area_b);
     let bars = measure_slopes(value, inter, area_a, area_b);
     if EXTREME {
         value = in_outer_unit(value, scale);
     }
     let inter_bar = choose(nothing, 0.0, bars.x);
-    let area_a_bar = bars.y;
-    let area_b_bar = bars.z;
+    let large_bar = choose(swap, bars.z, bars.y);
+    let small_bar = choose(swap, bars.y, bars.z);
     let u_bar = slopes.u * inter_bar;
     let v_bar = slopes.v * inter_bar;
     let heading_bar = slopes.heading * inter_bar;
     let turn_bar = heading_bar + (pair.u * v_bar - pair.v * u_bar);
     let center_bar = vec2f(a.cos * u_bar - a.sin * v_bar, a.sin * u_bar + a.cos * v_bar)
         * length_unit;
-    let a_bar = Obb2(
+    var of_large = Obb2(
         -center_bar,
-        size_slopes(pair.half_a, slopes.half_a * inter_bar, area_a_bar) * length_unit,
+        size_slopes(pair.half_a, slopes.half_a * inter_bar, large_bar) * length_unit,
         -(turn_bar * heading_unit * heading_unit),
     );
-    let b_bar = Obb2(
+    var of_small = Obb2(
         center_bar,
-        size_slopes(half_b, slopes.half_b * inter_bar, area_b_bar) * length_unit,
+        size_slopes(half_b, slopes.half_b * inter_bar, small_bar) * length_unit,
         heading_bar * heading_unit * heading_unit,
     );
     if EXTREME {
-        return Obb2Grad(value, saturated_obb2(a_bar), saturated_obb2(b_bar));
+        of_large = saturated_obb2(of_large);
+        of_small = saturated_obb2(of_small);
     }
-    return Obb2Grad(value, a_bar, b_bar);
+    if swap {
+        return Obb2Grad(value, of_small, of_large);
+    }
+    return Obb2Grad(value, of_large, of_small);
 }
 
 fn size_slopes(half: vec2f, inter_slope: vec2f, area_bar: f32) -> vec2f {

@@ -39,6 +39,24 @@ pub struct Framed<S> {
     pub sin_low: S,
 }
 
+impl<S: Scalar> Framed<S> {
+    /// `yes` where the mask is true, else `no`.
+    #[inline(always)]
+    pub(crate) fn select(mask: S::Mask, yes: Self, no: Self) -> Self {
+        let of = |yes: S, no: S| S::select(mask, yes, no);
+        Framed {
+            center: Vec2::new(of(yes.center.x, no.center.x), of(yes.center.y, no.center.y)),
+            half: Vec2::new(of(yes.half.x, no.half.x), of(yes.half.y, no.half.y)),
+            cos: of(yes.cos, no.cos),
+            sin: of(yes.sin, no.sin),
+            cos_high: of(yes.cos_high, no.cos_high),
+            cos_low: of(yes.cos_low, no.cos_low),
+            sin_high: of(yes.sin_high, no.sin_high),
+            sin_low: of(yes.sin_low, no.sin_low),
+        }
+    }
+}
+
 /// Does a box's trigonometry.
 #[inline(always)]
 pub fn frame<S: Scalar>(shape: Obb2<S>) -> Framed<S> {

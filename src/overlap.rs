@@ -66,6 +66,37 @@ pub fn shared_area<S: Scalar, const EXTREME: bool>(
     (pair, area, scale)
 }
 
+/// Two boxes with the larger one first, and where that exchanged them.
+///
+/// A small box keeps its digits in the frame of a large one; the other way round, as many are lost
+/// as the sizes differ by. The IoU of such a pair is next to nothing whatever they say, so there it
+/// is not done (`None`).
+#[inline(always)]
+pub(crate) fn larger_first<M: Measure, S: Scalar>(
+    a: Framed<S>,
+    b: Framed<S>,
+) -> (Option<S::Mask>, Framed<S>, Framed<S>) {
+    if M::DENOMINATOR == Denominator::Union {
+        return (None, a, b);
+    }
+    let (size_a, size_b) = (a.half.x.most(a.half.y), b.half.x.most(b.half.y));
+    let swap = size_a.below(size_b);
+    (
+        Some(swap),
+        Framed::select(swap, b, a),
+        Framed::select(swap, a, b),
+    )
+}
+
+/// `yes` where boxes were exchanged, else `no`.
+#[inline(always)]
+pub(crate) fn exchanged<S: Scalar>(swap: Option<S::Mask>, yes: S, no: S) -> S {
+    match swap {
+        Some(swap) => S::select(swap, yes, no),
+        None => no,
+    }
+}
+
 /// What an area of intersection is divided by.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Denominator {
@@ -143,8 +174,10 @@ pub fn in_outer_unit<M: Measure, S: Scalar>(value: S, scale: S) -> S {
 /// A score of two rotated boxes with their trigonometry done.
 #[inline(always)]
 pub fn score_framed<M: Measure, S: Scalar, const EXTREME: bool>(a: Framed<S>, b: Framed<S>) -> S {
+    let (swap, a, b) = larger_first::<M, S>(a, b);
     let (pair, inter, scale) = shared_area::<S, EXTREME>(a, b);
-    let (area_a, area_b) = (area_from_half(pair.half_a), area_from_half(pair.half_b));
+    let (large, small) = (area_from_half(pair.half_a), area_from_half(pair.half_b));
+    let (area_a, area_b) = (exchanged(swap, small, large), exchanged(swap, large, small));
     let value = measure::<M, S>(inter, area_a, area_b);
     if EXTREME {
         in_outer_unit::<M, S>(value, scale)
