@@ -99,6 +99,25 @@ mod alarms {
     }
 
     #[test]
+    fn a_thin_box_inside_a_wide_one() {
+        // A tie of two sides beside a length that is the difference of coordinates.
+        let (x, y, long, heading) = (
+            0.4785649281707227,
+            -0.4813306703086543,
+            14.29304386814869,
+            2.356194490192345,
+        );
+        let report = judged::<IofObb2>(
+            (
+                Obb2::new(x, y, long, 0.02218365629001546, heading),
+                Obb2::new(x, y, long, 1.0, heading),
+            ),
+            38548,
+        );
+        assert!(report.passed(), "{report}");
+    }
+
+    #[test]
     fn steps_that_rounding_bends() {
         // A hundred thousand away, a centre cannot move by as little as the sides differ.
         let place = (99998.97814376671, -100000.86538001457);
