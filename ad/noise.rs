@@ -4,22 +4,23 @@
 //! larger than both input and result (the coordinates whose difference is the length of a crossing)
 //! round too, and only a run whose own roundings fall differently shows that. This is discrete
 //! stochastic arithmetic (Vignes): each result moves by one unit in its last place up, down, or not
-//! at all, and the spread of a few runs is the error of one.
+//! at all, and the spread of a few runs is the error of one. Exact results stay, and equal ones move
+//! alike, so that most ties stay ties.
 use crate::Scalar;
 use crate::ad::sample::Draw;
 use crate::ad::trace::Number;
 use crate::ad::witness::Precision;
-use std::cell::RefCell;
+use std::cell::Cell;
 use std::ops::{Add, AddAssign, Div, Mul, MulAssign, Neg, Sub, SubAssign};
 
 thread_local! {
-    // A sum has no place to carry a generator along, so it belongs to the thread.
-    static DRAW: RefCell<Draw> = RefCell::new(Draw::new(0));
+    // A sum has no place to carry a seed along, so it belongs to the thread.
+    static SEED: Cell<u64> = const { Cell::new(0) };
 }
 
 /// Runs a function with roundings of [`Noisy`] numbers drawn from a seed.
 pub fn noisy<R>(seed: u64, run: impl FnOnce() -> R) -> R {
-    DRAW.set(Draw::new(seed));
+    SEED.set(seed);
     run()
 }
 
@@ -33,28 +34,35 @@ pub struct Noisy<T>(
 impl<T: Number> Noisy<T> {
     /// A result, rounded otherwise.
     fn rounded(x: T) -> Self {
-        let by = DRAW.with_borrow_mut(|draw| draw.below(3)) as i32 - 1;
         let x = x.widen();
+        let mut draw = Draw::new(x.abs().to_bits() ^ SEED.get().wrapping_mul(0x9e37_79b9));
+        let by = draw.below(3) as i32 - 1;
         Noisy(T::nearest(Precision::of::<T>().beside(x, by)))
+    }
+    /// The same, unless nothing was left to round.
+    fn unless(x: T, exact: bool) -> Self {
+        if exact { Noisy(x) } else { Self::rounded(x) }
     }
 }
 
 /// Operators, each with a rounding of its own.
 macro_rules! rounded {
-    ($($operator:ident $method:ident;)*) => { $(
+    ($($operator:ident $method:ident |$a:ident, $b:ident, $x:ident| $exact:expr;)*) => { $(
         impl<T: Number> $operator for Noisy<T> {
             type Output = Self;
             fn $method(self, other: Self) -> Self {
-                Self::rounded(self.0.$method(other.0))
+                let out = self.0.$method(other.0);
+                let ($a, $b, $x) = (self.0.widen(), other.0.widen(), out.widen());
+                Self::unless(out, $exact)
             }
         }
     )* };
 }
 rounded! {
-    Add add;
-    Sub sub;
-    Mul mul;
-    Div div;
+    Add add |a, b, x| x - a == b && x - b == a;
+    Sub sub |a, b, x| x - a == -b && x + b == a;
+    Mul mul |a, b, x| a.mul_add(b, -x) == 0.0;
+    Div div |a, b, x| x.mul_add(b, -a) == 0.0;
 }
 impl<T: Number> AddAssign for Noisy<T> {
     fn add_assign(&mut self, other: Self) {
@@ -112,7 +120,9 @@ impl<T: Number> Scalar for Noisy<T> {
         if mask { yes } else { no }
     }
     fn over(self, divisor: Self) -> Self {
-        Self::rounded(self.0.over(divisor.0))
+        let out = self.0.over(divisor.0);
+        let exact = out.widen().mul_add(divisor.0.widen(), -self.0.widen()) == 0.0;
+        Self::unless(out, exact)
     }
     fn root(self) -> Self {
         Self::rounded(self.0.root())

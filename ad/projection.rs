@@ -18,21 +18,24 @@ use std::ops::Range;
 /// cancel along one of them with probability zero; more only guard against that.
 const DIRECTIONS: usize = 3;
 
+/// How many parts of a direction are looked at in search of the number at fault.
+const PARTS: usize = 256;
+
 /// What both sides say along a direction.
+#[derive(Clone, Copy)]
 struct Product {
     adjoint: f64,
     other: f64,
+    /// What rounding explains by itself.
+    plain: f64,
+    /// With what provoked rounding shows.
     tolerance: f64,
 }
 
 impl Product {
-    fn excess(&self) -> f64 {
-        let excess = (self.adjoint - self.other).abs() - self.tolerance;
-        if excess.is_nan() {
-            f64::INFINITY
-        } else {
-            excess
-        }
+    fn gap(&self) -> f64 {
+        let gap = (self.adjoint - self.other).abs();
+        if gap.is_nan() { f64::INFINITY } else { gap }
     }
 }
 
@@ -87,29 +90,14 @@ impl Judge<'_> {
         );
         if row.dual.is_none() {
             let pair = if witness == Witness::Dual { 0 } else { 3 };
-            let gap = (whole.adjoint - whole.other).abs();
-            self.found.worst[pair].note(gap, size, whole.tolerance, self.eps, 0);
+            self.found.worst[pair].note(whole.gap(), size, whole.tolerance, self.eps, 0);
         }
-        if whole.excess() <= 0.0 {
+        let all = 0..direction.len();
+        let mut left = PARTS;
+        let Some((range, last)) = self.search(row, witness, on, direction, (all, whole), &mut left)
+        else {
             return;
-        }
-        // Halves: the part that is off by more has the number that is off most, or one of those.
-        let (mut range, mut last) = (0..direction.len(), whole);
-        while range.len() > 1 {
-            let middle = usize::midpoint(range.start, range.end);
-            let halves = [range.start..middle, middle..range.end].map(|half| {
-                let product = self.product(row, witness, on, &part(direction, &half));
-                (half, product)
-            });
-            let worse = halves
-                .into_iter()
-                .filter_map(|(half, product)| Some((half, product?)))
-                .max_by(|a, b| a.1.excess().total_cmp(&b.1.excess()));
-            match worse {
-                Some((half, product)) if product.excess() > 0.0 => (range, last) = (half, product),
-                _ => break,
-            }
-        }
+        };
         let input = range.start;
         // One number left: say slopes rather than products.
         let per = if range.len() == 1 {
@@ -132,6 +120,40 @@ impl Judge<'_> {
         let reason = Reason::Disagree(Witness::Adjoint, witness);
         let tolerance = last.tolerance / per.abs();
         self.refuse_with(reason, suspect, row.output, input, numbers, tolerance);
+    }
+
+    /// The smallest part of a direction at which both sides differ by more than they may. Halves are
+    /// searched although the whole is within its tolerance: what a few numbers on a kink may be off by
+    /// must not hide the others.
+    fn search(
+        &mut self,
+        row: &mut Row,
+        witness: Witness,
+        on: &dyn Subject,
+        direction: &[f64],
+        (range, product): (Range<usize>, Product),
+        left: &mut usize,
+    ) -> Option<(Range<usize>, Product)> {
+        if product.gap() <= product.plain {
+            return None;
+        }
+        if range.len() > 1 {
+            let middle = usize::midpoint(range.start, range.end);
+            let mut halves: Vec<(Range<usize>, Product)> = Vec::new();
+            for half in [range.start..middle, middle..range.end] {
+                *left = left.checked_sub(1)?;
+                let product = self.product(row, witness, on, &part(direction, &half))?;
+                halves.push((half, product));
+            }
+            halves.sort_by(|a, b| b.1.gap().total_cmp(&a.1.gap()));
+            for (half, product) in halves {
+                let found = self.search(row, witness, on, direction, (half, product), left);
+                if found.is_some() {
+                    return found;
+                }
+            }
+        }
+        (product.gap() > product.tolerance).then_some((range, product))
     }
 
     /// The slope of a row along a direction by duals.
@@ -200,14 +222,15 @@ impl Judge<'_> {
             .zip(&ahead)
             .map(|(w, y)| (w * y).abs())
             .sum();
-        let allowed = |row: &Row| {
+        let allowed = |each: &dyn Fn(usize) -> f64| {
             let own: f64 = (0..direction.len())
-                .map(|i| direction[i].abs() * row.tolerance[i])
+                .map(|i| direction[i].abs() * each(i))
                 .sum();
             own + ROUNDINGS * self.eps * terms
         };
-        let mut tolerance = allowed(row);
-        if (adjoint - other).abs() > tolerance {
+        let plain = allowed(&|i| ROUNDINGS * self.eps * row.size[i]);
+        let mut tolerance = allowed(&|i| row.tolerance[i]);
+        if (adjoint - other).abs() > plain {
             self.provoke(row);
             self.provoke_widely(row);
             // A tie is decided as it stands: a kink in a single number is no rounding.
@@ -218,11 +241,12 @@ impl Judge<'_> {
             let spread = self.spread(&[other], strict.as_ref().map(|s| &s[..]), |x| {
                 Some(vec![dot(&row.weights, &on.along(x, direction)?)])
             });
-            tolerance = allowed(row) + SAFETY * spread[0];
+            tolerance = allowed(&|i| row.tolerance[i]) + SAFETY * spread[0];
         }
         Some(Product {
             adjoint,
             other,
+            plain,
             tolerance,
         })
     }

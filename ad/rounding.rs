@@ -4,7 +4,7 @@ use crate::ad::symmetry::exchanged;
 use crate::ad::witness::{Precision, dot};
 
 /// How often an adjoint's own roundings are drawn.
-const RUNS: u64 = 6;
+const RUNS: u64 = 24;
 
 impl Judge<'_> {
     /// The largest change of a list-valued function under provoked rounding, per number. With

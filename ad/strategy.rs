@@ -1,4 +1,4 @@
-//! Strategies for [proptest](::proptest): shapes as the harness draws them, for anybody's own
+//! Strategies for [`proptest`]: shapes as the harness draws them, for anybody's own
 //! properties. Needs the feature `proptest`.
 //!
 //! What is drawn, what is hard and how a failing shape is made simpler is the harness's own code

@@ -47,11 +47,11 @@ geograd::for_each_op!(prove_all);
 /// Inputs at which the harness once refused what is right.
 mod alarms {
     use super::*;
-    use geograd::Obb2;
     use geograd::ad::check::{self, Report, examine};
     use geograd::ad::sample::Sample;
     use geograd::kernels::check::OpSubject;
-    use geograd::kernels::{IntersectionAreaObb2, IofObb2, IouObb2, Op};
+    use geograd::kernels::{Centroid, IntersectionAreaObb2, IofObb2, IouObb2, Op};
+    use geograd::{Obb2, Vec2};
 
     /// By the random directions of the sample at which it was refused.
     fn judged<O: Op>(pair: O::In<f64>, sample: u64) -> Report
@@ -96,6 +96,46 @@ mod alarms {
         ] {
             assert!(report.passed(), "{report}");
         }
+    }
+
+    #[test]
+    fn a_thin_box_inside_a_wide_one() {
+        // A tie of two sides beside a length that is the difference of coordinates.
+        let (x, y, long, heading) = (
+            0.4785649281707227,
+            -0.4813306703086543,
+            14.29304386814869,
+            2.356194490192345,
+        );
+        let report = judged::<IofObb2>(
+            (
+                Obb2::new(x, y, long, 0.02218365629001546, heading),
+                Obb2::new(x, y, long, 1.0, heading),
+            ),
+            38548,
+        );
+        assert!(report.passed(), "{report}");
+    }
+
+    #[test]
+    fn curvature_of_a_ring_of_hardly_any_area() {
+        // In single precision differences of its slopes are nothing but rounding.
+        let ring = [
+            (0.507064700126648, -0.84375),
+            (-0.1, 0.9),
+            (0.53125, 0.45932847261428833),
+            (-0.875, 0.71875),
+            (0.453125, -0.265625),
+            (-0.6095760464668274, 0.5513638257980347),
+            (0.44523853063583374, 0.26195603609085083),
+            (0.25456100702285767, -0.9357003569602966),
+        ];
+        let ring: Vec<Vec2<f64>> = ring.iter().map(|&(x, y)| Vec2::new(x, y)).collect();
+        let plan = Plan::new(1, check::SEED ^ 23144);
+        let report = examine("centroid", &plan, &[ring], 1, |x, judge| {
+            judge(&OpSubject::<Centroid, f32>::new(x, &[], None));
+        });
+        assert!(report.passed(), "{report}");
     }
 
     #[test]

@@ -168,3 +168,21 @@ fn duals_that_are_not_linear() {
         .run();
     assert!(report.refused_for(BY_DUALS), "{report}");
 }
+
+#[test]
+fn kinks_do_not_hide_a_fault() {
+    // Twenty numbers lie exactly where the wrong derivative jumps, so that rounding excuses them;
+    // twenty others are plainly wrong.
+    fn sines<S: Scalar>(x: Vec<S>) -> S {
+        x.iter().fold(S::lit(0.0), |sum, x| sum + x.sin())
+    }
+    let slope = |x: &f64| if *x > 1.9 { 1.01 * x.cos() } else { x.cos() };
+    let point: Vec<f64> = (0..2000).map(|i| f64::from(i % 97) / 50.0).collect();
+    let report = Check::at(point)
+        .value(sines)
+        .dual(sines)
+        .gradient(|x| x.iter().map(slope).collect())
+        .run();
+    assert_eq!(report.failures[0].fault.reason, BY_DUALS, "{report}");
+    assert_eq!(report.failures[0].code, "vec![2.0]", "{report}");
+}

@@ -80,7 +80,7 @@ fn failing_shapes_are_made_simple() {
         "{shape:?}"
     );
     assert!(
-        shape.size.y == 0.0 && shape.size.x.fract() == 0.0,
+        shape.size.y == 0.0 && (64.0 * shape.size.x).fract() == 0.0,
         "{shape:?}"
     );
     // Three points are left, of rings of up to six hundred.
