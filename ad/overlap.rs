@@ -8,7 +8,7 @@ use crate::clip::{
 };
 use crate::overlap::{
     Denominator, Intersection, Measure, OverFirst, OverUnion, Shared, area_from_half,
-    area_of_shared, exchanged, in_outer_unit, larger_first, measure, share,
+    area_of_shared, in_outer_unit, measure, second_is_larger, share,
 };
 use crate::{Aabb2, Mask, Obb2, Scalar, Vec2};
 
@@ -55,7 +55,34 @@ pub fn score_framed_grad<M: Measure, S: Scalar, const EXTREME: bool>(
     a: Framed<S>,
     b: Framed<S>,
 ) -> (S, Grads<S>) {
-    let (swap, a, b) = larger_first::<M, S>(a, b);
+    if !M::ORDERED {
+        let nowhere = S::zero().below(S::zero());
+        return ordered_grad::<M, S, EXTREME>(a, b, nowhere);
+    }
+    let swap = second_is_larger(a, b);
+    let (first, second) = (Framed::select(swap, b, a), Framed::select(swap, a, b));
+    let (value, (of_first, of_second)) = ordered_grad::<M, S, EXTREME>(first, second, swap);
+    let a_bar = Obb2 {
+        center: Vec2::select(swap, of_second.center, of_first.center),
+        size: Vec2::select(swap, of_second.size, of_first.size),
+        heading: S::select(swap, of_second.heading, of_first.heading),
+    };
+    let b_bar = Obb2 {
+        center: Vec2::select(swap, of_first.center, of_second.center),
+        size: Vec2::select(swap, of_first.size, of_second.size),
+        heading: S::select(swap, of_first.heading, of_second.heading),
+    };
+    (value, (a_bar, b_bar))
+}
+
+/// [`score_framed_grad`] of boxes in the order they are related in. Where they were exchanged for
+/// that, the score is that of `(b, a)`.
+#[inline(always)]
+fn ordered_grad<M: Measure, S: Scalar, const EXTREME: bool>(
+    a: Framed<S>,
+    b: Framed<S>,
+    swap: S::Mask,
+) -> (S, Grads<S>) {
     let scale = if EXTREME {
         size_scale(a.half, b.half)
     } else {
@@ -79,12 +106,21 @@ pub fn score_framed_grad<M: Measure, S: Scalar, const EXTREME: bool>(
         heading_unit = length_unit;
     }
     let half_b = b.half * scale;
-    let (large, small) = (area_from_half(pair.half_a), area_from_half(half_b));
-    let (area_a, area_b) = (exchanged(swap, small, large), exchanged(swap, large, small));
+    let (mut area_a, mut area_b) = (area_from_half(pair.half_a), area_from_half(half_b));
+    if M::ORDERED {
+        (area_a, area_b) = (
+            S::select(swap, area_b, area_a),
+            S::select(swap, area_a, area_b),
+        );
+    }
     let value = measure::<M, S>(inter, area_a, area_b);
-    let [inter_bar, area_a_bar, area_b_bar] = measure_slopes::<M, S>(value, inter, area_a, area_b);
-    let large_bar = exchanged(swap, area_b_bar, area_a_bar);
-    let small_bar = exchanged(swap, area_a_bar, area_b_bar);
+    let [inter_bar, mut area_a_bar, mut area_b_bar] =
+        measure_slopes::<M, S>(value, inter, area_a, area_b);
+    if M::ORDERED {
+        let bars = (area_a_bar, area_b_bar);
+        area_a_bar = S::select(swap, bars.1, bars.0);
+        area_b_bar = S::select(swap, bars.0, bars.1);
+    }
     let value = if EXTREME {
         in_outer_unit::<M, S>(value, scale)
     } else {
@@ -97,21 +133,17 @@ pub fn score_framed_grad<M: Measure, S: Scalar, const EXTREME: bool>(
     let turn_bar = heading_bar + (pair.u * v_bar - pair.v * u_bar);
     let center_bar =
         Vec2::new(a.cos * u_bar - a.sin * v_bar, a.sin * u_bar + a.cos * v_bar) * length_unit;
-    let (of_large, of_small) = (
+    let grads = (
         Obb2 {
             center: -center_bar,
-            size: size_slopes(pair.half_a, slopes.half_a * inter_bar, large_bar) * length_unit,
+            size: size_slopes(pair.half_a, slopes.half_a * inter_bar, area_a_bar) * length_unit,
             heading: -(turn_bar * heading_unit * heading_unit),
         },
         Obb2 {
             center: center_bar,
-            size: size_slopes(half_b, slopes.half_b * inter_bar, small_bar) * length_unit,
+            size: size_slopes(half_b, slopes.half_b * inter_bar, area_b_bar) * length_unit,
             heading: heading_bar * heading_unit * heading_unit,
         },
-    );
-    let grads = (
-        exchanged_obb2(swap, of_small, of_large),
-        exchanged_obb2(swap, of_large, of_small),
     );
     (
         value,
@@ -121,19 +153,6 @@ pub fn score_framed_grad<M: Measure, S: Scalar, const EXTREME: bool>(
             grads
         },
     )
-}
-
-/// [`exchanged`], field by field.
-#[inline(always)]
-fn exchanged_obb2<S: Scalar>(swap: Option<S::Mask>, yes: Obb2<S>, no: Obb2<S>) -> Obb2<S> {
-    let of = |yes: Vec2<S>, no: Vec2<S>| {
-        Vec2::new(exchanged(swap, yes.x, no.x), exchanged(swap, yes.y, no.y))
-    };
-    Obb2 {
-        center: of(yes.center, no.center),
-        size: of(yes.size, no.size),
-        heading: exchanged(swap, yes.heading, no.heading),
-    }
 }
 
 /// Slopes with respect to a size, which is twice its half: those through the area of intersection

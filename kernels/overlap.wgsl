@@ -32,33 +32,23 @@ fn in_outer_unit(value: f32, scale: f32) -> f32 {
     return saturated((value / scale) / scale);
 }
 
-// Two boxes with the larger one first, and whether that exchanged them.
-struct Ordered {
-    swap: bool,
-    a: Framed,
-    b: Framed,
+fn second_is_larger(a: Framed, b: Framed) -> bool {
+    return most(a.half.x, a.half.y) < most(b.half.x, b.half.y);
 }
 
-fn larger_first(a: Framed, b: Framed) -> Ordered {
-    if DENOMINATOR == UNION {
-        return Ordered(false, a, b);
+fn score_framed(a: Framed, b: Framed) -> f32 {
+    var first = a;
+    var second = b;
+    let swap = ORDERED && second_is_larger(a, b);
+    if swap {
+        first = b;
+        second = a;
     }
-    if most(a.half.x, a.half.y) < most(b.half.x, b.half.y) {
-        return Ordered(true, b, a);
-    }
-    return Ordered(false, a, b);
-}
-
-fn score_framed(first: Framed, second: Framed) -> f32 {
-    let ordered = larger_first(first, second);
-    let swap = ordered.swap;
-    let a = ordered.a;
-    let b = ordered.b;
     var scale = 1.0;
     if EXTREME {
-        scale = size_scale(a.half, b.half);
+        scale = size_scale(first.half, second.half);
     }
-    let pair = relate(a, b, scale);
+    let pair = relate(first, second, scale);
     if pair.apart {
         return 0.0;
     }
@@ -145,11 +135,22 @@ struct Obb2Grad {
     b_bar: Obb2,
 }
 
-fn score_framed_grad(first: Framed, second: Framed) -> Obb2Grad {
-    let ordered = larger_first(first, second);
-    let swap = ordered.swap;
-    let a = ordered.a;
-    let b = ordered.b;
+fn score_framed_grad(a: Framed, b: Framed) -> Obb2Grad {
+    var first = a;
+    var second = b;
+    let swap = ORDERED && second_is_larger(a, b);
+    if swap {
+        first = b;
+        second = a;
+    }
+    let grads = ordered_grad(first, second, swap);
+    if swap {
+        return Obb2Grad(grads.value, grads.b_bar, grads.a_bar);
+    }
+    return grads;
+}
+
+fn ordered_grad(a: Framed, b: Framed, swap: bool) -> Obb2Grad {
     var scale = 1.0;
     if EXTREME {
         scale = size_scale(a.half, b.half);
@@ -171,42 +172,38 @@ fn score_framed_grad(first: Framed, second: Framed) -> Obb2Grad {
         heading_unit = length_unit;
     }
     let half_b = b.half * scale;
-    let large = area_from_half(pair.half_a);
-    let small = area_from_half(half_b);
-    let area_a = choose(swap, small, large);
-    let area_b = choose(swap, large, small);
+    let own_a = area_from_half(pair.half_a);
+    let own_b = area_from_half(half_b);
+    let area_a = choose(swap, own_b, own_a);
+    let area_b = choose(swap, own_a, own_b);
     var value = measure(inter, area_a, area_b);
     let bars = measure_slopes(value, inter, area_a, area_b);
     if EXTREME {
         value = in_outer_unit(value, scale);
     }
     let inter_bar = choose(nothing, 0.0, bars.x);
-    let large_bar = choose(swap, bars.z, bars.y);
-    let small_bar = choose(swap, bars.y, bars.z);
+    let area_a_bar = choose(swap, bars.z, bars.y);
+    let area_b_bar = choose(swap, bars.y, bars.z);
     let u_bar = slopes.u * inter_bar;
     let v_bar = slopes.v * inter_bar;
     let heading_bar = slopes.heading * inter_bar;
     let turn_bar = heading_bar + (pair.u * v_bar - pair.v * u_bar);
     let center_bar = vec2f(a.cos * u_bar - a.sin * v_bar, a.sin * u_bar + a.cos * v_bar)
         * length_unit;
-    var of_large = Obb2(
+    let a_bar = Obb2(
         -center_bar,
-        size_slopes(pair.half_a, slopes.half_a * inter_bar, large_bar) * length_unit,
+        size_slopes(pair.half_a, slopes.half_a * inter_bar, area_a_bar) * length_unit,
         -(turn_bar * heading_unit * heading_unit),
     );
-    var of_small = Obb2(
+    let b_bar = Obb2(
         center_bar,
-        size_slopes(half_b, slopes.half_b * inter_bar, small_bar) * length_unit,
+        size_slopes(half_b, slopes.half_b * inter_bar, area_b_bar) * length_unit,
         heading_bar * heading_unit * heading_unit,
     );
     if EXTREME {
-        of_large = saturated_obb2(of_large);
-        of_small = saturated_obb2(of_small);
+        return Obb2Grad(value, saturated_obb2(a_bar), saturated_obb2(b_bar));
     }
-    if swap {
-        return Obb2Grad(value, of_small, of_large);
-    }
-    return Obb2Grad(value, of_large, of_small);
+    return Obb2Grad(value, a_bar, b_bar);
 }
 
 fn size_slopes(half: vec2f, inter_slope: vec2f, area_bar: f32) -> vec2f {

@@ -43,16 +43,16 @@ impl<S: Scalar> Framed<S> {
     /// `yes` where the mask is true, else `no`.
     #[inline(always)]
     pub(crate) fn select(mask: S::Mask, yes: Self, no: Self) -> Self {
-        let of = |yes: S, no: S| S::select(mask, yes, no);
+        // No closure: it might not be inlined into a kernel.
         Framed {
-            center: Vec2::new(of(yes.center.x, no.center.x), of(yes.center.y, no.center.y)),
-            half: Vec2::new(of(yes.half.x, no.half.x), of(yes.half.y, no.half.y)),
-            cos: of(yes.cos, no.cos),
-            sin: of(yes.sin, no.sin),
-            cos_high: of(yes.cos_high, no.cos_high),
-            cos_low: of(yes.cos_low, no.cos_low),
-            sin_high: of(yes.sin_high, no.sin_high),
-            sin_low: of(yes.sin_low, no.sin_low),
+            center: Vec2::select(mask, yes.center, no.center),
+            half: Vec2::select(mask, yes.half, no.half),
+            cos: S::select(mask, yes.cos, no.cos),
+            sin: S::select(mask, yes.sin, no.sin),
+            cos_high: S::select(mask, yes.cos_high, no.cos_high),
+            cos_low: S::select(mask, yes.cos_low, no.cos_low),
+            sin_high: S::select(mask, yes.sin_high, no.sin_high),
+            sin_low: S::select(mask, yes.sin_low, no.sin_low),
         }
     }
 }
