@@ -25,6 +25,7 @@ pub mod overlap;
 mod ragged;
 pub mod real;
 pub mod reduce;
+mod reduce_block;
 pub mod resident;
 pub mod ring;
 pub mod simd;
