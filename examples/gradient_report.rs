@@ -1,24 +1,29 @@
 //! Proves every operation of the library and prints the table.
 //!
-//! ```text
-//! cargo run --release --example gradient_report -- --samples 1000 --seed 1
-//!   --op NAME       only operations whose name contains NAME
-//!   --samples N     random inputs per operation and format (hard cases come on top)
-//!   --seed N        what they are drawn from
-//!   --f32, --f64    only one format
-//!   --json          JSON lines instead of the table
-//!   --svg FILE      a picture of the worst case of the (last) operation in double precision
-//!   --gpu           batches on a GPU as a further witness of f32 (needs --features gpu)
-//! ```
-//!
-//! The exit status is 0 when everything is proved, 1 when something is refused, 2 for a wrong
-//! argument, 3 when a GPU was asked for and there is none, or it failed.
+//! `cargo run --release --example gradient_report`; `-- --help` has the options.
 use geograd::ad::check::{Plan, Report, SEED};
 use geograd::kernels::check::{prove_pair_on, prove_pair_with, prove_ring_on, prove_ring_with};
 use geograd::kernels::gpu::Gpu;
 use geograd::kernels::{Backend, GpuError};
 use indicatif::{ProgressBar, ProgressStyle};
 use std::process::ExitCode;
+
+const HELP: &str = "\
+Proves every operation of the library and prints the table.
+
+  --op NAME       only operations whose name contains NAME
+  --samples N     random inputs per operation and format, 1000 unless told; hard
+                  cases come on top
+  --seed N        what they are drawn from
+  --f32, --f64    only one format
+  --json          JSON lines instead of the table
+  --svg FILE      a picture of the worst case of the (last) operation in f64
+  --gpu           batches on a GPU as a further witness of f32 (needs --features gpu)
+  --help          this text
+
+The exit status is 0 when everything is proved, 1 when something is refused, 2 for a
+wrong argument, 3 when a GPU was asked for and there is none, or it failed.
+";
 
 /// What the command line says.
 struct Options {
@@ -31,7 +36,8 @@ struct Options {
     gpu: bool,
 }
 
-fn options() -> Result<Options, String> {
+/// `None` when only help was wanted.
+fn options() -> Result<Option<Options>, String> {
     let mut options = Options {
         op: String::new(),
         samples: 1000,
@@ -53,10 +59,11 @@ fn options() -> Result<Options, String> {
             "--f32" => options.formats = [true, false],
             "--f64" => options.formats = [false, true],
             "--gpu" => options.gpu = true,
-            _ => return Err(format!("unknown argument {argument}")),
+            "--help" | "-h" => return Ok(None),
+            _ => return Err(format!("unknown argument {argument}\nTry `--help`.")),
         }
     }
-    Ok(options)
+    Ok(Some(options))
 }
 
 /// One operation in one format: its name, whether that is `f64`, and its proof.
@@ -90,7 +97,11 @@ macro_rules! jobs {
 
 fn main() -> ExitCode {
     let options = match options() {
-        Ok(options) => options,
+        Ok(Some(options)) => options,
+        Ok(None) => {
+            print!("{HELP}");
+            return ExitCode::SUCCESS;
+        }
         Err(message) => {
             eprintln!("{message}");
             return ExitCode::from(2);
