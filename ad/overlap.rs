@@ -8,7 +8,7 @@ use crate::clip::{
 };
 use crate::overlap::{
     Denominator, Intersection, Measure, OverFirst, OverUnion, Shared, area_from_half,
-    area_of_shared, in_outer_unit, measure, second_is_larger, share,
+    area_of_shared, in_outer_unit, measure, share,
 };
 use crate::{Aabb2, Mask, Obb2, Scalar, Vec2};
 
@@ -55,34 +55,6 @@ pub fn score_framed_grad<M: Measure, S: Scalar, const EXTREME: bool>(
     a: Framed<S>,
     b: Framed<S>,
 ) -> (S, Grads<S>) {
-    if !M::ORDERED {
-        let nowhere = S::zero().below(S::zero());
-        return ordered_grad::<M, S, EXTREME>(a, b, nowhere);
-    }
-    let swap = second_is_larger(a, b);
-    let (first, second) = (Framed::select(swap, b, a), Framed::select(swap, a, b));
-    let (value, (of_first, of_second)) = ordered_grad::<M, S, EXTREME>(first, second, swap);
-    let a_bar = Obb2 {
-        center: Vec2::select(swap, of_second.center, of_first.center),
-        size: Vec2::select(swap, of_second.size, of_first.size),
-        heading: S::select(swap, of_second.heading, of_first.heading),
-    };
-    let b_bar = Obb2 {
-        center: Vec2::select(swap, of_first.center, of_second.center),
-        size: Vec2::select(swap, of_first.size, of_second.size),
-        heading: S::select(swap, of_first.heading, of_second.heading),
-    };
-    (value, (a_bar, b_bar))
-}
-
-/// [`score_framed_grad`] of boxes in the order they are related in. Where they were exchanged for
-/// that, the score is that of `(b, a)`.
-#[inline(always)]
-fn ordered_grad<M: Measure, S: Scalar, const EXTREME: bool>(
-    a: Framed<S>,
-    b: Framed<S>,
-    swap: S::Mask,
-) -> (S, Grads<S>) {
     let scale = if EXTREME {
         size_scale(a.half, b.half)
     } else {
@@ -106,21 +78,9 @@ fn ordered_grad<M: Measure, S: Scalar, const EXTREME: bool>(
         heading_unit = length_unit;
     }
     let half_b = b.half * scale;
-    let (mut area_a, mut area_b) = (area_from_half(pair.half_a), area_from_half(half_b));
-    if M::ORDERED {
-        (area_a, area_b) = (
-            S::select(swap, area_b, area_a),
-            S::select(swap, area_a, area_b),
-        );
-    }
+    let (area_a, area_b) = (area_from_half(pair.half_a), area_from_half(half_b));
     let value = measure::<M, S>(inter, area_a, area_b);
-    let [inter_bar, mut area_a_bar, mut area_b_bar] =
-        measure_slopes::<M, S>(value, inter, area_a, area_b);
-    if M::ORDERED {
-        let bars = (area_a_bar, area_b_bar);
-        area_a_bar = S::select(swap, bars.1, bars.0);
-        area_b_bar = S::select(swap, bars.0, bars.1);
-    }
+    let [inter_bar, area_a_bar, area_b_bar] = measure_slopes::<M, S>(value, inter, area_a, area_b);
     let value = if EXTREME {
         in_outer_unit::<M, S>(value, scale)
     } else {

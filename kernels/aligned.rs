@@ -84,14 +84,12 @@ fn aligned_values<O: PairOp, T: Real, L: Bundle<T>, const EXTREME: bool>(
     values: &mut [T],
 ) {
     let tiles = a.len().div_ceil(L::WIDTH);
-    let (mut shapes, mut frames) = (Vec::with_capacity(BLOCK), Vec::with_capacity(BLOCK));
+    let mut shapes = Vec::with_capacity(BLOCK);
     for first in (0..tiles).step_by(BLOCK) {
         bring::<O, T, L>(a, b, first..tiles.min(first + BLOCK), &mut shapes);
-        prepare::<O, T, L>(&shapes, &mut frames);
-        for (k, &tile) in shapes.iter().enumerate() {
+        for (k, &(a_tile, b_tile)) in shapes.iter().enumerate() {
             let start = start_of::<T, L>(first + opaque(k), a.len());
-            let (a_frame, b_frame) = framed::<O, T, L>(tile, &frames, k);
-            let value = O::value::<L, EXTREME>(a_frame, b_frame);
+            let value = O::value::<L, EXTREME>(O::frame_a(a_tile), O::frame_b(b_tile));
             store::<T, L>(value, &mut values[start..]);
         }
     }
@@ -112,37 +110,6 @@ fn bring<O: PairOp, T: Real, L: Bundle<T>>(
             gather::<T, L, _, _>(&a[start..]),
             gather::<T, L, _, _>(&b[start..]),
         ));
-    }
-}
-
-/// Both frames of a tile.
-type Frames<O, L> = (<O as PairOp>::FrameA<L>, <O as PairOp>::FrameB<L>);
-
-/// The frames of some tiles, for operations that want them made beforehand.
-#[inline(always)]
-fn prepare<O: PairOp, T: Real, L: Bundle<T>>(
-    shapes: &[(A<O, L>, B<O, L>)],
-    frames: &mut Vec<Frames<O, L>>,
-) {
-    if O::FRAMES_APART {
-        frames.clear();
-        for &(a, b) in shapes {
-            frames.push((O::frame_a(a), O::frame_b(b)));
-        }
-    }
-}
-
-/// The frames of one tile, from where they were prepared or made on the spot.
-#[inline(always)]
-fn framed<O: PairOp, T: Real, L: Bundle<T>>(
-    tile: (A<O, L>, B<O, L>),
-    frames: &[Frames<O, L>],
-    k: usize,
-) -> Frames<O, L> {
-    if O::FRAMES_APART {
-        frames[k]
-    } else {
-        (O::frame_a(tile.0), O::frame_b(tile.1))
     }
 }
 
@@ -307,15 +274,13 @@ fn aligned_bars<O: PairOp, T: Real, L: Bundle<T>, const EXTREME: bool>(
     b_bar: &mut [B<O, T>],
 ) {
     let tiles = a.len().div_ceil(L::WIDTH);
-    let (mut shapes, mut frames) = (Vec::with_capacity(BLOCK), Vec::with_capacity(BLOCK));
+    let mut shapes = Vec::with_capacity(BLOCK);
     for first in (0..tiles).step_by(BLOCK) {
         bring::<O, T, L>(a, b, first..tiles.min(first + BLOCK), &mut shapes);
-        prepare::<O, T, L>(&shapes, &mut frames);
         // The slopes take the shapes' place.
         for (k, tile) in shapes.iter_mut().enumerate() {
             let start = start_of::<T, L>(first + opaque(k), a.len());
-            let (a_frame, b_frame) = framed::<O, T, L>(*tile, &frames, k);
-            let (value, bars) = O::grad::<L, EXTREME>(a_frame, b_frame);
+            let (value, bars) = O::grad::<L, EXTREME>(O::frame_a(tile.0), O::frame_b(tile.1));
             match seed {
                 Seed::One(values) => {
                     store::<T, L>(value, &mut values[start..]);

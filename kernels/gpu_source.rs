@@ -102,22 +102,18 @@ pub trait GpuPair:
     const DENOMINATOR: Denominator;
     /// Whether the score is a ratio.
     const IS_RATIO: bool;
-    /// Whether rotated boxes are related with the larger one first.
-    const ORDERED: bool;
 }
 
 impl<M: Measure> GpuPair for Obb2Score<M> {
     type Shape = Obb2<f32>;
     const DENOMINATOR: Denominator = M::DENOMINATOR;
     const IS_RATIO: bool = M::IS_RATIO;
-    const ORDERED: bool = M::ORDERED;
 }
 
 impl<M: Measure> GpuPair for Aabb2Score<M> {
     type Shape = Aabb2<f32>;
     const DENOMINATOR: Denominator = M::DENOMINATOR;
     const IS_RATIO: bool = M::IS_RATIO;
-    const ORDERED: bool = M::ORDERED;
 }
 
 /// An operation of a ring that has a mirror in WGSL.
@@ -271,15 +267,13 @@ pub(super) fn pair_source<O: GpuPair>(source: Source) -> String {
     let _ = writeln!(
         text,
         "const QUADS: u32 = {}u;\nconst FIELDS: u32 = {}u;\nconst SLOTS: u32 = {}u;\n\
-         const DENOMINATOR: u32 = {}u;\nconst IS_RATIO: bool = {};\nconst ORDERED: bool = {};\n\
-         const EXTREME: bool = {};\n\
+         const DENOMINATOR: u32 = {}u;\nconst IS_RATIO: bool = {};\nconst EXTREME: bool = {};\n\
          const OWN_ROWS: bool = {};",
         O::Shape::QUADS,
         O::Shape::LEN,
         source.slots.max(1),
         O::DENOMINATOR as u32,
         O::IS_RATIO,
-        O::ORDERED,
         source.extreme,
         source.own_rows,
     );

@@ -34,10 +34,6 @@ pub trait PairOp: Op {
     type FrameA<S: Scalar>: Fixed<Scalar = S>;
     /// The second shape, prepared.
     type FrameB<S: Scalar>: Fixed<Scalar = S>;
-    /// Whether aligned batches make frames in a loop of their own. Kernels beyond some length come
-    /// out of the compiler as SIMD in parts only, at a quarter of the speed; the shorter ones are a
-    /// third faster in one piece. To be measured, not reasoned: `cargo bench --bench batch`.
-    const FRAMES_APART: bool = false;
     /// Prepares a first shape.
     fn frame_a<S: Scalar>(a: Self::A<S>) -> Self::FrameA<S>;
     /// Prepares a second shape.

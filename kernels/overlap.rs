@@ -51,7 +51,6 @@ impl<M: Measure> PairOp for Obb2Score<M> {
     type B<S: Scalar> = Obb2<S>;
     type FrameA<S: Scalar> = Framed<S>;
     type FrameB<S: Scalar> = Framed<S>;
-    const FRAMES_APART: bool = M::ORDERED;
     #[inline(always)]
     fn frame_a<S: Scalar>(a: Obb2<S>) -> Framed<S> {
         frame(a)

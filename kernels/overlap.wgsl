@@ -32,31 +32,18 @@ fn in_outer_unit(value: f32, scale: f32) -> f32 {
     return saturated((value / scale) / scale);
 }
 
-fn second_is_larger(a: Framed, b: Framed) -> bool {
-    return most(a.half.x, a.half.y) < most(b.half.x, b.half.y);
-}
-
 fn score_framed(a: Framed, b: Framed) -> f32 {
-    var first = a;
-    var second = b;
-    let swap = ORDERED && second_is_larger(a, b);
-    if swap {
-        first = b;
-        second = a;
-    }
     var scale = 1.0;
     if EXTREME {
-        scale = size_scale(first.half, second.half);
+        scale = size_scale(a.half, b.half);
     }
-    let pair = relate(first, second, scale);
+    let pair = relate(a, b, scale);
     if pair.apart {
         return 0.0;
     }
     let inter = related_area(pair, clipped_area(clip(pair)));
-    let large = area_from_half(pair.half_a);
-    let small = area_from_half(pair.half_b);
-    let area_a = choose(swap, small, large);
-    let area_b = choose(swap, large, small);
+    let area_a = area_from_half(pair.half_a);
+    let area_b = area_from_half(pair.half_b);
     let value = measure(inter, area_a, area_b);
     if EXTREME {
         return in_outer_unit(value, scale);
@@ -136,21 +123,6 @@ struct Obb2Grad {
 }
 
 fn score_framed_grad(a: Framed, b: Framed) -> Obb2Grad {
-    var first = a;
-    var second = b;
-    let swap = ORDERED && second_is_larger(a, b);
-    if swap {
-        first = b;
-        second = a;
-    }
-    let grads = ordered_grad(first, second, swap);
-    if swap {
-        return Obb2Grad(grads.value, grads.b_bar, grads.a_bar);
-    }
-    return grads;
-}
-
-fn ordered_grad(a: Framed, b: Framed, swap: bool) -> Obb2Grad {
     var scale = 1.0;
     if EXTREME {
         scale = size_scale(a.half, b.half);
@@ -172,18 +144,16 @@ fn ordered_grad(a: Framed, b: Framed, swap: bool) -> Obb2Grad {
         heading_unit = length_unit;
     }
     let half_b = b.half * scale;
-    let own_a = area_from_half(pair.half_a);
-    let own_b = area_from_half(half_b);
-    let area_a = choose(swap, own_b, own_a);
-    let area_b = choose(swap, own_a, own_b);
+    let area_a = area_from_half(pair.half_a);
+    let area_b = area_from_half(half_b);
     var value = measure(inter, area_a, area_b);
     let bars = measure_slopes(value, inter, area_a, area_b);
     if EXTREME {
         value = in_outer_unit(value, scale);
     }
     let inter_bar = choose(nothing, 0.0, bars.x);
-    let area_a_bar = choose(swap, bars.z, bars.y);
-    let area_b_bar = choose(swap, bars.y, bars.z);
+    let area_a_bar = bars.y;
+    let area_b_bar = bars.z;
     let u_bar = slopes.u * inter_bar;
     let v_bar = slopes.v * inter_bar;
     let heading_bar = slopes.heading * inter_bar;

@@ -39,24 +39,6 @@ pub struct Framed<S> {
     pub sin_low: S,
 }
 
-impl<S: Scalar> Framed<S> {
-    /// `yes` where the mask is true, else `no`.
-    #[inline(always)]
-    pub(crate) fn select(mask: S::Mask, yes: Self, no: Self) -> Self {
-        // No closure: it might not be inlined into a kernel.
-        Framed {
-            center: Vec2::select(mask, yes.center, no.center),
-            half: Vec2::select(mask, yes.half, no.half),
-            cos: S::select(mask, yes.cos, no.cos),
-            sin: S::select(mask, yes.sin, no.sin),
-            cos_high: S::select(mask, yes.cos_high, no.cos_high),
-            cos_low: S::select(mask, yes.cos_low, no.cos_low),
-            sin_high: S::select(mask, yes.sin_high, no.sin_high),
-            sin_low: S::select(mask, yes.sin_low, no.sin_low),
-        }
-    }
-}
-
 /// Does a box's trigonometry.
 #[inline(always)]
 pub fn frame<S: Scalar>(shape: Obb2<S>) -> Framed<S> {

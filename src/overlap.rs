@@ -66,17 +66,6 @@ pub fn shared_area<S: Scalar, const EXTREME: bool>(
     (pair, area, scale)
 }
 
-/// Where the second box is the larger one.
-///
-/// A small box keeps its digits in the frame of a large one; the other way round, as many are lost
-/// as the sizes differ by. So the larger one comes first; only the IoU of such a pair is next to
-/// nothing whatever the digits say, and does without ([`Measure::ORDERED`]).
-#[inline(always)]
-pub(crate) fn second_is_larger<S: Scalar>(a: Framed<S>, b: Framed<S>) -> S::Mask {
-    let (size_a, size_b) = (a.half.x.most(a.half.y), b.half.x.most(b.half.y));
-    size_a.below(size_b)
-}
-
 /// What an area of intersection is divided by.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Denominator {
@@ -94,8 +83,6 @@ pub trait Measure: Copy + Default + std::fmt::Debug + Send + Sync + 'static {
     const DENOMINATOR: Denominator;
     /// Whether the score is a ratio of areas, without unit.
     const IS_RATIO: bool;
-    /// Whether rotated boxes are related with the larger one first.
-    const ORDERED: bool = true;
     /// The name of the function for rotated boxes.
     const OBB2: &'static str;
     /// The name of the function for axis-aligned boxes.
@@ -123,7 +110,6 @@ impl Measure for Intersection {
 impl Measure for OverUnion {
     const DENOMINATOR: Denominator = Denominator::Union;
     const IS_RATIO: bool = true;
-    const ORDERED: bool = false;
     const OBB2: &'static str = "iou_obb2";
     const AABB2: &'static str = "iou_aabb2";
 }
@@ -157,18 +143,8 @@ pub fn in_outer_unit<M: Measure, S: Scalar>(value: S, scale: S) -> S {
 /// A score of two rotated boxes with their trigonometry done.
 #[inline(always)]
 pub fn score_framed<M: Measure, S: Scalar, const EXTREME: bool>(a: Framed<S>, b: Framed<S>) -> S {
-    let (pair, inter, scale, area_a, area_b);
-    if M::ORDERED {
-        let swap = second_is_larger(a, b);
-        let (first, second) = (Framed::select(swap, b, a), Framed::select(swap, a, b));
-        (pair, inter, scale) = shared_area::<S, EXTREME>(first, second);
-        let (large, small) = (area_from_half(pair.half_a), area_from_half(pair.half_b));
-        area_a = S::select(swap, small, large);
-        area_b = S::select(swap, large, small);
-    } else {
-        (pair, inter, scale) = shared_area::<S, EXTREME>(a, b);
-        (area_a, area_b) = (area_from_half(pair.half_a), area_from_half(pair.half_b));
-    }
+    let (pair, inter, scale) = shared_area::<S, EXTREME>(a, b);
+    let (area_a, area_b) = (area_from_half(pair.half_a), area_from_half(pair.half_b));
     let value = measure::<M, S>(inter, area_a, area_b);
     if EXTREME {
         in_outer_unit::<M, S>(value, scale)

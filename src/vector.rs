@@ -43,12 +43,6 @@ macro_rules! vector {
             pub fn length_squared(self) -> S {
                 self.dot(self)
             }
-            /// `yes` where the mask is true, else `no`, as [`Scalar::select`].
-            #[must_use]
-            #[inline(always)]
-            pub fn select(mask: S::Mask, yes: Self, no: Self) -> Self {
-                Self { $($field: S::select(mask, yes.$field, no.$field)),* }
-            }
             /// The vector of length one in the same direction, or the zero vector (with slope
             /// zero) for the zero vector.
             #[must_use]

@@ -151,8 +151,3 @@ pub fn iou(a: Obb2<f64>, b: Obb2<f64>) -> f64 {
         inter.div(&total).to_f64()
     }
 }
-
-/// The area two boxes share, to all digits of an `f64`.
-pub fn intersection_area(a: Obb2<f64>, b: Obb2<f64>) -> f64 {
-    area_of_intersection(a, b).to_f64()
-}
