@@ -76,8 +76,8 @@ fn no_best<T: Real>(columns: usize) -> Vec<Best<T>> {
 /// ```
 pub fn row_max<O: PairOp, T: Real>(a: &[A<O, T>], b: &[B<O, T>]) -> Result<Vec<Best<T>>, Error> {
     check_sides(a.len(), b.len(), true)?;
-    let none = |rows| vec![None; rows];
-    let pieces = blocks::<O, T, _>(a, b, none, |best: &mut Vec<_>, block| block.row_max(best))?;
+    let take = |best: &mut Vec<_>, block: Block<'_, T>| block.row_max(best);
+    let pieces = blocks::<O, T, _>(a, b, Vec::new, take)?;
     Ok(pieces.into_iter().flatten().flatten().collect())
 }
 
@@ -89,7 +89,7 @@ pub fn row_max<O: PairOp, T: Real>(a: &[A<O, T>], b: &[B<O, T>]) -> Result<Vec<B
 pub fn column_max<O: PairOp, T: Real>(a: &[A<O, T>], b: &[B<O, T>]) -> Result<Vec<Best<T>>, Error> {
     check_sides(a.len(), b.len(), false)?;
     let mut all = no_best(b.len());
-    let none = |_| no_best(b.len());
+    let none = || no_best(b.len());
     let pieces = blocks::<O, T, _>(a, b, none, |best: &mut Vec<_>, block| {
         block.column_max(best)
     })?;
@@ -115,7 +115,7 @@ pub fn above<O: PairOp, T: Real>(
 ) -> Result<Vec<Found<T>>, Error> {
     check_threshold(threshold)?;
     let take = |found: &mut Vec<_>, block: Block<'_, T>| block.above(threshold, found);
-    let mut pieces = blocks::<O, T, _>(a, b, |_| Vec::new(), take)?;
+    let mut pieces = blocks::<O, T, _>(a, b, Vec::new, take)?;
     for found in &mut pieces {
         // They came block by block.
         found.sort_unstable_by_key(|x: &Found<T>| (x.row, x.column));
@@ -135,7 +135,7 @@ pub fn count_above<O: PairOp, T: Real>(
 ) -> Result<u64, Error> {
     check_threshold(threshold)?;
     let take = |found: &mut u64, block: Block<'_, T>| *found += block.count_above(threshold);
-    Ok(blocks::<O, T, _>(a, b, |_| 0, take)?.iter().sum())
+    Ok(blocks::<O, T, _>(a, b, || 0, take)?.iter().sum())
 }
 
 /// The sum of all scores, added in `f64`, always in the same order.
@@ -145,7 +145,7 @@ pub fn count_above<O: PairOp, T: Real>(
 /// [`Error::Invalid`] for a shape that is not valid.
 pub fn sum<O: PairOp, T: Real + Into<f64>>(a: &[A<O, T>], b: &[B<O, T>]) -> Result<f64, Error> {
     let take = |sum: &mut f64, block: Block<'_, T>| *sum += block.sum();
-    Ok(blocks::<O, T, _>(a, b, |_| 0.0, take)?.iter().sum())
+    Ok(blocks::<O, T, _>(a, b, || 0.0, take)?.iter().sum())
 }
 
 /// The mean of all scores; zero where there are none.
@@ -283,7 +283,7 @@ impl<T: Real> Matrix<T> {
     /// [`Error::Length`] for rows without columns.
     pub fn row_max(&self) -> Result<Vec<Best<T>>, Error> {
         check_sides(self.rows, self.columns, true)?;
-        let mut best = vec![None; self.rows];
+        let mut best = Vec::with_capacity(self.rows);
         self.block().row_max(&mut best);
         Ok(best.into_iter().flatten().collect())
     }

@@ -1,7 +1,7 @@
 //! The matrix of all pairs block by block, and what reductions take of a block.
 use crate::error::Error;
 use crate::kernels::cpu::{A, B};
-use crate::kernels::matrix::block;
+use crate::kernels::matrix::{block, rows_per_piece};
 use crate::kernels::op::PairOp;
 use crate::kernels::real::Real;
 use crate::kernels::reduce::{Best, Found};
@@ -31,12 +31,18 @@ impl<'a, T: Real> Block<'a, T> {
             values,
         }
     }
-    fn rows(&self) -> impl Iterator<Item = &'a [T]> {
+    fn rows(&self) -> std::slice::Chunks<'a, T> {
         self.values.chunks(self.columns)
     }
-    /// Takes the largest of every row so far; `best` has one place per row of the block.
-    pub fn row_max(&self, best: &mut [Option<Best<T>>]) {
-        for (row, best) in self.rows().zip(best) {
+    /// Takes the largest of every row so far; `best` has one place per row, and its last ones are
+    /// those of the block.
+    pub fn row_max(&self, best: &mut Vec<Option<Best<T>>>) {
+        let rows = self.rows().len();
+        if self.column == 0 {
+            best.resize(best.len() + rows, None);
+        }
+        let done = best.len() - rows;
+        for (row, best) in self.rows().zip(&mut best[done..]) {
             let largest = vectorized!(largest(row));
             if best.is_none_or(|best| largest.above(best.value)) {
                 let index = row.iter().position(|&x| x == largest).unwrap_or(0);
@@ -126,31 +132,35 @@ fn total<T: Real + Into<f64>>(row: &[T]) -> f64 {
     lanes.iter().sum::<f64>() + rest
 }
 
-/// Hands the matrix over block by block: pieces of rows on all threads, within a piece from left to
-/// right. What `take` made of every piece, in order.
+/// Hands the matrix over block by block: pieces of rows on all threads, few enough that a result of
+/// each fits in memory; within a piece from top to bottom, and from left to right. What `take` made
+/// of every piece, in order.
 pub(super) fn blocks<O: PairOp, T: Real, R: Send>(
     a: &[A<O, T>],
     b: &[B<O, T>],
-    start: impl Fn(usize) -> R,
+    start: impl Fn() -> R,
     take: impl Fn(&mut R, Block<'_, T>) + Send + Sync,
 ) -> Result<Vec<R>, Error> {
     let extreme = check::<O, T>(a, b)?;
-    let mut results: Vec<R> = a.chunks(ROWS).map(|a| start(a.len())).collect();
-    let work = a.chunks(ROWS).zip(&mut results).enumerate().collect();
+    let rows = rows_per_piece(a.len()).next_multiple_of(ROWS);
+    let mut results: Vec<R> = a.chunks(rows).map(|_| start()).collect();
+    let work = a.chunks(rows).zip(&mut results).enumerate().collect();
     spread(
         work,
         |(piece, (a, result)): (usize, (&[A<O, T>], &mut R))| {
-            let mut values = vec![T::default(); a.len() * b.len().min(COLUMNS)];
-            for (part, b) in b.chunks(COLUMNS).enumerate() {
-                let values = &mut values[..a.len() * b.len()];
-                block::<O, T>(a, b, extreme, values);
-                let block = Block {
-                    row: piece * ROWS,
-                    column: part * COLUMNS,
-                    columns: b.len(),
-                    values,
-                };
-                take(result, block);
+            let mut values = vec![T::default(); a.len().min(ROWS) * b.len().min(COLUMNS)];
+            for (band, a) in a.chunks(ROWS).enumerate() {
+                for (part, b) in b.chunks(COLUMNS).enumerate() {
+                    let values = &mut values[..a.len() * b.len()];
+                    block::<O, T>(a, b, extreme, values);
+                    let block = Block {
+                        row: piece * rows + band * ROWS,
+                        column: part * COLUMNS,
+                        columns: b.len(),
+                        values,
+                    };
+                    take(result, block);
+                }
             }
         },
     );

@@ -24,7 +24,14 @@ fn boxes<T: Real>(n: usize, seed: u64) -> Vec<Aabb2<T>> {
 }
 
 /// Rows and columns around the ends of blocks of 128 by 1024.
-const SIZES: [(usize, usize); 5] = [(1, 1), (3, 1024), (2, 2050), (129, 7), (131, 1030)];
+const SIZES: [(usize, usize); 6] = [
+    (1, 1),
+    (3, 1024),
+    (2, 2050),
+    (129, 7),
+    (131, 1030),
+    (8321, 3),
+];
 
 fn agrees<T: Real + Into<f64>>() {
     for (rows, columns) in SIZES {
