@@ -40,10 +40,11 @@ impl Judge<'_> {
             .max((0..n).fold(0.0_f64, |m, i| m.max(row.size[i] * scales[i])));
         let sizes: Vec<f64> = scales.iter().map(|s| largest / s).collect();
         // A whole Hessian row by row is for short inputs.
-        let by_duals = |x: &[f64]| {
+        let nested_along = |x: &[f64], v: &[f64]| {
             let short = n <= FEW_INPUTS;
-            short.then(|| subject.nested(x, &row.weights, &v)).flatten()
+            short.then(|| subject.nested(x, &row.weights, v)).flatten()
         };
+        let by_duals = |x: &[f64]| nested_along(x, &v);
         let spread = std::cell::OnceCell::new();
         let spread = || {
             spread.get_or_init(|| {
@@ -55,8 +56,19 @@ impl Judge<'_> {
                 let noise = self.roundings(&bend, &sizes, |seed| {
                     subject.noisy_curvature(self.x, &row.weights, &v, seed)
                 });
+                // Both are linear in the direction.
+                let shorter = self.roundings(&bend, &sizes, |seed| {
+                    self.along_shorter(&v, seed, |v| subject.curvature(self.x, &row.weights, v))
+                });
+                let other_shorter = self.roundings(&nested, &sizes, |seed| {
+                    self.along_shorter(&v, seed, |v| nested_along(self.x, v))
+                });
+                let other = |i: usize| {
+                    let seen = other.get(i).zip(other_shorter.get(i));
+                    seen.map_or(0.0, |(spread, shorter)| spread.max(*shorter))
+                };
                 (0..n)
-                    .map(|i| own[i].max(noise[i]) + other.get(i).unwrap_or(&0.0))
+                    .map(|i| own[i].max(noise[i]).max(shorter[i]) + other(i))
                     .collect::<Vec<f64>>()
             })
         };

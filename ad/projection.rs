@@ -241,7 +241,12 @@ impl Judge<'_> {
             let spread = self.spread(&[other], strict.as_ref().map(|s| &s[..]), |x| {
                 Some(vec![dot(&row.weights, &on.along(x, direction)?)])
             });
-            tolerance = allowed(&|i| row.tolerance[i]) + SAFETY * spread[0];
+            let own = self.roundings(&[other], &[single], |seed| {
+                self.along_shorter(direction, seed, |shorter| {
+                    Some(vec![dot(&row.weights, &on.along(self.x, shorter)?)])
+                })
+            });
+            tolerance = allowed(&|i| row.tolerance[i]) + SAFETY * spread[0].max(own[0]);
         }
         Some(Product {
             adjoint,

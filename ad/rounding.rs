@@ -1,9 +1,19 @@
 //! The part of a judgement that provokes rounding: how far each witness can be trusted here.
+//!
+//! Three kinds of rounding are provoked, each by what leaves the true answer where it is. Inputs
+//! move by their last digits, which shows what a function does to errors of its input and of its
+//! value's computation. The adjoint's own operations round at random
+//! ([`noise`](crate::ad::noise)). What is linear in a direction (duals, second derivatives) is asked
+//! along the direction made shorter: the answer is shorter by as much, except that every sum and
+//! product of slopes on the way has rounded differently. No rounding of the input shows that: where
+//! two large equal slopes cancel, what is left is their last digit, which does not move with the
+//! input's.
 use crate::ad::judge::{Beside, Judge, Row, SAFETY};
+use crate::ad::sample::Draw;
 use crate::ad::symmetry::exchanged;
 use crate::ad::witness::{Precision, dot};
 
-/// How often an adjoint's own roundings are drawn.
+/// How often a derivative's own roundings are drawn.
 const RUNS: u64 = 24;
 
 impl Judge<'_> {
@@ -49,13 +59,27 @@ impl Judge<'_> {
         let mut spread = vec![0.0_f64; base.len()];
         for list in (0..RUNS).map_while(noisy) {
             let change = |i: usize| (list[i] - base[i]).abs();
-            if (0..list.len()).all(|i| change(i) <= 1e-3 * sizes[i]) {
+            if list.len() == base.len() && (0..list.len()).all(|i| change(i) <= 1e-3 * sizes[i]) {
                 for (i, spread) in spread.iter_mut().enumerate() {
                     *spread = spread.max(change(i));
                 }
             }
         }
         spread
+    }
+
+    /// What is linear in a direction, asked along that direction made shorter by a factor drawn from
+    /// a seed, and made longer again: for [`roundings`](Self::roundings).
+    pub(crate) fn along_shorter(
+        &self,
+        direction: &[f64],
+        seed: u64,
+        linear: impl Fn(&[f64]) -> Option<Vec<f64>>,
+    ) -> Option<Vec<f64>> {
+        let precision = self.subject.precision();
+        let by = precision.round(Draw::new(seed).within(0.5, 1.0));
+        let shorter: Vec<f64> = direction.iter().map(|x| precision.round(x * by)).collect();
+        Some(linear(&shorter)?.iter().map(|x| x / by).collect())
     }
 
     /// Adds to a row's tolerance what provoked rounding shows.
@@ -88,8 +112,14 @@ impl Judge<'_> {
                         .collect(),
                 )
             });
-            for (tolerance, spread) in row.tolerance.iter_mut().zip(spread) {
-                *tolerance += SAFETY * spread;
+            let mut axis = vec![0.0; dual.len()];
+            for i in 0..dual.len() {
+                axis[i] = 1.0;
+                let own = self.roundings(&dual[i..=i], &row.size[i..=i], |seed| {
+                    self.along_shorter(&axis, seed, |axis| Some(vec![self.by_duals(row, axis)?]))
+                });
+                axis[i] = 0.0;
+                row.tolerance[i] += SAFETY * spread[i].max(own[0]);
             }
         }
     }
