@@ -3,7 +3,7 @@
 use crate::ad::judge::{Judge, ROUNDINGS, Row, SAFETY, finite, same_bits};
 use crate::ad::sample::Draw;
 use crate::ad::slopes::FEW_INPUTS;
-use crate::ad::verdict::{Numbers, Reason, Witness};
+use crate::ad::verdict::{Nearest, Numbers, Reason, Witness};
 use crate::ad::witness::dot;
 
 impl Judge<'_> {
@@ -103,17 +103,24 @@ impl Judge<'_> {
                     Witness::Batch => 5,
                     _ => 4,
                 };
-                self.found.worst[pair].note(gap, row.size[i], tolerance, self.eps, i);
+                let numbers = Numbers {
+                    adjoint: Some(adjoint[i]),
+                    dual: row.dual.as_ref().map(|dual| dual[i]),
+                    other: (witness != Witness::Dual).then_some(other[i]),
+                    ..Numbers::default()
+                };
+                let at = Nearest {
+                    output: row.output,
+                    input: i,
+                    numbers,
+                    tolerance,
+                    ..Nearest::default()
+                };
+                self.found.worst[pair].note(gap, row.size[i], self.eps, at);
                 if gap > tolerance && self.conventional_border(row, i) {
                     // Differences will ask both whether they lie between zero and the only side.
                     self.found.convention = true;
                 } else if gap > tolerance || gap.is_nan() {
-                    let numbers = Numbers {
-                        adjoint: Some(adjoint[i]),
-                        dual: row.dual.as_ref().map(|dual| dual[i]),
-                        other: (witness != Witness::Dual).then_some(other[i]),
-                        ..Numbers::default()
-                    };
                     let reason = Reason::Disagree(Witness::Adjoint, witness);
                     self.refuse_with(reason, None, row.output, i, numbers, tolerance);
                 }
@@ -187,14 +194,21 @@ impl Judge<'_> {
             }
             for i in 0..exact.len() {
                 let gap = (exact[i] - adjoint[i]).abs();
-                self.found.worst[3].note(gap, row.size[i], tolerance[i], self.eps, i);
+                let numbers = Numbers {
+                    adjoint: Some(adjoint[i]),
+                    dual: row.dual.as_ref().map(|dual| dual[i]),
+                    other: Some(exact[i]),
+                    ..Numbers::default()
+                };
+                let at = Nearest {
+                    output: row.output,
+                    input: i,
+                    numbers,
+                    tolerance: tolerance[i],
+                    ..Nearest::default()
+                };
+                self.found.worst[3].note(gap, row.size[i], self.eps, at);
                 if gap > tolerance[i] {
-                    let numbers = Numbers {
-                        adjoint: Some(adjoint[i]),
-                        dual: row.dual.as_ref().map(|dual| dual[i]),
-                        other: Some(exact[i]),
-                        ..Numbers::default()
-                    };
                     let reason = Reason::Disagree(Witness::Adjoint, Witness::Wide);
                     let suspect = Some(Witness::Adjoint);
                     self.refuse_with(reason, suspect, row.output, i, numbers, tolerance[i]);

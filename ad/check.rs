@@ -135,6 +135,7 @@
 //! is better than another, and what provoked rounding changes is tolerated. Exact ties of equal
 //! inputs are judged strictly in double precision.
 use crate::ad::near::Near;
+use crate::ad::nested::{BentFn, TracedBentFn};
 use crate::ad::sample::{Draw, Sample, hard_cases, random};
 use crate::ad::subject::Conventions;
 use crate::ad::symmetry::{Kind, Promise};
@@ -143,6 +144,7 @@ use crate::{Jet, Pack};
 use std::fmt::Debug;
 
 pub use crate::ad::examine::{Plan, SEED, examine};
+pub use crate::ad::nested::Bent;
 pub use crate::ad::report::{Failure, Report};
 
 type InsideFn<'a, X> = Box<dyn Fn(&X) -> bool + 'a>;
@@ -174,6 +176,8 @@ pub struct Check<'a, X: Pack> {
     pub(crate) dual: Option<AdjointFn<'a, X>>,
     pub(crate) traced: Option<TracedFn<'a, X>>,
     pub(crate) curvature: Option<AdjointFn<'a, X>>,
+    pub(crate) nested: Option<BentFn<'a, X>>,
+    pub(crate) wide: Option<TracedBentFn<'a, X>>,
     pub(crate) inside: Option<InsideFn<'a, X>>,
     pub(crate) scales: Option<ValueFn<'a, X>>,
     pub(crate) kinds: Vec<Kind>,
@@ -213,6 +217,8 @@ impl<'a, S: Number, X: Pack<Scalar = S> + Debug + 'a> Check<'a, X> {
             dual: None,
             traced: None,
             curvature: None,
+            nested: None,
+            wide: None,
             inside: None,
             scales: None,
             kinds: Vec::new(),
@@ -403,7 +409,7 @@ impl<'a, X: Sample + 'a> Check<'a, X> {
 ///
 /// `assert_gradient!(value, gradient, at point, …)` takes closures;
 /// `assert_gradient!(generic function, gradient, at point, …)` takes a function generic over the
-/// scalar, which is then also run on duals and traced.
+/// scalar, which is then also run on duals, traced, and at points of `f32` in double precision.
 #[macro_export]
 macro_rules! assert_gradient {
     (generic $value:path, $gradient:expr, at $($point:expr),+ $(,)?) => {
@@ -411,6 +417,7 @@ macro_rules! assert_gradient {
             .value($value)
             .dual($value)
             .traced($value)
+            .wide($value)
             .gradient($gradient)
             .prove()
     };

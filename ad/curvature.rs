@@ -145,6 +145,7 @@ impl Judge<'_> {
                 let numbers = Numbers {
                     adjoint: Some(a),
                     other: Some(b),
+                    along: true,
                     ..Numbers::default()
                 };
                 faults.push((Reason::CurvatureNotSymmetric, 0, numbers, tolerance));
@@ -217,6 +218,7 @@ impl Judge<'_> {
                     let numbers = Numbers {
                         adjoint: Some(bend),
                         difference: Some(e.value),
+                        along: n > FEW_INPUTS,
                         ..Numbers::default()
                     };
                     let reason = Reason::CurvatureDisagrees(Witness::Difference);

@@ -85,7 +85,7 @@ pub fn examine<S: Number, X: Pack<Scalar = S> + Debug>(
         switched: 0,
         margin: f64::INFINITY,
         worst: [Worst::default(); PAIRS.len()],
-        worst_input: Vec::new(),
+        nearest: Default::default(),
         picture: None,
         refused: 0,
         failures: Vec::new(),
@@ -108,9 +108,6 @@ pub fn examine<S: Number, X: Pack<Scalar = S> + Debug>(
         report.switched += findings.switched;
         if findings.margin > 0.0 {
             report.margin = report.margin.min(findings.margin);
-        }
-        if findings.worst[1].share > report.worst[1].share || report.worst_input.is_empty() {
-            report.worst_input = x.scalars().iter().map(|x| x.widen()).collect();
         }
         for (all, here) in report.worst.iter_mut().zip(&findings.worst) {
             all.merge(here, sample);
@@ -135,6 +132,11 @@ pub fn examine<S: Number, X: Pack<Scalar = S> + Debug>(
         }
     }
     report.precision = precision;
+    report.nearest = report.worst.each_ref().map(|worst| {
+        let judged = inputs.get(worst.nearest.sample);
+        let shown = judged.filter(|_| worst.nearest.share > 0.0);
+        shown.map_or_else(String::new, code)
+    });
     let drawn = inputs.len().saturating_sub(random_from);
     if drawn >= 20 && smooth * 10 < drawn {
         report.refused += 1;

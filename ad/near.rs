@@ -1,6 +1,7 @@
 //! A check of closures as a subject, near one of its points.
 use crate::Pack;
 use crate::ad::check::{Check, narrow};
+use crate::ad::nested::{Wide, axis, bends, transposed};
 use crate::ad::subject::{Conventions, Subject, default_scales};
 use crate::ad::symmetry::{Kind, Promise};
 use crate::ad::trace::{Number, Trace};
@@ -48,18 +49,9 @@ impl<S: Number, X: Pack<Scalar = S>> Subject for Near<'_, '_, X> {
         let dual = self.check.dual.as_ref()?;
         let here = self.made(x);
         let columns: Vec<Vec<f64>> = (0..x.len())
-            .map(|i| {
-                let mut direction = vec![0.0; x.len()];
-                direction[i] = 1.0;
-                dual(&here, &direction)
-            })
+            .map(|i| dual(&here, &axis(x.len(), i)))
             .collect();
-        let outputs = columns.first().map_or(0, Vec::len);
-        Some(
-            (0..outputs)
-                .map(|j| columns.iter().map(|c| c[j]).collect())
-                .collect(),
-        )
+        Some(transposed(&columns))
     }
     fn along(&self, x: &[f64], direction: &[f64]) -> Option<Vec<f64>> {
         let dual = self.check.dual.as_ref()?;
@@ -73,6 +65,20 @@ impl<S: Number, X: Pack<Scalar = S>> Subject for Near<'_, '_, X> {
         let curvature = self.check.curvature.as_ref()?;
         let bend = curvature(&self.made(x), direction);
         Some(bend.iter().map(|b| b * y_bar[0]).collect())
+    }
+    fn nested(&self, x: &[f64], y_bar: &[f64], direction: &[f64]) -> Option<Vec<f64>> {
+        let source = self.check.nested.as_ref()?;
+        Some(bends(|at| source(self.near, at), x, y_bar, direction))
+    }
+    fn wide(&self) -> Option<Box<dyn Subject + '_>> {
+        let source = self.check.wide.as_ref()?;
+        let narrow = self.precision() == Precision::F32;
+        narrow.then(|| {
+            Box::new(Wide {
+                narrow: self,
+                source,
+            }) as Box<dyn Subject>
+        })
     }
     fn inside(&self, x: &[f64]) -> bool {
         self.check

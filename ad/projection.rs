@@ -10,7 +10,7 @@ use crate::ad::judge::{Judge, ROUNDINGS, Row, SAFETY};
 use crate::ad::sample::Draw;
 use crate::ad::slopes::FEW_INPUTS;
 use crate::ad::subject::Subject;
-use crate::ad::verdict::{Numbers, Reason, Witness};
+use crate::ad::verdict::{Nearest, Numbers, Reason, Witness};
 use crate::ad::witness::{Ladder, dot};
 use std::ops::Range;
 
@@ -36,6 +36,17 @@ impl Product {
     fn gap(&self) -> f64 {
         let gap = (self.adjoint - self.other).abs();
         if gap.is_nan() { f64::INFINITY } else { gap }
+    }
+    /// What both say, per so much of the direction.
+    fn numbers(&self, witness: Witness, per: f64, along: bool) -> Numbers {
+        let other = self.other / per;
+        Numbers {
+            adjoint: Some(self.adjoint / per),
+            dual: (witness == Witness::Dual).then_some(other),
+            other: (witness != Witness::Dual).then_some(other),
+            along,
+            ..Numbers::default()
+        }
     }
 }
 
@@ -90,7 +101,13 @@ impl Judge<'_> {
         );
         if row.dual.is_none() {
             let pair = if witness == Witness::Dual { 0 } else { 3 };
-            self.found.worst[pair].note(whole.gap(), size, whole.tolerance, self.eps, 0);
+            let at = Nearest {
+                output: row.output,
+                numbers: whole.numbers(witness, 1.0, true),
+                tolerance: whole.tolerance,
+                ..Nearest::default()
+            };
+            self.found.worst[pair].note(whole.gap(), size, self.eps, at);
         }
         let all = 0..direction.len();
         let mut left = PARTS;
@@ -109,13 +126,7 @@ impl Judge<'_> {
             self.found.convention = true;
             return;
         }
-        let other = last.other / per;
-        let numbers = Numbers {
-            adjoint: Some(last.adjoint / per),
-            dual: (witness == Witness::Dual).then_some(other),
-            other: (witness != Witness::Dual).then_some(other),
-            ..Numbers::default()
-        };
+        let numbers = last.numbers(witness, per, range.len() > 1);
         let suspect = (witness == Witness::Wide).then_some(Witness::Adjoint);
         let reason = Reason::Disagree(Witness::Adjoint, witness);
         let tolerance = last.tolerance / per.abs();

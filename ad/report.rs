@@ -1,5 +1,5 @@
 //! What came out: a table for reading, JSON for machines, a drill-down for the one that failed.
-use crate::ad::verdict::{Fault, PAIRS, Reason, Witness, Worst};
+use crate::ad::verdict::{Fault, Numbers, PAIRS, Reason, Witness, Worst};
 use crate::ad::witness::Precision;
 use std::fmt::{self, Write};
 
@@ -41,9 +41,9 @@ pub struct Report {
     pub margin: f64,
     /// The worst of each pair of witnesses.
     pub worst: [Worst; PAIRS.len()],
-    /// The input where adjoint and differences were farthest apart, measured by tolerance.
-    pub worst_input: Vec<f64>,
-    /// That input as SVG, when the plan says to draw it.
+    /// The input nearest to refusal by each pair of witnesses, as Rust code; empty where all agreed.
+    pub nearest: [String; PAIRS.len()],
+    /// The input nearest to refusal by differences as SVG, when the plan says to draw it.
     pub picture: Option<String>,
     /// How many samples were refused.
     pub refused: u64,
@@ -169,9 +169,9 @@ impl Report {
                 json_number(worst.relative),
                 json_number(worst.ulps),
                 json_number(worst.usual()),
-                json_number(worst.share),
-                worst.sample,
-                worst.input
+                json_number(worst.nearest.share),
+                worst.nearest.sample,
+                worst.nearest.input
             );
         }
         out.push_str("],\"failures\":[");
@@ -189,12 +189,13 @@ impl Report {
             let _ = write!(
                 out,
                 "{}{{\"reason\":{},\"suspect\":{},\"sample\":{},\"output\":{output},\
-                 \"input\":{input},\"adjoint\":{},\"dual\":{},\"difference\":{},\"other\":{},\
+                 \"input\":{input},\"along_direction\":{},\"adjoint\":{},\"dual\":{},\"difference\":{},\"other\":{},\
                  \"tolerance\":{},\"at\":[{}],\"code\":{}}}",
                 if k == 0 { "" } else { "," },
                 quoted(&format!("{reason:?}")),
                 suspect.map_or("null".to_owned(), |s| quoted(&format!("{s:?}"))),
                 failure.sample,
+                numbers.along,
                 optional(numbers.adjoint),
                 optional(numbers.dual),
                 optional(numbers.difference),
@@ -217,24 +218,15 @@ impl fmt::Display for Report {
             let fault = &failure.fault;
             writeln!(
                 f,
-                "\n  {:?} at sample {} (seed {}): output {}, input {}",
-                fault.reason, failure.sample, self.seed, fault.output, fault.input
+                "\n  {:?} at sample {} (seed {}): output {}, input {}{}",
+                fault.reason,
+                failure.sample,
+                self.seed,
+                fault.output,
+                fault.input,
+                others(&fault.numbers)
             )?;
-            let numbers = [
-                ("adjoint", fault.numbers.adjoint),
-                ("dual", fault.numbers.dual),
-                ("difference", fault.numbers.difference),
-                ("other", fault.numbers.other),
-            ];
-            for (name, number) in numbers {
-                if let Some(number) = number {
-                    writeln!(f, "    {name:<11} {number:>24.16e}")?;
-                }
-            }
-            if let Some([behind, ahead]) = fault.numbers.sides {
-                writeln!(f, "    both sides  {behind:>24.16e} {ahead:>24.16e}")?;
-            }
-            writeln!(f, "    tolerance   {:>24.16e}", fault.tolerance)?;
+            write_numbers(f, &fault.numbers, fault.tolerance)?;
             if let Some(suspect) = fault.suspect {
                 let who = match suspect {
                     Witness::Adjoint => "the derivative by hand",
@@ -249,6 +241,38 @@ impl fmt::Display for Report {
         }
         Ok(())
     }
+}
+
+/// What is said behind the number of an input.
+pub(crate) fn others(numbers: &Numbers) -> &'static str {
+    if numbers.along {
+        " and others, along a random direction"
+    } else {
+        ""
+    }
+}
+
+/// What every witness says, a line each.
+pub(crate) fn write_numbers(
+    f: &mut impl fmt::Write,
+    numbers: &Numbers,
+    tolerance: f64,
+) -> fmt::Result {
+    let named = [
+        ("adjoint", numbers.adjoint),
+        ("dual", numbers.dual),
+        ("difference", numbers.difference),
+        ("other", numbers.other),
+    ];
+    for (name, number) in named {
+        if let Some(number) = number {
+            writeln!(f, "    {name:<11} {number:>24.16e}")?;
+        }
+    }
+    if let Some([behind, ahead]) = numbers.sides {
+        writeln!(f, "    both sides  {behind:>24.16e} {ahead:>24.16e}")?;
+    }
+    writeln!(f, "    tolerance   {tolerance:>24.16e}")
 }
 
 /// A number as JSON, which knows no infinity.

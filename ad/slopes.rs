@@ -4,8 +4,8 @@ use crate::ad::judge::{Judge, ROUNDINGS, Row, SAFETY};
 use crate::ad::sample::Draw;
 use crate::ad::subject::{Jumps, Subject};
 use crate::ad::trace::Trace;
-use crate::ad::verdict::{Numbers, Place, Reason, Witness};
-use crate::ad::witness::{Ladder, dot};
+use crate::ad::verdict::{Nearest, Numbers, Place, Reason, Witness};
+use crate::ad::witness::{Estimate, Ladder, dot};
 
 /// Inputs up to this number are stepped one by one, more of them along random directions.
 pub(crate) const FEW_INPUTS: usize = 48;
@@ -215,12 +215,24 @@ impl Judge<'_> {
                 said = hear(here, &row.weights, noise, slope, exact(row), largest);
             }
             let pair = if witness == Witness::Adjoint { 1 } else { 2 };
-            let numbers = |difference, sides| Numbers {
-                adjoint: by_hand,
-                dual: by_duals,
-                difference,
-                sides,
+            // Along one number, say its slopes.
+            let along = n > FEW_INPUTS || k >= n;
+            let per = if along { 1.0 } else { direction[k] };
+            let numbers = |difference: Option<f64>, sides: Option<[f64; 2]>| Numbers {
+                adjoint: by_hand.map(|slope| slope / per),
+                dual: by_duals.map(|slope| slope / per),
+                difference: difference.map(|slope| slope / per),
+                sides: sides.map(|sides| sides.map(|slope| slope / per)),
                 other: None,
+                along,
+            };
+            let output = row.output;
+            let nearest = |e: &Estimate, tolerance: f64| Nearest {
+                output,
+                input,
+                numbers: numbers(Some(e.value), None),
+                tolerance: tolerance / per,
+                ..Nearest::default()
             };
             let other_agrees = |value: f64, tolerance: f64| {
                 let other = if witness == Witness::Adjoint {
@@ -241,9 +253,9 @@ impl Judge<'_> {
                     }
                     if let Some(e) = estimate {
                         let tolerance = SAFETY * e.error + exact(row);
-                        let gap = (e.value - slope).abs();
-                        let eps = self.eps;
-                        self.found.worst[pair].note(gap, largest, tolerance, eps, input);
+                        let gap = (e.value - slope).abs() / per;
+                        let at = nearest(&e, tolerance);
+                        self.found.worst[pair].note(gap, largest / per, self.eps, at);
                     }
                 }
                 Said::Other {
@@ -277,7 +289,8 @@ impl Judge<'_> {
                             })
                         };
                         let numbers = numbers(Some(estimate.value), None);
-                        self.refuse_with(reason, suspect, row.output, input, numbers, tolerance);
+                        let tolerance = tolerance / per;
+                        self.refuse_with(reason, suspect, output, input, numbers, tolerance);
                     } else {
                         result = (Place::Undefined, true);
                     }
@@ -310,10 +323,10 @@ impl Judge<'_> {
                         self.refuse_with(
                             Reason::OutsideKink,
                             None,
-                            row.output,
+                            output,
                             input,
                             numbers,
-                            tolerance,
+                            tolerance / per,
                         );
                     }
                 }
@@ -327,9 +340,9 @@ impl Judge<'_> {
                 } = said
                 {
                     let tolerance = SAFETY * e.error + exact(row);
-                    let gap = by_duals.map_or(0.0, |dual| (dual - e.value).abs());
-                    let eps = self.eps;
-                    self.found.worst[2].note(gap, largest, tolerance, eps, input);
+                    let gap = by_duals.map_or(0.0, |dual| (dual - e.value).abs()) / per;
+                    let at = nearest(&e, tolerance);
+                    self.found.worst[2].note(gap, largest / per, self.eps, at);
                 }
                 break;
             }

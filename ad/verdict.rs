@@ -76,6 +76,9 @@ pub struct Numbers {
     pub other: Option<f64>,
     /// Slopes of both sides, at a kink.
     pub sides: Option<[f64; 2]>,
+    /// Whether they are slopes along a random direction, in which several numbers of the input move,
+    /// and not with respect to one of them.
+    pub along: bool,
 }
 
 /// A refusal: what, where, and the numbers.
@@ -108,17 +111,30 @@ pub struct Worst {
     pub ulps: f64,
     /// How many differences, in units of the precision, are below 1, 10, 100 and so on.
     pub decades: [u64; 20],
-    /// Largest share of the tolerance used up.
+    /// The one nearest to refusal.
+    pub nearest: Nearest,
+}
+
+/// The comparison of two witnesses that used up most of its tolerance.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Nearest {
+    /// Which share of the tolerance.
     pub share: f64,
-    /// The sample where that was.
+    /// The number of the sample.
     pub sample: usize,
-    /// The number of the input there.
+    /// The number of the output.
+    pub output: usize,
+    /// The number of the input.
     pub input: usize,
+    /// What every witness says.
+    pub numbers: Numbers,
+    /// How much the two numbers in question may differ.
+    pub tolerance: f64,
 }
 
 impl Worst {
     /// One more comparison.
-    pub(crate) fn note(&mut self, gap: f64, size: f64, tolerance: f64, eps: f64, at: usize) {
+    pub(crate) fn note(&mut self, gap: f64, size: f64, eps: f64, at: Nearest) {
         self.count += 1;
         self.absolute = self.absolute.max(gap);
         let relative = if gap == 0.0 { 0.0 } else { gap / size };
@@ -128,10 +144,9 @@ impl Worst {
             let decade = (relative / eps).log10().floor() + 1.0;
             self.decades[(decade.max(0.0) as usize).min(19)] += 1;
         }
-        let share = if gap == 0.0 { 0.0 } else { gap / tolerance };
-        if share > self.share {
-            self.share = share;
-            self.input = at;
+        let share = if gap == 0.0 { 0.0 } else { gap / at.tolerance };
+        if share > self.nearest.share {
+            self.nearest = Nearest { share, ..at };
         }
     }
     /// The power of ten of units of the precision that 99 of 100 differences stay below. The
@@ -157,8 +172,11 @@ impl Worst {
         for (all, here) in self.decades.iter_mut().zip(other.decades) {
             *all += here;
         }
-        if other.share > self.share {
-            (self.share, self.sample, self.input) = (other.share, sample, other.input);
+        if other.nearest.share > self.nearest.share {
+            self.nearest = Nearest {
+                sample,
+                ..other.nearest
+            };
         }
     }
 }

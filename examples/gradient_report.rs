@@ -16,6 +16,7 @@ Proves every operation of the library and prints the table.
                   cases come on top
   --seed N        what they are drawn from
   --f32, --f64    only one format
+  --details       how far apart the witnesses are, and where they come nearest to refusal
   --json          JSON lines instead of the table
   --svg FILE      a picture of the worst case of the (last) operation in f64
   --gpu           batches on a GPU as a further witness of f32 (needs --features gpu)
@@ -31,6 +32,7 @@ struct Options {
     samples: usize,
     seed: u64,
     formats: [bool; 2],
+    details: bool,
     json: bool,
     svg: Option<String>,
     gpu: bool,
@@ -43,6 +45,7 @@ fn options() -> Result<Option<Options>, String> {
         samples: 1000,
         seed: SEED,
         formats: [true, true],
+        details: false,
         json: false,
         svg: None,
         gpu: false,
@@ -55,6 +58,7 @@ fn options() -> Result<Option<Options>, String> {
             "--samples" => options.samples = value()?.parse().map_err(|e| format!("{e}"))?,
             "--seed" => options.seed = value()?.parse().map_err(|e| format!("{e}"))?,
             "--svg" => options.svg = Some(value()?),
+            "--details" => options.details = true,
             "--json" => options.json = true,
             "--f32" => options.formats = [true, false],
             "--f64" => options.formats = [false, true],
@@ -158,6 +162,9 @@ fn main() -> ExitCode {
         } else {
             report.line()
         });
+        if options.details && !options.json {
+            say(report.details());
+        }
         picture = report.picture.clone().or(picture);
         if report.passed() {
             proved += 1;

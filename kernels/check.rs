@@ -107,10 +107,8 @@ where
     let mut report = examine(O::NAME, plan, &inputs, random_from, |x, judge| {
         judge(&OpSubject::<O, S>::new(x, paths, fused).with_batch(batch));
     });
-    let worst = inputs
-        .iter()
-        .find(|x| plan.draws && x.scalars() == report.worst_input);
-    report.picture = worst.map(|x| {
+    let worst = inputs.get(report.worst[1].nearest.sample);
+    report.picture = worst.filter(|_| plan.draws).map(|x| {
         let title = format!(
             "{}: where adjoint and differences are farthest apart",
             O::NAME

@@ -6,11 +6,12 @@ mod planted;
 use geograd::Aabb2;
 use geograd::Scalar;
 use geograd::ad;
-use geograd::ad::check::Check;
+use geograd::ad::check::{Bent, Check};
 use geograd::ad::symmetry::Answer;
 use geograd::ad::symmetry::Kind;
 use geograd::ad::symmetry::Motion;
 use geograd::ad::symmetry::Promise;
+use geograd::ad::trace::Traced;
 use geograd::ad::verdict::Reason;
 use geograd::ad::verdict::Witness;
 use planted::{BY_DIFFERENCES, BY_DUALS, SEED, points, refused, smooth, smooth_slopes};
@@ -224,6 +225,57 @@ fn right_slope_wrong_hessian_in_single() {
         .hessian_times(|x, [u, v]| right(x, [1.05 * u, 1.05 * v]))
         .run();
     refused(&report, Reason::CurvatureDisagrees(Witness::Difference));
+}
+#[test]
+fn hessian_off_by_little() {
+    // By a millionth: duals of duals say it to the last digits, in the own format and in double.
+    let cube = |check: Check<'static, f32>, off: f32| {
+        fn cube<S: Scalar>(x: S) -> S {
+            x * x * x
+        }
+        let check = check.value(cube).gradient(|x| 3.0 * x * x);
+        let check = check.hessian_times(move |x, v| 6.0 * x * v * (1.0 + off));
+        (check.nested(cube), cube::<Bent<Traced<f64>>>)
+    };
+    let points = || Check::among([1.3_f32, -0.4]);
+    let (right, source) = cube(points(), 0.0);
+    right.wide(source).prove();
+    let (off, source) = cube(points(), 1e-4);
+    let report = off.wide(source).run();
+    refused(&report, Reason::CurvatureDisagrees(Witness::Dual));
+    refused(&report, Reason::CurvatureDisagrees(Witness::Wide));
+}
+#[test]
+fn right_in_double_wrong_in_single() {
+    // The same source, but the adjoint subtracts what single precision cannot tell apart.
+    fn bend<S: Scalar>([x, y]: [S; 2]) -> S {
+        x * x * y + y.sin()
+    }
+    let points = || Check::at([1.3_f32, 0.7]).and([-0.4, 1.9]);
+    let right = |[x, y]: [f32; 2]| [2.0 * x * y, x * x + y.cos()];
+    let lossy = |[x, y]: [f32; 2]| {
+        let far = x * x + 1e3;
+        [2.0 * x * y, (far - 1e3) + y.cos()]
+    };
+    points().value(bend).wide(bend).gradient(right).prove();
+    // Without the source in double precision single cannot see it.
+    points().value(bend).gradient(lossy).prove();
+    let report = points().value(bend).wide(bend).gradient(lossy).run();
+    refused(&report, Reason::Disagree(Witness::Adjoint, Witness::Wide));
+    assert_eq!(report.failures[0].fault.suspect, Some(Witness::Adjoint));
+}
+#[test]
+fn another_value_in_single() {
+    fn share<S: Scalar>(x: S) -> S {
+        let far = S::lit(1e5);
+        (x + far) - far
+    }
+    let report = Check::at(0.7_f32)
+        .value(share)
+        .wide(share)
+        .gradient(|_| 1.0)
+        .run();
+    refused(&report, Reason::ValuesDisagree(Witness::Wide));
 }
 #[test]
 fn hessian_not_symmetric() {

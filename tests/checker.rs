@@ -274,3 +274,50 @@ fn a_long_input_with_one_wrong_number() {
         BY_DIFFERENCES,
     );
 }
+
+#[test]
+fn refusals_say_slopes() {
+    // Without duals: differences are taken along an axis as long as the number is large, and what
+    // is said is the slope all the same.
+    let report = Check::at([-0.4, 190.0])
+        .value(|[x, y]: [f64; 2]| x * x * y)
+        .gradient(|[x, y]| [2.0 * x * y, 1.01 * x * x])
+        .run();
+    let failure = &report.failures[0];
+    let ([x, y], numbers) = ([failure.input[0], failure.input[1]], failure.fault.numbers);
+    assert_eq!((failure.fault.input, numbers.along), (1, false), "{report}");
+    assert_eq!(numbers.adjoint, Some(1.01 * x * x), "{report}");
+    let difference = numbers.difference.unwrap();
+    assert!(
+        (difference - x * x).abs() < 1e-9 * x * x && y != 1.0,
+        "{report}"
+    );
+    assert!(failure.fault.tolerance < 1e-6 * x * x, "{report}");
+}
+#[test]
+fn details_say_where() {
+    let report = points()
+        .value(smooth)
+        .dual(smooth)
+        .gradient(smooth_slopes)
+        .run();
+    let details = report.details();
+    for part in [
+        "proved at 60 inputs",
+        "60 smooth, 0 on a kink",
+        "adjoint and duals: 120 slopes compared",
+        "adjoint and differences: 120 slopes compared",
+        "nearest to refusal",
+        "let input = [",
+    ] {
+        assert!(details.contains(part), "{part}\n{details}");
+    }
+    assert!(!details.contains("batch"), "nobody asked one\n{details}");
+    // The numbers belong to the input.
+    let nearest = report.worst[1].nearest;
+    let [slope, dual] = [nearest.numbers.adjoint, nearest.numbers.dual].map(Option::unwrap);
+    assert!((slope - dual).abs() <= 1e-14 * slope.abs(), "{details}");
+    let difference = nearest.numbers.difference.unwrap();
+    assert!((slope - difference).abs() <= nearest.tolerance, "{details}");
+    assert!(nearest.share > 0.0 && nearest.share <= 1.0, "{details}");
+}
