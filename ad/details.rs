@@ -49,8 +49,11 @@ impl Report {
         let [smooth, kinks, undefined] = self.places;
         writeln!(
             out,
-            "{} {:?}: {verdict} at {} inputs, seed {}",
-            self.name, self.precision, self.samples, self.seed
+            "{} in {}: {verdict} at {} inputs, seed {}",
+            self.name,
+            self.precision.name(),
+            self.samples,
+            self.seed
         )?;
         writeln!(
             out,

@@ -8,7 +8,7 @@
 //! alike, so that most ties stay ties.
 use crate::Scalar;
 use crate::ad::sample::Draw;
-use crate::ad::trace::Number;
+use crate::ad::trace::{Number, wrapped, wrapped_operators};
 use crate::ad::witness::Precision;
 use std::cell::Cell;
 use std::ops::{Add, AddAssign, Div, Mul, MulAssign, Neg, Sub, SubAssign};
@@ -64,49 +64,11 @@ rounded! {
     Mul mul |a, b, x| a.mul_add(b, -x) == 0.0;
     Div div |a, b, x| x.mul_add(b, -a) == 0.0;
 }
-impl<T: Number> AddAssign for Noisy<T> {
-    fn add_assign(&mut self, other: Self) {
-        *self = *self + other;
-    }
-}
-impl<T: Number> SubAssign for Noisy<T> {
-    fn sub_assign(&mut self, other: Self) {
-        *self = *self - other;
-    }
-}
-impl<T: Number> MulAssign for Noisy<T> {
-    fn mul_assign(&mut self, other: Self) {
-        *self = *self * other;
-    }
-}
-impl<T: Number> Neg for Noisy<T> {
-    type Output = Self;
-    fn neg(self) -> Self {
-        Noisy(-self.0)
-    }
-}
-
-crate::pack::leaf! {
-    [T: Number] Noisy<T>,
-}
+wrapped_operators!(Noisy);
 
 impl<T: Number> Scalar for Noisy<T> {
-    type Mask = bool;
-    type Primal = Self;
-    const COMPENSATED: bool = <T as Scalar>::COMPENSATED;
-    const EPSILON: f64 = <T as Scalar>::EPSILON;
-    const PARALLEL: f64 = <T as Scalar>::PARALLEL;
-    const LARGEST: f64 = T::LARGEST;
+    wrapped!(Noisy of T);
 
-    fn lit(x: f64) -> Self {
-        Noisy(T::nearest(x))
-    }
-    fn from_primal(x: Self) -> Self {
-        x
-    }
-    fn primal(self) -> Self {
-        self
-    }
     fn below(self, other: Self) -> bool {
         self.0.below(other.0)
     }
@@ -115,9 +77,6 @@ impl<T: Number> Scalar for Noisy<T> {
     }
     fn equals(self, other: Self) -> bool {
         self.0.equals(other.0)
-    }
-    fn select(mask: bool, yes: Self, no: Self) -> Self {
-        if mask { yes } else { no }
     }
     fn over(self, divisor: Self) -> Self {
         let out = self.0.over(divisor.0);
@@ -137,10 +96,6 @@ impl<T: Number> Scalar for Noisy<T> {
             .sin_cos_parts()
             .map(|(high, low)| (Noisy(high), Self::rounded(low)))
     }
-    fn parts(self) -> (Self, Self) {
-        let (high, low) = self.0.parts();
-        (Noisy(high), Noisy(low))
-    }
     fn atan2(self, x: Self) -> Self {
         Self::rounded(self.0.atan2(x.0))
     }
@@ -150,19 +105,10 @@ impl<T: Number> Scalar for Noisy<T> {
     fn ln(self) -> Self {
         Self::rounded(self.0.ln())
     }
-    fn binade(self) -> Self {
-        Noisy(Scalar::binade(self.0))
-    }
     fn least(self, other: Self) -> Self {
         Noisy(self.0.least(other.0))
     }
     fn most(self, other: Self) -> Self {
         Noisy(self.0.most(other.0))
-    }
-    fn damp(self, _share: Self) -> Self {
-        self
-    }
-    fn with_primal(self, value: Self) -> Self {
-        value
     }
 }

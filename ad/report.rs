@@ -112,10 +112,7 @@ impl Report {
         format!(
             "{:<24} {:>4} {:>7} {:>7} {:>6} {:>6} | {:>8} {:>8} {:>8} | {:>8} {:>8} {:>8} | {:>8} {:>9} | {}",
             self.name,
-            match self.precision {
-                Precision::F32 => "f32",
-                Precision::F64 => "f64",
-            },
+            self.precision.name(),
             self.samples,
             self.places[0],
             self.places[1],

@@ -98,9 +98,89 @@ impl<T: Number> Traced<T> {
     }
 }
 
+/// What every wrapper of one float hands on as it is: the items of its `Scalar`.
+macro_rules! wrapped {
+    ($wrapper:ident of $number:ident) => {
+        type Mask = bool;
+        type Primal = Self;
+        const COMPENSATED: bool = <$number as Scalar>::COMPENSATED;
+        const EPSILON: f64 = <$number as Scalar>::EPSILON;
+        const PARALLEL: f64 = <$number as Scalar>::PARALLEL;
+        const LARGEST: f64 = $number::LARGEST;
+
+        #[inline(always)]
+        fn lit(x: f64) -> Self {
+            $wrapper($number::nearest(x))
+        }
+        #[inline(always)]
+        fn from_primal(x: Self) -> Self {
+            x
+        }
+        #[inline(always)]
+        fn primal(self) -> Self {
+            self
+        }
+        #[inline(always)]
+        fn select(mask: bool, yes: Self, no: Self) -> Self {
+            if mask { yes } else { no }
+        }
+        #[inline(always)]
+        fn parts(self) -> (Self, Self) {
+            let (high, low) = self.0.parts();
+            ($wrapper(high), $wrapper(low))
+        }
+        #[inline(always)]
+        fn binade(self) -> Self {
+            $wrapper(Scalar::binade(self.0))
+        }
+        #[inline(always)]
+        fn damp(self, _share: Self) -> Self {
+            self
+        }
+        #[inline(always)]
+        fn with_primal(self, value: Self) -> Self {
+            value
+        }
+    };
+}
+/// The operators of a wrapper that follow from others.
+macro_rules! wrapped_operators {
+    ($wrapper:ident) => {
+        impl<T: Number> AddAssign for $wrapper<T> {
+            #[inline(always)]
+            fn add_assign(&mut self, other: Self) {
+                *self = *self + other;
+            }
+        }
+        impl<T: Number> SubAssign for $wrapper<T> {
+            #[inline(always)]
+            fn sub_assign(&mut self, other: Self) {
+                *self = *self - other;
+            }
+        }
+        impl<T: Number> MulAssign for $wrapper<T> {
+            #[inline(always)]
+            fn mul_assign(&mut self, other: Self) {
+                *self = *self * other;
+            }
+        }
+        impl<T: Number> Neg for $wrapper<T> {
+            type Output = Self;
+            #[inline(always)]
+            fn neg(self) -> Self {
+                $wrapper(-self.0)
+            }
+        }
+        crate::pack::leaf! {
+            [T: Number] $wrapper<T>,
+        }
+    };
+}
+pub(crate) use {wrapped, wrapped_operators};
+
 /// Operators that only concern the value.
 macro_rules! forward {
-    ($($operator:ident $method:ident, $assign:ident $assign_method:ident;)*) => { $(
+    ($($operator:ident $method:ident;)*) => { $(
         impl<T: Number> $operator for Traced<T> {
             type Output = Self;
             #[inline(always)]
@@ -108,58 +188,19 @@ macro_rules! forward {
                 Traced(self.0.$method(other.0))
             }
         }
-        impl<T: Number> $assign for Traced<T> {
-            #[inline(always)]
-            fn $assign_method(&mut self, other: Self) {
-                self.0 = self.0.$method(other.0);
-            }
-        }
     )* };
 }
 forward! {
-    Add add, AddAssign add_assign;
-    Sub sub, SubAssign sub_assign;
-    Mul mul, MulAssign mul_assign;
+    Add add;
+    Sub sub;
+    Mul mul;
+    Div div;
 }
-impl<T: Number> Div for Traced<T> {
-    type Output = Self;
-    #[inline(always)]
-    fn div(self, other: Self) -> Self {
-        Traced(self.0 / other.0)
-    }
-}
-impl<T: Number> Neg for Traced<T> {
-    type Output = Self;
-    #[inline(always)]
-    fn neg(self) -> Self {
-        Traced(-self.0)
-    }
-}
-
-crate::pack::leaf! {
-    [T: Number] Traced<T>,
-}
+wrapped_operators!(Traced);
 
 impl<T: Number> Scalar for Traced<T> {
-    type Mask = bool;
-    type Primal = Self;
-    const COMPENSATED: bool = <T as Scalar>::COMPENSATED;
-    const EPSILON: f64 = <T as Scalar>::EPSILON;
-    const PARALLEL: f64 = <T as Scalar>::PARALLEL;
-    const LARGEST: f64 = T::LARGEST;
+    wrapped!(Traced of T);
 
-    #[inline(always)]
-    fn lit(x: f64) -> Self {
-        Traced(T::nearest(x))
-    }
-    #[inline(always)]
-    fn from_primal(x: Self) -> Self {
-        x
-    }
-    #[inline(always)]
-    fn primal(self) -> Self {
-        self
-    }
     #[inline(always)]
     fn below(self, other: Self) -> bool {
         self.note(other, self.0.below(other.0))
@@ -171,10 +212,6 @@ impl<T: Number> Scalar for Traced<T> {
     #[inline(always)]
     fn equals(self, other: Self) -> bool {
         self.note(other, self.0.equals(other.0))
-    }
-    #[inline(always)]
-    fn select(mask: bool, yes: Self, no: Self) -> Self {
-        if mask { yes } else { no }
     }
     #[inline(always)]
     fn over(self, divisor: Self) -> Self {
@@ -198,11 +235,6 @@ impl<T: Number> Scalar for Traced<T> {
             .map(|(high, low)| (Traced(high), Traced(low)))
     }
     #[inline(always)]
-    fn parts(self) -> (Self, Self) {
-        let (high, low) = self.0.parts();
-        (Traced(high), Traced(low))
-    }
-    #[inline(always)]
     fn atan2(self, x: Self) -> Self {
         // The branch cut is a jump: which side of it counts.
         if x.below(Self::zero()) {
@@ -218,10 +250,6 @@ impl<T: Number> Scalar for Traced<T> {
     fn ln(self) -> Self {
         Traced(self.0.ln())
     }
-    #[inline(always)]
-    fn binade(self) -> Self {
-        Traced(Scalar::binade(self.0))
-    }
     // The value of a float's own choice; the default's record of the tie.
     #[inline(always)]
     fn least(self, other: Self) -> Self {
@@ -232,13 +260,5 @@ impl<T: Number> Scalar for Traced<T> {
     fn most(self, other: Self) -> Self {
         self.equals(other);
         if other.below(self) { self } else { other }
-    }
-    #[inline(always)]
-    fn damp(self, _share: Self) -> Self {
-        self
-    }
-    #[inline(always)]
-    fn with_primal(self, value: Self) -> Self {
-        value
     }
 }

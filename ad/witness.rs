@@ -28,6 +28,14 @@ impl Precision {
             Precision::F64
         }
     }
+    /// The name of its type.
+    #[must_use]
+    pub fn name(self) -> &'static str {
+        match self {
+            Precision::F32 => "f32",
+            Precision::F64 => "f64",
+        }
+    }
     /// The distance from 1 to the next larger number.
     #[must_use]
     pub fn epsilon(self) -> f64 {
