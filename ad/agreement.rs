@@ -114,6 +114,7 @@ impl Judge<'_> {
                     input: i,
                     numbers,
                     tolerance,
+                    provoked: row.provoked,
                     ..Nearest::default()
                 };
                 self.found.worst[pair].note(gap, row.size[i], self.eps, at);
@@ -185,7 +186,8 @@ impl Judge<'_> {
             let outside = |tolerance: &[f64]| {
                 (0..exact.len()).any(|i| (exact[i] - adjoint[i]).abs() > tolerance[i])
             };
-            if outside(&tolerance) {
+            let provoked = outside(&tolerance);
+            if provoked {
                 let theirs = self.spread(&exact, None, combined);
                 let own = self.spread(adjoint, None, |x| self.subject.adjoint(x, &row.weights));
                 for i in 0..tolerance.len() {
@@ -205,6 +207,7 @@ impl Judge<'_> {
                     input: i,
                     numbers,
                     tolerance: tolerance[i],
+                    provoked,
                     ..Nearest::default()
                 };
                 self.found.worst[3].note(gap, row.size[i], self.eps, at);

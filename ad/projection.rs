@@ -105,6 +105,7 @@ impl Judge<'_> {
                 output: row.output,
                 numbers: whole.numbers(witness, 1.0, true),
                 tolerance: whole.tolerance,
+                provoked: row.provoked,
                 ..Nearest::default()
             };
             self.found.worst[pair].note(whole.gap(), size, self.eps, at);

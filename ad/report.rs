@@ -160,13 +160,14 @@ impl Report {
             let _ = write!(
                 out,
                 "{comma}{{\"witnesses\":[\"{a:?}\",\"{b:?}\"],\"compared\":{},\"absolute\":{},\
-                 \"relative\":{},\"ulps\":{},\"usual_ulps\":{},\"share_of_tolerance\":{},\"sample\":{},\"input\":{}}}",
+                 \"relative\":{},\"ulps\":{},\"usual_ulps\":{},\"share_of_tolerance\":{},\"provoked\":{},\"sample\":{},\"input\":{}}}",
                 worst.count,
                 json_number(worst.absolute),
                 json_number(worst.relative),
                 json_number(worst.ulps),
                 json_number(worst.usual()),
                 json_number(worst.nearest.share),
+                worst.nearest.provoked,
                 worst.nearest.sample,
                 worst.nearest.input
             );

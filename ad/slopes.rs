@@ -227,7 +227,9 @@ impl Judge<'_> {
                 along,
             };
             let output = row.output;
+            let provoked = row.provoked;
             let nearest = |e: &Estimate, tolerance: f64| Nearest {
+                provoked,
                 output,
                 input,
                 numbers: numbers(Some(e.value), None),
@@ -339,7 +341,7 @@ impl Judge<'_> {
                     estimate: Some(e), ..
                 } = said
                 {
-                    let tolerance = SAFETY * e.error + exact(row);
+                    let tolerance = SAFETY * e.error + exact(row) + ROUNDINGS * self.eps * largest;
                     let gap = by_duals.map_or(0.0, |dual| (dual - e.value).abs()) / per;
                     let at = nearest(&e, tolerance);
                     self.found.worst[2].note(gap, largest / per, self.eps, at);

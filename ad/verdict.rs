@@ -115,11 +115,14 @@ pub struct Worst {
     pub nearest: Nearest,
 }
 
-/// The comparison of two witnesses that used up most of its tolerance.
+/// The comparison of two witnesses that used up most of its tolerance; if any needed its rounding
+/// provoked, one of those: the others would have been given more.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Nearest {
     /// Which share of the tolerance.
     pub share: f64,
+    /// Whether rounding was provoked.
+    pub provoked: bool,
     /// The number of the sample.
     pub sample: usize,
     /// The number of the output.
@@ -130,6 +133,16 @@ pub struct Nearest {
     pub numbers: Numbers,
     /// How much the two numbers in question may differ.
     pub tolerance: f64,
+}
+
+impl Nearest {
+    fn rank(&self) -> f64 {
+        if self.provoked {
+            1.0 + self.share
+        } else {
+            self.share.min(1.0)
+        }
+    }
 }
 
 impl Worst {
@@ -145,8 +158,9 @@ impl Worst {
             self.decades[(decade.max(0.0) as usize).min(19)] += 1;
         }
         let share = if gap == 0.0 { 0.0 } else { gap / at.tolerance };
-        if share > self.nearest.share {
-            self.nearest = Nearest { share, ..at };
+        let here = Nearest { share, ..at };
+        if here.rank() > self.nearest.rank() {
+            self.nearest = here;
         }
     }
     /// The power of ten of units of the precision that 99 of 100 differences stay below. The
@@ -172,7 +186,7 @@ impl Worst {
         for (all, here) in self.decades.iter_mut().zip(other.decades) {
             *all += here;
         }
-        if other.nearest.share > self.nearest.share {
+        if other.nearest.rank() > self.nearest.rank() {
             self.nearest = Nearest {
                 sample,
                 ..other.nearest

@@ -163,21 +163,14 @@ mod alarms {
 
     #[test]
     fn steps_that_rounding_bends() {
-        // A hundred thousand away, a centre cannot move by as little as the sides differ.
-        let place = (99998.97814376671, -100000.86538001457);
-        let report = judged::<IofObb2>(
-            (
-                Obb2::new(
-                    place.0,
-                    place.1,
-                    1.0,
-                    1.1666254555809743,
-                    -2.561210113158039,
-                ),
-                Obb2::new(place.0, place.1, 2.0, 1.166625455576332, -2.561210113158644),
-            ),
-            70440,
+        // Ten billion away a centre moves by no less than the sides differ: along a random direction
+        // the steps are rounded apart, and what that changes is no jump.
+        let place = (10000111377.222559, -10000064717.0);
+        let boxes = (
+            Obb2::new(place.0, place.1, 1e5, 175813.66498580552, 4.71238898038469),
+            Obb2::new(place.0, place.1, 2e5, 175813.66498584853, 4.712388980380156),
         );
+        let report = judged_from::<IofObb2>(boxes, 1, 45821);
         assert!(report.passed(), "{report}");
     }
 }
