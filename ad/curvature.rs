@@ -172,6 +172,15 @@ impl Judge<'_> {
             let moved: f64 = (0..n)
                 .map(|k| self.x[k].abs() * self.eps * largest / scales[k])
                 .sum();
+            // Steps are rounded in every number, some of them away; what that does to the slopes is what
+            // moving the input by its last digits does.
+            let bent = std::cell::OnceCell::new();
+            let bent = || {
+                bent.get_or_init(|| {
+                    let there = |x: &[f64]| subject.adjoint(x, &row.weights);
+                    self.spread(adjoint, Some(&sizes), there)
+                })
+            };
             // One by one, or all of a long input in random combinations.
             let combinations: Vec<Vec<f64>> = if n <= FEW_INPUTS {
                 (0..n)
@@ -191,25 +200,26 @@ impl Judge<'_> {
                 let bend = dot(&weights, &bend);
                 let i = if n <= FEW_INPUTS { i } else { 0 };
                 let exact = over(&exact);
-                let wrong = |ladder: &Ladder, exact: f64| {
+                let wrong = |ladder: &Ladder, exact: f64, noise: f64| {
                     let e = ladder.central(&weights, noise, true)?;
                     let tolerance = SAFETY * e.error + exact;
                     let wrong = SAFETY * e.error <= INFORMATIVE * size.max(e.value.abs())
                         && (e.value - bend).abs() > tolerance;
                     wrong.then_some((e, tolerance))
                 };
-                if wrong(&ladder, exact).is_none() {
+                if wrong(&ladder, exact, noise).is_none() {
                     continue;
                 }
                 let exact = exact + SAFETY * over(&|k| spread()[k]);
-                if let Some((e, tolerance)) = wrong(&ladder, exact)
+                let noise = noise + over(&|k| bent()[k]);
+                if let Some((e, tolerance)) = wrong(&ladder, exact, noise)
                     && confirmed(FIRST[1..].iter().map(|&first| {
                         let again = climb(first);
                         let heard = again.central(&weights, noise, true)?;
                         let says =
                             SAFETY * heard.error <= INFORMATIVE * size.max(heard.value.abs());
                         says.then(|| {
-                            wrong(&again, exact).is_some_and(|(again, _)| {
+                            wrong(&again, exact, noise).is_some_and(|(again, _)| {
                                 (again.value - e.value).abs() <= SAFETY * (again.error + e.error)
                             })
                         })

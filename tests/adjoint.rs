@@ -173,4 +173,25 @@ mod alarms {
         let report = judged_from::<IofObb2>(boxes, 1, 45821);
         assert!(report.passed(), "{report}");
     }
+
+    #[test]
+    fn curvature_beside_a_tie() {
+        // The sides of two boxes as thin as a wall of atoms are a few hundred last digits apart: in
+        // the steps that change no branch hardly a coordinate moves as it was told.
+        let (low, high) = (-9.999984294219056, -9.999983948961884);
+        let report = judged_from::<IofAabb2>(
+            (
+                Aabb2::new(0.0, low, 10.0, high),
+                Aabb2::new(
+                    1.0,
+                    -9.999984294218695,
+                    10.004191874420597,
+                    -9.999983948961775,
+                ),
+            ),
+            777,
+            23541,
+        );
+        assert!(report.passed(), "{report}");
+    }
 }
