@@ -80,6 +80,7 @@ impl Judge<'_> {
                 continue;
             }
             for i in 0..adjoint.len() {
+                self.found.heard[i] = true;
                 let gap = (adjoint[i] - other[i]).abs();
                 if gap > row.tolerance[i] || gap.is_nan() {
                     self.provoke(row);
@@ -178,23 +179,22 @@ impl Judge<'_> {
             if !finite(&exact) {
                 continue;
             }
-            let mut tolerance: Vec<f64> = row
-                .size
-                .iter()
-                .map(|size| ROUNDINGS * self.eps * size)
-                .collect();
+            let mut tolerance = row.plain.clone();
             let outside = |tolerance: &[f64]| {
                 (0..exact.len()).any(|i| (exact[i] - adjoint[i]).abs() > tolerance[i])
             };
             let provoked = outside(&tolerance);
             if provoked {
+                let by_hand = |x: &[f64]| self.subject.adjoint(x, &row.weights);
                 let theirs = self.spread(&exact, None, combined);
-                let own = self.spread(adjoint, None, |x| self.subject.adjoint(x, &row.weights));
+                let own = self.spread(adjoint, None, by_hand);
+                let rough = self.rough_slopes(adjoint, &by_hand);
                 for i in 0..tolerance.len() {
-                    tolerance[i] += SAFETY * (theirs[i] + own[i]);
+                    tolerance[i] += SAFETY * (theirs[i] + own[i].max(rough[i]));
                 }
             }
             for i in 0..exact.len() {
+                self.found.heard[i] = true;
                 let gap = (exact[i] - adjoint[i]).abs();
                 let numbers = Numbers {
                     adjoint: Some(adjoint[i]),

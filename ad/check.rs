@@ -152,6 +152,7 @@ pub use crate::ad::report::{Failure, Report};
 type InsideFn<'a, X> = Box<dyn Fn(&X) -> bool + 'a>;
 type ValueFn<'a, X> = Box<dyn Fn(&X) -> Vec<f64> + 'a>;
 type AdjointFn<'a, X> = Box<dyn Fn(&X, &[f64]) -> Vec<f64> + 'a>;
+type DualFn<'a, X> = Box<dyn Fn(&X, &[f64]) -> (Vec<f64>, Vec<f64>) + 'a>;
 type TracedFn<'a, X> = Box<dyn Fn(&X) -> (Vec<f64>, Trace) + 'a>;
 
 /// A check of a function given as closures, at inputs of any shape: `[f64; 2]`, `Vec<f64>`,
@@ -175,7 +176,7 @@ pub struct Check<'a, X: Pack> {
     pub(crate) paths: Vec<ValueFn<'a, X>>,
     pub(crate) adjoint: Option<AdjointFn<'a, X>>,
     pub(crate) further: Vec<AdjointFn<'a, X>>,
-    pub(crate) dual: Option<AdjointFn<'a, X>>,
+    pub(crate) dual: Option<DualFn<'a, X>>,
     pub(crate) traced: Option<TracedFn<'a, X>>,
     pub(crate) curvature: Option<AdjointFn<'a, X>>,
     pub(crate) nested: Option<BentFn<'a, X>>,
@@ -302,11 +303,10 @@ impl<'a, S: Number, X: Pack<Scalar = S> + Debug + 'a> Check<'a, X> {
                 let slope = [S::nearest(direction[i - 1])];
                 Jet { value, slope }
             });
-            f(jets)
-                .scalars()
-                .iter()
-                .map(|jet| jet.slope[0].widen())
-                .collect()
+            let jets = f(jets).scalars();
+            let values = jets.iter().map(|jet| jet.value.widen()).collect();
+            let slopes = jets.iter().map(|jet| jet.slope[0].widen()).collect();
+            (values, slopes)
         }));
         self
     }
@@ -330,8 +330,9 @@ impl<'a, S: Number, X: Pack<Scalar = S> + Debug + 'a> Check<'a, X> {
         }));
         self
     }
-    /// Where the function is defined. A refused input is shrunk, to other lengths too: those outside,
-    /// and those at which the function panics, are passed over.
+    /// Where the function is defined: no step leads outside. A refused input is shrunk, to other
+    /// lengths too: those outside, and those at which the function panics, are passed over. Without
+    /// this a function is taken to be defined wherever it does not panic.
     #[must_use]
     pub fn inside(mut self, f: impl Fn(&X) -> bool + 'a) -> Self {
         self.inside = Some(Box::new(f));

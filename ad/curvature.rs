@@ -205,7 +205,16 @@ impl Judge<'_> {
                     let tolerance = SAFETY * e.error + exact;
                     let wrong = SAFETY * e.error <= INFORMATIVE * size.max(e.value.abs())
                         && (e.value - bend).abs() > tolerance;
-                    wrong.then_some((e, tolerance))
+                    // Where the slope itself has a kink, the second derivative may be that of either
+                    // side.
+                    let side = |ahead| ladder.one_sided(ahead, &weights, noise);
+                    let between = side(true).zip(side(false)).is_some_and(|(a, b)| {
+                        let off = SAFETY * (a.error + b.error) + exact;
+                        let kink = (a.value - b.value).abs() > off;
+                        kink && bend >= a.value.min(b.value) - off
+                            && bend <= a.value.max(b.value) + off
+                    });
+                    (wrong && !between).then_some((e, tolerance))
                 };
                 if wrong(&ladder, exact, noise).is_none() {
                     continue;

@@ -91,6 +91,7 @@ pub fn examine<S: Number, X: Pack<Scalar = S> + Debug>(
         failures: Vec::new(),
     };
     let mut smooth = 0;
+    let mut heard: Vec<bool> = Vec::new();
     for (sample, x) in inputs.iter().enumerate() {
         let findings = judged(x, sample);
         report.samples += 1;
@@ -100,6 +101,10 @@ pub fn examine<S: Number, X: Pack<Scalar = S> + Debug>(
             Place::Undefined => 2,
         }] += 1;
         smooth += usize::from(findings.place == Place::Smooth && sample >= random_from);
+        heard.resize(heard.len().max(findings.heard.len()), false);
+        for (all, here) in heard.iter_mut().zip(&findings.heard) {
+            *all |= here;
+        }
         report.conventions += u64::from(findings.convention);
         report.jumps += u64::from(findings.jump);
         for (all, here) in report.directions.iter_mut().zip(findings.directions) {
@@ -119,7 +124,7 @@ pub fn examine<S: Number, X: Pack<Scalar = S> + Debug>(
             if report.failures.iter().any(known) || report.failures.len() >= KEPT {
                 continue;
             }
-            let (least, fault) = shrunk(x, fault, |x| judged(x, sample).faults);
+            let (least, fault) = shrunk(x, fault, findings.place, |x| judged(x, sample));
             report.failures.push(Failure {
                 sample,
                 fault,
@@ -138,21 +143,27 @@ pub fn examine<S: Number, X: Pack<Scalar = S> + Debug>(
         shown.map_or_else(String::new, code)
     });
     let drawn = inputs.len().saturating_sub(random_from);
+    let whole = |reason, input| Failure {
+        sample: random_from,
+        fault: Fault {
+            reason,
+            suspect: None,
+            output: 0,
+            input,
+            numbers: Numbers::default(),
+            tolerance: 0.0,
+        },
+        input: Vec::new(),
+        code: String::new(),
+    };
+    let unheard = heard.iter().position(|heard| !heard);
     if drawn >= 20 && smooth * 10 < drawn {
         report.refused += 1;
-        report.failures.push(Failure {
-            sample: random_from,
-            fault: Fault {
-                reason: Reason::NothingSmooth,
-                suspect: None,
-                output: 0,
-                input: 0,
-                numbers: Numbers::default(),
-                tolerance: 0.0,
-            },
-            input: Vec::new(),
-            code: String::new(),
-        });
+        report.failures.push(whole(Reason::NothingSmooth, 0));
+    } else if report.failures.is_empty() && (unheard.is_some() || heard.is_empty()) {
+        report.refused += 1;
+        let input = unheard.unwrap_or(0);
+        report.failures.push(whole(Reason::Unheard, input));
     }
     report
 }

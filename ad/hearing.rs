@@ -34,28 +34,99 @@ pub(crate) fn confirmed(again: impl Iterator<Item = Option<bool>>) -> bool {
     repeated
 }
 
+/// What other ladders make of a complaint.
+pub(crate) struct Rehearing {
+    /// Whether it stands: another ladder repeats it, and none contradicts.
+    pub(crate) stands: bool,
+    /// The best estimate against the slope, if any.
+    pub(crate) against: Option<Estimate>,
+    /// The best estimate for it.
+    pub(crate) support: Option<Estimate>,
+}
+
+/// Weighs what all ladders say about a slope; those in `own` began at the number's own size, and if
+/// they complain, they know best.
+///
+/// A ladder contradicts a complaint when what it says instead is another slope than the complaint's,
+/// by more than both may be off. One so coarse that it agrees with both has no opinion.
+pub(crate) fn rehear(said: &[Said], own: &[Said], exact: f64) -> Rehearing {
+    let mut against: Vec<Estimate> = Vec::new();
+    let mut support: Vec<Estimate> = Vec::new();
+    let (mut outside, mut kink) = (0, false);
+    for said in said.iter().chain(own) {
+        match *said {
+            Said::Other { estimate, .. } => against.push(estimate),
+            Said::Outside { .. } => outside += 1,
+            Said::Fine {
+                place: Place::Undefined,
+                ..
+            } => {}
+            Said::Fine {
+                place: Place::Smooth,
+                estimate: Some(e),
+                ..
+            } => support.push(e),
+            Said::Fine { .. } => kink = true,
+        }
+    }
+    let finest = own.iter().find_map(|said| match said {
+        Said::Other { estimate, .. } => Some(*estimate),
+        _ => None,
+    });
+    let least = |list: &[Estimate]| {
+        let by_error = |a: &Estimate, b: &Estimate| a.error.total_cmp(&b.error);
+        list.iter().copied().min_by(by_error)
+    };
+    let best = finest.or(least(&against));
+    let differ = |a: &Estimate, b: &Estimate| {
+        (a.value - b.value).abs() > SAFETY * (a.error + b.error) + exact
+    };
+    let (repeated, contradicted) = match best {
+        Some(best) => (
+            against.iter().filter(|e| !differ(e, &best)).count() + outside,
+            support.iter().any(|e| differ(e, &best)),
+        ),
+        None => (outside, !support.is_empty()),
+    };
+    Rehearing {
+        stands: repeated >= 2 && !contradicted && !kink,
+        against: best,
+        support: least(&support),
+    }
+}
+
 /// Hears what a ladder says about a slope; `exact` is by how much that may be off by itself,
-/// `size` the largest slope there is.
+/// `size` the largest slope there is. `rough` is how rough the values were found to be: what that
+/// explains is no complaint.
 pub(crate) fn hear(
     ladder: &Ladder,
     weights: &[f64],
     noise: f64,
+    rough: f64,
     slope: f64,
     exact: f64,
     size: f64,
 ) -> Said {
     let noise = noise.max(ladder.noise(weights));
+    let undefined = Said::Fine {
+        place: Place::Undefined,
+        switched: ladder.traced,
+        estimate: None,
+    };
     let informative = |e: &Estimate| SAFETY * e.error <= INFORMATIVE * size.max(e.value.abs());
     if ladder.traced
         && let Some(e) = ladder.central(weights, noise, true).filter(informative)
     {
         let tolerance = SAFETY * e.error + exact;
-        return if (e.value - slope).abs() <= tolerance {
+        let gap = (e.value - slope).abs();
+        return if gap <= tolerance {
             Said::Fine {
                 place: Place::Smooth,
                 switched: false,
                 estimate: Some(e),
             }
+        } else if gap <= tolerance + SAFETY * rough / e.step {
+            undefined
         } else {
             Said::Other {
                 estimate: e,
@@ -63,11 +134,6 @@ pub(crate) fn hear(
             }
         };
     }
-    let undefined = Said::Fine {
-        place: Place::Undefined,
-        switched: ladder.traced,
-        estimate: None,
-    };
     let ahead = ladder.one_sided(true, weights, noise);
     let behind = ladder.one_sided(false, weights, noise);
     let (ahead, behind) = match (ahead, behind) {
@@ -85,17 +151,19 @@ pub(crate) fn hear(
         let mean = Estimate {
             value: 0.5 * (ahead.value + behind.value),
             error: error + 0.5 * (ahead.value - behind.value).abs() / SAFETY,
+            step: ahead.step.min(behind.step),
         };
         let central = ladder.central(weights, noise, false);
         let e = match central {
             Some(central) if !ladder.traced && central.error < mean.error => central,
             _ => mean,
         };
-        if !informative(&e) {
-            return undefined;
-        }
         let tolerance = SAFETY * e.error + exact;
-        return if (e.value - slope).abs() <= tolerance {
+        let gap = (e.value - slope).abs();
+        let explained = gap > tolerance && gap <= tolerance + SAFETY * rough / e.step;
+        return if tolerance.is_nan() || explained || !informative(&e) {
+            undefined
+        } else if gap <= tolerance {
             Said::Fine {
                 place: Place::Smooth,
                 switched: ladder.traced,
@@ -108,13 +176,18 @@ pub(crate) fn hear(
             }
         };
     }
-    if SAFETY * error > INFORMATIVE * size.max(ahead.value.abs()).max(behind.value.abs()) {
-        return undefined;
-    }
     let sides = [behind.value, ahead.value];
     let tolerance = SAFETY * error + exact;
     let (low, high) = (sides[0].min(sides[1]), sides[0].max(sides[1]));
-    if slope >= low - tolerance && slope <= high + tolerance {
+    let coarse = SAFETY * error > INFORMATIVE * size.max(ahead.value.abs()).max(behind.value.abs());
+    if coarse || tolerance.is_nan() {
+        return undefined;
+    }
+    let beyond = (low - slope).max(slope - high);
+    if beyond > tolerance && beyond <= tolerance + SAFETY * rough / ahead.step.min(behind.step) {
+        return undefined;
+    }
+    if beyond <= tolerance {
         let place = if border { Place::Smooth } else { Place::Kink };
         Said::Fine {
             place,

@@ -30,6 +30,8 @@ pub(crate) struct Row {
     pub(crate) dual: Option<Vec<f64>>,
     /// How much both may be off together, per input; grows when rounding was provoked.
     pub(crate) tolerance: Vec<f64>,
+    /// What it is before that.
+    pub(crate) plain: Vec<f64>,
     /// The largest slope in each input's unit.
     pub(crate) size: Vec<f64>,
     /// The largest slope per scale.
@@ -63,6 +65,11 @@ pub(crate) struct Judge<'a> {
     /// Inputs beside `x`, with the branches of `x` as far as possible.
     pub(crate) around: Vec<(Vec<f64>, Beside)>,
     pub(crate) found: Findings,
+    /// Disagreements with duals that differences may explain: a tie, of which each takes an element
+    /// of its own.
+    pub(crate) pending: Vec<Fault>,
+    /// Outputs and directions with a kink.
+    pub(crate) kinks: Vec<(usize, usize)>,
 }
 
 /// Checks everything at one input. `seed` chooses random directions.
@@ -84,9 +91,12 @@ pub fn judge(subject: &dyn Subject, x: &[f64], seed: u64) -> Findings {
             jump: false,
             convention: false,
             margin: f64::INFINITY,
+            heard: vec![false; x.len()],
             worst: [Worst::default(); PAIRS.len()],
             faults: Vec::new(),
         },
+        pending: Vec::new(),
+        kinks: Vec::new(),
     };
     judge.all(&mut Draw::new(seed));
     judge.found
@@ -118,16 +128,49 @@ impl Judge<'_> {
     ) {
         // One of a kind and place is enough.
         let known = |fault: &Fault| fault.reason == reason && fault.output == output;
-        if !self.found.faults.iter().any(known) {
-            self.found.faults.push(Fault {
-                reason,
-                suspect,
-                output,
-                input,
-                numbers,
-                tolerance,
-            });
+        let fault = Fault {
+            reason,
+            suspect,
+            output,
+            input,
+            numbers,
+            tolerance,
+        };
+        let by_duals = [Witness::Dual, Witness::Wide]
+            .iter()
+            .any(|&witness| reason == Reason::Disagree(Witness::Adjoint, witness));
+        if by_duals && !numbers.along && !self.subject.conventions().shared_ties {
+            self.pending.push(fault);
+        } else if !self.found.faults.iter().any(known) {
+            self.found.faults.push(fault);
         }
+    }
+
+    /// Refuses what duals say unless the input is a kink there, at which the adjoint has stood every
+    /// step: then it is between the slopes of both sides, as the duals are, and a convention.
+    fn settle(&mut self) {
+        let exact_tie = self.tie_of_duals();
+        let mut refused: Vec<Fault> = Vec::new();
+        for fault in std::mem::take(&mut self.pending) {
+            let kink = self.kinks.contains(&(fault.output, fault.input));
+            let against = |other: &Fault| {
+                let reasons = [
+                    Reason::Disagree(Witness::Adjoint, Witness::Difference),
+                    Reason::OutsideKink,
+                ];
+                other.output == fault.output && reasons.contains(&other.reason)
+            };
+            let stood = !self.found.faults.iter().any(against) && self.found.heard[fault.input];
+            let known =
+                |other: &Fault| other.reason == fault.reason && other.output == fault.output;
+            if (kink || exact_tie) && stood {
+                self.found.convention = true;
+            } else if !refused.iter().any(known) {
+                refused.push(fault);
+            }
+        }
+        // Duals are heard before differences.
+        self.found.faults.splice(0..0, refused);
     }
 
     fn all(&mut self, draw: &mut Draw) {
@@ -149,6 +192,9 @@ impl Judge<'_> {
             if !same_bits(&values, &self.y) {
                 self.compare_values(&values, Witness::Dual);
             }
+        }
+        if let Some(values) = self.subject.dual_values(self.x) {
+            self.compare_values(&values, Witness::Dual);
         }
         let rounding = self.subject.rounding(self.x);
         for round in 0..ROUNDS {
@@ -179,6 +225,16 @@ impl Judge<'_> {
         self.projections(&mut rows, draw);
         self.linear(&mut rows, draw);
         let plain = self.differences(&mut rows, draw);
+        self.settle();
+        self.vote();
+        let values_only = rows
+            .iter()
+            .all(|row| row.adjoint.is_none() && row.dual.is_none())
+            && (!self.subject.other_values(self.x).is_empty()
+                || !self.subject.promises().is_empty());
+        if values_only {
+            self.found.heard.fill(true);
+        }
         self.promises(&mut rows);
         if plain {
             for row in &rows {
@@ -266,10 +322,12 @@ impl Judge<'_> {
             let per_unit = (0..n).fold(value, |m, i| m.max(slope(i) * self.units[i]));
             let size: Vec<f64> = (0..n).map(|i| per_unit / self.units[i]).collect();
             let largest = largest.max(value);
-            let tolerance = size
-                .iter()
-                .map(|size| ROUNDINGS * self.eps * size)
+            let comparable = self.subject.comparable();
+            let plain: Vec<f64> = (0..n)
+                .map(|i| if comparable { size[i] } else { slope(i) })
+                .map(|size| ROUNDINGS * self.eps * size + f64::MIN_POSITIVE)
                 .collect();
+            let tolerance = plain.clone();
             let noise = self.noise(&weights, adjoint.as_deref().or(dual.as_deref()));
             rows.push(Row {
                 weights,
@@ -277,6 +335,7 @@ impl Judge<'_> {
                 adjoint,
                 dual,
                 tolerance,
+                plain,
                 size,
                 largest,
                 provoked: false,

@@ -6,6 +6,7 @@ use crate::ad::subject::{Conventions, Subject, default_scales};
 use crate::ad::symmetry::{Kind, Promise};
 use crate::ad::trace::{Number, Trace};
 use crate::ad::witness::Precision;
+use std::panic::{AssertUnwindSafe, catch_unwind};
 
 /// A check near one of its points.
 pub(crate) struct Near<'c, 'a, X: Pack> {
@@ -49,13 +50,17 @@ impl<S: Number, X: Pack<Scalar = S>> Subject for Near<'_, '_, X> {
         let dual = self.check.dual.as_ref()?;
         let here = self.made(x);
         let columns: Vec<Vec<f64>> = (0..x.len())
-            .map(|i| dual(&here, &axis(x.len(), i)))
+            .map(|i| dual(&here, &axis(x.len(), i)).1)
             .collect();
         Some(transposed(&columns))
     }
     fn along(&self, x: &[f64], direction: &[f64]) -> Option<Vec<f64>> {
         let dual = self.check.dual.as_ref()?;
-        Some(dual(&self.made(x), direction))
+        Some(dual(&self.made(x), direction).1)
+    }
+    fn dual_values(&self, x: &[f64]) -> Option<Vec<f64>> {
+        let dual = self.check.dual.as_ref()?;
+        Some(dual(&self.made(x), &vec![0.0; x.len()]).0)
     }
     fn traced(&self, x: &[f64]) -> Option<(Vec<f64>, Trace)> {
         let traced = self.check.traced.as_ref()?;
@@ -63,6 +68,10 @@ impl<S: Number, X: Pack<Scalar = S>> Subject for Near<'_, '_, X> {
     }
     fn curvature(&self, x: &[f64], y_bar: &[f64], direction: &[f64]) -> Option<Vec<f64>> {
         let curvature = self.check.curvature.as_ref()?;
+        assert!(
+            y_bar.len() == 1,
+            "`hessian_times` is for a function with one number as result"
+        );
         let bend = curvature(&self.made(x), direction);
         Some(bend.iter().map(|b| b * y_bar[0]).collect())
     }
@@ -81,16 +90,22 @@ impl<S: Number, X: Pack<Scalar = S>> Subject for Near<'_, '_, X> {
         })
     }
     fn inside(&self, x: &[f64]) -> bool {
-        self.check
-            .inside
-            .as_ref()
-            .is_none_or(|inside| inside(&self.made(x)))
+        let here = self.made(x);
+        match (&self.check.inside, &self.check.value) {
+            (Some(inside), _) => inside(&here),
+            // A function that panics beside its point ends there.
+            (None, Some(value)) => catch_unwind(AssertUnwindSafe(|| value(&here))).is_ok(),
+            (None, None) => true,
+        }
     }
     fn scales(&self, x: &[f64]) -> Vec<f64> {
         match &self.check.scales {
             Some(scales) => scales(&self.made(x)),
             None => default_scales(x),
         }
+    }
+    fn guessed_scales(&self) -> bool {
+        self.check.scales.is_none()
     }
     fn kinds(&self) -> Vec<Kind> {
         self.check.kinds.clone()

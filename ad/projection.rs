@@ -67,7 +67,7 @@ impl Judge<'_> {
     /// its duals in double precision.
     pub(crate) fn projections(&mut self, rows: &mut [Row], draw: &mut Draw) {
         let (n, subject) = (self.x.len(), self.subject);
-        if n == 0 || self.found.convention {
+        if n == 0 || self.found.convention || !self.pending.is_empty() {
             return;
         }
         let long = n > FEW_INPUTS;
@@ -99,6 +99,7 @@ impl Judge<'_> {
             &row.size,
             &direction.iter().map(|d| d.abs()).collect::<Vec<_>>(),
         );
+        self.found.heard.fill(true);
         if row.dual.is_none() {
             let pair = if witness == Witness::Dual { 0 } else { 3 };
             let at = Nearest {
@@ -240,7 +241,7 @@ impl Judge<'_> {
                 .sum();
             own + ROUNDINGS * self.eps * terms
         };
-        let plain = allowed(&|i| ROUNDINGS * self.eps * row.size[i]);
+        let plain = allowed(&|i| row.plain[i]);
         let mut tolerance = allowed(&|i| row.tolerance[i]);
         if (adjoint - other).abs() > plain {
             self.provoke(row);

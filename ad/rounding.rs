@@ -1,17 +1,19 @@
 //! The part of a judgement that provokes rounding: how far each witness can be trusted here.
 //!
-//! Three kinds of rounding are provoked, each by what leaves the true answer where it is. Inputs
-//! move by their last digits, which shows what a function does to errors of its input and of its
-//! value's computation. The adjoint's own operations round at random
-//! ([`noise`](crate::ad::noise)). What is linear in a direction (duals, second derivatives) is asked
+//! Four kinds of rounding are provoked, each by what leaves the true answer where it is, or nearly.
+//! Inputs move by their last digits, which shows what a function does to errors of its input and of
+//! its value's computation. The adjoint's own operations round at random
+//! ([`noise`](crate::ad::noise)). Of a closure, whose operations nobody sees, the roughness between
+//! equally spaced inputs is measured ([`roughness`]). What is linear in a direction (duals, second derivatives) is asked
 //! along the direction made shorter: the answer is shorter by as much, except that every sum and
 //! product of slopes on the way has rounded differently. No rounding of the input shows that: where
 //! two large equal slopes cancel, what is left is their last digit, which does not move with the
 //! input's.
 use crate::ad::judge::{Beside, Judge, Row, SAFETY};
 use crate::ad::sample::Draw;
+use crate::ad::subject::Subject;
 use crate::ad::symmetry::exchanged;
-use crate::ad::witness::{Precision, dot};
+use crate::ad::witness::{Precision, dot, roughness};
 
 /// How often a derivative's own roundings are drawn.
 const RUNS: u64 = 24;
@@ -82,6 +84,56 @@ impl Judge<'_> {
         Some(linear(&shorter)?.iter().map(|x| x / by).collect())
     }
 
+    /// How rough a list-valued function is beside the point: its rounding errors, seen from outside.
+    fn rough(&self, on: &dyn Subject, f: &dyn Fn(&[f64]) -> Option<Vec<f64>>) -> Vec<f64> {
+        let own = |(scale, x): (&f64, &f64)| {
+            if *x == 0.0 {
+                *scale
+            } else {
+                scale.min(x.abs())
+            }
+        };
+        let scales: Vec<f64> = self.scales.iter().zip(self.x).map(own).collect();
+        let inside = |x: &[f64]| on.inside(x).then(|| f(x)).flatten();
+        roughness(on.precision(), self.x, &scales, &inside)
+    }
+
+    /// How rough the combined value is.
+    pub(crate) fn rough_value(&self, on: &dyn Subject, weights: &[f64]) -> f64 {
+        let value = |x: &[f64]| Some(vec![dot(weights, &on.value(x))]);
+        self.rough(on, &value).first().copied().unwrap_or(0.0)
+    }
+
+    /// How rough slopes are, as far as that is rounding: of terms as large as the slopes are when the
+    /// inputs change over their scale. A derivative rougher than that loses digits without need.
+    pub(crate) fn rough_slopes(
+        &self,
+        base: &[f64],
+        f: &dyn Fn(&[f64]) -> Option<Vec<f64>>,
+    ) -> Vec<f64> {
+        let mut rough = self.rough(self.subject, f);
+        rough.resize(base.len(), 0.0);
+        let mut sizes: Vec<f64> = base.iter().map(|slope| slope.abs()).collect();
+        if rough.iter().any(|rough| *rough > 0.0) {
+            for times in [0.0, 0.5, 1.5, -1.0] {
+                let precision = self.subject.precision();
+                let there: Vec<f64> = self.x.iter().map(|x| precision.round(times * x)).collect();
+                let slopes = self.subject.inside(&there).then(|| f(&there)).flatten();
+                for (size, slope) in sizes.iter_mut().zip(slopes.unwrap_or_default()) {
+                    if slope.is_finite() {
+                        *size = size.max(slope.abs());
+                    }
+                }
+            }
+        }
+        for (rough, size) in rough.iter_mut().zip(sizes) {
+            if *rough > 4.0 * self.eps * size {
+                *rough = 0.0;
+            }
+        }
+        rough
+    }
+
     /// Adds to a row's tolerance what provoked rounding shows.
     pub(crate) fn provoke(&self, row: &mut Row) {
         if std::mem::replace(&mut row.provoked, true) {
@@ -94,14 +146,13 @@ impl Judge<'_> {
             let noise = self.roundings(adjoint, &row.size, |seed| {
                 self.subject.noisy(self.x, &row.weights, seed)
             });
-            for (tolerance, (spread, noise)) in
-                row.tolerance.iter_mut().zip(spread.iter().zip(noise))
-            {
-                *tolerance += SAFETY * spread.max(noise);
+            let rough = self.rough_slopes(adjoint, &|x| self.subject.adjoint(x, &row.weights));
+            for i in 0..row.tolerance.len() {
+                row.tolerance[i] += SAFETY * spread[i].max(noise[i]).max(rough[i]);
             }
         }
         if let Some(dual) = &row.dual {
-            let spread = self.spread(dual, Some(&row.size), |x| {
+            let by_duals = |x: &[f64]| -> Option<Vec<f64>> {
                 let jacobian = self.subject.jacobian(x)?;
                 Some(
                     (0..x.len())
@@ -111,7 +162,9 @@ impl Judge<'_> {
                         })
                         .collect(),
                 )
-            });
+            };
+            let spread = self.spread(dual, Some(&row.size), by_duals);
+            let rough = self.rough_slopes(dual, &by_duals);
             let mut axis = vec![0.0; dual.len()];
             for i in 0..dual.len() {
                 axis[i] = 1.0;
@@ -119,7 +172,7 @@ impl Judge<'_> {
                     self.along_shorter(&axis, seed, |axis| Some(vec![self.by_duals(row, axis)?]))
                 });
                 axis[i] = 0.0;
-                row.tolerance[i] += SAFETY * spread[i].max(own[0]);
+                row.tolerance[i] += SAFETY * spread[i].max(own[0]).max(rough[i]);
             }
         }
     }

@@ -1,5 +1,5 @@
 //! The part of a judgement that takes steps: differences and kinks.
-use crate::ad::hearing::{Said, confirmed, hear};
+use crate::ad::hearing::{Said, hear, rehear};
 use crate::ad::judge::{Judge, ROUNDINGS, Row, SAFETY};
 use crate::ad::sample::Draw;
 use crate::ad::subject::{Jumps, Subject};
@@ -14,6 +14,19 @@ pub(crate) const FEW_INPUTS: usize = 48;
 pub(crate) const FIRST: [f64; 5] = [0.1, 0.037, 0.23, 1e-3, 1e-5];
 /// First step of the ladder that tells a jump from a kink very near.
 const NEAR: f64 = 1e-8;
+/// A direction to take differences along.
+struct Direction<'d> {
+    /// The number of the direction: that of the input for the first ones of a short input.
+    k: usize,
+    direction: &'d [f64],
+    /// Values along it.
+    here: &'d Ladder,
+    /// The same along any direction from another first step.
+    climb: &'d dyn Fn(&[f64], f64) -> Ladder,
+    /// The function, in double precision if it is known there.
+    on: &'d dyn Subject,
+}
+
 impl Judge<'_> {
     /// Slopes against differences along every direction. True when the function stays in one
     /// branch for a while along all of them, so that second derivatives make sense.
@@ -70,15 +83,32 @@ impl Judge<'_> {
                 k += 1;
                 continue;
             }
+            let along = Direction {
+                k,
+                direction: &direction,
+                here: &here,
+                climb: &ladder,
+                on,
+            };
             for row in rows.iter_mut() {
                 let noise = if wide.is_some() {
                     4.0 * f64::EPSILON * center.iter().map(|y| y.abs()).sum::<f64>()
                 } else {
                     row.noise
                 };
-                let place = self.one_direction(row, k, &direction, noise, &here, &ladder);
+                let place = self.one_direction(row, noise, &along);
                 said.push(place.1);
-                kinks |= place.0 == Place::Kink;
+                if place.0 == Place::Kink {
+                    kinks = true;
+                    self.kinks.push((row.output, k));
+                }
+                let derived = row.adjoint.is_some() || row.dual.is_some();
+                if place.0 != Place::Undefined && derived {
+                    match self.found.heard.get_mut(k) {
+                        Some(heard) if n <= FEW_INPUTS => *heard = true,
+                        _ => self.found.heard.fill(true),
+                    }
+                }
                 let at = match place.0 {
                     Place::Smooth => 0,
                     Place::Kink => 1,
@@ -95,9 +125,9 @@ impl Judge<'_> {
             // At a kink the coordinate axes are not enough.
             if k == n && kinks && n <= FEW_INPUTS {
                 directions.extend(more.iter().cloned());
+                directions.extend(self.tied());
             }
         }
-        self.vote();
         let [smooth, kinked, undefined] = self.found.directions;
         self.found.place = if self.found.jump || (smooth + kinked == 0 && undefined > 0) {
             Place::Undefined
@@ -110,7 +140,7 @@ impl Judge<'_> {
     }
 
     /// Where adjoint and duals differ, the one that the differences are against is outvoted.
-    fn vote(&mut self) {
+    pub(crate) fn vote(&mut self) {
         let faults = self.found.faults.clone();
         for fault in &mut self.found.faults {
             if fault.reason != Reason::Disagree(Witness::Adjoint, Witness::Dual) {
@@ -118,9 +148,11 @@ impl Judge<'_> {
             }
             let against = |witness: Witness| {
                 let reason = Reason::Disagree(witness, Witness::Difference);
-                let found = faults
-                    .iter()
-                    .find(|f| f.reason == reason && f.output == fault.output);
+                let found = faults.iter().find(|f| {
+                    let anywhere = f.numbers.along || fault.numbers.along;
+                    let here = f.output == fault.output && (anywhere || f.input == fault.input);
+                    f.reason == reason && here
+                });
                 found.copied()
             };
             let (adjoint, dual) = (against(Witness::Adjoint), against(Witness::Dual));
@@ -130,6 +162,33 @@ impl Judge<'_> {
                 _ => None,
             };
         }
+    }
+
+    /// Whether the duals may be wrong because the input is an exact tie of their source, of which they
+    /// take a share although it may be no kink of the function; the adjoint is asked anyway.
+    pub(crate) fn tie_of_duals(&self) -> bool {
+        let tie = self.trace.is_some_and(|trace| trace.margin == 0.0);
+        tie && !self.subject.conventions().shared_ties
+    }
+
+    /// Directions that keep ties: along each all numbers of one magnitude move alike. There a kink of
+    /// many is smooth, and a derivative has no choice.
+    fn tied(&self) -> Vec<Vec<f64>> {
+        let mut sizes: Vec<u64> = self.x.iter().map(|x| x.abs().to_bits()).collect();
+        sizes.sort_unstable();
+        sizes.dedup();
+        let direction = |size: u64| {
+            let member = |i: &usize| self.x[*i].abs().to_bits() == size;
+            let group: Vec<usize> = (0..self.x.len()).filter(member).collect();
+            let least = |m: f64, &i: &usize| m.min(self.scales[i]);
+            let step = group.iter().fold(f64::INFINITY, least);
+            let mut direction = vec![0.0; self.x.len()];
+            for &i in &group {
+                direction[i] = step.copysign(self.x[i]);
+            }
+            (group.len() > 1).then_some(direction)
+        };
+        sizes.into_iter().filter_map(direction).take(8).collect()
     }
 
     /// By how much the value may change within the rounding of the steps along a direction. Along
@@ -148,16 +207,14 @@ impl Judge<'_> {
     fn jumps(&mut self, here: &Ladder, near: &dyn Fn() -> Ladder, reach: f64, k: usize) -> bool {
         let mut unrest = Vec::new();
         for j in 0..self.y.len() {
-            let mut weights = vec![0.0; self.y.len()];
-            weights[j] = 1.0;
-            if here.traced && here.jump(&weights, self.eps * self.y[j].abs()).is_some() {
+            if here.traced && here.jump(j, self.eps * self.y[j].abs()).is_some() {
                 // Rounding within a branch is no jump.
                 let none = vec![0.0; self.y.len()];
                 unrest = self.spread(&self.y, Some(&none), |x| Some(self.subject.value(x)));
             }
             let noise = self.eps * self.y[j].abs() + unrest.get(j).unwrap_or(&0.0) + reach;
             // A kink may be nearer than the smallest step; a jump still jumps nearer by.
-            if here.jump(&weights, noise).is_some() && near().jump(&weights, noise).is_some() {
+            if here.jump(j, noise).is_some() && near().jump(j, noise).is_some() {
                 self.found.jump = true;
                 let allowed = match self.subject.conventions().jumps {
                     Jumps::Never => false,
@@ -174,15 +231,14 @@ impl Judge<'_> {
     }
 
     /// One direction: what kind of place it is there, and whether branches switch.
-    fn one_direction(
-        &mut self,
-        row: &mut Row,
-        k: usize,
-        direction: &[f64],
-        noise: f64,
-        here: &Ladder,
-        climb: &dyn Fn(&[f64], f64) -> Ladder,
-    ) -> (Place, bool) {
+    fn one_direction(&mut self, row: &mut Row, noise: f64, at: &Direction<'_>) -> (Place, bool) {
+        let &Direction {
+            k,
+            direction,
+            here,
+            climb,
+            on,
+        } = at;
         let n = self.x.len();
         let ladder = |first| climb(direction, first);
         let along = |list: &[f64]| dot(list, direction);
@@ -204,19 +260,62 @@ impl Judge<'_> {
         };
         let mut result = (Place::Undefined, here.traced);
         let mut judged = false;
+        let along_axis = n <= FEW_INPUTS && k < n;
         for (witness, slope) in [(Witness::Adjoint, by_hand), (Witness::Dual, by_duals)] {
             let Some(slope) = slope else { continue };
             let exact =
                 |row: &Row| -> f64 { (0..n).map(|i| direction[i].abs() * row.tolerance[i]).sum() };
-            let mut said = hear(here, &row.weights, noise, slope, exact(row), largest);
+            let mut said = hear(here, &row.weights, noise, 0.0, slope, exact(row), largest);
+            let mut rough = 0.0;
             if matches!(said, Said::Other { .. } | Said::Outside { .. }) {
                 self.provoke(row);
                 self.provoke_widely(row);
-                said = hear(here, &row.weights, noise, slope, exact(row), largest);
+                rough = self.rough_value(on, &row.weights);
+                if here.still() {
+                    // What a value loses by cancellation does not show: at most an input's rounding.
+                    rough = self.x.iter().fold(rough, |m, x| m.max(self.eps * x.abs()));
+                }
+                said = hear(here, &row.weights, noise, rough, slope, exact(row), largest);
+            }
+            let hear_at = |row: &Row, first: f64| {
+                hear(
+                    &ladder(first),
+                    &row.weights,
+                    noise,
+                    rough,
+                    slope,
+                    exact(row),
+                    largest,
+                )
+            };
+            // Steps in units of the number itself, where that is far smaller than its scale.
+            let own = |row: &Row| -> Vec<Said> {
+                let ratio = match (along_axis, direction.get(k)) {
+                    (true, Some(scale)) => self.x[k].abs() / scale.abs(),
+                    _ => 1.0,
+                };
+                let firsts = [0.1, 0.037].map(|first| first * ratio);
+                let worth = self.subject.guessed_scales() && ratio > 0.0 && ratio < 0.5;
+                firsts
+                    .iter()
+                    .filter(|_| worth)
+                    .map(|&first| hear_at(row, first))
+                    .collect()
+            };
+            if let Said::Fine {
+                place: Place::Undefined,
+                ..
+            } = said
+                && let Some(again) = own(row).into_iter().find(|said| {
+                    let undefined = Place::Undefined;
+                    !matches!(said, Said::Fine { place, .. } if *place == undefined)
+                })
+            {
+                said = again;
             }
             let pair = if witness == Witness::Adjoint { 1 } else { 2 };
             // Along one number, say its slopes.
-            let along = n > FEW_INPUTS || k >= n;
+            let along = !along_axis;
             let per = if along { 1.0 } else { direction[k] };
             let numbers = |difference: Option<f64>, sides: Option<[f64; 2]>| Numbers {
                 adjoint: by_hand.map(|slope| slope / per),
@@ -264,23 +363,20 @@ impl Judge<'_> {
                     estimate,
                     tolerance,
                 } => {
+                    let mut all: Vec<Said> = vec![said];
+                    all.extend(FIRST[1..].iter().map(|&first| hear_at(row, first)));
+                    let heard = rehear(&all, &own(row), exact(row));
+                    let estimate = heard.against.unwrap_or(estimate);
+                    let tolerance = if heard.stands {
+                        SAFETY * estimate.error + exact(row)
+                    } else {
+                        tolerance
+                    };
+                    let convention = witness == Witness::Dual && self.tie_of_duals();
                     result = (Place::Smooth, false);
-                    let confirmed = confirmed(FIRST[1..].iter().map(|&first| {
-                        let again = ladder(first);
-                        match hear(&again, &row.weights, noise, slope, exact(row), largest) {
-                            Said::Other { estimate: e, .. } => Some(
-                                (e.value - estimate.value).abs()
-                                    <= SAFETY * (e.error + estimate.error) + exact(row),
-                            ),
-                            Said::Outside { .. } => Some(true),
-                            Said::Fine {
-                                place: Place::Undefined,
-                                ..
-                            } => None,
-                            Said::Fine { .. } => Some(false),
-                        }
-                    }));
-                    if confirmed {
+                    if heard.stands && convention {
+                        self.found.convention = true;
+                    } else if heard.stands {
                         let suspect = other_agrees(estimate.value, tolerance).then_some(witness);
                         let reason = Reason::Disagree(witness, Witness::Difference);
                         let input = if n <= FEW_INPUTS {
@@ -293,7 +389,7 @@ impl Judge<'_> {
                         let numbers = numbers(Some(estimate.value), None);
                         let tolerance = tolerance / per;
                         self.refuse_with(reason, suspect, output, input, numbers, tolerance);
-                    } else {
+                    } else if heard.support.is_none() {
                         result = (Place::Undefined, true);
                     }
                 }
@@ -301,6 +397,11 @@ impl Judge<'_> {
                     let border = here.ahead.len() < 2 || here.behind.len() < 2;
                     result = (if border { Place::Smooth } else { Place::Kink }, true);
                     let value = dot(&row.weights, &self.y);
+                    let stands = |row: &Row| {
+                        let mut all: Vec<Said> = vec![said];
+                        all.extend(FIRST[1..].iter().map(|&first| hear_at(row, first)));
+                        rehear(&all, &own(row), exact(row)).stands
+                    };
                     let flat = self.subject.conventions().flat
                         && if border {
                             let (low, high) = (sides[0].min(0.0), sides[0].max(0.0));
@@ -310,17 +411,7 @@ impl Judge<'_> {
                         };
                     if flat {
                         self.found.convention = true;
-                    } else if confirmed(FIRST[1..].iter().map(|&first| {
-                        let again = ladder(first);
-                        match hear(&again, &row.weights, noise, slope, exact(row), largest) {
-                            Said::Outside { .. } | Said::Other { .. } => Some(true),
-                            Said::Fine {
-                                place: Place::Undefined,
-                                ..
-                            } => None,
-                            Said::Fine { .. } => Some(false),
-                        }
-                    })) {
+                    } else if stands(row) {
                         let numbers = numbers(None, Some(sides));
                         self.refuse_with(
                             Reason::OutsideKink,
@@ -351,7 +442,7 @@ impl Judge<'_> {
         }
         if !judged {
             // No derivative at all: still say what kind of place it is.
-            let said = hear(here, &row.weights, noise, 0.0, f64::INFINITY, largest);
+            let said = hear(here, &row.weights, noise, 0.0, 0.0, f64::INFINITY, largest);
             if let Said::Fine {
                 place, switched, ..
             } = said

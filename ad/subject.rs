@@ -11,6 +11,9 @@ pub struct Conventions {
     pub flat: bool,
     /// Where the value may jump.
     pub jumps: Jumps,
+    /// Whether at a tie the derivative by hand must be the very one of the duals, and not another
+    /// between the slopes of both sides.
+    pub shared_ties: bool,
 }
 
 /// Where a function may jump.
@@ -59,6 +62,10 @@ pub trait Subject {
     fn jacobian(&self, _x: &[f64]) -> Option<Vec<Vec<f64>>> {
         None
     }
+    /// The value that duals carry.
+    fn dual_values(&self, _x: &[f64]) -> Option<Vec<f64>> {
+        None
+    }
     /// The slopes of all outputs along a direction by duals: the Jacobian times the direction, for
     /// inputs too long for a whole one.
     fn along(&self, _x: &[f64], _direction: &[f64]) -> Option<Vec<f64>> {
@@ -98,10 +105,20 @@ pub trait Subject {
     fn scales(&self, x: &[f64]) -> Vec<f64> {
         default_scales(x)
     }
+    /// Whether the scales are only guessed from the numbers.
+    fn guessed_scales(&self) -> bool {
+        false
+    }
     /// For each number, its unit: slopes times units are comparable, and a derivative is right to
     /// within the rounding of the largest of them.
     fn units(&self, x: &[f64]) -> Vec<f64> {
         self.scales(x)
+    }
+    /// Whether slopes times units are sums of terms as large as the largest of them, so that none can
+    /// be held to less than its rounding. If not, every slope is held to its own digits and to what
+    /// provoked rounding shows.
+    fn comparable(&self) -> bool {
+        false
     }
     /// For each number, how large a rounding error of it the function may behave as if it had
     /// made. By default that of the number itself; functions that add numbers of one unit may only
@@ -128,6 +145,11 @@ pub trait Subject {
 #[must_use]
 pub fn default_scales(x: &[f64]) -> Vec<f64> {
     let largest = x.iter().fold(0.0_f64, |m, x| m.max(x.abs()));
-    let least = if largest > 0.0 { 1e-3 * largest } else { 1.0 };
+    let least = match largest {
+        0.0 => 1.0,
+        // Such numbers have no unit in common, and products of them would overflow.
+        x if x > 1e150 => f64::MIN_POSITIVE,
+        x => 1e-3 * x,
+    };
     x.iter().map(|x| x.abs().max(least)).collect()
 }

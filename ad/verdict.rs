@@ -50,6 +50,9 @@ pub enum Reason {
     MotionUnbalanced(Motion),
     /// Hardly a sample was smooth, so that nothing was proved.
     NothingSmooth,
+    /// At no sample could any witness say anything about this number of the input: there was no
+    /// sample inside the domain, no derivative, no result, or all differences were lost in rounding.
+    Unheard,
 }
 
 /// What kind of place a sample turned out to be.
@@ -220,6 +223,8 @@ pub struct Findings {
     pub convention: bool,
     /// How near the nearest change of branch is, relative; infinite when nothing was compared.
     pub margin: f64,
+    /// Whether some witness could judge the slope with respect to each number of the input.
+    pub heard: Vec<bool>,
     /// What each pair of [`PAIRS`] differs by.
     pub worst: [Worst; PAIRS.len()],
     /// Everything refused, first things first.

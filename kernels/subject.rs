@@ -86,6 +86,7 @@ pub fn conventions(name: &str) -> Conventions {
             "iou_obb2" | "iof_obb2" | "iou_aabb2" | "iof_aabb2" => Jumps::FromZero,
             _ => Jumps::Never,
         },
+        shared_ties: true,
     }
 }
 
@@ -289,6 +290,9 @@ where
     }
     fn units(&self, x: &[f64]) -> Vec<f64> {
         self.near.refill(x).units()
+    }
+    fn comparable(&self) -> bool {
+        true
     }
     fn rounding(&self, x: &[f64]) -> Vec<f64> {
         let eps = self.precision().epsilon();

@@ -239,6 +239,7 @@ fn boxes_without_the_heading() {
         (da, db)
     };
     let conventions = ad::subject::Conventions {
+        shared_ties: false,
         flat: true,
         jumps: ad::subject::Jumps::FromZero,
     };

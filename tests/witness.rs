@@ -134,6 +134,7 @@ fn a_backend_as_a_witness_of_ones_own_check() {
     .value(|(a, b): Pair| a.iou(b))
     .gradient(|(a, b)| ad::overlap::iou_obb2_vjp(a, b, 1.0))
     .conventions(Conventions {
+        shared_ties: false,
         flat: true,
         jumps: Jumps::FromZero,
     })
