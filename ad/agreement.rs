@@ -188,7 +188,7 @@ impl Judge<'_> {
                 let by_hand = |x: &[f64]| self.subject.adjoint(x, &row.weights);
                 let theirs = self.spread(&exact, None, combined);
                 let own = self.spread(adjoint, None, by_hand);
-                let rough = self.rough_slopes(adjoint, &by_hand);
+                let rough = self.rough_slopes(&row.weights, adjoint, &by_hand);
                 for i in 0..tolerance.len() {
                     tolerance[i] += SAFETY * (theirs[i] + own[i].max(rough[i]));
                 }

@@ -10,6 +10,8 @@ pub(crate) const INFORMATIVE: f64 = 0.02;
 #[derive(Clone, Copy, Debug)]
 pub(crate) enum Said {
     /// In order, at such a place; `switched` when other branches were taken however small the step.
+    /// At an undefined place the estimate, if any, is too coarse for a slope as large as others are,
+    /// and agrees.
     Fine {
         place: Place,
         switched: bool,
@@ -161,8 +163,14 @@ pub(crate) fn hear(
         let tolerance = SAFETY * e.error + exact;
         let gap = (e.value - slope).abs();
         let explained = gap > tolerance && gap <= tolerance + SAFETY * rough / e.step;
-        return if tolerance.is_nan() || explained || !informative(&e) {
+        return if tolerance.is_nan() || explained {
             undefined
+        } else if !informative(&e) {
+            Said::Fine {
+                place: Place::Undefined,
+                switched: ladder.traced,
+                estimate: (gap <= tolerance).then_some(e),
+            }
         } else if gap <= tolerance {
             Said::Fine {
                 place: Place::Smooth,
@@ -180,10 +188,19 @@ pub(crate) fn hear(
     let tolerance = SAFETY * error + exact;
     let (low, high) = (sides[0].min(sides[1]), sides[0].max(sides[1]));
     let coarse = SAFETY * error > INFORMATIVE * size.max(ahead.value.abs()).max(behind.value.abs());
-    if coarse || tolerance.is_nan() {
-        return undefined;
-    }
     let beyond = (low - slope).max(slope - high);
+    if coarse || tolerance.is_nan() {
+        let middle = Estimate {
+            value: 0.5 * (low + high),
+            error: error + 0.5 * (high - low) / SAFETY,
+            step: ahead.step.min(behind.step),
+        };
+        return Said::Fine {
+            place: Place::Undefined,
+            switched: ladder.traced,
+            estimate: (beyond <= tolerance).then_some(middle),
+        };
+    }
     if beyond > tolerance && beyond <= tolerance + SAFETY * rough / ahead.step.min(behind.step) {
         return undefined;
     }

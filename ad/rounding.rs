@@ -11,12 +11,18 @@
 //! input's.
 use crate::ad::judge::{Beside, Judge, Row, SAFETY};
 use crate::ad::sample::Draw;
+use crate::ad::slopes::FEW_INPUTS;
 use crate::ad::subject::Subject;
 use crate::ad::symmetry::exchanged;
 use crate::ad::witness::{Precision, dot, roughness};
 
 /// How often a derivative's own roundings are drawn.
 const RUNS: u64 = 24;
+
+/// How many times the value a slope times the size of its number may be before it belongs to another
+/// feature: a logit of forty that leaves a loss of nothing is as steep as thirty times the loss at
+/// zero.
+const TALL: f64 = 64.0;
 
 impl Judge<'_> {
     /// The largest change of a list-valued function under provoked rounding, per number. With
@@ -104,32 +110,77 @@ impl Judge<'_> {
         self.rough(on, &value).first().copied().unwrap_or(0.0)
     }
 
-    /// How rough slopes are, as far as that is rounding: of terms as large as the slopes are when the
-    /// inputs change over their scale. A derivative rougher than that loses digits without need.
-    pub(crate) fn rough_slopes(
+    /// How large each slope gets when the numbers of the input change over their size, all together
+    /// and one by one. Where a slope is far steeper than the value is large, another feature is near
+    /// and nothing is said.
+    pub(crate) fn typical(
         &self,
+        weights: &[f64],
         base: &[f64],
-        f: &dyn Fn(&[f64]) -> Option<Vec<f64>>,
+        slopes: &dyn Fn(&[f64]) -> Option<Vec<f64>>,
     ) -> Vec<f64> {
-        let mut rough = self.rough(self.subject, f);
-        rough.resize(base.len(), 0.0);
         let mut sizes: Vec<f64> = base.iter().map(|slope| slope.abs()).collect();
-        if rough.iter().any(|rough| *rough > 0.0) {
-            for times in [0.0, 0.5, 1.5, -1.0] {
-                let precision = self.subject.precision();
-                let there: Vec<f64> = self.x.iter().map(|x| precision.round(times * x)).collect();
-                let slopes = self.subject.inside(&there).then(|| f(&there)).flatten();
-                for (size, slope) in sizes.iter_mut().zip(slopes.unwrap_or_default()) {
-                    if slope.is_finite() {
-                        *size = size.max(slope.abs());
-                    }
+        let value = |y: &[f64]| -> f64 { weights.iter().zip(y).map(|(w, y)| (w * y).abs()).sum() };
+        let here = value(&self.y);
+        let mut look = |there: &[f64]| {
+            if !self.subject.inside(there) {
+                return;
+            }
+            let tall = match value(&self.subject.value(there)).max(here) {
+                0.0 => f64::INFINITY,
+                value => TALL * value,
+            };
+            for (i, slope) in slopes(there).unwrap_or_default().iter().enumerate() {
+                if slope.is_finite() && slope.abs() * self.scales[i] <= tall {
+                    sizes[i] = sizes[i].max(slope.abs());
                 }
             }
-        }
-        for (rough, size) in rough.iter_mut().zip(sizes) {
-            if *rough > 4.0 * self.eps * size {
-                *rough = 0.0;
+        };
+        let precision = self.subject.precision();
+        let n = self.x.len();
+        for times in [0.0, 0.5, 1.5, -1.0] {
+            let whole = self
+                .x
+                .iter()
+                .map(|x| precision.round(times * x))
+                .collect::<Vec<f64>>();
+            look(&whole);
+            for i in (0..n).filter(|_| n <= FEW_INPUTS && times < 1.0) {
+                let mut there = self.x.to_vec();
+                there[i] = if there[i] == 0.0 {
+                    precision.round((times - 0.25) * self.scales[i])
+                } else {
+                    whole[i]
+                };
+                look(&there);
             }
+        }
+        sizes
+    }
+
+    /// By how much slopes may be off by rounding: of terms as large as the slopes typically are, and
+    /// as rough as they are beside the point, as far as that can be rounding of such terms. A
+    /// derivative rougher than that loses digits without need.
+    pub(crate) fn rough_slopes(
+        &self,
+        weights: &[f64],
+        base: &[f64],
+        slopes: &dyn Fn(&[f64]) -> Option<Vec<f64>>,
+    ) -> Vec<f64> {
+        // What slopes of one unit may be off by is known.
+        if self.subject.comparable() {
+            return vec![0.0; base.len()];
+        }
+        let mut rough = self.rough(self.subject, slopes);
+        rough.resize(base.len(), 0.0);
+        let typical = self.typical(weights, base, slopes);
+        for (rough, typical) in rough.iter_mut().zip(typical) {
+            let one = self.eps * typical;
+            *rough = if *rough <= 4.0 * one {
+                rough.max(one)
+            } else {
+                one
+            };
         }
         rough
     }
@@ -146,7 +197,9 @@ impl Judge<'_> {
             let noise = self.roundings(adjoint, &row.size, |seed| {
                 self.subject.noisy(self.x, &row.weights, seed)
             });
-            let rough = self.rough_slopes(adjoint, &|x| self.subject.adjoint(x, &row.weights));
+            let rough = self.rough_slopes(&row.weights, adjoint, &|x| {
+                self.subject.adjoint(x, &row.weights)
+            });
             for i in 0..row.tolerance.len() {
                 row.tolerance[i] += SAFETY * spread[i].max(noise[i]).max(rough[i]);
             }
@@ -164,7 +217,7 @@ impl Judge<'_> {
                 )
             };
             let spread = self.spread(dual, Some(&row.size), by_duals);
-            let rough = self.rough_slopes(dual, &by_duals);
+            let rough = self.rough_slopes(&row.weights, dual, &by_duals);
             let mut axis = vec![0.0; dual.len()];
             for i in 0..dual.len() {
                 axis[i] = 1.0;

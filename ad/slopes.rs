@@ -258,6 +258,11 @@ impl Judge<'_> {
             Some(list) => Some(along(list)),
             None => self.by_duals(row, direction),
         };
+        // What a value that stands still loses by cancellation does not show; it may be as much as the
+        // rounding of an input.
+        let hidden = self.eps * self.x.iter().fold(0.0_f64, |m, x| m.max(x.abs()));
+        let lost =
+            |ladder: &Ladder, rough: f64| rough.max(if ladder.still() { hidden } else { 0.0 });
         let mut result = (Place::Undefined, here.traced);
         let mut judged = false;
         let along_axis = n <= FEW_INPUTS && k < n;
@@ -271,18 +276,31 @@ impl Judge<'_> {
                 self.provoke(row);
                 self.provoke_widely(row);
                 rough = self.rough_value(on, &row.weights);
-                if here.still() {
-                    // What a value loses by cancellation does not show: at most an input's rounding.
-                    rough = self.x.iter().fold(rough, |m, x| m.max(self.eps * x.abs()));
-                }
-                said = hear(here, &row.weights, noise, rough, slope, exact(row), largest);
-            }
-            let hear_at = |row: &Row, first: f64| {
-                hear(
-                    &ladder(first),
+                said = hear(
+                    here,
                     &row.weights,
                     noise,
-                    rough,
+                    lost(here, rough),
+                    slope,
+                    exact(row),
+                    largest,
+                );
+            }
+            let hear_at = |row: &Row, first: f64| {
+                let ladder = ladder(first);
+                if ladder.still() && !here.still() {
+                    // Too small steps, and no slope of zero.
+                    return Said::Fine {
+                        place: Place::Undefined,
+                        switched: false,
+                        estimate: None,
+                    };
+                }
+                hear(
+                    &ladder,
+                    &row.weights,
+                    noise,
+                    lost(&ladder, rough),
                     slope,
                     exact(row),
                     largest,
@@ -302,16 +320,40 @@ impl Judge<'_> {
                     .map(|&first| hear_at(row, first))
                     .collect()
             };
-            if let Said::Fine {
-                place: Place::Undefined,
-                ..
-            } = said
-                && let Some(again) = own(row).into_iter().find(|said| {
-                    let undefined = Place::Undefined;
-                    !matches!(said, Said::Fine { place, .. } if *place == undefined)
-                })
-            {
-                said = again;
+            let undefined = |said: &Said| {
+                matches!(
+                    said,
+                    Said::Fine {
+                        place: Place::Undefined,
+                        ..
+                    }
+                )
+            };
+            if undefined(&said) && self.subject.guessed_scales() {
+                let coarse = said;
+                let fine = |said: &Said| matches!(said, Said::Fine { .. }) && !undefined(said);
+                let finer = FIRST[3..].iter().map(|&first| hear_at(row, first));
+                let own = own(row).into_iter().filter(|said| !undefined(said));
+                said = own.chain(finer.filter(fine)).last().unwrap_or(said);
+                // Too coarse for slopes as large as others, but not for this one as it typically is.
+                let estimate = match coarse {
+                    Said::Fine { estimate, .. } => estimate,
+                    _ => None,
+                };
+                if let (true, true, Some(e)) = (undefined(&said), along_axis, estimate) {
+                    let list = [&row.adjoint, &row.dual].into_iter().flatten().next();
+                    let typical = list.map_or(0.0, |list| {
+                        let slopes = |x: &[f64]| match witness {
+                            Witness::Adjoint => self.subject.adjoint(x, &row.weights),
+                            _ => None,
+                        };
+                        self.typical(&row.weights, list, &slopes)[k] * direction[k].abs()
+                    });
+                    let tolerance = SAFETY * e.error + exact(row);
+                    if tolerance <= 0.5 * typical || e.error == 0.0 {
+                        self.found.heard[k] = true;
+                    }
+                }
             }
             let pair = if witness == Witness::Adjoint { 1 } else { 2 };
             // Along one number, say its slopes.
@@ -365,7 +407,19 @@ impl Judge<'_> {
                 } => {
                     let mut all: Vec<Said> = vec![said];
                     all.extend(FIRST[1..].iter().map(|&first| hear_at(row, first)));
-                    let heard = rehear(&all, &own(row), exact(row));
+                    let own = own(row);
+                    let mut heard = rehear(&all, &own, exact(row));
+                    // Against two that agree the finest steps must speak: a pole that steps leap over
+                    // is no comparison that a trace could show.
+                    let agree = by_hand.zip(by_duals);
+                    let agree = agree.is_some_and(|(a, b)| (a - b).abs() <= exact(row));
+                    let finest = all.iter().chain(&own).last().copied();
+                    if agree
+                        && self.subject.guessed_scales()
+                        && finest.as_ref().is_some_and(undefined)
+                    {
+                        heard.stands = false;
+                    }
                     let estimate = heard.against.unwrap_or(estimate);
                     let tolerance = if heard.stands {
                         SAFETY * estimate.error + exact(row)
