@@ -1,11 +1,23 @@
 //! The part of a judgement that takes second derivatives.
-use crate::ad::hearing::{INFORMATIVE, confirmed};
 use crate::ad::judge::{Judge, ROUNDINGS, Row, SAFETY};
+use crate::ad::listener::INFORMATIVE;
 use crate::ad::sample::Draw;
 use crate::ad::slopes::{FEW_INPUTS, FIRST};
 use crate::ad::trace::Trace;
 use crate::ad::verdict::{Numbers, Reason, Witness};
 use crate::ad::witness::{Ladder, Probe, dot};
+
+/// Whether a complaint stands: some other ladder repeats it, and none contradicts.
+fn confirmed(again: impl Iterator<Item = Option<bool>>) -> bool {
+    let mut repeated = false;
+    for said in again.flatten() {
+        if !said {
+            return false;
+        }
+        repeated = true;
+    }
+    repeated
+}
 
 impl Judge<'_> {
     /// Second derivatives: through the adjoint, by nested duals, by differences of the adjoint; those

@@ -1,10 +1,7 @@
 //! What a ladder of steps says about a slope.
 use crate::ad::judge::SAFETY;
 use crate::ad::verdict::Place;
-use crate::ad::witness::{Estimate, Ladder};
-
-/// A difference whose error is larger than this share of the largest slope says nothing.
-pub(crate) const INFORMATIVE: f64 = 0.02;
+use crate::ad::witness::Estimate;
 
 /// What steps along one direction say about a slope.
 #[derive(Clone, Copy, Debug)]
@@ -24,16 +21,21 @@ pub(crate) enum Said {
     Outside { sides: [f64; 2], tolerance: f64 },
 }
 
-/// Whether a complaint stands: some other ladder repeats it, and none contradicts.
-pub(crate) fn confirmed(again: impl Iterator<Item = Option<bool>>) -> bool {
-    let mut repeated = false;
-    for said in again.flatten() {
-        if !said {
-            return false;
-        }
-        repeated = true;
+impl Said {
+    /// Whether nothing was said.
+    pub(crate) fn undefined(&self) -> bool {
+        matches!(
+            self,
+            Said::Fine {
+                place: Place::Undefined,
+                ..
+            }
+        )
     }
-    repeated
+    /// Whether it is a complaint.
+    pub(crate) fn complains(&self) -> bool {
+        !matches!(self, Said::Fine { .. })
+    }
 }
 
 /// What other ladders make of a complaint.
@@ -94,124 +96,5 @@ pub(crate) fn rehear(said: &[Said], own: &[Said], exact: f64) -> Rehearing {
         stands: repeated >= 2 && !contradicted && !kink,
         against: best,
         support: least(&support),
-    }
-}
-
-/// Hears what a ladder says about a slope; `exact` is by how much that may be off by itself,
-/// `size` the largest slope there is. `rough` is how rough the values were found to be: what that
-/// explains is no complaint.
-pub(crate) fn hear(
-    ladder: &Ladder,
-    weights: &[f64],
-    noise: f64,
-    rough: f64,
-    slope: f64,
-    exact: f64,
-    size: f64,
-) -> Said {
-    let noise = noise.max(ladder.noise(weights));
-    let undefined = Said::Fine {
-        place: Place::Undefined,
-        switched: ladder.traced,
-        estimate: None,
-    };
-    let informative = |e: &Estimate| SAFETY * e.error <= INFORMATIVE * size.max(e.value.abs());
-    if ladder.traced
-        && let Some(e) = ladder.central(weights, noise, true).filter(informative)
-    {
-        let tolerance = SAFETY * e.error + exact;
-        let gap = (e.value - slope).abs();
-        return if gap <= tolerance {
-            Said::Fine {
-                place: Place::Smooth,
-                switched: false,
-                estimate: Some(e),
-            }
-        } else if gap <= tolerance + SAFETY * rough / e.step {
-            undefined
-        } else {
-            Said::Other {
-                estimate: e,
-                tolerance,
-            }
-        };
-    }
-    let ahead = ladder.one_sided(true, weights, noise);
-    let behind = ladder.one_sided(false, weights, noise);
-    let (ahead, behind) = match (ahead, behind) {
-        (Some(ahead), Some(behind)) => (ahead, behind),
-        (Some(side), None) | (None, Some(side)) => (side, side),
-        (None, None) => return undefined,
-    };
-    let error = ahead.error.max(behind.error);
-    let border = ladder.ahead.len() < 2 || ladder.behind.len() < 2;
-    if !ladder.settled() {
-        return undefined;
-    }
-    if !border && (ahead.value - behind.value).abs() <= 2.0 * SAFETY * error + exact {
-        // Where branches meet smoothly, the central slope converges slowly and the sides fast.
-        let mean = Estimate {
-            value: 0.5 * (ahead.value + behind.value),
-            error: error + 0.5 * (ahead.value - behind.value).abs() / SAFETY,
-            step: ahead.step.min(behind.step),
-        };
-        let central = ladder.central(weights, noise, false);
-        let e = match central {
-            Some(central) if !ladder.traced && central.error < mean.error => central,
-            _ => mean,
-        };
-        let tolerance = SAFETY * e.error + exact;
-        let gap = (e.value - slope).abs();
-        let explained = gap > tolerance && gap <= tolerance + SAFETY * rough / e.step;
-        return if tolerance.is_nan() || explained {
-            undefined
-        } else if !informative(&e) {
-            Said::Fine {
-                place: Place::Undefined,
-                switched: ladder.traced,
-                estimate: (gap <= tolerance).then_some(e),
-            }
-        } else if gap <= tolerance {
-            Said::Fine {
-                place: Place::Smooth,
-                switched: ladder.traced,
-                estimate: Some(e),
-            }
-        } else {
-            Said::Other {
-                estimate: e,
-                tolerance,
-            }
-        };
-    }
-    let sides = [behind.value, ahead.value];
-    let tolerance = SAFETY * error + exact;
-    let (low, high) = (sides[0].min(sides[1]), sides[0].max(sides[1]));
-    let coarse = SAFETY * error > INFORMATIVE * size.max(ahead.value.abs()).max(behind.value.abs());
-    let beyond = (low - slope).max(slope - high);
-    if coarse || tolerance.is_nan() {
-        let middle = Estimate {
-            value: 0.5 * (low + high),
-            error: error + 0.5 * (high - low) / SAFETY,
-            step: ahead.step.min(behind.step),
-        };
-        return Said::Fine {
-            place: Place::Undefined,
-            switched: ladder.traced,
-            estimate: (beyond <= tolerance).then_some(middle),
-        };
-    }
-    if beyond > tolerance && beyond <= tolerance + SAFETY * rough / ahead.step.min(behind.step) {
-        return undefined;
-    }
-    if beyond <= tolerance {
-        let place = if border { Place::Smooth } else { Place::Kink };
-        Said::Fine {
-            place,
-            switched: ladder.traced,
-            estimate: None,
-        }
-    } else {
-        Said::Outside { sides, tolerance }
     }
 }

@@ -146,33 +146,6 @@ impl Judge<'_> {
         }
     }
 
-    /// Refuses what duals say unless the input is a kink there, at which the adjoint has stood every
-    /// step: then it is between the slopes of both sides, as the duals are, and a convention.
-    fn settle(&mut self) {
-        let exact_tie = self.tie_of_duals();
-        let mut refused: Vec<Fault> = Vec::new();
-        for fault in std::mem::take(&mut self.pending) {
-            let kink = self.kinks.contains(&(fault.output, fault.input));
-            let against = |other: &Fault| {
-                let reasons = [
-                    Reason::Disagree(Witness::Adjoint, Witness::Difference),
-                    Reason::OutsideKink,
-                ];
-                other.output == fault.output && reasons.contains(&other.reason)
-            };
-            let stood = !self.found.faults.iter().any(against) && self.found.heard[fault.input];
-            let known =
-                |other: &Fault| other.reason == fault.reason && other.output == fault.output;
-            if (kink || exact_tie) && stood {
-                self.found.convention = true;
-            } else if !refused.iter().any(known) {
-                refused.push(fault);
-            }
-        }
-        // Duals are heard before differences.
-        self.found.faults.splice(0..0, refused);
-    }
-
     fn all(&mut self, draw: &mut Draw) {
         if !self.subject.inside(self.x) {
             self.found.place = Place::Undefined;

@@ -1,6 +1,7 @@
 //! The part of a judgement that takes steps: differences and kinks.
-use crate::ad::hearing::{Said, hear, rehear};
+use crate::ad::hearing::Said;
 use crate::ad::judge::{Judge, ROUNDINGS, Row, SAFETY};
+use crate::ad::listener::Listener;
 use crate::ad::sample::Draw;
 use crate::ad::subject::{Jumps, Subject};
 use crate::ad::trace::Trace;
@@ -139,38 +140,6 @@ impl Judge<'_> {
         self.found.place == Place::Smooth && undefined == 0 && !said.contains(&true)
     }
 
-    /// Where adjoint and duals differ, the one that the differences are against is outvoted.
-    pub(crate) fn vote(&mut self) {
-        let faults = self.found.faults.clone();
-        for fault in &mut self.found.faults {
-            if fault.reason != Reason::Disagree(Witness::Adjoint, Witness::Dual) {
-                continue;
-            }
-            let against = |witness: Witness| {
-                let reason = Reason::Disagree(witness, Witness::Difference);
-                let found = faults.iter().find(|f| {
-                    let anywhere = f.numbers.along || fault.numbers.along;
-                    let here = f.output == fault.output && (anywhere || f.input == fault.input);
-                    f.reason == reason && here
-                });
-                found.copied()
-            };
-            let (adjoint, dual) = (against(Witness::Adjoint), against(Witness::Dual));
-            fault.suspect = match (adjoint, dual) {
-                (Some(_), None) => Some(Witness::Adjoint),
-                (None, Some(_)) => Some(Witness::Dual),
-                _ => None,
-            };
-        }
-    }
-
-    /// Whether the duals may be wrong because the input is an exact tie of their source, of which they
-    /// take a share although it may be no kink of the function; the adjoint is asked anyway.
-    pub(crate) fn tie_of_duals(&self) -> bool {
-        let tie = self.trace.is_some_and(|trace| trace.margin == 0.0);
-        tie && !self.subject.conventions().shared_ties
-    }
-
     /// Directions that keep ties: along each all numbers of one magnitude move alike. There a kink of
     /// many is smooth, and a derivative has no choice.
     fn tied(&self) -> Vec<Vec<f64>> {
@@ -258,11 +227,6 @@ impl Judge<'_> {
             Some(list) => Some(along(list)),
             None => self.by_duals(row, direction),
         };
-        // What a value that stands still loses by cancellation does not show; it may be as much as the
-        // rounding of an input.
-        let hidden = self.eps * self.x.iter().fold(0.0_f64, |m, x| m.max(x.abs()));
-        let lost =
-            |ladder: &Ladder, rough: f64| rough.max(if ladder.still() { hidden } else { 0.0 });
         let mut result = (Place::Undefined, here.traced);
         let mut judged = false;
         let along_axis = n <= FEW_INPUTS && k < n;
@@ -270,90 +234,34 @@ impl Judge<'_> {
             let Some(slope) = slope else { continue };
             let exact =
                 |row: &Row| -> f64 { (0..n).map(|i| direction[i].abs() * row.tolerance[i]).sum() };
-            let mut said = hear(here, &row.weights, noise, 0.0, slope, exact(row), largest);
-            let mut rough = 0.0;
-            if matches!(said, Said::Other { .. } | Said::Outside { .. }) {
+            let weights = row.weights.clone();
+            let mut listener = Listener {
+                weights: &weights,
+                here,
+                climb: &ladder,
+                slope,
+                exact: exact(row),
+                noise,
+                rough: 0.0,
+                hidden: self.eps * self.x.iter().fold(0.0_f64, |m, x| m.max(x.abs())),
+                size: largest,
+                guessed: self.subject.guessed_scales(),
+                own: match (along_axis, self.x.get(k)) {
+                    (true, Some(x)) => x.abs() / direction[k].abs(),
+                    _ => 1.0,
+                },
+            };
+            let mut said = listener.first();
+            if said.complains() {
                 self.provoke(row);
                 self.provoke_widely(row);
-                rough = self.rough_value(on, &row.weights);
-                said = hear(
-                    here,
-                    &row.weights,
-                    noise,
-                    lost(here, rough),
-                    slope,
-                    exact(row),
-                    largest,
-                );
+                (listener.exact, listener.rough) = (exact(row), self.rough_value(on, &weights));
+                said = listener.first();
             }
-            let hear_at = |row: &Row, first: f64| {
-                let ladder = ladder(first);
-                if ladder.still() && !here.still() {
-                    // Too small steps, and no slope of zero.
-                    return Said::Fine {
-                        place: Place::Undefined,
-                        switched: false,
-                        estimate: None,
-                    };
-                }
-                hear(
-                    &ladder,
-                    &row.weights,
-                    noise,
-                    lost(&ladder, rough),
-                    slope,
-                    exact(row),
-                    largest,
-                )
-            };
-            // Steps in units of the number itself, where that is far smaller than its scale.
-            let own = |row: &Row| -> Vec<Said> {
-                let ratio = match (along_axis, direction.get(k)) {
-                    (true, Some(scale)) => self.x[k].abs() / scale.abs(),
-                    _ => 1.0,
-                };
-                let firsts = [0.1, 0.037].map(|first| first * ratio);
-                let worth = self.subject.guessed_scales() && ratio > 0.0 && ratio < 0.5;
-                firsts
-                    .iter()
-                    .filter(|_| worth)
-                    .map(|&first| hear_at(row, first))
-                    .collect()
-            };
-            let undefined = |said: &Said| {
-                matches!(
-                    said,
-                    Said::Fine {
-                        place: Place::Undefined,
-                        ..
-                    }
-                )
-            };
-            if undefined(&said) && self.subject.guessed_scales() {
-                let coarse = said;
-                let fine = |said: &Said| matches!(said, Said::Fine { .. }) && !undefined(said);
-                let finer = FIRST[3..].iter().map(|&first| hear_at(row, first));
-                let own = own(row).into_iter().filter(|said| !undefined(said));
-                said = own.chain(finer.filter(fine)).last().unwrap_or(said);
-                // Too coarse for slopes as large as others, but not for this one as it typically is.
-                let estimate = match coarse {
-                    Said::Fine { estimate, .. } => estimate,
-                    _ => None,
-                };
-                if let (true, true, Some(e)) = (undefined(&said), along_axis, estimate) {
-                    let list = [&row.adjoint, &row.dual].into_iter().flatten().next();
-                    let typical = list.map_or(0.0, |list| {
-                        let slopes = |x: &[f64]| match witness {
-                            Witness::Adjoint => self.subject.adjoint(x, &row.weights),
-                            _ => None,
-                        };
-                        self.typical(&row.weights, list, &slopes)[k] * direction[k].abs()
-                    });
-                    let tolerance = SAFETY * e.error + exact(row);
-                    if tolerance <= 0.5 * typical || e.error == 0.0 {
-                        self.found.heard[k] = true;
-                    }
-                }
+            let coarse = said;
+            said = listener.finer(said);
+            if along_axis && said.undefined() {
+                self.hear_coarsely(row, coarse, listener.exact, (k, direction[k].abs()));
             }
             let pair = if witness == Witness::Adjoint { 1 } else { 2 };
             // Along one number, say its slopes.
@@ -394,7 +302,7 @@ impl Judge<'_> {
                     if !judged {
                         result = (place, switched);
                     }
-                    if let Some(e) = estimate {
+                    if let Some(e) = estimate.filter(|_| place != Place::Undefined) {
                         let tolerance = SAFETY * e.error + exact(row);
                         let gap = (e.value - slope).abs() / per;
                         let at = nearest(&e, tolerance);
@@ -405,21 +313,9 @@ impl Judge<'_> {
                     estimate,
                     tolerance,
                 } => {
-                    let mut all: Vec<Said> = vec![said];
-                    all.extend(FIRST[1..].iter().map(|&first| hear_at(row, first)));
-                    let own = own(row);
-                    let mut heard = rehear(&all, &own, exact(row));
-                    // Against two that agree the finest steps must speak: a pole that steps leap over
-                    // is no comparison that a trace could show.
                     let agree = by_hand.zip(by_duals);
                     let agree = agree.is_some_and(|(a, b)| (a - b).abs() <= exact(row));
-                    let finest = all.iter().chain(&own).last().copied();
-                    if agree
-                        && self.subject.guessed_scales()
-                        && finest.as_ref().is_some_and(undefined)
-                    {
-                        heard.stands = false;
-                    }
+                    let heard = listener.again(said, agree);
                     let estimate = heard.against.unwrap_or(estimate);
                     let tolerance = if heard.stands {
                         SAFETY * estimate.error + exact(row)
@@ -451,11 +347,6 @@ impl Judge<'_> {
                     let border = here.ahead.len() < 2 || here.behind.len() < 2;
                     result = (if border { Place::Smooth } else { Place::Kink }, true);
                     let value = dot(&row.weights, &self.y);
-                    let stands = |row: &Row| {
-                        let mut all: Vec<Said> = vec![said];
-                        all.extend(FIRST[1..].iter().map(|&first| hear_at(row, first)));
-                        rehear(&all, &own(row), exact(row)).stands
-                    };
                     let flat = self.subject.conventions().flat
                         && if border {
                             let (low, high) = (sides[0].min(0.0), sides[0].max(0.0));
@@ -465,7 +356,7 @@ impl Judge<'_> {
                         };
                     if flat {
                         self.found.convention = true;
-                    } else if stands(row) {
+                    } else if listener.again(said, false).stands {
                         let numbers = numbers(None, Some(sides));
                         self.refuse_with(
                             Reason::OutsideKink,
@@ -482,9 +373,8 @@ impl Judge<'_> {
             // Duals that say what the adjoint says need no hearing of their own.
             let gap = by_duals.map(|dual| (dual - slope).abs());
             if gap.is_some_and(|gap| gap <= ROUNDINGS * self.eps * largest) {
-                if let Said::Fine {
-                    estimate: Some(e), ..
-                } = said
+                if let (false, Said::Fine { estimate, .. }) = (said.undefined(), said)
+                    && let Some(e) = estimate
                 {
                     let tolerance = SAFETY * e.error + exact(row) + ROUNDINGS * self.eps * largest;
                     let gap = by_duals.map_or(0.0, |dual| (dual - e.value).abs()) / per;
@@ -496,7 +386,20 @@ impl Judge<'_> {
         }
         if !judged {
             // No derivative at all: still say what kind of place it is.
-            let said = hear(here, &row.weights, noise, 0.0, 0.0, f64::INFINITY, largest);
+            let listener = Listener {
+                weights: &row.weights,
+                here,
+                climb: &ladder,
+                slope: 0.0,
+                exact: f64::INFINITY,
+                noise,
+                rough: 0.0,
+                hidden: 0.0,
+                size: largest,
+                guessed: false,
+                own: 1.0,
+            };
+            let said = listener.first();
             if let Said::Fine {
                 place, switched, ..
             } = said
@@ -505,5 +408,23 @@ impl Judge<'_> {
             }
         }
         result
+    }
+
+    /// Notes that a slope was heard although differences are too coarse for one as large as others are:
+    /// not too coarse for this one as it typically is.
+    fn hear_coarsely(&mut self, row: &Row, said: Said, exact: f64, (k, scale): (usize, f64)) {
+        let Said::Fine {
+            estimate: Some(e), ..
+        } = said
+        else {
+            return;
+        };
+        let slopes = |x: &[f64]| self.subject.adjoint(x, &row.weights);
+        let typical = (row.adjoint.as_ref()).map_or(0.0, |list| {
+            self.typical(&row.weights, list, &slopes)[k] * scale
+        });
+        if e.error == 0.0 || SAFETY * e.error + exact <= 0.5 * typical {
+            self.found.heard[k] = true;
+        }
     }
 }
