@@ -1,0 +1,286 @@
+//! The harness itself: what a user who knows nothing of it would take for granted, and once was not
+//! so. Right derivatives are accepted where they are hard to tell, wrong ones refused however well they
+//! hide, and a report is about the fault it was asked about.
+use geograd::Scalar;
+use geograd::ad::check::{Check, Report};
+use geograd::ad::verdict::{Reason, Witness};
+use geograd::assert_gradient;
+
+const UNHEARD: Reason = Reason::Unheard;
+const BY_DUALS: Reason = Reason::Disagree(Witness::Adjoint, Witness::Dual);
+const BY_DIFFERENCES: Reason = Reason::Disagree(Witness::Adjoint, Witness::Difference);
+
+#[track_caller]
+fn refused(report: &Report, reason: Reason) {
+    assert!(report.refused_for(reason), "{report}");
+}
+
+fn sum_of_sines<S: Scalar>(x: Vec<S>) -> S {
+    x.iter().fold(S::zero(), |s, x| s + x.sin())
+}
+fn sum_of_squares<S: Scalar>([a, b]: [S; 2]) -> S {
+    a * a + b * b
+}
+
+/// Nothing heard is nothing proved.
+mod unheard {
+    use super::*;
+
+    fn product() -> Check<'static, [f64; 2]> {
+        let check = Check::at([1.0, 2.0]).value(|[x, y]: [f64; 2]| x * y);
+        check.gradient(|_| [7.0, -7.0])
+    }
+
+    #[test]
+    fn no_point_inside() {
+        refused(&product().inside(|p| p[0] > 1.0).run(), UNHEARD);
+    }
+    #[test]
+    fn no_point() {
+        let none = Check::<[f64; 2]>::among([]).value(|[x, y]| x * y);
+        refused(&none.gradient(|_| [7.0, -7.0]).run(), UNHEARD);
+    }
+    #[test]
+    fn no_derivative() {
+        let none = Check::at([1.0, 2.0]).value(|[x, y]: [f64; 2]| x * y);
+        refused(&none.run(), UNHEARD);
+    }
+    #[test]
+    fn no_result() {
+        let none = Check::at([1.0, 2.0]).value(|_| Vec::<f64>::new());
+        refused(&none.adjoint(|_, _| [3.0, 0.0]).run(), UNHEARD);
+    }
+    #[test]
+    fn nothing_but_noise() {
+        let noise = |[x, y]: [f64; 2]| x * y + 1e-3 * (1e17 * x * y).sin();
+        let report = Check::at([1.0, 2.0]).value(noise).gradient(|_| [7.0, -7.0]);
+        assert!(!report.run().passed());
+    }
+    #[test]
+    fn another_path_alone_is_enough() {
+        let product = Check::at([1.0, 2.0]).value(|[x, y]: [f64; 2]| x * y);
+        product.path(|[x, y]| y * x).prove();
+    }
+}
+
+/// Right ones.
+mod accepted {
+    use super::*;
+
+    #[test]
+    fn any_share_of_a_tie() {
+        fn relu<S: Scalar>(x: S) -> S {
+            x.most(S::zero())
+        }
+        assert_gradient!(generic relu, |x| f64::from(x > 0.0), at 0.0);
+        fn larger<S: Scalar>([x, y]: [S; 2]) -> S {
+            x.most(y)
+        }
+        let first = |[x, y]: [f64; 2]| [f64::from(x >= y), f64::from(x < y)];
+        assert_gradient!(generic larger, first, at [1.0, 1.0]);
+    }
+    #[test]
+    fn a_tie_that_is_no_kink() {
+        // x nearby; the duals of its source take half of a tie.
+        fn f<S: Scalar>([x, y]: [S; 2]) -> S {
+            let zero = S::zero();
+            x.most(zero).hypot(y.most(zero)) + x.most(y).least(zero)
+        }
+        assert_gradient!(generic f, |_| [1.0, 0.0], at [0.0, -1.0]);
+    }
+    #[test]
+    fn a_kink_of_the_slope() {
+        Check::at(0.0)
+            .value(|x: f64| x.max(0.0).powi(2))
+            .gradient(|x| 2.0 * x.max(0.0))
+            .hessian_times(|x, v| if x > 0.0 { 2.0 * v } else { 0.0 })
+            .prove();
+    }
+    #[test]
+    fn slopes_that_are_what_is_left_of_one() {
+        fn loss<S: Scalar>(x: S) -> S {
+            (S::one() + (-x).exp()).ln()
+        }
+        let slope = |x: f64| 1.0 / (1.0 + (-x).exp()) - 1.0;
+        assert_gradient!(generic loss, slope, at 8.0, 0.5);
+        let single = |x: f32| 1.0 / (1.0 + (-x).exp()) - 1.0;
+        let check = Check::among([8.0_f32, 0.5]).value(loss).dual(loss);
+        check.gradient(single).prove();
+        // Of the value itself single precision keeps too few digits.
+        let wide = Check::among([8.0_f32, 0.5]).value(loss).wide(loss);
+        refused(
+            &wide.gradient(single).run(),
+            Reason::ValuesDisagree(Witness::Wide),
+        );
+    }
+    #[test]
+    fn a_loss_of_nothing() {
+        let loss = |[a, b]: [f64; 2]| {
+            let m = a.max(b);
+            m + ((a - m).exp() + (b - m).exp()).ln() - a
+        };
+        let slopes = |[a, b]: [f64; 2]| {
+            let m = a.max(b);
+            let (p, q) = ((a - m).exp(), (b - m).exp());
+            [p / (p + q) - 1.0, q / (p + q)]
+        };
+        assert_gradient!(loss, slopes, at [40.0, 0.0]);
+    }
+    #[test]
+    fn slopes_of_zero() {
+        let det = |[a, b, c, d]: [f64; 4]| (a * d - b * c) * (a * d - b * c);
+        let slopes = |[a, b, c, d]: [f64; 4]| {
+            let e = 2.0 * (a * d - b * c);
+            [e * d, -e * c, -e * b, e * a]
+        };
+        assert_gradient!(det, slopes, at [1.0, 1.0, 1.0, 1.0]);
+    }
+    #[test]
+    fn metres_and_millimetres() {
+        let f = |[a, b]: [f64; 2]| 1e-6 * a + 1.0 / b;
+        let right = |[_, b]: [f64; 2]| [1e-6, -1.0 / (b * b)];
+        let wrong = |[_, b]: [f64; 2]| [1e-6, 1.0 / (b * b)];
+        for point in [
+            [1.0, 1e-3],
+            [1e6, 1e-3],
+            [1e6, 1e-2],
+            [1e9, 1e-3],
+            [5e5, 1e-6],
+        ] {
+            Check::at(point).value(f).gradient(right).prove();
+            refused(
+                &Check::at(point).value(f).gradient(wrong).run(),
+                BY_DIFFERENCES,
+            );
+        }
+    }
+    #[test]
+    fn numbers_whose_product_nearly_overflows() {
+        assert_gradient!(|[x, y]: [f64; 2]| x * y, |[x, y]| [y, x], at [1e300, 1e-3]);
+    }
+    #[test]
+    fn a_function_that_panics_beside_its_point() {
+        let value = |[x, y]: [f64; 2]| {
+            assert!(x > 0.0, "x must be positive");
+            x.ln() * y
+        };
+        assert_gradient!(value, |[x, y]| [y / x, x.ln()], at [1e-4, 100.0]);
+    }
+}
+
+/// Wrong ones that hide.
+mod hidden {
+    use super::*;
+
+    #[test]
+    fn behind_steps_too_small_for_single_precision() {
+        let wrong = |[x, y]: [f32; 2]| {
+            let r = (x * x + y * y).sqrt();
+            [x / r, 1.01 * y / r]
+        };
+        let norm = Check::at([1.136_016_2_f32, 0.970_786_8]);
+        let report = norm.value(|[x, y]: [f32; 2]| (x * x + y * y).sqrt());
+        refused(&report.gradient(wrong).run(), BY_DIFFERENCES);
+    }
+    #[test]
+    fn one_in_three_hundred() {
+        let slope = |(i, x): (usize, &f64)| {
+            let off = if i == 150 { 1e-6 } else { 0.0 };
+            (1.0 + off) * x.cos()
+        };
+        let report = Check::at(vec![0.3; 300])
+            .value(sum_of_sines)
+            .gradient(|x| x.iter().enumerate().map(slope).collect())
+            .run();
+        refused(&report, BY_DIFFERENCES);
+    }
+    #[test]
+    fn one_in_two_thousand_of_single_precision() {
+        let slope = |(i, x): (usize, &f32)| if i == 1000 { -x.cos() } else { x.cos() };
+        let report = Check::at(vec![0.3_f32; 2000])
+            .value(sum_of_sines)
+            .dual(sum_of_sines)
+            .gradient(|x| x.iter().enumerate().map(slope).collect())
+            .run();
+        refused(&report, BY_DUALS);
+    }
+    #[test]
+    fn beside_a_far_larger_slope() {
+        let wrong = |[a, b]: [f64; 2]| [2.0 * a, -2.0 * b];
+        let check = Check::at([1e12, 1.0]).value(sum_of_squares);
+        refused(&check.dual(sum_of_squares).gradient(wrong).run(), BY_DUALS);
+        let off = |[a, b]: [f32; 2]| [2.0 * a, 2.02 * b];
+        let check = Check::at([1e2_f32, 1.0]).value(sum_of_squares);
+        refused(&check.dual(sum_of_squares).gradient(off).run(), BY_DUALS);
+    }
+    #[test]
+    fn in_ties_of_many() {
+        // No share of the slope, or nine tenths: along the tie the function is smooth.
+        let largest = |x: [f64; 4]| x.iter().fold(f64::MIN, |m, x| m.max(*x));
+        for share in [0.0, 0.225] {
+            let report = Check::at([1.0; 4]).value(largest).gradient(|_| [share; 4]);
+            assert!(!report.run().passed(), "{share}");
+        }
+        Check::at([1.0; 4])
+            .value(largest)
+            .gradient(|_| [0.25; 4])
+            .prove();
+    }
+    #[test]
+    fn duals_of_another_function() {
+        fn product<S: Scalar>([x, y]: [S; 2]) -> S {
+            x * y
+        }
+        let shifted = |x: [geograd::Jet<f64, 1>; 2]| product(x) + Scalar::lit(5.0);
+        let report = Check::at([1.0, 2.0]).value(product).dual(shifted);
+        let report = report.gradient(|[x, y]| [y, x]).run();
+        refused(&report, Reason::ValuesDisagree(Witness::Dual));
+    }
+}
+
+/// Reports are about the fault.
+mod reports {
+    use super::*;
+
+    #[test]
+    fn shrinking_keeps_to_the_fault() {
+        // Wrong in y; where x is zero there is a kink, at which its slope has another share.
+        fn f<S: Scalar>([x, y]: [S; 2]) -> S {
+            x.most(S::zero()) * y + y * y
+        }
+        let wrong = |[x, y]: [f64; 2]| [if x > 0.0 { y } else { 0.0 }, x.max(0.0) + y];
+        let report = Check::at([1.3, 0.7]).value(f).dual(f).gradient(wrong).run();
+        for failure in &report.failures {
+            assert_eq!(failure.fault.input, 1, "{report}");
+            assert_eq!(failure.fault.suspect, Some(Witness::Adjoint), "{report}");
+            assert!(failure.input[0] != 0.0, "{report}");
+        }
+    }
+    #[test]
+    fn lists_in_shapes_can_be_pasted() {
+        let sum = |(x, a): (Vec<f64>, f64)| a * x.iter().sum::<f64>();
+        let report = Check::at((vec![1.0, 2.0], 0.5))
+            .value(sum)
+            .gradient(|(x, a)| (vec![-a; x.len()], x.iter().sum()))
+            .run();
+        assert!(report.failures[0].code.starts_with("(vec!["), "{report}");
+    }
+    #[test]
+    fn a_long_list_does_not_hang() {
+        // Forty thousand numbers: candidates are no longer made when nobody can pay for them.
+        let report = Check::at(vec![0.5; 40_000])
+            .value(|x: Vec<f64>| x.iter().map(|x| x * x).sum::<f64>())
+            .gradient(|x| x.iter().map(|x| 2.1 * x).collect())
+            .run();
+        assert!(!report.passed());
+    }
+    #[test]
+    #[should_panic(expected = "one number as result")]
+    fn a_hessian_of_two_results() {
+        Check::at([1.0, 2.0])
+            .value(|[x, y]: [f64; 2]| [x * x, y * y])
+            .adjoint(|[x, y], s| [2.0 * x * s[0], 2.0 * y * s[1]])
+            .hessian_times(|_, [u, v]| [2.0 * u, 2.0 * v])
+            .prove();
+    }
+}
