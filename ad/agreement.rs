@@ -4,7 +4,7 @@ use crate::ad::judge::{Judge, ROUNDINGS, Row, SAFETY, finite, same_bits};
 use crate::ad::sample::Draw;
 use crate::ad::slopes::FEW_INPUTS;
 use crate::ad::verdict::{Nearest, Numbers, Reason, Witness};
-use crate::ad::witness::dot;
+use crate::ad::witness::{combined, dot};
 
 impl Judge<'_> {
     /// Another path's value against the value.
@@ -162,18 +162,11 @@ impl Judge<'_> {
             &[]
         };
         for row in rows {
-            let combined = |x: &[f64]| {
+            let by_duals = |x: &[f64]| {
                 let jacobian = wide.jacobian(x)?;
-                Some(
-                    (0..x.len())
-                        .map(|i| {
-                            let column: Vec<f64> = jacobian.iter().map(|row| row[i]).collect();
-                            dot(&row.weights, &column)
-                        })
-                        .collect::<Vec<f64>>(),
-                )
+                Some(combined(&row.weights, &jacobian, x.len()))
             };
-            let (Some(exact), Some(adjoint)) = (combined(self.x), &row.adjoint) else {
+            let (Some(exact), Some(adjoint)) = (by_duals(self.x), &row.adjoint) else {
                 continue;
             };
             if !finite(&exact) {
@@ -186,7 +179,7 @@ impl Judge<'_> {
             let provoked = outside(&tolerance);
             if provoked {
                 let by_hand = |x: &[f64]| self.subject.adjoint(x, &row.weights);
-                let theirs = self.spread(&exact, None, combined);
+                let theirs = self.spread(&exact, None, by_duals);
                 let own = self.spread(adjoint, None, by_hand);
                 let rough = self.rough_slopes(&row.weights, adjoint, &by_hand);
                 for i in 0..tolerance.len() {

@@ -44,8 +44,8 @@ pub(crate) struct Rehearing {
     pub(crate) stands: bool,
     /// The best estimate against the slope, if any.
     pub(crate) against: Option<Estimate>,
-    /// The best estimate for it.
-    pub(crate) support: Option<Estimate>,
+    /// Whether some ladder says what the slope says.
+    pub(crate) supported: bool,
 }
 
 /// Weighs what all ladders say about a slope; those in `own` began at the number's own size, and if
@@ -77,11 +77,8 @@ pub(crate) fn rehear(said: &[Said], own: &[Said], exact: f64) -> Rehearing {
         Said::Other { estimate, .. } => Some(*estimate),
         _ => None,
     });
-    let least = |list: &[Estimate]| {
-        let by_error = |a: &Estimate, b: &Estimate| a.error.total_cmp(&b.error);
-        list.iter().copied().min_by(by_error)
-    };
-    let best = finest.or(least(&against));
+    let by_error = |a: &Estimate, b: &Estimate| a.error.total_cmp(&b.error);
+    let best = finest.or(against.iter().copied().min_by(by_error));
     let differ = |a: &Estimate, b: &Estimate| {
         (a.value - b.value).abs() > SAFETY * (a.error + b.error) + exact
     };
@@ -95,6 +92,6 @@ pub(crate) fn rehear(said: &[Said], own: &[Said], exact: f64) -> Rehearing {
     Rehearing {
         stands: repeated >= 2 && !contradicted && !kink,
         against: best,
-        support: least(&support),
+        supported: !support.is_empty(),
     }
 }

@@ -11,7 +11,7 @@ use crate::ad::slopes::FEW_INPUTS;
 use crate::ad::subject::Subject;
 use crate::ad::trace::Trace;
 use crate::ad::verdict::{Fault, Findings, Numbers, PAIRS, Place, Reason, Witness, Worst};
-use crate::ad::witness::{beside, dot};
+use crate::ad::witness::{beside, combined, dot};
 
 /// How many roundings the last step of a derivative may have more than the other way to get it.
 pub(crate) const ROUNDINGS: f64 = 16.0;
@@ -275,14 +275,9 @@ impl Judge<'_> {
                     self.refuse(Reason::Impure(Witness::Adjoint), output, 0);
                 }
             }
-            let dual = jacobian.as_ref().map(|jacobian| {
-                (0..n)
-                    .map(|i| {
-                        let column: Vec<f64> = jacobian.iter().map(|row| row[i]).collect();
-                        dot(&weights, &column)
-                    })
-                    .collect::<Vec<f64>>()
-            });
+            let dual = jacobian
+                .as_ref()
+                .map(|jacobian| combined(&weights, jacobian, n));
             if dual.as_ref().is_some_and(|dual| !finite(dual)) {
                 return None;
             }

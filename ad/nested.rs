@@ -5,7 +5,7 @@ use crate::ad::near::Near;
 use crate::ad::slopes::FEW_INPUTS;
 use crate::ad::subject::{Conventions, Subject};
 use crate::ad::trace::{Number, Trace, Traced, trace};
-use crate::ad::witness::{Precision, dot};
+use crate::ad::witness::{Precision, combined, dot};
 use crate::{Jet, Pack, Scalar};
 use std::fmt::Debug;
 
@@ -168,9 +168,8 @@ impl<S: Number, X: Pack<Scalar = S>> Subject for Wide<'_, '_, X> {
     }
     fn adjoint(&self, x: &[f64], y_bar: &[f64]) -> Option<Vec<f64>> {
         // By duals, one number after the other: for short inputs.
-        let columns = (x.len() <= FEW_INPUTS).then(|| self.jacobian(x))??;
-        let columns = transposed(&columns);
-        Some(columns.iter().map(|column| dot(y_bar, column)).collect())
+        let jacobian = (x.len() <= FEW_INPUTS).then(|| self.jacobian(x))??;
+        Some(combined(y_bar, &jacobian, x.len()))
     }
     fn nested(&self, x: &[f64], y_bar: &[f64], direction: &[f64]) -> Option<Vec<f64>> {
         let near = self.narrow.near;

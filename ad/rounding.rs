@@ -15,7 +15,7 @@ use crate::ad::sample::Draw;
 use crate::ad::slopes::FEW_INPUTS;
 use crate::ad::subject::Subject;
 use crate::ad::symmetry::exchanged;
-use crate::ad::witness::{Precision, dot};
+use crate::ad::witness::{Precision, combined, dot};
 
 /// How often a derivative's own roundings are drawn.
 const RUNS: u64 = 24;
@@ -206,16 +206,9 @@ impl Judge<'_> {
             }
         }
         if let Some(dual) = &row.dual {
-            let by_duals = |x: &[f64]| -> Option<Vec<f64>> {
+            let by_duals = |x: &[f64]| {
                 let jacobian = self.subject.jacobian(x)?;
-                Some(
-                    (0..x.len())
-                        .map(|i| {
-                            let column: Vec<f64> = jacobian.iter().map(|row| row[i]).collect();
-                            dot(&row.weights, &column)
-                        })
-                        .collect(),
-                )
+                Some(combined(&row.weights, &jacobian, x.len()))
             };
             let spread = self.spread(dual, Some(&row.size), by_duals);
             let rough = self.rough_slopes(&row.weights, dual, &by_duals);

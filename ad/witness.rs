@@ -322,6 +322,15 @@ pub(crate) fn dot(a: &[f64], b: &[f64]) -> f64 {
         .sum()
 }
 
+/// The slopes of one combination of the outputs, from a Jacobian with one row per output.
+pub(crate) fn combined(weights: &[f64], jacobian: &[Vec<f64>], inputs: usize) -> Vec<f64> {
+    let slope = |i: usize| {
+        let column: Vec<f64> = jacobian.iter().map(|row| row[i]).collect();
+        dot(weights, &column)
+    };
+    (0..inputs).map(slope).collect()
+}
+
 /// Extrapolates `(step, slope)` to step zero, eliminating the powers `order, 2 order, …`.
 ///
 /// Of all extrapolations the one with the smallest error counts. Its error is the change from the
