@@ -68,8 +68,8 @@ pub(crate) struct Judge<'a> {
     /// Disagreements with duals that differences may explain: a tie, of which each takes an element
     /// of its own.
     pub(crate) pending: Vec<Fault>,
-    /// Outputs and directions with a kink.
-    pub(crate) kinks: Vec<(usize, usize)>,
+    /// Outputs and directions at which steps could tell, and what kind of place it is along them.
+    pub(crate) told: Vec<(usize, usize, Place)>,
 }
 
 /// Checks everything at one input. `seed` chooses random directions.
@@ -96,7 +96,7 @@ pub fn judge(subject: &dyn Subject, x: &[f64], seed: u64) -> Findings {
             faults: Vec::new(),
         },
         pending: Vec::new(),
-        kinks: Vec::new(),
+        told: Vec::new(),
     };
     judge.all(&mut Draw::new(seed));
     judge.found

@@ -1,6 +1,6 @@
 //! The part of a judgement that weighs what was said when all witnesses have been heard.
 use crate::ad::judge::Judge;
-use crate::ad::verdict::{Fault, Reason, Witness};
+use crate::ad::verdict::{Fault, Place, Reason, Witness};
 
 impl Judge<'_> {
     /// Refuses what duals say unless the input is a kink there, at which the adjoint has stood every
@@ -9,7 +9,10 @@ impl Judge<'_> {
         let exact_tie = self.tie_of_duals();
         let mut refused: Vec<Fault> = Vec::new();
         for fault in std::mem::take(&mut self.pending) {
-            let kink = self.kinks.contains(&(fault.output, fault.input));
+            let mut told = self.told.iter();
+            let place = told.find(|told| (told.0, told.1) == (fault.output, fault.input));
+            // Where steps could not tell, nobody but the duals has spoken.
+            let excused = place.is_some_and(|told| exact_tie || told.2 == Place::Kink);
             let against = |other: &Fault| {
                 let reasons = [
                     Reason::Disagree(Witness::Adjoint, Witness::Difference),
@@ -17,10 +20,10 @@ impl Judge<'_> {
                 ];
                 other.output == fault.output && reasons.contains(&other.reason)
             };
-            let stood = !self.found.faults.iter().any(against) && self.found.heard[fault.input];
+            let stood = !self.found.faults.iter().any(against);
             let known =
                 |other: &Fault| other.reason == fault.reason && other.output == fault.output;
-            if (kink || exact_tie) && stood {
+            if excused && stood {
                 self.found.convention = true;
             } else if !refused.iter().any(known) {
                 refused.push(fault);

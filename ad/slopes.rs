@@ -99,12 +99,10 @@ impl Judge<'_> {
                 };
                 let place = self.one_direction(row, noise, &along);
                 said.push(place.1);
-                if place.0 == Place::Kink {
-                    kinks = true;
-                    self.kinks.push((row.output, k));
-                }
+                kinks |= place.0 == Place::Kink;
                 let derived = row.adjoint.is_some() || row.dual.is_some();
                 if place.0 != Place::Undefined && derived {
+                    self.told.push((row.output, k, place.0));
                     match self.found.heard.get_mut(k) {
                         Some(heard) if n <= FEW_INPUTS => *heard = true,
                         _ => self.found.heard.fill(true),
@@ -260,7 +258,7 @@ impl Judge<'_> {
             }
             let coarse = said;
             said = listener.finer(said);
-            if along_axis && said.undefined() {
+            if along_axis && said.undefined() && !self.found.heard[k] {
                 self.hear_coarsely(row, coarse, listener.exact, (k, direction[k].abs()));
             }
             let pair = if witness == Witness::Adjoint { 1 } else { 2 };
@@ -339,7 +337,7 @@ impl Judge<'_> {
                         let numbers = numbers(Some(estimate.value), None);
                         let tolerance = tolerance / per;
                         self.refuse_with(reason, suspect, output, input, numbers, tolerance);
-                    } else if heard.support.is_none() {
+                    } else if !heard.supported {
                         result = (Place::Undefined, true);
                     }
                 }

@@ -227,6 +227,17 @@ mod hidden {
             .prove();
     }
     #[test]
+    fn behind_a_tie_of_another_number() {
+        // No step along x is inside, so only the duals can tell; that z ties is no excuse.
+        fn f<S: Scalar>([x, z]: [S; 2]) -> S {
+            x * x + z.most(S::zero())
+        }
+        let wrong = |[_, z]: [f64; 2]| [7.0, f64::from(z > 0.0)];
+        let check = Check::at([1.0, 0.0]).value(f).dual(f).traced(f);
+        let check = check.inside(|p| p[0] == 1.0).gradient(wrong);
+        refused(&check.run(), BY_DUALS);
+    }
+    #[test]
     fn duals_of_another_function() {
         fn product<S: Scalar>([x, y]: [S; 2]) -> S {
             x * y
