@@ -7,8 +7,7 @@ use crate::clip::{
     Framed, clip, clipped_area, frame, nothing_shared, relate, related_area, size_scale,
 };
 use crate::overlap::{
-    Denominator, Intersection, Measure, OverFirst, OverUnion, Shared, area_from_half,
-    area_of_shared, in_outer_unit, measure, share,
+    Denominator, Shared, area_from_half, area_of_shared, in_outer_unit, score_of, share,
 };
 use crate::{Aabb2, Mask, Obb2, Scalar, Vec2};
 
@@ -17,8 +16,8 @@ use crate::{Aabb2, Mask, Obb2, Scalar, Vec2};
 /// `I / U` with `U = A + B − I`: `∂I = (1 + I/U) / U`, `∂A = ∂B = −(I/U) / U`.
 /// `I / A`: `∂I = 1/A`, `∂A = −(I/A) / A`. Zero where the denominator is.
 #[inline(always)]
-fn measure_slopes<M: Measure, S: Scalar>(value: S, inter: S, area_a: S, area_b: S) -> [S; 3] {
-    match M::DENOMINATOR {
+fn score_slopes<S: Scalar>(over: Denominator, value: S, inter: S, area_a: S, area_b: S) -> [S; 3] {
+    match over {
         Denominator::None => [S::one(), S::zero(), S::zero()],
         Denominator::Union => {
             let per_area = reciprocal_or_zero(area_a + area_b - inter);
@@ -51,7 +50,8 @@ pub type Grads<S> = (Obb2<S>, Obb2<S>);
 /// Moving b by `(∂u, ∂v)` in a's frame is moving a the other way; turning the pair about a's centre
 /// changes nothing, so `∂heading_a = −(∂heading_b + u ∂v − v ∂u)`.
 #[inline(always)]
-pub fn score_framed_grad<M: Measure, S: Scalar, const EXTREME: bool>(
+pub fn score_framed_grad<S: Scalar, const EXTREME: bool>(
+    over: Denominator,
     a: Framed<S>,
     b: Framed<S>,
 ) -> (S, Grads<S>) {
@@ -73,56 +73,84 @@ pub fn score_framed_grad<M: Measure, S: Scalar, const EXTREME: bool>(
 
     // From the pair's unit of length to the caller's.
     let (mut heading_unit, mut length_unit) = (S::one(), scale);
-    if EXTREME && !M::IS_RATIO {
+    if EXTREME && over == Denominator::None {
         length_unit = S::one().over(scale);
         heading_unit = length_unit;
     }
     let half_b = b.half * scale;
     let (area_a, area_b) = (area_from_half(pair.half_a), area_from_half(half_b));
-    let value = measure::<M, S>(inter, area_a, area_b);
-    let [inter_bar, area_a_bar, area_b_bar] = measure_slopes::<M, S>(value, inter, area_a, area_b);
+    let value = score_of(over, inter, area_a, area_b);
+    let [inter_bar, area_a_bar, area_b_bar] = score_slopes(over, value, inter, area_a, area_b);
     let value = if EXTREME {
-        in_outer_unit::<M, S>(value, scale)
+        in_outer_unit(over, value, scale)
     } else {
         value
     };
     let inter_bar = S::select(nothing, S::zero(), inter_bar);
     // What is apart scores zero whatever the areas are, so those slopes vanish by themselves.
-    let (u_bar, v_bar) = (slopes.u * inter_bar, slopes.v * inter_bar);
-    let heading_bar = slopes.heading * inter_bar;
-    let turn_bar = heading_bar + (pair.u * v_bar - pair.v * u_bar);
+    let (u_bar, v_bar) = (
+        bounded::<S, EXTREME>(slopes.u * inter_bar),
+        bounded::<S, EXTREME>(slopes.v * inter_bar),
+    );
+    let heading_bar = bounded::<S, EXTREME>(slopes.heading * inter_bar);
+    let turn_bar = heading_bar
+        + (bounded::<S, EXTREME>(pair.u * v_bar) - bounded::<S, EXTREME>(pair.v * u_bar));
     let center_bar =
         Vec2::new(a.cos * u_bar - a.sin * v_bar, a.sin * u_bar + a.cos * v_bar) * length_unit;
     let grads = (
         Obb2 {
             center: -center_bar,
-            size: size_slopes(pair.half_a, slopes.half_a * inter_bar, area_a_bar) * length_unit,
+            size: size_slopes::<S, EXTREME>(pair.half_a, slopes.half_a * inter_bar, area_a_bar)
+                * length_unit,
             heading: -(turn_bar * heading_unit * heading_unit),
         },
         Obb2 {
             center: center_bar,
-            size: size_slopes(half_b, slopes.half_b * inter_bar, area_b_bar) * length_unit,
+            size: size_slopes::<S, EXTREME>(half_b, slopes.half_b * inter_bar, area_b_bar)
+                * length_unit,
             heading: heading_bar * heading_unit * heading_unit,
         },
     );
-    (
-        value,
-        if EXTREME {
-            (saturated(grads.0), saturated(grads.1))
-        } else {
-            grads
-        },
-    )
+    let grads = if EXTREME {
+        (saturated(grads.0), saturated(grads.1))
+    } else {
+        grads
+    };
+    (value.canonical(), (canonical(grads.0), canonical(grads.1)))
+}
+
+/// A term of a sum of slopes: no larger than the largest number, so that two of opposite sign leave
+/// a number. Ordinary boxes have none so large.
+#[inline(always)]
+fn bounded<S: Scalar, const EXTREME: bool>(x: S) -> S {
+    if EXTREME { x.saturated() } else { x }
+}
+
+/// Every field with zeros without sign.
+#[inline(always)]
+fn canonical<S: Scalar>(x: Obb2<S>) -> Obb2<S> {
+    Obb2 {
+        center: x.center.canonical(),
+        size: x.size.canonical(),
+        heading: x.heading.canonical(),
+    }
 }
 
 /// Slopes with respect to a size, which is twice its half: those through the area of intersection
 /// and those through the box's own area, four times the product of the halves.
 #[inline(always)]
-fn size_slopes<S: Scalar>(half: Vec2<S>, inter_slope: Vec2<S>, area_bar: S) -> Vec2<S> {
-    let twice = area_bar + area_bar;
+fn size_slopes<S: Scalar, const EXTREME: bool>(
+    half: Vec2<S>,
+    inter_slope: Vec2<S>,
+    area_bar: S,
+) -> Vec2<S> {
+    let twice = bounded::<S, EXTREME>(area_bar + area_bar);
+    let sum = |of_inter: S, of_area: S| {
+        bounded::<S, EXTREME>(of_inter.halved()) + bounded::<S, EXTREME>(of_area)
+    };
     Vec2::new(
-        inter_slope.x.halved() + twice * half.y,
-        inter_slope.y.halved() + twice * half.x,
+        sum(inter_slope.x, twice * half.y),
+        sum(inter_slope.y, twice * half.x),
     )
 }
 
@@ -139,19 +167,19 @@ fn saturated<S: Scalar>(x: Obb2<S>) -> Obb2<S> {
 /// Every field times a number.
 #[inline(always)]
 pub fn scaled_obb2<S: Scalar>(x: Obb2<S>, by: S) -> Obb2<S> {
-    Obb2 {
+    canonical(Obb2 {
         center: x.center * by,
         size: x.size * by,
         heading: x.heading * by,
-    }
+    })
 }
 
 /// Every field times a number.
 #[inline(always)]
 pub fn scaled_aabb2<S: Scalar>(x: Aabb2<S>, by: S) -> Aabb2<S> {
     Aabb2 {
-        min: x.min * by,
-        max: x.max * by,
+        min: (x.min * by).canonical(),
+        max: (x.max * by).canonical(),
     }
 }
 
@@ -160,7 +188,8 @@ pub fn scaled_aabb2<S: Scalar>(x: Aabb2<S>, by: S) -> Aabb2<S> {
 /// With `h` half the shared size, `I = 4 h_x h_y`; a bound that decides alone takes the whole slope
 /// of its side, tied bounds half each.
 #[inline(always)]
-pub fn score_aabb2_grad<M: Measure, S: Scalar>(
+pub fn score_aabb2_grad<S: Scalar>(
+    over: Denominator,
     a: Aabb2<S>,
     b: Aabb2<S>,
 ) -> (S, (Aabb2<S>, Aabb2<S>)) {
@@ -174,13 +203,12 @@ pub fn score_aabb2_grad<M: Measure, S: Scalar>(
     } = shared;
     let inter = area_of_shared(&shared);
     let (area_a, area_b) = (area_from_half(half_a), area_from_half(half_b));
-    let value = measure::<M, S>(inter, area_a, area_b);
-    let [inter_bar, area_a_bar, area_b_bar] = measure_slopes::<M, S>(value, inter, area_a, area_b);
-    let value = in_outer_unit::<M, S>(value, scale);
-    let unit = if M::IS_RATIO {
-        scale
-    } else {
-        S::one().over(scale)
+    let value = score_of(over, inter, area_a, area_b);
+    let [inter_bar, area_a_bar, area_b_bar] = score_slopes(over, value, inter, area_a, area_b);
+    let value = in_outer_unit(over, value, scale);
+    let unit = match over {
+        Denominator::None => S::one().over(scale),
+        Denominator::Union | Denominator::First => scale,
     };
     let inter_bar = S::select(apart, S::zero(), inter_bar);
     let two = S::lit(2.0) * unit;
@@ -197,9 +225,9 @@ pub fn score_aabb2_grad<M: Measure, S: Scalar>(
     let min = Vec2::new(part(b.min.x, a.min.x), part(b.min.y, a.min.y));
     let times = |x: Vec2<S>, y: Vec2<S>| Vec2::new(x.x * y.x, x.y * y.y);
     let rest = |x: Vec2<S>| Vec2::new(S::one() - x.x, S::one() - x.y);
-    let limit = |x: Vec2<S>| Vec2::new(x.x.saturated(), x.y.saturated());
+    let limit = |x: Vec2<S>| Vec2::new(x.x.saturated(), x.y.saturated()).canonical();
     (
-        value,
+        value.canonical(),
         (
             Aabb2 {
                 min: limit(-(times(bound_bar, min) + own_a)),
@@ -215,14 +243,14 @@ pub fn score_aabb2_grad<M: Measure, S: Scalar>(
 
 /// Both public forms of one score: the macro lists names.
 macro_rules! adjoints {
-    ($($measure:ident: $obb_grad:ident, $obb_vjp:ident of $obb:ident;
+    ($($over:ident: $obb_grad:ident, $obb_vjp:ident of $obb:ident;
        $aabb_grad:ident, $aabb_vjp:ident of $aabb:ident;)*) => { $(
         #[doc = concat!("[`", stringify!($obb), "`](crate::overlap::", stringify!($obb),
             ") and its slopes with respect to both boxes.")]
         #[must_use]
         #[inline]
         pub fn $obb_grad<S: Scalar>(a: Obb2<S>, b: Obb2<S>) -> (S, (Obb2<S>, Obb2<S>)) {
-            score_framed_grad::<$measure, S, true>(frame(a), frame(b))
+            score_framed_grad::<S, true>(Denominator::$over, frame(a), frame(b))
         }
         #[doc = concat!("Adjoint of [`", stringify!($obb), "`](crate::overlap::", stringify!($obb),
             "): `out_bar` times the slopes with respect to both boxes.")]
@@ -237,7 +265,7 @@ macro_rules! adjoints {
         #[must_use]
         #[inline]
         pub fn $aabb_grad<S: Scalar>(a: Aabb2<S>, b: Aabb2<S>) -> (S, (Aabb2<S>, Aabb2<S>)) {
-            score_aabb2_grad::<$measure, S>(a, b)
+            score_aabb2_grad(Denominator::$over, a, b)
         }
         #[doc = concat!("Adjoint of [`", stringify!($aabb), "`](crate::overlap::",
             stringify!($aabb), "): `out_bar` times the slopes with respect to both boxes.")]
@@ -251,10 +279,10 @@ macro_rules! adjoints {
 }
 
 adjoints! {
-    Intersection: intersection_area_obb2_grad, intersection_area_obb2_vjp of intersection_area_obb2;
+    None: intersection_area_obb2_grad, intersection_area_obb2_vjp of intersection_area_obb2;
         intersection_area_aabb2_grad, intersection_area_aabb2_vjp of intersection_area_aabb2;
-    OverUnion: iou_obb2_grad, iou_obb2_vjp of iou_obb2;
+    Union: iou_obb2_grad, iou_obb2_vjp of iou_obb2;
         iou_aabb2_grad, iou_aabb2_vjp of iou_aabb2;
-    OverFirst: iof_obb2_grad, iof_obb2_vjp of iof_obb2;
+    First: iof_obb2_grad, iof_obb2_vjp of iof_obb2;
         iof_aabb2_grad, iof_aabb2_vjp of iof_aabb2;
 }

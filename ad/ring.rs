@@ -5,7 +5,7 @@ use crate::{Scalar, Vec2};
 /// A vertex's slopes at the nearest finite numbers.
 #[inline(always)]
 fn limited<S: Scalar>(x: S, y: S) -> Vec2<S> {
-    Vec2::new(x.saturated(), y.saturated())
+    Vec2::new(x.saturated(), y.saturated()).canonical()
 }
 
 /// Writes a cotangent for every vertex, from it and its neighbours, each brought to its `place`
@@ -90,7 +90,8 @@ pub fn perimeter_vjp<S: Scalar>(ring: &[Vec2<S>], out_bar: S, ring_bar: &mut [Ve
         ring_bar,
         |v| local.place(v),
         |before, here, after| {
-            ((here - before).normalize_or_zero() + (here - after).normalize_or_zero()) * out_bar
+            let pull = (here - before).normalize_or_zero() + (here - after).normalize_or_zero();
+            (pull * out_bar).canonical()
         },
     );
 }

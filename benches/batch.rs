@@ -116,7 +116,7 @@ fn main() {
     println!(
         "f32, {} threads at most, {:?}",
         std::thread::available_parallelism().map_or(1, |n| n.get()),
-        geograd::kernels::simd::Simd::current()
+        geograd::kernels::cpu::simd::Simd::current().unwrap()
     );
     geograd::for_each_op!(measure);
 }

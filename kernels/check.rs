@@ -9,9 +9,10 @@ use crate::ad::check::{Plan, Report, examine};
 use crate::ad::picture::picture;
 use crate::ad::sample::{Sample, hard_cases, random};
 use crate::ad::trace::Number;
+use crate::kernels::cpu;
 use crate::kernels::gpu::{GpuPair, GpuRing};
 use crate::kernels::op::{Op, PairOp, RingOp};
-use crate::kernels::real::{Bundle, Real};
+use crate::kernels::real::Real;
 use crate::kernels::witness::{Ask, Batch, ask_pairs, ask_rings};
 use crate::kernels::{Backend, GpuError};
 use crate::{Fixed, Pack, Vec2};
@@ -41,15 +42,11 @@ fn pair_ordinary<O: PairOp, S: Number>(x: &[S]) -> Vec<S> {
     }]
 }
 
-/// A pair's value on SIMD lanes.
-fn pair_lanes<O: PairOp, S: Real>(x: &[S]) -> Vec<S> {
-    let lanes: Vec<S::Bundle> = x.iter().map(|&x| S::Bundle::splat(x)).collect();
-    let (a, b) = lanes.split_at(O::A::<S::Bundle>::LEN);
-    let (a, b) = (
-        O::frame_a(O::A::<S::Bundle>::from_slice(a)),
-        O::frame_b(O::B::<S::Bundle>::from_slice(b)),
-    );
-    vec![O::value::<S::Bundle, true>(a, b).lanes()[0]]
+/// A pair's value by a batch.
+fn pair_batch<O: PairOp, S: Real>(x: &[S]) -> Vec<S> {
+    let (a, b) = x.split_at(O::A::<S>::LEN);
+    let (a, b) = (O::A::<S>::from_slice(a), O::B::<S>::from_slice(b));
+    cpu::aligned::<O, S>(&[a], &[b]).unwrap_or_default()
 }
 
 /// A pair's value and slopes, fused.
@@ -163,7 +160,7 @@ where
     let paths: [Path<S>; 3] = [
         pair_value::<O, S>,
         pair_ordinary::<O, S>,
-        pair_lanes::<O, S>,
+        pair_batch::<O, S>,
     ];
     prove_with::<O, S>(plan, &paths, Some(pair_fused::<O, S>), ask)
 }

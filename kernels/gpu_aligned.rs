@@ -6,7 +6,7 @@ use super::work::{Params, Work, groups};
 use super::{Bars, Gpu, Values};
 use crate::error::Argument;
 use crate::kernels::GpuError;
-use crate::kernels::tile::expect;
+use crate::kernels::cpu::checked::expect;
 
 /// Results and slopes with respect to both lists.
 pub type AlignedBars<O> = (Values, BarsOf<O>, BarsOf<O>);

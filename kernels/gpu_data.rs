@@ -5,7 +5,7 @@ use super::work::{Params, Work, groups};
 use super::{Gpu, Inner, Pending};
 use crate::error::{Argument, Error};
 use crate::kernels::GpuError;
-use crate::kernels::tile::{check_upstream, expect};
+use crate::kernels::cpu::checked::{check_upstream, expect};
 use std::marker::PhantomData;
 use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};

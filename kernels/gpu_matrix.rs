@@ -4,7 +4,7 @@ use super::download::download;
 use super::{Gpu, Pending};
 use crate::error::{Argument, Error};
 use crate::kernels::GpuError;
-use crate::kernels::tile::{check_upstream, entries, expect};
+use crate::kernels::cpu::checked::{check_upstream, entries, expect};
 
 /// A matrix on the GPU: one number per row of one list and row of another. Clones of a handle are
 /// the same numbers.

@@ -8,7 +8,7 @@ use crate::Fixed;
 use crate::error::{Argument, Error};
 use crate::kernels::GpuError;
 use crate::kernels::cpu::PairGrads;
-use crate::kernels::tile::{check_upstream, entries, expect};
+use crate::kernels::cpu::checked::{check_upstream, entries, expect};
 use std::marker::PhantomData;
 
 /// Shapes of an operation on the GPU.

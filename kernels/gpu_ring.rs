@@ -5,8 +5,8 @@ use super::work::{Params, Work, groups};
 use super::{Gpu, Inner, Pending};
 use crate::error::{Argument, Error};
 use crate::kernels::GpuError;
-use crate::kernels::ragged::check_ragged;
-use crate::kernels::tile::{check_upstream, expect};
+use crate::kernels::cpu::check_ragged;
+use crate::kernels::cpu::checked::{check_upstream, expect};
 use crate::{Fixed, Vec2};
 use std::marker::PhantomData;
 

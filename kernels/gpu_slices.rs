@@ -6,9 +6,9 @@ use crate::Vec2;
 use crate::error::Argument;
 use crate::kernels::GpuError;
 use crate::kernels::backend::{Loss, Slopes as Both};
+use crate::kernels::cpu::checked::expect;
 use crate::kernels::cpu::{A, AlignedGrads, B, PairGrads};
 use crate::kernels::reduce::{Best, Found};
-use crate::kernels::tile::expect;
 
 /// Both lists on the GPU.
 fn lists<O: GpuPair>(

@@ -100,20 +100,16 @@ pub trait GpuPair:
     type Shape: GpuShape;
     /// What the score is divided by.
     const DENOMINATOR: Denominator;
-    /// Whether the score is a ratio.
-    const IS_RATIO: bool;
 }
 
 impl<M: Measure> GpuPair for Obb2Score<M> {
     type Shape = Obb2<f32>;
     const DENOMINATOR: Denominator = M::DENOMINATOR;
-    const IS_RATIO: bool = M::IS_RATIO;
 }
 
 impl<M: Measure> GpuPair for Aabb2Score<M> {
     type Shape = Aabb2<f32>;
     const DENOMINATOR: Denominator = M::DENOMINATOR;
-    const IS_RATIO: bool = M::IS_RATIO;
 }
 
 /// An operation of a ring that has a mirror in WGSL.
@@ -273,7 +269,7 @@ pub(super) fn pair_source<O: GpuPair>(source: Source) -> String {
         O::Shape::LEN,
         source.slots.max(1),
         O::DENOMINATOR as u32,
-        O::IS_RATIO,
+        O::DENOMINATOR != Denominator::None,
         source.extreme,
         source.own_rows,
     );

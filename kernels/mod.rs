@@ -10,27 +10,19 @@
 //! (`…_vjp`), and with buffers of the caller's (`…_into`). [`reduce`] gives maxima, sums and lists
 //! of all pairs without the matrix. The same on a GPU is [`gpu`]; [`Backend`] is one front for both,
 //! and [`resident`] keeps shapes and results where they are between its calls.
-mod aligned;
 pub mod backend;
 pub mod check;
 pub mod cpu;
 #[cfg_attr(not(feature = "gpu"), path = "gpu_none.rs")]
 pub mod gpu;
 mod gpu_error;
-mod matrix;
-mod matrix_grad;
-mod matrix_vjp;
 pub mod op;
 pub mod overlap;
-mod ragged;
 pub mod real;
 pub mod reduce;
-mod reduce_block;
 pub mod resident;
 pub mod ring;
-pub mod simd;
 mod subject;
-mod tile;
 pub mod witness;
 
 pub use backend::Backend;

@@ -1,5 +1,7 @@
 //! The contract of an operation: written once per face, served everywhere.
 use crate::error::Flaw;
+use crate::kernels::cpu::drivers::Compiled;
+use crate::kernels::cpu::rings::Measure;
 use crate::{Fixed, Pack, Scalar, Vec2};
 
 /// An operation: its name, its generic source and its adjoint by hand.
@@ -34,6 +36,11 @@ pub trait PairOp: Op {
     type FrameA<S: Scalar>: Fixed<Scalar = S>;
     /// The second shape, prepared.
     type FrameB<S: Scalar>: Fixed<Scalar = S>;
+    /// Kernels that the library has compiled for it.
+    #[doc(hidden)]
+    fn compiled() -> Option<Compiled> {
+        None
+    }
     /// Prepares a first shape.
     fn frame_a<S: Scalar>(a: Self::A<S>) -> Self::FrameA<S>;
     /// Prepares a second shape.
@@ -67,6 +74,11 @@ pub trait PairOp: Op {
 
 /// An operation of a ring of run-time size: what ragged batches serve.
 pub trait RingOp: Op {
+    /// Kernels that the library has compiled for it.
+    #[doc(hidden)]
+    fn compiled() -> Option<Measure> {
+        None
+    }
     /// The result.
     fn value<S: Scalar>(ring: &[Vec2<S>]) -> Self::Out<S>;
     /// The adjoint, one cotangent per vertex, written into the caller's slice of the same length.

@@ -2,6 +2,7 @@
 use crate::ad::overlap::{scaled_aabb2, scaled_obb2, score_aabb2_grad, score_framed_grad};
 use crate::clip::{Framed, frame, is_ordinary};
 use crate::error::{Flaw, Validate};
+use crate::kernels::cpu::drivers::Compiled;
 use crate::kernels::op::{Op, PairOp};
 use crate::overlap::{Intersection, Measure, OverFirst, OverUnion, score_aabb2, score_framed};
 use crate::{Aabb2, Obb2, Pack, Scalar};
@@ -34,11 +35,11 @@ impl<M: Measure> Op for Obb2Score<M> {
     type Out<S: Scalar> = S;
     #[inline]
     fn eval<S: Scalar>(&(a, b): &Self::In<S>) -> S {
-        score_framed::<M, S, true>(frame(a), frame(b))
+        score_framed::<S, true>(M::DENOMINATOR, frame(a), frame(b))
     }
     #[inline]
     fn vjp<S: Scalar>(&(a, b): &Self::In<S>, out_bar: S) -> Self::In<S> {
-        let (a_bar, b_bar) = score_framed_grad::<M, S, true>(frame(a), frame(b)).1;
+        let (a_bar, b_bar) = score_framed_grad::<S, true>(M::DENOMINATOR, frame(a), frame(b)).1;
         (scaled_obb2(a_bar, out_bar), scaled_obb2(b_bar, out_bar))
     }
     fn map<S: Scalar, T: Scalar>(x: &Self::In<S>, f: &mut impl FnMut(S) -> T) -> Self::In<T> {
@@ -47,6 +48,9 @@ impl<M: Measure> Op for Obb2Score<M> {
 }
 
 impl<M: Measure> PairOp for Obb2Score<M> {
+    fn compiled() -> Option<Compiled> {
+        Some(Compiled::Obb2(M::DENOMINATOR))
+    }
     type A<S: Scalar> = Obb2<S>;
     type B<S: Scalar> = Obb2<S>;
     type FrameA<S: Scalar> = Framed<S>;
@@ -61,11 +65,11 @@ impl<M: Measure> PairOp for Obb2Score<M> {
     }
     #[inline(always)]
     fn value<S: Scalar, const EXTREME: bool>(a: Framed<S>, b: Framed<S>) -> S {
-        score_framed::<M, S, EXTREME>(a, b)
+        score_framed::<S, EXTREME>(M::DENOMINATOR, a, b)
     }
     #[inline(always)]
     fn grad<S: Scalar, const EXTREME: bool>(a: Framed<S>, b: Framed<S>) -> (S, (Obb2<S>, Obb2<S>)) {
-        score_framed_grad::<M, S, EXTREME>(a, b)
+        score_framed_grad::<S, EXTREME>(M::DENOMINATOR, a, b)
     }
     #[inline(always)]
     fn is_ordinary_a<S: Scalar<Mask = bool>>(a: Obb2<S>) -> bool {
@@ -91,11 +95,11 @@ impl<M: Measure> Op for Aabb2Score<M> {
     type Out<S: Scalar> = S;
     #[inline]
     fn eval<S: Scalar>(&(a, b): &Self::In<S>) -> S {
-        score_aabb2::<M, S>(a, b)
+        score_aabb2(M::DENOMINATOR, a, b)
     }
     #[inline]
     fn vjp<S: Scalar>(&(a, b): &Self::In<S>, out_bar: S) -> Self::In<S> {
-        let (a_bar, b_bar) = score_aabb2_grad::<M, S>(a, b).1;
+        let (a_bar, b_bar) = score_aabb2_grad(M::DENOMINATOR, a, b).1;
         (scaled_aabb2(a_bar, out_bar), scaled_aabb2(b_bar, out_bar))
     }
     fn map<S: Scalar, T: Scalar>(x: &Self::In<S>, f: &mut impl FnMut(S) -> T) -> Self::In<T> {
@@ -104,6 +108,9 @@ impl<M: Measure> Op for Aabb2Score<M> {
 }
 
 impl<M: Measure> PairOp for Aabb2Score<M> {
+    fn compiled() -> Option<Compiled> {
+        Some(Compiled::Aabb2(M::DENOMINATOR))
+    }
     type A<S: Scalar> = Aabb2<S>;
     type B<S: Scalar> = Aabb2<S>;
     type FrameA<S: Scalar> = Aabb2<S>;
@@ -118,11 +125,11 @@ impl<M: Measure> PairOp for Aabb2Score<M> {
     }
     #[inline(always)]
     fn value<S: Scalar, const EXTREME: bool>(a: Aabb2<S>, b: Aabb2<S>) -> S {
-        score_aabb2::<M, S>(a, b)
+        score_aabb2(M::DENOMINATOR, a, b)
     }
     #[inline(always)]
     fn grad<S: Scalar, const EXTREME: bool>(a: Aabb2<S>, b: Aabb2<S>) -> (S, (Aabb2<S>, Aabb2<S>)) {
-        score_aabb2_grad::<M, S>(a, b)
+        score_aabb2_grad(M::DENOMINATOR, a, b)
     }
     #[inline(always)]
     fn is_ordinary_a<S: Scalar<Mask = bool>>(a: Aabb2<S>) -> bool {

@@ -1,12 +1,12 @@
 //! Reductions on the CPU, of all pairs without the matrix or of a [`Matrix`] that is there already:
 //! what `gpu` reduces where it is.
 use crate::error::{Argument, Error, Field, Flaw};
+use crate::kernels::cpu::checked::{check_upstream, entries, expect, fill, pairs};
+use crate::kernels::cpu::lane::TILE;
+use crate::kernels::cpu::pairs::Upstream;
 use crate::kernels::cpu::{A, B};
-use crate::kernels::matrix_vjp::{Upstream, pull_back};
 use crate::kernels::op::PairOp;
 use crate::kernels::real::Real;
-use crate::kernels::reduce_block::{Block, blocks};
-use crate::kernels::tile::{check, check_upstream, entries, expect};
 
 /// The largest score of a row or column, and where in it.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -76,9 +76,7 @@ fn no_best<T: Real>(columns: usize) -> Vec<Best<T>> {
 /// ```
 pub fn row_max<O: PairOp, T: Real>(a: &[A<O, T>], b: &[B<O, T>]) -> Result<Vec<Best<T>>, Error> {
     check_sides(a.len(), b.len(), true)?;
-    let take = |best: &mut Vec<_>, block: Block<'_, T>| block.row_max(best);
-    let pieces = blocks::<O, T, _>(a, b, Vec::new, take)?;
-    Ok(pieces.into_iter().flatten().flatten().collect())
+    Ok((T::drivers().row_max)(&pairs::<O, T>(a, b)?))
 }
 
 /// The largest score of every column and its row; of several the first.
@@ -88,19 +86,7 @@ pub fn row_max<O: PairOp, T: Real>(a: &[A<O, T>], b: &[B<O, T>]) -> Result<Vec<B
 /// As [`row_max`], for columns without rows.
 pub fn column_max<O: PairOp, T: Real>(a: &[A<O, T>], b: &[B<O, T>]) -> Result<Vec<Best<T>>, Error> {
     check_sides(a.len(), b.len(), false)?;
-    let mut all = no_best(b.len());
-    let none = || no_best(b.len());
-    let pieces = blocks::<O, T, _>(a, b, none, |best: &mut Vec<_>, block| {
-        block.column_max(best)
-    })?;
-    for piece in pieces {
-        for (best, other) in all.iter_mut().zip(piece) {
-            if other.value.above(best.value) {
-                *best = other;
-            }
-        }
-    }
-    Ok(all)
+    Ok((T::drivers().column_max)(&pairs::<O, T>(a, b)?))
 }
 
 /// Every pair whose score is above the threshold, row by row and within a row by column.
@@ -114,13 +100,10 @@ pub fn above<O: PairOp, T: Real>(
     threshold: T,
 ) -> Result<Vec<Found<T>>, Error> {
     check_threshold(threshold)?;
-    let take = |found: &mut Vec<_>, block: Block<'_, T>| block.above(threshold, found);
-    let mut pieces = blocks::<O, T, _>(a, b, Vec::new, take)?;
-    for found in &mut pieces {
-        // They came block by block.
-        found.sort_unstable_by_key(|x: &Found<T>| (x.row, x.column));
-    }
-    Ok(pieces.concat())
+    let mut pairs = pairs::<O, T>(a, b)?;
+    // Zeros are above a negative threshold, too.
+    pairs.filter &= threshold.at_least(T::default());
+    Ok((T::drivers().above)(&pairs, threshold))
 }
 
 /// How many pairs have a score above the threshold.
@@ -134,8 +117,9 @@ pub fn count_above<O: PairOp, T: Real>(
     threshold: T,
 ) -> Result<u64, Error> {
     check_threshold(threshold)?;
-    let take = |found: &mut u64, block: Block<'_, T>| *found += block.count_above(threshold);
-    Ok(blocks::<O, T, _>(a, b, || 0, take)?.iter().sum())
+    let mut pairs = pairs::<O, T>(a, b)?;
+    pairs.filter &= threshold.at_least(T::default());
+    Ok((T::drivers().count_above)(&pairs, threshold))
 }
 
 /// The sum of all scores, added in `f64`, always in the same order.
@@ -143,9 +127,8 @@ pub fn count_above<O: PairOp, T: Real>(
 /// # Errors
 ///
 /// [`Error::Invalid`] for a shape that is not valid.
-pub fn sum<O: PairOp, T: Real + Into<f64>>(a: &[A<O, T>], b: &[B<O, T>]) -> Result<f64, Error> {
-    let take = |sum: &mut f64, block: Block<'_, T>| *sum += block.sum();
-    Ok(blocks::<O, T, _>(a, b, || 0.0, take)?.iter().sum())
+pub fn sum<O: PairOp, T: Real>(a: &[A<O, T>], b: &[B<O, T>]) -> Result<f64, Error> {
+    Ok((T::drivers().sum)(&pairs::<O, T>(a, b)?))
 }
 
 /// The mean of all scores; zero where there are none.
@@ -153,7 +136,7 @@ pub fn sum<O: PairOp, T: Real + Into<f64>>(a: &[A<O, T>], b: &[B<O, T>]) -> Resu
 /// # Errors
 ///
 /// As [`sum`].
-pub fn mean<O: PairOp, T: Real + Into<f64>>(a: &[A<O, T>], b: &[B<O, T>]) -> Result<f64, Error> {
+pub fn mean<O: PairOp, T: Real>(a: &[A<O, T>], b: &[B<O, T>]) -> Result<f64, Error> {
     let count = a.len() as f64 * b.len() as f64;
     Ok(sum::<O, T>(a, b)? / count.max(1.0))
 }
@@ -175,7 +158,7 @@ pub fn mean<O: PairOp, T: Real + Into<f64>>(a: &[A<O, T>], b: &[B<O, T>]) -> Res
 /// assert_eq!(a_bar[0].max.x, 3.0); // 2 along the one, 1 along the other
 /// # Ok::<(), geograd::Error>(())
 /// ```
-pub fn sum_grad<O: PairOp, T: Real + Into<f64>>(
+pub fn sum_grad<O: PairOp, T: Real>(
     a: &[A<O, T>],
     b: &[B<O, T>],
 ) -> Result<(f64, Vec<A<O, T>>, Vec<B<O, T>>), Error> {
@@ -189,7 +172,7 @@ pub fn sum_grad<O: PairOp, T: Real + Into<f64>>(
 /// # Errors
 ///
 /// As [`sum_grad`].
-pub fn mean_grad<O: PairOp, T: Real + Into<f64>>(
+pub fn mean_grad<O: PairOp, T: Real>(
     a: &[A<O, T>],
     b: &[B<O, T>],
 ) -> Result<(f64, Vec<A<O, T>>, Vec<B<O, T>>), Error> {
@@ -205,7 +188,7 @@ pub fn mean_grad<O: PairOp, T: Real + Into<f64>>(
 ///
 /// As [`sum_grad`], and for a buffer of another length or a factor that is not finite. The buffers
 /// are then as they were.
-pub fn sum_grad_into<O: PairOp, T: Real + Into<f64>>(
+pub fn sum_grad_into<O: PairOp, T: Real>(
     a: &[A<O, T>],
     b: &[B<O, T>],
     factor: T,
@@ -215,14 +198,17 @@ pub fn sum_grad_into<O: PairOp, T: Real + Into<f64>>(
     expect(Argument::GradA, a.len(), a_bar.len())?;
     expect(Argument::GradB, b.len(), b_bar.len())?;
     check_upstream(&[factor])?;
-    let sum = sum::<O, T>(a, b)?;
-    let extreme = check::<O, T>(a, b)?;
+    let pairs = pairs::<O, T>(a, b)?;
     let upstream = Upstream {
         slopes: &vec![factor; b.len()],
         step: 0,
     };
-    pull_back::<O, T>(a, b, upstream, extreme, a_bar, b_bar);
-    Ok(sum)
+    fill(a_bar, |a_bar| {
+        fill(b_bar, |b_bar| {
+            (T::drivers().pull_back)(&pairs, upstream, a_bar, b_bar);
+        });
+    });
+    Ok((T::drivers().sum)(&pairs))
 }
 
 /// A matrix of scores on the CPU, to be reduced more than once.
@@ -273,8 +259,8 @@ impl<T: Real> Matrix<T> {
         &self.values
     }
 
-    fn block(&self) -> Block<'_, T> {
-        Block::whole(self.columns, &self.values)
+    fn rows_of(&self) -> impl Iterator<Item = &[T]> {
+        self.values.chunks(self.columns.max(1))
     }
     /// The largest number of every row and its column; of several the first.
     ///
@@ -283,9 +269,12 @@ impl<T: Real> Matrix<T> {
     /// [`Error::Length`] for rows without columns.
     pub fn row_max(&self) -> Result<Vec<Best<T>>, Error> {
         check_sides(self.rows, self.columns, true)?;
-        let mut best = Vec::with_capacity(self.rows);
-        self.block().row_max(&mut best);
-        Ok(best.into_iter().flatten().collect())
+        let best = self.rows_of().map(|row| {
+            let value = (T::kernels().largest)(row);
+            let index = row.iter().position(|&x| x == value).unwrap_or(0);
+            Best { value, index }
+        });
+        Ok(best.collect())
     }
 
     /// The largest number of every column and its row; of several the first.
@@ -296,7 +285,13 @@ impl<T: Real> Matrix<T> {
     pub fn column_max(&self) -> Result<Vec<Best<T>>, Error> {
         check_sides(self.rows, self.columns, false)?;
         let mut best = no_best(self.columns);
-        self.block().column_max(&mut best);
+        for (index, row) in self.rows_of().enumerate() {
+            for (best, &value) in best.iter_mut().zip(row) {
+                if value.above(best.value) {
+                    *best = Best { value, index };
+                }
+            }
+        }
         Ok(best)
     }
 
@@ -308,7 +303,16 @@ impl<T: Real> Matrix<T> {
     pub fn above(&self, threshold: T) -> Result<Vec<Found<T>>, Error> {
         check_threshold(threshold)?;
         let mut found = Vec::new();
-        self.block().above(threshold, &mut found);
+        for (row, values) in self.rows_of().enumerate() {
+            // Most rows of most matrices have nothing.
+            if (T::kernels().largest)(values).above(threshold) {
+                let above = values
+                    .iter()
+                    .enumerate()
+                    .filter(|(_, x)| x.above(threshold));
+                found.extend(above.map(|(column, &value)| Found { row, column, value }));
+            }
+        }
         Ok(found)
     }
 
@@ -319,24 +323,22 @@ impl<T: Real> Matrix<T> {
     /// As [`above`](Matrix::above).
     pub fn count_above(&self, threshold: T) -> Result<u64, Error> {
         check_threshold(threshold)?;
-        Ok(self.block().count_above(threshold))
+        Ok((T::kernels().count_above)(&self.values, threshold))
     }
 
     /// The sum of all numbers, added in `f64`, always in the same order.
     #[must_use]
-    pub fn sum(&self) -> f64
-    where
-        T: Into<f64>,
-    {
-        self.block().sum()
+    pub fn sum(&self) -> f64 {
+        let mut sums = [0.0; TILE];
+        for row in self.rows_of() {
+            (T::kernels().add_up)(row, &mut sums);
+        }
+        sums.iter().sum()
     }
 
     /// The mean of all numbers; zero where there are none.
     #[must_use]
-    pub fn mean(&self) -> f64
-    where
-        T: Into<f64>,
-    {
+    pub fn mean(&self) -> f64 {
         self.sum() / (self.rows as f64 * self.columns as f64).max(1.0)
     }
 }

@@ -29,9 +29,9 @@
 //! ```
 use crate::error::{Argument, Error};
 use crate::kernels::cpu::PairGrads;
+use crate::kernels::cpu::checked::{check_upstream, expect};
 use crate::kernels::gpu::{self, GpuPair, GpuShape};
 use crate::kernels::reduce::{self, Best, Found};
-use crate::kernels::tile::{check_upstream, expect};
 use crate::kernels::{Backend, GpuError};
 use crate::{Fixed, Vec2};
 use std::future::Future;

@@ -3,9 +3,9 @@ use super::{Bars, Bests, Founds, Matrix, PairBars, Shapes, Side, Values, checked
 use crate::error::{Argument, Error};
 use crate::kernels::GpuError;
 use crate::kernels::cpu;
+use crate::kernels::cpu::checked::expect;
 use crate::kernels::gpu::{GpuPair, GpuShape};
 use crate::kernels::reduce;
-use crate::kernels::tile::expect;
 
 /// Shapes of an operation, and slopes with respect to them.
 type ShapesOf<O> = Shapes<<O as GpuPair>::Shape>;

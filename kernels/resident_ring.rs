@@ -2,10 +2,10 @@
 use super::{RingBars, RingValues, Side};
 use crate::Vec2;
 use crate::error::Argument;
+use crate::kernels::cpu::check_ragged;
+use crate::kernels::cpu::checked::expect;
 use crate::kernels::gpu::{self, GpuRing};
 use crate::kernels::op::Op;
-use crate::kernels::ragged::check_ragged;
-use crate::kernels::tile::expect;
 use crate::kernels::{Backend, GpuError, cpu};
 
 /// Vertices, and where each ring begins among them.

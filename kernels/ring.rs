@@ -1,4 +1,5 @@
 //! The measures of a ring as operations.
+use crate::kernels::cpu::rings::Measure;
 use crate::kernels::op::{Op, RingOp};
 use crate::{Pack, Scalar, Vec2, ad, ring};
 
@@ -24,6 +25,9 @@ impl Op for SignedArea {
 }
 
 impl RingOp for SignedArea {
+    fn compiled() -> Option<Measure> {
+        Some(Measure::SignedArea)
+    }
     #[inline(always)]
     fn value<S: Scalar>(ring: &[Vec2<S>]) -> S {
         ring::signed_area(ring)
@@ -56,6 +60,9 @@ impl Op for Perimeter {
 }
 
 impl RingOp for Perimeter {
+    fn compiled() -> Option<Measure> {
+        Some(Measure::Perimeter)
+    }
     #[inline(always)]
     fn value<S: Scalar>(ring: &[Vec2<S>]) -> S {
         ring::perimeter(ring)
@@ -88,6 +95,9 @@ impl Op for Centroid {
 }
 
 impl RingOp for Centroid {
+    fn compiled() -> Option<Measure> {
+        Some(Measure::Centroid)
+    }
     #[inline(always)]
     fn value<S: Scalar>(ring: &[Vec2<S>]) -> Vec2<S> {
         ring::centroid(ring)

@@ -12,6 +12,7 @@ use crate::{Scalar, Vec2};
 /// assert_eq!(a.iou(b), 1.0 / 7.0);
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[repr(C)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Aabb2<S> {
     /// The lower bounds.

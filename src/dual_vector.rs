@@ -9,7 +9,7 @@ use nalgebra::Const;
 use num_dual::{DualNum, DualVec};
 
 leaf! {
-    [T: DualNum + Copy + Send + Sync, const N: usize] DualVec<T, Const<N>>,
+    [T: DualNum + Copy + Send + Sync + 'static, const N: usize] DualVec<T, Const<N>>,
 }
 
 impl<T: Scalar<Mask = bool> + DualNum + nalgebra::Scalar, const N: usize> Tangent

@@ -144,6 +144,9 @@ pub enum Error {
     },
     /// The number of results does not fit in memory.
     TooLarge,
+    /// The environment variable `GEOGRAD_SIMD`, or a call, asks for a level of vector instructions that
+    /// is unknown or that this processor lacks.
+    Simd,
 }
 
 impl fmt::Display for Error {
@@ -179,6 +182,10 @@ impl fmt::Display for Error {
                 )
             }
             Error::TooLarge => f.write_str("more results than memory can hold"),
+            Error::Simd => f.write_str(
+                "vector instructions were asked for that are unknown or that this processor lacks \
+                 (GEOGRAD_SIMD is one of baseline, avx2, v4)",
+            ),
         }
     }
 }

@@ -3,7 +3,7 @@
 //! Plain arrays and plain loops, no intrinsics: the compiler turns each operation into vector
 //! instructions of whatever width the surrounding function was compiled for, so the same source
 //! serves SSE2, AVX2, AVX-512, NEON and WASM and gives the same bits on all of them.
-use crate::float::{Float, sin_cos_wide};
+use crate::float::{Float, sin_cos_single, sin_cos_wide, split_single};
 use crate::{Mask, Scalar};
 use std::fmt::Debug;
 use std::ops::{Add, AddAssign, BitAnd, BitOr, Div, Mul, MulAssign, Neg, Not, Sub, SubAssign};
@@ -83,7 +83,7 @@ impl<T: Float, const N: usize> Not for LaneMask<T, N> {
 
 /// The arithmetic of one format.
 macro_rules! lanes {
-    ($f:ident, $bits:ident) => {
+    ($f:ident, $bits:ident, $sin_cos:ident, $split:expr) => {
         impl<const N: usize> Add for Lanes<$f, N> {
             type Output = Self;
             #[inline(always)]
@@ -206,7 +206,7 @@ macro_rules! lanes {
             #[inline(always)]
             fn sin_cos(self) -> (Self, Self) {
                 let wide = Lanes::<f64, N>(lanes_of!(0.0; |i| self.0[i].widen()));
-                let (sin, cos) = sin_cos_wide(wide, by_library);
+                let (sin, cos) = $sin_cos(wide, by_library);
                 (
                     Lanes(lanes_of!(0.0; |i| sin.0[i] as $f)),
                     Lanes(lanes_of!(0.0; |i| cos.0[i] as $f)),
@@ -215,11 +215,11 @@ macro_rules! lanes {
             #[inline(always)]
             fn sin_cos_parts(self) -> [(Self, Self); 2] {
                 let wide = Lanes::<f64, N>(lanes_of!(0.0; |i| self.0[i].widen()));
-                let (sin, cos) = sin_cos_wide(wide, by_library);
-                let sin_high = lanes_of!(0.0; |i| (sin.0[i] as $f).high());
-                let sin_low = lanes_of!(0.0; |i| (sin.0[i] - sin_high[i].widen()) as $f);
-                let cos_high = lanes_of!(0.0; |i| (cos.0[i] as $f).high());
-                let cos_low = lanes_of!(0.0; |i| (cos.0[i] - cos_high[i].widen()) as $f);
+                let (sin, cos) = $sin_cos(wide, by_library);
+                let sin_high = lanes_of!(0.0; |i| $split(sin.0[i]).0);
+                let sin_low = lanes_of!(0.0; |i| $split(sin.0[i]).1);
+                let cos_high = lanes_of!(0.0; |i| $split(cos.0[i]).0);
+                let cos_low = lanes_of!(0.0; |i| $split(cos.0[i]).1);
                 [
                     (Lanes(sin_high), Lanes(sin_low)),
                     (Lanes(cos_high), Lanes(cos_low)),
@@ -283,5 +283,5 @@ fn by_library<const N: usize>(angle: Lanes<f64, N>) -> (Lanes<f64, N>, Lanes<f64
     )
 }
 
-lanes!(f32, u32);
-lanes!(f64, u64);
+lanes!(f32, u32, sin_cos_single, split_single);
+lanes!(f64, u64, sin_cos_wide, Scalar::parts);

@@ -36,7 +36,7 @@
 //! `parallel` (default): batches on all cores. `gpu`: batches on a GPU. `glam`, `serde`, `nalgebra`:
 //! conversions, serialization, `num-dual`'s vector duals.
 #![warn(missing_docs)]
-#![forbid(unsafe_code)]
+#![deny(unsafe_code)]
 
 pub mod aabb;
 mod approximate;

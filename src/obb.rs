@@ -15,6 +15,7 @@ use crate::{Aabb2, Pose2, Rotation2, Scalar, Vec2};
 /// assert_eq!(a.iou(a), 1.0);
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[repr(C)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Obb2<S> {
     /// The centre.

@@ -37,10 +37,11 @@ pub fn ratio_of_first<S: Scalar>(inter: S, area_a: S) -> S {
     )
 }
 
-/// The area of a box from half its size.
+/// The area of a box from half its size. Doubled first, so that an area that can be represented is
+/// rounded once.
 #[inline(always)]
 pub fn area_from_half<S: Scalar>(half: Vec2<S>) -> S {
-    S::lit(4.0) * (half.x * half.y)
+    (half.x + half.x) * (half.y + half.y)
 }
 
 /// Relates two framed boxes and measures what they share, in units of `1 / scale`.
@@ -81,8 +82,6 @@ pub enum Denominator {
 pub trait Measure: Copy + Default + std::fmt::Debug + Send + Sync + 'static {
     /// What the area of intersection is divided by.
     const DENOMINATOR: Denominator;
-    /// Whether the score is a ratio of areas, without unit.
-    const IS_RATIO: bool;
     /// The name of the function for rotated boxes.
     const OBB2: &'static str;
     /// The name of the function for axis-aligned boxes.
@@ -103,27 +102,24 @@ pub struct OverFirst;
 
 impl Measure for Intersection {
     const DENOMINATOR: Denominator = Denominator::None;
-    const IS_RATIO: bool = false;
     const OBB2: &'static str = "intersection_area_obb2";
     const AABB2: &'static str = "intersection_area_aabb2";
 }
 impl Measure for OverUnion {
     const DENOMINATOR: Denominator = Denominator::Union;
-    const IS_RATIO: bool = true;
     const OBB2: &'static str = "iou_obb2";
     const AABB2: &'static str = "iou_aabb2";
 }
 impl Measure for OverFirst {
     const DENOMINATOR: Denominator = Denominator::First;
-    const IS_RATIO: bool = true;
     const OBB2: &'static str = "iof_obb2";
     const AABB2: &'static str = "iof_aabb2";
 }
 
 /// A score from areas.
 #[inline(always)]
-pub fn measure<M: Measure, S: Scalar>(inter: S, area_a: S, area_b: S) -> S {
-    match M::DENOMINATOR {
+pub fn score_of<S: Scalar>(over: Denominator, inter: S, area_a: S, area_b: S) -> S {
+    match over {
         Denominator::None => inter,
         Denominator::Union => ratio_of_union(inter, area_a, area_b),
         Denominator::First => ratio_of_first(inter, area_a),
@@ -132,34 +128,38 @@ pub fn measure<M: Measure, S: Scalar>(inter: S, area_a: S, area_b: S) -> S {
 
 /// A score in the caller's unit: ratios have none, areas go back from units of `1 / scale²`.
 #[inline(always)]
-pub fn in_outer_unit<M: Measure, S: Scalar>(value: S, scale: S) -> S {
-    if M::IS_RATIO {
-        value
-    } else {
-        value.over(scale).over(scale).saturated()
+pub fn in_outer_unit<S: Scalar>(over: Denominator, value: S, scale: S) -> S {
+    match over {
+        Denominator::None => value.over(scale).over(scale).saturated(),
+        Denominator::Union | Denominator::First => value,
     }
 }
 
 /// A score of two rotated boxes with their trigonometry done.
 #[inline(always)]
-pub fn score_framed<M: Measure, S: Scalar, const EXTREME: bool>(a: Framed<S>, b: Framed<S>) -> S {
+pub fn score_framed<S: Scalar, const EXTREME: bool>(
+    over: Denominator,
+    a: Framed<S>,
+    b: Framed<S>,
+) -> S {
     let (pair, inter, scale) = shared_area::<S, EXTREME>(a, b);
     let (area_a, area_b) = (area_from_half(pair.half_a), area_from_half(pair.half_b));
-    let value = measure::<M, S>(inter, area_a, area_b);
-    if EXTREME {
-        in_outer_unit::<M, S>(value, scale)
+    let value = score_of(over, inter, area_a, area_b);
+    let value = if EXTREME {
+        in_outer_unit(over, value, scale)
     } else {
         value
-    }
+    };
+    value.canonical()
 }
 
 /// A score of two axis-aligned boxes.
 #[inline(always)]
-pub fn score_aabb2<M: Measure, S: Scalar>(a: Aabb2<S>, b: Aabb2<S>) -> S {
+pub fn score_aabb2<S: Scalar>(over: Denominator, a: Aabb2<S>, b: Aabb2<S>) -> S {
     let shared = share(a, b);
     let (area_a, area_b) = (area_from_half(shared.half_a), area_from_half(shared.half_b));
-    let value = measure::<M, S>(area_of_shared(&shared), area_a, area_b);
-    in_outer_unit::<M, S>(value, shared.scale)
+    let value = score_of(over, area_of_shared(&shared), area_a, area_b);
+    in_outer_unit(over, value, shared.scale).canonical()
 }
 
 /// The area shared by two rotated boxes, from 0 to the area of the smaller one, in squared units
@@ -178,7 +178,7 @@ pub fn score_aabb2<M: Measure, S: Scalar>(a: Aabb2<S>, b: Aabb2<S>) -> S {
 #[must_use]
 #[inline]
 pub fn intersection_area_obb2<S: Scalar>(a: Obb2<S>, b: Obb2<S>) -> S {
-    score_framed::<Intersection, S, true>(frame(a), frame(b))
+    score_framed::<S, true>(Denominator::None, frame(a), frame(b))
 }
 
 /// Intersection over union of two rotated boxes, in `[0, 1]`.
@@ -194,7 +194,7 @@ pub fn intersection_area_obb2<S: Scalar>(a: Obb2<S>, b: Obb2<S>) -> S {
 #[must_use]
 #[inline]
 pub fn iou_obb2<S: Scalar>(a: Obb2<S>, b: Obb2<S>) -> S {
-    score_framed::<OverUnion, S, true>(frame(a), frame(b))
+    score_framed::<S, true>(Denominator::Union, frame(a), frame(b))
 }
 
 /// The share of the first rotated box that lies in the second, in `[0, 1]`.
@@ -210,7 +210,7 @@ pub fn iou_obb2<S: Scalar>(a: Obb2<S>, b: Obb2<S>) -> S {
 #[must_use]
 #[inline]
 pub fn iof_obb2<S: Scalar>(a: Obb2<S>, b: Obb2<S>) -> S {
-    score_framed::<OverFirst, S, true>(frame(a), frame(b))
+    score_framed::<S, true>(Denominator::First, frame(a), frame(b))
 }
 
 /// What two axis-aligned boxes share, all sizes halved and in units of `1 / scale`.
@@ -272,7 +272,7 @@ pub fn area_of_shared<S: Scalar>(shared: &Shared<S>) -> S {
 #[must_use]
 #[inline]
 pub fn intersection_area_aabb2<S: Scalar>(a: Aabb2<S>, b: Aabb2<S>) -> S {
-    score_aabb2::<Intersection, S>(a, b)
+    score_aabb2(Denominator::None, a, b)
 }
 
 /// Intersection over union of two axis-aligned boxes, in `[0, 1]`.
@@ -287,7 +287,7 @@ pub fn intersection_area_aabb2<S: Scalar>(a: Aabb2<S>, b: Aabb2<S>) -> S {
 #[must_use]
 #[inline]
 pub fn iou_aabb2<S: Scalar>(a: Aabb2<S>, b: Aabb2<S>) -> S {
-    score_aabb2::<OverUnion, S>(a, b)
+    score_aabb2(Denominator::Union, a, b)
 }
 
 /// The share of the first axis-aligned box that lies in the second, in `[0, 1]`.
@@ -302,7 +302,7 @@ pub fn iou_aabb2<S: Scalar>(a: Aabb2<S>, b: Aabb2<S>) -> S {
 #[must_use]
 #[inline]
 pub fn iof_aabb2<S: Scalar>(a: Aabb2<S>, b: Aabb2<S>) -> S {
-    score_aabb2::<OverFirst, S>(a, b)
+    score_aabb2(Denominator::First, a, b)
 }
 
 impl<S: Scalar> Obb2<S> {

@@ -90,7 +90,7 @@ pub trait Pack: Clone {
 }
 
 /// A shape with the same number of scalars for every value.
-pub trait Fixed: Pack + Copy + Send + Sync {
+pub trait Fixed: Pack + Copy + Send + Sync + 'static {
     /// How many scalars.
     const LEN: usize;
     /// An array of `LEN` scalars.
@@ -155,12 +155,12 @@ leaf! {
     [] f64,
     [T: crate::Scalar, const N: usize] crate::Jet<T, N>,
     [T: crate::float::Float, const N: usize] crate::Lanes<T, N>,
-    [T: Copy + Send + Sync] num_dual::Real<T>,
-    [T: Copy + Send + Sync] num_dual::Dual<T>,
-    [T: Copy + Send + Sync] num_dual::Dual2<T>,
-    [T: Copy + Send + Sync] num_dual::Dual3<T>,
-    [T: Copy + Send + Sync] num_dual::HyperDual<T>,
-    [T: Copy + Send + Sync] num_dual::HyperHyperDual<T>,
+    [T: Copy + Send + Sync + 'static] num_dual::Real<T>,
+    [T: Copy + Send + Sync + 'static] num_dual::Dual<T>,
+    [T: Copy + Send + Sync + 'static] num_dual::Dual2<T>,
+    [T: Copy + Send + Sync + 'static] num_dual::Dual3<T>,
+    [T: Copy + Send + Sync + 'static] num_dual::HyperDual<T>,
+    [T: Copy + Send + Sync + 'static] num_dual::HyperHyperDual<T>,
 }
 
 /// A shape of scalars and smaller shapes. The macro lists the fields, `scalar` before a lone
@@ -180,7 +180,7 @@ macro_rules! shape {
                 $(shape!(@each $kind self.$field, f);)*
             }
         }
-        impl<S: Copy + Send + Sync> Fixed for $name<S> {
+        impl<S: Copy + Send + Sync + 'static> Fixed for $name<S> {
             const LEN: usize = $len;
             type Array = [S; $len];
             #[inline(always)]

@@ -10,6 +10,7 @@ use std::ops::Mul;
 /// assert!((quarter * Vec2::new(1.0, 0.0)).distance(Vec2::new(0.0, 1.0)) < 1e-15);
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[repr(C)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Rotation2<S> {
     /// The cosine of the angle.
@@ -85,6 +86,7 @@ impl<S: Scalar> Mul<Vec2<S>> for Rotation2<S> {
 /// assert!((world_from_car.inverse() * there).distance(Vec2::new(2.0, 1.0)) < 1e-15);
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[repr(C)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Pose2<S> {
     /// Applied first.

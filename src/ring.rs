@@ -45,12 +45,9 @@ impl<'a, S: Scalar> Local<'a, S> {
         for &vertex in rest {
             extent = extent.most(reach(vertex));
         }
-        let point = extent.at_most(S::Primal::zero());
-        let scale = S::Primal::select(point, S::Primal::one(), extent).binade();
-        // Halved, because the vertices are.
         Local {
             ring,
-            scale: S::from_primal(S::Primal::select(point, S::Primal::one(), scale)),
+            scale: scale_of(extent),
         }
     }
     /// Half the way from the first vertex to another: the whole way may not be finite.
@@ -105,13 +102,78 @@ impl<'a, S: Scalar> Local<'a, S> {
         }
         totals
     }
-    /// A local length in the caller's unit.
-    #[inline(always)]
-    pub fn outer(&self, length: S) -> S {
-        (length + length).over(self.scale)
-    }
 }
 
+/// The power of two by which halved vertices are multiplied, from the largest of their coordinates.
+#[inline(always)]
+fn scale_of<S: Scalar>(extent: S::Primal) -> S {
+    let point = extent.at_most(S::Primal::zero());
+    let scale = S::Primal::select(point, S::Primal::one(), extent).binade();
+    S::from_primal(S::Primal::select(point, S::Primal::one(), scale))
+}
+
+/// A length between halved vertices times a scale in the caller's unit.
+#[inline(always)]
+fn outer<S: Scalar>(length: S, scale: S) -> S {
+    (length + length).over(scale)
+}
+
+/// A short ring in its own frame, one vertex after another: what [`Local`] is for slices.
+struct Short<S> {
+    vertices: [Vec2<S>; SIDE],
+    count: usize,
+    scale: S,
+}
+
+impl<S: Scalar> Short<S> {
+    /// From 1 to [`SIDE`] vertices.
+    #[inline(always)]
+    fn new(count: usize, at: impl Fn(usize) -> Vec2<S>) -> Self {
+        let half = |v: Vec2<S>| Vec2::new(v.x.halved(), v.y.halved());
+        let first = half(at(0));
+        let mut vertices = [Vec2::new(S::zero(), S::zero()); SIDE];
+        let mut extent = S::Primal::zero();
+        let mut k = 0;
+        while k < count {
+            let place = half(at(k)) - first;
+            let (x, y) = (place.x.primal(), place.y.primal());
+            extent = extent.most(x.magnitude().most(y.magnitude()));
+            vertices[k % SIDE] = place;
+            k += 1;
+        }
+        let scale = scale_of(extent);
+        k = 0;
+        while k < count {
+            vertices[k % SIDE] = vertices[k % SIDE] * scale;
+            k += 1;
+        }
+        Short {
+            vertices,
+            count,
+            scale,
+        }
+    }
+    /// The sums of some quantities of an edge over all edges, from start and end of each.
+    #[inline(always)]
+    fn sums<const K: usize>(&self, of_edge: impl Fn(Vec2<S>, Vec2<S>) -> [S; K]) -> [S; K] {
+        let mut totals = [S::zero(); K];
+        let mut start = self.vertices[0];
+        let mut i = 0;
+        while i < self.count {
+            let next = if i + 1 == self.count { 0 } else { i + 1 };
+            let end = self.vertices[next % SIDE];
+            let edge = of_edge(start, end);
+            let mut k = 0;
+            while k < K {
+                totals[k] += edge[k];
+                k += 1;
+            }
+            start = end;
+            i += 1;
+        }
+        totals
+    }
+}
 /// The signed area of a ring, in squared units of length: positive when it runs counter-clockwise.
 /// Saturates at the largest finite number.
 ///
@@ -129,9 +191,29 @@ pub fn signed_area<S: Scalar>(ring: &[Vec2<S>]) -> S {
     if ring.is_empty() {
         return S::zero();
     }
+    if ring.len() <= SIDE {
+        return signed_area_of(ring.len(), |k| ring[k]);
+    }
     let local = Local::new(ring);
-    let [twice] = local.sums(|start, end| [start.perp_dot(end)]);
-    local.outer(local.outer(twice.halved())).saturated()
+    finished_area(local.sums(cross_of), local.scale)
+}
+
+#[inline(always)]
+fn cross_of<S: Scalar>(start: Vec2<S>, end: Vec2<S>) -> [S; 1] {
+    [start.perp_dot(end)]
+}
+
+#[inline(always)]
+fn finished_area<S: Scalar>([twice]: [S; 1], scale: S) -> S {
+    let area = outer(outer(twice.halved(), scale), scale);
+    area.saturated().canonical()
+}
+
+/// [`signed_area`] of 1 to [`SIDE`] vertices.
+#[inline(always)]
+pub(crate) fn signed_area_of<S: Scalar>(count: usize, at: impl Fn(usize) -> Vec2<S>) -> S {
+    let short = Short::new(count, at);
+    finished_area(short.sums(cross_of), short.scale)
 }
 
 /// The perimeter of a ring, in units of length: the sum of the lengths of its edges. Saturates at
@@ -151,9 +233,28 @@ pub fn perimeter<S: Scalar>(ring: &[Vec2<S>]) -> S {
     if ring.is_empty() {
         return S::zero();
     }
+    if ring.len() <= SIDE {
+        return perimeter_of(ring.len(), |k| ring[k]);
+    }
     let local = Local::new(ring);
-    let [sum] = local.sums(|start, end| [(end - start).length()]);
-    local.outer(sum).saturated()
+    finished_perimeter(local.sums(length_of), local.scale)
+}
+
+#[inline(always)]
+fn length_of<S: Scalar>(start: Vec2<S>, end: Vec2<S>) -> [S; 1] {
+    [(end - start).length()]
+}
+
+#[inline(always)]
+fn finished_perimeter<S: Scalar>([sum]: [S; 1], scale: S) -> S {
+    outer(sum, scale).saturated().canonical()
+}
+
+/// [`perimeter`] of 1 to [`SIDE`] vertices.
+#[inline(always)]
+pub(crate) fn perimeter_of<S: Scalar>(count: usize, at: impl Fn(usize) -> Vec2<S>) -> S {
+    let short = Short::new(count, at);
+    finished_perimeter(short.sums(length_of), short.scale)
 }
 
 /// The centroid of the area of a ring (not of its vertices): where a plate of that shape balances.
@@ -175,21 +276,54 @@ pub fn centroid<S: Scalar>(ring: &[Vec2<S>]) -> Vec2<S> {
     let Some(&first) = ring.first() else {
         return Vec2::zero();
     };
+    if ring.len() <= SIDE {
+        return centroid_of(ring.len(), |k| ring[k]).value;
+    }
     let local = Local::new(ring);
-    let [twice, moment_x, moment_y, sum_x, sum_y] = local.sums(|start, end| {
-        let cross = start.perp_dot(end);
-        let moment = (start + end) * cross;
-        [cross, moment.x, moment.y, start.x, start.y]
-    });
+    finished_centroid(local.sums(moments_of), local.scale, first, ring.len()).value
+}
+
+/// A centroid, and where it stands for one because the area is zero.
+pub(crate) struct Measured<S: Scalar> {
+    /// The centroid or the mean of the vertices.
+    pub value: Vec2<S>,
+    /// Where it is the mean of the vertices.
+    pub flat: S::Mask,
+}
+
+#[inline(always)]
+fn moments_of<S: Scalar>(start: Vec2<S>, end: Vec2<S>) -> [S; 5] {
+    let cross = start.perp_dot(end);
+    let moment = (start + end) * cross;
+    [cross, moment.x, moment.y, start.x, start.y]
+}
+
+#[inline(always)]
+fn finished_centroid<S: Scalar>(
+    [twice, moment_x, moment_y, sum_x, sum_y]: [S; 5],
+    scale: S,
+    first: Vec2<S>,
+    count: usize,
+) -> Measured<S> {
     let flat = twice.equals(S::zero());
     let thrice = S::lit(3.0) * S::select(flat, S::one(), twice);
-    let count = S::lit(ring.len() as f64);
-    let place = |first: S, moment: S, sum: S| {
-        let at = S::select(flat, sum.over(count), moment.over(thrice));
-        (first + local.outer(at)).saturated()
-    };
-    Vec2::new(
-        place(first.x, moment_x, sum_x),
-        place(first.y, moment_y, sum_y),
-    )
+    let count = S::lit(count as f64);
+    #[inline(always)]
+    fn place<S: Scalar>(first: S, at: S, scale: S) -> S {
+        (first + outer(at, scale)).saturated().canonical()
+    }
+    let at_x = S::select(flat, sum_x.over(count), moment_x.over(thrice));
+    let at_y = S::select(flat, sum_y.over(count), moment_y.over(thrice));
+    Measured {
+        value: Vec2::new(place(first.x, at_x, scale), place(first.y, at_y, scale)),
+        flat,
+    }
+}
+
+/// [`centroid`] of 1 to [`SIDE`] vertices.
+#[inline(always)]
+pub(crate) fn centroid_of<S: Scalar>(count: usize, at: impl Fn(usize) -> Vec2<S>) -> Measured<S> {
+    let first = at(0);
+    let short = Short::new(count, at);
+    finished_centroid(short.sums(moments_of), short.scale, first, count)
 }

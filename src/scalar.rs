@@ -226,6 +226,12 @@ pub trait Scalar:
         let low = Self::select(self.above(largest), largest, self);
         Self::select(low.below(-largest), -largest, low)
     }
+    /// The same number; a zero loses its sign. Results end in it: which zero a sum of products gives
+    /// depends on what was left out because nothing needed it.
+    #[inline(always)]
+    fn canonical(self) -> Self {
+        self + Self::zero()
+    }
     /// The sine.
     #[inline(always)]
     fn sin(self) -> Self {

@@ -7,6 +7,7 @@ macro_rules! vector {
     ($(#[$doc:meta])* $name:ident { $($field:ident),* }) => {
         $(#[$doc])*
         #[derive(Clone, Copy, Debug, Default, PartialEq)]
+        #[repr(C)]
         #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
         pub struct $name<S> {
             $(
@@ -91,6 +92,12 @@ macro_rules! vector {
             #[inline(always)]
             pub fn most(self, other: Self) -> Self {
                 Self { $($field: self.$field.most(other.$field)),* }
+            }
+            /// The same vector; zeros lose their sign.
+            #[must_use]
+            #[inline(always)]
+            pub fn canonical(self) -> Self {
+                Self { $($field: self.$field.canonical()),* }
             }
             /// Whether every coordinate is a finite number.
             #[must_use]

@@ -1,7 +1,7 @@
 //! What batches promise: every form gives the bits of the single call, at every SIMD level and for
 //! any number of threads; bad input is refused with its place, and buffers are left alone.
 use geograd::error::{Argument, Field};
-use geograd::kernels::simd::Simd;
+use geograd::kernels::cpu::simd::Simd;
 use geograd::kernels::{
     Centroid, IofAabb2, IouAabb2, IouObb2, Op, PairOp, Perimeter, SignedArea, cpu, reduce,
 };
@@ -174,11 +174,11 @@ fn same_bits_at_every_simd_level() {
     let _turn = LEVEL.lock().unwrap_or_else(PoisonError::into_inner);
     let best = fingerprint();
     for level in Simd::available() {
-        Simd::limit(Some(level));
-        assert_eq!(Simd::current(), level);
+        Simd::limit(Some(level)).unwrap();
+        assert_eq!(Simd::current(), Ok(level));
         assert!(fingerprint() == best, "{level:?} differs");
     }
-    Simd::limit(None);
+    Simd::limit(None).unwrap();
 }
 
 #[cfg(feature = "parallel")]

@@ -89,7 +89,7 @@ where
     }
     let largest = exact.iter().fold(0.0_f64, |most, x| most.max(x.abs()));
     let term = |shape: O::Shape| match shape.sides().1 {
-        short if short > 0.0 && O::IS_RATIO => value / short,
+        short if short > 0.0 && O::DENOMINATOR != Denominator::None => value / short,
         _ => 0.0,
     };
     let terms = largest.max(term(a)).max(term(b));

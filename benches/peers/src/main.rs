@@ -121,7 +121,7 @@ fn on_threads(threads: usize, run: impl FnOnce() + Send) {
 fn main() {
     println!(
         "{:?}, geograd {}",
-        geograd::kernels::simd::Simd::current(),
+        geograd::kernels::cpu::simd::Simd::current().unwrap(),
         env!("CARGO_PKG_VERSION")
     );
     on_threads(1, peers);

@@ -1,9 +1,10 @@
 //! Ragged batches: rings of any number of vertices.
 use crate::error::{Argument, Error, Field, finite};
+use crate::kernels::cpu::checked::{expect, read_rows, write_rows};
+use crate::kernels::cpu::simd::Simd;
+use crate::kernels::cpu::work::spread;
 use crate::kernels::op::{Op, RingOp};
 use crate::kernels::real::Real;
-use crate::kernels::simd::vectorized;
-use crate::kernels::tile::{all_finite, expect, spread, zeros};
 use crate::{Fixed, Vec2};
 
 /// Vertices, or rings, per piece of work.
@@ -29,13 +30,14 @@ pub fn ragged<O: RingOp, T: Real>(
     vertices: &[Vec2<T>],
     offsets: &[usize],
 ) -> Result<Vec<O::Out<T>>, Error> {
-    let mut values = vec![zeros(); offsets.len().saturating_sub(1)];
+    let mut values = vec![O::Out::<T>::filled(T::default()); offsets.len().saturating_sub(1)];
     ragged_into::<O, T>(vertices, offsets, &mut values)?;
     Ok(values)
 }
 
 /// Checks offsets and vertices.
 pub(crate) fn check_ragged<T: Real>(vertices: &[Vec2<T>], offsets: &[usize]) -> Result<(), Error> {
+    Simd::current()?;
     if offsets.first() != Some(&0) {
         return Err(Error::Offsets { row: 0 });
     }
@@ -49,7 +51,7 @@ pub(crate) fn check_ragged<T: Real>(vertices: &[Vec2<T>], offsets: &[usize]) -> 
             row: offsets.len() - 1,
         });
     }
-    if vectorized!(all_finite(vertices)) {
+    if (T::kernels().finite_vertices)(vertices) {
         return Ok(());
     }
     for (row, vertex) in vertices.iter().enumerate() {
@@ -101,12 +103,16 @@ pub fn ragged_into<O: RingOp, T: Real>(
         work.push((&offsets[cut[0]..=cut[1]], values));
     }
     spread(work, |(offsets, values): (&[usize], &mut [O::Out<T>])| {
-        vectorized!(values_of::<O, T>(vertices, offsets, values));
+        let Some(measure) = O::compiled() else {
+            return values_of::<O, T>(vertices, offsets, values);
+        };
+        let mut rows = vec![T::default(); values.len() * O::Out::<T>::LEN];
+        (T::kernels().ring_values)(measure, vertices, offsets, &mut rows);
+        read_rows(&rows, values);
     });
     Ok(())
 }
 
-#[inline(always)]
 fn values_of<O: RingOp, T: Real>(
     vertices: &[Vec2<T>],
     offsets: &[usize],
@@ -196,13 +202,17 @@ pub fn ragged_vjp_into<O: RingOp, T: Real>(
     spread(
         work,
         |(offsets, upstream, bars): (&[usize], &[O::Out<T>], &mut [Vec2<T>])| {
-            vectorized!(bars_of::<O, T>(vertices, offsets, upstream, bars));
+            let Some(measure) = O::compiled() else {
+                return bars_of::<O, T>(vertices, offsets, upstream, bars);
+            };
+            let mut rows = vec![T::default(); upstream.len() * O::Out::<T>::LEN];
+            write_rows(upstream, &mut rows);
+            (T::kernels().ring_bars)(measure, vertices, offsets, &rows, bars);
         },
     );
     Ok(())
 }
 
-#[inline(always)]
 fn bars_of<O: RingOp, T: Real>(
     vertices: &[Vec2<T>],
     offsets: &[usize],

@@ -2,24 +2,46 @@
 //!
 //! The generic source runs on bundles of lanes. The instruction set is chosen at run time, once
 //! per stretch of work, so a default build uses AVX-512 where there is AVX-512; see
-//! [`Simd`](crate::kernels::simd::Simd). Shapes go in as slices of shapes. Inputs are checked
+//! [`Simd`](simd::Simd). Shapes go in as slices of shapes. Inputs are checked
 //! before anything is written: on an error every buffer is as it was.
 //!
 //! With the feature `parallel` the work is spread over rayon's current thread pool (run inside
 //! `pool.install` to choose another). It is cut the same way for any number of threads, and sums
 //! are added in a fixed order.
+mod aligned;
+mod all_pairs;
+#[allow(unsafe_code)]
+pub(crate) mod arch;
+mod blocks;
+mod boxes;
+pub(crate) mod checked;
+mod culling;
+mod desk;
+pub(crate) mod drivers;
+pub(crate) mod lane;
+pub(crate) mod pairs;
+mod plan;
+mod ragged;
+mod reductions;
+pub(crate) mod rings;
+pub mod simd;
+mod sweep;
+mod tree;
+mod work;
+
 use crate::kernels::op::PairOp;
 
-pub use crate::kernels::aligned::{
+pub use aligned::{
     AlignedGrads, aligned, aligned_grad, aligned_grad_into, aligned_into, aligned_vjp,
     aligned_vjp_into,
 };
-pub use crate::kernels::matrix::{all_pairs, all_pairs_into};
-pub use crate::kernels::matrix_grad::{PairGrads, all_pairs_grad, all_pairs_grad_into};
-pub use crate::kernels::matrix_vjp::{all_pairs_vjp, all_pairs_vjp_into};
-pub use crate::kernels::ragged::{
-    RaggedGrads, ragged, ragged_grad, ragged_into, ragged_vjp, ragged_vjp_into,
+pub use all_pairs::{
+    PairGrads, all_pairs, all_pairs_grad, all_pairs_grad_into, all_pairs_into, all_pairs_vjp,
+    all_pairs_vjp_into,
 };
+pub use culling::cull;
+pub(crate) use ragged::check_ragged;
+pub use ragged::{RaggedGrads, ragged, ragged_grad, ragged_into, ragged_vjp, ragged_vjp_into};
 
 /// A first shape of a pair operation.
 pub type A<O, T> = <O as PairOp>::A<T>;

@@ -1,0 +1,116 @@
+//! The kernels, each compiled for every level: the list, and the only calls into code compiled for
+//! instructions that a processor may lack.
+use crate::Vec2;
+use crate::kernels::cpu::blocks;
+use crate::kernels::cpu::boxes::{self, BOUNDS};
+use crate::kernels::cpu::lane::{Lane, TILE, Tiles};
+use crate::kernels::cpu::rings::{self, Measure};
+use crate::kernels::cpu::simd::Simd;
+use crate::overlap::Denominator;
+
+/// Lists kernels: a name, arguments, and the generic function, of a format `T` and a vector `V`.
+///
+/// Each becomes a plain function that chooses the level, and a field of [`Kernels`].
+macro_rules! entries {
+    ($($(#[$doc:meta])* $name:ident($($arg:ident: $type:ty),* $(,)?) $(-> $out:ty)? = $kernel:expr;)*) => {
+        /// Every kernel of one format.
+        pub struct Kernels<T: 'static> {
+            $($(#[$doc])* pub(crate) $name: fn($($type),*) $(-> $out)?,)*
+        }
+
+        entries!(@format of_f32: f32, Lanes<f32, 4>, F32x8, F32x16;
+            $($name($($arg: $type),*) $(-> $out)? = $kernel;)*);
+        entries!(@format of_f64: f64, Lanes<f64, 2>, F64x4, F64x8;
+            $($name($($arg: $type),*) $(-> $out)? = $kernel;)*);
+    };
+    (@format $format:ident: $t:ident, $plain:ty, $avx2:ident, $v4:ident;
+     $($name:ident($($arg:ident: $type:ty),*) $(-> $out:ty)? = $kernel:expr;)*) => {
+        pub(super) mod $format {
+            use super::*;
+            use crate::Lanes;
+            type T = $t;
+            /// The kernels of this format.
+            pub static KERNELS: Kernels<$t> = Kernels { $($name,)* };
+            $(
+                fn $name($($arg: $type),*) $(-> $out)? {
+                    #[inline(never)]
+                    fn baseline($($arg: $type),*) $(-> $out)? {
+                        type V = $plain;
+                        $kernel($($arg),*)
+                    }
+                    #[cfg(target_arch = "x86_64")]
+                    {
+                        use crate::kernels::cpu::arch::x86;
+                        #[inline(never)]
+                        #[target_feature(enable = "avx2,fma,bmi1,bmi2,lzcnt,popcnt")]
+                        fn avx2($($arg: $type),*) $(-> $out)? {
+                            type V = x86::$avx2;
+                            $kernel($($arg),*)
+                        }
+                        #[inline(never)]
+                        #[target_feature(enable = "avx2,fma,bmi1,bmi2,lzcnt,popcnt,avx512f,avx512bw,avx512cd,avx512dq,avx512vl")]
+                        fn v4($($arg: $type),*) $(-> $out)? {
+                            type V = x86::$v4;
+                            $kernel($($arg),*)
+                        }
+                        // Sound: the level in use is one that the processor has.
+                        match Simd::in_use() {
+                            Simd::Baseline => baseline($($arg),*),
+                            Simd::Avx2 => unsafe { avx2($($arg),*) },
+                            Simd::V4 => unsafe { v4($($arg),*) },
+                        }
+                    }
+                    #[cfg(not(target_arch = "x86_64"))]
+                    baseline($($arg),*)
+                }
+            )*
+        }
+    };
+}
+
+entries! {
+    /// Rotated boxes with their trigonometry done.
+    obb2_frames(shapes: Tiles<'_, T>, frames: &mut [Lane<T>]) = boxes::obb2_frames::<T, V>;
+    /// Bounds of prepared rotated boxes.
+    obb2_bounds(frames: Tiles<'_, T>, bounds: &mut [Lane<T>]) = boxes::obb2_bounds::<T, V>;
+    /// Whether rotated boxes are valid and of ordinary size.
+    all_ordinary_obb2(numbers: &[T]) -> bool = boxes::all_ordinary_obb2::<T, V>;
+    /// Scores of prepared rotated boxes.
+    obb2_scores(over: Denominator, a: Tiles<'_, T>, b: Tiles<'_, T>, out: &mut [Lane<T>]) = boxes::obb2_scores::<T, V>;
+    /// Scores of prepared rotated boxes with ten slopes each.
+    obb2_slopes(over: Denominator, a: Tiles<'_, T>, b: Tiles<'_, T>, out: &mut [Lane<T>]) = boxes::obb2_slopes::<T, V>;
+    /// Scores of axis-aligned boxes.
+    aabb2_scores(over: Denominator, a: Tiles<'_, T>, b: Tiles<'_, T>, out: &mut [Lane<T>]) = boxes::aabb2_scores::<T, V>;
+    /// Scores of axis-aligned boxes with eight slopes each.
+    aabb2_slopes(over: Denominator, a: Tiles<'_, T>, b: Tiles<'_, T>, out: &mut [Lane<T>]) = boxes::aabb2_slopes::<T, V>;
+    /// Whether axis-aligned boxes are valid.
+    all_aabb2(numbers: &[T]) -> bool = blocks::all_aabb2::<T, V>;
+    /// Rows of numbers into tiles.
+    bring(rows: &[T], fields: usize, out: &mut [Lane<T>]) = blocks::bring::<T, V>;
+    /// Tiles into rows of numbers.
+    take(tiles: &[Lane<T>], step: usize, fields: usize, rows: &mut [T], stride: usize) = blocks::take::<T, V>;
+    /// Picked rows of numbers into tiles.
+    gather(rows: &[T], stride: usize, picked: &[u32], fields: usize, out: &mut [Lane<T>]) = blocks::gather::<T, V>;
+    /// The items whose bounds meet those of a row.
+    near(row: &[T; BOUNDS], bounds: Tiles<'_, T>, first: u32, hits: &mut [u32]) -> usize = blocks::near::<T, V>;
+    /// The same of a tree of bounds.
+    search(row: &[T; BOUNDS], levels: &[Vec<Lane<T>>], order: &[u32], hits: &mut Vec<u32>) = blocks::search::<T, V>;
+    /// Upstream slopes times slopes, added up.
+    accumulate(results: &[Lane<T>], fields: [usize; 2], upstream: &[T], rows: &mut [Lane<T>], columns: &mut [Lane<T>]) = blocks::accumulate::<T, V>;
+    /// The same for picked columns.
+    accumulate_picked(results: &[Lane<T>], fields: [usize; 2], columns: &[u32], upstream: &[T], rows: &mut [Lane<T>], sums: &mut [Lane<T>]) = blocks::accumulate_picked::<T, V>;
+    /// The largest number.
+    largest(numbers: &[T]) -> T = blocks::largest::<T, V>;
+    /// How many numbers are above a threshold.
+    count_above(numbers: &[T], threshold: T) -> u64 = blocks::count_above::<T, V>;
+    /// Numbers added to sixteen sums.
+    add_up(numbers: &[T], sums: &mut [f64; TILE]) = blocks::add_up::<T, V>;
+    /// Whether every number is finite.
+    all_finite(numbers: &[T]) -> bool = blocks::all_finite::<T, V>;
+    /// Whether every vertex is finite.
+    finite_vertices(vertices: &[Vec2<T>]) -> bool = rings::all_finite::<T, V>;
+    /// Measures of rings.
+    ring_values(measure: Measure, vertices: &[Vec2<T>], offsets: &[usize], out: &mut [T]) = rings::values::<T, V>;
+    /// Adjoints of measures of rings.
+    ring_bars(measure: Measure, vertices: &[Vec2<T>], offsets: &[usize], upstream: &[T], bars: &mut [Vec2<T>]) = rings::bars::<T, V>;
+}

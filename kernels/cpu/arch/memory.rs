@@ -1,0 +1,46 @@
+//! Shapes as the numbers that they are in memory.
+use crate::{Aabb2, Fixed, Obb2, Pose2, Rotation2, Vec2, Vec3};
+use std::any::TypeId;
+use std::slice;
+
+/// Whether a shape is one of the library's that are made of nothing but numbers of this format, in
+/// the order of their fields, without gaps.
+fn is_plain<P: Fixed>() -> bool
+where
+    P::Scalar: 'static,
+{
+    /// Lists the shapes: all of them `repr(C)`, of one type of number all through.
+    macro_rules! any_of {
+        ($($shape:ident)*) => {
+            $(TypeId::of::<P>() == TypeId::of::<$shape<P::Scalar>>() ||)*
+            TypeId::of::<P>() == TypeId::of::<P::Scalar>()
+        };
+    }
+    const { assert!(size_of::<P::Scalar>() > 0) };
+    any_of!(Vec2 Vec3 Rotation2 Pose2 Aabb2 Obb2)
+        && size_of::<P>() == P::LEN * size_of::<P::Scalar>()
+        && align_of::<P>() == align_of::<P::Scalar>()
+}
+
+/// The numbers of shapes, one shape after another; `None` for shapes that hold anything else.
+#[inline]
+pub fn numbers<P: Fixed>(shapes: &[P]) -> Option<&[P::Scalar]>
+where
+    P::Scalar: 'static,
+{
+    // Sound: the shapes are so many numbers, side by side.
+    is_plain::<P>()
+        .then(|| unsafe { slice::from_raw_parts(shapes.as_ptr().cast(), shapes.len() * P::LEN) })
+}
+
+/// The same, to be written.
+#[inline]
+pub fn numbers_mut<P: Fixed>(shapes: &mut [P]) -> Option<&mut [P::Scalar]>
+where
+    P::Scalar: 'static,
+{
+    // Sound: as above, and any number is a valid one.
+    is_plain::<P>().then(|| unsafe {
+        slice::from_raw_parts_mut(shapes.as_mut_ptr().cast(), shapes.len() * P::LEN)
+    })
+}

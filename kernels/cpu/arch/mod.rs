@@ -1,0 +1,106 @@
+//! Explicit vectors as scalars: the one module with `unsafe` code.
+//!
+//! # Why
+//!
+//! Arrays of lanes (`Lanes`) leave it to the compiler to find vector instructions. For long kernels
+//! that takes a minute each, and harmless edits halve the speed. Types made of processor vectors
+//! compile twenty times as fast and always are what they say; a [`Scalar`] has no argument that could
+//! prove that the processor has those instructions, since `S::lit(1.0)` takes none.
+//!
+//! # Why it is sound
+//!
+//! The types are private to this module and reach the rest of the crate only as the parameter `V` of
+//! the kernels listed in [`entry`]. Each entry instantiates its kernel inside a function compiled
+//! for the instruction set of `V`, and calls it only if [`Simd`](crate::kernels::cpu::simd::Simd) says that the processor has
+//! it. So no vector operation runs where it might not exist.
+//!
+//! # Same bits
+//!
+//! Every operation is the one IEEE operation that the plain number has: no fused multiply-add, no
+//! approximate reciprocal; minimum and maximum take the second operand of a tie, as
+//! `if a < b { a } else { b }` does.
+mod entry;
+mod memory;
+#[cfg(target_arch = "x86_64")]
+mod x86;
+
+pub use entry::Kernels;
+pub use entry::of_f32::KERNELS as F32;
+pub use entry::of_f64::KERNELS as F64;
+pub use memory::{numbers, numbers_mut};
+
+use crate::kernels::cpu::lane::{Lane, TILE};
+use crate::{Lanes, Scalar};
+
+/// A part of a [`Lane`] as a scalar.
+pub(crate) trait Vector<T>: Scalar<Primal = Self> {
+    /// How many numbers: a power of two, at most [`TILE`].
+    const WIDTH: usize;
+    /// The numbers of a lane from an index on, which is a multiple of the width below [`TILE`].
+    fn read(lane: &Lane<T>, at: usize) -> Self;
+    /// Puts the numbers into a lane from an index on.
+    fn write(self, lane: &mut Lane<T>, at: usize);
+    /// The same number everywhere.
+    fn splat(x: T) -> Self;
+    /// One bit per number, the first one lowest.
+    fn bits(mask: Self::Mask) -> u32;
+    /// One vector for each of four fields, from as many items as it is wide, each with those fields.
+    fn from_items(item: impl Fn(usize) -> [T; 4]) -> [Self; 4];
+    /// The other way: every item's four fields.
+    fn to_items(fields: [Self; 4], put: impl FnMut(usize, [T; 4]));
+}
+
+/// Plain arrays of a width that every target has vectors of.
+macro_rules! plain {
+    ($t:ident, $n:literal) => {
+        impl Vector<$t> for Lanes<$t, $n> {
+            const WIDTH: usize = $n;
+            #[inline(always)]
+            fn read(lane: &Lane<$t>, at: usize) -> Self {
+                Lanes(lane.0.as_chunks().0[at / $n % (TILE / $n)])
+            }
+            #[inline(always)]
+            fn write(self, lane: &mut Lane<$t>, at: usize) {
+                lane.0.as_chunks_mut().0[at / $n % (TILE / $n)] = self.0;
+            }
+            #[inline(always)]
+            fn splat(x: $t) -> Self {
+                Lanes([x; $n])
+            }
+            #[inline(always)]
+            fn bits(mask: Self::Mask) -> u32 {
+                let mut bits = 0;
+                let mut i = 0;
+                while i < $n {
+                    bits |= ((mask.0[i] & 1) as u32) << i;
+                    i += 1;
+                }
+                bits
+            }
+            #[inline(always)]
+            fn from_items(item: impl Fn(usize) -> [$t; 4]) -> [Self; 4] {
+                let mut fields = [Lanes([0.0; $n]); 4];
+                let mut i = 0;
+                while i < $n {
+                    let [x, y, z, w] = item(i);
+                    fields[0].0[i] = x;
+                    fields[1].0[i] = y;
+                    fields[2].0[i] = z;
+                    fields[3].0[i] = w;
+                    i += 1;
+                }
+                fields
+            }
+            #[inline(always)]
+            fn to_items([x, y, z, w]: [Self; 4], mut put: impl FnMut(usize, [$t; 4])) {
+                let mut i = 0;
+                while i < $n {
+                    put(i, [x.0[i], y.0[i], z.0[i], w.0[i]]);
+                    i += 1;
+                }
+            }
+        }
+    };
+}
+plain!(f32, 4);
+plain!(f64, 2);

@@ -1,0 +1,633 @@
+//! Vectors of AVX2 and AVX-512.
+use super::Vector;
+use crate::float::{HIGH_OF_SINGLE, sin_cos_single, sin_cos_wide};
+use crate::kernels::cpu::lane::{Lane, TILE};
+use crate::{Fixed, Mask, Pack, Scalar};
+use std::arch::x86_64::*;
+use std::ops::{Add, AddAssign, BitAnd, BitOr, Div, Mul, MulAssign, Neg, Not, Sub, SubAssign};
+
+/// The only unsafe expression of vector arithmetic. Sound because values of these types exist
+/// only in functions compiled for their instruction set: see the module above.
+macro_rules! arch {
+    ($e:expr) => {{
+        // Masks of AVX-512 are plain integers.
+        #[allow(unused_unsafe)]
+        unsafe {
+            $e
+        }
+    }};
+}
+
+/// The operators of a vector from the intrinsics named for them.
+macro_rules! vector {
+    ($(#[$doc:meta])* $name:ident($raw:ident, $mask:ident($raw_mask:ident)) of $n:literal $t:ident, bits $bits:ident, low half $low:literal;
+     $add:ident $sub:ident $mul:ident $div:ident $sqrt:ident $min:ident $max:ident
+     $and:ident $andnot:ident $xor:ident $set:ident $from_int:ident $int_of:ident $int_set:ident $int_and:ident $int_sub:ident;
+     below |$p:ident, $q:ident| $lt:expr, $le:expr, $eq:expr;
+     choose |$m:ident, $yes:ident, $no:ident| $choose:expr;
+     masks |$a:ident, $b:ident| $mask_and:expr, $mask_or:expr, $mask_not:expr, $mask_bits:expr;
+     sines |$angle:ident| $sin_cos:expr, $sin_cos_parts:expr;
+     items $from_items:ident $to_items:ident) => {
+        $(#[$doc])*
+        #[derive(Clone, Copy, Debug)]
+        #[repr(transparent)]
+        pub(super) struct $name(pub $raw);
+
+        /// One truth value per number.
+        #[derive(Clone, Copy, Debug)]
+        #[repr(transparent)]
+        pub(super) struct $mask($raw_mask);
+
+        impl BitAnd for $mask {
+            type Output = Self;
+            #[inline(always)]
+            fn bitand(self, other: Self) -> Self {
+                let ($a, $b) = (self.0, other.0);
+                $mask(arch!($mask_and))
+            }
+        }
+        impl BitOr for $mask {
+            type Output = Self;
+            #[inline(always)]
+            fn bitor(self, other: Self) -> Self {
+                let ($a, $b) = (self.0, other.0);
+                $mask(arch!($mask_or))
+            }
+        }
+        impl Not for $mask {
+            type Output = Self;
+            #[inline(always)]
+            fn not(self) -> Self {
+                let $a = self.0;
+                $mask(arch!($mask_not))
+            }
+        }
+        impl $mask {
+            #[inline(always)]
+            fn bits(self) -> u32 {
+                let $a = self.0;
+                arch!($mask_bits) as u32
+            }
+        }
+        impl Mask for $mask {
+            #[inline(always)]
+            fn any(self) -> bool {
+                self.bits() != 0
+            }
+            #[inline(always)]
+            fn all(self) -> bool {
+                self.bits() == (1 << $n) - 1
+            }
+        }
+
+        impl $name {
+            #[inline(always)]
+            fn array(self) -> [$t; $n] {
+                // A vector is as large as its numbers, and any bits are numbers.
+                arch!(std::mem::transmute::<$raw, [$t; $n]>(self.0))
+            }
+            #[inline(always)]
+            fn from_array(numbers: [$t; $n]) -> Self {
+                $name(arch!(std::mem::transmute::<[$t; $n], $raw>(numbers)))
+            }
+            /// Number by number, for what has no vector instruction.
+            #[inline(always)]
+            fn each(self, f: impl Fn($t) -> $t) -> Self {
+                Self::from_array(self.array().map(f))
+            }
+        }
+
+        impl Vector<$t> for $name {
+            const WIDTH: usize = $n;
+            #[inline(always)]
+            fn read(lane: &Lane<$t>, at: usize) -> Self {
+                Self::from_array(lane.0.as_chunks().0[at / $n % (TILE / $n)])
+            }
+            #[inline(always)]
+            fn write(self, lane: &mut Lane<$t>, at: usize) {
+                lane.0.as_chunks_mut().0[at / $n % (TILE / $n)] = self.array();
+            }
+            #[inline(always)]
+            fn splat(x: $t) -> Self {
+                $name(arch!($set(x)))
+            }
+            #[inline(always)]
+            fn bits(mask: $mask) -> u32 {
+                mask.bits()
+            }
+            #[inline(always)]
+            fn from_items(item: impl Fn(usize) -> [$t; 4]) -> [Self; 4] {
+                $from_items(item)
+            }
+            #[inline(always)]
+            fn to_items(fields: [Self; 4], put: impl FnMut(usize, [$t; 4])) {
+                $to_items(fields, put)
+            }
+        }
+
+        impl Add for $name {
+            type Output = Self;
+            #[inline(always)]
+            fn add(self, other: Self) -> Self {
+                $name(arch!($add(self.0, other.0)))
+            }
+        }
+        impl Sub for $name {
+            type Output = Self;
+            #[inline(always)]
+            fn sub(self, other: Self) -> Self {
+                $name(arch!($sub(self.0, other.0)))
+            }
+        }
+        impl Mul for $name {
+            type Output = Self;
+            #[inline(always)]
+            fn mul(self, other: Self) -> Self {
+                $name(arch!($mul(self.0, other.0)))
+            }
+        }
+        impl Div for $name {
+            type Output = Self;
+            #[inline(always)]
+            fn div(self, other: Self) -> Self {
+                $name(arch!($div(self.0, other.0)))
+            }
+        }
+        impl Neg for $name {
+            type Output = Self;
+            #[inline(always)]
+            fn neg(self) -> Self {
+                $name(arch!($xor(self.0, $set(-0.0))))
+            }
+        }
+        impl AddAssign for $name {
+            #[inline(always)]
+            fn add_assign(&mut self, other: Self) {
+                *self = *self + other;
+            }
+        }
+        impl SubAssign for $name {
+            #[inline(always)]
+            fn sub_assign(&mut self, other: Self) {
+                *self = *self - other;
+            }
+        }
+        impl MulAssign for $name {
+            #[inline(always)]
+            fn mul_assign(&mut self, other: Self) {
+                *self = *self * other;
+            }
+        }
+
+        impl Pack for $name {
+            type Scalar = Self;
+            type With<R: Clone> = R;
+            #[inline(always)]
+            fn map<R: Clone>(&self, f: &mut impl FnMut(&Self) -> R) -> R {
+                f(self)
+            }
+            #[inline(always)]
+            fn each(&mut self, f: &mut impl FnMut(&mut Self)) {
+                f(self)
+            }
+        }
+        impl Fixed for $name {
+            const LEN: usize = 1;
+            type Array = [Self; 1];
+            #[inline(always)]
+            fn to_array(self) -> [Self; 1] {
+                [self]
+            }
+            #[inline(always)]
+            fn from_array([scalar]: [Self; 1]) -> Self {
+                scalar
+            }
+            #[inline(always)]
+            fn filled(scalar: Self) -> Self {
+                scalar
+            }
+        }
+
+        impl Scalar for $name {
+            type Mask = $mask;
+            type Primal = Self;
+            const COMPENSATED: bool = <$t as Scalar>::COMPENSATED;
+            const EPSILON: f64 = <$t as Scalar>::EPSILON;
+            const PARALLEL: f64 = <$t as Scalar>::PARALLEL;
+            const LARGEST: f64 = <$t as Scalar>::LARGEST;
+            #[inline(always)]
+            fn lit(x: f64) -> Self {
+                Self::splat(x as $t)
+            }
+            #[inline(always)]
+            fn from_primal(x: Self) -> Self {
+                x
+            }
+            #[inline(always)]
+            fn primal(self) -> Self {
+                self
+            }
+            #[inline(always)]
+            fn below(self, other: Self) -> $mask {
+                let ($p, $q) = (self.0, other.0);
+                $mask(arch!($lt))
+            }
+            #[inline(always)]
+            fn at_most(self, other: Self) -> $mask {
+                let ($p, $q) = (self.0, other.0);
+                $mask(arch!($le))
+            }
+            #[inline(always)]
+            fn equals(self, other: Self) -> $mask {
+                let ($p, $q) = (self.0, other.0);
+                $mask(arch!($eq))
+            }
+            #[inline(always)]
+            fn select(mask: $mask, yes: Self, no: Self) -> Self {
+                let ($m, $yes, $no) = (mask.0, yes.0, no.0);
+                $name(arch!($choose))
+            }
+            #[inline(always)]
+            fn over(self, divisor: Self) -> Self {
+                self / divisor
+            }
+            #[inline(always)]
+            fn root(self) -> Self {
+                let zero = Self::splat(0.0);
+                Self::select(zero.below(self), $name(arch!($sqrt(self.0))), zero)
+            }
+            #[inline(always)]
+            fn sin_cos(self) -> (Self, Self) {
+                let $angle = self;
+                $sin_cos
+            }
+            #[inline(always)]
+            fn sin_cos_parts(self) -> [(Self, Self); 2] {
+                let $angle = self;
+                $sin_cos_parts
+            }
+            #[inline(always)]
+            fn parts(self) -> (Self, Self) {
+                let high = $t::from_bits(!((1 << $low) - 1));
+                let high = $name(arch!($and(self.0, $set(high))));
+                (high, self - high)
+            }
+            #[inline(always)]
+            fn atan2(self, x: Self) -> Self {
+                let (mut y, x) = (self.array(), x.array());
+                for (y, x) in y.iter_mut().zip(x) {
+                    *y = Scalar::atan2(*y, x);
+                }
+                Self::from_array(y)
+            }
+            #[inline(always)]
+            fn exp(self) -> Self {
+                self.each(Scalar::exp)
+            }
+            #[inline(always)]
+            fn ln(self) -> Self {
+                self.each(Scalar::ln)
+            }
+            #[inline(always)]
+            fn binade(self) -> Self {
+                // As for one number: the exponent field e becomes 2·bias + 1 − e.
+                let normal = self.most(Self::splat($t::MIN_POSITIVE));
+                let field = (<$t>::INFINITY).to_bits();
+                let twice_bias = (2 * ($t::MAX_EXP as $bits - 1) + 1) << ($t::MANTISSA_DIGITS - 1);
+                $name(arch!($from_int($int_sub(
+                    $int_set(twice_bias as _),
+                    $int_and($int_of(normal.0), $int_set(field as _)),
+                ))))
+            }
+            #[inline(always)]
+            fn least(self, other: Self) -> Self {
+                $name(arch!($min(self.0, other.0)))
+            }
+            #[inline(always)]
+            fn most(self, other: Self) -> Self {
+                $name(arch!($max(self.0, other.0)))
+            }
+            #[inline(always)]
+            fn magnitude(self) -> Self {
+                $name(arch!($andnot($set(-0.0), self.0)))
+            }
+            #[inline(always)]
+            fn unsigned(self) -> Self {
+                self.magnitude()
+            }
+            #[inline(always)]
+            fn damp(self, _share: Self) -> Self {
+                self
+            }
+            #[inline(always)]
+            fn with_primal(self, value: Self) -> Self {
+                value
+            }
+        }
+    };
+}
+
+/// Sine and cosine of angles that the polynomial does not serve, number by number. Not inlined:
+/// it is rare, and a call costs less than the room.
+#[inline(never)]
+fn by_library<const N: usize>(angle: [f64; N]) -> ([f64; N], [f64; N]) {
+    (angle.map(f64::sin), angle.map(f64::cos))
+}
+
+/// Sines and cosines of vectors of `f64`.
+macro_rules! wide {
+    ($name:ident) => {
+        impl $name {
+            #[inline(always)]
+            fn library(self) -> (Self, Self) {
+                let (sin, cos) = by_library(self.array());
+                (Self::from_array(sin), Self::from_array(cos))
+            }
+            #[inline(always)]
+            fn wide_sin_cos(self) -> (Self, Self) {
+                sin_cos_wide(self, Self::library)
+            }
+            #[inline(always)]
+            fn wide_parts(self) -> [(Self, Self); 2] {
+                let (sin, cos) = self.wide_sin_cos();
+                [sin.parts(), cos.parts()]
+            }
+        }
+    };
+}
+
+/// Sines and cosines of vectors of `f32`, computed in `f64` half by half.
+macro_rules! narrow {
+    ($name:ident = 2 $half:ident of $wide:ident: $widen:ident $narrow:ident $and:ident;
+     low |$v:ident| $low:expr, high $high:expr; join |$x:ident, $y:ident| $join:expr) => {
+        impl $name {
+            /// Sines and cosines of both halves.
+            #[inline(always)]
+            fn wide_sin_cos(self) -> [($wide, $wide); 2] {
+                let $v = self.0;
+                [
+                    sin_cos_single($wide(arch!($widen($low))), $wide::library),
+                    sin_cos_single($wide(arch!($widen($high))), $wide::library),
+                ]
+            }
+            #[inline(always)]
+            fn join($x: $half, $y: $half) -> Self {
+                $name(arch!($join))
+            }
+            #[inline(always)]
+            fn narrow(low: $wide, high: $wide) -> Self {
+                Self::join(arch!($narrow(low.0)), arch!($narrow(high.0)))
+            }
+            /// High part and rest of numbers in `f64`, as [`split_single`](crate::float::split_single).
+            #[inline(always)]
+            fn parts_of(low: $wide, high: $wide) -> (Self, Self) {
+                let mask = $wide::splat(f64::from_bits(HIGH_OF_SINGLE));
+                let (a, b) = (
+                    $wide(arch!($and(low.0, mask.0))),
+                    $wide(arch!($and(high.0, mask.0))),
+                );
+                (Self::narrow(a, b), Self::narrow(low - a, high - b))
+            }
+            #[inline(always)]
+            fn narrow_sin_cos(self) -> (Self, Self) {
+                let [low, high] = self.wide_sin_cos();
+                (Self::narrow(low.0, high.0), Self::narrow(low.1, high.1))
+            }
+            #[inline(always)]
+            fn narrow_parts(self) -> [(Self, Self); 2] {
+                let [low, high] = self.wide_sin_cos();
+                [Self::parts_of(low.0, high.0), Self::parts_of(low.1, high.1)]
+            }
+        }
+    };
+}
+wide!(F64x4);
+wide!(F64x8);
+narrow! {
+    F32x8 = 2 __m128 of F64x4: _mm256_cvtps_pd _mm256_cvtpd_ps _mm256_and_pd;
+    low |v| _mm256_castps256_ps128(v), high _mm256_extractf128_ps::<1>(v);
+    join |x, y| _mm256_set_m128(y, x)
+}
+narrow! {
+    F32x16 = 2 __m256 of F64x8: _mm512_cvtps_pd _mm512_cvtpd_ps _mm512_and_pd;
+    low |v| _mm512_castps512_ps256(v), high _mm512_extractf32x8_ps::<1>(v);
+    join |x, y| _mm512_insertf32x8::<1>(_mm512_castps256_ps512(x), y)
+}
+
+/// Four rows of four numbers in every 128 bits, rows and columns exchanged.
+macro_rules! exchange {
+    ($unpacklo:ident $unpackhi:ident $shuffle:ident; $a:ident $b:ident $c:ident $d:ident) => {{
+        let (p, q) = ($unpacklo($a, $b), $unpackhi($a, $b));
+        let (r, s) = ($unpacklo($c, $d), $unpackhi($c, $d));
+        [
+            $shuffle::<0b01_00_01_00>(p, r),
+            $shuffle::<0b11_10_11_10>(p, r),
+            $shuffle::<0b01_00_01_00>(q, s),
+            $shuffle::<0b11_10_11_10>(q, s),
+        ]
+    }};
+}
+
+#[inline(always)]
+fn quad(x: [f32; 4]) -> __m128 {
+    arch!(std::mem::transmute::<[f32; 4], __m128>(x))
+}
+#[inline(always)]
+fn quad_of(x: __m128) -> [f32; 4] {
+    arch!(std::mem::transmute::<__m128, [f32; 4]>(x))
+}
+
+#[inline(always)]
+fn exchange_f32x16([F32x16(a), F32x16(b), F32x16(c), F32x16(d)]: [F32x16; 4]) -> [F32x16; 4] {
+    arch!(exchange!(_mm512_unpacklo_ps _mm512_unpackhi_ps _mm512_shuffle_ps; a b c d)).map(F32x16)
+}
+#[inline(always)]
+fn from_f32x16(item: impl Fn(usize) -> [f32; 4]) -> [F32x16; 4] {
+    // Every fourth item, so that they end up in order.
+    #[inline(always)]
+    fn spaced(a: [f32; 4], b: [f32; 4], c: [f32; 4], d: [f32; 4]) -> F32x16 {
+        let low = arch!(_mm512_insertf32x4::<1>(
+            _mm512_castps128_ps512(quad(a)),
+            quad(b)
+        ));
+        let three = arch!(_mm512_insertf32x4::<2>(low, quad(c)));
+        F32x16(arch!(_mm512_insertf32x4::<3>(three, quad(d))))
+    }
+    exchange_f32x16([
+        spaced(item(0), item(4), item(8), item(12)),
+        spaced(item(1), item(5), item(9), item(13)),
+        spaced(item(2), item(6), item(10), item(14)),
+        spaced(item(3), item(7), item(11), item(15)),
+    ])
+}
+#[inline(always)]
+fn to_f32x16(fields: [F32x16; 4], mut put: impl FnMut(usize, [f32; 4])) {
+    let spaced = exchange_f32x16(fields);
+    let mut i = 0;
+    while i < 4 {
+        let F32x16(x) = spaced[i];
+        put(i, quad_of(arch!(_mm512_castps512_ps128(x))));
+        put(i + 4, quad_of(arch!(_mm512_extractf32x4_ps::<1>(x))));
+        put(i + 8, quad_of(arch!(_mm512_extractf32x4_ps::<2>(x))));
+        put(i + 12, quad_of(arch!(_mm512_extractf32x4_ps::<3>(x))));
+        i += 1;
+    }
+}
+
+#[inline(always)]
+fn exchange_f32x8([F32x8(a), F32x8(b), F32x8(c), F32x8(d)]: [F32x8; 4]) -> [F32x8; 4] {
+    arch!(exchange!(_mm256_unpacklo_ps _mm256_unpackhi_ps _mm256_shuffle_ps; a b c d)).map(F32x8)
+}
+#[inline(always)]
+fn from_f32x8(item: impl Fn(usize) -> [f32; 4]) -> [F32x8; 4] {
+    #[inline(always)]
+    fn spaced(a: [f32; 4], b: [f32; 4]) -> F32x8 {
+        F32x8(arch!(_mm256_set_m128(quad(b), quad(a))))
+    }
+    exchange_f32x8([
+        spaced(item(0), item(4)),
+        spaced(item(1), item(5)),
+        spaced(item(2), item(6)),
+        spaced(item(3), item(7)),
+    ])
+}
+#[inline(always)]
+fn to_f32x8(fields: [F32x8; 4], mut put: impl FnMut(usize, [f32; 4])) {
+    let spaced = exchange_f32x8(fields);
+    let mut i = 0;
+    while i < 4 {
+        let F32x8(x) = spaced[i];
+        put(i, quad_of(arch!(_mm256_castps256_ps128(x))));
+        put(i + 4, quad_of(arch!(_mm256_extractf128_ps::<1>(x))));
+        i += 1;
+    }
+}
+
+#[inline(always)]
+fn exchange_f64x4([F64x4(a), F64x4(b), F64x4(c), F64x4(d)]: [F64x4; 4]) -> [F64x4; 4] {
+    arch!({
+        let (p, q) = (_mm256_unpacklo_pd(a, b), _mm256_unpackhi_pd(a, b));
+        let (r, s) = (_mm256_unpacklo_pd(c, d), _mm256_unpackhi_pd(c, d));
+        [
+            _mm256_permute2f128_pd::<0x20>(p, r),
+            _mm256_permute2f128_pd::<0x20>(q, s),
+            _mm256_permute2f128_pd::<0x31>(p, r),
+            _mm256_permute2f128_pd::<0x31>(q, s),
+        ]
+    })
+    .map(F64x4)
+}
+#[inline(always)]
+fn from_f64x4(item: impl Fn(usize) -> [f64; 4]) -> [F64x4; 4] {
+    exchange_f64x4([
+        F64x4::from_array(item(0)),
+        F64x4::from_array(item(1)),
+        F64x4::from_array(item(2)),
+        F64x4::from_array(item(3)),
+    ])
+}
+#[inline(always)]
+fn to_f64x4(fields: [F64x4; 4], mut put: impl FnMut(usize, [f64; 4])) {
+    let items = exchange_f64x4(fields);
+    let mut i = 0;
+    while i < 4 {
+        put(i, items[i].array());
+        i += 1;
+    }
+}
+
+#[inline(always)]
+fn exchange_f64x8([F64x8(a), F64x8(b), F64x8(c), F64x8(d)]: [F64x8; 4]) -> [F64x8; 4] {
+    arch!({
+        let (p, q) = (_mm512_unpacklo_pd(a, b), _mm512_unpackhi_pd(a, b));
+        let (r, s) = (_mm512_unpacklo_pd(c, d), _mm512_unpackhi_pd(c, d));
+        let low = _mm512_setr_epi64(0, 1, 8, 9, 4, 5, 12, 13);
+        let high = _mm512_setr_epi64(2, 3, 10, 11, 6, 7, 14, 15);
+        [
+            _mm512_permutex2var_pd(p, low, r),
+            _mm512_permutex2var_pd(q, low, s),
+            _mm512_permutex2var_pd(p, high, r),
+            _mm512_permutex2var_pd(q, high, s),
+        ]
+    })
+    .map(F64x8)
+}
+#[inline(always)]
+fn from_f64x8(item: impl Fn(usize) -> [f64; 4]) -> [F64x8; 4] {
+    #[inline(always)]
+    fn spaced(a: [f64; 4], b: [f64; 4]) -> F64x8 {
+        let (F64x4(a), F64x4(b)) = (F64x4::from_array(a), F64x4::from_array(b));
+        F64x8(arch!(_mm512_insertf64x4::<1>(_mm512_castpd256_pd512(a), b)))
+    }
+    exchange_f64x8([
+        spaced(item(0), item(4)),
+        spaced(item(1), item(5)),
+        spaced(item(2), item(6)),
+        spaced(item(3), item(7)),
+    ])
+}
+#[inline(always)]
+fn to_f64x8(fields: [F64x8; 4], mut put: impl FnMut(usize, [f64; 4])) {
+    let spaced = exchange_f64x8(fields);
+    let mut i = 0;
+    while i < 4 {
+        let F64x8(x) = spaced[i];
+        put(i, F64x4(arch!(_mm512_castpd512_pd256(x))).array());
+        put(i + 4, F64x4(arch!(_mm512_extractf64x4_pd::<1>(x))).array());
+        i += 1;
+    }
+}
+
+vector! {
+    /// Four `f64` of AVX2.
+    F64x4(__m256d, Mask64x4(__m256d)) of 4 f64, bits u64, low half 27;
+    _mm256_add_pd _mm256_sub_pd _mm256_mul_pd _mm256_div_pd _mm256_sqrt_pd _mm256_min_pd _mm256_max_pd
+    _mm256_and_pd _mm256_andnot_pd _mm256_xor_pd _mm256_set1_pd
+    _mm256_castsi256_pd _mm256_castpd_si256 _mm256_set1_epi64x _mm256_and_si256 _mm256_sub_epi64;
+    below |p, q| _mm256_cmp_pd::<_CMP_LT_OQ>(p, q), _mm256_cmp_pd::<_CMP_LE_OQ>(p, q), _mm256_cmp_pd::<_CMP_EQ_OQ>(p, q);
+    choose |m, yes, no| _mm256_blendv_pd(no, yes, m);
+    masks |a, b| _mm256_and_pd(a, b), _mm256_or_pd(a, b),
+        _mm256_xor_pd(a, _mm256_castsi256_pd(_mm256_set1_epi8(-1))), _mm256_movemask_pd(a);
+    sines |angle| angle.wide_sin_cos(), angle.wide_parts();
+    items from_f64x4 to_f64x4
+}
+
+vector! {
+    /// Eight `f32` of AVX2.
+    F32x8(__m256, Mask32x8(__m256)) of 8 f32, bits u32, low half 12;
+    _mm256_add_ps _mm256_sub_ps _mm256_mul_ps _mm256_div_ps _mm256_sqrt_ps _mm256_min_ps _mm256_max_ps
+    _mm256_and_ps _mm256_andnot_ps _mm256_xor_ps _mm256_set1_ps
+    _mm256_castsi256_ps _mm256_castps_si256 _mm256_set1_epi32 _mm256_and_si256 _mm256_sub_epi32;
+    below |p, q| _mm256_cmp_ps::<_CMP_LT_OQ>(p, q), _mm256_cmp_ps::<_CMP_LE_OQ>(p, q), _mm256_cmp_ps::<_CMP_EQ_OQ>(p, q);
+    choose |m, yes, no| _mm256_blendv_ps(no, yes, m);
+    masks |a, b| _mm256_and_ps(a, b), _mm256_or_ps(a, b),
+        _mm256_xor_ps(a, _mm256_castsi256_ps(_mm256_set1_epi8(-1))), _mm256_movemask_ps(a);
+    sines |angle| angle.narrow_sin_cos(), angle.narrow_parts();
+    items from_f32x8 to_f32x8
+}
+
+vector! {
+    /// Eight `f64` of AVX-512.
+    F64x8(__m512d, Mask64x8(__mmask8)) of 8 f64, bits u64, low half 27;
+    _mm512_add_pd _mm512_sub_pd _mm512_mul_pd _mm512_div_pd _mm512_sqrt_pd _mm512_min_pd _mm512_max_pd
+    _mm512_and_pd _mm512_andnot_pd _mm512_xor_pd _mm512_set1_pd
+    _mm512_castsi512_pd _mm512_castpd_si512 _mm512_set1_epi64 _mm512_and_si512 _mm512_sub_epi64;
+    below |p, q| _mm512_cmp_pd_mask::<_CMP_LT_OQ>(p, q), _mm512_cmp_pd_mask::<_CMP_LE_OQ>(p, q), _mm512_cmp_pd_mask::<_CMP_EQ_OQ>(p, q);
+    choose |m, yes, no| _mm512_mask_blend_pd(m, no, yes);
+    masks |a, b| a & b, a | b, !a, a;
+    sines |angle| angle.wide_sin_cos(), angle.wide_parts();
+    items from_f64x8 to_f64x8
+}
+
+vector! {
+    /// Sixteen `f32` of AVX-512.
+    F32x16(__m512, Mask32x16(__mmask16)) of 16 f32, bits u32, low half 12;
+    _mm512_add_ps _mm512_sub_ps _mm512_mul_ps _mm512_div_ps _mm512_sqrt_ps _mm512_min_ps _mm512_max_ps
+    _mm512_and_ps _mm512_andnot_ps _mm512_xor_ps _mm512_set1_ps
+    _mm512_castsi512_ps _mm512_castps_si512 _mm512_set1_epi32 _mm512_and_si512 _mm512_sub_epi32;
+    below |p, q| _mm512_cmp_ps_mask::<_CMP_LT_OQ>(p, q), _mm512_cmp_ps_mask::<_CMP_LE_OQ>(p, q), _mm512_cmp_ps_mask::<_CMP_EQ_OQ>(p, q);
+    choose |m, yes, no| _mm512_mask_blend_ps(m, no, yes);
+    masks |a, b| a & b, a | b, !a, a;
+    sines |angle| angle.narrow_sin_cos(), angle.narrow_parts();
+    items from_f32x16 to_f32x16
+}

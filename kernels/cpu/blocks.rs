@@ -1,0 +1,664 @@
+//! Block kernels that know nothing of operations: rows into tiles and back, what bounds tell, sums.
+//!
+//! Compiled in this library only, by the entries in `arch`.
+use crate::Mask;
+use crate::kernels::cpu::arch::Vector;
+use crate::kernels::cpu::boxes::BOUNDS;
+use crate::kernels::cpu::lane::{Lane, TILE, Tiles};
+use crate::kernels::real::Real;
+
+/// Numbers that are brought and taken together.
+pub(crate) const QUAD: usize = 4;
+
+/// Where a quad of so many fields begins: one after another, the last one as late as it may.
+#[inline(always)]
+const fn quad_start(quad: usize, fields: usize) -> usize {
+    let (next, last) = (quad * QUAD, fields - QUAD);
+    if next < last { next } else { last }
+}
+
+/// Four numbers of an item, in one piece.
+#[inline(always)]
+fn quad_of<T: Real, const FIELDS: usize>(item: &[T; FIELDS], start: usize) -> [T; QUAD] {
+    match item[start..].first_chunk() {
+        Some(quad) => *quad,
+        None => [T::default(); QUAD],
+    }
+}
+
+/// Items one after another, so many numbers each, into tiles. The last tile is filled up with the
+/// last item.
+#[inline(always)]
+pub(crate) fn bring<T: Real, V: Vector<T>>(rows: &[T], fields: usize, out: &mut [Lane<T>]) {
+    let count = rows.len() / fields;
+    // The number of fields is a constant of the usual loops: one check for sixteen items.
+    let whole = match fields {
+        1 => bring_few::<T, 1>(rows, out),
+        2 => bring_few::<T, 2>(rows, out),
+        3 => bring_few::<T, 3>(rows, out),
+        4 => bring_tiles::<T, V, 4>(rows, out),
+        5 => bring_tiles::<T, V, 5>(rows, out),
+        6 => bring_tiles::<T, V, 6>(rows, out),
+        7 => bring_tiles::<T, V, 7>(rows, out),
+        8 => bring_tiles::<T, V, 8>(rows, out),
+        10 => bring_tiles::<T, V, 10>(rows, out),
+        _ => 0,
+    };
+    // What is left over.
+    for (i, row) in rows.chunks_exact(fields).enumerate().skip(whole * TILE) {
+        for (lane, &x) in out[i / TILE * fields..].iter_mut().zip(row) {
+            lane.0[i % TILE] = x;
+        }
+    }
+    let used = count % TILE;
+    if used > 0 {
+        for lane in out[count / TILE * fields..].iter_mut().take(fields) {
+            let last = lane.0[used - 1];
+            lane.0[used..].fill(last);
+        }
+    }
+}
+
+/// Whole tiles; how many.
+#[inline(always)]
+fn bring_tiles<T: Real, V: Vector<T>, const FIELDS: usize>(
+    rows: &[T],
+    out: &mut [Lane<T>],
+) -> usize {
+    let groups = rows.as_chunks::<FIELDS>().0.as_chunks::<TILE>().0;
+    for (items, tile) in groups.iter().zip(out.as_chunks_mut::<FIELDS>().0) {
+        let mut quad = 0;
+        while quad * QUAD < FIELDS {
+            let start = quad_start(quad, FIELDS);
+            let mut at = 0;
+            while at < TILE {
+                let parts = V::from_items(
+                    #[inline(always)]
+                    |i| quad_of(&items[(at + i) % TILE], start),
+                );
+                let mut k = 0;
+                while k < QUAD {
+                    parts[k].write(&mut tile[start + k], at);
+                    k += 1;
+                }
+                at += V::WIDTH;
+            }
+            quad += 1;
+        }
+    }
+    groups.len()
+}
+
+/// Whole tiles of items of less than four numbers; how many.
+#[inline(always)]
+fn bring_few<T: Real, const FIELDS: usize>(rows: &[T], out: &mut [Lane<T>]) -> usize {
+    let groups = rows.as_chunks::<FIELDS>().0.as_chunks::<TILE>().0;
+    for (items, tile) in groups.iter().zip(out.as_chunks_mut::<FIELDS>().0) {
+        let mut k = 0;
+        while k < FIELDS {
+            let mut i = 0;
+            while i < TILE {
+                tile[k].0[i] = items[i][k];
+                i += 1;
+            }
+            k += 1;
+        }
+    }
+    groups.len()
+}
+
+/// Some fields of tiles into rows of so many numbers: field `k` of an item goes to `row[k]`. Tiles
+/// have `step` fields each; rows keep what they have beyond `fields`.
+#[inline(always)]
+pub(crate) fn take<T: Real, V: Vector<T>>(
+    tiles: &[Lane<T>],
+    step: usize,
+    fields: usize,
+    rows: &mut [T],
+    stride: usize,
+) {
+    let whole = match (fields, stride) {
+        (1, 1) => {
+            let (groups, _) = rows.as_chunks_mut::<TILE>();
+            for (group, tile) in groups.iter_mut().zip(tiles.chunks(step)) {
+                *group = tile[0].0;
+            }
+            groups.len()
+        }
+        (4, 4) => take_tiles::<T, V, 4, 4>(tiles, step, rows),
+        (5, 5) => take_tiles::<T, V, 5, 5>(tiles, step, rows),
+        (6, 6) => take_tiles::<T, V, 6, 6>(tiles, step, rows),
+        (6, 8) => take_tiles::<T, V, 6, 8>(tiles, step, rows),
+        (7, 7) => take_tiles::<T, V, 7, 7>(tiles, step, rows),
+        (8, 8) => take_tiles::<T, V, 8, 8>(tiles, step, rows),
+        (10, 12) => take_tiles::<T, V, 10, 12>(tiles, step, rows),
+        _ => 0,
+    };
+    for (tile, rows) in tiles
+        .chunks(step)
+        .zip(rows.chunks_mut(TILE * stride))
+        .skip(whole)
+    {
+        for (i, row) in rows.chunks_exact_mut(stride).enumerate() {
+            for (x, lane) in row.iter_mut().zip(tile).take(fields) {
+                *x = lane.0[i % TILE];
+            }
+        }
+    }
+}
+
+/// Whole tiles; how many.
+#[inline(always)]
+fn take_tiles<T: Real, V: Vector<T>, const FIELDS: usize, const STRIDE: usize>(
+    tiles: &[Lane<T>],
+    step: usize,
+    rows: &mut [T],
+) -> usize {
+    let groups = rows.as_chunks_mut::<STRIDE>().0.as_chunks_mut::<TILE>().0;
+    let mut whole = 0;
+    for (tile, items) in tiles.chunks(step).zip(groups) {
+        let Some(tile) = tile.first_chunk::<FIELDS>() else {
+            break;
+        };
+        let mut at = 0;
+        while at < TILE {
+            let mut quad = 0;
+            while quad * QUAD < FIELDS {
+                let start = quad_start(quad, FIELDS);
+                let parts = [
+                    V::read(&tile[start], at),
+                    V::read(&tile[start + 1], at),
+                    V::read(&tile[start + 2], at),
+                    V::read(&tile[start + 3], at),
+                ];
+                V::to_items(
+                    parts,
+                    #[inline(always)]
+                    |i, numbers| {
+                        let item = &mut items[(at + i) % TILE];
+                        if let Some(quad) = item[start..].first_chunk_mut() {
+                            *quad = numbers;
+                        }
+                    },
+                );
+                quad += 1;
+            }
+            at += V::WIDTH;
+        }
+        whole += 1;
+    }
+    whole
+}
+
+/// Items picked from rows of `stride` numbers, a multiple of four, into tiles of so many fields. The
+/// last tile is filled up with the last item.
+#[inline(always)]
+pub(crate) fn gather<T: Real, V: Vector<T>>(
+    rows: &[T],
+    stride: usize,
+    picked: &[u32],
+    fields: usize,
+    out: &mut [Lane<T>],
+) {
+    match stride / QUAD {
+        1 => gather_quads::<T, V, 1>(rows, picked, fields, out),
+        2 => gather_quads::<T, V, 2>(rows, picked, fields, out),
+        3 => gather_quads::<T, V, 3>(rows, picked, fields, out),
+        _ => {
+            for (k, &item) in picked.iter().enumerate() {
+                let row = &rows[item as usize * stride..];
+                for (lane, &x) in out[k / TILE * fields..].iter_mut().zip(row).take(fields) {
+                    lane.0[k % TILE] = x;
+                }
+            }
+            // What fills up the last tile must be valid; the last item is at hand.
+            if let (Some(&last), used @ 1..) = (picked.last(), picked.len() % TILE) {
+                let row = &rows[last as usize * stride..];
+                let tile = &mut out[picked.len() / TILE * fields..];
+                for (lane, &x) in tile.iter_mut().zip(row).take(fields) {
+                    lane.0[used..].fill(x);
+                }
+            }
+        }
+    }
+}
+
+#[inline(always)]
+fn gather_quads<T: Real, V: Vector<T>, const QUADS: usize>(
+    rows: &[T],
+    picked: &[u32],
+    fields: usize,
+    out: &mut [Lane<T>],
+) {
+    let Some(&last) = picked.last() else { return };
+    let items = rows.as_chunks::<QUAD>().0.as_chunks::<QUADS>().0;
+    let Some(mut own) = items.get(last as usize).map(|last| [last; TILE]) else {
+        return;
+    };
+    for (picked, tile) in picked.chunks(TILE).zip(out.chunks_exact_mut(fields)) {
+        match picked.first_chunk::<TILE>() {
+            Some(picked) => {
+                let mut i = 0;
+                while i < TILE {
+                    let Some(item) = items.get(picked[i] as usize) else {
+                        return;
+                    };
+                    own[i] = item;
+                    i += 1;
+                }
+            }
+            None => {
+                for (i, own) in own.iter_mut().enumerate() {
+                    let picked = *picked.get(i).unwrap_or(&last);
+                    *own = &items[picked as usize];
+                }
+            }
+        }
+        let mut at = 0;
+        while at < TILE {
+            let mut quad = 0;
+            while quad < QUADS {
+                let parts = V::from_items(
+                    #[inline(always)]
+                    |i| own[(at + i) % TILE][quad],
+                );
+                // The last quad may have numbers that only fill it up.
+                for (part, lane) in parts.into_iter().zip(&mut tile[quad * QUAD..]) {
+                    part.write(lane, at);
+                }
+                quad += 1;
+            }
+            at += V::WIDTH;
+        }
+    }
+}
+
+/// The places of the ones in a byte.
+static PLACES: [[u8; 8]; 256] = {
+    let mut places = [[0; 8]; 256];
+    let mut byte = 0;
+    while byte < 256 {
+        let (mut bit, mut count) = (0, 0);
+        while bit < 8 {
+            if byte >> bit & 1 == 1 {
+                places[byte][count] = bit as u8;
+                count += 1;
+            }
+            bit += 1;
+        }
+        byte += 1;
+    }
+    places
+};
+
+/// Which of a tile's bounds meet those of a row, as bits.
+#[inline(always)]
+fn meeting<T: Real, V: Vector<T>>(row: &[V; BOUNDS], tile: &[Lane<T>; BOUNDS]) -> u32 {
+    let mut bits = 0;
+    let mut at = 0;
+    while at < TILE {
+        let meet = V::read(&tile[0], at).at_most(row[2])
+            & V::read(&tile[1], at).at_most(row[3])
+            & row[0].at_most(V::read(&tile[2], at))
+            & row[1].at_most(V::read(&tile[3], at));
+        bits |= V::bits(meet) << at;
+        at += V::WIDTH;
+    }
+    bits
+}
+
+#[inline(always)]
+fn splat<T: Real, V: Vector<T>>(row: &[T; BOUNDS]) -> [V; BOUNDS] {
+    [
+        V::splat(row[0]),
+        V::splat(row[1]),
+        V::splat(row[2]),
+        V::splat(row[3]),
+    ]
+}
+
+/// Writes the index of every item whose bounds meet those of the row, ascending from `first` for the
+/// first item; how many they are. There is room for sixteen more than there are items.
+#[inline(always)]
+pub(crate) fn near<T: Real, V: Vector<T>>(
+    row: &[T; BOUNDS],
+    bounds: Tiles<'_, T>,
+    first: u32,
+    hits: &mut [u32],
+) -> usize {
+    let row = splat::<T, V>(row);
+    let (mut base, mut count) = (first, 0);
+    for tile in bounds.lanes.as_chunks::<BOUNDS>().0 {
+        let bits = meeting(&row, tile);
+        let Some(room) = hits.get_mut(count..).and_then(|x| x.first_chunk_mut()) else {
+            return count;
+        };
+        count += places(bits, base, room);
+        base += TILE as u32;
+    }
+    count
+}
+
+/// Writes the places of the ones among sixteen bits, plus a base; how many they are.
+#[inline(always)]
+fn places(bits: u32, base: u32, room: &mut [u32; TILE]) -> usize {
+    let (low, high) = ((bits & 0xff) as usize, (bits >> 8 & 0xff) as usize);
+    let few = low.count_ones() as usize;
+    let mut i = 0;
+    while i < 8 {
+        room[i] = base + u32::from(PLACES[low][i]);
+        i += 1;
+    }
+    // At most eight before them.
+    if let Some(room) = room[few..].first_chunk_mut::<8>() {
+        i = 0;
+        while i < 8 {
+            room[i] = base + 8 + u32::from(PLACES[high][i]);
+            i += 1;
+        }
+    }
+    few + high.count_ones() as usize
+}
+
+/// Adds the index of every item of a tree of bounds that meets those of the row. Level 0 has the
+/// items, in the tree's order; each box of a higher level bounds a tile of the one below.
+#[inline(always)]
+pub(crate) fn search<T: Real, V: Vector<T>>(
+    row: &[T; BOUNDS],
+    levels: &[Vec<Lane<T>>],
+    order: &[u32],
+    hits: &mut Vec<u32>,
+) {
+    let row = splat::<T, V>(row);
+    // What is left to look at: levels and tiles. Each level leaves at most fifteen behind.
+    let mut waiting = [(0_usize, 0_usize); 16 * 8];
+    let mut count = 0;
+    let top = levels.len().wrapping_sub(1);
+    for t in 0..levels.last().map_or(0, |level| level.len() / BOUNDS) {
+        waiting[0] = (top, t);
+        count += 1;
+        while count > 0 {
+            count -= 1;
+            let (level, t) = waiting[count];
+            let Some(tile) = levels[level].as_chunks::<BOUNDS>().0.get(t) else {
+                continue;
+            };
+            let mut bits = meeting(&row, tile);
+            while bits != 0 {
+                let child = t * TILE + bits.trailing_zeros() as usize;
+                bits &= bits - 1;
+                if level == 0 {
+                    if let Some(&item) = order.get(child) {
+                        hits.push(item);
+                    }
+                } else if let Some(next) = waiting.get_mut(count) {
+                    *next = (level - 1, child);
+                    count += 1;
+                }
+            }
+        }
+    }
+}
+
+/// Adds upstream slopes times the slopes of results: of a row's sixteen sums per field of the first
+/// shape, and of the sums of every column.
+///
+/// Results are a value, then `fields[0]` and `fields[1]` slopes; column sums are tiles.
+#[inline(always)]
+pub(crate) fn accumulate<T: Real, V: Vector<T>>(
+    results: &[Lane<T>],
+    fields: [usize; 2],
+    upstream: &[T],
+    row_sums: &mut [Lane<T>],
+    column_sums: &mut [Lane<T>],
+) {
+    let step = 1 + fields[0] + fields[1];
+    let tiles = results.chunks_exact(step);
+    for ((tile, upstream), columns) in tiles
+        .zip(upstream.chunks(TILE))
+        .zip(column_sums.chunks_exact_mut(fields[1]))
+    {
+        let mut factor = Lane([T::default(); TILE]);
+        match upstream.first_chunk() {
+            Some(whole) => factor.0 = *whole,
+            None => factor.0[..upstream.len()].copy_from_slice(upstream),
+        }
+        let (of_row, of_columns) = tile[1..].split_at(fields[0]);
+        let mut at = 0;
+        while at < TILE {
+            let factor = V::read(&factor, at);
+            for (sum, slope) in row_sums.iter_mut().zip(of_row) {
+                (V::read(sum, at) + V::read(slope, at) * factor).write(sum, at);
+            }
+            for (sum, slope) in columns.iter_mut().zip(of_columns) {
+                (V::read(sum, at) + V::read(slope, at) * factor).write(sum, at);
+            }
+            at += V::WIDTH;
+        }
+    }
+}
+
+/// [`accumulate`] for picked columns. Sums lie item by item: numbers of a column, or of one of a
+/// row's sixteen sums, side by side, as many as are a multiple of four.
+#[inline(always)]
+pub(crate) fn accumulate_picked<T: Real, V: Vector<T>>(
+    results: &[Lane<T>],
+    fields: [usize; 2],
+    columns: &[u32],
+    upstream: &[T],
+    row_sums: &mut [Lane<T>],
+    column_sums: &mut [Lane<T>],
+) {
+    match fields {
+        [5, 5] => add_picked::<T, V, 5, 2, 5, 2>(results, columns, upstream, row_sums, column_sums),
+        [4, 4] => add_picked::<T, V, 4, 1, 4, 1>(results, columns, upstream, row_sums, column_sums),
+        _ => {
+            let step = 1 + fields[0] + fields[1];
+            let strides = fields.map(|n| n.next_multiple_of(QUAD));
+            for (k, &j) in columns.iter().enumerate() {
+                let j = j as usize;
+                let slopes = &results[k / TILE * step + 1..][..step - 1];
+                let (of_row, of_column) = slopes.split_at(fields[0]);
+                let add = |sums: &mut [Lane<T>], at: usize, slopes: &[Lane<T>]| {
+                    for (field, slope) in slopes.iter().enumerate() {
+                        let at = at + field;
+                        sums[at / TILE].0[at % TILE] += slope.0[k % TILE] * upstream[j];
+                    }
+                };
+                add(row_sums, j % TILE * strides[0], of_row);
+                add(column_sums, j * strides[1], of_column);
+            }
+        }
+    }
+}
+
+/// A quad of numbers in lanes.
+#[inline(always)]
+fn add_quad<T: Real>(lanes: &mut [Lane<T>], quad: usize, slopes: &[T; QUAD], factor: T) {
+    let Some(lane) = lanes.get_mut(quad / QUAD) else {
+        return;
+    };
+    let sums = &mut lane.0.as_chunks_mut::<QUAD>().0[quad % QUAD];
+    let mut i = 0;
+    while i < QUAD {
+        sums[i] += slopes[i] * factor;
+        i += 1;
+    }
+}
+
+#[inline(always)]
+fn add_picked<
+    T: Real,
+    V: Vector<T>,
+    const A: usize,
+    const QUADS_A: usize,
+    const B: usize,
+    const QUADS_B: usize,
+>(
+    results: &[Lane<T>],
+    columns: &[u32],
+    upstream: &[T],
+    row_sums: &mut [Lane<T>],
+    column_sums: &mut [Lane<T>],
+) {
+    let step = 1 + A + B;
+    let zero = [T::default(); QUAD];
+    let (mut of_row, mut of_column) = ([[zero; QUADS_A]; TILE], [[zero; QUADS_B]; TILE]);
+    for (tile, columns) in results.chunks_exact(step).zip(columns.chunks(TILE)) {
+        items_of::<T, V, A, QUADS_A>(&tile[1..], &mut of_row);
+        items_of::<T, V, B, QUADS_B>(&tile[1 + A..], &mut of_column);
+        for ((&j, of_row), of_column) in columns.iter().zip(&of_row).zip(&of_column) {
+            let j = j as usize;
+            let Some(&factor) = upstream.get(j) else {
+                return;
+            };
+            let mut quad = 0;
+            while quad < QUADS_A {
+                add_quad(row_sums, j % TILE * QUADS_A + quad, &of_row[quad], factor);
+                quad += 1;
+            }
+            quad = 0;
+            while quad < QUADS_B {
+                add_quad(column_sums, j * QUADS_B + quad, &of_column[quad], factor);
+                quad += 1;
+            }
+        }
+    }
+}
+
+/// The items of a tile, their numbers side by side; what fills up the last quad is zero.
+#[inline(always)]
+fn items_of<T: Real, V: Vector<T>, const FIELDS: usize, const QUADS: usize>(
+    tile: &[Lane<T>],
+    items: &mut [[[T; QUAD]; QUADS]; TILE],
+) {
+    let Some(tile) = tile.first_chunk::<FIELDS>() else {
+        return;
+    };
+    let zero = V::zero();
+    let mut at = 0;
+    while at < TILE {
+        let mut quad = 0;
+        while quad < QUADS {
+            let mut parts = [zero; QUAD];
+            let mut k = 0;
+            while k < QUAD && quad * QUAD + k < FIELDS {
+                parts[k] = V::read(&tile[quad * QUAD + k], at);
+                k += 1;
+            }
+            V::to_items(
+                parts,
+                #[inline(always)]
+                |i, numbers| items[(at + i) % TILE][quad] = numbers,
+            );
+            quad += 1;
+        }
+        at += V::WIDTH;
+    }
+}
+
+/// Numbers looked at side by side.
+const SIDE: usize = 32;
+
+/// The largest of some numbers; minus infinity of none.
+#[inline(always)]
+pub(crate) fn largest<T: Real, V: Vector<T>>(numbers: &[T]) -> T {
+    let least = T::lit(f64::NEG_INFINITY);
+    let mut lanes = [least; SIDE];
+    let (whole, rest) = numbers.as_chunks::<SIDE>();
+    for part in whole {
+        for (lane, &x) in lanes.iter_mut().zip(part) {
+            *lane = if x > *lane { x } else { *lane };
+        }
+    }
+    let all = lanes.iter().chain(rest);
+    all.fold(least, |most, &x| if x > most { x } else { most })
+}
+
+/// How many numbers are above a threshold.
+#[inline(always)]
+pub(crate) fn count_above<T: Real, V: Vector<T>>(numbers: &[T], threshold: T) -> u64 {
+    numbers.iter().map(|&x| u64::from(x > threshold)).sum()
+}
+
+/// Adds numbers to sixteen sums, number `i` to sum `i` modulo sixteen.
+#[inline(always)]
+pub(crate) fn add_up<T: Real, V: Vector<T>>(numbers: &[T], sums: &mut [f64; TILE]) {
+    let (whole, rest) = numbers.as_chunks::<TILE>();
+    for part in whole {
+        for (sum, x) in sums.iter_mut().zip(part) {
+            *sum += x.widen();
+        }
+    }
+    for (sum, x) in sums.iter_mut().zip(rest) {
+        *sum += x.widen();
+    }
+}
+
+/// Whether every number is finite.
+#[inline(always)]
+pub(crate) fn all_finite<T: Real, V: Vector<T>>(numbers: &[T]) -> bool {
+    numbers.iter().fold(true, |all, x| all & x.finite())
+}
+
+/// Whether every number is zero or within the limits of its field, for items of so many fields.
+#[inline(always)]
+pub(crate) fn all_within<T: Real, V: Vector<T>, const FIELDS: usize>(
+    numbers: &[T],
+    low: [f64; FIELDS],
+    high: [f64; FIELDS],
+) -> bool {
+    // Sixteen items are FIELDS lanes, whose limits repeat.
+    let limits = |k: usize, of: [f64; FIELDS]| {
+        let mut lane = Lane([T::default(); TILE]);
+        for (i, x) in lane.0.iter_mut().enumerate() {
+            *x = T::lit(of[(k * TILE + i) % FIELDS]);
+        }
+        lane
+    };
+    let mut lanes = [(Lane::default(), Lane::default()); FIELDS];
+    for (k, lane) in lanes.iter_mut().enumerate() {
+        *lane = (limits(k, low), limits(k, high));
+    }
+    let zero = V::zero();
+    let inside = |numbers: &[T; TILE], (low, high): &(Lane<T>, Lane<T>), all: V::Mask| {
+        let (numbers, mut all) = (Lane(*numbers), all);
+        let mut at = 0;
+        while at < TILE {
+            let x = V::read(&numbers, at);
+            all =
+                all & (V::read(low, at).at_most(x) | x.equals(zero)) & x.at_most(V::read(high, at));
+            at += V::WIDTH;
+        }
+        all
+    };
+    let mut all = zero.equals(zero);
+    let (whole, rest) = numbers.as_chunks::<TILE>();
+    let (groups, few) = whole.as_chunks::<FIELDS>();
+    for group in groups {
+        let mut k = 0;
+        while k < FIELDS {
+            all = inside(&group[k], &lanes[k], all);
+            k += 1;
+        }
+    }
+    for (numbers, limits) in few.iter().zip(&lanes) {
+        all = inside(numbers, limits, all);
+    }
+    let done = whole.len() * TILE;
+    all.all()
+        && rest.iter().enumerate().all(|(i, &x)| {
+            let (low, high) = (low[(done + i) % FIELDS], high[(done + i) % FIELDS]);
+            x.at_most(T::lit(high)) && (x.at_least(T::lit(low)) || x.equals(T::default()))
+        })
+}
+
+/// Whether every axis-aligned box is finite and no lower bound is above its upper one.
+#[inline(always)]
+pub(crate) fn all_aabb2<T: Real, V: Vector<T>>(numbers: &[T]) -> bool {
+    let (items, _) = numbers.as_chunks::<4>();
+    let ordered = items
+        .iter()
+        .fold(true, |all, x| all & x[0].at_most(x[2]) & x[1].at_most(x[3]));
+    ordered & all_finite::<T, V>(numbers)
+}

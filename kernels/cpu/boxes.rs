@@ -1,0 +1,251 @@
+//! Block kernels of the overlap of boxes: tiles in, tiles out, generic over the vector.
+//!
+//! Compiled in this library only, by the entries in `arch`.
+use crate::ad::overlap::{score_aabb2_grad, score_framed_grad};
+use crate::clip::{Framed, frame};
+use crate::kernels::cpu::arch::Vector;
+use crate::kernels::cpu::blocks::all_within;
+use crate::kernels::cpu::lane::{Lane, TILE, Tiles};
+use crate::kernels::real::Real;
+use crate::overlap::{Denominator, score_aabb2, score_framed};
+use crate::{Aabb2, Fixed, Obb2, Scalar, Vec2};
+
+/// Numbers of a rotated box.
+pub(crate) const OBB2: usize = 5;
+/// Numbers of an axis-aligned box.
+pub(crate) const AABB2: usize = 4;
+/// Numbers of bounds: lower x and y, upper x and y.
+pub(crate) const BOUNDS: usize = 4;
+/// Most numbers of a rotated box with its trigonometry done.
+const FRAME: usize = 10;
+
+/// Numbers of a rotated box with its trigonometry done: without low parts where none are needed.
+pub(crate) const fn frame_fields<T: Scalar>() -> usize {
+    if T::COMPENSATED { FRAME } else { 6 }
+}
+
+/// Does the trigonometry of rotated boxes.
+#[inline(always)]
+pub(crate) fn obb2_frames<T: Real, V: Vector<T>>(shapes: Tiles<'_, T>, frames: &mut [Lane<T>]) {
+    for (t, out) in frames.chunks_exact_mut(frame_fields::<T>()).enumerate() {
+        let Some(shape) = shapes.tile::<OBB2>(t) else {
+            return;
+        };
+        let mut at = 0;
+        while at < TILE {
+            let framed = frame(Obb2 {
+                center: Vec2::new(V::read(&shape[0], at), V::read(&shape[1], at)),
+                size: Vec2::new(V::read(&shape[2], at), V::read(&shape[3], at)),
+                heading: V::read(&shape[4], at),
+            });
+            for (lane, number) in out.iter_mut().zip(framed.to_array()) {
+                number.write(lane, at);
+            }
+            at += V::WIDTH;
+        }
+    }
+}
+
+/// A part of a tile of prepared boxes.
+#[inline(always)]
+fn framed<T: Real, V: Vector<T>>(tiles: Tiles<'_, T>, t: usize, at: usize) -> Option<Framed<V>> {
+    let zero = V::zero();
+    if T::COMPENSATED {
+        let tile = tiles.tile::<FRAME>(t)?;
+        return Some(Framed::from_array([
+            V::read(&tile[0], at),
+            V::read(&tile[1], at),
+            V::read(&tile[2], at),
+            V::read(&tile[3], at),
+            V::read(&tile[4], at),
+            V::read(&tile[5], at),
+            V::read(&tile[6], at),
+            V::read(&tile[7], at),
+            V::read(&tile[8], at),
+            V::read(&tile[9], at),
+        ]));
+    }
+    let tile = tiles.tile::<6>(t)?;
+    Some(Framed::from_array([
+        V::read(&tile[0], at),
+        V::read(&tile[1], at),
+        V::read(&tile[2], at),
+        V::read(&tile[3], at),
+        V::read(&tile[4], at),
+        V::read(&tile[5], at),
+        zero,
+        zero,
+        zero,
+        zero,
+    ]))
+}
+
+/// Scores of prepared rotated boxes of ordinary size.
+#[inline(always)]
+pub(crate) fn obb2_scores<T: Real, V: Vector<T>>(
+    over: Denominator,
+    a: Tiles<'_, T>,
+    b: Tiles<'_, T>,
+    out: &mut [Lane<T>],
+) {
+    for (t, out) in out.iter_mut().enumerate() {
+        let mut at = 0;
+        while at < TILE {
+            let (Some(a), Some(b)) = (framed::<T, V>(a, t, at), framed(b, t, at)) else {
+                return;
+            };
+            score_framed::<V, false>(over, a, b).write(out, at);
+            at += V::WIDTH;
+        }
+    }
+}
+
+/// Scores of prepared rotated boxes of ordinary size, each followed by its ten slopes.
+#[inline(always)]
+pub(crate) fn obb2_slopes<T: Real, V: Vector<T>>(
+    over: Denominator,
+    a: Tiles<'_, T>,
+    b: Tiles<'_, T>,
+    out: &mut [Lane<T>],
+) {
+    for (t, out) in out
+        .as_chunks_mut::<{ 1 + 2 * OBB2 }>()
+        .0
+        .iter_mut()
+        .enumerate()
+    {
+        let mut at = 0;
+        while at < TILE {
+            let (Some(a), Some(b)) = (framed::<T, V>(a, t, at), framed(b, t, at)) else {
+                return;
+            };
+            let (value, (a_bar, b_bar)) = score_framed_grad::<V, false>(over, a, b);
+            let (p, q) = (a_bar.to_array(), b_bar.to_array());
+            value.write(&mut out[0], at);
+            let mut k = 0;
+            while k < OBB2 {
+                p[k].write(&mut out[1 + k], at);
+                q[k].write(&mut out[1 + OBB2 + k], at);
+                k += 1;
+            }
+            at += V::WIDTH;
+        }
+    }
+}
+
+/// A part of a tile of axis-aligned boxes.
+#[inline(always)]
+fn aabb2<T: Real, V: Vector<T>>(tiles: Tiles<'_, T>, t: usize, at: usize) -> Option<Aabb2<V>> {
+    let tile = tiles.tile::<AABB2>(t)?;
+    Some(Aabb2::new(
+        V::read(&tile[0], at),
+        V::read(&tile[1], at),
+        V::read(&tile[2], at),
+        V::read(&tile[3], at),
+    ))
+}
+
+/// Scores of axis-aligned boxes.
+#[inline(always)]
+pub(crate) fn aabb2_scores<T: Real, V: Vector<T>>(
+    over: Denominator,
+    a: Tiles<'_, T>,
+    b: Tiles<'_, T>,
+    out: &mut [Lane<T>],
+) {
+    for (t, out) in out.iter_mut().enumerate() {
+        let mut at = 0;
+        while at < TILE {
+            let (Some(a), Some(b)) = (aabb2::<T, V>(a, t, at), aabb2(b, t, at)) else {
+                return;
+            };
+            score_aabb2(over, a, b).write(out, at);
+            at += V::WIDTH;
+        }
+    }
+}
+
+/// Scores of axis-aligned boxes, each followed by its eight slopes.
+#[inline(always)]
+pub(crate) fn aabb2_slopes<T: Real, V: Vector<T>>(
+    over: Denominator,
+    a: Tiles<'_, T>,
+    b: Tiles<'_, T>,
+    out: &mut [Lane<T>],
+) {
+    for (t, out) in out
+        .as_chunks_mut::<{ 1 + 2 * AABB2 }>()
+        .0
+        .iter_mut()
+        .enumerate()
+    {
+        let mut at = 0;
+        while at < TILE {
+            let (Some(a), Some(b)) = (aabb2::<T, V>(a, t, at), aabb2(b, t, at)) else {
+                return;
+            };
+            let (value, (a_bar, b_bar)) = score_aabb2_grad(over, a, b);
+            let (p, q) = (a_bar.to_array(), b_bar.to_array());
+            value.write(&mut out[0], at);
+            let mut k = 0;
+            while k < AABB2 {
+                p[k].write(&mut out[1 + k], at);
+                q[k].write(&mut out[1 + AABB2 + k], at);
+                k += 1;
+            }
+            at += V::WIDTH;
+        }
+    }
+}
+
+/// Beyond these limits sizes may make products over- or underflow; see
+/// [`is_ordinary`](crate::clip::is_ordinary).
+const SMALL: f64 = 1e-9;
+const LARGE: f64 = 1e9;
+const FAR: f64 = 1e15;
+
+/// Whether every rotated box is valid and of ordinary size.
+#[inline(always)]
+pub(crate) fn all_ordinary_obb2<T: Real, V: Vector<T>>(numbers: &[T]) -> bool {
+    all_within::<T, V, OBB2>(
+        numbers,
+        [-FAR, -FAR, SMALL, SMALL, -T::LARGEST],
+        [FAR, FAR, LARGE, LARGE, T::LARGEST],
+    )
+}
+
+/// Bounds of prepared rotated boxes: lower x and y, upper x and y.
+///
+/// They are wide enough that boxes whose bounds do not meet are apart in the eyes of
+/// [`relate`](crate::clip::relate), too, whatever it rounds. Let `R` be the sum of half the widths and
+/// heights of both boxes, ε the distance from 1 to the next number, and say the bounds are apart
+/// along x. Each bound has a slack of `4ε |x| + 128ε (half width + half height)`, of which its own
+/// rounding takes less than `4ε (|x| + half width + half height)`. So the exact boxes are apart by
+/// `g ≥ 120 ε R`. Boxes that are apart by `g` are separated by `g / √2` or more along one of their four
+/// axes: where a corner faces a corner, the shortest way between them lies in the quarter of normals
+/// of either, hence between two axes less than a quarter apart, and within 45° of one of them. The
+/// separating-axis test rounds distances of centres and extents by less than `12 ε (g + R)`, which is
+/// less than `g / √2`.
+#[inline(always)]
+pub(crate) fn obb2_bounds<T: Real, V: Vector<T>>(frames: Tiles<'_, T>, bounds: &mut [Lane<T>]) {
+    let (of_place, of_size) = (V::lit(4.0 * T::EPSILON), V::lit(128.0 * T::EPSILON));
+    for (t, out) in bounds.as_chunks_mut::<BOUNDS>().0.iter_mut().enumerate() {
+        let mut at = 0;
+        while at < TILE {
+            let Some(x) = framed::<T, V>(frames, t, at) else {
+                return;
+            };
+            let (cos, sin) = (x.cos.unsigned(), x.sin.unsigned());
+            let slack = (x.half.x + x.half.y) * of_size;
+            let slack_x = x.center.x.unsigned() * of_place + slack;
+            let slack_y = x.center.y.unsigned() * of_place + slack;
+            let reach_x = (cos * x.half.x + sin * x.half.y) + slack_x;
+            let reach_y = (sin * x.half.x + cos * x.half.y) + slack_y;
+            (x.center.x - reach_x).write(&mut out[0], at);
+            (x.center.y - reach_y).write(&mut out[1], at);
+            (x.center.x + reach_x).write(&mut out[2], at);
+            (x.center.y + reach_y).write(&mut out[3], at);
+            at += V::WIDTH;
+        }
+    }
+}

@@ -1,0 +1,208 @@
+//! Reductions of all pairs over plain numbers, without the matrix.
+use crate::kernels::cpu::lane::{Lane, TILE};
+use crate::kernels::cpu::pairs::{Pairs, copy_field};
+use crate::kernels::cpu::sweep::{Form, Part};
+use crate::kernels::cpu::work::rows_per_piece;
+use crate::kernels::real::Real;
+use crate::kernels::reduce::{Best, Found};
+
+/// Scores of one row.
+enum Scores<'a, T> {
+    /// With one column after another, from the first on.
+    Run(usize, &'a [T]),
+    /// With some columns, ascending; all others are zero.
+    Picked(&'a [u32], &'a [Lane<T>]),
+}
+
+/// The scores of a part; `room` is for those of a run.
+fn scores<'a, T: Real>(part: Part<'a, T>, room: &'a mut Vec<T>) -> Scores<'a, T> {
+    match part {
+        Part::Run {
+            first,
+            count,
+            results,
+        } => {
+            room.resize(count, T::default());
+            copy_field(results, 1, 0, room);
+            Scores::Run(first, room)
+        }
+        Part::Picked {
+            columns, results, ..
+        } => Scores::Picked(columns, results),
+    }
+}
+
+/// Picked scores with their columns.
+fn picked<'a, T: Real>(
+    columns: &'a [u32],
+    results: &'a [Lane<T>],
+) -> impl Iterator<Item = (usize, T)> + 'a {
+    let scores = results.iter().flat_map(|lane| lane.0);
+    columns.iter().map(|&j| j as usize).zip(scores)
+}
+
+/// What a maximum starts from. Where pairs may be left out their zeros count from the start.
+fn start<T: Real>(filtered: bool, index: usize) -> Best<T> {
+    let value = T::lit(if filtered { 0.0 } else { f64::NEG_INFINITY });
+    Best { value, index }
+}
+
+/// Takes a larger score.
+#[inline]
+fn raise<T: Real>(best: &mut Best<T>, value: T, index: usize) {
+    if value.above(best.value) {
+        *best = Best { value, index };
+    }
+}
+
+/// The largest score of every row and its column; of several the first.
+pub fn row_max<T: Real>(pairs: &Pairs<'_, T>) -> Vec<Best<T>> {
+    let [rows, columns] = pairs.counts();
+    let mut best = vec![start(false, 0); rows];
+    if columns == 0 {
+        return best;
+    }
+    let work = best.chunks_mut(rows_per_piece(rows)).collect();
+    pairs.sweep(Form::Values, work, |sweep, rows, best: &mut [Best<T>]| {
+        best.fill(start(sweep.is_filtered(), 0));
+        let (start, mut room) = (rows.start, Vec::new());
+        sweep.run(rows, |row, part| {
+            let best = &mut best[row - start];
+            match scores(part, &mut room) {
+                Scores::Run(first, values) => {
+                    let value = (T::kernels().largest)(values);
+                    if value.above(best.value) {
+                        let at = values.iter().position(|&x| x == value);
+                        raise(best, value, first + at.unwrap_or(0));
+                    }
+                }
+                Scores::Picked(columns, results) => {
+                    for (column, value) in picked(columns, results) {
+                        raise(best, value, column);
+                    }
+                }
+            }
+        });
+    });
+    best
+}
+
+/// The largest score of every column and its row; of several the first.
+pub fn column_max<T: Real>(pairs: &Pairs<'_, T>) -> Vec<Best<T>> {
+    let [rows, columns] = pairs.counts();
+    let mut best = vec![start(false, 0); columns];
+    if rows == 0 || columns == 0 {
+        return best;
+    }
+    let mut partials = vec![best.clone(); rows.div_ceil(rows_per_piece(rows))];
+    let work = partials.iter_mut().collect();
+    pairs.sweep(
+        Form::Values,
+        work,
+        |sweep, rows, best: &mut Vec<Best<T>>| {
+            best.fill(start(sweep.is_filtered(), rows.start));
+            let mut room = Vec::new();
+            sweep.run(rows, |row, part| match scores(part, &mut room) {
+                Scores::Run(first, values) => {
+                    for (best, &value) in best[first..].iter_mut().zip(values) {
+                        raise(best, value, row);
+                    }
+                }
+                Scores::Picked(columns, results) => {
+                    for (column, value) in picked(columns, results) {
+                        raise(&mut best[column], value, row);
+                    }
+                }
+            });
+        },
+    );
+    for piece in partials {
+        for (best, other) in best.iter_mut().zip(piece) {
+            raise(best, other.value, other.index);
+        }
+    }
+    best
+}
+
+/// Every pair whose score is above the threshold, row by row and within a row by column.
+pub fn above<T: Real>(pairs: &Pairs<'_, T>, threshold: T) -> Vec<Found<T>> {
+    let [rows, _] = pairs.counts();
+    let mut found = vec![Vec::new(); rows.div_ceil(rows_per_piece(rows))];
+    let work = found.iter_mut().collect();
+    pairs.sweep(
+        Form::Values,
+        work,
+        |sweep, rows, found: &mut Vec<Found<T>>| {
+            let mut room = Vec::new();
+            sweep.run(rows, |row, part| {
+                let mut take = |column, value: T| {
+                    if value.above(threshold) {
+                        found.push(Found { row, column, value });
+                    }
+                };
+                match scores(part, &mut room) {
+                    // Most runs of most matrices have nothing.
+                    Scores::Run(first, values) => {
+                        if (T::kernels().largest)(values).above(threshold) {
+                            for (k, &value) in values.iter().enumerate() {
+                                take(first + k, value);
+                            }
+                        }
+                    }
+                    Scores::Picked(columns, results) => {
+                        for (column, value) in picked(columns, results) {
+                            take(column, value);
+                        }
+                    }
+                }
+            });
+            // They came run by run.
+            found.sort_unstable_by_key(|x| (x.row, x.column));
+        },
+    );
+    found.concat()
+}
+
+/// How many pairs have a score above the threshold.
+pub fn count_above<T: Real>(pairs: &Pairs<'_, T>, threshold: T) -> u64 {
+    let [rows, _] = pairs.counts();
+    let mut counts = vec![0; rows.div_ceil(rows_per_piece(rows))];
+    let work = counts.iter_mut().collect();
+    pairs.sweep(Form::Values, work, |sweep, rows, count: &mut u64| {
+        let mut room = Vec::new();
+        sweep.run(rows, |_, part| {
+            *count += match scores(part, &mut room) {
+                Scores::Run(_, values) => (T::kernels().count_above)(values, threshold),
+                Scores::Picked(columns, results) => picked(columns, results)
+                    .map(|(_, value)| u64::from(value.above(threshold)))
+                    .sum(),
+            };
+        });
+    });
+    counts.iter().sum()
+}
+
+/// The sum of all scores in `f64`: of a row sixteen sums, column `j` in sum `j` modulo sixteen, then
+/// rows, then pieces of rows, all in a fixed order.
+pub fn sum<T: Real>(pairs: &Pairs<'_, T>) -> f64 {
+    let [rows, _] = pairs.counts();
+    let mut sums = vec![0.0; rows.div_ceil(rows_per_piece(rows))];
+    let work = sums.iter_mut().collect();
+    pairs.sweep(Form::Values, work, |sweep, rows, sum: &mut f64| {
+        let (start, mut room) = (rows.start, Vec::new());
+        let mut lanes = vec![[0.0; TILE]; rows.len()];
+        sweep.run(rows, |row, part| {
+            let lanes = &mut lanes[row - start];
+            match scores(part, &mut room) {
+                Scores::Run(_, values) => (T::kernels().add_up)(values, lanes),
+                Scores::Picked(columns, results) => {
+                    for (column, value) in picked(columns, results) {
+                        lanes[column % TILE] += value.widen();
+                    }
+                }
+            }
+        });
+        *sum = lanes.iter().flatten().sum();
+    });
+    sums.iter().sum()
+}

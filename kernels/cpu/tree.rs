@@ -1,0 +1,91 @@
+//! A tree of bounds, to find the few of a long list that a row may overlap.
+use crate::kernels::cpu::boxes::BOUNDS;
+use crate::kernels::cpu::lane::{Lane, TILE};
+use crate::kernels::real::Real;
+
+/// Bounds in tiles of sixteen, each tile bounded by one of a level above, up to a single tile.
+///
+/// The order of items is that of their centres along Morton's curve, so that neighbours share tiles.
+pub struct Tree<T> {
+    levels: Vec<Vec<Lane<T>>>,
+    order: Vec<u32>,
+}
+
+/// A coordinate's place among 2¹⁶ between two ends, its bits spread out to every second.
+fn spread(x: f64, low: f64, high: f64) -> u32 {
+    let place = ((x - low) / (high - low) * 65_535.0) as u32 & 0xffff;
+    let place = (place | place << 8) & 0x00ff_00ff;
+    let place = (place | place << 4) & 0x0f0f_0f0f;
+    let place = (place | place << 2) & 0x3333_3333;
+    (place | place << 1) & 0x5555_5555
+}
+
+impl<T: Real> Tree<T> {
+    /// A tree over bounds in tiles.
+    pub fn new(bounds: &[Lane<T>], count: usize) -> Self {
+        let of = |i: usize| -> [T; BOUNDS] {
+            std::array::from_fn(|k| bounds[i / TILE * BOUNDS + k].0[i % TILE])
+        };
+        let center = |i: usize, k: usize| {
+            let x = 0.5 * of(i)[k].widen() + 0.5 * of(i)[k + 2].widen();
+            // Bounds of rare shapes have none.
+            if x.is_finite() { x } else { 0.0 }
+        };
+        let ends = |k: usize| {
+            let all = (0..count).map(|i| center(i, k));
+            all.fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), x| {
+                (low.min(x), high.max(x))
+            })
+        };
+        let ((left, right), (bottom, top)) = (ends(0), ends(1));
+        let mut order: Vec<(u32, u32)> = (0..count)
+            .map(|i| {
+                let (x, y) = (center(i, 0), center(i, 1));
+                (
+                    spread(x, left, right) | spread(y, bottom, top) << 1,
+                    i as u32,
+                )
+            })
+            .collect();
+        order.sort_unstable();
+        let order: Vec<u32> = order.into_iter().map(|(_, item)| item).collect();
+        let mut levels = Vec::new();
+        let mut boxes: Vec<[T; BOUNDS]> = order.iter().map(|&i| of(i as usize)).collect();
+        loop {
+            let mut lanes = vec![Lane::default(); boxes.len().div_ceil(TILE) * BOUNDS];
+            // Nothing meets what fills up the last tile.
+            let (least, most) = (T::lit(f64::NEG_INFINITY), T::lit(f64::INFINITY));
+            for tile in lanes.chunks_mut(BOUNDS) {
+                for (k, lane) in tile.iter_mut().enumerate() {
+                    lane.0.fill(if k < 2 { most } else { least });
+                }
+            }
+            for (i, one) in boxes.iter().enumerate() {
+                for (lane, &x) in lanes[i / TILE * BOUNDS..].iter_mut().zip(one) {
+                    lane.0[i % TILE] = x;
+                }
+            }
+            levels.push(lanes);
+            if boxes.len() <= TILE {
+                return Tree { levels, order };
+            }
+            let around = |boxes: &[[T; BOUNDS]]| {
+                boxes[1..].iter().fold(boxes[0], |all, one| {
+                    [
+                        all[0].least(one[0]),
+                        all[1].least(one[1]),
+                        all[2].most(one[2]),
+                        all[3].most(one[3]),
+                    ]
+                })
+            };
+            boxes = boxes.chunks(TILE).map(around).collect();
+        }
+    }
+    /// Every item whose bounds meet the given ones, ascending.
+    pub fn near(&self, bounds: &[T; BOUNDS], hits: &mut Vec<u32>) {
+        hits.clear();
+        (T::kernels().search)(bounds, &self.levels, &self.order, hits);
+        hits.sort_unstable();
+    }
+}
