@@ -45,15 +45,16 @@ fn reciprocal_or_zero<S: Scalar>(x: S) -> S {
 /// Slopes of a score with respect to both boxes.
 pub type Grads<S> = (Obb2<S>, Obb2<S>);
 
-/// Value and slopes of a score of two boxes with their trigonometry done.
+/// Value of a score of two boxes with their trigonometry done, and `out_bar` times its slopes.
 ///
 /// Moving b by `(∂u, ∂v)` in a's frame is moving a the other way; turning the pair about a's centre
 /// changes nothing, so `∂heading_a = −(∂heading_b + u ∂v − v ∂u)`.
 #[inline(always)]
-pub fn score_framed_grad<S: Scalar, const EXTREME: bool>(
+pub fn score_framed_vjp<S: Scalar, const EXTREME: bool>(
     over: Denominator,
     a: Framed<S>,
     b: Framed<S>,
+    out_bar: S,
 ) -> (S, Grads<S>) {
     let scale = if EXTREME {
         size_scale(a.half, b.half)
@@ -80,7 +81,8 @@ pub fn score_framed_grad<S: Scalar, const EXTREME: bool>(
     let half_b = b.half * scale;
     let (area_a, area_b) = (area_from_half(pair.half_a), area_from_half(half_b));
     let value = score_of(over, inter, area_a, area_b);
-    let [inter_bar, area_a_bar, area_b_bar] = score_slopes(over, value, inter, area_a, area_b);
+    let [inter_bar, area_a_bar, area_b_bar] =
+        score_slopes(over, value, inter, area_a, area_b).map(|bar| bar * out_bar);
     let value = if EXTREME {
         in_outer_unit(over, value, scale)
     } else {
@@ -164,34 +166,16 @@ fn saturated<S: Scalar>(x: Obb2<S>) -> Obb2<S> {
     }
 }
 
-/// Every field times a number.
-#[inline(always)]
-pub fn scaled_obb2<S: Scalar>(x: Obb2<S>, by: S) -> Obb2<S> {
-    canonical(Obb2 {
-        center: x.center * by,
-        size: x.size * by,
-        heading: x.heading * by,
-    })
-}
-
-/// Every field times a number.
-#[inline(always)]
-pub fn scaled_aabb2<S: Scalar>(x: Aabb2<S>, by: S) -> Aabb2<S> {
-    Aabb2 {
-        min: (x.min * by).canonical(),
-        max: (x.max * by).canonical(),
-    }
-}
-
-/// Value and slopes of a score of two axis-aligned boxes.
+/// Value of a score of two axis-aligned boxes, and `out_bar` times its slopes.
 ///
 /// With `h` half the shared size, `I = 4 h_x h_y`; a bound that decides alone takes the whole slope
 /// of its side, tied bounds half each.
 #[inline(always)]
-pub fn score_aabb2_grad<S: Scalar>(
+pub fn score_aabb2_vjp<S: Scalar>(
     over: Denominator,
     a: Aabb2<S>,
     b: Aabb2<S>,
+    out_bar: S,
 ) -> (S, (Aabb2<S>, Aabb2<S>)) {
     let shared = share(a, b);
     let Shared {
@@ -204,7 +188,8 @@ pub fn score_aabb2_grad<S: Scalar>(
     let inter = area_of_shared(&shared);
     let (area_a, area_b) = (area_from_half(half_a), area_from_half(half_b));
     let value = score_of(over, inter, area_a, area_b);
-    let [inter_bar, area_a_bar, area_b_bar] = score_slopes(over, value, inter, area_a, area_b);
+    let [inter_bar, area_a_bar, area_b_bar] =
+        score_slopes(over, value, inter, area_a, area_b).map(|bar| bar * out_bar);
     let value = in_outer_unit(over, value, scale);
     let unit = match over {
         Denominator::None => S::one().over(scale),
@@ -250,30 +235,28 @@ macro_rules! adjoints {
         #[must_use]
         #[inline]
         pub fn $obb_grad<S: Scalar>(a: Obb2<S>, b: Obb2<S>) -> (S, (Obb2<S>, Obb2<S>)) {
-            score_framed_grad::<S, true>(Denominator::$over, frame(a), frame(b))
+            score_framed_vjp::<S, true>(Denominator::$over, frame(a), frame(b), S::one())
         }
         #[doc = concat!("Adjoint of [`", stringify!($obb), "`](crate::overlap::", stringify!($obb),
             "): `out_bar` times the slopes with respect to both boxes.")]
         #[must_use]
         #[inline]
         pub fn $obb_vjp<S: Scalar>(a: Obb2<S>, b: Obb2<S>, out_bar: S) -> (Obb2<S>, Obb2<S>) {
-            let (a_bar, b_bar) = $obb_grad(a, b).1;
-            (scaled_obb2(a_bar, out_bar), scaled_obb2(b_bar, out_bar))
+            score_framed_vjp::<S, true>(Denominator::$over, frame(a), frame(b), out_bar).1
         }
         #[doc = concat!("[`", stringify!($aabb), "`](crate::overlap::", stringify!($aabb),
             ") and its slopes with respect to both boxes.")]
         #[must_use]
         #[inline]
         pub fn $aabb_grad<S: Scalar>(a: Aabb2<S>, b: Aabb2<S>) -> (S, (Aabb2<S>, Aabb2<S>)) {
-            score_aabb2_grad(Denominator::$over, a, b)
+            score_aabb2_vjp(Denominator::$over, a, b, S::one())
         }
         #[doc = concat!("Adjoint of [`", stringify!($aabb), "`](crate::overlap::",
             stringify!($aabb), "): `out_bar` times the slopes with respect to both boxes.")]
         #[must_use]
         #[inline]
         pub fn $aabb_vjp<S: Scalar>(a: Aabb2<S>, b: Aabb2<S>, out_bar: S) -> (Aabb2<S>, Aabb2<S>) {
-            let (a_bar, b_bar) = $aabb_grad(a, b).1;
-            (scaled_aabb2(a_bar, out_bar), scaled_aabb2(b_bar, out_bar))
+            score_aabb2_vjp(Denominator::$over, a, b, out_bar).1
         }
     )* };
 }

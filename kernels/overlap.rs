@@ -1,5 +1,5 @@
 //! The overlap scores as operations.
-use crate::ad::overlap::{scaled_aabb2, scaled_obb2, score_aabb2_grad, score_framed_grad};
+use crate::ad::overlap::{score_aabb2_vjp, score_framed_vjp};
 use crate::clip::{Framed, frame, is_ordinary};
 use crate::error::{Flaw, Validate};
 use crate::kernels::cpu::drivers::Compiled;
@@ -39,8 +39,7 @@ impl<M: Measure> Op for Obb2Score<M> {
     }
     #[inline]
     fn vjp<S: Scalar>(&(a, b): &Self::In<S>, out_bar: S) -> Self::In<S> {
-        let (a_bar, b_bar) = score_framed_grad::<S, true>(M::DENOMINATOR, frame(a), frame(b)).1;
-        (scaled_obb2(a_bar, out_bar), scaled_obb2(b_bar, out_bar))
+        score_framed_vjp::<S, true>(M::DENOMINATOR, frame(a), frame(b), out_bar).1
     }
     fn map<S: Scalar, T: Scalar>(x: &Self::In<S>, f: &mut impl FnMut(S) -> T) -> Self::In<T> {
         Pack::map(x, &mut |s| f(*s))
@@ -69,7 +68,7 @@ impl<M: Measure> PairOp for Obb2Score<M> {
     }
     #[inline(always)]
     fn grad<S: Scalar, const EXTREME: bool>(a: Framed<S>, b: Framed<S>) -> (S, (Obb2<S>, Obb2<S>)) {
-        score_framed_grad::<S, EXTREME>(M::DENOMINATOR, a, b)
+        score_framed_vjp::<S, EXTREME>(M::DENOMINATOR, a, b, S::one())
     }
     #[inline(always)]
     fn is_ordinary_a<S: Scalar<Mask = bool>>(a: Obb2<S>) -> bool {
@@ -99,8 +98,7 @@ impl<M: Measure> Op for Aabb2Score<M> {
     }
     #[inline]
     fn vjp<S: Scalar>(&(a, b): &Self::In<S>, out_bar: S) -> Self::In<S> {
-        let (a_bar, b_bar) = score_aabb2_grad(M::DENOMINATOR, a, b).1;
-        (scaled_aabb2(a_bar, out_bar), scaled_aabb2(b_bar, out_bar))
+        score_aabb2_vjp(M::DENOMINATOR, a, b, out_bar).1
     }
     fn map<S: Scalar, T: Scalar>(x: &Self::In<S>, f: &mut impl FnMut(S) -> T) -> Self::In<T> {
         Pack::map(x, &mut |s| f(*s))
@@ -129,7 +127,7 @@ impl<M: Measure> PairOp for Aabb2Score<M> {
     }
     #[inline(always)]
     fn grad<S: Scalar, const EXTREME: bool>(a: Aabb2<S>, b: Aabb2<S>) -> (S, (Aabb2<S>, Aabb2<S>)) {
-        score_aabb2_grad(M::DENOMINATOR, a, b)
+        score_aabb2_vjp(M::DENOMINATOR, a, b, S::one())
     }
     #[inline(always)]
     fn is_ordinary_a<S: Scalar<Mask = bool>>(a: Aabb2<S>) -> bool {

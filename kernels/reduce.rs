@@ -3,7 +3,7 @@
 use crate::error::{Argument, Error, Field, Flaw};
 use crate::kernels::cpu::checked::{check_upstream, entries, expect, fill, pairs};
 use crate::kernels::cpu::lane::TILE;
-use crate::kernels::cpu::pairs::Upstream;
+use crate::kernels::cpu::sweep::Upstream;
 use crate::kernels::cpu::{A, B};
 use crate::kernels::op::PairOp;
 use crate::kernels::real::Real;

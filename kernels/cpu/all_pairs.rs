@@ -2,7 +2,7 @@
 use crate::Fixed;
 use crate::error::{Argument, Error};
 use crate::kernels::cpu::checked::{check_upstream, entries, expect, fill, pairs};
-use crate::kernels::cpu::pairs::Upstream;
+use crate::kernels::cpu::sweep::Upstream;
 use crate::kernels::cpu::{A, B, Bars};
 use crate::kernels::op::PairOp;
 use crate::kernels::real::Real;

@@ -4,7 +4,7 @@
 use crate::Mask;
 use crate::kernels::cpu::arch::Vector;
 use crate::kernels::cpu::boxes::BOUNDS;
-use crate::kernels::cpu::lane::{Lane, TILE, Tiles};
+use crate::kernels::cpu::lane::{Lane, Planes, TILE, Tiles};
 use crate::kernels::real::Real;
 
 /// Numbers that are brought and taken together.
@@ -107,12 +107,11 @@ fn bring_few<T: Real, const FIELDS: usize>(rows: &[T], out: &mut [Lane<T>]) -> u
     groups.len()
 }
 
-/// Some fields of tiles into rows of so many numbers: field `k` of an item goes to `row[k]`. Tiles
-/// have `step` fields each; rows keep what they have beyond `fields`.
+/// Some fields of results into rows of so many numbers: field `k` of an item goes to `row[k]`. Rows
+/// keep what they have beyond `fields`.
 #[inline(always)]
 pub(crate) fn take<T: Real, V: Vector<T>>(
-    tiles: &[Lane<T>],
-    step: usize,
+    results: Planes<'_, T>,
     fields: usize,
     rows: &mut [T],
     stride: usize,
@@ -120,44 +119,35 @@ pub(crate) fn take<T: Real, V: Vector<T>>(
     let whole = match (fields, stride) {
         (1, 1) => {
             let (groups, _) = rows.as_chunks_mut::<TILE>();
-            for (group, tile) in groups.iter_mut().zip(tiles.chunks(step)) {
-                *group = tile[0].0;
+            for (group, lane) in groups.iter_mut().zip(results.0) {
+                *group = lane.0;
             }
             groups.len()
         }
-        (4, 4) => take_tiles::<T, V, 4, 4>(tiles, step, rows),
-        (5, 5) => take_tiles::<T, V, 5, 5>(tiles, step, rows),
-        (6, 6) => take_tiles::<T, V, 6, 6>(tiles, step, rows),
-        (6, 8) => take_tiles::<T, V, 6, 8>(tiles, step, rows),
-        (7, 7) => take_tiles::<T, V, 7, 7>(tiles, step, rows),
-        (8, 8) => take_tiles::<T, V, 8, 8>(tiles, step, rows),
-        (10, 12) => take_tiles::<T, V, 10, 12>(tiles, step, rows),
+        (4, 4) => take_tiles::<T, V, 4>(results, rows),
+        (5, 5) => take_tiles::<T, V, 5>(results, rows),
+        (6, 6) => take_tiles::<T, V, 6>(results, rows),
+        (7, 7) => take_tiles::<T, V, 7>(results, rows),
+        (8, 8) => take_tiles::<T, V, 8>(results, rows),
         _ => 0,
     };
-    for (tile, rows) in tiles
-        .chunks(step)
-        .zip(rows.chunks_mut(TILE * stride))
-        .skip(whole)
-    {
-        for (i, row) in rows.chunks_exact_mut(stride).enumerate() {
-            for (x, lane) in row.iter_mut().zip(tile).take(fields) {
-                *x = lane.0[i % TILE];
-            }
+    for (i, row) in rows.chunks_exact_mut(stride).enumerate().skip(whole * TILE) {
+        for (k, x) in row.iter_mut().enumerate().take(fields) {
+            *x = results.field(k)[i / TILE].0[i % TILE];
         }
     }
 }
 
 /// Whole tiles; how many.
 #[inline(always)]
-fn take_tiles<T: Real, V: Vector<T>, const FIELDS: usize, const STRIDE: usize>(
-    tiles: &[Lane<T>],
-    step: usize,
+fn take_tiles<T: Real, V: Vector<T>, const FIELDS: usize>(
+    results: Planes<'_, T>,
     rows: &mut [T],
 ) -> usize {
-    let groups = rows.as_chunks_mut::<STRIDE>().0.as_chunks_mut::<TILE>().0;
+    let groups = rows.as_chunks_mut::<FIELDS>().0.as_chunks_mut::<TILE>().0;
     let mut whole = 0;
-    for (tile, items) in tiles.chunks(step).zip(groups) {
-        let Some(tile) = tile.first_chunk::<FIELDS>() else {
+    for items in groups {
+        let Some(tile) = tile_of::<T, FIELDS>(results, whole) else {
             break;
         };
         let mut at = 0;
@@ -166,10 +156,10 @@ fn take_tiles<T: Real, V: Vector<T>, const FIELDS: usize, const STRIDE: usize>(
             while quad * QUAD < FIELDS {
                 let start = quad_start(quad, FIELDS);
                 let parts = [
-                    V::read(&tile[start], at),
-                    V::read(&tile[start + 1], at),
-                    V::read(&tile[start + 2], at),
-                    V::read(&tile[start + 3], at),
+                    V::read(tile[start], at),
+                    V::read(tile[start + 1], at),
+                    V::read(tile[start + 2], at),
+                    V::read(tile[start + 3], at),
                 ];
                 V::to_items(
                     parts,
@@ -188,6 +178,21 @@ fn take_tiles<T: Real, V: Vector<T>, const FIELDS: usize, const STRIDE: usize>(
         whole += 1;
     }
     whole
+}
+
+/// The first fields of a tile of results.
+#[inline(always)]
+fn tile_of<'a, T: Real, const FIELDS: usize>(
+    results: Planes<'a, T>,
+    t: usize,
+) -> Option<[&'a Lane<T>; FIELDS]> {
+    let mut tile = [results.0.get(t)?; FIELDS];
+    let mut k = 1;
+    while k < FIELDS {
+        tile[k] = results.field(k).get(t)?;
+        k += 1;
+    }
+    Some(tile)
 }
 
 /// Items picked from rows of `stride` numbers, a multiple of four, into tiles of so many fields. The
@@ -400,40 +405,78 @@ pub(crate) fn search<T: Real, V: Vector<T>>(
     }
 }
 
-/// Adds upstream slopes times the slopes of results: of a row's sixteen sums per field of the first
-/// shape, and of the sums of every column.
+/// Adds the slopes of results: to a row's sixteen sums per field of the first shape, and to the sums of
+/// every column.
 ///
 /// Results are a value, then `fields[0]` and `fields[1]` slopes; column sums are tiles.
 #[inline(always)]
 pub(crate) fn accumulate<T: Real, V: Vector<T>>(
-    results: &[Lane<T>],
+    results: Planes<'_, T>,
     fields: [usize; 2],
-    upstream: &[T],
+    count: usize,
     row_sums: &mut [Lane<T>],
     column_sums: &mut [Lane<T>],
 ) {
-    let step = 1 + fields[0] + fields[1];
-    let tiles = results.chunks_exact(step);
-    for ((tile, upstream), columns) in tiles
-        .zip(upstream.chunks(TILE))
-        .zip(column_sums.chunks_exact_mut(fields[1]))
-    {
-        let mut factor = Lane([T::default(); TILE]);
-        match upstream.first_chunk() {
-            Some(whole) => factor.0 = *whole,
-            None => factor.0[..upstream.len()].copy_from_slice(upstream),
-        }
-        let (of_row, of_columns) = tile[1..].split_at(fields[0]);
+    // What fills up the last tile does not count.
+    let (whole, used) = (count / TILE, count % TILE);
+    let part = |slope: &Lane<T>| {
+        let mut part = Lane([T::default(); TILE]);
+        part.0[..used].copy_from_slice(&slope.0[..used]);
+        part
+    };
+    // Field after field: a row's sum stays in a register.
+    for (k, sum) in row_sums.iter_mut().enumerate().take(fields[0]) {
+        let slopes = results.field(1 + k);
         let mut at = 0;
         while at < TILE {
-            let factor = V::read(&factor, at);
-            for (sum, slope) in row_sums.iter_mut().zip(of_row) {
-                (V::read(sum, at) + V::read(slope, at) * factor).write(sum, at);
+            let mut total = V::read(sum, at);
+            for slope in slopes.iter().take(whole) {
+                total += V::read(slope, at);
             }
-            for (sum, slope) in columns.iter_mut().zip(of_columns) {
-                (V::read(sum, at) + V::read(slope, at) * factor).write(sum, at);
+            if let (1.., Some(slope)) = (used, slopes.get(whole)) {
+                total += V::read(&part(slope), at);
             }
+            total.write(sum, at);
             at += V::WIDTH;
+        }
+    }
+    for k in 0..fields[1] {
+        let slopes = results.field(1 + fields[0] + k);
+        let mut add = |t: usize, slope: &Lane<T>| {
+            if let Some(sum) = column_sums.get_mut(t * fields[1] + k) {
+                let mut at = 0;
+                while at < TILE {
+                    (V::read(sum, at) + V::read(slope, at)).write(sum, at);
+                    at += V::WIDTH;
+                }
+            }
+        };
+        for (t, slope) in slopes.iter().enumerate().take(whole) {
+            add(t, slope);
+        }
+        if let (1.., Some(slope)) = (used, slopes.get(whole)) {
+            add(whole, &part(slope));
+        }
+    }
+}
+
+/// Results of picked columns, put into one row of numbers per field, each `stride` after the one
+/// before; `first` is the column where rows begin. Other numbers stay.
+#[inline(always)]
+pub(crate) fn scatter<T: Real, V: Vector<T>>(
+    results: Planes<'_, T>,
+    columns: &[u32],
+    first: usize,
+    rows: &mut [T],
+    stride: usize,
+) {
+    for (k, row) in rows.chunks_mut(stride).enumerate() {
+        for (columns, lane) in columns.chunks(TILE).zip(results.field(k)) {
+            for (&j, &x) in columns.iter().zip(&lane.0) {
+                if let Some(place) = row.get_mut((j as usize).wrapping_sub(first)) {
+                    *place = x;
+                }
+            }
         }
     }
 }
@@ -442,46 +485,43 @@ pub(crate) fn accumulate<T: Real, V: Vector<T>>(
 /// row's sixteen sums, side by side, as many as are a multiple of four.
 #[inline(always)]
 pub(crate) fn accumulate_picked<T: Real, V: Vector<T>>(
-    results: &[Lane<T>],
+    results: Planes<'_, T>,
     fields: [usize; 2],
     columns: &[u32],
-    upstream: &[T],
     row_sums: &mut [Lane<T>],
     column_sums: &mut [Lane<T>],
 ) {
     match fields {
-        [5, 5] => add_picked::<T, V, 5, 2, 5, 2>(results, columns, upstream, row_sums, column_sums),
-        [4, 4] => add_picked::<T, V, 4, 1, 4, 1>(results, columns, upstream, row_sums, column_sums),
+        [5, 5] => add_picked::<T, V, 5, 2, 5, 2>(results, columns, row_sums, column_sums),
+        [4, 4] => add_picked::<T, V, 4, 1, 4, 1>(results, columns, row_sums, column_sums),
         _ => {
-            let step = 1 + fields[0] + fields[1];
             let strides = fields.map(|n| n.next_multiple_of(QUAD));
             for (k, &j) in columns.iter().enumerate() {
                 let j = j as usize;
-                let slopes = &results[k / TILE * step + 1..][..step - 1];
-                let (of_row, of_column) = slopes.split_at(fields[0]);
-                let add = |sums: &mut [Lane<T>], at: usize, slopes: &[Lane<T>]| {
-                    for (field, slope) in slopes.iter().enumerate() {
+                let add = |sums: &mut [Lane<T>], at: usize, first: usize, count: usize| {
+                    for field in 0..count {
                         let at = at + field;
-                        sums[at / TILE].0[at % TILE] += slope.0[k % TILE] * upstream[j];
+                        let slope = results.field(first + field)[k / TILE].0[k % TILE];
+                        sums[at / TILE].0[at % TILE] += slope;
                     }
                 };
-                add(row_sums, j % TILE * strides[0], of_row);
-                add(column_sums, j * strides[1], of_column);
+                add(row_sums, j % TILE * strides[0], 1, fields[0]);
+                add(column_sums, j * strides[1], 1 + fields[0], fields[1]);
             }
         }
     }
 }
 
-/// A quad of numbers in lanes.
+/// Adds a quad of numbers to one in lanes.
 #[inline(always)]
-fn add_quad<T: Real>(lanes: &mut [Lane<T>], quad: usize, slopes: &[T; QUAD], factor: T) {
+fn add_quad<T: Real>(lanes: &mut [Lane<T>], quad: usize, slopes: &[T; QUAD]) {
     let Some(lane) = lanes.get_mut(quad / QUAD) else {
         return;
     };
     let sums = &mut lane.0.as_chunks_mut::<QUAD>().0[quad % QUAD];
     let mut i = 0;
     while i < QUAD {
-        sums[i] += slopes[i] * factor;
+        sums[i] += slopes[i];
         i += 1;
     }
 }
@@ -495,31 +535,26 @@ fn add_picked<
     const B: usize,
     const QUADS_B: usize,
 >(
-    results: &[Lane<T>],
+    results: Planes<'_, T>,
     columns: &[u32],
-    upstream: &[T],
     row_sums: &mut [Lane<T>],
     column_sums: &mut [Lane<T>],
 ) {
-    let step = 1 + A + B;
     let zero = [T::default(); QUAD];
     let (mut of_row, mut of_column) = ([[zero; QUADS_A]; TILE], [[zero; QUADS_B]; TILE]);
-    for (tile, columns) in results.chunks_exact(step).zip(columns.chunks(TILE)) {
-        items_of::<T, V, A, QUADS_A>(&tile[1..], &mut of_row);
-        items_of::<T, V, B, QUADS_B>(&tile[1 + A..], &mut of_column);
+    for (t, columns) in columns.chunks(TILE).enumerate() {
+        items_of::<T, V, A, QUADS_A>(results.from(1), t, &mut of_row);
+        items_of::<T, V, B, QUADS_B>(results.from(1 + A), t, &mut of_column);
         for ((&j, of_row), of_column) in columns.iter().zip(&of_row).zip(&of_column) {
             let j = j as usize;
-            let Some(&factor) = upstream.get(j) else {
-                return;
-            };
             let mut quad = 0;
             while quad < QUADS_A {
-                add_quad(row_sums, j % TILE * QUADS_A + quad, &of_row[quad], factor);
+                add_quad(row_sums, j % TILE * QUADS_A + quad, &of_row[quad]);
                 quad += 1;
             }
             quad = 0;
             while quad < QUADS_B {
-                add_quad(column_sums, j * QUADS_B + quad, &of_column[quad], factor);
+                add_quad(column_sums, j * QUADS_B + quad, &of_column[quad]);
                 quad += 1;
             }
         }
@@ -529,10 +564,11 @@ fn add_picked<
 /// The items of a tile, their numbers side by side; what fills up the last quad is zero.
 #[inline(always)]
 fn items_of<T: Real, V: Vector<T>, const FIELDS: usize, const QUADS: usize>(
-    tile: &[Lane<T>],
+    results: Planes<'_, T>,
+    t: usize,
     items: &mut [[[T; QUAD]; QUADS]; TILE],
 ) {
-    let Some(tile) = tile.first_chunk::<FIELDS>() else {
+    let Some(tile) = tile_of::<T, FIELDS>(results, t) else {
         return;
     };
     let zero = V::zero();
@@ -543,7 +579,7 @@ fn items_of<T: Real, V: Vector<T>, const FIELDS: usize, const QUADS: usize>(
             let mut parts = [zero; QUAD];
             let mut k = 0;
             while k < QUAD && quad * QUAD + k < FIELDS {
-                parts[k] = V::read(&tile[quad * QUAD + k], at);
+                parts[k] = V::read(tile[quad * QUAD + k], at);
                 k += 1;
             }
             V::to_items(

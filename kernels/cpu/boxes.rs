@@ -1,11 +1,11 @@
 //! Block kernels of the overlap of boxes: tiles in, tiles out, generic over the vector.
 //!
 //! Compiled in this library only, by the entries in `arch`.
-use crate::ad::overlap::{score_aabb2_grad, score_framed_grad};
+use crate::ad::overlap::{score_aabb2_vjp, score_framed_vjp};
 use crate::clip::{Framed, frame};
 use crate::kernels::cpu::arch::Vector;
 use crate::kernels::cpu::blocks::all_within;
-use crate::kernels::cpu::lane::{Lane, TILE, Tiles};
+use crate::kernels::cpu::lane::{Lane, PLANE, Results, TILE, Tiles};
 use crate::kernels::real::Real;
 use crate::overlap::{Denominator, score_aabb2, score_framed};
 use crate::{Aabb2, Fixed, Obb2, Scalar, Vec2};
@@ -43,6 +43,39 @@ pub(crate) fn obb2_frames<T: Real, V: Vector<T>>(shapes: Tiles<'_, T>, frames: &
             }
             at += V::WIDTH;
         }
+    }
+}
+
+/// The lanes of a tile of results: the one of field `k` is `[k * PLANE]`.
+#[inline(always)]
+fn lanes_of<'a, T, const LANES: usize>(
+    out: &'a mut Results<'_, T>,
+    t: usize,
+) -> Option<&'a mut [Lane<T>; LANES]> {
+    out.lanes.get_mut(t..)?.first_chunk_mut()
+}
+
+/// Writes numbers as fields of a tile of results, from field `first` on.
+#[inline(always)]
+fn put<T: Real, V: Vector<T>, const N: usize, const LANES: usize>(
+    numbers: [V; N],
+    out: &mut [Lane<T>; LANES],
+    first: usize,
+    at: usize,
+) {
+    let mut k = 0;
+    while k < N {
+        numbers[k].write(&mut out[(first + k) * PLANE], at);
+        k += 1;
+    }
+}
+
+/// What slopes of a tile are multiplied by: one where nothing is given.
+#[inline(always)]
+fn seed<T: Real, V: Vector<T>>(seeds: Option<Tiles<'_, T>>, t: usize, at: usize) -> V {
+    match seeds.and_then(|seeds| seeds.tile::<1>(t)) {
+        Some(tile) => V::read(&tile[0], at),
+        None => V::one(),
     }
 }
 
@@ -86,15 +119,18 @@ pub(crate) fn obb2_scores<T: Real, V: Vector<T>>(
     over: Denominator,
     a: Tiles<'_, T>,
     b: Tiles<'_, T>,
-    out: &mut [Lane<T>],
+    mut out: Results<'_, T>,
 ) {
-    for (t, out) in out.iter_mut().enumerate() {
+    for t in 0..out.tiles {
+        let Some(out) = lanes_of::<T, 1>(&mut out, t) else {
+            return;
+        };
         let mut at = 0;
         while at < TILE {
             let (Some(a), Some(b)) = (framed::<T, V>(a, t, at), framed(b, t, at)) else {
                 return;
             };
-            score_framed::<V, false>(over, a, b).write(out, at);
+            put([score_framed::<V, false>(over, a, b)], out, 0, at);
             at += V::WIDTH;
         }
     }
@@ -106,28 +142,23 @@ pub(crate) fn obb2_slopes<T: Real, V: Vector<T>>(
     over: Denominator,
     a: Tiles<'_, T>,
     b: Tiles<'_, T>,
-    out: &mut [Lane<T>],
+    seeds: Option<Tiles<'_, T>>,
+    mut out: Results<'_, T>,
 ) {
-    for (t, out) in out
-        .as_chunks_mut::<{ 1 + 2 * OBB2 }>()
-        .0
-        .iter_mut()
-        .enumerate()
-    {
+    for t in 0..out.tiles {
+        let Some(out) = lanes_of::<T, { 2 * OBB2 * PLANE + 1 }>(&mut out, t) else {
+            return;
+        };
         let mut at = 0;
         while at < TILE {
             let (Some(a), Some(b)) = (framed::<T, V>(a, t, at), framed(b, t, at)) else {
                 return;
             };
-            let (value, (a_bar, b_bar)) = score_framed_grad::<V, false>(over, a, b);
-            let (p, q) = (a_bar.to_array(), b_bar.to_array());
-            value.write(&mut out[0], at);
-            let mut k = 0;
-            while k < OBB2 {
-                p[k].write(&mut out[1 + k], at);
-                q[k].write(&mut out[1 + OBB2 + k], at);
-                k += 1;
-            }
+            let (value, (a_bar, b_bar)) =
+                score_framed_vjp::<V, false>(over, a, b, seed(seeds, t, at));
+            put([value], out, 0, at);
+            put(a_bar.to_array(), out, 1, at);
+            put(b_bar.to_array(), out, 1 + OBB2, at);
             at += V::WIDTH;
         }
     }
@@ -151,15 +182,18 @@ pub(crate) fn aabb2_scores<T: Real, V: Vector<T>>(
     over: Denominator,
     a: Tiles<'_, T>,
     b: Tiles<'_, T>,
-    out: &mut [Lane<T>],
+    mut out: Results<'_, T>,
 ) {
-    for (t, out) in out.iter_mut().enumerate() {
+    for t in 0..out.tiles {
+        let Some(out) = lanes_of::<T, 1>(&mut out, t) else {
+            return;
+        };
         let mut at = 0;
         while at < TILE {
             let (Some(a), Some(b)) = (aabb2::<T, V>(a, t, at), aabb2(b, t, at)) else {
                 return;
             };
-            score_aabb2(over, a, b).write(out, at);
+            put([score_aabb2(over, a, b)], out, 0, at);
             at += V::WIDTH;
         }
     }
@@ -171,28 +205,22 @@ pub(crate) fn aabb2_slopes<T: Real, V: Vector<T>>(
     over: Denominator,
     a: Tiles<'_, T>,
     b: Tiles<'_, T>,
-    out: &mut [Lane<T>],
+    seeds: Option<Tiles<'_, T>>,
+    mut out: Results<'_, T>,
 ) {
-    for (t, out) in out
-        .as_chunks_mut::<{ 1 + 2 * AABB2 }>()
-        .0
-        .iter_mut()
-        .enumerate()
-    {
+    for t in 0..out.tiles {
+        let Some(out) = lanes_of::<T, { 2 * AABB2 * PLANE + 1 }>(&mut out, t) else {
+            return;
+        };
         let mut at = 0;
         while at < TILE {
             let (Some(a), Some(b)) = (aabb2::<T, V>(a, t, at), aabb2(b, t, at)) else {
                 return;
             };
-            let (value, (a_bar, b_bar)) = score_aabb2_grad(over, a, b);
-            let (p, q) = (a_bar.to_array(), b_bar.to_array());
-            value.write(&mut out[0], at);
-            let mut k = 0;
-            while k < AABB2 {
-                p[k].write(&mut out[1 + k], at);
-                q[k].write(&mut out[1 + AABB2 + k], at);
-                k += 1;
-            }
+            let (value, (a_bar, b_bar)) = score_aabb2_vjp(over, a, b, seed(seeds, t, at));
+            put([value], out, 0, at);
+            put(a_bar.to_array(), out, 1, at);
+            put(b_bar.to_array(), out, 1 + AABB2, at);
             at += V::WIDTH;
         }
     }

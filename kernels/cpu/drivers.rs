@@ -1,9 +1,10 @@
 //! The drivers, compiled in this library for both formats: whoever calls a batch compiles no more
 //! than what turns shapes into numbers.
 use crate::kernels::cpu::desk::{self, Aligned};
-use crate::kernels::cpu::pairs::{self, Pairs, Upstream};
+use crate::kernels::cpu::pairs::{self, Pairs};
 use crate::kernels::cpu::plan::{self, Plan};
 use crate::kernels::cpu::reductions;
+use crate::kernels::cpu::sweep::Upstream;
 use crate::kernels::real::Real;
 use crate::kernels::reduce::{Best, Found};
 use crate::overlap::Denominator;

@@ -55,6 +55,66 @@ impl<'a, T> Tiles<'a, T> {
     }
 }
 
+/// Most tiles of a block of results.
+pub(crate) const BLOCK: usize = 64;
+
+/// Lanes from one field of results to the next: odd, so that not all fields want the same lines of the
+/// cache, and a constant, so that kernels need no more than one pointer.
+pub(crate) const PLANE: usize = BLOCK + 1;
+
+/// Room for results, field by field: field `k` of tile `t` goes to `lanes[k * PLANE + t]`.
+#[derive(Debug)]
+pub(crate) struct Results<'a, T> {
+    pub lanes: &'a mut [Lane<T>],
+    /// How many tiles are asked for.
+    pub tiles: usize,
+}
+
+impl<T> Results<'_, T> {
+    /// The same room, lent on.
+    pub fn again(&mut self) -> Results<'_, T> {
+        Results {
+            lanes: self.lanes,
+            tiles: self.tiles,
+        }
+    }
+    /// Where a field of a tile goes.
+    #[inline(always)]
+    pub fn lane(&mut self, t: usize, k: usize) -> Option<&mut Lane<T>> {
+        self.lanes.get_mut(k * PLANE + t)
+    }
+}
+
+/// Lanes that results of so many fields take.
+pub(crate) const fn planes(fields: usize) -> usize {
+    fields * PLANE
+}
+
+/// Results to be read.
+#[derive(Debug)]
+pub(crate) struct Planes<'a, T>(pub &'a [Lane<T>]);
+
+impl<T> Clone for Planes<'_, T> {
+    #[inline(always)]
+    fn clone(&self) -> Self {
+        *self
+    }
+}
+impl<T> Copy for Planes<'_, T> {}
+
+impl<'a, T> Planes<'a, T> {
+    /// The tiles of a field and whatever follows.
+    #[inline(always)]
+    pub fn field(&self, k: usize) -> &'a [Lane<T>] {
+        self.0.get(k * PLANE..).unwrap_or_default()
+    }
+    /// From a field on.
+    #[inline(always)]
+    pub fn from(&self, k: usize) -> Self {
+        Planes(self.field(k))
+    }
+}
+
 /// How many tiles so many items take.
 pub(crate) const fn tiles(items: usize) -> usize {
     items.div_ceil(TILE)

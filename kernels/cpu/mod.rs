@@ -25,7 +25,7 @@ mod ragged;
 mod reductions;
 pub(crate) mod rings;
 pub mod simd;
-mod sweep;
+pub(crate) mod sweep;
 mod tree;
 mod work;
 

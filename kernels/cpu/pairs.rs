@@ -1,8 +1,9 @@
 //! Batches of all pairs over plain numbers: the same code for every operation.
+use crate::kernels::cpu::arch::flat;
 use crate::kernels::cpu::blocks::QUAD;
-use crate::kernels::cpu::lane::{Lane, TILE};
+use crate::kernels::cpu::lane::{BLOCK, Lane, TILE};
 use crate::kernels::cpu::plan::{List, Plan};
-use crate::kernels::cpu::sweep::{BLOCK, Form, Part, Sweep};
+use crate::kernels::cpu::sweep::{Columns, Form, Part, Sweep, Upstream};
 use crate::kernels::cpu::work::{rows_per_piece, spread};
 use crate::kernels::real::Real;
 use std::borrow::Cow;
@@ -40,7 +41,7 @@ impl<T: Real> Pairs<'_, T> {
     /// has for it.
     pub fn sweep<W: Send>(
         &self,
-        form: Form,
+        form: Form<'_, T>,
         work: Vec<W>,
         run: impl Fn(&Sweep<'_, T>, Range<usize>, W) + Send + Sync,
     ) {
@@ -55,53 +56,38 @@ impl<T: Real> Pairs<'_, T> {
     }
 }
 
-/// Copies one field of results to numbers side by side.
-#[inline]
-pub fn copy_field<T: Real>(results: &[Lane<T>], fields: usize, field: usize, to: &mut [T]) {
-    for (to, tile) in to.chunks_mut(TILE).zip(results.chunks(fields)) {
-        match to.first_chunk_mut() {
-            Some(whole) => *whole = tile[field].0,
-            None => to.copy_from_slice(&tile[field].0[..to.len()]),
+/// Puts the results of a row into the row of every field. `room` is kept from call to call.
+///
+/// Picked results are put together in the cache before they leave in long runs: single stores would
+/// wait for memory one by one.
+fn put<T: Real>(part: &Part<'_, T>, room: &mut Vec<T>, rows: &mut [&mut [T]]) {
+    let (first, width) = (part.stretch.start, part.stretch.len());
+    match &part.columns {
+        Columns::Run(run) => {
+            for (k, row) in rows.iter_mut().enumerate() {
+                let results = flat(part.results.field(k));
+                row[run.clone()].copy_from_slice(&results[..width]);
+            }
         }
-    }
-}
-
-/// Puts one field of a row's results into the row.
-#[inline]
-pub fn put<T: Real>(part: &Part<'_, T>, fields: usize, field: usize, row: &mut [T]) {
-    let (columns, results, stretch) = match part {
-        Part::Run {
-            first,
-            count,
-            results,
-        } => {
-            return copy_field(results, fields, field, &mut row[*first..][..*count]);
+        Columns::Picked(columns) if width <= BLOCK * TILE => {
+            room.clear();
+            room.resize(rows.len() * width, T::default());
+            (T::kernels().scatter)(part.results, columns, first, room, width);
+            for (room, row) in room.chunks_exact(width).zip(rows) {
+                row[part.stretch.clone()].copy_from_slice(room);
+            }
         }
-        Part::Picked {
-            stretch,
-            columns,
-            results,
-        } => (columns, results, stretch.clone()),
-    };
-    let scatter = |to: &mut [T], first: usize| {
-        for (columns, tile) in columns.chunks(TILE).zip(results.chunks_exact(fields)) {
-            for (&j, &x) in columns.iter().zip(&tile[field].0) {
-                if let Some(place) = to.get_mut(j as usize - first) {
-                    *place = x;
+        // Few in a long row.
+        Columns::Picked(columns) => {
+            for (k, row) in rows.iter_mut().enumerate() {
+                if part.is_first {
+                    row.fill(T::default());
+                }
+                for (&j, &x) in columns.iter().zip(flat(part.results.field(k))) {
+                    row[j as usize] = x;
                 }
             }
         }
-    };
-    if stretch.len() > BLOCK * TILE {
-        row[stretch].fill(T::default());
-        scatter(row, 0);
-    } else if !stretch.is_empty() {
-        // Put together in the cache: single stores would wait for memory one by one.
-        let mut room = [T::default(); BLOCK * TILE];
-        scatter(&mut room, stretch.start);
-        row[stretch.clone()].copy_from_slice(&room[..stretch.len()]);
-    } else {
-        scatter(row, 0);
     }
 }
 
@@ -113,14 +99,10 @@ pub fn values<T: Real>(pairs: &Pairs<'_, T>, values: &mut [T]) {
     }
     let work = values.chunks_mut(rows_per_piece(rows) * columns).collect();
     pairs.sweep(Form::Values, work, |sweep, rows, values: &mut [T]| {
-        let start = rows.start;
-        sweep.run(rows, |row, part| {
-            put(
-                &part,
-                1,
-                0,
-                &mut values[(row - start) * columns..][..columns],
-            );
+        let (start, mut room) = (rows.start, Vec::new());
+        sweep.run(rows, |part| {
+            let row = &mut values[(part.row - start) * columns..][..columns];
+            put(&part, &mut room, &mut [row]);
         });
     });
 }
@@ -131,7 +113,6 @@ pub fn grads<T: Real>(pairs: &Pairs<'_, T>, values: &mut [T], planes: &mut [T]) 
     if rows * columns == 0 {
         return;
     }
-    let fields = pairs.plan.slope_fields();
     let piece = rows_per_piece(rows) * columns;
     // Every piece gets its rows of every matrix.
     let mut work: Vec<Vec<&mut [T]>> = values.chunks_mut(piece).map(|part| vec![part]).collect();
@@ -144,24 +125,14 @@ pub fn grads<T: Real>(pairs: &Pairs<'_, T>, values: &mut [T], planes: &mut [T]) 
         Form::Slopes,
         work,
         |sweep, rows, mut planes: Vec<&mut [T]>| {
-            let start = rows.start;
-            sweep.run(rows, |row, part| {
-                for (field, plane) in planes.iter_mut().enumerate() {
-                    let row = &mut plane[(row - start) * columns..][..columns];
-                    put(&part, fields, field, row);
-                }
+            let (start, mut room) = (rows.start, Vec::new());
+            sweep.run(rows, |part| {
+                let at = (part.row - start) * columns;
+                let rows = planes.iter_mut().map(|plane| &mut plane[at..][..columns]);
+                put(&part, &mut room, &mut rows.collect::<Vec<_>>());
             });
         },
     );
-}
-
-/// An upstream matrix: row `i` starts at `i * step`. With a step of zero all rows are the same one.
-#[derive(Clone, Copy)]
-pub struct Upstream<'a, T> {
-    /// The numbers.
-    pub slopes: &'a [T],
-    /// From row to row.
-    pub step: usize,
 }
 
 /// Slopes of the sum of upstream times scores, with respect to every shape of both lists.
@@ -193,37 +164,22 @@ pub fn pull_back<T: Real>(
         .collect();
     type Work<'a, T> = (&'a mut [T], &'a mut [T]);
     pairs.sweep(
-        Form::Sums,
+        Form::Sums(upstream),
         work,
         |sweep, rows, (a_bar, b_bar): Work<'_, T>| {
             let start = rows.start;
             let mut row_sums = vec![Lane::default(); rows.len() * strides[0]];
             let mut column_sums = vec![Lane::default(); width / TILE];
-            sweep.run(rows, |row, part| {
-                let row_sums = &mut row_sums[(row - start) * strides[0]..][..strides[0]];
-                let upstream = &upstream.slopes[row * upstream.step..][..columns];
-                match part {
-                    Part::Run {
-                        first,
-                        count,
-                        results,
-                    } => {
-                        let sums = &mut column_sums[first / TILE * fields[1]..];
-                        let upstream = &upstream[first..][..count];
-                        (T::kernels().accumulate)(results, fields, upstream, row_sums, sums);
+            sweep.run(rows, |part| {
+                let row_sums = &mut row_sums[(part.row - start) * strides[0]..][..strides[0]];
+                match part.columns {
+                    Columns::Run(run) => {
+                        let sums = &mut column_sums[run.start / TILE * fields[1]..];
+                        (T::kernels().accumulate)(part.results, fields, run.len(), row_sums, sums);
                     }
-                    Part::Picked {
-                        columns, results, ..
-                    } => {
+                    Columns::Picked(columns) => {
                         let add = T::kernels().accumulate_picked;
-                        add(
-                            results,
-                            fields,
-                            columns,
-                            upstream,
-                            row_sums,
-                            &mut column_sums,
-                        );
+                        add(part.results, fields, columns, row_sums, &mut column_sums);
                     }
                 }
             });

@@ -1,6 +1,6 @@
 //! How batches compute an operation: what is prepared once per shape, what is computed per pair.
 use crate::kernels::cpu::boxes::{AABB2, BOUNDS, OBB2, frame_fields};
-use crate::kernels::cpu::lane::{Lane, TILE, Tiles};
+use crate::kernels::cpu::lane::{Lane, Results, TILE, Tiles};
 use crate::kernels::op::PairOp;
 use crate::kernels::real::Real;
 use crate::overlap::{Denominator, score_framed};
@@ -14,19 +14,22 @@ pub type Room<T> = Vec<Lane<T>>;
 ///
 /// A compiled kernel is one; a recorded program will be another. It knows nothing of batches.
 pub trait Maker<T>: Send + Sync {
-    /// Computes as many tiles of results as fit `out`. Each input has at least as many tiles, or one
-    /// that stands for all.
-    fn make(&self, room: &mut Room<T>, inputs: &[Tiles<'_, T>], out: &mut [Lane<T>]);
+    /// Computes as many tiles of results as are asked for. Each input has at least as many tiles, or
+    /// one that stands for all.
+    fn make(&self, room: &mut Room<T>, inputs: &[Tiles<'_, T>], out: Results<'_, T>);
 }
+
+/// Something that is made of each of many shapes, as tiles of numbers.
+pub type Prepare<T> = fn(Tiles<'_, T>, &mut [Lane<T>]);
 
 /// What is done once for every shape of a list.
 pub struct Preparation<T> {
     /// Numbers of a shape.
     pub fields: usize,
     /// How a shape is prepared, and how many numbers that gives; `None` to leave it as it is.
-    pub frame: Option<(usize, Box<dyn Maker<T>>)>,
+    pub frame: Option<(usize, Prepare<T>)>,
     /// The bounds of prepared shapes; `None` where pairs that are apart have results to compute.
-    pub bounds: Option<Box<dyn Maker<T>>>,
+    pub bounds: Option<Prepare<T>>,
     /// Whether numbers are those of valid shapes of ordinary size, told quickly.
     pub all_ordinary: fn(&[T]) -> bool,
     /// Whether a valid shape is too rare for kernels.
@@ -40,9 +43,9 @@ impl<T> Preparation<T> {
     }
 }
 
-/// Results of a pair of shapes that kernels do not serve: both shapes, and room for a value, or for a
-/// value and slopes.
-pub type Rare<T> = Box<dyn Fn(&[T], &[T], &mut [T]) + Send + Sync>;
+/// Results of a pair of shapes that kernels do not serve: both shapes, what slopes are multiplied by,
+/// and room for a value, or for a value and slopes.
+pub type Rare<T> = Box<dyn Fn(&[T], &[T], T, &mut [T]) + Send + Sync>;
 
 /// How batches compute an operation of two shapes with one number as result.
 pub struct Plan<T> {
@@ -50,7 +53,7 @@ pub struct Plan<T> {
     pub shapes: [Preparation<T>; 2],
     /// Results of prepared shapes.
     pub scores: Box<dyn Maker<T>>,
-    /// Results and slopes of prepared shapes.
+    /// Results and slopes of prepared shapes; slopes times what a third input says, if there is one.
     pub slopes: Box<dyn Maker<T>>,
     /// Results of shapes that kernels do not serve.
     pub rare: Option<Rare<T>>,
@@ -63,28 +66,22 @@ impl<T> Plan<T> {
     }
 }
 
-/// Runs a kernel of one input.
-struct OfOne<T>(fn(Tiles<'_, T>, &mut [Lane<T>]));
-impl<T: Real> Maker<T> for OfOne<T> {
-    fn make(&self, _: &mut Room<T>, inputs: &[Tiles<'_, T>], out: &mut [Lane<T>]) {
-        (self.0)(inputs[0], out);
-    }
-}
-
-/// A kernel of two boxes.
-type OfBoxes<T> = fn(Denominator, Tiles<'_, T>, Tiles<'_, T>, &mut [Lane<T>]);
-struct OverBoxes<T>(Denominator, OfBoxes<T>);
-impl<T: Real> Maker<T> for OverBoxes<T> {
-    fn make(&self, _: &mut Room<T>, inputs: &[Tiles<'_, T>], out: &mut [Lane<T>]) {
+/// A kernel of two boxes: scores.
+type ScoresOf<T> = fn(Denominator, Tiles<'_, T>, Tiles<'_, T>, Results<'_, T>);
+struct Scores<T>(Denominator, ScoresOf<T>);
+impl<T: Real> Maker<T> for Scores<T> {
+    fn make(&self, _: &mut Room<T>, inputs: &[Tiles<'_, T>], out: Results<'_, T>) {
         (self.1)(self.0, inputs[0], inputs[1], out);
     }
 }
 
-/// Bounds that are the shape itself.
-struct Itself;
-impl<T: Real> Maker<T> for Itself {
-    fn make(&self, _: &mut Room<T>, inputs: &[Tiles<'_, T>], out: &mut [Lane<T>]) {
-        out.copy_from_slice(&inputs[0].lanes[..out.len()]);
+/// A kernel of two boxes: scores with slopes.
+type SlopesOf<T> =
+    fn(Denominator, Tiles<'_, T>, Tiles<'_, T>, Option<Tiles<'_, T>>, Results<'_, T>);
+struct Slopes<T>(Denominator, SlopesOf<T>);
+impl<T: Real> Maker<T> for Slopes<T> {
+    fn make(&self, _: &mut Room<T>, inputs: &[Tiles<'_, T>], out: Results<'_, T>) {
+        (self.1)(self.0, inputs[0], inputs[1], inputs.get(2).copied(), out);
     }
 }
 
@@ -93,16 +90,16 @@ pub fn of_obb2<T: Real>(over: Denominator) -> Plan<T> {
     let kernels = T::kernels();
     let shape = || Preparation {
         fields: OBB2,
-        frame: Some((frame_fields::<T>(), Box::new(OfOne(kernels.obb2_frames)))),
-        bounds: Some(Box::new(OfOne(kernels.obb2_bounds))),
+        frame: Some((frame_fields::<T>(), kernels.obb2_frames)),
+        bounds: Some(kernels.obb2_bounds),
         all_ordinary: kernels.all_ordinary_obb2,
         is_rare: |numbers| !clip::is_ordinary(Obb2::from_slice(numbers)),
     };
     Plan {
         shapes: [shape(), shape()],
-        scores: Box::new(OverBoxes(over, kernels.obb2_scores)),
-        slopes: Box::new(OverBoxes(over, kernels.obb2_slopes)),
-        rare: Some(Box::new(move |a, b, out| {
+        scores: Box::new(Scores(over, kernels.obb2_scores)),
+        slopes: Box::new(Slopes(over, kernels.obb2_slopes)),
+        rare: Some(Box::new(move |a, b, out_bar, out| {
             let (a, b) = (
                 clip::frame(Obb2::from_slice(a)),
                 clip::frame(Obb2::from_slice(b)),
@@ -111,7 +108,7 @@ pub fn of_obb2<T: Real>(over: Denominator) -> Plan<T> {
                 *value = score_framed::<T, true>(over, a, b);
                 return;
             }
-            let (value, bars) = ad::overlap::score_framed_grad::<T, true>(over, a, b);
+            let (value, bars) = ad::overlap::score_framed_vjp::<T, true>(over, a, b, out_bar);
             out[0] = value;
             out[1..=OBB2].copy_from_slice(&bars.0.to_array());
             out[1 + OBB2..].copy_from_slice(&bars.1.to_array());
@@ -125,14 +122,15 @@ pub fn of_aabb2<T: Real>(over: Denominator) -> Plan<T> {
     let shape = || Preparation {
         fields: AABB2,
         frame: None,
-        bounds: Some(Box::new(Itself)),
+        // The bounds are the shape itself.
+        bounds: Some(|shapes, bounds| bounds.copy_from_slice(&shapes.lanes[..bounds.len()])),
         all_ordinary: kernels.all_aabb2,
         is_rare: |_| false,
     };
     Plan {
         shapes: [shape(), shape()],
-        scores: Box::new(OverBoxes(over, kernels.aabb2_scores)),
-        slopes: Box::new(OverBoxes(over, kernels.aabb2_slopes)),
+        scores: Box::new(Scores(over, kernels.aabb2_scores)),
+        slopes: Box::new(Slopes(over, kernels.aabb2_slopes)),
         rare: None,
     }
 }
@@ -150,24 +148,26 @@ fn item<T: Real, P: Fixed<Scalar = T>>(tile: &[Lane<T>], i: usize) -> P {
 }
 
 impl<O: PairOp, T: Real> Maker<T> for Plain<O> {
-    fn make(&self, _: &mut Room<T>, inputs: &[Tiles<'_, T>], out: &mut [Lane<T>]) {
-        let step = match self.1 {
-            true => 1 + O::A::<T>::LEN + O::B::<T>::LEN,
-            false => 1,
-        };
-        for (t, out) in out.chunks_exact_mut(step).enumerate() {
+    fn make(&self, _: &mut Room<T>, inputs: &[Tiles<'_, T>], mut out: Results<'_, T>) {
+        for t in 0..out.tiles {
             let [a, b] = [inputs[0], inputs[1]].map(|x| &x.lanes[t * x.step..]);
             for i in 0..TILE {
                 let (a, b) = (O::frame_a(item(a, i)), O::frame_b(item(b, i)));
+                let mut put = |k: usize, x: T| {
+                    if let Some(lane) = out.lane(t, k) {
+                        lane.0[i] = x.canonical();
+                    }
+                };
                 if !self.1 {
-                    out[0].0[i] = O::value::<T, true>(a, b).canonical();
+                    put(0, O::value::<T, true>(a, b));
                     continue;
                 }
                 let (value, bars) = O::grad::<T, true>(a, b);
                 let (a_bar, b_bar) = (bars.0.to_array(), bars.1.to_array());
-                let slopes = a_bar.as_ref().iter().chain(b_bar.as_ref());
-                for (lane, &x) in out.iter_mut().zip(std::iter::once(&value).chain(slopes)) {
-                    lane.0[i] = x.canonical();
+                let out_bar = inputs.get(2).map_or(T::one(), |x| x.lanes[t * x.step].0[i]);
+                put(0, value);
+                for (k, &x) in a_bar.as_ref().iter().chain(b_bar.as_ref()).enumerate() {
+                    put(1 + k, x * out_bar);
                 }
             }
         }
@@ -219,12 +219,11 @@ impl<'a, T: Real> List<'a, T> {
         let tiles = count.div_ceil(TILE);
         let mut shapes = vec![Lane::default(); tiles * fields];
         (T::kernels().bring)(numbers, fields, &mut shapes);
-        let mut room = Room::new();
         let frame_fields = plan.frame_fields();
         let frames = match &plan.frame {
-            Some((_, maker)) => {
+            Some((_, make)) => {
                 let mut frames = vec![Lane::default(); tiles * frame_fields];
-                maker.make(&mut room, &[Tiles::new(&shapes, fields)], &mut frames);
+                make(Tiles::new(&shapes, fields), &mut frames);
                 frames
             }
             None => shapes,
@@ -243,10 +242,10 @@ impl<'a, T: Real> List<'a, T> {
             let rare = all.filter(|(_, shape)| (plan.is_rare)(shape));
             list.rare = rare.map(|(i, _)| i as u32).collect();
         }
-        if let (Some(maker), true) = (&plan.bounds, bounded) {
+        if let (Some(make), true) = (&plan.bounds, bounded) {
             let mut bounds = vec![Lane::default(); tiles * BOUNDS];
             let frames = Tiles::new(&list.frames, frame_fields);
-            maker.make(&mut room, &[frames], &mut bounds);
+            make(frames, &mut bounds);
             let (least, most) = (T::lit(f64::NEG_INFINITY), T::lit(f64::INFINITY));
             for (items, [low, high]) in [
                 (list.rare.clone(), [least, most]),

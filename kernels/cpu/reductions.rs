@@ -1,7 +1,8 @@
 //! Reductions of all pairs over plain numbers, without the matrix.
-use crate::kernels::cpu::lane::{Lane, TILE};
-use crate::kernels::cpu::pairs::{Pairs, copy_field};
-use crate::kernels::cpu::sweep::{Form, Part};
+use crate::kernels::cpu::arch::flat;
+use crate::kernels::cpu::lane::TILE;
+use crate::kernels::cpu::pairs::Pairs;
+use crate::kernels::cpu::sweep::{Columns, Form, Part};
 use crate::kernels::cpu::work::rows_per_piece;
 use crate::kernels::real::Real;
 use crate::kernels::reduce::{Best, Found};
@@ -11,34 +12,25 @@ enum Scores<'a, T> {
     /// With one column after another, from the first on.
     Run(usize, &'a [T]),
     /// With some columns, ascending; all others are zero.
-    Picked(&'a [u32], &'a [Lane<T>]),
+    Picked(&'a [u32], &'a [T]),
 }
 
-/// The scores of a part; `room` is for those of a run.
-fn scores<'a, T: Real>(part: Part<'a, T>, room: &'a mut Vec<T>) -> Scores<'a, T> {
-    match part {
-        Part::Run {
-            first,
-            count,
-            results,
-        } => {
-            room.resize(count, T::default());
-            copy_field(results, 1, 0, room);
-            Scores::Run(first, room)
-        }
-        Part::Picked {
-            columns, results, ..
-        } => Scores::Picked(columns, results),
+/// The scores of a part.
+fn scores<'a, T: Real>(part: &Part<'a, T>) -> Scores<'a, T> {
+    let scores = flat(part.results.field(0));
+    match &part.columns {
+        Columns::Run(run) => Scores::Run(run.start, &scores[..run.len()]),
+        Columns::Picked(columns) => Scores::Picked(columns, scores),
     }
 }
 
 /// Picked scores with their columns.
 fn picked<'a, T: Real>(
     columns: &'a [u32],
-    results: &'a [Lane<T>],
+    scores: &'a [T],
 ) -> impl Iterator<Item = (usize, T)> + 'a {
-    let scores = results.iter().flat_map(|lane| lane.0);
-    columns.iter().map(|&j| j as usize).zip(scores)
+    let columns = columns.iter().map(|&j| j as usize);
+    columns.zip(scores.iter().copied())
 }
 
 /// What a maximum starts from. Where pairs may be left out their zeros count from the start.
@@ -65,10 +57,10 @@ pub fn row_max<T: Real>(pairs: &Pairs<'_, T>) -> Vec<Best<T>> {
     let work = best.chunks_mut(rows_per_piece(rows)).collect();
     pairs.sweep(Form::Values, work, |sweep, rows, best: &mut [Best<T>]| {
         best.fill(start(sweep.is_filtered(), 0));
-        let (start, mut room) = (rows.start, Vec::new());
-        sweep.run(rows, |row, part| {
-            let best = &mut best[row - start];
-            match scores(part, &mut room) {
+        let start = rows.start;
+        sweep.run(rows, |part| {
+            let best = &mut best[part.row - start];
+            match scores(&part) {
                 Scores::Run(first, values) => {
                     let value = (T::kernels().largest)(values);
                     if value.above(best.value) {
@@ -101,14 +93,13 @@ pub fn column_max<T: Real>(pairs: &Pairs<'_, T>) -> Vec<Best<T>> {
         work,
         |sweep, rows, best: &mut Vec<Best<T>>| {
             best.fill(start(sweep.is_filtered(), rows.start));
-            let mut room = Vec::new();
-            sweep.run(rows, |row, part| match scores(part, &mut room) {
-                Scores::Run(first, values) => {
+            sweep.run(rows, |part| match (part.row, scores(&part)) {
+                (row, Scores::Run(first, values)) => {
                     for (best, &value) in best[first..].iter_mut().zip(values) {
                         raise(best, value, row);
                     }
                 }
-                Scores::Picked(columns, results) => {
+                (row, Scores::Picked(columns, results)) => {
                     for (column, value) in picked(columns, results) {
                         raise(&mut best[column], value, row);
                     }
@@ -133,14 +124,14 @@ pub fn above<T: Real>(pairs: &Pairs<'_, T>, threshold: T) -> Vec<Found<T>> {
         Form::Values,
         work,
         |sweep, rows, found: &mut Vec<Found<T>>| {
-            let mut room = Vec::new();
-            sweep.run(rows, |row, part| {
+            sweep.run(rows, |part| {
+                let row = part.row;
                 let mut take = |column, value: T| {
                     if value.above(threshold) {
                         found.push(Found { row, column, value });
                     }
                 };
-                match scores(part, &mut room) {
+                match scores(&part) {
                     // Most runs of most matrices have nothing.
                     Scores::Run(first, values) => {
                         if (T::kernels().largest)(values).above(threshold) {
@@ -169,9 +160,8 @@ pub fn count_above<T: Real>(pairs: &Pairs<'_, T>, threshold: T) -> u64 {
     let mut counts = vec![0; rows.div_ceil(rows_per_piece(rows))];
     let work = counts.iter_mut().collect();
     pairs.sweep(Form::Values, work, |sweep, rows, count: &mut u64| {
-        let mut room = Vec::new();
-        sweep.run(rows, |_, part| {
-            *count += match scores(part, &mut room) {
+        sweep.run(rows, |part| {
+            *count += match scores(&part) {
                 Scores::Run(_, values) => (T::kernels().count_above)(values, threshold),
                 Scores::Picked(columns, results) => picked(columns, results)
                     .map(|(_, value)| u64::from(value.above(threshold)))
@@ -189,11 +179,11 @@ pub fn sum<T: Real>(pairs: &Pairs<'_, T>) -> f64 {
     let mut sums = vec![0.0; rows.div_ceil(rows_per_piece(rows))];
     let work = sums.iter_mut().collect();
     pairs.sweep(Form::Values, work, |sweep, rows, sum: &mut f64| {
-        let (start, mut room) = (rows.start, Vec::new());
+        let start = rows.start;
         let mut lanes = vec![[0.0; TILE]; rows.len()];
-        sweep.run(rows, |row, part| {
-            let lanes = &mut lanes[row - start];
-            match scores(part, &mut room) {
+        sweep.run(rows, |part| {
+            let lanes = &mut lanes[part.row - start];
+            match scores(&part) {
                 Scores::Run(_, values) => (T::kernels().add_up)(values, lanes),
                 Scores::Picked(columns, results) => {
                     for (column, value) in picked(columns, results) {

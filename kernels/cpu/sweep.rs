@@ -4,15 +4,16 @@
 //! ranks, is computed tile by tile, and goes to a consumer with the columns it belongs to; nothing
 //! depends on which pairs were left out.
 use crate::kernels::cpu::boxes::BOUNDS;
-use crate::kernels::cpu::lane::{Lane, TILE, Tiles, tiles};
+use crate::kernels::cpu::lane::{BLOCK, Lane, PLANE, Planes, Results, TILE, Tiles, planes, tiles};
 use crate::kernels::cpu::plan::{List, Maker, Plan, Rare, Room};
 use crate::kernels::cpu::tree::Tree;
 use crate::kernels::real::Real;
 use std::ops::Range;
 
-/// Tiles of columns that a kernel is given at once: with their results few enough for the innermost
-/// cache, and enough that starting costs nothing.
-pub const BLOCK: usize = 32;
+/// Tiles of columns of a stretch where results are added up at once, and should not leave the innermost
+/// cache before. Elsewhere it is a whole block: results leave in runs of four kilobytes, which is where
+/// longer ones stop being faster.
+const BLOCK_OF_SUMS: usize = 32;
 
 /// Of at least so many columns, and at most so small a share of near pairs, a tree finds them.
 const LONG: usize = 512;
@@ -24,37 +25,50 @@ const DENSE: f64 = 0.6;
 /// Rows that are asked for the share of near pairs.
 const ASKED: usize = 16;
 
+/// An upstream matrix: row `i` starts at `i * step`. With a step of zero all rows are the same one.
+#[derive(Clone, Copy, Debug)]
+pub struct Upstream<'a, T> {
+    /// The numbers.
+    pub slopes: &'a [T],
+    /// From row to row.
+    pub step: usize,
+}
+
 /// What is computed of a pair.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Form {
+#[derive(Clone, Copy, Debug)]
+pub enum Form<'a, T> {
     /// The score.
     Values,
     /// The score and its slopes.
     Slopes,
-    /// The same, to be added up: then either all parts are runs, or none is.
-    Sums,
+    /// The score and upstream slopes times its slopes, to be added up: either all parts are runs, or
+    /// none is.
+    Sums(Upstream<'a, T>),
 }
 
-/// Results of one row with some columns, in tiles.
-pub enum Part<'a, T> {
-    /// With one column after another.
-    Run {
-        /// The first column, a multiple of sixteen.
-        first: usize,
-        /// How many.
-        count: usize,
-        /// Their results.
-        results: &'a [Lane<T>],
-    },
-    /// With those of a stretch of columns that need not be zero; all others of the stretch are.
-    Picked {
-        /// Which columns have not been spoken of before.
-        stretch: Range<usize>,
-        /// Ascending.
-        columns: &'a [u32],
-        /// Their results.
-        results: &'a [Lane<T>],
-    },
+/// Results of a row with some columns.
+///
+/// What a row gives comes stretch by stretch. A long stretch may come in more than one part.
+pub struct Part<'a, T> {
+    /// The row.
+    pub row: usize,
+    /// The columns that this part and its neighbours are about. Those of which no part speaks have
+    /// zeros.
+    pub stretch: Range<usize>,
+    /// Whether it is the first part about its stretch.
+    pub is_first: bool,
+    /// The columns of this part.
+    pub columns: Columns<'a>,
+    /// Their results.
+    pub results: Planes<'a, T>,
+}
+
+/// Columns of a part.
+pub enum Columns<'a> {
+    /// The whole stretch, which begins at a multiple of sixteen.
+    Run(Range<usize>),
+    /// Some, ascending.
+    Picked(&'a [u32]),
 }
 
 /// What is computed of all pairs.
@@ -69,16 +83,29 @@ pub struct Sweep<'a, T> {
     picking: Vec<T>,
     stride: usize,
     tree: Option<Tree<T>>,
+    /// What slopes are multiplied by.
+    upstream: Option<Upstream<'a, T>>,
+    /// Tiles of columns of a stretch.
+    block: usize,
     /// Four times the most near columns of a block, per column, that are still picked.
     most: usize,
 }
 
 impl<'a, T: Real> Sweep<'a, T> {
     /// Scores, or scores with slopes. A filter is used where both lists have bounds.
-    pub fn new(plan: &'a Plan<T>, form: Form, a: &'a List<'a, T>, b: &'a List<'a, T>) -> Self {
+    pub fn new(
+        plan: &'a Plan<T>,
+        form: Form<'a, T>,
+        a: &'a List<'a, T>,
+        b: &'a List<'a, T>,
+    ) -> Self {
         let (maker, fields) = match form {
             Form::Values => (&plan.scores, 1),
-            Form::Slopes | Form::Sums => (&plan.slopes, plan.slope_fields()),
+            Form::Slopes | Form::Sums(_) => (&plan.slopes, plan.slope_fields()),
+        };
+        let upstream = match form {
+            Form::Sums(upstream) => Some(upstream),
+            Form::Values | Form::Slopes => None,
         };
         let mut sweep = Sweep {
             a,
@@ -89,25 +116,25 @@ impl<'a, T: Real> Sweep<'a, T> {
             picking: Vec::new(),
             stride: b.frame_fields.next_multiple_of(4),
             tree: None,
-            most: if form == Form::Sums { 4 } else { 3 },
+            block: upstream.map_or(BLOCK, |_| BLOCK_OF_SUMS),
+            most: upstream.map_or(3, |_| 4),
+            upstream,
         };
         if let (Some(_), Some(bounds)) = (&a.bounds, &b.bounds) {
-            let near = match b.count >= LONG || form == Form::Sums {
+            let near = match b.count >= LONG || upstream.is_some() {
                 true => sweep.share_of_near(),
                 false => 1.0,
             };
-            if form == Form::Sums && near > DENSE {
+            if upstream.is_some() && near > DENSE {
                 return sweep;
             }
             sweep.picking = vec![T::default(); tiles(b.count) * TILE * sweep.stride];
-            let take = T::kernels().take;
-            take(
-                &b.frames,
-                b.frame_fields,
-                b.frame_fields,
-                &mut sweep.picking,
-                sweep.stride,
-            );
+            for (j, row) in sweep.picking.chunks_exact_mut(sweep.stride).enumerate() {
+                let tile = &b.frames[j / TILE * b.frame_fields..][..b.frame_fields];
+                for (x, lane) in row.iter_mut().zip(tile) {
+                    *x = lane.0[j % TILE];
+                }
+            }
             if b.count >= LONG && near <= SPARSE {
                 sweep.tree = Some(Tree::new(bounds, b.count));
             }
@@ -140,49 +167,27 @@ impl<'a, T: Real> Sweep<'a, T> {
 
     /// Computes some rows and hands over what they give. Of each row columns come in order; rows come
     /// in order for each column.
-    pub fn run(&self, rows: Range<usize>, mut consume: impl FnMut(usize, Part<'_, T>)) {
+    pub fn run(&self, rows: Range<usize>, mut consume: impl FnMut(Part<'_, T>)) {
         let mut desk = Desk::new(self);
         if let Some(tree) = &self.tree {
             let mut hits = Vec::new();
             for row in rows {
-                let Some(bounds) = self.a.bounds_of(row) else {
-                    return;
-                };
-                desk.choose(row);
-                tree.near(&bounds, &mut hits);
-                let mut stretch = 0..self.b.count;
-                for hits in hits.chunks(BLOCK * TILE) {
-                    let results = desk.picked(hits);
-                    consume(
-                        row,
-                        Part::Picked {
-                            stretch,
-                            columns: hits,
-                            results,
-                        },
-                    );
-                    stretch = 0..0;
-                }
-                if hits.is_empty() {
-                    consume(
-                        row,
-                        Part::Picked {
-                            stretch,
-                            columns: &[],
-                            results: &[],
-                        },
-                    );
+                if let Some(bounds) = self.a.bounds_of(row) {
+                    desk.choose(row);
+                    tree.near(&bounds, &mut hits);
+                    desk.some(0..self.b.count, &hits, &mut consume);
                 }
             }
             return;
         }
         let mut hits = [0; (BLOCK + 1) * TILE];
-        for first in (0..self.b.count).step_by(BLOCK * TILE) {
-            let count = (self.b.count - first).min(BLOCK * TILE);
+        let step = self.block * TILE;
+        for first in (0..self.b.count).step_by(step) {
+            let stretch = first..self.b.count.min(first + step);
             let bounds = match &self.b.bounds {
                 Some(bounds) if self.is_filtered() => {
-                    let from = first / TILE * BOUNDS;
-                    Some(Tiles::new(&bounds[from..][..tiles(count) * BOUNDS], BOUNDS))
+                    let bounds = &bounds[first / TILE * BOUNDS..];
+                    Some(Tiles::new(&bounds[..tiles(stretch.len()) * BOUNDS], BOUNDS))
                 }
                 _ => None,
             };
@@ -190,30 +195,12 @@ impl<'a, T: Real> Sweep<'a, T> {
                 desk.choose(row);
                 if let (Some(bounds), Some(own)) = (bounds, self.a.bounds_of(row)) {
                     let near = (T::kernels().near)(&own, bounds, first as u32, &mut hits);
-                    if 4 * near <= self.most * count {
-                        let columns = &hits[..near];
-                        let results = desk.picked(columns);
-                        let stretch = first..first + count;
-                        consume(
-                            row,
-                            Part::Picked {
-                                stretch,
-                                columns,
-                                results,
-                            },
-                        );
+                    if 4 * near <= self.most * stretch.len() {
+                        desk.some(stretch.clone(), &hits[..near], &mut consume);
                         continue;
                     }
                 }
-                let results = desk.run(first, count);
-                consume(
-                    row,
-                    Part::Run {
-                        first,
-                        count,
-                        results,
-                    },
-                );
+                desk.all(stretch.clone(), &mut consume);
             }
         }
     }
@@ -228,6 +215,8 @@ struct Desk<'a, T> {
     own: Vec<Lane<T>>,
     /// Columns that were picked.
     picked: Vec<Lane<T>>,
+    /// Upstream slopes.
+    seeds: Vec<Lane<T>>,
     results: Vec<Lane<T>>,
     room: Room<T>,
     /// Numbers of one result.
@@ -242,8 +231,9 @@ impl<'a, T: Real> Desk<'a, T> {
             row: usize::MAX,
             row_is_rare: false,
             own: lanes(sweep.a.frame_fields),
-            picked: lanes(BLOCK * sweep.b.frame_fields),
-            results: lanes(BLOCK * sweep.fields),
+            picked: lanes(sweep.block * sweep.b.frame_fields),
+            seeds: lanes(sweep.block),
+            results: lanes(planes(sweep.fields)),
             room: Room::new(),
             one: vec![T::default(); sweep.fields],
         }
@@ -257,58 +247,97 @@ impl<'a, T: Real> Desk<'a, T> {
             self.row_is_rare = !self.sweep.a.rare.is_empty() && self.sweep.a.is_rare(row);
         }
     }
-    /// Results of the row with a run of columns.
-    fn run(&mut self, first: usize, count: usize) -> &[Lane<T>] {
-        let Sweep { b, fields, .. } = *self.sweep;
-        let from = first / TILE * b.frame_fields;
-        let columns = &b.frames[from..][..tiles(count) * b.frame_fields];
-        let inputs = [Tiles::one(&self.own), Tiles::new(columns, b.frame_fields)];
-        let results = &mut self.results[..tiles(count) * fields];
-        self.sweep.maker.make(&mut self.room, &inputs, results);
+    /// The row's upstream slopes.
+    fn upstream(&self) -> Option<&'a [T]> {
+        let Upstream { slopes, step } = self.sweep.upstream?;
+        Some(&slopes[self.row * step..][..self.sweep.b.count])
+    }
+    /// Computes the row with some columns; results wait on the desk.
+    fn make(&mut self, columns: Tiles<'_, T>, count: usize) {
+        let inputs = [Tiles::one(&self.own), columns, Tiles::new(&self.seeds, 1)];
+        let used = if self.sweep.upstream.is_some() { 3 } else { 2 };
+        let out = Results {
+            lanes: &mut self.results,
+            tiles: tiles(count),
+        };
+        self.sweep.maker.make(&mut self.room, &inputs[..used], out);
+    }
+    fn results(&self) -> Planes<'_, T> {
+        Planes(&self.results)
+    }
+    /// Results of the row with all columns of a stretch.
+    fn all(&mut self, stretch: Range<usize>, consume: &mut impl FnMut(Part<'_, T>)) {
+        let b = self.sweep.b;
+        let first = stretch.start;
+        let columns = &b.frames[first / TILE * b.frame_fields..];
+        if let Some(upstream) = self.upstream() {
+            (T::kernels().bring)(&upstream[stretch.clone()], 1, &mut self.seeds);
+        }
+        self.make(Tiles::new(columns, b.frame_fields), stretch.len());
         if self.row_is_rare {
-            for k in 0..count {
-                self.mend(first + k, k);
+            for j in stretch.clone() {
+                self.mend(j, j - first);
             }
         } else if !b.rare.is_empty() {
             let from = b.rare.partition_point(|&j| (j as usize) < first);
             let rare = b.rare[from..].iter().map(|&j| j as usize);
-            for j in rare.take_while(|&j| j < first + count) {
+            for j in rare.take_while(|&j| j < stretch.end) {
                 self.mend(j, j - first);
             }
         }
-        &self.results[..tiles(count) * fields]
+        consume(Part {
+            row: self.row,
+            stretch: stretch.clone(),
+            is_first: true,
+            columns: Columns::Run(stretch),
+            results: self.results(),
+        });
     }
-    /// Results of the row with some columns.
-    fn picked(&mut self, columns: &[u32]) -> &[Lane<T>] {
-        let Sweep {
-            b, fields, stride, ..
-        } = *self.sweep;
-        let width = tiles(columns.len());
-        let picked = &mut self.picked[..width * b.frame_fields];
-        let gather = T::kernels().gather;
-        gather(&self.sweep.picking, stride, columns, b.frame_fields, picked);
-        let inputs = [Tiles::one(&self.own), Tiles::new(picked, b.frame_fields)];
-        let results = &mut self.results[..width * fields];
-        self.sweep.maker.make(&mut self.room, &inputs, results);
-        if self.row_is_rare || !b.rare.is_empty() {
-            for (k, &j) in columns.iter().enumerate() {
-                if self.row_is_rare || b.is_rare(j as usize) {
-                    self.mend(j as usize, k);
+    /// Results of the row with some columns of a stretch; the others have zeros.
+    fn some(&mut self, stretch: Range<usize>, hits: &[u32], consume: &mut impl FnMut(Part<'_, T>)) {
+        let Sweep { b, stride, .. } = *self.sweep;
+        let mut picked = std::mem::take(&mut self.picked);
+        let parts = hits.chunks(self.sweep.block * TILE);
+        let none = hits.is_empty().then_some(hits);
+        for (i, columns) in parts.chain(none).enumerate() {
+            let tiles = &mut picked[..tiles(columns.len()) * b.frame_fields];
+            let gather = T::kernels().gather;
+            gather(&self.sweep.picking, stride, columns, b.frame_fields, tiles);
+            if let Some(upstream) = self.upstream() {
+                for (seeds, columns) in self.seeds.iter_mut().zip(columns.chunks(TILE)) {
+                    for (seed, &j) in seeds.0.iter_mut().zip(columns) {
+                        *seed = upstream[j as usize];
+                    }
                 }
             }
+            self.make(Tiles::new(tiles, b.frame_fields), columns.len());
+            if self.row_is_rare || !b.rare.is_empty() {
+                for (k, &j) in columns.iter().enumerate() {
+                    if self.row_is_rare || b.is_rare(j as usize) {
+                        self.mend(j as usize, k);
+                    }
+                }
+            }
+            consume(Part {
+                row: self.row,
+                stretch: stretch.clone(),
+                is_first: i == 0,
+                columns: Columns::Picked(columns),
+                results: self.results(),
+            });
         }
-        &self.results[..width * fields]
+        self.picked = picked;
     }
     /// Puts the right result of a rare pair in its place.
     fn mend(&mut self, column: usize, place: usize) {
-        let Sweep {
-            a, b, fields, rare, ..
-        } = *self.sweep;
+        let Sweep { a, b, rare, .. } = *self.sweep;
         if let Some(rare) = rare {
-            rare(a.shape(self.row), b.shape(column), &mut self.one);
-            let tile = &mut self.results[place / TILE * fields..];
-            for (lane, &x) in tile.iter_mut().zip(&self.one) {
-                lane.0[place % TILE] = x;
+            let out_bar = self
+                .upstream()
+                .map_or(T::one(), |upstream| upstream[column]);
+            rare(a.shape(self.row), b.shape(column), out_bar, &mut self.one);
+            for (k, &x) in self.one.iter().enumerate() {
+                self.results[k * PLANE + place / TILE].0[place % TILE] = x;
             }
         }
     }

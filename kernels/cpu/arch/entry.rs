@@ -3,7 +3,7 @@
 use crate::Vec2;
 use crate::kernels::cpu::blocks;
 use crate::kernels::cpu::boxes::{self, BOUNDS};
-use crate::kernels::cpu::lane::{Lane, TILE, Tiles};
+use crate::kernels::cpu::lane::{Lane, Planes, Results, TILE, Tiles};
 use crate::kernels::cpu::rings::{self, Measure};
 use crate::kernels::cpu::simd::Simd;
 use crate::overlap::Denominator;
@@ -76,29 +76,31 @@ entries! {
     /// Whether rotated boxes are valid and of ordinary size.
     all_ordinary_obb2(numbers: &[T]) -> bool = boxes::all_ordinary_obb2::<T, V>;
     /// Scores of prepared rotated boxes.
-    obb2_scores(over: Denominator, a: Tiles<'_, T>, b: Tiles<'_, T>, out: &mut [Lane<T>]) = boxes::obb2_scores::<T, V>;
+    obb2_scores(over: Denominator, a: Tiles<'_, T>, b: Tiles<'_, T>, out: Results<'_, T>) = boxes::obb2_scores::<T, V>;
     /// Scores of prepared rotated boxes with ten slopes each.
-    obb2_slopes(over: Denominator, a: Tiles<'_, T>, b: Tiles<'_, T>, out: &mut [Lane<T>]) = boxes::obb2_slopes::<T, V>;
+    obb2_slopes(over: Denominator, a: Tiles<'_, T>, b: Tiles<'_, T>, seeds: Option<Tiles<'_, T>>, out: Results<'_, T>) = boxes::obb2_slopes::<T, V>;
     /// Scores of axis-aligned boxes.
-    aabb2_scores(over: Denominator, a: Tiles<'_, T>, b: Tiles<'_, T>, out: &mut [Lane<T>]) = boxes::aabb2_scores::<T, V>;
+    aabb2_scores(over: Denominator, a: Tiles<'_, T>, b: Tiles<'_, T>, out: Results<'_, T>) = boxes::aabb2_scores::<T, V>;
     /// Scores of axis-aligned boxes with eight slopes each.
-    aabb2_slopes(over: Denominator, a: Tiles<'_, T>, b: Tiles<'_, T>, out: &mut [Lane<T>]) = boxes::aabb2_slopes::<T, V>;
+    aabb2_slopes(over: Denominator, a: Tiles<'_, T>, b: Tiles<'_, T>, seeds: Option<Tiles<'_, T>>, out: Results<'_, T>) = boxes::aabb2_slopes::<T, V>;
     /// Whether axis-aligned boxes are valid.
     all_aabb2(numbers: &[T]) -> bool = blocks::all_aabb2::<T, V>;
     /// Rows of numbers into tiles.
     bring(rows: &[T], fields: usize, out: &mut [Lane<T>]) = blocks::bring::<T, V>;
     /// Tiles into rows of numbers.
-    take(tiles: &[Lane<T>], step: usize, fields: usize, rows: &mut [T], stride: usize) = blocks::take::<T, V>;
+    take(results: Planes<'_, T>, fields: usize, rows: &mut [T], stride: usize) = blocks::take::<T, V>;
     /// Picked rows of numbers into tiles.
     gather(rows: &[T], stride: usize, picked: &[u32], fields: usize, out: &mut [Lane<T>]) = blocks::gather::<T, V>;
     /// The items whose bounds meet those of a row.
     near(row: &[T; BOUNDS], bounds: Tiles<'_, T>, first: u32, hits: &mut [u32]) -> usize = blocks::near::<T, V>;
     /// The same of a tree of bounds.
     search(row: &[T; BOUNDS], levels: &[Vec<Lane<T>>], order: &[u32], hits: &mut Vec<u32>) = blocks::search::<T, V>;
-    /// Upstream slopes times slopes, added up.
-    accumulate(results: &[Lane<T>], fields: [usize; 2], upstream: &[T], rows: &mut [Lane<T>], columns: &mut [Lane<T>]) = blocks::accumulate::<T, V>;
+    /// Results of picked columns, put into a row per field.
+    scatter(results: Planes<'_, T>, columns: &[u32], first: usize, rows: &mut [T], stride: usize) = blocks::scatter::<T, V>;
+    /// Slopes, added up.
+    accumulate(results: Planes<'_, T>, fields: [usize; 2], count: usize, rows: &mut [Lane<T>], columns: &mut [Lane<T>]) = blocks::accumulate::<T, V>;
     /// The same for picked columns.
-    accumulate_picked(results: &[Lane<T>], fields: [usize; 2], columns: &[u32], upstream: &[T], rows: &mut [Lane<T>], sums: &mut [Lane<T>]) = blocks::accumulate_picked::<T, V>;
+    accumulate_picked(results: Planes<'_, T>, fields: [usize; 2], columns: &[u32], rows: &mut [Lane<T>], sums: &mut [Lane<T>]) = blocks::accumulate_picked::<T, V>;
     /// The largest number.
     largest(numbers: &[T]) -> T = blocks::largest::<T, V>;
     /// How many numbers are above a threshold.

@@ -1,4 +1,5 @@
-//! Shapes as the numbers that they are in memory.
+//! Shapes and lanes as the numbers that they are in memory.
+use crate::kernels::cpu::lane::{Lane, TILE};
 use crate::{Aabb2, Fixed, Obb2, Pose2, Rotation2, Vec2, Vec3};
 use std::any::TypeId;
 use std::slice;
@@ -43,4 +44,12 @@ where
     is_plain::<P>().then(|| unsafe {
         slice::from_raw_parts_mut(shapes.as_mut_ptr().cast(), shapes.len() * P::LEN)
     })
+}
+
+/// The numbers of lanes, one lane after another.
+#[inline]
+pub fn flat<T: Copy>(lanes: &[Lane<T>]) -> &[T] {
+    const { assert!(size_of::<Lane<T>>() == TILE * size_of::<T>()) };
+    // Sound: a lane is so many numbers and nothing else.
+    unsafe { slice::from_raw_parts(lanes.as_ptr().cast(), lanes.len() * TILE) }
 }
