@@ -278,6 +278,19 @@ fn gather_quads<T: Real, V: Vector<T>, const QUADS: usize>(
     }
 }
 
+/// One item of a tile in every place of another.
+#[inline(always)]
+pub(crate) fn spread<T: Real, V: Vector<T>>(from: &[Lane<T>], item: usize, tile: &mut [Lane<T>]) {
+    for (lane, from) in tile.iter_mut().zip(from) {
+        let x = V::splat(from.0[item % TILE]);
+        let mut at = 0;
+        while at < TILE {
+            x.write(lane, at);
+            at += V::WIDTH;
+        }
+    }
+}
+
 /// The places of the ones in a byte.
 static PLACES: [[u8; 8]; 256] = {
     let mut places = [[0; 8]; 256];

@@ -5,7 +5,7 @@ use crate::ad::overlap::{score_aabb2_vjp, score_framed_vjp};
 use crate::clip::{Framed, frame};
 use crate::kernels::cpu::arch::Vector;
 use crate::kernels::cpu::blocks::all_within;
-use crate::kernels::cpu::lane::{Lane, PLANE, Results, TILE, Tiles};
+use crate::kernels::cpu::lane::{Lane, PLANE, Results, Tiles};
 use crate::kernels::real::Real;
 use crate::overlap::{Denominator, score_aabb2, score_framed};
 use crate::{Aabb2, Fixed, Obb2, Scalar, Vec2};
@@ -31,8 +31,7 @@ pub(crate) fn obb2_frames<T: Real, V: Vector<T>>(shapes: Tiles<'_, T>, frames: &
         let Some(shape) = shapes.tile::<OBB2>(t) else {
             return;
         };
-        let mut at = 0;
-        while at < TILE {
+        for at in V::starts() {
             let framed = frame(Obb2 {
                 center: Vec2::new(V::read(&shape[0], at), V::read(&shape[1], at)),
                 size: Vec2::new(V::read(&shape[2], at), V::read(&shape[3], at)),
@@ -41,7 +40,6 @@ pub(crate) fn obb2_frames<T: Real, V: Vector<T>>(shapes: Tiles<'_, T>, frames: &
             for (lane, number) in out.iter_mut().zip(framed.to_array()) {
                 number.write(lane, at);
             }
-            at += V::WIDTH;
         }
     }
 }
@@ -125,13 +123,11 @@ pub(crate) fn obb2_scores<T: Real, V: Vector<T>>(
         let Some(out) = lanes_of::<T, 1>(&mut out, t) else {
             return;
         };
-        let mut at = 0;
-        while at < TILE {
+        for at in V::starts() {
             let (Some(a), Some(b)) = (framed::<T, V>(a, t, at), framed(b, t, at)) else {
                 return;
             };
             put([score_framed::<V, false>(over, a, b)], out, 0, at);
-            at += V::WIDTH;
         }
     }
 }
@@ -149,8 +145,7 @@ pub(crate) fn obb2_slopes<T: Real, V: Vector<T>>(
         let Some(out) = lanes_of::<T, { 2 * OBB2 * PLANE + 1 }>(&mut out, t) else {
             return;
         };
-        let mut at = 0;
-        while at < TILE {
+        for at in V::starts() {
             let (Some(a), Some(b)) = (framed::<T, V>(a, t, at), framed(b, t, at)) else {
                 return;
             };
@@ -159,7 +154,6 @@ pub(crate) fn obb2_slopes<T: Real, V: Vector<T>>(
             put([value], out, 0, at);
             put(a_bar.to_array(), out, 1, at);
             put(b_bar.to_array(), out, 1 + OBB2, at);
-            at += V::WIDTH;
         }
     }
 }
@@ -188,13 +182,11 @@ pub(crate) fn aabb2_scores<T: Real, V: Vector<T>>(
         let Some(out) = lanes_of::<T, 1>(&mut out, t) else {
             return;
         };
-        let mut at = 0;
-        while at < TILE {
+        for at in V::starts() {
             let (Some(a), Some(b)) = (aabb2::<T, V>(a, t, at), aabb2(b, t, at)) else {
                 return;
             };
             put([score_aabb2(over, a, b)], out, 0, at);
-            at += V::WIDTH;
         }
     }
 }
@@ -212,8 +204,7 @@ pub(crate) fn aabb2_slopes<T: Real, V: Vector<T>>(
         let Some(out) = lanes_of::<T, { 2 * AABB2 * PLANE + 1 }>(&mut out, t) else {
             return;
         };
-        let mut at = 0;
-        while at < TILE {
+        for at in V::starts() {
             let (Some(a), Some(b)) = (aabb2::<T, V>(a, t, at), aabb2(b, t, at)) else {
                 return;
             };
@@ -221,7 +212,6 @@ pub(crate) fn aabb2_slopes<T: Real, V: Vector<T>>(
             put([value], out, 0, at);
             put(a_bar.to_array(), out, 1, at);
             put(b_bar.to_array(), out, 1 + AABB2, at);
-            at += V::WIDTH;
         }
     }
 }
@@ -258,8 +248,7 @@ pub(crate) fn all_ordinary_obb2<T: Real, V: Vector<T>>(numbers: &[T]) -> bool {
 pub(crate) fn obb2_bounds<T: Real, V: Vector<T>>(frames: Tiles<'_, T>, bounds: &mut [Lane<T>]) {
     let (of_place, of_size) = (V::lit(4.0 * T::EPSILON), V::lit(128.0 * T::EPSILON));
     for (t, out) in bounds.as_chunks_mut::<BOUNDS>().0.iter_mut().enumerate() {
-        let mut at = 0;
-        while at < TILE {
+        for at in V::starts() {
             let Some(x) = framed::<T, V>(frames, t, at) else {
                 return;
             };
@@ -273,7 +262,6 @@ pub(crate) fn obb2_bounds<T: Real, V: Vector<T>>(frames: Tiles<'_, T>, bounds: &
             (x.center.y - reach_y).write(&mut out[1], at);
             (x.center.x + reach_x).write(&mut out[2], at);
             (x.center.y + reach_y).write(&mut out[3], at);
-            at += V::WIDTH;
         }
     }
 }

@@ -1,7 +1,7 @@
 //! Batches of all pairs over plain numbers: the same code for every operation.
 use crate::kernels::cpu::arch::flat;
 use crate::kernels::cpu::blocks::QUAD;
-use crate::kernels::cpu::lane::{BLOCK, Lane, TILE};
+use crate::kernels::cpu::lane::{BLOCK, Lane, TILE, tiles};
 use crate::kernels::cpu::plan::{List, Plan};
 use crate::kernels::cpu::sweep::{Columns, Form, Part, Sweep, Upstream};
 use crate::kernels::cpu::work::{rows_per_piece, spread};
@@ -38,13 +38,13 @@ impl<T: Real> Pairs<'_, T> {
         })
     }
     /// Computes all pairs piece by piece, on all threads: each piece is some rows and what `work`
-    /// has for it.
+    /// has for it. Whether pairs were left out.
     pub fn sweep<W: Send>(
         &self,
         form: Form<'_, T>,
         work: Vec<W>,
         run: impl Fn(&Sweep<'_, T>, Range<usize>, W) + Send + Sync,
-    ) {
+    ) -> bool {
         let [rows, _] = self.counts();
         let [a, b] = self.lists();
         let sweep = Sweep::new(&self.plan, form, &a, &b);
@@ -53,6 +53,7 @@ impl<T: Real> Pairs<'_, T> {
         spread(work, |(i, work): (usize, W)| {
             run(&sweep, i * piece..rows.min((i + 1) * piece), work);
         });
+        sweep.is_filtered()
     }
 }
 
@@ -135,11 +136,51 @@ pub fn grads<T: Real>(pairs: &Pairs<'_, T>, values: &mut [T], planes: &mut [T]) 
     );
 }
 
+/// How sums of slopes lie in lanes.
+#[derive(Clone, Copy)]
+enum Lay {
+    /// In tiles, field by field.
+    Tiles,
+    /// Item by item, the numbers of one side by side, as many as are a multiple of four: for a few
+    /// items at a time.
+    Items,
+}
+
+impl Lay {
+    fn of(filtered: bool) -> Self {
+        match filtered {
+            true => Lay::Items,
+            false => Lay::Tiles,
+        }
+    }
+    /// The number of field `k` of an item of so many fields.
+    #[inline]
+    fn number<T: Copy>(self, lanes: &[Lane<T>], fields: usize, item: usize, k: usize) -> T {
+        match self {
+            Lay::Tiles => lanes[item / TILE * fields + k].0[item % TILE],
+            Lay::Items => flat(lanes)[item * fields.next_multiple_of(QUAD) + k],
+        }
+    }
+}
+
+/// The sum of sixteen numbers: halves added to halves.
+#[inline]
+fn folded<T: Real>(mut numbers: [T; TILE]) -> T {
+    let mut half = TILE / 2;
+    while half > 0 {
+        for i in 0..half {
+            let other = numbers[i + half];
+            numbers[i] += other;
+        }
+        half /= 2;
+    }
+    numbers[0].canonical()
+}
+
 /// Slopes of the sum of upstream times scores, with respect to every shape of both lists.
 ///
 /// Of a row sixteen sums are kept, column `j` counts for sum `j` modulo sixteen; of a column one per
-/// piece of rows. All are added in a fixed order. Where pairs are left out sums lie item by item in
-/// memory, for a few columns at a time; otherwise field by field.
+/// piece of rows. All are added in a fixed order, the same for either way of lying.
 pub fn pull_back<T: Real>(
     pairs: &Pairs<'_, T>,
     upstream: Upstream<'_, T>,
@@ -147,31 +188,30 @@ pub fn pull_back<T: Real>(
     b_bar: &mut [T],
 ) {
     let [rows, columns] = pairs.counts();
-    a_bar.fill(T::default());
-    b_bar.fill(T::default());
     if rows * columns == 0 {
+        a_bar.fill(T::default());
+        b_bar.fill(T::default());
         return;
     }
     let fields = [0, 1].map(|k| pairs.plan.shapes[k].fields);
-    let strides = fields.map(|n| n.next_multiple_of(QUAD));
     // Room for either way of lying.
-    let width = columns.next_multiple_of(TILE) * strides[1];
+    let [wide, width] = fields.map(|n| n.next_multiple_of(QUAD));
+    let width = tiles(columns) * width;
     let piece = rows_per_piece(rows);
-    let mut partials = vec![T::default(); rows.div_ceil(piece) * columns * fields[1]];
+    let mut partials = vec![Lane::default(); rows.div_ceil(piece) * width];
     let work = a_bar
         .chunks_mut(piece * fields[0])
-        .zip(partials.chunks_mut(columns * fields[1]))
+        .zip(partials.chunks_mut(width))
         .collect();
-    type Work<'a, T> = (&'a mut [T], &'a mut [T]);
-    pairs.sweep(
+    type Work<'a, T> = (&'a mut [T], &'a mut [Lane<T>]);
+    let filtered = pairs.sweep(
         Form::Sums(upstream),
         work,
-        |sweep, rows, (a_bar, b_bar): Work<'_, T>| {
+        |sweep, rows, (a_bar, column_sums): Work<'_, T>| {
             let start = rows.start;
-            let mut row_sums = vec![Lane::default(); rows.len() * strides[0]];
-            let mut column_sums = vec![Lane::default(); width / TILE];
+            let mut row_sums = vec![Lane::default(); rows.len() * wide];
             sweep.run(rows, |part| {
-                let row_sums = &mut row_sums[(part.row - start) * strides[0]..][..strides[0]];
+                let row_sums = &mut row_sums[(part.row - start) * wide..][..wide];
                 match part.columns {
                     Columns::Run(run) => {
                         let sums = &mut column_sums[run.start / TILE * fields[1]..];
@@ -179,42 +219,33 @@ pub fn pull_back<T: Real>(
                     }
                     Columns::Picked(columns) => {
                         let add = T::kernels().accumulate_picked;
-                        add(part.results, fields, columns, row_sums, &mut column_sums);
+                        add(part.results, fields, columns, row_sums, column_sums);
                     }
                 }
             });
-            // Where the sums of field k of an item lie.
-            let place =
-                |stride: usize, fields: usize, item: usize, k: usize| match sweep.is_filtered() {
-                    true => item * stride + k,
-                    false => (item / TILE * fields + k) * TILE + item % TILE,
-                };
-            let number = |lanes: &[Lane<T>], at: usize| lanes[at / TILE].0[at % TILE];
-            for (bar, sums) in a_bar
-                .chunks_exact_mut(fields[0])
-                .zip(row_sums.chunks_exact(strides[0]))
-            {
+            let lay = Lay::of(sweep.is_filtered());
+            let bars = a_bar.chunks_exact_mut(fields[0]);
+            for (bar, sums) in bars.zip(row_sums.chunks_exact(wide)) {
                 for (k, x) in bar.iter_mut().enumerate() {
-                    let sum = (0..TILE).fold(T::default(), |sum, i| {
-                        sum + number(sums, place(strides[0], fields[0], i, k))
-                    });
-                    *x = sum.canonical();
-                }
-            }
-            for (j, bar) in b_bar.chunks_exact_mut(fields[1]).enumerate() {
-                for (k, x) in bar.iter_mut().enumerate() {
-                    *x = number(&column_sums, place(strides[1], fields[1], j, k));
+                    let sums = |i| lay.number(sums, fields[0], i, k);
+                    *x = folded(std::array::from_fn(sums));
                 }
             }
         },
     );
     // Piece after piece, so the order of the sum is fixed.
-    for partial in partials.chunks(columns * fields[1]) {
-        for (x, &part) in b_bar.iter_mut().zip(partial) {
-            *x += part;
+    let (total, others) = partials.split_at_mut(width);
+    for partial in others.chunks(width) {
+        for (sum, part) in total.iter_mut().zip(partial) {
+            for (x, &part) in sum.0.iter_mut().zip(&part.0) {
+                *x += part;
+            }
         }
     }
-    for x in b_bar {
-        *x = x.canonical();
+    let lay = Lay::of(filtered);
+    for (j, bar) in b_bar.chunks_exact_mut(fields[1]).enumerate() {
+        for (k, x) in bar.iter_mut().enumerate() {
+            *x = lay.number(total, fields[1], j, k).canonical();
+        }
     }
 }

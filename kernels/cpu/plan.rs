@@ -272,9 +272,7 @@ impl<'a, T: Real> List<'a, T> {
     /// A prepared shape in every place of a tile.
     pub fn spread(&self, i: usize, tile: &mut [Lane<T>]) {
         let from = &self.frames[i / TILE * self.frame_fields..];
-        for (lane, from) in tile.iter_mut().zip(from) {
-            lane.0.fill(from.0[i % TILE]);
-        }
+        (T::kernels().spread)(from, i % TILE, tile);
     }
     /// A shape's bounds.
     pub fn bounds_of(&self, i: usize) -> Option<[T; BOUNDS]> {

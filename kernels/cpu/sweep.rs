@@ -4,7 +4,9 @@
 //! ranks, is computed tile by tile, and goes to a consumer with the columns it belongs to; nothing
 //! depends on which pairs were left out.
 use crate::kernels::cpu::boxes::BOUNDS;
-use crate::kernels::cpu::lane::{BLOCK, Lane, PLANE, Planes, Results, TILE, Tiles, planes, tiles};
+use crate::kernels::cpu::lane::{
+    BLOCK, Lane, PLANE, Planes, Results, TILE, Tiles, planes, tiles, with_lanes,
+};
 use crate::kernels::cpu::plan::{List, Maker, Plan, Rare, Room};
 use crate::kernels::cpu::tree::Tree;
 use crate::kernels::real::Real;
@@ -13,7 +15,7 @@ use std::ops::Range;
 /// Tiles of columns of a stretch where results are added up at once, and should not leave the innermost
 /// cache before. Elsewhere it is a whole block: results leave in runs of four kilobytes, which is where
 /// longer ones stop being faster.
-const BLOCK_OF_SUMS: usize = 32;
+const BLOCK_OF_SUMS: usize = 64;
 
 /// Of at least so many columns, and at most so small a share of near pairs, a tree finds them.
 const LONG: usize = 512;
@@ -167,8 +169,18 @@ impl<'a, T: Real> Sweep<'a, T> {
 
     /// Computes some rows and hands over what they give. Of each row columns come in order; rows come
     /// in order for each column.
-    pub fn run(&self, rows: Range<usize>, mut consume: impl FnMut(Part<'_, T>)) {
-        let mut desk = Desk::new(self);
+    pub fn run(&self, rows: Range<usize>, consume: impl FnMut(Part<'_, T>)) {
+        let lanes = Desk::lanes(self).iter().sum();
+        with_lanes(lanes, |lanes| self.run_on(lanes, rows, consume));
+    }
+
+    fn run_on(
+        &self,
+        lanes: &mut [Lane<T>],
+        rows: Range<usize>,
+        mut consume: impl FnMut(Part<'_, T>),
+    ) {
+        let mut desk = Desk::new(self, lanes);
         if let Some(tree) = &self.tree {
             let mut hits = Vec::new();
             for row in rows {
@@ -212,28 +224,41 @@ struct Desk<'a, T> {
     row: usize,
     row_is_rare: bool,
     /// The row's shape in every place of a tile.
-    own: Vec<Lane<T>>,
+    own: &'a mut [Lane<T>],
     /// Columns that were picked.
-    picked: Vec<Lane<T>>,
+    picked: &'a mut [Lane<T>],
     /// Upstream slopes.
-    seeds: Vec<Lane<T>>,
-    results: Vec<Lane<T>>,
+    seeds: &'a mut [Lane<T>],
+    results: &'a mut [Lane<T>],
     room: Room<T>,
     /// Numbers of one result.
     one: Vec<T>,
 }
 
 impl<'a, T: Real> Desk<'a, T> {
-    fn new(sweep: &'a Sweep<'a, T>) -> Self {
-        let lanes = |count: usize| vec![Lane::default(); count];
+    /// Numbers of lanes of a desk: the row, picked columns, upstream slopes and results.
+    fn lanes(sweep: &Sweep<'_, T>) -> [usize; 4] {
+        [
+            sweep.a.frame_fields,
+            sweep.block * sweep.b.frame_fields,
+            sweep.block,
+            planes(sweep.fields),
+        ]
+    }
+    /// A desk on some lanes, whatever is in them.
+    fn new(sweep: &'a Sweep<'a, T>, lanes: &'a mut [Lane<T>]) -> Self {
+        let [own, picked, seeds, _] = Self::lanes(sweep);
+        let (own, lanes) = lanes.split_at_mut(own);
+        let (picked, lanes) = lanes.split_at_mut(picked);
+        let (seeds, results) = lanes.split_at_mut(seeds);
         Desk {
             sweep,
             row: usize::MAX,
             row_is_rare: false,
-            own: lanes(sweep.a.frame_fields),
-            picked: lanes(sweep.block * sweep.b.frame_fields),
-            seeds: lanes(sweep.block),
-            results: lanes(planes(sweep.fields)),
+            own,
+            picked,
+            seeds,
+            results,
             room: Room::new(),
             one: vec![T::default(); sweep.fields],
         }
@@ -243,7 +268,7 @@ impl<'a, T: Real> Desk<'a, T> {
     fn choose(&mut self, row: usize) {
         if row != self.row {
             self.row = row;
-            self.sweep.a.spread(row, &mut self.own);
+            self.sweep.a.spread(row, self.own);
             self.row_is_rare = !self.sweep.a.rare.is_empty() && self.sweep.a.is_rare(row);
         }
     }
@@ -254,16 +279,16 @@ impl<'a, T: Real> Desk<'a, T> {
     }
     /// Computes the row with some columns; results wait on the desk.
     fn make(&mut self, columns: Tiles<'_, T>, count: usize) {
-        let inputs = [Tiles::one(&self.own), columns, Tiles::new(&self.seeds, 1)];
+        let inputs = [Tiles::one(self.own), columns, Tiles::new(self.seeds, 1)];
         let used = if self.sweep.upstream.is_some() { 3 } else { 2 };
         let out = Results {
-            lanes: &mut self.results,
+            lanes: self.results,
             tiles: tiles(count),
         };
         self.sweep.maker.make(&mut self.room, &inputs[..used], out);
     }
     fn results(&self) -> Planes<'_, T> {
-        Planes(&self.results)
+        Planes(self.results)
     }
     /// Results of the row with all columns of a stretch.
     fn all(&mut self, stretch: Range<usize>, consume: &mut impl FnMut(Part<'_, T>)) {
@@ -271,7 +296,7 @@ impl<'a, T: Real> Desk<'a, T> {
         let first = stretch.start;
         let columns = &b.frames[first / TILE * b.frame_fields..];
         if let Some(upstream) = self.upstream() {
-            (T::kernels().bring)(&upstream[stretch.clone()], 1, &mut self.seeds);
+            (T::kernels().bring)(&upstream[stretch.clone()], 1, self.seeds);
         }
         self.make(Tiles::new(columns, b.frame_fields), stretch.len());
         if self.row_is_rare {
@@ -296,7 +321,7 @@ impl<'a, T: Real> Desk<'a, T> {
     /// Results of the row with some columns of a stretch; the others have zeros.
     fn some(&mut self, stretch: Range<usize>, hits: &[u32], consume: &mut impl FnMut(Part<'_, T>)) {
         let Sweep { b, stride, .. } = *self.sweep;
-        let mut picked = std::mem::take(&mut self.picked);
+        let picked = std::mem::take(&mut self.picked);
         let parts = hits.chunks(self.sweep.block * TILE);
         let none = hits.is_empty().then_some(hits);
         for (i, columns) in parts.chain(none).enumerate() {

@@ -18,15 +18,16 @@ macro_rules! entries {
             $($(#[$doc])* pub(crate) $name: fn($($type),*) $(-> $out)?,)*
         }
 
-        entries!(@format of_f32: f32, Lanes<f32, 4>, F32x8, F32x16;
+        entries!(@format of_f32: f32, Lanes<f32, 4>, F32x4, F32x8, F32x16;
             $($name($($arg: $type),*) $(-> $out)? = $kernel;)*);
-        entries!(@format of_f64: f64, Lanes<f64, 2>, F64x4, F64x8;
+        entries!(@format of_f64: f64, Lanes<f64, 2>, F64x2, F64x4, F64x8;
             $($name($($arg: $type),*) $(-> $out)? = $kernel;)*);
     };
-    (@format $format:ident: $t:ident, $plain:ty, $avx2:ident, $v4:ident;
+    (@format $format:ident: $t:ident, $plain:ty, $sse2:ident, $avx2:ident, $v4:ident;
      $($name:ident($($arg:ident: $type:ty),*) $(-> $out:ty)? = $kernel:expr;)*) => {
         pub(super) mod $format {
             use super::*;
+            #[cfg(any(not(target_arch = "x86_64"), feature = "portable"))]
             use crate::Lanes;
             type T = $t;
             /// The kernels of this format.
@@ -35,7 +36,11 @@ macro_rules! entries {
                 fn $name($($arg: $type),*) $(-> $out)? {
                     #[inline(never)]
                     fn baseline($($arg: $type),*) $(-> $out)? {
+                        #[cfg(any(not(target_arch = "x86_64"), feature = "portable"))]
                         type V = $plain;
+                        // Every x86-64 has SSE2.
+                        #[cfg(all(target_arch = "x86_64", not(feature = "portable")))]
+                        type V = crate::kernels::cpu::arch::x86::$sse2;
                         $kernel($($arg),*)
                     }
                     #[cfg(target_arch = "x86_64")]
@@ -89,6 +94,8 @@ entries! {
     bring(rows: &[T], fields: usize, out: &mut [Lane<T>]) = blocks::bring::<T, V>;
     /// Tiles into rows of numbers.
     take(results: Planes<'_, T>, fields: usize, rows: &mut [T], stride: usize) = blocks::take::<T, V>;
+    /// One item of a tile in every place of another.
+    spread(from: &[Lane<T>], item: usize, tile: &mut [Lane<T>]) = blocks::spread::<T, V>;
     /// Picked rows of numbers into tiles.
     gather(rows: &[T], stride: usize, picked: &[u32], fields: usize, out: &mut [Lane<T>]) = blocks::gather::<T, V>;
     /// The items whose bounds meet those of a row.

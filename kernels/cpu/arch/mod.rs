@@ -32,11 +32,26 @@ pub use memory::{numbers, numbers_mut};
 
 use crate::kernels::cpu::lane::{Lane, TILE};
 use crate::{Lanes, Scalar};
+use std::hint::black_box;
 
 /// A part of a [`Lane`] as a scalar.
 pub(crate) trait Vector<T>: Scalar<Primal = Self> {
     /// How many numbers: a power of two, at most [`TILE`].
     const WIDTH: usize;
+    /// Whether a loop over the parts of a lane must hide that they are few: of plain code the compiler
+    /// would compute them all at once, out of registers and across each other.
+    const HIDDEN: bool = false;
+    /// Where the parts of a lane begin.
+    #[inline(always)]
+    fn starts() -> impl Iterator<Item = usize> {
+        (0..TILE / Self::WIDTH).map(
+            #[inline(always)]
+            |part| match Self::HIDDEN {
+                true => black_box(part) * Self::WIDTH,
+                false => part * Self::WIDTH,
+            },
+        )
+    }
     /// The numbers of a lane from an index on, which is a multiple of the width below [`TILE`].
     fn read(lane: &Lane<T>, at: usize) -> Self;
     /// Puts the numbers into a lane from an index on.
@@ -56,6 +71,7 @@ macro_rules! plain {
     ($t:ident, $n:literal) => {
         impl Vector<$t> for Lanes<$t, $n> {
             const WIDTH: usize = $n;
+            const HIDDEN: bool = true;
             #[inline(always)]
             fn read(lane: &Lane<$t>, at: usize) -> Self {
                 Lanes(lane.0.as_chunks().0[at / $n % (TILE / $n)])

@@ -1,4 +1,4 @@
-//! Vectors of AVX2 and AVX-512.
+//! Vectors of SSE2, AVX2 and AVX-512.
 use super::Vector;
 use crate::float::{HIGH_OF_SINGLE, sin_cos_single, sin_cos_wide};
 use crate::kernels::cpu::lane::{Lane, TILE};
@@ -401,8 +401,14 @@ macro_rules! narrow {
         }
     };
 }
+wide!(F64x2);
 wide!(F64x4);
 wide!(F64x8);
+narrow! {
+    F32x4 = 2 __m128 of F64x2: _mm_cvtps_pd _mm_cvtpd_ps _mm_and_pd;
+    low |v| v, high _mm_movehl_ps(v, v);
+    join |x, y| _mm_movelh_ps(x, y)
+}
 narrow! {
     F32x8 = 2 __m128 of F64x4: _mm256_cvtps_pd _mm256_cvtpd_ps _mm256_and_pd;
     low |v| _mm256_castps256_ps128(v), high _mm256_extractf128_ps::<1>(v);
@@ -472,6 +478,45 @@ fn to_f32x16(fields: [F32x16; 4], mut put: impl FnMut(usize, [f32; 4])) {
         put(i + 12, quad_of(arch!(_mm512_extractf32x4_ps::<3>(x))));
         i += 1;
     }
+}
+
+#[inline(always)]
+fn exchange_f32x4([F32x4(a), F32x4(b), F32x4(c), F32x4(d)]: [F32x4; 4]) -> [F32x4; 4] {
+    arch!(exchange!(_mm_unpacklo_ps _mm_unpackhi_ps _mm_shuffle_ps; a b c d)).map(F32x4)
+}
+#[inline(always)]
+fn from_f32x4(item: impl Fn(usize) -> [f32; 4]) -> [F32x4; 4] {
+    exchange_f32x4([0, 1, 2, 3].map(
+        #[inline(always)]
+        |i| F32x4(quad(item(i))),
+    ))
+}
+#[inline(always)]
+fn to_f32x4(fields: [F32x4; 4], mut put: impl FnMut(usize, [f32; 4])) {
+    let items = exchange_f32x4(fields);
+    let mut i = 0;
+    while i < 4 {
+        put(i, quad_of(items[i].0));
+        i += 1;
+    }
+}
+
+#[inline(always)]
+fn from_f64x2(item: impl Fn(usize) -> [f64; 4]) -> [F64x2; 4] {
+    let ([a, b, c, d], [e, f, g, h]) = (item(0), item(1));
+    [
+        F64x2::from_array([a, e]),
+        F64x2::from_array([b, f]),
+        F64x2::from_array([c, g]),
+        F64x2::from_array([d, h]),
+    ]
+}
+#[inline(always)]
+fn to_f64x2(fields: [F64x2; 4], mut put: impl FnMut(usize, [f64; 4])) {
+    let [x, y, z, w] = fields;
+    let (x, y, z, w) = (x.array(), y.array(), z.array(), w.array());
+    put(0, [x[0], y[0], z[0], w[0]]);
+    put(1, [x[1], y[1], z[1], w[1]]);
 }
 
 #[inline(always)]
@@ -576,6 +621,34 @@ fn to_f64x8(fields: [F64x8; 4], mut put: impl FnMut(usize, [f64; 4])) {
         put(i + 4, F64x4(arch!(_mm512_extractf64x4_pd::<1>(x))).array());
         i += 1;
     }
+}
+
+vector! {
+    /// Two `f64` of SSE2.
+    F64x2(__m128d, Mask64x2(__m128d)) of 2 f64, bits u64, low half 27;
+    _mm_add_pd _mm_sub_pd _mm_mul_pd _mm_div_pd _mm_sqrt_pd _mm_min_pd _mm_max_pd
+    _mm_and_pd _mm_andnot_pd _mm_xor_pd _mm_set1_pd
+    _mm_castsi128_pd _mm_castpd_si128 _mm_set1_epi64x _mm_and_si128 _mm_sub_epi64;
+    below |p, q| _mm_cmplt_pd(p, q), _mm_cmple_pd(p, q), _mm_cmpeq_pd(p, q);
+    choose |m, yes, no| _mm_or_pd(_mm_and_pd(m, yes), _mm_andnot_pd(m, no));
+    masks |a, b| _mm_and_pd(a, b), _mm_or_pd(a, b),
+        _mm_xor_pd(a, _mm_castsi128_pd(_mm_set1_epi8(-1))), _mm_movemask_pd(a);
+    sines |angle| angle.wide_sin_cos(), angle.wide_parts();
+    items from_f64x2 to_f64x2
+}
+
+vector! {
+    /// Four `f32` of SSE2.
+    F32x4(__m128, Mask32x4(__m128)) of 4 f32, bits u32, low half 12;
+    _mm_add_ps _mm_sub_ps _mm_mul_ps _mm_div_ps _mm_sqrt_ps _mm_min_ps _mm_max_ps
+    _mm_and_ps _mm_andnot_ps _mm_xor_ps _mm_set1_ps
+    _mm_castsi128_ps _mm_castps_si128 _mm_set1_epi32 _mm_and_si128 _mm_sub_epi32;
+    below |p, q| _mm_cmplt_ps(p, q), _mm_cmple_ps(p, q), _mm_cmpeq_ps(p, q);
+    choose |m, yes, no| _mm_or_ps(_mm_and_ps(m, yes), _mm_andnot_ps(m, no));
+    masks |a, b| _mm_and_ps(a, b), _mm_or_ps(a, b),
+        _mm_xor_ps(a, _mm_castsi128_ps(_mm_set1_epi8(-1))), _mm_movemask_ps(a);
+    sines |angle| angle.narrow_sin_cos(), angle.narrow_parts();
+    items from_f32x4 to_f32x4
 }
 
 vector! {
