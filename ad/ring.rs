@@ -112,7 +112,7 @@ pub fn centroid_vjp<S: Scalar>(ring: &[Vec2<S>], out_bar: Vec2<S>, ring_bar: &mu
         return;
     }
     let local = Local::new(ring);
-    let [twice, moment_x, moment_y] = local.sums(|start, end| {
+    let [twice, moment_x, moment_y] = local.sums(ring, |start, end| {
         let cross = start.perp_dot(end);
         let moment = (start + end) * cross;
         [cross, moment.x, moment.y]

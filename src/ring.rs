@@ -4,164 +4,136 @@
 //! and self-intersection are valid: the functions are sums over edges and say what they give.
 //! Vertices are taken relative to the first one and in units of the ring's own extent, so neither
 //! the distance from the origin nor the size costs digits.
-use crate::{Scalar, Vec2};
+use crate::{Mask, Scalar, Vec2};
 
 /// Vertices worked on side by side: sums of their own that need not wait for each other, and arrays
 /// that the compiler turns into SIMD.
 pub(crate) const SIDE: usize = 16;
 
-/// A ring in its own frame: the first vertex at the origin, lengths multiplied by a power of two.
-#[derive(Clone, Copy, Debug)]
-pub(crate) struct Local<'a, S> {
-    ring: &'a [Vec2<S>],
-    /// What lengths were multiplied by; a constant.
-    pub scale: S,
+/// The vertices of a ring, at least one, by number.
+pub(crate) trait Vertices<S>: Copy {
+    /// How many.
+    fn count(self) -> usize;
+    /// One of them.
+    fn at(self, k: usize) -> Vec2<S>;
+    /// All of them, where they lie side by side.
+    fn slice(&self) -> &[Vec2<S>];
 }
 
-impl<'a, S: Scalar> Local<'a, S> {
+impl<S: Copy> Vertices<S> for &[Vec2<S>] {
     #[inline(always)]
-    pub fn new(ring: &'a [Vec2<S>]) -> Self {
-        let unscaled = Local {
-            ring,
-            scale: S::one(),
-        };
-        let reach = |vertex: Vec2<S>| {
-            let at = unscaled.halved(vertex);
-            at.x.primal().magnitude().most(at.y.primal().magnitude())
-        };
-        let mut extent = S::Primal::zero();
-        let (blocks, rest) = ring.as_chunks::<SIDE>();
-        if !blocks.is_empty() {
-            let mut extents = [S::Primal::zero(); SIDE];
-            for block in blocks {
-                for (extent, &vertex) in extents.iter_mut().zip(block) {
-                    *extent = extent.most(reach(vertex));
-                }
-            }
-            for other in extents {
-                extent = extent.most(other);
-            }
-        }
-        for &vertex in rest {
-            extent = extent.most(reach(vertex));
-        }
-        Local {
-            ring,
-            scale: scale_of(extent),
+    fn count(self) -> usize {
+        self.len()
+    }
+    #[inline(always)]
+    fn at(self, k: usize) -> Vec2<S> {
+        self[k]
+    }
+    #[inline(always)]
+    fn slice(&self) -> &[Vec2<S>] {
+        self
+    }
+}
+
+/// How a ring's vertices are seen: from the first one, and in units of a power of two where the extent
+/// is out of the ordinary, so that no product over- or underflows.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Local<S> {
+    first: Vec2<S>,
+    /// What halved vertices are multiplied by, a constant; `None` leaves vertices as they are.
+    scale: Option<S>,
+}
+
+impl<S: Scalar> Local<S> {
+    /// For a ring of any extent.
+    #[inline(always)]
+    pub fn new(ring: impl Vertices<S>) -> Self {
+        match is_ordinary::<S>(extent_of(ring)).all() {
+            true => Self::plain(ring),
+            false => Self::scaled(ring),
         }
     }
-    /// Half the way from the first vertex to another: the whole way may not be finite.
     #[inline(always)]
-    fn halved(&self, vertex: Vec2<S>) -> Vec2<S> {
-        let first = self.ring[0];
-        Vec2::new(
-            vertex.x.halved() - first.x.halved(),
-            vertex.y.halved() - first.y.halved(),
-        )
+    fn plain(ring: impl Vertices<S>) -> Self {
+        Local {
+            first: ring.at(0),
+            scale: None,
+        }
+    }
+    #[inline(always)]
+    fn scaled(ring: impl Vertices<S>) -> Self {
+        let first = halved(ring.at(0));
+        let from = primal(first);
+        let extent = largest_of(
+            ring,
+            #[inline(always)]
+            |vertex| primal(halved(vertex)) - from,
+        );
+        let point = extent.at_most(S::Primal::zero());
+        let scale = S::Primal::select(point, S::Primal::one(), extent).binade();
+        let scale = S::Primal::select(point, S::Primal::one(), scale);
+        Local {
+            first,
+            scale: Some(S::from_primal(scale)),
+        }
     }
     /// A vertex in the local frame.
     #[inline(always)]
     pub fn place(&self, vertex: Vec2<S>) -> Vec2<S> {
-        self.halved(vertex) * self.scale
+        match self.scale {
+            None => vertex - self.first,
+            // Halved: the whole way may not be finite.
+            Some(scale) => (halved(vertex) - self.first) * scale,
+        }
+    }
+    /// A local length in the caller's unit.
+    #[inline(always)]
+    fn outer(&self, length: S) -> S {
+        match self.scale {
+            None => length,
+            Some(scale) => (length + length).over(scale),
+        }
     }
     /// The sums of some quantities of an edge over all edges, from start and end of each.
+    ///
+    /// Rings of more than [`SIDE`] vertices have as many sums of their own, which are added first.
     #[inline(always)]
-    pub fn sums<const K: usize>(&self, of_edge: impl Fn(Vec2<S>, Vec2<S>) -> [S; K]) -> [S; K] {
-        let (ring, n) = (self.ring, self.ring.len());
-        let mut sums = [[S::zero(); SIDE]; K];
-        let (mut x, mut y) = ([S::zero(); SIDE + 1], [S::zero(); SIDE + 1]);
-        let mut first = 0;
-        while first + SIDE < n {
-            for (k, &vertex) in ring[first..=first + SIDE].iter().enumerate() {
-                let at = self.place(vertex);
-                (x[k], y[k]) = (at.x, at.y);
-            }
-            for k in 0..SIDE {
-                let edge = of_edge(Vec2::new(x[k], y[k]), Vec2::new(x[k + 1], y[k + 1]));
-                for (sum, of_edge) in sums.iter_mut().zip(edge) {
-                    sum[k] += of_edge;
-                }
-            }
-            first += SIDE;
-        }
+    pub fn sums<const K: usize>(
+        &self,
+        ring: impl Vertices<S>,
+        of_edge: impl Fn(Vec2<S>, Vec2<S>) -> [S; K],
+    ) -> [S; K] {
         let mut totals = [S::zero(); K];
-        if first > 0 {
+        let count = ring.count();
+        let mut first = 0;
+        if count > SIDE {
+            let mut sums = [[S::zero(); SIDE]; K];
+            let (mut x, mut y) = ([S::zero(); SIDE + 1], [S::zero(); SIDE + 1]);
+            while first + SIDE < count {
+                let block = &ring.slice()[first..=first + SIDE];
+                for ((x, y), &vertex) in x.iter_mut().zip(&mut y).zip(block) {
+                    let at = self.place(vertex);
+                    (*x, *y) = (at.x, at.y);
+                }
+                for k in 0..SIDE {
+                    let edge = of_edge(Vec2::new(x[k], y[k]), Vec2::new(x[k + 1], y[k + 1]));
+                    for (sum, of_edge) in sums.iter_mut().zip(edge) {
+                        sum[k] += of_edge;
+                    }
+                }
+                first += SIDE;
+            }
             for (total, sums) in totals.iter_mut().zip(sums) {
                 for sum in sums {
                     *total += sum;
                 }
             }
         }
-        let mut start = self.place(ring[first]);
-        for i in first..n {
-            let end = self.place(ring[if i + 1 == n { 0 } else { i + 1 }]);
-            for (total, of_edge) in totals.iter_mut().zip(of_edge(start, end)) {
-                *total += of_edge;
-            }
-            start = end;
-        }
-        totals
-    }
-}
-
-/// The power of two by which halved vertices are multiplied, from the largest of their coordinates.
-#[inline(always)]
-fn scale_of<S: Scalar>(extent: S::Primal) -> S {
-    let point = extent.at_most(S::Primal::zero());
-    let scale = S::Primal::select(point, S::Primal::one(), extent).binade();
-    S::from_primal(S::Primal::select(point, S::Primal::one(), scale))
-}
-
-/// A length between halved vertices times a scale in the caller's unit.
-#[inline(always)]
-fn outer<S: Scalar>(length: S, scale: S) -> S {
-    (length + length).over(scale)
-}
-
-/// A short ring in its own frame, one vertex after another: what [`Local`] is for slices.
-struct Short<S> {
-    vertices: [Vec2<S>; SIDE],
-    count: usize,
-    scale: S,
-}
-
-impl<S: Scalar> Short<S> {
-    /// From 1 to [`SIDE`] vertices.
-    #[inline(always)]
-    fn new(count: usize, at: impl Fn(usize) -> Vec2<S>) -> Self {
-        let half = |v: Vec2<S>| Vec2::new(v.x.halved(), v.y.halved());
-        let first = half(at(0));
-        let mut vertices = [Vec2::new(S::zero(), S::zero()); SIDE];
-        let mut extent = S::Primal::zero();
-        let mut k = 0;
-        while k < count {
-            let place = half(at(k)) - first;
-            let (x, y) = (place.x.primal(), place.y.primal());
-            extent = extent.most(x.magnitude().most(y.magnitude()));
-            vertices[k % SIDE] = place;
-            k += 1;
-        }
-        let scale = scale_of(extent);
-        k = 0;
-        while k < count {
-            vertices[k % SIDE] = vertices[k % SIDE] * scale;
-            k += 1;
-        }
-        Short {
-            vertices,
-            count,
-            scale,
-        }
-    }
-    /// The sums of some quantities of an edge over all edges, from start and end of each.
-    #[inline(always)]
-    fn sums<const K: usize>(&self, of_edge: impl Fn(Vec2<S>, Vec2<S>) -> [S; K]) -> [S; K] {
-        let mut totals = [S::zero(); K];
-        let mut start = self.vertices[0];
-        let mut i = 0;
-        while i < self.count {
-            let next = if i + 1 == self.count { 0 } else { i + 1 };
-            let end = self.vertices[next % SIDE];
+        let mut start = self.place(ring.at(first));
+        first += 1;
+        while first <= count {
+            // The last edge leads back to the first vertex.
+            let end = self.place(ring.at(if first == count { 0 } else { first }));
             let edge = of_edge(start, end);
             let mut k = 0;
             while k < K {
@@ -169,11 +141,96 @@ impl<S: Scalar> Short<S> {
                 k += 1;
             }
             start = end;
-            i += 1;
+            first += 1;
         }
         totals
     }
 }
+
+#[inline(always)]
+fn halved<S: Scalar>(v: Vec2<S>) -> Vec2<S> {
+    Vec2::new(v.x.halved(), v.y.halved())
+}
+#[inline(always)]
+fn primal<S: Scalar>(v: Vec2<S>) -> Vec2<S::Primal> {
+    Vec2::new(v.x.primal(), v.y.primal())
+}
+
+/// The largest coordinate of a ring seen from its first vertex.
+#[inline(always)]
+fn extent_of<S: Scalar>(ring: impl Vertices<S>) -> S::Primal {
+    let first = primal(ring.at(0));
+    largest_of(
+        ring,
+        #[inline(always)]
+        |vertex| primal(vertex) - first,
+    )
+}
+
+/// The largest coordinate of what vertices are placed at.
+#[inline(always)]
+fn largest_of<S: Scalar>(
+    ring: impl Vertices<S>,
+    place: impl Fn(Vec2<S>) -> Vec2<S::Primal>,
+) -> S::Primal {
+    #[inline(always)]
+    fn reach<P: Scalar>(at: Vec2<P>) -> P {
+        at.x.magnitude().most(at.y.magnitude())
+    }
+    let mut largest = S::Primal::zero();
+    let count = ring.count();
+    let mut first = 0;
+    if count > SIDE {
+        let mut side = [S::Primal::zero(); SIDE];
+        let (blocks, _) = ring.slice().as_chunks::<SIDE>();
+        for block in blocks {
+            for (largest, &vertex) in side.iter_mut().zip(block) {
+                *largest = largest.most(reach(place(vertex)));
+            }
+        }
+        first = blocks.len() * SIDE;
+        for other in side {
+            largest = largest.most(other);
+        }
+    }
+    while first < count {
+        largest = largest.most(reach(place(ring.at(first))));
+        first += 1;
+    }
+    largest
+}
+
+/// Where an extent is such that products of three lengths stay far from over- and underflow.
+#[inline(always)]
+fn is_ordinary<S: Scalar>(extent: S::Primal) -> S::Mask {
+    // A quarter of the range of exponents, to either side of one.
+    let large = S::LARGEST.powf(0.25);
+    let zero = extent.equals(S::Primal::zero());
+    extent.at_most(S::Primal::lit(large)) & (extent.at_least(S::Primal::lit(1.0 / large)) | zero)
+}
+
+/// A measure of a ring by sums over its edges, in the caller's unit: `finish` is given the sums, and
+/// what turns a local length into one of the caller.
+#[inline(always)]
+fn measure<S: Scalar, const K: usize, const N: usize>(
+    ring: impl Vertices<S>,
+    of_edge: impl Fn(Vec2<S>, Vec2<S>) -> [S; K] + Copy,
+    finish: impl Fn([S; K], &Local<S>) -> [S; N],
+) -> [S; N] {
+    let ordinary = is_ordinary::<S>(extent_of(ring));
+    let local = Local::plain(ring);
+    let plain = finish(local.sums(ring, of_edge), &local);
+    if ordinary.all() {
+        return plain;
+    }
+    let local = Local::scaled(ring);
+    let mut scaled = finish(local.sums(ring, of_edge), &local);
+    for (scaled, plain) in scaled.iter_mut().zip(plain) {
+        *scaled = S::select(ordinary, plain, *scaled);
+    }
+    scaled
+}
+
 /// The signed area of a ring, in squared units of length: positive when it runs counter-clockwise.
 /// Saturates at the largest finite number.
 ///
@@ -191,29 +248,23 @@ pub fn signed_area<S: Scalar>(ring: &[Vec2<S>]) -> S {
     if ring.is_empty() {
         return S::zero();
     }
-    if ring.len() <= SIDE {
-        return signed_area_of(ring.len(), |k| ring[k]);
-    }
-    let local = Local::new(ring);
-    finished_area(local.sums(cross_of), local.scale)
+    signed_area_of(ring)
 }
 
+/// [`signed_area`] of a ring that has vertices.
 #[inline(always)]
-fn cross_of<S: Scalar>(start: Vec2<S>, end: Vec2<S>) -> [S; 1] {
-    [start.perp_dot(end)]
-}
-
-#[inline(always)]
-fn finished_area<S: Scalar>([twice]: [S; 1], scale: S) -> S {
-    let area = outer(outer(twice.halved(), scale), scale);
-    area.saturated().canonical()
-}
-
-/// [`signed_area`] of 1 to [`SIDE`] vertices.
-#[inline(always)]
-pub(crate) fn signed_area_of<S: Scalar>(count: usize, at: impl Fn(usize) -> Vec2<S>) -> S {
-    let short = Short::new(count, at);
-    finished_area(short.sums(cross_of), short.scale)
+pub(crate) fn signed_area_of<S: Scalar>(ring: impl Vertices<S>) -> S {
+    let [area] = measure(
+        ring,
+        #[inline(always)]
+        |start, end| [start.perp_dot(end)],
+        #[inline(always)]
+        |[twice], local| {
+            let area = local.outer(local.outer(twice.halved()));
+            [area.saturated().canonical()]
+        },
+    );
+    area
 }
 
 /// The perimeter of a ring, in units of length: the sum of the lengths of its edges. Saturates at
@@ -233,28 +284,20 @@ pub fn perimeter<S: Scalar>(ring: &[Vec2<S>]) -> S {
     if ring.is_empty() {
         return S::zero();
     }
-    if ring.len() <= SIDE {
-        return perimeter_of(ring.len(), |k| ring[k]);
-    }
-    let local = Local::new(ring);
-    finished_perimeter(local.sums(length_of), local.scale)
+    perimeter_of(ring)
 }
 
+/// [`perimeter`] of a ring that has vertices.
 #[inline(always)]
-fn length_of<S: Scalar>(start: Vec2<S>, end: Vec2<S>) -> [S; 1] {
-    [(end - start).length()]
-}
-
-#[inline(always)]
-fn finished_perimeter<S: Scalar>([sum]: [S; 1], scale: S) -> S {
-    outer(sum, scale).saturated().canonical()
-}
-
-/// [`perimeter`] of 1 to [`SIDE`] vertices.
-#[inline(always)]
-pub(crate) fn perimeter_of<S: Scalar>(count: usize, at: impl Fn(usize) -> Vec2<S>) -> S {
-    let short = Short::new(count, at);
-    finished_perimeter(short.sums(length_of), short.scale)
+pub(crate) fn perimeter_of<S: Scalar>(ring: impl Vertices<S>) -> S {
+    let [perimeter] = measure(
+        ring,
+        #[inline(always)]
+        |start, end| [(end - start).length()],
+        #[inline(always)]
+        |[sum], local| [local.outer(sum).saturated().canonical()],
+    );
+    perimeter
 }
 
 /// The centroid of the area of a ring (not of its vertices): where a plate of that shape balances.
@@ -273,14 +316,10 @@ pub(crate) fn perimeter_of<S: Scalar>(count: usize, at: impl Fn(usize) -> Vec2<S
 #[must_use]
 #[inline(always)]
 pub fn centroid<S: Scalar>(ring: &[Vec2<S>]) -> Vec2<S> {
-    let Some(&first) = ring.first() else {
+    if ring.is_empty() {
         return Vec2::zero();
-    };
-    if ring.len() <= SIDE {
-        return centroid_of(ring.len(), |k| ring[k]).value;
     }
-    let local = Local::new(ring);
-    finished_centroid(local.sums(moments_of), local.scale, first, ring.len()).value
+    centroid_of(ring).value
 }
 
 /// A centroid, and where it stands for one because the area is zero.
@@ -291,39 +330,33 @@ pub(crate) struct Measured<S: Scalar> {
     pub flat: S::Mask,
 }
 
+/// [`centroid`] of a ring that has vertices.
 #[inline(always)]
-fn moments_of<S: Scalar>(start: Vec2<S>, end: Vec2<S>) -> [S; 5] {
-    let cross = start.perp_dot(end);
-    let moment = (start + end) * cross;
-    [cross, moment.x, moment.y, start.x, start.y]
-}
-
-#[inline(always)]
-fn finished_centroid<S: Scalar>(
-    [twice, moment_x, moment_y, sum_x, sum_y]: [S; 5],
-    scale: S,
-    first: Vec2<S>,
-    count: usize,
-) -> Measured<S> {
-    let flat = twice.equals(S::zero());
-    let thrice = S::lit(3.0) * S::select(flat, S::one(), twice);
-    let count = S::lit(count as f64);
-    #[inline(always)]
-    fn place<S: Scalar>(first: S, at: S, scale: S) -> S {
-        (first + outer(at, scale)).saturated().canonical()
-    }
-    let at_x = S::select(flat, sum_x.over(count), moment_x.over(thrice));
-    let at_y = S::select(flat, sum_y.over(count), moment_y.over(thrice));
+pub(crate) fn centroid_of<S: Scalar>(ring: impl Vertices<S>) -> Measured<S> {
+    let (first, count) = (ring.at(0), S::lit(ring.count() as f64));
+    let [x, y, flat] = measure(
+        ring,
+        #[inline(always)]
+        |start, end| {
+            let cross = start.perp_dot(end);
+            let moment = (start + end) * cross;
+            [cross, moment.x, moment.y, start.x, start.y]
+        },
+        #[inline(always)]
+        |[twice, moment_x, moment_y, sum_x, sum_y], local| {
+            let flat = twice.equals(S::zero());
+            let thrice = S::lit(3.0) * S::select(flat, S::one(), twice);
+            let at_x = S::select(flat, sum_x.over(count), moment_x.over(thrice));
+            let at_y = S::select(flat, sum_y.over(count), moment_y.over(thrice));
+            [
+                (first.x + local.outer(at_x)).saturated().canonical(),
+                (first.y + local.outer(at_y)).saturated().canonical(),
+                S::select(flat, S::one(), S::zero()),
+            ]
+        },
+    );
     Measured {
-        value: Vec2::new(place(first.x, at_x, scale), place(first.y, at_y, scale)),
-        flat,
+        value: Vec2::new(x, y),
+        flat: flat.above(S::zero()),
     }
-}
-
-/// [`centroid`] of 1 to [`SIDE`] vertices.
-#[inline(always)]
-pub(crate) fn centroid_of<S: Scalar>(count: usize, at: impl Fn(usize) -> Vec2<S>) -> Measured<S> {
-    let first = at(0);
-    let short = Short::new(count, at);
-    finished_centroid(short.sums(moments_of), short.scale, first, count)
 }

@@ -647,7 +647,19 @@ pub(crate) fn add_up<T: Real, V: Vector<T>>(numbers: &[T], sums: &mut [f64; TILE
 /// Whether every number is finite.
 #[inline(always)]
 pub(crate) fn all_finite<T: Real, V: Vector<T>>(numbers: &[T]) -> bool {
-    numbers.iter().fold(true, |all, x| all & x.finite())
+    let (whole, rest) = numbers.as_chunks::<TILE>();
+    // A finite number less itself is zero, all others less themselves are not numbers. Sums of their
+    // own need not wait for each other.
+    let mut sums = [V::zero(); 4];
+    for numbers in whole {
+        let lane = Lane(*numbers);
+        for (k, at) in V::starts().enumerate() {
+            let x = V::read(&lane, at);
+            sums[k % 4] += x - x;
+        }
+    }
+    let sum = (sums[0] + sums[1]) + (sums[2] + sums[3]);
+    sum.equals(V::zero()).all() && rest.iter().all(|x| x.finite())
 }
 
 /// Whether every number is zero or within the limits of its field, for items of so many fields.

@@ -1,11 +1,12 @@
 //! Ragged batches: rings of any number of vertices.
 use crate::error::{Argument, Error, Field, finite};
-use crate::kernels::cpu::checked::{expect, read_rows, write_rows};
+use crate::kernels::cpu::checked::{expect, fill, numbers};
 use crate::kernels::cpu::simd::Simd;
 use crate::kernels::cpu::work::spread;
 use crate::kernels::op::{Op, RingOp};
 use crate::kernels::real::Real;
 use crate::{Fixed, Vec2};
+use std::sync::atomic::{AtomicBool, Ordering};
 
 /// Vertices, or rings, per piece of work.
 const STRETCH: usize = 2048;
@@ -30,30 +31,72 @@ pub fn ragged<O: RingOp, T: Real>(
     vertices: &[Vec2<T>],
     offsets: &[usize],
 ) -> Result<Vec<O::Out<T>>, Error> {
-    let mut values = vec![O::Out::<T>::filled(T::default()); offsets.len().saturating_sub(1)];
-    ragged_into::<O, T>(vertices, offsets, &mut values)?;
-    Ok(values)
+    check_offsets::<T>(vertices.len(), offsets)?;
+    let mut all = vec![O::Out::<T>::filled(T::default()); offsets.len() - 1];
+    let mut rest = &mut all[..];
+    let mut work = Vec::new();
+    for cut in cuts(offsets).windows(2) {
+        let (values, after) = rest.split_at_mut(cut[1] - cut[0]);
+        rest = after;
+        work.push((&offsets[cut[0]..=cut[1]], values));
+    }
+    // Vertices are looked at while they are at hand.
+    let sound = AtomicBool::new(true);
+    spread(work, |(offsets, values): (&[usize], &mut [O::Out<T>])| {
+        let own = &vertices[offsets[0]..offsets[offsets.len() - 1]];
+        if !(T::kernels().all_finite)(&numbers(own)) {
+            sound.store(false, Ordering::Relaxed);
+            return;
+        }
+        match O::compiled() {
+            Some(measure) => fill(values, |values| {
+                (T::kernels().ring_values)(measure, vertices, offsets, values);
+            }),
+            None => {
+                for (ring, value) in offsets.windows(2).zip(values) {
+                    *value = O::value(&vertices[ring[0]..ring[1]]);
+                }
+            }
+        }
+    });
+    match sound.into_inner() {
+        true => Ok(all),
+        false => check_vertices(vertices).map(|()| all),
+    }
 }
 
 /// Checks offsets and vertices.
 pub(crate) fn check_ragged<T: Real>(vertices: &[Vec2<T>], offsets: &[usize]) -> Result<(), Error> {
+    check_offsets::<T>(vertices.len(), offsets)?;
+    match (T::kernels().all_finite)(&numbers(vertices)) {
+        true => Ok(()),
+        false => check_vertices(vertices),
+    }
+}
+
+/// Checks offsets of so many vertices.
+fn check_offsets<T: Real>(vertices: usize, offsets: &[usize]) -> Result<(), Error> {
     Simd::current()?;
     if offsets.first() != Some(&0) {
         return Err(Error::Offsets { row: 0 });
     }
-    for row in 1..offsets.len() {
-        if offsets[row] < offsets[row - 1] || offsets[row] > vertices.len() {
-            return Err(Error::Offsets { row });
+    if !(T::kernels().never_decreases)(offsets, vertices) {
+        for row in 1..offsets.len() {
+            if offsets[row] < offsets[row - 1] || offsets[row] > vertices {
+                return Err(Error::Offsets { row });
+            }
         }
     }
-    if offsets.last() != Some(&vertices.len()) {
-        return Err(Error::Offsets {
+    match offsets.last() == Some(&vertices) {
+        true => Ok(()),
+        false => Err(Error::Offsets {
             row: offsets.len() - 1,
-        });
+        }),
     }
-    if (T::kernels().finite_vertices)(vertices) {
-        return Ok(());
-    }
+}
+
+/// Finds the first vertex that is not finite.
+fn check_vertices<T: Real>(vertices: &[Vec2<T>]) -> Result<(), Error> {
     for (row, vertex) in vertices.iter().enumerate() {
         finite(vertex.x, Field::X)
             .and_then(|()| finite(vertex.y, Field::Y))
@@ -66,18 +109,16 @@ pub(crate) fn check_ragged<T: Real>(vertices: &[Vec2<T>], offsets: &[usize]) -> 
     Ok(())
 }
 
-/// Where to cut a ragged batch: indices of rings, about [`STRETCH`] vertices apart.
+/// Where to cut a ragged batch: indices of rings, about [`STRETCH`] vertices or rings apart.
 fn cuts(offsets: &[usize]) -> Vec<usize> {
+    let rings = offsets.len() - 1;
     let mut cuts = vec![0];
     let mut start = 0;
-    for ring in 1..offsets.len() {
-        if offsets[ring] - offsets[start] >= STRETCH || ring - start >= STRETCH {
-            cuts.push(ring);
-            start = ring;
-        }
-    }
-    if start + 1 < offsets.len() {
-        cuts.push(offsets.len() - 1);
+    while start < rings {
+        let rest = &offsets[start + 1..=rings.min(start + STRETCH)];
+        let near = rest.partition_point(|&end| end - offsets[start] < STRETCH);
+        start += rest.len().min(near + 1);
+        cuts.push(start);
     }
     cuts
 }
@@ -93,34 +134,10 @@ pub fn ragged_into<O: RingOp, T: Real>(
     offsets: &[usize],
     values: &mut [O::Out<T>],
 ) -> Result<(), Error> {
-    check_ragged(vertices, offsets)?;
-    expect(Argument::Values, offsets.len() - 1, values.len())?;
-    let mut rest = values;
-    let mut work = Vec::new();
-    for cut in cuts(offsets).windows(2) {
-        let (values, after) = rest.split_at_mut(cut[1] - cut[0]);
-        rest = after;
-        work.push((&offsets[cut[0]..=cut[1]], values));
-    }
-    spread(work, |(offsets, values): (&[usize], &mut [O::Out<T>])| {
-        let Some(measure) = O::compiled() else {
-            return values_of::<O, T>(vertices, offsets, values);
-        };
-        let mut rows = vec![T::default(); values.len() * O::Out::<T>::LEN];
-        (T::kernels().ring_values)(measure, vertices, offsets, &mut rows);
-        read_rows(&rows, values);
-    });
+    let all = ragged::<O, T>(vertices, offsets)?;
+    expect(Argument::Values, all.len(), values.len())?;
+    values.copy_from_slice(&all);
     Ok(())
-}
-
-fn values_of<O: RingOp, T: Real>(
-    vertices: &[Vec2<T>],
-    offsets: &[usize],
-    values: &mut [O::Out<T>],
-) {
-    for (ring, value) in offsets.windows(2).zip(values) {
-        *value = O::value(&vertices[ring[0]..ring[1]]);
-    }
 }
 
 /// Results and slopes of a ragged batch.
@@ -205,9 +222,8 @@ pub fn ragged_vjp_into<O: RingOp, T: Real>(
             let Some(measure) = O::compiled() else {
                 return bars_of::<O, T>(vertices, offsets, upstream, bars);
             };
-            let mut rows = vec![T::default(); upstream.len() * O::Out::<T>::LEN];
-            write_rows(upstream, &mut rows);
-            (T::kernels().ring_bars)(measure, vertices, offsets, &rows, bars);
+            let upstream = numbers(upstream);
+            (T::kernels().ring_bars)(measure, vertices, offsets, &upstream, bars);
         },
     );
     Ok(())

@@ -1,10 +1,10 @@
 //! Block kernels of rings: small ones side by side, one ring per lane; long ones one after another.
 //!
 //! Compiled in this library only, by the entries in `arch`.
-use crate::kernels::cpu::arch::Vector;
+use crate::kernels::cpu::arch::{Vector, numbers};
 use crate::kernels::cpu::lane::{Lane, TILE};
 use crate::kernels::real::Real;
-use crate::ring::Measured;
+use crate::ring::{Measured, Vertices};
 use crate::{Mask, Vec2, ad, ring};
 
 /// A measure of a ring.
@@ -42,17 +42,26 @@ pub(crate) fn values<T: Real, V: Vector<T>>(
 ) {
     let fields = measure.fields();
     let rings = offsets.len().saturating_sub(1);
-    let is_small = |i: usize| matches!(offsets[i + 1] - offsets[i], 1..=SMALL);
+    let empty = Lane([T::default(); TILE]);
+    let mut side = Side {
+        x: [empty; SMALL],
+        y: [empty; SMALL],
+        count: 0,
+    };
     let mut first = 0;
     while first < rings {
-        let whole = (first..rings.min(first + V::WIDTH)).take_while(|&i| is_small(i));
-        let side = whole.count();
         let out = &mut out[first * fields..];
-        if side == V::WIDTH {
-            let ends = &offsets[first..=first + side];
-            side_by_side::<T, V>(measure, vertices, ends, out);
-            first += side;
-            continue;
+        if let Some(ends) = offsets[first..].get(..=V::WIDTH) {
+            let mut small = true;
+            for ring in ends.windows(2) {
+                let count = ring[1] - ring[0];
+                small &= (0 < count) & (count <= SMALL);
+            }
+            if small {
+                side_by_side::<T, V>(measure, vertices, ends, &mut side, out);
+                first += V::WIDTH;
+                continue;
+            }
         }
         let own = &vertices[offsets[first]..offsets[first + 1]];
         one::<T>(measure, own, out);
@@ -73,54 +82,125 @@ fn one<T: Real>(measure: Measure, vertices: &[Vec2<T>], out: &mut [T]) {
     }
 }
 
-/// Results of as many rings as there are lanes, none empty, none long. Shorter rings repeat their
-/// last vertex, which adds edges of length zero and changes no sum.
+/// Vertices of as many rings as there are lanes, one ring per lane.
+struct Side<T> {
+    x: [Lane<T>; SMALL],
+    y: [Lane<T>; SMALL],
+    /// The most vertices of a ring.
+    count: usize,
+}
+
+impl<T: Real> Side<T> {
+    /// From rings of at least one vertex, none long. Shorter ones repeat their last vertex, which
+    /// adds edges of length zero and changes no sum.
+    #[inline(always)]
+    fn fill<V: Vector<T>>(&mut self, vertices: &[Vec2<T>], ends: &[usize]) {
+        let count = ends[1] - ends[0];
+        let mut same = true;
+        for ring in ends.windows(2) {
+            same &= ring[1] - ring[0] == count;
+        }
+        if same {
+            // Rings of one size, which is most.
+            self.count = count;
+            let all = numbers(vertices).unwrap_or_default();
+            let own = all.get(2 * ends[0]..).unwrap_or_default();
+            let done = match count {
+                3 => self.fill_same::<V, 6>(own),
+                4 => self.fill_same::<V, 8>(own),
+                5 => self.fill_same::<V, 10>(own),
+                6 => self.fill_same::<V, 12>(own),
+                7 => self.fill_same::<V, 14>(own),
+                8 => self.fill_same::<V, 16>(own),
+                12 => self.fill_same::<V, 24>(own),
+                16 => self.fill_same::<V, 32>(own),
+                _ => None,
+            };
+            if done.is_some() {
+                return;
+            }
+        }
+        let sizes = ends.windows(2).map(|ring| ring[1] - ring[0]);
+        self.count = sizes.fold(0, usize::max);
+        for (lane, ring) in ends.windows(2).enumerate() {
+            let ring = &vertices[ring[0]..ring[1]];
+            for k in 0..self.count {
+                let at = ring[k.min(ring.len() - 1)];
+                (self.x[k].0[lane], self.y[k].0[lane]) = (at.x, at.y);
+            }
+        }
+    }
+    /// From rings of as many numbers each, two vertices at a time.
+    #[inline(always)]
+    fn fill_same<V: Vector<T>, const NUMBERS: usize>(&mut self, numbers: &[T]) -> Option<()> {
+        let rings = numbers.as_chunks::<NUMBERS>().0.get(..V::WIDTH)?;
+        let mut k = 0;
+        while 2 * k < NUMBERS {
+            // The last two may overlap those before.
+            let at = if 2 * k + 4 > NUMBERS {
+                NUMBERS - 4
+            } else {
+                2 * k
+            };
+            let [x, y, next_x, next_y] = V::from_items(
+                #[inline(always)]
+                |i| match rings[i][at..].first_chunk() {
+                    Some(two) => *two,
+                    None => [T::default(); 4],
+                },
+            );
+            x.write(&mut self.x[at / 2], 0);
+            y.write(&mut self.y[at / 2], 0);
+            next_x.write(&mut self.x[at / 2 + 1], 0);
+            next_y.write(&mut self.y[at / 2 + 1], 0);
+            k += 2;
+        }
+        Some(())
+    }
+}
+
+impl<T: Real, V: Vector<T>> Vertices<V> for &Side<T> {
+    #[inline(always)]
+    fn count(self) -> usize {
+        self.count
+    }
+    #[inline(always)]
+    fn at(self, k: usize) -> Vec2<V> {
+        Vec2::new(
+            V::read(&self.x[k % SMALL], 0),
+            V::read(&self.y[k % SMALL], 0),
+        )
+    }
+    #[inline(always)]
+    fn slice(&self) -> &[Vec2<V>] {
+        &[]
+    }
+}
+
+/// Results of as many rings as there are lanes.
 #[inline(always)]
 fn side_by_side<T: Real, V: Vector<T>>(
     measure: Measure,
     vertices: &[Vec2<T>],
     ends: &[usize],
+    side: &mut Side<T>,
     out: &mut [T],
 ) {
-    let mut longest = 0;
-    for ring in ends.windows(2) {
-        longest = longest.max(ring[1] - ring[0]);
-    }
-    let mut x = [Lane([T::default(); TILE]); SMALL];
-    let mut y = x;
-    for (lane, ring) in ends.windows(2).enumerate() {
-        let ring = &vertices[ring[0]..ring[1]];
-        for k in 0..longest {
-            let at = ring[k.min(ring.len() - 1)];
-            (x[k].0[lane], y[k].0[lane]) = (at.x, at.y);
-        }
-    }
+    side.fill::<V>(vertices, ends);
     let mut room = Lane([T::default(); TILE]);
     match measure {
         Measure::SignedArea => {
-            ring::signed_area_of(
-                longest,
-                #[inline(always)]
-                |k| Vec2::new(V::read(&x[k % SMALL], 0), V::read(&y[k % SMALL], 0)),
-            )
-            .write(&mut room, 0);
+            let area: V = ring::signed_area_of(&*side);
+            area.write(&mut room, 0);
             out[..V::WIDTH].copy_from_slice(&room.0[..V::WIDTH]);
         }
         Measure::Perimeter => {
-            ring::perimeter_of(
-                longest,
-                #[inline(always)]
-                |k| Vec2::new(V::read(&x[k % SMALL], 0), V::read(&y[k % SMALL], 0)),
-            )
-            .write(&mut room, 0);
+            let perimeter: V = ring::perimeter_of(&*side);
+            perimeter.write(&mut room, 0);
             out[..V::WIDTH].copy_from_slice(&room.0[..V::WIDTH]);
         }
         Measure::Centroid => {
-            let Measured { value, flat } = ring::centroid_of(
-                longest,
-                #[inline(always)]
-                |k| Vec2::new(V::read(&x[k % SMALL], 0), V::read(&y[k % SMALL], 0)),
-            );
+            let Measured::<V> { value, flat } = ring::centroid_of(&*side);
             let mut more = room;
             value.x.write(&mut room, 0);
             value.y.write(&mut more, 0);
@@ -162,10 +242,11 @@ pub(crate) fn bars<T: Real, V: Vector<T>>(
     }
 }
 
-/// Whether every vertex is finite.
+/// Whether offsets never decrease nor exceed a number of vertices.
 #[inline(always)]
-pub(crate) fn all_finite<T: Real, V: Vector<T>>(vertices: &[Vec2<T>]) -> bool {
-    vertices
-        .iter()
-        .fold(true, |all, v| all & v.x.finite() & v.y.finite())
+pub(crate) fn never_decreases<T: Real, V: Vector<T>>(offsets: &[usize], vertices: usize) -> bool {
+    let rises = offsets
+        .windows(2)
+        .fold(true, |all, pair| all & (pair[0] <= pair[1]));
+    rises & offsets.last().is_none_or(|&last| last <= vertices)
 }

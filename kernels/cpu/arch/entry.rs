@@ -116,8 +116,8 @@ entries! {
     add_up(numbers: &[T], sums: &mut [f64; TILE]) = blocks::add_up::<T, V>;
     /// Whether every number is finite.
     all_finite(numbers: &[T]) -> bool = blocks::all_finite::<T, V>;
-    /// Whether every vertex is finite.
-    finite_vertices(vertices: &[Vec2<T>]) -> bool = rings::all_finite::<T, V>;
+    /// Whether offsets never decrease nor exceed a number of vertices.
+    never_decreases(offsets: &[usize], vertices: usize) -> bool = rings::never_decreases::<T, V>;
     /// Measures of rings.
     ring_values(measure: Measure, vertices: &[Vec2<T>], offsets: &[usize], out: &mut [T]) = rings::values::<T, V>;
     /// Adjoints of measures of rings.
