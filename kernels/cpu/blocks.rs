@@ -645,6 +645,7 @@ pub(crate) fn add_up<T: Real, V: Vector<T>>(numbers: &[T], sums: &mut [f64; TILE
 }
 
 /// Whether every number is finite.
+#[allow(clippy::eq_op)]
 #[inline(always)]
 pub(crate) fn all_finite<T: Real, V: Vector<T>>(numbers: &[T]) -> bool {
     let (whole, rest) = numbers.as_chunks::<TILE>();

@@ -99,10 +99,12 @@ macro_rules! vector {
 
         impl Vector<$t> for $name {
             const WIDTH: usize = $n;
+            #[allow(clippy::modulo_one)] // one vector may fill a lane
             #[inline(always)]
             fn read(lane: &Lane<$t>, at: usize) -> Self {
                 Self::from_array(lane.0.as_chunks().0[at / $n % (TILE / $n)])
             }
+            #[allow(clippy::modulo_one)]
             #[inline(always)]
             fn write(self, lane: &mut Lane<$t>, at: usize) {
                 lane.0.as_chunks_mut().0[at / $n % (TILE / $n)] = self.array();

@@ -1,49 +1,39 @@
 //! The examples as their users meet them: files in, text and exit status out.
 use std::path::{Path, PathBuf};
 use std::process::{Command, Output};
-use std::sync::OnceLock;
 
-#[path = "../examples/refine_detections/assign.rs"]
+#[path = "../../examples/refine_detections/assign.rs"]
 mod assign;
 
-/// The program of an example, built from the present source into the same folders and with the
-/// same features as this test, so there is little or nothing to build.
+/// The program of an example. `cargo test` of the whole workspace builds it before it runs a test; a
+/// test builds nothing.
 fn example(name: &str) -> PathBuf {
-    static FOLDER: OnceLock<PathBuf> = OnceLock::new();
-    let folder = FOLDER.get_or_init(|| {
-        // target/PROFILE/deps/this-test
-        let this = std::env::current_exe().unwrap();
-        let profile = this.parent().and_then(Path::parent).unwrap();
-        let mut features = Vec::new();
-        for (feature, is_on) in [
-            ("parallel", cfg!(feature = "parallel")),
-            ("gpu", cfg!(feature = "gpu")),
-            ("glam", cfg!(feature = "glam")),
-            ("serde", cfg!(feature = "serde")),
-            ("nalgebra", cfg!(feature = "nalgebra")),
-        ] {
-            if is_on {
-                features.push(feature);
-            }
-        }
-        let name = match profile.file_name().and_then(|name| name.to_str()) {
-            Some("debug") | None => "dev",
-            Some(name) => name,
-        };
-        let built = Command::new(env!("CARGO"))
-            .args(["build", "--examples", "--no-default-features", "--features"])
-            .arg(features.join(","))
-            .args(["--profile", name, "--manifest-path"])
-            .arg(concat!(env!("CARGO_MANIFEST_DIR"), "/Cargo.toml"))
-            .arg("--target-dir")
-            .arg(profile.parent().unwrap())
-            .output()
-            .unwrap();
-        let why = String::from_utf8_lossy(&built.stderr);
-        assert!(built.status.success(), "the examples do not build: {why}");
-        profile.join("examples")
-    });
-    folder.join(format!("{name}{}", std::env::consts::EXE_SUFFIX))
+    // target/PROFILE/deps/this-test
+    let this = std::env::current_exe().unwrap();
+    let profile = this.parent().and_then(Path::parent).unwrap();
+    let program = profile
+        .join("examples")
+        .join(format!("{name}{}", std::env::consts::EXE_SUFFIX));
+    assert!(
+        is_built(&program),
+        "{} is missing or old: run `cargo test` in the root, or `cargo build --examples` with the features of this test",
+        program.display()
+    );
+    program
+}
+
+/// Whether a program is there, and newer than all it was built from.
+fn is_built(program: &Path) -> bool {
+    let changed = |path: &Path| std::fs::metadata(path).and_then(|file| file.modified());
+    let Ok(built) = changed(program) else {
+        return false;
+    };
+    // cargo leaves a list beside it: the program, a colon, its sources.
+    let list = std::fs::read_to_string(program.with_extension("d")).unwrap();
+    let (_, sources) = list.split_once(": ").unwrap();
+    let sources = sources.trim().replace("\\ ", "\0");
+    let mut sources = sources.split(' ').map(|path| path.replace('\0', " "));
+    sources.all(|path| changed(path.as_ref()).is_ok_and(|changed| changed <= built))
 }
 
 /// A folder of a test's own, empty at the start.

@@ -1,7 +1,6 @@
 //! The harness itself: planted faults of behaviour (seeds, purity, ties, second derivatives, promises,
 //! further witnesses) are refused for the right reason.
-#[path = "common/planted.rs"]
-mod planted;
+use crate::planted;
 
 use geograd::Aabb2;
 use geograd::Scalar;

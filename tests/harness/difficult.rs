@@ -1,6 +1,5 @@
 //! The harness itself: correct but difficult functions are accepted; how often it errs.
-#[path = "common/planted.rs"]
-mod planted;
+use crate::planted;
 
 use geograd::Vec2;
 use geograd::ad;

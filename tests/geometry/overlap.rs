@@ -1,7 +1,6 @@
 //! What the overlap scores promise: right values by an independent oracle, ranges, symmetry,
 //! invariance, exact answers for identical and separate boxes, finite results everywhere.
-#[path = "common/oracle.rs"]
-mod oracle;
+use crate::oracle;
 
 use geograd::ad::overlap::{iou_aabb2_grad, iou_obb2_grad};
 use geograd::ad::strategy::{self, ordinary, thin, touching};

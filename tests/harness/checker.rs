@@ -1,6 +1,5 @@
 //! The harness itself: planted faults of slopes are refused for the right reason.
-#[path = "common/planted.rs"]
-mod planted;
+use crate::planted;
 
 use geograd::Obb2;
 use geograd::Scalar;

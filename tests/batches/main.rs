@@ -1,0 +1,3 @@
+//! What batches on the CPU promise.
+mod calls;
+mod reduce;

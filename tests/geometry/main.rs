@@ -1,0 +1,6 @@
+//! What geometry promises, number by number.
+mod oracle;
+mod overlap;
+mod projection;
+mod ring;
+mod scalar;

@@ -1,0 +1,11 @@
+//! The harness that proves derivatives, and what it proves of ours.
+mod adjoint;
+mod behaviour;
+mod checker;
+mod difficult;
+mod forward;
+mod planted;
+mod shrinking;
+mod stranger;
+mod strategy;
+mod witness;

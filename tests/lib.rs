@@ -1,0 +1,39 @@
+//! What several tests need.
+use geograd::Obb2;
+
+/// A small reproducible source of numbers.
+#[derive(Clone, Debug)]
+pub struct Dice(pub u64);
+
+impl Dice {
+    /// Sixty-four random bits.
+    pub fn bits(&mut self) -> u64 {
+        self.0 = self.0.wrapping_add(0x9e37_79b9_7f4a_7c15);
+        let mut x = self.0;
+        x = (x ^ (x >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
+        x = (x ^ (x >> 27)).wrapping_mul(0x94d0_49bb_1331_11eb);
+        x ^ (x >> 31)
+    }
+    /// A number in `[0, 1)`.
+    pub fn roll(&mut self) -> f64 {
+        (self.bits() >> 11) as f64 / (1_u64 << 53) as f64
+    }
+    /// A number between two.
+    pub fn within(&mut self, low: f64, high: f64) -> f64 {
+        low + (high - low) * self.roll()
+    }
+    /// A number below another.
+    pub fn below(&mut self, end: usize) -> usize {
+        (self.roll() * end as f64) as usize
+    }
+    /// A box of the distribution of the DGAL paper's benchmark.
+    pub fn obb(&mut self) -> Obb2<f64> {
+        Obb2::new(
+            self.within(-5.0, 5.0),
+            self.within(-5.0, 5.0),
+            self.within(0.0, 5.0),
+            self.within(0.0, 5.0),
+            self.within(-5.0, 5.0),
+        )
+    }
+}
