@@ -10,19 +10,31 @@
 //! (`…_vjp`), and with buffers of the caller's (`…_into`). [`reduce`] gives maxima, sums and lists
 //! of all pairs without the matrix. The same on a GPU is [`gpu`]; [`Backend`] is one front for both,
 //! and [`resident`] keeps shapes and results where they are between its calls.
+#[forbid(unsafe_code)]
 pub mod backend;
+#[forbid(unsafe_code)]
 pub mod check;
 pub mod cpu;
 #[cfg_attr(not(feature = "gpu"), path = "gpu_none.rs")]
+#[forbid(unsafe_code)]
 pub mod gpu;
+#[forbid(unsafe_code)]
 mod gpu_error;
+#[forbid(unsafe_code)]
 pub mod op;
+#[forbid(unsafe_code)]
 pub mod overlap;
+#[forbid(unsafe_code)]
 pub mod real;
+#[forbid(unsafe_code)]
 pub mod reduce;
+#[forbid(unsafe_code)]
 pub mod resident;
+#[forbid(unsafe_code)]
 pub mod ring;
+#[forbid(unsafe_code)]
 mod subject;
+#[forbid(unsafe_code)]
 pub mod witness;
 
 pub use backend::Backend;

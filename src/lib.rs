@@ -38,27 +38,45 @@
 #![warn(missing_docs)]
 #![deny(unsafe_code)]
 
+#[forbid(unsafe_code)]
 pub mod aabb;
+#[forbid(unsafe_code)]
 mod approximate;
+#[forbid(unsafe_code)]
 pub mod clip;
+#[forbid(unsafe_code)]
 pub mod dual;
 #[cfg(feature = "nalgebra")]
+#[forbid(unsafe_code)]
 mod dual_vector;
+#[forbid(unsafe_code)]
 pub mod error;
+#[forbid(unsafe_code)]
 pub mod float;
 #[cfg(feature = "glam")]
+#[forbid(unsafe_code)]
 mod interop;
+#[forbid(unsafe_code)]
 pub mod jet;
+#[forbid(unsafe_code)]
 pub mod lanes;
+#[forbid(unsafe_code)]
 pub mod obb;
+#[forbid(unsafe_code)]
 pub mod overlap;
+#[forbid(unsafe_code)]
 pub mod pack;
+#[forbid(unsafe_code)]
 pub mod pose;
+#[forbid(unsafe_code)]
 pub mod ring;
+#[forbid(unsafe_code)]
 pub mod scalar;
+#[forbid(unsafe_code)]
 pub mod vector;
 
 #[path = "../ad/mod.rs"]
+#[forbid(unsafe_code)]
 pub mod ad;
 #[path = "../kernels/mod.rs"]
 pub mod kernels;

@@ -8,25 +8,43 @@
 //! With the feature `parallel` the work is spread over rayon's current thread pool (run inside
 //! `pool.install` to choose another). It is cut the same way for any number of threads, and sums
 //! are added in a fixed order.
+#[forbid(unsafe_code)]
 mod aligned;
+#[forbid(unsafe_code)]
 mod all_pairs;
 #[allow(unsafe_code)]
 pub(crate) mod arch;
+#[forbid(unsafe_code)]
 mod blocks;
+#[forbid(unsafe_code)]
 mod boxes;
+#[forbid(unsafe_code)]
 pub(crate) mod checked;
+#[forbid(unsafe_code)]
 mod culling;
+#[forbid(unsafe_code)]
 mod desk;
+#[forbid(unsafe_code)]
 pub(crate) mod drivers;
+#[forbid(unsafe_code)]
 pub(crate) mod lane;
+#[forbid(unsafe_code)]
 pub(crate) mod pairs;
+#[forbid(unsafe_code)]
 mod plan;
+#[forbid(unsafe_code)]
 mod ragged;
+#[forbid(unsafe_code)]
 mod reductions;
+#[forbid(unsafe_code)]
 pub(crate) mod rings;
+#[forbid(unsafe_code)]
 pub mod simd;
+#[forbid(unsafe_code)]
 pub(crate) mod sweep;
+#[forbid(unsafe_code)]
 mod tree;
+#[forbid(unsafe_code)]
 mod work;
 
 use crate::kernels::op::PairOp;

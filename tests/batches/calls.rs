@@ -1,15 +1,9 @@
-//! What batches promise: every form gives the bits of the single call, at every SIMD level and for
-//! any number of threads; bad input is refused with its place, and buffers are left alone.
+//! What batches promise: every form gives the numbers of the single call; bad input is refused with its place, and buffers are left alone.
 use geograd::error::{Argument, Field};
-use geograd::kernels::cpu::simd::Simd;
 use geograd::kernels::{
     Centroid, IofAabb2, IouAabb2, IouObb2, Op, PairOp, Perimeter, SignedArea, cpu, reduce,
 };
 use geograd::{Aabb2, Error, Flaw, Obb2, Pack, Vec2};
-use std::sync::{Mutex, PoisonError};
-
-/// The SIMD level is one for the whole process; tests that change it take turns.
-static LEVEL: Mutex<()> = Mutex::new(());
 
 fn boxes(n: usize, seed: u64) -> Vec<Obb2<f64>> {
     let mut state = seed;
@@ -128,72 +122,6 @@ fn extreme_batches_have_the_same_bits() {
             );
             assert_eq!(plain.at(i, j), extreme.at(i, j));
         }
-    }
-}
-
-/// Everything a batch gives, as bits.
-fn fingerprint() -> Vec<u64> {
-    let (a, b) = (boxes(130, 5), boxes(270, 6));
-    let (a32, b32) = (narrow(&a), narrow(&b));
-    let mut bits: Vec<u64> = Vec::new();
-    bits.extend(
-        cpu::all_pairs::<IouObb2, f64>(&a, &b)
-            .unwrap()
-            .iter()
-            .map(|x| x.to_bits()),
-    );
-    let grads = cpu::all_pairs_grad::<IouObb2, f32>(&a32, &b32).unwrap();
-    bits.extend(
-        grads
-            .values
-            .iter()
-            .chain(&grads.planes)
-            .map(|x| u64::from(x.to_bits())),
-    );
-    let upstream = vec![0.3; a.len() * b.len()];
-    let (p, q) = cpu::all_pairs_vjp::<IouObb2, f64>(&a, &b, &upstream).unwrap();
-    bits.extend(
-        p.iter()
-            .chain(&q)
-            .flat_map(|x| x.scalars())
-            .map(f64::to_bits),
-    );
-    let (v, p, q) = cpu::aligned_grad::<IouObb2, f32>(&a32, &b32[..130]).unwrap();
-    bits.extend(v.iter().map(|x| u64::from(x.to_bits())));
-    bits.extend(
-        p.iter()
-            .chain(&q)
-            .flat_map(|x| x.scalars())
-            .map(|x| u64::from(x.to_bits())),
-    );
-    bits
-}
-
-#[test]
-fn same_bits_at_every_simd_level() {
-    let _turn = LEVEL.lock().unwrap_or_else(PoisonError::into_inner);
-    let best = fingerprint();
-    for level in Simd::available() {
-        Simd::limit(Some(level)).unwrap();
-        assert_eq!(Simd::current(), Ok(level));
-        assert!(fingerprint() == best, "{level:?} differs");
-    }
-    Simd::limit(None).unwrap();
-}
-
-#[cfg(feature = "parallel")]
-#[test]
-fn same_bits_for_any_number_of_threads() {
-    let run = |threads| {
-        let pool = rayon::ThreadPoolBuilder::new()
-            .num_threads(threads)
-            .build()
-            .unwrap();
-        pool.install(fingerprint)
-    };
-    let one = run(1);
-    for threads in [2, 3, 7] {
-        assert!(run(threads) == one, "{threads} threads differ");
     }
 }
 

@@ -1,3 +1,4 @@
 //! What batches on the CPU promise.
+mod bits;
 mod calls;
 mod reduce;

@@ -629,3 +629,24 @@ fn assignment_has_the_largest_sum() {
     assert_eq!(assign::assign(&[], 0, 3), []);
     assert_eq!(assign::assign(&[], 3, 0), []);
 }
+
+#[test]
+fn the_environment_chooses_vector_instructions() {
+    let at = folder("the_environment_chooses_vector_instructions");
+    std::fs::write(at.join("a.csv"), "0,0,2,2,0\n1,1,3,2,0.3\n").unwrap();
+    std::fs::write(at.join("b.csv"), "1,0.1,2,3,0.2\n5,5,1,1,2\n").unwrap();
+    let run = |word: &str| {
+        let arguments = "--a a.csv --b b.csv --all-pairs --grad --precision f32";
+        let mut command = command("iou_csv", &at, arguments);
+        command.env("GEOGRAD_SIMD", word).output().unwrap()
+    };
+    let known = run("baseline");
+    assert_eq!(status(&known), 0);
+    for level in geograd::kernels::cpu::simd::Simd::available() {
+        let done = run(level.name());
+        assert_eq!((status(&done), stdout(&done)), (0, stdout(&known)));
+    }
+    let refused = run("sse9");
+    assert_eq!((status(&refused), stdout(&refused)), (1, ""));
+    assert!(stderr(&refused).contains("GEOGRAD_SIMD is one of baseline, avx2, v4"));
+}

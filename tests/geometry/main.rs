@@ -4,3 +4,4 @@ mod overlap;
 mod projection;
 mod ring;
 mod scalar;
+mod source;

@@ -1,0 +1,394 @@
+//! Same bits, signs of zeros included: of the scalar code, at every level of vector instructions, at
+//! every position of a batch, for any number of threads, with the filter of all pairs and without.
+use geograd::float::Float;
+use geograd::kernels::cpu::{self, simd::Simd};
+use geograd::kernels::real::Real;
+use geograd::kernels::reduce::{self, Matrix};
+use geograd::kernels::{Op, PairOp, RingOp};
+use geograd::{Aabb2, Obb2, Pack, Scalar, Vec2};
+use geograd_tests::Dice;
+use std::ops::Range;
+use std::sync::{Mutex, MutexGuard, PoisonError};
+
+/// Level and filter are one for the whole process; tests that change them take turns.
+static SETTINGS: Mutex<()> = Mutex::new(());
+
+/// Alone until the guard is dropped, which puts everything back.
+pub struct Turn(#[expect(dead_code)] MutexGuard<'static, ()>);
+
+impl Turn {
+    pub fn take() -> Turn {
+        Turn(SETTINGS.lock().unwrap_or_else(PoisonError::into_inner))
+    }
+}
+
+impl Drop for Turn {
+    fn drop(&mut self) {
+        Simd::limit(None).unwrap();
+        cpu::cull(true);
+    }
+}
+
+/// At every level, with the filter and without.
+fn in_every_way(mut run: impl FnMut(&str)) {
+    let _turn = Turn::take();
+    for level in Simd::available() {
+        Simd::limit(Some(level)).unwrap();
+        assert_eq!(Simd::current(), Ok(level));
+        for filter in [true, false] {
+            cpu::cull(filter);
+            run(&format!("{level:?}, filter {filter}"));
+        }
+    }
+}
+
+fn on_threads<R: Send>(threads: usize, run: impl FnOnce() -> R + Send) -> R {
+    let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build();
+    pool.unwrap().install(run)
+}
+
+fn bits_of<'a, X: Pack + 'a>(shapes: impl IntoIterator<Item = &'a X>) -> Vec<u64>
+where
+    X::Scalar: Real,
+{
+    shapes
+        .into_iter()
+        .flat_map(Pack::scalars)
+        .map(|x| x.widen().to_bits())
+        .collect()
+}
+
+fn bits<T: Real>(numbers: &[T]) -> Vec<u64> {
+    numbers.iter().map(|x| x.widen().to_bits()).collect()
+}
+
+/// Shapes of a kind, ordinary and hard ones.
+trait Drawn: Sized {
+    fn draw(dice: &mut Dice, kind: usize) -> Self;
+}
+
+/// Kinds of shapes: so many, of which the last ones are extreme.
+const KINDS: usize = 12;
+const MILD: usize = 9;
+
+impl<T: Real> Drawn for Obb2<T> {
+    fn draw(dice: &mut Dice, kind: usize) -> Self {
+        let b = dice.obb();
+        let (x, y, w, h, r) = (b.center.x, b.center.y, b.size.x, b.size.y, b.heading);
+        let (near, whole) = (|x: f64| 0.25 * x, |x: f64| x.trunc());
+        let b = match kind {
+            0 | 1 => Obb2::new(near(x), near(y), w, h, r),
+            2 => Obb2::new(whole(near(x)), whole(near(y)), whole(w), whole(h), 0.0),
+            3 => Obb2::new(0.0, -0.0, 2.0, 1.0, std::f64::consts::FRAC_PI_4 * whole(r)),
+            4 => Obb2::new(1.0, 0.5, whole(w), 0.0, r),
+            5 => Obb2::new(0.0, 0.0, 0.0, 0.0, r),
+            6 => Obb2::new(near(x), near(y), w * 1e-3, h, r * 1e3),
+            7 => Obb2::new(x * 20.0, y * 20.0, w, h, r),
+            8 => Obb2::new(near(x), near(y), w, h, -0.0),
+            9 => Obb2::new(x * 1e-20, y * 1e-20, w * 1e-20, h * 1e-24, r * 1e7),
+            10 => Obb2::new(x * 1e18, y, w * 1e19, h * 1e-12, r),
+            _ => Obb2::new(x, y, w * 1e-30, h * 1e30, r * 1e30),
+        };
+        b.map(&mut |&x| T::lit(x))
+    }
+}
+
+impl<T: Real> Drawn for Aabb2<T> {
+    fn draw(dice: &mut Dice, kind: usize) -> Self {
+        let b = dice.obb();
+        let (x, y, w, h) = (b.center.x, b.center.y, b.size.x, b.size.y);
+        let (x, y, w, h) = match kind {
+            0 | 1 => (0.25 * x, 0.25 * y, w, h),
+            2 | 3 => (x.trunc(), y.trunc(), w.trunc(), h.trunc()),
+            4 => (0.0, 0.0, 0.0, h.trunc()),
+            5 => (0.0, -0.0, 0.0, 0.0),
+            6 => (0.1 * x, 0.1 * y, w * 1e-6, h),
+            7 => (x * 20.0, y * 20.0, w, h),
+            8 => (-w, -h, w, h),
+            9 => (x * 1e-30, y * 1e-30, w * 1e-30, h * 1e-36),
+            10 => (x * 1e18, y, w * 1e19, h * 1e-12),
+            _ => (x, y, w * 1e-30, h * 1e30),
+        };
+        let [left, bottom, right, top] = [x, y, x + w, y + h].map(|x| T::lit(x));
+        Aabb2::new(left, bottom, right, top)
+    }
+}
+
+fn list<A: Drawn>(count: usize, kinds: usize, seed: u64) -> Vec<A> {
+    let mut dice = Dice(seed);
+    (0..count)
+        .map(|_| {
+            let kind = dice.below(kinds);
+            A::draw(&mut dice, kind)
+        })
+        .collect()
+}
+
+/// Slopes by one pair, times an upstream slope.
+type Vjp<O, T> = fn(A<O, T>, B<O, T>, T) -> (A<O, T>, B<O, T>);
+type A<O, T> = <O as PairOp>::A<T>;
+type B<O, T> = <O as PairOp>::B<T>;
+
+/// Upstream slopes of aligned pairs, by turns.
+const UPSTREAM: [f64; 5] = [1.0, -0.5, 0.0, 3.0, -0.0];
+
+/// What the scalar code gives of all pairs of two lists.
+struct Known<O: PairOp, T: Real> {
+    a: Vec<A<O, T>>,
+    b: Vec<B<O, T>>,
+    /// Of each pair the value, then its slopes.
+    pairs: Vec<Vec<u64>>,
+    /// Of pairs with equal places the upstream slope times the slopes.
+    aligned: Vec<Vec<u64>>,
+}
+
+impl<O: PairOp, T: Real> Known<O, T> {
+    fn new(a: Vec<A<O, T>>, b: Vec<B<O, T>>, vjp: Vjp<O, T>) -> Self {
+        let slopes = |i: usize, j: usize, up: T| {
+            let (p, q) = vjp(a[i].clone(), b[j].clone(), up);
+            bits_of([&p]).into_iter().chain(bits_of([&q]))
+        };
+        let pair = |i: usize, j: usize| {
+            let value = O::value::<T, true>(O::frame_a(a[i].clone()), O::frame_b(b[j].clone()));
+            let mut all = bits(&[value]);
+            all.extend(slopes(i, j, T::one()));
+            all
+        };
+        let places = (0..a.len()).flat_map(|i| (0..b.len()).map(move |j| (i, j)));
+        let pairs = places.map(|(i, j)| pair(i, j)).collect();
+        let aligned = (0..a.len().min(b.len()))
+            .map(|i| slopes(i, i, T::lit(UPSTREAM[i % 5])).collect())
+            .collect();
+        Known {
+            a,
+            b,
+            pairs,
+            aligned,
+        }
+    }
+
+    /// All forms of a batch of some rows and some columns.
+    fn check(&self, rows: Range<usize>, columns: Range<usize>, way: &str) {
+        let (a, b) = (&self.a[rows.clone()], &self.b[columns.clone()]);
+        let matrix = cpu::all_pairs::<O, T>(a, b).unwrap();
+        let grads = cpu::all_pairs_grad::<O, T>(a, b).unwrap();
+        for (i, row) in rows.clone().enumerate() {
+            for (j, column) in columns.clone().enumerate() {
+                let known = &self.pairs[row * self.b.len() + column];
+                let at = i * b.len() + j;
+                let (p, q) = grads.at(i, j);
+                let mut here = bits(&[grads.values[at]]);
+                here.extend(bits_of([&p]).into_iter().chain(bits_of([&q])));
+                assert!(
+                    here == *known && bits(&matrix[at..=at]) == known[..1],
+                    "{}, {way}, rows {rows:?}, columns {columns:?}: {:?} {:?}",
+                    O::NAME,
+                    a[i].scalars(),
+                    b[j].scalars()
+                );
+            }
+        }
+        if rows.start != columns.start {
+            return;
+        }
+        let count = a.len().min(b.len());
+        let (a, b) = (&a[..count], &b[..count]);
+        let values = cpu::aligned::<O, T>(a, b).unwrap();
+        let (same, by_a, by_b) = cpu::aligned_grad::<O, T>(a, b).unwrap();
+        let up: Vec<T> = rows.clone().map(|i| T::lit(UPSTREAM[i % 5])).collect();
+        let (up_a, up_b) = cpu::aligned_vjp::<O, T>(a, b, &up[..count]).unwrap();
+        for (i, at) in rows.take(count).enumerate() {
+            let mut here = bits(&[same[i]]);
+            here.extend(bits_of([&by_a[i]]).into_iter().chain(bits_of([&by_b[i]])));
+            let mut up = bits_of([&up_a[i]]);
+            up.extend(bits_of([&up_b[i]]));
+            let known = &self.pairs[at * self.b.len() + at];
+            assert!(
+                here == *known && bits(&values[i..=i]) == known[..1] && up == self.aligned[at],
+                "{}, {way}, aligned from {at} on, pair {i}: {:?} {:?}",
+                O::NAME,
+                a[i].scalars(),
+                b[i].scalars()
+            );
+        }
+    }
+}
+
+fn positions<O, T>(vjp: Vjp<O, T>)
+where
+    O: PairOp,
+    T: Real,
+    O::A<T>: Drawn,
+    O::B<T>: Drawn,
+{
+    let known =
+        [MILD, KINDS].map(|kinds| Known::<O, T>::new(list(30, kinds, 1), list(70, kinds, 2), vjp));
+    in_every_way(|way| {
+        for known in &known {
+            // The same pairs at different places of a tile, and beside different neighbours.
+            for start in [0, 1, 6, 15] {
+                for count in [1, 5, 16, 37] {
+                    known.check(start..start + count.min(15), start..start + count, way);
+                }
+            }
+            known.check(0..3, 0..70, way);
+            known.check(0..30, 0..30, way);
+        }
+    });
+}
+
+/// Everything that is summed or sought in a matrix, as bits.
+fn results<O: PairOp, T: Real>(a: &[O::A<T>], b: &[O::B<T>]) -> Vec<u64> {
+    let mut all = bits(&cpu::all_pairs::<O, T>(a, b).unwrap());
+    let values: Vec<T> = cpu::all_pairs::<O, T>(a, b).unwrap();
+    let matrix = Matrix::new(a.len(), b.len(), values).unwrap();
+    let upstream: Vec<T> = (0..a.len() * b.len())
+        .map(|i| T::lit((i % 11) as f64 * 0.37 - 1.9))
+        .collect();
+    let (p, q) = cpu::all_pairs_vjp::<O, T>(a, b, &upstream).unwrap();
+    all.extend(bits_of(&p).into_iter().chain(bits_of(&q)));
+    let rows = reduce::row_max::<O, T>(a, b).unwrap();
+    assert_eq!(rows, matrix.row_max().unwrap());
+    all.extend(
+        rows.iter()
+            .flat_map(|x| [x.value.widen().to_bits(), x.index as u64]),
+    );
+    let columns = reduce::column_max::<O, T>(a, b).unwrap();
+    assert_eq!(columns, matrix.column_max().unwrap());
+    all.extend(
+        columns
+            .iter()
+            .flat_map(|x| [x.value.widen().to_bits(), x.index as u64]),
+    );
+    for threshold in [0.0, 0.1] {
+        let found = reduce::above::<O, T>(a, b, T::lit(threshold)).unwrap();
+        all.extend(
+            found
+                .iter()
+                .flat_map(|x| [x.row as u64, x.column as u64, x.value.widen().to_bits()]),
+        );
+    }
+    let (loss, p, q) = reduce::mean_grad::<O, T>(a, b).unwrap();
+    all.push(loss.to_bits());
+    all.extend(bits_of(&p).into_iter().chain(bits_of(&q)));
+    all.push(reduce::mean::<O, T>(a, b).unwrap().to_bits());
+    all
+}
+
+/// Long sparse lists, as along a street, long dense ones, and long ones with extreme shapes.
+fn scenes<O, T>()
+where
+    O: PairOp,
+    T: Real,
+    O::A<T>: Drawn,
+    O::B<T>: Drawn,
+{
+    let near = |count, seed| list::<O::A<T>>(count, 3, seed);
+    let lists: [(Vec<O::A<T>>, Vec<O::B<T>>); 3] = [
+        (far_apart(list(40, MILD, 3)), far_apart(list(1100, MILD, 4))),
+        (near(33, 5), list(1030, 3, 6)),
+        (list(20, KINDS, 7), list(530, KINDS, 8)),
+    ];
+    for (a, b) in &lists {
+        let mut expected = None;
+        in_every_way(|way| {
+            for threads in [1, 2, 3, 7] {
+                let here = on_threads(threads, || results::<O, T>(a, b));
+                let first = expected.get_or_insert_with(|| here.clone());
+                assert!(here == *first, "{}, {way}, {threads} threads", O::NAME);
+            }
+        });
+    }
+}
+
+/// Moves shapes along a line, each some way from the one before.
+fn far_apart<X: Pack>(mut shapes: Vec<X>) -> Vec<X>
+where
+    X::Scalar: Real,
+{
+    for (i, shape) in shapes.iter_mut().enumerate() {
+        // Places of a box: x, y, … or min x, min y, max x, max y.
+        let fields = shape.scalars().len();
+        let mut k = 0;
+        shape.each(&mut |x| {
+            if k == 0 || fields == 4 && k == 2 {
+                *x = *x + X::Scalar::lit(i as f64 * 1.5);
+            }
+            k += 1;
+        });
+    }
+    shapes
+}
+
+type Ring<T> = Vec<Vec2<T>>;
+
+/// Rings of all small sizes, and some long ones, against the scalar code.
+fn rings<O: RingOp, T: Real>(
+    eval: fn(&Ring<T>) -> O::Out<T>,
+    vjp: fn(&Ring<T>, O::Out<T>) -> Ring<T>,
+) {
+    let mut dice = Dice(11);
+    let mut vertices: Vec<Vec2<T>> = Vec::new();
+    let mut offsets = vec![0];
+    for i in 0..400 {
+        let count = if i % 40 == 39 { 700 } else { i % 13 };
+        let unit = [1.0, 1.0, 1e-3, 1e15, 1e-22][i / 7 % 5];
+        for k in 0..count {
+            let (x, y) = (dice.within(-2.0, 2.0), dice.within(-2.0, 2.0));
+            let point = match i % 5 {
+                0 => Vec2::new(x.trunc(), y.trunc()),
+                1 => Vec2::new(k as f64, 0.0),
+                2 => Vec2::new(1e3 + x, -1e3 + y),
+                _ => Vec2::new(x, y),
+            };
+            vertices.push((point * unit).map(&mut |&x| T::lit(x)));
+        }
+        offsets.push(vertices.len());
+    }
+    in_every_way(|way| {
+        for threads in [1, 3] {
+            let (values, slopes) = on_threads(threads, || {
+                let values = cpu::ragged::<O, T>(&vertices, &offsets).unwrap();
+                let bars = cpu::ragged_vjp::<O, T>(&vertices, &offsets, &values).unwrap();
+                (values, bars)
+            });
+            for (i, at) in offsets.windows(2).enumerate() {
+                let ring = vertices[at[0]..at[1]].to_vec();
+                let value = eval(&ring);
+                let place = || format!("{}, {way}, ring {i}: {ring:?}", O::NAME);
+                assert_eq!(bits_of([&values[i]]), bits_of([&value]), "{}", place());
+                let bars = vjp(&ring, value);
+                assert_eq!(
+                    bits_of(&slopes[at[0]..at[1]]),
+                    bits_of(&bars),
+                    "{}",
+                    place()
+                );
+            }
+        }
+    });
+}
+
+macro_rules! tests {
+    (pairs { $($pair:ident: $pair_op:ty,)* } rings { $($ring:ident: $ring_op:ty,)* }) => {
+        $(mod $pair {
+            use super::*;
+            #[test]
+            fn anywhere_in_a_batch() {
+                positions::<$pair_op, f32>(|a, b, up| <$pair_op as Op>::vjp(&(a, b), up));
+                positions::<$pair_op, f64>(|a, b, up| <$pair_op as Op>::vjp(&(a, b), up));
+            }
+            #[test]
+            fn of_long_lists() {
+                scenes::<$pair_op, f32>();
+                scenes::<$pair_op, f64>();
+            }
+        })*
+        $(#[test]
+        fn $ring() {
+            rings::<$ring_op, f32>(|ring| <$ring_op as Op>::eval(ring), |ring, up| <$ring_op as Op>::vjp(ring, up));
+            rings::<$ring_op, f64>(|ring| <$ring_op as Op>::eval(ring), |ring, up| <$ring_op as Op>::vjp(ring, up));
+        })*
+    };
+}
+geograd::for_each_op!(tests);
