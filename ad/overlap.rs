@@ -12,21 +12,50 @@ use crate::overlap::{
 use crate::{Aabb2, Mask, Obb2, Scalar, Vec2};
 
 /// The slopes of a score with respect to the areas it is made of.
+struct AreaSlopes<S> {
+    /// By the area of intersection.
+    inter: S,
+    /// By the areas of both boxes, but for `falling`.
+    own: [S; 2],
+    /// What those are to be multiplied by at last: it may be so small that nothing would be left of
+    /// them before.
+    falling: S,
+}
+
+/// `out_bar` times the slopes of a score with respect to the areas it is made of.
 ///
 /// `I / U` with `U = A + B − I`: `∂I = (1 + I/U) / U`, `∂A = ∂B = −(I/U) / U`.
 /// `I / A`: `∂I = 1/A`, `∂A = −(I/A) / A`. Zero where the denominator is.
 #[inline(always)]
-fn score_slopes<S: Scalar>(over: Denominator, value: S, inter: S, area_a: S, area_b: S) -> [S; 3] {
+fn score_slopes<S: Scalar>(
+    over: Denominator,
+    value: S,
+    [inter, area_a, area_b]: [S; 3],
+    out_bar: S,
+) -> AreaSlopes<S> {
+    let zero = S::zero();
     match over {
-        Denominator::None => [S::one(), S::zero(), S::zero()],
+        Denominator::None => AreaSlopes {
+            inter: out_bar,
+            own: [zero, zero],
+            falling: zero,
+        },
         Denominator::Union => {
             let per_area = reciprocal_or_zero(area_a + area_b - inter);
-            let area_bar = -(value * per_area);
-            [per_area - area_bar, area_bar, area_bar]
+            let own = per_area * out_bar;
+            AreaSlopes {
+                inter: (per_area + value * per_area) * out_bar,
+                own: [own, own],
+                falling: -value,
+            }
         }
         Denominator::First => {
-            let per_area = reciprocal_or_zero(area_a);
-            [per_area, -(value * per_area), S::zero()]
+            let own = reciprocal_or_zero(area_a) * out_bar;
+            AreaSlopes {
+                inter: own,
+                own: [own, zero],
+                falling: -value,
+            }
         }
     }
 }
@@ -81,14 +110,19 @@ pub fn score_framed_vjp<S: Scalar, const EXTREME: bool>(
     let half_b = b.half * scale;
     let (area_a, area_b) = (area_from_half(pair.half_a), area_from_half(half_b));
     let value = score_of(over, inter, area_a, area_b);
-    let [inter_bar, area_a_bar, area_b_bar] =
-        score_slopes(over, value, inter, area_a, area_b).map(|bar| bar * out_bar);
+    let areas = score_slopes(over, value, [inter, area_a, area_b], out_bar);
     let value = if EXTREME {
         in_outer_unit(over, value, scale)
     } else {
         value
     };
-    let inter_bar = S::select(nothing, S::zero(), inter_bar);
+    let inter_bar = S::select(nothing, S::zero(), areas.inter);
+    // A size is twice its half; a box's own area is four times the product of the halves.
+    let (half_bar, falling) = (inter_bar.halved(), areas.falling + areas.falling);
+    let size_a_bar = inter_size_bar::<S, EXTREME>(slopes.half_a, half_bar)
+        + own_size_bar::<S, EXTREME>(pair.half_a, areas.own[0], falling);
+    let size_b_bar = inter_size_bar::<S, EXTREME>(slopes.half_b, half_bar)
+        + own_size_bar::<S, EXTREME>(half_b, areas.own[1], falling);
     // What is apart scores zero whatever the areas are, so those slopes vanish by themselves.
     let (u_bar, v_bar) = (
         bounded::<S, EXTREME>(slopes.u * inter_bar),
@@ -102,14 +136,12 @@ pub fn score_framed_vjp<S: Scalar, const EXTREME: bool>(
     let grads = (
         Obb2 {
             center: -center_bar,
-            size: size_slopes::<S, EXTREME>(pair.half_a, slopes.half_a * inter_bar, area_a_bar)
-                * length_unit,
+            size: size_a_bar * length_unit,
             heading: -(turn_bar * heading_unit * heading_unit),
         },
         Obb2 {
             center: center_bar,
-            size: size_slopes::<S, EXTREME>(half_b, slopes.half_b * inter_bar, area_b_bar)
-                * length_unit,
+            size: size_b_bar * length_unit,
             heading: heading_bar * heading_unit * heading_unit,
         },
     );
@@ -119,6 +151,24 @@ pub fn score_framed_vjp<S: Scalar, const EXTREME: bool>(
         grads
     };
     (value.canonical(), (canonical(grads.0), canonical(grads.1)))
+}
+
+/// What a box's size takes from the shared area's slopes by its halves.
+#[inline(always)]
+fn inter_size_bar<S: Scalar, const EXTREME: bool>(slope: Vec2<S>, half_bar: S) -> Vec2<S> {
+    Vec2::new(
+        bounded::<S, EXTREME>(slope.x * half_bar),
+        bounded::<S, EXTREME>(slope.y * half_bar),
+    )
+}
+
+/// What a box's size takes from its own area, whose slope is `own` times `falling`.
+#[inline(always)]
+fn own_size_bar<S: Scalar, const EXTREME: bool>(half: Vec2<S>, own: S, falling: S) -> Vec2<S> {
+    Vec2::new(
+        bounded::<S, EXTREME>(bounded::<S, EXTREME>(own * half.y) * falling),
+        bounded::<S, EXTREME>(bounded::<S, EXTREME>(own * half.x) * falling),
+    )
 }
 
 /// A term of a sum of slopes: no larger than the largest number, so that two of opposite sign leave
@@ -136,24 +186,6 @@ fn canonical<S: Scalar>(x: Obb2<S>) -> Obb2<S> {
         size: x.size.canonical(),
         heading: x.heading.canonical(),
     }
-}
-
-/// Slopes with respect to a size, which is twice its half: those through the area of intersection
-/// and those through the box's own area, four times the product of the halves.
-#[inline(always)]
-fn size_slopes<S: Scalar, const EXTREME: bool>(
-    half: Vec2<S>,
-    inter_slope: Vec2<S>,
-    area_bar: S,
-) -> Vec2<S> {
-    let twice = bounded::<S, EXTREME>(area_bar + area_bar);
-    let sum = |of_inter: S, of_area: S| {
-        bounded::<S, EXTREME>(of_inter.halved()) + bounded::<S, EXTREME>(of_area)
-    };
-    Vec2::new(
-        sum(inter_slope.x, twice * half.y),
-        sum(inter_slope.y, twice * half.x),
-    )
 }
 
 /// Every field at the nearest finite number.
@@ -188,42 +220,65 @@ pub fn score_aabb2_vjp<S: Scalar>(
     let inter = area_of_shared(&shared);
     let (area_a, area_b) = (area_from_half(half_a), area_from_half(half_b));
     let value = score_of(over, inter, area_a, area_b);
-    let [inter_bar, area_a_bar, area_b_bar] =
-        score_slopes(over, value, inter, area_a, area_b).map(|bar| bar * out_bar);
+    let areas = score_slopes(over, value, [inter, area_a, area_b], out_bar);
     let value = in_outer_unit(over, value, scale);
     let unit = match over {
         Denominator::None => S::one().over(scale),
         Denominator::Union | Denominator::First => scale,
     };
-    let inter_bar = S::select(apart, S::zero(), inter_bar);
+    let inter_bar = S::select(apart, S::zero(), areas.inter);
     let two = S::lit(2.0) * unit;
-    // Slopes with respect to a shared bound, and to a box's own bounds.
-    let bound_bar = Vec2::new(half.y * inter_bar, half.x * inter_bar) * two;
-    let own_bar = |half: Vec2<S>, area_bar: S| Vec2::new(half.y, half.x) * (area_bar * two);
-    let (own_a, own_b) = (own_bar(half_a, area_a_bar), own_bar(half_b, area_b_bar));
-    // The part of a bound's slope that the first of two bounds takes when the smaller one decides.
-    let part = |mine: S, other: S| {
-        let won = S::select(mine.below(other), S::one(), S::zero());
-        S::select(mine.equals(other), S::lit(0.5), won)
-    };
-    let max = Vec2::new(part(a.max.x, b.max.x), part(a.max.y, b.max.y));
-    let min = Vec2::new(part(b.min.x, a.min.x), part(b.min.y, a.min.y));
-    let times = |x: Vec2<S>, y: Vec2<S>| Vec2::new(x.x * y.x, x.y * y.y);
-    let rest = |x: Vec2<S>| Vec2::new(S::one() - x.x, S::one() - x.y);
-    let limit = |x: Vec2<S>| Vec2::new(x.x.saturated(), x.y.saturated()).canonical();
+    // Slopes with respect to a shared bound, and to a box's own bounds; to the caller's unit go their
+    // sums, so that what cancels cancels however small it is there.
+    let bound_bar = Vec2::new(half.y, half.x) * inter_bar;
+    let own_a = own_bound_bar(half_a, areas.own[0]) * areas.falling;
+    let own_b = own_bound_bar(half_b, areas.own[1]) * areas.falling;
+    let max = Vec2::new(part_taken(a.max.x, b.max.x), part_taken(a.max.y, b.max.y));
+    let min = Vec2::new(part_taken(b.min.x, a.min.x), part_taken(b.min.y, a.min.y));
     (
         value.canonical(),
         (
             Aabb2 {
-                min: limit(-(times(bound_bar, min) + own_a)),
-                max: limit(times(bound_bar, max) + own_a),
+                min: in_unit(-(times(bound_bar, min) + own_a), two),
+                max: in_unit(times(bound_bar, max) + own_a, two),
             },
             Aabb2 {
-                min: limit(-(times(bound_bar, rest(min)) + own_b)),
-                max: limit(times(bound_bar, rest(max)) + own_b),
+                min: in_unit(-(times(bound_bar, rest(min)) + own_b), two),
+                max: in_unit(times(bound_bar, rest(max)) + own_b, two),
             },
         ),
     )
+}
+
+/// A box's own slopes by its bounds, no larger than the largest number.
+#[inline(always)]
+fn own_bound_bar<S: Scalar>(half: Vec2<S>, own: S) -> Vec2<S> {
+    Vec2::new((half.y * own).saturated(), (half.x * own).saturated())
+}
+
+/// The part of a bound's slope that the first of two bounds takes when the smaller one decides.
+#[inline(always)]
+fn part_taken<S: Scalar>(mine: S, other: S) -> S {
+    let won = S::select(mine.below(other), S::one(), S::zero());
+    S::select(mine.equals(other), S::lit(0.5), won)
+}
+
+/// The product field by field.
+#[inline(always)]
+fn times<S: Scalar>(x: Vec2<S>, y: Vec2<S>) -> Vec2<S> {
+    Vec2::new(x.x * y.x, x.y * y.y)
+}
+
+/// What is left of one.
+#[inline(always)]
+fn rest<S: Scalar>(x: Vec2<S>) -> Vec2<S> {
+    Vec2::new(S::one() - x.x, S::one() - x.y)
+}
+
+/// A bound's slopes in the caller's unit of length.
+#[inline(always)]
+fn in_unit<S: Scalar>(x: Vec2<S>, unit: S) -> Vec2<S> {
+    Vec2::new((x.x * unit).saturated(), (x.y * unit).saturated()).canonical()
 }
 
 /// Both public forms of one score: the macro lists names.

@@ -1,6 +1,6 @@
 //! Adjoints of the measures of a ring: one cotangent per vertex, written into the caller's slice.
 use crate::ring::{Local, SIDE};
-use crate::{Scalar, Vec2};
+use crate::{Mask, Scalar, Vec2};
 
 /// A vertex's slopes at the nearest finite numbers.
 #[inline(always)]
@@ -118,19 +118,28 @@ pub fn centroid_vjp<S: Scalar>(ring: &[Vec2<S>], out_bar: Vec2<S>, ring_bar: &mu
         [cross, moment.x, moment.y]
     });
     let flat = twice.equals(S::zero());
-    let per = S::one().over(S::lit(3.0) * S::select(flat, S::one(), twice));
-    let thrice_at = Vec2::new(moment_x, moment_y).dot(out_bar) * per * S::lit(3.0);
+    // An area next to nothing, or an enormous upstream slope: then no term of a sum is larger than the
+    // largest number, so that two of opposite sign leave a number.
+    let large = S::lit(S::LARGEST.powf(0.125));
+    let tame = (twice.magnitude() * large).at_least(S::one())
+        & (out_bar.x.magnitude().most(out_bar.y.magnitude())).at_most(large);
+    let wild = !(tame | flat).all();
+    let bounded = |x: S| if wild { x.saturated() } else { x };
+    let dot = |a: Vec2<S>| bounded(a.x * out_bar.x) + bounded(a.y * out_bar.y);
+    let per = bounded(S::one().over(S::lit(3.0) * S::select(flat, S::one(), twice)));
+    let thrice_at = bounded(bounded(dot(Vec2::new(moment_x, moment_y))) * per * S::lit(3.0));
     let mean = S::one().over(S::lit(ring.len() as f64));
-    let weight = |m: Vec2<S>| (m.dot(out_bar) - thrice_at) * per;
+    let weight = |m: Vec2<S>| bounded((bounded(dot(m)) - thrice_at) * per);
     each_vertex(
         ring,
         ring_bar,
         |v| local.place(v),
         |before, here, after| {
             let (arrive, leave) = (weight(before + here), weight(here + after));
-            let cross = (before.perp_dot(here) + here.perp_dot(after)) * per;
+            let cross = bounded((before.perp_dot(here) + here.perp_dot(after)) * per);
             let pull = |arrive_at: S, leave_at: S, bar: S| {
-                let solid = arrive * arrive_at + leave * leave_at + cross * bar;
+                let two = bounded(arrive * arrive_at) + bounded(leave * leave_at);
+                let solid = bounded(two) + bounded(cross * bar);
                 S::select(flat, bar * mean, solid)
             };
             limited(

@@ -3,6 +3,7 @@
 //! `cargo run --release --example gradient_report`; `-- --help` has the options.
 use geograd::ad::check::{Plan, Report, SEED};
 use geograd::kernels::check::{prove_pair_on, prove_pair_with, prove_ring_on, prove_ring_with};
+use geograd::kernels::fuzz::{self, Fuzzed};
 use geograd::kernels::gpu::Gpu;
 use geograd::kernels::{Backend, GpuError};
 use indicatif::{ProgressBar, ProgressStyle};
@@ -19,6 +20,10 @@ Proves every operation of the library and prints the table.
   --details       how far apart the witnesses are, and where they come nearest to refusal
   --json          JSON lines instead of the table
   --svg FILE      a picture of the worst case of the (last) operation in f64
+  --fuzz COUNT    instead of proving slopes: so many inputs that nobody would think of
+                  (bit patterns, shared coordinates, multiples of 45 degrees, …),
+                  shared by the operations in both formats; numbers must be finite and in
+                  range, and all forms must give the same bits
   --gpu           batches on a GPU as a further witness of f32 (needs --features gpu)
   --help          this text
 
@@ -36,6 +41,13 @@ struct Options {
     json: bool,
     svg: Option<String>,
     gpu: bool,
+    fuzz: Option<u64>,
+}
+
+impl Options {
+    fn wants(&self, name: &str, wide: bool) -> bool {
+        name.contains(&self.op) && self.formats[usize::from(wide)]
+    }
 }
 
 /// `None` when only help was wanted.
@@ -49,6 +61,7 @@ fn options() -> Result<Option<Options>, String> {
         json: false,
         svg: None,
         gpu: false,
+        fuzz: None,
     };
     let mut arguments = std::env::args().skip(1);
     while let Some(argument) = arguments.next() {
@@ -57,6 +70,7 @@ fn options() -> Result<Option<Options>, String> {
             "--op" => options.op = value()?,
             "--samples" => options.samples = value()?.parse().map_err(|e| format!("{e}"))?,
             "--seed" => options.seed = value()?.parse().map_err(|e| format!("{e}"))?,
+            "--fuzz" => options.fuzz = Some(value()?.parse().map_err(|e| format!("{e}"))?),
             "--svg" => options.svg = Some(value()?),
             "--details" => options.details = true,
             "--json" => options.json = true,
@@ -99,6 +113,57 @@ macro_rules! jobs {
     };
 }
 
+/// One operation in one format: its name, whether that is `f64`, and what fuzzes it.
+type FuzzJob = (&'static str, bool, Fuzz);
+type Fuzz = fn(u64, u64) -> Fuzzed;
+
+macro_rules! fuzzes {
+    (pairs { $($pair:ident: $pair_op:ty,)* } rings { $($ring:ident: $ring_op:ty,)* }) => {
+        [
+            $(
+                (stringify!($pair), true, fuzz::pairs::<$pair_op, f64> as Fuzz),
+                (stringify!($pair), false, fuzz::pairs::<$pair_op, f32>),
+            )*
+            $(
+                (stringify!($ring), true, fuzz::rings::<$ring_op, f64>),
+                (stringify!($ring), false, fuzz::rings::<$ring_op, f32>),
+            )*
+        ]
+    };
+}
+
+/// Fuzzes every chosen operation and prints a line of each.
+fn fuzz_all(options: &Options, count: u64) -> ExitCode {
+    let jobs: Vec<FuzzJob> = geograd::for_each_op!(fuzzes)
+        .into_iter()
+        .filter(|(name, wide, _)| options.wants(name, *wide))
+        .collect();
+    let bar = progress(jobs.len());
+    let (mut inputs, mut seconds, mut failed) = (0, 0.0, false);
+    let each = count.div_ceil(jobs.len().max(1) as u64);
+    for (name, _, run) in jobs {
+        bar.set_message(name);
+        let fuzzed = run(each, options.seed);
+        inputs += fuzzed.inputs;
+        seconds += fuzzed.time.as_secs_f64();
+        failed |= fuzzed.broken.is_some();
+        bar.suspend(|| println!("{fuzzed}"));
+        bar.inc(1);
+    }
+    bar.finish_and_clear();
+    let rate = inputs as f64 / seconds / 1e6;
+    println!(
+        "\n{inputs} inputs, {rate:.1} million a second (seed {})",
+        options.seed
+    );
+    ExitCode::from(u8::from(failed))
+}
+
+fn progress(jobs: usize) -> ProgressBar {
+    let style = ProgressStyle::with_template("{bar:30} {pos}/{len} {msg} ({elapsed})");
+    ProgressBar::new(jobs as u64).with_style(style.expect("a valid template"))
+}
+
 fn main() -> ExitCode {
     let options = match options() {
         Ok(Some(options)) => options,
@@ -113,11 +178,14 @@ fn main() -> ExitCode {
     };
     let jobs: Vec<Job> = geograd::for_each_op!(jobs)
         .into_iter()
-        .filter(|(name, wide, _)| name.contains(&options.op) && options.formats[usize::from(*wide)])
+        .filter(|(name, wide, _)| options.wants(name, *wide))
         .collect();
     if jobs.is_empty() {
         eprintln!("no operation is named {}", options.op);
         return ExitCode::from(2);
+    }
+    if let Some(count) = options.fuzz {
+        return fuzz_all(&options, count);
     }
     let gpu = match options.gpu.then(Gpu::new).transpose() {
         Ok(gpu) => gpu,
@@ -133,10 +201,7 @@ fn main() -> ExitCode {
     if let Some(gpu) = &gpu {
         eprintln!("batches of f32 on {gpu}");
     }
-    let bar = ProgressBar::new(jobs.len() as u64).with_style(
-        ProgressStyle::with_template("{bar:30} {pos}/{len} {msg} ({elapsed})")
-            .expect("a valid template"),
-    );
+    let bar = progress(jobs.len());
     let (mut proved, mut failed, mut picture) = (0, Vec::new(), None);
     let say = |line: String| bar.suspend(|| println!("{line}"));
     if !options.json {

@@ -192,8 +192,8 @@ fn clipped_area(clip: Clip) -> f32 {
 }
 
 fn related_area(pair: Relative, area: f32) -> f32 {
-    let area_a = 4.0 * (pair.half_a.x * pair.half_a.y);
-    let area_b = 4.0 * (pair.half_b.x * pair.half_b.y);
+    let area_a = (2.0 * pair.half_a.x) * (2.0 * pair.half_a.y);
+    let area_b = (2.0 * pair.half_b.x) * (2.0 * pair.half_b.y);
     let limit = least(area_a, area_b);
     return choose(nothing_shared(pair, area), 0.0, choose(area > limit, limit, area));
 }

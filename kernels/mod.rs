@@ -15,6 +15,8 @@ pub mod backend;
 #[forbid(unsafe_code)]
 pub mod check;
 pub mod cpu;
+#[forbid(unsafe_code)]
+pub mod fuzz;
 #[cfg_attr(not(feature = "gpu"), path = "gpu_none.rs")]
 #[forbid(unsafe_code)]
 pub mod gpu;

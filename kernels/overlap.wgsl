@@ -12,7 +12,7 @@ fn ratio_of_first(inter: f32, area_a: f32) -> f32 {
 }
 
 fn area_from_half(half: vec2f) -> f32 {
-    return 4.0 * (half.x * half.y);
+    return (2.0 * half.x) * (2.0 * half.y);
 }
 
 fn measure(inter: f32, area_a: f32, area_b: f32) -> f32 {

@@ -16,6 +16,7 @@
 //! identical, touching, contained and collinear boxes need no handling. Each corner's y is clamped
 //! once and both edges that meet there use the result, so that rounding cannot make them disagree
 //! about whether the corner is inside.
+use crate::overlap::area_from_half;
 use crate::{Obb2, Scalar, Vec2};
 
 /// A box with its trigonometry done: what a batch computes once per box.
@@ -384,9 +385,10 @@ pub fn clipped_area<S: Scalar>(clip: &Clip<S>) -> S {
 /// exactly zero for boxes that are apart, never more than either box has.
 #[inline(always)]
 pub fn related_area<S: Scalar>(pair: &Relative<S>, area: S) -> S {
-    let four = S::Primal::lit(4.0);
-    let area_a = four * (pair.half_a.x.primal() * pair.half_a.y.primal());
-    let area_b = four * (pair.half_b.x.primal() * pair.half_b.y.primal());
+    // As scores measure boxes, so that identical ones share all of it, however small.
+    let (a, b) = (pair.half_a, pair.half_b);
+    let area_a = area_from_half(Vec2::new(a.x.primal(), a.y.primal()));
+    let area_b = area_from_half(Vec2::new(b.x.primal(), b.y.primal()));
     let limit = area_a.least(area_b);
     let beyond = area.above(S::from_primal(limit));
     let area = S::select(beyond, area.with_primal(limit), area);
@@ -399,17 +401,36 @@ pub fn nothing_shared<S: Scalar>(pair: &Relative<S>, area: S) -> S::Mask {
     pair.apart | area.below(S::zero())
 }
 
+/// Sizes outside these limits may make products over- or underflow.
+pub(crate) const SMALL: f64 = 1e-9;
+pub(crate) const LARGE: f64 = 1e9;
+/// And coordinates of the centre beyond this.
+pub(crate) const FAR_AWAY: f64 = 1e15;
+
+/// And a coordinate or heading below this that is not zero: `10⁻¹²` in single precision.
+pub(crate) fn fine<S: Scalar>() -> f64 {
+    S::LARGEST.powf(-0.3125)
+}
+
 /// Whether a box is valid and plain products of its numbers stay far from over- and underflow, so
 /// that a batch of such boxes needs no [`size_scale`]. The results are the same bits either way.
 ///
 /// Without branches: a batch asks this of every box before anything else.
 #[inline(always)]
 pub fn is_ordinary<S: Scalar>(shape: Obb2<S>) -> S::Mask {
-    let (low, high, far) = (S::lit(1e-9), S::lit(1e9), S::lit(1e15));
-    let (w, h) = (shape.size.x, shape.size.y);
-    (w.equals(S::zero()) | (w.at_least(low) & w.at_most(high)))
-        & (h.equals(S::zero()) | (h.at_least(low) & h.at_most(high)))
-        & shape.center.x.unsigned().at_most(far)
-        & shape.center.y.unsigned().at_most(far)
-        & shape.heading.finite()
+    let fine = S::lit(fine::<S>());
+    let (small, large) = (S::lit(SMALL), S::lit(LARGE));
+    let far = S::lit(FAR_AWAY);
+    let (center, size) = (shape.center, shape.size);
+    zero_or_within(size.x, small, large)
+        & zero_or_within(size.y, small, large)
+        & zero_or_within(center.x.unsigned(), fine, far)
+        & zero_or_within(center.y.unsigned(), fine, far)
+        & zero_or_within(shape.heading.unsigned(), fine, S::lit(S::LARGEST))
+}
+
+/// Whether a number is zero or from `low` to `high`.
+#[inline(always)]
+fn zero_or_within<S: Scalar>(x: S, low: S, high: S) -> S::Mask {
+    x.equals(S::zero()) | (x.at_least(low) & x.at_most(high))
 }

@@ -87,9 +87,9 @@ pub trait Scalar:
     const PARALLEL: f64;
     /// The largest finite number.
     const LARGEST: f64;
-    /// At or below this an area counts as empty: its reciprocal, four times over, would not be
-    /// finite.
-    const EMPTY: f64 = 4.0 / Self::LARGEST;
+    /// At or below this an area counts as empty, where a box has a side of about one: its reciprocal,
+    /// sixty-four times over, would not be finite, and slopes could not cancel.
+    const EMPTY: f64 = 64.0 / Self::LARGEST;
 
     /// A literal: `S::lit(0.5)`. Rounded to the precision of the scalar.
     fn lit(x: f64) -> Self;

@@ -663,10 +663,12 @@ pub(crate) fn all_finite<T: Real, V: Vector<T>>(numbers: &[T]) -> bool {
     sum.equals(V::zero()).all() && rest.iter().all(|x| x.finite())
 }
 
-/// Whether every number is zero or within the limits of its field, for items of so many fields.
+/// Whether every number is zero or within the limits of its field, for items of so many fields; of
+/// signed fields the magnitude.
 #[inline(always)]
 pub(crate) fn all_within<T: Real, V: Vector<T>, const FIELDS: usize>(
     numbers: &[T],
+    signed: [bool; FIELDS],
     low: [f64; FIELDS],
     high: [f64; FIELDS],
 ) -> bool {
@@ -678,16 +680,18 @@ pub(crate) fn all_within<T: Real, V: Vector<T>, const FIELDS: usize>(
         }
         lane
     };
-    let mut lanes = [(Lane::default(), Lane::default()); FIELDS];
+    let mut lanes = [[Lane::default(); 3]; FIELDS];
+    let signs = signed.map(|signed| if signed { 1.0 } else { 0.0 });
     for (k, lane) in lanes.iter_mut().enumerate() {
-        *lane = (limits(k, low), limits(k, high));
+        *lane = [limits(k, signs), limits(k, low), limits(k, high)];
     }
     let zero = V::zero();
-    let inside = |numbers: &[T; TILE], (low, high): &(Lane<T>, Lane<T>), all: V::Mask| {
+    let inside = |numbers: &[T; TILE], [signed, low, high]: &[Lane<T>; 3], all: V::Mask| {
         let (numbers, mut all) = (Lane(*numbers), all);
         let mut at = 0;
         while at < TILE {
             let x = V::read(&numbers, at);
+            let x = V::select(V::read(signed, at).above(zero), x.unsigned(), x);
             all =
                 all & (V::read(low, at).at_most(x) | x.equals(zero)) & x.at_most(V::read(high, at));
             at += V::WIDTH;
@@ -710,7 +714,8 @@ pub(crate) fn all_within<T: Real, V: Vector<T>, const FIELDS: usize>(
     let done = whole.len() * TILE;
     all.all()
         && rest.iter().enumerate().all(|(i, &x)| {
-            let (low, high) = (low[(done + i) % FIELDS], high[(done + i) % FIELDS]);
+            let k = (done + i) % FIELDS;
+            let (x, low, high) = (if signed[k] { x.unsigned() } else { x }, low[k], high[k]);
             x.at_most(T::lit(high)) && (x.at_least(T::lit(low)) || x.equals(T::default()))
         })
 }

@@ -2,7 +2,7 @@
 //!
 //! Compiled in this library only, by the entries in `arch`.
 use crate::ad::overlap::{score_aabb2_vjp, score_framed_vjp};
-use crate::clip::{Framed, frame};
+use crate::clip::{FAR_AWAY as FAR, Framed, LARGE, SMALL, fine, frame};
 use crate::kernels::cpu::arch::Vector;
 use crate::kernels::cpu::blocks::all_within;
 use crate::kernels::cpu::lane::{Lane, PLANE, Results, Tiles};
@@ -216,18 +216,14 @@ pub(crate) fn aabb2_slopes<T: Real, V: Vector<T>>(
     }
 }
 
-/// Beyond these limits sizes may make products over- or underflow; see
-/// [`is_ordinary`](crate::clip::is_ordinary).
-const SMALL: f64 = 1e-9;
-const LARGE: f64 = 1e9;
-const FAR: f64 = 1e15;
-
-/// Whether every rotated box is valid and of ordinary size.
+/// Whether every rotated box is valid and [ordinary](crate::clip::is_ordinary).
 #[inline(always)]
 pub(crate) fn all_ordinary_obb2<T: Real, V: Vector<T>>(numbers: &[T]) -> bool {
+    let fine = fine::<T>();
     all_within::<T, V, OBB2>(
         numbers,
-        [-FAR, -FAR, SMALL, SMALL, -T::LARGEST],
+        [true, true, false, false, true],
+        [fine, fine, SMALL, SMALL, fine],
         [FAR, FAR, LARGE, LARGE, T::LARGEST],
     )
 }

@@ -27,7 +27,7 @@ macro_rules! entries {
      $($name:ident($($arg:ident: $type:ty),*) $(-> $out:ty)? = $kernel:expr;)*) => {
         pub(super) mod $format {
             use super::*;
-            #[cfg(any(not(target_arch = "x86_64"), feature = "portable"))]
+            #[cfg(any(not(target_arch = "x86_64"), geograd_portable))]
             use crate::Lanes;
             type T = $t;
             /// The kernels of this format.
@@ -36,10 +36,10 @@ macro_rules! entries {
                 fn $name($($arg: $type),*) $(-> $out)? {
                     #[inline(never)]
                     fn baseline($($arg: $type),*) $(-> $out)? {
-                        #[cfg(any(not(target_arch = "x86_64"), feature = "portable"))]
+                        #[cfg(any(not(target_arch = "x86_64"), geograd_portable))]
                         type V = $plain;
                         // Every x86-64 has SSE2.
-                        #[cfg(all(target_arch = "x86_64", not(feature = "portable")))]
+                        #[cfg(all(target_arch = "x86_64", not(geograd_portable)))]
                         type V = crate::kernels::cpu::arch::x86::$sse2;
                         $kernel($($arg),*)
                     }
