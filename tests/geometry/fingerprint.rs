@@ -57,7 +57,7 @@ fn bounds(shape: Obb2<f64>) -> Aabb2<f64> {
 const PAIRS: usize = 20_000;
 
 /// Areas of intersection, IoU, IoF of rotated boxes, of axis-aligned ones; area, perimeter, centroid.
-const SINGLE: [u64; 9] = [
+const DOUBLE: [u64; 9] = [
     0x8e8d_d240_5be2_f94b,
     0x0509_ede0_8d4b_b55b,
     0x2ec6_bb23_48b0_6a7c,
@@ -68,7 +68,7 @@ const SINGLE: [u64; 9] = [
     0x14af_a73a_e387_110b,
     0x470d_fb8b_be88_944c,
 ];
-const DOUBLE: [u64; 9] = [
+const SINGLE: [u64; 9] = [
     0x40db_a220_322e_a6d5,
     0x96e7_96f1_08d2_ad1b,
     0xc9f0_1723_083b_2c79,
