@@ -3,7 +3,7 @@
 //! A plain main, no framework: medians of repeated runs, nothing asserted. For rotated boxes next
 //! to other libraries see `cargo run --release -p peers`.
 use geograd::kernels::real::Real;
-use geograd::kernels::{Op, PairOp, RingOp, cpu};
+use geograd::kernels::{Source, PairOp, RingOp, cpu};
 use geograd::{Aabb2, Fixed, Obb2, Vec2};
 use std::hint::black_box;
 use std::time::Instant;
@@ -95,7 +95,7 @@ fn rings<O: RingOp, T: Real>() {
     line(O::NAME, "octagons, value", N, || {
         black_box(cpu::ragged::<O, T>(&vertices, &offsets).unwrap());
     });
-    let upstream = vec![<O as Op>::Out::<T>::filled(T::lit(1.0)); N];
+    let upstream = vec![<O as Source>::Out::<T>::filled(T::lit(1.0)); N];
     line(O::NAME, "octagons, adjoint", N, || {
         black_box(cpu::ragged_vjp::<O, T>(&vertices, &offsets, &upstream).unwrap());
     });

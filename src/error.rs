@@ -11,6 +11,16 @@ pub enum Argument {
     A,
     /// The second list of shapes.
     B,
+    /// The third list of shapes.
+    C,
+    /// The fourth list of shapes.
+    D,
+    /// The fifth list of shapes.
+    E,
+    /// The sixth list of shapes.
+    F,
+    /// The caller's slice for the shapes of results with this index.
+    Result(usize),
     /// The vertices of a ragged batch.
     Vertices,
     /// The offsets of a ragged batch.
@@ -29,9 +39,23 @@ pub enum Argument {
     GradVertices,
 }
 
+impl Argument {
+    /// The list of shapes with this index, from zero; beyond six the last one.
+    #[must_use]
+    pub fn of(index: usize) -> Self {
+        use Argument::{A, B, C, D, E, F};
+        [A, B, C, D, E, F][index.min(5)]
+    }
+}
+
 impl fmt::Display for Argument {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         f.write_str(match self {
+            Argument::C => "c",
+            Argument::D => "d",
+            Argument::E => "e",
+            Argument::F => "f",
+            Argument::Result(index) => return write!(f, "result {index}"),
             Argument::Shape => "shape",
             Argument::A => "a",
             Argument::B => "b",

@@ -28,7 +28,7 @@
 //! # Ok::<(), geograd::kernels::GpuError>(())
 //! ```
 use crate::error::{Argument, Error};
-use crate::kernels::cpu::PairGrads;
+use crate::kernels::on_cpu::PairGrads;
 use crate::kernels::cpu::checked::{check_upstream, expect};
 use crate::kernels::gpu::{self, GpuPair, GpuShape};
 use crate::kernels::reduce::{self, Best, Found};
@@ -113,7 +113,7 @@ handles! {
     /// One slope per vertex.
     RingBars[] Vec<Vec2<f32>>, gpu::RingBars => Vec<Vec2<f32>> = Vec::clone;
     /// The results of all pairs and their slopes.
-    PairBars[O: GpuPair] PairGrads<O, f32>, gpu::PairBars<O> => PairGrads<O, f32> = PairGrads::clone;
+    PairBars[O: GpuPair] PairGrads<O>, gpu::PairBars<O> => PairGrads<O> = PairGrads::clone;
 }
 
 /// A result of an operation of rings.

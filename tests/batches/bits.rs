@@ -3,7 +3,7 @@
 use geograd::kernels::cpu::{self, simd::Simd};
 use geograd::kernels::real::Real;
 use geograd::kernels::reduce::{self, Matrix};
-use geograd::kernels::{Op, PairOp, RingOp};
+use geograd::kernels::{Source, PairOp, RingOp};
 use geograd::scalar::float::Float;
 use geograd::{Aabb2, Obb2, Pack, Scalar, Vec2};
 use geograd_tests::Dice;
@@ -375,8 +375,8 @@ macro_rules! tests {
             use super::*;
             #[test]
             fn anywhere_in_a_batch() {
-                positions::<$pair_op, f32>(|a, b, up| <$pair_op as Op>::vjp(&(a, b), up));
-                positions::<$pair_op, f64>(|a, b, up| <$pair_op as Op>::vjp(&(a, b), up));
+                positions::<$pair_op, f32>(|a, b, up| <$pair_op as Source>::vjp(&(a, b), up));
+                positions::<$pair_op, f64>(|a, b, up| <$pair_op as Source>::vjp(&(a, b), up));
             }
             #[test]
             fn of_long_lists() {
@@ -386,8 +386,8 @@ macro_rules! tests {
         })*
         $(#[test]
         fn $ring() {
-            rings::<$ring_op, f32>(|ring| <$ring_op as Op>::eval(ring), |ring, up| <$ring_op as Op>::vjp(ring, up));
-            rings::<$ring_op, f64>(|ring| <$ring_op as Op>::eval(ring), |ring, up| <$ring_op as Op>::vjp(ring, up));
+            rings::<$ring_op, f32>(|ring| <$ring_op as Source>::eval(ring), |ring, up| <$ring_op as Source>::vjp(ring, up));
+            rings::<$ring_op, f64>(|ring| <$ring_op as Source>::eval(ring), |ring, up| <$ring_op as Source>::vjp(ring, up));
         })*
     };
 }

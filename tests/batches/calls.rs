@@ -1,7 +1,7 @@
 //! What batches promise: every form gives the numbers of the single call; bad input is refused with its place, and buffers are left alone.
 use geograd::error::{Argument, Field};
 use geograd::kernels::{
-    Centroid, IofAabb2, IouAabb2, IouObb2, Op, PairOp, Perimeter, SignedArea, cpu, reduce,
+    Centroid, IofAabb2, IouAabb2, IouObb2, Source, PairOp, Perimeter, SignedArea, cpu, reduce,
 };
 use geograd::{Aabb2, Error, Flaw, Obb2, Pack, Vec2};
 
@@ -337,11 +337,11 @@ fn the_list_names_its_functions() {
     macro_rules! names {
         (pairs { $($pair:ident: $pair_op:ty,)* } rings { $($ring:ident: $ring_op:ty,)* }) => {
             $(
-                assert_eq!(<$pair_op as Op>::NAME, stringify!($pair));
+                assert_eq!(<$pair_op as Source>::NAME, stringify!($pair));
                 fn $pair<O: PairOp>() {}
                 $pair::<$pair_op>();
             )*
-            $(assert_eq!(<$ring_op as Op>::NAME, stringify!($ring));)*
+            $(assert_eq!(<$ring_op as Source>::NAME, stringify!($ring));)*
         };
     }
     geograd::for_each_op!(names);

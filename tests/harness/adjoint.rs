@@ -50,17 +50,17 @@ mod alarms {
     use geograd::ad::check::sample::Sample;
     use geograd::ad::check::{self, Report, examine};
     use geograd::kernels::check::OpSubject;
-    use geograd::kernels::{Centroid, IntersectionAreaObb2, IofAabb2, IofObb2, IouObb2, Op};
+    use geograd::kernels::{Centroid, IntersectionAreaObb2, IofAabb2, IofObb2, IouObb2, Source};
     use geograd::{Aabb2, Obb2, Vec2};
 
     /// By the random directions of the sample at which it was refused.
-    fn judged<O: Op>(pair: O::In<f64>, sample: u64) -> Report
+    fn judged<O: Source>(pair: O::In<f64>, sample: u64) -> Report
     where
         O::In<f64>: Sample,
     {
         judged_from::<O>(pair, check::SEED, sample)
     }
-    fn judged_from<O: Op>(pair: O::In<f64>, seed: u64, sample: u64) -> Report
+    fn judged_from<O: Source>(pair: O::In<f64>, seed: u64, sample: u64) -> Report
     where
         O::In<f64>: Sample,
     {

@@ -169,7 +169,7 @@ download! {
 }
 
 /// A result of an operation of rings.
-pub type OutOf<O> = <O as crate::kernels::op::Op>::Out<f32>;
+pub type OutOf<O> = <O as crate::kernels::op::RingOp>::Out<f32>;
 
 impl Gpu {
     /// Checks rings and brings them to the GPU. Ring i has the vertices
