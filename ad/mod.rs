@@ -25,6 +25,7 @@ mod agreement;
 pub mod check;
 pub mod clip;
 mod curvature;
+pub(crate) mod derived;
 mod details;
 mod examine;
 pub mod forward;

@@ -23,8 +23,8 @@ pub use crate::kernels::subject::{Fused, OpSubject, Path, conventions, promises}
 fn pair_value<O: PairOp, S: Number>(x: &[S]) -> Vec<S> {
     let (a, b) = x.split_at(O::A::<S>::LEN);
     let (a, b) = (
-        O::frame_a(O::A::<S>::from_slice(a)),
-        O::frame_b(O::B::<S>::from_slice(b)),
+        O::frame_a(O::A::<S>::load(a)),
+        O::frame_b(O::B::<S>::load(b)),
     );
     vec![O::value::<S, true>(a, b)]
 }
@@ -32,7 +32,7 @@ fn pair_value<O: PairOp, S: Number>(x: &[S]) -> Vec<S> {
 /// A pair's value by the path that batches of ordinary boxes take.
 fn pair_ordinary<O: PairOp, S: Number>(x: &[S]) -> Vec<S> {
     let (a, b) = x.split_at(O::A::<S>::LEN);
-    let (a, b) = (O::A::<S>::from_slice(a), O::B::<S>::from_slice(b));
+    let (a, b) = (O::A::<S>::load(a), O::B::<S>::load(b));
     let ordinary = matches!((O::check_a(&a), O::check_b(&b)), (Ok(true), Ok(true)));
     let (a, b) = (O::frame_a(a), O::frame_b(b));
     vec![if ordinary {
@@ -45,7 +45,7 @@ fn pair_ordinary<O: PairOp, S: Number>(x: &[S]) -> Vec<S> {
 /// A pair's value by a batch.
 fn pair_batch<O: PairOp, S: Real>(x: &[S]) -> Vec<S> {
     let (a, b) = x.split_at(O::A::<S>::LEN);
-    let (a, b) = (O::A::<S>::from_slice(a), O::B::<S>::from_slice(b));
+    let (a, b) = (O::A::<S>::load(a), O::B::<S>::load(b));
     cpu::aligned::<O, S>(&[a], &[b]).unwrap_or_default()
 }
 
@@ -53,8 +53,8 @@ fn pair_batch<O: PairOp, S: Real>(x: &[S]) -> Vec<S> {
 fn pair_fused<O: PairOp, S: Number>(x: &[S]) -> (Vec<S>, Vec<S>) {
     let (a, b) = x.split_at(O::A::<S>::LEN);
     let (a, b) = (
-        O::frame_a(O::A::<S>::from_slice(a)),
-        O::frame_b(O::B::<S>::from_slice(b)),
+        O::frame_a(O::A::<S>::load(a)),
+        O::frame_b(O::B::<S>::load(b)),
     );
     let (value, (a_bar, b_bar)) = O::grad::<S, true>(a, b);
     (vec![value], [a_bar.scalars(), b_bar.scalars()].concat())

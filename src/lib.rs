@@ -28,22 +28,28 @@
 //! | use an adjoint by hand | [`ad::overlap`], [`ad::ring`] |
 //! | work on many shapes at once | [`kernels::cpu`] |
 //! | make a shape | [`Vec2`], [`Vec3`], [`Rotation2`], [`Pose2`], [`Aabb2`], [`Obb2`] |
+//! | make a shape of your own | [`derive(Shape)`](macro@Shape) |
 //! | write generic geometry | [`Scalar`], [`Mask`], [`Pack`] |
 //! | know what happens at a kink | [`scalar`] |
 //!
 //! # Features
 //!
-//! `parallel` (default): batches on all cores. `gpu`: batches on a GPU. `glam`, `serde`, `nalgebra`:
-//! conversions, serialization, `num-dual`'s vector duals.
+//! `parallel` (default): batches on all cores. `gpu`: batches on a GPU. `glam`, `geo-types`, `mint`,
+//! `nalgebra`: conversions of points and vectors; the last one also `num-dual`'s vector duals. `serde`:
+//! serialization. `proptest`: strategies.
 #![warn(missing_docs)]
 #![deny(unsafe_code)]
+
+// What `#[derive(Shape)]` writes calls the library by its name, inside the library, too.
+extern crate self as geograd;
 
 #[forbid(unsafe_code)]
 pub mod aabb;
 #[forbid(unsafe_code)]
-mod approximate;
-#[forbid(unsafe_code)]
 pub mod clip;
+#[doc(hidden)]
+#[forbid(unsafe_code)]
+pub mod derived;
 #[forbid(unsafe_code)]
 pub mod dual;
 #[cfg(feature = "nalgebra")]
@@ -53,7 +59,6 @@ mod dual_vector;
 pub mod error;
 #[forbid(unsafe_code)]
 pub mod float;
-#[cfg(feature = "glam")]
 #[forbid(unsafe_code)]
 mod interop;
 #[forbid(unsafe_code)]
@@ -68,6 +73,8 @@ pub mod overlap;
 pub mod pack;
 #[forbid(unsafe_code)]
 pub mod pose;
+#[forbid(unsafe_code)]
+pub mod product;
 #[forbid(unsafe_code)]
 pub mod ring;
 #[forbid(unsafe_code)]
@@ -87,11 +94,13 @@ pub mod kernels;
 pub struct Readme;
 
 pub use aabb::Aabb2;
+pub use derived::Shape;
 pub use error::{Error, Flaw, Validate};
 pub use jet::Jet;
 pub use lanes::Lanes;
 pub use obb::Obb2;
 pub use pack::{Fixed, Pack};
 pub use pose::{Pose2, Rotation2};
+pub use product::Code;
 pub use scalar::{Mask, Scalar};
 pub use vector::{Vec2, Vec3};

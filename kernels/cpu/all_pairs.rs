@@ -1,11 +1,11 @@
 //! All-pairs batches: every row with every row.
-use crate::Fixed;
 use crate::error::{Argument, Error};
 use crate::kernels::cpu::checked::{check_upstream, entries, expect, fill, pairs};
 use crate::kernels::cpu::sweep::Upstream;
 use crate::kernels::cpu::{A, B, Bars};
 use crate::kernels::op::PairOp;
 use crate::kernels::real::Real;
+use crate::{Fixed, Pack};
 use std::marker::PhantomData;
 
 /// Every row of `a` with every row of `b`: a matrix, row by row.
@@ -96,17 +96,12 @@ impl<O: PairOp, T: Real> PairGrads<O, T> {
             "pair ({i}, {j}) out of range"
         );
         let plane = |k: usize| self.planes[(k * self.rows + i) * self.columns + j];
-        let (mut of_a, mut of_b) = (
-            A::<O, T>::filled(T::default()).to_array(),
-            B::<O, T>::filled(T::default()).to_array(),
-        );
-        for (k, slope) in of_a.as_mut().iter_mut().enumerate() {
+        let (mut slopes, mut k) = (<(A<O, T>, B<O, T>)>::filled(T::default()), 0);
+        slopes.each(&mut |slope| {
             *slope = plane(k);
-        }
-        for (k, slope) in of_b.as_mut().iter_mut().enumerate() {
-            *slope = plane(A::<O, T>::LEN + k);
-        }
-        (Fixed::from_array(of_a), Fixed::from_array(of_b))
+            k += 1;
+        });
+        slopes
     }
 }
 

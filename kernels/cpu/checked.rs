@@ -1,6 +1,6 @@
 //! What stands between slices of shapes and plain numbers: checks, and rows of numbers.
 use crate::Fixed;
-use crate::error::{Argument, Error};
+use crate::error::{Argument, Error, Validate};
 use crate::kernels::cpu::arch;
 use crate::kernels::cpu::pairs::Pairs;
 use crate::kernels::cpu::plan::{Plan, of_any};
@@ -39,7 +39,7 @@ pub(crate) fn check_upstream<T: Real>(upstream: &[T]) -> Result<(), Error> {
         return Ok(());
     }
     for (row, &x) in upstream.iter().enumerate() {
-        crate::error::finite(x, crate::error::Field::Value).map_err(|flaw| Error::Invalid {
+        x.validate().map_err(|flaw| Error::Invalid {
             argument: Argument::Upstream,
             row,
             flaw,
@@ -52,7 +52,7 @@ pub(crate) fn check_upstream<T: Real>(upstream: &[T]) -> Result<(), Error> {
 #[inline]
 pub(crate) fn write_rows<T: Real, P: Fixed<Scalar = T>>(shapes: &[P], rows: &mut [T]) {
     for (shape, row) in shapes.iter().zip(rows.chunks_exact_mut(P::LEN)) {
-        row.copy_from_slice(shape.to_array().as_ref());
+        shape.store(row);
     }
 }
 
@@ -60,9 +60,7 @@ pub(crate) fn write_rows<T: Real, P: Fixed<Scalar = T>>(shapes: &[P], rows: &mut
 #[inline]
 pub(crate) fn read_rows<T: Real, P: Fixed<Scalar = T>>(rows: &[T], shapes: &mut [P]) {
     for (shape, row) in shapes.iter_mut().zip(rows.chunks_exact(P::LEN)) {
-        let mut fields = P::filled(T::default()).to_array();
-        fields.as_mut().copy_from_slice(row);
-        *shape = P::from_array(fields);
+        *shape = P::load(row);
     }
 }
 

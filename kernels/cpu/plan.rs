@@ -4,7 +4,7 @@ use crate::kernels::cpu::lane::{Lane, Results, TILE, Tiles};
 use crate::kernels::op::PairOp;
 use crate::kernels::real::Real;
 use crate::overlap::{Denominator, score_framed};
-use crate::{Fixed, Obb2, ad, clip};
+use crate::{Fixed, Obb2, Pack, ad, clip};
 use std::marker::PhantomData;
 
 /// Lanes that a maker may use as it likes, kept from block to block.
@@ -93,25 +93,21 @@ pub fn of_obb2<T: Real>(over: Denominator) -> Plan<T> {
         frame: Some((frame_fields::<T>(), kernels.obb2_frames)),
         bounds: Some(kernels.obb2_bounds),
         all_ordinary: kernels.all_ordinary_obb2,
-        is_rare: |numbers| !clip::is_ordinary(Obb2::from_slice(numbers)),
+        is_rare: |numbers| !clip::is_ordinary(Obb2::load(numbers)),
     };
     Plan {
         shapes: [shape(), shape()],
         scores: Box::new(Scores(over, kernels.obb2_scores)),
         slopes: Box::new(Slopes(over, kernels.obb2_slopes)),
         rare: Some(Box::new(move |a, b, out_bar, out| {
-            let (a, b) = (
-                clip::frame(Obb2::from_slice(a)),
-                clip::frame(Obb2::from_slice(b)),
-            );
+            let (a, b) = (clip::frame(Obb2::load(a)), clip::frame(Obb2::load(b)));
             if let [value] = out {
                 *value = score_framed::<T, true>(over, a, b);
                 return;
             }
             let (value, bars) = ad::overlap::score_framed_vjp::<T, true>(over, a, b, out_bar);
             out[0] = value;
-            out[1..=OBB2].copy_from_slice(&bars.0.to_array());
-            out[1 + OBB2..].copy_from_slice(&bars.1.to_array());
+            bars.store(&mut out[1..]);
         })),
     }
 }
@@ -140,11 +136,9 @@ struct Plain<O>(PhantomData<O>, bool);
 
 /// An item of a tile.
 fn item<T: Real, P: Fixed<Scalar = T>>(tile: &[Lane<T>], i: usize) -> P {
-    let mut fields = P::filled(T::default()).to_array();
-    for (x, lane) in fields.as_mut().iter_mut().zip(tile) {
-        *x = lane.0[i];
-    }
-    P::from_array(fields)
+    let (mut shape, mut lanes) = (P::filled(T::default()), tile.iter());
+    shape.each(&mut |x| *x = lanes.next().map_or(*x, |lane| lane.0[i]));
+    shape
 }
 
 impl<O: PairOp, T: Real> Maker<T> for Plain<O> {
@@ -163,12 +157,13 @@ impl<O: PairOp, T: Real> Maker<T> for Plain<O> {
                     continue;
                 }
                 let (value, bars) = O::grad::<T, true>(a, b);
-                let (a_bar, b_bar) = (bars.0.to_array(), bars.1.to_array());
                 let out_bar = inputs.get(2).map_or(T::one(), |x| x.lanes[t * x.step].0[i]);
                 put(0, value);
-                for (k, &x) in a_bar.as_ref().iter().chain(b_bar.as_ref()).enumerate() {
-                    put(1 + k, x * out_bar);
-                }
+                let mut k = 0;
+                bars.map(&mut |&x| {
+                    k += 1;
+                    put(k, x * out_bar);
+                });
             }
         }
     }

@@ -1,11 +1,11 @@
 //! Ragged batches: rings of any number of vertices.
-use crate::error::{Argument, Error, Field, finite};
+use crate::error::{Argument, Error, Validate};
 use crate::kernels::cpu::checked::{expect, fill, numbers};
 use crate::kernels::cpu::simd::Simd;
 use crate::kernels::cpu::work::spread;
 use crate::kernels::op::{Op, RingOp};
 use crate::kernels::real::Real;
-use crate::{Fixed, Vec2};
+use crate::{Fixed, Pack, Vec2};
 use std::sync::atomic::{AtomicBool, Ordering};
 
 /// Vertices, or rings, per piece of work.
@@ -98,13 +98,11 @@ fn check_offsets<T: Real>(vertices: usize, offsets: &[usize]) -> Result<(), Erro
 /// Finds the first vertex that is not finite.
 fn check_vertices<T: Real>(vertices: &[Vec2<T>]) -> Result<(), Error> {
     for (row, vertex) in vertices.iter().enumerate() {
-        finite(vertex.x, Field::X)
-            .and_then(|()| finite(vertex.y, Field::Y))
-            .map_err(|flaw| Error::Invalid {
-                argument: Argument::Vertices,
-                row,
-                flaw,
-            })?;
+        vertex.validate().map_err(|flaw| Error::Invalid {
+            argument: Argument::Vertices,
+            row,
+            flaw,
+        })?;
     }
     Ok(())
 }
@@ -201,13 +199,13 @@ pub fn ragged_vjp_into<O: RingOp, T: Real>(
     expect(Argument::Upstream, offsets.len() - 1, upstream.len())?;
     expect(Argument::GradVertices, vertices.len(), bars.len())?;
     for (row, out_bar) in upstream.iter().enumerate() {
-        for &slope in out_bar.to_array().as_ref() {
-            finite(slope, Field::Value).map_err(|flaw| Error::Invalid {
-                argument: Argument::Upstream,
-                row,
-                flaw,
-            })?;
-        }
+        let mut valid = Ok(());
+        out_bar.map(&mut |slope| valid = valid.and_then(|()| slope.validate()));
+        valid.map_err(|flaw| Error::Invalid {
+            argument: Argument::Upstream,
+            row,
+            flaw,
+        })?;
     }
     let mut rest = bars;
     let mut work = Vec::new();

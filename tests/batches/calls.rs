@@ -167,22 +167,22 @@ fn bad_input_is_refused_with_its_place() {
         (
             flawed(3, |x| x.heading = f64::NAN),
             3,
-            Flaw::NotFinite(Field::Heading),
+            Flaw::NotFinite(Field::new("heading")),
         ),
         (
             flawed(0, |x| x.center.y = f64::INFINITY),
             0,
-            Flaw::NotFinite(Field::Y),
+            Flaw::NotFinite(Field::new("y")),
         ),
         (
             flawed(4, |x| x.size.x = -1.0),
             4,
-            Flaw::Negative(Field::Width),
+            Flaw::Negative(Field::new("width")),
         ),
         (
             flawed(2, |x| x.size.y = f64::NEG_INFINITY),
             2,
-            Flaw::NotFinite(Field::Height),
+            Flaw::NotFinite(Field::new("height")),
         ),
     ];
     let mut values = vec![7.0; 25];
@@ -249,7 +249,7 @@ fn bad_input_is_refused_with_its_place() {
     let nan = Error::Invalid {
         argument: Argument::Upstream,
         row: 1,
-        flaw: Flaw::NotFinite(Field::Value),
+        flaw: Flaw::NotFinite(Field::VALUE),
     };
     assert_eq!(
         cpu::aligned_vjp::<IouObb2, f64>(&good, &good, &[1.0, f64::NAN, 1.0, 1.0, 1.0]),
@@ -261,14 +261,14 @@ fn bad_input_is_refused_with_its_place() {
         Err(Error::Invalid {
             argument: Argument::A,
             row: 0,
-            flaw: Flaw::Inverted(Field::MinY)
+            flaw: Flaw::Inverted(Field::new("min.y"))
         })
     );
     assert_eq!(
         Error::Invalid {
             argument: Argument::A,
             row: 3,
-            flaw: Flaw::Negative(Field::Width)
+            flaw: Flaw::Negative(Field::new("width"))
         }
         .to_string(),
         "`a` row 3: width is negative"
@@ -326,7 +326,7 @@ fn ragged_batches_agree_with_single_calls() {
         Err(Error::Invalid {
             argument: Argument::Vertices,
             row: 0,
-            flaw: Flaw::NotFinite(Field::Y)
+            flaw: Flaw::NotFinite(Field::new("y"))
         })
     );
 }

@@ -306,7 +306,7 @@ fn rows_in_errors_count_from_the_start() {
     let expected = Error::Invalid {
         argument: Argument::A,
         row: 599,
-        flaw: Flaw::Inverted(Field::MinX),
+        flaw: Flaw::Inverted(Field::new("min.x")),
     };
     assert_eq!(refused.unwrap_err(), expected);
 }

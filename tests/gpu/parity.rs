@@ -5,7 +5,7 @@ use crate::{gpu, small};
 use geograd::kernels::cpu::{self, PairGrads};
 use geograd::kernels::gpu::{Gpu, GpuPair, Options};
 use geograd::kernels::{overlap, reduce};
-use geograd::{Aabb2, Fixed, Obb2};
+use geograd::{Aabb2, Fixed, Obb2, Pack};
 
 pub fn aligned_agree<O: GpuPair>()
 where
@@ -246,7 +246,7 @@ fn repeated_runs_give_the_same_bits() {
         let (a_bars, b_bars) = bars.unwrap();
         let mut all = bits(&matrix.download().unwrap());
         for bar in [a_bars, b_bars].iter().flat_map(|x| x.download().unwrap()) {
-            all.extend(bits(&bar.to_array()));
+            all.extend(bits(&bar.scalars()));
         }
         all
     };

@@ -257,7 +257,7 @@ fn into_is_the_same_as_anew() {
 fn bits_of(bars: &Bars<Obb2<f32>>) -> Vec<u32> {
     let all = bars.download().unwrap();
     all.iter()
-        .flat_map(|bar| bits(&geograd::Fixed::to_array(*bar)))
+        .flat_map(|bar| bits(&geograd::Pack::scalars(bar)))
         .collect()
 }
 
@@ -272,7 +272,7 @@ fn updates_are_checked_and_change_nothing_when_refused() {
         let expected = GpuError::Input(Error::Invalid {
             argument: Argument::Shape,
             row: 1,
-            flaw: Flaw::NotFinite(Field::MaxX),
+            flaw: Flaw::NotFinite(Field::new("max.x")),
         });
         assert_eq!(a.update(&[good, bad]).unwrap_err(), expected);
         let expected = GpuError::Input(Error::Length {

@@ -3,7 +3,7 @@ use crate::bounds::{EPSILON, ROUNDINGS};
 use crate::shapes::{Draws, fields, shape_of};
 use geograd::kernels::gpu::{Gpu, GpuRing, Options};
 use geograd::kernels::{Backend, cpu};
-use geograd::{Fixed, Vec2};
+use geograd::{Pack, Vec2};
 
 fn rings() -> (Vec<Vec2<f32>>, Vec<usize>) {
     let mut draws = Draws(5);
@@ -126,7 +126,7 @@ pub fn long_rings_agree<O: GpuRing>(gpu: &Gpu, counts: &[usize]) {
             0.0
         };
         let bound = EPSILON * (64.0 * 2.0 * extent * around + lengths);
-        let expected = expected.to_array();
+        let expected = expected.scalars();
         for (found, expected) in fields(*found).iter().zip(expected.as_ref()) {
             let n = corners.len();
             assert!(
