@@ -1,8 +1,8 @@
 //! One front for batches of `f32`: the same calls on the CPU and on a GPU.
 use crate::Vec2;
 use crate::kernels::GpuError;
-use crate::kernels::on_cpu::{self, AlignedGrads, Bars as Slopes, Loss, PairGrads, ShapeOf};
 use crate::kernels::gpu::{Gpu, GpuPair, GpuRing};
+use crate::kernels::on_cpu::{self, AlignedGrads, Bars as Slopes, Loss, PairGrads, ShapeOf};
 use crate::kernels::op::RingOp;
 use crate::kernels::reduce::{Best, Found};
 

@@ -10,10 +10,10 @@ use crate::ad::check::sample::{Sample, hard_cases, random};
 use crate::ad::check::trace::Number;
 use crate::ad::check::{Plan, Report, examine};
 use crate::kernels::gpu::{GpuPair, GpuRing};
-use crate::kernels::op::{Op, Ring, RingOp, Slopes, Source, Straight};
+use crate::kernels::op::{Op, RingOp, Ringed, Slopes, Source, Straight};
 use crate::kernels::real::Real;
-use crate::kernels::witness::{Ask, Batch, ask_pairs, ask_rings};
 use crate::kernels::row::{Row, target};
+use crate::kernels::witness::{Ask, Batch, ask_pairs, ask_rings};
 use crate::kernels::{Backend, Cpu, GpuError};
 use crate::{Fixed, Pack, Vec2};
 
@@ -27,7 +27,7 @@ where
 {
     let mut out = [O::Out::<S>::filled(S::zero())];
     let into = target(&mut out);
-    match Cpu::new().run_into(O::default(), &[O::In::<S>::from_slice(x)][..], vec![Some(into)]) {
+    match Cpu::new().run_into(O::default(), &[O::In::<S>::load(x)][..], vec![Some(into)]) {
         Ok(()) => out[0].scalars(),
         Err(_) => Vec::new(),
     }
@@ -36,7 +36,7 @@ where
 /// The value and slopes of one number, fused.
 fn fused<O: Op, S: Number>(x: &[S]) -> (Vec<S>, Vec<S>) {
     let one = O::Out::<S>::filled(S::one());
-    match O::adjoint(O::In::<S>::from_slice(x), one) {
+    match O::adjoint(O::In::<S>::load(x), one) {
         Some((value, bars)) => (value.scalars(), bars.scalars()),
         None => Default::default(),
     }
@@ -151,14 +151,12 @@ where
 }
 
 /// Runs every check of an operation of a ring.
-pub fn prove_ring<O: RingOp, S: Number + Real>(samples: usize, seed: u64) -> Report
-{
+pub fn prove_ring<O: RingOp, S: Number + Real>(samples: usize, seed: u64) -> Report {
     prove_ring_with::<O, S>(&Plan::new(samples, seed))
 }
 
 /// The same by a plan.
-pub fn prove_ring_with<O: RingOp, S: Number + Real>(plan: &Plan<'_>) -> Report
-{
+pub fn prove_ring_with<O: RingOp, S: Number + Real>(plan: &Plan<'_>) -> Report {
     without_batch(ring::<O, S>(plan, None))
 }
 
@@ -167,17 +165,18 @@ pub fn prove_ring_with<O: RingOp, S: Number + Real>(plan: &Plan<'_>) -> Report
 /// # Errors
 ///
 /// The backend's.
-pub fn prove_ring_on<O: GpuRing>(backend: Backend<'_>, plan: &Plan<'_>) -> Result<Report, GpuError>
-{
+pub fn prove_ring_on<O: GpuRing>(
+    backend: Backend<'_>,
+    plan: &Plan<'_>,
+) -> Result<Report, GpuError> {
     ring::<O, f32>(plan, Some(&|inputs| ask_rings::<O>(backend, inputs)))
 }
 
 fn ring<O: RingOp, S: Number + Real>(
     plan: &Plan<'_>,
     ask: Option<Ask<'_>>,
-) -> Result<Report, GpuError>
-{
-    judged::<Ring<O>, S>(plan, &[ring_value::<O, S>], None, ask)
+) -> Result<Report, GpuError> {
+    judged::<Ringed<O>, S>(plan, &[ring_value::<O, S>], None, ask)
 }
 
 fn without_batch(report: Result<Report, GpuError>) -> Report {

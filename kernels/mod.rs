@@ -39,14 +39,14 @@ mod subject;
 pub mod witness;
 
 pub use backend::Backend;
+pub use cpu::{Cpu, Single, Table};
 pub use gpu::error::GpuError;
-pub use cpu::{Cpu, Shape, Table};
 pub use op::{Op, RingOp, Runs};
 pub use overlap::{
     IntersectionAreaAabb2, IntersectionAreaObb2, IofAabb2, IofObb2, IouAabb2, IouObb2,
 };
-pub use row::{Column, Columns, One, Row, Skip, Target, Targets};
 pub use ring::{Centroid, Perimeter, SignedArea};
+pub use row::{Column, Columns, One, Row, Skip, Target, Targets};
 
 /// Every operation, one per line: a name and a type. Tests, benches and documentation walk this
 /// list.

@@ -2,7 +2,6 @@
 //! [`resident`](crate::kernels::resident): batches of the operations that a GPU serves, in `f32`.
 use crate::error::Error;
 use crate::kernels::gpu::GpuPair;
-use crate::kernels::op::Op;
 use crate::kernels::reduce::{Best, Found};
 use crate::kernels::{Cpu, Table};
 
@@ -79,7 +78,10 @@ use crate::Vec2;
 use crate::kernels::op::RingOp;
 
 /// One result per ring.
-pub fn ragged<O: RingOp>(vertices: &[Vec2<f32>], offsets: &[usize]) -> Result<Vec<O::Out<f32>>, Error> {
+pub fn ragged<O: RingOp>(
+    vertices: &[Vec2<f32>],
+    offsets: &[usize],
+) -> Result<Vec<O::Out<f32>>, Error> {
     CPU.ragged(O::default(), vertices, offsets)
 }
 /// One cotangent per vertex.

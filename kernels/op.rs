@@ -204,15 +204,15 @@ impl<O: Op> Source for Straight<O> {
     }
     fn map<S: Scalar, T: Scalar>(input: &Self::In<S>, f: &mut impl FnMut(S) -> T) -> Self::In<T> {
         let numbers: Vec<T> = input.scalars().into_iter().map(f).collect();
-        O::In::from_slice(&numbers)
+        O::In::load(&numbers)
     }
 }
 
 /// An operation of a ring, as the harness sees it.
 #[derive(Clone, Copy, Debug)]
-pub struct Ring<O>(std::marker::PhantomData<O>);
+pub struct Ringed<O>(std::marker::PhantomData<O>);
 
-impl<O: RingOp> Source for Ring<O> {
+impl<O: RingOp> Source for Ringed<O> {
     const NAME: &'static str = O::NAME;
     type In<S: Scalar> = Vec<Vec2<S>>;
     type Out<S: Scalar> = O::Out<S>;

@@ -1,6 +1,6 @@
 //! Reductions on the CPU, of all pairs without the matrix or of a [`Matrix`] that is there already:
 //! what `gpu` reduces where it is.
-use crate::error::{Argument, Error, Field, Flaw};
+use crate::error::{Argument, Error, Validate};
 use crate::kernels::cpu::checked::{entries, expect};
 use crate::kernels::cpu::lane::TILE;
 use crate::kernels::real::Real;
@@ -43,7 +43,7 @@ pub(crate) fn check_sides(rows: usize, columns: usize, of_rows: bool) -> Result<
 
 /// Refuses a threshold that is not a number.
 pub(crate) fn check_threshold<T: Real>(threshold: T) -> Result<(), Error> {
-    crate::error::finite(threshold, Field::Value).map_err(|flaw: Flaw| Error::Invalid {
+    threshold.validate().map_err(|flaw| Error::Invalid {
         argument: Argument::Threshold,
         row: 0,
         flaw,

@@ -3,10 +3,10 @@
 //! A *column* holds one argument of every item: a slice of shapes, or [`One`] that stands for all.
 //! Several columns are a tuple: `(&points, One(circle))`. Results come out column by column, too: a
 //! batch whose result is a number and a shape gives `(Vec<f64>, Vec<Shape>)`.
-use crate::Fixed;
 use crate::error::{Flaw, Validate};
 use crate::kernels::cpu::arch;
 use crate::kernels::real::Real;
+use crate::{Fixed, Pack};
 use std::borrow::Cow;
 use std::ops::Range;
 
@@ -48,7 +48,7 @@ pub trait Row: Fixed<Scalar: Real> {
 pub fn leaf<P: Row + Validate>() -> Leaf<P::Scalar> {
     Leaf {
         fields: P::LEN,
-        check: |numbers| P::from_slice(numbers).validate(),
+        check: |numbers| P::load(numbers).validate(),
     }
 }
 
@@ -87,16 +87,6 @@ impl Row for f32 {
 impl Row for f64 {
     crate::__row_of_one!();
 }
-
-/// Lists the shapes of the library.
-macro_rules! shapes {
-    ($($shape:ident)*) => { $(
-        impl<T: Real> Row for crate::$shape<T> {
-            crate::__row_of_one!();
-        }
-    )* };
-}
-shapes!(Vec2 Vec3 Rotation2 Pose2 Aabb2 Obb2);
 
 impl<P: Row + Validate, const N: usize> Row for [P; N] {
     crate::__row_of_one!();
@@ -152,7 +142,7 @@ impl<'a, T: Real> Column<'a, T> {
             Some(numbers) => Numbers::Lent(numbers),
             None => Numbers::Read(Box::new(move |items, rows| {
                 for (shape, row) in shapes[items].iter().zip(rows.chunks_exact_mut(P::LEN)) {
-                    row.copy_from_slice(shape.to_array().as_ref());
+                    shape.store(row);
                 }
             })),
         };
@@ -167,8 +157,10 @@ impl<'a, T: Real> Column<'a, T> {
         let fields = part.len();
         Column {
             numbers: Numbers::Read(Box::new(move |items, rows| {
+                let mut all = vec![T::default(); P::LEN];
                 for (shape, row) in shapes[items].iter().zip(rows.chunks_exact_mut(fields)) {
-                    row.copy_from_slice(&shape.to_array().as_ref()[part.clone()]);
+                    shape.store(&mut all);
+                    row.copy_from_slice(&all[part.clone()]);
                 }
             })),
             fields,
@@ -186,9 +178,7 @@ impl<'a, T: Real> Column<'a, T> {
             None => 0..1,
         };
         match &self.numbers {
-            Numbers::Lent(numbers) => {
-                &numbers[items.start * self.fields..items.end * self.fields]
-            }
+            Numbers::Lent(numbers) => &numbers[items.start * self.fields..items.end * self.fields],
             Numbers::Read(read) => {
                 room.resize(items.len() * self.fields, T::default());
                 read(items, room);
@@ -328,7 +318,7 @@ where
         let room = vec![P::Scalar::default(); shapes.len() * P::LEN];
         let write = move |rows: &[P::Scalar]| {
             for (shape, row) in shapes.iter_mut().zip(rows.chunks_exact(P::LEN)) {
-                *shape = P::from_slice(row);
+                *shape = P::load(row);
             }
         };
         Piece::Written(room, Box::new(write))

@@ -70,7 +70,7 @@ where
     /// The slopes by hand, on another kind of number.
     fn slopes<T: Scalar>(&self, x: &[f64], y_bar: &[f64], of: impl Fn(S) -> T) -> Vec<T> {
         let y_bar: Vec<T> = y_bar.iter().map(|&y| of(S::nearest(y))).collect();
-        O::vjp::<T>(&self.made(x, |_, v| of(v)), O::Out::<T>::from_slice(&y_bar)).scalars()
+        O::vjp::<T>(&self.made(x, |_, v| of(v)), O::Out::<T>::load(&y_bar)).scalars()
     }
     /// The Hessian times a direction, through the adjoint, on another kind of number.
     fn bends<T>(&self, x: &[f64], y_bar: &[f64], direction: &[f64], of: impl Fn(S) -> T) -> Vec<T>
@@ -85,7 +85,7 @@ where
             .iter()
             .map(|&y| <Jet<T, 1> as Scalar>::lit(y))
             .collect();
-        let y_bar = O::Out::<Jet<T, 1>>::from_slice(&y_bar);
+        let y_bar = O::Out::<Jet<T, 1>>::load(&y_bar);
         let slopes = O::vjp::<Jet<T, 1>>(&input, y_bar).scalars();
         slopes.iter().map(|jet| jet.slope[0]).collect()
     }

@@ -103,8 +103,8 @@ pub(crate) fn ask_pairs<O: GpuPair>(
     let (mut a, mut b) = (Vec::new(), Vec::new());
     for x in inputs {
         let (first, second) = x.split_at(O::Shape::LEN);
-        a.push(O::Shape::from_slice(first));
-        b.push(O::Shape::from_slice(second));
+        a.push(O::Shape::load(first));
+        b.push(O::Shape::load(second));
     }
     let values = backend.aligned::<O>(&a, &b)?;
     let (a_bars, b_bars) = backend.aligned_vjp::<O>(&a, &b, &vec![1.0; a.len()])?;
@@ -138,7 +138,7 @@ pub(crate) fn ask_rings<O: GpuRing>(
     let outputs = <O as RingOp>::Out::<f32>::LEN;
     for j in 0..outputs {
         let seed: Vec<f32> = (0..outputs).map(|k| f32::from(u8::from(j == k))).collect();
-        let seeds = vec![<O as RingOp>::Out::<f32>::from_slice(&seed); inputs.len()];
+        let seeds = vec![<O as RingOp>::Out::<f32>::load(&seed); inputs.len()];
         let bars = backend.ragged_vjp::<O>(&vertices, &offsets, &seeds)?;
         for (answer, bounds) in answers.iter_mut().zip(offsets.windows(2)) {
             let ring = bars[bounds[0]..bounds[1]].iter();

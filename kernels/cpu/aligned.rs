@@ -1,4 +1,5 @@
 //! Aligned batches: item i of every column.
+use crate::Pack;
 use crate::error::{Argument, Error};
 use crate::kernels::cpu::Cpu;
 use crate::kernels::cpu::checked::{check, check_upstream};
@@ -7,7 +8,6 @@ use crate::kernels::cpu::plan::Face;
 use crate::kernels::op::Runs;
 use crate::kernels::real::Real;
 use crate::kernels::row::{Column, Columns, Row, Target, Targets};
-use crate::Fixed;
 
 /// The scalar of columns.
 type ScalarOf<C> = <<C as Columns>::Row as Pack>::Scalar;
@@ -130,7 +130,7 @@ fn listed<C: Columns>(columns: &C) -> Vec<Column<'_, ScalarOf<C>>> {
 fn checked<T: Real>(face: &Face<T>, columns: &[Column<'_, T>]) -> Result<(usize, bool), Error> {
     let arguments = face.plan.arguments.len();
     let of = |k: usize| match k < arguments {
-        true => Argument::of(k),
+        true => Argument::input(k),
         false => Argument::Upstream,
     };
     let mut count = None;

@@ -13,8 +13,8 @@ use crate::kernels::row::{Column, Row};
 use std::marker::PhantomData;
 
 /// A shape that is one, and not a tuple: what a list of rows or columns is made of.
-pub trait Shape: Row<Many = Vec<Self>> {}
-impl<P: Row<Many = Vec<P>>> Shape for P {}
+pub trait Single: Row<Many = Vec<Self>> {}
+impl<P: Row<Many = Vec<P>>> Single for P {}
 
 /// A result for every row with every column.
 ///
@@ -61,7 +61,9 @@ impl<P: Row> Table<P> {
     #[must_use]
     pub fn plane(&self, k: usize) -> &[P::Scalar] {
         let size = self.rows * self.columns;
-        self.planes.get(k * size..(k + 1) * size).unwrap_or_default()
+        self.planes
+            .get(k * size..(k + 1) * size)
+            .unwrap_or_default()
     }
     /// All numbers: plane after plane.
     #[must_use]
@@ -91,12 +93,12 @@ impl<P: Row> Table<P> {
             "pair ({row}, {column}) of {rows} × {columns}"
         );
         let number = |k: usize| self.planes[(k * rows + row) * columns + column];
-        P::from_slice(&(0..P::LEN).map(number).collect::<Vec<_>>())
+        P::load(&(0..P::LEN).map(number).collect::<Vec<_>>())
     }
 }
 
 /// Lists of shapes, checked.
-fn pairs<'a, T: Real, A: Shape<Scalar = T>, B: Shape<Scalar = T>>(
+fn pairs<'a, T: Real, A: Single<Scalar = T>, B: Single<Scalar = T>>(
     cpu: &Cpu,
     face: &'a Face<T>,
     a: &'a [A],
@@ -138,7 +140,7 @@ impl Cpu {
     /// assert!((b_bar.center.x + 4.0_f64 / 9.0).abs() < 1e-15);
     /// # Ok::<(), geograd::Error>(())
     /// ```
-    pub fn all_pairs<A: Shape, B: Shape<Scalar = A::Scalar>, R: Runs<(A, B)>>(
+    pub fn all_pairs<A: Single, B: Single<Scalar = A::Scalar>, R: Runs<(A, B)>>(
         &self,
         run: R,
         a: &[A],
@@ -155,7 +157,7 @@ impl Cpu {
     ///
     /// As [`all_pairs`](Cpu::all_pairs), and [`Error::Length`] for a table of another size. The table
     /// is then as it was.
-    pub fn all_pairs_into<A: Shape, B: Shape<Scalar = A::Scalar>, R: Runs<(A, B)>>(
+    pub fn all_pairs_into<A: Single, B: Single<Scalar = A::Scalar>, R: Runs<(A, B)>>(
         &self,
         run: R,
         a: &[A],
@@ -174,7 +176,7 @@ impl Cpu {
     ///
     /// As [`all_pairs`](Cpu::all_pairs), and [`Error::Length`] for another number of them. They are
     /// then as they were.
-    pub fn all_pairs_planes<A: Shape, B: Shape<Scalar = A::Scalar>, R: Runs<(A, B)>>(
+    pub fn all_pairs_planes<A: Single, B: Single<Scalar = A::Scalar>, R: Runs<(A, B)>>(
         &self,
         run: R,
         a: &[A],
@@ -207,7 +209,7 @@ impl Cpu {
     /// assert_eq!(b_bar[0].center.x, 0.0);
     /// # Ok::<(), geograd::Error>(())
     /// ```
-    pub fn all_pairs_vjp<A: Shape, B: Shape<Scalar = A::Scalar>, R>(
+    pub fn all_pairs_vjp<A: Single, B: Single<Scalar = A::Scalar>, R>(
         &self,
         run: R,
         a: &[A],
@@ -231,7 +233,7 @@ impl Cpu {
     ///
     /// As [`all_pairs_vjp`](Cpu::all_pairs_vjp), and [`Error::Length`] for a slice of another length.
     /// The slices are then as they were.
-    pub fn all_pairs_vjp_into<A: Shape, B: Shape<Scalar = A::Scalar>, R>(
+    pub fn all_pairs_vjp_into<A: Single, B: Single<Scalar = A::Scalar>, R>(
         &self,
         run: R,
         a: &[A],
@@ -253,7 +255,7 @@ impl Cpu {
         self.pull_back(&face, a, b, upstream, a_bar, b_bar)
     }
 
-    fn pull_back<T: Real, A: Shape<Scalar = T>, B: Shape<Scalar = T>>(
+    fn pull_back<T: Real, A: Single<Scalar = T>, B: Single<Scalar = T>>(
         &self,
         face: &Face<T>,
         a: &[A],
@@ -289,7 +291,7 @@ impl Cpu {
     /// assert_eq!((best[0].value, best[0].index), (1.0 / 3.0, 1));
     /// # Ok::<(), geograd::Error>(())
     /// ```
-    pub fn row_max<A: Shape, B: Shape<Scalar = A::Scalar>, R>(
+    pub fn row_max<A: Single, B: Single<Scalar = A::Scalar>, R>(
         &self,
         run: R,
         a: &[A],
@@ -308,7 +310,7 @@ impl Cpu {
     /// # Errors
     ///
     /// As [`row_max`](Cpu::row_max), for columns without rows.
-    pub fn column_max<A: Shape, B: Shape<Scalar = A::Scalar>, R>(
+    pub fn column_max<A: Single, B: Single<Scalar = A::Scalar>, R>(
         &self,
         run: R,
         a: &[A],
@@ -319,7 +321,9 @@ impl Cpu {
     {
         check_sides(a.len(), b.len(), false)?;
         let face = run.face()?;
-        Ok((A::Scalar::drivers().column_max)(&pairs(self, &face, a, b)?))
+        Ok((A::Scalar::drivers().column_max)(&pairs(
+            self, &face, a, b,
+        )?))
     }
 
     /// Every pair whose result is above the threshold, row by row and within a row by column.
@@ -327,7 +331,7 @@ impl Cpu {
     /// # Errors
     ///
     /// [`Error::Invalid`] for a shape that is not valid or a threshold that is not finite.
-    pub fn above<A: Shape, B: Shape<Scalar = A::Scalar>, R>(
+    pub fn above<A: Single, B: Single<Scalar = A::Scalar>, R>(
         &self,
         run: R,
         a: &[A],
@@ -350,7 +354,7 @@ impl Cpu {
     /// # Errors
     ///
     /// As [`above`](Cpu::above).
-    pub fn count_above<A: Shape, B: Shape<Scalar = A::Scalar>, R>(
+    pub fn count_above<A: Single, B: Single<Scalar = A::Scalar>, R>(
         &self,
         run: R,
         a: &[A],
@@ -372,7 +376,7 @@ impl Cpu {
     /// # Errors
     ///
     /// [`Error::Invalid`] for a shape that is not valid.
-    pub fn sum<A: Shape, B: Shape<Scalar = A::Scalar>, R>(
+    pub fn sum<A: Single, B: Single<Scalar = A::Scalar>, R>(
         &self,
         run: R,
         a: &[A],
@@ -390,7 +394,7 @@ impl Cpu {
     /// # Errors
     ///
     /// As [`sum`](Cpu::sum).
-    pub fn mean<A: Shape, B: Shape<Scalar = A::Scalar>, R>(
+    pub fn mean<A: Single, B: Single<Scalar = A::Scalar>, R>(
         &self,
         run: R,
         a: &[A],
@@ -420,7 +424,7 @@ impl Cpu {
     /// assert_eq!(a_bar[0].max.x, 3.0); // 2 along the one, 1 along the other
     /// # Ok::<(), geograd::Error>(())
     /// ```
-    pub fn sum_grad<A: Shape, B: Shape<Scalar = A::Scalar>, R>(
+    pub fn sum_grad<A: Single, B: Single<Scalar = A::Scalar>, R>(
         &self,
         run: R,
         a: &[A],
@@ -441,7 +445,7 @@ impl Cpu {
     /// # Errors
     ///
     /// As [`sum_grad`](Cpu::sum_grad).
-    pub fn mean_grad<A: Shape, B: Shape<Scalar = A::Scalar>, R>(
+    pub fn mean_grad<A: Single, B: Single<Scalar = A::Scalar>, R>(
         &self,
         run: R,
         a: &[A],
@@ -463,7 +467,7 @@ impl Cpu {
     ///
     /// As [`sum_grad`](Cpu::sum_grad), and for a slice of another length or a factor that is not
     /// finite. The slices are then as they were.
-    pub fn sum_grad_into<A: Shape, B: Shape<Scalar = A::Scalar>, R>(
+    pub fn sum_grad_into<A: Single, B: Single<Scalar = A::Scalar>, R>(
         &self,
         run: R,
         a: &[A],

@@ -1,6 +1,6 @@
 //! What stands between columns of shapes and plain numbers: checks, and room for results.
 use crate::Fixed;
-use crate::error::{Argument, Error};
+use crate::error::{Argument, Error, Validate};
 use crate::kernels::cpu::arch;
 use crate::kernels::cpu::plan::Preparation;
 use crate::kernels::cpu::simd::Simd;
@@ -39,7 +39,7 @@ pub(crate) fn check_upstream<T: Real>(upstream: &[T], fields: usize) -> Result<(
         return Ok(());
     }
     for (i, &x) in upstream.iter().enumerate() {
-        crate::error::finite(x, crate::error::Field::Value).map_err(|flaw| Error::Invalid {
+        x.validate().map_err(|flaw| Error::Invalid {
             argument: Argument::Upstream,
             row: i / fields,
             flaw,
@@ -67,7 +67,7 @@ pub(crate) fn fill<T: Real, P: Fixed<Scalar = T>, R>(
     let mut rows = vec![T::default(); shapes.len() * P::LEN];
     let out = run(&mut rows);
     for (shape, row) in shapes.iter_mut().zip(rows.chunks_exact(P::LEN)) {
-        *shape = P::from_slice(row);
+        *shape = P::load(row);
     }
     out
 }
@@ -90,7 +90,10 @@ pub(crate) fn check<T: Real>(
             !(plan.all_ordinary)(numbers)
         };
         // Nearly always all is well, which a look at all numbers at once can tell.
-        (0..count).step_by(GROUP).filter(|x| is_doubtful(x)).collect()
+        (0..count)
+            .step_by(GROUP)
+            .filter(|x| is_doubtful(x))
+            .collect()
     };
     let first_flaw = Mutex::new(None);
     let is_any_rare = Mutex::new(false);

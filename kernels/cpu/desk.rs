@@ -39,28 +39,34 @@ pub fn compute<T: Real>(work: Aligned<'_, T>) {
     }
     let (face, columns, rare, count) = (work.face, &work.columns, work.rare, work.count);
     let work = pieces.into_iter().enumerate().collect();
-    spread(work, |(i, mut pieces): (usize, Vec<Option<Piece<'_, T>>>)| {
-        let items = i * STRETCH..count.min((i + 1) * STRETCH);
-        let mut rooms: Vec<Vec<T>> = columns.iter().map(|_| Vec::new()).collect();
-        let numbers: Vec<&[T]> = columns
-            .iter()
-            .zip(&mut rooms)
-            .map(|(column, room)| column.numbers(items.clone(), room))
-            .collect();
-        let mut places: Vec<Option<&mut [T]>> = pieces
-            .iter_mut()
-            .map(|piece| piece.as_mut().map(Piece::numbers))
-            .collect();
-        let stretch = Stretch {
-            face,
-            ones: columns.iter().map(|column| column.count.is_none()).collect(),
-            fields: columns.iter().map(|column| column.fields).collect(),
-            numbers,
-            rare,
-        };
-        stretch.compute(items.len(), &mut places);
-        pieces.into_iter().flatten().for_each(Piece::finish);
-    });
+    spread(
+        work,
+        |(i, mut pieces): (usize, Vec<Option<Piece<'_, T>>>)| {
+            let items = i * STRETCH..count.min((i + 1) * STRETCH);
+            let mut rooms: Vec<Vec<T>> = columns.iter().map(|_| Vec::new()).collect();
+            let numbers: Vec<&[T]> = columns
+                .iter()
+                .zip(&mut rooms)
+                .map(|(column, room)| column.numbers(items.clone(), room))
+                .collect();
+            let mut places: Vec<Option<&mut [T]>> = pieces
+                .iter_mut()
+                .map(|piece| piece.as_mut().map(Piece::numbers))
+                .collect();
+            let stretch = Stretch {
+                face,
+                ones: columns
+                    .iter()
+                    .map(|column| column.count.is_none())
+                    .collect(),
+                fields: columns.iter().map(|column| column.fields).collect(),
+                numbers,
+                rare,
+            };
+            stretch.compute(items.len(), &mut places);
+            pieces.into_iter().flatten().for_each(Piece::finish);
+        },
+    );
 }
 
 /// Items that one thread computes.

@@ -45,7 +45,7 @@ mod tree;
 #[forbid(unsafe_code)]
 mod work;
 
-pub use all_pairs::{Shape, Table};
+pub use all_pairs::{Single, Table};
 pub(crate) use ragged::check_ragged;
 
 /// The processor: all its lanes, and all threads of rayon's current pool.

@@ -181,7 +181,7 @@ pub fn pull_back<T: Real>(
         b_bar.fill(T::default());
         return;
     }
-    let fields = [0, 1].map(|k| pairs.plan.shapes[k].fields);
+    let fields = [0, 1].map(|k| pairs.plan.arguments[k].fields);
     // Room for either way of lying.
     let [wide, width] = fields.map(|n| n.next_multiple_of(QUAD));
     let width = tiles(columns) * width;

@@ -6,7 +6,7 @@ use crate::kernels::op::Op;
 use crate::kernels::real::Real;
 use crate::kernels::row::{Leaf, Row, leaves_of};
 use crate::overlap::{Denominator, score_framed};
-use crate::{Aabb2, Fixed, Obb2, ad, clip};
+use crate::{Aabb2, Fixed, Obb2, Pack, ad, clip};
 use std::any::{Any, TypeId};
 use std::collections::HashMap;
 use std::sync::{Arc, PoisonError, RwLock};
@@ -193,8 +193,8 @@ pub fn of_obb2<T: Real>(over: Denominator) -> Plan<T> {
         frame: Some((frame_fields::<T>(), kernels.obb2_frames)),
         bounds: Some(kernels.obb2_bounds),
         all_ordinary: kernels.all_ordinary_obb2,
-        check: |numbers| Obb2::from_slice(numbers).validate(),
-        is_rare: |numbers| !clip::is_ordinary(Obb2::from_slice(numbers)),
+        check: |numbers| Obb2::load(numbers).validate(),
+        is_rare: |numbers| !clip::is_ordinary(Obb2::load(numbers)),
     };
     Plan {
         arguments: vec![shape(), shape()],
@@ -202,7 +202,7 @@ pub fn of_obb2<T: Real>(over: Denominator) -> Plan<T> {
         scores: Box::new(Scores(over, kernels.obb2_scores)),
         slopes: Box::new(Slopes(over, kernels.obb2_slopes)),
         rare: Some(Box::new(move |shapes, out_bar, out| {
-            let [a, b] = [0, 1].map(|k| clip::frame(Obb2::from_slice(shapes[k])));
+            let [a, b] = [0, 1].map(|k| clip::frame(Obb2::load(shapes[k])));
             let out_bar = out_bar.first().copied().unwrap_or(T::one());
             if let [value] = out {
                 *value = score_framed::<T, true>(over, a, b);
@@ -211,8 +211,8 @@ pub fn of_obb2<T: Real>(over: Denominator) -> Plan<T> {
             let (value, bars) =
                 ad::adjoint::overlap::score_framed_vjp::<T, true>(over, a, b, out_bar);
             out[0] = value;
-            out[1..=OBB2].copy_from_slice(&bars.0.to_array());
-            out[1 + OBB2..].copy_from_slice(&bars.1.to_array());
+            bars.0.store(&mut out[1..]);
+            bars.1.store(&mut out[1 + OBB2..]);
         })),
     }
 }
@@ -226,7 +226,7 @@ pub fn of_aabb2<T: Real>(over: Denominator) -> Plan<T> {
         // The bounds are the shape itself.
         bounds: Some(|shapes, bounds| bounds.copy_from_slice(&shapes.lanes[..bounds.len()])),
         all_ordinary: kernels.all_aabb2,
-        check: |numbers| Aabb2::from_slice(numbers).validate(),
+        check: |numbers| Aabb2::load(numbers).validate(),
         is_rare: |_| false,
     };
     Plan {
@@ -287,7 +287,11 @@ impl<T: Real> Maker<T> for Plain<T> {
 }
 
 /// An operation that is computed item by item.
-pub fn of_items<T: Real>(arguments: Vec<Leaf<T>>, outputs: Vec<usize>, each: [Each<T>; 2]) -> Plan<T> {
+pub fn of_items<T: Real>(
+    arguments: Vec<Leaf<T>>,
+    outputs: Vec<usize>,
+    each: [Each<T>; 2],
+) -> Plan<T> {
     let fields: Vec<usize> = arguments.iter().map(|leaf| leaf.fields).collect();
     let maker = |slopes| {
         Box::new(Plain {
@@ -316,21 +320,24 @@ where
     if let Some(compiled) = O::compiled() {
         return of_compiled(compiled);
     }
-    let outputs = leaves_of::<O::Out<T>>().iter().map(|leaf| leaf.fields).collect();
+    let outputs = leaves_of::<O::Out<T>>()
+        .iter()
+        .map(|leaf| leaf.fields)
+        .collect();
     of_items(
         leaves_of::<R>(),
         outputs,
         [
-            |x, _, out| out.copy_from_slice(O::eval(R::from_slice(x)).to_array().as_ref()),
+            |x, _, out| O::eval(R::load(x)).store(out),
             |x, out_bar, out| {
                 let out_bar = match out_bar {
-                    Some(out_bar) => O::Out::<T>::from_slice(out_bar),
+                    Some(out_bar) => O::Out::<T>::load(out_bar),
                     None => O::Out::<T>::filled(T::one()),
                 };
-                if let Some((value, bars)) = O::adjoint(R::from_slice(x), out_bar) {
+                if let Some((value, bars)) = O::adjoint(R::load(x), out_bar) {
                     let (result, slopes) = out.split_at_mut(O::Out::<T>::LEN);
-                    result.copy_from_slice(value.to_array().as_ref());
-                    slopes.copy_from_slice(bars.to_array().as_ref());
+                    value.store(result);
+                    bars.store(slopes);
                 }
             },
         ],

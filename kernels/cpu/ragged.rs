@@ -1,5 +1,5 @@
 //! Ragged batches: rings of any number of vertices.
-use crate::error::{Argument, Error, Field, finite};
+use crate::error::{Argument, Error, Validate};
 use crate::kernels::cpu::Cpu;
 use crate::kernels::cpu::checked::{expect, fill, numbers};
 use crate::kernels::cpu::simd::Simd;
@@ -29,7 +29,9 @@ impl Cpu {
     /// assert_eq!(Cpu::new().ragged(SignedArea, &vertices, &[0, 3, 6])?, [6.0, -0.5]);
     /// # Ok::<(), geograd::Error>(())
     /// ```
-    pub fn ragged<T: Real, O: RingOp>(&self, ring: O,
+    pub fn ragged<T: Real, O: RingOp>(
+        &self,
+        _ring: O,
         vertices: &[Vec2<T>],
         offsets: &[usize],
     ) -> Result<Vec<O::Out<T>>, Error> {
@@ -73,7 +75,9 @@ impl Cpu {
     ///
     /// As [`ragged`](Cpu::ragged), and [`Error::Length`] for a buffer of another length. The buffer is then as it
     /// was.
-    pub fn ragged_into<T: Real, O: RingOp>(&self, ring: O,
+    pub fn ragged_into<T: Real, O: RingOp>(
+        &self,
+        ring: O,
         vertices: &[Vec2<T>],
         offsets: &[usize],
         values: &mut [O::Out<T>],
@@ -90,7 +94,9 @@ impl Cpu {
     /// # Errors
     ///
     /// As [`ragged`](Cpu::ragged), and for an upstream of another length or one that is not finite.
-    pub fn ragged_grad<T: Real, O: RingOp>(&self, ring: O,
+    pub fn ragged_grad<T: Real, O: RingOp>(
+        &self,
+        ring: O,
         vertices: &[Vec2<T>],
         offsets: &[usize],
         upstream: &[O::Out<T>],
@@ -116,7 +122,9 @@ impl Cpu {
     /// assert_eq!(bars, [v(-1.5, -2.0), v(1.5, 0.0), v(0.0, 2.0)]);
     /// # Ok::<(), geograd::Error>(())
     /// ```
-    pub fn ragged_vjp<T: Real, O: RingOp>(&self, ring: O,
+    pub fn ragged_vjp<T: Real, O: RingOp>(
+        &self,
+        ring: O,
         vertices: &[Vec2<T>],
         offsets: &[usize],
         upstream: &[O::Out<T>],
@@ -132,7 +140,9 @@ impl Cpu {
     ///
     /// As [`ragged_vjp`](Cpu::ragged_vjp), and [`Error::Length`] for a buffer of another length. The buffer is then as
     /// it was.
-    pub fn ragged_vjp_into<T: Real, O: RingOp>(&self, ring: O,
+    pub fn ragged_vjp_into<T: Real, O: RingOp>(
+        &self,
+        ring: O,
         vertices: &[Vec2<T>],
         offsets: &[usize],
         upstream: &[O::Out<T>],
@@ -143,7 +153,7 @@ impl Cpu {
         expect(Argument::GradVertices, vertices.len(), bars.len())?;
         for (row, out_bar) in upstream.iter().enumerate() {
             for slope in out_bar.scalars() {
-                finite(slope, Field::Value).map_err(|flaw| Error::Invalid {
+                slope.validate().map_err(|flaw| Error::Invalid {
                     argument: Argument::Upstream,
                     row,
                     flaw,
@@ -204,13 +214,11 @@ fn check_offsets<T: Real>(vertices: usize, offsets: &[usize]) -> Result<(), Erro
 /// Finds the first vertex that is not finite.
 fn check_vertices<T: Real>(vertices: &[Vec2<T>]) -> Result<(), Error> {
     for (row, vertex) in vertices.iter().enumerate() {
-        finite(vertex.x, Field::X)
-            .and_then(|()| finite(vertex.y, Field::Y))
-            .map_err(|flaw| Error::Invalid {
-                argument: Argument::Vertices,
-                row,
-                flaw,
-            })?;
+        vertex.validate().map_err(|flaw| Error::Invalid {
+            argument: Argument::Vertices,
+            row,
+            flaw,
+        })?;
     }
     Ok(())
 }

@@ -1,10 +1,10 @@
 //! What stands for the GPU in a build without the feature `gpu`: types without values, so that
 //! [`Backend`](crate::kernels::Backend) is the same in both.
-use crate::{Aabb2, Obb2};
 use crate::error::Validate;
 use crate::kernels::GpuError;
 use crate::kernels::op::{Op, RingOp};
 use crate::kernels::row::Row;
+use crate::{Aabb2, Obb2};
 use std::marker::PhantomData;
 
 /// A GPU. There is none in a build without the feature `gpu`.
@@ -29,7 +29,7 @@ impl std::fmt::Display for Gpu {
 }
 
 /// A shape that batches on a GPU take.
-pub trait GpuShape: Row<Scalar = f32, Many = Vec<Self>> + Validate {}
+pub trait GpuShape: Row<Scalar = f32, Many = Vec<Self>> + Validate + std::fmt::Debug {}
 impl GpuShape for Obb2<f32> {}
 impl GpuShape for Aabb2<f32> {}
 

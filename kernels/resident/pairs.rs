@@ -2,9 +2,9 @@
 use super::{Bars, Bests, Founds, Matrix, PairBars, Shapes, Side, Values, checked};
 use crate::error::{Argument, Error};
 use crate::kernels::GpuError;
-use crate::kernels::on_cpu;
 use crate::kernels::cpu::checked::expect;
 use crate::kernels::gpu::{GpuPair, GpuShape};
+use crate::kernels::on_cpu;
 use crate::kernels::reduce;
 
 /// Shapes of an operation, and slopes with respect to them.

@@ -5,8 +5,9 @@ use crate::error::Argument;
 use crate::kernels::cpu::check_ragged;
 use crate::kernels::cpu::checked::expect;
 use crate::kernels::gpu::{self, GpuRing};
+use crate::kernels::on_cpu;
 use crate::kernels::op::RingOp;
-use crate::kernels::{Backend, GpuError, cpu};
+use crate::kernels::{Backend, GpuError};
 
 /// Vertices, and where each ring begins among them.
 type Held = (Vec<Vec2<f32>>, Vec<usize>);

@@ -7,8 +7,8 @@ use super::{Bars, Gpu, Inner, Matrix, Pending, Shapes};
 use crate::Fixed;
 use crate::error::{Argument, Error};
 use crate::kernels::GpuError;
-use crate::kernels::on_cpu::PairGrads;
 use crate::kernels::cpu::checked::{check_upstream, entries, expect};
+use crate::kernels::on_cpu::PairGrads;
 use std::marker::PhantomData;
 
 /// Shapes of an operation on the GPU.

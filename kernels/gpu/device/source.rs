@@ -46,7 +46,7 @@ pub(super) const ROW: usize = 32_768;
 pub(super) const MOST_QUADS: usize = 2;
 
 /// A shape that batches on a GPU take.
-pub trait GpuShape: Row<Scalar = f32, Many = Vec<Self>> + Validate {
+pub trait GpuShape: Row<Scalar = f32, Many = Vec<Self>> + Validate + std::fmt::Debug {
     /// How many groups of four numbers a prepared shape has.
     const QUADS: usize;
     /// The shape in WGSL.
