@@ -103,6 +103,11 @@ pub trait Pack: Clone {
 /// assert_eq!(numbers, [1.0, 2.0, 4.0, 2.0, 0.5, 2.0, 3.0]);
 /// assert_eq!(<(Obb2<f64>, Vec2<f64>)>::name(3).as_str(), "0.height");
 /// ```
+#[diagnostic::on_unimplemented(
+    message = "`{Self}` is not a shape of fixed size",
+    label = "not a shape of fixed size",
+    note = "numbers, arrays, tuples of up to six and structs with `#[derive(geograd::Shape)]` are"
+)]
 pub trait Fixed: Pack<Scalar: Copy + Send + Sync> + Copy + Send + Sync + 'static {
     /// The same shape made of another scalar.
     type Of<R: Scalar>: Fixed<Scalar = R>;

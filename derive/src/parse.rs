@@ -363,6 +363,9 @@ fn form(tokens: Tokens<'_>, scalar: &str) -> Result<Form, Refusal> {
         [first, ..] if is_punct(Some(first), '&') => {
             Refusal::new(first.span(), "a shape owns its numbers")
         }
+        [first, ..] if is_ident(Some(first), "Vec") => {
+            Refusal::new(first.span(), "a shape has a fixed number of scalars")
+        }
         _ if mentions(tokens, scalar) => Ok(Form::Shape),
         _ => Refusal::new(
             span_of(tokens),
