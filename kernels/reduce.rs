@@ -1,9 +1,9 @@
 //! Reductions on the CPU, of all pairs without the matrix or of a [`Matrix`] that is there already:
 //! what `gpu` reduces where it is.
 use crate::error::{Argument, Error, Field, Flaw};
-use crate::kernels::cpu::checked::{check_upstream, entries, expect, fill, pairs};
+use crate::kernels::cpu::all_pairs::pull_back;
+use crate::kernels::cpu::checked::{check_upstream, entries, expect, pairs};
 use crate::kernels::cpu::lane::TILE;
-use crate::kernels::cpu::sweep::Upstream;
 use crate::kernels::cpu::{A, B};
 use crate::kernels::op::PairOp;
 use crate::kernels::real::Real;
@@ -199,15 +199,7 @@ pub fn sum_grad_into<O: PairOp, T: Real>(
     expect(Argument::GradB, b.len(), b_bar.len())?;
     check_upstream(&[factor])?;
     let pairs = pairs::<O, T>(a, b)?;
-    let upstream = Upstream {
-        slopes: &vec![factor; b.len()],
-        step: 0,
-    };
-    fill(a_bar, |a_bar| {
-        fill(b_bar, |b_bar| {
-            (T::drivers().pull_back)(&pairs, upstream, a_bar, b_bar);
-        });
-    });
+    pull_back(&pairs, &vec![factor; b.len()], 0, a_bar, b_bar)?;
     Ok((T::drivers().sum)(&pairs))
 }
 

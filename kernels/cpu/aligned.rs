@@ -1,6 +1,6 @@
 //! Aligned batches: row i with row i.
 use crate::error::{Argument, Error};
-use crate::kernels::cpu::checked::{Checked, check, check_upstream, expect, fill, numbers};
+use crate::kernels::cpu::checked::{Checked, check, expect, fill, numbers, restore, tame};
 use crate::kernels::cpu::desk::Aligned;
 use crate::kernels::cpu::work::spread;
 use crate::kernels::cpu::{A, B, Bars};
@@ -160,9 +160,15 @@ fn aligned_slopes<O: PairOp, T: Real>(
     expect(Argument::GradA, a.len(), a_bar.len())?;
     expect(Argument::GradB, b.len(), b_bar.len())?;
     let Checked { plan, rare } = check::<O, T>(a, b)?;
-    if let Seed::Upstream(upstream) = seed {
-        check_upstream(upstream)?;
-    }
+    let steep = match seed {
+        Seed::Upstream(upstream) => tame(upstream, plan.steepest)?,
+        Seed::One(_) => None,
+    };
+    let tamed: Vec<T> = steep.iter().flatten().map(|x| x.0).collect();
+    let seed = match (seed, &steep) {
+        (Seed::Upstream(_), Some(_)) => Seed::Upstream(&tamed),
+        (seed, _) => seed,
+    };
     let seeds: Vec<Seed<'_, T>> = match seed {
         Seed::One(values) => values.chunks_mut(STRETCH).map(Seed::One).collect(),
         Seed::Upstream(upstream) => upstream.chunks(STRETCH).map(Seed::Upstream).collect(),
@@ -199,5 +205,11 @@ fn aligned_slopes<O: PairOp, T: Real>(
             });
         },
     );
+    for (i, (_, by)) in steep.into_iter().flatten().enumerate() {
+        if by != T::one() {
+            fill(&mut a_bar[i..=i], |slopes| restore(slopes, by));
+            fill(&mut b_bar[i..=i], |slopes| restore(slopes, by));
+        }
+    }
     Ok(())
 }

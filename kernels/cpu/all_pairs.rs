@@ -1,7 +1,8 @@
 //! All-pairs batches: every row with every row.
 use crate::Fixed;
 use crate::error::{Argument, Error};
-use crate::kernels::cpu::checked::{check_upstream, entries, expect, fill, pairs};
+use crate::kernels::cpu::checked::{entries, expect, fill, pairs, restore, tame};
+use crate::kernels::cpu::pairs::Pairs;
 use crate::kernels::cpu::sweep::Upstream;
 use crate::kernels::cpu::{A, B, Bars};
 use crate::kernels::op::PairOp;
@@ -215,14 +216,36 @@ pub fn all_pairs_vjp_into<O: PairOp, T: Real>(
     expect(Argument::GradA, a.len(), a_bar.len())?;
     expect(Argument::GradB, b.len(), b_bar.len())?;
     let pairs = pairs::<O, T>(a, b)?;
-    check_upstream(upstream)?;
-    let upstream = Upstream {
-        slopes: upstream,
-        step: b.len(),
+    pull_back(&pairs, upstream, b.len(), a_bar, b_bar)
+}
+
+/// Sums of upstream slopes times slopes; row `i` of the upstream slopes starts at `i * step`.
+///
+/// Where one is too steep for kernels all are brought down by the same power of two, and the sums back.
+pub(crate) fn pull_back<T: Real, P: Fixed<Scalar = T>, Q: Fixed<Scalar = T>>(
+    pairs: &Pairs<'_, T>,
+    upstream: &[T],
+    step: usize,
+    a_bar: &mut [P],
+    b_bar: &mut [Q],
+) -> Result<(), Error> {
+    let steep = tame(upstream, pairs.plan.steepest)?;
+    let by = steep
+        .iter()
+        .flatten()
+        .fold(T::one(), |most, x| most.most(x.1));
+    let down: Vec<T> = match steep {
+        Some(_) => upstream.iter().map(|&x| x.over(by)).collect(),
+        None => Vec::new(),
     };
+    let slopes = if steep.is_some() { &down } else { upstream };
     fill(a_bar, |a_bar| {
         fill(b_bar, |b_bar| {
-            (T::drivers().pull_back)(&pairs, upstream, a_bar, b_bar);
+            (T::drivers().pull_back)(pairs, Upstream { slopes, step }, a_bar, b_bar);
+            if steep.is_some() {
+                restore(a_bar, by);
+                restore(b_bar, by);
+            }
         });
     });
     Ok(())

@@ -55,6 +55,8 @@ pub struct Plan<T> {
     pub scores: Box<dyn Maker<T>>,
     /// Results and slopes of prepared shapes; slopes times what a third input says, if there is one.
     pub slopes: Box<dyn Maker<T>>,
+    /// The steepest upstream slope that kernels bear.
+    pub steepest: f64,
     /// Results of shapes that kernels do not serve.
     pub rare: Option<Rare<T>>,
 }
@@ -99,6 +101,8 @@ pub fn of_obb2<T: Real>(over: Denominator) -> Plan<T> {
         shapes: [shape(), shape()],
         scores: Box::new(Scores(over, kernels.obb2_scores)),
         slopes: Box::new(Slopes(over, kernels.obb2_slopes)),
+        // Slopes of ordinary boxes are below 10²⁶ in single precision, and their terms.
+        steepest: T::LARGEST.powf(0.3125),
         rare: Some(Box::new(move |a, b, out_bar, out| {
             let (a, b) = (
                 clip::frame(Obb2::from_slice(a)),
@@ -131,6 +135,8 @@ pub fn of_aabb2<T: Real>(over: Denominator) -> Plan<T> {
         shapes: [shape(), shape()],
         scores: Box::new(Scores(over, kernels.aabb2_scores)),
         slopes: Box::new(Slopes(over, kernels.aabb2_slopes)),
+        // They serve boxes of any size.
+        steepest: 1.0,
         rare: None,
     }
 }
@@ -167,7 +173,7 @@ impl<O: PairOp, T: Real> Maker<T> for Plain<O> {
                 let out_bar = inputs.get(2).map_or(T::one(), |x| x.lanes[t * x.step].0[i]);
                 put(0, value);
                 for (k, &x) in a_bar.as_ref().iter().chain(b_bar.as_ref()).enumerate() {
-                    put(1 + k, x * out_bar);
+                    put(1 + k, (x * out_bar).saturated());
                 }
             }
         }
@@ -188,6 +194,7 @@ pub fn of_any<O: PairOp, T: Real>() -> Plan<T> {
         shapes: [shape(O::A::<T>::LEN), shape(O::B::<T>::LEN)],
         scores: Box::new(Plain::<O>(PhantomData, false)),
         slopes: Box::new(Plain::<O>(PhantomData, true)),
+        steepest: 1.0,
         rare: None,
     }
 }

@@ -130,7 +130,7 @@ type A<O, T> = <O as PairOp>::A<T>;
 type B<O, T> = <O as PairOp>::B<T>;
 
 /// Upstream slopes of aligned pairs, by turns.
-const UPSTREAM: [f64; 5] = [1.0, -0.5, 0.0, 3.0, -0.0];
+const UPSTREAM: [f64; 7] = [1.0, -0.5, 0.0, 3.0, -0.0, 1e20, -3e38];
 
 /// What the scalar code gives of all pairs of two lists.
 struct Known<O: PairOp, T: Real> {
@@ -157,7 +157,7 @@ impl<O: PairOp, T: Real> Known<O, T> {
         let places = (0..a.len()).flat_map(|i| (0..b.len()).map(move |j| (i, j)));
         let pairs = places.map(|(i, j)| pair(i, j)).collect();
         let aligned = (0..a.len().min(b.len()))
-            .map(|i| slopes(i, i, T::lit(UPSTREAM[i % 5])).collect())
+            .map(|i| slopes(i, i, T::lit(UPSTREAM[i % 7])).collect())
             .collect();
         Known {
             a,
@@ -195,7 +195,7 @@ impl<O: PairOp, T: Real> Known<O, T> {
         let (a, b) = (&a[..count], &b[..count]);
         let values = cpu::aligned::<O, T>(a, b).unwrap();
         let (same, by_a, by_b) = cpu::aligned_grad::<O, T>(a, b).unwrap();
-        let up: Vec<T> = rows.clone().map(|i| T::lit(UPSTREAM[i % 5])).collect();
+        let up: Vec<T> = rows.clone().map(|i| T::lit(UPSTREAM[i % 7])).collect();
         let (up_a, up_b) = cpu::aligned_vjp::<O, T>(a, b, &up[..count]).unwrap();
         for (i, at) in rows.take(count).enumerate() {
             let mut here = bits(&[same[i]]);
