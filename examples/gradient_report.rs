@@ -121,8 +121,8 @@ macro_rules! fuzzes {
     (pairs { $($pair:ident: $pair_op:ty,)* } rings { $($ring:ident: $ring_op:ty,)* }) => {
         [
             $(
-                (stringify!($pair), true, fuzz::pairs::<$pair_op, f64> as Fuzz),
-                (stringify!($pair), false, fuzz::pairs::<$pair_op, f32>),
+                (stringify!($pair), true, fuzz::pairs::<$pair_op, _, f64> as Fuzz),
+                (stringify!($pair), false, fuzz::pairs::<$pair_op, _, f32>),
             )*
             $(
                 (stringify!($ring), true, fuzz::rings::<$ring_op, f64>),

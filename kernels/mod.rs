@@ -16,6 +16,8 @@ pub mod backend;
 pub mod check;
 pub mod cpu;
 #[forbid(unsafe_code)]
+pub mod fuzz;
+#[forbid(unsafe_code)]
 pub mod gpu;
 #[forbid(unsafe_code)]
 mod on_cpu;

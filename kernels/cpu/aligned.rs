@@ -151,7 +151,12 @@ fn checked<T: Real>(face: &Face<T>, columns: &[Column<'_, T>]) -> Result<(usize,
     for (k, column) in columns.iter().enumerate() {
         match face.plan.arguments.get(k) {
             Some(plan) => rare |= check(of(k), plan, column)?,
-            None => check_upstream(&column.all(), column.fields)?,
+            None => {
+                let numbers = column.all();
+                check_upstream(&numbers, column.fields)?;
+                // What is too steep for kernels is as rare as shapes that are.
+                rare |= !(T::kernels().all_up_to)(&numbers, face.plan.steepest);
+            }
         }
     }
     Ok((count.unwrap_or(1), rare))

@@ -2,7 +2,7 @@
 use crate::Fixed;
 use crate::error::{Argument, Error};
 use crate::kernels::cpu::Cpu;
-use crate::kernels::cpu::checked::{check, check_upstream, entries, expect, fill, numbers};
+use crate::kernels::cpu::checked::{check, entries, expect, fill, numbers, restore, tame};
 use crate::kernels::cpu::pairs::Pairs;
 use crate::kernels::cpu::plan::{Face, Want};
 use crate::kernels::cpu::sweep::Upstream;
@@ -267,10 +267,29 @@ impl Cpu {
         expect(Argument::GradA, a.len(), a_bar.len())?;
         expect(Argument::GradB, b.len(), b_bar.len())?;
         let pairs = pairs(self, face, a, b)?;
-        check_upstream(upstream.slopes, 1)?;
+        // Where one is too steep for kernels all are brought down by the same power of two, and the sums
+        // back.
+        let steep = tame(upstream.slopes, face.plan.steepest)?;
+        let by = steep.iter().flatten().map(|x| x.1).fold(T::one(), T::most);
+        let down: Vec<T> = match steep {
+            Some(_) => upstream.slopes.iter().map(|&x| x.over(by)).collect(),
+            None => Vec::new(),
+        };
+        let upstream = Upstream {
+            slopes: if steep.is_some() {
+                &down
+            } else {
+                upstream.slopes
+            },
+            ..upstream
+        };
         fill(a_bar, |a_bar| {
             fill(b_bar, |b_bar| {
                 (T::drivers().pull_back)(&pairs, upstream, a_bar, b_bar);
+                if steep.is_some() {
+                    restore(a_bar, by);
+                    restore(b_bar, by);
+                }
             });
         });
         Ok(())

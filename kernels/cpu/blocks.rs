@@ -663,6 +663,12 @@ pub(crate) fn all_finite<T: Real, V: Vector<T>>(numbers: &[T]) -> bool {
     sum.equals(V::zero()).all() && rest.iter().all(|x| x.finite())
 }
 
+/// Whether every number is finite and none beyond a limit.
+#[inline(always)]
+pub(crate) fn all_up_to<T: Real, V: Vector<T>>(numbers: &[T], limit: f64) -> bool {
+    all_within::<T, V, 1>(numbers, [true], [0.0], [limit])
+}
+
 /// Whether every number is zero or within the limits of its field, for items of so many fields; of
 /// signed fields the magnitude.
 #[inline(always)]

@@ -1,7 +1,7 @@
 //! Block kernels of the overlap of boxes: tiles in, tiles out, generic over the vector.
 //!
 //! Compiled in this library only, by the entries in `arch`.
-use crate::ad::adjoint::overlap::{score_aabb2_vjp, score_framed_vjp};
+use crate::ad::adjoint::overlap::{score_framed_vjp, tame_score_aabb2_vjp};
 use crate::clip::{FAR_AWAY as FAR, Framed, LARGE, SMALL, fine, frame};
 use crate::kernels::cpu::arch::Vector;
 use crate::kernels::cpu::blocks::all_within;
@@ -211,7 +211,7 @@ pub(crate) fn aabb2_slopes<T: Real, V: Vector<T>>(
             let (Some(a), Some(b)) = (aabb2::<T, V>(a, t, at), aabb2(b, t, at)) else {
                 return;
             };
-            let (value, (a_bar, b_bar)) = score_aabb2_vjp(over, a, b, seed(seeds, t, at));
+            let (value, (a_bar, b_bar)) = tame_score_aabb2_vjp(over, a, b, seed(seeds, t, at));
             put([value], out, 0, at);
             let mut slopes = [V::zero(); 2 * AABB2];
             (a_bar, b_bar).store(&mut slopes);

@@ -1,5 +1,6 @@
 //! What stands between columns of shapes and plain numbers: checks, and room for results.
 use crate::Fixed;
+use crate::ad::adjoint::overlap::tamed;
 use crate::error::{Argument, Error, Validate};
 use crate::kernels::cpu::arch;
 use crate::kernels::cpu::plan::Preparation;
@@ -46,6 +47,27 @@ pub(crate) fn check_upstream<T: Real>(upstream: &[T], fields: usize) -> Result<(
         })?;
     }
     Ok(())
+}
+
+/// Upstream slopes that kernels bear: each with what its results are to be multiplied by afterwards.
+/// `None` when they are so themselves, as nearly always.
+///
+/// # Errors
+///
+/// When one is not finite.
+pub(crate) fn tame<T: Real>(upstream: &[T], steepest: f64) -> Result<Option<Vec<(T, T)>>, Error> {
+    if (T::kernels().all_up_to)(upstream, steepest) {
+        return Ok(None);
+    }
+    check_upstream(upstream, 1)?;
+    Ok(Some(upstream.iter().map(|&x| tamed(x)).collect()))
+}
+
+/// Multiplies slopes by what was taken from their upstream slope.
+pub(crate) fn restore<T: Real>(slopes: &mut [T], by: T) {
+    for x in slopes {
+        *x = (*x * by).saturated();
+    }
 }
 
 /// The numbers of shapes, one shape after another: as they are in memory, or written out.

@@ -179,13 +179,16 @@ impl<T: Real> Stretch<'_, T> {
             let of = |k: usize| self.of(k, &(item..item + 1));
             shapes.clear();
             shapes.extend((0..plan.arguments.len()).map(of));
-            let is_rare = |(x, numbers): (&Preparation<T>, &&[T])| (x.is_rare)(numbers);
-            if !plan.arguments.iter().zip(&shapes).any(is_rare) {
-                continue;
-            }
             seed.clear();
             for k in plan.arguments.len()..self.fields.len() {
                 seed.extend_from_slice(of(k));
+            }
+            let is_rare = |(x, numbers): (&Preparation<T>, &&[T])| (x.is_rare)(numbers);
+            let steep = T::lit(plan.steepest);
+            if !plan.arguments.iter().zip(&shapes).any(is_rare)
+                && seed.iter().all(|x| x.unsigned() <= steep)
+            {
+                continue;
             }
             rare(&shapes, &seed, &mut one);
             for (k, &x) in one.iter().enumerate() {

@@ -11,7 +11,7 @@
 #[forbid(unsafe_code)]
 mod aligned;
 #[forbid(unsafe_code)]
-mod all_pairs;
+pub(crate) mod all_pairs;
 #[allow(unsafe_code)]
 pub(crate) mod arch;
 #[forbid(unsafe_code)]

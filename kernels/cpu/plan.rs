@@ -76,7 +76,9 @@ pub struct Plan<T> {
     /// Results and slopes of prepared shapes; slopes times what further inputs say, one for every
     /// shape of a result, if there are any.
     pub slopes: Box<dyn Maker<T>>,
-    /// Results of shapes that kernels do not serve.
+    /// The steepest cotangent that kernels bear.
+    pub steepest: f64,
+    /// Results of shapes, or of cotangents, that kernels do not serve.
     pub rare: Option<Rare<T>>,
 }
 
@@ -201,6 +203,8 @@ pub fn of_obb2<T: Real>(over: Denominator) -> Plan<T> {
         outputs: vec![1],
         scores: Box::new(Scores(over, kernels.obb2_scores)),
         slopes: Box::new(Slopes(over, kernels.obb2_slopes)),
+        // Slopes of ordinary boxes are below 10²⁶ in single precision, and their terms.
+        steepest: T::LARGEST.powf(0.3125),
         rare: Some(Box::new(move |shapes, out_bar, out| {
             let [a, b] = [0, 1].map(|k| clip::frame(Obb2::load(shapes[k])));
             let out_bar = out_bar.first().copied().unwrap_or(T::one());
@@ -234,7 +238,17 @@ pub fn of_aabb2<T: Real>(over: Denominator) -> Plan<T> {
         outputs: vec![1],
         scores: Box::new(Scores(over, kernels.aabb2_scores)),
         slopes: Box::new(Slopes(over, kernels.aabb2_slopes)),
-        rare: None,
+        // They serve boxes of any size.
+        steepest: 1.0,
+        rare: Some(Box::new(move |shapes, out_bar, out| {
+            let [a, b] = [0, 1].map(|k| Aabb2::load(shapes[k]));
+            let out_bar = out_bar.first().copied().unwrap_or(T::one());
+            let (value, bars) = ad::adjoint::overlap::score_aabb2_vjp(over, a, b, out_bar);
+            out[0] = value;
+            if out.len() > 1 {
+                bars.store(&mut out[1..]);
+            }
+        })),
     }
 }
 
@@ -306,6 +320,7 @@ pub fn of_items<T: Real>(
         slopes: maker(true),
         arguments: arguments.into_iter().map(Preparation::plain).collect(),
         outputs: outputs.clone(),
+        steepest: T::LARGEST,
         rare: None,
     }
 }

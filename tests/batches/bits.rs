@@ -128,7 +128,7 @@ type A<O, T> = <O as Pair<T>>::A;
 type B<O, T> = <O as Pair<T>>::B;
 
 /// Upstream slopes of aligned pairs, by turns.
-const UPSTREAM: [f64; 5] = [1.0, -0.5, 0.0, 3.0, -0.0];
+const UPSTREAM: [f64; 7] = [1.0, -0.5, 0.0, 3.0, -0.0, 1e20, -3e38];
 
 /// What the scalar code gives of all pairs of two lists.
 struct Known<O: Pair<T>, T: Number> {
@@ -154,7 +154,7 @@ impl<O: Pair<T>, T: Number> Known<O, T> {
         let places = (0..a.len()).flat_map(|i| (0..b.len()).map(move |j| (i, j)));
         let pairs = places.map(|(i, j)| pair(i, j)).collect();
         let aligned = (0..a.len().min(b.len()))
-            .map(|i| slopes(i, i, T::lit(UPSTREAM[i % 5])).collect())
+            .map(|i| slopes(i, i, T::lit(UPSTREAM[i % 7])).collect())
             .collect();
         Known {
             a,
@@ -192,7 +192,7 @@ impl<O: Pair<T>, T: Number> Known<O, T> {
         let (a, b) = (&a[..count], &b[..count]);
         let values = calls::aligned::<O, T>(a, b).unwrap();
         let (same, by_a, by_b) = calls::aligned_grad::<O, T>(a, b).unwrap();
-        let up: Vec<T> = rows.clone().map(|i| T::lit(UPSTREAM[i % 5])).collect();
+        let up: Vec<T> = rows.clone().map(|i| T::lit(UPSTREAM[i % 7])).collect();
         let (up_a, up_b) = calls::aligned_vjp::<O, T>(a, b, &up[..count]).unwrap();
         for (i, at) in rows.take(count).enumerate() {
             let mut here = bits(&[same[i]]);
@@ -309,7 +309,7 @@ where
         let mut k = 0;
         shape.each(&mut |x| {
             if k == 0 || fields == 4 && k == 2 {
-                *x = *x + X::Scalar::lit(i as f64 * 1.5);
+                *x += X::Scalar::lit(i as f64 * 1.5);
             }
             k += 1;
         });

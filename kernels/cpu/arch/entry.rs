@@ -116,6 +116,8 @@ entries! {
     add_up(numbers: &[T], sums: &mut [f64; TILE]) = blocks::add_up::<T, V>;
     /// Whether every number is finite.
     all_finite(numbers: &[T]) -> bool = blocks::all_finite::<T, V>;
+    /// Whether every number is finite and none beyond a limit.
+    all_up_to(numbers: &[T], limit: f64) -> bool = blocks::all_up_to::<T, V>;
     /// Whether offsets never decrease nor exceed a number of vertices.
     never_decreases(offsets: &[usize], vertices: usize) -> bool = rings::never_decreases::<T, V>;
     /// Measures of rings.
