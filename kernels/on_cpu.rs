@@ -50,8 +50,6 @@ passed_on! {
         = |op| CPU.all_pairs_planes(op, a, b, values);
     all_pairs_grad(a: &[ShapeOf<O>], b: &[ShapeOf<O>]) -> PairGrads<O>
         = |op| CPU.all_pairs(op.value_grad(), a, b);
-    all_pairs_grad_into(a: &[ShapeOf<O>], b: &[ShapeOf<O>], grads: &mut PairGrads<O>) -> ()
-        = |op| CPU.all_pairs_into(op.value_grad(), a, b, grads);
     all_pairs_vjp(a: &[ShapeOf<O>], b: &[ShapeOf<O>], upstream: &[f32]) -> Bars<O>
         = |op| CPU.all_pairs_vjp(op, a, b, upstream);
     all_pairs_vjp_into(

@@ -1,7 +1,7 @@
 //! Shapes of one's own: what the derive gives a struct of scalars, shapes, arrays, tuples and codes.
 use approx::{AbsDiffEq, RelativeEq, UlpsEq};
-use geograd::ad::sample::{Draw, Family, Sample, hard_cases};
-use geograd::ad::symmetry::Kind;
+use geograd::ad::check::sample::{Draw, Family, Sample, hard_cases};
+use geograd::ad::check::symmetry::Kind;
 use geograd::error::{Argument, Field};
 use geograd::{
     Aabb2, Fixed, Flaw, Jet, Obb2, Pack, Pose2, Rotation2, Scalar, Shape, Validate, Vec2, Vec3, ad,
@@ -369,7 +369,7 @@ fn a_function_of_a_shape_of_ones_own_is_proved() {
 
 proptest! {
     #[test]
-    fn proptest_draws_shapes_of_ones_own(robot in any::<Three<f64>>(), goal in ad::strategy::far::<Goal<f64>>()) {
+    fn proptest_draws_shapes_of_ones_own(robot in any::<Three<f64>>(), goal in ad::check::strategy::far::<Goal<f64>>()) {
         prop_assert_eq!(robot.validate(), Ok(()));
         prop_assert!(robot.low.x <= robot.high.x && goal.1 > 0.0);
         prop_assert_eq!((robot.mode, goal.2), (0, false));
