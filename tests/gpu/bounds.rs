@@ -1,9 +1,9 @@
 //! How far results of a GPU may lie from those of the CPU: derived, not tuned.
 use crate::shapes::{Draw, Draws, fields, shape_of};
-use geograd::Pack;
 use geograd::kernels::cpu;
 use geograd::kernels::gpu::GpuPair;
 use geograd::overlap::Denominator;
+use geograd::{Fixed, Pack};
 
 pub const EPSILON: f64 = f32::EPSILON as f64;
 
@@ -49,8 +49,7 @@ fn wide_slopes<O: GpuPair>(a: &[f64], b: &[f64]) -> Vec<f64> {
     let Ok((_, a_bar, b_bar)) = cpu::aligned_grad::<O, f64>(&[a], &[b]) else {
         return Vec::new();
     };
-    let (a_bar, b_bar) = (a_bar[0].scalars(), b_bar[0].scalars());
-    [a_bar.as_ref(), b_bar.as_ref()].concat()
+    (a_bar[0], b_bar[0]).scalars()
 }
 
 /// How far each slope may lie from the CPU's: both are the exact slopes of inputs moved by at most
