@@ -127,8 +127,7 @@ pub fn long_rings_agree<O: GpuRing>(gpu: &Gpu, counts: &[usize]) {
             0.0
         };
         let bound = EPSILON * (64.0 * 2.0 * extent * around + lengths);
-        let expected = expected.scalars();
-        for (found, expected) in fields(*found).iter().zip(expected.as_ref()) {
+        for (found, expected) in fields(*found).into_iter().zip(expected.scalars()) {
             let n = corners.len();
             assert!(
                 (found - expected).abs() <= bound,
