@@ -1,0 +1,4 @@
+//! Programs: generic functions, recorded once.
+pub(crate) mod evaluate;
+pub(crate) mod graph;
+mod simplify;
