@@ -67,7 +67,7 @@ pub mod kernels;
 pub struct Readme;
 
 pub use ad::forward::{gradient, hessian, hvp, jacobian, jvp, value};
-pub use error::{Error, Flaw, Validate};
+pub use error::{Error, Flaw, Unrecordable, Validate};
 pub use pack::{Fixed, Pack};
 pub use scalar::{Jet, Lanes, Mask, Scalar};
 pub use shape::{Aabb2, Obb2, Pose2, Rotation2, Vec2, Vec3};

@@ -83,6 +83,10 @@ pub(crate) fn apply<S: Scalar>(node: Node, inputs: &[S], slot: impl Fn(Id) -> Sl
             let tie = S::select(n(a).equals(n(b)), n(bar).halved(), S::zero());
             S::select(n(a).below(n(b)), n(bar), tie)
         }
+        Rest(a, b, bar) => {
+            let tie = S::select(n(a).equals(n(b)), n(bar).halved(), n(bar));
+            S::select(n(a).below(n(b)), S::zero(), tie)
+        }
         Select(mask, yes, no) => S::select(m(mask), n(yes), n(no)),
     })
 }

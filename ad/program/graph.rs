@@ -82,19 +82,25 @@ pub(crate) enum Node {
     Binade(Id),
     /// The high half of the significand, a constant to slopes.
     High(Id),
-    /// The value of `value` with the slopes of `slope`, multiplied by `share`. Gone from a
+    /// The value of `value` with the slopes of `slope`, multiplied by `share`: what
+    /// [`primal`](crate::Scalar::primal), [`with_primal`](crate::Scalar::with_primal),
+    /// [`damp`](crate::Scalar::damp) and adjoints by hand are. Gone from a
     /// [lowered](Graph::lowered) graph.
     Graft {
         /// Where the value comes from.
         value: Id,
         /// Where the slopes come from; without, there are none.
         slope: Option<Id>,
-        /// What the slopes are multiplied by; without, 1. A constant to slopes.
+        /// What the slopes are multiplied by; without, 1. Its own slopes count for second
+        /// derivatives.
         share: Option<Id>,
     },
     /// `Split(a, b, bar)`: `bar` if `a < b`, `bar / 2` if `a = b`, else 0. What reaches `a` of the
-    /// cotangent of the smaller of both.
+    /// cotangent of [`Min(a, b)`](Node::Min).
     Split(Id, Id, Id),
+    /// `Rest(a, b, bar)`: 0 if `a < b`, `bar / 2` if `a = b`, else `bar`. What reaches `b` of the
+    /// cotangent of [`Min(a, b)`](Node::Min). (That is not `Split(b, a, bar)` where one is NaN.)
+    Rest(Id, Id, Id),
     /// A truth.
     Bool(bool),
     /// `a < b`.
@@ -163,6 +169,7 @@ impl Node {
             And(a, b) => And(r(a), r(b)),
             Or(a, b) => Or(r(a), r(b)),
             Split(a, b, bar) => Split(r(a), r(b), r(bar)),
+            Rest(a, b, bar) => Rest(r(a), r(b), r(bar)),
             Select(mask, yes, no) => Select(r(mask), r(yes), r(no)),
             Graft {
                 value,
@@ -202,6 +209,9 @@ impl Node {
 pub(crate) struct Graph {
     /// The format of the numbers.
     pub(crate) format: Format,
+    /// Whether infinite and NaN results of operations on constants become constants, too: where a
+    /// function is run on plain numbers.
+    pub(crate) plain: bool,
     /// The operations, in an order in which they can be carried out.
     nodes: Vec<Node>,
     known: HashMap<Node, Id>,
@@ -212,6 +222,7 @@ impl Graph {
     pub(crate) fn new(format: Format) -> Self {
         Graph {
             format,
+            plain: false,
             nodes: Vec::new(),
             known: HashMap::new(),
         }

@@ -55,6 +55,14 @@ impl Graph {
                 _ if self.constant(bar) == Some(0.0) => bar,
                 _ => self.push(node),
             },
+            Rest(a, b, bar) => match self.at(bar) {
+                Neg(x) => {
+                    let rest = self.make(Rest(a, b, x));
+                    self.make(Neg(rest))
+                }
+                _ if self.constant(bar) == Some(0.0) => bar,
+                _ => self.push(node),
+            },
             // A constant has no slopes to lose.
             Graft {
                 value, slope: None, ..
@@ -64,7 +72,7 @@ impl Graph {
     }
 
     /// The constant that an operation on constants gives, in the format of the program; nothing if
-    /// it is infinite or NaN, which programs do not write down.
+    /// it is infinite or NaN, which programs do not write down (unless run on plain numbers).
     fn folded(&self, node: Node) -> Option<Node> {
         let operands = node.operands();
         let known = |x: &Id| self.constant(*x).is_some() || self.truth(*x).is_some();
@@ -84,7 +92,7 @@ impl Graph {
         if node.is_mask() {
             Some(Node::Bool(truth))
         } else {
-            number.is_finite().then(|| Node::Const(number.to_bits()))
+            (self.plain || number.is_finite()).then(|| Node::Const(number.to_bits()))
         }
     }
 

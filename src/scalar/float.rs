@@ -298,7 +298,8 @@ macro_rules! float {
                 if self == 0.0 && x == 0.0 {
                     0.0
                 } else {
-                    self.widen().atan2(x.widen()) as $f
+                    // Which of two zeros is meant is nobody's decision.
+                    (self.widen() + 0.0).atan2(x.widen() + 0.0) as $f
                 }
             }
             #[inline(always)]
