@@ -125,6 +125,8 @@ pub enum Unrecordable {
     /// Its value without the hints of [`Mask::any`](crate::Mask::any) and
     /// [`Mask::all`](crate::Mask::all) is another than with them.
     Hint,
+    /// Its input or its result has whole numbers (codes, counts): programs are of numbers with slopes.
+    Codes,
     /// It has more operations than a program can hold.
     TooLong,
     /// The name asked for is not one that a function can have there.
@@ -139,6 +141,7 @@ impl fmt::Display for Unrecordable {
             Unrecordable::Hint => {
                 "the value depends on the answers of `any` or `all`, which are only hints"
             }
+            Unrecordable::Codes => "there are whole numbers in its input or result",
             Unrecordable::TooLong => "there are too many operations",
             Unrecordable::Name => "the name is reserved or not an identifier",
         })
