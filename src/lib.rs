@@ -78,7 +78,7 @@ pub struct Readme;
 
 pub use ad::forward::{gradient, hessian, hvp, jacobian, jvp, value};
 pub use derived::Shape;
-pub use error::{Error, Flaw, Validate};
+pub use error::{Error, Flaw, Unrecordable, Validate};
 pub use pack::{Fixed, Pack};
 pub use product::Code;
 pub use scalar::{Jet, Lanes, Mask, Scalar};
