@@ -11,8 +11,8 @@
 //! let fuzzed = fuzz::pairs::<IouObb2, f32>(100_000, 1);
 //! assert_eq!(fuzzed.broken, None, "{fuzzed}");
 //! ```
-use crate::ad::sample::Draw;
-use crate::ad::symmetry::{Answer, Motion};
+use crate::ad::check::sample::Draw;
+use crate::ad::check::symmetry::{Answer, Motion};
 use crate::kernels::check::promises;
 use crate::kernels::cpu;
 use crate::kernels::cpu::arch::memory;

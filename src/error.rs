@@ -114,6 +114,37 @@ impl fmt::Display for Flaw {
 
 impl std::error::Error for Flaw {}
 
+/// Why a function cannot be recorded as a program.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+#[non_exhaustive]
+pub enum Unrecordable {
+    /// It uses a symbol of another recording, of another thread, or made outside any recording.
+    ForeignSymbol,
+    /// Its result depends on a literal that is infinite or NaN in the format of the program.
+    Constant,
+    /// Its value without the hints of [`Mask::any`](crate::Mask::any) and
+    /// [`Mask::all`](crate::Mask::all) is another than with them.
+    Hint,
+    /// It has more operations than a program can hold.
+    TooLong,
+    /// The name asked for is not one that a function can have there.
+    Name,
+}
+
+impl fmt::Display for Unrecordable {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(match self {
+            Unrecordable::ForeignSymbol => "a symbol of another recording, or of none, was used",
+            Unrecordable::Constant => "the result depends on an infinite or NaN literal",
+            Unrecordable::Hint => {
+                "the value depends on the answers of `any` or `all`, which are only hints"
+            }
+            Unrecordable::TooLong => "there are too many operations",
+            Unrecordable::Name => "the name is reserved or not an identifier",
+        })
+    }
+}
+
 /// Why a call was refused. Nothing was computed and no buffer was written.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 #[non_exhaustive]
@@ -147,6 +178,8 @@ pub enum Error {
     /// The environment variable `GEOGRAD_SIMD`, or a call, asks for a level of vector instructions that
     /// is unknown or that this processor lacks.
     Simd,
+    /// A function cannot be recorded as a program.
+    Program(Unrecordable),
 }
 
 impl fmt::Display for Error {
@@ -181,6 +214,7 @@ impl fmt::Display for Error {
                     "`offsets` row {row}: offsets go from 0 to the number of vertices and never decrease"
                 )
             }
+            Error::Program(why) => write!(f, "the function cannot be a program: {why}"),
             Error::TooLarge => f.write_str("more results than memory can hold"),
             Error::Simd => f.write_str(
                 "vector instructions were asked for that are unknown or that this processor lacks \

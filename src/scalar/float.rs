@@ -1,0 +1,357 @@
+//! `f32` and `f64` as scalars, and the elementary functions they share with SIMD lanes.
+//!
+//! Sine and cosine are our own polynomials, evaluated in `f64`, so that a number and a lane give
+//! the same bits on every machine and at every SIMD level.
+use crate::Scalar;
+
+/// Above this angle the three-part reduction loses digits and the platform's library takes over.
+const REDUCED: f64 = 800_000.0;
+
+/// Adding and taking away 1.5 · 2⁵² rounds an `f64` to the nearest integer.
+const SHIFT: f64 = 6_755_399_441_055_744.0;
+
+/// The nearest multiple of a quarter turn, in quarters.
+#[inline(always)]
+fn quadrant_of<W: Scalar>(angle: W) -> W {
+    let shift = W::lit(SHIFT);
+    (angle * W::lit(std::f64::consts::FRAC_2_PI) + shift) - shift
+}
+
+/// Sine and cosine of an angle from those of what is left after the nearest quarter turn.
+#[inline(always)]
+fn turned<W: Scalar>(quadrant: W, sin: W, cos: W) -> (W, W) {
+    let shift = W::lit(SHIFT);
+    // The quadrant modulo 4, in {−2, −1, 0, 1, 2}.
+    let turn = quadrant - ((quadrant * W::lit(0.25) + shift) - shift) * W::lit(4.0);
+    let odd = (turn * turn).equals(W::one());
+    let far = (turn * turn).above(W::lit(2.0));
+    let (a, b) = (W::select(odd, cos, sin), W::select(odd, sin, cos));
+    (
+        W::select(far | turn.equals(W::lit(-1.0)), -a, a),
+        W::select(far | turn.equals(W::one()), -b, b),
+    )
+}
+
+/// A polynomial, the constant first.
+#[inline(always)]
+fn polynomial<W: Scalar, const N: usize>(coefficients: [f64; N], z: W) -> W {
+    let mut sum = W::lit(coefficients[N - 1]);
+    let mut i = N - 1;
+    while i > 0 {
+        i -= 1;
+        sum = sum * z + W::lit(coefficients[i]);
+    }
+    sum
+}
+
+/// Sine and cosine of lanes of `f64` (or one `f64`) for angles up to [`REDUCED`].
+///
+/// Reduction to `[−π/4, π/4]` by three parts of π/2 whose products with the quadrant are exact,
+/// then the minimax polynomials of Sun's fdlibm (`k_sin.c`, `k_cos.c`); within one unit in the
+/// last place.
+#[inline(always)]
+fn sin_cos_reduced<W: Scalar<Primal = W>>(angle: W) -> (W, W) {
+    let quadrant = quadrant_of(angle);
+    // π/2 in parts of 33 bits (fdlibm, e_rem_pio2.c).
+    let r = ((angle - quadrant * W::lit(1.570_796_326_734_125_6))
+        - quadrant * W::lit(6.077_100_506_303_966e-11))
+        - quadrant * W::lit(2.022_266_248_795_950_6e-21);
+    let z = r * r;
+    let s = polynomial(
+        [
+            -1.666_666_666_666_663_2e-1,
+            8.333_333_333_322_49e-3,
+            -1.984_126_982_985_795e-4,
+            2.755_731_370_707_006_8e-6,
+            -2.505_076_025_340_686_3e-8,
+            1.589_690_995_211_55e-10,
+        ],
+        z,
+    );
+    let c = polynomial(
+        [
+            4.166_666_666_666_66e-2,
+            -1.388_888_888_887_411e-3,
+            2.480_158_728_947_673e-5,
+            -2.755_731_435_139_066_3e-7,
+            2.087_572_321_298_175e-9,
+            -1.135_964_755_778_819_5e-11,
+        ],
+        z,
+    );
+    let sin = r + r * z * s;
+    let half = z.halved();
+    let whole = W::one() - half;
+    let cos = whole + (((W::one() - whole) - half) + z * z * c);
+    turned(quadrant, sin, cos)
+}
+
+/// Sine and cosine in `f64` of angles that are `f32`, for angles up to [`REDUCED`]: right to 2⁻⁴²,
+/// which is more than an `f32` and its rest have.
+///
+/// As [`sin_cos_reduced`], with shorter polynomials (minimax, by Remez' exchange) and π/2 in two
+/// parts, of which the first has 33 bits.
+#[inline(always)]
+fn sin_cos_short<W: Scalar<Primal = W>>(angle: W) -> (W, W) {
+    let quadrant = quadrant_of(angle);
+    let r = (angle - quadrant * W::lit(1.570_796_326_734_125_6))
+        - quadrant * W::lit(6.077_100_506_506_192e-11);
+    let z = r * r;
+    let s = polynomial(
+        [
+            -1.666_666_666_663_031_5e-1,
+            8.333_333_325_071_131e-3,
+            -1.984_126_372_495_233e-4,
+            2.755_533_886_300_622_8e-6,
+            -2.476_039_626_536_973e-8,
+        ],
+        z,
+    );
+    let c = polynomial(
+        [
+            4.166_666_661_945_37e-2,
+            -1.388_888_349_685_687e-3,
+            2.479_945_930_932_67e-5,
+            -2.720_568_456_781_55e-7,
+        ],
+        z,
+    );
+    let sin = r + r * z * s;
+    let cos = (W::one() - z.halved()) + z * z * c;
+    turned(quadrant, sin, cos)
+}
+
+/// Sine and cosine of lanes of `f64` (or one `f64`), of which `short` says whether they come from
+/// `f32`; `by_library` serves the rare huge angles.
+#[inline(always)]
+fn sin_cos_by<W: Scalar<Primal = W>>(
+    short: bool,
+    angle: W,
+    by_library: impl Fn(W) -> (W, W),
+) -> (W, W) {
+    use crate::Mask;
+    let near = angle.unsigned().at_most(W::lit(REDUCED));
+    if near.all() {
+        return match short {
+            true => sin_cos_short(angle),
+            false => sin_cos_reduced(angle),
+        };
+    }
+    let angle_near = W::select(near, angle, W::zero());
+    let (sin, cos) = match short {
+        true => sin_cos_short(angle_near),
+        false => sin_cos_reduced(angle_near),
+    };
+    let (far_sin, far_cos) = by_library(angle);
+    (W::select(near, sin, far_sin), W::select(near, cos, far_cos))
+}
+
+/// Sine and cosine of lanes of `f64` (or one `f64`).
+#[inline(always)]
+pub(crate) fn sin_cos_wide<W: Scalar<Primal = W>>(
+    angle: W,
+    by_library: impl Fn(W) -> (W, W),
+) -> (W, W) {
+    sin_cos_by(false, angle, by_library)
+}
+
+/// Sine and cosine in `f64` of angles that are `f32`.
+#[inline(always)]
+pub(crate) fn sin_cos_single<W: Scalar<Primal = W>>(
+    angle: W,
+    by_library: impl Fn(W) -> (W, W),
+) -> (W, W) {
+    sin_cos_by(true, angle, by_library)
+}
+
+/// An `f64` as the twelve high bits of its significand, which an `f32` holds, and the rest, rounded
+/// to `f32`.
+#[inline(always)]
+pub(crate) fn split_single(wide: f64) -> (f32, f32) {
+    let high = f64::from_bits(wide.to_bits() & HIGH_OF_SINGLE);
+    (high as f32, (wide - high) as f32)
+}
+
+/// Leaves twelve bits of a significand of an `f64`.
+pub(crate) const HIGH_OF_SINGLE: u64 = !((1 << 41) - 1);
+
+/// What differs between the two formats, for the numbers here and the lanes built on them.
+pub trait Float: Copy + std::fmt::Debug + Send + Sync + 'static {
+    /// The bit pattern as an integer, also the type of a lane's mask.
+    type Bits: Copy + std::fmt::Debug + Send + Sync + 'static;
+    /// All zeros.
+    const NONE: Self::Bits;
+    /// The exact value as `f64`.
+    fn widen(self) -> f64;
+    /// The high half of the significand.
+    fn high(self) -> Self;
+    /// All ones if `yes`.
+    fn mask(yes: bool) -> Self::Bits;
+    /// Bitwise choice.
+    fn choose(mask: Self::Bits, yes: Self, no: Self) -> Self;
+    /// Bitwise and.
+    fn and(a: Self::Bits, b: Self::Bits) -> Self::Bits;
+    /// Bitwise or.
+    fn or(a: Self::Bits, b: Self::Bits) -> Self::Bits;
+    /// Bitwise not.
+    fn not(a: Self::Bits) -> Self::Bits;
+}
+
+/// Both formats: the macro takes what the two differ in.
+macro_rules! float {
+    ($f:ident, $bits:ident, compensated: $compensated:literal, parallel: $parallel:literal,
+     low_half: $low:literal, mantissa: $mantissa:literal,
+     sines: $sin_cos:ident, split: $split:expr) => {
+        impl Float for $f {
+            type Bits = $bits;
+            const NONE: $bits = 0;
+            #[inline(always)]
+            fn widen(self) -> f64 {
+                self as f64
+            }
+            #[inline(always)]
+            fn high(self) -> Self {
+                $f::from_bits(self.to_bits() & !((1 << $low) - 1))
+            }
+            #[inline(always)]
+            fn mask(yes: bool) -> $bits {
+                if yes { !0 } else { 0 }
+            }
+            #[inline(always)]
+            fn choose(mask: $bits, yes: Self, no: Self) -> Self {
+                $f::from_bits((yes.to_bits() & mask) | (no.to_bits() & !mask))
+            }
+            #[inline(always)]
+            fn and(a: $bits, b: $bits) -> $bits {
+                a & b
+            }
+            #[inline(always)]
+            fn or(a: $bits, b: $bits) -> $bits {
+                a | b
+            }
+            #[inline(always)]
+            fn not(a: $bits) -> $bits {
+                !a
+            }
+        }
+
+        impl Scalar for $f {
+            type Mask = bool;
+            type Primal = Self;
+            const COMPENSATED: bool = $compensated;
+            const EPSILON: f64 = $f::EPSILON as f64;
+            const PARALLEL: f64 = $parallel;
+            const LARGEST: f64 = $f::MAX as f64;
+            #[inline(always)]
+            fn lit(x: f64) -> Self {
+                x as $f
+            }
+            #[inline(always)]
+            fn from_primal(x: Self) -> Self {
+                x
+            }
+            #[inline(always)]
+            fn primal(self) -> Self {
+                self
+            }
+            #[inline(always)]
+            fn below(self, other: Self) -> bool {
+                self < other
+            }
+            #[inline(always)]
+            fn at_most(self, other: Self) -> bool {
+                self <= other
+            }
+            #[inline(always)]
+            fn equals(self, other: Self) -> bool {
+                self == other
+            }
+            #[inline(always)]
+            fn select(mask: bool, yes: Self, no: Self) -> Self {
+                if mask { yes } else { no }
+            }
+            #[inline(always)]
+            fn over(self, divisor: Self) -> Self {
+                self / divisor
+            }
+            #[inline(always)]
+            fn root(self) -> Self {
+                if self > 0.0 { self.sqrt() } else { 0.0 }
+            }
+            #[inline(always)]
+            fn sin_cos(self) -> (Self, Self) {
+                let (sin, cos) = $sin_cos(self.widen(), f64::sin_cos);
+                (sin as $f, cos as $f)
+            }
+            #[inline(always)]
+            fn sin_cos_parts(self) -> [(Self, Self); 2] {
+                let (sin, cos) = $sin_cos(self.widen(), f64::sin_cos);
+                [$split(sin), $split(cos)]
+            }
+            #[inline(always)]
+            fn parts(self) -> (Self, Self) {
+                let high = self.high();
+                (high, self - high)
+            }
+            #[inline(always)]
+            fn atan2(self, x: Self) -> Self {
+                if self == 0.0 && x == 0.0 {
+                    0.0
+                } else {
+                    // Which of two zeros is meant is nobody's decision.
+                    (self.widen() + 0.0).atan2(x.widen() + 0.0) as $f
+                }
+            }
+            #[inline(always)]
+            fn exp(self) -> Self {
+                self.widen().exp() as $f
+            }
+            #[inline(always)]
+            fn ln(self) -> Self {
+                self.widen().ln() as $f
+            }
+            #[inline(always)]
+            fn binade(self) -> Self {
+                // The exponent field e becomes 2·bias + 1 − e.
+                let normal = if self < $f::MIN_POSITIVE {
+                    $f::MIN_POSITIVE
+                } else {
+                    self
+                };
+                let field = normal.to_bits() >> $mantissa << $mantissa;
+                let twice_bias = (2 * ($f::MAX_EXP as $bits - 1) + 1) << $mantissa;
+                $f::from_bits(twice_bias - field)
+            }
+            // A tie of plain numbers has one value, so the kinks need a single choice.
+            #[inline(always)]
+            fn least(self, other: Self) -> Self {
+                if self < other { self } else { other }
+            }
+            #[inline(always)]
+            fn most(self, other: Self) -> Self {
+                if self > other { self } else { other }
+            }
+            #[inline(always)]
+            fn magnitude(self) -> Self {
+                self.abs()
+            }
+            #[inline(always)]
+            fn unsigned(self) -> Self {
+                self.abs()
+            }
+            #[inline(always)]
+            fn damp(self, _share: Self) -> Self {
+                self
+            }
+            #[inline(always)]
+            fn with_primal(self, value: Self) -> Self {
+                value
+            }
+        }
+    };
+}
+
+float!(f32, u32, compensated: true, parallel: 2e-10, low_half: 12, mantissa: 23,
+    sines: sin_cos_single, split: split_single);
+float!(f64, u64, compensated: false, parallel: 4e-16, low_half: 27, mantissa: 52,
+    sines: sin_cos_wide, split: f64::parts);
