@@ -33,7 +33,7 @@ pub(crate) use memory::flat;
 pub use memory::{numbers, numbers_mut};
 
 use crate::kernels::cpu::lane::{Lane, TILE};
-use crate::lanes::LaneMask;
+use crate::scalar::lanes::LaneMask;
 use crate::{Lanes, Scalar};
 use std::hint::black_box;
 

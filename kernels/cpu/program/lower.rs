@@ -1,14 +1,11 @@
 //! From a graph to a tape: instructions in order, operands and results in slots.
+use crate::Unrecordable;
 use crate::ad::program::graph::{Graph, Id, Node};
 use crate::kernels::cpu::program::fuse::{Step, cover, sine_of, uses};
 use crate::kernels::cpu::program::instructions::{Code, Op};
 use crate::kernels::cpu::program::skip;
 use crate::kernels::cpu::program::slots::Slots;
 use std::collections::HashMap;
-
-/// A program has more numbers at a time than an instruction can name.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct TooWide;
 
 /// A program as instructions.
 #[derive(Clone, Debug)]
@@ -91,7 +88,7 @@ impl Tape {
         inputs: usize,
         outputs: &[Id],
         skipping: bool,
-    ) -> Result<Tape, TooWide> {
+    ) -> Result<Tape, Unrecordable> {
         let live = graph.live(outputs, false);
         let skip = match skipping {
             true => skip::find(graph, &live, outputs),
@@ -146,7 +143,7 @@ fn assign(
     inputs: usize,
     outputs: &[Id],
     skip: Option<(usize, usize, &skip::Skip)>,
-) -> Result<Tape, TooWide> {
+) -> Result<Tape, Unrecordable> {
     let graph = lowering.graph;
     let mut left = vec![0; graph.len()];
     for &x in &lowering.order {
@@ -234,9 +231,9 @@ fn assign(
             Place::Slot(slot) => slot,
             Place::Constant(k) => count + k,
         })
-        .map_err(|_| TooWide)
+        .map_err(|_| Unrecordable::TooLong)
     };
-    let names = |places: [Place; 4]| -> Result<[u16; 4], TooWide> {
+    let names = |places: [Place; 4]| -> Result<[u16; 4], Unrecordable> {
         let [a, b, c, d] = places;
         Ok([name(a)?, name(b)?, name(c)?, name(d)?])
     };

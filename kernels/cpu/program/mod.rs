@@ -5,6 +5,7 @@
 //! blocks are as long as the innermost cache allows. What the interpreter is compiled to depends on
 //! the format and the level of vector instructions only; results have the same bits at all of them.
 mod execute;
+pub mod face;
 mod fuse;
 pub(crate) mod instructions;
 pub(crate) mod lower;
@@ -13,14 +14,14 @@ mod slots;
 pub(crate) mod split;
 
 pub(crate) use execute::{Pass, interpret};
-pub use lower::TooWide;
-
-use crate::ad::program::graph::{Graph, Id};
+pub(crate) 
+use crate::Unrecordable;
+use crate::ad::program::graph::{Graph, Id, Node};
 use crate::kernels::cpu::lane::{Lane, PLANE, Results, Tiles};
 use crate::kernels::cpu::plan::{Maker, Room};
 use crate::kernels::real::Real;
 use execute::STRIP;
-use lower::Tape;
+pub(crate) use lower::Tape;
 use std::cell::Cell;
 use std::sync::atomic::{AtomicU64, Ordering};
 
@@ -58,11 +59,17 @@ impl Interpreted {
         fields: &[usize],
         outputs: &[Id],
         skipping: bool,
-    ) -> Result<Self, TooWide> {
+    ) -> Result<Self, Unrecordable> {
         static NEXT: AtomicU64 = AtomicU64::new(1);
         let stamp = NEXT.fetch_add(1, Ordering::Relaxed);
+        // Zeros lose their signs on their way out.
+        let plain = |&x: &Id| match graph.at(x) {
+            Node::Canonical(x) => x,
+            _ => x,
+        };
+        let outputs: Vec<Id> = outputs.iter().map(plain).collect();
         Ok(Interpreted {
-            tape: Tape::new(graph, fields.iter().sum(), outputs, skipping)?,
+            tape: Tape::new(graph, fields.iter().sum(), &outputs, skipping)?,
             fields: fields.to_vec(),
             stamp: [0, 16, 32, 48].map(|shift| (stamp >> shift) as u16),
             width: None,
@@ -131,7 +138,7 @@ impl Interpreted {
         }
     }
     /// Computes as many tiles as there is room for, one after another, each number by number: what is prepared
-    /// once for every shape of a list. Zeros keep their signs.
+    /// once for every shape of a list. Zeros may keep their signs.
     pub(crate) fn prepare<T: Real>(
         &self,
         room: &mut Room<T>,
