@@ -30,6 +30,9 @@ pub(crate) mod lane;
 pub(crate) mod pairs;
 #[forbid(unsafe_code)]
 pub(crate) mod plan;
+#[doc(hidden)]
+#[forbid(unsafe_code)]
+pub mod program;
 #[forbid(unsafe_code)]
 mod ragged;
 #[forbid(unsafe_code)]
