@@ -26,6 +26,8 @@ pub mod op;
 #[forbid(unsafe_code)]
 pub mod overlap;
 #[forbid(unsafe_code)]
+mod program;
+#[forbid(unsafe_code)]
 pub mod real;
 #[forbid(unsafe_code)]
 pub mod reduce;

@@ -33,6 +33,7 @@ use crate::kernels::cpu::rings::Measure;
 use crate::kernels::row::Row;
 use crate::{Fixed, Pack, Scalar, Vec2};
 use std::fmt::Debug;
+use std::sync::Arc;
 
 /// Where the slopes of an operation come from.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -97,6 +98,30 @@ pub struct ValueGrad<O>(pub(crate) O);
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Vjp<O>(pub(crate) O);
 
+/// How a batch asks for what it runs.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub struct Ask {
+    /// Whether its adjoint is meant.
+    pub(crate) adjoint: bool,
+    /// Whether every shape meets many others, so that what is made of it alone is made once.
+    pub(crate) framed: bool,
+}
+
+impl Ask {
+    pub(crate) const ALIGNED: Ask = Ask {
+        adjoint: false,
+        framed: false,
+    };
+    pub(crate) const PAIRS: Ask = Ask {
+        adjoint: false,
+        framed: true,
+    };
+    pub(crate) const ADJOINT: Ask = Ask {
+        adjoint: true,
+        framed: true,
+    };
+}
+
 /// What a batch can run on rows of arguments: an operation, its gradient, its adjoint, a program.
 pub trait Runs<R: Row> {
     /// What it gives per row.
@@ -107,7 +132,7 @@ pub trait Runs<R: Row> {
     ///
     /// Those of recording it.
     #[doc(hidden)]
-    fn face(&self) -> Result<Face<R::Scalar>, Error>;
+    fn face(&self, ask: Ask) -> Result<Arc<Face<R::Scalar>>, Error>;
 }
 
 impl<O, R: Row> Runs<R> for O
@@ -116,8 +141,9 @@ where
     O::Out<R::Scalar>: Row,
 {
     type Out = O::Out<R::Scalar>;
-    fn face(&self) -> Result<Face<R::Scalar>, Error> {
-        plan::face_of::<O, R>(Want::Value)
+    fn face(&self, ask: Ask) -> Result<Arc<Face<R::Scalar>>, Error> {
+        let want = if ask.adjoint { Want::Vjp } else { Want::Value };
+        plan::face_of::<O, R>(want, ask.framed)
     }
 }
 
@@ -127,8 +153,8 @@ where
     R::Scalar: Row<Scalar = R::Scalar>,
 {
     type Out = (R::Scalar, R);
-    fn face(&self) -> Result<Face<R::Scalar>, Error> {
-        plan::face_of::<O, R>(Want::ValueGrad)
+    fn face(&self, ask: Ask) -> Result<Arc<Face<R::Scalar>>, Error> {
+        plan::face_of::<O, R>(Want::ValueGrad, ask.framed)
     }
 }
 
@@ -137,8 +163,8 @@ where
     O: Op<In<<R as Pack>::Scalar> = R, Out<<R as Pack>::Scalar> = Y>,
 {
     type Out = R;
-    fn face(&self) -> Result<Face<R::Scalar>, Error> {
-        plan::face_of::<O, R>(Want::Vjp)
+    fn face(&self, ask: Ask) -> Result<Arc<Face<R::Scalar>>, Error> {
+        plan::face_of::<O, R>(Want::Vjp, ask.framed)
     }
 }
 
@@ -197,9 +223,22 @@ impl<O: Op> Source for Straight<O> {
         O::eval(input)
     }
     fn vjp<S: Scalar>(&input: &Self::In<S>, out_bar: Self::Out<S>) -> Self::In<S> {
-        match O::adjoint(input, out_bar) {
-            Some((_, input_bar)) => input_bar,
-            None => O::In::filled(S::zero()),
+        if let Some((_, input_bar)) = O::adjoint(input, out_bar) {
+            return input_bar;
+        }
+        // In the format that the scalar has.
+        let recorded = match S::EPSILON > 1e-10 {
+            true => plan::program_of::<O, f32>(Want::Vjp),
+            false => plan::program_of::<O, f64>(Want::Vjp),
+        };
+        let numbers = [input.scalars(), out_bar.scalars()].concat();
+        match recorded {
+            Ok(recorded) => {
+                let all = recorded.run_on(&numbers);
+                O::In::load(&all[Self::Out::<S>::LEN..])
+            }
+            // What cannot be recorded has no slopes, and the harness says so.
+            Err(_) => O::In::filled(S::lit(f64::NAN)),
         }
     }
     fn map<S: Scalar, T: Scalar>(input: &Self::In<S>, f: &mut impl FnMut(S) -> T) -> Self::In<T> {

@@ -1,13 +1,13 @@
 //! The two formats that batches serve.
+use crate::ad::program::Plain;
 use crate::kernels::cpu::arch::Kernels;
 use crate::kernels::cpu::drivers::Drivers;
 use crate::kernels::cpu::lane::Kept;
-use crate::scalar::float::Float;
 use crate::{Pack, Scalar};
 
 /// `f32` or `f64`: the formats that batches serve.
 pub trait Real:
-    Scalar<Mask = bool, Primal = Self> + Float + Pack<Scalar = Self> + Default + PartialOrd + Kept
+    Scalar<Mask = bool, Primal = Self> + Plain + Pack<Scalar = Self> + Default + PartialOrd + Kept
 {
     /// What is compiled for every level of vector instructions.
     #[doc(hidden)]

@@ -8,8 +8,10 @@ use super::shapes::numbers;
 use super::symbol::{Plain, Sym};
 use super::wgsl;
 use crate::{Error, Fixed, Scalar};
+use std::any::Any;
 use std::fmt;
 use std::marker::PhantomData;
+use std::sync::{Arc, Mutex};
 
 /// A recorded function from one shape of plain numbers to another.
 ///
@@ -34,13 +36,19 @@ use std::marker::PhantomData;
 #[derive(Clone, Debug)]
 pub struct Program<In, Out> {
     recorded: Recorded,
+    /// What machines have made of it, shared by clones.
+    pub(crate) kept: Arc<Kept>,
     shapes: PhantomData<fn(In) -> Out>,
 }
+
+/// Things of any type that are made once, by a key of whoever makes them.
+pub(crate) type Kept = Mutex<Vec<(u8, Arc<dyn Any + Send + Sync>)>>;
 
 impl<In, Out> Program<In, Out> {
     fn of(recorded: Recorded) -> Self {
         Program {
             recorded,
+            kept: Arc::default(),
             shapes: PhantomData,
         }
     }

@@ -108,6 +108,54 @@ impl Recorded {
         Recorded::new(graph, self.inputs + seeds.len(), &bars)
     }
 
+    /// The result and the pull-back: from an input and a cotangent of the result to the result and the
+    /// cotangent of the input.
+    pub(crate) fn value_vjp(&self) -> Recorded {
+        self.after_result(self.vjp())
+    }
+
+    /// The same with slopes taken forwards, along one axis of the input after the other.
+    pub(crate) fn value_vjp_forwards(&self) -> Recorded {
+        let mut graph = self.graph.clone();
+        let seeds = places(&mut graph, self.inputs, self.outputs.len());
+        let mut bars = Vec::with_capacity(self.inputs);
+        for axis in 0..self.inputs {
+            let mut sum = graph.lit(0.0);
+            for (slope, &seed) in self.along(&mut graph, axis).into_iter().zip(&seeds) {
+                let term = graph.make(Node::Mul(seed, slope));
+                sum = graph.make(Node::Add(sum, term));
+            }
+            bars.push(sum);
+        }
+        let outputs: Vec<Id> = self.outputs.iter().copied().chain(bars).collect();
+        Recorded::new(graph, self.inputs + seeds.len(), &outputs)
+    }
+
+    /// The result, a number, and its gradient, taken forwards.
+    pub(crate) fn value_grad_forwards(&self) -> Recorded {
+        let mut graph = self.graph.clone();
+        let mut outputs = self.outputs.clone();
+        for axis in 0..self.inputs {
+            let slopes = self.along(&mut graph, axis);
+            outputs.extend(slopes);
+        }
+        Recorded::new(graph, self.inputs, &outputs)
+    }
+
+    /// The derivatives of all results along an axis of the input.
+    fn along(&self, graph: &mut Graph, axis: usize) -> Vec<Id> {
+        let (zero, one) = (graph.lit(0.0), graph.lit(1.0));
+        let mut direction = vec![zero; self.inputs];
+        direction[axis] = one;
+        forward(graph, &self.outputs, &direction)
+    }
+
+    /// What another program of the same input gives, after the result.
+    fn after_result(&self, other: Recorded) -> Recorded {
+        let outputs: Vec<Id> = self.outputs.iter().chain(&other.outputs).copied().collect();
+        Recorded::new(other.graph, other.inputs, &outputs)
+    }
+
     /// The result, and its derivative along a direction, which follows the input.
     pub(crate) fn jvp(&self) -> Recorded {
         let mut graph = self.graph.clone();
@@ -159,11 +207,6 @@ impl Recorded {
         let gradient = gradient.outputs.iter().map(|&x| names[x as usize]);
         made.by_hand = Some(gradient.collect());
         made
-    }
-
-    /// Whether its slopes come from an adjoint by hand.
-    pub(crate) fn is_by_hand(&self) -> bool {
-        self.by_hand.is_some()
     }
 
     /// The same graph with the gradient by hand as result.

@@ -5,7 +5,7 @@ use crate::kernels::cpu::Cpu;
 use crate::kernels::cpu::checked::{check, check_upstream};
 use crate::kernels::cpu::desk::Aligned;
 use crate::kernels::cpu::plan::Face;
-use crate::kernels::op::Runs;
+use crate::kernels::op::{Ask, Runs};
 use crate::kernels::real::Real;
 use crate::kernels::row::{Column, Columns, Row, Target, Targets};
 
@@ -46,7 +46,7 @@ impl Cpu {
         run: R,
         columns: C,
     ) -> Result<<R::Out as Row>::Many, Error> {
-        let face = run.face()?;
+        let face = run.face(Ask::ALIGNED)?;
         let columns = listed(&columns);
         let (count, rare) = checked(&face, &columns)?;
         let mut many = R::Out::many(count);
@@ -79,7 +79,7 @@ impl Cpu {
         columns: C,
         mut targets: impl Targets<R::Out>,
     ) -> Result<(), Error> {
-        let face = run.face()?;
+        let face = run.face(Ask::ALIGNED)?;
         let columns = listed(&columns);
         let (count, rare) = checked(&face, &columns)?;
         let mut list = Vec::new();
@@ -111,7 +111,7 @@ impl Cpu {
         columns: C,
         targets: Vec<Option<Target<'_, ScalarOf<C>>>>,
     ) -> Result<(), Error> {
-        let face = run.face()?;
+        let face = run.face(Ask::ALIGNED)?;
         let columns = listed(&columns);
         let (count, rare) = checked(&face, &columns)?;
         compute(&face, columns, rare, count, targets);
@@ -128,7 +128,7 @@ fn listed<C: Columns>(columns: &C) -> Vec<Column<'_, ScalarOf<C>>> {
 
 /// Checks columns: how many items there are, and whether some may be too rare for kernels.
 fn checked<T: Real>(face: &Face<T>, columns: &[Column<'_, T>]) -> Result<(usize, bool), Error> {
-    let arguments = face.plan.arguments.len();
+    let arguments = face.arguments.len();
     let of = |k: usize| match k < arguments {
         true => Argument::input(k),
         false => Argument::Upstream,
@@ -149,13 +149,13 @@ fn checked<T: Real>(face: &Face<T>, columns: &[Column<'_, T>]) -> Result<(usize,
     }
     let mut rare = false;
     for (k, column) in columns.iter().enumerate() {
-        match face.plan.arguments.get(k) {
+        match face.arguments.get(k) {
             Some(plan) => rare |= check(of(k), plan, column)?,
             None => {
                 let numbers = column.all();
                 check_upstream(&numbers, column.fields)?;
                 // What is too steep for kernels is as rare as shapes that are.
-                rare |= !(T::kernels().all_up_to)(&numbers, face.plan.steepest);
+                rare |= !(T::kernels().all_up_to)(&numbers, face.steepest);
             }
         }
     }

@@ -4,9 +4,9 @@ use crate::error::{Argument, Error};
 use crate::kernels::cpu::Cpu;
 use crate::kernels::cpu::checked::{check, entries, expect, fill, numbers, restore, tame};
 use crate::kernels::cpu::pairs::Pairs;
-use crate::kernels::cpu::plan::{Face, Want};
+use crate::kernels::cpu::plan::Face;
 use crate::kernels::cpu::sweep::Upstream;
-use crate::kernels::op::Runs;
+use crate::kernels::op::{Ask, Runs};
 use crate::kernels::real::Real;
 use crate::kernels::reduce::{Best, Found, check_sides, check_threshold};
 use crate::kernels::row::{Column, Row};
@@ -107,13 +107,12 @@ fn pairs<'a, T: Real, A: Single<Scalar = T>, B: Single<Scalar = T>>(
     if a.len().max(b.len()) >= u32::MAX as usize {
         return Err(Error::TooLarge);
     }
-    let plan = &*face.plan;
     let rare = [
-        check(Argument::A, &plan.arguments[0], &Column::of(a))?,
-        check(Argument::B, &plan.arguments[1], &Column::of(b))?,
+        check(Argument::A, &face.arguments[0], &Column::of(a))?,
+        check(Argument::B, &face.arguments[1], &Column::of(b))?,
     ];
     Ok(Pairs {
-        plan,
+        face,
         numbers: [numbers(a), numbers(b)],
         rare,
         filter: cpu.cull,
@@ -185,9 +184,9 @@ impl Cpu {
     ) -> Result<(), Error> {
         let wanted = entries(a.len(), b.len(), R::Out::LEN)?;
         expect(Argument::Values, wanted, planes.len())?;
-        let face = run.face()?;
+        let face = run.face(Ask::PAIRS)?;
         let pairs = pairs(self, &face, a, b)?;
-        (A::Scalar::drivers().planes)(&pairs, face.want == Want::ValueGrad, planes);
+        (A::Scalar::drivers().planes)(&pairs, planes);
         Ok(())
     }
 
@@ -251,7 +250,7 @@ impl Cpu {
             slopes: upstream,
             step: b.len(),
         };
-        let face = run.face()?;
+        let face = run.face(Ask::ADJOINT)?;
         self.pull_back(&face, a, b, upstream, a_bar, b_bar)
     }
 
@@ -269,7 +268,7 @@ impl Cpu {
         let pairs = pairs(self, face, a, b)?;
         // Where one is too steep for kernels all are brought down by the same power of two, and the sums
         // back.
-        let steep = tame(upstream.slopes, face.plan.steepest)?;
+        let steep = tame(upstream.slopes, face.steepest)?;
         let by = steep.iter().flatten().map(|x| x.1).fold(T::one(), T::most);
         let down: Vec<T> = match steep {
             Some(_) => upstream.slopes.iter().map(|&x| x.over(by)).collect(),
@@ -320,7 +319,7 @@ impl Cpu {
         R: Runs<(A, B), Out = A::Scalar>,
     {
         check_sides(a.len(), b.len(), true)?;
-        let face = run.face()?;
+        let face = run.face(Ask::PAIRS)?;
         Ok((A::Scalar::drivers().row_max)(&pairs(self, &face, a, b)?))
     }
 
@@ -339,7 +338,7 @@ impl Cpu {
         R: Runs<(A, B), Out = A::Scalar>,
     {
         check_sides(a.len(), b.len(), false)?;
-        let face = run.face()?;
+        let face = run.face(Ask::PAIRS)?;
         Ok((A::Scalar::drivers().column_max)(&pairs(
             self, &face, a, b,
         )?))
@@ -361,7 +360,7 @@ impl Cpu {
         R: Runs<(A, B), Out = A::Scalar>,
     {
         check_threshold(threshold)?;
-        let face = run.face()?;
+        let face = run.face(Ask::PAIRS)?;
         let mut pairs = pairs(self, &face, a, b)?;
         // Zeros are above a negative threshold, too.
         pairs.filter &= threshold >= A::Scalar::default();
@@ -384,7 +383,7 @@ impl Cpu {
         R: Runs<(A, B), Out = A::Scalar>,
     {
         check_threshold(threshold)?;
-        let face = run.face()?;
+        let face = run.face(Ask::PAIRS)?;
         let mut pairs = pairs(self, &face, a, b)?;
         pairs.filter &= threshold >= A::Scalar::default();
         Ok((A::Scalar::drivers().count_above)(&pairs, threshold))
@@ -404,7 +403,7 @@ impl Cpu {
     where
         R: Runs<(A, B), Out = A::Scalar>,
     {
-        let face = run.face()?;
+        let face = run.face(Ask::PAIRS)?;
         Ok((A::Scalar::drivers().sum)(&pairs(self, &face, a, b)?))
     }
 
@@ -498,12 +497,13 @@ impl Cpu {
     where
         R: Runs<(A, B), Out = A::Scalar>,
     {
-        let face = run.face()?;
+        let face = run.face(Ask::ADJOINT)?;
         let upstream = Upstream {
             slopes: &vec![factor; b.len().max(1)],
             step: 0,
         };
         self.pull_back(&face, a, b, upstream, a_bar, b_bar)?;
+        let face = run.face(Ask::PAIRS)?;
         Ok((A::Scalar::drivers().sum)(&pairs(self, &face, a, b)?))
     }
 }

@@ -82,9 +82,8 @@ struct Stretch<'a, T> {
 impl<T: Real> Stretch<'_, T> {
     fn compute(&self, count: usize, places: &mut [Option<&mut [T]>]) {
         let face = self.face;
-        let plan = &face.plan;
         let most = tiles(count.min(ITEMS));
-        let frame = |k: usize| plan.arguments.get(k).map_or(0, |x| x.frame_fields());
+        let frame = |k: usize| face.arguments.get(k).map_or(0, |x| x.frame_fields());
         let wide: Vec<[usize; 2]> = (0..self.fields.len())
             .map(|k| [most * self.fields[k], most * frame(k)])
             .collect();
@@ -110,13 +109,13 @@ impl<T: Real> Stretch<'_, T> {
                     lanes: &mut *results,
                     tiles: tiles(items.len()),
                 };
-                face.maker().make(&mut room, &inputs, out.again());
+                face.maker.make(&mut room, &inputs, out.again());
                 if self.rare {
                     self.mend(items.clone(), out);
                 }
                 let results = Planes(&*results);
-                let mut from = face.skipped();
-                for (place, fields) in places.iter_mut().zip(face.gives()) {
+                let mut from = face.skipped;
+                for (place, &fields) in places.iter_mut().zip(&face.gives) {
                     if let Some(place) = place {
                         let rows = &mut place[items.start * fields..items.end * fields];
                         (T::kernels().take)(results.from(from), fields, rows, fields);
@@ -151,13 +150,13 @@ impl<T: Real> Stretch<'_, T> {
         if is_new {
             (T::kernels().bring)(numbers, fields, &mut own[..width * fields]);
         }
-        let frame = self.face.plan.arguments.get(k).and_then(|x| x.frame);
+        let frame = self.face.arguments.get(k).and_then(|x| x.frame.as_ref());
         match frame {
             None => Tiles {
                 lanes: own,
                 step: step(fields),
             },
-            Some((fields, make)) => {
+            Some(&(fields, ref make)) => {
                 if is_new {
                     let own = Tiles::new(own, self.fields[k]);
                     make(own, &mut frames[..width * fields]);
@@ -171,7 +170,7 @@ impl<T: Real> Stretch<'_, T> {
     }
     /// Puts the right results of rare items in their places.
     fn mend(&self, items: Range<usize>, mut out: Results<'_, T>) {
-        let plan = &self.face.plan;
+        let plan = self.face;
         let Some(rare) = &plan.rare else { return };
         let mut one = vec![T::default(); self.face.made()];
         let (mut shapes, mut seed) = (Vec::new(), Vec::new());

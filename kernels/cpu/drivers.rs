@@ -22,7 +22,7 @@ macro_rules! drivers {
 
 drivers! {
     aligned: fn(Aligned<'_, T>) = desk::compute;
-    planes: fn(&Pairs<'_, T>, bool, &mut [T]) = pairs::planes;
+    planes: fn(&Pairs<'_, T>, &mut [T]) = pairs::planes;
     pull_back: fn(&Pairs<'_, T>, Upstream<'_, T>, &mut [T], &mut [T]) = pairs::pull_back;
     row_max: fn(&Pairs<'_, T>) -> Vec<Best<T>> = reductions::row_max;
     column_max: fn(&Pairs<'_, T>) -> Vec<Best<T>> = reductions::column_max;

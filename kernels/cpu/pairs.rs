@@ -2,8 +2,8 @@
 use crate::kernels::cpu::arch::flat;
 use crate::kernels::cpu::blocks::QUAD;
 use crate::kernels::cpu::lane::{BLOCK, Lane, TILE, tiles};
-use crate::kernels::cpu::plan::{List, Plan};
-use crate::kernels::cpu::sweep::{Columns, Form, Part, Sweep, Upstream};
+use crate::kernels::cpu::plan::{Face, List};
+use crate::kernels::cpu::sweep::{Columns, Part, Sweep, Upstream};
 use crate::kernels::cpu::work::{rows_per_piece, spread};
 use crate::kernels::real::Real;
 use std::borrow::Cow;
@@ -12,7 +12,7 @@ use std::ops::Range;
 /// An operation and both lists as numbers, checked.
 pub struct Pairs<'a, T: Clone> {
     /// How it is computed.
-    pub plan: &'a Plan<T>,
+    pub face: &'a Face<T>,
     /// The shapes of both lists.
     pub numbers: [Cow<'a, [T]>; 2],
     /// Whether some are too rare for kernels.
@@ -24,13 +24,13 @@ pub struct Pairs<'a, T: Clone> {
 impl<T: Real> Pairs<'_, T> {
     /// How many shapes each list has.
     pub fn counts(&self) -> [usize; 2] {
-        [0, 1].map(|k| self.numbers[k].len() / self.plan.arguments[k].fields)
+        [0, 1].map(|k| self.numbers[k].len() / self.face.arguments[k].fields)
     }
     fn lists(&self) -> [List<'_, T>; 2] {
-        let bounded = self.filter && self.plan.arguments.iter().all(|x| x.bounds.is_some());
+        let bounded = self.filter && self.face.arguments.iter().all(|x| x.bounds.is_some());
         [0, 1].map(|k| {
             List::new(
-                &self.plan.arguments[k],
+                &self.face.arguments[k],
                 &self.numbers[k],
                 self.rare[k],
                 bounded,
@@ -41,13 +41,13 @@ impl<T: Real> Pairs<'_, T> {
     /// has for it. Whether pairs were left out.
     pub fn sweep<W: Send>(
         &self,
-        form: Form<'_, T>,
+        upstream: Option<Upstream<'_, T>>,
         work: Vec<W>,
         run: impl Fn(&Sweep<'_, T>, Range<usize>, W) + Send + Sync,
     ) -> bool {
         let [rows, _] = self.counts();
         let [a, b] = self.lists();
-        let sweep = Sweep::new(self.plan, form, &a, &b);
+        let sweep = Sweep::new(self.face, upstream, &a, &b);
         let piece = rows_per_piece(rows);
         let work = work.into_iter().enumerate().collect();
         spread(work, |(i, work): (usize, W)| {
@@ -93,7 +93,7 @@ fn put<T: Real>(part: &Part<'_, T>, room: &mut Vec<T>, rows: &mut [&mut [T]]) {
 }
 
 /// Results, or results with slopes: a matrix per number, row by row, one after another.
-pub fn planes<T: Real>(pairs: &Pairs<'_, T>, slopes: bool, planes: &mut [T]) {
+pub fn planes<T: Real>(pairs: &Pairs<'_, T>, planes: &mut [T]) {
     let [rows, columns] = pairs.counts();
     if rows * columns == 0 {
         return;
@@ -107,8 +107,7 @@ pub fn planes<T: Real>(pairs: &Pairs<'_, T>, slopes: bool, planes: &mut [T]) {
             work.push(part);
         }
     }
-    let form = if slopes { Form::Slopes } else { Form::Values };
-    pairs.sweep(form, work, |sweep, rows, mut planes: Vec<&mut [T]>| {
+    pairs.sweep(None, work, |sweep, rows, mut planes: Vec<&mut [T]>| {
         let (start, mut room) = (rows.start, Vec::new());
         if let [matrix] = &mut planes[..] {
             return sweep.run(rows, |part| {
@@ -181,7 +180,7 @@ pub fn pull_back<T: Real>(
         b_bar.fill(T::default());
         return;
     }
-    let fields = [0, 1].map(|k| pairs.plan.arguments[k].fields);
+    let fields = [0, 1].map(|k| pairs.face.arguments[k].fields);
     // Room for either way of lying.
     let [wide, width] = fields.map(|n| n.next_multiple_of(QUAD));
     let width = tiles(columns) * width;
@@ -193,7 +192,7 @@ pub fn pull_back<T: Real>(
         .collect();
     type Work<'a, T> = (&'a mut [T], &'a mut [Lane<T>]);
     let filtered = pairs.sweep(
-        Form::Sums(upstream),
+        Some(upstream),
         work,
         |sweep, rows, (a_bar, column_sums): Work<'_, T>| {
             let start = rows.start;

@@ -1,12 +1,18 @@
 //! How batches compute an operation: what is prepared once per shape, what is computed per pair.
+use crate::ad::program::graph::{Graph, Id};
+use crate::ad::program::record::record;
+use crate::ad::program::recorded::Recorded;
+use crate::ad::program::{Plain, Sym};
 use crate::error::{Error, Flaw, Validate};
 use crate::kernels::cpu::boxes::{AABB2, BOUNDS, OBB2, frame_fields};
 use crate::kernels::cpu::lane::{Lane, Results, TILE, Tiles};
-use crate::kernels::op::Op;
+use crate::kernels::cpu::program::Interpreted;
+use crate::kernels::cpu::program::split::split;
+use crate::kernels::op::{self, Op};
 use crate::kernels::real::Real;
 use crate::kernels::row::{Leaf, Row, leaves_of};
 use crate::overlap::{Denominator, score_framed};
-use crate::{Aabb2, Fixed, Obb2, Pack, ad, clip};
+use crate::{Aabb2, Fixed, Obb2, Pack, Scalar, ad, clip};
 use std::any::{Any, TypeId};
 use std::collections::HashMap;
 use std::sync::{Arc, PoisonError, RwLock};
@@ -24,7 +30,7 @@ pub trait Maker<T>: Send + Sync {
 }
 
 /// Something that is made of each of many shapes, as tiles of numbers.
-pub type Prepare<T> = fn(Tiles<'_, T>, &mut [Lane<T>]);
+pub type Prepare<T> = Arc<dyn Fn(Tiles<'_, T>, &mut [Lane<T>]) + Send + Sync>;
 
 /// What is done once for every shape of a column.
 pub struct Preparation<T> {
@@ -65,36 +71,8 @@ impl<T> Preparation<T> {
 /// result, and room for a result, or for a result and slopes.
 pub type Rare<T> = Box<dyn Fn(&[&[T]], &[T], &mut [T]) + Send + Sync>;
 
-/// How batches compute an operation.
-pub struct Plan<T> {
-    /// For every shape that it takes.
-    pub arguments: Vec<Preparation<T>>,
-    /// Numbers of every shape of a result.
-    pub outputs: Vec<usize>,
-    /// Results of prepared shapes.
-    pub scores: Box<dyn Maker<T>>,
-    /// Results and slopes of prepared shapes; slopes times what further inputs say, one for every
-    /// shape of a result, if there are any.
-    pub slopes: Box<dyn Maker<T>>,
-    /// The steepest cotangent that kernels bear.
-    pub steepest: f64,
-    /// Results of shapes, or of cotangents, that kernels do not serve.
-    pub rare: Option<Rare<T>>,
-}
-
-impl<T> Plan<T> {
-    /// Numbers of a result.
-    pub fn result_fields(&self) -> usize {
-        self.outputs.iter().sum()
-    }
-    /// Numbers of a result with slopes.
-    pub fn slope_fields(&self) -> usize {
-        self.result_fields() + self.arguments.iter().map(|x| x.fields).sum::<usize>()
-    }
-}
-
-/// What a batch computes of an operation.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+/// What is wanted of an operation.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Want {
     /// Its result.
     Value,
@@ -104,49 +82,51 @@ pub enum Want {
     Vjp,
 }
 
-/// An operation as batches see it.
+/// How batches compute an operation.
 pub struct Face<T> {
-    pub(crate) plan: Arc<Plan<T>>,
-    pub(crate) want: Want,
+    /// For every shape that it takes.
+    pub(crate) arguments: Vec<Preparation<T>>,
+    /// Numbers of every shape that it gives.
+    pub(crate) gives: Vec<usize>,
+    /// How many numbers come before those.
+    pub(crate) skipped: usize,
+    /// Computes results of prepared shapes.
+    pub(crate) maker: Box<dyn Maker<T>>,
+    /// The steepest cotangent that the maker bears.
+    pub(crate) steepest: f64,
+    /// Results of shapes, or of cotangents, that the maker does not serve.
+    pub(crate) rare: Option<Rare<T>>,
 }
 
 impl<T> Face<T> {
     /// Numbers that its maker puts down per item.
     pub(crate) fn made(&self) -> usize {
-        match self.want {
-            Want::Value => self.plan.result_fields(),
-            Want::ValueGrad | Want::Vjp => self.plan.slope_fields(),
-        }
+        self.skipped + self.gives.iter().sum::<usize>()
     }
-    /// Numbers of every shape that it gives.
-    pub(crate) fn gives(&self) -> Vec<usize> {
-        let plan = &self.plan;
-        let slopes = plan.arguments.iter().map(|x| x.fields);
-        match self.want {
-            Want::Value => plan.outputs.clone(),
-            Want::ValueGrad => plan.outputs.iter().copied().chain(slopes).collect(),
-            Want::Vjp => slopes.collect(),
-        }
-    }
-    /// How many numbers come before those that it gives.
-    pub(crate) fn skipped(&self) -> usize {
-        match self.want {
+    /// What is wanted of an operation that takes and gives such shapes. Of slopes the result comes first.
+    fn new(
+        want: Want,
+        arguments: Vec<Preparation<T>>,
+        outputs: Vec<usize>,
+        maker: Box<dyn Maker<T>>,
+    ) -> Self {
+        let slopes: Vec<usize> = arguments.iter().map(|x| x.fields).collect();
+        let skipped = match want {
             Want::Value | Want::ValueGrad => 0,
-            Want::Vjp => self.plan.result_fields(),
-        }
-    }
-    /// What computes it.
-    pub(crate) fn maker(&self) -> &dyn Maker<T> {
-        match self.want {
-            Want::Value => &*self.plan.scores,
-            Want::ValueGrad | Want::Vjp => &*self.plan.slopes,
-        }
-    }
-    /// Numbers of every cotangent that it takes.
-    pub(crate) fn cotangents(&self) -> &[usize] {
-        match self.want {
-            Want::Value | Want::ValueGrad => &[],
-            Want::Vjp => &self.plan.outputs,
+            Want::Vjp => outputs.iter().sum(),
+        };
+        let gives = match want {
+            Want::Value => outputs,
+            Want::ValueGrad => [outputs, slopes].concat(),
+            Want::Vjp => slopes,
+        };
+        Face {
+            arguments,
+            gives,
+            skipped,
+            maker,
+            steepest: f64::INFINITY,
+            rare: None,
         }
     }
 }
@@ -160,11 +140,11 @@ pub enum Compiled {
     Aabb2(Denominator),
 }
 
-/// The plan of an operation with compiled kernels.
-pub fn of_compiled<T: Real>(compiled: Compiled) -> Plan<T> {
+/// How an operation with compiled kernels is computed.
+fn of_compiled<T: Real>(compiled: Compiled, want: Want) -> Face<T> {
     match compiled {
-        Compiled::Obb2(over) => of_obb2(over),
-        Compiled::Aabb2(over) => of_aabb2(over),
+        Compiled::Obb2(over) => of_obb2(over, want),
+        Compiled::Aabb2(over) => of_aabb2(over, want),
     }
 }
 
@@ -188,21 +168,21 @@ impl<T: Real> Maker<T> for Slopes<T> {
 }
 
 /// Scores of rotated boxes.
-pub fn of_obb2<T: Real>(over: Denominator) -> Plan<T> {
+fn of_obb2<T: Real>(over: Denominator, want: Want) -> Face<T> {
     let kernels = T::kernels();
     let shape = || Preparation {
         fields: OBB2,
-        frame: Some((frame_fields::<T>(), kernels.obb2_frames)),
-        bounds: Some(kernels.obb2_bounds),
+        frame: Some((frame_fields::<T>(), Arc::new(kernels.obb2_frames))),
+        bounds: Some(Arc::new(kernels.obb2_bounds)),
         all_ordinary: kernels.all_ordinary_obb2,
         check: |numbers| Obb2::load(numbers).validate(),
         is_rare: |numbers| !clip::is_ordinary(Obb2::load(numbers)),
     };
-    Plan {
-        arguments: vec![shape(), shape()],
-        outputs: vec![1],
-        scores: Box::new(Scores(over, kernels.obb2_scores)),
-        slopes: Box::new(Slopes(over, kernels.obb2_slopes)),
+    let maker: Box<dyn Maker<T>> = match want {
+        Want::Value => Box::new(Scores(over, kernels.obb2_scores)),
+        Want::ValueGrad | Want::Vjp => Box::new(Slopes(over, kernels.obb2_slopes)),
+    };
+    Face {
         // Slopes of ordinary boxes are below 10²⁶ in single precision, and their terms.
         steepest: T::LARGEST.powf(0.3125),
         rare: Some(Box::new(move |shapes, out_bar, out| {
@@ -215,29 +195,31 @@ pub fn of_obb2<T: Real>(over: Denominator) -> Plan<T> {
             let (value, bars) =
                 ad::adjoint::overlap::score_framed_vjp::<T, true>(over, a, b, out_bar);
             out[0] = value;
-            bars.0.store(&mut out[1..]);
-            bars.1.store(&mut out[1 + OBB2..]);
+            bars.store(&mut out[1..]);
         })),
+        ..Face::new(want, vec![shape(), shape()], vec![1], maker)
     }
 }
 
 /// Scores of axis-aligned boxes.
-pub fn of_aabb2<T: Real>(over: Denominator) -> Plan<T> {
+fn of_aabb2<T: Real>(over: Denominator, want: Want) -> Face<T> {
     let kernels = T::kernels();
     let shape = || Preparation {
         fields: AABB2,
         frame: None,
         // The bounds are the shape itself.
-        bounds: Some(|shapes, bounds| bounds.copy_from_slice(&shapes.lanes[..bounds.len()])),
+        bounds: Some(Arc::new(|shapes: Tiles<'_, T>, bounds: &mut [Lane<T>]| {
+            bounds.copy_from_slice(&shapes.lanes[..bounds.len()]);
+        })),
         all_ordinary: kernels.all_aabb2,
         check: |numbers| Aabb2::load(numbers).validate(),
         is_rare: |_| false,
     };
-    Plan {
-        arguments: vec![shape(), shape()],
-        outputs: vec![1],
-        scores: Box::new(Scores(over, kernels.aabb2_scores)),
-        slopes: Box::new(Slopes(over, kernels.aabb2_slopes)),
+    let maker: Box<dyn Maker<T>> = match want {
+        Want::Value => Box::new(Scores(over, kernels.aabb2_scores)),
+        Want::ValueGrad | Want::Vjp => Box::new(Slopes(over, kernels.aabb2_slopes)),
+    };
+    Face {
         // They serve boxes of any size.
         steepest: 1.0,
         rare: Some(Box::new(move |shapes, out_bar, out| {
@@ -249,136 +231,129 @@ pub fn of_aabb2<T: Real>(over: Denominator) -> Plan<T> {
                 bars.store(&mut out[1..]);
             }
         })),
+        ..Face::new(want, vec![shape(), shape()], vec![1], maker)
     }
 }
 
-/// Something that computes one item: its numbers, the cotangent of its result or nothing, and room for
-/// a result, or for a result and slopes.
-pub type Each<T> = fn(&[T], Option<&[T]>, &mut [T]);
-
-/// Computes item by item.
-struct Plain<T> {
-    each: Each<T>,
-    /// Numbers of every shape that it takes, and of every shape that it gives.
-    arguments: Vec<usize>,
+/// How a recorded program is computed. Its inputs are the numbers of its arguments and then those of
+/// cotangents. For all pairs what is made of one argument alone is made once per shape.
+pub(crate) fn of_recorded<T: Real>(
+    want: Want,
+    leaves: Vec<Leaf<T>>,
     outputs: Vec<usize>,
-    /// Whether slopes are asked for.
-    slopes: bool,
-}
-
-/// An item of a tile.
-fn item<T: Copy>(input: &Tiles<'_, T>, t: usize, i: usize, fields: usize, numbers: &mut Vec<T>) {
-    let tile = input.lanes[t * input.step..].iter().take(fields);
-    numbers.extend(tile.map(|lane| lane.0[i]));
-}
-
-impl<T: Real> Maker<T> for Plain<T> {
-    fn make(&self, _: &mut Room<T>, inputs: &[Tiles<'_, T>], mut out: Results<'_, T>) {
-        let (shapes, cotangents) = inputs.split_at(self.arguments.len());
-        let result: usize = self.outputs.iter().sum();
-        let input: usize = self.arguments.iter().sum();
-        let (mut numbers, mut seed) = (Vec::new(), Vec::new());
-        let mut one = vec![T::default(); if self.slopes { result + input } else { result }];
-        for t in 0..out.tiles {
-            for i in 0..TILE {
-                numbers.clear();
-                seed.clear();
-                for (shape, &fields) in shapes.iter().zip(&self.arguments) {
-                    item(shape, t, i, fields, &mut numbers);
-                }
-                for (cotangent, &fields) in cotangents.iter().zip(&self.outputs) {
-                    item(cotangent, t, i, fields, &mut seed);
-                }
-                (self.each)(&numbers, (!seed.is_empty()).then_some(&seed), &mut one);
-                for (k, &x) in one.iter().enumerate() {
-                    if let Some(lane) = out.lane(t, k) {
-                        lane.0[i] = x.canonical();
-                    }
-                }
-            }
-        }
+    recorded: &Recorded,
+    framed: bool,
+) -> Result<Face<T>, Error> {
+    let mut fields: Vec<usize> = leaves.iter().map(|leaf| leaf.fields).collect();
+    let mut arguments: Vec<_> = leaves.into_iter().map(Preparation::plain).collect();
+    if want == Want::Vjp {
+        fields.extend(&outputs);
     }
-}
-
-/// An operation that is computed item by item.
-pub fn of_items<T: Real>(
-    arguments: Vec<Leaf<T>>,
-    outputs: Vec<usize>,
-    each: [Each<T>; 2],
-) -> Plan<T> {
-    let fields: Vec<usize> = arguments.iter().map(|leaf| leaf.fields).collect();
-    let maker = |slopes| {
-        Box::new(Plain {
-            each: each[usize::from(slopes)],
-            arguments: fields.clone(),
-            outputs: outputs.clone(),
-            slopes,
-        })
+    let value = &recorded.value;
+    let maker = |graph: &Graph, fields: &[usize], outputs: &[Id], skipping| {
+        Interpreted::new(graph, fields, outputs, skipping).map_err(Error::Program)
     };
-    Plan {
-        scores: maker(false),
-        slopes: maker(true),
-        arguments: arguments.into_iter().map(Preparation::plain).collect(),
-        outputs: outputs.clone(),
-        steepest: T::LARGEST,
-        rare: None,
-    }
-}
-
-/// The plan of an operation.
-pub fn of_op<O, T: Real, R>() -> Plan<T>
-where
-    R: Row<Scalar = T>,
-    O: Op<In<T> = R>,
-    O::Out<T>: Row,
-{
-    if let Some(compiled) = O::compiled() {
-        return of_compiled(compiled);
-    }
-    let outputs = leaves_of::<O::Out<T>>()
-        .iter()
-        .map(|leaf| leaf.fields)
-        .collect();
-    of_items(
-        leaves_of::<R>(),
-        outputs,
-        [
-            |x, _, out| O::eval(R::load(x)).store(out),
-            |x, out_bar, out| {
-                let out_bar = match out_bar {
-                    Some(out_bar) => O::Out::<T>::load(out_bar),
-                    None => O::Out::<T>::filled(T::one()),
+    let body = match framed {
+        false => maker(&value.graph, &fields, &value.outputs, false)?,
+        true => {
+            let parts = split(&value.graph, &fields, &value.outputs);
+            for ((argument, frame), &own) in arguments.iter_mut().zip(&parts.frames).zip(&fields) {
+                let made = maker(&frame.graph, &[own], &frame.outputs, false)?;
+                let prepare = move |shapes: Tiles<'_, T>, frames: &mut [Lane<T>]| {
+                    made.prepare(&mut Room::new(), &[shapes], frames);
                 };
-                if let Some((value, bars)) = O::adjoint(R::load(x), out_bar) {
-                    let (result, slopes) = out.split_at_mut(O::Out::<T>::LEN);
-                    value.store(result);
-                    bars.store(slopes);
-                }
-            },
-        ],
-    )
+                argument.frame = Some((frame.outputs.len(), Arc::new(prepare)));
+            }
+            // Cotangents come as they are.
+            let widths: Vec<usize> = parts.frames.iter().map(|x| x.outputs.len()).collect();
+            maker(&parts.body.graph, &widths, &parts.body.outputs, true)?
+        }
+    };
+    Ok(Face::new(want, arguments, outputs, Box::new(body)))
 }
 
-/// Plans of operations that were asked for, by operation and format.
-static PLANS: RwLock<Option<HashMap<(TypeId, TypeId), Arc<dyn Any + Send + Sync>>>> =
-    RwLock::new(None);
+/// What is recorded of an operation.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+enum Key {
+    /// The program of what is wanted.
+    Program(Want),
+    /// How batches compute it, aligned or all pairs.
+    Face(Want, bool),
+}
 
-/// What batches compute of an operation.
-pub fn face_of<O, R: Row>(want: Want) -> Result<Face<R::Scalar>, Error>
+/// What was asked for before, by operation and format.
+type Known = HashMap<(TypeId, TypeId, Key), Arc<dyn Any + Send + Sync>>;
+static KNOWN: RwLock<Option<Known>> = RwLock::new(None);
+
+/// Something that is made once per operation and format.
+fn known<O: 'static, T: 'static, X: Send + Sync + 'static>(
+    key: Key,
+    make: impl FnOnce() -> Result<X, Error>,
+) -> Result<Arc<X>, Error> {
+    let key = (TypeId::of::<O>(), TypeId::of::<T>(), key);
+    let known = KNOWN.read().unwrap_or_else(PoisonError::into_inner);
+    let found = known.as_ref().and_then(|known| known.get(&key)).cloned();
+    drop(known);
+    if let Some(found) = found.and_then(|found| found.downcast::<X>().ok()) {
+        return Ok(found);
+    }
+    let made = Arc::new(make()?);
+    let mut known = KNOWN.write().unwrap_or_else(PoisonError::into_inner);
+    known.get_or_insert_default().insert(key, made.clone());
+    Ok(made)
+}
+
+/// What is wanted of an operation, as a program: the result, or the result and slopes, from the input
+/// and then the cotangent.
+pub(crate) fn program_of<O: Op, T: Plain>(want: Want) -> Result<Arc<Recorded>, Error> {
+    known::<O, T, _>(Key::Program(want), || {
+        type In<O, T> = <O as Op>::In<Sym<T>>;
+        type Out<O, T> = <O as Op>::Out<Sym<T>>;
+        // Without an adjoint by hand the program fails to be finite, which nothing then hides.
+        let by_hand = |x, out_bar| {
+            let nothing = || {
+                (
+                    Out::<O, T>::filled(Sym::lit(f64::NAN)),
+                    In::<O, T>::filled(Sym::lit(0.0)),
+                )
+            };
+            O::adjoint(x, out_bar).unwrap_or_else(nothing)
+        };
+        if want == Want::Value {
+            return record::<T, In<O, T>, Out<O, T>>(O::eval);
+        }
+        match (O::SLOPES, want) {
+            (op::Slopes::ByHand, Want::Vjp) => {
+                record(|(x, out_bar): (In<O, T>, Out<O, T>)| by_hand(x, out_bar))
+            }
+            (op::Slopes::ByHand, _) => {
+                record(|x: In<O, T>| by_hand(x, Out::<O, T>::filled(Sym::lit(1.0))))
+            }
+            (op::Slopes::Reverse, Want::Vjp) => Ok(program_of::<O, T>(Want::Value)?.value_vjp()),
+            (op::Slopes::Reverse, _) => Ok(program_of::<O, T>(Want::Value)?.value_grad()),
+            (op::Slopes::Forward, Want::Vjp) => {
+                Ok(program_of::<O, T>(Want::Value)?.value_vjp_forwards())
+            }
+            (op::Slopes::Forward, _) => Ok(program_of::<O, T>(Want::Value)?.value_grad_forwards()),
+        }
+    })
+}
+
+/// How batches compute what is wanted of an operation.
+pub fn face_of<O, R: Row>(want: Want, framed: bool) -> Result<Arc<Face<R::Scalar>>, Error>
 where
     O: Op<In<<R as Pack>::Scalar> = R>,
     O::Out<R::Scalar>: Row,
 {
-    let key = (TypeId::of::<O>(), TypeId::of::<R::Scalar>());
-    let known = PLANS.read().unwrap_or_else(PoisonError::into_inner);
-    let known = known.as_ref().and_then(|plans| plans.get(&key)).cloned();
-    if let Some(plan) = known.and_then(|plan| plan.downcast::<Plan<R::Scalar>>().ok()) {
-        return Ok(Face { plan, want });
-    }
-    let plan = Arc::new(of_op::<O, R::Scalar, R>());
-    let mut plans = PLANS.write().unwrap_or_else(PoisonError::into_inner);
-    plans.get_or_insert_default().insert(key, plan.clone());
-    Ok(Face { plan, want })
+    known::<O, R::Scalar, _>(Key::Face(want, framed), || {
+        if let Some(compiled) = O::compiled() {
+            return Ok(of_compiled(compiled, want));
+        }
+        let recorded = program_of::<O, R::Scalar>(want)?;
+        let outputs = leaves_of::<O::Out<R::Scalar>>();
+        let outputs = outputs.iter().map(|leaf| leaf.fields).collect();
+        of_recorded(want, leaves_of::<R>(), outputs, &recorded, framed)
+    })
 }
 
 /// A list of shapes, prepared.

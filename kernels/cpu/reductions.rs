@@ -2,7 +2,7 @@
 use crate::kernels::cpu::arch::flat;
 use crate::kernels::cpu::lane::TILE;
 use crate::kernels::cpu::pairs::Pairs;
-use crate::kernels::cpu::sweep::{Columns, Form, Part};
+use crate::kernels::cpu::sweep::{Columns, Part};
 use crate::kernels::cpu::work::rows_per_piece;
 use crate::kernels::real::Real;
 use crate::kernels::reduce::{Best, Found};
@@ -55,7 +55,7 @@ pub fn row_max<T: Real>(pairs: &Pairs<'_, T>) -> Vec<Best<T>> {
         return best;
     }
     let work = best.chunks_mut(rows_per_piece(rows)).collect();
-    pairs.sweep(Form::Values, work, |sweep, rows, best: &mut [Best<T>]| {
+    pairs.sweep(None, work, |sweep, rows, best: &mut [Best<T>]| {
         best.fill(start(sweep.is_filtered(), 0));
         let start = rows.start;
         sweep.run(rows, |part| {
@@ -88,25 +88,21 @@ pub fn column_max<T: Real>(pairs: &Pairs<'_, T>) -> Vec<Best<T>> {
     }
     let mut partials = vec![best.clone(); rows.div_ceil(rows_per_piece(rows))];
     let work = partials.iter_mut().collect();
-    pairs.sweep(
-        Form::Values,
-        work,
-        |sweep, rows, best: &mut Vec<Best<T>>| {
-            best.fill(start(sweep.is_filtered(), rows.start));
-            sweep.run(rows, |part| match (part.row, scores(&part)) {
-                (row, Scores::Run(first, values)) => {
-                    for (best, &value) in best[first..].iter_mut().zip(values) {
-                        raise(best, value, row);
-                    }
+    pairs.sweep(None, work, |sweep, rows, best: &mut Vec<Best<T>>| {
+        best.fill(start(sweep.is_filtered(), rows.start));
+        sweep.run(rows, |part| match (part.row, scores(&part)) {
+            (row, Scores::Run(first, values)) => {
+                for (best, &value) in best[first..].iter_mut().zip(values) {
+                    raise(best, value, row);
                 }
-                (row, Scores::Picked(columns, results)) => {
-                    for (column, value) in picked(columns, results) {
-                        raise(&mut best[column], value, row);
-                    }
+            }
+            (row, Scores::Picked(columns, results)) => {
+                for (column, value) in picked(columns, results) {
+                    raise(&mut best[column], value, row);
                 }
-            });
-        },
-    );
+            }
+        });
+    });
     for piece in partials {
         for (best, other) in best.iter_mut().zip(piece) {
             raise(best, other.value, other.index);
@@ -120,37 +116,33 @@ pub fn above<T: Real>(pairs: &Pairs<'_, T>, threshold: T) -> Vec<Found<T>> {
     let [rows, _] = pairs.counts();
     let mut found = vec![Vec::new(); rows.div_ceil(rows_per_piece(rows))];
     let work = found.iter_mut().collect();
-    pairs.sweep(
-        Form::Values,
-        work,
-        |sweep, rows, found: &mut Vec<Found<T>>| {
-            sweep.run(rows, |part| {
-                let row = part.row;
-                let mut take = |column, value: T| {
-                    if value.above(threshold) {
-                        found.push(Found { row, column, value });
-                    }
-                };
-                match scores(&part) {
-                    // Most runs of most matrices have nothing.
-                    Scores::Run(first, values) => {
-                        if (T::kernels().largest)(values).above(threshold) {
-                            for (k, &value) in values.iter().enumerate() {
-                                take(first + k, value);
-                            }
-                        }
-                    }
-                    Scores::Picked(columns, results) => {
-                        for (column, value) in picked(columns, results) {
-                            take(column, value);
+    pairs.sweep(None, work, |sweep, rows, found: &mut Vec<Found<T>>| {
+        sweep.run(rows, |part| {
+            let row = part.row;
+            let mut take = |column, value: T| {
+                if value.above(threshold) {
+                    found.push(Found { row, column, value });
+                }
+            };
+            match scores(&part) {
+                // Most runs of most matrices have nothing.
+                Scores::Run(first, values) => {
+                    if (T::kernels().largest)(values).above(threshold) {
+                        for (k, &value) in values.iter().enumerate() {
+                            take(first + k, value);
                         }
                     }
                 }
-            });
-            // They came run by run.
-            found.sort_unstable_by_key(|x| (x.row, x.column));
-        },
-    );
+                Scores::Picked(columns, results) => {
+                    for (column, value) in picked(columns, results) {
+                        take(column, value);
+                    }
+                }
+            }
+        });
+        // They came run by run.
+        found.sort_unstable_by_key(|x| (x.row, x.column));
+    });
     found.concat()
 }
 
@@ -159,7 +151,7 @@ pub fn count_above<T: Real>(pairs: &Pairs<'_, T>, threshold: T) -> u64 {
     let [rows, _] = pairs.counts();
     let mut counts = vec![0; rows.div_ceil(rows_per_piece(rows))];
     let work = counts.iter_mut().collect();
-    pairs.sweep(Form::Values, work, |sweep, rows, count: &mut u64| {
+    pairs.sweep(None, work, |sweep, rows, count: &mut u64| {
         sweep.run(rows, |part| {
             *count += match scores(&part) {
                 Scores::Run(_, values) => (T::kernels().count_above)(values, threshold),
@@ -178,7 +170,7 @@ pub fn sum<T: Real>(pairs: &Pairs<'_, T>) -> f64 {
     let [rows, _] = pairs.counts();
     let mut sums = vec![0.0; rows.div_ceil(rows_per_piece(rows))];
     let work = sums.iter_mut().collect();
-    pairs.sweep(Form::Values, work, |sweep, rows, sum: &mut f64| {
+    pairs.sweep(None, work, |sweep, rows, sum: &mut f64| {
         let start = rows.start;
         let mut lanes = vec![[0.0; TILE]; rows.len()];
         sweep.run(rows, |part| {

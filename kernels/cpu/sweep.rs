@@ -7,7 +7,7 @@ use crate::kernels::cpu::boxes::BOUNDS;
 use crate::kernels::cpu::lane::{
     BLOCK, Lane, PLANE, Planes, Results, TILE, Tiles, planes, tiles, with_lanes,
 };
-use crate::kernels::cpu::plan::{List, Maker, Plan, Rare, Room};
+use crate::kernels::cpu::plan::{Face, List, Maker, Rare, Room};
 use crate::kernels::cpu::tree::Tree;
 use crate::kernels::real::Real;
 use std::ops::Range;
@@ -34,18 +34,6 @@ pub struct Upstream<'a, T> {
     pub slopes: &'a [T],
     /// From row to row.
     pub step: usize,
-}
-
-/// What is computed of a pair.
-#[derive(Clone, Copy, Debug)]
-pub enum Form<'a, T> {
-    /// The score.
-    Values,
-    /// The score and its slopes.
-    Slopes,
-    /// The score and upstream slopes times its slopes, to be added up: either all parts are runs, or
-    /// none is.
-    Sums(Upstream<'a, T>),
 }
 
 /// Results of a row with some columns.
@@ -96,25 +84,17 @@ pub struct Sweep<'a, T> {
 impl<'a, T: Real> Sweep<'a, T> {
     /// Scores, or scores with slopes. A filter is used where both lists have bounds.
     pub fn new(
-        plan: &'a Plan<T>,
-        form: Form<'a, T>,
+        face: &'a Face<T>,
+        upstream: Option<Upstream<'a, T>>,
         a: &'a List<'a, T>,
         b: &'a List<'a, T>,
     ) -> Self {
-        let (maker, fields) = match form {
-            Form::Values => (&plan.scores, plan.result_fields()),
-            Form::Slopes | Form::Sums(_) => (&plan.slopes, plan.slope_fields()),
-        };
-        let upstream = match form {
-            Form::Sums(upstream) => Some(upstream),
-            Form::Values | Form::Slopes => None,
-        };
         let mut sweep = Sweep {
             a,
             b,
-            maker: &**maker,
-            fields,
-            rare: plan.rare.as_ref(),
+            maker: &*face.maker,
+            fields: face.made(),
+            rare: face.rare.as_ref(),
             picking: Vec::new(),
             stride: b.frame_fields.next_multiple_of(4),
             tree: None,

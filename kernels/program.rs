@@ -1,0 +1,59 @@
+//! Recorded programs in batches.
+use crate::Error;
+use crate::ad::program::{Plain, Program};
+use crate::kernels::cpu::plan::{Face, Want, of_recorded};
+use crate::kernels::op::{Ask, Runs};
+use crate::kernels::row::{Row, leaves_of};
+use std::sync::{Arc, PoisonError};
+
+/// Batches run programs as they run operations. What interprets one is made once, however often it
+/// runs.
+///
+/// ```
+/// use geograd::ad::program::{Program, Sym};
+/// use geograd::kernels::{Cpu, One};
+/// use geograd::Vec2;
+/// let distance = Program::trace(|(p, q): (Vec2<Sym<f64>>, Vec2<Sym<f64>>)| (p - q).length())?;
+/// let points = [Vec2::new(3.0, 4.0), Vec2::new(6.0, 8.0)];
+/// let origin = One(Vec2::new(0.0, 0.0));
+/// let (d, (by_point, _)) = Cpu::new().aligned(&distance.value_grad(), (&points, origin))?;
+/// assert_eq!(d, [5.0, 10.0]);
+/// assert_eq!(by_point[0], Vec2::new(0.6, 0.8));
+/// # Ok::<(), geograd::Error>(())
+/// ```
+impl<In: Row, Out: Row<Scalar = In::Scalar>> Runs<In> for &Program<In, Out>
+where
+    In::Scalar: Plain,
+{
+    type Out = Out;
+    fn face(&self, ask: Ask) -> Result<Arc<Face<In::Scalar>>, Error> {
+        let key = u8::from(ask.adjoint) | u8::from(ask.framed) << 1;
+        let lock = || self.kept.lock().unwrap_or_else(PoisonError::into_inner);
+        let found = lock()
+            .iter()
+            .find(|kept| kept.0 == key)
+            .map(|kept| kept.1.clone());
+        if let Some(found) = found.and_then(|found| found.downcast().ok()) {
+            return Ok(found);
+        }
+        let outputs = leaves_of::<Out>().iter().map(|leaf| leaf.fields).collect();
+        let (want, recorded) = match ask.adjoint {
+            false => (Want::Value, self.recorded().clone()),
+            true => (Want::Vjp, self.recorded().value_vjp()),
+        };
+        let face = of_recorded(want, leaves_of::<In>(), outputs, &recorded, ask.framed)?;
+        let face = Arc::new(face);
+        lock().push((key, face.clone()));
+        Ok(face)
+    }
+}
+
+impl<In: Row, Out: Row<Scalar = In::Scalar>> Runs<In> for Program<In, Out>
+where
+    In::Scalar: Plain,
+{
+    type Out = Out;
+    fn face(&self, ask: Ask) -> Result<Arc<Face<In::Scalar>>, Error> {
+        (&self).face(ask)
+    }
+}
