@@ -7,39 +7,64 @@
 //! ```
 use crate::ad::check::picture::picture;
 use crate::ad::check::sample::{Sample, hard_cases, random};
+use crate::ad::check::subject::Subject;
 use crate::ad::check::trace::Number;
+use crate::ad::check::witness::Precision;
 use crate::ad::check::{Plan, Report, examine};
 use crate::kernels::gpu::{GpuPair, GpuRing};
-use crate::kernels::op::{Op, RingOp, Ringed, Slopes, Source, Straight};
+use crate::kernels::cpu::plan::{Want, program_of};
+use crate::kernels::op::{Op, RingOp, Ringed};
 use crate::kernels::real::Real;
+use crate::kernels::recorded_subject::{Recording, RecordedSubject};
 use crate::kernels::row::{Row, target};
 use crate::kernels::witness::{Ask, Batch, ask_pairs, ask_rings};
 use crate::kernels::{Backend, Cpu, GpuError};
-use crate::{Fixed, Pack, Vec2};
+use crate::{Error, Fixed, Pack, Vec2};
 
 pub use crate::kernels::subject::{Fused, OpSubject, Path};
 
+/// The function itself.
+fn source<O: Op, S: Real>(x: &[S]) -> Vec<S> {
+    O::eval(O::In::<S>::load(x)).scalars()
+}
+
 /// The value by a batch.
-fn batch_value<O: Op, S: Number + Real>(x: &[S]) -> Vec<S>
+fn batch_value<O: Op, S: Real>(x: &[S]) -> Vec<S>
 where
     O::In<S>: Row,
     O::Out<S>: Row,
 {
     let mut out = [O::Out::<S>::filled(S::zero())];
     let into = target(&mut out);
-    match Cpu::new().run_into(O::default(), &[O::In::<S>::load(x)][..], vec![Some(into)]) {
+    let columns = &[O::In::<S>::load(x)][..];
+    match Cpu::new().run_into(O::default(), columns, vec![Some(into)]) {
         Ok(()) => out[0].scalars(),
         Err(_) => Vec::new(),
     }
 }
 
-/// The value and slopes of one number, fused.
-fn fused<O: Op, S: Number>(x: &[S]) -> (Vec<S>, Vec<S>) {
-    let one = O::Out::<S>::filled(S::one());
-    match O::adjoint(O::In::<S>::load(x), one) {
-        Some((value, bars)) => (value.scalars(), bars.scalars()),
-        None => Default::default(),
-    }
+/// The value and slopes by hand.
+fn by_hand<O: Op, S: Real>(x: &[S], out_bar: &[S]) -> Option<(Vec<S>, Vec<S>)> {
+    let (value, bars) = O::adjoint(O::In::<S>::load(x), O::Out::<S>::load(out_bar))?;
+    Some((value.scalars(), bars.scalars()))
+}
+
+/// All that the harness needs of an operation in a format.
+fn recording<O: Op, S: Real>() -> Result<Recording<S>, Error>
+where
+    O::In<S>: Row,
+    O::Out<S>: Row,
+{
+    Ok(Recording {
+        value: program_of::<O, S>(Want::Value)?,
+        slopes: program_of::<O, S>(Want::Vjp)?,
+        source: source::<O, S>,
+        batch: batch_value::<O, S>,
+        by_hand: by_hand::<O, S>,
+        outputs: O::Out::<S>::LEN,
+        promises: O::PROMISES,
+        jumps: O::JUMPS,
+    })
 }
 
 /// The value of a ring that is a slice.
@@ -48,33 +73,33 @@ fn ring_value<O: RingOp, S: Number>(x: &[S]) -> Vec<S> {
     O::value(&ring).scalars()
 }
 
-/// Judges an operation at hard cases and random inputs, all rounded to the format, with a batch as a
-/// further witness if there is one to ask.
-fn judged<O: Source, S: Number>(
-    plan: &Plan<'_>,
-    paths: &[Path<S>],
-    fused: Option<Fused<S>>,
-    ask: Option<Ask<'_>>,
-) -> Result<Report, GpuError>
-where
-    O::In<f64>: Sample,
-{
-    let rounded = |x: O::In<f64>| {
+/// Hard cases and random inputs, all rounded to a format, and how many of them are hard.
+fn inputs<X: Sample, S: Number>(plan: &Plan<'_>) -> (Vec<X>, usize) {
+    let rounded = |x: X| {
         let list: Vec<f64> = x.scalars().iter().map(|&x| S::nearest(x).widen()).collect();
         x.refill(&list)
     };
-    let hard: Vec<O::In<f64>> = match plan.hard {
+    let hard: Vec<X> = match plan.hard {
         0 => Vec::new(),
         every => hard_cases().into_iter().step_by(every).collect(),
     };
-    let mut inputs: Vec<O::In<f64>> = hard
-        .into_iter()
-        .map(rounded)
-        .filter(Sample::inside)
-        .collect();
+    let hard = hard.into_iter().map(rounded);
+    let mut inputs: Vec<X> = hard.filter(Sample::inside).collect();
     let random_from = inputs.len();
     let drawn = (0..plan.samples).map(|i| random(&mut plan.draw(i)));
     inputs.extend(drawn.map(rounded).filter(Sample::inside));
+    (inputs, random_from)
+}
+
+/// Judges an operation at hard cases and random inputs, with a batch as a further witness if there is
+/// one to ask.
+fn judged<X: Sample>(
+    name: &'static str,
+    plan: &Plan<'_>,
+    (inputs, random_from): (Vec<X>, usize),
+    ask: Option<Ask<'_>>,
+    with: impl Fn(&X, Option<&Batch<'_>>, &mut dyn FnMut(&dyn Subject)),
+) -> Result<Report, GpuError> {
     let batch = match ask {
         Some(ask) => {
             let lists: Vec<Vec<f64>> = inputs.iter().map(Pack::scalars).collect();
@@ -83,17 +108,16 @@ where
         None => None,
     };
     let batch = batch.as_ref();
-    let mut report = examine(O::NAME, plan, &inputs, random_from, |x, judge| {
-        judge(&OpSubject::<O, S>::new(x, paths, fused).with_batch(batch));
+    let mut report = examine(name, plan, &inputs, random_from, |x, judge| {
+        with(x, batch, &mut |subject| judge(subject));
     });
     let worst = inputs.get(report.worst[1].nearest.sample);
-    report.picture = worst.filter(|_| plan.draws).map(|x| {
-        let title = format!(
-            "{}: where adjoint and differences are farthest apart",
-            O::NAME
-        );
-        picture(&title, x, &OpSubject::<O, S>::new(x, paths, fused))
-    });
+    if let Some(x) = worst.filter(|_| plan.draws) {
+        let title = format!("{name}: where adjoint and differences are farthest apart");
+        with(x, None, &mut |subject| {
+            report.picture = Some(picture(&title, x, subject));
+        });
+    }
     match batch.and_then(Batch::error) {
         Some(error) => Err(error),
         None => Ok(report),
@@ -103,7 +127,8 @@ where
 /// Runs every check of an operation.
 pub fn prove<O: Op, S: Number + Real>(samples: usize, seed: u64) -> Report
 where
-    O::In<f64>: Sample,
+    O::In<f64>: Sample + Row,
+    O::Out<f64>: Row,
     O::In<S>: Row,
     O::Out<S>: Row,
 {
@@ -113,7 +138,8 @@ where
 /// The same by a plan.
 pub fn prove_with<O: Op, S: Number + Real>(plan: &Plan<'_>) -> Report
 where
-    O::In<f64>: Sample,
+    O::In<f64>: Sample + Row,
+    O::Out<f64>: Row,
     O::In<S>: Row,
     O::Out<S>: Row,
 {
@@ -131,7 +157,8 @@ where
 /// The backend's.
 pub fn prove_on<O: GpuPair>(backend: Backend<'_>, plan: &Plan<'_>) -> Result<Report, GpuError>
 where
-    O::In<f64>: Sample,
+    O::In<f64>: Sample + Row,
+    O::Out<f64>: Row,
 {
     straight::<O, f32>(plan, Some(&|inputs| ask_pairs::<O>(backend, inputs)))
 }
@@ -141,13 +168,25 @@ fn straight<O: Op, S: Number + Real>(
     ask: Option<Ask<'_>>,
 ) -> Result<Report, GpuError>
 where
-    O::In<f64>: Sample,
+    O::In<f64>: Sample + Row,
+    O::Out<f64>: Row,
     O::In<S>: Row,
     O::Out<S>: Row,
 {
-    let by_hand = O::SLOPES == Slopes::ByHand;
-    let fused = by_hand.then_some(fused::<O, S> as Fused<S>);
-    judged::<Straight<O>, S>(plan, &[batch_value::<O, S>], fused, ask)
+    let recording = recording::<O, S>()?;
+    let wide = match Precision::of::<S>() {
+        Precision::F32 => Some(self::recording::<O, f64>()?),
+        Precision::F64 => None,
+    };
+    let inputs = inputs::<O::In<f64>, S>(plan);
+    judged(O::NAME, plan, inputs, ask, |x, batch, judge| {
+        judge(&RecordedSubject {
+            near: x,
+            recording: &recording,
+            wide: wide.as_ref(),
+            batch,
+        });
+    })
 }
 
 /// Runs every check of an operation of a ring.
@@ -176,7 +215,11 @@ fn ring<O: RingOp, S: Number + Real>(
     plan: &Plan<'_>,
     ask: Option<Ask<'_>>,
 ) -> Result<Report, GpuError> {
-    judged::<Ringed<O>, S>(plan, &[ring_value::<O, S>], None, ask)
+    let inputs = inputs::<Vec<Vec2<f64>>, S>(plan);
+    judged(O::NAME, plan, inputs, ask, |x, batch, judge| {
+        let paths: [Path<S>; 1] = [ring_value::<O, S>];
+        judge(&OpSubject::<Ringed<O>, S>::new(x, &paths, None).with_batch(batch));
+    })
 }
 
 fn without_batch(report: Result<Report, GpuError>) -> Report {

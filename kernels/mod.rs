@@ -24,11 +24,15 @@ mod on_cpu;
 #[forbid(unsafe_code)]
 pub mod op;
 #[forbid(unsafe_code)]
+mod operation;
+#[forbid(unsafe_code)]
 pub mod overlap;
 #[forbid(unsafe_code)]
 mod program;
 #[forbid(unsafe_code)]
 pub mod real;
+#[forbid(unsafe_code)]
+mod recorded_subject;
 #[forbid(unsafe_code)]
 pub mod reduce;
 #[forbid(unsafe_code)]

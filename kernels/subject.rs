@@ -31,10 +31,10 @@ where
 }
 
 /// Lists between formats.
-fn widened<S: Float>(list: &[S]) -> Vec<f64> {
+pub(crate) fn widened<S: Float>(list: &[S]) -> Vec<f64> {
     list.iter().map(|x| x.widen()).collect()
 }
-fn nearest<S: Number>(list: &[f64]) -> Vec<S> {
+pub(crate) fn nearest<S: Number>(list: &[f64]) -> Vec<S> {
     list.iter().map(|&x| S::nearest(x)).collect()
 }
 

@@ -173,7 +173,7 @@ impl<O: Pair<T>, T: Number> Known<O, T> {
             for (j, column) in columns.clone().enumerate() {
                 let known = &self.pairs[row * self.b.len() + column];
                 let at = i * b.len() + j;
-                let (p, q) = grads.at(i, j);
+                let (_, (p, q)) = grads.at(i, j);
                 let mut here = bits(&[grads.values()[at]]);
                 here.extend(bits_of([&p]).into_iter().chain(bits_of([&q])));
                 assert!(

@@ -1,0 +1,79 @@
+//! Operations in one row.
+
+/// Makes a generic function an operation: a type without fields whose value batches, the harness and
+/// programs take.
+///
+/// A row says the type and its name, the arguments (one to six shapes or numbers made of `S`), the
+/// result and the formula, then what it promises, where it jumps, and where its slopes come from. All
+/// three must be said: `promises []` and `jumps Never` say none.
+///
+/// ```
+/// use geograd::kernels::Cpu;
+/// use geograd::{Obb2, Vec2, operation};
+///
+/// operation! {
+///     /// The clearance of a point from a box, measured along the box's axes.
+///     pub Clearance = "clearance": (point: Vec2<S>, shape: Obb2<S>) -> S {
+///         let local = shape.world_from_local().inverse() * point;
+///         let (x, y) = (local.x.magnitude() - shape.size.x.halved(),
+///             local.y.magnitude() - shape.size.y.halved());
+///         x.most(y)
+///     }
+///     promises [TranslationX Stays, TranslationY Stays, Scaling Power(1), Rotation Stays]
+///     jumps Never
+///     slopes Reverse
+/// }
+///
+/// let points = [Vec2::new(3.0, 0.0), Vec2::new(0.0, 2.0)];
+/// let shapes = [Obb2::new(0.0, 0.0, 2.0, 2.0, 0.0); 2];
+/// assert_eq!(Cpu::new().aligned(Clearance, (&points, &shapes))?, [2.0, 1.0]);
+/// # Ok::<(), geograd::Error>(())
+/// ```
+///
+/// An adjoint by hand is a further formula, of the arguments and the cotangent of the result, that
+/// gives the result and the slopes: `adjoint |out_bar| { (value, (point_bar, shape_bar)) }`, with
+/// `slopes ByHand`.
+#[macro_export]
+macro_rules! operation {
+    ($(
+        $(#[$doc:meta])*
+        $vis:vis $Name:ident = $name:literal: ($($arg:ident: $type:ty),+ $(,)?) -> $out:ty $body:block
+        promises [$($motion:ident $answer:ident $(($power:literal))?),* $(,)?]
+        jumps $jumps:ident
+        slopes $slopes:ident
+        $(adjoint |$out_bar:ident| $adjoint:block)?
+    )+) => { $(
+        $(#[$doc])*
+        #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+        $vis struct $Name;
+
+        impl $crate::kernels::op::Op for $Name {
+            const NAME: &'static str = $name;
+            type In<S: $crate::Scalar> = ($($type),+);
+            type Out<S: $crate::Scalar> = $out;
+            const PROMISES: &'static [$crate::kernels::op::Promise] = &[$(
+                $crate::kernels::op::Promise {
+                    motion: $crate::kernels::op::Motion::$motion,
+                    answer: $crate::kernels::op::Answer::$answer $(($power))?,
+                }
+            ),*];
+            const JUMPS: $crate::kernels::op::Jumps = $crate::kernels::op::Jumps::$jumps;
+            const SLOPES: $crate::kernels::op::Slopes = $crate::kernels::op::Slopes::$slopes;
+            #[allow(unused_imports, unused_parens)]
+            fn eval<S: $crate::Scalar>(($($arg),+): Self::In<S>) -> Self::Out<S> {
+                use $crate::{Mask as _, Scalar as _};
+                $body
+            }
+            $(
+                #[allow(unused_imports, unused_parens)]
+                fn adjoint<S: $crate::Scalar>(
+                    ($($arg),+): Self::In<S>,
+                    $out_bar: Self::Out<S>,
+                ) -> ::core::option::Option<(Self::Out<S>, Self::In<S>)> {
+                    use $crate::{Mask as _, Scalar as _};
+                    ::core::option::Option::Some($adjoint)
+                }
+            )?
+        }
+    )+ };
+}

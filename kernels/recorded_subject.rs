@@ -1,0 +1,263 @@
+//! A recorded operation as a subject of the verification harness: lists of numbers in, lists of numbers
+//! out. It is compiled once, in the library, whatever the operation.
+use crate::ad::check::noise::{Noisy, noisy};
+use crate::ad::check::sample::Sample;
+use crate::ad::check::subject::{Conventions, Subject};
+use crate::ad::check::symmetry::{Kind, Promise};
+use crate::ad::check::trace::{Number, Trace, Traced, trace};
+use crate::ad::check::witness::Precision;
+use crate::ad::forward::{Along, First};
+use crate::ad::program::recorded::Recorded;
+use crate::kernels::op::Jumps;
+use crate::kernels::subject::{Path, nearest, widened};
+use crate::kernels::witness::Batch;
+use crate::{Jet, Scalar};
+use std::sync::Arc;
+
+/// What the harness asks of the shapes of an input.
+pub(crate) trait Near {
+    fn kinds(&self) -> Vec<Kind>;
+    fn inside(&self, x: &[f64]) -> bool;
+    fn scales(&self, x: &[f64]) -> Vec<f64>;
+    fn units(&self, x: &[f64]) -> Vec<f64>;
+    fn extents(&self, x: &[f64]) -> Vec<f64>;
+}
+
+impl<P: Sample> Near for P {
+    fn kinds(&self) -> Vec<Kind> {
+        Sample::kinds(self)
+    }
+    fn inside(&self, x: &[f64]) -> bool {
+        Sample::inside(&self.refill(x))
+    }
+    fn scales(&self, x: &[f64]) -> Vec<f64> {
+        Sample::scales(&self.refill(x))
+    }
+    fn units(&self, x: &[f64]) -> Vec<f64> {
+        Sample::units(&self.refill(x))
+    }
+    fn extents(&self, x: &[f64]) -> Vec<f64> {
+        Sample::extents(&self.refill(x))
+    }
+}
+
+/// The result and the slopes of a cotangent, by hand, on plain numbers; nothing where there are none.
+pub(crate) type ByHand<S> = fn(&[S], &[S]) -> Option<(Vec<S>, Vec<S>)>;
+
+/// An operation in one format.
+#[derive(Clone)]
+pub(crate) struct Recording<S> {
+    /// The result, recorded.
+    pub value: Arc<Recorded>,
+    /// The result and slopes from the input and a cotangent, recorded: from wherever the operation says
+    /// that its slopes come.
+    pub slopes: Arc<Recorded>,
+    /// The function itself, on plain numbers.
+    pub source: Path<S>,
+    /// The result by a batch.
+    pub batch: Path<S>,
+    /// Slopes by hand, on plain numbers.
+    pub by_hand: ByHand<S>,
+    /// How many numbers a result has.
+    pub outputs: usize,
+    /// What it promises.
+    pub promises: &'static [Promise],
+    /// Where it jumps.
+    pub jumps: Jumps,
+}
+
+impl<S: Number> Recording<S> {
+    /// The slopes, on any scalar.
+    fn slopes_on<T: Scalar>(&self, x: Vec<T>, y_bar: Vec<T>) -> Vec<T> {
+        let mut all = self.slopes.run_on(&[x, y_bar].concat());
+        all.split_off(self.outputs)
+    }
+    /// The Hessian times a direction, through the slopes, on another kind of number.
+    fn bends<T>(&self, x: &[f64], y_bar: &[f64], direction: &[f64], of: impl Fn(S) -> T) -> Vec<T>
+    where
+        T: Scalar<Primal = T>,
+    {
+        let input = x.iter().zip(direction).map(|(&x, &d)| Jet {
+            value: of(S::nearest(x)),
+            slope: [of(S::nearest(d))],
+        });
+        let y_bar = y_bar.iter().map(|&y| <Jet<T, 1> as Scalar>::lit(y));
+        let slopes = self.slopes_on(input.collect(), y_bar.collect());
+        slopes.iter().map(|jet| jet.slope[0]).collect()
+    }
+}
+
+/// A recorded operation near an input.
+pub(crate) struct RecordedSubject<'a, S: Number> {
+    pub near: &'a dyn Near,
+    pub recording: &'a Recording<S>,
+    /// The same operation in double precision.
+    pub wide: Option<&'a Recording<f64>>,
+    /// A batch on a backend as a further witness.
+    pub batch: Option<&'a Batch<'a>>,
+}
+
+impl<S: Number> Subject for RecordedSubject<'_, S> {
+    fn precision(&self) -> Precision {
+        Precision::of::<S>()
+    }
+    fn value(&self, x: &[f64]) -> Vec<f64> {
+        widened(&(self.recording.source)(&nearest(x)))
+    }
+    fn other_values(&self, x: &[f64]) -> Vec<Vec<f64>> {
+        let list: Vec<S> = nearest(x);
+        let recording = self.recording;
+        let jets: Vec<First<S>> = list
+            .iter()
+            .enumerate()
+            .map(|(i, &x)| Jet::variable(x, i))
+            .collect();
+        let jets = recording.value.run_on(&jets);
+        let mut all = vec![
+            widened(&recording.value.run(&list)),
+            widened(&(recording.batch)(&list)),
+            jets.iter().map(|jet| jet.value.widen()).collect(),
+        ];
+        let ones = vec![S::one(); recording.outputs];
+        let fused = (recording.by_hand)(&list, &ones);
+        all.extend(fused.map(|fused| widened(&fused.0)));
+        all
+    }
+    fn adjoint(&self, x: &[f64], y_bar: &[f64]) -> Option<Vec<f64>> {
+        let (x, y_bar): (Vec<S>, Vec<S>) = (nearest(x), nearest(y_bar));
+        let slopes = match (self.recording.by_hand)(&x, &y_bar) {
+            Some((_, slopes)) => slopes,
+            None => self.recording.slopes_on(x, y_bar),
+        };
+        Some(widened(&slopes))
+    }
+    fn noisy(&self, x: &[f64], y_bar: &[f64], seed: u64) -> Option<Vec<f64>> {
+        // Low parts of single precision hold what roundings leave; others would spoil them.
+        if S::COMPENSATED {
+            return None;
+        }
+        let of = |list: &[f64]| list.iter().map(|&x| Noisy(S::nearest(x))).collect();
+        let slopes = noisy(seed, || self.recording.slopes_on(of(x), of(y_bar)));
+        Some(slopes.iter().map(|s| s.0.widen()).collect())
+    }
+    fn further(&self, x: &[f64], y_bar: &[f64]) -> Vec<Vec<f64>> {
+        // As batches compute them.
+        vec![widened(&self.recording.slopes_on::<S>(nearest(x), nearest(y_bar)))]
+    }
+    fn batch(&self, x: &[f64], y_bar: &[f64]) -> Option<(Vec<f64>, Vec<f64>)> {
+        let answer = self.batch?.about(x)?;
+        let slopes = answer.slopes(y_bar);
+        Some((answer.value, slopes))
+    }
+    fn jacobian(&self, x: &[f64]) -> Option<Vec<Vec<f64>>> {
+        let mut rows = vec![vec![0.0; x.len()]; self.recording.outputs];
+        let chunk = <First<S> as Scalar>::lit(0.0).slope.len();
+        for start in (0..x.len()).step_by(chunk) {
+            let jets = x.iter().enumerate();
+            let jets = jets.map(|(i, &x)| Jet::variable(S::nearest(x), i.wrapping_sub(start)));
+            let jets: Vec<First<S>> = jets.collect();
+            for (row, jet) in rows.iter_mut().zip(self.recording.value.run_on(&jets)) {
+                for (slot, slope) in row[start..].iter_mut().zip(jet.slope) {
+                    *slot = slope.widen();
+                }
+            }
+        }
+        Some(rows)
+    }
+    fn along(&self, x: &[f64], direction: &[f64]) -> Option<Vec<f64>> {
+        let jets = x.iter().zip(direction).map(|(&x, &d)| Jet {
+            value: S::nearest(x),
+            slope: [S::nearest(d)],
+        });
+        let jets: Vec<Jet<S, 1>> = jets.collect();
+        let out = self.recording.value.run_on(&jets);
+        Some(out.iter().map(|jet| jet.slope[0].widen()).collect())
+    }
+    fn traced(&self, x: &[f64]) -> Option<(Vec<f64>, Trace)> {
+        let input: Vec<Traced<S>> = x.iter().map(|&x| Traced(S::nearest(x))).collect();
+        let (out, trace) = trace(|| self.recording.value.run_on(&input));
+        Some((out.iter().map(|y| y.0.widen()).collect(), trace))
+    }
+    fn curvature(&self, x: &[f64], y_bar: &[f64], direction: &[f64]) -> Option<Vec<f64>> {
+        let bends = self.recording.bends(x, y_bar, direction, |x| x);
+        Some(bends.iter().map(|bend| bend.widen()).collect())
+    }
+    fn noisy_curvature(
+        &self,
+        x: &[f64],
+        y_bar: &[f64],
+        direction: &[f64],
+        seed: u64,
+    ) -> Option<Vec<f64>> {
+        if S::COMPENSATED {
+            return None;
+        }
+        let bends = noisy(seed, || self.recording.bends(x, y_bar, direction, Noisy));
+        Some(bends.iter().map(|bend| bend.0.widen()).collect())
+    }
+    fn nested(&self, x: &[f64], y_bar: &[f64], direction: &[f64]) -> Option<Vec<f64>> {
+        let chunk = <First<S> as Scalar>::lit(0.0).slope.len();
+        let mut bends = vec![0.0; x.len()];
+        let along = |value, slope| Jet {
+            value,
+            slope: [slope],
+        };
+        for start in (0..x.len()).step_by(chunk) {
+            let jets = x.iter().zip(direction).enumerate().map(|(i, (&x, &d))| {
+                let mut jet: Along<S> = <Along<S> as Scalar>::lit(0.0);
+                jet.value = along(S::nearest(x), S::nearest(d));
+                if let Some(slope) = jet.slope.get_mut(i.wrapping_sub(start)) {
+                    *slope = along(S::nearest(1.0), S::nearest(0.0));
+                }
+                jet
+            });
+            let jets: Vec<Along<S>> = jets.collect();
+            for (y_bar, jet) in y_bar.iter().zip(self.recording.value.run_on(&jets)) {
+                for (bend, slope) in bends[start..].iter_mut().zip(jet.slope) {
+                    *bend += y_bar * slope.slope[0].widen();
+                }
+            }
+        }
+        Some(bends)
+    }
+    fn wide(&self) -> Option<Box<dyn Subject + '_>> {
+        let recording = self.wide?;
+        Some(Box::new(RecordedSubject {
+            near: self.near,
+            recording,
+            wide: None,
+            batch: None,
+        }))
+    }
+    fn inside(&self, x: &[f64]) -> bool {
+        self.near.inside(x)
+    }
+    fn scales(&self, x: &[f64]) -> Vec<f64> {
+        self.near.scales(x)
+    }
+    fn units(&self, x: &[f64]) -> Vec<f64> {
+        self.near.units(x)
+    }
+    fn comparable(&self) -> bool {
+        true
+    }
+    fn rounding(&self, x: &[f64]) -> Vec<f64> {
+        let eps = self.precision().epsilon();
+        let extents = self.near.extents(x);
+        let of = |(extent, x): (&f64, &f64)| eps * extent.max(0.5 * x.abs());
+        extents.iter().zip(x).map(of).collect()
+    }
+    fn kinds(&self) -> Vec<Kind> {
+        self.near.kinds()
+    }
+    fn promises(&self) -> &[Promise] {
+        self.recording.promises
+    }
+    fn conventions(&self) -> Conventions {
+        Conventions {
+            flat: true,
+            jumps: self.recording.jumps,
+            shared_ties: true,
+        }
+    }
+}
