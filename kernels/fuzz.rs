@@ -488,7 +488,7 @@ fn check_rings<O: RingOp, T: Real>(vertices: &[Vec2<T>], offsets: &[usize]) -> R
     for i in (0..values.len()).step_by(SINGLE / 4) {
         let ring = ring(i);
         let mut slopes = ring.to_vec();
-        O::ring_vjp(ring, ones[i].clone(), &mut slopes);
+        O::ring_vjp(ring, ones[i], &mut slopes);
         let value = O::value(ring);
         let here = flat(&bars[offsets[i]..offsets[i + 1]]);
         if !same(&value.scalars(), &values[i].scalars()) || !same(flat(&slopes), here) {

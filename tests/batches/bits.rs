@@ -145,11 +145,11 @@ struct Known<O: PairOp, T: Real> {
 impl<O: PairOp, T: Real> Known<O, T> {
     fn new(a: Vec<A<O, T>>, b: Vec<B<O, T>>, vjp: Vjp<O, T>) -> Self {
         let slopes = |i: usize, j: usize, up: T| {
-            let (p, q) = vjp(a[i].clone(), b[j].clone(), up);
+            let (p, q) = vjp(a[i], b[j], up);
             bits_of([&p]).into_iter().chain(bits_of([&q]))
         };
         let pair = |i: usize, j: usize| {
-            let value = O::value::<T, true>(O::frame_a(a[i].clone()), O::frame_b(b[j].clone()));
+            let value = O::value::<T, true>(O::frame_a(a[i]), O::frame_b(b[j]));
             let mut all = bits(&[value]);
             all.extend(slopes(i, j, T::one()));
             all
@@ -312,7 +312,7 @@ where
         let mut k = 0;
         shape.each(&mut |x| {
             if k == 0 || fields == 4 && k == 2 {
-                *x = *x + X::Scalar::lit(i as f64 * 1.5);
+                *x += X::Scalar::lit(i as f64 * 1.5);
             }
             k += 1;
         });
