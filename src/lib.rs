@@ -77,6 +77,7 @@ pub mod kernels;
 pub struct Readme;
 
 pub use ad::forward::{gradient, hessian, hvp, jacobian, jvp, value};
+pub use ad::program::{Program, Sym};
 pub use derived::Shape;
 pub use error::{Error, Flaw, Unrecordable, Validate};
 pub use pack::{Fixed, Pack};

@@ -73,11 +73,13 @@ pub(super) fn along(graph: &mut Graph, me: Id, operand: usize, t: Id) -> Id {
         Min(a, b) => g.make(Rest(a, b, t)),
         Max(a, b) if operand == 0 => g.make(Split(b, a, t)),
         Max(a, b) => g.make(Rest(b, a, t)),
+        // As the larger of x and −x, also where x is NaN.
         Magnitude(x) => {
             let zero = g.lit(0.0);
-            let (negative, positive) = (g.make(Lt(x, zero)), g.make(Lt(zero, x)));
-            let (minus, plus) = (g.make(Neg(t)), g.make(Select(positive, t, zero)));
-            g.make(Select(negative, minus, plus))
+            let (positive, tie) = (g.make(Lt(zero, x)), g.make(Eq(x, zero)));
+            let minus = g.make(Neg(t));
+            let other = g.make(Select(tie, zero, minus));
+            g.make(Select(positive, t, other))
         }
         Unsigned(x) => {
             let zero = g.lit(0.0);

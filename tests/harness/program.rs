@@ -190,14 +190,14 @@ fn an_adjoint_by_hand_is_recorded_to_the_bit() {
     fn check<T: Plain>() {
         let value = Program::trace(|(a, b): Pair<T>| a.iou(b)).unwrap();
         let by_hand = value
-            .with_adjoint(|(a, b): Pair<T>| ad::overlap::iou_obb2_grad(a, b).1)
+            .with_adjoint(|(a, b): Pair<T>| ad::adjoint::overlap::iou_obb2_grad(a, b).1)
             .unwrap();
         let (value_grad, vjp) = (by_hand.value_grad(), by_hand.vjp());
         let mut draw = Draw(3);
         for kind in 0..2000 {
             let x = draw.input::<10>(kind).map(T::lit);
             let (a, b) = boxes(x);
-            let (value, slopes) = ad::overlap::iou_obb2_grad(a, b);
+            let (value, slopes) = ad::adjoint::overlap::iou_obb2_grad(a, b);
             let found = value_grad.eval((a, b));
             let flat = |x: (T, (Obb2<T>, Obb2<T>))| {
                 let mut all = [T::zero(); 11];

