@@ -25,7 +25,7 @@ fn volume<S: Scalar>(pair: &Relative3<S>) -> S {
     if TypeId::of::<S>() == TypeId::of::<S::Primal>() {
         return shared_volume::<S, false>(pair).volume;
     }
-    let g = shared_volume::<S, true>(pair);
+    let g = shared_volume::<S, true>(&without_curvature(pair));
     let mut volume = S::from_primal(g.volume.primal());
     let mean = |g: S| (g + S::from_primal(g.primal())).halved();
     let moved = |x: S| x - S::from_primal(x.primal());
@@ -40,6 +40,27 @@ fn volume<S: Scalar>(pair: &Relative3<S>) -> S {
         }
     }
     volume
+}
+
+/// The pair as constants where sizes or places are so different that second derivatives could overflow:
+/// there only first ones are served.
+#[inline(always)]
+fn without_curvature<S: Scalar>(pair: &Relative3<S>) -> Relative3<S> {
+    let large = |v: [S; 3]| {
+        let v = v.map(|x| x.primal().magnitude());
+        v[0].most(v[1]).most(v[2])
+    };
+    let size = large(pair.half_a).most(large(pair.half_b));
+    let size = size.most(large(pair.center));
+    let extreme = size.above(S::Primal::lit(S::LARGEST.powf(0.1)));
+    let held = |x: S| S::select(extreme, S::from_primal(x.primal()), x);
+    Relative3 {
+        turn: pair.turn.map(|row| row.map(held)),
+        center: pair.center.map(held),
+        half_a: pair.half_a.map(held),
+        half_b: pair.half_b.map(held),
+        ..*pair
+    }
 }
 
 /// Where two related boxes can share nothing at a glance: balls around them are apart.
