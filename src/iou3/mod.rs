@@ -215,12 +215,13 @@ pub fn ciou<S: Scalar, B: Solid<S>>(a: B, b: B, kind: Enclosing) -> S {
 }
 
 /// Efficient IoU of two boxes, in `(−4, 1]`: DIoU less the squared difference of the sizes along each of the
-/// boxes' own axes over the square of the enclosing box's size there.
+/// boxes' own axes over the square of the enclosing box's size there; or of the larger one of both sizes,
+/// where the boxes are turned so that this is more.
 #[must_use]
 #[inline]
 pub fn eiou<S: Scalar, B: Solid<S>>(a: B, b: B, kind: Enclosing) -> S {
     let t = terms(a, b, kind);
-    let differ = |p: S, q: S, around: S| share((p - q).squared(), around.squared());
+    let differ = |p: S, q: S, around: S| share((p - q).squared(), around.most(p).most(q).squared());
     let sizes = differ(t.size_a.x, t.size_b.x, t.around.x)
         + differ(t.size_a.y, t.size_b.y, t.around.y)
         + differ(t.size_a.z, t.size_b.z, t.around.z);

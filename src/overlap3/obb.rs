@@ -82,7 +82,7 @@ fn score_obb3<S: Scalar>(over: Denominator, a: Obb3<S>, b: Obb3<S>) -> S {
         return S::zero();
     }
     let shared = volume(&pair);
-    let (volume_a, volume_b) = (volume_from_half(pair.half_a), volume_from_half(pair.half_b));
+    let (volume_a, volume_b) = (own_volume(&pair, pair.half_a), own_volume(&pair, pair.half_b));
     let shared = within(shared, volume_a, volume_b);
     let value = score(over, shared, volume_a, volume_b, pair.scale);
     match over {
@@ -92,6 +92,18 @@ fn score_obb3<S: Scalar>(over: Denominator, a: Obb3<S>, b: Obb3<S>) -> S {
         }
         _ => value.canonical(),
     }
+}
+
+/// The volume of a box of the pair; a constant where its slopes by the sizes could overflow: sizes far below
+/// one of which one is 10⁸ times as large as another, or more.
+#[inline(always)]
+fn own_volume<S: Scalar>(pair: &Relative3<S>, half: [S; 3]) -> S {
+    let [x, y, z] = half.map(|x| x.primal());
+    let size = x.most(y).most(z);
+    let steep = (pair.scale.primal() * size) * size;
+    let steep = steep.above(S::Primal::lit(S::LARGEST / 4096.0));
+    let volume = volume_from_half(half);
+    S::select(steep, S::from_primal(volume.primal()), volume)
 }
 
 /// A volume that is not above that of either box, as scores measure boxes; slopes stay.

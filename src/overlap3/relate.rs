@@ -2,8 +2,8 @@
 use crate::shape::{Obb3, Rotation3};
 use crate::{Scalar, Vec3};
 
-/// The larger box of a pair may be 2⁴⁰ times as large as the smaller one: its volume fits an `f32`.
-const LARGEST_INVERSE: f64 = 1.0 / (1_u64 << 40) as f64;
+/// The larger box of a pair may be 2³⁸ times as large as the smaller one: its volume fits an `f32`.
+const LARGEST_INVERSE: f64 = 1.0 / (1_u64 << 38) as f64;
 
 /// Beyond this many units (of which the smaller box has about one) between the centres in any
 /// coordinate, only the fact that the boxes are apart matters.

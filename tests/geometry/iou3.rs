@@ -20,9 +20,6 @@ fn ranges_and_identical_boxes() {
             assert!(-1.0 < g && g <= iou, "{family} {g} {iou}");
             assert!(-1.0 <= d && d <= iou && c <= d && e <= d && c > -2.0 && e > -4.0, "{family}");
             if a.volume() > 0.0 {
-                for same in [giou(a, a, kind), diou(a, a, kind), ciou(a, a, kind), eiou(a, a, kind)] {
-                    assert!((same - 1.0).abs() < 2.0, "{family} {same}");
-                }
                 assert_eq!(diou(a, a, kind), 1.0);
                 assert_eq!(ciou(a, a, kind), 1.0);
                 assert_eq!(eiou(a, a, kind), 1.0);
@@ -103,7 +100,7 @@ fn gaps_are_distances_and_continue_overlap() {
 #[test]
 fn slopes_are_those_of_the_value() {
     let mut random = Random(84);
-    type F = fn(YawBox3<Jet<f64, 7>>, YawBox3<Jet<f64, 7>>) -> Jet<f64, 7>;
+    type F = fn(YawBox3<Jet<f64, 10>>, YawBox3<Jet<f64, 10>>) -> Jet<f64, 10>;
     let all: [(fn(YawBox3<f64>, YawBox3<f64>) -> f64, F); 5] = [
         (|a, b| giou(a, b, Enclosing::Rectangle), |a, b| giou(a, b, Enclosing::Rectangle)),
         (|a, b| giou(a, b, Enclosing::Aabb), |a, b| giou(a, b, Enclosing::Aabb)),
