@@ -71,6 +71,16 @@ fn reciprocal_or_zero<S: Scalar>(x: S) -> S {
     )
 }
 
+/// An upstream slope of at most about one, and the power of two that its results are to be multiplied
+/// by: boxes of extreme sizes have slopes that bear no larger one.
+#[inline(always)]
+pub(crate) fn tamed<S: Scalar>(out_bar: S) -> (S, S) {
+    let size = out_bar.unsigned();
+    let one = S::one();
+    let unit = S::select(size.above(one), size, one).binade().halved();
+    (out_bar * unit, one.over(unit))
+}
+
 /// Slopes of a score with respect to both boxes.
 pub type Grads<S> = (Obb2<S>, Obb2<S>);
 
@@ -89,6 +99,11 @@ pub fn score_framed_vjp<S: Scalar, const EXTREME: bool>(
         size_scale(a.half, b.half)
     } else {
         S::one()
+    };
+    let (out_bar, steep) = if EXTREME {
+        tamed(out_bar)
+    } else {
+        (out_bar, S::one())
     };
     let pair = relate::<S, EXTREME>(a, b, scale);
     let zero = Obb2::new(S::zero(), S::zero(), S::zero(), S::zero(), S::zero());
@@ -146,7 +161,7 @@ pub fn score_framed_vjp<S: Scalar, const EXTREME: bool>(
         },
     );
     let grads = if EXTREME {
-        (saturated(grads.0), saturated(grads.1))
+        (saturated(grads.0, steep), saturated(grads.1, steep))
     } else {
         grads
     };
@@ -188,22 +203,47 @@ fn canonical<S: Scalar>(x: Obb2<S>) -> Obb2<S> {
     }
 }
 
-/// Every field at the nearest finite number.
+/// Every field at the nearest finite number, times what was taken from the upstream slope.
 #[inline(always)]
-fn saturated<S: Scalar>(x: Obb2<S>) -> Obb2<S> {
+fn saturated<S: Scalar>(x: Obb2<S>, steep: S) -> Obb2<S> {
+    let times = |x: S| (x.saturated() * steep).saturated();
     Obb2 {
-        center: Vec2::new(x.center.x.saturated(), x.center.y.saturated()),
-        size: Vec2::new(x.size.x.saturated(), x.size.y.saturated()),
-        heading: x.heading.saturated(),
+        center: Vec2::new(times(x.center.x), times(x.center.y)),
+        size: Vec2::new(times(x.size.x), times(x.size.y)),
+        heading: times(x.heading),
     }
 }
 
 /// Value of a score of two axis-aligned boxes, and `out_bar` times its slopes.
+#[inline(always)]
+pub fn score_aabb2_vjp<S: Scalar>(
+    over: Denominator,
+    a: Aabb2<S>,
+    b: Aabb2<S>,
+    out_bar: S,
+) -> (S, (Aabb2<S>, Aabb2<S>)) {
+    let (out_bar, steep) = tamed(out_bar);
+    let (value, (a_bar, b_bar)) = tame_score_aabb2_vjp(over, a, b, out_bar);
+    let times = |x: Vec2<S>| in_unit(x, steep);
+    let grads = (
+        Aabb2 {
+            min: times(a_bar.min),
+            max: times(a_bar.max),
+        },
+        Aabb2 {
+            min: times(b_bar.min),
+            max: times(b_bar.max),
+        },
+    );
+    (value, grads)
+}
+
+/// [`score_aabb2_vjp`] where the upstream slope is no more than about one.
 ///
 /// With `h` half the shared size, `I = 4 h_x h_y`; a bound that decides alone takes the whole slope
 /// of its side, tied bounds half each.
 #[inline(always)]
-pub fn score_aabb2_vjp<S: Scalar>(
+pub(crate) fn tame_score_aabb2_vjp<S: Scalar>(
     over: Denominator,
     a: Aabb2<S>,
     b: Aabb2<S>,

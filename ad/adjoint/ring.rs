@@ -91,7 +91,7 @@ pub fn perimeter_vjp<S: Scalar>(ring: &[Vec2<S>], out_bar: S, ring_bar: &mut [Ve
         |v| local.place(v),
         |before, here, after| {
             let pull = (here - before).normalize_or_zero() + (here - after).normalize_or_zero();
-            (pull * out_bar).canonical()
+            limited(pull.x * out_bar, pull.y * out_bar)
         },
     );
 }

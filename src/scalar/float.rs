@@ -298,7 +298,8 @@ macro_rules! float {
                 if self == 0.0 && x == 0.0 {
                     0.0
                 } else {
-                    self.widen().atan2(x.widen()) as $f
+                    // Which of two zeros is meant is nobody's decision.
+                    (self.widen() + 0.0).atan2(x.widen() + 0.0) as $f
                 }
             }
             #[inline(always)]
@@ -311,7 +312,7 @@ macro_rules! float {
             }
             #[inline(always)]
             fn binade(self) -> Self {
-                // The exponent field e becomes 2·bias + 1 − e.
+                // The exponent field e becomes 2·bias + 1 − e. (A NaN may have a sign.)
                 let normal = if self < $f::MIN_POSITIVE {
                     $f::MIN_POSITIVE
                 } else {
@@ -319,7 +320,7 @@ macro_rules! float {
                 };
                 let field = normal.to_bits() >> $mantissa << $mantissa;
                 let twice_bias = (2 * ($f::MAX_EXP as $bits - 1) + 1) << $mantissa;
-                $f::from_bits(twice_bias - field)
+                $f::from_bits(twice_bias.wrapping_sub(field))
             }
             // A tie of plain numbers has one value, so the kinks need a single choice.
             #[inline(always)]

@@ -28,13 +28,22 @@ use crate::Fixed;
 use std::fmt::Debug;
 use std::ops::{Add, AddAssign, BitAnd, BitOr, Div, Mul, MulAssign, Neg, Not, Sub, SubAssign};
 
-/// The outcome of a comparison: `bool`, or one truth value per SIMD lane.
+/// The outcome of a comparison: `bool`, one truth value per SIMD lane, or a truth of a program that
+/// is yet to run.
+///
+/// [`any`](Mask::any) and [`all`](Mask::all) are **hints** for leaving early: the code that follows
+/// must give the same value without them, that is if `any` had answered `true` and `all` `false`.
+/// A truth of a recorded program answers so unless it is known; a function whose value depends on the
+/// answer is refused when it is [recorded](crate::ad::program). Choose with [`Scalar::select`]. Code
+/// that needs control flow asks for `S: Scalar<Mask = bool>`.
 pub trait Mask:
     Copy + Debug + Send + Sync + BitAnd<Output = Self> + BitOr<Output = Self> + Not<Output = Self>
 {
-    /// Whether any lane is true.
+    /// Whether any lane is true; `true` if that is not known. A hint: `false` allows to leave out
+    /// what only true lanes need.
     fn any(self) -> bool;
-    /// Whether every lane is true.
+    /// Whether every lane is true; `false` if that is not known. A hint: `true` allows to leave out
+    /// what only false lanes need.
     fn all(self) -> bool;
 }
 
@@ -129,7 +138,8 @@ pub trait Scalar:
     fn sin_cos_parts(self) -> [(Self, Self); 2];
     /// `(high, low)` with `high + low = self` exactly, `high` a constant of half the significand.
     fn parts(self) -> (Self, Self);
-    /// The angle of `(x, self)` in radians, in `[−π, π]`; zero with slope zero at the origin.
+    /// The angle of `(x, self)` in radians, in `[−π, π]`; zero with slope zero at the origin. The
+    /// sign of a zero does not count: `(−1, −0)` is at π.
     fn atan2(self, x: Self) -> Self;
     /// The exponential.
     fn exp(self) -> Self;

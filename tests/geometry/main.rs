@@ -5,4 +5,5 @@ mod overlap;
 mod projection;
 mod ring;
 mod scalar;
+mod shape;
 mod source;

@@ -1,9 +1,8 @@
 //! How far results of a GPU may lie from those of the CPU: derived, not tuned.
 use crate::shapes::{Draw, Draws, fields, shape_of};
-use geograd::Fixed;
-use geograd::kernels::cpu;
 use geograd::kernels::gpu::GpuPair;
 use geograd::overlap::Denominator;
+use geograd::{Fixed, Pack};
 
 pub const EPSILON: f64 = f32::EPSILON as f64;
 
@@ -44,13 +43,9 @@ pub fn close(x: f32, y: f32) -> bool {
 
 /// The slopes of a pair in `f64`, the fields of b after those of a.
 fn wide_slopes<O: GpuPair>(a: &[f64], b: &[f64]) -> Vec<f64> {
-    let a: cpu::A<O, f64> = shape_of(a);
-    let b: cpu::B<O, f64> = shape_of(b);
-    let Ok((_, a_bar, b_bar)) = cpu::aligned_grad::<O, f64>(&[a], &[b]) else {
-        return Vec::new();
-    };
-    let (a_bar, b_bar) = (a_bar[0].to_array(), b_bar[0].to_array());
-    [a_bar.as_ref(), b_bar.as_ref()].concat()
+    let pair = O::In::<f64>::load(&[a, b].concat());
+    let one = O::Out::<f64>::filled(1.0);
+    O::adjoint(pair, one).map_or(Vec::new(), |(_, bars)| bars.scalars())
 }
 
 /// How far each slope may lie from the CPU's: both are the exact slopes of inputs moved by at most

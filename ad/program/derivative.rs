@@ -1,0 +1,183 @@
+//! The derivative of every operation, written once for both directions.
+//!
+//! An operation's slope with respect to an operand is never a number by itself: it is what a tangent
+//! of the operand becomes ([forward](super::forward)), or what a cotangent of the operation becomes
+//! ([reverse](super::reverse)). Both are the same product.
+use super::graph::{Graph, Id, Node};
+
+/// The operands through which slopes pass, by their place. The others are decisions or constants.
+pub(super) fn carriers(node: Node) -> &'static [usize] {
+    use Node::*;
+    match node {
+        Const(_) | Input(_) | Bool(_) | Lt(..) | Le(..) | Eq(..) | And(..) | Or(..) | Not(_) => &[],
+        // Powers of two and high halves are constants: steps that are flat.
+        Binade(_) | High(_) | SinHigh(_) | CosHigh(_) | Graft { slope: None, .. } => &[],
+        Neg(_) | Canonical(_) | Magnitude(_) | Unsigned(_) | Root(_) | Sin(_) | Cos(_)
+        | SinLow(_) | CosLow(_) | Exp(_) | Ln(_) => &[0],
+        Add(..) | Sub(..) | Mul(..) | Div(..) | Min(..) | Max(..) | Atan2(..) => &[0, 1],
+        Graft { slope: Some(_), .. } => &[1],
+        Split(..) | Rest(..) => &[2],
+        Select(..) => &[1, 2],
+    }
+}
+
+/// Whether a zero times the slope by this operand is zero, whatever the values are.
+pub(super) fn keeps_zero(graph: &Graph, node: Node, operand: usize) -> bool {
+    use Node::*;
+    let finite = |x| graph.constant(x).is_some_and(f64::is_finite);
+    match node {
+        Neg(_)
+        | Canonical(_)
+        | Add(..)
+        | Sub(..)
+        | Min(..)
+        | Max(..)
+        | Select(..)
+        | Split(..)
+        | Rest(..)
+        | Magnitude(_)
+        | Unsigned(_)
+        | Root(_)
+        | Graft { share: None, .. } => true,
+        Mul(a, b) => finite([b, a][operand]),
+        Div(_, b) => operand == 0 && finite(b) && graph.constant(b) != Some(0.0),
+        Graft {
+            share: Some(share), ..
+        } => finite(share),
+        Sin(_) | Cos(_) | SinLow(_) | CosLow(_) | Exp(_) | Ln(_) | Atan2(..) => false,
+        Const(_) | Input(_) | Bool(_) | Lt(..) | Le(..) | Eq(..) | And(..) | Or(..) | Not(_)
+        | Binade(_) | High(_) | SinHigh(_) | CosHigh(_) => true,
+    }
+}
+
+/// `t` times the slope of the node at `me` by one of its [carriers].
+pub(super) fn along(graph: &mut Graph, me: Id, operand: usize, t: Id) -> Id {
+    use Node::*;
+    let node = graph.at(me);
+    let g = graph;
+    match node {
+        Canonical(_) | Add(..) | Graft { share: None, .. } => t,
+        Sub(..) if operand == 0 => t,
+        Neg(_) | Sub(..) => g.make(Neg(t)),
+        Mul(a, b) => g.make(Mul(t, [b, a][operand])),
+        // Divided first: the square of a small divisor would underflow.
+        Div(_, b) => {
+            let t = g.make(Div(t, b));
+            if operand == 0 {
+                return t;
+            }
+            let t = g.make(Mul(t, me));
+            g.make(Neg(t))
+        }
+        Min(a, b) if operand == 0 => g.make(Split(a, b, t)),
+        Min(a, b) => g.make(Rest(a, b, t)),
+        Max(a, b) if operand == 0 => g.make(Split(b, a, t)),
+        Max(a, b) => g.make(Rest(b, a, t)),
+        Magnitude(x) => {
+            let zero = g.lit(0.0);
+            let (negative, positive) = (g.make(Lt(x, zero)), g.make(Lt(zero, x)));
+            let (minus, plus) = (g.make(Neg(t)), g.make(Select(positive, t, zero)));
+            g.make(Select(negative, minus, plus))
+        }
+        Unsigned(x) => {
+            let zero = g.lit(0.0);
+            let (negative, minus) = (g.make(Lt(x, zero)), g.make(Neg(t)));
+            g.make(Select(negative, minus, t))
+        }
+        // Guarded on both sides, so that slopes of the slope are finite, too.
+        Root(x) => {
+            let (zero, one, half) = (g.lit(0.0), g.lit(1.0), g.lit(0.5));
+            let positive = g.make(Lt(zero, x));
+            let root = g.make(Select(positive, me, one));
+            let t = g.make(Mul(t, half));
+            let t = g.make(Div(t, root));
+            g.make(Select(positive, t, zero))
+        }
+        Sin(x) => {
+            let cos = g.make(Cos(x));
+            g.make(Mul(t, cos))
+        }
+        Cos(x) => {
+            let sin = g.make(Sin(x));
+            let t = g.make(Mul(t, sin));
+            g.make(Neg(t))
+        }
+        SinLow(x) => {
+            let (high, low) = (g.make(CosHigh(x)), g.make(CosLow(x)));
+            let cos = g.make(Add(high, low));
+            g.make(Mul(t, cos))
+        }
+        CosLow(x) => {
+            let (high, low) = (g.make(SinHigh(x)), g.make(SinLow(x)));
+            let sin = g.make(Add(high, low));
+            let t = g.make(Mul(t, sin));
+            g.make(Neg(t))
+        }
+        Exp(_) => g.make(Mul(t, me)),
+        Ln(x) => g.make(Div(t, x)),
+        Atan2(y, x) => along_angle(g, [y, x], operand, t),
+        Graft {
+            share: Some(share), ..
+        } => g.make(Mul(t, share)),
+        Split(a, b, _) => g.make(Split(a, b, t)),
+        Rest(a, b, _) => g.make(Rest(a, b, t)),
+        Select(mask, ..) => {
+            let zero = g.lit(0.0);
+            match operand {
+                1 => g.make(Select(mask, t, zero)),
+                _ => g.make(Select(mask, zero, t)),
+            }
+        }
+        Const(_) | Input(_) | Bool(_) | Lt(..) | Le(..) | Eq(..) | And(..) | Or(..) | Not(_)
+        | Binade(_) | High(_) | SinHigh(_) | CosHigh(_) => g.lit(0.0),
+    }
+}
+
+/// `t` times the slope of the angle of `(x, y)`: `x / r²` by `y`, `−y / r²` by `x`; zero at the
+/// origin.
+///
+/// The vector is brought to a length of about one first, by a power of two: squares of very small
+/// and of very large numbers are not numbers of the format.
+fn along_angle(g: &mut Graph, [y, x]: [Id; 2], operand: usize, t: Id) -> Id {
+    use Node::*;
+    let (zero, one) = (g.lit(0.0), g.lit(1.0));
+    let (width, height) = (g.make(Magnitude(x)), g.make(Magnitude(y)));
+    let large = g.make(Max(width, height));
+    let large = g.make(Graft {
+        value: large,
+        slope: None,
+        share: None,
+    });
+    let origin = g.make(Le(large, zero));
+    let large = g.make(Select(origin, one, large));
+    let scale = g.make(Binade(large));
+    let (x, y) = (g.make(Mul(x, scale)), g.make(Mul(y, scale)));
+    let (xx, yy) = (g.make(Mul(x, x)), g.make(Mul(y, y)));
+    let squared = g.make(Add(xx, yy));
+    let squared = g.make(Select(origin, one, squared));
+    let t = g.make(Div(t, squared));
+    let t = match operand {
+        0 => g.make(Mul(t, x)),
+        _ => {
+            let t = g.make(Mul(t, y));
+            g.make(Neg(t))
+        }
+    };
+    let t = g.make(Mul(t, scale));
+    g.make(Select(origin, zero, t))
+}
+
+/// Which nodes depend on one of the first so many numbers of the input in a way that slopes pass.
+pub(super) fn active(graph: &Graph, inputs: usize) -> Vec<bool> {
+    let mut active: Vec<bool> = Vec::with_capacity(graph.len());
+    for &node in graph.nodes() {
+        let operands = node.operands();
+        active.push(match node {
+            Node::Input(place) => (place as usize) < inputs,
+            _ => carriers(node)
+                .iter()
+                .any(|&place| active[operands[place] as usize]),
+        });
+    }
+    active
+}

@@ -1,0 +1,102 @@
+//! What nodes mean, on any scalar.
+use super::graph::{Graph, Id, Node};
+use crate::Scalar;
+
+/// A node's number, or its truth; the other one means nothing.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Slot<S: Scalar> {
+    pub(crate) number: S,
+    pub(crate) mask: S::Mask,
+}
+
+impl<S: Scalar> Slot<S> {
+    pub(crate) fn number(number: S) -> Self {
+        Slot {
+            number,
+            mask: S::zero().below(S::zero()),
+        }
+    }
+    pub(crate) fn mask(mask: S::Mask) -> Self {
+        Slot {
+            number: S::zero(),
+            mask,
+        }
+    }
+}
+
+/// What a node gives, from what its operands gave.
+///
+/// Slopes follow the scalar's own rules, so that a program evaluated on dual numbers has the slopes
+/// that the recorded function has on them.
+pub(crate) fn apply<S: Scalar>(node: Node, inputs: &[S], slot: impl Fn(Id) -> Slot<S>) -> Slot<S> {
+    use Node::*;
+    let n = |x| slot(x).number;
+    let m = |x| slot(x).mask;
+    Slot::number(match node {
+        Bool(truth) => {
+            let no = S::zero().below(S::zero());
+            return Slot::mask(if truth { !no } else { no });
+        }
+        Lt(a, b) => return Slot::mask(n(a).below(n(b))),
+        Le(a, b) => return Slot::mask(n(a).at_most(n(b))),
+        Eq(a, b) => return Slot::mask(n(a).equals(n(b))),
+        And(a, b) => return Slot::mask(m(a) & m(b)),
+        Or(a, b) => return Slot::mask(m(a) | m(b)),
+        Not(a) => return Slot::mask(!m(a)),
+        Const(bits) => S::lit(f64::from_bits(bits)),
+        Input(place) => inputs[place as usize],
+        Neg(x) => -n(x),
+        Canonical(x) => n(x).canonical(),
+        Add(a, b) => n(a) + n(b),
+        Sub(a, b) => n(a) - n(b),
+        Mul(a, b) => n(a) * n(b),
+        Div(a, b) => n(a).over(n(b)),
+        Min(a, b) => n(a).least(n(b)),
+        Max(a, b) => n(a).most(n(b)),
+        Magnitude(x) => n(x).magnitude(),
+        Unsigned(x) => n(x).unsigned(),
+        Root(x) => n(x).root(),
+        Sin(x) => n(x).sin(),
+        Cos(x) => n(x).cos(),
+        SinHigh(x) => n(x).sin_cos_parts()[0].0,
+        SinLow(x) => n(x).sin_cos_parts()[0].1,
+        CosHigh(x) => n(x).sin_cos_parts()[1].0,
+        CosLow(x) => n(x).sin_cos_parts()[1].1,
+        Atan2(y, x) => n(y).atan2(n(x)),
+        Exp(x) => n(x).exp(),
+        Ln(x) => n(x).ln(),
+        Binade(x) => n(x).binade(),
+        High(x) => n(x).parts().0,
+        Graft {
+            value,
+            slope,
+            share,
+        } => {
+            let value = n(value).primal();
+            match (slope, share) {
+                (None, _) => S::from_primal(value),
+                (Some(slope), None) => n(slope).with_primal(value),
+                (Some(slope), Some(share)) => n(slope).damp(n(share).primal()).with_primal(value),
+            }
+        }
+        Split(a, b, bar) => {
+            let tie = S::select(n(a).equals(n(b)), n(bar).halved(), S::zero());
+            S::select(n(a).below(n(b)), n(bar), tie)
+        }
+        Rest(a, b, bar) => {
+            let tie = S::select(n(a).equals(n(b)), n(bar).halved(), n(bar));
+            S::select(n(a).below(n(b)), S::zero(), tie)
+        }
+        Select(mask, yes, no) => S::select(m(mask), n(yes), n(no)),
+    })
+}
+
+/// The outputs of a graph at an input, which must have every number that the graph asks for.
+pub(crate) fn evaluate<S: Scalar>(graph: &Graph, outputs: &[Id], inputs: &[S]) -> Vec<S> {
+    let mut slots: Vec<Slot<S>> = Vec::with_capacity(graph.len());
+    for &node in graph.nodes() {
+        let slot = apply(node, inputs, |x| slots[x as usize]);
+        slots.push(slot);
+    }
+    outputs.iter().map(|&x| slots[x as usize].number).collect()
+}

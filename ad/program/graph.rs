@@ -1,0 +1,334 @@
+//! What a program is made of: a list of operations on numbers and truths, each written once.
+//!
+//! A [`Graph`] is a list of [`Node`]s in an order in which every node comes after its operands.
+//! Equal nodes are one node. Nodes are made through [`Graph::make`], which simplifies exactly.
+use std::collections::HashMap;
+
+/// The place of a node in its graph.
+pub(crate) type Id = u32;
+
+/// The format of a program's numbers.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum Format {
+    /// Numbers of 32 bits.
+    F32,
+    /// Numbers of 64 bits.
+    F64,
+}
+
+impl Format {
+    /// The nearest number of the format; infinite beyond the largest one.
+    #[must_use]
+    pub(crate) fn round(self, x: f64) -> f64 {
+        match self {
+            Format::F32 => f64::from(x as f32),
+            Format::F64 => x,
+        }
+    }
+}
+
+/// One operation on numbers or truths.
+///
+/// A node means, bit for bit, what the method of [`Scalar`](crate::Scalar) of the same name gives
+/// for `f32` or `f64`, but for the signs of zeros.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub(crate) enum Node {
+    /// A number: the bits of an `f64` that holds it, rounded to the format of the program.
+    Const(u64),
+    /// The number at this place of the input.
+    Input(u32),
+    /// `−x`.
+    Neg(Id),
+    /// `x + 0`, which takes its sign from a zero and is never simplified away.
+    Canonical(Id),
+    /// `a + b`.
+    Add(Id, Id),
+    /// `a − b`.
+    Sub(Id, Id),
+    /// `a b`.
+    Mul(Id, Id),
+    /// `a / b`.
+    Div(Id, Id),
+    /// `a` if `a < b`, else `b`; slopes are shared at a tie.
+    Min(Id, Id),
+    /// `a` if `a > b`, else `b`; slopes are shared at a tie.
+    Max(Id, Id),
+    /// `|x|`, with slope 0 at 0.
+    Magnitude(Id),
+    /// `|x|`, with slope 1 at 0.
+    Unsigned(Id),
+    /// `√x` for `x > 0`, else 0 with slope 0.
+    Root(Id),
+    /// `sin x`.
+    Sin(Id),
+    /// `cos x`.
+    Cos(Id),
+    /// The high half of `sin x`: twelve bits of the significand in `f32`, a constant to slopes.
+    SinHigh(Id),
+    /// What `sin x` is beyond its high half.
+    SinLow(Id),
+    /// The high half of `cos x`, a constant to slopes.
+    CosHigh(Id),
+    /// What `cos x` is beyond its high half.
+    CosLow(Id),
+    /// The angle of the vector with ordinate `.0` and abscissa `.1`; of the zero vector 0, with
+    /// slope 0.
+    Atan2(Id, Id),
+    /// `eˣ`.
+    Exp(Id),
+    /// `ln x`.
+    Ln(Id),
+    /// The power of two that brings `x > 0` into `[2, 4)`, a constant to slopes.
+    Binade(Id),
+    /// The high half of the significand, a constant to slopes.
+    High(Id),
+    /// The value of `value` with the slopes of `slope`, multiplied by `share`: what
+    /// [`primal`](crate::Scalar::primal), [`with_primal`](crate::Scalar::with_primal),
+    /// [`damp`](crate::Scalar::damp) and adjoints by hand are. Gone from a
+    /// [lowered](Graph::lowered) graph.
+    Graft {
+        /// Where the value comes from.
+        value: Id,
+        /// Where the slopes come from; without, there are none.
+        slope: Option<Id>,
+        /// What the slopes are multiplied by; without, 1. Its own slopes count for second
+        /// derivatives.
+        share: Option<Id>,
+    },
+    /// `Split(a, b, bar)`: `bar` if `a < b`, `bar / 2` if `a = b`, else 0. What reaches `a` of the
+    /// cotangent of [`Min(a, b)`](Node::Min).
+    Split(Id, Id, Id),
+    /// `Rest(a, b, bar)`: 0 if `a < b`, `bar / 2` if `a = b`, else `bar`. What reaches `b` of the
+    /// cotangent of [`Min(a, b)`](Node::Min). (That is not `Split(b, a, bar)` where one is NaN.)
+    Rest(Id, Id, Id),
+    /// A truth.
+    Bool(bool),
+    /// `a < b`.
+    Lt(Id, Id),
+    /// `a ≤ b`.
+    Le(Id, Id),
+    /// `a = b`.
+    Eq(Id, Id),
+    /// Both truths.
+    And(Id, Id),
+    /// Either truth.
+    Or(Id, Id),
+    /// The other truth.
+    Not(Id),
+    /// `Select(mask, yes, no)`: `yes` where the mask is true, else `no`.
+    Select(Id, Id, Id),
+}
+
+/// The operands of a node, at most three.
+#[derive(Clone, Copy, Debug, Default)]
+pub(crate) struct Operands {
+    ids: [Id; 3],
+    len: usize,
+}
+
+impl std::ops::Deref for Operands {
+    type Target = [Id];
+    fn deref(&self) -> &[Id] {
+        &self.ids[..self.len]
+    }
+}
+
+impl Node {
+    /// The node with its operands replaced, first operand first.
+    pub(crate) fn renamed(self, mut name: impl FnMut(Id) -> Id) -> Node {
+        use Node::*;
+        let mut r = |x| name(x);
+        match self {
+            Const(_) | Input(_) | Bool(_) => self,
+            Neg(x) => Neg(r(x)),
+            Canonical(x) => Canonical(r(x)),
+            Magnitude(x) => Magnitude(r(x)),
+            Unsigned(x) => Unsigned(r(x)),
+            Root(x) => Root(r(x)),
+            Sin(x) => Sin(r(x)),
+            Cos(x) => Cos(r(x)),
+            SinHigh(x) => SinHigh(r(x)),
+            SinLow(x) => SinLow(r(x)),
+            CosHigh(x) => CosHigh(r(x)),
+            CosLow(x) => CosLow(r(x)),
+            Exp(x) => Exp(r(x)),
+            Ln(x) => Ln(r(x)),
+            Binade(x) => Binade(r(x)),
+            High(x) => High(r(x)),
+            Not(x) => Not(r(x)),
+            Add(a, b) => Add(r(a), r(b)),
+            Sub(a, b) => Sub(r(a), r(b)),
+            Mul(a, b) => Mul(r(a), r(b)),
+            Div(a, b) => Div(r(a), r(b)),
+            Min(a, b) => Min(r(a), r(b)),
+            Max(a, b) => Max(r(a), r(b)),
+            Atan2(a, b) => Atan2(r(a), r(b)),
+            Lt(a, b) => Lt(r(a), r(b)),
+            Le(a, b) => Le(r(a), r(b)),
+            Eq(a, b) => Eq(r(a), r(b)),
+            And(a, b) => And(r(a), r(b)),
+            Or(a, b) => Or(r(a), r(b)),
+            Split(a, b, bar) => Split(r(a), r(b), r(bar)),
+            Rest(a, b, bar) => Rest(r(a), r(b), r(bar)),
+            Select(mask, yes, no) => Select(r(mask), r(yes), r(no)),
+            Graft {
+                value,
+                slope,
+                share,
+            } => Graft {
+                value: r(value),
+                slope: slope.map(&mut r),
+                share: share.map(&mut r),
+            },
+        }
+    }
+
+    /// What the node is computed from.
+    pub(crate) fn operands(self) -> Operands {
+        let mut found = Operands::default();
+        self.renamed(|x| {
+            found.ids[found.len] = x;
+            found.len += 1;
+            x
+        });
+        found
+    }
+
+    /// Whether the node is a truth, not a number.
+    pub(crate) fn is_mask(self) -> bool {
+        use Node::*;
+        matches!(
+            self,
+            Bool(_) | Lt(..) | Le(..) | Eq(..) | And(..) | Or(..) | Not(_)
+        )
+    }
+}
+
+/// A list of nodes, each after its operands, each written once.
+#[derive(Clone, Debug)]
+pub(crate) struct Graph {
+    /// The format of the numbers.
+    pub(crate) format: Format,
+    /// Whether infinite and NaN results of operations on constants become constants, too: where a
+    /// function is run on plain numbers.
+    pub(crate) plain: bool,
+    /// The operations, in an order in which they can be carried out.
+    nodes: Vec<Node>,
+    known: HashMap<Node, Id>,
+}
+
+impl Graph {
+    /// A graph without nodes.
+    pub(crate) fn new(format: Format) -> Self {
+        Graph {
+            format,
+            plain: false,
+            nodes: Vec::new(),
+            known: HashMap::new(),
+        }
+    }
+
+    /// The operations, each after its operands.
+    pub(crate) fn nodes(&self) -> &[Node] {
+        &self.nodes
+    }
+
+    /// How many nodes there are.
+    pub(crate) fn len(&self) -> usize {
+        self.nodes.len()
+    }
+
+    /// The node at a place.
+    pub(crate) fn at(&self, x: Id) -> Node {
+        self.nodes[x as usize]
+    }
+
+    /// The place of a node as it is, without simplification: the old one if it is known.
+    pub(crate) fn push(&mut self, node: Node) -> Id {
+        let next = self.nodes.len() as Id;
+        let id = *self.known.entry(node).or_insert(next);
+        if id == next {
+            self.nodes.push(node);
+        }
+        id
+    }
+
+    /// A number, rounded to the format.
+    pub(crate) fn lit(&mut self, x: f64) -> Id {
+        let rounded = self.format.round(x);
+        self.push(Node::Const(rounded.to_bits()))
+    }
+
+    /// The number, if the node is one.
+    pub(crate) fn constant(&self, x: Id) -> Option<f64> {
+        match self.at(x) {
+            Node::Const(bits) => Some(f64::from_bits(bits)),
+            _ => None,
+        }
+    }
+
+    /// The truth, if the node is a known one.
+    pub(crate) fn truth(&self, x: Id) -> Option<bool> {
+        match self.at(x) {
+            Node::Bool(truth) => Some(truth),
+            _ => None,
+        }
+    }
+
+    /// What the outputs are computed from, for slopes (grafts included) or for values only.
+    pub(crate) fn live(&self, outputs: &[Id], with_slopes: bool) -> Vec<bool> {
+        let mut live = vec![false; self.nodes.len()];
+        let mut open = outputs.to_vec();
+        while let Some(x) = open.pop() {
+            if std::mem::replace(&mut live[x as usize], true) {
+                continue;
+            }
+            match self.at(x) {
+                Node::Graft { value, .. } if !with_slopes => open.push(value),
+                node => open.extend_from_slice(&node.operands()),
+            }
+        }
+        live
+    }
+
+    /// The graph of the values alone, and its outputs: without grafts and dead code, simplified
+    /// once more, [`Node::Unsigned`] and [`Node::Magnitude`] one operation (the latter), in
+    /// depth-first order from the first output, which keeps few numbers alive at a time.
+    pub(crate) fn lowered(&self, outputs: &[Id]) -> (Graph, Vec<Id>) {
+        let live = self.live(outputs, false);
+        let mut graph = Graph::new(self.format);
+        let mut names = vec![0; self.nodes.len()];
+        for (i, &node) in self.nodes.iter().enumerate().filter(|(i, _)| live[*i]) {
+            names[i] = match node.renamed(|x| names[x as usize]) {
+                Node::Graft { value, .. } => value,
+                Node::Unsigned(x) => graph.make(Node::Magnitude(x)),
+                node => graph.make(node),
+            };
+        }
+        let outputs: Vec<Id> = outputs.iter().map(|&x| names[x as usize]).collect();
+        graph.depth_first(&outputs)
+    }
+
+    /// The live nodes, ordered depth-first from the first output.
+    fn depth_first(&self, outputs: &[Id]) -> (Graph, Vec<Id>) {
+        let mut graph = Graph::new(self.format);
+        let mut names = vec![None; self.nodes.len()];
+        // A node comes twice: to ask for its operands, then, when they are there, to be written.
+        let mut open: Vec<(Id, bool)> = outputs.iter().rev().map(|&x| (x, false)).collect();
+        while let Some((x, ready)) = open.pop() {
+            if names[x as usize].is_some() {
+                continue;
+            }
+            let node = self.at(x);
+            if ready {
+                let node = node.renamed(|y| names[y as usize].unwrap_or(y));
+                names[x as usize] = Some(graph.push(node));
+            } else {
+                open.push((x, true));
+                open.extend(node.operands().iter().rev().map(|&y| (y, false)));
+            }
+        }
+        let outputs = outputs.iter().filter_map(|&x| names[x as usize]).collect();
+        (graph, outputs)
+    }
+}

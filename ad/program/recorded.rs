@@ -1,0 +1,181 @@
+//! Programs without the shapes of what goes in and out: lists of numbers.
+use super::evaluate::evaluate;
+use super::forward::forward;
+use super::graph::{Format, Graph, Id, Node};
+use super::reverse::reverse;
+use crate::{Scalar, Unrecordable};
+
+/// A recorded function of a list of numbers with a list of numbers as result.
+#[derive(Clone, Debug)]
+pub(crate) struct Recorded {
+    /// What was recorded, with what slopes need.
+    graph: Graph,
+    /// How many numbers go in.
+    pub(crate) inputs: usize,
+    /// The results, none a zero with a sign.
+    outputs: Vec<Id>,
+    /// The gradient of the only result, where it was written by hand.
+    by_hand: Option<Vec<Id>>,
+    /// What values need.
+    pub(crate) value: Lowered,
+}
+
+/// Operations in an order in which they can be carried out, without anything that values do not need.
+#[derive(Clone, Debug)]
+pub(crate) struct Lowered {
+    pub(crate) graph: Graph,
+    pub(crate) outputs: Vec<Id>,
+}
+
+impl Recorded {
+    /// A program with these results.
+    pub(crate) fn new(mut graph: Graph, inputs: usize, outputs: &[Id]) -> Self {
+        let outputs: Vec<Id> = outputs
+            .iter()
+            .map(|&x| graph.make(Node::Canonical(x)))
+            .collect();
+        let (lowered, results) = graph.lowered(&outputs);
+        Recorded {
+            value: Lowered {
+                graph: lowered,
+                outputs: results,
+            },
+            graph,
+            inputs,
+            outputs,
+            by_hand: None,
+        }
+    }
+
+    /// The format of its numbers.
+    pub(crate) fn format(&self) -> Format {
+        self.graph.format
+    }
+
+    /// An error if a result depends on an infinite or NaN constant.
+    pub(crate) fn finite(self) -> Result<Self, Unrecordable> {
+        let live = self.graph.live(&self.outputs, true);
+        let wild = (0..self.graph.len() as Id)
+            .filter(|&x| live[x as usize])
+            .any(|x| self.graph.constant(x).is_some_and(|x| !x.is_finite()));
+        match wild {
+            true => Err(Unrecordable::Constant),
+            false => Ok(self),
+        }
+    }
+
+    /// The results for an input, on plain numbers.
+    pub(crate) fn run<T: Scalar>(&self, inputs: &[T]) -> Vec<T> {
+        evaluate(&self.value.graph, &self.value.outputs, inputs)
+    }
+
+    /// The results for an input on any scalar, with its slopes.
+    pub(crate) fn run_on<S: Scalar>(&self, inputs: &[S]) -> Vec<S> {
+        evaluate(&self.graph, &self.outputs, inputs)
+    }
+
+    /// Where the gradient's numbers are, after they were added to a copy of the graph.
+    fn gradient(&self) -> (Graph, Vec<Id>) {
+        let mut graph = self.graph.clone();
+        let gradient = match &self.by_hand {
+            Some(gradient) => gradient.clone(),
+            None => {
+                let seed = graph.lit(1.0);
+                reverse(&mut graph, &self.outputs[..1], &[seed], self.inputs)
+            }
+        };
+        (graph, gradient)
+    }
+
+    /// The result, a number, and its gradient.
+    pub(crate) fn value_grad(&self) -> Recorded {
+        let (graph, gradient) = self.gradient();
+        let outputs: Vec<Id> = self.outputs.iter().copied().chain(gradient).collect();
+        Recorded::new(graph, self.inputs, &outputs)
+    }
+
+    /// The pull-back: from an input and a cotangent of the result to the cotangent of the input.
+    pub(crate) fn vjp(&self) -> Recorded {
+        let mut graph = self.graph.clone();
+        let seeds = places(&mut graph, self.inputs, self.outputs.len());
+        let bars = match &self.by_hand {
+            Some(gradient) => gradient
+                .iter()
+                .map(|&slope| graph.make(Node::Mul(seeds[0], slope)))
+                .collect(),
+            None => reverse(&mut graph, &self.outputs, &seeds, self.inputs),
+        };
+        Recorded::new(graph, self.inputs + seeds.len(), &bars)
+    }
+
+    /// The result, and its derivative along a direction, which follows the input.
+    pub(crate) fn jvp(&self) -> Recorded {
+        let mut graph = self.graph.clone();
+        let direction = places(&mut graph, self.inputs, self.inputs);
+        let tangents = match &self.by_hand {
+            Some(gradient) => {
+                let mut sum = graph.lit(0.0);
+                for (&slope, &t) in gradient.iter().zip(&direction) {
+                    let term = graph.make(Node::Mul(slope, t));
+                    sum = graph.make(Node::Add(sum, term));
+                }
+                vec![sum]
+            }
+            None => forward(&mut graph, &self.outputs, &direction),
+        };
+        let outputs: Vec<Id> = self.outputs.iter().copied().chain(tangents).collect();
+        Recorded::new(graph, 2 * self.inputs, &outputs)
+    }
+
+    /// The derivative of the gradient along a direction, which follows the input.
+    pub(crate) fn hvp(&self) -> Recorded {
+        let (mut graph, gradient) = self.gradient();
+        let direction = places(&mut graph, self.inputs, self.inputs);
+        let curved = forward(&mut graph, &gradient, &direction);
+        Recorded::new(graph, 2 * self.inputs, &curved)
+    }
+
+    /// The derivative of the gradient along every axis, one after the other.
+    pub(crate) fn hessian(&self) -> Recorded {
+        let (mut graph, gradient) = self.gradient();
+        let mut rows = Vec::with_capacity(self.inputs * self.inputs);
+        for axis in 0..self.inputs {
+            let (zero, one) = (graph.lit(0.0), graph.lit(1.0));
+            let mut direction = vec![zero; self.inputs];
+            direction[axis] = one;
+            rows.extend(forward(&mut graph, &gradient, &direction));
+        }
+        Recorded::new(graph, self.inputs, &rows)
+    }
+
+    /// The same with a gradient by hand, a program with the same input.
+    pub(crate) fn with_gradient(&self, gradient: &Recorded) -> Recorded {
+        let mut made = self.clone();
+        let mut names: Vec<Id> = Vec::with_capacity(gradient.graph.len());
+        for &node in gradient.graph.nodes() {
+            let node = node.renamed(|x| names[x as usize]);
+            names.push(made.graph.make(node));
+        }
+        let gradient = gradient.outputs.iter().map(|&x| names[x as usize]);
+        made.by_hand = Some(gradient.collect());
+        made
+    }
+
+    /// Whether its slopes come from an adjoint by hand.
+    pub(crate) fn is_by_hand(&self) -> bool {
+        self.by_hand.is_some()
+    }
+
+    /// The same graph with the gradient by hand as result.
+    pub(crate) fn gradient_by_hand(&self) -> Option<Recorded> {
+        let gradient = self.by_hand.as_ref()?;
+        Some(Recorded::new(self.graph.clone(), self.inputs, gradient))
+    }
+}
+
+/// So many further places of the input.
+fn places(graph: &mut Graph, from: usize, count: usize) -> Vec<Id> {
+    (from..from + count)
+        .map(|place| graph.push(Node::Input(place as u32)))
+        .collect()
+}

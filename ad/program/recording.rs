@@ -1,0 +1,163 @@
+//! Recordings in progress: what symbols stand for.
+//!
+//! A thread has a stack of them, as a function that is recorded may itself record another. Nothing
+//! here panics: what cannot be recorded spoils the recording, which then ends in an error.
+use super::graph::{Format, Graph, Id, Node};
+use crate::Unrecordable;
+use std::cell::RefCell;
+use std::sync::atomic::{AtomicU64, Ordering};
+
+/// More operations than any function of fixed size has; a loop that waits for a hint ends here.
+const MOST_OPERATIONS: usize = 1 << 22;
+
+/// The name of a recording that no recording has: of symbols made outside any.
+pub(super) const NOWHERE: u64 = 0;
+
+/// The next recording's name. Names are unique in the process, as symbols may change threads.
+static NEXT: AtomicU64 = AtomicU64::new(NOWHERE + 1);
+
+thread_local! {
+    static OPEN: RefCell<Vec<Recording>> = const { RefCell::new(Vec::new()) };
+}
+
+/// A function being recorded.
+#[derive(Debug)]
+pub(super) struct Recording {
+    /// Which recording it is.
+    name: u64,
+    pub(super) graph: Graph,
+    /// How many operations were asked for.
+    asked: usize,
+    /// How many times a hint was asked for that was not known.
+    pub(super) hints: usize,
+    /// Why it cannot be recorded.
+    flaw: Option<Unrecordable>,
+}
+
+impl Recording {
+    /// Opens a recording on this thread, runs `body` and gives back the recording with what `body`
+    /// gave. `plain`: all inputs are constants.
+    pub(super) fn run<R>(
+        format: Format,
+        plain: bool,
+        body: impl FnOnce() -> R,
+    ) -> (R, Result<Recording, Unrecordable>) {
+        let mut graph = Graph::new(format);
+        graph.plain = plain;
+        // The places that symbols of a spoiled recording point to.
+        graph.lit(0.0);
+        let recording = Recording {
+            name: NEXT.fetch_add(1, Ordering::Relaxed),
+            graph,
+            asked: 0,
+            hints: 0,
+            flaw: None,
+        };
+        OPEN.with_borrow_mut(|open| open.push(recording));
+        // Taken off the stack also when `body` panics.
+        struct Closing;
+        impl Drop for Closing {
+            fn drop(&mut self) {
+                OPEN.with_borrow_mut(Vec::pop);
+            }
+        }
+        let closing = Closing;
+        let made = body();
+        std::mem::forget(closing);
+        let Some(recording) = OPEN.with_borrow_mut(Vec::pop) else {
+            // Every recording takes off itself only.
+            return (made, Err(Unrecordable::ForeignSymbol));
+        };
+        let sound = recording.sound();
+        (made, sound.map(|()| recording))
+    }
+
+    /// An error if the recording was spoiled.
+    pub(super) fn sound(&self) -> Result<(), Unrecordable> {
+        self.flaw.map_or(Ok(()), Err)
+    }
+
+    /// Where a symbol of this recording points to; spoils the recording if it is not of it.
+    pub(super) fn place(&mut self, symbol: Symbol) -> Id {
+        if symbol.recording != self.name {
+            self.spoil(Unrecordable::ForeignSymbol);
+        }
+        if self.flaw.is_some() { 0 } else { symbol.place }
+    }
+
+    fn spoil(&mut self, flaw: Unrecordable) {
+        self.flaw.get_or_insert(flaw);
+    }
+
+    /// The symbol of a place.
+    fn symbol(&self, place: Id) -> Symbol {
+        Symbol {
+            recording: self.name,
+            place,
+        }
+    }
+}
+
+/// A place of a recording.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Symbol {
+    recording: u64,
+    place: Id,
+}
+
+impl Symbol {
+    /// What operations outside any recording give.
+    const INERT: Symbol = Symbol {
+        recording: NOWHERE,
+        place: 0,
+    };
+
+    /// The symbol of an operation on symbols, in the recording that is open; `node` gets their
+    /// places.
+    pub(super) fn made<const N: usize>(
+        format: Format,
+        operands: [Symbol; N],
+        node: impl FnOnce([Id; N]) -> Node,
+    ) -> Symbol {
+        OPEN.with_borrow_mut(|open| {
+            let Some(recording) = open.last_mut() else {
+                return Symbol::INERT;
+            };
+            if recording.graph.format != format {
+                recording.spoil(Unrecordable::ForeignSymbol);
+            }
+            recording.asked += 1;
+            if recording.asked > MOST_OPERATIONS {
+                recording.spoil(Unrecordable::TooLong);
+            }
+            let places = operands.map(|symbol| recording.place(symbol));
+            let place = match recording.flaw {
+                None => recording.graph.make(node(places)),
+                Some(_) => 0,
+            };
+            recording.symbol(place)
+        })
+    }
+
+    /// The answer to a hint: the truth if it is known, else `unknown`. (The other way round in a
+    /// recording that is spoiled, for loops to end.)
+    pub(super) fn hint(self, unknown: bool) -> bool {
+        OPEN.with_borrow_mut(|open| {
+            let Some(recording) = open.last_mut() else {
+                return !unknown;
+            };
+            recording.asked += 1;
+            if recording.asked > MOST_OPERATIONS {
+                recording.spoil(Unrecordable::TooLong);
+            }
+            let place = recording.place(self);
+            if recording.flaw.is_some() {
+                return !unknown;
+            }
+            recording.graph.truth(place).unwrap_or_else(|| {
+                recording.hints += 1;
+                unknown
+            })
+        })
+    }
+}

@@ -1,0 +1,163 @@
+//! Reverse mode: cotangents of inputs from cotangents of outputs, as more nodes of the same graph.
+//!
+//! A choice hands its cotangent to the side that was taken. If the other side were given a zero at
+//! once, that zero could meet an infinite slope further down, and zero times infinity is NaN. So both
+//! sides are given the cotangent as it is, with a *path* that says under which choices it counts; it is
+//! chosen where paths meet again, or at the inputs.
+use super::derivative::{active, along, carriers, keeps_zero};
+use super::graph::{Graph, Id, Node};
+
+/// A condition under which a cotangent counts.
+#[derive(Clone, Copy, Debug)]
+struct Guard {
+    mask: Id,
+    /// What the mask must be.
+    side: bool,
+    /// Whether the cotangent is zero already where the condition does not hold.
+    zero: bool,
+}
+
+/// A cotangent, with the conditions under which it counts, outermost first.
+#[derive(Clone, Debug)]
+struct Bar {
+    value: Id,
+    path: Vec<Guard>,
+}
+
+/// The cotangents on their way down.
+struct Sweep<'a> {
+    graph: &'a mut Graph,
+    active: Vec<bool>,
+    bars: Vec<Option<Bar>>,
+}
+
+/// The cotangents of the first so many numbers of the input, from those of the outputs, which are
+/// nodes of the graph.
+pub(super) fn reverse(graph: &mut Graph, outputs: &[Id], seeds: &[Id], inputs: usize) -> Vec<Id> {
+    let count = graph.len();
+    let mut sweep = Sweep {
+        active: active(graph, inputs),
+        bars: vec![None; count],
+        graph,
+    };
+    for (&output, &value) in outputs.iter().zip(seeds) {
+        let path = Vec::new();
+        sweep.give(output, Bar { value, path });
+    }
+    for me in (0..count).rev() {
+        if let Some(bar) = sweep.bars[me].clone() {
+            sweep.pull(me as Id, &bar);
+        }
+    }
+    let zero = sweep.graph.lit(0.0);
+    (0..inputs)
+        .map(|place| {
+            let input = sweep.graph.push(Node::Input(place as u32));
+            match sweep.bars.get_mut(input as usize).and_then(Option::take) {
+                Some(bar) => sweep.chosen(&bar, 0),
+                None => zero,
+            }
+        })
+        .collect()
+}
+
+impl Sweep<'_> {
+    /// Hands the cotangent of a node to its operands.
+    fn pull(&mut self, me: Id, bar: &Bar) {
+        let node = self.graph.at(me);
+        let operands = node.operands();
+        for &place in carriers(node) {
+            let to = operands[place];
+            if !self.active[to as usize] {
+                continue;
+            }
+            let mut path = bar.path.clone();
+            if let Some(guard) = self.taken(node, place) {
+                match path.iter().find(|known| known.mask == guard.mask) {
+                    Some(known) if known.side != guard.side => continue,
+                    Some(_) => {}
+                    None => path.push(guard),
+                }
+            }
+            let value = match node {
+                Node::Select(..) => bar.value,
+                _ => along(self.graph, me, place, bar.value),
+            };
+            if !keeps_zero(self.graph, node, place) {
+                for guard in &mut path {
+                    guard.zero = false;
+                }
+            }
+            self.give(to, Bar { value, path });
+        }
+    }
+
+    /// The condition under which a choice takes its operand.
+    fn taken(&mut self, node: Node, place: usize) -> Option<Guard> {
+        let (mask, side) = match node {
+            Node::Select(mask, ..) => (mask, place == 1),
+            // A tie takes both, and NaN is never below.
+            Node::Min(a, b) | Node::Max(b, a) => match place {
+                0 => (self.graph.make(Node::Le(a, b)), true),
+                _ => (self.graph.make(Node::Lt(a, b)), false),
+            },
+            _ => return None,
+        };
+        // The slopes of the smaller and the larger are zero for the other one.
+        let zero = !matches!(node, Node::Select(..));
+        Some(Guard { mask, side, zero })
+    }
+
+    /// Adds to the cotangent of a node.
+    fn give(&mut self, to: Id, new: Bar) {
+        if !self.active[to as usize] {
+            return;
+        }
+        let merged = match self.bars[to as usize].take() {
+            None => new,
+            Some(old) => self.merged(&old, &new),
+        };
+        self.bars[to as usize] = Some(merged);
+    }
+
+    /// The sum of two cotangents, each where it counts.
+    fn merged(&mut self, old: &Bar, new: &Bar) -> Bar {
+        let path: Vec<Guard> = old
+            .path
+            .iter()
+            .zip(&new.path)
+            .take_while(|(a, b)| a.mask == b.mask && a.side == b.side)
+            .map(|(a, b)| Guard {
+                zero: a.zero && b.zero,
+                ..*a
+            })
+            .collect();
+        let common = path.len();
+        let value = match (&old.path[common..], &new.path[common..]) {
+            // Both sides of one choice.
+            ([a], [b]) if a.mask == b.mask => {
+                let (yes, no) = if a.side { (old, new) } else { (new, old) };
+                self.graph.make(Node::Select(a.mask, yes.value, no.value))
+            }
+            _ => {
+                let (a, b) = (self.chosen(old, common), self.chosen(new, common));
+                self.graph.make(Node::Add(a, b))
+            }
+        };
+        Bar { value, path }
+    }
+
+    /// The cotangent where the conditions from this one on hold, else zero.
+    fn chosen(&mut self, bar: &Bar, from: usize) -> Id {
+        let mut counts = self.graph.push(Node::Bool(true));
+        for guard in bar.path[from..].iter().filter(|guard| !guard.zero) {
+            let mask = match guard.side {
+                true => guard.mask,
+                false => self.graph.make(Node::Not(guard.mask)),
+            };
+            counts = self.graph.make(Node::And(counts, mask));
+        }
+        let zero = self.graph.lit(0.0);
+        self.graph.make(Node::Select(counts, bar.value, zero))
+    }
+}

@@ -1,0 +1,267 @@
+//! A scalar that records what is done with it.
+use super::graph::{Format, Node};
+use super::recording::Symbol;
+use crate::pack::leaf;
+use crate::scalar::float::Float;
+use crate::{Mask, Scalar};
+use std::marker::PhantomData;
+use std::ops::{Add, AddAssign, BitAnd, BitOr, Div, Mul, MulAssign, Neg, Not, Sub, SubAssign};
+
+/// A plain number, `f32` or `f64`, on which programs run.
+pub trait Plain: Float + Scalar<Mask = bool, Primal = Self> {
+    /// Its format.
+    const FORMAT: Format;
+}
+
+impl Plain for f32 {
+    const FORMAT: Format = Format::F32;
+}
+impl Plain for f64 {
+    const FORMAT: Format = Format::F64;
+}
+
+/// A number of a program that is being recorded: it stands for every `T` that it will be.
+///
+/// It is a [`Scalar`], so that a generic function can be called with shapes made of it; see
+/// [`Program`](super::Program). A symbol means something only in the recording that made it. Used in
+/// another one, it makes that one end in an error; outside recordings nothing happens to it.
+#[derive(Clone, Copy, Debug)]
+pub struct Sym<T> {
+    pub(super) symbol: Symbol,
+    number: PhantomData<fn() -> T>,
+}
+
+/// A truth of a program that is being recorded.
+#[derive(Clone, Copy, Debug)]
+pub struct SymMask<T> {
+    symbol: Symbol,
+    number: PhantomData<fn() -> T>,
+}
+
+impl<T: Plain> Sym<T> {
+    fn new(symbol: Symbol) -> Self {
+        Sym {
+            symbol,
+            number: PhantomData,
+        }
+    }
+    /// The symbol of a node without operands.
+    pub(super) fn leaf(node: Node) -> Self {
+        Self::new(Symbol::made(T::FORMAT, [], |[]| node))
+    }
+    fn of_one(self, node: impl FnOnce(u32) -> Node) -> Self {
+        Self::new(Symbol::made(T::FORMAT, [self.symbol], |[x]| node(x)))
+    }
+    fn of_two(self, other: Self, node: impl FnOnce(u32, u32) -> Node) -> Self {
+        let operands = [self.symbol, other.symbol];
+        Self::new(Symbol::made(T::FORMAT, operands, |[a, b]| node(a, b)))
+    }
+    fn compared(self, other: Self, node: impl FnOnce(u32, u32) -> Node) -> SymMask<T> {
+        let operands = [self.symbol, other.symbol];
+        SymMask::new(Symbol::made(T::FORMAT, operands, |[a, b]| node(a, b)))
+    }
+    /// The value of `value`, and of every symbol of the list its slopes times the number beside it.
+    pub(super) fn with_slopes(value: Self, slopes: impl Iterator<Item = (Self, Self)>) -> Self {
+        let along = slopes.fold(Self::zero(), |sum, (x, share)| {
+            let operands = [Self::zero().symbol, x.symbol, share.symbol];
+            sum + Self::new(Symbol::made(
+                T::FORMAT,
+                operands,
+                |[value, slope, share]| Node::Graft {
+                    value,
+                    slope: Some(slope),
+                    share: Some(share),
+                },
+            ))
+        });
+        along.with_primal(value)
+    }
+}
+
+leaf! { [T: Plain] Sym<T> }
+
+impl<T: Plain> Add for Sym<T> {
+    type Output = Self;
+    fn add(self, other: Self) -> Self {
+        self.of_two(other, Node::Add)
+    }
+}
+impl<T: Plain> Sub for Sym<T> {
+    type Output = Self;
+    fn sub(self, other: Self) -> Self {
+        self.of_two(other, Node::Sub)
+    }
+}
+impl<T: Plain> Mul for Sym<T> {
+    type Output = Self;
+    fn mul(self, other: Self) -> Self {
+        self.of_two(other, Node::Mul)
+    }
+}
+impl<T: Plain> Div for Sym<T> {
+    type Output = Self;
+    fn div(self, other: Self) -> Self {
+        self.of_two(other, Node::Div)
+    }
+}
+impl<T: Plain> Neg for Sym<T> {
+    type Output = Self;
+    fn neg(self) -> Self {
+        self.of_one(Node::Neg)
+    }
+}
+impl<T: Plain> AddAssign for Sym<T> {
+    fn add_assign(&mut self, other: Self) {
+        *self = *self + other;
+    }
+}
+impl<T: Plain> SubAssign for Sym<T> {
+    fn sub_assign(&mut self, other: Self) {
+        *self = *self - other;
+    }
+}
+impl<T: Plain> MulAssign for Sym<T> {
+    fn mul_assign(&mut self, other: Self) {
+        *self = *self * other;
+    }
+}
+
+impl<T: Plain> SymMask<T> {
+    fn new(symbol: Symbol) -> Self {
+        SymMask {
+            symbol,
+            number: PhantomData,
+        }
+    }
+    fn of_two(self, other: Self, node: impl FnOnce(u32, u32) -> Node) -> Self {
+        let operands = [self.symbol, other.symbol];
+        Self::new(Symbol::made(T::FORMAT, operands, |[a, b]| node(a, b)))
+    }
+}
+impl<T: Plain> BitAnd for SymMask<T> {
+    type Output = Self;
+    fn bitand(self, other: Self) -> Self {
+        self.of_two(other, Node::And)
+    }
+}
+impl<T: Plain> BitOr for SymMask<T> {
+    type Output = Self;
+    fn bitor(self, other: Self) -> Self {
+        self.of_two(other, Node::Or)
+    }
+}
+impl<T: Plain> Not for SymMask<T> {
+    type Output = Self;
+    fn not(self) -> Self {
+        Self::new(Symbol::made(T::FORMAT, [self.symbol], |[x]| Node::Not(x)))
+    }
+}
+impl<T: Plain> Mask for SymMask<T> {
+    /// Whether it is not known to be false.
+    fn any(self) -> bool {
+        self.symbol.hint(true)
+    }
+    /// Whether it is known to be true.
+    fn all(self) -> bool {
+        self.symbol.hint(false)
+    }
+}
+
+impl<T: Plain> Scalar for Sym<T> {
+    type Mask = SymMask<T>;
+    type Primal = Self;
+    const COMPENSATED: bool = T::COMPENSATED;
+    const EPSILON: f64 = T::EPSILON;
+    const PARALLEL: f64 = T::PARALLEL;
+    const LARGEST: f64 = T::LARGEST;
+
+    fn lit(x: f64) -> Self {
+        Self::leaf(Node::Const(T::FORMAT.round(x).to_bits()))
+    }
+    fn from_primal(x: Self) -> Self {
+        x
+    }
+    fn primal(self) -> Self {
+        self.of_one(|value| Node::Graft {
+            value,
+            slope: None,
+            share: None,
+        })
+    }
+    fn below(self, other: Self) -> SymMask<T> {
+        self.compared(other, Node::Lt)
+    }
+    fn at_most(self, other: Self) -> SymMask<T> {
+        self.compared(other, Node::Le)
+    }
+    fn equals(self, other: Self) -> SymMask<T> {
+        self.compared(other, Node::Eq)
+    }
+    fn select(mask: SymMask<T>, yes: Self, no: Self) -> Self {
+        let operands = [mask.symbol, yes.symbol, no.symbol];
+        Self::new(Symbol::made(T::FORMAT, operands, |[mask, yes, no]| {
+            Node::Select(mask, yes, no)
+        }))
+    }
+    fn over(self, divisor: Self) -> Self {
+        self / divisor
+    }
+    fn root(self) -> Self {
+        self.of_one(Node::Root)
+    }
+    fn sin_cos(self) -> (Self, Self) {
+        (self.of_one(Node::Sin), self.of_one(Node::Cos))
+    }
+    fn sin_cos_parts(self) -> [(Self, Self); 2] {
+        [
+            (self.of_one(Node::SinHigh), self.of_one(Node::SinLow)),
+            (self.of_one(Node::CosHigh), self.of_one(Node::CosLow)),
+        ]
+    }
+    fn parts(self) -> (Self, Self) {
+        let high = self.of_one(Node::High);
+        (high, self - high)
+    }
+    fn atan2(self, x: Self) -> Self {
+        self.of_two(x, Node::Atan2)
+    }
+    fn exp(self) -> Self {
+        self.of_one(Node::Exp)
+    }
+    fn ln(self) -> Self {
+        self.of_one(Node::Ln)
+    }
+    fn binade(self) -> Self {
+        self.of_one(Node::Binade)
+    }
+    // Recorded as themselves, not as the choices they are made of.
+    fn least(self, other: Self) -> Self {
+        self.of_two(other, Node::Min)
+    }
+    fn most(self, other: Self) -> Self {
+        self.of_two(other, Node::Max)
+    }
+    fn magnitude(self) -> Self {
+        self.of_one(Node::Magnitude)
+    }
+    fn unsigned(self) -> Self {
+        self.of_one(Node::Unsigned)
+    }
+    fn damp(self, share: Self) -> Self {
+        self.of_two(share, |x, share| Node::Graft {
+            value: x,
+            slope: Some(x),
+            share: Some(share),
+        })
+    }
+    fn with_primal(self, value: Self) -> Self {
+        self.of_two(value, |slope, value| Node::Graft {
+            value,
+            slope: Some(slope),
+            share: None,
+        })
+    }
+    fn canonical(self) -> Self {
+        self.of_one(Node::Canonical)
+    }
+}
