@@ -1,5 +1,5 @@
 //! Units, handedness and periods of angles.
-use crate::Scalar;
+use crate::{Scalar, Shape};
 use std::f64::consts::PI;
 
 /// An angle in degrees.
@@ -9,18 +9,22 @@ use std::f64::consts::PI;
 /// let right = Radians::from(Degrees { value: 90.0_f64 });
 /// assert_eq!(right.value, std::f64::consts::FRAC_PI_2);
 /// ```
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, PartialEq, Shape)]
+#[shape(except(Sample, Arbitrary))]
 #[repr(C)]
 pub struct Degrees<S> {
     /// The number of degrees.
+    #[shape(number)]
     pub value: S,
 }
 
 /// An angle in radians.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, PartialEq, Shape)]
+#[shape(except(Sample, Arbitrary))]
 #[repr(C)]
 pub struct Radians<S> {
     /// The number of radians.
+    #[shape(angle)]
     pub value: S,
 }
 
@@ -42,18 +46,22 @@ impl<S: Scalar> From<Radians<S>> for Degrees<S> {
 }
 
 /// An angle that grows clockwise as seen by the viewer.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, PartialEq, Shape)]
+#[shape(except(Sample, Arbitrary))]
 #[repr(C)]
 pub struct Clockwise<S> {
     /// The number of radians.
+    #[shape(angle)]
     pub radians: S,
 }
 
 /// An angle that grows counter-clockwise as seen by the viewer.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, PartialEq, Shape)]
+#[shape(except(Sample, Arbitrary))]
 #[repr(C)]
 pub struct Counterclockwise<S> {
     /// The number of radians.
+    #[shape(angle)]
     pub radians: S,
 }
 

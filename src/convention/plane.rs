@@ -1,6 +1,6 @@
 //! Encodings of turned boxes in the plane.
 use super::{Clockwise, Counterclockwise, Degrees, Period, Radians};
-use crate::{Obb2, Scalar, Vec2};
+use crate::{Obb2, Scalar, Shape, Vec2};
 use std::f64::consts::{FRAC_PI_2, FRAC_PI_4, PI};
 
 /// A turned box in an image, where y points down: the heading turns from x towards y, which is clockwise to
@@ -16,12 +16,14 @@ use std::f64::consts::{FRAC_PI_2, FRAC_PI_4, PI};
 /// // In a frame at the lower left corner of an image 480 pixels high, y up:
 /// assert_eq!(seen.upright(480.0), Obb2::new(100.0, 460.0, 40.0, 10.0, -0.25));
 /// ```
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, PartialEq, Shape)]
+#[shape(except(Sample, Arbitrary))]
 #[repr(C)]
 pub struct ImageBox<S> {
     /// The centre, in pixels from the upper left corner.
     pub center: Vec2<S>,
     /// Width and height, along the box's own x and y axes.
+    #[shape(non_negative, length)]
     pub size: Vec2<S>,
     /// The angle of the box's own x axis.
     pub heading: Clockwise<S>,
@@ -78,7 +80,10 @@ impl<S: Scalar> ImageBox<S> {
     #[inline(always)]
     fn long_edge(self) -> (Vec2<S>, S) {
         let swap = self.size.x.below(self.size.y);
-        let size = Vec2::new(self.size.x.most(self.size.y), self.size.x.least(self.size.y));
+        let size = Vec2::new(
+            self.size.x.most(self.size.y),
+            self.size.x.least(self.size.y),
+        );
         let turned = self.heading.radians + S::lit(FRAC_PI_2);
         (size, S::select(swap, turned, self.heading.radians))
     }
@@ -88,12 +93,14 @@ impl<S: Scalar> ImageBox<S> {
 macro_rules! ranged {
     ($(#[$doc:meta])* $name:ident { $heading:literal } |$shape:ident| $made:expr) => {
         $(#[$doc])*
-        #[derive(Clone, Copy, Debug, PartialEq)]
+        #[derive(Clone, Copy, Debug, PartialEq, Shape)]
+        #[shape(except(Sample, Arbitrary))]
         #[repr(C)]
         pub struct $name<S> {
             /// The centre, in pixels from the upper left corner.
             pub center: Vec2<S>,
             /// Width and height, along the box's own x and y axes.
+            #[shape(non_negative, length)]
             pub size: Vec2<S>,
             #[doc = $heading]
             pub heading: Clockwise<S>,
@@ -166,12 +173,14 @@ fn from<S: Scalar>(angle: S, low: f64) -> S {
 /// };
 /// assert_eq!(ImageBox::from(made).heading.radians, -std::f64::consts::FRAC_PI_2);
 /// ```
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, PartialEq, Shape)]
+#[shape(except(Sample, Arbitrary))]
 #[repr(C)]
 pub struct Detectron2Box<S> {
     /// The centre, in pixels from the upper left corner.
     pub center: Vec2<S>,
     /// Width and height, along the box's own x and y axes.
+    #[shape(non_negative, length)]
     pub size: Vec2<S>,
     /// Counter-clockwise to the viewer.
     pub heading: Degrees<S>,
@@ -210,14 +219,17 @@ impl<S: Scalar> From<ImageBox<S>> for Detectron2Box<S> {
 /// assert_eq!((bounds.min.x, bounds.max.y), (0.0, 2.0));
 /// assert_eq!(Obb2::from(bounds), shape);
 /// ```
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, PartialEq, Shape)]
+#[shape(except(Sample, Arbitrary))]
 #[repr(C)]
 pub struct Xyxyr<S> {
     /// The lower bounds before turning.
+    #[shape(at_most = "max")]
     pub min: Vec2<S>,
     /// The upper bounds before turning.
     pub max: Vec2<S>,
     /// The angle in radians, counter-clockwise.
+    #[shape(angle)]
     pub heading: S,
 }
 

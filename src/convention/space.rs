@@ -1,6 +1,6 @@
 //! Encodings of boxes in space.
 use crate::shape::{Obb3, Rotation3, YawBox3};
-use crate::{Scalar, Vec3};
+use crate::{Scalar, Shape, Vec3};
 use std::f64::consts::FRAC_PI_2;
 
 /// A box of KITTI's labels, in the frame of a camera that looks ahead: x to the right, y down, z ahead.
@@ -19,18 +19,23 @@ use std::f64::consts::FRAC_PI_2;
 /// assert_eq!((upright.center.x, upright.center.y, upright.heading), (20.0, -2.0, 0.0));
 /// assert!((upright.center.z + 0.95).abs() < 1e-15);
 /// ```
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, PartialEq, Shape)]
+#[shape(except(Sample, Arbitrary))]
 #[repr(C)]
 pub struct KittiBox<S> {
     /// The size along the camera's y axis.
+    #[shape(non_negative)]
     pub height: S,
     /// The size across the direction of travel.
+    #[shape(non_negative)]
     pub width: S,
     /// The size along the direction of travel.
+    #[shape(non_negative)]
     pub length: S,
     /// The middle of the bottom face.
     pub location: Vec3<S>,
     /// The turn about the camera's y axis in radians; zero for travel to the right.
+    #[shape(angle)]
     pub rotation_y: S,
 }
 
@@ -61,14 +66,17 @@ impl<S: Scalar> From<YawBox3<S>> for KittiBox<S> {
 
 /// A box of OpenPCDet, in the lidar's frame (x ahead, y to the left, z up): the seven numbers
 /// `x, y, z, dx, dy, dz, heading` with the centre of the box. The same as [`YawBox3`].
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, PartialEq, Shape)]
+#[shape(except(Sample, Arbitrary))]
 #[repr(C)]
 pub struct LidarBox<S> {
     /// The centre of the box, not of its bottom.
     pub center: Vec3<S>,
     /// Length, width and height.
+    #[shape(non_negative, length)]
     pub size: Vec3<S>,
     /// The turn about the z axis in radians, counter-clockwise; zero for travel along x.
+    #[shape(angle)]
     pub heading: S,
 }
 
@@ -101,16 +109,20 @@ impl<S> From<YawBox3<S>> for LidarBox<S> {
 /// };
 /// assert_eq!(Obb3::from(seen).size, Vec3::new(4.5, 1.8, 1.5));
 /// ```
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, PartialEq, Shape)]
+#[shape(except(Sample, Arbitrary))]
 #[repr(C)]
 pub struct NuScenesBox<S> {
     /// The centre.
     pub translation: Vec3<S>,
     /// The size across the direction of travel.
+    #[shape(non_negative)]
     pub width: S,
     /// The size along the direction of travel.
+    #[shape(non_negative)]
     pub length: S,
     /// The size upwards.
+    #[shape(non_negative)]
     pub height: S,
     /// The rotation of the box's own axes.
     pub rotation: Rotation3<S>,

@@ -114,7 +114,11 @@ fn pair<S: Scalar, const FLOOR: bool>(a: Obb2<S>, b: Obb2<S>, deviation: f64) ->
 pub fn wasserstein_squared<S: Scalar>(a: Obb2<S>, b: Obb2<S>) -> S {
     let pair = pair::<S, false>(a, b, 0.5);
     let value = squared_distance(&pair);
-    value.over(pair.scale).over(pair.scale).saturated().canonical()
+    value
+        .over(pair.scale)
+        .over(pair.scale)
+        .saturated()
+        .canonical()
 }
 
 #[inline(always)]
@@ -145,7 +149,11 @@ fn squared_distance<S: Scalar>(pair: &Pair<S>) -> S {
 #[inline]
 pub fn wasserstein<S: Scalar>(a: Obb2<S>, b: Obb2<S>) -> S {
     let pair = pair::<S, false>(a, b, 0.5);
-    squared_distance(&pair).root().over(pair.scale).saturated().canonical()
+    squared_distance(&pair)
+        .root()
+        .over(pair.scale)
+        .saturated()
+        .canonical()
 }
 
 /// The Kullback-Leibler divergence of box a from box b as Gaussians, `KL(a ‖ b)`, from 0.
@@ -162,7 +170,9 @@ pub fn wasserstein<S: Scalar>(a: Obb2<S>, b: Obb2<S>) -> S {
 #[must_use]
 #[inline]
 pub fn kullback_leibler<S: Scalar>(a: Obb2<S>, b: Obb2<S>) -> S {
-    divergence(&pair::<S, true>(a, b, 0.5)).saturated().canonical()
+    divergence(&pair::<S, true>(a, b, 0.5))
+        .saturated()
+        .canonical()
 }
 
 #[inline(always)]
@@ -180,7 +190,9 @@ fn divergence<S: Scalar>(pair: &Pair<S>) -> S {
 #[inline]
 pub fn jeffreys<S: Scalar>(a: Obb2<S>, b: Obb2<S>) -> S {
     let (forth, back) = (pair::<S, true>(a, b, 0.5), pair::<S, true>(b, a, 0.5));
-    (divergence(&forth) + divergence(&back)).saturated().canonical()
+    (divergence(&forth) + divergence(&back))
+        .saturated()
+        .canonical()
 }
 
 /// The mean of both Kullback-Leibler divergences, from 0: half of [`jeffreys`].
@@ -198,7 +210,9 @@ pub fn kullback_leibler_mean<S: Scalar>(a: Obb2<S>, b: Obb2<S>) -> S {
 #[must_use]
 #[inline]
 pub fn bhattacharyya<S: Scalar>(a: Obb2<S>, b: Obb2<S>) -> S {
-    distance(&pair::<S, true>(a, b, 0.5)).saturated().canonical()
+    distance(&pair::<S, true>(a, b, 0.5))
+        .saturated()
+        .canonical()
 }
 
 #[inline(always)]

@@ -23,7 +23,11 @@ pub fn ln_one_plus<S: Scalar>(x: S) -> S {
     let held = S::select(small, x, S::zero());
     let y = held.over(held + S::lit(2.0));
     let near = (y + y) * (S::one() + atanh_series(y * y));
-    S::select(small, near, (S::select(small, S::zero(), x) + S::one()).ln())
+    S::select(
+        small,
+        near,
+        (S::select(small, S::zero(), x) + S::one()).ln(),
+    )
 }
 
 /// `eˣ − 1`, right to a few roundings for small x, too.

@@ -5,9 +5,9 @@
 //! second box are renamed first so that R is as small as it can be.
 use super::smooth::{excess, ln_one_plus};
 use super::{bounded, fused, similarity};
+use crate::Scalar;
 use crate::overlap3::relate::relate3;
 use crate::shape::Obb3;
-use crate::Scalar;
 
 /// Two Gaussians of space seen from the first, in units of `1 / scale`.
 struct Pair<S: Scalar> {
@@ -143,7 +143,11 @@ fn squared_distance<S: Scalar>(pair: &Pair<S>, turn: &[[S; 3]; 3]) -> S {
 pub fn wasserstein_squared<S: Scalar>(a: Obb3<S>, b: Obb3<S>) -> S {
     let pair = pair::<S, false>(a, b, 0.5);
     let value = squared_distance(&pair, &pair.turn);
-    value.over(pair.scale).over(pair.scale).saturated().canonical()
+    value
+        .over(pair.scale)
+        .over(pair.scale)
+        .saturated()
+        .canonical()
 }
 
 /// Wasserstein's distance of two boxes as Gaussians, a length. Slope zero for identical ones. Derivatives
@@ -173,7 +177,9 @@ pub fn wasserstein<S: Scalar>(a: Obb3<S>, b: Obb3<S>) -> S {
 #[must_use]
 #[inline]
 pub fn kullback_leibler<S: Scalar>(a: Obb3<S>, b: Obb3<S>) -> S {
-    divergence(&pair::<S, true>(a, b, 0.5)).saturated().canonical()
+    divergence(&pair::<S, true>(a, b, 0.5))
+        .saturated()
+        .canonical()
 }
 
 /// `½ (dᵀ Σb⁻¹ d + tr(Σb⁻¹ Σa) − 3 − ln det(Σb⁻¹ Σa))`, where the trace is
@@ -202,7 +208,9 @@ fn divergence<S: Scalar>(pair: &Pair<S>) -> S {
 #[inline]
 pub fn jeffreys<S: Scalar>(a: Obb3<S>, b: Obb3<S>) -> S {
     let (forth, back) = (pair::<S, true>(a, b, 0.5), pair::<S, true>(b, a, 0.5));
-    (divergence(&forth) + divergence(&back)).saturated().canonical()
+    (divergence(&forth) + divergence(&back))
+        .saturated()
+        .canonical()
 }
 
 /// The mean of both Kullback-Leibler divergences, from 0: half of [`jeffreys`].
@@ -232,8 +240,8 @@ fn twist<S: Scalar>(pair: &Pair<S>) -> (S, [S; 3]) {
             // G_ij − G_jj = (a_j² − a_i²)(a_l² b_j² − b_i² b_l²), over (length_i length_j length_l)².
             let own = (a[j] - a[i]).over(length[j]) * (a[j] + a[i]).over(length[i]);
             let (p, q) = (a[l] * b[j], b[i] * b[l]);
-            let mixed = (p - q).over(length[l]).over(length[j])
-                * (p + q).over(length[l]).over(length[i]);
+            let mixed =
+                (p - q).over(length[l]).over(length[j]) * (p + q).over(length[l]).over(length[i]);
             sum += pair.turn[i][j].squared() * (own * mixed);
         }
     }
@@ -244,7 +252,9 @@ fn twist<S: Scalar>(pair: &Pair<S>) -> (S, [S; 3]) {
 #[must_use]
 #[inline]
 pub fn bhattacharyya<S: Scalar>(a: Obb3<S>, b: Obb3<S>) -> S {
-    distance(&pair::<S, true>(a, b, 0.5)).saturated().canonical()
+    distance(&pair::<S, true>(a, b, 0.5))
+        .saturated()
+        .canonical()
 }
 
 /// `⅛ dᵀ Σ⁻¹ d + ½ ln (det Σ / √(det Σa det Σb))` with the mean Σ of both covariances. `Σa + Σb` is a sum of

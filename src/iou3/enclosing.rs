@@ -99,7 +99,11 @@ pub fn smallest_rectangle<S: Scalar>(a: Obb2<S>, b: Obb2<S>) -> Vec2<S> {
     let mut candidate = |axis: Vec2<S>, valid: S::Mask| {
         let size = Vec2::new(extent(axis, points), extent(axis.perp(), points));
         let own = size.x * size.y;
-        let better = if first { valid } else { valid & own.below(area) };
+        let better = if first {
+            valid
+        } else {
+            valid & own.below(area)
+        };
         first = false;
         area = S::select(better, own, area);
         best = Vec2::new(

@@ -208,7 +208,8 @@ pub fn ciou<S: Scalar, B: Solid<S>>(a: B, b: B, kind: Enclosing) -> S {
     };
     let (u, v) = (t.size_a, t.size_b);
     let differ = |p: S, q: S, r: S, s: S| (turn(p, q) - turn(r, s)).squared();
-    let sum = differ(u.x, u.y, v.x, v.y) + (differ(u.y, u.z, v.y, v.z) + differ(u.z, u.x, v.z, v.x));
+    let sum =
+        differ(u.x, u.y, v.x, v.y) + (differ(u.y, u.z, v.y, v.z) + differ(u.z, u.x, v.z, v.x));
     let v = sum * S::lit(4.0 / 3.0 / (std::f64::consts::PI * std::f64::consts::PI));
     let weight = share(v, (S::one() - t.iou) + v).primal();
     (diou_of(&t) - S::from_primal(weight) * v).canonical()

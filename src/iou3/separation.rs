@@ -1,8 +1,8 @@
 //! How far two boxes of any orientation are apart, or how deep they are in each other.
 use super::Solid;
+use crate::Scalar;
 use crate::overlap3::relate::{Relative3, relate3};
 use crate::shape::Obb3;
-use crate::Scalar;
 
 /// The largest gap between the boxes' shadows over all fifteen axes that could separate them: a face's normal
 /// of either or the cross product of two edges. In units of `1 / scale`.
@@ -15,12 +15,12 @@ fn widest_gap<S: Scalar>(pair: &Relative3<S>) -> S {
     let zero = S::zero();
     let mut gap = zero;
     for i in 0..3 {
-        let reach = (r[i][0].magnitude() * p[0] + r[i][1].magnitude() * p[1])
-            + r[i][2].magnitude() * p[2];
+        let reach =
+            (r[i][0].magnitude() * p[0] + r[i][1].magnitude() * p[1]) + r[i][2].magnitude() * p[2];
         let own = c[i].magnitude() - (h[i] + reach);
         gap = if i == 0 { own } else { gap.most(own) };
-        let reach = (r[0][i].magnitude() * h[0] + r[1][i].magnitude() * h[1])
-            + r[2][i].magnitude() * h[2];
+        let reach =
+            (r[0][i].magnitude() * h[0] + r[1][i].magnitude() * h[1]) + r[2][i].magnitude() * h[2];
         let center = (r[0][i] * c[0] + r[1][i] * c[1]) + r[2][i] * c[2];
         gap = gap.most(center.magnitude() - (p[i] + reach));
     }

@@ -1,5 +1,5 @@
 //! One face of a box integrated over what of it is above and below another box.
-use super::border::{Bounds, Cut, Edges, clamped, tiny};
+use super::edge::{Bounds, Cut, Edges, clamped, tiny};
 use crate::Scalar;
 
 /// A face of b: its part of the volume, and its area and first moment inside a.
@@ -217,7 +217,11 @@ pub(super) fn face<S: Scalar, const SLOPES: bool>(
         let weight = if b == 1 {
             [cross_v[0] + shift, cross_v[1] + shift, cross_v[2] + shift]
         } else {
-            [-shift - cross_v[0], -shift - cross_v[1], -shift - cross_v[2]]
+            [
+                -shift - cross_v[0],
+                -shift - cross_v[1],
+                -shift - cross_v[2],
+            ]
         };
         let border = Side {
             from: edge.enter[i].most(edge.enter[j]),

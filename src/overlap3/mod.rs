@@ -14,9 +14,12 @@
 //! that begin to touch (slope zero). A corner on a face, or an edge on an edge, is no kink.
 mod aabb;
 pub mod border;
+mod edge;
 mod face;
 mod obb;
+mod precise;
 pub mod relate;
+mod rename;
 mod slopes;
 mod yaw;
 
@@ -25,8 +28,8 @@ pub use obb::{intersection_volume_obb3, iof_obb3, iou_obb3};
 pub use slopes::{intersection_volume_obb3_vjp, iof_obb3_vjp, iou_obb3_vjp};
 pub use yaw::{intersection_volume_yaw, iof_yaw, iou_birds_eye, iou_yaw};
 
-use crate::overlap::{Denominator, ratio_of_first, ratio_of_union};
 use crate::Scalar;
+use crate::overlap::{Denominator, ratio_of_first, ratio_of_union};
 
 /// The volume of a box from half its size. Doubled first, so that a volume that can be represented is
 /// rounded no more than it must be.

@@ -82,7 +82,10 @@ fn score_obb3<S: Scalar>(over: Denominator, a: Obb3<S>, b: Obb3<S>) -> S {
         return S::zero();
     }
     let shared = volume(&pair);
-    let (volume_a, volume_b) = (own_volume(&pair, pair.half_a), own_volume(&pair, pair.half_b));
+    let (volume_a, volume_b) = (
+        own_volume(&pair, pair.half_a),
+        own_volume(&pair, pair.half_b),
+    );
     let shared = within(shared, volume_a, volume_b);
     let value = score(over, shared, volume_a, volume_b, pair.scale);
     match over {

@@ -145,11 +145,7 @@ pub fn intersection_volume_obb3_vjp<S: Scalar>(
 /// As for [`intersection_volume_obb3_vjp`].
 #[must_use]
 #[inline]
-pub fn iou_obb3_vjp<S: Scalar>(
-    a: Obb3<S>,
-    b: Obb3<S>,
-    out_bar: S,
-) -> (S, (Obb3<S>, Obb3<S>)) {
+pub fn iou_obb3_vjp<S: Scalar>(a: Obb3<S>, b: Obb3<S>, out_bar: S) -> (S, (Obb3<S>, Obb3<S>)) {
     score_vjp(Denominator::Union, a, b, out_bar)
 }
 
@@ -158,10 +154,6 @@ pub fn iou_obb3_vjp<S: Scalar>(
 /// As for [`intersection_volume_obb3_vjp`].
 #[must_use]
 #[inline]
-pub fn iof_obb3_vjp<S: Scalar>(
-    a: Obb3<S>,
-    b: Obb3<S>,
-    out_bar: S,
-) -> (S, (Obb3<S>, Obb3<S>)) {
+pub fn iof_obb3_vjp<S: Scalar>(a: Obb3<S>, b: Obb3<S>, out_bar: S) -> (S, (Obb3<S>, Obb3<S>)) {
     score_vjp(Denominator::First, a, b, out_bar)
 }

@@ -1,8 +1,10 @@
 //! Overlap of upright boxes.
-use crate::clip::frame;
-use crate::overlap::{Denominator, area_from_half, iou_obb2, ratio_of_first, ratio_of_union, shared_area};
-use crate::shape::YawBox3;
 use crate::Scalar;
+use crate::clip::frame;
+use crate::overlap::{
+    Denominator, area_from_half, iou_obb2, ratio_of_first, ratio_of_union, shared_area,
+};
+use crate::shape::YawBox3;
 
 /// What two upright boxes share: areas seen from above in units of `1 / scale²`, and heights in units of
 /// `1 / height_scale`.

@@ -1,5 +1,5 @@
 //! Axis-aligned boxes in space.
-use crate::{Aabb2, Scalar, Vec2, Vec3};
+use crate::{Aabb2, Scalar, Shape, Vec2, Vec3};
 
 /// The corners of each face of a box, by their number in `corners()`, counter-clockwise seen from
 /// outside: the faces at low x, high x, low y, high y, low z, high z.
@@ -23,11 +23,12 @@ pub const FACES: [[usize; 4]; 6] = [
 /// assert_eq!(a.meet(b).volume(), 1.0);
 /// assert_eq!(a.surface(), 24.0);
 /// ```
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, PartialEq, Shape)]
 #[repr(C)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Aabb3<S> {
     /// The lower bounds.
+    #[shape(at_most = "max")]
     pub min: Vec3<S>,
     /// The upper bounds.
     pub max: Vec3<S>,
@@ -47,9 +48,12 @@ impl<S: Scalar> Aabb3<S> {
     #[must_use]
     pub fn around(points: &[Vec3<S>]) -> Option<Self> {
         let (&first, rest) = points.split_first()?;
-        Some(rest.iter().fold(Aabb3::new(first, first), |bounds, &point| {
-            Aabb3::new(bounds.min.least(point), bounds.max.most(point))
-        }))
+        Some(
+            rest.iter()
+                .fold(Aabb3::new(first, first), |bounds, &point| {
+                    Aabb3::new(bounds.min.least(point), bounds.max.most(point))
+                }),
+        )
     }
     /// The size along x, y and z.
     #[must_use]

@@ -1,6 +1,6 @@
 //! Boxes of any orientation in space.
 use crate::shape::{Aabb3, Plane3, Pose3, Rotation3, YawBox3};
-use crate::{Scalar, Vec3};
+use crate::{Scalar, Shape, Vec3};
 
 /// A box of any orientation in space: centre, size along its own axes, rotation of those axes. Valid
 /// when finite, of non-negative size and with a quaternion that is not zero; zero size is valid.
@@ -12,15 +12,18 @@ use crate::{Scalar, Vec3};
 /// assert_eq!(a.volume(), 8.0);
 /// assert!(a.contains(tilted * Vec3::new(1.9, 0.9, 0.4)));
 /// ```
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, PartialEq, Shape)]
 #[repr(C)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Obb3<S> {
     /// The centre.
+    #[shape(names("x", "y", "z"))]
     pub center: Vec3<S>,
     /// The size along the box's own x, y and z axes.
+    #[shape(names("dx", "dy", "dz"), non_negative, length)]
     pub size: Vec3<S>,
     /// The rotation of the box's own axes.
+    #[shape(names("qw", "qx", "qy", "qz"))]
     pub rotation: Rotation3<S>,
 }
 

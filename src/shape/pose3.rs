@@ -1,6 +1,6 @@
 //! Rigid motions of space.
 use crate::shape::{Obb3, Rotation3};
-use crate::{Scalar, Vec3};
+use crate::{Scalar, Shape, Vec3};
 use std::ops::Mul;
 
 /// A rigid motion of space: a rotation, then a translation.
@@ -13,7 +13,7 @@ use std::ops::Mul;
 /// let there = world_from_car * Vec3::new(2.0, 1.0, 0.5);
 /// assert!((world_from_car.inverse() * there).distance(Vec3::new(2.0, 1.0, 0.5)) < 1e-14);
 /// ```
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, PartialEq, Shape)]
 #[repr(C)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Pose3<S> {

@@ -1,5 +1,5 @@
 //! Segments in space.
-use crate::{Scalar, Vec3};
+use crate::{Scalar, Shape, Vec3};
 
 /// A segment in space. Valid when finite; length zero is valid.
 ///
@@ -8,7 +8,7 @@ use crate::{Scalar, Vec3};
 /// let edge = Segment3::new(Vec3::new(0.0, 0.0, 0.0), Vec3::new(2.0, 0.0, 0.0));
 /// assert_eq!(edge.nearest(Vec3::new(5.0, 1.0, 0.0)), Vec3::new(2.0, 0.0, 0.0));
 /// ```
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, PartialEq, Shape)]
 #[repr(C)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Segment3<S> {

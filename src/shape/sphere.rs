@@ -1,6 +1,6 @@
 //! Spheres.
 use crate::shape::Aabb3;
-use crate::{Scalar, Vec3};
+use crate::{Scalar, Shape, Vec3};
 
 /// A ball in space. Valid when finite and of non-negative radius; radius zero is valid.
 ///
@@ -9,13 +9,15 @@ use crate::{Scalar, Vec3};
 /// let ball = Sphere::new(Vec3::new(1.0, 0.0, 0.0), 2.0);
 /// assert_eq!(ball.signed_distance(Vec3::new(4.0, 0.0, 0.0)), 1.0);
 /// ```
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, PartialEq, Shape)]
 #[repr(C)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Sphere<S> {
     /// The centre.
+    #[shape(names("x", "y", "z"))]
     pub center: Vec3<S>,
     /// The radius.
+    #[shape(non_negative)]
     pub radius: S,
 }
 

@@ -1,6 +1,6 @@
 //! Triangles in space.
 use crate::shape::Plane3;
-use crate::{Scalar, Vec3};
+use crate::{Scalar, Shape, Vec3};
 
 /// A triangle in space. Valid when finite; area zero is valid.
 ///
@@ -14,7 +14,7 @@ use crate::{Scalar, Vec3};
 /// assert_eq!(half.area(), 2.0);
 /// assert_eq!(half.normal(), Vec3::new(0.0, 0.0, 1.0));
 /// ```
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, PartialEq, Shape)]
 #[repr(C)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Triangle3<S> {

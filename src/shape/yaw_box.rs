@@ -1,6 +1,6 @@
 //! Boxes that stand upright.
 use crate::shape::{Aabb3, Rotation3};
-use crate::{Obb2, Scalar, Vec2, Vec3};
+use crate::{Obb2, Scalar, Shape, Vec2, Vec3};
 
 /// An upright box in space: centre, size along its own axes, and the heading of its own x axis about the
 /// z axis, which points up, in radians (counter-clockwise seen from above). The seven numbers of
@@ -12,15 +12,18 @@ use crate::{Obb2, Scalar, Vec2, Vec3};
 /// assert!(car.contains(Vec3::new(10.0, 2.0, 1.6)));
 /// assert_eq!(car.volume(), 12.8);
 /// ```
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, PartialEq, Shape)]
 #[repr(C)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct YawBox3<S> {
     /// The centre.
+    #[shape(names("x", "y", "z"))]
     pub center: Vec3<S>,
     /// The size along the box's own x, y and z axes: length, width and height of a vehicle.
+    #[shape(names("dx", "dy", "dz"), non_negative, length)]
     pub size: Vec3<S>,
     /// The angle of the box's own x axis in radians, counter-clockwise seen from above.
+    #[shape(angle)]
     pub heading: S,
 }
 

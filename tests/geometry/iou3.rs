@@ -1,7 +1,8 @@
 //! The family of IoU in space, and overlaps that know about separation.
 use super::pairs::{FAMILIES, Random, pair, random_rotation};
 use geograd::iou3::{
-    Enclosing, alpha_iou, ciou, diou, eiou, giou, penetration_or_gap, separation_aware, smallest_rectangle,
+    Enclosing, alpha_iou, ciou, diou, eiou, giou, penetration_or_gap, separation_aware,
+    smallest_rectangle,
 };
 use geograd::shape::{Obb3, Pose3, YawBox3};
 use geograd::{Jet, Obb2, Scalar, Vec2, Vec3};
@@ -16,16 +17,27 @@ fn ranges_and_identical_boxes() {
         }
         let iou = a.iou(b);
         for kind in [Enclosing::Aabb, Enclosing::Rectangle] {
-            let (g, d, c, e) = (giou(a, b, kind), diou(a, b, kind), ciou(a, b, kind), eiou(a, b, kind));
+            let (g, d, c, e) = (
+                giou(a, b, kind),
+                diou(a, b, kind),
+                ciou(a, b, kind),
+                eiou(a, b, kind),
+            );
             assert!(-1.0 < g && g <= iou, "{family} {g} {iou}");
-            assert!(-1.0 <= d && d <= iou && c <= d && e <= d && c > -2.0 && e > -4.0, "{family}");
+            assert!(
+                -1.0 <= d && d <= iou && c <= d && e <= d && c > -2.0 && e > -4.0,
+                "{family}"
+            );
             if a.volume() > 0.0 {
                 assert_eq!(diou(a, a, kind), 1.0);
                 assert_eq!(ciou(a, a, kind), 1.0);
                 assert_eq!(eiou(a, a, kind), 1.0);
             }
         }
-        assert!((giou(a, a, Enclosing::Rectangle) - 1.0).abs() < 1e-9 || a.volume() == 0.0, "{family}");
+        assert!(
+            (giou(a, a, Enclosing::Rectangle) - 1.0).abs() < 1e-9 || a.volume() == 0.0,
+            "{family}"
+        );
         assert!((alpha_iou(iou, 3.0) - iou.powi(3)).abs() < 1e-15);
     }
 }
@@ -34,7 +46,8 @@ fn ranges_and_identical_boxes() {
 fn rectangles_are_the_smallest() {
     let mut random = Random(82);
     for _ in 0..200 {
-        let (a, b): (Obb2<f64>, Obb2<f64>) = (random.yaw_box().birds_eye(), random.yaw_box().birds_eye());
+        let (a, b): (Obb2<f64>, Obb2<f64>) =
+            (random.yaw_box().birds_eye(), random.yaw_box().birds_eye());
         let found = smallest_rectangle(a, b);
         let points = [a.corners(), b.corners()].concat();
         let mut least = f64::INFINITY;
@@ -48,7 +61,10 @@ fn rectangles_are_the_smallest() {
             least = least.min(extent(Vec2::new(c, s)) * extent(Vec2::new(-s, c)));
         }
         let area = found.x * found.y;
-        assert!(area <= least * (1.0 + 1e-12) && area > least * 0.99, "{area} {least}");
+        assert!(
+            area <= least * (1.0 + 1e-12) && area > least * 0.99,
+            "{area} {least}"
+        );
     }
 }
 
@@ -79,18 +95,31 @@ fn gaps_are_distances_and_continue_overlap() {
         let from_b = |p: Vec3<f64>| {
             let q = b.rotation.inverse() * (p - b.center);
             let beyond = |x: f64, size: f64| (x.abs() - size / 2.0).max(0.0);
-            beyond(q.x, b.size.x).hypot(beyond(q.y, b.size.y)).hypot(beyond(q.z, b.size.z))
+            beyond(q.x, b.size.x)
+                .hypot(beyond(q.y, b.size.y))
+                .hypot(beyond(q.z, b.size.z))
         };
         let nearest = samples(a).into_iter().map(from_b).fold(f64::MAX, f64::min);
         assert!(gap <= nearest + 1e-12);
         assert_eq!(gap > 1e-12, a.iou(b) == 0.0, "{gap} {a:?} {b:?}");
         // Pulled apart along the line of centres the value goes down all the way, without a jump.
         let away = (b.center - a.center).normalize_or_zero();
-        let at = |t: f64| separation_aware(a, Obb3 { center: a.center + away * t, ..b });
+        let at = |t: f64| {
+            separation_aware(
+                a,
+                Obb3 {
+                    center: a.center + away * t,
+                    ..b
+                },
+            )
+        };
         let mut last = at(0.0);
         for k in 1..800 {
             let next = at(k as f64 * 0.01);
-            assert!(next <= last + 1e-12 && next > last - 0.1, "{k} {next} {last} {a:?} {b:?}");
+            assert!(
+                next <= last + 1e-12 && next > last - 0.1,
+                "{k} {next} {last} {a:?} {b:?}"
+            );
             last = next;
         }
         assert!(last < -0.2 && last > -1.0);
@@ -102,10 +131,22 @@ fn slopes_are_those_of_the_value() {
     let mut random = Random(84);
     type F = fn(YawBox3<Jet<f64, 10>>, YawBox3<Jet<f64, 10>>) -> Jet<f64, 10>;
     let all: [(fn(YawBox3<f64>, YawBox3<f64>) -> f64, F); 5] = [
-        (|a, b| giou(a, b, Enclosing::Rectangle), |a, b| giou(a, b, Enclosing::Rectangle)),
-        (|a, b| giou(a, b, Enclosing::Aabb), |a, b| giou(a, b, Enclosing::Aabb)),
-        (|a, b| diou(a, b, Enclosing::Rectangle), |a, b| diou(a, b, Enclosing::Rectangle)),
-        (|a, b| eiou(a, b, Enclosing::Aabb), |a, b| eiou(a, b, Enclosing::Aabb)),
+        (
+            |a, b| giou(a, b, Enclosing::Rectangle),
+            |a, b| giou(a, b, Enclosing::Rectangle),
+        ),
+        (
+            |a, b| giou(a, b, Enclosing::Aabb),
+            |a, b| giou(a, b, Enclosing::Aabb),
+        ),
+        (
+            |a, b| diou(a, b, Enclosing::Rectangle),
+            |a, b| diou(a, b, Enclosing::Rectangle),
+        ),
+        (
+            |a, b| eiou(a, b, Enclosing::Aabb),
+            |a, b| eiou(a, b, Enclosing::Aabb),
+        ),
         (separation_aware, separation_aware),
     ];
     let mut compared = 0;
@@ -136,7 +177,11 @@ fn slopes_are_those_of_the_value() {
                 }
                 compared += 1;
                 let error = ((left + right) / 2.0 - found.slope[i]).abs();
-                assert!(error < 1e-6, "{k} {i}: {left} {right} {} {one:?} {other:?}", found.slope[i]);
+                assert!(
+                    error < 1e-6,
+                    "{k} {i}: {left} {right} {} {one:?} {other:?}",
+                    found.slope[i]
+                );
             }
         }
     }

@@ -14,7 +14,9 @@ fn minus(a: &Point, b: &Point) -> Point {
     [0, 1, 2].map(|i| a[i].sub(&b[i]))
 }
 fn dot(a: &Point, b: &Point) -> Fixed {
-    (a[0].mul(&b[0])).add(&a[1].mul(&b[1])).add(&a[2].mul(&b[2]))
+    (a[0].mul(&b[0]))
+        .add(&a[1].mul(&b[1]))
+        .add(&a[2].mul(&b[2]))
 }
 fn cross(a: &Point, b: &Point) -> Point {
     [0, 1, 2].map(|i| {
@@ -64,7 +66,11 @@ fn solid(shape: Obb3<f64>, origin: &Point) -> Solid {
         .map(|k| {
             let mut at = center.clone();
             for i in 0..3 {
-                let side = if k >> i & 1 == 1 { half[i].clone() } else { negated(&half[i]) };
+                let side = if k >> i & 1 == 1 {
+                    half[i].clone()
+                } else {
+                    negated(&half[i])
+                };
                 at = [0, 1, 2].map(|n| at[n].add(&axes[i][n].mul(&side)));
             }
             at
@@ -73,7 +79,11 @@ fn solid(shape: Obb3<f64>, origin: &Point) -> Solid {
     let planes = (0..6)
         .map(|face| {
             let axis = axes[face / 2].clone();
-            let normal = if face % 2 == 1 { axis } else { [0, 1, 2].map(|n| negated(&axis[n])) };
+            let normal = if face % 2 == 1 {
+                axis
+            } else {
+                [0, 1, 2].map(|n| negated(&axis[n]))
+            };
             let offset = dot(&normal, &center).add(&half[face / 2]);
             (normal, offset)
         })
@@ -97,7 +107,11 @@ fn six_under(own: &Solid, other: &Solid, first: bool) -> Fixed {
                 .iter()
                 .map(|p| {
                     let height = dot(normal, p).sub(offset);
-                    if height.0.magnitude() < near.magnitude() { zero() } else { height }
+                    if height.0.magnitude() < near.magnitude() {
+                        zero()
+                    } else {
+                        height
+                    }
                 })
                 .collect();
             if heights.iter().all(|h| h.0 == zero().0) {
@@ -140,6 +154,15 @@ pub fn overlap(a: Obb3<f64>, b: Obb3<f64>) -> [f64; 4] {
         Fixed(six.0 / 6)
     };
     let total = first.volume.add(&second.volume).sub(&shared);
-    let iou = if total.0 == zero().0 { 0.0 } else { shared.div(&total).to_f64() };
-    [shared.to_f64(), first.volume.to_f64(), second.volume.to_f64(), iou]
+    let iou = if total.0 == zero().0 {
+        0.0
+    } else {
+        shared.div(&total).to_f64()
+    };
+    [
+        shared.to_f64(),
+        first.volume.to_f64(),
+        second.volume.to_f64(),
+        iou,
+    ]
 }

@@ -75,64 +75,159 @@ pub fn pair(family: &str, random: &mut Random) -> (Obb3<f64>, Obb3<f64>) {
     match family {
         "random" => (a, b),
         "upright" => (random.yaw_box().into(), random.yaw_box().into()),
-        "aligned" => (a, Obb3 { rotation: a.rotation, ..b }),
+        "aligned" => (
+            a,
+            Obb3 {
+                rotation: a.rotation,
+                ..b
+            },
+        ),
         "identical" => (a, a),
         "nearly identical" => {
             let moved = a.retract(random.vector(small));
-            (a, Obb3 { center: a.center + random.vector(small), ..moved })
+            (
+                a,
+                Obb3 {
+                    center: a.center + random.vector(small),
+                    ..moved
+                },
+            )
         }
-        "nearly parallel" => (a, Obb3 { rotation: a.retract(random.vector(small)).rotation, ..b }),
+        "nearly parallel" => (
+            a,
+            Obb3 {
+                rotation: a.retract(random.vector(small)).rotation,
+                ..b
+            },
+        ),
         "shared face" => {
             // Both upper faces along z lie in one plane.
             let at = Vec3::new(random.between(-0.5, 0.5), 0.3, h.z - k.z);
             let turn = a.rotation * Rotation3::from_yaw(random.between(0.0, 3.0));
-            (a, Obb3 { center: local * at, rotation: turn, ..b })
+            (
+                a,
+                Obb3 {
+                    center: local * at,
+                    rotation: turn,
+                    ..b
+                },
+            )
         }
         "touching" => {
             let at = Vec3::new(random.between(-0.5, 0.5), 0.3, corner.z);
             let turn = a.rotation * Rotation3::from_yaw(random.between(0.0, 3.0));
-            (a, Obb3 { center: local * at, rotation: turn, ..b })
+            (
+                a,
+                Obb3 {
+                    center: local * at,
+                    rotation: turn,
+                    ..b
+                },
+            )
         }
         "touching edges" => {
             let at = Vec3::new(corner.x, corner.y, 0.2);
-            (a, Obb3 { center: local * at, rotation: a.rotation, ..b })
+            (
+                a,
+                Obb3 {
+                    center: local * at,
+                    rotation: a.rotation,
+                    ..b
+                },
+            )
         }
-        "touching corners" => (a, Obb3 { center: local * corner, rotation: a.rotation, ..b }),
-        "nested" => (a, Obb3 { center: a.center + random.vector(0.02), size: b.size * 0.05, ..b }),
+        "touching corners" => (
+            a,
+            Obb3 {
+                center: local * corner,
+                rotation: a.rotation,
+                ..b
+            },
+        ),
+        "nested" => (
+            a,
+            Obb3 {
+                center: a.center + random.vector(0.02),
+                size: b.size * 0.05,
+                ..b
+            },
+        ),
         "thin" | "thin nearly parallel" => {
-            let size = |random: &mut Random| Vec3::new(random.between(10.0, 30.0), random.between(0.3, 0.6), 5e-4);
-            let a = Obb3 { size: size(random), ..a };
+            let size = |random: &mut Random| {
+                Vec3::new(random.between(10.0, 30.0), random.between(0.3, 0.6), 5e-4)
+            };
+            let a = Obb3 {
+                size: size(random),
+                ..a
+            };
             let rotation = if family == "thin" {
                 a.rotation * Rotation3::from_yaw(random.between(-0.1, 0.1))
             } else {
                 a.retract(random.vector(small * 0.01)).rotation
             };
             let at = Vec3::new(random.between(-3.0, 3.0), 0.05, random.between(-2e-4, 2e-4));
-            (a, Obb3::new(a.world_from_local() * at, size(random), rotation))
+            (
+                a,
+                Obb3::new(a.world_from_local() * at, size(random), rotation),
+            )
         }
         "tiny" | "huge" => {
             let factor = if family == "tiny" { 1e-15 } else { 1e15 };
-            let by = |x: Obb3<f64>| Obb3 { center: x.center * factor, size: x.size * factor, ..x };
+            let by = |x: Obb3<f64>| Obb3 {
+                center: x.center * factor,
+                size: x.size * factor,
+                ..x
+            };
             (by(a), by(b))
         }
         "far away" => {
             let far = Vec3::new(1e6, -2e6, 3e6);
-            (Obb3 { center: a.center + far, ..a }, Obb3 { center: b.center + far, ..b })
+            (
+                Obb3 {
+                    center: a.center + far,
+                    ..a
+                },
+                Obb3 {
+                    center: b.center + far,
+                    ..b
+                },
+            )
         }
-        "zero size" => (a, Obb3 { size: Vec3::new(b.size.x, 0.0, b.size.z), ..b }),
+        "zero size" => (
+            a,
+            Obb3 {
+                size: Vec3::new(b.size.x, 0.0, b.size.z),
+                ..b
+            },
+        ),
         "halves of right angles" => {
             let angle = |random: &mut Random| (random.next() % 8) as f64 * FRAC_PI_4;
             let x = Rotation3::from_axis_angle(Vec3::new(1.0, 0.0, 0.0), angle(random));
             let y = Rotation3::from_axis_angle(Vec3::new(0.0, 1.0, 0.0), angle(random));
             let z = Rotation3::from_yaw(angle(random));
-            (Obb3 { rotation: z, ..a }, Obb3 { rotation: x * y * z, ..b })
+            (
+                Obb3 { rotation: z, ..a },
+                Obb3 {
+                    rotation: x * y * z,
+                    ..b
+                },
+            )
         }
         "cubes" => {
-            let cube = Obb3 { size: Vec3::new(2.0, 2.0, 2.0), ..a };
+            let cube = Obb3 {
+                size: Vec3::new(2.0, 2.0, 2.0),
+                ..a
+            };
             let quarters = (random.next() % 4) as f64 * FRAC_PI_2;
             let turn = Rotation3::from_axis_angle(Vec3::new(0.0, 1.0, 0.0), quarters);
             let half = Rotation3::from_yaw((random.next() % 2) as f64 * FRAC_PI_4);
-            (cube, Obb3 { rotation: a.rotation * turn * half, ..cube })
+            (
+                cube,
+                Obb3 {
+                    rotation: a.rotation * turn * half,
+                    ..cube
+                },
+            )
         }
         _ => unreachable!("{family}"),
     }

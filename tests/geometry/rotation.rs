@@ -24,7 +24,10 @@ fn encodings_go_there_and_back() {
         assert!(apart(q, Rotation3::from_rotation_vector(q.rotation_vector())) < 1e-14);
         for order in EulerOrder::ALL {
             let angles = q.euler(order);
-            assert!(apart(q, Rotation3::from_euler(order, angles)) < 1e-14, "{order:?}");
+            assert!(
+                apart(q, Rotation3::from_euler(order, angles)) < 1e-14,
+                "{order:?}"
+            );
         }
         let v = random.vector(2.0);
         let m = q.matrix();
@@ -43,7 +46,11 @@ fn encodings_go_there_and_back() {
 
 #[test]
 fn euler_angles_are_turns_about_the_named_axes() {
-    let axes = [Vec3::new(1.0, 0.0, 0.0), Vec3::new(0.0, 1.0, 0.0), Vec3::new(0.0, 0.0, 1.0)];
+    let axes = [
+        Vec3::new(1.0, 0.0, 0.0),
+        Vec3::new(0.0, 1.0, 0.0),
+        Vec3::new(0.0, 0.0, 1.0),
+    ];
     let angles = [0.7, 0.4, -1.1];
     for order in EulerOrder::ALL {
         let mut q = Rotation3::identity();
@@ -52,11 +59,21 @@ fn euler_angles_are_turns_about_the_named_axes() {
         }
         assert!(apart(q, Rotation3::from_euler(order, angles)) < 1e-15);
         let back = q.euler(order);
-        assert!(angles.iter().zip(back).all(|(a, b)| (a - b).abs() < 1e-14), "{order:?} {back:?}");
+        assert!(
+            angles.iter().zip(back).all(|(a, b)| (a - b).abs() < 1e-14),
+            "{order:?} {back:?}"
+        );
         // Gimbal lock: the rotation is right all the same.
-        let locked = if order.axes()[0] == order.axes()[2] { 0.0 } else { FRAC_PI_2 };
+        let locked = if order.axes()[0] == order.axes()[2] {
+            0.0
+        } else {
+            FRAC_PI_2
+        };
         let q = Rotation3::from_euler(order, [0.3, locked, 0.5]);
-        assert!(apart(q, Rotation3::from_euler(order, q.euler(order))) < 1e-7, "{order:?}");
+        assert!(
+            apart(q, Rotation3::from_euler(order, q.euler(order))) < 1e-7,
+            "{order:?}"
+        );
     }
 }
 
@@ -68,19 +85,31 @@ fn series_meet_closed_forms() {
             let v = axis * angle;
             let q = Rotation3::from_rotation_vector(v);
             let exact = Rotation3::from_axis_angle(axis, angle);
-            assert!((q.w - exact.w).abs() < 1e-15 && (q.x - exact.x).abs() < 1e-15 * angle.max(1e-300));
+            assert!(
+                (q.w - exact.w).abs() < 1e-15 && (q.x - exact.x).abs() < 1e-15 * angle.max(1e-300)
+            );
             if angle < 3.0 {
-                assert!((q.rotation_vector() - v).length() < 1e-14 * angle, "{angle}");
+                assert!(
+                    (q.rotation_vector() - v).length() < 1e-14 * angle,
+                    "{angle}"
+                );
             }
         }
     }
-    assert_eq!(Rotation3::from_rotation_vector(Vec3::<f64>::zero()), Rotation3::identity());
+    assert_eq!(
+        Rotation3::from_rotation_vector(Vec3::<f64>::zero()),
+        Rotation3::identity()
+    );
     assert_eq!(Rotation3::<f64>::identity().rotation_vector(), Vec3::zero());
 }
 
 #[test]
 fn half_turns_have_the_documented_axis() {
-    for q in [[0.0, 0.0, 0.0, -1.0], [0.0, 0.0, 0.0, 1.0], [-0.0, 0.0, -0.0, -2.0]] {
+    for q in [
+        [0.0, 0.0, 0.0, -1.0],
+        [0.0, 0.0, 0.0, 1.0],
+        [-0.0, 0.0, -0.0, -2.0],
+    ] {
         let v = Rotation3::new(q[0], q[1], q[2], q[3]).rotation_vector();
         assert_eq!(v, Vec3::new(0.0, 0.0, PI));
     }
@@ -92,7 +121,11 @@ fn half_turns_have_the_documented_axis() {
 fn slopes_are_finite_and_right_everywhere() {
     type J = Jet<f64, 3>;
     let log_of_exp = |v: Vec3<f64>| {
-        let v = Vec3::new(J::variable(v.x, 0), J::variable(v.y, 1), J::variable(v.z, 2));
+        let v = Vec3::new(
+            J::variable(v.x, 0),
+            J::variable(v.y, 1),
+            J::variable(v.z, 2),
+        );
         Rotation3::from_rotation_vector(v).rotation_vector()
     };
     for angle in [0.0, 1e-200, 1e-12, 0.01, 0.0299, 0.0301, 1.0, 3.0] {
@@ -105,7 +138,13 @@ fn slopes_are_finite_and_right_everywhere() {
         }
     }
     // Nothing is NaN at kinks: zero quaternions, half turns, gimbal lock.
-    for q in [[0.0; 4], [1.0, 0.0, 0.0, 0.0], [0.0, 1.0, 0.0, 0.0], [0.5, 0.5, 0.5, 0.5], [1e-200; 4]] {
+    for q in [
+        [0.0; 4],
+        [1.0, 0.0, 0.0, 0.0],
+        [0.0, 1.0, 0.0, 0.0],
+        [0.5, 0.5, 0.5, 0.5],
+        [1e-200; 4],
+    ] {
         let q: [Jet<f64, 4>; 4] = std::array::from_fn(|i| Jet::variable(q[i], i));
         let q = Rotation3::new(q[0], q[1], q[2], q[3]);
         let v = q.rotation_vector();
@@ -115,7 +154,10 @@ fn slopes_are_finite_and_right_everywhere() {
             all.extend(q.euler(order));
         }
         for x in all {
-            assert!(x.value.is_finite() && x.slope.iter().all(|s| s.is_finite()), "{q:?} {x:?}");
+            assert!(
+                x.value.is_finite() && x.slope.iter().all(|s| s.is_finite()),
+                "{q:?} {x:?}"
+            );
         }
     }
 }
@@ -144,7 +186,12 @@ fn gradients_go_between_quaternion_and_tangent() {
             assert!((numeric - found).abs() < 1e-9);
         }
         let again = q.quaternion_gradient(tangent);
-        for (a, b) in [(again.w, raw.w), (again.x, raw.x), (again.y, raw.y), (again.z, raw.z)] {
+        for (a, b) in [
+            (again.w, raw.w),
+            (again.x, raw.x),
+            (again.y, raw.y),
+            (again.z, raw.z),
+        ] {
             assert!((a - b).abs() < 1e-13);
         }
     }
@@ -178,13 +225,21 @@ fn boxes_have_their_corners_faces_and_planes() {
         for (p, q) in upright.corners().into_iter().zip(turned.corners()) {
             assert!(p.distance(q) < 1e-14);
         }
-        let shape = Obb3::new(random.vector(2.0), random.size(), random_rotation(&mut random));
+        let shape = Obb3::new(
+            random.vector(2.0),
+            random.size(),
+            random_rotation(&mut random),
+        );
         let (corners, planes) = (shape.corners(), shape.planes());
         let (mut six, mut surface) = (0.0, 0.0);
         for (face, plane) in FACES.iter().zip(planes) {
             for (n, p) in corners.iter().enumerate() {
                 let height = plane.signed_distance(*p);
-                assert!(if face.contains(&n) { height.abs() < 1e-14 } else { height < 0.0 });
+                assert!(if face.contains(&n) {
+                    height.abs() < 1e-14
+                } else {
+                    height < 0.0
+                });
             }
             let [a, b, c, d] = face.map(|n| corners[n]);
             for t in [Triangle3::new(a, b, c), Triangle3::new(a, c, d)] {
@@ -193,13 +248,19 @@ fn boxes_have_their_corners_faces_and_planes() {
                 assert!(t.normal().distance(plane.normal) < 1e-13);
             }
         }
-        assert!((six / 6.0 - shape.volume()).abs() < 1e-13 && (surface - shape.surface()).abs() < 1e-12);
+        assert!(
+            (six / 6.0 - shape.volume()).abs() < 1e-13 && (surface - shape.surface()).abs() < 1e-12
+        );
         let bounds = shape.bounding();
         assert!(corners.iter().all(|&p| {
             let slack = Vec3::new(1e-14, 1e-14, 1e-14);
             Aabb3::new(bounds.min - slack, bounds.max + slack).contains(p)
         }));
         let ball = Sphere::new(shape.center, shape.size.length() / 2.0);
-        assert!(corners.iter().all(|&p| ball.signed_distance(p).abs() < 1e-14));
+        assert!(
+            corners
+                .iter()
+                .all(|&p| ball.signed_distance(p).abs() < 1e-14)
+        );
     }
 }

@@ -22,7 +22,11 @@ fn the_oracle_agrees_with_counted_points() {
             hits += usize::from(b.contains(a.world_from_local() * local));
         }
         let counted = hits as f64 / (n * n * n) as f64;
-        assert!((counted - shared / volume).abs() < 0.01, "{counted} {}", shared / volume);
+        assert!(
+            (counted - shared / volume).abs() < 0.01,
+            "{counted} {}",
+            shared / volume
+        );
     }
 }
 
@@ -33,7 +37,10 @@ fn volumes_are_exact_in_double_precision() {
         for _ in 0..150 {
             let (a, b) = pair(family, &mut random);
             let (found, [.., exact]) = (iou_obb3(a, b), overlap(a, b));
-            assert!((0.0..=1.0).contains(&found), "{family}: {found} {a:?} {b:?}");
+            assert!(
+                (0.0..=1.0).contains(&found),
+                "{family}: {found} {a:?} {b:?}"
+            );
             let error = (found - exact).abs();
             if error >= worst.0 {
                 worst = (error, Some((a, b, found, exact)));
@@ -42,7 +49,11 @@ fn volumes_are_exact_in_double_precision() {
         if std::env::var("SHOW").is_ok() {
             println!("f64 {family:24} {:.1e}", worst.0);
         }
-        let bound = if family.starts_with("thin") { 1e-10 } else { 1e-12 };
+        let bound = if family.starts_with("thin") {
+            1e-10
+        } else {
+            1e-12
+        };
         assert!(worst.0 < bound, "{family}: {worst:?}");
     }
 }
@@ -61,7 +72,10 @@ fn volumes_are_right_in_single_precision() {
                 Obb3::new(v(x.center), v(x.size), q)
             };
             let found = iou_obb3(a, b);
-            assert!((0.0..=1.0).contains(&found), "{family}: {found} {a:?} {b:?}");
+            assert!(
+                (0.0..=1.0).contains(&found),
+                "{family}: {found} {a:?} {b:?}"
+            );
             let [.., exact] = overlap(wide(a), wide(b));
             let error = (f64::from(found) - exact).abs();
             if error >= worst.0 {
@@ -71,7 +85,11 @@ fn volumes_are_right_in_single_precision() {
         if std::env::var("SHOW").is_ok() {
             println!("f32 {family:24} {:.1e}", worst.0);
         }
-        let bound = if family.starts_with("thin") { 1e-4 } else { 2e-6 };
+        let bound = if family.starts_with("thin") {
+            1e-4
+        } else {
+            2e-6
+        };
         assert!(worst.0 < bound, "{family}: {worst:?}");
     }
 }
@@ -85,7 +103,10 @@ fn identical_boxes_give_exactly_one_and_no_slope() {
             continue;
         }
         let q = a.rotation;
-        let other = Obb3 { rotation: Rotation3::new(-q.w, -q.x, -q.y, -q.z), ..a };
+        let other = Obb3 {
+            rotation: Rotation3::new(-q.w, -q.x, -q.y, -q.z),
+            ..a
+        };
         // The same box under other names of its axes.
         let quarter = Rotation3::new(1.0, 0.0, 0.0, 1.0);
         let size = Vec3::new(a.size.y, a.size.x, a.size.z);
@@ -123,11 +144,17 @@ fn slopes_are_those_of_the_value() {
             let (value, (by_a, by_b)) = iou_obb3_vjp(a, b, 1.0);
             assert_eq!(value, iou_obb3(a, b), "{family} {a:?} {b:?}");
             let all = [numbers(by_a), numbers(by_b)].concat();
-            assert!(all.iter().all(|x| x.is_finite()), "{family} {a:?} {b:?} {all:?}");
+            assert!(
+                all.iter().all(|x| x.is_finite()),
+                "{family} {a:?} {b:?} {all:?}"
+            );
             let size = |x: Obb3<f64>| x.size.x.max(x.size.y).max(x.size.z);
             let least = |x: Obb3<f64>| x.size.x.min(x.size.y).min(x.size.z);
             let (large, small) = (size(a).max(size(b)), least(a).min(least(b)));
-            let far = numbers(a).into_iter().take(3).fold(0.0_f64, |m, x| m.max(x.abs()));
+            let far = numbers(a)
+                .into_iter()
+                .take(3)
+                .fold(0.0_f64, |m, x| m.max(x.abs()));
             if small < 0.02 * large || far > 1e3 * large {
                 continue;
             }
@@ -179,7 +206,10 @@ fn duals_have_the_slopes_by_hand() {
             let size = by_a.iter().fold(1e-9_f64, |m, x| m.max(x.abs()));
             for i in 0..10 {
                 let error = (dual.slope[i] - by_a[i]).abs();
-                assert!(error <= 1e-7 * size, "{family} {i}: {dual:?} {by_a:?} {a:?} {b:?}");
+                assert!(
+                    error <= 1e-7 * size,
+                    "{family} {i}: {dual:?} {by_a:?} {a:?} {b:?}"
+                );
             }
         }
     }
@@ -208,7 +238,11 @@ fn second_derivatives_are_those_of_the_slopes() {
             for i in 0..10 {
                 let numeric = (high[i] - low[i]) / 2e-6;
                 let error = (numeric - found[i]).abs();
-                assert!(error < 1e-4 * (1.0 + numeric.abs()), "{i} {k}: {numeric} {}", found[i]);
+                assert!(
+                    error < 1e-4 * (1.0 + numeric.abs()),
+                    "{i} {k}: {numeric} {}",
+                    found[i]
+                );
             }
         }
     }
@@ -220,7 +254,10 @@ fn kinds_of_boxes_agree() {
     for _ in 0..400 {
         let (mut one, mut other) = (random.yaw_box(), random.yaw_box());
         let both = iou_obb3(Obb3::from(one), Obb3::from(other));
-        assert!((iou_yaw(one, other) - both).abs() < 1e-13, "{one:?} {other:?}");
+        assert!(
+            (iou_yaw(one, other) - both).abs() < 1e-13,
+            "{one:?} {other:?}"
+        );
         (one.heading, other.heading) = (0.0, 0.0);
         let bounds = |x: YawBox3<f64>| x.bounding();
         let aligned = iou_aabb3(bounds(one), bounds(other));
@@ -241,8 +278,13 @@ fn a_plane_that_cuts_a_box_adds_up() {
         let whole = intersection_volume_obb3(a, b);
         let share = random.between(0.1, 0.9);
         let piece = |from: f64, to: f64| {
-            let center = a.world_from_local() * Vec3::new((from + to - 1.0) / 2.0 * a.size.x, 0.0, 0.0);
-            Obb3 { center, size: Vec3::new((to - from) * a.size.x, a.size.y, a.size.z), ..a }
+            let center =
+                a.world_from_local() * Vec3::new((from + to - 1.0) / 2.0 * a.size.x, 0.0, 0.0);
+            Obb3 {
+                center,
+                size: Vec3::new((to - from) * a.size.x, a.size.y, a.size.z),
+                ..a
+            }
         };
         let parts = intersection_volume_obb3(piece(0.0, share), b)
             + intersection_volume_obb3(piece(share, 1.0), b);
@@ -260,14 +302,27 @@ fn motion_size_and_order_do_not_matter() {
         for _ in 0..30 {
             let (a, b) = pair(family, &mut random);
             let value = iou_obb3(a, b);
-            assert!((value - iou_obb3(b, a)).abs() < 1e-12, "{family}: {a:?} {b:?}");
+            assert!(
+                (value - iou_obb3(b, a)).abs() < 1e-12,
+                "{family}: {a:?} {b:?}"
+            );
             let shift = random.vector(a.size.x + b.size.x);
             let motion = Pose3::new(random_rotation(&mut random), shift);
             let moved = iou_obb3(motion * a, motion * b);
-            assert!((value - moved).abs() < 1e-11, "{family}: {value} {moved} {a:?} {b:?}");
+            assert!(
+                (value - moved).abs() < 1e-11,
+                "{family}: {value} {moved} {a:?} {b:?}"
+            );
             for factor in [1e-20, 0.37, 1e20] {
-                let grown = |x: Obb3<f64>| Obb3 { center: x.center * factor, size: x.size * factor, ..x };
-                assert!((value - iou_obb3(grown(a), grown(b))).abs() < 1e-11, "{family}");
+                let grown = |x: Obb3<f64>| Obb3 {
+                    center: x.center * factor,
+                    size: x.size * factor,
+                    ..x
+                };
+                assert!(
+                    (value - iou_obb3(grown(a), grown(b))).abs() < 1e-11,
+                    "{family}"
+                );
             }
         }
     }
@@ -282,22 +337,37 @@ fn extremes_are_finite() {
             for &place in &extremes {
                 for thin in [0.0, 1e-3, 1.0] {
                     let (q, r) = (random_rotation(&mut random), random_rotation(&mut random));
-                    let a = single(Obb3::new(Vec3::zero(), Vec3::new(size, size, size * thin), q));
+                    let a = single(Obb3::new(
+                        Vec3::zero(),
+                        Vec3::new(size, size, size * thin),
+                        q,
+                    ));
                     let at = Vec3::new(place, 0.0, place);
                     let b = single(Obb3::new(at, Vec3::new(other, other * thin, other), r));
                     let volume = intersection_volume_obb3(a, b);
                     let (value, (by_a, by_b)) = iou_obb3_vjp(a, b, 1.0);
-                    assert!(volume.is_finite() && (0.0..=1.0).contains(&value), "{a:?} {b:?}");
+                    assert!(
+                        volume.is_finite() && (0.0..=1.0).contains(&value),
+                        "{a:?} {b:?}"
+                    );
                     for x in [by_a, by_b] {
                         let ok = x.center.is_finite() && x.size.is_finite();
                         assert!(ok && x.rotation.vector().is_finite(), "{a:?} {b:?} {x:?}");
                     }
-                    let x = [a.center.x, a.center.y, a.center.z, a.size.x, a.size.y, a.size.z];
+                    let x = [
+                        a.center.x, a.center.y, a.center.z, a.size.x, a.size.y, a.size.z,
+                    ];
                     let q = [a.rotation.w, a.rotation.x, a.rotation.y, a.rotation.z];
                     let all = [x.as_slice(), &q].concat();
                     let lifted: Obb3<Jet<f32, 10>> =
                         made(std::array::from_fn(|i| Jet::variable(all[i], i)));
-                    let v = |v: Vec3<f32>| Vec3::new(Scalar::from_primal(v.x), Scalar::from_primal(v.y), Scalar::from_primal(v.z));
+                    let v = |v: Vec3<f32>| {
+                        Vec3::new(
+                            Scalar::from_primal(v.x),
+                            Scalar::from_primal(v.y),
+                            Scalar::from_primal(v.z),
+                        )
+                    };
                     let r = b.rotation;
                     let r = Rotation3::new(
                         Scalar::from_primal(r.w),
@@ -306,7 +376,10 @@ fn extremes_are_finite() {
                         Scalar::from_primal(r.z),
                     );
                     let dual = iou_obb3(lifted, Obb3::new(v(b.center), v(b.size), r));
-                    assert!(dual.slope.iter().all(|x| x.is_finite()), "{a:?} {b:?} {dual:?}");
+                    assert!(
+                        dual.slope.iter().all(|x| x.is_finite()),
+                        "{a:?} {b:?} {dual:?}"
+                    );
                 }
             }
         }

@@ -237,8 +237,16 @@ pub(crate) fn interpret<T: Real, V: Vector<T>>(
     run::<T, V>(&tape.code, memory);
     let [by_tile, by_number] = pass.steps;
     for (k, &slot) in tape.outputs.iter().enumerate() {
-        for (t, lane) in memory.slot(slot).as_flattened().iter().enumerate().take(pass.tiles) {
-            let Some(to) = out.get_mut((pass.first + t) * by_tile + k * by_number) else { return };
+        for (t, lane) in memory
+            .slot(slot)
+            .as_flattened()
+            .iter()
+            .enumerate()
+            .take(pass.tiles)
+        {
+            let Some(to) = out.get_mut((pass.first + t) * by_tile + k * by_number) else {
+                return;
+            };
             let from = lane.get();
             let mut at = 0;
             while at < TILE {

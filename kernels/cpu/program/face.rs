@@ -116,7 +116,9 @@ impl Ready {
     #[must_use]
     pub fn listing(&self) -> String {
         let lines = self.body.tape().code.iter();
-        lines.map(|code| format!("{:?} {:?} <- {:?}\n", code.op, code.to, code.from)).collect()
+        lines
+            .map(|code| format!("{:?} {:?} <- {:?}\n", code.op, code.to, code.from))
+            .collect()
     }
     /// Items of an argument, from rows of numbers; their frames, where there are frames.
     #[must_use]

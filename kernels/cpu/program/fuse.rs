@@ -197,7 +197,13 @@ pub(crate) fn cover(graph: &Graph, uses: &[u32]) -> Vec<Option<Step>> {
         let of = |x: Id| (uses[x as usize] == 1).then(|| graph.at(x));
         candidates(node, of, &mut found);
         // What is needed elsewhere, too, has been paid for.
-        let own = |&x: &Id| if uses[x as usize] == 1 { costs[x as usize] } else { 0 };
+        let own = |&x: &Id| {
+            if uses[x as usize] == 1 {
+                costs[x as usize]
+            } else {
+                0
+            }
+        };
         let cost = |step: &Step| {
             let below: u32 = step.operands().iter().map(own).sum();
             CHOICE + step.count as u32 + below
@@ -206,7 +212,12 @@ pub(crate) fn cover(graph: &Graph, uses: &[u32]) -> Vec<Option<Step>> {
         costs[i] = steps[i].as_ref().map_or(0, cost);
     }
     for i in (0..steps.len()).rev() {
-        for x in steps[i].iter().flat_map(|step| step.inner).flatten().collect::<Vec<_>>() {
+        for x in steps[i]
+            .iter()
+            .flat_map(|step| step.inner)
+            .flatten()
+            .collect::<Vec<_>>()
+        {
             steps[x as usize] = None;
         }
     }

@@ -171,7 +171,9 @@ fn assign(
             // Every node comes after its operands.
             return Place::Slot(slots.at(x).unwrap_or_default());
         };
-        let known = constants.iter().position(|known| known.to_bits() == number.to_bits());
+        let known = constants
+            .iter()
+            .position(|known| known.to_bits() == number.to_bits());
         Place::Constant(known.unwrap_or_else(|| {
             constants.push(number);
             constants.len() - 1
@@ -185,7 +187,11 @@ fn assign(
     for at in 0..=lowering.order.len() {
         if let Some((first, end, skip)) = skip {
             if at == first && first < end {
-                let op = if skip.all { Op::SkipIfAll } else { Op::SkipIfNone };
+                let op = if skip.all {
+                    Op::SkipIfAll
+                } else {
+                    Op::SkipIfNone
+                };
                 let mask = place(&slots, skip.mask);
                 slots.read(skip.mask);
                 jump = Some(code.len());
@@ -196,7 +202,9 @@ fn assign(
                 code[jump].1[0] = Place::Slot(count as u32);
             }
         }
-        let Some(&x) = lowering.order.get(at) else { break };
+        let Some(&x) = lowering.order.get(at) else {
+            break;
+        };
         let operands = lowering.operands(x);
         let mut from = [zero; 4];
         for (from, &y) in from.iter_mut().zip(&operands) {
@@ -249,10 +257,12 @@ fn assign(
         tape.code.push(Code { op, to, from });
     }
     for (k, &constant) in constants.iter().enumerate() {
-        tape.constants.push((name(Place::Constant(k as u32))?, constant));
+        tape.constants
+            .push((name(Place::Constant(k as u32))?, constant));
     }
     for slot in places {
-        tape.inputs.push(slot.map(|slot| name(Place::Slot(slot))).transpose()?);
+        tape.inputs
+            .push(slot.map(|slot| name(Place::Slot(slot))).transpose()?);
     }
     for place in outputs {
         tape.outputs.push(name(place)?);

@@ -13,14 +13,13 @@ mod skip;
 mod slots;
 pub(crate) mod split;
 
-pub(crate) use execute::{Pass, interpret};
-pub(crate) 
-use crate::Unrecordable;
+pub(crate) use crate::Unrecordable;
 use crate::ad::program::graph::{Graph, Id, Node};
 use crate::kernels::cpu::lane::{Lane, PLANE, Results, Tiles};
 use crate::kernels::cpu::plan::{Maker, Room};
 use crate::kernels::real::Real;
 use execute::STRIP;
+pub(crate) use execute::{Pass, interpret};
 pub(crate) use lower::Tape;
 use std::cell::Cell;
 use std::sync::atomic::{AtomicU64, Ordering};

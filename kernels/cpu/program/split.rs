@@ -52,10 +52,9 @@ pub(crate) fn split(graph: &Graph, fields: &[usize], outputs: &[Id]) -> Split {
     for &node in graph.nodes() {
         origins.push(match node {
             Node::Input(k) => Origin::One(argument_of[k as usize]),
-            node => node
-                .operands()
-                .iter()
-                .fold(Origin::Nothing, |origin, &x| origin.and(origins[x as usize])),
+            node => node.operands().iter().fold(Origin::Nothing, |origin, &x| {
+                origin.and(origins[x as usize])
+            }),
         });
     }
     // A number of one argument that the body needs. Truths are decided again: a frame holds numbers.
