@@ -23,11 +23,15 @@
 //! | to | see |
 //! | --- | --- |
 //! | measure overlap of boxes | [`overlap`], [`Obb2::iou`], [`Aabb2::iou`] |
+//! | measure overlap of boxes in space | [`overlap3`], [`shape::Obb3::iou`], [`shape::YawBox3::iou`] |
+//! | train detectors in space | [`iou3`]: GIoU, DIoU, CIoU, EIoU, separation |
+//! | compare boxes as Gaussians | [`gaussian`]: Wasserstein, Kullback-Leibler, ProbIoU, KFIoU |
+//! | read other people's boxes | [`convention`] |
 //! | measure polygons | [`ring`] |
 //! | differentiate any generic function of shapes | [`ad`]: [`ad::gradient`], [`ad::hessian`], … |
 //! | use an adjoint by hand | [`ad::adjoint::overlap`], [`ad::adjoint::ring`] |
 //! | work on many shapes at once | [`kernels::cpu`] |
-//! | make a shape | [`Vec2`], [`Vec3`], [`Rotation2`], [`Pose2`], [`Aabb2`], [`Obb2`] |
+//! | make a shape | [`Vec2`], [`Vec3`], [`Rotation2`], [`Pose2`], [`Aabb2`], [`Obb2`]; in space [`shape`] |
 //! | make a shape of your own | [`derive(Shape)`](macro@Shape) |
 //! | write generic geometry | [`Scalar`], [`Mask`], [`Pack`] |
 //! | know what happens at a kink | [`scalar`] |
@@ -45,15 +49,23 @@ extern crate self as geograd;
 
 #[forbid(unsafe_code)]
 pub mod clip;
+#[forbid(unsafe_code)]
+pub mod convention;
 #[doc(hidden)]
 #[forbid(unsafe_code)]
 pub mod derived;
 #[forbid(unsafe_code)]
 pub mod error;
 #[forbid(unsafe_code)]
+pub mod gaussian;
+#[forbid(unsafe_code)]
 mod interop;
 #[forbid(unsafe_code)]
+pub mod iou3;
+#[forbid(unsafe_code)]
 pub mod overlap;
+#[forbid(unsafe_code)]
+pub mod overlap3;
 #[forbid(unsafe_code)]
 pub mod pack;
 #[forbid(unsafe_code)]

@@ -1,10 +1,30 @@
 //! Shapes: one noun a file, with its data, its validation and its own measures.
 mod aabb;
+mod aabb3;
+mod euler;
 mod obb;
+mod obb3;
+mod plane;
 mod pose;
+mod pose3;
+mod rotation3;
+mod segment3;
+mod sphere;
+mod triangle3;
 mod vector;
+mod yaw_box;
 
 pub use aabb::Aabb2;
+pub use aabb3::{Aabb3, FACES};
+pub use euler::EulerOrder;
 pub use obb::Obb2;
+pub use obb3::Obb3;
+pub use plane::Plane3;
 pub use pose::{Pose2, Rotation2};
+pub use pose3::Pose3;
+pub use rotation3::Rotation3;
+pub use segment3::Segment3;
+pub use sphere::Sphere;
+pub use triangle3::Triangle3;
 pub use vector::{Vec2, Vec3};
+pub use yaw_box::YawBox3;

@@ -4,15 +4,15 @@
 use geograd::Obb2;
 use num_bigint::{BigInt, Sign};
 
-const BITS: usize = 256;
+pub(super) const BITS: usize = 256;
 
 /// A fixed-point number: an integer times 2⁻²⁵⁶.
 #[derive(Clone, Debug, PartialEq, PartialOrd)]
-struct Fixed(BigInt);
+pub(super) struct Fixed(pub(super) BigInt);
 
 impl Fixed {
     /// The exact value of a float, as far as 256 bits after the point hold it.
-    fn new(x: f64) -> Self {
+    pub(super) fn new(x: f64) -> Self {
         assert!(x.is_finite());
         if x == 0.0 {
             return Fixed(BigInt::from(0));
@@ -33,7 +33,7 @@ impl Fixed {
         };
         Fixed(if x < 0.0 { -magnitude } else { magnitude })
     }
-    fn to_f64(&self) -> f64 {
+    pub(super) fn to_f64(&self) -> f64 {
         let negative = self.0.sign() == Sign::Minus;
         let magnitude = self.0.magnitude();
         let drop = magnitude.bits().saturating_sub(64);
@@ -41,19 +41,19 @@ impl Fixed {
         let x = top as f64 * 2f64.powi(drop as i32 - BITS as i32);
         if negative { -x } else { x }
     }
-    fn add(&self, other: &Self) -> Self {
+    pub(super) fn add(&self, other: &Self) -> Self {
         Fixed(&self.0 + &other.0)
     }
-    fn sub(&self, other: &Self) -> Self {
+    pub(super) fn sub(&self, other: &Self) -> Self {
         Fixed(&self.0 - &other.0)
     }
-    fn mul(&self, other: &Self) -> Self {
+    pub(super) fn mul(&self, other: &Self) -> Self {
         Fixed((&self.0 * &other.0) >> BITS)
     }
-    fn div(&self, other: &Self) -> Self {
+    pub(super) fn div(&self, other: &Self) -> Self {
         Fixed((&self.0 << BITS) / &other.0)
     }
-    fn is_negative(&self) -> bool {
+    pub(super) fn is_negative(&self) -> bool {
         self.0.sign() == Sign::Minus
     }
     /// Cosine and sine by their power series at a 2⁻¹⁶ part of the angle, then doubling.

@@ -1,0 +1,292 @@
+//! Boxes as Gaussians: distances and losses that have slopes for boxes apart, too.
+//!
+//! A box stands for the Gaussian with its centre as mean and, along its own axes, half its sizes as
+//! standard deviations; [`probiou`] alone takes those of an even spread, `size / √12`, as its paper does.
+//! All are in closed forms of sizes and angles, arranged so that nothing cancels: sums of terms that are
+//! not negative, where products of matrices and determinants would lose the difference of similar boxes.
+//! Two-dimensional functions are in this module, three-dimensional ones in [`solid`].
+//!
+//! | function | of | range | paper |
+//! | --- | --- | --- | --- |
+//! | [`wasserstein`] | distance, a length | `[0, ∞)` | Yang et al., *Rethinking rotated object detection with Gaussian Wasserstein distance loss*, ICML 2021 |
+//! | [`kullback_leibler`], [`jeffreys`] | divergence | `[0, ∞)` | Yang et al., *Learning high-precision bounding box for rotated object detection via Kullback-Leibler divergence*, NeurIPS 2021 |
+//! | [`bhattacharyya`] | distance | `[0, ∞)` | the same |
+//! | [`probiou`] | similarity, one minus Hellinger's distance | `[0, 1]` | Llerena et al., *Gaussian bounding boxes and probabilistic intersection-over-union for object detection*, 2021 |
+//! | [`kfiou`] | similarity of shapes, blind to the centres | `[0, 1/3]` | Yang et al., *The KFIoU loss for rotated object detection*, ICLR 2023 |
+//!
+//! A square is a circle as a Gaussian, so its heading has no slope.
+//!
+//! Sizes count as no smaller than the largest size of the pair (the distance of the centres where all are
+//! zero) times [`Scalar::EPSILON`]: so boxes of zero size are served, and results are finite; beyond the
+//! largest finite number they saturate.
+//!
+//! Kinks: [`wasserstein`] and [`probiou`] at identical Gaussians (slope zero). The others are smooth, but
+//! where a size meets that bound.
+use crate::{Obb2, Rotation2, Scalar, Vec2};
+
+pub mod smooth;
+pub mod solid;
+
+use smooth::{excess, exp_minus_one, ln_one_plus};
+
+/// Two Gaussians of the plane seen from the first, in units of `1 / scale`.
+struct Pair<S> {
+    /// From the first mean to the second, in the first one's frame and in the second one's.
+    offset: Vec2<S>,
+    offset_b: Vec2<S>,
+    /// Standard deviations.
+    a: Vec2<S>,
+    b: Vec2<S>,
+    /// The square of the sine of the angle between the axes, where the axes of b are named so that the
+    /// larger deviations of both have the same name.
+    sin2: S,
+    /// And of its cosine.
+    cos2: S,
+    /// The power of two by which lengths were multiplied.
+    scale: S,
+}
+
+/// Deviations no smaller than rounding allows.
+#[inline(always)]
+fn bounded<S: Scalar>(x: S, least: S::Primal) -> S {
+    let least = S::from_primal(least);
+    S::select(x.below(least), least, x)
+}
+
+/// Brings a pair into a common unit. `FLOOR` says whether sizes are bounded from below.
+#[inline(always)]
+fn pair<S: Scalar, const FLOOR: bool>(a: Obb2<S>, b: Obb2<S>, deviation: f64) -> Pair<S> {
+    let (zero, one) = (S::Primal::zero(), S::Primal::one());
+    let largest = |v: Vec2<S>| v.x.primal().magnitude().most(v.y.primal().magnitude());
+    let between = b.center - a.center;
+    let size = largest(a.size).most(largest(b.size));
+    let size = S::Primal::select(size.at_most(zero), largest(between), size);
+    let size = S::Primal::select(size.at_most(zero), one, size);
+    let scale = size.binade();
+    let least = size * scale * S::Primal::lit(S::EPSILON * deviation);
+    let scale = S::from_primal(scale);
+    let deviations = |v: Vec2<S>| {
+        let v = v * scale * S::lit(deviation);
+        if FLOOR {
+            Vec2::new(bounded(v.x, least), bounded(v.y, least))
+        } else {
+            v
+        }
+    };
+    let (own, other) = (deviations(a.size), deviations(b.size));
+    let (axes_a, axes_b) = (
+        Rotation2::from_angle(a.heading),
+        Rotation2::from_angle(b.heading),
+    );
+    // No farther than squares of it are finite.
+    let far = S::lit(S::LARGEST.powf(0.25));
+    let near = |x: S| {
+        let x = x * scale;
+        let x = S::select(x.above(far), far, x);
+        S::select(x.below(-far), -far, x)
+    };
+    let between = Vec2::new(near(between.x), near(between.y));
+    let turn = axes_a.inverse() * axes_b;
+    let crossed = ((own.x - own.y) * (other.x - other.y)).below(S::zero());
+    let exchange = |x: S, y: S| S::select(crossed, y, x);
+    let offset_b = axes_b.inverse() * between;
+    Pair {
+        offset: axes_a.inverse() * between,
+        offset_b: Vec2::new(
+            exchange(offset_b.x, offset_b.y),
+            exchange(offset_b.y, offset_b.x),
+        ),
+        a: own,
+        b: Vec2::new(exchange(other.x, other.y), exchange(other.y, other.x)),
+        sin2: exchange(turn.sin, turn.cos).squared(),
+        cos2: exchange(turn.cos, turn.sin).squared(),
+        scale,
+    }
+}
+
+/// The square of [`wasserstein`], in squared units of length; smooth but for boxes of zero size.
+///
+/// `|Δ|² + (a₁−b₁)² + (a₂−b₂)² + 2 sin² (a₁²−a₂²)(b₁²−b₂²) / (P + T)` with the deviations a, b,
+/// `P = a₁b₁ + a₂b₂`, `Q = a₁b₂ + a₂b₁` and `T = √(P² cos² + Q² sin²)`, axes named so that no term is
+/// negative: the trace of `Σa + Σb − 2 (√Σa Σb √Σa)^½` by the determinant of its last term.
+#[must_use]
+#[inline]
+pub fn wasserstein_squared<S: Scalar>(a: Obb2<S>, b: Obb2<S>) -> S {
+    let pair = pair::<S, false>(a, b, 0.5);
+    let value = squared_distance(&pair);
+    value
+        .over(pair.scale)
+        .over(pair.scale)
+        .saturated()
+        .canonical()
+}
+
+#[inline(always)]
+fn squared_distance<S: Scalar>(pair: &Pair<S>) -> S {
+    let (a, b) = (pair.a, pair.b);
+    let straight = a.x * b.x + a.y * b.y;
+    let crossed = a.x * b.y + a.y * b.x;
+    let root = (straight * straight * pair.cos2 + crossed * crossed * pair.sin2).root();
+    let sum = straight + root;
+    let empty = sum.at_most(S::lit(S::EMPTY));
+    let spread = (a.x - a.y) * (a.x + a.y) * ((b.x - b.y) * (b.x + b.y));
+    let twist = (pair.sin2 * spread).over(S::select(empty, S::one(), sum));
+    let twist = S::select(empty, S::zero(), twist);
+    pair.offset.length_squared() + ((a - b).length_squared() + (twist + twist))
+}
+
+/// Wasserstein's distance of two boxes as Gaussians, a length: how far mass must move, as a root of a mean
+/// of squares. Slope zero for identical ones.
+///
+/// ```
+/// use geograd::{Obb2, gaussian::wasserstein};
+/// let a = Obb2::new(0.0, 0.0, 4.0, 2.0, 0.3_f64);
+/// assert_eq!(wasserstein(a, a), 0.0);
+/// let moved = Obb2::new(3.0, 4.0, 4.0, 2.0, 0.3);
+/// assert!((wasserstein(a, moved) - 5.0).abs() < 1e-14);
+/// ```
+#[must_use]
+#[inline]
+pub fn wasserstein<S: Scalar>(a: Obb2<S>, b: Obb2<S>) -> S {
+    let pair = pair::<S, false>(a, b, 0.5);
+    squared_distance(&pair)
+        .root()
+        .over(pair.scale)
+        .saturated()
+        .canonical()
+}
+
+/// The Kullback-Leibler divergence of box a from box b as Gaussians, `KL(a ‖ b)`, from 0.
+///
+/// `½ (dᵀ Σb⁻¹ d + f(a₁²/b₁²) + f(a₂²/b₂²) + sin² (a₁²−a₂²)(b₁²−b₂²) / (b₁² b₂²))` with
+/// `f(r) = r − 1 − ln r`.
+///
+/// ```
+/// use geograd::{Obb2, gaussian::kullback_leibler};
+/// let a = Obb2::new(0.0, 0.0, 4.0, 2.0, 0.3_f64);
+/// assert_eq!(kullback_leibler(a, a), 0.0);
+/// assert!(kullback_leibler(a, Obb2::new(1.0, 0.0, 4.0, 2.0, 0.3)) > 0.1);
+/// ```
+#[must_use]
+#[inline]
+pub fn kullback_leibler<S: Scalar>(a: Obb2<S>, b: Obb2<S>) -> S {
+    divergence(&pair::<S, true>(a, b, 0.5))
+        .saturated()
+        .canonical()
+}
+
+#[inline(always)]
+fn divergence<S: Scalar>(pair: &Pair<S>) -> S {
+    let (a, b, d) = (pair.a, pair.b, pair.offset_b);
+    let far = d.x.over(b.x).squared() + d.y.over(b.y).squared();
+    let sizes = excess(a.x, b.x) + excess(a.y, b.y);
+    let spread_a = ((a.x - a.y).over(b.x)) * ((a.x + a.y).over(b.y));
+    let spread_b = ((b.x - b.y).over(b.x)) * ((b.x + b.y).over(b.y));
+    (far + (sizes + pair.sin2 * (spread_a * spread_b))).halved()
+}
+
+/// Jeffreys' divergence of two boxes as Gaussians, `KL(a ‖ b) + KL(b ‖ a)`, from 0: symmetric.
+#[must_use]
+#[inline]
+pub fn jeffreys<S: Scalar>(a: Obb2<S>, b: Obb2<S>) -> S {
+    let (forth, back) = (pair::<S, true>(a, b, 0.5), pair::<S, true>(b, a, 0.5));
+    (divergence(&forth) + divergence(&back))
+        .saturated()
+        .canonical()
+}
+
+/// The mean of both Kullback-Leibler divergences, from 0: half of [`jeffreys`].
+#[must_use]
+#[inline]
+pub fn kullback_leibler_mean<S: Scalar>(a: Obb2<S>, b: Obb2<S>) -> S {
+    jeffreys(a, b).halved()
+}
+
+/// Bhattacharyya's distance of two boxes as Gaussians, from 0.
+///
+/// `⅛ dᵀ Σ⁻¹ d + ½ ln (det Σ / √(det Σa det Σb))` with the mean Σ of both covariances. The logarithm is the
+/// sum of those of `1 + (a−b)²/(2ab)`, once for each axis, and of `1 + sin² (a₁²−a₂²)(b₁²−b₂²) / ((a₁²+b₁²)
+/// (a₂²+b₂²))`.
+#[must_use]
+#[inline]
+pub fn bhattacharyya<S: Scalar>(a: Obb2<S>, b: Obb2<S>) -> S {
+    distance(&pair::<S, true>(a, b, 0.5))
+        .saturated()
+        .canonical()
+}
+
+#[inline(always)]
+fn distance<S: Scalar>(pair: &Pair<S>) -> S {
+    let (a, b) = (pair.a, pair.b);
+    let (d, e) = (pair.offset, pair.offset_b);
+    // (a₁²+b₁²)(a₂²+b₂²) as a product of lengths, so that small sizes keep their digits.
+    let (one, two) = (a.x.hypot(b.x), a.y.hypot(b.y));
+    let spread = |v: Vec2<S>| (v.x - v.y).over(one) * (v.x + v.y).over(two);
+    let twist = pair.sin2 * (spread(a) * spread(b));
+    let apart = |a: S, b: S| ((a - b).over(a) * (a - b).over(b)).halved();
+    let shape = ln_one_plus(apart(a.x, b.x)) + ln_one_plus(apart(a.y, b.y)) + ln_one_plus(twist);
+    // The adjugate of a sum of two matrices is the sum of theirs.
+    let form = |v: Vec2<S>, s: Vec2<S>| {
+        let (p, q) = ((s.y * v.x).over(one), (s.x * v.y).over(one));
+        p.over(two).squared() + q.over(two).squared()
+    };
+    let far = (form(d, a) + form(e, b)).over(S::one() + twist);
+    far.halved().halved() + shape.halved()
+}
+
+/// One minus Hellinger's distance of two boxes as Gaussians of even spread, in `[0, 1]`: 1 for identical
+/// ones. Slope zero there.
+///
+/// ```
+/// use geograd::{Obb2, gaussian::probiou};
+/// let a = Obb2::new(0.0, 0.0, 4.0, 2.0, 0.3_f64);
+/// assert_eq!(probiou(a, a), 1.0);
+/// assert!(probiou(a, Obb2::new(40.0, 0.0, 4.0, 2.0, 0.3)) < 1e-9);
+/// ```
+#[must_use]
+#[inline]
+pub fn probiou<S: Scalar>(a: Obb2<S>, b: Obb2<S>) -> S {
+    let pair = pair::<S, true>(a, b, (1.0 / 12.0_f64).sqrt());
+    similarity(distance(&pair))
+}
+
+/// One minus Hellinger's distance, from Bhattacharyya's.
+#[inline(always)]
+pub(crate) fn similarity<S: Scalar>(distance: S) -> S {
+    (S::one() - (-exp_minus_one(-distance)).root()).canonical()
+}
+
+/// The overlap of two boxes as Gaussians when they are fused as a Kalman filter does, over their union, in
+/// `[0, 1/3]`: the product's volume `V`, over `Va + Vb − V`. The centres do not count; losses add a term
+/// for them.
+#[must_use]
+#[inline]
+pub fn kfiou<S: Scalar>(a: Obb2<S>, b: Obb2<S>) -> S {
+    let pair = pair::<S, true>(a, b, 0.5);
+    let (a, b) = (pair.a, pair.b);
+    let (one, two) = (a.x.hypot(b.x), a.y.hypot(b.y));
+    let spread = |v: Vec2<S>| (v.x - v.y).over(one) * (v.x + v.y).over(two);
+    let root = (S::one() + pair.sin2 * (spread(a) * spread(b))).root();
+    // V / Va and V / Vb.
+    let of_a = (b.x.over(one) * b.y.over(two)).over(root);
+    let of_b = (a.x.over(one) * a.y.over(two)).over(root);
+    fused(of_a, of_b)
+}
+
+/// `V / (Va + Vb − V)` from `V / Va` and `V / Vb`.
+#[inline(always)]
+pub(crate) fn fused<S: Scalar>(of_a: S, of_b: S) -> S {
+    let product = of_a * of_b;
+    let total = of_a + of_b - product;
+    let empty = total.at_most(S::lit(S::EMPTY));
+    let value = product.over(S::select(empty, S::one(), total));
+    S::select(empty, S::zero(), value).canonical()
+}
+
+/// The loss `1 − 1 / (τ + ln(1 + d))` of a distance or divergence `d ≥ 0`, in `[1 − 1/τ, 1)`; with `τ = 1`
+/// from 0. What the papers put around [`wasserstein`] and [`kullback_leibler`].
+#[must_use]
+#[inline]
+pub fn saturating_loss<S: Scalar>(d: S, tau: S) -> S {
+    S::one() - S::one().over(tau + ln_one_plus(d))
+}

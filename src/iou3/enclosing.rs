@@ -1,0 +1,126 @@
+//! Shapes around a pair of boxes.
+use crate::shape::{Aabb3, Obb3, YawBox3};
+use crate::{Obb2, Rotation2, Scalar, Vec2, Vec3};
+
+/// What is put around a pair of boxes.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum Enclosing {
+    /// The smallest box along the axes of the world.
+    Aabb,
+    /// A box that turns with the pair. Upright boxes: the rectangle of least area around both grounds times
+    /// the height of both. Boxes of any orientation: the smaller one of the boxes around both along the axes
+    /// of either.
+    Rectangle,
+}
+
+#[inline(always)]
+pub(super) fn of_bounds<S: Scalar>(a: Aabb3<S>, b: Aabb3<S>, _: Enclosing) -> Vec3<S> {
+    a.join(b).size()
+}
+
+#[inline(always)]
+pub(super) fn of_upright<S: Scalar>(a: YawBox3<S>, b: YawBox3<S>, kind: Enclosing) -> Vec3<S> {
+    // Relative to the first box, so that far from the origin no digits are lost.
+    let b = YawBox3 {
+        center: b.center - a.center,
+        ..b
+    };
+    let a = YawBox3 {
+        center: Vec3::zero(),
+        ..a
+    };
+    let both = a.bounding().join(b.bounding()).size();
+    match kind {
+        Enclosing::Aabb => both,
+        Enclosing::Rectangle => {
+            let ground = smallest_rectangle(a.birds_eye(), b.birds_eye());
+            Vec3::new(ground.x, ground.y, both.z)
+        }
+    }
+}
+
+#[inline(always)]
+pub(super) fn of_any<S: Scalar>(a: Obb3<S>, b: Obb3<S>, kind: Enclosing) -> Vec3<S> {
+    match kind {
+        Enclosing::Aabb => {
+            let shifted = Obb3 {
+                center: b.center - a.center,
+                ..b
+            };
+            let own = Obb3 {
+                center: Vec3::zero(),
+                ..a
+            };
+            own.bounding().join(shifted.bounding()).size()
+        }
+        Enclosing::Rectangle => {
+            let along = |one: Obb3<S>, other: Obb3<S>| {
+                let back = one.rotation.inverse();
+                let half = one.size * S::lit(0.5);
+                let seen = Obb3 {
+                    center: back * (other.center - one.center),
+                    size: other.size,
+                    rotation: back * other.rotation,
+                };
+                Aabb3::new(-half, half).join(seen.bounding()).size()
+            };
+            let (by_a, by_b) = (along(a, b), along(b, a));
+            let volume = |v: Vec3<S>| v.x * v.y * v.z;
+            let second = volume(by_b).below(volume(by_a));
+            Vec3::new(
+                S::select(second, by_b.x, by_a.x),
+                S::select(second, by_b.y, by_a.y),
+                S::select(second, by_b.z, by_a.z),
+            )
+        }
+    }
+}
+
+/// The size of the rectangle of least area around two boxes of the plane, along the direction of one of its
+/// sides and across.
+///
+/// A side of it lies along an edge of the convex hull: along a side of either box, or through a corner of
+/// each. All eighteen such directions are tried, hull or not, since none of them can give less; so nothing is
+/// sorted. Kinks: where another direction becomes the best.
+#[must_use]
+pub fn smallest_rectangle<S: Scalar>(a: Obb2<S>, b: Obb2<S>) -> Vec2<S> {
+    let (p, q) = (a.corners(), b.corners());
+    let extent = |axis: Vec2<S>, points: [Vec2<S>; 8]| {
+        let at = points.map(|p| axis.dot(p));
+        let (mut low, mut high) = (at[0], at[0]);
+        for x in &at[1..] {
+            (low, high) = (low.least(*x), high.most(*x));
+        }
+        high - low
+    };
+    let points = [p[0], p[1], p[2], p[3], q[0], q[1], q[2], q[3]];
+    let (mut best, mut area) = (Vec2::zero(), S::zero());
+    let mut first = true;
+    let mut candidate = |axis: Vec2<S>, valid: S::Mask| {
+        let size = Vec2::new(extent(axis, points), extent(axis.perp(), points));
+        let own = size.x * size.y;
+        let better = if first {
+            valid
+        } else {
+            valid & own.below(area)
+        };
+        first = false;
+        area = S::select(better, own, area);
+        best = Vec2::new(
+            S::select(better, size.x, best.x),
+            S::select(better, size.y, best.y),
+        );
+    };
+    let always = S::zero().equals(S::zero());
+    for heading in [a.heading, b.heading] {
+        let axis = Rotation2::from_angle(heading);
+        candidate(Vec2::new(axis.cos, axis.sin), always);
+    }
+    for from in p {
+        for to in q {
+            let axis = (to - from).normalize_or_zero();
+            candidate(axis, axis.length_squared().above(S::zero()));
+        }
+    }
+    best
+}

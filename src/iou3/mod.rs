@@ -1,0 +1,239 @@
+//! The family of IoU losses in space, and an overlap that has slopes for boxes apart.
+//!
+//! | function | is | range | paper |
+//! | --- | --- | --- | --- |
+//! | [`giou`] | IoU less the share of the enclosing shape that is in neither box | `(−1, 1]` | Rezatofighi et al., *Generalized intersection over union*, CVPR 2019 |
+//! | [`diou`] | IoU less the squared distance of the centres over the enclosing box's squared diagonal | `(−1, 1]` | Zheng et al., *Distance-IoU loss*, AAAI 2020 |
+//! | [`ciou`] | DIoU less a weighted difference of the proportions | `(−2, 1]` | the same |
+//! | [`eiou`] | DIoU less squared differences of the sizes over the enclosing box's | `(−4, 1]` | Zhang et al., *Focal and efficient IoU loss*, 2021 |
+//! | [`alpha_iou`] | a power of IoU | `[0, 1]` | He et al., *Alpha-IoU*, NeurIPS 2021 |
+//! | [`separation_aware`] | IoU, or for boxes apart minus their separation over itself and their size | `(−1, 1]` | here |
+//!
+//! The papers define them in the plane; here areas are volumes and the proportions are those of all three
+//! pairs of sizes. Losses are one minus these.
+//!
+//! Any kind of box serves ([`Solid`]); [`Enclosing`] says what is put around a pair. Kinks are those of IoU
+//! and of the enclosing shape.
+use crate::overlap3::{iou_aabb3, iou_obb3, iou_yaw};
+use crate::shape::{Aabb3, Obb3, YawBox3};
+use crate::{Scalar, Vec3};
+
+mod enclosing;
+mod separation;
+
+pub use enclosing::{Enclosing, smallest_rectangle};
+pub use separation::{penetration_or_gap, separation_aware};
+
+/// A kind of box in space that the family of losses is for.
+pub trait Solid<S: Scalar>: Copy + Into<Obb3<S>> {
+    /// Intersection over union.
+    #[must_use]
+    fn overlap(self, other: Self) -> S;
+    /// The volume.
+    #[must_use]
+    fn own_volume(self) -> S;
+    /// The size along the box's own axes.
+    #[must_use]
+    fn own_size(self) -> Vec3<S>;
+    /// The centre.
+    #[must_use]
+    fn middle(self) -> Vec3<S>;
+    /// The size of the chosen shape around both boxes: of the box, or of the upright prism whose ground has
+    /// the area of `x · y` and the proportions of the rectangle around it.
+    #[must_use]
+    fn enclosing(self, other: Self, kind: Enclosing) -> Vec3<S>;
+}
+
+impl<S: Scalar> Solid<S> for Aabb3<S> {
+    #[inline]
+    fn overlap(self, other: Self) -> S {
+        iou_aabb3(self, other)
+    }
+    #[inline]
+    fn own_volume(self) -> S {
+        self.volume()
+    }
+    #[inline]
+    fn own_size(self) -> Vec3<S> {
+        self.size()
+    }
+    #[inline]
+    fn middle(self) -> Vec3<S> {
+        self.center()
+    }
+    #[inline]
+    fn enclosing(self, other: Self, kind: Enclosing) -> Vec3<S> {
+        enclosing::of_bounds(self, other, kind)
+    }
+}
+
+impl<S: Scalar> Solid<S> for YawBox3<S> {
+    #[inline]
+    fn overlap(self, other: Self) -> S {
+        iou_yaw(self, other)
+    }
+    #[inline]
+    fn own_volume(self) -> S {
+        self.volume()
+    }
+    #[inline]
+    fn own_size(self) -> Vec3<S> {
+        self.size
+    }
+    #[inline]
+    fn middle(self) -> Vec3<S> {
+        self.center
+    }
+    #[inline]
+    fn enclosing(self, other: Self, kind: Enclosing) -> Vec3<S> {
+        enclosing::of_upright(self, other, kind)
+    }
+}
+
+impl<S: Scalar> Solid<S> for Obb3<S> {
+    #[inline]
+    fn overlap(self, other: Self) -> S {
+        iou_obb3(self, other)
+    }
+    #[inline]
+    fn own_volume(self) -> S {
+        self.volume()
+    }
+    #[inline]
+    fn own_size(self) -> Vec3<S> {
+        self.size
+    }
+    #[inline]
+    fn middle(self) -> Vec3<S> {
+        self.center
+    }
+    #[inline]
+    fn enclosing(self, other: Self, kind: Enclosing) -> Vec3<S> {
+        enclosing::of_any(self, other, kind)
+    }
+}
+
+/// `x / y`, zero with slope zero where y is zero.
+#[inline(always)]
+fn share<S: Scalar>(x: S, y: S) -> S {
+    let empty = y.at_most(S::zero());
+    S::select(empty, S::zero(), x.over(S::select(empty, S::one(), y)))
+}
+
+/// Lengths in a common unit, so that their products stay finite.
+#[inline(always)]
+fn scaled<S: Scalar>(lengths: [Vec3<S>; 4]) -> [Vec3<S>; 4] {
+    let mut size = S::Primal::zero();
+    for v in lengths {
+        size = size.most(v.x.primal().magnitude());
+        size = size.most(v.y.primal().magnitude());
+        size = size.most(v.z.primal().magnitude());
+    }
+    let zero = size.at_most(S::Primal::zero());
+    let scale = S::Primal::select(zero, S::Primal::one(), size).binade();
+    lengths.map(|v| v * S::from_primal(scale))
+}
+
+/// What the terms of the family are made of, in a common unit.
+struct Terms<S> {
+    iou: S,
+    between: Vec3<S>,
+    size_a: Vec3<S>,
+    size_b: Vec3<S>,
+    around: Vec3<S>,
+}
+
+#[inline(always)]
+fn terms<S: Scalar, B: Solid<S>>(a: B, b: B, kind: Enclosing) -> Terms<S> {
+    let lengths = [
+        b.middle() - a.middle(),
+        a.own_size(),
+        b.own_size(),
+        a.enclosing(b, kind),
+    ];
+    let [between, size_a, size_b, around] = scaled(lengths);
+    Terms {
+        iou: a.overlap(b),
+        between,
+        size_a,
+        size_b,
+        around,
+    }
+}
+
+/// Generalized IoU of two boxes, in `(−1, 1]`.
+///
+/// ```
+/// use geograd::{Vec3, iou3::{Enclosing, giou}, shape::Aabb3};
+/// let a = Aabb3::new(Vec3::new(0.0, 0.0, 0.0), Vec3::new(1.0, 1.0, 1.0));
+/// let b = Aabb3::new(Vec3::new(3.0, 0.0, 0.0), Vec3::new(4.0, 1.0, 1.0));
+/// assert_eq!(giou(a, a, Enclosing::Aabb), 1.0);
+/// assert_eq!(giou(a, b, Enclosing::Aabb), -0.5);
+/// ```
+#[must_use]
+#[inline]
+pub fn giou<S: Scalar, B: Solid<S>>(a: B, b: B, kind: Enclosing) -> S {
+    let t = terms(a, b, kind);
+    let volume = |v: Vec3<S>| v.x * v.y * v.z;
+    let (volume_a, volume_b, around) = (volume(t.size_a), volume(t.size_b), volume(t.around));
+    // With I/U = i, U = (A + B) / (1 + i).
+    let union = (volume_a + volume_b).over(S::one() + t.iou);
+    // Rounding can leave the shape around a little smaller than what it encloses.
+    let waste = (around - union).most(S::zero());
+    (t.iou - share(waste, around)).canonical()
+}
+
+#[inline(always)]
+fn diou_of<S: Scalar>(t: &Terms<S>) -> S {
+    t.iou - share(t.between.length_squared(), t.around.length_squared())
+}
+
+/// Distance-IoU of two boxes, in `(−1, 1]`.
+#[must_use]
+#[inline]
+pub fn diou<S: Scalar, B: Solid<S>>(a: B, b: B, kind: Enclosing) -> S {
+    diou_of(&terms(a, b, kind)).canonical()
+}
+
+/// Complete IoU of two boxes, in `(−2, 1]`: DIoU less `α v`, where v is the mean over the pairs (x, y),
+/// (y, z), (z, x) of `4/π² (atan(p/q) − atan(p'/q'))²` and `α = v / (1 − IoU + v)`, a constant for slopes as
+/// in the paper's code. The ratio of two zero sizes is that of a square.
+#[must_use]
+#[inline]
+pub fn ciou<S: Scalar, B: Solid<S>>(a: B, b: B, kind: Enclosing) -> S {
+    let t = terms(a, b, kind);
+    let turn = |p: S, q: S| {
+        let none = (p.at_most(S::zero())) & (q.at_most(S::zero()));
+        S::select(none, S::one(), p).atan2(S::select(none, S::one(), q))
+    };
+    let (u, v) = (t.size_a, t.size_b);
+    let differ = |p: S, q: S, r: S, s: S| (turn(p, q) - turn(r, s)).squared();
+    let sum =
+        differ(u.x, u.y, v.x, v.y) + (differ(u.y, u.z, v.y, v.z) + differ(u.z, u.x, v.z, v.x));
+    let v = sum * S::lit(4.0 / 3.0 / (std::f64::consts::PI * std::f64::consts::PI));
+    let weight = share(v, (S::one() - t.iou) + v).primal();
+    (diou_of(&t) - S::from_primal(weight) * v).canonical()
+}
+
+/// Efficient IoU of two boxes, in `(−4, 1]`: DIoU less the squared difference of the sizes along each of the
+/// boxes' own axes over the square of the enclosing box's size there; or of the larger one of both sizes,
+/// where the boxes are turned so that this is more.
+#[must_use]
+#[inline]
+pub fn eiou<S: Scalar, B: Solid<S>>(a: B, b: B, kind: Enclosing) -> S {
+    let t = terms(a, b, kind);
+    let differ = |p: S, q: S, around: S| share((p - q).squared(), around.most(p).most(q).squared());
+    let sizes = differ(t.size_a.x, t.size_b.x, t.around.x)
+        + differ(t.size_a.y, t.size_b.y, t.around.y)
+        + differ(t.size_a.z, t.size_b.z, t.around.z);
+    (diou_of(&t) - sizes).canonical()
+}
+
+/// `xᵅ` of an overlap x in `[0, 1]`, for `α > 0`; zero with slope zero at zero. Of IoU it is the α-IoU.
+#[must_use]
+#[inline]
+pub fn alpha_iou<S: Scalar>(overlap: S, alpha: S) -> S {
+    let none = overlap.at_most(S::zero());
+    let power = (S::select(none, S::one(), overlap).ln() * alpha).exp();
+    S::select(none, S::zero(), power).canonical()
+}

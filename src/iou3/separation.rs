@@ -1,0 +1,87 @@
+//! How far two boxes of any orientation are apart, or how deep they are in each other.
+use super::Solid;
+use crate::Scalar;
+use crate::overlap3::relate::{Relative3, relate3};
+use crate::shape::Obb3;
+
+/// The largest gap between the boxes' shadows over all fifteen axes that could separate them: a face's normal
+/// of either or the cross product of two edges. In units of `1 / scale`.
+///
+/// An axis made of two edges that are nearly parallel says nothing that faces do not; it counts as far as the
+/// square of its length is above rounding.
+#[inline(always)]
+fn widest_gap<S: Scalar>(pair: &Relative3<S>) -> S {
+    let (r, c, h, p) = (pair.turn, pair.center, pair.half_a, pair.half_b);
+    let zero = S::zero();
+    let mut gap = zero;
+    for i in 0..3 {
+        let reach =
+            (r[i][0].magnitude() * p[0] + r[i][1].magnitude() * p[1]) + r[i][2].magnitude() * p[2];
+        let own = c[i].magnitude() - (h[i] + reach);
+        gap = if i == 0 { own } else { gap.most(own) };
+        let reach =
+            (r[0][i].magnitude() * h[0] + r[1][i].magnitude() * h[1]) + r[2][i].magnitude() * h[2];
+        let center = (r[0][i] * c[0] + r[1][i] * c[1]) + r[2][i] * c[2];
+        gap = gap.most(center.magnitude() - (p[i] + reach));
+    }
+    let least = S::lit(64.0 * S::EPSILON);
+    for i in 0..3 {
+        let (j, l) = ((i + 1) % 3, (i + 2) % 3);
+        for m in 0..3 {
+            let (a, b) = ((m + 1) % 3, (m + 2) % 3);
+            let square = r[j][m].squared() + r[l][m].squared();
+            let parallel = square.at_most(least);
+            let length = S::select(parallel, S::one(), square).root();
+            let distance = (c[l] * r[j][m] - c[j] * r[l][m]).magnitude();
+            let reach_a = h[j] * r[l][m].magnitude() + h[l] * r[j][m].magnitude();
+            let reach_b = p[a] * r[i][b].magnitude() + p[b] * r[i][a].magnitude();
+            let own = (distance - (reach_a + reach_b)).over(length);
+            gap = S::select(parallel, gap, gap.most(own));
+        }
+    }
+    gap
+}
+
+/// How far two boxes are apart along the axis that separates them most, a length; negative for boxes that
+/// overlap: how far one must move to leave the other.
+///
+/// For boxes apart it is at most their distance, and equal to it where that is between faces, or edges, or a
+/// face and anything; its slopes point apart. Kinks where another axis becomes the widest.
+///
+/// ```
+/// use geograd::{Vec3, iou3::penetration_or_gap, shape::{Obb3, Rotation3}};
+/// let a = Obb3::new(Vec3::new(0.0, 0.0, 0.0), Vec3::new(2.0, 2.0, 2.0), Rotation3::identity());
+/// let at = |x: f64| Obb3 { center: Vec3::new(x, 0.0, 0.0), ..a };
+/// assert_eq!(penetration_or_gap(a, at(5.0)), 3.0);
+/// assert_eq!(penetration_or_gap(a, at(1.5)), -0.5);
+/// ```
+#[must_use]
+#[inline]
+pub fn penetration_or_gap<S: Scalar>(a: Obb3<S>, b: Obb3<S>) -> S {
+    let pair = relate3(a, b);
+    widest_gap(&pair).over(pair.scale).saturated().canonical()
+}
+
+/// IoU of two boxes where they overlap; where they are apart minus `g / (g + s)`, with the widest gap g
+/// between them ([`penetration_or_gap`]) and s the mean of the boxes' largest sizes: from 0 at contact to −1
+/// far away, in `(−1, 1]`. Continuous, and never without a slope for boxes apart.
+///
+/// ```
+/// use geograd::{Vec3, iou3::separation_aware, shape::Aabb3};
+/// let a = Aabb3::new(Vec3::new(0.0, 0.0, 0.0), Vec3::new(2.0, 2.0, 2.0));
+/// let b = Aabb3::new(Vec3::new(4.0, 0.0, 0.0), Vec3::new(6.0, 2.0, 2.0));
+/// assert_eq!(separation_aware(a, a), 1.0);
+/// assert_eq!(separation_aware(a, b), -0.5);
+/// ```
+#[must_use]
+#[inline]
+pub fn separation_aware<S: Scalar, B: Solid<S>>(a: B, b: B) -> S {
+    let pair = relate3(a.into(), b.into());
+    let gap = widest_gap(&pair);
+    let size = |half: [S; 3]| half[0].most(half[1]).most(half[2]);
+    let size = size(pair.half_a) + size(pair.half_b);
+    let apart = gap.above(S::zero());
+    let held = S::select(apart, gap, S::one());
+    let value = held.over(held + size);
+    S::select(apart, -value, a.overlap(b)).canonical()
+}

@@ -1,0 +1,75 @@
+//! Overlap of axis-aligned boxes in space.
+use super::relate::size_scale3;
+use super::{score, volume_from_half};
+use crate::overlap::Denominator;
+use crate::shape::Aabb3;
+use crate::{Scalar, Vec3};
+
+#[inline(always)]
+fn score_aabb3<S: Scalar>(over: Denominator, a: Aabb3<S>, b: Aabb3<S>) -> S {
+    // Halving first keeps the difference of two huge bounds finite.
+    let half_of = |shape: Aabb3<S>| {
+        let half = S::lit(0.5);
+        shape.max * half - shape.min * half
+    };
+    let (half_a, half_b, half) = (half_of(a), half_of(b), half_of(a.meet(b)));
+    let scale = size_scale3(half_a, half_b);
+    let apart = (a.max.x.at_most(b.min.x) | b.max.x.at_most(a.min.x))
+        | (a.max.y.at_most(b.min.y) | b.max.y.at_most(a.min.y))
+        | (a.max.z.at_most(b.min.z) | b.max.z.at_most(a.min.z));
+    let volume = |half: Vec3<S>| volume_from_half([half.x * scale, half.y * scale, half.z * scale]);
+    let shared = S::select(apart, S::zero(), volume(half));
+    let (volume_a, volume_b) = (volume(half_a), volume(half_b));
+    let value = score(over, shared, volume_a, volume_b, scale);
+    let same = (a.min.x.equals(b.min.x) & a.min.y.equals(b.min.y) & a.min.z.equals(b.min.z))
+        & (a.max.x.equals(b.max.x) & a.max.y.equals(b.max.y) & a.max.z.equals(b.max.z));
+    let constant = S::from_primal(value.primal());
+    match over {
+        Denominator::Union => S::select(same, constant, value).canonical(),
+        _ => value.canonical(),
+    }
+}
+
+/// The volume shared by two axis-aligned boxes, from 0 to the volume of the smaller one, in cubed units of
+/// length. Saturates at the largest finite number.
+///
+/// Kinks and conventions: see the [module](super).
+///
+/// ```
+/// use geograd::{Vec3, overlap3::intersection_volume_aabb3, shape::Aabb3};
+/// let a = Aabb3::new(Vec3::new(0.0, 0.0, 0.0), Vec3::new(2.0, 2.0, 2.0));
+/// let b = Aabb3::new(Vec3::new(1.0, 1.0, -1.0), Vec3::new(3.0, 3.0, 1.0));
+/// assert_eq!(intersection_volume_aabb3(a, b), 1.0);
+/// ```
+#[must_use]
+#[inline]
+pub fn intersection_volume_aabb3<S: Scalar>(a: Aabb3<S>, b: Aabb3<S>) -> S {
+    score_aabb3(Denominator::None, a, b)
+}
+
+/// Intersection over union of two axis-aligned boxes, in `[0, 1]`.
+///
+/// Kinks and conventions: see the [module](super).
+#[must_use]
+#[inline]
+pub fn iou_aabb3<S: Scalar>(a: Aabb3<S>, b: Aabb3<S>) -> S {
+    score_aabb3(Denominator::Union, a, b)
+}
+
+/// The share of the first axis-aligned box that lies in the second, in `[0, 1]`.
+///
+/// Kinks and conventions: see the [module](super).
+#[must_use]
+#[inline]
+pub fn iof_aabb3<S: Scalar>(a: Aabb3<S>, b: Aabb3<S>) -> S {
+    score_aabb3(Denominator::First, a, b)
+}
+
+impl<S: Scalar> Aabb3<S> {
+    /// Intersection over union with another box, in `[0, 1]`.
+    #[must_use]
+    #[inline]
+    pub fn iou(self, other: Self) -> S {
+        iou_aabb3(self, other)
+    }
+}

@@ -1,0 +1,219 @@
+//! The border of one box of any orientation clamped to another: the volume they share, and its slopes.
+//!
+//! # The method
+//!
+//! Let K be box a, axis-aligned about the origin of its own frame, P box b, and C the map that clamps
+//! each coordinate to K. C is continuous, fixes K, sends everything outside to K's border, and the
+//! straight path from a point to its clamp never meets the inside of K. So the border of P and its image
+//! under C wind equally often about every point inside K, and the volume shared is the integral of any
+//! primitive of `dx dy dz` over the clamped border of P. There is no list of vertices and no sorting; the
+//! sum is continuous in every input.
+//!
+//! The primitives `x_k dx_i dx_j` (k, i, j in circular order) differ by exact forms. So each face of P may
+//! use the one whose direction it faces most, if the differences are made good along the edges and at the
+//! corners where faces with different primitives meet. With X the clamped coordinates:
+//!
+//! ```text
+//! V =  Σ faces (k, s)        s · ∫ clamp(x_k) dx_i dx_j   over the face seen along x_k, inside K's rectangle
+//!    − Σ edges (m; s_j, s_l) s_j s_l · ∫ X_j X_l dX_m
+//!    + Σ corners             s_0 s_1 s_2 · X_0 X_1 X_2
+//! ```
+//!
+//! Every integrand is a polynomial between the places where a coordinate begins or ceases to be clamped.
+//! Those crossings are computed once per edge and shared by the faces that meet there, so that rounding
+//! cannot tear the border.
+//!
+//! # Slopes
+//!
+//! By the fundamental theorem the slope by a move of P's face outwards is the area of that face inside K,
+//! and by a turn its first moment; both come from the pieces of the faces' integrals. Slopes by K's size
+//! come from the parts of the integrals that are clamped to K's faces. Moving or turning both boxes
+//! together changes nothing, which gives the rest.
+use super::edge::{Bounds, Edge, coordinate, cut, edge, edge_term, less_signed};
+use super::face::{Face, face};
+use super::relate::Relative3;
+use crate::Scalar;
+
+/// The volume that two related boxes share, in units of `1 / scale³`, and its slopes in a's frame.
+#[derive(Clone, Copy, Debug)]
+pub struct Shared3<S> {
+    /// The volume.
+    pub volume: S,
+    /// By the centre of b.
+    pub center: [S; 3],
+    /// By a turn of b about its own centre, as a rotation vector in a's frame.
+    pub turn: [S; 3],
+    /// By half the size of a.
+    pub half_a: [S; 3],
+    /// By half the size of b, along its renamed axes.
+    pub half_b: [S; 3],
+}
+
+/// The most that two boxes can share: each against the other's bounds in its own frame. Zero where one of
+/// the fifteen axes separates them.
+#[inline(always)]
+fn most_shared<S: Scalar>(pair: &Relative3<S>) -> S {
+    let (r, c, h, p) = (pair.turn, pair.center, pair.half_a, pair.half_b);
+    let zero = S::zero();
+    let mut steep = [[zero; 3]; 3];
+    for i in 0..3 {
+        for m in 0..3 {
+            steep[i][m] = r[i][m].unsigned();
+        }
+    }
+    let (mut in_a, mut in_b) = (S::one(), S::one());
+    for i in 0..3 {
+        let reach = (steep[i][0] * p[0] + steep[i][1] * p[1]) + steep[i][2] * p[2];
+        let shared = (c[i] + reach).least(h[i]) - (c[i] - reach).most(-h[i]);
+        in_a = in_a * shared.most(zero);
+        let reach = (steep[0][i] * h[0] + steep[1][i] * h[1]) + steep[2][i] * h[2];
+        let center = (r[0][i] * c[0] + r[1][i] * c[1]) + r[2][i] * c[2];
+        let shared = (center + reach).least(p[i]) - (center - reach).most(-p[i]);
+        in_b = in_b * shared.most(zero);
+    }
+    let mut gap = -S::one();
+    for i in 0..3 {
+        let (j, l) = ((i + 1) % 3, (i + 2) % 3);
+        for m in 0..3 {
+            let (a, b) = ((m + 1) % 3, (m + 2) % 3);
+            let distance = (c[l] * r[j][m] - c[j] * r[l][m]).unsigned();
+            let reach_a = h[j] * steep[l][m] + h[l] * steep[j][m];
+            let reach_b = p[a] * steep[i][b] + p[b] * steep[i][a];
+            gap = gap.most(distance - (reach_a + reach_b));
+        }
+    }
+    S::select(gap.above(zero), zero, in_a.least(in_b))
+}
+
+/// The volume that two related boxes share and, if asked for, its slopes. Straight line.
+#[inline(always)]
+pub fn shared_volume<S: Scalar, const SLOPES: bool>(pair: &Relative3<S>) -> Shared3<S> {
+    let zero = S::zero();
+    let (cut, origin) = cut(pair);
+    let mut bounds = Bounds {
+        high: [zero; 3],
+        low: [zero; 3],
+    };
+
+    let mut volume = zero;
+    let none = Edge {
+        start: [zero; 3],
+        at: [[zero; 2]; 3],
+        enter: [zero; 3],
+        leave: [zero; 3],
+    };
+    let mut edges = [[[none; 2]; 2]; 3];
+    for m in 0..3 {
+        for a in 0..2 {
+            for b in 0..2 {
+                let made = edge(&cut, m, a, b);
+                let six = edge_term::<S, SLOPES>(&cut, &made, [m, a, b], &mut bounds);
+                volume = less_signed(volume, a, b, six);
+                edges[m][a][b] = made;
+            }
+        }
+    }
+    volume = volume * S::lit(1.0 / 6.0);
+    for a in 0..2 {
+        for b in 0..2 {
+            for side in 0..2 {
+                let (at, t) = (&edges[0][a][b], cut.f[0][side]);
+                let x = coordinate(&cut, at, 0, 0, t);
+                let y = coordinate(&cut, at, 0, 1, t);
+                let z = coordinate(&cut, at, 0, 2, t);
+                let corner = x * y * z;
+                volume = if (a + b + side) % 2 == 1 {
+                    volume + corner
+                } else {
+                    volume - corner
+                };
+            }
+        }
+    }
+    let mut faces = [[Face::none(); 2]; 3];
+    let mut thrice = zero;
+    for k in 0..3 {
+        for side in 0..2 {
+            let made = face::<S, SLOPES>(&cut, &edges, k, side, &mut bounds);
+            thrice = if side == 1 {
+                thrice + made.thrice
+            } else {
+                thrice - made.thrice
+            };
+            faces[k][side] = made;
+        }
+    }
+    let volume = thrice * S::lit(1.0 / 3.0) + volume;
+    let most = most_shared(pair);
+    let mut out = Shared3 {
+        volume: volume.most(zero).least(most),
+        center: [zero; 3],
+        turn: [zero; 3],
+        half_a: [zero; 3],
+        half_b: [zero; 3],
+    };
+    if SLOPES {
+        slopes(pair, &cut.r, origin, &faces, &bounds, &mut out);
+        let apart = most.at_most(zero);
+        for i in 0..3 {
+            out.center[i] = S::select(apart, zero, out.center[i]);
+            out.turn[i] = S::select(apart, zero, out.turn[i]);
+            out.half_a[i] = S::select(apart, zero, out.half_a[i]);
+            out.half_b[i] = S::select(apart, zero, out.half_b[i]);
+        }
+    }
+    same_box::<S, SLOPES>(pair, out)
+}
+
+/// Slopes from areas and moments of b's faces inside a.
+#[inline(always)]
+fn slopes<S: Scalar>(
+    pair: &Relative3<S>,
+    r: &[[S; 3]; 3],
+    origin: [S; 3],
+    faces: &[[Face<S>; 2]; 3],
+    bounds: &Bounds<S>,
+    out: &mut Shared3<S>,
+) {
+    let mut from_center = [S::zero(); 3];
+    for i in 0..3 {
+        from_center[i] = origin[i] - pair.center[i];
+        out.half_a[i] = bounds.high[i] - bounds.low[i];
+    }
+    for k in 0..3 {
+        let [low, high] = &faces[k];
+        let along = high.area - low.area;
+        out.half_b[k] = high.area + low.area;
+        let normal = [r[0][k], r[1][k], r[2][k]];
+        let mut moment = [S::zero(); 3];
+        for i in 0..3 {
+            out.center[i] += along * normal[i];
+            moment[i] = along * from_center[i] + (high.moment[i] - low.moment[i]);
+        }
+        for i in 0..3 {
+            let (j, l) = ((i + 1) % 3, (i + 2) % 3);
+            out.turn[i] += moment[j] * normal[l] - moment[l] * normal[j];
+        }
+    }
+}
+
+/// For boxes that are the same set of points: exactly their volume, each size with half the slope, and no
+/// slope by motion, by symmetry.
+#[inline(always)]
+fn same_box<S: Scalar, const SLOPES: bool>(pair: &Relative3<S>, found: Shared3<S>) -> Shared3<S> {
+    let (same, h, zero) = (pair.same, pair.half_a, S::zero());
+    let whole = (h[0] + h[0]) * (h[1] + h[1]) * (h[2] + h[2]);
+    let mut out = found;
+    out.volume = S::select(same, whole, found.volume);
+    if SLOPES {
+        for i in 0..3 {
+            let (j, l) = ((i + 1) % 3, (i + 2) % 3);
+            let face = (h[j] + h[j]) * (h[l] + h[l]);
+            out.center[i] = S::select(same, zero, found.center[i]);
+            out.turn[i] = S::select(same, zero, found.turn[i]);
+            out.half_a[i] = S::select(same, face, found.half_a[i]);
+            out.half_b[i] = S::select(same, face, found.half_b[i]);
+        }
+    }
+    out
+}

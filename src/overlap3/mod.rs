@@ -1,0 +1,49 @@
+//! How much two boxes in space overlap: volume of intersection, intersection over union, intersection
+//! over the first box; and the same seen from above.
+//!
+//! Pairs of different kinds are measured by conversion to the more general kind:
+//! `iou_obb3(a, Obb3::from(b))`. Each kind has its own formula: bounds for [`Aabb3`](crate::shape::Aabb3),
+//! the overlap in the plane times that of the heights for [`YawBox3`](crate::shape::YawBox3), and for
+//! [`Obb3`](crate::shape::Obb3) the integral over the clamped [`border`].
+//!
+//! All results are exactly zero, with all slopes zero, for boxes that are apart or merely touch. The
+//! ratios are within `[0, 1]`; identical boxes of positive volume give exactly 1 with slope zero. Where a
+//! ratio's denominator is zero it is 0 with slope zero.
+//!
+//! Kinks: faces lying in each other's planes (the slope is the mean of both sides of the kink), and boxes
+//! that begin to touch (slope zero). A corner on a face, or an edge on an edge, is no kink.
+mod aabb;
+pub mod border;
+mod edge;
+mod face;
+mod obb;
+mod precise;
+pub mod relate;
+mod rename;
+mod slopes;
+mod yaw;
+
+pub use aabb::{intersection_volume_aabb3, iof_aabb3, iou_aabb3};
+pub use obb::{intersection_volume_obb3, iof_obb3, iou_obb3};
+pub use slopes::{intersection_volume_obb3_vjp, iof_obb3_vjp, iou_obb3_vjp};
+pub use yaw::{intersection_volume_yaw, iof_yaw, iou_birds_eye, iou_yaw};
+
+use crate::Scalar;
+use crate::overlap::{Denominator, ratio_of_first, ratio_of_union};
+
+/// The volume of a box from half its size. Doubled first, so that a volume that can be represented is
+/// rounded no more than it must be.
+#[inline(always)]
+pub(crate) fn volume_from_half<S: Scalar>([x, y, z]: [S; 3]) -> S {
+    (x + x) * (y + y) * (z + z)
+}
+
+/// A score from volumes in units of `1 / scale³`, in the caller's unit.
+#[inline(always)]
+pub(crate) fn score<S: Scalar>(over: Denominator, shared: S, a: S, b: S, scale: S) -> S {
+    match over {
+        Denominator::None => shared.over(scale).over(scale).over(scale).saturated(),
+        Denominator::Union => ratio_of_union(shared, a, b),
+        Denominator::First => ratio_of_first(shared, a),
+    }
+}

@@ -1,0 +1,188 @@
+//! Overlap of boxes of any orientation.
+use super::border::{Shared3, shared_volume};
+use super::relate::{Relative3, relate3};
+use super::{score, volume_from_half};
+use crate::overlap::Denominator;
+use crate::shape::Obb3;
+use crate::{Mask, Scalar};
+use std::any::TypeId;
+
+/// The volume that two related boxes share, in units of `1 / scale³`.
+///
+/// Plain numbers take the value alone. For numbers with derivatives the slopes g come from the formula for
+/// slopes, because those of the value's own arithmetic are lost where edges are parallel to faces. With
+/// `x₀` the value of an input x without its derivatives,
+///
+/// ```text
+/// V(x₀) + Σ ½ (g(x) + g(x₀)) · (x − x₀)
+/// ```
+///
+/// has the first derivative g and the second derivative g′. (Higher ones are not those of the volume.) The
+/// rotation enters by the entries of its matrix R: a turn ω changes them by `ω × R`, so the slope τ by a
+/// turn is `½ τ × R` by the entries.
+#[inline(always)]
+fn volume<S: Scalar>(pair: &Relative3<S>) -> S {
+    if TypeId::of::<S>() == TypeId::of::<S::Primal>() {
+        return shared_volume::<S, false>(pair).volume;
+    }
+    let g = shared_volume::<S, true>(&without_curvature(pair));
+    let mut volume = S::from_primal(g.volume.primal());
+    let mean = |g: S| (g + S::from_primal(g.primal())).halved();
+    let moved = |x: S| x - S::from_primal(x.primal());
+    for i in 0..3 {
+        volume += mean(g.center[i]) * moved(pair.center[i]);
+        volume += mean(g.half_a[i]) * moved(pair.half_a[i]);
+        volume += mean(g.half_b[i]) * moved(pair.half_b[i]);
+        let (j, l) = ((i + 1) % 3, (i + 2) % 3);
+        for m in 0..3 {
+            let by_entry = g.turn[j] * pair.turn[l][m] - g.turn[l] * pair.turn[j][m];
+            volume += mean(by_entry.halved()) * moved(pair.turn[i][m]);
+        }
+    }
+    volume
+}
+
+/// The pair as constants where sizes or places are so different that second derivatives could overflow:
+/// there only first ones are served.
+#[inline(always)]
+fn without_curvature<S: Scalar>(pair: &Relative3<S>) -> Relative3<S> {
+    let large = |v: [S; 3]| {
+        let v = v.map(|x| x.primal().magnitude());
+        v[0].most(v[1]).most(v[2])
+    };
+    let size = large(pair.half_a).most(large(pair.half_b));
+    let size = size.most(large(pair.center));
+    let extreme = size.above(S::Primal::lit(S::LARGEST.powf(0.1)));
+    let held = |x: S| S::select(extreme, S::from_primal(x.primal()), x);
+    Relative3 {
+        turn: pair.turn.map(|row| row.map(held)),
+        center: pair.center.map(held),
+        half_a: pair.half_a.map(held),
+        half_b: pair.half_b.map(held),
+        ..*pair
+    }
+}
+
+/// Where two related boxes can share nothing at a glance: balls around them are apart.
+#[inline(always)]
+pub(super) fn far_apart<S: Scalar>(pair: &Relative3<S>) -> S::Mask {
+    let square = |v: [S; 3]| {
+        let v = v.map(S::primal);
+        (v[0] * v[0] + v[1] * v[1]) + v[2] * v[2]
+    };
+    // (|h| + |p|)² ≤ 2 |h|² + 2 |p|², with room for rounding.
+    let reach = square(pair.half_a) + square(pair.half_b);
+    (reach * S::Primal::lit(2.001)).below(square(pair.center))
+}
+
+#[inline(always)]
+fn score_obb3<S: Scalar>(over: Denominator, a: Obb3<S>, b: Obb3<S>) -> S {
+    let pair = relate3(a, b);
+    if far_apart(&pair).all() {
+        return S::zero();
+    }
+    let shared = volume(&pair);
+    let (volume_a, volume_b) = (
+        own_volume(&pair, pair.half_a),
+        own_volume(&pair, pair.half_b),
+    );
+    let shared = within(shared, volume_a, volume_b);
+    let value = score(over, shared, volume_a, volume_b, pair.scale);
+    match over {
+        Denominator::Union => {
+            let constant = S::from_primal(value.primal());
+            S::select(pair.same, constant, value).canonical()
+        }
+        _ => value.canonical(),
+    }
+}
+
+/// The volume of a box of the pair; a constant where its slopes by the sizes could overflow: sizes far below
+/// one of which one is 10⁸ times as large as another, or more.
+#[inline(always)]
+fn own_volume<S: Scalar>(pair: &Relative3<S>, half: [S; 3]) -> S {
+    let [x, y, z] = half.map(|x| x.primal());
+    let size = x.most(y).most(z);
+    let steep = (pair.scale.primal() * size) * size;
+    let steep = steep.above(S::Primal::lit(S::LARGEST / 4096.0));
+    let volume = volume_from_half(half);
+    S::select(steep, S::from_primal(volume.primal()), volume)
+}
+
+/// A volume that is not above that of either box, as scores measure boxes; slopes stay.
+#[inline(always)]
+pub(super) fn within<S: Scalar>(shared: S, volume_a: S, volume_b: S) -> S {
+    let limit = volume_a.primal().least(volume_b.primal());
+    let beyond = shared.above(S::from_primal(limit));
+    S::select(beyond, shared.with_primal(limit), shared)
+}
+
+/// The same for a volume with slopes.
+#[inline(always)]
+pub(super) fn shared_within<S: Scalar>(pair: &Relative3<S>) -> (Shared3<S>, S, S) {
+    let mut shared = shared_volume::<S, true>(pair);
+    let (volume_a, volume_b) = (volume_from_half(pair.half_a), volume_from_half(pair.half_b));
+    shared.volume = within(shared.volume, volume_a, volume_b);
+    (shared, volume_a, volume_b)
+}
+
+/// The volume shared by two boxes of any orientation, from 0 to the volume of the smaller one, in cubed
+/// units of length. Saturates at the largest finite number.
+///
+/// By the integral over the clamped [`border`](super::border): straight line, continuous in every number,
+/// right to a few roundings of the smaller box's volume. Slopes by a rotation's quaternion are those of its
+/// direction; see [`Rotation3`](crate::shape::Rotation3). Derivatives above the second are not served.
+/// Kinks and conventions: see the [module](super).
+///
+/// ```
+/// use geograd::{Vec3, overlap3::intersection_volume_obb3, shape::{Obb3, Rotation3}};
+/// let (origin, size) = (Vec3::new(0.0_f64, 0.0, 0.0), Vec3::new(1.0, 1.0, 1.0));
+/// let cube = Obb3::new(origin, size, Rotation3::identity());
+/// // A cube on its corner: a diagonal of it stands upright.
+/// let turned = Obb3::new(origin, size, Rotation3::new(5.0, 1.0, 1.0, 1.0));
+/// let volume = intersection_volume_obb3(cube, turned);
+/// assert!(volume > 0.8 && volume < 0.9);
+/// assert_eq!(intersection_volume_obb3(cube, cube), 1.0);
+/// ```
+#[must_use]
+#[inline]
+pub fn intersection_volume_obb3<S: Scalar>(a: Obb3<S>, b: Obb3<S>) -> S {
+    score_obb3(Denominator::None, a, b)
+}
+
+/// Intersection over union of two boxes of any orientation, in `[0, 1]`.
+///
+/// As for [`intersection_volume_obb3`].
+///
+/// ```
+/// use geograd::{Vec3, overlap3::iou_obb3, shape::{Obb3, Rotation3}};
+/// let turn = Rotation3::new(0.9, 0.1, -0.3, 0.2);
+/// let a = Obb3::new(Vec3::new(1.0, 2.0, 3.0), Vec3::new(4.0, 2.0, 1.0), turn);
+/// assert_eq!(iou_obb3(a, a), 1.0);
+/// // Half of it: moved by half its length along its own x axis.
+/// let b = Obb3 { center: a.world_from_local() * Vec3::new(2.0_f64, 0.0, 0.0), ..a };
+/// assert!((iou_obb3(a, b) - 1.0 / 3.0).abs() < 1e-14);
+/// ```
+#[must_use]
+#[inline]
+pub fn iou_obb3<S: Scalar>(a: Obb3<S>, b: Obb3<S>) -> S {
+    score_obb3(Denominator::Union, a, b)
+}
+
+/// The share of the first box that lies in the second, in `[0, 1]`.
+///
+/// As for [`intersection_volume_obb3`].
+#[must_use]
+#[inline]
+pub fn iof_obb3<S: Scalar>(a: Obb3<S>, b: Obb3<S>) -> S {
+    score_obb3(Denominator::First, a, b)
+}
+
+impl<S: Scalar> Obb3<S> {
+    /// Intersection over union with another box, in `[0, 1]`.
+    #[must_use]
+    #[inline]
+    pub fn iou(self, other: Self) -> S {
+        iou_obb3(self, other)
+    }
+}

@@ -1,0 +1,174 @@
+//! Differences and products that keep the digits that long thin boxes need.
+use crate::Scalar;
+use crate::shape::Rotation3;
+
+/// Beyond this many units (of which the smaller box has about one) between the centres in any
+/// coordinate, only the fact that the boxes are apart matters.
+const FAR: f64 = (1_u64 << 44) as f64;
+
+pub(super) type Quaternion<S> = [S; 4];
+
+#[inline(always)]
+pub(super) fn product<S: Scalar>(a: Quaternion<S>, b: Quaternion<S>) -> Quaternion<S> {
+    [
+        (a[0] * b[0] - a[1] * b[1]) - (a[2] * b[2] + a[3] * b[3]),
+        (a[0] * b[1] + a[1] * b[0]) + (a[2] * b[3] - a[3] * b[2]),
+        (a[0] * b[2] + a[2] * b[0]) + (a[3] * b[1] - a[1] * b[3]),
+        (a[0] * b[3] + a[3] * b[0]) + (a[1] * b[2] - a[2] * b[1]),
+    ]
+}
+#[inline(always)]
+fn conjugate<S: Scalar>([w, x, y, z]: Quaternion<S>) -> Quaternion<S> {
+    [w, -x, -y, -z]
+}
+#[inline(always)]
+pub(super) fn sum<S: Scalar>(a: Quaternion<S>, b: Quaternion<S>) -> Quaternion<S> {
+    [a[0] + b[0], a[1] + b[1], a[2] + b[2], a[3] + b[3]]
+}
+
+/// A number of `[−1, 1]` as a multiple of 2⁻¹² and the rest. Sums of products of such multiples that
+/// stay within `[−1, 1]` are exact in 24 bits.
+#[inline(always)]
+fn split<S: Scalar>(x: S) -> (S, S) {
+    // Numbers from 2048 to 4096 have steps of 2⁻¹².
+    let shift = S::Primal::lit(3072.0);
+    let high = S::from_primal((x.primal() + shift) - shift);
+    (high, x - high)
+}
+#[inline(always)]
+fn split_all<S: Scalar>(q: Quaternion<S>) -> (Quaternion<S>, Quaternion<S>) {
+    let [w, x, y, z] = [split(q[0]), split(q[1]), split(q[2]), split(q[3])];
+    ([w.0, x.0, y.0, z.0], [w.1, x.1, y.1, z.1])
+}
+
+/// The power of two that brings the largest of some numbers into `[¼, ½)`; one for zeros.
+#[inline(always)]
+fn to_half<S: Scalar>(largest: S::Primal) -> S {
+    let zero = largest.at_most(S::Primal::zero());
+    let one = S::Primal::one();
+    let scale = S::Primal::select(zero, one, largest).binade() * S::Primal::lit(0.125);
+    S::from_primal(S::Primal::select(zero, one, scale))
+}
+#[inline(always)]
+fn largest<S: Scalar>(x: S, y: S, z: S) -> S::Primal {
+    let (x, y, z) = (x.primal(), y.primal(), z.primal());
+    x.magnitude().most(y.magnitude()).most(z.magnitude())
+}
+
+/// A quaternion of length at most one, whose products stay far from over- and underflow; no rotation
+/// for zero.
+#[inline(always)]
+pub(super) fn bounded<S: Scalar>(q: Rotation3<S>) -> Quaternion<S> {
+    let size = largest(q.x, q.y, q.z).most(q.w.primal().magnitude());
+    let scale = to_half::<S>(size);
+    let zero = size.at_most(S::Primal::zero());
+    let w = S::select(zero, S::lit(0.25), q.w * scale);
+    let none = S::zero();
+    [
+        w,
+        S::select(zero, none, q.x * scale),
+        S::select(zero, none, q.y * scale),
+        S::select(zero, none, q.z * scale),
+    ]
+}
+
+/// The rotation from a to b, of any length. Where products carry low parts it is right to about 2⁻³⁵
+/// even where they cancel, which long thin boxes need; `cube` is one of the 24 rotations of the cube,
+/// made of zeros and ones.
+#[inline(always)]
+pub(super) fn relative<S: Scalar>(
+    a: Quaternion<S>,
+    b: Quaternion<S>,
+) -> (Quaternion<S>, Option<Quaternion<S>>) {
+    let back = conjugate(a);
+    if S::COMPENSATED {
+        let ((a_high, a_low), (b_high, b_low)) = (split_all(back), split_all(b));
+        let low = sum(product(a_high, b_low), product(a_low, b));
+        (product(a_high, b_high), Some(low))
+    } else {
+        (product(back, b), None)
+    }
+}
+
+/// The matrix of a quaternion of any length. Small parts of it keep their digits where x, y and z are
+/// small.
+#[inline(always)]
+pub(super) fn matrix<S: Scalar>([w, x, y, z]: Quaternion<S>) -> [[S; 3]; 3] {
+    let norm = (w * w + x * x) + (y * y + z * z);
+    let two = S::lit(2.0).over(norm);
+    let one = S::one();
+    let (x2, y2, z2) = (x * two, y * two, z * two);
+    let (xx, yy, zz) = (x * x2, y * y2, z * z2);
+    let (xy, xz, yz) = (x * y2, x * z2, y * z2);
+    let (wx, wy, wz) = (w * x2, w * y2, w * z2);
+    [
+        [one - (yy + zz), xy - wz, xz + wy],
+        [xy + wz, one - (xx + zz), yz - wx],
+        [xz - wy, yz + wx, one - (xx + yy)],
+    ]
+}
+
+/// `b − a` in units of `1 / scale`, no farther than it matters, and what rounding took away (a
+/// constant; zero where products carry no low part).
+#[inline(always)]
+pub(super) fn difference<S: Scalar>(a: S, b: S, scale: S) -> (S, S) {
+    let rounded = b - a;
+    let mut lost = S::Primal::zero();
+    if S::COMPENSATED {
+        // The exact error of a difference (Knuth, The Art of Computer Programming 2, 4.2.2).
+        let (a, b, rounded) = (a.primal(), b.primal(), rounded.primal());
+        let taken = rounded - b;
+        lost = (b - (rounded - taken)) - (a + taken);
+    }
+    let (x, far) = (rounded * scale, S::lit(FAR));
+    let near = x.unsigned().at_most(far);
+    let x = S::select(near, x, S::select(x.below(S::zero()), -far, far));
+    let lost = S::from_primal(lost) * scale;
+    (x, S::select(near, lost, S::zero()))
+}
+
+/// A vector in the frame of a rotation. Where the scalar has 24 bits it is right to about 2⁻³⁵ of its
+/// length.
+#[inline(always)]
+pub(super) fn into_frame<S: Scalar>(q: Quaternion<S>, v: [S; 3], lost: [S; 3]) -> [S; 3] {
+    if !S::COMPENSATED {
+        let m = matrix(q);
+        let along = |i: usize| (m[0][i] * v[0] + m[1][i] * v[1]) + m[2][i] * v[2];
+        return [along(0), along(1), along(2)];
+    }
+    // The matrix times the squared length, as an exact part and a small one.
+    let (high, low) = split_all(q);
+    let square = |i: usize| (high[i] * high[i], low[i] * (high[i] + q[i]));
+    let twice = |i: usize, j: usize| {
+        let rest = high[i] * low[j] + low[i] * q[j];
+        (S::lit(2.0) * (high[i] * high[j]), rest + rest)
+    };
+    let (ww, xx, yy, zz) = (square(0), square(1), square(2), square(3));
+    let (wx, wy, wz) = (twice(0, 1), twice(0, 2), twice(0, 3));
+    let (xy, xz, yz) = (twice(1, 2), twice(1, 3), twice(2, 3));
+    let add = |a: (S, S), b: (S, S)| (a.0 + b.0, a.1 + b.1);
+    let less = |a: (S, S), b: (S, S)| (a.0 - b.0, a.1 - b.1);
+    let columns = [
+        [add(less(ww, yy), less(xx, zz)), add(xy, wz), less(xz, wy)],
+        [less(xy, wz), add(less(ww, xx), less(yy, zz)), add(yz, wx)],
+        [add(xz, wy), less(yz, wx), add(less(ww, xx), less(zz, yy))],
+    ];
+    let scale = to_half::<S>(largest(v[0], v[1], v[2]));
+    let parts = |i: usize| {
+        let (high, low) = split(v[i] * scale);
+        (high, low + lost[i] * scale)
+    };
+    let v_parts = [parts(0), parts(1), parts(2)];
+    let norm = ((ww.0 + xx.0) + (yy.0 + zz.0)) + ((ww.1 + xx.1) + (yy.1 + zz.1));
+    let unit = scale * norm;
+    let along = |column: [(S, S); 3]| {
+        let (mut exact, mut rest) = (S::zero(), S::zero());
+        for i in 0..3 {
+            let (high, middle) = split(column[i].0);
+            exact += high * v_parts[i].0;
+            rest += high * v_parts[i].1 + (middle + column[i].1) * (v[i] * scale);
+        }
+        (exact + rest).over(unit)
+    };
+    [along(columns[0]), along(columns[1]), along(columns[2])]
+}

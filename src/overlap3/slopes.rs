@@ -1,0 +1,159 @@
+//! Slopes by hand of the overlap of boxes of any orientation.
+use super::obb::shared_within;
+use super::relate::relate3;
+use super::score;
+use crate::overlap::Denominator;
+use crate::shape::{Obb3, Rotation3};
+use crate::{Scalar, Vec3};
+
+/// `out_bar` times the slopes of a score by the volume shared and by the volumes of both boxes.
+///
+/// `I / U` with `U = A + B − I`: `∂I = (1 + I/U) / U`, `∂A = ∂B = −(I/U) / U`. `I / A`: `∂I = 1/A`,
+/// `∂A = −(I/A) / A`. Zero where the denominator is.
+#[inline(always)]
+fn by_volumes<S: Scalar>(
+    over: Denominator,
+    value: S,
+    [shared, a, b]: [S; 3],
+    out_bar: S,
+) -> [S; 3] {
+    let zero = S::zero();
+    let divisor = match over {
+        Denominator::None => S::one(),
+        Denominator::Union => a + b - shared,
+        Denominator::First => a,
+    };
+    let empty = divisor.at_most(S::lit(S::EMPTY));
+    let per = S::one().over(S::select(empty, S::one(), divisor));
+    let per = S::select(empty, zero, per) * out_bar;
+    match over {
+        Denominator::None => [out_bar, zero, zero],
+        Denominator::Union => [per + value * per, -(value * per), -(value * per)],
+        Denominator::First => [per, -(value * per), zero],
+    }
+}
+
+/// Value of a score and `out_bar` times its slopes.
+///
+/// The slopes of the volume come in a's frame: force F by the centre of b, torque τ by a turn of b about
+/// that centre. Moving b is moving a the other way; turning the pair about a's centre changes nothing, so
+/// the torque on a is `−(τ + c × F)`. Both torques are by body tangents; the quaternions' gradients follow.
+#[inline(always)]
+fn score_vjp<S: Scalar>(
+    over: Denominator,
+    a: Obb3<S>,
+    b: Obb3<S>,
+    out_bar: S,
+) -> (S, (Obb3<S>, Obb3<S>)) {
+    let pair = relate3(a, b);
+    let (shared, volume_a, volume_b) = shared_within(&pair);
+    let value = score(over, shared.volume, volume_a, volume_b, pair.scale);
+    let (length_unit, turn_unit) = match over {
+        // A volume in the caller's unit is three lengths; its slope by a length is two.
+        Denominator::None => {
+            let area = S::one().over(pair.scale).over(pair.scale);
+            (area, area.over(pair.scale))
+        }
+        _ => (pair.scale, S::one()),
+    };
+    let ratio = match over {
+        Denominator::None => shared.volume,
+        _ => value,
+    };
+    let bars = by_volumes(over, ratio, [shared.volume, volume_a, volume_b], out_bar);
+    // Of identical boxes the union is as flat as can be, by symmetry.
+    let flat = match over {
+        Denominator::Union => pair.same,
+        _ => S::one().below(S::zero()),
+    };
+    let [bar, bar_a, bar_b] = bars.map(|bar| S::select(flat, S::zero(), bar));
+
+    // A size is twice its half; a volume is eight times the product of the halves.
+    let sizes = |half: [S; 3], slope: [S; 3], own: S| {
+        let mut out = [S::zero(); 3];
+        for i in 0..3 {
+            let (j, l) = ((i + 1) % 3, (i + 2) % 3);
+            let face = (half[j] + half[j]) * (half[l] + half[l]);
+            out[i] = (slope[i].halved() * bar + face * own) * length_unit;
+        }
+        out
+    };
+    let size_a = sizes(pair.half_a, shared.half_a, bar_a);
+    let size_b = sizes(pair.half_b, shared.half_b, bar_b);
+    let size_b = pair.renamed.restore(size_b);
+
+    let vector = |v: [S; 3]| Vec3::new(v[0], v[1], v[2]);
+    let (force, torque) = (vector(shared.center), vector(shared.turn));
+    let own_torque = -(torque + vector(pair.center).cross(force));
+    let axes = a.rotation.axes();
+    let world = |v: Vec3<S>| (axes[0] * v.x + axes[1] * v.y) + axes[2] * v.z;
+    let (force, torque) = (world(force), world(torque));
+    let axes_b = b.rotation.axes();
+    let torque = Vec3::new(
+        axes_b[0].dot(torque),
+        axes_b[1].dot(torque),
+        axes_b[2].dot(torque),
+    );
+    let center = force * (bar * length_unit);
+    let by = |center: Vec3<S>, size: [S; 3], rotation: Rotation3<S>, torque: Vec3<S>| Obb3 {
+        center: center.canonical(),
+        size: vector(size).canonical(),
+        rotation: canonical(rotation.quaternion_gradient(torque * (bar * turn_unit))),
+    };
+    let grad_a = by(-center, size_a, a.rotation, own_torque);
+    let grad_b = by(center, size_b, b.rotation, torque);
+    (value.canonical(), (grad_a, grad_b))
+}
+
+/// The same gradient; zeros lose their sign.
+#[inline(always)]
+fn canonical<S: Scalar>(g: Rotation3<S>) -> Rotation3<S> {
+    Rotation3::new(
+        g.w.canonical(),
+        g.x.canonical(),
+        g.y.canonical(),
+        g.z.canonical(),
+    )
+}
+
+/// The volume shared by two boxes of any orientation, and `out_bar` times its slopes by both.
+///
+/// Slopes by the rotations are by the four numbers of their quaternions;
+/// [`Rotation3::tangent_gradient`] makes those of body tangents of them.
+///
+/// ```
+/// use geograd::{Vec3, overlap3::intersection_volume_obb3_vjp, shape::{Obb3, Rotation3}};
+/// let cube = Obb3::new(Vec3::new(0.0, 0.0, 0.0), Vec3::new(2.0, 2.0, 2.0), Rotation3::identity());
+/// let moved = Obb3 { center: Vec3::new(0.5, 0.5, 0.5), ..cube };
+/// let (volume, (by_cube, by_moved)) = intersection_volume_obb3_vjp(cube, moved, 1.0_f64);
+/// assert!((volume - 1.5_f64.powi(3)).abs() < 1e-15);
+/// assert!((by_moved.center.x + 1.5 * 1.5).abs() < 1e-15);
+/// assert!((by_cube.size.x - 1.5 * 1.5 / 2.0).abs() < 1e-15);
+/// ```
+#[must_use]
+#[inline]
+pub fn intersection_volume_obb3_vjp<S: Scalar>(
+    a: Obb3<S>,
+    b: Obb3<S>,
+    out_bar: S,
+) -> (S, (Obb3<S>, Obb3<S>)) {
+    score_vjp(Denominator::None, a, b, out_bar)
+}
+
+/// Intersection over union of two boxes of any orientation, and `out_bar` times its slopes by both.
+///
+/// As for [`intersection_volume_obb3_vjp`].
+#[must_use]
+#[inline]
+pub fn iou_obb3_vjp<S: Scalar>(a: Obb3<S>, b: Obb3<S>, out_bar: S) -> (S, (Obb3<S>, Obb3<S>)) {
+    score_vjp(Denominator::Union, a, b, out_bar)
+}
+
+/// The share of the first box that lies in the second, and `out_bar` times its slopes by both.
+///
+/// As for [`intersection_volume_obb3_vjp`].
+#[must_use]
+#[inline]
+pub fn iof_obb3_vjp<S: Scalar>(a: Obb3<S>, b: Obb3<S>, out_bar: S) -> (S, (Obb3<S>, Obb3<S>)) {
+    score_vjp(Denominator::First, a, b, out_bar)
+}

@@ -1,0 +1,154 @@
+//! Boxes of any orientation in space.
+use crate::shape::{Aabb3, Plane3, Pose3, Rotation3, YawBox3};
+use crate::{Scalar, Shape, Vec3};
+
+/// A box of any orientation in space: centre, size along its own axes, rotation of those axes. Valid
+/// when finite, of non-negative size and with a quaternion that is not zero; zero size is valid.
+///
+/// ```
+/// use geograd::{Vec3, shape::{Obb3, Rotation3}};
+/// let tilted = Rotation3::from_axis_angle(Vec3::new(1.0, 0.0, 0.0), 0.2);
+/// let a = Obb3::new(Vec3::new(0.0, 0.0, 0.0), Vec3::new(4.0, 2.0, 1.0), tilted);
+/// assert_eq!(a.volume(), 8.0);
+/// assert!(a.contains(tilted * Vec3::new(1.9, 0.9, 0.4)));
+/// ```
+#[derive(Clone, Copy, Debug, PartialEq, Shape)]
+#[repr(C)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+pub struct Obb3<S> {
+    /// The centre.
+    #[shape(names("x", "y", "z"))]
+    pub center: Vec3<S>,
+    /// The size along the box's own x, y and z axes.
+    #[shape(names("dx", "dy", "dz"), non_negative, length)]
+    pub size: Vec3<S>,
+    /// The rotation of the box's own axes.
+    #[shape(names("qw", "qx", "qy", "qz"))]
+    pub rotation: Rotation3<S>,
+}
+
+impl<S> Obb3<S> {
+    /// From centre, size and rotation, unchecked.
+    #[inline(always)]
+    pub const fn new(center: Vec3<S>, size: Vec3<S>, rotation: Rotation3<S>) -> Self {
+        Obb3 {
+            center,
+            size,
+            rotation,
+        }
+    }
+}
+
+impl<S: Scalar> Obb3<S> {
+    /// The volume.
+    #[must_use]
+    #[inline(always)]
+    pub fn volume(self) -> S {
+        self.size.x * self.size.y * self.size.z
+    }
+    /// The area of all six faces.
+    #[must_use]
+    #[inline(always)]
+    pub fn surface(self) -> S {
+        let size = self.size;
+        let half = size.x * size.y + size.y * size.z + size.z * size.x;
+        half + half
+    }
+    /// The motion from the box's own frame (centre at the origin, axes aligned) to the world.
+    #[must_use]
+    #[inline(always)]
+    pub fn world_from_local(self) -> Pose3<S> {
+        Pose3::new(self.rotation, self.center)
+    }
+    /// The corners, in the order of [`FACES`](crate::shape::FACES).
+    #[must_use]
+    #[inline]
+    pub fn corners(self) -> [Vec3<S>; 8] {
+        let [x, y, z] = self.rotation.axes();
+        let (x, y, z) = (
+            x * self.size.x.halved(),
+            y * self.size.y.halved(),
+            z * self.size.z.halved(),
+        );
+        let c = self.center;
+        let (low, high) = (c - z, c + z);
+        [
+            low - y - x,
+            low - y + x,
+            low + y - x,
+            low + y + x,
+            high - y - x,
+            high - y + x,
+            high + y - x,
+            high + y + x,
+        ]
+    }
+    /// The planes of its faces, normals outwards: low x, high x, low y, high y, low z, high z.
+    #[must_use]
+    #[inline]
+    pub fn planes(self) -> [Plane3<S>; 6] {
+        let axes = self.rotation.axes();
+        let half = [
+            self.size.x.halved(),
+            self.size.y.halved(),
+            self.size.z.halved(),
+        ];
+        let face = |n: usize| {
+            let along = axes[n / 2].dot(self.center);
+            if n % 2 == 0 {
+                Plane3::new(-axes[n / 2], half[n / 2] - along)
+            } else {
+                Plane3::new(axes[n / 2], half[n / 2] + along)
+            }
+        };
+        [face(0), face(1), face(2), face(3), face(4), face(5)]
+    }
+    /// Whether the point is in the box; the border belongs to it.
+    #[must_use]
+    #[inline]
+    pub fn contains(self, point: Vec3<S>) -> S::Mask {
+        let p = self.rotation.inverse() * (point - self.center);
+        p.x.magnitude().at_most(self.size.x.halved())
+            & p.y.magnitude().at_most(self.size.y.halved())
+            & p.z.magnitude().at_most(self.size.z.halved())
+    }
+    /// The smallest axis-aligned box around it. Kinks where an axis of the box is orthogonal to one of
+    /// the world's.
+    #[must_use]
+    #[inline]
+    pub fn bounding(self) -> Aabb3<S> {
+        let [x, y, z] = self.rotation.axes();
+        let reach = |v: Vec3<S>, half: S| {
+            Vec3::new(
+                v.x.magnitude() * half,
+                v.y.magnitude() * half,
+                v.z.magnitude() * half,
+            )
+        };
+        let reach = reach(x, self.size.x.halved())
+            + reach(y, self.size.y.halved())
+            + reach(z, self.size.z.halved());
+        Aabb3::new(self.center - reach, self.center + reach)
+    }
+    /// The box after a small turn about its own axes, as a rotation vector in radians.
+    #[must_use]
+    #[inline]
+    pub fn retract(self, turn: Vec3<S>) -> Self {
+        Obb3::new(self.center, self.size, self.rotation.retract(turn))
+    }
+}
+
+impl<S: Scalar> From<YawBox3<S>> for Obb3<S> {
+    #[inline(always)]
+    fn from(upright: YawBox3<S>) -> Self {
+        Obb3::new(upright.center, upright.size, upright.rotation())
+    }
+}
+
+impl<S: Scalar> From<Aabb3<S>> for Obb3<S> {
+    /// The same box, not turned.
+    #[inline(always)]
+    fn from(bounds: Aabb3<S>) -> Self {
+        Obb3::new(bounds.center(), bounds.size(), Rotation3::identity())
+    }
+}

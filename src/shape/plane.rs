@@ -1,0 +1,75 @@
+//! Planes in space.
+use crate::error::Field;
+use crate::{Flaw, Scalar, Shape, Vec3};
+
+/// A plane in space: the points p with `normal · p = offset`, where the normal has any length but zero;
+/// and the half-space behind it, `normal · p ≤ offset`. Valid when finite and the normal is not zero.
+///
+/// ```
+/// use geograd::{Vec3, shape::Plane3};
+/// let floor = Plane3::through(Vec3::new(5.0, 5.0, 1.0), Vec3::new(0.0, 0.0, 2.0));
+/// assert_eq!(floor.signed_distance(Vec3::new(0.0, 0.0, 4.0)), 3.0);
+/// assert_eq!(floor.project(Vec3::new(0.0, 7.0, 4.0)), Vec3::new(0.0, 7.0, 1.0));
+/// ```
+#[derive(Clone, Copy, Debug, PartialEq, Shape)]
+#[shape(validate = has_direction)]
+#[repr(C)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+pub struct Plane3<S> {
+    /// A direction orthogonal to the plane, of any length but zero.
+    #[shape(number)]
+    pub normal: Vec3<S>,
+    /// The normal's inner product with any point of the plane.
+    pub offset: S,
+}
+
+fn has_direction<S: Scalar<Mask = bool>>(plane: &Plane3<S>) -> Result<(), Flaw> {
+    let (n, zero) = (plane.normal, S::zero());
+    if n.x.equals(zero) & n.y.equals(zero) & n.z.equals(zero) {
+        return Err(Flaw::Broken(Field::new("normal"), "is zero"));
+    }
+    Ok(())
+}
+
+impl<S> Plane3<S> {
+    /// From normal and offset, unchecked.
+    #[inline(always)]
+    pub const fn new(normal: Vec3<S>, offset: S) -> Self {
+        Plane3 { normal, offset }
+    }
+}
+
+impl<S: Scalar> Plane3<S> {
+    /// Through a point, with a normal of any length but zero.
+    #[must_use]
+    #[inline(always)]
+    pub fn through(point: Vec3<S>, normal: Vec3<S>) -> Self {
+        Plane3::new(normal, normal.dot(point))
+    }
+    /// The distance from a point to the plane, positive on the side of the normal; zero for the zero
+    /// normal.
+    #[must_use]
+    #[inline(always)]
+    pub fn signed_distance(self, point: Vec3<S>) -> S {
+        let length = self.normal.length();
+        let zero = length.at_most(S::zero());
+        let height = self.normal.dot(point) - self.offset;
+        S::select(
+            zero,
+            S::zero(),
+            height.over(S::select(zero, S::one(), length)),
+        )
+    }
+    /// The point of the plane nearest to a point.
+    #[must_use]
+    #[inline(always)]
+    pub fn project(self, point: Vec3<S>) -> Vec3<S> {
+        point - self.normal.normalize_or_zero() * self.signed_distance(point)
+    }
+    /// Whether the point is behind the plane or on it.
+    #[must_use]
+    #[inline(always)]
+    pub fn contains(self, point: Vec3<S>) -> S::Mask {
+        self.normal.dot(point).at_most(self.offset)
+    }
+}

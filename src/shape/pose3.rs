@@ -1,0 +1,109 @@
+//! Rigid motions of space.
+use crate::shape::{Obb3, Rotation3};
+use crate::{Scalar, Shape, Vec3};
+use std::ops::Mul;
+
+/// A rigid motion of space: a rotation, then a translation.
+///
+/// Named `a_from_b` it maps coordinates of frame b to frame a, and `a_from_b * b_from_c` is `a_from_c`.
+///
+/// ```
+/// use geograd::{Vec3, shape::{Pose3, Rotation3}};
+/// let world_from_car = Pose3::new(Rotation3::from_yaw(0.5), Vec3::new(10.0, 0.0, 1.0));
+/// let there = world_from_car * Vec3::new(2.0, 1.0, 0.5);
+/// assert!((world_from_car.inverse() * there).distance(Vec3::new(2.0, 1.0, 0.5)) < 1e-14);
+/// ```
+#[derive(Clone, Copy, Debug, PartialEq, Shape)]
+#[repr(C)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+pub struct Pose3<S> {
+    /// Applied first.
+    pub rotation: Rotation3<S>,
+    /// Applied second: where the origin goes.
+    pub translation: Vec3<S>,
+}
+
+impl<S> Pose3<S> {
+    /// From a rotation and where the origin goes.
+    #[inline(always)]
+    pub const fn new(rotation: Rotation3<S>, translation: Vec3<S>) -> Self {
+        Pose3 {
+            rotation,
+            translation,
+        }
+    }
+}
+
+impl<S: Scalar> Pose3<S> {
+    /// No motion.
+    #[inline(always)]
+    pub fn identity() -> Self {
+        Pose3::new(Rotation3::identity(), Vec3::zero())
+    }
+    /// The motion back.
+    #[must_use]
+    #[inline]
+    pub fn inverse(self) -> Self {
+        let rotation = self.rotation.inverse();
+        Pose3::new(rotation, -(rotation * self.translation))
+    }
+    /// The motion a fraction `t` of the way to another one: the rotation along the shorter way round,
+    /// the origin along a straight line.
+    #[must_use]
+    #[inline]
+    pub fn interpolate(self, other: Self, t: S) -> Self {
+        Pose3::new(
+            self.rotation.interpolate(other.rotation, t),
+            self.translation.lerp(other.translation, t),
+        )
+    }
+    /// The motion after a small one in the body's own frame: a turn as a rotation vector in radians and
+    /// a shift. The step of an optimiser in six numbers.
+    #[must_use]
+    #[inline]
+    pub fn retract(self, turn: Vec3<S>, shift: Vec3<S>) -> Self {
+        Pose3::new(
+            self.rotation.retract(turn),
+            self.translation + self.rotation * shift,
+        )
+    }
+    /// The turn and the shift that lead to another motion: the inverse of [`retract`](Self::retract).
+    #[must_use]
+    #[inline]
+    pub fn tangent_to(self, other: Self) -> (Vec3<S>, Vec3<S>) {
+        (
+            self.rotation.tangent_to(other.rotation),
+            self.rotation.inverse() * (other.translation - self.translation),
+        )
+    }
+}
+
+impl<S: Scalar> Mul for Pose3<S> {
+    type Output = Self;
+    /// First `other`, then `self`.
+    #[inline]
+    fn mul(self, other: Self) -> Self {
+        Pose3::new(self.rotation * other.rotation, self * other.translation)
+    }
+}
+
+impl<S: Scalar> Mul<Vec3<S>> for Pose3<S> {
+    type Output = Vec3<S>;
+    #[inline]
+    fn mul(self, point: Vec3<S>) -> Vec3<S> {
+        self.rotation * point + self.translation
+    }
+}
+
+impl<S: Scalar> Mul<Obb3<S>> for Pose3<S> {
+    type Output = Obb3<S>;
+    /// The box carried along: `world_from_car * box_in_car` is the box in the world.
+    #[inline]
+    fn mul(self, shape: Obb3<S>) -> Obb3<S> {
+        Obb3 {
+            center: self * shape.center,
+            size: shape.size,
+            rotation: self.rotation * shape.rotation,
+        }
+    }
+}

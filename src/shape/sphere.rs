@@ -1,0 +1,64 @@
+//! Spheres.
+use crate::shape::Aabb3;
+use crate::{Scalar, Shape, Vec3};
+
+/// A ball in space. Valid when finite and of non-negative radius; radius zero is valid.
+///
+/// ```
+/// use geograd::{Vec3, shape::Sphere};
+/// let ball = Sphere::new(Vec3::new(1.0, 0.0, 0.0), 2.0);
+/// assert_eq!(ball.signed_distance(Vec3::new(4.0, 0.0, 0.0)), 1.0);
+/// ```
+#[derive(Clone, Copy, Debug, PartialEq, Shape)]
+#[repr(C)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+pub struct Sphere<S> {
+    /// The centre.
+    #[shape(names("x", "y", "z"))]
+    pub center: Vec3<S>,
+    /// The radius.
+    #[shape(non_negative)]
+    pub radius: S,
+}
+
+impl<S> Sphere<S> {
+    /// From centre and radius, unchecked.
+    #[inline(always)]
+    pub const fn new(center: Vec3<S>, radius: S) -> Self {
+        Sphere { center, radius }
+    }
+}
+
+impl<S: Scalar> Sphere<S> {
+    /// The volume.
+    #[must_use]
+    #[inline(always)]
+    pub fn volume(self) -> S {
+        self.radius * self.radius * self.radius * S::lit(4.0 / 3.0 * std::f64::consts::PI)
+    }
+    /// The area of the surface.
+    #[must_use]
+    #[inline(always)]
+    pub fn surface(self) -> S {
+        self.radius * self.radius * S::lit(4.0 * std::f64::consts::PI)
+    }
+    /// The distance from a point to the surface, negative inside; slope zero at the centre.
+    #[must_use]
+    #[inline(always)]
+    pub fn signed_distance(self, point: Vec3<S>) -> S {
+        point.distance(self.center) - self.radius
+    }
+    /// Whether the point is in the ball; the surface belongs to it.
+    #[must_use]
+    #[inline(always)]
+    pub fn contains(self, point: Vec3<S>) -> S::Mask {
+        point.distance(self.center).at_most(self.radius)
+    }
+    /// The smallest axis-aligned box around it.
+    #[must_use]
+    #[inline(always)]
+    pub fn bounding(self) -> Aabb3<S> {
+        let reach = Vec3::new(self.radius, self.radius, self.radius);
+        Aabb3::new(self.center - reach, self.center + reach)
+    }
+}

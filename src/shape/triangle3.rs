@@ -1,0 +1,75 @@
+//! Triangles in space.
+use crate::shape::Plane3;
+use crate::{Scalar, Shape, Vec3};
+
+/// A triangle in space. Valid when finite; area zero is valid.
+///
+/// ```
+/// use geograd::{Vec3, shape::Triangle3};
+/// let half = Triangle3::new(
+///     Vec3::new(0.0, 0.0, 1.0),
+///     Vec3::new(2.0, 0.0, 1.0),
+///     Vec3::new(0.0, 2.0, 1.0),
+/// );
+/// assert_eq!(half.area(), 2.0);
+/// assert_eq!(half.normal(), Vec3::new(0.0, 0.0, 1.0));
+/// ```
+#[derive(Clone, Copy, Debug, PartialEq, Shape)]
+#[repr(C)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+pub struct Triangle3<S> {
+    /// The first corner.
+    pub a: Vec3<S>,
+    /// The second corner.
+    pub b: Vec3<S>,
+    /// The third corner; counter-clockwise when the normal points at the viewer.
+    pub c: Vec3<S>,
+}
+
+impl<S> Triangle3<S> {
+    /// From its corners.
+    #[inline(always)]
+    pub const fn new(a: Vec3<S>, b: Vec3<S>, c: Vec3<S>) -> Self {
+        Triangle3 { a, b, c }
+    }
+}
+
+impl<S: Scalar> Triangle3<S> {
+    /// The normal whose length is twice the area: smooth everywhere.
+    #[must_use]
+    #[inline(always)]
+    pub fn twice_area_normal(self) -> Vec3<S> {
+        (self.b - self.a).cross(self.c - self.a)
+    }
+    /// The area; slope zero at area zero.
+    #[must_use]
+    #[inline(always)]
+    pub fn area(self) -> S {
+        self.twice_area_normal().length().halved()
+    }
+    /// The normal of length one, or the zero vector (with slope zero) for area zero.
+    #[must_use]
+    #[inline(always)]
+    pub fn normal(self) -> Vec3<S> {
+        self.twice_area_normal().normalize_or_zero()
+    }
+    /// The mean of the corners.
+    #[must_use]
+    #[inline(always)]
+    pub fn center(self) -> Vec3<S> {
+        self.a + ((self.b - self.a) + (self.c - self.a)) * S::lit(1.0 / 3.0)
+    }
+    /// The plane it lies in; not valid for area zero.
+    #[must_use]
+    #[inline(always)]
+    pub fn plane(self) -> Plane3<S> {
+        Plane3::through(self.a, self.twice_area_normal())
+    }
+    /// Six times the signed volume of the tetrahedron with a point: positive when the point is behind
+    /// the triangle, as for the points inside a closed mesh whose normals look outwards.
+    #[must_use]
+    #[inline(always)]
+    pub fn six_volume(self, point: Vec3<S>) -> S {
+        self.twice_area_normal().dot(self.a - point)
+    }
+}
