@@ -71,6 +71,34 @@ pub enum Field {
     MaxX,
     /// The upper y bound.
     MaxY,
+    /// The lower bound of an interval.
+    Min,
+    /// The upper bound of an interval.
+    Max,
+    /// The x coordinate of a line's point or of a ray's origin.
+    PointX,
+    /// The y coordinate of a line's point or of a ray's origin.
+    PointY,
+    /// The x coordinate of a direction.
+    DirectionX,
+    /// The y coordinate of a direction.
+    DirectionY,
+    /// A direction as a whole.
+    Direction,
+    /// The x coordinate of a segment's start.
+    FromX,
+    /// The y coordinate of a segment's start.
+    FromY,
+    /// The x coordinate of a segment's end.
+    ToX,
+    /// The y coordinate of a segment's end.
+    ToY,
+    /// The x coordinate of a corner, by its number.
+    CornerX(usize),
+    /// The y coordinate of a corner, by its number.
+    CornerY(usize),
+    /// The radius.
+    Radius,
 }
 
 impl fmt::Display for Field {
@@ -86,6 +114,20 @@ impl fmt::Display for Field {
             Field::MinY => "min.y",
             Field::MaxX => "max.x",
             Field::MaxY => "max.y",
+            Field::Min => "min",
+            Field::Max => "max",
+            Field::PointX => "point.x",
+            Field::PointY => "point.y",
+            Field::DirectionX => "direction.x",
+            Field::DirectionY => "direction.y",
+            Field::Direction => "direction",
+            Field::FromX => "from.x",
+            Field::FromY => "from.y",
+            Field::ToX => "to.x",
+            Field::ToY => "to.y",
+            Field::CornerX(k) => return write!(f, "corners[{k}].x"),
+            Field::CornerY(k) => return write!(f, "corners[{k}].y"),
+            Field::Radius => "radius",
         })
     }
 }
@@ -100,6 +142,8 @@ pub enum Flaw {
     Negative(Field),
     /// A lower bound is above its upper bound.
     Inverted(Field),
+    /// A direction is the zero vector.
+    Zero(Field),
 }
 
 impl fmt::Display for Flaw {
@@ -108,6 +152,7 @@ impl fmt::Display for Flaw {
             Flaw::NotFinite(field) => write!(f, "{field} is not a finite number"),
             Flaw::Negative(field) => write!(f, "{field} is negative"),
             Flaw::Inverted(field) => write!(f, "{field} is above its upper bound"),
+            Flaw::Zero(field) => write!(f, "{field} is zero"),
         }
     }
 }

@@ -1,0 +1,7 @@
+//! Shapes of the plane, their distances and intersections.
+mod any;
+mod bugs;
+mod distance;
+mod oracle;
+mod ring;
+mod shapes;
