@@ -1,6 +1,7 @@
 //! What distances ask of a shape: a convex core of few corners, inflated by a radius.
 use super::edge::{Edge, choose, reach, size_of};
 use super::share::{Ahead, Best, Deepest, Nearest};
+use crate::intersection::span::{Beam, Inside};
 use crate::{Rotation2, Scalar, Vec2};
 
 /// A convex shape: every point at most [`radius`](Convex::radius) from its [`core`](Convex::core).
@@ -49,6 +50,9 @@ pub trait Core<S: Scalar>: Copy {
     fn away(&self) -> Self::Away;
     /// The corner that is nearest to an edge of this core, and where.
     fn near(&self, corners: &[Vec2<S>]) -> Best<S, Nearest<S>>;
+    /// Where a line is inside of the core or, for a piece of a line, of the strip that far to both
+    /// sides of it.
+    fn inside(&self, beam: Beam<S>, radius: S) -> Inside<S>;
     /// The face that parts this core best from the hull of corners and directions.
     fn deep(&self, corners: &[Vec2<S>], away: &[Vec2<S>]) -> Best<S, Deepest<S>>;
 }
@@ -74,28 +78,45 @@ fn edge_near<S: Scalar>(edge: Edge<S>, corners: &[Vec2<S>]) -> Best<S, Nearest<S
 /// has length one, or zero where the face has no length: such a face parts nothing.
 #[inline(always)]
 fn face_deep<S: Scalar>(
-    from: Vec2<S>,
+    face: Edge<S>,
     normal: Vec2<S>,
     corners: &[Vec2<S>],
     away: &[Vec2<S>],
 ) -> Best<S, Deepest<S>> {
-    let first = Best::least(corners.iter().map(|&corner| {
-        let ahead = normal.dot(corner - from);
-        Best::of(ahead, Ahead { ahead, on_b: corner })
-    }));
-    let mut useless = normal.x.equals(S::zero()) & normal.y.equals(S::zero());
-    for direction in away {
-        useless = useless | normal.dot(*direction).below(S::zero());
-    }
-    let Ahead { ahead, on_b } = first.sum;
+    let none = normal.x.equals(S::zero()) & normal.y.equals(S::zero());
+    let useless = away.iter().fold(none, |useless, direction| {
+        useless | normal.dot(*direction).below(S::zero())
+    });
+    let aheads = corners.iter().map(|&on_b| Ahead {
+        ahead: normal.dot(on_b - face.from),
+        on_b,
+    });
+    deepest_ahead(face, normal, useless, aheads)
+}
+
+/// The same from how far in front of the face each corner is.
+#[inline(always)]
+fn deepest_ahead<S: Scalar>(
+    face: Edge<S>,
+    normal: Vec2<S>,
+    useless: S::Mask,
+    aheads: impl Iterator<Item = Ahead<S>>,
+) -> Best<S, Deepest<S>> {
+    let first = Best::least(aheads.map(|corner| Best::of(corner.ahead, corner)));
+    // The middle of the corners that tie may lie beyond the end of the face, though some point between
+    // them does not; or it lies before another face of the same line.
+    let Ahead { ahead, on_b } = first.mean();
+    let foot = reach(face, on_b - face.from);
+    let on_a = face.from + face.along * foot.t;
+    let beyond = (foot.free - foot.t).magnitude() * S::from_primal(size_of(face.along));
     Best {
         value: S::select(useless, S::lit(-S::LARGEST), first.value),
         sum: Deepest {
-            ahead,
+            ahead: first.sum.ahead,
             normal,
-            on_a: on_b - normal * ahead,
-            on_b,
-            points: first.count,
+            on_a,
+            on_b: on_a + normal * ahead,
+            beyond,
         },
         count: first.count,
     }
@@ -154,8 +175,12 @@ impl<S: Scalar> Core<S> for PointCore<S> {
         }))
     }
     #[inline(always)]
+    fn inside(&self, beam: Beam<S>, radius: S) -> Inside<S> {
+        Inside::disc(beam, self.0, radius)
+    }
+    #[inline(always)]
     fn deep(&self, corners: &[Vec2<S>], away: &[Vec2<S>]) -> Best<S, Deepest<S>> {
-        face_deep(self.0, Vec2::zero(), corners, away)
+        face_deep(Edge::between(self.0, self.0), Vec2::zero(), corners, away)
     }
 }
 
@@ -237,14 +262,16 @@ impl<S: Scalar, const CORNERS: usize, const AWAY: usize> Core<S> for EdgeCore<S,
         edge_near(self.edge, corners)
     }
     #[inline(always)]
+    fn inside(&self, beam: Beam<S>, radius: S) -> Inside<S> {
+        let Edge { from, along, .. } = self.edge;
+        Inside::strip(beam, from, along, radius, AWAY < 2, AWAY == 0)
+    }
+    #[inline(always)]
     fn deep(&self, corners: &[Vec2<S>], away: &[Vec2<S>]) -> Best<S, Deepest<S>> {
         let normal = unit(self.edge.along.perp());
-        face_deep(self.edge.from, normal, corners, away).most(face_deep(
-            self.edge.from,
-            -normal,
-            corners,
-            away,
-        ))
+        let [left, right] =
+            [normal, -normal].map(|normal| face_deep(self.edge, normal, corners, away));
+        left.most(right)
     }
 }
 
@@ -285,10 +312,14 @@ impl<S: Scalar, const N: usize> Core<S> for PolygonCore<S, N> {
         }))
     }
     #[inline(always)]
+    fn inside(&self, beam: Beam<S>, _: S) -> Inside<S> {
+        Inside::polygon(beam, &self.0)
+    }
+    #[inline(always)]
     fn deep(&self, corners: &[Vec2<S>], away: &[Vec2<S>]) -> Best<S, Deepest<S>> {
         Best::most_of((0..N).map(|i| {
-            let along = self.0[(i + 1) % N] - self.0[i];
-            face_deep(self.0[i], -unit(along.perp()), corners, away)
+            let face = Edge::between(self.0[i], self.0[(i + 1) % N]);
+            face_deep(face, -unit(face.along.perp()), corners, away)
         }))
     }
 }
@@ -336,6 +367,19 @@ pub struct BoxCore<S, R> {
     pub half: Vec2<S>,
     /// How it is turned.
     pub turn: R,
+}
+
+impl<S: Scalar, R: Turn<S>> BoxCore<S, R> {
+    /// The normals of the faces, how far the faces are from the centre, and half their lengths.
+    #[inline(always)]
+    fn faces(&self) -> [(Vec2<S>, S, S); 4] {
+        let (right, up) = (
+            self.turn.out(Vec2::new(S::one(), S::zero())),
+            self.turn.out(Vec2::new(S::zero(), S::one())),
+        );
+        let Vec2 { x, y } = self.half;
+        [(right, x, y), (-right, x, y), (up, y, x), (-up, y, x)]
+    }
 }
 
 impl<S: Scalar, R: Turn<S>> Core<S> for BoxCore<S, R> {
@@ -397,15 +441,35 @@ impl<S: Scalar, R: Turn<S>> Core<S> for BoxCore<S, R> {
         }))
     }
     #[inline(always)]
+    fn inside(&self, beam: Beam<S>, _: S) -> Inside<S> {
+        self.faces()
+            .into_iter()
+            .fold(Inside::everywhere(), |inside, (normal, half, _)| {
+                inside.behind(beam, self.center + normal * half, normal)
+            })
+    }
+    #[inline(always)]
     fn deep(&self, corners: &[Vec2<S>], away: &[Vec2<S>]) -> Best<S, Deepest<S>> {
-        let (right, up) = (
-            self.turn.out(Vec2::new(S::one(), S::zero())),
-            self.turn.out(Vec2::new(S::zero(), S::one())),
-        );
-        let Vec2 { x, y } = self.half;
-        let faces = [(right, x), (-right, x), (up, y), (-up, y)];
-        Best::most_of(faces.into_iter().map(|(normal, half)| {
-            face_deep(self.center + normal * half, normal, corners, away)
+        // All faces see the corners in the box's own frame.
+        let seen = |v: Vec2<S>| self.turn.back(v);
+        let pick = |v: Vec2<S>, face: usize| [v.x, -v.x, v.y, -v.y][face];
+        let faces = self.faces().into_iter().enumerate();
+        Best::most_of(faces.map(|(k, (normal, half, side))| {
+            let face = Edge {
+                from: self.center + normal * half,
+                along: normal.perp(),
+                low: -side,
+                high: side,
+            };
+            let never = S::one().below(S::zero());
+            let useless = away.iter().fold(never, |useless, &direction| {
+                useless | pick(seen(direction), k).below(S::zero())
+            });
+            let aheads = corners.iter().map(|&on_b| Ahead {
+                ahead: pick(seen(on_b - self.center), k) - half,
+                on_b,
+            });
+            deepest_ahead(face, normal, useless, aheads)
         }))
     }
 }

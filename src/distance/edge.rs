@@ -33,6 +33,8 @@ impl<S: Scalar> Edge<S> {
 pub struct Reach<S> {
     /// The parameter of the nearest point of the edge.
     pub t: S,
+    /// The parameter of the nearest point of the whole line.
+    pub free: S,
     /// The way from there to the point. Across the edge it is found from the offset alone, so that
     /// its direction is right however small it is.
     pub apart: Vec2<S>,
@@ -55,6 +57,7 @@ pub fn reach<S: Scalar>(edge: Edge<S>, arm: Vec2<S>) -> Reach<S> {
     let (across, direct) = (edge.along.perp() * offset, arm - edge.along * t);
     Reach {
         t,
+        free,
         apart: choose(inside, across, direct),
     }
 }

@@ -109,20 +109,20 @@ pub struct Ahead<S> {
 
 /// A face and the points of the other core that are farthest behind it.
 ///
-/// Faces that tie share the slope of how far; of their normals and points the first ones are taken,
-/// for the mean of two normals is none.
+/// Faces that tie share the slope of how far; of their normals and points those of the first face are
+/// taken whose end the points are not beyond, for the mean of two normals is none.
 #[derive(Clone, Copy, Debug)]
 pub struct Deepest<S> {
     /// How far in front of the face they are; negative behind it.
     pub ahead: S,
     /// The face's normal, of length one, from a to b.
     pub normal: Vec2<S>,
-    /// The point of a, or of its face's line, times `points`.
+    /// The point of a: of its face, or the one farthest behind b's face.
     pub on_a: Vec2<S>,
-    /// The point of b, or of its face's line, times `points`.
+    /// The point of b: of its face, or the one farthest behind a's face.
     pub on_b: Vec2<S>,
-    /// How many points of the one face tie.
-    pub points: S,
+    /// How far the points were beyond the end of the face.
+    pub beyond: S,
 }
 
 #[inline(always)]
@@ -169,24 +169,20 @@ impl<S: Scalar> Carry<S> for Ahead<S> {
 impl<S: Scalar> Carry<S> for Deepest<S> {
     #[inline(always)]
     fn join(self, other: Self, keep: S::Mask, tie: S::Mask) -> Self {
-        let first = keep | tie;
+        let first = keep | tie & self.beyond.at_most(other.beyond);
         Deepest {
             ahead: self.ahead.join(other.ahead, keep, tie),
             normal: choose(first, self.normal, other.normal),
             on_a: choose(first, self.on_a, other.on_a),
             on_b: choose(first, self.on_b, other.on_b),
-            points: S::select(first, self.points, other.points),
+            beyond: S::select(first, self.beyond, other.beyond),
         }
     }
     #[inline(always)]
     fn times(self, factor: S) -> Self {
-        let each = S::one().over(self.points);
         Deepest {
             ahead: self.ahead * factor,
-            normal: self.normal,
-            on_a: self.on_a * each,
-            on_b: self.on_b * each,
-            points: S::one(),
+            ..self
         }
     }
 }
@@ -216,7 +212,7 @@ impl<S: Scalar> Best<S, Deepest<S>> {
             normal: -self.sum.normal,
             on_a: self.sum.on_b,
             on_b: self.sum.on_a,
-            points: self.sum.points,
+            beyond: self.sum.beyond,
         };
         self
     }

@@ -55,8 +55,8 @@ impl<S: Scalar> Line2<S> {
         Line2::new(a, b - a)
     }
     /// The line where `a x + b y + c = 0`. Its point is the one nearest to the origin, its direction
-    /// `(−b, a)`, so that `a x + b y + c` is negative on the right. Not valid (direction zero) where
-    /// a and b are both zero.
+    /// `(b, −a)`, so that `a x + b y + c` is positive on the left. Not valid (direction zero) where a
+    /// and b are both zero.
     #[must_use]
     #[inline]
     pub fn from_coefficients(a: S, b: S, c: S) -> Self {
@@ -67,7 +67,7 @@ impl<S: Scalar> Line2<S> {
         // One division after the other: the squared length may not be representable.
         let away = -c.over(length);
         let point = Vec2::new(a.over(length) * away, b.over(length) * away);
-        Line2::new(point.canonical(), normal.perp().canonical())
+        Line2::new(point.canonical(), (-normal.perp()).canonical())
     }
     /// `[a, b, c]` with `a x + b y + c = 0` on the line and positive on its left;
     /// `√(a² + b²)` is the length of the direction.

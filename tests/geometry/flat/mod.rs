@@ -2,6 +2,7 @@
 mod any;
 mod bugs;
 mod distance;
+mod intersection;
 mod oracle;
 mod ring;
 mod shapes;
