@@ -24,10 +24,12 @@
 //! | --- | --- |
 //! | measure overlap of boxes | [`overlap`], [`Obb2::iou`], [`Aabb2::iou`] |
 //! | measure polygons | [`ring`] |
+//! | measure distances, closest points and penetration of shapes | [`distance`](mod@distance) |
+//! | cross lines, cast rays, cut segments | [`intersection`] |
 //! | differentiate any generic function of shapes | [`ad`]: [`ad::gradient`], [`ad::hessian`], … |
 //! | use an adjoint by hand | [`ad::overlap`], [`ad::ring`] |
 //! | work on many shapes at once | [`kernels::cpu`] |
-//! | make a shape | [`Vec2`], [`Vec3`], [`Rotation2`], [`Pose2`], [`Aabb2`], [`Obb2`] |
+//! | make a shape | [`Vec2`], [`Vec3`], [`Rotation2`], [`Pose2`], [`Aabb2`], [`Obb2`], [`shape`] |
 //! | write generic geometry | [`Scalar`], [`Mask`], [`Pack`] |
 //! | know what happens at a kink | [`scalar`] |
 //!
@@ -45,6 +47,8 @@ mod approximate;
 #[forbid(unsafe_code)]
 pub mod clip;
 #[forbid(unsafe_code)]
+pub mod distance;
+#[forbid(unsafe_code)]
 pub mod dual;
 #[cfg(feature = "nalgebra")]
 #[forbid(unsafe_code)]
@@ -56,6 +60,8 @@ pub mod float;
 #[cfg(feature = "glam")]
 #[forbid(unsafe_code)]
 mod interop;
+#[forbid(unsafe_code)]
+pub mod intersection;
 #[forbid(unsafe_code)]
 pub mod jet;
 #[forbid(unsafe_code)]
@@ -72,6 +78,8 @@ pub mod pose;
 pub mod ring;
 #[forbid(unsafe_code)]
 pub mod scalar;
+#[forbid(unsafe_code)]
+pub mod shape;
 #[forbid(unsafe_code)]
 pub mod vector;
 
@@ -94,4 +102,8 @@ pub use obb::Obb2;
 pub use pack::{Fixed, Pack};
 pub use pose::{Pose2, Rotation2};
 pub use scalar::{Mask, Scalar};
+pub use shape::{
+    capsule::Capsule2, circle::Circle, interval::Interval, line::Line2, ray::Ray2,
+    segment::Segment2, triangle::Triangle2,
+};
 pub use vector::{Vec2, Vec3};

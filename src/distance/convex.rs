@@ -7,8 +7,19 @@ use crate::{Rotation2, Scalar, Vec2};
 /// A convex shape: every point at most [`radius`](Convex::radius) from its [`core`](Convex::core).
 ///
 /// Points, lines, rays, segments, triangles, boxes, circles, capsules and arrays of corners are. The
-/// functions of [`distance`](crate::distance) and [`intersection`](crate::intersection) take any two
-/// of them.
+/// functions of [`distance`](mod@crate::distance) and [`intersection`](crate::intersection) take any
+/// two of them; those of distances are methods, too.
+///
+/// ```
+/// use geograd::distance::Convex;
+/// use geograd::{Circle, Obb2, Segment2, Vec2};
+/// let car = Obb2::new(0.0, 0.0, 4.0, 2.0, 0.0);
+/// let tree = Circle::new(Vec2::new(0.0, 4.0), 1.0);
+/// assert_eq!(car.distance(tree), 2.0);
+/// assert_eq!(tree.signed_distance(tree.center), -1.0);
+/// let curb = Segment2::new(Vec2::new(2.5, -9.0), Vec2::new(2.5, 9.0));
+/// assert_eq!(car.closest_points(curb).on_b.x, 2.5);
+/// ```
 pub trait Convex<S: Scalar>: Copy {
     /// What is inflated.
     type Core: Core<S>;
@@ -20,6 +31,42 @@ pub trait Convex<S: Scalar>: Copy {
     #[inline(always)]
     fn radius(&self) -> S {
         S::zero()
+    }
+    /// The distance, 0 where the shapes touch or overlap: [`distance`](super::distance()).
+    #[must_use]
+    #[inline]
+    fn distance<B: Convex<S>>(self, other: B) -> S {
+        super::distance(self, other)
+    }
+    /// The square of the distance: [`distance_squared`](super::distance_squared).
+    #[must_use]
+    #[inline]
+    fn distance_squared<B: Convex<S>>(self, other: B) -> S {
+        super::distance_squared(self, other)
+    }
+    /// The distance, or minus the depth of overlap: [`signed_distance`](super::signed_distance).
+    #[must_use]
+    #[inline]
+    fn signed_distance<B: Convex<S>>(self, other: B) -> S {
+        super::signed_distance(self, other)
+    }
+    /// A point of each, nearest to each other: [`closest_points`](super::closest_points).
+    #[must_use]
+    #[inline]
+    fn closest_points<B: Convex<S>>(self, other: B) -> super::ClosestPoints<S> {
+        super::closest_points(self, other)
+    }
+    /// How deep the shapes overlap, and the way out: [`penetration`](super::penetration).
+    #[must_use]
+    #[inline]
+    fn penetration<B: Convex<S>>(self, other: B) -> super::Penetration<S> {
+        super::penetration(self, other)
+    }
+    /// The longest distance: [`farthest_distance`](super::farthest_distance).
+    #[must_use]
+    #[inline]
+    fn farthest_distance<B: Convex<S>>(self, other: B) -> S {
+        super::farthest_distance(self, other)
     }
 }
 
@@ -307,9 +354,9 @@ impl<S: Scalar, const N: usize> Core<S> for PolygonCore<S, N> {
     }
     #[inline(always)]
     fn near(&self, corners: &[Vec2<S>]) -> Best<S, Nearest<S>> {
-        Best::least((0..N).map(|i| {
-            edge_near(Edge::between(self.0[i], self.0[(i + 1) % N]), corners)
-        }))
+        Best::least(
+            (0..N).map(|i| edge_near(Edge::between(self.0[i], self.0[(i + 1) % N]), corners)),
+        )
     }
     #[inline(always)]
     fn inside(&self, beam: Beam<S>, _: S) -> Inside<S> {

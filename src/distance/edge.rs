@@ -179,9 +179,5 @@ pub fn edge_winding<S: Scalar>(point: Vec2<S>, from: Vec2<S>, to: Vec2<S>) -> S 
 /// 1, −1 or 0 from two masks.
 #[inline(always)]
 pub(crate) fn winding_of<S: Scalar>(up: S::Mask, down: S::Mask) -> S {
-    S::select(
-        up,
-        S::one(),
-        S::select(down, -S::one(), S::zero()),
-    )
+    S::select(up, S::one(), S::select(down, -S::one(), S::zero()))
 }

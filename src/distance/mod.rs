@@ -38,6 +38,7 @@ pub mod convex;
 pub mod edge;
 pub(crate) mod relation;
 pub mod ring;
+mod search;
 pub mod segments;
 pub mod shapes;
 pub mod share;

@@ -6,6 +6,7 @@
 //! holes is the fold over the edges of all of its rings, the holes clockwise (or, with
 //! [`Fill::EvenOdd`], either way round).
 use super::edge::{edge_distance, edge_winding};
+use super::search::nearest;
 use crate::{Scalar, Vec2};
 
 /// Which points of the plane a ring's winding number puts inside.
@@ -36,11 +37,10 @@ impl<S: Scalar> EdgeFold<S> {
     /// No edges: the largest finite distance, winding number 0.
     #[inline(always)]
     pub fn empty() -> Self {
-        let far = S::lit(S::LARGEST);
         EdgeFold {
-            distance: far,
-            sum: far,
-            count: S::one(),
+            distance: S::lit(S::LARGEST),
+            sum: S::zero(),
+            count: S::zero(),
             winding: S::zero(),
         }
     }
@@ -54,6 +54,23 @@ impl<S: Scalar> EdgeFold<S> {
             count: S::one(),
             winding: edge_winding(point, from, to),
         }
+    }
+    /// From the distance of the nearest edge and the winding number of all.
+    #[inline(always)]
+    pub(super) fn nearest(distance: S, winding: S) -> Self {
+        EdgeFold {
+            distance,
+            sum: distance,
+            count: S::one(),
+            winding,
+        }
+    }
+    /// With another edge that ties, though rounding may tell.
+    #[inline(always)]
+    pub(super) fn and_also(mut self, distance: S) -> Self {
+        self.sum += distance;
+        self.count += S::one();
+        self
     }
     /// Both sets of edges together: the nearer one, the sum of the winding numbers.
     #[must_use]
@@ -81,7 +98,8 @@ impl<S: Scalar> EdgeFold<S> {
     #[inline(always)]
     pub fn distance(self) -> S {
         // With the bits of the distance itself: a third of three thirds need not be one.
-        let mean = self.sum.over(self.count);
+        let none = self.count.equals(S::zero());
+        let mean = self.sum.over(S::select(none, S::one(), self.count));
         mean.with_primal(self.distance.primal()).canonical()
     }
     /// Whether the point is inside: by the rule, a winding number that is not zero, or that is odd.
@@ -171,21 +189,25 @@ pub fn winding_of_ring<S: Scalar<Mask = bool>>(point: Vec2<S>, ring: &[Vec2<S>])
 /// The fold over the edges of a polyline; over its vertex where it has only one.
 #[must_use]
 #[inline]
-pub fn fold_path<S: Scalar>(point: Vec2<S>, path: &[Vec2<S>]) -> EdgeFold<S> {
+pub fn fold_path<S: Scalar<Mask = bool>>(point: Vec2<S>, path: &[Vec2<S>]) -> EdgeFold<S> {
     if let [only] = path {
         return EdgeFold::of_edge(point, *only, *only);
     }
-    path.windows(2).fold(EdgeFold::empty(), |state, ends| {
-        state.with_edge(point, ends[0], ends[1])
+    nearest(point, path, false).unwrap_or_else(|| {
+        path.windows(2).fold(EdgeFold::empty(), |state, ends| {
+            state.with_edge(point, ends[0], ends[1])
+        })
     })
 }
 
 /// The fold over the edges of a ring.
 #[must_use]
 #[inline]
-pub fn fold_ring<S: Scalar>(point: Vec2<S>, ring: &[Vec2<S>]) -> EdgeFold<S> {
-    edges(ring).fold(EdgeFold::empty(), |state, (from, to)| {
-        state.with_edge(point, from, to)
+pub fn fold_ring<S: Scalar<Mask = bool>>(point: Vec2<S>, ring: &[Vec2<S>]) -> EdgeFold<S> {
+    nearest(point, ring, true).unwrap_or_else(|| {
+        edges(ring).fold(EdgeFold::empty(), |state, (from, to)| {
+            state.with_edge(point, from, to)
+        })
     })
 }
 

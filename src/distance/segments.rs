@@ -1,5 +1,5 @@
 //! The closest points of two segments, with their parameters.
-use super::edge::{reach, scale_of, size_of, Edge};
+use super::edge::{Edge, reach, scale_of, size_of};
 use super::share::{Best, Carry};
 use crate::{Scalar, Segment2, Vec2};
 
@@ -58,9 +58,7 @@ pub fn closest_points_of_segments<S: Scalar>(
     b: Segment2<S>,
 ) -> ClosestOnSegments<S> {
     let (along_a, along_b, way) = (a.along(), b.along(), b.from - a.from);
-    let size = size_of(along_a)
-        .most(size_of(along_b))
-        .most(size_of(way));
+    let size = size_of(along_a).most(size_of(along_b)).most(size_of(way));
     let scale = scale_of::<S>(size);
     let (da, db, w) = (along_a * scale, along_b * scale, way * scale);
     let (zero, one) = (S::zero(), S::one());

@@ -51,10 +51,7 @@ impl<S: Scalar> Convex<S> for Aabb2<S> {
         let half = |min: S, max: S| max.halved() - min.halved();
         BoxCore {
             center: self.center(),
-            half: Vec2::new(
-                half(self.min.x, self.max.x),
-                half(self.min.y, self.max.y),
-            ),
+            half: Vec2::new(half(self.min.x, self.max.x), half(self.min.y, self.max.y)),
             turn: Upright,
         }
     }

@@ -96,10 +96,7 @@ pub fn meeting_of_segments<S: Scalar>(a: Segment2<S>, b: Segment2<S>) -> Meeting
     // The longer one is the base, so that a segment of length zero lies along the other.
     let swap = size_of(a.along()).below(size_of(b.along()));
     let pick = |yes: Segment2<S>, no: Segment2<S>| {
-        Segment2::new(
-            choose(swap, yes.from, no.from),
-            choose(swap, yes.to, no.to),
-        )
+        Segment2::new(choose(swap, yes.from, no.from), choose(swap, yes.to, no.to))
     };
     let (base, other) = (pick(b, a), pick(a, b));
     let (along, along_other, way) = (base.along(), other.along(), other.from - base.from);
@@ -110,10 +107,7 @@ pub fn meeting_of_segments<S: Scalar>(a: Segment2<S>, b: Segment2<S>) -> Meeting
 
     // Across: t on the base and u on the other are quotients with the same divisor.
     let turn = d.perp_dot(e);
-    let (over_t, over_u) = (
-        w.perp_dot(e).signed_as(turn),
-        w.perp_dot(d).signed_as(turn),
-    );
+    let (over_t, over_u) = (w.perp_dot(e).signed_as(turn), w.perp_dot(d).signed_as(turn));
     let turn = turn.unsigned();
     let crossing = turn.above(zero);
     let across = crossing & within(over_t, turn) & within(over_u, turn);

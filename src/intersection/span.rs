@@ -242,10 +242,7 @@ fn find<S: Scalar, A: Convex<S>>(line: Line2<S>, shape: A) -> Found<S> {
     let length = S::select(length.at_most(S::zero()), S::one(), length);
     let beam = Beam {
         from: arm * scale,
-        along: Vec2::new(
-            line.direction.x.over(length),
-            line.direction.y.over(length),
-        ),
+        along: Vec2::new(line.direction.x.over(length), line.direction.y.over(length)),
     };
     let core = core.placed(anchor, scale);
     let radius = shape.radius() * scale;
@@ -312,9 +309,7 @@ pub fn first_hit<S: Scalar, A: Convex<S>>(ray: Ray2<S>, shape: A) -> Hit<S> {
     let ahead = |t: S| zero.at_most(t) & t.below(large);
     let enters = inside.found & ahead(inside.enter.t);
     let leaves = inside.found & inside.enter.t.below(zero) & ahead(inside.exit.t);
-    let pick = |enter: S, exit: S, miss: S| {
-        S::select(enters, enter, S::select(leaves, exit, miss))
-    };
+    let pick = |enter: S, exit: S, miss: S| S::select(enters, enter, S::select(leaves, exit, miss));
     let along = pick(inside.enter.t, inside.exit.t, zero);
     Hit {
         parameter: pick(inside.enter.t, inside.exit.t, large).canonical(),

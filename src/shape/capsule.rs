@@ -70,7 +70,10 @@ impl<S: Scalar> Capsule2<S> {
     #[must_use]
     #[inline(always)]
     pub fn bounding(self) -> Aabb2<S> {
-        let (inner, reach) = (self.segment().bounding(), Vec2::new(self.radius, self.radius));
+        let (inner, reach) = (
+            self.segment().bounding(),
+            Vec2::new(self.radius, self.radius),
+        );
         Aabb2 {
             min: (inner.min - reach).canonical(),
             max: (inner.max + reach).canonical(),

@@ -1,7 +1,7 @@
 //! Intervals of the number line.
 use super::finite_number;
-use crate::error::{Field, Flaw, Validate};
 use crate::Scalar;
+use crate::error::{Field, Flaw, Validate};
 
 /// A closed interval of the number line. Valid when finite and `min ≤ max`; length zero is valid.
 ///
@@ -72,7 +72,9 @@ impl<S: Scalar> Interval<S> {
     #[must_use]
     #[inline(always)]
     pub fn signed_distance(self, other: Self) -> S {
-        (self.min - other.max).most(other.min - self.max).canonical()
+        (self.min - other.max)
+            .most(other.min - self.max)
+            .canonical()
     }
     /// The gap between two intervals; 0 with slope zero where they touch or overlap.
     #[must_use]

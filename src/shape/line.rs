@@ -120,10 +120,7 @@ impl<S: Scalar> Line2<S> {
     fn unit(self) -> (Vec2<S>, S) {
         let length = self.direction.length();
         let length = S::select(length.at_most(S::zero()), S::one(), length);
-        let unit = Vec2::new(
-            self.direction.x.over(length),
-            self.direction.y.over(length),
-        );
+        let unit = Vec2::new(self.direction.x.over(length), self.direction.y.over(length));
         (unit, length)
     }
 }

@@ -1,4 +1,5 @@
 //! What geometry promises, number by number.
+mod flat;
 mod oracle;
 mod overlap;
 mod projection;

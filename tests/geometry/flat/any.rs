@@ -1,6 +1,6 @@
 //! One type for every convex shape, so that one test runs over all pairs.
-use crate::geograd::distance::{self, ClosestPoints, Penetration};
-use crate::geograd::{
+use geograd::distance::{self, ClosestPoints, Penetration};
+use geograd::{
     Aabb2, Capsule2, Circle, Line2, Obb2, Pose2, Ray2, Scalar, Segment2, Triangle2, Vec2,
 };
 
@@ -143,7 +143,11 @@ impl Dice {
             6 => {
                 x[2] = number(0.0, 3.0);
                 x[3] = number(0.0, 3.0);
-                let turn = if whole { 0.25 * std::f64::consts::PI } else { 1.0 };
+                let turn = if whole {
+                    0.25 * std::f64::consts::PI
+                } else {
+                    1.0
+                };
                 x[4] = turn * number(-3.0, 3.0);
             }
             7 => x[2] = number(0.0, 2.0),
@@ -153,7 +157,16 @@ impl Dice {
                 let (cx, cy) = (x[0], x[1]);
                 let mut part = || number(0.0, 2.0) - 1.0;
                 let (a, b, c, d) = (part(), part(), part(), part());
-                x = vec![cx + a, cy - 1.0, cx + 1.0, cy + b, cx + c, cy + 1.0, cx - 1.0, cy + d];
+                x = vec![
+                    cx + a,
+                    cy - 1.0,
+                    cx + 1.0,
+                    cy + b,
+                    cx + c,
+                    cy + 1.0,
+                    cx - 1.0,
+                    cy + d,
+                ];
             }
             _ => {}
         }

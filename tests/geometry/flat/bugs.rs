@@ -1,7 +1,7 @@
 //! The seed library's bugs that concern these functions, under their numbers, with the right answers.
-use crate::geograd::distance::ring::signed_distance_to_ring;
-use crate::geograd::distance::{clearance, distance, farthest_distance, signed_distance};
-use crate::geograd::{Aabb2, Interval, Jet, Line2, Segment2, Triangle2, Vec2};
+use geograd::distance::ring::signed_distance_to_ring;
+use geograd::distance::{clearance, distance, farthest_distance, signed_distance};
+use geograd::{Aabb2, Interval, Jet, Line2, Segment2, Triangle2, Vec2};
 
 fn at<S>(x: S, y: S) -> Vec2<S> {
     Vec2::new(x, y)
@@ -57,7 +57,10 @@ fn b3_signs_on_the_extension_of_an_edge() {
     assert_eq!(signed_distance_to_ring(at(2.0, 0.0), &clockwise), 1.0);
     assert_eq!(signed_distance_to_ring(at(0.5, 0.25), &clockwise), -0.25);
     // A segment has no inside: its distance has no sign.
-    assert_eq!(signed_distance(Segment2::new(square[0], square[1]), at(3.0, 0.0)), 2.0);
+    assert_eq!(
+        signed_distance(Segment2::new(square[0], square[1]), at(3.0, 0.0)),
+        2.0
+    );
 }
 
 /// B7: equal points.
@@ -65,7 +68,11 @@ fn b3_signs_on_the_extension_of_an_edge() {
 fn b7_equal_points_have_slope_zero() {
     let x: [Jet<f64, 4>; 4] = std::array::from_fn(|k| Jet::variable([1.5, 2.0, 1.5, 2.0][k], k));
     let (a, b) = (at(x[0], x[1]), at(x[2], x[3]));
-    for d in [distance(a, b), signed_distance(a, b), farthest_distance(a, b)] {
+    for d in [
+        distance(a, b),
+        signed_distance(a, b),
+        farthest_distance(a, b),
+    ] {
         assert_eq!((d.value, d.slope), (0.0, [0.0; 4]));
     }
 }
@@ -77,7 +84,13 @@ fn b8_flat_shapes() {
     assert_eq!(farthest_distance(flat, flat), 4.0);
     assert_eq!(distance(flat, at(2.0, 3.0)), 3.0);
     assert_eq!(signed_distance(flat, at(2.0, 0.0)), 0.0);
-    assert_eq!(distance(Triangle2::new(at(0.0, 0.0), at(1.0, 1.0), at(3.0, 3.0)), at(4.0, 4.0)), 2f64.sqrt());
+    assert_eq!(
+        distance(
+            Triangle2::new(at(0.0, 0.0), at(1.0, 1.0), at(3.0, 3.0)),
+            at(4.0, 4.0)
+        ),
+        2f64.sqrt()
+    );
 }
 
 /// B11 and B16: no tolerance with a unit.
@@ -94,16 +107,24 @@ fn b11_b16_small_shapes_are_shapes() {
 /// B13 and B14: the farthest distance, with both of its corners, and nested boxes.
 #[test]
 fn b13_b14_farthest_distance() {
-    let x: [Jet<f64, 8>; 8] = std::array::from_fn(|k| {
-        Jet::variable([0.0, 0.0, 10.0, 10.0, 4.0, 4.0, 7.0, 7.0][k], k)
-    });
-    let boxes = (Aabb2::new(x[0], x[1], x[2], x[3]), Aabb2::new(x[4], x[5], x[6], x[7]));
+    let x: [Jet<f64, 8>; 8] =
+        std::array::from_fn(|k| Jet::variable([0.0, 0.0, 10.0, 10.0, 4.0, 4.0, 7.0, 7.0][k], k));
+    let boxes = (
+        Aabb2::new(x[0], x[1], x[2], x[3]),
+        Aabb2::new(x[4], x[5], x[6], x[7]),
+    );
     let far = farthest_distance(boxes.0, boxes.1);
     assert_eq!(far.value, 98.0_f64.sqrt());
     let u = 0.5_f64.sqrt();
     let want = [-u, -u, 0.0, 0.0, 0.0, 0.0, u, u];
-    assert!((0..8).all(|k| (far.slope[k] - want[k]).abs() < 1e-15), "{far:?}");
-    let nested = farthest_distance(Aabb2::new(0.0, 0.0, 10.0, 10.0), Aabb2::new(4.0, 4.0, 6.0, 6.0));
+    assert!(
+        (0..8).all(|k| (far.slope[k] - want[k]).abs() < 1e-15),
+        "{far:?}"
+    );
+    let nested = farthest_distance(
+        Aabb2::new(0.0, 0.0, 10.0, 10.0),
+        Aabb2::new(4.0, 4.0, 6.0, 6.0),
+    );
     assert_eq!(nested, 72.0_f64.sqrt());
 }
 
@@ -115,7 +136,10 @@ fn b19_either_orientation() {
     let (left, right) = (Triangle2::new(a, b, c), Triangle2::new(a, c, b));
     assert_eq!(signed_distance(left, p), signed_distance(right, p));
     assert!(signed_distance(left, p) < 0.0);
-    assert_eq!((left.area(), right.area(), right.signed_area()), (6.0, 6.0, -6.0));
+    assert_eq!(
+        (left.area(), right.area(), right.signed_area()),
+        (6.0, 6.0, -6.0)
+    );
 }
 
 /// The Python face's `seg1d_iou` used one interval's width for both.

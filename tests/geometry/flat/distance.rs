@@ -1,8 +1,8 @@
 //! Distances of all pairs of shapes.
 use super::any::{Any, Dice, KINDS, MOST, build, count};
 use super::oracle;
-use crate::geograd::{Jet, Pose2, Segment2, Vec2};
-use crate::geograd::distance::segments::closest_points_of_segments;
+use geograd::distance::segments::closest_points_of_segments;
+use geograd::{Jet, Pose2, Segment2, Vec2};
 
 type Slopes = Jet<f64, { 2 * MOST }>;
 
@@ -21,7 +21,9 @@ fn pairs(times: usize, mut test: impl FnMut(&mut Dice, usize, usize)) {
 /// Both shapes with all of their numbers as variables.
 fn variables(i: usize, a: &[f64], j: usize, b: &[f64]) -> (Any<Slopes>, Any<Slopes>) {
     let lift = |x: &[f64], first: usize| -> Vec<Slopes> {
-        (0..x.len()).map(|k| Jet::variable(x[k], first + k)).collect()
+        (0..x.len())
+            .map(|k| Jet::variable(x[k], first + k))
+            .collect()
     };
     (build(i, &lift(a, 0)), build(j, &lift(b, count(i))))
 }
@@ -51,14 +53,30 @@ fn values_are_those_of_the_hull_of_differences() {
         let endless = [1, 2].contains(&i) || [1, 2].contains(&j);
         let tolerance = if endless { 1e-11 } else { 1e-13 };
         let cut_short = [1, 2].contains(&i) && [1, 2].contains(&j) && (got < -50.0 || want < -50.0);
-        assert!(cut_short || (got - want).abs() < tolerance * (1.0 + want.abs()), "{}", context());
+        assert!(
+            cut_short || (got - want).abs() < tolerance * (1.0 + want.abs()),
+            "{}",
+            context()
+        );
         let reached = x.distance(y);
         assert_eq!(reached, got.max(0.0), "{}", context());
-        assert!((x.squared(y) - reached * reached).abs() < 1e-12, "{}", context());
-        assert!((y.signed(x) - got).abs() < 1e-14 * (1.0 + got.abs()), "{}", context());
+        assert!(
+            (x.squared(y) - reached * reached).abs() < 1e-12,
+            "{}",
+            context()
+        );
+        assert!(
+            (y.signed(x) - got).abs() < 1e-14 * (1.0 + got.abs()),
+            "{}",
+            context()
+        );
         if !endless {
             let far = x.farthest(y);
-            assert!((far - oracle::farthest((i, &a), (j, &b))).abs() < 1e-13, "{}", context());
+            assert!(
+                (far - oracle::farthest((i, &a), (j, &b))).abs() < 1e-13,
+                "{}",
+                context()
+            );
         }
     });
 }
@@ -81,7 +99,11 @@ fn closest_points_are_points_of_the_shapes_and_as_far_apart_as_they_should_be() 
         let way = found.on_b - found.on_a;
         let out = x.penetration(y);
         let length = out.direction.length();
-        assert!((length - 1.0).abs() < 1e-14 || length == 0.0, "{}", context());
+        assert!(
+            (length - 1.0).abs() < 1e-14 || length == 0.0,
+            "{}",
+            context()
+        );
         assert_eq!(out.depth, (-signed).max(0.0));
         if length == 0.0 {
             // Coinciding centres: no direction is preferred, the points are the centres.
@@ -96,7 +118,11 @@ fn closest_points_are_points_of_the_shapes_and_as_far_apart_as_they_should_be() 
             "{}",
             context()
         );
-        assert!((way - out.direction * signed).length() < 1e-12, "{}", context());
+        assert!(
+            (way - out.direction * signed).length() < 1e-12,
+            "{}",
+            context()
+        );
         if out.depth > 0.0 {
             // After the shift they touch.
             let touching = x.signed(y.moved(Pose2::new(out.direction * out.depth, 0.0)));
@@ -145,12 +171,28 @@ fn slopes_are_those_of_differences() {
             compared += 1;
             let got = signed.slope[k];
             let context = || format!("{:?}\n{:?}\nnumber {k}", build(i, &a), build(j, &b));
-            assert!((got - want).abs() < 2e-5 * (1.0 + want.abs()), "{}: {got} {want}", context());
+            assert!(
+                (got - want).abs() < 2e-5 * (1.0 + want.abs()),
+                "{}: {got} {want}",
+                context()
+            );
             let (inside, outside) = (signed.value < 0.0, signed.value > 0.0);
             let depth = if inside { -got } else { 0.0 };
-            assert!((penetration.slope[k] - depth).abs() < 1e-11 * (1.0 + got.abs()), "{}", context());
-            let square = if outside { 2.0 * signed.value * got } else { 0.0 };
-            assert!((squared.slope[k] - square).abs() < 1e-9 * (1.0 + square.abs()), "{}", context());
+            assert!(
+                (penetration.slope[k] - depth).abs() < 1e-11 * (1.0 + got.abs()),
+                "{}",
+                context()
+            );
+            let square = if outside {
+                2.0 * signed.value * got
+            } else {
+                0.0
+            };
+            assert!(
+                (squared.slope[k] - square).abs() < 1e-9 * (1.0 + square.abs()),
+                "{}",
+                context()
+            );
         }
     });
     assert!(compared > 8_000, "{compared}");
@@ -181,7 +223,11 @@ fn slopes_at_kinks_are_finite_and_shared_evenly_between_mirror_images() {
             penetration.direction.y,
         ] {
             assert!(number.value.is_finite(), "{}", context());
-            assert!(number.slope.iter().all(|s| s.is_finite()), "{}: {number:?}", context());
+            assert!(
+                number.slope.iter().all(|s| s.is_finite()),
+                "{}: {number:?}",
+                context()
+            );
         }
         let distance = x.distance(y);
         if distance.value == 0.0 {
@@ -200,7 +246,11 @@ fn slopes_at_kinks_are_finite_and_shared_evenly_between_mirror_images() {
         };
         let of_a = Vec2::new(shift(i, 0, 0), shift(i, 0, 1));
         let of_b = Vec2::new(shift(j, count(i), 0), shift(j, count(i), 1));
-        assert!((of_a + of_b).length() < 1e-12, "{}: {of_a:?} {of_b:?}", context());
+        assert!(
+            (of_a + of_b).length() < 1e-12,
+            "{}: {of_a:?} {of_b:?}",
+            context()
+        );
         assert!(of_a.length() < 1.0 + 1e-12, "{}: {of_a:?}", context());
     });
 }
@@ -223,7 +273,10 @@ fn rigid_motions_change_nothing_and_scale_scales() {
         let moved = x.moved(pose).signed(y.moved(pose));
         // Rays and lines that were parallel may cross far away after rounding.
         let endless = [1, 2].contains(&i) && [1, 2].contains(&j);
-        assert!(endless || (moved - signed).abs() < 1e-12, "{x:?}\n{y:?}\n{signed} {moved}");
+        assert!(
+            endless || (moved - signed).abs() < 1e-12,
+            "{x:?}\n{y:?}\n{signed} {moved}"
+        );
         let scaled = |kind: usize, x: &[f64], factor: f64| -> Vec<f64> {
             let mut x: Vec<f64> = x.iter().map(|v| v * factor).collect();
             if kind == 6 {
@@ -235,7 +288,10 @@ fn rigid_motions_change_nothing_and_scale_scales() {
             let factor = 2.0_f64.powi(power);
             let (a, b) = (scaled(i, &a, factor), scaled(j, &b, factor));
             let got = build(i, &a).signed(build(j, &b)) / factor;
-            assert!((got - signed).abs() < 1e-13, "{x:?}\n{y:?}\n{signed} {got} {power}");
+            assert!(
+                (got - signed).abs() < 1e-13,
+                "{x:?}\n{y:?}\n{signed} {got} {power}"
+            );
         }
     });
 }
@@ -258,9 +314,14 @@ fn single_precision_is_right_at_every_size_and_far_from_the_origin() {
         let want = build(i, &double(&a)).signed(build(j, &double(&b)));
         let (x, y) = (build(i, &a), build(j, &b));
         let got = f64::from(x.signed(y));
-        assert!((got - want).abs() < 4e-6 * factor, "{x:?}\n{y:?}\n{got} {want}");
+        assert!(
+            (got - want).abs() < 4e-6 * factor,
+            "{x:?}\n{y:?}\n{got} {want}"
+        );
         let lift = |x: &[f32], first: usize| -> Vec<Jet<f32, 16>> {
-            (0..x.len()).map(|k| Jet::variable(x[k], first + k)).collect()
+            (0..x.len())
+                .map(|k| Jet::variable(x[k], first + k))
+                .collect()
         };
         let (x, y) = (build(i, &lift(&a, 0)), build(j, &lift(&b, count(i))));
         for number in [x.signed(y), x.farthest(y), x.closest(y).on_a.x] {
@@ -274,7 +335,13 @@ fn single_precision_is_right_at_every_size_and_far_from_the_origin() {
         }
         let (mut a, mut b) = (dice.shape(i, true, 3.0), dice.shape(j, true, 3.0));
         let near = build(i, &a).signed(build(j, &b));
-        let places = |kind: usize| if kind == 1 || kind == 2 { 2 } else { count(kind) };
+        let places = |kind: usize| {
+            if kind == 1 || kind == 2 {
+                2
+            } else {
+                count(kind)
+            }
+        };
         a[..places(i)].iter_mut().for_each(|v| *v += 1e6);
         b[..places(j)].iter_mut().for_each(|v| *v += 1e6);
         assert_eq!(build(i, &a).signed(build(j, &b)), near);
@@ -291,8 +358,16 @@ fn segments_meet_at_their_points_and_parameters() {
         let found = closest_points_of_segments(of(&a), of(&b));
         let want = oracle::signed_distance((3, &a), (3, &b)).max(0.0);
         let context = || format!("{:?}\n{:?}\n{found:?} {want}", of(&a), of(&b));
-        assert!((found.on_a.distance(found.on_b) - want).abs() < 1e-13, "{}", context());
-        assert!((of(&a).point_at(found.along_a).distance(found.on_a)) < 1e-15, "{}", context());
+        assert!(
+            (found.on_a.distance(found.on_b) - want).abs() < 1e-13,
+            "{}",
+            context()
+        );
+        assert!(
+            (of(&a).point_at(found.along_a).distance(found.on_a)) < 1e-15,
+            "{}",
+            context()
+        );
         assert!((0.0..=1.0).contains(&found.along_a) && (0.0..=1.0).contains(&found.along_b));
         let back = closest_points_of_segments(of(&b), of(&a));
         assert!(back.on_a.distance(found.on_b) < 1e-13, "{}", context());
@@ -311,11 +386,17 @@ fn segments_meet_at_their_points_and_parameters() {
             let f = |v: f64| {
                 let mut all = all.clone();
                 all[k] = v;
-                closest_points_of_segments(of(&all[..4]), of(&all[4..])).on_a.x
+                closest_points_of_segments(of(&all[..4]), of(&all[4..]))
+                    .on_a
+                    .x
             };
             if let Some(want) = difference(f, all[k]).filter(|want| want.abs() < 1e2) {
                 let got = jet.on_a.x.slope[k];
-                assert!((got - want).abs() < 1e-3 * (1.0 + want.abs()), "{}: {got} {want}", context());
+                assert!(
+                    (got - want).abs() < 1e-3 * (1.0 + want.abs()),
+                    "{}: {got} {want}",
+                    context()
+                );
             }
         }
     }

@@ -22,7 +22,12 @@ pub fn corners(kind: usize, x: &[f64]) -> (Vec<[f64; 2]>, f64) {
                 [x[0] + cos * a - sin * b, x[1] + sin * a + cos * b]
             };
             (
-                vec![corner(-1., -1.), corner(1., -1.), corner(1., 1.), corner(-1., 1.)],
+                vec![
+                    corner(-1., -1.),
+                    corner(1., -1.),
+                    corner(1., 1.),
+                    corner(-1., 1.),
+                ],
                 0.0,
             )
         }

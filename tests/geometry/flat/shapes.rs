@@ -1,8 +1,8 @@
 //! Single shapes: constructors, circumcircles, intervals, poses.
 use super::any::Dice;
-use crate::geograd::error::Field;
-use crate::geograd::shape::circle::circumcircle;
-use crate::geograd::{
+use geograd::error::Field;
+use geograd::shape::circle::circumcircle;
+use geograd::{
     Capsule2, Circle, Flaw, Interval, Jet, Line2, Pose2, Ray2, Segment2, Triangle2, Vec2,
 };
 
@@ -14,24 +14,57 @@ fn at<S>(x: S, y: S) -> Vec2<S> {
 fn constructors_name_the_field() {
     let (nan, far) = (f64::NAN, f64::INFINITY);
     let p = at(0.0, 0.0);
-    assert_eq!(Segment2::try_new(p, at(0.0, nan)), Err(Flaw::NotFinite(Field::ToY)));
-    assert_eq!(Segment2::try_new(at(far, 0.0), p), Err(Flaw::NotFinite(Field::FromX)));
+    assert_eq!(
+        Segment2::try_new(p, at(0.0, nan)),
+        Err(Flaw::NotFinite(Field::ToY))
+    );
+    assert_eq!(
+        Segment2::try_new(at(far, 0.0), p),
+        Err(Flaw::NotFinite(Field::FromX))
+    );
     assert!(Segment2::try_new(p, p).is_ok());
     assert_eq!(Line2::try_new(p, p), Err(Flaw::Zero(Field::Direction)));
-    assert_eq!(Line2::try_new(at(0.0, far), p), Err(Flaw::NotFinite(Field::PointY)));
-    assert_eq!(Ray2::try_new(p, at(-0.0, 0.0)), Err(Flaw::Zero(Field::Direction)));
-    assert_eq!(Ray2::try_new(p, at(nan, 1.0)), Err(Flaw::NotFinite(Field::DirectionX)));
-    assert_eq!(Triangle2::try_new(p, p, at(1.0, nan)), Err(Flaw::NotFinite(Field::CornerY(2))));
+    assert_eq!(
+        Line2::try_new(at(0.0, far), p),
+        Err(Flaw::NotFinite(Field::PointY))
+    );
+    assert_eq!(
+        Ray2::try_new(p, at(-0.0, 0.0)),
+        Err(Flaw::Zero(Field::Direction))
+    );
+    assert_eq!(
+        Ray2::try_new(p, at(nan, 1.0)),
+        Err(Flaw::NotFinite(Field::DirectionX))
+    );
+    assert_eq!(
+        Triangle2::try_new(p, p, at(1.0, nan)),
+        Err(Flaw::NotFinite(Field::CornerY(2)))
+    );
     assert!(Triangle2::try_new(p, p, p).is_ok());
     assert_eq!(Circle::try_new(p, -1.0), Err(Flaw::Negative(Field::Radius)));
     assert_eq!(Circle::try_new(p, nan), Err(Flaw::NotFinite(Field::Radius)));
     assert!(Circle::try_new(p, 0.0).is_ok());
-    assert_eq!(Capsule2::try_new(p, at(far, 0.0), 1.0), Err(Flaw::NotFinite(Field::ToX)));
-    assert_eq!(Capsule2::try_new(p, p, -0.5), Err(Flaw::Negative(Field::Radius)));
+    assert_eq!(
+        Capsule2::try_new(p, at(far, 0.0), 1.0),
+        Err(Flaw::NotFinite(Field::ToX))
+    );
+    assert_eq!(
+        Capsule2::try_new(p, p, -0.5),
+        Err(Flaw::Negative(Field::Radius))
+    );
     assert_eq!(Interval::try_new(2.0, 1.0), Err(Flaw::Inverted(Field::Min)));
-    assert_eq!(Interval::try_new(2.0, nan), Err(Flaw::NotFinite(Field::Max)));
-    assert_eq!(Flaw::Zero(Field::Direction).to_string(), "direction is zero");
-    assert_eq!(Flaw::NotFinite(Field::CornerY(2)).to_string(), "corners[2].y is not a finite number");
+    assert_eq!(
+        Interval::try_new(2.0, nan),
+        Err(Flaw::NotFinite(Field::Max))
+    );
+    assert_eq!(
+        Flaw::Zero(Field::Direction).to_string(),
+        "direction is zero"
+    );
+    assert_eq!(
+        Flaw::NotFinite(Field::CornerY(2)).to_string(),
+        "corners[2].y is not a finite number"
+    );
 }
 
 #[test]
@@ -80,9 +113,14 @@ fn points_on_a_line_have_a_finite_circumcircle() {
         let jets: Vec<Jet<f64, 6>> = (0..6).map(|k| Jet::variable(x[k], k)).collect();
         let p: Vec<_> = jets.chunks(2).map(|v| at(v[0], v[1])).collect();
         let round = circumcircle(p[0], p[1], p[2]);
-        let longest = (0..3).map(|i| p[i].distance(p[(i + 1) % 3]).value).fold(0.0, f64::max);
+        let longest = (0..3)
+            .map(|i| p[i].distance(p[(i + 1) % 3]).value)
+            .fold(0.0, f64::max);
         for number in [round.center.x, round.center.y, round.radius] {
-            assert!(number.value.is_finite() && number.slope.iter().all(|s| s.is_finite()), "{x:?}");
+            assert!(
+                number.value.is_finite() && number.slope.iter().all(|s| s.is_finite()),
+                "{x:?}"
+            );
         }
         if x[3] != 1e-30 {
             assert_eq!(round.radius.value, longest / 2.0, "{x:?}");
@@ -96,7 +134,8 @@ fn points_on_a_line_have_a_finite_circumcircle() {
     }
     // Three sides of length zero share: half of the mean of the three points' slopes would be odd, the
     // centre moves with all of them.
-    let x: [Jet<f64, 6>; 6] = std::array::from_fn(|k| Jet::variable([2., 3., 2., 3., 2., 3.][k], k));
+    let x: [Jet<f64, 6>; 6] =
+        std::array::from_fn(|k| Jet::variable([2., 3., 2., 3., 2., 3.][k], k));
     let round = circumcircle(at(x[0], x[1]), at(x[2], x[3]), at(x[4], x[5]));
     let sum: f64 = (0..3).map(|k| round.center.x.slope[2 * k]).sum();
     assert!((sum - 1.0).abs() < 1e-15);
@@ -109,7 +148,10 @@ fn intervals_measure_and_share_their_slopes() {
     for _ in 0..2000 {
         let mut number = || dice.whole(7) as f64 / 2.0;
         let (a, b) = (number(), number());
-        let (one, two) = (Interval::new(a, a + number()), Interval::new(b, b + number()));
+        let (one, two) = (
+            Interval::new(a, a + number()),
+            Interval::new(b, b + number()),
+        );
         let n = 7000;
         let in_both = |x: f64| f64::from(u8::from(one.contains(x) && two.contains(x)));
         let in_any = |x: f64| f64::from(u8::from(one.contains(x) || two.contains(x)));
@@ -120,7 +162,10 @@ fn intervals_measure_and_share_their_slopes() {
         let want = if union > 0.0 { inter / union } else { 0.0 };
         assert!((one.iou(two) - want).abs() < 1e-9, "{one:?} {two:?}");
         let gap = (two.min - one.max).max(one.min - two.max);
-        assert_eq!((one.signed_distance(two), one.distance(two)), (gap, gap.max(0.0)));
+        assert_eq!(
+            (one.signed_distance(two), one.distance(two)),
+            (gap, gap.max(0.0))
+        );
     }
     let x: [Jet<f64, 4>; 4] = std::array::from_fn(|k| Jet::variable([1., 3., 1., 3.][k], k));
     let same = Interval::new(x[0], x[1]).iou(Interval::new(x[2], x[3]));
@@ -140,9 +185,18 @@ fn poses_carry_every_shape() {
     let segment = pose * Segment2::new(p, q);
     near(segment.from, pose * p);
     near(segment.to, pose * q);
-    near((pose * Line2::through(p, q)).point_at(0.3), pose * Line2::through(p, q).point_at(0.3));
-    near((pose * Ray2::through(p, q)).point_at(0.3), pose * Ray2::through(p, q).point_at(0.3));
-    near((pose * Triangle2::new(p, q, r)).centroid(), pose * Triangle2::new(p, q, r).centroid());
+    near(
+        (pose * Line2::through(p, q)).point_at(0.3),
+        pose * Line2::through(p, q).point_at(0.3),
+    );
+    near(
+        (pose * Ray2::through(p, q)).point_at(0.3),
+        pose * Ray2::through(p, q).point_at(0.3),
+    );
+    near(
+        (pose * Triangle2::new(p, q, r)).centroid(),
+        pose * Triangle2::new(p, q, r).centroid(),
+    );
     near((pose * Circle::new(p, 2.0)).center, pose * p);
     let capsule = pose * Capsule2::new(p, q, 0.5);
     near(capsule.to, pose * q);
@@ -169,15 +223,21 @@ fn lines_keep_their_side_through_coefficients() {
 
 #[test]
 fn points_are_in_triangles_circles_and_capsules_where_the_signed_distance_says_so() {
-    use crate::geograd::distance::signed_distance;
+    use geograd::distance::signed_distance;
     let mut dice = Dice(17);
     for _ in 0..5000 {
         let mut point = || at(dice.whole(5) as f64, dice.whole(5) as f64);
         let (a, b, c, p) = (point(), point(), point(), point());
         let triangle = Triangle2::new(a, b, c);
         let away = signed_distance(triangle, p);
-        assert!(away.abs() < 1e-14 || triangle.contains(p) == (away < 0.0), "{triangle:?} {p:?}");
-        assert!(away.abs() != 0.0 || triangle.contains(p), "{triangle:?} {p:?}");
+        assert!(
+            away.abs() < 1e-14 || triangle.contains(p) == (away < 0.0),
+            "{triangle:?} {p:?}"
+        );
+        assert!(
+            away.abs() != 0.0 || triangle.contains(p),
+            "{triangle:?} {p:?}"
+        );
         let circle = Circle::new(a, 2.0);
         assert_eq!(circle.contains(p), signed_distance(circle, p) <= 0.0);
         let capsule = Capsule2::new(a, b, 1.0);
