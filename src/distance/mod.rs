@@ -45,7 +45,7 @@ pub mod share;
 
 pub use convex::{Convex, Core};
 pub use edge::{edge_distance, edge_distance_squared, edge_winding};
-use relation::relate;
+use relation::{LENGTH, NORMAL, POINTS, relate};
 pub use shapes::repeat_last;
 
 /// A point of each of two shapes.
@@ -94,7 +94,7 @@ fn endless_or<S: Scalar>(endless: S::Mask, value: S) -> S {
 #[must_use]
 #[inline]
 pub fn signed_distance<S: Scalar, A: Convex<S>, B: Convex<S>>(a: A, b: B) -> S {
-    let found = relate(a, b);
+    let found = relate::<S, A, B, { LENGTH }>(a, b);
     let apart = found.apart.over(found.scale) - (a.radius() + b.radius());
     endless_or::<S>(found.endless, apart).canonical()
 }
@@ -142,7 +142,7 @@ pub fn distance<S: Scalar, A: Convex<S>, B: Convex<S>>(a: A, b: B) -> S {
 #[must_use]
 #[inline]
 pub fn distance_squared<S: Scalar, A: Convex<S>, B: Convex<S>>(a: A, b: B) -> S {
-    let found = relate(a, b);
+    let found = relate::<S, A, B, { LENGTH }>(a, b);
     let square = if A::ROUND || B::ROUND {
         let apart = found.apart - (a.radius() + b.radius()) * found.scale;
         S::select(apart.above(S::zero()), apart * apart, S::zero())
@@ -173,7 +173,7 @@ pub fn distance_squared<S: Scalar, A: Convex<S>, B: Convex<S>>(a: A, b: B) -> S 
 #[must_use]
 #[inline]
 pub fn closest_points<S: Scalar, A: Convex<S>, B: Convex<S>>(a: A, b: B) -> ClosestPoints<S> {
-    let found = relate(a, b);
+    let found = relate::<S, A, B, { POINTS }>(a, b);
     let outer = |v: Vec2<S>| {
         let seen = Vec2::new(v.x.over(found.scale), v.y.over(found.scale));
         found.origin + seen
@@ -205,7 +205,7 @@ pub fn closest_points<S: Scalar, A: Convex<S>, B: Convex<S>>(a: A, b: B) -> Clos
 #[must_use]
 #[inline]
 pub fn penetration<S: Scalar, A: Convex<S>, B: Convex<S>>(a: A, b: B) -> Penetration<S> {
-    let found = relate(a, b);
+    let found = relate::<S, A, B, { NORMAL }>(a, b);
     let depth = (a.radius() + b.radius()) - found.apart.over(found.scale);
     let depth = -endless_or::<S>(found.endless, -depth);
     Penetration {

@@ -27,9 +27,32 @@ pub(crate) struct Relation<S: Scalar> {
     pub scale: S,
 }
 
-/// Relates two shapes. One function for all that is asked of a pair, which compilers may share.
+/// Ask for how far only.
+pub(crate) const LENGTH: u8 = 0;
+/// Ask for the normal, too.
+pub(crate) const NORMAL: u8 = 1;
+/// Ask for the points, too.
+pub(crate) const POINTS: u8 = 2;
+
+/// Relates two shapes; what is not asked for is zero. One function for all that asks for the same of a
+/// pair, which compilers may share.
 #[inline]
-pub(crate) fn relate<S: Scalar, A: Convex<S>, B: Convex<S>>(a: A, b: B) -> Relation<S> {
+pub(crate) fn relate<S: Scalar, A: Convex<S>, B: Convex<S>, const ASK: u8>(
+    a: A,
+    b: B,
+) -> Relation<S> {
+    let whole = relate_all(a, b);
+    let zero = Vec2::zero();
+    Relation {
+        normal: if ASK >= NORMAL { whole.normal } else { zero },
+        on_a: if ASK >= POINTS { whole.on_a } else { zero },
+        on_b: if ASK >= POINTS { whole.on_b } else { zero },
+        ..whole
+    }
+}
+
+#[inline(always)]
+fn relate_all<S: Scalar, A: Convex<S>, B: Convex<S>>(a: A, b: B) -> Relation<S> {
     let (a, b) = (a.core(), b.core());
     // Seen from a point of the two, in units of their extent: neither the distance from the origin
     // costs digits, nor does a product over- or underflow.
