@@ -209,6 +209,8 @@ pub enum Flaw {
     NotPositive(Field),
     /// A lower bound is above its upper bound.
     Inverted(Field),
+    /// A direction is the zero vector.
+    Zero(Field),
     /// A shape's own rule is broken: the field, and what it is or is not.
     Broken(Field, &'static str),
 }
@@ -222,6 +224,7 @@ impl Flaw {
             | Flaw::Negative(field)
             | Flaw::NotPositive(field)
             | Flaw::Inverted(field)
+            | Flaw::Zero(field)
             | Flaw::Broken(field, _) => field,
         }
     }
@@ -233,6 +236,7 @@ impl Flaw {
             Flaw::Negative(_) => Flaw::Negative(field),
             Flaw::NotPositive(_) => Flaw::NotPositive(field),
             Flaw::Inverted(_) => Flaw::Inverted(field),
+            Flaw::Zero(_) => Flaw::Zero(field),
             Flaw::Broken(_, rule) => Flaw::Broken(field, rule),
         }
     }
@@ -256,6 +260,7 @@ impl fmt::Display for Flaw {
             Flaw::NotPositive(field) => write!(f, "{field} is not positive"),
             Flaw::Inverted(field) => write!(f, "{field} is above its upper bound"),
             Flaw::Broken(field, rule) => write!(f, "{field} {rule}"),
+            Flaw::Zero(field) => write!(f, "{field} is zero"),
         }
     }
 }

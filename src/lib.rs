@@ -28,6 +28,8 @@
 //! | compare boxes as Gaussians | [`gaussian`]: Wasserstein, Kullback-Leibler, ProbIoU, KFIoU |
 //! | read other people's boxes | [`convention`] |
 //! | measure polygons | [`ring`] |
+//! | measure distances, closest points and penetration of shapes | [`distance`](mod@distance) |
+//! | cross lines, cast rays, cut segments | [`intersection`] |
 //! | differentiate any generic function of shapes | [`ad`]: [`ad::gradient`], [`ad::hessian`], … |
 //! | use an adjoint by hand | [`ad::adjoint::overlap`], [`ad::adjoint::ring`] |
 //! | work on many shapes at once | [`kernels::cpu`] |
@@ -55,11 +57,15 @@ pub mod convention;
 #[forbid(unsafe_code)]
 pub mod derived;
 #[forbid(unsafe_code)]
+pub mod distance;
+#[forbid(unsafe_code)]
 pub mod error;
 #[forbid(unsafe_code)]
 pub mod gaussian;
 #[forbid(unsafe_code)]
 mod interop;
+#[forbid(unsafe_code)]
+pub mod intersection;
 #[forbid(unsafe_code)]
 pub mod iou3;
 #[forbid(unsafe_code)]
@@ -95,4 +101,7 @@ pub use error::{Error, Flaw, Unrecordable, Validate};
 pub use pack::{Fixed, Pack};
 pub use product::Code;
 pub use scalar::{Jet, Lanes, Mask, Scalar};
-pub use shape::{Aabb2, Obb2, Pose2, Rotation2, Vec2, Vec3};
+pub use shape::{
+    Aabb2, Capsule2, Circle, Interval, Line2, Obb2, Pose2, Ray2, Rotation2, Segment2, Triangle2, Vec2,
+    Vec3,
+};

@@ -40,7 +40,7 @@ mod print;
     reason = "the type is called as the module is"
 )]
 mod program;
-mod record;
+pub(crate) mod record;
 pub(crate) mod recorded;
 mod recording;
 mod reverse;

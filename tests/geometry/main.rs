@@ -3,6 +3,7 @@ mod convention;
 mod fingerprint;
 mod gaussian;
 mod iou3;
+mod flat;
 mod oracle;
 mod oracle_solid;
 mod overlap;

@@ -1,0 +1,183 @@
+//! The one primitive that distances are made of: an edge and a point.
+use crate::shape::Segment2;
+use crate::{Scalar, Vec2};
+
+/// A straight edge `from + t along` with `t` from `low` to `high`: a segment, a ray or a line.
+#[derive(Clone, Copy, Debug)]
+pub struct Edge<S> {
+    /// The point at parameter 0.
+    pub from: Vec2<S>,
+    /// The way from parameter 0 to parameter 1.
+    pub along: Vec2<S>,
+    /// The least parameter.
+    pub low: S,
+    /// The greatest parameter.
+    pub high: S,
+}
+
+impl<S: Scalar> Edge<S> {
+    /// The edge from one point to another.
+    #[inline(always)]
+    pub fn between(from: Vec2<S>, to: Vec2<S>) -> Self {
+        Edge {
+            from,
+            along: to - from,
+            low: S::zero(),
+            high: S::one(),
+        }
+    }
+}
+
+/// Where an edge is nearest to a point.
+#[derive(Clone, Copy, Debug)]
+pub struct Reach<S> {
+    /// The parameter of the nearest point of the edge.
+    pub t: S,
+    /// The parameter of the nearest point of the whole line.
+    pub free: S,
+    /// The way from there to the point. Across the edge it is found from the offset alone, so that
+    /// its direction is right however small it is.
+    pub apart: Vec2<S>,
+}
+
+/// Where an edge is nearest to the point `edge.from + arm`. Coordinates are of a size near one, or
+/// smaller.
+///
+/// Edges shorter than ε² count as points: t is ½ (or the bound nearest to it), with slope zero.
+/// At either end of the edge the slope of t is shared.
+#[inline(always)]
+pub fn reach<S: Scalar>(edge: Edge<S>, arm: Vec2<S>) -> Reach<S> {
+    let square = edge.along.length_squared();
+    let point = square.at_most(S::lit(S::EPSILON.powi(4)));
+    let square = S::select(point, S::one(), square);
+    let free = S::select(point, S::lit(0.5), edge.along.dot(arm).over(square));
+    let t = free.clamp(edge.low, edge.high);
+    let inside = edge.low.below(free) & free.below(edge.high) & !point;
+    let offset = edge.along.perp_dot(arm).over(square);
+    let (across, direct) = (edge.along.perp() * offset, arm - edge.along * t);
+    Reach {
+        t,
+        free,
+        apart: choose(inside, across, direct),
+    }
+}
+
+/// `yes` where the mask is true, else `no`.
+#[inline(always)]
+pub(crate) fn choose<S: Scalar>(mask: S::Mask, yes: Vec2<S>, no: Vec2<S>) -> Vec2<S> {
+    Vec2::new(S::select(mask, yes.x, no.x), S::select(mask, yes.y, no.y))
+}
+
+/// The larger coordinate of a vector, without sign, as a constant.
+#[inline(always)]
+pub(crate) fn size_of<S: Scalar>(v: Vec2<S>) -> S::Primal {
+    v.x.primal().magnitude().most(v.y.primal().magnitude())
+}
+
+/// The power of two, a constant, in whose units a size is about one; one for zero.
+#[inline(always)]
+pub(crate) fn scale_of<S: Scalar>(size: S::Primal) -> S {
+    let zero = size.at_most(S::Primal::zero());
+    S::from_primal(S::Primal::select(zero, S::Primal::one(), size).binade())
+}
+
+/// A segment that waits to be seen from a point in units of a size near one.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Placed<S> {
+    segment: Segment2<S>,
+}
+
+impl<S: Scalar> Placed<S> {
+    #[inline(always)]
+    pub fn segment(segment: Segment2<S>) -> Self {
+        Placed { segment }
+    }
+    /// The edge and the way from its start to a point, both in units of the larger one.
+    #[inline(always)]
+    pub fn near(self, point: Vec2<S>) -> (Edge<S>, Vec2<S>) {
+        let (edge, arm, _) = self.near_scaled(point);
+        (edge, arm)
+    }
+    /// The same with the power of two that lengths were multiplied by.
+    #[inline(always)]
+    pub fn near_scaled(self, point: Vec2<S>) -> (Edge<S>, Vec2<S>, S) {
+        let arm = point - self.segment.from;
+        let along = self.segment.to - self.segment.from;
+        let scale = scale_of::<S>(size_of(arm).most(size_of(along)));
+        let edge = Edge {
+            from: Vec2::zero(),
+            along: along * scale,
+            low: S::zero(),
+            high: S::one(),
+        };
+        (edge, arm * scale, scale)
+    }
+}
+
+/// The distance from a point to the edge between two points, not negative; 0 with slope zero on the
+/// edge.
+///
+/// Slopes, by the envelope theorem: with n the unit vector from the nearest point to `point` and t the
+/// fraction of the way at which it lies, they are n for `point`, −(1 − t) n for `from` and −t n for
+/// `to`. There is no kink where the nearest point becomes an end. An edge shorter than ε² of the
+/// distance counts as its midpoint.
+///
+/// ```
+/// use geograd::{Vec2, distance::edge_distance};
+/// let (from, to) = (Vec2::new(0.0, 0.0), Vec2::new(4.0, 0.0));
+/// assert_eq!(edge_distance(Vec2::new(1.0, 2.0), from, to), 2.0);
+/// assert_eq!(edge_distance(Vec2::new(7.0, 4.0), from, to), 5.0);
+/// ```
+#[must_use]
+#[inline]
+pub fn edge_distance<S: Scalar>(point: Vec2<S>, from: Vec2<S>, to: Vec2<S>) -> S {
+    let (edge, arm, scale) = Placed::segment(Segment2::new(from, to)).near_scaled(point);
+    reach(edge, arm).apart.length().over(scale).canonical()
+}
+
+/// The squared distance from a point to the edge between two points; smooth where the point is off
+/// the ends' perpendiculars, and everywhere once differentiable. Saturates at the largest finite
+/// number.
+///
+/// ```
+/// use geograd::{Vec2, distance::edge_distance_squared};
+/// let (from, to) = (Vec2::new(0.0, 0.0), Vec2::new(4.0, 0.0));
+/// assert_eq!(edge_distance_squared(Vec2::new(1.0, 2.0), from, to), 4.0);
+/// ```
+#[must_use]
+#[inline]
+pub fn edge_distance_squared<S: Scalar>(point: Vec2<S>, from: Vec2<S>, to: Vec2<S>) -> S {
+    let (edge, arm, scale) = Placed::segment(Segment2::new(from, to)).near_scaled(point);
+    let square = reach(edge, arm).apart.length_squared();
+    square.over(scale).over(scale).saturated().canonical()
+}
+
+/// What the edge between two points adds to the winding number around a point: 1 where it crosses
+/// the ray from the point along +x upwards, −1 where downwards, else 0. A constant: no slope.
+///
+/// An edge has its lower end and lacks its upper one, so a ring's edges add up to a whole number for
+/// every point off the ring. On the ring either side may win, and the distance is 0.
+///
+/// ```
+/// use geograd::{Vec2, distance::edge_winding};
+/// let at = Vec2::new(0.0, 0.0);
+/// assert_eq!(edge_winding(at, Vec2::new(1.0, -1.0), Vec2::new(1.0, 1.0)), 1.0);
+/// assert_eq!(edge_winding(at, Vec2::new(-1.0, -1.0), Vec2::new(-1.0, 1.0)), 0.0);
+/// ```
+#[must_use]
+#[inline]
+pub fn edge_winding<S: Scalar>(point: Vec2<S>, from: Vec2<S>, to: Vec2<S>) -> S {
+    let (a, b) = (from - point, to - point);
+    let (u, v) = (scale_of::<S>(size_of(a)), scale_of::<S>(size_of(b)));
+    let side = (a * u).perp_dot(b * v);
+    winding_of(
+        from.y.at_most(point.y) & point.y.below(to.y) & side.above(S::zero()),
+        to.y.at_most(point.y) & point.y.below(from.y) & side.below(S::zero()),
+    )
+}
+
+/// 1, −1 or 0 from two masks.
+#[inline(always)]
+pub(crate) fn winding_of<S: Scalar>(up: S::Mask, down: S::Mask) -> S {
+    S::select(up, S::one(), S::select(down, -S::one(), S::zero()))
+}

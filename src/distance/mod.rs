@@ -1,0 +1,245 @@
+//! Distances between any two convex shapes: points ([`Vec2`]), [`Line2`](crate::Line2),
+//! [`Ray2`](crate::Ray2), [`Segment2`](crate::Segment2), [`Triangle2`](crate::Triangle2),
+//! [`Aabb2`](crate::Aabb2), [`Obb2`](crate::Obb2), [`Circle`](crate::Circle),
+//! [`Capsule2`](crate::Capsule2) and arrays of corners; and from a point to rings and polylines.
+//!
+//! Every shape is the hull of a few corners, inflated by a radius ([`Convex`]); two of them are
+//! compared corner by edge where they are apart, and corner by face where they overlap.
+//!
+//! | function | gives |
+//! | --- | --- |
+//! | [`distance`] | the shortest way between the shapes; 0 where they touch or overlap |
+//! | [`distance_squared`] | its square, smooth where the distance vanishes |
+//! | [`signed_distance`] | the same, and minus the depth of overlap |
+//! | [`closest_points`] | where: a point of each |
+//! | [`penetration`] | how far to shift one of them until they only touch, and in which direction |
+//! | [`farthest_distance`] | the longest way |
+//! | [`segments::closest_points_of_segments`] | points and parameters of two segments |
+//! | [`ring`] | distances of a point from polylines and polygons of any kind, edge by edge |
+//!
+//! The signed distance is positive outside. (The seed library's sign is the opposite, positive
+//! inside: [`clearance`].)
+//!
+//! # Slopes
+//!
+//! By the envelope theorem the slope of a distance is that of the way between the two nearest points,
+//! held fixed on their shapes: with n the unit vector from a to b it is n for a shift of b and −n for a
+//! shift of a, wherever the points move to. A corner gets the share with which it takes part in the
+//! nearest point; a radius gets −1.
+//!
+//! Kinks: at distance zero the distance and its slopes are 0 (the signed distance keeps its slope
+//! there). Where several pairs of corner and edge are equally near, as for parallel edges, they
+//! share the slope and the point equally: for two boxes face to face the points are the middle of what
+//! faces each other, or of its ends' repetitions. Where several faces are equally deep they share the
+//! slope, and the direction is that of the first.
+use crate::{Scalar, Vec2};
+
+pub mod convex;
+pub mod edge;
+pub(crate) mod relation;
+pub mod ring;
+mod search;
+pub mod segments;
+pub mod shapes;
+pub mod share;
+
+pub use convex::{Convex, Core};
+pub use edge::{edge_distance, edge_distance_squared, edge_winding};
+use relation::{LENGTH, NORMAL, POINTS, relate};
+pub use shapes::repeat_last;
+
+/// A point of each of two shapes.
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[repr(C)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+pub struct ClosestPoints<S> {
+    /// The point of a.
+    pub on_a: Vec2<S>,
+    /// The point of b.
+    pub on_b: Vec2<S>,
+}
+
+/// How far two shapes are into each other, and which way is out.
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[repr(C)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+pub struct Penetration<S> {
+    /// The length of the shortest shift after which the shapes only touch; 0 where they are apart.
+    pub depth: S,
+    /// The direction, of length one, of that shift of b; where they are apart, the direction from a
+    /// to b. Zero where two points coincide and no direction is preferred.
+    pub direction: Vec2<S>,
+}
+
+/// Minus the largest finite number for two lines that cross: no shift parts them.
+#[inline(always)]
+fn endless_or<S: Scalar>(endless: S::Mask, value: S) -> S {
+    S::select(endless, S::lit(-S::LARGEST), value)
+}
+
+/// The signed distance of two convex shapes, in the unit of length: the shortest way between them, or
+/// minus the length of the shortest shift after which they only touch.
+///
+/// Minus the largest finite number for two lines that cross. Slopes and kinks: see the
+/// [module](self); on the border of a shape with an area it is smooth.
+///
+/// ```
+/// use geograd::{Aabb2, Circle, Vec2, distance::signed_distance};
+/// let square = Aabb2::new(-1.0, -1.0, 1.0, 1.0);
+/// assert_eq!(signed_distance(Vec2::new(0.5, 0.0), square), -0.5);
+/// assert_eq!(signed_distance(square, Circle::new(Vec2::new(4.0, 5.0), 2.0)), 3.0);
+/// // On the extension of an edge is outside.
+/// assert_eq!(signed_distance(Vec2::new(3.0, 1.0), square), 2.0);
+/// ```
+#[must_use]
+#[inline]
+pub fn signed_distance<S: Scalar, A: Convex<S>, B: Convex<S>>(a: A, b: B) -> S {
+    let found = relate::<S, A, B, { LENGTH }>(a, b);
+    let apart = found.apart.over(found.scale) - (a.radius() + b.radius());
+    endless_or::<S>(found.endless, apart).canonical()
+}
+
+/// The signed distance with the seed library's sign: positive where shapes overlap, as a clearance
+/// of something that is to stay inside.
+///
+/// ```
+/// use geograd::{Aabb2, Vec2, distance::clearance};
+/// assert_eq!(clearance(Aabb2::new(-1.0, -1.0, 1.0, 1.0), Vec2::new(0.5, 0.0)), 0.5);
+/// ```
+#[must_use]
+#[inline]
+pub fn clearance<S: Scalar, A: Convex<S>, B: Convex<S>>(a: A, b: B) -> S {
+    (-signed_distance(a, b)).canonical()
+}
+
+/// The distance of two convex shapes, in the unit of length; 0 with slope zero where they touch or
+/// overlap.
+///
+/// Slopes and kinks: see the [module](self).
+///
+/// ```
+/// use geograd::{Obb2, Segment2, Vec2, distance::distance};
+/// let car = Obb2::new(0.0, 0.0, 4.0, 2.0, 0.0);
+/// let curb = Segment2::new(Vec2::new(5.0, 5.0), Vec2::new(9.0, 5.0));
+/// assert_eq!(distance(car, curb), 5.0);
+/// assert_eq!(distance(curb, curb.from), 0.0);
+/// ```
+#[must_use]
+#[inline]
+pub fn distance<S: Scalar, A: Convex<S>, B: Convex<S>>(a: A, b: B) -> S {
+    let apart = signed_distance(a, b);
+    S::select(apart.above(S::zero()), apart, S::zero()).canonical()
+}
+
+/// The squared distance of two convex shapes; 0 where they touch or overlap. Once differentiable
+/// wherever the nearest points are. Saturates at the largest finite number.
+///
+/// ```
+/// use geograd::{Segment2, Vec2, distance::distance_squared};
+/// let curb = Segment2::new(Vec2::new(0.0, 1.0), Vec2::new(9.0, 1.0));
+/// assert_eq!(distance_squared(curb, Vec2::new(-3.0, 5.0)), 25.0);
+/// ```
+#[must_use]
+#[inline]
+pub fn distance_squared<S: Scalar, A: Convex<S>, B: Convex<S>>(a: A, b: B) -> S {
+    let found = relate::<S, A, B, { LENGTH }>(a, b);
+    let square = if A::ROUND || B::ROUND {
+        let apart = found.apart - (a.radius() + b.radius()) * found.scale;
+        S::select(apart.above(S::zero()), apart * apart, S::zero())
+    } else {
+        // No root, so that curvature is right, too, where the distance vanishes.
+        let square = found.way.length_squared();
+        S::select(found.overlap | found.endless, S::zero(), square)
+    };
+    square
+        .over(found.scale)
+        .over(found.scale)
+        .saturated()
+        .canonical()
+}
+
+/// The points in which two convex shapes are nearest to each other.
+///
+/// Where they overlap, the points that [`penetration`] brings together: `on_b` is that point of b which
+/// is deepest in a (or the reverse), `on_a` the point of a's border to which it must go. Ties and
+/// slopes: see the [module](self). Where two lines cross the points are nearest to each other's
+/// given points and mean nothing.
+///
+/// ```
+/// use geograd::{Aabb2, Circle, Vec2, distance::closest_points};
+/// let found = closest_points(Aabb2::new(0.0, 0.0, 2.0, 2.0), Circle::new(Vec2::new(5.0, 1.0), 1.0));
+/// assert_eq!((found.on_a, found.on_b), (Vec2::new(2.0, 1.0), Vec2::new(4.0, 1.0)));
+/// ```
+#[must_use]
+#[inline]
+pub fn closest_points<S: Scalar, A: Convex<S>, B: Convex<S>>(a: A, b: B) -> ClosestPoints<S> {
+    let found = relate::<S, A, B, { POINTS }>(a, b);
+    let outer = |v: Vec2<S>| {
+        let seen = Vec2::new(v.x.over(found.scale), v.y.over(found.scale));
+        found.origin + seen
+    };
+    let (mut on_a, mut on_b) = (outer(found.on_a), outer(found.on_b));
+    if A::ROUND {
+        on_a += found.normal * a.radius();
+    }
+    if B::ROUND {
+        on_b -= found.normal * b.radius();
+    }
+    ClosestPoints {
+        on_a: on_a.canonical(),
+        on_b: on_b.canonical(),
+    }
+}
+
+/// How deep two convex shapes are in each other, and in which direction b leaves a by the shortest
+/// way.
+///
+/// The depth has slopes by the envelope theorem, like a distance; it is 0 with slope zero where the
+/// shapes are apart or touch, and the largest finite number for two lines that cross.
+///
+/// ```
+/// use geograd::{Aabb2, Obb2, Vec2, distance::penetration};
+/// let found = penetration(Aabb2::new(0.0, 0.0, 4.0, 4.0), Obb2::new(4.5, 2.0, 2.0, 2.0, 0.0));
+/// assert_eq!((found.depth, found.direction), (0.5, Vec2::new(1.0, 0.0)));
+/// ```
+#[must_use]
+#[inline]
+pub fn penetration<S: Scalar, A: Convex<S>, B: Convex<S>>(a: A, b: B) -> Penetration<S> {
+    let found = relate::<S, A, B, { NORMAL }>(a, b);
+    let depth = (a.radius() + b.radius()) - found.apart.over(found.scale);
+    let depth = -endless_or::<S>(found.endless, -depth);
+    Penetration {
+        depth: S::select(depth.above(S::zero()), depth, S::zero()).canonical(),
+        direction: found.normal.canonical(),
+    }
+}
+
+/// The longest distance of a point of one shape from a point of the other, in the unit of length. For
+/// bounded shapes; of a ray or a line only the given point counts.
+///
+/// Pairs of corners that are equally far share the slope; two equal points have slope zero.
+///
+/// ```
+/// use geograd::{Aabb2, distance::farthest_distance};
+/// // A small box in a large one: from a corner to the opposite corner of the other.
+/// let found = farthest_distance(Aabb2::new(0.0, 0.0, 10.0, 10.0), Aabb2::new(4.0, 4.0, 6.0, 6.0));
+/// assert_eq!(found, 72.0_f64.sqrt());
+/// ```
+#[must_use]
+#[inline]
+pub fn farthest_distance<S: Scalar, A: Convex<S>, B: Convex<S>>(a: A, b: B) -> S {
+    let (core_a, core_b) = (a.core(), b.core());
+    let origin = core_a.anchor();
+    let scale = edge::scale_of::<S>(core_a.extent(origin).most(core_b.extent(origin)));
+    let (core_a, core_b) = (core_a.placed(origin, scale), core_b.placed(origin, scale));
+    let (from, to) = (core_a.corners(), core_b.corners());
+    let pairs = from.as_ref().iter().flat_map(|&p| {
+        to.as_ref().iter().map(move |&q| {
+            let square = (q - p).length_squared();
+            share::Best::of(square, square)
+        })
+    });
+    // Only the greatest one needs a root, and it is far from zero unless all points coincide.
+    let square = share::Best::most_of(pairs).mean();
+    (square.root().over(scale) + (a.radius() + b.radius())).canonical()
+}

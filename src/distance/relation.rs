@@ -1,0 +1,134 @@
+//! Two cores against each other, once for all functions of distance.
+use super::convex::{Convex, Core};
+use super::edge::{choose, scale_of};
+use super::share::{Best, Deepest, Nearest};
+use crate::{Scalar, Vec2};
+
+/// What two convex shapes are to each other. Lengths are in units of `1 / scale`, points are seen from
+/// `origin`.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Relation<S: Scalar> {
+    /// The signed distance of the cores.
+    pub apart: S,
+    /// From a to b: the unit vector along which the cores are apart, or must part; zero where points
+    /// coincide.
+    pub normal: Vec2<S>,
+    /// The point of a's core.
+    pub on_a: Vec2<S>,
+    /// The point of b's core.
+    pub on_b: Vec2<S>,
+    /// Where the cores overlap without end: no shift of any length parts them.
+    pub endless: S::Mask,
+    /// Where the cores share more than a border.
+    pub overlap: S::Mask,
+    /// The way between the nearest points of cores that are apart.
+    pub way: Vec2<S>,
+    pub origin: Vec2<S>,
+    pub scale: S,
+}
+
+/// Ask for how far only.
+pub(crate) const LENGTH: u8 = 0;
+/// Ask for the normal, too.
+pub(crate) const NORMAL: u8 = 1;
+/// Ask for the points, too.
+pub(crate) const POINTS: u8 = 2;
+
+/// Relates two shapes; what is not asked for is zero. One function for all that asks for the same of a
+/// pair, which compilers may share.
+#[inline]
+pub(crate) fn relate<S: Scalar, A: Convex<S>, B: Convex<S>, const ASK: u8>(
+    a: A,
+    b: B,
+) -> Relation<S> {
+    let whole = relate_all(a, b);
+    let zero = Vec2::zero();
+    Relation {
+        normal: if ASK >= NORMAL { whole.normal } else { zero },
+        on_a: if ASK >= POINTS { whole.on_a } else { zero },
+        on_b: if ASK >= POINTS { whole.on_b } else { zero },
+        ..whole
+    }
+}
+
+#[inline(always)]
+fn relate_all<S: Scalar, A: Convex<S>, B: Convex<S>>(a: A, b: B) -> Relation<S> {
+    let (a, b) = (a.core(), b.core());
+    // Seen from a point of the two, in units of their extent: neither the distance from the origin
+    // costs digits, nor does a product over- or underflow.
+    let origin = a.anchor();
+    let scale = scale_of::<S>(a.extent(origin).most(b.extent(origin)));
+    let (a, b) = (a.placed(origin, scale), b.placed(origin, scale));
+    let near = nearest(a, b).mean();
+    let length = near.apart.length();
+    let none = length.at_most(S::zero());
+    let over = S::select(none, S::one(), length);
+    let direction = Vec2::new(near.apart.x.over(over), near.apart.y.over(over));
+    let never = S::one().below(S::zero());
+    let Some(deep) = deepest(a, b) else {
+        // Without an area nothing overlaps.
+        return Relation {
+            apart: length,
+            normal: direction,
+            on_a: near.on_a,
+            on_b: near.on_b,
+            endless: never,
+            overlap: never,
+            way: near.apart,
+            origin,
+            scale,
+        };
+    };
+    let parted = deep.value.above(S::lit(-S::LARGEST));
+    let deep = deep.mean();
+    let inside = parted & (deep.ahead.below(S::zero()) | none);
+    Relation {
+        apart: S::select(inside, deep.ahead, length),
+        normal: choose(inside, deep.normal, direction),
+        on_a: choose(inside, deep.on_a, near.on_a),
+        on_b: choose(inside, deep.on_b, near.on_b),
+        // Bounded cores have a face that parts them unless both are points, for which it is the way.
+        endless: if <A::Core as Core<S>>::BOUNDED || <B::Core as Core<S>>::BOUNDED {
+            never
+        } else {
+            !parted
+        },
+        overlap: inside & deep.ahead.below(S::zero()),
+        way: near.apart,
+        origin,
+        scale,
+    }
+}
+
+/// The nearest points of two cores that do not overlap.
+#[inline(always)]
+fn nearest<S: Scalar, A: Core<S>, B: Core<S>>(a: A, b: B) -> Best<S, Nearest<S>> {
+    // A point is nothing but a corner: the other core's edges have seen it.
+    if A::DIMENSION == 0 && B::DIMENSION > 0 {
+        return b.near(a.corners().as_ref()).flipped();
+    }
+    let first = a.near(b.corners().as_ref());
+    if B::DIMENSION == 0 {
+        return first;
+    }
+    first.less(b.near(a.corners().as_ref()).flipped())
+}
+
+/// The face that parts two cores best; `None` where neither their overlap nor their difference has an
+/// area. The faces of the set of all differences of two convex sets are those of the one and those
+/// of the other.
+#[inline(always)]
+fn deepest<S: Scalar, A: Core<S>, B: Core<S>>(a: A, b: B) -> Option<Best<S, Deepest<S>>> {
+    if A::DIMENSION + B::DIMENSION < 2 {
+        return None;
+    }
+    let of_a = || a.deep(b.corners().as_ref(), b.away().as_ref());
+    let of_b = || b.deep(a.corners().as_ref(), a.away().as_ref()).flipped();
+    Some(if A::DIMENSION == 0 {
+        of_b()
+    } else if B::DIMENSION == 0 {
+        of_a()
+    } else {
+        of_a().most(of_b())
+    })
+}

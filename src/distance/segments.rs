@@ -1,0 +1,110 @@
+//! The closest points of two segments, with their parameters.
+use super::edge::{Edge, reach, scale_of, size_of};
+use super::share::{Best, Carry};
+use crate::{Scalar, Segment2, Vec2};
+
+/// Where two segments are nearest to each other.
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[repr(C)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+pub struct ClosestOnSegments<S> {
+    /// The point of a.
+    pub on_a: Vec2<S>,
+    /// The point of b.
+    pub on_b: Vec2<S>,
+    /// The fraction of the way along a at which its point lies, in `[0, 1]`.
+    pub along_a: S,
+    /// The fraction of the way along b at which its point lies, in `[0, 1]`.
+    pub along_b: S,
+}
+
+/// Two parameters.
+#[derive(Clone, Copy, Debug)]
+struct Pair<S>(S, S);
+
+impl<S: Scalar> Carry<S> for Pair<S> {
+    #[inline(always)]
+    fn join(self, other: Self, keep: S::Mask, tie: S::Mask) -> Self {
+        Pair(
+            self.0.join(other.0, keep, tie),
+            self.1.join(other.1, keep, tie),
+        )
+    }
+    #[inline(always)]
+    fn times(self, factor: S) -> Self {
+        Pair(self.0 * factor, self.1 * factor)
+    }
+}
+
+/// The points in which two segments are nearest to each other, and where along the segments they lie.
+/// For segments that cross it is the point of crossing, with its slopes.
+///
+/// Kinks: parallel segments, where the nearest pairs of an end and a segment share equally (for
+/// segments of equal length side by side: the middles); nearest points that become an end; ends that
+/// touch. A segment of length zero has parameter ½.
+///
+/// ```
+/// use geograd::{Segment2, Vec2, distance::segments::closest_points_of_segments};
+/// let a = Segment2::new(Vec2::new(0.0, 0.0), Vec2::new(4.0, 0.0));
+/// let b = Segment2::new(Vec2::new(1.0, 3.0), Vec2::new(1.0, 2.0));
+/// let found = closest_points_of_segments(a, b);
+/// assert_eq!((found.on_a, found.on_b), (Vec2::new(1.0, 0.0), Vec2::new(1.0, 2.0)));
+/// assert_eq!((found.along_a, found.along_b), (0.25, 1.0));
+/// ```
+#[must_use]
+#[inline]
+pub fn closest_points_of_segments<S: Scalar>(
+    a: Segment2<S>,
+    b: Segment2<S>,
+) -> ClosestOnSegments<S> {
+    let (along_a, along_b, way) = (a.along(), b.along(), b.from - a.from);
+    let size = size_of(along_a).most(size_of(along_b)).most(size_of(way));
+    let scale = scale_of::<S>(size);
+    let (da, db, w) = (along_a * scale, along_b * scale, way * scale);
+    let (zero, one) = (S::zero(), S::one());
+    let edge = |from: Vec2<S>, along: Vec2<S>| Edge {
+        from,
+        along,
+        low: zero,
+        high: one,
+    };
+    let (edge_a, edge_b) = (edge(Vec2::zero(), da), edge(w, db));
+    // Each end against the other segment.
+    let end_of_b = |at: Vec2<S>, t: S| {
+        let found = reach(edge_a, at);
+        Best::of(found.apart.length_squared(), Pair(found.t, t))
+    };
+    let end_of_a = |at: Vec2<S>, t: S| {
+        let found = reach(edge_b, at - w);
+        Best::of(found.apart.length_squared(), Pair(t, found.t))
+    };
+    let ends = end_of_b(w, zero)
+        .less(end_of_b(w + db, one))
+        .less(end_of_a(Vec2::zero(), zero))
+        .less(end_of_a(da, one));
+    let Pair(t, u) = ends.mean();
+    // The crossing of both lines, where it is inside both segments: t = w × db / (da × db) and
+    // u = w × da / (da × db).
+    let turn = da.perp_dot(db);
+    let (above_t, above_u) = (
+        w.perp_dot(db).signed_as(turn),
+        w.perp_dot(da).signed_as(turn),
+    );
+    let turn = turn.unsigned();
+    let crossing = turn.above(S::lit(S::EPSILON.powi(4)))
+        & zero.below(above_t)
+        & above_t.below(turn)
+        & zero.below(above_u)
+        & above_u.below(turn);
+    // Guarded before the division: what is not chosen must be finite, too.
+    let safe = S::select(crossing, turn, one);
+    let inside = |x: S| S::select(crossing, x, zero).over(safe);
+    let t = S::select(crossing, inside(above_t), t);
+    let u = S::select(crossing, inside(above_u), u);
+    ClosestOnSegments {
+        on_a: (a.from + along_a * t).canonical(),
+        on_b: (b.from + along_b * u).canonical(),
+        along_a: t.canonical(),
+        along_b: u.canonical(),
+    }
+}

@@ -1,0 +1,125 @@
+//! Every shape as an inflated core.
+use super::convex::{BoxCore, Convex, EdgeCore, PointCore, PolygonCore, Upright};
+use crate::{
+    Aabb2, Capsule2, Circle, Line2, Obb2, Ray2, Rotation2, Scalar, Segment2, Triangle2, Vec2,
+};
+
+impl<S: Scalar> Convex<S> for Vec2<S> {
+    type Core = PointCore<S>;
+    #[inline(always)]
+    fn core(self) -> PointCore<S> {
+        PointCore(self)
+    }
+}
+
+impl<S: Scalar> Convex<S> for Line2<S> {
+    type Core = EdgeCore<S, 1, 2>;
+    #[inline(always)]
+    fn core(self) -> Self::Core {
+        EdgeCore::endless(self.point, self.direction)
+    }
+}
+
+impl<S: Scalar> Convex<S> for Ray2<S> {
+    type Core = EdgeCore<S, 1, 1>;
+    #[inline(always)]
+    fn core(self) -> Self::Core {
+        EdgeCore::endless(self.point, self.direction)
+    }
+}
+
+impl<S: Scalar> Convex<S> for Segment2<S> {
+    type Core = EdgeCore<S, 2, 0>;
+    #[inline(always)]
+    fn core(self) -> Self::Core {
+        EdgeCore::segment(self.from, self.to)
+    }
+}
+
+impl<S: Scalar> Convex<S> for Triangle2<S> {
+    type Core = PolygonCore<S, 3>;
+    #[inline(always)]
+    fn core(self) -> Self::Core {
+        PolygonCore(self.counter_clockwise())
+    }
+}
+
+impl<S: Scalar> Convex<S> for Aabb2<S> {
+    type Core = BoxCore<S, Upright>;
+    #[inline(always)]
+    fn core(self) -> Self::Core {
+        let half = |min: S, max: S| max.halved() - min.halved();
+        BoxCore {
+            center: self.center(),
+            half: Vec2::new(half(self.min.x, self.max.x), half(self.min.y, self.max.y)),
+            turn: Upright,
+        }
+    }
+}
+
+impl<S: Scalar> Convex<S> for Obb2<S> {
+    type Core = BoxCore<S, Rotation2<S>>;
+    #[inline(always)]
+    fn core(self) -> Self::Core {
+        BoxCore {
+            center: self.center,
+            half: Vec2::new(self.size.x.halved(), self.size.y.halved()),
+            turn: Rotation2::from_angle(self.heading),
+        }
+    }
+}
+
+impl<S: Scalar> Convex<S> for Circle<S> {
+    type Core = PointCore<S>;
+    const ROUND: bool = true;
+    #[inline(always)]
+    fn core(self) -> PointCore<S> {
+        PointCore(self.center)
+    }
+    #[inline(always)]
+    fn radius(&self) -> S {
+        self.radius
+    }
+}
+
+impl<S: Scalar> Convex<S> for Capsule2<S> {
+    type Core = EdgeCore<S, 2, 0>;
+    const ROUND: bool = true;
+    #[inline(always)]
+    fn core(self) -> Self::Core {
+        EdgeCore::segment(self.from, self.to)
+    }
+    #[inline(always)]
+    fn radius(&self) -> S {
+        self.radius
+    }
+}
+
+/// The corners of a convex polygon in counter-clockwise order. Corners may be repeated, so that a
+/// polygon of fewer corners fits into an array for more: see [`repeat_last`].
+impl<S: Scalar, const N: usize> Convex<S> for [Vec2<S>; N] {
+    type Core = PolygonCore<S, N>;
+    #[inline(always)]
+    fn core(self) -> Self::Core {
+        PolygonCore(self)
+    }
+}
+
+/// The first `used` corners, and the last of them again to the end of the array: the same polygon.
+/// Slopes of corners beyond are zero. `used` is a whole number from 1 to N.
+///
+/// ```
+/// use geograd::{Vec2, distance::repeat_last};
+/// let (a, b, c) = (Vec2::new(0.0, 0.0), Vec2::new(1.0, 0.0), Vec2::new(0.0, 1.0));
+/// let unused = Vec2::new(7.0, 7.0);
+/// assert_eq!(repeat_last([a, b, c, unused], 3.0), [a, b, c, c]);
+/// ```
+#[must_use]
+#[inline]
+pub fn repeat_last<S: Scalar, const N: usize>(mut corners: [Vec2<S>; N], used: S) -> [Vec2<S>; N] {
+    for k in 1..N {
+        let beyond = used.at_most(S::lit(k as f64));
+        corners[k] = super::edge::choose(beyond, corners[k - 1], corners[k]);
+    }
+    corners
+}

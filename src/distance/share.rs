@@ -1,0 +1,219 @@
+//! The least and the greatest of many, with all that they carry; exact ties share equally.
+use super::edge::choose;
+use crate::{Scalar, Vec2};
+
+/// What can be added up and divided: what a [`Best`] carries.
+pub trait Carry<S: Scalar>: Copy {
+    /// The sum where `tie`, else `self` where `keep`, else `other`.
+    fn join(self, other: Self, keep: S::Mask, tie: S::Mask) -> Self;
+    /// All of it, times a number.
+    fn times(self, factor: S) -> Self;
+}
+
+impl<S: Scalar> Carry<S> for S {
+    #[inline(always)]
+    fn join(self, other: S, keep: S::Mask, tie: S::Mask) -> S {
+        S::select(tie, self + other, S::select(keep, self, other))
+    }
+    #[inline(always)]
+    fn times(self, factor: S) -> S {
+        self * factor
+    }
+}
+
+/// A value by which candidates are compared, what the best ones carry, added up, and how many they
+/// are.
+#[derive(Clone, Copy, Debug)]
+pub struct Best<S, C> {
+    /// What is compared.
+    pub value: S,
+    /// The sum of what the best ones carry.
+    pub sum: C,
+    /// How many they are.
+    pub count: S,
+}
+
+impl<S: Scalar, C: Carry<S>> Best<S, C> {
+    /// One candidate.
+    #[inline(always)]
+    pub fn of(value: S, carried: C) -> Self {
+        Best {
+            value,
+            sum: carried,
+            count: S::one(),
+        }
+    }
+    /// The smaller of two; all of both where they are equal.
+    #[must_use]
+    #[inline(always)]
+    pub fn less(self, other: Self) -> Self {
+        let keep = self.value.below(other.value);
+        self.join(other, keep)
+    }
+    /// The larger of two; all of both where they are equal.
+    #[must_use]
+    #[inline(always)]
+    pub fn most(self, other: Self) -> Self {
+        let keep = other.value.below(self.value);
+        self.join(other, keep)
+    }
+    #[inline(always)]
+    fn join(self, other: Self, keep: S::Mask) -> Self {
+        let tie = self.value.equals(other.value);
+        Best {
+            value: S::select(keep, self.value, other.value),
+            sum: self.sum.join(other.sum, keep, tie),
+            count: self.count.join(other.count, keep, tie),
+        }
+    }
+    /// The smallest of at least one.
+    #[inline(always)]
+    pub fn least(candidates: impl Iterator<Item = Self>) -> Self {
+        candidates
+            .reduce(Self::less)
+            .expect("a core has at least one corner")
+    }
+    /// The largest of at least one.
+    #[inline(always)]
+    pub fn most_of(candidates: impl Iterator<Item = Self>) -> Self {
+        candidates
+            .reduce(Self::most)
+            .expect("a core has at least one face")
+    }
+    /// What the best ones carry, on average.
+    #[inline(always)]
+    pub fn mean(self) -> C {
+        self.sum.times(S::one().over(self.count))
+    }
+}
+
+/// Two points, one of each core, that are nearest to each other.
+#[derive(Clone, Copy, Debug)]
+pub struct Nearest<S> {
+    /// The way from the one on a to the one on b.
+    pub apart: Vec2<S>,
+    /// The one on a.
+    pub on_a: Vec2<S>,
+    /// The one on b.
+    pub on_b: Vec2<S>,
+}
+
+/// How far in front of a face some points begin.
+#[derive(Clone, Copy, Debug)]
+pub struct Ahead<S> {
+    /// The distance from the face's line; negative behind it.
+    pub ahead: S,
+    /// The first of the points.
+    pub on_b: Vec2<S>,
+}
+
+/// A face and the points of the other core that are farthest behind it.
+///
+/// Faces that tie share the slope of how far; of their normals and points those of the first face are
+/// taken whose end the points are not beyond, for the mean of two normals is none.
+#[derive(Clone, Copy, Debug)]
+pub struct Deepest<S> {
+    /// How far in front of the face they are; negative behind it.
+    pub ahead: S,
+    /// The face's normal, of length one, from a to b.
+    pub normal: Vec2<S>,
+    /// The point of a: of its face, or the one farthest behind b's face.
+    pub on_a: Vec2<S>,
+    /// The point of b: of its face, or the one farthest behind a's face.
+    pub on_b: Vec2<S>,
+    /// How far the points were beyond the end of the face.
+    pub beyond: S,
+}
+
+#[inline(always)]
+fn join<S: Scalar>(a: Vec2<S>, b: Vec2<S>, keep: S::Mask, tie: S::Mask) -> Vec2<S> {
+    Vec2::new(a.x.join(b.x, keep, tie), a.y.join(b.y, keep, tie))
+}
+
+impl<S: Scalar> Carry<S> for Nearest<S> {
+    #[inline(always)]
+    fn join(self, other: Self, keep: S::Mask, tie: S::Mask) -> Self {
+        Nearest {
+            apart: join(self.apart, other.apart, keep, tie),
+            on_a: join(self.on_a, other.on_a, keep, tie),
+            on_b: join(self.on_b, other.on_b, keep, tie),
+        }
+    }
+    #[inline(always)]
+    fn times(self, factor: S) -> Self {
+        Nearest {
+            apart: self.apart * factor,
+            on_a: self.on_a * factor,
+            on_b: self.on_b * factor,
+        }
+    }
+}
+
+impl<S: Scalar> Carry<S> for Ahead<S> {
+    #[inline(always)]
+    fn join(self, other: Self, keep: S::Mask, tie: S::Mask) -> Self {
+        Ahead {
+            ahead: self.ahead.join(other.ahead, keep, tie),
+            on_b: join(self.on_b, other.on_b, keep, tie),
+        }
+    }
+    #[inline(always)]
+    fn times(self, factor: S) -> Self {
+        Ahead {
+            ahead: self.ahead * factor,
+            on_b: self.on_b * factor,
+        }
+    }
+}
+
+impl<S: Scalar> Carry<S> for Deepest<S> {
+    #[inline(always)]
+    fn join(self, other: Self, keep: S::Mask, tie: S::Mask) -> Self {
+        let first = keep | tie & self.beyond.at_most(other.beyond);
+        Deepest {
+            ahead: self.ahead.join(other.ahead, keep, tie),
+            normal: choose(first, self.normal, other.normal),
+            on_a: choose(first, self.on_a, other.on_a),
+            on_b: choose(first, self.on_b, other.on_b),
+            beyond: S::select(first, self.beyond, other.beyond),
+        }
+    }
+    #[inline(always)]
+    fn times(self, factor: S) -> Self {
+        Deepest {
+            ahead: self.ahead * factor,
+            ..self
+        }
+    }
+}
+
+impl<S: Scalar> Best<S, Nearest<S>> {
+    /// With a and b exchanged.
+    #[must_use]
+    #[inline(always)]
+    pub fn flipped(mut self) -> Self {
+        let Nearest { apart, on_a, on_b } = self.sum;
+        self.sum = Nearest {
+            apart: -apart,
+            on_a: on_b,
+            on_b: on_a,
+        };
+        self
+    }
+}
+
+impl<S: Scalar> Best<S, Deepest<S>> {
+    /// With a and b exchanged.
+    #[must_use]
+    #[inline(always)]
+    pub fn flipped(mut self) -> Self {
+        self.sum = Deepest {
+            ahead: self.sum.ahead,
+            normal: -self.sum.normal,
+            on_a: self.sum.on_b,
+            on_b: self.sum.on_a,
+            beyond: self.sum.beyond,
+        };
+        self
+    }
+}

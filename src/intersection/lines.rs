@@ -1,0 +1,140 @@
+//! Crossings of lines and of segments.
+use crate::distance::edge::{choose, scale_of, size_of};
+use crate::{Line2, Scalar, Segment2, Vec2};
+
+/// Where two lines cross.
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[repr(C)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+pub struct Crossing<S> {
+    /// The point; for parallel lines a's own point.
+    pub point: Vec2<S>,
+    /// Its parameter on a; 0 for parallel lines.
+    pub along_a: S,
+    /// Its parameter on b; 0 for parallel lines.
+    pub along_b: S,
+    /// 1 where the lines cross, 0 where they are parallel. A constant.
+    pub found: S,
+}
+
+/// What two segments share.
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[repr(C)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+pub struct Meeting<S> {
+    /// Where the shared part begins, in the direction of the longer segment.
+    pub from: Vec2<S>,
+    /// Where it ends.
+    pub to: Vec2<S>,
+    /// 0 for nothing, 1 for a point (`from` and `to` are the same), 2 for a segment. A constant.
+    pub kind: S,
+}
+
+/// 1 where the mask is true, else 0.
+#[inline(always)]
+pub(crate) fn flag<S: Scalar>(mask: S::Mask) -> S {
+    S::select(mask, S::one(), S::zero())
+}
+
+/// The point in which two lines cross, with its parameters on both.
+///
+/// Lines count as parallel by the sine of their angle, whatever the lengths of their directions:
+/// there is no tolerance in units of length. Parallel lines have parameters 0 with slope zero.
+///
+/// ```
+/// use geograd::{Line2, Vec2, intersection::crossing_of_lines};
+/// let wall = Line2::new(Vec2::new(2.0, 0.0), Vec2::new(0.0, 1.0)); // x = 2
+/// let beam = Line2::new(Vec2::new(0.0, 1.0), Vec2::new(1.0, 1.0));
+/// let found = crossing_of_lines(wall, beam);
+/// assert_eq!((found.point, found.along_a, found.along_b), (Vec2::new(2.0, 3.0), 3.0, 2.0));
+/// assert_eq!(crossing_of_lines(wall, wall).found, 0.0);
+/// ```
+#[must_use]
+#[inline]
+pub fn crossing_of_lines<S: Scalar>(a: Line2<S>, b: Line2<S>) -> Crossing<S> {
+    let way = b.point - a.point;
+    let scale = |v: Vec2<S>| scale_of::<S>(size_of(v));
+    let (of_a, of_b, of_way) = (scale(a.direction), scale(b.direction), scale(way));
+    let (da, db, w) = (a.direction * of_a, b.direction * of_b, way * of_way);
+    let turn = da.perp_dot(db);
+    let cross = turn.magnitude().above(S::lit(S::EPSILON.powi(2)));
+    let safe = S::select(cross, turn, S::one());
+    let along = |across: S, unit: S| {
+        let local = S::select(cross, across, S::zero()).over(safe);
+        // One factor after the other: their product need not be representable.
+        (local * unit).over(of_way).saturated()
+    };
+    let along_a = along(w.perp_dot(db), of_a);
+    let along_b = along(w.perp_dot(da), of_b);
+    Crossing {
+        point: (a.point + a.direction * along_a).canonical(),
+        along_a: along_a.canonical(),
+        along_b: along_b.canonical(),
+        found: flag::<S>(cross),
+    }
+}
+
+/// What two segments share: nothing, a point, or a segment where they lie along each other. Ends belong
+/// to segments.
+///
+/// Whether they lie along each other is decided by cross products that are exactly zero; after rounding,
+/// nearly parallel segments share nothing or one point. Without a meeting both points are the start
+/// of the longer segment. Slopes are those of the kind that was found; ends that tie share.
+///
+/// ```
+/// use geograd::{Segment2, Vec2, intersection::meeting_of_segments};
+/// let at = |x: f64, y: f64| Vec2::new(x, y);
+/// let a = Segment2::new(at(0.0, 0.0), at(4.0, 0.0));
+/// let across = meeting_of_segments(a, Segment2::new(at(1.0, -1.0), at(1.0, 1.0)));
+/// assert_eq!((across.kind, across.from), (1.0, at(1.0, 0.0)));
+/// let along = meeting_of_segments(a, Segment2::new(at(9.0, 0.0), at(3.0, 0.0)));
+/// assert_eq!((along.kind, along.from, along.to), (2.0, at(3.0, 0.0), at(4.0, 0.0)));
+/// ```
+#[must_use]
+#[inline]
+pub fn meeting_of_segments<S: Scalar>(a: Segment2<S>, b: Segment2<S>) -> Meeting<S> {
+    // The longer one is the base, so that a segment of length zero lies along the other.
+    let swap = size_of(a.along()).below(size_of(b.along()));
+    let pick = |yes: Segment2<S>, no: Segment2<S>| {
+        Segment2::new(choose(swap, yes.from, no.from), choose(swap, yes.to, no.to))
+    };
+    let (base, other) = (pick(b, a), pick(a, b));
+    let (along, along_other, way) = (base.along(), other.along(), other.from - base.from);
+    let scale = scale_of::<S>(size_of(along).most(size_of(way)));
+    let (d, e, w) = (along * scale, along_other * scale, way * scale);
+    let (zero, one) = (S::zero(), S::one());
+    let within = |x: S, most: S| zero.at_most(x) & x.at_most(most);
+
+    // Across: t on the base and u on the other are quotients with the same divisor.
+    let turn = d.perp_dot(e);
+    let (over_t, over_u) = (w.perp_dot(e).signed_as(turn), w.perp_dot(d).signed_as(turn));
+    let turn = turn.unsigned();
+    let crossing = turn.above(zero);
+    let across = crossing & within(over_t, turn) & within(over_u, turn);
+    let safe = S::select(across, turn, one);
+    let t = S::select(across, over_t, zero).over(safe);
+
+    // Along: the parameters of the other's ends on the base.
+    let square = d.length_squared();
+    let point = square.at_most(S::lit(S::EPSILON.powi(4)));
+    let square = S::select(point, one, square);
+    let (first, second) = (w.dot(d).over(square), (w + e).dot(d).over(square));
+    let low = first.least(second).most(zero);
+    let high = first.most(second).least(one);
+    let same = w.x.equals(zero) & w.y.equals(zero);
+    let line = !crossing & d.perp_dot(w).equals(zero) & (!point | same);
+    let along = line & low.at_most(high);
+
+    let pick = |along_t: S| S::select(along, along_t, S::select(across, t, zero));
+    let (low, high) = (pick(low), pick(high));
+    let kind = S::select(
+        along & low.below(high),
+        S::lit(2.0),
+        flag::<S>(along | across),
+    );
+    Meeting {
+        from: base.point_at(low),
+        to: base.point_at(high),
+        kind,
+    }
+}

@@ -1,0 +1,26 @@
+//! Where shapes meet: crossings of lines and segments, hits of rays, lengths of segments inside
+//! shapes and polygons.
+//!
+//! | function | gives |
+//! | --- | --- |
+//! | [`crossing_of_lines`] | the point of two lines and its parameters |
+//! | [`meeting_of_segments`] | what two segments share: nothing, a point or a segment |
+//! | [`span`] | the parameters at which a line enters and leaves a convex shape |
+//! | [`first_hit`] | where a ray first meets the border of a convex shape |
+//! | [`length_inside`] | how much of a segment lies in a convex shape |
+//! | [`length_inside_ring`] | how much of a segment lies in a polygon of any kind |
+//!
+//! Whether there is a result is a whole number in it, so that results are shapes like any other; what
+//! a result without a meeting holds is finite and has slope zero where said.
+//!
+//! Kinks: rays that graze a shape, where the hit jumps; directions that are parallel to a face; hits
+//! of a corner, where the faces share the slope of the parameter and the first one gives the normal.
+//! Directions whose sine is below ε² count as parallel.
+
+mod lines;
+mod ring;
+pub mod span;
+
+pub use lines::{Crossing, Meeting, crossing_of_lines, meeting_of_segments};
+pub use ring::{edge_inside, length_inside_ring};
+pub use span::{Hit, Span, first_hit, length_inside, span};

@@ -1,0 +1,107 @@
+//! Capsules of the plane: thick segments with round ends.
+use crate::error::{Flaw, Validate};
+use crate::{Aabb2, Pose2, Scalar, Segment2, Vec2, Shape};
+use std::f64::consts::{PI, TAU};
+use std::ops::Mul;
+
+/// All points at most a radius from a segment. Valid when finite and the radius is not negative;
+/// with coinciding ends it is a disc, with radius zero a segment.
+///
+/// ```
+/// use geograd::{Capsule2, Vec2};
+/// let boat = Capsule2::new(Vec2::new(0.0, 0.0), Vec2::new(4.0, 0.0), 1.0);
+/// assert!(boat.contains(Vec2::new(-0.5, 0.5)));
+/// assert!((boat.area() - (8.0 + std::f64::consts::PI)).abs() < 1e-15);
+/// ```
+#[derive(Clone, Copy, Debug, PartialEq, Shape)]
+#[repr(C)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+pub struct Capsule2<S> {
+    /// One end of the segment inside.
+    pub from: Vec2<S>,
+    /// Its other end.
+    pub to: Vec2<S>,
+    /// The radius.
+    #[shape(non_negative)]
+    pub radius: S,
+}
+
+impl<S> Capsule2<S> {
+    /// From the ends of the segment inside and the radius, unchecked.
+    #[inline(always)]
+    pub const fn new(from: Vec2<S>, to: Vec2<S>, radius: S) -> Self {
+        Capsule2 { from, to, radius }
+    }
+}
+
+impl<S: Scalar> Capsule2<S> {
+    /// From the ends of the segment inside and the radius.
+    ///
+    /// # Errors
+    ///
+    /// When a field is not finite or the radius is negative.
+    pub fn try_new(from: Vec2<S>, to: Vec2<S>, radius: S) -> Result<Self, Flaw>
+    where
+        S: Scalar<Mask = bool>,
+    {
+        let made = Capsule2 { from, to, radius };
+        made.validate().map(|()| made)
+    }
+    /// The segment inside.
+    #[must_use]
+    #[inline(always)]
+    pub fn segment(self) -> Segment2<S> {
+        Segment2::new(self.from, self.to)
+    }
+    /// The area.
+    #[must_use]
+    #[inline(always)]
+    pub fn area(self) -> S {
+        let (length, two) = (self.segment().length(), S::lit(2.0));
+        (self.radius * (length * two + self.radius * S::lit(PI))).canonical()
+    }
+    /// The length of its border.
+    #[must_use]
+    #[inline(always)]
+    pub fn perimeter(self) -> S {
+        (self.segment().length() * S::lit(2.0) + self.radius * S::lit(TAU)).canonical()
+    }
+    /// The smallest axis-aligned box around it; ends that share a bound share its slope.
+    #[must_use]
+    #[inline(always)]
+    pub fn bounding(self) -> Aabb2<S> {
+        let (inner, reach) = (
+            self.segment().bounding(),
+            Vec2::new(self.radius, self.radius),
+        );
+        Aabb2 {
+            min: (inner.min - reach).canonical(),
+            max: (inner.max + reach).canonical(),
+        }
+    }
+    /// Whether the point is in the capsule; the border belongs to it.
+    #[must_use]
+    #[inline]
+    pub fn contains(self, point: Vec2<S>) -> S::Mask {
+        crate::distance::edge_distance(point, self.from, self.to).at_most(self.radius)
+    }
+}
+
+impl<S: Scalar> Mul<Capsule2<S>> for Pose2<S> {
+    type Output = Capsule2<S>;
+    /// The capsule carried along.
+    #[inline(always)]
+    fn mul(self, shape: Capsule2<S>) -> Capsule2<S> {
+        Capsule2::new(self * shape.from, self * shape.to, shape.radius)
+    }
+}
+
+impl<S: std::fmt::Display> std::fmt::Display for Capsule2<S> {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        self.from.fmt(f)?;
+        f.write_str(" to ")?;
+        self.to.fmt(f)?;
+        f.write_str(" within ")?;
+        self.radius.fmt(f)
+    }
+}

@@ -1,0 +1,104 @@
+//! Rays of the plane.
+use crate::error::{Field, Flaw, Validate};
+use crate::{Line2, Pose2, Scalar, Vec2, Shape};
+use std::ops::Mul;
+
+/// Half a line: from a point on, in a direction of any length. Valid when finite and the direction
+/// is not zero.
+///
+/// ```
+/// use geograd::{Ray2, Vec2};
+/// let beam = Ray2::new(Vec2::new(1.0, 0.0), Vec2::new(0.0, 2.0));
+/// assert_eq!(beam.point_at(1.5), Vec2::new(1.0, 3.0));
+/// assert_eq!(beam.parameter_of(Vec2::new(5.0, -3.0)), 0.0); // behind its start
+/// ```
+#[derive(Clone, Copy, Debug, PartialEq, Shape)]
+#[repr(C)]
+#[shape(validate = has_direction)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+pub struct Ray2<S> {
+    /// Where it starts, at parameter 0.
+    pub point: Vec2<S>,
+    /// The way from parameter 0 to parameter 1.
+    pub direction: Vec2<S>,
+}
+
+/// `Ok` for a direction that is not zero.
+fn has_direction<S: Scalar<Mask = bool>>(shape: &Ray2<S>) -> Result<(), Flaw> {
+    let Vec2 { x, y } = shape.direction;
+    match x.equals(S::zero()) && y.equals(S::zero()) {
+        true => Err(Flaw::Zero(Field::new("direction"))),
+        false => Ok(()),
+    }
+}
+
+impl<S> Ray2<S> {
+    /// From its start and a direction, unchecked.
+    #[inline(always)]
+    pub const fn new(point: Vec2<S>, direction: Vec2<S>) -> Self {
+        Ray2 { point, direction }
+    }
+}
+
+impl<S: Scalar> Ray2<S> {
+    /// From its start and a direction.
+    ///
+    /// # Errors
+    ///
+    /// When a coordinate is not finite or the direction is zero.
+    pub fn try_new(point: Vec2<S>, direction: Vec2<S>) -> Result<Self, Flaw>
+    where
+        S: Scalar<Mask = bool>,
+    {
+        let made = Ray2 { point, direction };
+        made.validate().map(|()| made)
+    }
+    /// The ray from one point through another: parameters 0 and 1.
+    #[must_use]
+    #[inline(always)]
+    pub fn through(a: Vec2<S>, b: Vec2<S>) -> Self {
+        Ray2::new(a, b - a)
+    }
+    /// The point at a parameter: `point + t direction`.
+    #[must_use]
+    #[inline(always)]
+    pub fn point_at(self, t: S) -> Vec2<S> {
+        self.line().point_at(t)
+    }
+    /// The parameter, at least 0, of the point of the ray that is nearest to a point. Kink: where
+    /// that becomes the start, the slope is shared.
+    #[must_use]
+    #[inline]
+    pub fn parameter_of(self, point: Vec2<S>) -> S {
+        self.line().parameter_of(point).most(S::zero())
+    }
+    /// The point of the ray nearest to a point. Kink: see [`parameter_of`](Ray2::parameter_of).
+    #[must_use]
+    #[inline]
+    pub fn nearest(self, point: Vec2<S>) -> Vec2<S> {
+        self.point_at(self.parameter_of(point))
+    }
+    /// The line that it is half of.
+    #[must_use]
+    #[inline(always)]
+    pub fn line(self) -> Line2<S> {
+        Line2::new(self.point, self.direction)
+    }
+}
+
+impl<S: Scalar> Mul<Ray2<S>> for Pose2<S> {
+    type Output = Ray2<S>;
+    /// The ray carried along.
+    #[inline(always)]
+    fn mul(self, shape: Ray2<S>) -> Ray2<S> {
+        Ray2::new(self * shape.point, self.rotation * shape.direction)
+    }
+}
+
+impl<S: std::fmt::Display> std::fmt::Display for Ray2<S> {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        self.point.fmt(f)?;
+        f.write_str(" along ")?;
+        self.direction.fmt(f)
+    }
+}

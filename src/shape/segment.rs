@@ -1,0 +1,133 @@
+//! Segments of the plane.
+use crate::distance::edge::{self, Placed};
+use crate::error::{Flaw, Validate};
+use crate::{Aabb2, Line2, Pose2, Ray2, Scalar, Vec2, Shape};
+use std::ops::Mul;
+
+/// The straight way between two points. Valid when finite; its ends may coincide.
+///
+/// ```
+/// use geograd::{Segment2, Vec2};
+/// let curb = Segment2::new(Vec2::new(0.0, 0.0), Vec2::new(4.0, 0.0));
+/// assert_eq!(curb.length(), 4.0);
+/// assert_eq!(curb.parameter_of(Vec2::new(1.0, 3.0)), 0.25);
+/// assert_eq!(curb.nearest(Vec2::new(9.0, 1.0)), Vec2::new(4.0, 0.0));
+/// ```
+#[derive(Clone, Copy, Debug, PartialEq, Shape)]
+#[repr(C)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+pub struct Segment2<S> {
+    /// Where it starts.
+    pub from: Vec2<S>,
+    /// Where it ends.
+    pub to: Vec2<S>,
+}
+
+impl<S> Segment2<S> {
+    /// From its ends, unchecked.
+    #[inline(always)]
+    pub const fn new(from: Vec2<S>, to: Vec2<S>) -> Self {
+        Segment2 { from, to }
+    }
+}
+
+impl<S: Scalar> Segment2<S> {
+    /// From its ends.
+    ///
+    /// # Errors
+    ///
+    /// When a coordinate is not finite.
+    pub fn try_new(from: Vec2<S>, to: Vec2<S>) -> Result<Self, Flaw>
+    where
+        S: Scalar<Mask = bool>,
+    {
+        let made = Segment2 { from, to };
+        made.validate().map(|()| made)
+    }
+    /// The way from its start to its end.
+    #[must_use]
+    #[inline(always)]
+    pub fn along(self) -> Vec2<S> {
+        self.to - self.from
+    }
+    /// The length; slope zero where the ends coincide.
+    #[must_use]
+    #[inline(always)]
+    pub fn length(self) -> S {
+        self.along().length().canonical()
+    }
+    /// The point half way.
+    #[must_use]
+    #[inline(always)]
+    pub fn midpoint(self) -> Vec2<S> {
+        self.point_at(S::lit(0.5))
+    }
+    /// The point a fraction `t` of the way from start to end; beyond the ends for `t` outside
+    /// `[0, 1]`.
+    #[must_use]
+    #[inline(always)]
+    pub fn point_at(self, t: S) -> Vec2<S> {
+        (self.from + self.along() * t).canonical()
+    }
+    /// The fraction of the way, in `[0, 1]`, at which it is nearest to a point.
+    ///
+    /// Kinks: where the nearest point becomes an end, the slope is shared. A segment of zero length
+    /// (below ε² of the distance to the point) gives one half, with slope zero.
+    #[must_use]
+    #[inline]
+    pub fn parameter_of(self, point: Vec2<S>) -> S {
+        let (edge, arm) = Placed::segment(self).near(point);
+        edge::reach(edge, arm).t.canonical()
+    }
+    /// The point of the segment nearest to a point. Kinks: see
+    /// [`parameter_of`](Segment2::parameter_of).
+    #[must_use]
+    #[inline]
+    pub fn nearest(self, point: Vec2<S>) -> Vec2<S> {
+        self.point_at(self.parameter_of(point))
+    }
+    /// The segment from end to start.
+    #[must_use]
+    #[inline(always)]
+    pub fn reversed(self) -> Self {
+        Segment2::new(self.to, self.from)
+    }
+    /// The line through its ends.
+    #[must_use]
+    #[inline(always)]
+    pub fn line(self) -> Line2<S> {
+        Line2::new(self.from, self.along())
+    }
+    /// The ray from its start through its end.
+    #[must_use]
+    #[inline(always)]
+    pub fn ray(self) -> Ray2<S> {
+        Ray2::new(self.from, self.along())
+    }
+    /// The smallest axis-aligned box around it; ends that share a bound share its slope.
+    #[must_use]
+    #[inline(always)]
+    pub fn bounding(self) -> Aabb2<S> {
+        Aabb2 {
+            min: self.from.least(self.to).canonical(),
+            max: self.from.most(self.to).canonical(),
+        }
+    }
+}
+
+impl<S: Scalar> Mul<Segment2<S>> for Pose2<S> {
+    type Output = Segment2<S>;
+    /// The segment carried along.
+    #[inline(always)]
+    fn mul(self, shape: Segment2<S>) -> Segment2<S> {
+        Segment2::new(self * shape.from, self * shape.to)
+    }
+}
+
+impl<S: std::fmt::Display> std::fmt::Display for Segment2<S> {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        self.from.fmt(f)?;
+        f.write_str(" to ")?;
+        self.to.fmt(f)
+    }
+}

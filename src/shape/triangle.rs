@@ -1,0 +1,157 @@
+//! Triangles of the plane.
+use crate::error::{Flaw, Validate};
+use crate::shape::circumcircle;
+use crate::{Aabb2, Circle, Pose2, Scalar, Vec2, Shape};
+use std::ops::Mul;
+
+/// A triangle by its corners, in either orientation. Valid when finite; corners on one line and
+/// coinciding corners are valid.
+///
+/// ```
+/// use geograd::{Triangle2, Vec2};
+/// let sail = Triangle2::new(Vec2::new(0.0, 0.0), Vec2::new(4.0, 0.0), Vec2::new(0.0, 3.0));
+/// assert_eq!(sail.area(), 6.0);
+/// assert_eq!(sail.perimeter(), 12.0);
+/// assert!(sail.contains(Vec2::new(1.0, 1.0)));
+/// ```
+#[derive(Clone, Copy, Debug, PartialEq, Shape)]
+#[repr(C)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+pub struct Triangle2<S> {
+    /// The first corner.
+    pub a: Vec2<S>,
+    /// The second corner.
+    pub b: Vec2<S>,
+    /// The third corner.
+    pub c: Vec2<S>,
+}
+
+impl<S> Triangle2<S> {
+    /// From its corners, unchecked.
+    #[inline(always)]
+    pub const fn new(a: Vec2<S>, b: Vec2<S>, c: Vec2<S>) -> Self {
+        Triangle2 { a, b, c }
+    }
+}
+
+impl<S: Scalar> Triangle2<S> {
+    /// From its corners.
+    ///
+    /// # Errors
+    ///
+    /// When a coordinate is not finite; the flaw names the corner by its number.
+    pub fn try_new(a: Vec2<S>, b: Vec2<S>, c: Vec2<S>) -> Result<Self, Flaw>
+    where
+        S: Scalar<Mask = bool>,
+    {
+        let made = Triangle2 { a, b, c };
+        made.validate().map(|()| made)
+    }
+    /// The corners in order.
+    #[must_use]
+    #[inline(always)]
+    pub fn corners(self) -> [Vec2<S>; 3] {
+        [self.a, self.b, self.c]
+    }
+    /// The corners in counter-clockwise order, from the first one.
+    #[must_use]
+    #[inline(always)]
+    pub fn counter_clockwise(self) -> [Vec2<S>; 3] {
+        // Only the sign is asked for: units in which the product is representable.
+        let (b, c) = (self.b - self.a, self.c - self.a);
+        let (u, v) = (unit_power(b), unit_power(c));
+        let clockwise = (b * u).perp_dot(c * v).below(S::zero());
+        let pick = |yes: Vec2<S>, no: Vec2<S>| {
+            Vec2::new(
+                S::select(clockwise, yes.x, no.x),
+                S::select(clockwise, yes.y, no.y),
+            )
+        };
+        [self.a, pick(self.c, self.b), pick(self.b, self.c)]
+    }
+    /// The area: positive for corners in counter-clockwise order, negative for clockwise ones.
+    /// Smooth everywhere.
+    #[must_use]
+    #[inline(always)]
+    pub fn signed_area(self) -> S {
+        let (b, c) = (self.b - self.a, self.c - self.a);
+        b.perp_dot(c * S::lit(0.5)).canonical()
+    }
+    /// The area, not negative. Kink: zero area, with slope zero.
+    #[must_use]
+    #[inline(always)]
+    pub fn area(self) -> S {
+        self.signed_area().magnitude()
+    }
+    /// The sum of the lengths of its sides.
+    #[must_use]
+    #[inline(always)]
+    pub fn perimeter(self) -> S {
+        (self.a.distance(self.b) + self.b.distance(self.c) + self.c.distance(self.a)).canonical()
+    }
+    /// The centre of its area: the mean of the corners.
+    #[must_use]
+    #[inline(always)]
+    pub fn centroid(self) -> Vec2<S> {
+        let arms = (self.b - self.a) + (self.c - self.a);
+        (self.a + arms * S::lit(1.0 / 3.0)).canonical()
+    }
+    /// The smallest axis-aligned box around it; corners that share a bound share its slope.
+    #[must_use]
+    #[inline(always)]
+    pub fn bounding(self) -> Aabb2<S> {
+        Aabb2 {
+            min: self.a.least(self.b).least(self.c).canonical(),
+            max: self.a.most(self.b).most(self.c).canonical(),
+        }
+    }
+    /// The circle through its corners. For corners on one line see [`circumcircle`].
+    #[must_use]
+    #[inline(always)]
+    pub fn circumcircle(self) -> Circle<S> {
+        circumcircle(self.a, self.b, self.c)
+    }
+    /// Whether the point is in the triangle; the border belongs to it.
+    #[must_use]
+    #[inline]
+    pub fn contains(self, point: Vec2<S>) -> S::Mask {
+        let [a, b, c] = self.counter_clockwise();
+        let left_of = |from: Vec2<S>, to: Vec2<S>| {
+            let (edge, arm) = (to - from, point - from);
+            (edge * unit_power(edge))
+                .perp_dot(arm * unit_power(arm))
+                .at_least(S::zero())
+        };
+        // Where the triangle is flat, its bounds keep points of its line out.
+        left_of(a, b) & left_of(b, c) & left_of(c, a) & self.bounding().contains(point)
+    }
+}
+
+/// The power of two, a constant, that brings the larger coordinate of a vector to about one; one for
+/// the zero vector.
+#[inline(always)]
+pub(crate) fn unit_power<S: Scalar>(v: Vec2<S>) -> S {
+    let large = v.x.primal().magnitude().most(v.y.primal().magnitude());
+    let zero = large.at_most(S::Primal::zero());
+    let large = S::Primal::select(zero, S::Primal::one(), large);
+    S::from_primal(large.binade())
+}
+
+impl<S: Scalar> Mul<Triangle2<S>> for Pose2<S> {
+    type Output = Triangle2<S>;
+    /// The triangle carried along.
+    #[inline(always)]
+    fn mul(self, shape: Triangle2<S>) -> Triangle2<S> {
+        Triangle2::new(self * shape.a, self * shape.b, self * shape.c)
+    }
+}
+
+impl<S: std::fmt::Display> std::fmt::Display for Triangle2<S> {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        self.a.fmt(f)?;
+        f.write_str(" ")?;
+        self.b.fmt(f)?;
+        f.write_str(" ")?;
+        self.c.fmt(f)
+    }
+}

@@ -1,0 +1,403 @@
+//! Distances of all pairs of shapes.
+use super::any::{Any, Dice, KINDS, MOST, build, count};
+use super::oracle;
+use geograd::distance::segments::closest_points_of_segments;
+use geograd::{Jet, Pose2, Segment2, Vec2};
+
+type Slopes = Jet<f64, { 2 * MOST }>;
+
+/// Every pair of kinds, several times.
+fn pairs(times: usize, mut test: impl FnMut(&mut Dice, usize, usize)) {
+    let mut dice = Dice(7);
+    for i in 0..KINDS {
+        for j in 0..KINDS {
+            for _ in 0..times {
+                test(&mut dice, i, j);
+            }
+        }
+    }
+}
+
+/// Both shapes with all of their numbers as variables.
+fn variables(i: usize, a: &[f64], j: usize, b: &[f64]) -> (Any<Slopes>, Any<Slopes>) {
+    let lift = |x: &[f64], first: usize| -> Vec<Slopes> {
+        (0..x.len())
+            .map(|k| Jet::variable(x[k], first + k))
+            .collect()
+    };
+    (build(i, &lift(a, 0)), build(j, &lift(b, count(i))))
+}
+
+fn is_lines(i: usize, j: usize) -> bool {
+    i == 1 && j == 1
+}
+
+#[test]
+fn values_are_those_of_the_hull_of_differences() {
+    pairs(60, |dice, i, j| {
+        let whole = dice.whole(2) == 0;
+        let spread = if whole { 3.0 } else { 4.0 };
+        let (a, b) = (dice.shape(i, whole, spread), dice.shape(j, whole, spread));
+        let want = oracle::signed_distance((i, &a), (j, &b));
+        let (x, y) = (build(i, &a), build(j, &b));
+        let got = x.signed(y);
+        let context = || format!("{x:?}\n{y:?}\ngot {got}, want {want}");
+        if is_lines(i, j) {
+            // The oracle's lines end; ours part only where they are parallel.
+            let turn = a[2] * b[3] - a[3] * b[2];
+            assert_eq!(turn != 0.0, got == -f64::MAX, "{}", context());
+            assert!(x.distance(y) >= 0.0 && (turn == 0.0 || x.distance(y) == 0.0));
+            return;
+        }
+        // An unbounded pair's far ends cost the oracle digits, and shallow crossings lie beyond them.
+        let endless = [1, 2].contains(&i) || [1, 2].contains(&j);
+        let tolerance = if endless { 1e-11 } else { 1e-13 };
+        let cut_short = [1, 2].contains(&i) && [1, 2].contains(&j) && (got < -50.0 || want < -50.0);
+        assert!(
+            cut_short || (got - want).abs() < tolerance * (1.0 + want.abs()),
+            "{}",
+            context()
+        );
+        let reached = x.distance(y);
+        assert_eq!(reached, got.max(0.0), "{}", context());
+        assert!(
+            (x.squared(y) - reached * reached).abs() < 1e-12,
+            "{}",
+            context()
+        );
+        assert!(
+            (y.signed(x) - got).abs() < 1e-14 * (1.0 + got.abs()),
+            "{}",
+            context()
+        );
+        if !endless {
+            let far = x.farthest(y);
+            assert!(
+                (far - oracle::farthest((i, &a), (j, &b))).abs() < 1e-13,
+                "{}",
+                context()
+            );
+        }
+    });
+}
+
+#[test]
+fn closest_points_are_points_of_the_shapes_and_as_far_apart_as_they_should_be() {
+    pairs(60, |dice, i, j| {
+        if is_lines(i, j) {
+            return;
+        }
+        let whole = dice.whole(2) == 0;
+        let (a, b) = (dice.shape(i, whole, 3.0), dice.shape(j, whole, 3.0));
+        let (x, y) = (build(i, &a), build(j, &b));
+        let signed = x.signed(y);
+        if signed < -50.0 {
+            return;
+        }
+        let found = x.closest(y);
+        let context = || format!("{x:?}\n{y:?}\n{found:?} at {signed}");
+        let way = found.on_b - found.on_a;
+        let out = x.penetration(y);
+        let length = out.direction.length();
+        assert!(
+            (length - 1.0).abs() < 1e-14 || length == 0.0,
+            "{}",
+            context()
+        );
+        assert_eq!(out.depth, (-signed).max(0.0));
+        if length == 0.0 {
+            // Coinciding centres: no direction is preferred, the points are the centres.
+            assert_eq!(way.length(), 0.0, "{}", context());
+            return;
+        }
+        assert!((way.length() - signed.abs()).abs() < 1e-12, "{}", context());
+        let slack = 1e-9;
+        assert!(
+            oracle::holds((i, &a), [found.on_a.x, found.on_a.y], slack)
+                && oracle::holds((j, &b), [found.on_b.x, found.on_b.y], slack),
+            "{}",
+            context()
+        );
+        assert!(
+            (way - out.direction * signed).length() < 1e-12,
+            "{}",
+            context()
+        );
+        if out.depth > 0.0 {
+            // After the shift they touch.
+            let touching = x.signed(y.moved(Pose2::new(out.direction * out.depth, 0.0)));
+            assert!(touching.abs() < 1e-12, "{}: {touching}", context());
+        }
+    });
+}
+
+/// The central difference along one number, and whether both halves of it agree: no kink is near.
+fn difference(f: impl Fn(f64) -> f64, x: f64) -> Option<f64> {
+    let h = 1e-6;
+    let (low, mid, high) = (f(x - h), f(x), f(x + h));
+    let (left, right) = ((mid - low) / h, (high - mid) / h);
+    ((left - right).abs() < 1e-4).then_some((high - low) / (2.0 * h))
+}
+
+#[test]
+fn slopes_are_those_of_differences() {
+    let mut compared = 0;
+    pairs(15, |dice, i, j| {
+        if is_lines(i, j) {
+            return;
+        }
+        let (a, b) = (dice.shape(i, false, 3.0), dice.shape(j, false, 3.0));
+        let (x, y) = variables(i, &a, j, &b);
+        let signed = x.signed(y);
+        if signed.value.abs() < 1e-3 || signed.value < -50.0 {
+            return;
+        }
+        let penetration = x.penetration(y).depth;
+        let squared = x.squared(y);
+        let all: Vec<f64> = a.iter().chain(&b).copied().collect();
+        for k in 0..all.len() {
+            let at = |v: f64| {
+                let mut all = all.clone();
+                all[k] = v;
+                (build(i, &all[..a.len()]), build(j, &all[a.len()..]))
+            };
+            let f = |v: f64| {
+                let (x, y) = at(v);
+                x.signed(y)
+            };
+            let Some(want) = difference(f, all[k]) else {
+                continue;
+            };
+            compared += 1;
+            let got = signed.slope[k];
+            let context = || format!("{:?}\n{:?}\nnumber {k}", build(i, &a), build(j, &b));
+            assert!(
+                (got - want).abs() < 2e-5 * (1.0 + want.abs()),
+                "{}: {got} {want}",
+                context()
+            );
+            let (inside, outside) = (signed.value < 0.0, signed.value > 0.0);
+            let depth = if inside { -got } else { 0.0 };
+            assert!(
+                (penetration.slope[k] - depth).abs() < 1e-11 * (1.0 + got.abs()),
+                "{}",
+                context()
+            );
+            let square = if outside {
+                2.0 * signed.value * got
+            } else {
+                0.0
+            };
+            assert!(
+                (squared.slope[k] - square).abs() < 1e-9 * (1.0 + square.abs()),
+                "{}",
+                context()
+            );
+        }
+    });
+    assert!(compared > 8_000, "{compared}");
+}
+
+#[test]
+fn slopes_at_kinks_are_finite_and_shared_evenly_between_mirror_images() {
+    pairs(30, |dice, i, j| {
+        let (a, mut b) = (dice.shape(i, true, 2.0), dice.shape(j, true, 2.0));
+        if i == j && dice.whole(4) == 0 {
+            b.clone_from(&a);
+        }
+        let (x, y) = variables(i, &a, j, &b);
+        let context = || format!("{:?}\n{:?}", build(i, &a), build(j, &b));
+        let closest = x.closest(y);
+        let penetration = x.penetration(y);
+        for number in [
+            x.signed(y),
+            x.distance(y),
+            x.squared(y),
+            x.farthest(y),
+            closest.on_a.x,
+            closest.on_a.y,
+            closest.on_b.x,
+            closest.on_b.y,
+            penetration.depth,
+            penetration.direction.x,
+            penetration.direction.y,
+        ] {
+            assert!(number.value.is_finite(), "{}", context());
+            assert!(
+                number.slope.iter().all(|s| s.is_finite()),
+                "{}: {number:?}",
+                context()
+            );
+        }
+        let distance = x.distance(y);
+        if distance.value == 0.0 {
+            assert_eq!(distance.slope, [0.0; 2 * MOST], "{}", context());
+        }
+        // A shift of both changes nothing, and a shift of one by less than itself.
+        let signed = x.signed(y);
+        let shift = |kind: usize, first: usize, axis: usize| -> f64 {
+            let places: &[usize] = match kind {
+                0 | 1 | 2 | 6 | 7 => &[0],
+                3 | 5 | 8 => &[0, 2],
+                4 => &[0, 2, 4],
+                _ => &[0, 2, 4, 6],
+            };
+            places.iter().map(|p| signed.slope[first + p + axis]).sum()
+        };
+        let of_a = Vec2::new(shift(i, 0, 0), shift(i, 0, 1));
+        let of_b = Vec2::new(shift(j, count(i), 0), shift(j, count(i), 1));
+        assert!(
+            (of_a + of_b).length() < 1e-12,
+            "{}: {of_a:?} {of_b:?}",
+            context()
+        );
+        assert!(of_a.length() < 1.0 + 1e-12, "{}: {of_a:?}", context());
+    });
+}
+
+#[test]
+fn rigid_motions_change_nothing_and_scale_scales() {
+    pairs(40, |dice, i, j| {
+        if is_lines(i, j) {
+            return;
+        }
+        let whole = dice.whole(2) == 0;
+        let (a, b) = (dice.shape(i, whole, 3.0), dice.shape(j, whole, 3.0));
+        let (x, y) = (build(i, &a), build(j, &b));
+        let signed = x.signed(y);
+        if signed < -50.0 {
+            return;
+        }
+        let shift = Vec2::new(dice.in_range(-9.0, 9.0), dice.in_range(-9.0, 9.0));
+        let pose = Pose2::new(shift, dice.in_range(-3.0, 3.0));
+        let moved = x.moved(pose).signed(y.moved(pose));
+        // Rays and lines that were parallel may cross far away after rounding.
+        let endless = [1, 2].contains(&i) && [1, 2].contains(&j);
+        assert!(
+            endless || (moved - signed).abs() < 1e-12,
+            "{x:?}\n{y:?}\n{signed} {moved}"
+        );
+        let scaled = |kind: usize, x: &[f64], factor: f64| -> Vec<f64> {
+            let mut x: Vec<f64> = x.iter().map(|v| v * factor).collect();
+            if kind == 6 {
+                x[4] /= factor;
+            }
+            x
+        };
+        for power in [-600, -90, 90, 500] {
+            let factor = 2.0_f64.powi(power);
+            let (a, b) = (scaled(i, &a, factor), scaled(j, &b, factor));
+            let got = build(i, &a).signed(build(j, &b)) / factor;
+            assert!(
+                (got - signed).abs() < 1e-13,
+                "{x:?}\n{y:?}\n{signed} {got} {power}"
+            );
+        }
+    });
+}
+
+#[test]
+fn single_precision_is_right_at_every_size_and_far_from_the_origin() {
+    pairs(40, |dice, i, j| {
+        if [1, 2].contains(&i) || [1, 2].contains(&j) {
+            return;
+        }
+        let whole = dice.whole(2) == 0;
+        let (mut a, mut b) = (dice.shape(i, whole, 3.0), dice.shape(j, whole, 3.0));
+        let factor = [1.0, 1e30, 1e-30][dice.whole(3) as usize];
+        let places = |kind: usize| count(kind) - usize::from(kind == 6);
+        a[..places(i)].iter_mut().for_each(|v| *v *= factor);
+        b[..places(j)].iter_mut().for_each(|v| *v *= factor);
+        let single = |x: &[f64]| -> Vec<f32> { x.iter().map(|v| *v as f32).collect() };
+        let double = |x: &[f32]| -> Vec<f64> { x.iter().map(|v| f64::from(*v)).collect() };
+        let (a, b) = (single(&a), single(&b));
+        let want = build(i, &double(&a)).signed(build(j, &double(&b)));
+        let (x, y) = (build(i, &a), build(j, &b));
+        let got = f64::from(x.signed(y));
+        assert!(
+            (got - want).abs() < 4e-6 * factor,
+            "{x:?}\n{y:?}\n{got} {want}"
+        );
+        let lift = |x: &[f32], first: usize| -> Vec<Jet<f32, 16>> {
+            (0..x.len())
+                .map(|k| Jet::variable(x[k], first + k))
+                .collect()
+        };
+        let (x, y) = (build(i, &lift(&a, 0)), build(j, &lift(&b, count(i))));
+        for number in [x.signed(y), x.farthest(y), x.closest(y).on_a.x] {
+            assert!(number.value.is_finite() && number.slope.iter().all(|s| s.is_finite()));
+        }
+    });
+    // Numbers of whole size, exact a million away.
+    pairs(40, |dice, i, j| {
+        if is_lines(i, j) || [5, 6, 7, 8].contains(&i) || [5, 6, 7, 8].contains(&j) {
+            return;
+        }
+        let (mut a, mut b) = (dice.shape(i, true, 3.0), dice.shape(j, true, 3.0));
+        let near = build(i, &a).signed(build(j, &b));
+        let places = |kind: usize| {
+            if kind == 1 || kind == 2 {
+                2
+            } else {
+                count(kind)
+            }
+        };
+        a[..places(i)].iter_mut().for_each(|v| *v += 1e6);
+        b[..places(j)].iter_mut().for_each(|v| *v += 1e6);
+        assert_eq!(build(i, &a).signed(build(j, &b)), near);
+    });
+}
+
+#[test]
+fn segments_meet_at_their_points_and_parameters() {
+    let mut dice = Dice(3);
+    for _ in 0..20_000 {
+        let whole = dice.whole(2) == 0;
+        let (a, b) = (dice.shape(3, whole, 2.0), dice.shape(3, whole, 2.0));
+        let of = |x: &[f64]| Segment2::new(Vec2::new(x[0], x[1]), Vec2::new(x[2], x[3]));
+        let found = closest_points_of_segments(of(&a), of(&b));
+        let want = oracle::signed_distance((3, &a), (3, &b)).max(0.0);
+        let context = || format!("{:?}\n{:?}\n{found:?} {want}", of(&a), of(&b));
+        assert!(
+            (found.on_a.distance(found.on_b) - want).abs() < 1e-13,
+            "{}",
+            context()
+        );
+        assert!(
+            (of(&a).point_at(found.along_a).distance(found.on_a)) < 1e-15,
+            "{}",
+            context()
+        );
+        assert!((0.0..=1.0).contains(&found.along_a) && (0.0..=1.0).contains(&found.along_b));
+        let back = closest_points_of_segments(of(&b), of(&a));
+        assert!(back.on_a.distance(found.on_b) < 1e-13, "{}", context());
+        // Slopes: finite, and right where nothing changes its kind.
+        let all: Vec<f64> = a.iter().chain(&b).copied().collect();
+        let x: Vec<Jet<f64, 8>> = (0..8).map(|k| Jet::variable(all[k], k)).collect();
+        let p = |k: usize| Vec2::new(x[k], x[k + 1]);
+        let jet = closest_points_of_segments(Segment2::new(p(0), p(2)), Segment2::new(p(4), p(6)));
+        for number in [jet.on_a.x, jet.on_b.y, jet.along_a, jet.along_b] {
+            assert!(number.slope.iter().all(|s| s.is_finite()), "{}", context());
+        }
+        if whole || want < 1e-3 && want > 0.0 {
+            continue;
+        }
+        for k in 0..8 {
+            let f = |v: f64| {
+                let mut all = all.clone();
+                all[k] = v;
+                closest_points_of_segments(of(&all[..4]), of(&all[4..]))
+                    .on_a
+                    .x
+            };
+            if let Some(want) = difference(f, all[k]).filter(|want| want.abs() < 1e2) {
+                let got = jet.on_a.x.slope[k];
+                assert!(
+                    (got - want).abs() < 1e-3 * (1.0 + want.abs()),
+                    "{}: {got} {want}",
+                    context()
+                );
+            }
+        }
+    }
+}

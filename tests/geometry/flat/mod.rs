@@ -1,0 +1,8 @@
+//! Shapes of the plane, their distances and intersections.
+mod any;
+mod bugs;
+mod distance;
+mod intersection;
+mod oracle;
+mod ring;
+mod shapes;
