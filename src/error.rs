@@ -100,6 +100,47 @@ pub enum Flaw {
     Negative(Field),
     /// A lower bound is above its upper bound.
     Inverted(Field),
+    /// A vertex of a polygon breaks a rule.
+    Vertex {
+        /// The vertex, from zero.
+        index: usize,
+        /// The rule.
+        fault: VertexFault,
+    },
+}
+
+/// What is wrong with a vertex of a polygon.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+#[non_exhaustive]
+pub enum VertexFault {
+    /// A coordinate is NaN or infinite.
+    NotFinite,
+    /// The polygon needs this vertex and does not have it: fewer than three (distinct) vertices.
+    Missing,
+    /// The vertex does not fit into the polygon's capacity.
+    Surplus,
+    /// The next vertex is at the same place.
+    Repeated,
+    /// The vertex is on the line through its neighbours.
+    Straight,
+    /// The border turns clockwise here.
+    Clockwise,
+    /// The border is about to run around the polygon a second time.
+    SecondRound,
+}
+
+impl fmt::Display for VertexFault {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(match self {
+            VertexFault::NotFinite => "has a coordinate that is not a finite number",
+            VertexFault::Missing => "is missing",
+            VertexFault::Surplus => "is beyond the polygon's capacity",
+            VertexFault::Repeated => "is repeated by the next one",
+            VertexFault::Straight => "is on the line through its neighbours",
+            VertexFault::Clockwise => "turns clockwise",
+            VertexFault::SecondRound => "starts a second round",
+        })
+    }
 }
 
 impl fmt::Display for Flaw {
@@ -108,6 +149,7 @@ impl fmt::Display for Flaw {
             Flaw::NotFinite(field) => write!(f, "{field} is not a finite number"),
             Flaw::Negative(field) => write!(f, "{field} is negative"),
             Flaw::Inverted(field) => write!(f, "{field} is above its upper bound"),
+            Flaw::Vertex { index, fault } => write!(f, "vertex {index} {fault}"),
         }
     }
 }

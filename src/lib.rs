@@ -87,7 +87,7 @@ pub mod kernels;
 pub struct Readme;
 
 pub use aabb::Aabb2;
-pub use error::{Error, Flaw, Validate};
+pub use error::{Error, Flaw, Validate, VertexFault};
 pub use jet::Jet;
 pub use lanes::Lanes;
 pub use obb::Obb2;

@@ -1,0 +1,4 @@
+//! Shapes, a noun a file.
+pub mod polygon;
+
+pub use polygon::ConvexPolygon;
