@@ -150,11 +150,14 @@ pub fn hull_area_replay<S: Scalar>(points: &[Vec2<S>], record: &[usize]) -> S {
 pub struct MergeTrace<const K: usize> {
     /// One entry per vertex; the first `count` matter. Only corners of a and of b occur.
     pub corners: [Corner; K],
+    /// For corners of a at the place of a vertex of b: which one. Both share the slope.
+    pub twins: [Option<usize>; K],
     /// How many vertices the hull has.
     pub count: usize,
 }
 
-/// Which vertices of two convex polygons their joint hull has: `O((n + m) log (n + m))`.
+/// Which vertices of two convex polygons their joint hull has: `O((n + m) log (n + m))`, and `O(n m)`
+/// plain comparisons to find vertices that coincide.
 ///
 /// # Errors
 ///
@@ -175,13 +178,18 @@ pub fn merge_decided<S: Scalar<Mask = bool>, const N: usize, const M: usize, con
     let record = hull_decided_in(&points[..count], &mut order).unwrap_or(&[]);
     let mut trace = MergeTrace {
         corners: [Corner::A(0); K],
+        twins: [None; K],
         count: record.len(),
     };
-    for (corner, &k) in trace.corners.iter_mut().zip(record) {
+    let entries = trace.corners.iter_mut().zip(&mut trace.twins);
+    for ((corner, twin), &k) in entries.zip(record) {
         *corner = match k.checked_sub(a.len()) {
             None => Corner::A(k),
             Some(k) => Corner::B(k),
         };
+        if k < a.len() {
+            *twin = b.iter().position(|&vertex| same(vertex, a[k]));
+        }
     }
     Ok(trace)
 }
@@ -193,10 +201,16 @@ pub fn merge_replay<S: Scalar, const N: usize, const M: usize, const K: usize>(
     b: &ConvexPolygon<S, M>,
     trace: &MergeTrace<K>,
 ) -> ConvexPolygon<S, K> {
+    let mut twins = trace.twins.iter();
     ConvexPolygon {
-        vertices: trace.corners.map(|corner| match corner {
-            Corner::B(k) => b.vertex(k),
-            Corner::A(k) | Corner::Cross { a: k, .. } => a.vertex(k),
+        vertices: trace.corners.map(|corner| {
+            let twin = twins.next().copied().flatten();
+            let vertex = match corner {
+                Corner::B(k) => b.vertex(k),
+                Corner::A(k) | Corner::Cross { a: k, .. } => a.vertex(k),
+            };
+            // The same place, with the mean of both slopes.
+            twin.map_or(vertex, |k| vertex.least(b.vertex(k)))
         }),
         count: trace.count,
     }
