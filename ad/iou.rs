@@ -13,9 +13,9 @@
 //! `B̄ · (B − centre)⊥` the turn's, and the halves of the sizes take the parts along their axes.
 use crate::ad::clip::{Slopes, clipped_area_slopes};
 use crate::clip::{
-    Framed, Relative, clip, clipped_area, frame, nothing_shared, relate, related_area, size_scale,
+    Framed, Relative, clip, clipped_area, frame, nothing_shared, relate, related_area,
 };
-use crate::iou::{HullOfBoxes, hull_of_related};
+use crate::iou::{HullOfBoxes, hull_of_related, hull_scale};
 use crate::overlap::area_from_half;
 use crate::{Obb2, Scalar, Vec2};
 
@@ -83,11 +83,7 @@ pub fn giou_framed_vjp<S: Scalar, const EXTREME: bool>(
     out_bar: S,
 ) -> (S, (Obb2<S>, Obb2<S>)) {
     let (zero, one) = (S::zero(), S::one());
-    let scale = if EXTREME {
-        size_scale(a.half, b.half)
-    } else {
-        one
-    };
+    let scale = if EXTREME { hull_scale(&a, &b) } else { one };
     let pair = relate::<S, EXTREME>(a, b, scale);
     let clip = clip(pair);
     let area = clipped_area(&clip);

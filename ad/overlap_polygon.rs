@@ -13,9 +13,7 @@
 //! where `f` and `g` cross; nothing is divided by the sine of the angle between two edges, and the
 //! crossing point itself is not differentiated, so nearly parallel edges are harmless. Where the
 //! edges lie along each other both count half.
-use crate::overlap_polygon::{
-    Fan, Inside, SharedArea, Wedge, bounds_of_rings, measure, mixed,
-};
+use crate::overlap_polygon::{Fan, Inside, SharedArea, Wedge, bounds_of_rings, measure, mixed};
 use crate::reference::Reference;
 use crate::shape::polygon::edges;
 use crate::{ConvexPolygon, Scalar, Vec2};
@@ -32,8 +30,14 @@ struct Piece<S> {
 fn pieces<S: Scalar>(pair: &Wedge<S>) -> [Piece<S>; 2] {
     let (zero, one, half) = (S::zero(), S::one(), S::lit(0.5));
     let pick = |mask, x| S::select(mask, x, zero);
-    let f = [pick(pair.first_g, pair.skip), one - pick(pair.last_g, pair.rest)];
-    let g = [pick(!pair.first_g, pair.skip), one - pick(!pair.last_g, pair.rest)];
+    let f = [
+        pick(pair.first_g, pair.skip),
+        one - pick(pair.last_g, pair.rest),
+    ];
+    let g = [
+        pick(!pair.first_g, pair.skip),
+        one - pick(!pair.last_g, pair.rest),
+    ];
     let ([a, b, alpha], [far_a, far_b, beta]) = (pair.first, pair.last);
     // Fractions of the way from the first to the last ray that f is nearer, and that g is: by the
     // depths of one behind the other on both rays.
@@ -76,8 +80,7 @@ fn pieces<S: Scalar>(pair: &Wedge<S>) -> [Piece<S>; 2] {
 fn pull<S: Scalar>(edge: [Vec2<S>; 2], piece: &Piece<S>, turned: S::Mask, bar: S) -> [Vec2<S>; 2] {
     let along = edge[1] - edge[0];
     let out = Vec2::new(along.y, -along.x) * (bar * piece.weight);
-    let to_end =
-        ((piece.to - piece.from) * (piece.to + piece.from)).halved();
+    let to_end = ((piece.to - piece.from) * (piece.to + piece.from)).halved();
     let to_start = (piece.to - piece.from) - to_end;
     let (start, end) = (
         S::select(turned, to_end, to_start),
@@ -139,7 +142,10 @@ fn shared_slopes<S: Scalar, const N: usize, const M: usize>(
 
 /// Local slopes of a polygon's own area: `v̄ = (q_y − p_y, p_x − q_x)/2` with `p`, `q` its neighbours.
 #[inline(always)]
-fn own_slopes<S: Scalar, const N: usize>(polygon: &[Vec2<S>; N], seen: &Reference<S>) -> [Vec2<S>; N] {
+fn own_slopes<S: Scalar, const N: usize>(
+    polygon: &[Vec2<S>; N],
+    seen: &Reference<S>,
+) -> [Vec2<S>; N] {
     let fan = Fan::new(polygon, seen);
     let mut bars = [Vec2::zero(); N];
     let mut k = 0;
@@ -156,10 +162,7 @@ fn own_slopes<S: Scalar, const N: usize>(polygon: &[Vec2<S>; N], seen: &Referenc
 /// The cotangents of `N` vertices as those of a polygon: what was pulled at repetitions of the first
 /// vertex belongs to it; behind the last one there is zero.
 #[inline(always)]
-fn fold_back<S: Scalar, const N: usize>(
-    bars: [Vec2<S>; N],
-    count: usize,
-) -> ConvexPolygon<S, N> {
+fn fold_back<S: Scalar, const N: usize>(bars: [Vec2<S>; N], count: usize) -> ConvexPolygon<S, N> {
     let mut vertices = bars;
     for k in count..N {
         vertices[0] += bars[k];

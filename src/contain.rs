@@ -191,13 +191,13 @@ pub fn clearance_decided<S: Scalar<Mask = bool>>(
 ///
 /// When the record names a ring or an edge that is not there.
 #[must_use]
-pub fn clearance_replay<S: Scalar>(
-    rings: &[&[Vec2<S>]],
-    point: Vec2<S>,
-    record: Clearance,
-) -> S {
+pub fn clearance_replay<S: Scalar>(rings: &[&[Vec2<S>]], point: Vec2<S>, record: Clearance) -> S {
     let ring = rings[record.ring];
-    let next = if record.edge + 1 < ring.len() { record.edge + 1 } else { 0 };
+    let next = if record.edge + 1 < ring.len() {
+        record.edge + 1
+    } else {
+        0
+    };
     let (start, end) = (ring[record.edge], ring[next]);
     let seen = Reference::of_ring(&[start, end, point]);
     let [start, end, at] = [start, end, point].map(|v| seen.place(v));

@@ -50,13 +50,16 @@ pub fn hull_decided_in<'a, S: Scalar<Mask = bool>>(
     let above = |k: &usize| turn(points[first], points[last], points[*k]) == Turn::Left;
     order.sort_unstable_by(|i, j| match (above(i), above(j)) {
         (false, false) => by_place(i, j),
-        (true, true) => by_place(j, i),
+        (true, true) => left_to_right(points[*j], points[*i]).then(i.cmp(j)),
         (false, true) => std::cmp::Ordering::Less,
         (true, false) => std::cmp::Ordering::Greater,
     });
     let mut count = 0;
     for read in 0..n {
         let next = order[read];
+        if count > 0 && same(points[order[count - 1]], points[next]) {
+            continue;
+        }
         while count > 1 && !left(points, order[count - 2], order[count - 1], next) {
             count -= 1;
         }

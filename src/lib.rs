@@ -23,11 +23,15 @@
 //! | to | see |
 //! | --- | --- |
 //! | measure overlap of boxes | [`overlap`], [`Obb2::iou`], [`Aabb2::iou`] |
-//! | measure polygons | [`ring`] |
+//! | score boxes that may be apart: GIoU, DIoU, CIoU and the like | [`iou`] |
+//! | measure polygons | [`ring`], [`measure`] |
+//! | measure what polygons share, with holes or without | [`overlap_polygon`] |
+//! | clip, join, add convex polygons | [`clipping`], [`hull`] |
+//! | know whether a point is in a polygon, and how far in | [`contain`] |
 //! | differentiate any generic function of shapes | [`ad`]: [`ad::gradient`], [`ad::hessian`], … |
-//! | use an adjoint by hand | [`ad::overlap`], [`ad::ring`] |
+//! | use an adjoint by hand | [`ad::overlap`], [`ad::overlap_polygon`], [`ad::iou`], [`ad::clipping`], [`ad::ring`] |
 //! | work on many shapes at once | [`kernels::cpu`] |
-//! | make a shape | [`Vec2`], [`Vec3`], [`Rotation2`], [`Pose2`], [`Aabb2`], [`Obb2`] |
+//! | make a shape | [`Vec2`], [`Vec3`], [`Rotation2`], [`Pose2`], [`Aabb2`], [`Obb2`], [`ConvexPolygon`] |
 //! | write generic geometry | [`Scalar`], [`Mask`], [`Pack`] |
 //! | know what happens at a kink | [`scalar`] |
 //!
@@ -45,6 +49,10 @@ mod approximate;
 #[forbid(unsafe_code)]
 pub mod clip;
 #[forbid(unsafe_code)]
+pub mod clipping;
+#[forbid(unsafe_code)]
+pub mod contain;
+#[forbid(unsafe_code)]
 pub mod dual;
 #[cfg(feature = "nalgebra")]
 #[forbid(unsafe_code)]
@@ -53,25 +61,39 @@ mod dual_vector;
 pub mod error;
 #[forbid(unsafe_code)]
 pub mod float;
+#[forbid(unsafe_code)]
+pub mod hull;
 #[cfg(feature = "glam")]
 #[forbid(unsafe_code)]
 mod interop;
+#[forbid(unsafe_code)]
+pub mod iou;
 #[forbid(unsafe_code)]
 pub mod jet;
 #[forbid(unsafe_code)]
 pub mod lanes;
 #[forbid(unsafe_code)]
+pub mod measure;
+#[forbid(unsafe_code)]
 pub mod obb;
 #[forbid(unsafe_code)]
 pub mod overlap;
+#[forbid(unsafe_code)]
+pub mod overlap_polygon;
 #[forbid(unsafe_code)]
 pub mod pack;
 #[forbid(unsafe_code)]
 pub mod pose;
 #[forbid(unsafe_code)]
+pub mod predicate;
+#[forbid(unsafe_code)]
+pub mod reference;
+#[forbid(unsafe_code)]
 pub mod ring;
 #[forbid(unsafe_code)]
 pub mod scalar;
+#[forbid(unsafe_code)]
+pub mod shape;
 #[forbid(unsafe_code)]
 pub mod vector;
 
@@ -94,4 +116,5 @@ pub use obb::Obb2;
 pub use pack::{Fixed, Pack};
 pub use pose::{Pose2, Rotation2};
 pub use scalar::{Mask, Scalar};
+pub use shape::ConvexPolygon;
 pub use vector::{Vec2, Vec3};

@@ -72,12 +72,7 @@ pub(crate) fn wedge<S: Scalar>(
     let zero = S::zero();
     let (turned_f, turned_g) = (twice[0].below(zero), twice[1].below(zero));
     let swap = |mask, x: [S; 2]| [S::select(mask, x[1], x[0]), S::select(mask, x[0], x[1])];
-    let sign = |mask, x: [S; 2]| {
-        [
-            S::select(mask, -x[0], x[0]),
-            S::select(mask, -x[1], x[1]),
-        ]
-    };
+    let sign = |mask, x: [S; 2]| [S::select(mask, -x[0], x[0]), S::select(mask, -x[1], x[1])];
     let [p00, p01] = swap(turned_f, [cross[0], cross[1]]);
     let [p10, p11] = swap(turned_f, [cross[2], cross[3]]);
     let [p00, p10] = swap(turned_g, [p00, p10]);
@@ -124,9 +119,8 @@ pub(crate) fn wedge<S: Scalar>(
 #[inline(always)]
 fn shared_twice<S: Scalar>(pair: &Wedge<S>) -> S {
     let (zero, one) = (S::zero(), S::one());
-    let span = one
-        - S::select(pair.first_g, pair.skip, zero)
-        - S::select(pair.last_g, pair.rest, zero);
+    let span =
+        one - S::select(pair.first_g, pair.skip, zero) - S::select(pair.last_g, pair.rest, zero);
     let ([a, b, alpha], [far_a, far_b, beta]) = (pair.first, pair.last);
     let excess = |at: S, by: S, other: S| {
         // On the other's border it counts where it comes from beyond or goes there.
@@ -343,7 +337,9 @@ pub fn intersection_area_polygons<S: Scalar, const N: usize, const M: usize>(
 ) -> S {
     let shared = measure(&a.padded(), &b.padded());
     let seen = shared.seen;
-    seen.outer(seen.outer(shared.areas[0])).saturated().canonical()
+    seen.outer(seen.outer(shared.areas[0]))
+        .saturated()
+        .canonical()
 }
 
 /// Intersection over union of two convex polygons, in `[0, 1]`; exactly 1 with slope zero for the same

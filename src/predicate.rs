@@ -138,10 +138,10 @@ fn exact_cross(a: [f64; 2], b: [f64; 2], c: [f64; 2], d: [f64; 2]) -> f64 {
     let u = differences(a, b);
     let v = differences(c, d);
     let mut sum = Expansion::default();
-    for i in 0..2 {
-        for j in 0..2 {
-            sum.add_product(u[0][i], v[1][j]);
-            sum.add_product(-u[1][i], v[0][j]);
+    for (ux, uy) in u[0].into_iter().zip(u[1]) {
+        for (vx, vy) in v[0].into_iter().zip(v[1]) {
+            sum.add_product(ux, vy);
+            sum.add_product(-uy, vx);
         }
     }
     sum.sign()
@@ -149,7 +149,10 @@ fn exact_cross(a: [f64; 2], b: [f64; 2], c: [f64; 2], d: [f64; 2]) -> f64 {
 
 /// The two coordinates of `b − a`, each as an exact sum of two numbers, times a power of two.
 fn differences(a: [f64; 2], b: [f64; 2]) -> [[f64; 2]; 2] {
-    let largest = a.iter().chain(&b).fold(0.0_f64, |most, x| most.max(x.abs()));
+    let largest = a
+        .iter()
+        .chain(&b)
+        .fold(0.0_f64, |most, x| most.max(x.abs()));
     let scale = if largest > 0.0 && largest < f64::INFINITY {
         // Half of it: the difference may be twice as large as the largest coordinate.
         Scalar::binade(largest)

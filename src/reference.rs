@@ -120,10 +120,7 @@ impl<S: Scalar> Reference<S> {
             (x, y) = (self.outer(x), self.outer(y));
         }
         if power < 1 {
-            (x, y) = (
-                (x * self.scale).halved(),
-                (y * self.scale).halved(),
-            );
+            (x, y) = ((x * self.scale).halved(), (y * self.scale).halved());
         }
         Vec2::new(x.saturated(), y.saturated()).canonical()
     }

@@ -1,5 +1,6 @@
 //! Scores that look at the centres and the sizes of boxes.
-use crate::clip::{frame, relate, size_scale};
+use super::hull::hull_scale;
+use crate::clip::{frame, relate};
 use crate::overlap::{area_from_half, iou_aabb2, iou_obb2};
 use crate::{Aabb2, Obb2, Scalar, Vec2};
 
@@ -32,15 +33,10 @@ fn pair_obb2<S: Scalar>(a: Obb2<S>, b: Obb2<S>) -> Pair<S> {
         Vec2::new(w * cos + h * sin, w * sin + h * cos)
     };
     let half = |x: S, y: S| y.halved() - x.halved();
-    let between = Vec2::new(
-        half(a.center.x, b.center.x),
-        half(a.center.y, b.center.y),
-    );
+    let between = Vec2::new(half(a.center.x, b.center.x), half(a.center.y, b.center.y));
     let (reach_a, reach_b) = (reach(a), reach(b));
     // From a's centre, to either side, to whichever box reaches farther.
-    let around = |by: S, a: S, b: S| {
-        (a.most(b + by) + a.most(b - by)).saturated()
-    };
+    let around = |by: S, a: S, b: S| (a.most(b + by) + a.most(b - by)).saturated();
     Pair {
         iou: iou_obb2(a, b),
         between,
@@ -133,7 +129,7 @@ impl<S: Scalar> Pair<S> {
 pub fn diou_obb2<S: Scalar>(a: Obb2<S>, b: Obb2<S>) -> S {
     let iou = iou_obb2(a, b);
     let (a, b) = (frame(a), frame(b));
-    let pair = relate::<S, true>(a, b, size_scale(a.half, b.half));
+    let pair = relate::<S, true>(a, b, hull_scale(&a, &b));
     let (px, py) = (pair.half_b.x * pair.cos, pair.half_b.x * pair.sin);
     let (qx, qy) = (pair.half_b.y * pair.sin, pair.half_b.y * pair.cos);
     let farthest = |x: S, y: S| {
@@ -146,7 +142,11 @@ pub fn diou_obb2<S: Scalar>(a: Obb2<S>, b: Obb2<S>) -> S {
         .most(farthest(qx - px, -(py + qy)))
         .most(farthest(px + qx, py - qy).most(farthest(-(px + qx), qy - py)));
     let four = S::lit(4.0);
-    let own = pair.half_a.length_squared().most(pair.half_b.length_squared()) * four;
+    let own = pair
+        .half_a
+        .length_squared()
+        .most(pair.half_b.length_squared())
+        * four;
     let way = pair.u * pair.u + pair.v * pair.v;
     (iou - share(way, across.most(own))).canonical()
 }
@@ -164,9 +164,8 @@ pub fn diou_obb2<S: Scalar>(a: Obb2<S>, b: Obb2<S>) -> S {
 pub fn diou_aabb2<S: Scalar>(a: Aabb2<S>, b: Aabb2<S>) -> S {
     let pair = pair_aabb2(a, b);
     let half = |low: S, high: S| high.halved() - low.halved();
-    let reach = |a_low: S, a_high: S, b_low: S, b_high: S| {
-        half(a_low, b_high).most(half(b_low, a_high))
-    };
+    let reach =
+        |a_low: S, a_high: S, b_low: S, b_high: S| half(a_low, b_high).most(half(b_low, a_high));
     let x = reach(a.min.x, a.max.x, b.min.x, b.max.x);
     let y = reach(a.min.y, a.max.y, b.min.y, b.max.y);
     let own = pair.size_a.length().most(pair.size_b.length());
@@ -186,9 +185,8 @@ pub fn giou_box_obb2<S: Scalar>(a: Obb2<S>, b: Obb2<S>) -> S {
     let point = reach.at_most(S::zero());
     let scale = S::select(point, S::one(), reach).binade();
     let scale = S::from_primal(scale.primal());
-    let own = |size: Vec2<S>| {
-        area_from_half(Vec2::new(size.x.halved() * scale, size.y.halved() * scale))
-    };
+    let own =
+        |size: Vec2<S>| area_from_half(Vec2::new(size.x.halved() * scale, size.y.halved() * scale));
     // U = (A + B) / (1 + I/U).
     let union = (own(a.size) + own(b.size)).over(S::one() + pair.iou);
     let hull = area_from_half(pair.around * scale);

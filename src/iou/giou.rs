@@ -1,8 +1,8 @@
 //! Generalised intersection over union of boxes.
-use super::hull::{hull_of_bounds, hull_of_related, joint_scale};
-use crate::clip::{Framed, frame};
-use crate::overlap::{area_from_half, iou_aabb2, ratio_of_union, shared_area};
-use crate::{Aabb2, Obb2, Scalar, Vec2};
+use super::hull::{hull_of_bounds, hull_of_related, hull_scale, joint_scale};
+use crate::clip::{Framed, clip, clipped_area, frame, relate, related_area};
+use crate::overlap::{area_from_half, iou_aabb2, ratio_of_union};
+use crate::{Aabb2, Mask, Obb2, Scalar, Vec2};
 
 /// `I/U − (C − U)/C` from areas; a hull that rounding left smaller than the union counts as large.
 #[inline(always)]
@@ -24,7 +24,17 @@ fn outside_share<S: Scalar>(rest: S, all: S) -> S {
 /// so small or large that products over- or underflow.
 #[inline(always)]
 pub fn giou_framed<S: Scalar, const EXTREME: bool>(a: Framed<S>, b: Framed<S>) -> S {
-    let (pair, inter, _) = shared_area::<S, EXTREME>(a, b);
+    let scale = if EXTREME {
+        hull_scale(&a, &b)
+    } else {
+        S::one()
+    };
+    let pair = relate::<S, EXTREME>(a, b, scale);
+    let inter = if pair.apart.all() {
+        S::zero()
+    } else {
+        related_area(&pair, clipped_area(&clip(pair)))
+    };
     let (area_a, area_b) = (area_from_half(pair.half_a), area_from_half(pair.half_b));
     let hull = hull_of_related(&pair).area();
     score(inter, area_a, area_b, hull).canonical()
@@ -83,9 +93,26 @@ fn bounds_score<S: Scalar>(a: Aabb2<S>, b: Aabb2<S>, exact: bool) -> S {
     let union = (area_a + area_b).over(S::one() + iou);
     let mut hull = area_from_half(half);
     if exact {
-        hull = hull - (cuts + cuts);
+        hull -= cuts + cuts;
     }
     let short = hull.below(union);
     let hull = S::select(short, hull.with_primal(union.primal()), hull);
     (iou - outside_share(hull - union, hull)).canonical()
+}
+
+impl<S: Scalar> Obb2<S> {
+    /// Generalised IoU with the exact convex hull, in `(−1, 1]`; boxes that are apart have slopes.
+    #[must_use]
+    #[inline]
+    pub fn giou(self, other: Self) -> S {
+        giou_obb2(self, other)
+    }
+}
+impl<S: Scalar> Aabb2<S> {
+    /// Generalised IoU with the exact convex hull, in `(−1, 1]`; boxes that are apart have slopes.
+    #[must_use]
+    #[inline]
+    pub fn giou(self, other: Self) -> S {
+        giou_aabb2(self, other)
+    }
 }

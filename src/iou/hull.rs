@@ -13,7 +13,7 @@
 //!
 //! with `w` before and `w′` behind the gap. That is eight comparisons; nothing is sorted or searched. At a
 //! tie both choices give the same area, so the sum is continuous; its slope there is the mean.
-use crate::clip::{Relative, frame, relate, size_scale};
+use crate::clip::{Framed, Relative, frame, relate, size_scale};
 use crate::{Aabb2, Obb2, Scalar, Vec2};
 
 /// The hull of two related boxes, in the frame of a and the units of the related pair; mirrored where b
@@ -36,6 +36,25 @@ pub struct HullOfBoxes<S: Scalar> {
     pub by_b: [S; 4],
     /// Half the size of a.
     pub half_a: Vec2<S>,
+}
+
+/// The power of two by which a pair of boxes is multiplied before their hull is measured: that of
+/// [`size_scale`], unless they are so far apart that the hull of boxes of that size, or its slopes, might
+/// overflow.
+#[inline(always)]
+pub(crate) fn hull_scale<S: Scalar>(a: &Framed<S>, b: &Framed<S>) -> S {
+    let half = |a: S, b: S| b.primal().halved() - a.primal().halved();
+    let way =
+        (half(a.center.x, b.center.x).unsigned()).most(half(a.center.y, b.center.y).unsigned());
+    let none = way.at_most(S::Primal::zero());
+    let by_way = S::Primal::select(none, S::Primal::one(), way).binade();
+    // 2²⁰ units between the centres; but sizes stay above 2⁻⁸⁰.
+    let by_way = S::from_primal((by_way * S::Primal::lit(1_048_576.0)).saturated());
+    let by_size = size_scale(a.half, b.half);
+    let scale = S::select(by_way.below(by_size), by_way, by_size);
+    let least = by_size * S::lit(1.0 / (1_u64 << 40) as f64) * S::lit(1.0 / (1_u64 << 40) as f64);
+    let scale = S::select(scale.below(least), least, scale);
+    S::from_primal(scale.primal())
 }
 
 /// 1 where the first is larger, 0 where the second is, ½ for a tie; a constant.
@@ -105,7 +124,8 @@ impl<S: Scalar> HullOfBoxes<S> {
             let (before, next) = ((k + 3) % 4, (k + 1) % 4);
             let (at_a, at_b, at_next) = (self.by_a[k], self.by_b[k], self.by_a[next]);
             twice += side_a * at_a + b[before].perp_dot(b[k]) * (S::one() - at_b);
-            twice += a[k].perp_dot(b[before]) * (at_a - at_b) + a[k].perp_dot(b[k]) * (at_b - at_next);
+            twice +=
+                a[k].perp_dot(b[before]) * (at_a - at_b) + a[k].perp_dot(b[k]) * (at_b - at_next);
             k += 1;
         }
         twice.halved()
@@ -125,7 +145,7 @@ impl<S: Scalar> HullOfBoxes<S> {
 #[inline]
 pub fn hull_area_obb2<S: Scalar>(a: Obb2<S>, b: Obb2<S>) -> S {
     let (a, b) = (frame(a), frame(b));
-    let scale = size_scale(a.half, b.half);
+    let scale = hull_scale(&a, &b);
     let pair = relate::<S, true>(a, b, scale);
     let area = hull_of_related(&pair).area();
     area.over(scale).over(scale).saturated().canonical()
@@ -141,7 +161,8 @@ pub(super) fn hull_of_bounds<S: Scalar>(a: Aabb2<S>, b: Aabb2<S>, scale: S) -> (
     let high = Vec2::new(gap(a.max.x, b.max.x), gap(a.max.y, b.max.y));
     // Two bounds of a corner that are not of the same box leave a triangle out.
     let cut = |x: S, y: S| (x * y).most(zero);
-    let cuts = (cut(-low.x, low.y) + cut(high.x, low.y)) + (cut(-high.x, high.y) + cut(low.x, high.y));
+    let cuts =
+        (cut(-low.x, low.y) + cut(high.x, low.y)) + (cut(-high.x, high.y) + cut(low.x, high.y));
     let joint = a.join(b);
     let half = Vec2::new(gap(joint.min.x, joint.max.x), gap(joint.min.y, joint.max.y));
     (half, cuts)

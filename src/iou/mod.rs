@@ -34,8 +34,9 @@ pub use center::{
     ciou_obb2, diou_aabb2, diou_box_aabb2, diou_box_obb2, diou_obb2, eiou_aabb2, eiou_obb2,
     giou_box_obb2,
 };
-pub use giou::{giou_aabb2, giou_box_aabb2, giou_framed, giou_obb2};
 pub(crate) use giou::score;
+pub use giou::{giou_aabb2, giou_box_aabb2, giou_framed, giou_obb2};
+pub(crate) use hull::hull_scale;
 pub use hull::{HullOfBoxes, hull_area_aabb2, hull_area_obb2, hull_of_related};
 pub use polygon::{
     FarthestCorners, diou_polygons_decided, diou_polygons_replay, giou_polygons_decided,

@@ -38,7 +38,9 @@ pub struct Enclosing<S> {
 /// assert_eq!(support, Support::Two([0, 1]));
 /// ```
 #[must_use]
-pub fn circle_decided<S: Scalar<Mask = bool>>(points: &[Vec2<S>]) -> Option<(Enclosing<S>, Support)> {
+pub fn circle_decided<S: Scalar<Mask = bool>>(
+    points: &[Vec2<S>],
+) -> Option<(Enclosing<S>, Support)> {
     let mut hull = hull_decided(points);
     let seen = Reference::of_ring(points);
     let place = |k: usize| {

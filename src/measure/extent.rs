@@ -161,8 +161,14 @@ fn height<S: Scalar>(start: Vec2<S>, end: Vec2<S>, point: Vec2<S>) -> S {
 #[must_use]
 #[inline]
 pub fn width_replay<S: Scalar>(points: &[Vec2<S>], record: Narrowest) -> S {
-    let three = [points[record.start], points[record.end], points[record.across]];
+    let three = [
+        points[record.start],
+        points[record.end],
+        points[record.across],
+    ];
     let seen = Reference::of_ring(&three);
     let [start, end, across] = three.map(|p| seen.place(p));
-    seen.outer(height(start, end, across)).saturated().canonical()
+    seen.outer(height(start, end, across))
+        .saturated()
+        .canonical()
 }

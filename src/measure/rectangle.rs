@@ -114,7 +114,13 @@ fn sides<S: Scalar>(seen: &Reference<S>, points: &[Vec2<S>], record: Resting) ->
 /// When the record has an index beyond the points.
 #[must_use]
 pub fn rectangle_replay<S: Scalar>(points: &[Vec2<S>], record: Resting) -> Obb2<S> {
-    let five = [record.start, record.end, record.right, record.top, record.left];
+    let five = [
+        record.start,
+        record.end,
+        record.right,
+        record.top,
+        record.left,
+    ];
     let seen = Reference::of_ring(&five.map(|k| points[k]));
     let Sides { axis, middle, size } = sides(&seen, points, record);
     let start = seen.place(points[record.start]);

@@ -135,7 +135,11 @@ impl<S: Scalar, const N: usize> ConvexPolygon<S, N> {
         match check_convex(made.as_slice()) {
             Ok(()) => Ok((made, kept)),
             Err(Flaw::Vertex { index, fault }) => Err(Flaw::Vertex {
-                index: kept.get(index).copied().filter(|_| index < count).unwrap_or(ring.len()),
+                index: kept
+                    .get(index)
+                    .copied()
+                    .filter(|_| index < count)
+                    .unwrap_or(ring.len()),
                 fault,
             }),
             Err(other) => Err(other),

@@ -1,6 +1,6 @@
 //! Polygons to test with: random ones and hard ones.
 use geograd::{ConvexPolygon, Vec2};
-use crate::geograd_tests::Dice;
+use geograd_tests::Dice;
 
 pub type Polygon = ConvexPolygon<f64, 12>;
 
@@ -19,9 +19,17 @@ pub fn convex(dice: &mut Dice) -> Polygon {
         let n = 3 + dice.below(9);
         let mut angles: Vec<f64> = (0..n).map(|_| dice.within(0.0, 6.28)).collect();
         angles.sort_by(|x, y| x.partial_cmp(y).unwrap());
-        let flat = if dice.below(3) == 0 { 0.02 } else { dice.within(0.3, 1.0) };
+        let flat = if dice.below(3) == 0 {
+            0.02
+        } else {
+            dice.within(0.3, 1.0)
+        };
         let (sin, cos) = dice.within(0.0, 6.28).sin_cos();
-        let (size, x, y) = (dice.within(0.5, 3.0), dice.within(-2.0, 2.0), dice.within(-2.0, 2.0));
+        let (size, x, y) = (
+            dice.within(0.5, 3.0),
+            dice.within(-2.0, 2.0),
+            dice.within(-2.0, 2.0),
+        );
         let vertices: Vec<_> = angles
             .iter()
             .map(|t| {
@@ -63,8 +71,25 @@ pub fn hard() -> Vec<(Polygon, Polygon)> {
     let near = polygon(&[(0., 0.), (2., 0.0000001), (2., 2.), (0., 2.)]);
     let mut all = vec![];
     let shapes = [
-        square, turned, shifted(1., 0.), shifted(1., 1.), shifted(2., 0.), shifted(2., 2.), shifted(5., 0.),
-        diamond, inner, needle, triangle, wedge, on_edge, outside_edge, touching, flat, point, huge, near,
+        square,
+        turned,
+        shifted(1., 0.),
+        shifted(1., 1.),
+        shifted(2., 0.),
+        shifted(2., 2.),
+        shifted(5., 0.),
+        diamond,
+        inner,
+        needle,
+        triangle,
+        wedge,
+        on_edge,
+        outside_edge,
+        touching,
+        flat,
+        point,
+        huge,
+        near,
     ];
     for a in shapes {
         for b in shapes {

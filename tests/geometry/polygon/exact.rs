@@ -56,7 +56,9 @@ impl Big {
 pub type Point = [Big; 2];
 
 pub fn points(ring: &[Vec2<f64>]) -> Vec<Point> {
-    ring.iter().map(|v| [Big::new(v.x), Big::new(v.y)]).collect()
+    ring.iter()
+        .map(|v| [Big::new(v.x), Big::new(v.y)])
+        .collect()
 }
 
 /// Twice the signed area of a triangle: positive when `p` is left of `a → b`.
@@ -138,11 +140,12 @@ pub fn hull(all: &[Vec2<f64>]) -> Vec<Vec2<f64>> {
             }
             let right_most = (0..n).all(|m| {
                 let s = side(&big[here], &big[k], &big[m]).sign();
-                s > 0 || s == 0 && {
-                    let d = |q: usize| (all[q] - all[here]).length_squared();
-                    // No farther on the same line, on the same side.
-                    d(m) <= d(k) || (all[m] - all[here]).dot(all[k] - all[here]) < 0.0
-                }
+                s > 0
+                    || s == 0 && {
+                        let d = |q: usize| (all[q] - all[here]).length_squared();
+                        // No farther on the same line, on the same side.
+                        d(m) <= d(k) || (all[m] - all[here]).dot(all[k] - all[here]) < 0.0
+                    }
             });
             if right_most {
                 next = Some(k);

@@ -2,7 +2,6 @@
 use super::cases::{Polygon, any_ring, at, convex, hard, polygon, ring};
 use super::exact;
 use super::overlap::variables;
-use crate::geograd_tests::Dice;
 use geograd::ad::clipping::clip_vjp;
 use geograd::clipping::{
     ClipTrace, Corner, Side, clip, clip_decided, clip_replay, half_plane_decided, half_plane_replay,
@@ -22,6 +21,7 @@ use geograd::measure::vertex_mean;
 use geograd::predicate::{Turn, turn, turn_between};
 use geograd::shape::polygon::edges;
 use geograd::{Aabb2, ConvexPolygon, Flaw, Jet, Obb2, Validate, Vec2, VertexFault};
+use geograd_tests::Dice;
 
 fn fault(all: &[(f64, f64)]) -> (usize, VertexFault) {
     match Polygon::try_new(&ring(all)) {
@@ -33,27 +33,64 @@ fn fault(all: &[(f64, f64)]) -> (usize, VertexFault) {
 #[test]
 fn what_is_no_convex_polygon_is_refused_by_vertex() {
     let nan = f64::NAN;
-    assert_eq!(fault(&[(0., 0.), (1., nan), (0., 1.)]), (1, VertexFault::NotFinite));
+    assert_eq!(
+        fault(&[(0., 0.), (1., nan), (0., 1.)]),
+        (1, VertexFault::NotFinite)
+    );
     assert_eq!(fault(&[(0., 0.), (1., 0.)]), (2, VertexFault::Missing));
     assert_eq!(fault(&[]), (0, VertexFault::Missing));
-    assert_eq!(fault(&[(0., 0.), (1., 0.), (1., 0.), (0., 1.)]), (1, VertexFault::Repeated));
-    assert_eq!(fault(&[(0., 0.), (1., 0.), (0., 1.), (0., 0.)]), (3, VertexFault::Repeated));
-    assert_eq!(fault(&[(0., 0.), (1., 0.), (2., 0.), (0., 1.)]), (1, VertexFault::Straight));
-    assert_eq!(fault(&[(0., 0.), (0., 1.), (1., 0.)]), (0, VertexFault::Clockwise));
-    assert_eq!(fault(&[(0., 0.), (2., 0.), (0.5, 0.5), (0., 2.)]), (2, VertexFault::Clockwise));
+    assert_eq!(
+        fault(&[(0., 0.), (1., 0.), (1., 0.), (0., 1.)]),
+        (1, VertexFault::Repeated)
+    );
+    assert_eq!(
+        fault(&[(0., 0.), (1., 0.), (0., 1.), (0., 0.)]),
+        (3, VertexFault::Repeated)
+    );
+    assert_eq!(
+        fault(&[(0., 0.), (1., 0.), (2., 0.), (0., 1.)]),
+        (1, VertexFault::Straight)
+    );
+    assert_eq!(
+        fault(&[(0., 0.), (0., 1.), (1., 0.)]),
+        (0, VertexFault::Clockwise)
+    );
+    assert_eq!(
+        fault(&[(0., 0.), (2., 0.), (0.5, 0.5), (0., 2.)]),
+        (2, VertexFault::Clockwise)
+    );
     assert_eq!(fault(&[(0., 0.); 13]), (12, VertexFault::Surplus));
     // A pentagram turns left everywhere and runs around twice.
-    let star: Vec<_> = (0..5).map(|k| (k as f64 * 4.0 * std::f64::consts::PI / 5.0).sin_cos()).map(|(y, x)| (x, y)).collect();
+    let star: Vec<_> = (0..5)
+        .map(|k| (k as f64 * 4.0 * std::f64::consts::PI / 5.0).sin_cos())
+        .map(|(y, x)| (x, y))
+        .collect();
     assert_eq!(fault(&star).1, VertexFault::SecondRound);
     // An ulp decides.
     let bent = |y: f64| Polygon::try_new(&ring(&[(0., 0.), (1e6, y), (2e6, 0.2), (1e6, 9.)]));
     assert!(bent(0.1).is_err());
     assert!(bent(0.1_f64.next_down()).is_ok());
     assert!(bent(0.1_f64.next_up()).is_err());
-    let shape = ConvexPolygon { vertices: [at(0., 0.); 2], count: 5 };
-    assert_eq!(shape.validate(), Err(Flaw::Vertex { index: 2, fault: VertexFault::Surplus }));
+    let shape = ConvexPolygon {
+        vertices: [at(0., 0.); 2],
+        count: 5,
+    };
+    assert_eq!(
+        shape.validate(),
+        Err(Flaw::Vertex {
+            index: 2,
+            fault: VertexFault::Surplus
+        })
+    );
     assert_eq!(shape.as_slice().len(), 2);
-    assert!(Flaw::Vertex { index: 2, fault: VertexFault::Clockwise }.to_string().contains("vertex 2 turns"));
+    assert!(
+        Flaw::Vertex {
+            index: 2,
+            fault: VertexFault::Clockwise
+        }
+        .to_string()
+        .contains("vertex 2 turns")
+    );
 }
 
 #[test]
@@ -63,7 +100,13 @@ fn cleaning_keeps_the_corners_of_either_orientation() {
         let shape = convex(&mut dice);
         // The same border with repeated vertices and middles that are exactly on it.
         let grid = |v: Vec2<f64>| at((v.x * 64.0).round(), (v.y * 64.0).round());
-        let Ok((shape, _)) = Polygon::cleaned(&shape.as_slice().iter().map(|&v| grid(v) * 2.0).collect::<Vec<_>>()) else {
+        let Ok((shape, _)) = Polygon::cleaned(
+            &shape
+                .as_slice()
+                .iter()
+                .map(|&v| grid(v) * 2.0)
+                .collect::<Vec<_>>(),
+        ) else {
             continue;
         };
         let mut full = vec![];
@@ -94,7 +137,15 @@ fn cleaning_keeps_the_corners_of_either_orientation() {
     assert!(Polygon::cleaned(&ring(&[(0., 0.), (0., 0.), (0., 0.)])).is_err());
     assert!(Polygon::cleaned(&ring(&[(0., 0.), (2., 0.), (0.5, 0.5), (0., 2.)])).is_err());
     assert!(Polygon::cleaned(&[]).is_err());
-    let tight = ring(&[(0., 0.), (1., 0.), (2., 0.), (2., 2.), (1., 2.), (0., 2.), (0., 1.)]);
+    let tight = ring(&[
+        (0., 0.),
+        (1., 0.),
+        (2., 0.),
+        (2., 2.),
+        (1., 2.),
+        (0., 2.),
+        (0., 1.),
+    ]);
     assert_eq!(ConvexPolygon::<f64, 4>::cleaned(&tight).unwrap().0.count, 4);
 }
 
@@ -103,7 +154,10 @@ fn turns_are_exact() {
     let mut dice = Dice(12);
     for _ in 0..20_000 {
         // Nearly collinear on purpose.
-        let (a, b) = (at(dice.roll(), dice.roll()), at(dice.roll() * 40.0, dice.roll() * 40.0));
+        let (a, b) = (
+            at(dice.roll(), dice.roll()),
+            at(dice.roll() * 40.0, dice.roll() * 40.0),
+        );
         let t = dice.within(-2.0, 2.0);
         let mut c = a + (b - a) * t;
         if dice.below(2) == 0 {
@@ -116,7 +170,10 @@ fn turns_are_exact() {
         assert_eq!(turn(a, b, c), wanted);
         let scale = 2f64.powi((scale as f64).log2() as i32);
         assert_eq!(turn(a * scale, b * scale, c * scale), wanted);
-        assert_eq!(turn_between([a, b], [c, b]), turn_between([c, b], [a, b]).mirrored());
+        assert_eq!(
+            turn_between([a, b], [c, b]),
+            turn_between([c, b], [a, b]).mirrored()
+        );
     }
     for tiny in [1e-30_f32, 1e-20, 1e20, 1e30] {
         let p = |x: f32, y: f32| Vec2::new(x * tiny, y * tiny);
@@ -131,7 +188,10 @@ fn hulls_are_those_of_brute_force() {
     for _ in 0..1500 {
         let points = any_ring(&mut dice, 14);
         let truth = exact::hull(&points);
-        let found: Vec<_> = hull_decided(&points).into_iter().map(|k| points[k]).collect();
+        let found: Vec<_> = hull_decided(&points)
+            .into_iter()
+            .map(|k| points[k])
+            .collect();
         assert_eq!(found, truth, "{points:?}");
         let (area, record) = hull_area_decided(&points);
         assert!((area - exact::ring_area(&truth)).abs() < 1e-12);
@@ -145,7 +205,10 @@ fn hulls_are_those_of_brute_force() {
     }
     assert!(hull_decided::<f64>(&[]).is_empty());
     assert_eq!(hull_decided(&[at(1., 1.); 4]).len(), 1);
-    assert_eq!(hull_decided(&ring(&[(2., 2.), (0., 0.), (1., 1.), (2., 2.)])).len(), 2);
+    assert_eq!(
+        hull_decided(&ring(&[(2., 2.), (0., 0.), (1., 1.), (2., 2.)])).len(),
+        2
+    );
     assert!(hull_decided_in(&[at(0., 0.); 3], &mut [0; 2]).is_err());
     assert!(hull::<f64, 2>(&ring(&[(0., 0.), (1., 0.), (0., 1.)])).is_err());
 }
@@ -159,10 +222,22 @@ fn merged_hulls_have_all_vertices_of_both_inside() {
         let all: Vec<_> = a.as_slice().iter().chain(b.as_slice()).copied().collect();
         assert_eq!(both.as_slice(), exact::hull(&all));
         let trace = merge_decided::<_, 12, 12, 24>(&a, &b).unwrap();
-        assert!(trace.corners[..trace.count].iter().all(|c| !matches!(c, Corner::Cross { .. })));
+        assert!(
+            trace.corners[..trace.count]
+                .iter()
+                .all(|c| !matches!(c, Corner::Cross { .. }))
+        );
     }
     // B5: no vertices and an infinite score there.
-    let quad = |x: f64| ConvexPolygon::from(Obb2::new(x * 0.3_f64.cos(), x * 0.3_f64.sin(), 4.0, 2.0, 0.3));
+    let quad = |x: f64| {
+        ConvexPolygon::from(Obb2::new(
+            x * 0.3_f64.cos(),
+            x * 0.3_f64.sin(),
+            4.0,
+            2.0,
+            0.3,
+        ))
+    };
     let both: ConvexPolygon<f64, 8> = merge(&quad(0.0), &quad(10.0)).unwrap();
     assert!((both.area() - 28.0).abs() < 1e-12);
     assert!(merge::<_, 4, 4, 7>(&quad(0.0), &quad(1.0)).is_err());
@@ -174,16 +249,30 @@ fn minkowski_sums_are_hulls_of_all_sums() {
     let random = (0..600).map(|_| (convex(&mut dice), convex(&mut dice)));
     for (a, b) in random.collect::<Vec<_>>().into_iter().chain(hard()) {
         let sum: ConvexPolygon<f64, 24> = minkowski_sum(&a, &b).unwrap();
-        let all: Vec<_> = a.as_slice().iter().flat_map(|&p| b.as_slice().iter().map(move |&q| p + q)).collect();
+        let all: Vec<_> = a
+            .as_slice()
+            .iter()
+            .flat_map(|&p| b.as_slice().iter().map(move |&q| p + q))
+            .collect();
         let truth = exact::hull(&all);
         let area = exact::ring_area(&truth);
-        assert!((sum.area() - area).abs() <= 1e-12 * area.max(1.0), "{a:?} {b:?} {sum:?}");
+        assert!(
+            (sum.area() - area).abs() <= 1e-12 * area.max(1.0),
+            "{a:?} {b:?} {sum:?}"
+        );
         let trace = minkowski_sum_decided::<_, 12, 12, 24>(&a, &b).unwrap();
         assert!(trace.count <= a.count + b.count);
     }
     let square = ConvexPolygon::from(Aabb2::new(0.0, 0.0, 1.0, 1.0));
-    assert_eq!(minkowski_sum::<_, 4, 4, 4>(&square, &square).unwrap().area(), 4.0);
-    assert!(minkowski_sum::<f64, 4, 12, 4>(&square, &polygon(&[(0., 0.), (2., 1.), (0., 2.)])).is_err());
+    assert_eq!(
+        minkowski_sum::<_, 4, 4, 4>(&square, &square)
+            .unwrap()
+            .area(),
+        4.0
+    );
+    assert!(
+        minkowski_sum::<f64, 4, 12, 4>(&square, &polygon(&[(0., 0.), (2., 1.), (0., 2.)])).is_err()
+    );
 }
 
 #[test]
@@ -196,12 +285,18 @@ fn clips_are_those_of_the_oracle_with_provenance() {
         }
         // On a coarse grid: touching, collinear and identical edges.
         let snap = |p: Polygon| {
-            let all: Vec<_> = p.as_slice().iter().map(|v| at(v.x.round(), v.y.round())).collect();
+            let all: Vec<_> = p
+                .as_slice()
+                .iter()
+                .map(|v| at(v.x.round(), v.y.round()))
+                .collect();
             Polygon::cleaned(&all).map_or(polygon(&[(0., 0.), (2., 0.), (0., 2.)]), |(p, _)| p)
         };
         (snap(a), snap(b))
     });
-    let valid = hard().into_iter().filter(|(a, b)| a.validate().is_ok() && b.validate().is_ok());
+    let valid = hard()
+        .into_iter()
+        .filter(|(a, b)| a.validate().is_ok() && b.validate().is_ok());
     let mut kinds = [0; 4];
     for (a, b) in random.collect::<Vec<_>>().into_iter().chain(valid) {
         let truth = exact::clipped(a.as_slice(), b.as_slice());
@@ -209,11 +304,20 @@ fn clips_are_those_of_the_oracle_with_provenance() {
         let found = clip_replay(&a, &b, &trace);
         let area = exact::area(&truth).to_f64();
         let size = a.bounding().size().x.max(1.0) + b.bounding().size().x;
-        assert!((found.area() - area).abs() <= 1e-13 * size * size.min(8.0), "{a:?} {b:?} {trace:?} {} {area}", found.area());
+        assert!(
+            (found.area() - area).abs() <= 1e-13 * size * size.min(8.0),
+            "{a:?} {b:?} {trace:?} {} {area}",
+            found.area()
+        );
         kinds[trace.count.min(3)] += 1;
         // Every vertex of the exact result is one of ours and the other way round.
-        let truth: Vec<_> = truth.iter().map(|p| at(p[0].to_f64(), p[1].to_f64())).collect();
-        let near = |p: Vec2<f64>, all: &[Vec2<f64>]| all.iter().map(|&q| p.distance(q)).fold(9e9, f64::min);
+        let truth: Vec<_> = truth
+            .iter()
+            .map(|p| at(p[0].to_f64(), p[1].to_f64()))
+            .collect();
+        let near = |p: Vec2<f64>, all: &[Vec2<f64>]| {
+            all.iter().map(|&q| p.distance(q)).fold(9e9, f64::min)
+        };
         let shaky = a.area().min(b.area()) < 0.5 || area < 1e-9;
         if found.count < 3 {
             let crossed = a.edges().any(|[p, q]| {
@@ -225,15 +329,25 @@ fn clips_are_those_of_the_oracle_with_provenance() {
                 })
             });
             let mut shared: Vec<_> = a.as_slice().iter().filter(|&&p| b.contains(p)).collect();
-            shared.extend(b.as_slice().iter().filter(|&&p| a.contains(p) && !a.as_slice().contains(&p)));
-            assert!(!crossed && shared.len() == found.count, "{a:?} {b:?} {trace:?}");
+            shared.extend(
+                b.as_slice()
+                    .iter()
+                    .filter(|&&p| a.contains(p) && !a.as_slice().contains(&p)),
+            );
+            assert!(
+                !crossed && shared.len() == found.count,
+                "{a:?} {b:?} {trace:?}"
+            );
             assert!(found.as_slice().iter().all(|p| shared.contains(&p)));
         }
         for &p in found.as_slice() {
             assert!(shaky || near(p, &truth) < 1e-9 * size, "{a:?} {b:?} {p}");
         }
         for &p in &truth {
-            assert!(shaky || near(p, found.as_slice()) < 1e-9 * size, "{a:?} {b:?} {trace:?} {p}");
+            assert!(
+                shaky || near(p, found.as_slice()) < 1e-9 * size,
+                "{a:?} {b:?} {trace:?} {p}"
+            );
         }
         // No vertex twice; sides lie on the edges they name.
         for k in 0..trace.count {
@@ -257,7 +371,13 @@ fn clips_are_those_of_the_oracle_with_provenance() {
         }
     }
     assert!(kinds.iter().all(|&k| k > 10), "{kinds:?}");
-    assert!(clip::<_, 12, 12, 3>(&polygon(&[(0., 0.), (2., 0.), (2., 2.), (0., 2.)]), &polygon(&[(1., -1.), (3., 1.), (1., 3.), (-1., 1.)])).is_err());
+    assert!(
+        clip::<_, 12, 12, 3>(
+            &polygon(&[(0., 0.), (2., 0.), (2., 2.), (0., 2.)]),
+            &polygon(&[(1., -1.), (3., 1.), (1., 3.), (-1., 1.)])
+        )
+        .is_err()
+    );
 }
 
 #[test]
@@ -266,7 +386,8 @@ fn slopes_of_a_clip_come_back_through_its_adjoint() {
     for _ in 0..200 {
         let (a, b) = (convex(&mut dice), convex(&mut dice));
         let trace: ClipTrace<24> = clip_decided(&a, &b).unwrap();
-        let bars: [Vec2<f64>; 24] = std::array::from_fn(|_| at(dice.within(-1., 1.), dice.within(-1., 1.)));
+        let bars: [Vec2<f64>; 24] =
+            std::array::from_fn(|_| at(dice.within(-1., 1.), dice.within(-1., 1.)));
         let value = clip_replay(&variables(&a, 0), &variables(&b, 24), &trace);
         let (by_a, by_b) = clip_vjp(&a, &b, &trace, &bars);
         for (m, v) in by_a.vertices.iter().chain(&by_b.vertices).enumerate() {
@@ -276,7 +397,10 @@ fn slopes_of_a_clip_come_back_through_its_adjoint() {
                 y += p.x.slope[2 * m + 1] * bar.x + p.y.slope[2 * m + 1] * bar.y;
             }
             let slack = 1e-9 * (1.0 + x.abs() + y.abs());
-            assert!((v.x - x).abs() < slack && (v.y - y).abs() < slack, "{v} {x} {y}");
+            assert!(
+                (v.x - x).abs() < slack && (v.y - y).abs() < slack,
+                "{v} {x} {y}"
+            );
         }
     }
 }
@@ -287,11 +411,22 @@ fn half_planes_cut_as_the_oracle_does() {
     for _ in 0..2000 {
         let a = convex(&mut dice);
         let snap = dice.below(2) == 0;
-        let snapped = |v: Vec2<f64>| if snap { at(v.x.round(), v.y.round()) } else { v };
-        let Ok((a, _)) = Polygon::cleaned(&a.as_slice().iter().map(|&v| snapped(v)).collect::<Vec<_>>()) else {
+        let snapped = |v: Vec2<f64>| {
+            if snap {
+                at(v.x.round(), v.y.round())
+            } else {
+                v
+            }
+        };
+        let Ok((a, _)) =
+            Polygon::cleaned(&a.as_slice().iter().map(|&v| snapped(v)).collect::<Vec<_>>())
+        else {
             continue;
         };
-        let line = [snapped(at(dice.within(-3., 3.), dice.within(-3., 3.))), snapped(at(dice.within(-3., 3.), dice.within(-3., 3.)))];
+        let line = [
+            snapped(at(dice.within(-3., 3.), dice.within(-3., 3.))),
+            snapped(at(dice.within(-3., 3.), dice.within(-3., 3.))),
+        ];
         if line[0] == line[1] {
             continue;
         }
@@ -322,7 +457,10 @@ fn points_are_where_the_rings_wind_around_them() {
             point = at(point.x.round(), point.y.round());
         }
         // The independent way: the sum of angles.
-        let angles: f64 = edges(&p).chain(edges(&q)).map(|[a, b]| (a - point).angle_to(b - point)).sum();
+        let angles: f64 = edges(&p)
+            .chain(edges(&q))
+            .map(|[a, b]| (a - point).angle_to(b - point))
+            .sum();
         let on_border = edges(&p).chain(edges(&q)).any(|[a, b]| {
             let big = exact::points(&[a, b, point]);
             exact::side(&big[0], &big[1], &big[2]).sign() == 0 && (a - point).dot(b - point) <= 0.0
@@ -337,7 +475,10 @@ fn points_are_where_the_rings_wind_around_them() {
         assert_eq!(found, Location::Off(truth), "{p:?} {q:?} {point}");
         assert_eq!(contains(&[&p, &q], point), truth != 0);
         assert_eq!(contains_even_odd(&[&p, &q], point), truth % 2 != 0);
-        let sum: f64 = edges(&p).chain(edges(&q)).map(|[a, b]| crossing(a, b, point)).sum();
+        let sum: f64 = edges(&p)
+            .chain(edges(&q))
+            .map(|[a, b]| crossing(a, b, point))
+            .sum();
         assert_eq!(sum, f64::from(truth));
     }
     let square = Aabb2::new(0.0, 0.0, 1.0, 1.0).corners();
@@ -354,7 +495,10 @@ fn clearance_is_the_least_distance_with_the_right_sign() {
     assert_eq!(square.clearance(at(2.0, 0.5)), -1.0);
     let mut dice = Dice(20);
     for _ in 0..1000 {
-        let (p, point) = (any_ring(&mut dice, 8), at(dice.within(-4., 4.), dice.within(-4., 4.)));
+        let (p, point) = (
+            any_ring(&mut dice, 8),
+            at(dice.within(-4., 4.), dice.within(-4., 4.)),
+        );
         let mut least = f64::INFINITY;
         for [a, b] in edges(&p) {
             for k in 0..=1000 {
@@ -365,7 +509,10 @@ fn clearance_is_the_least_distance_with_the_right_sign() {
         assert!((value.abs() - least).abs() < 1e-2 && value.abs() <= least + 1e-12);
         assert_eq!(value > 0.0, contains(&[&p], point));
         // The slope is of length one.
-        let lifted: Vec<_> = p.iter().map(|v| Vec2::new(Jet::<f64, 2>::variable(v.x, 9), Jet::variable(v.y, 9))).collect();
+        let lifted: Vec<_> = p
+            .iter()
+            .map(|v| Vec2::new(Jet::<f64, 2>::variable(v.x, 9), Jet::variable(v.y, 9)))
+            .collect();
         let at_point = Vec2::new(Jet::variable(point.x, 0), Jet::variable(point.y, 1));
         let slope = geograd::contain::clearance_replay(&[&lifted], at_point, record).slope;
         assert!((slope[0].hypot(slope[1]) - 1.0).abs() < 1e-9);
@@ -398,11 +545,18 @@ fn moments_are_those_of_triangles_and_turn_with_the_shape() {
         close(axes.major + axes.minor, xx + yy);
         close(axes.major * axes.minor, xx * yy - xy * xy);
         let (sin, cos) = axes.angle.sin_cos();
-        close(xx * cos * cos + 2.0 * xy * sin * cos + yy * sin * sin, axes.major);
+        close(
+            xx * cos * cos + 2.0 * xy * sin * cos + yy * sin * sin,
+            axes.major,
+        );
         // Far away, and with a hole.
         let far: Vec<_> = a.as_slice().iter().map(|&v| v + at(1e6, -1e6)).collect();
         assert!((second_moments(&[&far]).xx - xx).abs() < 1e-6);
-        let mut hole: Vec<_> = a.as_slice().iter().map(|&v| center + (v - center) * 0.5).collect();
+        let mut hole: Vec<_> = a
+            .as_slice()
+            .iter()
+            .map(|&v| center + (v - center) * 0.5)
+            .collect();
         hole.reverse();
         close(second_moments(&[a.as_slice(), &hole]).xx, xx * 15.0 / 16.0);
         let by = at(2.0, 3.0);
@@ -411,7 +565,12 @@ fn moments_are_those_of_triangles_and_turn_with_the_shape() {
     let none = second_moments::<f64>(&[]);
     assert_eq!((none.xx, none.yy, none.xy), (0.0, 0.0, 0.0));
     let square = ConvexPolygon::from(Aabb2::new(0.0, 0.0, 2.0, 2.0));
-    let lifted = ConvexPolygon { vertices: square.vertices.map(|v| Vec2::new(Jet::<f64, 1>::variable(v.x, 0), Jet::variable(v.y, 0))), count: 4 };
+    let lifted = ConvexPolygon {
+        vertices: square
+            .vertices
+            .map(|v| Vec2::new(Jet::<f64, 1>::variable(v.x, 0), Jet::variable(v.y, 0))),
+        count: 4,
+    };
     let axes = lifted.second_moments().principal_axes();
     assert!(axes.angle.slope[0].is_finite() && axes.major.slope[0].is_finite());
     assert_eq!(vertex_mean::<f64>(&[]), at(0.0, 0.0));
@@ -433,12 +592,19 @@ fn brute_extents(points: &[Vec2<f64>]) -> (f64, f64, f64, f64) {
             let axis = (points[j] - points[i]) * (1.0 / points[i].distance(points[j]));
             let over = |f: &dyn Fn(Vec2<f64>) -> f64| {
                 let all = points.iter().map(|&p| f(p));
-                let (low, high) = all.fold((f64::INFINITY, -f64::INFINITY), |(l, h), x| (l.min(x), h.max(x)));
+                let (low, high) = all.fold((f64::INFINITY, -f64::INFINITY), |(l, h), x| {
+                    (l.min(x), h.max(x))
+                });
                 high - low
             };
-            let (along, across) = (over(&|p| axis.dot(p - points[0])), over(&|p| axis.perp_dot(p - points[0])));
+            let (along, across) = (
+                over(&|p| axis.dot(p - points[0])),
+                over(&|p| axis.perp_dot(p - points[0])),
+            );
             // Only directions of hull edges are candidates.
-            let hull_edge = points.iter().all(|&p| axis.perp_dot(p - points[i]) >= -1e-12);
+            let hull_edge = points
+                .iter()
+                .all(|&p| axis.perp_dot(p - points[i]) >= -1e-12);
             if hull_edge {
                 width = width.min(across);
                 area = area.min(along * across);
@@ -447,10 +613,17 @@ fn brute_extents(points: &[Vec2<f64>]) -> (f64, f64, f64, f64) {
     }
     // The circle: over all pairs and triples.
     let mut radius = f64::INFINITY;
-    let fits = |c: Vec2<f64>, r: f64| points.iter().all(|&p| p.distance(c) <= r * (1.0 + 1e-9) + 1e-12);
+    let fits = |c: Vec2<f64>, r: f64| {
+        points
+            .iter()
+            .all(|&p| p.distance(c) <= r * (1.0 + 1e-9) + 1e-12)
+    };
     for i in 0..n {
         for j in 0..n {
-            let (c, r) = ((points[i] + points[j]) * 0.5, points[i].distance(points[j]) * 0.5);
+            let (c, r) = (
+                (points[i] + points[j]) * 0.5,
+                points[i].distance(points[j]) * 0.5,
+            );
             if fits(c, r) {
                 radius = radius.min(r);
             }
@@ -458,7 +631,10 @@ fn brute_extents(points: &[Vec2<f64>]) -> (f64, f64, f64, f64) {
                 let (q, r) = (points[j] - points[i], points[k] - points[i]);
                 let d = 2.0 * q.perp_dot(r);
                 if d != 0.0 {
-                    let c = at(r.y * q.dot(q) - q.y * r.dot(r), q.x * r.dot(r) - r.x * q.dot(q)) * (1.0 / d);
+                    let c = at(
+                        r.y * q.dot(q) - q.y * r.dot(r),
+                        q.x * r.dot(r) - r.x * q.dot(q),
+                    ) * (1.0 / d);
                     if fits(points[i] + c, c.length()) {
                         radius = radius.min(c.length());
                     }
@@ -489,7 +665,10 @@ fn extents_are_those_of_brute_force() {
         close(width_decided(&points).unwrap().0, width);
         let (around, _) = rectangle_decided(&points).unwrap();
         close(around.area(), area);
-        let wider = Obb2 { size: around.size + at(1e-9, 1e-9), ..around };
+        let wider = Obb2 {
+            size: around.size + at(1e-9, 1e-9),
+            ..around
+        };
         assert!(points.iter().all(|&p| wider.contains(p)));
     }
     // B8: no end there.
@@ -509,7 +688,9 @@ fn extents_have_the_slopes_of_their_vertices() {
         let points = a.as_slice();
         let lifted = variables(&a, 0);
         let lifted = lifted.as_slice();
-        let of = |values: [f64; 4], slopes: [Jet<f64, 48>; 4], moved: &dyn Fn(&[Vec2<f64>]) -> [f64; 4]| {
+        let of = |values: [f64; 4],
+                  slopes: [Jet<f64, 48>; 4],
+                  moved: &dyn Fn(&[Vec2<f64>]) -> [f64; 4]| {
             for k in 0..2 * points.len() {
                 let step = 1e-6;
                 let shifted = |by: f64| {
@@ -525,7 +706,10 @@ fn extents_have_the_slopes_of_their_vertices() {
                     let difference = (up[m] - down[m]) / (2.0 * step);
                     let kink = (up[m] + down[m] - 2.0 * values[m]).abs() / step;
                     let found = slopes[m].slope[k];
-                    assert!((found - difference).abs() < 1e-4 * (1.0 + found.abs()) + 1.01 * kink, "{m} {found} {difference} {kink}");
+                    assert!(
+                        (found - difference).abs() < 1e-4 * (1.0 + found.abs()) + 1.01 * kink,
+                        "{m} {found} {difference} {kink}"
+                    );
                 }
             }
         };
