@@ -142,7 +142,9 @@ impl<S: Number> Subject for RecordedSubject<'_, S> {
     }
     fn further(&self, x: &[f64], y_bar: &[f64]) -> Vec<Vec<f64>> {
         // As batches compute them.
-        vec![widened(&self.recording.slopes_on::<S>(nearest(x), nearest(y_bar)))]
+        vec![widened(
+            &self.recording.slopes_on::<S>(nearest(x), nearest(y_bar)),
+        )]
     }
     fn batch(&self, x: &[f64], y_bar: &[f64]) -> Option<(Vec<f64>, Vec<f64>)> {
         let answer = self.batch?.about(x)?;

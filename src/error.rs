@@ -213,12 +213,53 @@ pub enum Flaw {
     Zero(Field),
     /// A shape's own rule is broken: the field, and what it is or is not.
     Broken(Field, &'static str),
+    /// A vertex of a polygon breaks a rule.
+    Vertex {
+        /// The vertex, from zero.
+        index: usize,
+        /// The rule.
+        fault: VertexFault,
+    },
+}
+
+/// What is wrong with a vertex of a polygon.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+#[non_exhaustive]
+pub enum VertexFault {
+    /// A coordinate is NaN or infinite.
+    NotFinite,
+    /// The polygon needs this vertex and does not have it: fewer than three (distinct) vertices.
+    Missing,
+    /// The vertex does not fit into the polygon's capacity.
+    Surplus,
+    /// The next vertex is at the same place.
+    Repeated,
+    /// The vertex is on the line through its neighbours.
+    Straight,
+    /// The border turns clockwise here.
+    Clockwise,
+    /// The border is about to run around the polygon a second time.
+    SecondRound,
+}
+
+impl fmt::Display for VertexFault {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(match self {
+            VertexFault::NotFinite => "has a coordinate that is not a finite number",
+            VertexFault::Missing => "is missing",
+            VertexFault::Surplus => "is beyond the polygon's capacity",
+            VertexFault::Repeated => "is repeated by the next one",
+            VertexFault::Straight => "is on the line through its neighbours",
+            VertexFault::Clockwise => "turns clockwise",
+            VertexFault::SecondRound => "starts a second round",
+        })
+    }
 }
 
 impl Flaw {
     /// The field that is flawed.
     #[must_use]
-    pub const fn field(self) -> Field {
+    pub fn field(self) -> Field {
         match self {
             Flaw::NotFinite(field)
             | Flaw::Negative(field)
@@ -226,6 +267,7 @@ impl Flaw {
             | Flaw::Inverted(field)
             | Flaw::Zero(field)
             | Flaw::Broken(field, _) => field,
+            Flaw::Vertex { index, .. } => Field::VALUE.within_item(index).within("vertices"),
         }
     }
     /// The same flaw of another field.
@@ -238,11 +280,12 @@ impl Flaw {
             Flaw::Inverted(_) => Flaw::Inverted(field),
             Flaw::Zero(_) => Flaw::Zero(field),
             Flaw::Broken(_, rule) => Flaw::Broken(field, rule),
+            Flaw::Vertex { .. } => self,
         }
     }
     /// The same flaw of a part of another shape, which calls the part so.
     #[must_use]
-    pub const fn within(self, field: &str) -> Self {
+    pub fn within(self, field: &str) -> Self {
         self.of(self.field().within(field))
     }
     /// The same flaw of an item of an array.
@@ -261,6 +304,7 @@ impl fmt::Display for Flaw {
             Flaw::Inverted(field) => write!(f, "{field} is above its upper bound"),
             Flaw::Broken(field, rule) => write!(f, "{field} {rule}"),
             Flaw::Zero(field) => write!(f, "{field} is zero"),
+            Flaw::Vertex { index, fault } => write!(f, "vertex {index} {fault}"),
         }
     }
 }

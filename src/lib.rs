@@ -27,13 +27,17 @@
 //! | train detectors in space | [`iou3`]: GIoU, DIoU, CIoU, EIoU, separation |
 //! | compare boxes as Gaussians | [`gaussian`]: Wasserstein, Kullback-Leibler, ProbIoU, KFIoU |
 //! | read other people's boxes | [`convention`] |
-//! | measure polygons | [`ring`] |
+//! | score boxes that may be apart: GIoU, DIoU, CIoU and the like | [`iou`] |
+//! | measure polygons | [`ring`], [`measure`] |
+//! | measure what polygons share, with holes or without | [`overlap_polygon`] |
+//! | clip, join, add convex polygons | [`clipping`], [`hull`] |
+//! | know whether a point is in a polygon, and how far in | [`contain`] |
 //! | measure distances, closest points and penetration of shapes | [`distance`](mod@distance) |
 //! | cross lines, cast rays, cut segments | [`intersection`] |
 //! | differentiate any generic function of shapes | [`ad`]: [`ad::gradient`], [`ad::hessian`], … |
 //! | use an adjoint by hand | [`ad::adjoint::overlap`], [`ad::adjoint::ring`] |
 //! | work on many shapes at once | [`kernels::cpu`] |
-//! | make a shape | [`Vec2`], [`Vec3`], [`Rotation2`], [`Pose2`], [`Aabb2`], [`Obb2`]; in space [`shape`] |
+//! | make a shape | [`Vec2`], [`Vec3`], [`Rotation2`], [`Pose2`], [`Aabb2`], [`Obb2`], [`ConvexPolygon`]; in space [`shape`] |
 //! | make a shape of your own | [`derive(Shape)`](macro@Shape) |
 //! | write generic geometry | [`Scalar`], [`Mask`], [`Pack`] |
 //! | know what happens at a kink | [`scalar`] |
@@ -52,6 +56,10 @@ extern crate self as geograd;
 #[forbid(unsafe_code)]
 pub mod clip;
 #[forbid(unsafe_code)]
+pub mod clipping;
+#[forbid(unsafe_code)]
+pub mod contain;
+#[forbid(unsafe_code)]
 pub mod convention;
 #[doc(hidden)]
 #[forbid(unsafe_code)]
@@ -63,19 +71,31 @@ pub mod error;
 #[forbid(unsafe_code)]
 pub mod gaussian;
 #[forbid(unsafe_code)]
+pub mod hull;
+#[forbid(unsafe_code)]
 mod interop;
 #[forbid(unsafe_code)]
 pub mod intersection;
 #[forbid(unsafe_code)]
+pub mod iou;
+#[forbid(unsafe_code)]
 pub mod iou3;
+#[forbid(unsafe_code)]
+pub mod measure;
 #[forbid(unsafe_code)]
 pub mod overlap;
 #[forbid(unsafe_code)]
 pub mod overlap3;
 #[forbid(unsafe_code)]
+pub mod overlap_polygon;
+#[forbid(unsafe_code)]
 pub mod pack;
 #[forbid(unsafe_code)]
+pub mod predicate;
+#[forbid(unsafe_code)]
 pub mod product;
+#[forbid(unsafe_code)]
+pub mod reference;
 #[forbid(unsafe_code)]
 pub mod ring;
 #[forbid(unsafe_code)]
@@ -97,11 +117,11 @@ pub struct Readme;
 pub use ad::forward::{gradient, hessian, hvp, jacobian, jvp, value};
 pub use ad::program::{Program, Sym};
 pub use derived::Shape;
-pub use error::{Error, Flaw, Unrecordable, Validate};
+pub use error::{Error, Flaw, Unrecordable, Validate, VertexFault};
 pub use pack::{Fixed, Pack};
 pub use product::Code;
 pub use scalar::{Jet, Lanes, Mask, Scalar};
 pub use shape::{
-    Aabb2, Capsule2, Circle, Interval, Line2, Obb2, Pose2, Ray2, Rotation2, Segment2, Triangle2, Vec2,
-    Vec3,
+    Aabb2, Capsule2, Circle, ConvexPolygon, Interval, Line2, Obb2, Pose2, Ray2, Rotation2,
+    Segment2, Triangle2, Vec2, Vec3,
 };

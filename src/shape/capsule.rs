@@ -1,6 +1,6 @@
 //! Capsules of the plane: thick segments with round ends.
 use crate::error::{Flaw, Validate};
-use crate::{Aabb2, Pose2, Scalar, Segment2, Vec2, Shape};
+use crate::{Aabb2, Pose2, Scalar, Segment2, Shape, Vec2};
 use std::f64::consts::{PI, TAU};
 use std::ops::Mul;
 

@@ -1,7 +1,7 @@
 //! Circles of the plane, and the circle through three points.
 use super::triangle::unit_power;
 use crate::error::{Flaw, Validate};
-use crate::{Aabb2, Pose2, Scalar, Vec2, Shape};
+use crate::{Aabb2, Pose2, Scalar, Shape, Vec2};
 use std::f64::consts::{PI, TAU};
 use std::ops::Mul;
 

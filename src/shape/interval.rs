@@ -1,6 +1,6 @@
 //! Intervals of the number line.
-use crate::{Scalar, Shape};
 use crate::error::{Flaw, Validate};
+use crate::{Scalar, Shape};
 
 /// A closed interval of the number line. Valid when finite and `min ≤ max`; length zero is valid.
 ///

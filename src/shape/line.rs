@@ -1,6 +1,6 @@
 //! Lines of the plane.
 use crate::error::{Field, Flaw, Validate};
-use crate::{Pose2, Scalar, Vec2, Shape};
+use crate::{Pose2, Scalar, Shape, Vec2};
 use std::ops::Mul;
 
 /// A straight line through a point, with a direction of any length. Valid when finite and the

@@ -1,6 +1,6 @@
 //! Rays of the plane.
 use crate::error::{Field, Flaw, Validate};
-use crate::{Line2, Pose2, Scalar, Vec2, Shape};
+use crate::{Line2, Pose2, Scalar, Shape, Vec2};
 use std::ops::Mul;
 
 /// Half a line: from a point on, in a direction of any length. Valid when finite and the direction

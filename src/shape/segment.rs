@@ -1,7 +1,7 @@
 //! Segments of the plane.
 use crate::distance::edge::{self, Placed};
 use crate::error::{Flaw, Validate};
-use crate::{Aabb2, Line2, Pose2, Ray2, Scalar, Vec2, Shape};
+use crate::{Aabb2, Line2, Pose2, Ray2, Scalar, Shape, Vec2};
 use std::ops::Mul;
 
 /// The straight way between two points. Valid when finite; its ends may coincide.

@@ -1,7 +1,7 @@
 //! Triangles of the plane.
 use crate::error::{Flaw, Validate};
 use crate::shape::circumcircle;
-use crate::{Aabb2, Circle, Pose2, Scalar, Vec2, Shape};
+use crate::{Aabb2, Circle, Pose2, Scalar, Shape, Vec2};
 use std::ops::Mul;
 
 /// A triangle by its corners, in either orientation. Valid when finite; corners on one line and

@@ -1,13 +1,14 @@
 //! What geometry promises, number by number.
 mod convention;
 mod fingerprint;
+mod flat;
 mod gaussian;
 mod iou3;
-mod flat;
 mod oracle;
 mod oracle_solid;
 mod overlap;
 mod pairs;
+mod polygon;
 mod projection;
 mod ring;
 mod rotation;

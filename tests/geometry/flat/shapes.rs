@@ -23,7 +23,10 @@ fn constructors_name_the_field() {
         Err(Flaw::NotFinite(Field::new("from.x")))
     );
     assert!(Segment2::try_new(p, p).is_ok());
-    assert_eq!(Line2::try_new(p, p), Err(Flaw::Zero(Field::new("direction"))));
+    assert_eq!(
+        Line2::try_new(p, p),
+        Err(Flaw::Zero(Field::new("direction")))
+    );
     assert_eq!(
         Line2::try_new(at(0.0, far), p),
         Err(Flaw::NotFinite(Field::new("point.y")))
@@ -41,8 +44,14 @@ fn constructors_name_the_field() {
         Err(Flaw::NotFinite(Field::new("c.y")))
     );
     assert!(Triangle2::try_new(p, p, p).is_ok());
-    assert_eq!(Circle::try_new(p, -1.0), Err(Flaw::Negative(Field::new("radius"))));
-    assert_eq!(Circle::try_new(p, nan), Err(Flaw::NotFinite(Field::new("radius"))));
+    assert_eq!(
+        Circle::try_new(p, -1.0),
+        Err(Flaw::Negative(Field::new("radius")))
+    );
+    assert_eq!(
+        Circle::try_new(p, nan),
+        Err(Flaw::NotFinite(Field::new("radius")))
+    );
     assert!(Circle::try_new(p, 0.0).is_ok());
     assert_eq!(
         Capsule2::try_new(p, at(far, 0.0), 1.0),
@@ -52,7 +61,10 @@ fn constructors_name_the_field() {
         Capsule2::try_new(p, p, -0.5),
         Err(Flaw::Negative(Field::new("radius")))
     );
-    assert_eq!(Interval::try_new(2.0, 1.0), Err(Flaw::Inverted(Field::new("min"))));
+    assert_eq!(
+        Interval::try_new(2.0, 1.0),
+        Err(Flaw::Inverted(Field::new("min")))
+    );
     assert_eq!(
         Interval::try_new(2.0, nan),
         Err(Flaw::NotFinite(Field::new("max")))

@@ -1,0 +1,163 @@
+//! Adjoint of generalised IoU of rotated boxes.
+//!
+//! With `U = A + B − I`, `G = I/U + U/C − 1` has the partial derivatives
+//!
+//! ```text
+//! ∂I = 1/U + I/U² − 1/C        ∂A = ∂B = 1/C − I/U²        ∂C = −U/C²
+//! ```
+//!
+//! The intersection's slopes are those of [`ad::adjoint::clip`](crate::ad::adjoint::clip). The hull's area is half a sum of
+//! cross products of corners with constant weights (see [`iou`](crate::iou)), so with `t` the weight of a
+//! gap between a corner `A` of a and `B` of b, `Ā += t (B_y, −B_x)` and `B̄ += t (−A_y, A_x)`, likewise for
+//! the sides of b. From the corners slopes go to the boxes: the sum of all `B̄` is the centre's, that of
+//! `B̄ · (B − centre)⊥` the turn's, and the halves of the sizes take the parts along their axes.
+use crate::ad::adjoint::clip::{Slopes, clipped_area_slopes};
+use crate::clip::{
+    Framed, Relative, clip, clipped_area, frame, nothing_shared, relate, related_area,
+};
+use crate::iou::{HullOfBoxes, hull_of_related, hull_scale};
+use crate::overlap::area_from_half;
+use crate::{Obb2, Scalar, Vec2};
+
+/// Slopes of the area of the hull of a related pair, in a's frame and the pair's units.
+#[must_use]
+#[inline(always)]
+pub fn hull_slopes<S: Scalar>(pair: &Relative<S>, hull: &HullOfBoxes<S>) -> Slopes<S> {
+    let one = S::one();
+    let (a, b) = (&hull.corners_a, &hull.corners_b);
+    let (mut a_bar, mut b_bar) = ([Vec2::zero(); 4], [Vec2::zero(); 4]);
+    let left = |v: Vec2<S>| Vec2::new(v.y, -v.x);
+    let right = |v: Vec2<S>| Vec2::new(-v.y, v.x);
+    let mut sides_a = S::zero();
+    let mut k = 0;
+    while k < 4 {
+        let (before, next) = ((k + 3) % 4, (k + 1) % 4);
+        let (at_a, at_b, at_next) = (hull.by_a[k], hull.by_b[k], hull.by_a[next]);
+        sides_a += at_a;
+        let (early, late, own) = (at_a - at_b, at_b - at_next, one - at_b);
+        a_bar[k] += left(b[before]) * early + left(b[k]) * late;
+        b_bar[before] += right(a[k]) * early + left(b[k]) * own;
+        b_bar[k] += right(a[k]) * late + right(b[before]) * own;
+        k += 1;
+    }
+    let (cos, sin) = (hull.turn.x, hull.turn.y);
+    let signs = [(one, one), (-one, one), (-one, -one), (one, -one)];
+    let (mut half_a, mut half_b) = (
+        Vec2::new(hull.half_a.y, hull.half_a.x) * (sides_a + sides_a),
+        Vec2::zero(),
+    );
+    let (mut center, mut heading) = (Vec2::zero(), S::zero());
+    k = 0;
+    while k < 4 {
+        let (x, y) = signs[k];
+        let bar = b_bar[k];
+        half_a += Vec2::new(a_bar[k].x * x, a_bar[k].y * y);
+        half_b += Vec2::new(
+            (bar.x * cos + bar.y * sin) * x,
+            (bar.y * cos - bar.x * sin) * y,
+        );
+        center += bar;
+        heading += (b[k] - hull.center).perp_dot(bar);
+        k += 1;
+    }
+    let flip = |x: S| S::select(hull.mirrored, -x, x).halved();
+    Slopes {
+        u: center.x.halved(),
+        v: flip(center.y),
+        heading: flip(heading),
+        half_a: Vec2::new(half_a.x.halved(), half_a.y.halved()),
+        half_b: Vec2::new(
+            S::select(pair.swapped, half_b.y, half_b.x).halved(),
+            S::select(pair.swapped, half_b.x, half_b.y).halved(),
+        ),
+    }
+}
+
+/// Value of the generalised IoU of two boxes with their trigonometry done, and `out_bar` times its slopes.
+/// `EXTREME` says whether sizes may be so small or large that products over- or underflow.
+#[must_use]
+#[inline(always)]
+pub fn giou_framed_vjp<S: Scalar, const EXTREME: bool>(
+    a: Framed<S>,
+    b: Framed<S>,
+    out_bar: S,
+) -> (S, (Obb2<S>, Obb2<S>)) {
+    let (zero, one) = (S::zero(), S::one());
+    let scale = if EXTREME { hull_scale(&a, &b) } else { one };
+    let pair = relate::<S, EXTREME>(a, b, scale);
+    let clip = clip(pair);
+    let area = clipped_area(&clip);
+    let inter = related_area(&pair, area);
+    let nothing = nothing_shared(&pair, area);
+    let hull = hull_of_related(&pair);
+    let half_b = b.half * scale;
+    let (area_a, area_b) = (area_from_half(pair.half_a), area_from_half(half_b));
+    let hull_area = hull.area();
+    let value = crate::iou::score(inter, area_a, area_b, hull_area).canonical();
+
+    let union = area_a + area_b - inter;
+    let short = hull_area.below(union);
+    let hull_area = S::select(short, union, hull_area);
+    let per = |x: S| {
+        let empty = x.at_most(S::lit(S::EMPTY));
+        S::select(empty, zero, one.over(S::select(empty, one, x)))
+    };
+    let (per_union, per_hull) = (per(union), per(hull_area));
+    let own = (per_hull - inter * per_union * per_union) * out_bar;
+    let inter_bar = per_union * out_bar - own;
+    let inter_bar = S::select(nothing, zero, inter_bar);
+    let hull_bar = -(union * per_hull * per_hull * out_bar);
+
+    let (shared, around) = (clipped_area_slopes(&pair, &clip), hull_slopes(&pair, &hull));
+    // A term no larger than the largest number, so that two of opposite sign leave one.
+    let bounded = |x: S| if EXTREME { x.saturated() } else { x };
+    let sum = |x: S, y: S| {
+        let x = S::select(nothing, zero, x);
+        bounded(x * inter_bar) + bounded(y * hull_bar)
+    };
+    let size = |x: Vec2<S>, y: Vec2<S>, half: Vec2<S>| {
+        // A box's own area is four times the product of its halves, a size twice a half.
+        let two = own + own;
+        Vec2::new(
+            sum(x.x, y.x).halved() + bounded(two * half.y),
+            sum(x.y, y.y).halved() + bounded(two * half.x),
+        )
+    };
+    let (u_bar, v_bar) = (sum(shared.u, around.u), sum(shared.v, around.v));
+    let heading_bar = sum(shared.heading, around.heading);
+    let turn_bar = heading_bar + (bounded(pair.u * v_bar) - bounded(pair.v * u_bar));
+    let center_bar =
+        Vec2::new(a.cos * u_bar - a.sin * v_bar, a.sin * u_bar + a.cos * v_bar) * scale;
+    let finish = |center: Vec2<S>, size: Vec2<S>, heading: S| {
+        let limit = |v: Vec2<S>| Vec2::new(bounded(v.x), bounded(v.y)).canonical();
+        Obb2 {
+            center: limit(center),
+            size: limit(size * scale),
+            heading: bounded(heading).canonical(),
+        }
+    };
+    let size_a = size(shared.half_a, around.half_a, pair.half_a);
+    let size_b = size(shared.half_b, around.half_b, half_b);
+    (
+        value,
+        (
+            finish(-center_bar, size_a, -turn_bar),
+            finish(center_bar, size_b, heading_bar),
+        ),
+    )
+}
+
+/// [`giou_obb2`](crate::iou::giou_obb2) and its slopes with respect to both boxes.
+#[must_use]
+#[inline]
+pub fn giou_obb2_grad<S: Scalar>(a: Obb2<S>, b: Obb2<S>) -> (S, (Obb2<S>, Obb2<S>)) {
+    giou_framed_vjp::<S, true>(frame(a), frame(b), S::one())
+}
+
+/// Adjoint of [`giou_obb2`](crate::iou::giou_obb2): `out_bar` times the slopes with respect to both boxes.
+/// Derivation: see the [module](self).
+#[must_use]
+#[inline]
+pub fn giou_obb2_vjp<S: Scalar>(a: Obb2<S>, b: Obb2<S>, out_bar: S) -> (Obb2<S>, Obb2<S>) {
+    giou_framed_vjp::<S, true>(frame(a), frame(b), out_bar).1
+}

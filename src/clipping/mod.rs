@@ -1,0 +1,54 @@
+//! Clipping of convex polygons, with the provenance of every vertex and edge.
+//!
+//! A search decides, with exact predicates on the given vertices only, which corners and crossings the
+//! result has: [`clip_decided`]. Its record holds no numbers. [`clip_replay`] makes the polygon from
+//! the given ones and the record, so duals pass through it; its adjoint replays it likewise. Where the
+//! shapes only touch, the result is a point (one vertex) or a segment (two), where they are apart it is
+//! empty (none).
+//!
+//! For the area of what two polygons share nothing need be clipped: see
+//! [`overlap_polygon`](crate::overlap_polygon).
+pub(crate) mod crossing;
+mod half_plane;
+mod pair;
+
+pub use half_plane::{half_plane_decided, half_plane_replay};
+pub use pair::{clip, clip_decided, clip_replay};
+
+/// Where a vertex is from.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum Corner {
+    /// A vertex of the first polygon, by number.
+    A(usize),
+    /// A vertex of the second polygon, by number.
+    B(usize),
+    /// The crossing of an edge of the first with an edge of the second polygon, each by the number of
+    /// its start.
+    Cross {
+        /// The edge of the first polygon.
+        a: usize,
+        /// The edge of the second polygon.
+        b: usize,
+    },
+}
+
+/// Which edge a side of a clipped polygon lies on, by the number of its start.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum Side {
+    /// An edge of the first polygon.
+    A(usize),
+    /// An edge of the second polygon.
+    B(usize),
+}
+
+/// What clipping decided: the provenance of every vertex and edge of the result.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct ClipTrace<const K: usize> {
+    /// Where each vertex is from, counter-clockwise; the first `count` matter.
+    pub corners: [Corner; K],
+    /// Which edge the side from each vertex to the next one lies on. Where edges of both lie along
+    /// each other, that of the first.
+    pub sides: [Side; K],
+    /// How many vertices the result has: 0 when apart, 1 for a point, 2 for a segment.
+    pub count: usize,
+}

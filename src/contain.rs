@@ -1,0 +1,235 @@
+//! Whether a point lies in a polygon, and how far from its border.
+//!
+//! Borders belong to the polygon. [`winding_number`] and [`locate`] decide exactly; [`crossing`] is the
+//! straight-line body of a fold over edges, for batches, exact but for rounding on the border itself.
+use crate::predicate::{Turn, same, turn};
+use crate::reference::Reference;
+use crate::shape::edges;
+use crate::{Aabb2, ConvexPolygon, Scalar, Vec2};
+
+/// Where a point is, seen from rings.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum Location {
+    /// On an edge or a vertex of a ring.
+    Border,
+    /// Not on the border; how often the rings wind around it counter-clockwise.
+    Off(i32),
+}
+
+/// What an edge adds to the number of times that a ring winds around a point: +1 where it passes to the
+/// right of it upwards, −1 downwards, else 0; the sum over a closed ring is the winding number, and its
+/// odd values are the inside by the even-odd rule. Straight line, no derivative.
+///
+/// An edge has its lower end and not its upper one. Sunday, Inclusion of a point in a polygon, 2001.
+///
+/// ```
+/// use geograd::{Vec2, contain::crossing, shape::polygon::edges};
+/// let ring = [(0.0, 0.0), (2.0, 0.0), (0.0, 2.0)].map(|(x, y)| Vec2::new(x, y));
+/// let around = |p| edges(&ring).map(|[a, b]| crossing(a, b, p)).sum::<f64>();
+/// assert_eq!((around(Vec2::new(0.5, 0.5)), around(Vec2::new(1.5, 1.5))), (1.0, 0.0));
+/// ```
+#[must_use]
+#[inline(always)]
+pub fn crossing<S: Scalar>(start: Vec2<S>, end: Vec2<S>, point: Vec2<S>) -> S {
+    let (zero, one) = (S::zero(), S::one());
+    let side = (end - start).perp_dot(point - start);
+    let up = start.y.at_most(point.y) & point.y.below(end.y) & side.above(zero);
+    let down = end.y.at_most(point.y) & point.y.below(start.y) & side.below(zero);
+    S::select(up, one, S::select(down, -one, zero))
+}
+
+/// Where a point is with respect to some rings, decided exactly.
+///
+/// ```
+/// use geograd::{Aabb2, Vec2, contain::{Location, locate}};
+/// let square = Aabb2::new(0.0, 0.0, 2.0, 2.0).corners();
+/// assert_eq!(locate(&[&square], Vec2::new(1.0, 1.0)), Location::Off(1));
+/// assert_eq!(locate(&[&square], Vec2::new(2.0, 1.0)), Location::Border);
+/// assert_eq!(locate(&[&square], Vec2::new(3.0, 0.0)), Location::Off(0));
+/// ```
+#[must_use]
+pub fn locate<S: Scalar<Mask = bool>>(rings: &[&[Vec2<S>]], point: Vec2<S>) -> Location {
+    let mut winding = 0;
+    for [start, end] in rings.iter().flat_map(|ring| edges(ring)) {
+        let (low, high) = match start.y.at_most(end.y) {
+            true => (start, end),
+            false => (end, start),
+        };
+        if point.y.below(low.y) || point.y.above(high.y) {
+            continue;
+        }
+        if low.y.equals(high.y) {
+            let inside = |p: Vec2<S>, q: Vec2<S>| p.x.at_most(point.x) && point.x.at_most(q.x);
+            if inside(start, end) || inside(end, start) {
+                return Location::Border;
+            }
+            continue;
+        }
+        if same(point, low) || same(point, high) {
+            return Location::Border;
+        }
+        match turn(low, high, point) {
+            Turn::Straight => return Location::Border,
+            Turn::Left if point.y.below(high.y) => {
+                winding += if start.y.below(end.y) { 1 } else { -1 };
+            }
+            _ => {}
+        }
+    }
+    Location::Off(winding)
+}
+
+/// How often a ring winds around a point, counter-clockwise positive, decided exactly; `None` on the
+/// border.
+#[must_use]
+pub fn winding_number<S: Scalar<Mask = bool>>(ring: &[Vec2<S>], point: Vec2<S>) -> Option<i32> {
+    match locate(&[ring], point) {
+        Location::Border => None,
+        Location::Off(winding) => Some(winding),
+    }
+}
+
+/// Whether a point is on the border of some rings or they wind around it a number of times that is not
+/// zero (the non-zero rule). Holes are rings of the other orientation.
+#[must_use]
+pub fn contains<S: Scalar<Mask = bool>>(rings: &[&[Vec2<S>]], point: Vec2<S>) -> bool {
+    locate(rings, point) != Location::Off(0)
+}
+
+/// Whether a point is on the border of some rings or they wind around it an odd number of times (the
+/// even-odd rule). Holes may have either orientation.
+#[must_use]
+pub fn contains_even_odd<S: Scalar<Mask = bool>>(rings: &[&[Vec2<S>]], point: Vec2<S>) -> bool {
+    match locate(rings, point) {
+        Location::Border => true,
+        Location::Off(winding) => winding % 2 != 0,
+    }
+}
+
+/// The part of an edge that is nearest to a point.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum Nearest {
+    /// The edge's start.
+    Start,
+    /// A place between its ends.
+    Between,
+    /// The edge's end.
+    End,
+}
+
+/// What decided a clearance.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub struct Clearance {
+    /// The ring ...
+    pub ring: usize,
+    /// ... and the edge of it nearest to the point, by the number of its start.
+    pub edge: usize,
+    /// The part of that edge.
+    pub part: Nearest,
+    /// Whether the point is in the polygon by the non-zero rule; its border belongs to it.
+    pub inside: bool,
+}
+
+/// How far a point is from the border of a polygon, in units of length: positive inside, negative
+/// outside, and what decided it; `None` for rings without vertices. (The signed distance of other
+/// operations is the negative of it; the sign here is the DGAL paper's.)
+///
+/// The sign is decided by winding numbers, so it is right where the point is on the extension of an
+/// edge. Kinks: several nearest places (the medial axis), and the border, where both one-sided slopes
+/// are those of the inside. Slopes: see [`clearance_replay`].
+///
+/// ```
+/// use geograd::{Aabb2, Vec2, contain::clearance_decided};
+/// let square = Aabb2::new(0.0, 0.0, 1.0, 1.0).corners();
+/// let clearance = |x, y| clearance_decided(&[&square], Vec2::new(x, y)).unwrap().0;
+/// assert_eq!((clearance(2.0, 0.0), clearance(2.0, 0.5), clearance(0.5, 0.25)), (-1.0, -1.0, 0.25));
+/// ```
+#[must_use]
+pub fn clearance_decided<S: Scalar<Mask = bool>>(
+    rings: &[&[Vec2<S>]],
+    point: Vec2<S>,
+) -> Option<(S, Clearance)> {
+    let inside = contains(rings, point);
+    let bounds = crate::overlap_polygon::bounds_of_rings(rings)?;
+    let here = crate::reference::bounds_of(&[point])?;
+    let seen = Reference::of_bounds(Aabb2::join(bounds, here));
+    let at = seen.place(point);
+    let mut best: Option<(S::Primal, Clearance)> = None;
+    for (ring, vertices) in rings.iter().enumerate() {
+        for (edge, ends) in edges(vertices).enumerate() {
+            let [start, end] = ends.map(|v| seen.place(v));
+            let (along, to_point) = (end - start, at - start);
+            let (way, length) = (to_point.dot(along), along.length_squared());
+            let (part, squared) = if way.at_most(S::zero()) {
+                (Nearest::Start, to_point.length_squared())
+            } else if way.at_least(length) {
+                (Nearest::End, (at - end).length_squared())
+            } else {
+                let off = along.perp_dot(to_point);
+                (Nearest::Between, (off * off).over(length))
+            };
+            let squared = squared.primal();
+            if best.is_none_or(|(least, _)| squared.below(least)) {
+                let record = Clearance {
+                    ring,
+                    edge,
+                    part,
+                    inside,
+                };
+                best = Some((squared, record));
+            }
+        }
+    }
+    best.map(|(_, record)| (clearance_replay(rings, point, record), record))
+}
+
+/// The signed distance of a point from the part of an edge that a record names, with slopes to the
+/// point and to that edge's ends. Where the distance is zero between the ends of an edge, the slope
+/// is that of the side on the edge's left, else zero.
+///
+/// # Panics
+///
+/// When the record names a ring or an edge that is not there.
+#[must_use]
+pub fn clearance_replay<S: Scalar>(rings: &[&[Vec2<S>]], point: Vec2<S>, record: Clearance) -> S {
+    let ring = rings[record.ring];
+    let next = if record.edge + 1 < ring.len() {
+        record.edge + 1
+    } else {
+        0
+    };
+    let (start, end) = (ring[record.edge], ring[next]);
+    let seen = Reference::of_ring(&[start, end, point]);
+    let [start, end, at] = [start, end, point].map(|v| seen.place(v));
+    let distance = match record.part {
+        Nearest::Start => (at - start).length(),
+        Nearest::End => (at - end).length(),
+        Nearest::Between => (end - start)
+            .normalize_or_zero()
+            .perp_dot(at - start)
+            .unsigned(),
+    };
+    let signed = if record.inside { distance } else { -distance };
+    seen.outer(signed).saturated().canonical()
+}
+
+impl<S: Scalar, const N: usize> ConvexPolygon<S, N> {
+    /// Whether a point is in the polygon; the border belongs to it. Decided exactly.
+    #[must_use]
+    #[inline]
+    pub fn contains(&self, point: Vec2<S>) -> bool
+    where
+        S: Scalar<Mask = bool>,
+    {
+        contains(&[self.as_slice()], point)
+    }
+    /// How far a point is from the border: positive inside, negative outside; zero for no vertices.
+    #[must_use]
+    #[inline]
+    pub fn clearance(&self, point: Vec2<S>) -> S
+    where
+        S: Scalar<Mask = bool>,
+    {
+        clearance_decided(&[self.as_slice()], point).map_or(S::zero(), |(value, _)| value)
+    }
+}

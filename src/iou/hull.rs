@@ -1,0 +1,199 @@
+//! The area of the convex hull of two boxes, in a straight line.
+//!
+//! In the frame of box a, with b turned by less than a quarter, the normals of all eight sides come in
+//! turns: one of a, one of b. Between two neighbouring normals both boxes have one corner farthest out.
+//! At every normal one of the boxes reaches farther; let `w` be 1 where that is a, 0 where it is b, and
+//! ½ at an exact tie. Then the hull has a's side at a normal of a where `w` is 1, b's side at one of b
+//! where it is 0, and between two normals with different `w` it goes over from one box's corner to the
+//! other's. So with the corners `A`, `B` of each of the eight gaps, and each side from `P` to `Q`,
+//!
+//! ```text
+//! 2 area = Σ sides of a: w (P × Q) + Σ sides of b: (1 − w) (P × Q) + Σ gaps: (w − w′) (A × B)
+//! ```
+//!
+//! with `w` before and `w′` behind the gap. That is eight comparisons; nothing is sorted or searched. At a
+//! tie both choices give the same area, so the sum is continuous; its slope there is the mean.
+use crate::clip::{Framed, Relative, frame, relate, size_scale};
+use crate::{Aabb2, Obb2, Scalar, Vec2};
+
+/// The hull of two related boxes, in the frame of a and the units of the related pair; mirrored where b
+/// is turned clockwise.
+#[derive(Clone, Copy, Debug)]
+pub struct HullOfBoxes<S: Scalar> {
+    /// Where everything was mirrored: y, and b's turn, have the other sign.
+    pub mirrored: S::Mask,
+    /// Cosine and sine of b's turn, both not negative.
+    pub turn: Vec2<S>,
+    /// The centre of b.
+    pub center: Vec2<S>,
+    /// a's corners, counter-clockwise from the upper right.
+    pub corners_a: [Vec2<S>; 4],
+    /// b's corners, counter-clockwise from its own upper right.
+    pub corners_b: [Vec2<S>; 4],
+    /// 1 where a reaches farther than b along its own right, upper, left, lower normal; else 0, or ½.
+    pub by_a: [S; 4],
+    /// The same along b's normals.
+    pub by_b: [S; 4],
+    /// Half the size of a.
+    pub half_a: Vec2<S>,
+}
+
+/// The power of two by which a pair of boxes is multiplied before their hull is measured: that of
+/// [`size_scale`], unless they are so far apart that the hull of boxes of that size, or its slopes, might
+/// overflow.
+#[inline(always)]
+pub(crate) fn hull_scale<S: Scalar>(a: &Framed<S>, b: &Framed<S>) -> S {
+    let half = |a: S, b: S| b.primal().halved() - a.primal().halved();
+    let way =
+        (half(a.center.x, b.center.x).unsigned()).most(half(a.center.y, b.center.y).unsigned());
+    let none = way.at_most(S::Primal::zero());
+    let by_way = S::Primal::select(none, S::Primal::one(), way).binade();
+    // 2²⁰ units between the centres; but sizes stay above 2⁻⁸⁰.
+    let by_way = S::from_primal((by_way * S::Primal::lit(1_048_576.0)).saturated());
+    let by_size = size_scale(a.half, b.half);
+    let scale = S::select(by_way.below(by_size), by_way, by_size);
+    let least = by_size * S::lit(1.0 / (1_u64 << 40) as f64) * S::lit(1.0 / (1_u64 << 40) as f64);
+    let scale = S::select(scale.below(least), least, scale);
+    S::from_primal(scale.primal())
+}
+
+/// 1 where the first is larger, 0 where the second is, ½ for a tie; a constant.
+#[inline(always)]
+fn larger<S: Scalar>(x: S, y: S) -> S {
+    let (one, zero) = (S::one(), S::zero());
+    let won = S::select(x.above(y), one, zero);
+    S::select(x.equals(y), S::lit(0.5), won)
+}
+
+/// The hull of a related pair.
+#[inline(always)]
+pub fn hull_of_related<S: Scalar>(pair: &Relative<S>) -> HullOfBoxes<S> {
+    let mirrored = pair.sin.below(S::zero());
+    let (u, v) = (pair.u, S::select(mirrored, -pair.v, pair.v));
+    let (cos, sin) = (pair.cos, S::select(mirrored, -pair.sin, pair.sin));
+    let (a, b) = (pair.half_a, pair.half_b);
+    // How far b reaches from its centre along a's axes, and a along b's; b's centre in b's frame.
+    let reach_b = Vec2::new(b.x * cos + b.y * sin, b.x * sin + b.y * cos);
+    let reach_a = Vec2::new(a.x * cos + a.y * sin, a.x * sin + a.y * cos);
+    let (along, across) = (u * cos + v * sin, v * cos - u * sin);
+    let (px, py) = (b.x * cos, b.x * sin);
+    let (qx, qy) = (b.y * sin, b.y * cos);
+    HullOfBoxes {
+        mirrored,
+        turn: Vec2::new(cos, sin),
+        center: Vec2::new(u, v),
+        corners_a: [
+            a,
+            Vec2::new(-a.x, a.y),
+            Vec2::new(-a.x, -a.y),
+            Vec2::new(a.x, -a.y),
+        ],
+        corners_b: [
+            Vec2::new(u + (px - qx), v + (py + qy)),
+            Vec2::new(u - (px + qx), v + (qy - py)),
+            Vec2::new(u - (px - qx), v - (py + qy)),
+            Vec2::new(u + (px + qx), v - (qy - py)),
+        ],
+        by_a: [
+            larger(a.x, u + reach_b.x),
+            larger(a.y, v + reach_b.y),
+            larger(a.x, reach_b.x - u),
+            larger(a.y, reach_b.y - v),
+        ],
+        by_b: [
+            larger(reach_a.x, along + b.x),
+            larger(reach_a.y, across + b.y),
+            larger(reach_a.x, b.x - along),
+            larger(reach_a.y, b.y - across),
+        ],
+        half_a: a,
+    }
+}
+
+impl<S: Scalar> HullOfBoxes<S> {
+    /// The hull's area, in units of the related pair.
+    #[must_use]
+    #[inline(always)]
+    pub fn area(&self) -> S {
+        let (a, b) = (&self.corners_a, &self.corners_b);
+        let mut twice = S::zero();
+        let side_a = self.half_a.x * self.half_a.y;
+        let side_a = side_a + side_a;
+        let mut k = 0;
+        while k < 4 {
+            let (before, next) = ((k + 3) % 4, (k + 1) % 4);
+            let (at_a, at_b, at_next) = (self.by_a[k], self.by_b[k], self.by_a[next]);
+            twice += side_a * at_a + b[before].perp_dot(b[k]) * (S::one() - at_b);
+            twice +=
+                a[k].perp_dot(b[before]) * (at_a - at_b) + a[k].perp_dot(b[k]) * (at_b - at_next);
+            k += 1;
+        }
+        twice.halved()
+    }
+}
+
+/// The area of the convex hull of two rotated boxes, in squared units of length. Saturates at the largest
+/// finite number. Kinks: a corner passes through the border of the hull.
+///
+/// ```
+/// use geograd::{Obb2, iou::hull_area_obb2};
+/// let a = Obb2::new(0.0, 0.0, 2.0, 2.0, 0.0);
+/// assert_eq!(hull_area_obb2(a, Obb2::new(4.0, 0.0, 2.0, 2.0, 0.0)), 12.0);
+/// assert_eq!(hull_area_obb2(a, a), 4.0);
+/// ```
+#[must_use]
+#[inline]
+pub fn hull_area_obb2<S: Scalar>(a: Obb2<S>, b: Obb2<S>) -> S {
+    let (a, b) = (frame(a), frame(b));
+    let scale = hull_scale(&a, &b);
+    let pair = relate::<S, true>(a, b, scale);
+    let area = hull_of_related(&pair).area();
+    area.over(scale).over(scale).saturated().canonical()
+}
+
+/// Half the size of the smallest box around two axis-aligned ones, and the share of its area that the
+/// four corners outside the hull have, as areas in quarter units.
+#[inline(always)]
+pub(super) fn hull_of_bounds<S: Scalar>(a: Aabb2<S>, b: Aabb2<S>, scale: S) -> (Vec2<S>, S) {
+    let zero = S::zero();
+    let gap = |x: S, y: S| (y.halved() - x.halved()) * scale;
+    let low = Vec2::new(gap(a.min.x, b.min.x), gap(a.min.y, b.min.y));
+    let high = Vec2::new(gap(a.max.x, b.max.x), gap(a.max.y, b.max.y));
+    // Two bounds of a corner that are not of the same box leave a triangle out.
+    let cut = |x: S, y: S| (x * y).most(zero);
+    let cuts =
+        (cut(-low.x, low.y) + cut(high.x, low.y)) + (cut(-high.x, high.y) + cut(low.x, high.y));
+    let joint = a.join(b);
+    let half = Vec2::new(gap(joint.min.x, joint.max.x), gap(joint.min.y, joint.max.y));
+    (half, cuts)
+}
+
+/// The area of the convex hull of two axis-aligned boxes, in squared units of length: of the box around
+/// both without the triangles at its corners. Saturates at the largest finite number.
+///
+/// ```
+/// use geograd::{Aabb2, iou::hull_area_aabb2};
+/// let a = Aabb2::new(0.0, 0.0, 1.0, 1.0);
+/// assert_eq!(hull_area_aabb2(a, Aabb2::new(1.0, 1.0, 2.0, 2.0)), 3.0);
+/// ```
+#[must_use]
+#[inline]
+pub fn hull_area_aabb2<S: Scalar>(a: Aabb2<S>, b: Aabb2<S>) -> S {
+    let scale = joint_scale(a, b);
+    let (half, cuts) = hull_of_bounds(a, b, scale);
+    let quarter = half.x * half.y;
+    let area = (quarter + quarter) + (quarter + quarter) - (cuts + cuts);
+    area.over(scale).over(scale).saturated().canonical()
+}
+
+/// The power of two that brings half the box around two others near one.
+#[inline(always)]
+pub(super) fn joint_scale<S: Scalar>(a: Aabb2<S>, b: Aabb2<S>) -> S {
+    let joint = a.join(b);
+    let x = joint.max.x.halved() - joint.min.x.halved();
+    let y = joint.max.y.halved() - joint.min.y.halved();
+    let reach = x.most(y);
+    let point = reach.at_most(S::zero());
+    let scale = S::select(point, S::one(), reach).binade();
+    S::select(point, S::one(), S::from_primal(scale.primal()))
+}

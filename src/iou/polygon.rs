@@ -1,0 +1,130 @@
+//! Scores of convex polygons, by a search that is recorded.
+use super::score;
+use crate::clipping::Corner;
+use crate::error::Flaw;
+use crate::hull::{MergeTrace, merge_decided, merge_replay};
+use crate::overlap_polygon::{iou_polygons, measure};
+use crate::reference::Reference;
+use crate::{ConvexPolygon, Scalar, Vec2};
+
+/// Generalised IoU of two convex polygons with the exact convex hull, in `(−1, 1]`, and which vertices the
+/// hull has. Conventions: see the [module](super).
+///
+/// ```
+/// use geograd::{Aabb2, ConvexPolygon, iou::giou_polygons_decided};
+/// let a = ConvexPolygon::from(Aabb2::new(0.0, 0.0, 1.0, 1.0));
+/// let b = ConvexPolygon::from(Aabb2::new(2.0, 0.0, 3.0, 1.0));
+/// let (giou, _) = giou_polygons_decided::<f64, 4, 4, 8>(&a, &b).unwrap();
+/// assert!((giou + 1.0 / 3.0).abs() < 1e-15);
+/// ```
+///
+/// # Errors
+///
+/// When both have more than `K` vertices together.
+pub fn giou_polygons_decided<S, const N: usize, const M: usize, const K: usize>(
+    a: &ConvexPolygon<S, N>,
+    b: &ConvexPolygon<S, M>,
+) -> Result<(S, MergeTrace<K>), Flaw>
+where
+    S: Scalar<Mask = bool>,
+{
+    let trace = merge_decided(a, b)?;
+    Ok((giou_polygons_replay(a, b, &trace), trace))
+}
+
+/// Generalised IoU of two convex polygons from both and the record of [`giou_polygons_decided`].
+#[must_use]
+pub fn giou_polygons_replay<S: Scalar, const N: usize, const M: usize, const K: usize>(
+    a: &ConvexPolygon<S, N>,
+    b: &ConvexPolygon<S, M>,
+    trace: &MergeTrace<K>,
+) -> S {
+    let shared = measure(&a.padded(), &b.padded());
+    let [inter, area_a, area_b] = shared.areas;
+    let hull = merge_replay(a, b, trace);
+    let mut twice = S::zero();
+    for [start, end] in hull.edges() {
+        twice += shared.seen.place(start).perp_dot(shared.seen.place(end));
+    }
+    let hull = twice.halved();
+    // Where one is the hull of both rounding must not tell that from its area.
+    let corners = &trace.corners[..trace.count.min(K)];
+    let all_a = trace.count == a.count && corners.iter().all(|c| matches!(c, Corner::A(_)));
+    let all_b = trace.count == b.count && corners.iter().all(|c| matches!(c, Corner::B(_)));
+    let hull = match (all_a, all_b) {
+        (true, _) => hull.with_primal(area_a.primal()),
+        (_, true) => hull.with_primal(area_b.primal()),
+        _ => hull,
+    };
+    score(inter, area_a, area_b, hull).canonical()
+}
+
+/// The two vertices of two polygons that are farthest apart.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct FarthestCorners {
+    /// One of them, a vertex of either polygon.
+    pub from: Corner,
+    /// The other one.
+    pub to: Corner,
+}
+
+/// Distance IoU of two convex polygons, in `(−1, 1]`: IoU less the square of the distance of the centroids
+/// of their areas over the diameter of both together; and which vertices that one is between. Compares
+/// all pairs of vertices. Conventions: see the [module](super).
+///
+/// ```
+/// use geograd::{Aabb2, ConvexPolygon, iou::diou_polygons_decided};
+/// let a = ConvexPolygon::from(Aabb2::new(0.0, 0.0, 1.0, 1.0));
+/// assert_eq!(diou_polygons_decided(&a, &a).0, 1.0);
+/// ```
+#[must_use]
+pub fn diou_polygons_decided<S: Scalar<Mask = bool>, const N: usize, const M: usize>(
+    a: &ConvexPolygon<S, N>,
+    b: &ConvexPolygon<S, M>,
+) -> (S, FarthestCorners) {
+    let (all_a, all_b) = (a.as_slice(), b.as_slice());
+    let corner = |k: usize| match k.checked_sub(all_a.len()) {
+        None => (Corner::A(k), a.vertex(k)),
+        Some(k) => (Corner::B(k), b.vertex(k)),
+    };
+    let seen = Reference::of_bounds(a.bounding().join(b.bounding()));
+    let mut best = FarthestCorners {
+        from: Corner::A(0),
+        to: Corner::A(0),
+    };
+    let mut most = S::Primal::zero();
+    for i in 0..all_a.len() + all_b.len() {
+        for j in 0..i {
+            let ((from, p), (to, q)) = (corner(j), corner(i));
+            let found = (seen.place(p) - seen.place(q)).length_squared().primal();
+            if found.above(most) {
+                most = found;
+                best = FarthestCorners { from, to };
+            }
+        }
+    }
+    (diou_polygons_replay(a, b, best), best)
+}
+
+/// Distance IoU of two convex polygons from both and the record of [`diou_polygons_decided`].
+#[must_use]
+pub fn diou_polygons_replay<S: Scalar, const N: usize, const M: usize>(
+    a: &ConvexPolygon<S, N>,
+    b: &ConvexPolygon<S, M>,
+    record: FarthestCorners,
+) -> S {
+    let at = |corner: Corner| match corner {
+        Corner::B(k) => b.vertex(k),
+        Corner::A(k) | Corner::Cross { a: k, .. } => a.vertex(k),
+    };
+    let half = |p: Vec2<S>, q: Vec2<S>| {
+        Vec2::new(q.x.halved() - p.x.halved(), q.y.halved() - p.y.halved())
+    };
+    let diameter = half(at(record.from), at(record.to)).length();
+    let way = half(a.centroid(), b.centroid());
+    let point = diameter.at_most(S::zero());
+    let per = S::select(point, S::one(), diameter);
+    let share = way.x.over(per).squared() + way.y.over(per).squared();
+    let share = S::select(point, S::zero(), share);
+    (iou_polygons(a, b) - share).canonical()
+}

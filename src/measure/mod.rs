@@ -1,0 +1,20 @@
+//! Measures of polygons: areas, centres, moments, extents, and the smallest shapes around them.
+//!
+//! | to know | see |
+//! | --- | --- |
+//! | area, perimeter, centroid of any ring | [`ring`](crate::ring), [`ConvexPolygon::area`](crate::ConvexPolygon::area) and the like |
+//! | second moments, principal axes | [`moments`] |
+//! | diameter, width | [`extent`] |
+//! | rectangle of least area around points | [`rectangle`] |
+//! | smallest circle around points | [`circle`] |
+//!
+//! Areas, centres and moments are sums over edges. Extents and enclosing shapes are searches: `…_decided`
+//! gives the value and which vertices decided it, `…_replay` the value from vertices and that record,
+//! with the slopes of exactly those vertices (the envelope theorem: a vertex that does not decide
+//! has slope zero). Ties go to the first found.
+pub mod circle;
+pub mod extent;
+pub mod moments;
+mod polygon;
+pub use polygon::vertex_mean;
+pub mod rectangle;

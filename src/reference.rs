@@ -1,0 +1,185 @@
+//! Where polygons are seen from: a place near them and a unit of length of their own, so that neither
+//! the distance from the origin nor the size costs digits, and no product over- or underflows.
+use crate::{Aabb2, Scalar, Vec2};
+
+/// A place and a unit of length in which vertices are seen; all of it constant, without derivatives.
+///
+/// Measures that are sums over the edges of closed rings do not depend on it: their bodies, one per
+/// edge, take [`place`](Reference::place)d vertices, and their finish goes back by
+/// [`outer`](Reference::outer).
+///
+/// ```
+/// use geograd::{Vec2, reference::Reference};
+/// let ring = [Vec2::new(1e6, 0.0), Vec2::new(1e6 + 4.0, 0.0), Vec2::new(1e6, 3.0)];
+/// let seen = Reference::of_ring(&ring);
+/// let length = (seen.place(ring[1]) - seen.place(ring[0])).length();
+/// assert_eq!(seen.outer(length), 4.0);
+/// ```
+#[derive(Clone, Copy, Debug)]
+pub struct Reference<S> {
+    /// A corner of the shape's bounds, in the caller's coordinates.
+    pub origin: Vec2<S>,
+    /// A place seen from there, in local units: the zero of local coordinates.
+    pub shift: Vec2<S>,
+    /// The power of two that brings half a length to local units.
+    pub scale: S,
+}
+
+impl<S: Scalar> Reference<S> {
+    /// For one shape, given by its bounds: the origin is their lower left corner.
+    #[must_use]
+    #[inline(always)]
+    pub fn of_bounds(bounds: Aabb2<S>) -> Self {
+        let (low, high) = constants(bounds);
+        let size = reach(halved(high) - halved(low));
+        Reference {
+            origin: low,
+            shift: Vec2::zero(),
+            scale: unit(size, size),
+        }
+    }
+    /// For one ring or set of points; the origin for none.
+    #[must_use]
+    #[inline]
+    pub fn of_ring(ring: &[Vec2<S>]) -> Self {
+        let zero = Aabb2 {
+            min: Vec2::zero(),
+            max: Vec2::zero(),
+        };
+        Self::of_bounds(bounds_of(ring).unwrap_or(zero))
+    }
+    /// For two shapes, given by their bounds: origin and unit are those of the smaller one (unless the
+    /// other is very much larger). Also where `a` is the smaller one, and where the bounds are apart or
+    /// merely touch: there the unit is that of both together.
+    #[must_use]
+    #[inline(always)]
+    pub fn of_pair(a: Aabb2<S>, b: Aabb2<S>) -> (Self, S::Mask, S::Mask) {
+        let ((low_a, high_a), (low_b, high_b)) = (constants(a), constants(b));
+        let size_a = reach(halved(high_a) - halved(low_a));
+        let size_b = reach(halved(high_b) - halved(low_b));
+        let in_a = size_a.at_most(size_b);
+        let apart = high_a.x.at_most(low_b.x)
+            | high_b.x.at_most(low_a.x)
+            | high_a.y.at_most(low_b.y)
+            | high_b.y.at_most(low_a.y);
+        let low = Vec2::new(lower(low_a.x, low_b.x), lower(low_a.y, low_b.y));
+        let high = Vec2::new(-lower(-high_a.x, -high_b.x), -lower(-high_a.y, -high_b.y));
+        let joint = reach(halved(high) - halved(low));
+        let (smaller, larger) = (size_a.least(size_b), size_a.most(size_b));
+        let smaller = S::select(apart, joint, smaller);
+        let seen = Reference {
+            origin: choose(in_a, low_a, low_b),
+            shift: Vec2::zero(),
+            scale: unit(smaller, larger.most(smaller)),
+        };
+        (seen, in_a, apart)
+    }
+    /// The same with local coordinates that start elsewhere, at a place in present ones.
+    #[must_use]
+    #[inline(always)]
+    pub fn shifted(mut self, by: Vec2<S>) -> Self {
+        self.shift += constant(by);
+        self
+    }
+    /// A vertex in local coordinates. What is too far away to matter stays where it is just that far.
+    #[must_use]
+    #[inline(always)]
+    pub fn place(&self, vertex: Vec2<S>) -> Vec2<S> {
+        let far = S::lit(4.0 * ratio::<S>());
+        let near = |x: S| {
+            let beyond = S::select(x.below(S::zero()), -far, far);
+            S::select(x.unsigned().at_most(far), x, beyond)
+        };
+        // Halved: the whole way may not be finite.
+        let seen = (halved(vertex) - halved(self.origin)) * self.scale;
+        Vec2::new(near(seen.x), near(seen.y)) - self.shift
+    }
+    /// A local length in the caller's unit. Areas go through it twice.
+    #[must_use]
+    #[inline(always)]
+    pub fn outer(&self, length: S) -> S {
+        (length + length).over(self.scale)
+    }
+    /// A local position in the caller's coordinates.
+    #[must_use]
+    #[inline(always)]
+    pub fn outer_place(&self, at: Vec2<S>) -> Vec2<S> {
+        let at = at + self.shift;
+        Vec2::new(
+            (self.origin.x + self.outer(at.x)).saturated(),
+            (self.origin.y + self.outer(at.y)).saturated(),
+        )
+    }
+    /// The caller's slope by a vertex, from a slope by its local coordinates of something whose unit
+    /// is length to the power `power`.
+    #[must_use]
+    #[inline(always)]
+    pub fn outer_slope(&self, slope: Vec2<S>, power: i32) -> Vec2<S> {
+        let (mut x, mut y) = (slope.x, slope.y);
+        for _ in 1..power {
+            (x, y) = (self.outer(x), self.outer(y));
+        }
+        if power < 1 {
+            (x, y) = ((x * self.scale).halved(), (y * self.scale).halved());
+        }
+        Vec2::new(x.saturated(), y.saturated()).canonical()
+    }
+}
+
+/// The smallest axis-aligned box around points, as constants; `None` for none.
+#[must_use]
+#[inline]
+pub fn bounds_of<S: Scalar>(points: &[Vec2<S>]) -> Option<Aabb2<S>> {
+    let (&first, rest) = points.split_first()?;
+    let first = constant(first);
+    let (mut min, mut max) = (first, first);
+    for &point in rest {
+        let point = constant(point);
+        min = Vec2::new(lower(min.x, point.x), lower(min.y, point.y));
+        max = Vec2::new(-lower(-max.x, -point.x), -lower(-max.y, -point.y));
+    }
+    Some(Aabb2 { min, max })
+}
+
+/// The larger of two sizes may be this many times the smaller one before only its sixteenth part or so
+/// of the digits is left anyway: products of four lengths stay finite.
+#[inline(always)]
+fn ratio<S: Scalar>() -> f64 {
+    S::LARGEST.powf(0.21875)
+}
+
+/// The power of two that brings the smaller size near one, unless the other becomes too large.
+#[inline(always)]
+fn unit<S: Scalar>(smaller: S, larger: S) -> S {
+    let bounded = smaller.most(larger * S::lit(1.0 / ratio::<S>()));
+    let point = larger.at_most(S::zero());
+    // A point in something large: that one's own unit.
+    let size = S::select(smaller.at_most(S::zero()), larger, bounded);
+    S::select(point, S::one(), S::select(point, S::one(), size).binade())
+}
+
+/// One of two vectors.
+#[inline(always)]
+pub(crate) fn choose<S: Scalar>(mask: S::Mask, yes: Vec2<S>, no: Vec2<S>) -> Vec2<S> {
+    Vec2::new(S::select(mask, yes.x, no.x), S::select(mask, yes.y, no.y))
+}
+#[inline(always)]
+fn lower<S: Scalar>(x: S, y: S) -> S {
+    S::select(y.below(x), y, x)
+}
+#[inline(always)]
+fn constant<S: Scalar>(v: Vec2<S>) -> Vec2<S> {
+    Vec2::new(S::from_primal(v.x.primal()), S::from_primal(v.y.primal()))
+}
+#[inline(always)]
+fn constants<S: Scalar>(bounds: Aabb2<S>) -> (Vec2<S>, Vec2<S>) {
+    (constant(bounds.min), constant(bounds.max))
+}
+#[inline(always)]
+fn halved<S: Scalar>(v: Vec2<S>) -> Vec2<S> {
+    Vec2::new(v.x.halved(), v.y.halved())
+}
+#[inline(always)]
+fn reach<S: Scalar>(v: Vec2<S>) -> S {
+    v.x.unsigned().most(v.y.unsigned())
+}
