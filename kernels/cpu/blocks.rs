@@ -685,9 +685,14 @@ pub(crate) fn all_within<T: Real, V: Vector<T>, const FIELDS: usize>(
     for (k, lane) in lanes.iter_mut().enumerate() {
         *lane = [limits(k, signs), limits(k, low), limits(k, high)];
     }
-    let zero = V::zero();
-    let inside = |numbers: &[T; TILE], [signed, low, high]: &[Lane<T>; 3], all: V::Mask| {
-        let (numbers, mut all) = (Lane(*numbers), all);
+    /// Not a closure, which would not be compiled for the vector instructions of what calls it.
+    #[inline(always)]
+    fn inside<T: Real, V: Vector<T>>(
+        numbers: &[T; TILE],
+        [signed, low, high]: &[Lane<T>; 3],
+        mut all: V::Mask,
+    ) -> V::Mask {
+        let (numbers, zero) = (Lane(*numbers), V::zero());
         let mut at = 0;
         while at < TILE {
             let x = V::read(&numbers, at);
@@ -697,19 +702,20 @@ pub(crate) fn all_within<T: Real, V: Vector<T>, const FIELDS: usize>(
             at += V::WIDTH;
         }
         all
-    };
+    }
+    let zero = V::zero();
     let mut all = zero.equals(zero);
     let (whole, rest) = numbers.as_chunks::<TILE>();
     let (groups, few) = whole.as_chunks::<FIELDS>();
     for group in groups {
         let mut k = 0;
         while k < FIELDS {
-            all = inside(&group[k], &lanes[k], all);
+            all = inside::<T, V>(&group[k], &lanes[k], all);
             k += 1;
         }
     }
     for (numbers, limits) in few.iter().zip(&lanes) {
-        all = inside(numbers, limits, all);
+        all = inside::<T, V>(numbers, limits, all);
     }
     let done = whole.len() * TILE;
     all.all()
