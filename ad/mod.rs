@@ -24,5 +24,6 @@
 pub mod adjoint;
 pub mod check;
 pub mod forward;
+pub mod program;
 
 pub use forward::{gradient, hessian, hvp, jacobian, jvp, value};

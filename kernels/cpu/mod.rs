@@ -32,6 +32,9 @@ pub(crate) mod lane;
 pub(crate) mod pairs;
 #[forbid(unsafe_code)]
 mod plan;
+#[doc(hidden)]
+#[forbid(unsafe_code)]
+pub mod program;
 #[forbid(unsafe_code)]
 mod ragged;
 #[forbid(unsafe_code)]

@@ -4,6 +4,7 @@ use crate::Vec2;
 use crate::kernels::cpu::blocks;
 use crate::kernels::cpu::boxes::{self, BOUNDS};
 use crate::kernels::cpu::lane::{Lane, Planes, Results, TILE, Tiles};
+use crate::kernels::cpu::program::{self, Pass, Tape};
 use crate::kernels::cpu::rings::{self, Measure};
 use crate::kernels::cpu::simd::Simd;
 use crate::overlap::Denominator;
@@ -118,6 +119,8 @@ entries! {
     all_finite(numbers: &[T]) -> bool = blocks::all_finite::<T, V>;
     /// Whether offsets never decrease nor exceed a number of vertices.
     never_decreases(offsets: &[usize], vertices: usize) -> bool = rings::never_decreases::<T, V>;
+    /// A part of a block by a recorded program.
+    interpret(tape: &Tape, pass: Pass<'_, T>, out: &mut [Lane<T>]) = program::interpret::<T, V>;
     /// Measures of rings.
     ring_values(measure: Measure, vertices: &[Vec2<T>], offsets: &[usize], out: &mut [T]) = rings::values::<T, V>;
     /// Adjoints of measures of rings.

@@ -33,6 +33,7 @@ pub(crate) use memory::flat;
 pub use memory::{numbers, numbers_mut};
 
 use crate::kernels::cpu::lane::{Lane, TILE};
+use crate::scalar::lanes::LaneMask;
 use crate::{Lanes, Scalar};
 use std::hint::black_box;
 
@@ -62,6 +63,10 @@ pub(crate) trait Vector<T>: Scalar<Primal = Self> {
     fn splat(x: T) -> Self;
     /// One bit per number, the first one lowest.
     fn bits(mask: Self::Mask) -> u32;
+    /// Truths as numbers all of whose bits are ones or zeros.
+    fn word(mask: Self::Mask) -> Self;
+    /// The truths again.
+    fn truth(self) -> Self::Mask;
     /// One vector for each of four fields, from as many items as it is wide, each with those fields.
     fn from_items(item: impl Fn(usize) -> [T; 4]) -> [Self; 4];
     /// The other way: every item's four fields.
@@ -95,6 +100,26 @@ macro_rules! plain {
                     i += 1;
                 }
                 bits
+            }
+            #[inline(always)]
+            fn word(mask: Self::Mask) -> Self {
+                let mut word = [0.0; $n];
+                let mut i = 0;
+                while i < $n {
+                    word[i] = $t::from_bits(mask.0[i]);
+                    i += 1;
+                }
+                Lanes(word)
+            }
+            #[inline(always)]
+            fn truth(self) -> Self::Mask {
+                let mut mask = LaneMask([0; $n]);
+                let mut i = 0;
+                while i < $n {
+                    mask.0[i] = self.0[i].to_bits();
+                    i += 1;
+                }
+                mask
             }
             #[inline(always)]
             fn from_items(item: impl Fn(usize) -> [$t; 4]) -> [Self; 4] {

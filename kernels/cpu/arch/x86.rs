@@ -26,6 +26,7 @@ macro_rules! vector {
      below |$p:ident, $q:ident| $lt:expr, $le:expr, $eq:expr;
      choose |$m:ident, $yes:ident, $no:ident| $choose:expr;
      masks |$a:ident, $b:ident| $mask_and:expr, $mask_or:expr, $mask_not:expr, $mask_bits:expr;
+     words |$word:ident| $mask_word:expr, $mask_truth:expr;
      sines |$angle:ident| $sin_cos:expr, $sin_cos_parts:expr;
      items $from_items:ident $to_items:ident) => {
         $(#[$doc])*
@@ -116,6 +117,16 @@ macro_rules! vector {
             #[inline(always)]
             fn bits(mask: $mask) -> u32 {
                 mask.bits()
+            }
+            #[inline(always)]
+            fn word(mask: $mask) -> Self {
+                let $word = mask.0;
+                $name(arch!($mask_word))
+            }
+            #[inline(always)]
+            fn truth(self) -> $mask {
+                let $word = self.0;
+                $mask(arch!($mask_truth))
             }
             #[inline(always)]
             fn from_items(item: impl Fn(usize) -> [$t; 4]) -> [Self; 4] {
@@ -293,7 +304,7 @@ macro_rules! vector {
             #[inline(always)]
             fn binade(self) -> Self {
                 // As for one number: the exponent field e becomes 2·bias + 1 − e.
-                let normal = self.most(Self::splat($t::MIN_POSITIVE));
+                let normal = Self::splat($t::MIN_POSITIVE).most(self);
                 let field = (<$t>::INFINITY).to_bits();
                 let twice_bias = (2 * ($t::MAX_EXP as $bits - 1) + 1) << ($t::MANTISSA_DIGITS - 1);
                 $name(arch!($from_int($int_sub(
@@ -635,6 +646,7 @@ vector! {
     choose |m, yes, no| _mm_or_pd(_mm_and_pd(m, yes), _mm_andnot_pd(m, no));
     masks |a, b| _mm_and_pd(a, b), _mm_or_pd(a, b),
         _mm_xor_pd(a, _mm_castsi128_pd(_mm_set1_epi8(-1))), _mm_movemask_pd(a);
+    words |x| x, x;
     sines |angle| angle.wide_sin_cos(), angle.wide_parts();
     items from_f64x2 to_f64x2
 }
@@ -649,6 +661,7 @@ vector! {
     choose |m, yes, no| _mm_or_ps(_mm_and_ps(m, yes), _mm_andnot_ps(m, no));
     masks |a, b| _mm_and_ps(a, b), _mm_or_ps(a, b),
         _mm_xor_ps(a, _mm_castsi128_ps(_mm_set1_epi8(-1))), _mm_movemask_ps(a);
+    words |x| x, x;
     sines |angle| angle.narrow_sin_cos(), angle.narrow_parts();
     items from_f32x4 to_f32x4
 }
@@ -663,6 +676,7 @@ vector! {
     choose |m, yes, no| _mm256_blendv_pd(no, yes, m);
     masks |a, b| _mm256_and_pd(a, b), _mm256_or_pd(a, b),
         _mm256_xor_pd(a, _mm256_castsi256_pd(_mm256_set1_epi8(-1))), _mm256_movemask_pd(a);
+    words |x| x, x;
     sines |angle| angle.wide_sin_cos(), angle.wide_parts();
     items from_f64x4 to_f64x4
 }
@@ -677,6 +691,7 @@ vector! {
     choose |m, yes, no| _mm256_blendv_ps(no, yes, m);
     masks |a, b| _mm256_and_ps(a, b), _mm256_or_ps(a, b),
         _mm256_xor_ps(a, _mm256_castsi256_ps(_mm256_set1_epi8(-1))), _mm256_movemask_ps(a);
+    words |x| x, x;
     sines |angle| angle.narrow_sin_cos(), angle.narrow_parts();
     items from_f32x8 to_f32x8
 }
@@ -690,6 +705,7 @@ vector! {
     below |p, q| _mm512_cmp_pd_mask::<_CMP_LT_OQ>(p, q), _mm512_cmp_pd_mask::<_CMP_LE_OQ>(p, q), _mm512_cmp_pd_mask::<_CMP_EQ_OQ>(p, q);
     choose |m, yes, no| _mm512_mask_blend_pd(m, no, yes);
     masks |a, b| a & b, a | b, !a, a;
+    words |x| _mm512_castsi512_pd(_mm512_movm_epi64(x)), _mm512_movepi64_mask(_mm512_castpd_si512(x));
     sines |angle| angle.wide_sin_cos(), angle.wide_parts();
     items from_f64x8 to_f64x8
 }
@@ -703,6 +719,7 @@ vector! {
     below |p, q| _mm512_cmp_ps_mask::<_CMP_LT_OQ>(p, q), _mm512_cmp_ps_mask::<_CMP_LE_OQ>(p, q), _mm512_cmp_ps_mask::<_CMP_EQ_OQ>(p, q);
     choose |m, yes, no| _mm512_mask_blend_ps(m, no, yes);
     masks |a, b| a & b, a | b, !a, a;
+    words |x| _mm512_castsi512_ps(_mm512_movm_epi32(x)), _mm512_movepi32_mask(_mm512_castps_si512(x));
     sines |angle| angle.narrow_sin_cos(), angle.narrow_parts();
     items from_f32x16 to_f32x16
 }

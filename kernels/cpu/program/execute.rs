@@ -1,0 +1,297 @@
+//! The executor: instruction by instruction, each over a whole block of items.
+//!
+//! One function, compiled once per format and level of vector instructions. It knows nothing of
+//! programs or shapes.
+//!
+//! Memory holds slot after slot, each some lanes of sixteen numbers, as cells: a result may go where
+//! an operand was, since every lane is read before it is written.
+use crate::kernels::cpu::arch::Vector;
+use crate::kernels::cpu::lane::{Lane, TILE, Tiles};
+use crate::kernels::cpu::program::instructions::{Code, Op, instructions};
+use crate::kernels::cpu::program::lower::Tape;
+use crate::kernels::real::Real;
+use std::cell::Cell;
+
+/// Lanes that one turn of an instruction's loop computes. The number of lanes of a slot is a multiple.
+pub(crate) const STRIP: usize = 4;
+
+/// Lanes of one turn.
+type Strip<T> = [Cell<Lane<T>>; STRIP];
+
+/// Memory of a block: slots begin every `stride` lanes; of each `width` lanes, a multiple of [`STRIP`], are in
+/// use.
+#[derive(Clone, Copy)]
+struct Memory<'a, T> {
+    lanes: &'a [Cell<Lane<T>>],
+    width: usize,
+    stride: usize,
+}
+
+impl<'a, T> Memory<'a, T> {
+    #[inline(always)]
+    fn slot(self, slot: u16) -> &'a [Strip<T>] {
+        let from = slot as usize * self.stride;
+        self.lanes[from..from + self.width].as_chunks().0
+    }
+}
+
+/// One vector after another of the same lanes.
+#[inline(always)]
+fn each<T: Real, V: Vector<T>, const N: usize>(
+    from: [&Cell<Lane<T>>; N],
+    to: &Cell<Lane<T>>,
+    f: impl Fn([V; N]) -> V,
+) {
+    let mut read = [Lane::default(); N];
+    let mut k = 0;
+    while k < N {
+        read[k] = from[k].get();
+        k += 1;
+    }
+    let mut out = Lane::default();
+    let mut at = 0;
+    while at < TILE {
+        let mut x = [V::zero(); N];
+        let mut k = 0;
+        while k < N {
+            x[k] = V::read(&read[k], at);
+            k += 1;
+        }
+        f(x).write(&mut out, at);
+        at += V::WIDTH;
+    }
+    to.set(out);
+}
+
+#[inline(always)]
+fn one<T: Real, V: Vector<T>>(memory: Memory<'_, T>, code: Code, f: impl Fn([V; 1]) -> V) {
+    let [a, ..] = code.from;
+    for (a, d) in memory.slot(a).iter().zip(memory.slot(code.to[0])) {
+        let mut k = 0;
+        while k < STRIP {
+            each([&a[k]], &d[k], &f);
+            k += 1;
+        }
+    }
+}
+
+#[inline(always)]
+fn two<T: Real, V: Vector<T>>(memory: Memory<'_, T>, code: Code, f: impl Fn([V; 2]) -> V) {
+    let [a, b, ..] = code.from;
+    let from = memory.slot(a).iter().zip(memory.slot(b));
+    for ((a, b), d) in from.zip(memory.slot(code.to[0])) {
+        let mut k = 0;
+        while k < STRIP {
+            each([&a[k], &b[k]], &d[k], &f);
+            k += 1;
+        }
+    }
+}
+
+#[inline(always)]
+fn three<T: Real, V: Vector<T>>(memory: Memory<'_, T>, code: Code, f: impl Fn([V; 3]) -> V) {
+    let [a, b, c, _] = code.from;
+    let from = memory.slot(a).iter().zip(memory.slot(b));
+    let from = from.zip(memory.slot(c));
+    for (((a, b), c), d) in from.zip(memory.slot(code.to[0])) {
+        let mut k = 0;
+        while k < STRIP {
+            each([&a[k], &b[k], &c[k]], &d[k], &f);
+            k += 1;
+        }
+    }
+}
+
+#[inline(always)]
+fn four<T: Real, V: Vector<T>>(memory: Memory<'_, T>, code: Code, f: impl Fn([V; 4]) -> V) {
+    let [a, b, c, e] = code.from;
+    let from = memory.slot(a).iter().zip(memory.slot(b));
+    let from = from.zip(memory.slot(c)).zip(memory.slot(e));
+    for ((((a, b), c), e), d) in from.zip(memory.slot(code.to[0])) {
+        let mut k = 0;
+        while k < STRIP {
+            each([&a[k], &b[k], &c[k], &e[k]], &d[k], &f);
+            k += 1;
+        }
+    }
+}
+
+/// Several results of one operand.
+#[inline(always)]
+fn several<T: Real, V: Vector<T>, const N: usize>(
+    memory: Memory<'_, T>,
+    code: Code,
+    f: impl Fn(V) -> [V; N],
+) {
+    let lanes = |slot: u16| memory.slot(slot).as_flattened();
+    let (from, mut to) = (lanes(code.from[0]), [lanes(code.to[0]); N]);
+    for (k, lane) in to.iter_mut().enumerate() {
+        *lane = lanes(code.to[k]);
+    }
+    for (t, from) in from.iter().enumerate() {
+        let from = from.get();
+        let mut out = [Lane::default(); N];
+        let mut at = 0;
+        while at < TILE {
+            let results = f(V::read(&from, at));
+            let mut k = 0;
+            while k < N {
+                results[k].write(&mut out[k], at);
+                k += 1;
+            }
+            at += V::WIDTH;
+        }
+        let mut k = 0;
+        while k < N {
+            if let Some(to) = to[k].get(t) {
+                to.set(out[k]);
+            }
+            k += 1;
+        }
+    }
+}
+
+/// Whether a truth holds for every item, or for none.
+#[inline(always)]
+fn is<T: Real, V: Vector<T>>(memory: Memory<'_, T>, slot: u16, all: bool) -> bool {
+    let bits = if all { (1 << V::WIDTH) - 1 } else { 0 };
+    memory.slot(slot).as_flattened().iter().all(
+        #[inline(always)]
+        |lane| {
+            let lane = lane.get();
+            let (mut as_asked, mut at) = (true, 0);
+            while at < TILE {
+                as_asked &= V::bits(V::read(&lane, at).truth()) == bits;
+                at += V::WIDTH;
+            }
+            as_asked
+        },
+    )
+}
+
+/// Calls the loop for so many operands.
+macro_rules! by_arity {
+    ($f:tt; $x:ident) => { one $f };
+    ($f:tt; $x:ident, $y:ident) => { two $f };
+    ($f:tt; $x:ident, $y:ident, $z:ident) => { three $f };
+    ($f:tt; $x:ident, $y:ident, $z:ident, $w:ident) => { four $f };
+}
+
+/// A part of a block, and where its numbers come from and go to.
+#[derive(Clone, Copy)]
+pub(crate) struct Pass<'a, T> {
+    /// Slot after slot.
+    pub(crate) lanes: &'a [Cell<Lane<T>>],
+    /// Lanes of a slot.
+    pub(crate) stride: usize,
+    /// The arguments.
+    pub(crate) inputs: &'a [Tiles<'a, T>],
+    /// Numbers of each argument.
+    pub(crate) fields: &'a [usize],
+    /// The first tile, of inputs and of results.
+    pub(crate) first: usize,
+    /// How many tiles.
+    pub(crate) tiles: usize,
+    /// From one tile of results to the next, and from one number to the next.
+    pub(crate) steps: [usize; 2],
+    /// Whether zeros of results lose their signs.
+    pub(crate) canonical: bool,
+}
+
+#[inline(always)]
+fn copied<T: Real, V: Vector<T>>(from: &Lane<T>) -> Lane<T> {
+    let mut to = Lane::default();
+    let mut at = 0;
+    while at < TILE {
+        V::read(from, at).write(&mut to, at);
+        at += V::WIDTH;
+    }
+    to
+}
+
+/// Carries out a program on a part of a block.
+#[inline(always)]
+pub(crate) fn interpret<T: Real, V: Vector<T>>(
+    tape: &Tape,
+    pass: Pass<'_, T>,
+    out: &mut [Lane<T>],
+) {
+    let memory = Memory {
+        lanes: pass.lanes,
+        width: pass.tiles.next_multiple_of(STRIP),
+        stride: pass.stride,
+    };
+    let mut places = tape.inputs.iter();
+    for (argument, &fields) in pass.inputs.iter().zip(pass.fields) {
+        for (k, slot) in places.by_ref().take(fields).enumerate() {
+            let &Some(slot) = slot else { continue };
+            for (t, lane) in memory.slot(slot).as_flattened().iter().enumerate() {
+                // What fills up the last strip must be harmless; the last tile is at hand.
+                let t = pass.first + t.min(pass.tiles - 1);
+                if let Some(from) = argument.lanes.get(t * argument.step + k) {
+                    lane.set(copied::<T, V>(from));
+                }
+            }
+        }
+    }
+    run::<T, V>(&tape.code, memory);
+    let [by_tile, by_number] = pass.steps;
+    for (k, &slot) in tape.outputs.iter().enumerate() {
+        for (t, lane) in memory
+            .slot(slot)
+            .as_flattened()
+            .iter()
+            .enumerate()
+            .take(pass.tiles)
+        {
+            let Some(to) = out.get_mut((pass.first + t) * by_tile + k * by_number) else {
+                return;
+            };
+            let from = lane.get();
+            let mut at = 0;
+            while at < TILE {
+                let x = V::read(&from, at);
+                let x = if pass.canonical { x.canonical() } else { x };
+                x.write(to, at);
+                at += V::WIDTH;
+            }
+        }
+    }
+}
+
+/// Carries out instructions.
+#[inline(always)]
+fn run<T: Real, V: Vector<T>>(code: &[Code], memory: Memory<'_, T>) {
+    let mut next = 0;
+    while let Some(&code) = code.get(next) {
+        next += 1;
+        /// One arm per instruction.
+        macro_rules! arms {
+            ($($name:ident($x:ident $(, $more:ident)*) = $value:expr;)*) => {
+                match code.op {
+                    $(Op::$name => by_arity!((memory, code,
+                        #[inline(always)]
+                        |[$x $(, $more)*]: [V; _]| $value); $x $(, $more)*),)*
+                    Op::Parts => several(memory, code,
+                        #[inline(always)]
+                        |x: V| {
+                            let [(a, b), (c, d)] = x.sin_cos_parts();
+                            [a, b, c, d]
+                        }),
+                    Op::SinCos => several(memory, code,
+                        #[inline(always)]
+                        |x: V| {
+                            let (sin, cos) = x.sin_cos();
+                            [sin, cos]
+                        }),
+                    Op::SkipIfAll | Op::SkipIfNone => {
+                        if is::<T, V>(memory, code.from[0], code.op == Op::SkipIfAll) {
+                            next += code.to[0] as usize;
+                        }
+                    }
+                }
+            };
+        }
+        instructions! { arms!() }
+    }
+}

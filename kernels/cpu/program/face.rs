@@ -1,0 +1,180 @@
+//! Programs in batches, for tests and measurements: rows of numbers in, rows of numbers out, on one thread.
+use crate::ad::program::recorded::Recorded;
+use crate::ad::program::{Plain, Sym, record};
+use crate::kernels::cpu::lane::{BLOCK, Lane, Planes, Results, TILE, Tiles, planes, tiles};
+use crate::kernels::cpu::plan::{Maker, Room};
+use crate::kernels::cpu::program::Interpreted;
+use crate::kernels::cpu::program::split::{Piece, split};
+use crate::kernels::real::Real;
+use crate::{Error, Fixed, Unrecordable};
+
+/// How a program is carried out. Results are the same bits any way.
+#[derive(Clone, Copy, Debug, Default)]
+pub struct Way {
+    /// Whether what depends on one argument alone is computed before, once per item.
+    pub frames: bool,
+    /// Whether blocks leave out what they do not need.
+    pub skipping: bool,
+    /// Lanes of a slot, if not as usual.
+    pub width: Option<usize>,
+}
+
+/// A recorded function.
+#[derive(Clone, Debug)]
+pub struct Trial(Recorded);
+
+impl Trial {
+    /// Records a function.
+    ///
+    /// # Errors
+    ///
+    /// If it cannot be recorded.
+    pub fn record<T, X, Y>(function: impl Fn(X) -> Y) -> Result<Trial, Error>
+    where
+        T: Plain,
+        X: Fixed<Scalar = Sym<T>>,
+        Y: Fixed<Scalar = Sym<T>>,
+    {
+        record::record(function).map(Trial)
+    }
+    /// Its result, a number, and its gradient.
+    #[must_use]
+    pub fn value_grad(&self) -> Trial {
+        Trial(self.0.value_grad())
+    }
+    /// What it gives for one input, node by node.
+    #[must_use]
+    pub fn run<T: Real>(&self, inputs: &[T]) -> Vec<T> {
+        self.0.run(inputs)
+    }
+    /// Makes it ready for batches. `fields` says how many numbers each argument has.
+    ///
+    /// # Errors
+    ///
+    /// If it has too many instructions, or numbers at a time.
+    pub fn ready(&self, fields: &[usize], way: Way) -> Result<Ready, Unrecordable> {
+        let value = &self.0.value;
+        let made = |piece: &Piece, fields: &[usize], skipping| {
+            let made = Interpreted::new(&piece.graph, fields, &piece.outputs, skipping)?;
+            Ok(match way.width {
+                Some(width) => made.with_width(width),
+                None => made,
+            })
+        };
+        let whole = Piece {
+            graph: value.graph.clone(),
+            outputs: value.outputs.clone(),
+        };
+        if !way.frames {
+            return Ok(Ready {
+                fields: fields.to_vec(),
+                frames: None,
+                body: made(&whole, fields, way.skipping)?,
+                results: whole.outputs.len(),
+            });
+        }
+        let parts = split(&whole.graph, fields, &whole.outputs);
+        let widths: Vec<usize> = parts.frames.iter().map(|x| x.outputs.len()).collect();
+        let frames = parts
+            .frames
+            .iter()
+            .zip(fields)
+            .zip(&widths)
+            .map(|((frame, &fields), &width)| Ok((made(frame, &[fields], false)?, width)));
+        Ok(Ready {
+            fields: fields.to_vec(),
+            frames: Some(frames.collect::<Result<_, Unrecordable>>()?),
+            body: made(&parts.body, &widths, way.skipping)?,
+            results: whole.outputs.len(),
+        })
+    }
+}
+
+/// A program ready for batches.
+#[derive(Debug)]
+pub struct Ready {
+    fields: Vec<usize>,
+    frames: Option<Vec<(Interpreted, usize)>>,
+    body: Interpreted,
+    results: usize,
+}
+
+/// Items of an argument, ready to be computed from.
+#[derive(Debug)]
+pub struct Items<T> {
+    lanes: Vec<Lane<T>>,
+    fields: usize,
+}
+
+impl Ready {
+    /// How many instructions and slots it has, without those of frames.
+    #[must_use]
+    pub fn size(&self) -> (usize, usize) {
+        self.body.size()
+    }
+    /// The instructions, one to a line.
+    #[must_use]
+    pub fn listing(&self) -> String {
+        let lines = self.body.tape().code.iter();
+        lines
+            .map(|code| format!("{:?} {:?} <- {:?}\n", code.op, code.to, code.from))
+            .collect()
+    }
+    /// Items of an argument, from rows of numbers; their frames, where there are frames.
+    #[must_use]
+    pub fn items<T: Real>(&self, argument: usize, rows: &[T]) -> Items<T> {
+        let fields = self.fields[argument];
+        let count = tiles(rows.len() / fields);
+        let mut lanes = vec![Lane::default(); count * fields];
+        (T::kernels().bring)(rows, fields, &mut lanes);
+        let Some((frame, width)) = self.frames.as_ref().map(|frames| &frames[argument]) else {
+            return Items { lanes, fields };
+        };
+        let mut made = vec![Lane::default(); count * width];
+        frame.prepare(&mut Room::new(), &[Tiles::new(&lanes, fields)], &mut made);
+        Items {
+            lanes: made,
+            fields: *width,
+        }
+    }
+    /// Results of so many items, number by number in rows; an argument of one tile stands for all.
+    #[must_use]
+    pub fn compute<T: Real>(&self, room: &mut Room<T>, count: usize, items: &[Items<T>]) -> Vec<T> {
+        let mut rows = vec![T::default(); count * self.results];
+        let mut lanes = vec![Lane::default(); planes(self.results)];
+        for (block, rows) in rows.chunks_mut(BLOCK * TILE * self.results).enumerate() {
+            let from = |items| Items::from(items, block * BLOCK);
+            let inputs: Vec<Tiles<'_, T>> = items.iter().map(from).collect();
+            self.make(room, &inputs, &mut lanes, tiles(rows.len() / self.results));
+            (T::kernels().take)(Planes(&lanes), self.results, rows, self.results);
+        }
+        rows
+    }
+    /// Computes items over and over, for measuring.
+    pub fn repeat<T: Real>(&self, room: &mut Room<T>, items: &[Items<T>], times: usize) {
+        let mut lanes = vec![Lane::default(); planes(self.results)];
+        let inputs: Vec<Tiles<'_, T>> = items.iter().map(|x| Items::from(x, 0)).collect();
+        for _ in 0..times {
+            self.make(room, &inputs, &mut lanes, BLOCK);
+        }
+    }
+    fn make<T: Real>(
+        &self,
+        room: &mut Room<T>,
+        inputs: &[Tiles<'_, T>],
+        lanes: &mut [Lane<T>],
+        tiles: usize,
+    ) {
+        self.body.make(room, inputs, Results { lanes, tiles });
+    }
+}
+
+impl<T: Real> Items<T> {
+    /// From a tile on.
+    fn from(&self, tile: usize) -> Tiles<'_, T> {
+        match self.lanes.len() == self.fields {
+            true => Tiles::one(&self.lanes),
+            false => Tiles::new(&self.lanes[tile * self.fields..], self.fields),
+        }
+    }
+}

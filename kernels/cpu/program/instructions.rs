@@ -1,0 +1,117 @@
+//! The instructions of the interpreter: their names, their operands, what they compute.
+//!
+//! Besides one instruction per node there are instructions for two nodes, or three, of which the inner
+//! ones have no other use: a number that never goes to memory saves a store, a load and the choice of
+//! an instruction. Each node of them rounds as it does alone.
+
+/// Hands every instruction of one result to a macro: its name, its operands and its value, of vectors.
+///
+/// Truths are numbers all of whose bits are ones or zeros.
+macro_rules! instructions {
+    ($with:ident!($($rest:tt)*)) => { $with! { $($rest)*
+        Copy(x) = x;
+        Canonical(x) = x.canonical();
+        Neg(x) = -x;
+        Magnitude(x) = x.magnitude();
+        Root(x) = x.root();
+        Binade(x) = x.binade();
+        High(x) = x.parts().0;
+        Exp(x) = x.exp();
+        Ln(x) = x.ln();
+        Not(x) = V::word(!x.truth());
+        // Whatever is in the slot.
+        Always(x) = V::word(!x.below(x));
+        Never(x) = V::word(x.below(x));
+
+        Add(x, y) = x + y;
+        Sub(x, y) = x - y;
+        Mul(x, y) = x * y;
+        Div(x, y) = x.over(y);
+        Min(x, y) = x.least(y);
+        Max(x, y) = x.most(y);
+        Atan2(y, x) = y.atan2(x);
+        Lt(x, y) = V::word(x.below(y));
+        Le(x, y) = V::word(x.at_most(y));
+        Eq(x, y) = V::word(x.equals(y));
+        And(x, y) = V::word(x.truth() & y.truth());
+        Or(x, y) = V::word(x.truth() | y.truth());
+
+        Select(m, x, y) = V::select(m.truth(), x, y);
+        Split(x, y, z) = {
+            let tie = V::select(x.equals(y), z.halved(), V::zero());
+            V::select(x.below(y), z, tie)
+        };
+
+        Rest(x, y, z) = {
+            let tie = V::select(x.equals(y), z.halved(), z);
+            V::select(x.below(y), V::zero(), tie)
+        };
+
+        // (x . y) . z, and z - (x . y).
+        AddAdd(x, y, z) = (x + y) + z;
+        SubAdd(x, y, z) = (x - y) + z;
+        MulAdd(x, y, z) = x * y + z;
+        AddSub(x, y, z) = (x + y) - z;
+        SubSub(x, y, z) = (x - y) - z;
+        MulSub(x, y, z) = x * y - z;
+        FromAdd(x, y, z) = z - (x + y);
+        FromSub(x, y, z) = z - (x - y);
+        FromMul(x, y, z) = z - x * y;
+        AddMul(x, y, z) = (x + y) * z;
+        SubMul(x, y, z) = (x - y) * z;
+        MulMul(x, y, z) = (x * y) * z;
+        MaxMin(x, y, z) = x.most(y).least(z);
+        MinMax(x, y, z) = x.least(y).most(z);
+        MinFrom(x, y, z) = z.least(x.most(y));
+        MaxFrom(x, y, z) = z.most(x.least(y));
+        // (x y) . (z w).
+        Dot(x, y, z, w) = x * y + z * w;
+        Cross(x, y, z, w) = x * y - z * w;
+
+        SelectNeg(m, x, y) = V::select(m.truth(), -x, y);
+        SelectLt(x, y, z, w) = V::select(x.below(y), z, w);
+        SelectLe(x, y, z, w) = V::select(x.at_most(y), z, w);
+        SelectEq(x, y, z, w) = V::select(x.equals(y), z, w);
+        LtAnd(x, y, m) = V::word(x.below(y) & m.truth());
+        LeAnd(x, y, m) = V::word(x.at_most(y) & m.truth());
+        EqAnd(x, y, m) = V::word(x.equals(y) & m.truth());
+        LtOr(x, y, m) = V::word(x.below(y) | m.truth());
+        LeOr(x, y, m) = V::word(x.at_most(y) | m.truth());
+        EqOr(x, y, m) = V::word(x.equals(y) | m.truth());
+    } };
+}
+pub(crate) use instructions;
+
+/// The names as an enumeration.
+macro_rules! names {
+    ($($name:ident($($x:ident),*) = $value:expr;)*) => {
+        /// What an instruction does.
+        #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+        pub(crate) enum Op {
+            $(
+                #[doc = concat!("`", stringify!($value), "`")]
+                $name,
+            )*
+            /// The sine and the cosine of `from[0]`, each as its high part and the rest.
+            Parts,
+            /// The sine and the cosine of `from[0]`.
+            SinCos,
+            /// Leaves out the next `to[0]` instructions if the truth `from[0]` holds for every item.
+            SkipIfAll,
+            /// The same if it holds for none.
+            SkipIfNone,
+        }
+    };
+}
+instructions! { names!() }
+
+/// An instruction: what it does, with numbers of which slots, and to which ones.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Code {
+    /// What it does.
+    pub(crate) op: Op,
+    /// Slots of results; all but sines have one.
+    pub(crate) to: [u16; 4],
+    /// Slots of operands.
+    pub(crate) from: [u16; 4],
+}

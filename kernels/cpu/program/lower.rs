@@ -1,0 +1,306 @@
+//! From a graph to a tape: instructions in order, operands and results in slots.
+use crate::Unrecordable;
+use crate::ad::program::graph::{Graph, Id, Node};
+use crate::kernels::cpu::program::fuse::{Step, cover, sine_of, uses};
+use crate::kernels::cpu::program::instructions::{Code, Op};
+use crate::kernels::cpu::program::skip;
+use crate::kernels::cpu::program::slots::Slots;
+use std::collections::HashMap;
+
+/// A program as instructions.
+#[derive(Clone, Debug)]
+pub(crate) struct Tape {
+    /// In order.
+    pub(crate) code: Vec<Code>,
+    /// How many slots there are; those of constants come last.
+    pub(crate) slots: usize,
+    /// What slots hold before the first instruction and after the last one.
+    pub(crate) constants: Vec<(u16, f64)>,
+    /// Where each input goes; `None` for one that nothing needs.
+    pub(crate) inputs: Vec<Option<u16>>,
+    /// Where each output is.
+    pub(crate) outputs: Vec<u16>,
+}
+
+/// Where a node is: in a slot, or a constant.
+#[derive(Clone, Copy)]
+enum Place {
+    Slot(u32),
+    Constant(u32),
+}
+
+struct Lowering<'a> {
+    graph: &'a Graph,
+    steps: Vec<Option<Step>>,
+    /// Sines of an angle: the nodes of all parts that are needed.
+    sines: HashMap<(Id, bool), Vec<Id>>,
+    /// How many slots each node takes to be computed, were everything needed once (Sethi and Ullman).
+    room: Vec<u32>,
+    /// Nodes in the order of their instructions.
+    order: Vec<Id>,
+    done: Vec<bool>,
+}
+
+impl Lowering<'_> {
+    /// What has to be there before a node.
+    fn operands(&self, x: Id) -> Vec<Id> {
+        match (&self.steps[x as usize], sine_of(self.graph.at(x))) {
+            (Some(step), _) => step.operands().to_vec(),
+            (None, Some((angle, ..))) => vec![angle],
+            (None, None) => Vec::new(),
+        }
+    }
+    /// Puts a node in order after all that it needs, but for what `idle` says.
+    fn visit(&mut self, root: Id, idle: &[bool]) {
+        let mut open = vec![(root, false)];
+        while let Some((x, ready)) = open.pop() {
+            if self.done[x as usize] || idle[x as usize] {
+                continue;
+            }
+            if !ready {
+                open.push((x, true));
+                let mut operands = self.operands(x);
+                // What needs most room comes first, while there is little else to be kept.
+                operands.sort_by_key(|&y| self.room[y as usize]);
+                open.extend(operands.into_iter().map(|y| (y, false)));
+                continue;
+            }
+            self.done[x as usize] = true;
+            match sine_of(self.graph.at(x)) {
+                // All sines of an angle come together, at the first one.
+                Some((angle, parts, _)) => {
+                    for &y in &self.sines[&(angle, parts)] {
+                        self.done[y as usize] = true;
+                    }
+                    self.order.push(x);
+                }
+                None if self.steps[x as usize].is_some() => self.order.push(x),
+                None => {}
+            }
+        }
+    }
+}
+
+impl Tape {
+    /// Lowers a graph without grafts. `skipping` says whether blocks may leave out what they do not need.
+    ///
+    /// # Errors
+    ///
+    /// If the program has more slots than an instruction can name.
+    pub(crate) fn new(
+        graph: &Graph,
+        inputs: usize,
+        outputs: &[Id],
+        skipping: bool,
+    ) -> Result<Tape, Unrecordable> {
+        let (graph, outputs) = &polished(graph, outputs);
+        let live = graph.live(outputs, false);
+        let skip = match skipping {
+            true => skip::find(graph, &live, outputs),
+            false => None,
+        };
+        let mut needed = outputs.to_vec();
+        needed.extend(skip.as_ref().map(|skip| skip.mask));
+        let uses = uses(graph, &live, &needed);
+        let mut sines: HashMap<(Id, bool), Vec<Id>> = HashMap::new();
+        for x in (0..graph.len() as Id).filter(|&x| live[x as usize]) {
+            if let Some((angle, parts, _)) = sine_of(graph.at(x)) {
+                sines.entry((angle, parts)).or_default().push(x);
+            }
+        }
+        let mut lowering = Lowering {
+            graph,
+            steps: cover(graph, &uses),
+            sines,
+            room: Vec::new(),
+            order: Vec::new(),
+            done: vec![false; graph.len()],
+        };
+        for x in 0..graph.len() as Id {
+            let below = lowering.operands(x);
+            let mut below: Vec<u32> = below.iter().map(|&y| lowering.room[y as usize]).collect();
+            below.sort_unstable_by(|a, b| b.cmp(a));
+            let room = below.iter().zip(0..).map(|(room, held)| room + held).max();
+            lowering.room.push(room.unwrap_or(1).max(1));
+        }
+        let nothing = vec![false; graph.len()];
+        let mut skipped = None;
+        if let Some(skip) = &skip {
+            lowering.visit(skip.mask, &nothing);
+            let idle = (0..graph.len() as Id).filter(|&x| skip.idle[x as usize]);
+            // Those inside other instructions are left to them.
+            let idle: Vec<Id> = idle
+                .filter(|&x| lowering.steps[x as usize].is_some() || sine_of(graph.at(x)).is_some())
+                .collect();
+            for &x in &idle {
+                for y in lowering.operands(x) {
+                    lowering.visit(y, &skip.idle);
+                }
+            }
+            let first = lowering.order.len();
+            for &x in &idle {
+                lowering.visit(x, &nothing);
+            }
+            skipped = Some((first, lowering.order.len(), skip));
+        }
+        for &x in outputs {
+            lowering.visit(x, &nothing);
+        }
+        assign(lowering, inputs, outputs, skipped)
+    }
+}
+
+/// Gives slots to nodes in order.
+fn assign(
+    lowering: Lowering<'_>,
+    inputs: usize,
+    outputs: &[Id],
+    skip: Option<(usize, usize, &skip::Skip)>,
+) -> Result<Tape, Unrecordable> {
+    let graph = lowering.graph;
+    let mut left = vec![0; graph.len()];
+    for &x in &lowering.order {
+        for y in lowering.operands(x) {
+            left[y as usize] += 1;
+        }
+    }
+    // Never read for the last time.
+    for &x in outputs {
+        left[x as usize] += 1;
+    }
+    if let Some((_, _, skip)) = skip {
+        left[skip.mask as usize] += 1;
+    }
+    let mut slots = Slots::new(left.clone());
+    let mut places = vec![None; inputs];
+    for (x, node) in graph.nodes().iter().enumerate() {
+        if let (&Node::Input(k), 1..) = (node, left[x]) {
+            places[k as usize] = Some(slots.take(x as Id));
+        }
+    }
+    let mut constants: Vec<f64> = Vec::new();
+    let mut place = |slots: &Slots, x: Id| {
+        let Some(number) = graph.constant(x) else {
+            // Every node comes after its operands.
+            return Place::Slot(slots.at(x).unwrap_or_default());
+        };
+        let known = constants
+            .iter()
+            .position(|known| known.to_bits() == number.to_bits());
+        Place::Constant(known.unwrap_or_else(|| {
+            constants.push(number);
+            constants.len() - 1
+        }) as u32)
+    };
+    // One for all results that nobody needs.
+    let mut waste = None;
+    let mut code: Vec<(Op, [Place; 4], [Place; 4])> = Vec::new();
+    let mut jump = None;
+    let zero = Place::Slot(0);
+    for at in 0..=lowering.order.len() {
+        if let Some((first, end, skip)) = skip {
+            if at == first && first < end {
+                let op = if skip.all {
+                    Op::SkipIfAll
+                } else {
+                    Op::SkipIfNone
+                };
+                let mask = place(&slots, skip.mask);
+                slots.read(skip.mask);
+                jump = Some(code.len());
+                code.push((op, [zero; 4], [mask, zero, zero, zero]));
+            }
+            if let (true, Some(jump)) = (at == end, jump) {
+                let count = code.len() - jump - 1;
+                code[jump].1[0] = Place::Slot(count as u32);
+            }
+        }
+        let Some(&x) = lowering.order.get(at) else {
+            break;
+        };
+        let operands = lowering.operands(x);
+        let mut from = [zero; 4];
+        for (from, &y) in from.iter_mut().zip(&operands) {
+            *from = place(&slots, y);
+        }
+        for &y in &operands {
+            slots.read(y);
+        }
+        let mut to = [zero; 4];
+        let op = match (&lowering.steps[x as usize], sine_of(graph.at(x))) {
+            (Some(step), _) => {
+                to[0] = Place::Slot(slots.take(x));
+                step.op
+            }
+            (None, sine) => {
+                let (angle, parts, _) = sine.unwrap_or_default();
+                let waste = *waste.get_or_insert_with(|| slots.any());
+                to = [Place::Slot(waste); 4];
+                for &y in &lowering.sines[&(angle, parts)] {
+                    let (_, _, k) = sine_of(graph.at(y)).unwrap_or_default();
+                    to[k] = Place::Slot(slots.take(y));
+                }
+                if parts { Op::Parts } else { Op::SinCos }
+            }
+        };
+        code.push((op, to, from));
+    }
+    let outputs: Vec<Place> = outputs.iter().map(|&x| place(&slots, x)).collect();
+    let count = slots.count;
+    let name = |place: Place| {
+        u16::try_from(match place {
+            Place::Slot(slot) => slot,
+            Place::Constant(k) => count + k,
+        })
+        .map_err(|_| Unrecordable::TooLong)
+    };
+    let names = |places: [Place; 4]| -> Result<[u16; 4], Unrecordable> {
+        let [a, b, c, d] = places;
+        Ok([name(a)?, name(b)?, name(c)?, name(d)?])
+    };
+    let mut tape = Tape {
+        code: Vec::with_capacity(code.len()),
+        slots: count as usize + constants.len(),
+        constants: Vec::new(),
+        inputs: Vec::new(),
+        outputs: Vec::new(),
+    };
+    for (op, to, from) in code {
+        let (to, from) = (names(to)?, names(from)?);
+        tape.code.push(Code { op, to, from });
+    }
+    for (k, &constant) in constants.iter().enumerate() {
+        tape.constants
+            .push((name(Place::Constant(k as u32))?, constant));
+    }
+    for slot in places {
+        tape.inputs
+            .push(slot.map(|slot| name(Place::Slot(slot))).transpose()?);
+    }
+    for place in outputs {
+        tape.outputs.push(name(place)?);
+    }
+    Ok(tape)
+}
+
+/// The graph with choices of the smaller or larger of two numbers as such. The bits are the same, those
+/// of NaN included; only slopes would be others.
+fn polished(graph: &Graph, outputs: &[Id]) -> (Graph, Vec<Id>) {
+    let mut polished = Graph::new(graph.format);
+    let mut names: Vec<Id> = Vec::with_capacity(graph.len());
+    for &node in graph.nodes() {
+        let node = node.renamed(|x| names[x as usize]);
+        let lesser = |m: Id, yes: Id, no: Id| match polished.at(m) {
+            Node::Lt(a, b) if (a, b) == (yes, no) => Some(Node::Min(yes, no)),
+            Node::Lt(a, b) if (b, a) == (yes, no) => Some(Node::Max(yes, no)),
+            _ => None,
+        };
+        let node = match node {
+            Node::Select(m, yes, no) => lesser(m, yes, no).unwrap_or(node),
+            node => node,
+        };
+        names.push(polished.push(node));
+    }
+    let outputs = outputs.iter().map(|&x| names[x as usize]).collect();
+    (polished, outputs)
+}

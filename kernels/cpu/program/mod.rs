@@ -1,0 +1,157 @@
+//! Recorded programs as makers of blocks: an interpreter.
+//!
+//! A program's graph becomes a tape of instructions ([`lower`](lower)), each of which computes one number of
+//! every item of a block from others. Choosing an instruction costs about as much as a hundred items of it, so
+//! blocks are as long as the innermost cache allows. What the interpreter is compiled to depends on
+//! the format and the level of vector instructions only; results have the same bits at all of them.
+mod execute;
+pub mod face;
+mod fuse;
+pub(crate) mod instructions;
+pub(crate) mod lower;
+mod skip;
+mod slots;
+pub(crate) mod split;
+
+pub(crate) use crate::Unrecordable;
+use crate::ad::program::graph::{Graph, Id, Node};
+use crate::kernels::cpu::lane::{Lane, PLANE, Results, Tiles};
+use crate::kernels::cpu::plan::{Maker, Room};
+use crate::kernels::real::Real;
+use execute::STRIP;
+pub(crate) use execute::{Pass, interpret};
+pub(crate) use lower::Tape;
+use std::cell::Cell;
+use std::sync::atomic::{AtomicU64, Ordering};
+
+/// Bytes that the slots of a block may take: most of the innermost cache.
+const CACHE: usize = 40 << 10;
+
+/// Fewest and most lanes of a slot. With few the choice of instructions binds, and with more than the most
+/// nothing is gained.
+const WIDTHS: [usize; 2] = [16, 32];
+
+/// Numbers that tell whose a room is.
+const STAMP: usize = 4;
+
+/// A program that computes blocks of items.
+#[derive(Debug)]
+pub(crate) struct Interpreted {
+    tape: Tape,
+    /// Numbers of each argument.
+    fields: Vec<usize>,
+    /// Unlike that of any other.
+    stamp: [u16; STAMP],
+    /// Where tests want another number of lanes.
+    width: Option<usize>,
+}
+
+impl Interpreted {
+    /// A program of a graph without grafts. Its inputs are the numbers of all arguments, one argument
+    /// after another. `skipping` says whether a block may leave out what none of its items needs.
+    ///
+    /// # Errors
+    ///
+    /// If it has more numbers at a time than instructions can name.
+    pub(crate) fn new(
+        graph: &Graph,
+        fields: &[usize],
+        outputs: &[Id],
+        skipping: bool,
+    ) -> Result<Self, Unrecordable> {
+        static NEXT: AtomicU64 = AtomicU64::new(1);
+        let stamp = NEXT.fetch_add(1, Ordering::Relaxed);
+        // Zeros lose their signs on their way out.
+        let plain = |&x: &Id| match graph.at(x) {
+            Node::Canonical(x) => x,
+            _ => x,
+        };
+        let outputs: Vec<Id> = outputs.iter().map(plain).collect();
+        Ok(Interpreted {
+            tape: Tape::new(graph, fields.iter().sum(), &outputs, skipping)?,
+            fields: fields.to_vec(),
+            stamp: [0, 16, 32, 48].map(|shift| (stamp >> shift) as u16),
+            width: None,
+        })
+    }
+    /// The same with so many lanes per slot at most, a multiple of four.
+    pub(crate) fn with_width(mut self, width: usize) -> Self {
+        self.width = Some(width.next_multiple_of(STRIP));
+        self
+    }
+    /// How many instructions and slots it has.
+    pub(crate) fn size(&self) -> (usize, usize) {
+        (self.tape.code.len(), self.tape.slots)
+    }
+    /// The instructions.
+    pub(crate) fn tape(&self) -> &Tape {
+        &self.tape
+    }
+    /// Lanes of a slot.
+    fn width<T>(&self) -> usize {
+        let [least, most] = WIDTHS;
+        let fitting = CACHE / (self.tape.slots.max(1) * size_of::<Lane<T>>());
+        let width = self.width.unwrap_or(fitting.clamp(least, most));
+        width / STRIP * STRIP
+    }
+    /// A room's lanes, with the constants in their slots.
+    fn furnish<'a, T: Real>(&self, room: &'a mut Room<T>, width: usize) -> &'a mut [Lane<T>] {
+        let stamp = self.stamp.map(|part| T::lit(f64::from(part)));
+        let lanes = self.tape.slots * width;
+        let known = |room: &Room<T>| room.len() == lanes + 1 && room[lanes].0[..STAMP] == stamp;
+        if !known(room) {
+            room.clear();
+            room.resize(lanes + 1, Lane::default());
+            room[lanes].0[..STAMP].copy_from_slice(&stamp);
+            for &(slot, constant) in &self.tape.constants {
+                let from = slot as usize * width;
+                room[from..from + width].fill(Lane([T::lit(constant); _]));
+            }
+        }
+        &mut room[..lanes]
+    }
+    /// Computes so many tiles of results. Number `k` of tile `t` goes to `out[t * steps[0] + k * steps[1]]`.
+    fn compute<T: Real>(
+        &self,
+        room: &mut Room<T>,
+        inputs: &[Tiles<'_, T>],
+        tiles: usize,
+        out: &mut [Lane<T>],
+        steps: [usize; 2],
+        canonical: bool,
+    ) {
+        let width = self.width::<T>();
+        let lanes = Cell::from_mut(self.furnish(room, width)).as_slice_of_cells();
+        for first in (0..tiles).step_by(width) {
+            let pass = Pass {
+                lanes,
+                stride: width,
+                inputs,
+                fields: &self.fields,
+                steps,
+                canonical,
+                first,
+                tiles: width.min(tiles - first),
+            };
+            (T::kernels().interpret)(&self.tape, pass, out);
+        }
+    }
+    /// Computes as many tiles as there is room for, one after another, each number by number: what is prepared
+    /// once for every shape of a list. Zeros may keep their signs.
+    pub(crate) fn prepare<T: Real>(
+        &self,
+        room: &mut Room<T>,
+        inputs: &[Tiles<'_, T>],
+        out: &mut [Lane<T>],
+    ) {
+        let numbers = self.tape.outputs.len();
+        let tiles = out.len() / numbers.max(1);
+        self.compute(room, inputs, tiles, out, [numbers, 1], false);
+    }
+}
+
+impl<T: Real> Maker<T> for Interpreted {
+    fn make(&self, room: &mut Room<T>, inputs: &[Tiles<'_, T>], out: Results<'_, T>) {
+        self.compute(room, inputs, out.tiles, out.lanes, [1, PLANE], true);
+    }
+}

@@ -1,0 +1,50 @@
+//! Slots by linear scan: a number lives where one that is not needed any more has been.
+use crate::ad::program::graph::Id;
+
+/// Slots in use and free ones.
+pub(crate) struct Slots {
+    /// Of each node the slot.
+    of: Vec<Option<u32>>,
+    /// Of each node how often it is still to be read.
+    left: Vec<u32>,
+    free: Vec<u32>,
+    /// How many slots there are.
+    pub(crate) count: u32,
+}
+
+impl Slots {
+    /// For nodes that will be read so often.
+    pub(crate) fn new(left: Vec<u32>) -> Self {
+        Slots {
+            of: vec![None; left.len()],
+            left,
+            free: Vec::new(),
+            count: 0,
+        }
+    }
+    /// Any slot, for good or until it is given back.
+    pub(crate) fn any(&mut self) -> u32 {
+        self.free.pop().unwrap_or_else(|| {
+            self.count += 1;
+            self.count - 1
+        })
+    }
+    /// A slot for a node.
+    pub(crate) fn take(&mut self, x: Id) -> u32 {
+        let slot = self.any();
+        self.of[x as usize] = Some(slot);
+        slot
+    }
+    /// Where a node is.
+    pub(crate) fn at(&self, x: Id) -> Option<u32> {
+        self.of[x as usize]
+    }
+    /// Says that a node has been read once; its slot is free after the last time.
+    pub(crate) fn read(&mut self, x: Id) {
+        let left = &mut self.left[x as usize];
+        *left -= 1;
+        if let (0, Some(slot)) = (*left, self.of[x as usize]) {
+            self.free.push(slot);
+        }
+    }
+}
