@@ -318,7 +318,7 @@ macro_rules! float {
                 } else {
                     self
                 };
-                let field = normal.to_bits() >> $mantissa << $mantissa;
+                let field = normal.to_bits() & $f::INFINITY.to_bits();
                 let twice_bias = (2 * ($f::MAX_EXP as $bits - 1) + 1) << $mantissa;
                 $f::from_bits(twice_bias.wrapping_sub(field))
             }

@@ -279,7 +279,7 @@ macro_rules! vector {
             #[inline(always)]
             fn binade(self) -> Self {
                 // As for one number: the exponent field e becomes 2·bias + 1 − e.
-                let normal = self.most(Self::splat($t::MIN_POSITIVE));
+                let normal = Self::splat($t::MIN_POSITIVE).most(self);
                 let field = (<$t>::INFINITY).to_bits();
                 let twice_bias = (2 * ($t::MAX_EXP as $bits - 1) + 1) << ($t::MANTISSA_DIGITS - 1);
                 $name(arch!($from_int($int_sub(

@@ -123,10 +123,16 @@ fn candidates(node: Node, of: impl Fn(Id) -> Option<Node>, found: &mut Vec<Step>
             if let Some(N::Max(p, q)) = of(a) {
                 add(Op::MaxMin, &[p, q, b], &[a]);
             }
+            if let Some(N::Max(p, q)) = of(b) {
+                add(Op::MinFrom, &[p, q, a], &[b]);
+            }
         }
         N::Max(a, b) => {
             if let Some(N::Min(p, q)) = of(a) {
                 add(Op::MinMax, &[p, q, b], &[a]);
+            }
+            if let Some(N::Min(p, q)) = of(b) {
+                add(Op::MaxFrom, &[p, q, a], &[b]);
             }
         }
         N::Select(m, x, y) => {

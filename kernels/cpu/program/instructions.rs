@@ -62,6 +62,8 @@ macro_rules! instructions {
         MulMul(x, y, z) = (x * y) * z;
         MaxMin(x, y, z) = x.most(y).least(z);
         MinMax(x, y, z) = x.least(y).most(z);
+        MinFrom(x, y, z) = z.least(x.most(y));
+        MaxFrom(x, y, z) = z.most(x.least(y));
         // (x y) . (z w).
         Dot(x, y, z, w) = x * y + z * w;
         Cross(x, y, z, w) = x * y - z * w;

@@ -34,6 +34,8 @@ struct Lowering<'a> {
     steps: Vec<Option<Step>>,
     /// Sines of an angle: the nodes of all parts that are needed.
     sines: HashMap<(Id, bool), Vec<Id>>,
+    /// How many slots each node takes to be computed, were everything needed once (Sethi and Ullman).
+    room: Vec<u32>,
     /// Nodes in the order of their instructions.
     order: Vec<Id>,
     done: Vec<bool>,
@@ -57,8 +59,10 @@ impl Lowering<'_> {
             }
             if !ready {
                 open.push((x, true));
-                let operands = self.operands(x);
-                open.extend(operands.into_iter().rev().map(|y| (y, false)));
+                let mut operands = self.operands(x);
+                // What needs most room comes first, while there is little else to be kept.
+                operands.sort_by_key(|&y| self.room[y as usize]);
+                open.extend(operands.into_iter().map(|y| (y, false)));
                 continue;
             }
             self.done[x as usize] = true;
@@ -89,6 +93,7 @@ impl Tape {
         outputs: &[Id],
         skipping: bool,
     ) -> Result<Tape, Unrecordable> {
+        let (graph, outputs) = &polished(graph, outputs);
         let live = graph.live(outputs, false);
         let skip = match skipping {
             true => skip::find(graph, &live, outputs),
@@ -107,9 +112,17 @@ impl Tape {
             graph,
             steps: cover(graph, &uses),
             sines,
+            room: Vec::new(),
             order: Vec::new(),
             done: vec![false; graph.len()],
         };
+        for x in 0..graph.len() as Id {
+            let below = lowering.operands(x);
+            let mut below: Vec<u32> = below.iter().map(|&y| lowering.room[y as usize]).collect();
+            below.sort_unstable_by(|a, b| b.cmp(a));
+            let room = below.iter().zip(0..).map(|(room, held)| room + held).max();
+            lowering.room.push(room.unwrap_or(1).max(1));
+        }
         let nothing = vec![false; graph.len()];
         let mut skipped = None;
         if let Some(skip) = &skip {
@@ -268,4 +281,26 @@ fn assign(
         tape.outputs.push(name(place)?);
     }
     Ok(tape)
+}
+
+/// The graph with choices of the smaller or larger of two numbers as such. The bits are the same, those
+/// of NaN included; only slopes would be others.
+fn polished(graph: &Graph, outputs: &[Id]) -> (Graph, Vec<Id>) {
+    let mut polished = Graph::new(graph.format);
+    let mut names: Vec<Id> = Vec::with_capacity(graph.len());
+    for &node in graph.nodes() {
+        let node = node.renamed(|x| names[x as usize]);
+        let lesser = |m: Id, yes: Id, no: Id| match polished.at(m) {
+            Node::Lt(a, b) if (a, b) == (yes, no) => Some(Node::Min(yes, no)),
+            Node::Lt(a, b) if (b, a) == (yes, no) => Some(Node::Max(yes, no)),
+            _ => None,
+        };
+        let node = match node {
+            Node::Select(m, yes, no) => lesser(m, yes, no).unwrap_or(node),
+            node => node,
+        };
+        names.push(polished.push(node));
+    }
+    let outputs = outputs.iter().map(|&x| names[x as usize]).collect();
+    (polished, outputs)
 }

@@ -49,12 +49,16 @@ fn idle(graph: &Graph, live: &[bool], outputs: &[Id], mask: Id, truth: bool) -> 
         if std::mem::replace(&mut matters[x as usize], true) {
             continue;
         }
+        // Choices and truths themselves are still computed; what is idle does not change them.
         match graph.at(x) {
             Node::Select(m, yes, no) => match known[m as usize] {
-                // The choice itself is still made.
                 Some(truth) => open.extend([m, if truth { yes } else { no }]),
                 None => open.extend([m, yes, no]),
             },
+            Node::And(a, b) | Node::Or(a, b) if x != mask && known[x as usize].is_some() => {
+                let decides = |y: &Id| known[*y as usize] == known[x as usize];
+                open.extend([a, b].into_iter().filter(decides));
+            }
             node => open.extend_from_slice(&node.operands()),
         }
     }

@@ -1,0 +1,400 @@
+//! Recorded programs in batches: the bits that their operations give one by one on plain numbers, at
+//! every level of vector instructions and in every way of carrying them out.
+use crate::bits::Turn;
+use geograd::ad::adjoint::overlap::iou_obb2_grad;
+use geograd::ad::program::{Plain, Sym};
+use geograd::kernels::cpu::program::face::{Ready, Trial, Way};
+use geograd::kernels::cpu::simd::Simd;
+use geograd::kernels::real::Real;
+use geograd::overlap::iou_obb2;
+use geograd::{Fixed, Mask, Obb2, Pack, Scalar};
+use geograd_tests::Dice;
+
+/// So many numbers.
+#[derive(Clone, Copy, Debug)]
+struct Row<S, const N: usize>([S; N]);
+
+impl<S: Clone, const N: usize> Pack for Row<S, N> {
+    type Scalar = S;
+    type With<T: Clone> = Row<T, N>;
+    fn map<T: Clone>(&self, f: &mut impl FnMut(&S) -> T) -> Row<T, N> {
+        Row(self.0.each_ref().map(f))
+    }
+    fn each(&mut self, f: &mut impl FnMut(&mut S)) {
+        self.0.iter_mut().for_each(f);
+    }
+}
+impl<S: Copy + Send + Sync + 'static, const N: usize> Fixed for Row<S, N> {
+    const LEN: usize = N;
+    type Array = [S; N];
+    fn to_array(self) -> [S; N] {
+        self.0
+    }
+    fn from_array(numbers: [S; N]) -> Self {
+        Row(numbers)
+    }
+    fn filled(number: S) -> Self {
+        Row([number; N])
+    }
+}
+
+/// Numbers of each argument of a random function, and of its result.
+const FIELDS: [usize; 3] = [3, 2, 1];
+const INPUTS: usize = 6;
+const OUTPUTS: usize = 4;
+
+/// A straight line of operations that depend on the seed alone.
+fn line<S: Scalar>(seed: u64, steps: usize, inputs: &[S]) -> [S; OUTPUTS] {
+    let mut dice = Dice(seed);
+    let mut numbers = inputs.to_vec();
+    numbers.extend([0.0, 1.0, -0.5, 2.0, 1e-3].map(S::lit));
+    let mut masks = vec![inputs[0].below(S::zero()), inputs[3].at_most(inputs[4])];
+    for _ in 0..steps {
+        // Mostly of what came last, for trees to grow.
+        let recent = |dice: &mut Dice, count: usize| match dice.below(3) {
+            0 => dice.below(count),
+            _ => count - 1 - dice.below(count.min(6)),
+        };
+        let mut number = || numbers[recent(&mut dice, numbers.len())];
+        let (x, y, z) = (number(), number(), number());
+        let mut mask = || masks[recent(&mut dice, masks.len())];
+        let (m, n) = (mask(), mask());
+        let made = match dice.below(46) {
+            0 => x * y + z * x,
+            1..=4 => x + y,
+            5 => x * y - z * y,
+            6..=9 => x - y,
+            10..=16 => x * y,
+            17 => x.over(y),
+            18 => x.least(y),
+            19 => x.least(y.most(z)),
+            20 => x.most(y),
+            21 => x.most(y.least(z)),
+            22 => x.clamp(y, z),
+            23 => x.magnitude(),
+            24 => x.unsigned(),
+            25 => x.root(),
+            26 => x.sin(),
+            27 => x.cos(),
+            28 => {
+                let [(a, b), (c, d)] = x.sin_cos_parts();
+                numbers.extend([a, b, c]);
+                d
+            }
+            29 => x.atan2(y),
+            30 => x.saturated().least(S::lit(20.0)).exp(),
+            31 => x.magnitude().ln(),
+            32 => x.magnitude().binade(),
+            33 => x.parts().0,
+            34 => x.canonical(),
+            35 => -x,
+            36 => x.with_primal(y.primal()).damp(z.primal()),
+            37..=40 => S::select(m, x, y),
+            _ => {
+                masks.push(match dice.below(10) {
+                    0 => x.below(y),
+                    1 => x.at_most(y),
+                    2 => x.equals(y),
+                    3 => x.below(y) & m,
+                    4 => x.at_most(y) & m,
+                    5 => m & x.equals(y),
+                    6 => x.equals(y) | m,
+                    7 => x.below(y) | (m & n),
+                    8 => x.at_most(y) | (m & !n),
+                    _ => m | !n,
+                });
+                continue;
+            }
+        };
+        numbers.push(made);
+    }
+    // What only some items need.
+    let costly = numbers[numbers.len() - 1] * numbers[numbers.len() - 2];
+    let last = S::select(masks[dice.below(2)], S::one(), costly);
+    let mut result = [last; OUTPUTS];
+    for number in &mut result[1..] {
+        *number = numbers[numbers.len() - 1 - dice.below(steps / 4)];
+    }
+    result
+}
+
+/// Equal bits, or both NaN.
+#[track_caller]
+fn same<T: Real>(expected: &[T], found: &[T], about: impl Fn() -> String) {
+    assert_eq!(expected.len(), found.len(), "{}", about());
+    for (i, (x, y)) in expected.iter().zip(found).enumerate() {
+        let (x, y) = (x.widen(), y.widen());
+        let equal = x.to_bits() == y.to_bits() || (x.is_nan() && y.is_nan());
+        assert!(equal, "{}: number {i} is {y:e}, not {x:e}", about());
+    }
+}
+
+const WAYS: [Way; 5] = [
+    Way {
+        frames: false,
+        skipping: false,
+        width: None,
+    },
+    Way {
+        frames: true,
+        skipping: false,
+        width: None,
+    },
+    Way {
+        frames: false,
+        skipping: true,
+        width: None,
+    },
+    Way {
+        frames: false,
+        skipping: true,
+        width: Some(4),
+    },
+    Way {
+        frames: true,
+        skipping: true,
+        width: Some(8),
+    },
+];
+
+/// Compares a program, in every way and at every level, with what it gives item by item; An argument of one
+/// row stands for all.
+fn compare<T: Real + Plain>(
+    trial: &Trial,
+    fields: &[usize],
+    rows: &[Vec<T>],
+    count: usize,
+    about: &str,
+) -> String {
+    let mut expected = Vec::new();
+    for i in 0..count {
+        let mut input = Vec::new();
+        for (rows, &fields) in rows.iter().zip(fields) {
+            let i = if rows.len() == fields { 0 } else { i };
+            input.extend_from_slice(&rows[i * fields..][..fields]);
+        }
+        expected.extend(trial.run(&input));
+    }
+    let mut listings = String::new();
+    for way in WAYS {
+        let ready = trial.ready(fields, way).unwrap();
+        listings += &ready.listing();
+        for level in Simd::available() {
+            Simd::limit(Some(level)).unwrap();
+            let found = computed(&ready, rows, count);
+            same(&expected, &found, || format!("{about}, {way:?}, {level:?}"));
+        }
+    }
+    listings
+}
+
+fn computed<T: Real>(ready: &Ready, rows: &[Vec<T>], count: usize) -> Vec<T> {
+    let items: Vec<_> = rows
+        .iter()
+        .enumerate()
+        .map(|(k, rows)| ready.items(k, rows))
+        .collect();
+    let mut room = Vec::new();
+    // Twice, since the room is kept.
+    ready.compute(&mut room, count, &items);
+    ready.compute(&mut room, count, &items)
+}
+
+/// Numbers of all kinds; of the first field the sign changes every 64 items.
+fn rows<T: Real>(dice: &mut Dice, count: usize, fields: usize) -> Vec<T> {
+    (0..count * fields)
+        .map(|i| {
+            let x = dice.within(-4.0, 4.0);
+            let x = match dice.below(6) {
+                0 => x.trunc(),
+                1 => x * 1e3,
+                2 => x * 1e-6,
+                _ => x,
+            };
+            T::lit(match i % fields {
+                0 if i / fields / 64 % 2 == 0 => x.abs(),
+                0 => -x.abs(),
+                _ => x,
+            })
+        })
+        .collect()
+}
+
+fn random_lines<T: Real + Plain>() {
+    let _turn = Turn::take();
+    let mut listings = String::new();
+    for seed in 0..100 {
+        let steps = 20 + 8 * (seed as usize % 12);
+        let trial = Trial::record::<T, Row<Sym<T>, INPUTS>, Row<Sym<T>, OUTPUTS>>(|Row(inputs)| {
+            Row(line(seed, steps, &inputs))
+        })
+        .unwrap();
+        let mut dice = Dice(seed + 1000);
+        // The last argument is one for all every third time; a few batches have two blocks.
+        let count = if seed % 10 == 0 {
+            1100
+        } else {
+            1 + dice.below(300)
+        };
+        let counts = [count, count, if seed % 3 == 0 { 1 } else { count }];
+        let rows = [0, 1, 2].map(|k| rows::<T>(&mut dice, counts[k], FIELDS[k]));
+        let about = format!("seed {seed}");
+        listings += &compare(&trial, &FIELDS, &rows, count, &about);
+    }
+    // Each instruction has been there.
+    for name in [
+        "Neg",
+        "Magnitude",
+        "Root",
+        "Binade",
+        "High",
+        "Exp",
+        "Ln",
+        "Not",
+        "Add",
+        "Sub",
+        "Mul",
+        "Div",
+        "Min",
+        "Max",
+        "Atan2",
+        "Lt",
+        "Le",
+        "Eq",
+        "And",
+        "Or",
+        "Select",
+        "AddAdd",
+        "SubAdd",
+        "MulAdd",
+        "AddSub",
+        "SubSub",
+        "MulSub",
+        "FromAdd",
+        "FromSub",
+        "FromMul",
+        "AddMul",
+        "SubMul",
+        "MulMul",
+        "MaxMin",
+        "MinMax",
+        "MinFrom",
+        "MaxFrom",
+        "Dot",
+        "Cross",
+        "SelectNeg",
+        "SelectLt",
+        "SelectLe",
+        "SelectEq",
+        "LtAnd",
+        "LeAnd",
+        "EqAnd",
+        "LtOr",
+        "LeOr",
+        "EqOr",
+        "Parts",
+        "SinCos",
+        "SkipIfAll",
+        "SkipIfNone",
+    ] {
+        assert!(
+            listings.contains(&format!("{name} [")),
+            "no {name} in any line"
+        );
+    }
+}
+
+#[test]
+fn random_lines_have_the_same_bits_in_single_precision() {
+    random_lines::<f32>();
+}
+
+#[test]
+fn random_lines_have_the_same_bits_in_double_precision() {
+    random_lines::<f64>();
+}
+
+fn boxes<T: Real>(dice: &mut Dice, count: usize) -> Vec<T> {
+    let mut rows = Vec::new();
+    for i in 0..count {
+        let b = dice.obb();
+        // Blocks of pairs that are apart, of near ones, and of equal ones.
+        let (x, y) = match i / 100 % 3 {
+            0 => (0.2 * b.center.x, 0.2 * b.center.y),
+            1 => (20.0 * b.center.x, 20.0 * b.center.y),
+            _ => (0.0, 0.0),
+        };
+        let heading = if i % 7 == 0 { 0.0 } else { b.heading };
+        let scale = [1.0, 1.0, 1e-15, 1e15, 1.0][i % 5];
+        rows.extend(
+            [
+                x * scale,
+                y * scale,
+                b.size.x * scale,
+                b.size.y * scale,
+                heading,
+            ]
+            .map(T::lit),
+        );
+    }
+    rows
+}
+
+fn obb2<S: Scalar>(numbers: &[S]) -> Obb2<S> {
+    Obb2::from_slice(numbers)
+}
+
+/// The overlap of boxes, with and without its adjoint by hand, has the bits of the function itself.
+fn overlap<T: Real + Plain>() {
+    let _turn = Turn::take();
+    let value = Trial::record::<T, Row<Sym<T>, 10>, Sym<T>>(|Row(x)| {
+        iou_obb2(obb2(&x[..5]), obb2(&x[5..]))
+    });
+    let slopes = Trial::record::<T, Row<Sym<T>, 10>, Row<Sym<T>, 11>>(|Row(x)| {
+        let (value, bars) = iou_obb2_grad(obb2(&x[..5]), obb2(&x[5..]));
+        let mut numbers = vec![value];
+        numbers.extend(bars.0.to_array());
+        numbers.extend(bars.1.to_array());
+        Row::from_slice(&numbers)
+    });
+    let mut dice = Dice(7);
+    let count = 700;
+    let mut rows = [boxes::<T>(&mut dice, count), boxes(&mut dice, count)];
+    // Equal pairs.
+    for i in (0..count).step_by(11) {
+        let equal = rows[0][i * 5..i * 5 + 5].to_vec();
+        rows[1][i * 5..i * 5 + 5].copy_from_slice(&equal);
+    }
+    let pairs = || rows[0].chunks(5).zip(rows[1].chunks(5));
+    let expected: Vec<T> = pairs().map(|(a, b)| iou_obb2(obb2(a), obb2(b))).collect();
+    let expected_slopes: Vec<T> = pairs()
+        .flat_map(|(a, b)| {
+            let (value, bars) = iou_obb2_grad(obb2(a), obb2(b));
+            [
+                vec![value],
+                bars.0.to_array().to_vec(),
+                bars.1.to_array().to_vec(),
+            ]
+            .concat()
+        })
+        .map(Scalar::canonical)
+        .collect();
+    for (trial, expected) in [(value, expected), (slopes, expected_slopes)] {
+        let trial = trial.unwrap();
+        for way in WAYS {
+            let ready = trial.ready(&[5, 5], way).unwrap();
+            assert_eq!(ready.listing().contains("Skip"), way.skipping);
+            for level in Simd::available() {
+                Simd::limit(Some(level)).unwrap();
+                let found = computed(&ready, &rows, count);
+                same(&expected, &found, || format!("{way:?}, {level:?}"));
+            }
+        }
+    }
+}
+
+#[test]
+fn the_recorded_overlap_is_the_overlap() {
+    overlap::<f32>();
+    overlap::<f64>();
+}
