@@ -1,6 +1,6 @@
 //! What is promised of operations of two shapes.
 use super::draw::{Drawn, Family};
-use super::{Broken, CHUNK, Fuzzed, Outcome, Promise, SINGLE, first_where, not_finite, run, same};
+use super::{Broken, Fuzzed, Outcome, Promise, SINGLE, first_where, not_finite, run, same};
 use crate::ad::sample::Draw;
 use crate::ad::symmetry::{Answer, Motion};
 use crate::kernels::check::promises;
@@ -9,6 +9,9 @@ use crate::kernels::cpu::{self, A, B};
 use crate::kernels::op::PairOp;
 use crate::kernels::real::Real;
 use crate::{Fixed, Pack};
+
+/// Pairs of one batch: few enough for one thread.
+const CHUNK: usize = 2048;
 
 /// Shapes of a square that is computed as all pairs.
 const SQUARE: usize = 16;
@@ -25,10 +28,16 @@ where
     O::A<T>: Drawn<T> + Into<O::B<T>>,
     O::B<T>: Drawn<T> + Into<O::A<T>>,
 {
-    run::<T, _>(O::NAME, (count, seed), Lists::<O, T>::new, |lists, draw| {
-        lists.draw(draw);
-        lists.check()
-    })
+    run::<T, _>(
+        O::NAME,
+        (count, seed),
+        CHUNK,
+        Lists::<O, T>::new,
+        |lists, draw| {
+            lists.draw(draw);
+            lists.check()
+        },
+    )
 }
 
 /// Lists of one thread, used again and again.

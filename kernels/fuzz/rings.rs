@@ -1,6 +1,6 @@
 //! What is promised of operations of a ring.
 use super::draw::Family;
-use super::{Broken, CHUNK, Fuzzed, Outcome, Promise, SINGLE, not_finite, run, same};
+use super::{Broken, Fuzzed, Outcome, Promise, SINGLE, not_finite, run, same};
 use crate::ad::sample::Draw;
 use crate::kernels::cpu;
 use crate::kernels::cpu::checked::{fill, numbers};
@@ -8,16 +8,25 @@ use crate::kernels::op::RingOp;
 use crate::kernels::real::Real;
 use crate::{Fixed, Vec2};
 
+/// Rings of one batch: few enough for one thread.
+const CHUNK: usize = 500;
+
 /// Most vertices of a ring.
 const MOST: usize = 8;
 
 /// Fuzzes an operation of a ring on all cores; stops at the first thing that it finds.
 #[must_use]
 pub fn rings<O: RingOp, T: Real>(count: u64, seed: u64) -> Fuzzed {
-    run::<T, _>(O::NAME, (count, seed), Lists::<O, T>::new, |lists, draw| {
-        lists.draw(draw);
-        lists.check()
-    })
+    run::<T, _>(
+        O::NAME,
+        (count, seed),
+        CHUNK,
+        Lists::<O, T>::new,
+        |lists, draw| {
+            lists.draw(draw);
+            lists.check()
+        },
+    )
 }
 
 /// Lists of one thread, used again and again.

@@ -1,4 +1,5 @@
 //! What batches on the CPU promise.
 mod bits;
 mod calls;
+mod fuzz;
 mod reduce;
