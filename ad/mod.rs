@@ -21,38 +21,8 @@
 //! [`assert_gradient!`](crate::assert_gradient).
 //!
 //! `x_bar` is the cotangent of `x`. `…_grad` functions give value and slopes fused.
-mod agreement;
+pub mod adjoint;
 pub mod check;
-pub mod clip;
-mod curvature;
-mod details;
-mod examine;
 pub mod forward;
-mod hearing;
-pub mod judge;
-mod listener;
-mod near;
-mod nested;
-pub mod noise;
-pub mod overlap;
-pub mod picture;
-mod projection;
-mod promise;
-pub mod report;
-pub mod ring;
-pub mod roughness;
-mod rounding;
-pub mod sample;
-mod settle;
-mod shapes;
-mod shrink;
-mod slopes;
-#[cfg(feature = "proptest")]
-pub mod strategy;
-pub mod subject;
-pub mod symmetry;
-pub mod trace;
-pub mod verdict;
-pub mod witness;
 
 pub use forward::{gradient, hessian, hvp, jacobian, jvp, value};

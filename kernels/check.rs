@@ -5,10 +5,10 @@
 //! let report = prove_pair::<IouObb2, f64>(20, 1);
 //! assert!(report.passed(), "{report}");
 //! ```
+use crate::ad::check::picture::picture;
+use crate::ad::check::sample::{Sample, hard_cases, random};
+use crate::ad::check::trace::Number;
 use crate::ad::check::{Plan, Report, examine};
-use crate::ad::picture::picture;
-use crate::ad::sample::{Sample, hard_cases, random};
-use crate::ad::trace::Number;
 use crate::kernels::cpu;
 use crate::kernels::gpu::{GpuPair, GpuRing};
 use crate::kernels::op::{Op, PairOp, RingOp};

@@ -17,11 +17,8 @@ pub mod check;
 pub mod cpu;
 #[forbid(unsafe_code)]
 pub mod fuzz;
-#[cfg_attr(not(feature = "gpu"), path = "gpu_none.rs")]
 #[forbid(unsafe_code)]
 pub mod gpu;
-#[forbid(unsafe_code)]
-mod gpu_error;
 #[forbid(unsafe_code)]
 pub mod op;
 #[forbid(unsafe_code)]
@@ -40,7 +37,7 @@ mod subject;
 pub mod witness;
 
 pub use backend::Backend;
-pub use gpu_error::GpuError;
+pub use gpu::error::GpuError;
 pub use op::{Op, PairOp, RingOp};
 pub use overlap::{
     IntersectionAreaAabb2, IntersectionAreaObb2, IofAabb2, IofObb2, IouAabb2, IouObb2,

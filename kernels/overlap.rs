@@ -1,5 +1,5 @@
 //! The overlap scores as operations.
-use crate::ad::overlap::{score_aabb2_vjp, score_framed_vjp};
+use crate::ad::adjoint::overlap::{score_aabb2_vjp, score_framed_vjp};
 use crate::clip::{Framed, frame, is_ordinary};
 use crate::error::{Flaw, Validate};
 use crate::kernels::cpu::drivers::Compiled;

@@ -1,8 +1,8 @@
 //! The two formats that batches serve.
-use crate::float::Float;
 use crate::kernels::cpu::arch::Kernels;
 use crate::kernels::cpu::drivers::Drivers;
 use crate::kernels::cpu::lane::Kept;
+use crate::scalar::float::Float;
 use crate::{Pack, Scalar};
 
 /// `f32` or `f64`: the formats that batches serve.

@@ -34,7 +34,7 @@ impl RingOp for SignedArea {
     }
     #[inline(always)]
     fn ring_vjp<S: Scalar>(ring: &[Vec2<S>], out_bar: S, ring_bar: &mut [Vec2<S>]) {
-        ad::ring::signed_area_vjp(ring, out_bar, ring_bar);
+        ad::adjoint::ring::signed_area_vjp(ring, out_bar, ring_bar);
     }
 }
 
@@ -69,7 +69,7 @@ impl RingOp for Perimeter {
     }
     #[inline(always)]
     fn ring_vjp<S: Scalar>(ring: &[Vec2<S>], out_bar: S, ring_bar: &mut [Vec2<S>]) {
-        ad::ring::perimeter_vjp(ring, out_bar, ring_bar);
+        ad::adjoint::ring::perimeter_vjp(ring, out_bar, ring_bar);
     }
 }
 
@@ -104,6 +104,6 @@ impl RingOp for Centroid {
     }
     #[inline(always)]
     fn ring_vjp<S: Scalar>(ring: &[Vec2<S>], out_bar: Vec2<S>, ring_bar: &mut [Vec2<S>]) {
-        ad::ring::centroid_vjp(ring, out_bar, ring_bar);
+        ad::adjoint::ring::centroid_vjp(ring, out_bar, ring_bar);
     }
 }

@@ -1,15 +1,15 @@
 //! An operation as a subject of the verification harness: its witnesses, what it promises, what it
 //! does on purpose.
+use crate::ad::check::noise::{Noisy, noisy};
+use crate::ad::check::sample::Sample;
+use crate::ad::check::subject::{Conventions, Jumps, Subject};
+use crate::ad::check::symmetry::{Answer, Kind, Motion, Promise};
+use crate::ad::check::trace::{Number, Trace, Traced, trace};
+use crate::ad::check::witness::Precision;
 use crate::ad::forward::{Along, First};
-use crate::ad::noise::{Noisy, noisy};
-use crate::ad::sample::Sample;
-use crate::ad::subject::{Conventions, Jumps, Subject};
-use crate::ad::symmetry::{Answer, Kind, Motion, Promise};
-use crate::ad::trace::{Number, Trace, Traced, trace};
-use crate::ad::witness::Precision;
-use crate::float::Float;
 use crate::kernels::op::Op;
 use crate::kernels::witness::Batch;
+use crate::scalar::float::Float;
 use crate::{Fixed, Jet, Pack, Scalar};
 use std::marker::PhantomData;
 

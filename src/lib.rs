@@ -25,7 +25,7 @@
 //! | measure overlap of boxes | [`overlap`], [`Obb2::iou`], [`Aabb2::iou`] |
 //! | measure polygons | [`ring`] |
 //! | differentiate any generic function of shapes | [`ad`]: [`ad::gradient`], [`ad::hessian`], … |
-//! | use an adjoint by hand | [`ad::overlap`], [`ad::ring`] |
+//! | use an adjoint by hand | [`ad::adjoint::overlap`], [`ad::adjoint::ring`] |
 //! | work on many shapes at once | [`kernels::cpu`] |
 //! | make a shape | [`Vec2`], [`Vec3`], [`Rotation2`], [`Pose2`], [`Aabb2`], [`Obb2`] |
 //! | write generic geometry | [`Scalar`], [`Mask`], [`Pack`] |
@@ -39,41 +39,21 @@
 #![deny(unsafe_code)]
 
 #[forbid(unsafe_code)]
-pub mod aabb;
-#[forbid(unsafe_code)]
 mod approximate;
 #[forbid(unsafe_code)]
 pub mod clip;
 #[forbid(unsafe_code)]
-pub mod dual;
-#[cfg(feature = "nalgebra")]
-#[forbid(unsafe_code)]
-mod dual_vector;
-#[forbid(unsafe_code)]
 pub mod error;
-#[forbid(unsafe_code)]
-pub mod float;
-#[cfg(feature = "glam")]
-#[forbid(unsafe_code)]
-mod interop;
-#[forbid(unsafe_code)]
-pub mod jet;
-#[forbid(unsafe_code)]
-pub mod lanes;
-#[forbid(unsafe_code)]
-pub mod obb;
 #[forbid(unsafe_code)]
 pub mod overlap;
 #[forbid(unsafe_code)]
 pub mod pack;
 #[forbid(unsafe_code)]
-pub mod pose;
-#[forbid(unsafe_code)]
 pub mod ring;
 #[forbid(unsafe_code)]
 pub mod scalar;
 #[forbid(unsafe_code)]
-pub mod vector;
+pub mod shape;
 
 #[path = "../ad/mod.rs"]
 #[forbid(unsafe_code)]
@@ -86,12 +66,8 @@ pub mod kernels;
 #[doc = include_str!("../README.md")]
 pub struct Readme;
 
-pub use aabb::Aabb2;
+pub use ad::forward::{gradient, hessian, hvp, jacobian, jvp, value};
 pub use error::{Error, Flaw, Validate};
-pub use jet::Jet;
-pub use lanes::Lanes;
-pub use obb::Obb2;
 pub use pack::{Fixed, Pack};
-pub use pose::{Pose2, Rotation2};
-pub use scalar::{Mask, Scalar};
-pub use vector::{Vec2, Vec3};
+pub use scalar::{Jet, Lanes, Mask, Scalar};
+pub use shape::{Aabb2, Obb2, Pose2, Rotation2, Vec2, Vec3};

@@ -154,7 +154,7 @@ leaf! {
     [] f32,
     [] f64,
     [T: crate::Scalar, const N: usize] crate::Jet<T, N>,
-    [T: crate::float::Float, const N: usize] crate::Lanes<T, N>,
+    [T: crate::scalar::float::Float, const N: usize] crate::Lanes<T, N>,
     [T: Copy + Send + Sync + 'static] num_dual::Real<T>,
     [T: Copy + Send + Sync + 'static] num_dual::Dual<T>,
     [T: Copy + Send + Sync + 'static] num_dual::Dual2<T>,

@@ -1,7 +1,7 @@
 //! Block kernels of the overlap of boxes: tiles in, tiles out, generic over the vector.
 //!
 //! Compiled in this library only, by the entries in `arch`.
-use crate::ad::overlap::{score_framed_vjp, tame_score_aabb2_vjp};
+use crate::ad::adjoint::overlap::{score_framed_vjp, tame_score_aabb2_vjp};
 use crate::clip::{FAR_AWAY as FAR, Framed, LARGE, SMALL, fine, frame};
 use crate::kernels::cpu::arch::Vector;
 use crate::kernels::cpu::blocks::all_within;

@@ -1,6 +1,6 @@
 //! What stands between slices of shapes and plain numbers: checks, and rows of numbers.
 use crate::Fixed;
-use crate::ad::overlap::tamed;
+use crate::ad::adjoint::overlap::tamed;
 use crate::error::{Argument, Error};
 use crate::kernels::cpu::arch;
 use crate::kernels::cpu::pairs::Pairs;

@@ -112,7 +112,8 @@ pub fn of_obb2<T: Real>(over: Denominator) -> Plan<T> {
                 *value = score_framed::<T, true>(over, a, b);
                 return;
             }
-            let (value, bars) = ad::overlap::score_framed_vjp::<T, true>(over, a, b, out_bar);
+            let (value, bars) =
+                ad::adjoint::overlap::score_framed_vjp::<T, true>(over, a, b, out_bar);
             out[0] = value;
             out[1..=OBB2].copy_from_slice(&bars.0.to_array());
             out[1 + OBB2..].copy_from_slice(&bars.1.to_array());

@@ -233,10 +233,10 @@ pub(crate) fn bars<T: Real, V: Vector<T>>(
         let bars = &mut bars[ring[0] - base..ring[1] - base];
         let ring = &vertices[ring[0]..ring[1]];
         match measure {
-            Measure::SignedArea => ad::ring::signed_area_vjp(ring, out_bar[0], bars),
-            Measure::Perimeter => ad::ring::perimeter_vjp(ring, out_bar[0], bars),
+            Measure::SignedArea => ad::adjoint::ring::signed_area_vjp(ring, out_bar[0], bars),
+            Measure::Perimeter => ad::adjoint::ring::perimeter_vjp(ring, out_bar[0], bars),
             Measure::Centroid => {
-                ad::ring::centroid_vjp(ring, Vec2::new(out_bar[0], out_bar[1]), bars);
+                ad::adjoint::ring::centroid_vjp(ring, Vec2::new(out_bar[0], out_bar[1]), bars);
             }
         }
     }

@@ -1,5 +1,5 @@
 //! Numbers and shapes of kinds that break things.
-use crate::ad::sample::Draw;
+use crate::ad::check::sample::Draw;
 use crate::kernels::cpu::checked::fill;
 use crate::kernels::real::Real;
 use crate::{Aabb2, Fixed, Obb2};

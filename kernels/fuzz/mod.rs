@@ -20,7 +20,7 @@ pub use draw::Drawn;
 pub use pairs::pairs;
 pub use rings::rings;
 
-use crate::ad::sample::Draw;
+use crate::ad::check::sample::Draw;
 use crate::kernels::real::Real;
 use std::fmt;
 use std::sync::atomic::{AtomicU64, Ordering};

@@ -1,8 +1,8 @@
 //! What is promised of operations of two shapes.
 use super::draw::{Drawn, Family};
 use super::{Broken, Fuzzed, Outcome, Promise, SINGLE, first_where, not_finite, run, same};
-use crate::ad::sample::Draw;
-use crate::ad::symmetry::{Answer, Motion};
+use crate::ad::check::sample::Draw;
+use crate::ad::check::symmetry::{Answer, Motion};
 use crate::kernels::check::promises;
 use crate::kernels::cpu::checked::numbers;
 use crate::kernels::cpu::{self, A, B};

@@ -1,7 +1,7 @@
 //! What is promised of operations of a ring.
 use super::draw::Family;
 use super::{Broken, Fuzzed, Outcome, Promise, SINGLE, not_finite, run, same};
-use crate::ad::sample::Draw;
+use crate::ad::check::sample::Draw;
 use crate::kernels::cpu;
 use crate::kernels::cpu::checked::{fill, numbers};
 use crate::kernels::op::RingOp;

@@ -1,10 +1,10 @@
 //! Same bits, signs of zeros included: of the scalar code, at every level of vector instructions, at
 //! every position of a batch, for any number of threads, with the filter of all pairs and without.
-use geograd::float::Float;
 use geograd::kernels::cpu::{self, simd::Simd};
 use geograd::kernels::real::Real;
 use geograd::kernels::reduce::{self, Matrix};
 use geograd::kernels::{Op, PairOp, RingOp};
+use geograd::scalar::float::Float;
 use geograd::{Aabb2, Obb2, Pack, Scalar, Vec2};
 use geograd_tests::Dice;
 use std::ops::Range;

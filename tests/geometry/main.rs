@@ -1,4 +1,5 @@
 //! What geometry promises, number by number.
+mod fingerprint;
 mod oracle;
 mod overlap;
 mod projection;

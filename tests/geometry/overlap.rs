@@ -2,8 +2,8 @@
 //! invariance, exact answers for identical and separate boxes, finite results everywhere.
 use crate::oracle;
 
-use geograd::ad::overlap::{iou_aabb2_grad, iou_obb2_grad};
-use geograd::ad::strategy::{self, ordinary, thin, touching};
+use geograd::ad::adjoint::overlap::{iou_aabb2_grad, iou_obb2_grad};
+use geograd::ad::check::strategy::{self, ordinary, thin, touching};
 use geograd::overlap::{intersection_area_obb2, iof_obb2, iou_aabb2, iou_obb2};
 use geograd::{Aabb2, Obb2, Pack, Scalar, Vec2};
 use proptest::prelude::*;

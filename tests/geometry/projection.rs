@@ -1,8 +1,8 @@
 //! Inputs too long for a whole Jacobian: duals and differences judge them along random directions,
 //! and still say which number is wrong.
+use geograd::ad::check::sample::Draw;
+use geograd::ad::check::verdict::{Reason, Witness};
 use geograd::ad::check::{Check, Report};
-use geograd::ad::sample::Draw;
-use geograd::ad::verdict::{Reason, Witness};
 use geograd::{Scalar, Vec2, ad, ring};
 
 const BY_DUALS: Reason = Reason::Disagree(Witness::Adjoint, Witness::Dual);
@@ -25,7 +25,7 @@ fn star(vertices: usize) -> Ring {
 
 fn area_slopes(ring: Ring) -> Ring {
     let mut bar = vec![Vec2::zero(); ring.len()];
-    ad::ring::signed_area_vjp(&ring, 1.0, &mut bar);
+    ad::adjoint::ring::signed_area_vjp(&ring, 1.0, &mut bar);
     bar
 }
 
@@ -64,7 +64,7 @@ fn long_rings_are_accepted() {
         .dual(|ring: Vec<Vec2<_>>| ring::perimeter(&ring))
         .gradient(|ring| {
             let mut bar = vec![Vec2::zero(); ring.len()];
-            ad::ring::perimeter_vjp(&ring, 1.0, &mut bar);
+            ad::adjoint::ring::perimeter_vjp(&ring, 1.0, &mut bar);
             bar
         })
         .run();
@@ -74,7 +74,7 @@ fn long_rings_are_accepted() {
         .dual(|ring: Vec<Vec2<_>>| ring::centroid(&ring))
         .adjoint(|ring, bar: &[f64]| {
             let mut slopes = vec![Vec2::zero(); ring.len()];
-            ad::ring::centroid_vjp(&ring, Vec2::new(bar[0], bar[1]), &mut slopes);
+            ad::adjoint::ring::centroid_vjp(&ring, Vec2::new(bar[0], bar[1]), &mut slopes);
             slopes
         })
         .run();

@@ -1,6 +1,6 @@
 //! What the measures of a ring promise.
 use geograd::ad::check::Check;
-use geograd::ad::strategy::ordinary;
+use geograd::ad::check::strategy::ordinary;
 use geograd::ring::{centroid, perimeter, signed_area};
 use geograd::{Obb2, Pack, Vec2, ad};
 use proptest::prelude::*;
@@ -58,9 +58,9 @@ fn extreme_rings_are_finite() {
         let middle = centroid(&ring);
         assert!((middle.x / size - 0.5).abs() < 1e-15 && (middle.y / size - 0.5).abs() < 1e-15);
         let mut bars = vec![v(0.0, 0.0); 5];
-        ad::ring::centroid_vjp(&ring, v(1.0, 1.0), &mut bars);
+        ad::adjoint::ring::centroid_vjp(&ring, v(1.0, 1.0), &mut bars);
         assert!(bars.iter().all(|bar| bar.is_finite()));
-        ad::ring::signed_area_vjp(&ring, 1.0, &mut bars);
+        ad::adjoint::ring::signed_area_vjp(&ring, 1.0, &mut bars);
         assert!(bars.iter().all(|bar| bar.is_finite()));
     }
     // Far from the origin f32 keeps the digits that the inputs have.
@@ -170,7 +170,7 @@ fn adjoints_are_right_at_every_length() {
         .dual(|ring: Vec<Vec2<_>>| signed_area(&ring))
         .gradient(|ring| {
             let mut bar = bars(&ring);
-            ad::ring::signed_area_vjp(&ring, 1.0, &mut bar);
+            ad::adjoint::ring::signed_area_vjp(&ring, 1.0, &mut bar);
             bar
         })
         .prove();
@@ -179,7 +179,7 @@ fn adjoints_are_right_at_every_length() {
         .dual(|ring: Vec<Vec2<_>>| perimeter(&ring))
         .gradient(|ring| {
             let mut bar = bars(&ring);
-            ad::ring::perimeter_vjp(&ring, 1.0, &mut bar);
+            ad::adjoint::ring::perimeter_vjp(&ring, 1.0, &mut bar);
             bar
         })
         .prove();
@@ -188,7 +188,7 @@ fn adjoints_are_right_at_every_length() {
         .dual(|ring: Vec<Vec2<_>>| centroid(&ring))
         .adjoint(|ring, out_bar: &[f64]| {
             let mut bar = bars(&ring);
-            ad::ring::centroid_vjp(&ring, v(out_bar[0], out_bar[1]), &mut bar);
+            ad::adjoint::ring::centroid_vjp(&ring, v(out_bar[0], out_bar[1]), &mut bar);
             bar
         })
         .prove();

@@ -68,5 +68,5 @@ fn only_one_module_is_unsafe() {
             }
         }
     }
-    assert!(declared > 30);
+    assert!(declared > 20);
 }

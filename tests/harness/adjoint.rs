@@ -47,8 +47,8 @@ geograd::for_each_op!(prove_all);
 /// Inputs at which the harness once refused what is right.
 mod alarms {
     use super::*;
+    use geograd::ad::check::sample::Sample;
     use geograd::ad::check::{self, Report, examine};
-    use geograd::ad::sample::Sample;
     use geograd::kernels::check::OpSubject;
     use geograd::kernels::{Centroid, IntersectionAreaObb2, IofAabb2, IofObb2, IouObb2, Op};
     use geograd::{Aabb2, Obb2, Vec2};

@@ -5,15 +5,15 @@ use crate::planted;
 use geograd::Aabb2;
 use geograd::Scalar;
 use geograd::ad;
+use geograd::ad::check::subject::Conventions;
+use geograd::ad::check::symmetry::Answer;
+use geograd::ad::check::symmetry::Kind;
+use geograd::ad::check::symmetry::Motion;
+use geograd::ad::check::symmetry::Promise;
+use geograd::ad::check::trace::Traced;
+use geograd::ad::check::verdict::Reason;
+use geograd::ad::check::verdict::Witness;
 use geograd::ad::check::{Bent, Check};
-use geograd::ad::subject::Conventions;
-use geograd::ad::symmetry::Answer;
-use geograd::ad::symmetry::Kind;
-use geograd::ad::symmetry::Motion;
-use geograd::ad::symmetry::Promise;
-use geograd::ad::trace::Traced;
-use geograd::ad::verdict::Reason;
-use geograd::ad::verdict::Witness;
 use planted::{BY_DIFFERENCES, BY_DUALS, SEED, points, refused, smooth, smooth_slopes};
 use std::cell::Cell;
 
@@ -348,7 +348,7 @@ fn nothing_but_kinks() {
 fn boxes_with_a_wrong_share() {
     // The whole slope to the first of two equal boxes: only a tie shows it.
     let wrong = |(a, b): (Aabb2<f64>, Aabb2<f64>)| {
-        let (mut da, mut db) = ad::overlap::intersection_area_aabb2_vjp(a, b, 1.0);
+        let (mut da, mut db) = ad::adjoint::overlap::intersection_area_aabb2_vjp(a, b, 1.0);
         if a.max.x == b.max.x {
             da.max.x += db.max.x;
             db.max.x = 0.0;

@@ -5,8 +5,8 @@ use geograd::Obb2;
 use geograd::Scalar;
 use geograd::ad;
 use geograd::ad::check::Check;
-use geograd::ad::sample::Draw;
-use geograd::ad::verdict::Witness;
+use geograd::ad::check::sample::Draw;
+use geograd::ad::check::verdict::Witness;
 use planted::{BY_DIFFERENCES, BY_DUALS, SEED, points, refused, smooth, smooth_slopes};
 
 /// A planted fault in the gradient of [`smooth`], seen by duals and by differences alone.
@@ -233,14 +233,14 @@ fn line_distance_of_the_seed_library() {
 #[test]
 fn boxes_without_the_heading() {
     let wrong = |(a, b): (Obb2<f64>, Obb2<f64>)| {
-        let (mut da, db) = ad::overlap::iou_obb2_vjp(a, b, 1.0);
+        let (mut da, db) = ad::adjoint::overlap::iou_obb2_vjp(a, b, 1.0);
         da.heading = -db.heading;
         (da, db)
     };
-    let conventions = ad::subject::Conventions {
+    let conventions = ad::check::subject::Conventions {
         shared_ties: false,
         flat: true,
-        jumps: ad::subject::Jumps::FromZero,
+        jumps: ad::check::subject::Jumps::FromZero,
     };
     let check = || {
         Check::random(50, SEED)
@@ -250,7 +250,7 @@ fn boxes_without_the_heading() {
     };
     refused(&check().gradient(wrong).run(), BY_DIFFERENCES);
     let right = check()
-        .gradient(|(a, b)| ad::overlap::iou_obb2_vjp(a, b, 1.0))
+        .gradient(|(a, b)| ad::adjoint::overlap::iou_obb2_vjp(a, b, 1.0))
         .run();
     assert!(right.passed(), "{right}");
 }

@@ -62,7 +62,7 @@ fn rings_of_any_length() {
         .value(area)
         .gradient(|ring: Vec<Vec2<f64>>| {
             let mut bar = vec![Vec2::zero(); ring.len()];
-            ad::ring::signed_area_vjp(&ring, 1.0, &mut bar);
+            ad::adjoint::ring::signed_area_vjp(&ring, 1.0, &mut bar);
             bar
         })
         .prove();

@@ -103,7 +103,7 @@ fn the_adjoint_of_duals_gives_hessian_columns() {
     assert_eq!(rows.len(), 10);
     for (j, row) in rows.iter().enumerate() {
         let (a, b) = seeded(|k, x| Dual64::new(x, f64::from(k == j)));
-        let bars = ad::overlap::iou_obb2_vjp(a, b, Dual64::from_re(1.0));
+        let bars = ad::adjoint::overlap::iou_obb2_vjp(a, b, Dual64::from_re(1.0));
         // The Hessian is symmetric: its column is its row.
         for (i, (bar, entry)) in bars.scalars().iter().zip(row).enumerate() {
             assert!((bar.eps - entry).abs() < 1e-12, "{i} {j}");

@@ -1,9 +1,9 @@
 //! The function that faults are planted in.
 #![allow(dead_code)]
 use geograd::Scalar;
+use geograd::ad::check::sample::Draw;
+use geograd::ad::check::verdict::{Reason, Witness};
 use geograd::ad::check::{Check, Report};
-use geograd::ad::sample::Draw;
-use geograd::ad::verdict::{Reason, Witness};
 
 pub const BY_DUALS: Reason = Reason::Disagree(Witness::Adjoint, Witness::Dual);
 pub const BY_DIFFERENCES: Reason = Reason::Disagree(Witness::Adjoint, Witness::Difference);

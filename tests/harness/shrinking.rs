@@ -1,6 +1,6 @@
 //! A refused input is shrunk to a minimal one, and prints as code.
+use geograd::ad::check::verdict::Reason;
 use geograd::ad::check::{Check, Failure};
-use geograd::ad::verdict::Reason;
 use geograd::{Obb2, Pack, Vec2};
 
 fn failure(check: &Check<'_, impl Pack<Scalar = f64> + std::fmt::Debug>) -> Failure {
@@ -52,8 +52,8 @@ fn a_function_that_panics_at_short_lists() {
     assert_eq!(
         failure.fault.reason,
         Reason::Disagree(
-            geograd::ad::verdict::Witness::Adjoint,
-            geograd::ad::verdict::Witness::Difference,
+            geograd::ad::check::verdict::Witness::Adjoint,
+            geograd::ad::check::verdict::Witness::Difference,
         )
     );
     assert_eq!(failure.input.len(), 3);

@@ -2,8 +2,8 @@
 //! so. Right derivatives are accepted where they are hard to tell, wrong ones refused however well they
 //! hide, and a report is about the fault it was asked about.
 use geograd::Scalar;
+use geograd::ad::check::verdict::{Reason, Witness};
 use geograd::ad::check::{Check, Report};
-use geograd::ad::verdict::{Reason, Witness};
 use geograd::assert_gradient;
 
 const UNHEARD: Reason = Reason::Unheard;

@@ -1,7 +1,7 @@
 //! Strategies for proptest: every family draws what it says, and failing shapes shrink to minimal
 //! ones that print as code.
-use geograd::ad::sample::Sample;
-use geograd::ad::strategy::{self, Shapes};
+use geograd::ad::check::sample::Sample;
+use geograd::ad::check::strategy::{self, Shapes};
 use geograd::{Aabb2, Obb2, Pack, Vec2};
 use proptest::prelude::*;
 use proptest::test_runner::{Config, TestCaseError, TestError, TestRunner};

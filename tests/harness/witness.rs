@@ -1,8 +1,8 @@
 //! Batches as witnesses: those of the CPU, and of a GPU where there is one, agree with everybody
 //! else; a batch that is wrong is refused.
+use geograd::ad::check::subject::{Conventions, Jumps};
+use geograd::ad::check::verdict::{Reason, Witness};
 use geograd::ad::check::{Check, Plan, examine};
-use geograd::ad::subject::{Conventions, Jumps};
-use geograd::ad::verdict::{Reason, Witness};
 use geograd::kernels::check::{OpSubject, prove_pair_on, prove_ring_on};
 use geograd::kernels::gpu::Gpu;
 use geograd::kernels::witness::{Answer, Batch};
@@ -72,7 +72,8 @@ fn a_wrong_batch_is_refused() {
             let answer = |x: &Vec<f32>| {
                 let x: Vec<f64> = x.iter().map(|&x| f64::from(x)).collect();
                 let (a, b) = input.refill(&x);
-                let (iou, bars) = ad::overlap::iou_obb2_grad(a.cast::<f32>(), b.cast::<f32>());
+                let (iou, bars) =
+                    ad::adjoint::overlap::iou_obb2_grad(a.cast::<f32>(), b.cast::<f32>());
                 let mut slopes: Vec<f64> = bars.scalars().iter().map(|&x| f64::from(x)).collect();
                 slopes[7] *= f64::from(slope);
                 Answer {
@@ -132,7 +133,7 @@ fn a_backend_as_a_witness_of_ones_own_check() {
         Obb2::new(0.5, 0.25, 1.5, 1.0, 0.5),
     ))
     .value(|(a, b): Pair| a.iou(b))
-    .gradient(|(a, b)| ad::overlap::iou_obb2_vjp(a, b, 1.0))
+    .gradient(|(a, b)| ad::adjoint::overlap::iou_obb2_vjp(a, b, 1.0))
     .conventions(Conventions {
         shared_ties: false,
         flat: true,

@@ -321,7 +321,7 @@ fn peers() {
         || {
             for &a in &a[..300] {
                 for &b in &b[..300] {
-                    black_box(ad::overlap::iou_obb2_grad(a, b));
+                    black_box(ad::adjoint::overlap::iou_obb2_grad(a, b));
                 }
             }
         },

@@ -1,7 +1,7 @@
 //! Vectors of SSE2, AVX2 and AVX-512.
 use super::Vector;
-use crate::float::{HIGH_OF_SINGLE, sin_cos_single, sin_cos_wide};
 use crate::kernels::cpu::lane::{Lane, TILE};
+use crate::scalar::float::{HIGH_OF_SINGLE, sin_cos_single, sin_cos_wide};
 use crate::{Fixed, Mask, Pack, Scalar};
 use std::arch::x86_64::*;
 use std::ops::{Add, AddAssign, BitAnd, BitOr, Div, Mul, MulAssign, Neg, Not, Sub, SubAssign};
@@ -380,7 +380,7 @@ macro_rules! narrow {
             fn narrow(low: $wide, high: $wide) -> Self {
                 Self::join(arch!($narrow(low.0)), arch!($narrow(high.0)))
             }
-            /// High part and rest of numbers in `f64`, as [`split_single`](crate::float::split_single).
+            /// High part and rest of numbers in `f64`, as [`split_single`](crate::scalar::float::split_single).
             #[inline(always)]
             fn parts_of(low: $wide, high: $wide) -> (Self, Self) {
                 let mask = $wide::splat(f64::from_bits(HIGH_OF_SINGLE));

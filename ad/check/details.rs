@@ -1,0 +1,101 @@
+//! The drill-down of a report: every pair of witnesses, how far apart, and where they came nearest
+//! to refusal.
+use crate::ad::check::report::{Report, others, write_numbers};
+use crate::ad::check::verdict::{PAIRS, Witness, Worst};
+use std::fmt::{self, Write};
+
+/// A witness as the subject of a sentence.
+fn who(witness: Witness) -> &'static str {
+    match witness {
+        Witness::Value => "value",
+        Witness::Adjoint => "adjoint",
+        Witness::Dual => "duals",
+        Witness::Difference => "differences",
+        Witness::Wide => "duals in double precision",
+        Witness::Batch => "batch",
+        Witness::Further(_) => "other paths",
+    }
+}
+
+/// Which share of the comparisons differs by how many units of the precision.
+fn write_decades(out: &mut String, worst: &Worst) -> fmt::Result {
+    out.push_str("    units in the last place:");
+    let total = worst.decades.iter().sum::<u64>().max(1) as f64;
+    let mut seen = 0;
+    for (decade, count) in (0..).zip(worst.decades) {
+        seen += count;
+        if count > 0 {
+            let share = 100.0 * seen as f64 / total;
+            write!(out, "  < {:.0e} {share:.2} %", 10_f64.powi(decade))?;
+        }
+    }
+    writeln!(out)
+}
+
+impl Report {
+    /// Everything the [line](Report::line) leaves out: what kinds of places there were, and of each
+    /// pair of witnesses how far apart they were, in units in the last place of the largest slope
+    /// of the same unit, and the numbers where they came nearest to refusal.
+    #[must_use]
+    pub fn details(&self) -> String {
+        let mut out = String::new();
+        // Writing to a string does not fail.
+        let _ = self.write_details(&mut out);
+        out
+    }
+
+    fn write_details(&self, out: &mut String) -> fmt::Result {
+        let verdict = if self.passed() { "proved" } else { "REFUSED" };
+        let [smooth, kinks, undefined] = self.places;
+        writeln!(
+            out,
+            "{} in {}: {verdict} at {} inputs, seed {}",
+            self.name,
+            self.precision.name(),
+            self.samples,
+            self.seed
+        )?;
+        writeln!(
+            out,
+            "  {smooth} smooth, {kinks} on a kink, {undefined} undefined; {} by a declared \
+             convention, {} where the value jumps",
+            self.conventions, self.jumps
+        )?;
+        let [smooth, kinks, undefined] = self.directions;
+        writeln!(
+            out,
+            "  {smooth} directions smooth, {kinks} across a kink, {undefined} where steps say \
+             nothing"
+        )?;
+        if self.margin.is_finite() {
+            let margin = self.margin;
+            writeln!(out, "  nearest change of branch {margin:.1e}, relative")?;
+        }
+        for ((a, b), (worst, code)) in PAIRS.iter().zip(self.worst.iter().zip(&self.nearest)) {
+            if worst.count == 0 {
+                continue;
+            }
+            let (a, b, count) = (who(*a), who(*b), worst.count);
+            writeln!(out, "\n  {a} and {b}: {count} slopes compared")?;
+            write_decades(out, worst)?;
+            let nearest = &worst.nearest;
+            if nearest.share > 0.0 {
+                writeln!(
+                    out,
+                    "    nearest to refusal: {:.0} % of what their errors allow, at sample {}, \
+                     output {}, input {}{}",
+                    100.0 * nearest.share,
+                    nearest.sample,
+                    nearest.output,
+                    nearest.input,
+                    others(&nearest.numbers)
+                )?;
+                write_numbers(out, &nearest.numbers, nearest.tolerance)?;
+                writeln!(out, "    let input = {code};")?;
+            } else {
+                writeln!(out, "    the same to the last bit")?;
+            }
+        }
+        Ok(())
+    }
+}

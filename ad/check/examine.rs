@@ -1,0 +1,169 @@
+//! Judging a function at many inputs.
+use crate::Pack;
+use crate::ad::check::judge::judge;
+use crate::ad::check::report::{Failure, Report};
+use crate::ad::check::sample::Draw;
+use crate::ad::check::shrink::{code, shrunk};
+use crate::ad::check::subject::Subject;
+use crate::ad::check::trace::Number;
+use crate::ad::check::verdict::{Fault, Findings, Numbers, PAIRS, Place, Reason, Worst};
+use crate::ad::check::witness::Precision;
+use std::fmt::Debug;
+
+/// The seed of everything random, unless another one is given.
+pub const SEED: u64 = 0x6765_6f67_7261_6421;
+/// How many failures a report keeps.
+const KEPT: usize = 8;
+
+/// How many inputs to judge, and which.
+#[derive(Clone, Copy)]
+pub struct Plan<'a> {
+    /// How many random inputs.
+    pub samples: usize,
+    /// What they are drawn from.
+    pub seed: u64,
+    /// Hard cases come first: every so many of them, all by default, none for zero.
+    pub hard: usize,
+    /// Whether to draw the worst case of an operation.
+    pub draws: bool,
+    /// Called after every sample: for a progress bar.
+    pub tick: Option<&'a dyn Fn()>,
+}
+
+impl Plan<'_> {
+    /// Hard cases and so many random inputs.
+    #[must_use]
+    pub fn new(samples: usize, seed: u64) -> Self {
+        Plan {
+            samples,
+            seed,
+            hard: 1,
+            draws: false,
+            tick: None,
+        }
+    }
+    /// The generator of random sample `i`: samples do not depend on each other.
+    #[must_use]
+    pub fn draw(&self, i: usize) -> Draw {
+        Draw::new(
+            self.seed
+                .wrapping_add((i as u64).wrapping_mul(0x2545_f491_4f6c_dd1d)),
+        )
+    }
+}
+
+/// Judges a function at many inputs. `meet` hands the function near an input to its argument;
+/// `random_from` is the number of the first input that was drawn at random.
+pub fn examine<S: Number, X: Pack<Scalar = S> + Debug>(
+    name: &str,
+    plan: &Plan<'_>,
+    inputs: &[X],
+    random_from: usize,
+    meet: impl Fn(&X, &mut dyn FnMut(&dyn Subject)),
+) -> Report {
+    let mut precision = Precision::F64;
+    let mut judged = |x: &X, sample: usize| -> Findings {
+        let list: Vec<f64> = x.scalars().iter().map(|x| x.widen()).collect();
+        let mut findings = None;
+        meet(x, &mut |subject| {
+            precision = subject.precision();
+            // Shrinking makes up numbers that single precision may not have.
+            let list: Vec<f64> = list.iter().map(|&x| precision.round(x)).collect();
+            findings = Some(judge(subject, &list, plan.seed ^ sample as u64));
+        });
+        findings.expect("the function was handed over")
+    };
+    let mut report = Report {
+        name: name.to_owned(),
+        precision: Precision::F64,
+        seed: plan.seed,
+        samples: 0,
+        places: [0; 3],
+        conventions: 0,
+        jumps: 0,
+        directions: [0; 3],
+        switched: 0,
+        margin: f64::INFINITY,
+        worst: [Worst::default(); PAIRS.len()],
+        nearest: Default::default(),
+        picture: None,
+        refused: 0,
+        failures: Vec::new(),
+    };
+    let mut smooth = 0;
+    let mut heard: Vec<bool> = Vec::new();
+    for (sample, x) in inputs.iter().enumerate() {
+        let findings = judged(x, sample);
+        report.samples += 1;
+        report.places[match findings.place {
+            Place::Smooth => 0,
+            Place::Kink => 1,
+            Place::Undefined => 2,
+        }] += 1;
+        smooth += usize::from(findings.place == Place::Smooth && sample >= random_from);
+        heard.resize(heard.len().max(findings.heard.len()), false);
+        for (all, here) in heard.iter_mut().zip(&findings.heard) {
+            *all |= here;
+        }
+        report.conventions += u64::from(findings.convention);
+        report.jumps += u64::from(findings.jump);
+        for (all, here) in report.directions.iter_mut().zip(findings.directions) {
+            *all += here;
+        }
+        report.switched += findings.switched;
+        if findings.margin > 0.0 {
+            report.margin = report.margin.min(findings.margin);
+        }
+        for (all, here) in report.worst.iter_mut().zip(&findings.worst) {
+            all.merge(here, sample);
+        }
+        report.refused += u64::from(!findings.faults.is_empty());
+        for fault in findings.faults {
+            // All reasons once, rather than one reason many times.
+            let known = |failure: &Failure| failure.fault.reason == fault.reason;
+            if report.failures.iter().any(known) || report.failures.len() >= KEPT {
+                continue;
+            }
+            let (least, fault) = shrunk(x, fault, findings.place, |x| judged(x, sample));
+            report.failures.push(Failure {
+                sample,
+                fault,
+                input: least.scalars().iter().map(|x| x.widen()).collect(),
+                code: code(&least),
+            });
+        }
+        if let Some(tick) = plan.tick {
+            tick();
+        }
+    }
+    report.precision = precision;
+    report.nearest = report.worst.each_ref().map(|worst| {
+        let judged = inputs.get(worst.nearest.sample);
+        let shown = judged.filter(|_| worst.nearest.share > 0.0);
+        shown.map_or_else(String::new, code)
+    });
+    let drawn = inputs.len().saturating_sub(random_from);
+    let whole = |reason, input| Failure {
+        sample: random_from,
+        fault: Fault {
+            reason,
+            suspect: None,
+            output: 0,
+            input,
+            numbers: Numbers::default(),
+            tolerance: 0.0,
+        },
+        input: Vec::new(),
+        code: String::new(),
+    };
+    let unheard = heard.iter().position(|heard| !heard);
+    if drawn >= 20 && smooth * 10 < drawn {
+        report.refused += 1;
+        report.failures.push(whole(Reason::NothingSmooth, 0));
+    } else if report.failures.is_empty() && (unheard.is_some() || heard.is_empty()) {
+        report.refused += 1;
+        let input = unheard.unwrap_or(0);
+        report.failures.push(whole(Reason::Unheard, input));
+    }
+    report
+}

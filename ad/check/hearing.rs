@@ -1,0 +1,97 @@
+//! What a ladder of steps says about a slope.
+use crate::ad::check::judge::SAFETY;
+use crate::ad::check::verdict::Place;
+use crate::ad::check::witness::Estimate;
+
+/// What steps along one direction say about a slope.
+#[derive(Clone, Copy, Debug)]
+pub(crate) enum Said {
+    /// In order, at such a place; `switched` when other branches were taken however small the step.
+    /// At an undefined place the estimate, if any, is too coarse for a slope as large as others are,
+    /// and agrees.
+    Fine {
+        place: Place,
+        switched: bool,
+        estimate: Option<Estimate>,
+    },
+    /// Another slope.
+    Other { estimate: Estimate, tolerance: f64 },
+    /// A kink, and the slope is not between both sides; or the border of the domain, and it is not
+    /// that of the only side.
+    Outside { sides: [f64; 2], tolerance: f64 },
+}
+
+impl Said {
+    /// Whether nothing was said.
+    pub(crate) fn undefined(&self) -> bool {
+        matches!(
+            self,
+            Said::Fine {
+                place: Place::Undefined,
+                ..
+            }
+        )
+    }
+    /// Whether it is a complaint.
+    pub(crate) fn complains(&self) -> bool {
+        !matches!(self, Said::Fine { .. })
+    }
+}
+
+/// What other ladders make of a complaint.
+pub(crate) struct Rehearing {
+    /// Whether it stands: another ladder repeats it, and none contradicts.
+    pub(crate) stands: bool,
+    /// The best estimate against the slope, if any.
+    pub(crate) against: Option<Estimate>,
+    /// Whether some ladder says what the slope says.
+    pub(crate) supported: bool,
+}
+
+/// Weighs what all ladders say about a slope; those in `own` began at the number's own size, and if
+/// they complain, they know best.
+///
+/// A ladder contradicts a complaint when what it says instead is another slope than the complaint's,
+/// by more than both may be off. One so coarse that it agrees with both has no opinion.
+pub(crate) fn rehear(said: &[Said], own: &[Said], exact: f64) -> Rehearing {
+    let mut against: Vec<Estimate> = Vec::new();
+    let mut support: Vec<Estimate> = Vec::new();
+    let (mut outside, mut kink) = (0, false);
+    for said in said.iter().chain(own) {
+        match *said {
+            Said::Other { estimate, .. } => against.push(estimate),
+            Said::Outside { .. } => outside += 1,
+            Said::Fine {
+                place: Place::Undefined,
+                ..
+            } => {}
+            Said::Fine {
+                place: Place::Smooth,
+                estimate: Some(e),
+                ..
+            } => support.push(e),
+            Said::Fine { .. } => kink = true,
+        }
+    }
+    let finest = own.iter().find_map(|said| match said {
+        Said::Other { estimate, .. } => Some(*estimate),
+        _ => None,
+    });
+    let by_error = |a: &Estimate, b: &Estimate| a.error.total_cmp(&b.error);
+    let best = finest.or(against.iter().copied().min_by(by_error));
+    let differ = |a: &Estimate, b: &Estimate| {
+        (a.value - b.value).abs() > SAFETY * (a.error + b.error) + exact
+    };
+    let (repeated, contradicted) = match best {
+        Some(best) => (
+            against.iter().filter(|e| !differ(e, &best)).count() + outside,
+            support.iter().any(|e| differ(e, &best)),
+        ),
+        None => (outside, !support.is_empty()),
+    };
+    Rehearing {
+        stands: repeated >= 2 && !contradicted && !kink,
+        against: best,
+        supported: !support.is_empty(),
+    }
+}

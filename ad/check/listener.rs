@@ -1,0 +1,198 @@
+//! Who hears what ladders of steps say about one slope along one direction.
+use crate::ad::check::hearing::{Rehearing, Said, rehear};
+use crate::ad::check::judge::SAFETY;
+use crate::ad::check::slopes::FIRST;
+use crate::ad::check::verdict::Place;
+use crate::ad::check::witness::{Estimate, Ladder};
+
+/// A difference whose error is larger than this share of the largest slope says nothing.
+pub(crate) const INFORMATIVE: f64 = 0.02;
+
+/// What there is to hear: a slope, and ladders of any first step along its direction.
+pub(crate) struct Listener<'l> {
+    pub(crate) weights: &'l [f64],
+    /// Values along the direction.
+    pub(crate) here: &'l Ladder,
+    /// The same from another first step.
+    pub(crate) climb: &'l dyn Fn(f64) -> Ladder,
+    pub(crate) slope: f64,
+    /// By how much that may be off by itself.
+    pub(crate) exact: f64,
+    /// The rounding noise of the value.
+    pub(crate) noise: f64,
+    /// How rough the values were found to be: what that explains is no complaint.
+    pub(crate) rough: f64,
+    /// The same of values that stand still: what they lose by cancellation does not show.
+    pub(crate) hidden: f64,
+    /// The largest slope there is.
+    pub(crate) size: f64,
+    /// Whether the scales are only guessed, so that finer steps are worth a try.
+    pub(crate) guessed: bool,
+    /// The number's own size in units of its scale.
+    pub(crate) own: f64,
+}
+
+impl Listener<'_> {
+    /// What the first ladder says.
+    pub(crate) fn first(&self) -> Said {
+        self.hear(self.here)
+    }
+
+    /// What another says.
+    fn other(&self, first: f64) -> Said {
+        let ladder = (self.climb)(first);
+        if ladder.still() && !self.here.still() {
+            // Too small steps, and no slope of zero.
+            return Said::Fine {
+                place: Place::Undefined,
+                switched: false,
+                estimate: None,
+            };
+        }
+        self.hear(&ladder)
+    }
+
+    /// What ladders say that begin at the number's own size, where that is far smaller than its scale.
+    fn of_own_size(&self) -> Vec<Said> {
+        let worth = self.guessed && self.own > 0.0 && self.own < 0.5;
+        let firsts = [0.1, 0.037].iter().filter(|_| worth);
+        firsts.map(|first| self.other(first * self.own)).collect()
+    }
+
+    /// Finer steps, where the first ones say nothing.
+    pub(crate) fn finer(&self, said: Said) -> Said {
+        if !said.undefined() || !self.guessed {
+            return said;
+        }
+        let own = self.of_own_size();
+        let own = own.into_iter().filter(|said| !said.undefined());
+        let finer = FIRST[3..].iter().map(|&first| self.other(first));
+        let fine = |said: &Said| matches!(said, Said::Fine { .. }) && !said.undefined();
+        own.chain(finer.filter(fine)).last().unwrap_or(said)
+    }
+
+    /// What all ladders make of a complaint. Against two witnesses that `agree` the finest steps must
+    /// speak: a pole that steps leap over is no comparison that a trace could show.
+    pub(crate) fn again(&self, said: Said, agree: bool) -> Rehearing {
+        let mut all = vec![said];
+        all.extend(FIRST[1..].iter().map(|&first| self.other(first)));
+        let own = self.of_own_size();
+        let mut heard = rehear(&all, &own, self.exact);
+        let finest = all.iter().chain(&own).last();
+        if agree && self.guessed && finest.is_some_and(Said::undefined) {
+            heard.stands = false;
+        }
+        heard
+    }
+
+    /// The slope against an estimate that is the same on both sides.
+    fn smooth(&self, e: Estimate, informative: bool, switched: bool, rough: f64) -> Said {
+        let tolerance = SAFETY * e.error + self.exact;
+        let gap = (e.value - self.slope).abs();
+        let roughly = Estimate {
+            error: e.error + rough / e.step,
+            ..e
+        };
+        let explained = gap <= SAFETY * roughly.error + self.exact;
+        if tolerance.is_finite() && informative && (gap <= tolerance || !explained) {
+            return if gap <= tolerance {
+                Said::Fine {
+                    place: Place::Smooth,
+                    switched,
+                    estimate: Some(e),
+                }
+            } else {
+                Said::Other {
+                    estimate: e,
+                    tolerance,
+                }
+            };
+        }
+        Said::Fine {
+            place: Place::Undefined,
+            switched,
+            estimate: explained.then_some(roughly),
+        }
+    }
+
+    /// Hears what a ladder says.
+    fn hear(&self, ladder: &Ladder) -> Said {
+        let (weights, slope, exact) = (self.weights, self.slope, self.exact);
+        let noise = self.noise.max(ladder.noise(weights));
+        let rough = if ladder.still() {
+            self.rough.max(self.hidden)
+        } else {
+            self.rough
+        };
+        let undefined = Said::Fine {
+            place: Place::Undefined,
+            switched: ladder.traced,
+            estimate: None,
+        };
+        let informative =
+            |e: &Estimate| SAFETY * e.error <= INFORMATIVE * self.size.max(e.value.abs());
+        if ladder.traced
+            && let Some(e) = ladder.central(weights, noise, true).filter(informative)
+        {
+            return self.smooth(e, true, false, rough);
+        }
+        let ahead = ladder.one_sided(true, weights, noise);
+        let behind = ladder.one_sided(false, weights, noise);
+        let (ahead, behind) = match (ahead, behind) {
+            (Some(ahead), Some(behind)) => (ahead, behind),
+            (Some(side), None) | (None, Some(side)) => (side, side),
+            (None, None) => return undefined,
+        };
+        let error = ahead.error.max(behind.error);
+        let border = ladder.ahead.len() < 2 || ladder.behind.len() < 2;
+        if !ladder.settled() {
+            return undefined;
+        }
+        if !border && (ahead.value - behind.value).abs() <= 2.0 * SAFETY * error + exact {
+            // Where branches meet smoothly, the central slope converges slowly and the sides fast.
+            let mean = Estimate {
+                value: 0.5 * (ahead.value + behind.value),
+                error: error + 0.5 * (ahead.value - behind.value).abs() / SAFETY,
+                step: ahead.step.min(behind.step),
+            };
+            let central = ladder.central(weights, noise, false);
+            let e = match central {
+                Some(central) if !ladder.traced && central.error < mean.error => central,
+                _ => mean,
+            };
+            return self.smooth(e, informative(&e), ladder.traced, rough);
+        }
+        let sides = [behind.value, ahead.value];
+        let tolerance = SAFETY * error + exact;
+        let (low, high) = (sides[0].min(sides[1]), sides[0].max(sides[1]));
+        let coarse =
+            SAFETY * error > INFORMATIVE * self.size.max(ahead.value.abs()).max(behind.value.abs());
+        let beyond = (low - slope).max(slope - high);
+        if coarse || tolerance.is_nan() {
+            let middle = Estimate {
+                value: 0.5 * (low + high),
+                error: error + 0.5 * (high - low) / SAFETY,
+                step: ahead.step.min(behind.step),
+            };
+            return Said::Fine {
+                place: Place::Undefined,
+                switched: ladder.traced,
+                estimate: (beyond <= tolerance).then_some(middle),
+            };
+        }
+        if beyond > tolerance && beyond <= tolerance + SAFETY * rough / ahead.step.min(behind.step)
+        {
+            return undefined;
+        }
+        if beyond <= tolerance {
+            let place = if border { Place::Smooth } else { Place::Kink };
+            Said::Fine {
+                place,
+                switched: ladder.traced,
+                estimate: None,
+            }
+        } else {
+            Said::Outside { sides, tolerance }
+        }
+    }
+}

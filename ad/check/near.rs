@@ -1,0 +1,119 @@
+//! A check of closures as a subject, near one of its points.
+use crate::Pack;
+use crate::ad::check::nested::{Wide, axis, bends, transposed};
+use crate::ad::check::subject::{Conventions, Subject, default_scales};
+use crate::ad::check::symmetry::{Kind, Promise};
+use crate::ad::check::trace::{Number, Trace};
+use crate::ad::check::witness::Precision;
+use crate::ad::check::{Check, narrow};
+use std::panic::{AssertUnwindSafe, catch_unwind};
+
+/// A check near one of its points.
+pub(crate) struct Near<'c, 'a, X: Pack> {
+    pub(crate) check: &'c Check<'a, X>,
+    pub(crate) near: &'c X,
+}
+
+impl<S: Number, X: Pack<Scalar = S>> Near<'_, '_, X> {
+    fn made(&self, x: &[f64]) -> X {
+        self.near.refill(&narrow::<S>(x))
+    }
+}
+
+impl<S: Number, X: Pack<Scalar = S>> Subject for Near<'_, '_, X> {
+    fn precision(&self) -> Precision {
+        Precision::of::<S>()
+    }
+    fn value(&self, x: &[f64]) -> Vec<f64> {
+        let value = self.check.value.as_ref().expect("checked at the start");
+        value(&self.made(x))
+    }
+    fn other_values(&self, x: &[f64]) -> Vec<Vec<f64>> {
+        self.check
+            .paths
+            .iter()
+            .map(|path| path(&self.made(x)))
+            .collect()
+    }
+    fn adjoint(&self, x: &[f64], y_bar: &[f64]) -> Option<Vec<f64>> {
+        let adjoint = self.check.adjoint.as_ref()?;
+        Some(adjoint(&self.made(x), y_bar))
+    }
+    fn further(&self, x: &[f64], y_bar: &[f64]) -> Vec<Vec<f64>> {
+        self.check
+            .further
+            .iter()
+            .map(|f| f(&self.made(x), y_bar))
+            .collect()
+    }
+    fn jacobian(&self, x: &[f64]) -> Option<Vec<Vec<f64>>> {
+        let dual = self.check.dual.as_ref()?;
+        let here = self.made(x);
+        let columns: Vec<Vec<f64>> = (0..x.len())
+            .map(|i| dual(&here, &axis(x.len(), i)).1)
+            .collect();
+        Some(transposed(&columns))
+    }
+    fn along(&self, x: &[f64], direction: &[f64]) -> Option<Vec<f64>> {
+        let dual = self.check.dual.as_ref()?;
+        Some(dual(&self.made(x), direction).1)
+    }
+    fn dual_values(&self, x: &[f64]) -> Option<Vec<f64>> {
+        let dual = self.check.dual.as_ref()?;
+        Some(dual(&self.made(x), &vec![0.0; x.len()]).0)
+    }
+    fn traced(&self, x: &[f64]) -> Option<(Vec<f64>, Trace)> {
+        let traced = self.check.traced.as_ref()?;
+        Some(traced(&self.made(x)))
+    }
+    fn curvature(&self, x: &[f64], y_bar: &[f64], direction: &[f64]) -> Option<Vec<f64>> {
+        let curvature = self.check.curvature.as_ref()?;
+        assert!(
+            y_bar.len() == 1,
+            "`hessian_times` is for a function with one number as result"
+        );
+        let bend = curvature(&self.made(x), direction);
+        Some(bend.iter().map(|b| b * y_bar[0]).collect())
+    }
+    fn nested(&self, x: &[f64], y_bar: &[f64], direction: &[f64]) -> Option<Vec<f64>> {
+        let source = self.check.nested.as_ref()?;
+        Some(bends(|at| source(self.near, at), x, y_bar, direction))
+    }
+    fn wide(&self) -> Option<Box<dyn Subject + '_>> {
+        let source = self.check.wide.as_ref()?;
+        let narrow = self.precision() == Precision::F32;
+        narrow.then(|| {
+            Box::new(Wide {
+                narrow: self,
+                source,
+            }) as Box<dyn Subject>
+        })
+    }
+    fn inside(&self, x: &[f64]) -> bool {
+        let here = self.made(x);
+        match (&self.check.inside, &self.check.value) {
+            (Some(inside), _) => inside(&here),
+            // A function that panics beside its point ends there.
+            (None, Some(value)) => catch_unwind(AssertUnwindSafe(|| value(&here))).is_ok(),
+            (None, None) => true,
+        }
+    }
+    fn scales(&self, x: &[f64]) -> Vec<f64> {
+        match &self.check.scales {
+            Some(scales) => scales(&self.made(x)),
+            None => default_scales(x),
+        }
+    }
+    fn guessed_scales(&self) -> bool {
+        self.check.scales.is_none()
+    }
+    fn kinds(&self) -> Vec<Kind> {
+        self.check.kinds.clone()
+    }
+    fn promises(&self) -> &[Promise] {
+        &self.check.promises
+    }
+    fn conventions(&self) -> Conventions {
+        self.check.conventions
+    }
+}

@@ -1,0 +1,67 @@
+//! The rounding errors of a function nobody can look into, measured from outside.
+use crate::ad::check::sample::Draw;
+use crate::ad::check::witness::Precision;
+
+/// How rough a list-valued function is beside a point, per number: the standard deviation of its
+/// rounding errors, from tables of differences (Hamming; Moré and Wild, "Estimating computational
+/// noise", 2011).
+///
+/// Between equally spaced inputs the differences of a smooth function fall from order to order, those
+/// of rounding errors grow in a known ratio; so the smaller estimate of two orders counts. Medians,
+/// because a kink in between is no rounding: it shows in few entries of a table. Three spacings,
+/// because a rounding in the middle of a computation may stand still over many inputs. Nothing where
+/// an input is outside.
+#[must_use]
+pub fn roughness(
+    precision: Precision,
+    x: &[f64],
+    scales: &[f64],
+    f: &dyn Fn(&[f64]) -> Option<Vec<f64>>,
+) -> Vec<f64> {
+    /// `(k!)² / (2k)!` for the orders 3 and 4: the variance of an error by that of their difference.
+    const SHARE: [f64; 2] = [1.0 / 20.0, 1.0 / 70.0];
+    /// The standard deviation of normal errors by the median of their size.
+    const MEDIAN: f64 = 1.4826;
+    let spacings = match precision {
+        Precision::F32 => [-11, -9, -7],
+        Precision::F64 => [-32, -22, -12],
+    };
+    let mut rough: Vec<f64> = Vec::new();
+    for (round, spacing) in (0..).zip(spacings) {
+        let mut draw = Draw::new(round);
+        let direction: Vec<f64> = scales
+            .iter()
+            .map(|scale| {
+                let sign = if draw.once_in(2) { -1.0 } else { 1.0 };
+                sign * draw.within(0.5, 1.0) * scale * 2.0_f64.powi(spacing)
+            })
+            .collect();
+        let there = |k: i32| -> Vec<f64> {
+            let moved = x.iter().zip(&direction);
+            moved
+                .map(|(x, d)| precision.round(x + f64::from(k) * d))
+                .collect()
+        };
+        let lists: Option<Vec<Vec<f64>>> = (-6..=6).map(|k| f(&there(k))).collect();
+        let Some(lists) = lists else { continue };
+        let length = lists.iter().map(Vec::len).min().unwrap_or(0);
+        rough.resize(rough.len().max(length), 0.0);
+        for (i, rough) in rough.iter_mut().enumerate().take(length) {
+            let mut table: Vec<f64> = lists.iter().map(|list| list[i]).collect();
+            let mut least = f64::INFINITY;
+            for order in 1..=4 {
+                table = table.windows(2).map(|pair| pair[1] - pair[0]).collect();
+                if order >= 3 {
+                    let mut sizes: Vec<f64> = table.iter().map(|d| d.abs()).collect();
+                    sizes.sort_by(f64::total_cmp);
+                    let median = sizes[sizes.len() / 2];
+                    least = least.min(MEDIAN * median * SHARE[order - 3].sqrt());
+                }
+            }
+            if least.is_finite() {
+                *rough = rough.max(least);
+            }
+        }
+    }
+    rough
+}

@@ -1,0 +1,264 @@
+//! The part of a judgement that provokes rounding: how far each witness can be trusted here.
+//!
+//! Four kinds of rounding are provoked, each by what leaves the true answer where it is, or nearly.
+//! Inputs move by their last digits, which shows what a function does to errors of its input and of
+//! its value's computation. The adjoint's own operations round at random
+//! ([`noise`](crate::ad::check::noise)). Of a closure, whose operations nobody sees, the roughness between
+//! equally spaced inputs is measured ([`roughness`]). What is linear in a direction (duals, second derivatives) is asked
+//! along the direction made shorter: the answer is shorter by as much, except that every sum and
+//! product of slopes on the way has rounded differently. No rounding of the input shows that: where
+//! two large equal slopes cancel, what is left is their last digit, which does not move with the
+//! input's.
+use crate::ad::check::judge::{Beside, Judge, Row, SAFETY};
+use crate::ad::check::roughness::roughness;
+use crate::ad::check::sample::Draw;
+use crate::ad::check::slopes::FEW_INPUTS;
+use crate::ad::check::subject::Subject;
+use crate::ad::check::symmetry::exchanged;
+use crate::ad::check::witness::{Precision, combined, dot};
+
+/// How often a derivative's own roundings are drawn.
+const RUNS: u64 = 24;
+
+/// How many times the value a slope times the size of its number may be before it belongs to another
+/// feature: a logit of forty that leaves a loss of nothing is as steep as thirty times the loss at
+/// zero.
+const TALL: f64 = 64.0;
+
+impl Judge<'_> {
+    /// The largest change of a list-valued function under provoked rounding, per number. With
+    /// `sizes`, a change of branch that may have broken an exact tie counts only when it changes
+    /// less than a thousandth of them: more is a kink, and a tie must be decided as it stands.
+    pub(crate) fn spread(
+        &self,
+        base: &[f64],
+        sizes: Option<&[f64]>,
+        f: impl Fn(&[f64]) -> Option<Vec<f64>>,
+    ) -> Vec<f64> {
+        let mut spread = vec![0.0_f64; base.len()];
+        for (there, same) in &self.around {
+            let Some(list) = f(there) else { continue };
+            if list.len() != base.len() {
+                continue;
+            }
+            let change = |i: usize| (list[i] - base[i]).abs();
+            let small = |sizes: &[f64]| (0..base.len()).all(|i| change(i) <= 1e-3 * sizes[i]);
+            // Single precision is nearly tied everywhere, so there every change counts.
+            let strict = *same == Beside::Loose && self.subject.precision() == Precision::F64;
+            if strict && sizes.is_some_and(|sizes| !small(sizes)) {
+                continue;
+            }
+            for (i, spread) in spread.iter_mut().enumerate() {
+                if change(i).is_finite() {
+                    *spread = spread.max(change(i));
+                }
+            }
+        }
+        spread
+    }
+
+    /// The largest change of a derivative when its own roundings fall differently. What changes more
+    /// than a thousandth of the sizes was decided differently, which is no rounding.
+    pub(crate) fn roundings(
+        &self,
+        base: &[f64],
+        sizes: &[f64],
+        noisy: impl Fn(u64) -> Option<Vec<f64>>,
+    ) -> Vec<f64> {
+        let mut spread = vec![0.0_f64; base.len()];
+        for list in (0..RUNS).map_while(noisy) {
+            let change = |i: usize| (list[i] - base[i]).abs();
+            if list.len() == base.len() && (0..list.len()).all(|i| change(i) <= 1e-3 * sizes[i]) {
+                for (i, spread) in spread.iter_mut().enumerate() {
+                    *spread = spread.max(change(i));
+                }
+            }
+        }
+        spread
+    }
+
+    /// What is linear in a direction, asked along that direction made shorter by a factor drawn from
+    /// a seed, and made longer again: for [`roundings`](Self::roundings).
+    pub(crate) fn along_shorter(
+        &self,
+        direction: &[f64],
+        seed: u64,
+        linear: impl Fn(&[f64]) -> Option<Vec<f64>>,
+    ) -> Option<Vec<f64>> {
+        let precision = self.subject.precision();
+        let by = precision.round(Draw::new(seed).within(0.5, 1.0));
+        let shorter: Vec<f64> = direction.iter().map(|x| precision.round(x * by)).collect();
+        Some(linear(&shorter)?.iter().map(|x| x / by).collect())
+    }
+
+    /// How rough a list-valued function is beside the point: its rounding errors, seen from outside.
+    fn rough(&self, on: &dyn Subject, f: &dyn Fn(&[f64]) -> Option<Vec<f64>>) -> Vec<f64> {
+        let own = |(scale, x): (&f64, &f64)| {
+            if *x == 0.0 {
+                *scale
+            } else {
+                scale.min(x.abs())
+            }
+        };
+        let scales: Vec<f64> = self.scales.iter().zip(self.x).map(own).collect();
+        let inside = |x: &[f64]| on.inside(x).then(|| f(x)).flatten();
+        roughness(on.precision(), self.x, &scales, &inside)
+    }
+
+    /// How rough the combined value is.
+    pub(crate) fn rough_value(&self, on: &dyn Subject, weights: &[f64]) -> f64 {
+        let value = |x: &[f64]| Some(vec![dot(weights, &on.value(x))]);
+        self.rough(on, &value).first().copied().unwrap_or(0.0)
+    }
+
+    /// How large each slope gets when the numbers of the input change over their size, all together
+    /// and one by one. Where a slope is far steeper than the value is large, another feature is near
+    /// and nothing is said.
+    pub(crate) fn typical(
+        &self,
+        weights: &[f64],
+        base: &[f64],
+        slopes: &dyn Fn(&[f64]) -> Option<Vec<f64>>,
+    ) -> Vec<f64> {
+        let mut sizes: Vec<f64> = base.iter().map(|slope| slope.abs()).collect();
+        let value = |y: &[f64]| -> f64 { weights.iter().zip(y).map(|(w, y)| (w * y).abs()).sum() };
+        let here = value(&self.y);
+        let mut look = |there: &[f64]| {
+            if !self.subject.inside(there) {
+                return;
+            }
+            let tall = match value(&self.subject.value(there)).max(here) {
+                0.0 => f64::INFINITY,
+                value => TALL * value,
+            };
+            for (i, slope) in slopes(there).unwrap_or_default().iter().enumerate() {
+                if slope.is_finite() && slope.abs() * self.scales[i] <= tall {
+                    sizes[i] = sizes[i].max(slope.abs());
+                }
+            }
+        };
+        let precision = self.subject.precision();
+        let n = self.x.len();
+        for times in [0.0, 0.5, 1.5] {
+            let whole = self
+                .x
+                .iter()
+                .map(|x| precision.round(times * x))
+                .collect::<Vec<f64>>();
+            look(&whole);
+            for i in (0..n).filter(|_| n <= FEW_INPUTS && times < 1.0) {
+                let mut there = self.x.to_vec();
+                there[i] = if there[i] == 0.0 {
+                    precision.round((times - 0.25) * self.scales[i])
+                } else {
+                    whole[i]
+                };
+                look(&there);
+            }
+        }
+        sizes
+    }
+
+    /// By how much slopes may be off by rounding: of terms as large as the slopes typically are, and
+    /// as rough as they are beside the point, as far as that can be rounding of such terms. A
+    /// derivative rougher than that loses digits without need.
+    pub(crate) fn rough_slopes(
+        &self,
+        weights: &[f64],
+        base: &[f64],
+        slopes: &dyn Fn(&[f64]) -> Option<Vec<f64>>,
+    ) -> Vec<f64> {
+        // What slopes of one unit may be off by is known.
+        if self.subject.comparable() {
+            return vec![0.0; base.len()];
+        }
+        let mut rough = self.rough(self.subject, slopes);
+        rough.resize(base.len(), 0.0);
+        let typical = self.typical(weights, base, slopes);
+        for (rough, typical) in rough.iter_mut().zip(typical) {
+            let one = self.eps * typical;
+            *rough = if *rough <= 4.0 * one {
+                rough.max(one)
+            } else {
+                one
+            };
+        }
+        rough
+    }
+
+    /// Adds to a row's tolerance what provoked rounding shows.
+    pub(crate) fn provoke(&self, row: &mut Row) {
+        if std::mem::replace(&mut row.provoked, true) {
+            return;
+        }
+        if let Some(adjoint) = &row.adjoint {
+            let spread = self.spread(adjoint, Some(&row.size), |x| {
+                self.subject.adjoint(x, &row.weights)
+            });
+            let noise = self.roundings(adjoint, &row.size, |seed| {
+                self.subject.noisy(self.x, &row.weights, seed)
+            });
+            let rough = self.rough_slopes(&row.weights, adjoint, &|x| {
+                self.subject.adjoint(x, &row.weights)
+            });
+            for i in 0..row.tolerance.len() {
+                row.tolerance[i] += SAFETY * spread[i].max(noise[i]).max(rough[i]);
+            }
+        }
+        if let Some(dual) = &row.dual {
+            let by_duals = |x: &[f64]| {
+                let jacobian = self.subject.jacobian(x)?;
+                Some(combined(&row.weights, &jacobian, x.len()))
+            };
+            let spread = self.spread(dual, Some(&row.size), by_duals);
+            let rough = self.rough_slopes(&row.weights, dual, &by_duals);
+            let mut axis = vec![0.0; dual.len()];
+            for i in 0..dual.len() {
+                axis[i] = 1.0;
+                let own = self.roundings(&dual[i..=i], &row.size[i..=i], |seed| {
+                    self.along_shorter(&axis, seed, |axis| Some(vec![self.by_duals(row, axis)?]))
+                });
+                axis[i] = 0.0;
+                row.tolerance[i] += SAFETY * spread[i].max(own[0]).max(rough[i]);
+            }
+        }
+    }
+
+    /// Where single precision is judged by double, decisions may fall differently: what that does
+    /// counts too.
+    pub(crate) fn provoke_widely(&self, row: &mut Row) {
+        let (Some(wide), Some(adjoint)) = (self.subject.wide(), &row.adjoint) else {
+            return;
+        };
+        if self.subject.precision() == Precision::F64 || std::mem::replace(&mut row.wide, true) {
+            return;
+        }
+        let own = self.spread(adjoint, None, |x| self.subject.adjoint(x, &row.weights));
+        let exact = wide.adjoint(self.x, &row.weights).unwrap_or_default();
+        let theirs = self.spread(&exact, None, |x| wide.adjoint(x, &row.weights));
+        for (i, own) in own.iter().enumerate() {
+            row.tolerance[i] += SAFETY * (own + theirs.get(i).unwrap_or(&0.0));
+        }
+    }
+
+    /// Adds what provoked rounding shows with the arguments exchanged.
+    pub(crate) fn provoke_exchanged(&self, row: &mut Row) {
+        let of = |x: &[f64]| {
+            let slopes = self.subject.adjoint(&exchanged(x), &row.weights)?;
+            Some(exchanged(&slopes))
+        };
+        let Some(base) = of(self.x) else { return };
+        if let Some(adjoint) = &row.adjoint {
+            let own = self.spread(adjoint, None, |x| self.subject.adjoint(x, &row.weights));
+            for (tolerance, spread) in row.tolerance.iter_mut().zip(own) {
+                *tolerance += SAFETY * spread;
+            }
+        }
+        // The exchanged arguments are rounded differently, so near a tie they may be decided
+        // differently.
+        let spread = self.spread(&base, None, of);
+        for (tolerance, spread) in row.tolerance.iter_mut().zip(spread) {
+            *tolerance += SAFETY * spread;
+        }
+    }
+}

@@ -1,0 +1,232 @@
+//! Where functions are checked: seeded random inputs and hard cases of every shape.
+//!
+//! A generator of our own keeps the library free of dependencies and the samples the same on every
+//! machine. Random pairs are snapped to each other now and then, so that ties, touching sides and
+//! near ties come up without being asked for; whole inputs are moved far away and scaled, because
+//! that is where digits are lost.
+use crate::Pack;
+use crate::ad::check::symmetry::Kind;
+use std::f64::consts::FRAC_PI_2;
+
+/// A small seeded generator of random numbers (SplitMix64).
+#[derive(Clone, Debug)]
+pub struct Draw(u64);
+
+impl Draw {
+    /// From a seed; the same seed gives the same numbers on every machine.
+    #[must_use]
+    pub fn new(seed: u64) -> Self {
+        let mut draw = Draw(seed);
+        draw.bits();
+        draw
+    }
+    /// Sixty-four random bits.
+    pub fn bits(&mut self) -> u64 {
+        self.0 = self.0.wrapping_add(0x9e37_79b9_7f4a_7c15);
+        let mut z = self.0;
+        z = (z ^ (z >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
+        z = (z ^ (z >> 27)).wrapping_mul(0x94d0_49bb_1331_11eb);
+        z ^ (z >> 31)
+    }
+    /// A number in `[0, 1)`.
+    pub fn unit(&mut self) -> f64 {
+        (self.bits() >> 11) as f64 / (1_u64 << 53) as f64
+    }
+    /// A number in `[low, high)`.
+    pub fn within(&mut self, low: f64, high: f64) -> f64 {
+        low + (high - low) * self.unit()
+    }
+    /// A positive number in `[low, high)`, all magnitudes alike.
+    pub fn magnitude(&mut self, low: f64, high: f64) -> f64 {
+        self.within(low.ln(), high.ln()).exp()
+    }
+    /// A whole number below `n`.
+    pub fn below(&mut self, n: usize) -> usize {
+        (self.unit() * n as f64) as usize
+    }
+    /// True once in `n` times.
+    pub fn once_in(&mut self, n: usize) -> bool {
+        self.below(n) == 0
+    }
+}
+
+/// An input the harness can make up by itself.
+pub trait Sample: Pack<Scalar = f64> + std::fmt::Debug {
+    /// A random one, of about unit size near the origin.
+    fn ordinary(draw: &mut Draw) -> Self;
+    /// A random one that is much longer than wide.
+    fn thin(draw: &mut Draw) -> Self {
+        Self::ordinary(draw)
+    }
+    /// Another one that touches this one, exactly or up to rounding.
+    fn beside(&self, _draw: &mut Draw) -> Self {
+        self.clone()
+    }
+    /// A random one whose parts touch.
+    fn touching(draw: &mut Draw) -> Self {
+        Self::ordinary(draw)
+    }
+    /// A random one of any of these, mostly an ordinary one.
+    fn draw(draw: &mut Draw) -> Self {
+        if draw.once_in(10) {
+            Self::thin(draw)
+        } else {
+            Self::ordinary(draw)
+        }
+    }
+    /// The cases at which geometry fails.
+    fn hard() -> Vec<Self>;
+    /// What each number is.
+    fn kinds(&self) -> Vec<Kind>;
+    /// For each number, the length over which the function may be expected to change.
+    fn scales(&self) -> Vec<f64>;
+    /// For each number, the largest number of the same unit that it is added to: the size of the
+    /// shape for its coordinates, one for angles.
+    fn extents(&self) -> Vec<f64> {
+        let (kinds, scales) = (self.kinds(), self.scales());
+        let largest = (0..kinds.len())
+            .filter(|&i| kinds[i] != Kind::Angle)
+            .fold(0.0_f64, |m, i| m.max(scales[i]));
+        let extent = |kind: &Kind| if *kind == Kind::Angle { 1.0 } else { largest };
+        kinds.iter().map(extent).collect()
+    }
+    /// For each number, its unit: the size of the smaller shape for lengths, one for angles.
+    fn units(&self) -> Vec<f64> {
+        self.extents()
+    }
+    /// Whether it is valid.
+    fn inside(&self) -> bool;
+    /// What to draw of it.
+    fn outlines(&self) -> Vec<Vec<[f64; 2]>> {
+        Vec::new()
+    }
+}
+
+/// Which inputs to draw.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum Family {
+    /// Whatever the harness itself draws: of all the others some.
+    Any,
+    /// The cases at which geometry fails.
+    Hard,
+    /// Of about unit size near the origin.
+    Ordinary,
+    /// Much longer than wide.
+    Thin,
+    /// From 10⁻¹² to 10⁻⁴ in size.
+    Tiny,
+    /// From 10⁴ to 10¹² in size.
+    Huge,
+    /// As far from the origin as 10² to 10⁶ of their own size.
+    Far,
+    /// Of several shapes, the second touches the first.
+    Touching,
+}
+
+impl Family {
+    /// A random input of the family.
+    pub fn draw<X: Sample>(self, draw: &mut Draw) -> X {
+        let placed = |x: X, scale: f64, shift: [f64; 2]| {
+            let there = moved(&x.scalars(), &x.kinds(), 0.0, scale, shift);
+            let there = x.refill(&there);
+            if there.inside() { there } else { x }
+        };
+        match self {
+            Family::Any => random(draw),
+            Family::Hard => {
+                let mut plain = X::hard();
+                if plain.is_empty() {
+                    return X::draw(draw);
+                }
+                let x = plain.swap_remove(draw.below(plain.len()));
+                let there = put(&x, PLACES[draw.below(PLACES.len())]);
+                there.unwrap_or(x)
+            }
+            Family::Ordinary => X::ordinary(draw),
+            Family::Thin => X::thin(draw),
+            Family::Tiny => placed(X::draw(draw), draw.magnitude(1e-12, 1e-4), [0.0; 2]),
+            Family::Huge => placed(X::draw(draw), draw.magnitude(1e4, 1e12), [0.0; 2]),
+            Family::Far => {
+                let shift = [(); 2].map(|()| {
+                    let sign = if draw.once_in(2) { -1.0 } else { 1.0 };
+                    sign * draw.magnitude(1e2, 1e6)
+                });
+                placed(X::draw(draw), 1.0, shift)
+            }
+            Family::Touching => X::touching(draw),
+        }
+    }
+}
+
+/// Moves a whole input: rotation about the origin, then scaling, then translation.
+#[must_use]
+pub fn moved(x: &[f64], kinds: &[Kind], angle: f64, scale: f64, shift: [f64; 2]) -> Vec<f64> {
+    let (sin, cos) = if angle == 0.0 {
+        (0.0, 1.0)
+    } else {
+        angle.sin_cos()
+    };
+    (0..x.len())
+        .map(|i| match kinds[i] {
+            Kind::X => (cos * x[i] - sin * x[i + 1]) * scale + shift[0],
+            Kind::Y => (sin * x[i - 1] + cos * x[i]) * scale + shift[1],
+            Kind::Length => x[i] * scale,
+            Kind::Angle => x[i] + angle,
+        })
+        .collect()
+}
+
+/// A random input, moved and scaled now and then.
+pub fn random<X: Sample>(draw: &mut Draw) -> X {
+    let x = X::draw(draw);
+    let scale = match draw.below(16) {
+        0 => 1e-4,
+        1 => 1e-12,
+        2 => 1e5,
+        3 => draw.magnitude(1e-6, 1e6),
+        _ => 1.0,
+    };
+    let shift = match draw.below(12) {
+        0 => [1e5, -1e5],
+        1 => [draw.within(-1e3, 1e3), draw.within(-1e3, 1e3)],
+        _ => [0.0, 0.0],
+    };
+    let placed = x.refill(&moved(
+        &x.scalars(),
+        &x.kinds(),
+        0.0,
+        scale,
+        shift.map(|s| s * scale),
+    ));
+    if placed.inside() { placed } else { x }
+}
+
+/// Where hard cases are put: turned by an angle, scaled, moved away.
+const PLACES: [(f64, f64, [f64; 2]); 7] = [
+    (0.0, 1.0, [0.0, 0.0]),
+    (0.0, 1.0, [1e5, 3.0]),
+    (0.0, 1e-4, [0.0, 0.0]),
+    (0.0, 1e-12, [0.0, 0.0]),
+    (0.0, 1e5, [-7e5, 1e5]),
+    (0.3, 1.0, [0.0, 0.0]),
+    (FRAC_PI_2, 1.0, [0.0, 0.0]),
+];
+
+/// A hard case in a place; nothing for a shape that cannot turn or does not fit there.
+fn put<X: Sample>(x: &X, (angle, scale, shift): (f64, f64, [f64; 2])) -> Option<X> {
+    let kinds = x.kinds();
+    if angle != 0.0 && !kinds.contains(&Kind::Angle) {
+        return None;
+    }
+    let there = x.refill(&moved(&x.scalars(), &kinds, angle, scale, shift));
+    there.inside().then_some(there)
+}
+
+/// The hard cases as they are, turned, scaled and moved away.
+pub fn hard_cases<X: Sample>() -> Vec<X> {
+    let plain = X::hard();
+    PLACES
+        .iter()
+        .flat_map(|place| plain.iter().filter_map(|x| put(x, *place)))
+        .collect()
+}

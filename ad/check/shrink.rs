@@ -1,0 +1,96 @@
+//! Smaller inputs that fail the same way, and inputs as code.
+use crate::Pack;
+use crate::ad::check::trace::Number;
+use crate::ad::check::verdict::{Fault, Findings, Place};
+use std::fmt::Debug;
+use std::panic::{AssertUnwindSafe, catch_unwind};
+
+/// How many numbers simpler inputs of a failure may have together: 400 short inputs are tried.
+const WORK: usize = 400 * 48;
+
+/// Simpler inputs, simplest first: fewer elements, then fewer digits. For shrinking.
+pub fn simpler<S: Number, X: Pack<Scalar = S>>(x: &X) -> impl Iterator<Item = X> {
+    let list: Vec<S> = x.scalars();
+    let rounded = (0..list.len()).flat_map(move |i| {
+        let (at, list) = (list[i].widen(), list.clone());
+        let power = if at == 0.0 {
+            1.0
+        } else {
+            10_f64.powi(at.abs().log10().floor() as i32)
+        };
+        let simple = [
+            0.0,
+            at.signum(),
+            at.round(),
+            (at / power).round() * power,
+            (at * 64.0).round() / 64.0,
+        ];
+        // Simpler means fewer digits, or it might go round in circles.
+        let simple = simple.into_iter().filter(move |s| digits(*s) < digits(at));
+        simple.map(move |simple| {
+            let mut simpler = list.clone();
+            simpler[i] = S::nearest(simple);
+            x.refill(&simpler)
+        })
+    });
+    x.fewer().chain(rounded)
+}
+
+/// How long a number is when written out.
+fn digits(x: f64) -> usize {
+    if x == 0.0 { 0 } else { format!("{x:e}").len() }
+}
+
+/// The simplest input found that fails in the same way: for the same reason, at the same number of an
+/// input of the same length, at the same kind of place, with no other witness outvoted. A function
+/// that panics at an input of another length does not fail there in the same way.
+pub(crate) fn shrunk<S: Number, X: Pack<Scalar = S> + Debug>(
+    x: &X,
+    fault: Fault,
+    place: Place,
+    mut judged: impl FnMut(&X) -> Findings,
+) -> (X, Fault) {
+    let mut least = (x.clone(), fault);
+    let mut left = WORK;
+    loop {
+        let count = least.0.count();
+        let affordable = |candidate: &X| {
+            let cost = candidate.count().max(48);
+            left = left.saturating_sub(cost);
+            left > 0
+        };
+        let mut candidates = simpler(&least.0).take_while(affordable);
+        let found = candidates.find_map(|candidate| {
+            let found = catch_unwind(AssertUnwindSafe(|| judged(&candidate))).ok()?;
+            let same_place = |f: &Fault| {
+                let own = (f.output, f.input) == (least.1.output, least.1.input);
+                own || candidate.count() != count || fault.numbers.along
+            };
+            let same = |f: &Fault| {
+                let blamed = fault.suspect.is_none() || f.suspect == fault.suspect;
+                f.reason == fault.reason && blamed && same_place(f)
+            };
+            let same = found.faults.into_iter().find(same)?;
+            (found.place == place).then_some((candidate, same))
+        });
+        drop(candidates);
+        match found {
+            Some(found) => least = found,
+            None => return least,
+        }
+    }
+}
+
+/// An input as code.
+pub(crate) fn code<X: Debug>(x: &X) -> String {
+    let text = format!("{x:?}");
+    let name = std::any::type_name::<X>();
+    if name.contains("Vec<") && !name.contains('[') {
+        // Every list is one of run-time length.
+        text.replace('[', "vec![")
+    } else if name.starts_with("alloc::vec::Vec") {
+        format!("vec!{text}")
+    } else {
+        text
+    }
+}

@@ -1,0 +1,155 @@
+//! A function under test as the harness sees it: lists of numbers in, lists of numbers out.
+use crate::ad::check::symmetry::{Kind, Promise};
+use crate::ad::check::trace::Trace;
+use crate::ad::check::witness::Precision;
+
+/// What a function does on purpose at places where its derivative is nobody's.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct Conventions {
+    /// Where the value is zero, or the input lies on the border of its domain, the slope may be
+    /// zero although it is not between the slopes of both sides.
+    pub flat: bool,
+    /// Where the value may jump.
+    pub jumps: Jumps,
+    /// Whether at a tie the derivative by hand must be the very one of the duals, and not another
+    /// between the slopes of both sides.
+    pub shared_ties: bool,
+}
+
+/// Where a function may jump.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Jumps {
+    /// Nowhere.
+    #[default]
+    Never,
+    /// Where its value is exactly zero.
+    FromZero,
+    /// Anywhere.
+    Anywhere,
+}
+
+/// A function near one input, with every way there is to differentiate it. All lists are `f64`;
+/// a function of `f32` is asked only at inputs that are `f32` numbers and answers in them.
+///
+/// Only [`value`](Subject::value) is required. What is `None` is not checked.
+pub trait Subject {
+    /// The format the function computes in.
+    fn precision(&self) -> Precision;
+    /// The function.
+    fn value(&self, x: &[f64]) -> Vec<f64>;
+    /// The function by other paths.
+    fn other_values(&self, _x: &[f64]) -> Vec<Vec<f64>> {
+        Vec::new()
+    }
+    /// The derivative by hand: the slopes of `y_bar · value`.
+    fn adjoint(&self, _x: &[f64], _y_bar: &[f64]) -> Option<Vec<f64>> {
+        None
+    }
+    /// The derivative by hand with every rounding on the way drawn from a seed
+    /// ([`noise`](crate::ad::check::noise)).
+    fn noisy(&self, _x: &[f64], _y_bar: &[f64], _seed: u64) -> Option<Vec<f64>> {
+        None
+    }
+    /// The same by further witnesses: a fused path, a GPU.
+    fn further(&self, _x: &[f64], _y_bar: &[f64]) -> Vec<Vec<f64>> {
+        Vec::new()
+    }
+    /// Value and slopes of `y_bar · value` from a batch, on the CPU or a GPU.
+    fn batch(&self, _x: &[f64], _y_bar: &[f64]) -> Option<(Vec<f64>, Vec<f64>)> {
+        None
+    }
+    /// The Jacobian by duals, one row per output.
+    fn jacobian(&self, _x: &[f64]) -> Option<Vec<Vec<f64>>> {
+        None
+    }
+    /// The value that duals carry.
+    fn dual_values(&self, _x: &[f64]) -> Option<Vec<f64>> {
+        None
+    }
+    /// The slopes of all outputs along a direction by duals: the Jacobian times the direction, for
+    /// inputs too long for a whole one.
+    fn along(&self, _x: &[f64], _direction: &[f64]) -> Option<Vec<f64>> {
+        None
+    }
+    /// The value through the same source on traced numbers.
+    fn traced(&self, _x: &[f64]) -> Option<(Vec<f64>, Trace)> {
+        None
+    }
+    /// The Hessian of `y_bar · value` times a direction, through the adjoint.
+    fn curvature(&self, _x: &[f64], _y_bar: &[f64], _direction: &[f64]) -> Option<Vec<f64>> {
+        None
+    }
+    /// The same with every rounding on the way drawn from a seed.
+    fn noisy_curvature(
+        &self,
+        _x: &[f64],
+        _y_bar: &[f64],
+        _direction: &[f64],
+        _seed: u64,
+    ) -> Option<Vec<f64>> {
+        None
+    }
+    /// The same by nested duals through the value.
+    fn nested(&self, _x: &[f64], _y_bar: &[f64], _direction: &[f64]) -> Option<Vec<f64>> {
+        None
+    }
+    /// The same function in double precision, when it computes in single.
+    fn wide(&self) -> Option<Box<dyn Subject + '_>> {
+        None
+    }
+    /// Whether an input is valid.
+    fn inside(&self, _x: &[f64]) -> bool {
+        true
+    }
+    /// For each number, the length over which the function may be expected to change.
+    fn scales(&self, x: &[f64]) -> Vec<f64> {
+        default_scales(x)
+    }
+    /// Whether the scales are only guessed from the numbers.
+    fn guessed_scales(&self) -> bool {
+        false
+    }
+    /// For each number, its unit: slopes times units are comparable, and a derivative is right to
+    /// within the rounding of the largest of them.
+    fn units(&self, x: &[f64]) -> Vec<f64> {
+        self.scales(x)
+    }
+    /// Whether slopes times units are sums of terms as large as the largest of them, so that none can
+    /// be held to less than its rounding. If not, every slope is held to its own digits and to what
+    /// provoked rounding shows.
+    fn comparable(&self) -> bool {
+        false
+    }
+    /// For each number, how large a rounding error of it the function may behave as if it had
+    /// made. By default that of the number itself; functions that add numbers of one unit may only
+    /// be held to that of the largest of them.
+    fn rounding(&self, x: &[f64]) -> Vec<f64> {
+        let eps = self.precision().epsilon();
+        x.iter().map(|x| eps * x.abs()).collect()
+    }
+    /// What each number is; needed for promises only.
+    fn kinds(&self) -> Vec<Kind> {
+        Vec::new()
+    }
+    /// What the function promises under motions.
+    fn promises(&self) -> &[Promise] {
+        &[]
+    }
+    /// What it does on purpose.
+    fn conventions(&self) -> Conventions {
+        Conventions::default()
+    }
+}
+
+/// Numbers change over their own size, but not over less than a thousandth of the largest one.
+#[must_use]
+pub fn default_scales(x: &[f64]) -> Vec<f64> {
+    let largest = x.iter().fold(0.0_f64, |m, x| m.max(x.abs()));
+    let least = match largest {
+        0.0 => 1.0,
+        // Such numbers have no unit in common, and products of them would overflow.
+        x if x > 1e150 => f64::MIN_POSITIVE,
+        x => 1e-3 * x,
+    };
+    x.iter().map(|x| x.abs().max(least)).collect()
+}

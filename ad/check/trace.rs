@@ -1,0 +1,264 @@
+//! Branch tracing: a scalar that remembers how every comparison came out.
+//!
+//! Two points with the same [`Trace`] ran through the same branches, so between them a function
+//! made of arithmetic is smooth and finite differences can be believed. Where traces differ there
+//! may be a kink (or only a harmless change of branch), and the smallest margin says how near it
+//! was.
+//!
+//! ```
+//! use geograd::ad::check::trace::{Traced, trace};
+//! use geograd::Scalar;
+//! let larger = |x: f64, y: f64| trace(|| Traced(x).most(Traced(y)).0);
+//! let (value, here) = larger(2.0, 1.0);
+//! assert_eq!((value, here.margin), (2.0, 0.5));
+//! assert_eq!(here.hash, larger(3.0, 1.0).1.hash); // the same branch
+//! assert_ne!(here.hash, larger(1.0, 2.0).1.hash); // another one
+//! assert_eq!(larger(1.0, 1.0).1.margin, 0.0); // a tie
+//! ```
+use crate::scalar::float::Float;
+use crate::{Pack, Scalar};
+use std::cell::Cell;
+use std::ops::{Add, AddAssign, Div, Mul, MulAssign, Neg, Sub, SubAssign};
+
+/// What one run recorded.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Trace {
+    /// The outcomes of all comparisons, in order, hashed.
+    pub hash: u64,
+    /// How many comparisons there were.
+    pub count: u64,
+    /// The smallest relative difference of two compared numbers; infinite when nothing was
+    /// compared, zero at a tie.
+    pub margin: f64,
+}
+
+impl Trace {
+    /// Nothing recorded yet.
+    const EMPTY: Trace = Trace {
+        hash: 0xcbf2_9ce4_8422_2325,
+        count: 0,
+        margin: f64::INFINITY,
+    };
+    /// One more comparison.
+    #[inline]
+    fn record(&mut self, outcome: bool, x: f64, y: f64) {
+        // FNV-1a, one byte per comparison.
+        self.hash = (self.hash ^ u64::from(outcome)).wrapping_mul(0x0100_0000_01b3);
+        self.count += 1;
+        let size = x.abs().max(y.abs());
+        let margin = if x == y { 0.0 } else { (x - y).abs() / size };
+        if margin < self.margin {
+            self.margin = margin;
+        }
+    }
+}
+
+thread_local! {
+    // A comparison yields a plain `bool`, which cannot carry its history along, so the history
+    // belongs to the thread.
+    static TAPE: Cell<Trace> = const { Cell::new(Trace::EMPTY) };
+}
+
+/// Runs a function and gives back, beside its result, what its [`Traced`] numbers recorded. Calls
+/// may be nested; the outer one does not see what the inner one recorded.
+pub fn trace<R>(run: impl FnOnce() -> R) -> (R, Trace) {
+    let outer = TAPE.replace(Trace::EMPTY);
+    let result = run();
+    (result, TAPE.replace(outer))
+}
+
+/// A scalar that records its comparisons, over any other scalar: `Traced<f64>`, `Traced<f32>`, or
+/// inside a jet, `Jet<Traced<f64>, N>`. Values are those of the inner scalar, to the bit.
+#[derive(Clone, Copy, Debug, Default)]
+pub struct Traced<T>(
+    /// The number.
+    pub T,
+);
+
+/// `f32` or `f64`: what a function is checked in.
+pub trait Number: Scalar<Mask = bool, Primal = Self> + Float + Pack<With<Self> = Self> {
+    /// Nearest number to an `f64`.
+    fn nearest(x: f64) -> Self {
+        <Self as Scalar>::lit(x)
+    }
+}
+impl Number for f32 {}
+impl Number for f64 {}
+
+impl<T: Number> Traced<T> {
+    /// Records a comparison and hands its outcome on.
+    #[inline(always)]
+    fn note(self, other: Self, outcome: bool) -> bool {
+        TAPE.with(|tape| {
+            let mut trace = tape.get();
+            trace.record(outcome, self.0.widen(), other.0.widen());
+            tape.set(trace);
+        });
+        outcome
+    }
+}
+
+/// What every wrapper of one float hands on as it is: the items of its `Scalar`.
+macro_rules! wrapped {
+    ($wrapper:ident of $number:ident) => {
+        type Mask = bool;
+        type Primal = Self;
+        const COMPENSATED: bool = <$number as Scalar>::COMPENSATED;
+        const EPSILON: f64 = <$number as Scalar>::EPSILON;
+        const PARALLEL: f64 = <$number as Scalar>::PARALLEL;
+        const LARGEST: f64 = $number::LARGEST;
+
+        #[inline(always)]
+        fn lit(x: f64) -> Self {
+            $wrapper($number::nearest(x))
+        }
+        #[inline(always)]
+        fn from_primal(x: Self) -> Self {
+            x
+        }
+        #[inline(always)]
+        fn primal(self) -> Self {
+            self
+        }
+        #[inline(always)]
+        fn select(mask: bool, yes: Self, no: Self) -> Self {
+            if mask { yes } else { no }
+        }
+        #[inline(always)]
+        fn parts(self) -> (Self, Self) {
+            let (high, low) = self.0.parts();
+            ($wrapper(high), $wrapper(low))
+        }
+        #[inline(always)]
+        fn binade(self) -> Self {
+            $wrapper(Scalar::binade(self.0))
+        }
+        #[inline(always)]
+        fn damp(self, _share: Self) -> Self {
+            self
+        }
+        #[inline(always)]
+        fn with_primal(self, value: Self) -> Self {
+            value
+        }
+    };
+}
+/// The operators of a wrapper that follow from others.
+macro_rules! wrapped_operators {
+    ($wrapper:ident) => {
+        impl<T: Number> AddAssign for $wrapper<T> {
+            #[inline(always)]
+            fn add_assign(&mut self, other: Self) {
+                *self = *self + other;
+            }
+        }
+        impl<T: Number> SubAssign for $wrapper<T> {
+            #[inline(always)]
+            fn sub_assign(&mut self, other: Self) {
+                *self = *self - other;
+            }
+        }
+        impl<T: Number> MulAssign for $wrapper<T> {
+            #[inline(always)]
+            fn mul_assign(&mut self, other: Self) {
+                *self = *self * other;
+            }
+        }
+        impl<T: Number> Neg for $wrapper<T> {
+            type Output = Self;
+            #[inline(always)]
+            fn neg(self) -> Self {
+                $wrapper(-self.0)
+            }
+        }
+        crate::pack::leaf! {
+            [T: Number] $wrapper<T>,
+        }
+    };
+}
+pub(crate) use {wrapped, wrapped_operators};
+
+/// Operators that only concern the value.
+macro_rules! forward {
+    ($($operator:ident $method:ident;)*) => { $(
+        impl<T: Number> $operator for Traced<T> {
+            type Output = Self;
+            #[inline(always)]
+            fn $method(self, other: Self) -> Self {
+                Traced(self.0.$method(other.0))
+            }
+        }
+    )* };
+}
+forward! {
+    Add add;
+    Sub sub;
+    Mul mul;
+    Div div;
+}
+wrapped_operators!(Traced);
+
+impl<T: Number> Scalar for Traced<T> {
+    wrapped!(Traced of T);
+
+    #[inline(always)]
+    fn below(self, other: Self) -> bool {
+        self.note(other, self.0.below(other.0))
+    }
+    #[inline(always)]
+    fn at_most(self, other: Self) -> bool {
+        self.note(other, self.0.at_most(other.0))
+    }
+    #[inline(always)]
+    fn equals(self, other: Self) -> bool {
+        self.note(other, self.0.equals(other.0))
+    }
+    #[inline(always)]
+    fn over(self, divisor: Self) -> Self {
+        Traced(self.0.over(divisor.0))
+    }
+    #[inline(always)]
+    fn root(self) -> Self {
+        // A root has a kink at zero, so the decision there counts.
+        self.at_most(Self::zero());
+        Traced(self.0.root())
+    }
+    #[inline(always)]
+    fn sin_cos(self) -> (Self, Self) {
+        let (sin, cos) = self.0.sin_cos();
+        (Traced(sin), Traced(cos))
+    }
+    #[inline(always)]
+    fn sin_cos_parts(self) -> [(Self, Self); 2] {
+        self.0
+            .sin_cos_parts()
+            .map(|(high, low)| (Traced(high), Traced(low)))
+    }
+    #[inline(always)]
+    fn atan2(self, x: Self) -> Self {
+        // The branch cut is a jump: which side of it counts.
+        if x.below(Self::zero()) {
+            self.below(Self::zero());
+        }
+        Traced(self.0.atan2(x.0))
+    }
+    #[inline(always)]
+    fn exp(self) -> Self {
+        Traced(self.0.exp())
+    }
+    #[inline(always)]
+    fn ln(self) -> Self {
+        Traced(self.0.ln())
+    }
+    // The value of a float's own choice; the default's record of the tie.
+    #[inline(always)]
+    fn least(self, other: Self) -> Self {
+        self.equals(other);
+        if self.below(other) { self } else { other }
+    }
+    #[inline(always)]
+    fn most(self, other: Self) -> Self {
+        self.equals(other);
+        if other.below(self) { self } else { other }
+    }
+}

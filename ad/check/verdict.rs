@@ -1,0 +1,232 @@
+//! What the harness can say: typed reasons, the numbers behind them, no strings.
+use crate::ad::check::symmetry::Motion;
+
+/// One way to obtain a value or a derivative.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum Witness {
+    /// The function itself.
+    Value,
+    /// The derivative by hand.
+    Adjoint,
+    /// Forward duals through the generic source.
+    Dual,
+    /// Finite differences with an error estimate.
+    Difference,
+    /// Duals through the same source in double precision.
+    Wide,
+    /// A batch of the same operation, on the CPU or a GPU.
+    Batch,
+    /// A further witness, by its position in the list that was given: another code path, a GPU.
+    Further(usize),
+}
+
+/// Why a function was refused.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+#[non_exhaustive]
+pub enum Reason {
+    /// A derivative has not as many numbers as the input.
+    WrongLength(Witness),
+    /// A finite input gave a NaN or an infinity.
+    NotFinite(Witness),
+    /// The same input gave other bits the second time.
+    Impure(Witness),
+    /// Another path to the value gives another value.
+    ValuesDisagree(Witness),
+    /// Two derivatives differ by more than both can err.
+    Disagree(Witness, Witness),
+    /// At a kink the derivative is not between the slopes of both sides.
+    OutsideKink,
+    /// The value jumps, and the function does not declare that it does.
+    Jump,
+    /// The adjoint of a sum is not the sum of the adjoints.
+    NotLinear,
+    /// The second derivative differs from differences of the first, or from nested duals.
+    CurvatureDisagrees(Witness),
+    /// Second derivatives taken in the other order differ.
+    CurvatureNotSymmetric,
+    /// The value does not follow a declared motion.
+    MotionBroken(Motion),
+    /// The derivative does not follow a declared motion: forces or torques do not balance.
+    MotionUnbalanced(Motion),
+    /// Hardly a sample was smooth, so that nothing was proved.
+    NothingSmooth,
+    /// At no sample could any witness say anything about this number of the input: there was no
+    /// sample inside the domain, no derivative, no result, or all differences were lost in rounding.
+    Unheard,
+}
+
+/// What kind of place a sample turned out to be.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum Place {
+    /// Differentiable as far as can be seen.
+    Smooth,
+    /// The slopes of both sides differ.
+    Kink,
+    /// A jump, an infinite slope, or nowhere to step to.
+    Undefined,
+}
+
+/// One number per witness, as far as there is one.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Numbers {
+    /// Of the derivative by hand.
+    pub adjoint: Option<f64>,
+    /// Of forward duals.
+    pub dual: Option<f64>,
+    /// Of finite differences.
+    pub difference: Option<f64>,
+    /// Of the further witness in question.
+    pub other: Option<f64>,
+    /// Slopes of both sides, at a kink.
+    pub sides: Option<[f64; 2]>,
+    /// Whether they are slopes along a random direction, in which several numbers of the input move,
+    /// and not with respect to one of them.
+    pub along: bool,
+}
+
+/// A refusal: what, where, and the numbers.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Fault {
+    /// Why.
+    pub reason: Reason,
+    /// Which witness is outvoted by the others, when that can be told.
+    pub suspect: Option<Witness>,
+    /// The number of the output concerned.
+    pub output: usize,
+    /// The number of the input concerned.
+    pub input: usize,
+    /// What every witness says.
+    pub numbers: Numbers,
+    /// How much the two numbers in question may differ.
+    pub tolerance: f64,
+}
+
+/// The worst difference between two witnesses.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Worst {
+    /// How many numbers were compared.
+    pub count: u64,
+    /// Largest difference.
+    pub absolute: f64,
+    /// Largest difference, relative to the largest slope in the same unit.
+    pub relative: f64,
+    /// The same in units of the precision.
+    pub ulps: f64,
+    /// How many differences, in units of the precision, are below 1, 10, 100 and so on.
+    pub decades: [u64; 20],
+    /// The one nearest to refusal.
+    pub nearest: Nearest,
+}
+
+/// The comparison of two witnesses that used up most of its tolerance; if any needed its rounding
+/// provoked, one of those: the others would have been given more.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Nearest {
+    /// Which share of the tolerance.
+    pub share: f64,
+    /// Whether rounding was provoked.
+    pub provoked: bool,
+    /// The number of the sample.
+    pub sample: usize,
+    /// The number of the output.
+    pub output: usize,
+    /// The number of the input.
+    pub input: usize,
+    /// What every witness says.
+    pub numbers: Numbers,
+    /// How much the two numbers in question may differ.
+    pub tolerance: f64,
+}
+
+impl Nearest {
+    fn rank(&self) -> f64 {
+        if self.provoked {
+            1.0 + self.share
+        } else {
+            self.share.min(1.0)
+        }
+    }
+}
+
+impl Worst {
+    /// One more comparison.
+    pub(crate) fn note(&mut self, gap: f64, size: f64, eps: f64, at: Nearest) {
+        self.count += 1;
+        self.absolute = self.absolute.max(gap);
+        let relative = if gap == 0.0 { 0.0 } else { gap / size };
+        if relative.is_finite() {
+            self.relative = self.relative.max(relative);
+            self.ulps = self.ulps.max(relative / eps);
+            let decade = (relative / eps).log10().floor() + 1.0;
+            self.decades[(decade.max(0.0) as usize).min(19)] += 1;
+        }
+        let share = if gap == 0.0 { 0.0 } else { gap / at.tolerance };
+        let here = Nearest { share, ..at };
+        if here.rank() > self.nearest.rank() {
+            self.nearest = here;
+        }
+    }
+    /// The power of ten of units of the precision that 99 of 100 differences stay below. The
+    /// largest ones belong to inputs that no format can decide, such as nearly parallel sides.
+    #[must_use]
+    pub fn usual(&self) -> f64 {
+        let total: u64 = self.decades.iter().sum();
+        let mut seen = 0;
+        for (decade, count) in (0..).zip(self.decades) {
+            seen += count;
+            if seen * 100 >= total * 99 {
+                return 10_f64.powi(decade);
+            }
+        }
+        f64::INFINITY
+    }
+    /// Both together.
+    pub(crate) fn merge(&mut self, other: &Worst, sample: usize) {
+        self.count += other.count;
+        self.absolute = self.absolute.max(other.absolute);
+        self.relative = self.relative.max(other.relative);
+        self.ulps = self.ulps.max(other.ulps);
+        for (all, here) in self.decades.iter_mut().zip(other.decades) {
+            *all += here;
+        }
+        if other.nearest.rank() > self.nearest.rank() {
+            self.nearest = Nearest {
+                sample,
+                ..other.nearest
+            };
+        }
+    }
+}
+
+/// The pairs of witnesses a report has a line for.
+pub const PAIRS: [(Witness, Witness); 6] = [
+    (Witness::Adjoint, Witness::Dual),
+    (Witness::Adjoint, Witness::Difference),
+    (Witness::Dual, Witness::Difference),
+    (Witness::Adjoint, Witness::Wide),
+    (Witness::Adjoint, Witness::Further(0)),
+    (Witness::Adjoint, Witness::Batch),
+];
+
+/// What was found at one sample.
+#[derive(Clone, Debug)]
+pub struct Findings {
+    /// What kind of place it is.
+    pub place: Place,
+    /// Directions along which the function is smooth, kinked and not to be judged.
+    pub directions: [u64; 3],
+    /// Directions along which another branch was taken, however small the step.
+    pub switched: u64,
+    /// Whether the value jumps there.
+    pub jump: bool,
+    /// Whether a declared convention was needed.
+    pub convention: bool,
+    /// How near the nearest change of branch is, relative; infinite when nothing was compared.
+    pub margin: f64,
+    /// Whether some witness could judge the slope with respect to each number of the input.
+    pub heard: Vec<bool>,
+    /// What each pair of [`PAIRS`] differs by.
+    pub worst: [Worst; PAIRS.len()],
+    /// Everything refused, first things first.
+    pub faults: Vec<Fault>,
+}

@@ -1,0 +1,396 @@
+//! Finite differences that say how far they can be trusted, and the sensitivity of any witness to
+//! rounding.
+//!
+//! A [`Ladder`] holds values at steps of geometrically falling size on both sides of a point. From
+//! it come the central slope and the slopes of both sides, each extrapolated to step zero by
+//! Richardson's scheme; of all extrapolations the one with the smallest error estimate counts
+//! (Ridders' method), where the estimate includes the rounding noise of the values.
+use crate::Scalar;
+use crate::ad::check::sample::Draw;
+use crate::ad::check::trace::Trace;
+
+/// The number format a function is checked in.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum Precision {
+    /// 24 bits.
+    F32,
+    /// 53 bits.
+    F64,
+}
+
+impl Precision {
+    /// That of a type.
+    #[must_use]
+    pub fn of<S: Scalar>() -> Self {
+        if S::EPSILON > f64::EPSILON {
+            Precision::F32
+        } else {
+            Precision::F64
+        }
+    }
+    /// The name of its type.
+    #[must_use]
+    pub fn name(self) -> &'static str {
+        match self {
+            Precision::F32 => "f32",
+            Precision::F64 => "f64",
+        }
+    }
+    /// The distance from 1 to the next larger number.
+    #[must_use]
+    pub fn epsilon(self) -> f64 {
+        match self {
+            Precision::F32 => f64::from(f32::EPSILON),
+            Precision::F64 => f64::EPSILON,
+        }
+    }
+    /// The nearest number of the format.
+    #[must_use]
+    pub fn round(self, x: f64) -> f64 {
+        match self {
+            Precision::F32 => f64::from(x as f32),
+            Precision::F64 => x,
+        }
+    }
+    /// So many numbers of the format farther from zero (nearer, when negative). Zero stays.
+    #[must_use]
+    pub fn beside(self, x: f64, ulps: i32) -> f64 {
+        if x == 0.0 || !x.is_finite() {
+            return x;
+        }
+        let moved = match self {
+            Precision::F32 => {
+                let bits = (x as f32).to_bits() as i32;
+                f64::from(f32::from_bits(bits.saturating_add(ulps) as u32))
+            }
+            Precision::F64 => {
+                let bits = x.to_bits() as i64;
+                f64::from_bits(bits.saturating_add(i64::from(ulps)) as u64)
+            }
+        };
+        if moved.is_finite() && (moved < 0.0) == (x < 0.0) {
+            moved
+        } else {
+            x
+        }
+    }
+}
+
+/// A number and how far it may be off.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Estimate {
+    /// The number.
+    pub value: f64,
+    /// Its estimated error.
+    pub error: f64,
+    /// The smallest step it was made of: an error of the values counts divided by it.
+    pub step: f64,
+}
+
+/// A value beside the point.
+#[derive(Clone, Debug)]
+pub struct Rung {
+    /// How far away, in multiples of the direction.
+    pub step: f64,
+    /// The value there.
+    pub values: Vec<f64>,
+    /// Whether the same branches were taken as at the point; true when nothing is known.
+    pub same: bool,
+    /// The branches taken; zero when nothing is known.
+    pub branch: u64,
+}
+
+/// A value and, if there is a traced source, its branches; `None` outside the domain.
+pub type Probe<'a> = &'a dyn Fn(&[f64]) -> Option<(Vec<f64>, Option<Trace>)>;
+
+/// Values along a direction on both sides of a point.
+#[derive(Clone, Debug)]
+pub struct Ladder {
+    /// Ahead, largest step first; shorter than asked for at the border of the domain.
+    pub ahead: Vec<Rung>,
+    /// Behind.
+    pub behind: Vec<Rung>,
+    /// The value at the point.
+    pub center: Vec<f64>,
+    /// Whether branches are known.
+    pub traced: bool,
+}
+
+/// How many steps a ladder has on each side.
+const RUNGS: i32 = 12;
+/// By what the step falls from one to the next: 12 of them span seven decades.
+const RATIO: f64 = 4.0;
+
+impl Ladder {
+    /// Evaluates at `x ± step · direction`, from `first` downwards.
+    pub fn climb(
+        probe: Probe<'_>,
+        precision: Precision,
+        x: &[f64],
+        center: &[f64],
+        trace: Option<Trace>,
+        direction: &[f64],
+        first: f64,
+    ) -> Ladder {
+        // The step that is really taken is read off where the direction is largest.
+        let main = (0..x.len())
+            .max_by(|&i, &j| direction[i].abs().total_cmp(&direction[j].abs()))
+            .unwrap_or(0);
+        let side = |sign: f64| {
+            let mut rungs: Vec<Rung> = Vec::with_capacity(RUNGS as usize);
+            for k in 0..RUNGS {
+                let wanted = first * RATIO.powi(-k);
+                let there: Vec<f64> = x
+                    .iter()
+                    .zip(direction)
+                    .map(|(&x, &d)| precision.round(x + sign * wanted * d))
+                    .collect();
+                let step = sign * (there[main] - x[main]) / direction[main];
+                // Steps lost in rounding, or no smaller than the one before, say nothing.
+                if step.is_nan()
+                    || step <= 0.0
+                    || rungs.last().is_some_and(|last| last.step < 1.5 * step)
+                {
+                    continue;
+                }
+                let Some((values, there)) = probe(&there) else {
+                    continue;
+                };
+                let same = match (trace, there) {
+                    (Some(here), Some(there)) => here.hash == there.hash,
+                    _ => true,
+                };
+                let branch = there.map_or(0, |trace| trace.hash);
+                rungs.push(Rung {
+                    step,
+                    values,
+                    same,
+                    branch,
+                });
+            }
+            rungs
+        };
+        Ladder {
+            ahead: side(1.0),
+            behind: side(-1.0),
+            center: center.to_vec(),
+            traced: trace.is_some(),
+        }
+    }
+
+    /// The central slope of `weights · value`. With `within`, only from steps inside which the
+    /// branches are those of the point.
+    #[must_use]
+    pub fn central(&self, weights: &[f64], noise: f64, within: bool) -> Option<Estimate> {
+        let mut points = Vec::new();
+        let mut behind = self.behind.iter().peekable();
+        for ahead in &self.ahead {
+            while behind.next_if(|b| b.step > 1.5 * ahead.step).is_some() {}
+            let Some(&b) = behind.peek() else { break };
+            if b.step < ahead.step / 1.5 {
+                continue;
+            }
+            if within && !(ahead.same && b.same) {
+                // A larger step may come back to the same branches after having left them.
+                points.clear();
+                continue;
+            }
+            let span = ahead.step + b.step;
+            let rise = dot(weights, &ahead.values) - dot(weights, &b.values);
+            points.push((span / 2.0, rise / span));
+        }
+        extrapolated(&points, 2, noise)
+    }
+
+    /// The slope of `weights · value` on one side.
+    #[must_use]
+    pub fn one_sided(&self, ahead: bool, weights: &[f64], noise: f64) -> Option<Estimate> {
+        let (side, sign) = if ahead {
+            (&self.ahead, 1.0)
+        } else {
+            (&self.behind, -1.0)
+        };
+        let here = dot(weights, &self.center);
+        let points: Vec<(f64, f64)> = nearest_branch(side)
+            .iter()
+            .map(|rung| {
+                let rise = dot(weights, &rung.values) - here;
+                (rung.step, sign * rise / rung.step)
+            })
+            .collect();
+        let mut estimate = extrapolated(&points, 1, 2.0 * noise)?;
+        if self.traced
+            && let [.., before, last] = &points[..]
+        {
+            // Other branches than at the point: nearer than the smallest step the slope may still
+            // change as much as it does there.
+            estimate.error += (last.1 - before.1).abs();
+        }
+        Some(estimate)
+    }
+
+    /// The rounding noise that the smallest steps show: how far they are from a straight
+    /// continuation of the next larger ones, on the calmer side. Rounding need not show at the
+    /// point itself, where values may be quantised.
+    #[must_use]
+    pub fn noise(&self, weights: &[f64]) -> f64 {
+        let here = dot(weights, &self.center);
+        let side = |side: &[Rung]| {
+            let slopes: Vec<(f64, f64)> = side
+                .iter()
+                .map(|rung| (rung.step, (dot(weights, &rung.values) - here) / rung.step))
+                .collect();
+            // Values that stand still and then leap are no finer than the smallest leap.
+            let leaps = slopes.iter().map(|(step, slope)| (step * slope).abs());
+            let least = leaps
+                .filter(|leap| *leap > 0.0)
+                .fold(f64::INFINITY, f64::min);
+            let still = slopes.iter().any(|(_, slope)| *slope == 0.0) && least.is_finite();
+            let small = &slopes[slopes.len().saturating_sub(5)..];
+            small
+                .windows(3)
+                .fold(if still { least } else { 0.0 }, |noise, w| {
+                    let [(h0, a0), (h1, a1), (h2, a2)] = [w[0], w[1], w[2]];
+                    let ahead = a1 + (a1 - a0) * (h2 - h1) / (h1 - h0);
+                    noise.max((a2 - ahead).abs() * h2)
+                })
+        };
+        side(&self.ahead).min(side(&self.behind))
+    }
+
+    /// Whether both sides have a branch of their own long enough to be judged by.
+    #[must_use]
+    pub fn settled(&self) -> bool {
+        [&self.ahead, &self.behind].iter().all(|side| {
+            let branch = side.last().map_or(0, |rung| rung.branch);
+            side.len() < 3 || side.iter().rev().take(3).all(|rung| rung.branch == branch)
+        })
+    }
+
+    /// Whether the value stands still along the whole ladder.
+    #[must_use]
+    pub fn still(&self) -> bool {
+        let rungs = self.ahead.iter().chain(&self.behind);
+        rungs.into_iter().all(|rung| rung.values == self.center)
+    }
+
+    /// How far an output jumps on either side, if it does: the change to the nearest rungs does not
+    /// shrink with the step.
+    #[must_use]
+    pub fn jump(&self, output: usize, noise: f64) -> Option<f64> {
+        let here = self.center[output];
+        [&self.ahead, &self.behind].into_iter().find_map(|side| {
+            let near = side.last_chunk::<3>()?;
+            let rises = near.each_ref().map(|rung| rung.values[output] - here);
+            let (low, high) = rises
+                .iter()
+                .fold((f64::INFINITY, 0.0_f64), |(low, high), r| {
+                    (low.min(r.abs()), high.max(r.abs()))
+                });
+            (low > 0.8 * high && low > 64.0 * noise).then_some(low)
+        })
+    }
+}
+
+/// The rungs nearest to the point that all took the same branches; all rungs when those are too
+/// few.
+fn nearest_branch(side: &[Rung]) -> &[Rung] {
+    let branch = side.last().map_or(0, |rung| rung.branch);
+    let near = side
+        .iter()
+        .rev()
+        .take_while(|rung| rung.branch == branch)
+        .count();
+    if near < 3 {
+        side
+    } else {
+        &side[side.len() - near..]
+    }
+}
+
+/// The inner product, by halves when long: so it is off by less than a few units in the last place
+/// of its terms, however many there are.
+pub(crate) fn dot(a: &[f64], b: &[f64]) -> f64 {
+    let n = a.len().min(b.len());
+    if n > 64 {
+        let (low, high) = (a.split_at(n / 2), b.split_at(n / 2));
+        return dot(low.0, high.0) + dot(low.1, &high.1[..n - n / 2]);
+    }
+    a.iter()
+        .zip(b)
+        .map(|(a, b)| if *a == 0.0 { 0.0 } else { a * b })
+        .sum()
+}
+
+/// The slopes of one combination of the outputs, from a Jacobian with one row per output.
+pub(crate) fn combined(weights: &[f64], jacobian: &[Vec<f64>], inputs: usize) -> Vec<f64> {
+    let slope = |i: usize| {
+        let column: Vec<f64> = jacobian.iter().map(|row| row[i]).collect();
+        dot(weights, &column)
+    };
+    (0..inputs).map(slope).collect()
+}
+
+/// Extrapolates `(step, slope)` to step zero, eliminating the powers `order, 2 order, …`.
+///
+/// Of all extrapolations the one with the smallest error counts. Its error is the change from the
+/// ones it was made of, the noise, and whatever makes smaller steps disagree with it: a function
+/// with a feature smaller than the large steps looks smooth, and wrong, to them.
+fn extrapolated(points: &[(f64, f64)], order: i32, noise: f64) -> Option<Estimate> {
+    let mut best: Option<Estimate> = None;
+    let mut last: Vec<f64> = Vec::new();
+    for (k, &(step, slope)) in points.iter().enumerate() {
+        let mut row = vec![slope];
+        for j in 1..=k.min(6) {
+            let ratio = (points[k - j].0 / step).powi(order);
+            row.push(row[j - 1] + (row[j - 1] - last[j - 1]) / (ratio - 1.0));
+        }
+        for j in 0..row.len().min(k + 1) {
+            let change = match j {
+                0 if k == 0 => continue,
+                0 => (row[0] - last[0]).abs(),
+                _ => (row[j] - row[j - 1])
+                    .abs()
+                    .max((row[j] - last[j - 1]).abs()),
+            };
+            let off = (slope - row[j]).abs();
+            let excess = points[k + 1..].iter().fold(0.0_f64, |excess, near| {
+                let truncation = 2.0 * off * (near.0 / step).powi(order);
+                let allowed = truncation + 16.0 * noise / near.0 + change;
+                excess.max((near.1 - row[j]).abs() - allowed)
+            });
+            let error = change + noise / step + excess;
+            if error.is_finite() && best.is_none_or(|best| error < best.error) {
+                best = Some(Estimate {
+                    value: row[j],
+                    error,
+                    step,
+                });
+            }
+        }
+        last = row;
+    }
+    best
+}
+
+/// The point with its rounding provoked, in three ways by turns: every number moves by one or two
+/// units in its last place, equal numbers alike, so that ties stay ties; every number moves by up
+/// to twice its `rounding`; the same, equal numbers alike.
+#[must_use]
+pub fn beside(precision: Precision, x: &[f64], rounding: &[f64], round: u64) -> Vec<f64> {
+    (0..x.len())
+        .map(|i| {
+            let key = if round % 3 == 1 {
+                i as u64
+            } else {
+                x[i].abs().to_bits()
+            };
+            let mut draw = Draw::new(key ^ round.wrapping_mul(0x9e37_79b9));
+            if round.is_multiple_of(3) {
+                precision.beside(x[i], [-2, -1, 1, 2][draw.below(4)])
+            } else {
+                precision.round(x[i] + 2.0 * rounding[i] * draw.within(-1.0, 1.0))
+            }
+        })
+        .collect()
+}

@@ -1,0 +1,205 @@
+//! The device behind [`Gpu`]: buffers, pipelines, batches.
+mod adapter;
+mod aligned;
+mod block;
+mod data;
+mod download;
+mod found;
+mod matrix;
+mod pairs;
+mod reduce;
+mod ring;
+mod slices;
+mod source;
+mod table;
+mod work;
+
+pub use adapter::{Adapter, Choice, Options};
+pub use data::{Bars, Shapes, Values};
+pub use download::Pending;
+pub use found::Founds;
+pub use matrix::Matrix;
+pub use pairs::PairBars;
+pub use reduce::{Best, Bests};
+pub use ring::{RingBars, RingValues, Rings};
+pub use source::{GpuPair, GpuRing, GpuShape, pair_sources, ring_sources};
+
+use crate::kernels::GpuError;
+use source::{GROUP, GROUP_VJP, Source, TILE};
+use std::collections::HashMap;
+use std::sync::atomic::{AtomicBool, Ordering};
+use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
+use std::time::Duration;
+
+/// A GPU ready for work. Cheap to clone; clones share device and compiled shaders.
+#[derive(Clone)]
+pub struct Gpu {
+    inner: Arc<Inner>,
+}
+
+/// What all clones share.
+struct Inner {
+    device: wgpu::Device,
+    queue: wgpu::Queue,
+    adapter: Adapter,
+    /// Shapes per buffer and per binding.
+    chunk: usize,
+    /// Bytes per binding.
+    most_bytes: u64,
+    /// The most subgroups an adjoint's workgroup can have, zero without subgroup operations.
+    slots: usize,
+    timing: bool,
+    kernel_time: Mutex<Duration>,
+    lost: Arc<AtomicBool>,
+    pipelines: Mutex<HashMap<(Source, &'static str), wgpu::ComputePipeline>>,
+}
+
+impl std::fmt::Debug for Gpu {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        f.debug_tuple("Gpu").field(&self.inner.adapter).finish()
+    }
+}
+
+impl std::fmt::Display for Gpu {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        self.inner.adapter.fmt(f)
+    }
+}
+
+/// A lock that a panic elsewhere cannot spoil.
+fn locked<T>(mutex: &Mutex<T>) -> MutexGuard<'_, T> {
+    mutex.lock().unwrap_or_else(PoisonError::into_inner)
+}
+
+impl Gpu {
+    /// A context on the best GPU, or the one that the environment variable `GEOGRAD_GPU` names: an
+    /// index into [`Gpu::adapters`], a part of a name, or `cpu` for a driver in software.
+    ///
+    /// # Errors
+    ///
+    /// [`GpuError::NoAdapter`], [`GpuError::NoSuchAdapter`] or [`GpuError::AdapterRefused`].
+    pub fn new() -> Result<Self, GpuError> {
+        Self::with(&Options::default())
+    }
+
+    /// A context as asked for.
+    ///
+    /// # Errors
+    ///
+    /// [`GpuError::NoAdapter`], [`GpuError::NoSuchAdapter`] or [`GpuError::AdapterRefused`].
+    pub fn with(options: &Options) -> Result<Self, GpuError> {
+        let (chosen, adapter) = adapter::choose(&options.adapter)?;
+        let limits = chosen.limits();
+        let optional = wgpu::Features::SUBGROUP | wgpu::Features::TIMESTAMP_QUERY;
+        let descriptor = wgpu::DeviceDescriptor {
+            label: Some("geograd"),
+            required_features: chosen.features() & optional,
+            required_limits: limits.clone(),
+            memory_hints: wgpu::MemoryHints::Performance,
+            ..Default::default()
+        };
+        let (device, queue) =
+            pollster::block_on(chosen.request_device(&descriptor)).map_err(|error| {
+                log::warn!("{adapter}: {error}");
+                GpuError::AdapterRefused
+            })?;
+        let lost = Arc::new(AtomicBool::new(false));
+        let flag = Arc::clone(&lost);
+        device.set_device_lost_callback(move |reason, message| {
+            log::error!("device lost ({reason:?}): {message}");
+            flag.store(true, Ordering::Release);
+        });
+        device.on_uncaptured_error(Arc::new(|error| log::error!("uncaptured: {error}")));
+
+        let most_bytes = limits
+            .max_storage_buffer_binding_size
+            .min(limits.max_buffer_size)
+            .min(options.most_bytes.unwrap_or(u64::MAX))
+            // Indices of numbers stay far from 32 bits.
+            .clamp(MOST_BYTES_PER_SHAPE * TILE as u64, 1 << 31);
+        let threads = u64::from(limits.max_compute_workgroups_per_dimension) * GROUP as u64;
+        let chunk = (most_bytes / MOST_BYTES_PER_SHAPE).min(threads) as usize / TILE * TILE;
+        let subgroups = options.subgroups && device.features().contains(wgpu::Features::SUBGROUP);
+        let slots = match chosen.get_info().subgroup_min_size {
+            4.. if subgroups => (GROUP_VJP / chosen.get_info().subgroup_min_size as usize).max(1),
+            _ => 0,
+        };
+        let timing = options.timing && device.features().contains(wgpu::Features::TIMESTAMP_QUERY);
+        log::info!("using {adapter}; {chunk} shapes per buffer, subgroup slots {slots}");
+        Ok(Gpu {
+            inner: Arc::new(Inner {
+                device,
+                queue,
+                adapter,
+                chunk,
+                most_bytes,
+                slots,
+                timing,
+                kernel_time: Mutex::new(Duration::ZERO),
+                lost,
+                pipelines: Mutex::new(HashMap::new()),
+            }),
+        })
+    }
+
+    /// Every adapter there is, in the order of their indices.
+    #[must_use]
+    pub fn adapters() -> Vec<Adapter> {
+        adapter::all().into_iter().map(|(_, info)| info).collect()
+    }
+
+    /// What the context runs on.
+    #[must_use]
+    pub fn adapter(&self) -> &Adapter {
+        &self.inner.adapter
+    }
+
+    /// Whether sums across threads use subgroup operations. Results differ in rounding.
+    #[must_use]
+    pub fn has_subgroups(&self) -> bool {
+        self.inner.slots > 0
+    }
+
+    /// The most bytes of one buffer; larger data is split.
+    #[must_use]
+    pub fn most_bytes(&self) -> u64 {
+        self.inner.most_bytes
+    }
+
+    /// Time that kernels took since the last call; `None` unless asked for by
+    /// [`Options::timing`] and supported.
+    #[must_use]
+    pub fn take_kernel_time(&self) -> Option<Duration> {
+        self.inner
+            .timing
+            .then(|| std::mem::take(&mut *locked(&self.inner.kernel_time)))
+    }
+
+    /// Gives the device up, with everything on it: every later call, of every clone, is
+    /// [`GpuError::DeviceLost`].
+    pub fn destroy(&self) {
+        self.inner.device.destroy();
+        self.inner.lost.store(true, Ordering::Release);
+    }
+
+    /// Waits until all work is done.
+    ///
+    /// # Errors
+    ///
+    /// [`GpuError::DeviceLost`].
+    pub fn wait(&self) -> Result<(), GpuError> {
+        self.inner.wait(None)
+    }
+
+    /// Whether a handle's context is this one.
+    fn owns(&self, other: &Gpu) -> Result<(), GpuError> {
+        if Arc::ptr_eq(&self.inner, &other.inner) {
+            Ok(())
+        } else {
+            Err(GpuError::ForeignBuffer)
+        }
+    }
+}
+
+/// The most bytes of one shape in any buffer, or of one pair in a row of a matrix of slopes.
+const MOST_BYTES_PER_SHAPE: u64 = 64;

@@ -1,0 +1,41 @@
+//! Batches on a GPU, through whatever wgpu finds: Vulkan, Metal, DX12, GL, or a driver in software.
+//!
+//! A [`Gpu`] is a context; cloning it is cheap and clones share everything. Shapes are uploaded
+//! once ([`Gpu::upload`]), operations run on handles and give handles, and only what is asked for
+//! comes back (`download`, or `start_download` without blocking). Handles of another context are
+//! refused.
+//!
+//! Results are the processor's to within rounding, and the same bits on every run: sums are added
+//! in a fixed order, without atomics. More than a dispatch, a binding or a buffer may hold is
+//! split, so sizes are limited by memory alone.
+//!
+//! | what | call |
+//! | --- | --- |
+//! | row i with row i | [`Gpu::aligned`], [`Gpu::aligned_grad`], [`Gpu::aligned_vjp`] |
+//! | every row with every row | [`Gpu::all_pairs`], [`Gpu::all_pairs_grad`], [`Gpu::all_pairs_vjp`] |
+//! | the same, reduced where it is | [`Gpu::row_max`], [`Gpu::column_max`], [`Gpu::above`], [`Gpu::sum`] |
+//! | a loss with its gradient | [`Gpu::sum_grad`], [`Gpu::mean_grad`] |
+//! | a matrix that is there already | [`Matrix::row_max`], [`Matrix::above`], [`Matrix::sum`] |
+//! | the best match of each | [`Shapes::pick`] |
+//! | other shapes in the same buffers | [`Shapes::update`], [`Values::update`], [`Matrix::update`] |
+//! | rings | [`Gpu::ragged`], [`Gpu::ragged_vjp`] |
+//!
+//! ```no_run
+//! use geograd::Obb2;
+//! use geograd::kernels::{gpu::Gpu, overlap::IouObb2};
+//! let gpu = Gpu::new()?;
+//! let boxes = gpu.upload(&[Obb2::new(0.0, 0.0, 4.0, 2.0, 0.3)])?;
+//! let best = gpu.row_max::<IouObb2>(&boxes, &boxes)?.download()?;
+//! assert_eq!(best[0].value, 1.0);
+//! # Ok::<(), geograd::kernels::GpuError>(())
+//! ```
+#[cfg(feature = "gpu")]
+mod device;
+pub(crate) mod error;
+#[cfg(not(feature = "gpu"))]
+mod none;
+
+#[cfg(feature = "gpu")]
+pub use device::*;
+#[cfg(not(feature = "gpu"))]
+pub use none::*;

@@ -1,0 +1,132 @@
+//! A lean forward-mode dual number: a value and `N` slopes, nothing else.
+//!
+//! The engine of the derivative drivers. It has the value of a plain computation to the bit, costs
+//! the same in every build profile, nests, and runs over SIMD lanes.
+use crate::Scalar;
+use crate::scalar::dual::Tangent;
+use std::array::from_fn;
+use std::ops::{Add, AddAssign, Div, Mul, MulAssign, Neg, Sub, SubAssign};
+
+/// A value and its slopes along `N` directions.
+///
+/// ```
+/// use geograd::{Jet, Scalar};
+/// let x = Jet::variable(3.0_f64, 0);
+/// let y = Jet::variable(4.0, 1);
+/// let squares: Jet<f64, 2> = x * x + y * y;
+/// assert_eq!((squares.value, squares.slope), (25.0, [6.0, 8.0]));
+/// ```
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Jet<T, const N: usize> {
+    /// The value.
+    pub value: T,
+    /// The derivative along each direction.
+    pub slope: [T; N],
+}
+
+impl<T: Scalar, const N: usize> Jet<T, N> {
+    /// The independent variable of direction `i`; a constant when `i` is `N` or more.
+    #[inline(always)]
+    pub fn variable(value: T, i: usize) -> Self {
+        let slope = from_fn(|k| if k == i { T::one() } else { T::zero() });
+        Jet { value, slope }
+    }
+    #[inline(always)]
+    fn parts(self, value: T, f: impl Fn(T) -> T) -> Self {
+        Jet {
+            value,
+            slope: from_fn(|k| f(self.slope[k])),
+        }
+    }
+    #[inline(always)]
+    fn join(self, other: Self, value: T, f: impl Fn(T, T) -> T) -> Self {
+        Jet {
+            value,
+            slope: from_fn(|k| f(self.slope[k], other.slope[k])),
+        }
+    }
+}
+
+impl<T: Scalar, const N: usize> Add for Jet<T, N> {
+    type Output = Self;
+    #[inline(always)]
+    fn add(self, other: Self) -> Self {
+        self.join(other, self.value + other.value, |a, b| a + b)
+    }
+}
+impl<T: Scalar, const N: usize> Sub for Jet<T, N> {
+    type Output = Self;
+    #[inline(always)]
+    fn sub(self, other: Self) -> Self {
+        self.join(other, self.value - other.value, |a, b| a - b)
+    }
+}
+impl<T: Scalar, const N: usize> Mul for Jet<T, N> {
+    type Output = Self;
+    // The product rule is a sum.
+    #[expect(clippy::suspicious_arithmetic_impl)]
+    #[inline(always)]
+    fn mul(self, other: Self) -> Self {
+        let (x, y) = (self.value, other.value);
+        self.join(other, x * y, |a, b| a * y + b * x)
+    }
+}
+impl<T: Scalar, const N: usize> Div for Jet<T, N> {
+    type Output = Self;
+    #[inline(always)]
+    fn div(self, other: Self) -> Self {
+        let quotient = self.value.over(other.value);
+        let inverse = T::one().over(other.value);
+        self.join(other, quotient, |a, b| (a - quotient * b) * inverse)
+    }
+}
+impl<T: Scalar, const N: usize> Neg for Jet<T, N> {
+    type Output = Self;
+    #[inline(always)]
+    fn neg(self) -> Self {
+        self.parts(-self.value, |a| -a)
+    }
+}
+impl<T: Scalar, const N: usize> AddAssign for Jet<T, N> {
+    #[inline(always)]
+    fn add_assign(&mut self, other: Self) {
+        *self = *self + other;
+    }
+}
+impl<T: Scalar, const N: usize> SubAssign for Jet<T, N> {
+    #[inline(always)]
+    fn sub_assign(&mut self, other: Self) {
+        *self = *self - other;
+    }
+}
+impl<T: Scalar, const N: usize> MulAssign for Jet<T, N> {
+    #[inline(always)]
+    fn mul_assign(&mut self, other: Self) {
+        *self = *self * other;
+    }
+}
+
+impl<T: Scalar, const N: usize> Tangent for Jet<T, N> {
+    type Inner = T;
+    #[inline(always)]
+    fn value(self) -> T {
+        self.value
+    }
+    #[inline(always)]
+    fn constant(value: T) -> Self {
+        Jet {
+            value,
+            slope: [T::zero(); N],
+        }
+    }
+    #[inline(always)]
+    fn chain(self, f: [T; 4]) -> Self {
+        self.parts(f[0], |a| a * f[1])
+    }
+    #[inline(always)]
+    fn pick(mask: T::Mask, yes: Self, no: Self) -> Self {
+        yes.join(no, T::select(mask, yes.value, no.value), |a, b| {
+            T::select(mask, a, b)
+        })
+    }
+}

@@ -1,0 +1,283 @@
+//! The one bound every geometry function carries, and the one home of the kinks.
+//!
+//! A [`Scalar`] is anything a shape can be made of: `f32`, `f64`, a dual number over either (of
+//! `num-dual` or our own [`Jet`](crate::Jet)), or a bundle of SIMD [`Lanes`](crate::Lanes).
+//! Comparisons look at the value only and yield a [`Mask`]; branch-free code chooses with
+//! [`Scalar::select`] and runs on all of them, code with control flow asks for
+//! `S: Scalar<Mask = bool>`.
+//!
+//! # The kink policy
+//!
+//! 1. The derivative is that of the branch the value took.
+//! 2. Exact ties share the slope equally ([`least`](Scalar::least), [`most`](Scalar::most),
+//!    [`clamp`](Scalar::clamp)): half and half.
+//! 3. A norm at zero has slope zero ([`magnitude`](Scalar::magnitude), [`root`](Scalar::root),
+//!    [`hypot`](Scalar::hypot)).
+//! 4. The angle of the zero vector is 0 with slope zero ([`atan2`](Scalar::atan2)).
+pub mod dual;
+#[cfg(feature = "nalgebra")]
+mod dual_vector;
+pub mod float;
+pub mod jet;
+pub mod lanes;
+
+pub use jet::Jet;
+pub use lanes::Lanes;
+
+use crate::Fixed;
+use std::fmt::Debug;
+use std::ops::{Add, AddAssign, BitAnd, BitOr, Div, Mul, MulAssign, Neg, Not, Sub, SubAssign};
+
+/// The outcome of a comparison: `bool`, or one truth value per SIMD lane.
+pub trait Mask:
+    Copy + Debug + Send + Sync + BitAnd<Output = Self> + BitOr<Output = Self> + Not<Output = Self>
+{
+    /// Whether any lane is true.
+    fn any(self) -> bool;
+    /// Whether every lane is true.
+    fn all(self) -> bool;
+}
+
+impl Mask for bool {
+    #[inline(always)]
+    fn any(self) -> bool {
+        self
+    }
+    #[inline(always)]
+    fn all(self) -> bool {
+        self
+    }
+}
+
+/// A number a shape can be made of. See the [module](self) for what implements it and for the
+/// rules at kinks.
+///
+/// Division in geometry goes through [`over`](Scalar::over), roots through
+/// [`root`](Scalar::root), absolute values through [`magnitude`](Scalar::magnitude): the
+/// operators and inherent methods of some dual types round differently or have no slope there.
+///
+/// ```
+/// use geograd::Scalar;
+/// fn norm<S: Scalar>(x: S, y: S) -> S {
+///     x.hypot(y)
+/// }
+/// assert_eq!(norm(3.0_f32, 4.0), 5.0);
+/// let slope = norm(num_dual::Dual64::new(0.0, 1.0), num_dual::Dual64::new(0.0, 0.0)).eps;
+/// assert_eq!(slope, 0.0); // a norm at zero has slope zero
+/// ```
+pub trait Scalar:
+    Fixed<Scalar = Self>
+    + Copy
+    + Debug
+    + Send
+    + Sync
+    + 'static
+    + Add<Output = Self>
+    + Sub<Output = Self>
+    + Mul<Output = Self>
+    + Div<Output = Self>
+    + Neg<Output = Self>
+    + AddAssign
+    + SubAssign
+    + MulAssign
+{
+    /// What a comparison yields.
+    type Mask: Mask;
+    /// The plain number (or lanes of plain numbers) under all derivative parts.
+    type Primal: Scalar<Mask = Self::Mask, Primal = Self::Primal>;
+
+    /// Whether products that must survive cancellation carry a low part: true for 24-bit
+    /// significands, where rotating a long thin box would otherwise lose its width.
+    const COMPENSATED: bool;
+    /// The distance from 1 to the next larger number.
+    const EPSILON: f64;
+    /// A sine below which two directions count as exactly parallel, such as those of headings that
+    /// differ by π/2 as it is rounded. (With 24 bits a smaller one still matters to a long thin
+    /// box; its reciprocal's powers must not overflow.)
+    const PARALLEL: f64;
+    /// The largest finite number.
+    const LARGEST: f64;
+    /// At or below this an area counts as empty, where a box has a side of about one: its reciprocal,
+    /// sixty-four times over, would not be finite, and slopes could not cancel.
+    const EMPTY: f64 = 64.0 / Self::LARGEST;
+
+    /// A literal: `S::lit(0.5)`. Rounded to the precision of the scalar.
+    fn lit(x: f64) -> Self;
+    /// A constant: no derivative.
+    fn from_primal(x: Self::Primal) -> Self;
+    /// The value without its derivatives.
+    fn primal(self) -> Self::Primal;
+
+    /// `self < other`, by value.
+    fn below(self, other: Self) -> Self::Mask;
+    /// `self ≤ other`, by value.
+    fn at_most(self, other: Self) -> Self::Mask;
+    /// `self = other`, by value.
+    fn equals(self, other: Self) -> Self::Mask;
+    /// `yes` where the mask is true, else `no`. What is not chosen leaves no trace, not even a
+    /// NaN.
+    fn select(mask: Self::Mask, yes: Self, no: Self) -> Self;
+
+    /// The quotient, with the value that plain numbers would have.
+    fn over(self, divisor: Self) -> Self;
+    /// The square root; zero with slope zero at zero and below.
+    fn root(self) -> Self;
+    /// Sine and cosine of an angle in radians.
+    fn sin_cos(self) -> (Self, Self);
+    /// Sine and cosine, each as a short high part (half the significand, a constant) and the rest
+    /// (which carries the derivative): `[(sin_high, sin_low), (cos_high, cos_low)]`.
+    fn sin_cos_parts(self) -> [(Self, Self); 2];
+    /// `(high, low)` with `high + low = self` exactly, `high` a constant of half the significand.
+    fn parts(self) -> (Self, Self);
+    /// The angle of `(x, self)` in radians, in `[−π, π]`; zero with slope zero at the origin.
+    fn atan2(self, x: Self) -> Self;
+    /// The exponential.
+    fn exp(self) -> Self;
+    /// The natural logarithm.
+    fn ln(self) -> Self;
+    /// The power of two `2⁻ᵉ` (a constant) that brings `self > 0` into `[2, 4)`. Values too small
+    /// to be normal count as the smallest normal number.
+    fn binade(self) -> Self;
+
+    /// Zero.
+    #[inline(always)]
+    fn zero() -> Self {
+        Self::lit(0.0)
+    }
+    /// One.
+    #[inline(always)]
+    fn one() -> Self {
+        Self::lit(1.0)
+    }
+    /// `self > other`, by value.
+    #[inline(always)]
+    fn above(self, other: Self) -> Self::Mask {
+        other.below(self)
+    }
+    /// `self ≥ other`, by value.
+    #[inline(always)]
+    fn at_least(self, other: Self) -> Self::Mask {
+        other.at_most(self)
+    }
+    /// Half of it.
+    #[inline(always)]
+    fn halved(self) -> Self {
+        self * Self::lit(0.5)
+    }
+    /// The smaller value; an exact tie shares the slope, half and half.
+    #[inline(always)]
+    fn least(self, other: Self) -> Self {
+        let nearer = Self::select(self.below(other), self, other);
+        Self::select(self.equals(other), self.halved() + other.halved(), nearer)
+    }
+    /// The larger value; an exact tie shares the slope, half and half.
+    #[inline(always)]
+    fn most(self, other: Self) -> Self {
+        let nearer = Self::select(other.below(self), self, other);
+        Self::select(self.equals(other), self.halved() + other.halved(), nearer)
+    }
+    /// The nearest value in `[low, high]`; at either border the slope is shared.
+    #[inline(always)]
+    fn clamp(self, low: Self, high: Self) -> Self {
+        self.most(low).least(high)
+    }
+    /// The absolute value; slope zero at zero.
+    #[inline(always)]
+    fn magnitude(self) -> Self {
+        self.most(-self)
+    }
+    /// Whichever of `self` and `−self` is not negative. Unlike [`magnitude`](Scalar::magnitude) it
+    /// has the slope of `self` at zero: for choosing between two descriptions of the same thing,
+    /// where there is no kink.
+    #[inline(always)]
+    fn unsigned(self) -> Self {
+        Self::select(self.below(Self::zero()), -self, self)
+    }
+    /// `self`, negated where `side` is negative.
+    #[inline(always)]
+    fn signed_as(self, side: Self) -> Self {
+        Self::select(side.below(Self::zero()), -self, self)
+    }
+    /// `√(self² + other²)` without overflow; zero with slope zero at the origin.
+    #[inline(always)]
+    fn hypot(self, other: Self) -> Self {
+        let (x, y) = (self.primal(), other.primal());
+        let large = x.magnitude().most(y.magnitude());
+        let zero = large.at_most(Self::Primal::zero());
+        let scale = Self::Primal::select(zero, Self::Primal::one(), large).binade();
+        let (scale, back) = (
+            Self::from_primal(scale),
+            Self::from_primal(Self::Primal::one().over(scale)),
+        );
+        let (x, y) = (self * scale, other * scale);
+        (x * x + y * y).root() * back
+    }
+    /// The same value with the derivatives multiplied by a constant. How a decision that a
+    /// comparison cannot make alone is shared at a tie.
+    #[inline(always)]
+    fn damp(self, share: Self::Primal) -> Self {
+        let value = Self::from_primal(self.primal());
+        value + (self - value) * Self::from_primal(share)
+    }
+    /// The same derivatives at another value: how rounding is mended without touching slopes.
+    #[inline(always)]
+    fn with_primal(self, value: Self::Primal) -> Self {
+        (self - Self::from_primal(self.primal())) + Self::from_primal(value)
+    }
+    /// Whether the value is neither infinite nor NaN.
+    #[inline(always)]
+    fn finite(self) -> Self::Mask {
+        self.unsigned().at_most(Self::lit(Self::LARGEST))
+    }
+    /// The nearest finite number.
+    #[inline(always)]
+    fn saturated(self) -> Self {
+        let largest = Self::lit(Self::LARGEST);
+        let low = Self::select(self.above(largest), largest, self);
+        Self::select(low.below(-largest), -largest, low)
+    }
+    /// The same number; a zero loses its sign. Results end in it: which zero a sum of products gives
+    /// depends on what was left out because nothing needed it.
+    #[inline(always)]
+    fn canonical(self) -> Self {
+        self + Self::zero()
+    }
+    /// The sine.
+    #[inline(always)]
+    fn sin(self) -> Self {
+        self.sin_cos().0
+    }
+    /// The cosine.
+    #[inline(always)]
+    fn cos(self) -> Self {
+        self.sin_cos().1
+    }
+    /// The tangent.
+    #[inline(always)]
+    fn tan(self) -> Self {
+        let (sin, cos) = self.sin_cos();
+        sin.over(cos)
+    }
+    /// `self` squared.
+    #[inline(always)]
+    fn squared(self) -> Self {
+        self * self
+    }
+    /// An integer power, by repeated multiplication.
+    #[inline]
+    fn powi(self, exponent: i32) -> Self {
+        let (mut left, mut square, mut out) = (exponent.unsigned_abs(), self, Self::one());
+        while left > 0 {
+            if left & 1 == 1 {
+                out *= square;
+            }
+            square *= square;
+            left >>= 1;
+        }
+        if exponent < 0 {
+            Self::one().over(out)
+        } else {
+            out
+        }
+    }
+}
