@@ -79,7 +79,10 @@ impl<const FAULT: usize> PairOp for Faulty<FAULT> {
                 a_bar.heading = S::select(long, none, a_bar.heading);
                 value
             }
-            OUT_OF_RANGE => when(value.above(S::lit(0.5)), value + S::lit(0.75)),
+            OUT_OF_RANGE => {
+                let many = value.above(S::lit(0.5)) & value.below(S::one());
+                when(many, value + S::lit(0.75))
+            }
             NOT_ITSELF => when(value.equals(S::one()), value - S::lit(1e-3)),
             ONE_SIDED => when(a.half.x.above(b.half.x), value.over(a_little)),
             _ => value,
