@@ -101,7 +101,8 @@ fn rings<O: RingOp, T: Real>(op: O) {
 }
 
 macro_rules! measure {
-    (pairs { $($pair:ident: $pair_op:ty,)* } rings { $($ring:ident: $ring_op:ty,)* }) => {
+    (pairs { $($pair:ident: $pair_op:ty,)* } rings { $($ring:ident: $ring_op:ty,)* }
+     straight { $($straight:ident: $straight_op:ty,)* }) => {
         $(pairs(<$pair_op>::default());)*
         $(rings::<_, f32>(<$ring_op>::default());)*
     };

@@ -89,7 +89,8 @@ type Job = (&'static str, bool, Prove);
 type Prove = fn(&Plan<'_>, Option<&Gpu>) -> Result<Report, GpuError>;
 
 macro_rules! jobs {
-    (pairs { $($pair:ident: $pair_op:ty,)* } rings { $($ring:ident: $ring_op:ty,)* }) => {
+    (pairs { $($pair:ident: $pair_op:ty,)* } rings { $($ring:ident: $ring_op:ty,)* }
+     straight { $($straight:ident: $straight_op:ty,)* }) => {
         [
             $(
                 (
@@ -109,6 +110,10 @@ macro_rules! jobs {
                     None => Ok(prove_ring_with::<$ring_op, f32>(plan)),
                 }),
             )*
+            $(
+                (stringify!($straight), true, |plan, _| Ok(prove_with::<$straight_op, f64>(plan))),
+                (stringify!($straight), false, |plan, _| Ok(prove_with::<$straight_op, f32>(plan))),
+            )*
         ]
     };
 }
@@ -118,7 +123,8 @@ type FuzzJob = (&'static str, bool, Fuzz);
 type Fuzz = fn(u64, u64) -> Fuzzed;
 
 macro_rules! fuzzes {
-    (pairs { $($pair:ident: $pair_op:ty,)* } rings { $($ring:ident: $ring_op:ty,)* }) => {
+    (pairs { $($pair:ident: $pair_op:ty,)* } rings { $($ring:ident: $ring_op:ty,)* }
+     straight { $($straight:ident: $straight_op:ty,)* }) => {
         [
             $(
                 (stringify!($pair), true, fuzz::pairs::<$pair_op, _, f64> as Fuzz),

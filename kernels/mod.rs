@@ -26,7 +26,7 @@ pub mod op;
 #[forbid(unsafe_code)]
 mod operation;
 #[forbid(unsafe_code)]
-pub mod overlap;
+pub mod ops;
 #[forbid(unsafe_code)]
 mod program;
 #[forbid(unsafe_code)]
@@ -38,8 +38,6 @@ pub mod reduce;
 #[forbid(unsafe_code)]
 pub mod resident;
 #[forbid(unsafe_code)]
-pub mod ring;
-#[forbid(unsafe_code)]
 pub mod row;
 #[forbid(unsafe_code)]
 mod subject;
@@ -50,32 +48,46 @@ pub use backend::Backend;
 pub use cpu::{Cpu, Single, Table};
 pub use gpu::error::GpuError;
 pub use op::{Op, RingOp, Runs};
-pub use overlap::{
+pub use ops::distance::{
+    ClosestPointsOfSegments, DistanceObb2, DistancePointSegment, SignedDistancePointObb2,
+};
+pub use ops::overlap::{
     IntersectionAreaAabb2, IntersectionAreaObb2, IofAabb2, IofObb2, IouAabb2, IouObb2,
 };
-pub use ring::{Centroid, Perimeter, SignedArea};
+pub use ops::ring::{Centroid, Perimeter, SignedArea};
+pub use ops::shape::{Circumcircle, MoveSegment};
 pub use row::{Column, Columns, One, Row, Skip, Target, Targets};
 
 /// Every operation, one per line: a name and a type. Tests, benches and documentation walk this
 /// list.
 ///
-/// `for_each_op!(with)` calls the macro `with!` with the whole list, `pairs { … } rings { … }`.
+/// `for_each_op!(with)` calls the macro `with!` with the whole list, `pairs { … } rings { … }
+/// straight { … }`: scores of two boxes and measures of rings, which have kernels of their own and run on
+/// GPUs, and all others.
 #[macro_export]
 macro_rules! for_each_op {
     ($with:ident) => {
         $with! {
             pairs {
-                intersection_area_obb2: $crate::kernels::overlap::IntersectionAreaObb2,
-                iou_obb2: $crate::kernels::overlap::IouObb2,
-                iof_obb2: $crate::kernels::overlap::IofObb2,
-                intersection_area_aabb2: $crate::kernels::overlap::IntersectionAreaAabb2,
-                iou_aabb2: $crate::kernels::overlap::IouAabb2,
-                iof_aabb2: $crate::kernels::overlap::IofAabb2,
+                intersection_area_obb2: $crate::kernels::ops::overlap::IntersectionAreaObb2,
+                iou_obb2: $crate::kernels::ops::overlap::IouObb2,
+                iof_obb2: $crate::kernels::ops::overlap::IofObb2,
+                intersection_area_aabb2: $crate::kernels::ops::overlap::IntersectionAreaAabb2,
+                iou_aabb2: $crate::kernels::ops::overlap::IouAabb2,
+                iof_aabb2: $crate::kernels::ops::overlap::IofAabb2,
             }
             rings {
-                signed_area: $crate::kernels::ring::SignedArea,
-                perimeter: $crate::kernels::ring::Perimeter,
-                centroid: $crate::kernels::ring::Centroid,
+                signed_area: $crate::kernels::ops::ring::SignedArea,
+                perimeter: $crate::kernels::ops::ring::Perimeter,
+                centroid: $crate::kernels::ops::ring::Centroid,
+            }
+            straight {
+                distance_point_segment: $crate::kernels::ops::distance::DistancePointSegment,
+                distance_obb2: $crate::kernels::ops::distance::DistanceObb2,
+                signed_distance_point_obb2: $crate::kernels::ops::distance::SignedDistancePointObb2,
+                closest_points_of_segments: $crate::kernels::ops::distance::ClosestPointsOfSegments,
+                circumcircle: $crate::kernels::ops::shape::Circumcircle,
+                move_segment: $crate::kernels::ops::shape::MoveSegment,
             }
         }
     };

@@ -31,8 +31,8 @@
 /// ```
 ///
 /// An adjoint by hand is a further formula, of the arguments and the cotangent of the result, that
-/// gives the result and the slopes: `adjoint |out_bar| { (value, (point_bar, shape_bar)) }`, with
-/// `slopes ByHand`.
+/// gives the result and the slopes: `adjoint |(point, shape), out_bar| { (value, (point_bar,
+/// shape_bar)) }`, with `slopes ByHand`.
 #[macro_export]
 macro_rules! operation {
     ($(
@@ -41,7 +41,7 @@ macro_rules! operation {
         promises [$($motion:ident $answer:ident $(($power:literal))?),* $(,)?]
         jumps $jumps:ident
         slopes $slopes:ident
-        $(adjoint |$out_bar:ident| $adjoint:block)?
+        $(adjoint |$input:pat_param, $out_bar:ident| $adjoint:block)?
     )+) => { $(
         $(#[$doc])*
         #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -67,7 +67,7 @@ macro_rules! operation {
             $(
                 #[allow(unused_imports, unused_parens)]
                 fn adjoint<S: $crate::Scalar>(
-                    ($($arg),+): Self::In<S>,
+                    $input: Self::In<S>,
                     $out_bar: Self::Out<S>,
                 ) -> ::core::option::Option<(Self::Out<S>, Self::In<S>)> {
                     use $crate::{Mask as _, Scalar as _};

@@ -7,7 +7,13 @@
 //!
 //! Ratios by the union are right to a few roundings. Where one box is R times longer than the other,
 //! the area and its ratio to the small box are right to about R roundings: in `f32`, the share of a
-//! car in a kilometre of lane to 10⁻⁵.
+//! car in a kilometre of lane to 10⁻⁵. Exchanging the boxes of a union changes the result by no more than
+//! about the longest aspect times a rounding: in `f32` by 10⁻⁴ where a box is 3·10⁷ times longer than
+//! wide.
+//!
+//! A box counts as empty when it is so thin that, with its longer side as the unit of length, its area is
+//! at most [`Scalar::EMPTY`]: longer than wide by a factor beyond about 10³⁷ in `f32` and 10³⁰⁶ in `f64`.
+//! Two such boxes score 0, also when they are identical.
 //!
 //! Kinks: sides lying along each other (the slope is the mean of both sides of the kink), and
 //! boxes that begin to touch (slope zero). A corner on a side is no kink.

@@ -31,7 +31,7 @@ mod svg;
 
 use cli::{Failure, Wish};
 use geograd::Obb2;
-use geograd::kernels::overlap::IouObb2;
+use geograd::kernels::ops::overlap::IouObb2;
 use geograd::kernels::{Backend, GpuError};
 use indicatif::{ProgressBar, ProgressStyle};
 use matching::{Match, Quality};

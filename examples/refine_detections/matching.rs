@@ -1,7 +1,7 @@
 //! Which detection belongs to which truth, and how good the detections are by that.
 use crate::assign::assign;
 use crate::model::{Frame, Frames};
-use geograd::kernels::overlap::IouObb2;
+use geograd::kernels::ops::overlap::IouObb2;
 use geograd::kernels::{Backend, GpuError};
 
 /// A detection and the truth it was matched to.

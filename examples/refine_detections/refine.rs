@@ -7,7 +7,7 @@
 //! gradient descent, Riedmiller and Braun 1993). A step that would not raise the overlap of its pair is
 //! taken back and tried shorter, so no pair ever gets worse. Pairs that overlap by a sliver have small
 //! slopes, which makes no difference to their steps.
-use geograd::kernels::overlap::IouObb2;
+use geograd::kernels::ops::overlap::IouObb2;
 use geograd::kernels::{Backend, GpuError};
 use geograd::{Obb2, Rotation2, Vec2};
 use std::time::{Duration, Instant};

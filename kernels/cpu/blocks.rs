@@ -669,6 +669,25 @@ pub(crate) fn all_up_to<T: Real, V: Vector<T>>(numbers: &[T], limit: f64) -> boo
     all_within::<T, V, 1>(numbers, [true], [0.0], [limit])
 }
 
+/// Whether the numbers of a lane are zero or within limits, as far as all so far are; `limits` are which
+/// ones are signed, and how small and how large they may be.
+#[inline(always)]
+fn within<T: Real, V: Vector<T>>(
+    numbers: &[T; TILE],
+    [signed, low, high]: &[Lane<T>; 3],
+    mut all: V::Mask,
+) -> V::Mask {
+    let (numbers, zero) = (Lane(*numbers), V::zero());
+    let mut at = 0;
+    while at < TILE {
+        let x = V::read(&numbers, at);
+        let x = V::select(V::read(signed, at).above(zero), x.unsigned(), x);
+        all = all & (V::read(low, at).at_most(x) | x.equals(zero)) & x.at_most(V::read(high, at));
+        at += V::WIDTH;
+    }
+    all
+}
+
 /// Whether every number is zero or within the limits of its field, for items of so many fields; of
 /// signed fields the magnitude.
 #[inline(always)]
@@ -691,24 +710,6 @@ pub(crate) fn all_within<T: Real, V: Vector<T>, const FIELDS: usize>(
     for (k, lane) in lanes.iter_mut().enumerate() {
         *lane = [limits(k, signs), limits(k, low), limits(k, high)];
     }
-    /// Not a closure, which would not be compiled for the vector instructions of what calls it.
-    #[inline(always)]
-    fn inside<T: Real, V: Vector<T>>(
-        numbers: &[T; TILE],
-        [signed, low, high]: &[Lane<T>; 3],
-        mut all: V::Mask,
-    ) -> V::Mask {
-        let (numbers, zero) = (Lane(*numbers), V::zero());
-        let mut at = 0;
-        while at < TILE {
-            let x = V::read(&numbers, at);
-            let x = V::select(V::read(signed, at).above(zero), x.unsigned(), x);
-            all =
-                all & (V::read(low, at).at_most(x) | x.equals(zero)) & x.at_most(V::read(high, at));
-            at += V::WIDTH;
-        }
-        all
-    }
     let zero = V::zero();
     let mut all = zero.equals(zero);
     let (whole, rest) = numbers.as_chunks::<TILE>();
@@ -716,12 +717,12 @@ pub(crate) fn all_within<T: Real, V: Vector<T>, const FIELDS: usize>(
     for group in groups {
         let mut k = 0;
         while k < FIELDS {
-            all = inside::<T, V>(&group[k], &lanes[k], all);
+            all = within::<T, V>(&group[k], &lanes[k], all);
             k += 1;
         }
     }
     for (numbers, limits) in few.iter().zip(&lanes) {
-        all = inside::<T, V>(numbers, limits, all);
+        all = within::<T, V>(numbers, limits, all);
     }
     let done = whole.len() * TILE;
     all.all()

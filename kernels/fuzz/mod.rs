@@ -27,8 +27,6 @@ use std::sync::atomic::{AtomicU64, Ordering};
 use std::sync::{Mutex, PoisonError};
 use std::time::{Duration, Instant};
 
-/// Inputs of one batch: few enough for one thread.
-const CHUNK: usize = 2048;
 /// Of so many inputs one is computed again by the scalar code.
 const SINGLE: usize = 61;
 
@@ -106,18 +104,19 @@ impl fmt::Display for Fuzzed {
 
 type Outcome = Result<(), Broken>;
 
-/// Runs chunks on all cores until there are so many inputs or one breaks a promise. Every thread has
+/// Runs chunks of so many inputs on all cores until there are so many inputs or one breaks a promise. Every thread has
 /// lists of its own.
 fn run<T: Real, L>(
     op: &'static str,
     (count, seed): (u64, u64),
+    per_chunk: usize,
     lists: impl Fn() -> L + Sync,
     chunk: impl Fn(&mut L, &mut Draw) -> Outcome + Sync,
 ) -> Fuzzed {
     let start = Instant::now();
     let (next, done) = (AtomicU64::new(0), AtomicU64::new(0));
     let broken: Mutex<Option<(u64, Broken)>> = Mutex::new(None);
-    let chunks = count.div_ceil(CHUNK as u64);
+    let chunks = count.div_ceil(per_chunk as u64);
     let work = || {
         let mut lists = lists();
         loop {
@@ -128,7 +127,7 @@ fn run<T: Real, L>(
             // Every chunk has numbers of its own, whoever draws them.
             let mut draw = Draw::new(Draw::new(seed).bits() ^ i << 20);
             let outcome = chunk(&mut lists, &mut draw);
-            done.fetch_add(CHUNK as u64, Ordering::Relaxed);
+            done.fetch_add(per_chunk as u64, Ordering::Relaxed);
             if let Err(found) = outcome {
                 let mut first = broken.lock().unwrap_or_else(PoisonError::into_inner);
                 if first.as_ref().is_none_or(|(at, _)| i < *at) {

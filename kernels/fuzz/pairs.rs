@@ -1,6 +1,6 @@
 //! What is promised of operations of two shapes.
 use super::draw::{Drawn, Family};
-use super::{Broken, CHUNK, Fuzzed, Outcome, Promise, SINGLE, first_where, not_finite, run, same};
+use super::{Broken, Fuzzed, Outcome, Promise, SINGLE, first_where, not_finite, run, same};
 use crate::ad::check::sample::Draw;
 use crate::ad::check::symmetry::{Answer, Motion};
 use crate::kernels::cpu::checked::numbers;
@@ -9,6 +9,9 @@ use crate::kernels::real::Real;
 use crate::kernels::{Cpu, Single};
 
 const CPU: Cpu = Cpu::new();
+
+/// Pairs of one batch: few enough for one thread.
+const CHUNK: usize = 2048;
 
 /// Shapes of a square that is computed as all pairs.
 const SQUARE: usize = 16;
@@ -29,6 +32,7 @@ where
     run::<T, _>(
         O::NAME,
         (count, seed),
+        CHUNK,
         Lists::<O, P, T>::new,
         |lists, draw| {
             lists.draw(draw);

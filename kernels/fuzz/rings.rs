@@ -1,6 +1,6 @@
 //! What is promised of operations of a ring.
 use super::draw::Family;
-use super::{Broken, CHUNK, Fuzzed, Outcome, Promise, SINGLE, not_finite, run, same};
+use super::{Broken, Fuzzed, Outcome, Promise, SINGLE, not_finite, run, same};
 use crate::ad::check::sample::Draw;
 use crate::kernels::Cpu;
 use crate::kernels::cpu::checked::{fill, numbers};
@@ -10,16 +10,25 @@ use crate::{Fixed, Vec2};
 
 const CPU: Cpu = Cpu::new();
 
+/// Rings of one batch: few enough for one thread.
+const CHUNK: usize = 500;
+
 /// Most vertices of a ring.
 const MOST: usize = 8;
 
 /// Fuzzes an operation of a ring on all cores; stops at the first thing that it finds.
 #[must_use]
 pub fn rings<O: RingOp, T: Real>(count: u64, seed: u64) -> Fuzzed {
-    run::<T, _>(O::NAME, (count, seed), Lists::<O, T>::new, |lists, draw| {
-        lists.draw(draw);
-        lists.check()
-    })
+    run::<T, _>(
+        O::NAME,
+        (count, seed),
+        CHUNK,
+        Lists::<O, T>::new,
+        |lists, draw| {
+            lists.draw(draw);
+            lists.check()
+        },
+    )
 }
 
 /// Lists of one thread, used again and again.

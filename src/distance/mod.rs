@@ -49,7 +49,7 @@ use relation::{LENGTH, NORMAL, POINTS, relate};
 pub use shapes::repeat_last;
 
 /// A point of each of two shapes.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, PartialEq, crate::Shape)]
 #[repr(C)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct ClosestPoints<S> {
@@ -60,7 +60,7 @@ pub struct ClosestPoints<S> {
 }
 
 /// How far two shapes are into each other, and which way is out.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, PartialEq, crate::Shape)]
 #[repr(C)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Penetration<S> {

@@ -20,7 +20,7 @@ pub enum Fill {
 }
 
 /// What is known of a point after some edges.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, PartialEq, crate::Shape)]
 #[repr(C)]
 pub struct EdgeFold<S> {
     /// The distance of the nearest edge so far, with the slope of the edges that tie.

@@ -4,7 +4,7 @@ use super::share::{Best, Carry};
 use crate::{Scalar, Segment2, Vec2};
 
 /// Where two segments are nearest to each other.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, PartialEq, crate::Shape)]
 #[repr(C)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct ClosestOnSegments<S> {

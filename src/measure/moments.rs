@@ -6,7 +6,7 @@ use crate::{Scalar, Vec2};
 
 /// The second moments of an area about a point, in fourth powers of length: `xx = ∫ x² dA`,
 /// `yy = ∫ y² dA`, `xy = ∫ x y dA`. (An engineer's `I_x` is `yy`, the polar moment `xx + yy`.)
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, PartialEq, crate::Shape)]
 #[repr(C)]
 pub struct SecondMoments<S> {
     /// `∫ x² dA`.
@@ -18,7 +18,7 @@ pub struct SecondMoments<S> {
 }
 
 /// The principal axes of second moments.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, PartialEq, crate::Shape)]
 #[repr(C)]
 pub struct PrincipalAxes<S> {
     /// The larger moment: of squared distances along the first axis.

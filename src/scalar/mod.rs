@@ -1,7 +1,7 @@
 //! The one bound every geometry function carries, and the one home of the kinks.
 //!
 //! A [`Scalar`] is anything a shape can be made of: `f32`, `f64`, a dual number over either (of
-//! `num-dual` or our own [`Jet`](crate::Jet)), or a bundle of SIMD [`Lanes`](crate::Lanes).
+//! `num-dual` or our own [`Jet`]), or a bundle of SIMD [`Lanes`].
 //! Comparisons look at the value only and yield a [`Mask`]; branch-free code chooses with
 //! [`Scalar::select`] and runs on all of them, code with control flow asks for
 //! `S: Scalar<Mask = bool>`.

@@ -367,7 +367,8 @@ fn rings<O: RingOp, T: Number>(
 }
 
 macro_rules! tests {
-    (pairs { $($pair:ident: $pair_op:ty,)* } rings { $($ring:ident: $ring_op:ty,)* }) => {
+    (pairs { $($pair:ident: $pair_op:ty,)* } rings { $($ring:ident: $ring_op:ty,)* }
+     straight { $($straight:ident: $straight_op:ty,)* }) => {
         $(mod $pair {
             use super::*;
             #[test]

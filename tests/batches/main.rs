@@ -1,5 +1,6 @@
 //! What batches on the CPU promise.
 mod bits;
 mod calls;
+mod fuzz;
 mod program;
 mod reduce;

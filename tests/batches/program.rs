@@ -7,36 +7,8 @@ use geograd::kernels::cpu::program::face::{Ready, Trial, Way};
 use geograd::kernels::cpu::simd::Simd;
 use geograd::kernels::real::Real;
 use geograd::overlap::iou_obb2;
-use geograd::{Fixed, Mask, Obb2, Pack, Scalar};
+use geograd::{Fixed, Obb2, Pack, Scalar};
 use geograd_tests::Dice;
-
-/// So many numbers.
-#[derive(Clone, Copy, Debug)]
-struct Row<S, const N: usize>([S; N]);
-
-impl<S: Clone, const N: usize> Pack for Row<S, N> {
-    type Scalar = S;
-    type With<T: Clone> = Row<T, N>;
-    fn map<T: Clone>(&self, f: &mut impl FnMut(&S) -> T) -> Row<T, N> {
-        Row(self.0.each_ref().map(f))
-    }
-    fn each(&mut self, f: &mut impl FnMut(&mut S)) {
-        self.0.iter_mut().for_each(f);
-    }
-}
-impl<S: Copy + Send + Sync + 'static, const N: usize> Fixed for Row<S, N> {
-    const LEN: usize = N;
-    type Array = [S; N];
-    fn to_array(self) -> [S; N] {
-        self.0
-    }
-    fn from_array(numbers: [S; N]) -> Self {
-        Row(numbers)
-    }
-    fn filled(number: S) -> Self {
-        Row([number; N])
-    }
-}
 
 /// Numbers of each argument of a random function, and of its result.
 const FIELDS: [usize; 3] = [3, 2, 1];
@@ -225,8 +197,8 @@ fn random_lines<T: Real + Plain>() {
     let mut listings = String::new();
     for seed in 0..100 {
         let steps = 20 + 8 * (seed as usize % 12);
-        let trial = Trial::record::<T, Row<Sym<T>, INPUTS>, Row<Sym<T>, OUTPUTS>>(|Row(inputs)| {
-            Row(line(seed, steps, &inputs))
+        let trial = Trial::record::<T, [Sym<T>; INPUTS], [Sym<T>; OUTPUTS]>(|inputs| {
+            line(seed, steps, &inputs)
         })
         .unwrap();
         let mut dice = Dice(seed + 1000);
@@ -341,21 +313,19 @@ fn boxes<T: Real>(dice: &mut Dice, count: usize) -> Vec<T> {
 }
 
 fn obb2<S: Scalar>(numbers: &[S]) -> Obb2<S> {
-    Obb2::from_slice(numbers)
+    Obb2::load(numbers)
 }
 
 /// The overlap of boxes, with and without its adjoint by hand, has the bits of the function itself.
 fn overlap<T: Real + Plain>() {
     let _turn = Turn::take();
-    let value = Trial::record::<T, Row<Sym<T>, 10>, Sym<T>>(|Row(x)| {
-        iou_obb2(obb2(&x[..5]), obb2(&x[5..]))
-    });
-    let slopes = Trial::record::<T, Row<Sym<T>, 10>, Row<Sym<T>, 11>>(|Row(x)| {
+    let value =
+        Trial::record::<T, [Sym<T>; 10], Sym<T>>(|x| iou_obb2(obb2(&x[..5]), obb2(&x[5..])));
+    let slopes = Trial::record::<T, [Sym<T>; 10], [Sym<T>; 11]>(|x| {
         let (value, bars) = iou_obb2_grad(obb2(&x[..5]), obb2(&x[5..]));
         let mut numbers = vec![value];
-        numbers.extend(bars.0.to_array());
-        numbers.extend(bars.1.to_array());
-        Row::from_slice(&numbers)
+        numbers.extend(bars.scalars());
+        <[Sym<T>; 11]>::load(&numbers)
     });
     let mut dice = Dice(7);
     let count = 700;
@@ -370,12 +340,7 @@ fn overlap<T: Real + Plain>() {
     let expected_slopes: Vec<T> = pairs()
         .flat_map(|(a, b)| {
             let (value, bars) = iou_obb2_grad(obb2(a), obb2(b));
-            [
-                vec![value],
-                bars.0.to_array().to_vec(),
-                bars.1.to_array().to_vec(),
-            ]
-            .concat()
+            [vec![value], bars.0.scalars(), bars.1.scalars()].concat()
         })
         .map(Scalar::canonical)
         .collect();

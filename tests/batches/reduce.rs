@@ -1,7 +1,7 @@
 //! Reductions on the CPU: of all pairs block by block, and of a matrix that is there, against plain
 //! loops over the matrix.
 use geograd::Aabb2;
-use geograd::kernels::overlap::IouAabb2;
+use geograd::kernels::ops::overlap::IouAabb2;
 use geograd::kernels::reduce::{Best, Found, Matrix};
 use geograd_tests::calls::{self, Number};
 

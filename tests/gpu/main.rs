@@ -56,7 +56,8 @@ fn validate(name: &str, text: &str) {
 }
 
 macro_rules! walk {
-    (pairs { $($pair:ident: $pair_op:ty,)* } rings { $($ring:ident: $ring_op:ty,)* }) => {
+    (pairs { $($pair:ident: $pair_op:ty,)* } rings { $($ring:ident: $ring_op:ty,)* }
+     straight { $($straight:ident: $straight_op:ty,)* }) => {
         $(mod $pair {
             #[test]
             fn shaders_are_valid() {

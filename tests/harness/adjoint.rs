@@ -17,7 +17,8 @@ fn plan() -> Plan<'static> {
 }
 
 macro_rules! prove_all {
-    (pairs { $($pair:ident: $pair_op:ty,)* } rings { $($ring:ident: $ring_op:ty,)* }) => {
+    (pairs { $($pair:ident: $pair_op:ty,)* } rings { $($ring:ident: $ring_op:ty,)* }
+     straight { $($straight:ident: $straight_op:ty,)* }) => {
         mod f64 {
             use super::*;
             $(#[test] fn $pair() {
@@ -26,6 +27,10 @@ macro_rules! prove_all {
             })*
             $(#[test] fn $ring() {
                 let report = prove_ring_with::<$ring_op, f64>(&plan());
+                assert!(report.passed(), "{report}");
+            })*
+            $(#[test] fn $straight() {
+                let report = prove_with::<$straight_op, f64>(&plan());
                 assert!(report.passed(), "{report}");
             })*
         }
@@ -37,6 +42,10 @@ macro_rules! prove_all {
             })*
             $(#[test] fn $ring() {
                 let report = prove_ring_with::<$ring_op, f32>(&plan());
+                assert!(report.passed(), "{report}");
+            })*
+            $(#[test] fn $straight() {
+                let report = prove_with::<$straight_op, f32>(&plan());
                 assert!(report.passed(), "{report}");
             })*
         }

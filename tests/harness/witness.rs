@@ -35,7 +35,8 @@ fn gpu() -> Option<Gpu> {
 }
 
 macro_rules! prove_all {
-    (pairs { $($pair:ident: $pair_op:ty,)* } rings { $($ring:ident: $ring_op:ty,)* }) => {
+    (pairs { $($pair:ident: $pair_op:ty,)* } rings { $($ring:ident: $ring_op:ty,)* }
+     straight { $($straight:ident: $straight_op:ty,)* }) => {
         fn all_on(backend: Backend<'_>) {
             $(
                 let report = prove_on::<$pair_op>(backend, &plan()).unwrap();

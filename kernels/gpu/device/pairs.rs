@@ -33,7 +33,7 @@ impl Inner {
 }
 
 /// An operation for shaders in which it does not matter.
-pub(super) type Any = crate::kernels::overlap::IouAabb2;
+pub(super) type Any = crate::kernels::ops::overlap::IouAabb2;
 
 /// The shader of an operation for two lists.
 pub(super) fn source_for<O: GpuPair>(kernel: Kernel, a: &ShapesOf<O>, b: &ShapesOf<O>) -> Source {

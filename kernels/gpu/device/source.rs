@@ -5,7 +5,7 @@
 use crate::clip::{FAR, LARGEST_INVERSE, frame, is_ordinary};
 use crate::error::Validate;
 use crate::kernels::op::{Op, RingOp};
-use crate::kernels::ring::{Centroid, Perimeter, SignedArea};
+use crate::kernels::ops::ring::{Centroid, Perimeter, SignedArea};
 use crate::kernels::row::Row;
 use crate::overlap::Denominator;
 use crate::scalar::float::Float;

@@ -1,0 +1,258 @@
+//! Every level of vector instructions that the machine has, next to powerboxesrs' best call, in one run.
+//!
+//! Everything is run by turns and the fastest run counts: on a shared machine all else is noise.
+use super::{Dice, N, flat, narrow, on_threads};
+use geograd::kernels::cpu::simd::Simd;
+use geograd::kernels::real::Real;
+use geograd::kernels::{IouObb2, cpu, reduce};
+use geograd::{Fixed, Obb2};
+use std::fmt::Write;
+use std::hint::black_box;
+use std::time::Instant;
+
+/// Boxes of the sparse scene.
+const STREET: usize = 3000;
+/// Rows and columns of the random lists that powerboxesrs is given: as fast as all of them, and short
+/// enough to run without interruption now and then.
+const PART: usize = 200;
+/// How often all takes its turn.
+const ROUNDS: usize = 15;
+
+/// The forms, each in million pairs a second: all pairs of two random lists as values, values with ten
+/// slopes each and adjoint; pairs that overlap, aligned, as values and with slopes; row maxima of the
+/// random lists; values of the street.
+const FORMS: [&str; 7] = [
+    "value",
+    "slopes",
+    "vjp",
+    "aligned",
+    "aligned-slopes",
+    "row-max",
+    "sparse",
+];
+
+/// A street of boxes, cars and houses along both sides.
+fn street(dice: &mut Dice) -> Vec<Obb2<f64>> {
+    let mut place = |i: usize| {
+        let (x, side) = (1.5 * i as f64, [4.0, -4.0][i % 2]);
+        let (length, width) = (dice.within(3.0, 6.0), dice.within(1.5, 2.5));
+        let turn = dice.within(-0.1, 0.1);
+        Obb2::new(x, side + dice.within(-1.0, 1.0), length, width, turn)
+    };
+    (0..STREET).map(&mut place).collect()
+}
+
+/// Something that is timed again and again.
+struct Timed<'a> {
+    pairs: usize,
+    run: Box<dyn FnMut() + Send + 'a>,
+    best: f64,
+}
+
+impl<'a> Timed<'a> {
+    fn new(pairs: usize, run: impl FnMut() + Send + 'a) -> Self {
+        Timed {
+            pairs,
+            run: Box::new(run),
+            best: f64::INFINITY,
+        }
+    }
+    /// At least a few milliseconds of runs.
+    fn turn(&mut self) {
+        let start = Instant::now();
+        let mut now = start;
+        loop {
+            (self.run)();
+            let end = Instant::now();
+            self.best = self.best.min((end - now).as_secs_f64());
+            now = end;
+            if (end - start).as_secs_f64() > 0.01 {
+                return;
+            }
+        }
+    }
+    /// Million pairs a second.
+    fn rate(&self) -> f64 {
+        self.pairs as f64 / self.best / 1e6
+    }
+}
+
+/// The lists of one format.
+struct Lists<T> {
+    a: Vec<Obb2<T>>,
+    b: Vec<Obb2<T>>,
+    near: Vec<Obb2<T>>,
+    street: Vec<Obb2<T>>,
+}
+
+/// All forms in one format, in the order of [`FORMS`].
+fn forms<T: Real>(lists: &Lists<T>) -> Vec<Timed<'_>>
+where
+    Obb2<T>: Fixed<Scalar = T>,
+{
+    let Lists { a, b, near, street } = lists;
+    let zeros = |n: usize| vec![T::default(); n];
+    let mut values = zeros(N * N);
+    let mut grads = cpu::PairGrads::<IouObb2, T>::new(N, N).expect("it fits");
+    let (up, mut p, mut q) = (vec![T::one(); N * N], a.clone(), b.clone());
+    let mut aligned = zeros(N);
+    let (mut v, mut x, mut y) = (zeros(N), a.clone(), b.clone());
+    let mut matrix = zeros(STREET * STREET);
+    let pairs = N * N;
+    vec![
+        Timed::new(pairs, move || {
+            cpu::all_pairs_into::<IouObb2, T>(a, b, &mut values).unwrap();
+        }),
+        Timed::new(pairs, move || {
+            cpu::all_pairs_grad_into(a, b, &mut grads).unwrap()
+        }),
+        Timed::new(pairs, move || {
+            cpu::all_pairs_vjp_into::<IouObb2, T>(a, b, &up, &mut p, &mut q).unwrap();
+        }),
+        Timed::new(N, move || {
+            cpu::aligned_into::<IouObb2, T>(a, near, &mut aligned).unwrap();
+        }),
+        Timed::new(N, move || {
+            cpu::aligned_grad_into::<IouObb2, T>(a, near, &mut v, &mut x, &mut y).unwrap();
+        }),
+        Timed::new(pairs, move || {
+            black_box(reduce::row_max::<IouObb2, T>(a, b).unwrap());
+        }),
+        Timed::new(STREET * STREET, move || {
+            cpu::all_pairs_into::<IouObb2, T>(street, street, &mut matrix).unwrap();
+        }),
+    ]
+}
+
+/// What the filter does for the street, in seconds: the matrix, filling it with zeros, row maxima and
+/// pairs above a tenth with the filter, and both without.
+fn filter(street: &[Obb2<f32>]) -> Vec<Timed<'_>> {
+    let n = STREET * STREET;
+    let (mut matrix, mut zeros) = (vec![0.0; n], vec![1.0; n]);
+    let maxima = move || {
+        black_box(reduce::row_max::<IouObb2, f32>(street, street).unwrap());
+    };
+    let above = move || {
+        black_box(reduce::above::<IouObb2, f32>(street, street, 0.1).unwrap());
+    };
+    let without = |run: fn(&[Obb2<f32>])| {
+        move || {
+            cpu::cull(false);
+            run(street);
+            cpu::cull(true);
+        }
+    };
+    vec![
+        Timed::new(n, move || {
+            cpu::all_pairs_into::<IouObb2, f32>(street, street, &mut matrix).unwrap();
+        }),
+        Timed::new(n, move || black_box(&mut zeros).fill(0.0)),
+        Timed::new(n, maxima),
+        Timed::new(n, above),
+        Timed::new(
+            n,
+            without(|x| drop(black_box(reduce::row_max::<IouObb2, f32>(x, x).unwrap()))),
+        ),
+        Timed::new(
+            n,
+            without(|x| drop(black_box(reduce::above::<IouObb2, f32>(x, x, 0.1).unwrap()))),
+        ),
+    ]
+}
+
+/// Prints the table; gives it as lines of `level,form,format,mpairs,ratio`.
+pub fn levels() -> String {
+    let mut dice = Dice(7);
+    let (a, b): (Vec<_>, Vec<_>) = (0..N).map(|_| (dice.random(), dice.random())).unzip();
+    let near: Vec<_> = a.iter().map(|&x| dice.near(x)).collect();
+    let street = street(&mut dice);
+    let single = Lists {
+        a: narrow(&a),
+        b: narrow(&b),
+        near: narrow(&near),
+        street: narrow(&street),
+    };
+    let (flat_a, flat_b, flat_near, flat_street) = (flat(&a), flat(&b), flat(&near), flat(&street));
+    let double = Lists { a, b, near, street };
+    let levels = Simd::available();
+    let mut ours: Vec<[Vec<Timed<'_>>; 2]> = levels
+        .iter()
+        .map(|_| [forms(&single), forms(&double)])
+        .collect();
+    let theirs = powerboxesrs::iou::rotated_iou_distance_slice;
+    let mut peers = [
+        Timed::new(PART * PART, || {
+            drop(black_box(theirs(
+                &flat_a[..5 * PART],
+                &flat_b[..5 * PART],
+                PART,
+                PART,
+            )));
+        }),
+        Timed::new(N / 5 * 25, || {
+            for (a, b) in flat_a.chunks(25).zip(flat_near.chunks(25)) {
+                black_box(theirs(a, b, 5, 5));
+            }
+        }),
+        Timed::new(STREET * STREET, || {
+            drop(black_box(theirs(
+                &flat_street,
+                &flat_street,
+                STREET,
+                STREET,
+            )));
+        }),
+    ];
+    let mut filters: Vec<_> = levels.iter().map(|_| filter(&single.street)).collect();
+    on_threads(1, || {
+        for _ in 0..ROUNDS {
+            peers.iter_mut().for_each(Timed::turn);
+            for (level, (ours, filter)) in levels.iter().zip(ours.iter_mut().zip(&mut filters)) {
+                Simd::limit(Some(*level)).expect("the machine has it");
+                ours.iter_mut().flatten().for_each(Timed::turn);
+                filter.iter_mut().for_each(Timed::turn);
+            }
+            Simd::limit(None).expect("there is one");
+        }
+    });
+
+    println!(
+        "powerboxesrs, f64, one thread, million pairs a second: all pairs of {PART} x {PART} {:.1}, 5 x 5 of near boxes {:.1}, street {:.1}\n",
+        peers[0].rate(),
+        peers[1].rate(),
+        peers[2].rate()
+    );
+    println!("| level | format | {} |", FORMS.join(" | "));
+    println!("| --- | --- |{}", " ---: |".repeat(FORMS.len()));
+    let mut csv = String::from("level,form,format,mpairs,ratio\n");
+    for (level, ours) in levels.iter().zip(&ours) {
+        for (format, ours) in ["f32", "f64"].iter().zip(ours) {
+            let mut row = format!("| {} | {format} |", level.name());
+            for (form, timed) in FORMS.iter().zip(ours) {
+                let peer = match *form {
+                    "aligned" | "aligned-slopes" => &peers[1],
+                    "sparse" => &peers[2],
+                    _ => &peers[0],
+                };
+                let (rate, ratio) = (timed.rate(), timed.rate() / peer.rate());
+                let _ = write!(row, " {rate:.0} ({ratio:.1}x) |");
+                let _ = writeln!(csv, "{},{form},{format},{rate:.2},{ratio:.3}", level.name());
+            }
+            println!("{row}");
+        }
+    }
+    println!(
+        "\n| street of {STREET}, f32 | matrix over filling with zeros | row maxima by the filter | pairs above a tenth by the filter |"
+    );
+    println!("| --- | ---: | ---: | ---: |");
+    for (level, x) in levels.iter().zip(&filters) {
+        println!(
+            "| {} | {:.2} | {:.1}x | {:.1}x |",
+            level.name(),
+            x[1].best / x[0].best,
+            x[4].best / x[2].best,
+            x[5].best / x[3].best
+        );
+    }
+    csv
+}

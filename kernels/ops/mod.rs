@@ -1,0 +1,5 @@
+//! The rows: every operation of the library, a family a file.
+pub mod distance;
+pub mod overlap;
+pub mod ring;
+pub mod shape;
