@@ -70,13 +70,18 @@ macro_rules! __row_of_one {
             ::std::vec![<Self as $crate::Fixed>::filled(zero); count]
         }
         fn leaves(add: &mut dyn FnMut($crate::kernels::row::Leaf<Self::Scalar>)) {
-            add($crate::kernels::row::leaf::<Self>());
+            // An array of none takes no column.
+            if <Self as $crate::Fixed>::LEN > 0 {
+                add($crate::kernels::row::leaf::<Self>());
+            }
         }
         fn targets<'a>(
             many: &'a mut Self::Many,
             add: &mut dyn FnMut($crate::kernels::row::Target<'a, Self::Scalar>),
         ) {
-            add($crate::kernels::row::target(many));
+            if <Self as $crate::Fixed>::LEN > 0 {
+                add($crate::kernels::row::target(many));
+            }
         }
     };
 }
@@ -117,6 +122,10 @@ macro_rules! tuples {
 }
 tuples!(A B; A B C; A B C D; A B C D E; A B C D E F;);
 
+/// A shape that is one, and not a tuple: what a list of rows or columns is made of.
+pub trait Single: Row<Many = Vec<Self>> {}
+impl<P: Row<Many = Vec<P>>> Single for P {}
+
 /// Reads the numbers of some shapes, one after another.
 type Read<'a, T> = Box<dyn Fn(Range<usize>, &mut [T]) + Send + Sync + 'a>;
 
@@ -150,6 +159,18 @@ impl<'a, T: Real> Column<'a, T> {
             numbers,
             fields: P::LEN,
             count: Some(shapes.len()),
+        }
+    }
+    /// Numbers that are read when they are needed.
+    pub(crate) fn read(
+        fields: usize,
+        count: usize,
+        read: impl Fn(Range<usize>, &mut [T]) + Send + Sync + 'a,
+    ) -> Self {
+        Column {
+            numbers: Numbers::Read(Box::new(read)),
+            fields,
+            count: Some(count),
         }
     }
     /// Some numbers of every shape of a list.
@@ -330,6 +351,13 @@ where
 }
 
 impl<'a, T: Real> Target<'a, T> {
+    /// Rows of so many numbers.
+    pub(crate) fn of_rows(rows: &'a mut [T], fields: usize) -> Self {
+        Target {
+            count: rows.len() / fields,
+            pieces: rows.chunks_mut(STRETCH * fields).map(Piece::Lent).collect(),
+        }
+    }
     /// Its pieces.
     pub(crate) fn pieces(self) -> Vec<Piece<'a, T>> {
         self.pieces

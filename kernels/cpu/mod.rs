@@ -25,6 +25,8 @@ mod desk;
 #[forbid(unsafe_code)]
 pub(crate) mod drivers;
 #[forbid(unsafe_code)]
+pub(crate) mod folds;
+#[forbid(unsafe_code)]
 pub(crate) mod lane;
 #[forbid(unsafe_code)]
 pub(crate) mod pairs;
@@ -48,7 +50,8 @@ mod tree;
 #[forbid(unsafe_code)]
 mod work;
 
-pub use all_pairs::{Single, Table};
+pub use all_pairs::Table;
+pub use crate::kernels::row::Single;
 pub(crate) use ragged::check_ragged;
 
 /// The processor: all its lanes, and all threads of rayon's current pool.

@@ -272,9 +272,11 @@ pub(crate) fn of_recorded<T: Real>(
     Ok(Face::new(want, arguments, outputs, Box::new(body)))
 }
 
-/// What is recorded of an operation.
+/// What is kept of an operation.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-enum Key {
+pub(crate) enum Known {
+    /// The programs of a fold.
+    Fold,
     /// The program of what is wanted.
     Program(Want),
     /// How batches compute it, aligned or all pairs.
@@ -282,12 +284,12 @@ enum Key {
 }
 
 /// What was asked for before, by operation and format.
-type Known = HashMap<(TypeId, TypeId, Key), Arc<dyn Any + Send + Sync>>;
-static KNOWN: RwLock<Option<Known>> = RwLock::new(None);
+type Kept = HashMap<(TypeId, TypeId, Known), Arc<dyn Any + Send + Sync>>;
+static KNOWN: RwLock<Option<Kept>> = RwLock::new(None);
 
 /// Something that is made once per operation and format.
-fn known<O: 'static, T: 'static, X: Send + Sync + 'static>(
-    key: Key,
+pub(crate) fn known<O: 'static, T: 'static, X: Send + Sync + 'static>(
+    key: Known,
     make: impl FnOnce() -> Result<X, Error>,
 ) -> Result<Arc<X>, Error> {
     let key = (TypeId::of::<O>(), TypeId::of::<T>(), key);
@@ -306,7 +308,7 @@ fn known<O: 'static, T: 'static, X: Send + Sync + 'static>(
 /// What is wanted of an operation, as a program: the result, or the result and slopes, from the input
 /// and then the cotangent.
 pub(crate) fn program_of<O: Op, T: Plain>(want: Want) -> Result<Arc<Recorded>, Error> {
-    known::<O, T, _>(Key::Program(want), || {
+    known::<O, T, _>(Known::Program(want), || {
         type In<O, T> = <O as Op>::In<Sym<T>>;
         type Out<O, T> = <O as Op>::Out<Sym<T>>;
         // Without an adjoint by hand the program fails to be finite, which nothing then hides.
@@ -345,7 +347,7 @@ where
     O: Op<In<<R as Pack>::Scalar> = R>,
     O::Out<R::Scalar>: Row,
 {
-    known::<O, R::Scalar, _>(Key::Face(want, framed), || {
+    known::<O, R::Scalar, _>(Known::Face(want, framed), || {
         if let Some(compiled) = O::compiled() {
             return Ok(of_compiled(compiled, want));
         }
