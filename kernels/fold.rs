@@ -115,7 +115,11 @@ pub fn fold<F: Fold, S: Scalar>(context: F::Context<S>, path: &[Vec2<S>]) -> F::
 
 /// How many edges so many vertices have.
 pub(crate) fn edges<F: Fold>(vertices: usize) -> usize {
-    if F::CLOSED { vertices } else { vertices.saturating_sub(1) }
+    if F::CLOSED {
+        vertices
+    } else {
+        vertices.saturating_sub(1)
+    }
 }
 
 /// A fold, as the harness sees it.
@@ -128,15 +132,22 @@ impl<F: Fold> Source for Folded<F> {
     type Out<S: Scalar> = F::Out<S>;
     const PROMISES: &'static [Promise] = F::PROMISES;
     const JUMPS: Jumps = F::JUMPS;
-    fn eval<S: Scalar>((context, path): &Self::In<S>) -> F::Out<S> {
+    fn eval<S: Scalar<Mask = bool>>((context, path): &Self::In<S>) -> F::Out<S> {
         fold::<F, S>(*context, path)
     }
-    fn vjp<S: Scalar>((context, path): &Self::In<S>, out_bar: F::Out<S>) -> Self::In<S> {
-        let (context_bar, path_bar) = crate::kernels::cpu::folds::pull_back::<F, S>(*context, path, out_bar);
+    fn vjp<S: Scalar<Mask = bool>>(
+        (context, path): &Self::In<S>,
+        out_bar: F::Out<S>,
+    ) -> Self::In<S> {
+        let (context_bar, path_bar) =
+            crate::kernels::cpu::folds::pull_back::<F, S>(*context, path, out_bar);
         (context_bar, path_bar)
     }
     fn map<S: Scalar, T: Scalar>(input: &Self::In<S>, f: &mut impl FnMut(S) -> T) -> Self::In<T> {
         let context: Vec<T> = input.0.scalars().into_iter().map(&mut *f).collect();
-        (F::Context::load(&context), Pack::map(&input.1, &mut |s| f(*s)))
+        (
+            F::Context::load(&context),
+            Pack::map(&input.1, &mut |s| f(*s)),
+        )
     }
 }

@@ -43,12 +43,41 @@ pub trait Row: Fixed<Scalar: Real> {
     fn targets<'a>(many: &'a mut Self::Many, add: &mut dyn FnMut(Target<'a, Self::Scalar>));
 }
 
+/// Numbers of a shape in a column: its scalars, then its codes.
+pub(crate) const fn width<P: Fixed>() -> usize {
+    P::LEN + P::CODES
+}
+
+/// A shape from the numbers of a column.
+pub(crate) fn get<P: Fixed<Scalar: Real>>(numbers: &[P::Scalar]) -> P {
+    let shape = P::load(numbers);
+    if P::CODES == 0 {
+        return shape;
+    }
+    let codes = numbers[P::LEN..width::<P>()].iter();
+    // Codes beyond what a number of the format holds exactly are beyond any shape's size.
+    let codes: Vec<u32> = codes
+        .map(|&x| crate::scalar::float::Float::widen(x) as u32)
+        .collect();
+    shape.load_codes(&codes)
+}
+
+/// A shape as the numbers of a column.
+pub(crate) fn put<P: Fixed<Scalar: Real>>(shape: P, numbers: &mut [P::Scalar]) {
+    shape.store(numbers);
+    if P::CODES > 0 {
+        for (x, code) in numbers[P::LEN..].iter_mut().zip(shape.codes()) {
+            *x = <P::Scalar as crate::Scalar>::lit(f64::from(code));
+        }
+    }
+}
+
 /// The leaf of a shape that is one.
 #[doc(hidden)]
 pub fn leaf<P: Row + Validate>() -> Leaf<P::Scalar> {
     Leaf {
-        fields: P::LEN,
-        check: |numbers| P::load(numbers).validate(),
+        fields: width::<P>(),
+        check: |numbers| get::<P>(numbers).validate(),
     }
 }
 
@@ -146,18 +175,19 @@ pub struct Column<'a, T> {
 
 impl<'a, T: Real> Column<'a, T> {
     /// Shapes as a column.
-    pub(crate) fn of<P: Fixed<Scalar = T>>(shapes: &'a [P]) -> Self {
+    pub(crate) fn of<P: Row<Scalar = T>>(shapes: &'a [P]) -> Self {
         let numbers = match arch::numbers(shapes) {
             Some(numbers) => Numbers::Lent(numbers),
             None => Numbers::Read(Box::new(move |items, rows| {
-                for (shape, row) in shapes[items].iter().zip(rows.chunks_exact_mut(P::LEN)) {
-                    shape.store(row);
+                let rows = rows.chunks_exact_mut(width::<P>());
+                for (shape, row) in shapes[items].iter().zip(rows) {
+                    put(*shape, row);
                 }
             })),
         };
         Column {
             numbers,
-            fields: P::LEN,
+            fields: width::<P>(),
             count: Some(shapes.len()),
         }
     }
@@ -174,11 +204,11 @@ impl<'a, T: Real> Column<'a, T> {
         }
     }
     /// Some numbers of every shape of a list.
-    fn part<P: Fixed<Scalar = T>>(shapes: &'a [P], part: Range<usize>) -> Self {
+    fn part<P: Row<Scalar = T>>(shapes: &'a [P], part: Range<usize>) -> Self {
         let fields = part.len();
         Column {
             numbers: Numbers::Read(Box::new(move |items, rows| {
-                let mut all = vec![T::default(); P::LEN];
+                let mut all = vec![T::default(); width::<P>()];
                 for (shape, row) in shapes[items].iter().zip(rows.chunks_exact_mut(fields)) {
                     shape.store(&mut all);
                     row.copy_from_slice(&all[part.clone()]);
@@ -327,19 +357,16 @@ pub(crate) const STRETCH: usize = 2048;
 
 /// Shapes as a target.
 #[doc(hidden)]
-pub fn target<P: Fixed>(shapes: &mut [P]) -> Target<'_, P::Scalar>
-where
-    P::Scalar: Real,
-{
+pub fn target<P: Row>(shapes: &mut [P]) -> Target<'_, P::Scalar> {
     let count = shapes.len();
     let pieces = shapes.chunks_mut(STRETCH).map(|shapes| {
         if arch::is_plain::<P>() {
             return Piece::Lent(arch::numbers_mut(shapes).unwrap_or_default());
         }
-        let room = vec![P::Scalar::default(); shapes.len() * P::LEN];
+        let room = vec![P::Scalar::default(); shapes.len() * width::<P>()];
         let write = move |rows: &[P::Scalar]| {
-            for (shape, row) in shapes.iter_mut().zip(rows.chunks_exact(P::LEN)) {
-                *shape = P::load(row);
+            for (shape, row) in shapes.iter_mut().zip(rows.chunks_exact(width::<P>())) {
+                *shape = get(row);
             }
         };
         Piece::Written(room, Box::new(write))

@@ -11,7 +11,7 @@ use crate::kernels::cpu::ragged::check_ragged;
 use crate::kernels::cpu::work::spread;
 use crate::kernels::fold::{Fold, edges};
 use crate::kernels::real::Real;
-use crate::kernels::row::{Column, Columns, Leaf, STRETCH, leaves_of, target};
+use crate::kernels::row::{Column, Columns, Leaf, STRETCH, leaves_of};
 use crate::{Error, Fixed, Pack, Scalar, Vec2};
 use std::sync::Arc;
 
@@ -151,7 +151,9 @@ fn paths<'a, F: Fold, T: Real>(
         F::reference(context, own).store(&mut paths.shared[start + F::Context::<T>::LEN..]);
         for k in 0..edges::<F>(own.len()) {
             let end = bounds[0] + (k + 1) % own.len();
-            paths.edges.push((path as u32, (bounds[0] + k) as u32, end as u32));
+            paths
+                .edges
+                .push((path as u32, (bounds[0] + k) as u32, end as u32));
         }
         paths.starts.push(paths.edges.len());
     }
@@ -170,7 +172,10 @@ impl<T: Real> Paths<'_, T> {
             }),
             Column::read(4, count, move |edges, rows| {
                 for (edge, row) in self.edges[edges].iter().zip(rows.chunks_exact_mut(4)) {
-                    let (from, to) = (self.vertices[edge.1 as usize], self.vertices[edge.2 as usize]);
+                    let (from, to) = (
+                        self.vertices[edge.1 as usize],
+                        self.vertices[edge.2 as usize],
+                    );
                     row.copy_from_slice(&[from.x, from.y, to.x, to.y]);
                 }
             }),
@@ -188,7 +193,12 @@ impl<T: Real> Paths<'_, T> {
 }
 
 /// A body of edges as a batch sees it.
-fn face<T: Real>(recorded: &Recorded, wide: usize, state: usize, want: Want) -> Result<Face<T>, Error> {
+fn face<T: Real>(
+    recorded: &Recorded,
+    wide: usize,
+    state: usize,
+    want: Want,
+) -> Result<Face<T>, Error> {
     let leaf = |fields| Leaf {
         fields,
         check: |_: &[T]| Ok(()),
@@ -289,9 +299,13 @@ impl Cpu {
         // From there to the ends of every edge.
         let body = face::<T>(&programs.edge_vjp, wide, state, Want::Vjp)?;
         let count = paths.edges.len();
-        let (mut shared_bars, mut end_bars) = (vec![T::default(); count * wide], vec![[T::default(); 4]; count]);
+        let (mut shared_bars, mut end_bars) = (
+            vec![T::default(); count * wide],
+            vec![[T::default(); 4]; count],
+        );
         let columns = paths.columns(wide, Some((&state_bars, state)));
-        let mut targets = vec![Some(target(&mut end_bars))];
+        let ends = rows_target(end_bars.as_flattened_mut(), 4);
+        let mut targets = vec![Some(ends)];
         if wide > 0 {
             targets.insert(0, Some(rows_target(&mut shared_bars, wide)));
         }
@@ -352,7 +366,10 @@ where
 
 /// What every edge tells.
 fn states<F: Fold, T: Real>(programs: &Programs, paths: &Paths<'_, T>) -> Result<Vec<T>, Error> {
-    let (wide, state) = (F::Context::<T>::LEN + F::Reference::<T>::LEN, F::State::<T>::LEN);
+    let (wide, state) = (
+        F::Context::<T>::LEN + F::Reference::<T>::LEN,
+        F::State::<T>::LEN,
+    );
     let body = face::<T>(&programs.edge, wide, state, Want::Value)?;
     let count = paths.edges.len();
     let mut states = vec![T::default(); count * state];
@@ -371,7 +388,10 @@ fn states<F: Fold, T: Real>(programs: &Programs, paths: &Paths<'_, T>) -> Result
 fn told<F: Fold, T: Real>(paths: &Paths<'_, T>, states: &[T], path: usize) -> Vec<F::State<T>> {
     let fields = F::State::<T>::LEN;
     let own = paths.starts[path] * fields..paths.starts[path + 1] * fields;
-    states[own].chunks_exact(fields).map(F::State::load).collect()
+    states[own]
+        .chunks_exact(fields)
+        .map(F::State::load)
+        .collect()
 }
 
 /// The result of a path.
@@ -381,7 +401,11 @@ fn finished<F: Fold, T: Real>(paths: &Paths<'_, T>, states: &[T], path: usize) -
     let shared = &paths.shared[path * wide..][..wide];
     let told = told::<F, T>(paths, states, path);
     let state = told.into_iter().fold(F::empty(), F::join);
-    let out = F::finish(F::Context::load(shared), F::Reference::load(&shared[own..]), state);
+    let out = F::finish(
+        F::Context::load(shared),
+        F::Reference::load(&shared[own..]),
+        state,
+    );
     let canonical: Vec<T> = out.scalars().iter().map(|x| x.canonical()).collect();
     F::Out::load(&canonical)
 }

@@ -50,8 +50,10 @@ mod tree;
 #[forbid(unsafe_code)]
 mod work;
 
-pub use all_pairs::Table;
 pub use crate::kernels::row::Single;
+pub use all_pairs::Table;
+#[doc(hidden)]
+pub use plan::{Face, Want};
 pub(crate) use ragged::check_ragged;
 
 /// The processor: all its lanes, and all threads of rayon's current pool.

@@ -272,6 +272,76 @@ pub(crate) fn of_recorded<T: Real>(
     Ok(Face::new(want, arguments, outputs, Box::new(body)))
 }
 
+/// Something that computes one item: its numbers, the cotangent of its result or nothing, and room for
+/// a result, or for a result and slopes.
+pub type Each<T> = fn(&[T], Option<&[T]>, &mut [T]);
+
+/// Computes item by item.
+struct Items<T> {
+    each: Each<T>,
+    /// Numbers of every shape that it takes, of all of them, of every cotangent, and put down per item.
+    arguments: Vec<usize>,
+    taken: usize,
+    cotangents: Vec<usize>,
+    made: usize,
+}
+
+/// Numbers of an item of a tile.
+fn item<T: Copy>(input: &Tiles<'_, T>, t: usize, i: usize, fields: usize, numbers: &mut Vec<T>) {
+    let tile = input.lanes[t * input.step..].iter().take(fields);
+    numbers.extend(tile.map(|lane| lane.0[i]));
+}
+
+impl<T: Real> Maker<T> for Items<T> {
+    fn make(&self, _: &mut Room<T>, inputs: &[Tiles<'_, T>], mut out: Results<'_, T>) {
+        let (shapes, cotangents) = inputs.split_at(self.arguments.len());
+        let (mut numbers, mut seed) = (Vec::with_capacity(self.taken), Vec::new());
+        let mut one = vec![T::default(); self.made];
+        for t in 0..out.tiles {
+            for i in 0..TILE {
+                numbers.clear();
+                seed.clear();
+                for (shape, &fields) in shapes.iter().zip(&self.arguments) {
+                    item(shape, t, i, fields, &mut numbers);
+                }
+                for (cotangent, &fields) in cotangents.iter().zip(&self.cotangents) {
+                    item(cotangent, t, i, fields, &mut seed);
+                }
+                (self.each)(&numbers, (!seed.is_empty()).then_some(&seed), &mut one);
+                for (k, &x) in one.iter().enumerate() {
+                    if let Some(lane) = out.lane(t, k) {
+                        lane.0[i] = x.canonical();
+                    }
+                }
+            }
+        }
+    }
+}
+
+/// How an operation is computed item by item.
+pub(crate) fn of_items<T: Real>(
+    want: Want,
+    leaves: Vec<Leaf<T>>,
+    outputs: Vec<usize>,
+    each: Each<T>,
+) -> Face<T> {
+    let arguments: Vec<usize> = leaves.iter().map(|leaf| leaf.fields).collect();
+    let (taken, result): (usize, usize) = (arguments.iter().sum(), outputs.iter().sum());
+    let made = match want {
+        Want::Value => result,
+        Want::ValueGrad | Want::Vjp => result + taken,
+    };
+    let items = Items {
+        each,
+        arguments,
+        taken,
+        cotangents: outputs.clone(),
+        made,
+    };
+    let plans = leaves.into_iter().map(Preparation::plain).collect();
+    Face::new(want, plans, outputs, Box::new(items))
+}
+
 /// What is kept of an operation.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub(crate) enum Known {

@@ -1,7 +1,7 @@
 //! Convex polygons with their vertices in place, and the edges of any ring.
 use crate::error::{Flaw, Validate, VertexFault};
 use crate::predicate::{Turn, same, turn};
-use crate::{Aabb2, Obb2, Scalar, Vec2};
+use crate::{Aabb2, Obb2, Scalar, Shape, Vec2};
 
 /// A convex polygon of up to `N` vertices, counter-clockwise, without heap memory.
 ///
@@ -18,12 +18,14 @@ use crate::{Aabb2, Obb2, Scalar, Vec2};
 /// let polygon: ConvexPolygon<f64, 8> = ConvexPolygon::try_new(&triangle).unwrap();
 /// assert_eq!(polygon.as_slice(), triangle);
 /// ```
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Copy, Debug, Shape)]
 #[repr(C)]
+#[shape(except(Validate, Sample, Arbitrary))]
 pub struct ConvexPolygon<S, const N: usize> {
     /// The vertices, counter-clockwise; the first `count` of them matter.
     pub vertices: [Vec2<S>; N],
     /// How many vertices there are: at most `N`.
+    #[shape(code)]
     pub count: usize,
 }
 
