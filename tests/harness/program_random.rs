@@ -106,6 +106,8 @@ fn random_functions_keep_their_bits_and_slopes() {
             let jets = plan.eval_all(from_fn(|i| Jet::<_, INPUTS>::variable(x[i], i)));
             let jet = jets[jets.len() - 1];
             let (_, slopes) = value_grad.eval(x);
+            // Duals lose a value that is put in place of NaN.
+            let known = jet.value == plan.eval(x);
             // What is built of large numbers that cancel is not known to many digits.
             let numbers = jets
                 .iter()
@@ -115,7 +117,7 @@ fn random_functions_keep_their_bits_and_slopes() {
                 .fold(1.0_f64, |a, b| a.max(b.abs()));
             for i in 0..INPUTS {
                 let expected = jet.slope[i];
-                if !expected.is_finite() || scale > 1e3 {
+                if !known || !expected.is_finite() || scale > 1e3 {
                     wild += 1;
                     continue;
                 }
