@@ -161,11 +161,6 @@ impl Recorded {
         made
     }
 
-    /// Whether its slopes come from an adjoint by hand.
-    pub(crate) fn is_by_hand(&self) -> bool {
-        self.by_hand.is_some()
-    }
-
     /// The same graph with the gradient by hand as result.
     pub(crate) fn gradient_by_hand(&self) -> Option<Recorded> {
         let gradient = self.by_hand.as_ref()?;
