@@ -216,7 +216,7 @@ impl<In: Fixed, Out: Fixed> fmt::Display for Program<In, Out> {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         print(
             f,
-            &self.recorded,
+            self.recorded(),
             |i| In::name(i).to_string(),
             |i| Out::name(i).to_string(),
         )
