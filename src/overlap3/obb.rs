@@ -9,6 +9,9 @@ use std::any::TypeId;
 
 /// The volume that two related boxes share, in units of `1 / scale³`.
 ///
+/// One function for each kind of number, however many callers: kernels that must be compiled as one piece
+/// take [`shared_volume`] itself.
+///
 /// Plain numbers take the value alone. For numbers with derivatives the slopes g come from the formula for
 /// slopes, because those of the value's own arithmetic are lost where edges are parallel to faces. With
 /// `x₀` the value of an input x without its derivatives,
@@ -20,7 +23,6 @@ use std::any::TypeId;
 /// has the first derivative g and the second derivative g′. (Higher ones are not those of the volume.) The
 /// rotation enters by the entries of its matrix R: a turn ω changes them by `ω × R`, so the slope τ by a
 /// turn is `½ τ × R` by the entries.
-#[inline(always)]
 fn volume<S: Scalar>(pair: &Relative3<S>) -> S {
     if TypeId::of::<S>() == TypeId::of::<S::Primal>() {
         return shared_volume::<S, false>(pair).volume;
@@ -75,7 +77,6 @@ pub(super) fn far_apart<S: Scalar>(pair: &Relative3<S>) -> S::Mask {
     (reach * S::Primal::lit(2.001)).below(square(pair.center))
 }
 
-#[inline(always)]
 fn score_obb3<S: Scalar>(over: Denominator, a: Obb3<S>, b: Obb3<S>) -> S {
     let pair = relate3(a, b);
     if far_apart(&pair).all() {
@@ -118,7 +119,6 @@ pub(super) fn within<S: Scalar>(shared: S, volume_a: S, volume_b: S) -> S {
 }
 
 /// The same for a volume with slopes.
-#[inline(always)]
 pub(super) fn shared_within<S: Scalar>(pair: &Relative3<S>) -> (Shared3<S>, S, S) {
     let mut shared = shared_volume::<S, true>(pair);
     let (volume_a, volume_b) = (volume_from_half(pair.half_a), volume_from_half(pair.half_b));

@@ -38,7 +38,6 @@ fn by_volumes<S: Scalar>(
 /// The slopes of the volume come in a's frame: force F by the centre of b, torque τ by a turn of b about
 /// that centre. Moving b is moving a the other way; turning the pair about a's centre changes nothing, so
 /// the torque on a is `−(τ + c × F)`. Both torques are by body tangents; the quaternions' gradients follow.
-#[inline(always)]
 fn score_vjp<S: Scalar>(
     over: Denominator,
     a: Obb3<S>,

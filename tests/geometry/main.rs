@@ -8,6 +8,7 @@ mod oracle_solid;
 mod overlap;
 mod pairs;
 mod projection;
+mod recorded;
 mod ring;
 mod rotation;
 mod scalar;
