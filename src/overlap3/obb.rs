@@ -114,6 +114,7 @@ fn own_volume<S: Scalar>(pair: &Relative3<S>, half: [S; 3]) -> S {
 #[inline(always)]
 pub(super) fn within<S: Scalar>(shared: S, volume_a: S, volume_b: S) -> S {
     let limit = volume_a.primal().least(volume_b.primal());
+    let limit = limit.most(S::Primal::zero());
     let beyond = shared.above(S::from_primal(limit));
     S::select(beyond, shared.with_primal(limit), shared)
 }

@@ -17,7 +17,8 @@ fn solids(random: &mut Random) -> Vec<Pair<Obb3<f64>>> {
 fn overlap_of_turned_boxes_is_a_program() {
     let mut random = Random(101);
     let wide = Program::trace(|(a, b): Pair<Obb3<Sym<f64>>>| iou_obb3(a, b)).unwrap();
-    let narrow = Program::trace(|(a, b): Pair<Obb3<Sym<f32>>>| intersection_volume_obb3(a, b)).unwrap();
+    let narrow =
+        Program::trace(|(a, b): Pair<Obb3<Sym<f32>>>| intersection_volume_obb3(a, b)).unwrap();
     let adjoint = Program::trace(|(a, b): Pair<Obb3<Sym<f64>>>| {
         let (value, slopes) = iou_obb3_vjp(a, b, Fixed::filled(geograd::Scalar::one()));
         (value, slopes)
@@ -74,7 +75,10 @@ fn losses_are_programs() {
 fn lanes_agree_with_single_numbers() {
     type Eight = Lanes<f32, 8>;
     let mut random = Random(103);
-    let all: Vec<_> = solids(&mut random).into_iter().map(|(a, b)| (single(a), single(b))).collect();
+    let all: Vec<_> = solids(&mut random)
+        .into_iter()
+        .map(|(a, b)| (single(a), single(b)))
+        .collect();
     for group in all.chunks_exact(8) {
         let lanes = |pick: fn(&Pair<Obb3<f32>>) -> Obb3<f32>| -> Obb3<Eight> {
             let mut numbers = [Eight::splat(0.0); 10];
