@@ -65,11 +65,11 @@ fn most_shared<S: Scalar>(pair: &Relative3<S>) -> S {
     for i in 0..3 {
         let reach = (steep[i][0] * p[0] + steep[i][1] * p[1]) + steep[i][2] * p[2];
         let shared = (c[i] + reach).least(h[i]) - (c[i] - reach).most(-h[i]);
-        in_a = in_a * shared.most(zero);
+        in_a *= shared.most(zero);
         let reach = (steep[0][i] * h[0] + steep[1][i] * h[1]) + steep[2][i] * h[2];
         let center = (r[0][i] * c[0] + r[1][i] * c[1]) + r[2][i] * c[2];
         let shared = (center + reach).least(p[i]) - (center - reach).most(-p[i]);
-        in_b = in_b * shared.most(zero);
+        in_b *= shared.most(zero);
     }
     let mut gap = -S::one();
     for i in 0..3 {
@@ -113,7 +113,7 @@ pub fn shared_volume<S: Scalar, const SLOPES: bool>(pair: &Relative3<S>) -> Shar
             }
         }
     }
-    volume = volume * S::lit(1.0 / 6.0);
+    volume *= S::lit(1.0 / 6.0);
     for a in 0..2 {
         for b in 0..2 {
             for side in 0..2 {

@@ -13,7 +13,7 @@ fn ranges_and_identical_boxes() {
     for (n, family) in FAMILIES.iter().cycle().take(400).enumerate() {
         let (a, mut b) = pair(family, &mut random);
         if n % 2 == 1 {
-            b.center = b.center + random.vector(8.0 * a.size.x);
+            b.center += random.vector(8.0 * a.size.x);
         }
         let iou = a.iou(b);
         for kind in [Enclosing::Aabb, Enclosing::Rectangle] {
@@ -86,7 +86,7 @@ fn gaps_are_distances_and_continue_overlap() {
     };
     for n in 0..100 {
         let (a, mut b) = pair(FAMILIES[n % 3], &mut random);
-        b.center = b.center + random.vector(4.0);
+        b.center += random.vector(4.0);
         let gap = penetration_or_gap(a, b);
         assert!((gap - penetration_or_gap(b, a)).abs() < 1e-12);
         let motion = Pose3::new(random_rotation(&mut random), random.vector(10.0));
@@ -153,7 +153,7 @@ fn slopes_are_those_of_the_value() {
     for n in 0..60 {
         let (one, mut other) = (random.yaw_box(), random.yaw_box());
         if n % 2 == 1 {
-            other.center = other.center + random.vector(6.0);
+            other.center += random.vector(6.0);
         }
         let (c, s) = (one.center, one.size);
         let x = [c.x, c.y, c.z, s.x, s.y, s.z, one.heading];
