@@ -86,8 +86,13 @@ fn most_shared<S: Scalar>(pair: &Relative3<S>) -> S {
 }
 
 /// The volume that two related boxes share and, if asked for, its slopes. Straight line.
+///
+/// `PIECES` keeps the repeated pieces functions of their own, which costs less to build and less stack;
+/// without it all is one piece, as code for vector instructions must be.
 #[inline(always)]
-pub fn shared_volume<S: Scalar, const SLOPES: bool>(pair: &Relative3<S>) -> Shared3<S> {
+pub fn shared_volume<S: Scalar, const SLOPES: bool, const PIECES: bool>(
+    pair: &Relative3<S>,
+) -> Shared3<S> {
     let zero = S::zero();
     let (cut, origin) = cut(pair);
     let mut bounds = Bounds {
@@ -106,8 +111,8 @@ pub fn shared_volume<S: Scalar, const SLOPES: bool>(pair: &Relative3<S>) -> Shar
     for m in 0..3 {
         for a in 0..2 {
             for b in 0..2 {
-                let made = edge(&cut, m, a, b);
-                let six = edge_term::<S, SLOPES>(&cut, &made, [m, a, b], &mut bounds);
+                let made = edge::<S, PIECES>(&cut, m, a, b);
+                let six = edge_term::<S, SLOPES, PIECES>(&cut, &made, [m, a, b], &mut bounds);
                 volume = less_signed(volume, a, b, six);
                 edges[m][a][b] = made;
             }
@@ -134,7 +139,7 @@ pub fn shared_volume<S: Scalar, const SLOPES: bool>(pair: &Relative3<S>) -> Shar
     let mut thrice = zero;
     for k in 0..3 {
         for side in 0..2 {
-            let made = face::<S, SLOPES>(&cut, &edges, k, side, &mut bounds);
+            let made = face::<S, SLOPES, PIECES>(&cut, &edges, k, side, &mut bounds);
             thrice = if side == 1 {
                 thrice + made.thrice
             } else {

@@ -1,6 +1,5 @@
 //! Slopes by hand of the overlap of boxes of any orientation.
-use super::obb::shared_within;
-use super::relate::relate3;
+use super::obb::{related, shared_within};
 use super::score;
 use crate::overlap::Denominator;
 use crate::shape::{Obb3, Rotation3};
@@ -44,7 +43,7 @@ fn score_vjp<S: Scalar>(
     b: Obb3<S>,
     out_bar: S,
 ) -> (S, (Obb3<S>, Obb3<S>)) {
-    let pair = relate3(a, b);
+    let pair = related(a, b);
     let (shared, volume_a, volume_b) = shared_within(&pair);
     let value = score(over, shared.volume, volume_a, volume_b, pair.scale);
     let (length_unit, turn_unit) = match over {
