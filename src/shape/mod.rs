@@ -1,4 +1,5 @@
 //! Shapes, a noun a file.
+mod convexity;
 pub mod polygon;
 
 pub use polygon::ConvexPolygon;
