@@ -50,17 +50,27 @@ pub fn hull_decided_in<'a, S: Scalar<Mask = bool>>(
     let (Some(&first), Some(&last)) = (order.first(), order.last()) else {
         return Ok(&[]);
     };
-    // Below the line from the first to the last from left to right, then those above it back.
-    let above = |k: &usize| turn(points[first], points[last], points[*k]) == Turn::Left;
-    order.sort_unstable_by(|i, j| match (above(i), above(j)) {
-        (false, false) => by_place(i, j),
-        (true, true) => left_to_right(points[*j], points[*i]).then(i.cmp(j)),
-        (false, true) => std::cmp::Ordering::Less,
-        (true, false) => std::cmp::Ordering::Greater,
+    // Below the line from the first to the last from left to right, then those above it back. The
+    // highest bit of a number says that its point is above, so that each is asked once.
+    const ABOVE: usize = !(usize::MAX >> 1);
+    for k in order.iter_mut() {
+        if turn(points[first], points[last], points[*k]) == Turn::Left {
+            *k |= ABOVE;
+        }
+    }
+    order.sort_unstable_by(|i, j| {
+        let (p, q) = (i & !ABOVE, j & !ABOVE);
+        let order = match (i & ABOVE != 0, j & ABOVE != 0) {
+            (false, false) => left_to_right(points[p], points[q]),
+            (true, true) => left_to_right(points[q], points[p]),
+            (false, true) => std::cmp::Ordering::Less,
+            (true, false) => std::cmp::Ordering::Greater,
+        };
+        order.then(p.cmp(&q))
     });
     let mut count = 0;
     for read in 0..n {
-        let next = order[read];
+        let next = order[read] & !ABOVE;
         if count > 0 && same(points[order[count - 1]], points[next]) {
             continue;
         }

@@ -33,7 +33,7 @@ mod wedge;
 use crate::overlap::{ratio_of_first, ratio_of_union};
 use crate::reference::{Reference, bounds_of, choose};
 use crate::shape::polygon::edges;
-use crate::{Aabb2, ConvexPolygon, Scalar, Vec2};
+use crate::{Aabb2, ConvexPolygon, Mask, Scalar, Vec2};
 pub(crate) use wedge::{Fan, Wedge, mixed};
 
 /// Areas of two convex polygons and of what they share, in the local unit of a reference.
@@ -47,7 +47,7 @@ pub(crate) struct SharedArea<S: Scalar> {
 }
 
 #[inline(always)]
-fn least_bounds<S: Scalar, const N: usize>(polygon: &[Vec2<S>; N]) -> Aabb2<S> {
+fn least_bounds<S: Scalar>(polygon: &[Vec2<S>]) -> Aabb2<S> {
     bounds_of(polygon).unwrap_or(Aabb2 {
         min: Vec2::zero(),
         max: Vec2::zero(),
@@ -57,41 +57,48 @@ fn least_bounds<S: Scalar, const N: usize>(polygon: &[Vec2<S>; N]) -> Aabb2<S> {
 /// A place inside a convex polygon, in local coordinates, at which no vertex of another one is to be
 /// expected: there it would have no direction. So the vertices have weights of no simple ratio.
 #[inline(always)]
-fn middle<S: Scalar, const N: usize>(polygon: &[Vec2<S>; N], seen: &Reference<S>) -> Vec2<S> {
-    let (mut sum, mut total, mut k) = (Vec2::zero(), 0.0, 0);
-    while k < N {
+fn middle<S: Scalar>(polygon: &[Vec2<S>], seen: &Reference<S>) -> Vec2<S> {
+    let (mut sum, mut total) = (Vec2::zero(), 0.0);
+    for (k, &vertex) in polygon.iter().enumerate() {
         let weight = 1.0 + 0.618_033_988_749_895 * ((k % 3) as f64) / 5.0;
-        sum += seen.place(polygon[k]) * S::lit(weight);
+        sum += seen.place(vertex) * S::lit(weight);
         total += weight;
-        k += 1;
     }
-    sum * S::lit(1.0 / total)
+    sum * S::lit(1.0 / total.max(1.0))
 }
 
 /// How both polygons are seen: from a place inside the smaller one. And whether their bounds are apart.
 #[inline(always)]
-fn pair_reference<S: Scalar, const N: usize, const M: usize>(
-    a: &[Vec2<S>; N],
-    b: &[Vec2<S>; M],
-) -> (Reference<S>, S::Mask) {
+fn pair_reference<S: Scalar>(a: &[Vec2<S>], b: &[Vec2<S>]) -> (Reference<S>, S::Mask) {
     let (seen, in_a, apart) = Reference::of_pair(least_bounds(a), least_bounds(b));
     let middle = choose(in_a, middle(a, &seen), middle(b, &seen));
     (seen.shifted(middle), apart)
 }
 
-/// Measures two convex polygons, given as `N` and `M` vertices (repeated ones change nothing).
+/// Measures two convex polygons, given as the first `count_a` and `count_b` of some vertices (repeated
+/// ones change nothing).
 #[inline(always)]
-pub(crate) fn measure<S: Scalar, const N: usize, const M: usize>(
+fn measure_counted<S: Scalar, const N: usize, const M: usize>(
     a: &[Vec2<S>; N],
+    count_a: usize,
     b: &[Vec2<S>; M],
+    count_b: usize,
 ) -> SharedArea<S> {
-    let (seen, apart) = pair_reference(a, b);
-    let (fan_a, fan_b) = (Fan::new(a, &seen), Fan::new(b, &seen));
+    let (seen, apart) = pair_reference(&a[..count_a], &b[..count_b]);
+    let (fan_a, fan_b) = (Fan::new(a, count_a, &seen), Fan::new(b, count_b, &seen));
     let (area_a, area_b) = (fan_a.area(), fan_b.area());
-    let mut twice = S::zero();
+    let zero = S::zero();
+    if apart.all() {
+        return SharedArea {
+            seen,
+            areas: [zero, area_a, area_b],
+            nothing: apart,
+        };
+    }
+    let mut twice = zero;
     let mut k = 0;
-    while k < N {
-        twice += fan_b.shared_with([fan_a.at[k], fan_a.at[Fan::<S, N>::after(k)]]);
+    while k < fan_a.count {
+        twice += fan_b.shared_with(fan_a.edge(k));
         k += 1;
     }
     let area = twice.halved();
@@ -99,12 +106,24 @@ pub(crate) fn measure<S: Scalar, const N: usize, const M: usize>(
     let beyond = area.above(S::from_primal(limit));
     let area = S::select(beyond, area.with_primal(limit), area);
     let separate = fan_a.separates(&fan_b) | fan_b.separates(&fan_a);
-    let nothing = apart | separate | area.at_most(S::zero());
+    let nothing = apart | separate | area.at_most(zero);
     SharedArea {
         seen,
-        areas: [S::select(nothing, S::zero(), area), area_a, area_b],
+        areas: [S::select(nothing, zero, area), area_a, area_b],
         nothing,
     }
+}
+
+/// Measures two convex polygons. Full ones have code of their own, in which no count is left.
+#[inline(always)]
+pub(crate) fn measure<S: Scalar, const N: usize, const M: usize>(
+    a: &ConvexPolygon<S, N>,
+    b: &ConvexPolygon<S, M>,
+) -> SharedArea<S> {
+    if a.count == N && b.count == M {
+        return measure_counted(&a.vertices, N, &b.vertices, M);
+    }
+    measure_counted(&a.vertices, a.count.min(N), &b.vertices, b.count.min(M))
 }
 
 /// The area shared by two convex polygons, from 0 to the area of the smaller one, in squared units of
@@ -127,7 +146,7 @@ pub fn intersection_area_polygons<S: Scalar, const N: usize, const M: usize>(
     a: &ConvexPolygon<S, N>,
     b: &ConvexPolygon<S, M>,
 ) -> S {
-    let shared = measure(&a.padded(), &b.padded());
+    let shared = measure(a, b);
     let seen = shared.seen;
     seen.outer(seen.outer(shared.areas[0]))
         .saturated()
@@ -150,7 +169,7 @@ pub fn iou_polygons<S: Scalar, const N: usize, const M: usize>(
     a: &ConvexPolygon<S, N>,
     b: &ConvexPolygon<S, M>,
 ) -> S {
-    let [inter, area_a, area_b] = measure(&a.padded(), &b.padded()).areas;
+    let [inter, area_a, area_b] = measure(a, b).areas;
     ratio_of_union(inter, area_a, area_b).canonical()
 }
 
@@ -162,7 +181,7 @@ pub fn iof_polygons<S: Scalar, const N: usize, const M: usize>(
     a: &ConvexPolygon<S, N>,
     b: &ConvexPolygon<S, M>,
 ) -> S {
-    let [inter, area_a, _] = measure(&a.padded(), &b.padded()).areas;
+    let [inter, area_a, _] = measure(a, b).areas;
     ratio_of_first(inter, area_a).canonical()
 }
 
@@ -176,22 +195,21 @@ pub struct Inside<S: Scalar, const M: usize> {
 }
 
 impl<S: Scalar, const M: usize> Inside<S, M> {
-    /// For rings within some bounds and a convex polygon, given as `M` vertices (repeated ones change
-    /// nothing).
+    /// For rings within some bounds and a convex polygon.
     #[must_use]
     #[inline(always)]
-    pub fn new(rings: Aabb2<S>, polygon: &[Vec2<S>; M]) -> Self {
-        let bounds = least_bounds(polygon);
+    pub fn new(rings: Aabb2<S>, polygon: &ConvexPolygon<S, M>) -> Self {
+        let bounds = least_bounds(polygon.as_slice());
         let (seen, in_rings, apart) = Reference::of_pair(rings, bounds);
         // Inside the rings' bounds, at no simple fraction of them.
         let (low, high) = (seen.place(rings.min), seen.place(rings.max));
         let share = Vec2::new(S::lit(0.463_647_609), S::lit(0.540_302_306));
         let size = high - low;
         let at = low + Vec2::new(size.x * share.x, size.y * share.y);
-        let seen = seen.shifted(choose(in_rings, at, middle(polygon, &seen)));
+        let seen = seen.shifted(choose(in_rings, at, middle(polygon.as_slice(), &seen)));
         Inside {
             seen,
-            fan: Fan::new(polygon, &seen),
+            fan: Fan::new(&polygon.vertices, polygon.count, &seen),
             apart,
         }
     }
@@ -235,7 +253,7 @@ pub fn area_inside<S: Scalar, const M: usize>(
     let Some(bounds) = bounds_of_rings(rings) else {
         return S::zero();
     };
-    let inside = Inside::new(bounds, &polygon.padded());
+    let inside = Inside::new(bounds, polygon);
     let mut sum = S::zero();
     for ring in rings {
         for [start, end] in edges(ring) {

@@ -1,6 +1,6 @@
 //! Triangles over the edges of two rings, seen from one place: what every two of them share.
 use crate::reference::Reference;
-use crate::{Scalar, Vec2};
+use crate::{Mask, Scalar, Vec2};
 
 /// An edge of a ring against an edge of a polygon, seen from a common place and both turned so that
 /// they run counter-clockwise around it.
@@ -29,10 +29,14 @@ pub(crate) struct Wedge<S: Scalar> {
 }
 
 /// Sees the triangles over `f` and `g`. `cross` is `g × f` of start and start, start of g and end of
-/// f, end of g and start of f, end and end; `beyond_g` how far both ends of f are to the left of g,
-/// `beyond_f` those of g of f.
+/// f, end of g and start of f, end and end; `beyond` how far both ends of f are to the left of g,
+/// and those of g of f. `None` where they share no direction in any lane.
 #[inline(always)]
-fn wedge<S: Scalar>(twice: [S; 2], cross: [S; 4], beyond_g: [S; 2], beyond_f: [S; 2]) -> Wedge<S> {
+fn wedge<S: Scalar>(
+    twice: [S; 2],
+    cross: [S; 4],
+    beyond: impl FnOnce() -> ([S; 2], [S; 2]),
+) -> Option<Wedge<S>> {
     let zero = S::zero();
     let (turned_f, turned_g) = (twice[0].below(zero), twice[1].below(zero));
     let swap = |mask, x: [S; 2]| [S::select(mask, x[1], x[0]), S::select(mask, x[0], x[1])];
@@ -41,14 +45,18 @@ fn wedge<S: Scalar>(twice: [S; 2], cross: [S; 4], beyond_g: [S; 2], beyond_f: [S
     let [p10, p11] = swap(turned_f, [cross[2], cross[3]]);
     let [p00, p10] = swap(turned_g, [p00, p10]);
     let [p01, p11] = swap(turned_g, [p01, p11]);
-    let beyond_g = sign(turned_g, swap(turned_f, beyond_g));
-    let beyond_f = sign(turned_f, swap(turned_g, beyond_f));
     let twice = [twice[0].unsigned(), twice[1].unsigned()];
 
     let (first_g, last_g) = (p00.below(zero), p11.above(zero));
     // Each triangle spans less than a half turn: they share directions where the start of one is
     // within the other.
     let shared = (first_g & p01.above(zero)) | (!first_g & p10.below(zero));
+    if !shared.any() {
+        return None;
+    }
+    let (beyond_g, beyond_f) = beyond();
+    let beyond_g = sign(turned_g, swap(turned_f, beyond_g));
+    let beyond_f = sign(turned_f, swap(turned_g, beyond_f));
     // Positive wherever a direction is shared; rounding may leave nothing.
     let first_unit = S::select(first_g, p01 - p00, p00 - p10);
     let last_unit = S::select(last_g, p11 - p10, p01 - p11);
@@ -57,7 +65,7 @@ fn wedge<S: Scalar>(twice: [S; 2], cross: [S; 4], beyond_g: [S; 2], beyond_f: [S
         S::select(shared, first_unit, S::one()),
         S::select(shared, last_unit, S::one()),
     );
-    Wedge {
+    Some(Wedge {
         shared,
         turned_f,
         turned_g,
@@ -76,7 +84,7 @@ fn wedge<S: Scalar>(twice: [S; 2], cross: [S; 4], beyond_g: [S; 2], beyond_f: [S
             S::select(last_g, beyond_f[1], -beyond_g[1]),
         ],
         twice,
-    }
+    })
 }
 
 /// Twice the area that both triangles share, with the sign of their orientations.
@@ -122,36 +130,47 @@ pub(crate) struct Fan<S, const M: usize> {
     pub at: [Vec2<S>; M],
     /// Twice the area of the triangle over each edge.
     pub twice: [S; M],
+    /// How many vertices there are.
+    pub count: usize,
 }
 
 impl<S: Scalar, const M: usize> Fan<S, M> {
+    /// From the first `count` of some vertices.
     #[inline(always)]
-    pub fn new(polygon: &[Vec2<S>; M], seen: &Reference<S>) -> Self {
-        let mut at = *polygon;
+    pub fn new(polygon: &[Vec2<S>; M], count: usize, seen: &Reference<S>) -> Self {
+        let mut fan = Fan {
+            at: [Vec2::zero(); M],
+            twice: [S::zero(); M],
+            count: count.min(M),
+        };
         let mut k = 0;
-        while k < M {
-            at[k] = seen.place(polygon[k]);
+        while k < fan.count {
+            fan.at[k] = seen.place(polygon[k]);
             k += 1;
         }
-        let mut twice = [S::zero(); M];
         k = 0;
-        while k < M {
-            twice[k] = at[k].perp_dot(at[Self::after(k)]);
+        while k < fan.count {
+            fan.twice[k] = fan.at[k].perp_dot(fan.at[fan.after(k)]);
             k += 1;
         }
-        Fan { at, twice }
+        fan
     }
     /// The vertex after vertex `k`.
     #[inline(always)]
-    pub fn after(k: usize) -> usize {
-        if k + 1 < M { k + 1 } else { 0 }
+    pub fn after(&self, k: usize) -> usize {
+        if k + 1 < self.count { k + 1 } else { 0 }
+    }
+    /// The edge from vertex `k`.
+    #[inline(always)]
+    pub fn edge(&self, k: usize) -> [Vec2<S>; 2] {
+        [self.at[k], self.at[self.after(k)]]
     }
     /// The area.
     #[inline(always)]
     pub fn area(&self) -> S {
         let mut sum = S::zero();
         let mut k = 0;
-        while k < M {
+        while k < self.count {
             sum += self.twice[k];
             k += 1;
         }
@@ -159,9 +178,8 @@ impl<S: Scalar, const M: usize> Fan<S, M> {
     }
     /// The triangle over an edge `f` of a ring against that over edge `k`.
     #[inline(always)]
-    pub fn wedge(&self, f: [Vec2<S>; 2], k: usize) -> Wedge<S> {
-        let g = [self.at[k], self.at[Self::after(k)]];
-        let (along_f, along_g) = (f[1] - f[0], g[1] - g[0]);
+    pub fn wedge(&self, f: [Vec2<S>; 2], k: usize) -> Option<Wedge<S>> {
+        let g = self.edge(k);
         wedge(
             [f[0].perp_dot(f[1]), self.twice[k]],
             [
@@ -170,8 +188,14 @@ impl<S: Scalar, const M: usize> Fan<S, M> {
                 g[1].perp_dot(f[0]),
                 g[1].perp_dot(f[1]),
             ],
-            [along_g.perp_dot(f[0] - g[0]), along_g.perp_dot(f[1] - g[0])],
-            [along_f.perp_dot(g[0] - f[0]), along_f.perp_dot(g[1] - f[0])],
+            #[inline(always)]
+            || {
+                let (along_f, along_g) = (f[1] - f[0], g[1] - g[0]);
+                (
+                    [along_g.perp_dot(f[0] - g[0]), along_g.perp_dot(f[1] - g[0])],
+                    [along_f.perp_dot(g[0] - f[0]), along_f.perp_dot(g[1] - f[0])],
+                )
+            },
         )
     }
     /// What an edge of a ring contributes to twice the area that the ring shares with this.
@@ -179,8 +203,10 @@ impl<S: Scalar, const M: usize> Fan<S, M> {
     pub fn shared_with(&self, edge: [Vec2<S>; 2]) -> S {
         let mut sum = S::zero();
         let mut k = 0;
-        while k < M {
-            sum += shared_twice(&self.wedge(edge, k));
+        while k < self.count {
+            if let Some(pair) = self.wedge(edge, k) {
+                sum += shared_twice(&pair);
+            }
             k += 1;
         }
         sum
@@ -192,12 +218,12 @@ impl<S: Scalar, const M: usize> Fan<S, M> {
         let zero = S::zero();
         let mut any = S::one().below(zero);
         let mut k = 0;
-        while k < M {
-            let (start, end) = (self.at[k], self.at[Self::after(k)]);
+        while k < self.count {
+            let [start, end] = self.edge(k);
             let along = end - start;
             let mut all = !(along.x.equals(zero) & along.y.equals(zero));
             let mut i = 0;
-            while i < N {
+            while i < other.count {
                 all = all & along.perp_dot(other.at[i] - start).at_most(zero);
                 i += 1;
             }

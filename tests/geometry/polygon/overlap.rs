@@ -162,7 +162,7 @@ fn slopes_are_those_of_differences_and_the_adjoint_has_them() {
             seen += usize::from(difference != 0.0);
         }
     }
-    assert!(seen > 1000);
+    assert!(seen > 300);
 }
 
 #[test]
