@@ -15,6 +15,11 @@
 //! Everywhere else the duals suffice. Adjoints are generic too: run on duals they give second
 //! derivatives.
 //!
+//! # Programs
+//!
+//! [`program`] records a generic function once, as a list of operations. From it come reverse mode,
+//! batches, kernels and a printout, without a line per function.
+//!
 //! # Verification
 //!
 //! [`check`] proves derivatives, the library's and anybody's: see there, and

@@ -3,7 +3,7 @@
 //! A plain main, no framework: medians of repeated runs, nothing asserted. For rotated boxes next
 //! to other libraries see `cargo run --release -p peers`.
 use geograd::kernels::real::Real;
-use geograd::kernels::{Op, PairOp, RingOp, cpu};
+use geograd::kernels::{Cpu, Op, RingOp, Single};
 use geograd::{Aabb2, Fixed, Obb2, Vec2};
 use std::hint::black_box;
 use std::time::Instant;
@@ -60,28 +60,27 @@ impl Draw for Aabb2<f32> {
     }
 }
 
-fn pairs<O: PairOp>()
-where
-    O::A<f32>: Draw,
-    O::B<f32>: Draw,
-{
-    let mut state = 3;
-    let a: Vec<O::A<f32>> = (0..N).map(|_| Draw::draw(&mut state)).collect();
-    let b: Vec<O::B<f32>> = (0..N).map(|_| Draw::draw(&mut state)).collect();
+fn pairs<O: Op<In<f32> = (P, P), Out<f32> = f32>, P: Draw + Single<Scalar = f32>>(op: O) {
+    let (mut state, cpu) = (3, Cpu::new());
+    let a: Vec<P> = (0..N).map(|_| Draw::draw(&mut state)).collect();
+    let b: Vec<P> = (0..N).map(|_| Draw::draw(&mut state)).collect();
     let mut values = vec![0.0; N * N];
     line(O::NAME, "all pairs, value", N * N, || {
-        cpu::all_pairs_into::<O, f32>(&a, &b, &mut values).unwrap();
+        cpu.all_pairs_planes(op, &a, &b, &mut values).unwrap();
     });
     let (mut p, mut q) = (a.clone(), b.clone());
     line(O::NAME, "all pairs, adjoint", N * N, || {
-        cpu::all_pairs_vjp_into::<O, f32>(&a, &b, &values, &mut p, &mut q).unwrap();
+        cpu.all_pairs_vjp_into(op, &a, &b, &values, &mut p, &mut q)
+            .unwrap();
     });
     line(O::NAME, "aligned, value + grad", N, || {
-        cpu::aligned_grad_into::<O, f32>(&a, &b, &mut values[..N], &mut p, &mut q).unwrap();
+        let into = (&mut values[..N], (&mut p, &mut q));
+        cpu.aligned_into(op.value_grad(), (&a, &b), into).unwrap();
     });
 }
 
-fn rings<O: RingOp, T: Real>() {
+fn rings<O: RingOp, T: Real>(op: O) {
+    let cpu = Cpu::new();
     let mut state = 5;
     let vertices: Vec<Vec2<T>> = (0..8 * N)
         .map(|_| {
@@ -93,18 +92,18 @@ fn rings<O: RingOp, T: Real>() {
         .collect();
     let offsets: Vec<usize> = (0..=N).map(|i| 8 * i).collect();
     line(O::NAME, "octagons, value", N, || {
-        black_box(cpu::ragged::<O, T>(&vertices, &offsets).unwrap());
+        black_box(cpu.ragged(op, &vertices, &offsets).unwrap());
     });
-    let upstream = vec![<O as Op>::Out::<T>::filled(T::lit(1.0)); N];
+    let upstream = vec![O::Out::<T>::filled(T::lit(1.0)); N];
     line(O::NAME, "octagons, adjoint", N, || {
-        black_box(cpu::ragged_vjp::<O, T>(&vertices, &offsets, &upstream).unwrap());
+        black_box(cpu.ragged_vjp(op, &vertices, &offsets, &upstream).unwrap());
     });
 }
 
 macro_rules! measure {
     (pairs { $($pair:ident: $pair_op:ty,)* } rings { $($ring:ident: $ring_op:ty,)* }) => {
-        $(pairs::<$pair_op>();)*
-        $(rings::<$ring_op, f32>();)*
+        $(pairs(<$pair_op>::default());)*
+        $(rings::<_, f32>(<$ring_op>::default());)*
     };
 }
 

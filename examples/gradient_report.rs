@@ -2,7 +2,7 @@
 //!
 //! `cargo run --release --example gradient_report`; `-- --help` has the options.
 use geograd::ad::check::{Plan, Report, SEED};
-use geograd::kernels::check::{prove_pair_on, prove_pair_with, prove_ring_on, prove_ring_with};
+use geograd::kernels::check::{prove_on, prove_ring_on, prove_ring_with, prove_with};
 use geograd::kernels::fuzz::{self, Fuzzed};
 use geograd::kernels::gpu::Gpu;
 use geograd::kernels::{Backend, GpuError};
@@ -95,11 +95,11 @@ macro_rules! jobs {
                 (
                     stringify!($pair),
                     true,
-                    (|plan, _| Ok(prove_pair_with::<$pair_op, f64>(plan))) as Prove,
+                    (|plan, _| Ok(prove_with::<$pair_op, f64>(plan))) as Prove,
                 ),
                 (stringify!($pair), false, |plan, gpu| match gpu {
-                    Some(gpu) => prove_pair_on::<$pair_op>(Backend::Gpu(gpu), plan),
-                    None => Ok(prove_pair_with::<$pair_op, f32>(plan)),
+                    Some(gpu) => prove_on::<$pair_op>(Backend::Gpu(gpu), plan),
+                    None => Ok(prove_with::<$pair_op, f32>(plan)),
                 }),
             )*
             $(

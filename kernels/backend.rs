@@ -1,15 +1,10 @@
 //! One front for batches of `f32`: the same calls on the CPU and on a GPU.
 use crate::Vec2;
 use crate::kernels::GpuError;
-use crate::kernels::cpu::{self, A, AlignedGrads, B, PairGrads};
 use crate::kernels::gpu::{Gpu, GpuPair, GpuRing};
-use crate::kernels::op::{Op, PairOp};
-use crate::kernels::reduce::{self, Best, Found};
-
-/// Slopes with respect to both lists of shapes.
-pub type Slopes<O> = (Vec<<O as PairOp>::A<f32>>, Vec<<O as PairOp>::B<f32>>);
-/// A sum or mean of scores and its slopes with respect to both lists.
-pub type Loss<O> = (f64, Vec<<O as PairOp>::A<f32>>, Vec<<O as PairOp>::B<f32>>);
+use crate::kernels::on_cpu::{self, AlignedGrads, Bars as Slopes, Loss, PairGrads, ShapeOf};
+use crate::kernels::op::RingOp;
+use crate::kernels::reduce::{Best, Found};
 
 /// Where batches run. Nothing ever falls back from one to the other by itself.
 ///
@@ -103,63 +98,63 @@ macro_rules! calls {
 }
 
 calls! {
-    /// [`cpu::aligned`].
-    aligned<GpuPair>(a: &[A<O, f32>], b: &[B<O, f32>]) -> Vec<f32>
-        = cpu::aligned::<O, f32>, aligned_slices;
-    /// [`cpu::aligned_into`].
-    aligned_into<GpuPair>(a: &[A<O, f32>], b: &[B<O, f32>], values: &mut [f32]) -> ()
-        = cpu::aligned_into::<O, f32>, aligned_into_slices;
-    /// [`cpu::aligned_grad`].
-    aligned_grad<GpuPair>(a: &[A<O, f32>], b: &[B<O, f32>]) -> AlignedGrads<O, f32>
-        = cpu::aligned_grad::<O, f32>, aligned_grad_slices;
-    /// [`cpu::aligned_grad_into`].
+    /// [`Cpu::aligned`](crate::kernels::Cpu::aligned).
+    aligned<GpuPair>(a: &[ShapeOf<O>], b: &[ShapeOf<O>]) -> Vec<f32>
+        = on_cpu::aligned::<O>, aligned_slices;
+    /// [`Cpu::aligned_into`](crate::kernels::Cpu::aligned_into).
+    aligned_into<GpuPair>(a: &[ShapeOf<O>], b: &[ShapeOf<O>], values: &mut [f32]) -> ()
+        = on_cpu::aligned_into::<O>, aligned_into_slices;
+    /// [`Cpu::aligned_grad`](crate::kernels::Cpu::aligned_grad).
+    aligned_grad<GpuPair>(a: &[ShapeOf<O>], b: &[ShapeOf<O>]) -> AlignedGrads<O>
+        = on_cpu::aligned_grad::<O>, aligned_grad_slices;
+    /// [`Cpu::aligned_grad_into`](crate::kernels::Cpu::aligned_grad_into).
     aligned_grad_into<GpuPair>(
-        a: &[A<O, f32>], b: &[B<O, f32>],
-        values: &mut [f32], a_bar: &mut [A<O, f32>], b_bar: &mut [B<O, f32>]
+        a: &[ShapeOf<O>], b: &[ShapeOf<O>],
+        values: &mut [f32], a_bar: &mut [ShapeOf<O>], b_bar: &mut [ShapeOf<O>]
     ) -> ()
-        = cpu::aligned_grad_into::<O, f32>, aligned_grad_into_slices;
-    /// [`cpu::aligned_vjp`].
-    aligned_vjp<GpuPair>(a: &[A<O, f32>], b: &[B<O, f32>], upstream: &[f32]) -> Slopes<O>
-        = cpu::aligned_vjp::<O, f32>, aligned_vjp_slices;
-    /// [`cpu::all_pairs`].
-    all_pairs<GpuPair>(a: &[A<O, f32>], b: &[B<O, f32>]) -> Vec<f32>
-        = cpu::all_pairs::<O, f32>, all_pairs_slices;
-    /// [`cpu::all_pairs_grad`].
-    all_pairs_grad<GpuPair>(a: &[A<O, f32>], b: &[B<O, f32>]) -> PairGrads<O, f32>
-        = cpu::all_pairs_grad::<O, f32>, all_pairs_grad_slices;
-    /// [`cpu::all_pairs_vjp`].
-    all_pairs_vjp<GpuPair>(a: &[A<O, f32>], b: &[B<O, f32>], upstream: &[f32]) -> Slopes<O>
-        = cpu::all_pairs_vjp::<O, f32>, all_pairs_vjp_slices;
-    /// [`reduce::sum_grad`].
-    sum_grad<GpuPair>(a: &[A<O, f32>], b: &[B<O, f32>]) -> Loss<O>
-        = reduce::sum_grad::<O, f32>, sum_grad_slices;
-    /// [`reduce::mean_grad`].
-    mean_grad<GpuPair>(a: &[A<O, f32>], b: &[B<O, f32>]) -> Loss<O>
-        = reduce::mean_grad::<O, f32>, mean_grad_slices;
-    /// [`reduce::row_max`].
-    row_max<GpuPair>(a: &[A<O, f32>], b: &[B<O, f32>]) -> Vec<Best>
-        = reduce::row_max::<O, f32>, row_max_slices;
-    /// [`reduce::column_max`].
-    column_max<GpuPair>(a: &[A<O, f32>], b: &[B<O, f32>]) -> Vec<Best>
-        = reduce::column_max::<O, f32>, column_max_slices;
-    /// [`reduce::above`].
-    above<GpuPair>(a: &[A<O, f32>], b: &[B<O, f32>], threshold: f32) -> Vec<Found>
-        = reduce::above::<O, f32>, above_slices;
-    /// [`reduce::count_above`].
-    count_above<GpuPair>(a: &[A<O, f32>], b: &[B<O, f32>], threshold: f32) -> u64
-        = reduce::count_above::<O, f32>, count_above_slices;
-    /// [`reduce::sum`].
-    sum<GpuPair>(a: &[A<O, f32>], b: &[B<O, f32>]) -> f64
-        = reduce::sum::<O, f32>, sum_slices;
-    /// [`reduce::mean`].
-    mean<GpuPair>(a: &[A<O, f32>], b: &[B<O, f32>]) -> f64
-        = reduce::mean::<O, f32>, mean_slices;
-    /// [`cpu::ragged`].
-    ragged<GpuRing>(vertices: &[Vec2<f32>], offsets: &[usize]) -> Vec<<O as Op>::Out<f32>>
-        = cpu::ragged::<O, f32>, ragged_slices;
-    /// [`cpu::ragged_vjp`].
+        = on_cpu::aligned_grad_into::<O>, aligned_grad_into_slices;
+    /// [`Cpu::aligned_vjp`](crate::kernels::Cpu::aligned_vjp).
+    aligned_vjp<GpuPair>(a: &[ShapeOf<O>], b: &[ShapeOf<O>], upstream: &[f32]) -> Slopes<O>
+        = on_cpu::aligned_vjp::<O>, aligned_vjp_slices;
+    /// [`Cpu::all_pairs`](crate::kernels::Cpu::all_pairs).
+    all_pairs<GpuPair>(a: &[ShapeOf<O>], b: &[ShapeOf<O>]) -> Vec<f32>
+        = on_cpu::all_pairs::<O>, all_pairs_slices;
+    /// [`Cpu::all_pairs_grad`](crate::kernels::Cpu::all_pairs_grad).
+    all_pairs_grad<GpuPair>(a: &[ShapeOf<O>], b: &[ShapeOf<O>]) -> PairGrads<O>
+        = on_cpu::all_pairs_grad::<O>, all_pairs_grad_slices;
+    /// [`Cpu::all_pairs_vjp`](crate::kernels::Cpu::all_pairs_vjp).
+    all_pairs_vjp<GpuPair>(a: &[ShapeOf<O>], b: &[ShapeOf<O>], upstream: &[f32]) -> Slopes<O>
+        = on_cpu::all_pairs_vjp::<O>, all_pairs_vjp_slices;
+    /// [`Cpu::sum_grad`](crate::kernels::Cpu::sum_grad).
+    sum_grad<GpuPair>(a: &[ShapeOf<O>], b: &[ShapeOf<O>]) -> Loss<O>
+        = on_cpu::sum_grad::<O>, sum_grad_slices;
+    /// [`Cpu::mean_grad`](crate::kernels::Cpu::mean_grad).
+    mean_grad<GpuPair>(a: &[ShapeOf<O>], b: &[ShapeOf<O>]) -> Loss<O>
+        = on_cpu::mean_grad::<O>, mean_grad_slices;
+    /// [`Cpu::row_max`](crate::kernels::Cpu::row_max).
+    row_max<GpuPair>(a: &[ShapeOf<O>], b: &[ShapeOf<O>]) -> Vec<Best>
+        = on_cpu::row_max::<O>, row_max_slices;
+    /// [`Cpu::column_max`](crate::kernels::Cpu::column_max).
+    column_max<GpuPair>(a: &[ShapeOf<O>], b: &[ShapeOf<O>]) -> Vec<Best>
+        = on_cpu::column_max::<O>, column_max_slices;
+    /// [`Cpu::above`](crate::kernels::Cpu::above).
+    above<GpuPair>(a: &[ShapeOf<O>], b: &[ShapeOf<O>], threshold: f32) -> Vec<Found>
+        = on_cpu::above::<O>, above_slices;
+    /// [`Cpu::count_above`](crate::kernels::Cpu::count_above).
+    count_above<GpuPair>(a: &[ShapeOf<O>], b: &[ShapeOf<O>], threshold: f32) -> u64
+        = on_cpu::count_above::<O>, count_above_slices;
+    /// [`Cpu::sum`](crate::kernels::Cpu::sum).
+    sum<GpuPair>(a: &[ShapeOf<O>], b: &[ShapeOf<O>]) -> f64
+        = on_cpu::sum::<O>, sum_slices;
+    /// [`Cpu::mean`](crate::kernels::Cpu::mean).
+    mean<GpuPair>(a: &[ShapeOf<O>], b: &[ShapeOf<O>]) -> f64
+        = on_cpu::mean::<O>, mean_slices;
+    /// [`Cpu::ragged`](crate::kernels::Cpu::ragged).
+    ragged<GpuRing>(vertices: &[Vec2<f32>], offsets: &[usize]) -> Vec<<O as RingOp>::Out<f32>>
+        = on_cpu::ragged::<O>, ragged_slices;
+    /// [`Cpu::ragged_vjp`](crate::kernels::Cpu::ragged_vjp).
     ragged_vjp<GpuRing>(
-        vertices: &[Vec2<f32>], offsets: &[usize], upstream: &[<O as Op>::Out<f32>]
+        vertices: &[Vec2<f32>], offsets: &[usize], upstream: &[<O as RingOp>::Out<f32>]
     ) -> Vec<Vec2<f32>>
-        = cpu::ragged_vjp::<O, f32>, ragged_vjp_slices;
+        = on_cpu::ragged_vjp::<O>, ragged_vjp_slices;
 }

@@ -1,63 +1,45 @@
 //! Operations as subjects of the verification harness.
 //!
 //! ```
-//! use geograd::kernels::{check::prove_pair, overlap::IouObb2};
-//! let report = prove_pair::<IouObb2, f64>(20, 1);
+//! use geograd::kernels::{check::prove, IouObb2};
+//! let report = prove::<IouObb2, f64>(20, 1);
 //! assert!(report.passed(), "{report}");
 //! ```
 use crate::ad::check::picture::picture;
 use crate::ad::check::sample::{Sample, hard_cases, random};
 use crate::ad::check::trace::Number;
 use crate::ad::check::{Plan, Report, examine};
-use crate::kernels::cpu;
 use crate::kernels::gpu::{GpuPair, GpuRing};
-use crate::kernels::op::{Op, PairOp, RingOp};
+use crate::kernels::op::{Op, RingOp, Ringed, Slopes, Source, Straight};
 use crate::kernels::real::Real;
+use crate::kernels::row::{Row, target};
 use crate::kernels::witness::{Ask, Batch, ask_pairs, ask_rings};
-use crate::kernels::{Backend, GpuError};
+use crate::kernels::{Backend, Cpu, GpuError};
 use crate::{Fixed, Pack, Vec2};
 
-pub use crate::kernels::subject::{Fused, OpSubject, Path, conventions, promises};
+pub use crate::kernels::subject::{Fused, OpSubject, Path};
 
-/// A pair's value for boxes of any size.
-fn pair_value<O: PairOp, S: Number>(x: &[S]) -> Vec<S> {
-    let (a, b) = x.split_at(O::A::<S>::LEN);
-    let (a, b) = (
-        O::frame_a(O::A::<S>::from_slice(a)),
-        O::frame_b(O::B::<S>::from_slice(b)),
-    );
-    vec![O::value::<S, true>(a, b)]
+/// The value by a batch.
+fn batch_value<O: Op, S: Number + Real>(x: &[S]) -> Vec<S>
+where
+    O::In<S>: Row,
+    O::Out<S>: Row,
+{
+    let mut out = [O::Out::<S>::filled(S::zero())];
+    let into = target(&mut out);
+    match Cpu::new().run_into(O::default(), &[O::In::<S>::load(x)][..], vec![Some(into)]) {
+        Ok(()) => out[0].scalars(),
+        Err(_) => Vec::new(),
+    }
 }
 
-/// A pair's value by the path that batches of ordinary boxes take.
-fn pair_ordinary<O: PairOp, S: Number>(x: &[S]) -> Vec<S> {
-    let (a, b) = x.split_at(O::A::<S>::LEN);
-    let (a, b) = (O::A::<S>::from_slice(a), O::B::<S>::from_slice(b));
-    let ordinary = matches!((O::check_a(&a), O::check_b(&b)), (Ok(true), Ok(true)));
-    let (a, b) = (O::frame_a(a), O::frame_b(b));
-    vec![if ordinary {
-        O::value::<S, false>(a, b)
-    } else {
-        O::value::<S, true>(a, b)
-    }]
-}
-
-/// A pair's value by a batch.
-fn pair_batch<O: PairOp, S: Real>(x: &[S]) -> Vec<S> {
-    let (a, b) = x.split_at(O::A::<S>::LEN);
-    let (a, b) = (O::A::<S>::from_slice(a), O::B::<S>::from_slice(b));
-    cpu::aligned::<O, S>(&[a], &[b]).unwrap_or_default()
-}
-
-/// A pair's value and slopes, fused.
-fn pair_fused<O: PairOp, S: Number>(x: &[S]) -> (Vec<S>, Vec<S>) {
-    let (a, b) = x.split_at(O::A::<S>::LEN);
-    let (a, b) = (
-        O::frame_a(O::A::<S>::from_slice(a)),
-        O::frame_b(O::B::<S>::from_slice(b)),
-    );
-    let (value, (a_bar, b_bar)) = O::grad::<S, true>(a, b);
-    (vec![value], [a_bar.scalars(), b_bar.scalars()].concat())
+/// The value and slopes of one number, fused.
+fn fused<O: Op, S: Number>(x: &[S]) -> (Vec<S>, Vec<S>) {
+    let one = O::Out::<S>::filled(S::one());
+    match O::adjoint(O::In::<S>::load(x), one) {
+        Some((value, bars)) => (value.scalars(), bars.scalars()),
+        None => Default::default(),
+    }
 }
 
 /// The value of a ring that is a slice.
@@ -68,7 +50,7 @@ fn ring_value<O: RingOp, S: Number>(x: &[S]) -> Vec<S> {
 
 /// Judges an operation at hard cases and random inputs, all rounded to the format, with a batch as a
 /// further witness if there is one to ask.
-fn prove_with<O: Op, S: Number>(
+fn judged<O: Source, S: Number>(
     plan: &Plan<'_>,
     paths: &[Path<S>],
     fused: Option<Fused<S>>,
@@ -118,20 +100,24 @@ where
     }
 }
 
-/// Runs every check of an operation of two shapes.
-pub fn prove_pair<O: PairOp, S: Number + Real>(samples: usize, seed: u64) -> Report
+/// Runs every check of an operation.
+pub fn prove<O: Op, S: Number + Real>(samples: usize, seed: u64) -> Report
 where
     O::In<f64>: Sample,
+    O::In<S>: Row,
+    O::Out<S>: Row,
 {
-    prove_pair_with::<O, S>(&Plan::new(samples, seed))
+    prove_with::<O, S>(&Plan::new(samples, seed))
 }
 
 /// The same by a plan.
-pub fn prove_pair_with<O: PairOp, S: Number + Real>(plan: &Plan<'_>) -> Report
+pub fn prove_with<O: Op, S: Number + Real>(plan: &Plan<'_>) -> Report
 where
     O::In<f64>: Sample,
+    O::In<S>: Row,
+    O::Out<S>: Row,
 {
-    without_batch(pair::<O, S>(plan, None))
+    without_batch(straight::<O, S>(plan, None))
 }
 
 /// The same in `f32`, with batches on a backend as a further witness.
@@ -143,64 +129,54 @@ where
 /// # Errors
 ///
 /// The backend's.
-pub fn prove_pair_on<O: GpuPair>(backend: Backend<'_>, plan: &Plan<'_>) -> Result<Report, GpuError>
+pub fn prove_on<O: GpuPair>(backend: Backend<'_>, plan: &Plan<'_>) -> Result<Report, GpuError>
 where
     O::In<f64>: Sample,
 {
-    pair::<O, f32>(plan, Some(&|inputs| ask_pairs::<O>(backend, inputs)))
+    straight::<O, f32>(plan, Some(&|inputs| ask_pairs::<O>(backend, inputs)))
 }
 
-fn pair<O: PairOp, S: Number + Real>(
+fn straight<O: Op, S: Number + Real>(
     plan: &Plan<'_>,
     ask: Option<Ask<'_>>,
 ) -> Result<Report, GpuError>
 where
     O::In<f64>: Sample,
+    O::In<S>: Row,
+    O::Out<S>: Row,
 {
-    let paths: [Path<S>; 3] = [
-        pair_value::<O, S>,
-        pair_ordinary::<O, S>,
-        pair_batch::<O, S>,
-    ];
-    prove_with::<O, S>(plan, &paths, Some(pair_fused::<O, S>), ask)
+    let by_hand = O::SLOPES == Slopes::ByHand;
+    let fused = by_hand.then_some(fused::<O, S> as Fused<S>);
+    judged::<Straight<O>, S>(plan, &[batch_value::<O, S>], fused, ask)
 }
 
 /// Runs every check of an operation of a ring.
-pub fn prove_ring<O: RingOp, S: Number + Real>(samples: usize, seed: u64) -> Report
-where
-    O::In<f64>: Sample,
-{
+pub fn prove_ring<O: RingOp, S: Number + Real>(samples: usize, seed: u64) -> Report {
     prove_ring_with::<O, S>(&Plan::new(samples, seed))
 }
 
 /// The same by a plan.
-pub fn prove_ring_with<O: RingOp, S: Number + Real>(plan: &Plan<'_>) -> Report
-where
-    O::In<f64>: Sample,
-{
+pub fn prove_ring_with<O: RingOp, S: Number + Real>(plan: &Plan<'_>) -> Report {
     without_batch(ring::<O, S>(plan, None))
 }
 
-/// The same in `f32`, with batches on a backend as a further witness; see [`prove_pair_on`].
+/// The same in `f32`, with batches on a backend as a further witness; see [`prove_on`].
 ///
 /// # Errors
 ///
 /// The backend's.
-pub fn prove_ring_on<O: GpuRing>(backend: Backend<'_>, plan: &Plan<'_>) -> Result<Report, GpuError>
-where
-    O::In<f64>: Sample,
-{
+pub fn prove_ring_on<O: GpuRing>(
+    backend: Backend<'_>,
+    plan: &Plan<'_>,
+) -> Result<Report, GpuError> {
     ring::<O, f32>(plan, Some(&|inputs| ask_rings::<O>(backend, inputs)))
 }
 
 fn ring<O: RingOp, S: Number + Real>(
     plan: &Plan<'_>,
     ask: Option<Ask<'_>>,
-) -> Result<Report, GpuError>
-where
-    O::In<f64>: Sample,
-{
-    prove_with::<O, S>(plan, &[ring_value::<O, S>], None, ask)
+) -> Result<Report, GpuError> {
+    judged::<Ringed<O>, S>(plan, &[ring_value::<O, S>], None, ask)
 }
 
 fn without_batch(report: Result<Report, GpuError>) -> Report {

@@ -16,9 +16,9 @@ pub mod backend;
 pub mod check;
 pub mod cpu;
 #[forbid(unsafe_code)]
-pub mod fuzz;
-#[forbid(unsafe_code)]
 pub mod gpu;
+#[forbid(unsafe_code)]
+mod on_cpu;
 #[forbid(unsafe_code)]
 pub mod op;
 #[forbid(unsafe_code)]
@@ -32,17 +32,21 @@ pub mod resident;
 #[forbid(unsafe_code)]
 pub mod ring;
 #[forbid(unsafe_code)]
+pub mod row;
+#[forbid(unsafe_code)]
 mod subject;
 #[forbid(unsafe_code)]
 pub mod witness;
 
 pub use backend::Backend;
+pub use cpu::{Cpu, Single, Table};
 pub use gpu::error::GpuError;
-pub use op::{Op, PairOp, RingOp};
+pub use op::{Op, RingOp, Runs};
 pub use overlap::{
     IntersectionAreaAabb2, IntersectionAreaObb2, IofAabb2, IofObb2, IouAabb2, IouObb2,
 };
 pub use ring::{Centroid, Perimeter, SignedArea};
+pub use row::{Column, Columns, One, Row, Skip, Target, Targets};
 
 /// Every operation, one per line: a name and a type. Tests, benches and documentation walk this
 /// list.

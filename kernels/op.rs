@@ -1,86 +1,232 @@
-//! The contract of an operation: written once per face, served everywhere.
-use crate::error::Flaw;
-use crate::kernels::cpu::drivers::Compiled;
+//! The contract of an operation: its function and one row. Everything else follows from them.
+//!
+//! ```
+//! use geograd::kernels::op::{Jumps, Op, Promise, Slopes};
+//! use geograd::kernels::Cpu;
+//! use geograd::{Scalar, Vec2};
+//!
+//! /// Distance of two points.
+//! #[derive(Clone, Copy, Debug, Default)]
+//! struct Distance;
+//!
+//! impl Op for Distance {
+//!     const NAME: &'static str = "distance";
+//!     type In<S: Scalar> = (Vec2<S>, Vec2<S>);
+//!     type Out<S: Scalar> = S;
+//!     const PROMISES: &'static [Promise] = &[];
+//!     const JUMPS: Jumps = Jumps::Never;
+//!     const SLOPES: Slopes = Slopes::Reverse;
+//!     fn eval<S: Scalar>((a, b): (Vec2<S>, Vec2<S>)) -> S {
+//!         (a - b).norm()
+//!     }
+//! }
+//!
+//! let (a, b) = ([Vec2::new(0.0, 0.0)], [Vec2::new(3.0, 4.0)]);
+//! assert_eq!(Cpu::new().aligned(Distance, (&a, &b))?, [5.0]);
+//! # Ok::<(), geograd::Error>(())
+//! ```
+pub use crate::ad::check::subject::Jumps;
+pub use crate::ad::check::symmetry::{Answer, Motion, Promise};
+use crate::error::Error;
+use crate::kernels::cpu::plan::{self, Compiled, Face, Want};
 use crate::kernels::cpu::rings::Measure;
+use crate::kernels::row::Row;
 use crate::{Fixed, Pack, Scalar, Vec2};
+use std::fmt::Debug;
 
-/// An operation: its name, its generic source and its adjoint by hand.
+/// Where the slopes of an operation come from.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Slopes {
+    /// From [`Op::adjoint`], written by hand.
+    ByHand,
+    /// From the recorded function, backwards.
+    Reverse,
+    /// From the recorded function, forwards, one number of the input after the other: for functions
+    /// whose slopes lose digits backwards, where large terms meet before they cancel.
+    Forward,
+}
+
+/// An operation: a generic function of fixed size, what it promises, and where its slopes come from.
 ///
-/// The harness, the parity tests, the benches and the documentation see an operation through this
-/// trait and the list [`for_each_op!`](crate::for_each_op).
-pub trait Op: Copy + Send + Sync + 'static {
+/// A value of the type is the operation: `Cpu::new().aligned(IouObb2, (&a, &b))`.
+pub trait Op: Copy + Debug + Default + Send + Sync + 'static {
+    /// The name of the function, letter for letter.
+    const NAME: &'static str;
+    /// What it takes, made of any scalar: a shape, a number, or a tuple of up to six.
+    type In<S: Scalar>: Fixed<Scalar = S>;
+    /// What it gives, made of the same scalar.
+    type Out<S: Scalar>: Fixed<Scalar = S>;
+    /// Motions it follows; `&[]` says that it promises none.
+    const PROMISES: &'static [Promise];
+    /// Where its value may jump.
+    const JUMPS: Jumps;
+    /// Where its slopes come from.
+    const SLOPES: Slopes;
+    /// The function.
+    fn eval<S: Scalar>(input: Self::In<S>) -> Self::Out<S>;
+    /// The result, and the slopes of `out_bar · result` with respect to the input, by hand; `None`
+    /// where they are recorded.
+    #[inline(always)]
+    fn adjoint<S: Scalar>(
+        _input: Self::In<S>,
+        _out_bar: Self::Out<S>,
+    ) -> Option<(Self::Out<S>, Self::In<S>)> {
+        None
+    }
+    /// Kernels that the library has compiled for it.
+    #[doc(hidden)]
+    fn compiled() -> Option<Compiled> {
+        None
+    }
+    /// The operation whose result is the result with its gradient, for one number as result.
+    fn value_grad(self) -> ValueGrad<Self> {
+        ValueGrad(self)
+    }
+    /// The operation that takes a cotangent of the result beside the input and gives that of the
+    /// input: its adjoint.
+    fn vjp(self) -> Vjp<Self> {
+        Vjp(self)
+    }
+}
+
+/// An operation with its gradient; see [`Op::value_grad`].
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct ValueGrad<O>(pub(crate) O);
+
+/// The adjoint of an operation; see [`Op::vjp`].
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct Vjp<O>(pub(crate) O);
+
+/// What a batch can run on rows of arguments: an operation, its gradient, its adjoint, a program.
+pub trait Runs<R: Row> {
+    /// What it gives per row.
+    type Out: Row<Scalar = R::Scalar>;
+    /// How batches compute it.
+    ///
+    /// # Errors
+    ///
+    /// Those of recording it.
+    #[doc(hidden)]
+    fn face(&self) -> Result<Face<R::Scalar>, Error>;
+}
+
+impl<O, R: Row> Runs<R> for O
+where
+    O: Op<In<<R as Pack>::Scalar> = R>,
+    O::Out<R::Scalar>: Row,
+{
+    type Out = O::Out<R::Scalar>;
+    fn face(&self) -> Result<Face<R::Scalar>, Error> {
+        plan::face_of::<O, R>(Want::Value)
+    }
+}
+
+impl<O, R: Row> Runs<R> for ValueGrad<O>
+where
+    O: Op<In<<R as Pack>::Scalar> = R, Out<<R as Pack>::Scalar> = <R as Pack>::Scalar>,
+    R::Scalar: Row<Scalar = R::Scalar>,
+{
+    type Out = (R::Scalar, R);
+    fn face(&self) -> Result<Face<R::Scalar>, Error> {
+        plan::face_of::<O, R>(Want::ValueGrad)
+    }
+}
+
+impl<O, R: Row, Y: Row<Scalar = R::Scalar>> Runs<(R, Y)> for Vjp<O>
+where
+    O: Op<In<<R as Pack>::Scalar> = R, Out<<R as Pack>::Scalar> = Y>,
+{
+    type Out = R;
+    fn face(&self) -> Result<Face<R::Scalar>, Error> {
+        plan::face_of::<O, R>(Want::Vjp)
+    }
+}
+
+/// An operation of a ring of run-time size: what ragged batches serve.
+pub trait RingOp: Copy + Debug + Default + Send + Sync + 'static {
+    /// The name of the function, letter for letter.
+    const NAME: &'static str;
+    /// What it gives.
+    type Out<S: Scalar>: Fixed<Scalar = S>;
+    /// Motions it follows; `&[]` says that it promises none.
+    const PROMISES: &'static [Promise];
+    /// Where its value may jump.
+    const JUMPS: Jumps;
+    /// The result.
+    fn value<S: Scalar>(ring: &[Vec2<S>]) -> Self::Out<S>;
+    /// The adjoint, one cotangent per vertex, written into the caller's slice of the same length.
+    fn ring_vjp<S: Scalar>(ring: &[Vec2<S>], out_bar: Self::Out<S>, ring_bar: &mut [Vec2<S>]);
+    /// Kernels that the library has compiled for it.
+    #[doc(hidden)]
+    fn compiled() -> Option<Measure> {
+        None
+    }
+}
+
+/// Any operation, as the harness sees it.
+pub trait Source: 'static {
     /// The name of the forward function, letter for letter.
     const NAME: &'static str;
     /// What it takes, made of any scalar.
     type In<S: Scalar>: Pack<Scalar = S>;
     /// What it gives, made of the same scalar.
     type Out<S: Scalar>: Fixed<Scalar = S>;
+    /// Motions it follows.
+    const PROMISES: &'static [Promise];
+    /// Where its value may jump.
+    const JUMPS: Jumps;
     /// The generic source.
     fn eval<S: Scalar>(input: &Self::In<S>) -> Self::Out<S>;
-    /// The adjoint: the slopes of `out_bar · output` with respect to the input.
+    /// The slopes of `out_bar · output` with respect to the input.
     fn vjp<S: Scalar>(input: &Self::In<S>, out_bar: Self::Out<S>) -> Self::In<S>;
     /// The input with every scalar replaced.
     fn map<S: Scalar, T: Scalar>(input: &Self::In<S>, f: &mut impl FnMut(S) -> T) -> Self::In<T>;
 }
 
-/// An operation of two shapes of fixed size with one number as result: what aligned and all-pairs
-/// batches serve.
-///
-/// Whatever depends on one shape alone goes into its frame, which a batch makes once per shape.
-pub trait PairOp: Op {
-    /// The first shape.
-    type A<S: Scalar>: Fixed<Scalar = S>;
-    /// The second shape.
-    type B<S: Scalar>: Fixed<Scalar = S>;
-    /// The first shape, prepared.
-    type FrameA<S: Scalar>: Fixed<Scalar = S>;
-    /// The second shape, prepared.
-    type FrameB<S: Scalar>: Fixed<Scalar = S>;
-    /// Kernels that the library has compiled for it.
-    #[doc(hidden)]
-    fn compiled() -> Option<Compiled> {
-        None
+/// An operation of fixed size, as the harness sees it.
+#[derive(Clone, Copy, Debug)]
+pub struct Straight<O>(std::marker::PhantomData<O>);
+
+impl<O: Op> Source for Straight<O> {
+    const NAME: &'static str = O::NAME;
+    type In<S: Scalar> = O::In<S>;
+    type Out<S: Scalar> = O::Out<S>;
+    const PROMISES: &'static [Promise] = O::PROMISES;
+    const JUMPS: Jumps = O::JUMPS;
+    fn eval<S: Scalar>(&input: &Self::In<S>) -> Self::Out<S> {
+        O::eval(input)
     }
-    /// Prepares a first shape.
-    fn frame_a<S: Scalar>(a: Self::A<S>) -> Self::FrameA<S>;
-    /// Prepares a second shape.
-    fn frame_b<S: Scalar>(b: Self::B<S>) -> Self::FrameB<S>;
-    /// The result. `EXTREME` is false when every shape of the batch is ordinary; results are the
-    /// same bits either way.
-    fn value<S: Scalar, const EXTREME: bool>(a: Self::FrameA<S>, b: Self::FrameB<S>) -> S;
-    /// The result and its slopes, fused.
-    fn grad<S: Scalar, const EXTREME: bool>(
-        a: Self::FrameA<S>,
-        b: Self::FrameB<S>,
-    ) -> (S, (Self::A<S>, Self::B<S>));
-    /// Whether a first shape is valid and ordinary, told without branches.
-    fn is_ordinary_a<S: Scalar<Mask = bool>>(a: Self::A<S>) -> bool;
-    /// Whether a second shape is valid and ordinary, told without branches.
-    fn is_ordinary_b<S: Scalar<Mask = bool>>(b: Self::B<S>) -> bool;
-    /// Checks a first shape; `Ok(true)` when it is ordinary: products of its numbers stay far
-    /// from over- and underflow.
-    ///
-    /// # Errors
-    ///
-    /// When the shape is not valid.
-    fn check_a<S: Scalar<Mask = bool>>(a: &Self::A<S>) -> Result<bool, Flaw>;
-    /// Checks a second shape likewise.
-    ///
-    /// # Errors
-    ///
-    /// When the shape is not valid.
-    fn check_b<S: Scalar<Mask = bool>>(b: &Self::B<S>) -> Result<bool, Flaw>;
+    fn vjp<S: Scalar>(&input: &Self::In<S>, out_bar: Self::Out<S>) -> Self::In<S> {
+        match O::adjoint(input, out_bar) {
+            Some((_, input_bar)) => input_bar,
+            None => O::In::filled(S::zero()),
+        }
+    }
+    fn map<S: Scalar, T: Scalar>(input: &Self::In<S>, f: &mut impl FnMut(S) -> T) -> Self::In<T> {
+        let numbers: Vec<T> = input.scalars().into_iter().map(f).collect();
+        O::In::load(&numbers)
+    }
 }
 
-/// An operation of a ring of run-time size: what ragged batches serve.
-pub trait RingOp: Op {
-    /// Kernels that the library has compiled for it.
-    #[doc(hidden)]
-    fn compiled() -> Option<Measure> {
-        None
+/// An operation of a ring, as the harness sees it.
+#[derive(Clone, Copy, Debug)]
+pub struct Ringed<O>(std::marker::PhantomData<O>);
+
+impl<O: RingOp> Source for Ringed<O> {
+    const NAME: &'static str = O::NAME;
+    type In<S: Scalar> = Vec<Vec2<S>>;
+    type Out<S: Scalar> = O::Out<S>;
+    const PROMISES: &'static [Promise] = O::PROMISES;
+    const JUMPS: Jumps = O::JUMPS;
+    fn eval<S: Scalar>(ring: &Vec<Vec2<S>>) -> O::Out<S> {
+        O::value(ring)
     }
-    /// The result.
-    fn value<S: Scalar>(ring: &[Vec2<S>]) -> Self::Out<S>;
-    /// The adjoint, one cotangent per vertex, written into the caller's slice of the same length.
-    fn ring_vjp<S: Scalar>(ring: &[Vec2<S>], out_bar: Self::Out<S>, ring_bar: &mut [Vec2<S>]);
+    fn vjp<S: Scalar>(ring: &Vec<Vec2<S>>, out_bar: O::Out<S>) -> Vec<Vec2<S>> {
+        let mut ring_bar = vec![Vec2::zero(); ring.len()];
+        O::ring_vjp(ring, out_bar, &mut ring_bar);
+        ring_bar
+    }
+    fn map<S: Scalar, T: Scalar>(ring: &Vec<Vec2<S>>, f: &mut impl FnMut(S) -> T) -> Vec<Vec2<T>> {
+        Pack::map(ring, &mut |s| f(*s))
+    }
 }

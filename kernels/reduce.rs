@@ -1,11 +1,8 @@
 //! Reductions on the CPU, of all pairs without the matrix or of a [`Matrix`] that is there already:
 //! what `gpu` reduces where it is.
-use crate::error::{Argument, Error, Field, Flaw};
-use crate::kernels::cpu::checked::{check_upstream, entries, expect, fill, pairs};
+use crate::error::{Argument, Error, Validate};
+use crate::kernels::cpu::checked::{entries, expect};
 use crate::kernels::cpu::lane::TILE;
-use crate::kernels::cpu::sweep::Upstream;
-use crate::kernels::cpu::{A, B};
-use crate::kernels::op::PairOp;
 use crate::kernels::real::Real;
 
 /// The largest score of a row or column, and where in it.
@@ -46,7 +43,7 @@ pub(crate) fn check_sides(rows: usize, columns: usize, of_rows: bool) -> Result<
 
 /// Refuses a threshold that is not a number.
 pub(crate) fn check_threshold<T: Real>(threshold: T) -> Result<(), Error> {
-    crate::error::finite(threshold, Field::Value).map_err(|flaw: Flaw| Error::Invalid {
+    threshold.validate().map_err(|flaw| Error::Invalid {
         argument: Argument::Threshold,
         row: 0,
         flaw,
@@ -57,158 +54,6 @@ pub(crate) fn check_threshold<T: Real>(threshold: T) -> Result<(), Error> {
 fn no_best<T: Real>(columns: usize) -> Vec<Best<T>> {
     let value = T::lit(f64::NEG_INFINITY);
     vec![Best { value, index: 0 }; columns]
-}
-
-/// The largest score of every row and its column; of several the first.
-///
-/// # Errors
-///
-/// [`Error::Invalid`] for a shape that is not valid, [`Error::Length`] for rows without columns.
-///
-/// ```
-/// use geograd::Obb2;
-/// use geograd::kernels::{overlap::IouObb2, reduce};
-/// let a = [Obb2::new(0.0, 0.0, 2.0, 2.0, 0.0)];
-/// let b = [Obb2::new(9.0, 0.0, 2.0, 2.0, 0.0), Obb2::new(1.0, 0.0, 2.0, 2.0, 0.0)];
-/// let best = reduce::row_max::<IouObb2, f64>(&a, &b)?;
-/// assert_eq!((best[0].value, best[0].index), (1.0 / 3.0, 1));
-/// # Ok::<(), geograd::Error>(())
-/// ```
-pub fn row_max<O: PairOp, T: Real>(a: &[A<O, T>], b: &[B<O, T>]) -> Result<Vec<Best<T>>, Error> {
-    check_sides(a.len(), b.len(), true)?;
-    Ok((T::drivers().row_max)(&pairs::<O, T>(a, b)?))
-}
-
-/// The largest score of every column and its row; of several the first.
-///
-/// # Errors
-///
-/// As [`row_max`], for columns without rows.
-pub fn column_max<O: PairOp, T: Real>(a: &[A<O, T>], b: &[B<O, T>]) -> Result<Vec<Best<T>>, Error> {
-    check_sides(a.len(), b.len(), false)?;
-    Ok((T::drivers().column_max)(&pairs::<O, T>(a, b)?))
-}
-
-/// Every pair whose score is above the threshold, row by row and within a row by column.
-///
-/// # Errors
-///
-/// [`Error::Invalid`] for a shape that is not valid or a threshold that is not finite.
-pub fn above<O: PairOp, T: Real>(
-    a: &[A<O, T>],
-    b: &[B<O, T>],
-    threshold: T,
-) -> Result<Vec<Found<T>>, Error> {
-    check_threshold(threshold)?;
-    let mut pairs = pairs::<O, T>(a, b)?;
-    // Zeros are above a negative threshold, too.
-    pairs.filter &= threshold.at_least(T::default());
-    Ok((T::drivers().above)(&pairs, threshold))
-}
-
-/// How many pairs have a score above the threshold.
-///
-/// # Errors
-///
-/// As [`above`].
-pub fn count_above<O: PairOp, T: Real>(
-    a: &[A<O, T>],
-    b: &[B<O, T>],
-    threshold: T,
-) -> Result<u64, Error> {
-    check_threshold(threshold)?;
-    let mut pairs = pairs::<O, T>(a, b)?;
-    pairs.filter &= threshold.at_least(T::default());
-    Ok((T::drivers().count_above)(&pairs, threshold))
-}
-
-/// The sum of all scores, added in `f64`, always in the same order.
-///
-/// # Errors
-///
-/// [`Error::Invalid`] for a shape that is not valid.
-pub fn sum<O: PairOp, T: Real>(a: &[A<O, T>], b: &[B<O, T>]) -> Result<f64, Error> {
-    Ok((T::drivers().sum)(&pairs::<O, T>(a, b)?))
-}
-
-/// The mean of all scores; zero where there are none.
-///
-/// # Errors
-///
-/// As [`sum`].
-pub fn mean<O: PairOp, T: Real>(a: &[A<O, T>], b: &[B<O, T>]) -> Result<f64, Error> {
-    let count = a.len() as f64 * b.len() as f64;
-    Ok(sum::<O, T>(a, b)? / count.max(1.0))
-}
-
-/// The sum of all scores and its slopes with respect to every shape of both lists: a loss and its
-/// gradient without a matrix of scores or of upstream slopes.
-///
-/// # Errors
-///
-/// [`Error::Invalid`] for a shape that is not valid.
-///
-/// ```
-/// use geograd::Aabb2;
-/// use geograd::kernels::{overlap::IntersectionAreaAabb2, reduce};
-/// let a = [Aabb2::new(0.0, 0.0, 2.0, 2.0)];
-/// let b = [Aabb2::new(1.0, 0.0, 3.0, 2.0), Aabb2::new(-1.0, 1.0, 3.0, 3.0)];
-/// let (sum, a_bar, _) = reduce::sum_grad::<IntersectionAreaAabb2, f64>(&a, &b)?;
-/// assert_eq!(sum, 4.0);
-/// assert_eq!(a_bar[0].max.x, 3.0); // 2 along the one, 1 along the other
-/// # Ok::<(), geograd::Error>(())
-/// ```
-pub fn sum_grad<O: PairOp, T: Real>(
-    a: &[A<O, T>],
-    b: &[B<O, T>],
-) -> Result<(f64, Vec<A<O, T>>, Vec<B<O, T>>), Error> {
-    let (mut a_bar, mut b_bar) = (a.to_vec(), b.to_vec());
-    let sum = sum_grad_into::<O, T>(a, b, T::one(), &mut a_bar, &mut b_bar)?;
-    Ok((sum, a_bar, b_bar))
-}
-
-/// The mean of all scores and its slopes, as [`sum_grad`]; zeros where there are none.
-///
-/// # Errors
-///
-/// As [`sum_grad`].
-pub fn mean_grad<O: PairOp, T: Real>(
-    a: &[A<O, T>],
-    b: &[B<O, T>],
-) -> Result<(f64, Vec<A<O, T>>, Vec<B<O, T>>), Error> {
-    let (mut a_bar, mut b_bar) = (a.to_vec(), b.to_vec());
-    let factor = 1.0 / (a.len() as f64 * b.len() as f64).max(1.0);
-    let sum = sum_grad_into::<O, T>(a, b, T::lit(factor), &mut a_bar, &mut b_bar)?;
-    Ok((sum * factor, a_bar, b_bar))
-}
-
-/// The sum of all scores; into the caller's buffers the slopes of the sum times `factor`.
-///
-/// # Errors
-///
-/// As [`sum_grad`], and for a buffer of another length or a factor that is not finite. The buffers
-/// are then as they were.
-pub fn sum_grad_into<O: PairOp, T: Real>(
-    a: &[A<O, T>],
-    b: &[B<O, T>],
-    factor: T,
-    a_bar: &mut [A<O, T>],
-    b_bar: &mut [B<O, T>],
-) -> Result<f64, Error> {
-    expect(Argument::GradA, a.len(), a_bar.len())?;
-    expect(Argument::GradB, b.len(), b_bar.len())?;
-    check_upstream(&[factor])?;
-    let pairs = pairs::<O, T>(a, b)?;
-    let upstream = Upstream {
-        slopes: &vec![factor; b.len()],
-        step: 0,
-    };
-    fill(a_bar, |a_bar| {
-        fill(b_bar, |b_bar| {
-            (T::drivers().pull_back)(&pairs, upstream, a_bar, b_bar);
-        });
-    });
-    Ok((T::drivers().sum)(&pairs))
 }
 
 /// A matrix of scores on the CPU, to be reduced more than once.

@@ -2,93 +2,16 @@
 //! does on purpose.
 use crate::ad::check::noise::{Noisy, noisy};
 use crate::ad::check::sample::Sample;
-use crate::ad::check::subject::{Conventions, Jumps, Subject};
-use crate::ad::check::symmetry::{Answer, Kind, Motion, Promise};
+use crate::ad::check::subject::{Conventions, Subject};
+use crate::ad::check::symmetry::{Kind, Promise};
 use crate::ad::check::trace::{Number, Trace, Traced, trace};
 use crate::ad::check::witness::Precision;
 use crate::ad::forward::{Along, First};
-use crate::kernels::op::Op;
+use crate::kernels::op::Source;
 use crate::kernels::witness::Batch;
 use crate::scalar::float::Float;
 use crate::{Fixed, Jet, Pack, Scalar};
 use std::marker::PhantomData;
-
-/// What an operation promises, by its name. Operations that are not listed promise nothing.
-#[must_use]
-pub fn promises(name: &str) -> &'static [Promise] {
-    use Answer::{Follows, Power, Stays};
-    use Motion::{Exchange, Rotation, Scaling, TranslationX, TranslationY};
-    const fn p(motion: Motion, answer: Answer) -> Promise {
-        Promise { motion, answer }
-    }
-    const AREA: &[Promise] = &[
-        p(TranslationX, Stays),
-        p(TranslationY, Stays),
-        p(Scaling, Power(2)),
-        p(Exchange, Stays),
-        p(Rotation, Stays),
-    ];
-    const IOU: &[Promise] = &[
-        p(TranslationX, Stays),
-        p(TranslationY, Stays),
-        p(Scaling, Stays),
-        p(Exchange, Stays),
-        p(Rotation, Stays),
-    ];
-    const IOF: &[Promise] = &[
-        p(TranslationX, Stays),
-        p(TranslationY, Stays),
-        p(Scaling, Stays),
-        p(Rotation, Stays),
-    ];
-    const SIGNED_AREA: &[Promise] = &[
-        p(TranslationX, Stays),
-        p(TranslationY, Stays),
-        p(Scaling, Power(2)),
-        p(Rotation, Stays),
-    ];
-    const PERIMETER: &[Promise] = &[
-        p(TranslationX, Stays),
-        p(TranslationY, Stays),
-        p(Scaling, Power(1)),
-        p(Rotation, Stays),
-    ];
-    const CENTROID: &[Promise] = &[
-        p(TranslationX, Follows),
-        p(TranslationY, Follows),
-        p(Scaling, Follows),
-        p(Rotation, Follows),
-    ];
-    match name {
-        "intersection_area_obb2" => AREA,
-        "iou_obb2" => IOU,
-        "iof_obb2" => IOF,
-        // An axis-aligned box cannot turn.
-        "intersection_area_aabb2" => AREA.split_at(4).0,
-        "iou_aabb2" => IOU.split_at(4).0,
-        "iof_aabb2" => IOF.split_at(3).0,
-        "signed_area" => SIGNED_AREA,
-        "perimeter" => PERIMETER,
-        "centroid" => CENTROID,
-        _ => &[],
-    }
-}
-
-/// What an operation does on purpose, by its name.
-#[must_use]
-pub fn conventions(name: &str) -> Conventions {
-    Conventions {
-        flat: true,
-        jumps: match name {
-            // Where the area is zero.
-            "centroid" => Jumps::Anywhere,
-            // Where the denominator is zero.
-            "iou_obb2" | "iof_obb2" | "iou_aabb2" | "iof_aabb2" => Jumps::FromZero,
-            _ => Jumps::Never,
-        },
-        shared_ties: true,
-    }
-}
 
 /// An operation's value by another path.
 pub type Path<S> = fn(&[S]) -> Vec<S>;
@@ -96,7 +19,7 @@ pub type Path<S> = fn(&[S]) -> Vec<S>;
 pub type Fused<S> = fn(&[S]) -> (Vec<S>, Vec<S>);
 
 /// An operation near an input, in one format.
-pub struct OpSubject<'a, O: Op, S: Number>
+pub struct OpSubject<'a, O: Source, S: Number>
 where
     O::In<f64>: Sample,
 {
@@ -115,7 +38,7 @@ fn nearest<S: Number>(list: &[f64]) -> Vec<S> {
     list.iter().map(|&x| S::nearest(x)).collect()
 }
 
-impl<'a, O: Op, S: Number> OpSubject<'a, O, S>
+impl<'a, O: Source, S: Number> OpSubject<'a, O, S>
 where
     O::In<f64>: Sample,
 {
@@ -147,7 +70,7 @@ where
     /// The slopes by hand, on another kind of number.
     fn slopes<T: Scalar>(&self, x: &[f64], y_bar: &[f64], of: impl Fn(S) -> T) -> Vec<T> {
         let y_bar: Vec<T> = y_bar.iter().map(|&y| of(S::nearest(y))).collect();
-        O::vjp::<T>(&self.made(x, |_, v| of(v)), O::Out::<T>::from_slice(&y_bar)).scalars()
+        O::vjp::<T>(&self.made(x, |_, v| of(v)), O::Out::<T>::load(&y_bar)).scalars()
     }
     /// The Hessian times a direction, through the adjoint, on another kind of number.
     fn bends<T>(&self, x: &[f64], y_bar: &[f64], direction: &[f64], of: impl Fn(S) -> T) -> Vec<T>
@@ -162,13 +85,13 @@ where
             .iter()
             .map(|&y| <Jet<T, 1> as Scalar>::lit(y))
             .collect();
-        let y_bar = O::Out::<Jet<T, 1>>::from_slice(&y_bar);
+        let y_bar = O::Out::<Jet<T, 1>>::load(&y_bar);
         let slopes = O::vjp::<Jet<T, 1>>(&input, y_bar).scalars();
         slopes.iter().map(|jet| jet.slope[0]).collect()
     }
 }
 
-impl<O: Op, S: Number> Subject for OpSubject<'_, O, S>
+impl<O: Source, S: Number> Subject for OpSubject<'_, O, S>
 where
     O::In<f64>: Sample,
 {
@@ -307,9 +230,13 @@ where
         self.near.kinds()
     }
     fn promises(&self) -> &[Promise] {
-        promises(O::NAME)
+        O::PROMISES
     }
     fn conventions(&self) -> Conventions {
-        conventions(O::NAME)
+        Conventions {
+            flat: true,
+            jumps: O::JUMPS,
+            shared_ties: true,
+        }
     }
 }

@@ -2,14 +2,14 @@
 //!
 //! ```
 //! use geograd::ad::check::Plan;
-//! use geograd::kernels::{Backend, IouObb2, check::prove_pair_on};
+//! use geograd::kernels::{Backend, IouObb2, check::prove_on};
 //! // Backend::Gpu(&gpu) asks a GPU.
-//! let report = prove_pair_on::<IouObb2>(Backend::Cpu, &Plan::new(20, 1))?;
+//! let report = prove_on::<IouObb2>(Backend::Cpu, &Plan::new(20, 1))?;
 //! assert!(report.passed(), "{report}");
 //! # Ok::<(), geograd::kernels::GpuError>(())
 //! ```
 use crate::kernels::gpu::{GpuPair, GpuRing};
-use crate::kernels::op::Op;
+use crate::kernels::op::RingOp;
 use crate::kernels::{Backend, GpuError};
 use crate::{Fixed, Pack, Vec2};
 use std::cell::Cell;
@@ -102,9 +102,9 @@ pub(crate) fn ask_pairs<O: GpuPair>(
 ) -> Result<Vec<Answer>, GpuError> {
     let (mut a, mut b) = (Vec::new(), Vec::new());
     for x in inputs {
-        let (first, second) = x.split_at(O::A::<f32>::LEN);
-        a.push(O::A::<f32>::from_slice(first));
-        b.push(O::B::<f32>::from_slice(second));
+        let (first, second) = x.split_at(O::Shape::LEN);
+        a.push(O::Shape::load(first));
+        b.push(O::Shape::load(second));
     }
     let values = backend.aligned::<O>(&a, &b)?;
     let (a_bars, b_bars) = backend.aligned_vjp::<O>(&a, &b, &vec![1.0; a.len()])?;
@@ -135,10 +135,10 @@ pub(crate) fn ask_rings<O: GpuRing>(
             rows: Vec::new(),
         })
         .collect();
-    let outputs = <O as Op>::Out::<f32>::LEN;
+    let outputs = <O as RingOp>::Out::<f32>::LEN;
     for j in 0..outputs {
         let seed: Vec<f32> = (0..outputs).map(|k| f32::from(u8::from(j == k))).collect();
-        let seeds = vec![<O as Op>::Out::<f32>::from_slice(&seed); inputs.len()];
+        let seeds = vec![<O as RingOp>::Out::<f32>::load(&seed); inputs.len()];
         let bars = backend.ragged_vjp::<O>(&vertices, &offsets, &seeds)?;
         for (answer, bounds) in answers.iter_mut().zip(offsets.windows(2)) {
             let ring = bars[bounds[0]..bounds[1]].iter();

@@ -17,10 +17,11 @@
 //! once and both edges that meet there use the result, so that rounding cannot make them disagree
 //! about whether the corner is inside.
 use crate::overlap::area_from_half;
-use crate::{Obb2, Scalar, Vec2};
+use crate::{Obb2, Scalar, Shape, Vec2};
 
 /// A box with its trigonometry done: what a batch computes once per box.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Copy, Debug, Shape)]
+#[shape(except(Validate, approx, Sample, Arbitrary))]
 pub struct Framed<S> {
     /// The centre.
     pub center: Vec2<S>,

@@ -7,10 +7,22 @@ use std::fmt;
 pub enum Argument {
     /// The only shape of a constructor or a validation.
     Shape,
-    /// The first list of shapes.
+    /// The first input.
     A,
-    /// The second list of shapes.
+    /// The second input.
     B,
+    /// The third input.
+    C,
+    /// The fourth input.
+    D,
+    /// The fifth input.
+    E,
+    /// The sixth input.
+    F,
+    /// The caller's slice for the shapes of results with this index.
+    Result(usize),
+    /// An input by the name that its operation gives it.
+    Named(&'static str),
     /// The vertices of a ragged batch.
     Vertices,
     /// The offsets of a ragged batch.
@@ -21,20 +33,59 @@ pub enum Argument {
     Threshold,
     /// The caller's buffer for results.
     Values,
-    /// The caller's buffer for gradients of the first list.
+    /// The caller's buffer for gradients of the first input.
     GradA,
-    /// The caller's buffer for gradients of the second list.
+    /// The caller's buffer for gradients of the second input.
     GradB,
+    /// The caller's buffer for gradients of the third input.
+    GradC,
+    /// The caller's buffer for gradients of the fourth input.
+    GradD,
+    /// The caller's buffer for gradients of the fifth input.
+    GradE,
+    /// The caller's buffer for gradients of the sixth input.
+    GradF,
     /// The caller's buffer for gradients of the vertices.
     GradVertices,
+}
+
+impl Argument {
+    /// Input `i`, from zero; `Shape` from six on.
+    #[must_use]
+    pub const fn input(i: usize) -> Self {
+        use Argument::{A, B, C, D, E, F};
+        const ALL: [Argument; 6] = [A, B, C, D, E, F];
+        if i < ALL.len() {
+            ALL[i]
+        } else {
+            Argument::Shape
+        }
+    }
+    /// The caller's buffer for gradients of input `i`, from zero; `Values` from six on.
+    #[must_use]
+    pub const fn grad(i: usize) -> Self {
+        use Argument::{GradA, GradB, GradC, GradD, GradE, GradF};
+        const ALL: [Argument; 6] = [GradA, GradB, GradC, GradD, GradE, GradF];
+        if i < ALL.len() {
+            ALL[i]
+        } else {
+            Argument::Values
+        }
+    }
 }
 
 impl fmt::Display for Argument {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         f.write_str(match self {
+            Argument::Result(index) => return write!(f, "result {index}"),
             Argument::Shape => "shape",
             Argument::A => "a",
             Argument::B => "b",
+            Argument::C => "c",
+            Argument::D => "d",
+            Argument::E => "e",
+            Argument::F => "f",
+            Argument::Named(name) => name,
             Argument::Vertices => "vertices",
             Argument::Offsets => "offsets",
             Argument::Upstream => "upstream",
@@ -42,51 +93,107 @@ impl fmt::Display for Argument {
             Argument::Values => "values",
             Argument::GradA => "grad_a",
             Argument::GradB => "grad_b",
+            Argument::GradC => "grad_c",
+            Argument::GradD => "grad_d",
+            Argument::GradE => "grad_e",
+            Argument::GradF => "grad_f",
             Argument::GradVertices => "grad_vertices",
         })
     }
 }
 
-/// Which field of a shape is meant.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-#[non_exhaustive]
-pub enum Field {
+/// Which number of a shape is meant, by its name: `heading`, `min.x`, `links[0].x`.
+///
+/// ```
+/// use geograd::error::Field;
+/// use geograd::{Aabb2, Fixed};
+/// assert_eq!(Aabb2::<f64>::name(3), Field::new("max.y"));
+/// assert_eq!(Field::new("x").within_item(2).within("links").to_string(), "links[2].x");
+/// ```
+#[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
+pub struct Field {
+    text: [u8; MOST],
+    len: u8,
+}
+
+/// The most bytes of a field's name: with its length it fills seven words.
+const MOST: usize = 55;
+
+impl Field {
     /// A lone number.
-    Value,
-    /// The x coordinate (of the centre, if the shape has one).
-    X,
-    /// The y coordinate (of the centre, if the shape has one).
-    Y,
-    /// The size along the shape's own x axis.
-    Width,
-    /// The size along the shape's own y axis.
-    Height,
-    /// The heading.
-    Heading,
-    /// The lower x bound.
-    MinX,
-    /// The lower y bound.
-    MinY,
-    /// The upper x bound.
-    MaxX,
-    /// The upper y bound.
-    MaxY,
+    pub const VALUE: Field = Field::new("");
+
+    /// By its name. Of names longer than 55 bytes the end is kept, after an ellipsis.
+    #[must_use]
+    pub const fn new(name: &str) -> Self {
+        Field::joined([name, "", ""])
+    }
+    /// The same number as part of a field of another shape.
+    #[must_use]
+    pub const fn within(self, field: &str) -> Self {
+        let is_joined = field.is_empty() || self.len == 0 || self.text[0] == b'[';
+        Field::joined([field, if is_joined { "" } else { "." }, self.raw()])
+    }
+    /// The same number as part of an item of an array.
+    #[must_use]
+    pub fn within_item(self, item: usize) -> Self {
+        self.within(&format!("[{item}]"))
+    }
+    /// The name.
+    #[must_use]
+    pub const fn as_str(&self) -> &str {
+        if self.len == 0 { "value" } else { self.raw() }
+    }
+    const fn raw(&self) -> &str {
+        match std::str::from_utf8(self.text.split_at(self.len as usize).0) {
+            Ok(name) => name,
+            Err(_) => "",
+        }
+    }
+    const fn joined(parts: [&str; 3]) -> Self {
+        let ellipsis = "…".as_bytes();
+        let len = parts[0].len() + parts[1].len() + parts[2].len();
+        let mut made = Field {
+            text: [0; MOST],
+            len: 0,
+        };
+        // How much to leave out, and whether that ends inside of a character.
+        let (mut left_out, mut in_character) = (0, false);
+        if len > MOST {
+            left_out = len - MOST + ellipsis.len();
+            in_character = true;
+            while (made.len as usize) < ellipsis.len() {
+                made.text[made.len as usize] = ellipsis[made.len as usize];
+                made.len += 1;
+            }
+        }
+        let mut part = 0;
+        while part < parts.len() {
+            let (bytes, mut i) = (parts[part].as_bytes(), 0);
+            while i < bytes.len() {
+                in_character &= left_out > 0 || bytes[i] & 0xc0 == 0x80;
+                if left_out > 0 {
+                    left_out -= 1;
+                } else if !in_character {
+                    made.text[made.len as usize] = bytes[i];
+                    made.len += 1;
+                }
+                i += 1;
+            }
+            part += 1;
+        }
+        made
+    }
 }
 
 impl fmt::Display for Field {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.write_str(match self {
-            Field::Value => "value",
-            Field::X => "x",
-            Field::Y => "y",
-            Field::Width => "width",
-            Field::Height => "height",
-            Field::Heading => "heading",
-            Field::MinX => "min.x",
-            Field::MinY => "min.y",
-            Field::MaxX => "max.x",
-            Field::MaxY => "max.y",
-        })
+        f.pad(self.as_str())
+    }
+}
+impl fmt::Debug for Field {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.debug_tuple("Field").field(&self.as_str()).finish()
     }
 }
 
@@ -98,8 +205,47 @@ pub enum Flaw {
     NotFinite(Field),
     /// A size is below zero.
     Negative(Field),
+    /// A size that must be above zero is not.
+    NotPositive(Field),
     /// A lower bound is above its upper bound.
     Inverted(Field),
+    /// A shape's own rule is broken: the field, and what it is or is not.
+    Broken(Field, &'static str),
+}
+
+impl Flaw {
+    /// The field that is flawed.
+    #[must_use]
+    pub const fn field(self) -> Field {
+        match self {
+            Flaw::NotFinite(field)
+            | Flaw::Negative(field)
+            | Flaw::NotPositive(field)
+            | Flaw::Inverted(field)
+            | Flaw::Broken(field, _) => field,
+        }
+    }
+    /// The same flaw of another field.
+    #[must_use]
+    pub const fn of(self, field: Field) -> Self {
+        match self {
+            Flaw::NotFinite(_) => Flaw::NotFinite(field),
+            Flaw::Negative(_) => Flaw::Negative(field),
+            Flaw::NotPositive(_) => Flaw::NotPositive(field),
+            Flaw::Inverted(_) => Flaw::Inverted(field),
+            Flaw::Broken(_, rule) => Flaw::Broken(field, rule),
+        }
+    }
+    /// The same flaw of a part of another shape, which calls the part so.
+    #[must_use]
+    pub const fn within(self, field: &str) -> Self {
+        self.of(self.field().within(field))
+    }
+    /// The same flaw of an item of an array.
+    #[must_use]
+    pub fn within_item(self, item: usize) -> Self {
+        self.of(self.field().within_item(item))
+    }
 }
 
 impl fmt::Display for Flaw {
@@ -107,7 +253,9 @@ impl fmt::Display for Flaw {
         match self {
             Flaw::NotFinite(field) => write!(f, "{field} is not a finite number"),
             Flaw::Negative(field) => write!(f, "{field} is negative"),
+            Flaw::NotPositive(field) => write!(f, "{field} is not positive"),
             Flaw::Inverted(field) => write!(f, "{field} is above its upper bound"),
+            Flaw::Broken(field, rule) => write!(f, "{field} {rule}"),
         }
     }
 }
@@ -125,6 +273,8 @@ pub enum Unrecordable {
     /// Its value without the hints of [`Mask::any`](crate::Mask::any) and
     /// [`Mask::all`](crate::Mask::all) is another than with them.
     Hint,
+    /// Its input or its result has whole numbers (codes, counts): programs are of numbers with slopes.
+    Codes,
     /// It has more operations than a program can hold.
     TooLong,
     /// The name asked for is not one that a function can have there.
@@ -139,6 +289,7 @@ impl fmt::Display for Unrecordable {
             Unrecordable::Hint => {
                 "the value depends on the answers of `any` or `all`, which are only hints"
             }
+            Unrecordable::Codes => "there are whole numbers in its input or result",
             Unrecordable::TooLong => "there are too many operations",
             Unrecordable::Name => "the name is reserved or not an identifier",
         })
@@ -226,7 +377,7 @@ impl fmt::Display for Error {
 
 impl std::error::Error for Error {}
 
-/// Shapes that can say what is wrong with them.
+/// Shapes that can say what is wrong with them. A number is valid when it is finite.
 pub trait Validate {
     /// `Ok` when every field is finite and the shape's own rules hold.
     ///
@@ -236,12 +387,13 @@ pub trait Validate {
     fn validate(&self) -> Result<(), Flaw>;
 }
 
-/// `Ok` for a finite number.
-#[inline(always)]
-pub(crate) fn finite<S: crate::Scalar<Mask = bool>>(x: S, field: Field) -> Result<(), Flaw> {
-    if x.finite() {
-        Ok(())
-    } else {
-        Err(Flaw::NotFinite(field))
+impl<S: crate::Scalar<Mask = bool>> Validate for S {
+    #[inline(always)]
+    fn validate(&self) -> Result<(), Flaw> {
+        if self.finite() {
+            Ok(())
+        } else {
+            Err(Flaw::NotFinite(Field::VALUE))
+        }
     }
 }

@@ -28,26 +28,36 @@
 //! | use an adjoint by hand | [`ad::adjoint::overlap`], [`ad::adjoint::ring`] |
 //! | work on many shapes at once | [`kernels::cpu`] |
 //! | make a shape | [`Vec2`], [`Vec3`], [`Rotation2`], [`Pose2`], [`Aabb2`], [`Obb2`] |
+//! | make a shape of your own | [`derive(Shape)`](macro@Shape) |
 //! | write generic geometry | [`Scalar`], [`Mask`], [`Pack`] |
 //! | know what happens at a kink | [`scalar`] |
 //!
 //! # Features
 //!
-//! `parallel` (default): batches on all cores. `gpu`: batches on a GPU. `glam`, `serde`, `nalgebra`:
-//! conversions, serialization, `num-dual`'s vector duals.
+//! `parallel` (default): batches on all cores. `gpu`: batches on a GPU. `glam`, `geo-types`, `mint`,
+//! `nalgebra`: conversions of points and vectors; the last one also `num-dual`'s vector duals. `serde`:
+//! serialization. `proptest`: strategies.
 #![warn(missing_docs)]
 #![deny(unsafe_code)]
 
-#[forbid(unsafe_code)]
-mod approximate;
+// What `#[derive(Shape)]` writes calls the library by its name, inside the library, too.
+extern crate self as geograd;
+
 #[forbid(unsafe_code)]
 pub mod clip;
+#[doc(hidden)]
+#[forbid(unsafe_code)]
+pub mod derived;
 #[forbid(unsafe_code)]
 pub mod error;
+#[forbid(unsafe_code)]
+mod interop;
 #[forbid(unsafe_code)]
 pub mod overlap;
 #[forbid(unsafe_code)]
 pub mod pack;
+#[forbid(unsafe_code)]
+pub mod product;
 #[forbid(unsafe_code)]
 pub mod ring;
 #[forbid(unsafe_code)]
@@ -67,7 +77,10 @@ pub mod kernels;
 pub struct Readme;
 
 pub use ad::forward::{gradient, hessian, hvp, jacobian, jvp, value};
+pub use ad::program::{Program, Sym};
+pub use derived::Shape;
 pub use error::{Error, Flaw, Unrecordable, Validate};
 pub use pack::{Fixed, Pack};
+pub use product::Code;
 pub use scalar::{Jet, Lanes, Mask, Scalar};
 pub use shape::{Aabb2, Obb2, Pose2, Rotation2, Vec2, Vec3};

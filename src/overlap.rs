@@ -78,44 +78,6 @@ pub enum Denominator {
     First,
 }
 
-/// Which score of two boxes is meant, as a type.
-pub trait Measure: Copy + Default + std::fmt::Debug + Send + Sync + 'static {
-    /// What the area of intersection is divided by.
-    const DENOMINATOR: Denominator;
-    /// The name of the function for rotated boxes.
-    const OBB2: &'static str;
-    /// The name of the function for axis-aligned boxes.
-    const AABB2: &'static str;
-}
-
-/// The area of intersection itself.
-#[derive(Clone, Copy, Debug, Default)]
-pub struct Intersection;
-
-/// Intersection over union.
-#[derive(Clone, Copy, Debug, Default)]
-pub struct OverUnion;
-
-/// Intersection over the first box.
-#[derive(Clone, Copy, Debug, Default)]
-pub struct OverFirst;
-
-impl Measure for Intersection {
-    const DENOMINATOR: Denominator = Denominator::None;
-    const OBB2: &'static str = "intersection_area_obb2";
-    const AABB2: &'static str = "intersection_area_aabb2";
-}
-impl Measure for OverUnion {
-    const DENOMINATOR: Denominator = Denominator::Union;
-    const OBB2: &'static str = "iou_obb2";
-    const AABB2: &'static str = "iou_aabb2";
-}
-impl Measure for OverFirst {
-    const DENOMINATOR: Denominator = Denominator::First;
-    const OBB2: &'static str = "iof_obb2";
-    const AABB2: &'static str = "iof_aabb2";
-}
-
 /// A score from areas.
 #[inline(always)]
 pub fn score_of<S: Scalar>(over: Denominator, inter: S, area_a: S, area_b: S) -> S {

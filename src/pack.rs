@@ -1,10 +1,12 @@
 //! Shapes as lists of scalars: one order of fields for derivatives, batches and kernels.
+use crate::Scalar;
+use crate::error::Field;
 
 /// A shape made of scalars, in a fixed order.
 ///
 /// `With<T>` is the same shape made of something else: of dual numbers to differentiate, of whole
 /// gradients to hold a Hessian. Numbers, shapes, tuples and arrays of them, and vectors of run-time
-/// length are packs.
+/// length are packs. `#[derive(Shape)]` makes a struct one.
 ///
 /// ```
 /// use geograd::{Obb2, Pack};
@@ -34,7 +36,7 @@ pub trait Pack: Clone {
     /// let (_, slopes) = ad::gradient(|b: Obb2<_>| b.iou(there.lift()), here);
     /// assert!(slopes.center.x > 0.0);
     /// ```
-    fn lift<D: crate::Scalar>(&self) -> Self::With<D>
+    fn lift<D: Scalar>(&self) -> Self::With<D>
     where
         Self::Scalar: Into<f64> + Copy,
     {
@@ -89,28 +91,75 @@ pub trait Pack: Clone {
     }
 }
 
-/// A shape with the same number of scalars for every value.
-pub trait Fixed: Pack + Copy + Send + Sync + 'static {
+/// A shape with the same number of scalars for every value: numbers, [derived](crate::Shape)
+/// shapes, and arrays of them and tuples of up to six.
+///
+/// ```
+/// use geograd::{Fixed, Obb2, Pack, Vec2};
+/// let [start, end] = <[Vec2<f64>; 2]>::load(&[0.0, 1.0, 2.0, 3.0]);
+/// assert_eq!((start.y, end.x), (1.0, 2.0));
+/// let mut numbers = [0.0; 7];
+/// (Obb2::new(1.0, 2.0, 4.0, 2.0, 0.5), end).store(&mut numbers);
+/// assert_eq!(numbers, [1.0, 2.0, 4.0, 2.0, 0.5, 2.0, 3.0]);
+/// assert_eq!(<(Obb2<f64>, Vec2<f64>)>::name(3).as_str(), "0.height");
+/// ```
+#[diagnostic::on_unimplemented(
+    message = "`{Self}` is not a shape of fixed size",
+    label = "not a shape of fixed size",
+    note = "numbers, arrays, tuples of up to six and structs with `#[derive(geograd::Shape)]` are"
+)]
+pub trait Fixed: Pack<Scalar: Copy + Send + Sync> + Copy + Send + Sync + 'static {
+    /// The same shape made of another scalar.
+    type Of<R: Scalar>: Fixed<Scalar = R>;
     /// How many scalars.
     const LEN: usize;
-    /// An array of `LEN` scalars.
-    type Array: Copy + AsRef<[Self::Scalar]> + AsMut<[Self::Scalar]>;
-    /// The scalars, first field first.
-    fn to_array(self) -> Self::Array;
-    /// The shape with these scalars, first field first.
-    fn from_array(scalars: Self::Array) -> Self;
-    /// The shape with the same scalar everywhere.
+    /// How many whole numbers: counts and codes, which have no slopes and are no part of `LEN`.
+    const CODES: usize = 0;
+    /// The shape with the first `LEN` scalars of a slice, first field first. Its codes are zero.
+    ///
+    /// # Panics
+    ///
+    /// When there are fewer.
+    fn load(from: &[Self::Scalar]) -> Self;
+    /// Writes the scalars to the first `LEN` places of a slice, first field first.
+    ///
+    /// # Panics
+    ///
+    /// When there are fewer.
+    fn store(self, to: &mut [Self::Scalar]);
+    /// The shape with the same scalar everywhere. Its codes are zero.
     fn filled(scalar: Self::Scalar) -> Self;
-    /// The shape with the first `LEN` scalars of a slice.
+    /// The name of scalar `i`, such as `links[0].x`; that of a lone number from `LEN` on.
+    fn name(i: usize) -> Field;
+    /// The same shape with its codes taken from the first `CODES` places of a slice.
     ///
     /// # Panics
     ///
     /// When there are fewer.
     #[inline]
-    fn from_slice(scalars: &[Self::Scalar]) -> Self {
-        let mut array = Self::filled(scalars[0].clone()).to_array();
-        array.as_mut().clone_from_slice(&scalars[..Self::LEN]);
-        Self::from_array(array)
+    #[must_use]
+    fn load_codes(self, _from: &[u32]) -> Self {
+        self
+    }
+    /// Writes the codes to the first `CODES` places of a slice, first field first.
+    ///
+    /// # Panics
+    ///
+    /// When there are fewer.
+    #[inline]
+    fn store_codes(self, _to: &mut [u32]) {}
+
+    /// The names of all scalars, first field first.
+    #[must_use]
+    fn names() -> Vec<Field> {
+        (0..Self::LEN).map(Self::name).collect()
+    }
+    /// All codes, first field first.
+    #[must_use]
+    fn codes(self) -> Vec<u32> {
+        let mut all = vec![0; Self::CODES];
+        self.store_codes(&mut all);
+        all
     }
 }
 
@@ -130,19 +179,22 @@ macro_rules! leaf {
             }
         }
         impl<$($generic)*> $crate::Fixed for $type {
+            type Of<R: $crate::Scalar> = R;
             const LEN: usize = 1;
-            type Array = [Self; 1];
             #[inline(always)]
-            fn to_array(self) -> [Self; 1] {
-                [self]
+            fn load(from: &[Self]) -> Self {
+                from[0]
             }
             #[inline(always)]
-            fn from_array([scalar]: [Self; 1]) -> Self {
-                scalar
+            fn store(self, to: &mut [Self]) {
+                to[0] = self;
             }
             #[inline(always)]
             fn filled(scalar: Self) -> Self {
                 scalar
+            }
+            fn name(_: usize) -> $crate::error::Field {
+                $crate::error::Field::VALUE
             }
         }
     )* };
@@ -153,7 +205,7 @@ pub(crate) use leaf;
 leaf! {
     [] f32,
     [] f64,
-    [T: crate::Scalar, const N: usize] crate::Jet<T, N>,
+    [T: Scalar, const N: usize] crate::Jet<T, N>,
     [T: crate::scalar::float::Float, const N: usize] crate::Lanes<T, N>,
     [T: Copy + Send + Sync + 'static] num_dual::Real<T>,
     [T: Copy + Send + Sync + 'static] num_dual::Dual<T>,
@@ -161,183 +213,4 @@ leaf! {
     [T: Copy + Send + Sync + 'static] num_dual::Dual3<T>,
     [T: Copy + Send + Sync + 'static] num_dual::HyperDual<T>,
     [T: Copy + Send + Sync + 'static] num_dual::HyperHyperDual<T>,
-}
-
-/// A shape of scalars and smaller shapes. The macro lists the fields, `scalar` before a lone
-/// number, then all scalars in the same order, and how the shape is made from them.
-macro_rules! shape {
-    ($name:ident { $($field:ident : $kind:ident),* }
-     $len:literal [$($at:ident $(. $inner:ident)?),*] |$from:pat_param| $made:expr) => {
-        impl<S: Clone> Pack for $name<S> {
-            type Scalar = S;
-            type With<T: Clone> = $name<T>;
-            #[inline(always)]
-            fn map<T: Clone>(&self, f: &mut impl FnMut(&S) -> T) -> $name<T> {
-                $name { $($field: shape!(@map $kind self.$field, f)),* }
-            }
-            #[inline(always)]
-            fn each(&mut self, f: &mut impl FnMut(&mut S)) {
-                $(shape!(@each $kind self.$field, f);)*
-            }
-        }
-        impl<S: Copy + Send + Sync + 'static> Fixed for $name<S> {
-            const LEN: usize = $len;
-            type Array = [S; $len];
-            #[inline(always)]
-            fn to_array(self) -> [S; $len] {
-                [$(self.$at $(. $inner)?),*]
-            }
-            #[inline(always)]
-            fn from_array($from: [S; $len]) -> Self {
-                $made
-            }
-            #[inline(always)]
-            fn filled(scalar: S) -> Self {
-                Self::from_array([scalar; $len])
-            }
-        }
-    };
-    (@map scalar $at:expr, $f:ident) => { $f(&$at) };
-    (@map $kind:ident $at:expr, $f:ident) => { $at.map($f) };
-    (@each scalar $at:expr, $f:ident) => { $f(&mut $at) };
-    (@each $kind:ident $at:expr, $f:ident) => { $at.each($f) };
-}
-
-use crate::clip::Framed;
-use crate::{Aabb2, Obb2, Pose2, Rotation2, Vec2, Vec3};
-shape!(Vec2 { x: scalar, y: scalar } 2 [x, y] |[x, y]| Vec2 { x, y });
-shape!(Vec3 { x: scalar, y: scalar, z: scalar } 3 [x, y, z] |[x, y, z]| Vec3 { x, y, z });
-shape!(Rotation2 { cos: scalar, sin: scalar } 2 [cos, sin] |[cos, sin]| Rotation2 { cos, sin });
-shape!(
-    Pose2 { rotation: Rotation2, translation: Vec2 }
-    4 [rotation.cos, rotation.sin, translation.x, translation.y]
-    |[cos, sin, x, y]| Pose2 { rotation: Rotation2 { cos, sin }, translation: Vec2 { x, y } }
-);
-shape!(
-    Aabb2 { min: Vec2, max: Vec2 }
-    4 [min.x, min.y, max.x, max.y]
-    |[min_x, min_y, max_x, max_y]| Aabb2::new(min_x, min_y, max_x, max_y)
-);
-shape!(
-    Obb2 { center: Vec2, size: Vec2, heading: scalar }
-    5 [center.x, center.y, size.x, size.y, heading]
-    |[x, y, width, height, heading]| Obb2::new(x, y, width, height, heading)
-);
-shape!(
-    Framed {
-        center: Vec2,
-        half: Vec2,
-        cos: scalar,
-        sin: scalar,
-        cos_high: scalar,
-        cos_low: scalar,
-        sin_high: scalar,
-        sin_low: scalar
-    }
-    10 [center.x, center.y, half.x, half.y, cos, sin, cos_high, cos_low, sin_high, sin_low]
-    |[x, y, half_x, half_y, cos, sin, cos_high, cos_low, sin_high, sin_low]| Framed {
-        center: Vec2 { x, y },
-        half: Vec2 { x: half_x, y: half_y },
-        cos,
-        sin,
-        cos_high,
-        cos_low,
-        sin_high,
-        sin_low,
-    }
-);
-
-impl<A: Pack, B: Pack<Scalar = A::Scalar>> Pack for (A, B) {
-    type Scalar = A::Scalar;
-    type With<T: Clone> = (A::With<T>, B::With<T>);
-    #[inline(always)]
-    fn map<T: Clone>(&self, f: &mut impl FnMut(&Self::Scalar) -> T) -> Self::With<T> {
-        (self.0.map(f), self.1.map(f))
-    }
-    #[inline(always)]
-    fn each(&mut self, f: &mut impl FnMut(&mut Self::Scalar)) {
-        self.0.each(f);
-        self.1.each(f);
-    }
-    fn fewer(&self) -> Box<dyn Iterator<Item = Self> + '_> {
-        let first = self.0.fewer().map(|a| (a, self.1.clone()));
-        let second = self.1.fewer().map(|b| (self.0.clone(), b));
-        Box::new(first.chain(second))
-    }
-}
-impl<A: Pack, B: Pack<Scalar = A::Scalar>, C: Pack<Scalar = A::Scalar>> Pack for (A, B, C) {
-    type Scalar = A::Scalar;
-    type With<T: Clone> = (A::With<T>, B::With<T>, C::With<T>);
-    fn map<T: Clone>(&self, f: &mut impl FnMut(&Self::Scalar) -> T) -> Self::With<T> {
-        (self.0.map(f), self.1.map(f), self.2.map(f))
-    }
-    fn each(&mut self, f: &mut impl FnMut(&mut Self::Scalar)) {
-        self.0.each(f);
-        self.1.each(f);
-        self.2.each(f);
-    }
-    fn fewer(&self) -> Box<dyn Iterator<Item = Self> + '_> {
-        let (a, b, c) = self;
-        let first = a.fewer().map(|a| (a, b.clone(), c.clone()));
-        let second = b.fewer().map(|b| (a.clone(), b, c.clone()));
-        let third = c.fewer().map(|c| (a.clone(), b.clone(), c));
-        Box::new(first.chain(second).chain(third))
-    }
-}
-
-impl<P: Pack, const N: usize> Pack for [P; N] {
-    type Scalar = P::Scalar;
-    type With<T: Clone> = [P::With<T>; N];
-    #[inline(always)]
-    fn map<T: Clone>(&self, f: &mut impl FnMut(&Self::Scalar) -> T) -> Self::With<T> {
-        std::array::from_fn(|i| self[i].map(f))
-    }
-    #[inline(always)]
-    fn each(&mut self, f: &mut impl FnMut(&mut Self::Scalar)) {
-        for shape in self {
-            shape.each(f);
-        }
-    }
-    fn fewer(&self) -> Box<dyn Iterator<Item = Self> + '_> {
-        Box::new(fewer_inside(self, self))
-    }
-}
-/// A list with one element replaced by one with fewer numbers.
-fn fewer_inside<P: Pack, L: Clone + AsMut<[P]>>(
-    list: &L,
-    elements: &[P],
-) -> impl Iterator<Item = L> {
-    elements.iter().enumerate().flat_map(move |(i, element)| {
-        element.fewer().map(move |smaller| {
-            let mut list = list.clone();
-            list.as_mut()[i] = smaller;
-            list
-        })
-    })
-}
-impl<P: Pack> Pack for Vec<P> {
-    type Scalar = P::Scalar;
-    type With<T: Clone> = Vec<P::With<T>>;
-    fn map<T: Clone>(&self, f: &mut impl FnMut(&Self::Scalar) -> T) -> Self::With<T> {
-        self.iter().map(|shape| shape.map(f)).collect()
-    }
-    fn each(&mut self, f: &mut impl FnMut(&mut Self::Scalar)) {
-        for shape in self {
-            shape.each(f);
-        }
-    }
-    fn fewer(&self) -> Box<dyn Iterator<Item = Self> + '_> {
-        let n = self.len();
-        let half = |k: usize| k.div_ceil(2);
-        let lengths = std::iter::successors((n > 0).then_some(half(n)), move |&k| {
-            (k > 1).then_some(half(k))
-        });
-        let dropped = lengths.flat_map(move |k| {
-            (0..n).step_by(k).map(move |start| {
-                let rest = self[(start + k).min(n)..].iter();
-                self[..start].iter().chain(rest).cloned().collect()
-            })
-        });
-        Box::new(dropped.chain(fewer_inside(self, self)))
-    }
 }

@@ -1,6 +1,8 @@
 //! What several tests need.
 use geograd::Obb2;
 
+pub mod calls;
+
 /// A small reproducible source of numbers.
 #[derive(Clone, Debug)]
 pub struct Dice(pub u64);

@@ -119,7 +119,7 @@
 //! duals of duals ([`Check::nested`]). Another implementation is a witness ([`Check::witness`],
 //! [`Check::path`]). Batches of the
 //! library's operations, on the CPU or a GPU, are witnesses in
-//! [`kernels::check`](crate::kernels::check::prove_pair_on).
+//! [`kernels::check`](crate::kernels::check::prove_on).
 //!
 //! # How far the verdict goes
 //!
@@ -147,6 +147,7 @@
 //! inputs are judged strictly in double precision.
 mod agreement;
 mod curvature;
+pub(crate) mod derived;
 mod details;
 mod examine;
 mod hearing;

@@ -170,6 +170,9 @@ pub fn picture<X: Sample>(title: &str, input: &X, subject: &dyn Subject) -> Stri
             Kind::Y => "y",
             Kind::Length => "length",
             Kind::Angle => "angle",
+            Kind::DirectionX => "x of a direction",
+            Kind::DirectionY => "y of a direction",
+            Kind::Number => "number",
         };
         let row = 1.2 + i as f64;
         text(0, row, kind, "#636363");

@@ -85,9 +85,9 @@ pub trait Sample: Pack<Scalar = f64> + std::fmt::Debug {
     fn extents(&self) -> Vec<f64> {
         let (kinds, scales) = (self.kinds(), self.scales());
         let largest = (0..kinds.len())
-            .filter(|&i| kinds[i] != Kind::Angle)
+            .filter(|&i| kinds[i].is_length())
             .fold(0.0_f64, |m, i| m.max(scales[i]));
-        let extent = |kind: &Kind| if *kind == Kind::Angle { 1.0 } else { largest };
+        let extent = |kind: &Kind| if kind.is_length() { largest } else { 1.0 };
         kinds.iter().map(extent).collect()
     }
     /// For each number, its unit: the size of the smaller shape for lengths, one for angles.
@@ -103,9 +103,10 @@ pub trait Sample: Pack<Scalar = f64> + std::fmt::Debug {
 }
 
 /// Which inputs to draw.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
 pub enum Family {
     /// Whatever the harness itself draws: of all the others some.
+    #[default]
     Any,
     /// The cases at which geometry fails.
     Hard,
@@ -172,6 +173,9 @@ pub fn moved(x: &[f64], kinds: &[Kind], angle: f64, scale: f64, shift: [f64; 2])
             Kind::Y => (sin * x[i - 1] + cos * x[i]) * scale + shift[1],
             Kind::Length => x[i] * scale,
             Kind::Angle => x[i] + angle,
+            Kind::DirectionX => cos * x[i] - sin * x[i + 1],
+            Kind::DirectionY => sin * x[i - 1] + cos * x[i],
+            Kind::Number => x[i],
         })
         .collect()
 }
@@ -215,7 +219,8 @@ const PLACES: [(f64, f64, [f64; 2]); 7] = [
 /// A hard case in a place; nothing for a shape that cannot turn or does not fit there.
 fn put<X: Sample>(x: &X, (angle, scale, shift): (f64, f64, [f64; 2])) -> Option<X> {
     let kinds = x.kinds();
-    if angle != 0.0 && !kinds.contains(&Kind::Angle) {
+    let turns = |kind: &Kind| matches!(kind, Kind::Angle | Kind::DirectionX);
+    if angle != 0.0 && !kinds.iter().any(turns) {
         return None;
     }
     let there = x.refill(&moved(&x.scalars(), &kinds, angle, scale, shift));

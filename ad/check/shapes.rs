@@ -1,8 +1,9 @@
 //! How the library's own shapes are drawn, what is hard about them, and pairs of them.
+use crate::ad::check::derived::{together, units};
 use crate::ad::check::sample::{Draw, Sample};
 use crate::ad::check::symmetry::Kind;
 use crate::error::Validate;
-use crate::{Aabb2, Obb2, Vec2};
+use crate::{Aabb2, Obb2, Rotation2, Vec2};
 use std::f64::consts::{FRAC_PI_2, FRAC_PI_4, PI};
 
 /// A scale that is never zero.
@@ -256,6 +257,29 @@ impl Sample for Vec2<f64> {
     }
 }
 
+impl Sample for Rotation2<f64> {
+    fn ordinary(draw: &mut Draw) -> Self {
+        let angle = match draw.below(6) {
+            0 => FRAC_PI_4 * draw.below(8) as f64,
+            _ => draw.within(-PI, PI),
+        };
+        Rotation2::from_angle(angle)
+    }
+    fn hard() -> Vec<Self> {
+        let angles = [0.0, FRAC_PI_2, PI, FRAC_PI_4, 1e-9, 1e-5, 0.7];
+        angles.map(Rotation2::from_angle).to_vec()
+    }
+    fn kinds(&self) -> Vec<Kind> {
+        vec![Kind::DirectionX, Kind::DirectionY]
+    }
+    fn scales(&self) -> Vec<f64> {
+        vec![1.0; 2]
+    }
+    fn inside(&self) -> bool {
+        self.validate().is_ok()
+    }
+}
+
 impl<A: Sample, B: Sample> Sample for (A, B) {
     fn ordinary(draw: &mut Draw) -> Self {
         (A::ordinary(draw), B::ordinary(draw))
@@ -309,43 +333,13 @@ impl<A: Sample, B: Sample> Sample for (A, B) {
         [self.0.kinds(), self.1.kinds()].concat()
     }
     fn scales(&self) -> Vec<f64> {
-        // The smaller shape says over what lengths things change; a turn moves the far end of the
-        // larger one.
-        let (a, b, kinds) = (self.0.scales(), self.1.scales(), self.kinds());
-        let own = [a, b].concat();
-        let lengths = || {
-            own.iter()
-                .zip(&kinds)
-                .filter(|(_, kind)| **kind != Kind::Angle)
-        };
-        let place = lengths().fold(f64::INFINITY, |m, (s, k)| match k {
-            Kind::X | Kind::Y => m.min(*s),
-            _ => m,
-        });
-        let largest = lengths().fold(0.0_f64, |m, (s, _)| m.max(*s));
-        own.iter()
-            .zip(&kinds)
-            .map(|(own, kind)| match kind {
-                Kind::Angle => (10.0 * place / largest).clamp(1e-9, 1.0),
-                _ if place.is_finite() => own.min(10.0 * place),
-                _ => *own,
-            })
-            .collect()
+        together([self.0.scales(), self.1.scales()].concat(), &self.kinds())
     }
     fn extents(&self) -> Vec<f64> {
         [self.0.extents(), self.1.extents()].concat()
     }
     fn units(&self) -> Vec<f64> {
-        let (own, kinds) = (self.extents(), self.kinds());
-        let lengths = own
-            .iter()
-            .zip(&kinds)
-            .filter(|(_, kind)| **kind != Kind::Angle);
-        let least = lengths.fold(f64::INFINITY, |m, (extent, _)| m.min(*extent));
-        kinds
-            .iter()
-            .map(|kind| if *kind == Kind::Angle { 1.0 } else { least })
-            .collect()
+        units(&self.extents(), &self.kinds())
     }
     fn outlines(&self) -> Vec<Vec<[f64; 2]>> {
         [self.0.outlines(), self.1.outlines()].concat()

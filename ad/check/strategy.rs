@@ -108,6 +108,7 @@ impl<X: Sample> Strategy for Shapes<X> {
             fails: drawn.clone(),
             now: drawn,
             next: 0,
+            done: false,
         })
     }
 }
@@ -120,6 +121,8 @@ pub struct Simpler<X> {
     now: X,
     /// The number of the next simpler one to try.
     next: usize,
+    /// Whether all have been tried.
+    done: bool,
 }
 
 impl<X: Sample> Simpler<X> {
@@ -144,9 +147,15 @@ impl<X: Sample> ValueTree for Simpler<X> {
     fn simplify(&mut self) -> bool {
         self.fails = self.now.clone();
         self.next = 0;
-        self.advance()
+        !self.done && self.advance()
     }
     fn complicate(&mut self) -> bool {
-        self.advance()
+        // Back at what fails, the runner asks for something simpler once more, and goes on to the
+        // next part of a tuple when there is nothing; a plain no would end it all.
+        if self.done {
+            return false;
+        }
+        self.done = !self.advance();
+        true
     }
 }

@@ -30,6 +30,20 @@ pub enum Kind {
     Length,
     /// An angle, which only rotation changes.
     Angle,
+    /// The x of a direction, which only rotation changes; its y follows.
+    DirectionX,
+    /// The y of a direction; its x precedes.
+    DirectionY,
+    /// A number which no motion changes.
+    Number,
+}
+
+impl Kind {
+    /// Whether it is measured in units of length.
+    #[must_use]
+    pub fn is_length(self) -> bool {
+        matches!(self, Kind::X | Kind::Y | Kind::Length)
+    }
 }
 
 /// How the output answers.
@@ -60,8 +74,8 @@ pub fn velocity(motion: Motion, kinds: &[Kind], x: &[f64]) -> Vec<f64> {
             (Motion::TranslationX, Kind::X)
             | (Motion::TranslationY, Kind::Y)
             | (Motion::Rotation, Kind::Angle) => 1.0,
-            (Motion::Rotation, Kind::X) => -x[i + 1],
-            (Motion::Rotation, Kind::Y) => x[i - 1],
+            (Motion::Rotation, Kind::X | Kind::DirectionX) => -x[i + 1],
+            (Motion::Rotation, Kind::Y | Kind::DirectionY) => x[i - 1],
             (Motion::Scaling, Kind::X | Kind::Y | Kind::Length) => x[i],
             _ => 0.0,
         })

@@ -1,15 +1,56 @@
-//! Programs: generic functions, recorded once.
+//! Programs: generic functions, recorded once, run everywhere.
+//!
+//! A [`Program`] is the list of operations that a generic function of shapes does. It is made by
+//! calling the function once with shapes of [`Sym`], a scalar that writes down what is done with it.
+//! It gives the bits of the function, and more: its gradient, products with its Jacobian and Hessian as
+//! programs again, its cost, a text to read, a function for GPUs.
+//!
+//! ```
+//! use geograd::ad::program::{Program, Sym};
+//! use geograd::{Obb2, Vec2};
+//! let overlap = Program::trace(|(a, b): (Obb2<Sym<f64>>, Obb2<Sym<f64>>)| a.iou(b)).unwrap();
+//! let (a, b) = (Obb2::new(0.0, 0.0, 2.0, 2.0, 0.0), Obb2::new(1.0, 0.0, 2.0, 2.0, 0.0));
+//! let (iou, (by_a, _)) = overlap.value_grad().eval((a, b));
+//! assert_eq!(iou, a.iou(b));
+//! assert!((by_a.center.x - 4.0 / 9.0).abs() < 1e-15);
+//! ```
+//!
+//! # What can be recorded
+//!
+//! Straight lines: functions that ask for nothing but `S: Scalar`. What asks for control flow
+//! (`S: Scalar<Mask = bool>`) does not compile with symbols. [`Mask::any`](crate::Mask::any) and
+//! [`Mask::all`](crate::Mask::all) compile, but are only hints; a function whose value depends on their
+//! answer is refused, as is one that uses symbols of another recording or literals that are not finite.
+//! Everything else that the function captures is baked in.
+//!
+//! # Slopes
+//!
+//! Reverse mode follows the [rules at kinks](crate::scalar): ties share, and what a choice did not take
+//! leaves no trace, not even where its slope is infinite. In `f64` its slopes are those of forward
+//! duals to the last digits. In `f32` it may lose some where large cotangents cancel (nearly parallel
+//! sides of boxes): there, an adjoint by hand ([`Program::with_adjoint`]) is better.
+mod cost;
 mod derivative;
 pub(crate) mod evaluate;
 mod forward;
 pub(crate) mod graph;
-pub(crate) mod record;
+mod print;
+#[expect(
+    clippy::module_inception,
+    reason = "the type is called as the module is"
+)]
+mod program;
+mod record;
 pub(crate) mod recorded;
 mod recording;
 mod reverse;
 mod shapes;
 mod simplify;
 mod symbol;
+mod wgsl;
 
+pub use cost::Cost;
 pub use graph::Format;
+pub use program::Program;
 pub use symbol::{Plain, Sym, SymMask};
+pub use wgsl::WGSL;

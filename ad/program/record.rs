@@ -2,7 +2,7 @@
 use super::graph::{Id, Node};
 use super::recorded::Recorded;
 use super::recording::Recording;
-use super::shapes::{load, numbers};
+use super::shapes::numbers;
 use super::symbol::{Plain, Sym};
 use crate::{Error, Fixed, Scalar, Unrecordable};
 
@@ -16,6 +16,9 @@ where
     X: Fixed<Scalar = Sym<T>>,
     Y: Fixed<Scalar = Sym<T>>,
 {
+    if X::CODES + Y::CODES > 0 {
+        return Err(Error::Program(Unrecordable::Codes));
+    }
     let (recorded, hints) = recorded(&function).map_err(Error::Program)?;
     // Without hints there is one way through the function, which was recorded.
     if hints > 0 && !(0..TRIALS).all(|trial| agrees::<T, X, Y>(&recorded, &function, trial)) {
@@ -35,7 +38,7 @@ where
         let inputs: Vec<Sym<T>> = (0..X::LEN)
             .map(|place| Sym::leaf(Node::Input(place as u32)))
             .collect();
-        numbers(function(load(&inputs)))
+        numbers(function(X::load(&inputs)))
     });
     let mut recording = recording?;
     let outputs = places(&mut recording, &outputs)?;
@@ -63,7 +66,7 @@ where
     let input: Vec<T> = sample(trial, X::LEN).into_iter().map(T::lit).collect();
     let (outputs, recording) = Recording::run(T::FORMAT, true, || {
         let inputs: Vec<Sym<T>> = input.iter().map(|x| Sym::lit(x.widen())).collect();
-        numbers(function(load(&inputs)))
+        numbers(function(X::load(&inputs)))
     });
     let Ok(mut recording) = recording else {
         return false;

@@ -167,9 +167,9 @@ fn run<T: Number>(options: &Options) -> Result<(), Failure> {
         for a in a.chunks(rows) {
             if options.grad {
                 let grads = T::all_pairs_grad(backend, a, &b)?;
-                sink.rows(grads.values.len(), |pair| {
-                    let (a_bar, b_bar) = grads.at(pair / b.len(), pair % b.len());
-                    (grads.values[pair], Some([a_bar, b_bar]))
+                sink.rows(grads.values().len(), |pair| {
+                    let (value, (a_bar, b_bar)) = grads.at(pair / b.len(), pair % b.len());
+                    (value, Some([a_bar, b_bar]))
                 })?;
             } else {
                 let values = T::all_pairs(backend, a, &b)?;

@@ -1,14 +1,17 @@
 //! The two formats to compute in, and what computes in them.
 use geograd::Obb2;
-use geograd::kernels::cpu::{self, AlignedGrads, PairGrads};
-use geograd::kernels::overlap::IouObb2;
 use geograd::kernels::real::Real;
-use geograd::kernels::{Backend, GpuError};
+use geograd::kernels::{Backend, Cpu, GpuError, IouObb2, Op, Single, Table};
 use std::fmt::Debug;
 use std::str::FromStr;
 
+/// Results of aligned pairs and their slopes with respect to both boxes.
+pub type AlignedGrads<T> = (Vec<T>, Vec<Obb2<T>>, Vec<Obb2<T>>);
+/// Results of all pairs and their slopes with respect to both boxes.
+pub type PairGrads<T> = Table<(T, (Obb2<T>, Obb2<T>))>;
+
 /// A format of numbers, and overlaps computed in it.
-pub trait Number: Real + FromStr + Debug + Send + Sync {
+pub trait Number: Real + Single<Scalar = Self> + FromStr + Debug + Send + Sync {
     /// Whether GPUs compute in it.
     const ON_GPUS: bool;
 
@@ -22,7 +25,7 @@ pub trait Number: Real + FromStr + Debug + Send + Sync {
         backend: Backend<'_>,
         a: &[Obb2<Self>],
         b: &[Obb2<Self>],
-    ) -> Result<AlignedGrads<IouObb2, Self>, GpuError>;
+    ) -> Result<AlignedGrads<Self>, GpuError>;
 
     fn all_pairs(
         backend: Backend<'_>,
@@ -34,7 +37,7 @@ pub trait Number: Real + FromStr + Debug + Send + Sync {
         backend: Backend<'_>,
         a: &[Obb2<Self>],
         b: &[Obb2<Self>],
-    ) -> Result<PairGrads<IouObb2, Self>, GpuError>;
+    ) -> Result<PairGrads<Self>, GpuError>;
 }
 
 impl Number for f32 {
@@ -52,7 +55,7 @@ impl Number for f32 {
         backend: Backend<'_>,
         a: &[Obb2<Self>],
         b: &[Obb2<Self>],
-    ) -> Result<AlignedGrads<IouObb2, Self>, GpuError> {
+    ) -> Result<AlignedGrads<Self>, GpuError> {
         backend.aligned_grad::<IouObb2>(a, b)
     }
 
@@ -68,7 +71,7 @@ impl Number for f32 {
         backend: Backend<'_>,
         a: &[Obb2<Self>],
         b: &[Obb2<Self>],
-    ) -> Result<PairGrads<IouObb2, Self>, GpuError> {
+    ) -> Result<PairGrads<Self>, GpuError> {
         backend.all_pairs_grad::<IouObb2>(a, b)
     }
 }
@@ -82,15 +85,16 @@ impl Number for f64 {
         a: &[Obb2<Self>],
         b: &[Obb2<Self>],
     ) -> Result<Vec<Self>, GpuError> {
-        Ok(cpu::aligned::<IouObb2, Self>(a, b)?)
+        Ok(Cpu::new().aligned(IouObb2, (a, b))?)
     }
 
     fn aligned_grad(
         _backend: Backend<'_>,
         a: &[Obb2<Self>],
         b: &[Obb2<Self>],
-    ) -> Result<AlignedGrads<IouObb2, Self>, GpuError> {
-        Ok(cpu::aligned_grad::<IouObb2, Self>(a, b)?)
+    ) -> Result<AlignedGrads<Self>, GpuError> {
+        let (values, (a_bar, b_bar)) = Cpu::new().aligned(IouObb2.value_grad(), (a, b))?;
+        Ok((values, a_bar, b_bar))
     }
 
     fn all_pairs(
@@ -98,14 +102,14 @@ impl Number for f64 {
         a: &[Obb2<Self>],
         b: &[Obb2<Self>],
     ) -> Result<Vec<Self>, GpuError> {
-        Ok(cpu::all_pairs::<IouObb2, Self>(a, b)?)
+        Ok(Cpu::new().all_pairs(IouObb2, a, b)?.into_planes())
     }
 
     fn all_pairs_grad(
         _backend: Backend<'_>,
         a: &[Obb2<Self>],
         b: &[Obb2<Self>],
-    ) -> Result<PairGrads<IouObb2, Self>, GpuError> {
-        Ok(cpu::all_pairs_grad::<IouObb2, Self>(a, b)?)
+    ) -> Result<PairGrads<Self>, GpuError> {
+        Ok(Cpu::new().all_pairs(IouObb2.value_grad(), a, b)?)
     }
 }

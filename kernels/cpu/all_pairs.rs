@@ -1,229 +1,490 @@
-//! All-pairs batches: every row with every row.
+//! All-pairs batches: every row with every column.
 use crate::Fixed;
 use crate::error::{Argument, Error};
-use crate::kernels::cpu::checked::{check_upstream, entries, expect, fill, pairs};
+use crate::kernels::cpu::Cpu;
+use crate::kernels::cpu::checked::{check, check_upstream, entries, expect, fill, numbers};
+use crate::kernels::cpu::pairs::Pairs;
+use crate::kernels::cpu::plan::{Face, Want};
 use crate::kernels::cpu::sweep::Upstream;
-use crate::kernels::cpu::{A, B, Bars};
-use crate::kernels::op::PairOp;
+use crate::kernels::op::Runs;
 use crate::kernels::real::Real;
+use crate::kernels::reduce::{Best, Found, check_sides, check_threshold};
+use crate::kernels::row::{Column, Row};
 use std::marker::PhantomData;
 
-/// Every row of `a` with every row of `b`: a matrix, row by row.
-///
-/// # Errors
-///
-/// [`Error::Invalid`] for a shape that is not valid, [`Error::TooLarge`] when the matrix has more
-/// entries than memory has addresses.
-///
-/// ```
-/// use geograd::Aabb2;
-/// use geograd::kernels::{cpu, overlap::IouAabb2};
-/// let a = [Aabb2::new(0.0, 0.0, 2.0, 2.0)];
-/// let b = [Aabb2::new(0.0, 0.0, 2.0, 1.0), Aabb2::new(7.0, 0.0, 9.0, 1.0)];
-/// assert_eq!(cpu::all_pairs::<IouAabb2, f64>(&a, &b)?, [0.5, 0.0]);
-/// # Ok::<(), geograd::Error>(())
-/// ```
-pub fn all_pairs<O: PairOp, T: Real>(a: &[A<O, T>], b: &[B<O, T>]) -> Result<Vec<T>, Error> {
-    let mut values = vec![T::default(); entries(a.len(), b.len(), 1)?];
-    all_pairs_into::<O, T>(a, b, &mut values)?;
-    Ok(values)
-}
+/// A shape that is one, and not a tuple: what a list of rows or columns is made of.
+pub trait Single: Row<Many = Vec<Self>> {}
+impl<P: Row<Many = Vec<P>>> Single for P {}
 
-/// [`all_pairs`] into the caller's buffer.
+/// A result for every row with every column.
 ///
-/// # Errors
-///
-/// As [`all_pairs`], and [`Error::Length`] for a buffer of another length. The buffer is then as it
-/// was.
-pub fn all_pairs_into<O: PairOp, T: Real>(
-    a: &[A<O, T>],
-    b: &[B<O, T>],
-    values: &mut [T],
-) -> Result<(), Error> {
-    expect(
-        Argument::Values,
-        entries(a.len(), b.len(), 1)?,
-        values.len(),
-    )?;
-    let pairs = pairs::<O, T>(a, b)?;
-    (T::drivers().values)(&pairs, values);
-    Ok(())
-}
-
-/// A value and slopes for every row of one list with every row of another.
-///
-/// Slopes are kept as planes, one matrix per field of `A`, then one per field of `B`, because that
-/// is how a consumer of millions reads them and because the processor can write nothing else at
-/// full speed.
+/// Numbers are kept as planes, one matrix per number of a result, because that is how a consumer of
+/// millions reads them and because the processor can write nothing else at full speed.
 #[derive(Clone, Debug, PartialEq)]
-pub struct PairGrads<O, T> {
-    /// Rows: shapes of the first list.
-    pub rows: usize,
-    /// Columns: shapes of the second list.
-    pub columns: usize,
-    /// The results, row by row.
-    pub values: Vec<T>,
-    /// The slopes: `planes[(k · rows + i) · columns + j]` for field `k`.
-    pub planes: Vec<T>,
-    operation: PhantomData<O>,
+pub struct Table<P: Row> {
+    rows: usize,
+    columns: usize,
+    planes: Vec<P::Scalar>,
+    result: PhantomData<P>,
 }
 
-impl<O: PairOp, T: Real> PairGrads<O, T> {
-    /// Room for the slopes of so many rows and columns.
+impl<P: Row> Table<P> {
+    /// Room for so many rows and columns; all results are zero.
     ///
     /// # Errors
     ///
-    /// [`Error::TooLarge`] when they have more entries than memory has addresses.
+    /// [`Error::TooLarge`] when they have more numbers than memory has addresses.
     pub fn new(rows: usize, columns: usize) -> Result<Self, Error> {
-        let fields = A::<O, T>::LEN + B::<O, T>::LEN;
-        Ok(PairGrads {
+        Ok(Table {
             rows,
             columns,
-            values: vec![T::default(); entries(rows, columns, 1)?],
-            planes: vec![T::default(); entries(rows, columns, fields)?],
-            operation: PhantomData,
+            planes: vec![P::Scalar::default(); entries(rows, columns, P::LEN)?],
+            result: PhantomData,
         })
     }
-    /// Slopes of pair `(i, j)` with respect to both shapes.
+    /// How many rows: shapes of the first list.
+    #[must_use]
+    pub fn rows(&self) -> usize {
+        self.rows
+    }
+    /// How many columns: shapes of the second list.
+    #[must_use]
+    pub fn columns(&self) -> usize {
+        self.columns
+    }
+    /// The first number of every result, row by row: all there is where a result is one number.
+    #[must_use]
+    pub fn values(&self) -> &[P::Scalar] {
+        self.plane(0)
+    }
+    /// Number `k` of every result, row by row; nothing where results have fewer.
+    #[must_use]
+    pub fn plane(&self, k: usize) -> &[P::Scalar] {
+        let size = self.rows * self.columns;
+        self.planes
+            .get(k * size..(k + 1) * size)
+            .unwrap_or_default()
+    }
+    /// All numbers: plane after plane.
+    #[must_use]
+    pub fn planes(&self) -> &[P::Scalar] {
+        &self.planes
+    }
+    /// All numbers, to be written.
+    #[must_use]
+    pub fn planes_mut(&mut self) -> &mut [P::Scalar] {
+        &mut self.planes
+    }
+    /// All numbers: plane after plane; of results of one number the matrix, row by row.
+    #[must_use]
+    pub fn into_planes(self) -> Vec<P::Scalar> {
+        self.planes
+    }
+    /// The result of a row with a column.
     ///
     /// # Panics
     ///
-    /// When there is no such pair.
+    /// When there is no such row or column.
     #[must_use]
-    pub fn at(&self, i: usize, j: usize) -> (A<O, T>, B<O, T>) {
+    pub fn at(&self, row: usize, column: usize) -> P {
+        let (rows, columns) = (self.rows, self.columns);
         assert!(
-            i < self.rows && j < self.columns,
-            "pair ({i}, {j}) out of range"
+            row < rows && column < columns,
+            "pair ({row}, {column}) of {rows} × {columns}"
         );
-        let plane = |k: usize| self.planes[(k * self.rows + i) * self.columns + j];
-        let (mut of_a, mut of_b) = (
-            A::<O, T>::filled(T::default()).to_array(),
-            B::<O, T>::filled(T::default()).to_array(),
-        );
-        for (k, slope) in of_a.as_mut().iter_mut().enumerate() {
-            *slope = plane(k);
-        }
-        for (k, slope) in of_b.as_mut().iter_mut().enumerate() {
-            *slope = plane(A::<O, T>::LEN + k);
-        }
-        (Fixed::from_array(of_a), Fixed::from_array(of_b))
+        let number = |k: usize| self.planes[(k * rows + row) * columns + column];
+        P::load(&(0..P::LEN).map(number).collect::<Vec<_>>())
     }
 }
 
-/// [`all_pairs`](crate::kernels::cpu::all_pairs) with the slopes of every result with respect to both of its shapes.
-///
-/// # Errors
-///
-/// As [`all_pairs`](crate::kernels::cpu::all_pairs).
-///
-/// ```
-/// use geograd::Obb2;
-/// use geograd::kernels::{cpu, overlap::IouObb2};
-/// let a = [Obb2::new(0.0, 0.0, 2.0, 2.0, 0.0)];
-/// let b = [Obb2::new(9.0, 0.0, 2.0, 2.0, 0.0), Obb2::new(1.0, 0.0, 2.0, 2.0, 0.0)];
-/// let grads = cpu::all_pairs_grad::<IouObb2, f64>(&a, &b)?;
-/// let (_, b_bar) = grads.at(0, 1);
-/// assert!((b_bar.center.x + 4.0 / 9.0).abs() < 1e-15);
-/// # Ok::<(), geograd::Error>(())
-/// ```
-pub fn all_pairs_grad<O: PairOp, T: Real>(
-    a: &[A<O, T>],
-    b: &[B<O, T>],
-) -> Result<PairGrads<O, T>, Error> {
-    let mut grads = PairGrads::new(a.len(), b.len())?;
-    all_pairs_grad_into::<O, T>(a, b, &mut grads)?;
-    Ok(grads)
+/// Lists of shapes, checked.
+fn pairs<'a, T: Real, A: Single<Scalar = T>, B: Single<Scalar = T>>(
+    cpu: &Cpu,
+    face: &'a Face<T>,
+    a: &'a [A],
+    b: &'a [B],
+) -> Result<Pairs<'a, T>, Error> {
+    if a.len().max(b.len()) >= u32::MAX as usize {
+        return Err(Error::TooLarge);
+    }
+    let plan = &*face.plan;
+    let rare = [
+        check(Argument::A, &plan.arguments[0], &Column::of(a))?,
+        check(Argument::B, &plan.arguments[1], &Column::of(b))?,
+    ];
+    Ok(Pairs {
+        plan,
+        numbers: [numbers(a), numbers(b)],
+        rare,
+        filter: cpu.cull,
+    })
 }
 
-/// [`all_pairs_grad`] into the caller's buffers, made by [`PairGrads::new`].
-///
-/// # Errors
-///
-/// As [`all_pairs`](crate::kernels::cpu::all_pairs), and [`Error::Length`] for buffers of another size. The buffers are then as
-/// they were.
-pub fn all_pairs_grad_into<O: PairOp, T: Real>(
-    a: &[A<O, T>],
-    b: &[B<O, T>],
-    grads: &mut PairGrads<O, T>,
-) -> Result<(), Error> {
-    let fields = A::<O, T>::LEN + B::<O, T>::LEN;
-    expect(Argument::Values, a.len(), grads.rows)?;
-    expect(Argument::Values, b.len(), grads.columns)?;
-    expect(
-        Argument::Values,
-        entries(a.len(), b.len(), 1)?,
-        grads.values.len(),
-    )?;
-    expect(
-        Argument::GradA,
-        entries(a.len(), b.len(), fields)?,
-        grads.planes.len(),
-    )?;
-    let pairs = pairs::<O, T>(a, b)?;
-    (T::drivers().grads)(&pairs, &mut grads.values, &mut grads.planes);
-    Ok(())
-}
+impl Cpu {
+    /// Every row of `a` with every row of `b`.
+    ///
+    /// # Errors
+    ///
+    /// [`Error::Invalid`] for a shape that is not valid, [`Error::TooLarge`] when the table has more
+    /// numbers than memory has addresses.
+    ///
+    /// ```
+    /// use geograd::Obb2;
+    /// use geograd::kernels::{Cpu, IouObb2, Op};
+    /// let a = [Obb2::new(0.0, 0.0, 2.0, 2.0, 0.0)];
+    /// let b = [Obb2::new(9.0, 0.0, 2.0, 2.0, 0.0), Obb2::new(1.0, 0.0, 2.0, 2.0, 0.0)];
+    /// let cpu = Cpu::new();
+    /// assert_eq!(cpu.all_pairs(IouObb2, &a, &b)?.values(), [0.0, 1.0 / 3.0]);
+    ///
+    /// let (_, (_, b_bar)) = cpu.all_pairs(IouObb2.value_grad(), &a, &b)?.at(0, 1);
+    /// assert!((b_bar.center.x + 4.0_f64 / 9.0).abs() < 1e-15);
+    /// # Ok::<(), geograd::Error>(())
+    /// ```
+    pub fn all_pairs<A: Single, B: Single<Scalar = A::Scalar>, R: Runs<(A, B)>>(
+        &self,
+        run: R,
+        a: &[A],
+        b: &[B],
+    ) -> Result<Table<R::Out>, Error> {
+        let mut table = Table::new(a.len(), b.len())?;
+        self.all_pairs_into(run, a, b, &mut table)?;
+        Ok(table)
+    }
 
-/// The adjoint of [`all_pairs`](crate::kernels::cpu::all_pairs): slopes of `Σ upstream[i, j] · result[i, j]` with respect to every
-/// shape of both lists. `upstream` is a matrix, row by row.
-///
-/// # Errors
-///
-/// As [`all_pairs`](crate::kernels::cpu::all_pairs), and for an upstream of another size or one that is not finite.
-///
-/// ```
-/// use geograd::Obb2;
-/// use geograd::kernels::{cpu, overlap::IouObb2};
-/// let a = [Obb2::new(0.0, 0.0, 2.0, 2.0, 0.0)];
-/// let b = [Obb2::new(9.0, 0.0, 2.0, 2.0, 0.0), Obb2::new(1.0, 0.0, 2.0, 2.0, 0.0)];
-/// let (a_bar, b_bar) = cpu::all_pairs_vjp::<IouObb2, f64>(&a, &b, &[1.0, 3.0])?;
-/// assert!((a_bar[0].center.x - 3.0 * 4.0 / 9.0).abs() < 1e-15);
-/// assert_eq!(b_bar[0].center.x, 0.0);
-/// # Ok::<(), geograd::Error>(())
-/// ```
-pub fn all_pairs_vjp<O: PairOp, T: Real>(
-    a: &[A<O, T>],
-    b: &[B<O, T>],
-    upstream: &[T],
-) -> Result<Bars<O, T>, Error> {
-    let (mut a_bar, mut b_bar) = (a.to_vec(), b.to_vec());
-    all_pairs_vjp_into::<O, T>(a, b, upstream, &mut a_bar, &mut b_bar)?;
-    Ok((a_bar, b_bar))
-}
+    /// [`all_pairs`](Cpu::all_pairs) into a table that is there already.
+    ///
+    /// # Errors
+    ///
+    /// As [`all_pairs`](Cpu::all_pairs), and [`Error::Length`] for a table of another size. The table
+    /// is then as it was.
+    pub fn all_pairs_into<A: Single, B: Single<Scalar = A::Scalar>, R: Runs<(A, B)>>(
+        &self,
+        run: R,
+        a: &[A],
+        b: &[B],
+        table: &mut Table<R::Out>,
+    ) -> Result<(), Error> {
+        expect(Argument::Values, a.len(), table.rows)?;
+        expect(Argument::Values, b.len(), table.columns)?;
+        self.all_pairs_planes(run, a, b, &mut table.planes)
+    }
 
-/// [`all_pairs_vjp`] into the caller's buffers.
-///
-/// Beside the results it holds one partial gradient of `b` per 16 or more rows of `a`: less than
-/// the upstream matrix has.
-///
-/// # Errors
-///
-/// As [`all_pairs_vjp`], and [`Error::Length`] for a buffer of another length. The buffers are then
-/// as they were.
-pub fn all_pairs_vjp_into<O: PairOp, T: Real>(
-    a: &[A<O, T>],
-    b: &[B<O, T>],
-    upstream: &[T],
-    a_bar: &mut [A<O, T>],
-    b_bar: &mut [B<O, T>],
-) -> Result<(), Error> {
-    expect(
-        Argument::Upstream,
-        entries(a.len(), b.len(), 1)?,
-        upstream.len(),
-    )?;
-    expect(Argument::GradA, a.len(), a_bar.len())?;
-    expect(Argument::GradB, b.len(), b_bar.len())?;
-    let pairs = pairs::<O, T>(a, b)?;
-    check_upstream(upstream)?;
-    let upstream = Upstream {
-        slopes: upstream,
-        step: b.len(),
-    };
-    fill(a_bar, |a_bar| {
-        fill(b_bar, |b_bar| {
-            (T::drivers().pull_back)(&pairs, upstream, a_bar, b_bar);
+    /// [`all_pairs`](Cpu::all_pairs) into the caller's numbers: plane after plane, of results of one
+    /// number a matrix, row by row.
+    ///
+    /// # Errors
+    ///
+    /// As [`all_pairs`](Cpu::all_pairs), and [`Error::Length`] for another number of them. They are
+    /// then as they were.
+    pub fn all_pairs_planes<A: Single, B: Single<Scalar = A::Scalar>, R: Runs<(A, B)>>(
+        &self,
+        run: R,
+        a: &[A],
+        b: &[B],
+        planes: &mut [A::Scalar],
+    ) -> Result<(), Error> {
+        let wanted = entries(a.len(), b.len(), R::Out::LEN)?;
+        expect(Argument::Values, wanted, planes.len())?;
+        let face = run.face()?;
+        let pairs = pairs(self, &face, a, b)?;
+        (A::Scalar::drivers().planes)(&pairs, face.want == Want::ValueGrad, planes);
+        Ok(())
+    }
+
+    /// The adjoint of [`all_pairs`](Cpu::all_pairs) for one number as result: slopes of
+    /// `Σ upstream[i, j] · result[i, j]` with respect to every shape of both lists. `upstream` is a
+    /// matrix, row by row.
+    ///
+    /// # Errors
+    ///
+    /// As [`all_pairs`](Cpu::all_pairs), and for an upstream of another size or one that is not finite.
+    ///
+    /// ```
+    /// use geograd::Obb2;
+    /// use geograd::kernels::{Cpu, IouObb2};
+    /// let a = [Obb2::new(0.0, 0.0, 2.0, 2.0, 0.0)];
+    /// let b = [Obb2::new(9.0, 0.0, 2.0, 2.0, 0.0), Obb2::new(1.0, 0.0, 2.0, 2.0, 0.0)];
+    /// let (a_bar, b_bar) = Cpu::new().all_pairs_vjp(IouObb2, &a, &b, &[1.0, 3.0])?;
+    /// assert!((a_bar[0].center.x - 3.0 * 4.0_f64 / 9.0).abs() < 1e-15);
+    /// assert_eq!(b_bar[0].center.x, 0.0);
+    /// # Ok::<(), geograd::Error>(())
+    /// ```
+    pub fn all_pairs_vjp<A: Single, B: Single<Scalar = A::Scalar>, R>(
+        &self,
+        run: R,
+        a: &[A],
+        b: &[B],
+        upstream: &[A::Scalar],
+    ) -> Result<(Vec<A>, Vec<B>), Error>
+    where
+        R: Runs<(A, B), Out = A::Scalar>,
+    {
+        let (mut a_bar, mut b_bar) = (a.to_vec(), b.to_vec());
+        self.all_pairs_vjp_into(run, a, b, upstream, &mut a_bar, &mut b_bar)?;
+        Ok((a_bar, b_bar))
+    }
+
+    /// [`all_pairs_vjp`](Cpu::all_pairs_vjp) into the caller's slices.
+    ///
+    /// Beside the results it holds one partial gradient of `b` per 16 or more rows of `a`: less than
+    /// the upstream matrix has.
+    ///
+    /// # Errors
+    ///
+    /// As [`all_pairs_vjp`](Cpu::all_pairs_vjp), and [`Error::Length`] for a slice of another length.
+    /// The slices are then as they were.
+    pub fn all_pairs_vjp_into<A: Single, B: Single<Scalar = A::Scalar>, R>(
+        &self,
+        run: R,
+        a: &[A],
+        b: &[B],
+        upstream: &[A::Scalar],
+        a_bar: &mut [A],
+        b_bar: &mut [B],
+    ) -> Result<(), Error>
+    where
+        R: Runs<(A, B), Out = A::Scalar>,
+    {
+        let wanted = entries(a.len(), b.len(), 1)?;
+        expect(Argument::Upstream, wanted, upstream.len())?;
+        let upstream = Upstream {
+            slopes: upstream,
+            step: b.len(),
+        };
+        let face = run.face()?;
+        self.pull_back(&face, a, b, upstream, a_bar, b_bar)
+    }
+
+    fn pull_back<T: Real, A: Single<Scalar = T>, B: Single<Scalar = T>>(
+        &self,
+        face: &Face<T>,
+        a: &[A],
+        b: &[B],
+        upstream: Upstream<'_, T>,
+        a_bar: &mut [A],
+        b_bar: &mut [B],
+    ) -> Result<(), Error> {
+        expect(Argument::GradA, a.len(), a_bar.len())?;
+        expect(Argument::GradB, b.len(), b_bar.len())?;
+        let pairs = pairs(self, face, a, b)?;
+        check_upstream(upstream.slopes, 1)?;
+        fill(a_bar, |a_bar| {
+            fill(b_bar, |b_bar| {
+                (T::drivers().pull_back)(&pairs, upstream, a_bar, b_bar);
+            });
         });
-    });
-    Ok(())
+        Ok(())
+    }
+
+    /// The largest result of every row and its column; of several the first.
+    ///
+    /// # Errors
+    ///
+    /// [`Error::Invalid`] for a shape that is not valid, [`Error::Length`] for rows without columns.
+    ///
+    /// ```
+    /// use geograd::Obb2;
+    /// use geograd::kernels::{Cpu, IouObb2};
+    /// let a = [Obb2::new(0.0, 0.0, 2.0, 2.0, 0.0)];
+    /// let b = [Obb2::new(9.0, 0.0, 2.0, 2.0, 0.0), Obb2::new(1.0, 0.0, 2.0, 2.0, 0.0)];
+    /// let best = Cpu::new().row_max(IouObb2, &a, &b)?;
+    /// assert_eq!((best[0].value, best[0].index), (1.0 / 3.0, 1));
+    /// # Ok::<(), geograd::Error>(())
+    /// ```
+    pub fn row_max<A: Single, B: Single<Scalar = A::Scalar>, R>(
+        &self,
+        run: R,
+        a: &[A],
+        b: &[B],
+    ) -> Result<Vec<Best<A::Scalar>>, Error>
+    where
+        R: Runs<(A, B), Out = A::Scalar>,
+    {
+        check_sides(a.len(), b.len(), true)?;
+        let face = run.face()?;
+        Ok((A::Scalar::drivers().row_max)(&pairs(self, &face, a, b)?))
+    }
+
+    /// The largest result of every column and its row; of several the first.
+    ///
+    /// # Errors
+    ///
+    /// As [`row_max`](Cpu::row_max), for columns without rows.
+    pub fn column_max<A: Single, B: Single<Scalar = A::Scalar>, R>(
+        &self,
+        run: R,
+        a: &[A],
+        b: &[B],
+    ) -> Result<Vec<Best<A::Scalar>>, Error>
+    where
+        R: Runs<(A, B), Out = A::Scalar>,
+    {
+        check_sides(a.len(), b.len(), false)?;
+        let face = run.face()?;
+        Ok((A::Scalar::drivers().column_max)(&pairs(
+            self, &face, a, b,
+        )?))
+    }
+
+    /// Every pair whose result is above the threshold, row by row and within a row by column.
+    ///
+    /// # Errors
+    ///
+    /// [`Error::Invalid`] for a shape that is not valid or a threshold that is not finite.
+    pub fn above<A: Single, B: Single<Scalar = A::Scalar>, R>(
+        &self,
+        run: R,
+        a: &[A],
+        b: &[B],
+        threshold: A::Scalar,
+    ) -> Result<Vec<Found<A::Scalar>>, Error>
+    where
+        R: Runs<(A, B), Out = A::Scalar>,
+    {
+        check_threshold(threshold)?;
+        let face = run.face()?;
+        let mut pairs = pairs(self, &face, a, b)?;
+        // Zeros are above a negative threshold, too.
+        pairs.filter &= threshold >= A::Scalar::default();
+        Ok((A::Scalar::drivers().above)(&pairs, threshold))
+    }
+
+    /// How many pairs have a result above the threshold.
+    ///
+    /// # Errors
+    ///
+    /// As [`above`](Cpu::above).
+    pub fn count_above<A: Single, B: Single<Scalar = A::Scalar>, R>(
+        &self,
+        run: R,
+        a: &[A],
+        b: &[B],
+        threshold: A::Scalar,
+    ) -> Result<u64, Error>
+    where
+        R: Runs<(A, B), Out = A::Scalar>,
+    {
+        check_threshold(threshold)?;
+        let face = run.face()?;
+        let mut pairs = pairs(self, &face, a, b)?;
+        pairs.filter &= threshold >= A::Scalar::default();
+        Ok((A::Scalar::drivers().count_above)(&pairs, threshold))
+    }
+
+    /// The sum of all results, added in `f64`, always in the same order.
+    ///
+    /// # Errors
+    ///
+    /// [`Error::Invalid`] for a shape that is not valid.
+    pub fn sum<A: Single, B: Single<Scalar = A::Scalar>, R>(
+        &self,
+        run: R,
+        a: &[A],
+        b: &[B],
+    ) -> Result<f64, Error>
+    where
+        R: Runs<(A, B), Out = A::Scalar>,
+    {
+        let face = run.face()?;
+        Ok((A::Scalar::drivers().sum)(&pairs(self, &face, a, b)?))
+    }
+
+    /// The mean of all results; zero where there are none.
+    ///
+    /// # Errors
+    ///
+    /// As [`sum`](Cpu::sum).
+    pub fn mean<A: Single, B: Single<Scalar = A::Scalar>, R>(
+        &self,
+        run: R,
+        a: &[A],
+        b: &[B],
+    ) -> Result<f64, Error>
+    where
+        R: Runs<(A, B), Out = A::Scalar>,
+    {
+        let count = a.len() as f64 * b.len() as f64;
+        Ok(self.sum(run, a, b)? / count.max(1.0))
+    }
+
+    /// The sum of all results and its slopes with respect to every shape of both lists: a loss and its
+    /// gradient without a matrix of results or of upstream slopes.
+    ///
+    /// # Errors
+    ///
+    /// [`Error::Invalid`] for a shape that is not valid.
+    ///
+    /// ```
+    /// use geograd::Aabb2;
+    /// use geograd::kernels::{Cpu, IntersectionAreaAabb2};
+    /// let a = [Aabb2::new(0.0, 0.0, 2.0, 2.0)];
+    /// let b = [Aabb2::new(1.0, 0.0, 3.0, 2.0), Aabb2::new(-1.0, 1.0, 3.0, 3.0)];
+    /// let (sum, a_bar, _) = Cpu::new().sum_grad(IntersectionAreaAabb2, &a, &b)?;
+    /// assert_eq!(sum, 4.0);
+    /// assert_eq!(a_bar[0].max.x, 3.0); // 2 along the one, 1 along the other
+    /// # Ok::<(), geograd::Error>(())
+    /// ```
+    pub fn sum_grad<A: Single, B: Single<Scalar = A::Scalar>, R>(
+        &self,
+        run: R,
+        a: &[A],
+        b: &[B],
+    ) -> Result<(f64, Vec<A>, Vec<B>), Error>
+    where
+        R: Runs<(A, B), Out = A::Scalar>,
+    {
+        let (mut a_bar, mut b_bar) = (a.to_vec(), b.to_vec());
+        let one = <A::Scalar as crate::Scalar>::one();
+        let sum = self.sum_grad_into(run, a, b, one, &mut a_bar, &mut b_bar)?;
+        Ok((sum, a_bar, b_bar))
+    }
+
+    /// The mean of all results and its slopes, as [`sum_grad`](Cpu::sum_grad); zeros where there are
+    /// none.
+    ///
+    /// # Errors
+    ///
+    /// As [`sum_grad`](Cpu::sum_grad).
+    pub fn mean_grad<A: Single, B: Single<Scalar = A::Scalar>, R>(
+        &self,
+        run: R,
+        a: &[A],
+        b: &[B],
+    ) -> Result<(f64, Vec<A>, Vec<B>), Error>
+    where
+        R: Runs<(A, B), Out = A::Scalar>,
+    {
+        let (mut a_bar, mut b_bar) = (a.to_vec(), b.to_vec());
+        let factor = 1.0 / (a.len() as f64 * b.len() as f64).max(1.0);
+        let each = <A::Scalar as crate::Scalar>::lit(factor);
+        let sum = self.sum_grad_into(run, a, b, each, &mut a_bar, &mut b_bar)?;
+        Ok((sum * factor, a_bar, b_bar))
+    }
+
+    /// The sum of all results; into the caller's slices the slopes of the sum times `factor`.
+    ///
+    /// # Errors
+    ///
+    /// As [`sum_grad`](Cpu::sum_grad), and for a slice of another length or a factor that is not
+    /// finite. The slices are then as they were.
+    pub fn sum_grad_into<A: Single, B: Single<Scalar = A::Scalar>, R>(
+        &self,
+        run: R,
+        a: &[A],
+        b: &[B],
+        factor: A::Scalar,
+        a_bar: &mut [A],
+        b_bar: &mut [B],
+    ) -> Result<f64, Error>
+    where
+        R: Runs<(A, B), Out = A::Scalar>,
+    {
+        let face = run.face()?;
+        let upstream = Upstream {
+            slopes: &vec![factor; b.len().max(1)],
+            step: 0,
+        };
+        self.pull_back(&face, a, b, upstream, a_bar, b_bar)?;
+        Ok((A::Scalar::drivers().sum)(&pairs(self, &face, a, b)?))
+    }
 }

@@ -37,7 +37,9 @@ pub(crate) fn obb2_frames<T: Real, V: Vector<T>>(shapes: Tiles<'_, T>, frames: &
                 size: Vec2::new(V::read(&shape[2], at), V::read(&shape[3], at)),
                 heading: V::read(&shape[4], at),
             });
-            for (lane, number) in out.iter_mut().zip(framed.to_array()) {
+            let mut numbers = [V::zero(); FRAME];
+            framed.store(&mut numbers);
+            for (lane, number) in out.iter_mut().zip(numbers) {
                 number.write(lane, at);
             }
         }
@@ -83,7 +85,7 @@ fn framed<T: Real, V: Vector<T>>(tiles: Tiles<'_, T>, t: usize, at: usize) -> Op
     let zero = V::zero();
     if T::COMPENSATED {
         let tile = tiles.tile::<FRAME>(t)?;
-        return Some(Framed::from_array([
+        return Some(Framed::load(&[
             V::read(&tile[0], at),
             V::read(&tile[1], at),
             V::read(&tile[2], at),
@@ -97,7 +99,7 @@ fn framed<T: Real, V: Vector<T>>(tiles: Tiles<'_, T>, t: usize, at: usize) -> Op
         ]));
     }
     let tile = tiles.tile::<6>(t)?;
-    Some(Framed::from_array([
+    Some(Framed::load(&[
         V::read(&tile[0], at),
         V::read(&tile[1], at),
         V::read(&tile[2], at),
@@ -152,8 +154,9 @@ pub(crate) fn obb2_slopes<T: Real, V: Vector<T>>(
             let (value, (a_bar, b_bar)) =
                 score_framed_vjp::<V, false>(over, a, b, seed(seeds, t, at));
             put([value], out, 0, at);
-            put(a_bar.to_array(), out, 1, at);
-            put(b_bar.to_array(), out, 1 + OBB2, at);
+            let mut slopes = [V::zero(); 2 * OBB2];
+            (a_bar, b_bar).store(&mut slopes);
+            put(slopes, out, 1, at);
         }
     }
 }
@@ -210,8 +213,9 @@ pub(crate) fn aabb2_slopes<T: Real, V: Vector<T>>(
             };
             let (value, (a_bar, b_bar)) = score_aabb2_vjp(over, a, b, seed(seeds, t, at));
             put([value], out, 0, at);
-            put(a_bar.to_array(), out, 1, at);
-            put(b_bar.to_array(), out, 1 + AABB2, at);
+            let mut slopes = [V::zero(); 2 * AABB2];
+            (a_bar, b_bar).store(&mut slopes);
+            put(slopes, out, 1, at);
         }
     }
 }

@@ -1,14 +1,14 @@
-//! What stands between slices of shapes and plain numbers: checks, and rows of numbers.
+//! What stands between columns of shapes and plain numbers: checks, and room for results.
 use crate::Fixed;
-use crate::error::{Argument, Error};
+use crate::error::{Argument, Error, Validate};
 use crate::kernels::cpu::arch;
-use crate::kernels::cpu::pairs::Pairs;
-use crate::kernels::cpu::plan::{Plan, of_any};
+use crate::kernels::cpu::plan::Preparation;
 use crate::kernels::cpu::simd::Simd;
-use crate::kernels::cpu::{A, B};
-use crate::kernels::op::PairOp;
+use crate::kernels::cpu::work::spread;
 use crate::kernels::real::Real;
+use crate::kernels::row::Column;
 use std::borrow::Cow;
+use std::sync::Mutex;
 
 /// Checks the number of items of an argument.
 pub(crate) fn expect(argument: Argument, expected: usize, found: usize) -> Result<(), Error> {
@@ -33,48 +33,26 @@ pub(crate) fn entries(rows: usize, columns: usize, fields: usize) -> Result<usiz
         .ok_or(Error::TooLarge)
 }
 
-/// Checks that every upstream slope is finite.
-pub(crate) fn check_upstream<T: Real>(upstream: &[T]) -> Result<(), Error> {
+/// Checks that every upstream slope is finite; each has so many numbers.
+pub(crate) fn check_upstream<T: Real>(upstream: &[T], fields: usize) -> Result<(), Error> {
     if (T::kernels().all_finite)(upstream) {
         return Ok(());
     }
-    for (row, &x) in upstream.iter().enumerate() {
-        crate::error::finite(x, crate::error::Field::Value).map_err(|flaw| Error::Invalid {
+    for (i, &x) in upstream.iter().enumerate() {
+        x.validate().map_err(|flaw| Error::Invalid {
             argument: Argument::Upstream,
-            row,
+            row: i / fields,
             flaw,
         })?;
     }
     Ok(())
 }
 
-/// Shapes as rows of numbers, one after another.
-#[inline]
-pub(crate) fn write_rows<T: Real, P: Fixed<Scalar = T>>(shapes: &[P], rows: &mut [T]) {
-    for (shape, row) in shapes.iter().zip(rows.chunks_exact_mut(P::LEN)) {
-        row.copy_from_slice(shape.to_array().as_ref());
-    }
-}
-
-/// Rows of numbers as shapes.
-#[inline]
-pub(crate) fn read_rows<T: Real, P: Fixed<Scalar = T>>(rows: &[T], shapes: &mut [P]) {
-    for (shape, row) in shapes.iter_mut().zip(rows.chunks_exact(P::LEN)) {
-        let mut fields = P::filled(T::default()).to_array();
-        fields.as_mut().copy_from_slice(row);
-        *shape = P::from_array(fields);
-    }
-}
-
 /// The numbers of shapes, one shape after another: as they are in memory, or written out.
 pub(crate) fn numbers<T: Real, P: Fixed<Scalar = T>>(shapes: &[P]) -> Cow<'_, [T]> {
     match arch::numbers(shapes) {
         Some(numbers) => Cow::Borrowed(numbers),
-        None => {
-            let mut rows = vec![T::default(); shapes.len() * P::LEN];
-            write_rows(shapes, &mut rows);
-            Cow::Owned(rows)
-        }
+        None => Cow::Owned(shapes.iter().flat_map(|shape| shape.scalars()).collect()),
     }
 }
 
@@ -88,69 +66,63 @@ pub(crate) fn fill<T: Real, P: Fixed<Scalar = T>, R>(
     }
     let mut rows = vec![T::default(); shapes.len() * P::LEN];
     let out = run(&mut rows);
-    read_rows(&rows, shapes);
+    for (shape, row) in shapes.iter_mut().zip(rows.chunks_exact(P::LEN)) {
+        *shape = P::load(row);
+    }
     out
-}
-
-/// An operation's plan, and of both lists whether some shapes are too rare for kernels.
-pub(crate) struct Checked<T: 'static> {
-    pub plan: Plan<T>,
-    pub rare: [bool; 2],
 }
 
 /// Shapes looked at together: few enough for the innermost cache.
 const GROUP: usize = 2048;
 
-/// Whether all shapes are valid and ordinary, told quickly.
-fn all_ordinary<T: Real, P: Fixed<Scalar = T>>(told: fn(&[T]) -> bool, shapes: &[P]) -> bool {
-    shapes.chunks(GROUP).all(|shapes| told(&numbers(shapes)))
-}
-
-/// Checks every shape of both lists.
-pub(crate) fn check<O: PairOp, T: Real>(a: &[A<O, T>], b: &[B<O, T>]) -> Result<Checked<T>, Error> {
+/// Checks every shape of a column. Whether some may be too rare for kernels.
+pub(crate) fn check<T: Real>(
+    argument: Argument,
+    plan: &Preparation<T>,
+    column: &Column<'_, T>,
+) -> Result<bool, Error> {
     Simd::current()?;
-    let plan = match O::compiled() {
-        Some(compiled) => (T::drivers().plan)(compiled),
-        None => of_any::<O, T>(),
+    let count = column.len();
+    let doubtful: Vec<usize> = {
+        let mut room = Vec::new();
+        let mut is_doubtful = |&start: &usize| {
+            let numbers = column.numbers(start..count.min(start + GROUP), &mut room);
+            !(plan.all_ordinary)(numbers)
+        };
+        // Nearly always all is well, which a look at all numbers at once can tell.
+        (0..count)
+            .step_by(GROUP)
+            .filter(|x| is_doubtful(x))
+            .collect()
     };
-    // Nearly always all is well, which a look at all numbers at once can tell.
-    let mut rare = [false; 2];
-    if !all_ordinary(plan.shapes[0].all_ordinary, a) {
-        for (row, shape) in a.iter().enumerate() {
-            let argument = Argument::A;
-            rare[0] |= !O::check_a(shape).map_err(|flaw| Error::Invalid {
-                argument,
-                row,
-                flaw,
-            })?;
+    let first_flaw = Mutex::new(None);
+    let is_any_rare = Mutex::new(false);
+    spread(doubtful, |start: usize| {
+        let mut room = Vec::new();
+        let numbers = column.numbers(start..count.min(start + GROUP), &mut room);
+        let mut rare = false;
+        for (i, shape) in numbers.chunks_exact(plan.fields).enumerate() {
+            if let Err(flaw) = (plan.check)(shape) {
+                let row = start + i;
+                if let Ok(mut first) = first_flaw.lock()
+                    && first.is_none_or(|(other, _)| row < other)
+                {
+                    *first = Some((row, flaw));
+                }
+                return;
+            }
+            rare |= (plan.is_rare)(shape);
         }
-    }
-    if !all_ordinary(plan.shapes[1].all_ordinary, b) {
-        for (row, shape) in b.iter().enumerate() {
-            let argument = Argument::B;
-            rare[1] |= !O::check_b(shape).map_err(|flaw| Error::Invalid {
-                argument,
-                row,
-                flaw,
-            })?;
+        if rare && let Ok(mut any) = is_any_rare.lock() {
+            *any = true;
         }
+    });
+    match first_flaw.into_inner() {
+        Ok(Some((row, flaw))) => Err(Error::Invalid {
+            argument,
+            row,
+            flaw,
+        }),
+        _ => Ok(is_any_rare.into_inner().unwrap_or(true)),
     }
-    Ok(Checked { plan, rare })
-}
-
-/// Both lists of an all-pairs batch, checked, as numbers.
-pub(crate) fn pairs<'a, O: PairOp, T: Real>(
-    a: &'a [A<O, T>],
-    b: &'a [B<O, T>],
-) -> Result<Pairs<'a, T>, Error> {
-    let Checked { plan, rare } = check::<O, T>(a, b)?;
-    if a.len().max(b.len()) >= u32::MAX as usize {
-        return Err(Error::TooLarge);
-    }
-    Ok(Pairs {
-        plan,
-        numbers: [numbers(a), numbers(b)],
-        rare,
-        filter: crate::kernels::cpu::culling::is_on(),
-    })
 }

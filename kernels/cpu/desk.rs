@@ -1,126 +1,196 @@
 //! Aligned items over plain numbers, block by block: the same code for every operation.
 use crate::kernels::cpu::lane::{Lane, Planes, Results, TILE, Tiles, planes, tiles, with_lanes};
-use crate::kernels::cpu::plan::{Plan, Room};
+use crate::kernels::cpu::plan::{Face, Preparation, Room};
+use crate::kernels::cpu::work::spread;
 use crate::kernels::real::Real;
+use crate::kernels::row::{Column, Piece, STRETCH, Target};
+use std::ops::Range;
 
 /// Items per block: with their results few enough for the innermost cache.
 const ITEMS: usize = 256;
 
-/// Aligned pairs as numbers, and where their results go.
+/// Aligned items as numbers, checked, and where their results go.
 pub struct Aligned<'a, T> {
-    /// The shapes of both lists.
-    pub shapes: [&'a [T]; 2],
-    /// Whether some may be too rare for kernels.
-    pub rare: [bool; 2],
-    /// Where results go.
-    pub values: Option<&'a mut [T]>,
-    /// Where slopes go.
-    pub bars: Option<[&'a mut [T]; 2]>,
-    /// What slopes are multiplied by.
-    pub upstream: Option<&'a [T]>,
+    /// What is computed.
+    pub face: &'a Face<T>,
+    /// The shapes, then the cotangents.
+    pub columns: Vec<Column<'a, T>>,
+    /// Whether some shapes may be too rare for kernels.
+    pub rare: bool,
+    /// How many items.
+    pub count: usize,
+    /// Where results go, for every shape of a result.
+    pub targets: Vec<Option<Target<'a, T>>>,
 }
 
-/// Computes aligned pairs on the calling thread.
-pub fn compute<T: Real>(plan: &Plan<T>, mut work: Aligned<'_, T>) {
-    let fields = [0, 1].map(|k| plan.shapes[k].fields);
-    let frames = [0, 1].map(|k| plan.shapes[k].frame_fields());
-    let wide = match work.bars {
-        Some(_) => plan.slope_fields(),
-        None => 1,
-    };
-    let count = work.shapes[0].len() / fields[0];
-    let most = tiles(count.min(ITEMS));
-    let lanes = most * (1 + fields[0] + fields[1] + frames[0] + frames[1]) + planes(wide);
-    with_lanes(lanes, |lanes| {
-        let (own_a, lanes) = lanes.split_at_mut(most * fields[0]);
-        let (own_b, lanes) = lanes.split_at_mut(most * fields[1]);
-        let (frames_a, lanes) = lanes.split_at_mut(most * frames[0]);
-        let (frames_b, lanes) = lanes.split_at_mut(most * frames[1]);
-        let (seeds, results) = lanes.split_at_mut(most);
-        let mut room = Room::new();
-        for first in (0..count).step_by(ITEMS) {
-            let items = first..count.min(first + ITEMS);
-            let of = |k: usize| &work.shapes[k][items.start * fields[k]..items.end * fields[k]];
-            let a = prepared(plan, 0, of(0), own_a, frames_a);
-            let b = prepared(plan, 1, of(1), own_b, frames_b);
-            let upstream = work.upstream.map(|upstream| &upstream[items.clone()]);
-            let inputs = match upstream {
-                Some(upstream) => {
-                    (T::kernels().bring)(upstream, 1, &mut *seeds);
-                    vec![a, b, Tiles::new(&*seeds, 1)]
+/// Computes aligned items on all threads.
+pub fn compute<T: Real>(work: Aligned<'_, T>) {
+    let mut pieces: Vec<Vec<Option<Piece<'_, T>>>> = Vec::new();
+    pieces.resize_with(work.count.div_ceil(STRETCH), Vec::new);
+    for target in work.targets {
+        match target {
+            Some(target) => {
+                for (piece, part) in pieces.iter_mut().zip(target.pieces()) {
+                    piece.push(Some(part));
                 }
-                None => vec![a, b],
-            };
-            let maker = match work.bars {
-                Some(_) => &plan.slopes,
-                None => &plan.scores,
-            };
-            let mut out = Results {
-                lanes: &mut *results,
-                tiles: tiles(items.len()),
-            };
-            maker.make(&mut room, &inputs, out.again());
-            if work.rare != [false; 2] {
-                mend(plan, [of(0), of(1)], upstream, out, wide);
             }
-            let results = Planes(&*results);
-            if let Some(values) = &mut work.values {
-                (T::kernels().take)(results, 1, &mut values[items.clone()], 1);
+            None => pieces.iter_mut().for_each(|piece| piece.push(None)),
+        }
+    }
+    let (face, columns, rare, count) = (work.face, &work.columns, work.rare, work.count);
+    let work = pieces.into_iter().enumerate().collect();
+    spread(
+        work,
+        |(i, mut pieces): (usize, Vec<Option<Piece<'_, T>>>)| {
+            let items = i * STRETCH..count.min((i + 1) * STRETCH);
+            let mut rooms: Vec<Vec<T>> = columns.iter().map(|_| Vec::new()).collect();
+            let numbers: Vec<&[T]> = columns
+                .iter()
+                .zip(&mut rooms)
+                .map(|(column, room)| column.numbers(items.clone(), room))
+                .collect();
+            let mut places: Vec<Option<&mut [T]>> = pieces
+                .iter_mut()
+                .map(|piece| piece.as_mut().map(Piece::numbers))
+                .collect();
+            let stretch = Stretch {
+                face,
+                ones: columns
+                    .iter()
+                    .map(|column| column.count.is_none())
+                    .collect(),
+                fields: columns.iter().map(|column| column.fields).collect(),
+                numbers,
+                rare,
+            };
+            stretch.compute(items.len(), &mut places);
+            pieces.into_iter().flatten().for_each(Piece::finish);
+        },
+    );
+}
+
+/// Items that one thread computes.
+struct Stretch<'a, T> {
+    face: &'a Face<T>,
+    /// For every column: whether one item stands for all, numbers per item, numbers.
+    ones: Vec<bool>,
+    fields: Vec<usize>,
+    numbers: Vec<&'a [T]>,
+    rare: bool,
+}
+
+impl<T: Real> Stretch<'_, T> {
+    fn compute(&self, count: usize, places: &mut [Option<&mut [T]>]) {
+        let face = self.face;
+        let plan = &face.plan;
+        let most = tiles(count.min(ITEMS));
+        let frame = |k: usize| plan.arguments.get(k).map_or(0, |x| x.frame_fields());
+        let wide: Vec<[usize; 2]> = (0..self.fields.len())
+            .map(|k| [most * self.fields[k], most * frame(k)])
+            .collect();
+        let lanes = wide.iter().flatten().sum::<usize>() + planes(face.made());
+        with_lanes(lanes, |mut lanes| {
+            let mut rooms = Vec::with_capacity(wide.len());
+            for [own, frames] in wide {
+                let (own, rest) = lanes.split_at_mut(own);
+                let (frames, rest) = rest.split_at_mut(frames);
+                rooms.push((own, frames));
+                lanes = rest;
             }
-            if let Some(bars) = &mut work.bars {
-                let mut from = 1;
-                for (bars, fields) in bars.iter_mut().zip(fields) {
-                    let bars = &mut bars[items.start * fields..items.end * fields];
-                    (T::kernels().take)(results.from(from), fields, bars, fields);
+            let results = lanes;
+            let mut room = Room::new();
+            for first in (0..count).step_by(ITEMS) {
+                let items = first..count.min(first + ITEMS);
+                let inputs: Vec<Tiles<'_, T>> = rooms
+                    .iter_mut()
+                    .enumerate()
+                    .map(|(k, (own, frames))| self.prepared(k, items.clone(), own, frames))
+                    .collect();
+                let mut out = Results {
+                    lanes: &mut *results,
+                    tiles: tiles(items.len()),
+                };
+                face.maker().make(&mut room, &inputs, out.again());
+                if self.rare {
+                    self.mend(items.clone(), out);
+                }
+                let results = Planes(&*results);
+                let mut from = face.skipped();
+                for (place, fields) in places.iter_mut().zip(face.gives()) {
+                    if let Some(place) = place {
+                        let rows = &mut place[items.start * fields..items.end * fields];
+                        (T::kernels().take)(results.from(from), fields, rows, fields);
+                    }
                     from += fields;
                 }
             }
-        }
-    });
-}
-
-/// A block's shapes in tiles, prepared.
-fn prepared<'a, T: Real>(
-    plan: &Plan<T>,
-    side: usize,
-    numbers: &[T],
-    own: &'a mut [Lane<T>],
-    frames: &'a mut [Lane<T>],
-) -> Tiles<'a, T> {
-    let plan = &plan.shapes[side];
-    let width = tiles(numbers.len() / plan.fields);
-    (T::kernels().bring)(numbers, plan.fields, &mut own[..width * plan.fields]);
-    match &plan.frame {
-        None => Tiles::new(own, plan.fields),
-        Some((fields, make)) => {
-            let frames = &mut frames[..width * fields];
-            make(Tiles::new(own, plan.fields), frames);
-            Tiles::new(frames, *fields)
+        });
+    }
+    /// The numbers of a column for some items.
+    fn of(&self, k: usize, items: &Range<usize>) -> &[T] {
+        let fields = self.fields[k];
+        match self.ones[k] {
+            true => self.numbers[k],
+            false => &self.numbers[k][items.start * fields..items.end * fields],
         }
     }
-}
-
-/// Puts the right results of rare pairs in their places.
-fn mend<T: Real>(
-    plan: &Plan<T>,
-    shapes: [&[T]; 2],
-    upstream: Option<&[T]>,
-    mut out: Results<'_, T>,
-    wide: usize,
-) {
-    let Some(rare) = &plan.rare else { return };
-    let [a, b] = &plan.shapes;
-    let mut one = vec![T::default(); wide];
-    let items = shapes[0]
-        .chunks_exact(a.fields)
-        .zip(shapes[1].chunks_exact(b.fields));
-    for (i, (own_a, own_b)) in items.enumerate() {
-        if (a.is_rare)(own_a) || (b.is_rare)(own_b) {
-            let out_bar = upstream.map_or(T::one(), |upstream| upstream[i]);
-            rare(own_a, own_b, out_bar, &mut one);
+    /// A block's shapes in tiles, prepared. One shape that stands for all is prepared for the first
+    /// block and stays.
+    fn prepared<'r>(
+        &self,
+        k: usize,
+        items: Range<usize>,
+        own: &'r mut [Lane<T>],
+        frames: &'r mut [Lane<T>],
+    ) -> Tiles<'r, T> {
+        let fields = self.fields[k];
+        let step = |fields| if self.ones[k] { 0 } else { fields };
+        let numbers = self.of(k, &items);
+        let width = tiles(numbers.len() / fields);
+        let is_new = !self.ones[k] || items.start == 0;
+        if is_new {
+            (T::kernels().bring)(numbers, fields, &mut own[..width * fields]);
+        }
+        let frame = self.face.plan.arguments.get(k).and_then(|x| x.frame);
+        match frame {
+            None => Tiles {
+                lanes: own,
+                step: step(fields),
+            },
+            Some((fields, make)) => {
+                if is_new {
+                    let own = Tiles::new(own, self.fields[k]);
+                    make(own, &mut frames[..width * fields]);
+                }
+                Tiles {
+                    lanes: frames,
+                    step: step(fields),
+                }
+            }
+        }
+    }
+    /// Puts the right results of rare items in their places.
+    fn mend(&self, items: Range<usize>, mut out: Results<'_, T>) {
+        let plan = &self.face.plan;
+        let Some(rare) = &plan.rare else { return };
+        let mut one = vec![T::default(); self.face.made()];
+        let (mut shapes, mut seed) = (Vec::new(), Vec::new());
+        for (place, item) in items.enumerate() {
+            let of = |k: usize| self.of(k, &(item..item + 1));
+            shapes.clear();
+            shapes.extend((0..plan.arguments.len()).map(of));
+            let is_rare = |(x, numbers): (&Preparation<T>, &&[T])| (x.is_rare)(numbers);
+            if !plan.arguments.iter().zip(&shapes).any(is_rare) {
+                continue;
+            }
+            seed.clear();
+            for k in plan.arguments.len()..self.fields.len() {
+                seed.extend_from_slice(of(k));
+            }
+            rare(&shapes, &seed, &mut one);
             for (k, &x) in one.iter().enumerate() {
-                if let Some(lane) = out.lane(i / TILE, k) {
-                    lane.0[i % TILE] = x;
+                if let Some(lane) = out.lane(place / TILE, k) {
+                    lane.0[place % TILE] = x;
                 }
             }
         }

@@ -10,9 +10,9 @@ use std::borrow::Cow;
 use std::ops::Range;
 
 /// An operation and both lists as numbers, checked.
-pub struct Pairs<'a, T: Clone + 'static> {
+pub struct Pairs<'a, T: Clone> {
     /// How it is computed.
-    pub plan: Plan<T>,
+    pub plan: &'a Plan<T>,
     /// The shapes of both lists.
     pub numbers: [Cow<'a, [T]>; 2],
     /// Whether some are too rare for kernels.
@@ -24,13 +24,13 @@ pub struct Pairs<'a, T: Clone + 'static> {
 impl<T: Real> Pairs<'_, T> {
     /// How many shapes each list has.
     pub fn counts(&self) -> [usize; 2] {
-        [0, 1].map(|k| self.numbers[k].len() / self.plan.shapes[k].fields)
+        [0, 1].map(|k| self.numbers[k].len() / self.plan.arguments[k].fields)
     }
     fn lists(&self) -> [List<'_, T>; 2] {
-        let bounded = self.filter && self.plan.shapes.iter().all(|x| x.bounds.is_some());
+        let bounded = self.filter && self.plan.arguments.iter().all(|x| x.bounds.is_some());
         [0, 1].map(|k| {
             List::new(
-                &self.plan.shapes[k],
+                &self.plan.arguments[k],
                 &self.numbers[k],
                 self.rare[k],
                 bounded,
@@ -47,7 +47,7 @@ impl<T: Real> Pairs<'_, T> {
     ) -> bool {
         let [rows, _] = self.counts();
         let [a, b] = self.lists();
-        let sweep = Sweep::new(&self.plan, form, &a, &b);
+        let sweep = Sweep::new(self.plan, form, &a, &b);
         let piece = rows_per_piece(rows);
         let work = work.into_iter().enumerate().collect();
         spread(work, |(i, work): (usize, W)| {
@@ -92,48 +92,36 @@ fn put<T: Real>(part: &Part<'_, T>, room: &mut Vec<T>, rows: &mut [&mut [T]]) {
     }
 }
 
-/// Scores, row by row.
-pub fn values<T: Real>(pairs: &Pairs<'_, T>, values: &mut [T]) {
-    let [rows, columns] = pairs.counts();
-    if rows * columns == 0 {
-        return;
-    }
-    let work = values.chunks_mut(rows_per_piece(rows) * columns).collect();
-    pairs.sweep(Form::Values, work, |sweep, rows, values: &mut [T]| {
-        let (start, mut room) = (rows.start, Vec::new());
-        sweep.run(rows, |part| {
-            let row = &mut values[(part.row - start) * columns..][..columns];
-            put(&part, &mut room, &mut [row]);
-        });
-    });
-}
-
-/// Scores, row by row, and one such matrix per slope.
-pub fn grads<T: Real>(pairs: &Pairs<'_, T>, values: &mut [T], planes: &mut [T]) {
+/// Results, or results with slopes: a matrix per number, row by row, one after another.
+pub fn planes<T: Real>(pairs: &Pairs<'_, T>, slopes: bool, planes: &mut [T]) {
     let [rows, columns] = pairs.counts();
     if rows * columns == 0 {
         return;
     }
     let piece = rows_per_piece(rows) * columns;
     // Every piece gets its rows of every matrix.
-    let mut work: Vec<Vec<&mut [T]>> = values.chunks_mut(piece).map(|part| vec![part]).collect();
+    let mut work: Vec<Vec<&mut [T]>> = Vec::new();
+    work.resize_with(rows.div_ceil(rows_per_piece(rows)), Vec::new);
     for plane in planes.chunks_mut(rows * columns) {
         for (work, part) in work.iter_mut().zip(plane.chunks_mut(piece)) {
             work.push(part);
         }
     }
-    pairs.sweep(
-        Form::Slopes,
-        work,
-        |sweep, rows, mut planes: Vec<&mut [T]>| {
-            let (start, mut room) = (rows.start, Vec::new());
-            sweep.run(rows, |part| {
-                let at = (part.row - start) * columns;
-                let rows = planes.iter_mut().map(|plane| &mut plane[at..][..columns]);
-                put(&part, &mut room, &mut rows.collect::<Vec<_>>());
+    let form = if slopes { Form::Slopes } else { Form::Values };
+    pairs.sweep(form, work, |sweep, rows, mut planes: Vec<&mut [T]>| {
+        let (start, mut room) = (rows.start, Vec::new());
+        if let [matrix] = &mut planes[..] {
+            return sweep.run(rows, |part| {
+                let row = &mut matrix[(part.row - start) * columns..][..columns];
+                put(&part, &mut room, &mut [row]);
             });
-        },
-    );
+        }
+        sweep.run(rows, |part| {
+            let at = (part.row - start) * columns;
+            let rows = planes.iter_mut().map(|plane| &mut plane[at..][..columns]);
+            put(&part, &mut room, &mut rows.collect::<Vec<_>>());
+        });
+    });
 }
 
 /// How sums of slopes lie in lanes.
@@ -193,7 +181,7 @@ pub fn pull_back<T: Real>(
         b_bar.fill(T::default());
         return;
     }
-    let fields = [0, 1].map(|k| pairs.plan.shapes[k].fields);
+    let fields = [0, 1].map(|k| pairs.plan.arguments[k].fields);
     // Room for either way of lying.
     let [wide, width] = fields.map(|n| n.next_multiple_of(QUAD));
     let width = tiles(columns) * width;

@@ -1,11 +1,15 @@
 //! How batches compute an operation: what is prepared once per shape, what is computed per pair.
+use crate::error::{Error, Flaw, Validate};
 use crate::kernels::cpu::boxes::{AABB2, BOUNDS, OBB2, frame_fields};
 use crate::kernels::cpu::lane::{Lane, Results, TILE, Tiles};
-use crate::kernels::op::PairOp;
+use crate::kernels::op::Op;
 use crate::kernels::real::Real;
+use crate::kernels::row::{Leaf, Row, leaves_of};
 use crate::overlap::{Denominator, score_framed};
-use crate::{Fixed, Obb2, ad, clip};
-use std::marker::PhantomData;
+use crate::{Aabb2, Fixed, Obb2, Pack, ad, clip};
+use std::any::{Any, TypeId};
+use std::collections::HashMap;
+use std::sync::{Arc, PoisonError, RwLock};
 
 /// Lanes that a maker may use as it likes, kept from block to block.
 pub type Room<T> = Vec<Lane<T>>;
@@ -22,7 +26,7 @@ pub trait Maker<T>: Send + Sync {
 /// Something that is made of each of many shapes, as tiles of numbers.
 pub type Prepare<T> = fn(Tiles<'_, T>, &mut [Lane<T>]);
 
-/// What is done once for every shape of a list.
+/// What is done once for every shape of a column.
 pub struct Preparation<T> {
     /// Numbers of a shape.
     pub fields: usize,
@@ -30,8 +34,10 @@ pub struct Preparation<T> {
     pub frame: Option<(usize, Prepare<T>)>,
     /// The bounds of prepared shapes; `None` where pairs that are apart have results to compute.
     pub bounds: Option<Prepare<T>>,
-    /// Whether numbers are those of valid shapes of ordinary size, told quickly.
+    /// Whether numbers are those of valid shapes of ordinary size, told quickly. May say no too often.
     pub all_ordinary: fn(&[T]) -> bool,
+    /// What is wrong with a shape.
+    pub check: fn(&[T]) -> Result<(), Flaw>,
     /// Whether a valid shape is too rare for kernels.
     pub is_rare: fn(&[T]) -> bool,
 }
@@ -41,28 +47,122 @@ impl<T> Preparation<T> {
     pub fn frame_fields(&self) -> usize {
         self.frame.as_ref().map_or(self.fields, |frame| frame.0)
     }
+    /// A shape that is left as it is.
+    pub fn plain(leaf: Leaf<T>) -> Self {
+        Preparation {
+            fields: leaf.fields,
+            frame: None,
+            bounds: None,
+            // Whether they are valid only the shape knows.
+            all_ordinary: |_| false,
+            check: leaf.check,
+            is_rare: |_| false,
+        }
+    }
 }
 
-/// Results of a pair of shapes that kernels do not serve: both shapes, what slopes are multiplied by,
-/// and room for a value, or for a value and slopes.
-pub type Rare<T> = Box<dyn Fn(&[T], &[T], T, &mut [T]) + Send + Sync>;
+/// Results of an item that kernels do not serve: the numbers of its shapes, the cotangent of its
+/// result, and room for a result, or for a result and slopes.
+pub type Rare<T> = Box<dyn Fn(&[&[T]], &[T], &mut [T]) + Send + Sync>;
 
-/// How batches compute an operation of two shapes with one number as result.
+/// How batches compute an operation.
 pub struct Plan<T> {
-    /// For the first and the second shape.
-    pub shapes: [Preparation<T>; 2],
+    /// For every shape that it takes.
+    pub arguments: Vec<Preparation<T>>,
+    /// Numbers of every shape of a result.
+    pub outputs: Vec<usize>,
     /// Results of prepared shapes.
     pub scores: Box<dyn Maker<T>>,
-    /// Results and slopes of prepared shapes; slopes times what a third input says, if there is one.
+    /// Results and slopes of prepared shapes; slopes times what further inputs say, one for every
+    /// shape of a result, if there are any.
     pub slopes: Box<dyn Maker<T>>,
     /// Results of shapes that kernels do not serve.
     pub rare: Option<Rare<T>>,
 }
 
 impl<T> Plan<T> {
-    /// Numbers per result with slopes.
+    /// Numbers of a result.
+    pub fn result_fields(&self) -> usize {
+        self.outputs.iter().sum()
+    }
+    /// Numbers of a result with slopes.
     pub fn slope_fields(&self) -> usize {
-        1 + self.shapes[0].fields + self.shapes[1].fields
+        self.result_fields() + self.arguments.iter().map(|x| x.fields).sum::<usize>()
+    }
+}
+
+/// What a batch computes of an operation.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Want {
+    /// Its result.
+    Value,
+    /// Its result and the gradient of that, which is one number.
+    ValueGrad,
+    /// Slopes times a cotangent of the result.
+    Vjp,
+}
+
+/// An operation as batches see it.
+pub struct Face<T> {
+    pub(crate) plan: Arc<Plan<T>>,
+    pub(crate) want: Want,
+}
+
+impl<T> Face<T> {
+    /// Numbers that its maker puts down per item.
+    pub(crate) fn made(&self) -> usize {
+        match self.want {
+            Want::Value => self.plan.result_fields(),
+            Want::ValueGrad | Want::Vjp => self.plan.slope_fields(),
+        }
+    }
+    /// Numbers of every shape that it gives.
+    pub(crate) fn gives(&self) -> Vec<usize> {
+        let plan = &self.plan;
+        let slopes = plan.arguments.iter().map(|x| x.fields);
+        match self.want {
+            Want::Value => plan.outputs.clone(),
+            Want::ValueGrad => plan.outputs.iter().copied().chain(slopes).collect(),
+            Want::Vjp => slopes.collect(),
+        }
+    }
+    /// How many numbers come before those that it gives.
+    pub(crate) fn skipped(&self) -> usize {
+        match self.want {
+            Want::Value | Want::ValueGrad => 0,
+            Want::Vjp => self.plan.result_fields(),
+        }
+    }
+    /// What computes it.
+    pub(crate) fn maker(&self) -> &dyn Maker<T> {
+        match self.want {
+            Want::Value => &*self.plan.scores,
+            Want::ValueGrad | Want::Vjp => &*self.plan.slopes,
+        }
+    }
+    /// Numbers of every cotangent that it takes.
+    pub(crate) fn cotangents(&self) -> &[usize] {
+        match self.want {
+            Want::Value | Want::ValueGrad => &[],
+            Want::Vjp => &self.plan.outputs,
+        }
+    }
+}
+
+/// An operation that has compiled kernels.
+#[derive(Clone, Copy, Debug)]
+pub enum Compiled {
+    /// A score of rotated boxes.
+    Obb2(Denominator),
+    /// A score of axis-aligned boxes.
+    Aabb2(Denominator),
+}
+
+/// The plan of an operation with compiled kernels.
+pub fn of_compiled<T: Real>(compiled: Compiled) -> Plan<T> {
+    match compiled {
+        Compiled::Obb2(over) => of_obb2(over),
+        Compiled::Aabb2(over) => of_aabb2(over),
     }
 }
 
@@ -93,17 +193,17 @@ pub fn of_obb2<T: Real>(over: Denominator) -> Plan<T> {
         frame: Some((frame_fields::<T>(), kernels.obb2_frames)),
         bounds: Some(kernels.obb2_bounds),
         all_ordinary: kernels.all_ordinary_obb2,
-        is_rare: |numbers| !clip::is_ordinary(Obb2::from_slice(numbers)),
+        check: |numbers| Obb2::load(numbers).validate(),
+        is_rare: |numbers| !clip::is_ordinary(Obb2::load(numbers)),
     };
     Plan {
-        shapes: [shape(), shape()],
+        arguments: vec![shape(), shape()],
+        outputs: vec![1],
         scores: Box::new(Scores(over, kernels.obb2_scores)),
         slopes: Box::new(Slopes(over, kernels.obb2_slopes)),
-        rare: Some(Box::new(move |a, b, out_bar, out| {
-            let (a, b) = (
-                clip::frame(Obb2::from_slice(a)),
-                clip::frame(Obb2::from_slice(b)),
-            );
+        rare: Some(Box::new(move |shapes, out_bar, out| {
+            let [a, b] = [0, 1].map(|k| clip::frame(Obb2::load(shapes[k])));
+            let out_bar = out_bar.first().copied().unwrap_or(T::one());
             if let [value] = out {
                 *value = score_framed::<T, true>(over, a, b);
                 return;
@@ -111,8 +211,8 @@ pub fn of_obb2<T: Real>(over: Denominator) -> Plan<T> {
             let (value, bars) =
                 ad::adjoint::overlap::score_framed_vjp::<T, true>(over, a, b, out_bar);
             out[0] = value;
-            out[1..=OBB2].copy_from_slice(&bars.0.to_array());
-            out[1 + OBB2..].copy_from_slice(&bars.1.to_array());
+            bars.0.store(&mut out[1..]);
+            bars.1.store(&mut out[1 + OBB2..]);
         })),
     }
 }
@@ -126,71 +226,144 @@ pub fn of_aabb2<T: Real>(over: Denominator) -> Plan<T> {
         // The bounds are the shape itself.
         bounds: Some(|shapes, bounds| bounds.copy_from_slice(&shapes.lanes[..bounds.len()])),
         all_ordinary: kernels.all_aabb2,
+        check: |numbers| Aabb2::load(numbers).validate(),
         is_rare: |_| false,
     };
     Plan {
-        shapes: [shape(), shape()],
+        arguments: vec![shape(), shape()],
+        outputs: vec![1],
         scores: Box::new(Scores(over, kernels.aabb2_scores)),
         slopes: Box::new(Slopes(over, kernels.aabb2_slopes)),
         rare: None,
     }
 }
 
-/// An operation without compiled kernels, number by number.
-struct Plain<O>(PhantomData<O>, bool);
+/// Something that computes one item: its numbers, the cotangent of its result or nothing, and room for
+/// a result, or for a result and slopes.
+pub type Each<T> = fn(&[T], Option<&[T]>, &mut [T]);
 
-/// An item of a tile.
-fn item<T: Real, P: Fixed<Scalar = T>>(tile: &[Lane<T>], i: usize) -> P {
-    let mut fields = P::filled(T::default()).to_array();
-    for (x, lane) in fields.as_mut().iter_mut().zip(tile) {
-        *x = lane.0[i];
-    }
-    P::from_array(fields)
+/// Computes item by item.
+struct Plain<T> {
+    each: Each<T>,
+    /// Numbers of every shape that it takes, and of every shape that it gives.
+    arguments: Vec<usize>,
+    outputs: Vec<usize>,
+    /// Whether slopes are asked for.
+    slopes: bool,
 }
 
-impl<O: PairOp, T: Real> Maker<T> for Plain<O> {
+/// An item of a tile.
+fn item<T: Copy>(input: &Tiles<'_, T>, t: usize, i: usize, fields: usize, numbers: &mut Vec<T>) {
+    let tile = input.lanes[t * input.step..].iter().take(fields);
+    numbers.extend(tile.map(|lane| lane.0[i]));
+}
+
+impl<T: Real> Maker<T> for Plain<T> {
     fn make(&self, _: &mut Room<T>, inputs: &[Tiles<'_, T>], mut out: Results<'_, T>) {
+        let (shapes, cotangents) = inputs.split_at(self.arguments.len());
+        let result: usize = self.outputs.iter().sum();
+        let input: usize = self.arguments.iter().sum();
+        let (mut numbers, mut seed) = (Vec::new(), Vec::new());
+        let mut one = vec![T::default(); if self.slopes { result + input } else { result }];
         for t in 0..out.tiles {
-            let [a, b] = [inputs[0], inputs[1]].map(|x| &x.lanes[t * x.step..]);
             for i in 0..TILE {
-                let (a, b) = (O::frame_a(item(a, i)), O::frame_b(item(b, i)));
-                let mut put = |k: usize, x: T| {
+                numbers.clear();
+                seed.clear();
+                for (shape, &fields) in shapes.iter().zip(&self.arguments) {
+                    item(shape, t, i, fields, &mut numbers);
+                }
+                for (cotangent, &fields) in cotangents.iter().zip(&self.outputs) {
+                    item(cotangent, t, i, fields, &mut seed);
+                }
+                (self.each)(&numbers, (!seed.is_empty()).then_some(&seed), &mut one);
+                for (k, &x) in one.iter().enumerate() {
                     if let Some(lane) = out.lane(t, k) {
                         lane.0[i] = x.canonical();
                     }
-                };
-                if !self.1 {
-                    put(0, O::value::<T, true>(a, b));
-                    continue;
-                }
-                let (value, bars) = O::grad::<T, true>(a, b);
-                let (a_bar, b_bar) = (bars.0.to_array(), bars.1.to_array());
-                let out_bar = inputs.get(2).map_or(T::one(), |x| x.lanes[t * x.step].0[i]);
-                put(0, value);
-                for (k, &x) in a_bar.as_ref().iter().chain(b_bar.as_ref()).enumerate() {
-                    put(1 + k, x * out_bar);
                 }
             }
         }
     }
 }
 
-/// An operation without compiled kernels.
-pub fn of_any<O: PairOp, T: Real>() -> Plan<T> {
-    let shape = |fields| Preparation {
-        fields,
-        frame: None,
-        bounds: None,
-        // Whether they are valid only the operation knows.
-        all_ordinary: |_| false,
-        is_rare: |_| false,
+/// An operation that is computed item by item.
+pub fn of_items<T: Real>(
+    arguments: Vec<Leaf<T>>,
+    outputs: Vec<usize>,
+    each: [Each<T>; 2],
+) -> Plan<T> {
+    let fields: Vec<usize> = arguments.iter().map(|leaf| leaf.fields).collect();
+    let maker = |slopes| {
+        Box::new(Plain {
+            each: each[usize::from(slopes)],
+            arguments: fields.clone(),
+            outputs: outputs.clone(),
+            slopes,
+        })
     };
     Plan {
-        shapes: [shape(O::A::<T>::LEN), shape(O::B::<T>::LEN)],
-        scores: Box::new(Plain::<O>(PhantomData, false)),
-        slopes: Box::new(Plain::<O>(PhantomData, true)),
+        scores: maker(false),
+        slopes: maker(true),
+        arguments: arguments.into_iter().map(Preparation::plain).collect(),
+        outputs: outputs.clone(),
         rare: None,
     }
+}
+
+/// The plan of an operation.
+pub fn of_op<O, T: Real, R>() -> Plan<T>
+where
+    R: Row<Scalar = T>,
+    O: Op<In<T> = R>,
+    O::Out<T>: Row,
+{
+    if let Some(compiled) = O::compiled() {
+        return of_compiled(compiled);
+    }
+    let outputs = leaves_of::<O::Out<T>>()
+        .iter()
+        .map(|leaf| leaf.fields)
+        .collect();
+    of_items(
+        leaves_of::<R>(),
+        outputs,
+        [
+            |x, _, out| O::eval(R::load(x)).store(out),
+            |x, out_bar, out| {
+                let out_bar = match out_bar {
+                    Some(out_bar) => O::Out::<T>::load(out_bar),
+                    None => O::Out::<T>::filled(T::one()),
+                };
+                if let Some((value, bars)) = O::adjoint(R::load(x), out_bar) {
+                    let (result, slopes) = out.split_at_mut(O::Out::<T>::LEN);
+                    value.store(result);
+                    bars.store(slopes);
+                }
+            },
+        ],
+    )
+}
+
+/// Plans of operations that were asked for, by operation and format.
+static PLANS: RwLock<Option<HashMap<(TypeId, TypeId), Arc<dyn Any + Send + Sync>>>> =
+    RwLock::new(None);
+
+/// What batches compute of an operation.
+pub fn face_of<O, R: Row>(want: Want) -> Result<Face<R::Scalar>, Error>
+where
+    O: Op<In<<R as Pack>::Scalar> = R>,
+    O::Out<R::Scalar>: Row,
+{
+    let key = (TypeId::of::<O>(), TypeId::of::<R::Scalar>());
+    let known = PLANS.read().unwrap_or_else(PoisonError::into_inner);
+    let known = known.as_ref().and_then(|plans| plans.get(&key)).cloned();
+    if let Some(plan) = known.and_then(|plan| plan.downcast::<Plan<R::Scalar>>().ok()) {
+        return Ok(Face { plan, want });
+    }
+    let plan = Arc::new(of_op::<O, R::Scalar, R>());
+    let mut plans = PLANS.write().unwrap_or_else(PoisonError::into_inner);
+    plans.get_or_insert_default().insert(key, plan.clone());
+    Ok(Face { plan, want })
 }
 
 /// A list of shapes, prepared.

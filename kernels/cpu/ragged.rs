@@ -1,67 +1,183 @@
 //! Ragged batches: rings of any number of vertices.
-use crate::error::{Argument, Error, Field, finite};
+use crate::error::{Argument, Error, Validate};
+use crate::kernels::cpu::Cpu;
 use crate::kernels::cpu::checked::{expect, fill, numbers};
 use crate::kernels::cpu::simd::Simd;
 use crate::kernels::cpu::work::spread;
-use crate::kernels::op::{Op, RingOp};
+use crate::kernels::op::RingOp;
 use crate::kernels::real::Real;
-use crate::{Fixed, Vec2};
+use crate::{Fixed, Pack, Vec2};
 use std::sync::atomic::{AtomicBool, Ordering};
 
 /// Vertices, or rings, per piece of work.
 const STRETCH: usize = 2048;
 
-/// One result per ring. Ring i has the vertices `offsets[i]..offsets[i + 1]`; there is one offset
-/// more than there are rings, from 0 to the number of vertices. Empty rings are valid.
-///
-/// # Errors
-///
-/// [`Error::Offsets`] for offsets that decrease or do not cover the vertices, [`Error::Invalid`]
-/// for a vertex that is not finite.
-///
-/// ```
-/// use geograd::Vec2;
-/// use geograd::kernels::{cpu, ring::SignedArea};
-/// let v = |x, y| Vec2::new(x, y);
-/// let vertices = [v(0.0, 0.0), v(4.0, 0.0), v(0.0, 3.0), v(0.0, 0.0), v(0.0, 1.0), v(1.0, 0.0)];
-/// assert_eq!(cpu::ragged::<SignedArea, f64>(&vertices, &[0, 3, 6])?, [6.0, -0.5]);
-/// # Ok::<(), geograd::Error>(())
-/// ```
-pub fn ragged<O: RingOp, T: Real>(
-    vertices: &[Vec2<T>],
-    offsets: &[usize],
-) -> Result<Vec<O::Out<T>>, Error> {
-    check_offsets::<T>(vertices.len(), offsets)?;
-    let mut all = vec![O::Out::<T>::filled(T::default()); offsets.len() - 1];
-    let mut rest = &mut all[..];
-    let mut work = Vec::new();
-    for cut in cuts(offsets).windows(2) {
-        let (values, after) = rest.split_at_mut(cut[1] - cut[0]);
-        rest = after;
-        work.push((&offsets[cut[0]..=cut[1]], values));
-    }
-    // Vertices are looked at while they are at hand.
-    let sound = AtomicBool::new(true);
-    spread(work, |(offsets, values): (&[usize], &mut [O::Out<T>])| {
-        let own = &vertices[offsets[0]..offsets[offsets.len() - 1]];
-        if !(T::kernels().all_finite)(&numbers(own)) {
-            sound.store(false, Ordering::Relaxed);
-            return;
+impl Cpu {
+    /// One result per ring. Ring i has the vertices `offsets[i]..offsets[i + 1]`; there is one offset
+    /// more than there are rings, from 0 to the number of vertices. Empty rings are valid.
+    ///
+    /// # Errors
+    ///
+    /// [`Error::Offsets`] for offsets that decrease or do not cover the vertices, [`Error::Invalid`]
+    /// for a vertex that is not finite.
+    ///
+    /// ```
+    /// use geograd::Vec2;
+    /// use geograd::kernels::{Cpu, SignedArea};
+    /// let v = |x, y| Vec2::new(x, y);
+    /// let vertices = [v(0.0, 0.0), v(4.0, 0.0), v(0.0, 3.0), v(0.0, 0.0), v(0.0, 1.0), v(1.0, 0.0)];
+    /// assert_eq!(Cpu::new().ragged(SignedArea, &vertices, &[0, 3, 6])?, [6.0, -0.5]);
+    /// # Ok::<(), geograd::Error>(())
+    /// ```
+    pub fn ragged<T: Real, O: RingOp>(
+        &self,
+        _ring: O,
+        vertices: &[Vec2<T>],
+        offsets: &[usize],
+    ) -> Result<Vec<O::Out<T>>, Error> {
+        check_offsets::<T>(vertices.len(), offsets)?;
+        let mut all = vec![O::Out::<T>::filled(T::default()); offsets.len() - 1];
+        let mut rest = &mut all[..];
+        let mut work = Vec::new();
+        for cut in cuts(offsets).windows(2) {
+            let (values, after) = rest.split_at_mut(cut[1] - cut[0]);
+            rest = after;
+            work.push((&offsets[cut[0]..=cut[1]], values));
         }
-        match O::compiled() {
-            Some(measure) => fill(values, |values| {
-                (T::kernels().ring_values)(measure, vertices, offsets, values);
-            }),
-            None => {
-                for (ring, value) in offsets.windows(2).zip(values) {
-                    *value = O::value(&vertices[ring[0]..ring[1]]);
+        // Vertices are looked at while they are at hand.
+        let sound = AtomicBool::new(true);
+        spread(work, |(offsets, values): (&[usize], &mut [O::Out<T>])| {
+            let own = &vertices[offsets[0]..offsets[offsets.len() - 1]];
+            if !(T::kernels().all_finite)(&numbers(own)) {
+                sound.store(false, Ordering::Relaxed);
+                return;
+            }
+            match O::compiled() {
+                Some(measure) => fill(values, |values| {
+                    (T::kernels().ring_values)(measure, vertices, offsets, values);
+                }),
+                None => {
+                    for (ring, value) in offsets.windows(2).zip(values) {
+                        *value = O::value(&vertices[ring[0]..ring[1]]);
+                    }
                 }
             }
+        });
+        match sound.into_inner() {
+            true => Ok(all),
+            false => check_vertices(vertices).map(|()| all),
         }
-    });
-    match sound.into_inner() {
-        true => Ok(all),
-        false => check_vertices(vertices).map(|()| all),
+    }
+
+    /// [`ragged`](Cpu::ragged) into the caller's buffer.
+    ///
+    /// # Errors
+    ///
+    /// As [`ragged`](Cpu::ragged), and [`Error::Length`] for a buffer of another length. The buffer is then as it
+    /// was.
+    pub fn ragged_into<T: Real, O: RingOp>(
+        &self,
+        ring: O,
+        vertices: &[Vec2<T>],
+        offsets: &[usize],
+        values: &mut [O::Out<T>],
+    ) -> Result<(), Error> {
+        let all = self.ragged(ring, vertices, offsets)?;
+        expect(Argument::Values, all.len(), values.len())?;
+        values.copy_from_slice(&all);
+        Ok(())
+    }
+
+    /// [`ragged`](Cpu::ragged) with the adjoint for the given upstream, one slope per result: results, and one
+    /// cotangent per vertex.
+    ///
+    /// # Errors
+    ///
+    /// As [`ragged`](Cpu::ragged), and for an upstream of another length or one that is not finite.
+    pub fn ragged_grad<T: Real, O: RingOp>(
+        &self,
+        ring: O,
+        vertices: &[Vec2<T>],
+        offsets: &[usize],
+        upstream: &[O::Out<T>],
+    ) -> Result<(Vec<O::Out<T>>, Vec<Vec2<T>>), Error> {
+        Ok((
+            self.ragged(ring, vertices, offsets)?,
+            self.ragged_vjp(ring, vertices, offsets, upstream)?,
+        ))
+    }
+
+    /// The adjoint of [`ragged`](Cpu::ragged): one cotangent per vertex.
+    ///
+    /// # Errors
+    ///
+    /// As [`ragged`](Cpu::ragged), and for an upstream of another length or one that is not finite.
+    ///
+    /// ```
+    /// use geograd::Vec2;
+    /// use geograd::kernels::{Cpu, SignedArea};
+    /// let v = |x, y| Vec2::new(x, y);
+    /// let vertices = [v(0.0, 0.0), v(4.0, 0.0), v(0.0, 3.0)];
+    /// let bars = Cpu::new().ragged_vjp(SignedArea, &vertices, &[0, 3], &[1.0])?;
+    /// assert_eq!(bars, [v(-1.5, -2.0), v(1.5, 0.0), v(0.0, 2.0)]);
+    /// # Ok::<(), geograd::Error>(())
+    /// ```
+    pub fn ragged_vjp<T: Real, O: RingOp>(
+        &self,
+        ring: O,
+        vertices: &[Vec2<T>],
+        offsets: &[usize],
+        upstream: &[O::Out<T>],
+    ) -> Result<Vec<Vec2<T>>, Error> {
+        let mut bars = vec![Vec2::new(T::default(), T::default()); vertices.len()];
+        self.ragged_vjp_into(ring, vertices, offsets, upstream, &mut bars)?;
+        Ok(bars)
+    }
+
+    /// [`ragged_vjp`](Cpu::ragged_vjp) into the caller's buffer.
+    ///
+    /// # Errors
+    ///
+    /// As [`ragged_vjp`](Cpu::ragged_vjp), and [`Error::Length`] for a buffer of another length. The buffer is then as
+    /// it was.
+    pub fn ragged_vjp_into<T: Real, O: RingOp>(
+        &self,
+        ring: O,
+        vertices: &[Vec2<T>],
+        offsets: &[usize],
+        upstream: &[O::Out<T>],
+        bars: &mut [Vec2<T>],
+    ) -> Result<(), Error> {
+        check_ragged(vertices, offsets)?;
+        expect(Argument::Upstream, offsets.len() - 1, upstream.len())?;
+        expect(Argument::GradVertices, vertices.len(), bars.len())?;
+        for (row, out_bar) in upstream.iter().enumerate() {
+            for slope in out_bar.scalars() {
+                slope.validate().map_err(|flaw| Error::Invalid {
+                    argument: Argument::Upstream,
+                    row,
+                    flaw,
+                })?;
+            }
+        }
+        let mut rest = bars;
+        let mut work = Vec::new();
+        for cut in cuts(offsets).windows(2) {
+            let (bars, after) = rest.split_at_mut(offsets[cut[1]] - offsets[cut[0]]);
+            rest = after;
+            work.push((&offsets[cut[0]..=cut[1]], &upstream[cut[0]..cut[1]], bars));
+        }
+        spread(
+            work,
+            |(offsets, upstream, bars): (&[usize], &[O::Out<T>], &mut [Vec2<T>])| {
+                let Some(measure) = O::compiled() else {
+                    return bars_of(ring, vertices, offsets, upstream, bars);
+                };
+                let upstream = numbers(upstream);
+                (T::kernels().ring_bars)(measure, vertices, offsets, &upstream, bars);
+            },
+        );
+        Ok(())
     }
 }
 
@@ -98,13 +214,11 @@ fn check_offsets<T: Real>(vertices: usize, offsets: &[usize]) -> Result<(), Erro
 /// Finds the first vertex that is not finite.
 fn check_vertices<T: Real>(vertices: &[Vec2<T>]) -> Result<(), Error> {
     for (row, vertex) in vertices.iter().enumerate() {
-        finite(vertex.x, Field::X)
-            .and_then(|()| finite(vertex.y, Field::Y))
-            .map_err(|flaw| Error::Invalid {
-                argument: Argument::Vertices,
-                row,
-                flaw,
-            })?;
+        vertex.validate().map_err(|flaw| Error::Invalid {
+            argument: Argument::Vertices,
+            row,
+            flaw,
+        })?;
     }
     Ok(())
 }
@@ -123,113 +237,8 @@ fn cuts(offsets: &[usize]) -> Vec<usize> {
     cuts
 }
 
-/// [`ragged`] into the caller's buffer.
-///
-/// # Errors
-///
-/// As [`ragged`], and [`Error::Length`] for a buffer of another length. The buffer is then as it
-/// was.
-pub fn ragged_into<O: RingOp, T: Real>(
-    vertices: &[Vec2<T>],
-    offsets: &[usize],
-    values: &mut [O::Out<T>],
-) -> Result<(), Error> {
-    let all = ragged::<O, T>(vertices, offsets)?;
-    expect(Argument::Values, all.len(), values.len())?;
-    values.copy_from_slice(&all);
-    Ok(())
-}
-
-/// Results and slopes of a ragged batch.
-pub type RaggedGrads<O, T> = (Vec<<O as Op>::Out<T>>, Vec<Vec2<T>>);
-
-/// [`ragged`] with the adjoint for the given upstream, one slope per result: results, and one
-/// cotangent per vertex.
-///
-/// # Errors
-///
-/// As [`ragged`], and for an upstream of another length or one that is not finite.
-pub fn ragged_grad<O: RingOp, T: Real>(
-    vertices: &[Vec2<T>],
-    offsets: &[usize],
-    upstream: &[O::Out<T>],
-) -> Result<RaggedGrads<O, T>, Error> {
-    Ok((
-        ragged::<O, T>(vertices, offsets)?,
-        ragged_vjp::<O, T>(vertices, offsets, upstream)?,
-    ))
-}
-
-/// The adjoint of [`ragged`]: one cotangent per vertex.
-///
-/// # Errors
-///
-/// As [`ragged`], and for an upstream of another length or one that is not finite.
-///
-/// ```
-/// use geograd::Vec2;
-/// use geograd::kernels::{cpu, ring::SignedArea};
-/// let v = |x, y| Vec2::new(x, y);
-/// let vertices = [v(0.0, 0.0), v(4.0, 0.0), v(0.0, 3.0)];
-/// let bars = cpu::ragged_vjp::<SignedArea, f64>(&vertices, &[0, 3], &[1.0])?;
-/// assert_eq!(bars, [v(-1.5, -2.0), v(1.5, 0.0), v(0.0, 2.0)]);
-/// # Ok::<(), geograd::Error>(())
-/// ```
-pub fn ragged_vjp<O: RingOp, T: Real>(
-    vertices: &[Vec2<T>],
-    offsets: &[usize],
-    upstream: &[O::Out<T>],
-) -> Result<Vec<Vec2<T>>, Error> {
-    let mut bars = vec![Vec2::new(T::default(), T::default()); vertices.len()];
-    ragged_vjp_into::<O, T>(vertices, offsets, upstream, &mut bars)?;
-    Ok(bars)
-}
-
-/// [`ragged_vjp`] into the caller's buffer.
-///
-/// # Errors
-///
-/// As [`ragged_vjp`], and [`Error::Length`] for a buffer of another length. The buffer is then as
-/// it was.
-pub fn ragged_vjp_into<O: RingOp, T: Real>(
-    vertices: &[Vec2<T>],
-    offsets: &[usize],
-    upstream: &[O::Out<T>],
-    bars: &mut [Vec2<T>],
-) -> Result<(), Error> {
-    check_ragged(vertices, offsets)?;
-    expect(Argument::Upstream, offsets.len() - 1, upstream.len())?;
-    expect(Argument::GradVertices, vertices.len(), bars.len())?;
-    for (row, out_bar) in upstream.iter().enumerate() {
-        for &slope in out_bar.to_array().as_ref() {
-            finite(slope, Field::Value).map_err(|flaw| Error::Invalid {
-                argument: Argument::Upstream,
-                row,
-                flaw,
-            })?;
-        }
-    }
-    let mut rest = bars;
-    let mut work = Vec::new();
-    for cut in cuts(offsets).windows(2) {
-        let (bars, after) = rest.split_at_mut(offsets[cut[1]] - offsets[cut[0]]);
-        rest = after;
-        work.push((&offsets[cut[0]..=cut[1]], &upstream[cut[0]..cut[1]], bars));
-    }
-    spread(
-        work,
-        |(offsets, upstream, bars): (&[usize], &[O::Out<T>], &mut [Vec2<T>])| {
-            let Some(measure) = O::compiled() else {
-                return bars_of::<O, T>(vertices, offsets, upstream, bars);
-            };
-            let upstream = numbers(upstream);
-            (T::kernels().ring_bars)(measure, vertices, offsets, &upstream, bars);
-        },
-    );
-    Ok(())
-}
-
-fn bars_of<O: RingOp, T: Real>(
+fn bars_of<T: Real, O: RingOp>(
+    _ring: O,
     vertices: &[Vec2<T>],
     offsets: &[usize],
     upstream: &[O::Out<T>],

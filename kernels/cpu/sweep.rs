@@ -102,7 +102,7 @@ impl<'a, T: Real> Sweep<'a, T> {
         b: &'a List<'a, T>,
     ) -> Self {
         let (maker, fields) = match form {
-            Form::Values => (&plan.scores, 1),
+            Form::Values => (&plan.scores, plan.result_fields()),
             Form::Slopes | Form::Sums(_) => (&plan.slopes, plan.slope_fields()),
         };
         let upstream = match form {
@@ -360,7 +360,8 @@ impl<'a, T: Real> Desk<'a, T> {
             let out_bar = self
                 .upstream()
                 .map_or(T::one(), |upstream| upstream[column]);
-            rare(a.shape(self.row), b.shape(column), out_bar, &mut self.one);
+            let shapes = [a.shape(self.row), b.shape(column)];
+            rare(&shapes, &[out_bar], &mut self.one);
             for (k, &x) in self.one.iter().enumerate() {
                 self.results[k * PLANE + place / TILE].0[place % TILE] = x;
             }

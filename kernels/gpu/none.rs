@@ -1,9 +1,10 @@
 //! What stands for the GPU in a build without the feature `gpu`: types without values, so that
 //! [`Backend`](crate::kernels::Backend) is the same in both.
-use crate::Fixed;
 use crate::error::Validate;
 use crate::kernels::GpuError;
-use crate::kernels::op::{PairOp, RingOp};
+use crate::kernels::op::{Op, RingOp};
+use crate::kernels::row::Row;
+use crate::{Aabb2, Obb2};
 use std::marker::PhantomData;
 
 /// A GPU. There is none in a build without the feature `gpu`.
@@ -28,23 +29,35 @@ impl std::fmt::Display for Gpu {
 }
 
 /// A shape that batches on a GPU take.
-pub trait GpuShape: Fixed<Scalar = f32> + Validate + 'static {}
-impl<P: Fixed<Scalar = f32> + Validate + 'static> GpuShape for P {}
+pub trait GpuShape: Row<Scalar = f32, Many = Vec<Self>> + Validate + std::fmt::Debug {}
+impl GpuShape for Obb2<f32> {}
+impl GpuShape for Aabb2<f32> {}
 
 /// An operation of two shapes that a GPU serves.
 pub trait GpuPair:
-    PairOp<A<f32> = <Self as GpuPair>::Shape, B<f32> = <Self as GpuPair>::Shape>
+    Op<In<f32> = (<Self as GpuPair>::Shape, <Self as GpuPair>::Shape), Out<f32> = f32>
 {
     /// Both shapes.
     type Shape: GpuShape;
 }
-impl<P: GpuShape, O: PairOp<A<f32> = P, B<f32> = P>> GpuPair for O {
-    type Shape = P;
+/// Lists the operations that a GPU serves.
+macro_rules! served {
+    ($($shape:ident: $($op:ident)*;)*) => { $($(
+        impl GpuPair for crate::kernels::$op {
+            type Shape = $shape<f32>;
+        }
+    )*)* };
+}
+served! {
+    Obb2: IntersectionAreaObb2 IouObb2 IofObb2;
+    Aabb2: IntersectionAreaAabb2 IouAabb2 IofAabb2;
 }
 
 /// An operation of a ring that a GPU serves.
 pub trait GpuRing: RingOp {}
-impl<O: RingOp> GpuRing for O {}
+impl GpuRing for crate::kernels::SignedArea {}
+impl GpuRing for crate::kernels::Perimeter {}
+impl GpuRing for crate::kernels::Centroid {}
 
 /// Handles that nobody can have.
 macro_rules! none {

@@ -28,9 +28,9 @@
 //! # Ok::<(), geograd::kernels::GpuError>(())
 //! ```
 use crate::error::{Argument, Error};
-use crate::kernels::cpu::PairGrads;
 use crate::kernels::cpu::checked::{check_upstream, expect};
 use crate::kernels::gpu::{self, GpuPair, GpuShape};
+use crate::kernels::on_cpu::PairGrads;
 use crate::kernels::reduce::{self, Best, Found};
 use crate::kernels::{Backend, GpuError};
 use crate::{Fixed, Vec2};
@@ -71,7 +71,7 @@ macro_rules! handles {
     ($($(#[$doc:meta])* $name:ident[$($p:ident: $bound:ident)?] $cpu:ty, $gpu:ty => $out:ty = $get:expr;)*) => { $(
         $(#[$doc])*
         #[derive(Clone, Debug)]
-        pub struct $name<$($p)?>(Side<$cpu, $gpu>);
+        pub struct $name<$($p: $bound)?>(Side<$cpu, $gpu>);
 
         impl<$($p: $bound)?> $name<$($p)?> {
             /// Brings it back and waits for it.
@@ -113,7 +113,7 @@ handles! {
     /// One slope per vertex.
     RingBars[] Vec<Vec2<f32>>, gpu::RingBars => Vec<Vec2<f32>> = Vec::clone;
     /// The results of all pairs and their slopes.
-    PairBars[O: GpuPair] PairGrads<O, f32>, gpu::PairBars<O> => PairGrads<O, f32> = PairGrads::clone;
+    PairBars[O: GpuPair] PairGrads<O>, gpu::PairBars<O> => PairGrads<O> = Clone::clone;
 }
 
 /// A result of an operation of rings.
@@ -180,7 +180,7 @@ impl Backend<'_> {
     pub fn upload_values(self, values: &[f32]) -> Result<Values, GpuError> {
         Ok(Values(match self {
             Backend::Cpu => {
-                check_upstream(values)?;
+                check_upstream(values, 1)?;
                 Side::Cpu(values.to_vec())
             }
             #[cfg(feature = "gpu")]
@@ -206,7 +206,7 @@ impl Backend<'_> {
             Backend::Cpu => {
                 let expected = rows.checked_mul(columns).ok_or(Error::TooLarge)?;
                 expect(Argument::Upstream, expected, values.len())?;
-                check_upstream(values)?;
+                check_upstream(values, 1)?;
                 Side::Cpu(reduce::Matrix::new(rows, columns, values.to_vec())?)
             }
             #[cfg(feature = "gpu")]
@@ -272,7 +272,7 @@ impl Values {
         on!(own = &mut self.0;
         {
             expect(Argument::Upstream, own.len(), values.len())?;
-            check_upstream(values)?;
+            check_upstream(values, 1)?;
             own.copy_from_slice(values);
             Ok(())
         };

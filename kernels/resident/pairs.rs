@@ -2,9 +2,9 @@
 use super::{Bars, Bests, Founds, Matrix, PairBars, Shapes, Side, Values, checked};
 use crate::error::{Argument, Error};
 use crate::kernels::GpuError;
-use crate::kernels::cpu;
 use crate::kernels::cpu::checked::expect;
 use crate::kernels::gpu::{GpuPair, GpuShape};
+use crate::kernels::on_cpu;
 use crate::kernels::reduce;
 
 /// Shapes of an operation, and slopes with respect to them.
@@ -40,69 +40,69 @@ macro_rules! calls {
 
 impl<P: GpuShape> Shapes<P> {
     calls! {
-        /// [`cpu::aligned`].
+        /// [`Cpu::aligned`](crate::kernels::Cpu::aligned).
         aligned() -> Values
-            = |a, b| Values(Side::Cpu(cpu::aligned::<O, f32>(a, b)?));
+            = |a, b| Values(Side::Cpu(on_cpu::aligned::<O>(a, b)?));
             |x| Values(Side::Gpu(x));
-        /// [`cpu::aligned_grad`].
+        /// [`Cpu::aligned_grad`](crate::kernels::Cpu::aligned_grad).
         aligned_grad() -> (Values, BarsOf<O>, BarsOf<O>)
             = |a, b| {
-                let (values, a_bar, b_bar) = cpu::aligned_grad::<O, f32>(a, b)?;
+                let (values, a_bar, b_bar) = on_cpu::aligned_grad::<O>(a, b)?;
                 (Values(Side::Cpu(values)), Bars(Side::Cpu(a_bar)), Bars(Side::Cpu(b_bar)))
             };
             |x| (Values(Side::Gpu(x.0)), Bars(Side::Gpu(x.1)), Bars(Side::Gpu(x.2)));
-        /// [`cpu::all_pairs`].
+        /// [`Cpu::all_pairs`](crate::kernels::Cpu::all_pairs).
         all_pairs() -> Matrix
             = |a, b| {
-                let values = cpu::all_pairs::<O, f32>(a, b)?;
+                let values = on_cpu::all_pairs::<O>(a, b)?;
                 Matrix(Side::Cpu(reduce::Matrix::new(a.len(), b.len(), values)?))
             };
             |x| Matrix(Side::Gpu(x));
-        /// [`cpu::all_pairs_grad`].
+        /// [`Cpu::all_pairs_grad`](crate::kernels::Cpu::all_pairs_grad).
         all_pairs_grad() -> PairBars<O>
-            = |a, b| PairBars(Side::Cpu(cpu::all_pairs_grad::<O, f32>(a, b)?));
+            = |a, b| PairBars(Side::Cpu(on_cpu::all_pairs_grad::<O>(a, b)?));
             |x| PairBars(Side::Gpu(x));
-        /// [`reduce::sum_grad`].
+        /// [`Cpu::sum_grad`](crate::kernels::Cpu::sum_grad).
         sum_grad() -> (f64, BarsOf<O>, BarsOf<O>)
             = |a, b| {
-                let (sum, a_bar, b_bar) = reduce::sum_grad::<O, f32>(a, b)?;
+                let (sum, a_bar, b_bar) = on_cpu::sum_grad::<O>(a, b)?;
                 (sum, Bars(Side::Cpu(a_bar)), Bars(Side::Cpu(b_bar)))
             };
             |x| (x.0, Bars(Side::Gpu(x.1)), Bars(Side::Gpu(x.2)));
-        /// [`reduce::mean_grad`].
+        /// [`Cpu::mean_grad`](crate::kernels::Cpu::mean_grad).
         mean_grad() -> (f64, BarsOf<O>, BarsOf<O>)
             = |a, b| {
-                let (mean, a_bar, b_bar) = reduce::mean_grad::<O, f32>(a, b)?;
+                let (mean, a_bar, b_bar) = on_cpu::mean_grad::<O>(a, b)?;
                 (mean, Bars(Side::Cpu(a_bar)), Bars(Side::Cpu(b_bar)))
             };
             |x| (x.0, Bars(Side::Gpu(x.1)), Bars(Side::Gpu(x.2)));
-        /// [`reduce::row_max`].
+        /// [`Cpu::row_max`](crate::kernels::Cpu::row_max).
         row_max() -> Bests
-            = |a, b| Bests(Side::Cpu((reduce::row_max::<O, f32>(a, b)?, b.len())));
+            = |a, b| Bests(Side::Cpu((on_cpu::row_max::<O>(a, b)?, b.len())));
             |x| Bests(Side::Gpu(x));
-        /// [`reduce::column_max`].
+        /// [`Cpu::column_max`](crate::kernels::Cpu::column_max).
         column_max() -> Bests
-            = |a, b| Bests(Side::Cpu((reduce::column_max::<O, f32>(a, b)?, a.len())));
+            = |a, b| Bests(Side::Cpu((on_cpu::column_max::<O>(a, b)?, a.len())));
             |x| Bests(Side::Gpu(x));
-        /// [`reduce::above`].
+        /// [`Cpu::above`](crate::kernels::Cpu::above).
         above(threshold: f32) -> Founds
-            = |a, b| Founds(Side::Cpu(reduce::above::<O, f32>(a, b, threshold)?));
+            = |a, b| Founds(Side::Cpu(on_cpu::above::<O>(a, b, threshold)?));
             |x| Founds(Side::Gpu(x));
-        /// [`reduce::count_above`].
+        /// [`Cpu::count_above`](crate::kernels::Cpu::count_above).
         count_above(threshold: f32) -> u64
-            = |a, b| reduce::count_above::<O, f32>(a, b, threshold)?;
+            = |a, b| on_cpu::count_above::<O>(a, b, threshold)?;
             |x| x;
-        /// [`reduce::sum`].
+        /// [`Cpu::sum`](crate::kernels::Cpu::sum).
         sum() -> f64
-            = |a, b| reduce::sum::<O, f32>(a, b)?;
+            = |a, b| on_cpu::sum::<O>(a, b)?;
             |x| x;
-        /// [`reduce::mean`].
+        /// [`Cpu::mean`](crate::kernels::Cpu::mean).
         mean() -> f64
-            = |a, b| reduce::mean::<O, f32>(a, b)?;
+            = |a, b| on_cpu::mean::<O>(a, b)?;
             |x| x;
     }
 
-    /// [`cpu::aligned_vjp`].
+    /// [`Cpu::aligned_vjp`](crate::kernels::Cpu::aligned_vjp).
     ///
     /// # Errors
     ///
@@ -114,7 +114,7 @@ impl<P: GpuShape> Shapes<P> {
     ) -> Result<Slopes<O>, GpuError> {
         on!(a = &self.0, b = &b.0, upstream = &upstream.0;
         {
-            let (a_bar, b_bar) = cpu::aligned_vjp::<O, f32>(a, b, upstream)?;
+            let (a_bar, b_bar) = on_cpu::aligned_vjp::<O>(a, b, upstream)?;
             Ok((Bars(Side::Cpu(a_bar)), Bars(Side::Cpu(b_bar))))
         };
         {
@@ -123,7 +123,7 @@ impl<P: GpuShape> Shapes<P> {
         })
     }
 
-    /// [`cpu::all_pairs_vjp`].
+    /// [`Cpu::all_pairs_vjp`](crate::kernels::Cpu::all_pairs_vjp).
     ///
     /// # Errors
     ///
@@ -136,7 +136,7 @@ impl<P: GpuShape> Shapes<P> {
         on!(a = &self.0, b = &b.0, upstream = &upstream.0;
         {
             fits(a, b, upstream, Argument::Upstream)?;
-            let (a_bar, b_bar) = cpu::all_pairs_vjp::<O, f32>(a, b, &upstream.values)?;
+            let (a_bar, b_bar) = on_cpu::all_pairs_vjp::<O>(a, b, &upstream.values)?;
             Ok((Bars(Side::Cpu(a_bar)), Bars(Side::Cpu(b_bar))))
         };
         {
@@ -156,7 +156,7 @@ impl<P: GpuShape> Shapes<P> {
         values: &mut Values,
     ) -> Result<(), GpuError> {
         on!(a = &self.0, b = &b.0, values = &mut values.0;
-            Ok(cpu::aligned_into::<O, f32>(a, b, values)?);
+            Ok(on_cpu::aligned_into::<O>(a, b, values)?);
             a.gpu().aligned_into::<O>(a, b, values))
     }
 
@@ -173,7 +173,7 @@ impl<P: GpuShape> Shapes<P> {
         b_bar: &mut BarsOf<O>,
     ) -> Result<(), GpuError> {
         on!(a = &self.0, b = &b.0, v = &mut values.0, x = &mut a_bar.0, y = &mut b_bar.0;
-            Ok(cpu::aligned_grad_into::<O, f32>(a, b, v, x, y)?);
+            Ok(on_cpu::aligned_grad_into::<O>(a, b, v, x, y)?);
             a.gpu().aligned_grad_into::<O>(a, b, v, x, y))
     }
 
@@ -190,7 +190,7 @@ impl<P: GpuShape> Shapes<P> {
         b_bar: &mut BarsOf<O>,
     ) -> Result<(), GpuError> {
         on!(a = &self.0, b = &b.0, u = &upstream.0, x = &mut a_bar.0, y = &mut b_bar.0;
-            Ok(cpu::aligned_vjp_into::<O, f32>(a, b, u, x, y)?);
+            Ok(on_cpu::aligned_vjp_into::<O>(a, b, u, x, y)?);
             a.gpu().aligned_vjp_into::<O>(a, b, u, x, y))
     }
 
@@ -207,7 +207,7 @@ impl<P: GpuShape> Shapes<P> {
         on!(a = &self.0, b = &b.0, matrix = &mut matrix.0;
         {
             fits(a, b, matrix, Argument::Values)?;
-            Ok(cpu::all_pairs_into::<O, f32>(a, b, &mut matrix.values)?)
+            Ok(on_cpu::all_pairs_into::<O>(a, b, &mut matrix.values)?)
         };
         a.gpu().all_pairs_into::<O>(a, b, matrix))
     }
@@ -227,13 +227,13 @@ impl<P: GpuShape> Shapes<P> {
         on!(a = &self.0, b = &b.0, u = &upstream.0, x = &mut a_bar.0, y = &mut b_bar.0;
         {
             fits(a, b, u, Argument::Upstream)?;
-            Ok(cpu::all_pairs_vjp_into::<O, f32>(a, b, &u.values, x, y)?)
+            Ok(on_cpu::all_pairs_vjp_into::<O>(a, b, &u.values, x, y)?)
         };
         a.gpu().all_pairs_vjp_into::<O>(a, b, u, x, y))
     }
 
     /// The sum of all results; over slopes that are there already those of the sum times `factor`:
-    /// [`reduce::sum_grad_into`].
+    /// [`Cpu::sum_grad_into`](crate::kernels::Cpu::sum_grad_into).
     ///
     /// # Errors
     ///
@@ -247,7 +247,7 @@ impl<P: GpuShape> Shapes<P> {
         b_bar: &mut BarsOf<O>,
     ) -> Result<f64, GpuError> {
         on!(a = &self.0, b = &b.0, x = &mut a_bar.0, y = &mut b_bar.0;
-            Ok(reduce::sum_grad_into::<O, f32>(a, b, factor, x, y)?);
+            Ok(on_cpu::sum_grad_into::<O>(a, b, factor, x, y)?);
             a.gpu().sum_grad_into::<O>(a, b, factor, x, y))
     }
 

@@ -5,8 +5,9 @@ use crate::error::Argument;
 use crate::kernels::cpu::check_ragged;
 use crate::kernels::cpu::checked::expect;
 use crate::kernels::gpu::{self, GpuRing};
-use crate::kernels::op::Op;
-use crate::kernels::{Backend, GpuError, cpu};
+use crate::kernels::on_cpu;
+use crate::kernels::op::RingOp;
+use crate::kernels::{Backend, GpuError};
 
 /// Vertices, and where each ring begins among them.
 type Held = (Vec<Vec2<f32>>, Vec<usize>);
@@ -21,7 +22,7 @@ impl Backend<'_> {
     ///
     /// # Errors
     ///
-    /// [`GpuError::Input`] as [`cpu::ragged`], or what the device says.
+    /// [`GpuError::Input`] as [`Cpu::ragged`](crate::kernels::Cpu::ragged), or what the device says.
     pub fn upload_rings(
         self,
         vertices: &[Vec2<f32>],
@@ -41,18 +42,18 @@ impl Backend<'_> {
 }
 
 impl Rings {
-    /// [`cpu::ragged`].
+    /// [`Cpu::ragged`](crate::kernels::Cpu::ragged).
     ///
     /// # Errors
     ///
     /// What the device says.
-    pub fn ragged<O: GpuRing>(&self) -> Result<RingValues<<O as Op>::Out<f32>>, GpuError> {
+    pub fn ragged<O: GpuRing>(&self) -> Result<RingValues<<O as RingOp>::Out<f32>>, GpuError> {
         on!(own = &self.0;
-            Ok(RingValues(Side::Cpu(cpu::ragged::<O, f32>(&own.0, &own.1)?)));
+            Ok(RingValues(Side::Cpu(on_cpu::ragged::<O>(&own.0, &own.1)?)));
             Ok(RingValues(Side::Gpu(own.gpu().ragged::<O>(own)?))))
     }
 
-    /// [`cpu::ragged_vjp`].
+    /// [`Cpu::ragged_vjp`](crate::kernels::Cpu::ragged_vjp).
     ///
     /// # Errors
     ///
@@ -60,10 +61,10 @@ impl Rings {
     /// device says.
     pub fn ragged_vjp<O: GpuRing>(
         &self,
-        upstream: &[<O as Op>::Out<f32>],
+        upstream: &[<O as RingOp>::Out<f32>],
     ) -> Result<RingBars, GpuError> {
         on!(own = &self.0;
-            Ok(RingBars(Side::Cpu(cpu::ragged_vjp::<O, f32>(&own.0, &own.1, upstream)?)));
+            Ok(RingBars(Side::Cpu(on_cpu::ragged_vjp::<O>(&own.0, &own.1, upstream)?)));
             Ok(RingBars(Side::Gpu(own.gpu().ragged_vjp::<O>(own, upstream)?))))
     }
 

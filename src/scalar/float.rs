@@ -312,7 +312,7 @@ macro_rules! float {
             }
             #[inline(always)]
             fn binade(self) -> Self {
-                // The exponent field e becomes 2·bias + 1 − e.
+                // The exponent field e becomes 2·bias + 1 − e. (A NaN may have a sign.)
                 let normal = if self < $f::MIN_POSITIVE {
                     $f::MIN_POSITIVE
                 } else {
@@ -320,7 +320,7 @@ macro_rules! float {
                 };
                 let field = normal.to_bits() & $f::INFINITY.to_bits();
                 let twice_bias = (2 * ($f::MAX_EXP as $bits - 1) + 1) << $mantissa;
-                $f::from_bits(twice_bias - field)
+                $f::from_bits(twice_bias.wrapping_sub(field))
             }
             // A tie of plain numbers has one value, so the kinks need a single choice.
             #[inline(always)]

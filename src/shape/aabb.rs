@@ -1,6 +1,6 @@
 //! Axis-aligned boxes in the plane.
-use crate::error::{Field, Flaw, Validate, finite};
-use crate::{Scalar, Vec2};
+use crate::error::{Flaw, Validate};
+use crate::{Scalar, Shape, Vec2};
 
 /// An axis-aligned box in the plane. Valid when finite and `min ≤ max`; zero size is valid.
 ///
@@ -11,11 +11,13 @@ use crate::{Scalar, Vec2};
 /// assert_eq!(a.meet(b), Aabb2::new(1.0, 1.0, 2.0, 2.0));
 /// assert_eq!(a.iou(b), 1.0 / 7.0);
 /// ```
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, PartialEq, Shape)]
+#[shape(except(Sample))]
 #[repr(C)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Aabb2<S> {
     /// The lower bounds.
+    #[shape(at_most = "max")]
     pub min: Vec2<S>,
     /// The upper bounds.
     pub max: Vec2<S>,
@@ -119,23 +121,6 @@ impl<S: Scalar> Aabb2<S> {
             & point.x.at_most(self.max.x)
             & self.min.y.at_most(point.y)
             & point.y.at_most(self.max.y)
-    }
-}
-
-impl<S: Scalar<Mask = bool>> Validate for Aabb2<S> {
-    #[inline]
-    fn validate(&self) -> Result<(), Flaw> {
-        finite(self.min.x, Field::MinX)?;
-        finite(self.min.y, Field::MinY)?;
-        finite(self.max.x, Field::MaxX)?;
-        finite(self.max.y, Field::MaxY)?;
-        if self.min.x.above(self.max.x) {
-            return Err(Flaw::Inverted(Field::MinX));
-        }
-        if self.min.y.above(self.max.y) {
-            return Err(Flaw::Inverted(Field::MinY));
-        }
-        Ok(())
     }
 }
 

@@ -1,7 +1,5 @@
 //! Shapes: one noun a file, with its data, its validation and its own measures.
 mod aabb;
-#[cfg(feature = "glam")]
-mod interop;
 mod obb;
 mod pose;
 mod vector;

@@ -1,6 +1,6 @@
 //! Oriented (rotated) boxes in the plane.
-use crate::error::{Field, Flaw, Validate, finite};
-use crate::{Aabb2, Pose2, Rotation2, Scalar, Vec2};
+use crate::error::{Flaw, Validate};
+use crate::{Aabb2, Pose2, Rotation2, Scalar, Shape, Vec2};
 
 /// A rotated box in the plane: centre, size along its own axes, heading in radians
 /// (counter-clockwise). Valid when finite and of non-negative size; zero size is valid.
@@ -14,15 +14,19 @@ use crate::{Aabb2, Pose2, Rotation2, Scalar, Vec2};
 /// assert!((a.iou(b) - 1.0 / 3.0).abs() < 1e-15);
 /// assert_eq!(a.iou(a), 1.0);
 /// ```
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, PartialEq, Shape)]
+#[shape(except(Sample))]
 #[repr(C)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Obb2<S> {
     /// The centre.
+    #[shape(names("x", "y"))]
     pub center: Vec2<S>,
     /// Width and height, along the box's own x and y axes.
+    #[shape(names("width", "height"), non_negative, length)]
     pub size: Vec2<S>,
     /// The angle of the box's own x axis in radians, counter-clockwise.
+    #[shape(angle)]
     pub heading: S,
 }
 
@@ -149,24 +153,6 @@ impl<S: Scalar> From<Aabb2<S>> for Obb2<S> {
             size: bounds.size(),
             heading: S::zero(),
         }
-    }
-}
-
-impl<S: Scalar<Mask = bool>> Validate for Obb2<S> {
-    #[inline]
-    fn validate(&self) -> Result<(), Flaw> {
-        finite(self.center.x, Field::X)?;
-        finite(self.center.y, Field::Y)?;
-        finite(self.size.x, Field::Width)?;
-        finite(self.size.y, Field::Height)?;
-        finite(self.heading, Field::Heading)?;
-        if self.size.x.below(S::zero()) {
-            return Err(Flaw::Negative(Field::Width));
-        }
-        if self.size.y.below(S::zero()) {
-            return Err(Flaw::Negative(Field::Height));
-        }
-        Ok(())
     }
 }
 

@@ -1,5 +1,5 @@
 //! Rotations and rigid motions of the plane.
-use crate::{Obb2, Scalar, Vec2};
+use crate::{Obb2, Scalar, Shape, Vec2};
 use std::ops::Mul;
 
 /// A rotation of the plane, as the cosine and sine of its angle (counter-clockwise).
@@ -9,7 +9,8 @@ use std::ops::Mul;
 /// let quarter = Rotation2::from_angle(std::f64::consts::FRAC_PI_2);
 /// assert!((quarter * Vec2::new(1.0, 0.0)).distance(Vec2::new(0.0, 1.0)) < 1e-15);
 /// ```
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, PartialEq, Shape)]
+#[shape(except(Sample))]
 #[repr(C)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Rotation2<S> {
@@ -85,7 +86,7 @@ impl<S: Scalar> Mul<Vec2<S>> for Rotation2<S> {
 /// let there = world_from_car * Vec2::new(2.0, 1.0);
 /// assert!((world_from_car.inverse() * there).distance(Vec2::new(2.0, 1.0)) < 1e-15);
 /// ```
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, PartialEq, Shape)]
 #[repr(C)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Pose2<S> {

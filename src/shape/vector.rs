@@ -1,12 +1,12 @@
 //! Vectors in the plane and in space.
-use crate::{Mask, Scalar};
+use crate::{Mask, Scalar, Shape};
 use std::ops::{Add, AddAssign, Mul, Neg, Sub, SubAssign};
 
 /// The vector of one dimension: its fields and what acts field by field.
 macro_rules! vector {
-    ($(#[$doc:meta])* $name:ident { $($field:ident),* }) => {
-        $(#[$doc])*
-        #[derive(Clone, Copy, Debug, Default, PartialEq)]
+    ($(#[$about:meta])* $name:ident { $($field:ident),* }) => {
+        #[derive(Clone, Copy, Debug, Default, PartialEq, Shape)]
+        $(#[$about])*
         #[repr(C)]
         #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
         pub struct $name<S> {
@@ -170,6 +170,7 @@ vector! {
     /// assert_eq!(a.perp_dot(Vec2::new(0.0, 1.0)), 3.0);
     /// assert_eq!(a.to_string(), "(3, 4)");
     /// ```
+    #[shape(except(Sample))]
     Vec2 { x, y }
 }
 vector! {

@@ -1,12 +1,12 @@
 //! Same bits, signs of zeros included: of the scalar code, at every level of vector instructions, at
 //! every position of a batch, for any number of threads, with the filter of all pairs and without.
-use geograd::kernels::cpu::{self, simd::Simd};
-use geograd::kernels::real::Real;
-use geograd::kernels::reduce::{self, Matrix};
-use geograd::kernels::{Op, PairOp, RingOp};
+use geograd::kernels::cpu::simd::Simd;
+use geograd::kernels::op::{RingOp, Ringed, Source};
+use geograd::kernels::reduce::Matrix;
 use geograd::scalar::float::Float;
 use geograd::{Aabb2, Obb2, Pack, Scalar, Vec2};
 use geograd_tests::Dice;
+use geograd_tests::calls::{self, Number, Pair};
 use std::ops::Range;
 use std::sync::{Mutex, MutexGuard, PoisonError};
 
@@ -25,7 +25,7 @@ impl Turn {
 impl Drop for Turn {
     fn drop(&mut self) {
         Simd::limit(None).unwrap();
-        cpu::cull(true);
+        calls::cull(true);
     }
 }
 
@@ -36,7 +36,7 @@ fn in_every_way(mut run: impl FnMut(&str)) {
         Simd::limit(Some(level)).unwrap();
         assert_eq!(Simd::current(), Ok(level));
         for filter in [true, false] {
-            cpu::cull(filter);
+            calls::cull(filter);
             run(&format!("{level:?}, filter {filter}"));
         }
     }
@@ -49,7 +49,7 @@ fn on_threads<R: Send>(threads: usize, run: impl FnOnce() -> R + Send) -> R {
 
 fn bits_of<'a, X: Pack + 'a>(shapes: impl IntoIterator<Item = &'a X>) -> Vec<u64>
 where
-    X::Scalar: Real,
+    X::Scalar: Number,
 {
     shapes
         .into_iter()
@@ -58,7 +58,7 @@ where
         .collect()
 }
 
-fn bits<T: Real>(numbers: &[T]) -> Vec<u64> {
+fn bits<T: Number>(numbers: &[T]) -> Vec<u64> {
     numbers.iter().map(|x| x.widen().to_bits()).collect()
 }
 
@@ -71,7 +71,7 @@ trait Drawn: Sized {
 const KINDS: usize = 12;
 const MILD: usize = 9;
 
-impl<T: Real> Drawn for Obb2<T> {
+impl<T: Number> Drawn for Obb2<T> {
     fn draw(dice: &mut Dice, kind: usize) -> Self {
         let b = dice.obb();
         let (x, y, w, h, r) = (b.center.x, b.center.y, b.size.x, b.size.y, b.heading);
@@ -93,7 +93,7 @@ impl<T: Real> Drawn for Obb2<T> {
     }
 }
 
-impl<T: Real> Drawn for Aabb2<T> {
+impl<T: Number> Drawn for Aabb2<T> {
     fn draw(dice: &mut Dice, kind: usize) -> Self {
         let b = dice.obb();
         let (x, y, w, h) = (b.center.x, b.center.y, b.size.x, b.size.y);
@@ -124,16 +124,14 @@ fn list<A: Drawn>(count: usize, kinds: usize, seed: u64) -> Vec<A> {
         .collect()
 }
 
-/// Slopes by one pair, times an upstream slope.
-type Vjp<O, T> = fn(A<O, T>, B<O, T>, T) -> (A<O, T>, B<O, T>);
-type A<O, T> = <O as PairOp>::A<T>;
-type B<O, T> = <O as PairOp>::B<T>;
+type A<O, T> = <O as Pair<T>>::A;
+type B<O, T> = <O as Pair<T>>::B;
 
 /// Upstream slopes of aligned pairs, by turns.
 const UPSTREAM: [f64; 5] = [1.0, -0.5, 0.0, 3.0, -0.0];
 
 /// What the scalar code gives of all pairs of two lists.
-struct Known<O: PairOp, T: Real> {
+struct Known<O: Pair<T>, T: Number> {
     a: Vec<A<O, T>>,
     b: Vec<B<O, T>>,
     /// Of each pair the value, then its slopes.
@@ -142,15 +140,14 @@ struct Known<O: PairOp, T: Real> {
     aligned: Vec<Vec<u64>>,
 }
 
-impl<O: PairOp, T: Real> Known<O, T> {
-    fn new(a: Vec<A<O, T>>, b: Vec<B<O, T>>, vjp: Vjp<O, T>) -> Self {
+impl<O: Pair<T>, T: Number> Known<O, T> {
+    fn new(a: Vec<A<O, T>>, b: Vec<B<O, T>>) -> Self {
         let slopes = |i: usize, j: usize, up: T| {
-            let (p, q) = vjp(a[i].clone(), b[j].clone(), up);
+            let (_, (p, q)) = O::adjoint::<T>((a[i], b[j]), up).unwrap();
             bits_of([&p]).into_iter().chain(bits_of([&q]))
         };
         let pair = |i: usize, j: usize| {
-            let value = O::value::<T, true>(O::frame_a(a[i].clone()), O::frame_b(b[j].clone()));
-            let mut all = bits(&[value]);
+            let mut all = bits(&[O::eval::<T>((a[i], b[j]))]);
             all.extend(slopes(i, j, T::one()));
             all
         };
@@ -170,14 +167,14 @@ impl<O: PairOp, T: Real> Known<O, T> {
     /// All forms of a batch of some rows and some columns.
     fn check(&self, rows: Range<usize>, columns: Range<usize>, way: &str) {
         let (a, b) = (&self.a[rows.clone()], &self.b[columns.clone()]);
-        let matrix = cpu::all_pairs::<O, T>(a, b).unwrap();
-        let grads = cpu::all_pairs_grad::<O, T>(a, b).unwrap();
+        let matrix = calls::all_pairs::<O, T>(a, b).unwrap();
+        let grads = calls::all_pairs_grad::<O, T>(a, b).unwrap();
         for (i, row) in rows.clone().enumerate() {
             for (j, column) in columns.clone().enumerate() {
                 let known = &self.pairs[row * self.b.len() + column];
                 let at = i * b.len() + j;
                 let (p, q) = grads.at(i, j);
-                let mut here = bits(&[grads.values[at]]);
+                let mut here = bits(&[grads.values()[at]]);
                 here.extend(bits_of([&p]).into_iter().chain(bits_of([&q])));
                 assert!(
                     here == *known && bits(&matrix[at..=at]) == known[..1],
@@ -193,10 +190,10 @@ impl<O: PairOp, T: Real> Known<O, T> {
         }
         let count = a.len().min(b.len());
         let (a, b) = (&a[..count], &b[..count]);
-        let values = cpu::aligned::<O, T>(a, b).unwrap();
-        let (same, by_a, by_b) = cpu::aligned_grad::<O, T>(a, b).unwrap();
+        let values = calls::aligned::<O, T>(a, b).unwrap();
+        let (same, by_a, by_b) = calls::aligned_grad::<O, T>(a, b).unwrap();
         let up: Vec<T> = rows.clone().map(|i| T::lit(UPSTREAM[i % 5])).collect();
-        let (up_a, up_b) = cpu::aligned_vjp::<O, T>(a, b, &up[..count]).unwrap();
+        let (up_a, up_b) = calls::aligned_vjp::<O, T>(a, b, &up[..count]).unwrap();
         for (i, at) in rows.take(count).enumerate() {
             let mut here = bits(&[same[i]]);
             here.extend(bits_of([&by_a[i]]).into_iter().chain(bits_of([&by_b[i]])));
@@ -214,15 +211,15 @@ impl<O: PairOp, T: Real> Known<O, T> {
     }
 }
 
-fn positions<O, T>(vjp: Vjp<O, T>)
+fn positions<O, T>()
 where
-    O: PairOp,
-    T: Real,
-    O::A<T>: Drawn,
-    O::B<T>: Drawn,
+    O: Pair<T>,
+    T: Number,
+    O::A: Drawn,
+    O::B: Drawn,
 {
     let known =
-        [MILD, KINDS].map(|kinds| Known::<O, T>::new(list(30, kinds, 1), list(70, kinds, 2), vjp));
+        [MILD, KINDS].map(|kinds| Known::<O, T>::new(list(30, kinds, 1), list(70, kinds, 2)));
     in_every_way(|way| {
         for known in &known {
             // The same pairs at different places of a tile, and beside different neighbours.
@@ -238,22 +235,22 @@ where
 }
 
 /// Everything that is summed or sought in a matrix, as bits.
-fn results<O: PairOp, T: Real>(a: &[O::A<T>], b: &[O::B<T>]) -> Vec<u64> {
-    let mut all = bits(&cpu::all_pairs::<O, T>(a, b).unwrap());
-    let values: Vec<T> = cpu::all_pairs::<O, T>(a, b).unwrap();
+fn results<O: Pair<T>, T: Number>(a: &[O::A], b: &[O::B]) -> Vec<u64> {
+    let mut all = bits(&calls::all_pairs::<O, T>(a, b).unwrap());
+    let values: Vec<T> = calls::all_pairs::<O, T>(a, b).unwrap();
     let matrix = Matrix::new(a.len(), b.len(), values).unwrap();
     let upstream: Vec<T> = (0..a.len() * b.len())
         .map(|i| T::lit((i % 11) as f64 * 0.37 - 1.9))
         .collect();
-    let (p, q) = cpu::all_pairs_vjp::<O, T>(a, b, &upstream).unwrap();
+    let (p, q) = calls::all_pairs_vjp::<O, T>(a, b, &upstream).unwrap();
     all.extend(bits_of(&p).into_iter().chain(bits_of(&q)));
-    let rows = reduce::row_max::<O, T>(a, b).unwrap();
+    let rows = calls::row_max::<O, T>(a, b).unwrap();
     assert_eq!(rows, matrix.row_max().unwrap());
     all.extend(
         rows.iter()
             .flat_map(|x| [x.value.widen().to_bits(), x.index as u64]),
     );
-    let columns = reduce::column_max::<O, T>(a, b).unwrap();
+    let columns = calls::column_max::<O, T>(a, b).unwrap();
     assert_eq!(columns, matrix.column_max().unwrap());
     all.extend(
         columns
@@ -261,30 +258,30 @@ fn results<O: PairOp, T: Real>(a: &[O::A<T>], b: &[O::B<T>]) -> Vec<u64> {
             .flat_map(|x| [x.value.widen().to_bits(), x.index as u64]),
     );
     for threshold in [0.0, 0.1] {
-        let found = reduce::above::<O, T>(a, b, T::lit(threshold)).unwrap();
+        let found = calls::above::<O, T>(a, b, T::lit(threshold)).unwrap();
         all.extend(
             found
                 .iter()
                 .flat_map(|x| [x.row as u64, x.column as u64, x.value.widen().to_bits()]),
         );
     }
-    let (loss, p, q) = reduce::mean_grad::<O, T>(a, b).unwrap();
+    let (loss, p, q) = calls::mean_grad::<O, T>(a, b).unwrap();
     all.push(loss.to_bits());
     all.extend(bits_of(&p).into_iter().chain(bits_of(&q)));
-    all.push(reduce::mean::<O, T>(a, b).unwrap().to_bits());
+    all.push(calls::mean::<O, T>(a, b).unwrap().to_bits());
     all
 }
 
 /// Long sparse lists, as along a street, long dense ones, and long ones with extreme shapes.
 fn scenes<O, T>()
 where
-    O: PairOp,
-    T: Real,
-    O::A<T>: Drawn,
-    O::B<T>: Drawn,
+    O: Pair<T>,
+    T: Number,
+    O::A: Drawn,
+    O::B: Drawn,
 {
-    let near = |count, seed| list::<O::A<T>>(count, 3, seed);
-    let lists: [(Vec<O::A<T>>, Vec<O::B<T>>); 3] = [
+    let near = |count, seed| list::<O::A>(count, 3, seed);
+    let lists: [(Vec<O::A>, Vec<O::B>); 3] = [
         (far_apart(list(40, MILD, 3)), far_apart(list(1100, MILD, 4))),
         (near(33, 5), list(1030, 3, 6)),
         (list(20, KINDS, 7), list(530, KINDS, 8)),
@@ -304,7 +301,7 @@ where
 /// Moves shapes along a line, each some way from the one before.
 fn far_apart<X: Pack>(mut shapes: Vec<X>) -> Vec<X>
 where
-    X::Scalar: Real,
+    X::Scalar: Number,
 {
     for (i, shape) in shapes.iter_mut().enumerate() {
         // Places of a box: x, y, … or min x, min y, max x, max y.
@@ -323,7 +320,7 @@ where
 type Ring<T> = Vec<Vec2<T>>;
 
 /// Rings of all small sizes, and some long ones, against the scalar code.
-fn rings<O: RingOp, T: Real>(
+fn rings<O: RingOp, T: Number>(
     eval: fn(&Ring<T>) -> O::Out<T>,
     vjp: fn(&Ring<T>, O::Out<T>) -> Ring<T>,
 ) {
@@ -348,8 +345,8 @@ fn rings<O: RingOp, T: Real>(
     in_every_way(|way| {
         for threads in [1, 3] {
             let (values, slopes) = on_threads(threads, || {
-                let values = cpu::ragged::<O, T>(&vertices, &offsets).unwrap();
-                let bars = cpu::ragged_vjp::<O, T>(&vertices, &offsets, &values).unwrap();
+                let values = calls::ragged::<O, T>(&vertices, &offsets).unwrap();
+                let bars = calls::ragged_vjp::<O, T>(&vertices, &offsets, &values).unwrap();
                 (values, bars)
             });
             for (i, at) in offsets.windows(2).enumerate() {
@@ -375,8 +372,8 @@ macro_rules! tests {
             use super::*;
             #[test]
             fn anywhere_in_a_batch() {
-                positions::<$pair_op, f32>(|a, b, up| <$pair_op as Op>::vjp(&(a, b), up));
-                positions::<$pair_op, f64>(|a, b, up| <$pair_op as Op>::vjp(&(a, b), up));
+                positions::<$pair_op, f32>();
+                positions::<$pair_op, f64>();
             }
             #[test]
             fn of_long_lists() {
@@ -386,8 +383,8 @@ macro_rules! tests {
         })*
         $(#[test]
         fn $ring() {
-            rings::<$ring_op, f32>(|ring| <$ring_op as Op>::eval(ring), |ring, up| <$ring_op as Op>::vjp(ring, up));
-            rings::<$ring_op, f64>(|ring| <$ring_op as Op>::eval(ring), |ring, up| <$ring_op as Op>::vjp(ring, up));
+            rings::<$ring_op, f32>(|ring| <$ring_op as RingOp>::value(ring), |ring, up| <Ringed<$ring_op> as Source>::vjp(ring, up));
+            rings::<$ring_op, f64>(|ring| <$ring_op as RingOp>::value(ring), |ring, up| <Ringed<$ring_op> as Source>::vjp(ring, up));
         })*
     };
 }

@@ -1,9 +1,9 @@
 //! What batches promise: every form gives the numbers of the single call; bad input is refused with its place, and buffers are left alone.
 use geograd::error::{Argument, Field};
-use geograd::kernels::{
-    Centroid, IofAabb2, IouAabb2, IouObb2, Op, PairOp, Perimeter, SignedArea, cpu, reduce,
-};
+use geograd::kernels::op::{Ringed, Source};
+use geograd::kernels::{Centroid, IofAabb2, IouAabb2, IouObb2, Op, Perimeter, RingOp, SignedArea};
 use geograd::{Aabb2, Error, Flaw, Obb2, Pack, Vec2};
+use geograd_tests::calls::{self, Number, Pair};
 
 fn boxes(n: usize, seed: u64) -> Vec<Obb2<f64>> {
     let mut state = seed;
@@ -33,36 +33,41 @@ fn narrow(list: &[Obb2<f64>]) -> Vec<Obb2<f32>> {
     list.iter().map(|x| x.map(&mut |&x| x as f32)).collect()
 }
 
+/// Slopes by one call, times an upstream slope.
+fn slopes<T: Number>(pair: (Obb2<T>, Obb2<T>), up: T) -> (Obb2<T>, Obb2<T>) {
+    IouObb2::adjoint(pair, up).unwrap().1
+}
+
 /// Every form of a batch against single calls, for lengths around the tile.
-fn all_forms_agree<T: geograd::kernels::real::Real>(make: impl Fn(usize, u64) -> Vec<Obb2<T>>) {
+fn all_forms_agree<T: Number>(make: impl Fn(usize, u64) -> Vec<Obb2<T>>) {
     for n in [0, 1, 2, 7, 8, 9, 15, 16, 17, 33, 100, 300] {
         let (a, b) = (make(n, 1), make(n, 2));
-        let values = cpu::aligned::<IouObb2, T>(&a, &b).unwrap();
-        let (same, a_bar, b_bar) = cpu::aligned_grad::<IouObb2, T>(&a, &b).unwrap();
+        let values = calls::aligned::<IouObb2, T>(&a, &b).unwrap();
+        let (same, a_bar, b_bar) = calls::aligned_grad::<IouObb2, T>(&a, &b).unwrap();
         assert_eq!(values, same);
         let upstream: Vec<T> = (0..n).map(|i| T::lit(0.25 * i as f64 - 1.0)).collect();
-        let (a_up, b_up) = cpu::aligned_vjp::<IouObb2, T>(&a, &b, &upstream).unwrap();
+        let (a_up, b_up) = calls::aligned_vjp::<IouObb2, T>(&a, &b, &upstream).unwrap();
         for i in 0..n {
-            assert_eq!(values[i], IouObb2::eval(&(a[i], b[i])));
-            let one = IouObb2::vjp(&(a[i], b[i]), T::one());
+            assert_eq!(values[i], IouObb2::eval::<T>((a[i], b[i])));
+            let one = slopes((a[i], b[i]), T::one());
             assert_eq!((a_bar[i], b_bar[i]), one);
-            let up = IouObb2::vjp(&(a[i], b[i]), upstream[i]);
+            let up = slopes((a[i], b[i]), upstream[i]);
             assert_eq!((a_up[i], b_up[i]), up);
         }
         let rows = make(n / 3 + 1, 3);
-        let matrix = cpu::all_pairs::<IouObb2, T>(&rows, &b).unwrap();
-        let grads = cpu::all_pairs_grad::<IouObb2, T>(&rows, &b).unwrap();
-        assert_eq!(matrix, grads.values);
+        let matrix = calls::all_pairs::<IouObb2, T>(&rows, &b).unwrap();
+        let grads = calls::all_pairs_grad::<IouObb2, T>(&rows, &b).unwrap();
+        assert_eq!(matrix, grads.values());
         let upstream: Vec<T> = (0..matrix.len())
             .map(|i| T::lit((i % 7) as f64 * 0.5 - 1.0))
             .collect();
-        let (rows_bar, b_bar) = cpu::all_pairs_vjp::<IouObb2, T>(&rows, &b, &upstream).unwrap();
+        let (rows_bar, b_bar) = calls::all_pairs_vjp::<IouObb2, T>(&rows, &b, &upstream).unwrap();
         let mut sums = (vec![vec![0.0; 5]; rows.len()], vec![vec![0.0; 5]; n]);
         for i in 0..rows.len() {
             for j in 0..n {
-                assert_eq!(matrix[i * n + j], IouObb2::eval(&(rows[i], b[j])));
-                assert_eq!(grads.at(i, j), IouObb2::vjp(&(rows[i], b[j]), T::one()));
-                let (p, q) = IouObb2::vjp(&(rows[i], b[j]), upstream[i * n + j]);
+                assert_eq!(matrix[i * n + j], IouObb2::eval::<T>((rows[i], b[j])));
+                assert_eq!(grads.at(i, j).1, slopes((rows[i], b[j]), T::one()));
+                let (p, q) = slopes((rows[i], b[j]), upstream[i * n + j]);
                 for k in 0..5 {
                     sums.0[i][k] += p.scalars()[k].widen();
                     sums.1[j][k] += q.scalars()[k].widen();
@@ -89,15 +94,15 @@ fn all_forms_agree_with_single_calls() {
 #[test]
 fn long_rows_agree_with_single_calls() {
     // Slopes leave in runs of 512 or 1024 columns: lengths around the end of one and of two.
-    fn agree<T: geograd::kernels::real::Real>(make: impl Fn(usize, u64) -> Vec<Obb2<T>>) {
+    fn agree<T: Number>(make: impl Fn(usize, u64) -> Vec<Obb2<T>>) {
         let rows = make(3, 1);
         for n in [511, 512, 513, 1023, 1024, 1025, 1041, 2050] {
             let b = make(n, 2);
-            let grads = cpu::all_pairs_grad::<IouObb2, T>(&rows, &b).unwrap();
+            let grads = calls::all_pairs_grad::<IouObb2, T>(&rows, &b).unwrap();
             for (i, &row) in rows.iter().enumerate() {
                 for (j, &column) in b.iter().enumerate() {
-                    assert_eq!(grads.values[i * n + j], IouObb2::eval(&(row, column)));
-                    assert_eq!(grads.at(i, j), IouObb2::vjp(&(row, column), T::one()));
+                    assert_eq!(grads.values()[i * n + j], IouObb2::eval::<T>((row, column)));
+                    assert_eq!(grads.at(i, j).1, slopes((row, column), T::one()));
                 }
             }
         }
@@ -112,13 +117,13 @@ fn extreme_batches_have_the_same_bits() {
     let (a, b) = (narrow(&boxes(40, 1)), narrow(&boxes(40, 2)));
     let mut with_giant = b.clone();
     with_giant.push(Obb2::new(0.0, 0.0, 1e30, 1e-30, 0.3));
-    let plain = cpu::all_pairs_grad::<IouObb2, f32>(&a, &b).unwrap();
-    let extreme = cpu::all_pairs_grad::<IouObb2, f32>(&a, &with_giant).unwrap();
+    let plain = calls::all_pairs_grad::<IouObb2, f32>(&a, &b).unwrap();
+    let extreme = calls::all_pairs_grad::<IouObb2, f32>(&a, &with_giant).unwrap();
     for i in 0..a.len() {
         for j in 0..b.len() {
             assert_eq!(
-                plain.values[i * 40 + j].to_bits(),
-                extreme.values[i * 41 + j].to_bits()
+                plain.values()[i * 40 + j].to_bits(),
+                extreme.values()[i * 41 + j].to_bits()
             );
             assert_eq!(plain.at(i, j), extreme.at(i, j));
         }
@@ -130,29 +135,32 @@ fn empty_batches_are_valid() {
     let none: [Obb2<f32>; 0] = [];
     let some = narrow(&boxes(3, 1));
     assert!(
-        cpu::aligned::<IouObb2, f32>(&none, &none)
+        calls::aligned::<IouObb2, f32>(&none, &none)
             .unwrap()
             .is_empty()
     );
     assert!(
-        cpu::all_pairs::<IouObb2, f32>(&none, &some)
+        calls::all_pairs::<IouObb2, f32>(&none, &some)
             .unwrap()
             .is_empty()
     );
     assert!(
-        cpu::all_pairs::<IouObb2, f32>(&some, &none)
+        calls::all_pairs::<IouObb2, f32>(&some, &none)
             .unwrap()
             .is_empty()
     );
-    let (a, b) = cpu::all_pairs_vjp::<IouObb2, f32>(&some, &none, &[]).unwrap();
+    let (a, b) = calls::all_pairs_vjp::<IouObb2, f32>(&some, &none, &[]).unwrap();
     assert_eq!((a.len(), b.len()), (3, 0));
     assert!(a.iter().all(|x| x.scalars().iter().all(|&x| x == 0.0)));
     assert!(
-        cpu::ragged::<SignedArea, f32>(&[], &[0])
+        calls::ragged::<SignedArea, f32>(&[], &[0])
             .unwrap()
             .is_empty()
     );
-    assert_eq!(cpu::ragged::<SignedArea, f32>(&[], &[0, 0]).unwrap(), [0.0]);
+    assert_eq!(
+        calls::ragged::<SignedArea, f32>(&[], &[0, 0]).unwrap(),
+        [0.0]
+    );
 }
 
 #[test]
@@ -167,22 +175,22 @@ fn bad_input_is_refused_with_its_place() {
         (
             flawed(3, |x| x.heading = f64::NAN),
             3,
-            Flaw::NotFinite(Field::Heading),
+            Flaw::NotFinite(Field::new("heading")),
         ),
         (
             flawed(0, |x| x.center.y = f64::INFINITY),
             0,
-            Flaw::NotFinite(Field::Y),
+            Flaw::NotFinite(Field::new("y")),
         ),
         (
             flawed(4, |x| x.size.x = -1.0),
             4,
-            Flaw::Negative(Field::Width),
+            Flaw::Negative(Field::new("width")),
         ),
         (
             flawed(2, |x| x.size.y = f64::NEG_INFINITY),
             2,
-            Flaw::NotFinite(Field::Height),
+            Flaw::NotFinite(Field::new("height")),
         ),
     ];
     let mut values = vec![7.0; 25];
@@ -206,11 +214,11 @@ fn bad_input_is_refused_with_its_place() {
             &mut [Obb2<f64>],
         ) -> Result<(), Error>;
         let runs: [Run; 5] = [
-            |a, b, v, _, _| cpu::aligned_into::<IouObb2, f64>(a, b, &mut v[..5]),
-            |a, b, v, p, q| cpu::aligned_grad_into::<IouObb2, f64>(a, b, &mut v[..5], p, q),
-            |a, b, _, p, q| cpu::aligned_vjp_into::<IouObb2, f64>(a, b, &[1.0; 5], p, q),
-            |a, b, v, _, _| cpu::all_pairs_into::<IouObb2, f64>(a, b, v),
-            |a, b, _, p, q| cpu::all_pairs_vjp_into::<IouObb2, f64>(a, b, &[1.0; 25], p, q),
+            |a, b, v, _, _| calls::aligned_into::<IouObb2, f64>(a, b, &mut v[..5]),
+            |a, b, v, p, q| calls::aligned_grad_into::<IouObb2, f64>(a, b, &mut v[..5], p, q),
+            |a, b, _, p, q| calls::aligned_vjp_into::<IouObb2, f64>(a, b, &[1.0; 5], p, q),
+            |a, b, v, _, _| calls::all_pairs_into::<IouObb2, f64>(a, b, v),
+            |a, b, _, p, q| calls::all_pairs_vjp_into::<IouObb2, f64>(a, b, &[1.0; 25], p, q),
         ];
         for run in runs {
             assert_eq!(
@@ -223,7 +231,7 @@ fn bad_input_is_refused_with_its_place() {
             );
         }
         assert_eq!(
-            cpu::all_pairs_grad::<IouObb2, f64>(bad, &good).unwrap_err(),
+            calls::all_pairs_grad::<IouObb2, f64>(bad, &good).unwrap_err(),
             in_a
         );
     }
@@ -235,45 +243,45 @@ fn bad_input_is_refused_with_its_place() {
         found,
     };
     assert_eq!(
-        cpu::aligned::<IouObb2, f64>(&good, &good[..4]),
+        calls::aligned::<IouObb2, f64>(&good, &good[..4]),
         Err(length(Argument::B, 5, 4))
     );
     assert_eq!(
-        cpu::all_pairs_into::<IouObb2, f64>(&good, &good, &mut values[..24]),
+        calls::all_pairs_into::<IouObb2, f64>(&good, &good, &mut values[..24]),
         Err(length(Argument::Values, 25, 24))
     );
     assert_eq!(
-        cpu::all_pairs_vjp::<IouObb2, f64>(&good, &good, &values[..24]),
+        calls::all_pairs_vjp::<IouObb2, f64>(&good, &good, &values[..24]),
         Err(length(Argument::Upstream, 25, 24))
     );
     let nan = Error::Invalid {
         argument: Argument::Upstream,
         row: 1,
-        flaw: Flaw::NotFinite(Field::Value),
+        flaw: Flaw::NotFinite(Field::VALUE),
     };
     assert_eq!(
-        cpu::aligned_vjp::<IouObb2, f64>(&good, &good, &[1.0, f64::NAN, 1.0, 1.0, 1.0]),
+        calls::aligned_vjp::<IouObb2, f64>(&good, &good, &[1.0, f64::NAN, 1.0, 1.0, 1.0]),
         Err(nan)
     );
     let inverted = [Aabb2::new(0.0, 1.0, 1.0, 0.0)];
     assert_eq!(
-        cpu::aligned::<IouAabb2, f64>(&inverted, &inverted),
+        calls::aligned::<IouAabb2, f64>(&inverted, &inverted),
         Err(Error::Invalid {
             argument: Argument::A,
             row: 0,
-            flaw: Flaw::Inverted(Field::MinY)
+            flaw: Flaw::Inverted(Field::new("min.y"))
         })
     );
     assert_eq!(
         Error::Invalid {
             argument: Argument::A,
             row: 3,
-            flaw: Flaw::Negative(Field::Width)
+            flaw: Flaw::Negative(Field::new("width"))
         }
         .to_string(),
         "`a` row 3: width is negative"
     );
-    let refused = reduce::above::<IouObb2, f64>(&good, &good, f64::NAN).unwrap_err();
+    let refused = calls::above::<IouObb2, f64>(&good, &good, f64::NAN).unwrap_err();
     assert_eq!(
         refused.to_string(),
         "`threshold`: value is not a finite number"
@@ -294,18 +302,18 @@ fn ragged_batches_agree_with_single_calls() {
         offsets.push(vertices.len());
     }
     let rings = || offsets.windows(2).map(|w| vertices[w[0]..w[1]].to_vec());
-    let area = cpu::ragged::<SignedArea, f64>(&vertices, &offsets).unwrap();
-    let perimeter = cpu::ragged::<Perimeter, f64>(&vertices, &offsets).unwrap();
-    let centroid = cpu::ragged::<Centroid, f64>(&vertices, &offsets).unwrap();
+    let area = calls::ragged::<SignedArea, f64>(&vertices, &offsets).unwrap();
+    let perimeter = calls::ragged::<Perimeter, f64>(&vertices, &offsets).unwrap();
+    let centroid = calls::ragged::<Centroid, f64>(&vertices, &offsets).unwrap();
     let ups: Vec<Vec2<f64>> = (0..area.len()).map(|i| Vec2::new(i as f64, 1.0)).collect();
-    let bars = cpu::ragged_vjp::<Centroid, f64>(&vertices, &offsets, &ups).unwrap();
+    let bars = calls::ragged_vjp::<Centroid, f64>(&vertices, &offsets, &ups).unwrap();
     for (i, ring) in rings().enumerate() {
-        assert_eq!(area[i], SignedArea::eval(&ring));
-        assert_eq!(perimeter[i], Perimeter::eval(&ring));
-        assert_eq!(centroid[i], Centroid::eval(&ring));
+        assert_eq!(area[i], SignedArea::value(&ring));
+        assert_eq!(perimeter[i], Perimeter::value(&ring));
+        assert_eq!(centroid[i], Centroid::value(&ring));
         assert_eq!(
             bars[offsets[i]..offsets[i + 1]],
-            Centroid::vjp(&ring, ups[i])
+            <Ringed<Centroid> as Source>::vjp(&ring, ups[i])
         );
     }
     for (bad, row) in [
@@ -316,17 +324,17 @@ fn ragged_batches_agree_with_single_calls() {
         (vec![0, usize::MAX], 1),
     ] {
         assert_eq!(
-            cpu::ragged::<SignedArea, f64>(&vertices[..3], &bad),
+            calls::ragged::<SignedArea, f64>(&vertices[..3], &bad),
             Err(Error::Offsets { row })
         );
     }
     let nan = [Vec2::new(0.0, f64::NAN)];
     assert_eq!(
-        cpu::ragged::<Perimeter, f64>(&nan, &[0, 1]),
+        calls::ragged::<Perimeter, f64>(&nan, &[0, 1]),
         Err(Error::Invalid {
             argument: Argument::Vertices,
             row: 0,
-            flaw: Flaw::NotFinite(Field::Y)
+            flaw: Flaw::NotFinite(Field::new("y"))
         })
     );
 }
@@ -338,13 +346,13 @@ fn the_list_names_its_functions() {
         (pairs { $($pair:ident: $pair_op:ty,)* } rings { $($ring:ident: $ring_op:ty,)* }) => {
             $(
                 assert_eq!(<$pair_op as Op>::NAME, stringify!($pair));
-                fn $pair<O: PairOp>() {}
+                fn $pair<O: Pair<f32> + Pair<f64>>() {}
                 $pair::<$pair_op>();
             )*
-            $(assert_eq!(<$ring_op as Op>::NAME, stringify!($ring));)*
+            $(assert_eq!(<$ring_op as RingOp>::NAME, stringify!($ring));)*
         };
     }
     geograd::for_each_op!(names);
     let a = [Aabb2::new(0.0_f32, 0.0, 2.0, 2.0)];
-    assert_eq!(cpu::aligned::<IofAabb2, f32>(&a, &a).unwrap(), [1.0]);
+    assert_eq!(calls::aligned::<IofAabb2, f32>(&a, &a).unwrap(), [1.0]);
 }

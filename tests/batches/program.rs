@@ -2,41 +2,13 @@
 //! every level of vector instructions and in every way of carrying them out.
 use crate::bits::Turn;
 use geograd::ad::adjoint::overlap::iou_obb2_grad;
-use geograd::ad::program::{Plain, Sym};
+use geograd::ad::program::{Plain, Program, Sym};
 use geograd::kernels::cpu::program::face::{Ready, Trial, Way};
 use geograd::kernels::cpu::simd::Simd;
 use geograd::kernels::real::Real;
 use geograd::overlap::iou_obb2;
-use geograd::{Fixed, Mask, Obb2, Pack, Scalar};
+use geograd::{Fixed, Obb2, Pack, Scalar};
 use geograd_tests::Dice;
-
-/// So many numbers.
-#[derive(Clone, Copy, Debug)]
-struct Row<S, const N: usize>([S; N]);
-
-impl<S: Clone, const N: usize> Pack for Row<S, N> {
-    type Scalar = S;
-    type With<T: Clone> = Row<T, N>;
-    fn map<T: Clone>(&self, f: &mut impl FnMut(&S) -> T) -> Row<T, N> {
-        Row(self.0.each_ref().map(f))
-    }
-    fn each(&mut self, f: &mut impl FnMut(&mut S)) {
-        self.0.iter_mut().for_each(f);
-    }
-}
-impl<S: Copy + Send + Sync + 'static, const N: usize> Fixed for Row<S, N> {
-    const LEN: usize = N;
-    type Array = [S; N];
-    fn to_array(self) -> [S; N] {
-        self.0
-    }
-    fn from_array(numbers: [S; N]) -> Self {
-        Row(numbers)
-    }
-    fn filled(number: S) -> Self {
-        Row([number; N])
-    }
-}
 
 /// Numbers of each argument of a random function, and of its result.
 const FIELDS: [usize; 3] = [3, 2, 1];
@@ -196,7 +168,7 @@ fn computed<T: Real>(ready: &Ready, rows: &[Vec<T>], count: usize) -> Vec<T> {
         .collect();
     let mut room = Vec::new();
     // Twice, since the room is kept.
-    ready.compute(&mut room, count, &items);
+    let _ = ready.compute(&mut room, count, &items);
     ready.compute(&mut room, count, &items)
 }
 
@@ -225,10 +197,8 @@ fn random_lines<T: Real + Plain>() {
     let mut listings = String::new();
     for seed in 0..100 {
         let steps = 20 + 8 * (seed as usize % 12);
-        let trial = Trial::record::<T, Row<Sym<T>, INPUTS>, Row<Sym<T>, OUTPUTS>>(|Row(inputs)| {
-            Row(line(seed, steps, &inputs))
-        })
-        .unwrap();
+        let program = Program::trace(|inputs: [Sym<T>; INPUTS]| line(seed, steps, &inputs));
+        let trial = Trial::of(&program.unwrap());
         let mut dice = Dice(seed + 1000);
         // The last argument is one for all every third time; a few batches have two blocks.
         let count = if seed % 10 == 0 {
@@ -341,22 +311,19 @@ fn boxes<T: Real>(dice: &mut Dice, count: usize) -> Vec<T> {
 }
 
 fn obb2<S: Scalar>(numbers: &[S]) -> Obb2<S> {
-    Obb2::from_slice(numbers)
+    Obb2::load(numbers)
 }
 
 /// The overlap of boxes, with and without its adjoint by hand, has the bits of the function itself.
 fn overlap<T: Real + Plain>() {
     let _turn = Turn::take();
-    let value = Trial::record::<T, Row<Sym<T>, 10>, Sym<T>>(|Row(x)| {
-        iou_obb2(obb2(&x[..5]), obb2(&x[5..]))
-    });
-    let slopes = Trial::record::<T, Row<Sym<T>, 10>, Row<Sym<T>, 11>>(|Row(x)| {
+    let value = Program::trace(|x: [Sym<T>; 10]| iou_obb2(obb2(&x[..5]), obb2(&x[5..])));
+    let slopes = Program::trace(|x: [Sym<T>; 10]| {
         let (value, bars) = iou_obb2_grad(obb2(&x[..5]), obb2(&x[5..]));
-        let mut numbers = vec![value];
-        numbers.extend(bars.0.to_array());
-        numbers.extend(bars.1.to_array());
-        Row::from_slice(&numbers)
+        let numbers = [vec![value], bars.0.scalars(), bars.1.scalars()].concat();
+        <[Sym<T>; 11]>::load(&numbers)
     });
+    let (value, slopes) = (Trial::of(&value.unwrap()), Trial::of(&slopes.unwrap()));
     let mut dice = Dice(7);
     let count = 700;
     let mut rows = [boxes::<T>(&mut dice, count), boxes(&mut dice, count)];
@@ -370,17 +337,11 @@ fn overlap<T: Real + Plain>() {
     let expected_slopes: Vec<T> = pairs()
         .flat_map(|(a, b)| {
             let (value, bars) = iou_obb2_grad(obb2(a), obb2(b));
-            [
-                vec![value],
-                bars.0.to_array().to_vec(),
-                bars.1.to_array().to_vec(),
-            ]
-            .concat()
+            [vec![value], bars.0.scalars(), bars.1.scalars()].concat()
         })
         .map(Scalar::canonical)
         .collect();
     for (trial, expected) in [(value, expected), (slopes, expected_slopes)] {
-        let trial = trial.unwrap();
         for way in WAYS {
             let ready = trial.ready(&[5, 5], way).unwrap();
             assert_eq!(ready.listing().contains("Skip"), way.skipping);

@@ -1,13 +1,12 @@
 //! Reductions on the CPU: of all pairs block by block, and of a matrix that is there, against plain
 //! loops over the matrix.
 use geograd::Aabb2;
-use geograd::kernels::cpu;
 use geograd::kernels::overlap::IouAabb2;
-use geograd::kernels::real::Real;
-use geograd::kernels::reduce::{self, Best, Found, Matrix};
+use geograd::kernels::reduce::{Best, Found, Matrix};
+use geograd_tests::calls::{self, Number};
 
 /// Boxes on a coarse grid, so that equal scores occur often.
-fn boxes<T: Real>(n: usize, seed: u64) -> Vec<Aabb2<T>> {
+fn boxes<T: Number>(n: usize, seed: u64) -> Vec<Aabb2<T>> {
     let mut state = seed;
     let mut roll = |sides: u64| {
         state = state
@@ -33,10 +32,10 @@ const SIZES: [(usize, usize); 6] = [
     (8321, 3),
 ];
 
-fn agrees<T: Real + Into<f64>>() {
+fn agrees<T: Number + Into<f64>>() {
     for (rows, columns) in SIZES {
         let (a, b) = (boxes::<T>(rows, 1), boxes::<T>(columns, 2));
-        let values = cpu::all_pairs::<IouAabb2, T>(&a, &b).unwrap();
+        let values = calls::all_pairs::<IouAabb2, T>(&a, &b).unwrap();
         let held = Matrix::new(rows, columns, values.clone()).unwrap();
         let at = |i: usize, j: usize| values[i * columns + j];
         // The first of the largest.
@@ -51,11 +50,11 @@ fn agrees<T: Real + Into<f64>>() {
             })
         };
         let of_rows: Vec<_> = (0..rows).map(|i| best_of(columns, &|j| at(i, j))).collect();
-        assert_eq!(reduce::row_max::<IouAabb2, T>(&a, &b).unwrap(), of_rows);
+        assert_eq!(calls::row_max::<IouAabb2, T>(&a, &b).unwrap(), of_rows);
         assert_eq!(held.row_max().unwrap(), of_rows);
         let of_columns: Vec<_> = (0..columns).map(|j| best_of(rows, &|i| at(i, j))).collect();
         assert_eq!(
-            reduce::column_max::<IouAabb2, T>(&a, &b).unwrap(),
+            calls::column_max::<IouAabb2, T>(&a, &b).unwrap(),
             of_columns
         );
         assert_eq!(held.column_max().unwrap(), of_columns);
@@ -72,25 +71,25 @@ fn agrees<T: Real + Into<f64>>() {
         }
         assert!(rows * columns < 1000 || !found.is_empty());
         assert_eq!(
-            reduce::above::<IouAabb2, T>(&a, &b, threshold).unwrap(),
+            calls::above::<IouAabb2, T>(&a, &b, threshold).unwrap(),
             found
         );
         assert_eq!(held.above(threshold).unwrap(), found);
         let count = found.len() as u64;
         assert_eq!(
-            reduce::count_above::<IouAabb2, T>(&a, &b, threshold).unwrap(),
+            calls::count_above::<IouAabb2, T>(&a, &b, threshold).unwrap(),
             count
         );
         assert_eq!(held.count_above(threshold).unwrap(), count);
 
         let sum: f64 = values.iter().map(|&x| x.into()).sum();
         let close = |x: f64| (x - sum).abs() <= 1e-12 * sum;
-        assert!(close(reduce::sum::<IouAabb2, T>(&a, &b).unwrap()) && close(held.sum()));
+        assert!(close(calls::sum::<IouAabb2, T>(&a, &b).unwrap()) && close(held.sum()));
 
-        let (same, a_bar, b_bar) = reduce::sum_grad::<IouAabb2, T>(&a, &b).unwrap();
+        let (same, a_bar, b_bar) = calls::sum_grad::<IouAabb2, T>(&a, &b).unwrap();
         assert!(close(same));
         let ones = vec![T::one(); rows * columns];
-        let bars = cpu::all_pairs_vjp::<IouAabb2, T>(&a, &b, &ones).unwrap();
+        let bars = calls::all_pairs_vjp::<IouAabb2, T>(&a, &b, &ones).unwrap();
         assert_eq!((a_bar, b_bar), bars);
     }
 }
@@ -112,9 +111,9 @@ fn same_bits_for_any_number_of_threads() {
             .unwrap();
         pool.install(|| {
             (
-                reduce::sum_grad::<IouAabb2, f32>(&a, &b).unwrap(),
-                reduce::column_max::<IouAabb2, f32>(&a, &b).unwrap(),
-                reduce::above::<IouAabb2, f32>(&a, &b, 0.3).unwrap(),
+                calls::sum_grad::<IouAabb2, f32>(&a, &b).unwrap(),
+                calls::column_max::<IouAabb2, f32>(&a, &b).unwrap(),
+                calls::above::<IouAabb2, f32>(&a, &b, 0.3).unwrap(),
             )
         })
     };
@@ -128,17 +127,17 @@ fn same_bits_for_any_number_of_threads() {
 fn nothing_is_reduced_to_nothing() {
     let (none, some): (Vec<Aabb2<f32>>, _) = (vec![], boxes::<f32>(3, 1));
     assert!(
-        reduce::row_max::<IouAabb2, f32>(&none, &some)
+        calls::row_max::<IouAabb2, f32>(&none, &some)
             .unwrap()
             .is_empty()
     );
-    assert!(reduce::row_max::<IouAabb2, f32>(&some, &none).is_err());
+    assert!(calls::row_max::<IouAabb2, f32>(&some, &none).is_err());
     assert!(
-        reduce::above::<IouAabb2, f32>(&some, &none, 0.0)
+        calls::above::<IouAabb2, f32>(&some, &none, 0.0)
             .unwrap()
             .is_empty()
     );
-    assert_eq!(reduce::sum::<IouAabb2, f32>(&none, &none).unwrap(), 0.0);
-    let (sum, a_bar, _) = reduce::sum_grad::<IouAabb2, f32>(&some, &none).unwrap();
+    assert_eq!(calls::sum::<IouAabb2, f32>(&none, &none).unwrap(), 0.0);
+    let (sum, a_bar, _) = calls::sum_grad::<IouAabb2, f32>(&some, &none).unwrap();
     assert_eq!((sum, a_bar[0].min.x), (0.0, 0.0));
 }

@@ -6,6 +6,7 @@ use geograd::ad::adjoint::overlap::{iou_aabb2_grad, iou_obb2_grad};
 use geograd::ad::check::strategy::{self, ordinary, thin, touching};
 use geograd::overlap::{intersection_area_obb2, iof_obb2, iou_aabb2, iou_obb2};
 use geograd::{Aabb2, Obb2, Pack, Scalar, Vec2};
+use geograd_tests::calls;
 use proptest::prelude::*;
 
 /// A small reproducible source of numbers in `[0, 1)`.
@@ -72,13 +73,13 @@ fn f32_agrees_with_the_oracle_on_random_boxes() {
 /// A million pairs, against f64 (which the oracle vouches for above).
 #[test]
 fn f32_agrees_with_f64_on_a_million_pairs() {
-    use geograd::kernels::{cpu, overlap::IouObb2};
+    use geograd::kernels::overlap::IouObb2;
     let mut dice = Dice(3);
     let mut list = || (0..1000).map(|_| narrow(dice.obb())).collect::<Vec<_>>();
     let (a, b) = (list(), list());
     let wide = |list: &[Obb2<f32>]| list.iter().map(|&x| widen(x)).collect::<Vec<_>>();
-    let got = cpu::all_pairs::<IouObb2, f32>(&a, &b).unwrap();
-    let exact = cpu::all_pairs::<IouObb2, f64>(&wide(&a), &wide(&b)).unwrap();
+    let got = calls::all_pairs::<IouObb2, f32>(&a, &b).unwrap();
+    let exact = calls::all_pairs::<IouObb2, f64>(&wide(&a), &wide(&b)).unwrap();
     for (got, exact) in got.iter().zip(&exact) {
         assert!(
             (f64::from(*got) - exact).abs() < 2e-6,

@@ -1,9 +1,10 @@
 //! How far results of a GPU may lie from those of the CPU: derived, not tuned.
 use crate::shapes::{Draw, Draws, fields, shape_of};
-use geograd::Fixed;
+use geograd::Pack;
 use geograd::kernels::cpu;
 use geograd::kernels::gpu::GpuPair;
 use geograd::overlap::Denominator;
+use geograd_tests::calls;
 
 pub const EPSILON: f64 = f32::EPSILON as f64;
 
@@ -46,10 +47,10 @@ pub fn close(x: f32, y: f32) -> bool {
 fn wide_slopes<O: GpuPair>(a: &[f64], b: &[f64]) -> Vec<f64> {
     let a: cpu::A<O, f64> = shape_of(a);
     let b: cpu::B<O, f64> = shape_of(b);
-    let Ok((_, a_bar, b_bar)) = cpu::aligned_grad::<O, f64>(&[a], &[b]) else {
+    let Ok((_, a_bar, b_bar)) = calls::aligned_grad::<O, f64>(&[a], &[b]) else {
         return Vec::new();
     };
-    let (a_bar, b_bar) = (a_bar[0].to_array(), b_bar[0].to_array());
+    let (a_bar, b_bar) = (a_bar[0].scalars(), b_bar[0].scalars());
     [a_bar.as_ref(), b_bar.as_ref()].concat()
 }
 

@@ -3,8 +3,9 @@ use crate::gpu;
 use crate::shapes::{Draw, fields};
 use geograd::error::{Argument, Field};
 use geograd::kernels::gpu::{Gpu, GpuPair};
-use geograd::kernels::{Backend, GpuError, overlap, reduce, ring};
+use geograd::kernels::{Backend, GpuError, overlap, ring};
 use geograd::{Aabb2, Error, Flaw, Obb2, Vec2};
+use geograd_tests::calls;
 
 pub fn bad_input_is_refused<O: GpuPair>()
 where
@@ -302,11 +303,11 @@ fn rows_in_errors_count_from_the_start() {
     // More rows than a reduction on the CPU takes at a time.
     let mut boxes = vec![Aabb2::new(0.0, 0.0, 1.0, 1.0); 600];
     boxes[599].max.x = -1.0;
-    let refused = reduce::row_max::<overlap::IouAabb2, f32>(&boxes, &boxes[..500]);
+    let refused = calls::row_max::<overlap::IouAabb2, f32>(&boxes, &boxes[..500]);
     let expected = Error::Invalid {
         argument: Argument::A,
         row: 599,
-        flaw: Flaw::Inverted(Field::MinX),
+        flaw: Flaw::Inverted(Field::new("min.x")),
     };
     assert_eq!(refused.unwrap_err(), expected);
 }

@@ -6,6 +6,7 @@ mod bounds;
 mod context;
 mod faults;
 mod parity;
+mod program;
 mod resident;
 mod rings;
 mod shapes;

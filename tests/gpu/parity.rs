@@ -2,10 +2,11 @@
 use crate::bounds::{EPSILON, ROUNDINGS, close, slope_bounds, value_bound};
 use crate::shapes::{Draw, Draws, bits, fields, pairs, shape_of};
 use crate::{gpu, small};
-use geograd::kernels::cpu::{self, PairGrads};
+
 use geograd::kernels::gpu::{Gpu, GpuPair, Options};
 use geograd::kernels::{overlap, reduce};
-use geograd::{Aabb2, Fixed, Obb2};
+use geograd::{Aabb2, Fixed, Obb2, Pack};
+use geograd_tests::calls;
 
 pub fn aligned_agree<O: GpuPair>()
 where
@@ -14,7 +15,7 @@ where
     let Some((_turn, gpu)) = gpu() else { return };
     let (a, b) = pairs::<O::Shape>(300);
     let (on_a, on_b) = (gpu.upload(&a).unwrap(), gpu.upload(&b).unwrap());
-    let expected = cpu::aligned_grad::<O, f32>(&a, &b).unwrap();
+    let expected = calls::aligned_grad::<O, f32>(&a, &b).unwrap();
     let values = gpu.aligned::<O>(&on_a, &on_b).unwrap().download().unwrap();
     let (same, a_bars, b_bars) = gpu.aligned_grad::<O>(&on_a, &on_b).unwrap();
     let (same, a_bars, b_bars) = (
@@ -75,7 +76,7 @@ where
     let (on_a, on_b) = (gpu.upload(&a).unwrap(), gpu.upload(&b).unwrap());
     let matrix = gpu.all_pairs::<O>(&on_a, &on_b).unwrap();
     let values = matrix.download().unwrap();
-    let expected = cpu::all_pairs::<O, f32>(&a, &b).unwrap();
+    let expected = calls::all_pairs::<O, f32>(&a, &b).unwrap();
     assert_eq!(values.len(), expected.len());
     for (at, (&found, &value)) in values.iter().zip(&expected).enumerate() {
         let bound = value_bound::<O>(a[at / columns], b[at % columns], f64::from(value));
@@ -246,7 +247,7 @@ fn repeated_runs_give_the_same_bits() {
         let (a_bars, b_bars) = bars.unwrap();
         let mut all = bits(&matrix.download().unwrap());
         for bar in [a_bars, b_bars].iter().flat_map(|x| x.download().unwrap()) {
-            all.extend(bits(&bar.to_array()));
+            all.extend(bits(&bar.scalars()));
         }
         all
     };
@@ -265,13 +266,13 @@ fn the_first_of_several_is_the_best() {
     for gpu in [gpu, &small()] {
         let (on_few, on_many) = (gpu.upload(&few).unwrap(), gpu.upload(&many).unwrap());
         let found = gpu.row_max::<overlap::IouAabb2>(&on_few, &on_many).unwrap();
-        let expected = reduce::row_max::<overlap::IouAabb2, f32>(&few, &many).unwrap();
+        let expected = calls::row_max::<overlap::IouAabb2, f32>(&few, &many).unwrap();
         let indices = |all: Vec<reduce::Best>| all.iter().map(|x| x.index).collect::<Vec<_>>();
         assert_eq!(indices(found.download().unwrap()), indices(expected));
         let found = gpu
             .column_max::<overlap::IouAabb2>(&on_many, &on_few)
             .unwrap();
-        let expected = reduce::column_max::<overlap::IouAabb2, f32>(&many, &few).unwrap();
+        let expected = calls::column_max::<overlap::IouAabb2, f32>(&many, &few).unwrap();
         assert_eq!(indices(found.download().unwrap()), indices(expected));
     }
 }
@@ -346,7 +347,7 @@ fn extremes_agree<O: GpuPair<Shape = Obb2<f32>>>(gpu: &Gpu) {
         .unwrap()
         .download()
         .unwrap();
-    let expected = cpu::all_pairs_grad::<O, f32>(&boxes, &boxes).unwrap();
+    let expected = calls::all_pairs_grad::<O, f32>(&boxes, &boxes).unwrap();
     for (at, (found, expected)) in found.planes.iter().zip(&expected.planes).enumerate() {
         let (i, j) = (at / boxes.len() % boxes.len(), at % boxes.len());
         assert!(

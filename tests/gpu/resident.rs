@@ -6,8 +6,9 @@ use geograd::error::{Argument, Field};
 use geograd::kernels::gpu::GpuPair;
 use geograd::kernels::reduce::{Best, Found};
 use geograd::kernels::resident::{Bars, Shapes};
-use geograd::kernels::{Backend, GpuError, overlap, reduce};
+use geograd::kernels::{Backend, GpuError, overlap};
 use geograd::{Aabb2, Error, Flaw, Obb2};
+use geograd_tests::calls;
 
 /// What a chain of calls comes to.
 struct Outcome<P> {
@@ -257,7 +258,7 @@ fn into_is_the_same_as_anew() {
 fn bits_of(bars: &Bars<Obb2<f32>>) -> Vec<u32> {
     let all = bars.download().unwrap();
     all.iter()
-        .flat_map(|bar| bits(&geograd::Fixed::to_array(*bar)))
+        .flat_map(|bar| bits(&geograd::Pack::scalars(bar)))
         .collect()
 }
 
@@ -272,7 +273,7 @@ fn updates_are_checked_and_change_nothing_when_refused() {
         let expected = GpuError::Input(Error::Invalid {
             argument: Argument::Shape,
             row: 1,
-            flaw: Flaw::NotFinite(Field::MaxX),
+            flaw: Flaw::NotFinite(Field::new("max.x")),
         });
         assert_eq!(a.update(&[good, bad]).unwrap_err(), expected);
         let expected = GpuError::Input(Error::Length {
@@ -325,7 +326,7 @@ fn an_update_to_extremes_is_noticed() {
     let clone = a.clone();
     for shape in [huge, tiny] {
         a.update(&[shape]).unwrap();
-        let expected = reduce::sum::<O, f32>(&[shape], &[shape]).unwrap();
+        let expected = calls::sum::<O, f32>(&[shape], &[shape]).unwrap();
         for a in [&a, &clone] {
             let found = gpu.aligned::<O>(a, a).unwrap().download().unwrap();
             assert!((f64::from(found[0]) - expected).abs() <= 1e-5 * expected);

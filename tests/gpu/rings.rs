@@ -1,9 +1,10 @@
 //! Rings on the GPU.
 use crate::bounds::{EPSILON, ROUNDINGS};
 use crate::shapes::{Draws, fields, shape_of};
+use geograd::kernels::Backend;
 use geograd::kernels::gpu::{Gpu, GpuRing, Options};
-use geograd::kernels::{Backend, cpu};
-use geograd::{Fixed, Vec2};
+use geograd::{Pack, Vec2};
+use geograd_tests::calls;
 
 fn rings() -> (Vec<Vec2<f32>>, Vec<usize>) {
     let mut draws = Draws(5);
@@ -43,7 +44,7 @@ pub fn rings_agree<O: GpuRing>(gpu: &Gpu) {
     let (vertices, offsets) = rings();
     let on = gpu.upload_rings(&vertices, &offsets).unwrap();
     let found = gpu.ragged::<O>(&on).unwrap().download().unwrap();
-    let expected = cpu::ragged::<O, f32>(&vertices, &offsets).unwrap();
+    let expected = calls::ragged::<O, f32>(&vertices, &offsets).unwrap();
     assert_eq!(found.len(), expected.len());
     let upstream = vec![shape_of(&[1.5, -0.5]); expected.len()];
     let bars = gpu
@@ -51,7 +52,7 @@ pub fn rings_agree<O: GpuRing>(gpu: &Gpu) {
         .unwrap()
         .download()
         .unwrap();
-    let expected_bars = cpu::ragged_vjp::<O, f32>(&vertices, &offsets, &upstream).unwrap();
+    let expected_bars = calls::ragged_vjp::<O, f32>(&vertices, &offsets, &upstream).unwrap();
     assert_eq!(bars.len(), expected_bars.len());
     for (ring, (found, expected)) in found.iter().zip(&expected).enumerate() {
         // Sums over edges of terms no larger than the square of the ring's extent, which is below
@@ -107,13 +108,13 @@ pub fn long_rings_agree<O: GpuRing>(gpu: &Gpu, counts: &[usize]) {
         .collect();
     let on = gpu.upload_rings(&vertices, &offsets).unwrap();
     let found = gpu.ragged::<O>(&on).unwrap().download().unwrap();
-    let expected = cpu::ragged::<O, f64>(&wide, &offsets).unwrap();
+    let expected = calls::ragged::<O, f64>(&wide, &offsets).unwrap();
     let upstream = vec![shape_of(&[1.5, -0.5]); counts.len()];
     let run = || gpu.ragged_vjp::<O>(&on, &upstream).unwrap().download();
     let bars = run().unwrap();
     assert!(run().unwrap() == bars, "the same bits");
     let upstream = vec![shape_of(&[1.5, -0.5]); counts.len()];
-    let expected_bars = cpu::ragged_vjp::<O, f64>(&wide, &offsets, &upstream).unwrap();
+    let expected_bars = calls::ragged_vjp::<O, f64>(&wide, &offsets, &upstream).unwrap();
     for (ring, (found, expected)) in found.iter().zip(&expected).enumerate() {
         let (extent, around) = (4.0, 16.0);
         let ring = offsets[ring]..offsets[ring + 1];
@@ -126,7 +127,7 @@ pub fn long_rings_agree<O: GpuRing>(gpu: &Gpu, counts: &[usize]) {
             0.0
         };
         let bound = EPSILON * (64.0 * 2.0 * extent * around + lengths);
-        let expected = expected.to_array();
+        let expected = expected.scalars();
         for (found, expected) in fields(*found).iter().zip(expected.as_ref()) {
             let n = corners.len();
             assert!(

@@ -68,7 +68,7 @@ impl Draw for Obb2<f32> {
         self.heading == 0.0 && other.heading == 0.0
     }
     fn flawed() -> (Self, Flaw) {
-        let flaw = Flaw::NotFinite(Field::Heading);
+        let flaw = Flaw::NotFinite(Field::new("heading"));
         (Obb2::new(0.0, 0.0, 1.0, 1.0, f32::NAN), flaw)
     }
 }
@@ -102,7 +102,7 @@ impl Draw for Aabb2<f32> {
         true
     }
     fn flawed() -> (Self, Flaw) {
-        let flaw = Flaw::Inverted(Field::MinX);
+        let flaw = Flaw::Inverted(Field::new("min.x"));
         (Aabb2::new(1.0, 0.0, 0.0, 1.0), flaw)
     }
 }
@@ -126,18 +126,12 @@ pub fn pairs<P: Draw>(random: usize) -> (Vec<P>, Vec<P>) {
 }
 
 pub fn fields<P: Fixed<Scalar = f32>>(shape: P) -> Vec<f64> {
-    let fields = shape.to_array();
-    fields.as_ref().iter().map(|&x| f64::from(x)).collect()
+    shape.scalars().into_iter().map(f64::from).collect()
 }
 
 /// The shape with these fields.
-pub fn shape_of<P: Fixed>(fields: &[P::Scalar]) -> P
-where
-    P::Scalar: Copy,
-{
-    let mut all = P::filled(fields[0]).to_array();
-    all.as_mut().copy_from_slice(&fields[..P::LEN]);
-    P::from_array(all)
+pub fn shape_of<P: Fixed>(fields: &[P::Scalar]) -> P {
+    P::load(fields)
 }
 
 /// Bits, so that not even the sign of a zero may differ.

@@ -1,7 +1,7 @@
 //! Every operation of the list, proved by the harness: hard cases first, then random inputs, in
 //! both formats.
 use geograd::ad::check::Plan;
-use geograd::kernels::check::{prove_pair_with, prove_ring_with};
+use geograd::kernels::check::{prove_ring_with, prove_with};
 
 /// Random inputs per operation and format. Hard cases come on top.
 const SAMPLES: usize = 100;
@@ -21,7 +21,7 @@ macro_rules! prove_all {
         mod f64 {
             use super::*;
             $(#[test] fn $pair() {
-                let report = prove_pair_with::<$pair_op, f64>(&plan());
+                let report = prove_with::<$pair_op, f64>(&plan());
                 assert!(report.passed(), "{report}");
             })*
             $(#[test] fn $ring() {
@@ -32,7 +32,7 @@ macro_rules! prove_all {
         mod f32 {
             use super::*;
             $(#[test] fn $pair() {
-                let report = prove_pair_with::<$pair_op, f32>(&plan());
+                let report = prove_with::<$pair_op, f32>(&plan());
                 assert!(report.passed(), "{report}");
             })*
             $(#[test] fn $ring() {
@@ -50,17 +50,18 @@ mod alarms {
     use geograd::ad::check::sample::Sample;
     use geograd::ad::check::{self, Report, examine};
     use geograd::kernels::check::OpSubject;
-    use geograd::kernels::{Centroid, IntersectionAreaObb2, IofAabb2, IofObb2, IouObb2, Op};
+    use geograd::kernels::op::{Ringed, Source, Straight};
+    use geograd::kernels::{Centroid, IntersectionAreaObb2, IofAabb2, IofObb2, IouObb2};
     use geograd::{Aabb2, Obb2, Vec2};
 
     /// By the random directions of the sample at which it was refused.
-    fn judged<O: Op>(pair: O::In<f64>, sample: u64) -> Report
+    fn judged<O: Source>(pair: O::In<f64>, sample: u64) -> Report
     where
         O::In<f64>: Sample,
     {
         judged_from::<O>(pair, check::SEED, sample)
     }
-    fn judged_from<O: Op>(pair: O::In<f64>, seed: u64, sample: u64) -> Report
+    fn judged_from<O: Source>(pair: O::In<f64>, seed: u64, sample: u64) -> Report
     where
         O::In<f64>: Sample,
     {
@@ -96,9 +97,9 @@ mod alarms {
             ),
         );
         for report in [
-            judged::<IntersectionAreaObb2>(pair, 63022),
-            judged::<IouObb2>(pair, 63022),
-            judged::<IofObb2>(pair, 63022),
+            judged::<Straight<IntersectionAreaObb2>>(pair, 63022),
+            judged::<Straight<IouObb2>>(pair, 63022),
+            judged::<Straight<IofObb2>>(pair, 63022),
         ] {
             assert!(report.passed(), "{report}");
         }
@@ -113,7 +114,7 @@ mod alarms {
             14.29304386814869,
             2.356194490192345,
         );
-        let report = judged::<IofObb2>(
+        let report = judged::<Straight<IofObb2>>(
             (
                 Obb2::new(x, y, long, 0.02218365629001546, heading),
                 Obb2::new(x, y, long, 1.0, heading),
@@ -139,7 +140,7 @@ mod alarms {
         let ring: Vec<Vec2<f64>> = ring.iter().map(|&(x, y)| Vec2::new(x, y)).collect();
         let plan = Plan::new(1, check::SEED ^ 23144);
         let report = examine("centroid", &plan, &[ring], 1, |x, judge| {
-            judge(&OpSubject::<Centroid, f32>::new(x, &[], None));
+            judge(&OpSubject::<Ringed<Centroid>, f32>::new(x, &[], None));
         });
         assert!(report.passed(), "{report}");
     }
@@ -150,7 +151,7 @@ mod alarms {
         // a small one: their difference is a unit in the last place of the large one, divided by a
         // thin area. Inputs moved by their last digits leave that rounding as it is.
         let (left, right) = (0.5821051754596889, 9.865080533307342);
-        let report = judged_from::<IofAabb2>(
+        let report = judged_from::<Straight<IofAabb2>>(
             (
                 Aabb2::new(left, 0.1393645740513334, right, 0.14044768784172024),
                 Aabb2::new(left, 0.0, right, 1.0),
@@ -170,7 +171,7 @@ mod alarms {
             Obb2::new(place.0, place.1, 1e5, 175813.66498580552, 4.71238898038469),
             Obb2::new(place.0, place.1, 2e5, 175813.66498584853, 4.712388980380156),
         );
-        let report = judged_from::<IofObb2>(boxes, 1, 45821);
+        let report = judged_from::<Straight<IofObb2>>(boxes, 1, 45821);
         assert!(report.passed(), "{report}");
     }
 
@@ -179,7 +180,7 @@ mod alarms {
         // The sides of two boxes as thin as a wall of atoms are a few hundred last digits apart: in
         // the steps that change no branch hardly a coordinate moves as it was told.
         let (low, high) = (-9.999984294219056, -9.999983948961884);
-        let report = judged_from::<IofAabb2>(
+        let report = judged_from::<Straight<IofAabb2>>(
             (
                 Aabb2::new(0.0, low, 10.0, high),
                 Aabb2::new(

@@ -3,8 +3,9 @@
 use geograd::ad::check::subject::{Conventions, Jumps};
 use geograd::ad::check::verdict::{Reason, Witness};
 use geograd::ad::check::{Check, Plan, examine};
-use geograd::kernels::check::{OpSubject, prove_pair_on, prove_ring_on};
+use geograd::kernels::check::{OpSubject, prove_on, prove_ring_on};
 use geograd::kernels::gpu::Gpu;
+use geograd::kernels::op::Straight;
 use geograd::kernels::witness::{Answer, Batch};
 use geograd::kernels::{Backend, GpuError, IouObb2};
 use geograd::{Obb2, Pack, ad};
@@ -35,9 +36,9 @@ fn gpu() -> Option<Gpu> {
 
 macro_rules! prove_all {
     (pairs { $($pair:ident: $pair_op:ty,)* } rings { $($ring:ident: $ring_op:ty,)* }) => {
-        fn prove_on(backend: Backend<'_>) {
+        fn all_on(backend: Backend<'_>) {
             $(
-                let report = prove_pair_on::<$pair_op>(backend, &plan()).unwrap();
+                let report = prove_on::<$pair_op>(backend, &plan()).unwrap();
                 assert!(report.passed() && report.worst[5].count > 0, "{report}");
             )*
             $(
@@ -51,13 +52,13 @@ geograd::for_each_op!(prove_all);
 
 #[test]
 fn batches_on_the_cpu() {
-    prove_on(Backend::Cpu);
+    all_on(Backend::Cpu);
 }
 
 #[test]
 fn batches_on_a_gpu() {
     if let Some(gpu) = gpu() {
-        prove_on(Backend::Gpu(&gpu));
+        all_on(Backend::Gpu(&gpu));
     }
 }
 
@@ -86,7 +87,7 @@ fn a_wrong_batch_is_refused() {
         let batch = Batch::new(&ask, &[input.scalars()]).unwrap();
         let inputs = [input];
         examine("wrong", &Plan::new(1, 1), &inputs, 1, |x, judge| {
-            let subject = OpSubject::<IouObb2, f32>::new(x, &[], None);
+            let subject = OpSubject::<Straight<IouObb2>, f32>::new(x, &[], None);
             judge(&subject.with_batch(Some(&batch)));
         })
     };

@@ -6,7 +6,7 @@ use std::slice;
 
 /// Whether a shape is one of the library's that are made of nothing but numbers of this format, in
 /// the order of their fields, without gaps.
-fn is_plain<P: Fixed>() -> bool
+pub fn is_plain<P: Fixed>() -> bool
 where
     P::Scalar: 'static,
 {

@@ -30,7 +30,7 @@ pub use entry::Kernels;
 pub use entry::of_f32::KERNELS as F32;
 pub use entry::of_f64::KERNELS as F64;
 pub(crate) use memory::flat;
-pub use memory::{numbers, numbers_mut};
+pub use memory::{is_plain, numbers, numbers_mut};
 
 use crate::kernels::cpu::lane::{Lane, TILE};
 use crate::scalar::lanes::LaneMask;

@@ -2,7 +2,7 @@
 use super::Vector;
 use crate::kernels::cpu::lane::{Lane, TILE};
 use crate::scalar::float::{HIGH_OF_SINGLE, sin_cos_single, sin_cos_wide};
-use crate::{Fixed, Mask, Pack, Scalar};
+use crate::{Mask, Scalar};
 use std::arch::x86_64::*;
 use std::ops::{Add, AddAssign, BitAnd, BitOr, Div, Mul, MulAssign, Neg, Not, Sub, SubAssign};
 
@@ -192,33 +192,8 @@ macro_rules! vector {
             }
         }
 
-        impl Pack for $name {
-            type Scalar = Self;
-            type With<R: Clone> = R;
-            #[inline(always)]
-            fn map<R: Clone>(&self, f: &mut impl FnMut(&Self) -> R) -> R {
-                f(self)
-            }
-            #[inline(always)]
-            fn each(&mut self, f: &mut impl FnMut(&mut Self)) {
-                f(self)
-            }
-        }
-        impl Fixed for $name {
-            const LEN: usize = 1;
-            type Array = [Self; 1];
-            #[inline(always)]
-            fn to_array(self) -> [Self; 1] {
-                [self]
-            }
-            #[inline(always)]
-            fn from_array([scalar]: [Self; 1]) -> Self {
-                scalar
-            }
-            #[inline(always)]
-            fn filled(scalar: Self) -> Self {
-                scalar
-            }
+        crate::pack::leaf! {
+            [] $name,
         }
 
         impl Scalar for $name {

@@ -358,13 +358,10 @@ impl<P: GpuShape> Bars<P> {
 /// Shapes out of tiles of single fields.
 fn untile<P: GpuShape>(numbers: &[u32], to: &mut [P]) {
     let lanes: &[f32] = bytemuck::cast_slice(numbers);
-    let mut fields = P::filled(0.0).to_array();
     for (i, shape) in to.iter_mut().enumerate() {
         let tile = &lanes[i / TILE * P::LEN * TILE..];
-        for (k, field) in fields.as_mut().iter_mut().enumerate() {
-            *field = tile[k * TILE + i % TILE];
-        }
-        *shape = P::from_array(fields);
+        let mut fields = tile[i % TILE..].iter().step_by(TILE);
+        shape.each(&mut |field| *field = *fields.next().unwrap_or(field));
     }
 }
 

@@ -7,8 +7,8 @@ use super::{Bars, Gpu, Inner, Matrix, Pending, Shapes};
 use crate::Fixed;
 use crate::error::{Argument, Error};
 use crate::kernels::GpuError;
-use crate::kernels::cpu::PairGrads;
 use crate::kernels::cpu::checked::{check_upstream, entries, expect};
+use crate::kernels::on_cpu::PairGrads;
 use std::marker::PhantomData;
 
 /// Shapes of an operation on the GPU.
@@ -64,7 +64,7 @@ impl<O: GpuPair> PairBars<O> {
     /// # Errors
     ///
     /// [`GpuError::Input`] when there are more than memory has addresses, or what the device says.
-    pub fn start_download(&self) -> Result<Pending<PairGrads<O, f32>>, GpuError> {
+    pub fn start_download(&self) -> Result<Pending<PairGrads<O>>, GpuError> {
         let (rows, columns) = (self.values.rows, self.values.columns);
         let fields = 2 * O::Shape::LEN;
         entries(rows, columns, fields)?;
@@ -95,7 +95,7 @@ impl<O: GpuPair> PairBars<O> {
 }
 
 download! {
-    [O: GpuPair] PairBars<O> => PairGrads<O, f32>;
+    [O: GpuPair] PairBars<O> => PairGrads<O>;
 }
 
 impl Gpu {

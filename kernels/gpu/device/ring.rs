@@ -141,11 +141,7 @@ impl<T: Fixed<Scalar = f32> + 'static> RingValues<T> {
             let mut all = Vec::new();
             arrival.read(|_, numbers| {
                 let numbers: &[f32] = bytemuck::cast_slice(numbers);
-                all.extend(numbers.chunks_exact(T::LEN).map(|numbers| {
-                    let mut fields = T::filled(0.0).to_array();
-                    fields.as_mut().copy_from_slice(numbers);
-                    T::from_array(fields)
-                }));
+                all.extend(numbers.chunks_exact(T::LEN).map(T::load));
             })?;
             Ok(all)
         }))
@@ -169,7 +165,7 @@ download! {
 }
 
 /// A result of an operation of rings.
-pub type OutOf<O> = <O as crate::kernels::op::Op>::Out<f32>;
+pub type OutOf<O> = <O as crate::kernels::op::RingOp>::Out<f32>;
 
 impl Gpu {
     /// Checks rings and brings them to the GPU. Ring i has the vertices
@@ -271,7 +267,7 @@ impl Gpu {
         let fields = OutOf::<O>::LEN;
         let mut numbers = vec![0.0; upstream.len() * fields];
         for (out_bar, numbers) in upstream.iter().zip(numbers.chunks_exact_mut(fields)) {
-            numbers.copy_from_slice(out_bar.to_array().as_ref());
+            out_bar.store(numbers);
         }
         check_upstream(&numbers).map_err(|error| match error {
             Error::Invalid {

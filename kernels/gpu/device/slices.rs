@@ -7,14 +7,14 @@ use crate::error::Argument;
 use crate::kernels::GpuError;
 use crate::kernels::backend::{Loss, Slopes as Both};
 use crate::kernels::cpu::checked::expect;
-use crate::kernels::cpu::{A, AlignedGrads, B, PairGrads};
+use crate::kernels::on_cpu::{AlignedGrads, PairGrads, ShapeOf};
 use crate::kernels::reduce::{Best, Found};
 
 /// Both lists on the GPU.
 fn lists<O: GpuPair>(
     gpu: &Gpu,
-    a: &[A<O, f32>],
-    b: &[B<O, f32>],
+    a: &[ShapeOf<O>],
+    b: &[ShapeOf<O>],
 ) -> Result<(ShapesOf<O>, ShapesOf<O>), GpuError> {
     Ok((
         gpu.upload_as(Argument::A, a)?,
@@ -37,8 +37,8 @@ impl Gpu {
 
     pub(crate) fn aligned_slices<O: GpuPair>(
         &self,
-        a: &[A<O, f32>],
-        b: &[B<O, f32>],
+        a: &[ShapeOf<O>],
+        b: &[ShapeOf<O>],
     ) -> Result<Vec<f32>, GpuError> {
         expect(Argument::B, a.len(), b.len())?;
         let (a, b) = lists::<O>(self, a, b)?;
@@ -47,9 +47,9 @@ impl Gpu {
 
     pub(crate) fn aligned_grad_slices<O: GpuPair>(
         &self,
-        a: &[A<O, f32>],
-        b: &[B<O, f32>],
-    ) -> Result<AlignedGrads<O, f32>, GpuError> {
+        a: &[ShapeOf<O>],
+        b: &[ShapeOf<O>],
+    ) -> Result<AlignedGrads<O>, GpuError> {
         expect(Argument::B, a.len(), b.len())?;
         let (a, b) = lists::<O>(self, a, b)?;
         let (values, a_bars, b_bars) = self.aligned_grad::<O>(&a, &b)?;
@@ -60,8 +60,8 @@ impl Gpu {
 
     pub(crate) fn aligned_into_slices<O: GpuPair>(
         &self,
-        a: &[A<O, f32>],
-        b: &[B<O, f32>],
+        a: &[ShapeOf<O>],
+        b: &[ShapeOf<O>],
         values: &mut [f32],
     ) -> Result<(), GpuError> {
         expect(Argument::B, a.len(), b.len())?;
@@ -72,11 +72,11 @@ impl Gpu {
 
     pub(crate) fn aligned_grad_into_slices<O: GpuPair>(
         &self,
-        a: &[A<O, f32>],
-        b: &[B<O, f32>],
+        a: &[ShapeOf<O>],
+        b: &[ShapeOf<O>],
         values: &mut [f32],
-        a_bar: &mut [A<O, f32>],
-        b_bar: &mut [B<O, f32>],
+        a_bar: &mut [ShapeOf<O>],
+        b_bar: &mut [ShapeOf<O>],
     ) -> Result<(), GpuError> {
         expect(Argument::B, a.len(), b.len())?;
         expect(Argument::Values, a.len(), values.len())?;
@@ -92,8 +92,8 @@ impl Gpu {
 
     pub(crate) fn aligned_vjp_slices<O: GpuPair>(
         &self,
-        a: &[A<O, f32>],
-        b: &[B<O, f32>],
+        a: &[ShapeOf<O>],
+        b: &[ShapeOf<O>],
         upstream: &[f32],
     ) -> Result<Both<O>, GpuError> {
         expect(Argument::B, a.len(), b.len())?;
@@ -105,8 +105,8 @@ impl Gpu {
 
     pub(crate) fn all_pairs_slices<O: GpuPair>(
         &self,
-        a: &[A<O, f32>],
-        b: &[B<O, f32>],
+        a: &[ShapeOf<O>],
+        b: &[ShapeOf<O>],
     ) -> Result<Vec<f32>, GpuError> {
         let (a, b) = lists::<O>(self, a, b)?;
         self.all_pairs::<O>(&a, &b)?.download()
@@ -114,17 +114,17 @@ impl Gpu {
 
     pub(crate) fn all_pairs_grad_slices<O: GpuPair>(
         &self,
-        a: &[A<O, f32>],
-        b: &[B<O, f32>],
-    ) -> Result<PairGrads<O, f32>, GpuError> {
+        a: &[ShapeOf<O>],
+        b: &[ShapeOf<O>],
+    ) -> Result<PairGrads<O>, GpuError> {
         let (a, b) = lists::<O>(self, a, b)?;
         self.all_pairs_grad::<O>(&a, &b)?.download()
     }
 
     pub(crate) fn all_pairs_vjp_slices<O: GpuPair>(
         &self,
-        a: &[A<O, f32>],
-        b: &[B<O, f32>],
+        a: &[ShapeOf<O>],
+        b: &[ShapeOf<O>],
         upstream: &[f32],
     ) -> Result<Both<O>, GpuError> {
         let (a, b) = lists::<O>(self, a, b)?;
@@ -133,8 +133,8 @@ impl Gpu {
 
     pub(crate) fn sum_grad_slices<O: GpuPair>(
         &self,
-        a: &[A<O, f32>],
-        b: &[B<O, f32>],
+        a: &[ShapeOf<O>],
+        b: &[ShapeOf<O>],
     ) -> Result<Loss<O>, GpuError> {
         let (a, b) = lists::<O>(self, a, b)?;
         let (sum, a_bar, b_bar) = self.sum_grad::<O>(&a, &b)?;
@@ -144,8 +144,8 @@ impl Gpu {
 
     pub(crate) fn mean_grad_slices<O: GpuPair>(
         &self,
-        a: &[A<O, f32>],
-        b: &[B<O, f32>],
+        a: &[ShapeOf<O>],
+        b: &[ShapeOf<O>],
     ) -> Result<Loss<O>, GpuError> {
         let (a, b) = lists::<O>(self, a, b)?;
         let (mean, a_bar, b_bar) = self.mean_grad::<O>(&a, &b)?;
@@ -155,8 +155,8 @@ impl Gpu {
 
     pub(crate) fn row_max_slices<O: GpuPair>(
         &self,
-        a: &[A<O, f32>],
-        b: &[B<O, f32>],
+        a: &[ShapeOf<O>],
+        b: &[ShapeOf<O>],
     ) -> Result<Vec<Best>, GpuError> {
         let (a, b) = lists::<O>(self, a, b)?;
         self.row_max::<O>(&a, &b)?.download()
@@ -164,8 +164,8 @@ impl Gpu {
 
     pub(crate) fn column_max_slices<O: GpuPair>(
         &self,
-        a: &[A<O, f32>],
-        b: &[B<O, f32>],
+        a: &[ShapeOf<O>],
+        b: &[ShapeOf<O>],
     ) -> Result<Vec<Best>, GpuError> {
         let (a, b) = lists::<O>(self, a, b)?;
         self.column_max::<O>(&a, &b)?.download()
@@ -173,8 +173,8 @@ impl Gpu {
 
     pub(crate) fn above_slices<O: GpuPair>(
         &self,
-        a: &[A<O, f32>],
-        b: &[B<O, f32>],
+        a: &[ShapeOf<O>],
+        b: &[ShapeOf<O>],
         threshold: f32,
     ) -> Result<Vec<Found>, GpuError> {
         let (a, b) = lists::<O>(self, a, b)?;
@@ -183,8 +183,8 @@ impl Gpu {
 
     pub(crate) fn count_above_slices<O: GpuPair>(
         &self,
-        a: &[A<O, f32>],
-        b: &[B<O, f32>],
+        a: &[ShapeOf<O>],
+        b: &[ShapeOf<O>],
         threshold: f32,
     ) -> Result<u64, GpuError> {
         let (a, b) = lists::<O>(self, a, b)?;
@@ -193,8 +193,8 @@ impl Gpu {
 
     pub(crate) fn sum_slices<O: GpuPair>(
         &self,
-        a: &[A<O, f32>],
-        b: &[B<O, f32>],
+        a: &[ShapeOf<O>],
+        b: &[ShapeOf<O>],
     ) -> Result<f64, GpuError> {
         let (a, b) = lists::<O>(self, a, b)?;
         self.sum::<O>(&a, &b)
@@ -202,8 +202,8 @@ impl Gpu {
 
     pub(crate) fn mean_slices<O: GpuPair>(
         &self,
-        a: &[A<O, f32>],
-        b: &[B<O, f32>],
+        a: &[ShapeOf<O>],
+        b: &[ShapeOf<O>],
     ) -> Result<f64, GpuError> {
         let (a, b) = lists::<O>(self, a, b)?;
         self.mean::<O>(&a, &b)

@@ -4,10 +4,10 @@
 //! alone.
 use crate::clip::{FAR, LARGEST_INVERSE, frame, is_ordinary};
 use crate::error::Validate;
-use crate::kernels::op::{Op, PairOp, RingOp};
-use crate::kernels::overlap::{Aabb2Score, Obb2Score};
+use crate::kernels::op::{Op, RingOp};
 use crate::kernels::ring::{Centroid, Perimeter, SignedArea};
-use crate::overlap::{Denominator, Measure};
+use crate::kernels::row::Row;
+use crate::overlap::Denominator;
 use crate::scalar::float::Float;
 use crate::{Aabb2, Fixed, Obb2, Scalar};
 use std::fmt::Write;
@@ -46,7 +46,7 @@ pub(super) const ROW: usize = 32_768;
 pub(super) const MOST_QUADS: usize = 2;
 
 /// A shape that batches on a GPU take.
-pub trait GpuShape: Fixed<Scalar = f32> + Validate + 'static {
+pub trait GpuShape: Row<Scalar = f32, Many = Vec<Self>> + Validate + std::fmt::Debug {
     /// How many groups of four numbers a prepared shape has.
     const QUADS: usize;
     /// The shape in WGSL.
@@ -94,7 +94,7 @@ impl GpuShape for Aabb2<f32> {
 
 /// An operation of two shapes that has a mirror in WGSL.
 pub trait GpuPair:
-    PairOp<A<f32> = <Self as GpuPair>::Shape, B<f32> = <Self as GpuPair>::Shape>
+    Op<In<f32> = (<Self as GpuPair>::Shape, <Self as GpuPair>::Shape), Out<f32> = f32>
 {
     /// Both shapes.
     type Shape: GpuShape;
@@ -102,14 +102,22 @@ pub trait GpuPair:
     const DENOMINATOR: Denominator;
 }
 
-impl<M: Measure> GpuPair for Obb2Score<M> {
-    type Shape = Obb2<f32>;
-    const DENOMINATOR: Denominator = M::DENOMINATOR;
+/// Lists the operations that have a mirror.
+macro_rules! mirrored {
+    ($($op:ident: $shape:ident over $over:ident;)*) => { $(
+        impl GpuPair for crate::kernels::$op {
+            type Shape = $shape<f32>;
+            const DENOMINATOR: Denominator = Denominator::$over;
+        }
+    )* };
 }
-
-impl<M: Measure> GpuPair for Aabb2Score<M> {
-    type Shape = Aabb2<f32>;
-    const DENOMINATOR: Denominator = M::DENOMINATOR;
+mirrored! {
+    IntersectionAreaObb2: Obb2 over None;
+    IouObb2: Obb2 over Union;
+    IofObb2: Obb2 over First;
+    IntersectionAreaAabb2: Aabb2 over None;
+    IouAabb2: Aabb2 over Union;
+    IofAabb2: Aabb2 over First;
 }
 
 /// An operation of a ring that has a mirror in WGSL.
@@ -318,7 +326,7 @@ pub(super) fn ring_source<O: GpuRing>() -> String {
         "const MOMENTS: bool = {};\nconst LENGTHS: bool = {};\nconst FIELDS: u32 = {}u;",
         O::MOMENTS,
         O::LENGTHS,
-        <O as Op>::Out::<f32>::LEN,
+        <O as RingOp>::Out::<f32>::LEN,
     );
     for file in [
         PRELUDE,

@@ -25,20 +25,3 @@ interop! {
     Vec3<f32> = Vec3 { x, y, z }
     Vec3<f64> = DVec3 { x, y, z }
 }
-
-#[cfg(test)]
-mod tests {
-    use crate::{Obb2, Vec2, Vec3};
-
-    #[test]
-    fn there_and_back() {
-        let v = glam::DVec3::new(1.0, 2.0, 3.0);
-        assert_eq!(glam::DVec3::from(Vec3::from(v)), v);
-        let car = Obb2 {
-            center: glam::Vec2::new(1.0, 2.0).into(),
-            size: Vec2::new(4.0, 2.0),
-            heading: 0.0,
-        };
-        assert_eq!(glam::Vec2::from(car.center).x, 1.0);
-    }
-}

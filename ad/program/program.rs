@@ -1,0 +1,216 @@
+//! Programs with the shapes of what goes in and out.
+use super::cost::Cost;
+use super::graph::Format;
+use super::print::print;
+use super::record::record;
+use super::recorded::Recorded;
+use super::shapes::numbers;
+use super::symbol::{Plain, Sym};
+use super::wgsl;
+use crate::{Error, Fixed, Scalar};
+use std::fmt;
+use std::marker::PhantomData;
+
+/// A recorded function from one shape of plain numbers to another.
+///
+/// Several arguments are a tuple. See the [module](super) for what can be recorded.
+///
+/// ```
+/// use geograd::ad::program::{Program, Sym};
+/// use geograd::{Fixed, Obb2, Vec2};
+/// # fn main() -> Result<(), geograd::Error> {
+/// let reach = Program::trace(|(p, car): (Vec2<Sym<f32>>, Obb2<Sym<f32>>)| (p - car.center).length())?;
+/// let (p, car) = (Vec2::new(4.0, 6.0), Obb2::new(1.0, 2.0, 4.5, 1.8, 0.3));
+/// assert_eq!(reach.eval((p, car)), 5.0);
+///
+/// let (value, (by_p, by_car)) = reach.value_grad().eval((p, car));
+/// assert_eq!((value, by_p.x, by_car.center.y), (5.0, 0.6, -0.8));
+///
+/// assert_eq!(reach.value_grad().cost().roots, 1);
+/// assert!(reach.wgsl("reach")?.starts_with("fn reach(x: array<f32, 7>) -> array<f32, 1> {"));
+/// # Ok(())
+/// # }
+/// ```
+#[derive(Clone, Debug)]
+pub struct Program<In, Out> {
+    recorded: Recorded,
+    shapes: PhantomData<fn(In) -> Out>,
+}
+
+impl<In, Out> Program<In, Out> {
+    fn of(recorded: Recorded) -> Self {
+        Program {
+            recorded,
+            shapes: PhantomData,
+        }
+    }
+
+    /// Records a function of shapes made of [`Sym`]: `f32` or `f64`, whichever its symbols stand for.
+    ///
+    /// The function is called once for the recording, and, if it asks for hints, some hundred times
+    /// more to compare. Numbers that it captures are baked in.
+    ///
+    /// # Errors
+    ///
+    /// [`Error::Program`] if the function uses symbols of another recording, if its result depends on
+    /// an infinite or NaN literal, or if its value depends on hints
+    /// ([`Mask::any`](crate::Mask::any), [`Mask::all`](crate::Mask::all)).
+    pub fn trace<T, X, Y>(function: impl Fn(X) -> Y) -> Result<Self, Error>
+    where
+        T: Plain,
+        X: Fixed<Scalar = Sym<T>, Of<T> = In>,
+        Y: Fixed<Scalar = Sym<T>, Of<T> = Out>,
+    {
+        record(function).map(Self::of)
+    }
+
+    /// The format of its numbers.
+    #[must_use]
+    pub fn format(&self) -> Format {
+        self.recorded.format()
+    }
+
+    /// How many operations a value takes, by kind.
+    #[must_use]
+    pub fn cost(&self) -> Cost {
+        Cost::of(&self.recorded.value.graph)
+    }
+
+    /// The operations.
+    pub(crate) fn recorded(&self) -> &Recorded {
+        &self.recorded
+    }
+}
+
+impl<T: Plain, In: Fixed<Scalar = T>, Out: Fixed<Scalar = T>> Program<In, Out> {
+    /// The result for an input: what the function gives on plain numbers, to the bit. Zeros have no
+    /// sign.
+    #[must_use]
+    pub fn eval(&self, input: In) -> Out {
+        Out::load(&self.recorded.run(&numbers(input)))
+    }
+
+    /// The result for an input on any scalar, with its slopes if it has any. Literals are those of the
+    /// format of the program.
+    ///
+    /// ```
+    /// use geograd::ad::program::{Program, Sym};
+    /// use geograd::{Jet, Scalar};
+    /// let cube = Program::trace(|x: Sym<f64>| x.powi(3)).unwrap();
+    /// let slope = cube.eval_on(Jet::<f64, 1>::variable(2.0, 0)).slope;
+    /// assert_eq!(slope, [12.0]);
+    /// ```
+    #[must_use]
+    pub fn eval_on<S: Scalar>(&self, input: In::Of<S>) -> Out::Of<S> {
+        <Out::Of<S> as Fixed>::load(&self.recorded.run_on(&numbers(input)))
+    }
+
+    /// The pull-back as a program: from an input and a cotangent of the result, of the result's shape,
+    /// to the cotangent of the input, of the input's shape.
+    #[must_use]
+    pub fn vjp(&self) -> Program<(In, Out), In> {
+        Program::of(self.recorded.vjp())
+    }
+
+    /// The push-forward as a program: from an input and a direction, of the input's shape, to the
+    /// result and its derivative along the direction, of the result's shape.
+    #[must_use]
+    pub fn jvp(&self) -> Program<(In, In), (Out, Out)> {
+        Program::of(self.recorded.jvp())
+    }
+}
+
+impl<T: Plain, In: Fixed<Scalar = T>> Program<In, T> {
+    /// The value and its gradient, of the input's shape, as a program.
+    #[must_use]
+    pub fn value_grad(&self) -> Program<In, (T, In)> {
+        Program::of(self.recorded.value_grad())
+    }
+
+    /// The Hessian times a direction as a program: from an input and a direction, of the input's
+    /// shape, to the derivative of the gradient along it.
+    #[must_use]
+    pub fn hvp(&self) -> Program<(In, In), In> {
+        Program::of(self.recorded.hvp())
+    }
+
+    /// The Hessian as a program: in row `i` the derivative of the gradient with respect to number `i`
+    /// of the input. `N` must be how many numbers the input has, or the call does not compile.
+    ///
+    /// ```
+    /// use geograd::ad::program::{Program, Sym};
+    /// use geograd::{Scalar, Vec2};
+    /// let f = Program::trace(|v: Vec2<Sym<f64>>| v.x * v.x * v.y).unwrap();
+    /// let [by_x, by_y]: [Vec2<f64>; 2] = f.hessian().eval(Vec2::new(3.0, 5.0));
+    /// assert_eq!((by_x, by_y), (Vec2::new(10.0, 6.0), Vec2::new(6.0, 0.0)));
+    /// ```
+    #[must_use]
+    pub fn hessian<const N: usize>(&self) -> Program<In, [In; N]> {
+        const { assert!(N == In::LEN, "a Hessian has a row for every number") };
+        Program::of(self.recorded.hessian())
+    }
+
+    /// The same function, whose gradient is given by another one, which is recorded, too: an adjoint by
+    /// hand. [`value_grad`](Program::value_grad), [`vjp`](Program::vjp), [`jvp`](Program::jvp) and
+    /// second derivatives come from it. Whether it is right is for the harness to say.
+    ///
+    /// ```
+    /// use geograd::ad::program::{Program, Sym};
+    /// use geograd::{Scalar, Vec2};
+    /// let norm = Program::trace(|v: Vec2<Sym<f64>>| v.x.hypot(v.y)).unwrap();
+    /// let by_hand = norm.with_adjoint(|v: Vec2<Sym<f64>>| v * Sym::one().over(v.x.hypot(v.y)));
+    /// let (_, slopes) = by_hand.unwrap().value_grad().eval(Vec2::new(3.0, 4.0));
+    /// assert_eq!(slopes, Vec2::new(0.6000000000000001, 0.8));
+    /// ```
+    ///
+    /// # Errors
+    ///
+    /// As for [`trace`](Program::trace).
+    pub fn with_adjoint<X>(&self, gradient: impl Fn(X) -> X) -> Result<Self, Error>
+    where
+        X: Fixed<Scalar = Sym<T>, Of<T> = In>,
+    {
+        Ok(Self::of(self.recorded.with_gradient(&record(gradient)?)))
+    }
+
+    /// The result as part of a larger function that is being recorded. An adjoint by hand comes along:
+    /// the larger program's slopes pass through it.
+    #[must_use]
+    pub fn eval_within(&self, input: In::Of<Sym<T>>) -> Sym<T> {
+        let input = numbers(input);
+        let value = self.recorded.run_on(&input)[0];
+        match self.recorded.gradient_by_hand() {
+            None => value,
+            Some(gradient) => {
+                let slopes = gradient.run_on(&input);
+                Sym::with_slopes(value, input.into_iter().zip(slopes))
+            }
+        }
+    }
+}
+
+impl<In: Fixed<Scalar = f32>, Out: Fixed<Scalar = f32>> Program<In, Out> {
+    /// The program as a function in WGSL, from an array of numbers to an array of numbers, in the order
+    /// of the fields. It calls functions of [`WGSL`](super::WGSL), which belongs into the same shader,
+    /// once.
+    ///
+    /// # Errors
+    ///
+    /// If the name is not an identifier, or has a meaning in WGSL or in those functions.
+    pub fn wgsl(&self, name: &str) -> Result<String, Error> {
+        wgsl::checked(name).map_err(Error::Program)?;
+        Ok(wgsl::function(name, &self.recorded))
+    }
+}
+
+/// The operations one by one, in the order in which they are carried out.
+impl<In: Fixed, Out: Fixed> fmt::Display for Program<In, Out> {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        print(
+            f,
+            &self.recorded,
+            |i| In::name(i).to_string(),
+            |i| Out::name(i).to_string(),
+        )
+    }
+}

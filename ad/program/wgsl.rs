@@ -1,0 +1,107 @@
+//! Programs as functions of the shading language WGSL.
+use super::graph::{Id, Node};
+use super::recorded::Recorded;
+use crate::Unrecordable;
+use std::fmt::Write;
+
+/// The functions that programs call in [WGSL](https://www.w3.org/TR/WGSL/). They belong, once, into
+/// every shader with functions from [`Program::wgsl`](super::Program::wgsl).
+pub const WGSL: &str = include_str!("prelude.wgsl");
+
+/// The words that WGSL keeps for itself, in the order of its standard.
+const RESERVED: &str = include_str!("reserved.txt");
+
+/// The words with a meaning in the text of a program.
+const USED: &str = "f32 u32 bool array vec2 select bitcast abs min max sin cos atan2 exp log sqrt";
+
+/// `Ok` for a name that a function of a shader may have beside [`WGSL`].
+pub(super) fn checked(name: &str) -> Result<(), Unrecordable> {
+    let letters = |c: char| c == '_' || c.is_ascii_alphanumeric();
+    let identifier = name.chars().all(letters)
+        && name.starts_with(|c: char| c == '_' || c.is_ascii_alphabetic())
+        && name != "_"
+        && !name.starts_with("__")
+        && !name.starts_with("program_");
+    let kept = || RESERVED.split_whitespace().chain(USED.split_whitespace());
+    match identifier && kept().all(|word| word != name) {
+        true => Ok(()),
+        false => Err(Unrecordable::Name),
+    }
+}
+
+/// The program as a function. One `let` per operation: deep expressions overflow the stacks of
+/// compilers (gfx-rs/wgpu#5759, #9497). A constant is a `let`, too, so that no compiler computes
+/// with it and finds an overflow where the program would go on.
+pub(super) fn function(name: &str, recorded: &Recorded) -> String {
+    let graph = &recorded.value.graph;
+    let outputs = &recorded.value.outputs;
+    let count = outputs.len();
+    let mut text = format!(
+        "fn {name}(x: array<f32, {}>) -> array<f32, {count}> {{\n",
+        recorded.inputs
+    );
+    // Writing to a string does not fail.
+    for (i, &node) in graph.nodes().iter().enumerate() {
+        let _ = writeln!(text, "    let v{i} = {};", expression(node));
+    }
+    let results: Vec<String> = outputs.iter().map(|&x| format!("v{x}")).collect();
+    let _ = writeln!(
+        text,
+        "    return array<f32, {count}>({});\n}}",
+        results.join(", ")
+    );
+    text
+}
+
+/// One operation on earlier results.
+fn expression(node: Node) -> String {
+    use Node::*;
+    let one = |f: &str, x: Id| format!("{f}(v{x})");
+    let two = |f: &str, a: Id, b: Id| format!("{f}(v{a}, v{b})");
+    let between = |a: Id, sign: &str, b: Id| format!("v{a} {sign} v{b}");
+    match node {
+        Const(bits) => literal(f64::from_bits(bits) as f32),
+        Bool(truth) => truth.to_string(),
+        Input(place) => format!("x[{place}]"),
+        Neg(x) => format!("-v{x}"),
+        Canonical(x) => format!("v{x} + 0.0"),
+        Add(a, b) => between(a, "+", b),
+        Sub(a, b) => between(a, "-", b),
+        Mul(a, b) => between(a, "*", b),
+        Div(a, b) => between(a, "/", b),
+        Min(a, b) => two("min", a, b),
+        Max(a, b) => two("max", a, b),
+        Magnitude(x) | Unsigned(x) => one("abs", x),
+        Root(x) => one("program_root", x),
+        Sin(x) => one("sin", x),
+        Cos(x) => one("cos", x),
+        SinHigh(x) => one("program_sin_high", x),
+        SinLow(x) => one("program_sin_low", x),
+        CosHigh(x) => one("program_cos_high", x),
+        CosLow(x) => one("program_cos_low", x),
+        Atan2(y, x) => two("program_atan2", y, x),
+        Exp(x) => one("exp", x),
+        Ln(x) => one("log", x),
+        Binade(x) => one("program_binade", x),
+        High(x) => one("program_high", x),
+        Graft { value, .. } => format!("v{value}"),
+        Split(a, b, bar) => format!("program_split(v{a}, v{b}, v{bar})"),
+        Rest(a, b, bar) => format!("program_rest(v{a}, v{b}, v{bar})"),
+        Lt(a, b) => between(a, "<", b),
+        Le(a, b) => between(a, "<=", b),
+        Eq(a, b) => between(a, "==", b),
+        And(a, b) => between(a, "&", b),
+        Or(a, b) => between(a, "|", b),
+        Not(x) => format!("!v{x}"),
+        Select(mask, yes, no) => format!("select(v{no}, v{yes}, v{mask})"),
+    }
+}
+
+/// A finite number. Those below the smallest normal one are given by their bits.
+fn literal(x: f32) -> String {
+    if x == 0.0 || x.is_normal() {
+        format!("{x:e}f")
+    } else {
+        format!("bitcast<f32>({:#x}u)", x.to_bits())
+    }
+}

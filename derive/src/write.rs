@@ -1,0 +1,473 @@
+//! What the derive says, as text; the types of fields keep their tokens, so that the compiler's
+//! complaints point at them.
+use crate::parse::{Field, Form, Parameter, Shape};
+use proc_macro::{Group, TokenStream, TokenTree};
+use std::fmt::Write;
+
+/// The name that stands for a field's type until [`weave`].
+fn hole(i: usize) -> String {
+    format!("__type_{i}")
+}
+
+/// Parses text and puts types into its holes.
+fn weave(text: &str, types: &[&TokenStream]) -> TokenStream {
+    fn fill(tokens: TokenStream, types: &[&TokenStream]) -> TokenStream {
+        let one = |token| match token {
+            TokenTree::Group(group) => {
+                let mut filled = Group::new(group.delimiter(), fill(group.stream(), types));
+                filled.set_span(group.span());
+                TokenTree::from(filled).into()
+            }
+            TokenTree::Ident(name) => {
+                let i = name.to_string().strip_prefix("__type_").map(str::parse);
+                match i {
+                    Some(Ok::<usize, _>(i)) => types[i].clone(),
+                    _ => TokenTree::Ident(name).into(),
+                }
+            }
+            token => TokenStream::from(token),
+        };
+        tokens.into_iter().flat_map(one).collect()
+    }
+    fill(text.parse().expect("the derive writes Rust"), types)
+}
+
+/// The name of a field in messages.
+fn shown(field: &Field) -> &str {
+    field.member.strip_prefix("r#").unwrap_or(&field.member)
+}
+
+/// A struct with what text needs of it.
+struct Writer<'a> {
+    shape: &'a Shape,
+}
+
+impl Writer<'_> {
+    /// `impl<S: bound, const N: usize>`.
+    fn generics(&self, bound: &str) -> String {
+        let each = self.shape.parameters.iter().map(|p| match p {
+            Parameter::Scalar => format!("{}: {bound}", self.shape.scalar),
+            Parameter::Const { name, of } => format!("const {name}: {of}"),
+        });
+        format!("<{}>", each.collect::<Vec<_>>().join(", "))
+    }
+    /// The same without a scalar.
+    fn constants(&self) -> String {
+        let each = self.shape.parameters.iter().filter_map(|p| match p {
+            Parameter::Scalar => None,
+            Parameter::Const { name, of } => Some(format!("const {name}: {of}")),
+        });
+        each.collect::<Vec<_>>().join(", ")
+    }
+    /// The struct of another scalar.
+    fn of(&self, scalar: &str) -> String {
+        let each = self.shape.parameters.iter().map(|p| match p {
+            Parameter::Scalar => scalar,
+            Parameter::Const { name, .. } => name,
+        });
+        let each = each.collect::<Vec<_>>().join(", ");
+        format!("{}<{each}>", self.shape.name)
+    }
+    /// Something of every field: its number, the field, whether it is a code.
+    fn fields(&self, mut of: impl FnMut(usize, &Field, bool) -> String) -> String {
+        let each = self.shape.fields.iter().enumerate().map(|(i, field)| {
+            let is_code = matches!(field.form, Form::Code);
+            of(i, field, is_code)
+        });
+        each.collect()
+    }
+    /// `Name { field: value, … }`.
+    fn made(&self, mut of: impl FnMut(usize, &Field, bool) -> String) -> String {
+        let name = &self.shape.name;
+        let all = self
+            .fields(|i, field, is_code| format!("{}: {}, ", field.member, of(i, field, is_code)));
+        format!("{name} {{ {all} }}")
+    }
+    fn leaves(&self, name: &str) -> bool {
+        self.shape.except.iter().any(|x| x == name)
+    }
+}
+
+/// The value of a place with every scalar replaced.
+fn map(form: &Form, place: &str, depth: usize) -> String {
+    match form {
+        Form::Scalar => format!("__f(&{place})"),
+        Form::Shape => format!("__g::Pack::map(&{place}, __f)"),
+        Form::Array(element) => {
+            let inner = map(element, &format!("{place}[__i{depth}]"), depth + 1);
+            format!("::core::array::from_fn(|__i{depth}| {inner})")
+        }
+        Form::Tuple(parts) => {
+            let parts = parts.iter().enumerate();
+            let parts = parts.map(|(i, part)| map(part, &format!("{place}.{i}"), depth) + ", ");
+            format!("({})", parts.collect::<String>())
+        }
+        Form::Code => format!("::core::clone::Clone::clone(&{place})"),
+    }
+}
+
+/// Hands out every scalar of a place.
+fn each(form: &Form, place: &str, depth: usize) -> String {
+    match form {
+        Form::Scalar => format!("__f(&mut {place});"),
+        Form::Shape => format!("__g::Pack::each(&mut {place}, __f);"),
+        Form::Array(element) => {
+            let inner = each(element, &format!("(*__x{depth})"), depth + 1);
+            format!("for __x{depth} in &mut {place} {{ {inner} }}")
+        }
+        Form::Tuple(parts) => {
+            let parts = parts.iter().enumerate();
+            let parts = parts.map(|(i, part)| each(part, &format!("{place}.{i}"), depth));
+            parts.collect()
+        }
+        Form::Code => String::new(),
+    }
+}
+
+/// Whether two places are about equal; `compare` is a function's name and what it takes besides.
+fn about(form: &Form, [a, b]: [&str; 2], depth: usize, compare: (&str, &str)) -> String {
+    match form {
+        Form::Scalar | Form::Shape => format!("{}(&{a}, &{b}, {})", compare.0, compare.1),
+        Form::Array(element) => {
+            let places = [&*format!("(*__x{depth})"), &*format!("(*__y{depth})")];
+            let inner = about(element, places, depth + 1, compare);
+            format!("{a}.iter().zip({b}.iter()).all(|(__x{depth}, __y{depth})| {inner})")
+        }
+        Form::Tuple(parts) => {
+            let parts = parts.iter().enumerate().map(|(i, part)| {
+                let places = [&*format!("{a}.{i}"), &*format!("{b}.{i}")];
+                about(part, places, depth, compare)
+            });
+            let parts: Vec<_> = parts.collect();
+            format!("(true && {})", parts.join(" && "))
+        }
+        Form::Code => format!("{a} == {b}"),
+    }
+}
+
+/// All implementations.
+pub fn impls(shape: &Shape) -> TokenStream {
+    let writer = Writer { shape };
+    let mut text = pack(&writer) + &fixed(&writer) + &row(&writer);
+    if !writer.leaves("Validate") {
+        text += &validate(&writer);
+    }
+    if !writer.leaves("approx") {
+        text += &approx(&writer);
+    }
+    if !writer.leaves("Sample") {
+        text += &sample(&writer);
+    }
+    if !writer.leaves("Arbitrary") {
+        let (constants, of) = (writer.constants(), writer.of("f64"));
+        write!(text, "::geograd::__arbitrary! {{ [{constants}] {of} }}").ok();
+    }
+    let text =
+        format!("#[allow(unused)] const _: () = {{ use ::geograd::derived as __g; {text} }};");
+    let types: Vec<_> = shape
+        .fields
+        .iter()
+        .map(|field| &field.tokens)
+        .chain(&shape.rules)
+        .collect();
+    weave(&text, &types)
+}
+
+fn pack(writer: &Writer<'_>) -> String {
+    let (scalar, of) = (&writer.shape.scalar, writer.of(&writer.shape.scalar));
+    let generics = writer.generics("::core::clone::Clone");
+    let mapped = writer.made(|_, field, _| map(&field.form, &format!("self.{}", field.member), 0));
+    let each = writer.fields(|_, field, _| each(&field.form, &format!("self.{}", field.member), 0));
+    format!(
+        "#[automatically_derived]
+        impl{generics} __g::Pack for {of} {{
+            type Scalar = {scalar};
+            type With<__T: ::core::clone::Clone> = {with};
+            #[inline(always)]
+            fn map<__T: ::core::clone::Clone>(
+                &self, __f: &mut impl ::core::ops::FnMut(&{scalar}) -> __T,
+            ) -> {with} {{
+                {mapped}
+            }}
+            #[inline(always)]
+            fn each(&mut self, __f: &mut impl ::core::ops::FnMut(&mut {scalar})) {{ {each} }}
+        }}",
+        with = writer.of("__T"),
+    )
+}
+
+fn fixed(writer: &Writer<'_>) -> String {
+    let (scalar, of) = (&writer.shape.scalar, writer.of(&writer.shape.scalar));
+    let generics = writer.generics("__g::Scalar");
+    let len = writer.fields(|i, _, is_code| match is_code {
+        true => String::new(),
+        false => format!(" + <{} as __g::Fixed>::LEN", hole(i)),
+    });
+    let codes = writer.fields(|i, _, is_code| match is_code {
+        true => format!(" + <{} as __g::Code>::CODES", hole(i)),
+        false => format!(" + <{} as __g::Fixed>::CODES", hole(i)),
+    });
+    let load = writer.made(|_, _, is_code| match is_code {
+        true => "__g::no_code()".to_owned(),
+        false => "__g::load(&mut __from)".to_owned(),
+    });
+    let store = writer.fields(|_, field, is_code| match is_code {
+        true => String::new(),
+        false => format!("__g::store(self.{}, &mut __to);", field.member),
+    });
+    let filled = writer.made(|_, _, is_code| match is_code {
+        true => "__g::no_code()".to_owned(),
+        false => "__g::Fixed::filled(__scalar)".to_owned(),
+    });
+    let load_codes = writer.made(|_, field, is_code| match is_code {
+        true => "__g::load_code(&mut __from)".to_owned(),
+        false => format!("__g::load_codes(self.{}, &mut __from)", field.member),
+    });
+    let store_codes = writer.fields(|_, field, is_code| {
+        let how = if is_code { "store_code" } else { "store_codes" };
+        format!("__g::{how}(self.{}, &mut __to);", field.member)
+    });
+    let names = writer.fields(|i, field, is_code| {
+        let hole = hole(i);
+        match (is_code, &field.names[..]) {
+            (true, _) => String::new(),
+            (_, []) => format!(
+                "({:?}, <{hole} as __g::Fixed>::LEN, <{hole} as __g::Fixed>::name),",
+                shown(field)
+            ),
+            (_, names) => format!(
+                "(\"\", {{
+                    const {{ ::core::assert!(
+                        <{hole} as __g::Fixed>::LEN == {count},
+                        \"a name for every number\"
+                    ) }};
+                    {count}
+                }}, |__i| __g::Field::new({names:?}[__i])),",
+                count = names.len()
+            ),
+        }
+    });
+    format!(
+        "#[automatically_derived]
+        impl{generics} __g::Fixed for {of} {{
+            type Of<__R: __g::Scalar> = {other};
+            const LEN: usize = 0{len};
+            const CODES: usize = 0{codes};
+            #[inline(always)]
+            fn load(__from: &[{scalar}]) -> Self {{
+                let mut __from = &__from[..Self::LEN];
+                let __made = {load};
+                __made
+            }}
+            #[inline(always)]
+            fn store(self, __to: &mut [{scalar}]) {{
+                let mut __to = &mut __to[..Self::LEN];
+                {store}
+                let _ = __to;
+            }}
+            #[inline(always)]
+            fn filled(__scalar: {scalar}) -> Self {{ {filled} }}
+            fn name(__i: usize) -> __g::Field {{ __g::name(__i, &[{names}]) }}
+            #[inline]
+            fn load_codes(self, mut __from: &[u32]) -> Self {{ {load_codes} }}
+            #[inline]
+            fn store_codes(self, mut __to: &mut [u32]) {{ {store_codes} let _ = __to; }}
+        }}",
+        other = writer.of("__R"),
+    )
+}
+
+fn row(writer: &Writer<'_>) -> String {
+    let of = writer.of(&writer.shape.scalar);
+    let generics = writer.generics("__g::Real");
+    format!(
+        "#[automatically_derived]
+        impl{generics} __g::Row for {of} where {of}: __g::Validate {{
+            ::geograd::__row_of_one!();
+        }}"
+    )
+}
+
+fn validate(writer: &Writer<'_>) -> String {
+    let of = writer.of(&writer.shape.scalar);
+    let generics = writer.generics("__g::Scalar<Mask = bool>");
+    let finite = writer.fields(|_, field, is_code| match (is_code, &field.names[..]) {
+        (true, _) => String::new(),
+        (_, []) => format!("__g::valid(&self.{}, {:?})?;", field.member, shown(field)),
+        (_, names) => format!("__g::valid_as(&self.{}, &{names:?})?;", field.member),
+    });
+    let first: String = {
+        // The number of scalars before a field, for its names.
+        let mut before = String::from("0");
+        writer.fields(|i, field, is_code| {
+            let mut rules = String::new();
+            let (member, at) = (&field.member, before.clone());
+            if field.non_negative {
+                write!(rules, "__g::non_negative(self, &self.{member}, {at})?;").ok();
+            }
+            if field.positive {
+                write!(rules, "__g::positive(self, &self.{member}, {at})?;").ok();
+            }
+            if let Some(other) = &field.at_most {
+                write!(
+                    rules,
+                    "__g::at_most(self, &self.{member}, &self.{other}, {at})?;"
+                )
+                .ok();
+            }
+            if !is_code {
+                write!(before, " + <{} as __g::Fixed>::LEN", hole(i)).ok();
+            }
+            rules
+        })
+    };
+    // The functions follow the types in the list of holes.
+    let own = (0..writer.shape.rules.len()).map(|i| {
+        let rule = hole(writer.shape.fields.len() + i);
+        format!("{rule}(self)?;")
+    });
+    format!(
+        "#[automatically_derived]
+        impl{generics} __g::Validate for {of} {{
+            #[inline]
+            fn validate(&self) -> ::core::result::Result<(), __g::Flaw> {{
+                {finite} {first} {own}
+                ::core::result::Result::Ok(())
+            }}
+        }}",
+        own = own.collect::<String>(),
+    )
+}
+
+fn approx(writer: &Writer<'_>) -> String {
+    let (scalar, of) = (&writer.shape.scalar, writer.of(&writer.shape.scalar));
+    let head = |name: &str| {
+        let generics = writer.generics(&format!(
+            "__g::approx::{name}<Epsilon: ::core::clone::Clone>"
+        ));
+        format!("#[automatically_derived] impl{generics} __g::approx::{name} for {of}")
+    };
+    let all = |compare: (&str, &str)| {
+        let method = format!("__g::approx::{}", compare.0);
+        writer.fields(|_, field, _| {
+            let (a, b) = (
+                format!("self.{}", field.member),
+                format!("__other.{}", field.member),
+            );
+            let same = about(&field.form, [&a, &b], 0, (&method, compare.1));
+            format!(" && {same}")
+        })
+    };
+    format!(
+        "{} {{
+            type Epsilon = {scalar}::Epsilon;
+            fn default_epsilon() -> {scalar}::Epsilon {{ {scalar}::default_epsilon() }}
+            fn abs_diff_eq(&self, __other: &Self, __e: {scalar}::Epsilon) -> bool {{ true{} }}
+        }}
+        {} {{
+            fn default_max_relative() -> {scalar}::Epsilon {{ {scalar}::default_max_relative() }}
+            fn relative_eq(
+                &self, __other: &Self, __e: {scalar}::Epsilon, __m: {scalar}::Epsilon,
+            ) -> bool {{ true{} }}
+        }}
+        {} {{
+            fn default_max_ulps() -> u32 {{ {scalar}::default_max_ulps() }}
+            fn ulps_eq(&self, __other: &Self, __e: {scalar}::Epsilon, __m: u32) -> bool {{ true{} }}
+        }}",
+        head("AbsDiffEq"),
+        all(("AbsDiffEq::abs_diff_eq", "__e.clone()")),
+        head("RelativeEq"),
+        all(("RelativeEq::relative_eq", "__e.clone(), __m.clone()")),
+        head("UlpsEq"),
+        all(("UlpsEq::ulps_eq", "__e.clone(), __m")),
+    )
+}
+
+fn sample(writer: &Writer<'_>) -> String {
+    let (constants, of) = (writer.constants(), writer.of("f64"));
+    // Numbers as the rules want them.
+    let mended = writer.fields(|_, field, _| {
+        let mut mended = String::new();
+        let member = &field.member;
+        if field.kind == Some("Angle") {
+            write!(mended, "__g::as_angle(&mut __x.{member});").ok();
+        }
+        if field.non_negative {
+            write!(mended, "__g::as_non_negative(&mut __x.{member});").ok();
+        }
+        if field.positive {
+            write!(mended, "__g::as_positive(&mut __x.{member});").ok();
+        }
+        if let Some(other) = &field.at_most {
+            write!(
+                mended,
+                "__g::in_order(&mut __x.{member}, &mut __x.{other});"
+            )
+            .ok();
+        }
+        mended
+    });
+    let drawn = |how: &str| {
+        writer.made(|_, _, is_code| match is_code {
+            true => "__g::no_code()".to_owned(),
+            false => format!("__g::Sample::{how}(__draw)"),
+        })
+    };
+    // A list of every field's hard cases, and one of each of them.
+    let cases = writer.fields(|i, _, is_code| match is_code {
+        true => String::new(),
+        false => format!("let __hard{i} = __g::hard();"),
+    });
+    let counts = writer.fields(|i, _, is_code| match is_code {
+        true => "1, ".to_owned(),
+        false => format!("__hard{i}.len(), "),
+    });
+    let combined = writer.made(|i, _, is_code| match is_code {
+        true => "__g::no_code()".to_owned(),
+        false => format!("::core::clone::Clone::clone(&__hard{i}[__at[{i}]])"),
+    });
+    let every = |what: &dyn Fn(&Field) -> String| {
+        writer.fields(|_, field, is_code| match is_code {
+            true => String::new(),
+            false => what(field) + ", ",
+        })
+    };
+    let kinds = every(&|field| match field.kind {
+        Some(kind) => format!(
+            "__g::all(__g::Kind::{kind}, __g::Pack::count(&self.{}))",
+            field.member
+        ),
+        None => format!("__g::Sample::kinds(&self.{})", field.member),
+    });
+    let scales = every(&|field| format!("__g::Sample::scales(&self.{})", field.member));
+    let outlines = every(&|field| format!("__g::Sample::outlines(&self.{})", field.member));
+    let lengths = every(&|field| format!("__g::Pack::count(&__x.{})", field.member));
+    format!(
+        "#[automatically_derived]
+        impl<{constants}> __g::Sample for {of} {{
+            fn ordinary(__draw: &mut __g::Draw) -> Self {{
+                __g::drawn(__draw, |__draw| {ordinary}, |__x| {{ {mended} }})
+            }}
+            fn thin(__draw: &mut __g::Draw) -> Self {{
+                __g::drawn(__draw, |__draw| {thin}, |__x| {{ {mended} }})
+            }}
+            fn draw(__draw: &mut __g::Draw) -> Self {{
+                let __x: Self = __g::one_of(__draw);
+                let __lengths = [{lengths}];
+                __g::mingled(__x, &__lengths, __draw)
+            }}
+            fn hard() -> __g::Vec<Self> {{
+                {cases}
+                __g::combined(&[{counts}], |__at| {combined}, |__x| {{ {mended} }})
+            }}
+            fn kinds(&self) -> __g::Vec<__g::Kind> {{ __g::joined([{kinds}]) }}
+            fn scales(&self) -> __g::Vec<f64> {{
+                __g::together(__g::joined([{scales}]), &__g::Sample::kinds(self))
+            }}
+            fn outlines(&self) -> __g::Vec<__g::Vec<[f64; 2]>> {{ __g::joined([{outlines}]) }}
+            fn inside(&self) -> bool {{ __g::Validate::validate(self).is_ok() }}
+        }}",
+        ordinary = drawn("ordinary"),
+        thin = drawn("thin"),
+    )
+}

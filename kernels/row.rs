@@ -1,0 +1,406 @@
+//! Rows and columns: how shapes go into a batch and results come out of it.
+//!
+//! A *column* holds one argument of every item: a slice of shapes, or [`One`] that stands for all.
+//! Several columns are a tuple: `(&points, One(circle))`. Results come out column by column, too: a
+//! batch whose result is a number and a shape gives `(Vec<f64>, Vec<Shape>)`.
+use crate::error::{Flaw, Validate};
+use crate::kernels::cpu::arch;
+use crate::kernels::real::Real;
+use crate::{Fixed, Pack};
+use std::borrow::Cow;
+use std::ops::Range;
+
+/// One shape of a row, as numbers.
+#[derive(Debug)]
+pub struct Leaf<T> {
+    /// How many numbers.
+    pub fields: usize,
+    /// What is wrong with numbers of such a shape.
+    pub check: fn(&[T]) -> Result<(), Flaw>,
+}
+
+impl<T> Clone for Leaf<T> {
+    fn clone(&self) -> Self {
+        *self
+    }
+}
+impl<T> Copy for Leaf<T> {}
+
+/// What batches take and give per item: a number, a shape, or a tuple of such.
+///
+/// Numbers are `f32` or `f64`. `#[derive(Shape)]` implements it.
+pub trait Row: Fixed<Scalar: Real> {
+    /// Many of them: a vector of shapes; for a tuple a tuple of vectors.
+    type Many: Send;
+    /// As many as are wanted, all of them zero.
+    #[doc(hidden)]
+    fn many(count: usize) -> Self::Many;
+    /// The shapes of a row, first first.
+    #[doc(hidden)]
+    fn leaves(add: &mut dyn FnMut(Leaf<Self::Scalar>));
+    /// Where results go, one target per shape of a row.
+    #[doc(hidden)]
+    fn targets<'a>(many: &'a mut Self::Many, add: &mut dyn FnMut(Target<'a, Self::Scalar>));
+}
+
+/// The leaf of a shape that is one.
+#[doc(hidden)]
+pub fn leaf<P: Row + Validate>() -> Leaf<P::Scalar> {
+    Leaf {
+        fields: P::LEN,
+        check: |numbers| P::load(numbers).validate(),
+    }
+}
+
+/// All leaves of a row.
+pub(crate) fn leaves_of<P: Row>() -> Vec<Leaf<P::Scalar>> {
+    let mut all = Vec::new();
+    P::leaves(&mut |leaf| all.push(leaf));
+    all
+}
+
+/// A row that is one shape.
+#[doc(hidden)]
+#[macro_export]
+macro_rules! __row_of_one {
+    () => {
+        type Many = ::std::vec::Vec<Self>;
+        fn many(count: usize) -> Self::Many {
+            let zero = <Self::Scalar as ::core::default::Default>::default();
+            ::std::vec![<Self as $crate::Fixed>::filled(zero); count]
+        }
+        fn leaves(add: &mut dyn FnMut($crate::kernels::row::Leaf<Self::Scalar>)) {
+            add($crate::kernels::row::leaf::<Self>());
+        }
+        fn targets<'a>(
+            many: &'a mut Self::Many,
+            add: &mut dyn FnMut($crate::kernels::row::Target<'a, Self::Scalar>),
+        ) {
+            add($crate::kernels::row::target(many));
+        }
+    };
+}
+
+impl Row for f32 {
+    crate::__row_of_one!();
+}
+impl Row for f64 {
+    crate::__row_of_one!();
+}
+
+impl<P: Row + Validate, const N: usize> Row for [P; N] {
+    crate::__row_of_one!();
+}
+
+/// Rows of several shapes.
+macro_rules! tuples {
+    ($($first:ident $($name:ident)*;)*) => { $(
+        impl<$first: Row, $($name: Row<Scalar = $first::Scalar>),*> Row for ($first, $($name,)*) {
+            type Many = ($first::Many, $($name::Many,)*);
+            fn many(count: usize) -> Self::Many {
+                ($first::many(count), $($name::many(count),)*)
+            }
+            fn leaves(add: &mut dyn FnMut(Leaf<Self::Scalar>)) {
+                $first::leaves(add);
+                $($name::leaves(add);)*
+            }
+            #[allow(non_snake_case)]
+            fn targets<'a>(
+                ($first, $($name,)*): &'a mut Self::Many,
+                add: &mut dyn FnMut(Target<'a, Self::Scalar>),
+            ) {
+                $first::targets($first, add);
+                $($name::targets($name, add);)*
+            }
+        }
+    )* };
+}
+tuples!(A B; A B C; A B C D; A B C D E; A B C D E F;);
+
+/// Reads the numbers of some shapes, one after another.
+type Read<'a, T> = Box<dyn Fn(Range<usize>, &mut [T]) + Send + Sync + 'a>;
+
+/// Where the numbers of a column are.
+enum Numbers<'a, T> {
+    Lent(&'a [T]),
+    Read(Read<'a, T>),
+}
+
+/// One argument of every item, as numbers.
+pub struct Column<'a, T> {
+    numbers: Numbers<'a, T>,
+    /// Numbers per item.
+    pub fields: usize,
+    /// How many items; `None` for one that stands for any number.
+    pub count: Option<usize>,
+}
+
+impl<'a, T: Real> Column<'a, T> {
+    /// Shapes as a column.
+    pub(crate) fn of<P: Fixed<Scalar = T>>(shapes: &'a [P]) -> Self {
+        let numbers = match arch::numbers(shapes) {
+            Some(numbers) => Numbers::Lent(numbers),
+            None => Numbers::Read(Box::new(move |items, rows| {
+                for (shape, row) in shapes[items].iter().zip(rows.chunks_exact_mut(P::LEN)) {
+                    shape.store(row);
+                }
+            })),
+        };
+        Column {
+            numbers,
+            fields: P::LEN,
+            count: Some(shapes.len()),
+        }
+    }
+    /// Some numbers of every shape of a list.
+    fn part<P: Fixed<Scalar = T>>(shapes: &'a [P], part: Range<usize>) -> Self {
+        let fields = part.len();
+        Column {
+            numbers: Numbers::Read(Box::new(move |items, rows| {
+                let mut all = vec![T::default(); P::LEN];
+                for (shape, row) in shapes[items].iter().zip(rows.chunks_exact_mut(fields)) {
+                    shape.store(&mut all);
+                    row.copy_from_slice(&all[part.clone()]);
+                }
+            })),
+            fields,
+            count: Some(shapes.len()),
+        }
+    }
+    /// How many items it holds itself.
+    pub(crate) fn len(&self) -> usize {
+        self.count.unwrap_or(1)
+    }
+    /// The numbers of some items, as they lie in memory or written into `room`.
+    pub(crate) fn numbers<'r>(&'r self, items: Range<usize>, room: &'r mut Vec<T>) -> &'r [T] {
+        let items = match self.count {
+            Some(_) => items,
+            None => 0..1,
+        };
+        match &self.numbers {
+            Numbers::Lent(numbers) => &numbers[items.start * self.fields..items.end * self.fields],
+            Numbers::Read(read) => {
+                room.resize(items.len() * self.fields, T::default());
+                read(items, room);
+                room
+            }
+        }
+    }
+    /// All its numbers.
+    pub(crate) fn all(&self) -> Cow<'_, [T]> {
+        match &self.numbers {
+            Numbers::Lent(numbers) => Cow::Borrowed(numbers),
+            Numbers::Read(read) => {
+                let mut room = vec![T::default(); self.len() * self.fields];
+                read(0..self.len(), &mut room);
+                Cow::Owned(room)
+            }
+        }
+    }
+}
+
+/// One shape that stands for all items of its column.
+///
+/// ```
+/// use geograd::kernels::{Cpu, One, overlap::IouObb2};
+/// use geograd::Obb2;
+/// let goal = Obb2::new(0.0, 0.0, 2.0, 2.0, 0.0);
+/// let boxes = [Obb2::new(1.0, 0.0, 2.0, 2.0, 0.0), goal];
+/// assert_eq!(Cpu::new().aligned(IouObb2::default(), (&boxes, One(goal)))?, [1.0 / 3.0, 1.0]);
+/// # Ok::<(), geograd::Error>(())
+/// ```
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct One<P>(pub P);
+
+/// The arguments of a batch: a slice or vector of shapes or numbers, [`One`], or a tuple of such.
+pub trait Columns {
+    /// The arguments of one item.
+    type Row: Row;
+    /// The columns, one per shape of a row.
+    #[doc(hidden)]
+    fn list<'a>(&'a self, add: &mut dyn FnMut(Column<'a, <Self::Row as Pack>::Scalar>));
+}
+
+fn list_slice<'a, P: Row>(shapes: &'a [P], add: &mut dyn FnMut(Column<'a, P::Scalar>)) {
+    let leaves = leaves_of::<P>();
+    if leaves.len() == 1 {
+        return add(Column::of(shapes));
+    }
+    let mut start = 0;
+    for leaf in leaves {
+        add(Column::part(shapes, start..start + leaf.fields));
+        start += leaf.fields;
+    }
+}
+
+impl<P: Row> Columns for &[P] {
+    type Row = P;
+    fn list<'a>(&'a self, add: &mut dyn FnMut(Column<'a, P::Scalar>)) {
+        list_slice(self, add);
+    }
+}
+impl<P: Row> Columns for &Vec<P> {
+    type Row = P;
+    fn list<'a>(&'a self, add: &mut dyn FnMut(Column<'a, P::Scalar>)) {
+        list_slice(self, add);
+    }
+}
+impl<P: Row, const N: usize> Columns for &[P; N] {
+    type Row = P;
+    fn list<'a>(&'a self, add: &mut dyn FnMut(Column<'a, P::Scalar>)) {
+        list_slice(&self[..], add);
+    }
+}
+impl<P: Row> Columns for One<P> {
+    type Row = P;
+    fn list<'a>(&'a self, add: &mut dyn FnMut(Column<'a, P::Scalar>)) {
+        list_slice(std::slice::from_ref(&self.0), &mut |column| {
+            add(Column {
+                count: None,
+                ..column
+            })
+        });
+    }
+}
+
+/// Columns of several arguments.
+macro_rules! columns {
+    ($($first:ident $($name:ident)*;)*) => { $(
+        impl<$first: Columns, $($name: Columns),*> Columns for ($first, $($name,)*)
+        where
+            $($name::Row: Fixed<Scalar = <$first::Row as Pack>::Scalar>,)*
+        {
+            type Row = ($first::Row, $($name::Row,)*);
+            #[allow(non_snake_case)]
+            fn list<'a>(&'a self, add: &mut dyn FnMut(Column<'a, <$first::Row as Pack>::Scalar>)) {
+                let ($first, $($name,)*) = self;
+                $first.list(add);
+                $($name.list(add);)*
+            }
+        }
+    )* };
+}
+columns!(A B; A B C; A B C D; A B C D E; A B C D E F;);
+
+/// Takes the numbers of results, one after another.
+type Write<'a, T> = Box<dyn FnOnce(&[T]) + Send + 'a>;
+
+/// Where one shape of every result goes.
+pub struct Target<'a, T> {
+    /// Piece by piece, each of [`STRETCH`] items, the last one of fewer.
+    pieces: Vec<Piece<'a, T>>,
+    /// How many items.
+    pub(crate) count: usize,
+}
+
+/// A piece of a target.
+pub(crate) enum Piece<'a, T> {
+    /// Numbers as they lie in memory.
+    Lent(&'a mut [T]),
+    /// Numbers on their way to shapes that hold more than numbers.
+    Written(Vec<T>, Write<'a, T>),
+}
+
+/// Items per piece of work: enough to be worth a thread's while.
+pub(crate) const STRETCH: usize = 2048;
+
+/// Shapes as a target.
+#[doc(hidden)]
+pub fn target<P: Fixed>(shapes: &mut [P]) -> Target<'_, P::Scalar>
+where
+    P::Scalar: Real,
+{
+    let count = shapes.len();
+    let pieces = shapes.chunks_mut(STRETCH).map(|shapes| {
+        if arch::is_plain::<P>() {
+            return Piece::Lent(arch::numbers_mut(shapes).unwrap_or_default());
+        }
+        let room = vec![P::Scalar::default(); shapes.len() * P::LEN];
+        let write = move |rows: &[P::Scalar]| {
+            for (shape, row) in shapes.iter_mut().zip(rows.chunks_exact(P::LEN)) {
+                *shape = P::load(row);
+            }
+        };
+        Piece::Written(room, Box::new(write))
+    });
+    Target {
+        pieces: pieces.collect(),
+        count,
+    }
+}
+
+impl<'a, T: Real> Target<'a, T> {
+    /// Its pieces.
+    pub(crate) fn pieces(self) -> Vec<Piece<'a, T>> {
+        self.pieces
+    }
+}
+
+impl<T> Piece<'_, T> {
+    /// Room for its numbers.
+    pub(crate) fn numbers(&mut self) -> &mut [T] {
+        match self {
+            Piece::Lent(numbers) => numbers,
+            Piece::Written(numbers, _) => numbers,
+        }
+    }
+    /// Makes shapes of the numbers.
+    pub(crate) fn finish(self) {
+        if let Piece::Written(numbers, write) = self {
+            write(&numbers);
+        }
+    }
+}
+
+/// Where the results of a batch go: a slice or vector for every shape of a result, in a tuple like
+/// the result's; [`Skip`] for what is not wanted.
+pub trait Targets<R: Row> {
+    /// The targets, one per shape of a result.
+    #[doc(hidden)]
+    fn list<'a>(&'a mut self, add: &mut dyn FnMut(Option<Target<'a, R::Scalar>>));
+}
+
+/// In the place of results that nobody wants.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct Skip;
+
+impl<R: Row> Targets<R> for Skip {
+    fn list<'a>(&'a mut self, add: &mut dyn FnMut(Option<Target<'a, R::Scalar>>)) {
+        R::leaves(&mut |_| add(None));
+    }
+}
+impl<R: Row<Many = Vec<R>>> Targets<R> for &mut [R] {
+    fn list<'a>(&'a mut self, add: &mut dyn FnMut(Option<Target<'a, R::Scalar>>)) {
+        add(Some(target(self)));
+    }
+}
+impl<R: Row<Many = Vec<R>>> Targets<R> for &mut Vec<R> {
+    fn list<'a>(&'a mut self, add: &mut dyn FnMut(Option<Target<'a, R::Scalar>>)) {
+        add(Some(target(self)));
+    }
+}
+impl<R: Row<Many = Vec<R>>, const N: usize> Targets<R> for &mut [R; N] {
+    fn list<'a>(&'a mut self, add: &mut dyn FnMut(Option<Target<'a, R::Scalar>>)) {
+        add(Some(target(&mut self[..])));
+    }
+}
+
+/// Targets of several results.
+macro_rules! targets {
+    ($($first:ident $of_first:ident $($name:ident $of:ident)*;)*) => { $(
+        impl<$first: Row, $($name: Row<Scalar = $first::Scalar>,)* $of_first, $($of),*>
+            Targets<($first, $($name,)*)> for ($of_first, $($of,)*)
+        where
+            $of_first: Targets<$first>,
+            $($of: Targets<$name>,)*
+        {
+            #[allow(non_snake_case)]
+            fn list<'a>(&'a mut self, add: &mut dyn FnMut(Option<Target<'a, $first::Scalar>>)) {
+                let ($of_first, $($of,)*) = self;
+                $of_first.list(add);
+                $($of.list(add);)*
+            }
+        }
+    )* };
+}
+targets!(A X B Y; A X B Y C Z; A X B Y C Z D W; A X B Y C Z D W E V; A X B Y C Z D W E V F U;);

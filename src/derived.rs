@@ -1,0 +1,191 @@
+//! What `#[derive(Shape)]` gives, and what the code that it writes calls.
+pub use crate::ad::check::derived::{
+    all, as_angle, as_non_negative, as_positive, combined, drawn, hard, in_order, joined, mingled,
+    one_of, together,
+};
+pub use crate::ad::check::sample::{Draw, Sample};
+pub use crate::ad::check::symmetry::Kind;
+pub use crate::error::{Field, Flaw, Validate};
+pub use crate::kernels::real::Real;
+pub use crate::kernels::row::Row;
+pub use crate::product::{
+    load, load_code, load_codes, name, no_code, store, store_code, store_codes, valid,
+};
+pub use crate::{Code, Fixed, Pack, Scalar};
+pub use approx;
+pub use std::vec::Vec;
+#[cfg(feature = "proptest")]
+pub use {
+    crate::ad::check::sample::Family,
+    crate::ad::check::strategy::{Shapes, of},
+    proptest::arbitrary::Arbitrary,
+};
+
+/// Makes a struct of numbers a shape of your own: batches, derivatives, programs and the harness then
+/// take it as they take the library's.
+///
+/// The struct has named or numbered fields and one type parameter without bounds, the scalar, besides
+/// any const parameters. Each field is the scalar, another shape, an array or a tuple of those, or a
+/// count or code (see below). It derives `Clone`, `Copy`, `Debug` and `PartialEq`, too.
+///
+/// ```
+/// use geograd::{ad, Fixed, Pack, Pose2, Shape, Validate, Vec2};
+///
+/// /// An arm of two links on a base.
+/// #[derive(Clone, Copy, Debug, PartialEq, Shape)]
+/// struct Arm<S> {
+///     base: Pose2<S>,
+///     #[shape(positive)]
+///     links: [S; 2],
+///     #[shape(angle)]
+///     elbow: S,
+/// }
+///
+/// let base = Pose2::new(Vec2::new(1.0, 0.0), 0.0);
+/// let arm = Arm { base, links: [2.0, 1.0], elbow: 0.5 };
+/// let reach = |arm: Arm<_>| arm.links[0] + arm.links[1];
+/// assert_eq!(ad::gradient(reach, arm).1.links, [1.0, 1.0]);
+///
+/// assert_eq!(Arm::<f64>::LEN, 7);
+/// assert_eq!(Arm::<f64>::name(5).as_str(), "links[1]");
+/// assert_eq!(Arm::load(&arm.scalars()), arm);
+/// let flaw = Arm { links: [2.0, 0.0], ..arm }.validate().unwrap_err();
+/// assert_eq!(flaw.to_string(), "links[1] is not positive");
+/// approx::assert_relative_eq!(arm, arm.cast::<f32>().cast::<f64>());
+/// ```
+///
+/// # What it gives
+///
+/// * [`Pack`](crate::Pack) and [`Fixed`](crate::Fixed): the scalars in the order of the fields, and their
+///   names;
+/// * [`Validate`](crate::Validate): every scalar is finite, every part valid, the rules below hold;
+/// * [`Row`](crate::kernels::Row): columns of it go into batches and come out of them;
+/// * the comparisons of `approx`;
+/// * [`Sample`](crate::ad::check::sample::Sample) for `f64`: random and hard inputs for the harness and, with the
+///   feature `proptest`, the strategies of `ad::check::strategy` and proptest's own `any`.
+///
+/// # Attributes
+///
+/// | on a field | |
+/// | --- | --- |
+/// | `non_negative`, `positive` | all its numbers are |
+/// | `at_most = "other"` | none of its numbers exceeds the same one of the other field |
+/// | `names("width", "height")` | names of its numbers, instead of `field.x` and so on |
+/// | `angle`, `length`, `number` | what rotation and scaling do to its numbers; a lone scalar is a length |
+/// | `code` | whole numbers: see [`Code`](crate::Code) |
+///
+/// | on the struct | |
+/// | --- | --- |
+/// | `validate = path` | a function of `&Self` with a further rule, such as [`Flaw::Broken`](crate::Flaw::Broken) |
+/// | `except(Validate, approx, Sample, Arbitrary)` | leaves these to you |
+///
+/// What cannot be a shape does not compile:
+///
+/// ```compile_fail
+/// #[derive(Clone, Copy, geograd::Shape)]
+/// enum Either<S> { One(S), Other(S) }
+/// ```
+pub use geograd_derive::Shape;
+
+/// The flaw of scalar `i` of a part that begins at scalar `at` of a shape.
+#[cold]
+fn flawed<W: Fixed>(_: &W, flaw: fn(Field) -> Flaw, i: usize) -> Result<(), Flaw> {
+    Err(flaw(W::name(i)))
+}
+
+/// The place of the first scalar for which something holds.
+#[inline(always)]
+fn first<P: Pack<Scalar: Copy>>(
+    part: &P,
+    mut holds: impl FnMut(P::Scalar) -> bool,
+) -> Option<usize> {
+    let (mut i, mut found) = (0, None);
+    part.map(&mut |&x| {
+        if found.is_none() && holds(x) {
+            found = Some(i);
+        }
+        i += 1;
+    });
+    found
+}
+
+/// A part's first flaw; the numbers have names of their own.
+#[inline]
+pub fn valid_as<P: Fixed + Validate>(part: &P, names: &[&str]) -> Result<(), Flaw> {
+    let renamed = |flaw: Flaw| {
+        let i = (0..P::LEN).find(|&i| P::name(i) == flaw.field());
+        let name = i.and_then(|i| names.get(i));
+        name.map_or(flaw, |name| flaw.of(Field::new(name)))
+    };
+    part.validate().map_err(renamed)
+}
+
+/// `Ok` when no number of a part is below zero; the part begins at scalar `at` of the whole.
+#[inline]
+pub fn non_negative<W: Fixed, P: Fixed>(whole: &W, part: &P, at: usize) -> Result<(), Flaw>
+where
+    P::Scalar: Scalar<Mask = bool>,
+{
+    match first(part, |x| x.below(Scalar::zero())) {
+        Some(i) => flawed(whole, Flaw::Negative, at + i),
+        None => Ok(()),
+    }
+}
+
+/// `Ok` when all numbers of a part are above zero.
+#[inline]
+pub fn positive<W: Fixed, P: Fixed>(whole: &W, part: &P, at: usize) -> Result<(), Flaw>
+where
+    P::Scalar: Scalar<Mask = bool>,
+{
+    match first(part, |x| x.at_most(Scalar::zero())) {
+        Some(i) => flawed(whole, Flaw::NotPositive, at + i),
+        None => Ok(()),
+    }
+}
+
+/// `Ok` when no number of a part exceeds that of another part.
+#[inline]
+pub fn at_most<W: Fixed, P: Fixed>(whole: &W, low: &P, high: &P, at: usize) -> Result<(), Flaw>
+where
+    P::Scalar: Scalar<Mask = bool>,
+{
+    let (mut i, mut found) = (0, None);
+    low.map(&mut |low| {
+        // The number in the same place, by walking there: parts are short.
+        let mut k = 0;
+        let inverted = first(high, |high| {
+            k += 1;
+            k == i + 1 && low.above(high)
+        });
+        found = found.or(inverted);
+        i += 1;
+    });
+    match found {
+        Some(i) => flawed(whole, Flaw::Inverted, at + i),
+        None => Ok(()),
+    }
+}
+
+/// Proptest's `any` for a shape, where its feature is on.
+#[cfg(feature = "proptest")]
+#[doc(hidden)]
+#[macro_export]
+macro_rules! __arbitrary {
+    ([$($constant:tt)*] $shape:ty) => {
+        impl<$($constant)*> $crate::derived::Arbitrary for $shape {
+            type Parameters = $crate::derived::Family;
+            type Strategy = $crate::derived::Shapes<Self>;
+            fn arbitrary_with(family: $crate::derived::Family) -> Self::Strategy {
+                $crate::derived::of(family)
+            }
+        }
+    };
+}
+/// Proptest's `any` for a shape, where its feature is on.
+#[cfg(not(feature = "proptest"))]
+#[doc(hidden)]
+#[macro_export]
+macro_rules! __arbitrary {
+    ($($shape:tt)*) => {};
+}
