@@ -13,7 +13,7 @@ use crate::kernels::reduce::{Best, Found};
 ///
 /// ```
 /// use geograd::Obb2;
-/// use geograd::kernels::{Backend, overlap::IouObb2};
+/// use geograd::kernels::{Backend, IouObb2};
 /// let a = [Obb2::new(0.0, 0.0, 2.0, 2.0, 0.0)];
 /// let b = [Obb2::new(1.0, 0.0, 2.0, 2.0, 0.0)];
 /// assert_eq!(Backend::Cpu.all_pairs::<IouObb2>(&a, &b)?, [1.0 / 3.0]);
@@ -104,22 +104,22 @@ calls! {
     /// [`Cpu::aligned_into`](crate::kernels::Cpu::aligned_into).
     aligned_into<GpuPair>(a: &[ShapeOf<O>], b: &[ShapeOf<O>], values: &mut [f32]) -> ()
         = on_cpu::aligned_into::<O>, aligned_into_slices;
-    /// [`Cpu::aligned_grad`](crate::kernels::Cpu::aligned_grad).
+    /// [`Cpu::aligned`](crate::kernels::Cpu::aligned) of [`value_grad`](crate::kernels::Op::value_grad).
     aligned_grad<GpuPair>(a: &[ShapeOf<O>], b: &[ShapeOf<O>]) -> AlignedGrads<O>
         = on_cpu::aligned_grad::<O>, aligned_grad_slices;
-    /// [`Cpu::aligned_grad_into`](crate::kernels::Cpu::aligned_grad_into).
+    /// [`Cpu::aligned_into`](crate::kernels::Cpu::aligned_into) of [`value_grad`](crate::kernels::Op::value_grad).
     aligned_grad_into<GpuPair>(
         a: &[ShapeOf<O>], b: &[ShapeOf<O>],
         values: &mut [f32], a_bar: &mut [ShapeOf<O>], b_bar: &mut [ShapeOf<O>]
     ) -> ()
         = on_cpu::aligned_grad_into::<O>, aligned_grad_into_slices;
-    /// [`Cpu::aligned_vjp`](crate::kernels::Cpu::aligned_vjp).
+    /// [`Cpu::aligned`](crate::kernels::Cpu::aligned) of [`vjp`](crate::kernels::Op::vjp).
     aligned_vjp<GpuPair>(a: &[ShapeOf<O>], b: &[ShapeOf<O>], upstream: &[f32]) -> Slopes<O>
         = on_cpu::aligned_vjp::<O>, aligned_vjp_slices;
     /// [`Cpu::all_pairs`](crate::kernels::Cpu::all_pairs).
     all_pairs<GpuPair>(a: &[ShapeOf<O>], b: &[ShapeOf<O>]) -> Vec<f32>
         = on_cpu::all_pairs::<O>, all_pairs_slices;
-    /// [`Cpu::all_pairs_grad`](crate::kernels::Cpu::all_pairs_grad).
+    /// [`Cpu::all_pairs`](crate::kernels::Cpu::all_pairs) of [`value_grad`](crate::kernels::Op::value_grad).
     all_pairs_grad<GpuPair>(a: &[ShapeOf<O>], b: &[ShapeOf<O>]) -> PairGrads<O>
         = on_cpu::all_pairs_grad::<O>, all_pairs_grad_slices;
     /// [`Cpu::all_pairs_vjp`](crate::kernels::Cpu::all_pairs_vjp).

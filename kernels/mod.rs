@@ -2,14 +2,20 @@
 //!
 //! | batch | what it takes | what it gives |
 //! | --- | --- | --- |
-//! | [`cpu::aligned`] | row i of a with row i of b | one number per row |
-//! | [`cpu::all_pairs`] | every row of a with every row of b | a matrix |
-//! | [`cpu::ragged`] | rings as vertices and offsets | one result per ring |
+//! | [`Cpu::aligned`] | item i of every column; [`One`] stands for all items | one result per item |
+//! | [`Cpu::all_pairs`] | every row of a with every column of b | a [`Table`] |
+//! | [`Cpu::row_max`], [`Cpu::column_max`] | the same | the best match of every row or column |
+//! | [`Cpu::above`], [`Cpu::count_above`] | the same | the pairs above a threshold |
+//! | [`Cpu::sum`], [`Cpu::mean`], [`Cpu::sum_grad`] | the same | a loss, and its gradient |
+//! | [`Cpu::ragged`] | rings as vertices and offsets | one result per ring |
 //!
-//! Each comes as value, value with gradient (`…_grad`) and adjoint with an upstream gradient
-//! (`…_vjp`), and with buffers of the caller's (`…_into`). [`reduce`] gives maxima, sums and lists
-//! of all pairs without the matrix. The same on a GPU is [`gpu`]; [`Backend`] is one front for both,
-//! and [`resident`] keeps shapes and results where they are between its calls.
+//! What runs is a value: an [operation](op), such as [`IouObb2`]; an operation with its gradient
+//! ([`value_grad`](Op::value_grad)); its adjoint ([`vjp`](Op::vjp)); a
+//! [`Program`](crate::Program). Columns are slices, vectors or [`One`]. Forms that end in `_into` write to
+//! what the caller has. [`operation!`](crate::operation) makes a function an operation.
+//!
+//! Some operations run on GPUs, too: [`gpu`]. [`Backend`] is one front for both machines, and
+//! [`resident`] keeps shapes and results where they are between its calls.
 #[forbid(unsafe_code)]
 pub mod backend;
 #[forbid(unsafe_code)]

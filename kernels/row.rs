@@ -253,11 +253,11 @@ impl<'a, T: Real> Column<'a, T> {
 /// One shape that stands for all items of its column.
 ///
 /// ```
-/// use geograd::kernels::{Cpu, One, overlap::IouObb2};
+/// use geograd::kernels::{Cpu, IouObb2, One};
 /// use geograd::Obb2;
 /// let goal = Obb2::new(0.0, 0.0, 2.0, 2.0, 0.0);
 /// let boxes = [Obb2::new(1.0, 0.0, 2.0, 2.0, 0.0), goal];
-/// assert_eq!(Cpu::new().aligned(IouObb2::default(), (&boxes, One(goal)))?, [1.0 / 3.0, 1.0]);
+/// assert_eq!(Cpu::new().aligned(IouObb2, (&boxes, One(goal)))?, [1.0 / 3.0, 1.0]);
 /// # Ok::<(), geograd::Error>(())
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]

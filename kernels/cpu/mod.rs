@@ -1,9 +1,10 @@
 //! Batches on the CPU: SIMD lanes inside, threads outside, the same bits for any number of either.
 //!
-//! The generic source runs on bundles of lanes. The instruction set is chosen at run time, once
+//! Operations with compiled kernels run their generic source on bundles of lanes; all others, and
+//! programs, are recorded and interpreted block by block. The instruction set is chosen at run time, once
 //! per stretch of work, so a default build uses AVX-512 where there is AVX-512; see
-//! [`Simd`](simd::Simd). Shapes go in as slices of shapes. Inputs are checked
-//! before anything is written: on an error every buffer is as it was.
+//! [`Simd`](simd::Simd). Inputs are checked before anything is written: on an error every buffer is as
+//! it was.
 //!
 //! With the feature `parallel` the work is spread over rayon's current thread pool (run inside
 //! `pool.install` to choose another). It is cut the same way for any number of threads, and sums

@@ -22,7 +22,7 @@
 //!
 //! ```no_run
 //! use geograd::Obb2;
-//! use geograd::kernels::{gpu::Gpu, overlap::IouObb2};
+//! use geograd::kernels::{IouObb2, gpu::Gpu};
 //! let gpu = Gpu::new()?;
 //! let boxes = gpu.upload(&[Obb2::new(0.0, 0.0, 4.0, 2.0, 0.3)])?;
 //! let best = gpu.row_max::<IouObb2>(&boxes, &boxes)?.download()?;

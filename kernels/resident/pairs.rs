@@ -44,7 +44,7 @@ impl<P: GpuShape> Shapes<P> {
         aligned() -> Values
             = |a, b| Values(Side::Cpu(on_cpu::aligned::<O>(a, b)?));
             |x| Values(Side::Gpu(x));
-        /// [`Cpu::aligned_grad`](crate::kernels::Cpu::aligned_grad).
+        /// [`Cpu::aligned`](crate::kernels::Cpu::aligned) of [`value_grad`](crate::kernels::Op::value_grad).
         aligned_grad() -> (Values, BarsOf<O>, BarsOf<O>)
             = |a, b| {
                 let (values, a_bar, b_bar) = on_cpu::aligned_grad::<O>(a, b)?;
@@ -58,7 +58,7 @@ impl<P: GpuShape> Shapes<P> {
                 Matrix(Side::Cpu(reduce::Matrix::new(a.len(), b.len(), values)?))
             };
             |x| Matrix(Side::Gpu(x));
-        /// [`Cpu::all_pairs_grad`](crate::kernels::Cpu::all_pairs_grad).
+        /// [`Cpu::all_pairs`](crate::kernels::Cpu::all_pairs) of [`value_grad`](crate::kernels::Op::value_grad).
         all_pairs_grad() -> PairBars<O>
             = |a, b| PairBars(Side::Cpu(on_cpu::all_pairs_grad::<O>(a, b)?));
             |x| PairBars(Side::Gpu(x));
@@ -102,7 +102,7 @@ impl<P: GpuShape> Shapes<P> {
             |x| x;
     }
 
-    /// [`Cpu::aligned_vjp`](crate::kernels::Cpu::aligned_vjp).
+    /// [`Cpu::aligned`](crate::kernels::Cpu::aligned) of [`vjp`](crate::kernels::Op::vjp).
     ///
     /// # Errors
     ///

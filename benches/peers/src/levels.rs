@@ -2,10 +2,10 @@
 //!
 //! Everything is run by turns and the fastest run counts: on a shared machine all else is noise.
 use super::{Dice, N, flat, narrow, on_threads};
+use geograd::Obb2;
 use geograd::kernels::cpu::simd::Simd;
 use geograd::kernels::real::Real;
-use geograd::kernels::{IouObb2, cpu, reduce};
-use geograd::{Fixed, Obb2};
+use geograd::kernels::{Cpu, IouObb2, Op, Single, Table};
 use std::fmt::Write;
 use std::hint::black_box;
 use std::time::Instant;
@@ -86,14 +86,15 @@ struct Lists<T> {
 }
 
 /// All forms in one format, in the order of [`FORMS`].
-fn forms<T: Real>(lists: &Lists<T>) -> Vec<Timed<'_>>
+fn forms<T: Real + Single<Scalar = T>>(lists: &Lists<T>) -> Vec<Timed<'_>>
 where
-    Obb2<T>: Fixed<Scalar = T>,
+    Obb2<T>: Single<Scalar = T>,
 {
+    let cpu = Cpu::new();
     let Lists { a, b, near, street } = lists;
     let zeros = |n: usize| vec![T::default(); n];
     let mut values = zeros(N * N);
-    let mut grads = cpu::PairGrads::<IouObb2, T>::new(N, N).expect("it fits");
+    let mut grads = Table::new(N, N).expect("it fits");
     let (up, mut p, mut q) = (vec![T::one(); N * N], a.clone(), b.clone());
     let mut aligned = zeros(N);
     let (mut v, mut x, mut y) = (zeros(N), a.clone(), b.clone());
@@ -101,25 +102,31 @@ where
     let pairs = N * N;
     vec![
         Timed::new(pairs, move || {
-            cpu::all_pairs_into::<IouObb2, T>(a, b, &mut values).unwrap();
+            cpu.all_pairs_planes(IouObb2, a, b, &mut values).unwrap();
         }),
         Timed::new(pairs, move || {
-            cpu::all_pairs_grad_into(a, b, &mut grads).unwrap()
+            cpu.all_pairs_into(IouObb2.value_grad(), a, b, &mut grads)
+                .unwrap()
         }),
         Timed::new(pairs, move || {
-            cpu::all_pairs_vjp_into::<IouObb2, T>(a, b, &up, &mut p, &mut q).unwrap();
+            cpu.all_pairs_vjp_into(IouObb2, a, b, &up, &mut p, &mut q)
+                .unwrap();
         }),
         Timed::new(N, move || {
-            cpu::aligned_into::<IouObb2, T>(a, near, &mut aligned).unwrap();
+            cpu.aligned_into(IouObb2, (a, near), &mut aligned[..])
+                .unwrap();
         }),
         Timed::new(N, move || {
-            cpu::aligned_grad_into::<IouObb2, T>(a, near, &mut v, &mut x, &mut y).unwrap();
+            let into = (&mut v[..], (&mut x[..], &mut y[..]));
+            cpu.aligned_into(IouObb2.value_grad(), (a, near), into)
+                .unwrap();
         }),
         Timed::new(pairs, move || {
-            black_box(reduce::row_max::<IouObb2, T>(a, b).unwrap());
+            black_box(cpu.row_max(IouObb2, a, b).unwrap());
         }),
         Timed::new(STREET * STREET, move || {
-            cpu::all_pairs_into::<IouObb2, T>(street, street, &mut matrix).unwrap();
+            cpu.all_pairs_planes(IouObb2, street, street, &mut matrix)
+                .unwrap();
         }),
     ]
 }
@@ -129,34 +136,27 @@ where
 fn filter(street: &[Obb2<f32>]) -> Vec<Timed<'_>> {
     let n = STREET * STREET;
     let (mut matrix, mut zeros) = (vec![0.0; n], vec![1.0; n]);
-    let maxima = move || {
-        black_box(reduce::row_max::<IouObb2, f32>(street, street).unwrap());
+    let (cpu, slow) = (Cpu::new(), Cpu::new().culled(false));
+    let maxima = |cpu: Cpu| {
+        Timed::new(n, move || {
+            black_box(cpu.row_max(IouObb2, street, street).unwrap());
+        })
     };
-    let above = move || {
-        black_box(reduce::above::<IouObb2, f32>(street, street, 0.1).unwrap());
-    };
-    let without = |run: fn(&[Obb2<f32>])| {
-        move || {
-            cpu::cull(false);
-            run(street);
-            cpu::cull(true);
-        }
+    let above = |cpu: Cpu| {
+        Timed::new(n, move || {
+            black_box(cpu.above(IouObb2, street, street, 0.1).unwrap());
+        })
     };
     vec![
         Timed::new(n, move || {
-            cpu::all_pairs_into::<IouObb2, f32>(street, street, &mut matrix).unwrap();
+            cpu.all_pairs_planes(IouObb2, street, street, &mut matrix)
+                .unwrap();
         }),
         Timed::new(n, move || black_box(&mut zeros).fill(0.0)),
-        Timed::new(n, maxima),
-        Timed::new(n, above),
-        Timed::new(
-            n,
-            without(|x| drop(black_box(reduce::row_max::<IouObb2, f32>(x, x).unwrap()))),
-        ),
-        Timed::new(
-            n,
-            without(|x| drop(black_box(reduce::above::<IouObb2, f32>(x, x, 0.1).unwrap()))),
-        ),
+        maxima(cpu),
+        above(cpu),
+        maxima(slow),
+        above(slow),
     ]
 }
 

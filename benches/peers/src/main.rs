@@ -10,7 +10,7 @@
 mod levels;
 
 use geo::{Area, BooleanOps, Centroid, Coord, Euclidean, Length, LineString, Polygon};
-use geograd::kernels::{self, IouObb2, RingOp, cpu};
+use geograd::kernels::{self, Cpu, IouObb2, Op, RingOp, Table};
 use geograd::{Obb2, Pack, Vec2, ad};
 use parry2d_f64::math::Vector2;
 use parry2d_f64::transformation::convex_polygons_intersection_points;
@@ -192,11 +192,11 @@ fn rings(vertices: usize) {
     println!(
         "\n| {count} rings of {vertices} vertices, f64, one thread | M vertices/s |\n| --- | ---: |"
     );
-    ring::<kernels::SignedArea>("signed area", &list, &offsets);
+    ring(kernels::SignedArea, "signed area", &list, &offsets);
     line("geo, signed area", total, || {
         black_box(polygons.iter().map(Area::signed_area).sum::<f64>());
     });
-    ring::<kernels::Perimeter>("perimeter", &list, &offsets);
+    ring(kernels::Perimeter, "perimeter", &list, &offsets);
     line("geo, perimeter", total, || {
         black_box(
             polygons
@@ -205,13 +205,14 @@ fn rings(vertices: usize) {
                 .sum::<f64>(),
         );
     });
-    ring::<kernels::Centroid>("centroid", &list, &offsets);
+    ring(kernels::Centroid, "centroid", &list, &offsets);
     line("geo, centroid", total, || {
         for polygon in &polygons {
             black_box(polygon.centroid());
         }
     });
-    let ours = cpu::ragged::<kernels::Centroid, f64>(&list, &offsets).unwrap();
+    let ours = Cpu::new().ragged(kernels::Centroid, &list, &offsets);
+    let ours: Vec<Vec2<f64>> = ours.unwrap();
     for (ours, theirs) in ours.iter().zip(&polygons) {
         let theirs = theirs.centroid().unwrap();
         assert!(
@@ -222,14 +223,16 @@ fn rings(vertices: usize) {
 }
 
 /// Our two lines of one measure of rings.
-fn ring<O: RingOp>(name: &str, list: &[Vec2<f64>], offsets: &[usize]) {
-    let mut values = cpu::ragged::<O, f64>(list, offsets).unwrap();
+fn ring<O: RingOp>(op: O, name: &str, list: &[Vec2<f64>], offsets: &[usize]) {
+    let cpu = Cpu::new();
+    let mut values = cpu.ragged(op, list, offsets).unwrap();
     line(&format!("geograd, {name}"), list.len(), || {
-        cpu::ragged_into::<O, f64>(list, offsets, &mut values).unwrap();
+        cpu.ragged_into(op, list, offsets, &mut values).unwrap();
     });
     let mut bars = list.to_vec();
     line(&format!("geograd, {name}, adjoint"), list.len(), || {
-        cpu::ragged_vjp_into::<O, f64>(list, offsets, &values, &mut bars).unwrap();
+        cpu.ragged_vjp_into(op, list, offsets, &values, &mut bars)
+            .unwrap();
     });
 }
 
@@ -240,7 +243,8 @@ fn scaling() {
     let (a, b): (Vec<_>, Vec<_>) = (0..LARGE).map(|_| (dice.random(), dice.random())).unzip();
     let (a, b, pairs) = (narrow(&a), narrow(&b), LARGE * LARGE);
     let mut values = vec![0.0; pairs];
-    let mut grads = cpu::PairGrads::<IouObb2, f32>::new(LARGE, LARGE).unwrap();
+    let mut grads = Table::new(LARGE, LARGE).unwrap();
+    let cpu = Cpu::new();
     let (up, mut p, mut q) = (vec![1.0; pairs], a.clone(), b.clone());
     let cores = std::thread::available_parallelism().map_or(1, usize::from);
     println!(
@@ -251,13 +255,15 @@ fn scaling() {
         on_threads(threads, || {
             let rate = |seconds| pairs as f64 / seconds / 1e6;
             let value = rate(fastest(|| {
-                cpu::all_pairs_into::<IouObb2, f32>(&a, &b, &mut values).unwrap()
+                cpu.all_pairs_planes(IouObb2, &a, &b, &mut values).unwrap()
             }));
             let slopes = rate(fastest(|| {
-                cpu::all_pairs_grad_into(&a, &b, &mut grads).unwrap()
+                cpu.all_pairs_into(IouObb2.value_grad(), &a, &b, &mut grads)
+                    .unwrap()
             }));
             let adjoint = rate(fastest(|| {
-                cpu::all_pairs_vjp_into::<IouObb2, f32>(&a, &b, &up, &mut p, &mut q).unwrap()
+                cpu.all_pairs_vjp_into(IouObb2, &a, &b, &up, &mut p, &mut q)
+                    .unwrap()
             }));
             println!("| {threads} | {value:.0} | {slopes:.0} | {adjoint:.0} |");
         });
@@ -269,6 +275,7 @@ fn scaling() {
 }
 
 fn peers() {
+    let cpu = Cpu::new();
     let mut dice = Dice(7);
     let (a, b): (Vec<_>, Vec<_>) = (0..N).map(|_| (dice.random(), dice.random())).unzip();
     let near: Vec<_> = a.iter().map(|&x| dice.near(x)).collect();
@@ -278,31 +285,40 @@ fn peers() {
     println!("\n| random, all pairs of {N} x {N}, one thread | M pairs/s |\n| --- | ---: |");
     let mut values = vec![0.0; pairs];
     let ours = line("geograd, f32, value", pairs, || {
-        cpu::all_pairs_into::<IouObb2, f32>(&a32, &b32, &mut values).unwrap()
+        cpu.all_pairs_planes(IouObb2, &a32, &b32, &mut values)
+            .unwrap()
     });
-    let mut grads = cpu::PairGrads::<IouObb2, f32>::new(N, N).unwrap();
+    let mut grads = Table::new(N, N).unwrap();
     let ours_grad = line("geograd, f32, value + ten slopes per pair", pairs, || {
-        cpu::all_pairs_grad_into(&a32, &b32, &mut grads).unwrap()
+        cpu.all_pairs_into(IouObb2.value_grad(), &a32, &b32, &mut grads)
+            .unwrap()
     });
     let (up, mut p, mut q) = (vec![1.0; pairs], a32.clone(), b32.clone());
     line(
         "geograd, f32, adjoint with an upstream matrix",
         pairs,
-        || cpu::all_pairs_vjp_into::<IouObb2, f32>(&a32, &b32, &up, &mut p, &mut q).unwrap(),
+        || {
+            cpu.all_pairs_vjp_into(IouObb2, &a32, &b32, &up, &mut p, &mut q)
+                .unwrap()
+        },
     );
     let mut values = vec![0.0; pairs];
     let ours64 = line("geograd, f64, value", pairs, || {
-        cpu::all_pairs_into::<IouObb2, f64>(&a, &b, &mut values).unwrap()
+        cpu.all_pairs_planes(IouObb2, &a, &b, &mut values).unwrap()
     });
-    let mut grads = cpu::PairGrads::<IouObb2, f64>::new(N, N).unwrap();
+    let mut grads = Table::new(N, N).unwrap();
     line("geograd, f64, value + ten slopes per pair", pairs, || {
-        cpu::all_pairs_grad_into(&a, &b, &mut grads).unwrap()
+        cpu.all_pairs_into(IouObb2.value_grad(), &a, &b, &mut grads)
+            .unwrap()
     });
     let (up, mut p, mut q) = (vec![1.0; pairs], a.clone(), b.clone());
     line(
         "geograd, f64, adjoint with an upstream matrix",
         pairs,
-        || cpu::all_pairs_vjp_into::<IouObb2, f64>(&a, &b, &up, &mut p, &mut q).unwrap(),
+        || {
+            cpu.all_pairs_vjp_into(IouObb2, &a, &b, &up, &mut p, &mut q)
+                .unwrap()
+        },
     );
     line(
         "geograd, f64, value, call by call (Obb2::iou)",
@@ -381,20 +397,37 @@ fn peers() {
     );
 
     println!("\n| overlapping, {N} aligned pairs, one thread | M pairs/s |\n| --- | ---: |");
-    let (mut v, mut p, mut q) = cpu::aligned_grad::<IouObb2, f32>(&a32, &near32).unwrap();
+    let grads = cpu.aligned(IouObb2.value_grad(), (&a32, &near32));
+    let (mut v, (mut p, mut q)) = grads.unwrap();
     line("geograd, f32, value, with sines and cosines", N, || {
-        cpu::aligned_into::<IouObb2, f32>(&a32, &near32, &mut v).unwrap()
+        cpu.aligned_into(IouObb2, (&a32, &near32), &mut v[..])
+            .unwrap()
     });
     line(
         "geograd, f32, value + gradient, with sines and cosines",
         N,
-        || cpu::aligned_grad_into::<IouObb2, f32>(&a32, &near32, &mut v, &mut p, &mut q).unwrap(),
+        || {
+            cpu.aligned_into(
+                IouObb2.value_grad(),
+                (&a32, &near32),
+                (&mut v[..], (&mut p[..], &mut q[..])),
+            )
+            .unwrap()
+        },
     );
-    let (mut v, mut p, mut q) = cpu::aligned_grad::<IouObb2, f64>(&a, &near).unwrap();
+    let grads = cpu.aligned(IouObb2.value_grad(), (&a, &near));
+    let (mut v, (mut p, mut q)) = grads.unwrap();
     line(
         "geograd, f64, value + gradient, with sines and cosines",
         N,
-        || cpu::aligned_grad_into::<IouObb2, f64>(&a, &near, &mut v, &mut p, &mut q).unwrap(),
+        || {
+            cpu.aligned_into(
+                IouObb2.value_grad(),
+                (&a, &near),
+                (&mut v[..], (&mut p[..], &mut q[..])),
+            )
+            .unwrap()
+        },
     );
     let flat_near = flat(&near);
     line(
@@ -418,11 +451,11 @@ fn peers() {
     });
 
     // A benchmark of the wrong thing would be worthless.
-    let iou = cpu::all_pairs::<IouObb2, f64>(&a[..SLOW], &b[..SLOW]).unwrap();
+    let iou = cpu.all_pairs(IouObb2, &a[..SLOW], &b[..SLOW]).unwrap();
     let theirs = powerboxesrs::iou::rotated_iou_distance_slice(&flat_a, &flat_b, SLOW, SLOW);
     for i in 0..SLOW {
         for j in 0..SLOW {
-            let ours = iou[i * SLOW + j];
+            let ours = iou.at(i, j);
             assert!(
                 (ours - (1.0 - theirs[i * SLOW + j])).abs() < 1e-6,
                 "powerboxesrs disagrees"

@@ -1,6 +1,6 @@
 //! Recorded programs as makers of blocks: an interpreter.
 //!
-//! A program's graph becomes a tape of instructions ([`lower`](lower)), each of which computes one number of
+//! A program's graph becomes a tape of instructions (`lower.rs`), each of which computes one number of
 //! every item of a block from others. Choosing an instruction costs about as much as a hundred items of it, so
 //! blocks are as long as the innermost cache allows. What the interpreter is compiled to depends on
 //! the format and the level of vector instructions only; results have the same bits at all of them.

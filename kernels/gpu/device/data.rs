@@ -87,7 +87,7 @@ impl Gpu {
     ///
     /// [`GpuError::Input`] for a number that is not finite, or what the device says.
     pub fn upload_values(&self, values: &[f32]) -> Result<Values, GpuError> {
-        check_upstream(values)?;
+        check_upstream(values, 1)?;
         self.inner.guarded(|| {
             let made = Values::room(self, values.len());
             made.write(values);
@@ -228,7 +228,7 @@ impl Values {
     /// says.
     pub fn update(&mut self, values: &[f32]) -> Result<(), GpuError> {
         expect(Argument::Upstream, self.len, values.len())?;
-        check_upstream(values)?;
+        check_upstream(values, 1)?;
         self.gpu.inner.guarded(|| {
             self.write(values);
             Ok(())

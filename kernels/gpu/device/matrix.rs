@@ -31,7 +31,7 @@ impl Gpu {
     ) -> Result<Matrix, GpuError> {
         let expected = rows.checked_mul(columns).ok_or(Error::TooLarge)?;
         expect(Argument::Upstream, expected, values.len())?;
-        check_upstream(values)?;
+        check_upstream(values, 1)?;
         self.inner.guarded(|| {
             let made = Matrix::room(self, rows, columns)?;
             made.write(values);
@@ -71,7 +71,7 @@ impl Matrix {
     /// says.
     pub fn update(&mut self, values: &[f32]) -> Result<(), GpuError> {
         expect(Argument::Upstream, self.rows * self.columns, values.len())?;
-        check_upstream(values)?;
+        check_upstream(values, 1)?;
         self.gpu.inner.guarded(|| {
             self.write(values);
             Ok(())

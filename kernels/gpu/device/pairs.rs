@@ -77,13 +77,14 @@ impl<O: GpuPair> PairBars<O> {
         let arrival = gpu.inner.bring(gpu, &parts)?;
         let blocks: Vec<Block> = self.values.blocks.iter().map(|part| part.0).collect();
         Ok(Pending::new(arrival, move |arrival| {
-            let mut grads = PairGrads::new(rows, columns)?;
+            let mut grads = PairGrads::<O>::new(rows, columns)?;
             arrival.read(|part, numbers| {
                 let (block, numbers) = (&blocks[part / 2], bytemuck::cast_slice(numbers));
+                let (values, slopes) = grads.planes_mut().split_at_mut(rows * columns);
                 if part % 2 == 0 {
-                    return place_block(block, columns, numbers, &mut grads.values);
+                    return place_block(block, columns, numbers, values);
                 }
-                let planes = grads.planes.chunks_exact_mut(rows * columns);
+                let planes = slopes.chunks_exact_mut(rows * columns);
                 let from = numbers.chunks_exact(block.rows * block.columns);
                 for (from, to) in from.zip(planes) {
                     place_block(block, columns, from, to);
@@ -254,7 +255,7 @@ impl Gpu {
     ) -> Result<(BarsOf<O>, BarsOf<O>), GpuError> {
         let expected = a.len.checked_mul(b.len).ok_or(Error::TooLarge)?;
         expect(Argument::Upstream, expected, upstream.len())?;
-        check_upstream(upstream)?;
+        check_upstream(upstream, 1)?;
         let (a_bar, b_bar) = self.bars_for::<O>(a, b)?;
         let sweep = VjpSweep::new::<O>(self, Seed::Matrix, a, b, &a_bar, &b_bar)?;
         let inner = &self.inner;
@@ -316,7 +317,7 @@ impl Gpu {
     ) -> Result<f64, GpuError> {
         self.own_lists(a, b)?;
         self.fit_bars::<O>(a, b, a_bar, b_bar)?;
-        check_upstream(&[factor])?;
+        check_upstream(&[factor], 1)?;
         let sweep = VjpSweep::new::<O>(self, Seed::Factor, a, b, a_bar, b_bar)?;
         let inner = &self.inner;
         let mut totals = Vec::new();

@@ -3,7 +3,7 @@ use super::download::download;
 use super::source::{GpuRing, Kernel, LONG, ROW, SPAN, Source, ring_source};
 use super::work::{Params, Work, groups};
 use super::{Gpu, Inner, Pending};
-use crate::error::{Argument, Error};
+use crate::error::Argument;
 use crate::kernels::GpuError;
 use crate::kernels::cpu::check_ragged;
 use crate::kernels::cpu::checked::{check_upstream, expect};
@@ -173,7 +173,7 @@ impl Gpu {
     ///
     /// # Errors
     ///
-    /// [`GpuError::Input`] as [`ragged`](crate::kernels::cpu::ragged), [`GpuError::TooLarge`] for a
+    /// [`GpuError::Input`] as [`Cpu::ragged`](crate::kernels::Cpu::ragged), [`GpuError::TooLarge`] for a
     /// ring that fits no buffer, or what the device says.
     pub fn upload_rings(
         &self,
@@ -269,18 +269,7 @@ impl Gpu {
         for (out_bar, numbers) in upstream.iter().zip(numbers.chunks_exact_mut(fields)) {
             out_bar.store(numbers);
         }
-        check_upstream(&numbers).map_err(|error| match error {
-            Error::Invalid {
-                argument,
-                row,
-                flaw,
-            } => Error::Invalid {
-                argument,
-                row: row / fields,
-                flaw,
-            },
-            other => other,
-        })?;
+        check_upstream(&numbers, fields)?;
         let inner = &self.inner;
         inner.guarded(|| {
             let mut work = Work::new(inner);

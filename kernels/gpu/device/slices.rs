@@ -5,9 +5,8 @@ use super::{Gpu, GpuPair, GpuRing};
 use crate::Vec2;
 use crate::error::Argument;
 use crate::kernels::GpuError;
-use crate::kernels::backend::{Loss, Slopes as Both};
 use crate::kernels::cpu::checked::expect;
-use crate::kernels::on_cpu::{AlignedGrads, PairGrads, ShapeOf};
+use crate::kernels::on_cpu::{AlignedGrads, Bars as Both, Loss, PairGrads, ShapeOf};
 use crate::kernels::reduce::{Best, Found};
 
 /// Both lists on the GPU.
