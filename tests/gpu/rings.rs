@@ -52,7 +52,9 @@ pub fn rings_agree<O: GpuRing>(gpu: &Gpu) {
         .unwrap()
         .download()
         .unwrap();
-    let expected_bars = Backend::Cpu.ragged_vjp::<O>(&vertices, &offsets, &upstream).unwrap();
+    let expected_bars = Backend::Cpu
+        .ragged_vjp::<O>(&vertices, &offsets, &upstream)
+        .unwrap();
     assert_eq!(bars.len(), expected_bars.len());
     for (ring, (found, expected)) in found.iter().zip(&expected).enumerate() {
         // Sums over edges of terms no larger than the square of the ring's extent, which is below
