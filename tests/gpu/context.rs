@@ -2,8 +2,9 @@
 use crate::gpu;
 use crate::shapes::{Draw, bits};
 use geograd::Obb2;
+use geograd::kernels::GpuError;
 use geograd::kernels::gpu::{Gpu, Options};
-use geograd::kernels::{GpuError, overlap};
+use geograd::kernels::ops::overlap;
 
 #[test]
 fn downloads_can_be_awaited() {

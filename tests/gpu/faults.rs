@@ -3,7 +3,8 @@ use crate::gpu;
 use crate::shapes::{Draw, fields};
 use geograd::error::{Argument, Field};
 use geograd::kernels::gpu::{Gpu, GpuPair};
-use geograd::kernels::{Backend, GpuError, overlap, ring};
+use geograd::kernels::ops::{overlap, ring};
+use geograd::kernels::{Backend, GpuError};
 use geograd::{Aabb2, Error, Flaw, Obb2, Vec2};
 use geograd_tests::calls;
 
@@ -62,7 +63,7 @@ where
     assert_eq!(backend.aligned_grad::<O>(none, none).unwrap().0, []);
     assert_eq!(backend.all_pairs::<O>(none, one).unwrap(), []);
     assert_eq!(backend.all_pairs::<O>(one, none).unwrap(), []);
-    assert_eq!(backend.all_pairs_grad::<O>(one, none).unwrap().planes, []);
+    assert_eq!(backend.all_pairs_grad::<O>(one, none).unwrap().planes(), []);
     let (a_bars, b_bars) = backend.all_pairs_vjp::<O>(one, none, &[]).unwrap();
     assert_eq!((a_bars.len(), b_bars.len()), (1, 0));
     assert!(fields(a_bars[0]).iter().all(|&slope| slope == 0.0));

@@ -4,9 +4,10 @@ use crate::gpu;
 use crate::shapes::{Draw, Draws, bits, fields};
 use geograd::error::{Argument, Field};
 use geograd::kernels::gpu::GpuPair;
+use geograd::kernels::ops::overlap;
 use geograd::kernels::reduce::{Best, Found};
 use geograd::kernels::resident::{Bars, Shapes};
-use geograd::kernels::{Backend, GpuError, overlap};
+use geograd::kernels::{Backend, GpuError};
 use geograd::{Aabb2, Error, Flaw, Obb2};
 use geograd_tests::calls;
 
@@ -55,7 +56,7 @@ fn chain<O: GpuPair>(
             sum_b.download()?,
         ],
         matrix: matrix.download()?,
-        planes: grads.download()?.planes,
+        planes: grads.download()?.into_planes(),
         bests: [
             best.download()?,
             on_a.column_max::<O>(&on_b)?.download()?,
