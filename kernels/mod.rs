@@ -22,6 +22,10 @@ pub mod backend;
 pub mod check;
 pub mod cpu;
 #[forbid(unsafe_code)]
+pub mod decided;
+#[forbid(unsafe_code)]
+pub mod fold;
+#[forbid(unsafe_code)]
 pub mod fuzz;
 #[forbid(unsafe_code)]
 pub mod gpu;
@@ -52,11 +56,15 @@ pub mod witness;
 
 pub use backend::Backend;
 pub use cpu::{Cpu, Single, Table};
+pub use decided::Decided;
+pub use fold::Fold;
 pub use gpu::error::GpuError;
 pub use op::{Op, RingOp, Runs};
 pub use ops::distance::{
     ClosestPointsOfSegments, DistanceObb2, DistancePointSegment, SignedDistancePointObb2,
 };
+pub use ops::extent::DiameterOfPolygon;
+pub use ops::fold::{SecondMomentsOfRing, SignedDistancePointRing};
 pub use ops::overlap::{
     IntersectionAreaAabb2, IntersectionAreaObb2, IofAabb2, IofObb2, IouAabb2, IouObb2,
 };

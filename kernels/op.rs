@@ -202,9 +202,9 @@ pub trait Source: 'static {
     /// Where its value may jump.
     const JUMPS: Jumps;
     /// The generic source.
-    fn eval<S: Scalar>(input: &Self::In<S>) -> Self::Out<S>;
+    fn eval<S: Scalar<Mask = bool>>(input: &Self::In<S>) -> Self::Out<S>;
     /// The slopes of `out_bar · output` with respect to the input.
-    fn vjp<S: Scalar>(input: &Self::In<S>, out_bar: Self::Out<S>) -> Self::In<S>;
+    fn vjp<S: Scalar<Mask = bool>>(input: &Self::In<S>, out_bar: Self::Out<S>) -> Self::In<S>;
     /// The input with every scalar replaced.
     fn map<S: Scalar, T: Scalar>(input: &Self::In<S>, f: &mut impl FnMut(S) -> T) -> Self::In<T>;
 }
@@ -219,10 +219,10 @@ impl<O: Op> Source for Straight<O> {
     type Out<S: Scalar> = O::Out<S>;
     const PROMISES: &'static [Promise] = O::PROMISES;
     const JUMPS: Jumps = O::JUMPS;
-    fn eval<S: Scalar>(&input: &Self::In<S>) -> Self::Out<S> {
+    fn eval<S: Scalar<Mask = bool>>(&input: &Self::In<S>) -> Self::Out<S> {
         O::eval(input)
     }
-    fn vjp<S: Scalar>(&input: &Self::In<S>, out_bar: Self::Out<S>) -> Self::In<S> {
+    fn vjp<S: Scalar<Mask = bool>>(&input: &Self::In<S>, out_bar: Self::Out<S>) -> Self::In<S> {
         if let Some((_, input_bar)) = O::adjoint(input, out_bar) {
             return input_bar;
         }
@@ -257,10 +257,10 @@ impl<O: RingOp> Source for Ringed<O> {
     type Out<S: Scalar> = O::Out<S>;
     const PROMISES: &'static [Promise] = O::PROMISES;
     const JUMPS: Jumps = O::JUMPS;
-    fn eval<S: Scalar>(ring: &Vec<Vec2<S>>) -> O::Out<S> {
+    fn eval<S: Scalar<Mask = bool>>(ring: &Vec<Vec2<S>>) -> O::Out<S> {
         O::value(ring)
     }
-    fn vjp<S: Scalar>(ring: &Vec<Vec2<S>>, out_bar: O::Out<S>) -> Vec<Vec2<S>> {
+    fn vjp<S: Scalar<Mask = bool>>(ring: &Vec<Vec2<S>>, out_bar: O::Out<S>) -> Vec<Vec2<S>> {
         let mut ring_bar = vec![Vec2::zero(); ring.len()];
         O::ring_vjp(ring, out_bar, &mut ring_bar);
         ring_bar

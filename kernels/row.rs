@@ -43,12 +43,41 @@ pub trait Row: Fixed<Scalar: Real> {
     fn targets<'a>(many: &'a mut Self::Many, add: &mut dyn FnMut(Target<'a, Self::Scalar>));
 }
 
+/// Numbers of a shape in a column: its scalars, then its codes.
+pub(crate) const fn width<P: Fixed>() -> usize {
+    P::LEN + P::CODES
+}
+
+/// A shape from the numbers of a column.
+pub(crate) fn get<P: Fixed<Scalar: Real>>(numbers: &[P::Scalar]) -> P {
+    let shape = P::load(numbers);
+    if P::CODES == 0 {
+        return shape;
+    }
+    let codes = numbers[P::LEN..width::<P>()].iter();
+    // Codes beyond what a number of the format holds exactly are beyond any shape's size.
+    let codes: Vec<u32> = codes
+        .map(|&x| crate::scalar::float::Float::widen(x) as u32)
+        .collect();
+    shape.load_codes(&codes)
+}
+
+/// A shape as the numbers of a column.
+pub(crate) fn put<P: Fixed<Scalar: Real>>(shape: P, numbers: &mut [P::Scalar]) {
+    shape.store(numbers);
+    if P::CODES > 0 {
+        for (x, code) in numbers[P::LEN..].iter_mut().zip(shape.codes()) {
+            *x = <P::Scalar as crate::Scalar>::lit(f64::from(code));
+        }
+    }
+}
+
 /// The leaf of a shape that is one.
 #[doc(hidden)]
 pub fn leaf<P: Row + Validate>() -> Leaf<P::Scalar> {
     Leaf {
-        fields: P::LEN,
-        check: |numbers| P::load(numbers).validate(),
+        fields: width::<P>(),
+        check: |numbers| get::<P>(numbers).validate(),
     }
 }
 
@@ -70,13 +99,18 @@ macro_rules! __row_of_one {
             ::std::vec![<Self as $crate::Fixed>::filled(zero); count]
         }
         fn leaves(add: &mut dyn FnMut($crate::kernels::row::Leaf<Self::Scalar>)) {
-            add($crate::kernels::row::leaf::<Self>());
+            // An array of none takes no column.
+            if <Self as $crate::Fixed>::LEN > 0 {
+                add($crate::kernels::row::leaf::<Self>());
+            }
         }
         fn targets<'a>(
             many: &'a mut Self::Many,
             add: &mut dyn FnMut($crate::kernels::row::Target<'a, Self::Scalar>),
         ) {
-            add($crate::kernels::row::target(many));
+            if <Self as $crate::Fixed>::LEN > 0 {
+                add($crate::kernels::row::target(many));
+            }
         }
     };
 }
@@ -117,6 +151,10 @@ macro_rules! tuples {
 }
 tuples!(A B; A B C; A B C D; A B C D E; A B C D E F;);
 
+/// A shape that is one, and not a tuple: what a list of rows or columns is made of.
+pub trait Single: Row<Many = Vec<Self>> {}
+impl<P: Row<Many = Vec<P>>> Single for P {}
+
 /// Reads the numbers of some shapes, one after another.
 type Read<'a, T> = Box<dyn Fn(Range<usize>, &mut [T]) + Send + Sync + 'a>;
 
@@ -137,27 +175,40 @@ pub struct Column<'a, T> {
 
 impl<'a, T: Real> Column<'a, T> {
     /// Shapes as a column.
-    pub(crate) fn of<P: Fixed<Scalar = T>>(shapes: &'a [P]) -> Self {
+    pub(crate) fn of<P: Row<Scalar = T>>(shapes: &'a [P]) -> Self {
         let numbers = match arch::numbers(shapes) {
             Some(numbers) => Numbers::Lent(numbers),
             None => Numbers::Read(Box::new(move |items, rows| {
-                for (shape, row) in shapes[items].iter().zip(rows.chunks_exact_mut(P::LEN)) {
-                    shape.store(row);
+                let rows = rows.chunks_exact_mut(width::<P>());
+                for (shape, row) in shapes[items].iter().zip(rows) {
+                    put(*shape, row);
                 }
             })),
         };
         Column {
             numbers,
-            fields: P::LEN,
+            fields: width::<P>(),
             count: Some(shapes.len()),
         }
     }
+    /// Numbers that are read when they are needed.
+    pub(crate) fn read(
+        fields: usize,
+        count: usize,
+        read: impl Fn(Range<usize>, &mut [T]) + Send + Sync + 'a,
+    ) -> Self {
+        Column {
+            numbers: Numbers::Read(Box::new(read)),
+            fields,
+            count: Some(count),
+        }
+    }
     /// Some numbers of every shape of a list.
-    fn part<P: Fixed<Scalar = T>>(shapes: &'a [P], part: Range<usize>) -> Self {
+    fn part<P: Row<Scalar = T>>(shapes: &'a [P], part: Range<usize>) -> Self {
         let fields = part.len();
         Column {
             numbers: Numbers::Read(Box::new(move |items, rows| {
-                let mut all = vec![T::default(); P::LEN];
+                let mut all = vec![T::default(); width::<P>()];
                 for (shape, row) in shapes[items].iter().zip(rows.chunks_exact_mut(fields)) {
                     shape.store(&mut all);
                     row.copy_from_slice(&all[part.clone()]);
@@ -306,19 +357,16 @@ pub(crate) const STRETCH: usize = 2048;
 
 /// Shapes as a target.
 #[doc(hidden)]
-pub fn target<P: Fixed>(shapes: &mut [P]) -> Target<'_, P::Scalar>
-where
-    P::Scalar: Real,
-{
+pub fn target<P: Row>(shapes: &mut [P]) -> Target<'_, P::Scalar> {
     let count = shapes.len();
     let pieces = shapes.chunks_mut(STRETCH).map(|shapes| {
         if arch::is_plain::<P>() {
             return Piece::Lent(arch::numbers_mut(shapes).unwrap_or_default());
         }
-        let room = vec![P::Scalar::default(); shapes.len() * P::LEN];
+        let room = vec![P::Scalar::default(); shapes.len() * width::<P>()];
         let write = move |rows: &[P::Scalar]| {
-            for (shape, row) in shapes.iter_mut().zip(rows.chunks_exact(P::LEN)) {
-                *shape = P::load(row);
+            for (shape, row) in shapes.iter_mut().zip(rows.chunks_exact(width::<P>())) {
+                *shape = get(row);
             }
         };
         Piece::Written(room, Box::new(write))
@@ -330,6 +378,13 @@ where
 }
 
 impl<'a, T: Real> Target<'a, T> {
+    /// Rows of so many numbers.
+    pub(crate) fn of_rows(rows: &'a mut [T], fields: usize) -> Self {
+        Target {
+            count: rows.len() / fields,
+            pieces: rows.chunks_mut(STRETCH * fields).map(Piece::Lent).collect(),
+        }
+    }
     /// Its pieces.
     pub(crate) fn pieces(self) -> Vec<Piece<'a, T>> {
         self.pieces

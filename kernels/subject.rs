@@ -68,14 +68,19 @@ where
         })
     }
     /// The slopes by hand, on another kind of number.
-    fn slopes<T: Scalar>(&self, x: &[f64], y_bar: &[f64], of: impl Fn(S) -> T) -> Vec<T> {
+    fn slopes<T: Scalar<Mask = bool>>(
+        &self,
+        x: &[f64],
+        y_bar: &[f64],
+        of: impl Fn(S) -> T,
+    ) -> Vec<T> {
         let y_bar: Vec<T> = y_bar.iter().map(|&y| of(S::nearest(y))).collect();
         O::vjp::<T>(&self.made(x, |_, v| of(v)), O::Out::<T>::load(&y_bar)).scalars()
     }
     /// The Hessian times a direction, through the adjoint, on another kind of number.
     fn bends<T>(&self, x: &[f64], y_bar: &[f64], direction: &[f64], of: impl Fn(S) -> T) -> Vec<T>
     where
-        T: Scalar<Primal = T>,
+        T: Scalar<Primal = T, Mask = bool>,
     {
         let input = self.made(x, |i, value| Jet {
             value: of(value),

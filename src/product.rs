@@ -236,6 +236,18 @@ macro_rules! codes {
     )* };
 }
 codes!(u8 u16 u32 i8 i16 i32);
+/// A count or an index: up to four thousand million.
+impl Code for usize {
+    const CODES: usize = 1;
+    #[inline]
+    fn load(from: &[u32]) -> Self {
+        from[0] as usize
+    }
+    #[inline]
+    fn store(self, to: &mut [u32]) {
+        to[0] = u32::try_from(self).unwrap_or(u32::MAX);
+    }
+}
 impl Code for bool {
     const CODES: usize = 1;
     #[inline]

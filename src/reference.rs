@@ -15,7 +15,7 @@ use crate::{Aabb2, Scalar, Vec2};
 /// let length = (seen.place(ring[1]) - seen.place(ring[0])).length();
 /// assert_eq!(seen.outer(length), 4.0);
 /// ```
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Copy, Debug, PartialEq, crate::Shape)]
 pub struct Reference<S> {
     /// A corner of the shape's bounds, in the caller's coordinates.
     pub origin: Vec2<S>,

@@ -14,9 +14,8 @@
 //! crossing point itself is not differentiated, so nearly parallel edges are harmless. Where the
 //! edges lie along each other both count half.
 use crate::overlap_polygon::{Fan, Inside, SharedArea, Wedge, bounds_of_rings, measure, mixed};
-use crate::reference::Reference;
 use crate::shape::edges;
-use crate::{ConvexPolygon, Scalar, Vec2};
+use crate::{ConvexPolygon, Mask, Scalar, Vec2};
 
 /// Which part of an edge counts, from one fraction of it to another, and how much.
 struct Piece<S> {
@@ -100,9 +99,12 @@ fn edge_slopes<S: Scalar, const M: usize>(
     let (zero, one) = (S::zero(), S::one());
     let mut edge_bar = [Vec2::zero(); 2];
     let mut k = 0;
-    while k < M {
-        let next = Fan::<S, M>::after(k);
-        let pair = fan.wedge(edge, k);
+    while k < fan.count {
+        let (now, next) = (k, fan.after(k));
+        k += 1;
+        let Some(pair) = fan.wedge(edge, now) else {
+            continue;
+        };
         let [piece_f, piece_g] = pieces(&pair);
         let sign = S::select(mixed(&pair), -one, one);
         let sign = S::select(pair.shared, sign, zero);
@@ -110,12 +112,11 @@ fn edge_slopes<S: Scalar, const M: usize>(
         let by_f = S::select(pair.turned_f, -sign, sign);
         let by_g = S::select(pair.turned_g, -sign, sign);
         let f = pull(edge, &piece_f, pair.turned_f, by_f);
-        let g = pull([fan.at[k], fan.at[next]], &piece_g, pair.turned_g, by_g);
+        let g = pull([fan.at[now], fan.at[next]], &piece_g, pair.turned_g, by_g);
         edge_bar[0] += f[0];
         edge_bar[1] += f[1];
-        fan_bar[k] += g[0];
+        fan_bar[now] += g[0];
         fan_bar[next] += g[1];
-        k += 1;
     }
     edge_bar
 }
@@ -123,16 +124,14 @@ fn edge_slopes<S: Scalar, const M: usize>(
 /// Local slopes of the shared area of two convex polygons.
 #[inline(always)]
 fn shared_slopes<S: Scalar, const N: usize, const M: usize>(
-    a: &[Vec2<S>; N],
-    b: &[Vec2<S>; M],
-    seen: &Reference<S>,
+    fan_a: &Fan<S, N>,
+    fan_b: &Fan<S, M>,
 ) -> ([Vec2<S>; N], [Vec2<S>; M]) {
-    let (fan_a, fan_b) = (Fan::new(a, seen), Fan::new(b, seen));
     let (mut a_bar, mut b_bar) = ([Vec2::zero(); N], [Vec2::zero(); M]);
     let mut k = 0;
-    while k < N {
-        let next = Fan::<S, N>::after(k);
-        let bars = edge_slopes(&fan_b, [fan_a.at[k], fan_a.at[next]], &mut b_bar);
+    while k < fan_a.count {
+        let next = fan_a.after(k);
+        let bars = edge_slopes(fan_b, fan_a.edge(k), &mut b_bar);
         a_bar[k] += bars[0];
         a_bar[next] += bars[1];
         k += 1;
@@ -142,33 +141,16 @@ fn shared_slopes<S: Scalar, const N: usize, const M: usize>(
 
 /// Local slopes of a polygon's own area: `v̄ = (q_y − p_y, p_x − q_x)/2` with `p`, `q` its neighbours.
 #[inline(always)]
-fn own_slopes<S: Scalar, const N: usize>(
-    polygon: &[Vec2<S>; N],
-    seen: &Reference<S>,
-) -> [Vec2<S>; N] {
-    let fan = Fan::new(polygon, seen);
+fn own_slopes<S: Scalar, const N: usize>(fan: &Fan<S, N>) -> [Vec2<S>; N] {
     let mut bars = [Vec2::zero(); N];
     let mut k = 0;
-    while k < N {
-        let next = Fan::<S, N>::after(k);
-        let after = Fan::<S, N>::after(next);
-        let across = fan.at[after] - fan.at[k];
+    while k < fan.count {
+        let next = fan.after(k);
+        let across = fan.at[fan.after(next)] - fan.at[k];
         bars[next] = Vec2::new(across.y.halved(), -across.x.halved());
         k += 1;
     }
     bars
-}
-
-/// The cotangents of `N` vertices as those of a polygon: what was pulled at repetitions of the first
-/// vertex belongs to it; behind the last one there is zero.
-#[inline(always)]
-fn fold_back<S: Scalar, const N: usize>(bars: [Vec2<S>; N], count: usize) -> ConvexPolygon<S, N> {
-    let mut vertices = bars;
-    for k in count..N {
-        vertices[0] += bars[k];
-        vertices[k] = Vec2::zero();
-    }
-    ConvexPolygon { vertices, count }
 }
 
 /// A pair of cotangents.
@@ -185,9 +167,13 @@ fn combined<S: Scalar, const N: usize, const M: usize>(
     power: i32,
 ) -> Bars<S, N, M> {
     let seen = shared.seen;
-    let (all_a, all_b) = (a.padded(), b.padded());
-    let (mut a_bar, mut b_bar) = shared_slopes(&all_a, &all_b, &seen);
-    let (own_a, own_b) = (own_slopes(&all_a, &seen), own_slopes(&all_b, &seen));
+    let fan_a = Fan::new(&a.vertices, a.count, &seen);
+    let fan_b = Fan::new(&b.vertices, b.count, &seen);
+    let (mut a_bar, mut b_bar) = ([Vec2::zero(); N], [Vec2::zero(); M]);
+    if !shared.nothing.all() {
+        (a_bar, b_bar) = shared_slopes(&fan_a, &fan_b);
+    }
+    let (own_a, own_b) = (own_slopes(&fan_a), own_slopes(&fan_b));
     let inter = S::select(shared.nothing, S::zero(), partials[0]);
     for (bar, own) in a_bar.iter_mut().zip(own_a) {
         *bar = seen.outer_slope(*bar * inter + own * partials[1], power);
@@ -195,7 +181,16 @@ fn combined<S: Scalar, const N: usize, const M: usize>(
     for (bar, own) in b_bar.iter_mut().zip(own_b) {
         *bar = seen.outer_slope(*bar * inter + own * partials[2], power);
     }
-    (fold_back(a_bar, a.count), fold_back(b_bar, b.count))
+    (
+        ConvexPolygon {
+            vertices: a_bar,
+            count: a.count,
+        },
+        ConvexPolygon {
+            vertices: b_bar,
+            count: b.count,
+        },
+    )
 }
 
 /// Adjoint of [`intersection_area_polygons`](crate::overlap_polygon::intersection_area_polygons):
@@ -207,7 +202,7 @@ pub fn intersection_area_polygons_vjp<S: Scalar, const N: usize, const M: usize>
     b: &ConvexPolygon<S, M>,
     out_bar: S,
 ) -> Bars<S, N, M> {
-    let shared = measure(&a.padded(), &b.padded());
+    let shared = measure(a, b);
     combined(a, b, &shared, [out_bar, S::zero(), S::zero()], 2)
 }
 
@@ -222,7 +217,7 @@ pub fn iou_polygons_vjp<S: Scalar, const N: usize, const M: usize>(
     b: &ConvexPolygon<S, M>,
     out_bar: S,
 ) -> Bars<S, N, M> {
-    let shared = measure(&a.padded(), &b.padded());
+    let shared = measure(a, b);
     let [inter, area_a, area_b] = shared.areas;
     let union = area_a + area_b - inter;
     let empty = union.at_most(S::lit(S::EMPTY));
@@ -247,9 +242,12 @@ pub fn area_inside_vjp<S: Scalar, const M: usize>(
 ) -> ConvexPolygon<S, M> {
     let mut fan_bar = [Vec2::zero(); M];
     let Some(bounds) = bounds_of_rings(rings) else {
-        return fold_back(fan_bar, polygon.count);
+        return ConvexPolygon {
+            vertices: fan_bar,
+            count: polygon.count,
+        };
     };
-    let inside = Inside::new(bounds, &polygon.padded());
+    let inside = Inside::new(bounds, polygon);
     let out_bar = S::select(inside.apart, S::zero(), out_bar);
     let seen = inside.seen;
     for (ring, bars) in rings.iter().zip(ring_bars.iter_mut()) {
@@ -268,5 +266,8 @@ pub fn area_inside_vjp<S: Scalar, const M: usize>(
     for bar in &mut fan_bar {
         *bar = seen.outer_slope(*bar * out_bar, 2);
     }
-    fold_back(fan_bar, polygon.count)
+    ConvexPolygon {
+        vertices: fan_bar,
+        count: polygon.count,
+    }
 }

@@ -50,6 +50,55 @@ pub(super) fn keeps_zero(graph: &Graph, node: Node, operand: usize) -> bool {
     }
 }
 
+/// The condition, a mask and what it must be, under which a node takes an operand at all. Elsewhere
+/// its slope is zero, also where the operand's own is infinite.
+pub(super) fn taken(graph: &mut Graph, node: Node, operand: usize) -> Option<(Id, bool)> {
+    use Node::*;
+    match node {
+        Select(mask, ..) => Some((mask, operand == 1)),
+        // A tie takes both, and NaN is never below.
+        Min(a, b) | Max(b, a) => match operand {
+            0 => Some((graph.make(Le(a, b)), true)),
+            _ => Some((graph.make(Lt(a, b)), false)),
+        },
+        Split(a, b, _) => Some((graph.make(Le(a, b)), true)),
+        Rest(a, b, _) => Some((graph.make(Lt(a, b)), false)),
+        Root(x) => {
+            let zero = graph.lit(0.0);
+            Some((graph.make(Lt(zero, x)), true))
+        }
+        Atan2(y, x) => Some((scaled(graph, [y, x]).origin, false)),
+        Neg(_)
+        | Canonical(_)
+        | Add(..)
+        | Sub(..)
+        | Mul(..)
+        | Div(..)
+        | Magnitude(_)
+        | Unsigned(_)
+        | Sin(_)
+        | Cos(_)
+        | SinLow(_)
+        | CosLow(_)
+        | Exp(_)
+        | Ln(_)
+        | Graft { .. }
+        | Const(_)
+        | Input(_)
+        | Bool(_)
+        | Lt(..)
+        | Le(..)
+        | Eq(..)
+        | And(..)
+        | Or(..)
+        | Not(_)
+        | Binade(_)
+        | High(_)
+        | SinHigh(_)
+        | CosHigh(_) => None,
+    }
+}
+
 /// `t` times the slope of the node at `me` by one of its [carriers].
 pub(super) fn along(graph: &mut Graph, me: Id, operand: usize, t: Id) -> Id {
     use Node::*;
@@ -135,15 +184,21 @@ pub(super) fn along(graph: &mut Graph, me: Id, operand: usize, t: Id) -> Id {
     }
 }
 
-/// `t` times the slope of the angle of `(x, y)`: `x / r²` by `y`, `−y / r²` by `x`; zero at the
-/// origin.
-///
-/// The vector is brought to a length of about one first, by a power of two: squares of very small
-/// and of very large numbers are not numbers of the format.
-fn along_angle(g: &mut Graph, [y, x]: [Id; 2], operand: usize, t: Id) -> Id {
+/// A vector brought to a length of about one by a power of two: squares of very small and of very
+/// large numbers are not numbers of the format.
+struct Scaled {
+    /// Whether it is the zero vector, which is left as it is.
+    origin: Id,
+    /// The power of two.
+    scale: Id,
+    /// The ordinate and the abscissa.
+    parts: [Id; 2],
+}
+
+fn scaled(g: &mut Graph, parts: [Id; 2]) -> Scaled {
     use Node::*;
     let (zero, one) = (g.lit(0.0), g.lit(1.0));
-    let (width, height) = (g.make(Magnitude(x)), g.make(Magnitude(y)));
+    let [height, width] = parts.map(|x| g.make(Magnitude(x)));
     let large = g.make(Max(width, height));
     let large = g.make(Graft {
         value: large,
@@ -153,10 +208,23 @@ fn along_angle(g: &mut Graph, [y, x]: [Id; 2], operand: usize, t: Id) -> Id {
     let origin = g.make(Le(large, zero));
     let large = g.make(Select(origin, one, large));
     let scale = g.make(Binade(large));
-    let (x, y) = (g.make(Mul(x, scale)), g.make(Mul(y, scale)));
+    Scaled {
+        origin,
+        scale,
+        parts: parts.map(|x| g.make(Mul(x, scale))),
+    }
+}
+
+/// `t` times the slope of the angle of `(x, y)`: `x / r²` by `y`, `−y / r²` by `x`; zero at the
+/// origin.
+fn along_angle(g: &mut Graph, parts: [Id; 2], operand: usize, t: Id) -> Id {
+    use Node::*;
+    let vector = scaled(g, parts);
+    let [y, x] = vector.parts;
+    let (zero, one) = (g.lit(0.0), g.lit(1.0));
     let (xx, yy) = (g.make(Mul(x, x)), g.make(Mul(y, y)));
     let squared = g.make(Add(xx, yy));
-    let squared = g.make(Select(origin, one, squared));
+    let squared = g.make(Select(vector.origin, one, squared));
     let t = g.make(Div(t, squared));
     let t = match operand {
         0 => g.make(Mul(t, x)),
@@ -165,8 +233,8 @@ fn along_angle(g: &mut Graph, [y, x]: [Id; 2], operand: usize, t: Id) -> Id {
             g.make(Neg(t))
         }
     };
-    let t = g.make(Mul(t, scale));
-    g.make(Select(origin, zero, t))
+    let t = g.make(Mul(t, vector.scale));
+    g.make(Select(vector.origin, zero, t))
 }
 
 /// Which nodes depend on one of the first so many numbers of the input in a way that slopes pass.

@@ -4,7 +4,7 @@
 //! once, that zero could meet an infinite slope further down, and zero times infinity is NaN. So both
 //! sides are given the cotangent as it is, with a *path* that says under which choices it counts; it is
 //! chosen where paths meet again, or at the inputs.
-use super::derivative::{active, along, carriers, keeps_zero};
+use super::derivative::{active, along, carriers, keeps_zero, taken};
 use super::graph::{Graph, Id, Node};
 
 /// A condition under which a cotangent counts.
@@ -72,7 +72,10 @@ impl Sweep<'_> {
                 continue;
             }
             let mut path = bar.path.clone();
-            if let Some(guard) = self.taken(node, place) {
+            if let Some((mask, side)) = taken(self.graph, node, place) {
+                // A choice proper hands on what it has; all others give zero to what they do not take.
+                let zero = !matches!(node, Node::Select(..));
+                let guard = Guard { mask, side, zero };
                 match path.iter().find(|known| known.mask == guard.mask) {
                     Some(known) if known.side != guard.side => continue,
                     Some(_) => {}
@@ -92,22 +95,6 @@ impl Sweep<'_> {
         }
     }
 
-    /// The condition under which a choice takes its operand.
-    fn taken(&mut self, node: Node, place: usize) -> Option<Guard> {
-        let (mask, side) = match node {
-            Node::Select(mask, ..) => (mask, place == 1),
-            // A tie takes both, and NaN is never below.
-            Node::Min(a, b) | Node::Max(b, a) => match place {
-                0 => (self.graph.make(Node::Le(a, b)), true),
-                _ => (self.graph.make(Node::Lt(a, b)), false),
-            },
-            _ => return None,
-        };
-        // The slopes of the smaller and the larger are zero for the other one.
-        let zero = !matches!(node, Node::Select(..));
-        Some(Guard { mask, side, zero })
-    }
-
     /// Adds to the cotangent of a node.
     fn give(&mut self, to: Id, new: Bar) {
         if !self.active[to as usize] {
@@ -122,7 +109,7 @@ impl Sweep<'_> {
 
     /// The sum of two cotangents, each where it counts.
     fn merged(&mut self, old: &Bar, new: &Bar) -> Bar {
-        let path: Vec<Guard> = old
+        let mut path: Vec<Guard> = old
             .path
             .iter()
             .zip(&new.path)
@@ -144,19 +131,40 @@ impl Sweep<'_> {
                 self.graph.make(Node::Add(a, b))
             }
         };
+        // Where neither counts, the sum is a zero that must not meet an infinite slope, either.
+        let either = {
+            let (a, b) = (
+                self.hold(&old.path[common..]),
+                self.hold(&new.path[common..]),
+            );
+            self.graph.make(Node::Or(a, b))
+        };
+        if self.graph.truth(either).is_none() {
+            path.push(Guard {
+                mask: either,
+                side: true,
+                zero: true,
+            });
+        }
         Bar { value, path }
     }
 
-    /// The cotangent where the conditions from this one on hold, else zero.
-    fn chosen(&mut self, bar: &Bar, from: usize) -> Id {
-        let mut counts = self.graph.push(Node::Bool(true));
-        for guard in bar.path[from..].iter().filter(|guard| !guard.zero) {
+    /// Whether all conditions hold.
+    fn hold<'a>(&mut self, path: impl IntoIterator<Item = &'a Guard>) -> Id {
+        let mut all = self.graph.push(Node::Bool(true));
+        for guard in path {
             let mask = match guard.side {
                 true => guard.mask,
                 false => self.graph.make(Node::Not(guard.mask)),
             };
-            counts = self.graph.make(Node::And(counts, mask));
+            all = self.graph.make(Node::And(all, mask));
         }
+        all
+    }
+
+    /// The cotangent where the conditions from this one on hold, else zero.
+    fn chosen(&mut self, bar: &Bar, from: usize) -> Id {
+        let counts = self.hold(bar.path[from..].iter().filter(|guard| !guard.zero));
         let zero = self.graph.lit(0.0);
         self.graph.make(Node::Select(counts, bar.value, zero))
     }

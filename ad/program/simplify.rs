@@ -34,12 +34,14 @@ impl Graph {
                 (Some(true), _) | (_, Some(false)) => b,
                 (_, Some(true)) | (Some(false), _) => a,
                 _ if a == b => a,
+                _ if self.opposite(a, b) => self.push(Bool(false)),
                 _ => self.push(And(a.min(b), a.max(b))),
             },
             Or(a, b) => match (self.truth(a), self.truth(b)) {
                 (Some(false), _) | (_, Some(true)) => b,
                 (_, Some(false)) | (Some(true), _) => a,
                 _ if a == b => a,
+                _ if self.opposite(a, b) => self.push(Bool(true)),
                 _ => self.push(Or(a.min(b), a.max(b))),
             },
             Not(x) => match self.at(x) {
@@ -94,6 +96,11 @@ impl Graph {
         } else {
             (self.plain || number.is_finite()).then(|| Node::Const(number.to_bits()))
         }
+    }
+
+    /// Whether one is the negation of the other.
+    fn opposite(&self, a: Id, b: Id) -> bool {
+        self.at(a) == Node::Not(b) || self.at(b) == Node::Not(a)
     }
 
     /// What an operation on constants gives.

@@ -9,12 +9,8 @@ use crate::kernels::cpu::sweep::Upstream;
 use crate::kernels::op::{Ask, Runs};
 use crate::kernels::real::Real;
 use crate::kernels::reduce::{Best, Found, check_sides, check_threshold};
-use crate::kernels::row::{Column, Row};
+use crate::kernels::row::{Column, Row, Single};
 use std::marker::PhantomData;
-
-/// A shape that is one, and not a tuple: what a list of rows or columns is made of.
-pub trait Single: Row<Many = Vec<Self>> {}
-impl<P: Row<Many = Vec<P>>> Single for P {}
 
 /// A result for every row with every column.
 ///

@@ -26,6 +26,8 @@ mod desk;
 #[forbid(unsafe_code)]
 pub(crate) mod drivers;
 #[forbid(unsafe_code)]
+pub(crate) mod folds;
+#[forbid(unsafe_code)]
 pub(crate) mod lane;
 #[forbid(unsafe_code)]
 pub(crate) mod pairs;
@@ -49,7 +51,10 @@ mod tree;
 #[forbid(unsafe_code)]
 mod work;
 
-pub use all_pairs::{Single, Table};
+pub use crate::kernels::row::Single;
+pub use all_pairs::Table;
+#[doc(hidden)]
+pub use plan::{Face, Want};
 pub(crate) use ragged::check_ragged;
 
 /// The processor: all its lanes, and all threads of rayon's current pool.

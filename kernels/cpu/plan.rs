@@ -272,9 +272,81 @@ pub(crate) fn of_recorded<T: Real>(
     Ok(Face::new(want, arguments, outputs, Box::new(body)))
 }
 
-/// What is recorded of an operation.
+/// Something that computes one item: its numbers, the cotangent of its result or nothing, and room for
+/// a result, or for a result and slopes.
+pub type Each<T> = fn(&[T], Option<&[T]>, &mut [T]);
+
+/// Computes item by item.
+struct Items<T> {
+    each: Each<T>,
+    /// Numbers of every shape that it takes, of all of them, of every cotangent, and put down per item.
+    arguments: Vec<usize>,
+    taken: usize,
+    cotangents: Vec<usize>,
+    made: usize,
+}
+
+/// Numbers of an item of a tile.
+fn item<T: Copy>(input: &Tiles<'_, T>, t: usize, i: usize, fields: usize, numbers: &mut Vec<T>) {
+    let tile = input.lanes[t * input.step..].iter().take(fields);
+    numbers.extend(tile.map(|lane| lane.0[i]));
+}
+
+impl<T: Real> Maker<T> for Items<T> {
+    fn make(&self, _: &mut Room<T>, inputs: &[Tiles<'_, T>], mut out: Results<'_, T>) {
+        let (shapes, cotangents) = inputs.split_at(self.arguments.len());
+        let (mut numbers, mut seed) = (Vec::with_capacity(self.taken), Vec::new());
+        let mut one = vec![T::default(); self.made];
+        for t in 0..out.tiles {
+            for i in 0..TILE {
+                numbers.clear();
+                seed.clear();
+                for (shape, &fields) in shapes.iter().zip(&self.arguments) {
+                    item(shape, t, i, fields, &mut numbers);
+                }
+                for (cotangent, &fields) in cotangents.iter().zip(&self.cotangents) {
+                    item(cotangent, t, i, fields, &mut seed);
+                }
+                (self.each)(&numbers, (!seed.is_empty()).then_some(&seed), &mut one);
+                for (k, &x) in one.iter().enumerate() {
+                    if let Some(lane) = out.lane(t, k) {
+                        lane.0[i] = x.canonical();
+                    }
+                }
+            }
+        }
+    }
+}
+
+/// How an operation is computed item by item.
+pub(crate) fn of_items<T: Real>(
+    want: Want,
+    leaves: Vec<Leaf<T>>,
+    outputs: Vec<usize>,
+    each: Each<T>,
+) -> Face<T> {
+    let arguments: Vec<usize> = leaves.iter().map(|leaf| leaf.fields).collect();
+    let (taken, result): (usize, usize) = (arguments.iter().sum(), outputs.iter().sum());
+    let made = match want {
+        Want::Value => result,
+        Want::ValueGrad | Want::Vjp => result + taken,
+    };
+    let items = Items {
+        each,
+        arguments,
+        taken,
+        cotangents: outputs.clone(),
+        made,
+    };
+    let plans = leaves.into_iter().map(Preparation::plain).collect();
+    Face::new(want, plans, outputs, Box::new(items))
+}
+
+/// What is kept of an operation.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-enum Key {
+pub(crate) enum Known {
+    /// The programs of a fold.
+    Fold,
     /// The program of what is wanted.
     Program(Want),
     /// How batches compute it, aligned or all pairs.
@@ -282,12 +354,12 @@ enum Key {
 }
 
 /// What was asked for before, by operation and format.
-type Known = HashMap<(TypeId, TypeId, Key), Arc<dyn Any + Send + Sync>>;
-static KNOWN: RwLock<Option<Known>> = RwLock::new(None);
+type Kept = HashMap<(TypeId, TypeId, Known), Arc<dyn Any + Send + Sync>>;
+static KNOWN: RwLock<Option<Kept>> = RwLock::new(None);
 
 /// Something that is made once per operation and format.
-fn known<O: 'static, T: 'static, X: Send + Sync + 'static>(
-    key: Key,
+pub(crate) fn known<O: 'static, T: 'static, X: Send + Sync + 'static>(
+    key: Known,
     make: impl FnOnce() -> Result<X, Error>,
 ) -> Result<Arc<X>, Error> {
     let key = (TypeId::of::<O>(), TypeId::of::<T>(), key);
@@ -306,7 +378,7 @@ fn known<O: 'static, T: 'static, X: Send + Sync + 'static>(
 /// What is wanted of an operation, as a program: the result, or the result and slopes, from the input
 /// and then the cotangent.
 pub(crate) fn program_of<O: Op, T: Plain>(want: Want) -> Result<Arc<Recorded>, Error> {
-    known::<O, T, _>(Key::Program(want), || {
+    known::<O, T, _>(Known::Program(want), || {
         type In<O, T> = <O as Op>::In<Sym<T>>;
         type Out<O, T> = <O as Op>::Out<Sym<T>>;
         // Without an adjoint by hand the program fails to be finite, which nothing then hides.
@@ -345,7 +417,7 @@ where
     O: Op<In<<R as Pack>::Scalar> = R>,
     O::Out<R::Scalar>: Row,
 {
-    known::<O, R::Scalar, _>(Key::Face(want, framed), || {
+    known::<O, R::Scalar, _>(Known::Face(want, framed), || {
         if let Some(compiled) = O::compiled() {
             return Ok(of_compiled(compiled, want));
         }

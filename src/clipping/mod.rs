@@ -10,6 +10,7 @@
 //! [`overlap_polygon`](crate::overlap_polygon).
 pub(crate) mod crossing;
 mod half_plane;
+mod meeting;
 mod pair;
 
 pub use half_plane::{half_plane_decided, half_plane_replay};

@@ -100,8 +100,16 @@ pub trait Core<S: Scalar>: Copy {
     /// Where a line is inside of the core or, for a piece of a line, of the strip that far to both
     /// sides of it.
     fn inside(&self, beam: Beam<S>, radius: S) -> Inside<S>;
-    /// The face that parts this core best from the hull of corners and directions.
-    fn deep(&self, corners: &[Vec2<S>], away: &[Vec2<S>]) -> Best<S, Deepest<S>>;
+    /// The least of `normal · point` over the corners, and the corner.
+    #[inline(always)]
+    fn lowest(&self, normal: Vec2<S>) -> Best<S, Ahead<S>> {
+        Best::least(self.corners().as_ref().iter().map(|&on_b| {
+            let ahead = normal.dot(on_b);
+            Best::of(ahead, Ahead { ahead, on_b })
+        }))
+    }
+    /// The face that parts this core best from another one.
+    fn deep<B: Core<S>>(&self, other: &B) -> Best<S, Deepest<S>>;
 }
 
 /// The nearest of some corners to an edge.
@@ -121,48 +129,34 @@ fn edge_near<S: Scalar>(edge: Edge<S>, corners: &[Vec2<S>]) -> Best<S, Nearest<S
     }))
 }
 
-/// How far in front of a face the hull of corners and directions begins. The normal points out and
-/// has length one, or zero where the face has no length: such a face parts nothing.
+/// How far in front of a face another core begins. The normal points out and has length one, or zero
+/// where the face has no length: such a face parts nothing.
 #[inline(always)]
-fn face_deep<S: Scalar>(
+fn face_deep<S: Scalar, B: Core<S>>(
     face: Edge<S>,
     normal: Vec2<S>,
-    corners: &[Vec2<S>],
-    away: &[Vec2<S>],
+    other: &B,
 ) -> Best<S, Deepest<S>> {
+    let first = other.lowest(normal);
     let none = normal.x.equals(S::zero()) & normal.y.equals(S::zero());
-    let useless = away.iter().fold(none, |useless, direction| {
+    let away = other.away();
+    let useless = away.as_ref().iter().fold(none, |useless, direction| {
         useless | normal.dot(*direction).below(S::zero())
     });
-    let aheads = corners.iter().map(|&on_b| Ahead {
-        ahead: normal.dot(on_b - face.from),
-        on_b,
-    });
-    deepest_ahead(face, normal, useless, aheads)
-}
-
-/// The same from how far in front of the face each corner is.
-#[inline(always)]
-fn deepest_ahead<S: Scalar>(
-    face: Edge<S>,
-    normal: Vec2<S>,
-    useless: S::Mask,
-    aheads: impl Iterator<Item = Ahead<S>>,
-) -> Best<S, Deepest<S>> {
-    let first = Best::least(aheads.map(|corner| Best::of(corner.ahead, corner)));
+    let height = normal.dot(face.from);
     // The middle of the corners that tie may lie beyond the end of the face, though some point between
     // them does not; or it lies before another face of the same line.
-    let Ahead { ahead, on_b } = first.mean();
-    let foot = reach(face, on_b - face.from);
+    let lowest = first.mean();
+    let foot = reach(face, lowest.on_b - face.from);
     let on_a = face.from + face.along * foot.t;
     let beyond = (foot.free - foot.t).magnitude() * S::from_primal(size_of(face.along));
     Best {
-        value: S::select(useless, S::lit(-S::LARGEST), first.value),
+        value: S::select(useless, S::lit(-S::LARGEST), first.value - height),
         sum: Deepest {
-            ahead: first.sum.ahead,
+            ahead: first.sum.ahead - height * first.count,
             normal,
             on_a,
-            on_b: on_a + normal * ahead,
+            on_b: on_a + normal * (lowest.ahead - height),
             beyond,
         },
         count: first.count,
@@ -226,8 +220,8 @@ impl<S: Scalar> Core<S> for PointCore<S> {
         Inside::disc(beam, self.0, radius)
     }
     #[inline(always)]
-    fn deep(&self, corners: &[Vec2<S>], away: &[Vec2<S>]) -> Best<S, Deepest<S>> {
-        face_deep(Edge::between(self.0, self.0), Vec2::zero(), corners, away)
+    fn deep<B: Core<S>>(&self, other: &B) -> Best<S, Deepest<S>> {
+        face_deep(Edge::between(self.0, self.0), Vec2::zero(), other)
     }
 }
 
@@ -314,10 +308,9 @@ impl<S: Scalar, const CORNERS: usize, const AWAY: usize> Core<S> for EdgeCore<S,
         Inside::strip(beam, from, along, radius, AWAY < 2, AWAY == 0)
     }
     #[inline(always)]
-    fn deep(&self, corners: &[Vec2<S>], away: &[Vec2<S>]) -> Best<S, Deepest<S>> {
+    fn deep<B: Core<S>>(&self, other: &B) -> Best<S, Deepest<S>> {
         let normal = unit(self.edge.along.perp());
-        let [left, right] =
-            [normal, -normal].map(|normal| face_deep(self.edge, normal, corners, away));
+        let [left, right] = [normal, -normal].map(|normal| face_deep(self.edge, normal, other));
         left.most(right)
     }
 }
@@ -363,10 +356,10 @@ impl<S: Scalar, const N: usize> Core<S> for PolygonCore<S, N> {
         Inside::polygon(beam, &self.0)
     }
     #[inline(always)]
-    fn deep(&self, corners: &[Vec2<S>], away: &[Vec2<S>]) -> Best<S, Deepest<S>> {
+    fn deep<B: Core<S>>(&self, other: &B) -> Best<S, Deepest<S>> {
         Best::most_of((0..N).map(|i| {
             let face = Edge::between(self.0[i], self.0[(i + 1) % N]);
-            face_deep(face, -unit(face.along.perp()), corners, away)
+            face_deep(face, -unit(face.along.perp()), other)
         }))
     }
 }
@@ -472,7 +465,7 @@ impl<S: Scalar, R: Turn<S>> Core<S> for BoxCore<S, R> {
         Best::least(corners.iter().map(|&corner| {
             let local = self.turn.back(corner - self.center);
             let beside = |x: S, half: S| S::select(x.below(S::zero()), x + half, x - half);
-            let outside = |x: S, half: S| x.magnitude().above(half);
+            let outside = |x: S, half: S| x.unsigned().above(half);
             let pick = |x: S, half: S| S::select(outside(x, half), beside(x, half), S::zero());
             let apart = Vec2::new(pick(local.x, self.half.x), pick(local.y, self.half.y));
             let turned = self.turn.out(apart);
@@ -496,27 +489,34 @@ impl<S: Scalar, R: Turn<S>> Core<S> for BoxCore<S, R> {
             })
     }
     #[inline(always)]
-    fn deep(&self, corners: &[Vec2<S>], away: &[Vec2<S>]) -> Best<S, Deepest<S>> {
-        // All faces see the corners in the box's own frame.
-        let seen = |v: Vec2<S>| self.turn.back(v);
-        let pick = |v: Vec2<S>, face: usize| [v.x, -v.x, v.y, -v.y][face];
-        let faces = self.faces().into_iter().enumerate();
-        Best::most_of(faces.map(|(k, (normal, half, side))| {
+    fn deep<B: Core<S>>(&self, other: &B) -> Best<S, Deepest<S>> {
+        Best::most_of(self.faces().into_iter().map(|(normal, half, side)| {
             let face = Edge {
                 from: self.center + normal * half,
                 along: normal.perp(),
                 low: -side,
                 high: side,
             };
-            let never = S::one().below(S::zero());
-            let useless = away.iter().fold(never, |useless, &direction| {
-                useless | pick(seen(direction), k).below(S::zero())
-            });
-            let aheads = corners.iter().map(|&on_b| Ahead {
-                ahead: pick(seen(on_b - self.center), k) - half,
-                on_b,
-            });
-            deepest_ahead(face, normal, useless, aheads)
+            face_deep(face, normal, other)
         }))
+    }
+    /// Without the corners: half the diagonals' projections. Corners that tie are their middle.
+    #[inline(always)]
+    fn lowest(&self, normal: Vec2<S>) -> Best<S, Ahead<S>> {
+        let own = self.turn.back(normal);
+        let (x, y) = (own.x * self.half.x, own.y * self.half.y);
+        let side = |x: S, half: S| {
+            let none = x.equals(S::zero());
+            S::select(none, S::zero(), (-half).signed_as(x))
+        };
+        let corner = Vec2::new(side(x, self.half.x), side(y, self.half.y));
+        let ahead = normal.dot(self.center) - (x.magnitude() + y.magnitude());
+        Best::of(
+            ahead,
+            Ahead {
+                ahead,
+                on_b: self.center + self.turn.out(corner),
+            },
+        )
     }
 }

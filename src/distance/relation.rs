@@ -122,8 +122,8 @@ fn deepest<S: Scalar, A: Core<S>, B: Core<S>>(a: A, b: B) -> Option<Best<S, Deep
     if A::DIMENSION + B::DIMENSION < 2 {
         return None;
     }
-    let of_a = || a.deep(b.corners().as_ref(), b.away().as_ref());
-    let of_b = || b.deep(a.corners().as_ref(), a.away().as_ref()).flipped();
+    let of_a = || a.deep(&b);
+    let of_b = || b.deep(&a).flipped();
     Some(if A::DIMENSION == 0 {
         of_b()
     } else if B::DIMENSION == 0 {

@@ -54,7 +54,6 @@ fn bounded<S: Scalar>(x: S, least: S::Primal) -> S {
 }
 
 /// Brings a pair into a common unit. `FLOOR` says whether sizes are bounded from below.
-#[inline(always)]
 fn pair<S: Scalar, const FLOOR: bool>(a: Obb2<S>, b: Obb2<S>, deviation: f64) -> Pair<S> {
     let (zero, one) = (S::Primal::zero(), S::Primal::one());
     let largest = |v: Vec2<S>| v.x.primal().magnitude().most(v.y.primal().magnitude());

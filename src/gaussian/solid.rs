@@ -3,6 +3,10 @@
 //! With `D_ij = R_ij²` from the rotation R between the boxes, traces and determinants are sums over D with
 //! terms that are not negative; what would cancel for similar boxes is taken out by hand. The axes of the
 //! second box are renamed first so that R is as small as it can be.
+#![expect(
+    clippy::needless_range_loop,
+    reason = "indices are axes, shared by several arrays"
+)]
 use super::smooth::{excess, ln_one_plus};
 use super::{bounded, fused, similarity};
 use crate::Scalar;
@@ -31,7 +35,6 @@ fn largest<S: Scalar>(v: [S; 3]) -> S::Primal {
     v[0].most(v[1]).most(v[2])
 }
 
-#[inline(always)]
 fn pair<S: Scalar, const FLOOR: bool>(a: Obb3<S>, b: Obb3<S>, deviation: f64) -> Pair<S> {
     let related = relate3(a, b);
     let (zero, one) = (S::Primal::zero(), S::Primal::one());
@@ -69,7 +72,6 @@ fn pair<S: Scalar, const FLOOR: bool>(a: Obb3<S>, b: Obb3<S>, deviation: f64) ->
 ///
 /// Newton's iteration `X ← ½ (γ X + X⁻ᵀ / γ)` with Higham's scaling γ; nine steps reach rounding from any
 /// matrix that sizes of [`Scalar::EPSILON`] to one can make, three more are room.
-#[inline(always)]
 fn nearest_rotation<S: Scalar>(mut x: [[S::Primal; 3]; 3]) -> [[S; 3]; 3] {
     let zero = S::Primal::zero();
     for _ in 0..12 {
@@ -106,7 +108,6 @@ fn nearest_rotation<S: Scalar>(mut x: [[S::Primal; 3]; 3]) -> [[S; 3]; 3] {
     x.map(|row| row.map(S::from_primal))
 }
 
-#[inline(always)]
 fn squared_distance<S: Scalar>(pair: &Pair<S>, turn: &[[S; 3]; 3]) -> S {
     // The trace of Σa + Σb − 2 (√Σa Σb √Σa)^½ is the least ‖√Σa − √Σb Q‖² over all rotations Q: a sum of
     // squares. At the best Q slopes by Q vanish, so Q is a constant.
@@ -226,7 +227,6 @@ pub fn kullback_leibler_mean<S: Scalar>(a: Obb3<S>, b: Obb3<S>) -> S {
 /// By Cauchy and Binet the determinant is `Π a² + Π b² + Σ_ij D_ij G_ij`, where `G_ij` is the product of the
 /// squares of b_j and of both a but a_i, plus that of a_i and of both b but b_j. Each column of D sums to
 /// one, so the part of `G_jj` can be taken out of column j.
-#[inline(always)]
 fn twist<S: Scalar>(pair: &Pair<S>) -> (S, [S; 3]) {
     let (a, b) = (pair.a, pair.b);
     let length = [a[0].hypot(b[0]), a[1].hypot(b[1]), a[2].hypot(b[2])];
@@ -260,7 +260,6 @@ pub fn bhattacharyya<S: Scalar>(a: Obb3<S>, b: Obb3<S>) -> S {
 /// `⅛ dᵀ Σ⁻¹ d + ½ ln (det Σ / √(det Σa det Σb))` with the mean Σ of both covariances. `Σa + Σb` is a sum of
 /// six squares of vectors x (deviations along axes), so its adjugate is the sum of the squares of all cross
 /// products of two of them: `dᵀ adj d = Σ (d · (x × y))²`.
-#[inline(always)]
 fn distance<S: Scalar>(pair: &Pair<S>) -> S {
     let (a, b, d, e, r) = (pair.a, pair.b, pair.offset, pair.offset_b, pair.turn);
     let (twist, length) = twist(pair);

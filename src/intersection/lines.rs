@@ -87,7 +87,7 @@ pub fn crossing_of_lines<S: Scalar>(a: Line2<S>, b: Line2<S>) -> Crossing<S> {
 /// let a = Segment2::new(at(0.0, 0.0), at(4.0, 0.0));
 /// let across = meeting_of_segments(a, Segment2::new(at(1.0, -1.0), at(1.0, 1.0)));
 /// assert_eq!((across.kind, across.from), (1.0, at(1.0, 0.0)));
-/// let along = meeting_of_segments(a, Segment2::new(at(9.0, 0.0), at(3.0, 0.0)));
+/// let along = meeting_of_segments(a, Segment2::new(at(6.0, 0.0), at(3.0, 0.0)));
 /// assert_eq!((along.kind, along.from, along.to), (2.0, at(3.0, 0.0), at(4.0, 0.0)));
 /// ```
 #[must_use]

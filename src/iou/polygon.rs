@@ -39,7 +39,7 @@ pub fn giou_polygons_replay<S: Scalar, const N: usize, const M: usize, const K: 
     b: &ConvexPolygon<S, M>,
     trace: &MergeTrace<K>,
 ) -> S {
-    let shared = measure(&a.padded(), &b.padded());
+    let shared = measure(a, b);
     let [inter, area_a, area_b] = shared.areas;
     let hull = merge_replay(a, b, trace);
     let mut twice = S::zero();

@@ -9,7 +9,6 @@ use crate::shape::Obb3;
 ///
 /// An axis made of two edges that are nearly parallel says nothing that faces do not; it counts as far as the
 /// square of its length is above rounding.
-#[inline(always)]
 fn widest_gap<S: Scalar>(pair: &Relative3<S>) -> S {
     let (r, c, h, p) = (pair.turn, pair.center, pair.half_a, pair.half_b);
     let zero = S::zero();

@@ -5,7 +5,6 @@ use crate::overlap::Denominator;
 use crate::shape::Aabb3;
 use crate::{Scalar, Vec3};
 
-#[inline(always)]
 fn score_aabb3<S: Scalar>(over: Denominator, a: Aabb3<S>, b: Aabb3<S>) -> S {
     // Halving first keeps the difference of two huge bounds finite.
     let half_of = |shape: Aabb3<S>| {

@@ -65,11 +65,11 @@ fn most_shared<S: Scalar>(pair: &Relative3<S>) -> S {
     for i in 0..3 {
         let reach = (steep[i][0] * p[0] + steep[i][1] * p[1]) + steep[i][2] * p[2];
         let shared = (c[i] + reach).least(h[i]) - (c[i] - reach).most(-h[i]);
-        in_a = in_a * shared.most(zero);
+        in_a *= shared.most(zero);
         let reach = (steep[0][i] * h[0] + steep[1][i] * h[1]) + steep[2][i] * h[2];
         let center = (r[0][i] * c[0] + r[1][i] * c[1]) + r[2][i] * c[2];
         let shared = (center + reach).least(p[i]) - (center - reach).most(-p[i]);
-        in_b = in_b * shared.most(zero);
+        in_b *= shared.most(zero);
     }
     let mut gap = -S::one();
     for i in 0..3 {
@@ -86,8 +86,13 @@ fn most_shared<S: Scalar>(pair: &Relative3<S>) -> S {
 }
 
 /// The volume that two related boxes share and, if asked for, its slopes. Straight line.
+///
+/// `PIECES` keeps the repeated pieces functions of their own, which costs less to build and less stack;
+/// without it all is one piece, as code for vector instructions must be.
 #[inline(always)]
-pub fn shared_volume<S: Scalar, const SLOPES: bool>(pair: &Relative3<S>) -> Shared3<S> {
+pub fn shared_volume<S: Scalar, const SLOPES: bool, const PIECES: bool>(
+    pair: &Relative3<S>,
+) -> Shared3<S> {
     let zero = S::zero();
     let (cut, origin) = cut(pair);
     let mut bounds = Bounds {
@@ -106,14 +111,14 @@ pub fn shared_volume<S: Scalar, const SLOPES: bool>(pair: &Relative3<S>) -> Shar
     for m in 0..3 {
         for a in 0..2 {
             for b in 0..2 {
-                let made = edge(&cut, m, a, b);
-                let six = edge_term::<S, SLOPES>(&cut, &made, [m, a, b], &mut bounds);
+                let made = edge::<S, PIECES>(&cut, m, a, b);
+                let six = edge_term::<S, SLOPES, PIECES>(&cut, &made, [m, a, b], &mut bounds);
                 volume = less_signed(volume, a, b, six);
                 edges[m][a][b] = made;
             }
         }
     }
-    volume = volume * S::lit(1.0 / 6.0);
+    volume *= S::lit(1.0 / 6.0);
     for a in 0..2 {
         for b in 0..2 {
             for side in 0..2 {
@@ -134,7 +139,7 @@ pub fn shared_volume<S: Scalar, const SLOPES: bool>(pair: &Relative3<S>) -> Shar
     let mut thrice = zero;
     for k in 0..3 {
         for side in 0..2 {
-            let made = face::<S, SLOPES>(&cut, &edges, k, side, &mut bounds);
+            let made = face::<S, SLOPES, PIECES>(&cut, &edges, k, side, &mut bounds);
             thrice = if side == 1 {
                 thrice + made.thrice
             } else {

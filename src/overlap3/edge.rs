@@ -120,7 +120,26 @@ pub(super) fn cut<S: Scalar>(pair: &Relative3<S>) -> (Cut<S>, [S; 3]) {
 }
 
 #[inline(always)]
-pub(super) fn edge<S: Scalar>(cut: &Cut<S>, m: usize, a: usize, b: usize) -> Edge<S> {
+pub(super) fn edge<S: Scalar, const PIECES: bool>(
+    cut: &Cut<S>,
+    m: usize,
+    a: usize,
+    b: usize,
+) -> Edge<S> {
+    if PIECES {
+        edge_apart(cut, m, a, b)
+    } else {
+        edge_here(cut, m, a, b)
+    }
+}
+
+#[inline(never)]
+fn edge_apart<S: Scalar>(cut: &Cut<S>, m: usize, a: usize, b: usize) -> Edge<S> {
+    edge_here(cut, m, a, b)
+}
+
+#[inline(always)]
+fn edge_here<S: Scalar>(cut: &Cut<S>, m: usize, a: usize, b: usize) -> Edge<S> {
     let (j, l) = ((m + 1) % 3, (m + 2) % 3);
     let zero = S::zero();
     let mut made = Edge {
@@ -171,7 +190,31 @@ fn along<S: Scalar>(cut: &Cut<S>, edge: &Edge<S>, m: usize, i: usize, low: S, hi
 /// From the crossings of both coordinates it has at most five pieces; on the outer two both are constant,
 /// on the inner ones each is linear, where `6 ∫ X Y dt = D ((X + X')(Y + Y') + X Y + X' Y')`.
 #[inline(always)]
-pub(super) fn edge_term<S: Scalar, const SLOPES: bool>(
+pub(super) fn edge_term<S: Scalar, const SLOPES: bool, const PIECES: bool>(
+    cut: &Cut<S>,
+    edge: &Edge<S>,
+    at: [usize; 3],
+    bounds: &mut Bounds<S>,
+) -> S {
+    if PIECES {
+        edge_term_apart::<S, SLOPES>(cut, edge, at, bounds)
+    } else {
+        edge_term_here::<S, SLOPES>(cut, edge, at, bounds)
+    }
+}
+
+#[inline(never)]
+fn edge_term_apart<S: Scalar, const SLOPES: bool>(
+    cut: &Cut<S>,
+    edge: &Edge<S>,
+    at: [usize; 3],
+    bounds: &mut Bounds<S>,
+) -> S {
+    edge_term_here::<S, SLOPES>(cut, edge, at, bounds)
+}
+
+#[inline(always)]
+fn edge_term_here<S: Scalar, const SLOPES: bool>(
     cut: &Cut<S>,
     edge: &Edge<S>,
     [m, a, b]: [usize; 3],

@@ -60,7 +60,33 @@ impl<S: Scalar> Sums<S> {
     /// Adds a side, given the weight of a unit of it for each level point; returns `∫ (clamp(z) + z₀/2)`
     /// along it.
     #[inline(always)]
-    fn add<const SLOPES: bool>(
+    fn add<const SLOPES: bool, const PIECES: bool>(
+        &mut self,
+        side: Side<S>,
+        weight: [S; 3],
+        z_bounds: [S; 2],
+        points: &[[S; 2]; 3],
+    ) -> S {
+        if PIECES {
+            self.add_apart::<SLOPES>(side, weight, z_bounds, points)
+        } else {
+            self.add_here::<SLOPES>(side, weight, z_bounds, points)
+        }
+    }
+
+    #[inline(never)]
+    fn add_apart<const SLOPES: bool>(
+        &mut self,
+        side: Side<S>,
+        weight: [S; 3],
+        z_bounds: [S; 2],
+        points: &[[S; 2]; 3],
+    ) -> S {
+        self.add_here::<SLOPES>(side, weight, z_bounds, points)
+    }
+
+    #[inline(always)]
+    fn add_here<const SLOPES: bool>(
         &mut self,
         side: Side<S>,
         weight: [S; 3],
@@ -115,7 +141,33 @@ impl<S: Scalar> Sums<S> {
 ///
 /// by the divergence of `clamp(z) (q − p)`; all terms stay bounded for a thin a.
 #[inline(always)]
-pub(super) fn face<S: Scalar, const SLOPES: bool>(
+pub(super) fn face<S: Scalar, const SLOPES: bool, const PIECES: bool>(
+    cut: &Cut<S>,
+    edges: &Edges<S>,
+    k: usize,
+    side: usize,
+    bounds: &mut Bounds<S>,
+) -> Face<S> {
+    if PIECES {
+        face_apart::<S, SLOPES>(cut, edges, k, side, bounds)
+    } else {
+        face_here::<S, SLOPES, false>(cut, edges, k, side, bounds)
+    }
+}
+
+#[inline(never)]
+fn face_apart<S: Scalar, const SLOPES: bool>(
+    cut: &Cut<S>,
+    edges: &Edges<S>,
+    k: usize,
+    side: usize,
+    bounds: &mut Bounds<S>,
+) -> Face<S> {
+    face_here::<S, SLOPES, true>(cut, edges, k, side, bounds)
+}
+
+#[inline(always)]
+fn face_here<S: Scalar, const SLOPES: bool, const PIECES: bool>(
     cut: &Cut<S>,
     edges: &Edges<S>,
     k: usize,
@@ -209,7 +261,7 @@ pub(super) fn face<S: Scalar, const SLOPES: bool>(
             at: [edge.start[i], edge.start[j]],
             direction: u,
         };
-        sums.add::<SLOPES>(border, weight, raised, &points);
+        sums.add::<SLOPES, PIECES>(border, weight, raised, &points);
     }
     for b in 0..2 {
         let edge = &edges[j][side][b];
@@ -235,7 +287,7 @@ pub(super) fn face<S: Scalar, const SLOPES: bool>(
             at: [edge.start[i], edge.start[j]],
             direction: v,
         };
-        sums.add::<SLOPES>(border, weight, raised, &points);
+        sums.add::<SLOPES, PIECES>(border, weight, raised, &points);
     }
     // Along a side of the rectangle z has the reciprocal slope −R_kk / R_jk or −R_kk / R_ik.
     let (bottom, top) = (&edges[i][0][side], &edges[i][1][side]);
@@ -284,7 +336,7 @@ pub(super) fn face<S: Scalar, const SLOPES: bool>(
                 at: if n == 0 { [bound, zero] } else { [zero, bound] },
                 direction: if n == 0 { [zero, one] } else { [one, zero] },
             };
-            let height = sums.add::<SLOPES>(border, weight, raised, &points);
+            let height = sums.add::<SLOPES, PIECES>(border, weight, raised, &points);
             if SLOPES {
                 // What a's face gains when it moves outwards.
                 let gain = height - half_z0 * (to.most(from) - from);

@@ -12,6 +12,10 @@
 //!
 //! Kinks: faces lying in each other's planes (the slope is the mean of both sides of the kink), and boxes
 //! that begin to touch (slope zero). A corner on a face, or an edge on an edge, is no kink.
+#![expect(
+    clippy::needless_range_loop,
+    reason = "indices are axes and sides, shared by several arrays"
+)]
 mod aabb;
 pub mod border;
 mod edge;

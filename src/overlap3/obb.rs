@@ -9,6 +9,9 @@ use std::any::TypeId;
 
 /// The volume that two related boxes share, in units of `1 / scale³`.
 ///
+/// One function for each kind of number, however many callers: kernels that must be compiled as one piece
+/// take [`shared_volume`] itself, without pieces.
+///
 /// Plain numbers take the value alone. For numbers with derivatives the slopes g come from the formula for
 /// slopes, because those of the value's own arithmetic are lost where edges are parallel to faces. With
 /// `x₀` the value of an input x without its derivatives,
@@ -20,12 +23,11 @@ use std::any::TypeId;
 /// has the first derivative g and the second derivative g′. (Higher ones are not those of the volume.) The
 /// rotation enters by the entries of its matrix R: a turn ω changes them by `ω × R`, so the slope τ by a
 /// turn is `½ τ × R` by the entries.
-#[inline(always)]
 fn volume<S: Scalar>(pair: &Relative3<S>) -> S {
     if TypeId::of::<S>() == TypeId::of::<S::Primal>() {
-        return shared_volume::<S, false>(pair).volume;
+        return shared_volume::<S, false, true>(pair).volume;
     }
-    let g = shared_volume::<S, true>(&without_curvature(pair));
+    let g = shared_volume::<S, true, true>(&without_curvature(pair));
     let mut volume = S::from_primal(g.volume.primal());
     let mean = |g: S| (g + S::from_primal(g.primal())).halved();
     let moved = |x: S| x - S::from_primal(x.primal());
@@ -75,9 +77,14 @@ pub(super) fn far_apart<S: Scalar>(pair: &Relative3<S>) -> S::Mask {
     (reach * S::Primal::lit(2.001)).below(square(pair.center))
 }
 
-#[inline(always)]
+/// The pair as a function of its own: what it needs of the stack is free again when volumes are measured.
+#[inline(never)]
+pub(super) fn related<S: Scalar>(a: Obb3<S>, b: Obb3<S>) -> Relative3<S> {
+    relate3(a, b)
+}
+
 fn score_obb3<S: Scalar>(over: Denominator, a: Obb3<S>, b: Obb3<S>) -> S {
-    let pair = relate3(a, b);
+    let pair = related(a, b);
     if far_apart(&pair).all() {
         return S::zero();
     }
@@ -113,14 +120,14 @@ fn own_volume<S: Scalar>(pair: &Relative3<S>, half: [S; 3]) -> S {
 #[inline(always)]
 pub(super) fn within<S: Scalar>(shared: S, volume_a: S, volume_b: S) -> S {
     let limit = volume_a.primal().least(volume_b.primal());
+    let limit = limit.most(S::Primal::zero());
     let beyond = shared.above(S::from_primal(limit));
     S::select(beyond, shared.with_primal(limit), shared)
 }
 
 /// The same for a volume with slopes.
-#[inline(always)]
 pub(super) fn shared_within<S: Scalar>(pair: &Relative3<S>) -> (Shared3<S>, S, S) {
-    let mut shared = shared_volume::<S, true>(pair);
+    let mut shared = shared_volume::<S, true, true>(pair);
     let (volume_a, volume_b) = (volume_from_half(pair.half_a), volume_from_half(pair.half_b));
     shared.volume = within(shared.volume, volume_a, volume_b);
     (shared, volume_a, volume_b)

@@ -1,6 +1,5 @@
 //! Slopes by hand of the overlap of boxes of any orientation.
-use super::obb::shared_within;
-use super::relate::relate3;
+use super::obb::{related, shared_within};
 use super::score;
 use crate::overlap::Denominator;
 use crate::shape::{Obb3, Rotation3};
@@ -38,14 +37,13 @@ fn by_volumes<S: Scalar>(
 /// The slopes of the volume come in a's frame: force F by the centre of b, torque τ by a turn of b about
 /// that centre. Moving b is moving a the other way; turning the pair about a's centre changes nothing, so
 /// the torque on a is `−(τ + c × F)`. Both torques are by body tangents; the quaternions' gradients follow.
-#[inline(always)]
 fn score_vjp<S: Scalar>(
     over: Denominator,
     a: Obb3<S>,
     b: Obb3<S>,
     out_bar: S,
 ) -> (S, (Obb3<S>, Obb3<S>)) {
-    let pair = relate3(a, b);
+    let pair = related(a, b);
     let (shared, volume_a, volume_b) = shared_within(&pair);
     let value = score(over, shared.volume, volume_a, volume_b, pair.scale);
     let (length_unit, turn_unit) = match over {

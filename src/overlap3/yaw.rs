@@ -50,7 +50,6 @@ fn columns<S: Scalar>(a: YawBox3<S>, b: YawBox3<S>) -> Columns<S> {
     }
 }
 
-#[inline(always)]
 fn score_yaw<S: Scalar>(over: Denominator, a: YawBox3<S>, b: YawBox3<S>) -> S {
     let c = columns(a, b);
     let shared = c.area * c.height;

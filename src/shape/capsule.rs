@@ -9,7 +9,7 @@ use std::ops::Mul;
 ///
 /// ```
 /// use geograd::{Capsule2, Vec2};
-/// let boat = Capsule2::new(Vec2::new(0.0, 0.0), Vec2::new(4.0, 0.0), 1.0);
+/// let boat = Capsule2::new(Vec2::new(0.0_f64, 0.0), Vec2::new(4.0, 0.0), 1.0);
 /// assert!(boat.contains(Vec2::new(-0.5, 0.5)));
 /// assert!((boat.area() - (8.0 + std::f64::consts::PI)).abs() < 1e-15);
 /// ```

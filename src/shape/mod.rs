@@ -3,6 +3,7 @@ mod aabb;
 mod aabb3;
 mod capsule;
 mod circle;
+mod convexity;
 mod euler;
 mod interval;
 mod line;

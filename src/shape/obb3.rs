@@ -95,7 +95,7 @@ impl<S: Scalar> Obb3<S> {
         ];
         let face = |n: usize| {
             let along = axes[n / 2].dot(self.center);
-            if n % 2 == 0 {
+            if n.is_multiple_of(2) {
                 Plane3::new(-axes[n / 2], half[n / 2] - along)
             } else {
                 Plane3::new(axes[n / 2], half[n / 2] + along)

@@ -1,7 +1,10 @@
 //! Convex polygons with their vertices in place, and the edges of any ring.
+use super::convexity::{
+    between, check_capacity, check_convex, check_finite, corner_of, runs_clockwise,
+};
 use crate::error::{Flaw, Validate, VertexFault};
 use crate::predicate::{Turn, same, turn};
-use crate::{Aabb2, Obb2, Scalar, Vec2};
+use crate::{Aabb2, Obb2, Scalar, Shape, Vec2};
 
 /// A convex polygon of up to `N` vertices, counter-clockwise, without heap memory.
 ///
@@ -18,12 +21,14 @@ use crate::{Aabb2, Obb2, Scalar, Vec2};
 /// let polygon: ConvexPolygon<f64, 8> = ConvexPolygon::try_new(&triangle).unwrap();
 /// assert_eq!(polygon.as_slice(), triangle);
 /// ```
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Copy, Debug, Shape)]
 #[repr(C)]
+#[shape(except(Validate, Sample, Arbitrary))]
 pub struct ConvexPolygon<S, const N: usize> {
     /// The vertices, counter-clockwise; the first `count` of them matter.
     pub vertices: [Vec2<S>; N],
     /// How many vertices there are: at most `N`.
+    #[shape(code)]
     pub count: usize,
 }
 
@@ -244,85 +249,5 @@ impl<S: Scalar<Mask = bool>, const N: usize> Validate for ConvexPolygon<S, N> {
             });
         }
         check_convex(self.as_slice())
-    }
-}
-
-fn check_capacity<S, const N: usize>(vertices: &[Vec2<S>]) -> Result<(), Flaw> {
-    if vertices.len() > N {
-        return Err(Flaw::Vertex {
-            index: N,
-            fault: VertexFault::Surplus,
-        });
-    }
-    Ok(())
-}
-
-fn check_finite<S: Scalar>(vertices: &[Vec2<S>]) -> Result<(), Flaw> {
-    match vertices.iter().position(|vertex| !vertex.is_finite()) {
-        Some(index) => Err(Flaw::Vertex {
-            index,
-            fault: VertexFault::NotFinite,
-        }),
-        None => Ok(()),
-    }
-}
-
-/// `Ok` when every vertex turns strictly left and the border runs around once.
-pub(crate) fn check_convex<S: Scalar<Mask = bool>>(vertices: &[Vec2<S>]) -> Result<(), Flaw> {
-    let n = vertices.len();
-    let flaw = |index, fault| Err(Flaw::Vertex { index, fault });
-    check_finite(vertices)?;
-    for index in 0..n {
-        if n > 1 && same(vertices[index], vertices[(index + 1) % n]) {
-            return flaw(index, VertexFault::Repeated);
-        }
-    }
-    if n < 3 {
-        return flaw(n, VertexFault::Missing);
-    }
-    // A path that always turns left is around once it has had its lowest place twice.
-    let mut lows = 0;
-    for index in 0..n {
-        let (before, here) = (vertices[(index + n - 1) % n], vertices[index]);
-        let after = vertices[(index + 1) % n];
-        match turn(before, here, after) {
-            Turn::Left => {}
-            Turn::Straight => return flaw(index, VertexFault::Straight),
-            Turn::Right => return flaw(index, VertexFault::Clockwise),
-        }
-        let order = crate::predicate::left_to_right;
-        if order(here, before).is_lt() && order(here, after).is_lt() {
-            lows += 1;
-            if lows > 1 {
-                return flaw(index, VertexFault::SecondRound);
-            }
-        }
-    }
-    Ok(())
-}
-
-/// Whether `q` is between `p` and `r`, all three on a line.
-fn between<S: Scalar<Mask = bool>>(p: Vec2<S>, q: Vec2<S>, r: Vec2<S>) -> bool {
-    use crate::predicate::left_to_right as order;
-    order(p, q) != order(r, q)
-}
-
-/// The place of the lowest vertex by x, then by y: always a corner.
-fn corner_of<S: Scalar<Mask = bool>>(ring: &[Vec2<S>]) -> Option<usize> {
-    (0..ring.len()).min_by(|&i, &j| crate::predicate::left_to_right(ring[i], ring[j]))
-}
-
-/// Whether a simple ring runs clockwise, by the turn at its lowest vertex.
-fn runs_clockwise<S: Scalar<Mask = bool>>(ring: &[Vec2<S>]) -> bool {
-    let Some(corner) = corner_of(ring) else {
-        return false;
-    };
-    let (n, here) = (ring.len(), ring[corner]);
-    let other = |k: &usize| !same(ring[*k % n], here);
-    let before = (corner + 1..corner + n).rev().find(other);
-    let after = (corner + 1..corner + n).find(other);
-    match (before, after) {
-        (Some(p), Some(r)) => turn(ring[p % n], here, ring[r % n]) == Turn::Right,
-        _ => false,
     }
 }

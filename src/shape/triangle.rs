@@ -9,7 +9,7 @@ use std::ops::Mul;
 ///
 /// ```
 /// use geograd::{Triangle2, Vec2};
-/// let sail = Triangle2::new(Vec2::new(0.0, 0.0), Vec2::new(4.0, 0.0), Vec2::new(0.0, 3.0));
+/// let sail = Triangle2::new(Vec2::new(0.0_f64, 0.0), Vec2::new(4.0, 0.0), Vec2::new(0.0, 3.0));
 /// assert_eq!(sail.area(), 6.0);
 /// assert_eq!(sail.perimeter(), 12.0);
 /// assert!(sail.contains(Vec2::new(1.0, 1.0)));

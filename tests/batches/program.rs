@@ -2,7 +2,7 @@
 //! every level of vector instructions and in every way of carrying them out.
 use crate::bits::Turn;
 use geograd::ad::adjoint::overlap::iou_obb2_grad;
-use geograd::ad::program::{Plain, Sym};
+use geograd::ad::program::{Plain, Program, Sym};
 use geograd::kernels::cpu::program::face::{Ready, Trial, Way};
 use geograd::kernels::cpu::simd::Simd;
 use geograd::kernels::real::Real;
@@ -168,7 +168,7 @@ fn computed<T: Real>(ready: &Ready, rows: &[Vec<T>], count: usize) -> Vec<T> {
         .collect();
     let mut room = Vec::new();
     // Twice, since the room is kept.
-    ready.compute(&mut room, count, &items);
+    let _ = ready.compute(&mut room, count, &items);
     ready.compute(&mut room, count, &items)
 }
 
@@ -197,10 +197,8 @@ fn random_lines<T: Real + Plain>() {
     let mut listings = String::new();
     for seed in 0..100 {
         let steps = 20 + 8 * (seed as usize % 12);
-        let trial = Trial::record::<T, [Sym<T>; INPUTS], [Sym<T>; OUTPUTS]>(|inputs| {
-            line(seed, steps, &inputs)
-        })
-        .unwrap();
+        let program = Program::trace(|inputs: [Sym<T>; INPUTS]| line(seed, steps, &inputs));
+        let trial = Trial::of(&program.unwrap());
         let mut dice = Dice(seed + 1000);
         // The last argument is one for all every third time; a few batches have two blocks.
         let count = if seed % 10 == 0 {
@@ -319,14 +317,13 @@ fn obb2<S: Scalar>(numbers: &[S]) -> Obb2<S> {
 /// The overlap of boxes, with and without its adjoint by hand, has the bits of the function itself.
 fn overlap<T: Real + Plain>() {
     let _turn = Turn::take();
-    let value =
-        Trial::record::<T, [Sym<T>; 10], Sym<T>>(|x| iou_obb2(obb2(&x[..5]), obb2(&x[5..])));
-    let slopes = Trial::record::<T, [Sym<T>; 10], [Sym<T>; 11]>(|x| {
+    let value = Program::trace(|x: [Sym<T>; 10]| iou_obb2(obb2(&x[..5]), obb2(&x[5..])));
+    let slopes = Program::trace(|x: [Sym<T>; 10]| {
         let (value, bars) = iou_obb2_grad(obb2(&x[..5]), obb2(&x[5..]));
-        let mut numbers = vec![value];
-        numbers.extend(bars.scalars());
+        let numbers = [vec![value], bars.0.scalars(), bars.1.scalars()].concat();
         <[Sym<T>; 11]>::load(&numbers)
     });
+    let (value, slopes) = (Trial::of(&value.unwrap()), Trial::of(&slopes.unwrap()));
     let mut dice = Dice(7);
     let count = 700;
     let mut rows = [boxes::<T>(&mut dice, count), boxes(&mut dice, count)];
@@ -345,7 +342,6 @@ fn overlap<T: Real + Plain>() {
         .map(Scalar::canonical)
         .collect();
     for (trial, expected) in [(value, expected), (slopes, expected_slopes)] {
-        let trial = trial.unwrap();
         for way in WAYS {
             let ready = trial.ready(&[5, 5], way).unwrap();
             assert_eq!(ready.listing().contains("Skip"), way.skipping);

@@ -13,7 +13,7 @@ fn ranges_and_identical_boxes() {
     for (n, family) in FAMILIES.iter().cycle().take(400).enumerate() {
         let (a, mut b) = pair(family, &mut random);
         if n % 2 == 1 {
-            b.center = b.center + random.vector(8.0 * a.size.x);
+            b.center += random.vector(8.0 * a.size.x);
         }
         let iou = a.iou(b);
         for kind in [Enclosing::Aabb, Enclosing::Rectangle] {
@@ -45,14 +45,14 @@ fn ranges_and_identical_boxes() {
 #[test]
 fn rectangles_are_the_smallest() {
     let mut random = Random(82);
-    for _ in 0..200 {
+    for _ in 0..60 {
         let (a, b): (Obb2<f64>, Obb2<f64>) =
             (random.yaw_box().birds_eye(), random.yaw_box().birds_eye());
         let found = smallest_rectangle(a, b);
         let points = [a.corners(), b.corners()].concat();
         let mut least = f64::INFINITY;
-        for k in 0..5000 {
-            let (s, c) = (k as f64 * std::f64::consts::FRAC_PI_2 / 5000.0).sin_cos();
+        for k in 0..1000 {
+            let (s, c) = (k as f64 * std::f64::consts::FRAC_PI_2 / 1000.0).sin_cos();
             let extent = |axis: Vec2<f64>| {
                 let at = points.iter().map(|p| axis.dot(*p));
                 let (low, high) = at.fold((f64::MAX, f64::MIN), |(l, h), x| (l.min(x), h.max(x)));
@@ -62,7 +62,7 @@ fn rectangles_are_the_smallest() {
         }
         let area = found.x * found.y;
         assert!(
-            area <= least * (1.0 + 1e-12) && area > least * 0.99,
+            area <= least * (1.0 + 1e-12) && area > least * 0.98,
             "{area} {least}"
         );
     }
@@ -84,9 +84,9 @@ fn gaps_are_distances_and_continue_overlap() {
         }
         points
     };
-    for n in 0..100 {
+    for n in 0..30 {
         let (a, mut b) = pair(FAMILIES[n % 3], &mut random);
-        b.center = b.center + random.vector(4.0);
+        b.center += random.vector(4.0);
         let gap = penetration_or_gap(a, b);
         assert!((gap - penetration_or_gap(b, a)).abs() < 1e-12);
         let motion = Pose3::new(random_rotation(&mut random), random.vector(10.0));
@@ -114,10 +114,10 @@ fn gaps_are_distances_and_continue_overlap() {
             )
         };
         let mut last = at(0.0);
-        for k in 1..800 {
-            let next = at(k as f64 * 0.01);
+        for k in 1..200 {
+            let next = at(k as f64 * 0.04);
             assert!(
-                next <= last + 1e-12 && next > last - 0.1,
+                next <= last + 1e-12 && next > last - 0.25,
                 "{k} {next} {last} {a:?} {b:?}"
             );
             last = next;
@@ -153,7 +153,7 @@ fn slopes_are_those_of_the_value() {
     for n in 0..60 {
         let (one, mut other) = (random.yaw_box(), random.yaw_box());
         if n % 2 == 1 {
-            other.center = other.center + random.vector(6.0);
+            other.center += random.vector(6.0);
         }
         let (c, s) = (one.center, one.size);
         let x = [c.x, c.y, c.z, s.x, s.y, s.z, one.heading];

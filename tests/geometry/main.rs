@@ -10,6 +10,7 @@ mod overlap;
 mod pairs;
 mod polygon;
 mod projection;
+mod recorded;
 mod ring;
 mod rotation;
 mod scalar;

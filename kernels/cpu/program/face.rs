@@ -1,12 +1,12 @@
 //! Programs in batches, for tests and measurements: rows of numbers in, rows of numbers out, on one thread.
+use crate::Unrecordable;
+use crate::ad::program::Program;
 use crate::ad::program::recorded::Recorded;
-use crate::ad::program::{Plain, Sym, record};
 use crate::kernels::cpu::lane::{BLOCK, Lane, Planes, Results, TILE, Tiles, planes, tiles};
 use crate::kernels::cpu::plan::{Maker, Room};
 use crate::kernels::cpu::program::Interpreted;
 use crate::kernels::cpu::program::split::{Piece, split};
 use crate::kernels::real::Real;
-use crate::{Error, Fixed, Unrecordable};
 
 /// How a program is carried out. Results are the same bits any way.
 #[derive(Clone, Copy, Debug, Default)]
@@ -24,23 +24,10 @@ pub struct Way {
 pub struct Trial(Recorded);
 
 impl Trial {
-    /// Records a function.
-    ///
-    /// # Errors
-    ///
-    /// If it cannot be recorded.
-    pub fn record<T, X, Y>(function: impl Fn(X) -> Y) -> Result<Trial, Error>
-    where
-        T: Plain,
-        X: Fixed<Scalar = Sym<T>>,
-        Y: Fixed<Scalar = Sym<T>>,
-    {
-        record::record(function).map(Trial)
-    }
-    /// Its result, a number, and its gradient.
+    /// Of a program.
     #[must_use]
-    pub fn value_grad(&self) -> Trial {
-        Trial(self.0.value_grad())
+    pub fn of<In, Out>(program: &Program<In, Out>) -> Trial {
+        Trial(program.recorded().clone())
     }
     /// What it gives for one input, node by node.
     #[must_use]

@@ -401,3 +401,29 @@ fn segments_meet_at_their_points_and_parameters() {
         }
     }
 }
+
+#[test]
+fn ties_share_equally() {
+    // A point in the middle of a square: four faces.
+    let (x, y) = variables(0, &[1.0, 1.0], 5, &[0.0, 0.0, 2.0, 2.0]);
+    let deep = x.signed(y);
+    assert_eq!(deep.value, -1.0);
+    assert_eq!(deep.slope[..6], [0.0, 0.0, 0.25, 0.25, -0.25, -0.25]);
+    assert_eq!(x.penetration(y).direction.length().value, 1.0);
+    // Equal segments side by side: both ends of both.
+    let (x, y) = variables(3, &[0.0, 0.0, 4.0, 0.0], 3, &[0.0, 1.0, 4.0, 1.0]);
+    let apart = x.signed(y);
+    assert_eq!(apart.value, 1.0);
+    assert_eq!(apart.slope[..8], [0.0, -0.5, 0.0, -0.5, 0.0, 0.5, 0.0, 0.5]);
+    let found = x.closest(y);
+    assert_eq!((found.on_a.x.value, found.on_b.x.value), (2.0, 2.0));
+    // Boxes face to face, of which the smaller one decides; then one in the other.
+    let (x, y) = variables(6, &[0., 0., 4., 4., 0.], 6, &[5., 0.5, 2., 2., 0.]);
+    let found = x.closest(y);
+    assert_eq!((found.on_a.x.value, found.on_a.y.value), (2.0, 0.5));
+    assert_eq!(x.signed(y).slope[..5], [-1.0, 0.0, -0.5, 0.0, 0.5]);
+    let (x, y) = variables(6, &[0., 0., 4., 4., 0.], 6, &[2., 0., 2., 2., 0.]);
+    let found = x.closest(y);
+    assert_eq!((found.on_a.x.value, found.on_a.y.value), (2.0, 0.0));
+    assert_eq!((found.on_b.x.value, found.on_b.y.value), (1.0, 0.0));
+}

@@ -3,9 +3,9 @@
 use geograd::Vec2;
 use num_bigint::{BigInt, Sign};
 
-const BITS: u64 = 640;
+const BITS: u64 = 320;
 
-/// A number with 640 binary places.
+/// A number with 320 binary places.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Big(pub BigInt);
 

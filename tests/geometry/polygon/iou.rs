@@ -52,7 +52,7 @@ fn pairs(seed: u64, count: usize) -> Vec<(Obb2<f64>, Obb2<f64>)> {
 
 #[test]
 fn hulls_of_boxes_are_those_of_their_corners() {
-    for (a, b) in pairs(31, 3000) {
+    for (a, b) in pairs(31, 300) {
         let truth = exact::ring_area(&exact::hull(&corners(a, b)));
         let found = hull_area_obb2(a, b);
         assert!(
@@ -68,7 +68,7 @@ fn hulls_of_boxes_are_those_of_their_corners() {
 
 #[test]
 fn scores_are_those_of_their_formulas() {
-    for (a, b) in pairs(32, 2000) {
+    for (a, b) in pairs(32, 300) {
         let all = corners(a, b);
         let hull = exact::ring_area(&exact::hull(&all));
         let iou: f64 = a.iou(b);
@@ -142,7 +142,7 @@ fn lifted(a: Obb2<f64>, b: Obb2<f64>) -> (Obb2<Slopes>, Obb2<Slopes>) {
 #[test]
 fn the_adjoint_of_generalised_iou_has_the_slopes() {
     let mut apart = 0;
-    for (a, b) in pairs(33, 3000) {
+    for (a, b) in pairs(33, 600) {
         let (x, y) = lifted(a, b);
         let value = giou_obb2(x, y);
         let (same, (by_a, by_b)) = giou_obb2_grad(a, b);
@@ -175,7 +175,7 @@ fn the_adjoint_of_generalised_iou_has_the_slopes() {
             apart += 1;
         }
     }
-    assert!(apart > 300);
+    assert!(apart > 60);
 }
 
 #[test]
@@ -197,7 +197,7 @@ fn slopes_are_those_of_differences() {
             |a, b| alpha_iou_obb2(a, b, Jet::variable(3.0, 99)),
         ),
     ];
-    for (a, b) in pairs(34, 200) {
+    for (a, b) in pairs(34, 60) {
         for (name, plain, dual) in scores {
             let (x, y) = lifted(a, b);
             let value = dual(x, y);
@@ -229,7 +229,7 @@ fn slopes_are_those_of_differences() {
 
 #[test]
 fn identical_shapes_score_one_without_slopes() {
-    for (a, _) in pairs(35, 300) {
+    for (a, _) in pairs(35, 60) {
         if a.size.x.min(a.size.y) < 1e-3 {
             continue;
         }
@@ -271,7 +271,7 @@ fn identical_shapes_score_one_without_slopes() {
         }
     }
     let mut dice = Dice(36);
-    for _ in 0..200 {
+    for _ in 0..40 {
         let a = convex(&mut dice);
         let (x, y) = (variables(&a, 0), variables(&a, 24));
         let (giou, trace) = giou_polygons_decided::<f64, 12, 12, 24>(&a, &a).unwrap();
@@ -294,7 +294,7 @@ fn identical_shapes_score_one_without_slopes() {
 #[test]
 fn generalised_iou_of_polygons_is_that_of_the_oracle() {
     let mut dice = Dice(37);
-    let random = (0..500).map(|_| (convex(&mut dice), convex(&mut dice)));
+    let random = (0..100).map(|_| (convex(&mut dice), convex(&mut dice)));
     let all: Vec<(Polygon, Polygon)> = random.chain(hard()).collect();
     for (a, b) in all {
         let (area_a, area_b) = (

@@ -1,5 +1,5 @@
 //! Areas of intersection of polygons against an oracle, and their slopes.
-use super::cases::{any_ring, at, convex, hard, polygon, ring};
+use super::cases::{any_ring, at, convex, hard, polygon};
 use super::exact;
 use geograd::ad::adjoint::overlap_polygon::{
     area_inside_vjp, intersection_area_polygons_vjp, iou_polygons_vjp,
@@ -7,7 +7,7 @@ use geograd::ad::adjoint::overlap_polygon::{
 use geograd::overlap_polygon::{
     area_inside, intersection_area_polygons, iof_polygons, iou_polygons,
 };
-use geograd::{Aabb2, ConvexPolygon, Jet, Obb2, Scalar, Vec2};
+use geograd::{Aabb2, ConvexPolygon, Jet, Obb2, Vec2};
 use geograd_tests::Dice;
 
 type Slopes = Jet<f64, 48>;
@@ -47,7 +47,7 @@ fn exact_area(a: &[Vec2<f64>], b: &[Vec2<f64>]) -> f64 {
 #[test]
 fn areas_are_those_of_the_oracle() {
     let mut dice = Dice(1);
-    let random = (0..1500).map(|_| (convex(&mut dice), convex(&mut dice)));
+    let random = (0..400).map(|_| (convex(&mut dice), convex(&mut dice)));
     let all: Vec<_> = random.chain(hard()).collect();
     for (a, b) in all {
         let truth = exact_area(a.as_slice(), b.as_slice());
@@ -96,7 +96,7 @@ fn areas_are_those_of_the_oracle() {
 #[test]
 fn the_same_polygon_twice_has_iou_one_and_no_slope() {
     let mut dice = Dice(2);
-    for _ in 0..300 {
+    for _ in 0..80 {
         let a = convex(&mut dice);
         assert_eq!(iou_polygons(&a, &a), 1.0);
         let single = cast(&a, |x| x as f32);
@@ -123,7 +123,7 @@ fn area_of(all: &[f64], a: &ConvexPolygon<f64, 12>, b: &ConvexPolygon<f64, 12>) 
 fn slopes_are_those_of_differences_and_the_adjoint_has_them() {
     let mut dice = Dice(3);
     let mut seen = 0;
-    for _ in 0..300 {
+    for _ in 0..60 {
         let (a, b) = (convex(&mut dice), convex(&mut dice));
         let value = intersection_area_polygons(&variables(&a, 0), &variables(&b, 24));
         let (by_a, by_b) = intersection_area_polygons_vjp(&a, &b, 1.0);
@@ -162,7 +162,7 @@ fn slopes_are_those_of_differences_and_the_adjoint_has_them() {
             seen += usize::from(difference != 0.0);
         }
     }
-    assert!(seen > 1000);
+    assert!(seen > 300);
 }
 
 #[test]
@@ -267,7 +267,7 @@ fn second_derivatives_are_those_of_the_adjoint() {
 #[test]
 fn far_from_the_origin_and_at_any_size_the_score_is_the_same() {
     let mut dice = Dice(4);
-    for _ in 0..200 {
+    for _ in 0..60 {
         let (a, b) = (convex(&mut dice), convex(&mut dice));
         // A grid, so that moving is exact.
         let grid = |p: &ConvexPolygon<f64, 12>| cast(p, |x| (x * 256.0).round() / 256.0);
@@ -317,7 +317,7 @@ fn far_from_the_origin_and_at_any_size_the_score_is_the_same() {
 #[test]
 fn rings_of_any_kind_are_measured_inside_a_polygon() {
     let mut dice = Dice(5);
-    for _ in 0..600 {
+    for _ in 0..60 {
         let (p, q, k) = (
             any_ring(&mut dice, 9),
             any_ring(&mut dice, 6),
@@ -339,7 +339,7 @@ fn rings_of_any_kind_are_measured_inside_a_polygon() {
 #[test]
 fn the_adjoint_of_rings_inside_a_polygon_has_the_slopes() {
     let mut dice = Dice(6);
-    for _ in 0..100 {
+    for _ in 0..40 {
         let (p, k) = (any_ring(&mut dice, 9), convex(&mut dice));
         let mut next = 24;
         let variable: Vec<Vec2<Slopes>> = p
@@ -441,7 +441,6 @@ fn pairs_on_which_the_paper_s_library_fails() {
     );
 }
 
-/// The paper's listing: two quadrilaterals, their score and its slopes.
 #[test]
 fn sides_along_each_other_share_the_slope() {
     let a = polygon(&[(0., 0.), (2., 0.), (2., 2.), (0., 2.)]);
@@ -455,6 +454,4 @@ fn sides_along_each_other_share_the_slope() {
         "{down} {other}"
     );
     assert!((value.slope[1] + value.slope[3] + 0.5).abs() < 1e-14);
-    let _ = ring(&[]);
-    let _ = f64::zero();
 }

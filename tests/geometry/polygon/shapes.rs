@@ -152,7 +152,7 @@ fn cleaning_keeps_the_corners_of_either_orientation() {
 #[test]
 fn turns_are_exact() {
     let mut dice = Dice(12);
-    for _ in 0..20_000 {
+    for _ in 0..4000 {
         // Nearly collinear on purpose.
         let (a, b) = (
             at(dice.roll(), dice.roll()),
@@ -185,7 +185,7 @@ fn turns_are_exact() {
 #[test]
 fn hulls_are_those_of_brute_force() {
     let mut dice = Dice(13);
-    for _ in 0..1500 {
+    for _ in 0..300 {
         let points = any_ring(&mut dice, 14);
         let truth = exact::hull(&points);
         let found: Vec<_> = hull_decided(&points)
@@ -216,7 +216,7 @@ fn hulls_are_those_of_brute_force() {
 #[test]
 fn merged_hulls_have_all_vertices_of_both_inside() {
     let mut dice = Dice(14);
-    let random = (0..800).map(|_| (convex(&mut dice), convex(&mut dice)));
+    let random = (0..150).map(|_| (convex(&mut dice), convex(&mut dice)));
     for (a, b) in random.collect::<Vec<_>>().into_iter().chain(hard()) {
         let both: ConvexPolygon<f64, 24> = merge(&a, &b).unwrap();
         let all: Vec<_> = a.as_slice().iter().chain(b.as_slice()).copied().collect();
@@ -246,7 +246,7 @@ fn merged_hulls_have_all_vertices_of_both_inside() {
 #[test]
 fn minkowski_sums_are_hulls_of_all_sums() {
     let mut dice = Dice(15);
-    let random = (0..600).map(|_| (convex(&mut dice), convex(&mut dice)));
+    let random = (0..60).map(|_| (convex(&mut dice), convex(&mut dice)));
     for (a, b) in random.collect::<Vec<_>>().into_iter().chain(hard()) {
         let sum: ConvexPolygon<f64, 24> = minkowski_sum(&a, &b).unwrap();
         let all: Vec<_> = a
@@ -278,7 +278,7 @@ fn minkowski_sums_are_hulls_of_all_sums() {
 #[test]
 fn clips_are_those_of_the_oracle_with_provenance() {
     let mut dice = Dice(16);
-    let random = (0..3000).map(|_| {
+    let random = (0..700).map(|_| {
         let (a, b) = (convex(&mut dice), convex(&mut dice));
         if dice.below(2) == 0 {
             return (a, b);
@@ -383,7 +383,7 @@ fn clips_are_those_of_the_oracle_with_provenance() {
 #[test]
 fn slopes_of_a_clip_come_back_through_its_adjoint() {
     let mut dice = Dice(17);
-    for _ in 0..200 {
+    for _ in 0..60 {
         let (a, b) = (convex(&mut dice), convex(&mut dice));
         let trace: ClipTrace<24> = clip_decided(&a, &b).unwrap();
         let bars: [Vec2<f64>; 24] =
@@ -408,7 +408,7 @@ fn slopes_of_a_clip_come_back_through_its_adjoint() {
 #[test]
 fn half_planes_cut_as_the_oracle_does() {
     let mut dice = Dice(18);
-    for _ in 0..2000 {
+    for _ in 0..500 {
         let a = convex(&mut dice);
         let snap = dice.below(2) == 0;
         let snapped = |v: Vec2<f64>| {
@@ -450,7 +450,7 @@ fn half_planes_cut_as_the_oracle_does() {
 #[test]
 fn points_are_where_the_rings_wind_around_them() {
     let mut dice = Dice(19);
-    for _ in 0..3000 {
+    for _ in 0..600 {
         let (p, q) = (any_ring(&mut dice, 9), any_ring(&mut dice, 5));
         let mut point = at(dice.within(-3., 3.), dice.within(-3., 3.));
         if dice.below(2) == 0 {
@@ -494,7 +494,7 @@ fn clearance_is_the_least_distance_with_the_right_sign() {
     assert_eq!(square.clearance(at(2.0, 0.0)), -1.0);
     assert_eq!(square.clearance(at(2.0, 0.5)), -1.0);
     let mut dice = Dice(20);
-    for _ in 0..1000 {
+    for _ in 0..200 {
         let (p, point) = (
             any_ring(&mut dice, 8),
             at(dice.within(-4., 4.), dice.within(-4., 4.)),
@@ -648,7 +648,7 @@ fn brute_extents(points: &[Vec2<f64>]) -> (f64, f64, f64, f64) {
 #[test]
 fn extents_are_those_of_brute_force() {
     let mut dice = Dice(22);
-    for _ in 0..800 {
+    for _ in 0..150 {
         let points = any_ring(&mut dice, 11);
         let (diameter, width, area, radius) = brute_extents(&points);
         let close = |x: f64, y: f64| assert!((x - y).abs() < 1e-9, "{x} {y} {points:?}");
@@ -683,7 +683,7 @@ fn extents_are_those_of_brute_force() {
 #[test]
 fn extents_have_the_slopes_of_their_vertices() {
     let mut dice = Dice(23);
-    for _ in 0..100 {
+    for _ in 0..30 {
         let a = convex(&mut dice);
         let points = a.as_slice();
         let lifted = variables(&a, 0);

@@ -1,0 +1,192 @@
+//! Operations with a search: decided on plain values, then replayed.
+//!
+//! A search yields a *record* of decisions: indices and small enums, never numbers. The result is computed
+//! from the input and the record by a straight line, which duals and batches replay. Between decisions
+//! the result is smooth; where a decision changes, its slopes are those of the one that was taken.
+use crate::error::Error;
+use crate::kernels::cpu::plan::{Face, Known, Want, known, of_items};
+use crate::kernels::op::{Ask, Jumps, Promise, Source};
+use crate::kernels::real::Real;
+use crate::kernels::row::{Row, get, leaves_of};
+use crate::{Fixed, Jet, Pack, Scalar};
+use std::fmt::Debug;
+use std::sync::Arc;
+
+/// An operation with a search.
+pub trait Decided: Copy + Debug + Default + Send + Sync + 'static {
+    /// The name of the function, letter for letter.
+    const NAME: &'static str;
+    /// What it takes, made of any scalar.
+    type In<S: Scalar>: Fixed<Scalar = S>;
+    /// What it gives, made of the same scalar.
+    type Out<S: Scalar>: Fixed<Scalar = S>;
+    /// What was decided.
+    type Record: Copy;
+    /// Motions it follows; `&[]` says that it promises none.
+    const PROMISES: &'static [Promise];
+    /// Where its value may jump.
+    const JUMPS: Jumps;
+    /// The search.
+    fn decide<S: Scalar<Mask = bool>>(input: Self::In<S>) -> Self::Record;
+    /// The result, given what was decided.
+    fn replay<S: Scalar>(input: Self::In<S>, record: Self::Record) -> Self::Out<S>;
+    /// The operation whose result is the result with its gradient, for one number as result.
+    fn value_grad(self) -> crate::kernels::op::ValueGrad<Self> {
+        crate::kernels::op::ValueGrad(self)
+    }
+    /// Its adjoint: from an input and a cotangent of the result to the cotangent of the input.
+    fn vjp(self) -> crate::kernels::op::Vjp<Self> {
+        crate::kernels::op::Vjp(self)
+    }
+}
+
+/// Numbers of the input whose slopes are taken at a time.
+const AT_A_TIME: usize = 4;
+
+/// The result of one item, and slopes times a cotangent (ones, if there is none).
+fn item<D: Decided, T: Real>(numbers: &[T], out_bar: Option<&[T]>, out: &mut [T], slopes: bool) {
+    let input = get::<D::In<T>>(numbers);
+    let record = D::decide(input);
+    let result = D::Out::<T>::LEN;
+    D::replay(input, record).store(out);
+    if !slopes {
+        return;
+    }
+    let codes: Vec<u32> = input.codes();
+    let bars = &mut out[result..];
+    for first in (0..D::In::<T>::LEN).step_by(AT_A_TIME) {
+        let jets = numbers[..D::In::<T>::LEN].iter().enumerate();
+        let jets: Vec<Jet<T, AT_A_TIME>> = jets
+            .map(|(i, &x)| Jet::variable(x, i.wrapping_sub(first)))
+            .collect();
+        let moved = D::In::<Jet<T, AT_A_TIME>>::load(&jets).load_codes(&codes);
+        for (k, jet) in D::replay(moved, record).scalars().into_iter().enumerate() {
+            let by = out_bar.map_or(T::one(), |out_bar| out_bar[k]);
+            for (bar, slope) in bars[first..].iter_mut().zip(jet.slope) {
+                *bar = if k == 0 {
+                    slope * by
+                } else {
+                    *bar + slope * by
+                };
+            }
+        }
+    }
+    // A gradient has the input's codes.
+    let mut own = vec![T::default(); D::In::<T>::CODES];
+    for (x, &code) in own.iter_mut().zip(&codes) {
+        *x = T::lit(f64::from(code));
+    }
+    bars[D::In::<T>::LEN..].copy_from_slice(&own);
+}
+
+/// How batches compute what is wanted of an operation.
+#[doc(hidden)]
+pub fn face<D: Decided, R: Row>(want: Want, _ask: Ask) -> Result<Arc<Face<R::Scalar>>, Error>
+where
+    D: Decided<In<<R as Pack>::Scalar> = R>,
+    D::Out<R::Scalar>: Row,
+{
+    known::<D, R::Scalar, _>(Known::Face(want, false), || {
+        let outputs = leaves_of::<D::Out<R::Scalar>>();
+        let outputs = outputs.iter().map(|leaf| leaf.fields).collect();
+        Ok(of_items(
+            want,
+            leaves_of::<R>(),
+            outputs,
+            match want {
+                Want::Value => |x, bar, out| item::<D, R::Scalar>(x, bar, out, false),
+                Want::ValueGrad | Want::Vjp => {
+                    |x, bar, out| item::<D, R::Scalar>(x, bar, out, true)
+                }
+            },
+        ))
+    })
+}
+
+/// Lists what batches run of an operation with a search: itself, its gradient, its adjoint. The macro is
+/// given constants, the operation, its input and its output, made of `T`.
+#[doc(hidden)]
+#[macro_export]
+macro_rules! __runs_decided {
+    ([$($constant:tt)*] $op:ty: $input:ty => $out:ty) => {
+        impl<T: $crate::kernels::real::Real, $($constant)*> $crate::kernels::Runs<$input> for $op
+        where
+            $out: $crate::kernels::Row<Scalar = T>,
+        {
+            type Out = $out;
+            fn face(
+                &self,
+                ask: $crate::kernels::op::Ask,
+            ) -> ::core::result::Result<::std::sync::Arc<$crate::kernels::cpu::Face<T>>, $crate::Error> {
+                $crate::kernels::decided::face::<Self, $input>($crate::kernels::cpu::Want::Value, ask)
+            }
+        }
+        impl<T: $crate::kernels::real::Real, $($constant)*> $crate::kernels::Runs<$input>
+            for $crate::kernels::op::ValueGrad<$op>
+        where
+            $out: $crate::kernels::Row<Scalar = T>,
+        {
+            type Out = ($out, $input);
+            fn face(
+                &self,
+                ask: $crate::kernels::op::Ask,
+            ) -> ::core::result::Result<::std::sync::Arc<$crate::kernels::cpu::Face<T>>, $crate::Error> {
+                $crate::kernels::decided::face::<$op, $input>($crate::kernels::cpu::Want::ValueGrad, ask)
+            }
+        }
+        impl<T: $crate::kernels::real::Real, $($constant)*> $crate::kernels::Runs<($input, $out)>
+            for $crate::kernels::op::Vjp<$op>
+        where
+            $out: $crate::kernels::Row<Scalar = T>,
+        {
+            type Out = $input;
+            fn face(
+                &self,
+                ask: $crate::kernels::op::Ask,
+            ) -> ::core::result::Result<::std::sync::Arc<$crate::kernels::cpu::Face<T>>, $crate::Error> {
+                $crate::kernels::decided::face::<$op, $input>($crate::kernels::cpu::Want::Vjp, ask)
+            }
+        }
+    };
+}
+
+/// An operation with a search, as the harness sees it.
+#[derive(Clone, Copy, Debug)]
+pub struct Replayed<D>(std::marker::PhantomData<D>);
+
+impl<D: Decided> Source for Replayed<D> {
+    const NAME: &'static str = D::NAME;
+    type In<S: Scalar> = D::In<S>;
+    type Out<S: Scalar> = D::Out<S>;
+    const PROMISES: &'static [Promise] = D::PROMISES;
+    const JUMPS: Jumps = D::JUMPS;
+    fn eval<S: Scalar<Mask = bool>>(&input: &Self::In<S>) -> Self::Out<S> {
+        D::replay(input, D::decide(input))
+    }
+    fn vjp<S: Scalar<Mask = bool>>(&input: &Self::In<S>, out_bar: Self::Out<S>) -> Self::In<S> {
+        let record = D::decide(input);
+        let (numbers, codes, out_bar) = (input.scalars(), input.codes(), out_bar.scalars());
+        let slope = |at: usize| {
+            let jets = numbers.iter().enumerate();
+            let jets: Vec<Jet<S, 1>> = jets
+                .map(|(i, &x)| Jet {
+                    value: x,
+                    slope: [if i == at { S::one() } else { S::zero() }],
+                })
+                .collect();
+            let moved = D::In::<Jet<S, 1>>::load(&jets).load_codes(&codes);
+            let found = D::replay(moved, record).scalars();
+            let terms = found
+                .iter()
+                .zip(&out_bar)
+                .map(|(jet, &bar)| jet.slope[0] * bar);
+            terms.fold(S::zero(), |sum, term| sum + term)
+        };
+        let bars: Vec<S> = (0..numbers.len()).map(slope).collect();
+        D::In::<S>::load(&bars).load_codes(&codes)
+    }
+    fn map<S: Scalar, T: Scalar>(input: &Self::In<S>, f: &mut impl FnMut(S) -> T) -> Self::In<T> {
+        let numbers: Vec<T> = input.scalars().into_iter().map(f).collect();
+        D::In::<T>::load(&numbers).load_codes(&input.codes())
+    }
+}

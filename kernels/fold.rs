@@ -1,0 +1,153 @@
+//! Operations over paths of run-time length: rings, polylines, polygons.
+//!
+//! A fold is what happens at one edge, how two results are joined, and how it ends. Edges may be
+//! computed in any order and side by side; batches run their body as a program.
+use crate::kernels::op::{Jumps, Promise, Source};
+use crate::{Fixed, Pack, Scalar, Vec2};
+use std::fmt::Debug;
+
+/// An operation over the edges of a path.
+///
+/// ```
+/// use geograd::kernels::op::{Jumps, Promise};
+/// use geograd::kernels::{Cpu, Fold, One};
+/// use geograd::{Scalar, Vec2};
+///
+/// /// How much of a ring's length is above a height.
+/// #[derive(Clone, Copy, Debug, Default)]
+/// struct LengthAbove;
+///
+/// impl Fold for LengthAbove {
+///     const NAME: &'static str = "length_above";
+///     const CLOSED: bool = true;
+///     const PROMISES: &'static [Promise] = &[];
+///     const JUMPS: Jumps = Jumps::Never;
+///     type Context<S: Scalar> = S;
+///     type Reference<S: Scalar> = [S; 0];
+///     type State<S: Scalar> = S;
+///     type Out<S: Scalar> = S;
+///     fn reference<S: Scalar>(_height: S, _path: &[Vec2<S>]) -> [S; 0] {
+///         []
+///     }
+///     fn empty<S: Scalar>() -> S {
+///         S::zero()
+///     }
+///     fn edge<S: Scalar>(height: S, _: [S; 0], from: Vec2<S>, to: Vec2<S>) -> S {
+///         let (low, high) = (from.y.least(to.y), from.y.most(to.y));
+///         let rise = high - low;
+///         let flat = rise.equals(S::zero());
+///         let part = (high - height).clamp(S::zero(), rise);
+///         let level = S::select(high.above(height), S::one(), S::zero());
+///         let share = S::select(flat, level, part.over(S::select(flat, S::one(), rise)));
+///         share * (to - from).length()
+///     }
+///     fn join<S: Scalar>(one: S, other: S) -> S {
+///         one + other
+///     }
+///     fn finish<S: Scalar>(_height: S, _: [S; 0], state: S) -> S {
+///         state
+///     }
+/// }
+///
+/// let square = [(0.0, 0.0), (2.0, 0.0), (2.0, 2.0), (0.0, 2.0)].map(|(x, y)| Vec2::new(x, y));
+/// let above = Cpu::new().fold(LengthAbove, One(1.0), &square, &[0, 4])?;
+/// assert_eq!(above, [4.0]);
+/// let (by_height, by_vertex) = Cpu::new().fold_vjp(LengthAbove, One(1.0), &square, &[0, 4], &[1.0])?;
+/// assert_eq!((by_height[0], by_vertex[2].y), (-2.0, 1.0));
+/// # Ok::<(), geograd::Error>(())
+/// ```
+pub trait Fold: Copy + Debug + Default + Send + Sync + 'static {
+    /// The name of the function, letter for letter.
+    const NAME: &'static str;
+    /// Whether an edge leads from the last vertex back to the first.
+    const CLOSED: bool;
+    /// Motions it follows; `&[]` says that it promises none.
+    const PROMISES: &'static [Promise];
+    /// Where its value may jump.
+    const JUMPS: Jumps;
+    /// What else it takes: shapes, numbers, a tuple of them, or `[S; 0]` for nothing.
+    type Context<S: Scalar>: Fixed<Scalar = S>;
+    /// Constants that say from where a path is looked at; `[S; 0]` for none.
+    type Reference<S: Scalar>: Fixed<Scalar = S>;
+    /// What is known after some edges.
+    type State<S: Scalar>: Fixed<Scalar = S>;
+    /// The result.
+    type Out<S: Scalar>: Fixed<Scalar = S>;
+    /// From where a path is looked at. Its slopes are not followed: the result must not depend on it
+    /// but for rounding.
+    fn reference<S: Scalar>(context: Self::Context<S>, path: &[Vec2<S>]) -> Self::Reference<S>;
+    /// What is known after no edge.
+    fn empty<S: Scalar>() -> Self::State<S>;
+    /// What one edge tells.
+    fn edge<S: Scalar>(
+        context: Self::Context<S>,
+        reference: Self::Reference<S>,
+        from: Vec2<S>,
+        to: Vec2<S>,
+    ) -> Self::State<S>;
+    /// Both together; associative but for rounding.
+    fn join<S: Scalar>(one: Self::State<S>, other: Self::State<S>) -> Self::State<S>;
+    /// The result.
+    fn finish<S: Scalar>(
+        context: Self::Context<S>,
+        reference: Self::Reference<S>,
+        state: Self::State<S>,
+    ) -> Self::Out<S>;
+}
+
+/// The result of a fold for one path.
+///
+/// ```
+/// use geograd::kernels::{SignedDistancePointRing, fold::fold};
+/// use geograd::Vec2;
+/// let square = [(0.0, 0.0), (2.0, 0.0), (2.0, 2.0), (0.0, 2.0)].map(|(x, y)| Vec2::new(x, y));
+/// assert_eq!(fold::<SignedDistancePointRing, f64>(Vec2::new(1.0, 0.5), &square), -0.5);
+/// ```
+pub fn fold<F: Fold, S: Scalar>(context: F::Context<S>, path: &[Vec2<S>]) -> F::Out<S> {
+    let reference = F::reference(context, path);
+    let mut state = F::empty();
+    for k in 0..edges::<F>(path.len()) {
+        let edge = F::edge(context, reference, path[k], path[(k + 1) % path.len()]);
+        state = F::join(state, edge);
+    }
+    F::finish(context, reference, state)
+}
+
+/// How many edges so many vertices have.
+pub(crate) fn edges<F: Fold>(vertices: usize) -> usize {
+    if F::CLOSED {
+        vertices
+    } else {
+        vertices.saturating_sub(1)
+    }
+}
+
+/// A fold, as the harness sees it.
+#[derive(Clone, Copy, Debug)]
+pub struct Folded<F>(std::marker::PhantomData<F>);
+
+impl<F: Fold> Source for Folded<F> {
+    const NAME: &'static str = F::NAME;
+    type In<S: Scalar> = (F::Context<S>, Vec<Vec2<S>>);
+    type Out<S: Scalar> = F::Out<S>;
+    const PROMISES: &'static [Promise] = F::PROMISES;
+    const JUMPS: Jumps = F::JUMPS;
+    fn eval<S: Scalar<Mask = bool>>((context, path): &Self::In<S>) -> F::Out<S> {
+        fold::<F, S>(*context, path)
+    }
+    fn vjp<S: Scalar<Mask = bool>>(
+        (context, path): &Self::In<S>,
+        out_bar: F::Out<S>,
+    ) -> Self::In<S> {
+        let (context_bar, path_bar) =
+            crate::kernels::cpu::folds::pull_back::<F, S>(*context, path, out_bar);
+        (context_bar, path_bar)
+    }
+    fn map<S: Scalar, T: Scalar>(input: &Self::In<S>, f: &mut impl FnMut(S) -> T) -> Self::In<T> {
+        let context: Vec<T> = input.0.scalars().into_iter().map(&mut *f).collect();
+        (
+            F::Context::load(&context),
+            Pack::map(&input.1, &mut |s| f(*s)),
+        )
+    }
+}

@@ -1,0 +1,235 @@
+//! Triangles over the edges of two rings, seen from one place: what every two of them share.
+use crate::reference::Reference;
+use crate::{Mask, Scalar, Vec2};
+
+/// An edge of a ring against an edge of a polygon, seen from a common place and both turned so that
+/// they run counter-clockwise around it.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Wedge<S: Scalar> {
+    /// Where the triangles share any direction.
+    pub shared: S::Mask,
+    /// Where the first edge ran clockwise.
+    pub turned_f: S::Mask,
+    /// Where the second edge ran clockwise.
+    pub turned_g: S::Mask,
+    /// The directions' first ray goes through the start of `g` (else of `f`).
+    pub first_g: S::Mask,
+    /// Their last ray goes through the end of `g` (else of `f`).
+    pub last_g: S::Mask,
+    /// How far into an edge the first ray meets it: into `f` where it goes through the start of `g`.
+    pub skip: S,
+    /// How far from its end the last ray meets an edge.
+    pub rest: S,
+    /// Distances of f and g along the first ray, in a common unit, and their difference.
+    pub first: [S; 3],
+    /// Distances of f and g along the last ray, in a common unit, and their difference.
+    pub last: [S; 3],
+    /// Twice the areas of both triangles, not negative.
+    pub twice: [S; 2],
+}
+
+/// Sees the triangles over `f` and `g`. `cross` is `g × f` of start and start, start of g and end of
+/// f, end of g and start of f, end and end; `beyond` how far both ends of f are to the left of g,
+/// and those of g of f. `None` where they share no direction in any lane.
+#[inline(always)]
+fn wedge<S: Scalar>(
+    twice: [S; 2],
+    cross: [S; 4],
+    beyond: impl FnOnce() -> ([S; 2], [S; 2]),
+) -> Option<Wedge<S>> {
+    let zero = S::zero();
+    let (turned_f, turned_g) = (twice[0].below(zero), twice[1].below(zero));
+    let swap = |mask, x: [S; 2]| [S::select(mask, x[1], x[0]), S::select(mask, x[0], x[1])];
+    let sign = |mask, x: [S; 2]| [S::select(mask, -x[0], x[0]), S::select(mask, -x[1], x[1])];
+    let [p00, p01] = swap(turned_f, [cross[0], cross[1]]);
+    let [p10, p11] = swap(turned_f, [cross[2], cross[3]]);
+    let [p00, p10] = swap(turned_g, [p00, p10]);
+    let [p01, p11] = swap(turned_g, [p01, p11]);
+    let twice = [twice[0].unsigned(), twice[1].unsigned()];
+
+    let (first_g, last_g) = (p00.below(zero), p11.above(zero));
+    // Each triangle spans less than a half turn: they share directions where the start of one is
+    // within the other.
+    let shared = (first_g & p01.above(zero)) | (!first_g & p10.below(zero));
+    if !shared.any() {
+        return None;
+    }
+    let (beyond_g, beyond_f) = beyond();
+    let beyond_g = sign(turned_g, swap(turned_f, beyond_g));
+    let beyond_f = sign(turned_f, swap(turned_g, beyond_f));
+    // Positive wherever a direction is shared; rounding may leave nothing.
+    let first_unit = S::select(first_g, p01 - p00, p00 - p10);
+    let last_unit = S::select(last_g, p11 - p10, p01 - p11);
+    let shared = shared & first_unit.above(zero) & last_unit.above(zero);
+    let (first_unit, last_unit) = (
+        S::select(shared, first_unit, S::one()),
+        S::select(shared, last_unit, S::one()),
+    );
+    Some(Wedge {
+        shared,
+        turned_f,
+        turned_g,
+        first_g,
+        last_g,
+        skip: p00.unsigned().over(first_unit),
+        rest: p11.unsigned().over(last_unit),
+        first: [
+            S::select(first_g, twice[0], first_unit),
+            S::select(first_g, first_unit, twice[1]),
+            S::select(first_g, beyond_f[0], -beyond_g[0]),
+        ],
+        last: [
+            S::select(last_g, twice[0], last_unit),
+            S::select(last_g, last_unit, twice[1]),
+            S::select(last_g, beyond_f[1], -beyond_g[1]),
+        ],
+        twice,
+    })
+}
+
+/// Twice the area that both triangles share, with the sign of their orientations.
+#[inline(always)]
+fn shared_twice<S: Scalar>(pair: &Wedge<S>) -> S {
+    let (zero, one) = (S::zero(), S::one());
+    let span =
+        one - S::select(pair.first_g, pair.skip, zero) - S::select(pair.last_g, pair.rest, zero);
+    let ([a, b, alpha], [far_a, far_b, beta]) = (pair.first, pair.last);
+    let excess = |at: S, by: S, other: S| {
+        // On the other's border it counts where it comes from beyond or goes there.
+        let beyond = (by.above(zero) | (by.equals(zero) & other.above(zero))) & at.above(zero);
+        let share = S::select(beyond, by, zero).over(S::select(beyond, at, one));
+        // Rounding apart it is at most one.
+        S::select(share.above(one), one, share)
+    };
+    let (x, y) = (excess(a, alpha, beta), excess(far_a, beta, alpha));
+    let (nearer, nearer_last) = (alpha.below(zero), beta.below(zero));
+    let crossing = (nearer & beta.above(zero)) | (nearer_last & alpha.above(zero));
+    let cut = S::select(nearer, b * y * y, far_b * x * x);
+    let by = S::select(nearer, a * y - alpha, far_a * x - beta);
+    let crossed = one - cut.over(S::select(crossing, by, one));
+    let whole = (one - x) * (one - y);
+    let tie = alpha.equals(zero) & beta.equals(zero) & a.above(zero) & far_a.above(zero);
+    let halves = alpha.over(S::select(tie, a, one)) + beta.over(S::select(tie, far_a, one));
+    let tied = one - halves.halved();
+    let share = S::select(tie, tied, S::select(crossing, crossed, whole));
+    let area = pair.twice[0] * span * share;
+    let area = S::select(pair.shared, area, zero);
+    S::select(mixed::<S>(pair), -area, area)
+}
+
+/// Where the two triangles are of opposite orientation.
+#[inline(always)]
+pub(crate) fn mixed<S: Scalar>(pair: &Wedge<S>) -> S::Mask {
+    (pair.turned_f & !pair.turned_g) | (pair.turned_g & !pair.turned_f)
+}
+
+/// A convex (or any) polygon in local coordinates, with the triangles over its edges.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Fan<S, const M: usize> {
+    /// The vertices.
+    pub at: [Vec2<S>; M],
+    /// Twice the area of the triangle over each edge.
+    pub twice: [S; M],
+    /// How many vertices there are.
+    pub count: usize,
+}
+
+impl<S: Scalar, const M: usize> Fan<S, M> {
+    /// From the first `count` of some vertices.
+    #[inline(always)]
+    pub fn new(polygon: &[Vec2<S>; M], count: usize, seen: &Reference<S>) -> Self {
+        let mut fan = Fan {
+            at: [Vec2::zero(); M],
+            twice: [S::zero(); M],
+            count: count.min(M),
+        };
+        let mut k = 0;
+        while k < fan.count {
+            fan.at[k] = seen.place(polygon[k]);
+            k += 1;
+        }
+        k = 0;
+        while k < fan.count {
+            fan.twice[k] = fan.at[k].perp_dot(fan.at[fan.after(k)]);
+            k += 1;
+        }
+        fan
+    }
+    /// The vertex after vertex `k`.
+    #[inline(always)]
+    pub fn after(&self, k: usize) -> usize {
+        if k + 1 < self.count { k + 1 } else { 0 }
+    }
+    /// The edge from vertex `k`.
+    #[inline(always)]
+    pub fn edge(&self, k: usize) -> [Vec2<S>; 2] {
+        [self.at[k], self.at[self.after(k)]]
+    }
+    /// The area.
+    #[inline(always)]
+    pub fn area(&self) -> S {
+        let mut sum = S::zero();
+        let mut k = 0;
+        while k < self.count {
+            sum += self.twice[k];
+            k += 1;
+        }
+        sum.halved()
+    }
+    /// The triangle over an edge `f` of a ring against that over edge `k`.
+    #[inline(always)]
+    pub fn wedge(&self, f: [Vec2<S>; 2], k: usize) -> Option<Wedge<S>> {
+        let g = self.edge(k);
+        wedge(
+            [f[0].perp_dot(f[1]), self.twice[k]],
+            [
+                g[0].perp_dot(f[0]),
+                g[0].perp_dot(f[1]),
+                g[1].perp_dot(f[0]),
+                g[1].perp_dot(f[1]),
+            ],
+            #[inline(always)]
+            || {
+                let (along_f, along_g) = (f[1] - f[0], g[1] - g[0]);
+                (
+                    [along_g.perp_dot(f[0] - g[0]), along_g.perp_dot(f[1] - g[0])],
+                    [along_f.perp_dot(g[0] - f[0]), along_f.perp_dot(g[1] - f[0])],
+                )
+            },
+        )
+    }
+    /// What an edge of a ring contributes to twice the area that the ring shares with this.
+    #[inline(always)]
+    pub fn shared_with(&self, edge: [Vec2<S>; 2]) -> S {
+        let mut sum = S::zero();
+        let mut k = 0;
+        while k < self.count {
+            if let Some(pair) = self.wedge(edge, k) {
+                sum += shared_twice(&pair);
+            }
+            k += 1;
+        }
+        sum
+    }
+    /// Where one of the edges has all of the other polygon on its right or on itself, both being
+    /// convex: they are apart or merely touch.
+    #[inline(always)]
+    pub fn separates<const N: usize>(&self, other: &Fan<S, N>) -> S::Mask {
+        let zero = S::zero();
+        let mut any = S::one().below(zero);
+        let mut k = 0;
+        while k < self.count {
+            let [start, end] = self.edge(k);
+            let along = end - start;
+            let mut all = !(along.x.equals(zero) & along.y.equals(zero));
+            let mut i = 0;
+            while i < other.count {
+                all = all & along.perp_dot(other.at[i] - start).at_most(zero);
+                i += 1;
+            }
+            any = any | all;
+            k += 1;
+        }
+        any
+    }
+}
