@@ -12,6 +12,8 @@ use crate::ad::check::trace::Number;
 use crate::ad::check::witness::Precision;
 use crate::ad::check::{Plan, Report, examine};
 use crate::kernels::cpu::plan::{Want, program_of};
+use crate::kernels::decided::{Decided, Replayed};
+use crate::kernels::fold::{Fold, Folded};
 use crate::kernels::gpu::{GpuPair, GpuRing};
 use crate::kernels::op::{Op, RingOp, Ringed};
 use crate::kernels::real::Real;
@@ -220,6 +222,28 @@ fn ring<O: RingOp, S: Number + Real>(
         let paths: [Path<S>; 1] = [ring_value::<O, S>];
         judge(&OpSubject::<Ringed<O>, S>::new(x, &paths, None).with_batch(batch));
     })
+}
+
+/// Runs every check of a fold over paths.
+pub fn prove_fold_with<F: Fold, S: Number + Real>(plan: &Plan<'_>) -> Report
+where
+    F::Context<f64>: Sample,
+{
+    let inputs = inputs::<(F::Context<f64>, Vec<Vec2<f64>>), S>(plan);
+    without_batch(judged(F::NAME, plan, inputs, None, |x, _, judge| {
+        judge(&OpSubject::<Folded<F>, S>::new(x, &[], None));
+    }))
+}
+
+/// Runs every check of an operation with a search.
+pub fn prove_decided_with<D: Decided, S: Number + Real>(plan: &Plan<'_>) -> Report
+where
+    D::In<f64>: Sample,
+{
+    let inputs = inputs::<D::In<f64>, S>(plan);
+    without_batch(judged(D::NAME, plan, inputs, None, |x, _, judge| {
+        judge(&OpSubject::<Replayed<D>, S>::new(x, &[], None));
+    }))
 }
 
 fn without_batch(report: Result<Report, GpuError>) -> Report {

@@ -35,6 +35,7 @@
 use crate::{Scalar, Vec2};
 
 pub mod convex;
+pub mod cores;
 pub mod edge;
 pub(crate) mod relation;
 pub mod ring;

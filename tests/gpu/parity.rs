@@ -3,9 +3,10 @@ use crate::bounds::{EPSILON, ROUNDINGS, close, slope_bounds, value_bound};
 use crate::shapes::{Draw, Draws, bits, fields, pairs, shape_of};
 use crate::{gpu, small};
 
+use geograd::kernels::Backend;
 use geograd::kernels::gpu::{Gpu, GpuPair, Options};
 use geograd::kernels::ops::overlap;
-use geograd::kernels::{Backend, Table, reduce};
+use geograd::kernels::{Table, reduce};
 use geograd::{Aabb2, Fixed, Obb2, Pack};
 use geograd_tests::calls;
 
