@@ -19,7 +19,7 @@ use crate::kernels::reduce::{Best, Found};
 /// let a = [Obb2::new(0.0, 0.0, 2.0, 2.0, 0.0)];
 /// let b = [Obb2::new(1.0, 0.0, 2.0, 2.0, 0.0)];
 /// assert_eq!(Backend::Cpu.all_pairs::<IouObb2>(&a, &b)?, [1.0 / 3.0]);
-/// # Ok::<(), geograd::kernels::Error>(())
+/// # Ok::<(), geograd::Error>(())
 /// ```
 #[derive(Clone, Copy, Debug)]
 pub enum Backend<'a> {

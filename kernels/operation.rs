@@ -24,7 +24,7 @@
 ///     slopes Reverse
 /// }
 ///
-/// let points = [Vec2::new(3.0, 0.0), Vec2::new(0.0, 2.0)];
+/// let points = [Vec2::new(3.0_f64, 0.0), Vec2::new(0.0, 2.0)];
 /// let shapes = [Obb2::new(0.0, 0.0, 2.0, 2.0, 0.0); 2];
 /// assert_eq!(Cpu::new().aligned(Clearance, (&points, &shapes))?, [2.0, 1.0]);
 /// # Ok::<(), geograd::Error>(())

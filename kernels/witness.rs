@@ -6,7 +6,7 @@
 //! // Backend::Gpu(&gpu) asks a GPU.
 //! let report = prove_on::<IouObb2>(Backend::Cpu, &Plan::new(20, 1))?;
 //! assert!(report.passed(), "{report}");
-//! # Ok::<(), geograd::kernels::Error>(())
+//! # Ok::<(), geograd::Error>(())
 //! ```
 use crate::Error;
 use crate::kernels::Backend;

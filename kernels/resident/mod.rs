@@ -25,7 +25,7 @@
 //! let best = matrix.row_max()?;            // of a matrix that is there already
 //! let matched = b.pick(&best)?;            // the truth of every guess
 //! assert!(a.aligned::<IouObb2>(&matched)?.download()?[0] > 0.95);
-//! # Ok::<(), geograd::kernels::Error>(())
+//! # Ok::<(), geograd::Error>(())
 //! ```
 use crate::GpuFault;
 use crate::error::{Argument, Error};
