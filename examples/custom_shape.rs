@@ -1,19 +1,18 @@
 //! A shape and a function of your own: a two-link arm and its clearance from what is around it.
 //! `cargo run --release --example custom_shape`; `-- --help` has the options.
+#[path = "custom_shape/command.rs"]
+mod command;
 #[path = "custom_shape/draw.rs"]
 mod draw;
 #[path = "common/failure.rs"]
 mod failure;
-#[path = "custom_shape/scene.rs"]
-mod scene;
 
-use failure::{Failure, say};
+use draw::{POST, WALL};
+use failure::Failure;
 use geograd::ad::check::Plan;
 use geograd::kernels::{Cpu, One, Op, Skip, check::prove_with};
 use geograd::{Capsule2, Circle, Obb2, Pose2, Program, Scalar, Shape, Sym, Vec2};
 use geograd::{ad::program::WGSL, distance::Convex, operation};
-use lexopt::prelude::*;
-use scene::{POST, WALL};
 
 /// Two thick links on a base. (`repr(C)` lets batches read and write its numbers in place.)
 #[derive(Clone, Copy, Debug, PartialEq, Shape)]
@@ -30,7 +29,17 @@ struct Arm<S> {
     thickness: S,
 }
 
+/// A round obstacle.
+#[derive(Clone, Copy, Debug, PartialEq, Shape)]
+#[repr(C)]
+struct Post<S> {
+    center: Vec2<S>,
+    #[shape(positive)]
+    radius: S,
+}
+
 impl<S: Scalar> Arm<S> {
+    /// The links as shapes.
     fn links(self) -> [Capsule2<S>; 2] {
         let along = |length| Vec2::new(length, S::zero());
         let elbow =
@@ -42,10 +51,10 @@ impl<S: Scalar> Arm<S> {
 
 operation! {
     /// How far the arm is from a wall and a post; minus the depth where it is in one of them.
-    Clearance = "clearance": (arm: Arm<S>, wall: Obb2<S>, post: Circle<S>) -> S {
-        let of_link = |link: Capsule2<S>| link.signed_distance(wall).least(link.signed_distance(post));
-        let [upper, lower] = arm.links();
-        of_link(upper).least(of_link(lower))
+    Clearance = "clearance": (arm: Arm<S>, wall: Obb2<S>, post: Post<S>) -> S {
+        let disc = Circle::new(post.center, post.radius);
+        let [upper, lower] = arm.links().map(|x| x.signed_distance(wall).least(x.signed_distance(disc)));
+        upper.least(lower)
     }
     promises [TranslationX Stays, TranslationY Stays, Rotation Stays, Scaling Power(1)]
     jumps Never
@@ -54,9 +63,9 @@ operation! {
 
 /// Value and slopes for many arms on all cores.
 fn batch(count: usize) -> Result<String, Failure> {
-    let (arms, start, piece) = (scene::postures(count), std::time::Instant::now(), 1 << 16);
+    let (arms, start, piece) = (command::postures(count), std::time::Instant::now(), 1 << 16);
     let (mut values, mut slopes) = (vec![0.0; count], arms.clone());
-    let bar = scene::progress(count);
+    let bar = command::progress(count);
     let results = values.chunks_mut(piece).zip(slopes.chunks_mut(piece));
     for (arms, (values, slopes)) in arms.chunks(piece).zip(results) {
         let columns = (arms, One(WALL), One(POST));
@@ -68,15 +77,13 @@ fn batch(count: usize) -> Result<String, Failure> {
         bar.inc(arms.len() as u64);
     }
     bar.finish_and_clear();
-    Ok(scene::summary(start.elapsed(), &values, &slopes))
+    Ok(command::summary(start.elapsed(), &values, &slopes))
 }
 
 /// The report of the harness in both formats.
 fn prove() -> Result<String, Failure> {
-    let plan = Plan {
-        hard: 8,
-        ..Plan::new(200, 1)
-    }; // every eighth hard case, 200 random ones
+    let mut plan = Plan::new(200, 1);
+    plan.hard = 8; // every eighth of the hard cases, which are many for three shapes
     let reports = [
         prove_with::<Clearance, f64>(&plan),
         prove_with::<Clearance, f32>(&plan),
@@ -90,42 +97,13 @@ fn prove() -> Result<String, Failure> {
 
 /// The recorded function, and what it costs; as text or as a function for GPUs.
 fn program(wgsl: bool) -> Result<String, Failure> {
-    let program = Program::trace(|x: (Arm<Sym<f32>>, Obb2<_>, Circle<_>)| Clearance::eval(x))?;
+    let program = Program::trace(|x: (Arm<Sym<f32>>, Obb2<_>, Post<_>)| Clearance::eval(x))?;
     Ok(match wgsl {
         true => format!("{WGSL}\n{}", program.wgsl("clearance")?),
         false => format!("{program}\n{:#?}\n", program.cost()),
     })
 }
 
-fn run() -> Result<String, Failure> {
-    let mut arguments = lexopt::Parser::from_env();
-    let job: Box<dyn Fn() -> Result<String, Failure>> = match arguments.next()? {
-        None => Box::new(|| batch(1_000_000)),
-        Some(Long("count")) => arguments
-            .value()?
-            .parse()
-            .map(|n| Box::new(move || batch(n)))?,
-        Some(Long("prove")) => Box::new(prove),
-        Some(Long("program")) => Box::new(|| program(false)),
-        Some(Long("wgsl")) => Box::new(|| program(true)),
-        Some(Long("svg")) => arguments
-            .value()
-            .map(|to| Box::new(move || draw::write(&to)))?,
-        Some(Long("help") | Short('h')) => Box::new(|| Ok(scene::HELP.into())),
-        Some(other) => return Err(other.unexpected().into()),
-    };
-    match arguments.next()? {
-        Some(other) => Err(other.unexpected().into()),
-        None => job(),
-    }
-}
-
 fn main() -> std::process::ExitCode {
-    run().map_or_else(
-        |failure| failure.report("custom_shape"),
-        |text| {
-            say(&text);
-            std::process::ExitCode::SUCCESS
-        },
-    )
+    command::run().map_or_else(|failure| failure.report("custom_shape"), command::done)
 }

@@ -1,13 +1,29 @@
-//! What the example prints and draws: the arm among its obstacles, and its clearance over both joints
-//! with its slopes.
+//! The picture: the arm among its obstacles, and its clearance over both joints with its slopes.
 use crate::failure::Failure;
-use crate::scene::{POST, WALL, posture};
-use crate::{Arm, Clearance};
+use crate::{Arm, Clearance, Post};
 use geograd::kernels::{Cpu, One, Op};
-use geograd::{Error, Vec2};
+use geograd::{Error, Obb2, Vec2};
 use std::f32::consts::{PI, TAU};
 use std::ffi::OsStr;
 use std::fmt::Write as _;
+
+/// What stands around the arm.
+pub const WALL: Obb2<f32> = Obb2::new(0.85, 1.05, 1.1, 0.24, -0.35);
+pub const POST: Post<f32> = Post {
+    center: Vec2::new(-0.95, -0.35),
+    radius: 0.34,
+};
+
+/// The arm with its joints at two angles.
+pub fn posture(shoulder: f32, elbow: f32) -> Arm<f32> {
+    Arm {
+        base: Vec2::new(0.0, 0.0),
+        links: [1.0, 0.75],
+        shoulder,
+        elbow,
+        thickness: 0.16,
+    }
+}
 
 /// The page, in pixels: two square panels side by side.
 const PAGE: Vec2<f32> = Vec2::new(1160.0, 668.0);

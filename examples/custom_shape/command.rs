@@ -1,11 +1,14 @@
-//! The arms and what is around them, the help, and what is told about a batch.
-use crate::Arm;
-use geograd::{Circle, Obb2, Vec2};
+//! The command line, and what is told about a batch.
+use crate::draw::posture;
+use crate::failure::{Failure, say};
+use crate::{Arm, batch, draw, program, prove};
 use indicatif::{ProgressBar, ProgressStyle};
+use lexopt::prelude::*;
 use std::f32::consts::{PI, TAU};
+use std::process::ExitCode;
 use std::time::Duration;
 
-pub const HELP: &str = "\
+const HELP: &str = "\
 The clearance of a two-link arm from a wall and a post, with its slopes, for a million postures.
 
 Usage: custom_shape [option]
@@ -18,19 +21,35 @@ Usage: custom_shape [option]
   --help        this text
 ";
 
-/// What stands around the arm.
-pub const WALL: Obb2<f32> = Obb2::new(0.85, 1.05, 1.1, 0.24, -0.35);
-pub const POST: Circle<f32> = Circle::new(Vec2::new(-0.95, -0.35), 0.34);
-
-/// The arm with its joints at two angles.
-pub fn posture(shoulder: f32, elbow: f32) -> Arm<f32> {
-    Arm {
-        base: Vec2::new(0.0, 0.0),
-        links: [1.0, 0.75],
-        shoulder,
-        elbow,
-        thickness: 0.16,
+/// Does what the command line asks for, and says what to print.
+pub fn run() -> Result<String, Failure> {
+    let mut arguments = lexopt::Parser::from_env();
+    let job: Box<dyn Fn() -> Result<String, Failure>> = match arguments.next()? {
+        None => Box::new(|| batch(1_000_000)),
+        Some(Long("count")) => {
+            let count = arguments.value()?.parse()?;
+            Box::new(move || batch(count))
+        }
+        Some(Long("prove")) => Box::new(prove),
+        Some(Long("program")) => Box::new(|| program(false)),
+        Some(Long("wgsl")) => Box::new(|| program(true)),
+        Some(Long("svg")) => {
+            let file = arguments.value()?;
+            Box::new(move || draw::write(&file))
+        }
+        Some(Long("help") | Short('h')) => Box::new(|| Ok(HELP.into())),
+        Some(other) => return Err(other.unexpected().into()),
+    };
+    match arguments.next()? {
+        Some(other) => Err(other.unexpected().into()),
+        None => job(),
     }
+}
+
+/// Prints what came out.
+pub fn done(text: String) -> ExitCode {
+    say(&text);
+    ExitCode::SUCCESS
 }
 
 /// So many postures, evenly spread over both joints.
@@ -41,6 +60,7 @@ pub fn postures(count: usize) -> Vec<Arm<f32>> {
     all.collect()
 }
 
+/// A bar for so many postures.
 pub fn progress(count: usize) -> ProgressBar {
     let style = ProgressStyle::with_template("{bar:30} {pos}/{len} postures ({elapsed})");
     ProgressBar::new(count as u64).with_style(style.expect("a valid template"))
