@@ -17,12 +17,6 @@ impl From<lexopt::Error> for Failure {
     }
 }
 
-impl From<geograd::Error> for Failure {
-    fn from(error: geograd::Error) -> Self {
-        Failure::Work(error.to_string())
-    }
-}
-
 impl Failure {
     /// Says why on stderr and gives the exit status: 2 for usage, 1 for work.
     pub fn report(&self, program: &str) -> ExitCode {
