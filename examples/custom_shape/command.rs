@@ -21,6 +21,12 @@ Usage: custom_shape [option]
   --help        this text
 ";
 
+impl From<geograd::Error> for Failure {
+    fn from(error: geograd::Error) -> Self {
+        Failure::Work(error.to_string())
+    }
+}
+
 /// Does what the command line asks for, and says what to print.
 pub fn run() -> Result<String, Failure> {
     let mut arguments = lexopt::Parser::from_env();
