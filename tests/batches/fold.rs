@@ -34,14 +34,19 @@ fn folds_have_the_bits_of_one_path_at_a_time() {
     let distances = cpu
         .fold(SignedDistancePointRing, &points, &vertices, &offsets)
         .unwrap();
-    let moments = cpu.fold(SecondMomentsOfRing, One([]), &vertices, &offsets).unwrap();
+    let moments = cpu
+        .fold(SecondMomentsOfRing, One([]), &vertices, &offsets)
+        .unwrap();
     for (i, ring) in offsets.windows(2).enumerate() {
         let ring = &vertices[ring[0]..ring[1]];
         let one = fold::<SignedDistancePointRing, f64>(points[i], ring);
         assert_eq!(distances[i].to_bits(), one.to_bits(), "{ring:?}");
         let (known, found) = (second_moments(&[ring]), moments[i]);
         for (x, y) in found.scalars().iter().zip(known.scalars()) {
-            assert!((x - y).abs() <= 1e-12 * (1.0 + y.abs()), "{ring:?}: {found:?} {known:?}");
+            assert!(
+                (x - y).abs() <= 1e-12 * (1.0 + y.abs()),
+                "{ring:?}: {found:?} {known:?}"
+            );
         }
     }
 }
@@ -57,7 +62,9 @@ fn adjoints_of_folds_are_slopes() {
         .fold_vjp(SignedDistancePointRing, &points, &vertices, &offsets, &up)
         .unwrap();
     let total = |points: &[Vec2<f64>], vertices: &[Vec2<f64>]| -> f64 {
-        let all = cpu.fold(SignedDistancePointRing, points, vertices, &offsets).unwrap();
+        let all = cpu
+            .fold(SignedDistancePointRing, points, vertices, &offsets)
+            .unwrap();
         let real = all.iter().zip(&up).filter(|(x, _)| **x < 1e300);
         real.map(|(x, up)| x * up).sum()
     };
@@ -68,8 +75,16 @@ fn adjoints_of_folds_are_slopes() {
         let directions: Vec<Vec2<f64>> = (0..points.len()).map(|_| point(&mut dice)).collect();
         let turns: Vec<Vec2<f64>> = (0..vertices.len()).map(|_| point(&mut dice)).collect();
         let moved = |by: f64| {
-            let p: Vec<_> = points.iter().zip(&directions).map(|(&p, &d)| p + d * by).collect();
-            let v: Vec<_> = vertices.iter().zip(&turns).map(|(&p, &d)| p + d * by).collect();
+            let p: Vec<_> = points
+                .iter()
+                .zip(&directions)
+                .map(|(&p, &d)| p + d * by)
+                .collect();
+            let v: Vec<_> = vertices
+                .iter()
+                .zip(&turns)
+                .map(|(&p, &d)| p + d * by)
+                .collect();
             total(&p, &v)
         };
         let slope = (moved(step) - moved(-step)) / (2.0 * step);
@@ -109,7 +124,11 @@ fn moments_pull_on_vertices() {
 #[test]
 fn folds_refuse_what_is_wrong() {
     let cpu = Cpu::new();
-    let ring = [Vec2::new(0.0, 0.0), Vec2::new(1.0, 0.0), Vec2::new(0.0, 1.0)];
+    let ring = [
+        Vec2::new(0.0, 0.0),
+        Vec2::new(1.0, 0.0),
+        Vec2::new(0.0, 1.0),
+    ];
     let one = [Vec2::new(0.5, 0.5)];
     assert_eq!(
         cpu.fold(SignedDistancePointRing, &one, &ring, &[0, 2]),
@@ -132,7 +151,13 @@ fn folds_refuse_what_is_wrong() {
             flaw: Flaw::NotFinite(Field::new("x"))
         })
     );
-    let wild = cpu.fold_vjp(SignedDistancePointRing, &one, &ring, &[0, 3], &[f64::INFINITY]);
+    let wild = cpu.fold_vjp(
+        SignedDistancePointRing,
+        &one,
+        &ring,
+        &[0, 3],
+        &[f64::INFINITY],
+    );
     assert!(matches!(
         wild,
         Err(Error::Invalid {
@@ -142,7 +167,10 @@ fn folds_refuse_what_is_wrong() {
         })
     ));
     let nothing: [Vec2<f64>; 0] = [];
-    assert_eq!(cpu.fold(SignedDistancePointRing, &nothing, &nothing, &[0]), Ok(vec![]));
+    assert_eq!(
+        cpu.fold(SignedDistancePointRing, &nothing, &nothing, &[0]),
+        Ok(vec![])
+    );
 }
 
 #[test]
@@ -152,8 +180,13 @@ fn searches_are_decided_and_replayed() {
     let polygons: [ConvexPolygon<f64, 6>; 2] =
         [&kite[..], &triangle].map(|ring| ConvexPolygon::try_new(ring).unwrap());
     let cpu = Cpu::new();
-    assert_eq!(cpu.aligned(DiameterOfPolygon, &polygons).unwrap(), [3.0, 5.0]);
-    let (values, bars) = cpu.aligned(DiameterOfPolygon.value_grad(), &polygons).unwrap();
+    assert_eq!(
+        cpu.aligned(DiameterOfPolygon, &polygons).unwrap(),
+        [3.0, 5.0]
+    );
+    let (values, bars) = cpu
+        .aligned(DiameterOfPolygon.value_grad(), &polygons)
+        .unwrap();
     assert_eq!(values, [3.0, 5.0]);
     assert_eq!(bars[0].vertices[2], Vec2::new(1.0, 0.0));
     assert_eq!(bars[0].vertices[0], Vec2::new(-1.0, 0.0));
@@ -161,7 +194,9 @@ fn searches_are_decided_and_replayed() {
     // Places behind the last vertex have no slopes.
     assert_eq!(bars[0].vertices[4], Vec2::new(0.0, 0.0));
     let up = [2.0, -1.0];
-    let pulled = cpu.aligned(DiameterOfPolygon.vjp(), (&polygons, &up)).unwrap();
+    let pulled = cpu
+        .aligned(DiameterOfPolygon.vjp(), (&polygons, &up))
+        .unwrap();
     assert_eq!(pulled[0].vertices[2], Vec2::new(2.0, 0.0));
     let mut flat = polygons;
     flat[1].count = 2;
