@@ -20,7 +20,7 @@ use crate::kernels::real::Real;
 use crate::kernels::recorded_subject::{RecordedSubject, Recording};
 use crate::kernels::row::{Row, target};
 use crate::kernels::witness::{Ask, Batch, ask_pairs, ask_rings};
-use crate::kernels::{Backend, Cpu, GpuError};
+use crate::kernels::{Backend, Cpu};
 use crate::{Error, Fixed, Pack, Vec2};
 
 pub use crate::kernels::subject::{Fused, OpSubject, Path};
@@ -101,7 +101,7 @@ fn judged<X: Sample>(
     (inputs, random_from): (Vec<X>, usize),
     ask: Option<Ask<'_>>,
     with: impl Fn(&X, Option<&Batch<'_>>, &mut dyn FnMut(&dyn Subject)),
-) -> Result<Report, GpuError> {
+) -> Result<Report, Error> {
     let batch = match ask {
         Some(ask) => {
             let lists: Vec<Vec<f64>> = inputs.iter().map(Pack::scalars).collect();
@@ -157,7 +157,7 @@ where
 /// # Errors
 ///
 /// The backend's.
-pub fn prove_on<O: GpuPair>(backend: Backend<'_>, plan: &Plan<'_>) -> Result<Report, GpuError>
+pub fn prove_on<O: GpuPair>(backend: Backend<'_>, plan: &Plan<'_>) -> Result<Report, Error>
 where
     O::In<f64>: Sample + Row,
     O::Out<f64>: Row,
@@ -165,10 +165,7 @@ where
     straight::<O, f32>(plan, Some(&|inputs| ask_pairs::<O>(backend, inputs)))
 }
 
-fn straight<O: Op, S: Number + Real>(
-    plan: &Plan<'_>,
-    ask: Option<Ask<'_>>,
-) -> Result<Report, GpuError>
+fn straight<O: Op, S: Number + Real>(plan: &Plan<'_>, ask: Option<Ask<'_>>) -> Result<Report, Error>
 where
     O::In<f64>: Sample + Row,
     O::Out<f64>: Row,
@@ -206,17 +203,14 @@ pub fn prove_ring_with<O: RingOp, S: Number + Real>(plan: &Plan<'_>) -> Report {
 /// # Errors
 ///
 /// The backend's.
-pub fn prove_ring_on<O: GpuRing>(
-    backend: Backend<'_>,
-    plan: &Plan<'_>,
-) -> Result<Report, GpuError> {
+pub fn prove_ring_on<O: GpuRing>(backend: Backend<'_>, plan: &Plan<'_>) -> Result<Report, Error> {
     ring::<O, f32>(plan, Some(&|inputs| ask_rings::<O>(backend, inputs)))
 }
 
 fn ring<O: RingOp, S: Number + Real>(
     plan: &Plan<'_>,
     ask: Option<Ask<'_>>,
-) -> Result<Report, GpuError> {
+) -> Result<Report, Error> {
     let inputs = inputs::<Vec<Vec2<f64>>, S>(plan);
     judged(O::NAME, plan, inputs, ask, |x, batch, judge| {
         let paths: [Path<S>; 1] = [ring_value::<O, S>];
@@ -246,6 +240,6 @@ where
     }))
 }
 
-fn without_batch(report: Result<Report, GpuError>) -> Report {
+fn without_batch(report: Result<Report, Error>) -> Report {
     report.unwrap_or_else(|_| unreachable!("only a batch can fail"))
 }

@@ -58,7 +58,6 @@ pub use backend::Backend;
 pub use cpu::{Cpu, Single, Table};
 pub use decided::Decided;
 pub use fold::Fold;
-pub use gpu::error::GpuError;
 pub use op::{Op, RingOp, Runs};
 pub use ops::distance::{
     ClosestPointsOfSegments, DistanceObb2, DistancePointSegment, SignedDistancePointObb2,

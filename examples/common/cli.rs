@@ -1,7 +1,8 @@
 //! What the examples' command lines share: how they fail, and which machine runs the batches.
+use geograd::kernels::Backend;
 use geograd::kernels::backend::Auto;
 use geograd::kernels::gpu::Gpu;
-use geograd::kernels::{Backend, GpuError};
+use geograd::{Error, GpuFault};
 use std::io::Write;
 use std::process::ExitCode;
 
@@ -20,8 +21,8 @@ impl From<lexopt::Error> for Failure {
     }
 }
 
-impl From<GpuError> for Failure {
-    fn from(error: GpuError) -> Self {
+impl From<Error> for Failure {
+    fn from(error: Error) -> Self {
         Failure::Work(reason(error))
     }
 }
@@ -96,11 +97,11 @@ pub fn on_the_cpu(program: &str, why: &str) -> Machine {
 }
 
 /// What a failed call on a GPU means to whoever runs the program.
-fn reason(error: GpuError) -> String {
+fn reason(error: Error) -> String {
     let wanted = std::env::var("GEOGRAD_GPU").unwrap_or_default();
     match error {
-        GpuError::NotBuilt => UNSUPPORTED.into(),
-        GpuError::NoSuchAdapter => format!("no GPU found that is GEOGRAD_GPU={wanted}"),
+        Error::Gpu(GpuFault::NotBuilt) => UNSUPPORTED.into(),
+        Error::Gpu(GpuFault::NoSuchAdapter) => format!("no GPU found that is GEOGRAD_GPU={wanted}"),
         other => other.to_string(),
     }
 }

@@ -29,11 +29,10 @@
 //! let best = gpu.row_max::<IouObb2>(&boxes, &boxes)?.download()?;
 //! assert_eq!(best[0].value, 1.0);
 //! # }
-//! # Ok::<(), geograd::kernels::GpuError>(())
+//! # Ok::<(), geograd::Error>(())
 //! ```
 #[cfg(feature = "gpu")]
 mod device;
-pub(crate) mod error;
 #[cfg(not(feature = "gpu"))]
 mod none;
 
