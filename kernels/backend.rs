@@ -41,7 +41,7 @@ pub enum Auto {
 impl Backend<'_> {
     /// Takes the best GPU, or the processor where there is none, and says which, and why.
     ///
-    /// A driver in software counts as no GPU ([`GpuFault::OnlySoftware`](crate::GpuFault::OnlySoftware)) unless the environment
+    /// A driver in software counts as no GPU ([`OnlySoftware`](crate::GpuFault::OnlySoftware)) unless the environment
     /// variable `GEOGRAD_GPU` asks for one.
     #[must_use]
     pub fn auto() -> Auto {

@@ -131,7 +131,7 @@ impl<T> Pending<T> {
     ///
     /// # Errors
     ///
-    /// [`GpuFault::DeviceLost`](crate::GpuFault::DeviceLost), or [`GpuFault::OutOfMemory`](crate::GpuFault::OutOfMemory) when there is no room for it.
+    /// [`GpuFault::DeviceLost`], or [`GpuFault::OutOfMemory`] when there is no room for it.
     pub fn wait(self) -> Result<T, Error> {
         on!(own = self.0; own.ok_or(Error::Gpu(GpuFault::DeviceLost)); own.wait())
     }
