@@ -69,6 +69,22 @@ where
     })
 }
 
+/// An operation that cannot be recorded.
+struct Unrecorded<S>(Path<S>);
+
+impl<S: Number> Subject for Unrecorded<S> {
+    fn precision(&self) -> Precision {
+        Precision::of::<S>()
+    }
+    fn value(&self, x: &[f64]) -> Vec<f64> {
+        let x: Vec<S> = x.iter().map(|&x| S::nearest(x)).collect();
+        (self.0)(&x).iter().map(|y| y.widen()).collect()
+    }
+    fn adjoint(&self, x: &[f64], _y_bar: &[f64]) -> Option<Vec<f64>> {
+        Some(vec![f64::NAN; x.len()])
+    }
+}
+
 /// The value of a ring that is a slice.
 fn ring_value<O: RingOp, S: Number>(x: &[S]) -> Vec<S> {
     let ring: Vec<Vec2<S>> = x.chunks(2).map(|p| Vec2::new(p[0], p[1])).collect();
@@ -172,12 +188,17 @@ where
     O::In<S>: Row,
     O::Out<S>: Row,
 {
-    let recording = recording::<O, S>()?;
+    let inputs = inputs::<O::In<f64>, S>(plan);
+    let Ok(recording) = recording::<O, S>() else {
+        // What cannot be recorded has no slopes, and is refused for that.
+        return judged(O::NAME, plan, inputs, None, |_, _, judge| {
+            judge(&Unrecorded::<S>(source::<O, S>));
+        });
+    };
     let wide = match Precision::of::<S>() {
-        Precision::F32 => Some(self::recording::<O, f64>()?),
+        Precision::F32 => self::recording::<O, f64>().ok(),
         Precision::F64 => None,
     };
-    let inputs = inputs::<O::In<f64>, S>(plan);
     judged(O::NAME, plan, inputs, ask, |x, batch, judge| {
         judge(&RecordedSubject {
             near: x,
