@@ -141,7 +141,7 @@ impl Gpu {
         found: usize,
     ) -> Result<(), Error> {
         self.owns(of)?;
-        Ok(expect(argument, expected, found)?)
+        expect(argument, expected, found)
     }
 
     /// Refuses slopes that do not belong to these lists.

@@ -75,7 +75,7 @@ fn constructors_name_the_field() {
     );
     assert_eq!(
         Flaw::NotFinite(Field::new("c.y")).to_string(),
-        "corners[2].y is not a finite number"
+        "c.y is not a finite number"
     );
 }
 

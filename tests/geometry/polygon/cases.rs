@@ -17,14 +17,14 @@ pub fn polygon(all: &[(f64, f64)]) -> Polygon {
 pub fn convex(dice: &mut Dice) -> Polygon {
     loop {
         let n = 3 + dice.below(9);
-        let mut angles: Vec<f64> = (0..n).map(|_| dice.within(0.0, 6.28)).collect();
+        let mut angles: Vec<f64> = (0..n).map(|_| dice.within(0.0, std::f64::consts::TAU)).collect();
         angles.sort_by(|x, y| x.partial_cmp(y).unwrap());
         let flat = if dice.below(3) == 0 {
             0.02
         } else {
             dice.within(0.3, 1.0)
         };
-        let (sin, cos) = dice.within(0.0, 6.28).sin_cos();
+        let (sin, cos) = dice.within(0.0, std::f64::consts::TAU).sin_cos();
         let (size, x, y) = (
             dice.within(0.5, 3.0),
             dice.within(-2.0, 2.0),

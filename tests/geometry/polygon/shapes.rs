@@ -168,7 +168,7 @@ fn turns_are_exact() {
         let sign = exact::side(&big[0], &big[1], &big[2]).sign();
         let wanted = [Turn::Right, Turn::Straight, Turn::Left][(sign + 1) as usize];
         assert_eq!(turn(a, b, c), wanted);
-        let scale = 2f64.powi((scale as f64).log2() as i32);
+        let scale = 2f64.powi(scale.log2() as i32);
         assert_eq!(turn(a * scale, b * scale, c * scale), wanted);
         assert_eq!(
             turn_between([a, b], [c, b]),
