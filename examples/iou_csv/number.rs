@@ -86,7 +86,7 @@ impl Number for f64 {
         a: &[Obb2<Self>],
         b: &[Obb2<Self>],
     ) -> Result<Vec<Self>, Error> {
-        Ok(Cpu::new().aligned(IouObb2, (a, b))?)
+        Cpu::new().aligned(IouObb2, (a, b))
     }
 
     fn aligned_grad(
@@ -111,6 +111,6 @@ impl Number for f64 {
         a: &[Obb2<Self>],
         b: &[Obb2<Self>],
     ) -> Result<PairGrads<Self>, Error> {
-        Ok(Cpu::new().all_pairs(IouObb2.value_grad(), a, b)?)
+        Cpu::new().all_pairs(IouObb2.value_grad(), a, b)
     }
 }

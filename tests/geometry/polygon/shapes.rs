@@ -163,7 +163,7 @@ fn turns_are_exact() {
         if dice.below(2) == 0 {
             c.x = f64::from_bits(c.x.to_bits() + dice.below(3) as u64);
         }
-        let scale = [1.0, 1e-90, 1e90][dice.below(3)];
+        let scale: f64 = [1.0, 1e-90, 1e90][dice.below(3)];
         let big = exact::points(&[a, b, c]);
         let sign = exact::side(&big[0], &big[1], &big[2]).sign();
         let wanted = [Turn::Right, Turn::Straight, Turn::Left][(sign + 1) as usize];
