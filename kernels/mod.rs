@@ -52,6 +52,8 @@ pub mod row;
 #[forbid(unsafe_code)]
 mod subject;
 #[forbid(unsafe_code)]
+mod suppress;
+#[forbid(unsafe_code)]
 pub mod witness;
 
 pub use backend::Backend;

@@ -207,7 +207,9 @@ fn slopes<S: Scalar>(
 #[inline(always)]
 fn same_box<S: Scalar, const SLOPES: bool>(pair: &Relative3<S>, found: Shared3<S>) -> Shared3<S> {
     let (same, h, zero) = (pair.same, pair.half_a, S::zero());
-    let whole = (h[0] + h[0]) * (h[1] + h[1]) * (h[2] + h[2]);
+    // Of both, so that slopes through this value are shared, too.
+    let p = pair.half_b;
+    let whole = (h[0] + p[0]) * (h[1] + p[1]) * (h[2] + p[2]);
     let mut out = found;
     out.volume = S::select(same, whole, found.volume);
     if SLOPES {
