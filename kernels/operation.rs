@@ -24,7 +24,7 @@
 ///     slopes Reverse
 /// }
 ///
-/// let points = [Vec2::new(3.0, 0.0), Vec2::new(0.0, 2.0)];
+/// let points = [Vec2::new(3.0_f64, 0.0), Vec2::new(0.0, 2.0)];
 /// let shapes = [Obb2::new(0.0, 0.0, 2.0, 2.0, 0.0); 2];
 /// assert_eq!(Cpu::new().aligned(Clearance, (&points, &shapes))?, [2.0, 1.0]);
 /// # Ok::<(), geograd::Error>(())
@@ -51,7 +51,8 @@
 ///     slopes Reverse
 /// }
 ///
-/// let (value, (by_a, _)) = Cpu::new().aligned(Product.value_grad(), (&[2.0], &[3.0]))?;
+/// let (a, b) = ([2.0_f64], [3.0]);
+/// let (value, (by_a, _)) = Cpu::new().aligned(Product.value_grad(), (&a, &b))?;
 /// assert_eq!((value[0], by_a[0]), (6.0, 3.0));
 /// # Ok::<(), geograd::Error>(())
 /// ```
