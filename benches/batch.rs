@@ -2,8 +2,10 @@
 //!
 //! A plain main, no framework: medians of repeated runs, nothing asserted. For rotated boxes next
 //! to other libraries see `cargo run --release -p peers`.
+use geograd::ad::check::Plan;
+use geograd::ad::check::sample::{Sample, random};
 use geograd::kernels::real::Real;
-use geograd::kernels::{Cpu, Op, RingOp, Single};
+use geograd::kernels::{Cpu, Op, RingOp, Row, Single};
 use geograd::{Aabb2, Fixed, Obb2, Vec2};
 use std::hint::black_box;
 use std::time::Instant;
@@ -100,11 +102,30 @@ fn rings<O: RingOp, T: Real>(op: O) {
     });
 }
 
+fn straight<O, R, Y>(op: O)
+where
+    O: Op<In<f64> = R, Out<f64> = Y>,
+    R: Sample + Row<Scalar = f64>,
+    Y: Row<Scalar = f64>,
+{
+    let (cpu, plan) = (Cpu::new(), Plan::new(N, 7));
+    let drawn = (0..N).map(|i| random::<R>(&mut plan.draw(i)));
+    let rows: Vec<R> = drawn.filter(Sample::inside).collect();
+    let ones = vec![Y::filled(1.0); rows.len()];
+    line(O::NAME, "aligned, value, f64", rows.len(), || {
+        black_box(cpu.aligned(op, &rows).unwrap());
+    });
+    line(O::NAME, "aligned, adjoint, f64", rows.len(), || {
+        black_box(cpu.aligned(op.vjp(), (&rows, &ones)).unwrap());
+    });
+}
+
 macro_rules! measure {
     (pairs { $($pair:ident: $pair_op:ty,)* } rings { $($ring:ident: $ring_op:ty,)* }
      straight { $($straight:ident: $straight_op:ty,)* }) => {
         $(pairs(<$pair_op>::default());)*
         $(rings::<_, f32>(<$ring_op>::default());)*
+        $(straight(<$straight_op>::default());)*
     };
 }
 
@@ -114,7 +135,7 @@ fn main() {
         return;
     }
     println!(
-        "f32, {} threads at most, {:?}",
+        "f32 unless said otherwise, {} threads at most, {:?}",
         std::thread::available_parallelism().map_or(1, |n| n.get()),
         geograd::kernels::cpu::simd::Simd::current().unwrap()
     );

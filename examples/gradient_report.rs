@@ -1,11 +1,12 @@
 //! Proves every operation of the library and prints the table.
 //!
 //! `cargo run --release --example gradient_report`; `-- --help` has the options.
+use geograd::Error;
 use geograd::ad::check::{Plan, Report, SEED};
+use geograd::kernels::Backend;
 use geograd::kernels::check::{prove_on, prove_ring_on, prove_ring_with, prove_with};
 use geograd::kernels::fuzz::{self, Fuzzed};
 use geograd::kernels::gpu::Gpu;
-use geograd::kernels::{Backend, GpuError};
 use indicatif::{ProgressBar, ProgressStyle};
 use std::process::ExitCode;
 
@@ -86,7 +87,7 @@ fn options() -> Result<Option<Options>, String> {
 
 /// One operation in one format: its name, whether that is `f64`, and its proof.
 type Job = (&'static str, bool, Prove);
-type Prove = fn(&Plan<'_>, Option<&Gpu>) -> Result<Report, GpuError>;
+type Prove = fn(&Plan<'_>, Option<&Gpu>) -> Result<Report, Error>;
 
 macro_rules! jobs {
     (pairs { $($pair:ident: $pair_op:ty,)* } rings { $($ring:ident: $ring_op:ty,)* }

@@ -1,6 +1,8 @@
 //! One front for batches of `f32`: the same calls on the CPU and on a GPU.
+use crate::Error;
+#[cfg(feature = "gpu")]
+use crate::GpuFault;
 use crate::Vec2;
-use crate::kernels::GpuError;
 use crate::kernels::gpu::{Gpu, GpuPair, GpuRing};
 use crate::kernels::on_cpu::{self, AlignedGrads, Bars as Slopes, Loss, PairGrads, ShapeOf};
 use crate::kernels::op::RingOp;
@@ -17,7 +19,7 @@ use crate::kernels::reduce::{Best, Found};
 /// let a = [Obb2::new(0.0, 0.0, 2.0, 2.0, 0.0)];
 /// let b = [Obb2::new(1.0, 0.0, 2.0, 2.0, 0.0)];
 /// assert_eq!(Backend::Cpu.all_pairs::<IouObb2>(&a, &b)?, [1.0 / 3.0]);
-/// # Ok::<(), geograd::kernels::GpuError>(())
+/// # Ok::<(), geograd::Error>(())
 /// ```
 #[derive(Clone, Copy, Debug)]
 pub enum Backend<'a> {
@@ -31,7 +33,7 @@ pub enum Backend<'a> {
 #[derive(Clone, Debug)]
 pub enum Auto {
     /// The processor, because of this.
-    Cpu(GpuError),
+    Cpu(Error),
     /// A GPU; never a driver in software, which only repeats what the processor does better.
     Gpu(Gpu),
 }
@@ -39,13 +41,13 @@ pub enum Auto {
 impl Backend<'_> {
     /// Takes the best GPU, or the processor where there is none, and says which, and why.
     ///
-    /// A driver in software counts as no GPU ([`GpuError::OnlySoftware`]) unless the environment
+    /// A driver in software counts as no GPU ([`OnlySoftware`](crate::GpuFault::OnlySoftware)) unless the environment
     /// variable `GEOGRAD_GPU` asks for one.
     #[must_use]
     pub fn auto() -> Auto {
         match Gpu::new() {
             #[cfg(feature = "gpu")]
-            Ok(gpu) if !gpu.is_worth_it() => Auto::Cpu(GpuError::OnlySoftware),
+            Ok(gpu) if !gpu.is_worth_it() => Auto::Cpu(Error::Gpu(GpuFault::OnlySoftware)),
             Ok(gpu) => Auto::Gpu(gpu),
             Err(error) => Auto::Cpu(error),
         }
@@ -82,8 +84,8 @@ macro_rules! calls {
                 ///
                 /// # Errors
                 ///
-                /// [`GpuError::Input`] as on the CPU; the other kinds are the GPU's.
-                pub fn $name<O: $bound>(self, $($arg: $type),*) -> Result<$out, GpuError> {
+                /// As on the CPU; [`Error::Gpu`](crate::Error::Gpu) are the GPU's.
+                pub fn $name<O: $bound>(self, $($arg: $type),*) -> Result<$out, Error> {
                     match self {
                         Backend::Cpu => Ok($cpu($($arg),*)?),
                         #[cfg(feature = "gpu")]

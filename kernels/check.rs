@@ -12,13 +12,15 @@ use crate::ad::check::trace::Number;
 use crate::ad::check::witness::Precision;
 use crate::ad::check::{Plan, Report, examine};
 use crate::kernels::cpu::plan::{Want, program_of};
+use crate::kernels::decided::{Decided, Replayed};
+use crate::kernels::fold::{Fold, Folded};
 use crate::kernels::gpu::{GpuPair, GpuRing};
 use crate::kernels::op::{Op, RingOp, Ringed};
 use crate::kernels::real::Real;
 use crate::kernels::recorded_subject::{RecordedSubject, Recording};
 use crate::kernels::row::{Row, target};
 use crate::kernels::witness::{Ask, Batch, ask_pairs, ask_rings};
-use crate::kernels::{Backend, Cpu, GpuError};
+use crate::kernels::{Backend, Cpu};
 use crate::{Error, Fixed, Pack, Vec2};
 
 pub use crate::kernels::subject::{Fused, OpSubject, Path};
@@ -67,6 +69,22 @@ where
     })
 }
 
+/// An operation that cannot be recorded.
+struct Unrecorded<S>(Path<S>);
+
+impl<S: Number> Subject for Unrecorded<S> {
+    fn precision(&self) -> Precision {
+        Precision::of::<S>()
+    }
+    fn value(&self, x: &[f64]) -> Vec<f64> {
+        let x: Vec<S> = x.iter().map(|&x| S::nearest(x)).collect();
+        (self.0)(&x).iter().map(|y| y.widen()).collect()
+    }
+    fn adjoint(&self, x: &[f64], _y_bar: &[f64]) -> Option<Vec<f64>> {
+        Some(vec![f64::NAN; x.len()])
+    }
+}
+
 /// The value of a ring that is a slice.
 fn ring_value<O: RingOp, S: Number>(x: &[S]) -> Vec<S> {
     let ring: Vec<Vec2<S>> = x.chunks(2).map(|p| Vec2::new(p[0], p[1])).collect();
@@ -99,7 +117,7 @@ fn judged<X: Sample>(
     (inputs, random_from): (Vec<X>, usize),
     ask: Option<Ask<'_>>,
     with: impl Fn(&X, Option<&Batch<'_>>, &mut dyn FnMut(&dyn Subject)),
-) -> Result<Report, GpuError> {
+) -> Result<Report, Error> {
     let batch = match ask {
         Some(ask) => {
             let lists: Vec<Vec<f64>> = inputs.iter().map(Pack::scalars).collect();
@@ -155,7 +173,7 @@ where
 /// # Errors
 ///
 /// The backend's.
-pub fn prove_on<O: GpuPair>(backend: Backend<'_>, plan: &Plan<'_>) -> Result<Report, GpuError>
+pub fn prove_on<O: GpuPair>(backend: Backend<'_>, plan: &Plan<'_>) -> Result<Report, Error>
 where
     O::In<f64>: Sample + Row,
     O::Out<f64>: Row,
@@ -163,22 +181,24 @@ where
     straight::<O, f32>(plan, Some(&|inputs| ask_pairs::<O>(backend, inputs)))
 }
 
-fn straight<O: Op, S: Number + Real>(
-    plan: &Plan<'_>,
-    ask: Option<Ask<'_>>,
-) -> Result<Report, GpuError>
+fn straight<O: Op, S: Number + Real>(plan: &Plan<'_>, ask: Option<Ask<'_>>) -> Result<Report, Error>
 where
     O::In<f64>: Sample + Row,
     O::Out<f64>: Row,
     O::In<S>: Row,
     O::Out<S>: Row,
 {
-    let recording = recording::<O, S>()?;
+    let inputs = inputs::<O::In<f64>, S>(plan);
+    let Ok(recording) = recording::<O, S>() else {
+        // What cannot be recorded has no slopes, and is refused for that.
+        return judged(O::NAME, plan, inputs, None, |_, _, judge| {
+            judge(&Unrecorded::<S>(source::<O, S>));
+        });
+    };
     let wide = match Precision::of::<S>() {
-        Precision::F32 => Some(self::recording::<O, f64>()?),
+        Precision::F32 => self::recording::<O, f64>().ok(),
         Precision::F64 => None,
     };
-    let inputs = inputs::<O::In<f64>, S>(plan);
     judged(O::NAME, plan, inputs, ask, |x, batch, judge| {
         judge(&RecordedSubject {
             near: x,
@@ -204,17 +224,14 @@ pub fn prove_ring_with<O: RingOp, S: Number + Real>(plan: &Plan<'_>) -> Report {
 /// # Errors
 ///
 /// The backend's.
-pub fn prove_ring_on<O: GpuRing>(
-    backend: Backend<'_>,
-    plan: &Plan<'_>,
-) -> Result<Report, GpuError> {
+pub fn prove_ring_on<O: GpuRing>(backend: Backend<'_>, plan: &Plan<'_>) -> Result<Report, Error> {
     ring::<O, f32>(plan, Some(&|inputs| ask_rings::<O>(backend, inputs)))
 }
 
 fn ring<O: RingOp, S: Number + Real>(
     plan: &Plan<'_>,
     ask: Option<Ask<'_>>,
-) -> Result<Report, GpuError> {
+) -> Result<Report, Error> {
     let inputs = inputs::<Vec<Vec2<f64>>, S>(plan);
     judged(O::NAME, plan, inputs, ask, |x, batch, judge| {
         let paths: [Path<S>; 1] = [ring_value::<O, S>];
@@ -222,6 +239,28 @@ fn ring<O: RingOp, S: Number + Real>(
     })
 }
 
-fn without_batch(report: Result<Report, GpuError>) -> Report {
+/// Runs every check of a fold over paths.
+pub fn prove_fold_with<F: Fold, S: Number + Real>(plan: &Plan<'_>) -> Report
+where
+    F::Context<f64>: Sample,
+{
+    let inputs = inputs::<(F::Context<f64>, Vec<Vec2<f64>>), S>(plan);
+    without_batch(judged(F::NAME, plan, inputs, None, |x, _, judge| {
+        judge(&OpSubject::<Folded<F>, S>::new(x, &[], None));
+    }))
+}
+
+/// Runs every check of an operation with a search.
+pub fn prove_decided_with<D: Decided, S: Number + Real>(plan: &Plan<'_>) -> Report
+where
+    D::In<f64>: Sample,
+{
+    let inputs = inputs::<D::In<f64>, S>(plan);
+    without_batch(judged(D::NAME, plan, inputs, None, |x, _, judge| {
+        judge(&OpSubject::<Replayed<D>, S>::new(x, &[], None));
+    }))
+}
+
+fn without_batch(report: Result<Report, Error>) -> Report {
     report.unwrap_or_else(|_| unreachable!("only a batch can fail"))
 }

@@ -81,7 +81,7 @@ fn item<D: Decided, T: Real>(numbers: &[T], out_bar: Option<&[T]>, out: &mut [T]
 
 /// How batches compute what is wanted of an operation.
 #[doc(hidden)]
-pub fn face<D: Decided, R: Row>(want: Want, _ask: Ask) -> Result<Arc<Face<R::Scalar>>, Error>
+pub fn face<D, R: Row>(want: Want, _ask: Ask) -> Result<Arc<Face<R::Scalar>>, Error>
 where
     D: Decided<In<<R as Pack>::Scalar> = R>,
     D::Out<R::Scalar>: Row,

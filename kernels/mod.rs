@@ -7,11 +7,11 @@
 //! | [`Cpu::row_max`], [`Cpu::column_max`] | the same | the best match of every row or column |
 //! | [`Cpu::above`], [`Cpu::count_above`] | the same | the pairs above a threshold |
 //! | [`Cpu::sum`], [`Cpu::mean`], [`Cpu::sum_grad`] | the same | a loss, and its gradient |
-//! | [`Cpu::ragged`] | rings as vertices and offsets | one result per ring |
+//! | [`Cpu::ragged`], [`Cpu::fold`] | paths as vertices and offsets | one result per path |
 //!
 //! What runs is a value: an [operation](op), such as [`IouObb2`]; an operation with its gradient
-//! ([`value_grad`](Op::value_grad)); its adjoint ([`vjp`](Op::vjp)); a
-//! [`Program`](crate::Program). Columns are slices, vectors or [`One`]. Forms that end in `_into` write to
+//! ([`value_grad`](Op::value_grad)); its adjoint ([`vjp`](Op::vjp)); an operation with a search
+//! ([`Decided`]); a [`Program`](crate::Program). Columns are slices, vectors or [`One`]. Forms that end in `_into` write to
 //! what the caller has. [`operation!`](crate::operation) makes a function an operation.
 //!
 //! Some operations run on GPUs, too: [`gpu`]. [`Backend`] is one front for both machines, and
@@ -60,7 +60,6 @@ pub use backend::Backend;
 pub use cpu::{Cpu, Single, Table};
 pub use decided::Decided;
 pub use fold::Fold;
-pub use gpu::error::GpuError;
 pub use op::{Op, RingOp, Runs};
 pub use ops::distance::{
     ClosestPointsOfSegments, DistanceObb2, DistancePointSegment, SignedDistancePointObb2,

@@ -17,11 +17,11 @@
 //!     const JUMPS: Jumps = Jumps::Never;
 //!     const SLOPES: Slopes = Slopes::Reverse;
 //!     fn eval<S: Scalar>((a, b): (Vec2<S>, Vec2<S>)) -> S {
-//!         (a - b).norm()
+//!         (a - b).length()
 //!     }
 //! }
 //!
-//! let (a, b) = ([Vec2::new(0.0, 0.0)], [Vec2::new(3.0, 4.0)]);
+//! let (a, b) = ([Vec2::new(0.0_f64, 0.0)], [Vec2::new(3.0, 4.0)]);
 //! assert_eq!(Cpu::new().aligned(Distance, (&a, &b))?, [5.0]);
 //! # Ok::<(), geograd::Error>(())
 //! ```

@@ -255,7 +255,7 @@ impl<'a, T: Real> Column<'a, T> {
 /// ```
 /// use geograd::kernels::{Cpu, IouObb2, One};
 /// use geograd::Obb2;
-/// let goal = Obb2::new(0.0, 0.0, 2.0, 2.0, 0.0);
+/// let goal = Obb2::new(0.0_f64, 0.0, 2.0, 2.0, 0.0);
 /// let boxes = [Obb2::new(1.0, 0.0, 2.0, 2.0, 0.0), goal];
 /// assert_eq!(Cpu::new().aligned(IouObb2, (&boxes, One(goal)))?, [1.0 / 3.0, 1.0]);
 /// # Ok::<(), geograd::Error>(())

@@ -6,11 +6,12 @@
 //! // Backend::Gpu(&gpu) asks a GPU.
 //! let report = prove_on::<IouObb2>(Backend::Cpu, &Plan::new(20, 1))?;
 //! assert!(report.passed(), "{report}");
-//! # Ok::<(), geograd::kernels::GpuError>(())
+//! # Ok::<(), geograd::Error>(())
 //! ```
+use crate::Error;
+use crate::kernels::Backend;
 use crate::kernels::gpu::{GpuPair, GpuRing};
 use crate::kernels::op::RingOp;
-use crate::kernels::{Backend, GpuError};
 use crate::{Fixed, Pack, Vec2};
 use std::cell::Cell;
 use std::collections::HashMap;
@@ -35,14 +36,14 @@ impl Answer {
 }
 
 /// Something that answers many inputs, given as lists of numbers, at once.
-pub type Ask<'a> = &'a dyn Fn(&[Vec<f32>]) -> Result<Vec<Answer>, GpuError>;
+pub type Ask<'a> = &'a dyn Fn(&[Vec<f32>]) -> Result<Vec<Answer>, Error>;
 
 /// A batch as a witness. Inputs known beforehand are asked about in one large batch, as users would;
 /// others (shrunk ones, those beside a point) one by one.
 pub struct Batch<'a> {
     ask: Ask<'a>,
     known: HashMap<Vec<u32>, Answer>,
-    error: Cell<Option<GpuError>>,
+    error: Cell<Option<Error>>,
 }
 
 fn single(x: &[f64]) -> Vec<f32> {
@@ -61,7 +62,7 @@ impl<'a> Batch<'a> {
     /// # Errors
     ///
     /// As the batch's.
-    pub fn new(ask: Ask<'a>, inputs: &[Vec<f64>]) -> Result<Self, GpuError> {
+    pub fn new(ask: Ask<'a>, inputs: &[Vec<f64>]) -> Result<Self, Error> {
         let inputs: Vec<Vec<f32>> = inputs.iter().map(|x| single(x)).collect();
         let answers = ask(&inputs)?;
         Ok(Batch {
@@ -90,7 +91,7 @@ impl<'a> Batch<'a> {
     }
     /// The first error, if there was one.
     #[must_use]
-    pub fn error(&self) -> Option<GpuError> {
+    pub fn error(&self) -> Option<Error> {
         self.error.get()
     }
 }
@@ -99,7 +100,7 @@ impl<'a> Batch<'a> {
 pub(crate) fn ask_pairs<O: GpuPair>(
     backend: Backend<'_>,
     inputs: &[Vec<f32>],
-) -> Result<Vec<Answer>, GpuError> {
+) -> Result<Vec<Answer>, Error> {
     let (mut a, mut b) = (Vec::new(), Vec::new());
     for x in inputs {
         let (first, second) = x.split_at(O::Shape::LEN);
@@ -120,7 +121,7 @@ pub(crate) fn ask_pairs<O: GpuPair>(
 pub(crate) fn ask_rings<O: GpuRing>(
     backend: Backend<'_>,
     inputs: &[Vec<f32>],
-) -> Result<Vec<Answer>, GpuError> {
+) -> Result<Vec<Answer>, Error> {
     let mut offsets = vec![0];
     let mut vertices = Vec::new();
     for x in inputs {

@@ -23,7 +23,7 @@ pub enum Location {
 /// An edge has its lower end and not its upper one. Sunday, Inclusion of a point in a polygon, 2001.
 ///
 /// ```
-/// use geograd::{Vec2, contain::crossing, shape::polygon::edges};
+/// use geograd::{Vec2, contain::crossing, shape::edges};
 /// let ring = [(0.0, 0.0), (2.0, 0.0), (0.0, 2.0)].map(|(x, y)| Vec2::new(x, y));
 /// let around = |p| edges(&ring).map(|[a, b]| crossing(a, b, p)).sum::<f64>();
 /// assert_eq!((around(Vec2::new(0.5, 0.5)), around(Vec2::new(1.5, 1.5))), (1.0, 0.0));

@@ -37,7 +37,7 @@ pub use {
 ///     base: Pose2<S>,
 ///     #[shape(positive)]
 ///     links: [S; 2],
-///     #[shape(angle)]
+///     #[shape(number)]
 ///     elbow: S,
 /// }
 ///

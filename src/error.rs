@@ -375,6 +375,8 @@ pub enum Error {
     },
     /// The number of results does not fit in memory.
     TooLarge,
+    /// A GPU could not be had, or a call on it failed.
+    Gpu(GpuFault),
     /// The environment variable `GEOGRAD_SIMD`, or a call, asks for a level of vector instructions that
     /// is unknown or that this processor lacks.
     Simd,
@@ -416,6 +418,7 @@ impl fmt::Display for Error {
             }
             Error::Program(why) => write!(f, "the function cannot be a program: {why}"),
             Error::TooLarge => f.write_str("more results than memory can hold"),
+            Error::Gpu(fault) => fault.fmt(f),
             Error::Simd => f.write_str(
                 "vector instructions were asked for that are unknown or that this processor lacks \
                  (GEOGRAD_SIMD is one of baseline, avx2, v4)",
@@ -444,5 +447,67 @@ impl<S: crate::Scalar<Mask = bool>> Validate for S {
         } else {
             Err(Flaw::NotFinite(Field::VALUE))
         }
+    }
+}
+
+/// Why a GPU could not be had or a call on it failed. Inputs are as they were and stay usable,
+/// except after [`GpuFault::DeviceLost`].
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+#[non_exhaustive]
+pub enum GpuFault {
+    /// This build has no GPU support: build with the feature `gpu`.
+    NotBuilt,
+    /// No adapter was found at all: install the GPU's driver, or Mesa's lavapipe, which runs on any
+    /// processor.
+    NoAdapter,
+    /// Adapters were found, but none as asked for: choose another index, name or kind.
+    NoSuchAdapter,
+    /// Only a driver in software was found, which is slower than the CPU: install the GPU's driver,
+    /// or ask for software with `GEOGRAD_GPU=cpu`. Only [`Backend::auto`] says so.
+    ///
+    /// [`Backend::auto`]: crate::kernels::Backend::auto
+    OnlySoftware,
+    /// The adapter gave no device, or cannot compute.
+    AdapterRefused,
+    /// The device is gone (removed, reset by its driver, or destroyed), and everything on it: make
+    /// a new context and upload again.
+    DeviceLost,
+    /// The device has not enough memory: give up some handles, or take smaller batches.
+    OutOfMemory,
+    /// One item, such as a ring, is larger than any buffer the device allows
+    /// ([`Gpu::most_bytes`](crate::kernels::gpu::Gpu)): split it, or compute it on the CPU. Batches
+    /// are split as they need.
+    TooLarge,
+    /// The driver refused a shader or a command: a fault of ours or of the driver's. The log says
+    /// more.
+    Shader,
+    /// A handle that belongs to another context.
+    ForeignBuffer,
+}
+
+impl fmt::Display for GpuFault {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(match self {
+            GpuFault::NotBuilt => "built without GPU support: build with `--features gpu`",
+            GpuFault::NoAdapter => "no GPU found: install its driver",
+            GpuFault::NoSuchAdapter => {
+                "no GPU found as asked for: choose another with GEOGRAD_GPU (an index, a part of a \
+                 name, or `cpu`)"
+            }
+            GpuFault::OnlySoftware => {
+                "no GPU found but a driver in software, which is slower than the CPU: install the \
+                 GPU's driver, or ask for software with GEOGRAD_GPU=cpu"
+            }
+            GpuFault::AdapterRefused => "the GPU gave no device for computing",
+            GpuFault::DeviceLost => "the GPU is lost: make a new context and upload again",
+            GpuFault::OutOfMemory => {
+                "the GPU is out of memory: free handles or take smaller batches"
+            }
+            GpuFault::TooLarge => {
+                "one item is larger than any buffer of the GPU: split it, or use the CPU"
+            }
+            GpuFault::Shader => "the GPU's driver refused a command: see the log",
+            GpuFault::ForeignBuffer => "a handle belongs to another GPU context",
+        })
     }
 }

@@ -124,7 +124,7 @@ pub struct Readme;
 pub use ad::forward::{gradient, hessian, hvp, jacobian, jvp, value};
 pub use ad::program::{Program, Sym};
 pub use derived::Shape;
-pub use error::{Error, Flaw, Unrecordable, Validate, VertexFault};
+pub use error::{Error, Flaw, GpuFault, Unrecordable, Validate, VertexFault};
 pub use pack::{Fixed, Pack};
 pub use product::Code;
 pub use scalar::{Jet, Lanes, Mask, Scalar};

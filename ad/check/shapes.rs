@@ -3,7 +3,7 @@ use crate::ad::check::derived::{together, units};
 use crate::ad::check::sample::{Draw, Sample};
 use crate::ad::check::symmetry::Kind;
 use crate::error::Validate;
-use crate::{Aabb2, Obb2, Rotation2, Vec2};
+use crate::{Aabb2, ConvexPolygon, Obb2, Rotation2, Vec2};
 use std::f64::consts::{FRAC_PI_2, FRAC_PI_4, PI};
 
 /// A scale that is never zero.
@@ -277,6 +277,62 @@ impl Sample for Rotation2<f64> {
     }
     fn inside(&self) -> bool {
         self.validate().is_ok()
+    }
+}
+
+/// A convex polygon on an ellipse: corners at sorted angles.
+fn on_ellipse<const N: usize>(draw: &mut Draw, wide: f64, high: f64) -> ConvexPolygon<f64, N> {
+    let count = 3 + draw.below(N.saturating_sub(2).max(1));
+    let mut angles: Vec<f64> = (0..count.min(N))
+        .map(|k| (k as f64 + draw.within(0.1, 0.9)) * 2.0 * PI / count as f64)
+        .collect();
+    angles.sort_by(f64::total_cmp);
+    let turn = Rotation2::from_angle(draw.within(-PI, PI));
+    let center = Vec2::new(draw.within(-1.0, 1.0), draw.within(-1.0, 1.0));
+    let corners = angles.iter().map(|angle| {
+        let (sin, cos) = angle.sin_cos();
+        center + turn * Vec2::new(wide * cos, high * sin)
+    });
+    ConvexPolygon::from_vertices(&corners.collect::<Vec<_>>())
+}
+
+impl<const N: usize> Sample for ConvexPolygon<f64, N> {
+    fn ordinary(draw: &mut Draw) -> Self {
+        let (wide, high) = (draw.within(0.2, 1.5), draw.within(0.2, 1.5));
+        on_ellipse(draw, wide, high)
+    }
+    fn thin(draw: &mut Draw) -> Self {
+        let high = draw.magnitude(1e-6, 1e-2);
+        on_ellipse(draw, 1.0, high)
+    }
+    fn hard() -> Vec<Self> {
+        let square = [(0.0, 0.0), (1.0, 0.0), (1.0, 1.0), (0.0, 1.0)];
+        let triangle = [(0.0, 0.0), (2.0, 0.0), (1.0, 1.0)];
+        let kite = [(0.0, 0.0), (1.0, -0.5), (3.0, 0.0), (1.0, 0.5)];
+        let mut all = Vec::new();
+        for shape in [&square[..], &triangle, &kite] {
+            for (scale, shift) in [(1.0, 0.0), (1.0, 1024.0), (1e-6, 0.0), (1e6, 0.0)] {
+                let moved = |&(x, y): &(f64, f64)| Vec2::new(x * scale + shift, y * scale - shift);
+                let corners: Vec<_> = shape.iter().map(moved).collect();
+                all.push(ConvexPolygon::from_vertices(&corners));
+            }
+        }
+        all.retain(Sample::inside);
+        all
+    }
+    fn kinds(&self) -> Vec<Kind> {
+        [Kind::X, Kind::Y].repeat(N)
+    }
+    fn scales(&self) -> Vec<f64> {
+        let bounds = self.bounding();
+        let size = (bounds.max.x - bounds.min.x).max(bounds.max.y - bounds.min.y);
+        vec![size; 2 * N]
+    }
+    fn inside(&self) -> bool {
+        self.validate().is_ok()
+    }
+    fn outlines(&self) -> Vec<Vec<[f64; 2]>> {
+        vec![self.as_slice().iter().map(|v| [v.x, v.y]).collect()]
     }
 }
 

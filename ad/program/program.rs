@@ -147,7 +147,7 @@ impl<T: Plain, In: Fixed<Scalar = T>> Program<In, T> {
     ///
     /// ```
     /// use geograd::ad::program::{Program, Sym};
-    /// use geograd::{Scalar, Vec2};
+    /// use geograd::Vec2;
     /// let f = Program::trace(|v: Vec2<Sym<f64>>| v.x * v.x * v.y).unwrap();
     /// let [by_x, by_y]: [Vec2<f64>; 2] = f.hessian().eval(Vec2::new(3.0, 5.0));
     /// assert_eq!((by_x, by_y), (Vec2::new(10.0, 6.0), Vec2::new(6.0, 0.0)));

@@ -1,50 +1,17 @@
 //! What the examples' command lines share: how they fail, and which machine runs the batches.
+#[path = "failure.rs"]
+mod failure;
+
+pub use failure::{Failure, say};
+use geograd::kernels::Backend;
 use geograd::kernels::backend::Auto;
 use geograd::kernels::gpu::Gpu;
-use geograd::kernels::{Backend, GpuError};
-use std::io::Write;
-use std::process::ExitCode;
+use geograd::{Error, GpuFault};
 
-/// Why a run ends early.
-#[derive(Debug)]
-pub enum Failure {
-    /// The command line makes no sense, or asks for what this build cannot do.
-    Usage(String),
-    /// The work itself went wrong.
-    Work(String),
-}
-
-impl From<lexopt::Error> for Failure {
-    fn from(error: lexopt::Error) -> Self {
-        Failure::Usage(error.to_string())
-    }
-}
-
-impl From<GpuError> for Failure {
-    fn from(error: GpuError) -> Self {
+impl From<Error> for Failure {
+    fn from(error: Error) -> Self {
         Failure::Work(reason(error))
     }
-}
-
-impl Failure {
-    /// Says why on stderr and gives the exit status: 2 for usage, 1 for work.
-    pub fn report(&self, program: &str) -> ExitCode {
-        match self {
-            Failure::Usage(why) => {
-                eprintln!("{program}: {why}\nTry `--help`.");
-                ExitCode::from(2)
-            }
-            Failure::Work(why) => {
-                eprintln!("{program}: {why}");
-                ExitCode::from(1)
-            }
-        }
-    }
-}
-
-/// Prints a text. A reader that has seen enough and gone away is no failure.
-pub fn say(text: &str) {
-    let _ = std::io::stdout().write_all(text.as_bytes());
 }
 
 /// The value of `--backend`.
@@ -96,11 +63,11 @@ pub fn on_the_cpu(program: &str, why: &str) -> Machine {
 }
 
 /// What a failed call on a GPU means to whoever runs the program.
-fn reason(error: GpuError) -> String {
+fn reason(error: Error) -> String {
     let wanted = std::env::var("GEOGRAD_GPU").unwrap_or_default();
     match error {
-        GpuError::NotBuilt => UNSUPPORTED.into(),
-        GpuError::NoSuchAdapter => format!("no GPU found that is GEOGRAD_GPU={wanted}"),
+        Error::Gpu(GpuFault::NotBuilt) => UNSUPPORTED.into(),
+        Error::Gpu(GpuFault::NoSuchAdapter) => format!("no GPU found that is GEOGRAD_GPU={wanted}"),
         other => other.to_string(),
     }
 }

@@ -1,7 +1,8 @@
 //! The two formats to compute in, and what computes in them.
+use geograd::Error;
 use geograd::Obb2;
 use geograd::kernels::real::Real;
-use geograd::kernels::{Backend, Cpu, GpuError, IouObb2, Op, Single, Table};
+use geograd::kernels::{Backend, Cpu, IouObb2, Op, Single, Table};
 use std::fmt::Debug;
 use std::str::FromStr;
 
@@ -19,25 +20,25 @@ pub trait Number: Real + Single<Scalar = Self> + FromStr + Debug + Send + Sync {
         backend: Backend<'_>,
         a: &[Obb2<Self>],
         b: &[Obb2<Self>],
-    ) -> Result<Vec<Self>, GpuError>;
+    ) -> Result<Vec<Self>, Error>;
 
     fn aligned_grad(
         backend: Backend<'_>,
         a: &[Obb2<Self>],
         b: &[Obb2<Self>],
-    ) -> Result<AlignedGrads<Self>, GpuError>;
+    ) -> Result<AlignedGrads<Self>, Error>;
 
     fn all_pairs(
         backend: Backend<'_>,
         a: &[Obb2<Self>],
         b: &[Obb2<Self>],
-    ) -> Result<Vec<Self>, GpuError>;
+    ) -> Result<Vec<Self>, Error>;
 
     fn all_pairs_grad(
         backend: Backend<'_>,
         a: &[Obb2<Self>],
         b: &[Obb2<Self>],
-    ) -> Result<PairGrads<Self>, GpuError>;
+    ) -> Result<PairGrads<Self>, Error>;
 }
 
 impl Number for f32 {
@@ -47,7 +48,7 @@ impl Number for f32 {
         backend: Backend<'_>,
         a: &[Obb2<Self>],
         b: &[Obb2<Self>],
-    ) -> Result<Vec<Self>, GpuError> {
+    ) -> Result<Vec<Self>, Error> {
         backend.aligned::<IouObb2>(a, b)
     }
 
@@ -55,7 +56,7 @@ impl Number for f32 {
         backend: Backend<'_>,
         a: &[Obb2<Self>],
         b: &[Obb2<Self>],
-    ) -> Result<AlignedGrads<Self>, GpuError> {
+    ) -> Result<AlignedGrads<Self>, Error> {
         backend.aligned_grad::<IouObb2>(a, b)
     }
 
@@ -63,7 +64,7 @@ impl Number for f32 {
         backend: Backend<'_>,
         a: &[Obb2<Self>],
         b: &[Obb2<Self>],
-    ) -> Result<Vec<Self>, GpuError> {
+    ) -> Result<Vec<Self>, Error> {
         backend.all_pairs::<IouObb2>(a, b)
     }
 
@@ -71,7 +72,7 @@ impl Number for f32 {
         backend: Backend<'_>,
         a: &[Obb2<Self>],
         b: &[Obb2<Self>],
-    ) -> Result<PairGrads<Self>, GpuError> {
+    ) -> Result<PairGrads<Self>, Error> {
         backend.all_pairs_grad::<IouObb2>(a, b)
     }
 }
@@ -84,7 +85,7 @@ impl Number for f64 {
         _backend: Backend<'_>,
         a: &[Obb2<Self>],
         b: &[Obb2<Self>],
-    ) -> Result<Vec<Self>, GpuError> {
+    ) -> Result<Vec<Self>, Error> {
         Ok(Cpu::new().aligned(IouObb2, (a, b))?)
     }
 
@@ -92,7 +93,7 @@ impl Number for f64 {
         _backend: Backend<'_>,
         a: &[Obb2<Self>],
         b: &[Obb2<Self>],
-    ) -> Result<AlignedGrads<Self>, GpuError> {
+    ) -> Result<AlignedGrads<Self>, Error> {
         let (values, (a_bar, b_bar)) = Cpu::new().aligned(IouObb2.value_grad(), (a, b))?;
         Ok((values, a_bar, b_bar))
     }
@@ -101,7 +102,7 @@ impl Number for f64 {
         _backend: Backend<'_>,
         a: &[Obb2<Self>],
         b: &[Obb2<Self>],
-    ) -> Result<Vec<Self>, GpuError> {
+    ) -> Result<Vec<Self>, Error> {
         Ok(Cpu::new().all_pairs(IouObb2, a, b)?.into_planes())
     }
 
@@ -109,7 +110,7 @@ impl Number for f64 {
         _backend: Backend<'_>,
         a: &[Obb2<Self>],
         b: &[Obb2<Self>],
-    ) -> Result<PairGrads<Self>, GpuError> {
+    ) -> Result<PairGrads<Self>, Error> {
         Ok(Cpu::new().all_pairs(IouObb2.value_grad(), a, b)?)
     }
 }

@@ -30,9 +30,10 @@ mod scene;
 mod svg;
 
 use cli::{Failure, Wish};
+use geograd::Error;
 use geograd::Obb2;
+use geograd::kernels::Backend;
 use geograd::kernels::ops::overlap::IouObb2;
-use geograd::kernels::{Backend, GpuError};
 use indicatif::{ProgressBar, ProgressStyle};
 use matching::{Match, Quality};
 use model::{Frame, Frames};
@@ -167,7 +168,7 @@ fn match_all(
     backend: Backend<'_>,
     frames: &Frames,
     progress: &ProgressBar,
-) -> Result<Matches, GpuError> {
+) -> Result<Matches, Error> {
     let mut matches = Matches::new();
     for (&number, frame) in frames {
         matches.insert(number, matching::match_frame(backend, number, frame)?);
@@ -185,7 +186,7 @@ fn progress(what: &'static str, length: u64) -> ProgressBar {
 }
 
 /// A GPU compiles what it runs at its first call; the clock starts after that.
-fn warm_up(backend: Backend<'_>) -> Result<(), GpuError> {
+fn warm_up(backend: Backend<'_>) -> Result<(), Error> {
     let shape = [Obb2::new(0.0, 0.0, 1.0, 1.0, 0.0)];
     backend.all_pairs::<IouObb2>(&shape, &shape)?;
     backend.aligned_grad::<IouObb2>(&shape, &shape)?;

@@ -1,8 +1,9 @@
 //! Which detection belongs to which truth, and how good the detections are by that.
 use crate::assign::assign;
 use crate::model::{Frame, Frames};
+use geograd::Error;
+use geograd::kernels::Backend;
 use geograd::kernels::ops::overlap::IouObb2;
-use geograd::kernels::{Backend, GpuError};
 
 /// A detection and the truth it was matched to.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -21,11 +22,7 @@ pub struct Match {
 /// Every detection with every truth is one batch. Of all ways to pair them one to one within
 /// their classes this takes the one whose overlaps have the largest sum (the Hungarian method), and
 /// drops the pairs without overlap.
-pub fn match_frame(
-    backend: Backend<'_>,
-    number: u32,
-    frame: &Frame,
-) -> Result<Vec<Match>, GpuError> {
+pub fn match_frame(backend: Backend<'_>, number: u32, frame: &Frame) -> Result<Vec<Match>, Error> {
     let shapes = |seen: &[crate::model::Seen]| seen.iter().map(|s| s.shape).collect::<Vec<_>>();
     let (detections, truths) = (shapes(&frame.detections), shapes(&frame.truths));
     let mut overlaps = backend.all_pairs::<IouObb2>(&detections, &truths)?;

@@ -7,8 +7,9 @@
 //! gradient descent, Riedmiller and Braun 1993). A step that would not raise the overlap of its pair is
 //! taken back and tried shorter, so no pair ever gets worse. Pairs that overlap by a sliver have small
 //! slopes, which makes no difference to their steps.
+use geograd::Error;
+use geograd::kernels::Backend;
 use geograd::kernels::ops::overlap::IouObb2;
-use geograd::kernels::{Backend, GpuError};
 use geograd::{Obb2, Rotation2, Vec2};
 use std::time::{Duration, Instant};
 
@@ -121,7 +122,7 @@ pub fn refine(
     truths: &[Obb2<f32>],
     steps: u64,
     mut stepped: impl FnMut(),
-) -> Result<(Vec<Obb2<f32>>, Cost), GpuError> {
+) -> Result<(Vec<Obb2<f32>>, Cost), Error> {
     let mut walkers: Vec<Walker> = shapes.iter().map(|&shape| Walker::new(shape)).collect();
     let mut moving: Vec<usize> = (0..walkers.len()).collect();
     let mut tried = shapes.to_vec();

@@ -27,14 +27,14 @@ impl Cpu {
     /// ```
     /// use geograd::Obb2;
     /// use geograd::kernels::{Cpu, IouObb2, Op};
-    /// let a = [Obb2::new(0.0, 0.0, 2.0, 2.0, 0.0), Obb2::new(5.0, 5.0, 1.0, 3.0, 0.7)];
+    /// let a = [Obb2::new(0.0_f64, 0.0, 2.0, 2.0, 0.0), Obb2::new(5.0, 5.0, 1.0, 3.0, 0.7)];
     /// let b = [Obb2::new(1.0, 0.0, 2.0, 2.0, 0.0), Obb2::new(5.0, 5.0, 1.0, 3.0, 0.7)];
     /// let cpu = Cpu::new();
     /// assert_eq!(cpu.aligned(IouObb2, (&a, &b))?, [1.0 / 3.0, 1.0]);
     ///
     /// let (iou, (a_bar, _)) = cpu.aligned(IouObb2.value_grad(), (&a, &b))?;
     /// assert_eq!(iou[0], 1.0 / 3.0);
-    /// assert!((a_bar[0].center.x - 4.0_f64 / 9.0).abs() < 1e-15); // nearer is better
+    /// assert!((a_bar[0].center.x - 4.0 / 9.0).abs() < 1e-15); // nearer is better
     ///
     /// // The adjoint: slopes times what some loss says about every result.
     /// let (twice, _) = cpu.aligned(IouObb2.vjp(), ((&a, &b), &[2.0, 0.0]))?;

@@ -217,7 +217,7 @@ impl Cpu {
     /// [`Error::Offsets`] for offsets that decrease or do not cover the vertices, [`Error::Length`] for
     /// another number of contexts than paths, [`Error::Invalid`] for a vertex or context that is not
     /// valid.
-    pub fn fold<F: Fold, C: Columns, T: Real>(
+    pub fn fold<F, C: Columns, T: Real>(
         &self,
         _fold: F,
         context: C,
@@ -248,7 +248,7 @@ impl Cpu {
     /// # Errors
     ///
     /// As [`fold`](Cpu::fold), and for cotangents of another number or not finite.
-    pub fn fold_vjp<F: Fold, C: Columns, T: Real>(
+    pub fn fold_vjp<F, C: Columns, T: Real>(
         &self,
         _fold: F,
         context: C,

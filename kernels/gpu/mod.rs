@@ -23,15 +23,16 @@
 //! ```no_run
 //! use geograd::Obb2;
 //! use geograd::kernels::{IouObb2, gpu::Gpu};
+//! # #[cfg(feature = "gpu")] {
 //! let gpu = Gpu::new()?;
 //! let boxes = gpu.upload(&[Obb2::new(0.0, 0.0, 4.0, 2.0, 0.3)])?;
 //! let best = gpu.row_max::<IouObb2>(&boxes, &boxes)?.download()?;
 //! assert_eq!(best[0].value, 1.0);
-//! # Ok::<(), geograd::kernels::GpuError>(())
+//! # }
+//! # Ok::<(), geograd::Error>(())
 //! ```
 #[cfg(feature = "gpu")]
 mod device;
-pub(crate) mod error;
 #[cfg(not(feature = "gpu"))]
 mod none;
 

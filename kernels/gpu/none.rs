@@ -1,10 +1,10 @@
 //! What stands for the GPU in a build without the feature `gpu`: types without values, so that
 //! [`Backend`](crate::kernels::Backend) is the same in both.
 use crate::error::Validate;
-use crate::kernels::GpuError;
 use crate::kernels::op::{Op, RingOp};
 use crate::kernels::row::Row;
 use crate::{Aabb2, Obb2};
+use crate::{Error, GpuFault};
 use std::marker::PhantomData;
 
 /// A GPU. There is none in a build without the feature `gpu`.
@@ -16,9 +16,9 @@ impl Gpu {
     ///
     /// # Errors
     ///
-    /// Always [`GpuError::NotBuilt`].
-    pub fn new() -> Result<Self, GpuError> {
-        Err(GpuError::NotBuilt)
+    /// Always [`GpuFault::NotBuilt`](crate::GpuFault::NotBuilt).
+    pub fn new() -> Result<Self, Error> {
+        Err(Error::Gpu(GpuFault::NotBuilt))
     }
 }
 

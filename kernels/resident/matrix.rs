@@ -1,6 +1,6 @@
 //! Reductions of a matrix that is there already.
 use super::{Bests, Founds, Matrix, Side};
-use crate::kernels::GpuError;
+use crate::Error;
 
 /// What a matrix that is there already is reduced to: the macro lists the calls.
 macro_rules! reductions {
@@ -11,8 +11,8 @@ macro_rules! reductions {
             ///
             /// # Errors
             ///
-            /// [`GpuError::Input`] as on the CPU, or what the device says.
-            pub fn $name(&self $(, $arg: f32)?) -> Result<$out, GpuError> {
+            /// The input's as on the CPU, or what the device says.
+            pub fn $name(&self $(, $arg: f32)?) -> Result<$out, Error> {
                 on!(own = &self.0;
                     { let $cpu = own; Ok($held) };
                     { let $gpu = own.$name($($arg)?)?; Ok($wrap) })

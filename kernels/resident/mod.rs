@@ -25,14 +25,15 @@
 //! let best = matrix.row_max()?;            // of a matrix that is there already
 //! let matched = b.pick(&best)?;            // the truth of every guess
 //! assert!(a.aligned::<IouObb2>(&matched)?.download()?[0] > 0.95);
-//! # Ok::<(), geograd::kernels::GpuError>(())
+//! # Ok::<(), geograd::Error>(())
 //! ```
+use crate::GpuFault;
 use crate::error::{Argument, Error};
+use crate::kernels::Backend;
 use crate::kernels::cpu::checked::{check_upstream, expect};
 use crate::kernels::gpu::{self, GpuPair, GpuShape};
 use crate::kernels::on_cpu::PairGrads;
 use crate::kernels::reduce::{self, Best, Found};
-use crate::kernels::{Backend, GpuError};
 use crate::{Fixed, Vec2};
 use std::future::Future;
 use std::pin::Pin;
@@ -54,7 +55,7 @@ macro_rules! on {
             #[cfg(feature = "gpu")]
             ($(Side::Gpu($name),)+) => $gpu,
             #[allow(unreachable_patterns)]
-            _ => Err(GpuError::ForeignBuffer),
+            _ => Err($crate::Error::Gpu($crate::GpuFault::ForeignBuffer)),
         }
     };
 }
@@ -79,7 +80,7 @@ macro_rules! handles {
             /// # Errors
             ///
             /// What the device says.
-            pub fn download(&self) -> Result<$out, GpuError> {
+            pub fn download(&self) -> Result<$out, Error> {
                 self.start_download()?.wait()
             }
 
@@ -88,7 +89,7 @@ macro_rules! handles {
             /// # Errors
             ///
             /// What the device says.
-            pub fn start_download(&self) -> Result<Pending<$out>, GpuError> {
+            pub fn start_download(&self) -> Result<Pending<$out>, Error> {
                 on!(own = &self.0;
                     Ok(Pending(Side::Cpu(Some($get(own)))));
                     Ok(Pending(Side::Gpu(own.start_download()?))))
@@ -130,14 +131,14 @@ impl<T> Pending<T> {
     ///
     /// # Errors
     ///
-    /// [`GpuError::DeviceLost`], or [`GpuError::OutOfMemory`] when there is no room for it.
-    pub fn wait(self) -> Result<T, GpuError> {
-        on!(own = self.0; own.ok_or(GpuError::DeviceLost); own.wait())
+    /// [`GpuFault::DeviceLost`], or [`GpuFault::OutOfMemory`] when there is no room for it.
+    pub fn wait(self) -> Result<T, Error> {
+        on!(own = self.0; own.ok_or(Error::Gpu(GpuFault::DeviceLost)); own.wait())
     }
 }
 
 impl<T: Unpin> Future for Pending<T> {
-    type Output = Result<T, GpuError>;
+    type Output = Result<T, Error>;
 
     #[cfg_attr(not(feature = "gpu"), allow(unused_variables))]
     fn poll(self: Pin<&mut Self>, context: &mut Context<'_>) -> Poll<Self::Output> {
@@ -147,7 +148,7 @@ impl<T: Unpin> Future for Pending<T> {
             #[cfg(feature = "gpu")]
             Side::Gpu(own) => Pin::new(own).poll(context),
             #[cfg(not(feature = "gpu"))]
-            Side::Gpu(_) => Poll::Ready(Err(GpuError::NotBuilt)),
+            Side::Gpu(_) => Poll::Ready(Err(Error::Gpu(GpuFault::NotBuilt))),
         }
     }
 }
@@ -161,8 +162,8 @@ impl Backend<'_> {
     ///
     /// # Errors
     ///
-    /// [`GpuError::Input`] for a shape that is not valid, or what the device says.
-    pub fn upload<P: GpuShape>(self, shapes: &[P]) -> Result<Shapes<P>, GpuError> {
+    /// The input's for a shape that is not valid, or what the device says.
+    pub fn upload<P: GpuShape>(self, shapes: &[P]) -> Result<Shapes<P>, Error> {
         Ok(Shapes(match self {
             Backend::Cpu => Side::Cpu(checked(shapes)?.to_vec()),
             #[cfg(feature = "gpu")]
@@ -176,8 +177,8 @@ impl Backend<'_> {
     ///
     /// # Errors
     ///
-    /// [`GpuError::Input`] for a number that is not finite, or what the device says.
-    pub fn upload_values(self, values: &[f32]) -> Result<Values, GpuError> {
+    /// The input's for a number that is not finite, or what the device says.
+    pub fn upload_values(self, values: &[f32]) -> Result<Values, Error> {
         Ok(Values(match self {
             Backend::Cpu => {
                 check_upstream(values, 1)?;
@@ -194,14 +195,14 @@ impl Backend<'_> {
     ///
     /// # Errors
     ///
-    /// [`GpuError::Input`] for a number that is not finite or a slice of another length than rows
+    /// The input's for a number that is not finite or a slice of another length than rows
     /// times columns, or what the device says.
     pub fn upload_matrix(
         self,
         rows: usize,
         columns: usize,
         values: &[f32],
-    ) -> Result<Matrix, GpuError> {
+    ) -> Result<Matrix, Error> {
         Ok(Matrix(match self {
             Backend::Cpu => {
                 let expected = rows.checked_mul(columns).ok_or(Error::TooLarge)?;
@@ -234,8 +235,8 @@ impl<P: GpuShape> Bars<P> {
     ///
     /// # Errors
     ///
-    /// [`GpuError::Input`] for a slice of another length, or what the device says.
-    pub fn download_into(&self, to: &mut [P]) -> Result<(), GpuError> {
+    /// The input's for a slice of another length, or what the device says.
+    pub fn download_into(&self, to: &mut [P]) -> Result<(), Error> {
         on!(own = &self.0;
         {
             expect(Argument::Values, own.len(), to.len())?;
@@ -251,8 +252,8 @@ impl Values {
     ///
     /// # Errors
     ///
-    /// [`GpuError::Input`] for a slice of another length, or what the device says.
-    pub fn download_into(&self, to: &mut [f32]) -> Result<(), GpuError> {
+    /// The input's for a slice of another length, or what the device says.
+    pub fn download_into(&self, to: &mut [f32]) -> Result<(), Error> {
         on!(own = &self.0;
         {
             expect(Argument::Values, own.len(), to.len())?;
@@ -266,9 +267,9 @@ impl Values {
     ///
     /// # Errors
     ///
-    /// [`GpuError::Input`] for another number of them or one that is not finite, or what the device
+    /// The input's for another number of them or one that is not finite, or what the device
     /// says.
-    pub fn update(&mut self, values: &[f32]) -> Result<(), GpuError> {
+    pub fn update(&mut self, values: &[f32]) -> Result<(), Error> {
         on!(own = &mut self.0;
         {
             expect(Argument::Upstream, own.len(), values.len())?;

@@ -1,7 +1,6 @@
 //! The calls of two lists of shapes.
 use super::{Bars, Bests, Founds, Matrix, PairBars, Shapes, Side, Values, checked};
 use crate::error::{Argument, Error};
-use crate::kernels::GpuError;
 use crate::kernels::cpu::checked::expect;
 use crate::kernels::gpu::{GpuPair, GpuShape};
 use crate::kernels::on_cpu;
@@ -21,13 +20,13 @@ macro_rules! calls {
         ///
         /// # Errors
         ///
-        /// [`GpuError::Input`] as on the CPU, [`GpuError::ForeignBuffer`] for handles of different
+        /// The input's as on the CPU, [`GpuFault::ForeignBuffer`](crate::GpuFault::ForeignBuffer) for handles of different
         /// backends, or what the device says.
         pub fn $name<O: GpuPair<Shape = P>>(
             &self,
             b: &Shapes<P>,
             $($arg: $type),*
-        ) -> Result<$out, GpuError> {
+        ) -> Result<$out, Error> {
             on!($a = &self.0, $b = &b.0;
                 Ok($cpu);
                 {
@@ -111,7 +110,7 @@ impl<P: GpuShape> Shapes<P> {
         &self,
         b: &ShapesOf<O>,
         upstream: &Values,
-    ) -> Result<Slopes<O>, GpuError> {
+    ) -> Result<Slopes<O>, Error> {
         on!(a = &self.0, b = &b.0, upstream = &upstream.0;
         {
             let (a_bar, b_bar) = on_cpu::aligned_vjp::<O>(a, b, upstream)?;
@@ -132,7 +131,7 @@ impl<P: GpuShape> Shapes<P> {
         &self,
         b: &ShapesOf<O>,
         upstream: &Matrix,
-    ) -> Result<Slopes<O>, GpuError> {
+    ) -> Result<Slopes<O>, Error> {
         on!(a = &self.0, b = &b.0, upstream = &upstream.0;
         {
             fits(a, b, upstream, Argument::Upstream)?;
@@ -154,7 +153,7 @@ impl<P: GpuShape> Shapes<P> {
         &self,
         b: &ShapesOf<O>,
         values: &mut Values,
-    ) -> Result<(), GpuError> {
+    ) -> Result<(), Error> {
         on!(a = &self.0, b = &b.0, values = &mut values.0;
             Ok(on_cpu::aligned_into::<O>(a, b, values)?);
             a.gpu().aligned_into::<O>(a, b, values))
@@ -171,7 +170,7 @@ impl<P: GpuShape> Shapes<P> {
         values: &mut Values,
         a_bar: &mut BarsOf<O>,
         b_bar: &mut BarsOf<O>,
-    ) -> Result<(), GpuError> {
+    ) -> Result<(), Error> {
         on!(a = &self.0, b = &b.0, v = &mut values.0, x = &mut a_bar.0, y = &mut b_bar.0;
             Ok(on_cpu::aligned_grad_into::<O>(a, b, v, x, y)?);
             a.gpu().aligned_grad_into::<O>(a, b, v, x, y))
@@ -188,7 +187,7 @@ impl<P: GpuShape> Shapes<P> {
         upstream: &Values,
         a_bar: &mut BarsOf<O>,
         b_bar: &mut BarsOf<O>,
-    ) -> Result<(), GpuError> {
+    ) -> Result<(), Error> {
         on!(a = &self.0, b = &b.0, u = &upstream.0, x = &mut a_bar.0, y = &mut b_bar.0;
             Ok(on_cpu::aligned_vjp_into::<O>(a, b, u, x, y)?);
             a.gpu().aligned_vjp_into::<O>(a, b, u, x, y))
@@ -203,7 +202,7 @@ impl<P: GpuShape> Shapes<P> {
         &self,
         b: &ShapesOf<O>,
         matrix: &mut Matrix,
-    ) -> Result<(), GpuError> {
+    ) -> Result<(), Error> {
         on!(a = &self.0, b = &b.0, matrix = &mut matrix.0;
         {
             fits(a, b, matrix, Argument::Values)?;
@@ -223,7 +222,7 @@ impl<P: GpuShape> Shapes<P> {
         upstream: &Matrix,
         a_bar: &mut BarsOf<O>,
         b_bar: &mut BarsOf<O>,
-    ) -> Result<(), GpuError> {
+    ) -> Result<(), Error> {
         on!(a = &self.0, b = &b.0, u = &upstream.0, x = &mut a_bar.0, y = &mut b_bar.0;
         {
             fits(a, b, u, Argument::Upstream)?;
@@ -245,7 +244,7 @@ impl<P: GpuShape> Shapes<P> {
         factor: f32,
         a_bar: &mut BarsOf<O>,
         b_bar: &mut BarsOf<O>,
-    ) -> Result<f64, GpuError> {
+    ) -> Result<f64, Error> {
         on!(a = &self.0, b = &b.0, x = &mut a_bar.0, y = &mut b_bar.0;
             Ok(on_cpu::sum_grad_into::<O>(a, b, factor, x, y)?);
             a.gpu().sum_grad_into::<O>(a, b, factor, x, y))
@@ -256,9 +255,9 @@ impl<P: GpuShape> Shapes<P> {
     ///
     /// # Errors
     ///
-    /// [`GpuError::Input`] for another number of shapes or one that is not valid (the old ones are
+    /// The input's for another number of shapes or one that is not valid (the old ones are
     /// then as they were), or what the device says.
-    pub fn update(&mut self, shapes: &[P]) -> Result<(), GpuError> {
+    pub fn update(&mut self, shapes: &[P]) -> Result<(), Error> {
         on!(own = &mut self.0;
         {
             expect(Argument::Shape, own.len(), shapes.len())?;
@@ -273,9 +272,9 @@ impl<P: GpuShape> Shapes<P> {
     ///
     /// # Errors
     ///
-    /// [`GpuError::ForeignBuffer`], [`GpuError::Input`] for results about a list of another length,
+    /// [`GpuFault::ForeignBuffer`](crate::GpuFault::ForeignBuffer), The input's for results about a list of another length,
     /// or what the device says.
-    pub fn pick(&self, bests: &Bests) -> Result<Shapes<P>, GpuError> {
+    pub fn pick(&self, bests: &Bests) -> Result<Shapes<P>, Error> {
         on!(own = &self.0, bests = &bests.0;
         {
             expect(Argument::Shape, bests.1, own.len())?;

@@ -1,13 +1,14 @@
 //! Rings that stay between calls.
 use super::{RingBars, RingValues, Side};
+use crate::Error;
 use crate::Vec2;
 use crate::error::Argument;
+use crate::kernels::Backend;
 use crate::kernels::cpu::check_ragged;
 use crate::kernels::cpu::checked::expect;
 use crate::kernels::gpu::{self, GpuRing};
 use crate::kernels::on_cpu;
 use crate::kernels::op::RingOp;
-use crate::kernels::{Backend, GpuError};
 
 /// Vertices, and where each ring begins among them.
 type Held = (Vec<Vec2<f32>>, Vec<usize>);
@@ -22,12 +23,8 @@ impl Backend<'_> {
     ///
     /// # Errors
     ///
-    /// [`GpuError::Input`] as [`Cpu::ragged`](crate::kernels::Cpu::ragged), or what the device says.
-    pub fn upload_rings(
-        self,
-        vertices: &[Vec2<f32>],
-        offsets: &[usize],
-    ) -> Result<Rings, GpuError> {
+    /// The input's as [`Cpu::ragged`](crate::kernels::Cpu::ragged), or what the device says.
+    pub fn upload_rings(self, vertices: &[Vec2<f32>], offsets: &[usize]) -> Result<Rings, Error> {
         Ok(Rings(match self {
             Backend::Cpu => {
                 check_ragged(vertices, offsets)?;
@@ -47,7 +44,7 @@ impl Rings {
     /// # Errors
     ///
     /// What the device says.
-    pub fn ragged<O: GpuRing>(&self) -> Result<RingValues<<O as RingOp>::Out<f32>>, GpuError> {
+    pub fn ragged<O: GpuRing>(&self) -> Result<RingValues<<O as RingOp>::Out<f32>>, Error> {
         on!(own = &self.0;
             Ok(RingValues(Side::Cpu(on_cpu::ragged::<O>(&own.0, &own.1)?)));
             Ok(RingValues(Side::Gpu(own.gpu().ragged::<O>(own)?))))
@@ -57,12 +54,12 @@ impl Rings {
     ///
     /// # Errors
     ///
-    /// [`GpuError::Input`] for an upstream of another length or one that is not finite, or what the
+    /// The input's for an upstream of another length or one that is not finite, or what the
     /// device says.
     pub fn ragged_vjp<O: GpuRing>(
         &self,
         upstream: &[<O as RingOp>::Out<f32>],
-    ) -> Result<RingBars, GpuError> {
+    ) -> Result<RingBars, Error> {
         on!(own = &self.0;
             Ok(RingBars(Side::Cpu(on_cpu::ragged_vjp::<O>(&own.0, &own.1, upstream)?)));
             Ok(RingBars(Side::Gpu(own.gpu().ragged_vjp::<O>(own, upstream)?))))
@@ -72,9 +69,9 @@ impl Rings {
     ///
     /// # Errors
     ///
-    /// [`GpuError::Input`] for another number of vertices or one that is not finite (the old ones
+    /// The input's for another number of vertices or one that is not finite (the old ones
     /// are then as they were), or what the device says.
-    pub fn update(&mut self, vertices: &[Vec2<f32>]) -> Result<(), GpuError> {
+    pub fn update(&mut self, vertices: &[Vec2<f32>]) -> Result<(), Error> {
         on!(own = &mut self.0;
         {
             expect(Argument::Vertices, own.0.len(), vertices.len())?;

@@ -17,8 +17,8 @@
 //! | [`segments::closest_points_of_segments`] | points and parameters of two segments |
 //! | [`ring`] | distances of a point from polylines and polygons of any kind, edge by edge |
 //!
-//! The signed distance is positive outside. (The seed library's sign is the opposite, positive
-//! inside: [`clearance`].)
+//! The signed distance is positive outside. (DGAL's sign is the opposite, positive inside:
+//! [`clearance`].)
 //!
 //! # Slopes
 //!
@@ -35,6 +35,7 @@
 use crate::{Scalar, Vec2};
 
 pub mod convex;
+pub mod cores;
 pub mod edge;
 pub(crate) mod relation;
 pub mod ring;
@@ -99,7 +100,7 @@ pub fn signed_distance<S: Scalar, A: Convex<S>, B: Convex<S>>(a: A, b: B) -> S {
     endless_or::<S>(found.endless, apart).canonical()
 }
 
-/// The signed distance with the seed library's sign: positive where shapes overlap, as a clearance
+/// The signed distance with DGAL's sign: positive where shapes overlap, as a clearance
 /// of something that is to stay inside.
 ///
 /// ```

@@ -1,5 +1,6 @@
 //! Every shape as an inflated core.
-use super::convex::{BoxCore, Convex, EdgeCore, PointCore, PolygonCore, Upright};
+use super::convex::Convex;
+use super::cores::{BoxCore, EdgeCore, PointCore, PolygonCore, Upright};
 use crate::{
     Aabb2, Capsule2, Circle, Line2, Obb2, Ray2, Rotation2, Scalar, Segment2, Triangle2, Vec2,
 };

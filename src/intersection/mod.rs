@@ -5,7 +5,7 @@
 //! | --- | --- |
 //! | [`crossing_of_lines`] | the point of two lines and its parameters |
 //! | [`meeting_of_segments`] | what two segments share: nothing, a point or a segment |
-//! | [`span()`] | the parameters at which a line enters and leaves a convex shape |
+//! | [`span`](span()) | the parameters at which a line enters and leaves a convex shape |
 //! | [`first_hit`] | where a ray first meets the border of a convex shape |
 //! | [`length_inside`] | how much of a segment lies in a convex shape |
 //! | [`length_inside_ring`] | how much of a segment lies in a polygon of any kind |

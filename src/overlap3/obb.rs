@@ -145,10 +145,9 @@ pub(super) fn shared_within<S: Scalar>(pair: &Relative3<S>) -> (Shared3<S>, S, S
 /// use geograd::{Vec3, overlap3::intersection_volume_obb3, shape::{Obb3, Rotation3}};
 /// let (origin, size) = (Vec3::new(0.0_f64, 0.0, 0.0), Vec3::new(1.0, 1.0, 1.0));
 /// let cube = Obb3::new(origin, size, Rotation3::identity());
-/// // A cube on its corner: a diagonal of it stands upright.
-/// let turned = Obb3::new(origin, size, Rotation3::new(5.0, 1.0, 1.0, 1.0));
-/// let volume = intersection_volume_obb3(cube, turned);
-/// assert!(volume > 0.8 && volume < 0.9);
+/// // Turned by a sixth of a turn about its diagonal: they share two pyramids over a hexagon.
+/// let turned = Obb3::new(origin, size, Rotation3::new(3.0, 1.0, 1.0, 1.0));
+/// assert!((intersection_volume_obb3(cube, turned) - 0.75).abs() < 1e-15);
 /// assert_eq!(intersection_volume_obb3(cube, cube), 1.0);
 /// ```
 #[must_use]

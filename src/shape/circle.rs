@@ -88,7 +88,7 @@ impl<S: Scalar> Circle<S> {
 /// `d = 2 b × c`, it is `a + ((|b|² c − |c|² b) turned back by a quarter) / d`.
 ///
 /// ```
-/// use geograd::{Vec2, shape::circle::circumcircle};
+/// use geograd::{Vec2, shape::circumcircle};
 /// let round = circumcircle(Vec2::new(4.0, 0.0), Vec2::new(0.0, 2.0), Vec2::new(0.0, 0.0));
 /// assert_eq!((round.center, round.radius), (Vec2::new(2.0, 1.0), 5.0_f64.sqrt()));
 /// let flat = circumcircle(Vec2::new(0.0, 0.0), Vec2::new(1.0, 0.0), Vec2::new(6.0, 0.0));

@@ -81,7 +81,7 @@ impl<S: Scalar> Line2<S> {
     /// `[a, b, c]` with `a x + b y + c = 0` on the line and positive on its left;
     /// `√(a² + b²)` is the length of the direction.
     ///
-    /// The seed library's coefficients of the line through two points are these, negated.
+    /// The coefficients that DGAL gives for the line through two points are these, negated.
     /// `c` loses digits far from the origin: geometry here never uses it.
     #[must_use]
     #[inline]
@@ -111,7 +111,7 @@ impl<S: Scalar> Line2<S> {
         (self.point + unit * (point - self.point).dot(unit)).canonical()
     }
     /// The signed distance of a point, in the unit of length: positive on the left of the direction,
-    /// negative on the right. Smooth, also on the line. (The seed library's sign is the opposite.)
+    /// negative on the right. Smooth, also on the line. (DGAL's sign is the opposite.)
     ///
     /// ```
     /// use geograd::{Line2, Vec2};

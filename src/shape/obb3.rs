@@ -7,7 +7,7 @@ use crate::{Scalar, Shape, Vec3};
 ///
 /// ```
 /// use geograd::{Vec3, shape::{Obb3, Rotation3}};
-/// let tilted = Rotation3::from_axis_angle(Vec3::new(1.0, 0.0, 0.0), 0.2);
+/// let tilted = Rotation3::from_axis_angle(Vec3::new(1.0, 0.0, 0.0), 0.2_f64);
 /// let a = Obb3::new(Vec3::new(0.0, 0.0, 0.0), Vec3::new(4.0, 2.0, 1.0), tilted);
 /// assert_eq!(a.volume(), 8.0);
 /// assert!(a.contains(tilted * Vec3::new(1.9, 0.9, 0.4)));

@@ -202,7 +202,7 @@ impl<S: Scalar, const N: usize> ConvexPolygon<S, N> {
 /// The edges of a ring, each from its start to its end; the last one leads back to the first vertex.
 ///
 /// ```
-/// use geograd::{Vec2, shape::polygon::edges};
+/// use geograd::{Vec2, shape::edges};
 /// let ring = [Vec2::new(0.0, 0.0), Vec2::new(4.0, 0.0), Vec2::new(0.0, 3.0)];
 /// assert_eq!(edges(&ring).map(|[a, b]| a.distance(b)).sum::<f64>(), 12.0);
 /// ```

@@ -8,9 +8,9 @@ use crate::{Obb2, Scalar, Shape, Vec2, Vec3};
 ///
 /// ```
 /// use geograd::{Vec3, shape::YawBox3};
-/// let car = YawBox3::new(Vec3::new(10.0, 2.0, 0.8), Vec3::new(4.0, 2.0, 1.6), 0.3);
+/// let car = YawBox3::new(Vec3::new(10.0, 2.0, 0.8), Vec3::new(4.0, 2.0, 1.6), 0.3_f64);
 /// assert!(car.contains(Vec3::new(10.0, 2.0, 1.6)));
-/// assert_eq!(car.volume(), 12.8);
+/// assert!((car.volume() - 12.8).abs() < 1e-14);
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq, Shape)]
 #[shape(except(Sample))]

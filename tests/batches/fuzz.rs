@@ -55,7 +55,7 @@ impl<const FAULT: usize> Op for Faulty<FAULT> {
         let (value, (mut a_bar, b_bar)) = IouObb2::adjoint((a, b), out_bar)?;
         if FAULT == NO_NUMBER {
             let long = a.size.x.above(S::lit(2e4)) & value.above(S::zero());
-            let nothing = a.size.x - a.size.x;
+            let nothing = a.size.x * S::zero();
             a_bar.heading = S::select(long, nothing.over(nothing), a_bar.heading);
         }
         Some((faulty::<S, FAULT>(a, b, value), (a_bar, b_bar)))

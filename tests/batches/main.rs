@@ -1,6 +1,7 @@
 //! What batches on the CPU promise.
 mod bits;
 mod calls;
+mod fold;
 mod fuzz;
 mod program;
 mod reduce;

@@ -184,7 +184,7 @@ fn rows<T: Real>(dice: &mut Dice, count: usize, fields: usize) -> Vec<T> {
                 _ => x,
             };
             T::lit(match i % fields {
-                0 if i / fields / 64 % 2 == 0 => x.abs(),
+                0 if (i / fields / 64).is_multiple_of(2) => x.abs(),
                 0 => -x.abs(),
                 _ => x,
             })

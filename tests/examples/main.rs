@@ -4,6 +4,7 @@ use std::process::{Command, Output};
 
 #[path = "../../examples/refine_detections/assign.rs"]
 mod assign;
+mod custom_shape;
 
 /// The program of an example. `cargo test` of the whole workspace builds it before it runs a test; a
 /// test builds nothing.
@@ -218,12 +219,17 @@ fn wrong_command_lines() {
         ("refine_detections", "--min-score nan"),
         ("refine_detections", "--detections a.txt"),
         ("refine_detections", "--labels a.txt"),
+        ("custom_shape", "--frobnicate"),
+        ("custom_shape", "--count"),
+        ("custom_shape", "--count many"),
+        ("custom_shape", "--svg"),
+        ("custom_shape", "--prove --wgsl"),
     ] {
         let done = run(name, &at, arguments);
         assert_eq!(status(&done), 2, "{name} {arguments}");
         assert!(stderr(&done).starts_with(name), "{}", stderr(&done));
     }
-    for name in ["iou_csv", "refine_detections"] {
+    for name in ["iou_csv", "refine_detections", "custom_shape"] {
         let done = run(name, &at, "--help");
         assert_eq!(status(&done), 0);
         assert!(stdout(&done).contains("Usage"));

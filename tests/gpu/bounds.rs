@@ -1,5 +1,5 @@
 //! How far results of a GPU may lie from those of the CPU: derived, not tuned.
-use crate::shapes::{Draw, Draws, fields, shape_of};
+use crate::shapes::{Draw, Draws, fields};
 use geograd::kernels::gpu::GpuPair;
 use geograd::overlap::Denominator;
 use geograd::{Fixed, Pack};
@@ -45,7 +45,9 @@ pub fn close(x: f32, y: f32) -> bool {
 fn wide_slopes<O: GpuPair>(a: &[f64], b: &[f64]) -> Vec<f64> {
     let pair = O::In::<f64>::load(&[a, b].concat());
     let one = O::Out::<f64>::filled(1.0);
-    O::adjoint(pair, one).map_or(Vec::new(), |(_, bars)| bars.scalars())
+    O::adjoint::<f64>(pair, one).map_or(Vec::new(), |found: (O::Out<f64>, O::In<f64>)| {
+        found.1.scalars()
+    })
 }
 
 /// How far each slope may lie from the CPU's: both are the exact slopes of inputs moved by at most

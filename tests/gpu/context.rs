@@ -3,7 +3,8 @@ use crate::gpu;
 use crate::shapes::{Draw, bits};
 use geograd::Obb2;
 use geograd::kernels::gpu::{Gpu, Options};
-use geograd::kernels::{GpuError, overlap};
+use geograd::kernels::ops::overlap;
+use geograd::{Error, GpuFault};
 
 #[test]
 fn downloads_can_be_awaited() {
@@ -44,5 +45,8 @@ fn adapters_are_chosen_by_name() {
     options.adapter = Choice::Index(gpu.adapter().index);
     assert_eq!(Gpu::with(&options).unwrap().adapter(), gpu.adapter());
     options.adapter = Choice::Name("no such GPU".to_owned());
-    assert_eq!(Gpu::with(&options).unwrap_err(), GpuError::NoSuchAdapter);
+    assert_eq!(
+        Gpu::with(&options).unwrap_err(),
+        Error::Gpu(GpuFault::NoSuchAdapter)
+    );
 }

@@ -1,9 +1,11 @@
 //! Bad input and faults: typed errors, after which everything else still works.
 use crate::gpu;
 use crate::shapes::{Draw, fields};
+use geograd::GpuFault;
 use geograd::error::{Argument, Field};
+use geograd::kernels::Backend;
 use geograd::kernels::gpu::{Gpu, GpuPair};
-use geograd::kernels::{Backend, GpuError, overlap, ring};
+use geograd::kernels::ops::{overlap, ring};
 use geograd::{Aabb2, Error, Flaw, Obb2, Vec2};
 use geograd_tests::calls;
 
@@ -14,12 +16,10 @@ where
     let Some((_turn, gpu)) = gpu() else { return };
     let (bad, flaw) = O::Shape::flawed();
     let good = O::Shape::hard()[0];
-    let invalid = |argument| {
-        GpuError::Input(Error::Invalid {
-            argument,
-            row: 1,
-            flaw,
-        })
+    let invalid = |argument| Error::Invalid {
+        argument,
+        row: 1,
+        flaw,
     };
     assert_eq!(
         gpu.upload(&[good, bad]).unwrap_err(),
@@ -32,12 +32,10 @@ where
     assert_eq!(refused.unwrap_err(), invalid(Argument::A));
     let on = gpu.upload(&[good, good]).unwrap();
     let one = gpu.upload(&[good]).unwrap();
-    let length = |argument, expected, found| {
-        GpuError::Input(Error::Length {
-            argument,
-            expected,
-            found,
-        })
+    let length = |argument, expected, found| Error::Length {
+        argument,
+        expected,
+        found,
     };
     let refused = gpu.aligned::<O>(&on, &one).unwrap_err();
     assert_eq!(refused, length(Argument::B, 2, 1));
@@ -62,7 +60,7 @@ where
     assert_eq!(backend.aligned_grad::<O>(none, none).unwrap().0, []);
     assert_eq!(backend.all_pairs::<O>(none, one).unwrap(), []);
     assert_eq!(backend.all_pairs::<O>(one, none).unwrap(), []);
-    assert_eq!(backend.all_pairs_grad::<O>(one, none).unwrap().planes, []);
+    assert_eq!(backend.all_pairs_grad::<O>(one, none).unwrap().planes(), []);
     let (a_bars, b_bars) = backend.all_pairs_vjp::<O>(one, none, &[]).unwrap();
     assert_eq!((a_bars.len(), b_bars.len()), (1, 0));
     assert!(fields(a_bars[0]).iter().all(|&slope| slope == 0.0));
@@ -111,18 +109,27 @@ fn a_lost_device_is_an_error() {
     let pending = values.start_download().unwrap();
     // A handle of one context is nothing to another.
     let foreign = other.aligned::<overlap::IouObb2>(&on, &on);
-    assert_eq!(foreign.unwrap_err(), GpuError::ForeignBuffer);
+    assert_eq!(foreign.unwrap_err(), Error::Gpu(GpuFault::ForeignBuffer));
     gpu.destroy();
-    assert_eq!(pending.wait().unwrap_err(), GpuError::DeviceLost);
-    assert_eq!(values.download().unwrap_err(), GpuError::DeviceLost);
-    assert_eq!(gpu.upload(&boxes).unwrap_err(), GpuError::DeviceLost);
-    assert_eq!(gpu.wait().unwrap_err(), GpuError::DeviceLost);
+    assert_eq!(
+        pending.wait().unwrap_err(),
+        Error::Gpu(GpuFault::DeviceLost)
+    );
+    assert_eq!(
+        values.download().unwrap_err(),
+        Error::Gpu(GpuFault::DeviceLost)
+    );
+    assert_eq!(
+        gpu.upload(&boxes).unwrap_err(),
+        Error::Gpu(GpuFault::DeviceLost)
+    );
+    assert_eq!(gpu.wait().unwrap_err(), Error::Gpu(GpuFault::DeviceLost));
     let lost = gpu.all_pairs::<overlap::IouObb2>(&on, &on);
-    assert_eq!(lost.unwrap_err(), GpuError::DeviceLost);
+    assert_eq!(lost.unwrap_err(), Error::Gpu(GpuFault::DeviceLost));
 }
 
 /// What every call of the front comes to.
-fn every_call(backend: Backend<'_>) -> Vec<Result<(), GpuError>> {
+fn every_call(backend: Backend<'_>) -> Vec<Result<(), Error>> {
     type O = overlap::IouObb2;
     type R = ring::Centroid;
     let boxes = Obb2::<f32>::hard();
@@ -174,11 +181,17 @@ fn a_lost_device_is_an_error_of_every_call_of_the_front() {
     let matrix = on.all_pairs::<overlap::IouObb2>(&on).unwrap();
     gpu.destroy();
     for (call, found) in every_call(backend).into_iter().enumerate() {
-        assert_eq!(found, Err(GpuError::DeviceLost), "call {call}");
+        assert_eq!(found, Err(Error::Gpu(GpuFault::DeviceLost)), "call {call}");
     }
-    assert_eq!(on.update(&boxes), Err(GpuError::DeviceLost));
-    assert_eq!(matrix.row_max().unwrap_err(), GpuError::DeviceLost);
-    assert_eq!(matrix.download().unwrap_err(), GpuError::DeviceLost);
+    assert_eq!(on.update(&boxes), Err(Error::Gpu(GpuFault::DeviceLost)));
+    assert_eq!(
+        matrix.row_max().unwrap_err(),
+        Error::Gpu(GpuFault::DeviceLost)
+    );
+    assert_eq!(
+        matrix.download().unwrap_err(),
+        Error::Gpu(GpuFault::DeviceLost)
+    );
     // A new context is as good as the old one was.
     let gpu = Gpu::new().unwrap();
     assert!(every_call(Backend::Gpu(&gpu)).iter().all(Result::is_ok));
@@ -206,7 +219,7 @@ fn a_device_lost_in_the_middle_of_work_is_an_error() {
             std::thread::sleep(std::time::Duration::from_millis(pause));
             gpu.destroy();
             for worker in workers {
-                assert_eq!(worker.join().unwrap(), GpuError::DeviceLost);
+                assert_eq!(worker.join().unwrap(), Error::Gpu(GpuFault::DeviceLost));
             }
         });
     }
@@ -220,7 +233,7 @@ fn a_ring_beyond_every_buffer_is_an_error() {
     let most = gpu.most_bytes() as usize / 8;
     let corners = vec![Vec2::new(1.0, 2.0); most + 1];
     let refused = backend.ragged::<ring::Centroid>(&corners, &[0, most + 1]);
-    assert_eq!(refused.unwrap_err(), GpuError::TooLarge);
+    assert_eq!(refused.unwrap_err(), Error::Gpu(GpuFault::TooLarge));
     let found = backend.ragged::<ring::Centroid>(&corners, &[0, most, most + 1]);
     assert_eq!(found.unwrap(), [corners[0]; 2]);
 }
@@ -273,7 +286,7 @@ fn starve(gpu: &Gpu) {
         }
     };
     eprintln!("starved after {}", held.len());
-    assert_eq!(error, GpuError::OutOfMemory);
+    assert_eq!(error, Error::Gpu(GpuFault::OutOfMemory));
     // What was there before is as it was, with the memory still full and after it was given back.
     let again = || {
         gpu.aligned::<overlap::IouObb2>(&on, &on)
@@ -295,7 +308,7 @@ fn too_much_is_an_error() {
     let Some((_turn, gpu)) = gpu() else { return };
     // More than any address space: refused before anything is asked of the device.
     let refused = gpu.upload_matrix(usize::MAX, 2, &[]);
-    assert_eq!(refused.unwrap_err(), GpuError::Input(Error::TooLarge));
+    assert_eq!(refused.unwrap_err(), Error::TooLarge);
 }
 
 #[test]

@@ -3,8 +3,10 @@ use crate::bounds::{EPSILON, ROUNDINGS, close, slope_bounds, value_bound};
 use crate::shapes::{Draw, Draws, bits, fields, pairs, shape_of};
 use crate::{gpu, small};
 
+use geograd::kernels::Backend;
 use geograd::kernels::gpu::{Gpu, GpuPair, Options};
-use geograd::kernels::{overlap, reduce};
+use geograd::kernels::ops::overlap;
+use geograd::kernels::{Table, reduce};
 use geograd::{Aabb2, Fixed, Obb2, Pack};
 use geograd_tests::calls;
 
@@ -15,7 +17,7 @@ where
     let Some((_turn, gpu)) = gpu() else { return };
     let (a, b) = pairs::<O::Shape>(300);
     let (on_a, on_b) = (gpu.upload(&a).unwrap(), gpu.upload(&b).unwrap());
-    let expected = calls::aligned_grad::<O, f32>(&a, &b).unwrap();
+    let expected = Backend::Cpu.aligned_grad::<O>(&a, &b).unwrap();
     let values = gpu.aligned::<O>(&on_a, &on_b).unwrap().download().unwrap();
     let (same, a_bars, b_bars) = gpu.aligned_grad::<O>(&on_a, &on_b).unwrap();
     let (same, a_bars, b_bars) = (
@@ -76,7 +78,7 @@ where
     let (on_a, on_b) = (gpu.upload(&a).unwrap(), gpu.upload(&b).unwrap());
     let matrix = gpu.all_pairs::<O>(&on_a, &on_b).unwrap();
     let values = matrix.download().unwrap();
-    let expected = calls::all_pairs::<O, f32>(&a, &b).unwrap();
+    let expected = Backend::Cpu.all_pairs::<O>(&a, &b).unwrap();
     assert_eq!(values.len(), expected.len());
     for (at, (&found, &value)) in values.iter().zip(&expected).enumerate() {
         let bound = value_bound::<O>(a[at / columns], b[at % columns], f64::from(value));
@@ -120,15 +122,14 @@ where
     };
     for i in 0..rows {
         let term = |k: usize, j: usize| {
-            f64::from(upstream[i * columns + j])
-                * f64::from(grads.planes[(k * rows + i) * columns + j])
+            f64::from(upstream[i * columns + j]) * f64::from(grads.plane(1 + k)[i * columns + j])
         };
         check(fields(a_bars[i]), &term, columns);
     }
     for j in 0..columns {
         let term = |k: usize, i: usize| {
             f64::from(upstream[i * columns + j])
-                * f64::from(grads.planes[((len + k) * rows + i) * columns + j])
+                * f64::from(grads.plane(1 + len + k)[i * columns + j])
         };
         check(fields(b_bars[j]), &term, rows);
     }
@@ -202,18 +203,21 @@ where
 }
 
 /// The fused sum and its slopes against the sums of the slopes of every pair.
-fn losses_agree<O: GpuPair>(gpu: &Gpu, a: &[O::Shape], b: &[O::Shape], grads: &PairGrads<O, f32>)
-where
+fn losses_agree<O: GpuPair>(
+    gpu: &Gpu,
+    a: &[O::Shape],
+    b: &[O::Shape],
+    grads: &Table<(f32, (O::Shape, O::Shape))>,
+) where
     O::Shape: Draw,
 {
     let (rows, columns, len) = (a.len(), b.len(), O::Shape::LEN);
     let (on_a, on_b) = (gpu.upload(a).unwrap(), gpu.upload(b).unwrap());
     let (sum, a_bar, b_bar) = gpu.sum_grad::<O>(&on_a, &on_b).unwrap();
-    let exact: f64 = grads.values.iter().map(|&x| f64::from(x)).sum();
+    let exact: f64 = grads.values().iter().map(|&x| f64::from(x)).sum();
     let bound = |n: usize| (n as f64 + ROUNDINGS) * EPSILON;
     assert!((sum - exact).abs() <= bound(256) * exact);
-    let plane =
-        |k: usize, i: usize, j: usize| f64::from(grads.planes[(k * rows + i) * columns + j]);
+    let plane = |k: usize, i: usize, j: usize| f64::from(grads.plane(1 + k)[i * columns + j]);
     let check = |found: f64, terms: &mut dyn Iterator<Item = f64>, n: usize| {
         let (exact, size) = terms.fold((0.0, 0.0), |(x, y), term| (x + term, y + term.abs()));
         assert!(
@@ -347,8 +351,8 @@ fn extremes_agree<O: GpuPair<Shape = Obb2<f32>>>(gpu: &Gpu) {
         .unwrap()
         .download()
         .unwrap();
-    let expected = calls::all_pairs_grad::<O, f32>(&boxes, &boxes).unwrap();
-    for (at, (found, expected)) in found.planes.iter().zip(&expected.planes).enumerate() {
+    let expected = Backend::Cpu.all_pairs_grad::<O>(&boxes, &boxes).unwrap();
+    for (at, (found, expected)) in found.planes().iter().zip(expected.planes()).enumerate() {
         let (i, j) = (at / boxes.len() % boxes.len(), at % boxes.len());
         assert!(
             found.is_finite() || !expected.is_finite(),
@@ -358,7 +362,7 @@ fn extremes_agree<O: GpuPair<Shape = Obb2<f32>>>(gpu: &Gpu) {
             boxes[j]
         );
     }
-    for (found, expected) in found.values.iter().zip(expected.values) {
+    for (found, expected) in found.values().iter().zip(expected.values()) {
         assert!(
             (found - expected).abs() <= 1e-5 * expected.max(1.0),
             "{}: {found} for {expected}",

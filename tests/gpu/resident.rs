@@ -2,13 +2,14 @@
 use crate::bounds::{close, value_bound};
 use crate::gpu;
 use crate::shapes::{Draw, Draws, bits, fields};
+use geograd::GpuFault;
 use geograd::error::{Argument, Field};
+use geograd::kernels::Backend;
 use geograd::kernels::gpu::GpuPair;
+use geograd::kernels::ops::overlap;
 use geograd::kernels::reduce::{Best, Found};
 use geograd::kernels::resident::{Bars, Shapes};
-use geograd::kernels::{Backend, GpuError, overlap};
 use geograd::{Aabb2, Error, Flaw, Obb2};
-use geograd_tests::calls;
 
 /// What a chain of calls comes to.
 struct Outcome<P> {
@@ -28,7 +29,7 @@ fn chain<O: GpuPair>(
     backend: Backend<'_>,
     a: &[O::Shape],
     b: &[O::Shape],
-) -> Result<Outcome<O::Shape>, GpuError> {
+) -> Result<Outcome<O::Shape>, Error> {
     let (on_a, on_b) = (backend.upload(a)?, backend.upload(b)?);
     let same = backend.upload(&b[..a.len()])?;
     let (values, a_bar, b_bar) = on_a.aligned_grad::<O>(&same)?;
@@ -55,7 +56,7 @@ fn chain<O: GpuPair>(
             sum_b.download()?,
         ],
         matrix: matrix.download()?,
-        planes: grads.download()?.planes,
+        planes: grads.download()?.into_planes(),
         bests: [
             best.download()?,
             on_a.column_max::<O>(&on_b)?.download()?,
@@ -145,7 +146,7 @@ where
 }
 
 /// A thousand steps of gradient ascent, of a few boxes, in buffers that are made once.
-fn climb(backend: Backend<'_>, steps: usize) -> Result<Vec<f32>, GpuError> {
+fn climb(backend: Backend<'_>, steps: usize) -> Result<Vec<f32>, Error> {
     let truths: Vec<_> = (0..80)
         .map(|i| Obb2::new(i as f32, 0.0, 4.0, 2.0, 0.1))
         .collect();
@@ -270,17 +271,17 @@ fn updates_are_checked_and_change_nothing_when_refused() {
     let bad = Aabb2::new(0.0, 0.0, f32::NAN, 2.0);
     for backend in [Backend::Cpu, Backend::Gpu(gpu)] {
         let mut a = backend.upload(&[good, good]).unwrap();
-        let expected = GpuError::Input(Error::Invalid {
+        let expected = Error::Invalid {
             argument: Argument::Shape,
             row: 1,
             flaw: Flaw::NotFinite(Field::new("max.x")),
-        });
+        };
         assert_eq!(a.update(&[good, bad]).unwrap_err(), expected);
-        let expected = GpuError::Input(Error::Length {
+        let expected = Error::Length {
             argument: Argument::Shape,
             expected: 2,
             found: 1,
-        });
+        };
         assert_eq!(a.update(&[good]).unwrap_err(), expected);
         assert_eq!(a.aligned::<O>(&a).unwrap().download().unwrap(), [1.0, 1.0]);
         let one = backend.upload(&[good]).unwrap();
@@ -291,11 +292,11 @@ fn updates_are_checked_and_change_nothing_when_refused() {
         assert_eq!(refused.unwrap(), ());
         let mut values = a.aligned::<O>(&a).unwrap();
         let refused = a.aligned_grad_into::<O>(&a, &mut values, &mut x, &mut y);
-        let expected = GpuError::Input(Error::Length {
+        let expected = Error::Length {
             argument: Argument::GradA,
             expected: 2,
             found: 1,
-        });
+        };
         assert_eq!(refused.unwrap_err(), expected);
         // Results about a list of another length pick nothing.
         let best = one.row_max::<O>(&a).unwrap();
@@ -307,11 +308,11 @@ fn updates_are_checked_and_change_nothing_when_refused() {
     let on_gpu = Backend::Gpu(gpu).upload(&[good]).unwrap();
     assert_eq!(
         on_cpu.aligned::<O>(&on_gpu).unwrap_err(),
-        GpuError::ForeignBuffer
+        Error::Gpu(GpuFault::ForeignBuffer)
     );
     assert_eq!(
         on_gpu.aligned::<O>(&on_cpu).unwrap_err(),
-        GpuError::ForeignBuffer
+        Error::Gpu(GpuFault::ForeignBuffer)
     );
 }
 
@@ -326,7 +327,7 @@ fn an_update_to_extremes_is_noticed() {
     let clone = a.clone();
     for shape in [huge, tiny] {
         a.update(&[shape]).unwrap();
-        let expected = calls::sum::<O, f32>(&[shape], &[shape]).unwrap();
+        let expected = Backend::Cpu.sum::<O>(&[shape], &[shape]).unwrap();
         for a in [&a, &clone] {
             let found = gpu.aligned::<O>(a, a).unwrap().download().unwrap();
             assert!((f64::from(found[0]) - expected).abs() <= 1e-5 * expected);

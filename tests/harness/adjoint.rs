@@ -53,6 +53,32 @@ macro_rules! prove_all {
 }
 geograd::for_each_op!(prove_all);
 
+#[test]
+fn folds() {
+    use geograd::kernels::check::prove_fold_with;
+    use geograd::kernels::{SecondMomentsOfRing, SignedDistancePointRing};
+    for report in [
+        prove_fold_with::<SignedDistancePointRing, f64>(&plan()),
+        prove_fold_with::<SignedDistancePointRing, f32>(&plan()),
+        prove_fold_with::<SecondMomentsOfRing, f64>(&plan()),
+        prove_fold_with::<SecondMomentsOfRing, f32>(&plan()),
+    ] {
+        assert!(report.passed(), "{report}");
+    }
+}
+
+#[test]
+fn searches() {
+    use geograd::kernels::DiameterOfPolygon;
+    use geograd::kernels::check::prove_decided_with;
+    for report in [
+        prove_decided_with::<DiameterOfPolygon<6>, f64>(&plan()),
+        prove_decided_with::<DiameterOfPolygon<6>, f32>(&plan()),
+    ] {
+        assert!(report.passed(), "{report}");
+    }
+}
+
 /// Inputs at which the harness once refused what is right.
 mod alarms {
     use super::*;

@@ -12,3 +12,4 @@ mod shrinking;
 mod stranger;
 mod strategy;
 mod witness;
+mod unrecorded;

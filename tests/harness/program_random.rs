@@ -1,4 +1,8 @@
 //! Random functions, recorded: bits, slopes, and zeros of either sign.
+#![expect(
+    clippy::needless_range_loop,
+    reason = "rows and columns are named by their numbers"
+)]
 use crate::program::{Draw, Function};
 use geograd::ad::program::{Plain, Program, Sym};
 use geograd::error::Field;

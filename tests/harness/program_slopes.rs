@@ -1,4 +1,8 @@
 //! Programs of slopes: against forward duals, at kinks and traps, in first and second order.
+#![expect(
+    clippy::needless_range_loop,
+    reason = "rows and columns are named by their numbers"
+)]
 use crate::program::{
     AreaAabb2, AreaObb2, Distance, Draw, Everything, FromCorners, Function, IofObb2, IouAabb2,
     IouObb2, Quadrilateral, functions,

@@ -7,7 +7,8 @@ use geograd::kernels::check::{OpSubject, prove_on, prove_ring_on};
 use geograd::kernels::gpu::Gpu;
 use geograd::kernels::op::Straight;
 use geograd::kernels::witness::{Answer, Batch};
-use geograd::kernels::{Backend, GpuError, IouObb2};
+use geograd::kernels::{Backend, IouObb2};
+use geograd::{Error, GpuFault};
 use geograd::{Obb2, Pack, ad};
 
 /// Every so many hard cases, and random inputs on top.
@@ -108,20 +109,20 @@ fn a_wrong_batch_is_refused() {
 fn an_error_of_the_backend_is_handed_on() {
     let unit: Obb2<f64> = Obb2::new(0.0, 0.0, 1.0, 1.0, 0.0);
     let input = (unit, unit);
-    let lost = |_: &[Vec<f32>]| Err(GpuError::DeviceLost);
+    let lost = |_: &[Vec<f32>]| Err(Error::Gpu(GpuFault::DeviceLost));
     let error = Batch::new(&lost, &[input.scalars()]).err();
-    assert_eq!(error, Some(GpuError::DeviceLost));
+    assert_eq!(error, Some(Error::Gpu(GpuFault::DeviceLost)));
     // Nothing was known beforehand.
     let late = |inputs: &[Vec<f32>]| {
         if inputs.is_empty() {
             Ok(Vec::new())
         } else {
-            Err(GpuError::DeviceLost)
+            Err(Error::Gpu(GpuFault::DeviceLost))
         }
     };
     let batch = Batch::new(&late, &[]).unwrap();
     assert!(batch.about(&input.scalars()).is_none());
-    assert_eq!(batch.error(), Some(GpuError::DeviceLost));
+    assert_eq!(batch.error(), Some(Error::Gpu(GpuFault::DeviceLost)));
 }
 
 #[test]

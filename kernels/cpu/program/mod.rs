@@ -1,6 +1,6 @@
 //! Recorded programs as makers of blocks: an interpreter.
 //!
-//! A program's graph becomes a tape of instructions (`lower.rs`), each of which computes one number of
+//! A program's graph becomes a tape of instructions (`lower`), each of which computes one number of
 //! every item of a block from others. Choosing an instruction costs about as much as a hundred items of it, so
 //! blocks are as long as the innermost cache allows. What the interpreter is compiled to depends on
 //! the format and the level of vector instructions only; results have the same bits at all of them.
@@ -13,7 +13,7 @@ mod skip;
 mod slots;
 pub(crate) mod split;
 
-pub(crate) use crate::Unrecordable;
+use crate::Unrecordable;
 use crate::ad::program::graph::{Graph, Id, Node};
 use crate::kernels::cpu::lane::{Lane, PLANE, Results, Tiles};
 use crate::kernels::cpu::plan::{Maker, Room};
@@ -24,12 +24,9 @@ pub(crate) use lower::Tape;
 use std::cell::Cell;
 use std::sync::atomic::{AtomicU64, Ordering};
 
-/// Bytes that the slots of a block may take: most of the innermost cache.
-const CACHE: usize = 40 << 10;
-
-/// Fewest and most lanes of a slot. With few the choice of instructions binds, and with more than the most
-/// nothing is gained.
-const WIDTHS: [usize; 2] = [16, 32];
+/// Bytes of a slot. With fewer the choice of instructions binds; with more the slots of a program leave the
+/// innermost cache.
+const SLOT: usize = 1 << 10;
 
 /// Numbers that tell whose a room is.
 const STAMP: usize = 4;
@@ -74,7 +71,7 @@ impl Interpreted {
             width: None,
         })
     }
-    /// The same with so many lanes per slot at most, a multiple of four.
+    /// The same with so many lanes per slot at most, an even number.
     pub(crate) fn with_width(mut self, width: usize) -> Self {
         self.width = Some(width.next_multiple_of(STRIP));
         self
@@ -89,10 +86,7 @@ impl Interpreted {
     }
     /// Lanes of a slot.
     fn width<T>(&self) -> usize {
-        let [least, most] = WIDTHS;
-        let fitting = CACHE / (self.tape.slots.max(1) * size_of::<Lane<T>>());
-        let width = self.width.unwrap_or(fitting.clamp(least, most));
-        width / STRIP * STRIP
+        self.width.unwrap_or(SLOT / size_of::<Lane<T>>())
     }
     /// A room's lanes, with the constants in their slots.
     fn furnish<'a, T: Real>(&self, room: &'a mut Room<T>, width: usize) -> &'a mut [Lane<T>] {

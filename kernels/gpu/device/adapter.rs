@@ -1,5 +1,5 @@
 //! Which GPU: choosing and describing adapters.
-use crate::kernels::GpuError;
+use crate::{Error, GpuFault};
 use std::fmt;
 
 /// Which adapter a context is for.
@@ -143,7 +143,7 @@ fn rank(adapter: &wgpu::Adapter) -> (u8, bool) {
 }
 
 /// The adapter asked for.
-pub(super) fn choose(choice: &Choice) -> Result<(wgpu::Adapter, Adapter), GpuError> {
+pub(super) fn choose(choice: &Choice) -> Result<(wgpu::Adapter, Adapter), Error> {
     let choice = match (choice, std::env::var("GEOGRAD_GPU")) {
         (Choice::Best, Ok(text)) => Choice::parse(&text),
         _ => choice.clone(),
@@ -160,8 +160,8 @@ pub(super) fn choose(choice: &Choice) -> Result<(wgpu::Adapter, Adapter), GpuErr
         Choice::Cpu => info.is_software,
     };
     let missing = match adapters.is_empty() {
-        true => GpuError::NoAdapter,
-        false => GpuError::NoSuchAdapter,
+        true => Error::Gpu(GpuFault::NoAdapter),
+        false => Error::Gpu(GpuFault::NoSuchAdapter),
     };
     adapters
         .into_iter()

@@ -4,8 +4,8 @@ use super::pairs::{BarsOf, ShapesOf, source_for};
 use super::source::{GpuPair, Kernel};
 use super::work::{Params, Work, groups};
 use super::{Bars, Gpu, Values};
+use crate::Error;
 use crate::error::Argument;
-use crate::kernels::GpuError;
 use crate::kernels::cpu::checked::expect;
 
 /// Results and slopes with respect to both lists.
@@ -16,13 +16,9 @@ impl Gpu {
     ///
     /// # Errors
     ///
-    /// [`GpuError::Input`] when the lists differ in length, [`GpuError::ForeignBuffer`], or what
+    /// The input's when the lists differ in length, [`GpuFault::ForeignBuffer`](crate::GpuFault::ForeignBuffer), or what
     /// the device says.
-    pub fn aligned<O: GpuPair>(
-        &self,
-        a: &ShapesOf<O>,
-        b: &ShapesOf<O>,
-    ) -> Result<Values, GpuError> {
+    pub fn aligned<O: GpuPair>(&self, a: &ShapesOf<O>, b: &ShapesOf<O>) -> Result<Values, Error> {
         self.aligned_lists(a, b)?;
         let mut values = self.inner.guarded(|| Ok(Values::room(self, a.len)))?;
         self.aligned_into::<O>(a, b, &mut values)?;
@@ -39,7 +35,7 @@ impl Gpu {
         a: &ShapesOf<O>,
         b: &ShapesOf<O>,
         values: &mut Values,
-    ) -> Result<(), GpuError> {
+    ) -> Result<(), Error> {
         self.aligned_lists(a, b)?;
         self.fits(&values.gpu, Argument::Values, a.len, values.len)?;
         self.run_aligned::<O>("aligned_main", a, b, &[(4, &values.pieces)])
@@ -54,7 +50,7 @@ impl Gpu {
         &self,
         a: &ShapesOf<O>,
         b: &ShapesOf<O>,
-    ) -> Result<AlignedBars<O>, GpuError> {
+    ) -> Result<AlignedBars<O>, Error> {
         self.aligned_lists(a, b)?;
         let (mut values, mut a_bar, mut b_bar) = self.inner.guarded(|| {
             let bars = || Bars::room(self, a.len);
@@ -76,7 +72,7 @@ impl Gpu {
         values: &mut Values,
         a_bar: &mut BarsOf<O>,
         b_bar: &mut BarsOf<O>,
-    ) -> Result<(), GpuError> {
+    ) -> Result<(), Error> {
         self.aligned_lists(a, b)?;
         self.fits(&values.gpu, Argument::Values, a.len, values.len)?;
         self.fit_bars::<O>(a, b, a_bar, b_bar)?;
@@ -98,7 +94,7 @@ impl Gpu {
         a: &ShapesOf<O>,
         b: &ShapesOf<O>,
         upstream: &Values,
-    ) -> Result<(BarsOf<O>, BarsOf<O>), GpuError> {
+    ) -> Result<(BarsOf<O>, BarsOf<O>), Error> {
         self.aligned_lists(a, b)?;
         let bars = || Ok((Bars::room(self, a.len), Bars::room(self, b.len)));
         let (mut a_bar, mut b_bar) = self.inner.guarded(bars)?;
@@ -118,7 +114,7 @@ impl Gpu {
         upstream: &Values,
         a_bar: &mut BarsOf<O>,
         b_bar: &mut BarsOf<O>,
-    ) -> Result<(), GpuError> {
+    ) -> Result<(), Error> {
         self.aligned_lists(a, b)?;
         self.fits(&upstream.gpu, Argument::Upstream, a.len, upstream.len)?;
         self.fit_bars::<O>(a, b, a_bar, b_bar)?;
@@ -131,7 +127,7 @@ impl Gpu {
     }
 
     /// Refuses lists of other contexts or different lengths.
-    fn aligned_lists<P>(&self, a: &super::Shapes<P>, b: &super::Shapes<P>) -> Result<(), GpuError> {
+    fn aligned_lists<P>(&self, a: &super::Shapes<P>, b: &super::Shapes<P>) -> Result<(), Error> {
         self.owns(&a.gpu)?;
         self.fits(&b.gpu, Argument::B, a.len, b.len)
     }
@@ -143,7 +139,7 @@ impl Gpu {
         argument: Argument,
         expected: usize,
         found: usize,
-    ) -> Result<(), GpuError> {
+    ) -> Result<(), Error> {
         self.owns(of)?;
         Ok(expect(argument, expected, found)?)
     }
@@ -155,7 +151,7 @@ impl Gpu {
         b: &ShapesOf<O>,
         a_bar: &BarsOf<O>,
         b_bar: &BarsOf<O>,
-    ) -> Result<(), GpuError> {
+    ) -> Result<(), Error> {
         self.fits(&a_bar.gpu, Argument::GradA, a.len, a_bar.len)?;
         self.fits(&b_bar.gpu, Argument::GradB, b.len, b_bar.len)
     }
@@ -167,7 +163,7 @@ impl Gpu {
         a: &ShapesOf<O>,
         b: &ShapesOf<O>,
         bound: &[(u32, &[Piece])],
-    ) -> Result<(), GpuError> {
+    ) -> Result<(), Error> {
         let inner = &self.inner;
         inner.guarded(|| {
             let source = source_for::<O>(Kernel::Aligned, a, b);

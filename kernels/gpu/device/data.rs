@@ -4,7 +4,6 @@ use super::source::{GpuShape, MOST_QUADS, TILE};
 use super::work::{Params, Work, groups};
 use super::{Gpu, Inner, Pending};
 use crate::error::{Argument, Error};
-use crate::kernels::GpuError;
 use crate::kernels::cpu::checked::{check_upstream, expect};
 use std::marker::PhantomData;
 use std::sync::Arc;
@@ -63,8 +62,8 @@ impl Gpu {
     ///
     /// # Errors
     ///
-    /// [`GpuError::Input`] for a shape that is not valid, or what the device says.
-    pub fn upload<P: GpuShape>(&self, shapes: &[P]) -> Result<Shapes<P>, GpuError> {
+    /// The input's for a shape that is not valid, or what the device says.
+    pub fn upload<P: GpuShape>(&self, shapes: &[P]) -> Result<Shapes<P>, Error> {
         self.upload_as(Argument::Shape, shapes)
     }
 
@@ -72,7 +71,7 @@ impl Gpu {
         &self,
         argument: Argument,
         shapes: &[P],
-    ) -> Result<Shapes<P>, GpuError> {
+    ) -> Result<Shapes<P>, Error> {
         let is_ordinary = checked(argument, shapes)?;
         self.inner.guarded(|| {
             let made = Shapes::room(self, shapes.len(), is_ordinary);
@@ -85,8 +84,8 @@ impl Gpu {
     ///
     /// # Errors
     ///
-    /// [`GpuError::Input`] for a number that is not finite, or what the device says.
-    pub fn upload_values(&self, values: &[f32]) -> Result<Values, GpuError> {
+    /// The input's for a number that is not finite, or what the device says.
+    pub fn upload_values(&self, values: &[f32]) -> Result<Values, Error> {
         check_upstream(values, 1)?;
         self.inner.guarded(|| {
             let made = Values::room(self, values.len());
@@ -147,9 +146,9 @@ impl<P: GpuShape> Shapes<P> {
     ///
     /// # Errors
     ///
-    /// [`GpuError::Input`] for another number of shapes or one that is not valid (the old ones are
+    /// The input's for another number of shapes or one that is not valid (the old ones are
     /// then as they were), or what the device says.
-    pub fn update(&mut self, shapes: &[P]) -> Result<(), GpuError> {
+    pub fn update(&mut self, shapes: &[P]) -> Result<(), Error> {
         expect(Argument::Shape, self.len, shapes.len())?;
         let is_ordinary = checked(Argument::Shape, shapes)?;
         self.gpu.inner.guarded(|| {
@@ -224,9 +223,9 @@ impl Values {
     ///
     /// # Errors
     ///
-    /// [`GpuError::Input`] for another number of them or one that is not finite, or what the device
+    /// The input's for another number of them or one that is not finite, or what the device
     /// says.
-    pub fn update(&mut self, values: &[f32]) -> Result<(), GpuError> {
+    pub fn update(&mut self, values: &[f32]) -> Result<(), Error> {
         expect(Argument::Upstream, self.len, values.len())?;
         check_upstream(values, 1)?;
         self.gpu.inner.guarded(|| {
@@ -240,7 +239,7 @@ impl Values {
     /// # Errors
     ///
     /// What the device says.
-    pub fn duplicate(&self) -> Result<Values, GpuError> {
+    pub fn duplicate(&self) -> Result<Values, Error> {
         self.gpu.inner.guarded(|| {
             let to = Values::room(&self.gpu, self.len);
             self.copy_to(&to)?;
@@ -252,15 +251,15 @@ impl Values {
     ///
     /// # Errors
     ///
-    /// [`GpuError::ForeignBuffer`], [`GpuError::Input`] for another number of them, or what the
+    /// [`GpuFault::ForeignBuffer`](crate::GpuFault::ForeignBuffer), The input's for another number of them, or what the
     /// device says.
-    pub fn duplicate_into(&self, to: &mut Values) -> Result<(), GpuError> {
+    pub fn duplicate_into(&self, to: &mut Values) -> Result<(), Error> {
         self.gpu.owns(&to.gpu)?;
         expect(Argument::Values, self.len, to.len)?;
         self.gpu.inner.guarded(|| self.copy_to(to))
     }
 
-    fn copy_to(&self, to: &Values) -> Result<(), GpuError> {
+    fn copy_to(&self, to: &Values) -> Result<(), Error> {
         let inner = &self.gpu.inner;
         let pipeline = inner.gather_pipeline("copy_main");
         let mut work = Work::new(inner);
@@ -279,8 +278,8 @@ impl Values {
     ///
     /// # Errors
     ///
-    /// [`GpuError::Input`] for a slice of another length, or what the device says.
-    pub fn download_into(&self, to: &mut [f32]) -> Result<(), GpuError> {
+    /// The input's for a slice of another length, or what the device says.
+    pub fn download_into(&self, to: &mut [f32]) -> Result<(), Error> {
         expect(Argument::Values, self.len, to.len())?;
         let inner = &self.gpu.inner;
         let mut rest = to.chunks_mut(inner.chunk);
@@ -298,7 +297,7 @@ impl Values {
     /// # Errors
     ///
     /// What the device says.
-    pub fn start_download(&self) -> Result<Pending<Vec<f32>>, GpuError> {
+    pub fn start_download(&self) -> Result<Pending<Vec<f32>>, Error> {
         let len = self.len;
         let parts = parts(&self.pieces, |n| n);
         let arrival = self.gpu.inner.bring(&self.gpu, &parts)?;
@@ -325,7 +324,7 @@ impl<P: GpuShape> Bars<P> {
     /// # Errors
     ///
     /// What the device says.
-    pub fn start_download(&self) -> Result<Pending<Vec<P>>, GpuError> {
+    pub fn start_download(&self) -> Result<Pending<Vec<P>>, Error> {
         let (len, chunk) = (self.len, self.gpu.inner.chunk);
         let arrival = self.bring()?;
         Ok(Pending::new(arrival, move |arrival| {
@@ -340,15 +339,15 @@ impl<P: GpuShape> Bars<P> {
     ///
     /// # Errors
     ///
-    /// [`GpuError::Input`] for a slice of another length, or what the device says.
-    pub fn download_into(&self, to: &mut [P]) -> Result<(), GpuError> {
+    /// The input's for a slice of another length, or what the device says.
+    pub fn download_into(&self, to: &mut [P]) -> Result<(), Error> {
         expect(Argument::Values, self.len, to.len())?;
         let mut rest = to.chunks_mut(self.gpu.inner.chunk);
         self.bring()?
             .finish(|_, numbers| untile(numbers, rest.next().unwrap_or_default()))
     }
 
-    fn bring(&self) -> Result<Arrival, GpuError> {
+    fn bring(&self) -> Result<Arrival, Error> {
         let whole = |n: usize| n.next_multiple_of(TILE) * P::LEN;
         let parts = parts(&self.pieces, whole);
         self.gpu.inner.bring(&self.gpu, &parts)

@@ -1,7 +1,7 @@
 //! How results come back: at once, later, or awaited.
 use super::data::Piece;
 use super::{Gpu, Inner};
-use crate::kernels::GpuError;
+use crate::{Error, GpuFault};
 use std::future::Future;
 use std::pin::Pin;
 use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
@@ -11,7 +11,7 @@ use std::time::Duration;
 
 impl Inner {
     /// Starts bringing numbers back.
-    pub fn bring(&self, gpu: &Gpu, parts: &[(&wgpu::Buffer, u64)]) -> Result<Arrival, GpuError> {
+    pub fn bring(&self, gpu: &Gpu, parts: &[(&wgpu::Buffer, u64)]) -> Result<Arrival, Error> {
         self.guarded(|| {
             let mut encoder = self.encoder();
             let mut staged = Vec::new();
@@ -78,7 +78,7 @@ impl State {
     ///
     /// Any thread that drives the device may be the one that is told of a mapped buffer, so the
     /// end of the submission is not the end of the wait.
-    pub fn wait(&self, inner: &Inner, submission: &wgpu::SubmissionIndex) -> Result<(), GpuError> {
+    pub fn wait(&self, inner: &Inner, submission: &wgpu::SubmissionIndex) -> Result<(), Error> {
         inner.wait(Some(submission.clone()))?;
         let mut waker = super::locked(&self.waker);
         while !self.is_ready() {
@@ -87,7 +87,7 @@ impl State {
             inner.alive()?;
         }
         if self.failed.load(Ordering::Acquire) {
-            return Err(GpuError::OutOfMemory);
+            return Err(Error::Gpu(GpuFault::OutOfMemory));
         }
         Ok(())
     }
@@ -108,25 +108,25 @@ pub(super) struct Arrival {
 
 impl Arrival {
     /// Waits, then hands each part over.
-    pub fn finish(self, each: impl FnMut(usize, &[u32])) -> Result<(), GpuError> {
+    pub fn finish(self, each: impl FnMut(usize, &[u32])) -> Result<(), Error> {
         self.wait()?;
         self.read(each)
     }
 
-    fn wait(&self) -> Result<(), GpuError> {
+    fn wait(&self) -> Result<(), Error> {
         self.state.wait(&self.gpu.inner, &self.submission)
     }
 
     /// Hands each part over, in order.
-    pub fn read(&self, mut each: impl FnMut(usize, &[u32])) -> Result<(), GpuError> {
+    pub fn read(&self, mut each: impl FnMut(usize, &[u32])) -> Result<(), Error> {
         self.gpu.inner.alive()?;
         if self.state.failed.load(Ordering::Acquire) {
-            return Err(GpuError::OutOfMemory);
+            return Err(Error::Gpu(GpuFault::OutOfMemory));
         }
         for (part, (staging, bytes)) in self.staged.iter().enumerate() {
             let view = staging
                 .get_mapped_range(..*bytes)
-                .map_err(|_| GpuError::DeviceLost)?;
+                .map_err(|_| Error::Gpu(GpuFault::DeviceLost))?;
             each(part, bytemuck::cast_slice(&view[..]));
         }
         Ok(())
@@ -134,7 +134,7 @@ impl Arrival {
 }
 
 /// Makes what was asked for out of what arrived.
-type Make<T> = dyn FnMut(&Arrival) -> Result<T, GpuError> + Send;
+type Make<T> = dyn FnMut(&Arrival) -> Result<T, Error> + Send;
 
 /// A download that was started: wait for it with [`wait`](Pending::wait), or await it.
 #[must_use = "nothing arrives unless waited for"]
@@ -154,7 +154,7 @@ impl<T> std::fmt::Debug for Pending<T> {
 impl<T> Pending<T> {
     pub(super) fn new(
         arrival: Arrival,
-        make: impl FnMut(&Arrival) -> Result<T, GpuError> + Send + 'static,
+        make: impl FnMut(&Arrival) -> Result<T, Error> + Send + 'static,
     ) -> Self {
         Pending {
             arrival,
@@ -166,13 +166,13 @@ impl<T> Pending<T> {
     ///
     /// # Errors
     ///
-    /// [`GpuError::DeviceLost`].
-    pub fn is_ready(&self) -> Result<bool, GpuError> {
+    /// [`GpuFault::DeviceLost`](crate::GpuFault::DeviceLost).
+    pub fn is_ready(&self) -> Result<bool, Error> {
         let inner = &self.arrival.gpu.inner;
         inner.alive()?;
         let polled = inner.device.poll(wgpu::PollType::Poll);
         inner.alive()?;
-        polled.map_err(|_| GpuError::DeviceLost)?;
+        polled.map_err(|_| Error::Gpu(GpuFault::DeviceLost))?;
         Ok(self.arrival.state.is_ready())
     }
 
@@ -180,15 +180,15 @@ impl<T> Pending<T> {
     ///
     /// # Errors
     ///
-    /// [`GpuError::DeviceLost`], or [`GpuError::OutOfMemory`] when they have no room.
-    pub fn wait(mut self) -> Result<T, GpuError> {
+    /// [`GpuFault::DeviceLost`](crate::GpuFault::DeviceLost), or [`GpuFault::OutOfMemory`](crate::GpuFault::OutOfMemory) when they have no room.
+    pub fn wait(mut self) -> Result<T, Error> {
         self.arrival.wait()?;
         (self.make)(&self.arrival)
     }
 }
 
 impl<T> Future for Pending<T> {
-    type Output = Result<T, GpuError>;
+    type Output = Result<T, Error>;
 
     fn poll(self: Pin<&mut Self>, context: &mut Context<'_>) -> Poll<Self::Output> {
         let this = self.get_mut();
@@ -234,7 +234,7 @@ macro_rules! download {
             /// # Errors
             ///
             /// What the device says.
-            pub fn download(&self) -> Result<$out, GpuError> {
+            pub fn download(&self) -> Result<$out, Error> {
                 self.start_download()?.wait()
             }
         }

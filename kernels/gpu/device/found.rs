@@ -5,7 +5,7 @@ use super::source::{GpuPair, Take};
 use super::table::Table;
 use super::work::{Params, Work};
 use super::{Gpu, Matrix, Pending};
-use crate::kernels::GpuError;
+use crate::Error;
 use crate::kernels::reduce::{Found, check_threshold};
 
 /// Pairs whose score is above a threshold, on the GPU.
@@ -36,7 +36,7 @@ impl Founds {
     /// # Errors
     ///
     /// What the device says.
-    pub fn start_download(&self) -> Result<Pending<Vec<Found>>, GpuError> {
+    pub fn start_download(&self) -> Result<Pending<Vec<Found>>, Error> {
         let (len, is_mixed) = (self.len(), self.is_mixed);
         let lists = self.lists.iter();
         let parts: Vec<_> = lists.map(|(list, n)| (list, BYTES * *n as u64)).collect();
@@ -68,7 +68,7 @@ const BYTES: u64 = 12;
 impl Table<'_> {
     /// Every pair above the threshold: counted first, then written to places that follow from the
     /// counts, so the order is the same every time.
-    fn above(mut self, threshold: f32) -> Result<Founds, GpuError> {
+    fn above(mut self, threshold: f32) -> Result<Founds, Error> {
         check_threshold(threshold)?;
         let (gpu, inner) = (self.gpu, &self.gpu.inner);
         let mut all = Founds {
@@ -127,14 +127,14 @@ impl Gpu {
     ///
     /// # Errors
     ///
-    /// [`GpuError::ForeignBuffer`], [`GpuError::Input`] for a threshold that is not a number, or
+    /// [`GpuFault::ForeignBuffer`](crate::GpuFault::ForeignBuffer), The input's for a threshold that is not a number, or
     /// what the device says.
     pub fn above<O: GpuPair>(
         &self,
         a: &ShapesOf<O>,
         b: &ShapesOf<O>,
         threshold: f32,
-    ) -> Result<Founds, GpuError> {
+    ) -> Result<Founds, Error> {
         Table::of_shapes::<O>(self, a, b, true)?.above(threshold)
     }
 }
@@ -144,8 +144,8 @@ impl Matrix {
     ///
     /// # Errors
     ///
-    /// [`GpuError::Input`] for a threshold that is not finite, or what the device says.
-    pub fn above(&self, threshold: f32) -> Result<Founds, GpuError> {
+    /// The input's for a threshold that is not finite, or what the device says.
+    pub fn above(&self, threshold: f32) -> Result<Founds, Error> {
         Table::of_matrix(self, true).above(threshold)
     }
 }

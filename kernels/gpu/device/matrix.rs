@@ -3,7 +3,6 @@ use super::block::{Block, block_of, place_block};
 use super::download::download;
 use super::{Gpu, Pending};
 use crate::error::{Argument, Error};
-use crate::kernels::GpuError;
 use crate::kernels::cpu::checked::{check_upstream, entries, expect};
 
 /// A matrix on the GPU: one number per row of one list and row of another. Clones of a handle are
@@ -21,14 +20,14 @@ impl Gpu {
     ///
     /// # Errors
     ///
-    /// [`GpuError::Input`] for a number that is not finite or a slice of another length than
+    /// The input's for a number that is not finite or a slice of another length than
     /// rows times columns, or what the device says.
     pub fn upload_matrix(
         &self,
         rows: usize,
         columns: usize,
         values: &[f32],
-    ) -> Result<Matrix, GpuError> {
+    ) -> Result<Matrix, Error> {
         let expected = rows.checked_mul(columns).ok_or(Error::TooLarge)?;
         expect(Argument::Upstream, expected, values.len())?;
         check_upstream(values, 1)?;
@@ -42,7 +41,7 @@ impl Gpu {
 
 impl Matrix {
     /// Room for a matrix.
-    pub(super) fn room(gpu: &Gpu, rows: usize, columns: usize) -> Result<Self, GpuError> {
+    pub(super) fn room(gpu: &Gpu, rows: usize, columns: usize) -> Result<Self, Error> {
         entries(rows, columns, 1)?;
         let blocks = gpu.inner.cut(rows, columns, 4).into_iter().map(|block| {
             let values = gpu.inner.storage(block.rows * block.columns);
@@ -67,9 +66,9 @@ impl Matrix {
     ///
     /// # Errors
     ///
-    /// [`GpuError::Input`] for another size or a number that is not finite, or what the device
+    /// The input's for another size or a number that is not finite, or what the device
     /// says.
-    pub fn update(&mut self, values: &[f32]) -> Result<(), GpuError> {
+    pub fn update(&mut self, values: &[f32]) -> Result<(), Error> {
         expect(Argument::Upstream, self.rows * self.columns, values.len())?;
         check_upstream(values, 1)?;
         self.gpu.inner.guarded(|| {
@@ -94,7 +93,7 @@ impl Matrix {
     /// # Errors
     ///
     /// What the device says.
-    pub fn start_download(&self) -> Result<Pending<Vec<f32>>, GpuError> {
+    pub fn start_download(&self) -> Result<Pending<Vec<f32>>, Error> {
         let (rows, columns) = (self.rows, self.columns);
         let blocks: Vec<Block> = self.blocks.iter().map(|&(block, _)| block).collect();
         let parts: Vec<_> = self

@@ -24,7 +24,7 @@ pub use reduce::{Best, Bests};
 pub use ring::{RingBars, RingValues, Rings};
 pub use source::{GpuPair, GpuRing, GpuShape, pair_sources, ring_sources};
 
-use crate::kernels::GpuError;
+use crate::{Error, GpuFault};
 use source::{GROUP, GROUP_VJP, Source, TILE};
 use std::collections::HashMap;
 use std::sync::atomic::{AtomicBool, Ordering};
@@ -77,8 +77,8 @@ impl Gpu {
     ///
     /// # Errors
     ///
-    /// [`GpuError::NoAdapter`], [`GpuError::NoSuchAdapter`] or [`GpuError::AdapterRefused`].
-    pub fn new() -> Result<Self, GpuError> {
+    /// [`GpuFault::NoAdapter`](crate::GpuFault::NoAdapter), [`GpuFault::NoSuchAdapter`](crate::GpuFault::NoSuchAdapter) or [`GpuFault::AdapterRefused`](crate::GpuFault::AdapterRefused).
+    pub fn new() -> Result<Self, Error> {
         Self::with(&Options::default())
     }
 
@@ -86,8 +86,8 @@ impl Gpu {
     ///
     /// # Errors
     ///
-    /// [`GpuError::NoAdapter`], [`GpuError::NoSuchAdapter`] or [`GpuError::AdapterRefused`].
-    pub fn with(options: &Options) -> Result<Self, GpuError> {
+    /// [`GpuFault::NoAdapter`](crate::GpuFault::NoAdapter), [`GpuFault::NoSuchAdapter`](crate::GpuFault::NoSuchAdapter) or [`GpuFault::AdapterRefused`](crate::GpuFault::AdapterRefused).
+    pub fn with(options: &Options) -> Result<Self, Error> {
         let (chosen, adapter) = adapter::choose(&options.adapter)?;
         let limits = chosen.limits();
         let optional = wgpu::Features::SUBGROUP | wgpu::Features::TIMESTAMP_QUERY;
@@ -101,7 +101,7 @@ impl Gpu {
         let (device, queue) =
             pollster::block_on(chosen.request_device(&descriptor)).map_err(|error| {
                 log::warn!("{adapter}: {error}");
-                GpuError::AdapterRefused
+                Error::Gpu(GpuFault::AdapterRefused)
             })?;
         let lost = Arc::new(AtomicBool::new(false));
         let flag = Arc::clone(&lost);
@@ -176,7 +176,7 @@ impl Gpu {
     }
 
     /// Gives the device up, with everything on it: every later call, of every clone, is
-    /// [`GpuError::DeviceLost`].
+    /// [`GpuFault::DeviceLost`](crate::GpuFault::DeviceLost).
     pub fn destroy(&self) {
         self.inner.device.destroy();
         self.inner.lost.store(true, Ordering::Release);
@@ -186,17 +186,17 @@ impl Gpu {
     ///
     /// # Errors
     ///
-    /// [`GpuError::DeviceLost`].
-    pub fn wait(&self) -> Result<(), GpuError> {
+    /// [`GpuFault::DeviceLost`](crate::GpuFault::DeviceLost).
+    pub fn wait(&self) -> Result<(), Error> {
         self.inner.wait(None)
     }
 
     /// Whether a handle's context is this one.
-    fn owns(&self, other: &Gpu) -> Result<(), GpuError> {
+    fn owns(&self, other: &Gpu) -> Result<(), Error> {
         if Arc::ptr_eq(&self.inner, &other.inner) {
             Ok(())
         } else {
-            Err(GpuError::ForeignBuffer)
+            Err(Error::Gpu(GpuFault::ForeignBuffer))
         }
     }
 }

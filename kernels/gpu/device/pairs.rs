@@ -6,7 +6,6 @@ use super::work::{Params, Work, groups};
 use super::{Bars, Gpu, Inner, Matrix, Pending, Shapes};
 use crate::Fixed;
 use crate::error::{Argument, Error};
-use crate::kernels::GpuError;
 use crate::kernels::cpu::checked::{check_upstream, entries, expect};
 use crate::kernels::on_cpu::PairGrads;
 use std::marker::PhantomData;
@@ -63,8 +62,8 @@ impl<O: GpuPair> PairBars<O> {
     ///
     /// # Errors
     ///
-    /// [`GpuError::Input`] when there are more than memory has addresses, or what the device says.
-    pub fn start_download(&self) -> Result<Pending<PairGrads<O>>, GpuError> {
+    /// The input's when there are more than memory has addresses, or what the device says.
+    pub fn start_download(&self) -> Result<Pending<PairGrads<O>>, Error> {
         let (rows, columns) = (self.values.rows, self.values.columns);
         let fields = 2 * O::Shape::LEN;
         entries(rows, columns, fields)?;
@@ -104,12 +103,8 @@ impl Gpu {
     ///
     /// # Errors
     ///
-    /// [`GpuError::ForeignBuffer`], or what the device says.
-    pub fn all_pairs<O: GpuPair>(
-        &self,
-        a: &ShapesOf<O>,
-        b: &ShapesOf<O>,
-    ) -> Result<Matrix, GpuError> {
+    /// [`GpuFault::ForeignBuffer`](crate::GpuFault::ForeignBuffer), or what the device says.
+    pub fn all_pairs<O: GpuPair>(&self, a: &ShapesOf<O>, b: &ShapesOf<O>) -> Result<Matrix, Error> {
         self.own_lists(a, b)?;
         let room = || Matrix::room(self, a.len, b.len);
         let mut matrix = self.inner.guarded(room)?;
@@ -122,13 +117,13 @@ impl Gpu {
     ///
     /// # Errors
     ///
-    /// As [`all_pairs`](Gpu::all_pairs), and [`GpuError::Input`] for a matrix of another size.
+    /// As [`all_pairs`](Gpu::all_pairs), and The input's for a matrix of another size.
     pub fn all_pairs_into<O: GpuPair>(
         &self,
         a: &ShapesOf<O>,
         b: &ShapesOf<O>,
         matrix: &mut Matrix,
-    ) -> Result<(), GpuError> {
+    ) -> Result<(), Error> {
         self.own_lists(a, b)?;
         self.fits(&matrix.gpu, Argument::Values, a.len, matrix.rows)?;
         expect(Argument::Values, b.len, matrix.columns)?;
@@ -149,7 +144,7 @@ impl Gpu {
         &self,
         a: &ShapesOf<O>,
         b: &ShapesOf<O>,
-    ) -> Result<PairBars<O>, GpuError> {
+    ) -> Result<PairBars<O>, Error> {
         self.own_lists(a, b)?;
         let fields = 2 * O::Shape::LEN;
         entries(a.len, b.len, fields)?;
@@ -184,7 +179,7 @@ impl Gpu {
         b: &ShapesOf<O>,
         block: &Block,
         bound: &[(u32, &wgpu::Buffer)],
-    ) -> Result<(), GpuError> {
+    ) -> Result<(), Error> {
         let inner = &self.inner;
         inner.guarded(|| {
             let pipeline = inner.pair_pipeline::<O>(source_for::<O>(kernel, a, b), "pairs_main");
@@ -211,7 +206,7 @@ impl Gpu {
         a: &ShapesOf<O>,
         b: &ShapesOf<O>,
         upstream: &Matrix,
-    ) -> Result<(BarsOf<O>, BarsOf<O>), GpuError> {
+    ) -> Result<(BarsOf<O>, BarsOf<O>), Error> {
         let (mut a_bar, mut b_bar) = self.bars_for::<O>(a, b)?;
         self.all_pairs_vjp_into::<O>(a, b, upstream, &mut a_bar, &mut b_bar)?;
         Ok((a_bar, b_bar))
@@ -229,7 +224,7 @@ impl Gpu {
         upstream: &Matrix,
         a_bar: &mut BarsOf<O>,
         b_bar: &mut BarsOf<O>,
-    ) -> Result<(), GpuError> {
+    ) -> Result<(), Error> {
         self.own_lists(a, b)?;
         self.fits(&upstream.gpu, Argument::Upstream, a.len, upstream.rows)?;
         expect(Argument::Upstream, b.len, upstream.columns)?;
@@ -252,7 +247,7 @@ impl Gpu {
         a: &ShapesOf<O>,
         b: &ShapesOf<O>,
         upstream: &[f32],
-    ) -> Result<(BarsOf<O>, BarsOf<O>), GpuError> {
+    ) -> Result<(BarsOf<O>, BarsOf<O>), Error> {
         let expected = a.len.checked_mul(b.len).ok_or(Error::TooLarge)?;
         expect(Argument::Upstream, expected, upstream.len())?;
         check_upstream(upstream, 1)?;
@@ -278,7 +273,7 @@ impl Gpu {
         &self,
         a: &ShapesOf<O>,
         b: &ShapesOf<O>,
-    ) -> Result<(f64, BarsOf<O>, BarsOf<O>), GpuError> {
+    ) -> Result<(f64, BarsOf<O>, BarsOf<O>), Error> {
         let (mut a_bar, mut b_bar) = self.bars_for::<O>(a, b)?;
         let sum = self.sum_grad_into::<O>(a, b, 1.0, &mut a_bar, &mut b_bar)?;
         Ok((sum, a_bar, b_bar))
@@ -294,7 +289,7 @@ impl Gpu {
         &self,
         a: &ShapesOf<O>,
         b: &ShapesOf<O>,
-    ) -> Result<(f64, BarsOf<O>, BarsOf<O>), GpuError> {
+    ) -> Result<(f64, BarsOf<O>, BarsOf<O>), Error> {
         let (mut a_bar, mut b_bar) = self.bars_for::<O>(a, b)?;
         let factor = 1.0 / (a.len as f64 * b.len as f64).max(1.0);
         let sum = self.sum_grad_into::<O>(a, b, factor as f32, &mut a_bar, &mut b_bar)?;
@@ -305,7 +300,7 @@ impl Gpu {
     ///
     /// # Errors
     ///
-    /// As [`all_pairs`](Gpu::all_pairs), and [`GpuError::Input`] for slopes of another length or a
+    /// As [`all_pairs`](Gpu::all_pairs), and The input's for slopes of another length or a
     /// factor that is not finite.
     pub fn sum_grad_into<O: GpuPair>(
         &self,
@@ -314,7 +309,7 @@ impl Gpu {
         factor: f32,
         a_bar: &mut BarsOf<O>,
         b_bar: &mut BarsOf<O>,
-    ) -> Result<f64, GpuError> {
+    ) -> Result<f64, Error> {
         self.own_lists(a, b)?;
         self.fit_bars::<O>(a, b, a_bar, b_bar)?;
         check_upstream(&[factor], 1)?;
@@ -337,7 +332,7 @@ impl Gpu {
     }
 
     /// Refuses lists of other contexts.
-    pub(super) fn own_lists<P>(&self, a: &Shapes<P>, b: &Shapes<P>) -> Result<(), GpuError> {
+    pub(super) fn own_lists<P>(&self, a: &Shapes<P>, b: &Shapes<P>) -> Result<(), Error> {
         self.owns(&a.gpu)?;
         self.owns(&b.gpu)
     }
@@ -347,7 +342,7 @@ impl Gpu {
         &self,
         a: &ShapesOf<O>,
         b: &ShapesOf<O>,
-    ) -> Result<(BarsOf<O>, BarsOf<O>), GpuError> {
+    ) -> Result<(BarsOf<O>, BarsOf<O>), Error> {
         self.own_lists(a, b)?;
         self.inner
             .guarded(|| Ok((Bars::room(self, a.len), Bars::room(self, b.len))))
@@ -374,7 +369,7 @@ impl<'a> VjpSweep<'a> {
         b: &'a ShapesOf<O>,
         a_bar: &'a BarsOf<O>,
         b_bar: &'a BarsOf<O>,
-    ) -> Result<Self, GpuError> {
+    ) -> Result<Self, Error> {
         let inner = &*gpu.inner;
         let source = Source {
             slots: inner.slots,
@@ -397,12 +392,7 @@ impl<'a> VjpSweep<'a> {
     }
 
     /// One block; `bound` says what else the kernel is given.
-    fn run(
-        &self,
-        block: &Block,
-        factor: f32,
-        bound: &[(u32, &wgpu::Buffer)],
-    ) -> Result<(), GpuError> {
+    fn run(&self, block: &Block, factor: f32, bound: &[(u32, &wgpu::Buffer)]) -> Result<(), Error> {
         let VjpSweep { inner, fields, .. } = *self;
         let [a, b, a_bar, b_bar] = self.lists;
         inner.guarded(|| {

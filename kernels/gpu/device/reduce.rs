@@ -8,8 +8,8 @@ use super::source::{GpuPair, Take};
 use super::table::Table;
 use super::work::{Params, Work, groups};
 use super::{Gpu, Matrix, Pending, Shapes};
+use crate::Error;
 use crate::error::Argument;
-use crate::kernels::GpuError;
 pub use crate::kernels::reduce::Best;
 use crate::kernels::reduce::{check_sides, check_threshold};
 
@@ -30,7 +30,7 @@ impl Bests {
     /// # Errors
     ///
     /// What the device says.
-    pub fn start_download(&self) -> Result<Pending<Vec<Best>>, GpuError> {
+    pub fn start_download(&self) -> Result<Pending<Vec<Best>>, Error> {
         let mut all = parts(&self.values, |n| n);
         all.extend(parts(&self.indices, |n| n));
         let arrival = self.gpu.inner.bring(&self.gpu, &all)?;
@@ -61,7 +61,7 @@ download! {
 
 impl Table<'_> {
     /// The largest of every own row (or column).
-    fn best(self) -> Result<Bests, GpuError> {
+    fn best(self) -> Result<Bests, Error> {
         let inner = &self.gpu.inner;
         inner.guarded(|| {
             let pipeline = self.pipeline(Take::Best);
@@ -95,12 +95,7 @@ impl Table<'_> {
     }
 
     /// One number per own row and strip, brought back.
-    fn totals(
-        self,
-        take: Take,
-        threshold: f32,
-        mut each: impl FnMut(&[u32]),
-    ) -> Result<(), GpuError> {
+    fn totals(self, take: Take, threshold: f32, mut each: impl FnMut(&[u32])) -> Result<(), Error> {
         let inner = &self.gpu.inner;
         let binding = if take == Take::Count { 7 } else { 4 };
         for sweep in &self.sweeps {
@@ -120,7 +115,7 @@ impl Table<'_> {
         Ok(())
     }
 
-    fn count_above(self, threshold: f32) -> Result<u64, GpuError> {
+    fn count_above(self, threshold: f32) -> Result<u64, Error> {
         check_threshold(threshold)?;
         let mut count = 0;
         self.totals(Take::Count, threshold, |numbers| {
@@ -129,7 +124,7 @@ impl Table<'_> {
         Ok(count)
     }
 
-    fn sum(self) -> Result<f64, GpuError> {
+    fn sum(self) -> Result<f64, Error> {
         let mut sum = 0.0;
         self.totals(Take::Sum, 0.0, |numbers| sum += sum_of(numbers))?;
         Ok(sum)
@@ -148,9 +143,9 @@ impl Gpu {
     ///
     /// # Errors
     ///
-    /// [`GpuError::ForeignBuffer`], [`GpuError::Input`] for rows without columns, or what the
+    /// [`GpuFault::ForeignBuffer`](crate::GpuFault::ForeignBuffer), The input's for rows without columns, or what the
     /// device says.
-    pub fn row_max<O: GpuPair>(&self, a: &ShapesOf<O>, b: &ShapesOf<O>) -> Result<Bests, GpuError> {
+    pub fn row_max<O: GpuPair>(&self, a: &ShapesOf<O>, b: &ShapesOf<O>) -> Result<Bests, Error> {
         check_sides(a.len, b.len, true)?;
         Table::of_shapes::<O>(self, a, b, true)?.best()
     }
@@ -160,11 +155,7 @@ impl Gpu {
     /// # Errors
     ///
     /// As [`row_max`](Gpu::row_max), for columns without rows.
-    pub fn column_max<O: GpuPair>(
-        &self,
-        a: &ShapesOf<O>,
-        b: &ShapesOf<O>,
-    ) -> Result<Bests, GpuError> {
+    pub fn column_max<O: GpuPair>(&self, a: &ShapesOf<O>, b: &ShapesOf<O>) -> Result<Bests, Error> {
         check_sides(a.len, b.len, false)?;
         Table::of_shapes::<O>(self, a, b, false)?.best()
     }
@@ -179,7 +170,7 @@ impl Gpu {
         a: &ShapesOf<O>,
         b: &ShapesOf<O>,
         threshold: f32,
-    ) -> Result<u64, GpuError> {
+    ) -> Result<u64, Error> {
         Table::of_shapes::<O>(self, a, b, true)?.count_above(threshold)
     }
 
@@ -188,8 +179,8 @@ impl Gpu {
     ///
     /// # Errors
     ///
-    /// [`GpuError::ForeignBuffer`], or what the device says.
-    pub fn sum<O: GpuPair>(&self, a: &ShapesOf<O>, b: &ShapesOf<O>) -> Result<f64, GpuError> {
+    /// [`GpuFault::ForeignBuffer`](crate::GpuFault::ForeignBuffer), or what the device says.
+    pub fn sum<O: GpuPair>(&self, a: &ShapesOf<O>, b: &ShapesOf<O>) -> Result<f64, Error> {
         Table::of_shapes::<O>(self, a, b, true)?.sum()
     }
 
@@ -198,7 +189,7 @@ impl Gpu {
     /// # Errors
     ///
     /// As [`sum`](Gpu::sum).
-    pub fn mean<O: GpuPair>(&self, a: &ShapesOf<O>, b: &ShapesOf<O>) -> Result<f64, GpuError> {
+    pub fn mean<O: GpuPair>(&self, a: &ShapesOf<O>, b: &ShapesOf<O>) -> Result<f64, Error> {
         let count = a.len as f64 * b.len as f64;
         Ok(self.sum::<O>(a, b)? / count.max(1.0))
     }
@@ -209,8 +200,8 @@ impl Matrix {
     ///
     /// # Errors
     ///
-    /// [`GpuError::Input`] for rows without columns, or what the device says.
-    pub fn row_max(&self) -> Result<Bests, GpuError> {
+    /// The input's for rows without columns, or what the device says.
+    pub fn row_max(&self) -> Result<Bests, Error> {
         check_sides(self.rows, self.columns, true)?;
         Table::of_matrix(self, true).best()
     }
@@ -219,8 +210,8 @@ impl Matrix {
     ///
     /// # Errors
     ///
-    /// [`GpuError::Input`] for columns without rows, or what the device says.
-    pub fn column_max(&self) -> Result<Bests, GpuError> {
+    /// The input's for columns without rows, or what the device says.
+    pub fn column_max(&self) -> Result<Bests, Error> {
         check_sides(self.rows, self.columns, false)?;
         Table::of_matrix(self, false).best()
     }
@@ -229,8 +220,8 @@ impl Matrix {
     ///
     /// # Errors
     ///
-    /// [`GpuError::Input`] for a threshold that is not finite, or what the device says.
-    pub fn count_above(&self, threshold: f32) -> Result<u64, GpuError> {
+    /// The input's for a threshold that is not finite, or what the device says.
+    pub fn count_above(&self, threshold: f32) -> Result<u64, Error> {
         Table::of_matrix(self, true).count_above(threshold)
     }
 
@@ -239,7 +230,7 @@ impl Matrix {
     /// # Errors
     ///
     /// What the device says.
-    pub fn sum(&self) -> Result<f64, GpuError> {
+    pub fn sum(&self) -> Result<f64, Error> {
         Table::of_matrix(self, true).sum()
     }
 
@@ -248,7 +239,7 @@ impl Matrix {
     /// # Errors
     ///
     /// What the device says.
-    pub fn mean(&self) -> Result<f64, GpuError> {
+    pub fn mean(&self) -> Result<f64, Error> {
         let count = self.rows as f64 * self.columns as f64;
         Ok(self.sum()? / count.max(1.0))
     }
@@ -260,9 +251,9 @@ impl<P: super::GpuShape> Shapes<P> {
     ///
     /// # Errors
     ///
-    /// [`GpuError::ForeignBuffer`], [`GpuError::Input`] for results about a list of another length,
+    /// [`GpuFault::ForeignBuffer`](crate::GpuFault::ForeignBuffer), The input's for results about a list of another length,
     /// or what the device says.
-    pub fn pick(&self, bests: &Bests) -> Result<Shapes<P>, GpuError> {
+    pub fn pick(&self, bests: &Bests) -> Result<Shapes<P>, Error> {
         self.gpu
             .fits(&bests.gpu, Argument::Shape, bests.among, self.len)?;
         let inner = &self.gpu.inner;

@@ -4,9 +4,9 @@ use super::source::{GpuRing, Kernel, LONG, ROW, SPAN, Source, ring_source};
 use super::work::{Params, Work, groups};
 use super::{Gpu, Inner, Pending};
 use crate::error::Argument;
-use crate::kernels::GpuError;
 use crate::kernels::cpu::check_ragged;
 use crate::kernels::cpu::checked::{check_upstream, expect};
+use crate::{Error, GpuFault};
 use crate::{Fixed, Vec2};
 use std::marker::PhantomData;
 
@@ -90,9 +90,9 @@ impl Rings {
     ///
     /// # Errors
     ///
-    /// [`GpuError::Input`] for another number of vertices or one that is not finite (the old ones
+    /// The input's for another number of vertices or one that is not finite (the old ones
     /// are then as they were), or what the device says.
-    pub fn update(&mut self, vertices: &[Vec2<f32>]) -> Result<(), GpuError> {
+    pub fn update(&mut self, vertices: &[Vec2<f32>]) -> Result<(), Error> {
         let corners = self.runs.iter().map(|run| run.corners).sum();
         expect(Argument::Vertices, corners, vertices.len())?;
         check_ragged(vertices, &[0, corners])?;
@@ -134,7 +134,7 @@ impl<T: Fixed<Scalar = f32> + 'static> RingValues<T> {
     /// # Errors
     ///
     /// What the device says.
-    pub fn start_download(&self) -> Result<Pending<Vec<T>>, GpuError> {
+    pub fn start_download(&self) -> Result<Pending<Vec<T>>, Error> {
         let parts: Vec<_> = self.parts.iter().map(|(buffer, n)| (buffer, *n)).collect();
         let arrival = self.gpu.inner.bring(&self.gpu, &parts)?;
         Ok(Pending::new(arrival, |arrival| {
@@ -154,7 +154,7 @@ impl RingBars {
     /// # Errors
     ///
     /// What the device says.
-    pub fn start_download(&self) -> Result<Pending<Vec<Vec2<f32>>>, GpuError> {
+    pub fn start_download(&self) -> Result<Pending<Vec<Vec2<f32>>>, Error> {
         self.values.start_download()
     }
 }
@@ -173,13 +173,9 @@ impl Gpu {
     ///
     /// # Errors
     ///
-    /// [`GpuError::Input`] as [`Cpu::ragged`](crate::kernels::Cpu::ragged), [`GpuError::TooLarge`] for a
+    /// The input's as [`Cpu::ragged`](crate::kernels::Cpu::ragged), [`GpuFault::TooLarge`](crate::GpuFault::TooLarge) for a
     /// ring that fits no buffer, or what the device says.
-    pub fn upload_rings(
-        &self,
-        vertices: &[Vec2<f32>],
-        offsets: &[usize],
-    ) -> Result<Rings, GpuError> {
+    pub fn upload_rings(&self, vertices: &[Vec2<f32>], offsets: &[usize]) -> Result<Rings, Error> {
         check_ragged(vertices, offsets)?;
         let inner = &self.inner;
         let most_vertices = (inner.most_bytes / 8) as usize;
@@ -188,7 +184,7 @@ impl Gpu {
         for ring in 1..offsets.len() {
             let start = cuts[cuts.len() - 1];
             if offsets[ring] - offsets[ring - 1] > most_vertices {
-                return Err(GpuError::TooLarge);
+                return Err(Error::Gpu(GpuFault::TooLarge));
             }
             if offsets[ring] - offsets[start] > most_vertices || ring - start > most_rings {
                 cuts.push(ring - 1);
@@ -224,8 +220,8 @@ impl Gpu {
     ///
     /// # Errors
     ///
-    /// [`GpuError::ForeignBuffer`], or what the device says.
-    pub fn ragged<O: GpuRing>(&self, rings: &Rings) -> Result<RingValues<OutOf<O>>, GpuError> {
+    /// [`GpuFault::ForeignBuffer`](crate::GpuFault::ForeignBuffer), or what the device says.
+    pub fn ragged<O: GpuRing>(&self, rings: &Rings) -> Result<RingValues<OutOf<O>>, Error> {
         self.owns(&rings.gpu)?;
         let inner = &self.inner;
         let fields = OutOf::<O>::LEN;
@@ -255,13 +251,13 @@ impl Gpu {
     ///
     /// # Errors
     ///
-    /// As [`ragged`](Gpu::ragged), and [`GpuError::Input`] for an upstream of another length or
+    /// As [`ragged`](Gpu::ragged), and The input's for an upstream of another length or
     /// one that is not finite.
     pub fn ragged_vjp<O: GpuRing>(
         &self,
         rings: &Rings,
         upstream: &[OutOf<O>],
-    ) -> Result<RingBars, GpuError> {
+    ) -> Result<RingBars, Error> {
         self.owns(&rings.gpu)?;
         expect(Argument::Upstream, rings.len, upstream.len())?;
         let fields = OutOf::<O>::LEN;

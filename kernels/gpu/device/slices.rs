@@ -2,9 +2,9 @@
 use super::pairs::{BarsOf, ShapesOf};
 use super::ring::OutOf;
 use super::{Gpu, GpuPair, GpuRing};
+use crate::Error;
 use crate::Vec2;
 use crate::error::Argument;
-use crate::kernels::GpuError;
 use crate::kernels::cpu::checked::expect;
 use crate::kernels::on_cpu::{AlignedGrads, Bars as Both, Loss, PairGrads, ShapeOf};
 use crate::kernels::reduce::{Best, Found};
@@ -14,7 +14,7 @@ fn lists<O: GpuPair>(
     gpu: &Gpu,
     a: &[ShapeOf<O>],
     b: &[ShapeOf<O>],
-) -> Result<(ShapesOf<O>, ShapesOf<O>), GpuError> {
+) -> Result<(ShapesOf<O>, ShapesOf<O>), Error> {
     Ok((
         gpu.upload_as(Argument::A, a)?,
         gpu.upload_as(Argument::B, b)?,
@@ -22,7 +22,7 @@ fn lists<O: GpuPair>(
 }
 
 /// Both lists of slopes, brought back.
-fn both<O: GpuPair>(bars: (BarsOf<O>, BarsOf<O>)) -> Result<Both<O>, GpuError> {
+fn both<O: GpuPair>(bars: (BarsOf<O>, BarsOf<O>)) -> Result<Both<O>, Error> {
     let (a, b) = (bars.0.start_download()?, bars.1.start_download()?);
     Ok((a.wait()?, b.wait()?))
 }
@@ -38,7 +38,7 @@ impl Gpu {
         &self,
         a: &[ShapeOf<O>],
         b: &[ShapeOf<O>],
-    ) -> Result<Vec<f32>, GpuError> {
+    ) -> Result<Vec<f32>, Error> {
         expect(Argument::B, a.len(), b.len())?;
         let (a, b) = lists::<O>(self, a, b)?;
         self.aligned::<O>(&a, &b)?.download()
@@ -48,7 +48,7 @@ impl Gpu {
         &self,
         a: &[ShapeOf<O>],
         b: &[ShapeOf<O>],
-    ) -> Result<AlignedGrads<O>, GpuError> {
+    ) -> Result<AlignedGrads<O>, Error> {
         expect(Argument::B, a.len(), b.len())?;
         let (a, b) = lists::<O>(self, a, b)?;
         let (values, a_bars, b_bars) = self.aligned_grad::<O>(&a, &b)?;
@@ -62,7 +62,7 @@ impl Gpu {
         a: &[ShapeOf<O>],
         b: &[ShapeOf<O>],
         values: &mut [f32],
-    ) -> Result<(), GpuError> {
+    ) -> Result<(), Error> {
         expect(Argument::B, a.len(), b.len())?;
         expect(Argument::Values, a.len(), values.len())?;
         let (a, b) = lists::<O>(self, a, b)?;
@@ -76,7 +76,7 @@ impl Gpu {
         values: &mut [f32],
         a_bar: &mut [ShapeOf<O>],
         b_bar: &mut [ShapeOf<O>],
-    ) -> Result<(), GpuError> {
+    ) -> Result<(), Error> {
         expect(Argument::B, a.len(), b.len())?;
         expect(Argument::Values, a.len(), values.len())?;
         expect(Argument::GradA, a.len(), a_bar.len())?;
@@ -94,7 +94,7 @@ impl Gpu {
         a: &[ShapeOf<O>],
         b: &[ShapeOf<O>],
         upstream: &[f32],
-    ) -> Result<Both<O>, GpuError> {
+    ) -> Result<Both<O>, Error> {
         expect(Argument::B, a.len(), b.len())?;
         expect(Argument::Upstream, a.len(), upstream.len())?;
         let (a, b) = lists::<O>(self, a, b)?;
@@ -106,7 +106,7 @@ impl Gpu {
         &self,
         a: &[ShapeOf<O>],
         b: &[ShapeOf<O>],
-    ) -> Result<Vec<f32>, GpuError> {
+    ) -> Result<Vec<f32>, Error> {
         let (a, b) = lists::<O>(self, a, b)?;
         self.all_pairs::<O>(&a, &b)?.download()
     }
@@ -115,7 +115,7 @@ impl Gpu {
         &self,
         a: &[ShapeOf<O>],
         b: &[ShapeOf<O>],
-    ) -> Result<PairGrads<O>, GpuError> {
+    ) -> Result<PairGrads<O>, Error> {
         let (a, b) = lists::<O>(self, a, b)?;
         self.all_pairs_grad::<O>(&a, &b)?.download()
     }
@@ -125,7 +125,7 @@ impl Gpu {
         a: &[ShapeOf<O>],
         b: &[ShapeOf<O>],
         upstream: &[f32],
-    ) -> Result<Both<O>, GpuError> {
+    ) -> Result<Both<O>, Error> {
         let (a, b) = lists::<O>(self, a, b)?;
         both::<O>(self.all_pairs_vjp_from::<O>(&a, &b, upstream)?)
     }
@@ -134,7 +134,7 @@ impl Gpu {
         &self,
         a: &[ShapeOf<O>],
         b: &[ShapeOf<O>],
-    ) -> Result<Loss<O>, GpuError> {
+    ) -> Result<Loss<O>, Error> {
         let (a, b) = lists::<O>(self, a, b)?;
         let (sum, a_bar, b_bar) = self.sum_grad::<O>(&a, &b)?;
         let (a_bar, b_bar) = both::<O>((a_bar, b_bar))?;
@@ -145,7 +145,7 @@ impl Gpu {
         &self,
         a: &[ShapeOf<O>],
         b: &[ShapeOf<O>],
-    ) -> Result<Loss<O>, GpuError> {
+    ) -> Result<Loss<O>, Error> {
         let (a, b) = lists::<O>(self, a, b)?;
         let (mean, a_bar, b_bar) = self.mean_grad::<O>(&a, &b)?;
         let (a_bar, b_bar) = both::<O>((a_bar, b_bar))?;
@@ -156,7 +156,7 @@ impl Gpu {
         &self,
         a: &[ShapeOf<O>],
         b: &[ShapeOf<O>],
-    ) -> Result<Vec<Best>, GpuError> {
+    ) -> Result<Vec<Best>, Error> {
         let (a, b) = lists::<O>(self, a, b)?;
         self.row_max::<O>(&a, &b)?.download()
     }
@@ -165,7 +165,7 @@ impl Gpu {
         &self,
         a: &[ShapeOf<O>],
         b: &[ShapeOf<O>],
-    ) -> Result<Vec<Best>, GpuError> {
+    ) -> Result<Vec<Best>, Error> {
         let (a, b) = lists::<O>(self, a, b)?;
         self.column_max::<O>(&a, &b)?.download()
     }
@@ -175,7 +175,7 @@ impl Gpu {
         a: &[ShapeOf<O>],
         b: &[ShapeOf<O>],
         threshold: f32,
-    ) -> Result<Vec<Found>, GpuError> {
+    ) -> Result<Vec<Found>, Error> {
         let (a, b) = lists::<O>(self, a, b)?;
         self.above::<O>(&a, &b, threshold)?.download()
     }
@@ -185,7 +185,7 @@ impl Gpu {
         a: &[ShapeOf<O>],
         b: &[ShapeOf<O>],
         threshold: f32,
-    ) -> Result<u64, GpuError> {
+    ) -> Result<u64, Error> {
         let (a, b) = lists::<O>(self, a, b)?;
         self.count_above::<O>(&a, &b, threshold)
     }
@@ -194,7 +194,7 @@ impl Gpu {
         &self,
         a: &[ShapeOf<O>],
         b: &[ShapeOf<O>],
-    ) -> Result<f64, GpuError> {
+    ) -> Result<f64, Error> {
         let (a, b) = lists::<O>(self, a, b)?;
         self.sum::<O>(&a, &b)
     }
@@ -203,7 +203,7 @@ impl Gpu {
         &self,
         a: &[ShapeOf<O>],
         b: &[ShapeOf<O>],
-    ) -> Result<f64, GpuError> {
+    ) -> Result<f64, Error> {
         let (a, b) = lists::<O>(self, a, b)?;
         self.mean::<O>(&a, &b)
     }
@@ -212,7 +212,7 @@ impl Gpu {
         &self,
         vertices: &[Vec2<f32>],
         offsets: &[usize],
-    ) -> Result<Vec<OutOf<O>>, GpuError> {
+    ) -> Result<Vec<OutOf<O>>, Error> {
         let rings = self.upload_rings(vertices, offsets)?;
         self.ragged::<O>(&rings)?.download()
     }
@@ -222,7 +222,7 @@ impl Gpu {
         vertices: &[Vec2<f32>],
         offsets: &[usize],
         upstream: &[OutOf<O>],
-    ) -> Result<Vec<Vec2<f32>>, GpuError> {
+    ) -> Result<Vec<Vec2<f32>>, Error> {
         let rings = self.upload_rings(vertices, offsets)?;
         self.ragged_vjp::<O>(&rings, upstream)?.download()
     }

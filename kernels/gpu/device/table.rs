@@ -5,7 +5,7 @@ use super::pairs::{Any, ShapesOf, source_for};
 use super::source::{GpuPair, Kernel, STRIP, Source, Take, pair_source};
 use super::work::{Params, groups};
 use super::{Gpu, Inner, Matrix};
-use crate::kernels::GpuError;
+use crate::Error;
 
 /// One dispatch of a reduction: a run of own rows (or columns) by a run of walked ones.
 #[derive(Clone, Debug)]
@@ -92,7 +92,7 @@ impl<'a> Table<'a> {
         a: &ShapesOf<O>,
         b: &ShapesOf<O>,
         own_rows: bool,
-    ) -> Result<Self, GpuError> {
+    ) -> Result<Self, Error> {
         gpu.own_lists(a, b)?;
         let (own, walked) = if own_rows { (a, b) } else { (b, a) };
         let bound = |own: &Piece, walked: &Piece| {

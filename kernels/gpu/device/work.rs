@@ -2,7 +2,7 @@
 use super::download::State;
 use super::source::{GROUP, Source};
 use super::{Inner, locked};
-use crate::kernels::GpuError;
+use crate::{Error, GpuFault};
 use std::sync::atomic::Ordering;
 use std::time::Duration;
 
@@ -112,7 +112,7 @@ impl<'a> Work<'a> {
     }
 
     /// Hands the commands to the queue; with timing it waits for them.
-    pub fn submit(mut self) -> Result<wgpu::SubmissionIndex, GpuError> {
+    pub fn submit(mut self) -> Result<wgpu::SubmissionIndex, Error> {
         let Some(queries) = self.queries.take().filter(|_| self.timed > 0) else {
             return Ok(self.inner.queue.submit([self.encoder.finish()]));
         };
@@ -127,7 +127,7 @@ impl<'a> Work<'a> {
         State::of([&staging].into_iter()).wait(self.inner, &index)?;
         let view = staging
             .get_mapped_range(..)
-            .map_err(|_| GpuError::DeviceLost)?;
+            .map_err(|_| Error::Gpu(GpuFault::DeviceLost))?;
         let ticks: Vec<u64> = bytemuck::pod_collect_to_vec(&view[..]);
         let sum: u64 = ticks
             .chunks_exact(2)
@@ -253,15 +253,15 @@ impl Inner {
     }
 
     /// Refuses when the device is gone.
-    pub fn alive(&self) -> Result<(), GpuError> {
+    pub fn alive(&self) -> Result<(), Error> {
         if self.lost.load(Ordering::Acquire) {
-            return Err(GpuError::DeviceLost);
+            return Err(Error::Gpu(GpuFault::DeviceLost));
         }
         Ok(())
     }
 
     /// Waits for a submission, or for all.
-    pub fn wait(&self, submission: Option<wgpu::SubmissionIndex>) -> Result<(), GpuError> {
+    pub fn wait(&self, submission: Option<wgpu::SubmissionIndex>) -> Result<(), Error> {
         self.alive()?;
         let waited = self.device.poll(wgpu::PollType::Wait {
             submission_index: submission,
@@ -270,12 +270,12 @@ impl Inner {
         self.alive()?;
         waited.map(|_| ()).map_err(|error| {
             log::error!("waiting: {error}");
-            GpuError::DeviceLost
+            Error::Gpu(GpuFault::DeviceLost)
         })
     }
 
     /// Runs what talks to the device, and turns whatever the device says into an error.
-    pub fn guarded<T>(&self, run: impl FnOnce() -> Result<T, GpuError>) -> Result<T, GpuError> {
+    pub fn guarded<T>(&self, run: impl FnOnce() -> Result<T, Error>) -> Result<T, Error> {
         self.alive()?;
         let memory = self.device.push_error_scope(wgpu::ErrorFilter::OutOfMemory);
         let validation = self.device.push_error_scope(wgpu::ErrorFilter::Validation);
@@ -290,8 +290,8 @@ impl Inner {
             Some(error) => {
                 log::error!("{error}");
                 Err(match error {
-                    wgpu::Error::OutOfMemory { .. } => GpuError::OutOfMemory,
-                    _ => GpuError::Shader,
+                    wgpu::Error::OutOfMemory { .. } => Error::Gpu(GpuFault::OutOfMemory),
+                    _ => Error::Gpu(GpuFault::Shader),
                 })
             }
         }

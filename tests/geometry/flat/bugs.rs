@@ -1,4 +1,4 @@
-//! The seed library's bugs that concern these functions, under their numbers, with the right answers.
+//! Bugs of DGAL, a differentiable library in C++, that concern these functions, under their numbers, with the right answers.
 use geograd::distance::ring::signed_distance_to_ring;
 use geograd::distance::{clearance, distance, farthest_distance, signed_distance};
 use geograd::{Aabb2, Interval, Jet, Line2, Segment2, Triangle2, Vec2};

@@ -351,7 +351,7 @@ fn single_precision_is_right_at_every_size_and_far_from_the_origin() {
 #[test]
 fn segments_meet_at_their_points_and_parameters() {
     let mut dice = Dice(3);
-    for _ in 0..20_000 {
+    for _ in 0..5_000 {
         let whole = dice.whole(2) == 0;
         let (a, b) = (dice.shape(3, whole, 2.0), dice.shape(3, whole, 2.0));
         let of = |x: &[f64]| Segment2::new(Vec2::new(x[0], x[1]), Vec2::new(x[2], x[3]));

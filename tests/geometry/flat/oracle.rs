@@ -69,7 +69,7 @@ fn hull(mut points: Vec<[f64; 2]>) -> Vec<[f64; 2]> {
 fn to_segment(a: [f64; 2], b: [f64; 2]) -> f64 {
     let at = |t: f64| (a[0] + t * (b[0] - a[0])).hypot(a[1] + t * (b[1] - a[1]));
     let (mut low, mut high) = (0.0, 1.0);
-    for _ in 0..200 {
+    for _ in 0..90 {
         let (l, h) = (low + (high - low) / 3.0, high - (high - low) / 3.0);
         if at(l) < at(h) {
             high = h;

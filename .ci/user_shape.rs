@@ -1,0 +1,115 @@
+//! A user's crate with shapes and a function of its own, outside the workspace: batches, the harness,
+//! programs, with and without the feature `gpu`.
+use geograd::ad::check::Plan;
+use geograd::distance::Convex;
+use geograd::kernels::check::prove_with;
+use geograd::kernels::{Cpu, One, Op, Skip};
+use geograd::{Capsule2, Circle, Error, Obb2, Pose2, Program, Scalar, Shape, Sym, Vec2, ad};
+
+/// Two thick links on a base.
+#[derive(Clone, Copy, Debug, PartialEq, Shape)]
+#[repr(C)]
+pub struct Arm<S> {
+    base: Vec2<S>,
+    #[shape(positive)]
+    links: [S; 2],
+    #[shape(angle)]
+    shoulder: S,
+    #[shape(number)]
+    elbow: S,
+    #[shape(positive)]
+    thickness: S,
+}
+
+/// A round obstacle; its numbers may lie in memory as the compiler likes.
+#[derive(Clone, Copy, Debug, PartialEq, Shape)]
+pub struct Post<S> {
+    center: Vec2<S>,
+    #[shape(positive)]
+    radius: S,
+}
+
+impl<S: Scalar> Arm<S> {
+    fn links(self) -> [Capsule2<S>; 2] {
+        let along = |length| Vec2::new(length, S::zero());
+        let shoulder = Pose2::new(self.base, self.shoulder);
+        let elbow = shoulder * Pose2::new(along(self.links[0]), self.elbow);
+        let ends = [self.base, elbow.translation, elbow * along(self.links[1])];
+        [0, 1].map(|i| Capsule2::new(ends[i], ends[i + 1], self.thickness.halved()))
+    }
+}
+
+geograd::operation! {
+    /// How far the arm is from a wall and a post; minus the depth where it is in one of them.
+    pub Clearance = "clearance": (arm: Arm<S>, wall: Obb2<S>, post: Post<S>) -> S {
+        let disc = Circle::new(post.center, post.radius);
+        let [upper, lower] = arm.links().map(|x| x.signed_distance(wall).least(x.signed_distance(disc)));
+        upper.least(lower)
+    }
+    promises [TranslationX Stays, TranslationY Stays, Rotation Stays, Scaling Power(1)]
+    jumps Never
+    slopes Reverse
+}
+
+fn main() -> Result<(), Error> {
+    let wall = Obb2::new(0.85, 1.05, 1.1, 0.24, -0.35);
+    let (center, base) = (Vec2::new(-0.95, -0.35), Vec2::new(0.0, 0.0));
+    let post = Post {
+        center,
+        radius: 0.34,
+    };
+    let posture = |i: u16| {
+        let (shoulder, elbow) = (0.37 * f64::from(i), 0.61 * f64::from(i));
+        Arm {
+            base,
+            links: [1.0, 0.75],
+            shoulder,
+            elbow,
+            thickness: 0.16,
+        }
+    };
+    let arms: Vec<_> = (0..3000).map(posture).collect();
+    let columns = (&arms, One(wall), One(post));
+    let (mut values, mut slopes) = (vec![0.0; arms.len()], arms.clone());
+    let targets = (&mut values, (&mut slopes, Skip, Skip));
+    Cpu::new().aligned_into(Clearance.value_grad(), columns, targets)?;
+
+    // The batch says what duals say.
+    let scene = (wall, post);
+    for i in (0..arms.len()).step_by(100) {
+        let (value, (by_arm, _)) = ad::gradient(
+            |(arm, (wall, post))| Clearance::eval((arm, wall, post)),
+            (arms[i], scene),
+        );
+        assert_eq!(values[i], value);
+        approx(slopes[i].shoulder, by_arm.shoulder);
+        approx(slopes[i].elbow, by_arm.elbow);
+        approx(slopes[i].links[1], by_arm.links[1]);
+    }
+    // What is not valid is refused by name.
+    let flat = Arm {
+        thickness: 0.0,
+        ..arms[0]
+    };
+    let refused = Cpu::new().aligned(Clearance, (&[flat], One(wall), One(post)));
+    assert!(refused.unwrap_err().to_string().contains("thickness"));
+
+    let program = Program::trace(|x: (Arm<Sym<f32>>, Obb2<_>, Post<_>)| Clearance::eval(x))?;
+    assert!(program.wgsl("clearance")?.starts_with("fn clearance("));
+
+    let mut plan = Plan::new(20, 1);
+    plan.hard = 40;
+    for report in [
+        prove_with::<Clearance, f64>(&plan),
+        prove_with::<Clearance, f32>(&plan),
+    ] {
+        assert!(report.passed(), "{report}");
+    }
+    let hit = values.iter().filter(|value| **value < 0.0).count();
+    println!("{hit} of {} postures collide", arms.len());
+    Ok(())
+}
+
+fn approx(a: f64, b: f64) {
+    assert!((a - b).abs() <= 1e-12 * (1.0 + b.abs()), "{a} {b}");
+}

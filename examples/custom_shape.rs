@@ -1,0 +1,109 @@
+//! A shape and a function of your own: a two-link arm and its clearance from what is around it.
+//! `cargo run --release --example custom_shape`; `-- --help` has the options.
+#[path = "custom_shape/command.rs"]
+mod command;
+#[path = "custom_shape/draw.rs"]
+mod draw;
+#[path = "common/failure.rs"]
+mod failure;
+
+use draw::{POST, WALL};
+use failure::Failure;
+use geograd::ad::check::Plan;
+use geograd::kernels::{Cpu, One, Op, Skip, check::prove_with};
+use geograd::{Capsule2, Circle, Obb2, Pose2, Program, Scalar, Shape, Sym, Vec2};
+use geograd::{ad::program::WGSL, distance::Convex, operation};
+
+/// Two thick links on a base. (`repr(C)` lets batches read and write its numbers in place.)
+#[derive(Clone, Copy, Debug, PartialEq, Shape)]
+#[repr(C)]
+struct Arm<S> {
+    base: Vec2<S>,
+    #[shape(positive)]
+    links: [S; 2],
+    #[shape(angle)] // from the x axis: turning the whole turns it, too
+    shoulder: S,
+    #[shape(number)] // between the links
+    elbow: S,
+    #[shape(positive)]
+    thickness: S,
+}
+
+/// A round obstacle.
+#[derive(Clone, Copy, Debug, PartialEq, Shape)]
+#[repr(C)]
+struct Post<S> {
+    center: Vec2<S>,
+    #[shape(positive)]
+    radius: S,
+}
+
+impl<S: Scalar> Arm<S> {
+    /// The links as shapes.
+    fn links(self) -> [Capsule2<S>; 2] {
+        let along = |length| Vec2::new(length, S::zero());
+        let elbow =
+            Pose2::new(self.base, self.shoulder) * Pose2::new(along(self.links[0]), self.elbow);
+        let ends = [self.base, elbow.translation, elbow * along(self.links[1])];
+        [0, 1].map(|i| Capsule2::new(ends[i], ends[i + 1], self.thickness.halved()))
+    }
+}
+
+operation! {
+    /// How far the arm is from a wall and a post; minus the depth where it is in one of them.
+    Clearance = "clearance": (arm: Arm<S>, wall: Obb2<S>, post: Post<S>) -> S {
+        let disc = Circle::new(post.center, post.radius);
+        let [upper, lower] = arm.links().map(|x| x.signed_distance(wall).least(x.signed_distance(disc)));
+        upper.least(lower)
+    }
+    promises [TranslationX Stays, TranslationY Stays, Rotation Stays, Scaling Power(1)]
+    jumps Never
+    slopes Reverse
+}
+
+/// Value and slopes for many arms on all cores.
+fn batch(count: usize) -> Result<String, Failure> {
+    let (arms, start, piece) = (command::postures(count), std::time::Instant::now(), 1 << 16);
+    let (mut values, mut slopes) = (vec![0.0; count], arms.clone());
+    let bar = command::progress(count);
+    let results = values.chunks_mut(piece).zip(slopes.chunks_mut(piece));
+    for (arms, (values, slopes)) in arms.chunks(piece).zip(results) {
+        let columns = (arms, One(WALL), One(POST));
+        Cpu::new().aligned_into(
+            Clearance.value_grad(),
+            columns,
+            (values, (slopes, Skip, Skip)),
+        )?;
+        bar.inc(arms.len() as u64);
+    }
+    bar.finish_and_clear();
+    Ok(command::summary(start.elapsed(), &values, &slopes))
+}
+
+/// The report of the harness in both formats.
+fn prove() -> Result<String, Failure> {
+    let mut plan = Plan::new(200, 1);
+    plan.hard = 8; // every eighth of the hard cases, which are many for three shapes
+    let reports = [
+        prove_with::<Clearance, f64>(&plan),
+        prove_with::<Clearance, f32>(&plan),
+    ];
+    let text: String = reports.iter().map(|report| format!("{report}\n")).collect();
+    match reports.iter().all(|report| report.passed()) {
+        true => Ok(text),
+        false => Err(Failure::Work(format!("some slopes were refused\n{text}"))),
+    }
+}
+
+/// The recorded function, and what it costs; as text or as a function for GPUs.
+fn program(wgsl: bool) -> Result<String, Failure> {
+    let program = Program::trace(|x: (Arm<Sym<f32>>, Obb2<_>, Post<_>)| Clearance::eval(x))?;
+    Ok(match wgsl {
+        true => format!("{WGSL}\n{}", program.wgsl("clearance")?),
+        false => format!("{program}\n{:#?}\n", program.cost()),
+    })
+}
+
+fn main() -> std::process::ExitCode {
+    command::run().map_or_else(|failure| failure.report("custom_shape"), command::done)
+}

@@ -1,0 +1,87 @@
+//! The command line, and what is told about a batch.
+use crate::draw::posture;
+use crate::failure::{Failure, say};
+use crate::{Arm, batch, draw, program, prove};
+use indicatif::{ProgressBar, ProgressStyle};
+use lexopt::prelude::*;
+use std::f32::consts::{PI, TAU};
+use std::process::ExitCode;
+use std::time::Duration;
+
+const HELP: &str = "\
+The clearance of a two-link arm from a wall and a post, with its slopes, for a million postures.
+
+Usage: custom_shape [option]
+
+  --count N     for so many postures [default: 1000000]
+  --prove       instead: prove the slopes in f64 and f32, and print the report
+  --program     instead: what the clearance was recorded as, and what it costs
+  --wgsl        instead: the same as a function for GPUs
+  --svg FILE    instead: a picture of the clearance over both joints, with its slopes
+  --help        this text
+";
+
+impl From<geograd::Error> for Failure {
+    fn from(error: geograd::Error) -> Self {
+        Failure::Work(error.to_string())
+    }
+}
+
+/// Does what the command line asks for, and says what to print.
+pub fn run() -> Result<String, Failure> {
+    let mut arguments = lexopt::Parser::from_env();
+    let job: Box<dyn Fn() -> Result<String, Failure>> = match arguments.next()? {
+        None => Box::new(|| batch(1_000_000)),
+        Some(Long("count")) => {
+            let count = arguments.value()?.parse()?;
+            Box::new(move || batch(count))
+        }
+        Some(Long("prove")) => Box::new(prove),
+        Some(Long("program")) => Box::new(|| program(false)),
+        Some(Long("wgsl")) => Box::new(|| program(true)),
+        Some(Long("svg")) => {
+            let file = arguments.value()?;
+            Box::new(move || draw::write(&file))
+        }
+        Some(Long("help") | Short('h')) => Box::new(|| Ok(HELP.into())),
+        Some(other) => return Err(other.unexpected().into()),
+    };
+    match arguments.next()? {
+        Some(other) => Err(other.unexpected().into()),
+        None => job(),
+    }
+}
+
+/// Prints what came out.
+pub fn done(text: String) -> ExitCode {
+    say(&text);
+    ExitCode::SUCCESS
+}
+
+/// So many postures, evenly spread over both joints.
+pub fn postures(count: usize) -> Vec<Arm<f32>> {
+    let side = (count as f64).sqrt().ceil() as usize;
+    let angle = |i: usize| TAU * i as f32 / side as f32 - PI;
+    let all = (0..count).map(|k| posture(angle(k % side), angle(k / side)));
+    all.collect()
+}
+
+/// A bar for so many postures.
+pub fn progress(count: usize) -> ProgressBar {
+    let style = ProgressStyle::with_template("{bar:30} {pos}/{len} postures ({elapsed})");
+    ProgressBar::new(count as u64).with_style(style.expect("a valid template"))
+}
+
+/// What came out of a batch.
+pub fn summary(took: Duration, values: &[f32], slopes: &[Arm<f32>]) -> String {
+    let (count, seconds) = (values.len(), took.as_secs_f64());
+    let rate = count as f64 / seconds / 1e6;
+    let hit = values.iter().filter(|value| **value < 0.0).count();
+    let share = 100.0 * hit as f64 / count.max(1) as f64;
+    let steep = slopes.iter().map(|by| by.shoulder.hypot(by.elbow));
+    let steepest = steep.fold(0.0, f32::max);
+    format!(
+        "{count} postures with slopes in {seconds:.3} s, {rate:.2} million a second\n\
+         {share:.1} % collide; clearance changes by at most {steepest:.2} m per radian\n"
+    )
+}

@@ -1,0 +1,354 @@
+//! The cores that shapes are made of: a point, a piece of a line, a polygon, a box.
+use super::convex::{Core, edge_near, face_deep, unit};
+use super::edge::{Edge, scale_of, size_of};
+use super::share::{Ahead, Best, Deepest, Nearest};
+use crate::intersection::span::{Beam, Inside};
+use crate::{Rotation2, Scalar, Vec2};
+
+/// One point.
+#[derive(Clone, Copy, Debug)]
+pub struct PointCore<S>(pub Vec2<S>);
+
+impl<S: Scalar> Core<S> for PointCore<S> {
+    type Corners = [Vec2<S>; 1];
+    type Away = [Vec2<S>; 0];
+    const DIMENSION: usize = 0;
+    #[inline(always)]
+    fn anchor(&self) -> Vec2<S> {
+        self.0
+    }
+    #[inline(always)]
+    fn extent(&self, from: Vec2<S>) -> S::Primal {
+        size_of(self.0 - from)
+    }
+    #[inline(always)]
+    fn placed(self, from: Vec2<S>, scale: S) -> Self {
+        PointCore((self.0 - from) * scale)
+    }
+    #[inline(always)]
+    fn corners(&self) -> [Vec2<S>; 1] {
+        [self.0]
+    }
+    #[inline(always)]
+    fn away(&self) -> [Vec2<S>; 0] {
+        []
+    }
+    #[inline(always)]
+    fn near(&self, corners: &[Vec2<S>]) -> Best<S, Nearest<S>> {
+        Best::least(corners.iter().map(|&corner| {
+            let apart = corner - self.0;
+            Best::of(
+                apart.length_squared(),
+                Nearest {
+                    apart,
+                    on_a: self.0,
+                    on_b: corner,
+                },
+            )
+        }))
+    }
+    #[inline(always)]
+    fn inside(&self, beam: Beam<S>, radius: S) -> Inside<S> {
+        Inside::disc(beam, self.0, radius)
+    }
+    #[inline(always)]
+    fn deep<B: Core<S>>(&self, other: &B) -> Best<S, Deepest<S>> {
+        face_deep(Edge::between(self.0, self.0), Vec2::zero(), other)
+    }
+}
+
+/// A piece of a line: with two corners a segment, with one corner and one direction a ray, with one
+/// corner and two directions a line.
+#[derive(Clone, Copy, Debug)]
+pub struct EdgeCore<S, const CORNERS: usize, const AWAY: usize> {
+    edge: Edge<S>,
+}
+
+impl<S: Scalar> EdgeCore<S, 2, 0> {
+    /// The segment between two points.
+    #[inline(always)]
+    pub fn segment(from: Vec2<S>, to: Vec2<S>) -> Self {
+        EdgeCore {
+            edge: Edge::between(from, to),
+        }
+    }
+}
+
+impl<S: Scalar, const AWAY: usize> EdgeCore<S, 1, AWAY> {
+    /// The ray, or the line, from a point in a direction.
+    #[inline(always)]
+    pub fn endless(from: Vec2<S>, direction: Vec2<S>) -> Self {
+        let large = S::lit(S::LARGEST);
+        EdgeCore {
+            edge: Edge {
+                from,
+                // Of a length near one, whatever the unit of the rest.
+                along: direction * scale_of::<S>(size_of(direction)),
+                low: if AWAY == 2 { -large } else { S::zero() },
+                high: large,
+            },
+        }
+    }
+}
+
+impl<S: Scalar, const CORNERS: usize, const AWAY: usize> Core<S> for EdgeCore<S, CORNERS, AWAY> {
+    type Corners = [Vec2<S>; CORNERS];
+    type Away = [Vec2<S>; AWAY];
+    const DIMENSION: usize = 1;
+    const BOUNDED: bool = AWAY == 0;
+    #[inline(always)]
+    fn anchor(&self) -> Vec2<S> {
+        self.edge.from
+    }
+    #[inline(always)]
+    fn extent(&self, from: Vec2<S>) -> S::Primal {
+        let arm = self.edge.from - from;
+        if AWAY == 0 {
+            size_of(arm).most(size_of(arm + self.edge.along))
+        } else {
+            size_of(arm)
+        }
+    }
+    #[inline(always)]
+    fn placed(self, from: Vec2<S>, scale: S) -> Self {
+        let Edge { along, .. } = self.edge;
+        EdgeCore {
+            edge: Edge {
+                from: (self.edge.from - from) * scale,
+                along: if AWAY == 0 { along * scale } else { along },
+                ..self.edge
+            },
+        }
+    }
+    #[inline(always)]
+    fn corners(&self) -> [Vec2<S>; CORNERS] {
+        let Edge { from, along, .. } = self.edge;
+        std::array::from_fn(|k| if k == 0 { from } else { from + along })
+    }
+    #[inline(always)]
+    fn away(&self) -> [Vec2<S>; AWAY] {
+        let along = self.edge.along;
+        std::array::from_fn(|k| if k == 0 { along } else { -along })
+    }
+    #[inline(always)]
+    fn near(&self, corners: &[Vec2<S>]) -> Best<S, Nearest<S>> {
+        edge_near(self.edge, corners)
+    }
+    #[inline(always)]
+    fn inside(&self, beam: Beam<S>, radius: S) -> Inside<S> {
+        let Edge { from, along, .. } = self.edge;
+        Inside::strip(beam, from, along, radius, AWAY < 2, AWAY == 0)
+    }
+    #[inline(always)]
+    fn deep<B: Core<S>>(&self, other: &B) -> Best<S, Deepest<S>> {
+        let normal = unit(self.edge.along.perp());
+        let [left, right] = [normal, -normal].map(|normal| face_deep(self.edge, normal, other));
+        left.most(right)
+    }
+}
+
+/// A convex polygon of at most N corners, counter-clockwise; corners may be repeated.
+#[derive(Clone, Copy, Debug)]
+pub struct PolygonCore<S, const N: usize>(pub [Vec2<S>; N]);
+
+impl<S: Scalar, const N: usize> Core<S> for PolygonCore<S, N> {
+    type Corners = [Vec2<S>; N];
+    type Away = [Vec2<S>; 0];
+    const DIMENSION: usize = 2;
+    #[inline(always)]
+    fn anchor(&self) -> Vec2<S> {
+        self.0[0]
+    }
+    #[inline(always)]
+    fn extent(&self, from: Vec2<S>) -> S::Primal {
+        self.0.iter().fold(S::Primal::zero(), |most, &corner| {
+            most.most(size_of(corner - from))
+        })
+    }
+    #[inline(always)]
+    fn placed(self, from: Vec2<S>, scale: S) -> Self {
+        PolygonCore(self.0.map(|corner| (corner - from) * scale))
+    }
+    #[inline(always)]
+    fn corners(&self) -> [Vec2<S>; N] {
+        self.0
+    }
+    #[inline(always)]
+    fn away(&self) -> [Vec2<S>; 0] {
+        []
+    }
+    #[inline(always)]
+    fn near(&self, corners: &[Vec2<S>]) -> Best<S, Nearest<S>> {
+        Best::least(
+            (0..N).map(|i| edge_near(Edge::between(self.0[i], self.0[(i + 1) % N]), corners)),
+        )
+    }
+    #[inline(always)]
+    fn inside(&self, beam: Beam<S>, _: S) -> Inside<S> {
+        Inside::polygon(beam, &self.0)
+    }
+    #[inline(always)]
+    fn deep<B: Core<S>>(&self, other: &B) -> Best<S, Deepest<S>> {
+        Best::most_of((0..N).map(|i| {
+            let face = Edge::between(self.0[i], self.0[(i + 1) % N]);
+            face_deep(face, -unit(face.along.perp()), other)
+        }))
+    }
+}
+
+/// How a box is turned: not at all, or by a rotation.
+pub trait Turn<S: Scalar>: Copy {
+    /// From the box's own axes to the world's.
+    fn out(&self, v: Vec2<S>) -> Vec2<S>;
+    /// From the world's axes to the box's own.
+    fn back(&self, v: Vec2<S>) -> Vec2<S>;
+}
+
+/// Not turned.
+#[derive(Clone, Copy, Debug)]
+pub struct Upright;
+
+impl<S: Scalar> Turn<S> for Upright {
+    #[inline(always)]
+    fn out(&self, v: Vec2<S>) -> Vec2<S> {
+        v
+    }
+    #[inline(always)]
+    fn back(&self, v: Vec2<S>) -> Vec2<S> {
+        v
+    }
+}
+
+impl<S: Scalar> Turn<S> for Rotation2<S> {
+    #[inline(always)]
+    fn out(&self, v: Vec2<S>) -> Vec2<S> {
+        *self * v
+    }
+    #[inline(always)]
+    fn back(&self, v: Vec2<S>) -> Vec2<S> {
+        self.inverse() * v
+    }
+}
+
+/// A box: what it does with a corner it does in its own frame, where it is four comparisons.
+#[derive(Clone, Copy, Debug)]
+pub struct BoxCore<S, R> {
+    /// The centre.
+    pub center: Vec2<S>,
+    /// Half its size.
+    pub half: Vec2<S>,
+    /// How it is turned.
+    pub turn: R,
+}
+
+impl<S: Scalar, R: Turn<S>> BoxCore<S, R> {
+    /// The normals of the faces, how far the faces are from the centre, and half their lengths.
+    #[inline(always)]
+    fn faces(&self) -> [(Vec2<S>, S, S); 4] {
+        let (right, up) = (
+            self.turn.out(Vec2::new(S::one(), S::zero())),
+            self.turn.out(Vec2::new(S::zero(), S::one())),
+        );
+        let Vec2 { x, y } = self.half;
+        [(right, x, y), (-right, x, y), (up, y, x), (-up, y, x)]
+    }
+}
+
+impl<S: Scalar, R: Turn<S>> Core<S> for BoxCore<S, R> {
+    type Corners = [Vec2<S>; 4];
+    type Away = [Vec2<S>; 0];
+    const DIMENSION: usize = 2;
+    #[inline(always)]
+    fn anchor(&self) -> Vec2<S> {
+        self.center
+    }
+    #[inline(always)]
+    fn extent(&self, from: Vec2<S>) -> S::Primal {
+        size_of(self.center - from) + (self.half.x.primal() + self.half.y.primal())
+    }
+    #[inline(always)]
+    fn placed(self, from: Vec2<S>, scale: S) -> Self {
+        BoxCore {
+            center: (self.center - from) * scale,
+            half: self.half * scale,
+            turn: self.turn,
+        }
+    }
+    #[inline(always)]
+    fn corners(&self) -> [Vec2<S>; 4] {
+        let Vec2 { x, y } = self.half;
+        let (near, far) = (
+            self.turn.out(Vec2::new(x, -y)),
+            self.turn.out(Vec2::new(x, y)),
+        );
+        [
+            self.center - far,
+            self.center + near,
+            self.center + far,
+            self.center - near,
+        ]
+    }
+    #[inline(always)]
+    fn away(&self) -> [Vec2<S>; 0] {
+        []
+    }
+    #[inline(always)]
+    fn near(&self, corners: &[Vec2<S>]) -> Best<S, Nearest<S>> {
+        Best::least(corners.iter().map(|&corner| {
+            let local = self.turn.back(corner - self.center);
+            let beside = |x: S, half: S| S::select(x.below(S::zero()), x + half, x - half);
+            let outside = |x: S, half: S| x.unsigned().above(half);
+            let pick = |x: S, half: S| S::select(outside(x, half), beside(x, half), S::zero());
+            let apart = Vec2::new(pick(local.x, self.half.x), pick(local.y, self.half.y));
+            let turned = self.turn.out(apart);
+            let on_self = self.center + self.turn.out(local - apart);
+            Best::of(
+                apart.length_squared(),
+                Nearest {
+                    apart: turned,
+                    on_a: on_self,
+                    on_b: corner,
+                },
+            )
+        }))
+    }
+    #[inline(always)]
+    fn inside(&self, beam: Beam<S>, _: S) -> Inside<S> {
+        self.faces()
+            .into_iter()
+            .fold(Inside::everywhere(), |inside, (normal, half, _)| {
+                inside.behind(beam, self.center + normal * half, normal)
+            })
+    }
+    #[inline(always)]
+    fn deep<B: Core<S>>(&self, other: &B) -> Best<S, Deepest<S>> {
+        Best::most_of(self.faces().into_iter().map(|(normal, half, side)| {
+            let face = Edge {
+                from: self.center + normal * half,
+                along: normal.perp(),
+                low: -side,
+                high: side,
+            };
+            face_deep(face, normal, other)
+        }))
+    }
+    /// Without the corners: half the diagonals' projections. Corners that tie are their middle.
+    #[inline(always)]
+    fn lowest(&self, normal: Vec2<S>) -> Best<S, Ahead<S>> {
+        let own = self.turn.back(normal);
+        let (x, y) = (own.x * self.half.x, own.y * self.half.y);
+        let side = |x: S, half: S| {
+            let none = x.equals(S::zero());
+            S::select(none, S::zero(), (-half).signed_as(x))
+        };
+        let corner = Vec2::new(side(x, self.half.x), side(y, self.half.y));
+        let ahead = normal.dot(self.center) - (x.magnitude() + y.magnitude());
+        Best::of(
+            ahead,
+            Ahead {
+                ahead,
+                on_b: self.center + self.turn.out(corner),
+            },
+        )
+    }
+}

@@ -1,0 +1,211 @@
+//! Folds over paths and operations with a search, in batches.
+use geograd::error::{Argument, Field, Flaw};
+use geograd::kernels::fold::fold;
+use geograd::kernels::{
+    Cpu, Decided, DiameterOfPolygon, One, SecondMomentsOfRing, SignedDistancePointRing,
+};
+use geograd::measure::moments::{SecondMoments, second_moments};
+use geograd::{ConvexPolygon, Error, Pack, Vec2};
+use geograd_tests::Dice;
+
+fn point(dice: &mut Dice) -> Vec2<f64> {
+    Vec2::new(dice.within(-2.0, 2.0), dice.within(-2.0, 2.0))
+}
+
+/// Rings of zero to thirteen vertices.
+fn rings(dice: &mut Dice, count: usize) -> (Vec<Vec2<f64>>, Vec<usize>) {
+    let (mut vertices, mut offsets) = (Vec::new(), vec![0]);
+    for _ in 0..count {
+        for _ in 0..dice.below(14) {
+            vertices.push(point(dice));
+        }
+        offsets.push(vertices.len());
+    }
+    (vertices, offsets)
+}
+
+#[test]
+fn folds_have_the_bits_of_one_path_at_a_time() {
+    let mut dice = Dice(1);
+    // More than one piece of work.
+    let (vertices, offsets) = rings(&mut dice, 5000);
+    let points: Vec<Vec2<f64>> = (0..5000).map(|_| point(&mut dice)).collect();
+    let cpu = Cpu::new();
+    let distances = cpu
+        .fold(SignedDistancePointRing, &points, &vertices, &offsets)
+        .unwrap();
+    let moments = cpu
+        .fold(SecondMomentsOfRing, One([]), &vertices, &offsets)
+        .unwrap();
+    for (i, ring) in offsets.windows(2).enumerate() {
+        let ring = &vertices[ring[0]..ring[1]];
+        let one = fold::<SignedDistancePointRing, f64>(points[i], ring);
+        assert_eq!(distances[i].to_bits(), one.to_bits(), "{ring:?}");
+        let (known, found) = (second_moments(&[ring]), moments[i]);
+        for (x, y) in found.scalars().iter().zip(known.scalars()) {
+            assert!(
+                (x - y).abs() <= 1e-12 * (1.0 + y.abs()),
+                "{ring:?}: {found:?} {known:?}"
+            );
+        }
+    }
+}
+
+#[test]
+fn adjoints_of_folds_are_slopes() {
+    let mut dice = Dice(2);
+    let (vertices, offsets) = rings(&mut dice, 200);
+    let points: Vec<Vec2<f64>> = (0..200).map(|_| point(&mut dice)).collect();
+    let up: Vec<f64> = (0..200).map(|_| dice.within(-2.0, 2.0)).collect();
+    let cpu = Cpu::new();
+    let (by_point, by_vertex) = cpu
+        .fold_vjp(SignedDistancePointRing, &points, &vertices, &offsets, &up)
+        .unwrap();
+    let total = |points: &[Vec2<f64>], vertices: &[Vec2<f64>]| -> f64 {
+        let all = cpu
+            .fold(SignedDistancePointRing, points, vertices, &offsets)
+            .unwrap();
+        let real = all.iter().zip(&up).filter(|(x, _)| **x < 1e300);
+        real.map(|(x, up)| x * up).sum()
+    };
+    // Along a random direction of everything at once; kinks are rare.
+    let (mut agreed, tries) = (0, 20);
+    for _ in 0..tries {
+        let step = 1e-7;
+        let directions: Vec<Vec2<f64>> = (0..points.len()).map(|_| point(&mut dice)).collect();
+        let turns: Vec<Vec2<f64>> = (0..vertices.len()).map(|_| point(&mut dice)).collect();
+        let moved = |by: f64| {
+            let p: Vec<_> = points
+                .iter()
+                .zip(&directions)
+                .map(|(&p, &d)| p + d * by)
+                .collect();
+            let v: Vec<_> = vertices
+                .iter()
+                .zip(&turns)
+                .map(|(&p, &d)| p + d * by)
+                .collect();
+            total(&p, &v)
+        };
+        let slope = (moved(step) - moved(-step)) / (2.0 * step);
+        let dots = |bars: &[Vec2<f64>], ways: &[Vec2<f64>]| -> f64 {
+            bars.iter().zip(ways).map(|(bar, way)| bar.dot(*way)).sum()
+        };
+        let known = dots(&by_point, &directions) + dots(&by_vertex, &turns);
+        agreed += usize::from((slope - known).abs() <= 1e-5 * (1.0 + known.abs()));
+    }
+    assert!(agreed >= tries - 2, "{agreed} of {tries}");
+}
+
+#[test]
+fn moments_pull_on_vertices() {
+    let ring = [(0.0, 0.0), (3.0, 0.5), (2.0, 2.5), (0.5, 2.0)].map(|(x, y)| Vec2::new(x, y));
+    let up = SecondMoments {
+        xx: 1.0,
+        yy: -0.5,
+        xy: 0.25,
+    };
+    let (_, bars) = Cpu::new()
+        .fold_vjp(SecondMomentsOfRing, One([]), &ring, &[0, 4], &[up])
+        .unwrap();
+    let value = |ring: &[Vec2<f64>]| {
+        let m = second_moments(&[ring]);
+        m.xx - 0.5 * m.yy + 0.25 * m.xy
+    };
+    for k in 0..4 {
+        let (mut more, mut less) = (ring, ring);
+        more[k].x += 1e-6;
+        less[k].x -= 1e-6;
+        let slope = (value(&more) - value(&less)) / 2e-6;
+        assert!((slope - bars[k].x).abs() < 1e-7, "{slope} {:?}", bars[k]);
+    }
+}
+
+#[test]
+fn folds_refuse_what_is_wrong() {
+    let cpu = Cpu::new();
+    let ring = [
+        Vec2::new(0.0, 0.0),
+        Vec2::new(1.0, 0.0),
+        Vec2::new(0.0, 1.0),
+    ];
+    let one = [Vec2::new(0.5, 0.5)];
+    assert_eq!(
+        cpu.fold(SignedDistancePointRing, &one, &ring, &[0, 2]),
+        Err(Error::Offsets { row: 1 })
+    );
+    assert_eq!(
+        cpu.fold(SignedDistancePointRing, &one, &ring, &[0, 1, 3]),
+        Err(Error::Length {
+            argument: Argument::A,
+            expected: 2,
+            found: 1
+        })
+    );
+    let nan = [Vec2::new(f64::NAN, 0.0)];
+    assert_eq!(
+        cpu.fold(SignedDistancePointRing, &nan, &ring, &[0, 3]),
+        Err(Error::Invalid {
+            argument: Argument::A,
+            row: 0,
+            flaw: Flaw::NotFinite(Field::new("x"))
+        })
+    );
+    let wild = cpu.fold_vjp(
+        SignedDistancePointRing,
+        &one,
+        &ring,
+        &[0, 3],
+        &[f64::INFINITY],
+    );
+    assert!(matches!(
+        wild,
+        Err(Error::Invalid {
+            argument: Argument::Upstream,
+            row: 0,
+            ..
+        })
+    ));
+    let nothing: [Vec2<f64>; 0] = [];
+    assert_eq!(
+        cpu.fold(SignedDistancePointRing, &nothing, &nothing, &[0]),
+        Ok(vec![])
+    );
+}
+
+#[test]
+fn searches_are_decided_and_replayed() {
+    let kite = [(0.0, 0.0), (1.0, -0.5), (3.0, 0.0), (1.0, 0.5)].map(|(x, y)| Vec2::new(x, y));
+    let triangle = [(0.0, 0.0), (4.0, 0.0), (0.0, 3.0)].map(|(x, y)| Vec2::new(x, y));
+    let polygons: [ConvexPolygon<f64, 6>; 2] =
+        [&kite[..], &triangle].map(|ring| ConvexPolygon::try_new(ring).unwrap());
+    let cpu = Cpu::new();
+    assert_eq!(
+        cpu.aligned(DiameterOfPolygon, &polygons).unwrap(),
+        [3.0, 5.0]
+    );
+    let (values, bars) = cpu
+        .aligned(DiameterOfPolygon.value_grad(), &polygons)
+        .unwrap();
+    assert_eq!(values, [3.0, 5.0]);
+    assert_eq!(bars[0].vertices[2], Vec2::new(1.0, 0.0));
+    assert_eq!(bars[0].vertices[0], Vec2::new(-1.0, 0.0));
+    assert_eq!(bars[1].vertices[1], Vec2::new(0.8, -0.6));
+    // Places behind the last vertex have no slopes.
+    assert_eq!(bars[0].vertices[4], Vec2::new(0.0, 0.0));
+    let up = [2.0, -1.0];
+    let pulled = cpu
+        .aligned(DiameterOfPolygon.vjp(), (&polygons, &up))
+        .unwrap();
+    assert_eq!(pulled[0].vertices[2], Vec2::new(2.0, 0.0));
+    let mut flat = polygons;
+    flat[1].count = 2;
+    assert!(matches!(
+        cpu.aligned(DiameterOfPolygon, &flat),
+        Err(Error::Invalid {
+            argument: Argument::A,
+            row: 1,
+            ..
+        })
+    ));
+}
