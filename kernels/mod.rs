@@ -52,6 +52,8 @@ pub mod row;
 #[forbid(unsafe_code)]
 mod subject;
 #[forbid(unsafe_code)]
+mod suppress;
+#[forbid(unsafe_code)]
 pub mod witness;
 
 pub use backend::Backend;
@@ -64,8 +66,14 @@ pub use ops::distance::{
 };
 pub use ops::extent::DiameterOfPolygon;
 pub use ops::fold::{SecondMomentsOfRing, SignedDistancePointRing};
+pub use ops::gaussian::{WassersteinObb2, WassersteinSquaredObb2};
+pub use ops::iou3::{CiouAabb3, CiouYaw, DiouYaw, EiouYaw, GiouYaw};
 pub use ops::overlap::{
     IntersectionAreaAabb2, IntersectionAreaObb2, IofAabb2, IofObb2, IouAabb2, IouObb2,
+};
+pub use ops::overlap3::{
+    IntersectionVolumeAabb3, IntersectionVolumeObb3, IntersectionVolumeYaw, IofAabb3, IofObb3,
+    IofYaw, IouAabb3, IouBirdsEye, IouObb3, IouYaw,
 };
 pub use ops::ring::{Centroid, Perimeter, SignedArea};
 pub use ops::shape::{Circumcircle, MoveSegment};
@@ -101,6 +109,23 @@ macro_rules! for_each_op {
                 closest_points_of_segments: $crate::kernels::ops::distance::ClosestPointsOfSegments,
                 circumcircle: $crate::kernels::ops::shape::Circumcircle,
                 move_segment: $crate::kernels::ops::shape::MoveSegment,
+                intersection_volume_aabb3: $crate::kernels::ops::overlap3::IntersectionVolumeAabb3,
+                iou_aabb3: $crate::kernels::ops::overlap3::IouAabb3,
+                iof_aabb3: $crate::kernels::ops::overlap3::IofAabb3,
+                intersection_volume_yaw: $crate::kernels::ops::overlap3::IntersectionVolumeYaw,
+                iou_yaw: $crate::kernels::ops::overlap3::IouYaw,
+                iof_yaw: $crate::kernels::ops::overlap3::IofYaw,
+                iou_birds_eye: $crate::kernels::ops::overlap3::IouBirdsEye,
+                intersection_volume_obb3: $crate::kernels::ops::overlap3::IntersectionVolumeObb3,
+                iou_obb3: $crate::kernels::ops::overlap3::IouObb3,
+                iof_obb3: $crate::kernels::ops::overlap3::IofObb3,
+                ciou_aabb3: $crate::kernels::ops::iou3::CiouAabb3,
+                giou_yaw: $crate::kernels::ops::iou3::GiouYaw,
+                diou_yaw: $crate::kernels::ops::iou3::DiouYaw,
+                ciou_yaw: $crate::kernels::ops::iou3::CiouYaw,
+                eiou_yaw: $crate::kernels::ops::iou3::EiouYaw,
+                wasserstein_obb2: $crate::kernels::ops::gaussian::WassersteinObb2,
+                wasserstein_squared_obb2: $crate::kernels::ops::gaussian::WassersteinSquaredObb2,
             }
         }
     };

@@ -31,8 +31,31 @@
 /// ```
 ///
 /// An adjoint by hand is a further formula, of the arguments and the cotangent of the result, that
-/// gives the result and the slopes: `adjoint |(point, shape), out_bar| { (value, (point_bar,
-/// shape_bar)) }`, with `slopes ByHand`.
+/// gives the result and the slopes:
+///
+/// ```
+/// use geograd::kernels::{Cpu, Op};
+/// use geograd::operation;
+///
+/// operation! {
+///     /// The product of two numbers.
+///     pub Product = "product": (a: S, b: S) -> S { a * b }
+///     promises [Exchange Stays]
+///     jumps Never
+///     slopes ByHand |(a, b), out_bar| { (a * b, (b * out_bar, a * out_bar)) }
+///
+///     /// The square of a number.
+///     pub Square = "square": (a: S) -> S { a * a }
+///     promises []
+///     jumps Never
+///     slopes Reverse
+/// }
+///
+/// let (a, b) = ([2.0_f64], [3.0]);
+/// let (value, (by_a, _)) = Cpu::new().aligned(Product.value_grad(), (&a, &b))?;
+/// assert_eq!((value[0], by_a[0]), (6.0, 3.0));
+/// # Ok::<(), geograd::Error>(())
+/// ```
 #[macro_export]
 macro_rules! operation {
     ($(
@@ -40,8 +63,7 @@ macro_rules! operation {
         $vis:vis $Name:ident = $name:literal: ($($arg:ident: $type:ty),+ $(,)?) -> $out:ty $body:block
         promises [$($motion:ident $answer:ident $(($power:literal))?),* $(,)?]
         jumps $jumps:ident
-        slopes $slopes:ident
-        $(adjoint |$input:pat_param, $out_bar:ident| $adjoint:block)?
+        slopes $slopes:ident $(|$input:pat_param, $out_bar:ident| $adjoint:block)?
     )+) => { $(
         $(#[$doc])*
         #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]

@@ -28,6 +28,7 @@
 //! | compare boxes as Gaussians | [`gaussian`]: Wasserstein, Kullback-Leibler, ProbIoU, KFIoU |
 //! | read other people's boxes | [`convention`] |
 //! | score boxes that may be apart: GIoU, DIoU, CIoU and the like | [`iou`] |
+//! | suppress, assign and judge detections | [`suppression`], [`assignment`], [`metric`] |
 //! | measure polygons | [`ring`], [`measure`] |
 //! | measure what polygons share, with holes or without | [`overlap_polygon`] |
 //! | clip, join, add convex polygons | [`clipping`], [`hull`] |
@@ -53,6 +54,8 @@
 // What `#[derive(Shape)]` writes calls the library by its name, inside the library, too.
 extern crate self as geograd;
 
+#[forbid(unsafe_code)]
+pub mod assignment;
 #[forbid(unsafe_code)]
 pub mod clip;
 #[forbid(unsafe_code)]
@@ -83,6 +86,8 @@ pub mod iou3;
 #[forbid(unsafe_code)]
 pub mod measure;
 #[forbid(unsafe_code)]
+pub mod metric;
+#[forbid(unsafe_code)]
 pub mod overlap;
 #[forbid(unsafe_code)]
 pub mod overlap3;
@@ -102,6 +107,8 @@ pub mod ring;
 pub mod scalar;
 #[forbid(unsafe_code)]
 pub mod shape;
+#[forbid(unsafe_code)]
+pub mod suppression;
 
 #[path = "../ad/mod.rs"]
 #[forbid(unsafe_code)]

@@ -167,6 +167,7 @@ mod settle;
 mod shapes;
 mod shrink;
 mod slopes;
+mod solids;
 #[cfg(feature = "proptest")]
 pub mod strategy;
 pub mod subject;

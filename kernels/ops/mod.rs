@@ -2,6 +2,9 @@
 pub mod distance;
 pub mod extent;
 pub mod fold;
+pub mod gaussian;
+pub mod iou3;
 pub mod overlap;
+pub mod overlap3;
 pub mod ring;
 pub mod shape;

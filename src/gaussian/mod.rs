@@ -249,10 +249,12 @@ pub fn probiou<S: Scalar>(a: Obb2<S>, b: Obb2<S>) -> S {
     similarity(distance(&pair))
 }
 
-/// One minus Hellinger's distance, from Bhattacharyya's.
+/// One minus Hellinger's distance, from Bhattacharyya's: `1 − √(1 − q)` with `q = e⁻ᵈ`, as `q / (1 + √(1 −
+/// q))`, which keeps its digits far away.
 #[inline(always)]
 pub(crate) fn similarity<S: Scalar>(distance: S) -> S {
-    (S::one() - (-exp_minus_one(-distance)).root()).canonical()
+    let hellinger = (-exp_minus_one(-distance)).root();
+    (-distance).exp().over(S::one() + hellinger).canonical()
 }
 
 /// The overlap of two boxes as Gaussians when they are fused as a Kalman filter does, over their union, in

@@ -4,7 +4,7 @@
 //! | --- | --- | --- | --- |
 //! | [`giou`] | IoU less the share of the enclosing shape that is in neither box | `(−1, 1]` | Rezatofighi et al., *Generalized intersection over union*, CVPR 2019 |
 //! | [`diou`] | IoU less the squared distance of the centres over the enclosing box's squared diagonal | `(−1, 1]` | Zheng et al., *Distance-IoU loss*, AAAI 2020 |
-//! | [`ciou`] | DIoU less a weighted difference of the proportions | `(−2, 1]` | the same |
+//! | [`ciou`], [`ciou_fixed_weight`] | DIoU less a weighted difference of the proportions | `(−2, 1]` | the same |
 //! | [`eiou`] | DIoU less squared differences of the sizes over the enclosing box's | `(−4, 1]` | Zhang et al., *Focal and efficient IoU loss*, 2021 |
 //! | [`alpha_iou`] | a power of IoU | `[0, 1]` | He et al., *Alpha-IoU*, NeurIPS 2021 |
 //! | [`separation_aware`] | IoU, or for boxes apart minus their separation over itself and their size | `(−1, 1]` | here |
@@ -195,13 +195,9 @@ pub fn diou<S: Scalar, B: Solid<S>>(a: B, b: B, kind: Enclosing) -> S {
     diou_of(&terms(a, b, kind)).canonical()
 }
 
-/// Complete IoU of two boxes, in `(−2, 1]`: DIoU less `α v`, where v is the mean over the pairs (x, y),
-/// (y, z), (z, x) of `4/π² (atan(p/q) − atan(p'/q'))²` and `α = v / (1 − IoU + v)`, a constant for slopes as
-/// in the paper's code. The ratio of two zero sizes is that of a square.
-#[must_use]
-#[inline]
-pub fn ciou<S: Scalar, B: Solid<S>>(a: B, b: B, kind: Enclosing) -> S {
-    let t = terms(a, b, kind);
+/// The mean over the pairs (x, y), (y, z), (z, x) of `4/π² (atan(p/q) − atan(p'/q'))²`.
+#[inline(always)]
+fn proportions<S: Scalar>(t: &Terms<S>) -> S {
     let turn = |p: S, q: S| {
         let none = (p.at_most(S::zero())) & (q.at_most(S::zero()));
         S::select(none, S::one(), p).atan2(S::select(none, S::one(), q))
@@ -210,7 +206,28 @@ pub fn ciou<S: Scalar, B: Solid<S>>(a: B, b: B, kind: Enclosing) -> S {
     let differ = |p: S, q: S, r: S, s: S| (turn(p, q) - turn(r, s)).squared();
     let sum =
         differ(u.x, u.y, v.x, v.y) + (differ(u.y, u.z, v.y, v.z) + differ(u.z, u.x, v.z, v.x));
-    let v = sum * S::lit(4.0 / 3.0 / (std::f64::consts::PI * std::f64::consts::PI));
+    sum * S::lit(4.0 / 3.0 / (std::f64::consts::PI * std::f64::consts::PI))
+}
+
+/// Complete IoU of two boxes, in `(−2, 1]`: DIoU less `α v`, where v is the mean over the pairs (x, y),
+/// (y, z), (z, x) of `4/π² (atan(p/q) − atan(p'/q'))²` and `α = v / (1 − IoU + v)`. All slopes, those of α
+/// too. The ratio of two zero sizes is that of a square.
+#[must_use]
+#[inline]
+pub fn ciou<S: Scalar, B: Solid<S>>(a: B, b: B, kind: Enclosing) -> S {
+    let t = terms(a, b, kind);
+    let v = proportions(&t);
+    let weight = share(v, (S::one() - t.iou) + v);
+    (diou_of(&t) - weight * v).canonical()
+}
+
+/// Complete IoU, in `(−2, 1]`, whose weight α counts as constant: no slope goes through it, as its authors
+/// train. The value is that of [`ciou`]; the slopes are those of no function.
+#[must_use]
+#[inline]
+pub fn ciou_fixed_weight<S: Scalar, B: Solid<S>>(a: B, b: B, kind: Enclosing) -> S {
+    let t = terms(a, b, kind);
+    let v = proportions(&t);
     let weight = share(v, (S::one() - t.iou) + v).primal();
     (diou_of(&t) - S::from_primal(weight) * v).canonical()
 }

@@ -203,17 +203,23 @@ fn slopes<S: Scalar>(
 }
 
 /// For boxes that are the same set of points: exactly their volume, each size with half the slope, and no
-/// slope by motion, by symmetry.
+/// slope by motion, by symmetry. No slopes at all without volume.
 #[inline(always)]
 fn same_box<S: Scalar, const SLOPES: bool>(pair: &Relative3<S>, found: Shared3<S>) -> Shared3<S> {
     let (same, h, zero) = (pair.same, pair.half_a, S::zero());
-    let whole = (h[0] + h[0]) * (h[1] + h[1]) * (h[2] + h[2]);
+    // Of both, so that slopes through this value are shared, too.
+    let p = pair.half_b;
+    let whole = (h[0] + p[0]) * (h[1] + p[1]) * (h[2] + p[2]);
+    // Of boxes without volume neither shares more when it alone grows.
+    let flat = whole.at_most(zero);
+    let whole = S::select(flat, zero, whole);
     let mut out = found;
     out.volume = S::select(same, whole, found.volume);
     if SLOPES {
         for i in 0..3 {
             let (j, l) = ((i + 1) % 3, (i + 2) % 3);
             let face = (h[j] + h[j]) * (h[l] + h[l]);
+            let face = S::select(flat, zero, face);
             out.center[i] = S::select(same, zero, found.center[i]);
             out.turn[i] = S::select(same, zero, found.turn[i]);
             out.half_a[i] = S::select(same, face, found.half_a[i]);

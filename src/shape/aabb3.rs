@@ -24,6 +24,7 @@ pub const FACES: [[usize; 4]; 6] = [
 /// assert_eq!(a.surface(), 24.0);
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq, Shape)]
+#[shape(except(Sample))]
 #[repr(C)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Aabb3<S> {

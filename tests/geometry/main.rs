@@ -1,5 +1,6 @@
 //! What geometry promises, number by number.
 mod convention;
+mod detections;
 mod fingerprint;
 mod flat;
 mod gaussian;

@@ -1,0 +1,262 @@
+//! How boxes of space are drawn, and what is hard about them.
+//!
+//! Motions are those of the plane: z is a length that only scaling changes, a quaternion four numbers
+//! which nothing changes.
+use crate::ad::check::sample::{Draw, Sample};
+use crate::ad::check::symmetry::Kind;
+use crate::error::Validate;
+use crate::shape::{Aabb3, Obb3, Rotation3, YawBox3};
+use crate::{Obb2, Vec3};
+use std::f64::consts::{FRAC_PI_2, FRAC_PI_4};
+
+/// A height of about unit size.
+fn tall(draw: &mut Draw) -> f64 {
+    draw.within(0.2, 3.0)
+}
+
+/// One minus or plus.
+fn sign(draw: &mut Draw) -> f64 {
+    if draw.once_in(2) { -1.0 } else { 1.0 }
+}
+
+/// A vector of three numbers.
+fn vector([x, y, z]: [f64; 3]) -> Vec3<f64> {
+    Vec3::new(x, y, z)
+}
+
+/// The scale of every number of a place, and of every size: sizes of their own magnitude, where there is
+/// one, and places in which a box of such sizes moves by a share of itself.
+fn lengths(size: Vec3<f64>) -> [f64; 6] {
+    let size = [size.x, size.y, size.z];
+    let largest = match size.into_iter().fold(0.0_f64, f64::max) {
+        0.0 => 1.0,
+        largest => largest,
+    };
+    let own = size.map(|x| if x > 0.0 { x } else { largest });
+    let mean = own[0].cbrt() * own[1].cbrt() * own[2].cbrt();
+    let place = mean.max(1e-3 * largest);
+    [place, place, place, own[0], own[1], own[2]]
+}
+
+/// How far a turn may go: what moves the ends of a box by about as much as its place may.
+fn turn(lengths: &[f64; 6]) -> f64 {
+    lengths[0] / lengths[3].max(lengths[4]).max(lengths[5])
+}
+
+/// From the centre of one box to that of another of the same axes which touches it: face on face, edge on
+/// edge or corner on corner.
+fn touching(own: Vec3<f64>, other: Vec3<f64>, draw: &mut Draw) -> [f64; 3] {
+    let reach = (own + other) * 0.5;
+    let across = draw.below(3);
+    let at_corner = draw.once_in(4);
+    let mut offset = [reach.x, reach.y, reach.z];
+    for (axis, x) in offset.iter_mut().enumerate() {
+        *x *= match axis == across || at_corner {
+            true => sign(draw),
+            false => draw.within(-1.0, 1.0),
+        };
+    }
+    offset
+}
+
+/// A rotation about any axis, now and then by an eighth of a turn about one of the world's, by any
+/// quaternion of about unit length.
+fn rotation(draw: &mut Draw) -> Rotation3<f64> {
+    let axis = [0; 3].map(|_| draw.within(-1.0, 1.0));
+    let turned = match draw.below(6) {
+        0 => {
+            let mut axis = [0.0; 3];
+            axis[draw.below(3)] = 1.0;
+            let angle = FRAC_PI_4 * draw.below(8) as f64;
+            Rotation3::from_axis_angle(vector(axis), angle)
+        }
+        _ => Rotation3::new(draw.within(-1.0, 1.0), axis[0], axis[1], axis[2]),
+    };
+    let length = [turned.w, turned.x, turned.y, turned.z]
+        .iter()
+        .fold(0.0_f64, |sum, x| sum.hypot(*x));
+    match length > 0.3 {
+        true => turned,
+        false => Rotation3::identity(),
+    }
+}
+
+impl Sample for YawBox3<f64> {
+    fn ordinary(draw: &mut Draw) -> Self {
+        let ground = Obb2::ordinary(draw);
+        let center = [ground.center.x, ground.center.y, draw.within(-1.0, 1.0)];
+        let size = [ground.size.x, ground.size.y, tall(draw)];
+        YawBox3::new(vector(center), vector(size), ground.heading)
+    }
+    fn thin(draw: &mut Draw) -> Self {
+        let mut size = [0; 3].map(|_| draw.magnitude(1.0, 50.0));
+        size[draw.below(3)] = draw.magnitude(1e-3, 0.1);
+        YawBox3 {
+            size: vector(size),
+            ..Self::ordinary(draw)
+        }
+    }
+    fn beside(&self, draw: &mut Draw) -> Self {
+        let other = Self::ordinary(draw);
+        let offset = touching(self.size, other.size, draw);
+        YawBox3 {
+            center: self.center + self.rotation() * vector(offset),
+            heading: self.heading,
+            ..other
+        }
+    }
+    fn hard() -> Vec<Self> {
+        let made =
+            |at: [f64; 3], size: [f64; 3], heading| YawBox3::new(vector(at), vector(size), heading);
+        vec![
+            made([0.0, 0.0, 0.0], [2.0, 1.0, 1.5], 0.0),
+            made([0.0, 0.0, 0.0], [1.0, 0.5, 0.75], 0.0),
+            made([0.5, 0.25, 0.0], [1.0, 0.5, 1.5], 0.0),
+            made([2.0, 0.0, 0.0], [2.0, 1.0, 1.5], 0.0),
+            made([2.0, 1.0, 1.5], [2.0, 1.0, 1.5], 0.0),
+            made([0.5, 0.0, 1.5], [2.0, 1.0, 1.5], 0.0),
+            made([0.0, 0.0, 0.0], [2.0, 1.0, 1.5], FRAC_PI_2),
+            made([0.25, 0.125, 0.1], [1.5, 1.5, 1.0], FRAC_PI_4),
+            made([0.0, 0.0, 0.0], [2.0, 1.0, 1.5], 1e-5),
+            made([0.0, 0.0, 0.0], [50.0, 1e-3, 1.0], 0.0),
+            made([0.25, 0.0, 0.0], [0.0, 1.0, 1.0], 0.0),
+            made([9.0, 9.0, 3.0], [2.0, 1.0, 1.0], 0.5),
+            made([0.3, -0.2, 0.4], [1.4, 0.9, 1.2], 0.7),
+        ]
+    }
+    fn kinds(&self) -> Vec<Kind> {
+        use Kind::{Angle, Length, X, Y};
+        vec![X, Y, Length, Length, Length, Length, Angle]
+    }
+    fn scales(&self) -> Vec<f64> {
+        let lengths = lengths(self.size);
+        [&lengths[..], &[turn(&lengths)]].concat()
+    }
+    fn outlines(&self) -> Vec<Vec<[f64; 2]>> {
+        self.birds_eye().outlines()
+    }
+    fn inside(&self) -> bool {
+        self.validate().is_ok()
+    }
+}
+
+impl Sample for Obb3<f64> {
+    fn ordinary(draw: &mut Draw) -> Self {
+        let upright = YawBox3::ordinary(draw);
+        Obb3::new(upright.center, upright.size, rotation(draw))
+    }
+    fn thin(draw: &mut Draw) -> Self {
+        let upright = YawBox3::thin(draw);
+        Obb3::new(upright.center, upright.size, rotation(draw))
+    }
+    fn beside(&self, draw: &mut Draw) -> Self {
+        let other = Self::ordinary(draw);
+        let offset = touching(self.size, other.size, draw);
+        Obb3 {
+            center: self.center + self.rotation * vector(offset),
+            rotation: self.rotation,
+            ..other
+        }
+    }
+    fn hard() -> Vec<Self> {
+        let about = |axis: [f64; 3], angle| Rotation3::from_axis_angle(vector(axis), angle);
+        let made =
+            |at: [f64; 3], size: [f64; 3], rotation| Obb3::new(vector(at), vector(size), rotation);
+        let none = Rotation3::identity();
+        // Few: every pair of them is a long computation.
+        vec![
+            made([0.0, 0.0, 0.0], [2.0, 1.0, 1.5], none),
+            made([0.0, 0.0, 0.0], [1.0, 0.5, 0.75], none),
+            made([2.0, 0.0, 0.0], [2.0, 1.0, 1.5], none),
+            made(
+                [0.0, 0.0, 0.0],
+                [2.0, 1.0, 1.5],
+                Rotation3::new(-2.0, 0.0, 0.0, 0.0),
+            ),
+            made(
+                [0.0, 0.0, 0.0],
+                [2.0, 1.0, 1.5],
+                about([0.0, 0.0, 1.0], FRAC_PI_2),
+            ),
+            made(
+                [0.25, 0.125, 0.1],
+                [1.5, 1.5, 1.0],
+                about([1.0, 0.0, 0.0], FRAC_PI_4),
+            ),
+            made([0.0, 0.0, 0.0], [50.0, 1e-3, 1.0], none),
+            made([0.25, 0.0, 0.0], [0.0, 1.0, 1.0], none),
+            made(
+                [0.3, -0.2, 0.4],
+                [1.4, 0.9, 1.2],
+                about([0.5, -0.3, 0.8], 0.7),
+            ),
+        ]
+    }
+    fn kinds(&self) -> Vec<Kind> {
+        use Kind::{Length, Number, X, Y};
+        let place = [X, Y, Length, Length, Length, Length];
+        [&place[..], &[Number; 4]].concat()
+    }
+    fn scales(&self) -> Vec<f64> {
+        let (lengths, q) = (lengths(self.size), self.rotation);
+        let length = q.w.hypot(q.x).hypot(q.y).hypot(q.z);
+        [&lengths[..], &[turn(&lengths) * length; 4]].concat()
+    }
+    fn outlines(&self) -> Vec<Vec<[f64; 2]>> {
+        let [a, b, c, d, ..] = self.corners().map(|p| [p.x, p.y]);
+        vec![vec![a, b, d, c]]
+    }
+    fn inside(&self) -> bool {
+        self.validate().is_ok()
+    }
+}
+
+/// The axis-aligned box of such a centre and size.
+fn upright(center: Vec3<f64>, size: Vec3<f64>) -> Aabb3<f64> {
+    Aabb3::new(center - size * 0.5, center + size * 0.5)
+}
+
+impl Sample for Aabb3<f64> {
+    fn ordinary(draw: &mut Draw) -> Self {
+        let drawn = YawBox3::ordinary(draw);
+        upright(drawn.center, drawn.size)
+    }
+    fn thin(draw: &mut Draw) -> Self {
+        let drawn = YawBox3::thin(draw);
+        upright(drawn.center, drawn.size)
+    }
+    fn beside(&self, draw: &mut Draw) -> Self {
+        let size = YawBox3::ordinary(draw).size;
+        let offset = touching(self.size(), size, draw);
+        upright(self.center() + vector(offset), size)
+    }
+    fn hard() -> Vec<Self> {
+        let made = |min: [f64; 3], max: [f64; 3]| Aabb3::new(vector(min), vector(max));
+        vec![
+            made([0.0, 0.0, 0.0], [2.0, 1.0, 1.5]),
+            made([0.5, 0.25, 0.5], [1.0, 0.75, 1.0]),
+            made([0.0, 0.25, 0.0], [2.0, 0.5, 1.5]),
+            made([1.0, 0.0, 0.0], [3.0, 1.0, 1.5]),
+            made([2.0, 0.0, 0.0], [4.0, 1.0, 1.5]),
+            made([2.0, 1.0, 1.5], [4.0, 2.0, 3.0]),
+            made([0.7, 0.3, 0.2], [2.9, 1.7, 1.3]),
+            made([1.0, 0.0, 0.0], [1.0, 1.0, 1.0]),
+            made([1.0, 0.5, 0.5], [1.0, 0.5, 0.5]),
+            made([-25.0, 0.5, 0.25], [25.0, 0.501, 1.25]),
+            made([0.0, 0.0, 0.0], [100.0, 100.0, 100.0]),
+            made([9.0, 9.0, 9.0], [11.0, 10.0, 10.0]),
+        ]
+    }
+    fn kinds(&self) -> Vec<Kind> {
+        [Kind::X, Kind::Y, Kind::Length].repeat(2)
+    }
+    fn scales(&self) -> Vec<f64> {
+        lengths(self.size())[3..].repeat(2)
+    }
+    fn outlines(&self) -> Vec<Vec<[f64; 2]>> {
+        self.birds_eye().outlines()
+    }
+    fn inside(&self) -> bool {
+        self.validate().is_ok()
+    }
+}

@@ -1,0 +1,96 @@
+//! The overlap of boxes of space as operations.
+//!
+//! Motions are those of the plane: boxes that turn about all axes promise nothing about turns.
+use crate::ad::adjoint::overlap::iou_obb2_vjp;
+use crate::operation;
+use crate::overlap3::{
+    intersection_volume_aabb3, intersection_volume_obb3, intersection_volume_obb3_vjp,
+    intersection_volume_yaw, iof_aabb3, iof_obb3, iof_obb3_vjp, iof_yaw, iou_aabb3, iou_birds_eye,
+    iou_obb3, iou_obb3_vjp, iou_yaw,
+};
+use crate::shape::{Aabb3, Obb3, YawBox3};
+use crate::{Obb2, Scalar, Vec2, Vec3};
+
+/// [`iou_birds_eye`] and its slopes: those of the boxes seen from above.
+fn birds_eye_vjp<S: Scalar>(
+    a: YawBox3<S>,
+    b: YawBox3<S>,
+    out_bar: S,
+) -> (S, (YawBox3<S>, YawBox3<S>)) {
+    let flat = |x: Vec2<S>| Vec3::new(x.x, x.y, S::zero());
+    let upright = |x: Obb2<S>| YawBox3::new(flat(x.center), flat(x.size), x.heading);
+    let (a_bar, b_bar) = iou_obb2_vjp(a.birds_eye(), b.birds_eye(), out_bar);
+    (iou_birds_eye(a, b), (upright(a_bar), upright(b_bar)))
+}
+
+operation! {
+    /// [`intersection_volume_aabb3`].
+    pub IntersectionVolumeAabb3 = "intersection_volume_aabb3":
+        (a: Aabb3<S>, b: Aabb3<S>) -> S { intersection_volume_aabb3(a, b) }
+    promises [TranslationX Stays, TranslationY Stays, Scaling Power(3), Exchange Stays]
+    jumps Never
+    slopes Reverse
+
+    /// [`iou_aabb3`].
+    pub IouAabb3 = "iou_aabb3": (a: Aabb3<S>, b: Aabb3<S>) -> S { iou_aabb3(a, b) }
+    promises [TranslationX Stays, TranslationY Stays, Scaling Stays, Exchange Stays]
+    jumps FromZero
+    slopes Reverse
+
+    /// [`iof_aabb3`].
+    pub IofAabb3 = "iof_aabb3": (a: Aabb3<S>, b: Aabb3<S>) -> S { iof_aabb3(a, b) }
+    promises [TranslationX Stays, TranslationY Stays, Scaling Stays]
+    jumps FromZero
+    slopes Reverse
+
+    /// [`intersection_volume_yaw`].
+    pub IntersectionVolumeYaw = "intersection_volume_yaw":
+        (a: YawBox3<S>, b: YawBox3<S>) -> S { intersection_volume_yaw(a, b) }
+    promises [
+        TranslationX Stays, TranslationY Stays, Scaling Power(3), Exchange Stays, Rotation Stays,
+    ]
+    jumps Never
+    slopes Forward
+
+    /// [`iou_yaw`].
+    pub IouYaw = "iou_yaw": (a: YawBox3<S>, b: YawBox3<S>) -> S { iou_yaw(a, b) }
+    promises [
+        TranslationX Stays, TranslationY Stays, Scaling Stays, Exchange Stays, Rotation Stays,
+    ]
+    jumps FromZero
+    slopes Forward
+
+    /// [`iof_yaw`].
+    pub IofYaw = "iof_yaw": (a: YawBox3<S>, b: YawBox3<S>) -> S { iof_yaw(a, b) }
+    promises [TranslationX Stays, TranslationY Stays, Scaling Stays, Rotation Stays]
+    jumps FromZero
+    slopes Forward
+
+    /// [`iou_birds_eye`].
+    pub IouBirdsEye = "iou_birds_eye":
+        (a: YawBox3<S>, b: YawBox3<S>) -> S { iou_birds_eye(a, b) }
+    promises [
+        TranslationX Stays, TranslationY Stays, Scaling Stays, Exchange Stays, Rotation Stays,
+    ]
+    jumps FromZero
+    slopes ByHand |(a, b), out_bar| { birds_eye_vjp(a, b, out_bar) }
+
+    /// [`intersection_volume_obb3`].
+    pub IntersectionVolumeObb3 = "intersection_volume_obb3":
+        (a: Obb3<S>, b: Obb3<S>) -> S { intersection_volume_obb3(a, b) }
+    promises [TranslationX Stays, TranslationY Stays, Scaling Power(3), Exchange Stays]
+    jumps Never
+    slopes ByHand |(a, b), out_bar| { intersection_volume_obb3_vjp(a, b, out_bar) }
+
+    /// [`iou_obb3`].
+    pub IouObb3 = "iou_obb3": (a: Obb3<S>, b: Obb3<S>) -> S { iou_obb3(a, b) }
+    promises [TranslationX Stays, TranslationY Stays, Scaling Stays, Exchange Stays]
+    jumps FromZero
+    slopes ByHand |(a, b), out_bar| { iou_obb3_vjp(a, b, out_bar) }
+
+    /// [`iof_obb3`].
+    pub IofObb3 = "iof_obb3": (a: Obb3<S>, b: Obb3<S>) -> S { iof_obb3(a, b) }
+    promises [TranslationX Stays, TranslationY Stays, Scaling Stays]
+    jumps FromZero
+    slopes ByHand |(a, b), out_bar| { iof_obb3_vjp(a, b, out_bar) }
+}

@@ -1,0 +1,409 @@
+//! Suppression, assignment and metrics against their definitions, written down naively.
+use geograd::assignment::{greedy, optimal};
+use geograd::error::{Argument, Error, Field, Flaw};
+use geograd::kernels::{Cpu, IouObb2};
+use geograd::metric::{Frame, Outcome, Point, Recalls, average_precision, curve, outcomes};
+use geograd::suppression::{
+    Decay, Pair, Rules, cluster, hard, matrix, order, soft, soft_decided, soft_replay, soft_vjp,
+};
+use geograd_tests::Dice;
+
+/// Scores, classes and a symmetric matrix of overlaps, with ties now and then.
+struct Scene {
+    scores: Vec<f64>,
+    classes: Vec<u32>,
+    dense: Vec<Vec<f64>>,
+}
+
+impl Scene {
+    fn new(dice: &mut Dice, count: usize) -> Self {
+        let level = |dice: &mut Dice, steps: usize| dice.below(steps) as f64 / steps as f64;
+        let scores = (0..count).map(|_| level(dice, 12)).collect();
+        let classes = (0..count).map(|_| dice.below(2) as u32).collect();
+        let mut dense = vec![vec![0.0; count]; count];
+        for i in 0..count {
+            for j in 0..i {
+                if dice.below(3) > 0 {
+                    let overlap = level(dice, 20);
+                    (dense[i][j], dense[j][i]) = (overlap, overlap);
+                }
+            }
+        }
+        Scene {
+            scores,
+            classes,
+            dense,
+        }
+    }
+    /// In any order, either way round.
+    fn pairs(&self, dice: &mut Dice) -> Vec<Pair<f64>> {
+        let mut pairs = Vec::new();
+        for i in 0..self.scores.len() {
+            for j in 0..i {
+                let (first, second) = if dice.below(2) == 0 { (i, j) } else { (j, i) };
+                let overlap = self.dense[i][j];
+                if overlap > 0.0 {
+                    pairs.insert(
+                        dice.below(pairs.len() + 1),
+                        Pair {
+                            first,
+                            second,
+                            overlap,
+                        },
+                    );
+                }
+            }
+        }
+        pairs
+    }
+    fn overlap(&self, i: usize, j: usize) -> f64 {
+        let same = self.classes[i] == self.classes[j];
+        if same { self.dense[i][j] } else { 0.0 }
+    }
+    /// Best first, stable.
+    fn sorted(&self) -> Vec<usize> {
+        let mut order: Vec<usize> = (0..self.scores.len()).collect();
+        order.sort_by(|&i, &j| self.scores[j].total_cmp(&self.scores[i]));
+        order
+    }
+}
+
+#[test]
+fn hard_and_cluster_are_the_definition() {
+    let mut dice = Dice(61);
+    for n in 0..200 {
+        let scene = Scene::new(&mut dice, n % 14);
+        let pairs = scene.pairs(&mut dice);
+        let rules = Rules {
+            classes: Some(&scene.classes),
+            score: 0.2,
+            ..Rules::above(0.4)
+        };
+        let mut expected: Vec<usize> = Vec::new();
+        for i in scene.sorted() {
+            let is_free = expected.iter().all(|&k| scene.overlap(i, k) <= 0.4);
+            if scene.scores[i] >= 0.2 && is_free {
+                expected.push(i);
+            }
+        }
+        assert_eq!(hard(&scene.scores, &pairs, rules).unwrap(), expected);
+        assert_eq!(cluster(&scene.scores, &pairs, rules).unwrap().0, expected);
+        expected.truncate(2);
+        let rules = Rules { most: 2, ..rules };
+        assert_eq!(hard(&scene.scores, &pairs, rules).unwrap(), expected);
+        assert_eq!(cluster(&scene.scores, &pairs, rules).unwrap().0, expected);
+    }
+}
+
+#[test]
+fn soft_is_the_loop_of_its_paper() {
+    let mut dice = Dice(62);
+    for n in 0..200 {
+        let scene = Scene::new(&mut dice, n % 12);
+        let pairs = scene.pairs(&mut dice);
+        let rules = Rules {
+            classes: Some(&scene.classes),
+            score: 0.05,
+            ..Rules::above(0.3)
+        };
+        for decay in [Decay::Linear, Decay::Gaussian { sigma: 0.5 }] {
+            let mut now = scene.scores.clone();
+            let mut left: Vec<usize> = (0..now.len()).filter(|&i| now[i] >= 0.05).collect();
+            let mut expected = Vec::new();
+            while !left.is_empty() {
+                let mut best = 0;
+                for k in 0..left.len() {
+                    if now[left[k]] > now[left[best]] {
+                        best = k;
+                    }
+                }
+                let taken = left.remove(best);
+                if now[taken] < 0.05 {
+                    break;
+                }
+                expected.push((taken, now[taken]));
+                for &i in &left {
+                    let overlap = scene.overlap(taken, i);
+                    now[i] *= match decay {
+                        Decay::Linear if overlap > 0.3 => 1.0 - overlap,
+                        Decay::Linear => 1.0,
+                        Decay::Gaussian { sigma } => (-overlap * overlap / sigma).exp(),
+                    };
+                }
+            }
+            let found = soft(&scene.scores, &pairs, decay, rules).unwrap();
+            let found: Vec<(usize, f64)> = found.iter().map(|k| (k.index, k.score)).collect();
+            assert_eq!(found, expected);
+        }
+    }
+}
+
+#[test]
+fn slopes_of_soft_scores_are_differences() {
+    let mut dice = Dice(63);
+    for _ in 0..40 {
+        let scene = Scene::new(&mut dice, 8);
+        let pairs = scene.pairs(&mut dice);
+        let scores: Vec<f64> = scene
+            .scores
+            .iter()
+            .map(|x| x + 0.05 * dice.roll())
+            .collect();
+        let rules = Rules::above(0.3);
+        for decay in [Decay::Linear, Decay::Gaussian { sigma: 0.4 }] {
+            let (kept, record) = soft_decided(&scores, &pairs, decay, rules).unwrap();
+            let replayed = soft_replay(&scores, &pairs, decay, 0.3, &record);
+            assert!(
+                kept.iter()
+                    .zip(&replayed)
+                    .all(|(k, score)| k.score == *score)
+            );
+            let bar: Vec<f64> = kept.iter().map(|_| dice.within(-1.0, 1.0)).collect();
+            let (by_score, by_pair) = soft_vjp(&scores, &pairs, decay, 0.3, &record, &bar);
+            let loss = |scores: &[f64], pairs: &[Pair<f64>]| -> f64 {
+                let now = soft_replay(scores, pairs, decay, 0.3, &record);
+                now.iter().zip(&bar).map(|(x, bar)| x * bar).sum()
+            };
+            let step = 1e-6;
+            for i in 0..scores.len() {
+                let at = |h: f64| {
+                    let mut moved = scores.clone();
+                    moved[i] += h;
+                    loss(&moved, &pairs)
+                };
+                let slope = (at(step) - at(-step)) / (2.0 * step);
+                assert!((slope - by_score[i]).abs() < 1e-8);
+            }
+            for k in 0..pairs.len() {
+                if (pairs[k].overlap - 0.3).abs() < 1e-5 {
+                    continue; // A jump.
+                }
+                let at = |h: f64| {
+                    let mut moved = pairs.clone();
+                    moved[k].overlap += h;
+                    loss(&scores, &moved)
+                };
+                let slope = (at(step) - at(-step)) / (2.0 * step);
+                assert!((slope - by_pair[k]).abs() < 1e-8, "{slope} {}", by_pair[k]);
+            }
+        }
+    }
+}
+
+#[test]
+fn matrix_is_its_formula() {
+    let mut dice = Dice(64);
+    for n in 0..100 {
+        let scene = Scene::new(&mut dice, n % 12);
+        let pairs = scene.pairs(&mut dice);
+        let sorted = scene.sorted();
+        for decay in [Decay::Linear, Decay::Gaussian { sigma: 0.5 }] {
+            let factor = |x: f64| match decay {
+                Decay::Linear => 1.0 - x,
+                Decay::Gaussian { sigma } => (-x * x / sigma).exp(),
+            };
+            let hidden = |place: usize| {
+                let better = sorted[..place].iter();
+                better.fold(0.0_f64, |m, &k| m.max(scene.overlap(sorted[place], k)))
+            };
+            let mut expected: Vec<(usize, f64)> = (0..sorted.len())
+                .map(|place| {
+                    let least = (0..place).fold(1.0_f64, |least, before| {
+                        let overlap = scene.overlap(sorted[place], sorted[before]);
+                        least.min(factor(overlap) / factor(hidden(before)))
+                    });
+                    (sorted[place], scene.scores[sorted[place]] * least)
+                })
+                .collect();
+            expected.sort_by(|a, b| b.1.total_cmp(&a.1).then(a.0.cmp(&b.0)));
+            let rules = Rules {
+                classes: Some(&scene.classes),
+                ..Rules::above(0.0)
+            };
+            let found = matrix(&scene.scores, &pairs, decay, rules).unwrap();
+            let found: Vec<(usize, f64)> = found.iter().map(|k| (k.index, k.score)).collect();
+            assert_eq!(found.len(), expected.len());
+            for (one, other) in found.iter().zip(&expected) {
+                assert_eq!(one.0, other.0);
+                assert!((one.1 - other.1).abs() < 1e-15);
+            }
+        }
+    }
+}
+
+#[test]
+fn boxes_suppress_each_other() {
+    let mut dice = Dice(65);
+    let boxes: Vec<_> = (0..60).map(|_| dice.obb()).collect();
+    let scores: Vec<f64> = boxes.iter().map(|_| dice.roll()).collect();
+    let pairs = Cpu::new().overlaps(IouObb2, &boxes, 0.1).unwrap();
+    assert!(pairs.len() > 20 && pairs.iter().all(|p| p.first < p.second));
+    let kept = hard(&scores, &pairs, Rules::above(0.1)).unwrap();
+    for (n, &i) in kept.iter().enumerate() {
+        assert!(kept[..n].iter().all(|&k| boxes[i].iou(boxes[k]) <= 0.1));
+    }
+    for i in 0..boxes.len() {
+        let hides = |&k: &usize| scores[k] >= scores[i] && boxes[i].iou(boxes[k]) > 0.1;
+        assert!(kept.contains(&i) || kept.iter().any(hides));
+    }
+}
+
+#[test]
+fn what_is_wrong_is_said() {
+    let nan = order(&[0.5, f64::NAN], 0.0).unwrap_err();
+    let named = Argument::Named;
+    let flaw = Flaw::NotFinite(Field::VALUE);
+    assert_eq!(
+        nan,
+        Error::Invalid {
+            argument: named("scores"),
+            row: 1,
+            flaw
+        }
+    );
+    assert!(hard(&[0.5], &[], Rules::above(1.5)).is_err());
+    assert!(hard(&[0.5], &[], Rules::above(f64::NAN)).is_err());
+    let pair = Pair {
+        first: 0,
+        second: 3,
+        overlap: 0.5,
+    };
+    let beyond = hard(&[0.5], &[pair], Rules::above(0.5)).unwrap_err();
+    assert_eq!(
+        beyond.to_string(),
+        "`pairs` row 0: second is beyond the scores"
+    );
+    let classes = Rules {
+        classes: Some(&[1, 2]),
+        ..Rules::above(0.5)
+    };
+    assert!(matches!(
+        hard(&[0.5], &[], classes),
+        Err(Error::Length { found: 2, .. })
+    ));
+    let sigma = Decay::Gaussian { sigma: 0.0 };
+    assert!(soft(&[0.5], &[], sigma, Rules::above(0.5)).is_err());
+    assert!(optimal(&[0.5], 1, 2).is_err());
+    assert!(optimal(&[f64::INFINITY], 1, 1).is_err());
+    assert!(outcomes(&Frame::new(&[0.5], 1, &[pair]), 0.5).is_err());
+    assert!(curve(&[0.5], &[], 1).is_err());
+}
+
+/// The largest sum by trying everything.
+fn best_sum(gains: &[f64], columns: usize, row: usize, used: &mut Vec<bool>) -> f64 {
+    let rows = gains.len() / columns;
+    if row == rows {
+        return 0.0;
+    }
+    let free = used.iter().filter(|x| !**x).count();
+    let mut best = f64::NEG_INFINITY;
+    if rows - row > free {
+        best = best_sum(gains, columns, row + 1, used);
+    }
+    for column in 0..columns {
+        if !used[column] {
+            used[column] = true;
+            let rest = best_sum(gains, columns, row + 1, used);
+            best = best.max(gains[row * columns + column] + rest);
+            used[column] = false;
+        }
+    }
+    best
+}
+
+#[test]
+fn assignments_are_the_best() {
+    let mut dice = Dice(66);
+    for n in 0..150 {
+        let (rows, columns) = (1 + n % 5, 1 + n / 5 % 6);
+        let gains: Vec<f64> = (0..rows * columns)
+            .map(|_| dice.below(8) as f64 / 4.0 - 0.5)
+            .collect();
+        let pairs = optimal(&gains, rows, columns).unwrap();
+        assert_eq!(pairs.len(), rows.min(columns));
+        assert!(pairs.windows(2).all(|w| w[0].0 < w[1].0));
+        let mut seen = vec![false; columns];
+        for &(_, column) in &pairs {
+            assert!(!std::mem::replace(&mut seen[column], true));
+        }
+        let sum: f64 = pairs.iter().map(|&(i, j)| gains[i * columns + j]).sum();
+        let best = best_sum(&gains, columns, 0, &mut vec![false; columns]);
+        assert!((sum - best).abs() < 1e-12, "{sum} {best}");
+        // Greedy, by taking the largest of what is left.
+        let mut left: Vec<Pair<f64>> = (0..rows * columns)
+            .map(|k| Pair {
+                first: k / columns,
+                second: k % columns,
+                overlap: gains[k],
+            })
+            .collect();
+        let all = left.clone();
+        let mut expected = Vec::new();
+        while let Some(&first) = left.first() {
+            let largest = left
+                .iter()
+                .fold(first, |m, p| if p.overlap > m.overlap { *p } else { m });
+            expected.push(largest);
+            left.retain(|p| p.first != largest.first && p.second != largest.second);
+        }
+        assert_eq!(greedy(&all), expected);
+    }
+    assert!(optimal(&[], 0, 3).unwrap().is_empty() && optimal(&[], 3, 0).unwrap().is_empty());
+}
+
+#[test]
+fn average_precision_of_a_known_curve() {
+    // Right, wrong, right, wrong, right of four truths: precisions 1, 1/2, 2/3, 1/2, 3/5.
+    let scores = [0.9, 0.8, 0.7, 0.6, 0.5];
+    let right = |k| Outcome::Right(k);
+    let found = [right(0), Outcome::Wrong, right(1), Outcome::Wrong, right(2)];
+    let points = curve(&scores, &found, 4).unwrap();
+    let last = Point {
+        score: 0.5,
+        precision: 0.6,
+        recall: 0.75,
+    };
+    assert_eq!(points[4], last);
+    let all = average_precision(&points, Recalls::All);
+    assert!((all - (1.0 + 2.0 / 3.0 + 0.6) / 4.0).abs() < 1e-15);
+    // Of eleven: 0, .1, .2 reach 1; .3, .4, .5 two thirds; .6, .7 three fifths.
+    let eleven = average_precision(&points, Recalls::Eleven);
+    assert!((eleven - (3.0 + 3.0 * 2.0 / 3.0 + 2.0 * 0.6) / 11.0).abs() < 1e-15);
+    // Of forty: ten to 1/4, ten to 1/2, ten to 3/4.
+    let forty = average_precision(&points, Recalls::Forty);
+    assert!((forty - (10.0 + 10.0 * 2.0 / 3.0 + 10.0 * 0.6) / 40.0).abs() < 1e-14);
+    assert_eq!(average_precision(&[], Recalls::All), 0.0);
+    // Equal scores come in at once.
+    let tied = curve(&[0.5, 0.5], &[Outcome::Wrong, right(0)], 1).unwrap();
+    assert_eq!((tied.len(), tied[0].precision), (1, 0.5));
+}
+
+#[test]
+fn ignored_boxes_count_neither_way() {
+    let pair = |first, second, overlap| Pair {
+        first,
+        second,
+        overlap,
+    };
+    // Detection 0 overlaps an ignored truth most and a real one enough; 1 only the ignored one; 2 is too
+    // small to count; 3 finds nothing; 4 repeats what 0 found.
+    let pairs = [
+        pair(0, 0, 0.9),
+        pair(0, 1, 0.6),
+        pair(1, 0, 0.8),
+        pair(2, 2, 0.9),
+        pair(4, 1, 0.95),
+        pair(3, 2, 0.4),
+    ];
+    let frame = Frame {
+        ignored_truths: &[true, false, false],
+        ignored_detections: &[false, false, true, false, false],
+        ..Frame::new(&[0.9, 0.8, 0.7, 0.6, 0.5], 3, &pairs)
+    };
+    use Outcome::{Ignored, Right, Wrong};
+    let found = outcomes(&frame, 0.5).unwrap();
+    assert_eq!(found, [Right(1), Ignored, Ignored, Wrong, Wrong]);
+    let points = curve(frame.scores, &found, 2).unwrap();
+    assert_eq!(points.len(), 3);
+    assert_eq!((points[2].recall, points[2].precision), (0.5, 1.0 / 3.0));
+}
