@@ -2,6 +2,11 @@
 pub mod distance;
 pub mod extent;
 pub mod fold;
+pub mod intersection;
+pub mod interval;
+pub mod iou;
 pub mod overlap;
+pub mod polygon;
 pub mod ring;
+mod rows;
 pub mod shape;

@@ -4,3 +4,4 @@ mod calls;
 mod fuzz;
 mod program;
 mod reduce;
+mod straight;
