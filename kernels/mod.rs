@@ -62,11 +62,41 @@ pub use decided::Decided;
 pub use fold::Fold;
 pub use op::{Op, RingOp, Runs};
 pub use ops::distance::{
-    ClosestPointsOfSegments, DistanceObb2, DistancePointSegment, SignedDistancePointObb2,
+    ClosestPointsAabb2, ClosestPointsCapsules, ClosestPointsCircleObb2, ClosestPointsObb2,
+    ClosestPointsOfSegments, ClosestPointsPointObb2, ClosestPointsPointSegment,
+    ClosestPointsPointTriangle, ClosestPointsTriangles, DistanceAabb2, DistanceCapsules,
+    DistanceCircleObb2, DistanceCircles, DistanceObb2, DistancePointAabb2, DistancePointCapsule,
+    DistancePointCircle, DistancePointObb2, DistancePointSegment, DistancePointTriangle,
+    DistanceSegmentCircle, DistanceSegmentObb2, DistanceSegments, DistanceSquaredAabb2,
+    DistanceSquaredObb2, DistanceSquaredPointSegment, DistanceSquaredPointTriangle,
+    DistanceSquaredSegments, DistanceSquaredTriangles, DistanceTriangles, FarthestDistanceAabb2,
+    FarthestDistanceCircleObb2, FarthestDistanceObb2, FarthestDistancePointObb2,
+    FarthestDistanceTriangles, PenetrationAabb2, PenetrationCapsules, PenetrationCircleObb2,
+    PenetrationCircles, PenetrationObb2, PenetrationTriangles, SignedDistanceAabb2,
+    SignedDistanceCapsules, SignedDistanceCircleObb2, SignedDistanceCircles, SignedDistanceObb2,
+    SignedDistancePointAabb2, SignedDistancePointCapsule, SignedDistancePointCircle,
+    SignedDistancePointObb2, SignedDistancePointTriangle, SignedDistanceSegmentCircle,
+    SignedDistanceSegmentObb2, SignedDistanceTriangles,
 };
 pub use ops::extent::DiameterOfPolygon;
 pub use ops::fold::{SecondMomentsOfRing, SignedDistancePointRing};
 pub use ops::gaussian::{WassersteinObb2, WassersteinSquaredObb2};
+pub use ops::intersection::{
+    CrossingOfLines, FirstHitRayAabb2, FirstHitRayCapsule, FirstHitRayCircle, FirstHitRayObb2,
+    FirstHitRayTriangle, LengthInsideSegmentAabb2, LengthInsideSegmentCapsule,
+    LengthInsideSegmentCircle, LengthInsideSegmentObb2, LengthInsideSegmentTriangle,
+    MeetingOfSegments, SpanLineAabb2, SpanLineCapsule, SpanLineCircle, SpanLineObb2,
+    SpanLineTriangle,
+};
+pub use ops::interval::{
+    DistanceIntervals, DistanceNumberInterval, IntersectionLengthIntervals, IouIntervals,
+    SignedDistanceIntervals,
+};
+pub use ops::iou::{
+    CiouAabb2, CiouFixedWeightAabb2, CiouFixedWeightObb2, CiouObb2, DiouAabb2, DiouBoxAabb2,
+    DiouBoxObb2, DiouObb2, EiouAabb2, EiouObb2, GiouAabb2, GiouBoxAabb2, GiouBoxObb2, GiouObb2,
+    HullAreaAabb2, HullAreaObb2,
+};
 pub use ops::iou3::{CiouAabb3, CiouYaw, DiouYaw, EiouYaw, GiouYaw};
 pub use ops::overlap::{
     IntersectionAreaAabb2, IntersectionAreaObb2, IofAabb2, IofObb2, IouAabb2, IouObb2,
@@ -74,6 +104,10 @@ pub use ops::overlap::{
 pub use ops::overlap3::{
     IntersectionVolumeAabb3, IntersectionVolumeObb3, IntersectionVolumeYaw, IofAabb3, IofObb3,
     IofYaw, IouAabb3, IouBirdsEye, IouObb3, IouYaw,
+};
+pub use ops::polygon::{
+    AreaTriangle, CentroidQuad, CentroidTriangle, PerimeterQuad, PerimeterTriangle, SignedAreaQuad,
+    SignedAreaTriangle,
 };
 pub use ops::ring::{Centroid, Perimeter, SignedArea};
 pub use ops::shape::{Circumcircle, MoveSegment};
@@ -107,6 +141,35 @@ macro_rules! for_each_op {
                 distance_obb2: $crate::kernels::ops::distance::DistanceObb2,
                 signed_distance_point_obb2: $crate::kernels::ops::distance::SignedDistancePointObb2,
                 closest_points_of_segments: $crate::kernels::ops::distance::ClosestPointsOfSegments,
+                distance_point_circle: $crate::kernels::ops::distance::DistancePointCircle,
+                distance_point_triangle: $crate::kernels::ops::distance::DistancePointTriangle,
+                distance_point_capsule: $crate::kernels::ops::distance::DistancePointCapsule,
+                distance_point_aabb2: $crate::kernels::ops::distance::DistancePointAabb2,
+                distance_point_obb2: $crate::kernels::ops::distance::DistancePointObb2,
+                distance_segments: $crate::kernels::ops::distance::DistanceSegments,
+                distance_segment_circle: $crate::kernels::ops::distance::DistanceSegmentCircle,
+                signed_distance_point_circle: $crate::kernels::ops::distance::SignedDistancePointCircle,
+                signed_distance_point_capsule: $crate::kernels::ops::distance::SignedDistancePointCapsule,
+                signed_distance_point_aabb2: $crate::kernels::ops::distance::SignedDistancePointAabb2,
+                distance_squared_point_segment: $crate::kernels::ops::distance::DistanceSquaredPointSegment,
+                distance_squared_point_triangle: $crate::kernels::ops::distance::DistanceSquaredPointTriangle,
+                giou_obb2: $crate::kernels::ops::iou::GiouObb2,
+                giou_aabb2: $crate::kernels::ops::iou::GiouAabb2,
+                giou_box_obb2: $crate::kernels::ops::iou::GiouBoxObb2,
+                giou_box_aabb2: $crate::kernels::ops::iou::GiouBoxAabb2,
+                diou_aabb2: $crate::kernels::ops::iou::DiouAabb2,
+                diou_box_obb2: $crate::kernels::ops::iou::DiouBoxObb2,
+                diou_box_aabb2: $crate::kernels::ops::iou::DiouBoxAabb2,
+                eiou_obb2: $crate::kernels::ops::iou::EiouObb2,
+                eiou_aabb2: $crate::kernels::ops::iou::EiouAabb2,
+                hull_area_obb2: $crate::kernels::ops::iou::HullAreaObb2,
+                hull_area_aabb2: $crate::kernels::ops::iou::HullAreaAabb2,
+                signed_area_triangle: $crate::kernels::ops::polygon::SignedAreaTriangle,
+                area_triangle: $crate::kernels::ops::polygon::AreaTriangle,
+                perimeter_triangle: $crate::kernels::ops::polygon::PerimeterTriangle,
+                centroid_triangle: $crate::kernels::ops::polygon::CentroidTriangle,
+                signed_area_quad: $crate::kernels::ops::polygon::SignedAreaQuad,
+                perimeter_quad: $crate::kernels::ops::polygon::PerimeterQuad,
                 circumcircle: $crate::kernels::ops::shape::Circumcircle,
                 move_segment: $crate::kernels::ops::shape::MoveSegment,
                 intersection_volume_aabb3: $crate::kernels::ops::overlap3::IntersectionVolumeAabb3,

@@ -69,6 +69,8 @@ macro_rules! operation {
         #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
         $vis struct $Name;
 
+        // Of one argument they are needless.
+        #[allow(unused_parens)]
         impl $crate::kernels::op::Op for $Name {
             const NAME: &'static str = $name;
             type In<S: $crate::Scalar> = ($($type),+);

@@ -103,28 +103,33 @@ pub fn giou_framed_vjp<S: Scalar, const EXTREME: bool>(
         S::select(empty, zero, one.over(S::select(empty, one, x)))
     };
     let (per_union, per_hull) = (per(union), per(hull_area));
-    let own = (per_hull - inter * per_union * per_union) * out_bar;
-    let inter_bar = per_union * out_bar - own;
-    let inter_bar = S::select(nothing, zero, inter_bar);
+    // I/U − 1 + U/H term by term: where a small box is inside a large one, all of the second cancels,
+    // and in a common sum the first would be lost.
+    let lost = -(inter * per_union * per_union * out_bar);
+    let own = per_hull * out_bar;
+    let gained = S::select(nothing, zero, per_union * out_bar - lost);
+    let inter_bar = S::select(nothing, zero, -own);
     let hull_bar = -(union * per_hull * per_hull * out_bar);
 
     let (shared, around) = (clipped_area_slopes(&pair, &clip), hull_slopes(&pair, &hull));
     // A term no larger than the largest number, so that two of opposite sign leave one.
     let bounded = |x: S| if EXTREME { x.saturated() } else { x };
-    let sum = |x: S, y: S| {
+    // What reaches a number through both areas, and what its box's own area adds, times one.
+    let sum = |x: S, y: S, own_area: S| {
         let x = S::select(nothing, zero, x);
-        bounded(x * inter_bar) + bounded(y * hull_bar)
+        let outside = bounded(x * inter_bar) + bounded(y * hull_bar);
+        (outside + bounded(own * own_area)) + (bounded(x * gained) + bounded(lost * own_area))
     };
     let size = |x: Vec2<S>, y: Vec2<S>, half: Vec2<S>| {
         // A box's own area is four times the product of its halves, a size twice a half.
-        let two = own + own;
+        let four = S::lit(4.0);
         Vec2::new(
-            sum(x.x, y.x).halved() + bounded(two * half.y),
-            sum(x.y, y.y).halved() + bounded(two * half.x),
+            sum(x.x, y.x, four * half.y).halved(),
+            sum(x.y, y.y, four * half.x).halved(),
         )
     };
-    let (u_bar, v_bar) = (sum(shared.u, around.u), sum(shared.v, around.v));
-    let heading_bar = sum(shared.heading, around.heading);
+    let (u_bar, v_bar) = (sum(shared.u, around.u, zero), sum(shared.v, around.v, zero));
+    let heading_bar = sum(shared.heading, around.heading, zero);
     let turn_bar = heading_bar + (bounded(pair.u * v_bar) - bounded(pair.v * u_bar));
     let center_bar =
         Vec2::new(a.cos * u_bar - a.sin * v_bar, a.sin * u_bar + a.cos * v_bar) * scale;

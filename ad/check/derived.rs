@@ -172,6 +172,11 @@ pub fn together(own: Vec<f64>, kinds: &[Kind]) -> Vec<f64> {
         Kind::X | Kind::Y => m.min(*s),
         _ => m,
     });
+    // Without a place all are lengths along one line.
+    let place = match kinds.iter().any(|kind| matches!(kind, Kind::X | Kind::Y)) {
+        true => place,
+        false => lengths().fold(place, |m, (s, _)| m.min(*s)),
+    };
     let largest = lengths().fold(0.0_f64, |m, (s, _)| m.max(*s));
     let scale = |(own, kind): (&f64, &Kind)| match kind {
         Kind::Angle | Kind::DirectionX | Kind::DirectionY if largest > 0.0 => {

@@ -15,6 +15,9 @@ pub(crate) const FEW_INPUTS: usize = 48;
 pub(crate) const FIRST: [f64; 5] = [0.1, 0.037, 0.23, 1e-3, 1e-5];
 /// First step of the ladder that tells a jump from a kink very near.
 const NEAR: f64 = 1e-8;
+/// How near the border of its domain a number is on it, in its scale.
+const BORDER: f64 = 1e-6;
+
 /// A direction to take differences along.
 struct Direction<'d> {
     /// The number of the direction: that of the input for the first ones of a short input.
@@ -69,7 +72,23 @@ impl Judge<'_> {
         } else {
             (0..12).map(|_| random()).collect()
         };
-        let more: Vec<Vec<f64>> = (0..4).map(|_| random()).collect();
+        let mut more: Vec<Vec<f64>> = (0..4).map(|_| random()).collect();
+        // A number at the border of its domain can move to one side only, and one side of a kink says
+        // nothing of the other: there such a number stays, so that both sides are seen.
+        let bordered = |i: usize| {
+            let steps = [-BORDER, BORDER].map(|step| {
+                let mut there = x.to_vec();
+                there[i] += step * scales[i];
+                on.inside(&there)
+            });
+            steps.contains(&false)
+        };
+        if n <= FEW_INPUTS {
+            for i in (0..n).filter(|&i| bordered(i)) {
+                more.iter_mut().for_each(|direction| direction[i] = 0.0);
+            }
+            more.retain(|direction| direction.iter().any(|d| *d != 0.0));
+        }
 
         let mut said = Vec::new();
         let mut kinks = false;

@@ -1,8 +1,12 @@
 //! Distances of shapes as operations.
 use crate::distance::segments::{ClosestOnSegments, closest_points_of_segments};
-use crate::distance::{distance, signed_distance};
+use crate::distance::{
+    ClosestPoints, Penetration, closest_points, distance, distance_squared, farthest_distance,
+    penetration, signed_distance,
+};
+use crate::kernels::ops::rows::rows_of_pairs;
 use crate::operation;
-use crate::{Obb2, Segment2, Vec2};
+use crate::{Aabb2, Capsule2, Circle, Obb2, Segment2, Triangle2, Vec2};
 
 operation! {
     /// The [distance](crate::distance::distance()) of a point and a segment.
@@ -32,4 +36,85 @@ operation! {
     promises []
     jumps Anywhere
     slopes Reverse
+}
+
+rows_of_pairs! {
+    distance as "The [distance](crate::distance::distance())" -> S,
+    promises [TranslationX Stays, TranslationY Stays, Scaling Power(1)],
+    jumps Never, slopes Reverse {
+        DistancePointCircle = "distance_point_circle": Vec2, Circle, "a point and a circle" [Rotation Stays];
+        DistancePointTriangle = "distance_point_triangle": Vec2, Triangle2, "a point and a triangle" [Rotation Stays];
+        DistancePointCapsule = "distance_point_capsule": Vec2, Capsule2, "a point and a capsule" [Rotation Stays];
+        DistancePointAabb2 = "distance_point_aabb2": Vec2, Aabb2, "a point and an axis-aligned box" [];
+        DistancePointObb2 = "distance_point_obb2": Vec2, Obb2, "a point and a rotated box" [Rotation Stays];
+        DistanceSegments = "distance_segments": Segment2, Segment2, "two segments" [Rotation Stays, Exchange Stays];
+        DistanceSegmentCircle = "distance_segment_circle": Segment2, Circle, "a segment and a circle" [Rotation Stays];
+        DistanceSegmentObb2 = "distance_segment_obb2": Segment2, Obb2, "a segment and a rotated box" [Rotation Stays];
+        DistanceCircles = "distance_circles": Circle, Circle, "two circles" [Rotation Stays, Exchange Stays];
+        DistanceCircleObb2 = "distance_circle_obb2": Circle, Obb2, "a circle and a rotated box" [Rotation Stays];
+        DistanceCapsules = "distance_capsules": Capsule2, Capsule2, "two capsules" [Rotation Stays, Exchange Stays];
+        DistanceTriangles = "distance_triangles": Triangle2, Triangle2, "two triangles" [Rotation Stays, Exchange Stays];
+        DistanceAabb2 = "distance_aabb2": Aabb2, Aabb2, "two axis-aligned boxes" [Exchange Stays];
+    }
+    signed_distance as "The [signed distance](crate::distance::signed_distance)" -> S,
+    promises [TranslationX Stays, TranslationY Stays, Scaling Power(1)],
+    jumps Never, slopes Reverse {
+        SignedDistancePointCircle = "signed_distance_point_circle": Vec2, Circle, "a point and a circle" [Rotation Stays];
+        SignedDistancePointTriangle = "signed_distance_point_triangle": Vec2, Triangle2, "a point and a triangle" [Rotation Stays];
+        SignedDistancePointCapsule = "signed_distance_point_capsule": Vec2, Capsule2, "a point and a capsule" [Rotation Stays];
+        SignedDistancePointAabb2 = "signed_distance_point_aabb2": Vec2, Aabb2, "a point and an axis-aligned box" [];
+        SignedDistanceSegmentCircle = "signed_distance_segment_circle": Segment2, Circle, "a segment and a circle" [Rotation Stays];
+        SignedDistanceSegmentObb2 = "signed_distance_segment_obb2": Segment2, Obb2, "a segment and a rotated box" [Rotation Stays];
+        SignedDistanceCircles = "signed_distance_circles": Circle, Circle, "two circles" [Rotation Stays, Exchange Stays];
+        SignedDistanceCircleObb2 = "signed_distance_circle_obb2": Circle, Obb2, "a circle and a rotated box" [Rotation Stays];
+        SignedDistanceCapsules = "signed_distance_capsules": Capsule2, Capsule2, "two capsules" [Rotation Stays, Exchange Stays];
+        SignedDistanceTriangles = "signed_distance_triangles": Triangle2, Triangle2, "two triangles" [Rotation Stays, Exchange Stays];
+        SignedDistanceAabb2 = "signed_distance_aabb2": Aabb2, Aabb2, "two axis-aligned boxes" [Exchange Stays];
+        SignedDistanceObb2 = "signed_distance_obb2": Obb2, Obb2, "two rotated boxes" [Rotation Stays, Exchange Stays];
+    }
+    distance_squared as "The [squared distance](crate::distance::distance_squared)" -> S,
+    promises [TranslationX Stays, TranslationY Stays, Scaling Power(2)],
+    jumps Never, slopes Reverse {
+        DistanceSquaredPointSegment = "distance_squared_point_segment": Vec2, Segment2, "a point and a segment" [Rotation Stays];
+        DistanceSquaredPointTriangle = "distance_squared_point_triangle": Vec2, Triangle2, "a point and a triangle" [Rotation Stays];
+        DistanceSquaredSegments = "distance_squared_segments": Segment2, Segment2, "two segments" [Rotation Stays, Exchange Stays];
+        DistanceSquaredTriangles = "distance_squared_triangles": Triangle2, Triangle2, "two triangles" [Rotation Stays, Exchange Stays];
+        DistanceSquaredAabb2 = "distance_squared_aabb2": Aabb2, Aabb2, "two axis-aligned boxes" [Exchange Stays];
+        DistanceSquaredObb2 = "distance_squared_obb2": Obb2, Obb2, "two rotated boxes" [Rotation Stays, Exchange Stays];
+    }
+    farthest_distance as "The [longest distance](crate::distance::farthest_distance)" -> S,
+    promises [TranslationX Stays, TranslationY Stays, Scaling Power(1)],
+    jumps Never, slopes Reverse {
+        FarthestDistancePointObb2 = "farthest_distance_point_obb2": Vec2, Obb2, "a point and a rotated box" [Rotation Stays];
+        FarthestDistanceCircleObb2 = "farthest_distance_circle_obb2": Circle, Obb2, "a circle and a rotated box" [Rotation Stays];
+        FarthestDistanceTriangles = "farthest_distance_triangles": Triangle2, Triangle2, "two triangles" [Rotation Stays, Exchange Stays];
+        FarthestDistanceAabb2 = "farthest_distance_aabb2": Aabb2, Aabb2, "two axis-aligned boxes" [Exchange Stays];
+        FarthestDistanceObb2 = "farthest_distance_obb2": Obb2, Obb2, "two rotated boxes" [Rotation Stays, Exchange Stays];
+    }
+}
+
+// Points and directions jump where another feature is nearest.
+rows_of_pairs! {
+    penetration as "The [depth of overlap and its direction](crate::distance::penetration)" -> Penetration<S>,
+    promises [TranslationX Stays, TranslationY Stays],
+    jumps Anywhere, slopes Reverse {
+        PenetrationCircles = "penetration_circles": Circle, Circle, "two circles" [];
+        PenetrationCircleObb2 = "penetration_circle_obb2": Circle, Obb2, "a circle and a rotated box" [];
+        PenetrationCapsules = "penetration_capsules": Capsule2, Capsule2, "two capsules" [];
+        PenetrationTriangles = "penetration_triangles": Triangle2, Triangle2, "two triangles" [];
+        PenetrationAabb2 = "penetration_aabb2": Aabb2, Aabb2, "two axis-aligned boxes" [];
+        PenetrationObb2 = "penetration_obb2": Obb2, Obb2, "two rotated boxes" [];
+    }
+    closest_points as "The [nearest points](crate::distance::closest_points)" -> ClosestPoints<S>,
+    promises [TranslationX Follows, TranslationY Follows, Scaling Follows],
+    jumps Anywhere, slopes Reverse {
+        ClosestPointsPointSegment = "closest_points_point_segment": Vec2, Segment2, "a point and a segment" [Rotation Follows];
+        ClosestPointsPointTriangle = "closest_points_point_triangle": Vec2, Triangle2, "a point and a triangle" [Rotation Follows];
+        ClosestPointsPointObb2 = "closest_points_point_obb2": Vec2, Obb2, "a point and a rotated box" [Rotation Follows];
+        ClosestPointsCircleObb2 = "closest_points_circle_obb2": Circle, Obb2, "a circle and a rotated box" [Rotation Follows];
+        ClosestPointsCapsules = "closest_points_capsules": Capsule2, Capsule2, "two capsules" [Rotation Follows];
+        ClosestPointsTriangles = "closest_points_triangles": Triangle2, Triangle2, "two triangles" [Rotation Follows];
+        ClosestPointsAabb2 = "closest_points_aabb2": Aabb2, Aabb2, "two axis-aligned boxes" [];
+        ClosestPointsObb2 = "closest_points_obb2": Obb2, Obb2, "two rotated boxes" [Rotation Follows];
+    }
 }

@@ -3,7 +3,7 @@ use crate::distance::edge::{choose, scale_of, size_of};
 use crate::{Line2, Scalar, Segment2, Vec2};
 
 /// Where two lines cross.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, PartialEq, crate::Shape)]
 #[repr(C)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Crossing<S> {
@@ -18,7 +18,7 @@ pub struct Crossing<S> {
 }
 
 /// What two segments share.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, PartialEq, crate::Shape)]
 #[repr(C)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Meeting<S> {

@@ -6,7 +6,7 @@ use crate::distance::share::{Best, Carry};
 use crate::{Line2, Ray2, Scalar, Segment2, Vec2};
 
 /// The parameters at which a line is in a convex shape.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, PartialEq, crate::Shape)]
 #[repr(C)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Span<S> {
@@ -21,7 +21,7 @@ pub struct Span<S> {
 }
 
 /// Where a ray first meets the border of a shape.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, PartialEq, crate::Shape)]
 #[repr(C)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Hit<S> {

@@ -5,3 +5,4 @@ mod fold;
 mod fuzz;
 mod program;
 mod reduce;
+mod straight;

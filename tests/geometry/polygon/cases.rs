@@ -17,7 +17,9 @@ pub fn polygon(all: &[(f64, f64)]) -> Polygon {
 pub fn convex(dice: &mut Dice) -> Polygon {
     loop {
         let n = 3 + dice.below(9);
-        let mut angles: Vec<f64> = (0..n).map(|_| dice.within(0.0, std::f64::consts::TAU)).collect();
+        let mut angles: Vec<f64> = (0..n)
+            .map(|_| dice.within(0.0, std::f64::consts::TAU))
+            .collect();
         angles.sort_by(|x, y| x.partial_cmp(y).unwrap());
         let flat = if dice.below(3) == 0 {
             0.02

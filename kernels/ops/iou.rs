@@ -1,0 +1,110 @@
+//! The family of intersection over union as operations.
+use crate::ad::adjoint::iou::giou_framed_vjp;
+use crate::clip::frame;
+use crate::iou;
+use crate::kernels::op::{Jumps, Op, Promise, Slopes};
+use crate::kernels::ops::rows::{promises, rows_of_pairs};
+use crate::{Aabb2, Obb2, Scalar};
+
+/// [`giou_obb2`](crate::iou::giou_obb2).
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct GiouObb2;
+
+impl Op for GiouObb2 {
+    const NAME: &'static str = "giou_obb2";
+    type In<S: Scalar> = (Obb2<S>, Obb2<S>);
+    type Out<S: Scalar> = S;
+    const PROMISES: &'static [Promise] = promises!(
+        [TranslationX Stays, TranslationY Stays, Scaling Stays]
+        [Rotation Stays, Exchange Stays]
+    );
+    const JUMPS: Jumps = Jumps::FromZero;
+    const SLOPES: Slopes = Slopes::ByHand;
+    #[inline]
+    fn eval<S: Scalar>((a, b): Self::In<S>) -> S {
+        iou::giou_framed::<S, true>(frame(a), frame(b))
+    }
+    #[inline]
+    fn adjoint<S: Scalar>((a, b): Self::In<S>, out_bar: S) -> Option<(S, Self::In<S>)> {
+        Some(giou_framed_vjp::<S, true>(frame(a), frame(b), out_bar))
+    }
+}
+
+// Of rotated boxes, and of whatever divides by what it subtracts, slopes lose digits backwards.
+rows_of_pairs! {
+    iou::giou_aabb2 as "[`giou_aabb2`](crate::iou::giou_aabb2)" -> S,
+    promises [TranslationX Stays, TranslationY Stays, Scaling Stays],
+    jumps FromZero, slopes Reverse {
+        GiouAabb2 = "giou_aabb2": Aabb2, Aabb2, "two axis-aligned boxes" [Exchange Stays];
+    }
+    iou::giou_box_obb2 as "[`giou_box_obb2`](crate::iou::giou_box_obb2)" -> S,
+    promises [TranslationX Stays, TranslationY Stays, Scaling Stays],
+    jumps FromZero, slopes Forward {
+        GiouBoxObb2 = "giou_box_obb2": Obb2, Obb2, "two rotated boxes" [Exchange Stays];
+    }
+    iou::giou_box_aabb2 as "[`giou_box_aabb2`](crate::iou::giou_box_aabb2)" -> S,
+    promises [TranslationX Stays, TranslationY Stays, Scaling Stays],
+    jumps FromZero, slopes Reverse {
+        GiouBoxAabb2 = "giou_box_aabb2": Aabb2, Aabb2, "two axis-aligned boxes" [Exchange Stays];
+    }
+    iou::diou_obb2 as "[`diou_obb2`](crate::iou::diou_obb2)" -> S,
+    promises [TranslationX Stays, TranslationY Stays, Scaling Stays],
+    jumps FromZero, slopes Forward {
+        DiouObb2 = "diou_obb2": Obb2, Obb2, "two rotated boxes" [Rotation Stays, Exchange Stays];
+    }
+    iou::diou_aabb2 as "[`diou_aabb2`](crate::iou::diou_aabb2)" -> S,
+    promises [TranslationX Stays, TranslationY Stays, Scaling Stays],
+    jumps FromZero, slopes Forward {
+        DiouAabb2 = "diou_aabb2": Aabb2, Aabb2, "two axis-aligned boxes" [Exchange Stays];
+    }
+    iou::diou_box_obb2 as "[`diou_box_obb2`](crate::iou::diou_box_obb2)" -> S,
+    promises [TranslationX Stays, TranslationY Stays, Scaling Stays],
+    jumps FromZero, slopes Forward {
+        DiouBoxObb2 = "diou_box_obb2": Obb2, Obb2, "two rotated boxes" [Exchange Stays];
+    }
+    iou::diou_box_aabb2 as "[`diou_box_aabb2`](crate::iou::diou_box_aabb2)" -> S,
+    promises [TranslationX Stays, TranslationY Stays, Scaling Stays],
+    jumps FromZero, slopes Forward {
+        DiouBoxAabb2 = "diou_box_aabb2": Aabb2, Aabb2, "two axis-aligned boxes" [Exchange Stays];
+    }
+    iou::ciou_obb2 as "[`ciou_obb2`](crate::iou::ciou_obb2)" -> S,
+    promises [TranslationX Stays, TranslationY Stays, Scaling Stays],
+    jumps FromZero, slopes Forward {
+        CiouObb2 = "ciou_obb2": Obb2, Obb2, "two rotated boxes" [Exchange Stays];
+    }
+    iou::ciou_aabb2 as "[`ciou_aabb2`](crate::iou::ciou_aabb2)" -> S,
+    promises [TranslationX Stays, TranslationY Stays, Scaling Stays],
+    jumps FromZero, slopes Forward {
+        CiouAabb2 = "ciou_aabb2": Aabb2, Aabb2, "two axis-aligned boxes" [Exchange Stays];
+    }
+    iou::eiou_obb2 as "[`eiou_obb2`](crate::iou::eiou_obb2)" -> S,
+    promises [TranslationX Stays, TranslationY Stays, Scaling Stays],
+    jumps FromZero, slopes Forward {
+        EiouObb2 = "eiou_obb2": Obb2, Obb2, "two rotated boxes" [Exchange Stays];
+    }
+    iou::eiou_aabb2 as "[`eiou_aabb2`](crate::iou::eiou_aabb2)" -> S,
+    promises [TranslationX Stays, TranslationY Stays, Scaling Stays],
+    jumps FromZero, slopes Forward {
+        EiouAabb2 = "eiou_aabb2": Aabb2, Aabb2, "two axis-aligned boxes" [Exchange Stays];
+    }
+    iou::ciou_fixed_weight_obb2 as "[`ciou_fixed_weight_obb2`](crate::iou::ciou_fixed_weight_obb2)" -> S,
+    promises [TranslationX Stays, TranslationY Stays, Scaling Stays],
+    jumps FromZero, slopes Forward {
+        CiouFixedWeightObb2 = "ciou_fixed_weight_obb2": Obb2, Obb2, "two rotated boxes" [Exchange Stays];
+    }
+    iou::ciou_fixed_weight_aabb2 as "[`ciou_fixed_weight_aabb2`](crate::iou::ciou_fixed_weight_aabb2)" -> S,
+    promises [TranslationX Stays, TranslationY Stays, Scaling Stays],
+    jumps FromZero, slopes Forward {
+        CiouFixedWeightAabb2 = "ciou_fixed_weight_aabb2": Aabb2, Aabb2, "two axis-aligned boxes" [Exchange Stays];
+    }
+    iou::hull_area_obb2 as "[`hull_area_obb2`](crate::iou::hull_area_obb2)" -> S,
+    promises [TranslationX Stays, TranslationY Stays, Scaling Power(2)],
+    jumps Never, slopes Reverse {
+        HullAreaObb2 = "hull_area_obb2": Obb2, Obb2, "two rotated boxes" [Rotation Stays, Exchange Stays];
+    }
+    iou::hull_area_aabb2 as "[`hull_area_aabb2`](crate::iou::hull_area_aabb2)" -> S,
+    promises [TranslationX Stays, TranslationY Stays, Scaling Power(2)],
+    jumps Never, slopes Reverse {
+        HullAreaAabb2 = "hull_area_aabb2": Aabb2, Aabb2, "two axis-aligned boxes" [Exchange Stays];
+    }
+}

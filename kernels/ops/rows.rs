@@ -1,0 +1,56 @@
+//! Rows of one function for many pairs of shapes.
+
+/// Operations of one function of two shapes: the function, its result, what all of them promise, where
+/// they jump and where their slopes come from; then for every pair its name, the shapes and what else
+/// it promises.
+macro_rules! rows_of_pairs {
+    ($(
+        $function:path as $title:literal -> $out:ty,
+        promises [$($motion:ident $answer:ident $(($power:literal))?),*],
+        jumps $jumps:ident, slopes $slopes:ident {
+            $($Name:ident = $name:literal: $A:ident, $B:ident, $what:literal
+                [$($further:ident $same:ident),*];)*
+        }
+    )*) => { $( crate::kernels::ops::rows::rows_of_pairs! {
+        @each $function, $title, $out, [$($motion $answer $(($power))?),*], $jumps, $slopes;
+        $($Name, $name, $A, $B, $what, [$($further $same),*];)*
+    } )* };
+    (@each $function:path, $title:literal, $out:ty, $shared:tt, $jumps:ident, $slopes:ident;
+        $($Name:ident, $name:literal, $A:ident, $B:ident, $what:literal, $own:tt;)*) => { $(
+        #[doc = concat!($title, " of ", $what, ".")]
+        #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+        pub struct $Name;
+
+        impl crate::kernels::op::Op for $Name {
+            const NAME: &'static str = $name;
+            type In<S: crate::Scalar> = ($A<S>, $B<S>);
+            type Out<S: crate::Scalar> = $out;
+            const PROMISES: &'static [crate::kernels::op::Promise] =
+                crate::kernels::ops::rows::promises!($shared $own);
+            const JUMPS: crate::kernels::op::Jumps = crate::kernels::op::Jumps::$jumps;
+            const SLOPES: crate::kernels::op::Slopes = crate::kernels::op::Slopes::$slopes;
+            #[inline]
+            fn eval<S: crate::Scalar>((a, b): Self::In<S>) -> $out {
+                $function(a, b)
+            }
+        }
+    )* };
+}
+
+/// Two lists of promises as one.
+macro_rules! promises {
+    ([$($motion:ident $answer:ident $(($power:literal))?),*] [$($further:ident $same:ident),*]) => {
+        &[
+            $(crate::kernels::op::Promise {
+                motion: crate::kernels::op::Motion::$motion,
+                answer: crate::kernels::op::Answer::$answer $(($power))?,
+            },)*
+            $(crate::kernels::op::Promise {
+                motion: crate::kernels::op::Motion::$further,
+                answer: crate::kernels::op::Answer::$same,
+            },)*
+        ]
+    };
+}
+
+pub(crate) use {promises, rows_of_pairs};

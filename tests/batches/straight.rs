@@ -1,0 +1,149 @@
+//! Batches of every straight-line operation: the bits of the function and of its slopes on plain
+//! numbers, at every level of vector instructions and at every position of a batch.
+use crate::bits::Turn;
+use geograd::ad::check::sample::{Draw, Family, Sample, random};
+use geograd::kernels::cpu::simd::Simd;
+use geograd::kernels::op::{Op, Source, Straight};
+use geograd::kernels::{Cpu, Row};
+use geograd::scalar::float::Float;
+use geograd::{Fixed, Jet, Pack};
+use geograd_tests::calls::Number;
+use std::fmt::Debug;
+
+/// Lengths of batches: less than any vector, not a whole number of them, several pieces.
+const LENGTHS: [usize; 3] = [1, 17, 300];
+
+/// Results of a batch, item by item.
+trait Items {
+    fn item(&self, i: usize) -> Vec<u64>;
+}
+impl<A: Pack<Scalar: Number>> Items for Vec<A> {
+    fn item(&self, i: usize) -> Vec<u64> {
+        bits(&self[i])
+    }
+}
+macro_rules! items {
+    ($(($($part:ident.$place:tt),+))+) => { $(
+        impl<$($part: Items),+> Items for ($($part,)+) {
+            fn item(&self, i: usize) -> Vec<u64> {
+                [$(self.$place.item(i)),+].concat()
+            }
+        }
+    )+ };
+}
+items! { (A.0, B.1) (A.0, B.1, C.2) }
+
+fn bits<A: Pack<Scalar: Number>>(shape: &A) -> Vec<u64> {
+    let numbers = shape.scalars().into_iter();
+    numbers.map(|x| x.widen().to_bits()).collect()
+}
+
+/// Hard inputs, then random ones, in a format.
+fn inputs<O: Op, T: Number>(count: usize) -> Vec<O::In<T>>
+where
+    O::In<f64>: Sample,
+{
+    let mut draw = Draw::new(11);
+    let hard = O::In::<f64>::hard().into_iter();
+    let mut all: Vec<O::In<f64>> = hard.step_by(5).take(count / 2).collect();
+    while all.len() < count {
+        all.push(random(&mut draw));
+    }
+    let rounded = |x: &O::In<f64>| {
+        let numbers: Vec<T> = x.scalars().iter().map(|&x| T::lit(x)).collect();
+        O::In::<T>::load(&numbers)
+    };
+    all.iter().map(rounded).collect()
+}
+
+/// Values and slopes of batches are those of the function.
+fn same_bits<O: Op, T: Number>()
+where
+    O::In<f64>: Sample,
+    O::In<T>: Row<Scalar = T, Many: Items> + Debug,
+    O::Out<T>: Row<Scalar = T, Many: Items>,
+{
+    let all = inputs::<O, T>(LENGTHS[2]);
+    let mut draw = Draw::new(12);
+    let bars = (0..all.len()).map(|_| {
+        let numbers = (0..O::Out::<T>::LEN).map(|_| T::lit(draw.within(-2.0, 2.0)));
+        O::Out::load(&numbers.collect::<Vec<T>>())
+    });
+    let bars: Vec<O::Out<T>> = bars.collect();
+    let expected: Vec<[Vec<u64>; 2]> = all
+        .iter()
+        .zip(&bars)
+        .map(|(&x, &bar)| {
+            let (value, slopes) = (O::eval(x), Straight::<O>::vjp(&x, bar));
+            let finite = |numbers: Vec<T>| numbers.iter().all(|x| x.widen().is_finite());
+            assert!(
+                finite(value.scalars()) && finite(slopes.scalars()),
+                "{}: {x:?}",
+                O::NAME
+            );
+            [bits(&value), bits(&slopes)]
+        })
+        .collect();
+    let _turn = Turn::take();
+    for level in Simd::available() {
+        Simd::limit(Some(level)).unwrap();
+        for count in LENGTHS {
+            let (all, bars) = (&all[..count], &bars[..count]);
+            let values = Cpu::new().aligned(O::default(), all).unwrap();
+            let slopes = Cpu::new().aligned(O::default().vjp(), (all, bars)).unwrap();
+            for i in 0..count {
+                let found = [values.item(i), slopes.item(i)];
+                assert_eq!(
+                    found,
+                    expected[i],
+                    "{} {level:?} {count}: {:?}",
+                    O::NAME,
+                    all[i]
+                );
+            }
+        }
+    }
+}
+
+/// Slopes are those of forward duals where no tie is near.
+fn slopes_of_duals<O: Op>()
+where
+    O::In<f64>: Sample,
+{
+    let mut draw = Draw::new(13);
+    let ones = O::Out::<f64>::filled(1.0);
+    for _ in 0..100 {
+        let x: O::In<f64> = Family::Ordinary.draw(&mut draw);
+        let slopes = Straight::<O>::vjp(&x, ones).scalars();
+        let numbers = x.scalars();
+        let largest = slopes.iter().fold(1.0_f64, |m, s| m.max(s.abs()));
+        for (k, &slope) in slopes.iter().enumerate() {
+            let jets = numbers.iter().enumerate().map(|(i, &x)| Jet {
+                value: x,
+                slope: [if i == k { 1.0 } else { 0.0 }],
+            });
+            let jets: Vec<Jet<f64, 1>> = jets.collect();
+            let out = O::eval(O::In::<Jet<f64, 1>>::load(&jets)).scalars();
+            let dual: f64 = out.iter().map(|y| y.slope[0]).sum();
+            let gap = (dual - slope).abs();
+            assert!(
+                gap <= 1e-12 * largest,
+                "{} by {k}: {dual} {slope} at {x:?}",
+                O::NAME
+            );
+        }
+    }
+}
+
+macro_rules! each {
+    (pairs { $($pair:ident: $pair_op:ty,)* } rings { $($ring:ident: $ring_op:ty,)* }
+     straight { $($name:ident: $op:ty,)* }) => { $(
+        #[test]
+        fn $name() {
+            same_bits::<$op, f64>();
+            same_bits::<$op, f32>();
+            slopes_of_duals::<$op>();
+        }
+    )* };
+}
+geograd::for_each_op!(each);
