@@ -11,5 +11,5 @@ mod program_slopes;
 mod shrinking;
 mod stranger;
 mod strategy;
-mod witness;
 mod unrecorded;
+mod witness;

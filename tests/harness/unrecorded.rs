@@ -18,5 +18,8 @@ fn is_refused() {
     let report = prove::<Wild, f64>(5, 1);
     assert!(!report.passed(), "{report}");
     let refused = geograd::kernels::Cpu::new().aligned(Wild, &[1.0_f64]);
-    assert_eq!(refused, Err(geograd::Error::Program(geograd::Unrecordable::Constant)));
+    assert_eq!(
+        refused,
+        Err(geograd::Error::Program(geograd::Unrecordable::Constant))
+    );
 }
