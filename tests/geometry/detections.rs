@@ -314,10 +314,10 @@ fn best_sum(gains: &[f64], columns: usize, row: usize, used: &mut Vec<bool>) -> 
 #[test]
 fn assignments_are_the_best() {
     let mut dice = Dice(66);
-    for n in 0..150 {
-        let (rows, columns) = (1 + n % 5, 1 + n / 5 % 6);
+    for n in 0..420 {
+        let (rows, columns) = (1 + n % 6, 1 + n / 6 % 7);
         let gains: Vec<f64> = (0..rows * columns)
-            .map(|_| dice.below(8) as f64 / 4.0 - 0.5)
+            .map(|_| dice.below(40) as f64 / 8.0 - 2.0)
             .collect();
         let pairs = optimal(&gains, rows, columns).unwrap();
         assert_eq!(pairs.len(), rows.min(columns));
