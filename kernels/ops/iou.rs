@@ -30,7 +30,9 @@ impl Op for GiouObb2 {
     }
 }
 
-// Of rotated boxes, and of whatever divides by what it subtracts, slopes lose digits backwards.
+// Slopes of quotients of areas lose digits backwards. CIoU jumps where a box has no size, and so no
+// aspect. DIoU of rotated boxes shares the slope of corners that are equally far by the
+// first one's frame: exchanged boxes share it otherwise.
 rows_of_pairs! {
     iou::giou_aabb2 as "[`giou_aabb2`](crate::iou::giou_aabb2)" -> S,
     promises [TranslationX Stays, TranslationY Stays, Scaling Stays],
@@ -50,7 +52,7 @@ rows_of_pairs! {
     iou::diou_obb2 as "[`diou_obb2`](crate::iou::diou_obb2)" -> S,
     promises [TranslationX Stays, TranslationY Stays, Scaling Stays],
     jumps FromZero, slopes Forward {
-        DiouObb2 = "diou_obb2": Obb2, Obb2, "two rotated boxes" [Rotation Stays, Exchange Stays];
+        DiouObb2 = "diou_obb2": Obb2, Obb2, "two rotated boxes" [Rotation Stays];
     }
     iou::diou_aabb2 as "[`diou_aabb2`](crate::iou::diou_aabb2)" -> S,
     promises [TranslationX Stays, TranslationY Stays, Scaling Stays],
@@ -69,12 +71,12 @@ rows_of_pairs! {
     }
     iou::ciou_obb2 as "[`ciou_obb2`](crate::iou::ciou_obb2)" -> S,
     promises [TranslationX Stays, TranslationY Stays, Scaling Stays],
-    jumps FromZero, slopes Forward {
+    jumps Anywhere, slopes Forward {
         CiouObb2 = "ciou_obb2": Obb2, Obb2, "two rotated boxes" [Exchange Stays];
     }
     iou::ciou_aabb2 as "[`ciou_aabb2`](crate::iou::ciou_aabb2)" -> S,
     promises [TranslationX Stays, TranslationY Stays, Scaling Stays],
-    jumps FromZero, slopes Forward {
+    jumps Anywhere, slopes Forward {
         CiouAabb2 = "ciou_aabb2": Aabb2, Aabb2, "two axis-aligned boxes" [Exchange Stays];
     }
     iou::eiou_obb2 as "[`eiou_obb2`](crate::iou::eiou_obb2)" -> S,
@@ -89,12 +91,12 @@ rows_of_pairs! {
     }
     iou::ciou_fixed_weight_obb2 as "[`ciou_fixed_weight_obb2`](crate::iou::ciou_fixed_weight_obb2)" -> S,
     promises [TranslationX Stays, TranslationY Stays, Scaling Stays],
-    jumps FromZero, slopes Forward {
+    jumps Anywhere, slopes Forward {
         CiouFixedWeightObb2 = "ciou_fixed_weight_obb2": Obb2, Obb2, "two rotated boxes" [Exchange Stays];
     }
     iou::ciou_fixed_weight_aabb2 as "[`ciou_fixed_weight_aabb2`](crate::iou::ciou_fixed_weight_aabb2)" -> S,
     promises [TranslationX Stays, TranslationY Stays, Scaling Stays],
-    jumps FromZero, slopes Forward {
+    jumps Anywhere, slopes Forward {
         CiouFixedWeightAabb2 = "ciou_fixed_weight_aabb2": Aabb2, Aabb2, "two axis-aligned boxes" [Exchange Stays];
     }
     iou::hull_area_obb2 as "[`hull_area_obb2`](crate::iou::hull_area_obb2)" -> S,

@@ -82,15 +82,8 @@ fn relate_all<S: Scalar, A: Convex<S>, B: Convex<S>>(a: A, b: B) -> Relation<S> 
     let parted = deep.value.above(S::lit(-S::LARGEST));
     let deep = deep.mean();
     let inside = parted & (deep.ahead.below(S::zero()) | none);
-    // Cores that share a point are not apart, however the face's distance is rounded.
-    let rounded = none & deep.ahead.above(S::zero());
-    let ahead = S::select(
-        rounded,
-        deep.ahead.with_primal(S::zero().primal()),
-        deep.ahead,
-    );
     Relation {
-        apart: S::select(inside, ahead, length),
+        apart: S::select(inside, deep.ahead, length),
         normal: choose(inside, deep.normal, direction),
         on_a: choose(inside, deep.on_a, near.on_a),
         on_b: choose(inside, deep.on_b, near.on_b),

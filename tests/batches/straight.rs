@@ -4,7 +4,7 @@ use crate::bits::Turn;
 use geograd::ad::check::sample::{Draw, Family, Sample, random};
 use geograd::kernels::cpu::simd::Simd;
 use geograd::kernels::op::{Op, Source, Straight};
-use geograd::kernels::{Cpu, Row};
+use geograd::kernels::{self, Cpu, Row};
 use geograd::scalar::float::Float;
 use geograd::{Fixed, Jet, Pack};
 use geograd_tests::calls::Number;
@@ -102,6 +102,50 @@ where
                 );
             }
         }
+    }
+}
+
+/// A batch of values with gradients: the value, and the slopes of a cotangent of one.
+fn same_gradient<O: Op<Out<T> = T>, T: Number>()
+where
+    O::In<f64>: Sample,
+    O::In<T>: Row<Scalar = T, Many: Items> + Debug,
+    T: Row<Many: Items>,
+{
+    let all = inputs::<O, T>(LENGTHS[2]);
+    let _turn = Turn::take();
+    for level in Simd::available() {
+        Simd::limit(Some(level)).unwrap();
+        for count in LENGTHS {
+            let all = &all[..count];
+            let found = Cpu::new().aligned(O::default().value_grad(), all).unwrap();
+            for (i, x) in all.iter().enumerate() {
+                let slopes = Straight::<O>::vjp(x, T::lit(1.0));
+                let expected = [bits(&O::eval(*x)), bits(&slopes)].concat();
+                assert_eq!(
+                    found.item(i),
+                    expected,
+                    "{} {level:?} {count}: {x:?}",
+                    O::NAME
+                );
+            }
+        }
+    }
+}
+
+#[test]
+fn gradients() {
+    macro_rules! each {
+        ($($op:ident)*) => { $(
+            same_gradient::<kernels::$op, f64>();
+            same_gradient::<kernels::$op, f32>();
+        )* };
+    }
+    each! {
+        DistancePointSegment DistancePointCircle DistancePointTriangle DistanceSegments DistanceObb2
+        SignedDistancePointObb2 DistanceSquaredPointSegment GiouObb2 GiouAabb2 GiouBoxObb2 DiouAabb2
+        DiouBoxObb2 DiouBoxAabb2 EiouObb2 EiouAabb2 HullAreaObb2 HullAreaAabb2 AreaTriangle
+        PerimeterTriangle SignedAreaQuad PerimeterQuad
     }
 }
 
