@@ -138,7 +138,6 @@ macro_rules! for_each_op {
             }
             straight {
                 distance_point_segment: $crate::kernels::ops::distance::DistancePointSegment,
-                distance_obb2: $crate::kernels::ops::distance::DistanceObb2,
                 signed_distance_point_obb2: $crate::kernels::ops::distance::SignedDistancePointObb2,
                 closest_points_of_segments: $crate::kernels::ops::distance::ClosestPointsOfSegments,
                 distance_point_circle: $crate::kernels::ops::distance::DistancePointCircle,
@@ -176,7 +175,6 @@ macro_rules! for_each_op {
                 centroid_triangle: $crate::kernels::ops::polygon::CentroidTriangle,
                 signed_area_quad: $crate::kernels::ops::polygon::SignedAreaQuad,
                 perimeter_quad: $crate::kernels::ops::polygon::PerimeterQuad,
-                circumcircle: $crate::kernels::ops::shape::Circumcircle,
                 move_segment: $crate::kernels::ops::shape::MoveSegment,
                 intersection_volume_aabb3: $crate::kernels::ops::overlap3::IntersectionVolumeAabb3,
                 iou_aabb3: $crate::kernels::ops::overlap3::IouAabb3,

@@ -51,7 +51,7 @@ impl Fold for SecondMomentsOfRing {
 }
 
 /// The [signed distance](crate::distance::ring::signed_distance_to_ring) of a point and a ring: negative
-/// inside. Without edges it is the largest finite number.
+/// inside. Without edges it is the largest finite number. Exactly on the border its slope is zero.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct SignedDistancePointRing;
 
