@@ -109,6 +109,10 @@ fn inputs<X: Sample, S: Number>(plan: &Plan<'_>) -> (Vec<X>, usize) {
     (inputs, random_from)
 }
 
+/// Makes subjects near an input and hands them over. Not generic: what judges them is compiled once per
+/// kind of input, and not once per operation.
+type With<'a, X> = &'a dyn Fn(&X, Option<&Batch<'_>>, &mut dyn FnMut(&dyn Subject));
+
 /// Judges an operation at hard cases and random inputs, with a batch as a further witness if there is
 /// one to ask.
 fn judged<X: Sample>(
@@ -116,7 +120,7 @@ fn judged<X: Sample>(
     plan: &Plan<'_>,
     (inputs, random_from): (Vec<X>, usize),
     ask: Option<Ask<'_>>,
-    with: impl Fn(&X, Option<&Batch<'_>>, &mut dyn FnMut(&dyn Subject)),
+    with: With<'_, X>,
 ) -> Result<Report, Error> {
     let batch = match ask {
         Some(ask) => {
@@ -188,18 +192,29 @@ where
     O::In<S>: Row,
     O::Out<S>: Row,
 {
-    let inputs = inputs::<O::In<f64>, S>(plan);
-    let Ok(recording) = recording::<O, S>() else {
-        // What cannot be recorded has no slopes, and is refused for that.
-        return judged(O::NAME, plan, inputs, None, |_, _, judge| {
-            judge(&Unrecorded::<S>(source::<O, S>));
-        });
-    };
     let wide = match Precision::of::<S>() {
-        Precision::F32 => self::recording::<O, f64>().ok(),
+        Precision::F32 => recording::<O, f64>().ok(),
         Precision::F64 => None,
     };
-    judged(O::NAME, plan, inputs, ask, |x, batch, judge| {
+    let recordings = (recording::<O, S>().ok(), wide);
+    recorded::<O::In<f64>, S>(O::NAME, plan, ask, recordings, source::<O, S>)
+}
+
+/// Judges what was recorded of an operation; if nothing was, refuses it.
+fn recorded<X: Sample, S: Number>(
+    name: &'static str,
+    plan: &Plan<'_>,
+    ask: Option<Ask<'_>>,
+    (recording, wide): (Option<Recording<S>>, Option<Recording<f64>>),
+    source: Path<S>,
+) -> Result<Report, Error> {
+    let inputs = inputs::<X, S>(plan);
+    let Some(recording) = recording else {
+        return judged(name, plan, inputs, None, &|_, _, judge| {
+            judge(&Unrecorded::<S>(source));
+        });
+    };
+    judged(name, plan, inputs, ask, &|x, batch, judge| {
         judge(&RecordedSubject {
             near: x,
             recording: &recording,
@@ -233,7 +248,7 @@ fn ring<O: RingOp, S: Number + Real>(
     ask: Option<Ask<'_>>,
 ) -> Result<Report, Error> {
     let inputs = inputs::<Vec<Vec2<f64>>, S>(plan);
-    judged(O::NAME, plan, inputs, ask, |x, batch, judge| {
+    judged(O::NAME, plan, inputs, ask, &|x, batch, judge| {
         let paths: [Path<S>; 1] = [ring_value::<O, S>];
         judge(&OpSubject::<Ringed<O>, S>::new(x, &paths, None).with_batch(batch));
     })
@@ -245,7 +260,7 @@ where
     F::Context<f64>: Sample,
 {
     let inputs = inputs::<(F::Context<f64>, Vec<Vec2<f64>>), S>(plan);
-    without_batch(judged(F::NAME, plan, inputs, None, |x, _, judge| {
+    without_batch(judged(F::NAME, plan, inputs, None, &|x, _, judge| {
         judge(&OpSubject::<Folded<F>, S>::new(x, &[], None));
     }))
 }
@@ -256,7 +271,7 @@ where
     D::In<f64>: Sample,
 {
     let inputs = inputs::<D::In<f64>, S>(plan);
-    without_batch(judged(D::NAME, plan, inputs, None, |x, _, judge| {
+    without_batch(judged(D::NAME, plan, inputs, None, &|x, _, judge| {
         judge(&OpSubject::<Replayed<D>, S>::new(x, &[], None));
     }))
 }
