@@ -141,8 +141,8 @@ pub fn bounds_of<S: Scalar>(points: &[Vec2<S>]) -> Option<Aabb2<S>> {
     Some(Aabb2 { min, max })
 }
 
-/// The larger of two sizes may be this many times the smaller one before only its sixteenth part or so
-/// of the digits is left anyway: products of four lengths stay finite.
+/// The larger of two sizes is at most this many local units, 2²⁸ in single precision, so that products of
+/// four lengths stay finite; what is smaller beside it loses digits.
 #[inline(always)]
 fn ratio<S: Scalar>() -> f64 {
     S::LARGEST.powf(0.21875)

@@ -32,7 +32,7 @@ pub fn clip_vjp<S: Scalar, const N: usize, const M: usize, const K: usize>(
                     [b.vertices[j], b.vertices[j_end]],
                 );
                 let across = met.along_b.perp();
-                // v⊥ · u = −(v × u)... = −(u × v) turned: perp(v) · u = v × u = −cross.
+                // v⊥ · u = v × u, and `cross` is u × v.
                 let k = -(bar.dot(met.along_a).over(met.cross));
                 let to_b = across * k;
                 let to_a = bar - to_b;
