@@ -46,16 +46,21 @@ impl<T: Plain> Sym<T> {
         }
     }
     /// The symbol of a node without operands.
+    #[inline(never)]
     pub(super) fn leaf(node: Node) -> Self {
         Self::new(Symbol::made(T::FORMAT, [], |[]| node))
     }
+    // Not inlined, nor the others: a recorded function is long, and is called once.
+    #[inline(never)]
     fn of_one(self, node: impl FnOnce(u32) -> Node) -> Self {
         Self::new(Symbol::made(T::FORMAT, [self.symbol], |[x]| node(x)))
     }
+    #[inline(never)]
     fn of_two(self, other: Self, node: impl FnOnce(u32, u32) -> Node) -> Self {
         let operands = [self.symbol, other.symbol];
         Self::new(Symbol::made(T::FORMAT, operands, |[a, b]| node(a, b)))
     }
+    #[inline(never)]
     fn compared(self, other: Self, node: impl FnOnce(u32, u32) -> Node) -> SymMask<T> {
         let operands = [self.symbol, other.symbol];
         SymMask::new(Symbol::made(T::FORMAT, operands, |[a, b]| node(a, b)))
@@ -133,6 +138,7 @@ impl<T: Plain> SymMask<T> {
             number: PhantomData,
         }
     }
+    #[inline(never)]
     fn of_two(self, other: Self, node: impl FnOnce(u32, u32) -> Node) -> Self {
         let operands = [self.symbol, other.symbol];
         Self::new(Symbol::made(T::FORMAT, operands, |[a, b]| node(a, b)))
@@ -152,6 +158,7 @@ impl<T: Plain> BitOr for SymMask<T> {
 }
 impl<T: Plain> Not for SymMask<T> {
     type Output = Self;
+    #[inline(never)]
     fn not(self) -> Self {
         Self::new(Symbol::made(T::FORMAT, [self.symbol], |[x]| Node::Not(x)))
     }
@@ -197,6 +204,7 @@ impl<T: Plain> Scalar for Sym<T> {
     fn equals(self, other: Self) -> SymMask<T> {
         self.compared(other, Node::Eq)
     }
+    #[inline(never)]
     fn select(mask: SymMask<T>, yes: Self, no: Self) -> Self {
         let operands = [mask.symbol, yes.symbol, no.symbol];
         Self::new(Symbol::made(T::FORMAT, operands, |[mask, yes, no]| {
