@@ -216,6 +216,12 @@ fn hard_pairs_have_finite_slopes_between_the_one_sided_ones() {
 
 #[test]
 fn second_derivatives_are_those_of_the_adjoint() {
+    // Numbers of 81 parts each, in code that is not optimised.
+    let thread = std::thread::Builder::new().stack_size(64 << 20);
+    thread.spawn(second_derivatives).unwrap().join().unwrap();
+}
+
+fn second_derivatives() {
     let (a, b) = (
         polygon(&[(0., 0.), (2., 0.), (1.5, 2.), (0.2, 1.8)]),
         polygon(&[(1., 0.5), (3., 1.), (1.2, 2.6)]),
