@@ -106,11 +106,12 @@ where
 }
 
 /// A batch of values with gradients: the value, and the slopes of a cotangent of one.
-fn same_gradient<O: Op<Out<T> = T>, T: Number>()
+fn same_gradient<O, T>()
 where
+    O: Op<Out<T> = T>,
     O::In<f64>: Sample,
     O::In<T>: Row<Scalar = T, Many: Items> + Debug,
-    T: Row<Many: Items>,
+    T: Number + Row<Many: Items>,
 {
     let all = inputs::<O, T>(LENGTHS[2]);
     let _turn = Turn::take();

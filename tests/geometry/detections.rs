@@ -21,12 +21,11 @@ impl Scene {
         let scores = (0..count).map(|_| level(dice, 12)).collect();
         let classes = (0..count).map(|_| dice.below(2) as u32).collect();
         let mut dense = vec![vec![0.0; count]; count];
-        for i in 0..count {
-            for j in 0..i {
-                if dice.below(3) > 0 {
-                    let overlap = level(dice, 20);
-                    (dense[i][j], dense[j][i]) = (overlap, overlap);
-                }
+        let below = (0..count).flat_map(|i| (0..i).map(move |j| (i, j)));
+        for (i, j) in below {
+            if dice.below(3) > 0 {
+                let overlap = level(dice, 20);
+                (dense[i][j], dense[j][i]) = (overlap, overlap);
             }
         }
         Scene {
