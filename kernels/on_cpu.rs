@@ -1,6 +1,6 @@
 //! The processor's side of [`Backend`](crate::kernels::Backend) and
 //! [`resident`](crate::kernels::resident): batches of the operations that a GPU serves, in `f32`.
-use crate::error::Error;
+use crate::error::{Argument, Error};
 use crate::kernels::gpu::GpuPair;
 use crate::kernels::reduce::{Best, Found};
 use crate::kernels::{Cpu, Table};
@@ -18,6 +18,22 @@ pub type Loss<O> = (f64, Vec<ShapeOf<O>>, Vec<ShapeOf<O>>);
 
 const CPU: Cpu = Cpu::new();
 
+/// Results by the names that a GPU's calls give them.
+fn named(done: Result<(), Error>, names: &[Argument]) -> Result<(), Error> {
+    done.map_err(|error| match error {
+        Error::Length {
+            argument: Argument::Result(index),
+            expected,
+            found,
+        } if index < names.len() => Error::Length {
+            argument: names[index],
+            expected,
+            found,
+        },
+        error => error,
+    })
+}
+
 /// Calls that only pass on: the macro lists them.
 macro_rules! passed_on {
     ($($name:ident($($arg:ident: $type:ty),*) -> $out:ty = |$op:ident| $call:expr;)*) => { $(
@@ -31,19 +47,26 @@ macro_rules! passed_on {
 passed_on! {
     aligned(a: &[ShapeOf<O>], b: &[ShapeOf<O>]) -> Vec<f32> = |op| CPU.aligned(op, (a, b));
     aligned_into(a: &[ShapeOf<O>], b: &[ShapeOf<O>], values: &mut [f32]) -> ()
-        = |op| CPU.aligned_into(op, (a, b), values);
+        = |op| named(CPU.aligned_into(op, (a, b), values), &[Argument::Values]);
     aligned_grad(a: &[ShapeOf<O>], b: &[ShapeOf<O>]) -> AlignedGrads<O>
         = |op| CPU.aligned(op.value_grad(), (a, b)).map(|(values, (a_bar, b_bar))| (values, a_bar, b_bar));
     aligned_grad_into(
         a: &[ShapeOf<O>], b: &[ShapeOf<O>],
         values: &mut [f32], a_bar: &mut [ShapeOf<O>], b_bar: &mut [ShapeOf<O>]
-    ) -> () = |op| CPU.aligned_into(op.value_grad(), (a, b), (values, (a_bar, b_bar)));
+    ) -> () = |op| {
+        let into = (values, (a_bar, b_bar));
+        let names = [Argument::Values, Argument::GradA, Argument::GradB];
+        named(CPU.aligned_into(op.value_grad(), (a, b), into), &names)
+    };
     aligned_vjp(a: &[ShapeOf<O>], b: &[ShapeOf<O>], upstream: &[f32]) -> Bars<O>
         = |op| CPU.aligned(op.vjp(), ((a, b), upstream));
     aligned_vjp_into(
         a: &[ShapeOf<O>], b: &[ShapeOf<O>], upstream: &[f32],
         a_bar: &mut [ShapeOf<O>], b_bar: &mut [ShapeOf<O>]
-    ) -> () = |op| CPU.aligned_into(op.vjp(), ((a, b), upstream), (a_bar, b_bar));
+    ) -> () = |op| {
+        let done = CPU.aligned_into(op.vjp(), ((a, b), upstream), (a_bar, b_bar));
+        named(done, &[Argument::GradA, Argument::GradB])
+    };
     all_pairs(a: &[ShapeOf<O>], b: &[ShapeOf<O>]) -> Vec<f32>
         = |op| CPU.all_pairs(op, a, b).map(Table::into_planes);
     all_pairs_into(a: &[ShapeOf<O>], b: &[ShapeOf<O>], values: &mut [f32]) -> ()
