@@ -158,7 +158,6 @@ macro_rules! for_each_op {
                 diou_box_obb2: $crate::kernels::ops::iou::DiouBoxObb2,
                 ciou_obb2: $crate::kernels::ops::iou::CiouObb2,
                 ciou_aabb2: $crate::kernels::ops::iou::CiouAabb2,
-                eiou_obb2: $crate::kernels::ops::iou::EiouObb2,
                 eiou_aabb2: $crate::kernels::ops::iou::EiouAabb2,
                 hull_area_obb2: $crate::kernels::ops::iou::HullAreaObb2,
                 hull_area_aabb2: $crate::kernels::ops::iou::HullAreaAabb2,
