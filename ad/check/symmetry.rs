@@ -66,6 +66,14 @@ pub struct Promise {
     pub answer: Answer,
 }
 
+impl Promise {
+    /// That such a motion has such an answer.
+    #[must_use]
+    pub const fn new(motion: Motion, answer: Answer) -> Self {
+        Promise { motion, answer }
+    }
+}
+
 /// The velocity of numbers of the given kinds under a motion of unit speed.
 #[must_use]
 pub fn velocity(motion: Motion, kinds: &[Kind], x: &[f64]) -> Vec<f64> {

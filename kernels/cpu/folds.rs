@@ -11,7 +11,7 @@ use crate::kernels::cpu::ragged::check_ragged;
 use crate::kernels::cpu::work::spread;
 use crate::kernels::fold::{Fold, edges};
 use crate::kernels::real::Real;
-use crate::kernels::row::{Column, Columns, Leaf, STRETCH, leaves_of};
+use crate::kernels::row::{Column, Columns, Leaf, STRETCH, Target, leaves_of};
 use crate::{Error, Fixed, Pack, Scalar, Vec2};
 use std::sync::Arc;
 
@@ -304,10 +304,10 @@ impl Cpu {
             vec![[T::default(); 4]; count],
         );
         let columns = paths.columns(wide, Some((&state_bars, state)));
-        let ends = rows_target(end_bars.as_flattened_mut(), 4);
+        let ends = Target::of_rows(end_bars.as_flattened_mut(), 4);
         let mut targets = vec![Some(ends)];
         if wide > 0 {
-            targets.insert(0, Some(rows_target(&mut shared_bars, wide)));
+            targets.insert(0, Some(Target::of_rows(&mut shared_bars, wide)));
         }
         (T::drivers().aligned)(Aligned {
             face: &body,
@@ -333,11 +333,6 @@ impl Cpu {
         }
         Ok((context_bars, path_bars))
     }
-}
-
-/// Rows of numbers as a target.
-fn rows_target<T: Real>(rows: &mut [T], fields: usize) -> crate::kernels::row::Target<'_, T> {
-    crate::kernels::row::Target::of_rows(rows, fields)
 }
 
 /// Checks paths and their contexts.
@@ -373,7 +368,7 @@ fn states<F: Fold, T: Real>(programs: &Programs, paths: &Paths<'_, T>) -> Result
     let body = face::<T>(&programs.edge, wide, state, Want::Value)?;
     let count = paths.edges.len();
     let mut states = vec![T::default(); count * state];
-    let targets = vec![Some(rows_target(&mut states, state))];
+    let targets = vec![Some(Target::of_rows(&mut states, state))];
     (T::drivers().aligned)(Aligned {
         face: &body,
         columns: paths.columns(wide, None),

@@ -15,22 +15,10 @@ impl<const N: usize> Decided for DiameterOfPolygon<N> {
     type Out<S: Scalar> = S;
     type Record = Farthest;
     const PROMISES: &'static [Promise] = &[
-        Promise {
-            motion: Motion::TranslationX,
-            answer: Answer::Stays,
-        },
-        Promise {
-            motion: Motion::TranslationY,
-            answer: Answer::Stays,
-        },
-        Promise {
-            motion: Motion::Rotation,
-            answer: Answer::Stays,
-        },
-        Promise {
-            motion: Motion::Scaling,
-            answer: Answer::Power(1),
-        },
+        Promise::new(Motion::TranslationX, Answer::Stays),
+        Promise::new(Motion::TranslationY, Answer::Stays),
+        Promise::new(Motion::Rotation, Answer::Stays),
+        Promise::new(Motion::Scaling, Answer::Power(1)),
     ];
     const JUMPS: Jumps = Jumps::Never;
     fn decide<S: Scalar<Mask = bool>>(polygon: ConvexPolygon<S, N>) -> Farthest {

@@ -15,18 +15,9 @@ impl Fold for SecondMomentsOfRing {
     const NAME: &'static str = "second_moments_of_ring";
     const CLOSED: bool = true;
     const PROMISES: &'static [Promise] = &[
-        Promise {
-            motion: Motion::TranslationX,
-            answer: Answer::Stays,
-        },
-        Promise {
-            motion: Motion::TranslationY,
-            answer: Answer::Stays,
-        },
-        Promise {
-            motion: Motion::Scaling,
-            answer: Answer::Power(4),
-        },
+        Promise::new(Motion::TranslationX, Answer::Stays),
+        Promise::new(Motion::TranslationY, Answer::Stays),
+        Promise::new(Motion::Scaling, Answer::Power(4)),
     ];
     const JUMPS: Jumps = Jumps::Anywhere;
     type Context<S: Scalar> = [S; 0];
@@ -59,18 +50,9 @@ impl Fold for SignedDistancePointRing {
     const NAME: &'static str = "signed_distance_point_ring";
     const CLOSED: bool = true;
     const PROMISES: &'static [Promise] = &[
-        Promise {
-            motion: Motion::TranslationX,
-            answer: Answer::Stays,
-        },
-        Promise {
-            motion: Motion::TranslationY,
-            answer: Answer::Stays,
-        },
-        Promise {
-            motion: Motion::Rotation,
-            answer: Answer::Stays,
-        },
+        Promise::new(Motion::TranslationX, Answer::Stays),
+        Promise::new(Motion::TranslationY, Answer::Stays),
+        Promise::new(Motion::Rotation, Answer::Stays),
     ];
     const JUMPS: Jumps = Jumps::Never;
     type Context<S: Scalar> = Vec2<S>;

@@ -6,32 +6,28 @@ use crate::kernels::op::{Answer, Jumps, Motion, Op, Promise, Slopes};
 use crate::overlap::{Denominator, score_aabb2, score_framed};
 use crate::{Aabb2, Obb2, Scalar};
 
-const fn promise(motion: Motion, answer: Answer) -> Promise {
-    Promise { motion, answer }
-}
-
 /// Of an area of two boxes. Axis-aligned ones cannot turn: all but the last.
 const AREA: &[Promise] = &[
-    promise(Motion::TranslationX, Answer::Stays),
-    promise(Motion::TranslationY, Answer::Stays),
-    promise(Motion::Scaling, Answer::Power(2)),
-    promise(Motion::Exchange, Answer::Stays),
-    promise(Motion::Rotation, Answer::Stays),
+    Promise::new(Motion::TranslationX, Answer::Stays),
+    Promise::new(Motion::TranslationY, Answer::Stays),
+    Promise::new(Motion::Scaling, Answer::Power(2)),
+    Promise::new(Motion::Exchange, Answer::Stays),
+    Promise::new(Motion::Rotation, Answer::Stays),
 ];
 /// Of a ratio in which both boxes count alike.
 const IOU: &[Promise] = &[
-    promise(Motion::TranslationX, Answer::Stays),
-    promise(Motion::TranslationY, Answer::Stays),
-    promise(Motion::Scaling, Answer::Stays),
-    promise(Motion::Exchange, Answer::Stays),
-    promise(Motion::Rotation, Answer::Stays),
+    Promise::new(Motion::TranslationX, Answer::Stays),
+    Promise::new(Motion::TranslationY, Answer::Stays),
+    Promise::new(Motion::Scaling, Answer::Stays),
+    Promise::new(Motion::Exchange, Answer::Stays),
+    Promise::new(Motion::Rotation, Answer::Stays),
 ];
 /// Of a ratio to the first box.
 const IOF: &[Promise] = &[
-    promise(Motion::TranslationX, Answer::Stays),
-    promise(Motion::TranslationY, Answer::Stays),
-    promise(Motion::Scaling, Answer::Stays),
-    promise(Motion::Rotation, Answer::Stays),
+    Promise::new(Motion::TranslationX, Answer::Stays),
+    Promise::new(Motion::TranslationY, Answer::Stays),
+    Promise::new(Motion::Scaling, Answer::Stays),
+    Promise::new(Motion::Rotation, Answer::Stays),
 ];
 
 /// Scores of rotated boxes: the macro lists them.

@@ -3,27 +3,23 @@ use crate::kernels::cpu::rings::Measure;
 use crate::kernels::op::{Answer, Jumps, Motion, Promise, RingOp};
 use crate::{Scalar, Vec2, ad, ring};
 
-const fn promise(motion: Motion, answer: Answer) -> Promise {
-    Promise { motion, answer }
-}
-
 const SIGNED_AREA: &[Promise] = &[
-    promise(Motion::TranslationX, Answer::Stays),
-    promise(Motion::TranslationY, Answer::Stays),
-    promise(Motion::Scaling, Answer::Power(2)),
-    promise(Motion::Rotation, Answer::Stays),
+    Promise::new(Motion::TranslationX, Answer::Stays),
+    Promise::new(Motion::TranslationY, Answer::Stays),
+    Promise::new(Motion::Scaling, Answer::Power(2)),
+    Promise::new(Motion::Rotation, Answer::Stays),
 ];
 const PERIMETER: &[Promise] = &[
-    promise(Motion::TranslationX, Answer::Stays),
-    promise(Motion::TranslationY, Answer::Stays),
-    promise(Motion::Scaling, Answer::Power(1)),
-    promise(Motion::Rotation, Answer::Stays),
+    Promise::new(Motion::TranslationX, Answer::Stays),
+    Promise::new(Motion::TranslationY, Answer::Stays),
+    Promise::new(Motion::Scaling, Answer::Power(1)),
+    Promise::new(Motion::Rotation, Answer::Stays),
 ];
 const CENTROID: &[Promise] = &[
-    promise(Motion::TranslationX, Answer::Follows),
-    promise(Motion::TranslationY, Answer::Follows),
-    promise(Motion::Scaling, Answer::Follows),
-    promise(Motion::Rotation, Answer::Follows),
+    Promise::new(Motion::TranslationX, Answer::Follows),
+    Promise::new(Motion::TranslationY, Answer::Follows),
+    Promise::new(Motion::Scaling, Answer::Follows),
+    Promise::new(Motion::Rotation, Answer::Follows),
 ];
 
 /// Measures of a ring with compiled kernels: the macro lists them.
