@@ -9,6 +9,9 @@ use crate::{Error, Fixed, Scalar, Unrecordable};
 /// How many inputs a function that asks for hints is tried on.
 const TRIALS: usize = 192;
 
+/// A function of shapes as one of lists of symbols.
+type Listed<'a, T> = &'a dyn Fn(&[Sym<T>]) -> Vec<Sym<T>>;
+
 /// Records a function of shapes of symbols.
 pub(crate) fn record<T, X, Y>(function: impl Fn(X) -> Y) -> Result<Recorded, Error>
 where
@@ -19,31 +22,45 @@ where
     if X::CODES + Y::CODES > 0 {
         return Err(Error::Program(Unrecordable::Codes));
     }
-    let (recorded, hints) = recorded(&function).map_err(Error::Program)?;
+    // All that follows is compiled once per format, and the function itself once.
+    listed(X::LEN, &|symbols| numbers(function(X::load(symbols))))
+}
+
+/// Records a function of lists of symbols.
+fn listed<T: Plain>(inputs: usize, function: Listed<'_, T>) -> Result<Recorded, Error> {
+    let (recorded, hints) = recorded(inputs, function).map_err(Error::Program)?;
     // Without hints there is one way through the function, which was recorded.
-    if hints > 0 && !(0..TRIALS).all(|trial| agrees::<T, X, Y>(&recorded, &function, trial)) {
+    if hints > 0 && !(0..TRIALS).all(|trial| agrees(&recorded, inputs, function, trial)) {
         return Err(Error::Program(Unrecordable::Hint));
     }
     Ok(recorded)
 }
 
 /// The program of a function, and how many hints it asked for that were not known.
-fn recorded<T, X, Y>(function: &impl Fn(X) -> Y) -> Result<(Recorded, usize), Unrecordable>
-where
-    T: Plain,
-    X: Fixed<Scalar = Sym<T>>,
-    Y: Fixed<Scalar = Sym<T>>,
-{
-    let (outputs, recording) = Recording::run(T::FORMAT, false, || {
-        let inputs: Vec<Sym<T>> = (0..X::LEN)
+fn recorded<T: Plain>(
+    inputs: usize,
+    function: Listed<'_, T>,
+) -> Result<(Recorded, usize), Unrecordable> {
+    let (outputs, recording) = run(false, &mut || {
+        let symbols: Vec<Sym<T>> = (0..inputs)
             .map(|place| Sym::leaf(Node::Input(place as u32)))
             .collect();
-        numbers(function(X::load(&inputs)))
+        function(&symbols)
     });
     let mut recording = recording?;
     let outputs = places(&mut recording, &outputs)?;
-    let recorded = Recorded::new(recording.graph, X::LEN, &outputs).finite()?;
+    let recorded = Recorded::new(recording.graph, inputs, &outputs).finite()?;
     Ok((recorded, recording.hints))
+}
+
+/// Runs a body in a recording.
+fn run<T: Plain>(
+    plain: bool,
+    body: &mut dyn FnMut() -> Vec<Sym<T>>,
+) -> (Vec<Sym<T>>, Result<Recording, Unrecordable>) {
+    let mut outputs = Vec::new();
+    let recording = Recording::run(T::FORMAT, plain, &mut || outputs = body());
+    (outputs, recording)
 }
 
 /// The places of the results, which must be of this recording, too.
@@ -57,16 +74,16 @@ fn places<T: Plain>(
 
 /// Whether the program gives what the function gives where every hint is answered by the truth: on
 /// plain numbers. Those are symbols of constants, with which every operation is carried out at once.
-fn agrees<T, X, Y>(recorded: &Recorded, function: &impl Fn(X) -> Y, trial: usize) -> bool
-where
-    T: Plain,
-    X: Fixed<Scalar = Sym<T>>,
-    Y: Fixed<Scalar = Sym<T>>,
-{
-    let input: Vec<T> = sample(trial, X::LEN).into_iter().map(T::lit).collect();
-    let (outputs, recording) = Recording::run(T::FORMAT, true, || {
-        let inputs: Vec<Sym<T>> = input.iter().map(|x| Sym::lit(x.widen())).collect();
-        numbers(function(X::load(&inputs)))
+fn agrees<T: Plain>(
+    recorded: &Recorded,
+    inputs: usize,
+    function: Listed<'_, T>,
+    trial: usize,
+) -> bool {
+    let input: Vec<T> = sample(trial, inputs).into_iter().map(T::lit).collect();
+    let (outputs, recording) = run(true, &mut || {
+        let symbols: Vec<Sym<T>> = input.iter().map(|x| Sym::lit(x.widen())).collect();
+        function(&symbols)
     });
     let Ok(mut recording) = recording else {
         return false;

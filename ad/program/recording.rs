@@ -35,13 +35,13 @@ pub(super) struct Recording {
 }
 
 impl Recording {
-    /// Opens a recording on this thread, runs `body` and gives back the recording with what `body`
-    /// gave. `plain`: all inputs are constants.
-    pub(super) fn run<R>(
+    /// Opens a recording on this thread, runs `body` and gives back the recording. `plain`: all inputs
+    /// are constants.
+    pub(super) fn run(
         format: Format,
         plain: bool,
-        body: impl FnOnce() -> R,
-    ) -> (R, Result<Recording, Unrecordable>) {
+        body: &mut dyn FnMut(),
+    ) -> Result<Recording, Unrecordable> {
         let mut graph = Graph::new(format);
         graph.plain = plain;
         // The places that symbols of a spoiled recording point to.
@@ -62,14 +62,13 @@ impl Recording {
             }
         }
         let closing = Closing;
-        let made = body();
+        body();
         std::mem::forget(closing);
-        let Some(recording) = OPEN.with_borrow_mut(Vec::pop) else {
-            // Every recording takes off itself only.
-            return (made, Err(Unrecordable::ForeignSymbol));
-        };
-        let sound = recording.sound();
-        (made, sound.map(|()| recording))
+        // Every recording takes off itself only.
+        let recording = OPEN
+            .with_borrow_mut(Vec::pop)
+            .ok_or(Unrecordable::ForeignSymbol)?;
+        recording.sound().map(|()| recording)
     }
 
     /// An error if the recording was spoiled.

@@ -354,22 +354,34 @@ pub(crate) enum Known {
 }
 
 /// What was asked for before, by operation and format.
-type Kept = HashMap<(TypeId, TypeId, Known), Arc<dyn Any + Send + Sync>>;
+type Kept = HashMap<(TypeId, TypeId, Known), Made>;
+type Made = Arc<dyn Any + Send + Sync>;
 static KNOWN: RwLock<Option<Kept>> = RwLock::new(None);
 
 /// Something that is made once per operation and format.
 pub(crate) fn known<O: 'static, T: 'static, X: Send + Sync + 'static>(
     key: Known,
-    make: impl FnOnce() -> Result<X, Error>,
+    make: impl Fn() -> Result<X, Error>,
 ) -> Result<Arc<X>, Error> {
     let key = (TypeId::of::<O>(), TypeId::of::<T>(), key);
+    let found = kept(key, &|| Ok(Arc::new(make()?)))?;
+    Ok(found
+        .downcast()
+        .unwrap_or_else(|_| unreachable!("a key stands for one type")))
+}
+
+/// What was made before under a key, or is made now.
+fn kept(
+    key: (TypeId, TypeId, Known),
+    make: &dyn Fn() -> Result<Made, Error>,
+) -> Result<Made, Error> {
     let known = KNOWN.read().unwrap_or_else(PoisonError::into_inner);
     let found = known.as_ref().and_then(|known| known.get(&key)).cloned();
     drop(known);
-    if let Some(found) = found.and_then(|found| found.downcast::<X>().ok()) {
+    if let Some(found) = found {
         return Ok(found);
     }
-    let made = Arc::new(make()?);
+    let made = make()?;
     let mut known = KNOWN.write().unwrap_or_else(PoisonError::into_inner);
     known.get_or_insert_default().insert(key, made.clone());
     Ok(made)
