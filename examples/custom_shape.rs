@@ -100,7 +100,7 @@ fn program(wgsl: bool) -> Result<String, Failure> {
     let program = Program::trace(|x: (Arm<Sym<f32>>, Obb2<_>, Post<_>)| Clearance::eval(x))?;
     Ok(match wgsl {
         true => format!("{WGSL}\n{}", program.wgsl("clearance")?),
-        false => format!("{program}\n{:#?}\n", program.cost()),
+        false => format!("{program}\n{}\n", program.cost()),
     })
 }
 

@@ -27,6 +27,7 @@
 //! ```
 pub use crate::ad::check::subject::Jumps;
 pub use crate::ad::check::symmetry::{Answer, Motion, Promise};
+use crate::ad::program::{Plain, Program};
 use crate::error::Error;
 use crate::kernels::cpu::plan::{self, Compiled, Face, Want};
 use crate::kernels::cpu::rings::Measure;
@@ -78,6 +79,30 @@ pub trait Op: Copy + Debug + Default + Send + Sync + 'static {
     #[doc(hidden)]
     fn compiled() -> Option<Compiled> {
         None
+    }
+    /// The function as a [`Program`]: to read, to count, to take further derivatives of, for a GPU. Where
+    /// slopes of a number are by hand, the program has them, too.
+    ///
+    /// ```
+    /// use geograd::kernels::{IouObb2, Op};
+    /// use geograd::Obb2;
+    /// let iou = IouObb2.program::<f64>()?;
+    /// let boxes = (Obb2::new(0.0, 0.0, 2.0, 2.0, 0.1), Obb2::new(1.0, 0.0, 2.0, 2.0, 0.2));
+    /// assert_eq!(iou.eval(boxes), boxes.0.iou(boxes.1));
+    /// assert_eq!(iou.value_grad().cost().elementary, 4);
+    /// # Ok::<(), geograd::Error>(())
+    /// ```
+    ///
+    /// # Errors
+    ///
+    /// Those of recording it: [`Error::Program`].
+    fn program<T: Plain>(self) -> Result<Program<Self::In<T>, Self::Out<T>>, Error> {
+        let value = plan::program_of::<Self, T>(Want::Value)?;
+        if Self::SLOPES != Slopes::ByHand || Self::Out::<T>::LEN != 1 {
+            return Ok(Program::of((*value).clone()));
+        }
+        let value_grad = plan::program_of::<Self, T>(Want::ValueGrad)?;
+        Ok(Program::of(value.with_gradient_after_result(&value_grad)))
     }
     /// The operation whose result is the result with its gradient, for one number as result.
     fn value_grad(self) -> ValueGrad<Self> {

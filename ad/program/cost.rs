@@ -1,7 +1,14 @@
 //! What a program costs.
 use super::graph::{Graph, Node};
+use std::fmt;
 
 /// How many operations a program has, by kind.
+///
+/// ```
+/// use geograd::{Program, Sym, Vec2};
+/// let norm = Program::trace(|v: Vec2<Sym<f64>>| v.length_squared()).unwrap();
+/// assert_eq!(norm.cost().to_string(), "3 operations: 1 additions, 2 multiplications");
+/// ```
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 #[non_exhaustive]
 pub struct Cost {
@@ -27,14 +34,21 @@ impl Cost {
     /// All operations together.
     #[must_use]
     pub fn total(&self) -> usize {
-        self.additions
-            + self.multiplications
-            + self.divisions
-            + self.roots
-            + self.elementary
-            + self.choices
-            + self.comparisons
-            + self.bits
+        self.kinds().iter().map(|kind| kind.1).sum()
+    }
+
+    /// Every kind with its name in the plural.
+    fn kinds(&self) -> [(&'static str, usize); 8] {
+        [
+            ("additions", self.additions),
+            ("multiplications", self.multiplications),
+            ("divisions", self.divisions),
+            ("roots", self.roots),
+            ("elementary functions", self.elementary),
+            ("choices", self.choices),
+            ("comparisons", self.comparisons),
+            ("operations on bits", self.bits),
+        ]
     }
 
     pub(super) fn of(graph: &Graph) -> Self {
@@ -55,5 +69,18 @@ impl Cost {
             } += 1;
         }
         cost
+    }
+}
+
+/// The sum, and the kinds that there are: `5 operations: 2 additions, 2 multiplications, 1 roots`.
+impl fmt::Display for Cost {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "{} operations", self.total())?;
+        let mut between = ": ";
+        for (name, count) in self.kinds().into_iter().filter(|kind| kind.1 > 0) {
+            write!(f, "{between}{count} {name}")?;
+            between = ", ";
+        }
+        Ok(())
     }
 }

@@ -45,7 +45,7 @@ pub struct Program<In, Out> {
 pub(crate) type Kept = Mutex<Vec<(u8, Arc<dyn Any + Send + Sync>)>>;
 
 impl<In, Out> Program<In, Out> {
-    fn of(recorded: Recorded) -> Self {
+    pub(crate) fn of(recorded: Recorded) -> Self {
         Program {
             recorded,
             kept: Arc::default(),

@@ -209,6 +209,13 @@ impl Recorded {
         made
     }
 
+    /// The same with a gradient by hand that another program of the same input gives after the result.
+    pub(crate) fn with_gradient_after_result(&self, value_grad: &Recorded) -> Recorded {
+        let slopes = &value_grad.outputs[self.outputs.len()..];
+        let gradient = Recorded::new(value_grad.graph.clone(), self.inputs, slopes);
+        self.with_gradient(&gradient)
+    }
+
     /// The same graph with the gradient by hand as result.
     pub(crate) fn gradient_by_hand(&self) -> Option<Recorded> {
         let gradient = self.by_hand.as_ref()?;
