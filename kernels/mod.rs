@@ -106,7 +106,7 @@ pub use ops::overlap3::{
     IofYaw, IouAabb3, IouBirdsEye, IouObb3, IouYaw,
 };
 pub use ops::polygon::{
-    AreaTriangle, CentroidQuad, CentroidTriangle, PerimeterQuad, PerimeterTriangle, SignedAreaQuad,
+    AreaTriangle, CentroidQuad, CentroidTriangle, IntersectionAreaQuads, PerimeterQuad, PerimeterTriangle, SignedAreaQuad,
     SignedAreaTriangle,
 };
 pub use ops::ring::{Centroid, Perimeter, SignedArea};

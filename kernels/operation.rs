@@ -64,6 +64,7 @@ macro_rules! operation {
         promises [$($motion:ident $answer:ident $(($power:literal))?),* $(,)?]
         jumps $jumps:ident
         slopes $slopes:ident $(|$input:pat_param, $out_bar:ident| $adjoint:block)?
+        $(=> compiled { $compiled:expr })?
     )+) => { $(
         $(#[$doc])*
         #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -96,6 +97,11 @@ macro_rules! operation {
                 ) -> ::core::option::Option<(Self::Out<S>, Self::In<S>)> {
                     use $crate::{Mask as _, Scalar as _};
                     ::core::option::Option::Some($adjoint)
+                }
+            )?
+            $(
+                fn compiled() -> ::core::option::Option<$crate::kernels::cpu::plan::Compiled> {
+                    ::core::option::Option::Some($compiled)
                 }
             )?
         }

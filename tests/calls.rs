@@ -2,6 +2,7 @@
 use geograd::kernels::real::Real;
 use geograd::kernels::reduce::{Best, Found};
 use geograd::kernels::{Cpu, Op, RingOp, Single, Table};
+use geograd::shape::{Aabb3, Obb3, YawBox3};
 use geograd::{Aabb2, Error, Obb2, Vec2};
 use std::sync::atomic::{AtomicBool, Ordering};
 
@@ -26,7 +27,10 @@ macro_rules! pairs {
     )*)* };
 }
 pairs! {
-    Obb2: IntersectionAreaObb2 IouObb2 IofObb2;
+    Obb2: IntersectionAreaObb2 IouObb2 IofObb2 GiouObb2;
+    YawBox3: IntersectionVolumeYaw IouYaw IofYaw IouBirdsEye;
+    Obb3: IouObb3 IofObb3;
+    Aabb3: IouAabb3;
     Aabb2: IntersectionAreaAabb2 IouAabb2 IofAabb2;
 }
 

@@ -5,3 +5,4 @@ pub mod iou;
 pub mod overlap;
 pub mod overlap_polygon;
 pub mod ring;
+pub mod upright;

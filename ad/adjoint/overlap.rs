@@ -62,7 +62,7 @@ fn score_slopes<S: Scalar>(
 
 /// One over a number that is not empty, else zero.
 #[inline(always)]
-fn reciprocal_or_zero<S: Scalar>(x: S) -> S {
+pub(crate) fn reciprocal_or_zero<S: Scalar>(x: S) -> S {
     let empty = x.at_most(S::lit(S::EMPTY));
     S::select(
         empty,
@@ -105,6 +105,41 @@ pub fn score_framed_vjp<S: Scalar, const EXTREME: bool>(
     } else {
         (out_bar, S::one())
     };
+    let (value, (a_bar, b_bar)) = score_scaled_vjp::<S, EXTREME>(over, a, b, scale, out_bar);
+    // From the pair's unit of length to the caller's.
+    let (mut heading_unit, mut length_unit) = (S::one(), scale);
+    if EXTREME && over == Denominator::None {
+        length_unit = S::one().over(scale);
+        heading_unit = length_unit;
+    }
+    let value = if EXTREME {
+        in_outer_unit(over, value, scale)
+    } else {
+        value
+    };
+    let outer = |x: Obb2<S>| Obb2 {
+        center: x.center * length_unit,
+        size: x.size * length_unit,
+        heading: x.heading * heading_unit * heading_unit,
+    };
+    let grads = (outer(a_bar), outer(b_bar));
+    let grads = if EXTREME {
+        (saturated(grads.0, steep), saturated(grads.1, steep))
+    } else {
+        grads
+    };
+    (value.canonical(), (canonical(grads.0), canonical(grads.1)))
+}
+
+/// [`score_framed_vjp`] with lengths, value and slopes in units of `1 / scale`.
+#[inline(always)]
+pub(crate) fn score_scaled_vjp<S: Scalar, const EXTREME: bool>(
+    over: Denominator,
+    a: Framed<S>,
+    b: Framed<S>,
+    scale: S,
+    out_bar: S,
+) -> (S, Grads<S>) {
     let pair = relate::<S, EXTREME>(a, b, scale);
     let zero = Obb2::new(S::zero(), S::zero(), S::zero(), S::zero(), S::zero());
     if pair.apart.all() {
@@ -116,21 +151,10 @@ pub fn score_framed_vjp<S: Scalar, const EXTREME: bool>(
     let nothing = nothing_shared(&pair, area);
     let slopes = clipped_area_slopes(&pair, &clip);
 
-    // From the pair's unit of length to the caller's.
-    let (mut heading_unit, mut length_unit) = (S::one(), scale);
-    if EXTREME && over == Denominator::None {
-        length_unit = S::one().over(scale);
-        heading_unit = length_unit;
-    }
     let half_b = b.half * scale;
     let (area_a, area_b) = (area_from_half(pair.half_a), area_from_half(half_b));
     let value = score_of(over, inter, area_a, area_b);
     let areas = score_slopes(over, value, [inter, area_a, area_b], out_bar);
-    let value = if EXTREME {
-        in_outer_unit(over, value, scale)
-    } else {
-        value
-    };
     let inter_bar = S::select(nothing, S::zero(), areas.inter);
     // A size is twice its half; a box's own area is four times the product of the halves.
     let (half_bar, falling) = (inter_bar.halved(), areas.falling + areas.falling);
@@ -146,26 +170,20 @@ pub fn score_framed_vjp<S: Scalar, const EXTREME: bool>(
     let heading_bar = bounded::<S, EXTREME>(slopes.heading * inter_bar);
     let turn_bar = heading_bar
         + (bounded::<S, EXTREME>(pair.u * v_bar) - bounded::<S, EXTREME>(pair.v * u_bar));
-    let center_bar =
-        Vec2::new(a.cos * u_bar - a.sin * v_bar, a.sin * u_bar + a.cos * v_bar) * length_unit;
+    let center_bar = Vec2::new(a.cos * u_bar - a.sin * v_bar, a.sin * u_bar + a.cos * v_bar);
     let grads = (
         Obb2 {
             center: -center_bar,
-            size: size_a_bar * length_unit,
-            heading: -(turn_bar * heading_unit * heading_unit),
+            size: size_a_bar,
+            heading: -turn_bar,
         },
         Obb2 {
             center: center_bar,
-            size: size_b_bar * length_unit,
-            heading: heading_bar * heading_unit * heading_unit,
+            size: size_b_bar,
+            heading: heading_bar,
         },
     );
-    let grads = if EXTREME {
-        (saturated(grads.0, steep), saturated(grads.1, steep))
-    } else {
-        grads
-    };
-    (value.canonical(), (canonical(grads.0), canonical(grads.1)))
+    (value, grads)
 }
 
 /// What a box's size takes from the shared area's slopes by its halves.

@@ -94,7 +94,7 @@ impl<P: Row> Table<P> {
 }
 
 /// Lists of shapes, checked.
-fn pairs<'a, T: Real, A: Single<Scalar = T>, B: Single<Scalar = T>>(
+pub(crate) fn pairs<'a, T: Real, A: Single<Scalar = T>, B: Single<Scalar = T>>(
     cpu: &Cpu,
     face: &'a Face<T>,
     a: &'a [A],

@@ -1,11 +1,13 @@
 //! Block kernels of the overlap of boxes: tiles in, tiles out, generic over the vector.
 //!
 //! Compiled in this library only, by the entries in `arch`.
+use crate::ad::adjoint::iou::giou_framed_vjp;
 use crate::ad::adjoint::overlap::{score_framed_vjp, tame_score_aabb2_vjp};
 use crate::clip::{FAR_AWAY as FAR, Framed, LARGE, SMALL, fine, frame};
 use crate::kernels::cpu::arch::Vector;
 use crate::kernels::cpu::blocks::all_within;
 use crate::kernels::cpu::lane::{Lane, PLANE, Results, Tiles};
+use crate::iou::giou_framed;
 use crate::kernels::real::Real;
 use crate::overlap::{Denominator, score_aabb2, score_framed};
 use crate::{Aabb2, Fixed, Obb2, Scalar, Vec2};
@@ -14,6 +16,8 @@ use crate::{Aabb2, Fixed, Obb2, Scalar, Vec2};
 pub(crate) const OBB2: usize = 5;
 /// Numbers of an axis-aligned box.
 pub(crate) const AABB2: usize = 4;
+/// Numbers of an upright box: centre, size, heading.
+pub(crate) const UPRIGHT: usize = 7;
 /// Numbers of bounds: lower x and y, upper x and y.
 pub(crate) const BOUNDS: usize = 4;
 /// Most numbers of a rotated box with its trigonometry done.
@@ -48,7 +52,7 @@ pub(crate) fn obb2_frames<T: Real, V: Vector<T>>(shapes: Tiles<'_, T>, frames: &
 
 /// The lanes of a tile of results: the one of field `k` is `[k * PLANE]`.
 #[inline(always)]
-fn lanes_of<'a, T, const LANES: usize>(
+pub(crate) fn lanes_of<'a, T, const LANES: usize>(
     out: &'a mut Results<'_, T>,
     t: usize,
 ) -> Option<&'a mut [Lane<T>; LANES]> {
@@ -57,7 +61,7 @@ fn lanes_of<'a, T, const LANES: usize>(
 
 /// Writes numbers as fields of a tile of results, from field `first` on.
 #[inline(always)]
-fn put<T: Real, V: Vector<T>, const N: usize, const LANES: usize>(
+pub(crate) fn put<T: Real, V: Vector<T>, const N: usize, const LANES: usize>(
     numbers: [V; N],
     out: &mut [Lane<T>; LANES],
     first: usize,
@@ -72,7 +76,7 @@ fn put<T: Real, V: Vector<T>, const N: usize, const LANES: usize>(
 
 /// What slopes of a tile are multiplied by: one where nothing is given.
 #[inline(always)]
-fn seed<T: Real, V: Vector<T>>(seeds: Option<Tiles<'_, T>>, t: usize, at: usize) -> V {
+pub(crate) fn seed<T: Real, V: Vector<T>>(seeds: Option<Tiles<'_, T>>, t: usize, at: usize) -> V {
     match seeds.and_then(|seeds| seeds.tile::<1>(t)) {
         Some(tile) => V::read(&tile[0], at),
         None => V::one(),
@@ -81,7 +85,7 @@ fn seed<T: Real, V: Vector<T>>(seeds: Option<Tiles<'_, T>>, t: usize, at: usize)
 
 /// A part of a tile of prepared boxes.
 #[inline(always)]
-fn framed<T: Real, V: Vector<T>>(tiles: Tiles<'_, T>, t: usize, at: usize) -> Option<Framed<V>> {
+pub(crate) fn framed<T: Real, V: Vector<T>>(tiles: Tiles<'_, T>, t: usize, at: usize) -> Option<Framed<V>> {
     let zero = V::zero();
     if T::COMPENSATED {
         let tile = tiles.tile::<FRAME>(t)?;
@@ -161,6 +165,52 @@ pub(crate) fn obb2_slopes<T: Real, V: Vector<T>>(
     }
 }
 
+/// Generalised IoU of prepared rotated boxes of [common](all_common_obb2) size.
+#[inline(always)]
+pub(crate) fn giou_scores<T: Real, V: Vector<T>>(
+    a: Tiles<'_, T>,
+    b: Tiles<'_, T>,
+    mut out: Results<'_, T>,
+) {
+    for t in 0..out.tiles {
+        let Some(out) = lanes_of::<T, 1>(&mut out, t) else {
+            return;
+        };
+        for at in V::starts() {
+            let (Some(a), Some(b)) = (framed::<T, V>(a, t, at), framed(b, t, at)) else {
+                return;
+            };
+            put([giou_framed::<V, false>(a, b)], out, 0, at);
+        }
+    }
+}
+
+/// Generalised IoU of prepared rotated boxes of [common](all_common_obb2) size, each followed by its ten
+/// slopes.
+#[inline(always)]
+pub(crate) fn giou_slopes<T: Real, V: Vector<T>>(
+    a: Tiles<'_, T>,
+    b: Tiles<'_, T>,
+    seeds: Option<Tiles<'_, T>>,
+    mut out: Results<'_, T>,
+) {
+    for t in 0..out.tiles {
+        let Some(out) = lanes_of::<T, { 2 * OBB2 * PLANE + 1 }>(&mut out, t) else {
+            return;
+        };
+        for at in V::starts() {
+            let (Some(a), Some(b)) = (framed::<T, V>(a, t, at), framed(b, t, at)) else {
+                return;
+            };
+            let (value, (a_bar, b_bar)) = giou_framed_vjp::<V, false>(a, b, seed(seeds, t, at));
+            put([value], out, 0, at);
+            let mut slopes = [V::zero(); 2 * OBB2];
+            (a_bar, b_bar).store(&mut slopes);
+            put(slopes, out, 1, at);
+        }
+    }
+}
+
 /// A part of a tile of axis-aligned boxes.
 #[inline(always)]
 fn aabb2<T: Real, V: Vector<T>>(tiles: Tiles<'_, T>, t: usize, at: usize) -> Option<Aabb2<V>> {
@@ -229,6 +279,39 @@ pub(crate) fn all_ordinary_obb2<T: Real, V: Vector<T>>(numbers: &[T]) -> bool {
         [true, true, false, false, true],
         [fine, fine, SMALL, SMALL, fine],
         [FAR, FAR, LARGE, LARGE, T::LARGEST],
+    )
+}
+
+/// Sizes and places of shapes whose measures of the second and third power of a length, and slopes of
+/// those, stay far from over- and underflow in single precision.
+const COMMON_SMALL: f64 = 1e-4;
+const COMMON_LARGE: f64 = 1e6;
+const COMMON_FAR: f64 = 1e9;
+
+/// Whether every rotated box is valid, of a size from 10⁻⁴ to 10⁶ or zero, and no farther than 10⁹ from the
+/// origin.
+#[inline(always)]
+pub(crate) fn all_common_obb2<T: Real, V: Vector<T>>(numbers: &[T]) -> bool {
+    let fine = fine::<T>();
+    let (small, large, far) = (COMMON_SMALL, COMMON_LARGE, COMMON_FAR);
+    all_within::<T, V, OBB2>(
+        numbers,
+        [true, true, false, false, true],
+        [fine, fine, small, small, fine],
+        [far, far, large, large, T::LARGEST],
+    )
+}
+
+/// The same of upright boxes.
+#[inline(always)]
+pub(crate) fn all_common_upright<T: Real, V: Vector<T>>(numbers: &[T]) -> bool {
+    let fine = fine::<T>();
+    let (small, large, far) = (COMMON_SMALL, COMMON_LARGE, COMMON_FAR);
+    all_within::<T, V, UPRIGHT>(
+        numbers,
+        [true, true, true, false, false, false, true],
+        [fine, fine, fine, small, small, small, fine],
+        [far, far, far, large, large, large, T::LARGEST],
     )
 }
 

@@ -1,6 +1,7 @@
 //! The drivers, compiled in this library for both formats: whoever calls a batch compiles no more
 //! than what turns shapes into numbers.
 use crate::kernels::cpu::desk::{self, Aligned};
+use crate::kernels::cpu::greedy::{self, Greed};
 use crate::kernels::cpu::pairs::{self, Pairs};
 use crate::kernels::cpu::reductions;
 use crate::kernels::cpu::sweep::Upstream;
@@ -29,4 +30,5 @@ drivers! {
     above: fn(&Pairs<'_, T>, T) -> Vec<Found<T>> = reductions::above;
     count_above: fn(&Pairs<'_, T>, T) -> u64 = reductions::count_above;
     sum: fn(&Pairs<'_, T>) -> f64 = reductions::sum;
+    suppress: fn(&Pairs<'_, T>, Greed<'_, T>) -> Vec<usize> = greedy::suppress;
 }

@@ -28,6 +28,8 @@ pub(crate) mod drivers;
 #[forbid(unsafe_code)]
 pub(crate) mod folds;
 #[forbid(unsafe_code)]
+pub(crate) mod greedy;
+#[forbid(unsafe_code)]
 pub(crate) mod lane;
 #[forbid(unsafe_code)]
 pub(crate) mod pairs;
@@ -45,9 +47,13 @@ pub(crate) mod rings;
 #[forbid(unsafe_code)]
 pub mod simd;
 #[forbid(unsafe_code)]
+mod solids;
+#[forbid(unsafe_code)]
 pub(crate) mod sweep;
 #[forbid(unsafe_code)]
 mod tree;
+#[forbid(unsafe_code)]
+pub(crate) mod upright;
 #[forbid(unsafe_code)]
 mod work;
 

@@ -3,7 +3,7 @@ use crate::kernels::cpu::arch::flat;
 use crate::kernels::cpu::blocks::QUAD;
 use crate::kernels::cpu::lane::{BLOCK, Lane, TILE, tiles};
 use crate::kernels::cpu::plan::{Face, List};
-use crate::kernels::cpu::sweep::{Columns, Part, Sweep, Upstream};
+use crate::kernels::cpu::sweep::{Chooses, Columns, Part, Sweep, Upstream};
 use crate::kernels::cpu::work::{rows_per_piece, spread};
 use crate::kernels::real::Real;
 use std::borrow::Cow;
@@ -54,6 +54,14 @@ impl<T: Real> Pairs<'_, T> {
             run(&sweep, i * piece..rows.min((i + 1) * piece), work);
         });
         sweep.is_filtered()
+    }
+}
+
+impl<T: Real> Pairs<'_, T> {
+    /// Computes the rows that somebody chooses, on this thread.
+    pub fn chosen(&self, who: &mut impl Chooses<T>) {
+        let [a, b] = self.lists();
+        Sweep::new(self.face, None, &a, &b).run_chosen(who);
     }
 }
 

@@ -1,17 +1,24 @@
 //! How batches compute an operation: what is prepared once per shape, what is computed per pair.
+use crate::ad::adjoint::iou::giou_framed_vjp;
+use crate::ad::adjoint::upright::score_upright_vjp;
 use crate::ad::program::graph::{Graph, Id};
 use crate::ad::program::record::record;
 use crate::ad::program::recorded::Recorded;
 use crate::ad::program::{Plain, Sym};
 use crate::error::{Error, Flaw, Validate};
-use crate::kernels::cpu::boxes::{AABB2, BOUNDS, OBB2, frame_fields};
+use crate::iou::giou_framed;
+use crate::kernels::cpu::boxes::{AABB2, BOUNDS, OBB2, UPRIGHT, frame_fields};
 use crate::kernels::cpu::lane::{Lane, Results, TILE, Tiles};
 use crate::kernels::cpu::program::Interpreted;
 use crate::kernels::cpu::program::split::split;
+use crate::kernels::cpu::solids;
+use crate::kernels::cpu::upright::{self, upright_fields};
 use crate::kernels::op::{self, Op};
 use crate::kernels::real::Real;
 use crate::kernels::row::{Leaf, Row, leaves_of};
 use crate::overlap::{Denominator, score_framed};
+use crate::overlap3::score_yaw;
+use crate::shape::YawBox3;
 use crate::{Aabb2, Fixed, Obb2, Pack, Scalar, ad, clip};
 use std::any::{Any, TypeId};
 use std::collections::HashMap;
@@ -32,14 +39,17 @@ pub trait Maker<T>: Send + Sync {
 /// Something that is made of each of many shapes, as tiles of numbers.
 pub type Prepare<T> = Arc<dyn Fn(Tiles<'_, T>, &mut [Lane<T>]) + Send + Sync>;
 
+/// Something that is made of each of many shapes and of the same shapes prepared.
+pub type Outline<T> = Arc<dyn Fn([Tiles<'_, T>; 2], &mut [Lane<T>]) + Send + Sync>;
+
 /// What is done once for every shape of a column.
 pub struct Preparation<T> {
     /// Numbers of a shape.
     pub fields: usize,
     /// How a shape is prepared, and how many numbers that gives; `None` to leave it as it is.
     pub frame: Option<(usize, Prepare<T>)>,
-    /// The bounds of prepared shapes; `None` where pairs that are apart have results to compute.
-    pub bounds: Option<Prepare<T>>,
+    /// The bounds of shapes in the plane; `None` where pairs that are apart have results to compute.
+    pub bounds: Option<Outline<T>>,
     /// Whether numbers are those of valid shapes of ordinary size, told quickly. May say no too often.
     pub all_ordinary: fn(&[T]) -> bool,
     /// What is wrong with a shape.
@@ -131,20 +141,43 @@ impl<T> Face<T> {
     }
 }
 
-/// An operation that has compiled kernels.
-#[derive(Clone, Copy, Debug)]
+/// What batches know of an operation beside its program.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Compiled {
     /// A score of rotated boxes.
     Obb2(Denominator),
     /// A score of axis-aligned boxes.
     Aabb2(Denominator),
+    /// Generalised IoU of rotated boxes.
+    Giou,
+    /// A score of upright boxes.
+    Upright(Denominator),
+    /// A score of upright boxes seen from above.
+    BirdsEye(Denominator),
+    /// A score of axis-aligned boxes in space: no kernels, but boxes that are apart score zero.
+    Aabb3,
+    /// The same of boxes of any orientation.
+    Obb3,
 }
 
-/// How an operation with compiled kernels is computed.
-fn of_compiled<T: Real>(compiled: Compiled, want: Want) -> Face<T> {
+/// How an operation with compiled kernels is computed; `None` where it has none.
+fn of_compiled<T: Real>(compiled: Compiled, want: Want) -> Option<Face<T>> {
     match compiled {
-        Compiled::Obb2(over) => of_obb2(over, want),
-        Compiled::Aabb2(over) => of_aabb2(over, want),
+        Compiled::Obb2(over) => Some(of_obb2(over, want)),
+        Compiled::Aabb2(over) => Some(of_aabb2(over, want)),
+        Compiled::Giou => Some(of_giou(want)),
+        Compiled::Upright(over) => Some(of_upright(over, want)),
+        Compiled::BirdsEye(over) => Some(of_birds_eye(over, want)),
+        Compiled::Aabb3 | Compiled::Obb3 => None,
+    }
+}
+
+/// The bounds in the plane of shapes whose program alone is known.
+fn outline<T: Real>(compiled: Compiled) -> Option<Outline<T>> {
+    match compiled {
+        Compiled::Aabb3 => Some(Arc::new(|[shapes, _], bounds| solids::aabb3_bounds(shapes, bounds))),
+        Compiled::Obb3 => Some(Arc::new(|[shapes, _], bounds| solids::obb3_bounds(shapes, bounds))),
+        _ => None,
     }
 }
 
@@ -173,7 +206,7 @@ fn of_obb2<T: Real>(over: Denominator, want: Want) -> Face<T> {
     let shape = || Preparation {
         fields: OBB2,
         frame: Some((frame_fields::<T>(), Arc::new(kernels.obb2_frames))),
-        bounds: Some(Arc::new(kernels.obb2_bounds)),
+        bounds: Some(obb2_bounds()),
         all_ordinary: kernels.all_ordinary_obb2,
         check: |numbers| Obb2::load(numbers).validate(),
         is_rare: |numbers| !clip::is_ordinary(Obb2::load(numbers)),
@@ -201,6 +234,170 @@ fn of_obb2<T: Real>(over: Denominator, want: Want) -> Face<T> {
     }
 }
 
+/// The bounds of prepared rotated boxes.
+fn obb2_bounds<T: Real>() -> Outline<T> {
+    let bounds = T::kernels().obb2_bounds;
+    Arc::new(move |[_, frames], out| bounds(frames, out))
+}
+
+/// A kernel of two boxes: generalised IoU, and the same with slopes.
+struct Giou<T>(fn(Tiles<'_, T>, Tiles<'_, T>, Results<'_, T>));
+impl<T: Real> Maker<T> for Giou<T> {
+    fn make(&self, _: &mut Room<T>, inputs: &[Tiles<'_, T>], out: Results<'_, T>) {
+        (self.0)(inputs[0], inputs[1], out);
+    }
+}
+type GiouSlopesOf<T> = fn(Tiles<'_, T>, Tiles<'_, T>, Option<Tiles<'_, T>>, Results<'_, T>);
+struct GiouSlopes<T>(GiouSlopesOf<T>);
+impl<T: Real> Maker<T> for GiouSlopes<T> {
+    fn make(&self, _: &mut Room<T>, inputs: &[Tiles<'_, T>], out: Results<'_, T>) {
+        (self.0)(inputs[0], inputs[1], inputs.get(2).copied(), out);
+    }
+}
+
+/// Whether every rotated box is of common size, and none of zero size.
+fn all_solid<T: Real>(numbers: &[T]) -> bool {
+    let solid = |all: bool, x: &[T]| all & x[2].above(T::default()) & x[3].above(T::default());
+    (T::kernels().all_common_obb2)(numbers) && numbers.chunks_exact(OBB2).fold(true, solid)
+}
+
+/// Generalised IoU of rotated boxes. Boxes that are apart have results, so there are no bounds.
+fn of_giou<T: Real>(want: Want) -> Face<T> {
+    let kernels = T::kernels();
+    let shape = || Preparation {
+        fields: OBB2,
+        frame: Some((frame_fields::<T>(), Arc::new(kernels.obb2_frames))),
+        bounds: None,
+        all_ordinary: all_solid::<T>,
+        check: |numbers| Obb2::load(numbers).validate(),
+        is_rare: |numbers| !all_solid(numbers),
+    };
+    let maker: Box<dyn Maker<T>> = match want {
+        Want::Value => Box::new(Giou(kernels.giou_scores)),
+        Want::ValueGrad | Want::Vjp => Box::new(GiouSlopes(kernels.giou_slopes)),
+    };
+    Face {
+        steepest: T::LARGEST.powf(0.3125),
+        rare: Some(Box::new(move |shapes, out_bar, out| {
+            let [a, b] = [0, 1].map(|k| clip::frame(Obb2::load(shapes[k])));
+            let out_bar = out_bar.first().copied().unwrap_or(T::one());
+            if let [value] = out {
+                *value = giou_framed::<T, true>(a, b);
+                return;
+            }
+            let (value, bars) = giou_framed_vjp::<T, true>(a, b, out_bar);
+            out[0] = value;
+            bars.store(&mut out[1..]);
+        })),
+        ..Face::new(want, vec![shape(), shape()], vec![1], maker)
+    }
+}
+
+/// Scores of upright boxes: of what is shared seen from above, then of heights.
+struct UprightScores(Denominator);
+impl<T: Real> Maker<T> for UprightScores {
+    fn make(&self, _: &mut Room<T>, inputs: &[Tiles<'_, T>], mut out: Results<'_, T>) {
+        let kernels = T::kernels();
+        (kernels.obb2_scores)(Denominator::None, inputs[0], inputs[1], out.again());
+        (kernels.upright_scores)(self.0, inputs[0], inputs[1], out);
+    }
+}
+
+/// The same with slopes.
+struct UprightSlopes(Denominator);
+impl<T: Real> Maker<T> for UprightSlopes {
+    fn make(&self, _: &mut Room<T>, inputs: &[Tiles<'_, T>], mut out: Results<'_, T>) {
+        let kernels = T::kernels();
+        (kernels.obb2_slopes)(Denominator::None, inputs[0], inputs[1], None, out.again());
+        let seeds = inputs.get(2).copied();
+        (kernels.upright_slopes)(self.0, inputs[0], inputs[1], seeds, out);
+    }
+}
+
+/// Scores of upright boxes.
+fn of_upright<T: Real>(over: Denominator, want: Want) -> Face<T> {
+    let kernels = T::kernels();
+    let shape = || Preparation {
+        fields: UPRIGHT,
+        frame: Some((upright_fields::<T>(), Arc::new(upright::frames))),
+        bounds: Some(obb2_bounds()),
+        all_ordinary: kernels.all_common_upright,
+        check: |numbers| YawBox3::load(numbers).validate(),
+        is_rare: |numbers| !(T::kernels().all_common_upright)(numbers),
+    };
+    let maker: Box<dyn Maker<T>> = match want {
+        Want::Value => Box::new(UprightScores(over)),
+        Want::ValueGrad | Want::Vjp => Box::new(UprightSlopes(over)),
+    };
+    Face {
+        steepest: T::LARGEST.powf(0.3125),
+        rare: Some(Box::new(move |shapes, out_bar, out| {
+            let [a, b] = [0, 1].map(|k| YawBox3::load(shapes[k]));
+            let out_bar = out_bar.first().copied().unwrap_or(T::one());
+            if let [value] = out {
+                *value = score_yaw(over, a, b);
+                return;
+            }
+            let (value, bars) = score_upright_vjp(over, a, b, out_bar);
+            out[0] = value;
+            bars.store(&mut out[1..]);
+        })),
+        ..Face::new(want, vec![shape(), shape()], vec![1], maker)
+    }
+}
+
+/// Scores of upright boxes seen from above, with their slopes.
+struct BirdsEyeSlopes(Denominator);
+impl<T: Real> Maker<T> for BirdsEyeSlopes {
+    fn make(&self, _: &mut Room<T>, inputs: &[Tiles<'_, T>], mut out: Results<'_, T>) {
+        let seeds = inputs.get(2).copied();
+        (T::kernels().obb2_slopes)(self.0, inputs[0], inputs[1], seeds, out.again());
+        upright::spread_slopes(&mut out);
+    }
+}
+
+/// Scores of upright boxes seen from above.
+fn of_birds_eye<T: Real>(over: Denominator, want: Want) -> Face<T> {
+    let kernels = T::kernels();
+    let shape = || Preparation {
+        fields: UPRIGHT,
+        frame: Some((frame_fields::<T>(), Arc::new(upright::frames_from_above))),
+        bounds: Some(obb2_bounds()),
+        all_ordinary: kernels.all_common_upright,
+        check: |numbers| YawBox3::load(numbers).validate(),
+        is_rare: |numbers| !clip::is_ordinary(YawBox3::load(numbers).birds_eye()),
+    };
+    let maker: Box<dyn Maker<T>> = match want {
+        Want::Value => Box::new(Scores(over, kernels.obb2_scores)),
+        Want::ValueGrad | Want::Vjp => Box::new(BirdsEyeSlopes(over)),
+    };
+    let flat = of_obb2::<T>(over, want).rare;
+    Face {
+        steepest: T::LARGEST.powf(0.3125),
+        rare: Some(Box::new(move |shapes, out_bar, out| {
+            let Some(flat) = &flat else { return };
+            let mut seen = [[T::default(); OBB2]; 2];
+            for (seen, shape) in seen.iter_mut().zip(shapes) {
+                YawBox3::load(shape).birds_eye().store(seen);
+            }
+            let seen = seen.each_ref().map(|numbers| &numbers[..]);
+            if let [value] = out {
+                flat(&seen, out_bar, std::slice::from_mut(value));
+                return;
+            }
+            let mut numbers = [T::default(); 2 * OBB2 + 1];
+            flat(&seen, out_bar, &mut numbers);
+            out.fill(T::default());
+            out[0] = numbers[0];
+            for (k, place) in upright::SEEN.into_iter().enumerate() {
+                out[1 + place] = numbers[1 + k];
+                out[1 + UPRIGHT + place] = numbers[1 + OBB2 + k];
+            }
+        })),
+        ..Face::new(want, vec![shape(), shape()], vec![1], maker)
+    }
+}
+
 /// Scores of axis-aligned boxes.
 fn of_aabb2<T: Real>(over: Denominator, want: Want) -> Face<T> {
     let kernels = T::kernels();
@@ -208,7 +405,7 @@ fn of_aabb2<T: Real>(over: Denominator, want: Want) -> Face<T> {
         fields: AABB2,
         frame: None,
         // The bounds are the shape itself.
-        bounds: Some(Arc::new(|shapes: Tiles<'_, T>, bounds: &mut [Lane<T>]| {
+        bounds: Some(Arc::new(|[shapes, _], bounds| {
             bounds.copy_from_slice(&shapes.lanes[..bounds.len()]);
         })),
         all_ordinary: kernels.all_aabb2,
@@ -430,13 +627,17 @@ where
     O::Out<R::Scalar>: Row,
 {
     known::<O, R::Scalar, _>(Known::Face(want, framed), || {
-        if let Some(compiled) = O::compiled() {
-            return Ok(of_compiled(compiled, want));
+        if let Some(face) = O::compiled().and_then(|compiled| of_compiled(compiled, want)) {
+            return Ok(face);
         }
         let recorded = program_of::<O, R::Scalar>(want)?;
         let outputs = leaves_of::<O::Out<R::Scalar>>();
         let outputs = outputs.iter().map(|leaf| leaf.fields).collect();
-        of_recorded(want, leaves_of::<R>(), outputs, &recorded, framed)
+        let mut face = of_recorded(want, leaves_of::<R>(), outputs, &recorded, framed)?;
+        for argument in &mut face.arguments {
+            argument.bounds = O::compiled().and_then(outline);
+        }
+        Ok(face)
     })
 }
 
@@ -468,14 +669,11 @@ impl<'a, T: Real> List<'a, T> {
         let mut shapes = vec![Lane::default(); tiles * fields];
         (T::kernels().bring)(numbers, fields, &mut shapes);
         let frame_fields = plan.frame_fields();
-        let frames = match &plan.frame {
-            Some((_, make)) => {
-                let mut frames = vec![Lane::default(); tiles * frame_fields];
-                make(Tiles::new(&shapes, fields), &mut frames);
-                frames
-            }
-            None => shapes,
-        };
+        let mut frames = Vec::new();
+        if let Some((_, make)) = &plan.frame {
+            frames = vec![Lane::default(); tiles * frame_fields];
+            make(Tiles::new(&shapes, fields), &mut frames);
+        }
         let mut list = List {
             numbers,
             fields,
@@ -493,7 +691,7 @@ impl<'a, T: Real> List<'a, T> {
         if let (Some(make), true) = (&plan.bounds, bounded) {
             let mut bounds = vec![Lane::default(); tiles * BOUNDS];
             let frames = Tiles::new(&list.frames, frame_fields);
-            make(frames, &mut bounds);
+            make([Tiles::new(&shapes, fields), frames], &mut bounds);
             let (least, most) = (T::lit(f64::NEG_INFINITY), T::lit(f64::INFINITY));
             for (items, [low, high]) in [
                 (list.rare.clone(), [least, most]),
@@ -510,6 +708,9 @@ impl<'a, T: Real> List<'a, T> {
                 }
             }
             list.bounds = Some(bounds);
+        }
+        if plan.frame.is_none() {
+            list.frames = shapes;
         }
         list
     }

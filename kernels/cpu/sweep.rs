@@ -61,6 +61,16 @@ pub enum Columns<'a> {
     Picked(&'a [u32]),
 }
 
+/// Somebody who wants results of one row after another, each with some later columns.
+pub trait Chooses<T> {
+    /// The next row.
+    fn next(&mut self) -> Option<usize>;
+    /// Whether the row's result with a column is wanted.
+    fn wants(&self, column: usize) -> bool;
+    /// Results of the row with some columns that were wanted.
+    fn take(&mut self, columns: &[u32], results: Planes<'_, T>);
+}
+
 /// What is computed of all pairs.
 pub struct Sweep<'a, T> {
     a: &'a List<'a, T>,
@@ -110,18 +120,75 @@ impl<'a, T: Real> Sweep<'a, T> {
             if upstream.is_some() && near > DENSE {
                 return sweep;
             }
-            sweep.picking = vec![T::default(); tiles(b.count) * TILE * sweep.stride];
-            for (j, row) in sweep.picking.chunks_exact_mut(sweep.stride).enumerate() {
-                let tile = &b.frames[j / TILE * b.frame_fields..][..b.frame_fields];
-                for (x, lane) in row.iter_mut().zip(tile) {
-                    *x = lane.0[j % TILE];
-                }
-            }
+            sweep.prepare_picking();
             if b.count >= LONG && near <= SPARSE {
                 sweep.tree = Some(Tree::new(bounds, b.count));
             }
         }
         sweep
+    }
+
+    /// Makes columns rows of numbers, for picking some.
+    fn prepare_picking(&mut self) {
+        let b = self.b;
+        self.picking = vec![T::default(); tiles(b.count) * TILE * self.stride];
+        for (j, row) in self.picking.chunks_exact_mut(self.stride).enumerate() {
+            let tile = &b.frames[j / TILE * b.frame_fields..][..b.frame_fields];
+            for (x, lane) in row.iter_mut().zip(tile) {
+                *x = lane.0[j % TILE];
+            }
+        }
+    }
+
+    /// Computes the rows that somebody chooses, each with the later columns that are wanted and, where
+    /// there are bounds, near.
+    pub fn run_chosen(mut self, who: &mut impl Chooses<T>) {
+        if self.picking.is_empty() {
+            self.prepare_picking();
+        }
+        let lanes = Desk::lanes(&self).iter().sum();
+        with_lanes(lanes, |lanes| {
+            let mut desk = Desk::new(&self, lanes);
+            let count = self.b.count;
+            let (mut room, mut hits) = (Vec::new(), Vec::new());
+            while let Some(row) = who.next() {
+                let near = self.near(row, &mut room);
+                hits.clear();
+                hits.extend(near.iter().filter(|&&column| who.wants(column as usize)));
+                if !hits.is_empty() {
+                    desk.choose(row);
+                    desk.some(0..count, &hits, &mut |part: Part<'_, T>| {
+                        if let Columns::Picked(columns) = part.columns {
+                            who.take(columns, part.results);
+                        }
+                    });
+                }
+            }
+        });
+    }
+
+    /// The columns from a row's own place on whose bounds meet the row's; all of them where there are no
+    /// bounds. A few earlier ones may be among them.
+    fn near<'r>(&self, row: usize, room: &'r mut Vec<u32>) -> &'r [u32] {
+        let count = self.b.count;
+        match (&self.tree, &self.b.bounds, self.a.bounds_of(row)) {
+            (Some(tree), _, Some(own)) => {
+                tree.near(&own, room);
+                room
+            }
+            (None, Some(bounds), Some(own)) => {
+                let first = row / TILE;
+                let rest = Tiles::new(&bounds[first * BOUNDS..], BOUNDS);
+                room.resize((tiles(count) + 1) * TILE, 0);
+                let near = (T::kernels().near)(&own, rest, (first * TILE) as u32, room);
+                &room[..near]
+            }
+            _ => {
+                room.clear();
+                room.extend(row as u32..count as u32);
+                room
+            }
+        }
     }
 
     /// Whether pairs whose bounds do not meet are left out.

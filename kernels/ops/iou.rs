@@ -2,6 +2,7 @@
 use crate::ad::adjoint::iou::giou_framed_vjp;
 use crate::clip::frame;
 use crate::iou;
+use crate::kernels::cpu::plan::Compiled;
 use crate::kernels::op::{Jumps, Op, Promise, Slopes};
 use crate::kernels::ops::rows::{promises, rows_of_pairs};
 use crate::{Aabb2, Obb2, Scalar};
@@ -27,6 +28,9 @@ impl Op for GiouObb2 {
     #[inline]
     fn adjoint<S: Scalar>((a, b): Self::In<S>, out_bar: S) -> Option<(S, Self::In<S>)> {
         Some(giou_framed_vjp::<S, true>(frame(a), frame(b), out_bar))
+    }
+    fn compiled() -> Option<Compiled> {
+        Some(Compiled::Giou)
     }
 }
 

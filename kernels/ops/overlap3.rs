@@ -2,7 +2,10 @@
 //!
 //! Motions are those of the plane: boxes that turn about all axes promise nothing about turns.
 use crate::ad::adjoint::overlap::iou_obb2_vjp;
+use crate::ad::adjoint::upright::{intersection_volume_yaw_vjp, iof_yaw_vjp, iou_yaw_vjp};
+use crate::kernels::cpu::plan::Compiled;
 use crate::operation;
+use crate::overlap::Denominator;
 use crate::overlap3::{
     intersection_volume_aabb3, intersection_volume_obb3, intersection_volume_obb3_vjp,
     intersection_volume_yaw, iof_aabb3, iof_obb3, iof_obb3_vjp, iof_yaw, iou_aabb3, iou_birds_eye,
@@ -30,18 +33,21 @@ operation! {
     promises [TranslationX Stays, TranslationY Stays, Scaling Power(3), Exchange Stays]
     jumps Never
     slopes Reverse
+    => compiled { Compiled::Aabb3 }
 
     /// [`iou_aabb3`].
     pub IouAabb3 = "iou_aabb3": (a: Aabb3<S>, b: Aabb3<S>) -> S { iou_aabb3(a, b) }
     promises [TranslationX Stays, TranslationY Stays, Scaling Stays, Exchange Stays]
     jumps FromZero
     slopes Reverse
+    => compiled { Compiled::Aabb3 }
 
     /// [`iof_aabb3`].
     pub IofAabb3 = "iof_aabb3": (a: Aabb3<S>, b: Aabb3<S>) -> S { iof_aabb3(a, b) }
     promises [TranslationX Stays, TranslationY Stays, Scaling Stays]
     jumps FromZero
     slopes Reverse
+    => compiled { Compiled::Aabb3 }
 
     /// [`intersection_volume_yaw`].
     pub IntersectionVolumeYaw = "intersection_volume_yaw":
@@ -50,7 +56,8 @@ operation! {
         TranslationX Stays, TranslationY Stays, Scaling Power(3), Exchange Stays, Rotation Stays,
     ]
     jumps Never
-    slopes Forward
+    slopes ByHand |(a, b), out_bar| { intersection_volume_yaw_vjp(a, b, out_bar) }
+    => compiled { Compiled::Upright(Denominator::None) }
 
     /// [`iou_yaw`].
     pub IouYaw = "iou_yaw": (a: YawBox3<S>, b: YawBox3<S>) -> S { iou_yaw(a, b) }
@@ -58,13 +65,15 @@ operation! {
         TranslationX Stays, TranslationY Stays, Scaling Stays, Exchange Stays, Rotation Stays,
     ]
     jumps FromZero
-    slopes Forward
+    slopes ByHand |(a, b), out_bar| { iou_yaw_vjp(a, b, out_bar) }
+    => compiled { Compiled::Upright(Denominator::Union) }
 
     /// [`iof_yaw`].
     pub IofYaw = "iof_yaw": (a: YawBox3<S>, b: YawBox3<S>) -> S { iof_yaw(a, b) }
     promises [TranslationX Stays, TranslationY Stays, Scaling Stays, Rotation Stays]
     jumps FromZero
-    slopes Forward
+    slopes ByHand |(a, b), out_bar| { iof_yaw_vjp(a, b, out_bar) }
+    => compiled { Compiled::Upright(Denominator::First) }
 
     /// [`iou_birds_eye`].
     pub IouBirdsEye = "iou_birds_eye":
@@ -74,6 +83,7 @@ operation! {
     ]
     jumps FromZero
     slopes ByHand |(a, b), out_bar| { birds_eye_vjp(a, b, out_bar) }
+    => compiled { Compiled::BirdsEye(Denominator::Union) }
 
     /// [`intersection_volume_obb3`].
     pub IntersectionVolumeObb3 = "intersection_volume_obb3":
@@ -81,16 +91,19 @@ operation! {
     promises [TranslationX Stays, TranslationY Stays, Scaling Power(3), Exchange Stays]
     jumps Never
     slopes ByHand |(a, b), out_bar| { intersection_volume_obb3_vjp(a, b, out_bar) }
+    => compiled { Compiled::Obb3 }
 
     /// [`iou_obb3`].
     pub IouObb3 = "iou_obb3": (a: Obb3<S>, b: Obb3<S>) -> S { iou_obb3(a, b) }
     promises [TranslationX Stays, TranslationY Stays, Scaling Stays, Exchange Stays]
     jumps FromZero
     slopes ByHand |(a, b), out_bar| { iou_obb3_vjp(a, b, out_bar) }
+    => compiled { Compiled::Obb3 }
 
     /// [`iof_obb3`].
     pub IofObb3 = "iof_obb3": (a: Obb3<S>, b: Obb3<S>) -> S { iof_obb3(a, b) }
     promises [TranslationX Stays, TranslationY Stays, Scaling Stays]
     jumps FromZero
     slopes ByHand |(a, b), out_bar| { iof_obb3_vjp(a, b, out_bar) }
+    => compiled { Compiled::Obb3 }
 }

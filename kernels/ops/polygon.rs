@@ -1,5 +1,6 @@
 //! Measures of polygons of a fixed number of corners as operations.
 use crate::operation;
+use crate::overlap_polygon::intersection_area_quads;
 use crate::{Triangle2, Vec2, ring};
 
 operation! {
@@ -43,5 +44,12 @@ operation! {
     pub CentroidQuad = "centroid_quad": (ring: [Vec2<S>; 4]) -> Vec2<S> { ring::centroid(&ring) }
     promises [TranslationX Follows, TranslationY Follows, Rotation Follows, Scaling Follows]
     jumps Anywhere
+    slopes Reverse
+
+    /// [`intersection_area_quads`].
+    pub IntersectionAreaQuads = "intersection_area_quads":
+        (a: [Vec2<S>; 4], b: [Vec2<S>; 4]) -> S { intersection_area_quads(a, b) }
+    promises [TranslationX Stays, TranslationY Stays, Rotation Stays, Scaling Power(2), Exchange Stays]
+    jumps Never
     slopes Reverse
 }

@@ -6,67 +6,87 @@ use crate::overlap::{
 };
 use crate::shape::YawBox3;
 
-/// What two upright boxes share: areas seen from above in units of `1 / scale²`, and heights in units of
-/// `1 / height_scale`.
-struct Columns<S: Scalar> {
-    area: S,
-    area_a: S,
-    area_b: S,
-    scale: S,
-    height: S,
-    height_a: S,
-    height_b: S,
-    height_scale: S,
-    same: S::Mask,
+/// Heights of two upright boxes, in units of `1 / scale`.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Heights<S> {
+    /// The height that both share.
+    pub shared: S,
+    /// The height of a.
+    pub a: S,
+    /// The height of b.
+    pub b: S,
+    /// The power of two by which heights were multiplied.
+    pub scale: S,
 }
 
+/// Heights of two upright boxes, each given by where its middle is and half its height.
+///
+/// `EXTREME` says whether they may be so small or large that products over- or underflow.
 #[inline(always)]
-fn columns<S: Scalar>(a: YawBox3<S>, b: YawBox3<S>) -> Columns<S> {
+pub(crate) fn heights<S: Scalar, const EXTREME: bool>(
+    [at_a, half_a]: [S; 2],
+    [at_b, half_b]: [S; 2],
+) -> Heights<S> {
     let zero = S::zero();
-    let (pair, area, scale) = shared_area::<S, true>(frame(a.birds_eye()), frame(b.birds_eye()));
-    let (half_a, half_b) = (a.size.z.halved(), b.size.z.halved());
     // Relative to a's centre, so that far from the origin no digits are lost.
-    let up = b.center.z - a.center.z;
+    let up = at_b - at_a;
     let shared = half_a.least(up + half_b) - (-half_a).most(up - half_b);
-    let apart = shared.at_most(zero);
-    let shared = S::select(apart, zero, shared);
-    // The higher one becomes about one, so that no product overflows.
-    let higher = half_a.most(half_b);
-    let flat = higher.at_most(zero);
-    let height_scale = S::select(flat, S::one(), S::select(flat, S::one(), higher).binade());
-    let birds_same = (a.center.x.equals(b.center.x) & a.center.y.equals(b.center.y))
-        & (a.size.x.equals(b.size.x) & a.size.y.equals(b.size.y) & a.heading.equals(b.heading));
-    let same = birds_same & (a.center.z.equals(b.center.z) & a.size.z.equals(b.size.z));
-    Columns {
-        area,
-        area_a: area_from_half(pair.half_a),
-        area_b: area_from_half(pair.half_b),
+    let shared = S::select(shared.at_most(zero), zero, shared);
+    let mut scale = S::one();
+    if EXTREME {
+        // The higher one becomes about one, so that no product overflows.
+        let higher = half_a.most(half_b);
+        let flat = higher.at_most(zero);
+        scale = S::select(flat, S::one(), S::select(flat, S::one(), higher).binade());
+    }
+    Heights {
+        shared: shared * scale,
+        a: (half_a + half_a) * scale,
+        b: (half_b + half_b) * scale,
         scale,
-        height: shared * height_scale,
-        height_a: (half_a + half_a) * height_scale,
-        height_b: (half_b + half_b) * height_scale,
-        height_scale,
-        same,
     }
 }
 
-fn score_yaw<S: Scalar>(over: Denominator, a: YawBox3<S>, b: YawBox3<S>) -> S {
-    let c = columns(a, b);
-    let shared = c.area * c.height;
-    let value = match over {
-        Denominator::None => {
-            let value = shared.over(c.scale).over(c.height_scale).over(c.scale);
+/// A score of upright boxes from areas seen from above (shared, of a, of b; in units of `1 / scale²`) and
+/// heights.
+#[inline(always)]
+pub(crate) fn score_of_columns<S: Scalar, const EXTREME: bool>(
+    over: Denominator,
+    [area, area_a, area_b]: [S; 3],
+    scale: S,
+    height: &Heights<S>,
+) -> S {
+    let shared = area * height.shared;
+    match over {
+        Denominator::None if EXTREME => {
+            let value = shared.over(scale).over(height.scale).over(scale);
             value.saturated()
         }
-        Denominator::Union => {
-            let ratio = ratio_of_union(shared, c.area_a * c.height_a, c.area_b * c.height_b);
-            S::select(c.same, S::from_primal(ratio.primal()), ratio)
-        }
+        Denominator::None => shared,
+        Denominator::Union => ratio_of_union(shared, area_a * height.a, area_b * height.b),
         // Each ratio alone: a small box in a large one has no volume in the large one's unit.
         Denominator::First => {
-            ratio_of_first(c.area, c.area_a) * ratio_of_first(c.height, c.height_a)
+            ratio_of_first(area, area_a) * ratio_of_first(height.shared, height.a)
         }
-    };
+    }
+}
+
+/// A score of two upright boxes.
+pub(crate) fn score_yaw<S: Scalar>(over: Denominator, a: YawBox3<S>, b: YawBox3<S>) -> S {
+    let (pair, area, scale) = shared_area::<S, true>(frame(a.birds_eye()), frame(b.birds_eye()));
+    let height = heights::<S, true>(
+        [a.center.z, a.size.z.halved()],
+        [b.center.z, b.size.z.halved()],
+    );
+    let (area_a, area_b) = (area_from_half(pair.half_a), area_from_half(pair.half_b));
+    let mut value =
+        score_of_columns::<S, true>(over, [area, area_a, area_b], scale, &height);
+    if over == Denominator::Union {
+        let birds_same = (a.center.x.equals(b.center.x) & a.center.y.equals(b.center.y))
+            & (a.size.x.equals(b.size.x) & a.size.y.equals(b.size.y) & a.heading.equals(b.heading));
+        let same = birds_same & (a.center.z.equals(b.center.z) & a.size.z.equals(b.size.z));
+        value = S::select(same, S::from_primal(value.primal()), value);
+    }
     value.canonical()
 }
 

@@ -165,13 +165,11 @@ impl Neighbours {
     }
 }
 
-/// Checks what goes in, and sorts the pairs by detection.
-fn neighbours<S: Scalar<Mask = bool>>(
-    scores: &[S],
-    pairs: &[Pair<S>],
+/// Checks rules for so many detections.
+pub(crate) fn check_rules<S: Scalar<Mask = bool>>(
+    count: usize,
     rules: &Rules<'_, S>,
-) -> Result<Neighbours, Error> {
-    let count = scores.len();
+) -> Result<(), Error> {
     if !(rules.overlap.at_least(S::zero()) && rules.overlap.at_most(S::one())) {
         let flaw = Flaw::Broken(Field::VALUE, "is not in [0, 1]");
         return Err(invalid("overlap", 0, flaw));
@@ -183,6 +181,17 @@ fn neighbours<S: Scalar<Mask = bool>>(
             found: classes.len(),
         });
     }
+    Ok(())
+}
+
+/// Checks what goes in, and sorts the pairs by detection.
+fn neighbours<S: Scalar<Mask = bool>>(
+    scores: &[S],
+    pairs: &[Pair<S>],
+    rules: &Rules<'_, S>,
+) -> Result<Neighbours, Error> {
+    let count = scores.len();
+    check_rules(count, rules)?;
     let class = |i: usize| rules.classes.map_or(0, |classes| classes[i]);
     let mut start = vec![0; count + 1];
     let mut near = Vec::new();

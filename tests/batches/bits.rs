@@ -1,10 +1,11 @@
 //! Same bits, signs of zeros included: of the scalar code, at every level of vector instructions, at
 //! every position of a batch, for any number of threads, with the filter of all pairs and without.
 use geograd::kernels::cpu::simd::Simd;
-use geograd::kernels::op::{RingOp, Ringed, Source};
+use geograd::kernels::op::{RingOp, Ringed, Source, Straight};
 use geograd::kernels::reduce::Matrix;
 use geograd::scalar::float::Float;
-use geograd::{Aabb2, Obb2, Pack, Scalar, Vec2};
+use geograd::shape::{Aabb3, Obb3, Rotation3, YawBox3};
+use geograd::{Aabb2, Obb2, Pack, Scalar, Vec2, Vec3};
 use geograd_tests::Dice;
 use geograd_tests::calls::{self, Number, Pair};
 use std::ops::Range;
@@ -114,6 +115,50 @@ impl<T: Number> Drawn for Aabb2<T> {
     }
 }
 
+impl<T: Number> Drawn for YawBox3<T> {
+    fn draw(dice: &mut Dice, kind: usize) -> Self {
+        let x: Obb2<T> = Drawn::draw(dice, kind);
+        let (z, dz) = (dice.within(-2.0, 2.0), dice.within(0.0, 3.0));
+        let (z, dz) = match dice.below(6) {
+            0 => (z.trunc(), dz.trunc()),
+            1 => (0.25 * z, 0.0),
+            2 if kind >= MILD => (z * 1e20, dz * 1e-20),
+            3 if kind >= MILD => (z * 1e-30, dz * 1e25),
+            _ => (0.25 * z, dz),
+        };
+        let (z, dz) = (T::lit(z), T::lit(dz));
+        YawBox3::new(
+            Vec3::new(x.center.x, x.center.y, z),
+            Vec3::new(x.size.x, x.size.y, dz),
+            x.heading,
+        )
+    }
+}
+
+impl<T: Number> Drawn for Obb3<T> {
+    fn draw(dice: &mut Dice, kind: usize) -> Self {
+        let x: YawBox3<T> = Drawn::draw(dice, kind);
+        let mut number = || T::lit(dice.within(-1.0, 1.0));
+        let turn = match kind {
+            2 | 5 => x.rotation(),
+            3 => Rotation3::new(T::one(), T::one(), T::default(), T::default()),
+            _ => Rotation3::new(number(), number(), number(), number()),
+        };
+        Obb3::new(x.center, x.size, turn)
+    }
+}
+
+impl<T: Number> Drawn for Aabb3<T> {
+    fn draw(dice: &mut Dice, kind: usize) -> Self {
+        let x: Aabb2<T> = Drawn::draw(dice, kind);
+        let (z, dz) = (dice.within(-2.0, 2.0).trunc(), dice.within(0.0, 3.0));
+        Aabb3::new(
+            Vec3::new(x.min.x, x.min.y, T::lit(z)),
+            Vec3::new(x.max.x, x.max.y, T::lit(z + dz)),
+        )
+    }
+}
+
 fn list<A: Drawn>(count: usize, kinds: usize, seed: u64) -> Vec<A> {
     let mut dice = Dice(seed);
     (0..count)
@@ -143,7 +188,7 @@ struct Known<O: Pair<T>, T: Number> {
 impl<O: Pair<T>, T: Number> Known<O, T> {
     fn new(a: Vec<A<O, T>>, b: Vec<B<O, T>>) -> Self {
         let slopes = |i: usize, j: usize, up: T| {
-            let (_, (p, q)) = O::adjoint::<T>((a[i], b[j]), up).unwrap();
+            let (p, q) = Straight::<O>::vjp::<T>(&(a[i], b[j]), up);
             bits_of([&p]).into_iter().chain(bits_of([&q]))
         };
         let pair = |i: usize, j: usize| {
@@ -308,7 +353,7 @@ where
         let fields = shape.scalars().len();
         let mut k = 0;
         shape.each(&mut |x| {
-            if k == 0 || fields == 4 && k == 2 {
+            if k == 0 || fields == 4 && k == 2 || fields == 6 && k == 3 {
                 *x += X::Scalar::lit(i as f64 * 1.5);
             }
             k += 1;
@@ -390,3 +435,31 @@ macro_rules! tests {
     };
 }
 geograd::for_each_op!(tests);
+
+/// Operations of the list of straight lines that have kernels or a filter.
+macro_rules! more {
+    ($($name:ident: $op:ident,)*) => { $(mod $name {
+        use super::*;
+        use geograd::kernels::$op;
+        #[test]
+        fn anywhere_in_a_batch() {
+            positions::<$op, f32>();
+            positions::<$op, f64>();
+        }
+        #[test]
+        fn of_long_lists() {
+            scenes::<$op, f32>();
+            scenes::<$op, f64>();
+        }
+    })* };
+}
+more! {
+    giou_obb2: GiouObb2,
+    intersection_volume_yaw: IntersectionVolumeYaw,
+    iou_yaw: IouYaw,
+    iof_yaw: IofYaw,
+    iou_birds_eye: IouBirdsEye,
+    iou_obb3: IouObb3,
+    iof_obb3: IofObb3,
+    iou_aabb3: IouAabb3,
+}

@@ -1,7 +1,9 @@
 //! Suppression, assignment and metrics against their definitions, written down naively.
 use geograd::assignment::{greedy, optimal};
 use geograd::error::{Argument, Error, Field, Flaw};
-use geograd::kernels::{Cpu, IouObb2};
+use geograd::kernels::{Cpu, IouObb2, IouYaw};
+use geograd::shape::YawBox3;
+use geograd::{Obb2, Vec3};
 use geograd::metric::{Frame, Outcome, Point, Recalls, average_precision, curve, outcomes};
 use geograd::suppression::{
     Decay, Pair, Rules, cluster, hard, matrix, order, soft, soft_decided, soft_replay, soft_vjp,
@@ -405,4 +407,98 @@ fn ignored_boxes_count_neither_way() {
     let points = curve(frame.scores, &found, 2).unwrap();
     assert_eq!(points.len(), 3);
     assert_eq!((points[2].recall, points[2].precision), (0.5, 1.0 / 3.0));
+}
+
+/// Boxes of a crowd, scores with ties, and classes.
+fn crowd(dice: &mut Dice, count: usize, side: f64) -> (Vec<Obb2<f32>>, Vec<f32>, Vec<u32>) {
+    let mut car = || {
+        Obb2::new(
+            dice.within(0.0, side) as f32,
+            dice.within(0.0, side) as f32,
+            dice.within(2.0, 5.0) as f32,
+            dice.within(1.0, 2.0) as f32,
+            dice.within(-3.0, 3.0) as f32,
+        )
+    };
+    let boxes = (0..count).map(|_| car()).collect();
+    let scores = (0..count).map(|_| dice.below(40) as f32 / 40.0).collect();
+    (boxes, scores, (0..count).map(|_| dice.below(3) as u32).collect())
+}
+
+#[test]
+fn suppression_of_boxes_is_that_of_their_pairs() {
+    let mut dice = Dice(31);
+    for (count, side) in [
+        (0, 1.0),
+        (1, 1.0),
+        (15, 4.0),
+        (300, 10.0),
+        (700, 8.0),
+        (1500, 300.0),
+    ] {
+        let (boxes, scores, classes) = crowd(&mut dice, count, side);
+        // Of a pair the better one is the first argument: the list sorted by scores says the same.
+        let best = order(&scores, 0.1).unwrap();
+        let sorted: Vec<_> = best.iter().map(|&i| boxes[i]).collect();
+        let sorted_scores: Vec<_> = best.iter().map(|&i| scores[i]).collect();
+        let sorted_classes: Vec<_> = best.iter().map(|&i| classes[i]).collect();
+        let upright = |x: &Obb2<f32>| {
+            let (center, size) = (x.center, x.size);
+            YawBox3::new(
+                Vec3::new(center.x, center.y, 0.1 * center.x),
+                Vec3::new(size.x, size.y, 1.5),
+                x.heading,
+            )
+        };
+        let solid: Vec<_> = boxes.iter().map(upright).collect();
+        let sorted_solid: Vec<_> = sorted.iter().map(upright).collect();
+        for overlap in [0.0, 0.1, 0.5] {
+            let pairs = Cpu::new().overlaps(IouObb2, &sorted, overlap).unwrap();
+            let solid_pairs = Cpu::new().overlaps(IouYaw, &sorted_solid, overlap).unwrap();
+            for (with_classes, most) in [(false, usize::MAX), (true, usize::MAX), (true, 7)] {
+                let rules = |classes| Rules {
+                    classes,
+                    most,
+                    score: 0.1,
+                    ..Rules::above(overlap)
+                };
+                let sorted_rules = rules(with_classes.then_some(&sorted_classes[..]));
+                let rules = rules(with_classes.then_some(&classes[..]));
+                let places = |kept: Vec<usize>| kept.iter().map(|&i| best[i]).collect::<Vec<_>>();
+                let expected = places(hard(&sorted_scores, &pairs, sorted_rules).unwrap());
+                let expected_solid =
+                    places(hard(&sorted_scores, &solid_pairs, sorted_rules).unwrap());
+                for cpu in [Cpu::new(), Cpu::new().culled(false)] {
+                    let kept = cpu.suppress(IouObb2, &boxes, &scores, rules).unwrap();
+                    assert_eq!(kept, expected, "{count} boxes above {overlap}");
+                    let kept = cpu.suppress(IouYaw, &solid, &scores, rules).unwrap();
+                    assert_eq!(kept, expected_solid, "{count} solids above {overlap}");
+                }
+            }
+        }
+    }
+}
+
+#[test]
+fn suppression_of_boxes_says_what_is_wrong() {
+    let boxes = [Obb2::new(0.0_f32, 0.0, 1.0, 1.0, 0.0); 3];
+    let cpu = Cpu::new();
+    let found = cpu.suppress(IouObb2, &boxes, &[0.5, 0.5], Rules::above(0.5));
+    assert!(matches!(found, Err(Error::Length { .. })));
+    let found = cpu.suppress(IouObb2, &boxes, &[0.5, f32::NAN, 0.5], Rules::above(0.5));
+    assert!(matches!(found, Err(Error::Invalid { row: 1, .. })));
+    for overlap in [-0.1, 1.5, f32::NAN] {
+        let found = cpu.suppress(IouObb2, &boxes, &[0.5; 3], Rules::above(overlap));
+        assert!(matches!(found, Err(Error::Invalid { .. })), "{overlap}");
+    }
+    let mut wrong = boxes;
+    wrong[2].size.x = -1.0;
+    let found = cpu.suppress(IouObb2, &wrong, &[0.9, 0.1, 0.5], Rules::above(0.5));
+    assert!(matches!(found, Err(Error::Invalid { row: 2, .. })));
+    let rules = Rules {
+        classes: Some(&[1, 2]),
+        ..Rules::above(0.5)
+    };
+    let found = cpu.suppress(IouObb2, &boxes, &[0.5; 3], rules);
+    assert!(matches!(found, Err(Error::Length { .. })));
 }

@@ -43,22 +43,22 @@ fn street(dice: &mut Dice) -> Vec<Obb2<f64>> {
 }
 
 /// Something that is timed again and again.
-struct Timed<'a> {
-    pairs: usize,
+pub(super) struct Timed<'a> {
+    pub items: usize,
     run: Box<dyn FnMut() + Send + 'a>,
     best: f64,
 }
 
 impl<'a> Timed<'a> {
-    fn new(pairs: usize, run: impl FnMut() + Send + 'a) -> Self {
+    pub fn new(pairs: usize, run: impl FnMut() + Send + 'a) -> Self {
         Timed {
-            pairs,
+            items: pairs,
             run: Box::new(run),
             best: f64::INFINITY,
         }
     }
     /// At least a few milliseconds of runs.
-    fn turn(&mut self) {
+    pub fn turn(&mut self) {
         let start = Instant::now();
         let mut now = start;
         loop {
@@ -71,9 +71,13 @@ impl<'a> Timed<'a> {
             }
         }
     }
+    /// The fastest run in microseconds.
+    pub fn microseconds(&self) -> f64 {
+        self.best * 1e6
+    }
     /// Million pairs a second.
-    fn rate(&self) -> f64 {
-        self.pairs as f64 / self.best / 1e6
+    pub fn rate(&self) -> f64 {
+        self.items as f64 / self.best / 1e6
     }
 }
 

@@ -6,8 +6,13 @@
 //! headings in [-5, 5]), all pairs; "overlapping" are aligned pairs a small motion apart, as a loss
 //! sees them.
 //!
-//! `-- --levels [--csv FILE]` prints a table of every level of vector instructions that the machine has.
+//! `-- --levels [--csv FILE]` prints a table of every level of vector instructions that the machine has,
+//! `-- --shapes [--csv FILE]` one of losses, boxes in space and quadrilaterals, `-- --suppress [--csv FILE]` one of suppression;
+//! `-- --paper FILE.svg [--csv FILE]` times the IoU loss against the number of boxes and draws it.
 mod levels;
+mod paper;
+mod shapes;
+mod suppress;
 
 use geo::{Area, BooleanOps, Centroid, Coord, Euclidean, Length, LineString, Polygon};
 use geograd::kernels::{self, Cpu, IouObb2, Op, RingOp, Table};
@@ -153,8 +158,24 @@ fn main() -> std::io::Result<()> {
             scaling();
             return Ok(());
         }
+        ["--shapes"] => {
+            shapes::shapes();
+            return Ok(());
+        }
+        ["--shapes", "--csv", file] => return std::fs::write(file, shapes::shapes()),
+        ["--paper", picture, "--csv", file] => {
+            let (svg, csv) = paper::paper();
+            std::fs::write(picture, svg)?;
+            return std::fs::write(file, csv);
+        }
+        ["--paper", picture] => return std::fs::write(picture, paper::paper().0),
+        ["--suppress"] => {
+            suppress::suppress();
+            return Ok(());
+        }
+        ["--suppress", "--csv", file] => return std::fs::write(file, suppress::suppress()),
         _ => {
-            eprintln!("arguments: [--levels [--csv FILE]]");
+            eprintln!("arguments: [--levels | --shapes | --suppress | --paper SVG] [--csv FILE]");
             std::process::exit(2);
         }
     }

@@ -7,6 +7,7 @@ use crate::kernels::cpu::lane::{Lane, Planes, Results, TILE, Tiles};
 use crate::kernels::cpu::program::{self, Pass, Tape};
 use crate::kernels::cpu::rings::{self, Measure};
 use crate::kernels::cpu::simd::Simd;
+use crate::kernels::cpu::upright;
 use crate::overlap::Denominator;
 
 /// Lists kernels: a name, arguments, and the generic function, of a format `T` and a vector `V`.
@@ -85,6 +86,18 @@ entries! {
     obb2_scores(over: Denominator, a: Tiles<'_, T>, b: Tiles<'_, T>, out: Results<'_, T>) = boxes::obb2_scores::<T, V>;
     /// Scores of prepared rotated boxes with ten slopes each.
     obb2_slopes(over: Denominator, a: Tiles<'_, T>, b: Tiles<'_, T>, seeds: Option<Tiles<'_, T>>, out: Results<'_, T>) = boxes::obb2_slopes::<T, V>;
+    /// Whether rotated boxes are valid and of common size, or zero size.
+    all_common_obb2(numbers: &[T]) -> bool = boxes::all_common_obb2::<T, V>;
+    /// Generalised IoU of prepared rotated boxes.
+    giou_scores(a: Tiles<'_, T>, b: Tiles<'_, T>, out: Results<'_, T>) = boxes::giou_scores::<T, V>;
+    /// Generalised IoU of prepared rotated boxes with ten slopes each.
+    giou_slopes(a: Tiles<'_, T>, b: Tiles<'_, T>, seeds: Option<Tiles<'_, T>>, out: Results<'_, T>) = boxes::giou_slopes::<T, V>;
+    /// Whether upright boxes are valid and of common size, or zero size.
+    all_common_upright(numbers: &[T]) -> bool = boxes::all_common_upright::<T, V>;
+    /// Scores of upright boxes from what they share seen from above.
+    upright_scores(over: Denominator, a: Tiles<'_, T>, b: Tiles<'_, T>, out: Results<'_, T>) = upright::scores::<T, V>;
+    /// The same with fourteen slopes each, from the ten slopes of that.
+    upright_slopes(over: Denominator, a: Tiles<'_, T>, b: Tiles<'_, T>, seeds: Option<Tiles<'_, T>>, out: Results<'_, T>) = upright::slopes::<T, V>;
     /// Scores of axis-aligned boxes.
     aabb2_scores(over: Denominator, a: Tiles<'_, T>, b: Tiles<'_, T>, out: Results<'_, T>) = boxes::aabb2_scores::<T, V>;
     /// Scores of axis-aligned boxes with eight slopes each.

@@ -5,7 +5,7 @@ use geograd::ad::adjoint::overlap_polygon::{
     area_inside_vjp, intersection_area_polygons_vjp, iou_polygons_vjp,
 };
 use geograd::overlap_polygon::{
-    area_inside, intersection_area_polygons, iof_polygons, iou_polygons,
+    area_inside, intersection_area_polygons, intersection_area_quads, iof_polygons, iou_polygons,
 };
 use geograd::{Aabb2, ConvexPolygon, Jet, Obb2, Vec2};
 use geograd_tests::Dice;
@@ -460,4 +460,110 @@ fn sides_along_each_other_share_the_slope() {
         "{down} {other}"
     );
     assert!((value.slope[1] + value.slope[3] + 0.5).abs() < 1e-14);
+}
+
+/// A random convex quadrilateral, counter-clockwise: four points of an ellipse that is turned and moved.
+fn quad(dice: &mut Dice) -> [Vec2<f64>; 4] {
+    let mut angles = [(); 4].map(|()| dice.within(0.0, std::f64::consts::TAU));
+    angles.sort_by(f64::total_cmp);
+    let (wide, high) = (dice.within(0.5, 3.0), dice.within(0.5, 3.0));
+    let (x, y) = (dice.within(-1.5, 1.5), dice.within(-1.5, 1.5));
+    let (sin, cos) = dice.within(-3.0, 3.0).sin_cos();
+    angles.map(|angle| {
+        let (p, q) = (wide * angle.cos(), high * angle.sin());
+        Vec2::new(x + p * cos - q * sin, y + p * sin + q * cos)
+    })
+}
+
+fn as_polygon(vertices: [Vec2<f64>; 4]) -> ConvexPolygon<f64, 4> {
+    ConvexPolygon { vertices, count: 4 }
+}
+
+#[test]
+fn areas_of_quads_are_those_of_polygons() {
+    let mut dice = Dice(41);
+    let moved = |q: [Vec2<f64>; 4], x: f64, y: f64| q.map(|v| v + Vec2::new(x, y));
+    let square = Aabb2::new(0.0, 0.0, 2.0, 1.0).corners();
+    let diamond = [(1.0, 0.0), (0.0, 1.0), (-1.0, 0.0), (0.0, -1.0)].map(|(x, y)| Vec2::new(x, y));
+    let triangle = [square[0], square[1], square[2], square[2]];
+    let mut all: Vec<_> = (0..3000).map(|_| (quad(&mut dice), quad(&mut dice))).collect();
+    for x in [0.0, 0.5, 1.0, 2.0, 3.0, -2.0, 1e-9] {
+        for y in [0.0, 1.0, -0.25, 1e-9] {
+            for shape in [square, diamond, triangle] {
+                all.extend([
+                    (square, moved(shape, x, y)),
+                    (moved(shape, x, y), square),
+                    (diamond, moved(shape, x, y)),
+                ]);
+            }
+        }
+    }
+    for _ in 0..200 {
+        let a = quad(&mut dice);
+        // Turned by next to nothing, inside, sharing a corner or a side, without an area.
+        let turn = dice.within(-1e-9, 1e-9);
+        let turned = a.map(|v| Vec2::new(v.x - turn * v.y, v.y + turn * v.x));
+        let center = (a[0] + a[1] + a[2] + a[3]) * 0.25;
+        let inside = a.map(|v| center + (v - center) * 0.5);
+        let corner = a.map(|v| a[1] + (v - a[1]) * 0.7);
+        let flat = [a[0], a[1], a[1], a[0]];
+        all.extend([(a, turned), (a, inside), (inside, a), (a, corner), (corner, a), (a, flat), (flat, a), (a, a)]);
+    }
+    for (a, b) in all {
+        let truth = intersection_area_polygons(&as_polygon(a), &as_polygon(b));
+        for unit in [1.0, 1e-150, 1e140] {
+            let scaled = |q: [Vec2<f64>; 4]| q.map(|v| v * unit);
+            let found = intersection_area_quads(scaled(a), scaled(b)) / unit / unit;
+            assert!((found - truth).abs() < 2e-14 * truth.max(1.0), "{a:?} {b:?} {found} {truth}");
+            assert!(truth > 0.0 || found < 1e-14, "{a:?} {b:?} {found}");
+        }
+        let narrow = |q: [Vec2<f64>; 4]| q.map(|v| Vec2::new(v.x as f32, v.y as f32));
+        let found = f64::from(intersection_area_quads(narrow(a), narrow(b)));
+        assert!((found - truth).abs() < 1e-5, "{a:?} {b:?} {found} {truth}");
+    }
+}
+
+#[test]
+fn quads_that_are_apart_share_exactly_nothing() {
+    let mut dice = Dice(43);
+    let mut count = 0;
+    for _ in 0..4000 {
+        let (a, b) = (quad(&mut dice), quad(&mut dice));
+        let way = Vec2::new(dice.within(-4.0, 4.0), dice.within(-4.0, 4.0));
+        let b = b.map(|v| v + way);
+        if exact_area(&a, &b) == 0.0 {
+            assert_eq!(intersection_area_quads(a, b), 0.0, "{a:?} {b:?}");
+            count += 1;
+        }
+    }
+    assert!(count > 500, "{count}");
+}
+
+#[test]
+fn slopes_of_quads_are_those_of_polygons() {
+    let mut dice = Dice(42);
+    let cpu = geograd::kernels::Cpu::new();
+    let (a, b): (Vec<_>, Vec<_>) = (0..500).map(|_| (quad(&mut dice), quad(&mut dice))).unzip();
+    let op = geograd::kernels::IntersectionAreaQuads;
+    let (values, (by_a, by_b)) = cpu
+        .aligned(geograd::kernels::Op::value_grad(op), (&a, &b))
+        .unwrap();
+    for i in 0..a.len() {
+        assert_eq!(values[i], intersection_area_quads(a[i], b[i]));
+        let (p, q) = (as_polygon(a[i]), as_polygon(b[i]));
+        let (p_bar, q_bar) = intersection_area_polygons_vjp(&p, &q, 1.0);
+        let found = by_a[i].iter().chain(&by_b[i]);
+        for (found, truth) in found.zip(p_bar.vertices.iter().chain(&q_bar.vertices)) {
+            assert!((*found - *truth).length() < 1e-11, "{:?} {:?} {found:?} {truth:?}", a[i], b[i]);
+        }
+    }
+    // Identical ones: moving both changes nothing, and every slope is half of that of the area.
+    for a in a {
+        let (_, (p, q)) = cpu.aligned(geograd::kernels::Op::value_grad(op), (&[a], &[a])).unwrap();
+        for (k, (p, q)) in p[0].iter().zip(&q[0]).enumerate() {
+            let across = a[(k + 1) % 4] - a[(k + 3) % 4];
+            let own = Vec2::new(across.y, -across.x) * 0.25;
+            assert!((*p - own).length() < 1e-11 && (*q - own).length() < 1e-11, "{p:?} {q:?} {own:?}");
+        }
+    }
 }

@@ -1,0 +1,230 @@
+//! Adjoints of the overlap scores of upright boxes.
+//!
+//! A volume shared is the area `A` shared seen from above times the height `H` shared. Slopes by `A` and by
+//! the boxes' own areas go on to the boxes in the plane (see [`overlap`](super::overlap)); with `h` half the
+//! heights and `u` how much higher b's centre is,
+//!
+//! ```text
+//! H = min(h_a, u + h_b) − max(−h_a, u − h_b).
+//! ```
+//!
+//! The top that decides takes the slope of `H` by it, likewise the bottom; tied ones take half each.
+use crate::ad::adjoint::overlap::{Grads, reciprocal_or_zero, score_scaled_vjp, tamed};
+use crate::clip::{Framed, frame, size_scale};
+use crate::overlap::{Denominator, area_from_half, ratio_of_first};
+use crate::overlap3::{Heights, by_volumes, heights, score_of_columns};
+use crate::shape::YawBox3;
+use crate::{Obb2, Scalar, Vec2, Vec3};
+
+/// An upright box with its trigonometry done: what it is seen from above, where its middle is, and half its
+/// height.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Upright<S> {
+    pub flat: Framed<S>,
+    pub standing: [S; 2],
+}
+
+/// Does a box's trigonometry.
+#[inline(always)]
+fn upright<S: Scalar>(x: YawBox3<S>) -> Upright<S> {
+    Upright {
+        flat: frame(x.birds_eye()),
+        standing: [x.center.z, x.size.z.halved()],
+    }
+}
+
+/// Where both boxes are the same set of points, in the same way.
+#[inline(always)]
+fn same<S: Scalar>(a: &Upright<S>, b: &Upright<S>) -> S::Mask {
+    let equal = |x: Vec2<S>, y: Vec2<S>| x.x.equals(y.x) & x.y.equals(y.y);
+    let (p, q) = (&a.flat, &b.flat);
+    (equal(p.center, q.center) & equal(p.half, q.half))
+        & (p.cos.equals(q.cos) & p.sin.equals(q.sin))
+        & (a.standing[0].equals(b.standing[0]) & a.standing[1].equals(b.standing[1]))
+}
+
+/// The slopes of a score by what it is made of.
+struct Parts<S> {
+    /// By the area shared, that of a and that of b.
+    areas: [S; 3],
+    /// By the height shared, that of a and that of b.
+    heights: [S; 3],
+}
+
+/// `out_bar` times the slopes of a score by areas and heights.
+#[inline(always)]
+fn parts<S: Scalar>(
+    over: Denominator,
+    value: S,
+    [area, area_a, area_b]: [S; 3],
+    height: &Heights<S>,
+    out_bar: S,
+) -> Parts<S> {
+    let zero = S::zero();
+    match over {
+        Denominator::None => Parts {
+            areas: [height.shared * out_bar, zero, zero],
+            heights: [area * out_bar, zero, zero],
+        },
+        Denominator::Union => {
+            let volumes = [area * height.shared, area_a * height.a, area_b * height.b];
+            let [shared, a, b] = by_volumes(over, value, volumes, out_bar);
+            Parts {
+                areas: [shared * height.shared, a * height.a, b * height.b],
+                heights: [shared * area, a * area_a, b * area_b],
+            }
+        }
+        Denominator::First => {
+            let flat = ratio_of_first(area, area_a);
+            let tall = ratio_of_first(height.shared, height.a);
+            let (by_area, by_height) = (
+                reciprocal_or_zero(area_a) * out_bar,
+                reciprocal_or_zero(height.a) * out_bar,
+            );
+            Parts {
+                areas: [by_area * tall, -(by_area * value), zero],
+                heights: [by_height * flat, -(by_height * value), zero],
+            }
+        }
+    }
+}
+
+/// The part that the first of two bounds has where the smaller one decides.
+#[inline(always)]
+fn part_of_smaller<S: Scalar>(mine: S, other: S) -> S {
+    let won = S::select(mine.below(other), S::one(), S::zero());
+    S::select(mine.equals(other), S::lit(0.5), won)
+}
+
+/// Both boxes' slopes.
+pub(crate) type Bars<S> = (YawBox3<S>, YawBox3<S>);
+
+/// Value of a score of upright boxes and `out_bar` times its slopes, from the area shared seen from above
+/// and its slopes, in units of `1 / scale`.
+#[inline(always)]
+pub(crate) fn score_from_area_vjp<S: Scalar, const EXTREME: bool>(
+    over: Denominator,
+    a: &Upright<S>,
+    b: &Upright<S>,
+    (area, bars): (S, Grads<S>),
+    scale: S,
+    out_bar: S,
+) -> (S, Bars<S>) {
+    let (zero, one) = (S::zero(), S::one());
+    let (half_a, half_b) = (a.flat.half * scale, b.flat.half * scale);
+    let areas = [area, area_from_half(half_a), area_from_half(half_b)];
+    let height = heights::<S, EXTREME>(a.standing, b.standing);
+    let value = score_of_columns::<S, EXTREME>(over, areas, scale, &height);
+    let (out_bar, steep) = if EXTREME { tamed(out_bar) } else { (out_bar, one) };
+    let Parts { areas, heights } = parts(over, value, areas, &height, out_bar);
+    // Of identical boxes the union is as flat as can be, by symmetry.
+    let flat = match over {
+        Denominator::Union => same(a, b),
+        _ => one.below(zero),
+    };
+    let still = |bars: [S; 3]| bars.map(#[inline(always)] |x| S::select(flat, zero, x));
+    let (areas, heights) = (still(areas), still(heights));
+
+    let ([at_a, tall_a], [at_b, tall_b]) = (a.standing, b.standing);
+    let up = at_b - at_a;
+    let nothing = height.shared.at_most(zero);
+    let shared_bar = S::select(nothing, zero, heights[0]);
+    // What a has of the top and of the bottom.
+    let top = part_of_smaller(tall_a, up + tall_b);
+    let bottom = part_of_smaller(up - tall_b, -tall_a);
+    let by_up = bottom - top;
+    let (by_a, by_b) = (top + bottom, (one - top) + (one - bottom));
+
+    // From the pair's units to the caller's: of a volume by one length, which leaves two.
+    let (flat_units, tall_units, turn_units) = match over {
+        Denominator::None => {
+            let (length, tall) = (one.over(scale), one.over(height.scale));
+            ([length, tall, one], [length, length, one], [length, tall, length])
+        }
+        _ => ([scale, one, one], [height.scale, one, one], [one, one, one]),
+    };
+    let bounded = |x: S| if EXTREME { x.saturated() } else { x };
+    let outer = |x: S, [first, second, third]: [S; 3]| {
+        if !EXTREME {
+            return x.canonical();
+        }
+        let x = (x * first).saturated();
+        let x = ((x * second).saturated() * third).saturated();
+        (x * steep).saturated().canonical()
+    };
+    let box_bar = |own: Obb2<S>, half: Vec2<S>, by: S, z: S, dz: S| {
+        let size = |slope: S, other: S| {
+            bounded(slope * areas[0]) + bounded((other + other) * by)
+        };
+        YawBox3 {
+            center: Vec3::new(
+                outer(bounded(own.center.x * areas[0]), flat_units),
+                outer(bounded(own.center.y * areas[0]), flat_units),
+                outer(z, tall_units),
+            ),
+            size: Vec3::new(
+                outer(size(own.size.x, half.y), flat_units),
+                outer(size(own.size.y, half.x), flat_units),
+                outer(dz, tall_units),
+            ),
+            heading: outer(bounded(own.heading * areas[0]), turn_units),
+        }
+    };
+    let z = by_up * shared_bar;
+    let dz = |by: S, own: S| (by * shared_bar).halved() + own;
+    let (a_bar, b_bar) = (
+        box_bar(bars.0, half_a, areas[1], -z, dz(by_a, heights[1])),
+        box_bar(bars.1, half_b, areas[2], z, dz(by_b, heights[2])),
+    );
+    (value.canonical(), (a_bar, b_bar))
+}
+
+/// Value of a score of upright boxes and `out_bar` times its slopes.
+pub(crate) fn score_upright_vjp<S: Scalar>(
+    over: Denominator,
+    a: YawBox3<S>,
+    b: YawBox3<S>,
+    out_bar: S,
+) -> (S, Bars<S>) {
+    let (a, b) = (upright(a), upright(b));
+    let scale = size_scale(a.flat.half, b.flat.half);
+    let area =
+        score_scaled_vjp::<S, true>(Denominator::None, a.flat, b.flat, scale, S::one());
+    score_from_area_vjp::<S, true>(over, &a, &b, area, scale, out_bar)
+}
+
+/// The volume shared by two upright boxes, and `out_bar` times its slopes by both.
+#[must_use]
+#[inline]
+pub fn intersection_volume_yaw_vjp<S: Scalar>(
+    a: YawBox3<S>,
+    b: YawBox3<S>,
+    out_bar: S,
+) -> (S, Bars<S>) {
+    score_upright_vjp(Denominator::None, a, b, out_bar)
+}
+
+/// Intersection over union of two upright boxes, and `out_bar` times its slopes by both.
+///
+/// ```
+/// use geograd::{Vec3, ad::adjoint::upright::iou_yaw_vjp, shape::YawBox3};
+/// let car = YawBox3::new(Vec3::new(0.0, 0.0, 0.0), Vec3::new(4.0, 2.0, 2.0), 0.3_f64);
+/// let seen = YawBox3 { center: Vec3::new(0.0, 0.0, 1.0), ..car };
+/// let (iou, (by_car, by_seen)) = iou_yaw_vjp(car, seen, 1.0);
+/// assert!((iou - 1.0 / 3.0).abs() < 1e-15);
+/// // Higher is farther: of the height h both share 2 − h, of 2 + h in all.
+/// assert!((by_seen.center.z + 4.0 / 9.0).abs() < 1e-15);
+/// assert_eq!(by_car.center.z, -by_seen.center.z);
+/// ```
+#[must_use]
+#[inline]
+pub fn iou_yaw_vjp<S: Scalar>(a: YawBox3<S>, b: YawBox3<S>, out_bar: S) -> (S, Bars<S>) {
+    score_upright_vjp(Denominator::Union, a, b, out_bar)
+}
+
+/// The share of the first upright box that lies in the second, and `out_bar` times its slopes by both.
+#[must_use]
+#[inline]
+pub fn iof_yaw_vjp<S: Scalar>(a: YawBox3<S>, b: YawBox3<S>, out_bar: S) -> (S, Bars<S>) {
+    score_upright_vjp(Denominator::First, a, b, out_bar)
+}

@@ -1,0 +1,66 @@
+//! Suppression while pairs are computed: only those that a kept shape may suppress.
+use crate::kernels::cpu::arch::flat;
+use crate::kernels::cpu::lane::Planes;
+use crate::kernels::cpu::pairs::Pairs;
+use crate::kernels::cpu::sweep::Chooses;
+use crate::kernels::real::Real;
+
+/// What suppresses.
+#[derive(Clone, Copy, Debug)]
+pub struct Greed<'a, T> {
+    /// Results above this one suppress.
+    pub threshold: T,
+    /// The class of every shape, where there is more than one.
+    pub classes: Option<&'a [u32]>,
+    /// The most shapes that are kept.
+    pub most: usize,
+}
+
+/// What is kept so far.
+struct Kept<'a, T> {
+    rules: Greed<'a, T>,
+    /// The shape that suppresses now.
+    row: usize,
+    gone: Vec<bool>,
+    kept: Vec<usize>,
+}
+
+impl<T: Real> Chooses<T> for Kept<'_, T> {
+    fn next(&mut self) -> Option<usize> {
+        let first = self.kept.last().map_or(0, |last| last + 1);
+        if self.kept.len() == self.rules.most {
+            return None;
+        }
+        let next = first + self.gone.get(first..)?.iter().position(|gone| !gone)?;
+        self.row = next;
+        self.kept.push(next);
+        Some(next)
+    }
+    fn wants(&self, column: usize) -> bool {
+        let classes = self.rules.classes;
+        column > self.row
+            && !self.gone[column]
+            && classes.is_none_or(|classes| classes[column] == classes[self.row])
+    }
+    fn take(&mut self, columns: &[u32], results: Planes<'_, T>) {
+        for (&column, value) in columns.iter().zip(flat(results.field(0))) {
+            self.gone[column as usize] = value.above(self.rules.threshold);
+        }
+    }
+}
+
+/// The shapes of a list, given the best first, that no better one, kept itself, suppresses. Of a pair the
+/// better one is the first argument.
+pub fn suppress<T: Real>(pairs: &Pairs<'_, T>, rules: Greed<'_, T>) -> Vec<usize> {
+    let [count, _] = pairs.counts();
+    let mut kept = Kept {
+        rules,
+        row: 0,
+        gone: vec![false; count],
+        kept: Vec::new(),
+    };
+    if count > 0 {
+        pairs.chosen(&mut kept);
+    }
+    kept.kept
+}

@@ -1,0 +1,47 @@
+//! Bounds in the plane of boxes in space, as seen from above: pairs whose bounds do not meet are apart.
+use crate::kernels::cpu::boxes::BOUNDS;
+use crate::kernels::cpu::lane::{Lane, TILE, Tiles};
+use crate::kernels::real::Real;
+
+/// Numbers of an axis-aligned box: the lower corner, then the upper one.
+const AABB3: usize = 6;
+/// Numbers of a box of any orientation: centre, size, quaternion.
+const OBB3: usize = 10;
+
+/// The bounds of axis-aligned boxes are the boxes themselves.
+pub(crate) fn aabb3_bounds<T: Real>(shapes: Tiles<'_, T>, bounds: &mut [Lane<T>]) {
+    for (t, out) in bounds.as_chunks_mut::<BOUNDS>().0.iter_mut().enumerate() {
+        if let Some(shape) = shapes.tile::<AABB3>(t) {
+            *out = [shape[0], shape[1], shape[3], shape[4]];
+        }
+    }
+}
+
+/// How much wider than the ball around a box its bounds are, as a share of the ball: boxes whose bounds do
+/// not meet are so far apart that the separating axes of a pair, edge against edge, tell it in single
+/// precision, too.
+const SLACK: f64 = 0.01;
+
+/// The bounds of boxes of any orientation: of the balls around them, so that turns do not matter.
+pub(crate) fn obb3_bounds<T: Real>(shapes: Tiles<'_, T>, bounds: &mut [Lane<T>]) {
+    for (t, out) in bounds.as_chunks_mut::<BOUNDS>().0.iter_mut().enumerate() {
+        let Some(shape) = shapes.tile::<OBB3>(t) else {
+            return;
+        };
+        for i in 0..TILE {
+            let [x, y, _, dx, dy, dz] = [0, 1, 2, 3, 4, 5].map(|k| shape[k].0[i].widen());
+            let ball = (dx.hypot(dy).hypot(dz) / 2.0) * (1.0 + SLACK);
+            let reach = |x: f64| ball + 4.0 * T::EPSILON * x.abs();
+            let [low_x, low_y, high_x, high_y] = [
+                x - reach(x),
+                y - reach(y),
+                x + reach(x),
+                y + reach(y),
+            ];
+            out[0].0[i] = T::lit(low_x);
+            out[1].0[i] = T::lit(low_y);
+            out[2].0[i] = T::lit(high_x);
+            out[3].0[i] = T::lit(high_y);
+        }
+    }
+}

@@ -1,0 +1,142 @@
+//! Block kernels of the overlap of upright boxes: the last stage, after what is shared seen from above.
+//!
+//! Compiled in this library only, by the entries in `arch`.
+use crate::ad::adjoint::upright::{Upright, score_from_area_vjp};
+use crate::kernels::cpu::arch::Vector;
+use crate::kernels::cpu::boxes::{OBB2, UPRIGHT, frame_fields, framed, lanes_of, put, seed};
+use crate::kernels::cpu::lane::{Lane, PLANE, Results, Tiles};
+use crate::kernels::real::Real;
+use crate::overlap::{Denominator, area_from_half};
+use crate::overlap3::{heights, score_of_columns};
+use crate::{Fixed, Obb2, Scalar};
+
+/// Numbers of an upright box with its trigonometry done: those of the rotated box seen from above, where
+/// its middle is, half its height.
+pub(crate) const fn upright_fields<T: Scalar>() -> usize {
+    frame_fields::<T>() + 2
+}
+
+/// The fields of an upright box that the rotated box seen from above has.
+pub(crate) const SEEN: [usize; OBB2] = [0, 1, 3, 4, 6];
+
+/// A tile of upright boxes seen from above.
+fn seen_from_above<T: Copy>(shape: &[Lane<T>; UPRIGHT]) -> [Lane<T>; OBB2] {
+    SEEN.map(|k| shape[k])
+}
+
+/// Does the trigonometry of upright boxes.
+pub(crate) fn frames<T: Real>(shapes: Tiles<'_, T>, frames: &mut [Lane<T>]) {
+    let wide = frame_fields::<T>();
+    for (t, out) in frames.chunks_exact_mut(wide + 2).enumerate() {
+        let Some(shape) = shapes.tile::<UPRIGHT>(t) else {
+            return;
+        };
+        let (flat, standing) = out.split_at_mut(wide);
+        (T::kernels().obb2_frames)(Tiles::new(&seen_from_above(shape), OBB2), flat);
+        standing[0] = shape[2];
+        for (half, &height) in standing[1].0.iter_mut().zip(&shape[5].0) {
+            *half = height.halved();
+        }
+    }
+}
+
+/// Does the trigonometry of upright boxes seen from above.
+pub(crate) fn frames_from_above<T: Real>(shapes: Tiles<'_, T>, frames: &mut [Lane<T>]) {
+    for (t, flat) in frames.chunks_exact_mut(frame_fields::<T>()).enumerate() {
+        let Some(shape) = shapes.tile::<UPRIGHT>(t) else {
+            return;
+        };
+        (T::kernels().obb2_frames)(Tiles::new(&seen_from_above(shape), OBB2), flat);
+    }
+}
+
+/// Turns results with ten slopes of boxes seen from above into those with fourteen of upright boxes.
+pub(crate) fn spread_slopes<T: Real>(out: &mut Results<'_, T>) {
+    for t in 0..out.tiles {
+        // From the last one on, so that none is lost.
+        for side in [1, 0] {
+            for (from, to) in SEEN.into_iter().enumerate().rev() {
+                let from = out.lanes[(1 + side * OBB2 + from) * PLANE + t];
+                out.lanes[(1 + side * UPRIGHT + to) * PLANE + t] = from;
+            }
+        }
+        for side in 0..2 {
+            for height in [2, 5] {
+                out.lanes[(1 + side * UPRIGHT + height) * PLANE + t] = Lane::default();
+            }
+        }
+    }
+}
+
+/// A part of a tile of prepared upright boxes.
+#[inline(always)]
+fn upright<T: Real, V: Vector<T>>(tiles: Tiles<'_, T>, t: usize, at: usize) -> Option<Upright<V>> {
+    let flat = framed(tiles, t, at)?;
+    let standing = tiles.lanes.get(t * tiles.step + frame_fields::<T>()..)?;
+    let [at_middle, half] = standing.first_chunk::<2>()?;
+    Some(Upright {
+        flat,
+        standing: [V::read(at_middle, at), V::read(half, at)],
+    })
+}
+
+/// Scores of prepared upright boxes of common size, put in the place of areas shared seen from above.
+#[inline(always)]
+pub(crate) fn scores<T: Real, V: Vector<T>>(
+    over: Denominator,
+    a: Tiles<'_, T>,
+    b: Tiles<'_, T>,
+    mut out: Results<'_, T>,
+) {
+    for t in 0..out.tiles {
+        let Some(out) = lanes_of::<T, 1>(&mut out, t) else {
+            return;
+        };
+        for at in V::starts() {
+            let (Some(a), Some(b)) = (upright::<T, V>(a, t, at), upright::<T, V>(b, t, at)) else {
+                return;
+            };
+            let area = V::read(&out[0], at);
+            let areas = [area, area_from_half(a.flat.half), area_from_half(b.flat.half)];
+            let height = heights::<V, false>(a.standing, b.standing);
+            let value = score_of_columns::<V, false>(over, areas, V::one(), &height);
+            put([value.canonical()], out, 0, at);
+        }
+    }
+}
+
+/// The same with fourteen slopes each, put in the place of areas with ten.
+#[inline(always)]
+pub(crate) fn slopes<T: Real, V: Vector<T>>(
+    over: Denominator,
+    a: Tiles<'_, T>,
+    b: Tiles<'_, T>,
+    seeds: Option<Tiles<'_, T>>,
+    mut out: Results<'_, T>,
+) {
+    for t in 0..out.tiles {
+        let Some(out) = lanes_of::<T, { 2 * UPRIGHT * PLANE + 1 }>(&mut out, t) else {
+            return;
+        };
+        for at in V::starts() {
+            let (Some(a), Some(b)) = (upright::<T, V>(a, t, at), upright::<T, V>(b, t, at)) else {
+                return;
+            };
+            let mut numbers = [V::zero(); 2 * OBB2];
+            let mut k = 0;
+            while k < 2 * OBB2 {
+                numbers[k] = V::read(&out[(1 + k) * PLANE], at);
+                k += 1;
+            }
+            let bars = <(Obb2<V>, Obb2<V>)>::load(&numbers);
+            let area = (V::read(&out[0], at), bars);
+            let seed = seed(seeds, t, at);
+            let (value, (a_bar, b_bar)) =
+                score_from_area_vjp::<V, false>(over, &a, &b, area, V::one(), seed);
+            put([value], out, 0, at);
+            let mut slopes = [V::zero(); 2 * UPRIGHT];
+            (a_bar, b_bar).store(&mut slopes);
+            put(slopes, out, 1, at);
+        }
+    }
+}
