@@ -106,8 +106,8 @@ pub use ops::overlap3::{
     IofYaw, IouAabb3, IouBirdsEye, IouObb3, IouYaw,
 };
 pub use ops::polygon::{
-    AreaTriangle, CentroidQuad, CentroidTriangle, IntersectionAreaQuads, PerimeterQuad, PerimeterTriangle, SignedAreaQuad,
-    SignedAreaTriangle,
+    AreaTriangle, CentroidQuad, CentroidTriangle, IntersectionAreaQuads, PerimeterQuad,
+    PerimeterTriangle, SignedAreaQuad, SignedAreaTriangle,
 };
 pub use ops::ring::{Centroid, Perimeter, SignedArea};
 pub use ops::shape::{Circumcircle, MoveSegment};

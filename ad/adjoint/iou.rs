@@ -19,6 +19,89 @@ use crate::iou::{HullOfBoxes, hull_of_related, hull_scale};
 use crate::overlap::area_from_half;
 use crate::{Obb2, Scalar, Vec2};
 
+// Functions, not closures: those do not inherit instruction sets.
+
+/// A vector turned by a quarter clockwise.
+#[inline(always)]
+fn left<S: Scalar>(v: Vec2<S>) -> Vec2<S> {
+    Vec2::new(v.y, -v.x)
+}
+/// The same counter-clockwise.
+#[inline(always)]
+fn right<S: Scalar>(v: Vec2<S>) -> Vec2<S> {
+    Vec2::new(-v.y, v.x)
+}
+/// One over a number that is not empty, else zero.
+#[inline(always)]
+fn per<S: Scalar>(x: S) -> S {
+    let (zero, one) = (S::zero(), S::one());
+    let empty = x.at_most(S::lit(S::EMPTY));
+    S::select(empty, zero, one.over(S::select(empty, one, x)))
+}
+/// A term no larger than the largest number, so that two of opposite sign leave one.
+#[inline(always)]
+fn bounded<S: Scalar, const EXTREME: bool>(x: S) -> S {
+    if EXTREME { x.saturated() } else { x }
+}
+
+/// What slopes of both areas are multiplied by, and a box's own area.
+struct Bars<S: Scalar> {
+    nothing: S::Mask,
+    inter: S,
+    hull: S,
+    own: S,
+    gained: S,
+    lost: S,
+}
+
+impl<S: Scalar> Bars<S> {
+    /// What reaches a number through both areas, and what its box's own area adds, times one.
+    #[inline(always)]
+    fn sum<const EXTREME: bool>(&self, shared: S, around: S, own_area: S) -> S {
+        let x = S::select(self.nothing, S::zero(), shared);
+        let outside =
+            bounded::<S, EXTREME>(x * self.inter) + bounded::<S, EXTREME>(around * self.hull);
+        (outside + bounded::<S, EXTREME>(self.own * own_area))
+            + (bounded::<S, EXTREME>(x * self.gained) + bounded::<S, EXTREME>(self.lost * own_area))
+    }
+    /// The same for a size. A box's own area is four times the product of its halves, a size twice a half.
+    #[inline(always)]
+    fn size<const EXTREME: bool>(
+        &self,
+        shared: Vec2<S>,
+        around: Vec2<S>,
+        half: Vec2<S>,
+    ) -> Vec2<S> {
+        let four = S::lit(4.0);
+        Vec2::new(
+            self.sum::<EXTREME>(shared.x, around.x, four * half.y)
+                .halved(),
+            self.sum::<EXTREME>(shared.y, around.y, four * half.x)
+                .halved(),
+        )
+    }
+}
+
+/// A box's slopes in the caller's unit.
+#[inline(always)]
+fn finished<S: Scalar, const EXTREME: bool>(
+    center: Vec2<S>,
+    size: Vec2<S>,
+    heading: S,
+    scale: S,
+) -> Obb2<S> {
+    let size = size * scale;
+    Obb2 {
+        center: Vec2::new(
+            bounded::<S, EXTREME>(center.x),
+            bounded::<S, EXTREME>(center.y),
+        )
+        .canonical(),
+        size: Vec2::new(bounded::<S, EXTREME>(size.x), bounded::<S, EXTREME>(size.y)).canonical(),
+        heading: bounded::<S, EXTREME>(heading).canonical(),
+    }
+}
+
 /// Slopes of the area of the hull of a related pair, in a's frame and the pair's units.
 #[must_use]
 #[inline(always)]
@@ -26,8 +109,6 @@ pub fn hull_slopes<S: Scalar>(pair: &Relative<S>, hull: &HullOfBoxes<S>) -> Slop
     let one = S::one();
     let (a, b) = (&hull.corners_a, &hull.corners_b);
     let (mut a_bar, mut b_bar) = ([Vec2::zero(); 4], [Vec2::zero(); 4]);
-    let left = |v: Vec2<S>| Vec2::new(v.y, -v.x);
-    let right = |v: Vec2<S>| Vec2::new(-v.y, v.x);
     let mut sides_a = S::zero();
     let mut k = 0;
     while k < 4 {
@@ -60,11 +141,10 @@ pub fn hull_slopes<S: Scalar>(pair: &Relative<S>, hull: &HullOfBoxes<S>) -> Slop
         heading += (b[k] - hull.center).perp_dot(bar);
         k += 1;
     }
-    let flip = |x: S| S::select(hull.mirrored, -x, x).halved();
     Slopes {
         u: center.x.halved(),
-        v: flip(center.y),
-        heading: flip(heading),
+        v: S::select(hull.mirrored, -center.y, center.y).halved(),
+        heading: S::select(hull.mirrored, -heading, heading).halved(),
         half_a: Vec2::new(half_a.x.halved(), half_a.y.halved()),
         half_b: Vec2::new(
             S::select(pair.swapped, half_b.y, half_b.x).halved(),
@@ -98,56 +178,35 @@ pub fn giou_framed_vjp<S: Scalar, const EXTREME: bool>(
     let union = area_a + area_b - inter;
     let short = hull_area.below(union);
     let hull_area = S::select(short, union, hull_area);
-    let per = |x: S| {
-        let empty = x.at_most(S::lit(S::EMPTY));
-        S::select(empty, zero, one.over(S::select(empty, one, x)))
-    };
     let (per_union, per_hull) = (per(union), per(hull_area));
     // I/U − 1 + U/H term by term: where a small box is inside a large one, all of the second cancels,
     // and in a common sum the first would be lost.
     let lost = -(inter * per_union * per_union * out_bar);
     let own = per_hull * out_bar;
-    let gained = S::select(nothing, zero, per_union * out_bar - lost);
-    let inter_bar = S::select(nothing, zero, -own);
-    let hull_bar = -(union * per_hull * per_hull * out_bar);
+    let bars = Bars {
+        nothing,
+        inter: S::select(nothing, zero, -own),
+        hull: -(union * per_hull * per_hull * out_bar),
+        own,
+        gained: S::select(nothing, zero, per_union * out_bar - lost),
+        lost,
+    };
 
     let (shared, around) = (clipped_area_slopes(&pair, &clip), hull_slopes(&pair, &hull));
-    // A term no larger than the largest number, so that two of opposite sign leave one.
-    let bounded = |x: S| if EXTREME { x.saturated() } else { x };
-    // What reaches a number through both areas, and what its box's own area adds, times one.
-    let sum = |x: S, y: S, own_area: S| {
-        let x = S::select(nothing, zero, x);
-        let outside = bounded(x * inter_bar) + bounded(y * hull_bar);
-        (outside + bounded(own * own_area)) + (bounded(x * gained) + bounded(lost * own_area))
-    };
-    let size = |x: Vec2<S>, y: Vec2<S>, half: Vec2<S>| {
-        // A box's own area is four times the product of its halves, a size twice a half.
-        let four = S::lit(4.0);
-        Vec2::new(
-            sum(x.x, y.x, four * half.y).halved(),
-            sum(x.y, y.y, four * half.x).halved(),
-        )
-    };
-    let (u_bar, v_bar) = (sum(shared.u, around.u, zero), sum(shared.v, around.v, zero));
-    let heading_bar = sum(shared.heading, around.heading, zero);
-    let turn_bar = heading_bar + (bounded(pair.u * v_bar) - bounded(pair.v * u_bar));
+    let u_bar = bars.sum::<EXTREME>(shared.u, around.u, zero);
+    let v_bar = bars.sum::<EXTREME>(shared.v, around.v, zero);
+    let heading_bar = bars.sum::<EXTREME>(shared.heading, around.heading, zero);
+    let turn_bar = heading_bar
+        + (bounded::<S, EXTREME>(pair.u * v_bar) - bounded::<S, EXTREME>(pair.v * u_bar));
     let center_bar =
         Vec2::new(a.cos * u_bar - a.sin * v_bar, a.sin * u_bar + a.cos * v_bar) * scale;
-    let finish = |center: Vec2<S>, size: Vec2<S>, heading: S| {
-        let limit = |v: Vec2<S>| Vec2::new(bounded(v.x), bounded(v.y)).canonical();
-        Obb2 {
-            center: limit(center),
-            size: limit(size * scale),
-            heading: bounded(heading).canonical(),
-        }
-    };
-    let size_a = size(shared.half_a, around.half_a, pair.half_a);
-    let size_b = size(shared.half_b, around.half_b, half_b);
+    let size_a = bars.size::<EXTREME>(shared.half_a, around.half_a, pair.half_a);
+    let size_b = bars.size::<EXTREME>(shared.half_b, around.half_b, half_b);
     (
         value,
         (
-            finish(-center_bar, size_a, -turn_bar),
-            finish(center_bar, size_b, heading_bar),
+            finished::<S, EXTREME>(-center_bar, size_a, -turn_bar, scale),
+            finished::<S, EXTREME>(center_bar, size_b, heading_bar, scale),
         ),
     )
 }

@@ -36,9 +36,9 @@ fn upright<S: Scalar>(x: YawBox3<S>) -> Upright<S> {
 /// Where both boxes are the same set of points, in the same way.
 #[inline(always)]
 fn same<S: Scalar>(a: &Upright<S>, b: &Upright<S>) -> S::Mask {
-    let equal = |x: Vec2<S>, y: Vec2<S>| x.x.equals(y.x) & x.y.equals(y.y);
     let (p, q) = (&a.flat, &b.flat);
-    (equal(p.center, q.center) & equal(p.half, q.half))
+    (p.center.x.equals(q.center.x) & p.center.y.equals(q.center.y))
+        & (p.half.x.equals(q.half.x) & p.half.y.equals(q.half.y))
         & (p.cos.equals(q.cos) & p.sin.equals(q.sin))
         & (a.standing[0].equals(b.standing[0]) & a.standing[1].equals(b.standing[1]))
 }
@@ -96,6 +96,74 @@ fn part_of_smaller<S: Scalar>(mine: S, other: S) -> S {
     S::select(mine.equals(other), S::lit(0.5), won)
 }
 
+/// Zeros where a mask says so. Functions, not closures: those do not inherit instruction sets.
+#[inline(always)]
+fn unless<S: Scalar>(mask: S::Mask, x: [S; 3]) -> [S; 3] {
+    let zero = S::zero();
+    [
+        S::select(mask, zero, x[0]),
+        S::select(mask, zero, x[1]),
+        S::select(mask, zero, x[2]),
+    ]
+}
+
+/// What brings slopes in the pair's units to the caller's: factors, one after another.
+struct Units<S> {
+    flat: [S; 3],
+    tall: [S; 3],
+    turn: [S; 3],
+    /// What was taken from the upstream slope.
+    steep: S,
+}
+
+/// A slope in the caller's units, no larger than the largest number.
+#[inline(always)]
+fn outer<S: Scalar, const EXTREME: bool>(x: S, by: &[S; 3], steep: S) -> S {
+    if !EXTREME {
+        return x.canonical();
+    }
+    let x = (x * by[0]).saturated();
+    let x = ((x * by[1]).saturated() * by[2]).saturated();
+    (x * steep).saturated().canonical()
+}
+
+/// A term of a sum of slopes, no larger than the largest number.
+#[inline(always)]
+fn bounded<S: Scalar, const EXTREME: bool>(x: S) -> S {
+    if EXTREME { x.saturated() } else { x }
+}
+
+/// A box's slopes, from those of the area shared, by that area and by its own, and by its middle and height.
+#[inline(always)]
+fn box_bar<S: Scalar, const EXTREME: bool>(
+    seen: Obb2<S>,
+    half: Vec2<S>,
+    [by_area, by_own]: [S; 2],
+    [z, dz]: [S; 2],
+    units: &Units<S>,
+) -> YawBox3<S> {
+    let x = bounded::<S, EXTREME>(seen.center.x * by_area);
+    let y = bounded::<S, EXTREME>(seen.center.y * by_area);
+    let dx = bounded::<S, EXTREME>(seen.size.x * by_area)
+        + bounded::<S, EXTREME>((half.y + half.y) * by_own);
+    let dy = bounded::<S, EXTREME>(seen.size.y * by_area)
+        + bounded::<S, EXTREME>((half.x + half.x) * by_own);
+    let heading = bounded::<S, EXTREME>(seen.heading * by_area);
+    YawBox3 {
+        center: Vec3::new(
+            outer::<S, EXTREME>(x, &units.flat, units.steep),
+            outer::<S, EXTREME>(y, &units.flat, units.steep),
+            outer::<S, EXTREME>(z, &units.tall, units.steep),
+        ),
+        size: Vec3::new(
+            outer::<S, EXTREME>(dx, &units.flat, units.steep),
+            outer::<S, EXTREME>(dy, &units.flat, units.steep),
+            outer::<S, EXTREME>(dz, &units.tall, units.steep),
+        ),
+        heading: outer::<S, EXTREME>(heading, &units.turn, units.steep),
+    }
+}
+
 /// Both boxes' slopes.
 pub(crate) type Bars<S> = (YawBox3<S>, YawBox3<S>);
 
@@ -115,15 +183,18 @@ pub(crate) fn score_from_area_vjp<S: Scalar, const EXTREME: bool>(
     let areas = [area, area_from_half(half_a), area_from_half(half_b)];
     let height = heights::<S, EXTREME>(a.standing, b.standing);
     let value = score_of_columns::<S, EXTREME>(over, areas, scale, &height);
-    let (out_bar, steep) = if EXTREME { tamed(out_bar) } else { (out_bar, one) };
+    let (out_bar, steep) = if EXTREME {
+        tamed(out_bar)
+    } else {
+        (out_bar, one)
+    };
     let Parts { areas, heights } = parts(over, value, areas, &height, out_bar);
     // Of identical boxes the union is as flat as can be, by symmetry.
     let flat = match over {
         Denominator::Union => same(a, b),
         _ => one.below(zero),
     };
-    let still = |bars: [S; 3]| bars.map(#[inline(always)] |x| S::select(flat, zero, x));
-    let (areas, heights) = (still(areas), still(heights));
+    let (areas, heights) = (unless(flat, areas), unless(flat, heights));
 
     let ([at_a, tall_a], [at_b, tall_b]) = (a.standing, b.standing);
     let up = at_b - at_a;
@@ -139,42 +210,28 @@ pub(crate) fn score_from_area_vjp<S: Scalar, const EXTREME: bool>(
     let (flat_units, tall_units, turn_units) = match over {
         Denominator::None => {
             let (length, tall) = (one.over(scale), one.over(height.scale));
-            ([length, tall, one], [length, length, one], [length, tall, length])
+            (
+                [length, tall, one],
+                [length, length, one],
+                [length, tall, length],
+            )
         }
         _ => ([scale, one, one], [height.scale, one, one], [one, one, one]),
     };
-    let bounded = |x: S| if EXTREME { x.saturated() } else { x };
-    let outer = |x: S, [first, second, third]: [S; 3]| {
-        if !EXTREME {
-            return x.canonical();
-        }
-        let x = (x * first).saturated();
-        let x = ((x * second).saturated() * third).saturated();
-        (x * steep).saturated().canonical()
-    };
-    let box_bar = |own: Obb2<S>, half: Vec2<S>, by: S, z: S, dz: S| {
-        let size = |slope: S, other: S| {
-            bounded(slope * areas[0]) + bounded((other + other) * by)
-        };
-        YawBox3 {
-            center: Vec3::new(
-                outer(bounded(own.center.x * areas[0]), flat_units),
-                outer(bounded(own.center.y * areas[0]), flat_units),
-                outer(z, tall_units),
-            ),
-            size: Vec3::new(
-                outer(size(own.size.x, half.y), flat_units),
-                outer(size(own.size.y, half.x), flat_units),
-                outer(dz, tall_units),
-            ),
-            heading: outer(bounded(own.heading * areas[0]), turn_units),
-        }
+    let units = Units {
+        flat: flat_units,
+        tall: tall_units,
+        turn: turn_units,
+        steep,
     };
     let z = by_up * shared_bar;
-    let dz = |by: S, own: S| (by * shared_bar).halved() + own;
+    let (dz_a, dz_b) = (
+        (by_a * shared_bar).halved() + heights[1],
+        (by_b * shared_bar).halved() + heights[2],
+    );
     let (a_bar, b_bar) = (
-        box_bar(bars.0, half_a, areas[1], -z, dz(by_a, heights[1])),
-        box_bar(bars.1, half_b, areas[2], z, dz(by_b, heights[2])),
+        box_bar::<S, EXTREME>(bars.0, half_a, [areas[0], areas[1]], [-z, dz_a], &units),
+        box_bar::<S, EXTREME>(bars.1, half_b, [areas[0], areas[2]], [z, dz_b], &units),
     );
     (value.canonical(), (a_bar, b_bar))
 }
@@ -188,8 +245,7 @@ pub(crate) fn score_upright_vjp<S: Scalar>(
 ) -> (S, Bars<S>) {
     let (a, b) = (upright(a), upright(b));
     let scale = size_scale(a.flat.half, b.flat.half);
-    let area =
-        score_scaled_vjp::<S, true>(Denominator::None, a.flat, b.flat, scale, S::one());
+    let area = score_scaled_vjp::<S, true>(Denominator::None, a.flat, b.flat, scale, S::one());
     score_from_area_vjp::<S, true>(over, &a, &b, area, scale, out_bar)
 }
 

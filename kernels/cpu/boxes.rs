@@ -4,10 +4,10 @@
 use crate::ad::adjoint::iou::giou_framed_vjp;
 use crate::ad::adjoint::overlap::{score_framed_vjp, tame_score_aabb2_vjp};
 use crate::clip::{FAR_AWAY as FAR, Framed, LARGE, SMALL, fine, frame};
+use crate::iou::giou_framed;
 use crate::kernels::cpu::arch::Vector;
 use crate::kernels::cpu::blocks::all_within;
 use crate::kernels::cpu::lane::{Lane, PLANE, Results, Tiles};
-use crate::iou::giou_framed;
 use crate::kernels::real::Real;
 use crate::overlap::{Denominator, score_aabb2, score_framed};
 use crate::{Aabb2, Fixed, Obb2, Scalar, Vec2};
@@ -28,23 +28,63 @@ pub(crate) const fn frame_fields<T: Scalar>() -> usize {
     if T::COMPENSATED { FRAME } else { 6 }
 }
 
+/// How rotated boxes come out of shapes.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum View {
+    /// They are the shapes.
+    Flat,
+    /// They are upright boxes seen from above.
+    FromAbove,
+    /// The same, followed by where the middle of an upright box is, and half its height.
+    Upright,
+}
+
+/// The fields of an upright box that the rotated box seen from above has.
+pub(crate) const SEEN: [usize; OBB2] = [0, 1, 3, 4, 6];
+
+impl View {
+    /// Numbers of a prepared shape.
+    pub(crate) const fn fields<T: Scalar>(self) -> usize {
+        match self {
+            View::Flat | View::FromAbove => frame_fields::<T>(),
+            View::Upright => frame_fields::<T>() + 2,
+        }
+    }
+}
+
 /// Does the trigonometry of rotated boxes.
 #[inline(always)]
-pub(crate) fn obb2_frames<T: Real, V: Vector<T>>(shapes: Tiles<'_, T>, frames: &mut [Lane<T>]) {
-    for (t, out) in frames.chunks_exact_mut(frame_fields::<T>()).enumerate() {
-        let Some(shape) = shapes.tile::<OBB2>(t) else {
+pub(crate) fn obb2_frames<T: Real, V: Vector<T>>(
+    shapes: Tiles<'_, T>,
+    view: View,
+    frames: &mut [Lane<T>],
+) {
+    let wide = frame_fields::<T>();
+    for (t, out) in frames.chunks_exact_mut(view.fields::<T>()).enumerate() {
+        let Some(shape) = shapes.lanes.get(t * shapes.step..) else {
             return;
+        };
+        let seen = match (view, shape) {
+            (View::Flat, [x, y, width, height, heading, ..]) => [x, y, width, height, heading],
+            (_, [x, y, _, width, height, _, heading, ..]) => [x, y, width, height, heading],
+            _ => return,
         };
         for at in V::starts() {
             let framed = frame(Obb2 {
-                center: Vec2::new(V::read(&shape[0], at), V::read(&shape[1], at)),
-                size: Vec2::new(V::read(&shape[2], at), V::read(&shape[3], at)),
-                heading: V::read(&shape[4], at),
+                center: Vec2::new(V::read(seen[0], at), V::read(seen[1], at)),
+                size: Vec2::new(V::read(seen[2], at), V::read(seen[3], at)),
+                heading: V::read(seen[4], at),
             });
             let mut numbers = [V::zero(); FRAME];
             framed.store(&mut numbers);
-            for (lane, number) in out.iter_mut().zip(numbers) {
+            for (lane, number) in out[..wide].iter_mut().zip(numbers) {
                 number.write(lane, at);
+            }
+            if view == View::Upright {
+                V::read(&shape[2], at).write(&mut out[wide], at);
+                V::read(&shape[5], at)
+                    .halved()
+                    .write(&mut out[wide + 1], at);
             }
         }
     }
@@ -85,7 +125,11 @@ pub(crate) fn seed<T: Real, V: Vector<T>>(seeds: Option<Tiles<'_, T>>, t: usize,
 
 /// A part of a tile of prepared boxes.
 #[inline(always)]
-pub(crate) fn framed<T: Real, V: Vector<T>>(tiles: Tiles<'_, T>, t: usize, at: usize) -> Option<Framed<V>> {
+pub(crate) fn framed<T: Real, V: Vector<T>>(
+    tiles: Tiles<'_, T>,
+    t: usize,
+    at: usize,
+) -> Option<Framed<V>> {
     let zero = V::zero();
     if T::COMPENSATED {
         let tile = tiles.tile::<FRAME>(t)?;

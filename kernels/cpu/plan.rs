@@ -7,12 +7,12 @@ use crate::ad::program::recorded::Recorded;
 use crate::ad::program::{Plain, Sym};
 use crate::error::{Error, Flaw, Validate};
 use crate::iou::giou_framed;
-use crate::kernels::cpu::boxes::{AABB2, BOUNDS, OBB2, UPRIGHT, frame_fields};
+use crate::kernels::cpu::boxes::{AABB2, BOUNDS, OBB2, SEEN, UPRIGHT, View};
 use crate::kernels::cpu::lane::{Lane, Results, TILE, Tiles};
 use crate::kernels::cpu::program::Interpreted;
 use crate::kernels::cpu::program::split::split;
 use crate::kernels::cpu::solids;
-use crate::kernels::cpu::upright::{self, upright_fields};
+use crate::kernels::cpu::upright;
 use crate::kernels::op::{self, Op};
 use crate::kernels::real::Real;
 use crate::kernels::row::{Leaf, Row, leaves_of};
@@ -175,8 +175,12 @@ fn of_compiled<T: Real>(compiled: Compiled, want: Want) -> Option<Face<T>> {
 /// The bounds in the plane of shapes whose program alone is known.
 fn outline<T: Real>(compiled: Compiled) -> Option<Outline<T>> {
     match compiled {
-        Compiled::Aabb3 => Some(Arc::new(|[shapes, _], bounds| solids::aabb3_bounds(shapes, bounds))),
-        Compiled::Obb3 => Some(Arc::new(|[shapes, _], bounds| solids::obb3_bounds(shapes, bounds))),
+        Compiled::Aabb3 => Some(Arc::new(|[shapes, _], bounds| {
+            solids::aabb3_bounds(shapes, bounds)
+        })),
+        Compiled::Obb3 => Some(Arc::new(|[shapes, _], bounds| {
+            solids::obb3_bounds(shapes, bounds)
+        })),
         _ => None,
     }
 }
@@ -205,7 +209,7 @@ fn of_obb2<T: Real>(over: Denominator, want: Want) -> Face<T> {
     let kernels = T::kernels();
     let shape = || Preparation {
         fields: OBB2,
-        frame: Some((frame_fields::<T>(), Arc::new(kernels.obb2_frames))),
+        frame: Some(obb2_frames(View::Flat)),
         bounds: Some(obb2_bounds()),
         all_ordinary: kernels.all_ordinary_obb2,
         check: |numbers| Obb2::load(numbers).validate(),
@@ -232,6 +236,13 @@ fn of_obb2<T: Real>(over: Denominator, want: Want) -> Face<T> {
         })),
         ..Face::new(want, vec![shape(), shape()], vec![1], maker)
     }
+}
+
+/// How rotated boxes are prepared, and how many numbers that gives.
+fn obb2_frames<T: Real>(view: View) -> (usize, Prepare<T>) {
+    let frames = T::kernels().obb2_frames;
+    let prepare = move |shapes: Tiles<'_, T>, out: &mut [Lane<T>]| frames(shapes, view, out);
+    (view.fields::<T>(), Arc::new(prepare))
 }
 
 /// The bounds of prepared rotated boxes.
@@ -266,7 +277,7 @@ fn of_giou<T: Real>(want: Want) -> Face<T> {
     let kernels = T::kernels();
     let shape = || Preparation {
         fields: OBB2,
-        frame: Some((frame_fields::<T>(), Arc::new(kernels.obb2_frames))),
+        frame: Some(obb2_frames(View::Flat)),
         bounds: None,
         all_ordinary: all_solid::<T>,
         check: |numbers| Obb2::load(numbers).validate(),
@@ -319,7 +330,7 @@ fn of_upright<T: Real>(over: Denominator, want: Want) -> Face<T> {
     let kernels = T::kernels();
     let shape = || Preparation {
         fields: UPRIGHT,
-        frame: Some((upright_fields::<T>(), Arc::new(upright::frames))),
+        frame: Some(obb2_frames(View::Upright)),
         bounds: Some(obb2_bounds()),
         all_ordinary: kernels.all_common_upright,
         check: |numbers| YawBox3::load(numbers).validate(),
@@ -361,7 +372,7 @@ fn of_birds_eye<T: Real>(over: Denominator, want: Want) -> Face<T> {
     let kernels = T::kernels();
     let shape = || Preparation {
         fields: UPRIGHT,
-        frame: Some((frame_fields::<T>(), Arc::new(upright::frames_from_above))),
+        frame: Some(obb2_frames(View::FromAbove)),
         bounds: Some(obb2_bounds()),
         all_ordinary: kernels.all_common_upright,
         check: |numbers| YawBox3::load(numbers).validate(),
@@ -389,7 +400,7 @@ fn of_birds_eye<T: Real>(over: Denominator, want: Want) -> Face<T> {
             flat(&seen, out_bar, &mut numbers);
             out.fill(T::default());
             out[0] = numbers[0];
-            for (k, place) in upright::SEEN.into_iter().enumerate() {
+            for (k, place) in SEEN.into_iter().enumerate() {
                 out[1 + place] = numbers[1 + k];
                 out[1 + UPRIGHT + place] = numbers[1 + OBB2 + k];
             }

@@ -32,12 +32,8 @@ pub(crate) fn obb3_bounds<T: Real>(shapes: Tiles<'_, T>, bounds: &mut [Lane<T>])
             let [x, y, _, dx, dy, dz] = [0, 1, 2, 3, 4, 5].map(|k| shape[k].0[i].widen());
             let ball = (dx.hypot(dy).hypot(dz) / 2.0) * (1.0 + SLACK);
             let reach = |x: f64| ball + 4.0 * T::EPSILON * x.abs();
-            let [low_x, low_y, high_x, high_y] = [
-                x - reach(x),
-                y - reach(y),
-                x + reach(x),
-                y + reach(y),
-            ];
+            let [low_x, low_y, high_x, high_y] =
+                [x - reach(x), y - reach(y), x + reach(x), y + reach(y)];
             out[0].0[i] = T::lit(low_x);
             out[1].0[i] = T::lit(low_y);
             out[2].0[i] = T::lit(high_x);

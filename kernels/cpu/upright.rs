@@ -3,52 +3,12 @@
 //! Compiled in this library only, by the entries in `arch`.
 use crate::ad::adjoint::upright::{Upright, score_from_area_vjp};
 use crate::kernels::cpu::arch::Vector;
-use crate::kernels::cpu::boxes::{OBB2, UPRIGHT, frame_fields, framed, lanes_of, put, seed};
+use crate::kernels::cpu::boxes::{OBB2, SEEN, UPRIGHT, frame_fields, framed, lanes_of, put, seed};
 use crate::kernels::cpu::lane::{Lane, PLANE, Results, Tiles};
 use crate::kernels::real::Real;
 use crate::overlap::{Denominator, area_from_half};
 use crate::overlap3::{heights, score_of_columns};
-use crate::{Fixed, Obb2, Scalar};
-
-/// Numbers of an upright box with its trigonometry done: those of the rotated box seen from above, where
-/// its middle is, half its height.
-pub(crate) const fn upright_fields<T: Scalar>() -> usize {
-    frame_fields::<T>() + 2
-}
-
-/// The fields of an upright box that the rotated box seen from above has.
-pub(crate) const SEEN: [usize; OBB2] = [0, 1, 3, 4, 6];
-
-/// A tile of upright boxes seen from above.
-fn seen_from_above<T: Copy>(shape: &[Lane<T>; UPRIGHT]) -> [Lane<T>; OBB2] {
-    SEEN.map(|k| shape[k])
-}
-
-/// Does the trigonometry of upright boxes.
-pub(crate) fn frames<T: Real>(shapes: Tiles<'_, T>, frames: &mut [Lane<T>]) {
-    let wide = frame_fields::<T>();
-    for (t, out) in frames.chunks_exact_mut(wide + 2).enumerate() {
-        let Some(shape) = shapes.tile::<UPRIGHT>(t) else {
-            return;
-        };
-        let (flat, standing) = out.split_at_mut(wide);
-        (T::kernels().obb2_frames)(Tiles::new(&seen_from_above(shape), OBB2), flat);
-        standing[0] = shape[2];
-        for (half, &height) in standing[1].0.iter_mut().zip(&shape[5].0) {
-            *half = height.halved();
-        }
-    }
-}
-
-/// Does the trigonometry of upright boxes seen from above.
-pub(crate) fn frames_from_above<T: Real>(shapes: Tiles<'_, T>, frames: &mut [Lane<T>]) {
-    for (t, flat) in frames.chunks_exact_mut(frame_fields::<T>()).enumerate() {
-        let Some(shape) = shapes.tile::<UPRIGHT>(t) else {
-            return;
-        };
-        (T::kernels().obb2_frames)(Tiles::new(&seen_from_above(shape), OBB2), flat);
-    }
-}
+use crate::{Fixed, Obb2};
 
 /// Turns results with ten slopes of boxes seen from above into those with fourteen of upright boxes.
 pub(crate) fn spread_slopes<T: Real>(out: &mut Results<'_, T>) {
@@ -97,7 +57,11 @@ pub(crate) fn scores<T: Real, V: Vector<T>>(
                 return;
             };
             let area = V::read(&out[0], at);
-            let areas = [area, area_from_half(a.flat.half), area_from_half(b.flat.half)];
+            let areas = [
+                area,
+                area_from_half(a.flat.half),
+                area_from_half(b.flat.half),
+            ];
             let height = heights::<V, false>(a.standing, b.standing);
             let value = score_of_columns::<V, false>(over, areas, V::one(), &height);
             put([value.canonical()], out, 0, at);

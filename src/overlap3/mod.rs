@@ -29,8 +29,8 @@ mod yaw;
 
 pub use aabb::{intersection_volume_aabb3, iof_aabb3, iou_aabb3};
 pub use obb::{intersection_volume_obb3, iof_obb3, iou_obb3};
-pub use slopes::{intersection_volume_obb3_vjp, iof_obb3_vjp, iou_obb3_vjp};
 pub(crate) use slopes::by_volumes;
+pub use slopes::{intersection_volume_obb3_vjp, iof_obb3_vjp, iou_obb3_vjp};
 pub(crate) use yaw::{Heights, heights, score_of_columns, score_yaw};
 pub use yaw::{intersection_volume_yaw, iof_yaw, iou_birds_eye, iou_yaw};
 

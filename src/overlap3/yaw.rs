@@ -79,8 +79,7 @@ pub(crate) fn score_yaw<S: Scalar>(over: Denominator, a: YawBox3<S>, b: YawBox3<
         [b.center.z, b.size.z.halved()],
     );
     let (area_a, area_b) = (area_from_half(pair.half_a), area_from_half(pair.half_b));
-    let mut value =
-        score_of_columns::<S, true>(over, [area, area_a, area_b], scale, &height);
+    let mut value = score_of_columns::<S, true>(over, [area, area_a, area_b], scale, &height);
     if over == Denominator::Union {
         let birds_same = (a.center.x.equals(b.center.x) & a.center.y.equals(b.center.y))
             & (a.size.x.equals(b.size.x) & a.size.y.equals(b.size.y) & a.heading.equals(b.heading));

@@ -122,7 +122,11 @@ pub fn intersection_area_quads<S: Scalar>(a: [Vec2<S>; 4], b: [Vec2<S>; 4]) -> S
 
     // A side with all of the other on its right or on itself separates them.
     let mut apart = S::one().below(zero);
-    let top = |x: [S; 4]| x[0].primal().most(x[1].primal()).most(x[2].primal().most(x[3].primal()));
+    let top = |x: [S; 4]| {
+        x[0].primal()
+            .most(x[1].primal())
+            .most(x[2].primal().most(x[3].primal()))
+    };
     let nowhere = S::Primal::zero();
     let mut own = zero;
     let mut sides = [[zero; 4]; 4];

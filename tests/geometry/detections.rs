@@ -2,12 +2,12 @@
 use geograd::assignment::{greedy, optimal};
 use geograd::error::{Argument, Error, Field, Flaw};
 use geograd::kernels::{Cpu, IouObb2, IouYaw};
-use geograd::shape::YawBox3;
-use geograd::{Obb2, Vec3};
 use geograd::metric::{Frame, Outcome, Point, Recalls, average_precision, curve, outcomes};
+use geograd::shape::YawBox3;
 use geograd::suppression::{
     Decay, Pair, Rules, cluster, hard, matrix, order, soft, soft_decided, soft_replay, soft_vjp,
 };
+use geograd::{Obb2, Vec3};
 use geograd_tests::Dice;
 
 /// Scores, classes and a symmetric matrix of overlaps, with ties now and then.
@@ -422,7 +422,11 @@ fn crowd(dice: &mut Dice, count: usize, side: f64) -> (Vec<Obb2<f32>>, Vec<f32>,
     };
     let boxes = (0..count).map(|_| car()).collect();
     let scores = (0..count).map(|_| dice.below(40) as f32 / 40.0).collect();
-    (boxes, scores, (0..count).map(|_| dice.below(3) as u32).collect())
+    (
+        boxes,
+        scores,
+        (0..count).map(|_| dice.below(3) as u32).collect(),
+    )
 }
 
 #[test]

@@ -8,9 +8,11 @@
 //!
 //! `-- --levels [--csv FILE]` prints a table of every level of vector instructions that the machine has,
 //! `-- --shapes [--csv FILE]` one of losses, boxes in space and quadrilaterals, `-- --suppress [--csv FILE]` one of suppression;
+//! `-- --polygons` times distances of points from rings, and clipping;
 //! `-- --paper FILE.svg [--csv FILE]` times the IoU loss against the number of boxes and draws it.
 mod levels;
 mod paper;
+mod polygons;
 mod shapes;
 mod suppress;
 
@@ -169,13 +171,19 @@ fn main() -> std::io::Result<()> {
             return std::fs::write(file, csv);
         }
         ["--paper", picture] => return std::fs::write(picture, paper::paper().0),
+        ["--polygons"] => {
+            polygons::polygons();
+            return Ok(());
+        }
         ["--suppress"] => {
             suppress::suppress();
             return Ok(());
         }
         ["--suppress", "--csv", file] => return std::fs::write(file, suppress::suppress()),
         _ => {
-            eprintln!("arguments: [--levels | --shapes | --suppress | --paper SVG] [--csv FILE]");
+            eprintln!(
+                "arguments: [--levels | --shapes | --suppress | --paper SVG] [--csv FILE], or --polygons"
+            );
             std::process::exit(2);
         }
     }

@@ -9,9 +9,7 @@ use std::fmt::Write;
 use std::hint::black_box;
 
 /// Numbers of boxes.
-const COUNTS: [usize; 9] = [
-    10, 32, 100, 316, 1000, 3162, 10_000, 31_623, 100_000,
-];
+const COUNTS: [usize; 9] = [10, 32, 100, 316, 1000, 3162, 10_000, 31_623, 100_000];
 /// How often all takes its turn.
 const ROUNDS: usize = 5;
 
@@ -78,7 +76,10 @@ fn solid(x: &Obb2<f32>, dice: &mut Dice) -> (YawBox3<f32>, Obb3<f32>) {
     let upright = YawBox3::new(center, Vec3::new(x.size.x, x.size.y, dz), x.heading);
     let [p, q] = [0, 1].map(|_| dice.within(-0.1, 0.1) as f32);
     let lean = Rotation3::new(1.0, p, q, 0.0);
-    (upright, Obb3::new(center, upright.size, lean * upright.rotation()))
+    (
+        upright,
+        Obb3::new(center, upright.size, lean * upright.rotation()),
+    )
 }
 
 /// Runs it; gives the picture and the table as lines of `curve,boxes,microseconds`.
@@ -92,9 +93,8 @@ pub fn paper() -> (String, String) {
         guesses: narrow(&guesses),
         truths: narrow(&truths),
     };
-    let solids = [&plane.guesses, &plane.truths].map(|list| -> (Vec<_>, Vec<_>) {
-        list.iter().map(|x| solid(x, &mut dice)).unzip()
-    });
+    let solids = [&plane.guesses, &plane.truths]
+        .map(|list| -> (Vec<_>, Vec<_>) { list.iter().map(|x| solid(x, &mut dice)).unzip() });
     let [(upright_guesses, guesses), (upright_truths, truths)] = solids;
     let upright = Lists {
         guesses: upright_guesses,
@@ -146,7 +146,10 @@ pub fn paper() -> (String, String) {
 
     let mut csv = String::from("curve,boxes,microseconds\n");
     let mut points: Vec<(usize, Vec<f64>)> = Vec::new();
-    println!("\n| microseconds, one thread | {} |", COUNTS.map(|n| n.to_string()).join(" | "));
+    println!(
+        "\n| microseconds, one thread | {} |",
+        COUNTS.map(|n| n.to_string()).join(" | ")
+    );
     println!("| --- |{}", " ---: |".repeat(COUNTS.len()));
     for (k, curve) in all.iter().enumerate() {
         let times: Vec<f64> = curve.times.iter().map(Timed::microseconds).collect();
@@ -219,7 +222,11 @@ fn drawn(curves: &[Curve<'_>], points: &[(usize, Vec<f64>)]) -> String {
             .zip(times)
             .map(|(&n, &t)| format!("{:.1},{:.1}", x(n as f64), y(t)))
             .collect();
-        let dash = if curve.dashed { " stroke-dasharray=\"6 4\"" } else { "" };
+        let dash = if curve.dashed {
+            " stroke-dasharray=\"6 4\""
+        } else {
+            ""
+        };
         let style = format!("stroke=\"{}\" stroke-width=\"2\"{dash}", curve.colour);
         let (at, row) = (LEFT + wide + 16.0, TOP + 14.0 + 20.0 * *k as f64);
         let _ = writeln!(

@@ -5,8 +5,8 @@ use super::levels::Timed;
 use super::{Dice, N, by_parry, flat, narrow, on_threads, points};
 use geograd::kernels::cpu::simd::Simd;
 use geograd::kernels::{
-    Cpu, DistancePointSegment, DistanceSegments, GiouObb2, IouBirdsEye, IouObb2, IouObb3, IouYaw,
-    Op, Row, Single, Table,
+    Cpu, DistancePointSegment, DistanceSegments, GiouObb2, IntersectionAreaQuads, IouBirdsEye,
+    IouObb2, IouObb3, IouYaw, Op, Row, Single, Table,
 };
 use geograd::shape::{Obb3, Rotation3, YawBox3};
 use geograd::{Obb2, Segment2, Vec2, Vec3};
@@ -27,15 +27,47 @@ struct Line<'a> {
 struct Ratio(&'static str, &'static str, &'static str);
 
 /// What is asked: the first line's rate over the second one's.
-const RATIOS: [Ratio; 8] = [
-    Ratio("GIoU of all pairs over powerboxesrs'", "giou", "powerboxesrs, giou"),
-    Ratio("IoU of all pairs without filter over GIoU", "iou, no filter", "giou"),
-    Ratio("GIoU value over value with slopes, aligned", "giou, aligned", "giou, aligned, slopes"),
-    Ratio("2D IoU over upright IoU, aligned", "iou, aligned", "upright iou, aligned"),
-    Ratio("2D IoU over upright IoU, all pairs", "iou, no filter", "upright iou, no filter"),
-    Ratio("upright value over value with slopes", "upright iou, aligned", "upright iou, aligned, slopes"),
-    Ratio("any turn: value over value with slopes", "any turn, aligned", "any turn, aligned, slopes"),
-    Ratio("any turn, scene: filter over none", "any turn, scene", "any turn, scene, no filter"),
+const RATIOS: [Ratio; 10] = [
+    Ratio(
+        "GIoU of all pairs over powerboxesrs'",
+        "giou",
+        "powerboxesrs, giou",
+    ),
+    Ratio(
+        "IoU of all pairs without filter over GIoU",
+        "iou, no filter",
+        "giou",
+    ),
+    Ratio(
+        "GIoU value over value with slopes, aligned",
+        "giou, aligned",
+        "giou, aligned, slopes",
+    ),
+    Ratio(
+        "2D IoU over upright IoU, aligned",
+        "iou, aligned",
+        "upright iou, aligned",
+    ),
+    Ratio(
+        "2D IoU over upright IoU, all pairs",
+        "iou, no filter",
+        "upright iou, no filter",
+    ),
+    Ratio(
+        "upright value over value with slopes",
+        "upright iou, aligned",
+        "upright iou, aligned, slopes",
+    ),
+    Ratio(
+        "any turn: value over value with slopes",
+        "any turn, aligned",
+        "any turn, aligned, slopes",
+    ),
+    Ratio(
+        "any turn, scene: filter over none",
+        "any turn, scene",
+        "any turn, scene, no filter",
+    ),
 ];
 
 /// Upright boxes and boxes a little tilted of boxes in the plane.
@@ -113,6 +145,7 @@ struct Lists {
     scene: Vec<Obb3<f32>>,
     points: Vec<Vec2<f32>>,
     segments: [Vec<Segment2<f32>>; 2],
+    quads: [Vec<[Vec2<f32>; 4]>; 2],
 }
 
 impl Lists {
@@ -139,13 +172,19 @@ impl Lists {
             let lean = Rotation3::new(1.0, 0.05, -0.03, dice.within(-0.1, 0.1) as f32);
             *turned = Obb3::new(near.center, near.size, lean * tilted.rotation);
         }
-        let [(upright, tilted), (upright_near, tilted_near), (upright_b, _)] = lists;
+        let [
+            (upright, tilted),
+            (upright_near, tilted_near),
+            (upright_b, _),
+        ] = lists;
         let mut point = || Vec2::new(dice.within(-5.0, 5.0) as f32, dice.within(-5.0, 5.0) as f32);
         let points = (0..N).map(|_| point()).collect();
         let mut list = || (0..N).map(|_| Segment2::new(point(), point())).collect();
         let segments = [list(), list()];
         let (_, scene) = solids(&wide, &mut Dice(5));
+        let quads = [&a32, &near32].map(|list| list.iter().map(|x| x.corners()).collect());
         let lists = Lists {
+            quads,
             a: a32,
             b: b32,
             near: near32,
@@ -170,6 +209,7 @@ fn lines(lists: &Lists) -> Vec<Line<'_>> {
         scene,
         points,
         segments,
+        quads: [quads, quads_near],
     } = lists;
     let (cpu, all) = (Cpu::new(), Cpu::new().culled(false));
     let mut grads = Table::new(N, N).expect("it fits");
@@ -190,15 +230,40 @@ fn lines(lists: &Lists) -> Vec<Line<'_>> {
         matrix("upright iou", cpu, IouYaw, upright, upright_b),
         matrix("upright iou, no filter", all, IouYaw, upright, upright_b),
         aligned("upright iou, aligned", IouYaw, upright, upright_near),
-        slopes("upright iou, aligned, slopes", IouYaw, upright, upright_near),
-        aligned("bird's eye iou, aligned", IouBirdsEye, upright, upright_near),
-        slopes("bird's eye iou, aligned, slopes", IouBirdsEye, upright, upright_near),
+        slopes(
+            "upright iou, aligned, slopes",
+            IouYaw,
+            upright,
+            upright_near,
+        ),
+        aligned(
+            "bird's eye iou, aligned",
+            IouBirdsEye,
+            upright,
+            upright_near,
+        ),
+        slopes(
+            "bird's eye iou, aligned, slopes",
+            IouBirdsEye,
+            upright,
+            upright_near,
+        ),
         aligned("any turn, aligned", IouObb3, tilted, tilted_near),
         slopes("any turn, aligned, slopes", IouObb3, tilted, tilted_near),
         matrix("any turn, scene", cpu, IouObb3, scene, scene),
         matrix("any turn, scene, no filter", all, IouObb3, scene, scene),
-        slopes("point to segment, slopes", DistancePointSegment, points, &segments[0]),
-        slopes("segment to segment, slopes", DistanceSegments, &segments[0], &segments[1]),
+        slopes(
+            "point to segment, slopes",
+            DistancePointSegment,
+            points,
+            &segments[0],
+        ),
+        slopes(
+            "segment to segment, slopes",
+            DistanceSegments,
+            &segments[0],
+            &segments[1],
+        ),
     ]
 }
 
@@ -251,7 +316,10 @@ pub fn shapes() -> String {
     });
 
     let mut csv = String::from("level,row,mitems\n");
-    println!("\n| f32, one thread, million items a second | {} |", names(&levels));
+    println!(
+        "\n| f32, one thread, million items a second | {} |",
+        names(&levels)
+    );
     println!("| --- |{}", " ---: |".repeat(levels.len()));
     for k in 0..ours[0].len() {
         let rates: Vec<f64> = ours.iter().map(|lines| lines[k].timed.rate()).collect();

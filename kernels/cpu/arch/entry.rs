@@ -2,7 +2,7 @@
 //! instructions that a processor may lack.
 use crate::Vec2;
 use crate::kernels::cpu::blocks;
-use crate::kernels::cpu::boxes::{self, BOUNDS};
+use crate::kernels::cpu::boxes::{self, BOUNDS, View};
 use crate::kernels::cpu::lane::{Lane, Planes, Results, TILE, Tiles};
 use crate::kernels::cpu::program::{self, Pass, Tape};
 use crate::kernels::cpu::rings::{self, Measure};
@@ -77,7 +77,7 @@ macro_rules! entries {
 
 entries! {
     /// Rotated boxes with their trigonometry done.
-    obb2_frames(shapes: Tiles<'_, T>, frames: &mut [Lane<T>]) = boxes::obb2_frames::<T, V>;
+    obb2_frames(shapes: Tiles<'_, T>, view: View, frames: &mut [Lane<T>]) = boxes::obb2_frames::<T, V>;
     /// Bounds of prepared rotated boxes.
     obb2_bounds(frames: Tiles<'_, T>, bounds: &mut [Lane<T>]) = boxes::obb2_bounds::<T, V>;
     /// Whether rotated boxes are valid and of ordinary size.

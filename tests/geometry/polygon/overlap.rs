@@ -486,7 +486,9 @@ fn areas_of_quads_are_those_of_polygons() {
     let square = Aabb2::new(0.0, 0.0, 2.0, 1.0).corners();
     let diamond = [(1.0, 0.0), (0.0, 1.0), (-1.0, 0.0), (0.0, -1.0)].map(|(x, y)| Vec2::new(x, y));
     let triangle = [square[0], square[1], square[2], square[2]];
-    let mut all: Vec<_> = (0..3000).map(|_| (quad(&mut dice), quad(&mut dice))).collect();
+    let mut all: Vec<_> = (0..3000)
+        .map(|_| (quad(&mut dice), quad(&mut dice)))
+        .collect();
     for x in [0.0, 0.5, 1.0, 2.0, 3.0, -2.0, 1e-9] {
         for y in [0.0, 1.0, -0.25, 1e-9] {
             for shape in [square, diamond, triangle] {
@@ -507,14 +509,26 @@ fn areas_of_quads_are_those_of_polygons() {
         let inside = a.map(|v| center + (v - center) * 0.5);
         let corner = a.map(|v| a[1] + (v - a[1]) * 0.7);
         let flat = [a[0], a[1], a[1], a[0]];
-        all.extend([(a, turned), (a, inside), (inside, a), (a, corner), (corner, a), (a, flat), (flat, a), (a, a)]);
+        all.extend([
+            (a, turned),
+            (a, inside),
+            (inside, a),
+            (a, corner),
+            (corner, a),
+            (a, flat),
+            (flat, a),
+            (a, a),
+        ]);
     }
     for (a, b) in all {
         let truth = intersection_area_polygons(&as_polygon(a), &as_polygon(b));
         for unit in [1.0, 1e-150, 1e140] {
             let scaled = |q: [Vec2<f64>; 4]| q.map(|v| v * unit);
             let found = intersection_area_quads(scaled(a), scaled(b)) / unit / unit;
-            assert!((found - truth).abs() < 2e-14 * truth.max(1.0), "{a:?} {b:?} {found} {truth}");
+            assert!(
+                (found - truth).abs() < 2e-14 * truth.max(1.0),
+                "{a:?} {b:?} {found} {truth}"
+            );
             assert!(truth > 0.0 || found < 1e-14, "{a:?} {b:?} {found}");
         }
         let narrow = |q: [Vec2<f64>; 4]| q.map(|v| Vec2::new(v.x as f32, v.y as f32));
@@ -554,16 +568,26 @@ fn slopes_of_quads_are_those_of_polygons() {
         let (p_bar, q_bar) = intersection_area_polygons_vjp(&p, &q, 1.0);
         let found = by_a[i].iter().chain(&by_b[i]);
         for (found, truth) in found.zip(p_bar.vertices.iter().chain(&q_bar.vertices)) {
-            assert!((*found - *truth).length() < 1e-11, "{:?} {:?} {found:?} {truth:?}", a[i], b[i]);
+            assert!(
+                (*found - *truth).length() < 1e-11,
+                "{:?} {:?} {found:?} {truth:?}",
+                a[i],
+                b[i]
+            );
         }
     }
     // Identical ones: moving both changes nothing, and every slope is half of that of the area.
     for a in a {
-        let (_, (p, q)) = cpu.aligned(geograd::kernels::Op::value_grad(op), (&[a], &[a])).unwrap();
+        let (_, (p, q)) = cpu
+            .aligned(geograd::kernels::Op::value_grad(op), (&[a], &[a]))
+            .unwrap();
         for (k, (p, q)) in p[0].iter().zip(&q[0]).enumerate() {
             let across = a[(k + 1) % 4] - a[(k + 3) % 4];
             let own = Vec2::new(across.y, -across.x) * 0.25;
-            assert!((*p - own).length() < 1e-11 && (*q - own).length() < 1e-11, "{p:?} {q:?} {own:?}");
+            assert!(
+                (*p - own).length() < 1e-11 && (*q - own).length() < 1e-11,
+                "{p:?} {q:?} {own:?}"
+            );
         }
     }
 }
