@@ -7,7 +7,7 @@ use crate::ad::program::recorded::Recorded;
 use crate::ad::program::{Plain, Sym};
 use crate::error::{Error, Flaw, Validate};
 use crate::iou::giou_framed;
-use crate::kernels::cpu::boxes::{AABB2, BOUNDS, OBB2, SEEN, UPRIGHT, View};
+use crate::kernels::cpu::boxes::{AABB2, BOUNDS, OBB2, QUAD2, SEEN, UPRIGHT, View};
 use crate::kernels::cpu::lane::{Lane, Results, TILE, Tiles};
 use crate::kernels::cpu::program::Interpreted;
 use crate::kernels::cpu::program::split::split;
@@ -19,7 +19,7 @@ use crate::kernels::row::{Leaf, Row, leaves_of};
 use crate::overlap::{Denominator, score_framed};
 use crate::overlap3::score_yaw;
 use crate::shape::YawBox3;
-use crate::{Aabb2, Fixed, Obb2, Pack, Scalar, ad, clip};
+use crate::{Aabb2, Fixed, Obb2, Pack, Scalar, Vec2, ad, clip};
 use std::any::{Any, TypeId};
 use std::collections::HashMap;
 use std::sync::{Arc, PoisonError, RwLock};
@@ -154,6 +154,8 @@ pub enum Compiled {
     Upright(Denominator),
     /// A score of upright boxes seen from above.
     BirdsEye(Denominator),
+    /// The area that two convex quadrilaterals share; its slopes are those of its program.
+    Quads,
     /// A score of axis-aligned boxes in space: no kernels, but boxes that are apart score zero.
     Aabb3,
     /// The same of boxes of any orientation.
@@ -168,7 +170,8 @@ fn of_compiled<T: Real>(compiled: Compiled, want: Want) -> Option<Face<T>> {
         Compiled::Giou => Some(of_giou(want)),
         Compiled::Upright(over) => Some(of_upright(over, want)),
         Compiled::BirdsEye(over) => Some(of_birds_eye(over, want)),
-        Compiled::Aabb3 | Compiled::Obb3 => None,
+        Compiled::Quads if want == Want::Value => Some(of_quads()),
+        Compiled::Quads | Compiled::Aabb3 | Compiled::Obb3 => None,
     }
 }
 
@@ -251,13 +254,14 @@ fn obb2_bounds<T: Real>() -> Outline<T> {
     Arc::new(move |[_, frames], out| bounds(frames, out))
 }
 
-/// A kernel of two boxes: generalised IoU, and the same with slopes.
-struct Giou<T>(fn(Tiles<'_, T>, Tiles<'_, T>, Results<'_, T>));
-impl<T: Real> Maker<T> for Giou<T> {
+/// A kernel of two shapes of which there is one: generalised IoU, areas of quadrilaterals.
+struct Plain<T>(fn(Tiles<'_, T>, Tiles<'_, T>, Results<'_, T>));
+impl<T: Real> Maker<T> for Plain<T> {
     fn make(&self, _: &mut Room<T>, inputs: &[Tiles<'_, T>], out: Results<'_, T>) {
         (self.0)(inputs[0], inputs[1], out);
     }
 }
+/// Generalised IoU with slopes.
 type GiouSlopesOf<T> = fn(Tiles<'_, T>, Tiles<'_, T>, Option<Tiles<'_, T>>, Results<'_, T>);
 struct GiouSlopes<T>(GiouSlopesOf<T>);
 impl<T: Real> Maker<T> for GiouSlopes<T> {
@@ -284,7 +288,7 @@ fn of_giou<T: Real>(want: Want) -> Face<T> {
         is_rare: |numbers| !all_solid(numbers),
     };
     let maker: Box<dyn Maker<T>> = match want {
-        Want::Value => Box::new(Giou(kernels.giou_scores)),
+        Want::Value => Box::new(Plain(kernels.giou_scores)),
         Want::ValueGrad | Want::Vjp => Box::new(GiouSlopes(kernels.giou_slopes)),
     };
     Face {
@@ -302,6 +306,21 @@ fn of_giou<T: Real>(want: Want) -> Face<T> {
         })),
         ..Face::new(want, vec![shape(), shape()], vec![1], maker)
     }
+}
+
+/// Areas that convex quadrilaterals share.
+fn of_quads<T: Real>() -> Face<T> {
+    let kernels = T::kernels();
+    let shape = || Preparation {
+        fields: QUAD2,
+        frame: None,
+        bounds: None,
+        all_ordinary: kernels.all_finite,
+        check: |numbers| <[Vec2<T>; 4]>::load(numbers).validate(),
+        is_rare: |_| false,
+    };
+    let maker = Box::new(Plain(kernels.quad_scores));
+    Face::new(Want::Value, vec![shape(), shape()], vec![1], maker)
 }
 
 /// Scores of upright boxes: of what is shared seen from above, then of heights.

@@ -1,4 +1,5 @@
 //! Measures of polygons of a fixed number of corners as operations.
+use crate::kernels::cpu::plan::Compiled;
 use crate::operation;
 use crate::overlap_polygon::intersection_area_quads;
 use crate::{Triangle2, Vec2, ring};
@@ -52,4 +53,5 @@ operation! {
     promises [TranslationX Stays, TranslationY Stays, Rotation Stays, Scaling Power(2), Exchange Stays]
     jumps Never
     slopes Reverse
+    => compiled { Compiled::Quads }
 }

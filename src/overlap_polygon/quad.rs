@@ -59,6 +59,37 @@ fn in_triangle<S: Scalar>(x: [S; 4], y: [S; 4], all: S) -> S {
     S::select(none, zero, area)
 }
 
+// Functions, not closures: those do not inherit instruction sets.
+
+#[inline(always)]
+fn half<S: Scalar>(v: Vec2<S>) -> Vec2<S> {
+    Vec2::new(v.x.halved(), v.y.halved())
+}
+#[inline(always)]
+fn against<S: Scalar>(x: [S; 4]) -> [S; 4] {
+    [-x[0], -x[1], -x[2], -x[3]]
+}
+/// How far corners are to the left of the side between two ways, from what they are to the left of either.
+#[inline(always)]
+fn far<S: Scalar>(of: [S; 4], to: [S; 4], all: S) -> [S; 4] {
+    let mut side = [S::zero(); 4];
+    let mut k = 0;
+    while k < 4 {
+        side[k] = (all - of[k]) + to[k];
+        k += 1;
+    }
+    side
+}
+/// Where a side has all corners on its right or on itself.
+#[inline(always)]
+fn separates<S: Scalar>(side: [S; 4], along: Vec2<S>) -> S::Mask {
+    let zero = S::zero();
+    let is_side = !(along.x.equals(zero) & along.y.equals(zero));
+    let right = (side[0].at_most(zero) & side[1].at_most(zero))
+        & (side[2].at_most(zero) & side[3].at_most(zero));
+    is_side & right
+}
+
 /// The area shared by two convex quadrilaterals, counter-clockwise, from 0 to the area of the smaller one, in
 /// squared units of length. Exactly zero, with slope zero, where they are apart or merely touch;
 /// saturates at the largest finite number. Repeated and collinear vertices are fine.
@@ -76,18 +107,16 @@ fn in_triangle<S: Scalar>(x: [S; 4], y: [S; 4], all: S) -> S {
 /// assert_eq!(intersection_area_quads(a, a), 4.0);
 /// ```
 #[must_use]
-#[inline]
+#[inline(always)]
 pub fn intersection_area_quads<S: Scalar>(a: [Vec2<S>; 4], b: [Vec2<S>; 4]) -> S {
     let zero = S::zero();
     // Halved first, so that a difference of huge numbers is finite, and seen from a corner of b.
-    let half = |v: Vec2<S>| Vec2::new(v.x.halved(), v.y.halved());
     let origin = half(b[0]);
-    let seen = |v: Vec2<S>| half(v) - origin;
     let (mut at, mut to) = ([Vec2::zero(); 4], [Vec2::zero(); 4]);
     let mut size = zero;
     let mut k = 0;
     while k < 4 {
-        (at[k], to[k]) = (seen(a[k]), seen(b[k]));
+        (at[k], to[k]) = (half(a[k]) - origin, half(b[k]) - origin);
         let (at, to) = (at[k], to[k]);
         size = size
             .most(at.x.unsigned().most(at.y.unsigned()))
@@ -116,18 +145,11 @@ pub fn intersection_area_quads<S: Scalar>(a: [Vec2<S>; 4], b: [Vec2<S>; 4]) -> S
         k += 1;
     }
     let (first, second) = (to[1].perp_dot(to[2]), to[2].perp_dot(to[3]));
-    let against = |x: [S; 4]| [-x[0], -x[1], -x[2], -x[3]];
     let area = in_triangle(against(cross[2]), cross[1], first)
         + in_triangle(against(cross[3]), cross[2], second);
 
     // A side with all of the other on its right or on itself separates them.
     let mut apart = S::one().below(zero);
-    let top = |x: [S; 4]| {
-        x[0].primal()
-            .most(x[1].primal())
-            .most(x[2].primal().most(x[3].primal()))
-    };
-    let nowhere = S::Primal::zero();
     let mut own = zero;
     let mut sides = [[zero; 4]; 4];
     k = 0;
@@ -143,23 +165,10 @@ pub fn intersection_area_quads<S: Scalar>(a: [Vec2<S>; 4], b: [Vec2<S>; 4]) -> S
         }
         k += 1;
     }
-    let far = |i: usize, j: usize, all: S| {
-        let mut side = [zero; 4];
-        let mut k = 0;
-        while k < 4 {
-            side[k] = (all - cross[i][k]) + cross[j][k];
-            k += 1;
-        }
-        side
-    };
-    let separates = |side: [S; 4], length: Vec2<S>| {
-        let is_side = !(length.x.equals(zero) & length.y.equals(zero));
-        is_side & S::from_primal(top(side)).at_most(S::from_primal(nowhere))
-    };
     apart = apart
         | separates(cross[1], to[1])
-        | separates(far(1, 2, first), to[2] - to[1])
-        | separates(far(2, 3, second), to[3] - to[2])
+        | separates(far(cross[1], cross[2], first), to[2] - to[1])
+        | separates(far(cross[2], cross[3], second), to[3] - to[2])
         | separates(against(cross[3]), to[3]);
     k = 0;
     while k < 4 {
@@ -173,6 +182,6 @@ pub fn intersection_area_quads<S: Scalar>(a: [Vec2<S>; 4], b: [Vec2<S>; 4]) -> S
     let nothing = apart | area.at_most(zero);
     let area = S::select(nothing, zero, area);
     // Twice for each length, which was halved.
-    let outer = |x: S| (x + x).over(scale);
-    outer(outer(area)).saturated().canonical()
+    let area = (area + area).over(scale);
+    (area + area).over(scale).saturated().canonical()
 }

@@ -64,6 +64,16 @@ const RATIOS: [Ratio; 10] = [
         "any turn, aligned, slopes",
     ),
     Ratio(
+        "quadrilaterals over parry2d-f64",
+        "quadrilaterals, aligned",
+        "parry2d-f64, quadrilaterals",
+    ),
+    Ratio(
+        "quadrilaterals with slopes over parry2d-f64's value",
+        "quadrilaterals, aligned, slopes",
+        "parry2d-f64, quadrilaterals",
+    ),
+    Ratio(
         "any turn, scene: filter over none",
         "any turn, scene",
         "any turn, scene, no filter",
@@ -252,6 +262,18 @@ fn lines(lists: &Lists) -> Vec<Line<'_>> {
         slopes("any turn, aligned, slopes", IouObb3, tilted, tilted_near),
         matrix("any turn, scene", cpu, IouObb3, scene, scene),
         matrix("any turn, scene, no filter", all, IouObb3, scene, scene),
+        aligned(
+            "quadrilaterals, aligned",
+            IntersectionAreaQuads,
+            quads,
+            quads_near,
+        ),
+        slopes(
+            "quadrilaterals, aligned, slopes",
+            IntersectionAreaQuads,
+            quads,
+            quads_near,
+        ),
         slopes(
             "point to segment, slopes",
             DistancePointSegment,

@@ -92,6 +92,8 @@ entries! {
     giou_scores(a: Tiles<'_, T>, b: Tiles<'_, T>, out: Results<'_, T>) = boxes::giou_scores::<T, V>;
     /// Generalised IoU of prepared rotated boxes with ten slopes each.
     giou_slopes(a: Tiles<'_, T>, b: Tiles<'_, T>, seeds: Option<Tiles<'_, T>>, out: Results<'_, T>) = boxes::giou_slopes::<T, V>;
+    /// Areas that convex quadrilaterals share.
+    quad_scores(a: Tiles<'_, T>, b: Tiles<'_, T>, out: Results<'_, T>) = boxes::quad_scores::<T, V>;
     /// Whether upright boxes are valid and of common size, or zero size.
     all_common_upright(numbers: &[T]) -> bool = boxes::all_common_upright::<T, V>;
     /// Scores of upright boxes from what they share seen from above.
