@@ -255,8 +255,8 @@ fn obb2_bounds<T: Real>() -> Outline<T> {
 }
 
 /// A kernel of two shapes of which there is one: generalised IoU, areas of quadrilaterals.
-struct Plain<T>(fn(Tiles<'_, T>, Tiles<'_, T>, Results<'_, T>));
-impl<T: Real> Maker<T> for Plain<T> {
+struct Scored<T>(fn(Tiles<'_, T>, Tiles<'_, T>, Results<'_, T>));
+impl<T: Real> Maker<T> for Scored<T> {
     fn make(&self, _: &mut Room<T>, inputs: &[Tiles<'_, T>], out: Results<'_, T>) {
         (self.0)(inputs[0], inputs[1], out);
     }
@@ -288,7 +288,7 @@ fn of_giou<T: Real>(want: Want) -> Face<T> {
         is_rare: |numbers| !all_solid(numbers),
     };
     let maker: Box<dyn Maker<T>> = match want {
-        Want::Value => Box::new(Plain(kernels.giou_scores)),
+        Want::Value => Box::new(Scored(kernels.giou_scores)),
         Want::ValueGrad | Want::Vjp => Box::new(GiouSlopes(kernels.giou_slopes)),
     };
     Face {
@@ -319,7 +319,7 @@ fn of_quads<T: Real>() -> Face<T> {
         check: |numbers| <[Vec2<T>; 4]>::load(numbers).validate(),
         is_rare: |_| false,
     };
-    let maker = Box::new(Plain(kernels.quad_scores));
+    let maker = Box::new(Scored(kernels.quad_scores));
     Face::new(Want::Value, vec![shape(), shape()], vec![1], maker)
 }
 
