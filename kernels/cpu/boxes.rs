@@ -365,11 +365,11 @@ pub(crate) fn quad_scores<T: Real, V: Vector<T>>(
 
 /// Sizes and places of shapes whose measures of the second and third power of a length, and slopes of
 /// those, stay far from over- and underflow in single precision.
-const COMMON_SMALL: f64 = 1e-4;
+const COMMON_SMALL: f64 = 1e-5;
 const COMMON_LARGE: f64 = 1e6;
 const COMMON_FAR: f64 = 1e9;
 
-/// Whether every rotated box is valid, of a size from 10⁻⁴ to 10⁶ or zero, and no farther than 10⁹ from the
+/// Whether every rotated box is valid, of a size from 10⁻⁵ to 10⁶ or zero, and no farther than 10⁹ from the
 /// origin.
 #[inline(always)]
 pub(crate) fn all_common_obb2<T: Real, V: Vector<T>>(numbers: &[T]) -> bool {
@@ -381,6 +381,28 @@ pub(crate) fn all_common_obb2<T: Real, V: Vector<T>>(numbers: &[T]) -> bool {
         [fine, fine, small, small, fine],
         [far, far, large, large, T::LARGEST],
     )
+}
+
+/// Whether one number is zero or within limits; of a place or angle the magnitude.
+fn is_within<T: Real>(x: T, low: f64, high: f64) -> bool {
+    let x = x.unsigned();
+    x == T::default() || (x >= T::lit(low) && x <= T::lit(high))
+}
+
+/// Whether a valid upright box is of common size, as [`all_common_upright`] says of many.
+pub(crate) fn is_common_upright<T: Real>(x: &[T]) -> bool {
+    let fine = fine::<T>();
+    let place = |x: &T| is_within(*x, fine, COMMON_FAR);
+    let size = |x: &T| is_within(*x, COMMON_SMALL, COMMON_LARGE);
+    x[..3].iter().all(place) && x[3..6].iter().all(size) && is_within(x[6], fine, T::LARGEST)
+}
+
+/// Whether a valid rotated box is of common size, and not of zero size.
+pub(crate) fn is_solid_obb2<T: Real>(x: &[T]) -> bool {
+    let fine = fine::<T>();
+    let place = |x: &T| is_within(*x, fine, COMMON_FAR);
+    let size = |x: &T| *x > T::default() && is_within(*x, COMMON_SMALL, COMMON_LARGE);
+    x[..2].iter().all(place) && x[2..4].iter().all(size) && is_within(x[4], fine, T::LARGEST)
 }
 
 /// The same of upright boxes.

@@ -7,7 +7,9 @@ use crate::ad::program::recorded::Recorded;
 use crate::ad::program::{Plain, Sym};
 use crate::error::{Error, Flaw, Validate};
 use crate::iou::giou_framed;
-use crate::kernels::cpu::boxes::{AABB2, BOUNDS, OBB2, QUAD2, SEEN, UPRIGHT, View};
+use crate::kernels::cpu::boxes::{
+    AABB2, BOUNDS, OBB2, QUAD2, SEEN, UPRIGHT, View, is_common_upright, is_solid_obb2,
+};
 use crate::kernels::cpu::lane::{Lane, Results, TILE, Tiles};
 use crate::kernels::cpu::program::Interpreted;
 use crate::kernels::cpu::program::split::split;
@@ -285,7 +287,7 @@ fn of_giou<T: Real>(want: Want) -> Face<T> {
         bounds: None,
         all_ordinary: all_solid::<T>,
         check: |numbers| Obb2::load(numbers).validate(),
-        is_rare: |numbers| !all_solid(numbers),
+        is_rare: |numbers| !is_solid_obb2(numbers),
     };
     let maker: Box<dyn Maker<T>> = match want {
         Want::Value => Box::new(Scored(kernels.giou_scores)),
@@ -353,7 +355,7 @@ fn of_upright<T: Real>(over: Denominator, want: Want) -> Face<T> {
         bounds: Some(obb2_bounds()),
         all_ordinary: kernels.all_common_upright,
         check: |numbers| YawBox3::load(numbers).validate(),
-        is_rare: |numbers| !(T::kernels().all_common_upright)(numbers),
+        is_rare: |numbers| !is_common_upright(numbers),
     };
     let maker: Box<dyn Maker<T>> = match want {
         Want::Value => Box::new(UprightScores(over)),
