@@ -185,6 +185,27 @@ where
     straight::<O, f32>(plan, Some(&|inputs| ask_pairs::<O>(backend, inputs)))
 }
 
+/// The same for any operation of fixed size, with its [generated](crate::kernels::gpu::Programs) kernels on
+/// a GPU as a further witness.
+///
+/// # Errors
+///
+/// The device's.
+#[cfg(feature = "gpu")]
+pub fn prove_program_on<O: Op>(
+    gpu: &crate::kernels::gpu::Gpu,
+    plan: &Plan<'_>,
+) -> Result<Report, Error>
+where
+    O::In<f64>: Sample + Row,
+    O::Out<f64>: Row,
+    O::In<f32>: Row<Scalar = f32>,
+    O::Out<f32>: Row<Scalar = f32>,
+{
+    let ask = |inputs: &[Vec<f32>]| crate::kernels::witness::ask_program::<O>(gpu, inputs);
+    straight::<O, f32>(plan, Some(&ask))
+}
+
 fn straight<O: Op, S: Number + Real>(plan: &Plan<'_>, ask: Option<Ask<'_>>) -> Result<Report, Error>
 where
     O::In<f64>: Sample + Row,

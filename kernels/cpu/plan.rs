@@ -7,7 +7,9 @@ use crate::error::{Error, Flaw, Validate};
 use crate::kernels::cpu::boxes::{AABB2, BOUNDS, OBB2, frame_fields};
 use crate::kernels::cpu::lane::{Lane, Results, TILE, Tiles};
 use crate::kernels::cpu::program::Interpreted;
-use crate::kernels::cpu::program::split::split;
+use crate::kernels::cpu::program::split::{Piece, split};
+#[cfg(feature = "gpu")]
+use crate::kernels::gpu::Made;
 use crate::kernels::op::{self, Op};
 use crate::kernels::real::Real;
 use crate::kernels::row::{Leaf, Row, leaves_of};
@@ -256,20 +258,29 @@ pub(crate) fn of_recorded<T: Real>(
     let body = match framed {
         false => maker(&value.graph, &fields, &value.outputs, false)?,
         true => {
-            let parts = split(&value.graph, &fields, &value.outputs);
-            for ((argument, frame), &own) in arguments.iter_mut().zip(&parts.frames).zip(&fields) {
-                let made = maker(&frame.graph, &[own], &frame.outputs, false)?;
-                let prepare = move |shapes: Tiles<'_, T>, frames: &mut [Lane<T>]| {
-                    made.prepare(&mut Room::new(), &[shapes], frames);
-                };
-                argument.frame = Some((frame.outputs.len(), Arc::new(prepare)));
-            }
             // Cotangents come as they are.
-            let widths: Vec<usize> = parts.frames.iter().map(|x| x.outputs.len()).collect();
-            maker(&parts.body.graph, &widths, &parts.body.outputs, true)?
+            let (graph, own) = (&value.graph, arguments.len());
+            let parts = split(graph, &fields, own, &value.outputs, |_| true);
+            for ((argument, frame), &own) in arguments.iter_mut().zip(&parts.frames).zip(&fields) {
+                argument.frame = Some(prepared(frame, own)?);
+            }
+            maker(&parts.body.graph, &parts.widths, &parts.body.outputs, true)?
         }
     };
     Ok(Face::new(want, arguments, outputs, Box::new(body)))
+}
+
+/// How frames are made of shapes of so many numbers, and how many numbers those have.
+pub(crate) fn prepared<T: Real>(
+    frame: &Piece,
+    fields: usize,
+) -> Result<(usize, Prepare<T>), Error> {
+    let made = Interpreted::new(&frame.graph, &[fields], &frame.outputs, false);
+    let made = made.map_err(Error::Program)?;
+    let prepare = move |shapes: Tiles<'_, T>, frames: &mut [Lane<T>]| {
+        made.prepare(&mut Room::new(), &[shapes], frames);
+    };
+    Ok((frame.outputs.len(), Arc::new(prepare)))
 }
 
 /// Something that computes one item: its numbers, the cotangent of its result or nothing, and room for
@@ -351,6 +362,12 @@ pub(crate) enum Known {
     Program(Want),
     /// How batches compute it, aligned or all pairs.
     Face(Want, bool),
+    /// What a GPU is given of it, aligned or all pairs.
+    #[cfg(feature = "gpu")]
+    Shader(Want, bool),
+    /// What a GPU is given of a fold.
+    #[cfg(feature = "gpu")]
+    FoldShader,
 }
 
 /// What was asked for before, by operation and format.
@@ -437,6 +454,21 @@ where
         let outputs = leaves_of::<O::Out<R::Scalar>>();
         let outputs = outputs.iter().map(|leaf| leaf.fields).collect();
         of_recorded(want, leaves_of::<R>(), outputs, &recorded, framed)
+    })
+}
+
+/// What a GPU is given of what is wanted of an operation.
+#[cfg(feature = "gpu")]
+pub fn made_of<O, R: Row>(want: Want, framed: bool) -> Result<Arc<Made<R::Scalar>>, Error>
+where
+    O: Op<In<<R as Pack>::Scalar> = R>,
+    O::Out<R::Scalar>: Row,
+{
+    known::<O, R::Scalar, _>(Known::Shader(want, framed), || {
+        let recorded = program_of::<O, R::Scalar>(want)?;
+        let outputs = leaves_of::<O::Out<R::Scalar>>();
+        let outputs = outputs.iter().map(|leaf| leaf.fields).collect();
+        Made::new(want, leaves_of::<R>(), outputs, &recorded, framed)
     })
 }
 
