@@ -141,11 +141,11 @@ fn {entry}(@builtin(global_invocation_id) thread: vec3u) {{
     /// What one edge tells, as `told`, and the numbers that it takes.
     fn edge_of(&self) -> (String, Vec<String>) {
         let mut inputs = names("s", self.wide);
-        inputs.extend(["from.x", "from.y", "to.x", "to.y"].map(str::to_owned));
+        inputs.extend(["tail.x", "tail.y", "tip.x", "tip.y"].map(str::to_owned));
         let text = format!(
             "        let next = select(k + 1u, 0u, k + 1u == count);
-        let from = vertices[start + k];
-        let to = vertices[start + next];
+        let tail = vertices[start + k];
+        let tip = vertices[start + next];
         let told = {};
 ",
             call("fold_edge", inputs.clone())
