@@ -7,7 +7,7 @@ use crate::kernels::on_cpu::{self, AlignedGrads, Bars as Slopes, Loss, PairGrads
 use crate::kernels::op::{RingOp, Runs};
 use crate::kernels::reduce::{Best, Found};
 use crate::kernels::row::Row;
-use crate::kernels::{Columns, Cpu, Single, Table};
+use crate::kernels::{Columns, Cpu, Single, Table, Targets};
 use crate::{Pack, Vec2};
 
 /// Where batches run. Nothing ever falls back from one to the other by itself.
@@ -105,6 +105,47 @@ impl Backend<'_> {
             Backend::Cpu => Cpu::new().aligned(run, columns),
             #[cfg(feature = "gpu")]
             Backend::Gpu(gpu) => gpu.programs().aligned(run, columns),
+            #[cfg(not(feature = "gpu"))]
+            Backend::Gpu(gpu) => match *gpu {},
+        }
+    }
+
+    /// The same into the caller's slices: [`Cpu::aligned_into`](crate::kernels::Cpu::aligned_into).
+    ///
+    /// # Errors
+    ///
+    /// As [`run`](Backend::run), and [`Error::Length`] for a slice of another length.
+    pub fn run_into<C: Columns, R: Runs<C::Row>>(
+        self,
+        run: R,
+        columns: C,
+        targets: impl Targets<R::Out>,
+    ) -> Result<(), Error>
+    where
+        C::Row: Pack<Scalar = f32>,
+    {
+        match self {
+            Backend::Cpu => Cpu::new().aligned_into(run, columns, targets),
+            #[cfg(feature = "gpu")]
+            Backend::Gpu(gpu) => gpu.programs().aligned_into(run, columns, targets),
+            #[cfg(not(feature = "gpu"))]
+            Backend::Gpu(gpu) => match *gpu {},
+        }
+    }
+
+    /// The numbers of every result, item by item.
+    pub(crate) fn rows<C: Columns, R: Runs<C::Row>>(
+        self,
+        run: R,
+        columns: C,
+    ) -> Result<Vec<Vec<f32>>, Error>
+    where
+        C::Row: Pack<Scalar = f32>,
+    {
+        match self {
+            Backend::Cpu => Cpu::new().rows(run, columns),
+            #[cfg(feature = "gpu")]
+            Backend::Gpu(gpu) => gpu.programs().rows(run, columns),
             #[cfg(not(feature = "gpu"))]
             Backend::Gpu(gpu) => match *gpu {},
         }

@@ -19,7 +19,7 @@ use crate::kernels::op::{Op, RingOp, Ringed};
 use crate::kernels::real::Real;
 use crate::kernels::recorded_subject::{RecordedSubject, Recording};
 use crate::kernels::row::{Row, target};
-use crate::kernels::witness::{Ask, Batch, ask_pairs, ask_rings};
+use crate::kernels::witness::{Ask, Batch, ask_any, ask_pairs, ask_rings};
 use crate::kernels::{Backend, Cpu};
 use crate::{Error, Fixed, Pack, Vec2};
 
@@ -185,25 +185,20 @@ where
     straight::<O, f32>(plan, Some(&|inputs| ask_pairs::<O>(backend, inputs)))
 }
 
-/// The same for any operation of fixed size, with its [generated](crate::kernels::gpu::Programs) kernels on
-/// a GPU as a further witness.
+/// The same for any operation of fixed size: on a GPU its [generated](crate::kernels::gpu) kernels are
+/// asked.
 ///
 /// # Errors
 ///
-/// The device's.
-#[cfg(feature = "gpu")]
-pub fn prove_program_on<O: Op>(
-    gpu: &crate::kernels::gpu::Gpu,
-    plan: &Plan<'_>,
-) -> Result<Report, Error>
+/// The backend's.
+pub fn prove_any_on<O: Op>(backend: Backend<'_>, plan: &Plan<'_>) -> Result<Report, Error>
 where
     O::In<f64>: Sample + Row,
     O::Out<f64>: Row,
     O::In<f32>: Row<Scalar = f32>,
     O::Out<f32>: Row<Scalar = f32>,
 {
-    let ask = |inputs: &[Vec<f32>]| crate::kernels::witness::ask_program::<O>(gpu, inputs);
-    straight::<O, f32>(plan, Some(&ask))
+    straight::<O, f32>(plan, Some(&|inputs| ask_any::<O>(backend, inputs)))
 }
 
 fn straight<O: Op, S: Number + Real>(plan: &Plan<'_>, ask: Option<Ask<'_>>) -> Result<Report, Error>

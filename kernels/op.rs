@@ -32,7 +32,7 @@ use crate::error::Error;
 use crate::kernels::cpu::plan::{self, Compiled, Face, Want};
 use crate::kernels::cpu::rings::Measure;
 #[cfg(feature = "gpu")]
-use crate::kernels::gpu::Made;
+use crate::kernels::gpu::Generated;
 use crate::kernels::row::Row;
 use crate::{Fixed, Pack, Scalar, Vec2};
 use std::fmt::Debug;
@@ -167,7 +167,7 @@ pub trait Runs<R: Row> {
     /// Those of recording it: what searches cannot be recorded.
     #[cfg(feature = "gpu")]
     #[doc(hidden)]
-    fn made(&self, _ask: Ask) -> Result<Arc<Made<R::Scalar>>, Error> {
+    fn generated(&self, _ask: Ask) -> Result<Arc<Generated<R::Scalar>>, Error> {
         Err(Error::Program(crate::Unrecordable::Search))
     }
 }
@@ -183,9 +183,9 @@ where
         plan::face_of::<O, R>(want, ask.framed)
     }
     #[cfg(feature = "gpu")]
-    fn made(&self, ask: Ask) -> Result<Arc<Made<R::Scalar>>, Error> {
+    fn generated(&self, ask: Ask) -> Result<Arc<Generated<R::Scalar>>, Error> {
         let want = if ask.adjoint { Want::Vjp } else { Want::Value };
-        plan::made_of::<O, R>(want, ask.framed)
+        plan::generated_of::<O, R>(want, ask.framed)
     }
 }
 
@@ -199,8 +199,8 @@ where
         plan::face_of::<O, R>(Want::ValueGrad, ask.framed)
     }
     #[cfg(feature = "gpu")]
-    fn made(&self, ask: Ask) -> Result<Arc<Made<R::Scalar>>, Error> {
-        plan::made_of::<O, R>(Want::ValueGrad, ask.framed)
+    fn generated(&self, ask: Ask) -> Result<Arc<Generated<R::Scalar>>, Error> {
+        plan::generated_of::<O, R>(Want::ValueGrad, ask.framed)
     }
 }
 
@@ -213,8 +213,8 @@ where
         plan::face_of::<O, R>(Want::Vjp, ask.framed)
     }
     #[cfg(feature = "gpu")]
-    fn made(&self, ask: Ask) -> Result<Arc<Made<R::Scalar>>, Error> {
-        plan::made_of::<O, R>(Want::Vjp, ask.framed)
+    fn generated(&self, ask: Ask) -> Result<Arc<Generated<R::Scalar>>, Error> {
+        plan::generated_of::<O, R>(Want::Vjp, ask.framed)
     }
 }
 

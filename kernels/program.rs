@@ -4,7 +4,7 @@ use crate::ad::program::recorded::Recorded;
 use crate::ad::program::{Plain, Program};
 use crate::kernels::cpu::plan::{Face, Want, of_recorded};
 #[cfg(feature = "gpu")]
-use crate::kernels::gpu::Made;
+use crate::kernels::gpu::Generated;
 use crate::kernels::op::{Ask, Runs};
 use crate::kernels::row::{Leaf, Row, leaves_of};
 use std::sync::{Arc, PoisonError};
@@ -33,8 +33,8 @@ where
         made(self, 0, ask, of_recorded)
     }
     #[cfg(feature = "gpu")]
-    fn made(&self, ask: Ask) -> Result<Arc<Made<In::Scalar>>, Error> {
-        made(self, 4, ask, Made::new)
+    fn generated(&self, ask: Ask) -> Result<Arc<Generated<In::Scalar>>, Error> {
+        made(self, 4, ask, Generated::new)
     }
 }
 
@@ -81,7 +81,7 @@ where
         (&self).face(ask)
     }
     #[cfg(feature = "gpu")]
-    fn made(&self, ask: Ask) -> Result<Arc<Made<In::Scalar>>, Error> {
-        (&self).made(ask)
+    fn generated(&self, ask: Ask) -> Result<Arc<Generated<In::Scalar>>, Error> {
+        (&self).generated(ask)
     }
 }

@@ -11,10 +11,7 @@
 use crate::Error;
 use crate::kernels::Backend;
 use crate::kernels::gpu::{GpuPair, GpuRing};
-#[cfg(feature = "gpu")]
-use crate::kernels::op::Op;
-use crate::kernels::op::RingOp;
-#[cfg(feature = "gpu")]
+use crate::kernels::op::{Op, RingOp};
 use crate::kernels::row::Row;
 use crate::{Fixed, Pack, Vec2};
 use std::cell::Cell;
@@ -121,19 +118,18 @@ pub(crate) fn ask_pairs<O: GpuPair>(
     Ok(answers.collect())
 }
 
-/// Asks a GPU about an operation by its generated kernels, one call per output for the slopes.
-#[cfg(feature = "gpu")]
-pub(crate) fn ask_program<O: Op>(
-    gpu: &crate::kernels::gpu::Gpu,
+/// Asks a backend about any operation, one call per output for the slopes.
+pub(crate) fn ask_any<O: Op>(
+    backend: Backend<'_>,
     inputs: &[Vec<f32>],
 ) -> Result<Vec<Answer>, Error>
 where
     O::In<f32>: Row<Scalar = f32>,
     O::Out<f32>: Row<Scalar = f32>,
 {
-    let (programs, run) = (gpu.programs(), O::default());
+    let run = O::default();
     let shapes: Vec<O::In<f32>> = inputs.iter().map(|x| O::In::<f32>::load(x)).collect();
-    let values = programs.rows(run, &shapes[..])?;
+    let values = backend.rows(run, &shapes[..])?;
     let mut answers: Vec<Answer> = values
         .iter()
         .map(|value| Answer {
@@ -145,7 +141,7 @@ where
     for j in 0..outputs {
         let seed: Vec<f32> = (0..outputs).map(|k| f32::from(u8::from(j == k))).collect();
         let seeds = vec![O::Out::<f32>::load(&seed); inputs.len()];
-        let bars = programs.rows(run.vjp(), (&shapes[..], &seeds[..]))?;
+        let bars = backend.rows(run.vjp(), (&shapes[..], &seeds[..]))?;
         for (answer, bar) in answers.iter_mut().zip(&bars) {
             answer.rows.push(widened(bar));
         }

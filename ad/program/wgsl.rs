@@ -33,7 +33,12 @@ pub(super) fn checked(name: &str) -> Result<(), Unrecordable> {
 /// compilers (gfx-rs/wgpu#5759, #9497). A constant is a `let`, too, so that no compiler computes
 /// with it and finds an overflow where the program would go on.
 pub(super) fn function(name: &str, recorded: &Recorded) -> String {
-    function_of(name, &recorded.value.graph, &recorded.value.outputs, recorded.inputs)
+    function_of(
+        name,
+        &recorded.value.graph,
+        &recorded.value.outputs,
+        recorded.inputs,
+    )
 }
 
 /// A graph without grafts as a function of so many numbers.

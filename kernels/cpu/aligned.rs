@@ -127,6 +127,47 @@ impl Cpu {
     }
 }
 
+impl Cpu {
+    /// The numbers of every result, item by item.
+    pub(crate) fn rows<C: Columns, R: Runs<C::Row>>(
+        &self,
+        run: R,
+        columns: C,
+    ) -> Result<Vec<Vec<ScalarOf<C>>>, Error> {
+        let face = run.face(Ask::ALIGNED)?;
+        let columns = listed(&columns);
+        let (count, rare) = checked(&face, &columns)?;
+        as_rows(&face.gives, count, |targets| {
+            compute(&face, columns, rare, count, targets);
+            Ok(())
+        })
+    }
+}
+
+/// What is put into targets of so many numbers each, item by item.
+pub(crate) fn as_rows<T: Real>(
+    gives: &[usize],
+    count: usize,
+    fill: impl FnOnce(Vec<Option<Target<'_, T>>>) -> Result<(), Error>,
+) -> Result<Vec<Vec<T>>, Error> {
+    let mut parts: Vec<Vec<T>> = gives
+        .iter()
+        .map(|n| vec![T::default(); n * count])
+        .collect();
+    let targets = parts.iter_mut().zip(gives);
+    fill(
+        targets
+            .map(|(part, &fields)| Some(Target::of_rows(part, fields)))
+            .collect(),
+    )?;
+    let row = |i: usize| {
+        let own = parts.iter().zip(gives);
+        own.flat_map(|(part, &n)| part[i * n..(i + 1) * n].to_vec())
+            .collect()
+    };
+    Ok((0..count).map(row).collect())
+}
+
 /// The columns as a list.
 pub(crate) fn listed<C: Columns>(columns: &C) -> Vec<Column<'_, ScalarOf<C>>> {
     let mut all = Vec::new();
@@ -150,10 +191,7 @@ fn name_of(arguments: usize, k: usize) -> Argument {
 }
 
 /// How many items the columns of so many arguments, and cotangents, have.
-pub(crate) fn items<T: Real>(
-    arguments: usize,
-    columns: &[Column<'_, T>],
-) -> Result<usize, Error> {
+pub(crate) fn items<T: Real>(arguments: usize, columns: &[Column<'_, T>]) -> Result<usize, Error> {
     let mut count = None;
     for (k, column) in columns.iter().enumerate() {
         match (count, column.count) {

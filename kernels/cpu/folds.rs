@@ -21,11 +21,17 @@ pub(crate) struct Programs {
     pub(crate) edge: Recorded,
     pub(crate) edge_vjp: Recorded,
     /// Joining two states, and its pull-back.
-    #[cfg_attr(not(feature = "gpu"), expect(dead_code, reason = "only a GPU joins by it"))]
+    #[cfg_attr(
+        not(feature = "gpu"),
+        expect(dead_code, reason = "only a GPU joins by it")
+    )]
     pub(crate) join: Recorded,
     pub(crate) join_vjp: Recorded,
     /// The end, and its pull-back.
-    #[cfg_attr(not(feature = "gpu"), expect(dead_code, reason = "only a GPU ends by it"))]
+    #[cfg_attr(
+        not(feature = "gpu"),
+        expect(dead_code, reason = "only a GPU ends by it")
+    )]
     pub(crate) finish: Recorded,
     pub(crate) finish_vjp: Recorded,
 }

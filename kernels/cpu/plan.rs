@@ -9,7 +9,7 @@ use crate::kernels::cpu::lane::{Lane, Results, TILE, Tiles};
 use crate::kernels::cpu::program::Interpreted;
 use crate::kernels::cpu::program::split::{Piece, split};
 #[cfg(feature = "gpu")]
-use crate::kernels::gpu::Made;
+use crate::kernels::gpu::Generated;
 use crate::kernels::op::{self, Op};
 use crate::kernels::real::Real;
 use crate::kernels::row::{Leaf, Row, leaves_of};
@@ -459,7 +459,7 @@ where
 
 /// What a GPU is given of what is wanted of an operation.
 #[cfg(feature = "gpu")]
-pub fn made_of<O, R: Row>(want: Want, framed: bool) -> Result<Arc<Made<R::Scalar>>, Error>
+pub fn generated_of<O, R: Row>(want: Want, framed: bool) -> Result<Arc<Generated<R::Scalar>>, Error>
 where
     O: Op<In<<R as Pack>::Scalar> = R>,
     O::Out<R::Scalar>: Row,
@@ -468,7 +468,7 @@ where
         let recorded = program_of::<O, R::Scalar>(want)?;
         let outputs = leaves_of::<O::Out<R::Scalar>>();
         let outputs = outputs.iter().map(|leaf| leaf.fields).collect();
-        Made::new(want, leaves_of::<R>(), outputs, &recorded, framed)
+        Generated::new(want, leaves_of::<R>(), outputs, &recorded, framed)
     })
 }
 

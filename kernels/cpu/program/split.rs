@@ -83,7 +83,9 @@ pub(crate) fn split(
         }
         let node = graph.at(x as Id);
         match origins[x] {
-            Origin::One(argument) if !node.is_mask() && is_framed(node) => picked[argument].push(x as Id),
+            Origin::One(argument) if !node.is_mask() && is_framed(node) => {
+                picked[argument].push(x as Id)
+            }
             _ => {
                 in_body[x] = true;
                 for &y in node.operands().iter() {

@@ -19,9 +19,9 @@ pub use adapter::{Adapter, Choice, Options};
 pub use data::{Bars, Shapes, Values};
 pub use download::Pending;
 pub use found::Founds;
-pub use generated::{Programs, fold_sources, op_sources};
 #[doc(hidden)]
-pub use generated::made::Made;
+pub use generated::operation::Generated;
+pub use generated::{Programs, fold_sources, op_sources};
 pub use matrix::Matrix;
 pub use pairs::PairBars;
 pub use reduce::{Best, Bests};

@@ -63,7 +63,12 @@ impl<'a> Work<'a> {
         buffers: &[(u32, &wgpu::Buffer)],
         groups: [u32; 2],
     ) {
-        self.run(pipeline, &self.inner.uniform(&[params], PARAMS_BYTES), buffers, groups);
+        self.run(
+            pipeline,
+            &self.inner.uniform(&[params], PARAMS_BYTES),
+            buffers,
+            groups,
+        );
     }
 
     /// The same with parameters of a generated kernel.
@@ -75,7 +80,12 @@ impl<'a> Work<'a> {
         groups: [u32; 2],
     ) {
         let bytes = size_of_val(params) as u64;
-        self.run(pipeline, &self.inner.uniform(params, bytes), buffers, groups);
+        self.run(
+            pipeline,
+            &self.inner.uniform(params, bytes),
+            buffers,
+            groups,
+        );
     }
 
     fn run(

@@ -1,6 +1,6 @@
 //! The adjoint of all pairs: slopes summed for every shape, in a fixed order.
 use super::Programs;
-use super::made::Made;
+use super::operation::Generated;
 use super::pairs::Sides;
 use super::text::{Form, GROUP, STRIP};
 use crate::Error;
@@ -37,9 +37,13 @@ impl Programs<'_> {
     where
         R: Runs<(A, B), Out = f32>,
     {
-        expect(Argument::Upstream, entries(a.len(), b.len(), 1)?, upstream.len())?;
+        expect(
+            Argument::Upstream,
+            entries(a.len(), b.len(), 1)?,
+            upstream.len(),
+        )?;
         check_upstream(upstream, 1)?;
-        let made = run.made(Ask::ADJOINT)?;
+        let made = run.generated(Ask::ADJOINT)?;
         let sides = Sides::new(&self.gpu.inner, &made, a, b)?;
         self.slopes(&made, &sides, &Seed::Matrix(upstream))
     }
@@ -93,7 +97,7 @@ impl Programs<'_> {
         R: Runs<(A, B), Out = f32> + Copy,
     {
         let sum = self.sum(run, a, b)?;
-        let made = run.made(Ask::ADJOINT)?;
+        let made = run.generated(Ask::ADJOINT)?;
         let sides = Sides::new(&self.gpu.inner, &made, a, b)?;
         let (a_bar, b_bar) = self.slopes(&made, &sides, &Seed::Factor(factor))?;
         Ok((sum, a_bar, b_bar))
@@ -103,7 +107,7 @@ impl Programs<'_> {
     /// order.
     fn slopes<A: Single<Scalar = f32>, B: Single<Scalar = f32>>(
         &self,
-        made: &Arc<Made<f32>>,
+        made: &Arc<Generated<f32>>,
         sides: &Sides,
         seed: &Seed<'_>,
     ) -> Result<(Vec<A>, Vec<B>), Error> {
@@ -116,7 +120,7 @@ impl Programs<'_> {
     /// The sums of slopes of one list, shape by shape.
     fn sums(
         &self,
-        made: &Arc<Made<f32>>,
+        made: &Arc<Generated<f32>>,
         sides: &Sides,
         seed: &Seed<'_>,
         form: Form,

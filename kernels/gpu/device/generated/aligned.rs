@@ -1,8 +1,8 @@
 //! Item i of every column: one thread per item.
 use super::Programs;
-use super::made::Made;
+use super::operation::Generated;
 use super::text::{Form, GROUP, MOST_GROUPS};
-use crate::kernels::cpu::aligned::{fitting, items, listed, sound};
+use crate::kernels::cpu::aligned::{as_rows, fitting, items, listed, sound};
 use crate::kernels::cpu::lane::TILE;
 use crate::kernels::cpu::work::spread;
 use crate::kernels::gpu::device::Inner;
@@ -30,7 +30,7 @@ impl Programs<'_> {
     where
         C::Row: Pack<Scalar = f32>,
     {
-        let made = run.made(Ask::ALIGNED)?;
+        let made = run.generated(Ask::ALIGNED)?;
         let columns = listed(&columns);
         let count = checked(&made, &columns)?;
         let mut many = R::Out::many(count);
@@ -56,7 +56,7 @@ impl Programs<'_> {
     where
         C::Row: Pack<Scalar = f32>,
     {
-        let made = run.made(Ask::ALIGNED)?;
+        let made = run.generated(Ask::ALIGNED)?;
         let columns = listed(&columns);
         let count = checked(&made, &columns)?;
         let targets = fitting::<R::Out>(&mut targets, count)?;
@@ -72,25 +72,18 @@ impl Programs<'_> {
     where
         C::Row: Pack<Scalar = f32>,
     {
-        let made = run.made(Ask::ALIGNED)?;
+        let made = run.generated(Ask::ALIGNED)?;
         let columns = listed(&columns);
         let count = checked(&made, &columns)?;
-        let mut parts: Vec<Vec<f32>> = made.gives.iter().map(|n| vec![0.0; n * count]).collect();
-        let targets = parts.iter_mut().zip(&made.gives);
-        let targets = targets.map(|(part, &fields)| Some(Target::of_rows(part, fields)));
-        self.compute(&made, &columns, count, targets.collect())?;
-        let row = |i: usize| {
-            let own = parts.iter().zip(&made.gives);
-            own.flat_map(|(part, &n)| part[i * n..(i + 1) * n].to_vec())
-                .collect()
-        };
-        Ok((0..count).map(row).collect())
+        as_rows(&made.gives, count, |targets| {
+            self.compute(&made, &columns, count, targets)
+        })
     }
 
     /// Chunk by chunk: while one is computed, the one before comes back.
     fn compute(
         &self,
-        made: &Arc<Made<f32>>,
+        made: &Arc<Generated<f32>>,
         columns: &[Column<'_, f32>],
         count: usize,
         targets: Vec<Option<Target<'_, f32>>>,
@@ -123,7 +116,7 @@ impl Programs<'_> {
     /// Brings some items up, computes them and starts bringing them back.
     fn start(
         &self,
-        made: &Arc<Made<f32>>,
+        made: &Arc<Generated<f32>>,
         columns: &[Column<'_, f32>],
         items: Range<usize>,
     ) -> Result<(Arrival, Chunk), Error> {
@@ -163,14 +156,14 @@ impl Programs<'_> {
 }
 
 /// Checks columns; how many items there are.
-fn checked(made: &Made<f32>, columns: &[Column<'_, f32>]) -> Result<usize, Error> {
+fn checked(made: &Generated<f32>, columns: &[Column<'_, f32>]) -> Result<usize, Error> {
     let count = items(made.arguments.len(), columns)?;
     sound(&made.arguments, f64::INFINITY, columns)?;
     Ok(count)
 }
 
 /// How many items a dispatch takes, so that what goes in and what comes out fits a binding each.
-fn chunk(inner: &Inner, made: &Made<f32>) -> Result<usize, Error> {
+fn chunk(inner: &Inner, made: &Generated<f32>) -> Result<usize, Error> {
     let fields = |numbers: &[usize]| numbers.iter().sum::<usize>().max(1);
     let widest = fields(&made.widths).max(fields(&made.gives));
     // A last tile may be a part of one.
@@ -185,7 +178,12 @@ fn chunk(inner: &Inner, made: &Made<f32>) -> Result<usize, Error> {
 }
 
 /// The prepared numbers of some items of a column, in tiles.
-fn tiles(made: &Made<f32>, k: usize, column: &Column<'_, f32>, items: Range<usize>) -> Vec<f32> {
+fn tiles(
+    made: &Generated<f32>,
+    k: usize,
+    column: &Column<'_, f32>,
+    items: Range<usize>,
+) -> Vec<f32> {
     let items = match column.count {
         Some(_) => items,
         None => 0..1,
@@ -213,7 +211,7 @@ struct Chunk {
 }
 
 impl Chunk {
-    fn new(made: &Made<f32>, items: Range<usize>) -> Self {
+    fn new(made: &Generated<f32>, items: Range<usize>) -> Self {
         let (mut starts, mut numbers) = (Vec::new(), 0);
         for &fields in &made.gives {
             starts.push(numbers);
@@ -228,14 +226,13 @@ impl Chunk {
     /// Puts results where they belong.
     fn finish(
         self,
-        made: &Made<f32>,
+        made: &Generated<f32>,
         arrival: Arrival,
         targets: &mut [Vec<Piece<'_, f32>>],
     ) -> Result<(), Error> {
         arrival.finish(|_, numbers| {
             let numbers: &[f32] = bytemuck::cast_slice(numbers);
-            for ((target, &fields), &start) in
-                targets.iter_mut().zip(&made.gives).zip(&self.starts)
+            for ((target, &fields), &start) in targets.iter_mut().zip(&made.gives).zip(&self.starts)
             {
                 let own = target.iter_mut().enumerate();
                 let work = own

@@ -1,6 +1,6 @@
 //! Folds over paths: a thread per path walks along its edges.
 use super::Programs;
-use super::made::{Body, Name, body_of, part};
+use super::operation::{Body, Name, body_of, part};
 use super::text::{Form, GROUP, MOST_GROUPS, call};
 use crate::ad::program::WGSL;
 use crate::ad::program::recorded::Recorded;
@@ -19,7 +19,7 @@ use std::sync::Arc;
 
 /// A fold for GPUs: made once, compiled once per context.
 #[derive(Debug)]
-pub(super) struct FoldMade {
+pub(super) struct GeneratedFold {
     name: Name,
     edge: Body,
     join: Body,
@@ -38,7 +38,7 @@ pub(super) struct FoldMade {
 }
 
 /// What a GPU is given of a fold.
-pub(super) fn made<F: Fold>() -> Result<Arc<FoldMade>, Error> {
+pub(super) fn made<F: Fold>() -> Result<Arc<GeneratedFold>, Error> {
     known::<F, f32, _>(Known::FoldShader, || {
         let programs = folds::programs::<F, f32>()?;
         let piece = |recorded: &Recorded| Piece {
@@ -49,7 +49,7 @@ pub(super) fn made<F: Fold>() -> Result<Arc<FoldMade>, Error> {
         let edge_vjp = piece(&programs.edge_vjp);
         let slopes = part(&edge_vjp, &edge_vjp.outputs[F::State::<f32>::LEN..]);
         let own = F::Context::<f32>::LEN;
-        Ok(FoldMade {
+        Ok(GeneratedFold {
             name: Name::default(),
             edge: whole("fold_edge", &programs.edge),
             join: whole("fold_join", &programs.join),
@@ -76,7 +76,7 @@ fn elements(array: &str, range: Range<usize>) -> Vec<String> {
     range.map(|k| format!("{array}[{k}]")).collect()
 }
 
-impl FoldMade {
+impl GeneratedFold {
     fn state(&self) -> usize {
         self.empty.len()
     }
@@ -127,10 +127,18 @@ fn {entry}(@builtin(global_invocation_id) thread: vec3u) {{
     let edges = {};
     _ = shared_numbers[0];
 ",
-            if self.is_closed { "count" } else { "max(count, 1u) - 1u" }
+            if self.is_closed {
+                "count"
+            } else {
+                "max(count, 1u) - 1u"
+            }
         );
         for k in 0..self.wide {
-            let _ = writeln!(text, "    let s{k} = shared_numbers[path * {}u + {k}u];", self.wide);
+            let _ = writeln!(
+                text,
+                "    let s{k} = shared_numbers[path * {}u + {k}u];",
+                self.wide
+            );
         }
         for (k, x) in self.empty.iter().enumerate() {
             // By its bits, whatever it is.
@@ -188,9 +196,8 @@ fn {entry}(@builtin(global_invocation_id) thread: vec3u) {{
             ("read_write", "path_bars"),
         ];
         let mut text = self.head("fold_slopes_main", &buffers);
-        let lines = |count: usize, line: &dyn Fn(usize) -> String| {
-            (0..count).map(line).collect::<String>()
-        };
+        let lines =
+            |count: usize, line: &dyn Fn(usize) -> String| (0..count).map(line).collect::<String>();
         let keep = lines(state, &|k| {
             format!("        before[(start + k) * {state}u + {k}u] = state{k};\n")
         });
@@ -204,7 +211,9 @@ fn {entry}(@builtin(global_invocation_id) thread: vec3u) {{
         end.extend((0..self.gives).map(|k| format!("upstream[path * {}u + {k}u]", self.gives)));
         let end = call("fold_finish_vjp", end);
         let context = lines(own, &|k| format!("    var context{k} = ended[{k}];\n"));
-        let bars = lines(state, &|k| format!("    var bar{k} = ended[{}];\n", wide + k));
+        let bars = lines(state, &|k| {
+            format!("    var bar{k} = ended[{}];\n", wide + k)
+        });
         let mut pulled = names("state", state);
         pulled.extend(elements("told", 0..state));
         pulled.extend(names("bar", state));
@@ -216,7 +225,10 @@ fn {entry}(@builtin(global_invocation_id) thread: vec3u) {{
         let add = lines(own, &|k| format!("        context{k} += slopes[{k}];\n"));
         let add_ends = lines(4, &|k| {
             let (end, axis) = (if k < 2 { "k" } else { "next" }, k % 2);
-            format!("        path_bars[2u * (start + {end}) + {axis}u] += slopes[{}];\n", wide + k)
+            format!(
+                "        path_bars[2u * (start + {end}) + {axis}u] += slopes[{}];\n",
+                wide + k
+            )
         });
         let put = lines(own, &|k| {
             format!("    context_bars[path * {own}u + {k}u] = context{k} + 0.0;\n")
@@ -286,10 +298,12 @@ impl Programs<'_> {
                 Ok(results)
             })?;
             let bytes = 4 * (count * made.gives) as u64;
-            inner.bring(self.gpu, &[(&results, bytes)])?.finish(|_, numbers| {
-                let numbers: &[f32] = bytemuck::cast_slice(numbers);
-                all.extend(numbers.chunks_exact(made.gives).map(F::Out::<f32>::load));
-            })?;
+            inner
+                .bring(self.gpu, &[(&results, bytes)])?
+                .finish(|_, numbers| {
+                    let numbers: &[f32] = bytemuck::cast_slice(numbers);
+                    all.extend(numbers.chunks_exact(made.gives).map(F::Out::<f32>::load));
+                })?;
         }
         Ok(all)
     }
@@ -372,7 +386,7 @@ impl Programs<'_> {
     /// How paths are cut, so that so many numbers per vertex fit a buffer.
     fn loads(
         &self,
-        made: &FoldMade,
+        made: &GeneratedFold,
         offsets: &[usize],
         per_vertex: usize,
     ) -> Result<Vec<Load>, Error> {
@@ -401,7 +415,7 @@ impl Programs<'_> {
     /// Brings paths up: offsets, vertices, and what is one per path.
     fn bring(
         &self,
-        made: &FoldMade,
+        made: &GeneratedFold,
         load: &Load,
         vertices: &[Vec2<f32>],
         offsets: &[usize],

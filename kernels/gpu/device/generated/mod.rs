@@ -2,7 +2,7 @@
 mod adjoint;
 mod aligned;
 mod folds;
-pub(crate) mod made;
+pub(crate) mod operation;
 mod pairs;
 mod text;
 
@@ -10,10 +10,10 @@ use super::{Gpu, Inner, locked};
 use crate::Error;
 use crate::Fixed;
 use crate::kernels::Fold;
-use crate::kernels::cpu::plan::{Want, made_of};
+use crate::kernels::cpu::plan::{Want, generated_of};
 use crate::kernels::op::Op;
 use crate::kernels::row::Row;
-use made::{Made, Name};
+use operation::{Generated, Name};
 use std::collections::HashMap;
 use std::sync::Weak;
 use text::Form;
@@ -99,15 +99,15 @@ where
     };
     let mut all = Vec::new();
     for &want in wants {
-        let made = made_of::<O, O::In<f32>>(want, false)?;
-        let mut add = |form: Form, made: &Made<f32>| {
+        let made = generated_of::<O, O::In<f32>>(want, false)?;
+        let mut add = |form: Form, made: &Generated<f32>| {
             all.push((format!("{} {want:?} {form:?}", O::NAME), form.text(made)));
         };
         add(Form::Aligned, &made);
         if made.arguments.len() != 2 {
             continue;
         }
-        let made = made_of::<O, O::In<f32>>(want, true)?;
+        let made = generated_of::<O, O::In<f32>>(want, true)?;
         match want {
             Want::Value | Want::ValueGrad => add(Form::Pairs, &made),
             Want::Vjp if O::Out::<f32>::LEN == 1 => {

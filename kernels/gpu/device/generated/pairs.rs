@@ -1,6 +1,6 @@
 //! Every row with every column: a thread per column and some rows.
 use super::Programs;
-use super::made::Made;
+use super::operation::Generated;
 use super::text::{Form, GROUP, MOST_GROUPS, ROWS};
 use crate::error::Argument;
 use crate::kernels::cpu::checked::check;
@@ -31,7 +31,12 @@ pub(super) struct Side {
 
 impl Side {
     /// Brings a list up that was checked.
-    fn new(inner: &Inner, made: &Made<f32>, k: usize, column: &Column<'_, f32>) -> Result<Self, Error> {
+    fn new(
+        inner: &Inner,
+        made: &Generated<f32>,
+        k: usize,
+        column: &Column<'_, f32>,
+    ) -> Result<Self, Error> {
         let count = column.len();
         // Sums of slopes, which have the numbers of a shape, must fit a binding, too.
         let width = made.widths[k].max(made.arguments[k].fields).max(1);
@@ -53,7 +58,10 @@ impl Side {
         })
     }
     /// The parts of a range of shapes, each in one buffer: the buffer, where in it, which shapes.
-    fn parts(&self, range: Range<usize>) -> impl Iterator<Item = (&wgpu::Buffer, usize, Range<usize>)> {
+    fn parts(
+        &self,
+        range: Range<usize>,
+    ) -> impl Iterator<Item = (&wgpu::Buffer, usize, Range<usize>)> {
         let buffers = self.buffers.iter().enumerate();
         buffers.filter_map(move |(i, buffer)| {
             let first = i * self.window;
@@ -64,7 +72,12 @@ impl Side {
 }
 
 /// The prepared numbers of some shapes, in tiles.
-fn frames(made: &Made<f32>, k: usize, column: &Column<'_, f32>, items: Range<usize>) -> Vec<f32> {
+fn frames(
+    made: &Generated<f32>,
+    k: usize,
+    column: &Column<'_, f32>,
+    items: Range<usize>,
+) -> Vec<f32> {
     let starts = items.clone().step_by(STRETCH);
     let mut parts = vec![Vec::new(); starts.len()];
     let work = starts.zip(&mut parts).collect();
@@ -94,7 +107,7 @@ pub(super) struct Piece<'a> {
 impl Sides {
     pub fn new<A: Single<Scalar = f32>, B: Single<Scalar = f32>>(
         inner: &Inner,
-        made: &Made<f32>,
+        made: &Generated<f32>,
         a: &[A],
         b: &[B],
     ) -> Result<Self, Error> {
@@ -150,7 +163,7 @@ impl Sides {
     fn compute(
         &self,
         inner: &Inner,
-        made: &Arc<Made<f32>>,
+        made: &Arc<Generated<f32>>,
         block: &Block,
         to: &wgpu::Buffer,
     ) -> Result<(), Error> {
@@ -185,7 +198,7 @@ impl Programs<'_> {
     ) -> Result<Table<R::Out>, Error> {
         let inner = &self.gpu.inner;
         let mut table = Table::<R::Out>::new(a.len(), b.len())?;
-        let made = run.made(Ask::PAIRS)?;
+        let made = run.generated(Ask::PAIRS)?;
         let sides = Sides::new(inner, &made, a, b)?;
         let fields = made.bodies[0].gives;
         let size = a.len() * b.len();
@@ -220,12 +233,16 @@ impl Programs<'_> {
     where
         R: Runs<(A, B), Out = f32>,
     {
-        let made = run.made(Ask::PAIRS)?;
+        let made = run.generated(Ask::PAIRS)?;
         let sides = Sides::new(&self.gpu.inner, &made, a, b)?;
         self.matrix_of(&made, &sides)
     }
 
-    pub(super) fn matrix_of(&self, made: &Arc<Made<f32>>, sides: &Sides) -> Result<Matrix, Error> {
+    pub(super) fn matrix_of(
+        &self,
+        made: &Arc<Generated<f32>>,
+        sides: &Sides,
+    ) -> Result<Matrix, Error> {
         let inner = &self.gpu.inner;
         let [rows, columns] = sides.counts();
         let matrix = inner.guarded(|| Matrix::room(self.gpu, rows, columns))?;

@@ -1,5 +1,5 @@
 //! Kernels around a generated function: what every thread reads, calls and writes.
-use super::made::{Body, Made};
+use super::operation::{Body, Generated};
 use crate::ad::program::WGSL;
 use crate::kernels::cpu::lane::TILE;
 use std::fmt::Write;
@@ -45,7 +45,7 @@ impl Form {
         }
     }
     /// The function that it calls.
-    pub(super) fn body(self, made: &Made<f32>) -> &Body {
+    pub(super) fn body(self, made: &Generated<f32>) -> &Body {
         match self {
             Form::RowSlopes => &made.bodies[1],
             Form::ColumnSlopes => &made.bodies[2],
@@ -53,7 +53,7 @@ impl Form {
         }
     }
     /// The shader.
-    pub fn text(self, made: &Made<f32>) -> String {
+    pub fn text(self, made: &Generated<f32>) -> String {
         let body = self.body(made);
         let kernel = match self {
             Form::RowSlopes | Form::ColumnSlopes => slopes(made, body, self),
@@ -101,12 +101,16 @@ pub(super) fn call(name: &str, mut inputs: Vec<String>) -> String {
     if inputs.is_empty() {
         inputs.push("0.0".to_owned());
     }
-    format!("{name}(array<f32, {}>({}))", inputs.len(), inputs.join(", "))
+    format!(
+        "{name}(array<f32, {}>({}))",
+        inputs.len(),
+        inputs.join(", ")
+    )
 }
 
 /// Item i of every column: one thread per item. Parameters are how many items; of every column where it
 /// begins and whether it has more than one item; of every result where it begins.
-fn aligned(made: &Made<f32>) -> String {
+fn aligned(made: &Generated<f32>) -> String {
     let columns = made.widths.len();
     let mut text = bindings(1 + columns + made.gives.len(), &["inputs"], &["outputs"]);
     let _ = write!(
@@ -156,7 +160,7 @@ fn aligned_main(@builtin(global_invocation_id) thread: vec3u) {{
 
 /// The numbers of both shapes of a pair. Shapes that stay are read before the loop, those that are walked
 /// through within it.
-fn both(made: &Made<f32>, own: usize) -> (String, String, Vec<String>) {
+fn both(made: &Generated<f32>, own: usize) -> (String, String, Vec<String>) {
     let (mut outside, mut inside) = (String::new(), String::new());
     let mut inputs = Vec::new();
     for (k, name) in ["a", "b"].into_iter().enumerate() {
@@ -170,8 +174,8 @@ fn both(made: &Made<f32>, own: usize) -> (String, String, Vec<String>) {
             "{indent}let {name}_at = place(params[1].{} + {item}, {width}u);",
             if k == 0 { "x" } else { "y" }
         );
-        for (i, number) in numbers(&format!("{name}_numbers"), &format!("{name}_at"), width)
-            .enumerate()
+        for (i, number) in
+            numbers(&format!("{name}_numbers"), &format!("{name}_at"), width).enumerate()
         {
             let _ = writeln!(text, "{indent}let {name}{i} = {number};");
             inputs.push(format!("{name}{i}"));
@@ -183,7 +187,7 @@ fn both(made: &Made<f32>, own: usize) -> (String, String, Vec<String>) {
 /// Every row with every column: one thread per column, which walks through some rows. Parameters are how
 /// many rows and columns there are here, how many columns the results have and how many numbers a plane of
 /// them; then where both lists begin, and where the results.
-fn pairs(made: &Made<f32>, body: &Body) -> String {
+fn pairs(made: &Generated<f32>, body: &Body) -> String {
     let mut text = bindings(2, &["a_numbers", "b_numbers"], &["outputs"]);
     let (outside, inside, inputs) = both(made, 1);
     let _ = write!(
@@ -213,7 +217,7 @@ fn pairs_main(
 }
 
 /// Uses of buffers that nothing is read from: a binding that nothing uses would be none.
-fn bound(made: &Made<f32>, a: &str, b: &str) -> String {
+fn bound(made: &Generated<f32>, a: &str, b: &str) -> String {
     let unread = [a, b].into_iter().zip(&made.widths);
     unread
         .filter(|(_, width)| **width == 0)
@@ -224,10 +228,20 @@ fn bound(made: &Made<f32>, a: &str, b: &str) -> String {
 /// Sums of slopes of the shapes of one list: one thread per shape, which walks through a strip of the
 /// other list and writes a partial sum. Parameters as for all pairs, then the factor for all results, or
 /// whether the upstream matrix has one for each; partial sums go strip by strip, field by field.
-fn slopes(made: &Made<f32>, body: &Body, form: Form) -> String {
+fn slopes(made: &Generated<f32>, body: &Body, form: Form) -> String {
     let (own, own_count, walked_count, at) = match form {
-        Form::RowSlopes => (0, "x", "y", "(params[1].z + own) * params[0].z + params[1].w + walked"),
-        _ => (1, "y", "x", "(params[1].z + walked) * params[0].z + params[1].w + own"),
+        Form::RowSlopes => (
+            0,
+            "x",
+            "y",
+            "(params[1].z + own) * params[0].z + params[1].w + walked",
+        ),
+        _ => (
+            1,
+            "y",
+            "x",
+            "(params[1].z + walked) * params[0].z + params[1].w + own",
+        ),
     };
     let read = ["a_numbers", "b_numbers", "upstream"];
     let mut text = bindings(3, &read, &["sums"]);
@@ -236,9 +250,8 @@ fn slopes(made: &Made<f32>, body: &Body, form: Form) -> String {
     let lines = |line: &dyn Fn(usize) -> String| (0..body.gives).map(line).collect::<String>();
     let variables = lines(&|k| format!("    var total{k} = 0.0;\n    var step{k} = 0.0;\n"));
     let add = lines(&|k| format!("        step{k} += y[{k}];\n"));
-    let carry = lines(&|k| {
-        format!("            total{k} += step{k};\n            step{k} = 0.0;\n")
-    });
+    let carry =
+        lines(&|k| format!("            total{k} += step{k};\n            step{k} = 0.0;\n"));
     let fields = body.gives;
     let put = lines(&|k| {
         format!(

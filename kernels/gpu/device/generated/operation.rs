@@ -11,7 +11,7 @@ use std::sync::Arc;
 use std::sync::atomic::{AtomicU64, Ordering};
 
 /// An operation, or a program, for GPUs: made once, compiled once per context.
-pub struct Made<T> {
+pub struct Generated<T> {
     pub(super) name: Name,
     /// For every shape that it takes, how it is checked and prepared.
     pub(super) arguments: Vec<Preparation<T>>,
@@ -77,7 +77,7 @@ impl Default for Name {
     }
 }
 
-impl<T: Real> Made<T> {
+impl<T: Real> Generated<T> {
     /// Of a recorded function. `framed` says that it is for all pairs, where what depends on one shape
     /// alone is computed once per shape.
     pub(crate) fn new(
@@ -125,7 +125,7 @@ impl<T: Real> Made<T> {
             Want::ValueGrad => [outputs, fields].concat(),
             Want::Vjp => fields,
         };
-        Ok(Made {
+        Ok(Generated {
             name: Name::default(),
             arguments,
             widths,
