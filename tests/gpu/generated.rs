@@ -233,6 +233,28 @@ fn all_pairs_and_reductions() {
     pairs_agree(gpu, overlap3::IouBirdsEye, &yaw, &yaw[..30]);
 }
 
+/// Long thin boxes that are nearly parallel overlap in a sliver whose ends move far for a small turn.
+#[test]
+fn thin_boxes_that_are_nearly_parallel() {
+    let Some((_turn, gpu)) = gpu() else { return };
+    let thin = |x, angle| Obb2::new(x, 0.0_f32, 1e-3, 50.0, angle);
+    let boxes = [
+        thin(0.0, 0.7),
+        thin(0.0, 0.7 + 1e-7),
+        thin(3e-4, 0.7 + 1e-6),
+        thin(2e-4, 0.7 - 3e-5),
+        Obb2::new(0.0, 0.0, 50.0, 1e-3, 0.7),
+        Obb2::new(1e-4, 0.0, 50.0, 1e-3, 0.70001),
+    ];
+    let wide: Vec<Obb2<f64>> = boxes.iter().map(|shape| shape.cast()).collect();
+    let found = gpu.programs().all_pairs(overlap::IouObb2, &boxes, &boxes);
+    let expected = Cpu::new().all_pairs(overlap::IouObb2, &wide, &wide).unwrap();
+    for (found, expected) in found.unwrap().planes().iter().zip(expected.planes()) {
+        let off = f64::from(*found) - expected;
+        assert!(off.abs() <= 1e-4, "{found} for {expected}");
+    }
+}
+
 #[test]
 fn suppression_starts_from_the_same_pairs() {
     let Some((_turn, gpu)) = gpu() else { return };
