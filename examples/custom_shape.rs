@@ -1,16 +1,16 @@
 //! A shape and a function of your own: a two-link arm and its clearance from what is around it.
 //! `cargo run --release --example custom_shape`; `-- --help` has the options.
+#[path = "common/cli.rs"]
+mod cli;
 #[path = "custom_shape/command.rs"]
 mod command;
 #[path = "custom_shape/draw.rs"]
 mod draw;
-#[path = "common/failure.rs"]
-mod failure;
 
+use cli::{Failure, Machine};
 use draw::{POST, WALL};
-use failure::Failure;
 use geograd::ad::check::Plan;
-use geograd::kernels::{Cpu, One, Op, Skip, check::prove_with};
+use geograd::kernels::{One, Op, Skip, check::prove_with};
 use geograd::{Capsule2, Circle, Obb2, Pose2, Program, Scalar, Shape, Sym, Vec2};
 use geograd::{ad::program::WGSL, distance::Convex, operation};
 
@@ -61,15 +61,15 @@ operation! {
     slopes Reverse
 }
 
-/// Value and slopes for many arms on all cores.
-fn batch(count: usize) -> Result<String, Failure> {
+/// Value and slopes for many arms, on all cores or on a GPU.
+fn batch(count: usize, machine: &Machine) -> Result<String, Failure> {
     let (arms, start, piece) = (command::postures(count), std::time::Instant::now(), 1 << 16);
     let (mut values, mut slopes) = (vec![0.0; count], arms.clone());
     let bar = command::progress(count);
     let results = values.chunks_mut(piece).zip(slopes.chunks_mut(piece));
     for (arms, (values, slopes)) in arms.chunks(piece).zip(results) {
         let columns = (arms, One(WALL), One(POST));
-        Cpu::new().aligned_into(
+        machine.backend().run_into(
             Clearance.value_grad(),
             columns,
             (values, (slopes, Skip, Skip)),

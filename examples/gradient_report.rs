@@ -4,7 +4,7 @@
 use geograd::Error;
 use geograd::ad::check::{Plan, Report, SEED};
 use geograd::kernels::Backend;
-use geograd::kernels::check::{prove_on, prove_ring_on, prove_ring_with, prove_with};
+use geograd::kernels::check::{prove_any_on, prove_on, prove_ring_on, prove_ring_with, prove_with};
 use geograd::kernels::fuzz::{self, Fuzzed};
 use geograd::kernels::gpu::Gpu;
 use indicatif::{ProgressBar, ProgressStyle};
@@ -113,7 +113,10 @@ macro_rules! jobs {
             )*
             $(
                 (stringify!($straight), true, |plan, _| Ok(prove_with::<$straight_op, f64>(plan))),
-                (stringify!($straight), false, |plan, _| Ok(prove_with::<$straight_op, f32>(plan))),
+                (stringify!($straight), false, |plan, gpu| match gpu {
+                    Some(gpu) => prove_any_on::<$straight_op>(Backend::Gpu(gpu), plan),
+                    None => Ok(prove_with::<$straight_op, f32>(plan)),
+                }),
             )*
         ]
     };

@@ -2,11 +2,13 @@
 use crate::Error;
 #[cfg(feature = "gpu")]
 use crate::GpuFault;
-use crate::Vec2;
 use crate::kernels::gpu::{Gpu, GpuPair, GpuRing};
 use crate::kernels::on_cpu::{self, AlignedGrads, Bars as Slopes, Loss, PairGrads, ShapeOf};
-use crate::kernels::op::RingOp;
+use crate::kernels::op::{RingOp, Runs};
 use crate::kernels::reduce::{Best, Found};
+use crate::kernels::row::Row;
+use crate::kernels::{Columns, Cpu, Single, Table, Targets};
+use crate::{Pack, Vec2};
 
 /// Where batches run. Nothing ever falls back from one to the other by itself.
 ///
@@ -70,6 +72,102 @@ impl std::fmt::Display for Auto {
         match self {
             Auto::Cpu(reason) => write!(f, "the CPU ({reason})"),
             Auto::Gpu(gpu) => gpu.fmt(f),
+        }
+    }
+}
+
+/// Any operation, and any program.
+impl Backend<'_> {
+    /// Item i of every column: [`Cpu::aligned`](crate::kernels::Cpu::aligned).
+    ///
+    /// ```
+    /// use geograd::kernels::{Backend, DistanceCircles};
+    /// use geograd::{Circle, Vec2};
+    /// let circle = |x| Circle::new(Vec2::new(x, 0.0_f32), 1.0);
+    /// let (a, b) = ([circle(0.0)], [circle(5.0)]);
+    /// assert_eq!(Backend::Cpu.run(DistanceCircles, (&a, &b))?, [3.0]);
+    /// # Ok::<(), geograd::Error>(())
+    /// ```
+    ///
+    /// # Errors
+    ///
+    /// As on the CPU; [`Error::Gpu`](crate::Error::Gpu) are the GPU's, which does not serve what searches
+    /// ([`Unrecordable::Search`](crate::Unrecordable::Search)).
+    pub fn run<C: Columns, R: Runs<C::Row>>(
+        self,
+        run: R,
+        columns: C,
+    ) -> Result<<R::Out as Row>::Many, Error>
+    where
+        C::Row: Pack<Scalar = f32>,
+    {
+        match self {
+            Backend::Cpu => Cpu::new().aligned(run, columns),
+            #[cfg(feature = "gpu")]
+            Backend::Gpu(gpu) => gpu.programs().aligned(run, columns),
+            #[cfg(not(feature = "gpu"))]
+            Backend::Gpu(gpu) => match *gpu {},
+        }
+    }
+
+    /// The same into the caller's slices: [`Cpu::aligned_into`](crate::kernels::Cpu::aligned_into).
+    ///
+    /// # Errors
+    ///
+    /// As [`run`](Backend::run), and [`Error::Length`] for a slice of another length.
+    pub fn run_into<C: Columns, R: Runs<C::Row>>(
+        self,
+        run: R,
+        columns: C,
+        targets: impl Targets<R::Out>,
+    ) -> Result<(), Error>
+    where
+        C::Row: Pack<Scalar = f32>,
+    {
+        match self {
+            Backend::Cpu => Cpu::new().aligned_into(run, columns, targets),
+            #[cfg(feature = "gpu")]
+            Backend::Gpu(gpu) => gpu.programs().aligned_into(run, columns, targets),
+            #[cfg(not(feature = "gpu"))]
+            Backend::Gpu(gpu) => match *gpu {},
+        }
+    }
+
+    /// The numbers of every result, item by item.
+    pub(crate) fn rows<C: Columns, R: Runs<C::Row>>(
+        self,
+        run: R,
+        columns: C,
+    ) -> Result<Vec<Vec<f32>>, Error>
+    where
+        C::Row: Pack<Scalar = f32>,
+    {
+        match self {
+            Backend::Cpu => Cpu::new().rows(run, columns),
+            #[cfg(feature = "gpu")]
+            Backend::Gpu(gpu) => gpu.programs().rows(run, columns),
+            #[cfg(not(feature = "gpu"))]
+            Backend::Gpu(gpu) => match *gpu {},
+        }
+    }
+
+    /// Every row of `a` with every row of `b`: [`Cpu::all_pairs`](crate::kernels::Cpu::all_pairs).
+    ///
+    /// # Errors
+    ///
+    /// As [`run`](Backend::run).
+    pub fn run_pairs<A: Single<Scalar = f32>, B: Single<Scalar = f32>, R: Runs<(A, B)>>(
+        self,
+        run: R,
+        a: &[A],
+        b: &[B],
+    ) -> Result<Table<R::Out>, Error> {
+        match self {
+            Backend::Cpu => Cpu::new().all_pairs(run, a, b),
+            #[cfg(feature = "gpu")]
+            Backend::Gpu(gpu) => gpu.programs().all_pairs(run, a, b),
+            #[cfg(not(feature = "gpu"))]
+            Backend::Gpu(gpu) => match *gpu {},
         }
     }
 }

@@ -19,7 +19,7 @@ use crate::kernels::op::{Op, RingOp, Ringed};
 use crate::kernels::real::Real;
 use crate::kernels::recorded_subject::{RecordedSubject, Recording};
 use crate::kernels::row::{Row, target};
-use crate::kernels::witness::{Ask, Batch, ask_pairs, ask_rings};
+use crate::kernels::witness::{Ask, Batch, ask_any, ask_pairs, ask_rings};
 use crate::kernels::{Backend, Cpu};
 use crate::{Error, Fixed, Pack, Vec2};
 
@@ -183,6 +183,22 @@ where
     O::Out<f64>: Row,
 {
     straight::<O, f32>(plan, Some(&|inputs| ask_pairs::<O>(backend, inputs)))
+}
+
+/// The same for any operation of fixed size: on a GPU its [generated](crate::kernels::gpu) kernels are
+/// asked.
+///
+/// # Errors
+///
+/// The backend's.
+pub fn prove_any_on<O: Op>(backend: Backend<'_>, plan: &Plan<'_>) -> Result<Report, Error>
+where
+    O::In<f64>: Sample + Row,
+    O::Out<f64>: Row,
+    O::In<f32>: Row<Scalar = f32>,
+    O::Out<f32>: Row<Scalar = f32>,
+{
+    straight::<O, f32>(plan, Some(&|inputs| ask_any::<O>(backend, inputs)))
 }
 
 fn straight<O: Op, S: Number + Real>(plan: &Plan<'_>, ask: Option<Ask<'_>>) -> Result<Report, Error>

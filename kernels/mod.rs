@@ -14,8 +14,8 @@
 //! ([`Decided`]); a [`Program`](crate::Program). Columns are slices, vectors or [`One`]. Forms that end in `_into` write to
 //! what the caller has. [`operation!`](crate::operation) makes a function an operation.
 //!
-//! Some operations run on GPUs, too: [`gpu`]. [`Backend`] is one front for both machines, and
-//! [`resident`] keeps shapes and results where they are between its calls.
+//! The same calls run on GPUs, but for searches: [`gpu`]. [`Backend`] is one front for both machines, and
+//! [`resident`] keeps boxes, rings and results where they are between its calls.
 #[forbid(unsafe_code)]
 pub mod backend;
 #[forbid(unsafe_code)]
@@ -117,8 +117,8 @@ pub use row::{Column, Columns, One, Row, Skip, Target, Targets};
 /// list.
 ///
 /// `for_each_op!(with)` calls the macro `with!` with the whole list, `pairs { … } rings { … }
-/// straight { … }`: scores of two boxes and measures of rings, which have kernels of their own and run on
-/// GPUs, and all others.
+/// straight { … }`: scores of two boxes and measures of rings, which have kernels of their own, and all
+/// others.
 #[macro_export]
 macro_rules! for_each_op {
     ($with:ident) => {

@@ -31,6 +31,8 @@ use crate::ad::program::{Plain, Program};
 use crate::error::Error;
 use crate::kernels::cpu::plan::{self, Compiled, Face, Want};
 use crate::kernels::cpu::rings::Measure;
+#[cfg(feature = "gpu")]
+use crate::kernels::gpu::Generated;
 use crate::kernels::row::Row;
 use crate::{Fixed, Pack, Scalar, Vec2};
 use std::fmt::Debug;
@@ -158,6 +160,16 @@ pub trait Runs<R: Row> {
     /// Those of recording it.
     #[doc(hidden)]
     fn face(&self, ask: Ask) -> Result<Arc<Face<R::Scalar>>, Error>;
+    /// What a GPU is given of it.
+    ///
+    /// # Errors
+    ///
+    /// Those of recording it: what searches cannot be recorded.
+    #[cfg(feature = "gpu")]
+    #[doc(hidden)]
+    fn generated(&self, _ask: Ask) -> Result<Arc<Generated<R::Scalar>>, Error> {
+        Err(Error::Program(crate::Unrecordable::Search))
+    }
 }
 
 impl<O, R: Row> Runs<R> for O
@@ -170,6 +182,11 @@ where
         let want = if ask.adjoint { Want::Vjp } else { Want::Value };
         plan::face_of::<O, R>(want, ask.framed)
     }
+    #[cfg(feature = "gpu")]
+    fn generated(&self, ask: Ask) -> Result<Arc<Generated<R::Scalar>>, Error> {
+        let want = if ask.adjoint { Want::Vjp } else { Want::Value };
+        plan::generated_of::<O, R>(want, ask.framed)
+    }
 }
 
 impl<O, R: Row> Runs<R> for ValueGrad<O>
@@ -181,6 +198,10 @@ where
     fn face(&self, ask: Ask) -> Result<Arc<Face<R::Scalar>>, Error> {
         plan::face_of::<O, R>(Want::ValueGrad, ask.framed)
     }
+    #[cfg(feature = "gpu")]
+    fn generated(&self, ask: Ask) -> Result<Arc<Generated<R::Scalar>>, Error> {
+        plan::generated_of::<O, R>(Want::ValueGrad, ask.framed)
+    }
 }
 
 impl<O, R: Row, Y: Row<Scalar = R::Scalar>> Runs<(R, Y)> for Vjp<O>
@@ -190,6 +211,10 @@ where
     type Out = R;
     fn face(&self, ask: Ask) -> Result<Arc<Face<R::Scalar>>, Error> {
         plan::face_of::<O, R>(Want::Vjp, ask.framed)
+    }
+    #[cfg(feature = "gpu")]
+    fn generated(&self, ask: Ask) -> Result<Arc<Generated<R::Scalar>>, Error> {
+        plan::generated_of::<O, R>(Want::Vjp, ask.framed)
     }
 }
 

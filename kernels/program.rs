@@ -1,9 +1,12 @@
 //! Recorded programs in batches.
 use crate::Error;
+use crate::ad::program::recorded::Recorded;
 use crate::ad::program::{Plain, Program};
 use crate::kernels::cpu::plan::{Face, Want, of_recorded};
+#[cfg(feature = "gpu")]
+use crate::kernels::gpu::Generated;
 use crate::kernels::op::{Ask, Runs};
-use crate::kernels::row::{Row, leaves_of};
+use crate::kernels::row::{Leaf, Row, leaves_of};
 use std::sync::{Arc, PoisonError};
 
 /// Batches run programs as they run operations. What interprets one is made once, however often it
@@ -27,25 +30,46 @@ where
 {
     type Out = Out;
     fn face(&self, ask: Ask) -> Result<Arc<Face<In::Scalar>>, Error> {
-        let key = u8::from(ask.adjoint) | u8::from(ask.framed) << 1;
-        let lock = || self.kept.lock().unwrap_or_else(PoisonError::into_inner);
-        let found = lock()
-            .iter()
-            .find(|kept| kept.0 == key)
-            .map(|kept| kept.1.clone());
-        if let Some(found) = found.and_then(|found| found.downcast().ok()) {
-            return Ok(found);
-        }
-        let outputs = leaves_of::<Out>().iter().map(|leaf| leaf.fields).collect();
-        let (want, recorded) = match ask.adjoint {
-            false => (Want::Value, self.recorded().clone()),
-            true => (Want::Vjp, self.recorded().value_vjp()),
-        };
-        let face = of_recorded(want, leaves_of::<In>(), outputs, &recorded, ask.framed)?;
-        let face = Arc::new(face);
-        lock().push((key, face.clone()));
-        Ok(face)
+        made(self, 0, ask, of_recorded)
     }
+    #[cfg(feature = "gpu")]
+    fn generated(&self, ask: Ask) -> Result<Arc<Generated<In::Scalar>>, Error> {
+        made(self, 4, ask, Generated::new)
+    }
+}
+
+/// What a machine makes of a program: of what is wanted, the shapes that it takes, the numbers that it
+/// gives, the recording, and whether frames are made once per shape.
+type Make<T, M> = fn(Want, Vec<Leaf<T>>, Vec<usize>, &Recorded, bool) -> Result<M, Error>;
+
+/// Something that is made of a program once; `machine` says for whom.
+fn made<In: Row, Out: Row<Scalar = In::Scalar>, M: Send + Sync + 'static>(
+    program: &Program<In, Out>,
+    machine: u8,
+    ask: Ask,
+    make: Make<In::Scalar, M>,
+) -> Result<Arc<M>, Error>
+where
+    In::Scalar: Plain,
+{
+    let key = machine | u8::from(ask.adjoint) | u8::from(ask.framed) << 1;
+    let lock = || program.kept.lock().unwrap_or_else(PoisonError::into_inner);
+    let found = lock()
+        .iter()
+        .find(|kept| kept.0 == key)
+        .map(|kept| kept.1.clone());
+    if let Some(found) = found.and_then(|found| found.downcast().ok()) {
+        return Ok(found);
+    }
+    let outputs = leaves_of::<Out>().iter().map(|leaf| leaf.fields).collect();
+    let (want, recorded) = match ask.adjoint {
+        false => (Want::Value, program.recorded().clone()),
+        true => (Want::Vjp, program.recorded().value_vjp()),
+    };
+    let made = make(want, leaves_of::<In>(), outputs, &recorded, ask.framed)?;
+    let made = Arc::new(made);
+    lock().push((key, made.clone()));
+    Ok(made)
 }
 
 impl<In: Row, Out: Row<Scalar = In::Scalar>> Runs<In> for Program<In, Out>
@@ -55,5 +79,9 @@ where
     type Out = Out;
     fn face(&self, ask: Ask) -> Result<Arc<Face<In::Scalar>>, Error> {
         (&self).face(ask)
+    }
+    #[cfg(feature = "gpu")]
+    fn generated(&self, ask: Ask) -> Result<Arc<Generated<In::Scalar>>, Error> {
+        (&self).generated(ask)
     }
 }

@@ -11,7 +11,8 @@
 use crate::Error;
 use crate::kernels::Backend;
 use crate::kernels::gpu::{GpuPair, GpuRing};
-use crate::kernels::op::RingOp;
+use crate::kernels::op::{Op, RingOp};
+use crate::kernels::row::Row;
 use crate::{Fixed, Pack, Vec2};
 use std::cell::Cell;
 use std::collections::HashMap;
@@ -115,6 +116,37 @@ pub(crate) fn ask_pairs<O: GpuPair>(
         rows: vec![widened(&[a.scalars(), b.scalars()].concat())],
     });
     Ok(answers.collect())
+}
+
+/// Asks a backend about any operation, one call per output for the slopes.
+pub(crate) fn ask_any<O: Op>(
+    backend: Backend<'_>,
+    inputs: &[Vec<f32>],
+) -> Result<Vec<Answer>, Error>
+where
+    O::In<f32>: Row<Scalar = f32>,
+    O::Out<f32>: Row<Scalar = f32>,
+{
+    let run = O::default();
+    let shapes: Vec<O::In<f32>> = inputs.iter().map(|x| O::In::<f32>::load(x)).collect();
+    let values = backend.rows(run, &shapes[..])?;
+    let mut answers: Vec<Answer> = values
+        .iter()
+        .map(|value| Answer {
+            value: widened(value),
+            rows: Vec::new(),
+        })
+        .collect();
+    let outputs = O::Out::<f32>::LEN;
+    for j in 0..outputs {
+        let seed: Vec<f32> = (0..outputs).map(|k| f32::from(u8::from(j == k))).collect();
+        let seeds = vec![O::Out::<f32>::load(&seed); inputs.len()];
+        let bars = backend.rows(run.vjp(), (&shapes[..], &seeds[..]))?;
+        for (answer, bar) in answers.iter_mut().zip(&bars) {
+            answer.rows.push(widened(bar));
+        }
+    }
+    Ok(answers)
 }
 
 /// Asks a backend about rings, one call per output for the slopes.

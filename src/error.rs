@@ -324,6 +324,8 @@ pub enum Unrecordable {
     Hint,
     /// Its input or its result has whole numbers (codes, counts): programs are of numbers with slopes.
     Codes,
+    /// It searches: what it does depends on its input, and a program is a straight line.
+    Search,
     /// It has more operations than a program can hold.
     TooLong,
     /// The name asked for is not one that a function can have there.
@@ -339,6 +341,7 @@ impl fmt::Display for Unrecordable {
                 "the value depends on the answers of `any` or `all`, which are only hints"
             }
             Unrecordable::Codes => "there are whole numbers in its input or result",
+            Unrecordable::Search => "it searches, and a program is a straight line",
             Unrecordable::TooLong => "there are too many operations",
             Unrecordable::Name => "the name is reserved or not an identifier",
         })

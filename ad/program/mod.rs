@@ -47,7 +47,7 @@ mod reverse;
 mod shapes;
 mod simplify;
 mod symbol;
-mod wgsl;
+pub(crate) mod wgsl;
 
 pub use cost::Cost;
 pub use graph::Format;

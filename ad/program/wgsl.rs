@@ -1,5 +1,5 @@
 //! Programs as functions of the shading language WGSL.
-use super::graph::{Id, Node};
+use super::graph::{Graph, Id, Node};
 use super::recorded::Recorded;
 use crate::Unrecordable;
 use std::fmt::Write;
@@ -12,7 +12,7 @@ pub const WGSL: &str = include_str!("prelude.wgsl");
 const RESERVED: &str = include_str!("reserved.txt");
 
 /// The words with a meaning in the text of a program.
-const USED: &str = "f32 u32 bool array vec2 select bitcast abs min max sin cos atan2 exp log sqrt";
+const USED: &str = "f32 i32 u32 bool array vec2f select bitcast abs min max floor clamp log sqrt";
 
 /// `Ok` for a name that a function of a shader may have beside [`WGSL`].
 pub(super) fn checked(name: &str) -> Result<(), Unrecordable> {
@@ -33,13 +33,18 @@ pub(super) fn checked(name: &str) -> Result<(), Unrecordable> {
 /// compilers (gfx-rs/wgpu#5759, #9497). A constant is a `let`, too, so that no compiler computes
 /// with it and finds an overflow where the program would go on.
 pub(super) fn function(name: &str, recorded: &Recorded) -> String {
-    let graph = &recorded.value.graph;
-    let outputs = &recorded.value.outputs;
+    function_of(
+        name,
+        &recorded.value.graph,
+        &recorded.value.outputs,
+        recorded.inputs,
+    )
+}
+
+/// A graph without grafts as a function of so many numbers.
+pub(crate) fn function_of(name: &str, graph: &Graph, outputs: &[Id], inputs: usize) -> String {
     let count = outputs.len();
-    let mut text = format!(
-        "fn {name}(x: array<f32, {}>) -> array<f32, {count}> {{\n",
-        recorded.inputs
-    );
+    let mut text = format!("fn {name}(x: array<f32, {inputs}>) -> array<f32, {count}> {{\n");
     // Writing to a string does not fail.
     for (i, &node) in graph.nodes().iter().enumerate() {
         let _ = writeln!(text, "    let v{i} = {};", expression(node));
@@ -73,15 +78,15 @@ fn expression(node: Node) -> String {
         Max(a, b) => two("max", a, b),
         Magnitude(x) | Unsigned(x) => one("abs", x),
         Root(x) => one("program_root", x),
-        Sin(x) => one("sin", x),
-        Cos(x) => one("cos", x),
+        Sin(x) => one("program_sin", x),
+        Cos(x) => one("program_cos", x),
         SinHigh(x) => one("program_sin_high", x),
         SinLow(x) => one("program_sin_low", x),
         CosHigh(x) => one("program_cos_high", x),
         CosLow(x) => one("program_cos_low", x),
         Atan2(y, x) => two("program_atan2", y, x),
-        Exp(x) => one("exp", x),
-        Ln(x) => one("log", x),
+        Exp(x) => one("program_exp", x),
+        Ln(x) => one("program_ln", x),
         Binade(x) => one("program_binade", x),
         High(x) => one("program_high", x),
         Graft { value, .. } => format!("v{value}"),

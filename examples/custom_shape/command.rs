@@ -1,6 +1,6 @@
 //! The command line, and what is told about a batch.
+use crate::cli::{Failure, Wish, say};
 use crate::draw::posture;
-use crate::failure::{Failure, say};
 use crate::{Arm, batch, draw, program, prove};
 use indicatif::{ProgressBar, ProgressStyle};
 use lexopt::prelude::*;
@@ -11,9 +11,10 @@ use std::time::Duration;
 const HELP: &str = "\
 The clearance of a two-link arm from a wall and a post, with its slopes, for a million postures.
 
-Usage: custom_shape [option]
+Usage: custom_shape [options]
 
   --count N     for so many postures [default: 1000000]
+  --backend B   on cpu, gpu or auto [default: cpu]
   --prove       instead: prove the slopes in f64 and f32, and print the report
   --program     instead: what the clearance was recorded as, and what it costs
   --wgsl        instead: the same as a function for GPUs
@@ -21,34 +22,44 @@ Usage: custom_shape [option]
   --help        this text
 ";
 
-impl From<geograd::Error> for Failure {
-    fn from(error: geograd::Error) -> Self {
-        Failure::Work(error.to_string())
-    }
-}
-
 /// Does what the command line asks for, and says what to print.
 pub fn run() -> Result<String, Failure> {
+    type Job = Box<dyn Fn() -> Result<String, Failure>>;
     let mut arguments = lexopt::Parser::from_env();
-    let job: Box<dyn Fn() -> Result<String, Failure>> = match arguments.next()? {
-        None => Box::new(|| batch(1_000_000)),
-        Some(Long("count")) => {
-            let count = arguments.value()?.parse()?;
-            Box::new(move || batch(count))
+    let (mut count, mut backend, mut instead) = (None, None, None::<Job>);
+    let mut is_alone = true;
+    while let Some(argument) = arguments.next()? {
+        let job: Job = match argument {
+            Long("count") if count.is_none() && instead.is_none() => {
+                count = Some(arguments.value()?.parse()?);
+                continue;
+            }
+            Long("backend") if backend.is_none() && instead.is_none() => {
+                backend = Some(Wish::from_name(&arguments.value()?.string()?)?);
+                continue;
+            }
+            Long("prove") => Box::new(prove),
+            Long("program") => Box::new(|| program(false)),
+            Long("wgsl") => Box::new(|| program(true)),
+            Long("svg") => {
+                let file = arguments.value()?;
+                Box::new(move || draw::write(&file))
+            }
+            Long("help") | Short('h') => Box::new(|| Ok(HELP.into())),
+            other => return Err(other.unexpected().into()),
+        };
+        is_alone &= instead.is_none();
+        instead = Some(job);
+    }
+    match instead {
+        None => {
+            let machine = backend.unwrap_or(Wish::Cpu).machine("custom_shape")?;
+            batch(count.unwrap_or(1_000_000), &machine)
         }
-        Some(Long("prove")) => Box::new(prove),
-        Some(Long("program")) => Box::new(|| program(false)),
-        Some(Long("wgsl")) => Box::new(|| program(true)),
-        Some(Long("svg")) => {
-            let file = arguments.value()?;
-            Box::new(move || draw::write(&file))
-        }
-        Some(Long("help") | Short('h')) => Box::new(|| Ok(HELP.into())),
-        Some(other) => return Err(other.unexpected().into()),
-    };
-    match arguments.next()? {
-        Some(other) => Err(other.unexpected().into()),
-        None => job(),
+        Some(job) if is_alone && count.is_none() && backend.is_none() => job(),
+        Some(_) => Err(Failure::Usage(
+            "what is done instead of a batch takes no other option".into(),
+        )),
     }
 }
 

@@ -1,5 +1,5 @@
 //! The picture: the arm among its obstacles, and its clearance over both joints with its slopes.
-use crate::failure::Failure;
+use crate::cli::Failure;
 use crate::{Arm, Clearance, Post};
 use geograd::kernels::{Cpu, One, Op};
 use geograd::{Error, Obb2, Vec2};

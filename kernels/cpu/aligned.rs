@@ -4,7 +4,7 @@ use crate::error::{Argument, Error};
 use crate::kernels::cpu::Cpu;
 use crate::kernels::cpu::checked::{check, check_upstream};
 use crate::kernels::cpu::desk::Aligned;
-use crate::kernels::cpu::plan::Face;
+use crate::kernels::cpu::plan::{Face, Preparation};
 use crate::kernels::op::{Ask, Runs};
 use crate::kernels::real::Real;
 use crate::kernels::row::{Column, Columns, Row, Target, Targets};
@@ -82,25 +82,33 @@ impl Cpu {
         let face = run.face(Ask::ALIGNED)?;
         let columns = listed(&columns);
         let (count, rare) = checked(&face, &columns)?;
-        let mut list = Vec::new();
-        let mut fits = Ok(());
-        targets.list(&mut |target| {
-            if let Some(target) = &target
-                && target.count != count
-                && fits.is_ok()
-            {
-                fits = Err(Error::Length {
-                    argument: Argument::Result(list.len()),
-                    expected: count,
-                    found: target.count,
-                });
-            }
-            list.push(target);
-        });
-        fits?;
+        let list = fitting::<R::Out>(&mut targets, count)?;
         compute(&face, columns, rare, count, list);
         Ok(())
     }
+}
+
+/// The targets as a list, each of so many items.
+pub(crate) fn fitting<R: Row>(
+    targets: &mut impl Targets<R>,
+    count: usize,
+) -> Result<Vec<Option<Target<'_, R::Scalar>>>, Error> {
+    let mut list = Vec::new();
+    let mut fits = Ok(());
+    targets.list(&mut |target| {
+        if let Some(target) = &target
+            && target.count != count
+            && fits.is_ok()
+        {
+            fits = Err(Error::Length {
+                argument: Argument::Result(list.len()),
+                expected: count,
+                found: target.count,
+            });
+        }
+        list.push(target);
+    });
+    fits.map(|()| list)
 }
 
 impl Cpu {
@@ -119,8 +127,49 @@ impl Cpu {
     }
 }
 
+impl Cpu {
+    /// The numbers of every result, item by item.
+    pub(crate) fn rows<C: Columns, R: Runs<C::Row>>(
+        &self,
+        run: R,
+        columns: C,
+    ) -> Result<Vec<Vec<ScalarOf<C>>>, Error> {
+        let face = run.face(Ask::ALIGNED)?;
+        let columns = listed(&columns);
+        let (count, rare) = checked(&face, &columns)?;
+        as_rows(&face.gives, count, |targets| {
+            compute(&face, columns, rare, count, targets);
+            Ok(())
+        })
+    }
+}
+
+/// What is put into targets of so many numbers each, item by item.
+pub(crate) fn as_rows<T: Real>(
+    gives: &[usize],
+    count: usize,
+    fill: impl FnOnce(Vec<Option<Target<'_, T>>>) -> Result<(), Error>,
+) -> Result<Vec<Vec<T>>, Error> {
+    let mut parts: Vec<Vec<T>> = gives
+        .iter()
+        .map(|n| vec![T::default(); n * count])
+        .collect();
+    let targets = parts.iter_mut().zip(gives);
+    fill(
+        targets
+            .map(|(part, &fields)| Some(Target::of_rows(part, fields)))
+            .collect(),
+    )?;
+    let row = |i: usize| {
+        let own = parts.iter().zip(gives);
+        own.flat_map(|(part, &n)| part[i * n..(i + 1) * n].to_vec())
+            .collect()
+    };
+    Ok((0..count).map(row).collect())
+}
+
 /// The columns as a list.
-fn listed<C: Columns>(columns: &C) -> Vec<Column<'_, ScalarOf<C>>> {
+pub(crate) fn listed<C: Columns>(columns: &C) -> Vec<Column<'_, ScalarOf<C>>> {
     let mut all = Vec::new();
     columns.list(&mut |column| all.push(column));
     all
@@ -128,18 +177,28 @@ fn listed<C: Columns>(columns: &C) -> Vec<Column<'_, ScalarOf<C>>> {
 
 /// Checks columns: how many items there are, and whether some may be too rare for kernels.
 fn checked<T: Real>(face: &Face<T>, columns: &[Column<'_, T>]) -> Result<(usize, bool), Error> {
-    let arguments = face.arguments.len();
-    let of = |k: usize| match k < arguments {
+    let count = items(face.arguments.len(), columns)?;
+    let rare = sound(&face.arguments, face.steepest, columns)?;
+    Ok((count, rare))
+}
+
+/// The name of a column, of so many arguments.
+fn name_of(arguments: usize, k: usize) -> Argument {
+    match k < arguments {
         true => Argument::input(k),
         false => Argument::Upstream,
-    };
+    }
+}
+
+/// How many items the columns of so many arguments, and cotangents, have.
+pub(crate) fn items<T: Real>(arguments: usize, columns: &[Column<'_, T>]) -> Result<usize, Error> {
     let mut count = None;
     for (k, column) in columns.iter().enumerate() {
         match (count, column.count) {
             (None, found) => count = found,
             (Some(expected), Some(found)) if expected != found => {
                 return Err(Error::Length {
-                    argument: of(k),
+                    argument: name_of(arguments, k),
                     expected,
                     found,
                 });
@@ -147,19 +206,28 @@ fn checked<T: Real>(face: &Face<T>, columns: &[Column<'_, T>]) -> Result<(usize,
             _ => (),
         }
     }
+    Ok(count.unwrap_or(1))
+}
+
+/// Checks the numbers of columns; whether some may be too rare, or too steep, for kernels.
+pub(crate) fn sound<T: Real>(
+    arguments: &[Preparation<T>],
+    steepest: f64,
+    columns: &[Column<'_, T>],
+) -> Result<bool, Error> {
     let mut rare = false;
     for (k, column) in columns.iter().enumerate() {
-        match face.arguments.get(k) {
-            Some(plan) => rare |= check(of(k), plan, column)?,
+        match arguments.get(k) {
+            Some(plan) => rare |= check(name_of(arguments.len(), k), plan, column)?,
             None => {
                 let numbers = column.all();
                 check_upstream(&numbers, column.fields)?;
                 // What is too steep for kernels is as rare as shapes that are.
-                rare |= !(T::kernels().all_up_to)(&numbers, face.steepest);
+                rare |= !(T::kernels().all_up_to)(&numbers, steepest);
             }
         }
     }
-    Ok((count.unwrap_or(1), rare))
+    Ok(rare)
 }
 
 fn compute<'a, T: Real>(

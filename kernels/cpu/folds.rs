@@ -16,17 +16,27 @@ use crate::{Error, Fixed, Pack, Scalar, Vec2};
 use std::sync::Arc;
 
 /// The bodies of a fold as programs.
-struct Programs {
+pub(crate) struct Programs {
     /// From context, reference and both ends to a state, and its pull-back.
-    edge: Recorded,
-    edge_vjp: Recorded,
-    /// The pull-back of joining two states.
-    join_vjp: Recorded,
-    /// The pull-back of the end.
-    finish_vjp: Recorded,
+    pub(crate) edge: Recorded,
+    pub(crate) edge_vjp: Recorded,
+    /// Joining two states, and its pull-back.
+    #[cfg_attr(
+        not(feature = "gpu"),
+        expect(dead_code, reason = "only a GPU joins by it")
+    )]
+    pub(crate) join: Recorded,
+    pub(crate) join_vjp: Recorded,
+    /// The end, and its pull-back.
+    #[cfg_attr(
+        not(feature = "gpu"),
+        expect(dead_code, reason = "only a GPU ends by it")
+    )]
+    pub(crate) finish: Recorded,
+    pub(crate) finish_vjp: Recorded,
 }
 
-fn programs<F: Fold, T: Plain>() -> Result<Arc<Programs>, Error> {
+pub(crate) fn programs<F: Fold, T: Plain>() -> Result<Arc<Programs>, Error> {
     type Context<F, T> = <F as Fold>::Context<Sym<T>>;
     type Reference<F, T> = <F as Fold>::Reference<Sym<T>>;
     type State<F, T> = <F as Fold>::State<Sym<T>>;
@@ -44,6 +54,8 @@ fn programs<F: Fold, T: Plain>() -> Result<Arc<Programs>, Error> {
             join_vjp: join.vjp(),
             finish_vjp: finish.vjp(),
             edge,
+            join,
+            finish,
         })
     })
 }
@@ -158,6 +170,20 @@ fn paths<'a, F: Fold, T: Real>(
         paths.starts.push(paths.edges.len());
     }
     paths
+}
+
+/// Checks paths; of every one its context and then its reference, as numbers.
+#[cfg(feature = "gpu")]
+pub(crate) fn shared<F: Fold, T: Real, C: Columns>(
+    context: &C,
+    vertices: &[Vec2<T>],
+    offsets: &[usize],
+) -> Result<Vec<T>, Error>
+where
+    C::Row: Pack<Scalar = T>,
+{
+    let contexts = checked(context, vertices, offsets)?;
+    Ok(paths::<F, T>(&contexts, vertices, offsets).shared)
 }
 
 impl<T: Real> Paths<'_, T> {

@@ -10,7 +10,7 @@
 //! `pool.install` to choose another). It is cut the same way for any number of threads, and sums
 //! are added in a fixed order.
 #[forbid(unsafe_code)]
-mod aligned;
+pub(crate) mod aligned;
 #[forbid(unsafe_code)]
 pub(crate) mod all_pairs;
 #[allow(unsafe_code)]
@@ -55,7 +55,7 @@ mod tree;
 #[forbid(unsafe_code)]
 pub(crate) mod upright;
 #[forbid(unsafe_code)]
-mod work;
+pub(crate) mod work;
 
 pub use crate::kernels::row::Single;
 pub use all_pairs::Table;

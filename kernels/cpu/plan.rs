@@ -12,9 +12,11 @@ use crate::kernels::cpu::boxes::{
 };
 use crate::kernels::cpu::lane::{Lane, Results, TILE, Tiles};
 use crate::kernels::cpu::program::Interpreted;
-use crate::kernels::cpu::program::split::split;
+use crate::kernels::cpu::program::split::{Piece, split};
 use crate::kernels::cpu::solids;
 use crate::kernels::cpu::upright;
+#[cfg(feature = "gpu")]
+use crate::kernels::gpu::Generated;
 use crate::kernels::op::{self, Op};
 use crate::kernels::real::Real;
 use crate::kernels::row::{Leaf, Row, leaves_of};
@@ -485,20 +487,29 @@ pub(crate) fn of_recorded<T: Real>(
     let body = match framed {
         false => maker(&value.graph, &fields, &value.outputs, false)?,
         true => {
-            let parts = split(&value.graph, &fields, &value.outputs);
-            for ((argument, frame), &own) in arguments.iter_mut().zip(&parts.frames).zip(&fields) {
-                let made = maker(&frame.graph, &[own], &frame.outputs, false)?;
-                let prepare = move |shapes: Tiles<'_, T>, frames: &mut [Lane<T>]| {
-                    made.prepare(&mut Room::new(), &[shapes], frames);
-                };
-                argument.frame = Some((frame.outputs.len(), Arc::new(prepare)));
-            }
             // Cotangents come as they are.
-            let widths: Vec<usize> = parts.frames.iter().map(|x| x.outputs.len()).collect();
-            maker(&parts.body.graph, &widths, &parts.body.outputs, true)?
+            let (graph, own) = (&value.graph, arguments.len());
+            let parts = split(graph, &fields, own, &value.outputs, |_| true);
+            for ((argument, frame), &own) in arguments.iter_mut().zip(&parts.frames).zip(&fields) {
+                argument.frame = Some(prepared(frame, own)?);
+            }
+            maker(&parts.body.graph, &parts.widths, &parts.body.outputs, true)?
         }
     };
     Ok(Face::new(want, arguments, outputs, Box::new(body)))
+}
+
+/// How frames are made of shapes of so many numbers, and how many numbers those have.
+pub(crate) fn prepared<T: Real>(
+    frame: &Piece,
+    fields: usize,
+) -> Result<(usize, Prepare<T>), Error> {
+    let made = Interpreted::new(&frame.graph, &[fields], &frame.outputs, false);
+    let made = made.map_err(Error::Program)?;
+    let prepare = move |shapes: Tiles<'_, T>, frames: &mut [Lane<T>]| {
+        made.prepare(&mut Room::new(), &[shapes], frames);
+    };
+    Ok((frame.outputs.len(), Arc::new(prepare)))
 }
 
 /// Something that computes one item: its numbers, the cotangent of its result or nothing, and room for
@@ -580,6 +591,12 @@ pub(crate) enum Known {
     Program(Want),
     /// How batches compute it, aligned or all pairs.
     Face(Want, bool),
+    /// What a GPU is given of it, aligned or all pairs.
+    #[cfg(feature = "gpu")]
+    Shader(Want, bool),
+    /// What a GPU is given of a fold.
+    #[cfg(feature = "gpu")]
+    FoldShader,
 }
 
 /// What was asked for before, by operation and format.
@@ -670,6 +687,21 @@ where
             argument.bounds = O::compiled().and_then(outline);
         }
         Ok(face)
+    })
+}
+
+/// What a GPU is given of what is wanted of an operation.
+#[cfg(feature = "gpu")]
+pub fn generated_of<O, R: Row>(want: Want, framed: bool) -> Result<Arc<Generated<R::Scalar>>, Error>
+where
+    O: Op<In<<R as Pack>::Scalar> = R>,
+    O::Out<R::Scalar>: Row,
+{
+    known::<O, R::Scalar, _>(Known::Shader(want, framed), || {
+        let recorded = program_of::<O, R::Scalar>(want)?;
+        let outputs = leaves_of::<O::Out<R::Scalar>>();
+        let outputs = outputs.iter().map(|leaf| leaf.fields).collect();
+        Generated::new(want, leaves_of::<R>(), outputs, &recorded, framed)
     })
 }
 

@@ -19,6 +19,26 @@
 //! | the best match of each | [`Shapes::pick`] |
 //! | other shapes in the same buffers | [`Shapes::update`], [`Values::update`], [`Matrix::update`] |
 //! | rings | [`Gpu::ragged`], [`Gpu::ragged_vjp`] |
+//! | any operation, any program | [`Gpu::programs`]: `aligned`, `all_pairs`, reductions, `fold` |
+//!
+//! # Two kinds of kernels
+//!
+//! Scores of two boxes in the plane and measures of rings have kernels by hand, over handles of shapes that
+//! stay on the GPU. Everything else, and these as well, runs by kernels that are *generated* from what an
+//! operation was recorded as: [`Gpu::programs`] has the calls of [`Cpu`](crate::kernels::Cpu), with the
+//! operation as a value and slices as columns. What searches (clipping, hulls) has no recording, and is
+//! refused with [`Unrecordable::Search`](crate::Unrecordable::Search).
+//!
+//! # Rounding
+//!
+//! WGSL lets a driver fuse a product with a sum, divide and take roots to within two and a half units in the
+//! last place, and take numbers below the smallest normal one (1.2·10⁻³⁸) for zero. Of its own sines,
+//! exponentials, logarithms and angles it promises so little (an angle may be four thousand units off) that
+//! generated kernels have none of them: they compute polynomials, right to about two units, on any driver
+//! ([`WGSL`](crate::ad::program::WGSL)). Sines of an angle of one shape come from the processor. So every
+//! operation rounds as if its inputs had been moved by a few units in the last place, and a result is as far
+//! from the processor's as that moves it: little, but where a function is steep or terms cancel. The harness
+//! measures it input by input ([`prove_any_on`](crate::kernels::check::prove_any_on)) and allows no more.
 //!
 //! ```no_run
 //! use geograd::Obb2;

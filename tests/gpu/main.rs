@@ -5,6 +5,7 @@
 mod bounds;
 mod context;
 mod faults;
+mod generated;
 mod parity;
 mod program;
 mod resident;
@@ -112,6 +113,26 @@ macro_rules! walk {
                 super::rings::long_rings::<$ring_op>();
             }
         })*
+        mod valid {
+            $(#[test]
+            fn $straight() {
+                super::generated::shaders_are_valid::<$straight_op>();
+            })*
+            $(#[test]
+            fn $pair() {
+                super::generated::shaders_are_valid::<$pair_op>();
+            })*
+        }
+        mod agree {
+            $(#[test]
+            fn $straight() {
+                super::generated::agrees::<$straight_op>();
+            })*
+            $(#[test]
+            fn $pair() {
+                super::generated::agrees::<$pair_op>();
+            })*
+        }
     };
 }
 geograd::for_each_op!(walk);

@@ -60,8 +60,8 @@ impl Trial {
                 results: whole.outputs.len(),
             });
         }
-        let parts = split(&whole.graph, fields, &whole.outputs);
-        let widths: Vec<usize> = parts.frames.iter().map(|x| x.outputs.len()).collect();
+        let parts = split(&whole.graph, fields, fields.len(), &whole.outputs, |_| true);
+        let widths = parts.widths;
         let frames = parts
             .frames
             .iter()

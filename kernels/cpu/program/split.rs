@@ -18,8 +18,10 @@ pub(crate) struct Piece {
 pub(crate) struct Split {
     /// Of each argument its frame: numbers that depend on no other one.
     pub(crate) frames: Vec<Piece>,
-    /// The results from all frames, one frame after another.
+    /// The results from all frames, one frame after another, and then what has none.
     pub(crate) body: Piece,
+    /// How many numbers the body takes of each.
+    pub(crate) widths: Vec<usize>,
 }
 
 /// What a node depends on.
@@ -40,8 +42,16 @@ impl Origin {
     }
 }
 
-/// Splits a graph without grafts by arguments, of so many numbers each.
-pub(crate) fn split(graph: &Graph, fields: &[usize], outputs: &[Id]) -> Split {
+/// Splits a graph without grafts by arguments, of so many numbers each. The first `framed` of them have
+/// frames, in which there are only such nodes (inputs must be among them); the others, which are
+/// cotangents, come as they are.
+pub(crate) fn split(
+    graph: &Graph,
+    fields: &[usize],
+    framed: usize,
+    outputs: &[Id],
+    is_framed: impl Fn(Node) -> bool,
+) -> Split {
     let live = graph.live(outputs, false);
     let argument_of: Vec<usize> = fields
         .iter()
@@ -51,7 +61,10 @@ pub(crate) fn split(graph: &Graph, fields: &[usize], outputs: &[Id]) -> Split {
     let mut origins: Vec<Origin> = Vec::with_capacity(graph.len());
     for &node in graph.nodes() {
         origins.push(match node {
-            Node::Input(k) => Origin::One(argument_of[k as usize]),
+            Node::Input(k) => match argument_of[k as usize] {
+                argument if argument < framed => Origin::One(argument),
+                _ => Origin::Several,
+            },
             node => node.operands().iter().fold(Origin::Nothing, |origin, &x| {
                 origin.and(origins[x as usize])
             }),
@@ -70,7 +83,9 @@ pub(crate) fn split(graph: &Graph, fields: &[usize], outputs: &[Id]) -> Split {
         }
         let node = graph.at(x as Id);
         match origins[x] {
-            Origin::One(argument) if !node.is_mask() => picked[argument].push(x as Id),
+            Origin::One(argument) if !node.is_mask() && is_framed(node) => {
+                picked[argument].push(x as Id)
+            }
             _ => {
                 in_body[x] = true;
                 for &y in node.operands().iter() {
@@ -81,21 +96,27 @@ pub(crate) fn split(graph: &Graph, fields: &[usize], outputs: &[Id]) -> Split {
     }
     let mut body = Graph::new(graph.format);
     let mut names = vec![0; graph.len()];
+    let mut widths = Vec::new();
     let mut count = 0;
     let mut frames = Vec::new();
     let mut first = 0;
-    for (picked, &fields) in picked.iter_mut().zip(fields) {
+    for (picked, &fields) in picked.iter_mut().zip(fields).take(framed) {
         picked.reverse();
         for &x in picked.iter() {
             names[x as usize] = body.push(Node::Input(count));
             count += 1;
         }
         frames.push(frame(graph, picked, first));
+        widths.push(picked.len());
         first += fields as u32;
     }
+    widths.extend(fields.iter().skip(framed));
+    let shift = |k: u32| k - first + count;
     for x in (0..graph.len()).filter(|&x| in_body[x]) {
-        let node = graph.at(x as Id).renamed(|y| names[y as usize]);
-        names[x] = body.push(node);
+        names[x] = body.push(match graph.at(x as Id) {
+            Node::Input(k) => Node::Input(shift(k)),
+            node => node.renamed(|y| names[y as usize]),
+        });
     }
     Split {
         frames,
@@ -103,6 +124,7 @@ pub(crate) fn split(graph: &Graph, fields: &[usize], outputs: &[Id]) -> Split {
             graph: body,
             outputs: outputs.iter().map(|&x| names[x as usize]).collect(),
         },
+        widths,
     }
 }
 

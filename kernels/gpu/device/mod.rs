@@ -5,6 +5,7 @@ mod block;
 mod data;
 mod download;
 mod found;
+mod generated;
 mod matrix;
 mod pairs;
 mod reduce;
@@ -18,6 +19,9 @@ pub use adapter::{Adapter, Choice, Options};
 pub use data::{Bars, Shapes, Values};
 pub use download::Pending;
 pub use found::Founds;
+#[doc(hidden)]
+pub use generated::operation::Generated;
+pub use generated::{Programs, fold_sources, op_sources};
 pub use matrix::Matrix;
 pub use pairs::PairBars;
 pub use reduce::{Best, Bests};
@@ -52,6 +56,7 @@ struct Inner {
     kernel_time: Mutex<Duration>,
     lost: Arc<AtomicBool>,
     pipelines: Mutex<HashMap<(Source, &'static str), wgpu::ComputePipeline>>,
+    generated: Mutex<generated::Pipelines>,
 }
 
 impl std::fmt::Debug for Gpu {
@@ -138,6 +143,7 @@ impl Gpu {
                 kernel_time: Mutex::new(Duration::ZERO),
                 lost,
                 pipelines: Mutex::new(HashMap::new()),
+                generated: Mutex::new(HashMap::new()),
             }),
         })
     }

@@ -63,11 +63,38 @@ impl<'a> Work<'a> {
         buffers: &[(u32, &wgpu::Buffer)],
         groups: [u32; 2],
     ) {
-        let uniform = self.inner.filled(
-            &[params],
-            PARAMS_BYTES,
-            wgpu::BufferUsages::UNIFORM | wgpu::BufferUsages::COPY_DST,
+        self.run(
+            pipeline,
+            &self.inner.uniform(&[params], PARAMS_BYTES),
+            buffers,
+            groups,
         );
+    }
+
+    /// The same with parameters of a generated kernel.
+    pub fn dispatch_with(
+        &mut self,
+        pipeline: &wgpu::ComputePipeline,
+        params: &[[u32; 4]],
+        buffers: &[(u32, &wgpu::Buffer)],
+        groups: [u32; 2],
+    ) {
+        let bytes = size_of_val(params) as u64;
+        self.run(
+            pipeline,
+            &self.inner.uniform(params, bytes),
+            buffers,
+            groups,
+        );
+    }
+
+    fn run(
+        &mut self,
+        pipeline: &wgpu::ComputePipeline,
+        uniform: &wgpu::Buffer,
+        buffers: &[(u32, &wgpu::Buffer)],
+        groups: [u32; 2],
+    ) {
         let mut entries = vec![wgpu::BindGroupEntry {
             binding: 0,
             resource: uniform.as_entire_binding(),
@@ -178,6 +205,12 @@ impl Inner {
         )
     }
 
+    /// A kernel's parameters.
+    fn uniform<T: bytemuck::NoUninit>(&self, params: &[T], bytes: u64) -> wgpu::Buffer {
+        let usage = wgpu::BufferUsages::UNIFORM | wgpu::BufferUsages::COPY_DST;
+        self.filled(params, bytes, usage)
+    }
+
     /// A buffer with contents.
     pub fn filled<T: bytemuck::NoUninit>(
         &self,
@@ -192,9 +225,14 @@ impl Inner {
 
     /// Writes to the start of a buffer.
     pub fn write<T: bytemuck::NoUninit>(&self, buffer: &wgpu::Buffer, from: &[T]) {
+        self.write_at(buffer, 0, from);
+    }
+
+    /// Writes to a buffer from an offset in bytes on.
+    pub fn write_at<T: bytemuck::NoUninit>(&self, buffer: &wgpu::Buffer, offset: u64, from: &[T]) {
         if !from.is_empty() {
             self.queue
-                .write_buffer(buffer, 0, bytemuck::cast_slice(from));
+                .write_buffer(buffer, offset, bytemuck::cast_slice(from));
         }
     }
 
@@ -226,30 +264,35 @@ impl Inner {
         let mut pipelines = locked(&self.pipelines);
         let make = || {
             log::debug!("compiling {} of {source:?}", entry);
-            let module = self
-                .device
-                .create_shader_module(wgpu::ShaderModuleDescriptor {
-                    label: Some(source.name),
-                    source: wgpu::ShaderSource::Wgsl(text().into()),
-                });
-            self.device
-                .create_compute_pipeline(&wgpu::ComputePipelineDescriptor {
-                    label: Some(entry),
-                    layout: None,
-                    module: &module,
-                    entry_point: Some(entry),
-                    compilation_options: wgpu::PipelineCompilationOptions {
-                        // Every kernel writes what it reads.
-                        zero_initialize_workgroup_memory: false,
-                        ..Default::default()
-                    },
-                    cache: None,
-                })
+            self.compiled(source.name, entry, text())
         };
         pipelines
             .entry((source, entry))
             .or_insert_with(make)
             .clone()
+    }
+
+    /// Compiles an entry point of a shader.
+    pub fn compiled(&self, name: &str, entry: &str, text: String) -> wgpu::ComputePipeline {
+        let module = self
+            .device
+            .create_shader_module(wgpu::ShaderModuleDescriptor {
+                label: Some(name),
+                source: wgpu::ShaderSource::Wgsl(text.into()),
+            });
+        self.device
+            .create_compute_pipeline(&wgpu::ComputePipelineDescriptor {
+                label: Some(entry),
+                layout: None,
+                module: &module,
+                entry_point: Some(entry),
+                compilation_options: wgpu::PipelineCompilationOptions {
+                    // Every kernel writes what it reads.
+                    zero_initialize_workgroup_memory: false,
+                    ..Default::default()
+                },
+                cache: None,
+            })
     }
 
     /// Refuses when the device is gone.

@@ -1,0 +1,192 @@
+//! The adjoint of all pairs: slopes summed for every shape, in a fixed order.
+use super::Programs;
+use super::operation::Generated;
+use super::pairs::Sides;
+use super::text::{Form, GROUP, STRIP};
+use crate::Error;
+use crate::error::Argument;
+use crate::kernels::Single;
+use crate::kernels::cpu::checked::{check_upstream, entries, expect};
+use crate::kernels::gpu::device::block::block_of;
+use crate::kernels::gpu::device::work::Work;
+use crate::kernels::op::{Ask, Runs};
+use std::sync::Arc;
+
+/// What slopes are multiplied by.
+enum Seed<'a> {
+    /// A number for every pair, row by row.
+    Matrix(&'a [f32]),
+    /// One number for all.
+    Factor(f32),
+}
+
+impl Programs<'_> {
+    /// The adjoint of [`all_pairs`](Programs::all_pairs) for one number as result, as
+    /// [`Cpu::all_pairs_vjp`](crate::kernels::Cpu::all_pairs_vjp).
+    ///
+    /// # Errors
+    ///
+    /// As on the processor; [`Error::Program`] for what searches, [`Error::Gpu`] for what the device says.
+    pub fn all_pairs_vjp<A: Single<Scalar = f32>, B: Single<Scalar = f32>, R>(
+        &self,
+        run: R,
+        a: &[A],
+        b: &[B],
+        upstream: &[f32],
+    ) -> Result<(Vec<A>, Vec<B>), Error>
+    where
+        R: Runs<(A, B), Out = f32>,
+    {
+        expect(
+            Argument::Upstream,
+            entries(a.len(), b.len(), 1)?,
+            upstream.len(),
+        )?;
+        check_upstream(upstream, 1)?;
+        let made = run.generated(Ask::ADJOINT)?;
+        let sides = Sides::new(&self.gpu.inner, &made, a, b)?;
+        self.slopes(&made, &sides, &Seed::Matrix(upstream))
+    }
+
+    /// The sum of all results and its slopes with respect to every shape of both lists, as
+    /// [`Cpu::sum_grad`](crate::kernels::Cpu::sum_grad).
+    ///
+    /// # Errors
+    ///
+    /// As [`all_pairs_vjp`](Programs::all_pairs_vjp).
+    pub fn sum_grad<A: Single<Scalar = f32>, B: Single<Scalar = f32>, R>(
+        &self,
+        run: R,
+        a: &[A],
+        b: &[B],
+    ) -> Result<(f64, Vec<A>, Vec<B>), Error>
+    where
+        R: Runs<(A, B), Out = f32> + Copy,
+    {
+        self.loss(run, a, b, 1.0)
+    }
+
+    /// The mean of all results and its slopes, zeros where there are no pairs, as
+    /// [`Cpu::mean_grad`](crate::kernels::Cpu::mean_grad).
+    ///
+    /// # Errors
+    ///
+    /// As [`all_pairs_vjp`](Programs::all_pairs_vjp).
+    pub fn mean_grad<A: Single<Scalar = f32>, B: Single<Scalar = f32>, R>(
+        &self,
+        run: R,
+        a: &[A],
+        b: &[B],
+    ) -> Result<(f64, Vec<A>, Vec<B>), Error>
+    where
+        R: Runs<(A, B), Out = f32> + Copy,
+    {
+        let factor = 1.0 / (a.len() as f64 * b.len() as f64).max(1.0);
+        let (sum, a_bar, b_bar) = self.loss(run, a, b, factor as f32)?;
+        Ok((sum * factor, a_bar, b_bar))
+    }
+
+    fn loss<A: Single<Scalar = f32>, B: Single<Scalar = f32>, R>(
+        &self,
+        run: R,
+        a: &[A],
+        b: &[B],
+        factor: f32,
+    ) -> Result<(f64, Vec<A>, Vec<B>), Error>
+    where
+        R: Runs<(A, B), Out = f32> + Copy,
+    {
+        let sum = self.sum(run, a, b)?;
+        let made = run.generated(Ask::ADJOINT)?;
+        let sides = Sides::new(&self.gpu.inner, &made, a, b)?;
+        let (a_bar, b_bar) = self.slopes(&made, &sides, &Seed::Factor(factor))?;
+        Ok((sum, a_bar, b_bar))
+    }
+
+    /// Slopes of both lists: strips of pairs are added in `f32`, those sums in `f64`, always in the same
+    /// order.
+    fn slopes<A: Single<Scalar = f32>, B: Single<Scalar = f32>>(
+        &self,
+        made: &Arc<Generated<f32>>,
+        sides: &Sides,
+        seed: &Seed<'_>,
+    ) -> Result<(Vec<A>, Vec<B>), Error> {
+        let [rows, columns] = sides.counts();
+        let a = self.sums(made, sides, seed, Form::RowSlopes, rows)?;
+        let b = self.sums(made, sides, seed, Form::ColumnSlopes, columns)?;
+        Ok((shapes(&a), shapes(&b)))
+    }
+
+    /// The sums of slopes of one list, shape by shape.
+    fn sums(
+        &self,
+        made: &Arc<Generated<f32>>,
+        sides: &Sides,
+        seed: &Seed<'_>,
+        form: Form,
+        count: usize,
+    ) -> Result<Vec<f64>, Error> {
+        let inner = &self.gpu.inner;
+        let [rows, columns] = sides.counts();
+        let body = form.body(made);
+        let fields = body.gives;
+        let mut sums = vec![0.0; count * fields];
+        for block in inner.cut(rows, columns, 4) {
+            let upstream = match seed {
+                Seed::Matrix(numbers) => block_of(&block, columns, numbers),
+                Seed::Factor(_) => Vec::new(),
+            };
+            let params = match seed {
+                Seed::Matrix(_) => [0, 0, 0, 0],
+                Seed::Factor(factor) => [factor.to_bits(), 1, 0, 0],
+            };
+            let upstream = inner.guarded(|| Ok(inner.stored(&upstream)))?;
+            for mut piece in sides.pieces(&block, body.operations) {
+                piece.params.push(params);
+                let (own, walked, first) = match form {
+                    Form::RowSlopes => (
+                        piece.rows,
+                        piece.columns,
+                        block.row_base + piece.params[1][2] as usize,
+                    ),
+                    _ => (
+                        piece.columns,
+                        piece.rows,
+                        block.column_base + piece.params[1][3] as usize,
+                    ),
+                };
+                let strips = walked.div_ceil(STRIP);
+                let numbers = strips * fields * own;
+                let partial = inner.guarded(|| {
+                    let pipeline = inner.generated(&made.name, form, || form.text(made));
+                    let partial = inner.storage(numbers);
+                    let mut work = Work::new(inner);
+                    let [a, b] = piece.buffers;
+                    let buffers = [(1, a), (2, b), (3, &upstream), (4, &partial)];
+                    let groups = [own.div_ceil(GROUP) as u32, strips as u32];
+                    work.dispatch_with(&pipeline, &piece.params, &buffers, groups);
+                    work.submit()?;
+                    Ok(partial)
+                })?;
+                let arrival = inner.bring(self.gpu, &[(&partial, 4 * numbers as u64)])?;
+                arrival.finish(|_, numbers| {
+                    let numbers: &[f32] = bytemuck::cast_slice(numbers);
+                    for strip in numbers.chunks_exact(fields * own) {
+                        for (k, plane) in strip.chunks_exact(own).enumerate() {
+                            for (i, &x) in plane.iter().enumerate() {
+                                sums[(first + i) * fields + k] += f64::from(x);
+                            }
+                        }
+                    }
+                })?;
+            }
+        }
+        Ok(sums)
+    }
+}
+
+/// Shapes from sums of their numbers.
+fn shapes<P: Single<Scalar = f32>>(sums: &[f64]) -> Vec<P> {
+    let numbers: Vec<f32> = sums.iter().map(|&x| x as f32 + 0.0).collect();
+    numbers.chunks_exact(P::LEN.max(1)).map(P::load).collect()
+}

@@ -1,0 +1,261 @@
+//! Item i of every column: one thread per item.
+use super::Programs;
+use super::operation::Generated;
+use super::text::{Form, GROUP, MOST_GROUPS};
+use crate::kernels::cpu::aligned::{as_rows, fitting, items, listed, sound};
+use crate::kernels::cpu::lane::TILE;
+use crate::kernels::cpu::work::spread;
+use crate::kernels::gpu::device::Inner;
+use crate::kernels::gpu::device::download::Arrival;
+use crate::kernels::gpu::device::work::Work;
+use crate::kernels::op::{Ask, Runs};
+use crate::kernels::row::{Column, Columns, Piece, Row, STRETCH, Target, Targets};
+use crate::{Error, GpuFault, Pack};
+use std::collections::VecDeque;
+use std::ops::Range;
+use std::sync::Arc;
+
+impl Programs<'_> {
+    /// Item i of every column: one result per item, as [`Cpu::aligned`](crate::kernels::Cpu::aligned).
+    ///
+    /// # Errors
+    ///
+    /// As on the processor; [`Error::Program`] for what searches or has whole numbers, [`Error::Gpu`] for
+    /// what the device says.
+    pub fn aligned<C: Columns, R: Runs<C::Row>>(
+        &self,
+        run: R,
+        columns: C,
+    ) -> Result<<R::Out as Row>::Many, Error>
+    where
+        C::Row: Pack<Scalar = f32>,
+    {
+        let made = run.generated(Ask::ALIGNED)?;
+        let columns = listed(&columns);
+        let count = checked(&made, &columns)?;
+        let mut many = R::Out::many(count);
+        let mut targets = Vec::new();
+        R::Out::targets(&mut many, &mut |target| targets.push(Some(target)));
+        self.compute(&made, &columns, count, targets)?;
+        Ok(many)
+    }
+
+    /// [`aligned`](Programs::aligned) into the caller's slices, as
+    /// [`Cpu::aligned_into`](crate::kernels::Cpu::aligned_into). If the device fails in the middle, some of
+    /// the results are there.
+    ///
+    /// # Errors
+    ///
+    /// As [`aligned`](Programs::aligned), and [`Error::Length`] for a slice of another length.
+    pub fn aligned_into<C: Columns, R: Runs<C::Row>>(
+        &self,
+        run: R,
+        columns: C,
+        mut targets: impl Targets<R::Out>,
+    ) -> Result<(), Error>
+    where
+        C::Row: Pack<Scalar = f32>,
+    {
+        let made = run.generated(Ask::ALIGNED)?;
+        let columns = listed(&columns);
+        let count = checked(&made, &columns)?;
+        let targets = fitting::<R::Out>(&mut targets, count)?;
+        self.compute(&made, &columns, count, targets)
+    }
+
+    /// The numbers of every result, item by item.
+    pub(crate) fn rows<C: Columns, R: Runs<C::Row>>(
+        &self,
+        run: R,
+        columns: C,
+    ) -> Result<Vec<Vec<f32>>, Error>
+    where
+        C::Row: Pack<Scalar = f32>,
+    {
+        let made = run.generated(Ask::ALIGNED)?;
+        let columns = listed(&columns);
+        let count = checked(&made, &columns)?;
+        as_rows(&made.gives, count, |targets| {
+            self.compute(&made, &columns, count, targets)
+        })
+    }
+
+    /// Chunk by chunk: while one is computed, the one before comes back.
+    fn compute(
+        &self,
+        made: &Arc<Generated<f32>>,
+        columns: &[Column<'_, f32>],
+        count: usize,
+        targets: Vec<Option<Target<'_, f32>>>,
+    ) -> Result<(), Error> {
+        let inner = &self.gpu.inner;
+        inner.alive()?;
+        let mut targets: Vec<Vec<Piece<'_, f32>>> = targets
+            .into_iter()
+            .map(|target| target.map_or_else(Vec::new, Target::pieces))
+            .collect();
+        let chunk = chunk(inner, made)?;
+        // Shapes that stand for all go up again with every chunk: they are few bytes.
+        let mut open: VecDeque<(Arrival, Chunk)> = VecDeque::new();
+        for start in (0..count).step_by(chunk) {
+            let items = start..count.min(start + chunk);
+            open.push_back(self.start(made, columns, items)?);
+            if open.len() > 1
+                && let Some((arrival, chunk)) = open.pop_front()
+            {
+                chunk.finish(made, arrival, &mut targets)?;
+            }
+        }
+        for (arrival, chunk) in open {
+            chunk.finish(made, arrival, &mut targets)?;
+        }
+        targets.into_iter().flatten().for_each(Piece::finish);
+        Ok(())
+    }
+
+    /// Brings some items up, computes them and starts bringing them back.
+    fn start(
+        &self,
+        made: &Arc<Generated<f32>>,
+        columns: &[Column<'_, f32>],
+        items: Range<usize>,
+    ) -> Result<(Arrival, Chunk), Error> {
+        let inner = &self.gpu.inner;
+        let own = items.len();
+        let parts: Vec<Vec<f32>> = columns
+            .iter()
+            .enumerate()
+            .map(|(k, column)| tiles(made, k, column, items.clone()))
+            .collect();
+        let mut params = vec![[own as u32, 0, 0, 0]];
+        let mut first = 0;
+        for (column, part) in columns.iter().zip(&parts) {
+            params.push([first as u32, u32::from(column.count.is_some()), 0, 0]);
+            first += part.len();
+        }
+        let inputs = first;
+        let chunk = Chunk::new(made, items);
+        params.extend(chunk.starts.iter().map(|&start| [start as u32, 0, 0, 0]));
+        let outputs = inner.guarded(|| {
+            let pipeline = inner.generated(&made.name, Form::Aligned, || Form::Aligned.text(made));
+            let (from, to) = (inner.storage(inputs), inner.storage(chunk.numbers));
+            let mut first = 0;
+            for part in &parts {
+                inner.write_at(&from, 4 * first as u64, part);
+                first += part.len();
+            }
+            let mut work = Work::new(inner);
+            let groups = [own.div_ceil(GROUP) as u32, 1];
+            work.dispatch_with(&pipeline, &params, &[(1, &from), (2, &to)], groups);
+            work.submit()?;
+            Ok(to)
+        })?;
+        let arrival = inner.bring(self.gpu, &[(&outputs, 4 * chunk.numbers as u64)])?;
+        Ok((arrival, chunk))
+    }
+}
+
+/// Checks columns; how many items there are.
+fn checked(made: &Generated<f32>, columns: &[Column<'_, f32>]) -> Result<usize, Error> {
+    let count = items(made.arguments.len(), columns)?;
+    sound(&made.arguments, f64::INFINITY, columns)?;
+    Ok(count)
+}
+
+/// How many items a dispatch takes, so that what goes in and what comes out fits a binding each.
+fn chunk(inner: &Inner, made: &Generated<f32>) -> Result<usize, Error> {
+    let fields = |numbers: &[usize]| numbers.iter().sum::<usize>().max(1);
+    let widest = fields(&made.widths).max(fields(&made.gives));
+    // A last tile may be a part of one.
+    let most = inner.most_bytes as usize / 4 / widest;
+    let threads = MOST_GROUPS * GROUP;
+    match most.min(threads) / TILE * TILE {
+        0 => Err(Error::Gpu(GpuFault::TooLarge)),
+        // Whole pieces of targets, where there are.
+        chunk if chunk > STRETCH => Ok(chunk / STRETCH * STRETCH),
+        chunk => Ok(chunk),
+    }
+}
+
+/// The prepared numbers of some items of a column, in tiles.
+fn tiles(
+    made: &Generated<f32>,
+    k: usize,
+    column: &Column<'_, f32>,
+    items: Range<usize>,
+) -> Vec<f32> {
+    let items = match column.count {
+        Some(_) => items,
+        None => 0..1,
+    };
+    let stretches: Vec<Range<usize>> = items
+        .clone()
+        .step_by(STRETCH)
+        .map(|start| start..items.end.min(start + STRETCH))
+        .collect();
+    let mut parts = vec![Vec::new(); stretches.len()];
+    let work = stretches.into_iter().zip(&mut parts).collect();
+    spread(work, |(items, part): (Range<usize>, &mut Vec<f32>)| {
+        let mut room = Vec::new();
+        *part = made.prepare(k, column.numbers(items, &mut room));
+    });
+    parts.concat()
+}
+
+/// Items on their way back.
+struct Chunk {
+    items: Range<usize>,
+    /// Where the numbers of every shape of a result begin, and how many there are.
+    starts: Vec<usize>,
+    numbers: usize,
+}
+
+impl Chunk {
+    fn new(made: &Generated<f32>, items: Range<usize>) -> Self {
+        let (mut starts, mut numbers) = (Vec::new(), 0);
+        for &fields in &made.gives {
+            starts.push(numbers);
+            numbers += items.len().next_multiple_of(TILE) * fields;
+        }
+        Chunk {
+            items,
+            starts,
+            numbers,
+        }
+    }
+    /// Puts results where they belong.
+    fn finish(
+        self,
+        made: &Generated<f32>,
+        arrival: Arrival,
+        targets: &mut [Vec<Piece<'_, f32>>],
+    ) -> Result<(), Error> {
+        arrival.finish(|_, numbers| {
+            let numbers: &[f32] = bytemuck::cast_slice(numbers);
+            for ((target, &fields), &start) in targets.iter_mut().zip(&made.gives).zip(&self.starts)
+            {
+                let own = target.iter_mut().enumerate();
+                let work = own
+                    .filter(|(i, _)| {
+                        let first = i * STRETCH;
+                        first < self.items.end && first + STRETCH > self.items.start
+                    })
+                    .collect();
+                spread(work, |(i, piece): (usize, &mut Piece<'_, f32>)| {
+                    let first = i * STRETCH;
+                    let rows = piece.numbers();
+                    let from = self.items.start.max(first);
+                    let end = self.items.end.min(first + STRETCH);
+                    for item in from..end {
+                        let at = item - self.items.start;
+                        let at = start + at / TILE * TILE * fields + at % TILE;
+                        let row = &mut rows[(item - first) * fields..][..fields];
+                        for (k, x) in row.iter_mut().enumerate() {
+                            *x = numbers[at + k * TILE];
+                        }
+                    }
+                });
+            }
+        })
+    }
+}

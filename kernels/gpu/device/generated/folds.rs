@@ -1,0 +1,443 @@
+//! Folds over paths: a thread per path walks along its edges.
+use super::Programs;
+use super::operation::{Body, Name, body_of, part};
+use super::text::{Form, GROUP, MOST_GROUPS, call};
+use crate::ad::program::WGSL;
+use crate::ad::program::recorded::Recorded;
+use crate::error::Argument;
+use crate::kernels::Fold;
+use crate::kernels::cpu::checked::{check_upstream, expect};
+use crate::kernels::cpu::folds;
+use crate::kernels::cpu::plan::{Known, known};
+use crate::kernels::cpu::program::split::Piece;
+use crate::kernels::gpu::device::work::Work;
+use crate::kernels::row::Columns;
+use crate::{Error, Fixed, GpuFault, Pack, Vec2};
+use std::fmt::Write;
+use std::ops::Range;
+use std::sync::Arc;
+
+/// A fold for GPUs: made once, compiled once per context.
+#[derive(Debug)]
+pub(super) struct GeneratedFold {
+    name: Name,
+    edge: Body,
+    join: Body,
+    finish: Body,
+    /// The slopes of each; nothing of those after the result.
+    edge_vjp: Body,
+    join_vjp: Body,
+    finish_vjp: Body,
+    /// What is known after no edge.
+    empty: Vec<f32>,
+    is_closed: bool,
+    /// Numbers of a context, of that and a reference, and of a result.
+    own: usize,
+    wide: usize,
+    gives: usize,
+}
+
+/// What a GPU is given of a fold.
+pub(super) fn made<F: Fold>() -> Result<Arc<GeneratedFold>, Error> {
+    known::<F, f32, _>(Known::FoldShader, || {
+        let programs = folds::programs::<F, f32>()?;
+        let piece = |recorded: &Recorded| Piece {
+            graph: recorded.value.graph.clone(),
+            outputs: recorded.value.outputs.clone(),
+        };
+        let whole = |name, recorded: &Recorded| body_of(name, &piece(recorded), recorded.inputs);
+        let edge_vjp = piece(&programs.edge_vjp);
+        let slopes = part(&edge_vjp, &edge_vjp.outputs[F::State::<f32>::LEN..]);
+        let own = F::Context::<f32>::LEN;
+        Ok(GeneratedFold {
+            name: Name::default(),
+            edge: whole("fold_edge", &programs.edge),
+            join: whole("fold_join", &programs.join),
+            finish: whole("fold_finish", &programs.finish),
+            edge_vjp: body_of("fold_edge_vjp", &slopes, programs.edge_vjp.inputs),
+            join_vjp: whole("fold_join_vjp", &programs.join_vjp),
+            finish_vjp: whole("fold_finish_vjp", &programs.finish_vjp),
+            empty: F::empty::<f32>().scalars(),
+            is_closed: F::CLOSED,
+            own,
+            wide: own + F::Reference::<f32>::LEN,
+            gives: F::Out::<f32>::LEN,
+        })
+    })
+}
+
+/// So many names with a number each.
+fn names(name: &str, count: usize) -> Vec<String> {
+    (0..count).map(|k| format!("{name}{k}")).collect()
+}
+
+/// So many elements of an array.
+fn elements(array: &str, range: Range<usize>) -> Vec<String> {
+    range.map(|k| format!("{array}[{k}]")).collect()
+}
+
+impl GeneratedFold {
+    fn state(&self) -> usize {
+        self.empty.len()
+    }
+    /// The shader of a kernel.
+    pub fn text(&self, form: Form) -> String {
+        let mut text = format!("{WGSL}\n{}\n{}\n", self.edge.text, self.join.text);
+        match form {
+            Form::FoldSlopes => {
+                for body in [&self.edge_vjp, &self.join_vjp, &self.finish_vjp] {
+                    text += &body.text;
+                }
+                text += &self.slopes();
+            }
+            _ => {
+                text += &self.finish.text;
+                text += &self.values();
+            }
+        }
+        text
+    }
+    /// Bindings, and the beginning of a thread's work: what belongs to its path, and where its edges are.
+    fn head(&self, entry: &str, more: &[(&str, &str)]) -> String {
+        let mut text = String::from(
+            "@group(0) @binding(0) var<uniform> params: array<vec4u, 1>;
+@group(0) @binding(1) var<storage, read> offsets: array<u32>;
+@group(0) @binding(2) var<storage, read> vertices: array<vec2f>;
+@group(0) @binding(3) var<storage, read> shared_numbers: array<f32>;
+",
+        );
+        for (k, (access, name)) in more.iter().enumerate() {
+            let _ = writeln!(
+                text,
+                "@group(0) @binding({}) var<storage, {access}> {name}: array<f32>;",
+                k + 4
+            );
+        }
+        let _ = write!(
+            text,
+            "
+@compute @workgroup_size({GROUP})
+fn {entry}(@builtin(global_invocation_id) thread: vec3u) {{
+    let path = thread.x;
+    if path >= params[0].x {{
+        return;
+    }}
+    let start = offsets[path];
+    let count = offsets[path + 1u] - start;
+    let edges = {};
+    _ = shared_numbers[0];
+",
+            if self.is_closed {
+                "count"
+            } else {
+                "max(count, 1u) - 1u"
+            }
+        );
+        for k in 0..self.wide {
+            let _ = writeln!(
+                text,
+                "    let s{k} = shared_numbers[path * {}u + {k}u];",
+                self.wide
+            );
+        }
+        for (k, x) in self.empty.iter().enumerate() {
+            // By its bits, whatever it is.
+            let _ = writeln!(text, "    var state{k} = bitcast<f32>({}u);", x.to_bits());
+        }
+        text
+    }
+    /// What one edge tells, as `told`, and the numbers that it takes.
+    fn edge_of(&self) -> (String, Vec<String>) {
+        let mut inputs = names("s", self.wide);
+        inputs.extend(["tail.x", "tail.y", "tip.x", "tip.y"].map(str::to_owned));
+        let text = format!(
+            "        let next = select(k + 1u, 0u, k + 1u == count);
+        let tail = vertices[start + k];
+        let tip = vertices[start + next];
+        let told = {};
+",
+            call("fold_edge", inputs.clone())
+        );
+        (text, inputs)
+    }
+    /// Joins what an edge told to the state.
+    fn join_of(&self) -> String {
+        let mut inputs = names("state", self.state());
+        inputs.extend(elements("told", 0..self.state()));
+        let mut text = format!("        let joined = {};\n", call("fold_join", inputs));
+        for k in 0..self.state() {
+            let _ = writeln!(text, "        state{k} = joined[{k}];");
+        }
+        text
+    }
+    fn values(&self) -> String {
+        let mut text = self.head("fold_main", &[("read_write", "outputs")]);
+        let mut inputs = names("s", self.wide);
+        inputs.extend(names("state", self.state()));
+        let _ = write!(
+            text,
+            "    for (var k = 0u; k < edges; k++) {{\n{}{}    }}\n    let y = {};\n",
+            self.edge_of().0,
+            self.join_of(),
+            call("fold_finish", inputs)
+        );
+        for k in 0..self.gives {
+            let _ = writeln!(text, "    outputs[path * {}u + {k}u] = y[{k}];", self.gives);
+        }
+        text + "}\n"
+    }
+    /// Forwards, keeping what is known before every edge; then backwards.
+    fn slopes(&self) -> String {
+        let (state, own, wide) = (self.state(), self.own, self.wide);
+        let buffers = [
+            ("read", "upstream"),
+            ("read_write", "before"),
+            ("read_write", "context_bars"),
+            ("read_write", "path_bars"),
+        ];
+        let mut text = self.head("fold_slopes_main", &buffers);
+        let lines =
+            |count: usize, line: &dyn Fn(usize) -> String| (0..count).map(line).collect::<String>();
+        let keep = lines(state, &|k| {
+            format!("        before[(start + k) * {state}u + {k}u] = state{k};\n")
+        });
+        let recall = lines(state, &|k| {
+            format!("        state{k} = before[(start + k) * {state}u + {k}u];\n")
+        });
+        let (edge, edge_inputs) = self.edge_of();
+        let join = self.join_of();
+        let mut end = names("s", wide);
+        end.extend(names("state", state));
+        end.extend((0..self.gives).map(|k| format!("upstream[path * {}u + {k}u]", self.gives)));
+        let end = call("fold_finish_vjp", end);
+        let context = lines(own, &|k| format!("    var context{k} = ended[{k}];\n"));
+        let bars = lines(state, &|k| {
+            format!("    var bar{k} = ended[{}];\n", wide + k)
+        });
+        let mut pulled = names("state", state);
+        pulled.extend(elements("told", 0..state));
+        pulled.extend(names("bar", state));
+        let pulled = call("fold_join_vjp", pulled);
+        let hand_on = lines(state, &|k| format!("        bar{k} = pulled[{k}];\n"));
+        let mut slopes = edge_inputs;
+        slopes.extend(elements("pulled", state..2 * state));
+        let slopes = call("fold_edge_vjp", slopes);
+        let add = lines(own, &|k| format!("        context{k} += slopes[{k}];\n"));
+        let add_ends = lines(4, &|k| {
+            let (end, axis) = (if k < 2 { "k" } else { "next" }, k % 2);
+            format!(
+                "        path_bars[2u * (start + {end}) + {axis}u] += slopes[{}];\n",
+                wide + k
+            )
+        });
+        let put = lines(own, &|k| {
+            format!("    context_bars[path * {own}u + {k}u] = context{k} + 0.0;\n")
+        });
+        let unused = match own {
+            0 => "    context_bars[path] = 0.0;\n",
+            _ => "",
+        };
+        let _ = write!(
+            text,
+            "    for (var k = 0u; k < edges; k++) {{
+{keep}{edge}{join}    }}
+    let ended = {end};
+{context}{bars}    for (var i = edges; i > 0u; i--) {{
+        let k = i - 1u;
+{recall}{edge}        let pulled = {pulled};
+{hand_on}        let slopes = {slopes};
+{add}{add_ends}    }}
+{put}{unused}}}
+"
+        );
+        text
+    }
+}
+
+/// Paths that go up together: which ones, and their vertices.
+struct Load {
+    paths: Range<usize>,
+    vertices: Range<usize>,
+}
+
+impl Programs<'_> {
+    /// One result per path, as [`Cpu::fold`](crate::kernels::Cpu::fold).
+    ///
+    /// # Errors
+    ///
+    /// As on the processor; [`Error::Gpu`] for what the device says, of which
+    /// [`GpuFault::TooLarge`] is for a path that fits no buffer.
+    pub fn fold<F, C: Columns>(
+        &self,
+        _fold: F,
+        context: C,
+        vertices: &[Vec2<f32>],
+        offsets: &[usize],
+    ) -> Result<Vec<F::Out<f32>>, Error>
+    where
+        F: Fold<Context<f32> = C::Row>,
+        C::Row: Pack<Scalar = f32>,
+    {
+        let made = made::<F>()?;
+        let shared = folds::shared::<F, f32, C>(&context, vertices, offsets)?;
+        let inner = &self.gpu.inner;
+        inner.alive()?;
+        let mut all = Vec::with_capacity(offsets.len() - 1);
+        for load in self.loads(&made, offsets, 2)? {
+            let count = load.paths.len();
+            let results = inner.guarded(|| {
+                let pipeline = inner.generated(&made.name, Form::Fold, || made.text(Form::Fold));
+                let own = self.bring(&made, &load, vertices, offsets, &shared);
+                let results = inner.storage(count * made.gives);
+                let mut work = Work::new(inner);
+                let [a, b, c] = own.each_ref();
+                let buffers = [(1, a), (2, b), (3, c), (4, &results)];
+                let params = [[count as u32, 0, 0, 0]];
+                work.dispatch_with(&pipeline, &params, &buffers, groups(count));
+                work.submit()?;
+                Ok(results)
+            })?;
+            let bytes = 4 * (count * made.gives) as u64;
+            inner
+                .bring(self.gpu, &[(&results, bytes)])?
+                .finish(|_, numbers| {
+                    let numbers: &[f32] = bytemuck::cast_slice(numbers);
+                    all.extend(numbers.chunks_exact(made.gives).map(F::Out::<f32>::load));
+                })?;
+        }
+        Ok(all)
+    }
+
+    /// The adjoint of [`fold`](Programs::fold): one cotangent per context and one per vertex, as
+    /// [`Cpu::fold_vjp`](crate::kernels::Cpu::fold_vjp).
+    ///
+    /// # Errors
+    ///
+    /// As [`fold`](Programs::fold), and for cotangents of another number or not finite.
+    pub fn fold_vjp<F, C: Columns>(
+        &self,
+        _fold: F,
+        context: C,
+        vertices: &[Vec2<f32>],
+        offsets: &[usize],
+        upstream: &[F::Out<f32>],
+    ) -> Result<(Vec<F::Context<f32>>, Vec<Vec2<f32>>), Error>
+    where
+        F: Fold<Context<f32> = C::Row>,
+        C::Row: Pack<Scalar = f32>,
+    {
+        let made = made::<F>()?;
+        let shared = folds::shared::<F, f32, C>(&context, vertices, offsets)?;
+        expect(Argument::Upstream, offsets.len() - 1, upstream.len())?;
+        let seeds: Vec<f32> = upstream.iter().flat_map(Pack::scalars).collect();
+        check_upstream(&seeds, made.gives.max(1))?;
+        let inner = &self.gpu.inner;
+        inner.alive()?;
+        let mut context_bars = Vec::with_capacity(upstream.len());
+        let mut path_bars = Vec::with_capacity(vertices.len());
+        for load in self.loads(&made, offsets, made.state().max(2))? {
+            let (count, own_vertices) = (load.paths.len(), load.vertices.len());
+            let form = Form::FoldSlopes;
+            let (by_context, by_vertex) = inner.guarded(|| {
+                let pipeline = inner.generated(&made.name, form, || made.text(form));
+                let own = self.bring(&made, &load, vertices, offsets, &shared);
+                let seeds = &seeds[load.paths.start * made.gives..load.paths.end * made.gives];
+                let seeds = inner.stored(seeds);
+                let before = inner.storage(own_vertices * made.state());
+                let by_context = inner.storage(count * made.own.max(1));
+                let by_vertex = inner.storage(2 * own_vertices);
+                let mut work = Work::new(inner);
+                let [a, b, c] = own.each_ref();
+                let buffers = [
+                    (1, a),
+                    (2, b),
+                    (3, c),
+                    (4, &seeds),
+                    (5, &before),
+                    (6, &by_context),
+                    (7, &by_vertex),
+                ];
+                let params = [[count as u32, 0, 0, 0]];
+                work.dispatch_with(&pipeline, &params, &buffers, groups(count));
+                work.submit()?;
+                Ok((by_context, by_vertex))
+            })?;
+            let parts = [
+                (&by_context, 4 * (count * made.own.max(1)) as u64),
+                (&by_vertex, 8 * own_vertices as u64),
+            ];
+            inner.bring(self.gpu, &parts)?.finish(|part, numbers| {
+                let numbers: &[f32] = bytemuck::cast_slice(numbers);
+                match part {
+                    0 => {
+                        let bars = numbers.chunks_exact(made.own.max(1));
+                        context_bars.extend(bars.map(F::Context::<f32>::load));
+                    }
+                    _ => {
+                        let bars = numbers.chunks_exact(2);
+                        path_bars.extend(bars.map(|p| Vec2::new(p[0] + 0.0, p[1] + 0.0)));
+                    }
+                }
+            })?;
+        }
+        Ok((context_bars, path_bars))
+    }
+
+    /// How paths are cut, so that so many numbers per vertex fit a buffer.
+    fn loads(
+        &self,
+        made: &GeneratedFold,
+        offsets: &[usize],
+        per_vertex: usize,
+    ) -> Result<Vec<Load>, Error> {
+        let numbers = self.gpu.inner.most_bytes as usize / 4;
+        let most_vertices = numbers / per_vertex;
+        let per_path = made.wide.max(made.gives).max(made.own).max(1);
+        let most_paths = (numbers / per_path - 1).min(MOST_GROUPS * GROUP);
+        let mut loads = Vec::new();
+        let mut start = 0;
+        let paths = offsets.len() - 1;
+        while start < paths {
+            let rest = &offsets[start + 1..=paths.min(start + most_paths)];
+            let fitting = rest.partition_point(|&end| end - offsets[start] <= most_vertices);
+            if fitting == 0 {
+                return Err(Error::Gpu(GpuFault::TooLarge));
+            }
+            loads.push(Load {
+                paths: start..start + fitting,
+                vertices: offsets[start]..offsets[start + fitting],
+            });
+            start += fitting;
+        }
+        Ok(loads)
+    }
+
+    /// Brings paths up: offsets, vertices, and what is one per path.
+    fn bring(
+        &self,
+        made: &GeneratedFold,
+        load: &Load,
+        vertices: &[Vec2<f32>],
+        offsets: &[usize],
+        shared: &[f32],
+    ) -> [wgpu::Buffer; 3] {
+        let inner = &self.gpu.inner;
+        let (paths, base) = (&load.paths, load.vertices.start);
+        let own = &offsets[paths.start..=paths.end];
+        let own: Vec<u32> = own.iter().map(|&at| (at - base) as u32).collect();
+        let points: Vec<[f32; 2]> = vertices[load.vertices.clone()]
+            .iter()
+            .map(|v| [v.x, v.y])
+            .collect();
+        [
+            inner.stored(&own),
+            inner.stored(&points),
+            inner.stored(&shared[paths.start * made.wide..paths.end * made.wide]),
+        ]
+    }
+}
+
+/// Workgroups for so many paths.
+fn groups(paths: usize) -> [u32; 2] {
+    [paths.div_ceil(GROUP) as u32, 1]
+}

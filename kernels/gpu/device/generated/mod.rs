@@ -1,0 +1,134 @@
+//! Any operation and any program on a GPU, by functions in WGSL that its recording is written as.
+mod adjoint;
+mod aligned;
+mod folds;
+pub(crate) mod operation;
+mod pairs;
+mod text;
+
+use super::{Gpu, Inner, locked};
+use crate::Error;
+use crate::Fixed;
+use crate::kernels::Fold;
+use crate::kernels::cpu::plan::{Want, generated_of};
+use crate::kernels::op::Op;
+use crate::kernels::row::Row;
+use operation::{Generated, Name};
+use std::collections::HashMap;
+use std::sync::Weak;
+use text::Form;
+
+/// Batches of any operation, and of any program, on a GPU: [`Gpu::programs`].
+///
+/// The calls are those of [`Cpu`](crate::kernels::Cpu): what runs is a value, columns are slices, vectors or
+/// [`One`](crate::kernels::One), and results come back as vectors. Numbers are `f32`.
+///
+/// What an operation computes is recorded once, written as a shader once, and compiled once per context.
+/// Results are the processor's to within rounding ([tolerances](crate::kernels::gpu#rounding)), and the same
+/// bits on every run. Sines of an angle of one shape are computed by the processor, in double precision, when
+/// shapes go up. Batches are cut as buffers allow.
+///
+/// ```no_run
+/// use geograd::kernels::gpu::Gpu;
+/// use geograd::kernels::{DistancePointSegment, One, Op};
+/// use geograd::{Segment2, Vec2};
+/// # #[cfg(feature = "gpu")] {
+/// let gpu = Gpu::new()?;
+/// let points = [Vec2::new(0.0_f32, 1.0), Vec2::new(3.0, 0.0)];
+/// let segment = One(Segment2::new(Vec2::new(0.0, 0.0), Vec2::new(2.0, 0.0)));
+/// let distances = gpu.programs().aligned(DistancePointSegment, (&points, segment))?;
+/// assert_eq!(distances, [1.0, 1.0]);
+/// let (_, (by_point, _)) = gpu
+///     .programs()
+///     .aligned(DistancePointSegment.value_grad(), (&points, segment))?;
+/// assert_eq!(by_point[0], Vec2::new(0.0, 1.0));
+/// # }
+/// # Ok::<(), geograd::Error>(())
+/// ```
+#[derive(Clone, Copy, Debug)]
+pub struct Programs<'a> {
+    gpu: &'a Gpu,
+}
+
+impl Gpu {
+    /// Batches of any operation, and of any program, with the calls of [`Cpu`](crate::kernels::Cpu).
+    #[must_use]
+    pub fn programs(&self) -> Programs<'_> {
+        Programs { gpu: self }
+    }
+}
+
+/// Pipelines of generated kernels, by whose they are, and which kernel it is.
+pub(super) type Pipelines = HashMap<(u64, Form), (Weak<u64>, wgpu::ComputePipeline)>;
+
+impl Inner {
+    /// The pipeline of a generated kernel, compiled the first time it is asked for. Those of programs that
+    /// are gone are given up.
+    fn generated(
+        &self,
+        name: &Name,
+        form: Form,
+        text: impl FnOnce() -> String,
+    ) -> wgpu::ComputePipeline {
+        let mut pipelines = locked(&self.generated);
+        let key = (*name.0, form);
+        if let Some((_, pipeline)) = pipelines.get(&key) {
+            return pipeline.clone();
+        }
+        pipelines.retain(|_, (owner, _)| owner.strong_count() > 0);
+        let pipeline = self.compiled("generated", form.entry(), text());
+        pipelines.insert(key, (std::sync::Arc::downgrade(&name.0), pipeline.clone()));
+        pipeline
+    }
+}
+
+/// Every shader that an operation can need, with a name: for tests that have no GPU.
+///
+/// # Errors
+///
+/// Those of recording it.
+#[doc(hidden)]
+pub fn op_sources<O: Op>() -> Result<Vec<(String, String)>, Error>
+where
+    O::In<f32>: Row<Scalar = f32>,
+    O::Out<f32>: Row,
+{
+    let wants: &[Want] = match O::Out::<f32>::LEN {
+        1 => &[Want::Value, Want::ValueGrad, Want::Vjp],
+        _ => &[Want::Value, Want::Vjp],
+    };
+    let mut all = Vec::new();
+    for &want in wants {
+        let made = generated_of::<O, O::In<f32>>(want, false)?;
+        let mut add = |form: Form, made: &Generated<f32>| {
+            all.push((format!("{} {want:?} {form:?}", O::NAME), form.text(made)));
+        };
+        add(Form::Aligned, &made);
+        if made.arguments.len() != 2 {
+            continue;
+        }
+        let made = generated_of::<O, O::In<f32>>(want, true)?;
+        match want {
+            Want::Value | Want::ValueGrad => add(Form::Pairs, &made),
+            Want::Vjp if O::Out::<f32>::LEN == 1 => {
+                add(Form::RowSlopes, &made);
+                add(Form::ColumnSlopes, &made);
+            }
+            Want::Vjp => (),
+        }
+    }
+    Ok(all)
+}
+
+/// Every shader that a fold can need, with a name.
+///
+/// # Errors
+///
+/// Those of recording it.
+#[doc(hidden)]
+pub fn fold_sources<F: Fold>(_fold: F) -> Result<Vec<(String, String)>, Error> {
+    let made = folds::made::<F>()?;
+    Ok([Form::Fold, Form::FoldSlopes]
+        .map(|form| (format!("{form:?}"), made.text(form)))
+        .into())
+}

@@ -1,0 +1,332 @@
+//! Every row with every column: a thread per column and some rows.
+use super::Programs;
+use super::operation::Generated;
+use super::text::{Form, GROUP, MOST_GROUPS, ROWS};
+use crate::error::Argument;
+use crate::kernels::cpu::checked::check;
+use crate::kernels::cpu::lane::TILE;
+use crate::kernels::cpu::work::spread;
+use crate::kernels::gpu::device::block::{Block, place_block};
+use crate::kernels::gpu::device::work::Work;
+use crate::kernels::gpu::device::{Inner, Matrix};
+use crate::kernels::op::{Ask, Runs};
+use crate::kernels::reduce::{Best, Found, check_sides, check_threshold};
+use crate::kernels::row::{Column, STRETCH};
+use crate::kernels::{Single, Table};
+use crate::suppression::Pair;
+use crate::{Error, GpuFault};
+use std::ops::Range;
+use std::sync::Arc;
+
+/// Operations that a dispatch does at most: drivers reset a GPU that is busy with one for seconds.
+const MOST_OPERATIONS: usize = 1 << 42;
+
+/// A list that went up: prepared shapes, in buffers that fit a binding each.
+pub(super) struct Side {
+    /// Shapes per buffer.
+    window: usize,
+    buffers: Vec<wgpu::Buffer>,
+    count: usize,
+}
+
+impl Side {
+    /// Brings a list up that was checked.
+    fn new(
+        inner: &Inner,
+        made: &Generated<f32>,
+        k: usize,
+        column: &Column<'_, f32>,
+    ) -> Result<Self, Error> {
+        let count = column.len();
+        // Sums of slopes, which have the numbers of a shape, must fit a binding, too.
+        let width = made.widths[k].max(made.arguments[k].fields).max(1);
+        let window = inner.most_bytes as usize / 4 / width;
+        // So that no dispatch has more workgroups than it may have.
+        let window = window.min(MOST_GROUPS * ROWS) / TILE * TILE;
+        if window == 0 {
+            return Err(Error::Gpu(GpuFault::TooLarge));
+        }
+        let mut buffers = Vec::new();
+        for start in (0..count).step_by(window) {
+            let numbers = frames(made, k, column, start..count.min(start + window));
+            buffers.push(inner.guarded(|| Ok(inner.stored(&numbers)))?);
+        }
+        Ok(Side {
+            window,
+            buffers,
+            count,
+        })
+    }
+    /// The parts of a range of shapes, each in one buffer: the buffer, where in it, which shapes.
+    fn parts(
+        &self,
+        range: Range<usize>,
+    ) -> impl Iterator<Item = (&wgpu::Buffer, usize, Range<usize>)> {
+        let buffers = self.buffers.iter().enumerate();
+        buffers.filter_map(move |(i, buffer)| {
+            let first = i * self.window;
+            let own = range.start.max(first)..range.end.min(first + self.window);
+            (!own.is_empty()).then(|| (buffer, own.start - first, own))
+        })
+    }
+}
+
+/// The prepared numbers of some shapes, in tiles.
+fn frames(
+    made: &Generated<f32>,
+    k: usize,
+    column: &Column<'_, f32>,
+    items: Range<usize>,
+) -> Vec<f32> {
+    let starts = items.clone().step_by(STRETCH);
+    let mut parts = vec![Vec::new(); starts.len()];
+    let work = starts.zip(&mut parts).collect();
+    spread(work, |(start, part): (usize, &mut Vec<f32>)| {
+        let mut room = Vec::new();
+        let own = start..items.end.min(start + STRETCH);
+        *part = made.prepare(k, column.numbers(own, &mut room));
+    });
+    parts.concat()
+}
+
+/// Both lists, checked and brought up.
+pub(super) struct Sides {
+    pub a: Side,
+    pub b: Side,
+}
+
+/// One dispatch: where both lists are, what of them, and their place in a block of results.
+pub(super) struct Piece<'a> {
+    pub buffers: [&'a wgpu::Buffer; 2],
+    pub rows: usize,
+    pub columns: usize,
+    /// The kernel's parameters.
+    pub params: Vec<[u32; 4]>,
+}
+
+impl Sides {
+    pub fn new<A: Single<Scalar = f32>, B: Single<Scalar = f32>>(
+        inner: &Inner,
+        made: &Generated<f32>,
+        a: &[A],
+        b: &[B],
+    ) -> Result<Self, Error> {
+        inner.alive()?;
+        let (a, b) = (Column::of(a), Column::of(b));
+        check(Argument::A, &made.arguments[0], &a)?;
+        check(Argument::B, &made.arguments[1], &b)?;
+        Ok(Sides {
+            a: Side::new(inner, made, 0, &a)?,
+            b: Side::new(inner, made, 1, &b)?,
+        })
+    }
+    /// How many rows and columns there are.
+    pub fn counts(&self) -> [usize; 2] {
+        [self.a.count, self.b.count]
+    }
+    /// The dispatches of a block of results, for a function of so many operations.
+    pub fn pieces(&self, block: &Block, operations: usize) -> Vec<Piece<'_>> {
+        let mut pieces = Vec::new();
+        let rows = block.row_base..block.row_base + block.rows;
+        let columns = block.column_base..block.column_base + block.columns;
+        for (b, b_at, columns) in self.b.parts(columns) {
+            let most = MOST_OPERATIONS / operations.max(1) / columns.len();
+            let most = most.max(ROWS).next_multiple_of(ROWS);
+            for (a, a_at, rows) in self.a.parts(rows.clone()) {
+                for start in rows.clone().step_by(most) {
+                    let own = start..rows.end.min(start + most);
+                    pieces.push(Piece {
+                        buffers: [a, b],
+                        rows: own.len(),
+                        columns: columns.len(),
+                        params: vec![
+                            [
+                                own.len() as u32,
+                                columns.len() as u32,
+                                block.columns as u32,
+                                (block.rows * block.columns) as u32,
+                            ],
+                            [
+                                (a_at + own.start - rows.start) as u32,
+                                b_at as u32,
+                                (own.start - block.row_base) as u32,
+                                (columns.start - block.column_base) as u32,
+                            ],
+                        ],
+                    });
+                }
+            }
+        }
+        pieces
+    }
+    /// Computes a block of results.
+    fn compute(
+        &self,
+        inner: &Inner,
+        made: &Arc<Generated<f32>>,
+        block: &Block,
+        to: &wgpu::Buffer,
+    ) -> Result<(), Error> {
+        inner.guarded(|| {
+            let pipeline = inner.generated(&made.name, Form::Pairs, || Form::Pairs.text(made));
+            let mut work = Work::new(inner);
+            for piece in self.pieces(block, made.bodies[0].operations) {
+                let [a, b] = piece.buffers;
+                let groups = [
+                    piece.columns.div_ceil(GROUP) as u32,
+                    piece.rows.div_ceil(ROWS) as u32,
+                ];
+                let buffers = [(1, a), (2, b), (3, to)];
+                work.dispatch_with(&pipeline, &piece.params, &buffers, groups);
+            }
+            work.submit().map(drop)
+        })
+    }
+}
+
+impl Programs<'_> {
+    /// Every row of `a` with every row of `b`, as [`Cpu::all_pairs`](crate::kernels::Cpu::all_pairs).
+    ///
+    /// # Errors
+    ///
+    /// As on the processor; [`Error::Program`] for what searches, [`Error::Gpu`] for what the device says.
+    pub fn all_pairs<A: Single<Scalar = f32>, B: Single<Scalar = f32>, R: Runs<(A, B)>>(
+        &self,
+        run: R,
+        a: &[A],
+        b: &[B],
+    ) -> Result<Table<R::Out>, Error> {
+        let inner = &self.gpu.inner;
+        let mut table = Table::<R::Out>::new(a.len(), b.len())?;
+        let made = run.generated(Ask::PAIRS)?;
+        let sides = Sides::new(inner, &made, a, b)?;
+        let fields = made.bodies[0].gives;
+        let size = a.len() * b.len();
+        for block in inner.cut(a.len(), b.len(), 4 * fields.max(1) as u64) {
+            let numbers = block.rows * block.columns * fields;
+            let results = inner.guarded(|| Ok(inner.storage(numbers)))?;
+            sides.compute(inner, &made, &block, &results)?;
+            let arrival = inner.bring(self.gpu, &[(&results, 4 * numbers as u64)])?;
+            arrival.finish(|_, numbers| {
+                let numbers: &[f32] = bytemuck::cast_slice(numbers);
+                let planes = numbers.chunks_exact(block.rows * block.columns);
+                for (from, to) in planes.zip(table.planes_mut().chunks_exact_mut(size)) {
+                    place_block(&block, b.len(), from, to);
+                }
+            })?;
+        }
+        Ok(table)
+    }
+
+    /// Every row of `a` with every row of `b` as a matrix that stays on the GPU, for results of one
+    /// number.
+    ///
+    /// # Errors
+    ///
+    /// As [`all_pairs`](Programs::all_pairs).
+    pub fn matrix<A: Single<Scalar = f32>, B: Single<Scalar = f32>, R>(
+        &self,
+        run: R,
+        a: &[A],
+        b: &[B],
+    ) -> Result<Matrix, Error>
+    where
+        R: Runs<(A, B), Out = f32>,
+    {
+        let made = run.generated(Ask::PAIRS)?;
+        let sides = Sides::new(&self.gpu.inner, &made, a, b)?;
+        self.matrix_of(&made, &sides)
+    }
+
+    pub(super) fn matrix_of(
+        &self,
+        made: &Arc<Generated<f32>>,
+        sides: &Sides,
+    ) -> Result<Matrix, Error> {
+        let inner = &self.gpu.inner;
+        let [rows, columns] = sides.counts();
+        let matrix = inner.guarded(|| Matrix::room(self.gpu, rows, columns))?;
+        for (block, values) in &matrix.blocks {
+            sides.compute(inner, made, block, values)?;
+        }
+        Ok(matrix)
+    }
+
+    /// Every two shapes of a list whose result is above the threshold, each two once, as
+    /// [`Cpu::overlaps`](crate::kernels::Cpu::overlaps): what [`suppression`](crate::suppression) starts
+    /// from.
+    ///
+    /// # Errors
+    ///
+    /// As [`above`](Programs::above).
+    pub fn overlaps<A: Single<Scalar = f32>, R>(
+        &self,
+        run: R,
+        shapes: &[A],
+        threshold: f32,
+    ) -> Result<Vec<Pair<f32>>, Error>
+    where
+        R: Runs<(A, A), Out = f32>,
+    {
+        let found = self.above(run, shapes, shapes, threshold)?;
+        let ascending = found.into_iter().filter(|pair| pair.row < pair.column);
+        Ok(ascending.map(Pair::from).collect())
+    }
+}
+
+/// Reductions of the matrix, which stays on the GPU.
+macro_rules! reductions {
+    ($($(#[$doc:meta])* $name:ident($($more:ident: $type:ty)?) -> $out:ty
+        = |$a:ident, $b:ident| $before:expr, |$matrix:ident| $after:expr;)*) => {
+        impl Programs<'_> { $(
+            $(#[$doc])*
+            ///
+            /// # Errors
+            ///
+            /// As on the processor; [`Error::Program`] for what searches, [`Error::Gpu`] for what the
+            /// device says.
+            pub fn $name<A: Single<Scalar = f32>, B: Single<Scalar = f32>, R>(
+                &self,
+                run: R,
+                $a: &[A],
+                $b: &[B],
+                $($more: $type,)?
+            ) -> Result<$out, Error>
+            where
+                R: Runs<(A, B), Out = f32>,
+            {
+                $before?;
+                let $matrix = self.matrix(run, $a, $b)?;
+                $after
+            }
+        )* }
+    };
+}
+
+fn nothing() -> Result<(), Error> {
+    Ok(())
+}
+
+reductions! {
+    /// The largest result of every row and its column, of several the first, as
+    /// [`Cpu::row_max`](crate::kernels::Cpu::row_max).
+    row_max() -> Vec<Best> = |a, b| check_sides(a.len(), b.len(), true),
+        |matrix| matrix.row_max()?.download();
+    /// The largest result of every column and its row, of several the first, as
+    /// [`Cpu::column_max`](crate::kernels::Cpu::column_max).
+    column_max() -> Vec<Best> = |a, b| check_sides(a.len(), b.len(), false),
+        |matrix| matrix.column_max()?.download();
+    /// Every pair whose result is above the threshold, row by row, as
+    /// [`Cpu::above`](crate::kernels::Cpu::above).
+    above(threshold: f32) -> Vec<Found> = |a, b| check_threshold(threshold),
+        |matrix| matrix.above(threshold)?.download();
+    /// How many pairs have a result above the threshold, as
+    /// [`Cpu::count_above`](crate::kernels::Cpu::count_above).
+    count_above(threshold: f32) -> u64 = |a, b| check_threshold(threshold),
+        |matrix| matrix.count_above(threshold);
+    /// The sum of all results, as [`Cpu::sum`](crate::kernels::Cpu::sum): up to 1024 are added in `f32`,
+    /// those sums in `f64`, always in the same order.
+    sum() -> f64 = |a, b| nothing(), |matrix| matrix.sum();
+    /// The mean of all results, zero where there are none, as [`Cpu::mean`](crate::kernels::Cpu::mean).
+    mean() -> f64 = |a, b| nothing(), |matrix| matrix.mean();
+}

@@ -1,0 +1,495 @@
+//! Kernels generated from recordings: every operation of the list, programs, folds.
+//!
+//! How far a result may be from the processor's is the harness's to say: a GPU is one more witness there,
+//! within its own measured error (`prove_any_on`). Here everything else: the same bits twice, however
+//! batches are cut, and in all pairs what there is in aligned ones, to within what the order of operations
+//! may change.
+use crate::{gpu, small, validate};
+use geograd::ad::check::Plan;
+use geograd::ad::check::sample::{Draw, Sample, random};
+use geograd::ad::program::{Program, Sym};
+use geograd::error::Argument;
+use geograd::kernels::check::{prove_any_on, prove_with};
+use geograd::kernels::gpu::{Gpu, fold_sources, op_sources};
+use geograd::kernels::ops::{distance, fold, iou, iou3, overlap, overlap3};
+use geograd::kernels::{Backend, Cpu, DiameterOfPolygon, Fold, One, Op, Row};
+use geograd::{
+    Circle, ConvexPolygon, Error, Fixed, Flaw, GpuFault, Obb2, Pack, Scalar, Segment2,
+    Unrecordable, Vec2, shape::YawBox3 as YawBox,
+};
+
+/// Shader text needs no GPU to be judged.
+pub fn shaders_are_valid<O: Op>()
+where
+    O::In<f32>: Row<Scalar = f32>,
+    O::Out<f32>: Row,
+{
+    for (name, text) in op_sources::<O>().unwrap() {
+        validate(&name, &text);
+    }
+}
+
+/// Values and slopes are the processor's, within what the harness measures.
+pub fn agrees<O: Op>()
+where
+    O::In<f64>: Sample + Row,
+    O::Out<f64>: Row,
+    O::In<f32>: Row<Scalar = f32>,
+    O::Out<f32>: Row<Scalar = f32>,
+{
+    let Some((_turn, gpu)) = gpu() else { return };
+    let plan = Plan {
+        hard: 23,
+        ..Plan::new(20, 1)
+    };
+    let report = prove_any_on::<O>(Backend::Gpu(gpu), &plan).unwrap();
+    assert!(report.worst[5].count > 0, "{report}");
+    // What is refused without a GPU, too, is for the harness's own tests to say.
+    let alone = || prove_with::<O, f32>(&plan);
+    let refused = report.failures.len();
+    assert!(
+        refused == 0 || refused == alone().failures.len(),
+        "{report}"
+    );
+}
+
+/// Random shapes in single precision.
+fn draws<P: Sample + Pack<With<f32> = Q>, Q>(count: usize, seed: u64) -> Vec<Q> {
+    let mut draw = Draw::new(seed);
+    let shape = |_| random::<P>(&mut draw).map(&mut |&x| x as f32);
+    (0..count).map(shape).collect()
+}
+
+type Point = Vec2<f64>;
+type Segment = Segment2<f64>;
+type Box2 = Obb2<f64>;
+type Yaw = YawBox<f64>;
+
+/// Numbers that may differ by so much of their size, and of one.
+fn near(found: &[f32], expected: &[f32], by: f32) {
+    assert_eq!(found.len(), expected.len());
+    for (i, (found, expected)) in found.iter().zip(expected).enumerate() {
+        let bound = by * (1.0 + expected.abs());
+        assert!(
+            (found - expected).abs() <= bound,
+            "{i}: {found} for {expected}"
+        );
+    }
+}
+
+fn bits(numbers: &[f32]) -> Vec<u32> {
+    numbers.iter().map(|x| x.to_bits()).collect()
+}
+
+#[test]
+fn batches_are_the_same_bits_however_they_are_cut() {
+    let Some((_turn, gpu)) = gpu() else { return };
+    let small = small();
+    for count in [1, 15, 16, 17, 100, 5000] {
+        let points: Vec<Vec2<f32>> = draws::<Point, _>(count, 1);
+        let segments: Vec<Segment2<f32>> = draws::<Segment, _>(count, 2);
+        let run = distance::DistancePointSegment.value_grad();
+        let once = gpu.programs().aligned(run, (&points, &segments)).unwrap();
+        let again = gpu.programs().aligned(run, (&points, &segments)).unwrap();
+        let cut = small.programs().aligned(run, (&points, &segments)).unwrap();
+        assert_eq!(bits(&once.0), bits(&again.0));
+        assert_eq!(once, cut);
+        assert_eq!(once.0.len(), count);
+        let (mut values, mut by_point) = (vec![0.0; count], vec![Vec2::new(0.0, 0.0); count]);
+        let targets = (&mut values, (&mut by_point, geograd::kernels::Skip));
+        gpu.programs()
+            .aligned_into(run, (&points, &segments), targets)
+            .unwrap();
+        assert_eq!((values, by_point), (once.0, once.1.0));
+    }
+}
+
+#[test]
+fn one_shape_stands_for_all() {
+    let Some((_turn, gpu)) = gpu() else { return };
+    let boxes: Vec<Obb2<f32>> = draws::<Box2, _>(100, 3);
+    let own = boxes[7];
+    let all = vec![own; 100];
+    let run = iou::GiouObb2;
+    let expected = gpu.programs().aligned(run, (&boxes, &all)).unwrap();
+    let found = gpu.programs().aligned(run, (&boxes, One(own))).unwrap();
+    assert_eq!(bits(&found), bits(&expected));
+    let found = small().programs().aligned(run, (&boxes, One(own))).unwrap();
+    assert_eq!(bits(&found), bits(&expected));
+    let one = gpu.programs().aligned(run, (One(own), One(own))).unwrap();
+    assert_eq!(one.len(), 1);
+}
+
+/// All pairs of two lists: tables, reductions, slopes.
+fn pairs_agree<O: Op<In<f32> = (P, P), Out<f32> = f32>, P>(gpu: &Gpu, run: O, a: &[P], b: &[P])
+where
+    P: geograd::kernels::Single<Scalar = f32> + PartialEq + std::fmt::Debug,
+    (P, P): Row<Scalar = f32>,
+    f32: Row<Scalar = f32>,
+{
+    let (programs, cpu) = (gpu.programs(), Cpu::new());
+    let table = programs.all_pairs(run, a, b).unwrap();
+    let expected = cpu.all_pairs(run, a, b).unwrap();
+    near(table.planes(), expected.planes(), 1e-4);
+    let again = programs.all_pairs(run, a, b).unwrap();
+    assert_eq!(bits(table.planes()), bits(again.planes()));
+    // A gradient per pair.
+    let grads = programs.all_pairs(run.value_grad(), a, b).unwrap();
+    assert_eq!(grads.planes().len(), (1 + 2 * P::LEN) * a.len() * b.len());
+    near(grads.values(), expected.values(), 1e-4);
+    // Reductions are those of the matrix.
+    let values = table.values();
+    let rows = programs.row_max(run, a, b).unwrap();
+    for (row, best) in values.chunks(b.len()).zip(&rows) {
+        let most = row.iter().copied().fold(f32::NEG_INFINITY, f32::max);
+        assert_eq!(best.value, most);
+        assert_eq!(row.iter().position(|&x| x == most), Some(best.index));
+    }
+    let columns = programs.column_max(run, a, b).unwrap();
+    for (j, best) in columns.iter().enumerate() {
+        let column = values.iter().skip(j).step_by(b.len());
+        let most = column.copied().fold(f32::NEG_INFINITY, f32::max);
+        assert_eq!(best.value, most);
+    }
+    let mut sorted = values.to_vec();
+    sorted.sort_by(f32::total_cmp);
+    let threshold = sorted[sorted.len() / 2];
+    let above = programs.above(run, a, b, threshold).unwrap();
+    let found: Vec<(usize, f32)> = above
+        .iter()
+        .map(|found| (found.row * b.len() + found.column, found.value))
+        .collect();
+    let all = values.iter().copied().enumerate();
+    let expected: Vec<(usize, f32)> = all.filter(|&(_, x)| x > threshold).collect();
+    assert_eq!(found, expected);
+    let count = programs.count_above(run, a, b, threshold).unwrap();
+    assert_eq!(count as usize, expected.len());
+    let sum: f64 = values.iter().map(|&x| f64::from(x)).sum();
+    let size: f64 = values.iter().map(|&x| f64::from(x).abs()).sum();
+    let found = programs.sum(run, a, b).unwrap();
+    assert!((found - sum).abs() <= 1e-5 * size, "{found} for {sum}");
+    let mean = programs.mean(run, a, b).unwrap();
+    assert_eq!(mean, found / values.len() as f64);
+    // Slopes: sums of those of every pair.
+    let mut draw = Draw::new(5);
+    let upstream: Vec<f32> = values.iter().map(|_| draw.unit() as f32 - 0.5).collect();
+    let (a_bar, b_bar) = programs.all_pairs_vjp(run, a, b, &upstream).unwrap();
+    let (sum_found, a_grad, b_grad) = programs.sum_grad(run, a, b).unwrap();
+    assert_eq!(sum_found, found);
+    for (upstream, [a_bar, b_bar]) in [
+        (&upstream, [&a_bar, &b_bar]),
+        (&vec![1.0; values.len()], [&a_grad, &b_grad]),
+    ] {
+        for (side, bars, stride) in [(0, a_bar, 1), (1, b_bar, b.len())] {
+            for (i, bar) in bars.iter().enumerate() {
+                for (k, found) in bar.scalars().into_iter().enumerate() {
+                    let plane = grads.plane(1 + side * P::LEN + k);
+                    let (mut sum, mut size) = (0.0, 0.0);
+                    let others = if side == 0 { b.len() } else { a.len() };
+                    for j in 0..others {
+                        let at = if side == 0 {
+                            i * b.len() + j
+                        } else {
+                            j * stride + i
+                        };
+                        let term = f64::from(plane[at]) * f64::from(upstream[at]);
+                        sum += term;
+                        size += term.abs();
+                    }
+                    let bound = 1e-3 * size + 1e-5;
+                    assert!(
+                        (f64::from(found) - sum).abs() <= bound,
+                        "{} {side} {i} {k}: {found} for {sum}",
+                        O::NAME
+                    );
+                }
+            }
+        }
+    }
+    let (mean_found, mean_bar, _) = programs.mean_grad(run, a, b).unwrap();
+    assert!((mean_found - mean).abs() <= 1e-12 * (1.0 + mean.abs()));
+    assert_eq!(mean_bar.len(), a.len());
+    let again = programs.all_pairs_vjp(run, a, b, &upstream).unwrap();
+    assert_eq!(again, (a_bar, b_bar), "the same bits");
+}
+
+#[test]
+fn all_pairs_and_reductions() {
+    let Some((_turn, gpu)) = gpu() else { return };
+    let ordinary = |count, seed| -> Vec<Obb2<f32>> {
+        let mut draw = Draw::new(seed);
+        let shape = |_| Box2::ordinary(&mut draw).cast::<f32>();
+        (0..count).map(shape).collect()
+    };
+    let (a, b) = (ordinary(70, 1), ordinary(150, 2));
+    pairs_agree(gpu, iou::GiouObb2, &a, &b);
+    pairs_agree(gpu, overlap::IouObb2, &a, &b);
+    pairs_agree(&small(), iou::DiouObb2, &a, &b);
+    pairs_agree(gpu, distance::DistanceObb2, &a, &a[..1]);
+    let mut draw = Draw::new(9);
+    let shape = |_| Yaw::ordinary(&mut draw).cast::<f32>();
+    let yaw: Vec<YawBox<f32>> = (0..40).map(shape).collect();
+    pairs_agree(gpu, iou3::GiouYaw, &yaw, &yaw[..30]);
+    pairs_agree(gpu, overlap3::IouBirdsEye, &yaw, &yaw[..30]);
+}
+
+/// Long thin boxes that are nearly parallel overlap in a sliver whose ends move far for a small turn.
+#[test]
+fn thin_boxes_that_are_nearly_parallel() {
+    let Some((_turn, gpu)) = gpu() else { return };
+    let thin = |x, angle| Obb2::new(x, 0.0_f32, 1e-3, 50.0, angle);
+    let boxes = [
+        thin(0.0, 0.7),
+        thin(0.0, 0.7 + 1e-7),
+        thin(3e-4, 0.7 + 1e-6),
+        thin(2e-4, 0.7 - 3e-5),
+        Obb2::new(0.0, 0.0, 50.0, 1e-3, 0.7),
+        Obb2::new(1e-4, 0.0, 50.0, 1e-3, 0.70001),
+    ];
+    let wide: Vec<Obb2<f64>> = boxes.iter().map(|shape| shape.cast()).collect();
+    let found = gpu.programs().all_pairs(overlap::IouObb2, &boxes, &boxes);
+    let expected = Cpu::new().all_pairs(overlap::IouObb2, &wide, &wide).unwrap();
+    for (found, expected) in found.unwrap().planes().iter().zip(expected.planes()) {
+        let off = f64::from(*found) - expected;
+        assert!(off.abs() <= 1e-4, "{found} for {expected}");
+    }
+}
+
+#[test]
+fn suppression_starts_from_the_same_pairs() {
+    let Some((_turn, gpu)) = gpu() else { return };
+    let mut draw = Draw::new(4);
+    let shape = |_| Yaw::ordinary(&mut draw).cast::<f32>();
+    let yaw: Vec<YawBox<f32>> = (0..60).map(shape).collect();
+    let found = gpu
+        .programs()
+        .overlaps(overlap3::IouYaw, &yaw, 0.1)
+        .unwrap();
+    let expected = Cpu::new().overlaps(overlap3::IouYaw, &yaw, 0.1).unwrap();
+    let places = |pairs: &[geograd::suppression::Pair<f32>]| -> Vec<(usize, usize)> {
+        pairs.iter().map(|pair| (pair.first, pair.second)).collect()
+    };
+    assert!(!found.is_empty());
+    assert_eq!(places(&found), places(&expected));
+}
+
+#[test]
+fn programs_run_as_operations_do() {
+    let Some((_turn, gpu)) = gpu() else { return };
+    type Pair = (Vec2<Sym<f32>>, Circle<Sym<f32>>);
+    let program = Program::trace(|(p, c): Pair| {
+        let away = p - c.center;
+        // All that WGSL promises little of.
+        let angle = away.y.atan2(away.x);
+        let turns = (angle * Sym::lit(3.0)).sin() + (angle + c.radius).cos();
+        turns + (-away.length()).exp() + (c.radius + Sym::one()).ln() + away.length().root()
+    })
+    .unwrap();
+    // Near the origin: the cosine of a large angle is as wrong as the angle.
+    let mut draw = Draw::new(1);
+    let points: Vec<Vec2<f32>> = (0..300)
+        .map(|_| Point::ordinary(&mut draw).cast())
+        .collect();
+    let circles: Vec<Circle<f32>> = (0..300)
+        .map(|_| Circle::<f64>::ordinary(&mut draw).cast())
+        .collect();
+    let found = gpu
+        .programs()
+        .aligned(&program, (&points, &circles))
+        .unwrap();
+    let expected = Cpu::new().aligned(&program, (&points, &circles)).unwrap();
+    near(&found, &expected, 3e-6);
+    let (values, (by_point, _)) = gpu
+        .programs()
+        .aligned(&program.value_grad(), (&points, &circles))
+        .unwrap();
+    near(&values, &found, 1e-6);
+    assert_eq!(by_point.len(), 300);
+    let constant = Program::trace(|_: Vec2<Sym<f32>>| Sym::lit(2.5)).unwrap();
+    assert_eq!(
+        gpu.programs().aligned(constant, &points).unwrap(),
+        vec![2.5; 300]
+    );
+    // Many, one after another: those that are gone make room.
+    for k in 0..30 {
+        let shift = f64::from(k);
+        let moved = Program::trace(|x: Sym<f32>| x + Sym::lit(shift)).unwrap();
+        assert_eq!(
+            gpu.programs().aligned(moved, &[1.0]).unwrap(),
+            [1.0 + k as f32]
+        );
+    }
+}
+
+/// Rings and chains of many sizes, empty ones among them.
+fn paths() -> (Vec<Vec2<f32>>, Vec<usize>) {
+    let mut draw = Draw::new(8);
+    let (mut vertices, mut offsets) = (Vec::new(), vec![0]);
+    for size in [0, 1, 2, 3, 4, 7, 40, 0, 130, 5] {
+        for k in 0..size {
+            let angle = f64::from(k) / f64::from(size) * 6.2;
+            let reach = draw.within(0.5, 2.0);
+            let (sin, cos) = angle.sin_cos();
+            vertices.push(Vec2::new((reach * cos) as f32, (reach * sin) as f32));
+        }
+        offsets.push(vertices.len());
+    }
+    (vertices, offsets)
+}
+
+#[test]
+fn folds() {
+    for (name, text) in fold_sources(fold::SignedDistancePointRing).unwrap() {
+        validate(&name, &text);
+    }
+    for (name, text) in fold_sources(fold::SecondMomentsOfRing).unwrap() {
+        validate(&name, &text);
+    }
+    let Some((_turn, gpu)) = gpu() else { return };
+    let (vertices, offsets) = paths();
+    let paths = offsets.len() - 1;
+    let points: Vec<Vec2<f32>> = (0..paths).map(|k| Vec2::new(0.1 * k as f32, 0.3)).collect();
+    folds_agree(
+        gpu,
+        fold::SignedDistancePointRing,
+        &points[..],
+        &vertices,
+        &offsets,
+    );
+    folds_agree(
+        gpu,
+        fold::SignedDistancePointRing,
+        One(points[1]),
+        &vertices,
+        &offsets,
+    );
+    folds_agree(gpu, fold::SecondMomentsOfRing, One([]), &vertices, &offsets);
+    // What fits no buffer is an error, what fits is cut.
+    let small = small();
+    let run = fold::SignedDistancePointRing;
+    let found = small
+        .programs()
+        .fold(run, One(points[1]), &vertices, &offsets)
+        .unwrap();
+    let expected = gpu
+        .programs()
+        .fold(run, One(points[1]), &vertices, &offsets)
+        .unwrap();
+    assert_eq!(bits(&found), bits(&expected));
+    let long = vec![Vec2::new(1.0, 2.0); 5000];
+    let refused = small
+        .programs()
+        .fold(run, One(points[1]), &long, &[0, 5000]);
+    assert_eq!(refused.unwrap_err(), Error::Gpu(GpuFault::TooLarge));
+}
+
+fn folds_agree<F: Fold, C: geograd::kernels::Columns<Row = F::Context<f32>> + Copy>(
+    gpu: &Gpu,
+    run: F,
+    context: C,
+    vertices: &[Vec2<f32>],
+    offsets: &[usize],
+) where
+    F::Context<f32>: Row<Scalar = f32>,
+{
+    let numbers =
+        |all: &[F::Out<f32>]| -> Vec<f32> { all.iter().flat_map(Pack::scalars).collect() };
+    let (programs, cpu) = (gpu.programs(), Cpu::new());
+    let found = programs.fold(run, context, vertices, offsets).unwrap();
+    let expected = cpu.fold(run, context, vertices, offsets).unwrap();
+    near(&numbers(&found), &numbers(&expected), 1e-5);
+    let seeds: Vec<F::Out<f32>> = found.iter().map(|_| F::Out::filled(0.75)).collect();
+    let (by_context, by_vertex) = programs
+        .fold_vjp(run, context, vertices, offsets, &seeds)
+        .unwrap();
+    let expected = cpu
+        .fold_vjp(run, context, vertices, offsets, &seeds)
+        .unwrap();
+    let flat = |all: &[Vec2<f32>]| -> Vec<f32> { all.iter().flat_map(Pack::scalars).collect() };
+    near(&flat(&by_vertex), &flat(&expected.1), 2e-5);
+    assert_eq!(by_context.len(), expected.0.len());
+    for (found, expected) in by_context.iter().zip(&expected.0) {
+        near(&found.scalars(), &expected.scalars(), 2e-5);
+    }
+}
+
+#[test]
+fn bad_input_is_refused() {
+    let Some((_turn, gpu)) = gpu() else { return };
+    let programs = gpu.programs();
+    let (points, bad) = (vec![Vec2::new(0.0_f32, 1.0); 3], Vec2::new(f32::NAN, 0.0));
+    let segment = Segment2::new(points[0], Vec2::new(1.0, 0.0));
+    let run = distance::DistancePointSegment;
+    let refused = programs.aligned(run, (&points, &[segment; 2]));
+    let length = |argument, expected, found| Error::Length {
+        argument,
+        expected,
+        found,
+    };
+    assert_eq!(refused.unwrap_err(), length(Argument::B, 3, 2));
+    let refused = programs.aligned(run, (&[points[0], bad], One(segment)));
+    let expected = Cpu::new().aligned(run, (&[points[0], bad], One(segment)));
+    assert_eq!(refused.unwrap_err(), expected.unwrap_err());
+    let refused = programs.aligned(run.vjp(), ((&points, One(segment)), &[f32::INFINITY; 3]));
+    assert!(matches!(
+        refused.unwrap_err(),
+        Error::Invalid {
+            argument: Argument::Upstream,
+            row: 0,
+            flaw: Flaw::NotFinite(_)
+        }
+    ));
+    let polygon: ConvexPolygon<f32, 4> = Obb2::new(0.0_f32, 0.0, 1.0, 1.0, 0.0).into();
+    let refused = programs.aligned(DiameterOfPolygon, &[polygon]);
+    assert_eq!(refused.unwrap_err(), Error::Program(Unrecordable::Search));
+    let mut few = [0.0; 2];
+    let refused = programs.aligned_into(run, (&points, One(segment)), &mut few);
+    assert_eq!(refused.unwrap_err(), length(Argument::Result(0), 3, 2));
+    let boxes = [Obb2::new(0.0_f32, 0.0, 1.0, 1.0, 0.0)];
+    let refused = programs.all_pairs_vjp(iou::GiouObb2, &boxes, &boxes, &[]);
+    assert_eq!(refused.unwrap_err(), length(Argument::Upstream, 1, 0));
+    let none: &[Obb2<f32>] = &[];
+    assert!(programs.row_max(iou::GiouObb2, &boxes, none).is_err());
+    assert_eq!(programs.row_max(iou::GiouObb2, none, &boxes).unwrap(), []);
+    assert_eq!(programs.aligned(iou::GiouObb2, (none, none)).unwrap(), []);
+    assert_eq!(
+        programs
+            .all_pairs(iou::GiouObb2, none, &boxes)
+            .unwrap()
+            .planes(),
+        []
+    );
+    assert_eq!(programs.sum(iou::GiouObb2, none, &boxes).unwrap(), 0.0);
+    let (a_bar, b_bar) = programs
+        .all_pairs_vjp(iou::GiouObb2, none, &boxes, &[])
+        .unwrap();
+    assert_eq!((a_bar.len(), b_bar), (0, vec![Obb2::filled(0.0)]));
+}
+
+#[test]
+fn a_lost_device_is_an_error() {
+    let Some((_turn, _)) = gpu() else { return };
+    let gpu = Gpu::new().unwrap();
+    let boxes = [Obb2::new(0.0_f32, 0.0, 1.0, 1.0, 0.0)];
+    let (run, lost) = (iou::GiouObb2, Error::Gpu(GpuFault::DeviceLost));
+    assert!(gpu.programs().aligned(run, (&boxes, &boxes)).is_ok());
+    gpu.destroy();
+    assert_eq!(
+        gpu.programs().aligned(run, (&boxes, &boxes)).unwrap_err(),
+        lost
+    );
+    assert_eq!(
+        gpu.programs().all_pairs(run, &boxes, &boxes).unwrap_err(),
+        lost
+    );
+    assert_eq!(
+        gpu.programs().row_max(run, &boxes, &boxes).unwrap_err(),
+        lost
+    );
+    let (vertices, offsets) = paths();
+    let point = One(Vec2::new(0.0, 0.0));
+    let refused = gpu
+        .programs()
+        .fold(fold::SignedDistancePointRing, point, &vertices, &offsets);
+    assert_eq!(refused.unwrap_err(), lost);
+}
