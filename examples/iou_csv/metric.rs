@@ -6,7 +6,8 @@ use crate::cli::Failure;
 pub enum Metric {
     Iou,
     Iof,
-    Giou,
+    /// With that around a pair.
+    Giou(Enclosing),
     Diou,
     DiouBox,
     Ciou,
@@ -16,7 +17,7 @@ impl Metric {
     const ALL: [Metric; 6] = [
         Metric::Iou,
         Metric::Iof,
-        Metric::Giou,
+        Metric::Giou(Enclosing::Hull),
         Metric::Diou,
         Metric::DiouBox,
         Metric::Ciou,
@@ -27,7 +28,7 @@ impl Metric {
         match self {
             Metric::Iou => "iou",
             Metric::Iof => "iof",
-            Metric::Giou => "giou",
+            Metric::Giou(_) => "giou",
             Metric::Diou => "diou",
             Metric::DiouBox => "diou-box",
             Metric::Ciou => "ciou",
@@ -45,6 +46,30 @@ impl Metric {
     /// Whether GPUs compute it.
     pub fn is_on_gpus(self) -> bool {
         matches!(self, Metric::Iou | Metric::Iof)
+    }
+}
+
+/// What GIoU puts around a pair.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Enclosing {
+    /// The axis-aligned box.
+    Aabb,
+    /// A box that turns with the pair.
+    Rect,
+    /// The convex hull; of upright boxes that of their grounds, times the height of both.
+    Hull,
+}
+
+impl Enclosing {
+    pub fn from_name(name: &str) -> Result<Self, Failure> {
+        match name {
+            "aabb" => Ok(Enclosing::Aabb),
+            "rect" => Ok(Enclosing::Rect),
+            "hull" => Ok(Enclosing::Hull),
+            other => Err(Failure::Usage(format!(
+                "`--enclosing {other}`: it is aabb, rect or hull"
+            ))),
+        }
     }
 }
 
@@ -75,5 +100,13 @@ impl Format {
             let known = Self::ALL.map(Format::name).join(", ");
             Failure::Usage(format!("`--format {name}`: it is one of {known}"))
         })
+    }
+
+    /// The tightest shape that there is around a pair.
+    pub fn enclosing(self) -> Enclosing {
+        match self {
+            Format::Obb3 => Enclosing::Rect,
+            _ => Enclosing::Hull,
+        }
     }
 }

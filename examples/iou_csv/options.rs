@@ -1,6 +1,6 @@
 //! The command line.
 use crate::cli::{Failure, Wish};
-use crate::metric::{Format, Metric};
+use crate::metric::{Enclosing, Format, Metric};
 use std::path::{Path, PathBuf};
 
 pub const HELP: &str = "\
@@ -21,12 +21,17 @@ Usage: iou_csv --a A.csv --b B.csv [options]
   --metric METRIC          what is computed [default: iou]
       iou                  intersection over union
       iof                  intersection over the first one's area or volume
-      giou                 IoU less the share of the shape around both that neither covers: of
-                           their convex hull in the plane, of the axis-aligned box in space
+      giou                 IoU less the share of a shape around both that neither covers
       diou                 IoU less the square of the distance of the centres over the largest
                            distance of any two points of both
       diou-box             the same over the diagonal of the axis-aligned box around both
       ciou                 diou-box less a weighted difference of the proportions; boxes only
+  --enclosing SHAPE        the shape around both, for giou [default: hull; of obb3 rect]
+      aabb                 the axis-aligned box
+      rect                 a box that turns with the pair: of least ground (obb2, yaw3), or the
+                           smaller one of those along the axes of either (obb3); no polygons
+      hull                 the convex hull; of yaw3 that of the grounds times the height of both;
+                           not of obb3
   --all-pairs              every row of A with every row of B, in row-major order:
                            all of B for the first row of A, then for the second, and so on.
                            Without it row i of A goes with row i of B.
@@ -72,7 +77,7 @@ pub struct Options {
 pub fn options() -> Result<Option<Options>, Failure> {
     use lexopt::prelude::*;
     let (mut a, mut b, mut out) = (None::<PathBuf>, None::<PathBuf>, None::<PathBuf>);
-    let (mut format, mut metric) = (Format::Obb2, Metric::Iou);
+    let (mut format, mut metric, mut enclosing) = (Format::Obb2, Metric::Iou, None);
     let (mut all_pairs, mut grad, mut double, mut wish) = (false, false, true, Wish::Cpu);
     let mut parser = lexopt::Parser::from_env();
     while let Some(argument) = parser.next()? {
@@ -81,6 +86,9 @@ pub fn options() -> Result<Option<Options>, Failure> {
             Long("b") => b = Some(parser.value()?.into()),
             Long("format") => format = Format::from_name(&parser.value()?.string()?)?,
             Long("metric") => metric = Metric::from_name(&parser.value()?.string()?)?,
+            Long("enclosing") => {
+                enclosing = Some(Enclosing::from_name(&parser.value()?.string()?)?);
+            }
             Long("all-pairs") => all_pairs = true,
             Long("grad") => grad = true,
             Long("precision") => {
@@ -111,6 +119,20 @@ pub fn options() -> Result<Option<Options>, Failure> {
     }
     if metric == Metric::Ciou && format == Format::Polygons {
         return usage("`--metric ciou` compares widths and heights, which polygons do not have");
+    }
+    match (&mut metric, enclosing) {
+        (Metric::Giou(around), chosen) => *around = chosen.unwrap_or(format.enclosing()),
+        (_, Some(_)) => return usage("`--enclosing` is for `--metric giou`"),
+        (_, None) => {}
+    }
+    match (format, metric) {
+        (Format::Polygons, Metric::Giou(Enclosing::Rect)) => {
+            return usage("`--enclosing rect` is for boxes");
+        }
+        (Format::Obb3, Metric::Giou(Enclosing::Hull)) => {
+            return usage("`--enclosing hull` is for the plane and for upright boxes");
+        }
+        _ => {}
     }
     if double && wish == Wish::Gpu {
         return usage(

@@ -33,6 +33,8 @@ mod matching;
 mod model;
 mod options;
 mod precision;
+#[path = "../common/random.rs"]
+mod random;
 mod refine;
 mod scene;
 mod suppress;

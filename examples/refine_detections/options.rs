@@ -31,7 +31,8 @@ What boxes are moved by, and what is told:
                            [default: bev]; 3d is drawn from the side, too
   --nms X                  first leave out detections that overlap a better one of their class by
                            more than that, in [0, 1]
-  --csv FILE               average precision by class: class,ap_before,ap_after (at 40 recalls)
+  --csv FILE               average precision by class: class,ap_before,ap_after (at 40 recalls;
+                           classes without ground truth are left out)
 Any of these adds average precision to the table. Detections count as found from an overlap of 0.7
 (cars) or 0.5; vans and people who sit are neither right nor wrong to detect.
 

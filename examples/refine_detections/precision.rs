@@ -19,8 +19,8 @@ pub struct Precision {
     pub class: Class,
     /// The overlap that counts as found.
     pub threshold: f64,
-    /// At 11 recalls, at 40, and over all.
-    pub at: [f64; 3],
+    /// At 11 recalls, at 40, and over all; `None` where there is nothing to find.
+    pub at: [Option<f64>; 3],
 }
 
 /// Average precision of every class that has detections or truths.
@@ -59,7 +59,7 @@ pub fn by_class(frames: &Frames, space: Space) -> Result<Vec<Precision>, Error> 
         all.push(Precision {
             class,
             threshold,
-            at: at.map(|recalls| average_precision(&curve, recalls)),
+            at: at.map(|recalls| (truths > 0).then(|| average_precision(&curve, recalls))),
         });
     }
     Ok(all)

@@ -96,17 +96,18 @@ pub fn precision(goal: Goal, before: &[Precision], after: &[Precision]) -> Strin
         Space::Full => "in space",
     };
     let mut text = format!(
-        "\naverage precision {overlap} (a demonstration: boxes moved by {} to the truths that score
-them)           before                     after
-                11      40     all        11      40     all  recalls\n",
+        "\naverage precision {overlap}, before and after boxes moved by {} to the truths that
+score them (a demonstration of the gradient)
+            at 11      40     all     at 11      40     all recalls\n",
         goal.loss.title(),
     );
+    let show = |x: Option<f64>| x.map_or("-".into(), |x| format!("{x:.4}"));
     for (before, after) in before.iter().zip(after) {
-        let [b11, b40, b_all] = before.at;
-        let [a11, a40, a_all] = after.at;
+        let [b11, b40, b_all] = before.at.map(show);
+        let [a11, a40, a_all] = after.at.map(show);
         let _ = writeln!(
             text,
-            "{:10}  {b11:>6.4}  {b40:>6.4}  {b_all:>6.4}    {a11:>6.4}  {a40:>6.4}  {a_all:>6.4}  at overlap {}",
+            "{:10}  {b11:>6}  {b40:>6}  {b_all:>6}    {a11:>6}  {a40:>6}  {a_all:>6}  at overlap {}",
             before.class.name(),
             before.threshold,
         );
@@ -114,17 +115,13 @@ them)           before                     after
     text
 }
 
-/// Average precision of both at 40 recalls, as comma-separated values.
+/// Average precision of both at 40 recalls, as comma-separated values: classes that there are.
 pub fn csv(before: &[Precision], after: &[Precision]) -> String {
     let mut text = String::from("class,ap_before,ap_after\n");
     for (before, after) in before.iter().zip(after) {
-        let _ = writeln!(
-            text,
-            "{},{},{}",
-            before.class.name(),
-            before.at[1],
-            after.at[1]
-        );
+        if let (Some(first), Some(last)) = (before.at[1], after.at[1]) {
+            let _ = writeln!(text, "{},{first},{last}", before.class.name());
+        }
     }
     text
 }

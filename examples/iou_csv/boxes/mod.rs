@@ -5,10 +5,10 @@ mod space;
 use crate::input::{self, Shape};
 use crate::metric::Metric;
 use crate::number::Number;
-use geograd::Error;
 use geograd::kernels::op::Op;
 use geograd::kernels::row::Single;
 use geograd::kernels::{Backend, Cpu, Table};
+use geograd::{Error, Program};
 
 /// A kind of box.
 pub trait Boxes: Single<Scalar: Number> + Send + Sync {
@@ -139,23 +139,23 @@ where
     }
 }
 
-/// The scores of an operation of two boxes and a score of theirs that is known, with its slopes.
-fn on_scores<P: Boxes, O>(op: O, pairs: Pairs<'_, P>, known: Scores<P>) -> Result<Scores<P>, Error>
-where
-    O: Op<In<P::Scalar> = (P, P, P::Scalar), Out<P::Scalar> = P::Scalar>,
-{
+/// The scores of a program of two boxes and a score of theirs that is known, with its slopes.
+fn on_scores<P: Boxes>(
+    program: &Program<(P, P, P::Scalar), P::Scalar>,
+    pairs: Pairs<'_, P>,
+    known: Scores<P>,
+) -> Result<Scores<P>, Error> {
     let cpu = Cpu::new();
     let (a, b) = pairs.listed();
     let columns = (&a, &b, &known.values);
     let Some([mut known_a, mut known_b]) = known.slopes else {
-        return Ok(Scores::new(cpu.aligned(op, columns)?));
+        return Ok(Scores::new(cpu.aligned(program, columns)?));
     };
-    let (values, (a_bar, b_bar, known_bar)) = cpu.aligned(op.value_grad(), columns)?;
-    for ((known, own), &along) in [(&mut known_a, a_bar), (&mut known_b, b_bar)]
-        .into_iter()
-        .flat_map(|(known, own)| known.iter_mut().zip(own).zip(&known_bar))
-    {
-        *known = sum(*known, along, own);
+    let (values, (a_bar, b_bar, along)) = cpu.aligned(&program.value_grad(), columns)?;
+    for (known, own) in [(&mut known_a, a_bar), (&mut known_b, b_bar)] {
+        for ((known, own), &along) in known.iter_mut().zip(own).zip(&along) {
+            *known = sum(*known, along, own);
+        }
     }
     Ok(Scores::with_slopes(values, known_a, known_b))
 }

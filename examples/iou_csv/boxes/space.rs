@@ -1,14 +1,17 @@
 //! Boxes of space.
 //!
 //! IoU and IoF are the library's operations; the other scores are recorded as what they add to IoU.
+use super::plane::giou_in;
 use super::{Boxes, Pairs, Scores, on_cpu, on_scores};
 use crate::known::known;
-use crate::metric::Metric;
+use crate::metric::{Enclosing, Metric};
 use crate::number::Number;
-use geograd::iou3::{Enclosing, ciou, diou, giou};
+use geograd::ad::program::Plain;
+use geograd::iou::hull_area_obb2;
+use geograd::iou3::{self, Solid};
 use geograd::kernels::{Backend, IofObb3, IofYaw, IouObb3, IouYaw};
 use geograd::shape::{Obb3, YawBox3};
-use geograd::{Error, Scalar, Vec3, operation};
+use geograd::{Error, Fixed, Program, Scalar, Sym, Vec3};
 
 /// The square of the distance of the centres over that of the two points of both boxes that are farthest
 /// from each other; zero where all points are one.
@@ -17,7 +20,7 @@ use geograd::{Error, Scalar, Vec3, operation};
 /// point `p` is at `|p| + size/2` from it, number by number: so eight corners of `b` and the boxes' own
 /// diagonals tell.
 fn apart<S: Scalar>(a: Obb3<S>, b: Obb3<S>) -> S {
-    let seen = |p: Vec3<S>| a.rotation.inverse() * p;
+    let back = a.rotation.inverse();
     let between = b.center - a.center;
     let moved = Obb3 {
         center: between,
@@ -26,7 +29,7 @@ fn apart<S: Scalar>(a: Obb3<S>, b: Obb3<S>) -> S {
     let half = a.size * S::lit(0.5);
     let mut diameter = a.size.length().most(b.size.length());
     for corner in moved.corners() {
-        let p = seen(corner);
+        let p = back * corner;
         let reach = Vec3::new(p.x.magnitude(), p.y.magnitude(), p.z.magnitude()) + half;
         diameter = diameter.most(reach.length());
     }
@@ -35,45 +38,45 @@ fn apart<S: Scalar>(a: Obb3<S>, b: Obb3<S>) -> S {
     S::select(point, S::zero(), share.squared())
 }
 
-/// The scores of a kind of box that are made of its IoU: the macro lists them.
-macro_rules! scores {
-    ($Shape:ident, $Giou:ident, $Diou:ident, $DiouBox:ident, $Ciou:ident) => {
-        operation! {
-            $Giou = "giou": (a: $Shape<S>, b: $Shape<S>, iou: S) -> S {
-                let [a, b] = known(a, b, iou);
-                giou(a, b, Enclosing::Aabb)
-            }
-            promises []
-            jumps Anywhere
-            slopes Reverse
-
-            $Diou = "diou": (a: $Shape<S>, b: $Shape<S>, iou: S) -> S {
-                iou - apart(a.into(), b.into())
-            }
-            promises []
-            jumps Anywhere
-            slopes Reverse
-
-            $DiouBox = "diou_box": (a: $Shape<S>, b: $Shape<S>, iou: S) -> S {
-                let [a, b] = known(a, b, iou);
-                diou(a, b, Enclosing::Aabb)
-            }
-            promises []
-            jumps Anywhere
-            slopes Reverse
-
-            $Ciou = "ciou": (a: $Shape<S>, b: $Shape<S>, iou: S) -> S {
-                let [a, b] = known(a, b, iou);
-                ciou(a, b, Enclosing::Aabb)
-            }
-            promises []
-            jumps Anywhere
-            slopes Reverse
-        }
-    };
+/// GIoU of upright boxes with the convex hull of their grounds times the height of both, from their IoU.
+fn giou_in_prism<S: Scalar>(a: YawBox3<S>, b: YawBox3<S>, iou: S) -> S {
+    // From the middle of a.
+    let up = b.center.z - a.center.z;
+    let (half_a, half_b) = (a.size.z.halved(), b.size.z.halved());
+    let height = half_a.most(up + half_b) + half_a.most(half_b - up);
+    let ground = hull_area_obb2(a.birds_eye(), b.birds_eye());
+    giou_in(a.volume(), b.volume(), ground * height, iou)
 }
-scores!(YawBox3, GiouOfYaw, DiouOfYaw, DiouBoxOfYaw, CiouOfYaw);
-scores!(Obb3, GiouOfObb, DiouOfObb, DiouBoxOfObb, CiouOfObb);
+
+/// What the scores of two boxes add to their IoU.
+fn program<T, P, Q>(metric: Metric) -> Result<Program<(P, P, T), T>, Error>
+where
+    T: Number + Plain,
+    P: Boxes<Scalar = T> + Fixed<Of<Sym<T>> = Q>,
+    Q: Fixed<Scalar = Sym<T>, Of<T> = P> + Solid<Sym<T>>,
+{
+    type Known<Q> = (Q, Q, <Q as geograd::Pack>::Scalar);
+    let around = match metric {
+        Metric::Giou(Enclosing::Rect) => iou3::Enclosing::Rectangle,
+        _ => iou3::Enclosing::Aabb,
+    };
+    match metric {
+        Metric::Iou | Metric::Iof => Program::trace(|(_, _, iou): Known<Q>| iou),
+        Metric::Giou(_) => Program::trace(|(a, b, iou): Known<Q>| {
+            let [a, b] = known(a, b, iou);
+            iou3::giou(a, b, around)
+        }),
+        Metric::Diou => Program::trace(|(a, b, iou): Known<Q>| iou - apart(a.into(), b.into())),
+        Metric::DiouBox => Program::trace(|(a, b, iou): Known<Q>| {
+            let [a, b] = known(a, b, iou);
+            iou3::diou(a, b, around)
+        }),
+        Metric::Ciou => Program::trace(|(a, b, iou): Known<Q>| {
+            let [a, b] = known(a, b, iou);
+            iou3::ciou(a, b, around)
+        }),
+    }
+}
 
 impl<T: Number> Boxes for YawBox3<T> {
     const COLUMNS: &'static [&'static str] = &["x", "y", "z", "dx", "dy", "dz", "heading"];
@@ -91,15 +94,16 @@ impl<T: Number> Boxes for YawBox3<T> {
         pairs: Pairs<'_, Self>,
         grad: bool,
     ) -> Result<Scores<Self>, Error> {
-        let iou = || on_cpu(IouYaw, pairs, grad);
-        match metric {
-            Metric::Iou => iou(),
-            Metric::Iof => on_cpu(IofYaw, pairs, grad),
-            Metric::Giou => on_scores(GiouOfYaw, pairs, iou()?),
-            Metric::Diou => on_scores(DiouOfYaw, pairs, iou()?),
-            Metric::DiouBox => on_scores(DiouBoxOfYaw, pairs, iou()?),
-            Metric::Ciou => on_scores(CiouOfYaw, pairs, iou()?),
-        }
+        type Known<T> = (YawBox3<Sym<T>>, YawBox3<Sym<T>>, Sym<T>);
+        let added = match metric {
+            Metric::Iou => return on_cpu(IouYaw, pairs, grad),
+            Metric::Iof => return on_cpu(IofYaw, pairs, grad),
+            Metric::Giou(Enclosing::Hull) => {
+                Program::trace(|(a, b, iou): Known<T>| giou_in_prism(a, b, iou))?
+            }
+            _ => program::<T, Self, YawBox3<Sym<T>>>(metric)?,
+        };
+        on_scores(&added, pairs, on_cpu(IouYaw, pairs, grad)?)
     }
 }
 
@@ -121,9 +125,8 @@ impl<T: Number> Boxes for Obb3<T> {
         // Slopes are smaller the longer the quaternion is; turning is not.
         let turn = self.rotation.tangent_gradient(by.rotation);
         let all = [center.x, center.y, center.z, size.x, size.y, size.z];
-        all.into_iter()
-            .chain([turn.x, turn.y, turn.z])
-            .for_each(show);
+        let all = all.into_iter().chain([turn.x, turn.y, turn.z]);
+        all.for_each(show);
     }
 
     fn scores(
@@ -132,14 +135,13 @@ impl<T: Number> Boxes for Obb3<T> {
         pairs: Pairs<'_, Self>,
         grad: bool,
     ) -> Result<Scores<Self>, Error> {
-        let iou = || on_cpu(IouObb3, pairs, grad);
         match metric {
-            Metric::Iou => iou(),
+            Metric::Iou => on_cpu(IouObb3, pairs, grad),
             Metric::Iof => on_cpu(IofObb3, pairs, grad),
-            Metric::Giou => on_scores(GiouOfObb, pairs, iou()?),
-            Metric::Diou => on_scores(DiouOfObb, pairs, iou()?),
-            Metric::DiouBox => on_scores(DiouBoxOfObb, pairs, iou()?),
-            Metric::Ciou => on_scores(CiouOfObb, pairs, iou()?),
+            _ => {
+                let added = program::<T, Self, Obb3<Sym<T>>>(metric)?;
+                on_scores(&added, pairs, on_cpu(IouObb3, pairs, grad)?)
+            }
         }
     }
 }

@@ -4,7 +4,7 @@
 //! ([`area_inside`](geograd::overlap_polygon::area_inside), with its adjoint). A polygon that is not
 //! convex is the sum, with signs, of the triangles over its edges from any one place.
 use super::Polygon;
-use crate::metric::Metric;
+use crate::metric::{Enclosing, Metric};
 use crate::number::Number;
 use geograd::ad::adjoint::overlap_polygon::area_inside_vjp;
 use geograd::ad::adjoint::ring::{centroid_vjp, signed_area_vjp};
@@ -87,8 +87,11 @@ pub fn score<T: Number>(
     }
     match metric {
         Metric::Iou | Metric::Iof | Metric::Ciou => iou,
-        Metric::Giou => {
-            let hull = hull(a, b);
+        Metric::Giou(around) => {
+            let hull = match around {
+                Enclosing::Aabb => bounding_area(a, b),
+                Enclosing::Rect | Enclosing::Hull => hull(a, b),
+            };
             let (by_union, by_hull) = (
                 over(one, hull.value),
                 over(over(-union, hull.value), hull.value),
@@ -278,17 +281,33 @@ fn diameter<T: Number>(a: &Polygon<T>, b: &Polygon<T>) -> Part<T> {
     Part { value, slopes }
 }
 
-/// The diagonal of the axis-aligned box around both. Vertices that reach equally far share the slope.
+/// The diagonal of the axis-aligned box around both.
 fn diagonal<T: Number>(a: &Polygon<T>, b: &Polygon<T>) -> Part<T> {
+    let size = a.bounds.join(b.bounds).size();
+    Part {
+        value: size.length(),
+        slopes: by_bounds(a, b, size.normalize_or_zero()),
+    }
+}
+
+/// The area of that box.
+fn bounding_area<T: Number>(a: &Polygon<T>, b: &Polygon<T>) -> Part<T> {
+    let size = a.bounds.join(b.bounds).size();
+    Part {
+        value: size.x * size.y,
+        slopes: by_bounds(a, b, Vec2::new(size.y, size.x)),
+    }
+}
+
+/// The slopes of a function of the size of that box. Vertices that reach equally far share the slope.
+fn by_bounds<T: Number>(a: &Polygon<T>, b: &Polygon<T>, by: Vec2<T>) -> Slopes<T> {
     let points = joint(a, b);
     let bounds = a.bounds.join(b.bounds);
-    let size = bounds.size();
-    let (value, along) = (size.length(), size.normalize_or_zero());
     let mut slopes = Slopes::new(a, b);
-    let (x, y) = (Vec2::new(along.x, T::zero()), Vec2::new(T::zero(), along.y));
+    let (x, y) = (Vec2::new(by.x, T::zero()), Vec2::new(T::zero(), by.y));
     spread(&points, |p| p.x == bounds.max.x, x, &mut slopes);
     spread(&points, |p| p.x == bounds.min.x, -x, &mut slopes);
     spread(&points, |p| p.y == bounds.max.y, y, &mut slopes);
     spread(&points, |p| p.y == bounds.min.y, -y, &mut slopes);
-    Part { value, slopes }
+    slopes
 }

@@ -102,9 +102,17 @@ fn close_up(page: &mut String, index: usize, top: f32, pair: &CloseUp, from_side
         page,
         r##"<rect x="{left:.1}" y="{top:.1}" width="{width:.1}" height="{CLOSE_UP_HEIGHT:.1}" rx="5" fill="#fcfcfd" stroke="#ced4da"/>"##
     );
-    view.draw(page, truth_box, Kind::Truth);
-    view.draw(page, before_box, Kind::Before);
-    view.draw(page, after_box, Kind::After);
+    let boxes = [
+        (truth_box, Kind::Truth),
+        (before_box, Kind::Before),
+        (after_box, Kind::After),
+    ];
+    for (shape, kind) in boxes {
+        match from_side {
+            true => view.outline(page, shape, kind),
+            false => view.draw(page, shape, kind),
+        }
+    }
     let bar = if scale > 60.0 { 0.5 } else { 1.0 };
     let (x, y) = (left + 10.0, top + CLOSE_UP_HEIGHT - 10.0);
     let _ = writeln!(
@@ -125,7 +133,7 @@ fn close_up(page: &mut String, index: usize, top: f32, pair: &CloseUp, from_side
         pair.iou[1],
     );
     if from_side {
-        place = "the same from the side".into();
+        place = "the same from its right".into();
     }
     let caption = top + CLOSE_UP_HEIGHT + 20.0;
     text(

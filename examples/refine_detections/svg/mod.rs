@@ -99,7 +99,7 @@ pub fn picture(scene: &Scene<'_>) -> String {
     if !close_ups.is_empty() {
         let words = match scene.goal.space {
             Space::BirdsEye => "Close-ups of the largest improvements",
-            Space::Full => "Close-ups of the largest improvements, from above and from the side",
+            Space::Full => "Close-ups of the largest improvements, from above and from the right",
         };
         let style = r#"font-weight="600""#;
         text(&mut page, MARGIN, strip + 26.0, style, words);

@@ -70,7 +70,8 @@ impl View {
         Vec2::new(self.at.x + off.x, self.at.y - off.y)
     }
 
-    pub fn draw(self, page: &mut String, shape: Obb2<f32>, kind: Kind) {
+    /// A box without its front.
+    pub fn outline(self, page: &mut String, shape: Obb2<f32>, kind: Kind) {
         let corners = shape.corners().map(|corner| self.place(corner));
         let points: Vec<_> = corners
             .iter()
@@ -78,9 +79,15 @@ impl View {
             .collect();
         let style = kind.style();
         let _ = writeln!(page, r#"<polygon points="{}" {style}/>"#, points.join(" "));
+    }
+
+    pub fn draw(self, page: &mut String, shape: Obb2<f32>, kind: Kind) {
+        self.outline(page, shape, kind);
         // From the centre to the front, where there is room for it.
         if shape.size.x * self.scale > 14.0 {
-            let front = corners[1].lerp(corners[2], 0.5);
+            let style = kind.style();
+            let [_, right, left, _] = shape.corners().map(|corner| self.place(corner));
+            let front = right.lerp(left, 0.5);
             let center = self.place(shape.center);
             let _ = writeln!(
                 page,

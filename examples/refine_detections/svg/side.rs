@@ -3,7 +3,7 @@ use super::Scene;
 use super::page::{FAINT, Kind, MARGIN, SIDE, View, WIDTH, line, metres, text};
 use crate::loss::Space;
 use crate::matching::Match;
-use crate::model::{Frame, Seen};
+use crate::model::Frame;
 use geograd::shape::YawBox3;
 use geograd::{Obb2, Vec2};
 use std::fmt::Write as _;
@@ -38,10 +38,19 @@ fn silhouette(shape: YawBox3<f32>) -> Obb2<f32> {
 impl Strips {
     pub fn of(scene: &Scene<'_>, top: f32) -> Self {
         let (mut min, mut max) = (Vec2::new(0.0, -1.7), Vec2::new(20.0_f32, 0.3));
-        let all = scene.before.truths.iter().chain(&scene.before.detections);
-        for seen in all.chain(&scene.after.detections) {
-            let bounds = silhouette(seen.shape).bounding();
-            (min, max) = (min.least(bounds.min), max.most(bounds.max));
+        let states = [
+            (scene.before, scene.matches_before),
+            (scene.after, scene.matches_after),
+        ];
+        for (frame, pair) in states.iter().flat_map(|(frame, matches)| {
+            let pairs = matches.iter();
+            pairs.map(move |pair| (frame, pair))
+        }) {
+            let (truth, seen) = (&frame.truths[pair.truth], &frame.detections[pair.detection]);
+            for shape in [truth.shape, seen.shape] {
+                let bounds = silhouette(shape).bounding();
+                (min, max) = (min.least(bounds.min), max.most(bounds.max));
+            }
         }
         let round = |x: f32, up: f32| ((x + up) / 5.0).floor() * 5.0;
         let air = Vec2::new(0.0, 0.25);
@@ -91,7 +100,7 @@ impl Strips {
                 scale: self.scale,
             };
             let words = format!(
-                r##"<tspan font-weight="600">{name}</tspan><tspan fill="{FAINT}">, from the side</tspan>"##
+                r##"<tspan font-weight="600">{name}</tspan><tspan fill="{FAINT}">, from the right: matched boxes</tspan>"##
             );
             text(page, MARGIN + SIDE, top - 8.0, "", &words);
             self.grid(page, view, i);
@@ -133,21 +142,14 @@ impl Strips {
     }
 }
 
-/// All boxes of a frame, the nearer to the camera's left the later.
+/// The matched boxes of a frame.
 fn boxes(page: &mut String, view: View, kind: Kind, frame: &Frame, matches: &[Match]) {
-    let draw = |page: &mut String, seen: &Seen, kind: Kind| {
-        view.draw(page, silhouette(seen.shape), kind);
-    };
-    for (i, truth) in frame.truths.iter().enumerate() {
-        let found = matches.iter().any(|m| m.truth == i);
-        draw(page, truth, if found { Kind::Truth } else { Kind::Missed });
+    for pair in matches {
+        let truth = frame.truths[pair.truth].shape;
+        view.outline(page, silhouette(truth), Kind::Truth);
     }
-    for (i, detection) in frame.detections.iter().enumerate() {
-        let matched = matches.iter().any(|m| m.detection == i);
-        draw(
-            page,
-            detection,
-            if matched { kind } else { Kind::Unmatched },
-        );
+    for pair in matches {
+        let detection = frame.detections[pair.detection].shape;
+        view.outline(page, silhouette(detection), kind);
     }
 }
