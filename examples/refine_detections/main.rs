@@ -19,7 +19,7 @@
 //! | `kitti.rs` | files of the KITTI tracking benchmark |
 //! | `matching.rs`, `assign.rs` | which detection belongs to which truth; precision and recall |
 //! | `suppress.rs`, `precision.rs` | suppression before; average precision before and after |
-//! | `loss.rs` | the scores that boxes are moved by |
+//! | `loss.rs`, `scorer.rs` | the scores that boxes are moved by |
 //! | `refine.rs` | gradient descent on one minus a score |
 //! | `options.rs`, `table.rs`, `svg/` | the command line, the table, the picture |
 mod assign;
@@ -37,6 +37,7 @@ mod precision;
 mod random;
 mod refine;
 mod scene;
+mod scorer;
 mod suppress;
 mod svg;
 mod table;

@@ -7,7 +7,8 @@
 //! flips (resilient gradient descent, Riedmiller and Braun 1993). A step that would not raise the score
 //! of its pair is taken back and tried shorter, so no pair ever gets worse. Pairs that overlap by a
 //! sliver have small slopes, which makes no difference to their steps.
-use crate::loss::{Goal, Scorer, Space};
+use crate::loss::{Goal, Space};
+use crate::scorer::Scorer;
 use geograd::kernels::Backend;
 use geograd::shape::YawBox3;
 use geograd::{Error, Rotation2, Vec2, Vec3};

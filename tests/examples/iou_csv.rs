@@ -375,3 +375,45 @@ fn bad_rows_of_other_formats() {
         );
     }
 }
+
+#[test]
+fn extreme_polygons_have_finite_scores_and_slopes() {
+    let at = folder("iou_csv_extreme");
+    let rows = [
+        "0,0,2,0,2,2,0,2",
+        // Repeated and collinear vertices, no area, a sliver, far away, tiny, huge.
+        "0,0,1,0,1,0,2,0,2,2,0,2,0,0",
+        "0,0,1,1,2,2",
+        "1,1,1,1,1,1",
+        "0,0,2,0,1,1e-9",
+        "1e9,1e9,1000000002,1e9,1000000002,1000000002,1e9,1000000002",
+        "1e-200,0,2e-200,1e-200,2e-200,0",
+        "0,0,1e150,0,1e150,1e150,0,1e150",
+        "-1e308,-1e308,1e308,-1e308,1e308,1e308,-1e308,1e308",
+    ];
+    std::fs::write(at.join("a.csv"), rows.join("\n")).unwrap();
+    for metric in [
+        "iou",
+        "iof",
+        "giou",
+        "giou --enclosing aabb",
+        "diou",
+        "diou-box",
+    ] {
+        let options = "--format polygons --a a.csv --b a.csv --all-pairs --grad";
+        let (_, found) = table(&at, &format!("{options} --metric {metric}"));
+        for (i, row) in found.iter().enumerate() {
+            let (a, b) = (i / rows.len(), i % rows.len());
+            let value = row[0].unwrap();
+            assert!((-1.0..=1.0).contains(&value), "{metric} {a} {b}: {value}");
+            assert!(
+                row.iter().flatten().all(|x| x.is_finite()),
+                "{metric} {a} {b}"
+            );
+            // The same with area: a hull may be larger than the polygon, of these none is.
+            if a == b && ![2, 3].contains(&a) {
+                assert_eq!(value, 1.0, "{metric} {a}");
+            }
+        }
+    }
+}

@@ -35,7 +35,7 @@ fn apart<S: Scalar>(a: Obb3<S>, b: Obb3<S>) -> S {
     }
     let point = diameter.at_most(S::zero());
     let share = between.length().over(S::select(point, S::one(), diameter));
-    S::select(point, S::zero(), share.squared())
+    S::select(point, S::zero(), share.squared().least(S::one()))
 }
 
 /// GIoU of upright boxes with the convex hull of their grounds times the height of both, from their IoU.

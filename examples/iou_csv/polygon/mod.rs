@@ -1,11 +1,13 @@
 //! Simple polygons: rows of tables, and what they are as shapes.
+mod part;
 mod score;
 
 use crate::input::{self, Shape};
 use crate::number::Number;
 use geograd::predicate::{Turn, turn};
 use geograd::{Aabb2, Vec2, ring};
-pub use score::{Slopes, score};
+pub use part::Slopes;
+pub use score::score;
 
 /// A simple polygon, convex or not.
 #[derive(Clone, Debug)]
@@ -21,21 +23,28 @@ pub struct Polygon<T> {
 impl<T: Number> Polygon<T> {
     /// From at least one vertex.
     fn new(mut vertices: Vec<Vec2<T>>) -> Self {
-        let signed = ring::signed_area(&vertices);
-        let turned = signed < T::zero();
+        let own = unit(bounds_of(&vertices));
+        let scaled: Vec<_> = vertices.iter().map(|&at| at * own).collect();
+        let turned = ring::signed_area(&scaled) < T::zero();
         if turned {
             vertices.reverse();
         }
-        let bounds = Aabb2::around(&vertices).unwrap_or(Aabb2 {
-            min: Vec2::zero(),
-            max: Vec2::zero(),
-        });
+        Self::counter_clockwise(vertices, turned)
+    }
+
+    fn counter_clockwise(vertices: Vec<Vec2<T>>, turned: bool) -> Self {
         Polygon {
-            vertices,
             turned,
-            area: signed.magnitude(),
-            bounds,
+            area: ring::signed_area(&vertices),
+            bounds: bounds_of(&vertices),
+            vertices,
         }
+    }
+
+    /// In another unit.
+    fn scaled(&self, by: T) -> Self {
+        let vertices = self.vertices.iter().map(|&at| at * by).collect();
+        Self::counter_clockwise(vertices, self.turned)
     }
 
     /// The number of vertices.
@@ -74,6 +83,25 @@ impl<T: Number> Polygon<T> {
             };
             (0..j).find(cross).map(|i| (i, j))
         })
+    }
+}
+
+fn bounds_of<T: Number>(vertices: &[Vec2<T>]) -> Aabb2<T> {
+    Aabb2::around(vertices).unwrap_or(Aabb2 {
+        min: Vec2::zero(),
+        max: Vec2::zero(),
+    })
+}
+
+/// What lengths are multiplied by so that areas and their squares are finite and not zero: a power of two,
+/// and one for all ordinary sizes.
+fn unit<T: Number>(bounds: Aabb2<T>) -> T {
+    let half = bounds.max * T::lit(0.5) - bounds.min * T::lit(0.5);
+    let extent = half.x.most(half.y);
+    let most = T::lit(T::LARGEST.powf(0.2));
+    match extent > T::zero() && (extent > most || extent < T::one() / most) {
+        true => extent.binade(),
+        false => T::one(),
     }
 }
 
