@@ -1,5 +1,5 @@
 //! Scores of two simple polygons, and their slopes by the vertices of both.
-use super::part::{Part, Slopes, bounding_area, diagonal, diameter, hull, intersection, own_areas};
+use super::part::{Slopes, bounding_area, diagonal, diameter, hull, intersection, own_areas};
 use super::{Polygon, unit};
 use crate::metric::{Enclosing, Metric};
 use crate::number::Number;
@@ -39,8 +39,10 @@ fn ordinary<T: Number>(
     let inter = intersection(a, b, slopes.is_some());
     let union = a.area + b.area - inter.value;
     // What a polygon without area shares is nothing.
-    let over = |x: T, y: T| if y > zero { x / y } else { zero };
-    let iou = match is_same(a, b) && a.area > zero {
+    let empty = T::lit(T::EMPTY);
+    let over = |x: T, y: T| if y > empty { x / y } else { zero };
+    let same = is_same(a, b);
+    let iou = match same && a.area > empty {
         true => one,
         false => over(inter.value, union),
     };
@@ -51,11 +53,13 @@ fn ordinary<T: Number>(
     };
     if metric == Metric::Iof {
         add(&inter.slopes, over(one, a.area));
-        add(&own_areas(a, b, [over(-iof(&inter, a), a.area), zero]), one);
-        return iof(&inter, a);
+        // At most one, whatever the rounding.
+        let iof = over(inter.value, a.area).least(one);
+        add(&own_areas(a, b, [over(-iof, a.area), zero]), one);
+        return if same && a.area > empty { one } else { iof };
     }
     // dr = ((1 + r) dI − r (dA + dB)) / U. Of the same polygon twice they cancel.
-    if !is_same(a, b) {
+    if !same {
         let each = over(-iou, union);
         add(&inter.slopes, over(one + iou, union));
         add(&own_areas(a, b, [each, each]), one);
@@ -94,13 +98,6 @@ fn ordinary<T: Number>(
             add(&centers, one);
             iou - share.least(one)
         }
-    }
-}
-
-fn iof<T: Number>(inter: &Part<T>, a: &Polygon<T>) -> T {
-    match a.area > T::zero() {
-        true => (inter.value / a.area).least(T::one()),
-        false => T::zero(),
     }
 }
 
