@@ -1,33 +1,36 @@
-//! Reads a table of boxes, or says everything that is wrong with it.
-use geograd::Obb2;
-use geograd::kernels::real::Real;
+//! Reads a table of shapes, or says everything that is wrong with it.
 use std::path::Path;
 use std::str::FromStr;
-
-/// The columns, in order.
-const COLUMNS: [&str; 5] = ["x", "y", "w", "h", "r"];
 
 /// Bad rows told one by one; of the rest only the number.
 const TOLD: usize = 10;
 
-/// The boxes of a file, or a message that names the file, each bad row and what is wrong with it.
-pub fn read<T: Real + FromStr>(path: &Path, option: &str) -> Result<Vec<Obb2<T>>, String> {
+/// A shape that a row of a table is.
+pub trait Shape: Sized {
+    /// Whether names are a header of such a table; `Err` for one that would mix the columns up.
+    fn is_header(names: &[String], line: &str) -> Result<bool, String>;
+    /// The shape of the fields of a row.
+    fn parse(fields: &[&str]) -> Result<Self, String>;
+}
+
+/// The shapes of a file, or a message that names the file, each bad row and what is wrong with it.
+pub fn read<P: Shape>(path: &Path, option: &str) -> Result<Vec<P>, String> {
     let name = path.display();
     let bytes = std::fs::read(path).map_err(|error| format!("{name} ({option}): {error}"))?;
     // A byte that is no UTF-8 becomes a character that is no number, so its row is told like any.
     let text = String::from_utf8_lossy(&bytes);
     let text = text.strip_prefix('\u{feff}').unwrap_or(&text).trim_end();
     let mut lines = text.lines().enumerate().peekable();
-    match lines.peek().map(|(_, line)| header(line)) {
+    match lines.peek().map(|(_, line)| header::<P>(line)) {
         Some(Ok(true)) => drop(lines.next()),
         Some(Ok(false)) | None => {}
         Some(Err(why)) => return Err(format!("{name}: header (line 1): {why}")),
     }
-    let mut boxes = Vec::new();
+    let mut shapes = Vec::new();
     let (mut wrong, mut more) = (Vec::new(), 0);
     for (row, (line, text)) in lines.enumerate() {
         match parse(text) {
-            Ok(shape) => boxes.push(shape),
+            Ok(shape) => shapes.push(shape),
             Err(why) if wrong.len() < TOLD => {
                 wrong.push(format!(
                     "{name}: row {} (line {}): {why}",
@@ -39,7 +42,7 @@ pub fn read<T: Real + FromStr>(path: &Path, option: &str) -> Result<Vec<Obb2<T>>
         }
     }
     if wrong.is_empty() {
-        return Ok(boxes);
+        return Ok(shapes);
     }
     if more > 0 {
         wrong.push(format!("{name}: and {more} more bad rows"));
@@ -48,50 +51,49 @@ pub fn read<T: Real + FromStr>(path: &Path, option: &str) -> Result<Vec<Obb2<T>>
 }
 
 /// Whether the first line is a header: no field of it is a number.
-///
-/// One that names the five columns in another order is an error, because reading on would mix them
-/// up.
-fn header(line: &str) -> Result<bool, String> {
-    let mut names: Vec<String> = line.split(',').map(|f| f.trim().to_lowercase()).collect();
+fn header<P: Shape>(line: &str) -> Result<bool, String> {
+    let names: Vec<String> = line.split(',').map(|f| f.trim().to_lowercase()).collect();
     if line.trim().is_empty() || names.iter().any(|name| name.parse::<f64>().is_ok()) {
         return Ok(false);
     }
-    if names.len() != COLUMNS.len() {
-        return Err(format!("{} names where x,y,w,h,r is needed", names.len()));
-    }
-    if names == COLUMNS {
-        return Ok(true);
-    }
-    names.sort();
-    let mut sorted = COLUMNS;
-    sorted.sort_unstable();
-    if names == sorted {
-        return Err(format!("`{}`: the order must be x,y,w,h,r", line.trim()));
-    }
-    Ok(true)
+    P::is_header(&names, line.trim())
 }
 
-fn parse<T: Real + FromStr>(line: &str) -> Result<Obb2<T>, String> {
+fn parse<P: Shape>(line: &str) -> Result<P, String> {
     let fields: Vec<&str> = line.split(',').map(str::trim).collect();
     if line.trim().is_empty() {
         return Err("is empty".into());
     }
-    if fields.len() != COLUMNS.len() {
-        return Err(format!("{} fields where x,y,w,h,r is needed", fields.len()));
+    P::parse(&fields)
+}
+
+/// Whether names are a header of these columns. One that names them in another order is an error,
+/// because reading on would mix them up.
+pub fn names_columns(names: &[String], columns: &[&str], line: &str) -> Result<bool, String> {
+    let wanted = columns.join(",");
+    if names.len() != columns.len() {
+        return Err(format!("{} names where {wanted} is needed", names.len()));
     }
-    let mut numbers = [T::default(); 5];
-    for ((number, column), field) in numbers.iter_mut().zip(COLUMNS).zip(&fields) {
-        *number = field
-            .parse()
-            .map_err(|_| format!("{column} is not a number: `{field}`"))?;
-        // Numbers beyond the format's range read as infinite.
-        if !number.widen().is_finite() {
-            return Err(format!("{column} is not finite: `{field}`"));
-        }
-        if (column == "w" || column == "h") && *number < T::default() {
-            return Err(format!("{column} is negative: `{field}`"));
-        }
+    if names == columns {
+        return Ok(true);
     }
-    let [x, y, w, h, r] = numbers;
-    Ok(Obb2::new(x, y, w, h, r))
+    let (mut sorted, mut known) = (names.to_vec(), columns.to_vec());
+    sorted.sort();
+    known.sort_unstable();
+    if sorted == known {
+        return Err(format!("`{line}`: the order must be {wanted}"));
+    }
+    Ok(true)
+}
+
+/// A finite number, or what is wrong with the field of that column.
+pub fn number<T: FromStr + Into<f64> + Copy>(field: &str, column: &str) -> Result<T, String> {
+    let number: T = field
+        .parse()
+        .map_err(|_| format!("{column} is not a number: `{field}`"))?;
+    // Numbers beyond the format's range read as infinite.
+    if !number.into().is_finite() {
+        return Err(format!("{column} is not finite: `{field}`"));
+    }
+    Ok(number)
 }

@@ -1,144 +1,70 @@
-//! Overlap of rotated boxes, table in, table out.
+//! Overlap of boxes and polygons, table in, table out.
 //!
 //! ```text
 //! cargo run --release --example iou_csv -- --a A.csv --b B.csv [--all-pairs] [--grad]
+//! cargo run --release --example iou_csv -- --format polygons --metric giou --a A.csv --b B.csv
 //! cargo run --release --features gpu --example iou_csv -- --backend gpu --precision f32 …
 //! ```
 //!
 //! `--help` has the rest. Both inputs are read and checked as a whole before anything is computed,
 //! and a result file appears under its name only when it is complete.
+//!
+//! | file | what it holds |
+//! | --- | --- |
+//! | `options.rs`, `metric.rs` | the command line and its words |
+//! | `input.rs`, `output.rs` | tables |
+//! | `boxes/`, `number.rs` | boxes of the plane and of space, in both formats of numbers |
+//! | `polygon/` | polygons |
+mod boxes;
 #[path = "../common/cli.rs"]
 mod cli;
 mod input;
+#[path = "../common/known.rs"]
+mod known;
+mod metric;
 mod number;
+mod options;
 mod output;
+mod polygon;
 
+use boxes::{Boxes, Pairs};
 use cli::{Failure, Machine, Wish};
 use geograd::Obb2;
+use geograd::shape::{Obb3, YawBox3};
 use indicatif::{ProgressBar, ProgressStyle};
+use input::Shape;
+use metric::Format;
 use number::Number;
+use options::{HELP, Options, options, same_file};
 use output::Sink;
-use std::path::{Path, PathBuf};
+use polygon::{Polygon, Slopes};
 use std::process::ExitCode;
 
 const PROGRAM: &str = "iou_csv";
-
-const HELP: &str = "\
-Overlap (intersection over union) of rotated boxes, and its derivatives.
-
-Usage: iou_csv --a A.csv --b B.csv [options]
-
-  --a FILE, --b FILE       the boxes: one `x,y,w,h,r` per row; centre, size, and heading in
-                           radians, counter-clockwise. A header row is optional.
-  --all-pairs              every row of A with every row of B, in row-major order:
-                           all of B for the first row of A, then for the second, and so on.
-                           Without it row i of A goes with row i of B.
-  --grad                   also the ten partial derivatives of every overlap
-  --precision f32|f64      the format to compute in [default: f64]
-  --backend cpu|gpu|auto   the machine to compute on [default: cpu]. A GPU needs a build with
-                           `--features gpu`, and --precision f32, the only format of GPUs.
-                           auto takes a GPU where it can and says on stderr what it took.
-                           The environment variable GEOGRAD_GPU chooses among GPUs: an index,
-                           a part of a name, or `cpu` for a driver in software.
-  --out FILE               where the result goes, no input [default: standard output]
-  --help                   this text
-
-The result has a header and the column `iou`, with --grad followed by
-`dax,day,daw,dah,dar,dbx,dby,dbw,dbh,dbr`. Numbers are the shortest that read back as the same.
-
-Exit status: 0 when all went well; 1 for bad rows (all input is checked first, and then nothing
-is written), a file that cannot be read or written, or a GPU that fails; 2 for a wrong command
-line. On failure --out is as it was; standard output may have the first rows, whole ones.
-";
-
-struct Options {
-    a: PathBuf,
-    b: PathBuf,
-    all_pairs: bool,
-    grad: bool,
-    double: bool,
-    wish: Wish,
-    out: Option<PathBuf>,
-}
-
-/// `None` when only help was wanted.
-fn options() -> Result<Option<Options>, Failure> {
-    use lexopt::prelude::*;
-    let (mut a, mut b, mut out) = (None::<PathBuf>, None::<PathBuf>, None::<PathBuf>);
-    let (mut all_pairs, mut grad, mut double, mut wish) = (false, false, true, Wish::Cpu);
-    let mut parser = lexopt::Parser::from_env();
-    while let Some(argument) = parser.next()? {
-        match argument {
-            Long("a") => a = Some(parser.value()?.into()),
-            Long("b") => b = Some(parser.value()?.into()),
-            Long("all-pairs") => all_pairs = true,
-            Long("grad") => grad = true,
-            Long("precision") => {
-                double = match parser.value()?.string()?.as_str() {
-                    "f32" => false,
-                    "f64" => true,
-                    other => {
-                        let why = format!("`--precision {other}`: it is f32 or f64");
-                        return Err(Failure::Usage(why));
-                    }
-                }
-            }
-            Long("backend") => wish = Wish::from_name(&parser.value()?.string()?)?,
-            Long("out") => out = Some(parser.value()?.into()),
-            Long("help") | Short('h') => return Ok(None),
-            _ => return Err(argument.unexpected().into()),
-        }
-    }
-    let missing = |name| Failure::Usage(format!("`{name}` is missing"));
-    if let Some(out) = &out
-        && [&a, &b]
-            .into_iter()
-            .flatten()
-            .any(|input| same_file(input, out))
-    {
-        return Err(Failure::Usage("`--out` is an input as well".into()));
-    }
-    if double && wish == Wish::Gpu {
-        let why =
-            "`--backend gpu` computes in f32 only; the default is f64, so say `--precision f32`";
-        return Err(Failure::Usage(why.into()));
-    }
-    Ok(Some(Options {
-        a: a.ok_or_else(|| missing("--a"))?,
-        b: b.ok_or_else(|| missing("--b"))?,
-        all_pairs,
-        grad,
-        double,
-        wish,
-        out,
-    }))
-}
-
-/// Whether both are names of one file that is there.
-fn same_file(a: &Path, b: &Path) -> bool {
-    matches!((a.canonicalize(), b.canonicalize()), (Ok(a), Ok(b)) if a == b && a.is_file())
-}
 
 /// Results computed and written at a time: enough to keep all threads busy, few enough that memory
 /// does not grow with the job.
 const BLOCK: usize = 1 << 18;
 
-/// The machine asked for, as far as it has the format.
-fn machine<T: Number>(wish: Wish) -> Result<Machine, Failure> {
-    match wish {
-        Wish::Auto if !T::ON_GPUS => Ok(cli::on_the_cpu(
-            PROGRAM,
-            "GPUs have no f64; `--precision f32` allows one",
-        )),
-        _ => wish.machine(PROGRAM),
+/// The machine asked for, as far as it has the format and computes the metric.
+fn machine<T: Number>(options: &Options) -> Result<Machine, Failure> {
+    let wish = options.wish;
+    if wish == Wish::Auto && !T::ON_GPUS {
+        let why = "GPUs have no f64; `--precision f32` allows one";
+        return Ok(cli::on_the_cpu(PROGRAM, why));
     }
+    if wish == Wish::Auto && !(options.format == Format::Obb2 && options.metric.is_on_gpus()) {
+        let why = "GPUs compute iou and iof of obb2 only";
+        return Ok(cli::on_the_cpu(PROGRAM, why));
+    }
+    wish.machine(PROGRAM)
 }
 
-fn run<T: Number>(options: &Options) -> Result<(), Failure> {
-    // Both files are checked before either is refused: one run shows all that is wrong.
+/// Both files. Both are checked before either is refused: one run shows all that is wrong.
+fn read<P: Shape>(options: &Options) -> Result<(Vec<P>, Vec<P>), Failure> {
     let (a, b) = (
-        input::read::<T>(&options.a, "--a"),
-        input::read::<T>(&options.b, "--b"),
+        input::read::<P>(&options.a, "--a"),
+        input::read::<P>(&options.b, "--b"),
     );
     let (a, b) = match (a, b) {
         (Ok(a), Ok(b)) => (a, b),
@@ -157,52 +83,125 @@ fn run<T: Number>(options: &Options) -> Result<(), Failure> {
             b.len(),
         )));
     }
-    let machine = machine::<T>(options.wish)?;
-    let backend = machine.backend();
-    let mut sink = Sink::create(options.out.as_deref(), options.grad)?;
+    Ok((a, b))
+}
+
+/// The columns of the result: the metric's, and those of slopes by these numbers of a and of b.
+fn columns(options: &Options, by: [&[String]; 2]) -> Vec<String> {
+    let mut columns = vec![options.metric.name().to_string()];
+    if options.grad {
+        for (owner, by) in ["da", "db"].iter().zip(by) {
+            columns.extend(by.iter().map(|name| format!("{owner}{name}")));
+        }
+    }
+    columns
+}
+
+fn boxes<P: Boxes>(options: &Options) -> Result<(), Failure> {
+    let (a, b) = read::<P>(options)?;
+    let machine = machine::<P::Scalar>(options)?;
+    let by: Vec<String> = P::SLOPES.iter().map(|name| name.to_string()).collect();
+    let mut sink = Sink::create(options.out.as_deref(), &columns(options, [&by, &by]))?;
+    let mut block = |pairs: Pairs<'_, P>| {
+        let scores = P::scores(options.metric, machine.backend(), pairs, options.grad)?;
+        let shapes = |i: usize| match pairs {
+            Pairs::Aligned(a, b) => [a[i], b[i]],
+            Pairs::All(a, b) => [a[i / b.len()], b[i % b.len()]],
+        };
+        sink.rows(scores.values.len(), |i, fields| {
+            fields.number(scores.values[i]);
+            for (by, shape) in scores.slopes.iter().flatten().zip(shapes(i)) {
+                shape.slopes(by[i], &mut |slope| fields.number(slope));
+            }
+        })?;
+        Ok::<bool, Failure>(sink.is_closed())
+    };
     if options.all_pairs {
         // An empty B has no pairs, but still a number of rows that fits a block.
         let rows = (BLOCK / b.len().max(1)).max(1);
         let progress = progress(a.len() as u64 * b.len() as u64);
         for a in a.chunks(rows) {
-            if options.grad {
-                let grads = T::all_pairs_grad(backend, a, &b)?;
-                sink.rows(grads.values().len(), |pair| {
-                    let (value, (a_bar, b_bar)) = grads.at(pair / b.len(), pair % b.len());
-                    (value, Some([a_bar, b_bar]))
-                })?;
-            } else {
-                let values = T::all_pairs(backend, a, &b)?;
-                sink.rows(values.len(), |pair| (values[pair], None))?;
-            }
-            progress.inc((a.len() * b.len()) as u64);
-            if sink.is_closed() {
+            if block(Pairs::All(a, &b))? {
                 break;
             }
+            progress.inc((a.len() * b.len()) as u64);
         }
         progress.finish_and_clear();
     } else {
         let progress = progress(a.len() as u64);
         for (a, b) in a.chunks(BLOCK).zip(b.chunks(BLOCK)) {
-            if options.grad {
-                let (values, a_bar, b_bar) = T::aligned_grad(backend, a, b)?;
-                sink.rows(a.len(), |i| (values[i], Some([a_bar[i], b_bar[i]])))?;
-            } else {
-                let values = T::aligned(backend, a, b)?;
-                sink.rows(a.len(), |i| (values[i], None))?;
-            }
-            progress.inc(a.len() as u64);
-            if sink.is_closed() {
+            if block(Pairs::Aligned(a, b))? {
                 break;
             }
+            progress.inc(a.len() as u64);
         }
         progress.finish_and_clear();
     }
     sink.finish()
 }
 
-/// One result: the overlap, and with `--grad` its slopes with respect to both boxes.
-type Row<T> = (T, Option<[Obb2<T>; 2]>);
+/// Pairs of polygons computed between two looks at the progress bar.
+const STRIDE: usize = 1 << 15;
+
+fn polygons<T: Number>(options: &Options) -> Result<(), Failure> {
+    let (a, b) = read::<Polygon<T>>(options)?;
+    // Only to say which machine it was.
+    machine::<T>(options)?;
+    let longest = |all: &[Polygon<T>]| all.iter().map(Polygon::count).max().unwrap_or(0);
+    let counts = [longest(&a), longest(&b)];
+    let names = counts.map(|count| {
+        let names = (1..=count).flat_map(|k| [format!("{k}x"), format!("{k}y")]);
+        names.collect::<Vec<_>>()
+    });
+    let columns = columns(options, [&names[0], &names[1]]);
+    let mut sink = Sink::create(options.out.as_deref(), &columns)?;
+    let all = if options.all_pairs {
+        a.len() * b.len()
+    } else {
+        a.len()
+    };
+    let pair = |i: usize| match options.all_pairs {
+        true => (&a[i / b.len()], &b[i % b.len()]),
+        false => (&a[i], &b[i]),
+    };
+    let progress = progress(all as u64);
+    for start in (0..all).step_by(STRIDE) {
+        let count = STRIDE.min(all - start);
+        sink.rows(count, |i, fields| {
+            let (a, b) = pair(start + i);
+            if !options.grad {
+                return fields.number(polygon::score(options.metric, a, b, None));
+            }
+            let mut slopes = Slopes::new(a, b);
+            fields.number(polygon::score(options.metric, a, b, Some(&mut slopes)));
+            for (by, count) in [
+                (a.given(&slopes.a), counts[0]),
+                (b.given(&slopes.b), counts[1]),
+            ] {
+                for vertex in &by {
+                    fields.number(vertex.x);
+                    fields.number(vertex.y);
+                }
+                (2 * by.len()..2 * count).for_each(|_| fields.empty());
+            }
+        })?;
+        progress.inc(count as u64);
+        if sink.is_closed() {
+            break;
+        }
+    }
+    progress.finish_and_clear();
+    sink.finish()
+}
+
+fn run<T: Number>(options: &Options) -> Result<(), Failure> {
+    match options.format {
+        Format::Obb2 => boxes::<Obb2<T>>(options),
+        Format::Polygons => polygons::<T>(options),
+        Format::Yaw3 => boxes::<YawBox3<T>>(options),
+        Format::Obb3 => boxes::<Obb3<T>>(options),
+    }
+}
 
 /// Shows itself only where stderr is a terminal.
 fn progress(pairs: u64) -> ProgressBar {

@@ -1,79 +1,49 @@
-//! The two formats to compute in, and what computes in them.
-use geograd::Error;
-use geograd::Obb2;
+//! The two formats to compute in.
+use crate::boxes::{Pairs, Scores, on_cpu};
+use geograd::kernels::gpu::GpuPair;
+use geograd::kernels::op::Op;
 use geograd::kernels::real::Real;
-use geograd::kernels::{Backend, Cpu, IouObb2, Op, Single, Table};
+use geograd::kernels::row::Single;
+use geograd::kernels::{Backend, IofObb2, IouObb2};
+use geograd::{Error, Obb2};
 use std::fmt::Debug;
 use std::str::FromStr;
 
-/// Results of aligned pairs and their slopes with respect to both boxes.
-pub type AlignedGrads<T> = (Vec<T>, Vec<Obb2<T>>, Vec<Obb2<T>>);
-/// Results of all pairs and their slopes with respect to both boxes.
-pub type PairGrads<T> = Table<(T, (Obb2<T>, Obb2<T>))>;
-
-/// A format of numbers, and overlaps computed in it.
-pub trait Number: Real + Single<Scalar = Self> + FromStr + Debug + Send + Sync {
+/// A format of numbers, and overlaps of rotated boxes computed in it on any machine.
+pub trait Number: Real + Single<Scalar = Self> + FromStr + Debug + Into<f64> + Send + Sync {
     /// Whether GPUs compute in it.
     const ON_GPUS: bool;
 
-    fn aligned(
+    fn iou(
         backend: Backend<'_>,
-        a: &[Obb2<Self>],
-        b: &[Obb2<Self>],
-    ) -> Result<Vec<Self>, Error>;
+        pairs: Pairs<'_, Obb2<Self>>,
+        grad: bool,
+    ) -> Result<Scores<Obb2<Self>>, Error>;
 
-    fn aligned_grad(
+    fn iof(
         backend: Backend<'_>,
-        a: &[Obb2<Self>],
-        b: &[Obb2<Self>],
-    ) -> Result<AlignedGrads<Self>, Error>;
-
-    fn all_pairs(
-        backend: Backend<'_>,
-        a: &[Obb2<Self>],
-        b: &[Obb2<Self>],
-    ) -> Result<Vec<Self>, Error>;
-
-    fn all_pairs_grad(
-        backend: Backend<'_>,
-        a: &[Obb2<Self>],
-        b: &[Obb2<Self>],
-    ) -> Result<PairGrads<Self>, Error>;
+        pairs: Pairs<'_, Obb2<Self>>,
+        grad: bool,
+    ) -> Result<Scores<Obb2<Self>>, Error>;
 }
 
 impl Number for f32 {
     const ON_GPUS: bool = true;
 
-    fn aligned(
+    fn iou(
         backend: Backend<'_>,
-        a: &[Obb2<Self>],
-        b: &[Obb2<Self>],
-    ) -> Result<Vec<Self>, Error> {
-        backend.aligned::<IouObb2>(a, b)
+        pairs: Pairs<'_, Obb2<f32>>,
+        grad: bool,
+    ) -> Result<Scores<Obb2<f32>>, Error> {
+        anywhere(backend, IouObb2, pairs, grad)
     }
 
-    fn aligned_grad(
+    fn iof(
         backend: Backend<'_>,
-        a: &[Obb2<Self>],
-        b: &[Obb2<Self>],
-    ) -> Result<AlignedGrads<Self>, Error> {
-        backend.aligned_grad::<IouObb2>(a, b)
-    }
-
-    fn all_pairs(
-        backend: Backend<'_>,
-        a: &[Obb2<Self>],
-        b: &[Obb2<Self>],
-    ) -> Result<Vec<Self>, Error> {
-        backend.all_pairs::<IouObb2>(a, b)
-    }
-
-    fn all_pairs_grad(
-        backend: Backend<'_>,
-        a: &[Obb2<Self>],
-        b: &[Obb2<Self>],
-    ) -> Result<PairGrads<Self>, Error> {
-        backend.all_pairs_grad::<IouObb2>(a, b)
+        pairs: Pairs<'_, Obb2<f32>>,
+        grad: bool,
+    ) -> Result<Scores<Obb2<f32>>, Error> {
+        anywhere(backend, IofObb2, pairs, grad)
     }
 }
 
@@ -81,36 +51,43 @@ impl Number for f32 {
 impl Number for f64 {
     const ON_GPUS: bool = false;
 
-    fn aligned(
+    fn iou(
         _backend: Backend<'_>,
-        a: &[Obb2<Self>],
-        b: &[Obb2<Self>],
-    ) -> Result<Vec<Self>, Error> {
-        Cpu::new().aligned(IouObb2, (a, b))
+        pairs: Pairs<'_, Obb2<f64>>,
+        grad: bool,
+    ) -> Result<Scores<Obb2<f64>>, Error> {
+        on_cpu(IouObb2, pairs, grad)
     }
 
-    fn aligned_grad(
+    fn iof(
         _backend: Backend<'_>,
-        a: &[Obb2<Self>],
-        b: &[Obb2<Self>],
-    ) -> Result<AlignedGrads<Self>, Error> {
-        let (values, (a_bar, b_bar)) = Cpu::new().aligned(IouObb2.value_grad(), (a, b))?;
-        Ok((values, a_bar, b_bar))
+        pairs: Pairs<'_, Obb2<f64>>,
+        grad: bool,
+    ) -> Result<Scores<Obb2<f64>>, Error> {
+        on_cpu(IofObb2, pairs, grad)
     }
+}
 
-    fn all_pairs(
-        _backend: Backend<'_>,
-        a: &[Obb2<Self>],
-        b: &[Obb2<Self>],
-    ) -> Result<Vec<Self>, Error> {
-        Ok(Cpu::new().all_pairs(IouObb2, a, b)?.into_planes())
+/// On whatever machine the backend is.
+fn anywhere<O>(
+    backend: Backend<'_>,
+    op: O,
+    pairs: Pairs<'_, Obb2<f32>>,
+    grad: bool,
+) -> Result<Scores<Obb2<f32>>, Error>
+where
+    O: GpuPair<Shape = Obb2<f32>> + Op<In<f32> = (Obb2<f32>, Obb2<f32>), Out<f32> = f32>,
+{
+    if let Backend::Cpu = backend {
+        return on_cpu(op, pairs, grad);
     }
-
-    fn all_pairs_grad(
-        _backend: Backend<'_>,
-        a: &[Obb2<Self>],
-        b: &[Obb2<Self>],
-    ) -> Result<PairGrads<Self>, Error> {
-        Cpu::new().all_pairs(IouObb2.value_grad(), a, b)
+    match pairs {
+        Pairs::Aligned(a, b) if grad => {
+            let (values, a_bar, b_bar) = backend.aligned_grad::<O>(a, b)?;
+            Ok(Scores::with_slopes(values, a_bar, b_bar))
+        }
+        Pairs::Aligned(a, b) => Ok(Scores::new(backend.aligned::<O>(a, b)?)),
+        Pairs::All(a, b) if grad => Ok(Scores::from_table(&backend.all_pairs_grad::<O>(a, b)?)),
+        Pairs::All(a, b) => Ok(Scores::new(backend.all_pairs::<O>(a, b)?)),
     }
 }

@@ -1,5 +1,4 @@
 //! Writes the result: block by block, on all cores, and under its name only when complete.
-use crate::Row;
 use crate::cli::Failure;
 use std::fmt::{Debug, Write as _};
 use std::fs::File;
@@ -15,7 +14,7 @@ pub struct Sink {
     name: String,
     /// What comes before the first row. It waits for that row or the end, so that a job that fails
     /// before writes nothing.
-    header: &'static str,
+    header: String,
     /// The file being written and the name it gets when complete.
     pending: Option<(PathBuf, PathBuf)>,
     /// The reader has gone away: what is left need not be written.
@@ -23,8 +22,8 @@ pub struct Sink {
 }
 
 impl Sink {
-    /// The file of that name, or standard output, for rows with slopes or without.
-    pub fn create(out: Option<&Path>, grad: bool) -> Result<Self, Failure> {
+    /// The file of that name, or standard output, for rows of these columns.
+    pub fn create(out: Option<&Path>, columns: &[String]) -> Result<Self, Failure> {
         let (to, name, pending): (Box<dyn Write>, _, _) = match out {
             None => (Box::new(io::stdout()), "standard output".to_string(), None),
             Some(path) => {
@@ -48,32 +47,28 @@ impl Sink {
         Ok(Sink {
             to: BufWriter::with_capacity(1 << 16, to),
             name,
-            header: match grad {
-                true => "iou,dax,day,daw,dah,dar,dbx,dby,dbw,dbh,dbr\n",
-                false => "iou\n",
-            },
+            header: columns.join(",") + "\n",
             pending,
             closed: false,
         })
     }
 
-    /// That many rows.
-    pub fn rows<T: Copy + Debug>(
+    /// That many rows; each writes its fields.
+    pub fn rows(
         &mut self,
         count: usize,
-        row: impl Fn(usize) -> Row<T> + Sync,
+        row: impl Fn(usize, &mut Fields<'_>) + Sync,
     ) -> Result<(), Failure> {
         let text = |start: usize| {
             let mut text = String::new();
             for i in start..count.min(start + STRETCH) {
-                let (iou, slopes) = row(i);
-                number(&mut text, &iou);
-                for x in slopes.iter().flatten() {
-                    for field in [x.center.x, x.center.y, x.size.x, x.size.y, x.heading] {
-                        text.push(',');
-                        number(&mut text, &field);
-                    }
-                }
+                row(
+                    i,
+                    &mut Fields {
+                        text: &mut text,
+                        any: false,
+                    },
+                );
                 text.push('\n');
             }
             text
@@ -152,6 +147,29 @@ impl Drop for Sink {
         if let Some((part, _)) = &self.pending {
             let _ = std::fs::remove_file(part);
         }
+    }
+}
+
+/// The fields of a row.
+pub struct Fields<'a> {
+    text: &'a mut String,
+    /// Whether there is one already.
+    any: bool,
+}
+
+impl Fields<'_> {
+    /// One more number.
+    pub fn number<T: Debug>(&mut self, x: T) {
+        self.empty();
+        number(self.text, &x);
+    }
+
+    /// One more field, without anything in it.
+    pub fn empty(&mut self) {
+        if self.any {
+            self.text.push(',');
+        }
+        self.any = true;
     }
 }
 

@@ -3,9 +3,11 @@
 //! Camera coordinates: x right, y down, z forward, metres and radians. Seen from above a box is
 //! centred at (x, z); its length runs along the heading and its width across. `rotation_y` is 0
 //! along +x and a positive turn moves +z towards +x, so in the plane with the axes (x, z) the
-//! counter-clockwise heading is its negative.
+//! counter-clockwise heading is its negative. The place given is the middle of the box's bottom, and up is
+//! the negative of y.
 use crate::model::{Class, Frames, Seen};
-use geograd::Obb2;
+use geograd::Vec3;
+use geograd::shape::YawBox3;
 use std::path::Path;
 
 /// Bad lines are told on stderr, at most this many of each file one by one.
@@ -72,11 +74,14 @@ pub fn read_labels(path: &Path, frames: &mut Frames, report: &mut Report) -> Res
             score: 1.0,
             shape: fields.shape(10)?,
         };
-        frames
-            .entry(fields.frame()?)
-            .or_default()
-            .truths
-            .push(truth);
+        let frame = frames.entry(fields.frame()?).or_default();
+        frame.truths.push(truth);
+        let class = match fields.text(2) {
+            "Van" => Class::Car,
+            "Person" | "Person_sitting" => Class::Pedestrian,
+            _ => return Ok(()),
+        };
+        frame.alike.push(Seen { class, ..truth });
         Ok(())
     })
 }
@@ -142,8 +147,8 @@ impl<'a> Fields<'a> {
         }
     }
 
-    /// The box seen from above, from the seven fields `h, w, l, x, y, z, rotation_y`.
-    fn shape(&self, first: usize) -> Result<Obb2<f32>, String> {
+    /// The box of the seven fields `h, w, l, x, y, z, rotation_y`.
+    fn shape(&self, first: usize) -> Result<YawBox3<f32>, String> {
         let mut values = [0.0; 7];
         let names = ["h", "w", "l", "x", "y", "z", "rotation_y"];
         for (i, (value, name)) in values.iter_mut().zip(names).enumerate() {
@@ -152,7 +157,11 @@ impl<'a> Fields<'a> {
                 return Err(format!("{name} is negative: `{}`", self.text(first + i)));
             }
         }
-        let [_, width, length, x, _, z, rotation_y] = values;
-        Ok(Obb2::new(x, z, length, width, -rotation_y))
+        let [height, width, length, x, y, z, rotation_y] = values;
+        Ok(YawBox3::new(
+            Vec3::new(x, z, 0.5 * height - y),
+            Vec3::new(length, width, height),
+            -rotation_y,
+        ))
     }
 }

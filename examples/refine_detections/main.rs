@@ -1,9 +1,10 @@
-//! Matches detections to ground truth by the overlap of their boxes seen from above, and moves every
-//! matched detection along the gradient of that overlap.
+//! Matches detections to ground truth by the overlap of their boxes, seen from above or in space, and moves
+//! every matched detection along the gradient of that overlap, or of another score.
 //!
 //! ```text
 //! cargo run --release --example refine_detections
 //! cargo run --release --example refine_detections -- --detections Car.txt Cyclist.txt --labels 0001.txt
+//! cargo run --release --example refine_detections -- --loss giou --space 3d --nms 0.1 --csv ap.csv
 //! cargo run --release --features gpu --example refine_detections -- --backend gpu
 //! ```
 //!
@@ -17,136 +18,47 @@
 //! | `scene.rs` | a street of its own making |
 //! | `kitti.rs` | files of the KITTI tracking benchmark |
 //! | `matching.rs`, `assign.rs` | which detection belongs to which truth; precision and recall |
-//! | `refine.rs` | gradient descent on `1 − IoU` |
-//! | `svg.rs` | the picture |
+//! | `suppress.rs`, `precision.rs` | suppression before; average precision before and after |
+//! | `loss.rs`, `scorer.rs` | the scores that boxes are moved by |
+//! | `refine.rs` | gradient descent on one minus a score |
+//! | `options.rs`, `table.rs`, `svg/` | the command line, the table, the picture |
 mod assign;
 #[path = "../common/cli.rs"]
 mod cli;
 mod kitti;
+#[path = "../common/known.rs"]
+mod known;
+mod loss;
 mod matching;
 mod model;
+mod options;
+mod precision;
+#[path = "../common/random.rs"]
+mod random;
 mod refine;
 mod scene;
+mod scorer;
+mod suppress;
 mod svg;
+mod table;
 
-use cli::{Failure, Wish};
+use cli::{Failure, Machine, Wish};
 use geograd::Error;
 use geograd::Obb2;
 use geograd::kernels::Backend;
 use geograd::kernels::ops::overlap::IouObb2;
 use indicatif::{ProgressBar, ProgressStyle};
+use loss::{Goal, Space};
 use matching::{Match, Quality};
 use model::{Frame, Frames};
+use options::{HELP, Options, options};
 use std::collections::BTreeMap;
-use std::path::PathBuf;
+use std::path::Path;
 use std::process::ExitCode;
-use std::time::{Duration, Instant};
+use std::time::Instant;
+use table::{Counts, Times};
 
 const PROGRAM: &str = "refine_detections";
-
-const HELP: &str = "\
-Matches detections to ground truth by rotated overlap, seen from above, and improves the matched
-ones by gradient descent on 1 - IoU. Prints a table and draws one frame before and after.
-
-Each detection moves towards its own ground truth, so the numbers after are a demonstration of the
-gradient and no claim about the detector.
-
-Usage: refine_detections [options]
-
-Without files it makes a street of its own:
-  --seed N                 which street [default: 4]
-  --frames N               how many frames, a tenth of a second apart [default: 100]
-
-With files of the KITTI tracking benchmark:
-  --detections FILE...     detections, one or more files (one per class, say):
-                           frame,class,x1,y1,x2,y2,score,h,w,l,x,y,z,rotation_y,alpha
-  --labels FILE            ground truth: frame, track, class name, truncated, occluded, alpha,
-                           x1 y1 x2 y2, h w l, x y z, rotation_y, separated by spaces
-
-And:
-  --min-score X            leave out detections with a lower score
-  --steps N                steps of gradient descent at most [default: 200]
-  --svg FILE               where the picture goes [default: refine_detections.svg]
-  --frame N                the frame to draw [default: the one that improves most]
-  --backend cpu|gpu|auto   the machine to compute on [default: cpu]. A GPU needs a build with
-                           `--features gpu`. auto takes a GPU if there is one and says on
-                           stderr what it took. The environment variable GEOGRAD_GPU chooses
-                           among GPUs: an index, a part of a name, or `cpu` for a driver in
-                           software.
-  --help                   this text
-
-Matching is one to one within a class and a frame, with the largest sum of overlaps (the Hungarian
-method); pairs without overlap are no match. Precision and recall count matches with at least that
-overlap among all detections and among all truths of the detected classes. Other truths (vans, say)
-and DontCare regions are left out. Before and after are matched afresh.
-
-Exit status: 0 when all went well; 1 for lines that could not be used (each is told on stderr, the
-rest goes on), files that cannot be read or written, and a GPU that fails (nothing is drawn then);
-2 for a wrong command line.
-";
-
-struct Options {
-    seed: u64,
-    frames: u32,
-    detections: Vec<PathBuf>,
-    labels: Option<PathBuf>,
-    min_score: f32,
-    steps: u64,
-    svg: PathBuf,
-    frame: Option<u32>,
-    wish: Wish,
-}
-
-/// `None` when only help was wanted.
-fn options() -> Result<Option<Options>, Failure> {
-    use lexopt::prelude::*;
-    let mut options = Options {
-        seed: 4,
-        frames: 100,
-        detections: Vec::new(),
-        labels: None,
-        min_score: f32::NEG_INFINITY,
-        steps: 200,
-        svg: "refine_detections.svg".into(),
-        frame: None,
-        wish: Wish::Cpu,
-    };
-    let mut made = false;
-    let mut parser = lexopt::Parser::from_env();
-    while let Some(argument) = parser.next()? {
-        match argument {
-            Long("seed") => {
-                options.seed = parser.value()?.parse()?;
-                made = true;
-            }
-            Long("frames") => {
-                options.frames = parser.value()?.parse()?;
-                made = true;
-            }
-            Long("detections") => options
-                .detections
-                .extend(parser.values()?.map(PathBuf::from)),
-            Long("labels") => options.labels = Some(parser.value()?.into()),
-            Long("min-score") => options.min_score = parser.value()?.parse()?,
-            Long("steps") => options.steps = parser.value()?.parse()?,
-            Long("svg") => options.svg = parser.value()?.into(),
-            Long("frame") => options.frame = Some(parser.value()?.parse()?),
-            Long("backend") => options.wish = Wish::from_name(&parser.value()?.string()?)?,
-            Long("help") | Short('h') => return Ok(None),
-            _ => return Err(argument.unexpected().into()),
-        }
-    }
-    let usage = |why: &str| Err(Failure::Usage(why.into()));
-    if options.min_score.is_nan() {
-        return usage("`--min-score` is not a number");
-    }
-    match (options.detections.is_empty(), &options.labels) {
-        (false, None) => usage("`--detections` needs `--labels`"),
-        (true, Some(_)) => usage("`--labels` needs `--detections`"),
-        (false, Some(_)) if made => usage("`--seed` and `--frames` make a scene; files are one"),
-        _ => Ok(Some(options)),
-    }
-}
 
 /// The frames, and how many lines of the files could not be used.
 fn load(options: &Options) -> Result<(Frames, usize), Failure> {
@@ -166,12 +78,16 @@ type Matches = BTreeMap<u32, Vec<Match>>;
 
 fn match_all(
     backend: Backend<'_>,
+    space: Space,
     frames: &Frames,
     progress: &ProgressBar,
 ) -> Result<Matches, Error> {
     let mut matches = Matches::new();
     for (&number, frame) in frames {
-        matches.insert(number, matching::match_frame(backend, number, frame)?);
+        matches.insert(
+            number,
+            matching::match_frame(backend, space, number, frame)?,
+        );
         progress.inc(1);
     }
     Ok(matches)
@@ -193,6 +109,21 @@ fn warm_up(backend: Backend<'_>) -> Result<(), Error> {
     Ok(())
 }
 
+/// The machine asked for, as far as it computes the loss.
+fn machine(options: &Options) -> Result<Machine, Failure> {
+    if options.wish == Wish::Auto && options.goal != Goal::default() {
+        let why = "GPUs compute `--loss iou --space bev` only";
+        return Ok(cli::on_the_cpu(PROGRAM, why));
+    }
+    options.wish.machine(PROGRAM)
+}
+
+/// Writes a file.
+fn write(path: &Path, text: &str) -> Result<(), Failure> {
+    std::fs::write(path, text)
+        .map_err(|error| Failure::Work(format!("{}: {error}", path.display())))
+}
+
 /// Exit status 1 for the `true` of lines that could not be used.
 fn run(options: &Options) -> Result<bool, Failure> {
     let (mut frames, bad_lines) = load(options)?;
@@ -201,17 +132,28 @@ fn run(options: &Options) -> Result<bool, Failure> {
         return Err(Failure::Work(format!("there is no frame {wanted}")));
     }
 
-    let machine = options.wish.machine(PROGRAM)?;
+    let machine = machine(options)?;
     let backend = machine.backend();
     warm_up(backend)?;
+    let Goal { loss, space } = options.goal;
+    let suppressed = match options.nms {
+        Some(threshold) => Some(suppress::suppress(&mut frames, space, threshold)?),
+        None => None,
+    };
 
     let started = Instant::now();
     let bar = progress("matching", frames.len() as u64);
-    let before = match_all(backend, &frames, &bar)?;
+    let before = match_all(backend, space, &frames, &bar)?;
     bar.finish_and_clear();
     let matching_time = started.elapsed();
 
-    let pairs: Vec<Match> = before.values().flatten().copied().collect();
+    let mut pairs: Vec<Match> = before.values().flatten().copied().collect();
+    let overlapping = pairs.len();
+    if loss.reaches() {
+        for (&number, matches) in &before {
+            pairs.extend(matching::apart(number, &frames[&number], matches));
+        }
+    }
     let (mut shapes, mut truths) = (Vec::new(), Vec::new());
     for pair in &pairs {
         let frame = &frames[&pair.frame];
@@ -219,7 +161,14 @@ fn run(options: &Options) -> Result<bool, Failure> {
         truths.push(frame.truths[pair.truth].shape);
     }
     let bar = progress("refining", options.steps + 1);
-    let (shapes, cost) = refine::refine(backend, &shapes, &truths, options.steps, || bar.inc(1))?;
+    let (shapes, cost) = refine::refine(
+        backend,
+        options.goal,
+        &shapes,
+        &truths,
+        options.steps,
+        || bar.inc(1),
+    )?;
     bar.finish_and_clear();
     let mut refined = frames.clone();
     for (pair, shape) in pairs.iter().zip(shapes) {
@@ -229,7 +178,7 @@ fn run(options: &Options) -> Result<bool, Failure> {
     }
 
     let bar = progress("matching", frames.len() as u64);
-    let after = match_all(backend, &refined, &bar)?;
+    let after = match_all(backend, space, &refined, &bar)?;
     bar.finish_and_clear();
     let time = started.elapsed();
 
@@ -243,6 +192,8 @@ fn run(options: &Options) -> Result<bool, Failure> {
         detections,
         truths: labelled,
         left_out: (low_scores, other_classes),
+        suppressed,
+        apart: pairs.len() - overlapping,
         pairs: scored,
     };
     let times = Times {
@@ -250,7 +201,18 @@ fn run(options: &Options) -> Result<bool, Failure> {
         refining: cost,
         all: time,
     };
-    cli::say(&table(&counts, &quality(&before), &quality(&after), &times));
+    let (first, last) = (quality(&before), quality(&after));
+    cli::say(&table::table(&counts, &first, &last, &times));
+    if options.judged {
+        let (first, last) = (
+            precision::by_class(&frames, space)?,
+            precision::by_class(&refined, space)?,
+        );
+        cli::say(&table::precision(options.goal, &first, &last));
+        if let Some(csv) = &options.csv {
+            write(csv, &table::csv(&first, &last))?;
+        }
+    }
 
     let empty = (Frame::default(), Vec::new());
     let number = options.frame.or_else(|| most_improved(&before, &after));
@@ -262,10 +224,10 @@ fn run(options: &Options) -> Result<bool, Failure> {
         after: refined.get(&at).unwrap_or(&empty.0),
         matches_before: before.get(&at).unwrap_or(&empty.1),
         matches_after: after.get(&at).unwrap_or(&empty.1),
+        goal: options.goal,
     });
+    write(&options.svg, &picture)?;
     let name = options.svg.display();
-    std::fs::write(&options.svg, picture)
-        .map_err(|error| Failure::Work(format!("{name}: {error}")))?;
     cli::say(&format!(
         "\nFrame {at} before and after is drawn in {name}.\n"
     ));
@@ -283,73 +245,6 @@ fn most_improved(before: &Matches, after: &Matches) -> Option<u32> {
         .keys()
         .copied()
         .max_by(|a, b| gain(a).total_cmp(&gain(b)))
-}
-
-struct Counts {
-    frames: usize,
-    detections: usize,
-    truths: usize,
-    /// Detections with low scores, and truths of other classes.
-    left_out: (usize, usize),
-    pairs: usize,
-}
-
-struct Times {
-    matching: Duration,
-    refining: refine::Cost,
-    all: Duration,
-}
-
-fn table(counts: &Counts, before: &Quality, after: &Quality, times: &Times) -> String {
-    let Counts {
-        detections, truths, ..
-    } = counts;
-    let mut lines = vec![
-        format!("frames             {:>9}", counts.frames),
-        format!("boxes              {detections:>9} detections, {truths} ground truth"),
-    ];
-    if counts.left_out != (0, 0) {
-        let (low, other) = counts.left_out;
-        lines.push(format!(
-            "  left out         {low:>9} by score, {other} of other classes"
-        ));
-    }
-    lines.push(format!("pairs              {:>9}", counts.pairs));
-    lines.push("\n                      before     after".into());
-    lines.push(format!(
-        "matches            {:>9} {:>9}",
-        before.matches, after.matches
-    ));
-    let mut row = |name: &str, before: Option<f64>, after: Option<f64>| {
-        let show = |x: Option<f64>| x.map_or("-".to_string(), |x| format!("{x:.4}"));
-        lines.push(format!("{name:18} {:>9} {:>9}", show(before), show(after)));
-    };
-    for (i, threshold) in matching::THRESHOLDS.iter().enumerate() {
-        let name = |what: &str| format!("{what} at {threshold}");
-        row(&name("precision"), before.precision[i], after.precision[i]);
-        row(&name("recall"), before.recall[i], after.recall[i]);
-    }
-    row("mean IoU", before.mean_iou, after.mean_iou);
-    lines.push("\npairs per second".into());
-    let mut rate = |name: &str, count: usize, time: Duration, what: &str| {
-        // Nothing done is no rate.
-        if count > 0 {
-            let millions = count as f64 / time.as_secs_f64().max(1e-9) / 1e6;
-            lines.push(format!("  {name:16} {millions:>9.2} million, {what}"));
-        }
-    };
-    let cost = times.refining;
-    let computed = format!("{} computed", cost.gradients);
-    rate(
-        "matching",
-        counts.pairs,
-        times.matching,
-        "assignment included",
-    );
-    rate("with gradients", cost.gradients, cost.time, &computed);
-    let time = times.all.as_secs_f64() * 1e3;
-    lines.push(format!("time               {time:>9.1} ms\n"));
-    lines.join("\n")
 }
 
 fn main() -> ExitCode {

@@ -1,9 +1,11 @@
 //! Which detection belongs to which truth, and how good the detections are by that.
 use crate::assign::assign;
-use crate::model::{Frame, Frames};
+use crate::loss::Space;
+use crate::model::{Frame, Frames, Seen};
 use geograd::Error;
-use geograd::kernels::Backend;
-use geograd::kernels::ops::overlap::IouObb2;
+use geograd::assignment::greedy;
+use geograd::kernels::{Backend, Cpu, IouObb2, IouYaw};
+use geograd::suppression::Pair;
 
 /// A detection and the truth it was matched to.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -22,10 +24,24 @@ pub struct Match {
 /// Every detection with every truth is one batch. Of all ways to pair them one to one within
 /// their classes this takes the one whose overlaps have the largest sum (the Hungarian method), and
 /// drops the pairs without overlap.
-pub fn match_frame(backend: Backend<'_>, number: u32, frame: &Frame) -> Result<Vec<Match>, Error> {
-    let shapes = |seen: &[crate::model::Seen]| seen.iter().map(|s| s.shape).collect::<Vec<_>>();
-    let (detections, truths) = (shapes(&frame.detections), shapes(&frame.truths));
-    let mut overlaps = backend.all_pairs::<IouObb2>(&detections, &truths)?;
+pub fn match_frame(
+    backend: Backend<'_>,
+    space: Space,
+    number: u32,
+    frame: &Frame,
+) -> Result<Vec<Match>, Error> {
+    let (detections, truths) = (&frame.detections, &frame.truths);
+    let mut overlaps = match space {
+        Space::BirdsEye => {
+            let grounds = |all: &[Seen]| all.iter().map(Seen::ground).collect::<Vec<_>>();
+            backend.all_pairs::<IouObb2>(&grounds(detections), &grounds(truths))?
+        }
+        Space::Full => {
+            let shapes = |all: &[Seen]| all.iter().map(|seen| seen.shape).collect::<Vec<_>>();
+            let table = Cpu::new().all_pairs(IouYaw, &shapes(detections), &shapes(truths))?;
+            table.into_planes()
+        }
+    };
     for (i, iou) in overlaps.iter_mut().enumerate() {
         let (detection, truth) = (i / truths.len(), i % truths.len());
         if frame.detections[detection].class != frame.truths[truth].class {
@@ -40,6 +56,35 @@ pub fn match_frame(backend: Backend<'_>, number: u32, frame: &Frame) -> Result<V
         iou: overlaps[detection * truths.len() + truth],
     });
     Ok(matches.filter(|m| m.iou > 0.0).collect())
+}
+
+/// Detections and truths of a frame that overlap nothing and are near each other: no farther apart than
+/// the truth is long. The nearest ones first, one to one within their classes.
+pub fn apart(number: u32, frame: &Frame, matches: &[Match]) -> Vec<Match> {
+    let mut pairs = Vec::new();
+    for (first, detection) in frame.detections.iter().enumerate() {
+        for (second, truth) in frame.truths.iter().enumerate() {
+            let free = matches
+                .iter()
+                .all(|m| m.detection != first && m.truth != second);
+            let distance = detection.shape.center.distance(truth.shape.center);
+            let reach = truth.shape.size.length();
+            if free && detection.class == truth.class && distance <= reach {
+                pairs.push(Pair {
+                    first,
+                    second,
+                    overlap: -distance,
+                });
+            }
+        }
+    }
+    let pairs = greedy(&pairs).into_iter().map(|pair| Match {
+        frame: number,
+        detection: pair.first,
+        truth: pair.second,
+        iou: 0.0,
+    });
+    pairs.collect()
 }
 
 /// How good the detections of all frames are.

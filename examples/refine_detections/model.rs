@@ -1,5 +1,6 @@
 //! What a frame holds.
 use geograd::Obb2;
+use geograd::shape::YawBox3;
 use std::collections::{BTreeMap, BTreeSet};
 
 /// What an object is. Only objects of the same class are matched.
@@ -29,8 +30,15 @@ pub struct Seen {
     pub class: Class,
     /// How sure the detector is; the scale is its own.
     pub score: f32,
-    /// From above: the axes are x to the right and z forward.
-    pub shape: Obb2<f32>,
+    /// The axes are to the right, forward and up.
+    pub shape: YawBox3<f32>,
+}
+
+impl Seen {
+    /// The box seen from above.
+    pub fn ground(&self) -> Obb2<f32> {
+        self.shape.birds_eye()
+    }
 }
 
 /// One moment.
@@ -38,6 +46,9 @@ pub struct Seen {
 pub struct Frame {
     pub detections: Vec<Seen>,
     pub truths: Vec<Seen>,
+    /// Objects that resemble those of a class and are neither right nor wrong to detect: vans beside
+    /// cars, people who sit beside pedestrians.
+    pub alike: Vec<Seen>,
 }
 
 /// All moments, by number.

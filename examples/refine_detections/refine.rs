@@ -1,93 +1,104 @@
-//! Moves boxes onto their truths along the gradient of the overlap.
+//! Moves boxes onto their truths along the gradient of a score of both.
 //!
-//! The loss of a pair is `1 − IoU`. Its slope says which way to go but not how far: IoU grows
-//! steeply towards a peak with a kink, where slopes do not fade but flip. So a box moves by its four
-//! sides and its heading, which hardly depend on each other there, and each of the five keeps a step
-//! length of its own, which grows while the sign of its slope stays and halves when it flips (resilient
-//! gradient descent, Riedmiller and Braun 1993). A step that would not raise the overlap of its pair is
-//! taken back and tried shorter, so no pair ever gets worse. Pairs that overlap by a sliver have small
-//! slopes, which makes no difference to their steps.
-use geograd::Error;
+//! The loss of a pair is one minus its score. Its slope says which way to go but not how far: IoU grows
+//! steeply towards a peak with a kink, where slopes do not fade but flip. So a box moves by its sides
+//! (in space top and bottom, too) and its heading, which hardly depend on each other there, and each of
+//! them keeps a step length of its own, which grows while the sign of its slope stays and halves when it
+//! flips (resilient gradient descent, Riedmiller and Braun 1993). A step that would not raise the score
+//! of its pair is taken back and tried shorter, so no pair ever gets worse. Pairs that overlap by a
+//! sliver have small slopes, which makes no difference to their steps.
+use crate::loss::{Goal, Space};
+use crate::scorer::Scorer;
 use geograd::kernels::Backend;
-use geograd::kernels::ops::overlap::IouObb2;
-use geograd::{Obb2, Rotation2, Vec2};
+use geograd::shape::YawBox3;
+use geograd::{Error, Rotation2, Vec2, Vec3};
 use std::time::{Duration, Instant};
 
 /// A step longer by this after one that went well, shorter by that after one too far.
 const LONGER: f32 = 1.25;
 const SHORTER: f32 = 0.5;
 
-/// A pair is left alone when its overlap is this near to one,
-const CLOSE: f32 = 0.9995;
-/// or when its longest step, relative to its size, is this short.
+/// A pair is left alone when its longest step, relative to its size, is this short.
 const STILL: f32 = 1e-5;
 
 /// What it cost.
 #[derive(Clone, Copy, Debug, Default)]
 pub struct Cost {
-    /// Overlaps computed with their gradients.
+    /// Scores computed with their gradients.
     pub gradients: usize,
     /// Time spent on them.
     pub time: Duration,
 }
 
+/// A number for each of what moves: the front, rear, left and right side, the heading, top and bottom.
+type Moves = [f32; 7];
+
 /// A box on its way.
 struct Walker {
-    /// The best place so far, and its overlap.
-    shape: Obb2<f32>,
-    iou: f32,
-    /// The slopes there: of moving the front, rear, left and right side outwards, and of turning.
-    slopes: [f32; 5],
-    /// How far to go next, in metres and radians, in the same order.
-    steps: [f32; 5],
+    /// The best place so far, and its score.
+    shape: YawBox3<f32>,
+    score: f32,
+    /// The slopes there: of moving the sides outwards, and of turning.
+    slopes: Moves,
+    /// How far to go next, in metres and radians.
+    steps: Moves,
 }
 
 impl Walker {
-    fn new(shape: Obb2<f32>) -> Self {
-        let (length, width) = (0.04 * shape.size.x, 0.04 * shape.size.y);
+    fn new(shape: YawBox3<f32>, space: Space) -> Self {
+        let size = shape.size * 0.04;
+        let height = match space {
+            Space::BirdsEye => 0.0,
+            Space::Full => size.z,
+        };
         Walker {
             shape,
-            iou: -1.0,
-            slopes: [0.0; 5],
-            steps: [length, length, width, width, 0.03],
+            score: f32::NEG_INFINITY,
+            slopes: [0.0; 7],
+            steps: [size.x, size.x, size.y, size.y, 0.03, height, height],
         }
     }
 
     /// The next place to try.
-    fn next(&self) -> Obb2<f32> {
-        let mut by = [0.0; 5];
+    fn next(&self) -> YawBox3<f32> {
+        let mut by = [0.0; 7];
         for ((by, step), slope) in by.iter_mut().zip(self.steps).zip(self.slopes) {
             if slope != 0.0 {
                 *by = step.copysign(slope);
             }
         }
-        let [front, rear, left, right, turn] = by;
-        let Obb2 {
+        let [front, rear, left, right, turn, top, bottom] = by;
+        let YawBox3 {
             center,
             size,
             heading,
         } = self.shape;
-        let off = Vec2::new(front - rear, left - right) * 0.5;
+        let off = Rotation2::from_angle(heading) * (Vec2::new(front - rear, left - right) * 0.5);
         // A size halves at most, so it stays positive.
-        Obb2 {
-            center: center + Rotation2::from_angle(heading) * off,
-            size: (size + Vec2::new(front + rear, left + right)).most(size * 0.5),
+        let larger = Vec3::new(front + rear, left + right, top + bottom);
+        YawBox3 {
+            center: center + Vec3::new(off.x, off.y, (top - bottom) * 0.5),
+            size: (size + larger).most(size * 0.5),
             heading: heading + turn,
         }
     }
 
-    /// Takes the step if the overlap there is better, and learns from it either way.
-    fn learn(&mut self, tried: Obb2<f32>, iou: f32, slope: Obb2<f32>) {
+    /// Takes the step if the score there is better, and learns from it either way.
+    fn learn(&mut self, tried: YawBox3<f32>, score: f32, slope: YawBox3<f32>) {
         // A side moves the centre by half of what it moves the size.
-        let off = Rotation2::from_angle(tried.heading).inverse() * slope.center * 0.5;
+        let flat = Vec2::new(slope.center.x, slope.center.y);
+        let off = Rotation2::from_angle(tried.heading).inverse() * flat * 0.5;
+        let up = slope.center.z * 0.5;
         let slopes = [
             slope.size.x + off.x,
             slope.size.x - off.x,
             slope.size.y + off.y,
             slope.size.y - off.y,
             slope.heading,
+            slope.size.z + up,
+            slope.size.z - up,
         ];
-        let better = iou > self.iou;
+        let better = score > self.score;
         let mut flips = 0;
         for ((step, old), new) in self.steps.iter_mut().zip(self.slopes).zip(slopes) {
             if old * new < 0.0 {
@@ -98,7 +109,7 @@ impl Walker {
             }
         }
         if better {
-            (self.shape, self.iou, self.slopes) = (tried, iou, slopes);
+            (self.shape, self.score, self.slopes) = (tried, score, slopes);
         } else if flips == 0 {
             for step in &mut self.steps {
                 *step *= SHORTER;
@@ -106,11 +117,13 @@ impl Walker {
         }
     }
 
-    fn is_done(&self) -> bool {
+    fn is_done(&self, close: f32) -> bool {
         let size = self.shape.size.x.max(self.shape.size.y);
-        let [front, rear, left, right, turn] = self.steps;
-        let longest = front.max(rear).max(left).max(right);
-        self.iou >= CLOSE || longest.max(turn * size) <= STILL * size
+        let [front, rear, left, right, turn, top, bottom] = self.steps;
+        let longest = [front, rear, left, right, top, bottom]
+            .into_iter()
+            .fold(0.0, f32::max);
+        self.score >= close || longest.max(turn * size) <= STILL * size
     }
 }
 
@@ -118,12 +131,15 @@ impl Walker {
 /// pairs that still move is one batch.
 pub fn refine(
     backend: Backend<'_>,
-    shapes: &[Obb2<f32>],
-    truths: &[Obb2<f32>],
+    goal: Goal,
+    shapes: &[YawBox3<f32>],
+    truths: &[YawBox3<f32>],
     steps: u64,
     mut stepped: impl FnMut(),
-) -> Result<(Vec<Obb2<f32>>, Cost), Error> {
-    let mut walkers: Vec<Walker> = shapes.iter().map(|&shape| Walker::new(shape)).collect();
+) -> Result<(Vec<YawBox3<f32>>, Cost), Error> {
+    let scorer = Scorer::new(goal)?;
+    let start = |&shape| Walker::new(shape, goal.space);
+    let mut walkers: Vec<Walker> = shapes.iter().map(start).collect();
     let mut moving: Vec<usize> = (0..walkers.len()).collect();
     let mut tried = shapes.to_vec();
     let mut goals = truths.to_vec();
@@ -134,13 +150,13 @@ pub fn refine(
             break;
         }
         let started = Instant::now();
-        let (ious, slopes, _) = backend.aligned_grad::<IouObb2>(&tried, &goals)?;
+        let (scores, slopes) = scorer.scores(backend, &tried, &goals)?;
         cost.time += started.elapsed();
         cost.gradients += moving.len();
         for (i, &walker) in moving.iter().enumerate() {
-            walkers[walker].learn(tried[i], ious[i], slopes[i]);
+            walkers[walker].learn(tried[i], scores[i], slopes[i]);
         }
-        moving.retain(|&walker| !walkers[walker].is_done());
+        moving.retain(|&walker| !walkers[walker].is_done(goal.loss.close()));
         tried.clear();
         tried.extend(moving.iter().map(|&walker| walkers[walker].next()));
         goals.clear();

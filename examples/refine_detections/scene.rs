@@ -1,6 +1,8 @@
 //! A street of the program's own making, the same for the same seed.
 use crate::model::{Class, Frame, Frames, Seen};
-use geograd::{Obb2, Pose2, Vec2};
+use crate::random::Draw;
+use geograd::shape::YawBox3;
+use geograd::{Obb2, Pose2, Vec2, Vec3};
 use std::f32::consts::{FRAC_PI_2, PI};
 
 /// Seconds between frames, and how fast the camera drives, in metres a second.
@@ -10,6 +12,9 @@ const SPEED: f32 = 6.0;
 /// How far the camera sees, in metres.
 const NEAR: f32 = 3.0;
 const FAR: f32 = 50.0;
+
+/// How high the camera is above the street, in metres.
+const CAMERA: f32 = 1.65;
 
 /// Objects in a row along the street, evenly spaced but for a jitter, all going the same way.
 struct Lane {
@@ -93,23 +98,26 @@ fn frame(seed: u64, number: u32) -> Frame {
             if !(NEAR..FAR).contains(&center.y) {
                 continue;
             }
+            let ground = Obb2::new(
+                center.x,
+                center.y,
+                length * (1.0 + 0.07 * draw.normal().clamp(-2.0, 2.0)),
+                width * (1.0 + 0.05 * draw.normal().clamp(-2.0, 2.0)),
+                direction + turned + swerve * draw.normal() - world_from_camera.rotation.angle(),
+            );
+            let mut draw = Draw::new(&[seed, HEIGHTS + k as u64, place as u64]);
             frame.truths.push(Seen {
                 class: lane.class,
                 score: 1.0,
-                shape: Obb2::new(
-                    center.x,
-                    center.y,
-                    length * (1.0 + 0.07 * draw.normal().clamp(-2.0, 2.0)),
-                    width * (1.0 + 0.05 * draw.normal().clamp(-2.0, 2.0)),
-                    direction + turned + swerve * draw.normal()
-                        - world_from_camera.rotation.angle(),
-                ),
+                shape: standing(ground, lane.class, along, &mut draw),
             });
         }
     }
     let mut draw = Draw::new(&[seed, LANES.len() as u64, u64::from(number)]);
+    // Heights have numbers of their own, so that the view from above does not depend on them.
+    let mut up = Draw::new(&[seed, 2 * HEIGHTS, u64::from(number)]);
     for truth in &frame.truths {
-        frame.detections.extend(detect(truth, &mut draw));
+        frame.detections.extend(detect(truth, &mut draw, &mut up));
     }
     while draw.uniform() < 0.6 {
         let (length, width) = (3.9 + 0.3 * draw.normal(), 1.6 + 0.1 * draw.normal());
@@ -123,19 +131,42 @@ fn frame(seed: u64, number: u32) -> Frame {
         frame.detections.push(Seen {
             class: Class::Car,
             score: 0.4 * draw.uniform(),
-            shape: ghost,
+            shape: standing(ghost, Class::Car, 0.0, &mut up),
         });
     }
     frame
 }
 
+/// Keys from here on are those of heights.
+const HEIGHTS: u64 = 1000;
+
+/// A box of a class's height on the street, which goes up and down a little.
+fn standing(ground: Obb2<f32>, class: Class, along: f32, draw: &mut Draw) -> YawBox3<f32> {
+    let height = match class {
+        Class::Car => 1.5,
+        Class::Cyclist => 1.72,
+        Class::Pedestrian | Class::Other => 1.74,
+    };
+    let height = height * (1.0 + 0.05 * draw.normal().clamp(-2.0, 2.0));
+    let street = 0.25 * (along / 17.0).sin() - CAMERA;
+    upright(ground, street + 0.5 * height, height)
+}
+
+fn upright(ground: Obb2<f32>, z: f32, height: f32) -> YawBox3<f32> {
+    YawBox3::new(
+        Vec3::new(ground.center.x, ground.center.y, z),
+        Vec3::new(ground.size.x, ground.size.y, height),
+        ground.heading,
+    )
+}
+
 /// What a middling detector makes of an object: mostly near, sometimes far off, sometimes nothing.
-fn detect(truth: &Seen, draw: &mut Draw) -> Option<Seen> {
+fn detect(truth: &Seen, draw: &mut Draw, up: &mut Draw) -> Option<Seen> {
     let Obb2 {
         center,
         size,
         heading,
-    } = truth.shape;
+    } = truth.ground();
     let far = center.length() / FAR;
     let seen = draw.uniform() > 0.03 + 0.10 * far;
     // One in ten is off by much; one in twenty looks the wrong way, which is the same box.
@@ -155,41 +186,12 @@ fn detect(truth: &Seen, draw: &mut Draw) -> Option<Seen> {
         heading: heading + turned + 0.12 * spread * draw.normal(),
     };
     let score = (1.0 - 0.25 * spread + 0.08 * draw.normal()).clamp(0.05, 0.99);
+    let YawBox3 { center, size, .. } = truth.shape;
+    let z = center.z + 0.07 * spread * size.z * up.normal();
+    let height = size.z * (0.05 * spread.min(1.5) * up.normal()).exp();
     seen.then_some(Seen {
         class: truth.class,
         score,
-        shape,
+        shape: upright(shape, z, height),
     })
-}
-
-/// Random numbers that depend on nothing but a key (SplitMix64, Steele and others 2014).
-struct Draw(u64);
-
-impl Draw {
-    fn new(key: &[u64]) -> Self {
-        let mut draw = Draw(0);
-        for &part in key {
-            draw.0 ^= part;
-            draw.0 = draw.next();
-        }
-        draw
-    }
-
-    fn next(&mut self) -> u64 {
-        self.0 = self.0.wrapping_add(0x9e37_79b9_7f4a_7c15);
-        let z = (self.0 ^ (self.0 >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
-        let z = (z ^ (z >> 27)).wrapping_mul(0x94d0_49bb_1331_11eb);
-        z ^ (z >> 31)
-    }
-
-    /// From 0 to below 1.
-    fn uniform(&mut self) -> f32 {
-        (self.next() >> 40) as f32 / (1 << 24) as f32
-    }
-
-    /// Mean 0, spread 1 (Box and Muller 1958).
-    fn normal(&mut self) -> f32 {
-        let radius = (-2.0 * (1.0 - self.uniform()).ln()).sqrt();
-        radius * (2.0 * PI * self.uniform()).cos()
-    }
 }

@@ -4,7 +4,10 @@ use std::process::{Command, Output};
 
 #[path = "../../examples/refine_detections/assign.rs"]
 mod assign;
+mod calibrate;
 mod custom_shape;
+mod iou_csv;
+mod refine_detections;
 
 /// The program of an example. `cargo test` of the whole workspace builds it before it runs a test; a
 /// test builds nothing.
@@ -213,6 +216,41 @@ fn wrong_command_lines() {
             "iou_csv",
             "--a a.csv --b b.csv --precision f64 --backend gpu",
         ),
+        ("iou_csv", "--a a.csv --b b.csv --metric overlap"),
+        ("iou_csv", "--a a.csv --b b.csv --metric"),
+        ("iou_csv", "--a a.csv --b b.csv --format boxes"),
+        (
+            "iou_csv",
+            "--a a.csv --b b.csv --format polygons --metric ciou",
+        ),
+        ("iou_csv", "--a a.csv --b b.csv --enclosing aabb"),
+        (
+            "iou_csv",
+            "--a a.csv --b b.csv --metric giou --enclosing tent",
+        ),
+        (
+            "iou_csv",
+            "--a a.csv --b b.csv --metric giou --enclosing hull --format obb3",
+        ),
+        (
+            "iou_csv",
+            "--a a.csv --b b.csv --metric giou --enclosing rect --format polygons",
+        ),
+        (
+            "iou_csv",
+            "--a a.csv --b b.csv --precision f32 --backend gpu --metric giou",
+        ),
+        (
+            "iou_csv",
+            "--a a.csv --b b.csv --precision f32 --backend gpu --format yaw3",
+        ),
+        ("refine_detections", "--loss overlap"),
+        ("refine_detections", "--space 4d"),
+        ("refine_detections", "--nms 1.5"),
+        ("refine_detections", "--nms nan"),
+        ("refine_detections", "--csv a --svg a"),
+        ("refine_detections", "--backend gpu --loss giou"),
+        ("refine_detections", "--backend gpu --space 3d"),
         ("refine_detections", "--backend abacus"),
         ("refine_detections", "--frobnicate"),
         ("refine_detections", "--frames many"),
@@ -229,7 +267,7 @@ fn wrong_command_lines() {
         assert_eq!(status(&done), 2, "{name} {arguments}");
         assert!(stderr(&done).starts_with(name), "{}", stderr(&done));
     }
-    for name in ["iou_csv", "refine_detections", "custom_shape"] {
+    for name in ["iou_csv", "refine_detections", "custom_shape", "calibrate"] {
         let done = run(name, &at, "--help");
         assert_eq!(status(&done), 0);
         assert!(stdout(&done).contains("Usage"));

@@ -1,0 +1,112 @@
+//! What is computed of a pair, and of what: the words of the command line.
+use crate::cli::Failure;
+
+/// What is computed of a pair of shapes.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Metric {
+    Iou,
+    Iof,
+    /// With that around a pair.
+    Giou(Enclosing),
+    Diou,
+    DiouBox,
+    Ciou,
+}
+
+impl Metric {
+    const ALL: [Metric; 6] = [
+        Metric::Iou,
+        Metric::Iof,
+        Metric::Giou(Enclosing::Hull),
+        Metric::Diou,
+        Metric::DiouBox,
+        Metric::Ciou,
+    ];
+
+    /// The word on the command line, and the name of the column.
+    pub fn name(self) -> &'static str {
+        match self {
+            Metric::Iou => "iou",
+            Metric::Iof => "iof",
+            Metric::Giou(_) => "giou",
+            Metric::Diou => "diou",
+            Metric::DiouBox => "diou-box",
+            Metric::Ciou => "ciou",
+        }
+    }
+
+    pub fn from_name(name: &str) -> Result<Self, Failure> {
+        let found = Self::ALL.into_iter().find(|metric| metric.name() == name);
+        found.ok_or_else(|| {
+            let known = Self::ALL.map(Metric::name).join(", ");
+            Failure::Usage(format!("`--metric {name}`: it is one of {known}"))
+        })
+    }
+
+    /// Whether GPUs compute it.
+    pub fn is_on_gpus(self) -> bool {
+        matches!(self, Metric::Iou | Metric::Iof)
+    }
+}
+
+/// What GIoU puts around a pair.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Enclosing {
+    /// The axis-aligned box.
+    Aabb,
+    /// A box that turns with the pair.
+    Rect,
+    /// The convex hull; of upright boxes that of their grounds, times the height of both.
+    Hull,
+}
+
+impl Enclosing {
+    pub fn from_name(name: &str) -> Result<Self, Failure> {
+        match name {
+            "aabb" => Ok(Enclosing::Aabb),
+            "rect" => Ok(Enclosing::Rect),
+            "hull" => Ok(Enclosing::Hull),
+            other => Err(Failure::Usage(format!(
+                "`--enclosing {other}`: it is aabb, rect or hull"
+            ))),
+        }
+    }
+}
+
+/// What a row of a file is.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Format {
+    Obb2,
+    Polygons,
+    Yaw3,
+    Obb3,
+}
+
+impl Format {
+    const ALL: [Format; 4] = [Format::Obb2, Format::Polygons, Format::Yaw3, Format::Obb3];
+
+    pub fn name(self) -> &'static str {
+        match self {
+            Format::Obb2 => "obb2",
+            Format::Polygons => "polygons",
+            Format::Yaw3 => "yaw3",
+            Format::Obb3 => "obb3",
+        }
+    }
+
+    pub fn from_name(name: &str) -> Result<Self, Failure> {
+        let found = Self::ALL.into_iter().find(|format| format.name() == name);
+        found.ok_or_else(|| {
+            let known = Self::ALL.map(Format::name).join(", ");
+            Failure::Usage(format!("`--format {name}`: it is one of {known}"))
+        })
+    }
+
+    /// The tightest shape that there is around a pair.
+    pub fn enclosing(self) -> Enclosing {
+        match self {
+            Format::Obb3 => Enclosing::Rect,
+            _ => Enclosing::Hull,
+        }
+    }
+}

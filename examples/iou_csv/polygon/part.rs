@@ -1,0 +1,229 @@
+//! What scores of two simple polygons are made of: lengths and areas, with their slopes by all vertices.
+//!
+//! The area of intersection of a polygon and a triangle is the library's
+//! ([`area_inside`](geograd::overlap_polygon::area_inside), with its adjoint). A polygon that is not
+//! convex is the sum, with signs, of the triangles over its edges from any one place.
+use super::Polygon;
+use crate::number::Number;
+use geograd::ad::adjoint::overlap_polygon::area_inside_vjp;
+use geograd::ad::adjoint::ring::signed_area_vjp;
+use geograd::hull::hull_area_decided;
+use geograd::measure::extent::diameter_decided;
+use geograd::overlap_polygon::area_inside;
+use geograd::{ConvexPolygon, Vec2};
+
+/// Slopes by the vertices of two polygons, in the order of their vertices.
+#[derive(Clone, Debug)]
+pub struct Slopes<T> {
+    pub a: Vec<Vec2<T>>,
+    pub b: Vec<Vec2<T>>,
+}
+
+impl<T: Number> Slopes<T> {
+    /// None yet.
+    pub fn new(a: &Polygon<T>, b: &Polygon<T>) -> Self {
+        Slopes {
+            a: vec![Vec2::zero(); a.count()],
+            b: vec![Vec2::zero(); b.count()],
+        }
+    }
+
+    /// Adds those of something times a factor.
+    pub fn add(&mut self, other: &Self, factor: T) {
+        for (own, other) in [(&mut self.a, &other.a), (&mut self.b, &other.b)] {
+            for (own, other) in own.iter_mut().zip(other) {
+                *own += *other * factor;
+            }
+        }
+    }
+
+    /// Of both lists one after another.
+    fn at(&mut self, k: usize) -> &mut Vec2<T> {
+        match k.checked_sub(self.a.len()) {
+            None => &mut self.a[k],
+            Some(k) => &mut self.b[k],
+        }
+    }
+}
+
+/// A number made of two polygons, and its slopes by their vertices.
+pub struct Part<T> {
+    pub value: T,
+    pub slopes: Slopes<T>,
+}
+
+/// The slopes of `factors[0] A + factors[1] B` with the polygons' own areas A and B.
+pub fn own_areas<T: Number>(a: &Polygon<T>, b: &Polygon<T>, factors: [T; 2]) -> Slopes<T> {
+    let mut slopes = Slopes::new(a, b);
+    signed_area_vjp(&a.vertices, factors[0], &mut slopes.a);
+    signed_area_vjp(&b.vertices, factors[1], &mut slopes.b);
+    slopes
+}
+
+/// The area that both share.
+pub fn intersection<T: Number>(a: &Polygon<T>, b: &Polygon<T>, grad: bool) -> Part<T> {
+    let mut slopes = Slopes::new(a, b);
+    let zero = T::zero();
+    let (p, q) = (a.bounds, b.bounds);
+    if p.max.x <= q.min.x || q.max.x <= p.min.x || p.max.y <= q.min.y || q.max.y <= p.min.y {
+        return Part {
+            value: zero,
+            slopes,
+        };
+    }
+    let apex = apex(b);
+    let n = b.count();
+    let mut sum = zero;
+    for k in 0..n {
+        let (start, end) = (b.vertices[k], b.vertices[(k + 1) % n]);
+        let clockwise = (start - apex).perp_dot(end - apex) < zero;
+        let (sign, vertices) = match clockwise {
+            true => (-T::one(), [apex, end, start]),
+            false => (T::one(), [apex, start, end]),
+        };
+        let triangle = ConvexPolygon { vertices, count: 3 };
+        sum += sign * area_inside(&[&a.vertices], &triangle);
+        if grad {
+            let mut of_ring = vec![Vec2::zero(); a.count()];
+            let rings = &mut [&mut of_ring[..]];
+            let by = area_inside_vjp(&[&a.vertices], &triangle, sign, rings).vertices;
+            for (slope, by) in slopes.a.iter_mut().zip(of_ring) {
+                *slope += by;
+            }
+            let [start, end] = if clockwise {
+                [by[2], by[1]]
+            } else {
+                [by[1], by[2]]
+            };
+            slopes.b[k] += start;
+            slopes.b[(k + 1) % n] += end;
+        }
+    }
+    // Triangles add up to the area with a rounding of their own sizes: polygons that merely touch share
+    // nothing.
+    let (p, q) = (p.size(), q.size());
+    let rounding = T::lit(16.0 * T::EPSILON) * (p.x * p.y).least(q.x * q.y);
+    if sum <= rounding {
+        return Part {
+            value: zero,
+            slopes: Slopes::new(a, b),
+        };
+    }
+    Part {
+        value: sum.least(a.area).least(b.area),
+        slopes,
+    }
+}
+
+/// A place near a polygon that is in line with none of its edges, as far as can be: triangles from there
+/// are all proper ones. Its own slopes add up to nothing.
+fn apex<T: Number>(polygon: &Polygon<T>) -> Vec2<T> {
+    let n = polygon.count();
+    let size = polygon.bounds.size();
+    let clearance = |at: &Vec2<T>| {
+        let mut least = T::lit(T::LARGEST);
+        for k in 0..n {
+            let (start, end) = (polygon.vertices[k], polygon.vertices[(k + 1) % n]);
+            if start != end {
+                least = least.least((start - *at).perp_dot(end - *at).magnitude());
+            }
+        }
+        least
+    };
+    // Fractions that coordinates in a raster do not have.
+    let shares = [
+        (0.463_647, 0.540_302),
+        (0.618_033, 0.381_966),
+        (0.324_717, 0.657_298),
+    ];
+    let places =
+        shares.map(|(x, y)| polygon.bounds.min + Vec2::new(size.x * T::lit(x), size.y * T::lit(y)));
+    let mut best = places[0];
+    for at in &places[1..] {
+        if clearance(at) > clearance(&best) {
+            best = *at;
+        }
+    }
+    best
+}
+
+/// The vertices of both.
+fn joint<T: Number>(a: &Polygon<T>, b: &Polygon<T>) -> Vec<Vec2<T>> {
+    [&a.vertices[..], &b.vertices[..]].concat()
+}
+
+/// The area of the convex hull of both. Vertices at one place share its slope.
+pub fn hull<T: Number>(a: &Polygon<T>, b: &Polygon<T>) -> Part<T> {
+    let points = joint(a, b);
+    let (value, record) = hull_area_decided(&points);
+    let mut slopes = Slopes::new(a, b);
+    let ring: Vec<_> = record.iter().map(|&k| points[k]).collect();
+    let mut by = vec![Vec2::zero(); ring.len()];
+    signed_area_vjp(&ring, T::one(), &mut by);
+    for (&at, by) in ring.iter().zip(by) {
+        spread(&points, |p| p == at, by, &mut slopes);
+    }
+    Part { value, slopes }
+}
+
+/// Gives all points of some kind an equal share of a slope.
+fn spread<T: Number>(
+    points: &[Vec2<T>],
+    is_one: impl Fn(Vec2<T>) -> bool,
+    slope: Vec2<T>,
+    slopes: &mut Slopes<T>,
+) {
+    let all: Vec<usize> = (0..points.len()).filter(|&k| is_one(points[k])).collect();
+    let share = slope * (T::one() / T::lit(all.len().max(1) as f64));
+    for k in all {
+        *slopes.at(k) += share;
+    }
+}
+
+/// The largest distance of two vertices.
+pub fn diameter<T: Number>(a: &Polygon<T>, b: &Polygon<T>) -> Part<T> {
+    let points = joint(a, b);
+    let mut slopes = Slopes::new(a, b);
+    let Some((value, farthest)) = diameter_decided(&points) else {
+        return Part {
+            value: T::zero(),
+            slopes,
+        };
+    };
+    let way = (points[farthest.to] - points[farthest.from]).normalize_or_zero();
+    let (from, to) = (points[farthest.from], points[farthest.to]);
+    spread(&points, |p| p == to, way, &mut slopes);
+    spread(&points, |p| p == from, -way, &mut slopes);
+    Part { value, slopes }
+}
+
+/// The diagonal of the axis-aligned box around both.
+pub fn diagonal<T: Number>(a: &Polygon<T>, b: &Polygon<T>) -> Part<T> {
+    let size = a.bounds.join(b.bounds).size();
+    Part {
+        value: size.length(),
+        slopes: by_bounds(a, b, size.normalize_or_zero()),
+    }
+}
+
+/// The area of that box.
+pub fn bounding_area<T: Number>(a: &Polygon<T>, b: &Polygon<T>) -> Part<T> {
+    let size = a.bounds.join(b.bounds).size();
+    Part {
+        value: size.x * size.y,
+        slopes: by_bounds(a, b, Vec2::new(size.y, size.x)),
+    }
+}
+
+/// The slopes of a function of the size of that box. Vertices that reach equally far share the slope.
+fn by_bounds<T: Number>(a: &Polygon<T>, b: &Polygon<T>, by: Vec2<T>) -> Slopes<T> {
+    let points = joint(a, b);
+    let bounds = a.bounds.join(b.bounds);
+    let mut slopes = Slopes::new(a, b);
+    let (x, y) = (Vec2::new(by.x, T::zero()), Vec2::new(T::zero(), by.y));
+    spread(&points, |p| p.x == bounds.max.x, x, &mut slopes);
+    spread(&points, |p| p.x == bounds.min.x, -x, &mut slopes);
+    spread(&points, |p| p.y == bounds.max.y, y, &mut slopes);
+    spread(&points, |p| p.y == bounds.min.y, -y, &mut slopes);
+    slopes
+}

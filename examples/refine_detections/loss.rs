@@ -1,0 +1,111 @@
+//! What boxes are moved by: a score of a box and its truth, 1 where both are the same. Losses are one minus
+//! these.
+use crate::cli::Failure;
+
+/// Where boxes overlap.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Space {
+    /// Seen from above.
+    #[default]
+    BirdsEye,
+    /// With their heights.
+    Full,
+}
+
+impl Space {
+    pub fn from_name(name: &str) -> Result<Self, Failure> {
+        match name {
+            "bev" => Ok(Space::BirdsEye),
+            "3d" => Ok(Space::Full),
+            other => Err(Failure::Usage(format!(
+                "`--space {other}`: it is bev or 3d"
+            ))),
+        }
+    }
+}
+
+/// What a box is moved by.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Loss {
+    #[default]
+    Iou,
+    Giou,
+    Diou,
+    Ciou,
+    /// Wasserstein's distance of Gaussians.
+    Gwd,
+    /// Their Kullback-Leibler divergence.
+    Kld,
+    /// Their overlap as a Kalman filter fuses them, and the distance of their centres.
+    Kfiou,
+    /// One minus their Hellinger distance.
+    Probiou,
+    /// IoU, or for boxes apart how far.
+    Separation,
+}
+
+impl Loss {
+    const ALL: [(&str, Loss); 9] = [
+        ("iou", Loss::Iou),
+        ("giou", Loss::Giou),
+        ("diou", Loss::Diou),
+        ("ciou", Loss::Ciou),
+        ("gwd", Loss::Gwd),
+        ("kld", Loss::Kld),
+        ("kfiou", Loss::Kfiou),
+        ("probiou", Loss::Probiou),
+        ("separation", Loss::Separation),
+    ];
+
+    pub fn from_name(name: &str) -> Result<Self, Failure> {
+        let found = Self::ALL.into_iter().find(|(known, _)| *known == name);
+        found.map(|(_, loss)| loss).ok_or_else(|| {
+            let known = Self::ALL.map(|(name, _)| name).join(", ");
+            Failure::Usage(format!("`--loss {name}`: it is one of {known}"))
+        })
+    }
+
+    /// The score as it is written.
+    pub fn title(self) -> &'static str {
+        match self {
+            Loss::Iou => "IoU",
+            Loss::Giou => "GIoU",
+            Loss::Diou => "DIoU",
+            Loss::Ciou => "CIoU",
+            Loss::Gwd => "GWD",
+            Loss::Kld => "KLD",
+            Loss::Kfiou => "KFIoU",
+            Loss::Probiou => "ProbIoU",
+            Loss::Separation => "separation-aware overlap",
+        }
+    }
+
+    /// A pair is left alone when its score is this near to one. Those that are flat there come nearer.
+    pub fn close(self) -> f32 {
+        match self {
+            Loss::Kld | Loss::Kfiou => 1.0 - 2e-6,
+            _ => 0.9995,
+        }
+    }
+
+    /// Whether it takes the overlap of both boxes.
+    pub fn needs_iou(self, space: Space) -> bool {
+        match self {
+            Loss::Iou | Loss::Giou | Loss::Separation => true,
+            Loss::Diou | Loss::Ciou => space == Space::Full,
+            Loss::Gwd | Loss::Kld | Loss::Kfiou | Loss::Probiou => false,
+        }
+    }
+
+    /// Whether it has slopes for boxes that do not overlap.
+    pub fn reaches(self) -> bool {
+        self != Loss::Iou
+    }
+}
+
+/// The loss and where it is taken.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct Goal {
+    pub loss: Loss,
+    pub space: Space,
+}

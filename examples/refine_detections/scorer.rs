@@ -1,0 +1,231 @@
+//! The scores that boxes are moved by, of many pairs at once.
+//!
+//! Overlaps and their slopes are the library's operations. All else is recorded as a program of both boxes
+//! and their overlap, which makes batches of it as fast; what a score adds to the overlap is recorded by
+//! itself (`known.rs`).
+use crate::known::known;
+use crate::loss::{Goal, Loss, Space};
+use geograd::gaussian::{self, solid};
+use geograd::iou::{ciou_obb2, diou_obb2, hull_area_obb2};
+use geograd::iou3::{Enclosing, ciou, diou, giou, separation_aware};
+use geograd::kernels::{Backend, Cpu, IouObb2, IouYaw, Op};
+use geograd::shape::{Obb3, YawBox3};
+use geograd::{Error, Obb2, Program, Rotation2, Scalar, Sym, Vec2, Vec3};
+
+/// Sizes of truths count as no smaller than a millimetre.
+const THIN: f64 = 1e-3;
+
+/// `1 − ln(1 + c)` with the squared distance of the centres in units of half the truth's size.
+fn nearness<S: Scalar>(by: [S; 3], size: [S; 3]) -> S {
+    let mut sum = S::one();
+    for (by, size) in by.into_iter().zip(size) {
+        let share = (by + by).over(size.most(S::lit(THIN)));
+        sum += share.squared();
+    }
+    S::one() - sum.ln()
+}
+
+/// `1 / (1 + ln(1 + d))` of a distance d, one minus the loss of its papers.
+fn saturated<S: Scalar>(d: S) -> S {
+    S::one() - gaussian::saturating_loss(d, S::one())
+}
+
+/// GIoU with the convex hull, from the IoU.
+fn giou_of_ground<S: Scalar>(a: Obb2<S>, b: Obb2<S>, iou: S) -> S {
+    let area = |x: Obb2<S>| x.size.x * x.size.y;
+    let union = (area(a) + area(b)).over(S::one() + iou);
+    let hull = hull_area_obb2(a, b);
+    let point = hull.at_most(S::zero());
+    let share = union.over(S::select(point, S::one(), hull));
+    S::select(point, iou, iou - (S::one() - share).most(S::zero()))
+}
+
+/// The overlap of shapes, less how far the centres are apart, which it does not see. It is in units of its
+/// largest value.
+fn kfiou<S: Scalar>(shapes: S, most: f64, a: YawBox3<S>, b: YawBox3<S>) -> S {
+    let way = a.center - b.center;
+    let by = Rotation2::from_angle(b.heading).inverse() * Vec2::new(way.x, way.y);
+    let near = nearness([by.x, by.y, way.z], [b.size.x, b.size.y, b.size.z]);
+    shapes * S::lit(1.0 / most) + near - S::one()
+}
+
+/// A box without height on the plane of the camera: whether two are apart their grounds alone say.
+fn flat<S: Scalar>(shape: YawBox3<S>) -> YawBox3<S> {
+    let zero = S::zero();
+    let (center, size) = (shape.center, shape.size);
+    YawBox3::new(
+        Vec3::new(center.x, center.y, zero),
+        Vec3::new(size.x, size.y, zero),
+        shape.heading,
+    )
+}
+
+/// Two boxes and their overlap.
+type Pair = (YawBox3<f32>, YawBox3<f32>, f32);
+type Recorded = (YawBox3<Sym<f32>>, YawBox3<Sym<f32>>, Sym<f32>);
+
+impl Goal {
+    /// The score as a program; that of IoU is IoU.
+    fn program(self) -> Result<Program<Pair, f32>, Error> {
+        match self.space {
+            Space::BirdsEye => on_ground(self.loss),
+            Space::Full => in_space(self.loss),
+        }
+    }
+}
+
+fn on_ground(loss: Loss) -> Result<Program<Pair, f32>, Error> {
+    let ground = |(a, b, iou): Recorded| (a.birds_eye(), b.birds_eye(), iou);
+    match loss {
+        Loss::Iou => Program::trace(|(_, _, iou): Recorded| iou),
+        Loss::Giou => Program::trace(|x| {
+            let (a, b, iou) = ground(x);
+            giou_of_ground(a, b, iou)
+        }),
+        Loss::Diou => Program::trace(|x| {
+            let (a, b, _) = ground(x);
+            diou_obb2(a, b)
+        }),
+        Loss::Ciou => Program::trace(|x| {
+            let (a, b, _) = ground(x);
+            ciou_obb2(a, b)
+        }),
+        Loss::Gwd => Program::trace(|x| {
+            let (a, b, _) = ground(x);
+            saturated(gaussian::wasserstein(a, b))
+        }),
+        Loss::Kld => Program::trace(|x| {
+            let (a, b, _) = ground(x);
+            saturated(gaussian::kullback_leibler(a, b))
+        }),
+        Loss::Kfiou => Program::trace(|(a, b, _): Recorded| {
+            let shapes = gaussian::kfiou(a.birds_eye(), b.birds_eye());
+            kfiou(shapes, 1.0 / 3.0, flat(a), flat(b))
+        }),
+        Loss::Probiou => Program::trace(|x| {
+            let (a, b, _) = ground(x);
+            gaussian::probiou(a, b)
+        }),
+        Loss::Separation => Program::trace(|(a, b, iou): Recorded| {
+            let [a, b] = known(flat(a), flat(b), iou);
+            separation_aware(a, b)
+        }),
+    }
+}
+
+/// Around a pair is the smallest upright box.
+fn in_space(loss: Loss) -> Result<Program<Pair, f32>, Error> {
+    let around = Enclosing::Rectangle;
+    match loss {
+        Loss::Iou => Program::trace(|(_, _, iou): Recorded| iou),
+        Loss::Giou => Program::trace(|(a, b, iou): Recorded| {
+            let [a, b] = known(a, b, iou);
+            giou(a, b, around)
+        }),
+        Loss::Diou => Program::trace(|(a, b, iou): Recorded| {
+            let [a, b] = known(a, b, iou);
+            diou(a, b, around)
+        }),
+        Loss::Ciou => Program::trace(|(a, b, iou): Recorded| {
+            let [a, b] = known(a, b, iou);
+            ciou(a, b, around)
+        }),
+        Loss::Gwd => Program::trace(|(a, b, _): Recorded| {
+            // Upright boxes: heights have a term of their own, with deviations of half the size.
+            let ground = gaussian::wasserstein_squared(a.birds_eye(), b.birds_eye());
+            let up = (a.center.z - b.center.z).squared();
+            let heights = (a.size.z - b.size.z).halved().squared();
+            saturated((ground + up + heights).root())
+        }),
+        Loss::Kld => Program::trace(|(a, b, _): Recorded| {
+            saturated(solid::kullback_leibler(Obb3::from(a), Obb3::from(b)))
+        }),
+        Loss::Kfiou => Program::trace(|(a, b, _): Recorded| {
+            let shapes = solid::kfiou(Obb3::from(a), Obb3::from(b));
+            kfiou(shapes, 1.0 / (2.0 * 8.0_f64.sqrt() - 1.0), a, b)
+        }),
+        Loss::Probiou => {
+            Program::trace(|(a, b, _): Recorded| solid::probiou(Obb3::from(a), Obb3::from(b)))
+        }
+        Loss::Separation => Program::trace(|(a, b, iou): Recorded| {
+            let [a, b] = known(a, b, iou);
+            separation_aware(a, b)
+        }),
+    }
+}
+
+/// What computes the scores of many pairs.
+#[derive(Debug)]
+pub struct Scorer {
+    goal: Goal,
+    /// The score with its slopes; `None` where it is the overlap.
+    program: Option<Program<Pair, (f32, Pair)>>,
+}
+
+impl Scorer {
+    pub fn new(goal: Goal) -> Result<Self, Error> {
+        let program = match goal.loss {
+            Loss::Iou => None,
+            _ => Some(goal.program()?.value_grad()),
+        };
+        Ok(Scorer { goal, program })
+    }
+
+    /// The scores of boxes with their truths, and their slopes with respect to the boxes, in one batch.
+    pub fn scores(
+        &self,
+        backend: Backend<'_>,
+        boxes: &[YawBox3<f32>],
+        truths: &[YawBox3<f32>],
+    ) -> Result<Scores, Error> {
+        let (ious, by_iou) = match self.goal.loss.needs_iou(self.goal.space) {
+            true => self.overlaps(backend, boxes, truths)?,
+            false => (vec![0.0; boxes.len()], Vec::new()),
+        };
+        let Some(program) = &self.program else {
+            return Ok((ious, by_iou));
+        };
+        let columns = (boxes, truths, &ious);
+        let (scores, (mut slopes, _, along)) = Cpu::new().aligned(program, columns)?;
+        for ((by, along), iou) in slopes.iter_mut().zip(along).zip(by_iou) {
+            by.center += iou.center * along;
+            by.size += iou.size * along;
+            by.heading += iou.heading * along;
+        }
+        Ok((scores, slopes))
+    }
+
+    /// Overlaps, and their slopes with respect to the boxes.
+    fn overlaps(
+        &self,
+        backend: Backend<'_>,
+        boxes: &[YawBox3<f32>],
+        truths: &[YawBox3<f32>],
+    ) -> Result<Scores, Error> {
+        match self.goal.space {
+            Space::BirdsEye => {
+                let ground = |all: &[YawBox3<f32>]| -> Vec<_> {
+                    all.iter().map(|shape| shape.birds_eye()).collect()
+                };
+                let (boxes, truths) = (ground(boxes), ground(truths));
+                let (ious, slopes, _) = backend.aligned_grad::<IouObb2>(&boxes, &truths)?;
+                let raised = slopes.into_iter().map(|by| {
+                    YawBox3::new(
+                        Vec3::new(by.center.x, by.center.y, 0.0),
+                        Vec3::new(by.size.x, by.size.y, 0.0),
+                        by.heading,
+                    )
+                });
+                Ok((ious, raised.collect()))
+            }
+            Space::Full => {
+                let columns = (boxes, truths);
+                let (ious, (slopes, _)) = Cpu::new().aligned(IouYaw.value_grad(), columns)?;
+                Ok((ious, slopes))
+            }
+        }
+    }
+}
+
+/// Scores, and their slopes with respect to the boxes that move.
+type Scores = (Vec<f32>, Vec<YawBox3<f32>>);

@@ -1,0 +1,43 @@
+//! Detections that overlap a better one of their class are left out before anything else.
+use crate::loss::Space;
+use crate::model::{Frames, Seen};
+use geograd::Error;
+use geograd::kernels::{Cpu, IouObb2, IouYaw};
+use geograd::suppression::{Pair, Rules, hard};
+
+/// Leaves out detections that overlap a better one of their class by more than the threshold. Gives their
+/// number.
+pub fn suppress(frames: &mut Frames, space: Space, threshold: f32) -> Result<usize, Error> {
+    let mut gone = 0;
+    for frame in frames.values_mut() {
+        let all = &frame.detections;
+        let scores: Vec<f32> = all.iter().map(|seen| seen.score).collect();
+        let classes: Vec<u32> = all.iter().map(|seen| seen.class as u32).collect();
+        let rules = Rules {
+            classes: Some(&classes),
+            ..Rules::above(threshold)
+        };
+        let kept = hard(&scores, &overlaps(all, space, threshold)?, rules)?;
+        gone += all.len() - kept.len();
+        let mut stays = vec![false; all.len()];
+        kept.into_iter().for_each(|i| stays[i] = true);
+        let mut stays = stays.into_iter();
+        frame.detections.retain(|_| stays.next() == Some(true));
+    }
+    Ok(gone)
+}
+
+/// The pairs that overlap by more than a threshold.
+fn overlaps(all: &[Seen], space: Space, threshold: f32) -> Result<Vec<Pair<f32>>, Error> {
+    let cpu = Cpu::new();
+    match space {
+        Space::BirdsEye => {
+            let grounds: Vec<_> = all.iter().map(Seen::ground).collect();
+            cpu.overlaps(IouObb2, &grounds, threshold)
+        }
+        Space::Full => {
+            let shapes: Vec<_> = all.iter().map(|seen| seen.shape).collect();
+            cpu.overlaps(IouYaw, &shapes, threshold)
+        }
+    }
+}
