@@ -87,7 +87,12 @@ pub fn overlay_vjp<'a, S: Scalar>(
     }
 }
 
-fn pull<S: Scalar>(inputs: [Rings<'_, S>; 2], origin: Origin, bar: Vec2<S>, bars: &mut Bars<'_, S>) {
+fn pull<S: Scalar>(
+    inputs: [Rings<'_, S>; 2],
+    origin: Origin,
+    bar: Vec2<S>,
+    bars: &mut Bars<'_, S>,
+) {
     match origin {
         Origin::Vertex(id) => bars.add(id.owner as usize, id.ring, id.vertex, bar),
         Origin::Cross(first, second) => {

@@ -156,18 +156,27 @@ pub fn iou_vjp<'a, S: Scalar<Mask = bool>>(
     a_bar: &mut [Vec2<S>],
     b_bar: &mut [Vec2<S>],
 ) -> S {
-    pulled(a.into(), b.into(), (a_bar, b_bar), |pair, [inter, area_a, area_b]| {
-        let value = ratio_of_union(inter, area_a, area_b);
-        let union = area_a + area_b - inter;
-        let flat = pair.same || union.at_most(S::lit(S::EMPTY));
-        let per = S::select(flat, S::zero(), out_bar.over(S::select(flat, S::one(), union)));
-        let own = -(value * per);
-        Score {
-            value: value.canonical(),
-            partials: [per + value * per, own, own],
-            power: 0,
-        }
-    })
+    pulled(
+        a.into(),
+        b.into(),
+        (a_bar, b_bar),
+        |pair, [inter, area_a, area_b]| {
+            let value = ratio_of_union(inter, area_a, area_b);
+            let union = area_a + area_b - inter;
+            let flat = pair.same || union.at_most(S::lit(S::EMPTY));
+            let per = S::select(
+                flat,
+                S::zero(),
+                out_bar.over(S::select(flat, S::one(), union)),
+            );
+            let own = -(value * per);
+            Score {
+                value: value.canonical(),
+                partials: [per + value * per, own, own],
+                power: 0,
+            }
+        },
+    )
 }
 
 /// Adjoint of [`iof`](crate::overlap_polygon::rings::iof). With `r = I / A`: `∂I = 1 / A`, `∂A = −r / A`.
@@ -182,14 +191,23 @@ pub fn iof_vjp<'a, S: Scalar<Mask = bool>>(
     a_bar: &mut [Vec2<S>],
     b_bar: &mut [Vec2<S>],
 ) -> S {
-    pulled(a.into(), b.into(), (a_bar, b_bar), |_, [inter, area_a, _]| {
-        let value = ratio_of_first(inter, area_a);
-        let flat = area_a.at_most(S::lit(S::EMPTY));
-        let per = S::select(flat, S::zero(), out_bar.over(S::select(flat, S::one(), area_a)));
-        Score {
-            value: value.canonical(),
-            partials: [per, -(value * per), S::zero()],
-            power: 0,
-        }
-    })
+    pulled(
+        a.into(),
+        b.into(),
+        (a_bar, b_bar),
+        |_, [inter, area_a, _]| {
+            let value = ratio_of_first(inter, area_a);
+            let flat = area_a.at_most(S::lit(S::EMPTY));
+            let per = S::select(
+                flat,
+                S::zero(),
+                out_bar.over(S::select(flat, S::one(), area_a)),
+            );
+            Score {
+                value: value.canonical(),
+                partials: [per, -(value * per), S::zero()],
+                power: 0,
+            }
+        },
+    )
 }

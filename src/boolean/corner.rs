@@ -34,7 +34,11 @@ fn meeting(grid: &Grid, before: usize, after: usize, at: IntPoint<i64>) -> Meeti
     let (u, v) = (first.along, second.along);
     // Where both end here, edges that rounding makes parallel to a thousandth of a right angle's digits
     // would have their crossing anywhere; both own vertices are as good.
-    let slight = if own.0.is_some() && own.1.is_some() { 1e-13 } else { 0.0 };
+    let slight = if own.0.is_some() && own.1.is_some() {
+        1e-13
+    } else {
+        0.0
+    };
     let cross = u.perp_dot(v).abs();
     if before == after || cross <= slight * u.length() * v.length() {
         return Meeting::InLine;
@@ -109,13 +113,7 @@ fn across(grid: &Grid, before: &Border, after: &Border) -> Option<[Vec<Origin>; 
 }
 
 /// The place on one of several edges in line with each other at which another one begins or ends.
-fn in_line(
-    grid: &Grid,
-    edge: usize,
-    before: &Border,
-    after: &Border,
-    at: IntPoint<i64>,
-) -> Origin {
+fn in_line(grid: &Grid, edge: usize, before: &Border, after: &Border, at: IntPoint<i64>) -> Origin {
     let here = &grid.edges[edge];
     if let Some(vertex) = here.vertex_at(at) {
         return Origin::Vertex(vertex);

@@ -51,7 +51,11 @@ impl Pieces {
             Fill::NonZero => FillRule::NonZero,
             Fill::EvenOdd => FillRule::EvenOdd,
         };
-        Ok(Pieces { grid, overlay, fill })
+        Ok(Pieces {
+            grid,
+            overlay,
+            fill,
+        })
     }
     pub fn trace(&mut self, operation: Operation) -> OverlayTrace {
         let rule = match operation {
@@ -94,7 +98,10 @@ impl Pieces {
         let bounds = [bounds(SUBJ_LEFT, SUBJ_RIGHT), bounds(CLIP_LEFT, CLIP_RIGHT)];
         edges.retain(|&k| bounds[self.grid.edges[k].id.owner as usize]);
         edges.sort_unstable();
-        Border { edges, end: piece.b }
+        Border {
+            edges,
+            end: piece.b,
+        }
     }
 }
 

@@ -32,7 +32,10 @@ impl Edge {
     }
     /// Its own vertex at a place, if it has one there.
     pub fn vertex_at(&self, at: IntPoint<i64>) -> Option<VertexId> {
-        [false, true].into_iter().find(|&end| self.ends[usize::from(end)] == at).map(|end| self.vertex(end))
+        [false, true]
+            .into_iter()
+            .find(|&end| self.ends[usize::from(end)] == at)
+            .map(|end| self.vertex(end))
     }
 }
 
@@ -57,7 +60,11 @@ impl Grid {
         let axes = [0, 1].map(|k| Axis::new(low[k], high[k]));
         let reach = axes[0].reach.max(axes[1].reach);
         // Half of it near one; both factors are powers of two.
-        let unit = if reach > 0.0 { Scalar::binade(reach) } else { 1.0 };
+        let unit = if reach > 0.0 {
+            Scalar::binade(reach)
+        } else {
+            1.0
+        };
         let whole = |x: f64, axis: &Axis| {
             let half = (x * 0.5 - axis.from * 0.5) * unit;
             // Below two in size: at most 2⁶⁰.
@@ -71,10 +78,20 @@ impl Grid {
             let ring = |ring: &[Vec2<S>]| ring.iter().map(|&v| place(v)).collect();
             rings.iter().map(ring).collect::<Vec<_>>()
         });
-        let mut grid = Grid { edges: Vec::new(), places };
+        let mut grid = Grid {
+            edges: Vec::new(),
+            places,
+        };
         for (owner, rings) in [Owner::A, Owner::B].into_iter().zip(inputs) {
             for (ring, vertices) in rings.iter().enumerate() {
-                grid.add(EdgeId { owner, ring, edge: 0 }, vertices)?;
+                grid.add(
+                    EdgeId {
+                        owner,
+                        ring,
+                        edge: 0,
+                    },
+                    vertices,
+                )?;
             }
         }
         Ok(grid)
@@ -89,7 +106,14 @@ impl Grid {
             }
             if self.edges.len() >= Tag::MOST {
                 let fault = VertexFault::Surplus;
-                return Err(invalid(id.owner, Flaw::Ring { ring: id.ring, index: edge, fault }));
+                return Err(invalid(
+                    id.owner,
+                    Flaw::Ring {
+                        ring: id.ring,
+                        index: edge,
+                        fault,
+                    },
+                ));
             }
             let along = [0, 1].map(|k| {
                 let [from, to] = ends.map(|p| if k == 0 { p.x } else { p.y });
@@ -113,7 +137,8 @@ impl Grid {
         let ring = &self.places[a.owner as usize][a.ring];
         let (n, here) = (ring.len(), ring[a.vertex]);
         let way = (b.vertex + n - a.vertex) % n;
-        let alike = |mut steps: std::ops::Range<usize>| steps.all(|k| ring[(a.vertex + k) % n] == here);
+        let alike =
+            |mut steps: std::ops::Range<usize>| steps.all(|k| ring[(a.vertex + k) % n] == here);
         alike(0..way + 1) || alike(way..n)
     }
 }
@@ -133,7 +158,9 @@ impl Axis {
             true => low,
             false => 0.0,
         };
-        let reach = (low * 0.5 - from * 0.5).abs().max((high * 0.5 - from * 0.5).abs());
+        let reach = (low * 0.5 - from * 0.5)
+            .abs()
+            .max((high * 0.5 - from * 0.5).abs());
         Axis { from, reach }
     }
 }
@@ -144,7 +171,11 @@ pub(super) fn invalid(owner: Owner, flaw: Flaw) -> Error {
         Owner::A => Argument::A,
         Owner::B => Argument::B,
     };
-    Error::Invalid { argument, row: 0, flaw }
+    Error::Invalid {
+        argument,
+        row: 0,
+        flaw,
+    }
 }
 
 /// A set of edges that lie along each other: the number of one, or that of two sets joined.

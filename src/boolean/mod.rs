@@ -14,7 +14,8 @@
 //! Kinks: where edges of both inputs (or several of one) lie along each other, the border of the result
 //! moves with the mean of them, so identical polygons have the IoU 1 and slopes of zero. There the result
 //! may have two vertices at one place, between which it has a side of length zero that opens as inputs
-//! move. A vertex of one input on an edge of the other has the slope of one of its sides.
+//! move. A vertex of one input on an edge of the other has the slope of one of its sides. What has no area
+//! (a line along which both merely touch, or a polygon less itself) is no part of a result and has no slope.
 //!
 //! Vertices that differ by less than about 10⁻¹⁷ of the extent of both inputs count as one.
 //!

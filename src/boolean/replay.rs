@@ -19,17 +19,18 @@ pub(crate) fn input_edge<S: Scalar>(
     id: EdgeId,
 ) -> ([Vec2<S>; 2], usize) {
     let ring = inputs[id.owner as usize].ring(id.ring);
-    let next = if id.edge + 1 < ring.len() { id.edge + 1 } else { 0 };
+    let next = if id.edge + 1 < ring.len() {
+        id.edge + 1
+    } else {
+        0
+    };
     ([ring[id.edge], ring[next]], next)
 }
 
 /// The place of a line nearest to a point: where it is seen from, the direction of the line, the fraction
 /// of the way along it, and the square of its length (one for a point).
 #[inline]
-pub(crate) fn foot<S: Scalar>(
-    point: Vec2<S>,
-    line: [Vec2<S>; 2],
-) -> (Reference<S>, Vec2<S>, S, S) {
+pub(crate) fn foot<S: Scalar>(point: Vec2<S>, line: [Vec2<S>; 2]) -> (Reference<S>, Vec2<S>, S, S) {
     let seen = Reference::of_ring(&line);
     let [start, end] = line.map(|v| seen.place(v));
     let along = end - start;
@@ -48,7 +49,8 @@ fn place<S: Scalar>(inputs: [Rings<'_, S>; 2], origin: Origin) -> Vec2<S> {
         Origin::Foot { of, on } => {
             let line = input_edge(inputs, on).0;
             let (seen, along, share, _) = foot(input_vertex(inputs, of), line);
-            seen.outer_place(seen.place(line[0]) + along * share).canonical()
+            seen.outer_place(seen.place(line[0]) + along * share)
+                .canonical()
         }
     }
 }
@@ -72,7 +74,9 @@ pub fn overlay_replay<'a, S: Scalar>(
         let share = S::lit(1.0 / all.len() as f64);
         match all {
             [only] => place(inputs, *only),
-            _ => all.iter().fold(Vec2::zero(), |sum, &one| sum + place(inputs, one) * share),
+            _ => all
+                .iter()
+                .fold(Vec2::zero(), |sum, &one| sum + place(inputs, one) * share),
         }
     });
     let mut vertices = vertices.collect::<Vec<_>>().into_iter();
@@ -99,7 +103,11 @@ pub fn iou_replay<'a, S: Scalar>(
 ) -> S {
     let (a, b) = (a.into(), b.into());
     // In a unit in which the area of what both cover is about one.
-    let seen = a.bounds().into_iter().chain(b.bounds()).reduce(|a, b| a.join(b));
+    let seen = a
+        .bounds()
+        .into_iter()
+        .chain(b.bounds())
+        .reduce(|a, b| a.join(b));
     let Some(seen) = seen.map(Reference::of_bounds) else {
         return S::zero();
     };
@@ -114,5 +122,10 @@ pub fn iou_replay<'a, S: Scalar>(
     };
     let (inter, union) = (area(&trace.intersection), area(&trace.union));
     let ratio = ratio_of_first(inter, union);
-    S::select(ratio.above(S::one()), ratio.with_primal(S::Primal::one()), ratio).canonical()
+    S::select(
+        ratio.above(S::one()),
+        ratio.with_primal(S::Primal::one()),
+        ratio,
+    )
+    .canonical()
 }

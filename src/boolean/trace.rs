@@ -78,7 +78,9 @@ impl OverlayTrace {
     /// then at one place, it is the mean of them.
     pub fn origins(&self) -> impl Iterator<Item = &[Origin]> {
         let starts = std::iter::once(&0).chain(&self.vertices);
-        starts.zip(&self.vertices).map(|(&from, &to)| &self.origins[from..to])
+        starts
+            .zip(&self.vertices)
+            .map(|(&from, &to)| &self.origins[from..to])
     }
     /// How many vertices the result has.
     #[must_use]

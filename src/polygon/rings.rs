@@ -222,9 +222,7 @@ impl<S> Polygon<S> {
     /// # Errors
     ///
     /// See [`Rings::validate`].
-    pub fn try_from_rings<'r>(
-        rings: impl IntoIterator<Item = &'r [Vec2<S>]>,
-    ) -> Result<Self, Flaw>
+    pub fn try_from_rings<'r>(rings: impl IntoIterator<Item = &'r [Vec2<S>]>) -> Result<Self, Flaw>
     where
         S: Scalar<Mask = bool> + 'r,
     {

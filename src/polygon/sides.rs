@@ -38,7 +38,9 @@ impl Sides {
             let here = rings.ring(k);
             let clockwise = ring::signed_area(here).below(S::zero());
             let around = (0..rings.count()).filter(|&j| j != k);
-            let depth = around.filter(|&j| lies_in(here, rings.ring(j), j < k)).count();
+            let depth = around
+                .filter(|&j| lies_in(here, rings.ring(j), j < k))
+                .count();
             clockwise != (depth % 2 == 1)
         };
         Sides {
@@ -69,11 +71,14 @@ fn lies_in<S: Scalar<Mask = bool>>(
     where_identical: bool,
 ) -> bool {
     // Vertices may lie on the other border. Between two of them there is then a place that does not.
-    let between = edges(inner).map(|[p, q]| Vec2::new(p.x.halved() + q.x.halved(), p.y.halved() + q.y.halved()));
+    let between = edges(inner)
+        .map(|[p, q]| Vec2::new(p.x.halved() + q.x.halved(), p.y.halved() + q.y.halved()));
     let places = inner.iter().copied().chain(between);
-    let found = places.map(|at| locate(&[outer], at)).find_map(|at| match at {
-        Location::Border => None,
-        Location::Off(winding) => Some(winding % 2 != 0),
-    });
+    let found = places
+        .map(|at| locate(&[outer], at))
+        .find_map(|at| match at {
+            Location::Border => None,
+            Location::Off(winding) => Some(winding % 2 != 0),
+        });
     found.unwrap_or(where_identical)
 }

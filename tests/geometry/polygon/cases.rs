@@ -106,7 +106,10 @@ pub fn star(dice: &mut Dice, middle: Vec2<f64>, n: usize, low: f64, high: f64) -
     let spoke = |k: usize| {
         let angle = std::f64::consts::TAU * (k as f64 + turn) / n as f64;
         let radius = dice.within(low, high);
-        at(middle.x + radius * angle.cos(), middle.y + radius * angle.sin())
+        at(
+            middle.x + radius * angle.cos(),
+            middle.y + radius * angle.sin(),
+        )
     };
     (0..n).map(spoke).collect()
 }
@@ -146,7 +149,11 @@ pub fn hard_rings() -> Vec<Vec<Vec<Vec2<f64>>>> {
         // A frame, its hole as a polygon, and a frame in a frame.
         vec![square(0., 0., 4.), square(1., 1., 2.)],
         vec![square(1., 1., 2.)],
-        vec![square(0., 0., 4.), turned(square(1., 1., 2.)), square(1.5, 1.5, 1.)],
+        vec![
+            square(0., 0., 4.),
+            turned(square(1., 1., 2.)),
+            square(1.5, 1.5, 1.),
+        ],
         // Beside, at an edge, at a part of it, at a corner, apart.
         vec![square(4., 0., 4.)],
         vec![square(4., 1., 2.)],
@@ -156,19 +163,66 @@ pub fn hard_rings() -> Vec<Vec<Vec<Vec2<f64>>>> {
         vec![square(2., 2., 4.)],
         // A hole that touches the border in a point, and one along a part of it.
         vec![square(0., 0., 4.), ring(&[(2., 0.), (3., 1.), (1., 1.)])],
-        vec![ring(&[(0., 0.), (4., 0.), (4., 4.), (0., 4.)]), ring(&[(2., 0.), (4., 2.), (2., 4.), (0., 2.)])],
+        vec![
+            ring(&[(0., 0.), (4., 0.), (4., 4.), (0., 4.)]),
+            ring(&[(2., 0.), (4., 2.), (2., 4.), (0., 2.)]),
+        ],
         // Two parts that touch in a point.
         vec![square(0., 0., 2.), square(2., 2., 2.)],
         // Collinear vertices, repeated ones, a spike outwards and one inwards.
-        vec![ring(&[(0., 0.), (1., 0.), (2., 0.), (4., 0.), (4., 4.), (2., 4.), (0., 4.)])],
-        vec![ring(&[(0., 0.), (4., 0.), (4., 0.), (4., 4.), (4., 4.), (4., 4.), (0., 4.)])],
-        vec![ring(&[(0., 0.), (4., 0.), (4., 2.), (6., 2.), (4., 2.), (4., 4.), (0., 4.)])],
-        vec![ring(&[(0., 0.), (4., 0.), (4., 2.), (2., 2.), (4., 2.), (4., 4.), (0., 4.)])],
+        vec![ring(&[
+            (0., 0.),
+            (1., 0.),
+            (2., 0.),
+            (4., 0.),
+            (4., 4.),
+            (2., 4.),
+            (0., 4.),
+        ])],
+        vec![ring(&[
+            (0., 0.),
+            (4., 0.),
+            (4., 0.),
+            (4., 4.),
+            (4., 4.),
+            (4., 4.),
+            (0., 4.),
+        ])],
+        vec![ring(&[
+            (0., 0.),
+            (4., 0.),
+            (4., 2.),
+            (6., 2.),
+            (4., 2.),
+            (4., 4.),
+            (0., 4.),
+        ])],
+        vec![ring(&[
+            (0., 0.),
+            (4., 0.),
+            (4., 2.),
+            (2., 2.),
+            (4., 2.),
+            (4., 4.),
+            (0., 4.),
+        ])],
         // Thin ones.
         vec![ring(&[(-8., 1.), (8., 1.), (8., 1.0078125)])],
-        vec![ring(&[(0., 0.), (4., 0.), (4., 0.0000001), (0., 0.0000002)])],
+        vec![ring(&[
+            (0., 0.),
+            (4., 0.),
+            (4., 0.0000001),
+            (0., 0.0000002),
+        ])],
         // An edge nearly along another one.
         vec![ring(&[(0., 0.), (4., 0.0000001), (4., 4.), (0., 4.)])],
-        vec![ring(&[(0., 0.), (2., 1.), (4., 0.), (4., 4.), (2., 3.), (0., 4.)])],
+        vec![ring(&[
+            (0., 0.),
+            (2., 1.),
+            (4., 0.),
+            (4., 4.),
+            (2., 3.),
+            (0., 4.),
+        ])],
     ]
 }

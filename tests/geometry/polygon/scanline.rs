@@ -75,7 +75,10 @@ impl Edge {
 pub fn area(a: &[Ring], b: &[Ring], fill: Fill, keep: impl Fn(bool, bool) -> bool) -> f64 {
     let mut all = edges(a, false);
     all.extend(edges(b, true));
-    let mut cuts: Vec<Big> = all.iter().flat_map(|e| [e.from[0].clone(), e.to[0].clone()]).collect();
+    let mut cuts: Vec<Big> = all
+        .iter()
+        .flat_map(|e| [e.from[0].clone(), e.to[0].clone()])
+        .collect();
     for i in 0..all.len() {
         cuts.extend((0..i).filter_map(|j| meeting(&all[i], &all[j])));
     }
@@ -97,7 +100,11 @@ pub fn area(a: &[Ring], b: &[Ring], fill: Fill, keep: impl Fn(bool, bool) -> boo
         let mut windings = [0, 0];
         for pair in here.windows(2) {
             let (below, above) = (&pair[0], &pair[1]);
-            let step = if less(&below.1.from[0], &below.1.to[0]) { 1 } else { -1 };
+            let step = if less(&below.1.from[0], &below.1.to[0]) {
+                1
+            } else {
+                -1
+            };
             windings[usize::from(below.1.second)] += step;
             if keep(is_in(windings[0]), is_in(windings[1])) {
                 let wide = high.sub(low);
