@@ -1,8 +1,9 @@
 //! Gradient descent on the vertices of a polygon.
 use crate::target::{Shape, Target};
 use geograd::ad::adjoint::overlap_rings::iou_vjp;
-use geograd::distance::ring::{EdgeFold, fold_ring};
+use geograd::distance::ring::distance_to_ring;
 use geograd::overlap_polygon::rings::iou;
+use geograd::predicate::{Turn, turn};
 use geograd::shape::edges;
 use geograd::{Pack, Polygon, Scalar, Vec2};
 
@@ -11,7 +12,7 @@ use geograd::{Pack, Polygon, Scalar, Vec2};
 pub enum Loss {
     /// One less the intersection over union.
     Overlap,
-    /// Mean squared distances of points of either border from the other one.
+    /// Mean squared distances of points of each ring from the same one of the outline, and back.
     Distance,
 }
 
@@ -27,47 +28,50 @@ impl Loss {
             Loss::Distance => "distance",
         }
     }
-    /// The loss and its slopes by the vertices of a polygon.
-    fn with_slopes(self, polygon: &Polygon<f64>, outline: &Polygon<f64>) -> (f64, Vec<Vec2<f64>>) {
+    fn of(self, polygon: &Polygon<f64>, outline: &Polygon<f64>) -> f64 {
+        match self {
+            Loss::Overlap => 1.0 - iou(polygon, outline),
+            Loss::Distance => between(polygon, outline),
+        }
+    }
+    /// The slopes of the loss by the vertices of a polygon.
+    fn slopes(self, polygon: &Polygon<f64>, outline: &Polygon<f64>) -> Vec<Vec2<f64>> {
         match self {
             Loss::Overlap => {
                 // The adjoint by hand.
                 let mut bars = vec![Vec2::zero(); polygon.vertices().len()];
                 let mut unused = vec![Vec2::zero(); outline.vertices().len()];
-                let iou = iou_vjp(polygon, outline, -1.0, &mut bars, &mut unused);
-                (1.0 - iou, bars)
+                iou_vjp(polygon, outline, -1.0, &mut bars, &mut unused);
+                bars
             }
             Loss::Distance => {
                 // Any generic function can be differentiated.
                 let of = |p: Polygon<_>| between(&p, &outline.lift());
-                let (loss, slopes) = geograd::gradient(of, polygon.clone());
-                (loss, slopes.vertices().to_vec())
+                let (_, slopes) = geograd::gradient(of, polygon.clone());
+                slopes.vertices().to_vec()
             }
         }
     }
 }
 
-/// The distance from a point to the nearest border.
-fn distance<S: Scalar<Mask = bool>>(point: Vec2<S>, polygon: &Polygon<S>) -> S {
-    let rings = polygon.rings();
-    let all = rings.iter().map(|ring| fold_ring(point, ring));
-    all.fold(EdgeFold::empty(), EdgeFold::join).distance()
-}
-
-/// The mean squared distance of vertices and middles of edges of one polygon from the border of another.
-fn one_way<S: Scalar<Mask = bool>>(from: &Polygon<S>, to: &Polygon<S>) -> S {
-    let (mut sum, mut count) = (S::zero(), 0.0);
-    let rings = from.rings();
-    for [start, end] in rings.iter().flat_map(|ring| edges(ring)) {
+/// The mean squared distance of vertices and middles of edges of one ring from another one.
+fn one_way<S: Scalar<Mask = bool>>(from: &[Vec2<S>], to: &[Vec2<S>]) -> S {
+    let mut sum = S::zero();
+    for [start, end] in edges(from) {
         let middle = (start + end) * S::lit(0.5);
-        sum += distance(start, to).squared() + distance(middle, to).squared();
-        count += 2.0;
+        sum += distance_to_ring(start, to).squared() + distance_to_ring(middle, to).squared();
     }
-    sum * S::lit(1.0 / count)
+    sum * S::lit(0.5 / from.len() as f64)
 }
 
+/// The sum over outer rings and holes, both ways.
 fn between<S: Scalar<Mask = bool>>(a: &Polygon<S>, b: &Polygon<S>) -> S {
-    one_way(a, b) + one_way(b, a)
+    let (a, b) = (a.rings(), b.rings());
+    let mut sum = S::zero();
+    for (p, q) in a.iter().zip(b.iter()) {
+        sum += one_way(p, q) + one_way(q, p);
+    }
+    sum
 }
 
 /// Where a fit stands.
@@ -87,45 +91,40 @@ pub struct Fit {
     pub found: Polygon<f64>,
 }
 
-/// How far vertices move in the first steps, and in the last ones.
-const PACE: [f64; 2] = [0.02, 0.0005];
+/// The longest way of a vertex in a step, at first and at most.
+const PACE: f64 = 0.05;
+/// How far vertices even out along the border in a step, as a share of their way to the middle between
+/// both neighbours.
+const EVEN: f64 = 0.1;
+/// How often a step that does not help is halved.
+const HALVINGS: usize = 16;
 
 impl Fit {
     pub fn run(target: Target, loss: Loss, iterations: usize, mut done: impl FnMut()) -> Self {
+        let outline = &target.outline;
         let mut found = target.start.clone();
-        let mut steps = Vec::new();
-        let count = found.vertices().len();
-        // Adam: steps in units of how large slopes have been lately.
-        let (mut mean, mut square) = (vec![Vec2::zero(); count], vec![Vec2::zero(); count]);
-        for k in 0..=iterations {
-            let (value, slopes) = loss.with_slopes(&found, &target.outline);
-            let score = iou(&found, &target.outline);
+        let mut value = loss.of(&found, outline);
+        let mut steps = vec![Step {
+            loss: value,
+            iou: iou(&found, outline),
+        }];
+        let mut pace = PACE;
+        for _ in 0..iterations {
+            let way = descent(&found, &loss.slopes(&found, outline));
+            for _ in 0..HALVINGS {
+                let next = moved(&found, &way, pace, target.shape);
+                let less = loss.of(&next, outline);
+                if less < value && is_simple(&next) {
+                    (found, value) = (next, less);
+                    pace = (1.5 * pace).min(PACE);
+                    break;
+                }
+                pace *= 0.5;
+            }
             steps.push(Step {
                 loss: value,
-                iou: score,
+                iou: iou(&found, outline),
             });
-            if k == iterations {
-                break;
-            }
-            let progress = k as f64 / iterations as f64;
-            let pace = PACE[0] * (PACE[1] / PACE[0]).powf(progress);
-            let fresh = [
-                1.0 - 0.9_f64.powi(k as i32 + 1),
-                1.0 - 0.99_f64.powi(k as i32 + 1),
-            ];
-            for (i, slope) in slopes.into_iter().enumerate() {
-                mean[i] = mean[i] * 0.9 + slope * 0.1;
-                square[i] = square[i] * 0.99 + Vec2::new(slope.x.powi(2), slope.y.powi(2)) * 0.01;
-                let step = |mean: f64, square: f64| {
-                    let size = (square / fresh[1]).sqrt().max(1e-9);
-                    pace * mean / fresh[0] / size
-                };
-                let way = Vec2::new(step(mean[i].x, square[i].x), step(mean[i].y, square[i].y));
-                found.vertices_mut()[i] += -way;
-            }
-            if target.shape == Shape::Convex {
-                make_convex(found.vertices_mut());
-            }
             done();
         }
         Fit {
@@ -135,6 +134,64 @@ impl Fit {
             found,
         }
     }
+}
+
+/// The direction of descent, the longest way of a vertex being one. Neighbours take part in each other's
+/// slopes, so that borders stay smooth.
+fn descent(polygon: &Polygon<f64>, slopes: &[Vec2<f64>]) -> Vec<Vec2<f64>> {
+    let mut way: Vec<_> = slopes.iter().map(|&slope| -slope).collect();
+    let mut start = 0;
+    for &end in polygon.ends() {
+        let ring = &mut way[start..end];
+        let n = ring.len();
+        let before = ring.to_vec();
+        for (k, here) in ring.iter_mut().enumerate() {
+            let beside = before[(k + n - 1) % n] + before[(k + 1) % n];
+            *here = before[k] * 0.5 + beside * 0.25;
+        }
+        start = end;
+    }
+    let longest = way.iter().map(|way| way.length()).fold(0.0, f64::max);
+    let scale = if longest > 0.0 { 1.0 / longest } else { 0.0 };
+    way.into_iter().map(|way| way * scale).collect()
+}
+
+/// The polygon after a step.
+fn moved(polygon: &Polygon<f64>, way: &[Vec2<f64>], pace: f64, shape: Shape) -> Polygon<f64> {
+    let mut next = polygon.clone();
+    for (vertex, &way) in next.vertices_mut().iter_mut().zip(way) {
+        *vertex += way * pace;
+    }
+    let mut start = 0;
+    for &end in polygon.ends() {
+        let ring = &mut next.vertices_mut()[start..end];
+        let (n, before) = (ring.len(), ring.to_vec());
+        for (k, here) in ring.iter_mut().enumerate() {
+            let (left, right) = (before[(k + n - 1) % n], before[(k + 1) % n]);
+            let along = (right - left).normalize_or_zero();
+            let middle = (left + right) * 0.5 - before[k];
+            *here += along * (middle.dot(along) * EVEN * (pace / PACE));
+        }
+        if shape == Shape::Convex {
+            make_convex(ring);
+        }
+        start = end;
+    }
+    next
+}
+
+/// Whether no two edges cross.
+fn is_simple(polygon: &Polygon<f64>) -> bool {
+    let rings = polygon.rings();
+    let all: Vec<_> = rings.iter().flat_map(|ring| edges(ring)).collect();
+    let sides = |[a, b]: [Vec2<f64>; 2], [p, q]: [Vec2<f64>; 2]| {
+        matches!(
+            (turn(a, b, p), turn(a, b, q)),
+            (Turn::Left, Turn::Right) | (Turn::Right, Turn::Left)
+        )
+    };
+    let crosses = |&e: &[Vec2<f64>; 2], &f: &[Vec2<f64>; 2]| sides(e, f) && sides(f, e);
+    (0..all.len()).all(|i| all[..i].iter().all(|f| !crosses(&all[i], f)))
 }
 
 /// Moves vertices that turn inwards to the line between their neighbours, until none does.

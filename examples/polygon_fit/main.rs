@@ -20,7 +20,7 @@ Fits polygons to an outline by gradient descent, and draws them before and after
 Usage: polygon_fit [options]
 
   --seed N          another outline [default: 1]
-  --iterations N    steps of each fit [default: 300]
+  --iterations N    steps of each fit [default: 120]
   --shape NAME      only this shape: convex, or hole [default: both]
   --loss NAME       only this loss: overlap (1 - IoU), or distance (squared, between borders) [default: both]
   --svg FILE        a picture [default: polygon_fit.svg]
@@ -40,7 +40,7 @@ struct Options {
 fn options() -> Result<Option<Options>, Failure> {
     let mut options = Options {
         seed: 1,
-        iterations: 300,
+        iterations: 120,
         shapes: vec![Shape::Convex, Shape::Hole],
         losses: vec![Loss::Overlap, Loss::Distance],
         svg: "polygon_fit.svg".into(),

@@ -5,6 +5,7 @@ use std::process::{Command, Output};
 #[path = "../../examples/refine_detections/assign.rs"]
 mod assign;
 mod custom_shape;
+mod polygon_fit;
 
 /// The program of an example. `cargo test` of the whole workspace builds it before it runs a test; a
 /// test builds nothing.
@@ -224,12 +225,22 @@ fn wrong_command_lines() {
         ("custom_shape", "--count many"),
         ("custom_shape", "--svg"),
         ("custom_shape", "--prove --wgsl"),
+        ("polygon_fit", "--frobnicate"),
+        ("polygon_fit", "--seed many"),
+        ("polygon_fit", "--shape square"),
+        ("polygon_fit", "--loss none"),
+        ("polygon_fit", "--svg same --csv same"),
     ] {
         let done = run(name, &at, arguments);
         assert_eq!(status(&done), 2, "{name} {arguments}");
         assert!(stderr(&done).starts_with(name), "{}", stderr(&done));
     }
-    for name in ["iou_csv", "refine_detections", "custom_shape"] {
+    for name in [
+        "iou_csv",
+        "refine_detections",
+        "custom_shape",
+        "polygon_fit",
+    ] {
         let done = run(name, &at, "--help");
         assert_eq!(status(&done), 0);
         assert!(stdout(&done).contains("Usage"));
