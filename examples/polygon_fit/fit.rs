@@ -183,7 +183,7 @@ fn moved(polygon: &Polygon<f64>, way: &[Vec2<f64>], pace: f64, shape: Shape) -> 
 /// Whether no two edges cross.
 fn is_simple(polygon: &Polygon<f64>) -> bool {
     let rings = polygon.rings();
-    let all: Vec<_> = rings.iter().flat_map(|ring| edges(ring)).collect();
+    let all: Vec<_> = rings.iter().flat_map(edges).collect();
     let sides = |[a, b]: [Vec2<f64>; 2], [p, q]: [Vec2<f64>; 2]| {
         matches!(
             (turn(a, b, p), turn(a, b, q)),
