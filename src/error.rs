@@ -220,6 +220,15 @@ pub enum Flaw {
         /// The rule.
         fault: VertexFault,
     },
+    /// A vertex of a ring of a polygon breaks a rule.
+    Ring {
+        /// The ring, from zero.
+        ring: usize,
+        /// The vertex of that ring, from zero.
+        index: usize,
+        /// The rule.
+        fault: VertexFault,
+    },
 }
 
 /// What is wrong with a vertex of a polygon.
@@ -268,6 +277,10 @@ impl Flaw {
             | Flaw::Zero(field)
             | Flaw::Broken(field, _) => field,
             Flaw::Vertex { index, .. } => Field::VALUE.within_item(index).within("vertices"),
+            Flaw::Ring { ring, index, .. } => {
+                let vertex = Field::VALUE.within_item(index);
+                vertex.within_item(ring).within("rings")
+            }
         }
     }
     /// The same flaw of another field.
@@ -280,7 +293,7 @@ impl Flaw {
             Flaw::Inverted(_) => Flaw::Inverted(field),
             Flaw::Zero(_) => Flaw::Zero(field),
             Flaw::Broken(_, rule) => Flaw::Broken(field, rule),
-            Flaw::Vertex { .. } => self,
+            Flaw::Vertex { .. } | Flaw::Ring { .. } => self,
         }
     }
     /// The same flaw of a part of another shape, which calls the part so.
@@ -305,6 +318,9 @@ impl fmt::Display for Flaw {
             Flaw::Broken(field, rule) => write!(f, "{field} {rule}"),
             Flaw::Zero(field) => write!(f, "{field} is zero"),
             Flaw::Vertex { index, fault } => write!(f, "vertex {index} {fault}"),
+            Flaw::Ring { ring, index, fault } => {
+                write!(f, "ring {ring}: vertex {index} {fault}")
+            }
         }
     }
 }

@@ -31,6 +31,8 @@
 //! | suppress, assign and judge detections | [`suppression`], [`assignment`], [`metric`] |
 //! | measure polygons | [`ring`], [`measure`] |
 //! | measure what polygons share, with holes or without | [`overlap_polygon`] |
+//! | hold polygons with holes and of many parts, and measure them | [`polygon`] |
+//! | unite, intersect and subtract polygons of any kind | [`boolean`] |
 //! | clip, join, add convex polygons | [`clipping`], [`hull`] |
 //! | know whether a point is in a polygon, and how far in | [`contain`] |
 //! | measure distances, closest points and penetration of shapes | [`distance`](mod@distance) |
@@ -47,7 +49,7 @@
 //!
 //! `parallel` (default): batches on all cores. `gpu`: batches on a GPU. `glam`, `geo-types`, `mint`,
 //! `nalgebra`: conversions of points and vectors; the last one also `num-dual`'s vector duals. `serde`:
-//! serialization. `proptest`: strategies.
+//! serialization. `proptest`: strategies. `boolean`: [boolean operations](boolean) of polygons.
 #![warn(missing_docs)]
 #![deny(unsafe_code)]
 
@@ -56,6 +58,8 @@ extern crate self as geograd;
 
 #[forbid(unsafe_code)]
 pub mod assignment;
+#[forbid(unsafe_code)]
+pub mod boolean;
 #[forbid(unsafe_code)]
 pub mod clip;
 #[forbid(unsafe_code)]
@@ -96,6 +100,8 @@ pub mod overlap_polygon;
 #[forbid(unsafe_code)]
 pub mod pack;
 #[forbid(unsafe_code)]
+pub mod polygon;
+#[forbid(unsafe_code)]
 pub mod predicate;
 #[forbid(unsafe_code)]
 pub mod product;
@@ -126,6 +132,7 @@ pub use ad::program::{Program, Sym};
 pub use derived::Shape;
 pub use error::{Error, Flaw, GpuFault, Unrecordable, Validate, VertexFault};
 pub use pack::{Fixed, Pack};
+pub use polygon::{Polygon, Rings};
 pub use product::Code;
 pub use scalar::{Jet, Lanes, Mask, Scalar};
 pub use shape::{

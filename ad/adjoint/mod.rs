@@ -1,8 +1,10 @@
 //! Adjoints by hand: the hot paths.
+pub mod boolean;
 pub mod clip;
 pub mod clipping;
 pub mod iou;
 pub mod overlap;
 pub mod overlap_polygon;
+pub mod overlap_rings;
 pub mod ring;
 pub mod upright;

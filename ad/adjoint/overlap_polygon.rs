@@ -88,6 +88,26 @@ fn pull<S: Scalar>(edge: [Vec2<S>; 2], piece: &Piece<S>, turned: S::Mask, bar: S
     [out * start, out * end]
 }
 
+/// The slopes of what the triangles over two edges share, to the ends of both.
+#[inline(always)]
+pub(super) fn pair_slopes<S: Scalar>(
+    f: [Vec2<S>; 2],
+    g: [Vec2<S>; 2],
+    pair: &Wedge<S>,
+) -> [[Vec2<S>; 2]; 2] {
+    let (zero, one) = (S::zero(), S::one());
+    let [piece_f, piece_g] = pieces(pair);
+    let sign = S::select(mixed(pair), -one, one);
+    let sign = S::select(pair.shared, sign, zero);
+    // An edge's own orientation is in its normal.
+    let by_f = S::select(pair.turned_f, -sign, sign);
+    let by_g = S::select(pair.turned_g, -sign, sign);
+    [
+        pull(f, &piece_f, pair.turned_f, by_f),
+        pull(g, &piece_g, pair.turned_g, by_g),
+    ]
+}
+
 /// Adds the slopes of what an edge of a ring shares with a polygon, both in local coordinates: to the
 /// polygon's vertices, and as a result to both ends of the edge.
 #[inline(always)]
@@ -96,7 +116,6 @@ fn edge_slopes<S: Scalar, const M: usize>(
     edge: [Vec2<S>; 2],
     fan_bar: &mut [Vec2<S>; M],
 ) -> [Vec2<S>; 2] {
-    let (zero, one) = (S::zero(), S::one());
     let mut edge_bar = [Vec2::zero(); 2];
     let mut k = 0;
     while k < fan.count {
@@ -105,14 +124,7 @@ fn edge_slopes<S: Scalar, const M: usize>(
         let Some(pair) = fan.wedge(edge, now) else {
             continue;
         };
-        let [piece_f, piece_g] = pieces(&pair);
-        let sign = S::select(mixed(&pair), -one, one);
-        let sign = S::select(pair.shared, sign, zero);
-        // The edge's own orientation is in its normal.
-        let by_f = S::select(pair.turned_f, -sign, sign);
-        let by_g = S::select(pair.turned_g, -sign, sign);
-        let f = pull(edge, &piece_f, pair.turned_f, by_f);
-        let g = pull([fan.at[now], fan.at[next]], &piece_g, pair.turned_g, by_g);
+        let [f, g] = pair_slopes(edge, [fan.at[now], fan.at[next]], &pair);
         edge_bar[0] += f[0];
         edge_bar[1] += f[1];
         fan_bar[now] += g[0];

@@ -29,6 +29,7 @@
 //! Kinks: edges lying along each other (where both are exactly on one line on either ray, the slope
 //! is shared half and half), and polygons that begin to touch (slope zero).
 mod quad;
+pub mod rings;
 mod wedge;
 
 use crate::overlap::{ratio_of_first, ratio_of_union};
@@ -36,7 +37,7 @@ use crate::reference::{Reference, bounds_of, choose};
 use crate::shape::edges;
 use crate::{Aabb2, ConvexPolygon, Mask, Scalar, Vec2};
 pub use quad::intersection_area_quads;
-pub(crate) use wedge::{Fan, Wedge, mixed};
+pub(crate) use wedge::{Fan, Wedge, between, mixed, shared_twice};
 
 /// Areas of two convex polygons and of what they share, in the local unit of a reference.
 #[derive(Clone, Copy, Debug)]

@@ -87,9 +87,35 @@ fn wedge<S: Scalar>(
     })
 }
 
+/// The triangle over an edge `f` against that over an edge `g`, given twice the area of both.
+#[inline(always)]
+pub(crate) fn between<S: Scalar>(
+    f: [Vec2<S>; 2],
+    g: [Vec2<S>; 2],
+    twice: [S; 2],
+) -> Option<Wedge<S>> {
+    wedge(
+        twice,
+        [
+            g[0].perp_dot(f[0]),
+            g[0].perp_dot(f[1]),
+            g[1].perp_dot(f[0]),
+            g[1].perp_dot(f[1]),
+        ],
+        #[inline(always)]
+        || {
+            let (along_f, along_g) = (f[1] - f[0], g[1] - g[0]);
+            (
+                [along_g.perp_dot(f[0] - g[0]), along_g.perp_dot(f[1] - g[0])],
+                [along_f.perp_dot(g[0] - f[0]), along_f.perp_dot(g[1] - f[0])],
+            )
+        },
+    )
+}
+
 /// Twice the area that both triangles share, with the sign of their orientations.
 #[inline(always)]
-fn shared_twice<S: Scalar>(pair: &Wedge<S>) -> S {
+pub(crate) fn shared_twice<S: Scalar>(pair: &Wedge<S>) -> S {
     let (zero, one) = (S::zero(), S::one());
     let span =
         one - S::select(pair.first_g, pair.skip, zero) - S::select(pair.last_g, pair.rest, zero);
@@ -179,24 +205,7 @@ impl<S: Scalar, const M: usize> Fan<S, M> {
     /// The triangle over an edge `f` of a ring against that over edge `k`.
     #[inline(always)]
     pub fn wedge(&self, f: [Vec2<S>; 2], k: usize) -> Option<Wedge<S>> {
-        let g = self.edge(k);
-        wedge(
-            [f[0].perp_dot(f[1]), self.twice[k]],
-            [
-                g[0].perp_dot(f[0]),
-                g[0].perp_dot(f[1]),
-                g[1].perp_dot(f[0]),
-                g[1].perp_dot(f[1]),
-            ],
-            #[inline(always)]
-            || {
-                let (along_f, along_g) = (f[1] - f[0], g[1] - g[0]);
-                (
-                    [along_g.perp_dot(f[0] - g[0]), along_g.perp_dot(f[1] - g[0])],
-                    [along_f.perp_dot(g[0] - f[0]), along_f.perp_dot(g[1] - f[0])],
-                )
-            },
-        )
+        between(f, self.edge(k), [f[0].perp_dot(f[1]), self.twice[k]])
     }
     /// What an edge of a ring contributes to twice the area that the ring shares with this.
     #[inline(always)]

@@ -8,6 +8,7 @@ mod calibrate;
 mod custom_shape;
 mod iou_csv;
 mod refine_detections;
+mod polygon_fit;
 
 /// The program of an example. `cargo test` of the whole workspace builds it before it runs a test; a
 /// test builds nothing.
@@ -262,12 +263,23 @@ fn wrong_command_lines() {
         ("custom_shape", "--count many"),
         ("custom_shape", "--svg"),
         ("custom_shape", "--prove --wgsl"),
+        ("polygon_fit", "--frobnicate"),
+        ("polygon_fit", "--seed many"),
+        ("polygon_fit", "--shape square"),
+        ("polygon_fit", "--loss none"),
+        ("polygon_fit", "--svg same --csv same"),
     ] {
         let done = run(name, &at, arguments);
         assert_eq!(status(&done), 2, "{name} {arguments}");
         assert!(stderr(&done).starts_with(name), "{}", stderr(&done));
     }
-    for name in ["iou_csv", "refine_detections", "custom_shape", "calibrate"] {
+    for name in [
+        "iou_csv",
+        "refine_detections",
+        "custom_shape",
+        "calibrate",
+        "polygon_fit",
+    ] {
         let done = run(name, &at, "--help");
         assert_eq!(status(&done), 0);
         assert!(stdout(&done).contains("Usage"));

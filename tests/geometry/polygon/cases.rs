@@ -100,3 +100,129 @@ pub fn hard() -> Vec<(Polygon, Polygon)> {
     }
     all
 }
+/// A star around a place, counter-clockwise.
+pub fn star(dice: &mut Dice, middle: Vec2<f64>, n: usize, low: f64, high: f64) -> Vec<Vec2<f64>> {
+    let turn = dice.within(0.0, 1.0);
+    let spoke = |k: usize| {
+        let angle = std::f64::consts::TAU * (k as f64 + turn) / n as f64;
+        let radius = dice.within(low, high);
+        at(
+            middle.x + radius * angle.cos(),
+            middle.y + radius * angle.sin(),
+        )
+    };
+    (0..n).map(spoke).collect()
+}
+/// Random stars, most with a hole, some of two parts; every ring of any orientation.
+pub fn stars(dice: &mut Dice) -> Vec<Vec<Vec2<f64>>> {
+    let mut all = Vec::new();
+    for part in 0..1 + dice.below(2) {
+        let middle = at(
+            dice.within(-0.6, 0.6) + 4.0 * part as f64,
+            dice.within(-0.6, 0.6),
+        );
+        let n = 5 + dice.below(12);
+        all.push(star(dice, middle, n, 0.6, 1.6));
+        if dice.below(3) > 0 {
+            // Inside the circle in all outer stars, between their edges.
+            let n = 3 + dice.below(6);
+            all.push(star(dice, middle, n, 0.05, 0.17));
+        }
+    }
+    for ring in &mut all {
+        if dice.below(2) == 0 {
+            ring.reverse();
+        }
+    }
+    all
+}
+/// Polygons with holes that are hard on purpose, of coordinates that are exact in `f32`.
+pub fn hard_rings() -> Vec<Vec<Vec<Vec2<f64>>>> {
+    let square = |x: f64, y: f64, s: f64| ring(&[(x, y), (x + s, y), (x + s, y + s), (x, y + s)]);
+    let turned = |mut ring: Vec<Vec2<f64>>| {
+        ring.reverse();
+        ring
+    };
+    vec![
+        vec![square(0., 0., 4.)],
+        vec![turned(square(0., 0., 4.))],
+        // A frame, its hole as a polygon, and a frame in a frame.
+        vec![square(0., 0., 4.), square(1., 1., 2.)],
+        vec![square(1., 1., 2.)],
+        vec![
+            square(0., 0., 4.),
+            turned(square(1., 1., 2.)),
+            square(1.5, 1.5, 1.),
+        ],
+        // Beside, at an edge, at a part of it, at a corner, apart.
+        vec![square(4., 0., 4.)],
+        vec![square(4., 1., 2.)],
+        vec![square(4., 4., 2.)],
+        vec![square(9., 0., 2.)],
+        vec![square(2., 0., 4.)],
+        vec![square(2., 2., 4.)],
+        // A hole that touches the border in a point, and one along a part of it.
+        vec![square(0., 0., 4.), ring(&[(2., 0.), (3., 1.), (1., 1.)])],
+        vec![
+            ring(&[(0., 0.), (4., 0.), (4., 4.), (0., 4.)]),
+            ring(&[(2., 0.), (4., 2.), (2., 4.), (0., 2.)]),
+        ],
+        // Two parts that touch in a point.
+        vec![square(0., 0., 2.), square(2., 2., 2.)],
+        // Collinear vertices, repeated ones, a spike outwards and one inwards.
+        vec![ring(&[
+            (0., 0.),
+            (1., 0.),
+            (2., 0.),
+            (4., 0.),
+            (4., 4.),
+            (2., 4.),
+            (0., 4.),
+        ])],
+        vec![ring(&[
+            (0., 0.),
+            (4., 0.),
+            (4., 0.),
+            (4., 4.),
+            (4., 4.),
+            (4., 4.),
+            (0., 4.),
+        ])],
+        vec![ring(&[
+            (0., 0.),
+            (4., 0.),
+            (4., 2.),
+            (6., 2.),
+            (4., 2.),
+            (4., 4.),
+            (0., 4.),
+        ])],
+        vec![ring(&[
+            (0., 0.),
+            (4., 0.),
+            (4., 2.),
+            (2., 2.),
+            (4., 2.),
+            (4., 4.),
+            (0., 4.),
+        ])],
+        // Thin ones.
+        vec![ring(&[(-8., 1.), (8., 1.), (8., 1.0078125)])],
+        vec![ring(&[
+            (0., 0.),
+            (4., 0.),
+            (4., 0.0000001),
+            (0., 0.0000002),
+        ])],
+        // An edge nearly along another one.
+        vec![ring(&[(0., 0.), (4., 0.0000001), (4., 4.), (0., 4.)])],
+        vec![ring(&[
+            (0., 0.),
+            (2., 1.),
+            (4., 0.),
+            (4., 4.),
+            (2., 3.),
+            (0., 4.),
+        ])],
+    ]
+}

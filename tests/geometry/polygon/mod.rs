@@ -1,6 +1,10 @@
 //! Polygons: what they share, their clips, hulls, measures and scores.
+#[cfg(feature = "boolean")]
+mod boolean;
 mod cases;
 mod exact;
 mod iou;
 mod overlap;
+mod rings;
+mod scanline;
 mod shapes;

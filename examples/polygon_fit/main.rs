@@ -1,0 +1,122 @@
+//! Polygons fitted to an outline by gradient descent: a convex one, and one with a hole; on the overlap
+//! and on the distance of borders. `cargo run --release --example polygon_fit`; `-- --help` has the options.
+mod draw;
+#[path = "../common/failure.rs"]
+mod failure;
+mod fit;
+mod target;
+
+use failure::{Failure, say};
+use fit::{Fit, Loss};
+use indicatif::{ProgressBar, ProgressStyle};
+use lexopt::prelude::*;
+use std::fmt::Write as _;
+use std::path::PathBuf;
+use target::{Shape, Target};
+
+const HELP: &str = "\
+Fits polygons to an outline by gradient descent, and draws them before and after.
+
+Usage: polygon_fit [options]
+
+  --seed N          another outline [default: 1]
+  --iterations N    steps of each fit [default: 120]
+  --shape NAME      only this shape: convex, or hole [default: both]
+  --loss NAME       only this loss: overlap (1 - IoU), or distance (squared, between borders) [default: both]
+  --svg FILE        a picture [default: polygon_fit.svg]
+  --csv FILE        iteration,loss,iou of every step; with every fit iterations start again from 0
+  --help            this text
+";
+
+struct Options {
+    seed: u64,
+    iterations: usize,
+    shapes: Vec<Shape>,
+    losses: Vec<Loss>,
+    svg: PathBuf,
+    csv: Option<PathBuf>,
+}
+
+fn options() -> Result<Option<Options>, Failure> {
+    let mut options = Options {
+        seed: 1,
+        iterations: 120,
+        shapes: vec![Shape::Convex, Shape::Hole],
+        losses: vec![Loss::Overlap, Loss::Distance],
+        svg: "polygon_fit.svg".into(),
+        csv: None,
+    };
+    let mut arguments = lexopt::Parser::from_env();
+    while let Some(argument) = arguments.next()? {
+        match argument {
+            Long("seed") => options.seed = arguments.value()?.parse()?,
+            Long("iterations") => options.iterations = arguments.value()?.parse()?,
+            Long("shape") => options.shapes = vec![arguments.value()?.parse_with(Shape::named)?],
+            Long("loss") => options.losses = vec![arguments.value()?.parse_with(Loss::named)?],
+            Long("svg") => options.svg = arguments.value()?.into(),
+            Long("csv") => options.csv = Some(arguments.value()?.into()),
+            Long("help") | Short('h') => return Ok(None),
+            other => return Err(other.unexpected().into()),
+        }
+    }
+    if options.csv.as_ref() == Some(&options.svg) {
+        return Err(Failure::Usage(
+            "`--svg` and `--csv` are the same file".into(),
+        ));
+    }
+    Ok(Some(options))
+}
+
+fn write(file: &PathBuf, text: &str) -> Result<(), Failure> {
+    let failed = |error| Failure::Work(format!("{}: {error}", file.display()));
+    std::fs::write(file, text).map_err(failed)
+}
+
+fn run() -> Result<String, Failure> {
+    let Some(options) = options()? else {
+        return Ok(HELP.into());
+    };
+    let pairs = options
+        .shapes
+        .iter()
+        .flat_map(|&shape| options.losses.iter().map(move |&loss| (shape, loss)));
+    let pairs: Vec<_> = pairs.collect();
+    let style = ProgressStyle::with_template("{bar:30} {pos}/{len} steps ({elapsed})");
+    let style = style.map_err(|error| Failure::Work(error.to_string()))?;
+    let bar = ProgressBar::new((pairs.len() * options.iterations) as u64).with_style(style);
+    let mut fits = Vec::new();
+    for (shape, loss) in pairs {
+        let target = Target::new(options.seed, shape);
+        fits.push(Fit::run(target, loss, options.iterations, || bar.inc(1)));
+    }
+    bar.finish_and_clear();
+    write(&options.svg, &draw::page(&fits))?;
+    if let Some(file) = &options.csv {
+        let mut table = String::from("iteration,loss,iou\n");
+        for (k, step) in fits.iter().flat_map(|fit| fit.steps.iter().enumerate()) {
+            let _ = writeln!(table, "{k},{},{}", step.loss, step.iou);
+        }
+        write(file, &table)?;
+    }
+    let mut text = String::from("shape    loss       before   after    IoU before   after\n");
+    for fit in &fits {
+        let (first, last) = (&fit.steps[0], &fit.steps[fit.steps.len() - 1]);
+        let (shape, loss) = (fit.target.shape.name(), fit.loss.name());
+        let _ = writeln!(
+            text,
+            "{shape:<8} {loss:<9} {:>7.4} {:>7.4} {:>13.4} {:>7.4}",
+            first.loss, last.loss, first.iou, last.iou
+        );
+    }
+    Ok(text)
+}
+
+fn main() -> std::process::ExitCode {
+    match run() {
+        Ok(text) => {
+            say(&text);
+            std::process::ExitCode::SUCCESS
+        }
+        Err(failure) => failure.report("polygon_fit"),
+    }
+}

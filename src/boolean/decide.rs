@@ -1,0 +1,121 @@
+//! Which pieces of which edges bound the result.
+use super::corner::{Border, corner};
+use super::grid::{Grid, Tag, invalid};
+use super::{Operation, OverlayTrace, Owner};
+use crate::Scalar;
+use crate::error::Error;
+use crate::polygon::{Fill, Rings};
+use i_overlay::core::edge_data::{EdgeDataMerge, OverlayEdgeData};
+use i_overlay::core::edge_overlay::{EdgeOverlay, InputEdge};
+use i_overlay::core::fill_rule::FillRule;
+use i_overlay::core::overlay::ShapeType;
+use i_overlay::core::overlay_rule::OverlayRule;
+use i_overlay::segm::boolean::ShapeCountBoolean;
+use i_overlay::vector::edge::{CLIP_LEFT, CLIP_RIGHT, DataVectorEdge, SUBJ_LEFT, SUBJ_RIGHT};
+
+impl OverlayEdgeData for Tag {
+    type Store = Vec<[Tag; 2]>;
+
+    fn merge(both: EdgeDataMerge<ShapeCountBoolean, Self>, sets: &mut Self::Store) -> Self {
+        Tag::joined(both.lhs_data, both.rhs_data, sets)
+    }
+}
+
+/// Two polygons cut into pieces that meet at their ends only.
+pub(super) struct Pieces {
+    grid: Grid,
+    overlay: EdgeOverlay<i64, Tag>,
+    fill: FillRule,
+}
+
+impl Pieces {
+    pub fn new<S: Scalar<Mask = bool>>(
+        inputs: [Rings<'_, S>; 2],
+        fill: Fill,
+    ) -> Result<Self, Error> {
+        for (owner, rings) in [Owner::A, Owner::B].into_iter().zip(inputs) {
+            rings.validate().map_err(|flaw| invalid(owner, flaw))?;
+        }
+        let grid = Grid::new(inputs)?;
+        let mut overlay = EdgeOverlay::new(grid.edges.len());
+        for (k, edge) in grid.edges.iter().enumerate() {
+            let [a, b] = edge.ends;
+            let data = Tag::edge(k);
+            let shape = match edge.id.owner {
+                Owner::A => ShapeType::Subject,
+                Owner::B => ShapeType::Clip,
+            };
+            overlay.add_edge(InputEdge { a, b, data }, shape);
+        }
+        let fill = match fill {
+            Fill::NonZero => FillRule::NonZero,
+            Fill::EvenOdd => FillRule::EvenOdd,
+        };
+        Ok(Pieces {
+            grid,
+            overlay,
+            fill,
+        })
+    }
+    pub fn trace(&mut self, operation: Operation) -> OverlayTrace {
+        let rule = match operation {
+            Operation::Union => OverlayRule::Union,
+            Operation::Intersection => OverlayRule::Intersect,
+            Operation::Difference => OverlayRule::Difference,
+            Operation::SymmetricDifference => OverlayRule::Xor,
+        };
+        let parts = self.overlay.build_vector_shapes(rule, self.fill);
+        let mut trace = OverlayTrace::default();
+        for part in parts {
+            for ring in part {
+                self.add_ring(&ring, &mut trace);
+            }
+            if trace.parts.last().copied().unwrap_or(0) < trace.rings.len() {
+                trace.parts.push(trace.rings.len());
+            }
+        }
+        trace
+    }
+    /// Adds the vertices of a ring, unless it has no corner.
+    fn add_ring(&self, ring: &[DataVectorEdge<i64, Tag>], trace: &mut OverlayTrace) {
+        let borders: Vec<_> = ring.iter().map(|piece| self.border(piece)).collect();
+        let before = trace.vertices.len();
+        for (k, border) in borders.iter().enumerate() {
+            let next = &borders[(k + 1) % borders.len()];
+            if border.edges != next.edges {
+                corner(&self.grid, border, next, trace);
+            }
+        }
+        if trace.vertices.len() > before {
+            trace.rings.push(trace.vertices.len());
+        }
+    }
+    /// The edges that a piece lies on, of inputs that it bounds.
+    fn border(&self, piece: &DataVectorEdge<i64, Tag>) -> Border {
+        let mut edges = Vec::new();
+        piece.data.edges(self.overlay.data_store(), &mut edges);
+        let bounds = |left: u8, right: u8| (piece.fill & left == 0) != (piece.fill & right == 0);
+        let bounds = [bounds(SUBJ_LEFT, SUBJ_RIGHT), bounds(CLIP_LEFT, CLIP_RIGHT)];
+        edges.retain(|&k| bounds[self.grid.edges[k].id.owner as usize]);
+        edges.sort_unstable();
+        Border {
+            edges,
+            end: piece.b,
+        }
+    }
+}
+
+/// Where every vertex of the result of a boolean operation is from. See the [module](super).
+///
+/// # Errors
+///
+/// [`Error::Invalid`] with the input and [`Flaw::Ring`](crate::Flaw::Ring) for a coordinate that is not
+/// finite, and for a ring of fewer than three distinct vertices.
+pub fn overlay_decided<'a, S: Scalar<Mask = bool>>(
+    a: impl Into<Rings<'a, S>>,
+    b: impl Into<Rings<'a, S>>,
+    operation: Operation,
+    fill: Fill,
+) -> Result<OverlayTrace, Error> {
+    Ok(Pieces::new([a.into(), b.into()], fill)?.trace(operation))
+}

@@ -1,0 +1,207 @@
+//! Inputs on a grid of whole numbers, edge by edge.
+use super::{EdgeId, Owner, VertexId};
+use crate::error::{Argument, Error, Flaw, VertexFault};
+use crate::polygon::Rings;
+use crate::predicate::wide;
+use crate::{Scalar, Vec2};
+use i_overlay::i_float::int::point::IntPoint;
+
+/// The extent of both inputs together in grid units. Whole numbers may have up to 62 bits; coordinates
+/// down to a fraction of 2⁻⁷ of the extent, which have 53, lie on the grid exactly.
+const EXTENT: f64 = (1_u64 << 59) as f64;
+
+/// An edge of an input.
+pub(super) struct Edge {
+    pub id: EdgeId,
+    /// The vertex at which it ends.
+    pub end: usize,
+    /// Both ends on the grid.
+    pub ends: [IntPoint<i64>; 2],
+    /// From start to end.
+    pub along: Vec2<f64>,
+}
+
+impl Edge {
+    /// The vertex that one of its ends is.
+    pub fn vertex(&self, at_end: bool) -> VertexId {
+        VertexId {
+            owner: self.id.owner,
+            ring: self.id.ring,
+            vertex: if at_end { self.end } else { self.id.edge },
+        }
+    }
+    /// Its own vertex at a place, if it has one there.
+    pub fn vertex_at(&self, at: IntPoint<i64>) -> Option<VertexId> {
+        [false, true]
+            .into_iter()
+            .find(|&end| self.ends[usize::from(end)] == at)
+            .map(|end| self.vertex(end))
+    }
+}
+
+/// The edges of both inputs on the grid, those of length zero left out.
+pub(super) struct Grid {
+    pub edges: Vec<Edge>,
+    /// Every ring's vertices on the grid, of both inputs.
+    places: [Vec<Vec<IntPoint<i64>>>; 2],
+}
+
+impl Grid {
+    pub fn new<S: Scalar<Mask = bool>>(inputs: [Rings<'_, S>; 2]) -> Result<Self, Error> {
+        let vertices = inputs.iter().flat_map(|rings| rings.iter()).flatten();
+        let (mut low, mut high) = ([f64::INFINITY; 2], [f64::NEG_INFINITY; 2]);
+        for &vertex in vertices {
+            let at = wide(vertex).unwrap_or([0.0; 2]);
+            for k in 0..2 {
+                low[k] = low[k].min(at[k]);
+                high[k] = high[k].max(at[k]);
+            }
+        }
+        let axes = [0, 1].map(|k| Axis::new(low[k], high[k]));
+        let reach = axes[0].reach.max(axes[1].reach);
+        // Half of it near one; both factors are powers of two.
+        let unit = if reach > 0.0 {
+            Scalar::binade(reach)
+        } else {
+            1.0
+        };
+        let whole = |x: f64, axis: &Axis| {
+            let half = (x * 0.5 - axis.from * 0.5) * unit;
+            // Below two in size: at most 2⁶⁰.
+            (half * EXTENT).round() as i64
+        };
+        let place = |vertex: Vec2<S>| {
+            let [x, y] = wide(vertex).unwrap_or([0.0; 2]);
+            IntPoint::new(whole(x, &axes[0]), whole(y, &axes[1]))
+        };
+        let places = inputs.map(|rings| {
+            let ring = |ring: &[Vec2<S>]| ring.iter().map(|&v| place(v)).collect();
+            rings.iter().map(ring).collect::<Vec<_>>()
+        });
+        let mut grid = Grid {
+            edges: Vec::new(),
+            places,
+        };
+        for (owner, rings) in [Owner::A, Owner::B].into_iter().zip(inputs) {
+            for (ring, vertices) in rings.iter().enumerate() {
+                grid.add(
+                    EdgeId {
+                        owner,
+                        ring,
+                        edge: 0,
+                    },
+                    vertices,
+                )?;
+            }
+        }
+        Ok(grid)
+    }
+    fn add<S: Scalar<Mask = bool>>(&mut self, id: EdgeId, ring: &[Vec2<S>]) -> Result<(), Error> {
+        let places = &self.places[id.owner as usize][id.ring];
+        for edge in 0..ring.len() {
+            let end = if edge + 1 < ring.len() { edge + 1 } else { 0 };
+            let ends = [places[edge], places[end]];
+            if ends[0] == ends[1] {
+                continue;
+            }
+            if self.edges.len() >= Tag::MOST {
+                let fault = VertexFault::Surplus;
+                return Err(invalid(
+                    id.owner,
+                    Flaw::Ring {
+                        ring: id.ring,
+                        index: edge,
+                        fault,
+                    },
+                ));
+            }
+            let along = [0, 1].map(|k| {
+                let [from, to] = ends.map(|p| if k == 0 { p.x } else { p.y });
+                // Differences of whole numbers below 2⁶¹.
+                (to - from) as f64
+            });
+            self.edges.push(Edge {
+                id: EdgeId { edge, ..id },
+                end,
+                ends,
+                along: Vec2::new(along[0], along[1]),
+            });
+        }
+        Ok(())
+    }
+    /// Whether two vertices are one, or follow each other in a ring at one place.
+    pub fn is_joined(&self, a: VertexId, b: VertexId) -> bool {
+        if (a.owner, a.ring) != (b.owner, b.ring) {
+            return false;
+        }
+        let ring = &self.places[a.owner as usize][a.ring];
+        let (n, here) = (ring.len(), ring[a.vertex]);
+        let way = (b.vertex + n - a.vertex) % n;
+        let alike =
+            |mut steps: std::ops::Range<usize>| steps.all(|k| ring[(a.vertex + k) % n] == here);
+        alike(0..way + 1) || alike(way..n)
+    }
+}
+
+/// A coordinate: what it is seen from, and how far it reaches from there.
+struct Axis {
+    from: f64,
+    reach: f64,
+}
+
+impl Axis {
+    fn new(low: f64, high: f64) -> Self {
+        let half = high * 0.5 - low * 0.5;
+        // Far away all differences are exact; near zero there is no need for any.
+        let nearest = if low > 0.0 { low } else { (-high).max(0.0) };
+        let from = match nearest * 0.5 > 2.0 * half {
+            true => low,
+            false => 0.0,
+        };
+        let reach = (low * 0.5 - from * 0.5)
+            .abs()
+            .max((high * 0.5 - from * 0.5).abs());
+        Axis { from, reach }
+    }
+}
+
+/// A flaw of one of the inputs.
+pub(super) fn invalid(owner: Owner, flaw: Flaw) -> Error {
+    let argument = match owner {
+        Owner::A => Argument::A,
+        Owner::B => Argument::B,
+    };
+    Error::Invalid {
+        argument,
+        row: 0,
+        flaw,
+    }
+}
+
+/// A set of edges that lie along each other: the number of one, or that of two sets joined.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) struct Tag(u32);
+
+impl Tag {
+    /// How many edges can be told apart.
+    const MOST: usize = 1 << 31;
+
+    pub fn edge(k: usize) -> Self {
+        Tag(k as u32)
+    }
+    pub fn joined(a: Tag, b: Tag, sets: &mut Vec<[Tag; 2]>) -> Self {
+        if a == b {
+            return a;
+        }
+        sets.push([a, b]);
+        Tag((Self::MOST + sets.len() - 1) as u32)
+    }
+    /// Adds the numbers of all edges of the set to a list, each once.
+    pub fn edges(self, sets: &[[Tag; 2]], to: &mut Vec<usize>) {
+        match (self.0 as usize).checked_sub(Self::MOST) {
+            Some(k) => sets[k].iter().for_each(|part| part.edges(sets, to)),
+            None if !to.contains(&(self.0 as usize)) => to.push(self.0 as usize),
+            None => {}
+        }
+    }
+}

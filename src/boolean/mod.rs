@@ -1,0 +1,54 @@
+//! Boolean operations of polygons of any kind, with the provenance of every vertex: union, intersection,
+//! difference, symmetric difference.
+//!
+//! [`overlay_decided`] (feature `boolean`) finds by exact arithmetic on integers which pieces of which edges
+//! bound the result. Its record, [`OverlayTrace`], holds no numbers: a vertex of the result is a vertex of
+//! an input, or the crossing of two edges. [`overlay_replay`] makes the result from the inputs and the
+//! record in the precision of the scalar, so duals pass through it; the adjoint of any function of its
+//! vertices is [`overlay_vjp`](crate::ad::adjoint::boolean::overlay_vjp). Both need no feature.
+//!
+//! Inputs are [`Rings`](crate::Rings) of any kind, crossing and self-intersecting ones included; a
+//! [`Fill`](crate::polygon::Fill) says which winding numbers are inside, of both inputs. The parts of the
+//! result run counter-clockwise and its holes clockwise.
+//!
+//! Kinks: where edges of both inputs (or several of one) lie along each other, the border of the result
+//! moves with the mean of them, so identical polygons have the IoU 1 and slopes of zero. There the result
+//! may have two vertices at one place, between which it has a side of length zero that opens as inputs
+//! move. A vertex of one input on an edge of the other has the slope of one of its sides. What has no area
+//! (a line along which both merely touch, or a polygon less itself) is no part of a result and has no slope.
+//!
+//! Vertices that differ by less than about 10⁻¹⁷ of the extent of both inputs count as one.
+//!
+//! For the area of what polygons share nothing need be clipped: see
+//! [`overlap_polygon::rings`](crate::overlap_polygon::rings).
+//!
+//! ```
+//! # #[cfg(feature = "boolean")] {
+//! use geograd::{Aabb2, Vec2, boolean::{Operation, Origin, overlay_decided, overlay_replay}, polygon::Fill};
+//! let (a, b) = (Aabb2::new(0.0, 0.0, 2.0, 2.0).corners(), Aabb2::new(1.0, 1.0, 3.0, 3.0).corners());
+//! let trace = overlay_decided(&a, &b, Operation::Intersection, Fill::NonZero)?;
+//! let shared = overlay_replay(&a, &b, &trace);
+//! assert_eq!(geograd::polygon::area(&shared), 1.0_f64);
+//! let crossings = trace.origins().filter(|of| matches!(of, [Origin::Cross(..)])).count();
+//! assert_eq!((shared.vertices().len(), crossings), (4, 2));
+//! # }
+//! # Ok::<(), geograd::Error>(())
+//! ```
+#[cfg(feature = "boolean")]
+mod corner;
+#[cfg(feature = "boolean")]
+mod decide;
+#[cfg(feature = "boolean")]
+mod grid;
+mod replay;
+#[cfg(feature = "boolean")]
+mod shortcut;
+mod trace;
+
+#[cfg(feature = "boolean")]
+pub use decide::overlay_decided;
+pub(crate) use replay::{foot, input_edge, input_vertex};
+pub use replay::{iou_replay, overlay_replay};
+#[cfg(feature = "boolean")]
+pub use shortcut::{difference, intersection, iou_decided, symmetric_difference, union};
+pub use trace::{EdgeId, IouTrace, Operation, Origin, OverlayTrace, Owner, VertexId};

@@ -1,0 +1,131 @@
+//! The result of a boolean operation from its inputs and its record.
+use super::{EdgeId, IouTrace, Origin, OverlayTrace, VertexId};
+use crate::clipping::crossing::crossing;
+use crate::overlap::ratio_of_first;
+use crate::polygon::{Polygon, Rings};
+use crate::reference::Reference;
+use crate::{Scalar, Vec2, ring};
+
+/// A vertex of an input.
+#[inline]
+pub(crate) fn input_vertex<S: Scalar>(inputs: [Rings<'_, S>; 2], id: VertexId) -> Vec2<S> {
+    inputs[id.owner as usize].ring(id.ring)[id.vertex]
+}
+
+/// Both ends of an edge of an input, with the number of the second one.
+#[inline]
+pub(crate) fn input_edge<S: Scalar>(
+    inputs: [Rings<'_, S>; 2],
+    id: EdgeId,
+) -> ([Vec2<S>; 2], usize) {
+    let ring = inputs[id.owner as usize].ring(id.ring);
+    let next = if id.edge + 1 < ring.len() {
+        id.edge + 1
+    } else {
+        0
+    };
+    ([ring[id.edge], ring[next]], next)
+}
+
+/// The place of a line nearest to a point: where it is seen from, the direction of the line, the fraction
+/// of the way along it, and the square of its length (one for a point).
+#[inline]
+pub(crate) fn foot<S: Scalar>(point: Vec2<S>, line: [Vec2<S>; 2]) -> (Reference<S>, Vec2<S>, S, S) {
+    let seen = Reference::of_ring(&line);
+    let [start, end] = line.map(|v| seen.place(v));
+    let along = end - start;
+    let square = along.length_squared();
+    let square = S::select(square.at_most(S::zero()), S::one(), square);
+    let share = (seen.place(point) - start).dot(along).over(square);
+    (seen, along, share, square)
+}
+
+fn place<S: Scalar>(inputs: [Rings<'_, S>; 2], origin: Origin) -> Vec2<S> {
+    match origin {
+        Origin::Vertex(id) => input_vertex(inputs, id).canonical(),
+        Origin::Cross(first, second) => {
+            crossing(input_edge(inputs, first).0, input_edge(inputs, second).0)
+        }
+        Origin::Foot { of, on } => {
+            let line = input_edge(inputs, on).0;
+            let (seen, along, share, _) = foot(input_vertex(inputs, of), line);
+            seen.outer_place(seen.place(line[0]) + along * share)
+                .canonical()
+        }
+    }
+}
+
+/// The result of a boolean operation, from both inputs and the record of
+/// `overlay_decided`: parts counter-clockwise, holes clockwise. Slopes of a crossing are those of
+/// the two edges that cross; its own are unbounded as these become parallel, though those of areas are
+/// not.
+///
+/// # Panics
+///
+/// When the record names a ring or a vertex that is not there: it is of other inputs.
+#[must_use]
+pub fn overlay_replay<'a, S: Scalar>(
+    a: impl Into<Rings<'a, S>>,
+    b: impl Into<Rings<'a, S>>,
+    trace: &OverlayTrace,
+) -> Polygon<S> {
+    let inputs = [a.into(), b.into()];
+    let vertices = trace.origins().map(|all| {
+        let share = S::lit(1.0 / all.len() as f64);
+        match all {
+            [only] => place(inputs, *only),
+            _ => all
+                .iter()
+                .fold(Vec2::zero(), |sum, &one| sum + place(inputs, one) * share),
+        }
+    });
+    let mut vertices = vertices.collect::<Vec<_>>().into_iter();
+    let mut made = Polygon::new();
+    let mut start = 0;
+    for &end in &trace.rings {
+        made.push(vertices.by_ref().take(end - start));
+        start = end;
+    }
+    made
+}
+
+/// Intersection over union, in `[0, 1]`, from both inputs and the record of `iou_decided`; zero with slope
+/// zero where the union is empty.
+///
+/// # Panics
+///
+/// When the record names a ring or a vertex that is not there: it is of other inputs.
+#[must_use]
+pub fn iou_replay<'a, S: Scalar>(
+    a: impl Into<Rings<'a, S>>,
+    b: impl Into<Rings<'a, S>>,
+    trace: &IouTrace,
+) -> S {
+    let (a, b) = (a.into(), b.into());
+    // In a unit in which the area of what both cover is about one.
+    let seen = a
+        .bounds()
+        .into_iter()
+        .chain(b.bounds())
+        .reduce(|a, b| a.join(b));
+    let Some(seen) = seen.map(Reference::of_bounds) else {
+        return S::zero();
+    };
+    let area = |trace| {
+        let shape = overlay_replay(a, b, trace);
+        let mut sum = S::zero();
+        for part in shape.rings().iter() {
+            let local: Vec<_> = part.iter().map(|&v| seen.place(v)).collect();
+            sum += ring::signed_area(&local);
+        }
+        sum
+    };
+    let (inter, union) = (area(&trace.intersection), area(&trace.union));
+    let ratio = ratio_of_first(inter, union);
+    S::select(
+        ratio.above(S::one()),
+        ratio.with_primal(S::Primal::one()),
+        ratio,
+    )
+    .canonical()
+}

@@ -1,0 +1,116 @@
+//! Results without their record, and intersection over union with it.
+use super::decide::Pieces;
+use super::{IouTrace, Operation, iou_replay, overlay_decided, overlay_replay};
+use crate::Scalar;
+use crate::error::Error;
+use crate::polygon::{Fill, Polygon, Rings};
+
+fn made<S: Scalar<Mask = bool>>(
+    a: Rings<'_, S>,
+    b: Rings<'_, S>,
+    operation: Operation,
+    fill: Fill,
+) -> Result<Polygon<S>, Error> {
+    overlay_decided(a, b, operation, fill).map(|trace| overlay_replay(a, b, &trace))
+}
+
+/// What is in either of two polygons of any kind. See the [module](super).
+///
+/// ```
+/// use geograd::{Aabb2, boolean::union, polygon::{Fill, perimeter}};
+/// let (a, b) = (Aabb2::new(0.0, 0.0, 2.0, 2.0).corners(), Aabb2::new(1.0, 1.0, 3.0, 3.0).corners());
+/// assert_eq!(perimeter(&union(&a, &b, Fill::NonZero)?), 12.0);
+/// # Ok::<(), geograd::Error>(())
+/// ```
+///
+/// # Errors
+///
+/// See [`overlay_decided`].
+pub fn union<'a, S: Scalar<Mask = bool>>(
+    a: impl Into<Rings<'a, S>>,
+    b: impl Into<Rings<'a, S>>,
+    fill: Fill,
+) -> Result<Polygon<S>, Error> {
+    made(a.into(), b.into(), Operation::Union, fill)
+}
+
+/// What two polygons of any kind share. See the [module](super).
+///
+/// # Errors
+///
+/// See [`overlay_decided`].
+pub fn intersection<'a, S: Scalar<Mask = bool>>(
+    a: impl Into<Rings<'a, S>>,
+    b: impl Into<Rings<'a, S>>,
+    fill: Fill,
+) -> Result<Polygon<S>, Error> {
+    made(a.into(), b.into(), Operation::Intersection, fill)
+}
+
+/// What is in the first and not in the second of two polygons of any kind. See the [module](super).
+///
+/// ```
+/// use geograd::{Aabb2, boolean::difference, polygon::{Fill, area}};
+/// let (a, b) = (Aabb2::new(0.0, 0.0, 3.0, 3.0).corners(), Aabb2::new(1.0, 1.0, 2.0, 2.0).corners());
+/// let frame = difference(&a, &b, Fill::NonZero)?;
+/// assert_eq!((frame.rings().count(), area(&frame)), (2, 8.0));
+/// # Ok::<(), geograd::Error>(())
+/// ```
+///
+/// # Errors
+///
+/// See [`overlay_decided`].
+pub fn difference<'a, S: Scalar<Mask = bool>>(
+    a: impl Into<Rings<'a, S>>,
+    b: impl Into<Rings<'a, S>>,
+    fill: Fill,
+) -> Result<Polygon<S>, Error> {
+    made(a.into(), b.into(), Operation::Difference, fill)
+}
+
+/// What is in exactly one of two polygons of any kind. See the [module](super).
+///
+/// # Errors
+///
+/// See [`overlay_decided`].
+pub fn symmetric_difference<'a, S: Scalar<Mask = bool>>(
+    a: impl Into<Rings<'a, S>>,
+    b: impl Into<Rings<'a, S>>,
+    fill: Fill,
+) -> Result<Polygon<S>, Error> {
+    made(a.into(), b.into(), Operation::SymmetricDifference, fill)
+}
+
+/// Intersection over union of two polygons of any kind, in `[0, 1]`, and what decided it; zero with slope
+/// zero where they are apart or the union is empty. [`iou_replay`] has its slopes.
+///
+/// ```
+/// use geograd::{Polygon, Vec2, boolean::{iou_decided, iou_replay}, polygon::Fill};
+/// // A bow tie that crosses itself, and a square around it.
+/// let tie = [(0.0, 0.0), (2.0, 2.0), (2.0, 0.0), (0.0, 2.0)].map(|(x, y)| Vec2::new(x, y));
+/// let square = [(-1.0, -1.0), (3.0, -1.0), (3.0, 3.0), (-1.0, 3.0)].map(|(x, y)| Vec2::new(x, y));
+/// let (iou, trace) = iou_decided(&tie, &square, Fill::NonZero)?;
+/// assert_eq!(iou, 0.125);
+/// let both = (Polygon::from_rings([&tie[..]]), Polygon::from_rings([&square[..]]));
+/// let of = |(a, b): (Polygon<_>, Polygon<_>)| iou_replay(&a, &b, &trace);
+/// let (iou, (by_tie, _)) = geograd::gradient(of, both);
+/// assert!(iou == 0.125 && (by_tie.ring(0)[0].x + 1.0_f64 / 32.0).abs() < 1e-15);
+/// # Ok::<(), geograd::Error>(())
+/// ```
+///
+/// # Errors
+///
+/// See [`overlay_decided`].
+pub fn iou_decided<'a, S: Scalar<Mask = bool>>(
+    a: impl Into<Rings<'a, S>>,
+    b: impl Into<Rings<'a, S>>,
+    fill: Fill,
+) -> Result<(S, IouTrace), Error> {
+    let (a, b) = (a.into(), b.into());
+    let mut pieces = Pieces::new([a, b], fill)?;
+    let trace = IouTrace {
+        intersection: pieces.trace(Operation::Intersection),
+        union: pieces.trace(Operation::Union),
+    };
+    Ok((iou_replay(a, b, &trace), trace))
+}

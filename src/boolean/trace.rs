@@ -1,0 +1,110 @@
+//! What a boolean operation decided.
+
+/// What to make of two polygons.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum Operation {
+    /// What is in either.
+    Union,
+    /// What is in both.
+    Intersection,
+    /// What is in the first and not in the second.
+    Difference,
+    /// What is in exactly one.
+    SymmetricDifference,
+}
+
+/// Which input is meant.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
+pub enum Owner {
+    /// The first polygon.
+    A,
+    /// The second polygon.
+    B,
+}
+
+/// A vertex of an input.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
+pub struct VertexId {
+    /// The input.
+    pub owner: Owner,
+    /// The ring, from zero.
+    pub ring: usize,
+    /// The vertex of that ring, from zero.
+    pub vertex: usize,
+}
+
+/// An edge of an input.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
+pub struct EdgeId {
+    /// The input.
+    pub owner: Owner,
+    /// The ring, from zero.
+    pub ring: usize,
+    /// The vertex of that ring at which the edge starts, from zero.
+    pub edge: usize,
+}
+
+/// Where a vertex of the result is from.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
+pub enum Origin {
+    /// A vertex of an input.
+    Vertex(VertexId),
+    /// The crossing of two edges: of both inputs, or of one that crosses itself.
+    Cross(EdgeId, EdgeId),
+    /// The place of an edge nearest to a vertex that lies on it, where the edges beside that vertex
+    /// begin or cease to lie along it.
+    Foot {
+        /// The vertex.
+        of: VertexId,
+        /// The edge.
+        on: EdgeId,
+    },
+}
+
+/// What a boolean operation decided: where every vertex of the result is from. It holds no numbers.
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
+pub struct OverlayTrace {
+    pub(super) origins: Vec<Origin>,
+    /// How many origins there are up to the end of each vertex.
+    pub(super) vertices: Vec<usize>,
+    /// How many vertices there are up to the end of each ring.
+    pub(super) rings: Vec<usize>,
+    /// How many rings there are up to the end of each part.
+    pub(super) parts: Vec<usize>,
+}
+
+impl OverlayTrace {
+    /// Where each vertex of the result is from, one ring after the other. With several origins, which are
+    /// then at one place, it is the mean of them.
+    pub fn origins(&self) -> impl Iterator<Item = &[Origin]> {
+        let starts = std::iter::once(&0).chain(&self.vertices);
+        starts
+            .zip(&self.vertices)
+            .map(|(&from, &to)| &self.origins[from..to])
+    }
+    /// How many vertices the result has.
+    #[must_use]
+    pub fn vertex_count(&self) -> usize {
+        self.vertices.len()
+    }
+    /// The number of vertices up to the end of each ring of the result.
+    #[must_use]
+    pub fn ends(&self) -> &[usize] {
+        &self.rings
+    }
+    /// The parts of the result as numbers of rings: the first of each bounds the part, the others are its
+    /// holes.
+    pub fn parts(&self) -> impl Iterator<Item = std::ops::Range<usize>> {
+        let starts = std::iter::once(&0).chain(&self.parts);
+        starts.zip(&self.parts).map(|(&from, &to)| from..to)
+    }
+}
+
+/// What intersection over union decided.
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
+pub struct IouTrace {
+    /// What both polygons share.
+    pub intersection: OverlayTrace,
+    /// What they cover together.
+    pub union: OverlayTrace,
+}

@@ -1,0 +1,24 @@
+//! Polygons of any kind: with holes, of many parts, as rings of either orientation.
+//!
+//! [`Polygon`] owns its vertices, [`Rings`] looks at those of someone else; functions take what can
+//! become [`Rings`]: a slice of vertices (one ring), a slice of slices, a slice of lists, or a
+//! reference to a [`Polygon`]. Which rings are holes is not stored. It follows from where they lie:
+//!
+//! * [`area`], [`centroid`], [`second_moments`] and the overlap of
+//!   [`overlap_polygon::rings`](crate::overlap_polygon::rings) take rings that do not cross, nested to any
+//!   depth and each of either orientation. What an odd number of rings enclose is inside. [`Sides`] is
+//!   that decision, made once and kept.
+//! * [`locate`](Rings::locate), [`contains`](Rings::contains), [`clearance`](Rings::clearance) and
+//!   [`boolean`](crate::boolean) take rings of any kind, and a [`Fill`] that says which winding numbers
+//!   are inside.
+//!
+//! The vertices of all rings are numbered one ring after the other: so are their cotangents.
+mod measure;
+mod place;
+mod rings;
+mod sides;
+
+pub use crate::distance::ring::Fill;
+pub use measure::{area, centroid, perimeter, second_moments, signed_area};
+pub use rings::{Polygon, Rings};
+pub use sides::Sides;

@@ -1,0 +1,65 @@
+//! Where a point is, seen from a polygon.
+use super::{Fill, Rings};
+use crate::contain::{Location, locate};
+use crate::distance::ring::{EdgeFold, fold_ring};
+use crate::{Scalar, Vec2};
+
+impl<S: Scalar<Mask = bool>> Rings<'_, S> {
+    /// Where a point is: on the border, or how often the rings wind around it. Decided exactly.
+    #[must_use]
+    pub fn locate(&self, point: Vec2<S>) -> Location {
+        let mut sum = 0;
+        for ring in self.iter() {
+            match locate(&[ring], point) {
+                Location::Border => return Location::Border,
+                Location::Off(winding) => sum += winding,
+            }
+        }
+        Location::Off(sum)
+    }
+    /// Whether a point is in the polygon by a fill rule; its border belongs to it. Decided exactly.
+    ///
+    /// ```
+    /// use geograd::{Aabb2, Rings, Vec2, polygon::Fill};
+    /// let (outer, hole) = (Aabb2::new(0.0, 0.0, 4.0, 4.0).corners(), Aabb2::new(1.0, 1.0, 2.0, 2.0).corners());
+    /// let rings = [outer.as_slice(), &hole];
+    /// let rings = Rings::from(&rings[..]);
+    /// let at = Vec2::new(1.5, 1.5); // both rings run counter-clockwise
+    /// assert!(rings.contains(at, Fill::NonZero) && !rings.contains(at, Fill::EvenOdd));
+    /// ```
+    #[must_use]
+    pub fn contains(&self, point: Vec2<S>, fill: Fill) -> bool {
+        match (self.locate(point), fill) {
+            (Location::Border, _) => true,
+            (Location::Off(winding), Fill::NonZero) => winding != 0,
+            (Location::Off(winding), Fill::EvenOdd) => winding % 2 != 0,
+        }
+    }
+    /// How far a point is from the nearest edge of any ring, in units of length: positive inside,
+    /// negative outside, by a fill rule. Without vertices the lowest finite number.
+    ///
+    /// The sign is decided exactly. Slopes are exact for the point and the ends of the nearest edge.
+    /// Kinks: several nearest edges, which share the slope equally, and the border, where it is zero.
+    ///
+    /// ```
+    /// use geograd::{Aabb2, Rings, Vec2, polygon::Fill};
+    /// let (outer, hole) = (Aabb2::new(0.0, 0.0, 4.0, 4.0).corners(), Aabb2::new(1.0, 1.0, 3.0, 3.0).corners());
+    /// let rings = [outer.as_slice(), &hole];
+    /// let rings = Rings::from(&rings[..]);
+    /// assert_eq!(rings.clearance(Vec2::new(0.25, 2.0), Fill::EvenOdd), 0.25);
+    /// assert_eq!(rings.clearance(Vec2::new(1.5, 2.0), Fill::EvenOdd), -0.5);
+    /// ```
+    #[must_use]
+    pub fn clearance(&self, point: Vec2<S>, fill: Fill) -> S {
+        let mut state = EdgeFold::empty();
+        for ring in self.iter().filter(|ring| !ring.is_empty()) {
+            state = state.join(fold_ring(point, ring));
+        }
+        let distance = state.distance();
+        let signed = match self.contains(point, fill) {
+            true => distance,
+            false => -distance,
+        };
+        signed.canonical()
+    }
+}

@@ -1,0 +1,303 @@
+//! Rings that are looked at, and rings that are owned.
+use crate::error::{Flaw, Validate, VertexFault};
+use crate::predicate::same;
+use crate::reference::bounds_of;
+use crate::shape::edges;
+use crate::{Aabb2, Pack, Scalar, Vec2};
+
+/// The rings of a polygon, as a view of someone else's vertices. The last vertex of a ring is joined to
+/// its first one.
+///
+/// ```
+/// use geograd::{Aabb2, Rings};
+/// let (outer, hole) = (Aabb2::new(0.0, 0.0, 4.0, 4.0).corners(), Aabb2::new(1.0, 1.0, 2.0, 2.0).corners());
+/// let both = [outer.as_slice(), &hole];
+/// assert_eq!(Rings::from(&both[..]).vertex_count(), 8);
+/// assert_eq!(Rings::from(&outer[..]).count(), 1);
+/// ```
+#[derive(Clone, Copy, Debug)]
+pub struct Rings<'a, S> {
+    source: Source<'a, S>,
+}
+
+#[derive(Clone, Copy, Debug)]
+enum Source<'a, S> {
+    One(&'a [Vec2<S>]),
+    Slices(&'a [&'a [Vec2<S>]]),
+    Lists(&'a [Vec<Vec2<S>>]),
+    Flat(&'a [Vec2<S>], &'a [usize]),
+}
+
+impl<'a, S> Rings<'a, S> {
+    /// From the vertices of all rings one after the other, and the number of vertices up to the end of
+    /// each ring. Ends beyond the vertices, or below the end before them, end there.
+    #[must_use]
+    pub fn flat(vertices: &'a [Vec2<S>], ends: &'a [usize]) -> Self {
+        let source = Source::Flat(vertices, ends);
+        Rings { source }
+    }
+    /// How many rings there are.
+    #[must_use]
+    #[inline]
+    pub fn count(&self) -> usize {
+        match self.source {
+            Source::One(_) => 1,
+            Source::Slices(all) => all.len(),
+            Source::Lists(all) => all.len(),
+            Source::Flat(_, ends) => ends.len(),
+        }
+    }
+    /// The vertices of a ring; none for one that is not there.
+    #[must_use]
+    #[inline]
+    pub fn ring(&self, k: usize) -> &'a [Vec2<S>] {
+        let found = match self.source {
+            Source::One(ring) => (k == 0).then_some(ring),
+            Source::Slices(all) => all.get(k).copied(),
+            Source::Lists(all) => all.get(k).map(Vec::as_slice),
+            Source::Flat(vertices, ends) => ends.get(k).and_then(|&end| {
+                let start = k.checked_sub(1).map_or(0, |before| ends[before]);
+                vertices.get(start..end.min(vertices.len()))
+            }),
+        };
+        found.unwrap_or(&[])
+    }
+    /// All rings.
+    #[inline]
+    pub fn iter(&self) -> impl Iterator<Item = &'a [Vec2<S>]> + 'a
+    where
+        S: Copy,
+    {
+        let all = *self;
+        (0..all.count()).map(move |k| all.ring(k))
+    }
+    /// How many vertices all rings have together.
+    #[must_use]
+    #[inline]
+    pub fn vertex_count(&self) -> usize
+    where
+        S: Copy,
+    {
+        self.iter().map(<[_]>::len).sum()
+    }
+}
+
+impl<S: Scalar> Rings<'_, S> {
+    /// The smallest axis-aligned box around all rings, without slopes; `None` without vertices.
+    #[must_use]
+    #[inline]
+    pub(crate) fn bounds(&self) -> Option<Aabb2<S>> {
+        self.iter().filter_map(bounds_of).reduce(|a, b| a.join(b))
+    }
+    /// The smallest axis-aligned box around all rings; ties share the slope. `None` without vertices.
+    ///
+    /// ```
+    /// use geograd::{Aabb2, Rings, Vec2};
+    /// let triangle = [(1.0, 1.0), (4.0, 2.0), (2.0, 5.0)].map(|(x, y)| Vec2::new(x, y));
+    /// assert_eq!(Rings::from(&triangle[..]).bounding(), Some(Aabb2::new(1.0, 1.0, 4.0, 5.0)));
+    /// ```
+    #[must_use]
+    #[inline]
+    pub fn bounding(&self) -> Option<Aabb2<S>> {
+        let all = self.iter().filter_map(Aabb2::around);
+        all.reduce(|a, b| Aabb2 {
+            min: a.min.least(b.min),
+            max: a.max.most(b.max),
+        })
+    }
+    /// `Ok` when every coordinate is finite and every ring has three distinct vertices.
+    ///
+    /// # Errors
+    ///
+    /// [`Flaw::Ring`] with the ring and its first vertex at fault; where distinct vertices are missing,
+    /// that is the number of its vertices.
+    pub fn validate(&self) -> Result<(), Flaw>
+    where
+        S: Scalar<Mask = bool>,
+    {
+        for (ring, vertices) in self.iter().enumerate() {
+            let flaw = |index, fault| Err(Flaw::Ring { ring, index, fault });
+            if let Some(index) = vertices.iter().position(|vertex| !vertex.is_finite()) {
+                return flaw(index, VertexFault::NotFinite);
+            }
+            let mut others = vertices.iter().filter(|v| !same(**v, vertices[0]));
+            let second = others.next();
+            if !second.is_some_and(|second| others.any(|third| !same(*second, *third))) {
+                return flaw(vertices.len(), VertexFault::Missing);
+            }
+        }
+        Ok(())
+    }
+    /// The same rings with vertices of their own.
+    #[must_use]
+    pub fn to_polygon(&self) -> Polygon<S> {
+        Polygon::from_rings(self.iter())
+    }
+}
+
+impl<'a, S> From<&'a [Vec2<S>]> for Rings<'a, S> {
+    /// One ring.
+    fn from(ring: &'a [Vec2<S>]) -> Self {
+        let source = Source::One(ring);
+        Rings { source }
+    }
+}
+impl<'a, S> From<&'a Vec<Vec2<S>>> for Rings<'a, S> {
+    /// One ring.
+    fn from(ring: &'a Vec<Vec2<S>>) -> Self {
+        ring.as_slice().into()
+    }
+}
+impl<'a, S, const N: usize> From<&'a [Vec2<S>; N]> for Rings<'a, S> {
+    /// One ring.
+    fn from(ring: &'a [Vec2<S>; N]) -> Self {
+        ring.as_slice().into()
+    }
+}
+impl<'a, S> From<&'a [&'a [Vec2<S>]]> for Rings<'a, S> {
+    /// These rings.
+    fn from(all: &'a [&'a [Vec2<S>]]) -> Self {
+        let source = Source::Slices(all);
+        Rings { source }
+    }
+}
+impl<'a, S> From<&'a [Vec<Vec2<S>>]> for Rings<'a, S> {
+    /// These rings.
+    fn from(all: &'a [Vec<Vec2<S>>]) -> Self {
+        let source = Source::Lists(all);
+        Rings { source }
+    }
+}
+impl<'a, S> From<&'a Polygon<S>> for Rings<'a, S> {
+    /// The rings of the polygon.
+    fn from(polygon: &'a Polygon<S>) -> Self {
+        Rings::flat(&polygon.vertices, &polygon.ends)
+    }
+}
+
+/// A polygon with holes and of many parts: rings of either orientation. See the [module](super).
+///
+/// It is a [`Pack`], so that functions of polygons are differentiated like those of other shapes.
+///
+/// ```
+/// use geograd::{Aabb2, Polygon, polygon};
+/// let frame = Polygon::try_from_rings([
+///     &Aabb2::new(0.0, 0.0, 4.0, 3.0).corners()[..],
+///     &Aabb2::new(1.0, 1.0, 3.0, 2.0).corners(),
+/// ])?;
+/// assert_eq!(polygon::area(&frame), 10.0);
+/// let (area, slopes) = geograd::gradient(|p: Polygon<_>| polygon::area(&p), frame);
+/// assert_eq!((area, slopes.ring(1)[0].x), (10.0, 0.5)); // a smaller hole, a larger area
+/// # Ok::<(), geograd::Flaw>(())
+/// ```
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Polygon<S> {
+    vertices: Vec<Vec2<S>>,
+    ends: Vec<usize>,
+}
+
+impl<S> Polygon<S> {
+    /// No rings.
+    #[must_use]
+    pub const fn new() -> Self {
+        Polygon {
+            vertices: Vec::new(),
+            ends: Vec::new(),
+        }
+    }
+    /// From rings of either orientation, unchecked.
+    #[must_use]
+    pub fn from_rings<'r>(rings: impl IntoIterator<Item = &'r [Vec2<S>]>) -> Self
+    where
+        S: Copy + 'r,
+    {
+        let mut made = Self::new();
+        for ring in rings {
+            made.push(ring.iter().copied());
+        }
+        made
+    }
+    /// From rings of either orientation.
+    ///
+    /// # Errors
+    ///
+    /// See [`Rings::validate`].
+    pub fn try_from_rings<'r>(rings: impl IntoIterator<Item = &'r [Vec2<S>]>) -> Result<Self, Flaw>
+    where
+        S: Scalar<Mask = bool> + 'r,
+    {
+        let made = Self::from_rings(rings);
+        made.rings().validate()?;
+        Ok(made)
+    }
+    /// Adds a ring.
+    pub fn push(&mut self, ring: impl IntoIterator<Item = Vec2<S>>) {
+        self.vertices.extend(ring);
+        self.ends.push(self.vertices.len());
+    }
+    /// The rings.
+    #[must_use]
+    pub fn rings(&self) -> Rings<'_, S> {
+        self.into()
+    }
+    /// The vertices of a ring; none for one that is not there.
+    #[must_use]
+    pub fn ring(&self, k: usize) -> &[Vec2<S>] {
+        self.rings().ring(k)
+    }
+    /// The vertices of all rings, one ring after the other.
+    #[must_use]
+    pub fn vertices(&self) -> &[Vec2<S>] {
+        &self.vertices
+    }
+    /// The vertices of all rings, one ring after the other, for change.
+    #[must_use]
+    pub fn vertices_mut(&mut self) -> &mut [Vec2<S>] {
+        &mut self.vertices
+    }
+    /// The number of vertices up to the end of each ring.
+    #[must_use]
+    pub fn ends(&self) -> &[usize] {
+        &self.ends
+    }
+}
+
+impl<S: Clone> Pack for Polygon<S> {
+    type Scalar = S;
+    type With<T: Clone> = Polygon<T>;
+    fn map<T: Clone>(&self, f: &mut impl FnMut(&S) -> T) -> Polygon<T> {
+        let mut each = |v: &Vec2<S>| Vec2::new(f(&v.x), f(&v.y));
+        Polygon {
+            vertices: self.vertices.iter().map(&mut each).collect(),
+            ends: self.ends.clone(),
+        }
+    }
+    fn each(&mut self, f: &mut impl FnMut(&mut S)) {
+        for vertex in &mut self.vertices {
+            f(&mut vertex.x);
+            f(&mut vertex.y);
+        }
+    }
+}
+
+impl<S: Scalar<Mask = bool>> Validate for Polygon<S> {
+    fn validate(&self) -> Result<(), Flaw> {
+        self.rings().validate()
+    }
+}
+
+impl<S: Scalar> Rings<'_, S> {
+    /// Calls something for every edge: its ring, the numbers of its ends among all vertices, and both
+    /// ends.
+    #[inline(always)]
+    pub(crate) fn each_edge(&self, mut f: impl FnMut(usize, [usize; 2], [Vec2<S>; 2])) {
+        let mut first = 0;
+        for (ring, vertices) in self.iter().enumerate() {
+            for (k, ends) in edges(vertices).enumerate() {
+                let next = if k + 1 < vertices.len() { k + 1 } else { 0 };
+                f(ring, [first + k, first + next], ends);
+            }
+            first += vertices.len();
+        }
+    }
+}

@@ -1,0 +1,393 @@
+//! Boolean operations of polygons of any kind, against an oracle, and their slopes.
+use super::cases::{any_ring, at, hard_rings, ring, stars};
+use super::rings::{differences, made, moved, zeros};
+use super::scanline::{self, Ring};
+use geograd::ad::adjoint::boolean::overlay_vjp;
+use geograd::ad::adjoint::ring::signed_area_vjp;
+use geograd::boolean::{
+    EdgeId, Operation, Origin, Owner, VertexId, iou_decided, iou_replay, overlay_decided,
+    overlay_replay,
+};
+use geograd::error::{Argument, Flaw, VertexFault};
+use geograd::polygon::{self, Fill};
+use geograd::{Error, Pack, Polygon, Scalar, Vec2};
+use geograd_tests::Dice;
+
+const OPERATIONS: [(Operation, fn(bool, bool) -> bool); 4] = [
+    (Operation::Union, |a, b| a || b),
+    (Operation::Intersection, |a, b| a && b),
+    (Operation::Difference, |a, b| a && !b),
+    (Operation::SymmetricDifference, |a, b| a != b),
+];
+
+fn any(dice: &mut Dice) -> Vec<Ring> {
+    (0..1 + dice.below(2)).map(|_| any_ring(dice, 9)).collect()
+}
+
+/// Rings of fewer than three distinct vertices are refused.
+fn valid(rings: &[Ring]) -> bool {
+    geograd::Rings::from(rings).validate().is_ok()
+}
+
+fn cases(dice: &mut Dice) -> Vec<(Vec<Ring>, Vec<Ring>)> {
+    let mut all: Vec<_> = (0..40).map(|_| (stars(dice), stars(dice))).collect();
+    all.extend((0..60).map(|_| (any(dice), any(dice))));
+    let hard = hard_rings();
+    for a in &hard {
+        all.extend(hard.iter().map(|b| (a.clone(), b.clone())));
+    }
+    all.retain(|(a, b)| valid(a) && valid(b));
+    all
+}
+
+fn result(a: &Polygon<f64>, b: &Polygon<f64>, operation: Operation, fill: Fill) -> Polygon<f64> {
+    overlay_replay(a, b, &overlay_decided(a, b, operation, fill).unwrap())
+}
+
+#[test]
+fn areas_are_those_of_the_oracle() {
+    let mut dice = Dice(1);
+    for (k, (a, b)) in cases(&mut dice).into_iter().enumerate() {
+        for (operation, keep) in OPERATIONS {
+            let fill = [Fill::NonZero, Fill::EvenOdd][k % 2];
+            let truth = scanline::area(&a, &b, fill, keep);
+            let area = |a: &[Ring], b: &[Ring]| {
+                polygon::signed_area(&result(&made(a), &made(b), operation, fill))
+            };
+            let near = 1e-12 * (1.0 + truth);
+            assert!(
+                (area(&a, &b) - truth).abs() < near,
+                "{k} {operation:?} {fill:?} {} {truth} {a:?} {b:?}",
+                area(&a, &b)
+            );
+            // Tiny, huge and far away.
+            for scale in [2f64.powi(-20), 2f64.powi(200), 1e-6] {
+                let (a, b) = (
+                    moved(&a, at(0.0, 0.0), scale),
+                    moved(&b, at(0.0, 0.0), scale),
+                );
+                let found = area(&a, &b) / scale / scale;
+                let near = if scale == 1e-6 { 1e-10 } else { near };
+                assert!(
+                    (found - truth).abs() < near,
+                    "{k} {operation:?} {found} {truth}"
+                );
+            }
+            let (a, b) = (moved(&a, at(1e6, -1e6), 1.0), moved(&b, at(1e6, -1e6), 1.0));
+            let truth = scanline::area(&a, &b, fill, keep);
+            assert!((area(&a, &b) - truth).abs() < 1e-8, "{k} {operation:?}");
+        }
+    }
+}
+
+#[test]
+fn results_add_up_and_grow() {
+    let mut dice = Dice(2);
+    for _ in 0..60 {
+        let [a, b, c] = [(); 3].map(|()| made(&stars(&mut dice)));
+        let fill = Fill::EvenOdd;
+        let area = |a: &_, b: &_, operation| polygon::area(&result(a, b, operation, fill));
+        let shared = area(&a, &b, Operation::Intersection);
+        let rest = area(&a, &b, Operation::Difference);
+        assert!((shared + rest - polygon::area(&a)).abs() < 1e-12);
+        let all = area(&a, &b, Operation::Union);
+        assert!((all - shared - area(&a, &b, Operation::SymmetricDifference)).abs() < 1e-12);
+        assert!((area(&b, &a, Operation::Union) - all).abs() < 1e-12);
+        // What is smaller shares less.
+        let part = result(&a, &c, Operation::Intersection, fill);
+        if part.rings().validate().is_ok() {
+            assert!(area(&part, &b, Operation::Intersection) <= shared + 1e-12);
+            assert!(area(&part, &a, Operation::Difference) < 1e-12);
+        }
+        // Parts run counter-clockwise, their holes clockwise.
+        let trace = overlay_decided(&a, &b, Operation::Union, fill).unwrap();
+        let union = overlay_replay(&a, &b, &trace);
+        let mut rings = 0;
+        for part in trace.parts() {
+            for k in part.clone() {
+                let area = geograd::ring::signed_area(union.ring(k));
+                assert!((area > 0.0) == (k == part.start), "{area}");
+                rings += 1;
+            }
+        }
+        assert_eq!(
+            (rings, union.vertices().len()),
+            (union.rings().count(), trace.vertex_count())
+        );
+        // Overlap without clipping has the same.
+        let found = geograd::overlap_polygon::rings::intersection_area(&a, &b);
+        assert!((found - shared).abs() < 1e-12);
+    }
+}
+
+/// Slopes of a function of the result by duals through the replay.
+fn by_duals<
+    S: Fn(&Polygon<geograd::ad::forward::First<f64>>) -> geograd::ad::forward::First<f64>,
+>(
+    a: &Polygon<f64>,
+    b: &Polygon<f64>,
+    trace: &geograd::boolean::OverlayTrace,
+    f: S,
+) -> Vec<f64> {
+    let both = (a.clone(), b.clone());
+    let of = |(a, b): (Polygon<_>, Polygon<_>)| f(&overlay_replay(&a, &b, trace));
+    geograd::gradient(of, both).1.scalars()
+}
+
+fn centroid_x<S: Scalar<Mask = bool>>(p: &Polygon<S>) -> S {
+    polygon::centroid(p).x
+}
+
+/// Whether moving anything a little makes another result.
+fn is_safe(a: &Polygon<f64>, b: &Polygon<f64>, operation: Operation, fill: Fill) -> bool {
+    let trace = |a: &_, b: &_| overlay_decided(a, b, operation, fill).unwrap();
+    let mut dice = Dice(9);
+    let known = trace(a, b);
+    (0..40).all(|_| {
+        let near = |p: &Polygon<f64>, dice: &mut Dice| p.map(&mut |x| x + dice.within(-1e-4, 1e-4));
+        trace(&near(a, &mut dice), &near(b, &mut dice)).vertex_count() == known.vertex_count()
+    })
+}
+
+#[test]
+fn slopes_are_differences_of_the_operation() {
+    let (mut dice, mut tried) = (Dice(3), 0);
+    while tried < 16 {
+        let (a, b) = match tried % 2 {
+            0 => (made(&stars(&mut dice)), made(&stars(&mut dice))),
+            _ => (made(&any(&mut dice)), made(&any(&mut dice))),
+        };
+        let (operation, fill) = (OPERATIONS[tried % 4].0, Fill::EvenOdd);
+        if !(a.rings().validate().is_ok() && b.rings().validate().is_ok()) {
+            continue;
+        }
+        if !is_safe(&a, &b, operation, fill) {
+            continue;
+        }
+        tried += 1;
+        let trace = overlay_decided(&a, &b, operation, fill).unwrap();
+        let close = |found: &[f64], expected: &[f64], near: f64| {
+            for (found, expected) in found.iter().zip(expected) {
+                let near = near * (1.0 + expected.abs());
+                assert!(
+                    (found - expected).abs() < near,
+                    "{operation:?} {found} {expected} {a:?} {b:?}"
+                );
+            }
+        };
+        let shape = overlay_replay(&a, &b, &trace);
+        if polygon::signed_area(&shape) < 0.05 {
+            continue;
+        }
+        type Measure = fn(&Polygon<f64>) -> f64;
+        let measures: [Measure; 3] = [
+            |p| polygon::signed_area(p),
+            |p| polygon::perimeter(p),
+            centroid_x,
+        ];
+        let duals = [
+            by_duals(&a, &b, &trace, |p| polygon::signed_area(p)),
+            by_duals(&a, &b, &trace, |p| polygon::perimeter(p)),
+            by_duals(&a, &b, &trace, centroid_x),
+        ];
+        for (f, duals) in measures.into_iter().zip(&duals) {
+            let again = |a: &_, b: &_| f(&result(a, b, operation, fill));
+            close(duals, &differences(again, &a, &b, 1e-6), 1e-5);
+        }
+        // The adjoint, ring by ring.
+        let mut bars = Vec::new();
+        for ring in shape.rings().iter() {
+            let mut ring_bar = vec![Vec2::zero(); ring.len()];
+            signed_area_vjp(ring, 1.0, &mut ring_bar);
+            bars.extend(ring_bar);
+        }
+        let (mut a_bar, mut b_bar) = (zeros(&a), zeros(&b));
+        overlay_vjp(&a, &b, &trace, &bars, &mut a_bar, &mut b_bar);
+        close(&(a_bar, b_bar).scalars(), &duals[0], 1e-11);
+        let (value, record) = iou_decided(&a, &b, fill).unwrap();
+        let of = |(a, b): (Polygon<_>, Polygon<_>)| iou_replay(&a, &b, &record);
+        let (same, slopes) = geograd::gradient(of, (a.clone(), b.clone()));
+        assert_eq!(value, same);
+        let again = |a: &_, b: &_| iou_decided(a, b, fill).unwrap().0;
+        close(&slopes.scalars(), &differences(again, &a, &b, 1e-6), 1e-5);
+    }
+}
+
+/// Any function of the vertices of a result, by the adjoint and by duals, for every way in which a vertex
+/// can come about.
+#[test]
+fn the_adjoint_is_that_of_the_replay() {
+    let mut dice = Dice(4);
+    for (k, (a, b)) in cases(&mut dice).into_iter().enumerate() {
+        let (a, b) = (made(&a), made(&b));
+        let (operation, _) = OPERATIONS[k % 4];
+        let trace = overlay_decided(&a, &b, operation, Fill::EvenOdd).unwrap();
+        let weights: Vec<_> = (0..trace.vertex_count())
+            .map(|_| at(dice.within(-1.0, 1.0), dice.within(-1.0, 1.0)))
+            .collect();
+        let duals = by_duals(&a, &b, &trace, |p| {
+            let terms = p.vertices().iter().zip(&weights);
+            terms.fold(Scalar::zero(), |sum, (v, w)| {
+                sum + v.x * Scalar::lit(w.x) + v.y * Scalar::lit(w.y)
+            })
+        });
+        let (mut a_bar, mut b_bar) = (zeros(&a), zeros(&b));
+        overlay_vjp(&a, &b, &trace, &weights, &mut a_bar, &mut b_bar);
+        for (found, expected) in (a_bar, b_bar).scalars().iter().zip(duals) {
+            assert!(found.is_finite() && expected.is_finite());
+            assert!(
+                (found - expected).abs() < 1e-9 * (1.0 + expected.abs()),
+                "{k} {operation:?} {found} {expected}"
+            );
+        }
+    }
+}
+
+/// Where edges lie along each other the slope is the mean of both sides, which is what central
+/// differences give.
+#[test]
+fn edges_along_each_other_share_their_slopes() {
+    let square = |x: f64, y: f64, w: f64, h: f64| {
+        vec![ring(&[(x, y), (x + w, y), (x + w, y + h), (x, y + h)])]
+    };
+    let a = made(&square(0., 0., 2., 2.));
+    for b in [
+        square(0., 0., 2., 2.),
+        square(1., 0., 2., 2.),
+        square(0., 0., 2., 1.),
+        square(0.5, 0., 1., 1.),
+        square(-1., 0., 4., 2.),
+        // With vertices on the edges.
+        vec![ring(&[(0., 0.), (1., 0.), (2., 0.), (2., 2.), (0., 2.)])],
+        // With a hole.
+        vec![
+            square(0., 0., 2., 2.).remove(0),
+            square(0.5, 0.5, 1., 1.).remove(0),
+        ],
+    ] {
+        let b = made(&b);
+        for (operation, _) in &OPERATIONS[..2] {
+            let operation = *operation;
+            let trace = overlay_decided(&a, &b, operation, Fill::EvenOdd).unwrap();
+            let area = |a: &_, b: &_| polygon::signed_area(&result(a, b, operation, Fill::EvenOdd));
+            let expected = differences(area, &a, &b, 1e-6);
+            let found = by_duals(&a, &b, &trace, |p| polygon::signed_area(p));
+            for (k, (found, expected)) in found.iter().zip(&expected).enumerate() {
+                assert!(
+                    (found - expected).abs() < 1e-5,
+                    "{operation:?} {k} {found} {expected} {b:?} {trace:?}"
+                );
+            }
+        }
+    }
+}
+
+#[test]
+fn the_same_polygon_twice_has_iou_one_and_no_slope() {
+    let mut dice = Dice(5);
+    let random = (0..30).map(|_| stars(&mut dice));
+    for rings in random.chain(hard_rings()) {
+        let a = made(&rings);
+        let (value, trace) = iou_decided(&a, &a, Fill::EvenOdd).unwrap();
+        assert_eq!(value, 1.0, "{rings:?}");
+        let of = |(a, b): (Polygon<_>, Polygon<_>)| iou_replay(&a, &b, &trace);
+        let (_, slopes) = geograd::gradient(of, (a.clone(), a.clone()));
+        assert!(
+            slopes.scalars().iter().all(|x| x.abs() < 1e-12),
+            "{rings:?}"
+        );
+    }
+}
+
+#[test]
+fn every_vertex_says_where_it_is_from() {
+    let a = ring(&[(0., 0.), (2., 0.), (2., 2.), (0., 2.)]);
+    let b = ring(&[(1., 1.), (3., 1.), (3., 3.), (1., 3.)]);
+    let trace = overlay_decided(&a, &b, Operation::Intersection, Fill::NonZero).unwrap();
+    let vertex = |owner, vertex| {
+        Origin::Vertex(VertexId {
+            owner,
+            ring: 0,
+            vertex,
+        })
+    };
+    let cross = |edge, other| {
+        let id = |owner, edge| EdgeId {
+            owner,
+            ring: 0,
+            edge,
+        };
+        Origin::Cross(id(Owner::A, edge), id(Owner::B, other))
+    };
+    let mut found: Vec<_> = trace.origins().map(<[_]>::to_vec).collect();
+    found.sort();
+    let expected = [
+        vertex(Owner::A, 2),
+        vertex(Owner::B, 0),
+        cross(1, 0),
+        cross(2, 3),
+    ];
+    assert_eq!(found, expected.map(|origin| vec![origin]));
+    assert!(trace.parts().eq(std::iter::once(0..1)));
+    // Identical ones: both vertices at once.
+    let trace = overlay_decided(&a, &a, Operation::Union, Fill::NonZero).unwrap();
+    assert!(
+        trace
+            .origins()
+            .all(|of| of.len() == 2 && matches!(of[1], Origin::Vertex(_)))
+    );
+    // Nothing, and something that is nowhere near.
+    let far = [at(9., 9.), at(10., 9.), at(9., 10.)];
+    let trace = overlay_decided(&a, &far, Operation::Intersection, Fill::NonZero).unwrap();
+    assert_eq!((trace.vertex_count(), trace.parts().count()), (0, 0));
+    let nothing: &[Ring] = &[];
+    let trace = overlay_decided(&a, nothing, Operation::Union, Fill::NonZero).unwrap();
+    assert_eq!(trace.vertex_count(), 4);
+    assert_eq!(
+        iou_decided::<f64>(nothing, nothing, Fill::NonZero)
+            .unwrap()
+            .0,
+        0.0
+    );
+}
+
+#[test]
+fn records_serve_every_format() {
+    let mut dice = Dice(6);
+    for _ in 0..20 {
+        let (a, b) = (made(&stars(&mut dice)), made(&stars(&mut dice)));
+        let (narrow_a, narrow_b) = (a.cast::<f32>(), b.cast::<f32>());
+        let fill = Fill::EvenOdd;
+        let trace = overlay_decided(&narrow_a, &narrow_b, Operation::Union, fill).unwrap();
+        let (wide, narrow) = (
+            overlay_replay(&a, &b, &trace),
+            overlay_replay(&narrow_a, &narrow_b, &trace),
+        );
+        let found = f64::from(polygon::signed_area(&narrow));
+        assert!((polygon::signed_area(&wide) - found).abs() < 1e-5);
+    }
+}
+
+#[test]
+fn flaws_name_polygon_ring_and_vertex() {
+    let good = vec![ring(&[(0., 0.), (4., 0.), (0., 4.)])];
+    let mut bad = good.clone();
+    bad.push(ring(&[(0., 0.), (f64::INFINITY, 0.), (0., 4.)]));
+    let found = overlay_decided(&good[..], &bad[..], Operation::Union, Fill::NonZero).unwrap_err();
+    let flaw = Flaw::Ring {
+        ring: 1,
+        index: 1,
+        fault: VertexFault::NotFinite,
+    };
+    assert_eq!(
+        found,
+        Error::Invalid {
+            argument: Argument::B,
+            row: 0,
+            flaw
+        }
+    );
+    bad[1].truncate(1);
+    bad[1][0] = at(0.0, 0.0);
+    assert!(iou_decided(&bad[..], &good[..], Fill::NonZero).is_err());
+}
