@@ -154,6 +154,7 @@ mod hearing;
 pub mod judge;
 mod listener;
 mod near;
+mod nearby;
 mod nested;
 pub mod noise;
 pub mod picture;
