@@ -8,7 +8,7 @@ use crate::{Obb2, Rotation2, Scalar, Vec2, Vec3};
 pub enum Enclosing {
     /// The smallest box along the axes of the world.
     Aabb,
-    /// A box that turns with the pair. Upright boxes: the rectangle of least area around both grounds times
+    /// A box that turns with the pair. Axis-aligned and upright boxes: the rectangle of least area around both grounds times
     /// the height of both. Boxes of any orientation: the smaller one of the boxes around both along the axes
     /// of either.
     Rectangle,
@@ -32,8 +32,10 @@ fn narrowed<S: Scalar>(around: Vec3<S>, hull: S) -> Vec3<S> {
 pub(super) fn of_bounds<S: Scalar>(a: Aabb3<S>, b: Aabb3<S>, kind: Enclosing) -> Vec3<S> {
     let both = a.join(b).size();
     match kind {
+        Enclosing::Aabb => both,
+        // The rectangle of least area around both grounds may be a turned one.
+        Enclosing::Rectangle => of_upright(a.into(), b.into(), kind),
         Enclosing::Hull => narrowed(both, hull_area_aabb2(a.birds_eye(), b.birds_eye())),
-        _ => both,
     }
 }
 
