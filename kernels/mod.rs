@@ -38,6 +38,8 @@ mod operation;
 #[forbid(unsafe_code)]
 pub mod ops;
 #[forbid(unsafe_code)]
+pub mod points;
+#[forbid(unsafe_code)]
 mod program;
 #[forbid(unsafe_code)]
 pub mod real;
@@ -61,6 +63,11 @@ pub use cpu::{Cpu, Single, Table};
 pub use decided::Decided;
 pub use fold::Fold;
 pub use op::{Op, RingOp, Runs};
+pub use ops::convention::{
+    CornersOfObb2, Detectron2OfImageBox, ImageBoxOfDetectron2, KittiOfYaw, Le90OfImageBox,
+    Le135OfImageBox, Obb2OfImageBox, Obb2OfXyxyr, Obb3OfNuScenes, Obb3OfYaw, OpenCvOfImageBox,
+    XyxyrOfObb2, YawOfKitti, YawOfLidar,
+};
 pub use ops::distance::{
     ClosestPointsAabb2, ClosestPointsCapsules, ClosestPointsCircleObb2, ClosestPointsObb2,
     ClosestPointsOfSegments, ClosestPointsPointObb2, ClosestPointsPointSegment,
@@ -78,9 +85,17 @@ pub use ops::distance::{
     SignedDistancePointObb2, SignedDistancePointTriangle, SignedDistanceSegmentCircle,
     SignedDistanceSegmentObb2, SignedDistanceTriangles,
 };
+pub use ops::distance3::{
+    DistancePointAabb3, DistancePointObb3, DistancePointYaw, SignedDistancePointAabb3,
+    SignedDistancePointObb3, SignedDistancePointYaw,
+};
 pub use ops::extent::DiameterOfPolygon;
 pub use ops::fold::{SecondMomentsOfRing, SignedDistancePointRing};
-pub use ops::gaussian::{WassersteinObb2, WassersteinSquaredObb2};
+pub use ops::gaussian::{
+    BhattacharyyaObb2, BhattacharyyaObb3, JeffreysObb2, JeffreysObb3, KfiouObb2, KfiouObb3,
+    KullbackLeiblerObb2, KullbackLeiblerObb3, ProbiouObb2, ProbiouObb3, WassersteinObb2,
+    WassersteinObb3, WassersteinSquaredObb2, WassersteinSquaredObb3,
+};
 pub use ops::intersection::{
     CrossingOfLines, FirstHitRayAabb2, FirstHitRayCapsule, FirstHitRayCircle, FirstHitRayObb2,
     FirstHitRayTriangle, LengthInsideSegmentAabb2, LengthInsideSegmentCapsule,
@@ -97,13 +112,17 @@ pub use ops::iou::{
     DiouBoxObb2, DiouObb2, EiouAabb2, EiouObb2, GiouAabb2, GiouBoxAabb2, GiouBoxObb2, GiouObb2,
     HullAreaAabb2, HullAreaObb2,
 };
-pub use ops::iou3::{CiouAabb3, CiouYaw, DiouYaw, EiouYaw, GiouYaw};
+pub use ops::iou3::{
+    AlphaIouAabb3, AlphaIouYaw, CiouAabb3, CiouObb3, CiouYaw, DiouAabb3, DiouObb3, DiouYaw,
+    EiouAabb3, EiouObb3, EiouYaw, GiouAabb3, GiouHullYaw, GiouObb3, GiouRectangleYaw, GiouYaw,
+    SeparationAwareAabb3, SeparationAwareObb2, SeparationAwareObb3, SeparationAwareYaw,
+};
 pub use ops::overlap::{
     IntersectionAreaAabb2, IntersectionAreaObb2, IofAabb2, IofObb2, IouAabb2, IouObb2,
 };
 pub use ops::overlap3::{
     IntersectionVolumeAabb3, IntersectionVolumeObb3, IntersectionVolumeYaw, IofAabb3, IofObb3,
-    IofYaw, IouAabb3, IouBirdsEye, IouObb3, IouYaw,
+    IofYaw, IouAabb3, IouAabb3Obb3, IouAabb3Yaw, IouBirdsEye, IouObb3, IouYaw, IouYawObb3,
 };
 pub use ops::polygon::{
     AreaTriangle, CentroidQuad, CentroidTriangle, IntersectionAreaQuads, PerimeterQuad,
@@ -181,13 +200,49 @@ macro_rules! for_each_op {
                 intersection_volume_obb3: $crate::kernels::ops::overlap3::IntersectionVolumeObb3,
                 iou_obb3: $crate::kernels::ops::overlap3::IouObb3,
                 iof_obb3: $crate::kernels::ops::overlap3::IofObb3,
+                iou_aabb3_yaw: $crate::kernels::ops::overlap3::IouAabb3Yaw,
+                iou_yaw_obb3: $crate::kernels::ops::overlap3::IouYawObb3,
+                giou_aabb3: $crate::kernels::ops::iou3::GiouAabb3,
                 ciou_aabb3: $crate::kernels::ops::iou3::CiouAabb3,
+                eiou_aabb3: $crate::kernels::ops::iou3::EiouAabb3,
                 giou_yaw: $crate::kernels::ops::iou3::GiouYaw,
                 diou_yaw: $crate::kernels::ops::iou3::DiouYaw,
                 ciou_yaw: $crate::kernels::ops::iou3::CiouYaw,
                 eiou_yaw: $crate::kernels::ops::iou3::EiouYaw,
+                giou_rectangle_yaw: $crate::kernels::ops::iou3::GiouRectangleYaw,
+                giou_hull_yaw: $crate::kernels::ops::iou3::GiouHullYaw,
+                alpha_iou_yaw: $crate::kernels::ops::iou3::AlphaIouYaw,
+                alpha_iou_aabb3: $crate::kernels::ops::iou3::AlphaIouAabb3,
+                separation_aware_aabb3: $crate::kernels::ops::iou3::SeparationAwareAabb3,
+                separation_aware_yaw: $crate::kernels::ops::iou3::SeparationAwareYaw,
+                separation_aware_obb2: $crate::kernels::ops::iou3::SeparationAwareObb2,
                 wasserstein_obb2: $crate::kernels::ops::gaussian::WassersteinObb2,
                 wasserstein_squared_obb2: $crate::kernels::ops::gaussian::WassersteinSquaredObb2,
+                kullback_leibler_obb2: $crate::kernels::ops::gaussian::KullbackLeiblerObb2,
+                jeffreys_obb2: $crate::kernels::ops::gaussian::JeffreysObb2,
+                bhattacharyya_obb2: $crate::kernels::ops::gaussian::BhattacharyyaObb2,
+                probiou_obb2: $crate::kernels::ops::gaussian::ProbiouObb2,
+                kfiou_obb2: $crate::kernels::ops::gaussian::KfiouObb2,
+                wasserstein_obb3: $crate::kernels::ops::gaussian::WassersteinObb3,
+                wasserstein_squared_obb3: $crate::kernels::ops::gaussian::WassersteinSquaredObb3,
+                kullback_leibler_obb3: $crate::kernels::ops::gaussian::KullbackLeiblerObb3,
+                jeffreys_obb3: $crate::kernels::ops::gaussian::JeffreysObb3,
+                bhattacharyya_obb3: $crate::kernels::ops::gaussian::BhattacharyyaObb3,
+                probiou_obb3: $crate::kernels::ops::gaussian::ProbiouObb3,
+                kfiou_obb3: $crate::kernels::ops::gaussian::KfiouObb3,
+                signed_distance_point_aabb3: $crate::kernels::ops::distance3::SignedDistancePointAabb3,
+                signed_distance_point_yaw: $crate::kernels::ops::distance3::SignedDistancePointYaw,
+                signed_distance_point_obb3: $crate::kernels::ops::distance3::SignedDistancePointObb3,
+                distance_point_aabb3: $crate::kernels::ops::distance3::DistancePointAabb3,
+                distance_point_yaw: $crate::kernels::ops::distance3::DistancePointYaw,
+                distance_point_obb3: $crate::kernels::ops::distance3::DistancePointObb3,
+                le90_of_image_box: $crate::kernels::ops::convention::Le90OfImageBox,
+                le135_of_image_box: $crate::kernels::ops::convention::Le135OfImageBox,
+                open_cv_of_image_box: $crate::kernels::ops::convention::OpenCvOfImageBox,
+                obb2_of_xyxyr: $crate::kernels::ops::convention::Obb2OfXyxyr,
+                corners_of_obb2: $crate::kernels::ops::convention::CornersOfObb2,
+                yaw_of_kitti: $crate::kernels::ops::convention::YawOfKitti,
+                obb3_of_yaw: $crate::kernels::ops::convention::Obb3OfYaw,
             }
         }
     };

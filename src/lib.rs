@@ -27,6 +27,8 @@
 //! | train detectors in space | [`iou3`]: GIoU, DIoU, CIoU, EIoU, separation |
 //! | compare boxes as Gaussians | [`gaussian`]: Wasserstein, Kullback-Leibler, ProbIoU, KFIoU |
 //! | read other people's boxes | [`convention`] |
+//! | find what another detection library has | [`detection`] |
+//! | know how far points are from boxes in space, which boxes they are in | [`distance3`], [`kernels::points`] |
 //! | score boxes that may be apart: GIoU, DIoU, CIoU and the like | [`iou`] |
 //! | suppress, assign and judge detections | [`suppression`], [`assignment`], [`metric`] |
 //! | measure polygons | [`ring`], [`measure`] |
@@ -72,7 +74,11 @@ pub mod convention;
 #[forbid(unsafe_code)]
 pub mod derived;
 #[forbid(unsafe_code)]
+pub mod detection;
+#[forbid(unsafe_code)]
 pub mod distance;
+#[forbid(unsafe_code)]
+pub mod distance3;
 #[forbid(unsafe_code)]
 pub mod error;
 #[forbid(unsafe_code)]

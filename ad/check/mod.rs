@@ -68,7 +68,8 @@
 //!
 //! At a kink a derivative is right when it lies between the slopes of both sides along every
 //! direction, and where many numbers tie, equals the slope along the direction that keeps the tie.
-//! That may be another element than the duals'
+//! Where kinks of both signs meet, and at the border of the domain, both sides do not bound it: there it may
+//! lie between the slopes at places nearby. It may be another element than the duals'
 //! ([`shared_ties`](crate::ad::check::subject::Conventions::shared_ties) asks for theirs). The report says how
 //! many samples were kinks, so that a function cannot pass by being nothing but kinks; and a number of
 //! the input about which no witness could say anything is [`Unheard`](crate::ad::check::verdict::Reason::Unheard).
@@ -154,6 +155,7 @@ mod hearing;
 pub mod judge;
 mod listener;
 mod near;
+mod nearby;
 mod nested;
 pub mod noise;
 pub mod picture;

@@ -4,6 +4,9 @@ use crate::ad::check::symmetry::{Answer, Kind, Motion, answer, exchanged, moved_
 use crate::ad::check::verdict::{Numbers, Reason, Witness};
 use crate::ad::check::witness::{beside, dot};
 
+/// How often rounding is provoked where a motion seems broken.
+const DRAWS: u64 = 48;
+
 impl Judge<'_> {
     /// Declared motions, of values and of slopes.
     pub(crate) fn promises(&mut self, rows: &mut [Row]) {
@@ -50,8 +53,10 @@ impl Judge<'_> {
                     let mut tolerance = ROUNDINGS * self.eps * size
                         + growth * SAFETY * (2.0 * spread[j] + self.eps * rounding);
                     if (y[j] - wanted[j]).abs() > tolerance {
-                        // The moved input has a conditioning of its own.
+                        // The moved input has a conditioning of its own, and few draws may miss that of
+                        // this one.
                         tolerance += SAFETY * self.unrest(&there, &y)[j];
+                        tolerance += growth * SAFETY * self.unrest(self.x, &self.y)[j];
                     }
                     if (y[j] - wanted[j]).abs() > tolerance {
                         let numbers = Numbers {
@@ -108,7 +113,7 @@ impl Judge<'_> {
         let (subject, precision) = (self.subject, self.subject.precision());
         let rounding = subject.rounding(x);
         let mut unrest = vec![0.0_f64; y.len()];
-        for round in 0..12 {
+        for round in 0..DRAWS {
             let there = beside(precision, x, &rounding, round);
             if subject.inside(&there) {
                 for (unrest, (a, b)) in unrest.iter_mut().zip(subject.value(&there).iter().zip(y)) {

@@ -373,7 +373,9 @@ impl Judge<'_> {
                         };
                     if flat {
                         self.found.convention = true;
-                    } else if listener.again(said, false).stands {
+                    } else if listener.again(said, false).stands
+                        && !self.among_slopes_nearby(on, &weights, direction, (slope, tolerance))
+                    {
                         let numbers = numbers(None, Some(sides));
                         self.refuse_with(
                             Reason::OutsideKink,

@@ -81,6 +81,36 @@ fn rotation(draw: &mut Draw) -> Rotation3<f64> {
     }
 }
 
+impl Sample for Vec3<f64> {
+    fn ordinary(draw: &mut Draw) -> Self {
+        vector([0; 3].map(|_| draw.within(-2.0, 2.0)))
+    }
+    fn hard() -> Vec<Self> {
+        // The middle, a face, an edge and a corner of hard boxes, and places off all of them.
+        let all = [
+            [0.0, 0.0, 0.0],
+            [1.0, 0.0, 0.0],
+            [1.0, 0.5, 0.25],
+            [1.0, 0.5, 0.75],
+            [0.0, -1.0, 0.5],
+            [0.5, 0.5, 0.5],
+            [0.3, -0.2, 0.4],
+            [4.0, 3.0, -2.0],
+        ];
+        all.map(vector).to_vec()
+    }
+    fn kinds(&self) -> Vec<Kind> {
+        vec![Kind::X, Kind::Y, Kind::Length]
+    }
+    fn scales(&self) -> Vec<f64> {
+        let size = self.x.abs().max(self.y.abs()).max(self.z.abs());
+        vec![if size > 0.0 { size } else { 1.0 }; 3]
+    }
+    fn inside(&self) -> bool {
+        self.is_finite()
+    }
+}
+
 impl Sample for YawBox3<f64> {
     fn ordinary(draw: &mut Draw) -> Self {
         let ground = Obb2::ordinary(draw);

@@ -1,14 +1,38 @@
-//! The family of IoU in space as operations.
+//! The family of IoU in space, and overlaps that have slopes for boxes apart, as operations.
 //!
-//! What is put around a pair is a box along the axes of the world.
-use crate::iou3::{Enclosing, ciou, diou, eiou, giou};
+//! What is put around a pair is a box along the axes of the world, unless the name says otherwise.
+use crate::Obb2;
+use crate::iou::separation_aware_obb2;
+use crate::iou3::{Enclosing, alpha_iou, ciou, diou, eiou, giou, separation_aware};
 use crate::operation;
-use crate::shape::{Aabb3, YawBox3};
+use crate::overlap3::{iou_aabb3, iou_yaw};
+use crate::shape::{Aabb3, Obb3, YawBox3};
 
 operation! {
+    /// [`giou`] of axis-aligned boxes.
+    pub GiouAabb3 = "giou_aabb3":
+        (a: Aabb3<S>, b: Aabb3<S>) -> S { giou(a, b, Enclosing::Aabb) }
+    promises [TranslationX Stays, TranslationY Stays, Scaling Stays, Exchange Stays]
+    jumps Anywhere
+    slopes Reverse
+
+    /// [`diou`] of axis-aligned boxes.
+    pub DiouAabb3 = "diou_aabb3":
+        (a: Aabb3<S>, b: Aabb3<S>) -> S { diou(a, b, Enclosing::Aabb) }
+    promises [TranslationX Stays, TranslationY Stays, Scaling Stays, Exchange Stays]
+    jumps Anywhere
+    slopes Reverse
+
     /// [`ciou`] of axis-aligned boxes.
     pub CiouAabb3 = "ciou_aabb3":
         (a: Aabb3<S>, b: Aabb3<S>) -> S { ciou(a, b, Enclosing::Aabb) }
+    promises [TranslationX Stays, TranslationY Stays, Scaling Stays, Exchange Stays]
+    jumps Anywhere
+    slopes Reverse
+
+    /// [`eiou`] of axis-aligned boxes.
+    pub EiouAabb3 = "eiou_aabb3":
+        (a: Aabb3<S>, b: Aabb3<S>) -> S { eiou(a, b, Enclosing::Aabb) }
     promises [TranslationX Stays, TranslationY Stays, Scaling Stays, Exchange Stays]
     jumps Anywhere
     slopes Reverse
@@ -39,5 +63,89 @@ operation! {
         (a: YawBox3<S>, b: YawBox3<S>) -> S { eiou(a, b, Enclosing::Aabb) }
     promises [TranslationX Stays, TranslationY Stays, Scaling Stays, Exchange Stays]
     jumps Anywhere
+    slopes Forward
+
+    /// [`giou`] of upright boxes within the rectangle of least area times the height of both.
+    pub GiouRectangleYaw = "giou_rectangle_yaw":
+        (a: YawBox3<S>, b: YawBox3<S>) -> S { giou(a, b, Enclosing::Rectangle) }
+    promises [TranslationX Stays, TranslationY Stays, Scaling Stays, Exchange Stays, Rotation Stays]
+    jumps Anywhere
+    slopes Forward
+
+    /// [`giou`] of upright boxes within the convex hull of their grounds times the height of both.
+    pub GiouHullYaw = "giou_hull_yaw":
+        (a: YawBox3<S>, b: YawBox3<S>) -> S { giou(a, b, Enclosing::Hull) }
+    promises [TranslationX Stays, TranslationY Stays, Scaling Stays, Exchange Stays, Rotation Stays]
+    jumps Anywhere
+    slopes Forward
+
+    /// [`alpha_iou`] of upright boxes with the power three, its paper's choice.
+    pub AlphaIouYaw = "alpha_iou_yaw":
+        (a: YawBox3<S>, b: YawBox3<S>) -> S { alpha_iou(iou_yaw(a, b), S::lit(3.0)) }
+    promises [TranslationX Stays, TranslationY Stays, Scaling Stays, Exchange Stays, Rotation Stays]
+    jumps FromZero
+    slopes Forward
+
+    /// [`alpha_iou`] of axis-aligned boxes with the power three, its paper's choice.
+    pub AlphaIouAabb3 = "alpha_iou_aabb3":
+        (a: Aabb3<S>, b: Aabb3<S>) -> S { alpha_iou(iou_aabb3(a, b), S::lit(3.0)) }
+    promises [TranslationX Stays, TranslationY Stays, Scaling Stays, Exchange Stays]
+    jumps FromZero
+    slopes Reverse
+
+    /// [`giou`] of boxes of any orientation.
+    pub GiouObb3 = "giou_obb3":
+        (a: Obb3<S>, b: Obb3<S>) -> S { giou(a, b, Enclosing::Aabb) }
+    promises [TranslationX Stays, TranslationY Stays, Scaling Stays, Exchange Stays]
+    jumps Anywhere
+    slopes Forward
+
+    /// [`diou`] of boxes of any orientation.
+    pub DiouObb3 = "diou_obb3":
+        (a: Obb3<S>, b: Obb3<S>) -> S { diou(a, b, Enclosing::Aabb) }
+    promises [TranslationX Stays, TranslationY Stays, Scaling Stays, Exchange Stays]
+    jumps Anywhere
+    slopes Forward
+
+    /// [`ciou`] of boxes of any orientation.
+    pub CiouObb3 = "ciou_obb3":
+        (a: Obb3<S>, b: Obb3<S>) -> S { ciou(a, b, Enclosing::Aabb) }
+    promises [TranslationX Stays, TranslationY Stays, Scaling Stays, Exchange Stays]
+    jumps Anywhere
+    slopes Forward
+
+    /// [`eiou`] of boxes of any orientation.
+    pub EiouObb3 = "eiou_obb3":
+        (a: Obb3<S>, b: Obb3<S>) -> S { eiou(a, b, Enclosing::Aabb) }
+    promises [TranslationX Stays, TranslationY Stays, Scaling Stays, Exchange Stays]
+    jumps Anywhere
+    slopes Forward
+
+    /// [`separation_aware`] of axis-aligned boxes.
+    pub SeparationAwareAabb3 = "separation_aware_aabb3":
+        (a: Aabb3<S>, b: Aabb3<S>) -> S { separation_aware(a, b) }
+    promises [TranslationX Stays, TranslationY Stays, Scaling Stays, Exchange Stays]
+    jumps Anywhere
+    slopes Reverse
+
+    /// [`separation_aware`] of upright boxes.
+    pub SeparationAwareYaw = "separation_aware_yaw":
+        (a: YawBox3<S>, b: YawBox3<S>) -> S { separation_aware(a, b) }
+    promises [TranslationX Stays, TranslationY Stays, Scaling Stays, Exchange Stays, Rotation Stays]
+    jumps Anywhere
+    slopes Forward
+
+    /// [`separation_aware`] of boxes of any orientation.
+    pub SeparationAwareObb3 = "separation_aware_obb3":
+        (a: Obb3<S>, b: Obb3<S>) -> S { separation_aware(a, b) }
+    promises [TranslationX Stays, TranslationY Stays, Scaling Stays, Exchange Stays]
+    jumps Anywhere
+    slopes Forward
+
+    /// [`separation_aware_obb2`] of rotated boxes.
+    pub SeparationAwareObb2 = "separation_aware_obb2":
+        (a: Obb2<S>, b: Obb2<S>) -> S { separation_aware_obb2(a, b) }
+    promises [TranslationX Stays, TranslationY Stays, Scaling Stays, Exchange Stays, Rotation Stays]
+    jumps Never
     slopes Forward
 }

@@ -1,5 +1,7 @@
 //! The rows: every operation of the library, a family a file.
+pub mod convention;
 pub mod distance;
+pub mod distance3;
 pub mod extent;
 pub mod fold;
 pub mod gaussian;

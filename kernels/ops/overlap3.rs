@@ -7,9 +7,9 @@ use crate::kernels::cpu::plan::Compiled;
 use crate::operation;
 use crate::overlap::Denominator;
 use crate::overlap3::{
-    intersection_volume_aabb3, intersection_volume_obb3, intersection_volume_obb3_vjp,
-    intersection_volume_yaw, iof_aabb3, iof_obb3, iof_obb3_vjp, iof_yaw, iou_aabb3, iou_birds_eye,
-    iou_obb3, iou_obb3_vjp, iou_yaw,
+    Overlaps, intersection_volume_aabb3, intersection_volume_obb3, intersection_volume_obb3_vjp,
+    intersection_volume_yaw, iof_aabb3, iof_obb3, iof_obb3_vjp, iof_yaw, iou_aabb3,
+    iou_aabb3_obb3_vjp, iou_birds_eye, iou_obb3, iou_obb3_vjp, iou_yaw, iou_yaw_obb3_vjp,
 };
 use crate::shape::{Aabb3, Obb3, YawBox3};
 use crate::{Obb2, Scalar, Vec2, Vec3};
@@ -106,4 +106,25 @@ operation! {
     jumps FromZero
     slopes ByHand |(a, b), out_bar| { iof_obb3_vjp(a, b, out_bar) }
     => compiled { Compiled::Obb3 }
+
+    /// [`Overlaps::iou_with`] of an axis-aligned box and an upright one.
+    pub IouAabb3Yaw = "iou_aabb3_yaw":
+        (a: Aabb3<S>, b: YawBox3<S>) -> S { a.iou_with(b) }
+    promises [TranslationX Stays, TranslationY Stays, Scaling Stays]
+    jumps FromZero
+    slopes Forward
+
+    /// [`Overlaps::iou_with`] of an axis-aligned box and one of any orientation.
+    pub IouAabb3Obb3 = "iou_aabb3_obb3":
+        (a: Aabb3<S>, b: Obb3<S>) -> S { a.iou_with(b) }
+    promises [TranslationX Stays, TranslationY Stays, Scaling Stays]
+    jumps FromZero
+    slopes ByHand |(a, b), out_bar| { iou_aabb3_obb3_vjp(a, b, out_bar) }
+
+    /// [`Overlaps::iou_with`] of an upright box and one of any orientation.
+    pub IouYawObb3 = "iou_yaw_obb3":
+        (a: YawBox3<S>, b: Obb3<S>) -> S { a.iou_with(b) }
+    promises [TranslationX Stays, TranslationY Stays, Scaling Stays]
+    jumps FromZero
+    slopes ByHand |(a, b), out_bar| { iou_yaw_obb3_vjp(a, b, out_bar) }
 }

@@ -10,7 +10,7 @@ use std::f64::consts::PI;
 /// assert_eq!(right.value, std::f64::consts::FRAC_PI_2);
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq, Shape)]
-#[shape(except(Sample, Arbitrary))]
+#[shape(except(Arbitrary))]
 #[repr(C)]
 pub struct Degrees<S> {
     /// The number of degrees.
@@ -20,7 +20,7 @@ pub struct Degrees<S> {
 
 /// An angle in radians.
 #[derive(Clone, Copy, Debug, PartialEq, Shape)]
-#[shape(except(Sample, Arbitrary))]
+#[shape(except(Arbitrary))]
 #[repr(C)]
 pub struct Radians<S> {
     /// The number of radians.
@@ -47,7 +47,7 @@ impl<S: Scalar> From<Radians<S>> for Degrees<S> {
 
 /// An angle that grows clockwise as seen by the viewer.
 #[derive(Clone, Copy, Debug, PartialEq, Shape)]
-#[shape(except(Sample, Arbitrary))]
+#[shape(except(Arbitrary))]
 #[repr(C)]
 pub struct Clockwise<S> {
     /// The number of radians.
@@ -57,7 +57,7 @@ pub struct Clockwise<S> {
 
 /// An angle that grows counter-clockwise as seen by the viewer.
 #[derive(Clone, Copy, Debug, PartialEq, Shape)]
-#[shape(except(Sample, Arbitrary))]
+#[shape(except(Arbitrary))]
 #[repr(C)]
 pub struct Counterclockwise<S> {
     /// The number of radians.

@@ -17,7 +17,7 @@ use std::f64::consts::{FRAC_PI_2, FRAC_PI_4, PI};
 /// assert_eq!(seen.upright(480.0), Obb2::new(100.0, 460.0, 40.0, 10.0, -0.25));
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq, Shape)]
-#[shape(except(Sample, Arbitrary))]
+#[shape(except(Arbitrary))]
 #[repr(C)]
 pub struct ImageBox<S> {
     /// The centre, in pixels from the upper left corner.
@@ -94,7 +94,7 @@ macro_rules! ranged {
     ($(#[$doc:meta])* $name:ident { $heading:literal } |$shape:ident| $made:expr) => {
         $(#[$doc])*
         #[derive(Clone, Copy, Debug, PartialEq, Shape)]
-        #[shape(except(Sample, Arbitrary))]
+        #[shape(except(Arbitrary))]
         #[repr(C)]
         pub struct $name<S> {
             /// The centre, in pixels from the upper left corner.
@@ -174,7 +174,7 @@ fn from<S: Scalar>(angle: S, low: f64) -> S {
 /// assert_eq!(ImageBox::from(made).heading.radians, -std::f64::consts::FRAC_PI_2);
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq, Shape)]
-#[shape(except(Sample, Arbitrary))]
+#[shape(except(Arbitrary))]
 #[repr(C)]
 pub struct Detectron2Box<S> {
     /// The centre, in pixels from the upper left corner.
@@ -220,7 +220,7 @@ impl<S: Scalar> From<ImageBox<S>> for Detectron2Box<S> {
 /// assert_eq!(Obb2::from(bounds), shape);
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq, Shape)]
-#[shape(except(Sample, Arbitrary))]
+#[shape(except(Arbitrary))]
 #[repr(C)]
 pub struct Xyxyr<S> {
     /// The lower bounds before turning.

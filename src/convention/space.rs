@@ -20,7 +20,7 @@ use std::f64::consts::FRAC_PI_2;
 /// assert!((upright.center.z + 0.95).abs() < 1e-15);
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq, Shape)]
-#[shape(except(Sample, Arbitrary))]
+#[shape(except(Arbitrary))]
 #[repr(C)]
 pub struct KittiBox<S> {
     /// The size along the camera's y axis.
@@ -67,7 +67,7 @@ impl<S: Scalar> From<YawBox3<S>> for KittiBox<S> {
 /// A box of OpenPCDet, in the lidar's frame (x ahead, y to the left, z up): the seven numbers
 /// `x, y, z, dx, dy, dz, heading` with the centre of the box. The same as [`YawBox3`].
 #[derive(Clone, Copy, Debug, PartialEq, Shape)]
-#[shape(except(Sample, Arbitrary))]
+#[shape(except(Arbitrary))]
 #[repr(C)]
 pub struct LidarBox<S> {
     /// The centre of the box, not of its bottom.
@@ -110,7 +110,7 @@ impl<S> From<YawBox3<S>> for LidarBox<S> {
 /// assert_eq!(Obb3::from(seen).size, Vec3::new(4.5, 1.8, 1.5));
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq, Shape)]
-#[shape(except(Sample, Arbitrary))]
+#[shape(except(Arbitrary))]
 #[repr(C)]
 pub struct NuScenesBox<S> {
     /// The centre.

@@ -16,12 +16,13 @@
 //!
 //! A square is a circle as a Gaussian, so its heading has no slope.
 //!
-//! Sizes count as no smaller than the largest size of the pair (the distance of the centres where all are
-//! zero) times [`Scalar::EPSILON`]: so boxes of zero size are served, and results are finite; beyond the
-//! largest finite number they saturate.
+//! But for Wasserstein's distance, sizes count as no smaller than 2⁻²³ of the largest length of the pair: of
+//! all sizes and the distance of the centres. So boxes of zero size are served, sides up to eight million times
+//! as long as others are exact, and all results are finite, the same in every format. Slopes go through that
+//! bound, too: by the largest length.
 //!
 //! Kinks: [`wasserstein`] and [`probiou`] at identical Gaussians (slope zero). The others are smooth, but
-//! where a size meets that bound.
+//! where a size meets that bound, and where all lengths are zero: there boxes count as identical.
 use crate::{Obb2, Rotation2, Scalar, Vec2};
 
 pub mod smooth;
@@ -46,45 +47,38 @@ struct Pair<S> {
     scale: S,
 }
 
-/// Deviations no smaller than rounding allows.
+/// The least size, as a share of the largest size or distance of a pair: 2⁻²³, in every format.
+const LEAST: f64 = 1.0 / (1_u32 << 23) as f64;
+
+/// The power of two by which the lengths of a pair are multiplied, from its largest one, and the least size
+/// in that unit; where all lengths are zero the least size is one.
 #[inline(always)]
-fn bounded<S: Scalar>(x: S, least: S::Primal) -> S {
-    let least = S::from_primal(least);
-    S::select(x.below(least), least, x)
+fn unit<S: Scalar>(largest: S) -> (S, S) {
+    let none = largest.at_most(S::zero());
+    let scale = S::select(none, S::one(), largest).binade();
+    let least = largest * scale * S::lit(LEAST);
+    (scale, S::select(none, S::one(), least))
 }
 
 /// Brings a pair into a common unit. `FLOOR` says whether sizes are bounded from below.
 fn pair<S: Scalar, const FLOOR: bool>(a: Obb2<S>, b: Obb2<S>, deviation: f64) -> Pair<S> {
-    let (zero, one) = (S::Primal::zero(), S::Primal::one());
-    let largest = |v: Vec2<S>| v.x.primal().magnitude().most(v.y.primal().magnitude());
     let between = b.center - a.center;
-    let size = largest(a.size).most(largest(b.size));
-    let size = S::Primal::select(size.at_most(zero), largest(between), size);
-    let size = S::Primal::select(size.at_most(zero), one, size);
-    let scale = size.binade();
-    let least = size * scale * S::Primal::lit(S::EPSILON * deviation);
-    let scale = S::from_primal(scale);
+    let sizes = a.size.x.most(a.size.y).most(b.size.x.most(b.size.y));
+    let (scale, least) = unit(sizes.most(between.length()));
     let deviations = |v: Vec2<S>| {
-        let v = v * scale * S::lit(deviation);
-        if FLOOR {
-            Vec2::new(bounded(v.x, least), bounded(v.y, least))
-        } else {
-            v
-        }
+        let v = v * scale;
+        let v = match FLOOR {
+            true => Vec2::new(v.x.most(least), v.y.most(least)),
+            false => v,
+        };
+        v * S::lit(deviation)
     };
     let (own, other) = (deviations(a.size), deviations(b.size));
     let (axes_a, axes_b) = (
         Rotation2::from_angle(a.heading),
         Rotation2::from_angle(b.heading),
     );
-    // No farther than squares of it are finite.
-    let far = S::lit(S::LARGEST.powf(0.25));
-    let near = |x: S| {
-        let x = x * scale;
-        let x = S::select(x.above(far), far, x);
-        S::select(x.below(-far), -far, x)
-    };
-    let between = Vec2::new(near(between.x), near(between.y));
+    let between = between * scale;
     let turn = axes_a.inverse() * axes_b;
     let crossed = ((own.x - own.y) * (other.x - other.y)).below(S::zero());
     let exchange = |x: S, y: S| S::select(crossed, y, x);
@@ -234,7 +228,7 @@ fn distance<S: Scalar>(pair: &Pair<S>) -> S {
 }
 
 /// One minus Hellinger's distance of two boxes as Gaussians of even spread, in `[0, 1]`: 1 for identical
-/// ones. Slope zero there.
+/// ones. Slope zero there. Below 10⁻³⁵ it is zero, in every format; [`bhattacharyya`] has slopes farther away.
 ///
 /// ```
 /// use geograd::{Obb2, gaussian::probiou};
@@ -249,12 +243,18 @@ pub fn probiou<S: Scalar>(a: Obb2<S>, b: Obb2<S>) -> S {
     similarity(distance(&pair))
 }
 
+/// From this distance on boxes count as not similar at all: below the smallest numbers of `f32`.
+const FAR: f64 = 80.0;
+
 /// One minus Hellinger's distance, from Bhattacharyya's: `1 − √(1 − q)` with `q = e⁻ᵈ`, as `q / (1 + √(1 −
 /// q))`, which keeps its digits far away.
 #[inline(always)]
 pub(crate) fn similarity<S: Scalar>(distance: S) -> S {
+    let far = distance.above(S::lit(FAR));
+    let distance = S::select(far, S::zero(), distance);
     let hellinger = (-exp_minus_one(-distance)).root();
-    (-distance).exp().over(S::one() + hellinger).canonical()
+    let value = (-distance).exp().over(S::one() + hellinger);
+    S::select(far, S::zero(), value).canonical()
 }
 
 /// The overlap of two boxes as Gaussians when they are fused as a Kalman filter does, over their union, in

@@ -8,10 +8,10 @@
     reason = "indices are axes, shared by several arrays"
 )]
 use super::smooth::{excess, ln_one_plus};
-use super::{bounded, fused, similarity};
-use crate::Scalar;
+use super::{fused, similarity, unit};
 use crate::overlap3::relate::relate3;
-use crate::shape::Obb3;
+use crate::shape::{Obb3, Rotation3};
+use crate::{Scalar, Vec3};
 
 /// Two Gaussians of space seen from the first, in units of `1 / scale`.
 struct Pair<S: Scalar> {
@@ -36,34 +36,43 @@ fn largest<S: Scalar>(v: [S; 3]) -> S::Primal {
 }
 
 fn pair<S: Scalar, const FLOOR: bool>(a: Obb3<S>, b: Obb3<S>, deviation: f64) -> Pair<S> {
-    let related = relate3(a, b);
-    let (zero, one) = (S::Primal::zero(), S::Primal::one());
-    let size = largest(related.half_a).most(largest(related.half_b));
-    let size = S::Primal::select(size.at_most(zero), largest(related.center), size);
-    let size = S::Primal::select(size.at_most(zero), one, size);
-    let unit = size.binade();
-    let least = size * unit * S::Primal::lit(S::EPSILON * 2.0 * deviation);
-    let unit = S::from_primal(unit);
-    let deviations = |half: [S; 3]| {
-        half.map(|x| {
-            let x = x * unit * S::lit(2.0 * deviation);
-            if FLOOR { bounded(x, least) } else { x }
-        })
+    let between = b.center - a.center;
+    let most = |v: Vec3<S>| v.x.most(v.y).most(v.z);
+    let (scale, least) = unit(most(a.size).most(most(b.size)).most(between.length()));
+    let sizes = |v: Vec3<S>| [v.x * scale, v.y * scale, v.z * scale];
+    let floored = |v: [S; 3]| [v[0].most(least), v[1].most(least), v[2].most(least)];
+    let (own, other) = (sizes(a.size), sizes(b.size));
+    let (full, full_other) = (floored(own), floored(other));
+    // The rotation and the names of axes do not depend on sizes: those that are bounded keep every unit finite.
+    let made = |center: Vec3<S>, [x, y, z]: [S; 3], rotation: Rotation3<S>| {
+        Obb3::new(center, Vec3::new(x, y, z), rotation)
     };
-    let offset = related.center.map(|x| x * unit);
+    let related = relate3(
+        made(Vec3::zero(), full, a.rotation),
+        made(between * scale, full_other, b.rotation),
+    );
+    let (own, other) = if FLOOR {
+        (full, full_other)
+    } else {
+        (own, other)
+    };
+    let other = related.renamed.rename(other);
+    let offset = related.center.map(|x| x.over(related.scale));
     let turn = related.turn;
     let mut offset_b = [S::zero(); 3];
     for m in 0..3 {
         offset_b[m] = (turn[0][m] * offset[0] + turn[1][m] * offset[1]) + turn[2][m] * offset[2];
     }
+    let alike = own[0].equals(other[0]) & own[1].equals(other[1]) & own[2].equals(other[2]);
+    let deviations = |v: [S; 3]| v.map(|x| x * S::lit(deviation));
     Pair {
         offset,
         offset_b,
-        a: deviations(related.half_a),
-        b: deviations(related.half_b),
+        a: deviations(own),
+        b: deviations(other),
         turn,
-        scale: related.scale * unit,
-        same: related.same,
+        scale,
+        same: related.same & alike,
     }
 }
 
@@ -108,21 +117,21 @@ fn nearest_rotation<S: Scalar>(mut x: [[S::Primal; 3]; 3]) -> [[S; 3]; 3] {
     x.map(|row| row.map(S::from_primal))
 }
 
-fn squared_distance<S: Scalar>(pair: &Pair<S>, turn: &[[S; 3]; 3]) -> S {
+fn squared_distance<S: Scalar>(pair: &Pair<S>) -> S {
     // The trace of Σa + Σb − 2 (√Σa Σb √Σa)^½ is the least ‖√Σa − √Σb Q‖² over all rotations Q: a sum of
     // squares. At the best Q slopes by Q vanish, so Q is a constant.
+    let turn = &pair.turn;
     let (zero, one) = (S::Primal::zero(), S::Primal::one());
     let least = S::Primal::lit(S::EPSILON);
     let size = largest(pair.a).most(largest(pair.b)) * least;
-    let size = S::Primal::select(size.at_most(zero), one, size);
-    let full = |v: [S; 3], n: usize| v[n].primal().most(size);
-    let mut aligned = [[zero; 3]; 3];
+    let size = S::from_primal(S::Primal::select(size.at_most(zero), one, size));
+    let mut aligned = [[S::zero(); 3]; 3];
     for m in 0..3 {
         for i in 0..3 {
-            aligned[m][i] = turn[i][m].primal() * full(pair.b, m) * full(pair.a, i);
+            aligned[m][i] = (turn[i][m] * pair.b[m].most(size)) * pair.a[i].most(size);
         }
     }
-    let best = nearest_rotation::<S>(aligned);
+    let best = nearest_rotation::<S>(aligned.map(|row| row.map(S::primal)));
     let mut sum = S::zero();
     for i in 0..3 {
         sum += pair.offset[i].squared();
@@ -135,6 +144,49 @@ fn squared_distance<S: Scalar>(pair: &Pair<S>, turn: &[[S; 3]; 3]) -> S {
             sum += entry.squared();
         }
     }
+    sum - gain(&aligned, &best)
+}
+
+/// What moving the best rotation Q along with the pair takes from the sum of squares: nothing here, and no
+/// slope, but a second derivative.
+///
+/// With `K = Qᵀ M`, symmetric where Q is the best, a further turn ω changes `⟨M, Q⟩` by `ω · v − ½ ωᵀ P ω`,
+/// where v is twice the skew part of K and `P = tr K − K`; the best ω gains `½ vᵀ P⁻¹ v` of it, so twice that
+/// of the sum. Zero where P cannot be inverted: boxes without thickness in two directions.
+fn gain<S: Scalar>(aligned: &[[S; 3]; 3], best: &[[S; 3]; 3]) -> S {
+    let mut k = [[S::zero(); 3]; 3];
+    for i in 0..3 {
+        for j in 0..3 {
+            for m in 0..3 {
+                k[i][j] += best[m][i] * aligned[m][j];
+            }
+        }
+    }
+    let p = k.map(|row| row.map(S::primal));
+    let trace = p[0][0] + p[1][1] + p[2][2];
+    let [d0, d1, d2] = [trace - p[0][0], trace - p[1][1], trace - p[2][2]];
+    let off = |i: usize, j: usize| -(p[i][j] + p[j][i]).halved();
+    let (e0, e1, e2) = (off(1, 2), off(2, 0), off(0, 1));
+    // The inverse of P by its cofactors.
+    let (c00, c11, c22) = (d1 * d2 - e0 * e0, d2 * d0 - e1 * e1, d0 * d1 - e2 * e2);
+    let (c12, c20, c01) = (e1 * e2 - d0 * e0, e2 * e0 - d1 * e1, e0 * e1 - d2 * e2);
+    let det = d0 * c00 + e2 * c01 + e1 * c20;
+    let flat = det.at_most(S::Primal::lit(S::EPSILON) * (trace * trace) * trace);
+    let per = S::Primal::select(flat, S::Primal::one(), det);
+    let per = S::Primal::select(flat, S::Primal::zero(), S::Primal::one().over(per));
+    let still = |x: S| x.with_primal(S::Primal::zero());
+    let v = [
+        still(k[2][1] - k[1][2]),
+        still(k[0][2] - k[2][0]),
+        still(k[1][0] - k[0][1]),
+    ];
+    let inverse = [[c00, c01, c20], [c01, c11, c12], [c20, c12, c22]];
+    let mut sum = S::zero();
+    for i in 0..3 {
+        for j in 0..3 {
+            sum += v[i] * v[j] * S::from_primal(inverse[i][j] * per);
+        }
+    }
     sum
 }
 
@@ -143,7 +195,7 @@ fn squared_distance<S: Scalar>(pair: &Pair<S>, turn: &[[S; 3]; 3]) -> S {
 #[inline]
 pub fn wasserstein_squared<S: Scalar>(a: Obb3<S>, b: Obb3<S>) -> S {
     let pair = pair::<S, false>(a, b, 0.5);
-    let value = squared_distance(&pair, &pair.turn);
+    let value = squared_distance(&pair);
     value
         .over(pair.scale)
         .over(pair.scale)
@@ -152,7 +204,7 @@ pub fn wasserstein_squared<S: Scalar>(a: Obb3<S>, b: Obb3<S>) -> S {
 }
 
 /// Wasserstein's distance of two boxes as Gaussians, a length. Slope zero for identical ones. Derivatives
-/// above the first are not served.
+/// above the second are not served.
 ///
 /// ```
 /// use geograd::{Vec3, gaussian::solid, shape::{Obb3, Rotation3}};
@@ -169,7 +221,7 @@ pub fn wasserstein_squared<S: Scalar>(a: Obb3<S>, b: Obb3<S>) -> S {
 #[inline]
 pub fn wasserstein<S: Scalar>(a: Obb3<S>, b: Obb3<S>) -> S {
     let pair = pair::<S, false>(a, b, 0.5);
-    let value = squared_distance(&pair, &pair.turn).root();
+    let value = squared_distance(&pair).root();
     let value = S::select(pair.same, S::zero(), value);
     value.over(pair.scale).saturated().canonical()
 }

@@ -28,6 +28,7 @@ mod center;
 mod giou;
 mod hull;
 mod polygon;
+mod separation;
 
 pub use center::{
     alpha_iou_aabb2, alpha_iou_obb2, ciou_aabb2, ciou_fixed_weight_aabb2, ciou_fixed_weight_obb2,
@@ -42,3 +43,4 @@ pub use polygon::{
     FarthestCorners, diou_polygons_decided, diou_polygons_replay, giou_polygons_decided,
     giou_polygons_replay,
 };
+pub use separation::separation_aware_obb2;

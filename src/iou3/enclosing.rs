@@ -1,4 +1,5 @@
 //! Shapes around a pair of boxes.
+use crate::iou::{hull_area_aabb2, hull_area_obb2};
 use crate::shape::{Aabb3, Obb3, YawBox3};
 use crate::{Obb2, Rotation2, Scalar, Vec2, Vec3};
 
@@ -7,15 +8,35 @@ use crate::{Obb2, Rotation2, Scalar, Vec2, Vec3};
 pub enum Enclosing {
     /// The smallest box along the axes of the world.
     Aabb,
-    /// A box that turns with the pair. Upright boxes: the rectangle of least area around both grounds times
+    /// A box that turns with the pair. Axis-aligned and upright boxes: the rectangle of least area around both grounds times
     /// the height of both. Boxes of any orientation: the smaller one of the boxes around both along the axes
     /// of either.
     Rectangle,
+    /// The convex hull of both grounds times the height of both, for axis-aligned and upright boxes; boxes of
+    /// any orientation as [`Rectangle`](Enclosing::Rectangle). Its size is that of the box around both, made
+    /// narrower to the area of the hull.
+    Hull,
+}
+
+/// The size of a box around a pair whose ground has the area of a hull within it.
+#[inline(always)]
+fn narrowed<S: Scalar>(around: Vec3<S>, hull: S) -> Vec3<S> {
+    let empty = (around.x.at_most(S::zero())) | (around.y.at_most(S::zero()));
+    let held = |x: S| S::select(empty, S::one(), x);
+    let part = hull.over(held(around.x)).over(held(around.y));
+    let narrow = S::select(empty, S::one(), part).root();
+    Vec3::new(around.x * narrow, around.y * narrow, around.z)
 }
 
 #[inline(always)]
-pub(super) fn of_bounds<S: Scalar>(a: Aabb3<S>, b: Aabb3<S>, _: Enclosing) -> Vec3<S> {
-    a.join(b).size()
+pub(super) fn of_bounds<S: Scalar>(a: Aabb3<S>, b: Aabb3<S>, kind: Enclosing) -> Vec3<S> {
+    let both = a.join(b).size();
+    match kind {
+        Enclosing::Aabb => both,
+        // The rectangle of least area around both grounds may be a turned one.
+        Enclosing::Rectangle => of_upright(a.into(), b.into(), kind),
+        Enclosing::Hull => narrowed(both, hull_area_aabb2(a.birds_eye(), b.birds_eye())),
+    }
 }
 
 #[inline(always)]
@@ -36,6 +57,7 @@ pub(super) fn of_upright<S: Scalar>(a: YawBox3<S>, b: YawBox3<S>, kind: Enclosin
             let ground = smallest_rectangle(a.birds_eye(), b.birds_eye());
             Vec3::new(ground.x, ground.y, both.z)
         }
+        Enclosing::Hull => narrowed(both, hull_area_obb2(a.birds_eye(), b.birds_eye())),
     }
 }
 
@@ -53,7 +75,7 @@ pub(super) fn of_any<S: Scalar>(a: Obb3<S>, b: Obb3<S>, kind: Enclosing) -> Vec3
             };
             own.bounding().join(shifted.bounding()).size()
         }
-        Enclosing::Rectangle => {
+        Enclosing::Rectangle | Enclosing::Hull => {
             let along = |one: Obb3<S>, other: Obb3<S>| {
                 let back = one.rotation.inverse();
                 let half = one.size * S::lit(0.5);

@@ -42,6 +42,12 @@ pub trait Solid<S: Scalar>: Copy + Into<Obb3<S>> {
     /// the area of `x · y` and the proportions of the rectangle around it.
     #[must_use]
     fn enclosing(self, other: Self, kind: Enclosing) -> Vec3<S>;
+    /// The size of what both share, for a kind that shares boxes; zero where they are apart.
+    #[doc(hidden)]
+    #[inline]
+    fn shared_box(self, _other: Self) -> Option<Vec3<S>> {
+        None
+    }
 }
 
 impl<S: Scalar> Solid<S> for Aabb3<S> {
@@ -64,6 +70,15 @@ impl<S: Scalar> Solid<S> for Aabb3<S> {
     #[inline]
     fn enclosing(self, other: Self, kind: Enclosing) -> Vec3<S> {
         enclosing::of_bounds(self, other, kind)
+    }
+    #[inline]
+    fn shared_box(self, other: Self) -> Option<Vec3<S>> {
+        let apart = (self.max.x.at_most(other.min.x) | other.max.x.at_most(self.min.x))
+            | (self.max.y.at_most(other.min.y) | other.max.y.at_most(self.min.y))
+            | (self.max.z.at_most(other.min.z) | other.max.z.at_most(self.min.z));
+        let meet = self.meet(other).size();
+        let held = |x: S| S::select(apart, S::zero(), x);
+        Some(Vec3::new(held(meet.x), held(meet.y), held(meet.z)))
     }
 }
 
@@ -122,7 +137,7 @@ fn share<S: Scalar>(x: S, y: S) -> S {
 
 /// Lengths in a common unit, so that their products stay finite.
 #[inline(always)]
-fn scaled<S: Scalar>(lengths: [Vec3<S>; 4]) -> [Vec3<S>; 4] {
+fn scaled<S: Scalar>(lengths: [Vec3<S>; 5]) -> [Vec3<S>; 5] {
     let mut size = S::Primal::zero();
     for v in lengths {
         size = size.most(v.x.primal().magnitude());
@@ -141,23 +156,27 @@ struct Terms<S> {
     size_a: Vec3<S>,
     size_b: Vec3<S>,
     around: Vec3<S>,
+    shared: Option<Vec3<S>>,
 }
 
 #[inline(always)]
 fn terms<S: Scalar, B: Solid<S>>(a: B, b: B, kind: Enclosing) -> Terms<S> {
+    let meet = a.shared_box(b);
     let lengths = [
         b.middle() - a.middle(),
         a.own_size(),
         b.own_size(),
         a.enclosing(b, kind),
+        meet.unwrap_or(Vec3::zero()),
     ];
-    let [between, size_a, size_b, around] = scaled(lengths);
+    let [between, size_a, size_b, around, shared] = scaled(lengths);
     Terms {
         iou: a.overlap(b),
         between,
         size_a,
         size_b,
         around,
+        shared: meet.map(|_| shared),
     }
 }
 
@@ -176,10 +195,17 @@ pub fn giou<S: Scalar, B: Solid<S>>(a: B, b: B, kind: Enclosing) -> S {
     let t = terms(a, b, kind);
     let volume = |v: Vec3<S>| v.x * v.y * v.z;
     let (volume_a, volume_b, around) = (volume(t.size_a), volume(t.size_b), volume(t.around));
-    // With I/U = i, U = (A + B) / (1 + i).
-    let union = (volume_a + volume_b).over(S::one() + t.iou);
+    let shared = match t.shared {
+        Some(shared) => volume(shared),
+        // I/U = i and U = A + B − I.
+        None => (volume_a + volume_b) * t.iou.over(S::one() + t.iou),
+    };
+    // Around less the union, in differences that are exactly zero for a box within the other.
+    let (larger, smaller) = (volume_a.most(volume_b), volume_a.least(volume_b));
+    let waste = (around - larger) - (smaller - shared);
     // Rounding can leave the shape around a little smaller than what it encloses.
-    let waste = (around - union).most(S::zero());
+    let short = waste.below(S::zero());
+    let waste = S::select(short, waste.with_primal(S::Primal::zero()), waste);
     (t.iou - share(waste, around)).canonical()
 }
 
@@ -239,7 +265,12 @@ pub fn ciou_fixed_weight<S: Scalar, B: Solid<S>>(a: B, b: B, kind: Enclosing) ->
 #[inline]
 pub fn eiou<S: Scalar, B: Solid<S>>(a: B, b: B, kind: Enclosing) -> S {
     let t = terms(a, b, kind);
-    let differ = |p: S, q: S, around: S| share((p - q).squared(), around.most(p).most(q).squared());
+    // Of equal ones what is around counts: it is never smaller, but for turned boxes.
+    let larger = |x: S, y: S| S::select(x.below(y), y, x);
+    let differ = |p: S, q: S, around: S| {
+        let all = larger(larger(around, p), q);
+        share((p - q).squared(), all.squared())
+    };
     let sizes = differ(t.size_a.x, t.size_b.x, t.around.x)
         + differ(t.size_a.y, t.size_b.y, t.around.y)
         + differ(t.size_a.z, t.size_b.z, t.around.z);

@@ -11,34 +11,39 @@ use crate::shape::Obb3;
 /// square of its length is above rounding.
 fn widest_gap<S: Scalar>(pair: &Relative3<S>) -> S {
     let (r, c, h, p) = (pair.turn, pair.center, pair.half_a, pair.half_b);
-    let zero = S::zero();
-    let mut gap = zero;
-    for i in 0..3 {
+    let faces = |i: usize| {
         let reach =
             (r[i][0].magnitude() * p[0] + r[i][1].magnitude() * p[1]) + r[i][2].magnitude() * p[2];
-        let own = c[i].magnitude() - (h[i] + reach);
-        gap = if i == 0 { own } else { gap.most(own) };
+        let of_a = c[i].magnitude() - (h[i] + reach);
         let reach =
             (r[0][i].magnitude() * h[0] + r[1][i].magnitude() * h[1]) + r[2][i].magnitude() * h[2];
         let center = (r[0][i] * c[0] + r[1][i] * c[1]) + r[2][i] * c[2];
-        gap = gap.most(center.magnitude() - (p[i] + reach));
-    }
+        of_a.most(center.magnitude() - (p[i] + reach))
+    };
+    let gap = faces(0).most(faces(1)).most(faces(2));
     let least = S::lit(64.0 * S::EPSILON);
+    // The gap along a's edge i cross b's edge m, or what is given where both are parallel.
+    let edges = |i: usize, m: usize, gap: S| {
+        let (j, l) = ((i + 1) % 3, (i + 2) % 3);
+        let (a, b) = ((m + 1) % 3, (m + 2) % 3);
+        let square = r[j][m].squared() + r[l][m].squared();
+        let parallel = square.at_most(least);
+        let length = S::select(parallel, S::one(), square).root();
+        let distance = (c[l] * r[j][m] - c[j] * r[l][m]).magnitude();
+        let reach_a = h[j] * r[l][m].magnitude() + h[l] * r[j][m].magnitude();
+        let reach_b = p[a] * r[i][b].magnitude() + p[b] * r[i][a].magnitude();
+        let own = (distance - (reach_a + reach_b)).over(length);
+        S::select(parallel, gap, own)
+    };
+    // In pairs that change places when the boxes do, so that ties are shared alike both ways round.
+    let mut all = gap;
     for i in 0..3 {
         let (j, l) = ((i + 1) % 3, (i + 2) % 3);
-        for m in 0..3 {
-            let (a, b) = ((m + 1) % 3, (m + 2) % 3);
-            let square = r[j][m].squared() + r[l][m].squared();
-            let parallel = square.at_most(least);
-            let length = S::select(parallel, S::one(), square).root();
-            let distance = (c[l] * r[j][m] - c[j] * r[l][m]).magnitude();
-            let reach_a = h[j] * r[l][m].magnitude() + h[l] * r[j][m].magnitude();
-            let reach_b = p[a] * r[i][b].magnitude() + p[b] * r[i][a].magnitude();
-            let own = (distance - (reach_a + reach_b)).over(length);
-            gap = S::select(parallel, gap, gap.most(own));
-        }
+        all = all.most(edges(i, i, gap));
+        let (forth, back) = (edges(j, l, gap), edges(l, j, gap));
+        all = all.most(forth.most(back));
     }
-    gap
+    all
 }
 
 /// How far two boxes are apart along the axis that separates them most, a length; negative for boxes that

@@ -1,8 +1,7 @@
 //! How much two boxes in space overlap: volume of intersection, intersection over union, intersection
 //! over the first box; and the same seen from above.
 //!
-//! Pairs of different kinds are measured by conversion to the more general kind:
-//! `iou_obb3(a, Obb3::from(b))`. Each kind has its own formula: bounds for [`Aabb3`](crate::shape::Aabb3),
+//! Pairs of different kinds are measured as the more general kind: [`Overlaps`]. Each kind has its own formula: bounds for [`Aabb3`](crate::shape::Aabb3),
 //! the overlap in the plane times that of the heights for [`YawBox3`](crate::shape::YawBox3), and for
 //! [`Obb3`](crate::shape::Obb3) the integral over the clamped [`border`].
 //!
@@ -20,6 +19,7 @@ mod aabb;
 pub mod border;
 mod edge;
 mod face;
+mod mixed;
 mod obb;
 mod precise;
 pub mod relate;
@@ -28,6 +28,7 @@ mod slopes;
 mod yaw;
 
 pub use aabb::{intersection_volume_aabb3, iof_aabb3, iou_aabb3};
+pub use mixed::{Overlaps, iou_aabb3_obb3_vjp, iou_yaw_obb3_vjp};
 pub use obb::{intersection_volume_obb3, iof_obb3, iou_obb3};
 pub(crate) use slopes::by_volumes;
 pub use slopes::{intersection_volume_obb3_vjp, iof_obb3_vjp, iou_obb3_vjp};

@@ -175,6 +175,7 @@ vector! {
 }
 vector! {
     /// A point or a direction in space, right-handed.
+    #[shape(except(Sample))]
     Vec3 { x, y, z }
 }
 

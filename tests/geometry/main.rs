@@ -18,3 +18,4 @@ mod scalar;
 mod shape;
 mod solids;
 mod source;
+mod toolbox;

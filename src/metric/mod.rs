@@ -16,6 +16,8 @@
 use crate::error::{Argument, Error, Field, Flaw};
 use crate::suppression::{Pair, invalid, order};
 
+pub mod kitti;
+
 /// The detections and truths of one image or scan, of one class.
 #[derive(Clone, Copy, Debug)]
 pub struct Frame<'a> {
@@ -75,9 +77,8 @@ fn flags(name: &'static str, flags: &[bool], count: usize) -> Result<(), Error> 
 /// took and that it overlaps by at least the threshold. It takes an ignored truth only where no other one is
 /// left, and is ignored then: it is neither right nor wrong. Several may share an ignored truth. A detection
 /// that takes nothing is wrong, unless it is ignored itself; one that is ignored itself takes a truth only to
-/// be ignored, and leaves it to others. These are the rules of KITTI's benchmark (Geiger et al., *Are we
-/// ready for autonomous driving?*, CVPR 2012) for truths of similar classes and for small detections, in the
-/// order of scores as PASCAL VOC and COCO match.
+/// be ignored, and leaves it to others. So PASCAL VOC and COCO match; KITTI's own benchmark differs in detail:
+/// [`kitti`].
 ///
 /// # Errors
 ///

@@ -1,0 +1,39 @@
+//! An overlap of rotated boxes that has slopes for boxes apart, too.
+use super::hull_scale;
+use crate::clip::{frame, relate};
+use crate::overlap::iou_obb2;
+use crate::{Obb2, Scalar};
+
+/// IoU of two rotated boxes where they overlap; where they are apart minus `g / (g + s)`, with the widest gap
+/// g between them along the direction of a side and s the mean of the boxes' larger sides: from 0 at contact to
+/// −1 far away, in `(−1, 1]`. Continuous, and never without a slope for boxes apart.
+///
+/// Kinks: those of IoU, and where another side's direction has the widest gap.
+///
+/// ```
+/// use geograd::{Obb2, iou::separation_aware_obb2};
+/// let a = Obb2::new(0.0_f64, 0.0, 2.0, 2.0, 0.0);
+/// assert_eq!(separation_aware_obb2(a, a), 1.0);
+/// assert_eq!(separation_aware_obb2(a, Obb2::new(4.0, 0.0, 2.0, 1.0, 0.0)), -0.5);
+/// ```
+#[must_use]
+#[inline]
+pub fn separation_aware_obb2<S: Scalar>(a: Obb2<S>, b: Obb2<S>) -> S {
+    let (own, other) = (frame(a), frame(b));
+    let scale = hull_scale(&own, &other);
+    let pair = relate::<S, true>(own, other, scale);
+    let (h, p, cos, steep) = (pair.half_a, pair.half_b, pair.cos, pair.sin.magnitude());
+    let (u, v) = (pair.u, pair.v);
+    let gap = |center: S, own: S, along: S, across: S| {
+        center.magnitude() - (own + (along * cos + across * steep))
+    };
+    let (e, f) = (u * cos + v * pair.sin, v * cos - u * pair.sin);
+    let along = gap(u, h.x, p.x, p.y).most(gap(e, p.x, h.x, h.y));
+    let across = gap(v, h.y, p.y, p.x).most(gap(f, p.y, h.y, h.x));
+    let gap = along.most(across);
+    let size = h.x.most(h.y) + p.x.most(p.y);
+    let apart = gap.above(S::zero());
+    let held = S::select(apart, gap, S::one());
+    let value = held.over(held + size);
+    S::select(apart, -value, iou_obb2(a, b)).canonical()
+}

@@ -1,0 +1,361 @@
+//! The rules of KITTI's object benchmark, as its development kit has them: which truths and detections count at
+//! a difficulty, how they are matched, and average precision at forty or eleven recalls.
+//!
+//! Geiger, Lenz and Urtasun, *Are we ready for autonomous driving?*, CVPR 2012; forty recalls since Simonelli et
+//! al., *Disentangling monocular 3D object detection*, ICCV 2019. What differs from [`outcomes`](super::outcomes):
+//!
+//! * truths choose detections, in the order of the truths, and not the other way round;
+//! * precision is read at about forty scores, those of right detections at which recall passes a fortieth;
+//! * an overlap must be above the threshold, equality is not enough;
+//! * detections in regions without labels are left out of what is wrong: of the share of the detection in
+//!   the region, where other overlaps are intersections over unions.
+use super::{Outcome, Point, Recalls};
+use crate::error::{Argument, Error, Field, Flaw};
+use crate::suppression::{Pair, invalid};
+
+/// A difficulty of the benchmark.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum Difficulty {
+    /// At least 40 pixels high, fully visible, truncated by at most 15 %.
+    Easy,
+    /// At least 25 pixels high, partly hidden at most, truncated by at most 30 %.
+    Moderate,
+    /// At least 25 pixels high, largely hidden at most, truncated by at most 50 %.
+    Hard,
+}
+
+impl Difficulty {
+    /// The least height of what counts, in pixels; a truth must be higher.
+    #[must_use]
+    pub const fn height(self) -> f64 {
+        match self {
+            Difficulty::Easy => 40.0,
+            Difficulty::Moderate | Difficulty::Hard => 25.0,
+        }
+    }
+    /// The highest level of occlusion that counts.
+    #[must_use]
+    pub const fn occlusion(self) -> u8 {
+        match self {
+            Difficulty::Easy => 0,
+            Difficulty::Moderate => 1,
+            Difficulty::Hard => 2,
+        }
+    }
+    /// The largest truncated share that counts.
+    #[must_use]
+    pub const fn truncation(self) -> f64 {
+        match self {
+            Difficulty::Easy => 0.15,
+            Difficulty::Moderate => 0.3,
+            Difficulty::Hard => 0.5,
+        }
+    }
+    /// How a truth counts.
+    ///
+    /// ```
+    /// use geograd::metric::kitti::{Counts, Difficulty, Label, Truth};
+    /// let car = Truth { label: Label::Own, height: 30.0, occlusion: 0, truncation: 0.0 };
+    /// assert_eq!(Difficulty::Moderate.truth(car), Counts::Fully);
+    /// assert_eq!(Difficulty::Easy.truth(car), Counts::Ignored);
+    /// let van = Truth { label: Label::Neighbouring, ..car };
+    /// assert_eq!(Difficulty::Moderate.truth(van), Counts::Ignored);
+    /// ```
+    #[must_use]
+    pub fn truth(self, truth: Truth) -> Counts {
+        let is_easy = truth.occlusion <= self.occlusion()
+            && truth.truncation <= self.truncation()
+            && truth.height > self.height();
+        match truth.label {
+            Label::Own if is_easy => Counts::Fully,
+            Label::Own | Label::Neighbouring => Counts::Ignored,
+            Label::Other => Counts::Not,
+        }
+    }
+    /// How a detection of such a height in pixels counts, of the class that is judged or of another one.
+    #[must_use]
+    pub fn detection(self, height: f64, is_of_class: bool) -> Counts {
+        if height < self.height() {
+            Counts::Ignored
+        } else if is_of_class {
+            Counts::Fully
+        } else {
+            Counts::Not
+        }
+    }
+}
+
+/// A truth's class, seen from the class that is judged.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum Label {
+    /// The class that is judged.
+    Own,
+    /// One so similar that finding it is no mistake: vans for cars, sitting people for pedestrians.
+    Neighbouring,
+    /// Any other one.
+    Other,
+}
+
+/// What the rules look at in a truth.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Truth {
+    /// Its class.
+    pub label: Label,
+    /// The height of its box in the image, in pixels.
+    pub height: f64,
+    /// How much of it is hidden: 0 nothing, 1 partly, 2 largely, 3 unknown.
+    pub occlusion: u8,
+    /// The share of it outside of the image, in `[0, 1]`.
+    pub truncation: f64,
+}
+
+/// How a truth or a detection counts.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum Counts {
+    /// It must be found, or must be right.
+    Fully,
+    /// It may be found, or may be wrong.
+    Ignored,
+    /// It is not there.
+    Not,
+}
+
+/// The truths and detections of one image or scan.
+#[derive(Clone, Copy, Debug)]
+pub struct Frame<'a> {
+    /// How every truth counts.
+    pub truths: &'a [Counts],
+    /// The score of every detection.
+    pub scores: &'a [f64],
+    /// How every detection counts.
+    pub detections: &'a [Counts],
+    /// Overlaps of detections (the first of a pair) and truths (the second); others do not overlap.
+    pub pairs: &'a [Pair<f64>],
+    /// For every detection the largest share of it in a region without labels; empty where there are none.
+    pub unlabelled: &'a [f64],
+}
+
+/// Average precision by the rules, and what it was read from.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Judged {
+    /// Precision and recall at the scores where it was read, the highest one first.
+    pub curve: Vec<Point>,
+    /// The truths that had to be found.
+    pub truths: usize,
+}
+
+impl Judged {
+    /// Average precision, in `[0, 1]`: at eleven recalls every fourth of the forty-one that the scores stand
+    /// for, at forty all but the first. [`Recalls::All`] counts as forty, which is all there are.
+    #[must_use]
+    pub fn average_precision(&self, recalls: Recalls) -> f64 {
+        let mut best = [0.0_f64; 41];
+        for (slot, point) in best.iter_mut().zip(&self.curve) {
+            *slot = point.precision;
+        }
+        for i in (1..best.len()).rev() {
+            best[i - 1] = best[i - 1].max(best[i]);
+        }
+        match recalls {
+            Recalls::Eleven => best.iter().step_by(4).sum::<f64>() / 11.0,
+            Recalls::Forty | Recalls::All => best[1..].iter().sum::<f64>() / 40.0,
+        }
+    }
+}
+
+/// What became of the detections of a frame of at least a score, and how many truths were missed.
+struct Matched {
+    outcomes: Vec<Outcome>,
+    missed: usize,
+}
+
+/// Overlaps of every truth above the threshold, with the detections in their order.
+fn near(frame: &Frame<'_>, threshold: f64) -> Result<Vec<Vec<(usize, f64)>>, Error> {
+    let counts = [
+        ("detections", frame.detections.len(), frame.scores.len()),
+        ("unlabelled", frame.unlabelled.len(), frame.scores.len()),
+    ];
+    for (name, found, expected) in counts {
+        if found != expected && !(name == "unlabelled" && found == 0) {
+            let argument = Argument::Named(name);
+            return Err(Error::Length {
+                argument,
+                expected,
+                found,
+            });
+        }
+    }
+    for (name, numbers) in [("scores", frame.scores), ("unlabelled", frame.unlabelled)] {
+        if let Some(row) = numbers.iter().position(|x| !x.is_finite()) {
+            return Err(invalid(name, row, Flaw::NotFinite(Field::VALUE)));
+        }
+    }
+    let mut near = vec![Vec::new(); frame.truths.len()];
+    for (row, pair) in frame.pairs.iter().enumerate() {
+        let ends = [
+            ("first", pair.first, frame.scores.len()),
+            ("second", pair.second, frame.truths.len()),
+        ];
+        for (name, place, end) in ends {
+            if place >= end {
+                let flaw = Flaw::Broken(Field::new(name), "is beyond its list");
+                return Err(invalid("pairs", row, flaw));
+            }
+        }
+        if !pair.overlap.is_finite() {
+            let flaw = Flaw::NotFinite(Field::new("overlap"));
+            return Err(invalid("pairs", row, flaw));
+        }
+        if pair.overlap > threshold {
+            near[pair.second].push((pair.first, pair.overlap));
+        }
+    }
+    near.iter_mut()
+        .for_each(|list| list.sort_by_key(|&(detection, _)| detection));
+    Ok(near)
+}
+
+/// Which detections the truths take, one after the other. With `least`, of detections of at least this score
+/// the one of the largest overlap, ignored ones only where no other is left; without, of all the one of the
+/// highest score.
+fn matched(frame: &Frame<'_>, near: &[Vec<(usize, f64)>], least: Option<f64>) -> Matched {
+    let mut outcomes = vec![Outcome::Wrong; frame.scores.len()];
+    let mut is_taken = vec![false; frame.scores.len()];
+    let mut missed = 0;
+    for (truth, near) in near.iter().enumerate() {
+        if frame.truths[truth] == Counts::Not {
+            continue;
+        }
+        let mut best: Option<(usize, f64)> = None;
+        for &(detection, overlap) in near {
+            let counts = frame.detections[detection];
+            let score = frame.scores[detection];
+            if counts == Counts::Not
+                || is_taken[detection]
+                || least.is_some_and(|least| score < least)
+            {
+                continue;
+            }
+            let is_ignored = counts == Counts::Ignored;
+            let is_better = match (least, best) {
+                (None, Some((other, _))) => score > frame.scores[other],
+                (Some(_), Some((other, most))) => {
+                    let other_is_ignored = frame.detections[other] == Counts::Ignored;
+                    !is_ignored && (other_is_ignored || overlap > most)
+                }
+                (_, None) => true,
+            };
+            if is_better {
+                best = Some((detection, overlap));
+            }
+        }
+        let must = frame.truths[truth] == Counts::Fully;
+        match best {
+            None => missed += usize::from(must),
+            Some((detection, _)) => {
+                is_taken[detection] = true;
+                let is_right = must && frame.detections[detection] == Counts::Fully;
+                outcomes[detection] = match is_right {
+                    true => Outcome::Right(truth),
+                    false => Outcome::Ignored,
+                };
+            }
+        }
+    }
+    Matched { outcomes, missed }
+}
+
+/// The scores of right detections, the highest first, at which recall passes the next fortieth.
+fn thresholds(mut right: Vec<f64>, truths: usize) -> Vec<f64> {
+    right.sort_unstable_by(|a, b| b.total_cmp(a));
+    let (mut recall, mut out) = (0.0, Vec::new());
+    for (i, &score) in right.iter().enumerate() {
+        let is_last = i + 1 == right.len();
+        let left = (i + 1) as f64 / truths as f64;
+        let next = if is_last {
+            left
+        } else {
+            (i + 2) as f64 / truths as f64
+        };
+        if next - recall < recall - left && !is_last {
+            continue;
+        }
+        out.push(score);
+        recall += 1.0 / 40.0;
+    }
+    out
+}
+
+/// Judges the detections of all frames together, of one class and difficulty: overlaps above the threshold
+/// are right (0.7 for cars, 0.5 for pedestrians and cyclists).
+///
+/// # Errors
+///
+/// [`Error::Length`] for lists of other lengths than the scores, [`Error::Invalid`] for numbers that are not
+/// finite and pairs beyond the lists.
+///
+/// ```
+/// use geograd::metric::{Recalls, kitti::{Counts, Frame, judge}};
+/// use geograd::suppression::Pair;
+/// let frame = Frame {
+///     truths: &[Counts::Fully, Counts::Ignored],
+///     scores: &[0.9, 0.8, 0.3],
+///     detections: &[Counts::Fully; 3],
+///     pairs: &[
+///         Pair { first: 0, second: 0, overlap: 0.8 },
+///         Pair { first: 1, second: 1, overlap: 0.9 },
+///     ],
+///     unlabelled: &[],
+/// };
+/// let judged = judge(&[frame], 0.7)?;
+/// // The van that was found does not count, and no score below the last right one is looked at.
+/// assert_eq!(judged.curve.len(), 1);
+/// assert_eq!(judged.curve[0].precision, 1.0);
+/// # Ok::<(), geograd::Error>(())
+/// ```
+pub fn judge(frames: &[Frame<'_>], threshold: f64) -> Result<Judged, Error> {
+    let near = frames
+        .iter()
+        .map(|frame| near(frame, threshold))
+        .collect::<Result<Vec<_>, _>>()?;
+    let all = || frames.iter().zip(&near);
+    let must = |frame: &Frame<'_>| frame.truths.iter().filter(|c| **c == Counts::Fully).count();
+    let truths: usize = frames.iter().map(must).sum();
+    let mut right = Vec::new();
+    for (frame, near) in all() {
+        let found = matched(frame, near, None);
+        let is_right = |i: &usize| matches!(found.outcomes[*i], Outcome::Right(_));
+        right.extend(
+            (0..frame.scores.len())
+                .filter(is_right)
+                .map(|i| frame.scores[i]),
+        );
+    }
+    let read = |score: f64| {
+        let (mut right, mut wrong, mut missed) = (0_usize, 0_usize, 0_usize);
+        for (frame, near) in all() {
+            let found = matched(frame, near, Some(score));
+            missed += found.missed;
+            for (i, outcome) in found.outcomes.iter().enumerate() {
+                let is_unlabelled = || frame.unlabelled.get(i).is_some_and(|x| *x > threshold);
+                match outcome {
+                    Outcome::Right(_) => right += 1,
+                    Outcome::Wrong if frame.detections[i] == Counts::Fully => {
+                        wrong += usize::from(frame.scores[i] >= score && !is_unlabelled());
+                    }
+                    _ => {}
+                }
+            }
+        }
+        Point {
+            score,
+            precision: right as f64 / (right + wrong).max(1) as f64,
+            recall: right as f64 / (right + missed).max(1) as f64,
+        }
+    };
+    let curve = thresholds(right, truths.max(1))
+        .into_iter()
+        .map(read)
+        .collect();
+    Ok(Judged { curve, truths })
+}

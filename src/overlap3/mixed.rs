@@ -1,0 +1,105 @@
+//! Overlap of boxes of two kinds.
+use super::{
+    intersection_volume_aabb3, intersection_volume_obb3, intersection_volume_yaw, iof_aabb3,
+    iof_obb3, iof_yaw, iou_aabb3, iou_obb3, iou_obb3_vjp, iou_yaw,
+};
+use crate::Scalar;
+use crate::shape::{Aabb3, Obb3, YawBox3};
+
+/// Boxes that overlap another kind of box: every pair of [`Aabb3`], [`YawBox3`] and [`Obb3`]. The pair is
+/// measured as boxes of the more general kind.
+///
+/// ```
+/// use geograd::{Vec3, overlap3::Overlaps, shape::{Aabb3, Obb3, Rotation3, YawBox3}};
+/// let room = Aabb3::new(Vec3::new(-1.0_f64, -1.0, 0.0), Vec3::new(1.0, 1.0, 2.0));
+/// let car = YawBox3::new(Vec3::new(1.0, 0.0, 1.0), Vec3::new(2.0, 2.0, 2.0), 0.0);
+/// assert_eq!(room.volume_shared_with(car), 4.0);
+/// let tilted = Obb3 { rotation: Rotation3::new(0.9, 0.1, 0.2, 0.3), ..Obb3::from(car) };
+/// assert!((car.iou_with(tilted) - tilted.iou_with(car)).abs() < 1e-15);
+/// assert!(room.iof_with(tilted) < 1.0);
+/// ```
+pub trait Overlaps<B> {
+    /// The numbers that boxes are made of.
+    type Scalar: Scalar;
+    /// The volume that both share, in cubed units of length.
+    #[must_use]
+    fn volume_shared_with(self, other: B) -> Self::Scalar;
+    /// Intersection over union, in `[0, 1]`.
+    #[must_use]
+    fn iou_with(self, other: B) -> Self::Scalar;
+    /// The share of this box that lies in the other one, in `[0, 1]`.
+    #[must_use]
+    fn iof_with(self, other: B) -> Self::Scalar;
+}
+
+macro_rules! overlaps {
+    ($($a:ident $b:ident as $more:ident: $volume:ident $iou:ident $iof:ident;)*) => { $(
+        impl<S: Scalar> Overlaps<$b<S>> for $a<S> {
+            type Scalar = S;
+            #[inline]
+            fn volume_shared_with(self, other: $b<S>) -> S {
+                $volume($more::from(self), $more::from(other))
+            }
+            #[inline]
+            fn iou_with(self, other: $b<S>) -> S {
+                $iou($more::from(self), $more::from(other))
+            }
+            #[inline]
+            fn iof_with(self, other: $b<S>) -> S {
+                $iof($more::from(self), $more::from(other))
+            }
+        }
+    )* };
+}
+overlaps! {
+    Aabb3 Aabb3 as Aabb3: intersection_volume_aabb3 iou_aabb3 iof_aabb3;
+    Aabb3 YawBox3 as YawBox3: intersection_volume_yaw iou_yaw iof_yaw;
+    Aabb3 Obb3 as Obb3: intersection_volume_obb3 iou_obb3 iof_obb3;
+    YawBox3 Aabb3 as YawBox3: intersection_volume_yaw iou_yaw iof_yaw;
+    YawBox3 YawBox3 as YawBox3: intersection_volume_yaw iou_yaw iof_yaw;
+    YawBox3 Obb3 as Obb3: intersection_volume_obb3 iou_obb3 iof_obb3;
+    Obb3 Aabb3 as Obb3: intersection_volume_obb3 iou_obb3 iof_obb3;
+    Obb3 YawBox3 as Obb3: intersection_volume_obb3 iou_obb3 iof_obb3;
+    Obb3 Obb3 as Obb3: intersection_volume_obb3 iou_obb3 iof_obb3;
+}
+
+/// The gradient by an upright box from that by the same box as one of any orientation: the turn about the
+/// z axis is the third of its body tangents.
+#[inline]
+fn upright<S: Scalar>(shape: YawBox3<S>, g: Obb3<S>) -> YawBox3<S> {
+    let turn = shape.rotation().tangent_gradient(g.rotation);
+    YawBox3::new(g.center, g.size, turn.z)
+}
+
+/// The gradient by bounds from that by the same box as one of any orientation.
+#[inline]
+fn bounds<S: Scalar>(g: Obb3<S>) -> Aabb3<S> {
+    let half = g.center * S::lit(0.5);
+    Aabb3::new(half - g.size, half + g.size)
+}
+
+/// Intersection over union of an upright box and one of any orientation, and `out_bar` times its slopes by
+/// both.
+#[must_use]
+#[inline]
+pub fn iou_yaw_obb3_vjp<S: Scalar>(
+    a: YawBox3<S>,
+    b: Obb3<S>,
+    out_bar: S,
+) -> (S, (YawBox3<S>, Obb3<S>)) {
+    let (value, (a_bar, b_bar)) = iou_obb3_vjp(a.into(), b, out_bar);
+    (value, (upright(a, a_bar), b_bar))
+}
+
+/// Intersection over union of an axis-aligned box and one of any orientation, and `out_bar` times its slopes
+/// by both.
+#[must_use]
+#[inline]
+pub fn iou_aabb3_obb3_vjp<S: Scalar>(
+    a: Aabb3<S>,
+    b: Obb3<S>,
+    out_bar: S,
+) -> (S, (Aabb3<S>, Obb3<S>)) {
+    let (value, (a_bar, b_bar)) = iou_obb3_vjp(a.into(), b, out_bar);
+    (value, (bounds(a_bar), b_bar))
+}
