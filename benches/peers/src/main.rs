@@ -8,8 +8,10 @@
 //!
 //! `-- --levels [--csv FILE]` prints a table of every level of vector instructions that the machine has,
 //! `-- --shapes [--csv FILE]` one of losses, boxes in space and quadrilaterals, `-- --suppress [--csv FILE]` one of suppression;
-//! `-- --polygons` times distances of points from rings, and clipping;
+//! `-- --polygons` times distances of points from rings, and clipping; `-- --boolean` the overlap of polygons
+//! of any kind;
 //! `-- --paper FILE.svg [--csv FILE]` times the IoU loss against the number of boxes and draws it.
+mod boolean;
 mod levels;
 mod paper;
 mod polygons;
@@ -175,6 +177,10 @@ fn main() -> std::io::Result<()> {
             polygons::polygons();
             return Ok(());
         }
+        ["--boolean"] => {
+            on_threads(1, boolean::polygons);
+            return Ok(());
+        }
         ["--suppress"] => {
             suppress::suppress();
             return Ok(());
@@ -182,7 +188,7 @@ fn main() -> std::io::Result<()> {
         ["--suppress", "--csv", file] => return std::fs::write(file, suppress::suppress()),
         _ => {
             eprintln!(
-                "arguments: [--levels | --shapes | --suppress | --paper SVG] [--csv FILE], or --polygons"
+                "arguments: [--levels | --shapes | --suppress | --paper SVG] [--csv FILE], or --polygons, or --boolean"
             );
             std::process::exit(2);
         }

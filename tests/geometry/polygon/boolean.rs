@@ -13,11 +13,12 @@ use geograd::polygon::{self, Fill};
 use geograd::{Error, Pack, Polygon, Scalar, Vec2};
 use geograd_tests::Dice;
 
-const OPERATIONS: [(Operation, fn(bool, bool) -> bool); 4] = [
-    (Operation::Union, |a, b| a || b),
-    (Operation::Intersection, |a, b| a && b),
-    (Operation::Difference, |a, b| a && !b),
-    (Operation::SymmetricDifference, |a, b| a != b),
+/// The operations, and which of the areas in a only, in both and in b only belong to the result.
+const OPERATIONS: [(Operation, [bool; 3]); 4] = [
+    (Operation::Union, [true, true, true]),
+    (Operation::Intersection, [false, true, false]),
+    (Operation::Difference, [true, false, false]),
+    (Operation::SymmetricDifference, [true, false, true]),
 ];
 
 fn any(dice: &mut Dice) -> Vec<Ring> {
@@ -48,34 +49,67 @@ fn result(a: &Polygon<f64>, b: &Polygon<f64>, operation: Operation, fill: Fill) 
 fn areas_are_those_of_the_oracle() {
     let mut dice = Dice(1);
     for (k, (a, b)) in cases(&mut dice).into_iter().enumerate() {
-        for (operation, keep) in OPERATIONS {
-            let fill = [Fill::NonZero, Fill::EvenOdd][k % 2];
-            let truth = scanline::area(&a, &b, fill, keep);
-            let area = |a: &[Ring], b: &[Ring]| {
-                polygon::signed_area(&result(&made(a), &made(b), operation, fill))
-            };
-            let near = 1e-12 * (1.0 + truth);
-            assert!(
-                (area(&a, &b) - truth).abs() < near,
-                "{k} {operation:?} {fill:?} {} {truth} {a:?} {b:?}",
-                area(&a, &b)
-            );
-            // Tiny, huge and far away.
-            for scale in [2f64.powi(-20), 2f64.powi(200), 1e-6] {
-                let (a, b) = (
-                    moved(&a, at(0.0, 0.0), scale),
-                    moved(&b, at(0.0, 0.0), scale),
-                );
-                let found = area(&a, &b) / scale / scale;
-                let near = if scale == 1e-6 { 1e-10 } else { near };
+        let fill = [Fill::NonZero, Fill::EvenOdd][k % 2];
+        let judge = |a: &[Ring], b: &[Ring], areas: [f64; 3], scale: f64, near: f64| {
+            for (operation, kept) in OPERATIONS {
+                let truth: f64 = (0..3).filter(|&i| kept[i]).map(|i| areas[i]).sum();
+                let result = result(&made(a), &made(b), operation, fill);
+                let found = polygon::signed_area(&result) / scale / scale;
                 assert!(
-                    (found - truth).abs() < near,
-                    "{k} {operation:?} {found} {truth}"
+                    (found - truth).abs() < near * (1.0 + truth),
+                    "{k} {operation:?} {fill:?} {found} {truth} {a:?} {b:?}"
                 );
             }
+        };
+        let truth = scanline::areas(&a, &b, fill);
+        judge(&a, &b, truth, 1.0, 1e-12);
+        // Tiny, huge and far away.
+        let origin = at(0.0, 0.0);
+        for (scale, near) in [
+            (2f64.powi(-20), 1e-12),
+            (2f64.powi(200), 1e-12),
+            (1e-6, 1e-10),
+        ] {
+            let (a, b) = (moved(&a, origin, scale), moved(&b, origin, scale));
+            judge(&a, &b, truth, scale, near);
+        }
+        if k % 8 == 0 {
             let (a, b) = (moved(&a, at(1e6, -1e6), 1.0), moved(&b, at(1e6, -1e6), 1.0));
-            let truth = scanline::area(&a, &b, fill, keep);
-            assert!((area(&a, &b) - truth).abs() < 1e-8, "{k} {operation:?}");
+            judge(&a, &b, scanline::areas(&a, &b, fill), 1.0, 1e-8);
+        }
+    }
+}
+
+/// Two squares, one turned by a little: nearly parallel edges cross in the middle of each other.
+#[test]
+fn nearly_parallel_edges_have_their_slopes() {
+    let square = [(-1., -1.), (1., -1.), (1., 1.), (-1., 1.)];
+    let a = made(&[ring(&square)]);
+    for angle in [1e-3_f64, 1e-5, 1e-7, 1e-9, 1e-12, 1e-15, 1e-17] {
+        let (sin, cos) = angle.sin_cos();
+        let turned = square.map(|(x, y)| (cos * x - sin * y, sin * x + cos * y));
+        let b = made(&[ring(&turned)]);
+        for operation in [Operation::Union, Operation::Intersection] {
+            let trace = overlay_decided(&a, &b, operation, Fill::NonZero).unwrap();
+            let found = by_duals(&a, &b, &trace, |p| polygon::signed_area(p));
+            // By the motion of borders, in which no crossing is differentiated.
+            let (mut a_bar, mut b_bar) = (zeros(&a), zeros(&b));
+            let vjp = match operation {
+                Operation::Union => geograd::ad::adjoint::overlap_rings::union_area_vjp,
+                _ => geograd::ad::adjoint::overlap_rings::intersection_area_vjp,
+            };
+            vjp(&a, &b, 1.0, &mut a_bar, &mut b_bar);
+            for (found, expected) in found.iter().zip((a_bar, b_bar).scalars()) {
+                // Below that the vertices themselves are rounded by more than the edges turn.
+                let near = match angle < 1e-13 {
+                    true => 1.0,
+                    false => 1e-9 + 1e-15 / angle,
+                };
+                assert!(
+                    (found - expected).abs() < near.max(angle * 1e-6),
+                    "{angle} {operation:?} {found} {expected}"
+                );
+            }
         }
     }
 }

@@ -110,7 +110,7 @@ fn measures_are_those_of_the_oracle() {
     let mut dice = Dice(1);
     let random = (0..60).map(|_| stars(&mut dice));
     for rings in random.chain(hard_rings()) {
-        let truth = scanline::area(&rings, &[], Fill::EvenOdd, |a, _| a);
+        let [truth, ..] = scanline::areas(&rings, &[], Fill::EvenOdd);
         let size = 64.0 * 1e-14;
         assert!(
             (polygon::area(&rings[..]) - truth).abs() < size,
@@ -233,8 +233,8 @@ fn clearances_know_holes() {
 
 /// Shared area of both, and areas of a and of b, by the oracle.
 fn truth(a: &[Ring], b: &[Ring]) -> [f64; 3] {
-    let area = |keep: fn(bool, bool) -> bool| scanline::area(a, b, Fill::EvenOdd, keep);
-    [area(|a, b| a && b), area(|a, _| a), area(|_, b| b)]
+    let [only_a, both, only_b] = scanline::areas(a, b, Fill::EvenOdd);
+    [both, only_a + both, both + only_b]
 }
 
 /// The larger side of the bounds, of both.

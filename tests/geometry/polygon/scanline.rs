@@ -71,8 +71,8 @@ impl Edge {
     }
 }
 
-/// The area of the places for which `keep` is true of whether they are in a and in b.
-pub fn area(a: &[Ring], b: &[Ring], fill: Fill, keep: impl Fn(bool, bool) -> bool) -> f64 {
+/// The areas of what is in a only, in both, and in b only.
+pub fn areas(a: &[Ring], b: &[Ring], fill: Fill) -> [f64; 3] {
     let mut all = edges(a, false);
     all.extend(edges(b, true));
     let mut cuts: Vec<Big> = all
@@ -88,9 +88,10 @@ pub fn area(a: &[Ring], b: &[Ring], fill: Fill, keep: impl Fn(bool, bool) -> boo
         Fill::NonZero => winding != 0,
         Fill::EvenOdd => winding % 2 != 0,
     };
-    let mut twice = Big::new(0.0);
+    let mut twice = [(); 3].map(|()| Big::new(0.0));
     for strip in cuts.windows(2) {
         let (low, high) = (&strip[0], &strip[1]);
+        let wide = high.sub(low);
         let mut here: Vec<_> = all
             .iter()
             .filter(|edge| edge.spans(low, high))
@@ -100,17 +101,16 @@ pub fn area(a: &[Ring], b: &[Ring], fill: Fill, keep: impl Fn(bool, bool) -> boo
         let mut windings = [0, 0];
         for pair in here.windows(2) {
             let (below, above) = (&pair[0], &pair[1]);
-            let step = if less(&below.1.from[0], &below.1.to[0]) {
-                1
-            } else {
-                -1
+            let to_right = less(&below.1.from[0], &below.1.to[0]);
+            windings[usize::from(below.1.second)] += if to_right { 1 } else { -1 };
+            let kind = match windings.map(is_in) {
+                [true, false] => 0,
+                [true, true] => 1,
+                [false, true] => 2,
+                [false, false] => continue,
             };
-            windings[usize::from(below.1.second)] += step;
-            if keep(is_in(windings[0]), is_in(windings[1])) {
-                let wide = high.sub(low);
-                twice = twice.add(&wide.mul(&above.0.sub(&below.0)));
-            }
+            twice[kind] = twice[kind].add(&wide.mul(&above.0.sub(&below.0)));
         }
     }
-    twice.to_f64() / 2.0
+    twice.map(|twice| twice.to_f64() / 2.0)
 }
