@@ -4,8 +4,9 @@
 //! to other libraries see `cargo run --release -p peers`.
 use geograd::ad::check::Plan;
 use geograd::ad::check::sample::{Sample, random};
+use geograd::kernels::op::Vjp;
 use geograd::kernels::real::Real;
-use geograd::kernels::{Cpu, Op, RingOp, Row, Single};
+use geograd::kernels::{Cpu, Decided, Fold, Op, RingOp, Row, Runs, Single};
 use geograd::{Aabb2, Fixed, Obb2, Vec2};
 use std::hint::black_box;
 use std::time::Instant;
@@ -120,12 +121,65 @@ where
     });
 }
 
+fn folds<F: Fold>(fold: F)
+where
+    F::Context<f64>: Sample + Row<Scalar = f64>,
+    F::Out<f64>: Row,
+{
+    let (cpu, plan) = (Cpu::new(), Plan::new(N, 7));
+    let contexts: Vec<F::Context<f64>> = (0..N).map(|i| random(&mut plan.draw(i))).collect();
+    let mut state = 5;
+    let mut roll = || f64::from(roll(&mut state));
+    let vertices: Vec<Vec2<f64>> = (0..8 * N).map(|_| Vec2::new(roll(), roll())).collect();
+    let offsets: Vec<usize> = (0..=N).map(|i| 8 * i).collect();
+    line(F::NAME, "octagons, value, f64", N, || {
+        black_box(cpu.fold(fold, &contexts, &vertices, &offsets).unwrap());
+    });
+    let ones = vec![F::Out::<f64>::filled(1.0); N];
+    line(F::NAME, "octagons, adjoint, f64", N, || {
+        black_box(
+            cpu.fold_vjp(fold, &contexts, &vertices, &offsets, &ones)
+                .unwrap(),
+        );
+    });
+}
+
+fn decided<D, R, Y>(op: D)
+where
+    D: Decided<In<f64> = R, Out<f64> = Y> + Runs<R, Out = Y>,
+    R: Sample + Row<Scalar = f64>,
+    Y: Row<Scalar = f64>,
+    Vjp<D>: Runs<(R, Y), Out = R>,
+{
+    let (cpu, plan) = (Cpu::new(), Plan::new(N, 7));
+    let drawn = (0..N).map(|i| random::<R>(&mut plan.draw(i)));
+    let rows: Vec<R> = drawn.filter(Sample::inside).collect();
+    let ones = vec![Y::filled(1.0); rows.len()];
+    line(D::NAME, "aligned, value, f64", rows.len(), || {
+        black_box(cpu.aligned(op, &rows).unwrap());
+    });
+    line(D::NAME, "aligned, adjoint, f64", rows.len(), || {
+        black_box(cpu.aligned(Decided::vjp(op), (&rows, &ones)).unwrap());
+    });
+}
+
 macro_rules! measure {
     (pairs { $($pair:ident: $pair_op:ty,)* } rings { $($ring:ident: $ring_op:ty,)* }
-     straight { $($straight:ident: $straight_op:ty,)* }) => {
+     straight { $($straight:ident: $straight_op:ty,)* }
+     folds { $($fold:ident: $fold_op:ty,)* } decided { $($decided:ident: $decided_op:ty,)* }
+     further {
+         straight { $($more:ident: $more_op:ty,)* }
+         folds { $($more_fold:ident: $more_fold_op:ty,)* }
+         decided { $($more_decided:ident: $more_decided_op:ty,)* }
+     }) => {
         $(pairs(<$pair_op>::default());)*
         $(rings::<_, f32>(<$ring_op>::default());)*
         $(straight(<$straight_op>::default());)*
+        $(folds(<$fold_op>::default());)*
+        $(decided::<$decided_op, _, _>(<$decided_op>::default());)*
+        $(straight(<$more_op>::default());)*
+        $(folds(<$more_fold_op>::default());)*
+        $(decided::<$more_decided_op, _, _>(<$more_decided_op>::default());)*
     };
 }
 

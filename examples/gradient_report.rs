@@ -4,14 +4,18 @@
 use geograd::Error;
 use geograd::ad::check::{Plan, Report, SEED};
 use geograd::kernels::Backend;
-use geograd::kernels::check::{prove_any_on, prove_on, prove_ring_on, prove_ring_with, prove_with};
+use geograd::kernels::check::{
+    prove_any_on, prove_decided_with, prove_fold_with, prove_on, prove_ring_on, prove_ring_with,
+    prove_with,
+};
 use geograd::kernels::fuzz::{self, Fuzzed};
 use geograd::kernels::gpu::Gpu;
 use indicatif::{ProgressBar, ProgressStyle};
 use std::process::ExitCode;
 
 const HELP: &str = "\
-Proves every operation of the library and prints the table.
+Proves every operation of the library and prints the table. Built without --release it
+knows the most important ones only.
 
   --op NAME       only operations whose name contains NAME
   --samples N     random inputs per operation and format, 1000 unless told; hard
@@ -91,7 +95,13 @@ type Prove = fn(&Plan<'_>, Option<&Gpu>) -> Result<Report, Error>;
 
 macro_rules! jobs {
     (pairs { $($pair:ident: $pair_op:ty,)* } rings { $($ring:ident: $ring_op:ty,)* }
-     straight { $($straight:ident: $straight_op:ty,)* }) => {
+     straight { $($straight:ident: $straight_op:ty,)* }
+     folds { $($fold:ident: $fold_op:ty,)* } decided { $($decided:ident: $decided_op:ty,)* }
+     further {
+         straight { $($more:ident: $more_op:ty,)* }
+         folds { $($more_fold:ident: $more_fold_op:ty,)* }
+         decided { $($more_decided:ident: $more_decided_op:ty,)* }
+     }) => {
         [
             $(
                 (
@@ -118,6 +128,33 @@ macro_rules! jobs {
                     None => Ok(prove_with::<$straight_op, f32>(plan)),
                 }),
             )*
+            $(
+                (stringify!($fold), true, |plan, _| Ok(prove_fold_with::<$fold_op, f64>(plan))),
+                (stringify!($fold), false, |plan, _| Ok(prove_fold_with::<$fold_op, f32>(plan))),
+            )*
+            $(
+                (stringify!($decided), true, |plan, _| Ok(prove_decided_with::<$decided_op, f64>(plan))),
+                (stringify!($decided), false, |plan, _| Ok(prove_decided_with::<$decided_op, f32>(plan))),
+            )*
+            // Too many to be compiled wherever examples are built and not run.
+            $(
+                #[cfg(not(debug_assertions))]
+                (stringify!($more), true, |plan, _| Ok(prove_with::<$more_op, f64>(plan))),
+                #[cfg(not(debug_assertions))]
+                (stringify!($more), false, |plan, _| Ok(prove_with::<$more_op, f32>(plan))),
+            )*
+            $(
+                #[cfg(not(debug_assertions))]
+                (stringify!($more_fold), true, |plan, _| Ok(prove_fold_with::<$more_fold_op, f64>(plan))),
+                #[cfg(not(debug_assertions))]
+                (stringify!($more_fold), false, |plan, _| Ok(prove_fold_with::<$more_fold_op, f32>(plan))),
+            )*
+            $(
+                #[cfg(not(debug_assertions))]
+                (stringify!($more_decided), true, |plan, _| Ok(prove_decided_with::<$more_decided_op, f64>(plan))),
+                #[cfg(not(debug_assertions))]
+                (stringify!($more_decided), false, |plan, _| Ok(prove_decided_with::<$more_decided_op, f32>(plan))),
+            )*
         ]
     };
 }
@@ -128,7 +165,7 @@ type Fuzz = fn(u64, u64) -> Fuzzed;
 
 macro_rules! fuzzes {
     (pairs { $($pair:ident: $pair_op:ty,)* } rings { $($ring:ident: $ring_op:ty,)* }
-     straight { $($straight:ident: $straight_op:ty,)* }) => {
+     straight { $($straight:ident: $straight_op:ty,)* } $($rest:tt)*) => {
         [
             $(
                 (stringify!($pair), true, fuzz::pairs::<$pair_op, _, f64> as Fuzz),

@@ -104,46 +104,46 @@ where
 }
 
 /// Lists what batches run of an operation with a search: itself, its gradient, its adjoint. The macro is
-/// given constants, the operation, its input and its output, made of `T`.
+/// given constants, the operation, its input and its output, made of `S`.
 #[doc(hidden)]
 #[macro_export]
 macro_rules! __runs_decided {
     ([$($constant:tt)*] $op:ty: $input:ty => $out:ty) => {
-        impl<T: $crate::kernels::real::Real, $($constant)*> $crate::kernels::Runs<$input> for $op
+        impl<S: $crate::kernels::real::Real, $($constant)*> $crate::kernels::Runs<$input> for $op
         where
-            $out: $crate::kernels::Row<Scalar = T>,
+            $out: $crate::kernels::Row<Scalar = S>,
         {
             type Out = $out;
             fn face(
                 &self,
                 ask: $crate::kernels::op::Ask,
-            ) -> ::core::result::Result<::std::sync::Arc<$crate::kernels::cpu::Face<T>>, $crate::Error> {
+            ) -> ::core::result::Result<::std::sync::Arc<$crate::kernels::cpu::Face<S>>, $crate::Error> {
                 $crate::kernels::decided::face::<Self, $input>($crate::kernels::cpu::Want::Value, ask)
             }
         }
-        impl<T: $crate::kernels::real::Real, $($constant)*> $crate::kernels::Runs<$input>
+        impl<S: $crate::kernels::real::Real, $($constant)*> $crate::kernels::Runs<$input>
             for $crate::kernels::op::ValueGrad<$op>
         where
-            $out: $crate::kernels::Row<Scalar = T>,
+            $out: $crate::kernels::Row<Scalar = S>,
         {
             type Out = ($out, $input);
             fn face(
                 &self,
                 ask: $crate::kernels::op::Ask,
-            ) -> ::core::result::Result<::std::sync::Arc<$crate::kernels::cpu::Face<T>>, $crate::Error> {
+            ) -> ::core::result::Result<::std::sync::Arc<$crate::kernels::cpu::Face<S>>, $crate::Error> {
                 $crate::kernels::decided::face::<$op, $input>($crate::kernels::cpu::Want::ValueGrad, ask)
             }
         }
-        impl<T: $crate::kernels::real::Real, $($constant)*> $crate::kernels::Runs<($input, $out)>
+        impl<S: $crate::kernels::real::Real, $($constant)*> $crate::kernels::Runs<($input, $out)>
             for $crate::kernels::op::Vjp<$op>
         where
-            $out: $crate::kernels::Row<Scalar = T>,
+            $out: $crate::kernels::Row<Scalar = S>,
         {
             type Out = $input;
             fn face(
                 &self,
                 ask: $crate::kernels::op::Ask,
-            ) -> ::core::result::Result<::std::sync::Arc<$crate::kernels::cpu::Face<T>>, $crate::Error> {
+            ) -> ::core::result::Result<::std::sync::Arc<$crate::kernels::cpu::Face<S>>, $crate::Error> {
                 $crate::kernels::decided::face::<$op, $input>($crate::kernels::cpu::Want::Vjp, ask)
             }
         }
@@ -160,6 +160,7 @@ impl<D: Decided> Source for Replayed<D> {
     type Out<S: Scalar> = D::Out<S>;
     const PROMISES: &'static [Promise] = D::PROMISES;
     const JUMPS: Jumps = D::JUMPS;
+    const SEARCHES: bool = true;
     fn eval<S: Scalar<Mask = bool>>(&input: &Self::In<S>) -> Self::Out<S> {
         D::replay(input, D::decide(input))
     }

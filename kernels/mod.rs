@@ -69,28 +69,33 @@ pub use ops::convention::{
     XyxyrOfObb2, YawOfKitti, YawOfLidar,
 };
 pub use ops::distance::{
-    ClosestPointsAabb2, ClosestPointsCapsules, ClosestPointsCircleObb2, ClosestPointsObb2,
-    ClosestPointsOfSegments, ClosestPointsPointObb2, ClosestPointsPointSegment,
-    ClosestPointsPointTriangle, ClosestPointsTriangles, DistanceAabb2, DistanceCapsules,
-    DistanceCircleObb2, DistanceCircles, DistanceObb2, DistancePointAabb2, DistancePointCapsule,
-    DistancePointCircle, DistancePointObb2, DistancePointSegment, DistancePointTriangle,
-    DistanceSegmentCircle, DistanceSegmentObb2, DistanceSegments, DistanceSquaredAabb2,
-    DistanceSquaredObb2, DistanceSquaredPointSegment, DistanceSquaredPointTriangle,
-    DistanceSquaredSegments, DistanceSquaredTriangles, DistanceTriangles, FarthestDistanceAabb2,
-    FarthestDistanceCircleObb2, FarthestDistanceObb2, FarthestDistancePointObb2,
-    FarthestDistanceTriangles, PenetrationAabb2, PenetrationCapsules, PenetrationCircleObb2,
-    PenetrationCircles, PenetrationObb2, PenetrationTriangles, SignedDistanceAabb2,
-    SignedDistanceCapsules, SignedDistanceCircleObb2, SignedDistanceCircles, SignedDistanceObb2,
-    SignedDistancePointAabb2, SignedDistancePointCapsule, SignedDistancePointCircle,
-    SignedDistancePointObb2, SignedDistancePointTriangle, SignedDistanceSegmentCircle,
-    SignedDistanceSegmentObb2, SignedDistanceTriangles,
+    ClearancePointAabb2, ClearancePointObb2, ClosestPointsAabb2, ClosestPointsCapsules,
+    ClosestPointsCircleObb2, ClosestPointsObb2, ClosestPointsOfSegments, ClosestPointsPointObb2,
+    ClosestPointsPointSegment, ClosestPointsPointTriangle, ClosestPointsTriangles, DistanceAabb2,
+    DistanceCapsules, DistanceCircleObb2, DistanceCircles, DistanceObb2, DistancePointAabb2,
+    DistancePointCapsule, DistancePointCircle, DistancePointObb2, DistancePointSegment,
+    DistancePointTriangle, DistanceSegmentCircle, DistanceSegmentObb2, DistanceSegments,
+    DistanceSquaredAabb2, DistanceSquaredObb2, DistanceSquaredPointSegment,
+    DistanceSquaredPointTriangle, DistanceSquaredSegments, DistanceSquaredTriangles,
+    DistanceTriangles, FarthestDistanceAabb2, FarthestDistanceCircleObb2, FarthestDistanceObb2,
+    FarthestDistancePointObb2, FarthestDistanceTriangles, PenetrationAabb2, PenetrationCapsules,
+    PenetrationCircleObb2, PenetrationCircles, PenetrationObb2, PenetrationTriangles,
+    SignedDistanceAabb2, SignedDistanceCapsules, SignedDistanceCircleObb2, SignedDistanceCircles,
+    SignedDistanceObb2, SignedDistancePointAabb2, SignedDistancePointCapsule,
+    SignedDistancePointCircle, SignedDistancePointObb2, SignedDistancePointTriangle,
+    SignedDistanceSegmentCircle, SignedDistanceSegmentObb2, SignedDistanceTriangles,
 };
 pub use ops::distance3::{
     DistancePointAabb3, DistancePointObb3, DistancePointYaw, SignedDistancePointAabb3,
     SignedDistancePointObb3, SignedDistancePointYaw,
 };
-pub use ops::extent::DiameterOfPolygon;
-pub use ops::fold::{SecondMomentsOfRing, SignedDistancePointRing};
+pub use ops::extent::{
+    CircleAroundPolygon, DiameterOfPolygon, RectangleAroundPolygon, WidthOfPolygon,
+};
+pub use ops::fold::{
+    ClearancePointRing, DistancePointPolyline, DistancePointRing, LengthOfPolyline,
+    SecondMomentsOfRing, SignedDistancePointRing, WindingOfRing,
+};
 pub use ops::gaussian::{
     BhattacharyyaObb2, BhattacharyyaObb3, JeffreysObb2, JeffreysObb3, KfiouObb2, KfiouObb3,
     KullbackLeiblerObb2, KullbackLeiblerObb3, ProbiouObb2, ProbiouObb3, WassersteinObb2,
@@ -108,9 +113,9 @@ pub use ops::interval::{
     SignedDistanceIntervals,
 };
 pub use ops::iou::{
-    CiouAabb2, CiouFixedWeightAabb2, CiouFixedWeightObb2, CiouObb2, DiouAabb2, DiouBoxAabb2,
-    DiouBoxObb2, DiouObb2, EiouAabb2, EiouObb2, GiouAabb2, GiouBoxAabb2, GiouBoxObb2, GiouObb2,
-    HullAreaAabb2, HullAreaObb2,
+    AlphaIouAabb2, AlphaIouObb2, CiouAabb2, CiouFixedWeightAabb2, CiouFixedWeightObb2, CiouObb2,
+    DiouAabb2, DiouBoxAabb2, DiouBoxObb2, DiouObb2, EiouAabb2, EiouObb2, GiouAabb2, GiouBoxAabb2,
+    GiouBoxObb2, GiouObb2, HullAreaAabb2, HullAreaObb2,
 };
 pub use ops::iou3::{
     AlphaIouAabb3, AlphaIouYaw, CiouAabb3, CiouObb3, CiouYaw, DiouAabb3, DiouObb3, DiouYaw,
@@ -125,7 +130,8 @@ pub use ops::overlap3::{
     IofYaw, IouAabb3, IouAabb3Obb3, IouAabb3Yaw, IouBirdsEye, IouObb3, IouYaw, IouYawObb3,
 };
 pub use ops::polygon::{
-    AreaTriangle, CentroidQuad, CentroidTriangle, IntersectionAreaQuads, PerimeterQuad,
+    AreaTriangle, CentroidQuad, CentroidTriangle, DiouPolygons, GiouPolygons, HullAreaPolygons,
+    IntersectionAreaPolygons, IntersectionAreaQuads, IofPolygons, IouPolygons, PerimeterQuad,
     PerimeterTriangle, SignedAreaQuad, SignedAreaTriangle,
 };
 pub use ops::ring::{Centroid, Perimeter, SignedArea};
@@ -136,8 +142,11 @@ pub use row::{Column, Columns, One, Row, Skip, Target, Targets};
 /// list.
 ///
 /// `for_each_op!(with)` calls the macro `with!` with the whole list, `pairs { … } rings { … }
-/// straight { … }`: scores of two boxes and measures of rings, which have kernels of their own, and all
-/// others.
+/// straight { … } folds { … } decided { … } further { straight { … } folds { … } decided { … } }`: scores of two
+/// boxes and measures of rings, which have kernels of their own, then all other straight
+/// lines, [folds](Fold) over paths and operations with a [search](Decided). Further ones are the same
+/// functions of other shapes: what is compiled once per operation leaves them out of unoptimised builds. An
+/// operation that the harness does not accept at every input is not in the list.
 #[macro_export]
 macro_rules! for_each_op {
     ($with:ident) => {
@@ -183,6 +192,15 @@ macro_rules! for_each_op {
                 iou_intervals: $crate::kernels::ops::interval::IouIntervals,
                 distance_intervals: $crate::kernels::ops::interval::DistanceIntervals,
                 distance_number_interval: $crate::kernels::ops::interval::DistanceNumberInterval,
+                circumcircle: $crate::kernels::ops::shape::Circumcircle,
+                centroid_quad: $crate::kernels::ops::polygon::CentroidQuad,
+                intersection_length_intervals: $crate::kernels::ops::interval::IntersectionLengthIntervals,
+                signed_distance_intervals: $crate::kernels::ops::interval::SignedDistanceIntervals,
+                diou_aabb2: $crate::kernels::ops::iou::DiouAabb2,
+                diou_box_aabb2: $crate::kernels::ops::iou::DiouBoxAabb2,
+                eiou_obb2: $crate::kernels::ops::iou::EiouObb2,
+                alpha_iou_aabb2: $crate::kernels::ops::iou::AlphaIouAabb2,
+                clearance_point_aabb2: $crate::kernels::ops::distance::ClearancePointAabb2,
                 signed_area_triangle: $crate::kernels::ops::polygon::SignedAreaTriangle,
                 area_triangle: $crate::kernels::ops::polygon::AreaTriangle,
                 perimeter_triangle: $crate::kernels::ops::polygon::PerimeterTriangle,
@@ -243,6 +261,89 @@ macro_rules! for_each_op {
                 corners_of_obb2: $crate::kernels::ops::convention::CornersOfObb2,
                 yaw_of_kitti: $crate::kernels::ops::convention::YawOfKitti,
                 obb3_of_yaw: $crate::kernels::ops::convention::Obb3OfYaw,
+            }
+            folds {
+                second_moments_of_ring: $crate::kernels::ops::fold::SecondMomentsOfRing,
+                length_of_polyline: $crate::kernels::ops::fold::LengthOfPolyline,
+                signed_distance_point_ring: $crate::kernels::ops::fold::SignedDistancePointRing,
+            }
+            decided {
+                diameter_of_polygon: $crate::kernels::ops::extent::DiameterOfPolygon<6>,
+                width_of_polygon: $crate::kernels::ops::extent::WidthOfPolygon<6>,
+            }
+            further {
+                straight {
+                    alpha_iou_obb2: $crate::kernels::ops::iou::AlphaIouObb2,
+                    clearance_point_obb2: $crate::kernels::ops::distance::ClearancePointObb2,
+                    closest_points_aabb2: $crate::kernels::ops::distance::ClosestPointsAabb2,
+                    closest_points_capsules: $crate::kernels::ops::distance::ClosestPointsCapsules,
+                    closest_points_circle_obb2: $crate::kernels::ops::distance::ClosestPointsCircleObb2,
+                    closest_points_obb2: $crate::kernels::ops::distance::ClosestPointsObb2,
+                    closest_points_point_obb2: $crate::kernels::ops::distance::ClosestPointsPointObb2,
+                    closest_points_point_segment: $crate::kernels::ops::distance::ClosestPointsPointSegment,
+                    closest_points_point_triangle: $crate::kernels::ops::distance::ClosestPointsPointTriangle,
+                    crossing_of_lines: $crate::kernels::ops::intersection::CrossingOfLines,
+                    distance_aabb2: $crate::kernels::ops::distance::DistanceAabb2,
+                    distance_capsules: $crate::kernels::ops::distance::DistanceCapsules,
+                    distance_circle_obb2: $crate::kernels::ops::distance::DistanceCircleObb2,
+                    distance_obb2: $crate::kernels::ops::distance::DistanceObb2,
+                    distance_segment_obb2: $crate::kernels::ops::distance::DistanceSegmentObb2,
+                    distance_segments: $crate::kernels::ops::distance::DistanceSegments,
+                    distance_squared_aabb2: $crate::kernels::ops::distance::DistanceSquaredAabb2,
+                    distance_squared_obb2: $crate::kernels::ops::distance::DistanceSquaredObb2,
+                    distance_squared_segments: $crate::kernels::ops::distance::DistanceSquaredSegments,
+                    distance_squared_triangles: $crate::kernels::ops::distance::DistanceSquaredTriangles,
+                    farthest_distance_aabb2: $crate::kernels::ops::distance::FarthestDistanceAabb2,
+                    farthest_distance_circle_obb2: $crate::kernels::ops::distance::FarthestDistanceCircleObb2,
+                    farthest_distance_obb2: $crate::kernels::ops::distance::FarthestDistanceObb2,
+                    farthest_distance_point_obb2: $crate::kernels::ops::distance::FarthestDistancePointObb2,
+                    farthest_distance_triangles: $crate::kernels::ops::distance::FarthestDistanceTriangles,
+                    first_hit_ray_aabb2: $crate::kernels::ops::intersection::FirstHitRayAabb2,
+                    first_hit_ray_capsule: $crate::kernels::ops::intersection::FirstHitRayCapsule,
+                    first_hit_ray_circle: $crate::kernels::ops::intersection::FirstHitRayCircle,
+                    first_hit_ray_obb2: $crate::kernels::ops::intersection::FirstHitRayObb2,
+                    first_hit_ray_triangle: $crate::kernels::ops::intersection::FirstHitRayTriangle,
+                    giou_aabb2: $crate::kernels::ops::iou::GiouAabb2,
+                    giou_box_aabb2: $crate::kernels::ops::iou::GiouBoxAabb2,
+                    length_inside_segment_aabb2: $crate::kernels::ops::intersection::LengthInsideSegmentAabb2,
+                    length_inside_segment_capsule: $crate::kernels::ops::intersection::LengthInsideSegmentCapsule,
+                    length_inside_segment_circle: $crate::kernels::ops::intersection::LengthInsideSegmentCircle,
+                    length_inside_segment_obb2: $crate::kernels::ops::intersection::LengthInsideSegmentObb2,
+                    length_inside_segment_triangle: $crate::kernels::ops::intersection::LengthInsideSegmentTriangle,
+                    meeting_of_segments: $crate::kernels::ops::intersection::MeetingOfSegments,
+                    penetration_aabb2: $crate::kernels::ops::distance::PenetrationAabb2,
+                    penetration_capsules: $crate::kernels::ops::distance::PenetrationCapsules,
+                    penetration_circles: $crate::kernels::ops::distance::PenetrationCircles,
+                    penetration_obb2: $crate::kernels::ops::distance::PenetrationObb2,
+                    signed_distance_aabb2: $crate::kernels::ops::distance::SignedDistanceAabb2,
+                    signed_distance_circle_obb2: $crate::kernels::ops::distance::SignedDistanceCircleObb2,
+                    signed_distance_circles: $crate::kernels::ops::distance::SignedDistanceCircles,
+                    signed_distance_obb2: $crate::kernels::ops::distance::SignedDistanceObb2,
+                    signed_distance_point_triangle: $crate::kernels::ops::distance::SignedDistancePointTriangle,
+                    signed_distance_segment_circle: $crate::kernels::ops::distance::SignedDistanceSegmentCircle,
+                    signed_distance_segment_obb2: $crate::kernels::ops::distance::SignedDistanceSegmentObb2,
+                    span_line_aabb2: $crate::kernels::ops::intersection::SpanLineAabb2,
+                    span_line_capsule: $crate::kernels::ops::intersection::SpanLineCapsule,
+                    span_line_circle: $crate::kernels::ops::intersection::SpanLineCircle,
+                    span_line_obb2: $crate::kernels::ops::intersection::SpanLineObb2,
+                    span_line_triangle: $crate::kernels::ops::intersection::SpanLineTriangle,
+                }
+                folds {
+                    distance_point_polyline: $crate::kernels::ops::fold::DistancePointPolyline,
+                    distance_point_ring: $crate::kernels::ops::fold::DistancePointRing,
+                    clearance_point_ring: $crate::kernels::ops::fold::ClearancePointRing,
+                    winding_of_ring: $crate::kernels::ops::fold::WindingOfRing,
+                }
+                decided {
+                    iou_polygons: $crate::kernels::ops::polygon::IouPolygons<5>,
+                    rectangle_around_polygon: $crate::kernels::ops::extent::RectangleAroundPolygon<6>,
+                    circle_around_polygon: $crate::kernels::ops::extent::CircleAroundPolygon<6>,
+                    intersection_area_polygons: $crate::kernels::ops::polygon::IntersectionAreaPolygons<5>,
+                    iof_polygons: $crate::kernels::ops::polygon::IofPolygons<5>,
+                    giou_polygons: $crate::kernels::ops::polygon::GiouPolygons<5, 10>,
+                    diou_polygons: $crate::kernels::ops::polygon::DiouPolygons<5>,
+                    hull_area_polygons: $crate::kernels::ops::polygon::HullAreaPolygons<5, 10>,
+                }
             }
         }
     };

@@ -251,6 +251,8 @@ pub trait Source: 'static {
     const PROMISES: &'static [Promise];
     /// Where its value may jump.
     const JUMPS: Jumps;
+    /// Whether it searches, and its slopes are those of what was found.
+    const SEARCHES: bool = false;
     /// The generic source.
     fn eval<S: Scalar<Mask = bool>>(input: &Self::In<S>) -> Self::Out<S>;
     /// The slopes of `out_bar · output` with respect to the input.

@@ -234,6 +234,10 @@ impl<S: Number> Subject for RecordedSubject<'_, S> {
     fn inside(&self, x: &[f64]) -> bool {
         self.near.inside(x)
     }
+    fn total(&self) -> bool {
+        // A straight line.
+        true
+    }
     fn scales(&self, x: &[f64]) -> Vec<f64> {
         self.near.scales(x)
     }
@@ -260,6 +264,7 @@ impl<S: Number> Subject for RecordedSubject<'_, S> {
             flat: true,
             jumps: self.recording.jumps,
             shared_ties: true,
+            searches: false,
         }
     }
 }

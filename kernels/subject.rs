@@ -242,6 +242,7 @@ where
             flat: true,
             jumps: O::JUMPS,
             shared_ties: true,
+            searches: O::SEARCHES,
         }
     }
 }

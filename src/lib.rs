@@ -45,6 +45,7 @@
 //! | make a shape | [`Vec2`], [`Vec3`], [`Rotation2`], [`Pose2`], [`Aabb2`], [`Obb2`], [`ConvexPolygon`]; in space [`shape`] |
 //! | make a shape of your own | [`derive(Shape)`](macro@Shape) |
 //! | write generic geometry | [`Scalar`], [`Mask`], [`Pack`] |
+//! | come from the paper's library (DGAL, d3d) | [`paper`] |
 //! | know what happens at a kink | [`scalar`] |
 //!
 //! # Features
@@ -105,6 +106,8 @@ pub mod overlap3;
 pub mod overlap_polygon;
 #[forbid(unsafe_code)]
 pub mod pack;
+#[forbid(unsafe_code)]
+pub mod paper;
 #[forbid(unsafe_code)]
 pub mod polygon;
 #[forbid(unsafe_code)]

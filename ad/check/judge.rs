@@ -159,6 +159,10 @@ impl Judge<'_> {
         if !same_bits(&self.y, &self.subject.value(self.x)) {
             self.refuse(Reason::Impure(Witness::Value), 0, 0);
         }
+        if self.underflows() {
+            self.found.place = Place::Undefined;
+            return;
+        }
         if let Some((values, trace)) = self.subject.traced(self.x) {
             self.trace = Some(trace);
             self.found.margin = trace.margin;
@@ -226,6 +230,14 @@ impl Judge<'_> {
                 self.refuse(Reason::Impure(Witness::Adjoint), row.output, 0);
             }
         }
+    }
+
+    /// Whether a result in single precision is below the smallest number that has all digits, as the fourth
+    /// power of a small length is: neither it nor what is pulled back through it has any to judge.
+    fn underflows(&self) -> bool {
+        let small = |y: &f64| *y != 0.0 && y.abs() < f64::from(f32::MIN_POSITIVE);
+        let wide = self.subject.wide();
+        wide.is_some_and(|wide| wide.value(self.x).iter().any(small))
     }
 
     /// The slopes by hand and by duals; `None` when they cannot be compared at all.

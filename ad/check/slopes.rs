@@ -1,7 +1,7 @@
 //! The part of a judgement that takes steps: differences and kinks.
 use crate::ad::check::hearing::Said;
 use crate::ad::check::judge::{Judge, ROUNDINGS, Row, SAFETY};
-use crate::ad::check::listener::Listener;
+use crate::ad::check::listener::{INFORMATIVE, Listener};
 use crate::ad::check::sample::Draw;
 use crate::ad::check::subject::{Jumps, Subject};
 use crate::ad::check::trace::Trace;
@@ -27,6 +27,8 @@ struct Direction<'d> {
     here: &'d Ladder,
     /// The same along any direction from another first step.
     climb: &'d dyn Fn(&[f64], f64) -> Ladder,
+    /// The same across the border of the domain, where the function may be asked there.
+    across: Option<&'d dyn Fn(&[f64], f64) -> Ladder>,
     /// The function, in double precision if it is known there.
     on: &'d dyn Subject,
 }
@@ -46,10 +48,7 @@ impl Judge<'_> {
         if n == 0 || center.len() != self.y.len() || center.iter().any(|y| !y.is_finite()) {
             return false;
         }
-        let probe = |there: &[f64]| -> Option<(Vec<f64>, Option<Trace>)> {
-            if !on.inside(there) {
-                return None;
-            }
+        let anywhere = |there: &[f64]| -> Option<(Vec<f64>, Option<Trace>)> {
             let (values, trace) = match on.traced(there) {
                 Some((values, trace)) => (values, Some(trace)),
                 None => (on.value(there), None),
@@ -57,8 +56,13 @@ impl Judge<'_> {
             let usable = values.len() == center.len() && values.iter().all(|y| y.is_finite());
             usable.then_some((values, trace))
         };
+        let probe = |there: &[f64]| on.inside(there).then(|| anywhere(there)).flatten();
         let ladder = |direction: &[f64], first: f64| {
             Ladder::climb(&probe, on.precision(), x, &center, trace, direction, first)
+        };
+        let across = |direction: &[f64], first: f64| {
+            let precision = on.precision();
+            Ladder::climb(&anywhere, precision, x, &center, trace, direction, first)
         };
         let unit = |i: usize| {
             let mut direction = vec![0.0; n];
@@ -108,6 +112,7 @@ impl Judge<'_> {
                 direction: &direction,
                 here: &here,
                 climb: &ladder,
+                across: on.total().then_some(&across),
                 on,
             };
             for row in rows.iter_mut() {
@@ -223,6 +228,7 @@ impl Judge<'_> {
             direction,
             here,
             climb,
+            across,
             on,
         } = at;
         let n = self.x.len();
@@ -341,8 +347,13 @@ impl Judge<'_> {
                     };
                     let convention = witness == Witness::Dual && self.tie_of_duals();
                     result = (Place::Smooth, false);
+                    let tied = agree && self.exactly_tied();
+                    let bent = || tied && (self.chosen() || self.bent(row, at));
                     if heard.stands && convention {
                         self.found.convention = true;
+                    } else if heard.stands && bent() {
+                        self.found.convention = true;
+                        result = (Place::Undefined, true);
                     } else if heard.stands {
                         let suspect = other_agrees(estimate.value, tolerance).then_some(witness);
                         let reason = Reason::Disagree(witness, Witness::Difference);
@@ -371,7 +382,21 @@ impl Judge<'_> {
                         } else {
                             value == 0.0 && slope.abs() <= tolerance
                         };
-                    if flat {
+                    // A kink exactly on the border has its other side beyond.
+                    let beyond = || {
+                        let across = across.filter(|_| border && self.exactly_tied())?;
+                        let here = across(direction, FIRST[0]);
+                        let climb = |first| across(direction, first);
+                        let there = Listener {
+                            here: &here,
+                            climb: &climb,
+                            ..listener
+                        };
+                        let said = there.first();
+                        (!said.undefined() && !said.complains()).then_some(())
+                    };
+                    let found = self.chosen() && self.exactly_tied();
+                    if flat || found || beyond().is_some() {
                         self.found.convention = true;
                     } else if listener.again(said, false).stands
                         && !self.among_slopes_nearby(on, &weights, direction, (slope, tolerance))
@@ -427,6 +452,53 @@ impl Judge<'_> {
             }
         }
         result
+    }
+
+    /// Whether the result is something that was chosen, such as the nearest points of two shapes, and not a
+    /// least or a greatest number: found by a search, or of several numbers that may jump. Where several
+    /// choices are as good to the bit, slopes are those of one of them, or their mean, and need not be
+    /// between those of the two that happen to win on either side.
+    fn chosen(&self) -> bool {
+        let conventions = self.subject.conventions();
+        conventions.searches || (conventions.jumps == Jumps::Anywhere && self.y.len() > 1)
+    }
+
+    /// Whether the input is a tie of the source, to the bit.
+    fn exactly_tied(&self) -> bool {
+        self.trace.is_some_and(|trace| trace.margin == 0.0)
+    }
+
+    /// Whether there is no gradient at the input: the slope along the sum of two directions is not the sum of
+    /// the slopes, although there is one along each, seen from both sides or from one. So it is where a
+    /// function of homogeneous degree one that is not linear begins, as the circle through three points
+    /// does where these coincide.
+    fn bent(&self, row: &Row, at: &Direction<'_>) -> bool {
+        let (weights, noise) = (&row.weights, row.noise);
+        let slopes = |direction: &[f64]| {
+            let ladder = (at.climb)(direction, FIRST[0]);
+            [
+                ladder.central(weights, noise, false),
+                ladder.one_sided(true, weights, noise),
+                ladder.one_sided(false, weights, noise),
+            ]
+        };
+        let here = slopes(at.direction);
+        (0..self.x.len()).any(|i| {
+            let mut other = vec![0.0; self.x.len()];
+            other[i] = self.scales[i];
+            let sum = other.iter().zip(at.direction).map(|(a, b)| a + b);
+            let both = slopes(&sum.collect::<Vec<f64>>());
+            let other = slopes(&other);
+            (0..3).any(|side| {
+                let (Some(one), Some(other), Some(both)) = (here[side], other[side], both[side])
+                else {
+                    return false;
+                };
+                let gap = (both.value - one.value - other.value).abs();
+                let errors = both.error + one.error + other.error;
+                gap > INFORMATIVE * row.largest && gap > SAFETY * errors
+            })
+        })
     }
 
     /// Notes that a slope was heard although differences are too coarse for one as large as others are:

@@ -14,6 +14,9 @@ pub struct Conventions {
     /// Whether at a tie the derivative by hand must be the very one of the duals, and not another
     /// between the slopes of both sides.
     pub shared_ties: bool,
+    /// Whether the function searches, and its slopes are those of what was found: where something else is as
+    /// good to the bit, they need not be between the slopes of both sides.
+    pub searches: bool,
 }
 
 /// Where a function may jump.
@@ -100,6 +103,11 @@ pub trait Subject {
     /// Whether an input is valid.
     fn inside(&self, _x: &[f64]) -> bool {
         true
+    }
+    /// Whether the function may be asked at inputs that are not valid, too: at the border of its domain that
+    /// shows both sides of a kink that lies exactly there.
+    fn total(&self) -> bool {
+        false
     }
     /// For each number, the length over which the function may be expected to change.
     fn scales(&self, x: &[f64]) -> Vec<f64> {

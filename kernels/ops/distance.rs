@@ -1,8 +1,8 @@
 //! Distances of shapes as operations.
 use crate::distance::segments::{ClosestOnSegments, closest_points_of_segments};
 use crate::distance::{
-    ClosestPoints, Penetration, closest_points, distance, distance_squared, farthest_distance,
-    penetration, signed_distance,
+    ClosestPoints, Penetration, clearance, closest_points, distance, distance_squared,
+    farthest_distance, penetration, signed_distance,
 };
 use crate::kernels::ops::rows::rows_of_pairs;
 use crate::operation;
@@ -71,6 +71,12 @@ rows_of_pairs! {
         SignedDistanceTriangles = "signed_distance_triangles": Triangle2, Triangle2, "two triangles" [Rotation Stays, Exchange Stays];
         SignedDistanceAabb2 = "signed_distance_aabb2": Aabb2, Aabb2, "two axis-aligned boxes" [Exchange Stays];
         SignedDistanceObb2 = "signed_distance_obb2": Obb2, Obb2, "two rotated boxes" [Rotation Stays, Exchange Stays];
+    }
+    clearance as "The [clearance](crate::distance::clearance), positive inside," -> S,
+    promises [TranslationX Stays, TranslationY Stays, Scaling Power(1)],
+    jumps Never, slopes Reverse {
+        ClearancePointAabb2 = "clearance_point_aabb2": Vec2, Aabb2, "a point and an axis-aligned box" [];
+        ClearancePointObb2 = "clearance_point_obb2": Vec2, Obb2, "a point and a rotated box" [Rotation Stays];
     }
     distance_squared as "The [squared distance](crate::distance::distance_squared)" -> S,
     promises [TranslationX Stays, TranslationY Stays, Scaling Power(2)],

@@ -1,34 +1,58 @@
-//! Extents of convex polygons as operations.
-use crate::kernels::decided::Decided;
-use crate::kernels::op::{Answer, Jumps, Motion, Promise};
-use crate::measure::extent::{Farthest, diameter_decided, diameter_replay};
-use crate::{ConvexPolygon, Scalar};
+//! Extents of convex polygons, and what is smallest around them, as operations.
+use crate::kernels::ops::rows::searches;
+use crate::measure::circle::{Support, circle_decided, circle_replay};
+use crate::measure::extent::{
+    Farthest, Narrowest, diameter_decided, diameter_replay, width_decided, width_replay,
+};
+use crate::measure::rectangle::{Resting, rectangle_decided, rectangle_replay};
+use crate::{Circle, ConvexPolygon, Obb2};
 
-/// The [diameter](crate::measure::extent::diameter_decided) of a convex polygon of up to `N` vertices: the
-/// largest distance of two of them, which are its record.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub struct DiameterOfPolygon<const N: usize>;
-
-impl<const N: usize> Decided for DiameterOfPolygon<N> {
-    const NAME: &'static str = "diameter_of_polygon";
-    type In<S: Scalar> = ConvexPolygon<S, N>;
-    type Out<S: Scalar> = S;
-    type Record = Farthest;
-    const PROMISES: &'static [Promise] = &[
-        Promise::new(Motion::TranslationX, Answer::Stays),
-        Promise::new(Motion::TranslationY, Answer::Stays),
-        Promise::new(Motion::Rotation, Answer::Stays),
-        Promise::new(Motion::Scaling, Answer::Power(1)),
-    ];
-    const JUMPS: Jumps = Jumps::Never;
-    fn decide<S: Scalar<Mask = bool>>(polygon: ConvexPolygon<S, N>) -> Farthest {
-        // A polygon without vertices is as wide as its first place, which is at the origin.
+// A polygon without vertices, or on a line where that has no extent, is measured as its first place,
+// again and again.
+searches! {
+    /// The [diameter](crate::measure::extent::diameter_decided) of a convex polygon of up to `N` vertices:
+    /// the largest distance of two of them, which are its record.
+    DiameterOfPolygon<N> = "diameter_of_polygon": ConvexPolygon<S, N> => S, by Farthest;
+    decide |polygon| {
         let nothing = Farthest { from: 0, to: 0 };
         diameter_decided(polygon.as_slice()).map_or(nothing, |found| found.1)
     }
-    fn replay<S: Scalar>(polygon: ConvexPolygon<S, N>, record: Farthest) -> S {
-        diameter_replay(&polygon.vertices, record)
-    }
-}
+    replay |polygon, record| { diameter_replay(&polygon.vertices, record) }
+    promises [TranslationX Stays, TranslationY Stays, Rotation Stays, Scaling Power(1)]
+    jumps Never
 
-crate::__runs_decided!([const N: usize] DiameterOfPolygon<N>: crate::ConvexPolygon<T, N> => T);
+    /// The [width](crate::measure::extent::width_decided) of a convex polygon of up to `N` vertices: the
+    /// least distance of two parallel lines around it. Its record is what they touch.
+    WidthOfPolygon<N> = "width_of_polygon": ConvexPolygon<S, N> => S, by Narrowest;
+    decide |polygon| {
+        let nothing = Narrowest { start: 0, end: 0, across: 0 };
+        width_decided(polygon.as_slice()).map_or(nothing, |found| found.1)
+    }
+    replay |polygon, record| { width_replay(&polygon.vertices, record) }
+    promises [TranslationX Stays, TranslationY Stays, Rotation Stays, Scaling Power(1)]
+    jumps Never
+
+    /// The [rectangle of least area](crate::measure::rectangle::rectangle_decided) around a convex polygon
+    /// of up to `N` vertices. It jumps where another edge carries a smaller one.
+    RectangleAroundPolygon<N> = "rectangle_around_polygon": ConvexPolygon<S, N> => Obb2<S>, by Resting;
+    decide |polygon| {
+        let nothing = Resting { start: 0, end: 0, right: 0, top: 0, left: 0 };
+        rectangle_decided(polygon.as_slice()).map_or(nothing, |found| found.1)
+    }
+    replay |polygon, record| { rectangle_replay(&polygon.vertices, record) }
+    promises []
+    jumps Anywhere
+
+    /// The [smallest circle](crate::measure::circle::circle_decided) around a convex polygon of up to `N`
+    /// vertices. Its record is what it goes through.
+    CircleAroundPolygon<N> = "circle_around_polygon": ConvexPolygon<S, N> => Circle<S>, by Support;
+    decide |polygon| {
+        circle_decided(polygon.as_slice()).map_or(Support::One(0), |found| found.1)
+    }
+    replay |polygon, record| {
+        let found = circle_replay(&polygon.vertices, record);
+        Circle::new(found.center, found.radius)
+    }
+    promises []
+    jumps Never
+}

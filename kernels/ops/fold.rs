@@ -1,7 +1,8 @@
 //! Folds over paths as operations.
 use crate::distance::ring::{EdgeFold, Fill};
 use crate::kernels::fold::Fold;
-use crate::kernels::op::{Answer, Jumps, Motion, Promise};
+use crate::kernels::op::{Jumps, Promise};
+use crate::kernels::ops::rows::promises;
 use crate::measure::moments::{SecondMoments, Sums, finish, of_edge};
 use crate::reference::Reference;
 use crate::{Scalar, Vec2};
@@ -14,11 +15,9 @@ pub struct SecondMomentsOfRing;
 impl Fold for SecondMomentsOfRing {
     const NAME: &'static str = "second_moments_of_ring";
     const CLOSED: bool = true;
-    const PROMISES: &'static [Promise] = &[
-        Promise::new(Motion::TranslationX, Answer::Stays),
-        Promise::new(Motion::TranslationY, Answer::Stays),
-        Promise::new(Motion::Scaling, Answer::Power(4)),
-    ];
+    const PROMISES: &'static [Promise] = promises!(
+        [TranslationX Stays, TranslationY Stays, Scaling Power(4)] []
+    );
     const JUMPS: Jumps = Jumps::Anywhere;
     type Context<S: Scalar> = [S; 0];
     type Reference<S: Scalar> = Reference<S>;
@@ -41,37 +40,105 @@ impl Fold for SecondMomentsOfRing {
     }
 }
 
-/// The [signed distance](crate::distance::ring::signed_distance_to_ring) of a point and a ring: negative
-/// inside. Without edges it is the largest finite number. Exactly on the border its slope is zero.
+/// The length of a polyline: the sum of the distances of neighbouring vertices. Slope zero at edges of
+/// length zero.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub struct SignedDistancePointRing;
+pub struct LengthOfPolyline;
 
-impl Fold for SignedDistancePointRing {
-    const NAME: &'static str = "signed_distance_point_ring";
-    const CLOSED: bool = true;
-    const PROMISES: &'static [Promise] = &[
-        Promise::new(Motion::TranslationX, Answer::Stays),
-        Promise::new(Motion::TranslationY, Answer::Stays),
-        Promise::new(Motion::Rotation, Answer::Stays),
-    ];
+impl Fold for LengthOfPolyline {
+    const NAME: &'static str = "length_of_polyline";
+    const CLOSED: bool = false;
+    const PROMISES: &'static [Promise] = promises!(
+        [TranslationX Stays, TranslationY Stays, Rotation Stays, Scaling Power(1)] []
+    );
     const JUMPS: Jumps = Jumps::Never;
-    type Context<S: Scalar> = Vec2<S>;
+    type Context<S: Scalar> = [S; 0];
     type Reference<S: Scalar> = [S; 0];
-    type State<S: Scalar> = EdgeFold<S>;
+    type State<S: Scalar> = S;
     type Out<S: Scalar> = S;
-    fn reference<S: Scalar>(_point: Vec2<S>, _ring: &[Vec2<S>]) -> [S; 0] {
+    fn reference<S: Scalar>(_: [S; 0], _path: &[Vec2<S>]) -> [S; 0] {
         []
     }
-    fn empty<S: Scalar>() -> EdgeFold<S> {
-        EdgeFold::empty()
+    fn empty<S: Scalar>() -> S {
+        S::zero()
     }
-    fn edge<S: Scalar>(point: Vec2<S>, _: [S; 0], from: Vec2<S>, to: Vec2<S>) -> EdgeFold<S> {
-        EdgeFold::of_edge(point, from, to)
+    fn edge<S: Scalar>(_: [S; 0], _: [S; 0], from: Vec2<S>, to: Vec2<S>) -> S {
+        (to - from).length()
     }
-    fn join<S: Scalar>(one: EdgeFold<S>, other: EdgeFold<S>) -> EdgeFold<S> {
-        one.join(other)
+    fn join<S: Scalar>(one: S, other: S) -> S {
+        one + other
     }
-    fn finish<S: Scalar>(_: Vec2<S>, _: [S; 0], state: EdgeFold<S>) -> S {
-        state.signed_distance(Fill::NonZero)
+    fn finish<S: Scalar>(_: [S; 0], _: [S; 0], length: S) -> S {
+        length.saturated().canonical()
     }
+}
+
+/// What is known of a point after some edges of a path, and what of that is asked for; the macro lists
+/// operations, whether the path is closed, what they promise, where they jump, and the answer.
+macro_rules! of_point_and_path {
+    ($(
+        $(#[$doc:meta])*
+        $Name:ident = $name:literal, closed $closed:literal, $scaling:tt, jumps $jumps:ident:
+        |$state:ident| $answer:expr;
+    )*) => { $(
+        $(#[$doc])*
+        #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+        pub struct $Name;
+
+        impl Fold for $Name {
+            const NAME: &'static str = $name;
+            const CLOSED: bool = $closed;
+            const PROMISES: &'static [Promise] = promises!(
+                [TranslationX Stays, TranslationY Stays, Rotation Stays] $scaling
+            );
+            const JUMPS: Jumps = Jumps::$jumps;
+            type Context<S: Scalar> = Vec2<S>;
+            type Reference<S: Scalar> = [S; 0];
+            type State<S: Scalar> = EdgeFold<S>;
+            type Out<S: Scalar> = S;
+            fn reference<S: Scalar>(_point: Vec2<S>, _path: &[Vec2<S>]) -> [S; 0] {
+                []
+            }
+            fn empty<S: Scalar>() -> EdgeFold<S> {
+                EdgeFold::empty()
+            }
+            fn edge<S: Scalar>(
+                point: Vec2<S>,
+                _: [S; 0],
+                from: Vec2<S>,
+                to: Vec2<S>,
+            ) -> EdgeFold<S> {
+                EdgeFold::of_edge(point, from, to)
+            }
+            fn join<S: Scalar>(one: EdgeFold<S>, other: EdgeFold<S>) -> EdgeFold<S> {
+                one.join(other)
+            }
+            fn finish<S: Scalar>(_: Vec2<S>, _: [S; 0], $state: EdgeFold<S>) -> S {
+                $answer
+            }
+        }
+    )* };
+}
+// Without edges a distance is the largest finite number, whatever the scale: it promises none.
+of_point_and_path! {
+    /// The [distance](crate::distance::ring::distance_to_polyline) of a point and a polyline; the largest
+    /// finite number where that has fewer than two vertices.
+    DistancePointPolyline = "distance_point_polyline", closed false, [], jumps Never:
+        |state| state.distance();
+    /// The [distance](crate::distance::ring::distance_to_ring) of a point and the edges of a ring; without
+    /// edges the largest finite number.
+    DistancePointRing = "distance_point_ring", closed true, [], jumps Never:
+        |state| state.distance();
+    /// The [signed distance](crate::distance::ring::signed_distance_to_ring) of a point and a ring:
+    /// negative inside. Without edges it is the largest finite number.
+    SignedDistancePointRing = "signed_distance_point_ring", closed true, [], jumps Never:
+        |state| state.signed_distance(Fill::NonZero);
+    /// How far a point is inside a ring by the even-odd rule, negative outside. Without edges it is minus
+    /// the largest finite number.
+    ClearancePointRing = "clearance_point_ring", closed true, [], jumps Never:
+        |state| (-state.signed_distance(Fill::EvenOdd)).canonical();
+    /// The [winding number](crate::distance::ring::winding_of_ring) of a ring around a point: a whole
+    /// number, which jumps at the border and has no slopes.
+    WindingOfRing = "winding_of_ring", closed true, [Scaling Stays], jumps Anywhere:
+        |state| state.winding.canonical();
 }

@@ -7,7 +7,8 @@ use crate::kernels::ops::rows::rows_of_pairs;
 use crate::{Aabb2, Capsule2, Circle, Line2, Obb2, Ray2, Segment2, Triangle2};
 
 // What is found jumps where lines are parallel, where a line grazes a shape, and where another face is
-// hit.
+// hit. Shifts would move directions like points, so they are not promised; with a direction that grows as all
+// else does, parameters stay.
 rows_of_pairs! {
     crossing_of_lines as "The [crossing](crate::intersection::crossing_of_lines())" -> Crossing<S>,
     promises [],
@@ -29,7 +30,7 @@ rows_of_pairs! {
         FirstHitRayObb2 = "first_hit_ray_obb2": Ray2, Obb2, "a ray and a rotated box" [];
     }
     span as "The [parameters of entry and exit](crate::intersection::span())" -> Span<S>,
-    promises [TranslationX Stays, TranslationY Stays],
+    promises [Scaling Stays],
     jumps Anywhere, slopes Reverse {
         SpanLineCircle = "span_line_circle": Line2, Circle, "a line and a circle" [Rotation Stays];
         SpanLineTriangle = "span_line_triangle": Line2, Triangle2, "a line and a triangle" [Rotation Stays];

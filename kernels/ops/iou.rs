@@ -2,9 +2,11 @@
 use crate::ad::adjoint::iou::giou_framed_vjp;
 use crate::clip::frame;
 use crate::iou;
+use crate::iou::Exponent;
 use crate::kernels::cpu::plan::Compiled;
 use crate::kernels::op::{Jumps, Op, Promise, Slopes};
 use crate::kernels::ops::rows::{promises, rows_of_pairs};
+use crate::operation;
 use crate::{Aabb2, Obb2, Scalar};
 
 /// [`giou_obb2`](crate::iou::giou_obb2).
@@ -35,12 +37,12 @@ impl Op for GiouObb2 {
 }
 
 // Slopes of quotients of areas lose digits backwards. CIoU jumps where a box has no size, and so no
-// aspect. DIoU of rotated boxes shares the slope of corners that are equally far by the
+// aspect, EIoU where the box around both has no width or no height. DIoU of rotated boxes shares the slope of corners that are equally far by the
 // first one's frame: exchanged boxes share it otherwise.
 rows_of_pairs! {
     iou::giou_aabb2 as "[`giou_aabb2`](crate::iou::giou_aabb2)" -> S,
     promises [TranslationX Stays, TranslationY Stays, Scaling Stays],
-    jumps FromZero, slopes Reverse {
+    jumps FromZero, slopes Forward {
         GiouAabb2 = "giou_aabb2": Aabb2, Aabb2, "two axis-aligned boxes" [Exchange Stays];
     }
     iou::giou_box_obb2 as "[`giou_box_obb2`](crate::iou::giou_box_obb2)" -> S,
@@ -50,7 +52,7 @@ rows_of_pairs! {
     }
     iou::giou_box_aabb2 as "[`giou_box_aabb2`](crate::iou::giou_box_aabb2)" -> S,
     promises [TranslationX Stays, TranslationY Stays, Scaling Stays],
-    jumps FromZero, slopes Reverse {
+    jumps FromZero, slopes Forward {
         GiouBoxAabb2 = "giou_box_aabb2": Aabb2, Aabb2, "two axis-aligned boxes" [Exchange Stays];
     }
     iou::diou_obb2 as "[`diou_obb2`](crate::iou::diou_obb2)" -> S,
@@ -85,12 +87,12 @@ rows_of_pairs! {
     }
     iou::eiou_obb2 as "[`eiou_obb2`](crate::iou::eiou_obb2)" -> S,
     promises [TranslationX Stays, TranslationY Stays, Scaling Stays],
-    jumps FromZero, slopes Forward {
+    jumps Anywhere, slopes Forward {
         EiouObb2 = "eiou_obb2": Obb2, Obb2, "two rotated boxes" [Exchange Stays];
     }
     iou::eiou_aabb2 as "[`eiou_aabb2`](crate::iou::eiou_aabb2)" -> S,
     promises [TranslationX Stays, TranslationY Stays, Scaling Stays],
-    jumps FromZero, slopes Forward {
+    jumps Anywhere, slopes Forward {
         EiouAabb2 = "eiou_aabb2": Aabb2, Aabb2, "two axis-aligned boxes" [Exchange Stays];
     }
     iou::ciou_fixed_weight_obb2 as "[`ciou_fixed_weight_obb2`](crate::iou::ciou_fixed_weight_obb2)" -> S,
@@ -113,4 +115,22 @@ rows_of_pairs! {
     jumps Never, slopes Reverse {
         HullAreaAabb2 = "hull_area_aabb2": Aabb2, Aabb2, "two axis-aligned boxes" [Exchange Stays];
     }
+}
+
+operation! {
+    /// A [power](crate::iou::alpha_iou_obb2) of the IoU of two rotated boxes.
+    pub AlphaIouObb2 = "alpha_iou_obb2": (a: Obb2<S>, b: Obb2<S>, power: Exponent<S>) -> S {
+        iou::alpha_iou_obb2(a, b, power.alpha)
+    }
+    promises [TranslationX Stays, TranslationY Stays, Rotation Stays, Scaling Stays]
+    jumps FromZero
+    slopes Forward
+
+    /// A [power](crate::iou::alpha_iou_aabb2) of the IoU of two axis-aligned boxes.
+    pub AlphaIouAabb2 = "alpha_iou_aabb2": (a: Aabb2<S>, b: Aabb2<S>, power: Exponent<S>) -> S {
+        iou::alpha_iou_aabb2(a, b, power.alpha)
+    }
+    promises [TranslationX Stays, TranslationY Stays, Scaling Stays]
+    jumps FromZero
+    slopes Forward
 }

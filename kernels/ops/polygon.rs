@@ -1,8 +1,16 @@
-//! Measures of polygons of a fixed number of corners as operations.
+//! Measures of polygons of a fixed number of corners, and scores of convex ones, as operations.
+use crate::clipping::Corner;
+use crate::hull::{MergeTrace, merge_decided, merge_replay};
+use crate::iou::{
+    FarthestCorners, diou_polygons_decided, diou_polygons_replay, giou_polygons_replay,
+};
 use crate::kernels::cpu::plan::Compiled;
+use crate::kernels::ops::rows::searches;
 use crate::operation;
-use crate::overlap_polygon::intersection_area_quads;
-use crate::{Triangle2, Vec2, ring};
+use crate::overlap_polygon::{
+    intersection_area_polygons, intersection_area_quads, iof_polygons, iou_polygons,
+};
+use crate::{ConvexPolygon, Scalar, Triangle2, Vec2, ring};
 
 operation! {
     /// The [signed area](Triangle2::signed_area) of a triangle.
@@ -54,4 +62,77 @@ operation! {
     jumps Never
     slopes Reverse
     => compiled { Compiled::Quads }
+}
+
+/// The vertices of the joint hull of two polygons. With too little room it does not compile.
+fn joint_hull<S: Scalar<Mask = bool>, const N: usize, const K: usize>(
+    a: &ConvexPolygon<S, N>,
+    b: &ConvexPolygon<S, N>,
+) -> MergeTrace<K> {
+    const {
+        assert!(
+            K >= 2 * N,
+            "the hull of two polygons may have the vertices of both"
+        )
+    };
+    merge_decided(a, b).unwrap_or(MergeTrace {
+        corners: [Corner::A(0); K],
+        twins: [None; K],
+        count: 0,
+    })
+}
+
+// What depends on a joint hull is given the room for it: at least twice that of the polygons. Values stay when
+// polygons are exchanged; which one is seen from the other decides how sides along each other share the
+// slope, so that is not promised.
+searches! {
+    /// The [area](crate::overlap_polygon::intersection_area_polygons) that two convex polygons of up to `N`
+    /// vertices share. Nothing is searched for.
+    IntersectionAreaPolygons<N> = "intersection_area_polygons":
+        (ConvexPolygon<S, N>, ConvexPolygon<S, N>) => S, by ();
+    decide |_| {}
+    replay |(a, b), _nothing| { intersection_area_polygons(&a, &b) }
+    promises [TranslationX Stays, TranslationY Stays, Rotation Stays, Scaling Power(2)]
+    jumps Never
+
+    /// The [IoU](crate::overlap_polygon::iou_polygons) of two convex polygons of up to `N` vertices.
+    IouPolygons<N> = "iou_polygons": (ConvexPolygon<S, N>, ConvexPolygon<S, N>) => S, by ();
+    decide |_| {}
+    replay |(a, b), _nothing| { iou_polygons(&a, &b) }
+    promises [TranslationX Stays, TranslationY Stays, Rotation Stays, Scaling Stays]
+    jumps FromZero
+
+    /// The [share](crate::overlap_polygon::iof_polygons) of the first of two convex polygons of up to `N`
+    /// vertices that lies in the second.
+    IofPolygons<N> = "iof_polygons": (ConvexPolygon<S, N>, ConvexPolygon<S, N>) => S, by ();
+    decide |_| {}
+    replay |(a, b), _nothing| { iof_polygons(&a, &b) }
+    promises [TranslationX Stays, TranslationY Stays, Rotation Stays, Scaling Stays]
+    jumps FromZero
+
+    /// The [generalised IoU](crate::iou::giou_polygons_decided) of two convex polygons of up to `N` vertices.
+    /// Its record says which of them are on the hull.
+    GiouPolygons<N, K> = "giou_polygons":
+        (ConvexPolygon<S, N>, ConvexPolygon<S, N>) => S, by MergeTrace<K>;
+    decide |(a, b)| { joint_hull(&a, &b) }
+    replay |(a, b), hull| { giou_polygons_replay(&a, &b, &hull) }
+    promises [TranslationX Stays, TranslationY Stays, Rotation Stays, Scaling Stays]
+    jumps FromZero
+
+    /// The [distance IoU](crate::iou::diou_polygons_decided) of two convex polygons of up to `N` vertices.
+    /// Its record says which of them are farthest apart.
+    DiouPolygons<N> = "diou_polygons":
+        (ConvexPolygon<S, N>, ConvexPolygon<S, N>) => S, by FarthestCorners;
+    decide |(a, b)| { diou_polygons_decided(&a, &b).1 }
+    replay |(a, b), farthest| { diou_polygons_replay(&a, &b, farthest) }
+    promises [TranslationX Stays, TranslationY Stays, Rotation Stays, Scaling Stays]
+    jumps FromZero
+
+    /// The area of the [joint hull](crate::hull::merge) of two convex polygons of up to `N` vertices.
+    HullAreaPolygons<N, K> = "hull_area_polygons":
+        (ConvexPolygon<S, N>, ConvexPolygon<S, N>) => S, by MergeTrace<K>;
+    decide |(a, b)| { joint_hull(&a, &b) }
+    replay |(a, b), hull| { merge_replay(&a, &b, &hull).area() }
+    promises [TranslationX Stays, TranslationY Stays, Rotation Stays, Scaling Power(2)]
+    jumps Never
 }

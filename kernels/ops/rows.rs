@@ -37,6 +37,41 @@ macro_rules! rows_of_pairs {
     )* };
 }
 
+/// Operations with a search: the type with its capacities, its name, what it takes, its result and its
+/// record; how it decides and how it replays; what it promises and where it jumps.
+macro_rules! searches {
+    ($(
+        $(#[$doc:meta])*
+        $Name:ident<$($N:ident),+> = $name:literal: $input:ty => $out:ty, by $record:ty;
+        decide |$decided:pat_param| $decide:block
+        replay |$replayed:pat_param, $found:ident| $replay:block
+        promises $promises:tt
+        jumps $jumps:ident
+    )*) => { $(
+        $(#[$doc])*
+        #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+        pub struct $Name<$(const $N: usize),+>;
+
+        impl<$(const $N: usize),+> crate::kernels::decided::Decided for $Name<$($N),+> {
+            const NAME: &'static str = $name;
+            type In<S: crate::Scalar> = $input;
+            type Out<S: crate::Scalar> = $out;
+            type Record = $record;
+            const PROMISES: &'static [crate::kernels::op::Promise] =
+                crate::kernels::ops::rows::promises!($promises []);
+            const JUMPS: crate::kernels::op::Jumps = crate::kernels::op::Jumps::$jumps;
+            fn decide<S: crate::Scalar<Mask = bool>>($decided: $input) -> $record {
+                $decide
+            }
+            fn replay<S: crate::Scalar>($replayed: $input, $found: $record) -> $out {
+                $replay
+            }
+        }
+
+        crate::__runs_decided!([$(const $N: usize),+] $Name<$($N),+>: $input => $out);
+    )* };
+}
+
 /// Two lists of promises as one.
 macro_rules! promises {
     ([$($motion:ident $answer:ident $(($power:literal))?),*] [$($further:ident $same:ident),*]) => {
@@ -53,4 +88,4 @@ macro_rules! promises {
     };
 }
 
-pub(crate) use {promises, rows_of_pairs};
+pub(crate) use {promises, rows_of_pairs, searches};

@@ -136,3 +136,19 @@ pub fn clip<S: Scalar<Mask = bool>, const N: usize, const M: usize, const K: usi
 ) -> Result<ConvexPolygon<S, K>, Flaw> {
     clip_decided(a, b).map(|trace| clip_replay(a, b, &trace))
 }
+
+impl<S: Scalar<Mask = bool>, const N: usize> ConvexPolygon<S, N> {
+    /// Whether both polygons have a point in common; borders belong to both. Decided exactly.
+    ///
+    /// ```
+    /// use geograd::{Aabb2, ConvexPolygon};
+    /// let a = ConvexPolygon::from(Aabb2::new(0.0, 0.0, 2.0, 2.0));
+    /// assert!(a.touches(&ConvexPolygon::from(Aabb2::new(2.0, 2.0, 3.0, 3.0))));
+    /// assert!(!a.touches(&ConvexPolygon::from(Aabb2::new(2.5, 2.0, 3.0, 3.0))));
+    /// ```
+    #[must_use]
+    pub fn touches<const M: usize>(&self, other: &ConvexPolygon<S, M>) -> bool {
+        // More than there is room for is something, too.
+        clip_decided::<S, N, M, 1>(self, other).map_or(true, |trace| trace.count > 0)
+    }
+}

@@ -62,6 +62,9 @@ impl<S: Scalar> Core<S> for PointCore<S> {
 #[derive(Clone, Copy, Debug)]
 pub struct EdgeCore<S, const CORNERS: usize, const AWAY: usize> {
     edge: Edge<S>,
+    /// The second corner, where there is one. Not start and way added, which would round: edges that share
+    /// a corner have no distance at all.
+    to: Vec2<S>,
 }
 
 impl<S: Scalar> EdgeCore<S, 2, 0> {
@@ -70,6 +73,7 @@ impl<S: Scalar> EdgeCore<S, 2, 0> {
     pub fn segment(from: Vec2<S>, to: Vec2<S>) -> Self {
         EdgeCore {
             edge: Edge::between(from, to),
+            to,
         }
     }
 }
@@ -87,6 +91,7 @@ impl<S: Scalar, const AWAY: usize> EdgeCore<S, 1, AWAY> {
                 low: if AWAY == 2 { -large } else { S::zero() },
                 high: large,
             },
+            to: from,
         }
     }
 }
@@ -102,12 +107,7 @@ impl<S: Scalar, const CORNERS: usize, const AWAY: usize> Core<S> for EdgeCore<S,
     }
     #[inline(always)]
     fn extent(&self, from: Vec2<S>) -> S::Primal {
-        let arm = self.edge.from - from;
-        if AWAY == 0 {
-            size_of(arm).most(size_of(arm + self.edge.along))
-        } else {
-            size_of(arm)
-        }
+        size_of(self.edge.from - from).most(size_of(self.to - from))
     }
     #[inline(always)]
     fn placed(self, from: Vec2<S>, scale: S) -> Self {
@@ -118,12 +118,12 @@ impl<S: Scalar, const CORNERS: usize, const AWAY: usize> Core<S> for EdgeCore<S,
                 along: if AWAY == 0 { along * scale } else { along },
                 ..self.edge
             },
+            to: (self.to - from) * scale,
         }
     }
     #[inline(always)]
     fn corners(&self) -> [Vec2<S>; CORNERS] {
-        let Edge { from, along, .. } = self.edge;
-        std::array::from_fn(|k| if k == 0 { from } else { from + along })
+        std::array::from_fn(|k| if k == 0 { self.edge.from } else { self.to })
     }
     #[inline(always)]
     fn away(&self) -> [Vec2<S>; AWAY] {

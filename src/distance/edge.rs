@@ -135,6 +135,19 @@ pub fn edge_distance<S: Scalar>(point: Vec2<S>, from: Vec2<S>, to: Vec2<S>) -> S
     reach(edge, arm).apart.length().over(scale).canonical()
 }
 
+/// The [distance](edge_distance) of a point and an edge, and where that is zero how far the point is on
+/// the left of the edge's line: zero, with the slope of the edge's normal.
+#[inline(always)]
+pub(super) fn edge_sides<S: Scalar>(point: Vec2<S>, from: Vec2<S>, to: Vec2<S>) -> (S, S) {
+    let (edge, arm, scale) = Placed::segment(Segment2::new(from, to)).near_scaled(point);
+    let distance = reach(edge, arm).apart.length().over(scale).canonical();
+    let length = edge.along.length();
+    let on = distance.equals(S::zero()) & length.above(S::lit(S::EPSILON.powi(2)));
+    let side = edge.along.perp_dot(arm);
+    let side = side.over(S::select(on, length, S::one())).over(scale);
+    (distance, S::select(on, side, S::zero()))
+}
+
 /// The squared distance from a point to the edge between two points; smooth where the point is off
 /// the ends' perpendiculars, and everywhere once differentiable. Saturates at the largest finite
 /// number.

@@ -5,7 +5,7 @@
 //! partial results, and [`signed_distance`](EdgeFold::signed_distance) at the end. A polygon with
 //! holes is the fold over the edges of all of its rings, the holes clockwise (or, with
 //! [`Fill::EvenOdd`], either way round).
-use super::edge::{edge_distance, edge_winding};
+use super::edge::{edge_sides, edge_winding};
 use super::search::nearest;
 use crate::{Scalar, Vec2};
 
@@ -29,6 +29,11 @@ pub struct EdgeFold<S> {
     sum: S,
     /// How many they are.
     count: S,
+    /// Of an edge that the point is exactly on its distance to the left of it: zero but for slopes. Here
+    /// where the winding number on that side is the point's own.
+    left: S,
+    /// Here where that on its right side is.
+    right: S,
     /// The winding number so far.
     pub winding: S,
 }
@@ -41,17 +46,23 @@ impl<S: Scalar> EdgeFold<S> {
             distance: S::lit(S::LARGEST),
             sum: S::zero(),
             count: S::zero(),
+            left: S::zero(),
+            right: S::zero(),
             winding: S::zero(),
         }
     }
     /// One edge, seen from a point.
     #[inline(always)]
     pub fn of_edge(point: Vec2<S>, from: Vec2<S>, to: Vec2<S>) -> Self {
-        let distance = edge_distance(point, from, to);
+        let (distance, side) = edge_sides(point, from, to);
+        // A point at the height of a level edge, or of an end, counts as just above it.
+        let upwards = from.y.below(to.y) | (from.y.equals(to.y) & to.x.below(from.x));
         EdgeFold {
             distance,
             sum: distance,
             count: S::one(),
+            left: S::select(upwards, S::zero(), side),
+            right: S::select(upwards, side, S::zero()),
             winding: edge_winding(point, from, to),
         }
     }
@@ -62,6 +73,8 @@ impl<S: Scalar> EdgeFold<S> {
             distance,
             sum: distance,
             count: S::one(),
+            left: S::zero(),
+            right: S::zero(),
             winding,
         }
     }
@@ -79,10 +92,13 @@ impl<S: Scalar> EdgeFold<S> {
         let nearer = self.distance.below(other.distance);
         let tie = self.distance.equals(other.distance);
         let pick = |a: S, b: S| S::select(nearer, a, b);
+        let both = |a: S, b: S| S::select(tie, a + b, pick(a, b));
         EdgeFold {
             distance: pick(self.distance, other.distance),
-            sum: S::select(tie, self.sum + other.sum, pick(self.sum, other.sum)),
-            count: S::select(tie, self.count + other.count, pick(self.count, other.count)),
+            sum: both(self.sum, other.sum),
+            count: both(self.count, other.count),
+            left: both(self.left, other.left),
+            right: both(self.right, other.right),
             winding: self.winding + other.winding,
         }
     }
@@ -106,17 +122,39 @@ impl<S: Scalar> EdgeFold<S> {
     #[must_use]
     #[inline(always)]
     pub fn inside(self, fill: Fill) -> S::Mask {
-        match fill {
-            Fill::NonZero => !self.winding.equals(S::zero()),
-            Fill::EvenOdd => !is_even(self.winding),
-        }
+        fills(self.winding, fill)
     }
-    /// The distance of the border, negative inside.
+    /// The distance of the border, negative inside. Exactly on an edge, across which it is smooth, the slope
+    /// is that of the outward normal; where several edges meet it is zero.
     #[must_use]
     #[inline(always)]
     pub fn signed_distance(self, fill: Fill) -> S {
         let distance = self.distance();
-        S::select(self.inside(fill), -distance, distance).canonical()
+        let inside = self.inside(fill);
+        let off = S::select(inside, -distance, distance);
+        // Crossing an edge from its right to its left adds one to the winding number.
+        let beyond = |by: S| fills(self.winding + by, fill);
+        let outward = |to_left: S, left: S::Mask, right: S::Mask| {
+            let of_left = S::select(left & !right, -to_left, S::zero());
+            S::select(right & !left, to_left, of_left)
+        };
+        let normal = outward(self.left, inside, beyond(-S::one()))
+            + outward(self.right, beyond(S::one()), inside);
+        // Between two edges the winding number on either side of one depends on the other.
+        let alone = self.count.equals(S::one());
+        let normal = S::select(alone, normal, S::zero());
+        let border = self.distance.equals(S::zero());
+        let on = normal.with_primal(S::Primal::zero());
+        S::select(border, on, off).canonical()
+    }
+}
+
+/// Whether a rule puts a winding number inside.
+#[inline(always)]
+fn fills<S: Scalar>(winding: S, fill: Fill) -> S::Mask {
+    match fill {
+        Fill::NonZero => !winding.equals(S::zero()),
+        Fill::EvenOdd => !is_even(winding),
     }
 }
 
@@ -156,8 +194,8 @@ pub fn distance_to_ring<S: Scalar<Mask = bool>>(point: Vec2<S>, ring: &[Vec2<S>]
 /// number. Self-intersecting rings are valid. Without vertices the largest finite number.
 ///
 /// Slopes: the unit vector from the nearest point of the ring (inside: towards it), to the ends of
-/// its edge by the share with which they take part; zero exactly on the border. Kinks: the points
-/// with several nearest edges, which share the slope equally.
+/// its edge by the share with which they take part; exactly on an edge the outward normal, on a vertex
+/// zero. Kinks: the points with several nearest edges, which share the slope equally.
 ///
 /// ```
 /// use geograd::{Vec2, distance::ring::signed_distance_to_ring};

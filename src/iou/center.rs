@@ -240,6 +240,16 @@ scores! {
     eiou_obb2, eiou_aabb2: |pair, unit| pair.eiou(unit);
 }
 
+/// A positive number without a unit: the power of [`alpha_iou_obb2`] as an argument of a batch.
+#[derive(Clone, Copy, Debug, PartialEq, crate::Shape)]
+#[repr(C)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+pub struct Exponent<S> {
+    /// The number.
+    #[shape(positive, number)]
+    pub alpha: S,
+}
+
 /// `iou^alpha`, zero with slope zero where the boxes share nothing.
 #[inline(always)]
 fn powered<S: Scalar>(iou: S, alpha: S) -> S {

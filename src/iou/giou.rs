@@ -2,7 +2,7 @@
 use super::hull::{hull_of_bounds, hull_of_related, hull_scale, joint_scale};
 use crate::clip::{Framed, clip, clipped_area, frame, relate, related_area};
 use crate::overlap::{area_from_half, iou_aabb2, ratio_of_union};
-use crate::{Aabb2, Mask, Obb2, Scalar, Vec2};
+use crate::{Aabb2, Mask, Obb2, Scalar};
 
 /// `I/U − (C − U)/C` from areas; a hull that rounding left smaller than the union counts as large.
 #[inline(always)]
@@ -80,24 +80,59 @@ pub fn giou_box_aabb2<S: Scalar>(a: Aabb2<S>, b: Aabb2<S>) -> S {
     bounds_score(a, b, false)
 }
 
+/// How the extent of two intervals is divided: what only the first covers, only the second, both, and
+/// neither. Lengths of no sign, in one unit.
+struct Parts<S> {
+    a: S,
+    b: S,
+    both: S,
+    neither: S,
+}
+
+impl<S: Scalar> Parts<S> {
+    /// Of the intervals of an axis; `half` measures from one bound to another.
+    #[inline(always)]
+    fn of(a: [S; 2], b: [S; 2], half: impl Fn(S, S) -> S) -> Self {
+        let zero = S::zero();
+        // Before the other one begins, and after it has ended.
+        let (low, high) = (half(a[0], b[0]), half(b[1], a[1]));
+        let shared = half(a[0].most(b[0]), a[1].least(b[1]));
+        // Touching counts as apart, with its slopes, as in the area of intersection.
+        let apart = shared.at_most(zero);
+        let own = |size: S, x: S, y: S| S::select(apart, size, x.most(zero) + y.most(zero));
+        Parts {
+            a: own(half(a[0], a[1]), low, high),
+            b: own(half(b[0], b[1]), -low, -high),
+            both: S::select(apart, zero, shared),
+            neither: S::select(apart, -shared, zero),
+        }
+    }
+    #[inline(always)]
+    fn whole(&self) -> S {
+        (self.a + self.b) + (self.both + self.neither)
+    }
+}
+
 #[inline(always)]
 fn bounds_score<S: Scalar>(a: Aabb2<S>, b: Aabb2<S>, exact: bool) -> S {
     let scale = joint_scale(a, b);
-    let (half, cuts) = hull_of_bounds(a, b, scale);
-    let own = |x: Aabb2<S>| {
-        let half = |low: S, high: S| (high.halved() - low.halved()) * scale;
-        area_from_half(Vec2::new(half(x.min.x, x.max.x), half(x.min.y, x.max.y)))
-    };
-    let (area_a, area_b) = (own(a), own(b));
-    let iou = iou_aabb2(a, b);
-    let union = (area_a + area_b).over(S::one() + iou);
-    let mut hull = area_from_half(half);
+    let half = |low: S, high: S| (high.halved() - low.halved()) * scale;
+    let x = Parts::of([a.min.x, a.max.x], [b.min.x, b.max.x], half);
+    let y = Parts::of([a.min.y, a.max.y], [b.min.y, b.max.y], half);
+    // What neither box covers is summed up from what it is made of: the difference of the areas of the
+    // box around both and of the union would lose its digits where one box all but covers the other.
+    let mut rest = (x.a * (y.b + y.neither) + x.b * (y.a + y.neither))
+        + (x.both * y.neither + x.neither * y.whole());
     if exact {
-        hull -= cuts + cuts;
+        rest -= hull_of_bounds(a, b, scale).1.halved();
+        // Rounding must not leave less than nothing.
+        let short = rest.below(S::zero());
+        rest = S::select(short, rest.with_primal(S::Primal::zero()), rest);
     }
-    let short = hull.below(union);
-    let hull = S::select(short, hull.with_primal(union.primal()), hull);
-    (iou - outside_share(hull - union, hull)).canonical()
+    // Each of them is shared or one's own; both boxes' areas less what is counted twice.
+    let (wide_a, wide_b) = (x.a + x.both, x.b + x.both);
+    let union = wide_a * (y.a + y.both) + (wide_b * y.b + x.b * y.both);
+    (iou_aabb2(a, b) - outside_share(rest, union + rest)).canonical()
 }
 
 impl<S: Scalar> Obb2<S> {

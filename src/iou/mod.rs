@@ -31,9 +31,9 @@ mod polygon;
 mod separation;
 
 pub use center::{
-    alpha_iou_aabb2, alpha_iou_obb2, ciou_aabb2, ciou_fixed_weight_aabb2, ciou_fixed_weight_obb2,
-    ciou_obb2, diou_aabb2, diou_box_aabb2, diou_box_obb2, diou_obb2, eiou_aabb2, eiou_obb2,
-    giou_box_obb2,
+    Exponent, alpha_iou_aabb2, alpha_iou_obb2, ciou_aabb2, ciou_fixed_weight_aabb2,
+    ciou_fixed_weight_obb2, ciou_obb2, diou_aabb2, diou_box_aabb2, diou_box_obb2, diou_obb2,
+    eiou_aabb2, eiou_obb2, giou_box_obb2,
 };
 pub(crate) use giou::score;
 pub use giou::{giou_aabb2, giou_box_aabb2, giou_framed, giou_obb2};

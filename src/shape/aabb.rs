@@ -83,6 +83,12 @@ impl<S: Scalar> Aabb2<S> {
         let size = self.size();
         size.x * size.y
     }
+    /// The length of the diagonal; slope zero for a point.
+    #[must_use]
+    #[inline(always)]
+    pub fn diagonal(self) -> S {
+        self.size().length()
+    }
     /// The corners, counter-clockwise from the lower left.
     #[must_use]
     #[inline(always)]
@@ -112,6 +118,29 @@ impl<S: Scalar> Aabb2<S> {
             min: self.min.least(other.min),
             max: self.max.most(other.max),
         }
+    }
+    /// Whether the other box is in this one; borders belong to both.
+    #[must_use]
+    #[inline(always)]
+    pub fn encloses(self, other: Self) -> S::Mask {
+        self.contains(other.min) & self.contains(other.max)
+    }
+    /// Whether both boxes have a point in common; borders belong to both.
+    ///
+    /// ```
+    /// use geograd::Aabb2;
+    /// let (a, b) = (Aabb2::new(0.0, 0.0, 2.0, 2.0), Aabb2::new(2.0, 1.0, 3.0, 2.0));
+    /// assert!(a.touches(b) && !a.encloses(b));
+    /// ```
+    #[must_use]
+    #[inline(always)]
+    pub fn touches(self, other: Self) -> S::Mask {
+        let (x, y) = (
+            self.min.x.at_most(other.max.x),
+            self.min.y.at_most(other.max.y),
+        );
+        let across = other.min.x.at_most(self.max.x) & other.min.y.at_most(self.max.y);
+        x & y & across
     }
     /// Whether the point is in the box; the border belongs to it.
     #[must_use]

@@ -413,7 +413,7 @@ fn rings<O: RingOp, T: Number>(
 
 macro_rules! tests {
     (pairs { $($pair:ident: $pair_op:ty,)* } rings { $($ring:ident: $ring_op:ty,)* }
-     straight { $($straight:ident: $straight_op:ty,)* }) => {
+     straight { $($straight:ident: $straight_op:ty,)* } $($rest:tt)*) => {
         $(mod $pair {
             use super::*;
             #[test]

@@ -344,7 +344,7 @@ fn ragged_batches_agree_with_single_calls() {
 fn the_list_names_its_functions() {
     macro_rules! names {
         (pairs { $($pair:ident: $pair_op:ty,)* } rings { $($ring:ident: $ring_op:ty,)* }
-     straight { $($straight:ident: $straight_op:ty,)* }) => {
+     straight { $($straight:ident: $straight_op:ty,)* } $($rest:tt)*) => {
             $(
                 assert_eq!(<$pair_op as Op>::NAME, stringify!($pair));
                 fn $pair<O: Pair<f32> + Pair<f64>>() {}

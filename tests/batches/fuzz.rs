@@ -6,7 +6,7 @@ use geograd::{Obb2, Scalar};
 
 macro_rules! fuzzes {
     (pairs { $($pair:ident: $pair_op:ty,)* } rings { $($ring:ident: $ring_op:ty,)* }
-     straight { $($straight:ident: $straight_op:ty,)* }) => {
+     straight { $($straight:ident: $straight_op:ty,)* } $($rest:tt)*) => {
         [
             $(fuzz::pairs::<$pair_op, _, f64> as fn(u64, u64) -> Fuzzed, fuzz::pairs::<$pair_op, _, f32>,)*
             $(fuzz::rings::<$ring_op, f64>, fuzz::rings::<$ring_op, f32>,)*

@@ -9,6 +9,7 @@ mod oracle;
 mod oracle_solid;
 mod overlap;
 mod pairs;
+mod paper_bugs;
 mod polygon;
 mod projection;
 mod recorded;

@@ -58,7 +58,7 @@ fn validate(name: &str, text: &str) {
 
 macro_rules! walk {
     (pairs { $($pair:ident: $pair_op:ty,)* } rings { $($ring:ident: $ring_op:ty,)* }
-     straight { $($straight:ident: $straight_op:ty,)* }) => {
+     straight { $($straight:ident: $straight_op:ty,)* } $($rest:tt)*) => {
         $(mod $pair {
             #[test]
             fn shaders_are_valid() {

@@ -1,7 +1,7 @@
 //! Every operation of the list, proved by the harness: hard cases first, then random inputs, in
 //! both formats.
 use geograd::ad::check::Plan;
-use geograd::kernels::check::{prove_ring_with, prove_with};
+use geograd::kernels::check::{prove_decided_with, prove_fold_with, prove_ring_with, prove_with};
 
 /// Random inputs per operation and format. Hard cases come on top.
 const SAMPLES: usize = 100;
@@ -19,7 +19,7 @@ fn plan() -> Plan<'static> {
 /// For what runs as a recorded program, of which there are many: unoptimised builds take fewer inputs.
 fn plan_of_rows() -> Plan<'static> {
     let (hard, samples) = if cfg!(debug_assertions) {
-        (37, 30)
+        (149, 10)
     } else {
         (5, SAMPLES)
     };
@@ -31,7 +31,13 @@ fn plan_of_rows() -> Plan<'static> {
 
 macro_rules! prove_all {
     (pairs { $($pair:ident: $pair_op:ty,)* } rings { $($ring:ident: $ring_op:ty,)* }
-     straight { $($straight:ident: $straight_op:ty,)* }) => {
+     straight { $($straight:ident: $straight_op:ty,)* }
+     folds { $($fold:ident: $fold_op:ty,)* } decided { $($decided:ident: $decided_op:ty,)* }
+     further {
+         straight { $($more:ident: $more_op:ty,)* }
+         folds { $($more_fold:ident: $more_fold_op:ty,)* }
+         decided { $($more_decided:ident: $more_decided_op:ty,)* }
+     }) => {
         mod f64 {
             use super::*;
             $(#[test] fn $pair() {
@@ -44,6 +50,26 @@ macro_rules! prove_all {
             })*
             $(#[test] fn $straight() {
                 let report = prove_with::<$straight_op, f64>(&plan_of_rows());
+                assert!(report.passed(), "{report}");
+            })*
+            $(#[test] fn $fold() {
+                let report = prove_fold_with::<$fold_op, f64>(&plan_of_rows());
+                assert!(report.passed(), "{report}");
+            })*
+            $(#[test] fn $decided() {
+                let report = prove_decided_with::<$decided_op, f64>(&plan_of_rows());
+                assert!(report.passed(), "{report}");
+            })*
+            $(#[test] #[cfg(not(debug_assertions))] fn $more() {
+                let report = prove_with::<$more_op, f64>(&plan_of_rows());
+                assert!(report.passed(), "{report}");
+            })*
+            $(#[test] #[cfg(not(debug_assertions))] fn $more_fold() {
+                let report = prove_fold_with::<$more_fold_op, f64>(&plan_of_rows());
+                assert!(report.passed(), "{report}");
+            })*
+            $(#[test] #[cfg(not(debug_assertions))] fn $more_decided() {
+                let report = prove_decided_with::<$more_decided_op, f64>(&plan_of_rows());
                 assert!(report.passed(), "{report}");
             })*
         }
@@ -61,39 +87,30 @@ macro_rules! prove_all {
                 let report = prove_with::<$straight_op, f32>(&plan_of_rows());
                 assert!(report.passed(), "{report}");
             })*
+            $(#[test] fn $fold() {
+                let report = prove_fold_with::<$fold_op, f32>(&plan_of_rows());
+                assert!(report.passed(), "{report}");
+            })*
+            $(#[test] fn $decided() {
+                let report = prove_decided_with::<$decided_op, f32>(&plan_of_rows());
+                assert!(report.passed(), "{report}");
+            })*
+            $(#[test] #[cfg(not(debug_assertions))] fn $more() {
+                let report = prove_with::<$more_op, f32>(&plan_of_rows());
+                assert!(report.passed(), "{report}");
+            })*
+            $(#[test] #[cfg(not(debug_assertions))] fn $more_fold() {
+                let report = prove_fold_with::<$more_fold_op, f32>(&plan_of_rows());
+                assert!(report.passed(), "{report}");
+            })*
+            $(#[test] #[cfg(not(debug_assertions))] fn $more_decided() {
+                let report = prove_decided_with::<$more_decided_op, f32>(&plan_of_rows());
+                assert!(report.passed(), "{report}");
+            })*
         }
     };
 }
 geograd::for_each_op!(prove_all);
-
-#[test]
-fn folds() {
-    use geograd::kernels::check::prove_fold_with;
-    use geograd::kernels::{SecondMomentsOfRing, SignedDistancePointRing};
-    // Exactly on the border, where hard cases put the point, the slope is zero by definition although
-    // the distance is smooth across it.
-    let off_border = Plan { hard: 0, ..plan() };
-    for report in [
-        prove_fold_with::<SignedDistancePointRing, f64>(&off_border),
-        prove_fold_with::<SignedDistancePointRing, f32>(&off_border),
-        // In single precision the fourth powers of the smallest lengths are below the smallest number.
-        prove_fold_with::<SecondMomentsOfRing, f64>(&plan()),
-    ] {
-        assert!(report.passed(), "{report}");
-    }
-}
-
-#[test]
-fn searches() {
-    use geograd::kernels::DiameterOfPolygon;
-    use geograd::kernels::check::prove_decided_with;
-    for report in [
-        prove_decided_with::<DiameterOfPolygon<6>, f64>(&plan()),
-        prove_decided_with::<DiameterOfPolygon<6>, f32>(&plan()),
-    ] {
-        assert!(report.passed(), "{report}");
-    }
-}
 
 /// Inputs at which the harness once refused what is right.
 mod alarms {

@@ -360,6 +360,7 @@ fn boxes_with_a_wrong_share() {
         .dual(|(a, b): (Aabb2<_>, Aabb2<_>)| a.intersection_area(b))
         .conventions(Conventions {
             shared_ties: true,
+            searches: false,
             ..Conventions::default()
         })
         .gradient(wrong)

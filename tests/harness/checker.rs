@@ -239,6 +239,7 @@ fn boxes_without_the_heading() {
     };
     let conventions = ad::check::subject::Conventions {
         shared_ties: false,
+        searches: false,
         flat: true,
         jumps: ad::check::subject::Jumps::FromZero,
     };

@@ -37,7 +37,7 @@ fn gpu() -> Option<Gpu> {
 
 macro_rules! prove_all {
     (pairs { $($pair:ident: $pair_op:ty,)* } rings { $($ring:ident: $ring_op:ty,)* }
-     straight { $($straight:ident: $straight_op:ty,)* }) => {
+     straight { $($straight:ident: $straight_op:ty,)* } $($rest:tt)*) => {
         fn all_on(backend: Backend<'_>) {
             $(
                 let report = prove_on::<$pair_op>(backend, &plan()).unwrap();
@@ -139,6 +139,7 @@ fn a_backend_as_a_witness_of_ones_own_check() {
     .gradient(|(a, b)| ad::adjoint::overlap::iou_obb2_vjp(a, b, 1.0))
     .conventions(Conventions {
         shared_ties: false,
+        searches: false,
         flat: true,
         jumps: Jumps::FromZero,
     })

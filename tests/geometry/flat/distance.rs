@@ -427,3 +427,19 @@ fn ties_share_equally() {
     assert_eq!((found.on_a.x.value, found.on_a.y.value), (2.0, 0.0));
     assert_eq!((found.on_b.x.value, found.on_b.y.value), (1.0, 0.0));
 }
+
+/// Segments that share an end touch, to the bit: their ends are not start and way added up.
+#[test]
+fn segments_that_share_an_end_have_no_distance() {
+    let mut dice = Dice(97);
+    for _ in 0..2000 {
+        let mut at = || Vec2::new(dice.in_range(-2.0, 2.0), dice.in_range(-2.0, 2.0));
+        let (shared, p, q) = (at(), at(), at());
+        for (a, b) in [
+            (Segment2::new(p, shared), Segment2::new(q, shared)),
+            (Segment2::new(p, shared), Segment2::new(shared, q)),
+        ] {
+            assert_eq!(geograd::distance::distance(a, b), 0.0, "{a:?} {b:?}");
+        }
+    }
+}

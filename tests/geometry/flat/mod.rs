@@ -1,6 +1,5 @@
 //! Shapes of the plane, their distances and intersections.
 mod any;
-mod bugs;
 mod distance;
 mod intersection;
 mod oracle;

@@ -275,3 +275,41 @@ fn the_length_of_a_segment_inside_is_that_of_samples() {
         0.0
     );
 }
+
+/// Across an edge the signed distance is smooth: exactly on it the slope is the outward normal, of rings of
+/// either orientation, and by either rule.
+#[test]
+fn on_an_edge_the_slope_is_the_outward_normal() {
+    let square = [(0.0, 0.0), (2.0, 0.0), (2.0, 2.0), (0.0, 2.0)];
+    let places = [
+        ((1.0, 0.0), [0.0, -1.0]),
+        ((2.0, 0.5), [1.0, 0.0]),
+        ((0.5, 2.0), [0.0, 1.0]),
+        ((0.0, 1.5), [-1.0, 0.0]),
+    ];
+    for (place, normal) in places {
+        for backwards in [false, true] {
+            let point: Vec2<Jet<f64, 2>> =
+                Vec2::new(Jet::variable(place.0, 0), Jet::variable(place.1, 1));
+            let mut ring =
+                square.map(|(x, y)| Vec2::new(Jet::variable(x, 9), Jet::<f64, 2>::variable(y, 9)));
+            if backwards {
+                ring.reverse();
+            }
+            for fill in [Fill::NonZero, Fill::EvenOdd] {
+                let found = fold_ring(point, &ring).signed_distance(fill);
+                assert_eq!(
+                    (found.value, found.slope),
+                    (0.0, normal),
+                    "{place:?} {backwards}"
+                );
+            }
+            assert_eq!(fold_ring(point, &ring).distance().slope, [0.0; 2]);
+        }
+    }
+    // On a vertex, and where a ring runs back along itself, there is no such normal.
+    let spike = [(0.0, 0.0), (2.0, 0.0), (1.0, 0.0)]
+        .map(|(x, y)| Vec2::new(Jet::variable(x, 9), Jet::<f64, 2>::variable(y, 9)));
+    let point = Vec2::new(Jet::variable(0.5, 0), Jet::variable(0.0, 1));
+    assert_eq!(signed_distance_to_ring(point, &spike).slope, [0.0; 2]);
+}

@@ -391,3 +391,38 @@ fn scores_do_not_depend_on_place_size_and_order() {
     );
     assert_eq!(diou_aabb2(a, b), 0.04);
 }
+
+/// One box all but covers the other: what neither covers is not a difference of two large areas.
+#[test]
+fn generalised_iou_keeps_its_digits() {
+    let large = Aabb2::new(-700_000.0, 0.0, 1e10, 1e10);
+    let over = Aabb2::new(-700_001.0, 1.0, -400_000.0, 300_000.0);
+    // Beside the large box a strip one wide remains but for the small box's share of it.
+    let iou = large.iou(over);
+    let rest = (1e10 - 299_999.0) / ((1e10 + 700_001.0) * 1e10);
+    let found = iou - giou_box_aabb2(large, over);
+    assert!((found / rest - 1.0).abs() < 1e-7, "{found} {rest}");
+    // Against areas that small numbers give exactly.
+    for x in -6..7 {
+        for (y, width, height) in [
+            (-5, 2, 1),
+            (-2, 1, 5),
+            (0, 2, 2),
+            (1, 3, 1),
+            (2, 0, 2),
+            (3, 1, 1),
+        ] {
+            let a = Aabb2::new(0.0, 0.0, 3.0, 2.0);
+            let (x, y) = (f64::from(x), f64::from(y));
+            let b = Aabb2::new(x, y, x + f64::from(width), y + f64::from(height));
+            let inter = a.intersection_area(b);
+            let union = a.area() + b.area() - inter;
+            let around = a.join(b).area();
+            let want = inter / union - (around - union) / around;
+            assert!((giou_box_aabb2(a, b) - want).abs() < 1e-15, "{b:?}");
+            let hull = hull_area_aabb2(a, b);
+            let want = inter / union - (hull - union) / hull;
+            assert!((giou_aabb2(a, b) - want).abs() < 1e-15, "{b:?}");
+        }
+    }
+}
