@@ -14,7 +14,7 @@ type Run = fn(&Gpu, usize) -> Result<(), Error>;
 
 macro_rules! table {
     (pairs { $($pair:ident: $pair_op:ty,)* } rings { $($ring:ident: $ring_op:ty,)* }
-     straight { $($straight:ident: $straight_op:ty,)* }) => {
+     straight { $($straight:ident: $straight_op:ty,)* } $($rest:tt)*) => {
         const OPERATIONS: &[(&str, Run)] = &[
             $((stringify!($pair), both::<$pair_op>),)*
             $((stringify!($straight), both::<$straight_op>),)*
