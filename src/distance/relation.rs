@@ -82,8 +82,12 @@ fn relate_all<S: Scalar, A: Convex<S>, B: Convex<S>>(a: A, b: B) -> Relation<S> 
     let parted = deep.value.above(S::lit(-S::LARGEST));
     let deep = deep.mean();
     let inside = parted & (deep.ahead.below(S::zero()) | none);
+    // Cores with a point in common are not apart, however the height over a face was rounded.
+    let rounded = none & deep.ahead.above(S::zero());
+    let touching = deep.ahead.with_primal(S::Primal::zero());
+    let ahead = S::select(rounded, touching, deep.ahead);
     Relation {
-        apart: S::select(inside, deep.ahead, length),
+        apart: S::select(inside, ahead, length),
         normal: choose(inside, deep.normal, direction),
         on_a: choose(inside, deep.on_a, near.on_a),
         on_b: choose(inside, deep.on_b, near.on_b),

@@ -13,8 +13,8 @@ use geograd::iou::{diou_aabb2, diou_polygons_decided, giou_polygons_decided};
 use geograd::measure::extent::{diameter_decided, width_decided};
 use geograd::overlap_polygon::iou_polygons;
 use geograd::{
-    Aabb2, ConvexPolygon, Flaw, Interval, Jet, Line2, Obb2, Pack, Scalar, Segment2, Triangle2,
-    Vec2, VertexFault,
+    Aabb2, ConvexPolygon, Flaw, Interval, Jet, Line2, Obb2, Pack, Segment2, Triangle2, Vec2,
+    VertexFault,
 };
 
 type Quad<S> = ConvexPolygon<S, 4>;
