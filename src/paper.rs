@@ -87,10 +87,12 @@
 //! | `grbox`, `drbox` | [`GiouObb2`](crate::kernels::GiouObb2), [`DiouObb2`](crate::kernels::DiouObb2) | B5, B7 |
 //! | `gbox`, `dbox` | [`GiouBoxAabb2`](crate::kernels::GiouBoxAabb2), [`DiouBoxAabb2`](crate::kernels::DiouBoxAabb2) | named, and refused |
 //! | `precise` | columns of `f64` | |
-//! | `box2d_nms` | [`suppression`](crate::suppression): [`hard`](crate::suppression::hard), [`soft`](crate::suppression::soft) with both decays | wrong on GPUs above 64 boxes |
+//! | `box2d_nms` | [`suppression`](crate::suppression): [`hard`](crate::suppression::hard()), [`soft`](crate::suppression::soft()) with both decays | wrong on GPUs above 64 boxes |
 //! | `box2dr_pdist` | [`SignedDistancePointObb2`](crate::kernels::SignedDistancePointObb2) | read beyond its memory; B1 |
 //! | `seg1d_pdist` | [`Interval::signed_distance_to`], [`DistanceNumberInterval`](crate::kernels::DistanceNumberInterval) | |
 //! | `box2dr_crop` | [`above`](crate::kernels::Cpu::above) of [`ClearancePointObb2`](crate::kernels::ClearancePointObb2), or [`Obb2::contains`] | |
+//! | `box3dr_pdist` | [`SignedDistancePointYaw`](crate::kernels::SignedDistancePointYaw) | B1 |
+//! | `box3dp_crop` | [`YawBox3::contains`](crate::shape::YawBox3::contains) | |
 //! | `seg1d_iou` | [`Interval::iou`], [`IouIntervals`](crate::kernels::IouIntervals) | took one interval's length for both |
 //!
 //! Its matchers are [`assignment`](crate::assignment), its evaluation [`metric`](crate::metric).
