@@ -1,7 +1,7 @@
 //! The part of a judgement that takes steps: differences and kinks.
 use crate::ad::check::hearing::Said;
 use crate::ad::check::judge::{Judge, ROUNDINGS, Row, SAFETY};
-use crate::ad::check::listener::Listener;
+use crate::ad::check::listener::{INFORMATIVE, Listener};
 use crate::ad::check::sample::Draw;
 use crate::ad::check::subject::{Jumps, Subject};
 use crate::ad::check::trace::Trace;
@@ -155,6 +155,38 @@ impl Judge<'_> {
             Place::Smooth
         };
         self.found.place == Place::Smooth && undefined == 0 && !said.contains(&true)
+    }
+
+    /// Whether the input is an exact tie at which no slopes are right: along single numbers the value
+    /// rises as if it were smooth, and along all of them together not by the sum of that.
+    fn nobodys(&self, weights: &[f64], noise: f64, climb: &dyn Fn(&[f64], f64) -> Ladder) -> bool {
+        let n = self.x.len();
+        if n > FEW_INPUTS || self.trace.is_none_or(|trace| trace.margin != 0.0) {
+            return false;
+        }
+        let rise = |direction: &[f64]| {
+            let ladder = climb(direction, FIRST[0]);
+            let sides = [true, false].map(|ahead| ladder.one_sided(ahead, weights, noise));
+            let [Some(ahead), Some(behind)] = sides else {
+                return None;
+            };
+            let gap = (ahead.value - behind.value).abs();
+            let error = ahead.error.max(behind.error) + gap;
+            Some([0.5 * (ahead.value + behind.value), error])
+        };
+        let mut alone = [0.0; 2];
+        for i in 0..n {
+            let mut axis = vec![0.0; n];
+            axis[i] = self.scales[i];
+            let Some([value, error]) = rise(&axis) else {
+                return false;
+            };
+            alone = [alone[0] + value, alone[1] + error];
+        }
+        rise(&self.scales).is_some_and(|[value, error]| {
+            let gap = (value - alone[0]).abs();
+            gap > SAFETY * (error + alone[1]) && gap > INFORMATIVE * value.abs().max(alone[0].abs())
+        })
     }
 
     /// Directions that keep ties: along each all numbers of one magnitude move alike. There a kink of
@@ -341,7 +373,7 @@ impl Judge<'_> {
                     };
                     let convention = witness == Witness::Dual && self.tie_of_duals();
                     result = (Place::Smooth, false);
-                    if heard.stands && convention {
+                    if heard.stands && (convention || self.nobodys(&weights, noise, climb)) {
                         self.found.convention = true;
                     } else if heard.stands {
                         let suspect = other_agrees(estimate.value, tolerance).then_some(witness);
