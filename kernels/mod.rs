@@ -135,7 +135,7 @@ pub use ops::polygon::{
     PerimeterTriangle, SignedAreaQuad, SignedAreaTriangle,
 };
 pub use ops::ring::{Centroid, Perimeter, SignedArea};
-pub use ops::shape::{Circumcircle, MoveSegment};
+pub use ops::shape::{Circumcircle, Incircle, MoveSegment};
 pub use row::{Column, Columns, One, Row, Skip, Target, Targets};
 
 /// Every operation, one per line: a name and a type. Tests, benches and documentation walk this
@@ -207,6 +207,7 @@ macro_rules! for_each_op {
                 centroid_triangle: $crate::kernels::ops::polygon::CentroidTriangle,
                 signed_area_quad: $crate::kernels::ops::polygon::SignedAreaQuad,
                 perimeter_quad: $crate::kernels::ops::polygon::PerimeterQuad,
+                incircle: $crate::kernels::ops::shape::Incircle,
                 move_segment: $crate::kernels::ops::shape::MoveSegment,
                 intersection_volume_aabb3: $crate::kernels::ops::overlap3::IntersectionVolumeAabb3,
                 iou_aabb3: $crate::kernels::ops::overlap3::IouAabb3,

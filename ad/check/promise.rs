@@ -1,6 +1,8 @@
 //! The part of a judgement that moves the whole input.
 use crate::ad::check::judge::{Judge, ROUNDINGS, Row, SAFETY};
-use crate::ad::check::symmetry::{Answer, Kind, Motion, answer, exchanged, moved_by, velocity};
+use crate::ad::check::symmetry::{
+    Answer, Motion, answer, exchanged, following, moved_by, velocity,
+};
 use crate::ad::check::verdict::{Numbers, Reason, Witness};
 use crate::ad::check::witness::{beside, dot};
 
@@ -15,7 +17,7 @@ impl Judge<'_> {
         if self.found.jump || kinds.len() != self.x.len() || self.x.is_empty() {
             return;
         }
-        let points: Vec<Kind> = [Kind::X, Kind::Y].repeat(self.y.len().div_ceil(2));
+        let points = following(self.y.len());
         let typical = self.scales.iter().fold(f64::INFINITY, |m, s| m.min(*s));
         for &promise in subject.promises() {
             let motion = promise.motion;

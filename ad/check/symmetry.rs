@@ -53,7 +53,7 @@ pub enum Answer {
     Stays,
     /// Every number grows with this power of the scale.
     Power(i32),
-    /// It is a point and moves along.
+    /// It is a point, several, or a circle (a point and a length), and moves along.
     Follows,
 }
 
@@ -90,18 +90,20 @@ pub fn velocity(motion: Motion, kinds: &[Kind], x: &[f64]) -> Vec<f64> {
         .collect()
 }
 
+/// What the numbers of an output are that follows: points, and a length after them where one is left.
+pub(crate) fn following(outputs: usize) -> Vec<Kind> {
+    let mut kinds = [Kind::X, Kind::Y].repeat(outputs / 2);
+    kinds.resize(outputs, Kind::Length);
+    kinds
+}
+
 /// The velocity of the output that the answer promises.
 #[must_use]
 pub fn answer(promise: Promise, y: &[f64]) -> Vec<f64> {
     match promise.answer {
         Answer::Stays => vec![0.0; y.len()],
         Answer::Power(p) => y.iter().map(|y| f64::from(p) * y).collect(),
-        Answer::Follows => {
-            let kinds: Vec<Kind> = (0..y.len())
-                .map(|i| if i % 2 == 0 { Kind::X } else { Kind::Y })
-                .collect();
-            velocity(promise.motion, &kinds, y)
-        }
+        Answer::Follows => velocity(promise.motion, &following(y.len()), y),
     }
 }
 

@@ -1,7 +1,7 @@
 //! What makes shapes of shapes, as operations.
 use crate::operation;
 use crate::shape::circumcircle;
-use crate::{Circle, Pose2, Segment2, Vec2};
+use crate::{Circle, Pose2, Segment2, Triangle2, Vec2};
 
 operation! {
     /// The circle through three points ([`circumcircle`]). It jumps where they are on one line.
@@ -10,6 +10,12 @@ operation! {
     }
     promises []
     jumps Anywhere
+    slopes Reverse
+
+    /// The [inscribed circle](Triangle2::incircle) of a triangle.
+    pub Incircle = "incircle": (shape: Triangle2<S>) -> Circle<S> { shape.incircle() }
+    promises [TranslationX Follows, TranslationY Follows, Rotation Follows, Scaling Follows]
+    jumps Never
     slopes Reverse
 
     /// A segment, moved.

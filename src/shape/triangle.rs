@@ -111,6 +111,41 @@ impl<S: Scalar> Triangle2<S> {
     pub fn circumcircle(self) -> Circle<S> {
         circumcircle(self.a, self.b, self.c)
     }
+    /// The largest circle inside: it touches all three sides. Center and radius are in units of length.
+    ///
+    /// The center is the mean of the corners, each weighted by the length of the side opposite; the
+    /// radius is twice the area over the perimeter, for either orientation. Corners on one line give
+    /// radius zero and a center on that line, three coinciding ones give their place.
+    ///
+    /// Kinks: zero area, where the radius has slope zero, and two corners that coincide; three that do
+    /// share the slopes of the center, a third each. Source: Coxeter and Greitzer, Geometry Revisited,
+    /// 1967, section 1.4.
+    ///
+    /// ```
+    /// use geograd::{Triangle2, Vec2};
+    /// let sail = Triangle2::new(Vec2::new(0.0_f64, 0.0), Vec2::new(4.0, 0.0), Vec2::new(0.0, 3.0));
+    /// let inside = sail.incircle();
+    /// assert_eq!((inside.center, inside.radius), (Vec2::new(1.0, 1.0), 1.0));
+    /// ```
+    #[must_use]
+    #[inline(always)]
+    pub fn incircle(self) -> Circle<S> {
+        // Sides over the perimeter, before anything is multiplied: no product over- or underflows.
+        let (b, c) = (self.b - self.a, self.c - self.a);
+        let (ab, bc, ca) = (b.length(), (c - b).length(), c.length());
+        let around = ab + bc + ca;
+        let point = around.at_most(S::zero());
+        let share = |x: S, of_point: f64| {
+            let share = x.over(S::select(point, S::one(), around));
+            S::select(point, S::lit(of_point), share)
+        };
+        let (by_b, by_c) = (share(ca, 1.0 / 3.0), share(ab, 1.0 / 3.0));
+        let short = Vec2::new(share(c.x, 0.0), share(c.y, 0.0));
+        Circle {
+            center: (self.a + (b * by_b + c * by_c)).canonical(),
+            radius: b.perp_dot(short).magnitude().canonical(),
+        }
+    }
     /// Whether the point is in the triangle; the border belongs to it.
     #[must_use]
     #[inline]

@@ -1,4 +1,4 @@
-//! Single shapes: constructors, circumcircles, intervals, poses.
+//! Single shapes: constructors, circumcircles, incircles, intervals, poses.
 use super::any::Dice;
 use geograd::error::Field;
 use geograd::shape::circumcircle;
@@ -152,6 +152,72 @@ fn points_on_a_line_have_a_finite_circumcircle() {
     let sum: f64 = (0..3).map(|k| round.center.x.slope[2 * k]).sum();
     assert!((sum - 1.0).abs() < 1e-15);
     assert_eq!(round.radius.slope, [0.0; 6]);
+}
+
+#[test]
+fn an_incircle_touches_all_sides_at_every_size() {
+    let mut dice = Dice(3);
+    for _ in 0..3000 {
+        let mut point = || at(dice.in_range(-2.0, 2.0), dice.in_range(-2.0, 2.0));
+        let corners = [point(), point(), point()];
+        let [a, b, c] = corners;
+        let circle = Triangle2::new(a, b, c).incircle();
+        // The bisectors of two angles meet in the center.
+        let half = |k: usize| {
+            let [p, q, r] = [0, 1, 2].map(|i| corners[(k + i) % 3]);
+            ((q - p).angle_to(r - p) / 2.0, (q - p).angle())
+        };
+        let ((alpha, heading), (beta, _)) = (half(0), half(1));
+        let reach = a.distance(b) * beta.sin() / (alpha + beta).sin();
+        let turn = heading + alpha;
+        let center = a + at(turn.cos(), turn.sin()) * reach;
+        let off = center.distance(circle.center) + (reach * alpha.sin()).abs() - circle.radius;
+        assert!(off.abs() < 1e-9, "{corners:?} {circle:?} {center:?}");
+        for size in [2f64.powi(-500), 2f64.powi(500)] {
+            let sized = Triangle2::new(a * size, b * size, c * size).incircle();
+            let off = sized.center.distance(circle.center * size);
+            assert!(off.max((sized.radius - circle.radius * size).abs()) < 1e-14 * size);
+        }
+        // Far away it is where it was, relative to a corner, as far as the corners are.
+        let far = at(2f64.powi(20), -2f64.powi(21));
+        let (q, r) = (b + far - (a + far), c + far - (a + far));
+        let near = Triangle2::new(at(0.0, 0.0), q, r).incircle();
+        let moved = Triangle2::new(a + far, b + far, c + far).incircle();
+        assert_eq!(moved.radius, near.radius);
+        assert!(moved.center.distance(near.center + (a + far)) < 1e-9);
+    }
+}
+
+#[test]
+fn incircles_without_area_have_finite_slopes() {
+    let cases = [
+        [2., 3., 2., 3., 2., 3.],
+        [2., 3., 2., 3., 4., 3.],
+        [2., 3., 4., 3., 2., 3.],
+        [4., 3., 2., 3., 2., 3.],
+        [0., 0., 1., 0., 6., 0.],
+        [0., 0., 1e-18, 0., 0., 1e-18],
+        [0., 0., 1e18, 0., 0., 1e18],
+        [1e18, 1e18, 1e18, 1e18, 1e-18, 0.],
+    ];
+    for x in cases {
+        let x: [Jet<f32, 6>; 6] = std::array::from_fn(|k| Jet::variable(x[k] as f32, k));
+        let [a, b, c] = [at(x[0], x[1]), at(x[2], x[3]), at(x[4], x[5])];
+        let circle = Triangle2::new(a, b, c).incircle();
+        for number in [circle.center.x, circle.center.y, circle.radius] {
+            let slopes = number.slope.iter().all(|s| s.is_finite());
+            assert!(number.value.is_finite() && slopes, "{x:?} {number:?}");
+        }
+        // It goes where the triangle goes.
+        let along_x: f32 = circle.center.x.slope.iter().step_by(2).sum();
+        assert!((along_x - 1.0).abs() < 1e-6, "{x:?} {along_x}");
+    }
+    let p = at(2.0_f64, 3.0);
+    assert_eq!(Triangle2::new(p, p, p).incircle(), Circle::new(p, 0.0));
+    let tiny = Triangle2::new(at(0.0, 0.0), at(4e-18_f32, 0.0), at(0.0, 3e-18)).incircle();
+    assert!((tiny.radius / 1e-18 - 1.0).abs() < 1e-6);
+    let huge = Triangle2::new(at(0.0, 0.0), at(4e18_f32, 0.0), at(0.0, 3e18)).incircle();
+    assert!((huge.radius / 1e18 - 1.0).abs() < 1e-6);
 }
 
 #[test]
