@@ -38,9 +38,11 @@ where
     O::Out<f32>: Row<Scalar = f32>,
 {
     let Some((_turn, gpu)) = gpu() else { return };
+    // Of what has tens of thousands of operations, fewer inputs.
+    let is_large = O::default().program::<f32>().unwrap().cost().total() > 5000;
     let plan = Plan {
-        hard: 23,
-        ..Plan::new(20, 1)
+        hard: if is_large { 97 } else { 23 },
+        ..Plan::new(if is_large { 4 } else { 20 }, 1)
     };
     let report = prove_any_on::<O>(Backend::Gpu(gpu), &plan).unwrap();
     assert!(report.worst[5].count > 0, "{report}");
