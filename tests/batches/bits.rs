@@ -460,6 +460,5 @@ more! {
     iof_yaw: IofYaw,
     iou_birds_eye: IouBirdsEye,
     iou_obb3: IouObb3,
-    iof_obb3: IofObb3,
     iou_aabb3: IouAabb3,
 }

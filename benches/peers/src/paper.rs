@@ -11,7 +11,7 @@ use std::hint::black_box;
 /// Numbers of boxes.
 const COUNTS: [usize; 9] = [10, 32, 100, 316, 1000, 3162, 10_000, 31_623, 100_000];
 /// How often all takes its turn.
-const ROUNDS: usize = 5;
+const ROUNDS: usize = 12;
 
 /// One curve.
 struct Curve<'a> {
@@ -165,11 +165,11 @@ pub fn paper() -> (String, String) {
 
 /// The picture: both axes logarithmic.
 fn drawn(curves: &[Curve<'_>], points: &[(usize, Vec<f64>)]) -> String {
-    const WIDTH: f64 = 760.0;
+    const WIDTH: f64 = 820.0;
     const HEIGHT: f64 = 480.0;
     const LEFT: f64 = 70.0;
     const TOP: f64 = 46.0;
-    let (wide, high) = (WIDTH - LEFT - 250.0, HEIGHT - TOP - 56.0);
+    let (wide, high) = (WIDTH - LEFT - 300.0, HEIGHT - TOP - 56.0);
     let all = || points.iter().flat_map(|(_, times)| times);
     let low = all().copied().fold(f64::INFINITY, f64::min).log10().floor();
     let top = all().copied().fold(0.0, f64::max).log10().ceil();

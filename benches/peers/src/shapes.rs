@@ -12,7 +12,7 @@ use geograd::shape::{Obb3, Rotation3, YawBox3};
 use geograd::{Obb2, Segment2, Vec2, Vec3};
 use std::hint::black_box;
 
-/// Rows and columns of random lists that powerboxesrs is given.
+/// Rows and columns of all pairs: short enough to run without interruption now and then.
 const PART: usize = 200;
 /// How often all takes its turn.
 const ROUNDS: usize = 12;
@@ -222,14 +222,14 @@ fn lines(lists: &Lists) -> Vec<Line<'_>> {
         quads: [quads, quads_near],
     } = lists;
     let (cpu, all) = (Cpu::new(), Cpu::new().culled(false));
-    let mut grads = Table::new(N, N).expect("it fits");
+    let mut grads = Table::new(PART, PART).expect("it fits");
     vec![
-        matrix("iou, no filter", all, IouObb2, a, b),
-        matrix("giou", cpu, GiouObb2, a, b),
+        matrix("iou, no filter", all, IouObb2, &a[..PART], &b[..PART]),
+        matrix("giou", cpu, GiouObb2, &a[..PART], &b[..PART]),
         Line {
             name: "giou, slopes",
-            timed: Timed::new(N * N, move || {
-                cpu.all_pairs_into(GiouObb2.value_grad(), a, b, &mut grads)
+            timed: Timed::new(PART * PART, move || {
+                cpu.all_pairs_into(GiouObb2.value_grad(), &a[..PART], &b[..PART], &mut grads)
                     .unwrap();
             }),
         },
@@ -237,8 +237,20 @@ fn lines(lists: &Lists) -> Vec<Line<'_>> {
         slopes("iou, aligned, slopes", IouObb2, a, near),
         aligned("giou, aligned", GiouObb2, a, near),
         slopes("giou, aligned, slopes", GiouObb2, a, near),
-        matrix("upright iou", cpu, IouYaw, upright, upright_b),
-        matrix("upright iou, no filter", all, IouYaw, upright, upright_b),
+        matrix(
+            "upright iou",
+            cpu,
+            IouYaw,
+            &upright[..PART],
+            &upright_b[..PART],
+        ),
+        matrix(
+            "upright iou, no filter",
+            all,
+            IouYaw,
+            &upright[..PART],
+            &upright_b[..PART],
+        ),
         aligned("upright iou, aligned", IouYaw, upright, upright_near),
         slopes(
             "upright iou, aligned, slopes",

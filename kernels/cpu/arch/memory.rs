@@ -1,5 +1,6 @@
 //! Shapes and lanes as the numbers that they are in memory.
 use crate::kernels::cpu::lane::{Lane, TILE};
+use crate::shape::{Aabb3, Capsule2, Circle, Obb3, Rotation3, Segment2, Triangle2, YawBox3};
 use crate::{Aabb2, Fixed, Obb2, Pose2, Rotation2, Vec2, Vec3};
 use std::any::TypeId;
 use std::slice;
@@ -14,11 +15,14 @@ where
     macro_rules! any_of {
         ($($shape:ident)*) => {
             $(TypeId::of::<P>() == TypeId::of::<$shape<P::Scalar>>() ||)*
+            TypeId::of::<P>() == TypeId::of::<[Vec2<P::Scalar>; 3]>() ||
+            TypeId::of::<P>() == TypeId::of::<[Vec2<P::Scalar>; 4]>() ||
             TypeId::of::<P>() == TypeId::of::<P::Scalar>()
         };
     }
     const { assert!(size_of::<P::Scalar>() > 0) };
-    any_of!(Vec2 Vec3 Rotation2 Pose2 Aabb2 Obb2)
+    any_of!(Vec2 Vec3 Rotation2 Rotation3 Pose2 Aabb2 Aabb3 Obb2 Obb3 YawBox3
+        Segment2 Triangle2 Circle Capsule2)
         && size_of::<P>() == P::LEN * size_of::<P::Scalar>()
         && align_of::<P>() == align_of::<P::Scalar>()
 }
