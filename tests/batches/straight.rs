@@ -203,9 +203,16 @@ geograd::operation! {
 
 #[test]
 fn cotangents_of_all_pairs_are_taken_as_they_are() {
-    let (a, b, up) = ([1.0, 2.0], [5.0, 7.0, 9.0], [1.0, 2.0, 4.0, 8.0, 16.0, 32.0]);
+    let (a, b, up) = (
+        [1.0, 2.0],
+        [5.0, 7.0, 9.0],
+        [1.0, 2.0, 4.0, 8.0, 16.0, 32.0],
+    );
     let (a_bar, b_bar) = Cpu::new().all_pairs_vjp(Difference, &a, &b, &up).unwrap();
-    assert_eq!((&a_bar[..], &b_bar[..]), (&[7.0, 56.0][..], &[-9.0, -18.0, -36.0][..]));
+    assert_eq!(
+        (&a_bar[..], &b_bar[..]),
+        (&[7.0, 56.0][..], &[-9.0, -18.0, -36.0][..])
+    );
     let (sum, a_bar, b_bar) = Cpu::new().sum_grad(Difference, &a, &b).unwrap();
     assert_eq!(sum, 9.0 - 42.0);
     assert_eq!((&a_bar[..], &b_bar[..]), (&[3.0; 2][..], &[-2.0; 3][..]));

@@ -248,7 +248,9 @@ fn thin_boxes_that_are_nearly_parallel() {
     ];
     let wide: Vec<Obb2<f64>> = boxes.iter().map(|shape| shape.cast()).collect();
     let found = gpu.programs().all_pairs(overlap::IouObb2, &boxes, &boxes);
-    let expected = Cpu::new().all_pairs(overlap::IouObb2, &wide, &wide).unwrap();
+    let expected = Cpu::new()
+        .all_pairs(overlap::IouObb2, &wide, &wide)
+        .unwrap();
     for (found, expected) in found.unwrap().planes().iter().zip(expected.planes()) {
         let off = f64::from(*found) - expected;
         assert!(off.abs() <= 1e-4, "{found} for {expected}");
