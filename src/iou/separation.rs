@@ -28,8 +28,17 @@ pub fn separation_aware_obb2<S: Scalar>(a: Obb2<S>, b: Obb2<S>) -> S {
         center.magnitude() - (own + (along * cos + across * steep))
     };
     let (e, f) = (u * cos + v * pair.sin, v * cos - u * pair.sin);
-    let along = gap(u, h.x, p.x, p.y).most(gap(e, p.x, h.x, h.y));
-    let across = gap(v, h.y, p.y, p.x).most(gap(f, p.y, h.y, h.x));
+    // Of sides that are parallel the gap is the same along both; turned a little, the one stays wider that
+    // looks at the smaller extent across.
+    let wider = |of_a: S, of_b: S, across_b: S, across_a: S| {
+        let tied = of_a.equals(of_b);
+        let shared = of_a.most(of_b);
+        let first = tied & across_b.below(across_a);
+        let second = tied & across_a.below(across_b);
+        S::select(first, of_a, S::select(second, of_b, shared))
+    };
+    let along = wider(gap(u, h.x, p.x, p.y), gap(e, p.x, h.x, h.y), p.y, h.y);
+    let across = wider(gap(v, h.y, p.y, p.x), gap(f, p.y, h.y, h.x), p.x, h.x);
     let gap = along.most(across);
     let size = h.x.most(h.y) + p.x.most(p.y);
     let apart = gap.above(S::zero());
