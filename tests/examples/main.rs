@@ -7,8 +7,8 @@ mod assign;
 mod calibrate;
 mod custom_shape;
 mod iou_csv;
-mod refine_detections;
 mod polygon_fit;
+mod refine_detections;
 
 /// The program of an example. `cargo test` of the whole workspace builds it before it runs a test; a
 /// test builds nothing.
