@@ -46,11 +46,16 @@ pub fn run(name: &str, size: f64) -> Result<(), Failure> {
 fn copying(gpu: &Gpu, numbers: usize) -> Result<Option<f64>, Error> {
     let from = gpu.upload_values(&vec![1.0; numbers])?;
     let mut to = from.duplicate()?;
-    let _ = gpu.take_kernel_time();
-    from.duplicate_into(&mut to)?;
-    gpu.wait()?;
-    let took = gpu.take_kernel_time();
-    Ok(took.map(|took| 8.0 * numbers as f64 / took.as_secs_f64()))
+    let mut best = None;
+    for _ in 0..5 {
+        let _ = gpu.take_kernel_time();
+        from.duplicate_into(&mut to)?;
+        gpu.wait()?;
+        let rate = |took: Duration| 8.0 * numbers as f64 / took.as_secs_f64();
+        let found = gpu.take_kernel_time().map(rate);
+        best = found.map(|found: f64| best.map_or(found, |best: f64| best.max(found)));
+    }
+    Ok(best)
 }
 
 fn both<O: Op>(gpu: &Gpu, count: usize) -> Result<(), Error>
