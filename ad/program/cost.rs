@@ -6,8 +6,9 @@ use std::fmt;
 ///
 /// ```
 /// use geograd::{Program, Sym, Vec2};
+/// // The second addition takes the sign off a zero.
 /// let norm = Program::trace(|v: Vec2<Sym<f64>>| v.length_squared()).unwrap();
-/// assert_eq!(norm.cost().to_string(), "3 operations: 1 additions, 2 multiplications");
+/// assert_eq!(norm.cost().to_string(), "4 operations: 2 additions, 2 multiplications");
 /// ```
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 #[non_exhaustive]

@@ -1,5 +1,5 @@
 //! Slopes by hand of the overlap of boxes of any orientation.
-use super::obb::{related, shared_within};
+use super::obb::{far_apart, related, shared_within};
 use super::score;
 use crate::overlap::Denominator;
 use crate::shape::{Obb3, Rotation3};
@@ -44,7 +44,17 @@ fn score_vjp<S: Scalar>(
     out_bar: S,
 ) -> (S, (Obb3<S>, Obb3<S>)) {
     let pair = related(a, b);
-    let (shared, volume_a, volume_b) = shared_within(&pair);
+    let (mut shared, volume_a, volume_b) = shared_within(&pair);
+    // Centres so far apart that their place in the pair's unit overflows have no slopes either.
+    let apart = far_apart(&pair);
+    for slopes in [
+        &mut shared.center,
+        &mut shared.turn,
+        &mut shared.half_a,
+        &mut shared.half_b,
+    ] {
+        *slopes = slopes.map(|slope| S::select(apart, S::zero(), slope));
+    }
     let value = score(over, shared.volume, volume_a, volume_b, pair.scale);
     let (length_unit, turn_unit) = match over {
         // A volume in the caller's unit is three lengths; its slope by a length is two.

@@ -36,7 +36,7 @@ fn programs() {
     let at = folder("custom_shape_program");
     let done = run("custom_shape", &at, "--program");
     assert_eq!((status(&done), stderr(&done)), (0, ""));
-    for part in ["links[1]", "thickness", "result value", "roots: "] {
+    for part in ["links[1]", "thickness", "result value", " roots, "] {
         assert!(stdout(&done).contains(part), "{part}: {}", stdout(&done));
     }
     let done = run("custom_shape", &at, "--wgsl");
