@@ -91,7 +91,7 @@ impl Backend<'_> {
     ///
     /// # Errors
     ///
-    /// As on the CPU; [`Error::Gpu`](crate::Error::Gpu) are the GPU's, which does not serve what searches
+    /// As on the CPU; [`Error::Gpu`] are the GPU's, which does not serve what searches
     /// ([`Unrecordable::Search`](crate::Unrecordable::Search)).
     pub fn run<C: Columns, R: Runs<C::Row>>(
         self,

@@ -276,7 +276,7 @@ fn signed_distances_are_those_of_planes_and_corners() {
                 for plane in a.planes() {
                     let out = plane.normal.dot(nearest) - plane.offset;
                     if out > 0.0 {
-                        nearest = nearest - plane.normal * out;
+                        nearest -= plane.normal * out;
                     }
                 }
                 let expected = (point - nearest).length();
