@@ -197,7 +197,7 @@ impl<S: Number> Subject for RecordedSubject<'_, S> {
         let bends = noisy(seed, || self.recording.bends(x, y_bar, direction, Noisy));
         Some(bends.iter().map(|bend| bend.0.widen()).collect())
     }
-    fn nested(&self, x: &[f64], y_bar: &[f64], direction: &[f64]) -> Option<Vec<f64>> {
+    fn second_order(&self, x: &[f64], y_bar: &[f64], direction: &[f64]) -> Option<Vec<f64>> {
         let chunk = <First<S> as Scalar>::lit(0.0).slope.len();
         let mut bends = vec![0.0; x.len()];
         let along = |value, slope| Jet {

@@ -182,7 +182,7 @@ where
         let bends = noisy(seed, || self.bends(x, y_bar, direction, Noisy));
         Some(bends.iter().map(|bend| bend.0.widen()).collect())
     }
-    fn nested(&self, x: &[f64], y_bar: &[f64], direction: &[f64]) -> Option<Vec<f64>> {
+    fn second_order(&self, x: &[f64], y_bar: &[f64], direction: &[f64]) -> Option<Vec<f64>> {
         let chunk = <First<S> as Scalar>::lit(0.0).slope.len();
         let mut bends = vec![0.0; x.len()];
         for start in (0..x.len()).step_by(chunk) {

@@ -80,7 +80,7 @@ impl Judge<'_> {
                 continue;
             }
             for i in 0..adjoint.len() {
-                self.found.heard[i] = true;
+                self.found.covered[i] = true;
                 let gap = (adjoint[i] - other[i]).abs();
                 if gap > row.tolerance[i] || gap.is_nan() {
                     self.provoke(row);
@@ -193,7 +193,7 @@ impl Judge<'_> {
                 }
             }
             for i in 0..exact.len() {
-                self.found.heard[i] = true;
+                self.found.covered[i] = true;
                 let gap = (exact[i] - adjoint[i]).abs();
                 let numbers = Numbers {
                     adjoint: Some(adjoint[i]),

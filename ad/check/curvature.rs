@@ -1,7 +1,7 @@
 //! The part of a judgement that takes second derivatives.
 use crate::ad::check::judge::{Judge, ROUNDINGS, Row, SAFETY};
-use crate::ad::check::listener::INFORMATIVE;
 use crate::ad::check::sample::Draw;
+use crate::ad::check::slope_test::INFORMATIVE;
 use crate::ad::check::slopes::{FEW_INPUTS, FIRST};
 use crate::ad::check::trace::Trace;
 use crate::ad::check::verdict::{Numbers, Reason, Witness};
@@ -20,8 +20,8 @@ fn confirmed(again: impl Iterator<Item = Option<bool>>) -> bool {
 }
 
 impl Judge<'_> {
-    /// Second derivatives: through the adjoint, by nested duals, by differences of the adjoint; those
-    /// of a function of `f32` that is known in double precision by nested duals there instead.
+    /// Second derivatives: through the adjoint, by duals of duals, by differences of the adjoint; those
+    /// of a function of `f32` that is known in double precision by duals of duals there instead.
     pub(crate) fn curvature(&mut self, row: &Row, draw: &mut Draw) {
         let subject = self.subject;
         if self.x.is_empty() {
@@ -54,7 +54,9 @@ impl Judge<'_> {
         // A whole Hessian row by row is for short inputs.
         let nested_along = |x: &[f64], v: &[f64]| {
             let short = n <= FEW_INPUTS;
-            short.then(|| subject.nested(x, &row.weights, v)).flatten()
+            short
+                .then(|| subject.second_order(x, &row.weights, v))
+                .flatten()
         };
         let by_duals = |x: &[f64]| nested_along(x, &v);
         let spread = std::cell::OnceCell::new();
@@ -63,8 +65,8 @@ impl Judge<'_> {
                 let own = self.spread(&bend, Some(&sizes), |x| {
                     subject.curvature(x, &row.weights, &v)
                 });
-                let nested = by_duals(self.x).unwrap_or_default();
-                let other = self.spread(&nested, Some(&sizes), by_duals);
+                let second = by_duals(self.x).unwrap_or_default();
+                let other = self.spread(&second, Some(&sizes), by_duals);
                 let noise = self.roundings(&bend, &sizes, |seed| {
                     subject.noisy_curvature(self.x, &row.weights, &v, seed)
                 });
@@ -72,7 +74,7 @@ impl Judge<'_> {
                 let shorter = self.roundings(&bend, &sizes, |seed| {
                     self.along_shorter(&v, seed, |v| subject.curvature(self.x, &row.weights, v))
                 });
-                let other_shorter = self.roundings(&nested, &sizes, |seed| {
+                let other_shorter = self.roundings(&second, &sizes, |seed| {
                     self.along_shorter(&v, seed, |v| nested_along(self.x, v))
                 });
                 let other = |i: usize| {
@@ -86,9 +88,9 @@ impl Judge<'_> {
         };
         let exact = |i: usize| 4.0 * ROUNDINGS * self.eps * largest / scales[i];
         let mut faults = Vec::new();
-        if let Some(nested) = by_duals(self.x) {
+        if let Some(second) = by_duals(self.x) {
             for i in 0..n {
-                let gap = (bend[i] - nested[i]).abs();
+                let gap = (bend[i] - second[i]).abs();
                 let mut tolerance = exact(i);
                 if gap > tolerance {
                     tolerance += SAFETY * spread()[i];
@@ -96,7 +98,7 @@ impl Judge<'_> {
                 if gap > tolerance || gap.is_nan() {
                     let numbers = Numbers {
                         adjoint: Some(bend[i]),
-                        dual: Some(nested[i]),
+                        dual: Some(second[i]),
                         ..Numbers::default()
                     };
                     let reason = Reason::CurvatureDisagrees(Witness::Dual);
@@ -105,14 +107,14 @@ impl Judge<'_> {
             }
         }
         let wide = subject.wide().filter(|_| n <= FEW_INPUTS);
-        let widely = |x: &[f64]| wide.as_ref()?.nested(x, &row.weights, &v);
-        if let Some(nested) = widely(self.x) {
+        let widely = |x: &[f64]| wide.as_ref()?.second_order(x, &row.weights, &v);
+        if let Some(second) = widely(self.x) {
             // Decisions may fall differently in the other format, so other branches count.
             let spread = std::cell::OnceCell::new();
             let theirs = || {
                 spread.get_or_init(|| {
                     let own = self.spread(&bend, None, |x| subject.curvature(x, &row.weights, &v));
-                    let theirs = self.spread(&nested, None, widely);
+                    let theirs = self.spread(&second, None, widely);
                     own.iter()
                         .zip(theirs)
                         .map(|(a, b)| a + b)
@@ -120,7 +122,7 @@ impl Judge<'_> {
                 })
             };
             for i in 0..n {
-                let gap = (bend[i] - nested[i]).abs();
+                let gap = (bend[i] - second[i]).abs();
                 let mut tolerance = exact(i);
                 if gap > tolerance {
                     tolerance += SAFETY * theirs()[i];
@@ -128,7 +130,7 @@ impl Judge<'_> {
                 if gap > tolerance {
                     let numbers = Numbers {
                         adjoint: Some(bend[i]),
-                        other: Some(nested[i]),
+                        other: Some(second[i]),
                         ..Numbers::default()
                     };
                     let reason = Reason::CurvatureDisagrees(Witness::Wide);
@@ -236,9 +238,9 @@ impl Judge<'_> {
                 if let Some((e, tolerance)) = wrong(&ladder, exact, noise)
                     && confirmed(FIRST[1..].iter().map(|&first| {
                         let again = climb(first);
-                        let heard = again.central(&weights, noise, true)?;
+                        let covered = again.central(&weights, noise, true)?;
                         let says =
-                            SAFETY * heard.error <= INFORMATIVE * size.max(heard.value.abs());
+                            SAFETY * covered.error <= INFORMATIVE * size.max(covered.value.abs());
                         says.then(|| {
                             wrong(&again, exact, noise).is_some_and(|(again, _)| {
                                 (again.value - e.value).abs() <= SAFETY * (again.error + e.error)

@@ -91,7 +91,7 @@ pub fn examine<S: Number, X: Pack<Scalar = S> + Debug>(
         failures: Vec::new(),
     };
     let mut smooth = 0;
-    let mut heard: Vec<bool> = Vec::new();
+    let mut covered: Vec<bool> = Vec::new();
     for (sample, x) in inputs.iter().enumerate() {
         let findings = judged(x, sample);
         report.samples += 1;
@@ -101,8 +101,8 @@ pub fn examine<S: Number, X: Pack<Scalar = S> + Debug>(
             Place::Undefined => 2,
         }] += 1;
         smooth += usize::from(findings.place == Place::Smooth && sample >= random_from);
-        heard.resize(heard.len().max(findings.heard.len()), false);
-        for (all, here) in heard.iter_mut().zip(&findings.heard) {
+        covered.resize(covered.len().max(findings.covered.len()), false);
+        for (all, here) in covered.iter_mut().zip(&findings.covered) {
             *all |= here;
         }
         report.conventions += u64::from(findings.convention);
@@ -156,14 +156,14 @@ pub fn examine<S: Number, X: Pack<Scalar = S> + Debug>(
         input: Vec::new(),
         code: String::new(),
     };
-    let unheard = heard.iter().position(|heard| !heard);
+    let uncovered = covered.iter().position(|covered| !covered);
     if drawn >= 20 && smooth * 10 < drawn {
         report.refused += 1;
         report.failures.push(whole(Reason::NothingSmooth, 0));
-    } else if report.failures.is_empty() && (unheard.is_some() || heard.is_empty()) {
+    } else if report.failures.is_empty() && (uncovered.is_some() || covered.is_empty()) {
         report.refused += 1;
-        let input = unheard.unwrap_or(0);
-        report.failures.push(whole(Reason::Unheard, input));
+        let input = uncovered.unwrap_or(0);
+        report.failures.push(whole(Reason::Unjudged, input));
     }
     report
 }

@@ -69,7 +69,7 @@ pub(crate) struct Judge<'a> {
     /// of its own.
     pub(crate) pending: Vec<Fault>,
     /// Outputs and directions at which steps could tell, and what kind of place it is along them.
-    pub(crate) told: Vec<(usize, usize, Place)>,
+    pub(crate) compared: Vec<(usize, usize, Place)>,
 }
 
 /// Checks everything at one input. `seed` chooses random directions.
@@ -91,12 +91,12 @@ pub fn judge(subject: &dyn Subject, x: &[f64], seed: u64) -> Findings {
             jump: false,
             convention: false,
             margin: f64::INFINITY,
-            heard: vec![false; x.len()],
+            covered: vec![false; x.len()],
             worst: [Worst::default(); PAIRS.len()],
             faults: Vec::new(),
         },
         pending: Vec::new(),
-        told: Vec::new(),
+        compared: Vec::new(),
     };
     judge.all(&mut Draw::new(seed));
     judge.found
@@ -202,7 +202,7 @@ impl Judge<'_> {
         self.projections(&mut rows, draw);
         self.linear(&mut rows, draw);
         let plain = self.differences(&mut rows, draw);
-        self.settle();
+        self.resolve_ties();
         self.vote();
         let values_only = rows
             .iter()
@@ -210,7 +210,7 @@ impl Judge<'_> {
             && (!self.subject.other_values(self.x).is_empty()
                 || !self.subject.promises().is_empty());
         if values_only {
-            self.found.heard.fill(true);
+            self.found.covered.fill(true);
         }
         self.promises(&mut rows);
         if plain {

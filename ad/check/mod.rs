@@ -1,6 +1,6 @@
 //! The gradient verification harness: is a derivative right?
 //!
-//! Every derivative is heard from three sides: by hand (the adjoint), by forward duals through the
+//! Every derivative is judged from three sides: by hand (the adjoint), by forward duals through the
 //! generic source, by finite differences with an error estimate. They must agree as far as their
 //! own errors, measured at every sample, allow; no tolerance is set per function. Beside that a derivative must be the same
 //! bits twice, linear in its seed, finite, right at kinks, consistent with declared invariances,
@@ -72,7 +72,7 @@
 //! lie between the slopes at places nearby. It may be another element than the duals'
 //! ([`shared_ties`](crate::ad::check::subject::Conventions::shared_ties) asks for theirs). The report says how
 //! many samples were kinks, so that a function cannot pass by being nothing but kinks; and a number of
-//! the input about which no witness could say anything is [`Unheard`](crate::ad::check::verdict::Reason::Unheard).
+//! the input about which no witness could say anything is [`Unjudged`](crate::ad::check::verdict::Reason::Unjudged).
 //!
 //! ```
 //! use geograd::ad::check::Check;
@@ -117,7 +117,7 @@
 //! # Other witnesses
 //!
 //! Single precision is judged by double where the source is generic ([`Check::wide`]), a Hessian by
-//! duals of duals ([`Check::nested`]). Another implementation is a witness ([`Check::witness`],
+//! duals of duals ([`Check::second_order`]). Another implementation is a witness ([`Check::witness`],
 //! [`Check::path`]). Batches of the
 //! library's operations, on the CPU or a GPU, are witnesses in
 //! [`kernels::check`](crate::kernels::check::prove_on).
@@ -147,17 +147,15 @@
 //! is better than another, and what provoked rounding changes is tolerated. Exact ties of equal
 //! inputs are judged strictly in double precision.
 mod agreement;
+mod closures;
 mod curvature;
 pub(crate) mod derived;
 mod details;
 mod examine;
-mod hearing;
 pub mod judge;
-mod listener;
-mod near;
 mod nearby;
-mod nested;
 pub mod noise;
+mod opinion;
 pub mod picture;
 mod projection;
 mod promise;
@@ -165,22 +163,24 @@ pub mod report;
 pub mod roughness;
 mod rounding;
 pub mod sample;
-mod settle;
+mod second_order;
 mod shapes;
 mod shrink;
+mod slope_test;
 mod slopes;
 mod solids;
 #[cfg(feature = "proptest")]
 pub mod strategy;
 pub mod subject;
 pub mod symmetry;
+mod ties;
 pub mod trace;
 pub mod verdict;
 pub mod witness;
 
-use crate::ad::check::near::Near;
-use crate::ad::check::nested::{BentFn, TracedBentFn};
+use crate::ad::check::closures::Near;
 use crate::ad::check::sample::{Draw, Sample, hard_cases, random};
+use crate::ad::check::second_order::{BentFn, TracedBentFn};
 use crate::ad::check::subject::Conventions;
 use crate::ad::check::symmetry::{Kind, Promise};
 use crate::ad::check::trace::{Number, Trace, Traced, trace};
@@ -188,8 +188,8 @@ use crate::{Jet, Pack};
 use std::fmt::Debug;
 
 pub use crate::ad::check::examine::{Plan, SEED, examine};
-pub use crate::ad::check::nested::Bent;
 pub use crate::ad::check::report::{Failure, Report};
+pub use crate::ad::check::second_order::Bent;
 
 type InsideFn<'a, X> = Box<dyn Fn(&X) -> bool + 'a>;
 type ValueFn<'a, X> = Box<dyn Fn(&X) -> Vec<f64> + 'a>;
@@ -221,7 +221,7 @@ pub struct Check<'a, X: Pack> {
     pub(crate) dual: Option<DualFn<'a, X>>,
     pub(crate) traced: Option<TracedFn<'a, X>>,
     pub(crate) curvature: Option<AdjointFn<'a, X>>,
-    pub(crate) nested: Option<BentFn<'a, X>>,
+    pub(crate) second_order: Option<BentFn<'a, X>>,
     pub(crate) wide: Option<TracedBentFn<'a, X>>,
     pub(crate) inside: Option<InsideFn<'a, X>>,
     pub(crate) scales: Option<ValueFn<'a, X>>,
@@ -262,7 +262,7 @@ impl<'a, S: Number, X: Pack<Scalar = S> + Debug + 'a> Check<'a, X> {
             dual: None,
             traced: None,
             curvature: None,
-            nested: None,
+            second_order: None,
             wide: None,
             inside: None,
             scales: None,

@@ -7,7 +7,7 @@ use std::fmt::Write;
 
 /// The slopes of the sum of all outputs by hand, by duals and by differences.
 #[must_use]
-pub fn hearing(subject: &dyn Subject, x: &[f64]) -> [Vec<f64>; 3] {
+pub fn slopes_of_witnesses(subject: &dyn Subject, x: &[f64]) -> [Vec<f64>; 3] {
     let wide = subject.wide();
     let on = wide.as_deref().unwrap_or(subject);
     let y = on.value(x);
@@ -58,7 +58,7 @@ const TOP: f64 = 70.0;
 pub fn picture<X: Sample>(title: &str, input: &X, subject: &dyn Subject) -> String {
     let x = input.scalars();
     let kinds = input.kinds();
-    let slopes = hearing(subject, &x);
+    let slopes = slopes_of_witnesses(subject, &x);
     let outlines = input.outlines();
     let points = (0..x.len()).filter(|&i| kinds[i] == Kind::X);
     let all: Vec<[f64; 2]> = outlines

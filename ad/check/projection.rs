@@ -99,7 +99,7 @@ impl Judge<'_> {
             &row.size,
             &direction.iter().map(|d| d.abs()).collect::<Vec<_>>(),
         );
-        self.found.heard.fill(true);
+        self.found.covered.fill(true);
         if row.dual.is_none() {
             let pair = if witness == Witness::Dual { 0 } else { 3 };
             let at = Nearest {

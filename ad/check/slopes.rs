@@ -1,8 +1,8 @@
 //! The part of a judgement that takes steps: differences and kinks.
-use crate::ad::check::hearing::Said;
 use crate::ad::check::judge::{Judge, ROUNDINGS, Row, SAFETY};
-use crate::ad::check::listener::{INFORMATIVE, Listener};
+use crate::ad::check::opinion::Opinion;
 use crate::ad::check::sample::Draw;
+use crate::ad::check::slope_test::{INFORMATIVE, SlopeTest};
 use crate::ad::check::subject::{Jumps, Subject};
 use crate::ad::check::trace::Trace;
 use crate::ad::check::verdict::{Nearest, Numbers, Place, Reason, Witness};
@@ -126,10 +126,10 @@ impl Judge<'_> {
                 kinks |= place.0 == Place::Kink;
                 let derived = row.adjoint.is_some() || row.dual.is_some();
                 if place.0 != Place::Undefined && derived {
-                    self.told.push((row.output, k, place.0));
-                    match self.found.heard.get_mut(k) {
-                        Some(heard) if n <= FEW_INPUTS => *heard = true,
-                        _ => self.found.heard.fill(true),
+                    self.compared.push((row.output, k, place.0));
+                    match self.found.covered.get_mut(k) {
+                        Some(covered) if n <= FEW_INPUTS => *covered = true,
+                        _ => self.found.covered.fill(true),
                     }
                 }
                 let at = match place.0 {
@@ -258,7 +258,7 @@ impl Judge<'_> {
             let exact =
                 |row: &Row| -> f64 { (0..n).map(|i| direction[i].abs() * row.tolerance[i]).sum() };
             let weights = row.weights.clone();
-            let mut listener = Listener {
+            let mut test = SlopeTest {
                 weights: &weights,
                 here,
                 climb: &ladder,
@@ -274,17 +274,17 @@ impl Judge<'_> {
                     _ => 1.0,
                 },
             };
-            let mut said = listener.first();
+            let mut said = test.first();
             if said.complains() {
                 self.provoke(row);
                 self.provoke_widely(row);
-                (listener.exact, listener.rough) = (exact(row), self.rough_value(on, &weights));
-                said = listener.first();
+                (test.exact, test.rough) = (exact(row), self.rough_value(on, &weights));
+                said = test.first();
             }
             let coarse = said;
-            said = listener.finer(said);
-            if along_axis && said.undefined() && !self.found.heard[k] {
-                self.hear_coarsely(row, coarse, listener.exact, (k, direction[k].abs()));
+            said = test.finer(said);
+            if along_axis && said.undefined() && !self.found.covered[k] {
+                self.count_coarse(row, coarse, test.exact, (k, direction[k].abs()));
             }
             let pair = if witness == Witness::Adjoint { 1 } else { 2 };
             // Along one number, say its slopes.
@@ -317,7 +317,7 @@ impl Judge<'_> {
                 other.is_some_and(|slope| (slope - value).abs() <= tolerance)
             };
             match said {
-                Said::Fine {
+                Opinion::Fine {
                     place,
                     switched,
                     estimate,
@@ -332,15 +332,15 @@ impl Judge<'_> {
                         self.found.worst[pair].note(gap, largest / per, self.eps, at);
                     }
                 }
-                Said::Other {
+                Opinion::Other {
                     estimate,
                     tolerance,
                 } => {
                     let agree = by_hand.zip(by_duals);
                     let agree = agree.is_some_and(|(a, b)| (a - b).abs() <= exact(row));
-                    let heard = listener.again(said, agree);
-                    let estimate = heard.against.unwrap_or(estimate);
-                    let tolerance = if heard.stands {
+                    let covered = test.again(said, agree);
+                    let estimate = covered.against.unwrap_or(estimate);
+                    let tolerance = if covered.stands {
                         SAFETY * estimate.error + exact(row)
                     } else {
                         tolerance
@@ -349,12 +349,12 @@ impl Judge<'_> {
                     result = (Place::Smooth, false);
                     let tied = agree && self.exactly_tied();
                     let bent = || tied && (self.chosen() || self.bent(row, at));
-                    if heard.stands && convention {
+                    if covered.stands && convention {
                         self.found.convention = true;
-                    } else if heard.stands && bent() {
+                    } else if covered.stands && bent() {
                         self.found.convention = true;
                         result = (Place::Undefined, true);
-                    } else if heard.stands {
+                    } else if covered.stands {
                         let suspect = other_agrees(estimate.value, tolerance).then_some(witness);
                         let reason = Reason::Disagree(witness, Witness::Difference);
                         let input = if n <= FEW_INPUTS {
@@ -367,11 +367,11 @@ impl Judge<'_> {
                         let numbers = numbers(Some(estimate.value), None);
                         let tolerance = tolerance / per;
                         self.refuse_with(reason, suspect, output, input, numbers, tolerance);
-                    } else if !heard.supported {
+                    } else if !covered.supported {
                         result = (Place::Undefined, true);
                     }
                 }
-                Said::Outside { sides, tolerance } => {
+                Opinion::Outside { sides, tolerance } => {
                     let border = here.ahead.len() < 2 || here.behind.len() < 2;
                     result = (if border { Place::Smooth } else { Place::Kink }, true);
                     let value = dot(&row.weights, &self.y);
@@ -387,10 +387,10 @@ impl Judge<'_> {
                         let across = across.filter(|_| border && self.exactly_tied())?;
                         let here = across(direction, FIRST[0]);
                         let climb = |first| across(direction, first);
-                        let there = Listener {
+                        let there = SlopeTest {
                             here: &here,
                             climb: &climb,
-                            ..listener
+                            ..test
                         };
                         let said = there.first();
                         (!said.undefined() && !said.complains()).then_some(())
@@ -398,7 +398,7 @@ impl Judge<'_> {
                     let found = self.chosen() && self.exactly_tied();
                     if flat || found || beyond().is_some() {
                         self.found.convention = true;
-                    } else if listener.again(said, false).stands
+                    } else if test.again(said, false).stands
                         && !self.among_slopes_nearby(on, &weights, direction, (slope, tolerance))
                     {
                         let numbers = numbers(None, Some(sides));
@@ -414,10 +414,10 @@ impl Judge<'_> {
                 }
             }
             judged = true;
-            // Duals that say what the adjoint says need no hearing of their own.
+            // Duals that say what the adjoint says need no check of their own.
             let gap = by_duals.map(|dual| (dual - slope).abs());
             if gap.is_some_and(|gap| gap <= ROUNDINGS * self.eps * largest) {
-                if let (false, Said::Fine { estimate, .. }) = (said.undefined(), said)
+                if let (false, Opinion::Fine { estimate, .. }) = (said.undefined(), said)
                     && let Some(e) = estimate
                 {
                     let tolerance = SAFETY * e.error + exact(row) + ROUNDINGS * self.eps * largest;
@@ -430,7 +430,7 @@ impl Judge<'_> {
         }
         if !judged {
             // No derivative at all: still say what kind of place it is.
-            let listener = Listener {
+            let test = SlopeTest {
                 weights: &row.weights,
                 here,
                 climb: &ladder,
@@ -443,8 +443,8 @@ impl Judge<'_> {
                 guessed: false,
                 own: 1.0,
             };
-            let said = listener.first();
-            if let Said::Fine {
+            let said = test.first();
+            if let Opinion::Fine {
                 place, switched, ..
             } = said
             {
@@ -501,10 +501,10 @@ impl Judge<'_> {
         })
     }
 
-    /// Notes that a slope was heard although differences are too coarse for one as large as others are:
+    /// Notes that a slope was covered although differences are too coarse for one as large as others are:
     /// not too coarse for this one as it typically is.
-    fn hear_coarsely(&mut self, row: &Row, said: Said, exact: f64, (k, scale): (usize, f64)) {
-        let Said::Fine {
+    fn count_coarse(&mut self, row: &Row, said: Opinion, exact: f64, (k, scale): (usize, f64)) {
+        let Opinion::Fine {
             estimate: Some(e), ..
         } = said
         else {
@@ -515,7 +515,7 @@ impl Judge<'_> {
             self.typical(&row.weights, list, &slopes)[k] * scale
         });
         if e.error == 0.0 || SAFETY * e.error + exact <= 0.5 * typical {
-            self.found.heard[k] = true;
+            self.found.covered[k] = true;
         }
     }
 }

@@ -92,8 +92,8 @@ pub trait Subject {
     ) -> Option<Vec<f64>> {
         None
     }
-    /// The same by nested duals through the value.
-    fn nested(&self, _x: &[f64], _y_bar: &[f64], _direction: &[f64]) -> Option<Vec<f64>> {
+    /// The same by duals of duals through the value.
+    fn second_order(&self, _x: &[f64], _y_bar: &[f64], _direction: &[f64]) -> Option<Vec<f64>> {
         None
     }
     /// The same function in double precision, when it computes in single.

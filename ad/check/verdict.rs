@@ -40,7 +40,7 @@ pub enum Reason {
     Jump,
     /// The adjoint of a sum is not the sum of the adjoints.
     NotLinear,
-    /// The second derivative differs from differences of the first, or from nested duals.
+    /// The second derivative differs from differences of the first, or from duals of duals.
     CurvatureDisagrees(Witness),
     /// Second derivatives taken in the other order differ.
     CurvatureNotSymmetric,
@@ -52,7 +52,7 @@ pub enum Reason {
     NothingSmooth,
     /// At no sample could any witness say anything about this number of the input: there was no
     /// sample inside the domain, no derivative, no result, or all differences were lost in rounding.
-    Unheard,
+    Unjudged,
 }
 
 /// What kind of place a sample turned out to be.
@@ -224,7 +224,7 @@ pub struct Findings {
     /// How near the nearest change of branch is, relative; infinite when nothing was compared.
     pub margin: f64,
     /// Whether some witness could judge the slope with respect to each number of the input.
-    pub heard: Vec<bool>,
+    pub covered: Vec<bool>,
     /// What each pair of [`PAIRS`] differs by.
     pub worst: [Worst; PAIRS.len()],
     /// Everything refused, first things first.

@@ -42,7 +42,7 @@ fn of_area(slopes: impl Fn(Ring) -> Ring) -> Report {
 }
 
 /// Refused by duals and by differences, at this number of the input (before it was shrunk, the
-/// place is that of the first hearing).
+/// place is that of the first examination).
 #[track_caller]
 fn refused(report: &Report) {
     for reason in [BY_DUALS, BY_DIFFERENCES] {

@@ -239,7 +239,7 @@ fn hessian_off_by_little() {
         }
         let check = check.value(cube).gradient(|x| 3.0 * x * x);
         let check = check.hessian_times(move |x, v| 6.0 * x * v * (1.0 + off));
-        (check.nested(cube), cube::<Bent<Traced<f64>>>)
+        (check.second_order(cube), cube::<Bent<Traced<f64>>>)
     };
     let points = || Check::among([1.3_f32, -0.4]);
     let (right, source) = cube(points(), 0.0);

@@ -6,7 +6,7 @@ use geograd::ad::check::verdict::{Reason, Witness};
 use geograd::ad::check::{Check, Report};
 use geograd::assert_gradient;
 
-const UNHEARD: Reason = Reason::Unheard;
+const UNHEARD: Reason = Reason::Unjudged;
 const BY_DUALS: Reason = Reason::Disagree(Witness::Adjoint, Witness::Dual);
 const BY_DIFFERENCES: Reason = Reason::Disagree(Witness::Adjoint, Witness::Difference);
 
@@ -23,7 +23,7 @@ fn sum_of_squares<S: Scalar>([a, b]: [S; 2]) -> S {
 }
 
 /// Nothing heard is nothing proved.
-mod unheard {
+mod unjudged {
     use super::*;
 
     fn product() -> Check<'static, [f64; 2]> {

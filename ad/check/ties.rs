@@ -1,15 +1,15 @@
-//! The part of a judgement that weighs what was said when all witnesses have been heard.
+//! The part of a judgement that weighs what was said when all witnesses have been covered.
 use crate::ad::check::judge::Judge;
 use crate::ad::check::verdict::{Fault, Place, Reason, Witness};
 
 impl Judge<'_> {
     /// Refuses what duals say unless the input is a kink there, at which the adjoint has stood every
     /// step: then it is between the slopes of both sides, as the duals are, and a convention.
-    pub(crate) fn settle(&mut self) {
+    pub(crate) fn resolve_ties(&mut self) {
         let exact_tie = self.tie_of_duals();
         let mut refused: Vec<Fault> = Vec::new();
         for fault in std::mem::take(&mut self.pending) {
-            let mut told = self.told.iter();
+            let mut told = self.compared.iter();
             let place = told.find(|told| (told.0, told.1) == (fault.output, fault.input));
             // Where steps could not tell, nobody but the duals has spoken.
             let excused = place.is_some_and(|told| exact_tie || told.2 == Place::Kink);
@@ -29,7 +29,7 @@ impl Judge<'_> {
                 refused.push(fault);
             }
         }
-        // Duals are heard before differences.
+        // Duals are covered before differences.
         self.found.faults.splice(0..0, refused);
     }
 

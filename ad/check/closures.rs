@@ -1,6 +1,6 @@
 //! A check of closures as a subject, near one of its points.
 use crate::Pack;
-use crate::ad::check::nested::{Wide, axis, bends, transposed};
+use crate::ad::check::second_order::{Wide, axis, bends, transposed};
 use crate::ad::check::subject::{Conventions, Subject, default_scales};
 use crate::ad::check::symmetry::{Kind, Promise};
 use crate::ad::check::trace::{Number, Trace};
@@ -75,8 +75,8 @@ impl<S: Number, X: Pack<Scalar = S>> Subject for Near<'_, '_, X> {
         let bend = curvature(&self.made(x), direction);
         Some(bend.iter().map(|b| b * y_bar[0]).collect())
     }
-    fn nested(&self, x: &[f64], y_bar: &[f64], direction: &[f64]) -> Option<Vec<f64>> {
-        let source = self.check.nested.as_ref()?;
+    fn second_order(&self, x: &[f64], y_bar: &[f64], direction: &[f64]) -> Option<Vec<f64>> {
+        let source = self.check.second_order.as_ref()?;
         Some(bends(|at| source(self.near, at), x, y_bar, direction))
     }
     fn wide(&self) -> Option<Box<dyn Subject + '_>> {

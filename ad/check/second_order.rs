@@ -1,7 +1,7 @@
 //! The generic source of a checked function on duals of duals: second derivatives, and what a
 //! function of `f32` is in double precision.
 use crate::ad::check::Check;
-use crate::ad::check::near::Near;
+use crate::ad::check::closures::Near;
 use crate::ad::check::slopes::FEW_INPUTS;
 use crate::ad::check::subject::{Conventions, Subject};
 use crate::ad::check::trace::{Number, Trace, Traced, trace};
@@ -63,17 +63,17 @@ impl<'a, S: Number, X: Pack<Scalar = S> + Debug + 'a> Check<'a, X> {
     ///     .value(cube)
     ///     .gradient(|x| 3.0 * x * x)
     ///     .hessian_times(|x, v| 6.0 * x * v)
-    ///     .nested(cube)
+    ///     .second_order(cube)
     ///     .prove();
     /// ```
     ///
     /// [`hessian_times`]: Check::hessian_times
     #[must_use]
-    pub fn nested<Y>(mut self, f: impl Fn(X::With<Bent<S>>) -> Y + 'a) -> Self
+    pub fn second_order<Y>(mut self, f: impl Fn(X::With<Bent<S>>) -> Y + 'a) -> Self
     where
         Y: Pack<Scalar = Bent<S>>,
     {
-        self.nested = Some(Box::new(move |near, at| {
+        self.second_order = Some(Box::new(move |near, at| {
             straight(&f(bent(near, at, S::nearest)), S::widen)
         }));
         self
@@ -171,7 +171,7 @@ impl<S: Number, X: Pack<Scalar = S>> Subject for Wide<'_, '_, X> {
         let jacobian = (x.len() <= FEW_INPUTS).then(|| self.jacobian(x))??;
         Some(combined(y_bar, &jacobian, x.len()))
     }
-    fn nested(&self, x: &[f64], y_bar: &[f64], direction: &[f64]) -> Option<Vec<f64>> {
+    fn second_order(&self, x: &[f64], y_bar: &[f64], direction: &[f64]) -> Option<Vec<f64>> {
         let near = self.narrow.near;
         Some(bends(|at| (self.source)(near, at).0, x, y_bar, direction))
     }

@@ -1,6 +1,6 @@
-//! Who hears what ladders of steps say about one slope along one direction.
-use crate::ad::check::hearing::{Rehearing, Said, rehear};
+//! One slope along one direction against what ladders of steps give for it.
 use crate::ad::check::judge::SAFETY;
+use crate::ad::check::opinion::{Opinion, Review, review};
 use crate::ad::check::slopes::FIRST;
 use crate::ad::check::verdict::Place;
 use crate::ad::check::witness::{Estimate, Ladder};
@@ -8,8 +8,8 @@ use crate::ad::check::witness::{Estimate, Ladder};
 /// A difference whose error is larger than this share of the largest slope says nothing.
 pub(crate) const INFORMATIVE: f64 = 0.02;
 
-/// What there is to hear: a slope, and ladders of any first step along its direction.
-pub(crate) struct Listener<'l> {
+/// What is compared: a slope, and ladders of any first step along its direction.
+pub(crate) struct SlopeTest<'l> {
     pub(crate) weights: &'l [f64],
     /// Values along the direction.
     pub(crate) here: &'l Ladder,
@@ -32,61 +32,61 @@ pub(crate) struct Listener<'l> {
     pub(crate) own: f64,
 }
 
-impl Listener<'_> {
+impl SlopeTest<'_> {
     /// What the first ladder says.
-    pub(crate) fn first(&self) -> Said {
-        self.hear(self.here)
+    pub(crate) fn first(&self) -> Opinion {
+        self.compare(self.here)
     }
 
     /// What another says.
-    fn other(&self, first: f64) -> Said {
+    fn other(&self, first: f64) -> Opinion {
         let ladder = (self.climb)(first);
         if ladder.still() && !self.here.still() {
             // Too small steps, and no slope of zero.
-            return Said::Fine {
+            return Opinion::Fine {
                 place: Place::Undefined,
                 switched: false,
                 estimate: None,
             };
         }
-        self.hear(&ladder)
+        self.compare(&ladder)
     }
 
     /// What ladders say that begin at the number's own size, where that is far smaller than its scale.
-    fn of_own_size(&self) -> Vec<Said> {
+    fn of_own_size(&self) -> Vec<Opinion> {
         let worth = self.guessed && self.own > 0.0 && self.own < 0.5;
         let firsts = [0.1, 0.037].iter().filter(|_| worth);
         firsts.map(|first| self.other(first * self.own)).collect()
     }
 
     /// Finer steps, where the first ones say nothing.
-    pub(crate) fn finer(&self, said: Said) -> Said {
+    pub(crate) fn finer(&self, said: Opinion) -> Opinion {
         if !said.undefined() || !self.guessed {
             return said;
         }
         let own = self.of_own_size();
         let own = own.into_iter().filter(|said| !said.undefined());
         let finer = FIRST[3..].iter().map(|&first| self.other(first));
-        let fine = |said: &Said| matches!(said, Said::Fine { .. }) && !said.undefined();
+        let fine = |said: &Opinion| matches!(said, Opinion::Fine { .. }) && !said.undefined();
         own.chain(finer.filter(fine)).last().unwrap_or(said)
     }
 
     /// What all ladders make of a complaint. Against two witnesses that `agree` the finest steps must
     /// speak: a pole that steps leap over is no comparison that a trace could show.
-    pub(crate) fn again(&self, said: Said, agree: bool) -> Rehearing {
+    pub(crate) fn again(&self, said: Opinion, agree: bool) -> Review {
         let mut all = vec![said];
         all.extend(FIRST[1..].iter().map(|&first| self.other(first)));
         let own = self.of_own_size();
-        let mut heard = rehear(&all, &own, self.exact);
+        let mut covered = review(&all, &own, self.exact);
         let finest = all.iter().chain(&own).last();
-        if agree && self.guessed && finest.is_some_and(Said::undefined) {
-            heard.stands = false;
+        if agree && self.guessed && finest.is_some_and(Opinion::undefined) {
+            covered.stands = false;
         }
-        heard
+        covered
     }
 
     /// The slope against an estimate that is the same on both sides.
-    fn smooth(&self, e: Estimate, informative: bool, switched: bool, rough: f64) -> Said {
+    fn smooth(&self, e: Estimate, informative: bool, switched: bool, rough: f64) -> Opinion {
         let tolerance = SAFETY * e.error + self.exact;
         let gap = (e.value - self.slope).abs();
         let roughly = Estimate {
@@ -96,27 +96,27 @@ impl Listener<'_> {
         let explained = gap <= SAFETY * roughly.error + self.exact;
         if tolerance.is_finite() && informative && (gap <= tolerance || !explained) {
             return if gap <= tolerance {
-                Said::Fine {
+                Opinion::Fine {
                     place: Place::Smooth,
                     switched,
                     estimate: Some(e),
                 }
             } else {
-                Said::Other {
+                Opinion::Other {
                     estimate: e,
                     tolerance,
                 }
             };
         }
-        Said::Fine {
+        Opinion::Fine {
             place: Place::Undefined,
             switched,
             estimate: explained.then_some(roughly),
         }
     }
 
-    /// Hears what a ladder says.
-    fn hear(&self, ladder: &Ladder) -> Said {
+    /// What a ladder says of the slope.
+    fn compare(&self, ladder: &Ladder) -> Opinion {
         let (weights, slope, exact) = (self.weights, self.slope, self.exact);
         let noise = self.noise.max(ladder.noise(weights));
         let rough = if ladder.still() {
@@ -124,7 +124,7 @@ impl Listener<'_> {
         } else {
             self.rough
         };
-        let undefined = Said::Fine {
+        let undefined = Opinion::Fine {
             place: Place::Undefined,
             switched: ladder.traced,
             estimate: None,
@@ -174,7 +174,7 @@ impl Listener<'_> {
                 error: error + 0.5 * (high - low) / SAFETY,
                 step: ahead.step.min(behind.step),
             };
-            return Said::Fine {
+            return Opinion::Fine {
                 place: Place::Undefined,
                 switched: ladder.traced,
                 estimate: (beyond <= tolerance).then_some(middle),
@@ -186,13 +186,13 @@ impl Listener<'_> {
         }
         if beyond <= tolerance {
             let place = if border { Place::Smooth } else { Place::Kink };
-            Said::Fine {
+            Opinion::Fine {
                 place,
                 switched: ladder.traced,
                 estimate: None,
             }
         } else {
-            Said::Outside { sides, tolerance }
+            Opinion::Outside { sides, tolerance }
         }
     }
 }

@@ -5,7 +5,7 @@ use crate::ad::check::witness::Estimate;
 
 /// What steps along one direction say about a slope.
 #[derive(Clone, Copy, Debug)]
-pub(crate) enum Said {
+pub(crate) enum Opinion {
     /// In order, at such a place; `switched` when other branches were taken however small the step.
     /// At an undefined place the estimate, if any, is too coarse for a slope as large as others are,
     /// and agrees.
@@ -21,12 +21,12 @@ pub(crate) enum Said {
     Outside { sides: [f64; 2], tolerance: f64 },
 }
 
-impl Said {
+impl Opinion {
     /// Whether nothing was said.
     pub(crate) fn undefined(&self) -> bool {
         matches!(
             self,
-            Said::Fine {
+            Opinion::Fine {
                 place: Place::Undefined,
                 ..
             }
@@ -34,12 +34,12 @@ impl Said {
     }
     /// Whether it is a complaint.
     pub(crate) fn complains(&self) -> bool {
-        !matches!(self, Said::Fine { .. })
+        !matches!(self, Opinion::Fine { .. })
     }
 }
 
 /// What other ladders make of a complaint.
-pub(crate) struct Rehearing {
+pub(crate) struct Review {
     /// Whether it stands: another ladder repeats it, and none contradicts.
     pub(crate) stands: bool,
     /// The best estimate against the slope, if any.
@@ -53,28 +53,28 @@ pub(crate) struct Rehearing {
 ///
 /// A ladder contradicts a complaint when what it says instead is another slope than the complaint's,
 /// by more than both may be off. One so coarse that it agrees with both has no opinion.
-pub(crate) fn rehear(said: &[Said], own: &[Said], exact: f64) -> Rehearing {
+pub(crate) fn review(said: &[Opinion], own: &[Opinion], exact: f64) -> Review {
     let mut against: Vec<Estimate> = Vec::new();
     let mut support: Vec<Estimate> = Vec::new();
     let (mut outside, mut kink) = (0, false);
     for said in said.iter().chain(own) {
         match *said {
-            Said::Other { estimate, .. } => against.push(estimate),
-            Said::Outside { .. } => outside += 1,
-            Said::Fine {
+            Opinion::Other { estimate, .. } => against.push(estimate),
+            Opinion::Outside { .. } => outside += 1,
+            Opinion::Fine {
                 place: Place::Undefined,
                 ..
             } => {}
-            Said::Fine {
+            Opinion::Fine {
                 place: Place::Smooth,
                 estimate: Some(e),
                 ..
             } => support.push(e),
-            Said::Fine { .. } => kink = true,
+            Opinion::Fine { .. } => kink = true,
         }
     }
     let finest = own.iter().find_map(|said| match said {
-        Said::Other { estimate, .. } => Some(*estimate),
+        Opinion::Other { estimate, .. } => Some(*estimate),
         _ => None,
     });
     let by_error = |a: &Estimate, b: &Estimate| a.error.total_cmp(&b.error);
@@ -89,7 +89,7 @@ pub(crate) fn rehear(said: &[Said], own: &[Said], exact: f64) -> Rehearing {
         ),
         None => (outside, !support.is_empty()),
     };
-    Rehearing {
+    Review {
         stands: repeated >= 2 && !contradicted && !kink,
         against: best,
         supported: !support.is_empty(),
