@@ -74,7 +74,8 @@ pub(super) fn far_apart<S: Scalar>(pair: &Relative3<S>) -> S::Mask {
     };
     // (|h| + |p|)² ≤ 2 |h|² + 2 |p|², with room for rounding.
     let reach = square(pair.half_a) + square(pair.half_b);
-    (reach * S::Primal::lit(2.001)).below(square(pair.center))
+    // Not "above": a centre whose place in the pair's unit overflowed may be no number.
+    !square(pair.center).at_most(reach * S::Primal::lit(2.001))
 }
 
 /// The pair as a function of its own: what it needs of the stack is free again when volumes are measured.

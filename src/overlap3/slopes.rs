@@ -69,10 +69,10 @@ fn score_vjp<S: Scalar>(
         _ => value,
     };
     let bars = by_volumes(over, ratio, [shared.volume, volume_a, volume_b], out_bar);
-    // Of identical boxes the union is as flat as can be, by symmetry.
+    // Of identical boxes the union is as flat as can be, by symmetry; of boxes apart every score is.
     let flat = match over {
-        Denominator::Union => pair.same,
-        _ => S::one().below(S::zero()),
+        Denominator::Union => pair.same | apart,
+        _ => apart,
     };
     let [bar, bar_a, bar_b] = bars.map(|bar| S::select(flat, S::zero(), bar));
 

@@ -129,7 +129,7 @@ impl<S: Scalar> Aabb2<S> {
     ///
     /// ```
     /// use geograd::Aabb2;
-    /// let (a, b) = (Aabb2::new(0.0, 0.0, 2.0, 2.0), Aabb2::new(2.0, 1.0, 3.0, 2.0));
+    /// let (a, b) = (Aabb2::new(0.0_f64, 0.0, 2.0, 2.0), Aabb2::new(2.0, 1.0, 3.0, 2.0));
     /// assert!(a.touches(b) && !a.encloses(b));
     /// ```
     #[must_use]

@@ -438,27 +438,36 @@ geograd::for_each_op!(tests);
 
 /// Operations of the list of straight lines that have kernels or a filter.
 macro_rules! more {
-    ($($name:ident: $op:ident,)*) => { $(mod $name {
+    ($($format:ident { $($name:ident: $op:ident,)* })*) => { $($(mod $name {
         use super::*;
         use geograd::kernels::$op;
         #[test]
         fn anywhere_in_a_batch() {
             positions::<$op, f32>();
-            positions::<$op, f64>();
+            more!(@$format positions $op);
         }
         #[test]
         fn of_long_lists() {
             scenes::<$op, f32>();
-            scenes::<$op, f64>();
+            more!(@$format scenes $op);
         }
-    })* };
+    })*)* };
+    (@both $test:ident $op:ident) => {
+        $test::<$op, f64>();
+    };
+    (@single $test:ident $op:ident) => {};
 }
 more! {
-    giou_obb2: GiouObb2,
-    intersection_volume_yaw: IntersectionVolumeYaw,
-    iou_yaw: IouYaw,
-    iof_yaw: IofYaw,
-    iou_birds_eye: IouBirdsEye,
-    iou_obb3: IouObb3,
-    iou_aabb3: IouAabb3,
+    both {
+        giou_obb2: GiouObb2,
+        intersection_volume_yaw: IntersectionVolumeYaw,
+        iou_yaw: IouYaw,
+    }
+    // The same in double precision by kernels and filters that those above share; longer programs than all others.
+    single {
+        iof_yaw: IofYaw,
+        iou_birds_eye: IouBirdsEye,
+        iou_aabb3: IouAabb3,
+        iou_obb3: IouObb3,
+    }
 }

@@ -57,7 +57,7 @@ fn refused(report: &Report) {
 fn long_rings_are_accepted() {
     let report = of_area(area_slopes);
     assert!(report.passed(), "{report}");
-    // Duals were heard, though there was no Jacobian.
+    // Duals had their say, though there was no Jacobian.
     assert!(report.worst[0].count > 0 && report.worst[2].count > 0);
     let perimeter = Check::at(star(LONG))
         .value(|ring: Ring| ring::perimeter(&ring))

@@ -22,7 +22,7 @@ fn sum_of_squares<S: Scalar>([a, b]: [S; 2]) -> S {
     a * a + b * b
 }
 
-/// Nothing heard is nothing proved.
+/// Nothing judged is nothing proved.
 mod unjudged {
     use super::*;
 
