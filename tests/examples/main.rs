@@ -7,6 +7,7 @@ mod assign;
 mod calibrate;
 mod custom_shape;
 mod iou_csv;
+mod layout;
 mod polygon_fit;
 mod refine_detections;
 
@@ -279,6 +280,7 @@ fn wrong_command_lines() {
         "custom_shape",
         "calibrate",
         "polygon_fit",
+        "layout",
     ] {
         let done = run(name, &at, "--help");
         assert_eq!(status(&done), 0);

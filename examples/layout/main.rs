@@ -1,0 +1,111 @@
+//! A dozen shapes of four kinds packed into a container without overlap, by descent on how deep they are in each
+//! other and in the walls. `cargo run --release -p geograd --example layout`; `-- --help` has the options.
+//!
+//! | file | what it holds |
+//! | --- | --- |
+//! | `pack.rs` | the shapes, the loss with its slopes by every pose, the steps |
+//! | `draw.rs` | the picture |
+mod draw;
+#[path = "../common/failure.rs"]
+mod failure;
+mod pack;
+#[path = "../common/random.rs"]
+mod random;
+
+use failure::{Failure, say};
+use indicatif::{ProgressBar, ProgressStyle};
+use lexopt::prelude::*;
+use pack::Layout;
+use std::fmt::Write as _;
+use std::path::{Path, PathBuf};
+
+const HELP: &str = "\
+Packs a dozen shapes of four kinds into a container by gradient descent, and draws them before and after.
+
+Usage: layout [options]
+
+  --seed N          other shapes and another start [default: 1]
+  --iterations N    steps [default: 600]
+  --svg FILE        a picture [default: layout.svg]
+  --csv FILE        iteration,loss,penetration of every step
+  --help            this text
+";
+
+struct Options {
+    seed: u64,
+    iterations: usize,
+    svg: PathBuf,
+    csv: Option<PathBuf>,
+}
+
+fn options() -> Result<Option<Options>, Failure> {
+    let mut options = Options {
+        seed: 1,
+        iterations: 600,
+        svg: "layout.svg".into(),
+        csv: None,
+    };
+    let mut arguments = lexopt::Parser::from_env();
+    while let Some(argument) = arguments.next()? {
+        match argument {
+            Long("seed") => options.seed = arguments.value()?.parse()?,
+            Long("iterations") => options.iterations = arguments.value()?.parse()?,
+            Long("svg") => options.svg = arguments.value()?.into(),
+            Long("csv") => options.csv = Some(arguments.value()?.into()),
+            Long("help") | Short('h') => return Ok(None),
+            other => return Err(other.unexpected().into()),
+        }
+    }
+    if options.csv.as_ref() == Some(&options.svg) {
+        return Err(Failure::Usage(
+            "`--svg` and `--csv` are the same file".into(),
+        ));
+    }
+    Ok(Some(options))
+}
+
+fn write(file: &Path, text: &str) -> Result<(), Failure> {
+    let failed = |error| Failure::Work(format!("{}: {error}", file.display()));
+    std::fs::write(file, text).map_err(failed)
+}
+
+fn run() -> Result<String, Failure> {
+    let Some(options) = options()? else {
+        return Ok(HELP.into());
+    };
+    let style = ProgressStyle::with_template("{bar:30} {pos}/{len} steps ({elapsed})");
+    let style = style.map_err(|error| Failure::Work(error.to_string()))?;
+    let bar = ProgressBar::new(options.iterations as u64).with_style(style);
+    let layout = Layout::run(options.seed, options.iterations, || bar.inc(1));
+    bar.finish_and_clear();
+    write(&options.svg, &draw::page(&layout))?;
+    if let Some(file) = &options.csv {
+        let mut table = String::from("iteration,loss,penetration\n");
+        for (k, step) in layout.steps.iter().enumerate() {
+            let _ = writeln!(table, "{k},{},{}", step.loss, step.penetration);
+        }
+        write(file, &table)?;
+    }
+    let (first, last) = (layout.steps[0], layout.steps[layout.steps.len() - 1]);
+    Ok(format!(
+        "{} shapes fill {:.0} % of the container\n\
+         deepest penetration  before {:.4}   after {:.4}\n\
+         loss                 before {:.4}   after {:.6}\n",
+        layout.forms.len(),
+        100.0 * layout.filled(),
+        first.penetration,
+        last.penetration,
+        first.loss,
+        last.loss
+    ))
+}
+
+fn main() -> std::process::ExitCode {
+    match run() {
+        Ok(text) => {
+            say(&text);
+            std::process::ExitCode::SUCCESS
+        }
+        Err(failure) => failure.report("layout"),
+    }
+}

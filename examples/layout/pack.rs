@@ -1,0 +1,240 @@
+//! The shapes, how much they are in each other's way, and the descent.
+use crate::random::Draw;
+use geograd::distance::signed_distance;
+use geograd::{Aabb2, Capsule2, Circle, Obb2, Pose2, Scalar, Triangle2, Vec2, ad};
+
+/// Half the width and half the height of the container, whose centre is the origin.
+pub const CONTAINER: [f64; 2] = [2.6, 1.8];
+/// How far apart shapes and walls are to be.
+const CLEARANCE: f64 = 0.06;
+/// How long the first step is, in units of length and in radians.
+const STEP: f64 = 0.08;
+
+/// A shape in its own frame.
+#[derive(Clone, Copy, Debug)]
+pub enum Form {
+    /// Its radius.
+    Disc(f64),
+    /// Half its length without the caps, and its radius.
+    Stick(f64, f64),
+    /// Its width and height.
+    Crate(f64, f64),
+    /// Its corners, counter-clockwise.
+    Wedge([Vec2<f64>; 3]),
+}
+
+/// Where a shape is: x, y, heading.
+pub type Place<S> = [S; 3];
+
+/// A shape in the container.
+#[derive(Clone, Copy, Debug)]
+pub enum Placed<S> {
+    Disc(Circle<S>),
+    Stick(Capsule2<S>),
+    Crate(Obb2<S>),
+    Wedge(Triangle2<S>),
+}
+
+impl Form {
+    fn random(kind: usize, draw: &mut Draw) -> Self {
+        let mut between = |low: f64, high: f64| low + (high - low) * f64::from(draw.uniform());
+        match kind % 4 {
+            0 => Form::Disc(between(0.35, 0.6)),
+            1 => Form::Stick(between(0.4, 0.8), between(0.15, 0.3)),
+            2 => Form::Crate(between(0.8, 1.6), between(0.6, 1.0)),
+            _ => {
+                let size = between(0.6, 0.95);
+                Form::Wedge([0.4, 2.5, 4.6].map(|turn| {
+                    let angle: f64 = turn + between(-0.35, 0.35);
+                    Vec2::new(size * angle.cos(), size * angle.sin())
+                }))
+            }
+        }
+    }
+
+    /// Its area.
+    fn area(self) -> f64 {
+        match self.at([0.0; 3]) {
+            Placed::Disc(disc) => disc.area(),
+            Placed::Stick(stick) => stick.area(),
+            Placed::Crate(rectangle) => rectangle.area(),
+            Placed::Wedge(wedge) => wedge.area(),
+        }
+    }
+
+    /// The shape at a place.
+    pub fn at<S: Scalar>(self, [x, y, heading]: Place<S>) -> Placed<S> {
+        let pose = Pose2::new(Vec2::new(x, y), heading);
+        let lit = |v: Vec2<f64>| pose * Vec2::new(S::lit(v.x), S::lit(v.y));
+        match self {
+            Form::Disc(radius) => Placed::Disc(Circle::new(pose.translation, S::lit(radius))),
+            Form::Stick(half, radius) => Placed::Stick(Capsule2::new(
+                lit(Vec2::new(-half, 0.0)),
+                lit(Vec2::new(half, 0.0)),
+                S::lit(radius),
+            )),
+            Form::Crate(width, height) => {
+                Placed::Crate(Obb2::new(x, y, S::lit(width), S::lit(height), heading))
+            }
+            Form::Wedge([a, b, c]) => Placed::Wedge(Triangle2::new(lit(a), lit(b), lit(c))),
+        }
+    }
+}
+
+impl<S: Scalar> Placed<S> {
+    fn bounding(self) -> Aabb2<S> {
+        match self {
+            Placed::Disc(disc) => disc.bounding(),
+            Placed::Stick(stick) => stick.bounding(),
+            Placed::Crate(rectangle) => rectangle.bounding(),
+            Placed::Wedge(wedge) => wedge.bounding(),
+        }
+    }
+
+    /// The distance from another shape, or minus the depth of their overlap.
+    fn gap(self, other: Self) -> S {
+        use Placed::{Crate, Disc, Stick, Wedge};
+        match (self, other) {
+            (Disc(a), Disc(b)) => signed_distance(a, b),
+            (Disc(a), Stick(b)) | (Stick(b), Disc(a)) => signed_distance(a, b),
+            (Disc(a), Crate(b)) | (Crate(b), Disc(a)) => signed_distance(a, b),
+            (Disc(a), Wedge(b)) | (Wedge(b), Disc(a)) => signed_distance(a, b),
+            (Stick(a), Stick(b)) => signed_distance(a, b),
+            (Stick(a), Crate(b)) | (Crate(b), Stick(a)) => signed_distance(a, b),
+            (Stick(a), Wedge(b)) | (Wedge(b), Stick(a)) => signed_distance(a, b),
+            (Crate(a), Crate(b)) => signed_distance(a, b),
+            (Crate(a), Wedge(b)) | (Wedge(b), Crate(a)) => signed_distance(a, b),
+            (Wedge(a), Wedge(b)) => signed_distance(a, b),
+        }
+    }
+
+    /// The distances from the four walls, negative beyond them.
+    fn room(self) -> [S; 4] {
+        let bounds = self.bounding();
+        let [width, height] = CONTAINER.map(S::lit);
+        [
+            bounds.min.x + width,
+            bounds.min.y + height,
+            width - bounds.max.x,
+            height - bounds.max.y,
+        ]
+    }
+}
+
+/// What a gap costs: nothing where it is wide enough, else the square of what it lacks.
+fn cost<S: Scalar>(gap: S) -> S {
+    let lack = (S::lit(CLEARANCE) - gap).most(S::zero());
+    lack * lack
+}
+
+/// How well shapes lie.
+#[derive(Clone, Copy, Debug)]
+pub struct Step {
+    /// The sum of what all gaps cost.
+    pub loss: f64,
+    /// How deep the worst pair is in each other, or a shape in a wall.
+    pub penetration: f64,
+}
+
+/// Shapes with their places before and after, and every step between.
+pub struct Layout {
+    pub forms: Vec<Form>,
+    pub start: Vec<Place<f64>>,
+    pub found: Vec<Place<f64>>,
+    pub steps: Vec<Step>,
+}
+
+/// The loss, its slopes by every place, and the deepest penetration.
+fn judge(forms: &[Form], places: &[Place<f64>]) -> (Step, Vec<Place<f64>>) {
+    let mut slopes = vec![[0.0; 3]; places.len()];
+    let mut step = Step {
+        loss: 0.0,
+        penetration: 0.0,
+    };
+    let mut add = |i: usize, slope: Place<f64>| {
+        for (sum, s) in slopes[i].iter_mut().zip(slope) {
+            *sum += s;
+        }
+    };
+    for i in 0..forms.len() {
+        for gap in forms[i].at(places[i]).room() {
+            step.penetration = step.penetration.max(-gap);
+        }
+        let walls = |place: Place<_>| {
+            let [left, bottom, right, top] = forms[i].at(place).room().map(cost);
+            (left + bottom) + (right + top)
+        };
+        let (loss, slope) = ad::gradient(walls, places[i]);
+        step.loss += loss;
+        add(i, slope);
+        for j in 0..i {
+            let gap = forms[i].at(places[i]).gap(forms[j].at(places[j]));
+            step.penetration = step.penetration.max(-gap);
+            if gap > CLEARANCE {
+                continue;
+            }
+            let pair = |(a, b): (Place<_>, Place<_>)| cost(forms[i].at(a).gap(forms[j].at(b)));
+            let (loss, (by_a, by_b)) = ad::gradient(pair, (places[i], places[j]));
+            step.loss += loss;
+            add(i, by_a);
+            add(j, by_b);
+        }
+    }
+    (step, slopes)
+}
+
+impl Layout {
+    /// Shapes and a start of a seed, moved so many steps; `tick` is called after each.
+    pub fn run(seed: u64, iterations: usize, tick: impl Fn()) -> Self {
+        let mut draw = Draw::new(&[seed]);
+        let forms: Vec<Form> = (0..12).map(|kind| Form::random(kind, &mut draw)).collect();
+        let start: Vec<Place<f64>> = (forms.iter())
+            .map(|_| {
+                let mut within = |reach: f64| reach * (2.0 * f64::from(draw.uniform()) - 1.0);
+                [within(1.5), within(1.0), within(3.0)]
+            })
+            .collect();
+        let mut layout = Layout {
+            found: start.clone(),
+            start,
+            forms,
+            steps: Vec::with_capacity(iterations + 1),
+        };
+        // Adam (Kingma and Ba 2015), with steps that get shorter.
+        let mut mean = vec![[0.0; 3]; layout.forms.len()];
+        let mut square = mean.clone();
+        for t in 0..iterations {
+            let (step, slopes) = judge(&layout.forms, &layout.found);
+            layout.steps.push(step);
+            let share = t as f64 / iterations as f64;
+            let length = STEP * (1.0 - share).powi(2);
+            let turns = (t + 1) as i32;
+            let (first, second) = (1.0 - 0.9_f64.powi(turns), 1.0 - 0.99_f64.powi(turns));
+            for (i, slope) in slopes.iter().enumerate() {
+                for (k, s) in slope.iter().enumerate() {
+                    mean[i][k] = 0.9 * mean[i][k] + 0.1 * s;
+                    square[i][k] = 0.99 * square[i][k] + 0.01 * s * s;
+                    let along = mean[i][k] / first / ((square[i][k] / second).sqrt() + 1e-9);
+                    layout.found[i][k] -= length * along;
+                }
+            }
+            // What is stuck is shaken, less and less, in the first half.
+            if t % 40 == 39 && share < 0.5 && step.penetration > 1e-2 {
+                for place in &mut layout.found {
+                    for x in place {
+                        *x += 0.15 * (1.0 - 2.0 * share) * f64::from(draw.normal());
+                    }
+                }
+            }
+            tick();
+        }
+        layout.steps.push(judge(&layout.forms, &layout.found).0);
+        layout
+    }
+
+    /// The share of the container that shapes take.
+    pub fn filled(&self) -> f64 {
+        let area: f64 = self.forms.iter().map(|form| form.area()).sum();
+        area / (4.0 * CONTAINER[0] * CONTAINER[1])
+    }
+}
