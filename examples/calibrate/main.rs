@@ -16,6 +16,8 @@
 mod descent;
 #[path = "../common/failure.rs"]
 mod failure;
+#[path = "../common/file.rs"]
+mod file;
 #[path = "../common/known.rs"]
 mod known;
 mod picture;
@@ -25,6 +27,7 @@ mod scene;
 
 use descent::State;
 use failure::{Failure, say};
+use file::write;
 use indicatif::{ProgressBar, ProgressStyle};
 use scene::Scene;
 use std::fmt::Write as _;
@@ -81,11 +84,6 @@ fn options() -> Result<Option<Options>, Failure> {
         return Err(Failure::Usage(why.into()));
     }
     Ok(Some(options))
-}
-
-fn write(path: &Path, text: &str) -> Result<(), Failure> {
-    std::fs::write(path, text)
-        .map_err(|error| Failure::Work(format!("{}: {error}", path.display())))
 }
 
 /// Shows itself only where stderr is a terminal.

@@ -8,11 +8,14 @@
 mod draw;
 #[path = "../common/failure.rs"]
 mod failure;
+#[path = "../common/file.rs"]
+mod file;
 mod pack;
 #[path = "../common/random.rs"]
 mod random;
 
 use failure::{Failure, say};
+use file::write;
 use indicatif::{ProgressBar, ProgressStyle};
 use lexopt::prelude::*;
 use pack::Layout;
@@ -62,11 +65,6 @@ fn options() -> Result<Option<Options>, Failure> {
         ));
     }
     Ok(Some(options))
-}
-
-fn write(file: &Path, text: &str) -> Result<(), Failure> {
-    let failed = |error| Failure::Work(format!("{}: {error}", file.display()));
-    std::fs::write(file, text).map_err(failed)
 }
 
 fn run() -> Result<String, Failure> {

@@ -3,10 +3,13 @@
 mod draw;
 #[path = "../common/failure.rs"]
 mod failure;
+#[path = "../common/file.rs"]
+mod file;
 mod fit;
 mod target;
 
 use failure::{Failure, say};
+use file::write;
 use fit::{Fit, Loss};
 use indicatif::{ProgressBar, ProgressStyle};
 use lexopt::prelude::*;
@@ -65,11 +68,6 @@ fn options() -> Result<Option<Options>, Failure> {
         ));
     }
     Ok(Some(options))
-}
-
-fn write(file: &PathBuf, text: &str) -> Result<(), Failure> {
-    let failed = |error| Failure::Work(format!("{}: {error}", file.display()));
-    std::fs::write(file, text).map_err(failed)
 }
 
 fn run() -> Result<String, Failure> {

@@ -25,6 +25,8 @@
 mod assign;
 #[path = "../common/cli.rs"]
 mod cli;
+#[path = "../common/file.rs"]
+mod file;
 mod kitti;
 #[path = "../common/known.rs"]
 mod known;
@@ -43,6 +45,7 @@ mod svg;
 mod table;
 
 use cli::{Failure, Machine, Wish};
+use file::write;
 use geograd::Error;
 use geograd::Obb2;
 use geograd::kernels::Backend;
@@ -53,7 +56,6 @@ use matching::{Match, Quality};
 use model::{Frame, Frames};
 use options::{HELP, Options, options};
 use std::collections::BTreeMap;
-use std::path::Path;
 use std::process::ExitCode;
 use std::time::Instant;
 use table::{Counts, Times};
@@ -116,12 +118,6 @@ fn machine(options: &Options) -> Result<Machine, Failure> {
         return Ok(cli::on_the_cpu(PROGRAM, why));
     }
     options.wish.machine(PROGRAM)
-}
-
-/// Writes a file.
-fn write(path: &Path, text: &str) -> Result<(), Failure> {
-    std::fs::write(path, text)
-        .map_err(|error| Failure::Work(format!("{}: {error}", path.display())))
 }
 
 /// Exit status 1 for the `true` of lines that could not be used.
