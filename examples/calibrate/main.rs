@@ -31,7 +31,7 @@ use file::write;
 use indicatif::{ProgressBar, ProgressStyle};
 use scene::Scene;
 use std::fmt::Write as _;
-use std::path::{Path, PathBuf};
+use std::path::PathBuf;
 use std::process::ExitCode;
 
 const PROGRAM: &str = "calibrate";

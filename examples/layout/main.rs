@@ -20,7 +20,7 @@ use indicatif::{ProgressBar, ProgressStyle};
 use lexopt::prelude::*;
 use pack::Layout;
 use std::fmt::Write as _;
-use std::path::{Path, PathBuf};
+use std::path::PathBuf;
 
 const HELP: &str = "\
 Packs a dozen shapes of four kinds into a container by gradient descent, and draws them before and after.
