@@ -2,6 +2,8 @@
 use geograd::Obb2;
 
 pub mod calls;
+#[cfg(feature = "list")]
+pub mod list;
 
 /// A small reproducible source of numbers.
 #[derive(Clone, Debug)]

@@ -1,7 +1,7 @@
 //! Every operation of the list, proved by the harness: hard cases first, then random inputs, in
 //! both formats.
 use geograd::ad::check::Plan;
-use geograd::kernels::check::{prove_decided_with, prove_fold_with, prove_ring_with, prove_with};
+use geograd_tests::list;
 
 /// Random inputs per operation and format. Hard cases come on top.
 const SAMPLES: usize = 100;
@@ -29,6 +29,15 @@ fn plan_of_rows() -> Plan<'static> {
     }
 }
 
+/// An operation of the list in one format is proved.
+fn proved(name: &str, wide: bool, plan: &Plan<'_>) {
+    let all = list::proofs();
+    let found = all.iter().find(|proof| (proof.0, proof.1) == (name, wide));
+    let (_, _, prove) = found.expect("an operation of the list");
+    let report = prove(plan, None).expect("no batch that could fail");
+    assert!(report.passed(), "{report}");
+}
+
 macro_rules! prove_all {
     (pairs { $($pair:ident: $pair_op:ty,)* } rings { $($ring:ident: $ring_op:ty,)* }
      straight { $($straight:ident: $straight_op:ty,)* }
@@ -38,74 +47,30 @@ macro_rules! prove_all {
          folds { $($more_fold:ident: $more_fold_op:ty,)* }
          decided { $($more_decided:ident: $more_decided_op:ty,)* }
      }) => {
-        mod f64 {
-            use super::*;
-            $(#[test] fn $pair() {
-                let report = prove_with::<$pair_op, f64>(&plan());
-                assert!(report.passed(), "{report}");
-            })*
-            $(#[test] fn $ring() {
-                let report = prove_ring_with::<$ring_op, f64>(&plan());
-                assert!(report.passed(), "{report}");
-            })*
-            $(#[test] fn $straight() {
-                let report = prove_with::<$straight_op, f64>(&plan_of_rows());
-                assert!(report.passed(), "{report}");
-            })*
-            $(#[test] fn $fold() {
-                let report = prove_fold_with::<$fold_op, f64>(&plan_of_rows());
-                assert!(report.passed(), "{report}");
-            })*
-            $(#[test] fn $decided() {
-                let report = prove_decided_with::<$decided_op, f64>(&plan_of_rows());
-                assert!(report.passed(), "{report}");
-            })*
-            $(#[test] #[cfg(not(debug_assertions))] fn $more() {
-                let report = prove_with::<$more_op, f64>(&plan_of_rows());
-                assert!(report.passed(), "{report}");
-            })*
-            $(#[test] #[cfg(not(debug_assertions))] fn $more_fold() {
-                let report = prove_fold_with::<$more_fold_op, f64>(&plan_of_rows());
-                assert!(report.passed(), "{report}");
-            })*
-            $(#[test] #[cfg(not(debug_assertions))] fn $more_decided() {
-                let report = prove_decided_with::<$more_decided_op, f64>(&plan_of_rows());
-                assert!(report.passed(), "{report}");
-            })*
+        prove_all! { @each
+            hot { $($pair)* $($ring)* }
+            rows { $($straight)* $($fold)* $($decided)* }
+            further { $($more)* $($more_fold)* $($more_decided)* }
+            f64 true
         }
-        mod f32 {
+        prove_all! { @each
+            hot { $($pair)* $($ring)* }
+            rows { $($straight)* $($fold)* $($decided)* }
+            further { $($more)* $($more_fold)* $($more_decided)* }
+            f32 false
+        }
+    };
+    (@each hot { $($hot:ident)* } rows { $($row:ident)* } further { $($more:ident)* } $format:ident $wide:literal) => {
+        mod $format {
             use super::*;
-            $(#[test] fn $pair() {
-                let report = prove_with::<$pair_op, f32>(&plan());
-                assert!(report.passed(), "{report}");
+            $(#[test] fn $hot() {
+                proved(stringify!($hot), $wide, &plan());
             })*
-            $(#[test] fn $ring() {
-                let report = prove_ring_with::<$ring_op, f32>(&plan());
-                assert!(report.passed(), "{report}");
-            })*
-            $(#[test] fn $straight() {
-                let report = prove_with::<$straight_op, f32>(&plan_of_rows());
-                assert!(report.passed(), "{report}");
-            })*
-            $(#[test] fn $fold() {
-                let report = prove_fold_with::<$fold_op, f32>(&plan_of_rows());
-                assert!(report.passed(), "{report}");
-            })*
-            $(#[test] fn $decided() {
-                let report = prove_decided_with::<$decided_op, f32>(&plan_of_rows());
-                assert!(report.passed(), "{report}");
+            $(#[test] fn $row() {
+                proved(stringify!($row), $wide, &plan_of_rows());
             })*
             $(#[test] #[cfg(not(debug_assertions))] fn $more() {
-                let report = prove_with::<$more_op, f32>(&plan_of_rows());
-                assert!(report.passed(), "{report}");
-            })*
-            $(#[test] #[cfg(not(debug_assertions))] fn $more_fold() {
-                let report = prove_fold_with::<$more_fold_op, f32>(&plan_of_rows());
-                assert!(report.passed(), "{report}");
-            })*
-            $(#[test] #[cfg(not(debug_assertions))] fn $more_decided() {
-                let report = prove_decided_with::<$more_decided_op, f32>(&plan_of_rows());
-                assert!(report.passed(), "{report}");
+                proved(stringify!($more), $wide, &plan_of_rows());
             })*
         }
     };

@@ -1,0 +1,111 @@
+//! What tests and the report ask of every operation of the list, compiled here once for all of them.
+use geograd::Error;
+use geograd::ad::check::{Plan, Report};
+use geograd::kernels::Backend;
+use geograd::kernels::check::{
+    prove_any_on, prove_decided_with, prove_fold_with, prove_on, prove_ring_on, prove_ring_with,
+    prove_with,
+};
+use geograd::kernels::fuzz::{self, Fuzzed};
+use geograd::kernels::gpu::Gpu;
+
+/// One operation in one format: its name, whether that is `f64`, and what proves it, with batches
+/// on a GPU as a further witness of `f32` if there is one.
+pub type Proof = (&'static str, bool, Prove);
+pub type Prove = fn(&Plan<'_>, Option<&Gpu>) -> Result<Report, Error>;
+
+macro_rules! proofs {
+    (pairs { $($pair:ident: $pair_op:ty,)* } rings { $($ring:ident: $ring_op:ty,)* }
+     straight { $($straight:ident: $straight_op:ty,)* }
+     folds { $($fold:ident: $fold_op:ty,)* } decided { $($decided:ident: $decided_op:ty,)* }
+     further {
+         straight { $($more:ident: $more_op:ty,)* }
+         folds { $($more_fold:ident: $more_fold_op:ty,)* }
+         decided { $($more_decided:ident: $more_decided_op:ty,)* }
+     }) => {
+        vec![
+            $(
+                (
+                    stringify!($pair),
+                    true,
+                    (|plan, _| Ok(prove_with::<$pair_op, f64>(plan))) as Prove,
+                ),
+                (stringify!($pair), false, |plan, gpu| match gpu {
+                    Some(gpu) => prove_on::<$pair_op>(Backend::Gpu(gpu), plan),
+                    None => Ok(prove_with::<$pair_op, f32>(plan)),
+                }),
+            )*
+            $(
+                (stringify!($ring), true, |plan, _| Ok(prove_ring_with::<$ring_op, f64>(plan))),
+                (stringify!($ring), false, |plan, gpu| match gpu {
+                    Some(gpu) => prove_ring_on::<$ring_op>(Backend::Gpu(gpu), plan),
+                    None => Ok(prove_ring_with::<$ring_op, f32>(plan)),
+                }),
+            )*
+            $(
+                (stringify!($straight), true, |plan, _| Ok(prove_with::<$straight_op, f64>(plan))),
+                (stringify!($straight), false, |plan, gpu| match gpu {
+                    Some(gpu) => prove_any_on::<$straight_op>(Backend::Gpu(gpu), plan),
+                    None => Ok(prove_with::<$straight_op, f32>(plan)),
+                }),
+            )*
+            $(
+                (stringify!($fold), true, |plan, _| Ok(prove_fold_with::<$fold_op, f64>(plan))),
+                (stringify!($fold), false, |plan, _| Ok(prove_fold_with::<$fold_op, f32>(plan))),
+            )*
+            $(
+                (stringify!($decided), true, |plan, _| Ok(prove_decided_with::<$decided_op, f64>(plan))),
+                (stringify!($decided), false, |plan, _| Ok(prove_decided_with::<$decided_op, f32>(plan))),
+            )*
+            // Too many to be compiled wherever examples are built and not run.
+            $(
+                #[cfg(not(debug_assertions))]
+                (stringify!($more), true, |plan, _| Ok(prove_with::<$more_op, f64>(plan))),
+                #[cfg(not(debug_assertions))]
+                (stringify!($more), false, |plan, _| Ok(prove_with::<$more_op, f32>(plan))),
+            )*
+            $(
+                #[cfg(not(debug_assertions))]
+                (stringify!($more_fold), true, |plan, _| Ok(prove_fold_with::<$more_fold_op, f64>(plan))),
+                #[cfg(not(debug_assertions))]
+                (stringify!($more_fold), false, |plan, _| Ok(prove_fold_with::<$more_fold_op, f32>(plan))),
+            )*
+            $(
+                #[cfg(not(debug_assertions))]
+                (stringify!($more_decided), true, |plan, _| Ok(prove_decided_with::<$more_decided_op, f64>(plan))),
+                #[cfg(not(debug_assertions))]
+                (stringify!($more_decided), false, |plan, _| Ok(prove_decided_with::<$more_decided_op, f32>(plan))),
+            )*
+        ]
+    };
+}
+
+/// One operation in one format: its name, whether that is `f64`, and what fuzzes it.
+pub type Fuzzer = (&'static str, bool, Fuzz);
+pub type Fuzz = fn(u64, u64) -> Fuzzed;
+
+macro_rules! fuzzes {
+    (pairs { $($pair:ident: $pair_op:ty,)* } rings { $($ring:ident: $ring_op:ty,)* }
+     straight { $($straight:ident: $straight_op:ty,)* } $($rest:tt)*) => {
+        vec![
+            $(
+                (stringify!($pair), true, fuzz::pairs::<$pair_op, _, f64> as Fuzz),
+                (stringify!($pair), false, fuzz::pairs::<$pair_op, _, f32>),
+            )*
+            $(
+                (stringify!($ring), true, fuzz::rings::<$ring_op, f64>),
+                (stringify!($ring), false, fuzz::rings::<$ring_op, f32>),
+            )*
+        ]
+    };
+}
+
+/// Proofs of all operations in both formats.
+pub fn proofs() -> Vec<Proof> {
+    geograd::for_each_op!(proofs)
+}
+
+/// Fuzzers of the operations that have one, in both formats.
+pub fn fuzzers() -> Vec<Fuzzer> {
+    geograd::for_each_op!(fuzzes)
+}
