@@ -22,7 +22,7 @@ impl Check<'static, f64> {
     /// use geograd::{operation, Vec2};
     /// operation! {
     ///     /// How far apart two points are, in squares.
-    ///     pub Apart = "apart": (a: Vec2, b: Vec2) -> S {
+    ///     pub Apart = "apart": (a: Vec2<S>, b: Vec2<S>) -> S {
     ///         (a - b).dot(a - b)
     ///     }
     ///     promises [TranslationX Stays, Rotation Stays, Scaling Power(2), Exchange Stays]

@@ -108,7 +108,10 @@ impl Report {
             }
         };
         let usual = |worst: &Worst| asked(worst, format!("<{:.0e}", worst.usual()));
-        let used = |worst: &Worst| asked(worst, format!("{:.0}%", 100.0 * worst.nearest.share));
+        let used = |worst: &Worst| match worst.nearest.share {
+            share if share > 1.0 => asked(worst, ">100%".to_owned()),
+            share => asked(worst, format!("{:.0}%", 100.0 * share)),
+        };
         let [dual, difference, _, wide, _, batch] = &self.worst;
         let verdict = if self.passed() {
             "proved".to_owned()
