@@ -15,14 +15,16 @@ use crate::kernels::cpu::plan::{Want, program_of};
 use crate::kernels::decided::{Decided, Replayed};
 use crate::kernels::fold::{Fold, Folded};
 use crate::kernels::gpu::{GpuPair, GpuRing};
-use crate::kernels::op::{Op, RingOp, Ringed};
+use crate::kernels::op::{Op, RingOp, Ringed, Slopes};
 use crate::kernels::real::Real;
 use crate::kernels::recorded_subject::{RecordedSubject, Recording};
 use crate::kernels::row::{Row, target};
 use crate::kernels::witness::{Ask, Batch, ask_any, ask_pairs, ask_rings};
 use crate::kernels::{Backend, Cpu};
 use crate::{Error, Fixed, Pack, Vec2};
+use std::sync::Arc;
 
+pub use crate::kernels::of::OfOperation;
 pub use crate::kernels::subject::{Fused, OpSubject, Path};
 
 /// The function itself.
@@ -56,14 +58,19 @@ fn recording<O: Op, S: Real>() -> Result<Recording<S>, Error>
 where
     O::In<S>: Row,
     O::Out<S>: Row,
+    O::Out<f64>: Sample,
 {
+    let value = program_of::<O, S>(Want::Value)?;
+    let by_hand_only = O::SLOPES == Slopes::ByHand;
     Ok(Recording {
-        value: program_of::<O, S>(Want::Value)?,
+        reverse: by_hand_only.then(|| Arc::new(value.vjp())),
+        value,
         slopes: program_of::<O, S>(Want::Vjp)?,
         source: source::<O, S>,
         batch: batch_value::<O, S>,
         by_hand: by_hand::<O, S>,
         outputs: O::Out::<S>::LEN,
+        output_kinds: O::Out::<f64>::filled(1.0).kinds(),
         promises: O::PROMISES,
         jumps: O::JUMPS,
     })
@@ -150,7 +157,7 @@ fn judged<X: Sample>(
 pub fn prove<O: Op, S: Number + Real>(samples: usize, seed: u64) -> Report
 where
     O::In<f64>: Sample + Row,
-    O::Out<f64>: Row,
+    O::Out<f64>: Sample + Row,
     O::In<S>: Row,
     O::Out<S>: Row,
 {
@@ -161,7 +168,7 @@ where
 pub fn prove_with<O: Op, S: Number + Real>(plan: &Plan<'_>) -> Report
 where
     O::In<f64>: Sample + Row,
-    O::Out<f64>: Row,
+    O::Out<f64>: Sample + Row,
     O::In<S>: Row,
     O::Out<S>: Row,
 {
@@ -180,7 +187,7 @@ where
 pub fn prove_on<O: GpuPair>(backend: Backend<'_>, plan: &Plan<'_>) -> Result<Report, Error>
 where
     O::In<f64>: Sample + Row,
-    O::Out<f64>: Row,
+    O::Out<f64>: Sample + Row,
 {
     straight::<O, f32>(plan, Some(&|inputs| ask_pairs::<O>(backend, inputs)))
 }
@@ -194,7 +201,7 @@ where
 pub fn prove_any_on<O: Op>(backend: Backend<'_>, plan: &Plan<'_>) -> Result<Report, Error>
 where
     O::In<f64>: Sample + Row,
-    O::Out<f64>: Row,
+    O::Out<f64>: Sample + Row,
     O::In<f32>: Row<Scalar = f32>,
     O::Out<f32>: Row<Scalar = f32>,
 {
@@ -204,7 +211,7 @@ where
 fn straight<O: Op, S: Number + Real>(plan: &Plan<'_>, ask: Option<Ask<'_>>) -> Result<Report, Error>
 where
     O::In<f64>: Sample + Row,
-    O::Out<f64>: Row,
+    O::Out<f64>: Sample + Row,
     O::In<S>: Row,
     O::Out<S>: Row,
 {
@@ -213,7 +220,12 @@ where
         Precision::F64 => None,
     };
     let recordings = (recording::<O, S>().ok(), wide);
-    recorded::<O::In<f64>, S>(O::NAME, plan, ask, recordings, source::<O, S>)
+    let report = recorded::<O::In<f64>, S>(O::NAME, plan, ask, recordings, source::<O, S>);
+    let names = O::In::<f64>::names();
+    report.map(|report| Report {
+        names: names.iter().map(ToString::to_string).collect(),
+        ..report
+    })
 }
 
 /// Judges what was recorded of an operation; if nothing was, refuses it.
@@ -241,12 +253,18 @@ fn recorded<X: Sample, S: Number>(
 }
 
 /// Runs every check of an operation of a ring.
-pub fn prove_ring<O: RingOp, S: Number + Real>(samples: usize, seed: u64) -> Report {
+pub fn prove_ring<O: RingOp, S: Number + Real>(samples: usize, seed: u64) -> Report
+where
+    O::Out<f64>: Sample,
+{
     prove_ring_with::<O, S>(&Plan::new(samples, seed))
 }
 
 /// The same by a plan.
-pub fn prove_ring_with<O: RingOp, S: Number + Real>(plan: &Plan<'_>) -> Report {
+pub fn prove_ring_with<O: RingOp, S: Number + Real>(plan: &Plan<'_>) -> Report
+where
+    O::Out<f64>: Sample,
+{
     without_batch(ring::<O, S>(plan, None))
 }
 
@@ -255,14 +273,17 @@ pub fn prove_ring_with<O: RingOp, S: Number + Real>(plan: &Plan<'_>) -> Report {
 /// # Errors
 ///
 /// The backend's.
-pub fn prove_ring_on<O: GpuRing>(backend: Backend<'_>, plan: &Plan<'_>) -> Result<Report, Error> {
+pub fn prove_ring_on<O: GpuRing>(backend: Backend<'_>, plan: &Plan<'_>) -> Result<Report, Error>
+where
+    <O as RingOp>::Out<f64>: Sample,
+{
     ring::<O, f32>(plan, Some(&|inputs| ask_rings::<O>(backend, inputs)))
 }
 
-fn ring<O: RingOp, S: Number + Real>(
-    plan: &Plan<'_>,
-    ask: Option<Ask<'_>>,
-) -> Result<Report, Error> {
+fn ring<O: RingOp, S: Number + Real>(plan: &Plan<'_>, ask: Option<Ask<'_>>) -> Result<Report, Error>
+where
+    O::Out<f64>: Sample,
+{
     let inputs = inputs::<Vec<Vec2<f64>>, S>(plan);
     judged(O::NAME, plan, inputs, ask, &|x, batch, judge| {
         let paths: [Path<S>; 1] = [ring_value::<O, S>];
@@ -274,6 +295,7 @@ fn ring<O: RingOp, S: Number + Real>(
 pub fn prove_fold_with<F: Fold, S: Number + Real>(plan: &Plan<'_>) -> Report
 where
     F::Context<f64>: Sample,
+    F::Out<f64>: Sample,
 {
     let inputs = inputs::<(F::Context<f64>, Vec<Vec2<f64>>), S>(plan);
     without_batch(judged(F::NAME, plan, inputs, None, &|x, _, judge| {
@@ -285,6 +307,7 @@ where
 pub fn prove_decided_with<D: Decided, S: Number + Real>(plan: &Plan<'_>) -> Report
 where
     D::In<f64>: Sample,
+    D::Out<f64>: Sample,
 {
     let inputs = inputs::<D::In<f64>, S>(plan);
     without_batch(judged(D::NAME, plan, inputs, None, &|x, _, judge| {

@@ -30,6 +30,8 @@ pub mod fuzz;
 #[forbid(unsafe_code)]
 pub mod gpu;
 #[forbid(unsafe_code)]
+mod of;
+#[forbid(unsafe_code)]
 mod on_cpu;
 #[forbid(unsafe_code)]
 pub mod op;

@@ -52,6 +52,9 @@ pub(crate) struct Recording<S> {
     /// The result and slopes from the input and a cotangent, recorded: from wherever the operation says
     /// that its slopes come.
     pub slopes: Arc<Recorded>,
+    /// The slopes of a cotangent from the recorded result, backwards: where slopes are by hand, a further
+    /// witness.
+    pub reverse: Option<Arc<Recorded>>,
     /// The function itself, on plain numbers.
     pub source: Path<S>,
     /// The result by a batch.
@@ -60,6 +63,8 @@ pub(crate) struct Recording<S> {
     pub by_hand: ByHand<S>,
     /// How many numbers a result has.
     pub outputs: usize,
+    /// What each number of a result is.
+    pub output_kinds: Vec<Kind>,
     /// What it promises.
     pub promises: &'static [Promise],
     /// Where it jumps.
@@ -141,10 +146,12 @@ impl<S: Number> Subject for RecordedSubject<'_, S> {
         Some(slopes.iter().map(|s| s.0.widen()).collect())
     }
     fn further(&self, x: &[f64], y_bar: &[f64]) -> Vec<Vec<f64>> {
+        let (x, y_bar): (Vec<S>, Vec<S>) = (nearest(x), nearest(y_bar));
+        let backwards = self.recording.reverse.as_ref();
+        let backwards = backwards.map(|of| widened(&of.run(&[&x[..], &y_bar[..]].concat())));
         // As batches compute them.
-        vec![widened(
-            &self.recording.slopes_on::<S>(nearest(x), nearest(y_bar)),
-        )]
+        let recorded = widened(&self.recording.slopes_on::<S>(x, y_bar));
+        [recorded].into_iter().chain(backwards).collect()
     }
     fn batch(&self, x: &[f64], y_bar: &[f64]) -> Option<(Vec<f64>, Vec<f64>)> {
         let answer = self.batch?.about(x)?;
@@ -255,6 +262,9 @@ impl<S: Number> Subject for RecordedSubject<'_, S> {
     }
     fn kinds(&self) -> Vec<Kind> {
         self.near.kinds()
+    }
+    fn output_kinds(&self) -> Vec<Kind> {
+        self.recording.output_kinds.clone()
     }
     fn promises(&self) -> &[Promise] {
         self.recording.promises

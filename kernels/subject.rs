@@ -99,6 +99,7 @@ where
 impl<O: Source, S: Number> Subject for OpSubject<'_, O, S>
 where
     O::In<f64>: Sample,
+    O::Out<f64>: Sample,
 {
     fn precision(&self) -> Precision {
         Precision::of::<S>()
@@ -233,6 +234,9 @@ where
     }
     fn kinds(&self) -> Vec<Kind> {
         self.near.kinds()
+    }
+    fn output_kinds(&self) -> Vec<Kind> {
+        O::Out::<f64>::filled(1.0).kinds()
     }
     fn promises(&self) -> &[Promise] {
         O::PROMISES

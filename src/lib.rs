@@ -39,6 +39,7 @@
 //! | know whether a point is in a polygon, and how far in | [`contain`] |
 //! | measure distances, closest points and penetration of shapes | [`distance`](mod@distance) |
 //! | cross lines, cast rays, cut segments | [`intersection`] |
+//! | check that a derivative of one's own is right | [`check`] |
 //! | differentiate any generic function of shapes | [`ad`]: [`ad::gradient`], [`ad::hessian`], … |
 //! | use an adjoint by hand | [`ad::adjoint::overlap`], [`ad::adjoint::ring`] |
 //! | work on many shapes at once | [`kernels::cpu`] |
@@ -130,6 +131,32 @@ pub mod suppression;
 pub mod ad;
 #[path = "../kernels/mod.rs"]
 pub mod kernels;
+
+/// Whether a derivative is right: all that one check needs, in one module.
+///
+/// A function of your own, in five lines:
+///
+/// ```
+/// use geograd::check::*;
+/// fn area<S: Scalar>([width, height]: [S; 2]) -> S {
+///     width * height
+/// }
+/// assert_gradient!(generic area, |[width, height]| [height, width], at [2.0, 3.0]);
+/// ```
+///
+/// What was recorded is checked by `assert_gradient!(program &program, at …)`, an operation by
+/// `Check::of(operation).prove()`. What else a [`Check`](check::Check) can be told, and what its verdict is worth, is said
+/// in [`ad::check`].
+#[forbid(unsafe_code)]
+pub mod check {
+    pub use crate::ad::check::sample::{Draw, Sample};
+    pub use crate::ad::check::subject::{Conventions, Jumps};
+    pub use crate::ad::check::symmetry::{Answer, Kind, Motion, Promise};
+    pub use crate::ad::check::verdict::{Reason, Witness};
+    pub use crate::ad::check::{Check, Failure, Plan, Report};
+    pub use crate::scalar::Scalar;
+    pub use crate::{assert_gradient, generic_check};
+}
 
 /// README's examples, run with the documentation's.
 #[cfg(doctest)]

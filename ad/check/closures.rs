@@ -1,10 +1,10 @@
 //! A check of closures as a subject, near one of its points.
 use crate::Pack;
-use crate::ad::check::second_order::{Wide, axis, bends, transposed};
+use crate::ad::check::second_order::{Wide, bends, transposed};
 use crate::ad::check::subject::{Conventions, Subject, default_scales};
 use crate::ad::check::symmetry::{Kind, Promise};
 use crate::ad::check::trace::{Number, Trace};
-use crate::ad::check::witness::Precision;
+use crate::ad::check::witness::{Precision, axis};
 use crate::ad::check::{Check, narrow};
 use std::panic::{AssertUnwindSafe, catch_unwind};
 
@@ -109,6 +109,14 @@ impl<S: Number, X: Pack<Scalar = S>> Subject for Near<'_, '_, X> {
     }
     fn kinds(&self) -> Vec<Kind> {
         self.check.kinds.clone()
+    }
+    fn output_kinds(&self) -> Vec<Kind> {
+        self.check.output_kinds.clone()
+    }
+    fn resolution(&self, y: &[f64]) -> Vec<f64> {
+        let [absolute, share] = self.check.resolution;
+        let each = y.iter().map(|y| absolute.max(share * y.abs()));
+        each.collect()
     }
     fn promises(&self) -> &[Promise] {
         &self.check.promises

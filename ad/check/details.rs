@@ -1,7 +1,8 @@
 //! The drill-down of a report: every pair of witnesses, how far apart, and where they came nearest
 //! to refusal.
-use crate::ad::check::report::{Report, others, write_numbers};
-use crate::ad::check::verdict::{PAIRS, Witness, Worst};
+use crate::ad::check::report::Report;
+use crate::ad::check::verdict::{PAIRS, Reason, Witness, Worst};
+use crate::ad::check::words::write_numbers;
 use std::fmt::{self, Write};
 
 /// A witness as the subject of a sentence.
@@ -19,7 +20,7 @@ fn who(witness: Witness) -> &'static str {
 
 /// Which share of the comparisons differs by how many units of the precision.
 fn write_decades(out: &mut String, worst: &Worst) -> fmt::Result {
-    out.push_str("    units in the last place:");
+    out.push_str("    units in the last place of the largest slope:");
     let total = worst.decades.iter().sum::<u64>().max(1) as f64;
     let mut seen = 0;
     for (decade, count) in (0..).zip(worst.decades) {
@@ -75,22 +76,37 @@ impl Report {
             if worst.count == 0 {
                 continue;
             }
-            let (a, b, count) = (who(*a), who(*b), worst.count);
-            writeln!(out, "\n  {a} and {b}: {count} slopes compared")?;
+            let count = worst.count;
+            writeln!(
+                out,
+                "\n  {} and {}: {count} slopes compared",
+                who(*a),
+                who(*b)
+            )?;
             write_decades(out, worst)?;
             let nearest = &worst.nearest;
             if nearest.share > 0.0 {
                 writeln!(
                     out,
-                    "    nearest to refusal: {:.0} % of what their errors allow, at sample {}, \
+                    "    nearest to refusal: {:.0} % of what their errors allow{}, at sample {}, \
                      output {}, input {}{}",
                     100.0 * nearest.share,
+                    if nearest.provoked {
+                        ", as provoked rounding showed"
+                    } else {
+                        ""
+                    },
                     nearest.sample,
                     nearest.output,
                     nearest.input,
-                    others(&nearest.numbers)
+                    if nearest.numbers.along {
+                        " and others, along a random direction"
+                    } else {
+                        ""
+                    }
                 )?;
-                write_numbers(out, &nearest.numbers, nearest.tolerance)?;
+                let reason = Reason::Disagree(*a, *b);
+                write_numbers(out, reason, &nearest.numbers, nearest.tolerance)?;
                 writeln!(out, "    let input = {code};")?;
             } else {
                 writeln!(out, "    the same to the last bit")?;

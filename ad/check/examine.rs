@@ -5,6 +5,7 @@ use crate::ad::check::report::{Failure, Report};
 use crate::ad::check::sample::Draw;
 use crate::ad::check::shrink::{code, shrunk};
 use crate::ad::check::subject::Subject;
+use crate::ad::check::tolerances::{ENOUGH, KEPT, SMOOTH_ONE_IN};
 use crate::ad::check::trace::Number;
 use crate::ad::check::verdict::{Fault, Findings, Numbers, PAIRS, Place, Reason, Worst};
 use crate::ad::check::witness::Precision;
@@ -12,8 +13,6 @@ use std::fmt::Debug;
 
 /// The seed of everything random, unless another one is given.
 pub const SEED: u64 = 0x6765_6f67_7261_6421;
-/// How many failures a report keeps.
-const KEPT: usize = 8;
 
 /// How many inputs to judge, and which.
 #[derive(Clone, Copy)]
@@ -87,6 +86,7 @@ pub fn examine<S: Number, X: Pack<Scalar = S> + Debug>(
         worst: [Worst::default(); PAIRS.len()],
         nearest: Default::default(),
         picture: None,
+        names: Vec::new(),
         refused: 0,
         failures: Vec::new(),
     };
@@ -157,7 +157,7 @@ pub fn examine<S: Number, X: Pack<Scalar = S> + Debug>(
         code: String::new(),
     };
     let uncovered = covered.iter().position(|covered| !covered);
-    if drawn >= 20 && smooth * 10 < drawn {
+    if drawn >= ENOUGH && smooth * SMOOTH_ONE_IN < drawn {
         report.refused += 1;
         report.failures.push(whole(Reason::NothingSmooth, 0));
     } else if report.failures.is_empty() && (uncovered.is_some() || covered.is_empty()) {

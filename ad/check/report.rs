@@ -1,7 +1,8 @@
-//! What came out: a table for reading, JSON for machines, a drill-down for the one that failed.
-use crate::ad::check::verdict::{Fault, Numbers, PAIRS, Reason, Witness, Worst};
+//! What came out: a line of a table, and what was refused in words.
+use crate::ad::check::verdict::{Fault, PAIRS, Reason, Worst};
 use crate::ad::check::witness::Precision;
-use std::fmt::{self, Write};
+use crate::ad::check::words::{outvoted, place, write_numbers};
+use std::fmt;
 
 /// One refused sample.
 #[derive(Clone, Debug)]
@@ -45,6 +46,8 @@ pub struct Report {
     pub nearest: [String; PAIRS.len()],
     /// The input nearest to refusal by differences as SVG, when the plan says to draw it.
     pub picture: Option<String>,
+    /// What the numbers of the input are called, where they have names.
+    pub names: Vec<String>,
     /// How many samples were refused.
     pub refused: u64,
     /// The first of them.
@@ -64,11 +67,21 @@ impl Report {
             .iter()
             .any(|failure| failure.fault.reason == reason)
     }
-    /// The line over the lines of a table.
+    /// What the columns of a table are.
+    #[must_use]
+    pub fn legend() -> &'static str {
+        "smooth, kink, undef: what kind of place the inputs were.\n\
+         adj-dual, adj-diff: how far the derivative by hand was from duals and from differences in 99 of \
+         100 comparisons,\n  in units in the last place of the largest slope of the same unit.\n\
+         used: how near the worst of all comparisons came to refusal, as a share of what the errors of both \
+         allow,\n  which are measured at each input; more than 100 % is refused.\n\
+         adj-wide, adj-batch: the same share, against double precision and against a batch."
+    }
+    /// The line over the lines of a table; see [`legend`](Report::legend).
     #[must_use]
     pub fn heading() -> String {
         format!(
-            "{:<24} {:>4} {:>7} {:>7} {:>6} {:>6} | {:>8} {:>8} {:>8} | {:>8} {:>8} {:>8} | {:>8} {:>9} | {}",
+            "{:<24} {:>4} {:>7} {:>7} {:>6} {:>6} | {:>8} {:>5} | {:>8} {:>5} | {:>8} | {:>9} | {}",
             "function",
             "in",
             "samples",
@@ -76,11 +89,9 @@ impl Report {
             "kink",
             "undef",
             "adj-dual",
-            "relative",
-            "99% ulps",
+            "used",
             "adj-diff",
-            "relative",
-            "99% ulps",
+            "used",
             "adj-wide",
             "adj-batch",
             "verdict"
@@ -89,122 +100,40 @@ impl Report {
     /// One line of a table.
     #[must_use]
     pub fn line(&self) -> String {
-        let number = |worst: &Worst, x: f64| {
+        let asked = |worst: &Worst, text: String| {
             if worst.count == 0 {
                 "-".to_owned()
             } else {
-                format!("{x:.1e}")
+                text
             }
+        };
+        let usual = |worst: &Worst| asked(worst, format!("<{:.0e}", worst.usual()));
+        let used = |worst: &Worst| match worst.nearest.share {
+            share if share > 1.0 => asked(worst, ">100%".to_owned()),
+            share => asked(worst, format!("{:.0}%", 100.0 * share)),
         };
         let [dual, difference, _, wide, _, batch] = &self.worst;
-        let usual = |worst: &Worst| {
-            if worst.count == 0 {
-                "-".to_owned()
-            } else {
-                format!("<{:.0e}", worst.usual())
-            }
-        };
         let verdict = if self.passed() {
             "proved".to_owned()
         } else {
             format!("REFUSED ({} samples)", self.refused)
         };
         format!(
-            "{:<24} {:>4} {:>7} {:>7} {:>6} {:>6} | {:>8} {:>8} {:>8} | {:>8} {:>8} {:>8} | {:>8} {:>9} | {}",
+            "{:<24} {:>4} {:>7} {:>7} {:>6} {:>6} | {:>8} {:>5} | {:>8} {:>5} | {:>8} | {:>9} | {}",
             self.name,
             self.precision.name(),
             self.samples,
             self.places[0],
             self.places[1],
             self.places[2],
-            number(dual, dual.absolute),
-            number(dual, dual.relative),
             usual(dual),
-            number(difference, difference.absolute),
-            number(difference, difference.relative),
+            used(dual),
             usual(difference),
-            number(wide, wide.relative),
-            number(batch, batch.relative),
+            used(difference),
+            used(wide),
+            used(batch),
             verdict
         )
-    }
-    /// The whole report as one JSON object.
-    #[must_use]
-    pub fn json(&self) -> String {
-        let mut out = String::new();
-        let _ = write!(
-            out,
-            "{{\"name\":{},\"precision\":\"{:?}\",\"seed\":{},\"passed\":{},\"samples\":{},\
-             \"smooth\":{},\"kink\":{},\"undefined\":{},\"conventions\":{},\"jumps\":{},\
-             \"directions\":{{\"smooth\":{},\"kink\":{},\"undefined\":{},\"switched\":{}}},\
-             \"smallest_margin\":{},\"refused\":{},\"pairs\":[",
-            quoted(&self.name),
-            self.precision,
-            self.seed,
-            self.passed(),
-            self.samples,
-            self.places[0],
-            self.places[1],
-            self.places[2],
-            self.conventions,
-            self.jumps,
-            self.directions[0],
-            self.directions[1],
-            self.directions[2],
-            self.switched,
-            json_number(self.margin),
-            self.refused,
-        );
-        for (k, ((a, b), worst)) in PAIRS.iter().zip(&self.worst).enumerate() {
-            let comma = if k == 0 { "" } else { "," };
-            let _ = write!(
-                out,
-                "{comma}{{\"witnesses\":[\"{a:?}\",\"{b:?}\"],\"compared\":{},\"absolute\":{},\
-                 \"relative\":{},\"ulps\":{},\"usual_ulps\":{},\"share_of_tolerance\":{},\"provoked\":{},\"sample\":{},\"input\":{}}}",
-                worst.count,
-                json_number(worst.absolute),
-                json_number(worst.relative),
-                json_number(worst.ulps),
-                json_number(worst.usual()),
-                json_number(worst.nearest.share),
-                worst.nearest.provoked,
-                worst.nearest.sample,
-                worst.nearest.input
-            );
-        }
-        out.push_str("],\"failures\":[");
-        for (k, failure) in self.failures.iter().enumerate() {
-            let Fault {
-                reason,
-                suspect,
-                output,
-                input,
-                numbers,
-                tolerance,
-            } = failure.fault;
-            let optional = |x: Option<f64>| x.map_or("null".to_owned(), json_number);
-            let list: Vec<String> = failure.input.iter().map(|&x| json_number(x)).collect();
-            let _ = write!(
-                out,
-                "{}{{\"reason\":{},\"suspect\":{},\"sample\":{},\"output\":{output},\
-                 \"input\":{input},\"along_direction\":{},\"adjoint\":{},\"dual\":{},\"difference\":{},\"other\":{},\
-                 \"tolerance\":{},\"at\":[{}],\"code\":{}}}",
-                if k == 0 { "" } else { "," },
-                quoted(&format!("{reason:?}")),
-                suspect.map_or("null".to_owned(), |s| quoted(&format!("{s:?}"))),
-                failure.sample,
-                numbers.along,
-                optional(numbers.adjoint),
-                optional(numbers.dual),
-                optional(numbers.difference),
-                optional(numbers.other),
-                json_number(tolerance),
-                list.join(","),
-                quoted(&failure.code),
-            );
-        }
-        out.push_str("]}");
-        out
     }
 }
 
@@ -212,89 +141,25 @@ impl fmt::Display for Report {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         writeln!(f, "{}", Report::heading())?;
         writeln!(f, "{}", self.line())?;
-        for failure in &self.failures {
-            let fault = &failure.fault;
-            writeln!(
-                f,
-                "\n  {:?} at sample {} (seed {}): output {}, input {}{}",
-                fault.reason,
-                failure.sample,
-                self.seed,
-                fault.output,
-                fault.input,
-                others(&fault.numbers)
-            )?;
-            write_numbers(f, &fault.numbers, fault.tolerance)?;
+        for Failure {
+            sample,
+            fault,
+            code,
+            ..
+        } in &self.failures
+        {
+            writeln!(f, "\n  {}", fault.reason)?;
+            let place = place(fault, &self.names);
+            writeln!(f, "    {place} (sample {sample}, seed {})", self.seed)?;
+            write_numbers(f, fault.reason, &fault.numbers, fault.tolerance)?;
             if let Some(suspect) = fault.suspect {
-                let who = match suspect {
-                    Witness::Adjoint => "the derivative by hand",
-                    Witness::Dual => "the duals",
-                    Witness::Difference => "the differences",
-                    Witness::Batch => "the batch",
-                    Witness::Value | Witness::Wide | Witness::Further(_) => "another witness",
-                };
-                writeln!(f, "    outvoted:   {who}")?;
+                writeln!(f, "    {}", outvoted(suspect))?;
             }
-            writeln!(f, "    let input = {};", failure.code)?;
+            if !code.is_empty() {
+                writeln!(f, "    let input = {code};")?;
+            }
+            writeln!(f, "    {:?}", fault.reason)?;
         }
         Ok(())
     }
-}
-
-/// What is said behind the number of an input.
-pub(crate) fn others(numbers: &Numbers) -> &'static str {
-    if numbers.along {
-        " and others, along a random direction"
-    } else {
-        ""
-    }
-}
-
-/// What every witness says, a line each.
-pub(crate) fn write_numbers(
-    f: &mut impl fmt::Write,
-    numbers: &Numbers,
-    tolerance: f64,
-) -> fmt::Result {
-    let named = [
-        ("adjoint", numbers.adjoint),
-        ("dual", numbers.dual),
-        ("difference", numbers.difference),
-        ("other", numbers.other),
-    ];
-    for (name, number) in named {
-        if let Some(number) = number {
-            writeln!(f, "    {name:<11} {number:>24.16e}")?;
-        }
-    }
-    if let Some([behind, ahead]) = numbers.sides {
-        writeln!(f, "    both sides  {behind:>24.16e} {ahead:>24.16e}")?;
-    }
-    writeln!(f, "    tolerance   {tolerance:>24.16e}")
-}
-
-/// A number as JSON, which knows no infinity.
-fn json_number(x: f64) -> String {
-    if x.is_finite() {
-        format!("{x:?}")
-    } else {
-        "null".to_owned()
-    }
-}
-
-/// A string as JSON.
-fn quoted(text: &str) -> String {
-    let mut out = String::from("\"");
-    for c in text.chars() {
-        match c {
-            '"' => out.push_str("\\\""),
-            '\\' => out.push_str("\\\\"),
-            c if u32::from(c) < 0x20 => {
-                let _ = write!(out, "\\u{:04x}", u32::from(c));
-            }
-            c => out.push(c),
-        }
-    }
-    out.push('"');
-    out
 }

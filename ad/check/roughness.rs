@@ -1,5 +1,6 @@
 //! The rounding errors of a function nobody can look into, measured from outside.
 use crate::ad::check::sample::Draw;
+use crate::ad::check::tolerances::{MEDIAN, SHARE_OF_ORDER, SPACINGS_F32, SPACINGS_F64};
 use crate::ad::check::witness::Precision;
 
 /// How rough a list-valued function is beside a point, per number: the standard deviation of its
@@ -18,13 +19,9 @@ pub fn roughness(
     scales: &[f64],
     f: &dyn Fn(&[f64]) -> Option<Vec<f64>>,
 ) -> Vec<f64> {
-    /// `(k!)² / (2k)!` for the orders 3 and 4: the variance of an error by that of their difference.
-    const SHARE: [f64; 2] = [1.0 / 20.0, 1.0 / 70.0];
-    /// The standard deviation of normal errors by the median of their size.
-    const MEDIAN: f64 = 1.4826;
     let spacings = match precision {
-        Precision::F32 => [-11, -9, -7],
-        Precision::F64 => [-32, -22, -12],
+        Precision::F32 => SPACINGS_F32,
+        Precision::F64 => SPACINGS_F64,
     };
     let mut rough: Vec<f64> = Vec::new();
     for (round, spacing) in (0..).zip(spacings) {
@@ -55,7 +52,7 @@ pub fn roughness(
                     let mut sizes: Vec<f64> = table.iter().map(|d| d.abs()).collect();
                     sizes.sort_by(f64::total_cmp);
                     let median = sizes[sizes.len() / 2];
-                    least = least.min(MEDIAN * median * SHARE[order - 3].sqrt());
+                    least = least.min(MEDIAN * median * SHARE_OF_ORDER[order - 3].sqrt());
                 }
             }
             if least.is_finite() {

@@ -9,23 +9,17 @@
 //! product of slopes on the way has rounded differently. No rounding of the input shows that: where
 //! two large equal slopes cancel, what is left is their last digit, which does not move with the
 //! input's.
-use crate::ad::check::judge::{Beside, Judge, Row, SAFETY};
+use crate::ad::check::evidence::{Beside, Evidence, Row};
 use crate::ad::check::roughness::roughness;
 use crate::ad::check::sample::Draw;
-use crate::ad::check::slopes::FEW_INPUTS;
 use crate::ad::check::subject::Subject;
 use crate::ad::check::symmetry::exchanged;
-use crate::ad::check::witness::{Precision, combined, dot};
+use crate::ad::check::tolerances::{
+    DECIDED, ELSEWHERE, FEW_INPUTS, ROUGH, RUNS, SAFETY, TALL, TALL_BEND,
+};
+use crate::ad::check::witness::{Precision, axis, combined, dot};
 
-/// How often a derivative's own roundings are drawn.
-const RUNS: u64 = 24;
-
-/// How many times the value a slope times the size of its number may be before it belongs to another
-/// feature: a logit of forty that leaves a loss of nothing is as steep as thirty times the loss at
-/// zero.
-const TALL: f64 = 64.0;
-
-impl Judge<'_> {
+impl Evidence<'_> {
     /// The largest change of a list-valued function under provoked rounding, per number. With
     /// `sizes`, a change of branch that may have broken an exact tie counts only when it changes
     /// less than a thousandth of them: more is a kink, and a tie must be decided as it stands.
@@ -42,7 +36,7 @@ impl Judge<'_> {
                 continue;
             }
             let change = |i: usize| (list[i] - base[i]).abs();
-            let small = |sizes: &[f64]| (0..base.len()).all(|i| change(i) <= 1e-3 * sizes[i]);
+            let small = |sizes: &[f64]| (0..base.len()).all(|i| change(i) <= DECIDED * sizes[i]);
             // Single precision is nearly tied everywhere, so there every change counts.
             let strict = *same == Beside::Loose && self.subject.precision() == Precision::F64;
             if strict && sizes.is_some_and(|sizes| !small(sizes)) {
@@ -68,7 +62,8 @@ impl Judge<'_> {
         let mut spread = vec![0.0_f64; base.len()];
         for list in (0..RUNS).map_while(noisy) {
             let change = |i: usize| (list[i] - base[i]).abs();
-            if list.len() == base.len() && (0..list.len()).all(|i| change(i) <= 1e-3 * sizes[i]) {
+            if list.len() == base.len() && (0..list.len()).all(|i| change(i) <= DECIDED * sizes[i])
+            {
                 for (i, spread) in spread.iter_mut().enumerate() {
                     *spread = spread.max(change(i));
                 }
@@ -119,6 +114,7 @@ impl Judge<'_> {
         weights: &[f64],
         base: &[f64],
         slopes: &dyn Fn(&[f64]) -> Option<Vec<f64>>,
+        tallest: f64,
     ) -> Vec<f64> {
         let mut sizes: Vec<f64> = base.iter().map(|slope| slope.abs()).collect();
         let value = |y: &[f64]| -> f64 { weights.iter().zip(y).map(|(w, y)| (w * y).abs()).sum() };
@@ -129,7 +125,7 @@ impl Judge<'_> {
             }
             let tall = match value(&self.subject.value(there)).max(here) {
                 0.0 => f64::INFINITY,
-                value => TALL * value,
+                value => tallest * value,
             };
             for (i, slope) in slopes(there).unwrap_or_default().iter().enumerate() {
                 if slope.is_finite() && slope.abs() * self.scales[i] <= tall {
@@ -139,7 +135,7 @@ impl Judge<'_> {
         };
         let precision = self.subject.precision();
         let n = self.x.len();
-        for times in [0.0, 0.5, 1.5] {
+        for times in ELSEWHERE {
             let whole = self
                 .x
                 .iter()
@@ -168,16 +164,36 @@ impl Judge<'_> {
         base: &[f64],
         slopes: &dyn Fn(&[f64]) -> Option<Vec<f64>>,
     ) -> Vec<f64> {
+        self.roughly(weights, base, slopes, TALL)
+    }
+
+    /// The same of second derivatives along a direction.
+    pub(crate) fn rough_bends(
+        &self,
+        weights: &[f64],
+        base: &[f64],
+        bends: &dyn Fn(&[f64]) -> Option<Vec<f64>>,
+    ) -> Vec<f64> {
+        self.roughly(weights, base, bends, TALL_BEND)
+    }
+
+    fn roughly(
+        &self,
+        weights: &[f64],
+        base: &[f64],
+        slopes: &dyn Fn(&[f64]) -> Option<Vec<f64>>,
+        tallest: f64,
+    ) -> Vec<f64> {
         // What slopes of one unit may be off by is known.
         if self.subject.comparable() {
             return vec![0.0; base.len()];
         }
         let mut rough = self.rough(self.subject, slopes);
         rough.resize(base.len(), 0.0);
-        let typical = self.typical(weights, base, slopes);
+        let typical = self.typical(weights, base, slopes, tallest);
         for (rough, typical) in rough.iter_mut().zip(typical) {
             let one = self.eps * typical;
-            *rough = if *rough <= 4.0 * one {
+            *rough = if *rough <= ROUGH * one {
                 rough.max(one)
             } else {
                 one
@@ -187,8 +203,8 @@ impl Judge<'_> {
     }
 
     /// Adds to a row's tolerance what provoked rounding shows.
-    pub(crate) fn provoke(&self, row: &mut Row) {
-        if std::mem::replace(&mut row.provoked, true) {
+    pub(crate) fn provoke(&self, row: &Row) {
+        if row.provoked.replace(true) {
             return;
         }
         if let Some(adjoint) = &row.adjoint {
@@ -201,9 +217,7 @@ impl Judge<'_> {
             let rough = self.rough_slopes(&row.weights, adjoint, &|x| {
                 self.subject.adjoint(x, &row.weights)
             });
-            for i in 0..row.tolerance.len() {
-                row.tolerance[i] += SAFETY * spread[i].max(noise[i]).max(rough[i]);
-            }
+            row.allow(|i| SAFETY * spread[i].max(noise[i]).max(rough[i]));
         }
         if let Some(dual) = &row.dual {
             let by_duals = |x: &[f64]| {
@@ -212,37 +226,36 @@ impl Judge<'_> {
             };
             let spread = self.spread(dual, Some(&row.size), by_duals);
             let rough = self.rough_slopes(&row.weights, dual, &by_duals);
-            let mut axis = vec![0.0; dual.len()];
-            for i in 0..dual.len() {
-                axis[i] = 1.0;
+            row.allow(|i| {
+                let axis = axis(dual.len(), i);
                 let own = self.roundings(&dual[i..=i], &row.size[i..=i], |seed| {
                     self.along_shorter(&axis, seed, |axis| Some(vec![self.by_duals(row, axis)?]))
                 });
-                axis[i] = 0.0;
-                row.tolerance[i] += SAFETY * spread[i].max(own[0]).max(rough[i]);
-            }
+                SAFETY * spread[i].max(own[0]).max(rough[i])
+            });
         }
     }
 
     /// Where single precision is judged by double, decisions may fall differently: what that does
     /// counts too.
-    pub(crate) fn provoke_widely(&self, row: &mut Row) {
-        let (Some(wide), Some(adjoint)) = (self.subject.wide(), &row.adjoint) else {
+    pub(crate) fn provoke_widely(&self, row: &Row) {
+        let (Some(wide), Some(adjoint)) = (&self.wide, &row.adjoint) else {
             return;
         };
-        if self.subject.precision() == Precision::F64 || std::mem::replace(&mut row.wide, true) {
+        if self.subject.precision() == Precision::F64 || row.provoked_widely.replace(true) {
             return;
         }
         let own = self.spread(adjoint, None, |x| self.subject.adjoint(x, &row.weights));
         let exact = wide.adjoint(self.x, &row.weights).unwrap_or_default();
         let theirs = self.spread(&exact, None, |x| wide.adjoint(x, &row.weights));
-        for (i, own) in own.iter().enumerate() {
-            row.tolerance[i] += SAFETY * (own + theirs.get(i).unwrap_or(&0.0));
-        }
+        row.allow(|i| SAFETY * (own[i] + theirs.get(i).unwrap_or(&0.0)));
     }
 
-    /// Adds what provoked rounding shows with the arguments exchanged.
-    pub(crate) fn provoke_exchanged(&self, row: &mut Row) {
+    /// Adds what provoked rounding shows with the arguments exchanged, once.
+    pub(crate) fn provoke_exchanged(&self, row: &Row) {
+        if row.provoked_exchanged.replace(true) {
+            return;
+        }
         let of = |x: &[f64]| {
             let slopes = self.subject.adjoint(&exchanged(x), &row.weights)?;
             Some(exchanged(&slopes))
@@ -250,15 +263,18 @@ impl Judge<'_> {
         let Some(base) = of(self.x) else { return };
         if let Some(adjoint) = &row.adjoint {
             let own = self.spread(adjoint, None, |x| self.subject.adjoint(x, &row.weights));
-            for (tolerance, spread) in row.tolerance.iter_mut().zip(own) {
-                *tolerance += SAFETY * spread;
-            }
+            row.allow(|i| SAFETY * own[i]);
         }
         // The exchanged arguments are rounded differently, so near a tie they may be decided
         // differently.
         let spread = self.spread(&base, None, of);
-        for (tolerance, spread) in row.tolerance.iter_mut().zip(spread) {
-            *tolerance += SAFETY * spread;
-        }
+        row.allow(|i| SAFETY * spread[i]);
+    }
+
+    /// The slope of a row along a direction by duals.
+    pub(crate) fn by_duals(&self, row: &Row, direction: &[f64]) -> Option<f64> {
+        let ahead = self.subject.along(self.x, direction)?;
+        let usable = ahead.len() == self.y.len() && ahead.iter().all(|y| y.is_finite());
+        usable.then(|| dot(&row.weights, &ahead))
     }
 }

@@ -2,10 +2,10 @@
 //! function of `f32` is in double precision.
 use crate::ad::check::Check;
 use crate::ad::check::closures::Near;
-use crate::ad::check::slopes::FEW_INPUTS;
 use crate::ad::check::subject::{Conventions, Subject};
+use crate::ad::check::tolerances::FEW_INPUTS;
 use crate::ad::check::trace::{Number, Trace, Traced, trace};
-use crate::ad::check::witness::{Precision, combined, dot};
+use crate::ad::check::witness::{Precision, axis, combined, dot};
 use crate::{Jet, Pack, Scalar};
 use std::fmt::Debug;
 
@@ -106,11 +106,6 @@ impl<'a, S: Number, X: Pack<Scalar = S> + Debug + 'a> Check<'a, X> {
         }));
         self
     }
-}
-
-/// The direction of one number.
-pub(crate) fn axis(length: usize, i: usize) -> Vec<f64> {
-    (0..length).map(|k| f64::from(u8::from(k == i))).collect()
 }
 
 /// A matrix of `rows` lists of equal length by columns.

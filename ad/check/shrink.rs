@@ -1,12 +1,10 @@
 //! Smaller inputs that fail the same way, and inputs as code.
 use crate::Pack;
+use crate::ad::check::tolerances::{FEW_INPUTS, SHRINKING};
 use crate::ad::check::trace::Number;
 use crate::ad::check::verdict::{Fault, Findings, Place};
 use std::fmt::Debug;
 use std::panic::{AssertUnwindSafe, catch_unwind};
-
-/// How many numbers simpler inputs of a failure may have together: 400 short inputs are tried.
-const WORK: usize = 400 * 48;
 
 /// Simpler inputs, simplest first: fewer elements, then fewer digits. For shrinking.
 pub fn simpler<S: Number, X: Pack<Scalar = S>>(x: &X) -> impl Iterator<Item = X> {
@@ -51,11 +49,11 @@ pub(crate) fn shrunk<S: Number, X: Pack<Scalar = S> + Debug>(
     mut judged: impl FnMut(&X) -> Findings,
 ) -> (X, Fault) {
     let mut least = (x.clone(), fault);
-    let mut left = WORK;
+    let mut left = SHRINKING;
     loop {
         let count = least.0.count();
         let affordable = |candidate: &X| {
-            let cost = candidate.count().max(48);
+            let cost = candidate.count().max(FEW_INPUTS);
             left = left.saturating_sub(cost);
             left > 0
         };

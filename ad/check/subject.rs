@@ -1,5 +1,6 @@
 //! A function under test as the harness sees it: lists of numbers in, lists of numbers out.
 use crate::ad::check::symmetry::{Kind, Promise};
+use crate::ad::check::tolerances::{LEAST_SCALE, NO_UNIT};
 use crate::ad::check::trace::Trace;
 use crate::ad::check::witness::Precision;
 
@@ -15,7 +16,9 @@ pub struct Conventions {
     /// between the slopes of both sides.
     pub shared_ties: bool,
     /// Whether the function searches, and its slopes are those of what was found: where something else is as
-    /// good to the bit, they need not be between the slopes of both sides.
+    /// good to the bit, they need not be between the slopes of both sides. The two that happen to win on
+    /// either side of such a tie are not all that tie: of a box and a box with the same heading, any pair of
+    /// points of two sides is nearest. It counts at exact ties of the source only.
     pub searches: bool,
 }
 
@@ -135,8 +138,18 @@ pub trait Subject {
         let eps = self.precision().epsilon();
         x.iter().map(|x| eps * x.abs()).collect()
     }
+    /// How far each number of the result `y` may be off by the way it is computed, beyond rounding: a table,
+    /// an iteration.
+    fn resolution(&self, y: &[f64]) -> Vec<f64> {
+        vec![0.0; y.len()]
+    }
     /// What each number is; needed for promises only.
     fn kinds(&self) -> Vec<Kind> {
+        Vec::new()
+    }
+    /// What each number of the result is; needed for results that [follow](crate::ad::check::symmetry::Answer::Follows)
+    /// only. What is not said stays where it is.
+    fn output_kinds(&self) -> Vec<Kind> {
         Vec::new()
     }
     /// What the function promises under motions.
@@ -155,9 +168,8 @@ pub fn default_scales(x: &[f64]) -> Vec<f64> {
     let largest = x.iter().fold(0.0_f64, |m, x| m.max(x.abs()));
     let least = match largest {
         0.0 => 1.0,
-        // Such numbers have no unit in common, and products of them would overflow.
-        x if x > 1e150 => f64::MIN_POSITIVE,
-        x => 1e-3 * x,
+        x if x > NO_UNIT => f64::MIN_POSITIVE,
+        x => LEAST_SCALE * x,
     };
     x.iter().map(|x| x.abs().max(least)).collect()
 }

@@ -53,7 +53,7 @@ pub enum Answer {
     Stays,
     /// Every number grows with this power of the scale.
     Power(i32),
-    /// It is a point, several, or a circle (a point and a length), and moves along.
+    /// It moves along, as what it is made of does: points, lengths, angles.
     Follows,
 }
 
@@ -90,20 +90,13 @@ pub fn velocity(motion: Motion, kinds: &[Kind], x: &[f64]) -> Vec<f64> {
         .collect()
 }
 
-/// What the numbers of an output are that follows: points, and a length after them where one is left.
-pub(crate) fn following(outputs: usize) -> Vec<Kind> {
-    let mut kinds = [Kind::X, Kind::Y].repeat(outputs / 2);
-    kinds.resize(outputs, Kind::Length);
-    kinds
-}
-
-/// The velocity of the output that the answer promises.
+/// The velocity of the output that the answer promises, when its numbers are of these kinds.
 #[must_use]
-pub fn answer(promise: Promise, y: &[f64]) -> Vec<f64> {
+pub fn answer(promise: Promise, kinds: &[Kind], y: &[f64]) -> Vec<f64> {
     match promise.answer {
         Answer::Stays => vec![0.0; y.len()],
         Answer::Power(p) => y.iter().map(|y| f64::from(p) * y).collect(),
-        Answer::Follows => velocity(promise.motion, &following(y.len()), y),
+        Answer::Follows => velocity(promise.motion, kinds, y),
     }
 }
 

@@ -82,6 +82,19 @@ pub struct Numbers {
     /// Whether they are slopes along a random direction, in which several numbers of the input move,
     /// and not with respect to one of them.
     pub along: bool,
+    /// How many numbers there were, and how many there should have been.
+    pub lengths: Option<[usize; 2]>,
+}
+
+impl Numbers {
+    /// Two numbers that should be one: that of the function, and what it should be.
+    pub(crate) fn pair(own: f64, other: f64) -> Self {
+        Numbers {
+            adjoint: Some(own),
+            other: Some(other),
+            ..Numbers::default()
+        }
+    }
 }
 
 /// A refusal: what, where, and the numbers.

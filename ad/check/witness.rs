@@ -7,6 +7,10 @@
 //! (Ridders' method), where the estimate includes the rounding noise of the values.
 use crate::Scalar;
 use crate::ad::check::sample::Draw;
+use crate::ad::check::tolerances::{
+    JUMP_NOISE, JUMP_STAYS, LAST_DIGITS, MOVED_ROUNDINGS, NOISE_OF_RUNGS, POWERS, RATIO, RUNGS,
+    SAME_STEP, SETTLED, SMALL_RUNGS, TRUNCATION,
+};
 use crate::ad::check::trace::Trace;
 
 /// The number format a function is checked in.
@@ -116,11 +120,6 @@ pub struct Ladder {
     pub traced: bool,
 }
 
-/// How many steps a ladder has on each side.
-const RUNGS: i32 = 12;
-/// By what the step falls from one to the next: 12 of them span seven decades.
-const RATIO: f64 = 4.0;
-
 impl Ladder {
     /// Evaluates at `x ± step · direction`, from `first` downwards.
     pub fn climb(
@@ -149,7 +148,9 @@ impl Ladder {
                 // Steps lost in rounding, or no smaller than the one before, say nothing.
                 if step.is_nan()
                     || step <= 0.0
-                    || rungs.last().is_some_and(|last| last.step < 1.5 * step)
+                    || rungs
+                        .last()
+                        .is_some_and(|last| last.step < SAME_STEP * step)
                 {
                     continue;
                 }
@@ -185,9 +186,12 @@ impl Ladder {
         let mut points = Vec::new();
         let mut behind = self.behind.iter().peekable();
         for ahead in &self.ahead {
-            while behind.next_if(|b| b.step > 1.5 * ahead.step).is_some() {}
+            while behind
+                .next_if(|b| b.step > SAME_STEP * ahead.step)
+                .is_some()
+            {}
             let Some(&b) = behind.peek() else { break };
-            if b.step < ahead.step / 1.5 {
+            if b.step < ahead.step / SAME_STEP {
                 continue;
             }
             if within && !(ahead.same && b.same) {
@@ -246,7 +250,7 @@ impl Ladder {
                 .filter(|leap| *leap > 0.0)
                 .fold(f64::INFINITY, f64::min);
             let still = slopes.iter().any(|(_, slope)| *slope == 0.0) && least.is_finite();
-            let small = &slopes[slopes.len().saturating_sub(5)..];
+            let small = &slopes[slopes.len().saturating_sub(SMALL_RUNGS)..];
             small
                 .windows(3)
                 .fold(if still { least } else { 0.0 }, |noise, w| {
@@ -263,7 +267,12 @@ impl Ladder {
     pub fn settled(&self) -> bool {
         [&self.ahead, &self.behind].iter().all(|side| {
             let branch = side.last().map_or(0, |rung| rung.branch);
-            side.len() < 3 || side.iter().rev().take(3).all(|rung| rung.branch == branch)
+            side.len() < SETTLED
+                || side
+                    .iter()
+                    .rev()
+                    .take(SETTLED)
+                    .all(|rung| rung.branch == branch)
         })
     }
 
@@ -287,7 +296,7 @@ impl Ladder {
                 .fold((f64::INFINITY, 0.0_f64), |(low, high), r| {
                     (low.min(r.abs()), high.max(r.abs()))
                 });
-            (low > 0.8 * high && low > 64.0 * noise).then_some(low)
+            (low > JUMP_STAYS * high && low > JUMP_NOISE * noise).then_some(low)
         })
     }
 }
@@ -301,7 +310,7 @@ fn nearest_branch(side: &[Rung]) -> &[Rung] {
         .rev()
         .take_while(|rung| rung.branch == branch)
         .count();
-    if near < 3 {
+    if near < SETTLED {
         side
     } else {
         &side[side.len() - near..]
@@ -320,6 +329,11 @@ pub(crate) fn dot(a: &[f64], b: &[f64]) -> f64 {
         .zip(b)
         .map(|(a, b)| if *a == 0.0 { 0.0 } else { a * b })
         .sum()
+}
+
+/// The direction of one number.
+pub(crate) fn axis(length: usize, i: usize) -> Vec<f64> {
+    (0..length).map(|k| f64::from(u8::from(k == i))).collect()
 }
 
 /// The slopes of one combination of the outputs, from a Jacobian with one row per output.
@@ -341,7 +355,7 @@ fn extrapolated(points: &[(f64, f64)], order: i32, noise: f64) -> Option<Estimat
     let mut last: Vec<f64> = Vec::new();
     for (k, &(step, slope)) in points.iter().enumerate() {
         let mut row = vec![slope];
-        for j in 1..=k.min(6) {
+        for j in 1..=k.min(POWERS) {
             let ratio = (points[k - j].0 / step).powi(order);
             row.push(row[j - 1] + (row[j - 1] - last[j - 1]) / (ratio - 1.0));
         }
@@ -355,8 +369,8 @@ fn extrapolated(points: &[(f64, f64)], order: i32, noise: f64) -> Option<Estimat
             };
             let off = (slope - row[j]).abs();
             let excess = points[k + 1..].iter().fold(0.0_f64, |excess, near| {
-                let truncation = 2.0 * off * (near.0 / step).powi(order);
-                let allowed = truncation + 16.0 * noise / near.0 + change;
+                let truncation = TRUNCATION * off * (near.0 / step).powi(order);
+                let allowed = truncation + NOISE_OF_RUNGS * noise / near.0 + change;
                 excess.max((near.1 - row[j]).abs() - allowed)
             });
             let error = change + noise / step + excess;
@@ -387,9 +401,9 @@ pub fn beside(precision: Precision, x: &[f64], rounding: &[f64], round: u64) -> 
             };
             let mut draw = Draw::new(key ^ round.wrapping_mul(0x9e37_79b9));
             if round.is_multiple_of(3) {
-                precision.beside(x[i], [-2, -1, 1, 2][draw.below(4)])
+                precision.beside(x[i], LAST_DIGITS[draw.below(4)])
             } else {
-                precision.round(x[i] + 2.0 * rounding[i] * draw.within(-1.0, 1.0))
+                precision.round(x[i] + MOVED_ROUNDINGS * rounding[i] * draw.within(-1.0, 1.0))
             }
         })
         .collect()

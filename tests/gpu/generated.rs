@@ -33,7 +33,7 @@ where
 pub fn agrees<O: Op>()
 where
     O::In<f64>: Sample + Row,
-    O::Out<f64>: Row,
+    O::Out<f64>: Sample + Row,
     O::In<f32>: Row<Scalar = f32>,
     O::Out<f32>: Row<Scalar = f32>,
 {

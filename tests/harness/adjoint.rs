@@ -91,12 +91,14 @@ mod alarms {
     fn judged<O: Source>(pair: O::In<f64>, sample: u64) -> Report
     where
         O::In<f64>: Sample,
+        O::Out<f64>: Sample,
     {
         judged_from::<O>(pair, check::SEED, sample)
     }
     fn judged_from<O: Source>(pair: O::In<f64>, seed: u64, sample: u64) -> Report
     where
         O::In<f64>: Sample,
+        O::Out<f64>: Sample,
     {
         examine(
             O::NAME,

@@ -4,7 +4,7 @@
 use geograd::Scalar;
 use geograd::ad::check::verdict::{Reason, Witness};
 use geograd::ad::check::{Check, Report};
-use geograd::assert_gradient;
+use geograd::{Program, Sym, assert_gradient, generic_check};
 
 const UNHEARD: Reason = Reason::Unjudged;
 const BY_DUALS: Reason = Reason::Disagree(Witness::Adjoint, Witness::Dual);
@@ -155,6 +155,78 @@ mod accepted {
         }
     }
     #[test]
+    fn second_derivatives_of_a_saturated_softmax() {
+        // The loss of a logit that has won: its second derivative is what is left of one, squared.
+        fn loss<S: Scalar>([a, b]: [S; 2]) -> S {
+            let m = a.most(b);
+            m + ((a - m).exp() + (b - m).exp()).ln() - a
+        }
+        let shares = |[a, b]: [f64; 2]| {
+            let m = a.max(b);
+            let (p, q) = ((a - m).exp(), (b - m).exp());
+            [p / (p + q), q / (p + q)]
+        };
+        let slopes = move |x| {
+            let [p, q] = shares(x);
+            [p - 1.0, q]
+        };
+        let hessian = move |x, [u, v]: [f64; 2]| {
+            let [p, q] = shares(x);
+            [(p - p * p) * u - p * q * v, (q - q * q) * v - p * q * u]
+        };
+        for x in [[40.0, 0.0], [12.0, 0.0], [3.0, 1.0], [-2.0, 20.0]] {
+            let check = generic_check!(loss, at x).gradient(slopes);
+            check.hessian_times(hessian).prove();
+            Check::at(x)
+                .value(loss)
+                .gradient(slopes)
+                .hessian_times(hessian)
+                .prove();
+        }
+        // Where it has not won, the mixed derivative forgotten shows.
+        let wrong = move |x, [u, v]: [f64; 2]| {
+            let [p, q] = shares(x);
+            [(p - p * p) * u, (q - q * q) * v]
+        };
+        let check = generic_check!(loss, at [3.0, 1.0]).gradient(slopes);
+        let report = check.hessian_times(wrong).run();
+        refused(&report, Reason::CurvatureDisagrees(Witness::Dual));
+    }
+    #[test]
+    fn values_from_a_table() {
+        // Steps of a millionth; without being told the harness sees jumps and noise.
+        let rounded = |[x, y]: [f64; 2]| (x.sin() * y * 1e6).round() / 1e6;
+        let slopes = |[x, y]: [f64; 2]| [x.cos() * y, x.sin()];
+        assert_gradient!(rounded, slopes, at [0.4, 1.3], [2.0, -0.7]; resolution 1e-6);
+        let wrong = |[x, y]: [f64; 2]| [x.cos() * y, 1.01 * x.sin()];
+        let check = Check::at([0.4, 1.3]).value(rounded).gradient(wrong);
+        assert!(!check.resolution(1e-6).run().passed());
+    }
+    #[test]
+    fn options_of_the_macro() {
+        let root = |x: f64| {
+            assert!(x > 0.0, "only inside");
+            x.sqrt()
+        };
+        let slope = |x: f64| 0.5 / x.sqrt();
+        assert_gradient!(root, slope, at 1e-3, 2.0; inside |x| *x > 0.0; scales |x| 0.5 * x);
+    }
+    #[test]
+    fn a_recorded_program() {
+        let recorded = |v: [Sym<f64>; 3]| (v[0] * v[1]).sin() + v[2].most(v[0]);
+        let program = Program::trace(recorded).unwrap();
+        assert_gradient!(program &program, at [0.3, 1.2, -0.4], [1.0, 2.0, 1.0], [0.0, 0.0, 0.0]);
+        let wrong = program.with_adjoint(|v: [Sym<f64>; 3]| {
+            let cos = (v[0] * v[1]).cos();
+            [v[1] * cos, v[0] * cos, Sym::one()]
+        });
+        // Right where the last number is the larger one only.
+        assert_gradient!(program wrong.as_ref().unwrap(), at [0.3, 1.2, 0.4]);
+        let report = Check::at([0.3, 1.2, -0.4]).program(&wrong.unwrap()).run();
+        refused(&report, BY_DIFFERENCES);
+        refused(&report, BY_DUALS);
+    }
+    #[test]
     fn numbers_whose_product_nearly_overflows() {
         assert_gradient!(|[x, y]: [f64; 2]| x * y, |[x, y]| [y, x], at [1e300, 1e-3]);
     }
@@ -212,6 +284,19 @@ mod hidden {
         let off = |[a, b]: [f32; 2]| [2.0 * a, 2.02 * b];
         let check = Check::at([1e2_f32, 1.0]).value(sum_of_squares);
         refused(&check.dual(sum_of_squares).gradient(off).run(), BY_DUALS);
+    }
+    #[test]
+    fn second_derivatives_beside_far_larger_ones() {
+        let slopes = |[a, b]: [f64; 2]| [2.0 * a, 2.0 * b];
+        let check = |off: f64| {
+            let check = generic_check!(sum_of_squares, at [1e12, 1.0]).gradient(slopes);
+            check.hessian_times(move |_, [u, v]| [2.0 * u, (2.0 + off) * v])
+        };
+        check(0.0).prove();
+        refused(
+            &check(1e-8).run(),
+            Reason::CurvatureDisagrees(Witness::Dual),
+        );
     }
     #[test]
     fn in_ties_of_many() {
@@ -275,6 +360,31 @@ mod reports {
             .gradient(|(x, a)| (vec![-a; x.len()], x.iter().sum()))
             .run();
         assert!(report.failures[0].code.starts_with("(vec!["), "{report}");
+    }
+    #[test]
+    fn say_what_is_wrong() {
+        let check = Check::at([1.0, 2.0])
+            .value(sum_of_squares)
+            .dual(sum_of_squares);
+        let text = check
+            .gradient(|[a, b]| [2.0 * a, 2.02 * b])
+            .run()
+            .to_string();
+        for part in [
+            "the derivative by hand and the duals disagree",
+            "slope of output 0 with respect to input 1",
+            "apart by",
+            "allowed here",
+            "at fault, as far as the others tell: the derivative by hand",
+            "let input = [",
+        ] {
+            assert!(text.contains(part), "{part}\n{text}");
+        }
+        let check = Check::at(vec![1.0, 2.0]).value(|x: Vec<f64>| x[0] * x[1]);
+        let report = check.gradient(|_| vec![2.0; 3]).run();
+        assert_eq!(report.failures[0].fault.numbers.lengths, Some([3, 2]));
+        let text = report.to_string();
+        assert!(text.contains("3 numbers where 2 are needed"), "{text}");
     }
     #[test]
     fn a_long_list_does_not_hang() {

@@ -191,6 +191,7 @@ fn main() -> ExitCode {
     }
     bar.finish_and_clear();
     if !options.json {
+        println!("\n{}", Report::legend());
         for report in &failed {
             println!("\n{report}");
         }

@@ -1,12 +1,8 @@
 //! One slope along one direction against what ladders of steps give for it.
-use crate::ad::check::judge::SAFETY;
-use crate::ad::check::opinion::{Opinion, Review, review};
-use crate::ad::check::slopes::FIRST;
+use crate::ad::check::compare::opinion::{Opinion, Review, review};
+use crate::ad::check::tolerances::{FINER, FIRST, INFORMATIVE, OWN_FIRST, OWN_SIZE, SAFETY, SIDES};
 use crate::ad::check::verdict::Place;
 use crate::ad::check::witness::{Estimate, Ladder};
-
-/// A difference whose error is larger than this share of the largest slope says nothing.
-pub(crate) const INFORMATIVE: f64 = 0.02;
 
 /// What is compared: a slope, and ladders of any first step along its direction.
 pub(crate) struct SlopeTest<'l> {
@@ -54,8 +50,8 @@ impl SlopeTest<'_> {
 
     /// What ladders say that begin at the number's own size, where that is far smaller than its scale.
     fn of_own_size(&self) -> Vec<Opinion> {
-        let worth = self.guessed && self.own > 0.0 && self.own < 0.5;
-        let firsts = [0.1, 0.037].iter().filter(|_| worth);
+        let worth = self.guessed && self.own > 0.0 && self.own < OWN_SIZE;
+        let firsts = OWN_FIRST.iter().filter(|_| worth);
         firsts.map(|first| self.other(first * self.own)).collect()
     }
 
@@ -66,7 +62,7 @@ impl SlopeTest<'_> {
         }
         let own = self.of_own_size();
         let own = own.into_iter().filter(|said| !said.undefined());
-        let finer = FIRST[3..].iter().map(|&first| self.other(first));
+        let finer = FIRST[FINER].iter().map(|&first| self.other(first));
         let fine = |said: &Opinion| matches!(said, Opinion::Fine { .. }) && !said.undefined();
         own.chain(finer.filter(fine)).last().unwrap_or(said)
     }
@@ -148,7 +144,7 @@ impl SlopeTest<'_> {
         if !ladder.settled() {
             return undefined;
         }
-        if !border && (ahead.value - behind.value).abs() <= 2.0 * SAFETY * error + exact {
+        if !border && (ahead.value - behind.value).abs() <= SIDES * SAFETY * error + exact {
             // Where branches meet smoothly, the central slope converges slowly and the sides fast.
             let mean = Estimate {
                 value: 0.5 * (ahead.value + behind.value),

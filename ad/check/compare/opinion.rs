@@ -1,5 +1,5 @@
 //! What a ladder of steps says about a slope.
-use crate::ad::check::judge::SAFETY;
+use crate::ad::check::tolerances::{REPEATED, SAFETY};
 use crate::ad::check::verdict::Place;
 use crate::ad::check::witness::Estimate;
 
@@ -90,7 +90,7 @@ pub(crate) fn review(said: &[Opinion], own: &[Opinion], exact: f64) -> Review {
         None => (outside, !support.is_empty()),
     };
     Review {
-        stands: repeated >= 2 && !contradicted && !kink,
+        stands: repeated >= REPEATED && !contradicted && !kink,
         against: best,
         supported: !support.is_empty(),
     }

@@ -1,0 +1,92 @@
+//! The adjoint against duals and further witnesses: no steps, so hardly any tolerance.
+use crate::ad::check::compare::values::another;
+use crate::ad::check::evidence::{Evidence, Row};
+use crate::ad::check::notes::{Notes, comparison};
+use crate::ad::check::tolerances::{CONVENTION_BORDER, SAFETY};
+use crate::ad::check::verdict::{Numbers, Reason, Witness};
+use crate::ad::check::witness::dot;
+
+/// Whether a convention may decide about this slope: the value is zero and the input cannot be
+/// moved both ways.
+pub(crate) fn conventional_border(e: &Evidence<'_>, row: &Row, i: usize) -> bool {
+    let stuck = |sign: f64| {
+        let mut there = e.x.to_vec();
+        there[i] += sign * CONVENTION_BORDER * e.scales[i];
+        !e.subject.inside(&there)
+    };
+    e.subject.conventions().flat && dot(&row.weights, &e.y) == 0.0 && (stuck(1.0) || stuck(-1.0))
+}
+
+/// All rows against all witnesses that take no steps.
+pub(crate) fn exact(e: &Evidence<'_>) -> Notes {
+    let mut said = Notes::new(e.x.len());
+    for row in &e.rows {
+        said.add(one_row(e, row));
+    }
+    said
+}
+
+fn one_row(e: &Evidence<'_>, row: &Row) -> Notes {
+    let mut said = Notes::new(e.x.len());
+    let Some(adjoint) = &row.adjoint else {
+        return said;
+    };
+    let further = e.subject.further(e.x, &row.weights);
+    let batch = e.subject.batch(e.x, &row.weights);
+    if let Some((value, _)) = &batch {
+        said.add(another(e, value, Witness::Batch));
+    }
+    let dual = row.dual.iter().cloned().map(|dual| (Witness::Dual, dual));
+    let others = dual
+        .chain((0..).map(Witness::Further).zip(further))
+        .chain(batch.map(|(_, slopes)| (Witness::Batch, slopes)));
+    for (witness, other) in others {
+        if other.len() != adjoint.len() {
+            said.complain_of_length(witness, row.output, [other.len(), adjoint.len()]);
+            continue;
+        }
+        let pair = match witness {
+            Witness::Dual => 0,
+            Witness::Batch => 5,
+            _ => 4,
+        };
+        let mut theirs: Option<Vec<f64>> = None;
+        for i in 0..adjoint.len() {
+            said.covered[i] = true;
+            let gap = (adjoint[i] - other[i]).abs();
+            if gap > row.allowed(i) || gap.is_nan() {
+                e.provoke(row);
+            }
+            let mut tolerance = row.allowed(i);
+            if gap > tolerance && witness != Witness::Dual {
+                // Duals were provoked with the row; others on their own.
+                let theirs = theirs.get_or_insert_with(|| {
+                    e.spread(&other, Some(&row.size), |x| match witness {
+                        Witness::Further(k) => {
+                            let further = e.subject.further(x, &row.weights);
+                            further.into_iter().nth(k)
+                        }
+                        _ => Some(e.subject.batch(x, &row.weights)?.1),
+                    })
+                });
+                tolerance += SAFETY * theirs[i];
+            }
+            let numbers = Numbers {
+                adjoint: Some(adjoint[i]),
+                dual: row.dual.as_ref().map(|dual| dual[i]),
+                other: (witness != Witness::Dual).then_some(other[i]),
+                ..Numbers::default()
+            };
+            let at = comparison(row, i, numbers, tolerance);
+            said.compared(pair, gap, row.size[i], e.eps, at);
+            if gap > tolerance && conventional_border(e, row, i) {
+                // Differences will ask both whether they lie between zero and the only side.
+                said.convention = true;
+            } else if gap > tolerance || gap.is_nan() {
+                let reason = Reason::Disagree(Witness::Adjoint, witness);
+                said.complain_of(reason, None, (row.output, i), numbers, tolerance);
+            }
+        }
+    }
+    said
+}

@@ -1,0 +1,26 @@
+//! Independent comparisons: each reads the [evidence](crate::ad::check::evidence) about one input and has
+//! its say, without knowing of the others. What it complains about is refused by
+//! [`judge`](crate::ad::check::judge), or explained by what others say.
+//!
+//! | file | what is compared |
+//! | --- | --- |
+//! | `values` | the value with that of other paths |
+//! | `exact` | the adjoint with duals, batches and further witnesses |
+//! | `wide` | single precision with double |
+//! | `projection` | the adjoint with duals along a direction |
+//! | `linear` | the adjoint of a sum with the sum of the adjoints |
+//! | `steps` | adjoint and duals with differences, and with both sides at a kink |
+//! | `promise` | the value and its slopes with those of the moved input |
+//! | `curvature` | second derivatives with one another |
+pub(crate) mod along;
+pub(crate) mod curvature;
+pub(crate) mod exact;
+pub(crate) mod linear;
+pub(crate) mod nearby;
+pub(crate) mod opinion;
+pub(crate) mod projection;
+pub(crate) mod promise;
+pub(crate) mod slope_test;
+pub(crate) mod steps;
+pub(crate) mod values;
+pub(crate) mod wide;

@@ -1,0 +1,183 @@
+//! Promises: the value and its slopes when the whole input moves.
+use crate::ad::check::evidence::{Evidence, Row};
+use crate::ad::check::notes::Notes;
+use crate::ad::check::symmetry::{
+    Answer, Kind, Motion, Promise, answer, exchanged, moved_by, velocity,
+};
+use crate::ad::check::tolerances::{
+    DRAWS, GROWTH, ROTATION, ROUNDINGS, SAFETY, SCALING, TRANSLATION,
+};
+use crate::ad::check::verdict::{Numbers, Reason, Witness};
+use crate::ad::check::witness::{beside, dot};
+
+/// Declared motions, of values and of slopes.
+pub(crate) fn promises(e: &Evidence<'_>) -> Notes {
+    let mut said = Notes::new(e.x.len());
+    let kinds = e.subject.kinds();
+    if kinds.len() != e.x.len() || e.x.is_empty() {
+        return said;
+    }
+    let typical = e.scales.iter().fold(f64::INFINITY, |m, s| m.min(*s));
+    for &promise in e.subject.promises() {
+        let amount = match promise.motion {
+            Motion::TranslationX | Motion::TranslationY => TRANSLATION * typical,
+            Motion::Rotation => ROTATION,
+            Motion::Scaling => SCALING,
+            Motion::Exchange => 0.0,
+        };
+        said.add(value_moves(e, promise, amount, &kinds));
+        for row in &e.rows {
+            let Some(slopes) = &row.adjoint else {
+                continue;
+            };
+            said.add(match promise.motion {
+                Motion::Exchange => slopes_exchange(e, row, slopes),
+                _ => slopes_balance(e, promise, row, slopes, &kinds),
+            });
+        }
+    }
+    said
+}
+
+/// What the numbers of the result are.
+fn outputs(e: &Evidence<'_>) -> Vec<Kind> {
+    let kinds = e.subject.output_kinds();
+    if kinds.len() == e.y.len() {
+        kinds
+    } else {
+        vec![Kind::Number; e.y.len()]
+    }
+}
+
+/// The value of the whole input, moved, against the moved value.
+fn value_moves(e: &Evidence<'_>, promise: Promise, amount: f64, kinds: &[Kind]) -> Notes {
+    let (mut said, subject) = (Notes::new(e.x.len()), e.subject);
+    let (motion, precision) = (promise.motion, subject.precision());
+    let there = moved_by(motion, amount, kinds, e.x);
+    let there: Vec<f64> = there.iter().map(|x| precision.round(*x)).collect();
+    if !subject.inside(&there) {
+        return said;
+    }
+    let y = subject.value(&there);
+    let wanted = match promise.answer {
+        Answer::Stays => e.y.clone(),
+        Answer::Power(p) => e.y.iter().map(|y| y * amount.powi(p)).collect(),
+        Answer::Follows => moved_by(motion, amount, &outputs(e), &e.y),
+    };
+    let spread = e.spread(&e.y, None, |x| Some(subject.value(x)));
+    // Moving rounds every number; what that may do, a slope says.
+    let rows = e.rows.iter();
+    let slopes = rows.filter_map(|row| row.adjoint.as_ref().or(row.dual.as_ref()));
+    let moved = |slopes: &Vec<f64>| -> f64 {
+        let each = slopes.iter().zip(e.x).zip(&there);
+        each.map(|((s, x), t)| s.abs() * (x.abs() + t.abs() / amount.max(1.0)))
+            .sum()
+    };
+    let rounding: f64 = slopes.map(moved).sum();
+    for j in 0..y.len() {
+        let size = y[j].abs().max(wanted[j].abs());
+        let growth = (size / e.y[j].abs().max(f64::MIN_POSITIVE)).clamp(1.0, GROWTH);
+        let off = 2.0 * spread[j].max(e.resolution[j]) + e.eps * rounding;
+        let mut tolerance = ROUNDINGS * e.eps * size + growth * SAFETY * off;
+        if (y[j] - wanted[j]).abs() > tolerance {
+            // The moved input has a conditioning of its own, and few draws may miss that of
+            // this one.
+            tolerance += SAFETY * unrest(e, &there, &y)[j];
+            tolerance += growth * SAFETY * unrest(e, e.x, &e.y)[j];
+        }
+        if (y[j] - wanted[j]).abs() > tolerance {
+            let numbers = Numbers::pair(y[j], wanted[j]);
+            let reason = Reason::MotionBroken(motion);
+            said.complain_of(reason, None, (j, 0), numbers, tolerance);
+        }
+    }
+    said
+}
+
+/// The slopes with the arguments exchanged against the exchanged slopes.
+fn slopes_exchange(e: &Evidence<'_>, row: &Row, slopes: &[f64]) -> Notes {
+    let mut said = Notes::new(e.x.len());
+    let Some(other) = e.subject.adjoint(&exchanged(e.x), &row.weights) else {
+        return said;
+    };
+    let other = exchanged(&other);
+    for i in 0..other.len() {
+        if (other[i] - slopes[i]).abs() > row.allowed(i) {
+            e.provoke(row);
+            e.provoke_exchanged(row);
+        }
+        let sides = [slopes[i], other[i]];
+        unbalanced(
+            &mut said,
+            Motion::Exchange,
+            (row.output, i),
+            sides,
+            row.allowed(i),
+        );
+    }
+    said
+}
+
+/// The slopes along the motion of the input against the motion of the value.
+fn slopes_balance(
+    e: &Evidence<'_>,
+    promise: Promise,
+    row: &Row,
+    slopes: &[f64],
+    kinds: &[Kind],
+) -> Notes {
+    let mut said = Notes::new(e.x.len());
+    let speed = velocity(promise.motion, kinds, e.x);
+    let wanted = dot(&row.weights, &answer(promise, &outputs(e), &e.y));
+    let balance = dot(slopes, &speed);
+    let tolerance = || -> f64 {
+        let own = |i: usize| {
+            let own = ROUNDINGS * e.eps * slopes[i].abs() + row.allowed(i);
+            own * speed[i].abs()
+        };
+        (0..e.x.len()).map(own).sum::<f64>() + ROUNDINGS * e.eps * wanted.abs()
+    };
+    if (balance - wanted).abs() > tolerance() {
+        e.provoke(row);
+    }
+    let at = (row.output, 0);
+    unbalanced(
+        &mut said,
+        promise.motion,
+        at,
+        [balance, wanted],
+        tolerance(),
+    );
+    said
+}
+
+/// By how much the value at another input changes under provoked rounding.
+fn unrest(e: &Evidence<'_>, x: &[f64], y: &[f64]) -> Vec<f64> {
+    let (subject, precision) = (e.subject, e.subject.precision());
+    let rounding = subject.rounding(x);
+    let mut unrest = vec![0.0_f64; y.len()];
+    for round in 0..DRAWS {
+        let there = beside(precision, x, &rounding, round);
+        if subject.inside(&there) {
+            for (unrest, (a, b)) in unrest.iter_mut().zip(subject.value(&there).iter().zip(y)) {
+                *unrest = unrest.max((a - b).abs());
+            }
+        }
+    }
+    unrest
+}
+
+/// Complains about slopes that do not follow a motion.
+fn unbalanced(
+    said: &mut Notes,
+    motion: Motion,
+    at: (usize, usize),
+    [a, b]: [f64; 2],
+    tolerance: f64,
+) {
+    if (a - b).abs() > tolerance || (a - b).is_nan() {
+        let reason = Reason::MotionUnbalanced(motion);
+        let suspect = Some(Witness::Adjoint);
+        said.complain_of(reason, suspect, at, Numbers::pair(a, b), tolerance);
+    }
+}

@@ -1,0 +1,148 @@
+//! Adjoint and duals against differences, and against both sides at a kink.
+use crate::ad::check::compare::along::Along;
+use crate::ad::check::evidence::Evidence;
+use crate::ad::check::notes::Notes;
+use crate::ad::check::sample::Draw;
+use crate::ad::check::tolerances::{
+    BORDER, FEW_INPUTS, FIRST, KINK_DIRECTIONS, LONG_DIRECTIONS, TIED_DIRECTIONS, WIDE_NOISE,
+};
+use crate::ad::check::trace::Trace;
+use crate::ad::check::witness::{Ladder, axis};
+
+/// Slopes against differences along every direction. Of a long input that is `refused` already, or of
+/// which a direction is, no further directions are tried: they are all alike.
+pub(crate) fn steps(e: &Evidence<'_>, draw: &mut Draw, before: &Notes, refused: bool) -> Notes {
+    let mut said = Notes::new(e.x.len());
+    let on = e.on();
+    let (center, trace) = match on.traced(e.x) {
+        Some((values, trace)) => (values, Some(trace)),
+        None => (on.value(e.x), None),
+    };
+    let n = e.x.len();
+    if n == 0 || center.len() != e.y.len() || center.iter().any(|y| !y.is_finite()) {
+        return said;
+    }
+    let anywhere = |there: &[f64]| -> Option<(Vec<f64>, Option<Trace>)> {
+        let (values, trace) = match on.traced(there) {
+            Some((values, trace)) => (values, Some(trace)),
+            None => (on.value(there), None),
+        };
+        let usable = values.len() == center.len() && values.iter().all(|y| y.is_finite());
+        usable.then_some((values, trace))
+    };
+    let probe = |there: &[f64]| on.inside(there).then(|| anywhere(there)).flatten();
+    let climb = |direction: &[f64], first: f64| {
+        Ladder::climb(
+            &probe,
+            on.precision(),
+            e.x,
+            &center,
+            trace,
+            direction,
+            first,
+        )
+    };
+    let across = |direction: &[f64], first: f64| {
+        let precision = on.precision();
+        Ladder::climb(&anywhere, precision, e.x, &center, trace, direction, first)
+    };
+    let (mut directions, more) = directions(e, draw);
+    // Where differences are taken in double precision, rounding is that of its numbers.
+    let wide_noise = e.wide.as_ref().map(|_| {
+        let sizes: f64 = center.iter().map(|y| y.abs()).sum();
+        let own: f64 = e.resolution.iter().sum();
+        (WIDE_NOISE * f64::EPSILON * sizes).max(own)
+    });
+    let (mut plain, mut kinks, mut k) = (true, false, 0);
+    while k < directions.len() {
+        let here = climb(&directions[k], FIRST[0]);
+        let along = Along {
+            e,
+            k,
+            direction: &directions[k],
+            here: &here,
+            climb: &climb,
+            across: on.total().then_some(&across),
+            covered: before.covered.get(k).is_some_and(|covered| *covered),
+        };
+        let jumps = along.jumps();
+        if jumps.jump {
+            said.directions[2] += e.rows.len() as u64;
+            plain = false;
+            said.add(jumps);
+        } else {
+            for row in &e.rows {
+                let one = along.one_row(row, wide_noise.unwrap_or(row.noise));
+                kinks |= one.directions[1] > 0;
+                plain &= one.switched == 0;
+                said.add(one);
+            }
+        }
+        k += 1;
+        // The directions of a long input are all alike: one refusal says it.
+        if n > FEW_INPUTS && (refused || said.complaints.iter().any(|c| !e.excusable(c))) {
+            break;
+        }
+        // At a kink the coordinate axes are not enough.
+        if k == n && kinks && n <= FEW_INPUTS {
+            directions.extend(more.iter().cloned());
+            directions.extend(tied(e));
+        }
+    }
+    let [smooth, kinked, undefined] = said.directions;
+    said.plain = plain && smooth > 0 && kinked == 0 && undefined == 0 && !said.jump;
+    said
+}
+
+/// The axes, or random directions of a long input, and more for a kink.
+fn directions(e: &Evidence<'_>, draw: &mut Draw) -> (Vec<Vec<f64>>, Vec<Vec<f64>>) {
+    let n = e.x.len();
+    let mut random = || -> Vec<f64> {
+        let within = |scale: &f64| scale * draw.within(-1.0, 1.0);
+        e.scales.iter().map(within).collect()
+    };
+    if n > FEW_INPUTS {
+        let all = (0..LONG_DIRECTIONS).map(|_| random()).collect();
+        // What follows draws on.
+        (0..KINK_DIRECTIONS).for_each(|_| drop(random()));
+        return (all, Vec::new());
+    }
+    let axes = (0..n).map(|i| axis(n, i).iter().map(|d| d * e.scales[i]).collect());
+    let mut more: Vec<Vec<f64>> = (0..KINK_DIRECTIONS).map(|_| random()).collect();
+    // A number at the border of its domain can move to one side only, and one side of a kink says
+    // nothing of the other: there such a number stays, so that both sides are seen.
+    let bordered = |i: usize| {
+        let inside = [-BORDER, BORDER].map(|step| {
+            let mut there = e.x.to_vec();
+            there[i] += step * e.scales[i];
+            e.on().inside(&there)
+        });
+        inside.contains(&false)
+    };
+    for i in (0..n).filter(|&i| bordered(i)) {
+        more.iter_mut().for_each(|direction| direction[i] = 0.0);
+    }
+    more.retain(|direction| direction.iter().any(|d| *d != 0.0));
+    (axes.collect(), more)
+}
+
+/// Directions that keep ties: along each all numbers of one magnitude move alike. There a kink of
+/// many is smooth, and a derivative has no choice.
+fn tied(e: &Evidence<'_>) -> Vec<Vec<f64>> {
+    let mut sizes: Vec<u64> = e.x.iter().map(|x| x.abs().to_bits()).collect();
+    sizes.sort_unstable();
+    sizes.dedup();
+    let direction = |size: u64| {
+        let member = |i: &usize| e.x[*i].abs().to_bits() == size;
+        let group: Vec<usize> = (0..e.x.len()).filter(member).collect();
+        let least = |m: f64, &i: &usize| m.min(e.scales[i]);
+        let step = group.iter().fold(f64::INFINITY, least);
+        let mut direction = vec![0.0; e.x.len()];
+        for &i in &group {
+            direction[i] = step.copysign(e.x[i]);
+        }
+        (group.len() > 1).then_some(direction)
+    };
+    let all = sizes.into_iter().filter_map(direction);
+    all.take(TIED_DIRECTIONS).collect()
+}

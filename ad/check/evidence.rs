@@ -1,0 +1,327 @@
+//! What is known of a function at one input: gathered once, before anything is compared. Comparisons
+//! read it; what they make of it are [notes](crate::ad::check::notes).
+use crate::ad::check::notes::Notes;
+use crate::ad::check::sample::Draw;
+use crate::ad::check::subject::Subject;
+use crate::ad::check::tolerances::{
+    COMBINATIONS, FEW_INPUTS, FEW_OUTPUTS, NOISE_ROUNDS, ROUNDINGS, ROUNDS,
+};
+use crate::ad::check::trace::Trace;
+use crate::ad::check::verdict::{Reason, Witness};
+use crate::ad::check::witness::{beside, combined, dot};
+use std::cell::{Cell, RefCell};
+
+/// The slopes of one combination of the outputs.
+pub(crate) struct Row {
+    pub(crate) weights: Vec<f64>,
+    pub(crate) output: usize,
+    pub(crate) adjoint: Option<Vec<f64>>,
+    pub(crate) dual: Option<Vec<f64>>,
+    /// How much both may be off together by plain rounding, per input.
+    pub(crate) plain: Vec<f64>,
+    /// The same with what provoked rounding shows, as far as it was provoked.
+    pub(crate) tolerance: RefCell<Vec<f64>>,
+    /// Whether rounding was provoked, in double precision too, and with the arguments exchanged.
+    pub(crate) provoked: Cell<bool>,
+    pub(crate) provoked_widely: Cell<bool>,
+    pub(crate) provoked_exchanged: Cell<bool>,
+    /// The largest slope in each input's unit.
+    pub(crate) size: Vec<f64>,
+    /// The largest slope per scale.
+    pub(crate) largest: f64,
+    /// Rounding noise of the combined value.
+    pub(crate) noise: f64,
+}
+
+impl Row {
+    /// How much two exact slopes with respect to an input may differ.
+    pub(crate) fn allowed(&self, input: usize) -> f64 {
+        self.tolerance.borrow()[input]
+    }
+    /// How much they may differ together along a direction.
+    pub(crate) fn allowed_along(&self, direction: &[f64]) -> f64 {
+        let tolerance = self.tolerance.borrow();
+        let each = direction.iter().zip(tolerance.iter());
+        each.map(|(d, tolerance)| d.abs() * tolerance).sum()
+    }
+    /// Widens what is allowed.
+    pub(crate) fn allow(&self, more: impl Fn(usize) -> f64) {
+        for (i, tolerance) in self.tolerance.borrow_mut().iter_mut().enumerate() {
+            *tolerance += more(i);
+        }
+    }
+}
+
+/// What is known about an input beside the one that is judged.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Beside {
+    /// The same branches.
+    Same,
+    /// Equal numbers stayed equal, so a change of branch comes from rounding.
+    Tied,
+    /// Numbers moved on their own: an exact tie may have been broken.
+    Loose,
+}
+
+/// Everything known of a function at an input.
+pub(crate) struct Evidence<'a> {
+    pub(crate) subject: &'a dyn Subject,
+    /// The function in double precision, if it computes in single and is known there.
+    pub(crate) wide: Option<Box<dyn Subject + 'a>>,
+    pub(crate) x: &'a [f64],
+    pub(crate) y: Vec<f64>,
+    /// The branches the value took, where they are known.
+    pub(crate) trace: Option<Trace>,
+    /// The value on traced numbers.
+    pub(crate) traced: Option<Vec<f64>>,
+    pub(crate) scales: Vec<f64>,
+    pub(crate) units: Vec<f64>,
+    pub(crate) eps: f64,
+    /// How far each output is off by what the function itself says of its values.
+    pub(crate) resolution: Vec<f64>,
+    /// Outputs that single precision holds with fewer than all digits: of their values the size is judged
+    /// ([`resolution`](Evidence::resolution)); slopes that are pulled back through them have no digits that
+    /// could be.
+    pub(crate) underflown: Vec<bool>,
+    /// Inputs beside `x`, with the branches of `x` as far as possible.
+    pub(crate) around: Vec<(Vec<f64>, Beside)>,
+    /// The slopes; empty until they are [gathered](Evidence::gather_slopes).
+    pub(crate) rows: Vec<Row>,
+}
+
+/// Whether all numbers are finite.
+pub(crate) fn finite(list: &[f64]) -> bool {
+    list.iter().all(|x| x.is_finite())
+}
+
+/// Whether two lists have the same bits.
+pub(crate) fn same_bits(a: &[f64], b: &[f64]) -> bool {
+    a.len() == b.len() && a.iter().zip(b).all(|(a, b)| a.to_bits() == b.to_bits())
+}
+
+impl<'a> Evidence<'a> {
+    /// The values at an input; `None` where there is nothing to judge, and `said` says why if it is the
+    /// function's fault.
+    pub(crate) fn of_values(
+        subject: &'a dyn Subject,
+        x: &'a [f64],
+        said: &mut Notes,
+    ) -> Option<Self> {
+        let y = subject.value(x);
+        if !subject.inside(x) {
+            return None;
+        }
+        if !finite(&y) {
+            said.complain(Reason::NotFinite(Witness::Value), 0, 0);
+            return None;
+        }
+        if !same_bits(&y, &subject.value(x)) {
+            said.complain(Reason::Impure(Witness::Value), 0, 0);
+        }
+        let wide = subject.wide();
+        let underflown = underflown(wide.as_deref(), x, y.len());
+        let (traced, trace) = subject.traced(x).unzip();
+        let rounding = subject.rounding(x);
+        let around = (0..ROUNDS).filter_map(|round| {
+            let there = beside(subject.precision(), x, &rounding, round);
+            subject.inside(&there).then(|| {
+                let same = trace.is_some_and(|here: Trace| {
+                    let there = subject.traced(&there);
+                    there.is_some_and(|(_, trace)| trace.hash == here.hash)
+                });
+                let same = match (same, round % 3) {
+                    (true, _) => Beside::Same,
+                    (false, 1) => Beside::Loose,
+                    (false, _) => Beside::Tied,
+                };
+                (there, same)
+            })
+        });
+        let around = around.collect();
+        Some(Evidence {
+            subject,
+            wide,
+            x,
+            scales: subject.scales(x),
+            units: subject.units(x),
+            eps: subject.precision().epsilon(),
+            resolution: resolution(subject, &y, &underflown),
+            underflown,
+            y,
+            trace,
+            traced,
+            around,
+            rows: Vec::new(),
+        })
+    }
+
+    /// Gathers the slopes by hand and by duals. False when they cannot be compared at all, and `said`
+    /// says why.
+    pub(crate) fn gather_slopes(&mut self, draw: &mut Draw, said: &mut Notes) -> bool {
+        let (n, m) = (self.x.len(), self.y.len());
+        let jacobian = if n <= FEW_INPUTS {
+            self.subject.jacobian(self.x)
+        } else {
+            None
+        };
+        if let Some(jacobian) = &jacobian {
+            let wrong = jacobian.iter().find(|row| row.len() != n);
+            if jacobian.len() != m || wrong.is_some() {
+                let (got, wanted) = match wrong {
+                    Some(row) => (row.len(), n),
+                    None => (jacobian.len(), m),
+                };
+                said.complain_of_length(Witness::Dual, 0, [got, wanted]);
+                return false;
+            }
+            if let Some(j) = jacobian.iter().position(|row| !finite(row)) {
+                said.complain(Reason::NotFinite(Witness::Dual), j, 0);
+            }
+        }
+        for (output, weights) in self.combinations(draw).into_iter().enumerate() {
+            let mut used = weights.iter().zip(&self.underflown);
+            if used.any(|(weight, under)| *under && *weight != 0.0) {
+                said.directions[2] += 1;
+                continue;
+            }
+            let adjoint = self.subject.adjoint(self.x, &weights);
+            if let Some(adjoint) = &adjoint {
+                if adjoint.len() != n {
+                    said.complain_of_length(Witness::Adjoint, output, [adjoint.len(), n]);
+                    return false;
+                }
+                if let Some(i) = adjoint.iter().position(|x| !x.is_finite()) {
+                    said.complain(Reason::NotFinite(Witness::Adjoint), output, i);
+                    return false;
+                }
+                let again = self.subject.adjoint(self.x, &weights);
+                if again.is_none_or(|again| !same_bits(adjoint, &again)) {
+                    said.complain(Reason::Impure(Witness::Adjoint), output, 0);
+                }
+            }
+            let dual = jacobian
+                .as_ref()
+                .map(|jacobian| combined(&weights, jacobian, n));
+            if dual.as_ref().is_some_and(|dual| !finite(dual)) {
+                return false;
+            }
+            let row = self.row(output, weights, adjoint, dual);
+            self.rows.push(row);
+        }
+        m == 0 || !self.rows.is_empty()
+    }
+
+    /// Every output by itself, or random combinations of many.
+    fn combinations(&self, draw: &mut Draw) -> Vec<Vec<f64>> {
+        let m = self.y.len();
+        if m <= FEW_OUTPUTS {
+            let one = |j| (0..m).map(|k| f64::from(u8::from(j == k))).collect();
+            return (0..m).map(one).collect();
+        }
+        // Quarters, which single precision has, too.
+        let mut one = || {
+            let weight = |_| draw.within(-8.0, 8.0).round() / 4.0;
+            (0..m).map(weight).collect()
+        };
+        (0..COMBINATIONS).map(|_| one()).collect()
+    }
+
+    fn row(
+        &self,
+        output: usize,
+        weights: Vec<f64>,
+        adjoint: Option<Vec<f64>>,
+        dual: Option<Vec<f64>>,
+    ) -> Row {
+        let n = self.x.len();
+        let slope = |i: usize| {
+            let a = adjoint.as_ref().map_or(0.0, |a| a[i].abs());
+            dual.as_ref().map_or(a, |d| d[i].abs().max(a))
+        };
+        let value = dot(&weights, &self.y).abs();
+        let largest_per = |unit: &[f64]| (0..n).fold(value, |m, i| m.max(slope(i) * unit[i]));
+        let (largest, per_unit) = (largest_per(&self.scales), largest_per(&self.units));
+        let size: Vec<f64> = self.units.iter().map(|unit| per_unit / unit).collect();
+        let comparable = self.subject.comparable();
+        let plain: Vec<f64> = (0..n)
+            .map(|i| if comparable { size[i] } else { slope(i) })
+            .map(|size| ROUNDINGS * self.eps * size + f64::MIN_POSITIVE)
+            .collect();
+        Row {
+            noise: self.noise(&weights, adjoint.as_deref().or(dual.as_deref())),
+            weights,
+            output,
+            adjoint,
+            dual,
+            tolerance: RefCell::new(plain.clone()),
+            plain,
+            size,
+            largest,
+            provoked: Cell::new(false),
+            provoked_widely: Cell::new(false),
+            provoked_exchanged: Cell::new(false),
+        }
+    }
+
+    /// The rounding noise of a combined value: what changes beside the point and is not slope, and no less
+    /// than the function says itself.
+    fn noise(&self, weights: &[f64], slopes: Option<&[f64]>) -> f64 {
+        let here = dot(weights, &self.y);
+        let terms = |y: &[f64]| -> f64 { weights.iter().zip(y).map(|(w, y)| (w * y).abs()).sum() };
+        let mut noise = (self.eps * terms(&self.y)).max(terms(&self.resolution));
+        for (there, _) in self.around.iter().take(NOISE_ROUNDS) {
+            let change = dot(weights, &self.subject.value(there)) - here;
+            let by_slope = slopes.map_or(0.0, |slopes| {
+                (0..self.x.len())
+                    .map(|i| slopes[i] * (there[i] - self.x[i]))
+                    .sum()
+            });
+            let left = (change - by_slope).abs().min(change.abs());
+            if left.is_finite() {
+                noise = noise.max(left);
+            }
+        }
+        noise
+    }
+
+    /// The function on which steps are taken: in double precision if it is known there.
+    pub(crate) fn on(&self) -> &dyn Subject {
+        self.wide.as_deref().unwrap_or(self.subject)
+    }
+
+    /// Whether the input is a tie of the source, to the bit.
+    pub(crate) fn exactly_tied(&self) -> bool {
+        self.trace.is_some_and(|trace| trace.margin == 0.0)
+    }
+
+    /// Whether the duals may be wrong because the input is an exact tie of their source, of which they
+    /// take a share although it may be no kink of the function; the adjoint is asked anyway.
+    pub(crate) fn tie_of_duals(&self) -> bool {
+        self.exactly_tied() && !self.subject.conventions().shared_ties
+    }
+}
+
+/// The smallest number of single precision that has all digits.
+const SMALLEST: f64 = f32::MIN_POSITIVE as f64;
+
+/// How far each output may be off by how it is computed.
+fn resolution(subject: &dyn Subject, y: &[f64], underflown: &[bool]) -> Vec<f64> {
+    let mut own = subject.resolution(y);
+    own.resize(y.len(), 0.0);
+    for (own, _) in own.iter_mut().zip(underflown).filter(|(_, under)| **under) {
+        *own = own.max(SMALLEST);
+    }
+    own
+}
+
+/// Which results of single precision are below the smallest number that has all digits, as the fourth power of
+/// a small length is.
+fn underflown(wide: Option<&dyn Subject>, x: &[f64], outputs: usize) -> Vec<bool> {
+    let small = |y: &f64| *y != 0.0 && y.abs() < SMALLEST;
+    let mut all: Vec<bool> = match wide {
+        Some(wide) => wide.value(x).iter().map(small).collect(),
+        None => Vec::new(),
+    };
+    all.resize(outputs, false);
+    all
+}

@@ -1,0 +1,121 @@
+//! What a comparison of witnesses has to say about one input. It refuses nothing: that is for
+//! [`judge`](crate::ad::check::judge).
+use crate::ad::check::evidence::Row;
+use crate::ad::check::verdict::{Fault, Nearest, Numbers, PAIRS, Place, Reason, Witness, Worst};
+
+/// What one comparison, or several, have to say.
+#[derive(Clone, Debug)]
+pub(crate) struct Notes {
+    /// What they complain about, first things first.
+    pub(crate) complaints: Vec<Fault>,
+    /// How far apart each pair of witnesses was.
+    pub(crate) worst: [Worst; PAIRS.len()],
+    /// Whether some witness could judge the slope with respect to each number of the input.
+    pub(crate) covered: Vec<bool>,
+    /// Whether a declared convention was needed.
+    pub(crate) convention: bool,
+    /// Whether the value jumps.
+    pub(crate) jump: bool,
+    /// Directions along which the function is smooth, kinked and not to be judged.
+    pub(crate) directions: [u64; 3],
+    /// Directions along which another branch was taken, however small the step.
+    pub(crate) switched: u64,
+    /// Outputs and directions at which steps could tell, and what kind of place it is along them.
+    pub(crate) told: Vec<(usize, usize, Place)>,
+    /// Whether the function stays in one branch for a while along all directions, so that second
+    /// derivatives make sense.
+    pub(crate) plain: bool,
+}
+
+impl Notes {
+    /// Nothing said yet about an input of so many numbers.
+    pub(crate) fn new(inputs: usize) -> Self {
+        Notes {
+            complaints: Vec::new(),
+            worst: [Worst::default(); PAIRS.len()],
+            covered: vec![false; inputs],
+            convention: false,
+            jump: false,
+            directions: [0; 3],
+            switched: 0,
+            told: Vec::new(),
+            plain: false,
+        }
+    }
+
+    /// A complaint without numbers.
+    pub(crate) fn complain(&mut self, reason: Reason, output: usize, input: usize) {
+        self.complain_of(reason, None, (output, input), Numbers::default(), 0.0);
+    }
+
+    /// A complaint about so many numbers, and how many there should be.
+    pub(crate) fn complain_of_length(
+        &mut self,
+        witness: Witness,
+        output: usize,
+        lengths: [usize; 2],
+    ) {
+        let numbers = Numbers {
+            lengths: Some(lengths),
+            ..Numbers::default()
+        };
+        let reason = Reason::WrongLength(witness);
+        self.complain_of(reason, None, (output, 0), numbers, 0.0);
+    }
+
+    /// A complaint about an output and an input.
+    pub(crate) fn complain_of(
+        &mut self,
+        reason: Reason,
+        suspect: Option<Witness>,
+        (output, input): (usize, usize),
+        numbers: Numbers,
+        tolerance: f64,
+    ) {
+        self.complaints.push(Fault {
+            reason,
+            suspect,
+            output,
+            input,
+            numbers,
+            tolerance,
+        });
+    }
+
+    /// One more comparison of the pair that stands at `pair` in [`PAIRS`]; `size` is the largest slope of
+    /// the same unit.
+    pub(crate) fn compared(&mut self, pair: usize, gap: f64, size: f64, eps: f64, at: Nearest) {
+        self.worst[pair].note(gap, size, eps, at);
+    }
+
+    /// What somebody else says, behind what was said so far.
+    pub(crate) fn add(&mut self, other: Notes) {
+        self.complaints.extend(other.complaints);
+        for (all, one) in self.worst.iter_mut().zip(&other.worst) {
+            all.merge(one, 0);
+        }
+        for (all, one) in self.covered.iter_mut().zip(other.covered) {
+            *all |= one;
+        }
+        self.convention |= other.convention;
+        self.jump |= other.jump;
+        for (all, one) in self.directions.iter_mut().zip(other.directions) {
+            *all += one;
+        }
+        self.switched += other.switched;
+        self.told.extend(other.told);
+        self.plain |= other.plain;
+    }
+}
+
+/// A comparison at an output and an input, before it is known how near to refusal it is.
+pub(crate) fn comparison(row: &Row, input: usize, numbers: Numbers, tolerance: f64) -> Nearest {
+    Nearest {
+        output: row.output,
+        input,
+        numbers,
+        tolerance,
+        provoked: row.provoked.get(),
+        ..Nearest::default()
+    }
+}

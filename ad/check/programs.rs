@@ -1,0 +1,107 @@
+//! A recorded program as what is checked.
+use crate::ad::check::second_order::Bent;
+use crate::ad::check::trace::{Number, Traced, trace};
+use crate::ad::check::{Check, narrow};
+use crate::ad::program::recorded::Recorded;
+use crate::ad::program::{Plain, Program};
+use crate::{Fixed, Jet, Scalar};
+use std::fmt::Debug;
+use std::rc::Rc;
+
+/// Numbers with a slope each.
+fn jets<T: Scalar>(x: &[f64], slopes: &[f64], of: impl Fn(f64) -> T) -> Vec<Jet<T, 1>> {
+    let jet = |(&value, &slope)| Jet {
+        value: of(value),
+        slope: [of(slope)],
+    };
+    x.iter().zip(slopes).map(jet).collect()
+}
+
+/// Numbers with slopes along two directions, `u` and `v`.
+fn bent<T: Scalar>([x, u, v]: [&[f64]; 3], of: impl Fn(f64) -> T) -> Vec<Bent<T>> {
+    let jet = |value, slope| Jet {
+        value: of(value),
+        slope: [of(slope)],
+    };
+    (0..x.len())
+        .map(|i| Jet {
+            value: jet(x[i], v[i]),
+            slope: [jet(u[i], 0.0)],
+        })
+        .collect()
+}
+
+fn unbent<T: Scalar>(y: Vec<Bent<T>>, of: impl Fn(T) -> f64) -> Vec<Bent<f64>> {
+    let jet = |jet: Jet<T, 1>| Jet {
+        value: of(jet.value),
+        slope: [of(jet.slope[0])],
+    };
+    let all = y.into_iter().map(|y| Jet {
+        value: jet(y.value),
+        slope: [jet(y.slope[0])],
+    });
+    all.collect()
+}
+
+impl<'a, S: Number + Plain, X: Fixed<Scalar = S> + Debug + 'a> Check<'a, X> {
+    /// A recorded function, with its slopes: those by hand, if it [has](Program::with_adjoint) some, or
+    /// those of its recording backwards. Witnesses are the recording on duals, on traced numbers, in
+    /// double precision, and of one result on duals of duals.
+    ///
+    /// ```
+    /// use geograd::check::*;
+    /// use geograd::{Program, Sym, Vec2};
+    /// let norm = Program::trace(|v: Vec2<Sym<f64>>| v.x.hypot(v.y))?;
+    /// Check::among([Vec2::new(3.0, 4.0), Vec2::zero()]).program(&norm).prove();
+    /// // Slopes by hand that are wrong where y is not zero.
+    /// let wrong = norm.with_adjoint(|v: Vec2<Sym<f64>>| Vec2::new(v.x.over(v.x.hypot(v.y)), Sym::zero()))?;
+    /// let report = Check::at(Vec2::new(3.0, 4.0)).program(&wrong).run();
+    /// assert!(report.refused_for(Reason::Disagree(Witness::Adjoint, Witness::Difference)));
+    /// # Ok::<(), geograd::Error>(())
+    /// ```
+    #[must_use]
+    pub fn program<Y: Fixed<Scalar = S>>(mut self, program: &Program<X, Y>) -> Self {
+        let widened = |list: Vec<S>| list.iter().map(|x| x.widen()).collect::<Vec<f64>>();
+        let slopes: Rc<Recorded> = Rc::new(program.recorded().vjp());
+        // Duals and everything else look at the value, whatever slopes it was given.
+        let value: Rc<Recorded> = Rc::new(program.recorded().clone());
+        let numbers = |x: &X| -> Vec<f64> { x.scalars().iter().map(|x| x.widen()).collect() };
+
+        let of = Rc::clone(&value);
+        self.value = Some(Box::new(move |x| widened(of.run(&x.scalars()))));
+        let of = Rc::clone(&slopes);
+        self.adjoint = Some(Box::new(move |x, y_bar| {
+            widened(of.run(&[x.scalars(), narrow(y_bar)].concat()))
+        }));
+        let of = Rc::clone(&value);
+        self.dual = Some(Box::new(move |x, direction| {
+            let out = of.run_on(&jets(&numbers(x), direction, S::nearest));
+            let values = out.iter().map(|jet| jet.value.widen()).collect();
+            let slopes = out.iter().map(|jet| jet.slope[0].widen()).collect();
+            (values, slopes)
+        }));
+        let of = Rc::clone(&value);
+        self.traced = Some(Box::new(move |x| {
+            let input: Vec<Traced<S>> = x.scalars().into_iter().map(Traced).collect();
+            let (out, trace) = trace(|| of.run_on(&input));
+            (out.iter().map(|y| y.0.widen()).collect(), trace)
+        }));
+        let of = Rc::clone(&value);
+        self.wide = Some(Box::new(move |_, at| {
+            trace(|| unbent(of.run_on(&bent(at, Traced)), |x: Traced<f64>| x.0))
+        }));
+        if Y::LEN == 1 {
+            let of = Rc::clone(&slopes);
+            self.curvature = Some(Box::new(move |x, direction| {
+                let mut input = jets(&numbers(x), direction, S::nearest);
+                input.push(<Jet<S, 1> as Scalar>::lit(1.0));
+                let slopes = of.run_on(&input);
+                slopes.iter().map(|jet| jet.slope[0].widen()).collect()
+            }));
+            self.second_order = Some(Box::new(move |_, at| {
+                unbent(value.run_on(&bent(at, S::nearest)), S::widen)
+            }));
+        }
+        self
+    }
+}

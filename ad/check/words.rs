@@ -1,0 +1,176 @@
+//! Verdicts in words, for people.
+use crate::ad::check::symmetry::Motion;
+use crate::ad::check::verdict::{Fault, Numbers, Reason, Witness};
+use std::fmt;
+
+impl fmt::Display for Witness {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(match self {
+            Witness::Value => "the value",
+            Witness::Adjoint => "the derivative by hand",
+            Witness::Dual => "the duals",
+            Witness::Difference => "the differences",
+            Witness::Wide => "double precision",
+            Witness::Batch => "the batch",
+            Witness::Further(k) => return write!(f, "further witness {k}"),
+        })
+    }
+}
+
+impl fmt::Display for Motion {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(match self {
+            Motion::TranslationX => "is moved along x",
+            Motion::TranslationY => "is moved along y",
+            Motion::Rotation => "is turned about the origin",
+            Motion::Scaling => "is scaled",
+            Motion::Exchange => "has its two arguments exchanged",
+        })
+    }
+}
+
+impl fmt::Display for Reason {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Reason::WrongLength(who) => write!(f, "of {who} there are too few or too many numbers"),
+            Reason::NotFinite(who) => {
+                write!(f, "{who}: a NaN or an infinity, although the input is finite")
+            }
+            Reason::Impure(who) => write!(f, "{who}: other bits when asked again"),
+            Reason::ValuesDisagree(who) => write!(f, "by {who} the value is another one"),
+            Reason::Disagree(a, b) => write!(f, "{a} and {b} disagree"),
+            Reason::OutsideKink => {
+                f.write_str("at a kink the slope is not between those of both sides")
+            }
+            Reason::Jump => f.write_str("the value jumps, and no jump is declared"),
+            Reason::NotLinear => f.write_str(
+                "the derivative by hand of a sum of outputs is not the sum of their derivatives",
+            ),
+            Reason::CurvatureDisagrees(who) => {
+                write!(f, "the second derivative by hand and that by {who} disagree")
+            }
+            Reason::CurvatureNotSymmetric => {
+                f.write_str("second derivatives taken in the other order differ")
+            }
+            Reason::MotionBroken(motion) => {
+                write!(f, "the value breaks a promise when the input {motion}")
+            }
+            Reason::MotionUnbalanced(motion) => {
+                write!(f, "the slopes break a promise when the input {motion}")
+            }
+            Reason::NothingSmooth => {
+                f.write_str("hardly an input was smooth, so nothing was proved")
+            }
+            Reason::Unjudged => f.write_str(
+                "no witness could say anything about the slope with respect to this number, so nothing was \
+                 proved",
+            ),
+        }
+    }
+}
+
+/// What the numbers beside a verdict are called: that of the derivative by hand, and the other one.
+fn names(reason: Reason) -> [&'static str; 2] {
+    match reason {
+        Reason::ValuesDisagree(_) => ["the value", "the other value"],
+        Reason::MotionBroken(_) => ["value there", "promised"],
+        Reason::MotionUnbalanced(_) => ["slope of the motion", "promised"],
+        Reason::NotLinear => ["of the sum", "sum of each"],
+        Reason::CurvatureNotSymmetric => ["in one order", "in the other"],
+        Reason::Disagree(_, Witness::Wide) | Reason::CurvatureDisagrees(Witness::Wide) => {
+            ["by hand", "double precision"]
+        }
+        Reason::Disagree(_, Witness::Batch) => ["by hand", "batch"],
+        _ => ["by hand", "other witness"],
+    }
+}
+
+/// How far apart the two numbers are that a verdict is about.
+fn gap(reason: Reason, numbers: &Numbers) -> Option<f64> {
+    let of = |witness: Witness| match witness {
+        Witness::Value | Witness::Adjoint => numbers.adjoint,
+        Witness::Dual => numbers.dual,
+        Witness::Difference => numbers.difference,
+        Witness::Wide | Witness::Batch | Witness::Further(_) => numbers.other,
+    };
+    let pair = match reason {
+        Reason::Disagree(a, b) => of(a).zip(of(b)),
+        Reason::CurvatureDisagrees(other) => numbers.adjoint.zip(of(other)),
+        Reason::OutsideKink => {
+            let slope = numbers.adjoint.or(numbers.dual)?;
+            let [a, b] = numbers.sides?;
+            return Some((a.min(b) - slope).max(slope - a.max(b)));
+        }
+        _ => numbers.adjoint.zip(numbers.other),
+    };
+    pair.map(|(a, b)| (a - b).abs())
+}
+
+/// What every witness says, a line each, how far apart they are, and how far they may be.
+pub(crate) fn write_numbers(
+    f: &mut impl fmt::Write,
+    reason: Reason,
+    numbers: &Numbers,
+    tolerance: f64,
+) -> fmt::Result {
+    let [own, other] = names(reason);
+    let named = [
+        (own, numbers.adjoint),
+        ("duals", numbers.dual),
+        ("differences", numbers.difference),
+        (other, numbers.other),
+    ];
+    for (name, number) in named {
+        if let Some(number) = number {
+            writeln!(f, "    {name:<20} {number:>24.16e}")?;
+        }
+    }
+    if let Some([behind, ahead]) = numbers.sides {
+        writeln!(
+            f,
+            "    {:<20} {behind:>24.16e} {ahead:>24.16e}",
+            "both sides"
+        )?;
+    }
+    if let Some([got, wanted]) = numbers.lengths {
+        writeln!(f, "    {got} numbers where {wanted} are needed")?;
+    }
+    match gap(reason, numbers) {
+        Some(gap) if tolerance > 0.0 => {
+            writeln!(f, "    {:<20} {gap:>24.1e}", "apart by")?;
+            writeln!(f, "    {:<20} {tolerance:>24.1e}", "allowed here")
+        }
+        _ => Ok(()),
+    }
+}
+
+/// Which slope, or which value, a verdict is about; `names` has the numbers of the input, if they have any.
+pub(crate) fn place(fault: &Fault, names: &[String]) -> String {
+    let Fault {
+        reason,
+        output,
+        input,
+        numbers,
+        ..
+    } = fault;
+    let named = match names.get(*input) {
+        Some(name) => format!("input {input}, which is {name}"),
+        None => format!("input {input}"),
+    };
+    match reason {
+        Reason::ValuesDisagree(_) | Reason::MotionBroken(_) => format!("output {output}"),
+        Reason::NotFinite(Witness::Value) | Reason::Impure(Witness::Value) => {
+            "the value".to_owned()
+        }
+        Reason::NothingSmooth => "all random inputs".to_owned(),
+        _ if numbers.along => {
+            format!("slope of output {output} along a random direction, {named} among others")
+        }
+        _ => format!("slope of output {output} with respect to {named}"),
+    }
+}
+
+/// Who is wrong, as far as the others tell.
+pub(crate) fn outvoted(suspect: Witness) -> String {
+    format!("at fault, as far as the others tell: {suspect}")
+}
