@@ -179,10 +179,20 @@ macro_rules! fuzzes {
     };
 }
 
+macro_rules! more_fuzzes {
+    ($($name:ident: $op:ty,)*) => {
+        [$(
+            (stringify!($name), true, fuzz::pairs::<$op, _, f64> as Fuzz),
+            (stringify!($name), false, fuzz::pairs::<$op, _, f32>),
+        )*]
+    };
+}
+
 /// Fuzzes every chosen operation and prints a line of each.
 fn fuzz_all(options: &Options, count: u64) -> ExitCode {
     let jobs: Vec<FuzzJob> = geograd::for_each_op!(fuzzes)
         .into_iter()
+        .chain(geograd_tests::more_fuzzed!(more_fuzzes))
         .filter(|(name, wide, _)| options.wants(name, *wide))
         .collect();
     let bar = progress(jobs.len());

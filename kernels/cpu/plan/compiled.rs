@@ -7,13 +7,14 @@ use crate::iou::giou_framed;
 use crate::kernels::cpu::boxes::{
     AABB2, OBB2, QUAD2, SEEN, UPRIGHT, View, is_common_upright, is_solid_obb2,
 };
+use crate::kernels::cpu::boxes3::OBB3;
 use crate::kernels::cpu::lane::{Lane, Results, Tiles};
 use crate::kernels::cpu::solids;
 use crate::kernels::cpu::upright;
 use crate::kernels::real::Real;
 use crate::overlap::{Denominator, score_framed};
 use crate::overlap3::score_yaw;
-use crate::shape::YawBox3;
+use crate::shape::{Obb3, YawBox3};
 use crate::{Aabb2, Fixed, Obb2, Vec2, ad, clip};
 use std::sync::Arc;
 
@@ -34,8 +35,8 @@ pub enum Compiled {
     Quads,
     /// A score of axis-aligned boxes in space: no kernels, but boxes that are apart score zero.
     Aabb3,
-    /// The same of boxes of any orientation.
-    Obb3,
+    /// A score of boxes of any orientation in space.
+    Obb3(Denominator),
 }
 
 /// How an operation with compiled kernels is computed; `None` where it has none.
@@ -47,7 +48,8 @@ pub(super) fn of_compiled<T: Real>(compiled: Compiled, want: Want) -> Option<Fac
         Compiled::Upright(over) => Some(of_upright(over, want)),
         Compiled::BirdsEye(over) => Some(of_birds_eye(over, want)),
         Compiled::Quads if want == Want::Value => Some(of_quads()),
-        Compiled::Quads | Compiled::Aabb3 | Compiled::Obb3 => None,
+        Compiled::Obb3(over) => Some(of_obb3(over, want)),
+        Compiled::Quads | Compiled::Aabb3 => None,
     }
 }
 
@@ -56,9 +58,6 @@ pub(super) fn outline<T: Real>(compiled: Compiled) -> Option<Outline<T>> {
     match compiled {
         Compiled::Aabb3 => Some(Arc::new(|[shapes, _], bounds| {
             solids::aabb3_bounds(shapes, bounds)
-        })),
-        Compiled::Obb3 => Some(Arc::new(|[shapes, _], bounds| {
-            solids::obb3_bounds(shapes, bounds)
         })),
         _ => None,
     }
@@ -302,6 +301,26 @@ fn of_birds_eye<T: Real>(over: Denominator, want: Want) -> Face<T> {
         })),
         ..Face::new(want, vec![shape(), shape()], vec![1], maker)
     }
+}
+
+/// Scores of boxes of any orientation in space.
+fn of_obb3<T: Real>(over: Denominator, want: Want) -> Face<T> {
+    let kernels = T::kernels();
+    let shape = || Preparation {
+        fields: OBB3,
+        frame: None,
+        bounds: Some(Arc::new(|[shapes, _], bounds| {
+            solids::obb3_bounds(shapes, bounds)
+        })),
+        all_ordinary: kernels.all_obb3,
+        check: |numbers| Obb3::load(numbers).validate(),
+        is_rare: |_| false,
+    };
+    let maker: Box<dyn Maker<T>> = match want {
+        Want::Value => Box::new(Scores(over, kernels.obb3_scores)),
+        Want::ValueGrad | Want::Vjp => Box::new(Slopes(over, kernels.obb3_slopes)),
+    };
+    Face::new(want, vec![shape(), shape()], vec![1], maker)
 }
 
 /// Scores of axis-aligned boxes.
