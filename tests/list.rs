@@ -100,6 +100,15 @@ macro_rules! fuzzes {
     };
 }
 
+macro_rules! more_fuzzes {
+    ($($name:ident: $op:ty,)*) => {
+        [$(
+            (stringify!($name), true, fuzz::pairs::<$op, _, f64> as Fuzz),
+            (stringify!($name), false, fuzz::pairs::<$op, _, f32>),
+        )*]
+    };
+}
+
 /// Proofs of all operations in both formats.
 pub fn proofs() -> Vec<Proof> {
     geograd::for_each_op!(proofs)
@@ -107,5 +116,7 @@ pub fn proofs() -> Vec<Proof> {
 
 /// Fuzzers of the operations that have one, in both formats.
 pub fn fuzzers() -> Vec<Fuzzer> {
-    geograd::for_each_op!(fuzzes)
+    let mut all = geograd::for_each_op!(fuzzes);
+    all.extend(crate::more_fuzzed!(more_fuzzes));
+    all
 }

@@ -20,6 +20,8 @@ mod blocks;
 #[forbid(unsafe_code)]
 mod boxes;
 #[forbid(unsafe_code)]
+mod boxes3;
+#[forbid(unsafe_code)]
 pub(crate) mod checked;
 #[forbid(unsafe_code)]
 mod desk;

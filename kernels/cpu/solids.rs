@@ -1,12 +1,11 @@
 //! Bounds in the plane of boxes in space, as seen from above: pairs whose bounds do not meet are apart.
 use crate::kernels::cpu::boxes::BOUNDS;
+use crate::kernels::cpu::boxes3::OBB3;
 use crate::kernels::cpu::lane::{Lane, TILE, Tiles};
 use crate::kernels::real::Real;
 
 /// Numbers of an axis-aligned box: the lower corner, then the upper one.
 const AABB3: usize = 6;
-/// Numbers of a box of any orientation: centre, size, quaternion.
-const OBB3: usize = 10;
 
 /// The bounds of axis-aligned boxes are the boxes themselves.
 pub(crate) fn aabb3_bounds<T: Real>(shapes: Tiles<'_, T>, bounds: &mut [Lane<T>]) {

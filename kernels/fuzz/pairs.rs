@@ -106,8 +106,13 @@ where
         self.unless(Promise::Accepted, done.err().map(|_| 0))?;
         self.unless(Promise::Finite, not_finite(&self.values))?;
         self.finite_slopes()?;
-        let most = T::lit(if is_ratio::<O>() { 1.0 } else { T::LARGEST });
-        let outside = |x: &T| (*x < T::zero()) | (*x > most);
+        let [least, most] = match Scale::of::<O>() {
+            Scale::Ratio => [0.0, 1.0],
+            Scale::Signed => [-1.0, 1.0],
+            Scale::Content => [0.0, T::LARGEST],
+        };
+        let (least, most) = (T::lit(least), T::lit(most));
+        let outside = |x: &T| (*x < least) | (*x > most);
         self.unless(Promise::Range, first_where(&self.values, outside))?;
         self.same_bits()?;
         self.with_upstream()?;
@@ -135,9 +140,9 @@ where
                 || !same(&x.2.scalars(), &y.2.scalars())
         };
         let mut places = (0..CHUNK).step_by(SINGLE);
-        let place = places.find(|&i| {
-            let by_hand = O::adjoint::<T>((a[i], b[i]), T::one());
-            by_hand.is_some_and(|(value, (p, q))| differs(here(i), (value, p, q)))
+        let place = places.find(|&i| match O::adjoint::<T>((a[i], b[i]), T::one()) {
+            Some((value, (p, q))) => differs(here(i), (value, p, q)),
+            None => !same(&[self.values[i]], &[O::eval::<T>((a[i], b[i]))]),
         });
         self.unless(Promise::SameBits, place)?;
         // From a place of no multiple of anything.
@@ -166,7 +171,7 @@ where
         let into = (&mut self.others, (&mut self.bars.0, &mut self.bars.1));
         let done = CPU.aligned_into(self.op.value_grad(), (&self.a, &self.a), into);
         self.unless(Promise::Accepted, done.err().map(|_| 0))?;
-        if !is_ratio::<O>() {
+        if Scale::of::<O>() == Scale::Content {
             return Ok(());
         }
         let ill = |x: &T| (*x != T::one()) & (*x != T::zero());
@@ -188,34 +193,52 @@ where
         let place = self.values.iter().zip(&self.others).position(|(&x, &y)| {
             // No aspect is below one: what differs by less needs no closer look.
             let quick = T::lit(ROUNDINGS * T::EPSILON);
-            (x - y).unsigned() > quick * if is_ratio::<O>() { T::one() } else { x }
+            let is_content = Scale::of::<O>() == Scale::Content;
+            (x - y).unsigned() > quick * if is_content { x } else { T::one() }
         });
         let Some(first) = place else { return Ok(()) };
         let place = (first..CHUNK).find(|&i| {
             let apart = (self.values[i].widen() - self.others[i].widen()).abs();
-            let (a, b) = (self.a[i].sides(), self.b[i].sides());
-            apart > 0.0 && apart > exchange_may_change(is_ratio::<O>(), a, b) * T::EPSILON
+            apart > 0.0
+                && apart > exchange_may_change::<O, T, P>(&self.a[i], &self.b[i]) * T::EPSILON
         });
         self.unless(Promise::Symmetric, place)
     }
 }
 
-fn is_ratio<O: Op>() -> bool {
-    O::NAME.starts_with("io")
+/// What the values of an operation are.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum Scale {
+    /// In `[0, 1]`.
+    Ratio,
+    /// In `[−1, 1]`.
+    Signed,
+    /// An area or a volume.
+    Content,
 }
 
-/// By how many roundings of one a score of two boxes with such sides may change when they are
-/// exchanged; infinite where nothing is promised.
-fn exchange_may_change(is_ratio: bool, a: [f64; 2], b: [f64; 2]) -> f64 {
+impl Scale {
+    fn of<O: Op>() -> Self {
+        match O::NAME {
+            name if name.starts_with("io") => Scale::Ratio,
+            name if name.starts_with("giou") => Scale::Signed,
+            _ => Scale::Content,
+        }
+    }
+}
+
+/// By how many roundings of one a score of two shapes may change when they are exchanged; infinite where
+/// nothing is promised.
+fn exchange_may_change<O: Op, T, P: Drawn<T>>(a: &P, b: &P) -> f64 {
     // A rounding of the longest side moves a side of the shorter ones.
-    let aspect = a[1].max(b[1]) / a[0].min(b[0]);
+    let (own, other) = (a.sides(), b.sides());
+    let aspect = own[1].max(other[1]) / own[0].min(other[0]);
     if aspect.is_nan() || aspect >= LIMIT {
         return f64::INFINITY;
     }
     let of_one = ROUNDINGS * aspect;
-    if is_ratio {
-        of_one
-    } else {
-        of_one * (a[0] * a[1]).min(b[0] * b[1])
+    match Scale::of::<O>() {
+        Scale::Content => of_one * a.content().min(b.content()),
+        _ => of_one,
     }
 }

@@ -91,21 +91,21 @@ operation! {
     promises [TranslationX Stays, TranslationY Stays, Scaling Power(3), Exchange Stays]
     jumps Never
     slopes ByHand |(a, b), out_bar| { intersection_volume_obb3_vjp(a, b, out_bar) }
-    => compiled { Compiled::Obb3 }
+    => compiled { Compiled::Obb3(Denominator::None) }
 
     /// [`iou_obb3`].
     pub IouObb3 = "iou_obb3": (a: Obb3<S>, b: Obb3<S>) -> S { iou_obb3(a, b) }
     promises [TranslationX Stays, TranslationY Stays, Scaling Stays, Exchange Stays]
     jumps FromZero
     slopes ByHand |(a, b), out_bar| { iou_obb3_vjp(a, b, out_bar) }
-    => compiled { Compiled::Obb3 }
+    => compiled { Compiled::Obb3(Denominator::Union) }
 
     /// [`iof_obb3`].
     pub IofObb3 = "iof_obb3": (a: Obb3<S>, b: Obb3<S>) -> S { iof_obb3(a, b) }
     promises [TranslationX Stays, TranslationY Stays, Scaling Stays]
     jumps FromZero
     slopes ByHand |(a, b), out_bar| { iof_obb3_vjp(a, b, out_bar) }
-    => compiled { Compiled::Obb3 }
+    => compiled { Compiled::Obb3(Denominator::First) }
 
     /// [`Overlaps::iou_with`] of an axis-aligned box and an upright one.
     pub IouAabb3Yaw = "iou_aabb3_yaw":

@@ -8,7 +8,12 @@
 //! * precision is read at about forty scores, those of right detections at which recall passes a fortieth;
 //! * an overlap must be above the threshold, equality is not enough;
 //! * detections in regions without labels are left out of what is wrong: of the share of the detection in
-//!   the region, where other overlaps are intersections over unions.
+//!   the region, where other overlaps are intersections over unions. Those regions are parts of the image;
+//!   they have no place in space, so the kit leaves out nothing where overlaps are of boxes in space or seen
+//!   from above.
+//!
+//! Compared with public copies of the kit's source. They differ in one thing: newer ones ignore a truth whose
+//! height equals the limit, as is done here, older ones do not. Orientation similarity is not computed.
 use super::{Outcome, Point, Recalls};
 use crate::error::{Argument, Error, Field, Flaw};
 use crate::suppression::{Pair, invalid};
@@ -131,7 +136,8 @@ pub struct Frame<'a> {
     pub detections: &'a [Counts],
     /// Overlaps of detections (the first of a pair) and truths (the second); others do not overlap.
     pub pairs: &'a [Pair<f64>],
-    /// For every detection the largest share of it in a region without labels; empty where there are none.
+    /// For every detection the largest share of its box in the image in a region without labels; empty where
+    /// there are none, and for overlaps in space or seen from above.
     pub unlabelled: &'a [f64],
 }
 

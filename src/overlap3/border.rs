@@ -29,10 +29,10 @@
 //! and by a turn its first moment; both come from the pieces of the faces' integrals. Slopes by K's size
 //! come from the parts of the integrals that are clamped to K's faces. Moving or turning both boxes
 //! together changes nothing, which gives the rest.
-use super::edge::{Bounds, Edge, coordinate, cut, edge, edge_term, less_signed};
+use super::edge::{Bounds, Cut, clamped, cut, less_signed, signed, turn};
 use super::face::{Face, face};
 use super::relate::Relative3;
-use crate::Scalar;
+use crate::{Mask, Scalar};
 
 /// The volume that two related boxes share, in units of `1 / scale³`, and its slopes in a's frame.
 #[derive(Clone, Copy, Debug)]
@@ -85,7 +85,8 @@ fn most_shared<S: Scalar>(pair: &Relative3<S>) -> S {
     S::select(gap.above(zero), zero, in_a.least(in_b))
 }
 
-/// The volume that two related boxes share and, if asked for, its slopes. Straight line.
+/// The volume that two related boxes share and, if asked for, its slopes. Straight line, but for pairs all
+/// of which are apart.
 ///
 /// `PIECES` keeps the repeated pieces functions of their own, which costs less to build and less stack;
 /// without it all is one piece, as code for vector instructions must be.
@@ -94,110 +95,123 @@ pub fn shared_volume<S: Scalar, const SLOPES: bool, const PIECES: bool>(
     pair: &Relative3<S>,
 ) -> Shared3<S> {
     let zero = S::zero();
-    let (cut, origin) = cut(pair);
-    let mut bounds = Bounds {
-        high: [zero; 3],
-        low: [zero; 3],
-    };
-
-    let mut volume = zero;
-    let none = Edge {
-        start: [zero; 3],
-        at: [[zero; 2]; 3],
-        enter: [zero; 3],
-        leave: [zero; 3],
-    };
-    let mut edges = [[[none; 2]; 2]; 3];
-    for m in 0..3 {
-        for a in 0..2 {
-            for b in 0..2 {
-                let made = edge::<S, PIECES>(&cut, m, a, b);
-                let six = edge_term::<S, SLOPES, PIECES>(&cut, &made, [m, a, b], &mut bounds);
-                volume = less_signed(volume, a, b, six);
-                edges[m][a][b] = made;
-            }
-        }
-    }
-    volume *= S::lit(1.0 / 6.0);
-    for a in 0..2 {
-        for b in 0..2 {
-            for side in 0..2 {
-                let (at, t) = (&edges[0][a][b], cut.f[0][side]);
-                let x = coordinate(&cut, at, 0, 0, t);
-                let y = coordinate(&cut, at, 0, 1, t);
-                let z = coordinate(&cut, at, 0, 2, t);
-                let corner = x * y * z;
-                volume = if (a + b + side) % 2 == 1 {
-                    volume + corner
-                } else {
-                    volume - corner
-                };
-            }
-        }
-    }
-    let mut faces = [[Face::none(); 2]; 3];
-    let mut thrice = zero;
-    for k in 0..3 {
-        for side in 0..2 {
-            let made = face::<S, SLOPES, PIECES>(&cut, &edges, k, side, &mut bounds);
-            thrice = if side == 1 {
-                thrice + made.thrice
-            } else {
-                thrice - made.thrice
-            };
-            faces[k][side] = made;
-        }
-    }
-    let volume = thrice * S::lit(1.0 / 3.0) + volume;
     let most = most_shared(pair);
     let mut out = Shared3 {
-        volume: volume.most(zero).least(most),
+        volume: zero,
         center: [zero; 3],
         turn: [zero; 3],
         half_a: [zero; 3],
         half_b: [zero; 3],
     };
+    let apart = most.at_most(zero);
+    if apart.all() {
+        return same_box::<S, SLOPES>(pair, out);
+    }
+    let (mut cut, origin) = cut(pair);
+    let mut slopes = Slopes {
+        from_center: [zero; 3],
+        center: [zero; 3],
+        turn: [zero; 3],
+        half_b: [zero; 3],
+        bounds: Bounds {
+            high: [zero; 3],
+            low: [zero; 3],
+        },
+    };
+    for i in 0..3 {
+        slopes.from_center[i] = origin[i] - pair.center[i];
+    }
+    let (mut six, mut thrice) = (zero, zero);
+    for _ in 0..3 {
+        cut.turn();
+        slopes.turn();
+        let mut both = Face::none();
+        let mut all = zero;
+        for side in 0..2 {
+            let made = face::<S, SLOPES, PIECES>(&cut, side, &mut slopes.bounds);
+            six += made.six;
+            thrice = signed(thrice, side, made.thrice);
+            if SLOPES {
+                all += made.area;
+                both.area = signed(both.area, side, made.area);
+                for n in 0..3 {
+                    both.moment[n] = signed(both.moment[n], side, made.moment[n]);
+                }
+            }
+        }
+        if SLOPES {
+            slopes.add(&cut, &both, all);
+        }
+    }
+    let volume = thrice * S::lit(1.0 / 3.0) + (six * S::lit(1.0 / 6.0) + corners(&cut));
+    out.volume = volume.most(zero).least(most);
     if SLOPES {
-        slopes(pair, &cut.r, origin, &faces, &bounds, &mut out);
-        let apart = most.at_most(zero);
         for i in 0..3 {
-            out.center[i] = S::select(apart, zero, out.center[i]);
-            out.turn[i] = S::select(apart, zero, out.turn[i]);
-            out.half_a[i] = S::select(apart, zero, out.half_a[i]);
-            out.half_b[i] = S::select(apart, zero, out.half_b[i]);
+            let by_half = slopes.bounds.high[i] - slopes.bounds.low[i];
+            out.center[i] = S::select(apart, zero, slopes.center[i]);
+            out.turn[i] = S::select(apart, zero, slopes.turn[i]);
+            out.half_a[i] = S::select(apart, zero, by_half);
+            out.half_b[i] = S::select(apart, zero, slopes.half_b[i]);
         }
     }
     same_box::<S, SLOPES>(pair, out)
 }
 
-/// Slopes from areas and moments of b's faces inside a.
+/// The part of the volume that corners have: the product of their clamped coordinates, positive where an odd
+/// number of sides is upper ones.
 #[inline(always)]
-fn slopes<S: Scalar>(
-    pair: &Relative3<S>,
-    r: &[[S; 3]; 3],
-    origin: [S; 3],
-    faces: &[[Face<S>; 2]; 3],
-    bounds: &Bounds<S>,
-    out: &mut Shared3<S>,
-) {
-    let mut from_center = [S::zero(); 3];
-    for i in 0..3 {
-        from_center[i] = origin[i] - pair.center[i];
-        out.half_a[i] = bounds.high[i] - bounds.low[i];
+fn corners<S: Scalar>(cut: &Cut<S>) -> S {
+    let mut sum = S::zero();
+    for a in 0..2 {
+        for b in 0..2 {
+            let mut ends = [S::one(); 2];
+            for i in 0..3 {
+                let start = cut.f[1][a] * cut.r[i][1] + cut.f[2][b] * cut.r[i][2];
+                let [low, high] = cut.k[i];
+                ends[0] *= clamped(cut.f[0][0] * cut.r[i][0] + start, low, high);
+                ends[1] *= clamped(cut.f[0][1] * cut.r[i][0] + start, low, high);
+            }
+            sum = less_signed(sum, a, b, ends[0] - ends[1]);
+        }
     }
-    for k in 0..3 {
-        let [low, high] = &faces[k];
-        let along = high.area - low.area;
-        out.half_b[k] = high.area + low.area;
-        let normal = [r[0][k], r[1][k], r[2][k]];
+    sum
+}
+
+/// Slopes as they are summed, under the names of axes that [`Cut::turn`] gives.
+struct Slopes<S> {
+    /// From the centre of b to the common origin.
+    from_center: [S; 3],
+    /// By the centre of b, a turn of b about it, and half the size of b.
+    center: [S; 3],
+    turn: [S; 3],
+    half_b: [S; 3],
+    bounds: Bounds<S>,
+}
+
+impl<S: Scalar> Slopes<S> {
+    #[inline(always)]
+    fn turn(&mut self) {
+        turn(&mut self.from_center);
+        turn(&mut self.center);
+        turn(&mut self.turn);
+        turn(&mut self.half_b);
+        self.bounds.turn();
+    }
+
+    /// Adds the slopes by the two faces across axis 2: the upper one's area and moment less those of the lower
+    /// one, and the area of both.
+    #[inline(always)]
+    fn add(&mut self, cut: &Cut<S>, both: &Face<S>, all: S) {
+        self.half_b[2] = all;
+        let normal = [cut.r[0][2], cut.r[1][2], cut.r[2][2]];
         let mut moment = [S::zero(); 3];
         for i in 0..3 {
-            out.center[i] += along * normal[i];
-            moment[i] = along * from_center[i] + (high.moment[i] - low.moment[i]);
+            self.center[i] += both.area * normal[i];
+            moment[i] = both.area * self.from_center[i] + both.moment[i];
         }
         for i in 0..3 {
             let (j, l) = ((i + 1) % 3, (i + 2) % 3);
-            out.turn[i] += moment[j] * normal[l] - moment[l] * normal[j];
+            self.turn[i] += moment[j] * normal[l] - moment[l] * normal[j];
         }
     }
 }

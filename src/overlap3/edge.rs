@@ -20,6 +20,10 @@ pub(super) fn tiny<S: Scalar>() -> f64 {
 
 /// Both boxes relative to a point near both, so that rounding is a common shift of all of it, which thin
 /// boxes need.
+///
+/// What is done along one axis is done along all three. So it is written once, for an edge along axis 0 and
+/// a face across axis 2, and the axes of both boxes take turns ([`turn`](Cut::turn)): kernels then
+/// have a loop of three rounds in which every index is a constant.
 #[derive(Clone, Copy)]
 pub(super) struct Cut<S: Scalar> {
     /// Entries of the rotation.
@@ -36,21 +40,53 @@ pub(super) struct Cut<S: Scalar> {
     pub f: [[S; 2]; 3],
 }
 
-/// One edge of b: the points `start + t axis`.
+impl<S: Scalar> Cut<S> {
+    /// Gives the axes of both boxes other names: what was 1 is 0, what was 2 is 1, what was 0 is 2. In place,
+    /// since a copy of all of it would be a call.
+    #[inline(always)]
+    pub(super) fn turn(&mut self) {
+        turn_both(&mut self.r);
+        turn_both(&mut self.rho);
+        turn_both(&mut self.flat);
+        turn_both(&mut self.middle);
+        turn_pairs(&mut self.k);
+        turn_pairs(&mut self.f);
+    }
+}
+
+/// What was 1 is 0, what was 2 is 1, what was 0 is 2.
+#[inline(always)]
+pub(super) fn turn<X: Copy>(x: &mut [X; 3]) {
+    [x[0], x[1], x[2]] = [x[1], x[2], x[0]];
+}
+
+/// The same for rows and columns.
+#[inline(always)]
+fn turn_both<X: Copy>(x: &mut [[X; 3]; 3]) {
+    [x[0][0], x[1][1], x[2][2]] = [x[1][1], x[2][2], x[0][0]];
+    [x[0][1], x[1][2], x[2][0]] = [x[1][2], x[2][0], x[0][1]];
+    [x[0][2], x[1][0], x[2][1]] = [x[1][0], x[2][1], x[0][2]];
+}
+
+#[inline(always)]
+fn turn_pairs<X: Copy>(x: &mut [[X; 2]; 3]) {
+    [x[0][0], x[1][0], x[2][0]] = [x[1][0], x[2][0], x[0][0]];
+    [x[0][1], x[1][1], x[2][1]] = [x[1][1], x[2][1], x[0][1]];
+}
+
+/// One edge of b: the points `start + t axis`. Its coordinate n is that of a's axis n places after the one
+/// that the edge follows.
 #[derive(Clone, Copy)]
 pub(super) struct Edge<S> {
     /// Where t is zero, in a's frame.
     pub start: [S; 3],
-    /// The t where coordinate i is at its lower and upper bound.
+    /// The t where a coordinate is at its lower and upper bound.
     pub at: [[S; 2]; 3],
-    /// The t where coordinate i comes into bounds; for the edge's main direction no less than its start.
+    /// The t where a coordinate comes into bounds; for the edge's main direction no less than its start.
     pub enter: [S; 3],
     /// The t where it leaves them; for the edge's main direction no more than its end.
     pub leave: [S; 3],
 }
-
-/// Edges by their direction and the sides of the two others.
-pub(super) type Edges<S> = [[[Edge<S>; 2]; 2]; 3];
 
 /// Slopes by the bounds of a.
 #[derive(Clone, Copy)]
@@ -61,10 +97,25 @@ pub(super) struct Bounds<S> {
     pub low: [S; 3],
 }
 
+impl<S: Scalar> Bounds<S> {
+    /// The same under the names that [`Cut::turn`] gives.
+    #[inline(always)]
+    pub(super) fn turn(&mut self) {
+        turn(&mut self.high);
+        turn(&mut self.low);
+    }
+}
+
 /// `sum − sign · x`, where the sign is positive for equal sides.
 #[inline(always)]
 pub(super) fn less_signed<S: Scalar>(sum: S, a: usize, b: usize, x: S) -> S {
     if a == b { sum - x } else { sum + x }
+}
+
+/// `sum + x` for an upper side, `sum − x` for a lower one.
+#[inline(always)]
+pub(super) fn signed<S: Scalar>(sum: S, side: usize, x: S) -> S {
+    if side == 1 { sum + x } else { sum - x }
 }
 
 #[inline(always)]
@@ -119,28 +170,28 @@ pub(super) fn cut<S: Scalar>(pair: &Relative3<S>) -> (Cut<S>, [S; 3]) {
     (cut, origin)
 }
 
+/// The edge of b along axis `M`, on side `a` of the next axis and side `b` of the one after.
 #[inline(always)]
-pub(super) fn edge<S: Scalar, const PIECES: bool>(
+pub(super) fn edge<S: Scalar, const PIECES: bool, const M: usize>(
     cut: &Cut<S>,
-    m: usize,
     a: usize,
     b: usize,
 ) -> Edge<S> {
     if PIECES {
-        edge_apart(cut, m, a, b)
+        edge_apart::<S, M>(cut, a, b)
     } else {
-        edge_here(cut, m, a, b)
+        edge_here::<S, M>(cut, a, b)
     }
 }
 
 #[inline(never)]
-fn edge_apart<S: Scalar>(cut: &Cut<S>, m: usize, a: usize, b: usize) -> Edge<S> {
-    edge_here(cut, m, a, b)
+fn edge_apart<S: Scalar, const M: usize>(cut: &Cut<S>, a: usize, b: usize) -> Edge<S> {
+    edge_here::<S, M>(cut, a, b)
 }
 
 #[inline(always)]
-fn edge_here<S: Scalar>(cut: &Cut<S>, m: usize, a: usize, b: usize) -> Edge<S> {
-    let (j, l) = ((m + 1) % 3, (m + 2) % 3);
+fn edge_here<S: Scalar, const M: usize>(cut: &Cut<S>, a: usize, b: usize) -> Edge<S> {
+    let (j, l) = ((M + 1) % 3, (M + 2) % 3);
     let zero = S::zero();
     let mut made = Edge {
         start: [zero; 3],
@@ -148,44 +199,45 @@ fn edge_here<S: Scalar>(cut: &Cut<S>, m: usize, a: usize, b: usize) -> Edge<S> {
         enter: [zero; 3],
         leave: [zero; 3],
     };
-    for i in 0..3 {
-        let start = cut.f[j][a] * cut.r[i][j] + cut.f[l][b] * cut.r[i][l];
-        let low = (cut.k[i][0] - start) * cut.rho[i][m] + cut.middle[i][m];
-        let high = (cut.k[i][1] - start) * cut.rho[i][m] + cut.middle[i][m];
-        made.start[i] = start;
-        made.at[i] = [low, high];
-        if i == m {
-            made.enter[i] = low.most(cut.f[m][0]);
-            made.leave[i] = high.least(cut.f[m][1]);
+    for n in 0..3 {
+        let i = (M + n) % 3;
+        let start = cut.f[j][a % 2] * cut.r[i][j] + cut.f[l][b % 2] * cut.r[i][l];
+        let low = (cut.k[i][0] - start) * cut.rho[i][M] + cut.middle[i][M];
+        let high = (cut.k[i][1] - start) * cut.rho[i][M] + cut.middle[i][M];
+        made.start[n] = start;
+        made.at[n] = [low, high];
+        if n == 0 {
+            made.enter[n] = low.most(cut.f[M][0]);
+            made.leave[n] = high.least(cut.f[M][1]);
         } else {
-            made.enter[i] = low.least(high);
-            made.leave[i] = low.most(high);
+            made.enter[n] = low.least(high);
+            made.leave[n] = low.most(high);
         }
     }
     made
 }
 
-/// Coordinate i at t, clamped to a.
+/// Coordinate i of an edge along axis 0 at t, clamped to a.
 #[inline(always)]
-pub(super) fn coordinate<S: Scalar>(cut: &Cut<S>, edge: &Edge<S>, m: usize, i: usize, t: S) -> S {
-    clamped(t * cut.r[i][m] + edge.start[i], cut.k[i][0], cut.k[i][1])
+pub(super) fn coordinate<S: Scalar>(cut: &Cut<S>, edge: &Edge<S>, i: usize, t: S) -> S {
+    clamped(t * cut.r[i][0] + edge.start[i], cut.k[i][0], cut.k[i][1])
 }
 
 /// The integral of clamped coordinate i over `[low, high]`, where it is between its bounds from `enter`
 /// to `leave`.
 #[inline(always)]
-fn along<S: Scalar>(cut: &Cut<S>, edge: &Edge<S>, m: usize, i: usize, low: S, high: S) -> S {
+fn along<S: Scalar>(cut: &Cut<S>, edge: &Edge<S>, i: usize, low: S, high: S) -> S {
     let enter = clamped(edge.enter[i], low, high);
     let leave = clamped(edge.leave[i], low, high);
     let (before, inside, after) = (enter - low, leave - enter, high - leave);
-    let mean = (enter + leave).halved() * cut.r[i][m] + edge.start[i];
-    let falls = cut.rho[i][m].below(S::zero());
+    let mean = (enter + leave).halved() * cut.r[i][0] + edge.start[i];
+    let falls = cut.rho[i][0].below(S::zero());
     let above = S::select(falls, before, after);
     let below = S::select(falls, after, before);
     inside * mean + (above * cut.k[i][1] + below * cut.k[i][0])
 }
 
-/// Six times the integral of `X_j X_l dX_m` along an edge.
+/// Six times the integral of `X_1 X_2 dX_0` along an edge.
 ///
 /// From the crossings of both coordinates it has at most five pieces; on the outer two both are constant,
 /// on the inner ones each is linear, where `6 ∫ X Y dt = D ((X + X')(Y + Y') + X Y + X' Y')`.
@@ -193,13 +245,13 @@ fn along<S: Scalar>(cut: &Cut<S>, edge: &Edge<S>, m: usize, i: usize, low: S, hi
 pub(super) fn edge_term<S: Scalar, const SLOPES: bool, const PIECES: bool>(
     cut: &Cut<S>,
     edge: &Edge<S>,
-    at: [usize; 3],
+    sides: [usize; 2],
     bounds: &mut Bounds<S>,
 ) -> S {
     if PIECES {
-        edge_term_apart::<S, SLOPES>(cut, edge, at, bounds)
+        edge_term_apart::<S, SLOPES>(cut, edge, sides, bounds)
     } else {
-        edge_term_here::<S, SLOPES>(cut, edge, at, bounds)
+        edge_term_here::<S, SLOPES>(cut, edge, sides, bounds)
     }
 }
 
@@ -207,29 +259,28 @@ pub(super) fn edge_term<S: Scalar, const SLOPES: bool, const PIECES: bool>(
 fn edge_term_apart<S: Scalar, const SLOPES: bool>(
     cut: &Cut<S>,
     edge: &Edge<S>,
-    at: [usize; 3],
+    sides: [usize; 2],
     bounds: &mut Bounds<S>,
 ) -> S {
-    edge_term_here::<S, SLOPES>(cut, edge, at, bounds)
+    edge_term_here::<S, SLOPES>(cut, edge, sides, bounds)
 }
 
 #[inline(always)]
 fn edge_term_here<S: Scalar, const SLOPES: bool>(
     cut: &Cut<S>,
     edge: &Edge<S>,
-    [m, a, b]: [usize; 3],
+    [a, b]: [usize; 2],
     bounds: &mut Bounds<S>,
 ) -> S {
-    let (j, l) = ((m + 1) % 3, (m + 2) % 3);
-    let t0 = edge.enter[m].least(cut.f[m][1]);
-    let t1 = edge.leave[m].most(cut.f[m][0]);
+    let t0 = edge.enter[0].least(cut.f[0][1]);
+    let t1 = edge.leave[0].most(cut.f[0][0]);
     let (j0, j1) = (
-        clamped(edge.enter[j], t0, t1),
-        clamped(edge.leave[j], t0, t1),
+        clamped(edge.enter[1], t0, t1),
+        clamped(edge.leave[1], t0, t1),
     );
     let (l0, l1) = (
-        clamped(edge.enter[l], t0, t1),
-        clamped(edge.leave[l], t0, t1),
+        clamped(edge.enter[2], t0, t1),
+        clamped(edge.leave[2], t0, t1),
     );
     let (n1, n4) = (j0.least(l0), j1.most(l1));
     let (n2, n3) = (j0.most(l0), j1.least(l1));
@@ -237,8 +288,8 @@ fn edge_term_here<S: Scalar, const SLOPES: bool>(
     let t = [t0, n2, n3, t1];
     let (mut x, mut y) = ([t0; 4], [t0; 4]);
     for n in 0..4 {
-        x[n] = coordinate(cut, edge, m, j, t[n]);
-        y[n] = coordinate(cut, edge, m, l, t[n]);
+        x[n] = coordinate(cut, edge, 1, t[n]);
+        y[n] = coordinate(cut, edge, 2, t[n]);
     }
     let both = [x[0] * y[0], x[1] * y[1], x[2] * y[2], x[3] * y[3]];
     let ends = [n1, n2, n3, n4];
@@ -248,24 +299,34 @@ fn edge_term_here<S: Scalar, const SLOPES: bool>(
         six += (ends[n + 1] - ends[n]) * mixed;
     }
     if SLOPES {
-        // Where the edge is beyond a along its own direction, X_m is a bound of a.
-        let corner = |t: S| coordinate(cut, edge, m, j, t) * coordinate(cut, edge, m, l, t);
-        let (q0, q1) = (corner(cut.f[m][0]), corner(cut.f[m][1]));
-        bounds.high[m] = less_signed(bounds.high[m], a, b, both[3] - q1);
-        bounds.low[m] = less_signed(bounds.low[m], a, b, q0 - both[0]);
-        // Where X_j is a bound, the integral of X_l; and the other way round.
-        for (one, other, enter, leave) in [(j, l, j0, j1), (l, j, l0, l1)] {
-            let before = along(cut, edge, m, other, t0, enter) * cut.r[m][m];
-            let after = along(cut, edge, m, other, leave, t1) * cut.r[m][m];
-            let falls = cut.rho[one][m].below(S::zero());
-            let (at_high, at_low) = (
-                S::select(falls, before, after),
-                S::select(falls, after, before),
-            );
-            // The sum over edges is taken away from the volume.
-            bounds.high[one] = less_signed(bounds.high[one], a, b, at_high);
-            bounds.low[one] = less_signed(bounds.low[one], a, b, at_low);
-        }
+        // Where the edge is beyond a along its own direction, X_0 is a bound of a.
+        let q0 = coordinate(cut, edge, 1, cut.f[0][0]) * coordinate(cut, edge, 2, cut.f[0][0]);
+        let q1 = coordinate(cut, edge, 1, cut.f[0][1]) * coordinate(cut, edge, 2, cut.f[0][1]);
+        bounds.high[0] = less_signed(bounds.high[0], a, b, both[3] - q1);
+        bounds.low[0] = less_signed(bounds.low[0], a, b, q0 - both[0]);
+        // Where X_1 is a bound, the integral of X_2; and the other way round.
+        clamped_part::<S, 1, 2>(cut, edge, [a, b], [t0, j0, j1, t1], bounds);
+        clamped_part::<S, 2, 1>(cut, edge, [a, b], [t0, l0, l1, t1], bounds);
     }
-    six * cut.r[m][m]
+    six * cut.r[0][0]
+}
+
+/// Adds the slopes by the bounds of coordinate `ONE` where an edge is beyond them: the integral of coordinate
+/// `OTHER`.
+#[inline(always)]
+fn clamped_part<S: Scalar, const ONE: usize, const OTHER: usize>(
+    cut: &Cut<S>,
+    edge: &Edge<S>,
+    [a, b]: [usize; 2],
+    [t0, enter, leave, t1]: [S; 4],
+    bounds: &mut Bounds<S>,
+) {
+    let before = along(cut, edge, OTHER, t0, enter) * cut.r[0][0];
+    let after = along(cut, edge, OTHER, leave, t1) * cut.r[0][0];
+    let falls = cut.rho[ONE][0].below(S::zero());
+    let at_high = S::select(falls, before, after);
+    let at_low = S::select(falls, after, before);
+    // The sum over edges is taken away from the volume.
+    bounds.high[ONE] = less_signed(bounds.high[ONE], a, b, at_high);
+    bounds.low[ONE] = less_signed(bounds.low[ONE], a, b, at_low);
 }

@@ -1,5 +1,5 @@
 //! One face of a box integrated over what of it is above and below another box.
-use super::edge::{Bounds, Cut, Edges, clamped, tiny};
+use super::edge::{Bounds, Cut, Edge, clamped, edge, edge_term, less_signed, signed, tiny};
 use crate::Scalar;
 
 /// A face of b: its part of the volume, and its area and first moment inside a.
@@ -7,9 +7,11 @@ use crate::Scalar;
 pub(super) struct Face<S> {
     /// Three times the integral of the clamped coordinate that the face looks along.
     pub thrice: S,
+    /// Six times the part of its edges along axis 0.
+    pub six: S,
     /// The area inside a.
     pub area: S,
-    /// The first moment of that about the common origin.
+    /// The first moment of that about the common origin, along a's axes as the face names them.
     pub moment: [S; 3],
 }
 
@@ -18,6 +20,7 @@ impl<S: Scalar> Face<S> {
     pub(super) fn none() -> Self {
         Face {
             thrice: S::zero(),
+            six: S::zero(),
             area: S::zero(),
             moment: [S::zero(); 3],
         }
@@ -127,9 +130,10 @@ impl<S: Scalar> Sums<S> {
     }
 }
 
-/// A face of b: the one across b's axis `k`, low or high `side`, seen along a's axis k.
+/// A face of b: the one across b's axis 2, low or high `side`, seen along a's axis 2; and its edges along
+/// axis 0.
 ///
-/// The face seen so is a parallelogram F' in the plane of x = axis i and y = axis j, over which the plane
+/// The face seen so is a parallelogram F' in the plane of x = axis 0 and y = axis 1, over which the plane
 /// of the face is `z = z_c + b x + c y`. It is integrated over F' cut with a's rectangle: its border
 /// consists of four edges of the face and four sides of the rectangle. On each level ζ (zero, the upper
 /// and the lower bound of z) a *level point* p is chosen from which the indicator of z > ζ does not change
@@ -143,69 +147,210 @@ impl<S: Scalar> Sums<S> {
 #[inline(always)]
 pub(super) fn face<S: Scalar, const SLOPES: bool, const PIECES: bool>(
     cut: &Cut<S>,
-    edges: &Edges<S>,
-    k: usize,
     side: usize,
     bounds: &mut Bounds<S>,
 ) -> Face<S> {
     if PIECES {
-        face_apart::<S, SLOPES>(cut, edges, k, side, bounds)
+        face_apart::<S, SLOPES>(cut, side, bounds)
     } else {
-        face_here::<S, SLOPES, false>(cut, edges, k, side, bounds)
+        face_here::<S, SLOPES, false>(cut, side, bounds)
     }
 }
 
 #[inline(never)]
 fn face_apart<S: Scalar, const SLOPES: bool>(
     cut: &Cut<S>,
-    edges: &Edges<S>,
-    k: usize,
     side: usize,
     bounds: &mut Bounds<S>,
 ) -> Face<S> {
-    face_here::<S, SLOPES, true>(cut, edges, k, side, bounds)
+    face_here::<S, SLOPES, true>(cut, side, bounds)
+}
+
+/// What the sides of the region have in common.
+struct Seen<'a, S: Scalar> {
+    cut: &'a Cut<S>,
+    side: usize,
+    /// The edges of the face along axis 0, bottom and top, and along axis 1, left and right.
+    edges: [[Edge<S>; 2]; 2],
+    /// `z = z_center + slope · (x, y)`.
+    slope: [S; 2],
+    z_center: S,
+    half_z0: S,
+    /// The bounds of z, raised by half of z₀.
+    raised: [S; 2],
+    points: [[S; 2]; 3],
+    /// Of a point of the plane through the middle, seen from every level point, crossed with the directions
+    /// of both kinds of edges.
+    cross: [[S; 3]; 2],
+}
+
+/// The coordinates x, y and z of a face among those of its edges along axis 0 and along axis 1.
+const OF_EDGE: [[usize; 3]; 2] = [[0, 1, 2], [2, 0, 1]];
+
+impl<S: Scalar> Seen<'_, S> {
+    /// Adds an edge of the face: along axis `N`, the lower or the upper one (`G`).
+    #[inline(always)]
+    fn edge<const SLOPES: bool, const PIECES: bool, const N: usize, const G: usize>(
+        &self,
+        sums: &mut Sums<S>,
+    ) {
+        let (
+            Cut {
+                r, rho, flat, f, ..
+            },
+            edge,
+        ) = (self.cut, &self.edges[N][G]);
+        let [x, y, z] = OF_EDGE[N];
+        let shift = f[1 - N][G] * r[2][2];
+        // Around the face: forwards along the bottom and up the right, back along the top and down.
+        let mut weight = [S::zero(); 3];
+        for m in 0..3 {
+            let cross = self.cross[N][m];
+            weight[m] = match (N, G) {
+                (0, 0) => cross - shift,
+                (0, _) => shift - cross,
+                (_, 0) => -shift - cross,
+                (_, _) => cross + shift,
+            };
+        }
+        let border = Side {
+            from: edge.enter[x].most(edge.enter[y]),
+            to: edge.leave[x].least(edge.leave[y]),
+            enter: edge.enter[z],
+            leave: edge.leave[z],
+            rises: rho[2][N],
+            flat: flat[2][N],
+            z: edge.start[z] + self.half_z0,
+            half_slope: r[2][N].halved(),
+            at: [edge.start[x], edge.start[y]],
+            direction: [r[0][N], r[1][N]],
+        };
+        sums.add::<SLOPES, PIECES>(border, weight, self.raised, &self.points);
+    }
+
+    /// Where an edge crosses the lower or the upper (`G`) bound of coordinate `OWN`: the other coordinate.
+    #[inline(always)]
+    fn crossing<const N: usize, const OWN: usize, const G: usize>(&self, edge: usize) -> S {
+        let (edge, own, other) = (&self.edges[N][edge], OF_EDGE[N][OWN], OF_EDGE[N][1 - OWN]);
+        edge.at[own][G] * self.cut.r[1 - OWN][N] + edge.start[other]
+    }
+
+    /// Adds a side of a's rectangle: where x (`N` = 0) or y (1) is at its lower or upper bound (`G`). Along it
+    /// z has the reciprocal slope −R₂₂ / R₁₂ or −R₂₂ / R₀₂.
+    #[inline(always)]
+    fn side<const SLOPES: bool, const PIECES: bool, const N: usize, const G: usize>(
+        &self,
+        sums: &mut Sums<S>,
+        bounds: &mut Bounds<S>,
+    ) {
+        let (zero, one) = (S::zero(), S::one());
+        let Cut {
+            r, rho, flat, k, ..
+        } = self.cut;
+        let other = 1 - N;
+        let (bound, [low_bound, high_bound], z_bounds) = (k[N][G], k[other], k[2]);
+        // Where the four edges of the face cross it.
+        let (low_u, high_u) = (self.crossing::<0, N, G>(0), self.crossing::<0, N, G>(1));
+        let (low_v, high_v) = (self.crossing::<1, N, G>(0), self.crossing::<1, N, G>(1));
+        let (low, high, one_of, another) = if N == 0 {
+            (low_u, high_u, low_v, high_v)
+        } else {
+            (low_v, high_v, low_u, high_u)
+        };
+        let from = low_bound.most(low).most(one_of.least(another));
+        let to = high_bound.least(high).least(one_of.most(another));
+        let z = self.slope[N] * bound + self.z_center;
+        let per_slope = -(r[2][2] * rho[other][2]);
+        let center = (low_bound + high_bound).halved();
+        let center = S::select(flat[other][2], center, zero);
+        let at_low = (z_bounds[0] - z) * per_slope + center;
+        let at_high = (z_bounds[1] - z) * per_slope + center;
+        let mut weight = [zero; 3];
+        for m in 0..3 {
+            let beyond = bound - self.points[m][N];
+            weight[m] = if G == 1 { beyond } else { -beyond };
+        }
+        let border = Side {
+            from,
+            to,
+            enter: at_low.least(at_high),
+            leave: at_low.most(at_high),
+            rises: -rho[other][2],
+            flat: flat[other][2],
+            z: z + self.half_z0,
+            half_slope: self.slope[other].halved(),
+            at: if N == 0 { [bound, zero] } else { [zero, bound] },
+            direction: if N == 0 { [zero, one] } else { [one, zero] },
+        };
+        let height = sums.add::<SLOPES, PIECES>(border, weight, self.raised, &self.points);
+        if SLOPES {
+            // What a's face gains when it moves outwards.
+            let gain = height - self.half_z0 * (to.most(from) - from);
+            let bar = if G == 1 {
+                &mut bounds.high[N]
+            } else {
+                &mut bounds.low[N]
+            };
+            *bar = if self.side == G {
+                *bar + gain
+            } else {
+                *bar - gain
+            };
+        }
+    }
+}
+
+/// The range of a coordinate over F': along `own` it goes as `along` says, along `other` as `across` does.
+#[inline(always)]
+fn reach<S: Scalar>([own, other]: [[S; 2]; 2], along: S, across: S, middle: S) -> [S; 2] {
+    let (p, q) = (other[0] * across, other[1] * across);
+    [
+        (own[0] * along + p.least(q)) + middle,
+        (own[1] * along + p.most(q)) + middle,
+    ]
 }
 
 #[inline(always)]
 fn face_here<S: Scalar, const SLOPES: bool, const PIECES: bool>(
     cut: &Cut<S>,
-    edges: &Edges<S>,
-    k: usize,
     side: usize,
     bounds: &mut Bounds<S>,
 ) -> Face<S> {
-    let (i, j) = ((k + 1) % 3, (k + 2) % 3);
     let (zero, one) = (S::zero(), S::one());
+    let edges = [
+        [
+            edge::<S, PIECES, 0>(cut, 0, side),
+            edge::<S, PIECES, 0>(cut, 1, side),
+        ],
+        [
+            edge::<S, PIECES, 1>(cut, side, 0),
+            edge::<S, PIECES, 1>(cut, side, 1),
+        ],
+    ];
+    let mut out = Face::none();
+    for a in 0..2 {
+        let six = edge_term::<S, SLOPES, PIECES>(cut, &edges[0][a], [a, side], bounds);
+        out.six = less_signed(out.six, a, side, six);
+    }
+
     let Cut {
         r,
         rho,
-        flat,
-        k: box_bounds,
+        k: [x_bounds, y_bounds, z_bounds],
         f,
         ..
     } = cut;
-    let per = rho[k][k];
-    let slope = [-(r[i][k] * per), -(r[j][k] * per)];
-    let (u, v) = ([r[i][i], r[j][i]], [r[i][j], r[j][j]]);
-    let (u_z, v_z) = (r[k][i], r[k][j]);
-    let area_unit = r[k][k];
-    let (x_bounds, y_bounds, z_bounds) = (box_bounds[i], box_bounds[j], box_bounds[k]);
-    let offset = f[k][side];
-    let normal = [offset * r[i][k], offset * r[j][k]];
+    let per = rho[2][2];
+    let slope = [-(r[0][2] * per), -(r[1][2] * per)];
+    let offset = f[2][side % 2];
+    let normal = [offset * r[0][2], offset * r[1][2]];
     let z_center = offset * per;
 
     // The part of a's rectangle that F' can reach.
-    let reach = |n: usize| {
-        let (along, across) = if n == 0 { (u[0], v[0]) } else { (v[1], u[1]) };
-        let (own, other) = if n == 0 { (f[i], f[j]) } else { (f[j], f[i]) };
-        let (p, q) = (other[0] * across, other[1] * across);
-        let low = (own[0] * along + p.least(q)) + normal[n];
-        let high = (own[1] * along + p.most(q)) + normal[n];
-        (low, high)
-    };
-    let (x_reach, y_reach) = (reach(0), reach(1));
-    let (x_low, x_high) = (x_reach.0.most(x_bounds[0]), x_reach.1.least(x_bounds[1]));
-    let (y_low, y_high) = (y_reach.0.most(y_bounds[0]), y_reach.1.least(y_bounds[1]));
+    let x_reach = reach([f[0], f[1]], r[0][0], r[0][1], normal[0]);
+    let y_reach = reach([f[1], f[0]], r[1][1], r[1][0], normal[1]);
+    let (x_low, x_high) = (x_reach[0].most(x_bounds[0]), x_reach[1].least(x_bounds[1]));
+    let (y_low, y_high) = (y_reach[0].most(y_bounds[0]), y_reach[1].least(y_bounds[1]));
     let mid = [(x_low + x_high).halved(), (y_low + y_high).halved()];
     let half = [
         (x_high - x_low).halved().most(zero),
@@ -219,8 +364,9 @@ fn face_here<S: Scalar, const SLOPES: bool, const PIECES: bool>(
     let per_range = one.over(S::select(level, least, range));
     let mut points = [[zero; 2]; 3];
     let mut z0 = zero;
-    for (n, height) in [zero, z_bounds[1], z_bounds[0]].into_iter().enumerate() {
-        let tau = clamped((height - z_mid) * per_range, -one, one);
+    let heights = [zero, z_bounds[1], z_bounds[0]];
+    for n in 0..3 {
+        let tau = clamped((heights[n] - z_mid) * per_range, -one, one);
         points[n] = [tau * uphill[0] + mid[0], tau * uphill[1] + mid[1]];
         if n == 0 {
             z0 = tau * range + z_mid;
@@ -228,135 +374,44 @@ fn face_here<S: Scalar, const SLOPES: bool, const PIECES: bool>(
     }
 
     // Weights of the edges: cross(point of the edge − level point, its direction).
-    let (mut cross_u, mut cross_v) = ([zero; 3], [zero; 3]);
+    let mut cross = [[zero; 3]; 2];
     for n in 0..3 {
         let from = [normal[0] - points[n][0], normal[1] - points[n][1]];
-        cross_u[n] = from[0] * u[1] - from[1] * u[0];
-        cross_v[n] = from[0] * v[1] - from[1] * v[0];
+        cross[0][n] = from[0] * r[1][0] - from[1] * r[0][0];
+        cross[1][n] = from[0] * r[1][1] - from[1] * r[0][1];
     }
     let half_z0 = z0.halved();
-    let raised = [z_bounds[0] + half_z0, z_bounds[1] + half_z0];
     let mut sums = Sums {
         height: zero,
         area: [zero; 3],
         moment: [[zero; 2]; 3],
     };
-    for a in 0..2 {
-        let edge = &edges[i][a][side];
-        let shift = f[j][a] * area_unit;
-        let weight = if a == 0 {
-            [cross_u[0] - shift, cross_u[1] - shift, cross_u[2] - shift]
-        } else {
-            [shift - cross_u[0], shift - cross_u[1], shift - cross_u[2]]
-        };
-        let border = Side {
-            from: edge.enter[i].most(edge.enter[j]),
-            to: edge.leave[i].least(edge.leave[j]),
-            enter: edge.enter[k],
-            leave: edge.leave[k],
-            rises: rho[k][i],
-            flat: flat[k][i],
-            z: edge.start[k] + half_z0,
-            half_slope: u_z.halved(),
-            at: [edge.start[i], edge.start[j]],
-            direction: u,
-        };
-        sums.add::<SLOPES, PIECES>(border, weight, raised, &points);
-    }
-    for b in 0..2 {
-        let edge = &edges[j][side][b];
-        let shift = f[i][b] * area_unit;
-        let weight = if b == 1 {
-            [cross_v[0] + shift, cross_v[1] + shift, cross_v[2] + shift]
-        } else {
-            [
-                -shift - cross_v[0],
-                -shift - cross_v[1],
-                -shift - cross_v[2],
-            ]
-        };
-        let border = Side {
-            from: edge.enter[i].most(edge.enter[j]),
-            to: edge.leave[i].least(edge.leave[j]),
-            enter: edge.enter[k],
-            leave: edge.leave[k],
-            rises: rho[k][j],
-            flat: flat[k][j],
-            z: edge.start[k] + half_z0,
-            half_slope: v_z.halved(),
-            at: [edge.start[i], edge.start[j]],
-            direction: v,
-        };
-        sums.add::<SLOPES, PIECES>(border, weight, raised, &points);
-    }
-    // Along a side of the rectangle z has the reciprocal slope −R_kk / R_jk or −R_kk / R_ik.
-    let (bottom, top) = (&edges[i][0][side], &edges[i][1][side]);
-    let (left, right) = (&edges[j][side][0], &edges[j][side][1]);
-    for g in 0..2 {
-        for n in 0..2 {
-            // The side at x = bound g (n = 0) or at y = bound g (n = 1).
-            let (own, other) = if n == 0 { (i, j) } else { (j, i) };
-            let bound = if n == 0 { x_bounds[g] } else { y_bounds[g] };
-            let along_bounds = if n == 0 { y_bounds } else { x_bounds };
-            // Where the four edges of the face cross it.
-            let (u_other, v_other) = if n == 0 { (u[1], v[1]) } else { (u[0], v[0]) };
-            let low_u = bottom.at[own][g] * u_other + bottom.start[other];
-            let high_u = top.at[own][g] * u_other + top.start[other];
-            let low_v = left.at[own][g] * v_other + left.start[other];
-            let high_v = right.at[own][g] * v_other + right.start[other];
-            let (low, high, one_of, another) = if n == 0 {
-                (low_u, high_u, low_v, high_v)
-            } else {
-                (low_v, high_v, low_u, high_u)
-            };
-            let from = along_bounds[0].most(low).most(one_of.least(another));
-            let to = along_bounds[1].least(high).least(one_of.most(another));
-            let z = slope[n] * bound + z_center;
-            let per_slope = -(r[k][k] * rho[other][k]);
-            let center = (along_bounds[0] + along_bounds[1]).halved();
-            let center = S::select(flat[other][k], center, zero);
-            let crossings = [
-                (z_bounds[0] - z) * per_slope + center,
-                (z_bounds[1] - z) * per_slope + center,
-            ];
-            let mut weight = [zero; 3];
-            for m in 0..3 {
-                let beyond = bound - points[m][n];
-                weight[m] = if g == 1 { beyond } else { -beyond };
-            }
-            let border = Side {
-                from,
-                to,
-                enter: crossings[0].least(crossings[1]),
-                leave: crossings[0].most(crossings[1]),
-                rises: -rho[other][k],
-                flat: flat[other][k],
-                z: z + half_z0,
-                half_slope: slope[1 - n].halved(),
-                at: if n == 0 { [bound, zero] } else { [zero, bound] },
-                direction: if n == 0 { [zero, one] } else { [one, zero] },
-            };
-            let height = sums.add::<SLOPES, PIECES>(border, weight, raised, &points);
-            if SLOPES {
-                // What a's face gains when it moves outwards.
-                let gain = height - half_z0 * (to.most(from) - from);
-                let bar = if g == 1 {
-                    &mut bounds.high[own]
-                } else {
-                    &mut bounds.low[own]
-                };
-                *bar = if side == g { *bar + gain } else { *bar - gain };
-            }
-        }
-    }
+    let seen = Seen {
+        cut,
+        side,
+        edges,
+        slope,
+        z_center,
+        half_z0,
+        raised: [z_bounds[0] + half_z0, z_bounds[1] + half_z0],
+        points,
+        cross,
+    };
+    seen.edge::<SLOPES, PIECES, 0, 0>(&mut sums);
+    seen.edge::<SLOPES, PIECES, 0, 1>(&mut sums);
+    seen.edge::<SLOPES, PIECES, 1, 0>(&mut sums);
+    seen.edge::<SLOPES, PIECES, 1, 1>(&mut sums);
+    seen.side::<SLOPES, PIECES, 0, 0>(&mut sums, bounds);
+    seen.side::<SLOPES, PIECES, 1, 0>(&mut sums, bounds);
+    seen.side::<SLOPES, PIECES, 0, 1>(&mut sums, bounds);
+    seen.side::<SLOPES, PIECES, 1, 1>(&mut sums, bounds);
+
     let (above, below) = (sums.area[1].halved(), sums.area[2].halved());
-    let mut out = Face::none();
     out.thrice = (z_bounds[1] - z0) * above + ((z_bounds[0] - z0) * below + sums.height);
     if SLOPES {
         let all = sums.area[0].halved();
-        let gain = |bar: S, area: S| if side == 1 { bar + area } else { bar - area };
-        bounds.high[k] = gain(bounds.high[k], above);
-        bounds.low[k] = gain(bounds.low[k], below);
+        bounds.high[2] = signed(bounds.high[2], side, above);
+        bounds.low[2] = signed(bounds.low[2], side, below);
         out.area = (all - above - below) * per;
         let mut moment = [zero; 2];
         for n in 0..2 {
@@ -364,9 +419,9 @@ fn face_here<S: Scalar, const SLOPES: bool, const PIECES: bool>(
             let shift = points[0][n] * all - points[1][n] * above - points[2][n] * below;
             moment[n] = (own * S::lit(1.0 / 3.0) + shift) * per;
         }
-        out.moment[i] = moment[0];
-        out.moment[j] = moment[1];
-        out.moment[k] = z_center * out.area + (slope[0] * moment[0] + slope[1] * moment[1]);
+        out.moment[0] = moment[0];
+        out.moment[1] = moment[1];
+        out.moment[2] = z_center * out.area + (slope[0] * moment[0] + slope[1] * moment[1]);
     }
     out
 }

@@ -9,9 +9,6 @@ use std::any::TypeId;
 
 /// The volume that two related boxes share, in units of `1 / scale³`.
 ///
-/// One function for each kind of number, however many callers: kernels that must be compiled as one piece
-/// take [`shared_volume`] itself, without pieces.
-///
 /// Plain numbers take the value alone. For numbers with derivatives the slopes g come from the formula for
 /// slopes, because those of the value's own arithmetic are lost where edges are parallel to faces. With
 /// `x₀` the value of an input x without its derivatives,
@@ -23,10 +20,17 @@ use std::any::TypeId;
 /// has the first derivative g and the second derivative g′. (Higher ones are not those of the volume.) The
 /// rotation enters by the entries of its matrix R: a turn ω changes them by `ω × R`, so the slope τ by a
 /// turn is `½ τ × R` by the entries.
-fn volume<S: Scalar>(pair: &Relative3<S>) -> S {
+#[inline(always)]
+fn volume<S: Scalar, const PIECES: bool>(pair: &Relative3<S>) -> S {
     if TypeId::of::<S>() == TypeId::of::<S::Primal>() {
-        return shared_volume::<S, false, true>(pair).volume;
+        return shared_volume::<S, false, PIECES>(pair).volume;
     }
+    volume_and_curvature(pair)
+}
+
+/// The volume of numbers with derivatives.
+#[inline(never)]
+fn volume_and_curvature<S: Scalar>(pair: &Relative3<S>) -> S {
     let g = shared_volume::<S, true, true>(&without_curvature(pair));
     let mut volume = S::from_primal(g.volume.primal());
     let mean = |g: S| (g + S::from_primal(g.primal())).halved();
@@ -68,14 +72,16 @@ fn without_curvature<S: Scalar>(pair: &Relative3<S>) -> Relative3<S> {
 /// Where two related boxes can share nothing at a glance: balls around them are apart.
 #[inline(always)]
 pub(super) fn far_apart<S: Scalar>(pair: &Relative3<S>) -> S::Mask {
-    let square = |v: [S; 3]| {
-        let v = v.map(S::primal);
-        (v[0] * v[0] + v[1] * v[1]) + v[2] * v[2]
-    };
     // (|h| + |p|)² ≤ 2 |h|² + 2 |p|², with room for rounding.
-    let reach = square(pair.half_a) + square(pair.half_b);
+    let reach = squared_length(pair.half_a) + squared_length(pair.half_b);
     // Not "above": a centre whose place in the pair's unit overflowed may be no number.
-    !square(pair.center).at_most(reach * S::Primal::lit(2.001))
+    !squared_length(pair.center).at_most(reach * S::Primal::lit(2.001))
+}
+
+#[inline(always)]
+fn squared_length<S: Scalar>(v: [S; 3]) -> S::Primal {
+    let [x, y, z] = [v[0].primal(), v[1].primal(), v[2].primal()];
+    (x * x + y * y) + z * z
 }
 
 /// The pair as a function of its own: what it needs of the stack is free again when volumes are measured.
@@ -84,18 +90,29 @@ pub(super) fn related<S: Scalar>(a: Obb3<S>, b: Obb3<S>) -> Relative3<S> {
     relate3(a, b)
 }
 
+/// A score as a function of its own, one for each kind of number however many callers.
+#[inline(never)]
 fn score_obb3<S: Scalar>(over: Denominator, a: Obb3<S>, b: Obb3<S>) -> S {
-    let pair = related(a, b);
-    if far_apart(&pair).all() {
+    score_related::<S, true>(over, &related(a, b))
+}
+
+/// A score in one piece, as code for vector instructions must be.
+#[inline(always)]
+pub(crate) fn score_obb3_here<S: Scalar>(over: Denominator, a: Obb3<S>, b: Obb3<S>) -> S {
+    score_related::<S, false>(over, &relate3(a, b))
+}
+
+#[inline(always)]
+fn score_related<S: Scalar, const PIECES: bool>(over: Denominator, pair: &Relative3<S>) -> S {
+    let apart = far_apart(pair);
+    if apart.all() {
         return S::zero();
     }
-    let shared = volume(&pair);
-    let (volume_a, volume_b) = (
-        own_volume(&pair, pair.half_a),
-        own_volume(&pair, pair.half_b),
-    );
+    let shared = volume::<S, PIECES>(pair);
+    let (volume_a, volume_b) = (own_volume(pair, pair.half_a), own_volume(pair, pair.half_b));
     let shared = within(shared, volume_a, volume_b);
     let value = score(over, shared, volume_a, volume_b, pair.scale);
+    let value = S::select(apart, S::zero(), value);
     match over {
         Denominator::Union => {
             let constant = S::from_primal(value.primal());
@@ -109,8 +126,8 @@ fn score_obb3<S: Scalar>(over: Denominator, a: Obb3<S>, b: Obb3<S>) -> S {
 /// one of which one is 10⁸ times as large as another, or more.
 #[inline(always)]
 fn own_volume<S: Scalar>(pair: &Relative3<S>, half: [S; 3]) -> S {
-    let [x, y, z] = half.map(|x| x.primal());
-    let size = x.most(y).most(z);
+    let [x, y, z] = half;
+    let size = x.primal().most(y.primal()).most(z.primal());
     let steep = (pair.scale.primal() * size) * size;
     let steep = steep.above(S::Primal::lit(S::LARGEST / 4096.0));
     let volume = volume_from_half(half);
@@ -127,8 +144,11 @@ pub(super) fn within<S: Scalar>(shared: S, volume_a: S, volume_b: S) -> S {
 }
 
 /// The same for a volume with slopes.
-pub(super) fn shared_within<S: Scalar>(pair: &Relative3<S>) -> (Shared3<S>, S, S) {
-    let mut shared = shared_volume::<S, true, true>(pair);
+#[inline(always)]
+pub(super) fn shared_within<S: Scalar, const PIECES: bool>(
+    pair: &Relative3<S>,
+) -> (Shared3<S>, S, S) {
+    let mut shared = shared_volume::<S, true, PIECES>(pair);
     let (volume_a, volume_b) = (volume_from_half(pair.half_a), volume_from_half(pair.half_b));
     shared.volume = within(shared.volume, volume_a, volume_b);
     (shared, volume_a, volume_b)

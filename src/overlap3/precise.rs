@@ -127,48 +127,75 @@ pub(super) fn difference<S: Scalar>(a: S, b: S, scale: S) -> (S, S) {
     (x, S::select(near, lost, S::zero()))
 }
 
+/// A number in two parts: exact, and small.
+type Parts<S> = (S, S);
+
+// Functions, not closures: those do not inherit instruction sets.
+#[inline(always)]
+fn add<S: Scalar>(a: Parts<S>, b: Parts<S>) -> Parts<S> {
+    (a.0 + b.0, a.1 + b.1)
+}
+#[inline(always)]
+fn less<S: Scalar>(a: Parts<S>, b: Parts<S>) -> Parts<S> {
+    (a.0 - b.0, a.1 - b.1)
+}
+/// The square of a number, given with its high part and the rest.
+#[inline(always)]
+fn square<S: Scalar>(x: S, (high, low): Parts<S>) -> Parts<S> {
+    (high * high, low * (high + x))
+}
+/// Twice the product of two numbers.
+#[inline(always)]
+fn twice<S: Scalar>(a: Parts<S>, y: S, b: Parts<S>) -> Parts<S> {
+    let rest = a.0 * b.1 + a.1 * y;
+    (S::lit(2.0) * (a.0 * b.0), rest + rest)
+}
+/// The product of a column and a vector, whose parts are given, too.
+#[inline(always)]
+fn along<S: Scalar>(column: [Parts<S>; 3], v: [S; 3], v_parts: [Parts<S>; 3], unit: S) -> S {
+    let (mut exact, mut rest) = (S::zero(), S::zero());
+    for i in 0..3 {
+        let (high, middle) = split(column[i].0);
+        exact += high * v_parts[i].0;
+        rest += high * v_parts[i].1 + (middle + column[i].1) * v[i];
+    }
+    (exact + rest).over(unit)
+}
+
 /// A vector in the frame of a rotation. Where the scalar has 24 bits it is right to about 2⁻³⁵ of its
 /// length.
 #[inline(always)]
 pub(super) fn into_frame<S: Scalar>(q: Quaternion<S>, v: [S; 3], lost: [S; 3]) -> [S; 3] {
     if !S::COMPENSATED {
         let m = matrix(q);
-        let along = |i: usize| (m[0][i] * v[0] + m[1][i] * v[1]) + m[2][i] * v[2];
-        return [along(0), along(1), along(2)];
+        return [
+            (m[0][0] * v[0] + m[1][0] * v[1]) + m[2][0] * v[2],
+            (m[0][1] * v[0] + m[1][1] * v[1]) + m[2][1] * v[2],
+            (m[0][2] * v[0] + m[1][2] * v[1]) + m[2][2] * v[2],
+        ];
     }
     // The matrix times the squared length, as an exact part and a small one.
-    let (high, low) = split_all(q);
-    let square = |i: usize| (high[i] * high[i], low[i] * (high[i] + q[i]));
-    let twice = |i: usize, j: usize| {
-        let rest = high[i] * low[j] + low[i] * q[j];
-        (S::lit(2.0) * (high[i] * high[j]), rest + rest)
-    };
-    let (ww, xx, yy, zz) = (square(0), square(1), square(2), square(3));
-    let (wx, wy, wz) = (twice(0, 1), twice(0, 2), twice(0, 3));
-    let (xy, xz, yz) = (twice(1, 2), twice(1, 3), twice(2, 3));
-    let add = |a: (S, S), b: (S, S)| (a.0 + b.0, a.1 + b.1);
-    let less = |a: (S, S), b: (S, S)| (a.0 - b.0, a.1 - b.1);
+    let [w, x, y, z] = [split(q[0]), split(q[1]), split(q[2]), split(q[3])];
+    let (ww, xx) = (square(q[0], w), square(q[1], x));
+    let (yy, zz) = (square(q[2], y), square(q[3], z));
+    let (wx, wy, wz) = (twice(w, q[1], x), twice(w, q[2], y), twice(w, q[3], z));
+    let (xy, xz, yz) = (twice(x, q[2], y), twice(x, q[3], z), twice(y, q[3], z));
     let columns = [
         [add(less(ww, yy), less(xx, zz)), add(xy, wz), less(xz, wy)],
         [less(xy, wz), add(less(ww, xx), less(yy, zz)), add(yz, wx)],
         [add(xz, wy), less(yz, wx), add(less(ww, xx), less(zz, yy))],
     ];
     let scale = to_half::<S>(largest(v[0], v[1], v[2]));
-    let parts = |i: usize| {
-        let (high, low) = split(v[i] * scale);
-        (high, low + lost[i] * scale)
-    };
-    let v_parts = [parts(0), parts(1), parts(2)];
+    let v = [v[0] * scale, v[1] * scale, v[2] * scale];
+    let mut v_parts = [split(v[0]), split(v[1]), split(v[2])];
+    for i in 0..3 {
+        v_parts[i].1 += lost[i] * scale;
+    }
     let norm = ((ww.0 + xx.0) + (yy.0 + zz.0)) + ((ww.1 + xx.1) + (yy.1 + zz.1));
     let unit = scale * norm;
-    let along = |column: [(S, S); 3]| {
-        let (mut exact, mut rest) = (S::zero(), S::zero());
-        for i in 0..3 {
-            let (high, middle) = split(column[i].0);
-            exact += high * v_parts[i].0;
-            rest += high * v_parts[i].1 + (middle + column[i].1) * (v[i] * scale);
-        }
-        (exact + rest).over(unit)
-    };
-    [along(columns[0]), along(columns[1]), along(columns[2])]
+    [
+        along(columns[0], v, v_parts, unit),
+        along(columns[1], v, v_parts, unit),
+        along(columns[2], v, v_parts, unit),
+    ]
 }

@@ -43,6 +43,13 @@ pub fn size_scale3<S: Scalar>(half_a: Vec3<S>, half_b: Vec3<S>) -> S {
     S::select(zero, S::one(), S::select(zero, S::one(), size).binade())
 }
 
+/// A number, or zero where it is smaller than another one.
+#[inline(always)]
+fn levelled<S: Scalar>(x: S, flat: S) -> S {
+    let nothing = x.unsigned().below(flat);
+    S::select(nothing, x.with_primal(S::Primal::zero()), x)
+}
+
 /// Sees `b` from `a`.
 #[inline(always)]
 pub fn relate3<S: Scalar>(a: Obb3<S>, b: Obb3<S>) -> Relative3<S> {
@@ -69,11 +76,7 @@ pub fn relate3<S: Scalar>(a: Obb3<S>, b: Obb3<S>) -> Relative3<S> {
     // Nothing but rounding is left of an angle below this one.
     let [w, x, y, z] = turned;
     let flat = w.unsigned() * S::lit(S::PARALLEL);
-    let level = |x: S| {
-        let nothing = x.unsigned().below(flat);
-        S::select(nothing, x.with_primal(S::Primal::zero()), x)
-    };
-    let (x, y, z) = (level(x), level(y), level(z));
+    let (x, y, z) = (levelled(x, flat), levelled(y, flat), levelled(z, flat));
     let half_a = [half_a.x, half_a.y, half_a.z];
     let half_b = renamed.rename([half_b.x, half_b.y, half_b.z]);
     let none = S::zero();

@@ -45,6 +45,42 @@ impl<S: Scalar> Renaming<S> {
     }
 }
 
+/// The best rotation of the cube so far.
+struct Best<P> {
+    /// The real part that it leaves.
+    score: P,
+    /// Which axes are exchanged: none, y and z, z and x, x and y, or all three in a circle.
+    kind: P,
+    /// Ones for the numbers of the quaternion that take part.
+    used: [P; 4],
+}
+
+impl<P: Scalar> Best<P> {
+    /// That, or the one of which those numbers take part that `PARTS` has ones for, the lowest bit for the
+    /// first.
+    #[inline(always)]
+    fn or<const PARTS: usize, const KIND: usize>(&mut self, size: [P; 4]) {
+        let mut score = P::zero();
+        for i in 0..4 {
+            if PARTS >> i & 1 == 1 {
+                score += size[i];
+            }
+        }
+        let score = match KIND {
+            0 => score,
+            4 => score.halved(),
+            _ => score * P::lit(std::f64::consts::FRAC_1_SQRT_2),
+        };
+        let better = score.above(self.score);
+        self.score = P::select(better, score, self.score);
+        self.kind = P::select(better, P::lit(KIND as f64), self.kind);
+        for i in 0..4 {
+            let takes = P::lit((PARTS >> i & 1) as f64);
+            self.used[i] = P::select(better, takes, self.used[i]);
+        }
+    }
+}
+
 /// The rotation of the cube by which b's axes are renamed, as zeros and ones with signs, and the
 /// renaming.
 ///
@@ -61,42 +97,23 @@ pub(super) fn smallest_turn<S: Scalar>(q: Quaternion<S>) -> (Quaternion<S>, Rena
         p[2].magnitude(),
         p[3].magnitude(),
     ];
-    let (mut best, mut kind) = (size[0], zero);
-    let mut used = [one, zero, zero, zero];
-    let root = S::Primal::lit(std::f64::consts::FRAC_1_SQRT_2);
-    // Which of the four numbers take part, and which axes are exchanged.
-    const CANDIDATES: [([usize; 4], usize); 10] = [
-        ([0, 1, 0, 0], 0),
-        ([0, 0, 1, 0], 0),
-        ([0, 0, 0, 1], 0),
-        ([1, 1, 0, 0], 1),
-        ([0, 0, 1, 1], 1),
-        ([1, 0, 1, 0], 2),
-        ([0, 1, 0, 1], 2),
-        ([1, 0, 0, 1], 3),
-        ([0, 1, 1, 0], 3),
-        ([1, 1, 1, 1], 4),
-    ];
-    for (part, renamed) in CANDIDATES {
-        let mut score = zero;
-        for i in 0..4 {
-            if part[i] == 1 {
-                score += size[i];
-            }
-        }
-        let score = match renamed {
-            0 => score,
-            4 => score.halved(),
-            _ => score * root,
-        };
-        let better = score.above(best);
-        best = S::Primal::select(better, score, best);
-        kind = S::Primal::select(better, S::Primal::lit(renamed as f64), kind);
-        for i in 0..4 {
-            let takes = S::Primal::lit(part[i] as f64);
-            used[i] = S::Primal::select(better, takes, used[i]);
-        }
-    }
+    let mut best = Best {
+        score: size[0],
+        kind: zero,
+        used: [one, zero, zero, zero],
+    };
+    // Not a loop: which numbers take part is known to the compiler, then.
+    best.or::<0b0010, 0>(size);
+    best.or::<0b0100, 0>(size);
+    best.or::<0b1000, 0>(size);
+    best.or::<0b0011, 1>(size);
+    best.or::<0b1100, 1>(size);
+    best.or::<0b0101, 2>(size);
+    best.or::<0b1010, 2>(size);
+    best.or::<0b1001, 3>(size);
+    best.or::<0b0110, 3>(size);
+    best.or::<0b1111, 4>(size);
+    let Best { kind, used, .. } = best;
     let sign = [
         one.signed_as(p[0]),
         one.signed_as(p[1]),
@@ -111,9 +128,12 @@ pub(super) fn smallest_turn<S: Scalar>(q: Quaternion<S>) -> (Quaternion<S>, Rena
     ];
     let handed = (sign[0] * sign[1]) * (sign[2] * sign[3]);
     let circle = kind.equals(S::Primal::lit(4.0));
-    let is = |k: f64| kind.equals(S::Primal::lit(k));
     let renaming = Renaming {
-        exchanged: [is(1.0), is(2.0), is(3.0)],
+        exchanged: [
+            kind.equals(S::Primal::lit(1.0)),
+            kind.equals(S::Primal::lit(2.0)),
+            kind.equals(S::Primal::lit(3.0)),
+        ],
         forward: circle & handed.below(zero),
         backward: circle & handed.above(zero),
     };

@@ -1,5 +1,6 @@
 //! Slopes by hand of the overlap of boxes of any orientation.
 use super::obb::{far_apart, related, shared_within};
+use super::relate::{Relative3, relate3};
 use super::score;
 use crate::overlap::Denominator;
 use crate::shape::{Obb3, Rotation3};
@@ -32,30 +33,52 @@ pub(crate) fn by_volumes<S: Scalar>(
     }
 }
 
-/// Value of a score and `out_bar` times its slopes.
-///
-/// The slopes of the volume come in a's frame: force F by the centre of b, torque τ by a turn of b about
-/// that centre. Moving b is moving a the other way; turning the pair about a's centre changes nothing, so
-/// the torque on a is `−(τ + c × F)`. Both torques are by body tangents; the quaternions' gradients follow.
+/// Value of a score and `out_bar` times its slopes, one function for each kind of number.
 fn score_vjp<S: Scalar>(
     over: Denominator,
     a: Obb3<S>,
     b: Obb3<S>,
     out_bar: S,
 ) -> (S, (Obb3<S>, Obb3<S>)) {
-    let pair = related(a, b);
-    let (mut shared, volume_a, volume_b) = shared_within(&pair);
+    score_related_vjp::<S, true>(over, &related(a, b), [a, b], out_bar)
+}
+
+/// The same in one piece, as code for vector instructions must be.
+#[inline(always)]
+pub(crate) fn score_obb3_vjp_here<S: Scalar>(
+    over: Denominator,
+    a: Obb3<S>,
+    b: Obb3<S>,
+    out_bar: S,
+) -> (S, (Obb3<S>, Obb3<S>)) {
+    score_related_vjp::<S, false>(over, &relate3(a, b), [a, b], out_bar)
+}
+
+/// Value of a score and `out_bar` times its slopes.
+///
+/// The slopes of the volume come in a's frame: force F by the centre of b, torque τ by a turn of b about
+/// that centre. Moving b is moving a the other way; turning the pair about a's centre changes nothing, so
+/// the torque on a is `−(τ + c × F)`. Both torques are by body tangents; the quaternions' gradients follow.
+#[inline(always)]
+fn score_related_vjp<S: Scalar, const PIECES: bool>(
+    over: Denominator,
+    pair: &Relative3<S>,
+    [a, b]: [Obb3<S>; 2],
+    out_bar: S,
+) -> (S, (Obb3<S>, Obb3<S>)) {
+    let (mut shared, volume_a, volume_b) = shared_within::<S, PIECES>(pair);
     // Centres so far apart that their place in the pair's unit overflows have no slopes either.
-    let apart = far_apart(&pair);
+    let apart = far_apart(pair);
     for slopes in [
         &mut shared.center,
         &mut shared.turn,
         &mut shared.half_a,
         &mut shared.half_b,
     ] {
-        *slopes = slopes.map(|slope| S::select(apart, S::zero(), slope));
+        *slopes = zero_where(apart, *slopes);
     }
     let value = score(over, shared.volume, volume_a, volume_b, pair.scale);
+    let value = S::select(apart, S::zero(), value);
     let (length_unit, turn_unit) = match over {
         // A volume in the caller's unit is three lengths; its slope by a length is two.
         Denominator::None => {
@@ -74,28 +97,16 @@ fn score_vjp<S: Scalar>(
         Denominator::Union => pair.same | apart,
         _ => apart,
     };
-    let [bar, bar_a, bar_b] = bars.map(|bar| S::select(flat, S::zero(), bar));
+    let [bar, bar_a, bar_b] = zero_where(flat, bars);
 
-    // A size is twice its half; a volume is eight times the product of the halves.
-    let sizes = |half: [S; 3], slope: [S; 3], own: S| {
-        let mut out = [S::zero(); 3];
-        for i in 0..3 {
-            let (j, l) = ((i + 1) % 3, (i + 2) % 3);
-            let face = (half[j] + half[j]) * (half[l] + half[l]);
-            out[i] = (slope[i].halved() * bar + face * own) * length_unit;
-        }
-        out
-    };
-    let size_a = sizes(pair.half_a, shared.half_a, bar_a);
-    let size_b = sizes(pair.half_b, shared.half_b, bar_b);
+    let size_a = by_size(pair.half_a, shared.half_a, [bar, bar_a, length_unit]);
+    let size_b = by_size(pair.half_b, shared.half_b, [bar, bar_b, length_unit]);
     let size_b = pair.renamed.restore(size_b);
 
-    let vector = |v: [S; 3]| Vec3::new(v[0], v[1], v[2]);
     let (force, torque) = (vector(shared.center), vector(shared.turn));
     let own_torque = -(torque + vector(pair.center).cross(force));
     let axes = a.rotation.axes();
-    let world = |v: Vec3<S>| (axes[0] * v.x + axes[1] * v.y) + axes[2] * v.z;
-    let (force, torque) = (world(force), world(torque));
+    let (force, torque) = (along_axes(axes, force), along_axes(axes, torque));
     let axes_b = b.rotation.axes();
     let torque = Vec3::new(
         axes_b[0].dot(torque),
@@ -103,14 +114,64 @@ fn score_vjp<S: Scalar>(
         axes_b[2].dot(torque),
     );
     let center = force * (bar * length_unit);
-    let by = |center: Vec3<S>, size: [S; 3], rotation: Rotation3<S>, torque: Vec3<S>| Obb3 {
-        center: center.canonical(),
-        size: vector(size).canonical(),
-        rotation: canonical(rotation.quaternion_gradient(torque * (bar * turn_unit))),
-    };
-    let grad_a = by(-center, size_a, a.rotation, own_torque);
-    let grad_b = by(center, size_b, b.rotation, torque);
+    let grad_a = gradient(
+        -center,
+        vector(size_a),
+        a.rotation
+            .quaternion_gradient(own_torque * (bar * turn_unit)),
+    );
+    let grad_b = gradient(
+        center,
+        vector(size_b),
+        b.rotation.quaternion_gradient(torque * (bar * turn_unit)),
+    );
     (value.canonical(), (grad_a, grad_b))
+}
+
+// Functions, not closures: those do not inherit instruction sets.
+
+#[inline(always)]
+fn vector<S: Scalar>(v: [S; 3]) -> Vec3<S> {
+    Vec3::new(v[0], v[1], v[2])
+}
+
+#[inline(always)]
+fn zero_where<S: Scalar>(mask: S::Mask, x: [S; 3]) -> [S; 3] {
+    let zero = S::zero();
+    [
+        S::select(mask, zero, x[0]),
+        S::select(mask, zero, x[1]),
+        S::select(mask, zero, x[2]),
+    ]
+}
+
+/// A vector given along three axes.
+#[inline(always)]
+fn along_axes<S: Scalar>(axes: [Vec3<S>; 3], v: Vec3<S>) -> Vec3<S> {
+    (axes[0] * v.x + axes[1] * v.y) + axes[2] * v.z
+}
+
+/// Slopes by the sizes of a box from those by its halves and by its own volume. A size is twice its half; a
+/// volume is eight times the product of the halves.
+#[inline(always)]
+fn by_size<S: Scalar>(half: [S; 3], slope: [S; 3], [bar, own, unit]: [S; 3]) -> [S; 3] {
+    let mut out = [S::zero(); 3];
+    for i in 0..3 {
+        let (j, l) = ((i + 1) % 3, (i + 2) % 3);
+        let face = (half[j] + half[j]) * (half[l] + half[l]);
+        out[i] = (slope[i].halved() * bar + face * own) * unit;
+    }
+    out
+}
+
+/// A gradient without signs of zeros.
+#[inline(always)]
+fn gradient<S: Scalar>(center: Vec3<S>, size: Vec3<S>, rotation: Rotation3<S>) -> Obb3<S> {
+    Obb3 {
+        center: center.canonical(),
+        size: size.canonical(),
+        rotation: canonical(rotation),
+    }
 }
 
 /// The same gradient; zeros lose their sign.

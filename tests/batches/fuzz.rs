@@ -23,6 +23,21 @@ fn every_operation_keeps_its_promises() {
     }
 }
 
+macro_rules! more_fuzzes {
+    ($($name:ident: $op:ty,)*) => {
+        [$(fuzz::pairs::<$op, _, f64> as fn(u64, u64) -> Fuzzed, fuzz::pairs::<$op, _, f32>,)*]
+    };
+}
+
+#[test]
+fn every_kind_of_kernel_keeps_its_promises() {
+    for run in geograd_tests::more_fuzzed!(more_fuzzes) {
+        let fuzzed = run(20_000, 3);
+        assert!(fuzzed.inputs >= 20_000);
+        assert_eq!(fuzzed.broken, None, "{fuzzed}");
+    }
+}
+
 /// The overlap of rotated boxes with a mistake.
 #[derive(Clone, Copy, Debug, Default)]
 struct Faulty<const FAULT: usize>;

@@ -5,6 +5,7 @@ mod fingerprint;
 mod flat;
 mod gaussian;
 mod iou3;
+mod kitti;
 mod oracle;
 mod oracle_solid;
 mod overlap;

@@ -1,4 +1,4 @@
-//! The box toolbox: losses on hard pairs, boxes of two kinds, points and boxes, KITTI's rules.
+//! The box toolbox: losses on hard pairs, boxes of two kinds, points and boxes.
 use super::pairs::{FAMILIES, Random, pair, random_rotation};
 use geograd::ad::{gradient, hessian};
 use geograd::error::{Argument, Error};
@@ -7,11 +7,8 @@ use geograd::iou::separation_aware_obb2;
 use geograd::iou3::{Enclosing, diou, giou};
 use geograd::kernels::Cpu;
 use geograd::kernels::points::Container;
-use geograd::metric::Recalls;
-use geograd::metric::kitti::{Counts, Difficulty, Frame, Label, Truth, judge};
 use geograd::overlap3::{Overlaps, iou_obb3};
 use geograd::shape::{Aabb3, Obb3, Plane3, YawBox3};
-use geograd::suppression::Pair;
 use geograd::{Aabb2, Obb2, Pack, Vec2, Vec3, distance3};
 
 fn relative(a: f64, b: f64) -> f64 {
@@ -385,148 +382,6 @@ fn points_find_the_boxes_of_the_loop() {
         Err(Error::Invalid {
             argument: Argument::Named("boxes"),
             row: 1,
-            ..
-        })
-    ));
-}
-
-fn overlapping(first: usize, second: usize, overlap: f64) -> Pair<f64> {
-    Pair {
-        first,
-        second,
-        overlap,
-    }
-}
-
-#[test]
-fn kitti_counts_by_difficulty() {
-    let car = Truth {
-        label: Label::Own,
-        height: 40.0,
-        occlusion: 0,
-        truncation: 0.15,
-    };
-    // A truth must be higher than the limit.
-    assert_eq!(Difficulty::Easy.truth(car), Counts::Ignored);
-    assert_eq!(
-        Difficulty::Easy.truth(Truth {
-            height: 40.5,
-            ..car
-        }),
-        Counts::Fully
-    );
-    assert_eq!(
-        Difficulty::Moderate.truth(Truth {
-            occlusion: 2,
-            ..car
-        }),
-        Counts::Ignored
-    );
-    assert_eq!(
-        Difficulty::Hard.truth(Truth {
-            occlusion: 2,
-            truncation: 0.5,
-            ..car
-        }),
-        Counts::Fully
-    );
-    assert_eq!(
-        Difficulty::Hard.truth(Truth {
-            occlusion: 3,
-            ..car
-        }),
-        Counts::Ignored
-    );
-    assert_eq!(
-        Difficulty::Hard.truth(Truth {
-            label: Label::Other,
-            ..car
-        }),
-        Counts::Not
-    );
-    // A detection of another class is not there, unless it is small: then it may be wrong.
-    assert_eq!(Difficulty::Easy.detection(39.0, false), Counts::Ignored);
-    assert_eq!(Difficulty::Easy.detection(40.0, false), Counts::Not);
-    assert_eq!(Difficulty::Easy.detection(40.0, true), Counts::Fully);
-}
-
-#[test]
-fn kitti_judges_as_its_kit() {
-    use Counts::{Fully, Ignored, Not};
-    // Two truths, a van; right at 0.9, the van's at 0.8, wrong at 0.7, right at 0.6, wrong at 0.5, one in a
-    // region without labels at 0.65, a small one at 0.95, a pedestrian's at 0.99.
-    let scores = [0.9, 0.8, 0.7, 0.6, 0.5, 0.65, 0.95, 0.99];
-    let frame = Frame {
-        truths: &[Fully, Fully, Ignored],
-        scores: &scores,
-        detections: &[Fully, Fully, Fully, Fully, Fully, Fully, Ignored, Not],
-        pairs: &[
-            overlapping(0, 0, 0.8),
-            overlapping(1, 2, 0.9),
-            overlapping(3, 1, 0.75),
-            overlapping(2, 1, 0.7), // equality is not enough
-            overlapping(7, 1, 0.95),
-        ],
-        unlabelled: &[0.0, 0.0, 0.0, 0.0, 0.0, 0.9, 0.0, 0.0],
-    };
-    let judged = judge(&[frame], 0.7).unwrap();
-    assert_eq!(judged.truths, 2);
-    // Recall passes 1/40 at the first right one and 2/40 at the second.
-    let points: Vec<_> = judged
-        .curve
-        .iter()
-        .map(|p| (p.score, p.precision, p.recall))
-        .collect();
-    assert_eq!(points, [(0.9, 1.0, 0.5), (0.6, 2.0 / 3.0, 1.0)]);
-    // The kit reads precision by the number of the score: 0 and 1 of 41.
-    assert!((judged.average_precision(Recalls::Forty) - 2.0 / 3.0 / 40.0).abs() < 1e-15);
-    assert!((judged.average_precision(Recalls::Eleven) - 1.0 / 11.0).abs() < 1e-15);
-
-    // A truth in each of forty-one frames, all found, and as many wrong ones below all of them.
-    let pair = [overlapping(0, 0, 0.9)];
-    let scores: Vec<[f64; 2]> = (0..41).map(|n| [1.0 - n as f64 / 100.0, 0.1]).collect();
-    let frames: Vec<Frame<'_>> = scores
-        .iter()
-        .map(|scores| Frame {
-            truths: &[Fully],
-            scores,
-            detections: &[Fully; 2],
-            pairs: &pair,
-            unlabelled: &[],
-        })
-        .collect();
-    let judged = judge(&frames, 0.7).unwrap();
-    assert_eq!(judged.curve.len(), 41);
-    assert_eq!(judged.average_precision(Recalls::Forty), 1.0);
-    assert_eq!(judged.average_precision(Recalls::Eleven), 1.0);
-
-    // A truth takes the detection of the largest overlap; one that is ignored gives way to one that is not.
-    let frame = Frame {
-        truths: &[Fully],
-        scores: &[0.9, 0.8, 0.7],
-        detections: &[Ignored, Fully, Fully],
-        pairs: &[
-            overlapping(0, 0, 0.99),
-            overlapping(1, 0, 0.8),
-            overlapping(2, 0, 0.9),
-        ],
-        unlabelled: &[],
-    };
-    // Without a least score the best score is taken, which is ignored: no score to read at.
-    assert!(judge(&[frame], 0.7).unwrap().curve.is_empty());
-    assert_eq!(
-        judge(&[], 0.7).unwrap().average_precision(Recalls::Forty),
-        0.0
-    );
-    let short = Frame {
-        detections: &[Fully],
-        ..frame
-    };
-    assert!(matches!(
-        judge(&[short], 0.7),
-        Err(Error::Length {
-            found: 1,
-            expected: 3,
             ..
         })
     ));

@@ -3,6 +3,7 @@
 use crate::Vec2;
 use crate::kernels::cpu::blocks;
 use crate::kernels::cpu::boxes::{self, BOUNDS, View};
+use crate::kernels::cpu::boxes3;
 use crate::kernels::cpu::lane::{Lane, Planes, Results, TILE, Tiles};
 use crate::kernels::cpu::program::{self, Pass, Tape};
 use crate::kernels::cpu::rings::{self, Measure};
@@ -100,6 +101,12 @@ entries! {
     upright_scores(over: Denominator, a: Tiles<'_, T>, b: Tiles<'_, T>, out: Results<'_, T>) = upright::scores::<T, V>;
     /// The same with fourteen slopes each, from the ten slopes of that.
     upright_slopes(over: Denominator, a: Tiles<'_, T>, b: Tiles<'_, T>, seeds: Option<Tiles<'_, T>>, out: Results<'_, T>) = upright::slopes::<T, V>;
+    /// Whether boxes of any orientation in space are valid.
+    all_obb3(numbers: &[T]) -> bool = boxes3::all_valid::<T, V>;
+    /// Scores of boxes of any orientation in space.
+    obb3_scores(over: Denominator, a: Tiles<'_, T>, b: Tiles<'_, T>, out: Results<'_, T>) = boxes3::scores::<T, V>;
+    /// Scores of boxes of any orientation in space with twenty slopes each.
+    obb3_slopes(over: Denominator, a: Tiles<'_, T>, b: Tiles<'_, T>, seeds: Option<Tiles<'_, T>>, out: Results<'_, T>) = boxes3::slopes::<T, V>;
     /// Scores of axis-aligned boxes.
     aabb2_scores(over: Denominator, a: Tiles<'_, T>, b: Tiles<'_, T>, out: Results<'_, T>) = boxes::aabb2_scores::<T, V>;
     /// Scores of axis-aligned boxes with eight slopes each.

@@ -1,0 +1,142 @@
+//! Plain numbers: sums, the largest, and whether all of them are what kernels serve.
+use crate::Mask;
+use crate::kernels::cpu::arch::Vector;
+use crate::kernels::cpu::lane::{Lane, TILE};
+use crate::kernels::real::Real;
+
+/// Numbers looked at side by side.
+const SIDE: usize = 32;
+
+/// The largest of some numbers; minus infinity of none.
+#[inline(always)]
+pub(crate) fn largest<T: Real, V: Vector<T>>(numbers: &[T]) -> T {
+    let least = T::lit(f64::NEG_INFINITY);
+    let mut lanes = [least; SIDE];
+    let (whole, rest) = numbers.as_chunks::<SIDE>();
+    for part in whole {
+        for (lane, &x) in lanes.iter_mut().zip(part) {
+            *lane = if x > *lane { x } else { *lane };
+        }
+    }
+    let all = lanes.iter().chain(rest);
+    all.fold(least, |most, &x| if x > most { x } else { most })
+}
+
+/// How many numbers are above a threshold.
+#[inline(always)]
+pub(crate) fn count_above<T: Real, V: Vector<T>>(numbers: &[T], threshold: T) -> u64 {
+    numbers.iter().map(|&x| u64::from(x > threshold)).sum()
+}
+
+/// Adds numbers to sixteen sums, number `i` to sum `i` modulo sixteen.
+#[inline(always)]
+pub(crate) fn add_up<T: Real, V: Vector<T>>(numbers: &[T], sums: &mut [f64; TILE]) {
+    let (whole, rest) = numbers.as_chunks::<TILE>();
+    for part in whole {
+        for (sum, x) in sums.iter_mut().zip(part) {
+            *sum += x.widen();
+        }
+    }
+    for (sum, x) in sums.iter_mut().zip(rest) {
+        *sum += x.widen();
+    }
+}
+
+/// Whether every number is finite.
+#[allow(clippy::eq_op)]
+#[inline(always)]
+pub(crate) fn all_finite<T: Real, V: Vector<T>>(numbers: &[T]) -> bool {
+    let (whole, rest) = numbers.as_chunks::<TILE>();
+    // A finite number less itself is zero, all others less themselves are not numbers. Sums of their
+    // own need not wait for each other.
+    let mut sums = [V::zero(); 4];
+    for numbers in whole {
+        let lane = Lane(*numbers);
+        for (k, at) in V::starts().enumerate() {
+            let x = V::read(&lane, at);
+            sums[k % 4] += x - x;
+        }
+    }
+    let sum = (sums[0] + sums[1]) + (sums[2] + sums[3]);
+    sum.equals(V::zero()).all() && rest.iter().all(|x| x.finite())
+}
+
+/// Whether every number is finite and none beyond a limit.
+#[inline(always)]
+pub(crate) fn all_up_to<T: Real, V: Vector<T>>(numbers: &[T], limit: f64) -> bool {
+    all_within::<T, V, 1>(numbers, [true], [0.0], [limit])
+}
+
+/// Whether the numbers of a lane are zero or within limits, as far as all so far are; `limits` are which
+/// ones are signed, and how small and how large they may be.
+#[inline(always)]
+fn within<T: Real, V: Vector<T>>(
+    numbers: &[T; TILE],
+    [signed, low, high]: &[Lane<T>; 3],
+    mut all: V::Mask,
+) -> V::Mask {
+    let (numbers, zero) = (Lane(*numbers), V::zero());
+    let mut at = 0;
+    while at < TILE {
+        let x = V::read(&numbers, at);
+        let x = V::select(V::read(signed, at).above(zero), x.unsigned(), x);
+        all = all & (V::read(low, at).at_most(x) | x.equals(zero)) & x.at_most(V::read(high, at));
+        at += V::WIDTH;
+    }
+    all
+}
+
+/// Whether every number is zero or within the limits of its field, for items of so many fields; of
+/// signed fields the magnitude.
+#[inline(always)]
+pub(crate) fn all_within<T: Real, V: Vector<T>, const FIELDS: usize>(
+    numbers: &[T],
+    signed: [bool; FIELDS],
+    low: [f64; FIELDS],
+    high: [f64; FIELDS],
+) -> bool {
+    // Sixteen items are FIELDS lanes, whose limits repeat.
+    let limits = |k: usize, of: [f64; FIELDS]| {
+        let mut lane = Lane([T::default(); TILE]);
+        for (i, x) in lane.0.iter_mut().enumerate() {
+            *x = T::lit(of[(k * TILE + i) % FIELDS]);
+        }
+        lane
+    };
+    let mut lanes = [[Lane::default(); 3]; FIELDS];
+    let signs = signed.map(|signed| if signed { 1.0 } else { 0.0 });
+    for (k, lane) in lanes.iter_mut().enumerate() {
+        *lane = [limits(k, signs), limits(k, low), limits(k, high)];
+    }
+    let zero = V::zero();
+    let mut all = zero.equals(zero);
+    let (whole, rest) = numbers.as_chunks::<TILE>();
+    let (groups, few) = whole.as_chunks::<FIELDS>();
+    for group in groups {
+        let mut k = 0;
+        while k < FIELDS {
+            all = within::<T, V>(&group[k], &lanes[k], all);
+            k += 1;
+        }
+    }
+    for (numbers, limits) in few.iter().zip(&lanes) {
+        all = within::<T, V>(numbers, limits, all);
+    }
+    let done = whole.len() * TILE;
+    all.all()
+        && rest.iter().enumerate().all(|(i, &x)| {
+            let k = (done + i) % FIELDS;
+            let (x, low, high) = (if signed[k] { x.unsigned() } else { x }, low[k], high[k]);
+            x.at_most(T::lit(high)) && (x.at_least(T::lit(low)) || x.equals(T::default()))
+        })
+}
+
+/// Whether every axis-aligned box is finite and no lower bound is above its upper one.
+#[inline(always)]
+pub(crate) fn all_aabb2<T: Real, V: Vector<T>>(numbers: &[T]) -> bool {
+    let (items, _) = numbers.as_chunks::<4>();
+    let ordered = items
+        .iter()
+        .fold(true, |all, x| all & x[0].at_most(x[2]) & x[1].at_most(x[3]));
+    ordered & all_finite::<T, V>(numbers)
+}

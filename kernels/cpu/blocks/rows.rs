@@ -1,0 +1,309 @@
+//! Rows of numbers into tiles and back.
+use crate::kernels::cpu::arch::Vector;
+use crate::kernels::cpu::lane::{Lane, Planes, TILE};
+use crate::kernels::real::Real;
+
+/// Numbers that are brought and taken together.
+pub(crate) const QUAD: usize = 4;
+
+/// Where a quad of so many fields begins: one after another, the last one as late as it may.
+#[inline(always)]
+const fn quad_start(quad: usize, fields: usize) -> usize {
+    let (next, last) = (quad * QUAD, fields - QUAD);
+    if next < last { next } else { last }
+}
+
+/// Four numbers of an item, in one piece.
+#[inline(always)]
+fn quad_of<T: Real, const FIELDS: usize>(item: &[T; FIELDS], start: usize) -> [T; QUAD] {
+    match item[start..].first_chunk() {
+        Some(quad) => *quad,
+        None => [T::default(); QUAD],
+    }
+}
+
+/// Items one after another, so many numbers each, into tiles. The last tile is filled up with the
+/// last item.
+#[inline(always)]
+pub(crate) fn bring<T: Real, V: Vector<T>>(rows: &[T], fields: usize, out: &mut [Lane<T>]) {
+    let count = rows.len() / fields;
+    // The number of fields is a constant of the usual loops: one check for sixteen items.
+    let whole = match fields {
+        1 => bring_few::<T, 1>(rows, out),
+        2 => bring_few::<T, 2>(rows, out),
+        3 => bring_few::<T, 3>(rows, out),
+        4 => bring_tiles::<T, V, 4>(rows, out),
+        5 => bring_tiles::<T, V, 5>(rows, out),
+        6 => bring_tiles::<T, V, 6>(rows, out),
+        7 => bring_tiles::<T, V, 7>(rows, out),
+        8 => bring_tiles::<T, V, 8>(rows, out),
+        10 => bring_tiles::<T, V, 10>(rows, out),
+        _ => 0,
+    };
+    // What is left over.
+    for (i, row) in rows.chunks_exact(fields).enumerate().skip(whole * TILE) {
+        for (lane, &x) in out[i / TILE * fields..].iter_mut().zip(row) {
+            lane.0[i % TILE] = x;
+        }
+    }
+    let used = count % TILE;
+    if used > 0 {
+        for lane in out[count / TILE * fields..].iter_mut().take(fields) {
+            let last = lane.0[used - 1];
+            lane.0[used..].fill(last);
+        }
+    }
+}
+
+/// Whole tiles; how many.
+#[inline(always)]
+fn bring_tiles<T: Real, V: Vector<T>, const FIELDS: usize>(
+    rows: &[T],
+    out: &mut [Lane<T>],
+) -> usize {
+    let groups = rows.as_chunks::<FIELDS>().0.as_chunks::<TILE>().0;
+    for (items, tile) in groups.iter().zip(out.as_chunks_mut::<FIELDS>().0) {
+        let mut quad = 0;
+        while quad * QUAD < FIELDS {
+            let start = quad_start(quad, FIELDS);
+            let mut at = 0;
+            while at < TILE {
+                let parts = V::from_items(
+                    #[inline(always)]
+                    |i| quad_of(&items[(at + i) % TILE], start),
+                );
+                let mut k = 0;
+                while k < QUAD {
+                    parts[k].write(&mut tile[start + k], at);
+                    k += 1;
+                }
+                at += V::WIDTH;
+            }
+            quad += 1;
+        }
+    }
+    groups.len()
+}
+
+/// Whole tiles of items of less than four numbers; how many.
+#[inline(always)]
+fn bring_few<T: Real, const FIELDS: usize>(rows: &[T], out: &mut [Lane<T>]) -> usize {
+    let groups = rows.as_chunks::<FIELDS>().0.as_chunks::<TILE>().0;
+    for (items, tile) in groups.iter().zip(out.as_chunks_mut::<FIELDS>().0) {
+        let mut k = 0;
+        while k < FIELDS {
+            let mut i = 0;
+            while i < TILE {
+                tile[k].0[i] = items[i][k];
+                i += 1;
+            }
+            k += 1;
+        }
+    }
+    groups.len()
+}
+
+/// Some fields of results into rows of so many numbers: field `k` of an item goes to `row[k]`. Rows
+/// keep what they have beyond `fields`.
+#[inline(always)]
+pub(crate) fn take<T: Real, V: Vector<T>>(
+    results: Planes<'_, T>,
+    fields: usize,
+    rows: &mut [T],
+    stride: usize,
+) {
+    let whole = match (fields, stride) {
+        (1, 1) => {
+            let (groups, _) = rows.as_chunks_mut::<TILE>();
+            for (group, lane) in groups.iter_mut().zip(results.0) {
+                *group = lane.0;
+            }
+            groups.len()
+        }
+        (4, 4) => take_tiles::<T, V, 4>(results, rows),
+        (5, 5) => take_tiles::<T, V, 5>(results, rows),
+        (6, 6) => take_tiles::<T, V, 6>(results, rows),
+        (7, 7) => take_tiles::<T, V, 7>(results, rows),
+        (8, 8) => take_tiles::<T, V, 8>(results, rows),
+        _ => 0,
+    };
+    for (i, row) in rows.chunks_exact_mut(stride).enumerate().skip(whole * TILE) {
+        for (k, x) in row.iter_mut().enumerate().take(fields) {
+            *x = results.field(k)[i / TILE].0[i % TILE];
+        }
+    }
+}
+
+/// Whole tiles; how many.
+#[inline(always)]
+fn take_tiles<T: Real, V: Vector<T>, const FIELDS: usize>(
+    results: Planes<'_, T>,
+    rows: &mut [T],
+) -> usize {
+    let groups = rows.as_chunks_mut::<FIELDS>().0.as_chunks_mut::<TILE>().0;
+    let mut whole = 0;
+    for items in groups {
+        let Some(tile) = tile_of::<T, FIELDS>(results, whole) else {
+            break;
+        };
+        let mut at = 0;
+        while at < TILE {
+            let mut quad = 0;
+            while quad * QUAD < FIELDS {
+                let start = quad_start(quad, FIELDS);
+                let parts = [
+                    V::read(tile[start], at),
+                    V::read(tile[start + 1], at),
+                    V::read(tile[start + 2], at),
+                    V::read(tile[start + 3], at),
+                ];
+                V::to_items(
+                    parts,
+                    #[inline(always)]
+                    |i, numbers| {
+                        let item = &mut items[(at + i) % TILE];
+                        if let Some(quad) = item[start..].first_chunk_mut() {
+                            *quad = numbers;
+                        }
+                    },
+                );
+                quad += 1;
+            }
+            at += V::WIDTH;
+        }
+        whole += 1;
+    }
+    whole
+}
+
+/// The first fields of a tile of results.
+#[inline(always)]
+pub(super) fn tile_of<'a, T: Real, const FIELDS: usize>(
+    results: Planes<'a, T>,
+    t: usize,
+) -> Option<[&'a Lane<T>; FIELDS]> {
+    let mut tile = [results.0.get(t)?; FIELDS];
+    let mut k = 1;
+    while k < FIELDS {
+        tile[k] = results.field(k).get(t)?;
+        k += 1;
+    }
+    Some(tile)
+}
+
+/// Items picked from rows of `stride` numbers, a multiple of four, into tiles of so many fields. The
+/// last tile is filled up with the last item.
+#[inline(always)]
+pub(crate) fn gather<T: Real, V: Vector<T>>(
+    rows: &[T],
+    stride: usize,
+    picked: &[u32],
+    fields: usize,
+    out: &mut [Lane<T>],
+) {
+    match stride / QUAD {
+        1 => gather_quads::<T, V, 1>(rows, picked, fields, out),
+        2 => gather_quads::<T, V, 2>(rows, picked, fields, out),
+        3 => gather_quads::<T, V, 3>(rows, picked, fields, out),
+        _ => {
+            for (k, &item) in picked.iter().enumerate() {
+                let row = &rows[item as usize * stride..];
+                for (lane, &x) in out[k / TILE * fields..].iter_mut().zip(row).take(fields) {
+                    lane.0[k % TILE] = x;
+                }
+            }
+            // What fills up the last tile must be valid; the last item is at hand.
+            if let (Some(&last), used @ 1..) = (picked.last(), picked.len() % TILE) {
+                let row = &rows[last as usize * stride..];
+                let tile = &mut out[picked.len() / TILE * fields..];
+                for (lane, &x) in tile.iter_mut().zip(row).take(fields) {
+                    lane.0[used..].fill(x);
+                }
+            }
+        }
+    }
+}
+
+#[inline(always)]
+fn gather_quads<T: Real, V: Vector<T>, const QUADS: usize>(
+    rows: &[T],
+    picked: &[u32],
+    fields: usize,
+    out: &mut [Lane<T>],
+) {
+    let Some(&last) = picked.last() else { return };
+    let items = rows.as_chunks::<QUAD>().0.as_chunks::<QUADS>().0;
+    let Some(mut own) = items.get(last as usize).map(|last| [last; TILE]) else {
+        return;
+    };
+    for (picked, tile) in picked.chunks(TILE).zip(out.chunks_exact_mut(fields)) {
+        match picked.first_chunk::<TILE>() {
+            Some(picked) => {
+                let mut i = 0;
+                while i < TILE {
+                    let Some(item) = items.get(picked[i] as usize) else {
+                        return;
+                    };
+                    own[i] = item;
+                    i += 1;
+                }
+            }
+            None => {
+                for (i, own) in own.iter_mut().enumerate() {
+                    let picked = *picked.get(i).unwrap_or(&last);
+                    *own = &items[picked as usize];
+                }
+            }
+        }
+        let mut at = 0;
+        while at < TILE {
+            let mut quad = 0;
+            while quad < QUADS {
+                let parts = V::from_items(
+                    #[inline(always)]
+                    |i| own[(at + i) % TILE][quad],
+                );
+                // The last quad may have numbers that only fill it up.
+                for (part, lane) in parts.into_iter().zip(&mut tile[quad * QUAD..]) {
+                    part.write(lane, at);
+                }
+                quad += 1;
+            }
+            at += V::WIDTH;
+        }
+    }
+}
+
+/// One item of a tile in every place of another.
+#[inline(always)]
+pub(crate) fn spread<T: Real, V: Vector<T>>(from: &[Lane<T>], item: usize, tile: &mut [Lane<T>]) {
+    for (lane, from) in tile.iter_mut().zip(from) {
+        let x = V::splat(from.0[item % TILE]);
+        let mut at = 0;
+        while at < TILE {
+            x.write(lane, at);
+            at += V::WIDTH;
+        }
+    }
+}
+
+/// Results of picked columns, put into one row of numbers per field, each `stride` after the one
+/// before; `first` is the column where rows begin. Other numbers stay.
+#[inline(always)]
+pub(crate) fn scatter<T: Real, V: Vector<T>>(
+    results: Planes<'_, T>,
+    columns: &[u32],
+    first: usize,
+    rows: &mut [T],
+    stride: usize,
+) {
+    for (k, row) in rows.chunks_mut(stride).enumerate() {
+        for (columns, lane) in columns.chunks(TILE).zip(results.field(k)) {
+            for (&j, &x) in columns.iter().zip(&lane.0) {
+                if let Some(place) = row.get_mut((j as usize).wrapping_sub(first)) {
+                    *place = x;
+                }
+            }
+        }
+    }
+}

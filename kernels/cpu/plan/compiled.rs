@@ -1,0 +1,358 @@
+//! Operations with compiled kernels: which kernels, and the scalar code for what those do not serve.
+use super::face::{Face, Maker, Outline, Preparation, Prepare, Room, Want};
+use crate::ad::adjoint::iou::giou_framed_vjp;
+use crate::ad::adjoint::upright::score_upright_vjp;
+use crate::error::Validate;
+use crate::iou::giou_framed;
+use crate::kernels::cpu::boxes::{
+    AABB2, OBB2, QUAD2, SEEN, UPRIGHT, View, is_common_upright, is_solid_obb2,
+};
+use crate::kernels::cpu::boxes3::OBB3;
+use crate::kernels::cpu::lane::{Lane, Results, Tiles};
+use crate::kernels::cpu::solids;
+use crate::kernels::cpu::upright;
+use crate::kernels::real::Real;
+use crate::overlap::{Denominator, score_framed};
+use crate::overlap3::score_yaw;
+use crate::shape::{Obb3, YawBox3};
+use crate::{Aabb2, Fixed, Obb2, Vec2, ad, clip};
+use std::sync::Arc;
+
+/// What batches know of an operation beside its program.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Compiled {
+    /// A score of rotated boxes.
+    Obb2(Denominator),
+    /// A score of axis-aligned boxes.
+    Aabb2(Denominator),
+    /// Generalised IoU of rotated boxes.
+    Giou,
+    /// A score of upright boxes.
+    Upright(Denominator),
+    /// A score of upright boxes seen from above.
+    BirdsEye(Denominator),
+    /// The area that two convex quadrilaterals share; its slopes are those of its program.
+    Quads,
+    /// A score of axis-aligned boxes in space: no kernels, but boxes that are apart score zero.
+    Aabb3,
+    /// A score of boxes of any orientation in space.
+    Obb3(Denominator),
+}
+
+/// How an operation with compiled kernels is computed; `None` where it has none.
+pub(super) fn of_compiled<T: Real>(compiled: Compiled, want: Want) -> Option<Face<T>> {
+    match compiled {
+        Compiled::Obb2(over) => Some(of_obb2(over, want)),
+        Compiled::Aabb2(over) => Some(of_aabb2(over, want)),
+        Compiled::Giou => Some(of_giou(want)),
+        Compiled::Upright(over) => Some(of_upright(over, want)),
+        Compiled::BirdsEye(over) => Some(of_birds_eye(over, want)),
+        Compiled::Quads if want == Want::Value => Some(of_quads()),
+        Compiled::Obb3(over) => Some(of_obb3(over, want)),
+        Compiled::Quads | Compiled::Aabb3 => None,
+    }
+}
+
+/// The bounds in the plane of shapes whose program alone is known.
+pub(super) fn outline<T: Real>(compiled: Compiled) -> Option<Outline<T>> {
+    match compiled {
+        Compiled::Aabb3 => Some(Arc::new(|[shapes, _], bounds| {
+            solids::aabb3_bounds(shapes, bounds)
+        })),
+        _ => None,
+    }
+}
+
+/// A kernel of two boxes: scores.
+type ScoresOf<T> = fn(Denominator, Tiles<'_, T>, Tiles<'_, T>, Results<'_, T>);
+struct Scores<T>(Denominator, ScoresOf<T>);
+impl<T: Real> Maker<T> for Scores<T> {
+    fn make(&self, _: &mut Room<T>, inputs: &[Tiles<'_, T>], out: Results<'_, T>) {
+        (self.1)(self.0, inputs[0], inputs[1], out);
+    }
+}
+
+/// A kernel of two boxes: scores with slopes.
+type SlopesOf<T> =
+    fn(Denominator, Tiles<'_, T>, Tiles<'_, T>, Option<Tiles<'_, T>>, Results<'_, T>);
+struct Slopes<T>(Denominator, SlopesOf<T>);
+impl<T: Real> Maker<T> for Slopes<T> {
+    fn make(&self, _: &mut Room<T>, inputs: &[Tiles<'_, T>], out: Results<'_, T>) {
+        (self.1)(self.0, inputs[0], inputs[1], inputs.get(2).copied(), out);
+    }
+}
+
+/// Scores of rotated boxes.
+fn of_obb2<T: Real>(over: Denominator, want: Want) -> Face<T> {
+    let kernels = T::kernels();
+    let shape = || Preparation {
+        fields: OBB2,
+        frame: Some(obb2_frames(View::Flat)),
+        bounds: Some(obb2_bounds()),
+        all_ordinary: kernels.all_ordinary_obb2,
+        check: |numbers| Obb2::load(numbers).validate(),
+        is_rare: |numbers| !clip::is_ordinary(Obb2::load(numbers)),
+    };
+    let maker: Box<dyn Maker<T>> = match want {
+        Want::Value => Box::new(Scores(over, kernels.obb2_scores)),
+        Want::ValueGrad | Want::Vjp => Box::new(Slopes(over, kernels.obb2_slopes)),
+    };
+    Face {
+        // Slopes of ordinary boxes are below 10²⁶ in single precision, and their terms.
+        steepest: T::LARGEST.powf(0.3125),
+        rare: Some(Box::new(move |shapes, out_bar, out| {
+            let [a, b] = [0, 1].map(|k| clip::frame(Obb2::load(shapes[k])));
+            let out_bar = out_bar.first().copied().unwrap_or(T::one());
+            if let [value] = out {
+                *value = score_framed::<T, true>(over, a, b);
+                return;
+            }
+            let (value, bars) =
+                ad::adjoint::overlap::score_framed_vjp::<T, true>(over, a, b, out_bar);
+            out[0] = value;
+            bars.store(&mut out[1..]);
+        })),
+        ..Face::new(want, vec![shape(), shape()], vec![1], maker)
+    }
+}
+
+/// How rotated boxes are prepared, and how many numbers that gives.
+fn obb2_frames<T: Real>(view: View) -> (usize, Prepare<T>) {
+    let frames = T::kernels().obb2_frames;
+    let prepare = move |shapes: Tiles<'_, T>, out: &mut [Lane<T>]| frames(shapes, view, out);
+    (view.fields::<T>(), Arc::new(prepare))
+}
+
+/// The bounds of prepared rotated boxes.
+fn obb2_bounds<T: Real>() -> Outline<T> {
+    let bounds = T::kernels().obb2_bounds;
+    Arc::new(move |[_, frames], out| bounds(frames, out))
+}
+
+/// A kernel of two shapes of which there is one: generalised IoU, areas of quadrilaterals.
+struct Scored<T>(fn(Tiles<'_, T>, Tiles<'_, T>, Results<'_, T>));
+impl<T: Real> Maker<T> for Scored<T> {
+    fn make(&self, _: &mut Room<T>, inputs: &[Tiles<'_, T>], out: Results<'_, T>) {
+        (self.0)(inputs[0], inputs[1], out);
+    }
+}
+/// Generalised IoU with slopes.
+type GiouSlopesOf<T> = fn(Tiles<'_, T>, Tiles<'_, T>, Option<Tiles<'_, T>>, Results<'_, T>);
+struct GiouSlopes<T>(GiouSlopesOf<T>);
+impl<T: Real> Maker<T> for GiouSlopes<T> {
+    fn make(&self, _: &mut Room<T>, inputs: &[Tiles<'_, T>], out: Results<'_, T>) {
+        (self.0)(inputs[0], inputs[1], inputs.get(2).copied(), out);
+    }
+}
+
+/// Whether every rotated box is of common size, and none of zero size.
+fn all_solid<T: Real>(numbers: &[T]) -> bool {
+    let solid = |all: bool, x: &[T]| all & x[2].above(T::default()) & x[3].above(T::default());
+    (T::kernels().all_common_obb2)(numbers) && numbers.chunks_exact(OBB2).fold(true, solid)
+}
+
+/// Generalised IoU of rotated boxes. Boxes that are apart have results, so there are no bounds.
+fn of_giou<T: Real>(want: Want) -> Face<T> {
+    let kernels = T::kernels();
+    let shape = || Preparation {
+        fields: OBB2,
+        frame: Some(obb2_frames(View::Flat)),
+        bounds: None,
+        all_ordinary: all_solid::<T>,
+        check: |numbers| Obb2::load(numbers).validate(),
+        is_rare: |numbers| !is_solid_obb2(numbers),
+    };
+    let maker: Box<dyn Maker<T>> = match want {
+        Want::Value => Box::new(Scored(kernels.giou_scores)),
+        Want::ValueGrad | Want::Vjp => Box::new(GiouSlopes(kernels.giou_slopes)),
+    };
+    Face {
+        steepest: T::LARGEST.powf(0.3125),
+        rare: Some(Box::new(move |shapes, out_bar, out| {
+            let [a, b] = [0, 1].map(|k| clip::frame(Obb2::load(shapes[k])));
+            let out_bar = out_bar.first().copied().unwrap_or(T::one());
+            if let [value] = out {
+                *value = giou_framed::<T, true>(a, b);
+                return;
+            }
+            let (value, bars) = giou_framed_vjp::<T, true>(a, b, out_bar);
+            out[0] = value;
+            bars.store(&mut out[1..]);
+        })),
+        ..Face::new(want, vec![shape(), shape()], vec![1], maker)
+    }
+}
+
+/// Areas that convex quadrilaterals share.
+fn of_quads<T: Real>() -> Face<T> {
+    let kernels = T::kernels();
+    let shape = || Preparation {
+        fields: QUAD2,
+        frame: None,
+        bounds: None,
+        all_ordinary: kernels.all_finite,
+        check: |numbers| <[Vec2<T>; 4]>::load(numbers).validate(),
+        is_rare: |_| false,
+    };
+    let maker = Box::new(Scored(kernels.quad_scores));
+    Face::new(Want::Value, vec![shape(), shape()], vec![1], maker)
+}
+
+/// Scores of upright boxes: of what is shared seen from above, then of heights.
+struct UprightScores(Denominator);
+impl<T: Real> Maker<T> for UprightScores {
+    fn make(&self, _: &mut Room<T>, inputs: &[Tiles<'_, T>], mut out: Results<'_, T>) {
+        let kernels = T::kernels();
+        (kernels.obb2_scores)(Denominator::None, inputs[0], inputs[1], out.again());
+        (kernels.upright_scores)(self.0, inputs[0], inputs[1], out);
+    }
+}
+
+/// The same with slopes.
+struct UprightSlopes(Denominator);
+impl<T: Real> Maker<T> for UprightSlopes {
+    fn make(&self, _: &mut Room<T>, inputs: &[Tiles<'_, T>], mut out: Results<'_, T>) {
+        let kernels = T::kernels();
+        (kernels.obb2_slopes)(Denominator::None, inputs[0], inputs[1], None, out.again());
+        let seeds = inputs.get(2).copied();
+        (kernels.upright_slopes)(self.0, inputs[0], inputs[1], seeds, out);
+    }
+}
+
+/// Scores of upright boxes.
+fn of_upright<T: Real>(over: Denominator, want: Want) -> Face<T> {
+    let kernels = T::kernels();
+    let shape = || Preparation {
+        fields: UPRIGHT,
+        frame: Some(obb2_frames(View::Upright)),
+        bounds: Some(obb2_bounds()),
+        all_ordinary: kernels.all_common_upright,
+        check: |numbers| YawBox3::load(numbers).validate(),
+        is_rare: |numbers| !is_common_upright(numbers),
+    };
+    let maker: Box<dyn Maker<T>> = match want {
+        Want::Value => Box::new(UprightScores(over)),
+        Want::ValueGrad | Want::Vjp => Box::new(UprightSlopes(over)),
+    };
+    Face {
+        steepest: T::LARGEST.powf(0.3125),
+        rare: Some(Box::new(move |shapes, out_bar, out| {
+            let [a, b] = [0, 1].map(|k| YawBox3::load(shapes[k]));
+            let out_bar = out_bar.first().copied().unwrap_or(T::one());
+            if let [value] = out {
+                *value = score_yaw(over, a, b);
+                return;
+            }
+            let (value, bars) = score_upright_vjp(over, a, b, out_bar);
+            out[0] = value;
+            bars.store(&mut out[1..]);
+        })),
+        ..Face::new(want, vec![shape(), shape()], vec![1], maker)
+    }
+}
+
+/// Scores of upright boxes seen from above, with their slopes.
+struct BirdsEyeSlopes(Denominator);
+impl<T: Real> Maker<T> for BirdsEyeSlopes {
+    fn make(&self, _: &mut Room<T>, inputs: &[Tiles<'_, T>], mut out: Results<'_, T>) {
+        let seeds = inputs.get(2).copied();
+        (T::kernels().obb2_slopes)(self.0, inputs[0], inputs[1], seeds, out.again());
+        upright::spread_slopes(&mut out);
+    }
+}
+
+/// Scores of upright boxes seen from above.
+fn of_birds_eye<T: Real>(over: Denominator, want: Want) -> Face<T> {
+    let kernels = T::kernels();
+    let shape = || Preparation {
+        fields: UPRIGHT,
+        frame: Some(obb2_frames(View::FromAbove)),
+        bounds: Some(obb2_bounds()),
+        all_ordinary: kernels.all_common_upright,
+        check: |numbers| YawBox3::load(numbers).validate(),
+        is_rare: |numbers| !clip::is_ordinary(YawBox3::load(numbers).birds_eye()),
+    };
+    let maker: Box<dyn Maker<T>> = match want {
+        Want::Value => Box::new(Scores(over, kernels.obb2_scores)),
+        Want::ValueGrad | Want::Vjp => Box::new(BirdsEyeSlopes(over)),
+    };
+    let flat = of_obb2::<T>(over, want).rare;
+    Face {
+        steepest: T::LARGEST.powf(0.3125),
+        rare: Some(Box::new(move |shapes, out_bar, out| {
+            let Some(flat) = &flat else { return };
+            let mut seen = [[T::default(); OBB2]; 2];
+            for (seen, shape) in seen.iter_mut().zip(shapes) {
+                YawBox3::load(shape).birds_eye().store(seen);
+            }
+            let seen = seen.each_ref().map(|numbers| &numbers[..]);
+            if let [value] = out {
+                flat(&seen, out_bar, std::slice::from_mut(value));
+                return;
+            }
+            let mut numbers = [T::default(); 2 * OBB2 + 1];
+            flat(&seen, out_bar, &mut numbers);
+            out.fill(T::default());
+            out[0] = numbers[0];
+            for (k, place) in SEEN.into_iter().enumerate() {
+                out[1 + place] = numbers[1 + k];
+                out[1 + UPRIGHT + place] = numbers[1 + OBB2 + k];
+            }
+        })),
+        ..Face::new(want, vec![shape(), shape()], vec![1], maker)
+    }
+}
+
+/// Scores of boxes of any orientation in space.
+fn of_obb3<T: Real>(over: Denominator, want: Want) -> Face<T> {
+    let kernels = T::kernels();
+    let shape = || Preparation {
+        fields: OBB3,
+        frame: None,
+        bounds: Some(Arc::new(|[shapes, _], bounds| {
+            solids::obb3_bounds(shapes, bounds)
+        })),
+        all_ordinary: kernels.all_obb3,
+        check: |numbers| Obb3::load(numbers).validate(),
+        is_rare: |_| false,
+    };
+    let maker: Box<dyn Maker<T>> = match want {
+        Want::Value => Box::new(Scores(over, kernels.obb3_scores)),
+        Want::ValueGrad | Want::Vjp => Box::new(Slopes(over, kernels.obb3_slopes)),
+    };
+    Face::new(want, vec![shape(), shape()], vec![1], maker)
+}
+
+/// Scores of axis-aligned boxes.
+fn of_aabb2<T: Real>(over: Denominator, want: Want) -> Face<T> {
+    let kernels = T::kernels();
+    let shape = || Preparation {
+        fields: AABB2,
+        frame: None,
+        // The bounds are the shape itself.
+        bounds: Some(Arc::new(|[shapes, _], bounds| {
+            bounds.copy_from_slice(&shapes.lanes[..bounds.len()]);
+        })),
+        all_ordinary: kernels.all_aabb2,
+        check: |numbers| Aabb2::load(numbers).validate(),
+        is_rare: |_| false,
+    };
+    let maker: Box<dyn Maker<T>> = match want {
+        Want::Value => Box::new(Scores(over, kernels.aabb2_scores)),
+        Want::ValueGrad | Want::Vjp => Box::new(Slopes(over, kernels.aabb2_slopes)),
+    };
+    Face {
+        // They serve boxes of any size.
+        steepest: 1.0,
+        rare: Some(Box::new(move |shapes, out_bar, out| {
+            let [a, b] = [0, 1].map(|k| Aabb2::load(shapes[k]));
+            let out_bar = out_bar.first().copied().unwrap_or(T::one());
+            let (value, bars) = ad::adjoint::overlap::score_aabb2_vjp(over, a, b, out_bar);
+            out[0] = value;
+            if out.len() > 1 {
+                bars.store(&mut out[1..]);
+            }
+        })),
+        ..Face::new(want, vec![shape(), shape()], vec![1], maker)
+    }
+}

@@ -1,0 +1,122 @@
+//! What is prepared once per shape and what makes blocks of results: the same for every kind of maker.
+use crate::error::Flaw;
+use crate::kernels::cpu::lane::{Lane, Results, Tiles};
+use crate::kernels::row::Leaf;
+use std::sync::Arc;
+
+/// Lanes that a maker may use as it likes, kept from block to block.
+pub type Room<T> = Vec<Lane<T>>;
+
+/// Something that computes blocks of items from one or more arguments.
+///
+/// A compiled kernel is one; a recorded program will be another. It knows nothing of batches.
+pub trait Maker<T>: Send + Sync {
+    /// Computes as many tiles of results as are asked for. Each input has at least as many tiles, or
+    /// one that stands for all.
+    fn make(&self, room: &mut Room<T>, inputs: &[Tiles<'_, T>], out: Results<'_, T>);
+}
+
+/// Something that is made of each of many shapes, as tiles of numbers.
+pub type Prepare<T> = Arc<dyn Fn(Tiles<'_, T>, &mut [Lane<T>]) + Send + Sync>;
+
+/// Something that is made of each of many shapes and of the same shapes prepared.
+pub type Outline<T> = Arc<dyn Fn([Tiles<'_, T>; 2], &mut [Lane<T>]) + Send + Sync>;
+
+/// What is done once for every shape of a column.
+pub struct Preparation<T> {
+    /// Numbers of a shape.
+    pub fields: usize,
+    /// How a shape is prepared, and how many numbers that gives; `None` to leave it as it is.
+    pub frame: Option<(usize, Prepare<T>)>,
+    /// The bounds of shapes in the plane; `None` where pairs that are apart have results to compute.
+    pub bounds: Option<Outline<T>>,
+    /// Whether numbers are those of valid shapes of ordinary size, told quickly. May say no too often.
+    pub all_ordinary: fn(&[T]) -> bool,
+    /// What is wrong with a shape.
+    pub check: fn(&[T]) -> Result<(), Flaw>,
+    /// Whether a valid shape is too rare for kernels.
+    pub is_rare: fn(&[T]) -> bool,
+}
+
+impl<T> Preparation<T> {
+    /// Numbers of a prepared shape.
+    pub fn frame_fields(&self) -> usize {
+        self.frame.as_ref().map_or(self.fields, |frame| frame.0)
+    }
+    /// A shape that is left as it is.
+    pub fn plain(leaf: Leaf<T>) -> Self {
+        Preparation {
+            fields: leaf.fields,
+            frame: None,
+            bounds: None,
+            // Whether they are valid only the shape knows.
+            all_ordinary: |_| false,
+            check: leaf.check,
+            is_rare: |_| false,
+        }
+    }
+}
+
+/// Results of an item that kernels do not serve: the numbers of its shapes, the cotangent of its
+/// result, and room for a result, or for a result and slopes.
+pub type Rare<T> = Box<dyn Fn(&[&[T]], &[T], &mut [T]) + Send + Sync>;
+
+/// What is wanted of an operation.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum Want {
+    /// Its result.
+    Value,
+    /// Its result and the gradient of that, which is one number.
+    ValueGrad,
+    /// Slopes times a cotangent of the result.
+    Vjp,
+}
+
+/// How batches compute an operation.
+pub struct Face<T> {
+    /// For every shape that it takes.
+    pub(crate) arguments: Vec<Preparation<T>>,
+    /// Numbers of every shape that it gives.
+    pub(crate) gives: Vec<usize>,
+    /// How many numbers come before those.
+    pub(crate) skipped: usize,
+    /// Computes results of prepared shapes.
+    pub(crate) maker: Box<dyn Maker<T>>,
+    /// The steepest cotangent that the maker bears.
+    pub(crate) steepest: f64,
+    /// Results of shapes, or of cotangents, that the maker does not serve.
+    pub(crate) rare: Option<Rare<T>>,
+}
+
+impl<T> Face<T> {
+    /// Numbers that its maker puts down per item.
+    pub(crate) fn made(&self) -> usize {
+        self.skipped + self.gives.iter().sum::<usize>()
+    }
+    /// What is wanted of an operation that takes and gives such shapes. Of slopes the result comes first.
+    pub(super) fn new(
+        want: Want,
+        arguments: Vec<Preparation<T>>,
+        outputs: Vec<usize>,
+        maker: Box<dyn Maker<T>>,
+    ) -> Self {
+        let slopes: Vec<usize> = arguments.iter().map(|x| x.fields).collect();
+        let skipped = match want {
+            Want::Value | Want::ValueGrad => 0,
+            Want::Vjp => outputs.iter().sum(),
+        };
+        let gives = match want {
+            Want::Value => outputs,
+            Want::ValueGrad => [outputs, slopes].concat(),
+            Want::Vjp => slopes,
+        };
+        Face {
+            arguments,
+            gives,
+            skipped,
+            maker,
+            steepest: f64::INFINITY,
+            rare: None,
+        }
+    }
+}

@@ -1,0 +1,17 @@
+//! How batches compute an operation: what is prepared once per shape, what is computed per pair.
+mod compiled;
+mod face;
+mod known;
+mod list;
+mod recorded;
+
+pub use compiled::Compiled;
+pub use face::{Face, Maker, Preparation, Rare, Room, Want};
+pub use known::face_of;
+#[cfg(feature = "gpu")]
+pub use known::generated_of;
+pub(crate) use known::{Known, known, program_of};
+pub use list::List;
+#[cfg(feature = "gpu")]
+pub(crate) use recorded::prepared;
+pub(crate) use recorded::{of_items, of_recorded};

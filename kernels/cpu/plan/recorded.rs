@@ -1,0 +1,127 @@
+//! Recorded programs, and functions that are computed item by item, as makers of blocks.
+use super::face::{Face, Maker, Preparation, Prepare, Room, Want};
+use crate::ad::program::graph::{Graph, Id};
+use crate::ad::program::recorded::Recorded;
+use crate::error::Error;
+use crate::kernels::cpu::lane::{Lane, Results, TILE, Tiles};
+use crate::kernels::cpu::program::Interpreted;
+use crate::kernels::cpu::program::split::{Piece, split};
+use crate::kernels::real::Real;
+use crate::kernels::row::Leaf;
+use std::sync::Arc;
+
+/// How a recorded program is computed. Its inputs are the numbers of its arguments and then those of
+/// cotangents. For all pairs what is made of one argument alone is made once per shape.
+pub(crate) fn of_recorded<T: Real>(
+    want: Want,
+    leaves: Vec<Leaf<T>>,
+    outputs: Vec<usize>,
+    recorded: &Recorded,
+    framed: bool,
+) -> Result<Face<T>, Error> {
+    let mut fields: Vec<usize> = leaves.iter().map(|leaf| leaf.fields).collect();
+    let mut arguments: Vec<_> = leaves.into_iter().map(Preparation::plain).collect();
+    if want == Want::Vjp {
+        fields.extend(&outputs);
+    }
+    let value = &recorded.value;
+    let maker = |graph: &Graph, fields: &[usize], outputs: &[Id], skipping| {
+        Interpreted::new(graph, fields, outputs, skipping).map_err(Error::Program)
+    };
+    let body = match framed {
+        false => maker(&value.graph, &fields, &value.outputs, false)?,
+        true => {
+            // Cotangents come as they are.
+            let (graph, own) = (&value.graph, arguments.len());
+            let parts = split(graph, &fields, own, &value.outputs, |_| true);
+            for ((argument, frame), &own) in arguments.iter_mut().zip(&parts.frames).zip(&fields) {
+                argument.frame = Some(prepared(frame, own)?);
+            }
+            maker(&parts.body.graph, &parts.widths, &parts.body.outputs, true)?
+        }
+    };
+    Ok(Face::new(want, arguments, outputs, Box::new(body)))
+}
+
+/// How frames are made of shapes of so many numbers, and how many numbers those have.
+pub(crate) fn prepared<T: Real>(
+    frame: &Piece,
+    fields: usize,
+) -> Result<(usize, Prepare<T>), Error> {
+    let made = Interpreted::new(&frame.graph, &[fields], &frame.outputs, false);
+    let made = made.map_err(Error::Program)?;
+    let prepare = move |shapes: Tiles<'_, T>, frames: &mut [Lane<T>]| {
+        made.prepare(&mut Room::new(), &[shapes], frames);
+    };
+    Ok((frame.outputs.len(), Arc::new(prepare)))
+}
+
+/// Something that computes one item: its numbers, the cotangent of its result or nothing, and room for
+/// a result, or for a result and slopes.
+pub type Each<T> = fn(&[T], Option<&[T]>, &mut [T]);
+
+/// Computes item by item.
+struct Items<T> {
+    each: Each<T>,
+    /// Numbers of every shape that it takes, of all of them, of every cotangent, and put down per item.
+    arguments: Vec<usize>,
+    taken: usize,
+    cotangents: Vec<usize>,
+    made: usize,
+}
+
+/// Numbers of an item of a tile.
+fn item<T: Copy>(input: &Tiles<'_, T>, t: usize, i: usize, fields: usize, numbers: &mut Vec<T>) {
+    let tile = input.lanes[t * input.step..].iter().take(fields);
+    numbers.extend(tile.map(|lane| lane.0[i]));
+}
+
+impl<T: Real> Maker<T> for Items<T> {
+    fn make(&self, _: &mut Room<T>, inputs: &[Tiles<'_, T>], mut out: Results<'_, T>) {
+        let (shapes, cotangents) = inputs.split_at(self.arguments.len());
+        let (mut numbers, mut seed) = (Vec::with_capacity(self.taken), Vec::new());
+        let mut one = vec![T::default(); self.made];
+        for t in 0..out.tiles {
+            for i in 0..TILE {
+                numbers.clear();
+                seed.clear();
+                for (shape, &fields) in shapes.iter().zip(&self.arguments) {
+                    item(shape, t, i, fields, &mut numbers);
+                }
+                for (cotangent, &fields) in cotangents.iter().zip(&self.cotangents) {
+                    item(cotangent, t, i, fields, &mut seed);
+                }
+                (self.each)(&numbers, (!seed.is_empty()).then_some(&seed), &mut one);
+                for (k, &x) in one.iter().enumerate() {
+                    if let Some(lane) = out.lane(t, k) {
+                        lane.0[i] = x.canonical();
+                    }
+                }
+            }
+        }
+    }
+}
+
+/// How an operation is computed item by item.
+pub(crate) fn of_items<T: Real>(
+    want: Want,
+    leaves: Vec<Leaf<T>>,
+    outputs: Vec<usize>,
+    each: Each<T>,
+) -> Face<T> {
+    let arguments: Vec<usize> = leaves.iter().map(|leaf| leaf.fields).collect();
+    let (taken, result): (usize, usize) = (arguments.iter().sum(), outputs.iter().sum());
+    let made = match want {
+        Want::Value => result,
+        Want::ValueGrad | Want::Vjp => result + taken,
+    };
+    let items = Items {
+        each,
+        arguments,
+        taken,
+        cotangents: outputs.clone(),
+        made,
+    };
+    let plans = leaves.into_iter().map(Preparation::plain).collect();
+    Face::new(want, plans, outputs, Box::new(items))
+}
