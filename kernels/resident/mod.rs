@@ -60,10 +60,12 @@ macro_rules! on {
     };
 }
 
+mod held;
 mod matrix;
 mod pairs;
 mod ring;
 
+pub use held::{Held, HeldColumns, Resident};
 pub use pairs::Slopes;
 pub use ring::Rings;
 
