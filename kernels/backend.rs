@@ -12,8 +12,8 @@ use crate::{Pack, Vec2};
 
 /// Where batches run. Nothing ever falls back from one to the other by itself.
 ///
-/// These calls take and give slices. [`upload`](Backend::upload) makes handles whose data stay
-/// where they are computed with, between calls; see [`resident`](crate::kernels::resident).
+/// These calls take and give slices. [`resident`](Backend::resident) has the same calls over handles whose
+/// data stay where they are computed with, between calls; see the [module](crate::kernels::resident).
 ///
 /// ```
 /// use geograd::Obb2;

@@ -141,9 +141,6 @@ pub fn options() -> Result<Option<Options>, Failure> {
     if options.nms.is_some_and(|x| !(0.0..=1.0).contains(&x)) {
         return usage("`--nms` is an overlap, from 0 to 1");
     }
-    if options.wish == Wish::Gpu && options.goal != Goal::default() {
-        return usage("`--backend gpu` computes `--loss iou --space bev` only");
-    }
     if let Some(csv) = &options.csv {
         let inputs = options.detections.iter().chain(&options.labels);
         if *csv == options.svg || inputs.into_iter().any(|input| input == csv) {

@@ -115,7 +115,7 @@ impl<R: Row<Scalar = f32>> Held<R> {
     ///
     /// ```
     /// use geograd::kernels::Backend;
-    /// let held = Backend::Cpu.resident().upload(&[([1.0, 2.0], 3.0), ([4.0, 5.0], 6.0)])?;
+    /// let held = Backend::Cpu.resident().upload(&[([1.0_f32, 2.0], 3.0_f32), ([4.0, 5.0], 6.0)])?;
     /// assert_eq!(held.numbers()?, [vec![1.0, 2.0, 4.0, 5.0], vec![3.0, 6.0]]);
     /// # Ok::<(), geograd::Error>(())
     /// ```

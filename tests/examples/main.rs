@@ -6,6 +6,8 @@ use std::process::{Command, Output};
 mod assign;
 mod calibrate;
 mod custom_shape;
+#[cfg(feature = "gpu")]
+mod gpu_batch;
 mod iou_csv;
 mod layout;
 mod polygon_fit;

@@ -8,7 +8,7 @@ use geograd::kernels::ops::{distance, iou, iou3, overlap, overlap3};
 use geograd::kernels::resident::{Held, Resident};
 use geograd::kernels::{Backend, DiameterOfPolygon, One, Op};
 use geograd::shape::{Obb3, YawBox3};
-use geograd::{ConvexPolygon, Error, GpuFault, Obb2, Pack, Segment2, Unrecordable, Vec2};
+use geograd::{ConvexPolygon, Error, GpuFault, Obb2, Pack, Scalar, Segment2, Unrecordable, Vec2};
 
 /// Ordinary shapes in single precision.
 fn ordinary<P: Sample + Pack<Scalar = f64, With<f32> = Q>, Q>(count: usize, seed: u64) -> Vec<Q> {
@@ -40,7 +40,8 @@ fn chain(here: Resident<'_>, count: usize) -> Result<Vec<Vec<f32>>, Error> {
     here.aligned_into(run.value_grad(), (&points, wall), &mut both)?;
     all.extend(both.numbers()?);
     // Results as cotangents, and as shapes to compute with.
-    let (distances, (by_points, _)) = both.split();
+    let (distances, slopes) = both.split();
+    let (by_points, _) = slopes.split();
     let slopes = here.aligned(run.vjp(), ((&points, wall), &distances))?;
     all.extend(slopes.numbers()?);
     all.extend(here.aligned(run, (&by_points, &segments))?.numbers()?);
@@ -72,7 +73,9 @@ fn what_is_prepared_is_what_slices_are() {
         ordinary::<Obb2<f64>, _>(300, 5),
     );
     let (on_a, on_b) = (here.upload(&a).unwrap(), here.upload(&b).unwrap());
-    for run in [iou::GiouObb2.value_grad(); 2] {
+    let run = iou::GiouObb2.value_grad();
+    // Twice: what was prepared is kept.
+    for _ in 0..2 {
         let found = here.aligned(run, (&on_a, &on_b)).unwrap();
         let found = found.download().unwrap();
         assert_eq!(found, gpu.programs().aligned(run, (&a, &b)).unwrap());
@@ -80,15 +83,26 @@ fn what_is_prepared_is_what_slices_are() {
     let found = here.all_pairs(iou::GiouObb2, &on_a, &on_b).unwrap();
     let expected = gpu.programs().all_pairs(iou::GiouObb2, &a, &b).unwrap();
     assert_eq!(bits(&found.download().unwrap()), bits(expected.planes()));
-    // What came out of a GPU with a heading in it is prepared as well.
-    let moved = here.aligned(overlap::IouObb2.vjp(), ((&on_a, &on_b), One(0.1)));
-    let (by_a, _) = moved.unwrap().split();
-    let slopes = by_a.download().unwrap();
-    let heading = Program::trace(|x: Obb2<Sym<f32>>| x.heading.sin() * x.size.x).unwrap();
-    let found = here.aligned(&heading, &by_a).unwrap().download().unwrap();
-    let expected = gpu.programs().aligned(&heading, &slopes).unwrap();
-    assert_eq!(bits(&found), bits(&expected));
-    assert!(found.iter().any(|x| *x != 0.0));
+    // Boxes that a GPU computed are prepared as well, once they are brought back.
+    let turned = Program::trace(|x: Obb2<Sym<f32>>| {
+        let (center, size) = (x.center, x.size);
+        Obb2::new(center.x, center.y, size.y, size.x, x.heading + x.heading)
+    });
+    let turned = here.aligned(&turned.unwrap(), &on_a).unwrap();
+    let found = here.aligned(iou::GiouObb2, (&turned, &on_b)).unwrap();
+    let slices = turned.download().unwrap();
+    let expected = gpu
+        .programs()
+        .aligned(iou::GiouObb2, (&slices, &b))
+        .unwrap();
+    assert_eq!(bits(&found.download().unwrap()), bits(&expected));
+    assert_eq!(slices[7].heading, 2.0 * a[7].heading);
+    let found = here.all_pairs(iou::GiouObb2, &turned, &on_b).unwrap();
+    let expected = gpu
+        .programs()
+        .all_pairs(iou::GiouObb2, &slices, &b)
+        .unwrap();
+    assert_eq!(bits(&found.download().unwrap()), bits(expected.planes()));
 }
 
 #[test]
@@ -214,7 +228,7 @@ fn wrong_columns_are_refused() {
         );
         let found = here.aligned(run, (&five, &four)).unwrap_err();
         assert_eq!(found, length(Argument::B, 5, 4));
-        let ups = here.upload(&[1.0; 4]).unwrap();
+        let ups = here.upload(&[1.0_f32; 4]).unwrap();
         let found = here.aligned(run.vjp(), ((&five, &five), &ups)).unwrap_err();
         assert_eq!(found, length(Argument::Upstream, 5, 4));
         let mut results = here.aligned(run, (&four, &four)).unwrap();
@@ -300,5 +314,5 @@ fn a_lost_device_is_an_error() {
         here.all_pairs(overlap::IouObb2, &held, &held).unwrap_err(),
         lost
     );
-    assert_eq!(here.upload(&[1.0]).unwrap_err(), lost);
+    assert_eq!(here.upload(&[1.0_f32]).unwrap_err(), lost);
 }
