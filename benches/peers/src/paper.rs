@@ -5,7 +5,8 @@ use super::cli::Machine;
 use super::levels::Timed;
 use super::{Dice, flat, narrow, on_threads};
 use geograd::kernels::gpu::Gpu;
-use geograd::kernels::{Backend, Cpu, IouObb2, IouObb3, IouYaw, Op, Row, Single};
+use geograd::kernels::resident::Resident;
+use geograd::kernels::{Cpu, IouObb2, IouObb3, IouYaw, Op, Row, Single};
 use geograd::shape::{Obb3, Rotation3, YawBox3};
 use geograd::{Obb2, Vec3};
 use std::fmt::Write;
@@ -82,6 +83,7 @@ fn done(gpu: &Gpu) {
 
 /// The same two curves on a GPU.
 fn curves_on<'a, O, B>(
+    here: Resident<'a>,
     gpu: &'a Gpu,
     names: [&'static str; 2],
     colour: &'static str,
@@ -93,7 +95,6 @@ where
     B: Single<Scalar = f32> + 'a,
     (B, B): Row<Scalar = f32>,
 {
-    let here = Backend::Gpu(gpu).resident();
     let held = |n: usize| {
         let (a, b) = (&lists.guesses[..n], &lists.truths[..n]);
         (here.upload(a).unwrap(), here.upload(b).unwrap())
@@ -169,9 +170,24 @@ pub fn paper(machine: &Machine) -> (String, String) {
     all.extend(curves(upright_names, "#c0572b", IouYaw, &upright));
     all.extend(curves(turned_names, "#3f7d3a", IouObb3, &turned));
     if let Machine::Gpu(gpu) = machine {
-        all.extend(curves_on(gpu, flat_names, "#66b7f0", IouObb2, &plane));
-        all.extend(curves_on(gpu, upright_names, "#f2a07c", IouYaw, &upright));
-        all.extend(curves_on(gpu, turned_names, "#8fd08a", IouObb3, &turned));
+        let here = machine.backend().resident();
+        all.extend(curves_on(here, gpu, flat_names, "#66b7f0", IouObb2, &plane));
+        all.extend(curves_on(
+            here,
+            gpu,
+            upright_names,
+            "#f2a07c",
+            IouYaw,
+            &upright,
+        ));
+        all.extend(curves_on(
+            here,
+            gpu,
+            turned_names,
+            "#8fd08a",
+            IouObb3,
+            &turned,
+        ));
     }
     let peer = COUNTS.map(|n| {
         // Pair by pair, as a loss needs it: its matrices of 1 x 1.
