@@ -7,13 +7,13 @@ use crate::kernels::on_cpu::{self, AlignedGrads, Bars as Slopes, Loss, PairGrads
 use crate::kernels::op::{RingOp, Runs};
 use crate::kernels::reduce::{Best, Found};
 use crate::kernels::row::Row;
-use crate::kernels::{Columns, Cpu, Single, Table, Targets};
+use crate::kernels::{Columns, Cpu, Fold, Single, Table, Targets};
 use crate::{Pack, Vec2};
 
 /// Where batches run. Nothing ever falls back from one to the other by itself.
 ///
-/// These calls take and give slices. [`upload`](Backend::upload) makes handles whose data stay
-/// where they are computed with, between calls; see [`resident`](crate::kernels::resident).
+/// These calls take and give slices. [`resident`](Backend::resident) has the same calls over handles whose
+/// data stay where they are computed with, between calls; see the [module](crate::kernels::resident).
 ///
 /// ```
 /// use geograd::Obb2;
@@ -166,6 +166,73 @@ impl Backend<'_> {
             Backend::Cpu => Cpu::new().all_pairs(run, a, b),
             #[cfg(feature = "gpu")]
             Backend::Gpu(gpu) => gpu.programs().all_pairs(run, a, b),
+            #[cfg(not(feature = "gpu"))]
+            Backend::Gpu(gpu) => match *gpu {},
+        }
+    }
+}
+
+/// Folds over paths.
+impl Backend<'_> {
+    /// One result per path: [`Cpu::fold`](crate::kernels::Cpu::fold).
+    ///
+    /// ```
+    /// use geograd::kernels::{Backend, One, SignedDistancePointRing};
+    /// use geograd::Vec2;
+    /// let square = [(0.0, 0.0), (2.0, 0.0), (2.0, 2.0), (0.0, 2.0)].map(|(x, y)| Vec2::new(x, y));
+    /// let point = One(Vec2::new(1.0_f32, 0.5));
+    /// let distances = Backend::Cpu.fold(SignedDistancePointRing, point, &square, &[0, 4])?;
+    /// assert_eq!(distances, [-0.5]);
+    /// # Ok::<(), geograd::Error>(())
+    /// ```
+    ///
+    /// # Errors
+    ///
+    /// As on the CPU; [`Error::Gpu`] are the GPU's.
+    pub fn fold<F, C: Columns>(
+        self,
+        fold: F,
+        context: C,
+        vertices: &[Vec2<f32>],
+        offsets: &[usize],
+    ) -> Result<Vec<F::Out<f32>>, Error>
+    where
+        F: Fold<Context<f32> = C::Row>,
+        C::Row: Pack<Scalar = f32>,
+    {
+        match self {
+            Backend::Cpu => Cpu::new().fold(fold, context, vertices, offsets),
+            #[cfg(feature = "gpu")]
+            Backend::Gpu(gpu) => gpu.programs().fold(fold, context, vertices, offsets),
+            #[cfg(not(feature = "gpu"))]
+            Backend::Gpu(gpu) => match *gpu {},
+        }
+    }
+
+    /// Its adjoint, one cotangent per context and one per vertex:
+    /// [`Cpu::fold_vjp`](crate::kernels::Cpu::fold_vjp).
+    ///
+    /// # Errors
+    ///
+    /// As [`fold`](Backend::fold), and for cotangents of another number or not finite.
+    pub fn fold_vjp<F, C: Columns>(
+        self,
+        fold: F,
+        context: C,
+        vertices: &[Vec2<f32>],
+        offsets: &[usize],
+        upstream: &[F::Out<f32>],
+    ) -> Result<(Vec<F::Context<f32>>, Vec<Vec2<f32>>), Error>
+    where
+        F: Fold<Context<f32> = C::Row>,
+        C::Row: Pack<Scalar = f32>,
+    {
+        match self {
+            Backend::Cpu => Cpu::new().fold_vjp(fold, context, vertices, offsets, upstream),
+            #[cfg(feature = "gpu")]
+            Backend::Gpu(gpu) => gpu
+                .programs()
+                .fold_vjp(fold, context, vertices, offsets, upstream),
             #[cfg(not(feature = "gpu"))]
             Backend::Gpu(gpu) => match *gpu {},
         }

@@ -15,7 +15,7 @@
 //! what the caller has. [`operation!`](crate::operation) makes a function an operation.
 //!
 //! The same calls run on GPUs, but for searches: [`gpu`]. [`Backend`] is one front for both machines, and
-//! [`resident`] keeps boxes, rings and results where they are between its calls.
+//! [`resident`] keeps columns and results where they are between its calls.
 #[forbid(unsafe_code)]
 pub mod backend;
 #[forbid(unsafe_code)]

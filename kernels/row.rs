@@ -151,6 +151,13 @@ macro_rules! tuples {
 }
 tuples!(A B; A B C; A B C D; A B C D E; A B C D E F;);
 
+/// Where results go, one target per shape of a row.
+pub(crate) fn targets_of<P: Row>(many: &mut P::Many) -> Vec<Target<'_, P::Scalar>> {
+    let mut all = Vec::new();
+    P::targets(many, &mut |target| all.push(target));
+    all
+}
+
 /// A shape that is one, and not a tuple: what a list of rows or columns is made of.
 pub trait Single: Row<Many = Vec<Self>> {}
 impl<P: Row<Many = Vec<P>>> Single for P {}
@@ -189,6 +196,14 @@ impl<'a, T: Real> Column<'a, T> {
             numbers,
             fields: width::<P>(),
             count: Some(shapes.len()),
+        }
+    }
+    /// Numbers of shapes, one shape after another; `None` items for one that stands for any number.
+    pub(crate) fn lent(numbers: &'a [T], fields: usize, count: Option<usize>) -> Self {
+        Column {
+            numbers: Numbers::Lent(numbers),
+            fields,
+            count,
         }
     }
     /// Numbers that are read when they are needed.

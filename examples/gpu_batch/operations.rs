@@ -1,45 +1,55 @@
-//! Any operation of the list: values and slopes of random shapes, by kernels generated from its recording.
+//! Any operation of the list in all its forms, on a GPU and on the CPU: how long it takes, and whether both
+//! say the same.
 use crate::failure::Failure;
-use geograd::ad::check::sample::{Draw, Sample};
+use crate::listed::{Form, Listed, Make, list};
+use geograd::kernels::Backend;
 use geograd::kernels::gpu::{Gpu, Options};
-use geograd::kernels::{Cpu, Op, Row};
-use geograd::{Error, Fixed, Pack};
+use geograd::{Error, Unrecordable};
 use std::time::{Duration, Instant};
 
-/// Items of the full size.
+/// Items of the full size, and pairs of it.
 const ITEMS: usize = 1_000_000;
 
-/// Runs an operation for so many items.
-type Run = fn(&Gpu, usize) -> Result<(), Error>;
-
-macro_rules! table {
-    (pairs { $($pair:ident: $pair_op:ty,)* } rings { $($ring:ident: $ring_op:ty,)* }
-     straight { $($straight:ident: $straight_op:ty,)* } $($rest:tt)*) => {
-        const OPERATIONS: &[(&str, Run)] = &[
-            $((stringify!($pair), both::<$pair_op>),)*
-            $((stringify!($straight), both::<$straight_op>),)*
-        ];
-    };
-}
-geograd::for_each_op!(table);
+/// Results differ where they do by more than this, of themselves and of one.
+const NEAR: f32 = 1e-3;
+/// So many in a thousand may: at kinks, and where a value jumps, one more bit decides.
+const FEW: usize = 5;
 
 /// The names, one to a line.
 pub fn names() -> String {
-    OPERATIONS.iter().map(|op| format!("{}\n", op.0)).collect()
+    list().iter().map(|op| format!("{}\n", op.name)).collect()
 }
 
-/// Runs the operation of a name.
+/// Runs the operation of a name, or all.
 pub fn run(name: &str, size: f64) -> Result<(), Failure> {
-    let found = OPERATIONS.iter().find(|op| op.0 == name);
-    let Some((_, run)) = found else {
+    let mut wanted = list();
+    wanted.retain(|op| name == "all" || op.name == name);
+    if wanted.is_empty() {
         let why = format!("`--op {name}`: no such operation (`--list` has their names)");
         return Err(Failure::Usage(why));
-    };
+    }
     let mut options = Options::default();
     options.timing = true;
     let gpu = Gpu::with(&options)?;
     println!("{name} on {gpu}");
-    Ok(run(&gpu, (ITEMS as f64 * size) as usize)?)
+    let copied = copying(&gpu, 1 << 22)?;
+    if let Some(copied) = copied {
+        println!("copy {:.1} GB/s, read and write", copied / 1e9);
+    }
+    let count = (ITEMS as f64 * size) as usize;
+    let mut wrong = Vec::new();
+    for op in wanted {
+        if !agrees(&gpu, &op, count)? {
+            wrong.push(op.name);
+        }
+    }
+    match wrong.is_empty() {
+        true => Ok(()),
+        false => Err(Failure::Work(format!(
+            "the GPU says something else than the CPU: {}",
+            wrong.join(", ")
+        ))),
+    }
 }
 
 /// Bytes a second of a kernel that copies: what memory gives at best.
@@ -58,65 +68,70 @@ fn copying(gpu: &Gpu, numbers: usize) -> Result<Option<f64>, Error> {
     Ok(best)
 }
 
-fn both<O: Op>(gpu: &Gpu, count: usize) -> Result<(), Error>
-where
-    O::In<f64>: Sample,
-    O::In<f32>: Row<Scalar = f32>,
-    O::Out<f32>: Row<Scalar = f32>,
-{
-    let mut draw = Draw::new(1);
-    let shapes: Vec<O::In<f32>> = (0..count)
-        .map(|_| {
-            let numbers = O::In::<f64>::ordinary(&mut draw).scalars();
-            let numbers: Vec<f32> = numbers.iter().map(|&x| x as f32).collect();
-            O::In::<f32>::load(&numbers)
-        })
-        .collect();
-    let ones = vec![O::Out::<f32>::filled(1.0); count];
-    let (run, few) = (O::default(), count.min(64));
-    let (programs, cpu) = (gpu.programs(), Cpu::new());
-    let copied = copying(gpu, 1 << 24)?;
-    // Numbers of an input, and of a result.
-    let (taken, given) = (O::In::<f32>::LEN, O::Out::<f32>::LEN);
-
-    // The first call compiles.
-    let start = Instant::now();
-    programs.aligned(run, &shapes[..few])?;
-    programs.aligned(run.vjp(), (&shapes[..few], &ones[..few]))?;
-    println!("  compiled in {:.3?}", start.elapsed());
-    let _ = gpu.take_kernel_time();
-    let start = Instant::now();
-    programs.aligned(run, &shapes[..])?;
-    let line = Line(count, copied, gpu.take_kernel_time());
-    line.say("values", start.elapsed(), 4 * (taken + given));
-    let start = Instant::now();
-    programs.aligned(run.vjp(), (&shapes[..], &ones[..]))?;
-    let line = Line(count, copied, gpu.take_kernel_time());
-    line.say("slopes", start.elapsed(), 4 * (2 * taken + given));
-    let start = Instant::now();
-    cpu.aligned(run, &shapes[..])?;
-    Line(count, None, None).say("values on the CPU", start.elapsed(), 0);
-    let start = Instant::now();
-    cpu.aligned(run.vjp(), (&shapes[..], &ones[..]))?;
-    Line(count, None, None).say("slopes on the CPU", start.elapsed(), 0);
-    Ok(())
+/// Runs every form of an operation on both machines; whether both say the same.
+fn agrees(gpu: &Gpu, op: &Listed, count: usize) -> Result<bool, Error> {
+    println!("{}", op.name);
+    let mut agree = true;
+    for &(form, make) in &op.forms {
+        match both(gpu, form, make, count) {
+            Ok(same) => agree &= same,
+            Err(Error::Program(Unrecordable::Search)) => {
+                println!(
+                    "  {}: searches, which GPUs do not: it is for the CPU",
+                    form.title()
+                );
+            }
+            Err(error) => return Err(error),
+        }
+    }
+    Ok(agree)
 }
 
-/// How many items there were, what copying gives, and how long kernels took.
-struct Line(usize, Option<f64>, Option<Duration>);
-
-impl Line {
-    fn say(&self, what: &str, took: Duration, bytes: usize) {
-        let rate = |took: Duration| self.0 as f64 / took.as_secs_f64() / 1e6;
-        print!("  {what}: {took:.3?}, {:.2} million a second", rate(took));
-        if let (Some(copied), Some(kernels)) = (self.1, self.2) {
-            let share = (self.0 * bytes) as f64 / kernels.as_secs_f64() / copied;
-            print!(
-                "; in kernels {kernels:.3?}, {:.2} million a second, {:.1} % of the copy bandwidth",
-                rate(kernels),
-                100.0 * share
-            );
+/// Runs a form on both machines, tells how fast they are, and compares.
+fn both(gpu: &Gpu, form: Form, make: Make, count: usize) -> Result<bool, Error> {
+    let start = Instant::now();
+    // The first call brings everything up, and compiles.
+    let mut on_gpu = make(Backend::Gpu(gpu), count)?;
+    gpu.wait()?;
+    let ready = start.elapsed();
+    let _ = gpu.take_kernel_time();
+    let start = Instant::now();
+    on_gpu.run()?;
+    gpu.wait()?;
+    let call = start.elapsed();
+    let kernels = gpu.take_kernel_time();
+    let mut on_cpu = make(Backend::Cpu, count)?;
+    let start = Instant::now();
+    on_cpu.run()?;
+    let cpu = start.elapsed();
+    let (mut results, mut apart, mut worst) = (0, 0, 0.0_f32);
+    let (found, expected) = (on_gpu.numbers()?, on_cpu.numbers()?);
+    for (found, expected) in found.iter().zip(&expected) {
+        assert_eq!(found.len(), expected.len());
+        for (x, y) in found.iter().zip(expected) {
+            let off = (x - y).abs() / (1.0 + y.abs());
+            // What is no number is as far off as can be.
+            let is_near = off <= NEAR;
+            results += 1;
+            apart += usize::from(!is_near);
+            worst = if off.is_nan() {
+                f32::INFINITY
+            } else {
+                worst.max(off)
+            };
         }
-        println!();
     }
+    let rate = |took: Duration| count as f64 / took.as_secs_f64() / 1e6;
+    let kernels = kernels.filter(|took| !took.is_zero());
+    let in_kernels = kernels.map_or(String::new(), |took| {
+        format!(" ({:.2} in kernels)", rate(took))
+    });
+    println!(
+        "  {}: million a second: GPU {:.2}{in_kernels}, CPU {:.2}; ready after {ready:.2?}; \
+         {apart} of {results} numbers differ, by {worst:.1e} at most",
+        form.title(),
+        rate(call),
+        rate(cpu),
+    );
+    Ok(1000 * apart <= FEW * results)
 }

@@ -3,18 +3,20 @@
 //!
 //! | file | what it holds |
 //! | --- | --- |
-//! | `pack.rs` | the shapes, the loss with its slopes by every pose, the steps |
+//! | `pack.rs` | the shapes, how far they are apart, the steps |
+//! | `judge.rs` | the loss with its slopes by every pose: recorded functions in batches, on the CPU or a GPU |
 //! | `draw.rs` | the picture |
+#[path = "../common/cli.rs"]
+mod cli;
 mod draw;
-#[path = "../common/failure.rs"]
-mod failure;
 #[path = "../common/file.rs"]
 mod file;
+mod judge;
 mod pack;
 #[path = "../common/random.rs"]
 mod random;
 
-use failure::{Failure, say};
+use cli::{Failure, Wish, say};
 use file::write;
 use indicatif::{ProgressBar, ProgressStyle};
 use lexopt::prelude::*;
@@ -31,6 +33,9 @@ Usage: layout [options]
   --iterations N    steps [default: 600]
   --svg FILE        a picture [default: layout.svg]
   --csv FILE        iteration,loss,penetration of every step
+  --backend BACKEND the machine to compute on: cpu, gpu or auto [default: cpu]. A GPU needs a build with
+                    `--features gpu`; auto takes one where there is one, and says on stderr what it took.
+                    A dozen shapes are few for a GPU: it shows the calls, not speed.
   --help            this text
 ";
 
@@ -39,6 +44,7 @@ struct Options {
     iterations: usize,
     svg: PathBuf,
     csv: Option<PathBuf>,
+    wish: Wish,
 }
 
 fn options() -> Result<Option<Options>, Failure> {
@@ -47,6 +53,7 @@ fn options() -> Result<Option<Options>, Failure> {
         iterations: 600,
         svg: "layout.svg".into(),
         csv: None,
+        wish: Wish::Cpu,
     };
     let mut arguments = lexopt::Parser::from_env();
     while let Some(argument) = arguments.next()? {
@@ -55,6 +62,7 @@ fn options() -> Result<Option<Options>, Failure> {
             Long("iterations") => options.iterations = arguments.value()?.parse()?,
             Long("svg") => options.svg = arguments.value()?.into(),
             Long("csv") => options.csv = Some(arguments.value()?.into()),
+            Long("backend") => options.wish = Wish::from_name(&arguments.value()?.string()?)?,
             Long("help") | Short('h') => return Ok(None),
             other => return Err(other.unexpected().into()),
         }
@@ -71,10 +79,12 @@ fn run() -> Result<String, Failure> {
     let Some(options) = options()? else {
         return Ok(HELP.into());
     };
+    let machine = options.wish.machine("layout")?;
     let style = ProgressStyle::with_template("{bar:30} {pos}/{len} steps ({elapsed})");
     let style = style.map_err(|error| Failure::Work(error.to_string()))?;
     let bar = ProgressBar::new(options.iterations as u64).with_style(style);
-    let layout = Layout::run(options.seed, options.iterations, || bar.inc(1));
+    let (seed, steps) = (options.seed, options.iterations);
+    let layout = Layout::run(machine.backend(), seed, steps, || bar.inc(1))?;
     bar.finish_and_clear();
     write(&options.svg, &draw::page(&layout))?;
     if let Some(file) = &options.csv {

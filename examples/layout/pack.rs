@@ -1,26 +1,35 @@
-//! The shapes, how much they are in each other's way, and the descent.
+//! The shapes, how far they are apart, and the descent.
+use crate::judge::Judge;
 use crate::random::Draw;
 use geograd::distance::signed_distance;
-use geograd::{Aabb2, Capsule2, Circle, Obb2, Pose2, Scalar, Triangle2, Vec2, ad};
+use geograd::kernels::Backend;
+use geograd::{Aabb2, Capsule2, Circle, Error, Obb2, Pose2, Scalar, Triangle2, Vec2};
 
 /// Half the width and half the height of the container, whose centre is the origin.
 pub const CONTAINER: [f64; 2] = [2.6, 1.8];
 /// How far apart shapes and walls are to be.
-const CLEARANCE: f64 = 0.06;
+pub const CLEARANCE: f64 = 0.06;
 /// How long the first step is, in units of length and in radians.
 const STEP: f64 = 0.08;
 
+/// What a shape is.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Kind {
+    Disc,
+    Stick,
+    Crate,
+    Wedge,
+}
+
+/// What a shape measures, in its own frame: a disc's radius; half the length of a stick without its caps, and
+/// its radius; a crate's width and height; the corners of a wedge, counter-clockwise. Zeros fill the rest.
+pub type Size<S> = [S; 6];
+
 /// A shape in its own frame.
 #[derive(Clone, Copy, Debug)]
-pub enum Form {
-    /// Its radius.
-    Disc(f64),
-    /// Half its length without the caps, and its radius.
-    Stick(f64, f64),
-    /// Its width and height.
-    Crate(f64, f64),
-    /// Its corners, counter-clockwise.
-    Wedge([Vec2<f64>; 3]),
+pub struct Form {
+    pub kind: Kind,
+    pub size: Size<f64>,
 }
 
 /// Where a shape is: x, y, heading.
@@ -35,21 +44,45 @@ pub enum Placed<S> {
     Wedge(Triangle2<S>),
 }
 
-impl Form {
-    fn random(kind: usize, draw: &mut Draw) -> Self {
-        let mut between = |low: f64, high: f64| low + (high - low) * f64::from(draw.uniform());
-        match kind % 4 {
-            0 => Form::Disc(between(0.35, 0.6)),
-            1 => Form::Stick(between(0.4, 0.8), between(0.15, 0.3)),
-            2 => Form::Crate(between(0.8, 1.6), between(0.6, 1.0)),
-            _ => {
-                let size = between(0.6, 0.95);
-                Form::Wedge([0.4, 2.5, 4.6].map(|turn| {
-                    let angle: f64 = turn + between(-0.35, 0.35);
-                    Vec2::new(size * angle.cos(), size * angle.sin())
-                }))
+impl Kind {
+    pub const ALL: [Kind; 4] = [Kind::Disc, Kind::Stick, Kind::Crate, Kind::Wedge];
+
+    /// A shape of this kind at a place.
+    pub fn at<S: Scalar>(self, size: Size<S>, [x, y, heading]: Place<S>) -> Placed<S> {
+        let pose = Pose2::new(Vec2::new(x, y), heading);
+        let [a, b, c, d, e, f] = size;
+        match self {
+            Kind::Disc => Placed::Disc(Circle::new(pose.translation, a)),
+            Kind::Stick => {
+                let end = |x| pose * Vec2::new(x, S::zero());
+                Placed::Stick(Capsule2::new(end(-a), end(a), b))
+            }
+            Kind::Crate => Placed::Crate(Obb2::new(x, y, a, b, heading)),
+            Kind::Wedge => {
+                let corner = |x, y| pose * Vec2::new(x, y);
+                Placed::Wedge(Triangle2::new(corner(a, b), corner(c, d), corner(e, f)))
             }
         }
+    }
+}
+
+impl Form {
+    fn random(kind: Kind, draw: &mut Draw) -> Self {
+        let mut between = |low: f64, high: f64| low + (high - low) * f64::from(draw.uniform());
+        let mut size = [0.0; 6];
+        match kind {
+            Kind::Disc => size[0] = between(0.35, 0.6),
+            Kind::Stick => (size[0], size[1]) = (between(0.4, 0.8), between(0.15, 0.3)),
+            Kind::Crate => (size[0], size[1]) = (between(0.8, 1.6), between(0.6, 1.0)),
+            Kind::Wedge => {
+                let reach = between(0.6, 0.95);
+                for (corner, turn) in size.chunks_exact_mut(2).zip([0.4, 2.5, 4.6]) {
+                    let angle: f64 = turn + between(-0.35, 0.35);
+                    corner.copy_from_slice(&[reach * angle.cos(), reach * angle.sin()]);
+                }
+            }
+        }
+        Form { kind, size }
     }
 
     /// Its area.
@@ -63,21 +96,8 @@ impl Form {
     }
 
     /// The shape at a place.
-    pub fn at<S: Scalar>(self, [x, y, heading]: Place<S>) -> Placed<S> {
-        let pose = Pose2::new(Vec2::new(x, y), heading);
-        let lit = |v: Vec2<f64>| pose * Vec2::new(S::lit(v.x), S::lit(v.y));
-        match self {
-            Form::Disc(radius) => Placed::Disc(Circle::new(pose.translation, S::lit(radius))),
-            Form::Stick(half, radius) => Placed::Stick(Capsule2::new(
-                lit(Vec2::new(-half, 0.0)),
-                lit(Vec2::new(half, 0.0)),
-                S::lit(radius),
-            )),
-            Form::Crate(width, height) => {
-                Placed::Crate(Obb2::new(x, y, S::lit(width), S::lit(height), heading))
-            }
-            Form::Wedge([a, b, c]) => Placed::Wedge(Triangle2::new(lit(a), lit(b), lit(c))),
-        }
+    pub fn at(self, place: Place<f64>) -> Placed<f64> {
+        self.kind.at(self.size, place)
     }
 }
 
@@ -92,7 +112,7 @@ impl<S: Scalar> Placed<S> {
     }
 
     /// The distance from another shape, or minus the depth of their overlap.
-    fn gap(self, other: Self) -> S {
+    pub fn gap(self, other: Self) -> S {
         use Placed::{Crate, Disc, Stick, Wedge};
         match (self, other) {
             (Disc(a), Disc(b)) => signed_distance(a, b),
@@ -109,7 +129,7 @@ impl<S: Scalar> Placed<S> {
     }
 
     /// The distances from the four walls, negative beyond them.
-    fn room(self) -> [S; 4] {
+    pub fn room(self) -> [S; 4] {
         let bounds = self.bounding();
         let [width, height] = CONTAINER.map(S::lit);
         [
@@ -122,7 +142,7 @@ impl<S: Scalar> Placed<S> {
 }
 
 /// What a gap costs: nothing where it is wide enough, else the square of what it lacks.
-fn cost<S: Scalar>(gap: S) -> S {
+pub fn cost<S: Scalar>(gap: S) -> S {
     let lack = (S::lit(CLEARANCE) - gap).most(S::zero());
     lack * lack
 }
@@ -144,50 +164,18 @@ pub struct Layout {
     pub steps: Vec<Step>,
 }
 
-/// The loss, its slopes by every place, and the deepest penetration.
-fn judge(forms: &[Form], places: &[Place<f64>]) -> (Step, Vec<Place<f64>>) {
-    let mut slopes = vec![[0.0; 3]; places.len()];
-    let mut step = Step {
-        loss: 0.0,
-        penetration: 0.0,
-    };
-    let mut add = |i: usize, slope: Place<f64>| {
-        for (sum, s) in slopes[i].iter_mut().zip(slope) {
-            *sum += s;
-        }
-    };
-    for i in 0..forms.len() {
-        for gap in forms[i].at(places[i]).room() {
-            step.penetration = step.penetration.max(-gap);
-        }
-        let walls = |place: Place<_>| {
-            let [left, bottom, right, top] = forms[i].at(place).room().map(cost);
-            (left + bottom) + (right + top)
-        };
-        let (loss, slope) = ad::gradient(walls, places[i]);
-        step.loss += loss;
-        add(i, slope);
-        for j in 0..i {
-            let gap = forms[i].at(places[i]).gap(forms[j].at(places[j]));
-            step.penetration = step.penetration.max(-gap);
-            if gap > CLEARANCE {
-                continue;
-            }
-            let pair = |(a, b): (Place<_>, Place<_>)| cost(forms[i].at(a).gap(forms[j].at(b)));
-            let (loss, (by_a, by_b)) = ad::gradient(pair, (places[i], places[j]));
-            step.loss += loss;
-            add(i, by_a);
-            add(j, by_b);
-        }
-    }
-    (step, slopes)
-}
-
 impl Layout {
     /// Shapes and a start of a seed, moved so many steps; `tick` is called after each.
-    pub fn run(seed: u64, iterations: usize, tick: impl Fn()) -> Self {
+    pub fn run(
+        backend: Backend<'_>,
+        seed: u64,
+        iterations: usize,
+        tick: impl Fn(),
+    ) -> Result<Self, Error> {
         let mut draw = Draw::new(&[seed]);
-        let forms: Vec<Form> = (0..12).map(|kind| Form::random(kind, &mut draw)).collect();
+        let forms: Vec<Form> = (0..12)
+            .map(|k| Form::random(Kind::ALL[k % 4], &mut draw))
+            .collect();
         let start: Vec<Place<f64>> = (forms.iter())
             .map(|_| {
                 let mut within = |reach: f64| reach * (2.0 * f64::from(draw.uniform()) - 1.0);
@@ -200,11 +188,12 @@ impl Layout {
             forms,
             steps: Vec::with_capacity(iterations + 1),
         };
+        let mut judge = Judge::new(backend, &layout.forms)?;
         // Adam (Kingma and Ba 2015), with steps that get shorter.
         let mut mean = vec![[0.0; 3]; layout.forms.len()];
         let mut square = mean.clone();
         for t in 0..iterations {
-            let (step, slopes) = judge(&layout.forms, &layout.found);
+            let (step, slopes) = judge.judge(&layout.found)?;
             layout.steps.push(step);
             let share = t as f64 / iterations as f64;
             let length = STEP * (1.0 - share).powi(2);
@@ -228,8 +217,8 @@ impl Layout {
             }
             tick();
         }
-        layout.steps.push(judge(&layout.forms, &layout.found).0);
-        layout
+        layout.steps.push(judge.judge(&layout.found)?.0);
+        Ok(layout)
     }
 
     /// The share of the container that shapes take.

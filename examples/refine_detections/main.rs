@@ -44,17 +44,17 @@ mod suppress;
 mod svg;
 mod table;
 
-use cli::{Failure, Machine, Wish};
+use cli::Failure;
 use file::write;
-use geograd::Error;
-use geograd::Obb2;
 use geograd::kernels::Backend;
-use geograd::kernels::ops::overlap::IouObb2;
+use geograd::shape::YawBox3;
+use geograd::{Error, Vec3};
 use indicatif::{ProgressBar, ProgressStyle};
 use loss::{Goal, Space};
 use matching::{Match, Quality};
-use model::{Frame, Frames};
+use model::{Class, Frame, Frames, Seen};
 use options::{HELP, Options, options};
+use scorer::Scorer;
 use std::collections::BTreeMap;
 use std::process::ExitCode;
 use std::time::Instant;
@@ -104,20 +104,21 @@ fn progress(what: &'static str, length: u64) -> ProgressBar {
 }
 
 /// A GPU compiles what it runs at its first call; the clock starts after that.
-fn warm_up(backend: Backend<'_>) -> Result<(), Error> {
-    let shape = [Obb2::new(0.0, 0.0, 1.0, 1.0, 0.0)];
-    backend.all_pairs::<IouObb2>(&shape, &shape)?;
-    backend.aligned_grad::<IouObb2>(&shape, &shape)?;
+fn warm_up(backend: Backend<'_>, scorer: &Scorer) -> Result<(), Error> {
+    let shape = YawBox3::new(Vec3::new(0.0, 0.0, 0.0), Vec3::new(1.0, 1.0, 1.0), 0.0);
+    let seen = Seen {
+        class: Class::Car,
+        score: 1.0,
+        shape,
+    };
+    let frame = Frame {
+        detections: vec![seen],
+        truths: vec![seen],
+        alike: Vec::new(),
+    };
+    matching::match_frame(backend, scorer.goal().space, 0, &frame)?;
+    scorer.scores(backend, &[shape], &[shape])?;
     Ok(())
-}
-
-/// The machine asked for, as far as it computes the loss.
-fn machine(options: &Options) -> Result<Machine, Failure> {
-    if options.wish == Wish::Auto && options.goal != Goal::default() {
-        let why = "GPUs compute `--loss iou --space bev` only";
-        return Ok(cli::on_the_cpu(PROGRAM, why));
-    }
-    options.wish.machine(PROGRAM)
 }
 
 /// Exit status 1 for the `true` of lines that could not be used.
@@ -128,9 +129,10 @@ fn run(options: &Options) -> Result<bool, Failure> {
         return Err(Failure::Work(format!("there is no frame {wanted}")));
     }
 
-    let machine = machine(options)?;
+    let machine = options.wish.machine(PROGRAM)?;
     let backend = machine.backend();
-    warm_up(backend)?;
+    let scorer = Scorer::new(options.goal)?;
+    warm_up(backend, &scorer)?;
     let Goal { loss, space } = options.goal;
     let suppressed = match options.nms {
         Some(threshold) => Some(suppress::suppress(&mut frames, space, threshold)?),
@@ -157,14 +159,9 @@ fn run(options: &Options) -> Result<bool, Failure> {
         truths.push(frame.truths[pair.truth].shape);
     }
     let bar = progress("refining", options.steps + 1);
-    let (shapes, cost) = refine::refine(
-        backend,
-        options.goal,
-        &shapes,
-        &truths,
-        options.steps,
-        || bar.inc(1),
-    )?;
+    let (shapes, cost) = refine::refine(backend, &scorer, &shapes, &truths, options.steps, || {
+        bar.inc(1)
+    })?;
     bar.finish_and_clear();
     let mut refined = frames.clone();
     for (pair, shape) in pairs.iter().zip(shapes) {

@@ -4,7 +4,7 @@ use crate::loss::Space;
 use crate::model::{Frame, Frames, Seen};
 use geograd::Error;
 use geograd::assignment::greedy;
-use geograd::kernels::{Backend, Cpu, IouObb2, IouYaw};
+use geograd::kernels::{Backend, IouObb2, IouYaw};
 use geograd::suppression::Pair;
 
 /// A detection and the truth it was matched to.
@@ -31,17 +31,17 @@ pub fn match_frame(
     frame: &Frame,
 ) -> Result<Vec<Match>, Error> {
     let (detections, truths) = (&frame.detections, &frame.truths);
-    let mut overlaps = match space {
+    let table = match space {
         Space::BirdsEye => {
             let grounds = |all: &[Seen]| all.iter().map(Seen::ground).collect::<Vec<_>>();
-            backend.all_pairs::<IouObb2>(&grounds(detections), &grounds(truths))?
+            backend.run_pairs(IouObb2, &grounds(detections), &grounds(truths))?
         }
         Space::Full => {
             let shapes = |all: &[Seen]| all.iter().map(|seen| seen.shape).collect::<Vec<_>>();
-            let table = Cpu::new().all_pairs(IouYaw, &shapes(detections), &shapes(truths))?;
-            table.into_planes()
+            backend.run_pairs(IouYaw, &shapes(detections), &shapes(truths))?
         }
     };
+    let mut overlaps = table.into_planes();
     for (i, iou) in overlaps.iter_mut().enumerate() {
         let (detection, truth) = (i / truths.len(), i % truths.len());
         if frame.detections[detection].class != frame.truths[truth].class {

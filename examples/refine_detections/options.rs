@@ -45,7 +45,7 @@ And:
                            `--features gpu`. auto takes a GPU if there is one and says on
                            stderr what it took. The environment variable GEOGRAD_GPU chooses
                            among GPUs: an index, a part of a name, or `cpu` for a driver in
-                           software. GPUs compute --loss iou --space bev only.
+                           software. The CPU leaves out what --nms says and tells the precision.
   --help                   this text
 
 Matching is one to one within a class and a frame, with the largest sum of overlaps (the Hungarian
@@ -140,9 +140,6 @@ pub fn options() -> Result<Option<Options>, Failure> {
     }
     if options.nms.is_some_and(|x| !(0.0..=1.0).contains(&x)) {
         return usage("`--nms` is an overlap, from 0 to 1");
-    }
-    if options.wish == Wish::Gpu && options.goal != Goal::default() {
-        return usage("`--backend gpu` computes `--loss iou --space bev` only");
     }
     if let Some(csv) = &options.csv {
         let inputs = options.detections.iter().chain(&options.labels);

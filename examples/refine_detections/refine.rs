@@ -7,7 +7,7 @@
 //! flips (resilient gradient descent, Riedmiller and Braun 1993). A step that would not raise the score
 //! of its pair is taken back and tried shorter, so no pair ever gets worse. Pairs that overlap by a
 //! sliver have small slopes, which makes no difference to their steps.
-use crate::loss::{Goal, Space};
+use crate::loss::Space;
 use crate::scorer::Scorer;
 use geograd::kernels::Backend;
 use geograd::shape::YawBox3;
@@ -131,13 +131,13 @@ impl Walker {
 /// pairs that still move is one batch.
 pub fn refine(
     backend: Backend<'_>,
-    goal: Goal,
+    scorer: &Scorer,
     shapes: &[YawBox3<f32>],
     truths: &[YawBox3<f32>],
     steps: u64,
     mut stepped: impl FnMut(),
 ) -> Result<(Vec<YawBox3<f32>>, Cost), Error> {
-    let scorer = Scorer::new(goal)?;
+    let goal = scorer.goal();
     let start = |&shape| Walker::new(shape, goal.space);
     let mut walkers: Vec<Walker> = shapes.iter().map(start).collect();
     let mut moving: Vec<usize> = (0..walkers.len()).collect();

@@ -8,7 +8,7 @@ use crate::loss::{Goal, Loss, Space};
 use geograd::gaussian::{self, solid};
 use geograd::iou::{ciou_obb2, diou_obb2, hull_area_obb2};
 use geograd::iou3::{Enclosing, ciou, diou, giou, separation_aware};
-use geograd::kernels::{Backend, Cpu, IouObb2, IouYaw, Op};
+use geograd::kernels::{Backend, IouObb2, IouYaw, Op};
 use geograd::shape::{Obb3, YawBox3};
 use geograd::{Error, Obb2, Program, Rotation2, Scalar, Sym, Vec2, Vec3};
 
@@ -163,6 +163,10 @@ pub struct Scorer {
 }
 
 impl Scorer {
+    pub fn goal(&self) -> Goal {
+        self.goal
+    }
+
     pub fn new(goal: Goal) -> Result<Self, Error> {
         let program = match goal.loss {
             Loss::Iou => None,
@@ -186,7 +190,7 @@ impl Scorer {
             return Ok((ious, by_iou));
         };
         let columns = (boxes, truths, &ious);
-        let (scores, (mut slopes, _, along)) = Cpu::new().aligned(program, columns)?;
+        let (scores, (mut slopes, _, along)) = backend.run(program, columns)?;
         for ((by, along), iou) in slopes.iter_mut().zip(along).zip(by_iou) {
             by.center += iou.center * along;
             by.size += iou.size * along;
@@ -208,7 +212,8 @@ impl Scorer {
                     all.iter().map(|shape| shape.birds_eye()).collect()
                 };
                 let (boxes, truths) = (ground(boxes), ground(truths));
-                let (ious, slopes, _) = backend.aligned_grad::<IouObb2>(&boxes, &truths)?;
+                let columns = (&boxes, &truths);
+                let (ious, (slopes, _)) = backend.run(IouObb2.value_grad(), columns)?;
                 let raised = slopes.into_iter().map(|by| {
                     YawBox3::new(
                         Vec3::new(by.center.x, by.center.y, 0.0),
@@ -220,7 +225,7 @@ impl Scorer {
             }
             Space::Full => {
                 let columns = (boxes, truths);
-                let (ious, (slopes, _)) = Cpu::new().aligned(IouYaw.value_grad(), columns)?;
+                let (ious, (slopes, _)) = backend.run(IouYaw.value_grad(), columns)?;
                 Ok((ious, slopes))
             }
         }

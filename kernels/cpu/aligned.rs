@@ -183,7 +183,7 @@ fn checked<T: Real>(face: &Face<T>, columns: &[Column<'_, T>]) -> Result<(usize,
 }
 
 /// The name of a column, of so many arguments.
-fn name_of(arguments: usize, k: usize) -> Argument {
+pub(crate) fn name_of(arguments: usize, k: usize) -> Argument {
     match k < arguments {
         true => Argument::input(k),
         false => Argument::Upstream,

@@ -20,6 +20,7 @@
 //! | other shapes in the same buffers | [`Shapes::update`], [`Values::update`], [`Matrix::update`] |
 //! | rings | [`Gpu::ragged`], [`Gpu::ragged_vjp`] |
 //! | any operation, any program | [`Gpu::programs`]: `aligned`, `all_pairs`, reductions, `fold` |
+//! | the same over data that stay | [`Backend::resident`](crate::kernels::Backend::resident) |
 //!
 //! # Two kinds of kernels
 //!

@@ -71,4 +71,4 @@ macro_rules! none {
         }
     )* };
 }
-none! { Shapes Values Bars Matrix Bests Founds PairBars Pending Rings RingValues RingBars }
+none! { Shapes Values Bars Matrix Bests Founds PairBars Pending HeldColumn Rings RingValues RingBars }

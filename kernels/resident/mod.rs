@@ -1,7 +1,13 @@
 //! Data that stay where a [`Backend`] computes, between calls: the same code on the CPU and on a GPU.
 //!
-//! Shapes go up once ([`Backend::upload`]), results stay as handles, calls chain on handles, and only
-//! what is asked for comes back. On the CPU a handle is the data itself, so nothing is lost there.
+//! Columns go up once, results stay as handles, calls chain on handles, and only what is asked for comes back. On
+//! the CPU a handle is the data itself, so nothing is lost there.
+//!
+//! [`Backend::resident`] has the calls of [`Cpu`](crate::kernels::Cpu) for any operation and any program
+//! ([`Resident`]): `upload`, `aligned`, `all_pairs`, adjoints and reductions, over handles of any shapes ([`Held`]).
+//!
+//! Boxes in the plane and rings have kernels by hand on GPUs, with handles of their own: [`Backend::upload`] and
+//! [`Backend::upload_rings`].
 //!
 //! ```
 //! use geograd::Obb2;
@@ -60,10 +66,12 @@ macro_rules! on {
     };
 }
 
+mod held;
 mod matrix;
 mod pairs;
 mod ring;
 
+pub use held::{Held, HeldColumns, Resident};
 pub use pairs::Slopes;
 pub use ring::Rings;
 

@@ -6,6 +6,8 @@ use std::process::{Command, Output};
 mod assign;
 mod calibrate;
 mod custom_shape;
+#[cfg(feature = "gpu")]
+mod gpu_batch;
 mod iou_csv;
 mod layout;
 mod polygon_fit;
@@ -251,8 +253,6 @@ fn wrong_command_lines() {
         ("refine_detections", "--nms 1.5"),
         ("refine_detections", "--nms nan"),
         ("refine_detections", "--csv a --svg a"),
-        ("refine_detections", "--backend gpu --loss giou"),
-        ("refine_detections", "--backend gpu --space 3d"),
         ("refine_detections", "--backend abacus"),
         ("refine_detections", "--frobnicate"),
         ("refine_detections", "--frames many"),
@@ -264,6 +264,9 @@ fn wrong_command_lines() {
         ("custom_shape", "--count many"),
         ("custom_shape", "--svg"),
         ("custom_shape", "--prove --wgsl"),
+        ("custom_shape", "--backend abacus"),
+        ("layout", "--backend abacus"),
+        ("layout", "--backend"),
         ("polygon_fit", "--frobnicate"),
         ("polygon_fit", "--seed many"),
         ("polygon_fit", "--shape square"),
@@ -435,12 +438,13 @@ fn without_gpu(name: &str, folder: &Path, arguments: &str) -> Output {
         .unwrap()
 }
 
-const NEITHER: [(&str, &str); 2] = [
+const NEITHER: [(&str, &str); 3] = [
     (
         "iou_csv",
         "--a a.csv --b a.csv --out out --precision f32 --backend",
     ),
     ("refine_detections", "--frames 2 --svg out --backend"),
+    ("layout", "--iterations 3 --svg out --backend"),
 ];
 
 #[test]
@@ -634,22 +638,50 @@ fn refine_detections_on_the_gpu() {
         return;
     }
     let at = folder("refine_gpu");
-    let on_cpu = run("refine_detections", &at, "--frames 2 --seed 7");
-    let on_gpu = run(
-        "refine_detections",
-        &at,
-        "--frames 2 --seed 7 --backend gpu",
-    );
-    assert_eq!((status(&on_cpu), status(&on_gpu)), (0, 0));
-    let told = stderr(&on_gpu);
-    assert!(told.contains("refine_detections: computing on "), "{told}");
-    for name in ["frames", "boxes", "pairs", "matches", "recall at 0.7"] {
-        assert_eq!(row(&on_cpu, name), row(&on_gpu, name), "{name}");
+    // Kinds of scores: an operation; a program of an overlap that is known; programs alone.
+    for goal in [
+        "--loss iou --space bev",
+        "--loss giou --space bev",
+        "--loss iou --space 3d",
+        "--loss ciou --space 3d",
+        "--loss kfiou --space 3d",
+    ] {
+        let scene = format!("--frames 2 --seed 7 {goal}");
+        let on_cpu = run("refine_detections", &at, &scene);
+        let on_gpu = run("refine_detections", &at, &format!("{scene} --backend gpu"));
+        assert_eq!((status(&on_cpu), status(&on_gpu)), (0, 0), "{goal}");
+        let told = stderr(&on_gpu);
+        assert!(told.contains("refine_detections: computing on "), "{told}");
+        for name in ["frames", "boxes", "pairs", "matches", "recall at 0.7"] {
+            assert_eq!(row(&on_cpu, name), row(&on_gpu, name), "{goal}: {name}");
+        }
+        let (cpu, gpu) = (row(&on_cpu, "mean IoU"), row(&on_gpu, "mean IoU"));
+        // Both as they are printed. Refined on the GPU, every step differs in its last bits.
+        assert!((cpu[0] - gpu[0]).abs() < 1.5e-4, "{goal}: {cpu:?} {gpu:?}");
+        assert!((cpu[1] - gpu[1]).abs() < 5e-3, "{goal}: {cpu:?} {gpu:?}");
     }
-    let (cpu, gpu) = (row(&on_cpu, "mean IoU"), row(&on_gpu, "mean IoU"));
-    // Both as they are printed. Refined on the GPU, every step differs in its last bits.
-    assert!((cpu[0] - gpu[0]).abs() < 1.5e-4, "{cpu:?} {gpu:?}");
-    assert!((cpu[1] - gpu[1]).abs() < 5e-3, "{cpu:?} {gpu:?}");
+}
+
+#[cfg(feature = "gpu")]
+#[test]
+fn custom_shape_on_the_gpu() {
+    if !has_gpu() {
+        return;
+    }
+    let at = folder("custom_shape_gpu");
+    let told = ["cpu", "gpu"].map(|backend| {
+        let done = run(
+            "custom_shape",
+            &at,
+            &format!("--count 40000 --backend {backend}"),
+        );
+        assert_eq!(status(&done), 0, "{}", stderr(&done));
+        let is_told = stderr(&done).contains("custom_shape: computing on ");
+        assert_eq!(is_told, backend == "gpu");
+        // The share that collides and the steepest slope, as they are printed.
+        stdout(&done).lines().nth(1).unwrap().to_owned()
+    });
+    assert_eq!(told[0], told[1]);
 }
 
 /// Against trying everything.

@@ -6,6 +6,7 @@ mod bounds;
 mod context;
 mod faults;
 mod generated;
+mod held;
 mod parity;
 mod program;
 mod resident;

@@ -10,20 +10,25 @@
 //! `-- --shapes [--csv FILE]` one of losses, boxes in space and quadrilaterals, `-- --suppress [--csv FILE]` one of suppression;
 //! `-- --polygons` times distances of points from rings, and clipping; `-- --boolean` the overlap of polygons
 //! of any kind;
-//! `-- --paper FILE.svg [--csv FILE]` times the IoU loss against the number of boxes and draws it.
+//! `-- --paper FILE.svg [--csv FILE] [--backend cpu|gpu|auto]` times the IoU loss against the number of boxes and
+//! draws it, with the GPU's curves beside the CPU's (`--features gpu`).
 mod boolean;
+#[path = "../../../examples/common/cli.rs"]
+mod cli;
 mod levels;
 mod paper;
 mod polygons;
 mod shapes;
 mod suppress;
 
+use cli::{Failure, Machine, Wish, say};
 use geo::{Area, BooleanOps, Centroid, Coord, Euclidean, Length, LineString, Polygon};
 use geograd::kernels::{self, Cpu, IouObb2, Op, RingOp, Table};
 use geograd::{Obb2, Pack, Vec2, ad};
 use parry2d_f64::math::Vector2;
 use parry2d_f64::transformation::convex_polygons_intersection_points;
 use std::hint::black_box;
+use std::process::ExitCode;
 use std::time::Instant;
 
 /// Rows and columns of the random matrix, and of the part that slow peers are given.
@@ -143,62 +148,100 @@ fn on_threads(threads: usize, run: impl FnOnce() + Send) {
     pool.expect("threads").install(run);
 }
 
-fn main() -> std::io::Result<()> {
-    let arguments: Vec<String> = std::env::args().skip(1).collect();
+const HELP: &str = "\
+Usage: peers [--levels | --shapes | --suppress] [--csv FILE]
+       peers --paper SVG [--csv FILE] [--backend cpu|gpu|auto]
+       peers --polygons | --boolean
+
+Without arguments: rotated boxes and rings next to other libraries. --paper draws the IoU loss against the
+number of boxes; --backend gpu adds a GPU's curves and needs a build with `--features gpu`, auto adds them
+where there is one. The environment variable GEOGRAD_GPU chooses among GPUs.
+";
+
+fn main() -> ExitCode {
+    let mut arguments: Vec<String> = std::env::args().skip(1).collect();
+    if arguments
+        .iter()
+        .any(|word| word == "--help" || word == "-h")
+    {
+        say(HELP);
+        return ExitCode::SUCCESS;
+    }
+    match machine(&mut arguments).and_then(|machine| run(&arguments, &machine)) {
+        Ok(()) => ExitCode::SUCCESS,
+        Err(failure) => failure.report("peers"),
+    }
+}
+
+/// The machine beside the CPU that `--backend` names; the words are taken out.
+fn machine(arguments: &mut Vec<String>) -> Result<Machine, Failure> {
+    let Some(at) = arguments.iter().position(|word| word == "--backend") else {
+        return Ok(Machine::Cpu);
+    };
+    let usage = |why: &str| Failure::Usage(why.into());
+    if arguments[0] != "--paper" {
+        return Err(usage("`--backend` is for `--paper`"));
+    }
+    let name = arguments.get(at + 1).cloned();
+    let name = name.ok_or_else(|| usage("`--backend` needs a value"))?;
+    arguments.drain(at..at + 2);
+    Wish::from_name(&name)?.machine("peers")
+}
+
+fn write(file: &str, text: &str) -> Result<(), Failure> {
+    std::fs::write(file, text).map_err(|why| Failure::Work(format!("{file}: {why}")))
+}
+
+fn run(arguments: &[String], machine: &Machine) -> Result<(), Failure> {
+    let words: Vec<&str> = arguments.iter().map(String::as_str).collect();
+    let known = matches!(
+        words[..],
+        [] | ["--levels" | "--shapes" | "--suppress" | "--polygons" | "--boolean"]
+            | ["--levels" | "--shapes" | "--suppress", "--csv", _]
+            | ["--paper", _]
+            | ["--paper", _, "--csv", _]
+    );
+    if !known {
+        return Err(Failure::Usage(format!("`{}`", words.join(" "))));
+    }
     println!(
         "{:?}, geograd {}",
         geograd::kernels::cpu::simd::Simd::current().unwrap(),
         env!("CARGO_PKG_VERSION")
     );
-    match arguments.iter().map(String::as_str).collect::<Vec<_>>()[..] {
-        [] => {}
+    match words[..] {
         ["--levels"] => {
             levels::levels();
             scaling();
-            return Ok(());
         }
         ["--levels", "--csv", file] => {
-            std::fs::write(file, levels::levels())?;
+            write(file, &levels::levels())?;
             scaling();
-            return Ok(());
         }
-        ["--shapes"] => {
-            shapes::shapes();
-            return Ok(());
-        }
-        ["--shapes", "--csv", file] => return std::fs::write(file, shapes::shapes()),
+        ["--shapes"] => drop(shapes::shapes()),
+        ["--shapes", "--csv", file] => write(file, &shapes::shapes())?,
         ["--paper", picture, "--csv", file] => {
-            let (svg, csv) = paper::paper();
-            std::fs::write(picture, svg)?;
-            return std::fs::write(file, csv);
+            let (svg, csv) = paper::paper(machine);
+            write(picture, &svg)?;
+            write(file, &csv)?;
         }
-        ["--paper", picture] => return std::fs::write(picture, paper::paper().0),
-        ["--polygons"] => {
-            polygons::polygons();
-            return Ok(());
-        }
-        ["--boolean"] => {
-            on_threads(1, boolean::polygons);
-            return Ok(());
-        }
-        ["--suppress"] => {
-            suppress::suppress();
-            return Ok(());
-        }
-        ["--suppress", "--csv", file] => return std::fs::write(file, suppress::suppress()),
-        _ => {
-            eprintln!(
-                "arguments: [--levels | --shapes | --suppress | --paper SVG] [--csv FILE], or --polygons, or --boolean"
-            );
-            std::process::exit(2);
-        }
+        ["--paper", picture] => write(picture, &paper::paper(machine).0)?,
+        ["--polygons"] => polygons::polygons(),
+        ["--boolean"] => on_threads(1, boolean::polygons),
+        ["--suppress"] => drop(suppress::suppress()),
+        ["--suppress", "--csv", file] => write(file, &suppress::suppress())?,
+        _ => all(),
     }
+    Ok(())
+}
+
+/// Boxes and rings next to other libraries, and threads.
+fn all() {
     on_threads(1, peers);
     for vertices in [8, 1000] {
         on_threads(1, || rings(vertices));
     }
     scaling();
-    Ok(())
 }
 
 /// Vertices of rings, a hundred thousand in all.

@@ -1,7 +1,11 @@
 //! The paper's experiment: the IoU loss forward, and forward and backward, against the number of boxes, in
-//! the plane and in space, drawn.
+//! the plane and in space, drawn. With `--backend gpu` the GPU's curves beside the CPU's: boxes, results and
+//! slopes stay there, as in training, and a call is over when the GPU is done.
+use super::cli::Machine;
 use super::levels::Timed;
 use super::{Dice, flat, narrow, on_threads};
+use geograd::kernels::gpu::Gpu;
+use geograd::kernels::resident::Resident;
 use geograd::kernels::{Cpu, IouObb2, IouObb3, IouYaw, Op, Row, Single};
 use geograd::shape::{Obb3, Rotation3, YawBox3};
 use geograd::{Obb2, Vec3};
@@ -15,7 +19,7 @@ const ROUNDS: usize = 12;
 
 /// One curve.
 struct Curve<'a> {
-    name: &'static str,
+    name: String,
     colour: &'static str,
     dashed: bool,
     times: Vec<Timed<'a>>,
@@ -57,8 +61,64 @@ where
             black_box(values.iter().sum::<f32>());
         })
     });
-    let curve = |name, dashed, times: [Timed<'a>; COUNTS.len()]| Curve {
-        name,
+    let curve = |name: &str, dashed, times: [Timed<'a>; COUNTS.len()]| Curve {
+        name: name.into(),
+        colour,
+        dashed,
+        times: times.into(),
+    };
+    [
+        curve(names[0], true, forward),
+        curve(names[1], false, backward),
+    ]
+}
+
+/// Waits until a GPU is done.
+fn done(gpu: &Gpu) {
+    #[cfg(feature = "gpu")]
+    gpu.wait().unwrap();
+    #[cfg(not(feature = "gpu"))]
+    match *gpu {}
+}
+
+/// The same two curves on a GPU.
+fn curves_on<'a, O, B>(
+    here: Resident<'a>,
+    gpu: &'a Gpu,
+    names: [&'static str; 2],
+    colour: &'static str,
+    op: O,
+    lists: &Lists<B>,
+) -> [Curve<'a>; 2]
+where
+    O: Op<In<f32> = (B, B), Out<f32> = f32>,
+    B: Single<Scalar = f32> + 'a,
+    (B, B): Row<Scalar = f32>,
+{
+    let held = |n: usize| {
+        let (a, b) = (&lists.guesses[..n], &lists.truths[..n]);
+        (here.upload(a).unwrap(), here.upload(b).unwrap())
+    };
+    let forward = COUNTS.map(|n| {
+        let (a, b) = held(n);
+        let mut values = here.aligned(op, (&a, &b)).unwrap();
+        Timed::new(n, move || {
+            here.aligned_into(op, (&a, &b), &mut values).unwrap();
+            done(gpu);
+        })
+    });
+    let backward = COUNTS.map(|n| {
+        let (a, b) = held(n);
+        let mut slopes = here.aligned(op.value_grad(), (&a, &b)).unwrap();
+        Timed::new(n, move || {
+            let columns = (&a, &b);
+            here.aligned_into(op.value_grad(), columns, &mut slopes)
+                .unwrap();
+            done(gpu);
+        })
+    });
+    let curve = |name: &str, dashed, times: [Timed<'a>; COUNTS.len()]| Curve {
+        name: format!("GPU, {name}"),
         colour,
         dashed,
         times: times.into(),
@@ -83,7 +143,7 @@ fn solid(x: &Obb2<f32>, dice: &mut Dice) -> (YawBox3<f32>, Obb3<f32>) {
 }
 
 /// Runs it; gives the picture and the table as lines of `curve,boxes,microseconds`.
-pub fn paper() -> (String, String) {
+pub fn paper(machine: &Machine) -> (String, String) {
     let most = COUNTS[COUNTS.len() - 1];
     let mut dice = Dice(23);
     let truths: Vec<_> = (0..most).map(|_| dice.random()).collect();
@@ -102,25 +162,33 @@ pub fn paper() -> (String, String) {
     };
     let turned = Lists { guesses, truths };
 
+    let flat_names = ["2D forward", "2D forward and backward"];
+    let upright_names = ["3D upright forward", "3D upright forward and backward"];
+    let turned_names = ["3D any turn forward", "3D any turn forward and backward"];
     let mut all: Vec<Curve<'_>> = Vec::new();
-    all.extend(curves(
-        ["2D forward", "2D forward and backward"],
-        "#1b6ca8",
-        IouObb2,
-        &plane,
-    ));
-    all.extend(curves(
-        ["3D upright forward", "3D upright forward and backward"],
-        "#c0572b",
-        IouYaw,
-        &upright,
-    ));
-    all.extend(curves(
-        ["3D any turn forward", "3D any turn forward and backward"],
-        "#3f7d3a",
-        IouObb3,
-        &turned,
-    ));
+    all.extend(curves(flat_names, "#1b6ca8", IouObb2, &plane));
+    all.extend(curves(upright_names, "#c0572b", IouYaw, &upright));
+    all.extend(curves(turned_names, "#3f7d3a", IouObb3, &turned));
+    if let Machine::Gpu(gpu) = machine {
+        let here = machine.backend().resident();
+        all.extend(curves_on(here, gpu, flat_names, "#66b7f0", IouObb2, &plane));
+        all.extend(curves_on(
+            here,
+            gpu,
+            upright_names,
+            "#f2a07c",
+            IouYaw,
+            &upright,
+        ));
+        all.extend(curves_on(
+            here,
+            gpu,
+            turned_names,
+            "#8fd08a",
+            IouObb3,
+            &turned,
+        ));
+    }
     let peer = COUNTS.map(|n| {
         // Pair by pair, as a loss needs it: its matrices of 1 x 1.
         let (a, b) = (&flat_guesses[..5 * n], &flat_truths[..5 * n]);
@@ -131,7 +199,7 @@ pub fn paper() -> (String, String) {
         })
     });
     all.push(Curve {
-        name: "powerboxesrs, 2D forward, f64",
+        name: "powerboxesrs, 2D forward, f64".into(),
         colour: "#777777",
         dashed: true,
         times: peer.into(),
@@ -146,8 +214,12 @@ pub fn paper() -> (String, String) {
 
     let mut csv = String::from("curve,boxes,microseconds\n");
     let mut points: Vec<(usize, Vec<f64>)> = Vec::new();
+    let on = match machine {
+        Machine::Cpu => "one thread".to_owned(),
+        Machine::Gpu(gpu) => format!("one thread; GPU: {gpu}"),
+    };
     println!(
-        "\n| microseconds, one thread | {} |",
+        "\n| microseconds, {on} | {} |",
         COUNTS.map(|n| n.to_string()).join(" | ")
     );
     println!("| --- |{}", " ---: |".repeat(COUNTS.len()));
@@ -160,16 +232,20 @@ pub fn paper() -> (String, String) {
         }
         points.push((k, times));
     }
-    (drawn(&all, &points), csv)
+    let place = match machine {
+        Machine::Cpu => "on one thread, f32".to_owned(),
+        Machine::Gpu(gpu) => format!("on one thread and on {gpu}, f32"),
+    };
+    (drawn(&all, &points, &place), csv)
 }
 
 /// The picture: both axes logarithmic.
-fn drawn(curves: &[Curve<'_>], points: &[(usize, Vec<f64>)]) -> String {
-    const WIDTH: f64 = 820.0;
+fn drawn(curves: &[Curve<'_>], points: &[(usize, Vec<f64>)], place: &str) -> String {
+    const WIDTH: f64 = 860.0;
     const HEIGHT: f64 = 480.0;
     const LEFT: f64 = 70.0;
     const TOP: f64 = 46.0;
-    let (wide, high) = (WIDTH - LEFT - 300.0, HEIGHT - TOP - 56.0);
+    let (wide, high) = (WIDTH - LEFT - 340.0, HEIGHT - TOP - 56.0);
     let all = || points.iter().flat_map(|(_, times)| times);
     let low = all().copied().fold(f64::INFINITY, f64::min).log10().floor();
     let top = all().copied().fold(0.0, f64::max).log10().ceil();
@@ -180,7 +256,7 @@ fn drawn(curves: &[Curve<'_>], points: &[(usize, Vec<f64>)]) -> String {
         "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 {WIDTH} {HEIGHT}\" \
          font-family=\"sans-serif\" font-size=\"12\">\n\
          <rect width=\"{WIDTH}\" height=\"{HEIGHT}\" fill=\"white\"/>\n\
-         <text x=\"{LEFT}\" y=\"24\" font-size=\"15\">IoU loss of box pairs on one thread, f32</text>\n"
+         <text x=\"{LEFT}\" y=\"24\" font-size=\"15\">IoU loss of box pairs {place}</text>\n"
     );
     for power in first.log10() as i32..=last.log10() as i32 {
         let at = x(10_f64.powi(power));

@@ -12,12 +12,25 @@ use std::time::Duration;
 impl Inner {
     /// Starts bringing numbers back.
     pub fn bring(&self, gpu: &Gpu, parts: &[(&wgpu::Buffer, u64)]) -> Result<Arrival, Error> {
+        let whole: Vec<_> = parts
+            .iter()
+            .map(|&(from, bytes)| (from, 0, bytes))
+            .collect();
+        self.bring_parts(gpu, &whole)
+    }
+
+    /// Starts bringing back so many bytes of every buffer, from a byte on.
+    pub fn bring_parts(
+        &self,
+        gpu: &Gpu,
+        parts: &[(&wgpu::Buffer, u64, u64)],
+    ) -> Result<Arrival, Error> {
         self.guarded(|| {
             let mut encoder = self.encoder();
             let mut staged = Vec::new();
-            for &(buffer, bytes) in parts.iter().filter(|&&(_, bytes)| bytes > 0) {
+            for &(buffer, start, bytes) in parts.iter().filter(|&&(_, _, bytes)| bytes > 0) {
                 let staging = self.staging(bytes);
-                encoder.copy_buffer_to_buffer(buffer, 0, &staging, 0, bytes);
+                encoder.copy_buffer_to_buffer(buffer, start, &staging, 0, bytes);
                 staged.push((staging, bytes));
             }
             let submission = self.queue.submit([encoder.finish()]);

@@ -19,6 +19,9 @@ pub use adapter::{Adapter, Choice, Options};
 pub use data::{Bars, Shapes, Values};
 pub use download::Pending;
 pub use found::Founds;
+pub(crate) use generated::held;
+#[doc(hidden)]
+pub use generated::held::{Given, HeldColumn};
 #[doc(hidden)]
 pub use generated::operation::Generated;
 pub use generated::{Programs, fold_sources, op_sources};

@@ -138,6 +138,21 @@ impl<'a> Work<'a> {
             .copy_buffer_to_buffer(from, offset, to, 0, bytes);
     }
 
+    /// A copy between places in two buffers, in bytes.
+    pub fn copy_to(
+        &mut self,
+        from: &wgpu::Buffer,
+        start: u64,
+        to: &wgpu::Buffer,
+        at: u64,
+        bytes: u64,
+    ) {
+        if bytes > 0 {
+            self.encoder
+                .copy_buffer_to_buffer(from, start, to, at, bytes);
+        }
+    }
+
     /// Hands the commands to the queue; with timing it waits for them.
     pub fn submit(mut self) -> Result<wgpu::SubmissionIndex, Error> {
         let Some(queries) = self.queries.take().filter(|_| self.timed > 0) else {

@@ -7,15 +7,18 @@ use crate::Error;
 use crate::error::Argument;
 use crate::kernels::Single;
 use crate::kernels::cpu::checked::{check_upstream, entries, expect};
+use crate::kernels::gpu::device::Matrix;
 use crate::kernels::gpu::device::block::block_of;
 use crate::kernels::gpu::device::work::Work;
 use crate::kernels::op::{Ask, Runs};
 use std::sync::Arc;
 
 /// What slopes are multiplied by.
-enum Seed<'a> {
+pub(super) enum Seed<'a> {
     /// A number for every pair, row by row.
-    Matrix(&'a [f32]),
+    Numbers(&'a [f32]),
+    /// The same, already on the GPU, for as many rows and columns.
+    Matrix(&'a Matrix),
     /// One number for all.
     Factor(f32),
 }
@@ -45,7 +48,11 @@ impl Programs<'_> {
         check_upstream(upstream, 1)?;
         let made = run.generated(Ask::ADJOINT)?;
         let sides = Sides::new(&self.gpu.inner, &made, a, b)?;
-        self.slopes(&made, &sides, &Seed::Matrix(upstream))
+        Ok(shapes(self.slopes(
+            &made,
+            &sides,
+            &Seed::Numbers(upstream),
+        )?))
     }
 
     /// The sum of all results and its slopes with respect to every shape of both lists, as
@@ -99,22 +106,22 @@ impl Programs<'_> {
         let sum = self.sum(run, a, b)?;
         let made = run.generated(Ask::ADJOINT)?;
         let sides = Sides::new(&self.gpu.inner, &made, a, b)?;
-        let (a_bar, b_bar) = self.slopes(&made, &sides, &Seed::Factor(factor))?;
+        let (a_bar, b_bar) = shapes(self.slopes(&made, &sides, &Seed::Factor(factor))?);
         Ok((sum, a_bar, b_bar))
     }
 
-    /// Slopes of both lists: strips of pairs are added in `f32`, those sums in `f64`, always in the same
+    /// The numbers of the slopes of both lists: strips of pairs are added in `f32`, those sums in `f64`, always in the same
     /// order.
-    fn slopes<A: Single<Scalar = f32>, B: Single<Scalar = f32>>(
+    pub(super) fn slopes(
         &self,
         made: &Arc<Generated<f32>>,
         sides: &Sides,
         seed: &Seed<'_>,
-    ) -> Result<(Vec<A>, Vec<B>), Error> {
+    ) -> Result<[Vec<f32>; 2], Error> {
         let [rows, columns] = sides.counts();
         let a = self.sums(made, sides, seed, Form::RowSlopes, rows)?;
         let b = self.sums(made, sides, seed, Form::ColumnSlopes, columns)?;
-        Ok((shapes(&a), shapes(&b)))
+        Ok([a, b].map(|sums| sums.iter().map(|&x| x as f32 + 0.0).collect()))
     }
 
     /// The sums of slopes of one list, shape by shape.
@@ -131,16 +138,16 @@ impl Programs<'_> {
         let body = form.body(made);
         let fields = body.gives;
         let mut sums = vec![0.0; count * fields];
-        for block in inner.cut(rows, columns, 4) {
-            let upstream = match seed {
-                Seed::Matrix(numbers) => block_of(&block, columns, numbers),
-                Seed::Factor(_) => Vec::new(),
+        for (k, block) in inner.cut(rows, columns, 4).into_iter().enumerate() {
+            let stored = |numbers: &[f32]| inner.guarded(|| Ok(inner.stored(numbers)));
+            let (upstream, params) = match seed {
+                Seed::Numbers(numbers) => {
+                    (stored(&block_of(&block, columns, numbers))?, [0, 0, 0, 0])
+                }
+                // A matrix is cut as the pairs are.
+                Seed::Matrix(matrix) => (matrix.blocks[k].1.clone(), [0, 0, 0, 0]),
+                Seed::Factor(factor) => (stored(&[])?, [factor.to_bits(), 1, 0, 0]),
             };
-            let params = match seed {
-                Seed::Matrix(_) => [0, 0, 0, 0],
-                Seed::Factor(factor) => [factor.to_bits(), 1, 0, 0],
-            };
-            let upstream = inner.guarded(|| Ok(inner.stored(&upstream)))?;
             for mut piece in sides.pieces(&block, body.operations) {
                 piece.params.push(params);
                 let (own, walked, first) = match form {
@@ -185,8 +192,12 @@ impl Programs<'_> {
     }
 }
 
-/// Shapes from sums of their numbers.
-fn shapes<P: Single<Scalar = f32>>(sums: &[f64]) -> Vec<P> {
-    let numbers: Vec<f32> = sums.iter().map(|&x| x as f32 + 0.0).collect();
-    numbers.chunks_exact(P::LEN.max(1)).map(P::load).collect()
+/// Shapes from their numbers.
+fn shapes<A: Single<Scalar = f32>, B: Single<Scalar = f32>>(
+    [a, b]: [Vec<f32>; 2],
+) -> (Vec<A>, Vec<B>) {
+    (
+        a.chunks_exact(A::LEN.max(1)).map(A::load).collect(),
+        b.chunks_exact(B::LEN.max(1)).map(B::load).collect(),
+    )
 }

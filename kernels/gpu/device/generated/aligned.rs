@@ -178,7 +178,7 @@ fn chunk(inner: &Inner, made: &Generated<f32>) -> Result<usize, Error> {
 }
 
 /// The prepared numbers of some items of a column, in tiles.
-fn tiles(
+pub(super) fn tiles(
     made: &Generated<f32>,
     k: usize,
     column: &Column<'_, f32>,

@@ -1,7 +1,9 @@
 //! Any operation and any program on a GPU, by functions in WGSL that its recording is written as.
 mod adjoint;
 mod aligned;
+mod columns;
 mod folds;
+pub(crate) mod held;
 pub(crate) mod operation;
 mod pairs;
 mod text;

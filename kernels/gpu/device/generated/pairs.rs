@@ -22,6 +22,7 @@ use std::sync::Arc;
 const MOST_OPERATIONS: usize = 1 << 42;
 
 /// A list that went up: prepared shapes, in buffers that fit a binding each.
+#[derive(Clone, Debug)]
 pub(super) struct Side {
     /// Shapes per buffer.
     window: usize,
@@ -31,7 +32,7 @@ pub(super) struct Side {
 
 impl Side {
     /// Brings a list up that was checked.
-    fn new(
+    pub fn new(
         inner: &Inner,
         made: &Generated<f32>,
         k: usize,
@@ -56,6 +57,24 @@ impl Side {
             buffers,
             count,
         })
+    }
+    /// Puts as many other shapes in their place, without a new buffer.
+    pub fn rewrite(
+        &self,
+        inner: &Inner,
+        made: &Generated<f32>,
+        k: usize,
+        column: &Column<'_, f32>,
+    ) -> Result<(), Error> {
+        for (start, buffer) in (0..self.count).step_by(self.window).zip(&self.buffers) {
+            let items = start..self.count.min(start + self.window);
+            let numbers = frames(made, k, column, items);
+            inner.guarded(|| {
+                inner.write(buffer, &numbers);
+                Ok(())
+            })?;
+        }
+        Ok(())
     }
     /// The parts of a range of shapes, each in one buffer: the buffer, where in it, which shapes.
     fn parts(
@@ -160,7 +179,7 @@ impl Sides {
         pieces
     }
     /// Computes a block of results.
-    fn compute(
+    pub fn compute(
         &self,
         inner: &Inner,
         made: &Arc<Generated<f32>>,

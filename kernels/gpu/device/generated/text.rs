@@ -20,6 +20,8 @@ const STEP: usize = 16;
 pub(in super::super) enum Form {
     /// Item i of every column.
     Aligned,
+    /// The same of columns that stay, each in a buffer of its own.
+    Columns,
     /// Every row with every column.
     Pairs,
     /// Sums of slopes of every row of the first list.
@@ -37,6 +39,7 @@ impl Form {
     pub fn entry(self) -> &'static str {
         match self {
             Form::Aligned => "aligned_main",
+            Form::Columns => "columns_main",
             Form::Pairs => "pairs_main",
             Form::RowSlopes => "row_slopes_main",
             Form::ColumnSlopes => "column_slopes_main",
@@ -58,6 +61,7 @@ impl Form {
         let kernel = match self {
             Form::RowSlopes | Form::ColumnSlopes => slopes(made, body, self),
             Form::Pairs => pairs(made, body),
+            Form::Columns => super::columns::text(made),
             _ => aligned(made),
         };
         format!("{WGSL}\n{}\n{PLACE}{kernel}", body.text)
@@ -91,7 +95,7 @@ pub(super) fn bindings(parameters: usize, read: &[&str], written: &[&str]) -> St
 }
 
 /// So many numbers of an item, from a place on.
-fn numbers(buffer: &str, at: &str, count: usize) -> impl Iterator<Item = String> {
+pub(super) fn numbers(buffer: &str, at: &str, count: usize) -> impl Iterator<Item = String> {
     let (buffer, at) = (buffer.to_owned(), at.to_owned());
     (0..count).map(move |k| format!("{buffer}[{at} + {}u]", k * TILE))
 }

@@ -1,0 +1,64 @@
+//! Item i of columns that stay on the GPU: each is read where it lies, in a buffer of its own.
+use super::operation::Generated;
+use super::text::{GROUP, bindings, call, numbers};
+use crate::kernels::cpu::lane::TILE;
+use std::fmt::Write;
+
+/// The shader: one thread per item. Parameters are how many items; of every column where it begins and
+/// whether it has more than one item; of every result where it begins. All results are in one buffer.
+/// Columns of which nothing is read have no binding.
+pub(super) fn text(made: &Generated<f32>) -> String {
+    let columns = made.widths.len();
+    let read = made
+        .widths
+        .iter()
+        .enumerate()
+        .filter(|(_, width)| **width > 0);
+    let names: Vec<String> = read.map(|(k, _)| format!("column{k}")).collect();
+    let names: Vec<&str> = names.iter().map(String::as_str).collect();
+    let mut text = bindings(1 + columns + made.gives.len(), &names, &["outputs"]);
+    let _ = write!(
+        text,
+        "
+@compute @workgroup_size({GROUP})
+fn columns_main(@builtin(global_invocation_id) thread: vec3u) {{
+    let item = thread.x;
+    if item >= params[0].x {{
+        return;
+    }}
+"
+    );
+    let mut inputs = Vec::new();
+    for (k, &width) in made
+        .widths
+        .iter()
+        .enumerate()
+        .filter(|(_, width)| **width > 0)
+    {
+        let at = k + 1;
+        let _ = writeln!(
+            text,
+            "    let c{k} = params[{at}].x + place(item * params[{at}].y, {width}u);"
+        );
+        inputs.extend(numbers(&format!("column{k}"), &format!("c{k}"), width));
+    }
+    let _ = writeln!(text, "    let y = {};", call("body", inputs));
+    let mut first = 0;
+    for (k, &fields) in made.gives.iter().enumerate() {
+        let at = 1 + columns + k;
+        let _ = writeln!(
+            text,
+            "    let r{k} = params[{at}].x + place(item, {fields}u);"
+        );
+        for field in 0..fields {
+            let _ = writeln!(
+                text,
+                "    outputs[r{k} + {}u] = y[{}];",
+                field * TILE,
+                first + field
+            );
+        }
+        first += fields;
+    }
+    text + "}\n"
+}
