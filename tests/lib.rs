@@ -2,6 +2,7 @@
 use geograd::Obb2;
 
 pub mod calls;
+pub mod corpus;
 
 /// A small reproducible source of numbers.
 #[derive(Clone, Debug)]
