@@ -1,11 +1,11 @@
 //! Who judges gradients: geograd's harness, two ordinary checkers to compare it with, and anybody else.
 use crate::corpus::function::Function;
 use crate::corpus::inputs::name_bits;
-use geograd::Jet;
 use geograd::ad::check::sample::Draw;
 use geograd::ad::check::trace::Traced;
 use geograd::ad::check::verdict::Reason;
 use geograd::ad::check::{Check, Report};
+use geograd::{Jet, Pack};
 
 /// One question to a checker: is this the gradient of that function?
 pub struct Task<'a> {
@@ -79,24 +79,36 @@ pub struct Geograd {
 /// So many inputs are looked at first: most faults show at once, and a refusal is one.
 const FIRST: usize = 3;
 
+/// Some numbers, always as many: lists of run-time length are made shorter where a refused input is made simpler.
+#[derive(Clone, Debug)]
+struct Numbers<S>(Vec<S>);
+
+impl<S: Clone> Pack for Numbers<S> {
+    type Scalar = S;
+    type With<R: Clone> = Numbers<R>;
+    fn map<R: Clone>(&self, f: &mut impl FnMut(&S) -> R) -> Numbers<R> {
+        Numbers(self.0.iter().map(f).collect())
+    }
+    fn each(&mut self, f: &mut impl FnMut(&mut S)) {
+        self.0.iter_mut().for_each(f);
+    }
+}
+
 impl Geograd {
     /// The whole report at some of the inputs.
     #[must_use]
     pub fn report(self, task: &Task<'_>, points: &[Vec<f64>]) -> Report {
-        let inside = |x: &Vec<f64>| {
-            let within = |(x, [low, high]): (&f64, &[f64; 2])| low <= x && x <= high;
-            x.len() == task.domain.len() && x.iter().zip(task.domain).all(within)
-        };
-        let check = Check::among(points.iter().cloned())
+        let within = |(x, [low, high]): (&f64, &[f64; 2])| low <= x && x <= high;
+        let check = Check::among(points.iter().cloned().map(Numbers))
             .named(task.name)
             .seed(task.seed)
-            .value(|x: Vec<f64>| (task.value)(&x))
-            .gradient(|x| (task.gradient)(&x))
-            .inside(inside);
+            .value(|x: Numbers<f64>| (task.value)(&x.0))
+            .gradient(|x| Numbers((task.gradient)(&x.0)))
+            .inside(|x| x.0.iter().zip(task.domain).all(within));
         if self.generic {
             check
-                .dual(|x: Vec<_>| (task.dual)(&x))
-                .traced(|x: Vec<_>| (task.traced)(&x))
+                .dual(|x: Numbers<_>| (task.dual)(&x.0))
+                .traced(|x: Numbers<_>| (task.traced)(&x.0))
                 .run()
         } else {
             check.run()
