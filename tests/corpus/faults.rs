@@ -321,15 +321,20 @@ fn places(function: &'static Function, inputs: &Inputs, all: &mut Vec<Fault>) {
         }
         // Some input among the random ones.
         let special = inputs.points[i % inputs.points.len()].clone();
-        for instead in [f64::NAN, f64::INFINITY, 0.0] {
+        for factor in [f64::NAN, f64::INFINITY, 0.0, -1.0] {
+            let kind = if factor.is_finite() {
+                Kind::OneInput
+            } else {
+                Kind::NotFinite
+            };
             let special = special.clone();
             all.push(Fault::new(
-                Kind::OneInput,
-                format!("slope {i} is {instead} at {special:?}"),
+                kind,
+                format!("slope {i} times {factor} at {special:?}"),
                 move |x| {
                     let mut g = right(x);
                     if x == special {
-                        g[i] = instead;
+                        g[i] *= factor;
                     }
                     g
                 },
@@ -387,13 +392,13 @@ fn places(function: &'static Function, inputs: &Inputs, all: &mut Vec<Fault>) {
             ("not a number", Arc::new(move || vec![f64::NAN; n])),
         ];
         for (what, at) in at {
-            all.push(Fault::new(
-                Kind::AtKink,
-                format!("{what}, {kink:?}"),
-                move |x| {
-                    if x == kink { at() } else { right(x) }
-                },
-            ));
+            let kind = match what {
+                "not a number" => Kind::NotFinite,
+                _ => Kind::AtKink,
+            };
+            all.push(Fault::new(kind, format!("{what}, {kink:?}"), move |x| {
+                if x == kink { at() } else { right(x) }
+            }));
         }
     }
 }

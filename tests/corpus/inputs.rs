@@ -87,6 +87,28 @@ impl Inputs {
     }
 }
 
+impl Inputs {
+    /// Whether a wrong gradient is finite, and right at the neighbours in the last digit of every input: wrong at single
+    /// inputs only.
+    #[must_use]
+    pub fn single(&self, function: &Function, gradient: &dyn Fn(&[f64]) -> Vec<f64>) -> bool {
+        let mut draw = Draw::new(0);
+        self.points.iter().all(|x| {
+            let moved = |x: &f64| {
+                if draw.once_in(2) {
+                    x.next_up()
+                } else {
+                    x.next_down()
+                }
+            };
+            let beside: Vec<f64> = x.iter().map(moved).collect();
+            let right = Right::One((function.gradient)(&beside));
+            gradient(x).iter().all(|g| g.is_finite())
+                && right.error(&gradient(&beside), &self.usual) <= ROUNDING
+        })
+    }
+}
+
 impl Right {
     /// Gradients around a kink, and the slopes that they bound along the axes, between pairs of them, and elsewhere.
     fn between(function: &Function, kink: &[f64], widths: &[f64], draw: &mut Draw) -> Self {

@@ -35,10 +35,12 @@ pub enum Kind {
     OtherPlace,
     /// Near a kink the gradient is that of the other side.
     OtherSide,
-    /// At a kink the gradient is no share of those of the sides, or not finite.
+    /// At a kink, to the last digit, the gradient is no share of those of the sides.
     AtKink,
-    /// At one input, a slope is not finite or zero.
+    /// At one input, to the last digit, a slope is zero or has the wrong sign.
     OneInput,
+    /// At one input, or at a kink, a slope is not finite.
+    NotFinite,
     /// The gradient has single precision.
     Single,
     /// The gradient is a difference with a fixed step.
@@ -70,6 +72,7 @@ impl Kind {
             Kind::OtherSide => "other side of a kink",
             Kind::AtKink => "at a kink only",
             Kind::OneInput => "at one input only",
+            Kind::NotFinite => "not finite at one input",
             Kind::Single => "single precision",
             Kind::Difference => "fixed differences",
             Kind::Stale => "left from before",

@@ -17,6 +17,8 @@ pub struct Question {
     pub what: String,
     /// How wrong it is, by [`Inputs::error`].
     pub error: f64,
+    /// Whether it is wrong at single inputs only, by [`Inputs::single`].
+    pub single: bool,
     /// What each checker said: whether it accepts.
     pub accepted: Vec<bool>,
 }
@@ -79,6 +81,7 @@ pub fn measure(
             kind: None,
             what: what.to_owned(),
             error: 0.0,
+            single: false,
             accepted: Vec::new(),
         };
         findings.ask(question, &inputs, checkers, seed, &|| Box::new(&gradient));
@@ -93,11 +96,11 @@ pub fn measure(
         if error <= ROUNDING {
             findings.equivalent += 1;
         } else {
-            let (kind, what) = (Some(fault.kind), fault.what.clone());
             let question = Question {
-                kind,
-                what,
+                kind: Some(fault.kind),
+                what: fault.what.clone(),
                 error,
+                single: inputs.single(function, &fault.gradient()),
                 accepted: Vec::new(),
             };
             findings.ask(question, &inputs, checkers, seed, &|| fault.gradient());

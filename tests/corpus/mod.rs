@@ -10,7 +10,9 @@ pub mod kind;
 mod learning;
 pub mod measure;
 pub mod mutant;
+pub mod record;
 mod robotics;
+pub mod tables;
 mod tools;
 mod vision;
 
