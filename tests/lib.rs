@@ -3,6 +3,8 @@ use geograd::Obb2;
 
 pub mod calls;
 #[cfg(feature = "list")]
+pub mod corpus;
+#[cfg(feature = "list")]
 pub mod list;
 
 /// Scores of two shapes that are fuzzed beside the list's pairs: one of every kind of kernel.

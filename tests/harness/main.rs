@@ -2,6 +2,7 @@
 mod adjoint;
 mod behaviour;
 mod checker;
+mod corpus;
 mod difficult;
 mod everyday;
 mod forward;

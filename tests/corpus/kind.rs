@@ -1,0 +1,82 @@
+//! What kinds of mistakes there are.
+
+/// What kind of mistake a fault is.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
+pub enum Kind {
+    /// Something that somebody might write, by hand.
+    ByHand,
+    /// One step of the formula is another one.
+    Formula,
+    /// One rule of differentiation is broken on the way: what is inside is taken as constant, a term has the wrong sign.
+    Rule,
+    /// A slope, or all, have the wrong sign.
+    Sign,
+    /// A slope is zero.
+    Dropped,
+    /// A slope, or all, are double or half.
+    Factor,
+    /// A slope is off by one part in so many: the power of ten.
+    Off(u8),
+    /// Two slopes are exchanged, or all are in another order.
+    Exchanged,
+    /// A slope is that of the next number.
+    Neighbour,
+    /// A slope has the number itself as a factor too many or too few.
+    Power,
+    /// The gradient is that of the square, the root, the logarithm or the exponential.
+    Outer,
+    /// Something is added to a slope.
+    Added,
+    /// A slope is off by a tenth in half of the domain.
+    HalfDomain,
+    /// A slope is off by a tenth in a corner of the domain.
+    Corner,
+    /// The gradient is that of an input nearby.
+    OtherPlace,
+    /// Near a kink the gradient is that of the other side.
+    OtherSide,
+    /// At a kink, to the last digit, the gradient is no share of those of the sides.
+    AtKink,
+    /// At one input, to the last digit, a slope is zero or has the wrong sign.
+    OneInput,
+    /// At one input, or at a kink, a slope is not finite.
+    NotFinite,
+    /// The gradient has single precision.
+    Single,
+    /// The gradient is a difference with a fixed step.
+    Difference,
+    /// What an earlier call left is added.
+    Stale,
+}
+
+impl Kind {
+    /// A short name for tables.
+    #[must_use]
+    pub fn name(self) -> String {
+        let name = match self {
+            Kind::ByHand => "written by hand",
+            Kind::Formula => "step of the formula",
+            Kind::Rule => "rule of differentiation",
+            Kind::Sign => "sign",
+            Kind::Dropped => "slope dropped",
+            Kind::Factor => "double or half",
+            Kind::Off(power) => return format!("off by 1e-{power}"),
+            Kind::Exchanged => "exchanged",
+            Kind::Neighbour => "next number's slope",
+            Kind::Power => "power of the number",
+            Kind::Outer => "of the square, root, …",
+            Kind::Added => "constant added",
+            Kind::HalfDomain => "in half of the domain",
+            Kind::Corner => "in a corner",
+            Kind::OtherPlace => "at an input nearby",
+            Kind::OtherSide => "other side of a kink",
+            Kind::AtKink => "at a kink only",
+            Kind::OneInput => "at one input only",
+            Kind::NotFinite => "not finite at one input",
+            Kind::Single => "single precision",
+            Kind::Difference => "fixed differences",
+            Kind::Stale => "left from before",
+        };
+        name.to_owned()
+    }
+}

@@ -1,0 +1,129 @@
+//! What is known of the errors of geograd's harness: anything else is news.
+use crate::corpus::checkers::{Geograd, Task};
+use crate::corpus::inputs::{Inputs, RANDOM};
+use crate::corpus::kind::Kind;
+use crate::corpus::measure::{Question, right};
+use crate::corpus::tables::Run;
+use std::fmt::Write;
+
+/// Errors of a slope that are smaller, relative to its usual size, are counted in the table of sizes only: what one part
+/// in a million of one slope does to a value is less than its rounding when the value is larger by as much.
+pub const VISIBLE: f64 = 1e-6;
+
+/// An error that is known: of a checker, about right gradients of a function.
+struct Known {
+    checker: &'static str,
+    function: &'static str,
+}
+
+/// Functions whose right gradients are refused at some inputs, and why.
+const REFUSED: &[Known] = &[
+    // Near its axis the slope across it is what is left of 1 - 1: half of its digits, though it stands beside slopes of
+    // one.
+    Known {
+        checker: "geograd",
+        function: "capsule_distance",
+    },
+    Known {
+        checker: "geograd-closures",
+        function: "capsule_distance",
+    },
+    // What is left of 1 - tanh².
+    Known {
+        checker: "geograd",
+        function: "gelu_neuron",
+    },
+    // A tie at the border of the domain: one side only can be seen.
+    Known {
+        checker: "geograd-closures",
+        function: "rounded_box",
+    },
+];
+
+/// Whether geograd's harness is known to err so.
+fn known(checker: &str, function: &str, question: &Question) -> bool {
+    match question.kind {
+        // Where a slope jumps and jumps back within the last digit of the input, its jump counts as rounding.
+        Some(_) => question.single,
+        None => REFUSED
+            .iter()
+            .any(|known| known.checker == checker && known.function == function),
+    }
+}
+
+/// What one of geograd's checkers got wrong.
+pub struct Verdict {
+    /// In words, with the report of every refusal that is news.
+    pub text: String,
+    /// How many errors are of no known kind.
+    pub unknown: usize,
+}
+
+/// What a checker got wrong, by its name and its place in the order in which checkers were asked; nothing for others
+/// than geograd's.
+#[must_use]
+pub fn verdict(checker: &str, place: usize, runs: &[Run]) -> Option<Verdict> {
+    let generic = match checker {
+        "geograd" => true,
+        "geograd-closures" => false,
+        _ => return None,
+    };
+    let (mut text, mut unknown) = ("\n".to_owned(), 0);
+    let [mut everywhere, mut single, mut refused] = [[0_usize; 2]; 3];
+    for run in runs {
+        let function = run.findings.function.name;
+        for question in &run.findings.questions {
+            let accepted = question.accepted[place];
+            let (counts, wrong) = match question.kind {
+                Some(_) if question.error <= VISIBLE => continue,
+                Some(_) if question.single => (&mut single, accepted),
+                Some(_) => (&mut everywhere, accepted),
+                None => (&mut refused, !accepted),
+            };
+            counts[1] += 1;
+            counts[0] += usize::from(wrong);
+            if wrong && !known(checker, function, question) {
+                unknown += 1;
+                let kind = question
+                    .kind
+                    .map_or("right, and refused".to_owned(), Kind::name);
+                let _ = writeln!(
+                    text,
+                    "{checker}: {function}, {kind}: {} (error {:.1e}, seed {})",
+                    question.what, question.error, run.seed
+                );
+                if question.kind.is_none() {
+                    text += &refusal(generic, run, &question.what);
+                }
+            }
+        }
+    }
+    let share = |[wrong, of]: [usize; 2]| 100.0 * wrong as f64 / of.max(1) as f64;
+    let _ = writeln!(
+        text,
+        "{checker} misses {} of {} faults with an error above {VISIBLE:e} ({:.2} %), {} of {} that are wrong at single \
+         inputs only ({:.1} %), and refuses {} of {} right gradients ({:.2} %); of no known kind: {unknown}",
+        everywhere[0],
+        everywhere[1],
+        share(everywhere),
+        single[0],
+        single[1],
+        share(single),
+        refused[0],
+        refused[1],
+        share(refused),
+    );
+    Some(Verdict { text, unknown })
+}
+
+/// The report in which our harness refuses a right gradient.
+fn refusal(generic: bool, run: &Run, what: &str) -> String {
+    let function = run.findings.function;
+    let inputs = Inputs::new(function, RANDOM, run.seed);
+    let gradient = right(function).into_iter().find(|(name, _)| *name == what);
+    let (_, gradient) = gradient.expect("it was asked about");
+    let task = Task::new(function, &inputs.points, &gradient, run.seed);
+    Geograd { generic }
+        .report(&task, &inputs.points)
+        .to_string()
+}
