@@ -21,7 +21,7 @@ pub use download::Pending;
 pub use found::Founds;
 #[doc(hidden)]
 pub use generated::operation::Generated;
-pub use generated::{Programs, fold_sources, op_sources};
+pub use generated::{Programs, fold_sources, op_sources, replay_source};
 pub use matrix::Matrix;
 pub use pairs::PairBars;
 pub use reduce::{Best, Bests};
