@@ -6,6 +6,7 @@ mod bounds;
 mod committed;
 mod context;
 mod faults;
+mod folds;
 mod generated;
 mod parity;
 mod program;
@@ -135,6 +136,14 @@ macro_rules! walk {
             $(#[test]
             fn $pair() {
                 super::generated::shaders_are_valid::<$pair_op>();
+            })*
+            $(#[test]
+            fn $fold() {
+                super::folds::shaders_are_valid(<$fold_op>::default());
+            })*
+            $(#[test]
+            fn $more_fold() {
+                super::folds::shaders_are_valid(<$more_fold_op>::default());
             })*
         }
         mod replayed {
