@@ -12,7 +12,8 @@ pub const WGSL: &str = include_str!("prelude.wgsl");
 const RESERVED: &str = include_str!("reserved.txt");
 
 /// The words with a meaning in the text of a program.
-const USED: &str = "f32 i32 u32 bool array vec2f select bitcast abs min max floor clamp log sqrt";
+const USED: &str =
+    "f32 i32 u32 bool array vec2f select bitcast abs min max floor clamp log sqrt round";
 
 /// `Ok` for a name that a function of a shader may have beside [`WGSL`].
 pub(super) fn checked(name: &str) -> Result<(), Unrecordable> {
@@ -60,7 +61,11 @@ pub(crate) fn function_of(
             _ => None,
         };
         let own = own.unwrap_or_else(|| format!("v{i}"));
-        let _ = writeln!(text, "    let {own} = {};", expression(node, &known));
+        let value = match rounded(graph, node) {
+            Some(x) => format!("round({})", known[x as usize]),
+            None => expression(node, &known),
+        };
+        let _ = writeln!(text, "    let {own} = {value};");
         known.push(own);
     }
     let results: Vec<&str> = outputs.iter().map(|&x| &*known[x as usize]).collect();
@@ -70,6 +75,21 @@ pub(crate) fn function_of(
         results.join(", ")
     );
     text
+}
+
+/// What is rounded to a whole number by adding a large one and taking it away again. Drivers may take the
+/// two for nothing (Mesa's do); WGSL has a function for it, which rounds the same way.
+fn rounded(graph: &Graph, node: Node) -> Option<Id> {
+    const SHIFT: f64 = 1.5 * (1 << 23) as f64;
+    let is_shift = |x: Id| graph.constant(x) == Some(SHIFT);
+    let Node::Sub(sum, shift) = node else {
+        return None;
+    };
+    match graph.at(sum) {
+        Node::Add(x, y) if is_shift(shift) && is_shift(y) => Some(x),
+        Node::Add(y, x) if is_shift(shift) && is_shift(y) => Some(x),
+        _ => None,
+    }
 }
 
 /// One operation on earlier results, which have names.

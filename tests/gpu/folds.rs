@@ -14,12 +14,12 @@ pub fn shaders_are_valid<F: Fold>(fold: F) {
 }
 
 /// Numbers that may differ by so much of their size, and of one.
-fn near(found: &[f32], expected: &[f32], by: f32) {
+fn near(name: &str, found: &[f32], expected: &[f32], by: f32) {
     assert_eq!(found.len(), expected.len());
     for (i, (found, expected)) in found.iter().zip(expected).enumerate() {
         let off = (found - expected).abs();
         let bound = by * (1.0 + expected.abs());
-        assert!(off <= bound, "{i}: {found} for {expected}");
+        assert!(off <= bound, "{name} {i}: {found} for {expected}");
     }
 }
 
@@ -109,7 +109,7 @@ fn folds_agree<F: Fold, C: geograd::kernels::Columns<Row = F::Context<f32>> + Co
     let (programs, cpu) = (gpu.programs(), Cpu::new());
     let found = programs.fold(run, context, vertices, offsets).unwrap();
     let expected = cpu.fold(run, context, vertices, offsets).unwrap();
-    near(&numbers(&found), &numbers(&expected), 1e-5);
+    near(F::NAME, &numbers(&found), &numbers(&expected), 1e-5);
     let seeds: Vec<F::Out<f32>> = found.iter().map(|_| F::Out::filled(0.75)).collect();
     let (by_context, by_vertex) = programs
         .fold_vjp(run, context, vertices, offsets, &seeds)
@@ -118,9 +118,9 @@ fn folds_agree<F: Fold, C: geograd::kernels::Columns<Row = F::Context<f32>> + Co
         .fold_vjp(run, context, vertices, offsets, &seeds)
         .unwrap();
     let flat = |all: &[Vec2<f32>]| -> Vec<f32> { all.iter().flat_map(Pack::scalars).collect() };
-    near(&flat(&by_vertex), &flat(&expected.1), 2e-5);
+    near(F::NAME, &flat(&by_vertex), &flat(&expected.1), 2e-5);
     assert_eq!(by_context.len(), expected.0.len());
     for (found, expected) in by_context.iter().zip(&expected.0) {
-        near(&found.scalars(), &expected.scalars(), 2e-5);
+        near(F::NAME, &found.scalars(), &expected.scalars(), 2e-5);
     }
 }

@@ -1,12 +1,16 @@
 //! Suppression on a GPU: exactly what the processor keeps.
 use crate::{gpu, small};
 use geograd::ad::check::sample::Draw;
-use geograd::kernels::gpu::Gpu;
+use geograd::ad::program::{Program, Sym};
+use geograd::kernels::cpu::Face;
+use geograd::kernels::gpu::{Generated, Gpu};
+use geograd::kernels::op::Ask;
 use geograd::kernels::ops::{iou, overlap, overlap3};
 use geograd::kernels::{Backend, Cpu, Runs, Single};
 use geograd::shape::{Obb3, Rotation3, YawBox3};
 use geograd::suppression::Rules;
-use geograd::{Error, GpuFault, Obb2, Vec3};
+use geograd::{Error, GpuFault, Obb2, Scalar, Vec3};
+use std::sync::Arc;
 
 /// Detections that crowd around some objects, with scores of which many are the same.
 struct Scene<A> {
@@ -257,4 +261,26 @@ fn few_and_bad_ones() {
     gpu.destroy();
     let refused = gpu.programs().suppress(run, &one, &[0.5], rules);
     assert_eq!(refused.unwrap_err(), Error::Gpu(GpuFault::DeviceLost));
+}
+
+/// An IoU that a driver gets wrong by two thousandths.
+#[derive(Clone, Copy, Debug)]
+struct Off;
+
+impl Runs<(Obb2<f32>, Obb2<f32>)> for Off {
+    type Out = f32;
+    fn face(&self, ask: Ask) -> Result<Arc<Face<f32>>, Error> {
+        overlap::IouObb2.face(ask)
+    }
+    fn generated(&self, ask: Ask) -> Result<Arc<Generated<f32>>, Error> {
+        type Boxes = (Obb2<Sym<f32>>, Obb2<Sym<f32>>);
+        Program::trace(|(a, b): Boxes| a.iou(b) + Sym::lit(0.002))?.generated(ask)
+    }
+}
+
+/// What rounding may decide is decided on the processor, whatever the driver makes of it.
+#[test]
+fn a_driver_that_is_off() {
+    let Some((_turn, gpu)) = gpu() else { return };
+    agrees(gpu, Off, &scene(500, 20, 9, flat));
 }
