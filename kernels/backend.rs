@@ -91,8 +91,7 @@ impl Backend<'_> {
     ///
     /// # Errors
     ///
-    /// As on the CPU; [`Error::Gpu`] are the GPU's, which does not serve what searches
-    /// ([`Unrecordable::Search`](crate::Unrecordable::Search)).
+    /// As on the CPU; [`Error::Gpu`] are the GPU's.
     pub fn run<C: Columns, R: Runs<C::Row>>(
         self,
         run: R,
@@ -155,7 +154,8 @@ impl Backend<'_> {
     ///
     /// # Errors
     ///
-    /// As [`run`](Backend::run).
+    /// As [`run`](Backend::run); a GPU does not serve all pairs of what searches
+    /// ([`Unrecordable::Search`](crate::Unrecordable::Search)).
     pub fn run_pairs<A: Single<Scalar = f32>, B: Single<Scalar = f32>, R: Runs<(A, B)>>(
         self,
         run: R,

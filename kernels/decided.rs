@@ -6,10 +6,10 @@
 use crate::error::Error;
 use crate::kernels::cpu::plan::{Face, Known, Want, known, of_items};
 use crate::kernels::op::{Ask, Jumps, Promise, Source};
-use crate::kernels::real::Real;
-use crate::kernels::row::{Row, get, leaves_of};
+use crate::kernels::row::{Row, by_kind, by_shape, get, leaves_of};
 use crate::{Fixed, Jet, Pack, Scalar};
 use std::fmt::Debug;
+use std::hash::Hash;
 use std::sync::Arc;
 
 /// An operation with a search.
@@ -20,8 +20,8 @@ pub trait Decided: Copy + Debug + Default + Send + Sync + 'static {
     type In<S: Scalar>: Fixed<Scalar = S>;
     /// What it gives, made of the same scalar.
     type Out<S: Scalar>: Fixed<Scalar = S>;
-    /// What was decided.
-    type Record: Copy;
+    /// What was decided. Items of the same record are replayed alike: a GPU is given every replay once.
+    type Record: Copy + Eq + Hash + Send + Sync + 'static;
     /// Motions it follows; `&[]` says that it promises none.
     const PROMISES: &'static [Promise];
     /// Where its value may jump.
@@ -44,24 +44,32 @@ pub trait Decided: Copy + Debug + Default + Send + Sync + 'static {
 const AT_A_TIME: usize = 4;
 
 /// The result of one item, and slopes times a cotangent (ones, if there is none).
-fn item<D: Decided, T: Real>(numbers: &[T], out_bar: Option<&[T]>, out: &mut [T], slopes: bool) {
-    let input = get::<D::In<T>>(numbers);
-    let record = D::decide(input);
-    let result = D::Out::<T>::LEN;
-    D::replay(input, record).store(out);
+fn item<D: Decided<In<<R as Pack>::Scalar> = R>, R: Row>(
+    numbers: &[R::Scalar],
+    out_bar: Option<&[R::Scalar]>,
+    out: &mut [R::Scalar],
+    slopes: bool,
+) {
+    let numbers = by_kind::<R>(numbers);
+    let input = get::<R>(&numbers);
+    let record = D::decide::<R::Scalar>(input);
+    let result = D::Out::<R::Scalar>::LEN;
+    D::replay::<R::Scalar>(input, record).store(out);
     if !slopes {
         return;
     }
     let codes: Vec<u32> = input.codes();
-    let bars = &mut out[result..];
-    for first in (0..D::In::<T>::LEN).step_by(AT_A_TIME) {
-        let jets = numbers[..D::In::<T>::LEN].iter().enumerate();
-        let jets: Vec<Jet<T, AT_A_TIME>> = jets
+    let numbers = &numbers[..R::LEN];
+    let mut bars = vec![R::Scalar::default(); R::LEN];
+    for first in (0..R::LEN).step_by(AT_A_TIME) {
+        let jets = numbers.iter().enumerate();
+        let jets: Vec<Jet<R::Scalar, AT_A_TIME>> = jets
             .map(|(i, &x)| Jet::variable(x, i.wrapping_sub(first)))
             .collect();
-        let moved = D::In::<Jet<T, AT_A_TIME>>::load(&jets).load_codes(&codes);
-        for (k, jet) in D::replay(moved, record).scalars().into_iter().enumerate() {
-            let by = out_bar.map_or(T::one(), |out_bar| out_bar[k]);
+        let moved = D::In::<Jet<R::Scalar, AT_A_TIME>>::load(&jets).load_codes(&codes);
+        let replayed = D::replay::<Jet<R::Scalar, AT_A_TIME>>(moved, record);
+        for (k, jet) in replayed.scalars().into_iter().enumerate() {
+            let by = out_bar.map_or(R::Scalar::one(), |out_bar| out_bar[k]);
             for (bar, slope) in bars[first..].iter_mut().zip(jet.slope) {
                 *bar = if k == 0 {
                     slope * by
@@ -72,11 +80,7 @@ fn item<D: Decided, T: Real>(numbers: &[T], out_bar: Option<&[T]>, out: &mut [T]
         }
     }
     // A gradient has the input's codes.
-    let mut own = vec![T::default(); D::In::<T>::CODES];
-    for (x, &code) in own.iter_mut().zip(&codes) {
-        *x = T::lit(f64::from(code));
-    }
-    bars[D::In::<T>::LEN..].copy_from_slice(&own);
+    by_shape::<R>(&bars, &codes, &mut out[result..]);
 }
 
 /// How batches compute what is wanted of an operation.
@@ -94,13 +98,38 @@ where
             leaves_of::<R>(),
             outputs,
             match want {
-                Want::Value => |x, bar, out| item::<D, R::Scalar>(x, bar, out, false),
-                Want::ValueGrad | Want::Vjp => {
-                    |x, bar, out| item::<D, R::Scalar>(x, bar, out, true)
-                }
+                Want::Value => |x, bar, out| item::<D, R>(x, bar, out, false),
+                Want::ValueGrad | Want::Vjp => |x, bar, out| item::<D, R>(x, bar, out, true),
             },
         ))
     })
+}
+
+/// What a GPU replays of an operation with a search; nothing without the feature `gpu`.
+#[cfg(feature = "gpu")]
+#[doc(hidden)]
+#[macro_export]
+macro_rules! __replays {
+    ([$scalar:ident] $op:ty, $input:ty, $want:ident) => {
+        fn replays(
+            &self,
+        ) -> ::core::option::Option<
+            ::core::result::Result<
+                ::std::sync::Arc<dyn $crate::kernels::replays::Replays<$scalar>>,
+                $crate::Error,
+            >,
+        > {
+            ::core::option::Option::Some($crate::kernels::replays::of::<$op, $input>(
+                $crate::kernels::cpu::Want::$want,
+            ))
+        }
+    };
+}
+#[cfg(not(feature = "gpu"))]
+#[doc(hidden)]
+#[macro_export]
+macro_rules! __replays {
+    ($($nothing:tt)*) => {};
 }
 
 /// Lists what batches run of an operation with a search: itself, its gradient, its adjoint. The macro is
@@ -120,6 +149,7 @@ macro_rules! __runs_decided {
             ) -> ::core::result::Result<::std::sync::Arc<$crate::kernels::cpu::Face<S>>, $crate::Error> {
                 $crate::kernels::decided::face::<Self, $input>($crate::kernels::cpu::Want::Value, ask)
             }
+            $crate::__replays!([S] Self, $input, Value);
         }
         impl<S: $crate::kernels::real::Real, $($constant)*> $crate::kernels::Runs<$input>
             for $crate::kernels::op::ValueGrad<$op>
@@ -133,6 +163,7 @@ macro_rules! __runs_decided {
             ) -> ::core::result::Result<::std::sync::Arc<$crate::kernels::cpu::Face<S>>, $crate::Error> {
                 $crate::kernels::decided::face::<$op, $input>($crate::kernels::cpu::Want::ValueGrad, ask)
             }
+            $crate::__replays!([S] $op, $input, ValueGrad);
         }
         impl<S: $crate::kernels::real::Real, $($constant)*> $crate::kernels::Runs<($input, $out)>
             for $crate::kernels::op::Vjp<$op>
@@ -146,6 +177,7 @@ macro_rules! __runs_decided {
             ) -> ::core::result::Result<::std::sync::Arc<$crate::kernels::cpu::Face<S>>, $crate::Error> {
                 $crate::kernels::decided::face::<$op, $input>($crate::kernels::cpu::Want::Vjp, ask)
             }
+            $crate::__replays!([S] $op, $input, Vjp);
         }
     };
 }

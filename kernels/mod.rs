@@ -14,7 +14,7 @@
 //! ([`Decided`]); a [`Program`](crate::Program). Columns are slices, vectors or [`One`]. Forms that end in `_into` write to
 //! what the caller has. [`operation!`](crate::operation) makes a function an operation.
 //!
-//! The same calls run on GPUs, but for searches: [`gpu`]. [`Backend`] is one front for both machines, and
+//! The same calls run on GPUs, but for all pairs of searches: [`gpu`]. [`Backend`] is one front for both machines, and
 //! [`resident`] keeps columns and results where they are between its calls.
 #[forbid(unsafe_code)]
 pub mod backend;
@@ -49,6 +49,10 @@ pub mod real;
 mod recorded_subject;
 #[forbid(unsafe_code)]
 pub mod reduce;
+#[cfg(feature = "gpu")]
+#[doc(hidden)]
+#[forbid(unsafe_code)]
+pub mod replays;
 #[forbid(unsafe_code)]
 pub mod resident;
 #[forbid(unsafe_code)]
@@ -57,6 +61,8 @@ pub mod row;
 mod subject;
 #[forbid(unsafe_code)]
 mod suppress;
+#[forbid(unsafe_code)]
+mod targets;
 #[forbid(unsafe_code)]
 pub mod witness;
 
@@ -138,7 +144,8 @@ pub use ops::polygon::{
 };
 pub use ops::ring::{Centroid, Perimeter, SignedArea};
 pub use ops::shape::{Circumcircle, Incircle, MoveSegment};
-pub use row::{Column, Columns, One, Row, Skip, Target, Targets};
+pub use row::{Column, Columns, One, Row, Target};
+pub use targets::{Skip, Targets};
 
 /// Every operation, one per line: a name and a type. Tests, benches and documentation walk this
 /// list.

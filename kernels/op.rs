@@ -33,6 +33,8 @@ use crate::kernels::cpu::plan::{self, Compiled, Face, Want};
 use crate::kernels::cpu::rings::Measure;
 #[cfg(feature = "gpu")]
 use crate::kernels::gpu::Generated;
+#[cfg(feature = "gpu")]
+use crate::kernels::replays::Replays;
 use crate::kernels::row::Row;
 use crate::{Fixed, Pack, Scalar, Vec2};
 use std::fmt::Debug;
@@ -169,6 +171,12 @@ pub trait Runs<R: Row> {
     #[doc(hidden)]
     fn generated(&self, _ask: Ask) -> Result<Arc<Generated<R::Scalar>>, Error> {
         Err(Error::Program(crate::Unrecordable::Search))
+    }
+    /// What a GPU replays of it, if it searches.
+    #[cfg(feature = "gpu")]
+    #[doc(hidden)]
+    fn replays(&self) -> Option<Result<Arc<dyn Replays<R::Scalar>>, Error>> {
+        None
     }
 }
 

@@ -3,7 +3,7 @@
 //! A *column* holds one argument of every item: a slice of shapes, or [`One`] that stands for all.
 //! Several columns are a tuple: `(&points, One(circle))`. Results come out column by column, too: a
 //! batch whose result is a number and a shape gives `(Vec<f64>, Vec<Shape>)`.
-use crate::error::{Flaw, Validate};
+use crate::error::{Field, Flaw, Validate};
 use crate::kernels::cpu::arch;
 use crate::kernels::real::Real;
 use crate::{Fixed, Pack};
@@ -13,8 +13,12 @@ use std::ops::Range;
 /// One shape of a row, as numbers.
 #[derive(Debug)]
 pub struct Leaf<T> {
-    /// How many numbers.
+    /// How many numbers: scalars, then codes.
     pub fields: usize,
+    /// How many of them are codes.
+    pub codes: usize,
+    /// The name of a scalar.
+    pub name: fn(usize) -> Field,
     /// What is wrong with numbers of such a shape.
     pub check: fn(&[T]) -> Result<(), Flaw>,
 }
@@ -72,11 +76,42 @@ pub(crate) fn put<P: Fixed<Scalar: Real>>(shape: P, numbers: &mut [P::Scalar]) {
     }
 }
 
+/// The numbers of a row, which come shape by shape, as all scalars and then all codes.
+pub(crate) fn by_kind<R: Row>(numbers: &[R::Scalar]) -> Vec<R::Scalar> {
+    let (mut scalars, mut codes) = (Vec::with_capacity(numbers.len()), Vec::new());
+    let mut rest = numbers;
+    R::leaves(&mut |leaf| {
+        let (own, others) = rest.split_at(leaf.fields);
+        let (own, own_codes) = own.split_at(leaf.fields - leaf.codes);
+        scalars.extend_from_slice(own);
+        codes.extend_from_slice(own_codes);
+        rest = others;
+    });
+    scalars.extend(codes);
+    scalars
+}
+
+/// All scalars of a row, and all codes, shape by shape.
+pub(crate) fn by_shape<R: Row>(mut scalars: &[R::Scalar], codes: &[u32], mut to: &mut [R::Scalar]) {
+    let mut codes = codes.iter();
+    R::leaves(&mut |leaf| {
+        let (own, rest) = std::mem::take(&mut to).split_at_mut(leaf.fields);
+        let (own_scalars, others) = scalars.split_at(leaf.fields - leaf.codes);
+        own[..own_scalars.len()].copy_from_slice(own_scalars);
+        for (x, &code) in own[own_scalars.len()..].iter_mut().zip(&mut codes) {
+            *x = crate::Scalar::lit(f64::from(code));
+        }
+        (to, scalars) = (rest, others);
+    });
+}
+
 /// The leaf of a shape that is one.
 #[doc(hidden)]
 pub fn leaf<P: Row + Validate>() -> Leaf<P::Scalar> {
     Leaf {
         fields: width::<P>(),
+        codes: P::CODES,
+        name: P::name,
         check: |numbers| get::<P>(numbers).validate(),
     }
 }
@@ -224,8 +259,10 @@ impl<'a, T: Real> Column<'a, T> {
         Column {
             numbers: Numbers::Read(Box::new(move |items, rows| {
                 let mut all = vec![T::default(); width::<P>()];
+                let mut scalars = vec![T::default(); P::LEN];
                 for (shape, row) in shapes[items].iter().zip(rows.chunks_exact_mut(fields)) {
-                    shape.store(&mut all);
+                    shape.store(&mut scalars);
+                    by_shape::<P>(&scalars, &shape.codes(), &mut all);
                     row.copy_from_slice(&all[part.clone()]);
                 }
             })),
@@ -421,56 +458,3 @@ impl<T> Piece<'_, T> {
         }
     }
 }
-
-/// Where the results of a batch go: a slice or vector for every shape of a result, in a tuple like
-/// the result's; [`Skip`] for what is not wanted.
-pub trait Targets<R: Row> {
-    /// The targets, one per shape of a result.
-    #[doc(hidden)]
-    fn list<'a>(&'a mut self, add: &mut dyn FnMut(Option<Target<'a, R::Scalar>>));
-}
-
-/// In the place of results that nobody wants.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub struct Skip;
-
-impl<R: Row> Targets<R> for Skip {
-    fn list<'a>(&'a mut self, add: &mut dyn FnMut(Option<Target<'a, R::Scalar>>)) {
-        R::leaves(&mut |_| add(None));
-    }
-}
-impl<R: Row<Many = Vec<R>>> Targets<R> for &mut [R] {
-    fn list<'a>(&'a mut self, add: &mut dyn FnMut(Option<Target<'a, R::Scalar>>)) {
-        add(Some(target(self)));
-    }
-}
-impl<R: Row<Many = Vec<R>>> Targets<R> for &mut Vec<R> {
-    fn list<'a>(&'a mut self, add: &mut dyn FnMut(Option<Target<'a, R::Scalar>>)) {
-        add(Some(target(self)));
-    }
-}
-impl<R: Row<Many = Vec<R>>, const N: usize> Targets<R> for &mut [R; N] {
-    fn list<'a>(&'a mut self, add: &mut dyn FnMut(Option<Target<'a, R::Scalar>>)) {
-        add(Some(target(&mut self[..])));
-    }
-}
-
-/// Targets of several results.
-macro_rules! targets {
-    ($($first:ident $of_first:ident $($name:ident $of:ident)*;)*) => { $(
-        impl<$first: Row, $($name: Row<Scalar = $first::Scalar>,)* $of_first, $($of),*>
-            Targets<($first, $($name,)*)> for ($of_first, $($of,)*)
-        where
-            $of_first: Targets<$first>,
-            $($of: Targets<$name>,)*
-        {
-            #[allow(non_snake_case)]
-            fn list<'a>(&'a mut self, add: &mut dyn FnMut(Option<Target<'a, $first::Scalar>>)) {
-                let ($of_first, $($of,)*) = self;
-                $of_first.list(add);
-                $($of.list(add);)*
-            }
-        }
-    )* };
-}
-targets!(A X B Y; A X B Y C Z; A X B Y C Z D W; A X B Y C Z D W E V; A X B Y C Z D W E V F U;);

@@ -2,10 +2,11 @@
 //! no more of them than it needs.
 use crate::Error;
 use crate::error::Argument;
+use crate::kernels::Backend;
 use crate::kernels::cpu::all_pairs::pairs;
 use crate::kernels::cpu::checked::check;
 use crate::kernels::cpu::greedy::Greed;
-use crate::kernels::cpu::{Cpu, Single};
+use crate::kernels::cpu::{Cpu, Face, Single};
 use crate::kernels::op::{Ask, Runs};
 use crate::kernels::real::Real;
 use crate::kernels::reduce::{Found, check_threshold};
@@ -79,30 +80,105 @@ impl Cpu {
         R: Runs<(A, A), Out = A::Scalar>,
         A::Scalar: crate::Scalar<Mask = bool>,
     {
-        if scores.len() != shapes.len() {
-            return Err(Error::Length {
-                argument: Argument::Named("scores"),
-                expected: shapes.len(),
-                found: scores.len(),
-            });
-        }
-        check_rules(shapes.len(), &rules)?;
-        check_threshold(rules.overlap)?;
+        checked(shapes.len(), scores, &rules)?;
         let face = run.face(Ask::PAIRS)?;
-        // Of all of them, so that errors name the caller's rows.
-        check(Argument::A, &face.arguments[0], &Column::of(shapes))?;
-        let order = order(scores, rules.score)?;
-        let sorted: Vec<A> = order.iter().map(|&i| shapes[i]).collect();
-        let classes: Option<Vec<u32>> = rules
-            .classes
-            .map(|classes| order.iter().map(|&i| classes[i]).collect());
-        let greed = Greed {
+        let ranked = ranked(&face, shapes, scores, &rules)?;
+        let pairs = pairs(self, &face, &ranked.shapes, &ranked.shapes)?;
+        let kept = (A::Scalar::drivers().suppress)(&pairs, ranked.greed(&rules));
+        Ok(kept.into_iter().map(|place| ranked.order[place]).collect())
+    }
+}
+
+/// Checks what suppression is asked for, but for the shapes.
+pub(crate) fn checked<S: Real>(
+    count: usize,
+    scores: &[S],
+    rules: &Rules<'_, S>,
+) -> Result<(), Error> {
+    if scores.len() != count {
+        return Err(Error::Length {
+            argument: Argument::Named("scores"),
+            expected: count,
+            found: scores.len(),
+        });
+    }
+    check_rules(count, rules)?;
+    check_threshold(rules.overlap)
+}
+
+/// The shapes that count, the best first.
+pub(crate) struct Ranked<A> {
+    /// Their places in the caller's list.
+    pub order: Vec<usize>,
+    pub shapes: Vec<A>,
+    /// Their classes, where there is more than one.
+    pub classes: Option<Vec<u32>>,
+}
+
+impl<A: Single> Ranked<A> {
+    /// What suppresses.
+    pub fn greed(&self, rules: &Rules<'_, A::Scalar>) -> Greed<'_, A::Scalar> {
+        Greed {
             threshold: rules.overlap,
-            classes: classes.as_deref(),
+            classes: self.classes.as_deref(),
             most: rules.most,
-        };
-        let pairs = pairs(self, &face, &sorted, &sorted)?;
-        let kept = (A::Scalar::drivers().suppress)(&pairs, greed);
-        Ok(kept.into_iter().map(|place| order[place]).collect())
+        }
+    }
+}
+
+/// Checks shapes and sorts those that count.
+pub(crate) fn ranked<A: Single>(
+    face: &Face<A::Scalar>,
+    shapes: &[A],
+    scores: &[A::Scalar],
+    rules: &Rules<'_, A::Scalar>,
+) -> Result<Ranked<A>, Error> {
+    // Of all of them, so that errors name the caller's rows.
+    check(Argument::A, &face.arguments[0], &Column::of(shapes))?;
+    let order = order(scores, rules.score)?;
+    Ok(Ranked {
+        shapes: order.iter().map(|&i| shapes[i]).collect(),
+        classes: rules
+            .classes
+            .map(|classes| order.iter().map(|&i| classes[i]).collect()),
+        order,
+    })
+}
+
+impl Backend<'_> {
+    /// The shapes that no better one, kept itself, overlaps by more than the threshold, the best first:
+    /// [`Cpu::suppress`], and the same places on a GPU.
+    ///
+    /// ```
+    /// use geograd::kernels::{Backend, IouObb2};
+    /// use geograd::suppression::Rules;
+    /// use geograd::Obb2;
+    ///
+    /// let boxes = [0.0, 0.2, 3.0].map(|x| Obb2::new(x, 0.0, 2.0, 1.0, 0.0));
+    /// let kept = Backend::Cpu.suppress(IouObb2, &boxes, &[0.6, 0.9, 0.5], Rules::above(0.5))?;
+    /// assert_eq!(kept, [1, 2]);
+    /// # Ok::<(), geograd::Error>(())
+    /// ```
+    ///
+    /// # Errors
+    ///
+    /// As on the CPU; [`Error::Gpu`] are the GPU's.
+    pub fn suppress<A: Single<Scalar = f32>, R>(
+        self,
+        run: R,
+        shapes: &[A],
+        scores: &[f32],
+        rules: Rules<'_, f32>,
+    ) -> Result<Vec<usize>, Error>
+    where
+        R: Runs<(A, A), Out = f32>,
+    {
+        match self {
+            Backend::Cpu => Cpu::new().suppress(run, shapes, scores, rules),
+            #[cfg(feature = "gpu")]
+            Backend::Gpu(gpu) => gpu.programs().suppress(run, shapes, scores, rules),
+            #[cfg(not(feature = "gpu"))]
+            Backend::Gpu(gpu) => match *gpu {},
+        }
     }
 }

@@ -31,7 +31,7 @@
 //! | `boxes_overlap_bev_gpu`, `boxes_aligned_overlap_bev_gpu`, `paired_boxes_overlap_bev_gpu` | [`IntersectionAreaObb2`] of [`birds_eye`](crate::shape::YawBox3::birds_eye) |
 //! | `boxes_iou3d_gpu` | [`Cpu::all_pairs`] of [`IouYaw`] |
 //! | `boxes_aligned_iou3d_gpu`, `paired_boxes_iou3d_gpu` | [`Cpu::aligned`] of [`IouYaw`] |
-//! | `nms_gpu` | [`Cpu::overlaps`] of [`IouBirdsEye`], then [`suppression::hard`](crate::suppression::hard()) |
+//! | `nms_gpu` | [`Backend::suppress`] of [`IouBirdsEye`], the same places on CPU and GPU |
 //! | `nms_normal_gpu` | the same with [`IouAabb2`] |
 //! | `points_in_boxes_cpu`, `points_in_boxes_gpu` | [`Cpu::first_box`], [`Cpu::boxes_of_points`], [`Cpu::points_per_box`]; no margin of a centimetre |
 //! | `boxes_to_corners_3d` | [`YawBox3::corners`](crate::shape::YawBox3::corners) |
@@ -99,7 +99,7 @@
 //! [`Op::value_grad`]: crate::kernels::Op::value_grad
 #[expect(unused_imports, reason = "names in the documentation")]
 use crate::kernels::{
-    Cpu, DiouBoxObb2, DiouObb2, DiouYaw, DistanceNumberInterval, GiouBoxAabb2, GiouBoxObb2,
-    GiouObb2, IntersectionAreaObb2, IofAabb2, IofObb2, IouAabb2, IouBirdsEye, IouIntervals,
-    IouObb2, IouObb3, IouYaw, SignedDistancePointObb2, WassersteinObb2,
+    Backend, Cpu, DiouBoxObb2, DiouObb2, DiouYaw, DistanceNumberInterval, GiouBoxAabb2,
+    GiouBoxObb2, GiouObb2, IntersectionAreaObb2, IofAabb2, IofObb2, IouAabb2, IouBirdsEye,
+    IouIntervals, IouObb2, IouObb3, IouYaw, SignedDistancePointObb2, WassersteinObb2,
 };

@@ -9,6 +9,10 @@ use crate::{Error, Fixed, Scalar, Unrecordable};
 /// How many inputs a function that asks for hints is tried on.
 const TRIALS: usize = 192;
 
+/// The same for one of many replays of a function.
+#[cfg(feature = "gpu")]
+const TRIALS_OF_REPLAY: usize = 12;
+
 /// A function of shapes as one of lists of symbols.
 type Listed<'a, T> = &'a dyn Fn(&[Sym<T>]) -> Vec<Sym<T>>;
 
@@ -23,14 +27,39 @@ where
         return Err(Error::Program(Unrecordable::Codes));
     }
     // All that follows is compiled once per format, and the function itself once.
-    listed(X::LEN, &|symbols| numbers(function(X::load(symbols))))
+    listed(X::LEN, TRIALS, &|symbols| {
+        numbers(function(X::load(symbols)))
+    })
+}
+
+/// Records a function of shapes of symbols whose input has these codes.
+#[cfg(feature = "gpu")]
+pub(crate) fn record_with_codes<T, X, Y>(
+    codes: &[u32],
+    function: impl Fn(X) -> Y,
+) -> Result<Recorded, Error>
+where
+    T: Plain,
+    X: Fixed<Scalar = Sym<T>>,
+    Y: Fixed<Scalar = Sym<T>>,
+{
+    if Y::CODES > 0 {
+        return Err(Error::Program(Unrecordable::Codes));
+    }
+    listed(X::LEN, TRIALS_OF_REPLAY, &|symbols| {
+        numbers(function(X::load(symbols).load_codes(codes)))
+    })
 }
 
 /// Records a function of lists of symbols.
-fn listed<T: Plain>(inputs: usize, function: Listed<'_, T>) -> Result<Recorded, Error> {
+fn listed<T: Plain>(
+    inputs: usize,
+    trials: usize,
+    function: Listed<'_, T>,
+) -> Result<Recorded, Error> {
     let (recorded, hints) = recorded(inputs, function).map_err(Error::Program)?;
     // Without hints there is one way through the function, which was recorded.
-    if hints > 0 && !(0..TRIALS).all(|trial| agrees(&recorded, inputs, function, trial)) {
+    if hints > 0 && !(0..trials).all(|trial| agrees(&recorded, inputs, function, trial)) {
         return Err(Error::Program(Unrecordable::Hint));
     }
     Ok(recorded)

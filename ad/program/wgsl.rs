@@ -12,7 +12,8 @@ pub const WGSL: &str = include_str!("prelude.wgsl");
 const RESERVED: &str = include_str!("reserved.txt");
 
 /// The words with a meaning in the text of a program.
-const USED: &str = "f32 i32 u32 bool array vec2f select bitcast abs min max floor clamp log sqrt";
+const USED: &str =
+    "f32 i32 u32 bool array vec2f select bitcast abs min max floor clamp log sqrt round";
 
 /// `Ok` for a name that a function of a shader may have beside [`WGSL`].
 pub(super) fn checked(name: &str) -> Result<(), Unrecordable> {
@@ -38,18 +39,36 @@ pub(super) fn function(name: &str, recorded: &Recorded) -> String {
         &recorded.value.graph,
         &recorded.value.outputs,
         recorded.inputs,
+        &[],
     )
 }
 
-/// A graph without grafts as a function of so many numbers.
-pub(crate) fn function_of(name: &str, graph: &Graph, outputs: &[Id], inputs: usize) -> String {
+/// A graph without grafts as a function of so many numbers, of which the first ones have names.
+pub(crate) fn function_of(
+    name: &str,
+    graph: &Graph,
+    outputs: &[Id],
+    inputs: usize,
+    names: &[String],
+) -> String {
     let count = outputs.len();
     let mut text = format!("fn {name}(x: array<f32, {inputs}>) -> array<f32, {count}> {{\n");
+    let mut known: Vec<String> = Vec::with_capacity(graph.len());
     // Writing to a string does not fail.
     for (i, &node) in graph.nodes().iter().enumerate() {
-        let _ = writeln!(text, "    let v{i} = {};", expression(node));
+        let own = match node {
+            Node::Input(place) => names.get(place as usize).cloned(),
+            _ => None,
+        };
+        let own = own.unwrap_or_else(|| format!("v{i}"));
+        let value = match rounded(graph, node) {
+            Some(x) => format!("round({})", known[x as usize]),
+            None => expression(node, &known),
+        };
+        let _ = writeln!(text, "    let {own} = {value};");
+        known.push(own);
     }
-    let results: Vec<String> = outputs.iter().map(|&x| format!("v{x}")).collect();
+    let results: Vec<&str> = outputs.iter().map(|&x| &*known[x as usize]).collect();
     let _ = writeln!(
         text,
         "    return array<f32, {count}>({});\n}}",
@@ -58,18 +77,35 @@ pub(crate) fn function_of(name: &str, graph: &Graph, outputs: &[Id], inputs: usi
     text
 }
 
-/// One operation on earlier results.
-fn expression(node: Node) -> String {
+/// What is rounded to a whole number by adding a large one and taking it away again. Drivers may take the
+/// two for nothing (Mesa's do); WGSL has a function for it, which rounds the same way.
+fn rounded(graph: &Graph, node: Node) -> Option<Id> {
+    const SHIFT: f64 = 1.5 * (1 << 23) as f64;
+    let is_shift = |x: Id| graph.constant(x) == Some(SHIFT);
+    let Node::Sub(sum, shift) = node else {
+        return None;
+    };
+    match graph.at(sum) {
+        Node::Add(x, y) if is_shift(shift) && is_shift(y) => Some(x),
+        Node::Add(y, x) if is_shift(shift) && is_shift(y) => Some(x),
+        _ => None,
+    }
+}
+
+/// One operation on earlier results, which have names.
+fn expression(node: Node, known: &[String]) -> String {
     use Node::*;
-    let one = |f: &str, x: Id| format!("{f}(v{x})");
-    let two = |f: &str, a: Id, b: Id| format!("{f}(v{a}, v{b})");
-    let between = |a: Id, sign: &str, b: Id| format!("v{a} {sign} v{b}");
+    let v = |x: Id| &*known[x as usize];
+    let one = |f: &str, x: Id| format!("{f}({})", v(x));
+    let two = |f: &str, a: Id, b: Id| format!("{f}({}, {})", v(a), v(b));
+    let three = |f: &str, a: Id, b: Id, c: Id| format!("{f}({}, {}, {})", v(a), v(b), v(c));
+    let between = |a: Id, sign: &str, b: Id| format!("{} {sign} {}", v(a), v(b));
     match node {
         Const(bits) => literal(f64::from_bits(bits) as f32),
         Bool(truth) => truth.to_string(),
         Input(place) => format!("x[{place}]"),
-        Neg(x) => format!("-v{x}"),
-        Canonical(x) => format!("v{x} + 0.0"),
+        Neg(x) => format!("-{}", v(x)),
+        Canonical(x) => format!("{} + 0.0", v(x)),
         Add(a, b) => between(a, "+", b),
         Sub(a, b) => between(a, "-", b),
         Mul(a, b) => between(a, "*", b),
@@ -89,16 +125,16 @@ fn expression(node: Node) -> String {
         Ln(x) => one("program_ln", x),
         Binade(x) => one("program_binade", x),
         High(x) => one("program_high", x),
-        Graft { value, .. } => format!("v{value}"),
-        Split(a, b, bar) => format!("program_split(v{a}, v{b}, v{bar})"),
-        Rest(a, b, bar) => format!("program_rest(v{a}, v{b}, v{bar})"),
+        Graft { value, .. } => v(value).to_owned(),
+        Split(a, b, bar) => three("program_split", a, b, bar),
+        Rest(a, b, bar) => three("program_rest", a, b, bar),
         Lt(a, b) => between(a, "<", b),
         Le(a, b) => between(a, "<=", b),
         Eq(a, b) => between(a, "==", b),
         And(a, b) => between(a, "&", b),
         Or(a, b) => between(a, "|", b),
-        Not(x) => format!("!v{x}"),
-        Select(mask, yes, no) => format!("select(v{no}, v{yes}, v{mask})"),
+        Not(x) => format!("!{}", v(x)),
+        Select(mask, yes, no) => three("select", no, yes, mask),
     }
 }
 

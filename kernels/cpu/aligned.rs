@@ -7,7 +7,8 @@ use crate::kernels::cpu::desk::Aligned;
 use crate::kernels::cpu::plan::{Face, Preparation};
 use crate::kernels::op::{Ask, Runs};
 use crate::kernels::real::Real;
-use crate::kernels::row::{Column, Columns, Row, Target, Targets};
+use crate::kernels::row::{Column, Columns, Row, Target};
+use crate::kernels::targets::Targets;
 
 /// The scalar of columns.
 type ScalarOf<C> = <<C as Columns>::Row as Pack>::Scalar;

@@ -2,7 +2,7 @@
 use crate::ad::program::record::record;
 use crate::ad::program::recorded::Recorded;
 use crate::ad::program::{Plain, Sym};
-use crate::error::Argument;
+use crate::error::{Argument, Field};
 use crate::kernels::cpu::Cpu;
 use crate::kernels::cpu::checked::{check, check_upstream, expect};
 use crate::kernels::cpu::desk::Aligned;
@@ -227,6 +227,8 @@ fn face<T: Real>(
 ) -> Result<Face<T>, Error> {
     let leaf = |fields| Leaf {
         fields,
+        codes: 0,
+        name: |_| Field::VALUE,
         check: |_: &[T]| Ok(()),
     };
     let arguments = [wide, 4].into_iter().filter(|&fields| fields > 0).map(leaf);

@@ -26,7 +26,8 @@ impl<T: Real> Pairs<'_, T> {
     pub fn counts(&self) -> [usize; 2] {
         [0, 1].map(|k| self.numbers[k].len() / self.face.arguments[k].fields)
     }
-    fn lists(&self) -> [List<'_, T>; 2] {
+    /// Both lists, prepared.
+    pub fn lists(&self) -> [List<'_, T>; 2] {
         let bounded = self.filter && self.face.arguments.iter().all(|x| x.bounds.is_some());
         [0, 1].map(|k| {
             List::new(

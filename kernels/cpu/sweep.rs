@@ -66,7 +66,13 @@ pub trait Chooses<T> {
     /// The next row.
     fn next(&mut self) -> Option<usize>;
     /// Whether the row's result with a column is wanted.
-    fn wants(&self, column: usize) -> bool;
+    fn wants(&self, _column: usize) -> bool {
+        true
+    }
+    /// Writes down the columns that are wanted, where they are known without looking for them.
+    fn wanted(&mut self, _columns: &mut Vec<u32>) -> bool {
+        false
+    }
     /// Results of the row with some columns that were wanted.
     fn take(&mut self, columns: &[u32], results: Planes<'_, T>);
 }
@@ -152,9 +158,11 @@ impl<'a, T: Real> Sweep<'a, T> {
             let count = self.b.count;
             let (mut room, mut hits) = (Vec::new(), Vec::new());
             while let Some(row) = who.next() {
-                let near = self.near(row, &mut room);
-                hits.clear();
-                hits.extend(near.iter().filter(|&&column| who.wants(column as usize)));
+                if !who.wanted(&mut hits) {
+                    let near = self.near(row, &mut room);
+                    hits.clear();
+                    hits.extend(near.iter().filter(|&&column| who.wants(column as usize)));
+                }
                 if !hits.is_empty() {
                     desk.choose(row);
                     desk.some(0..count, &hits, &mut |part: Part<'_, T>| {

@@ -21,14 +21,19 @@
 //! | rings | [`Gpu::ragged`], [`Gpu::ragged_vjp`] |
 //! | any operation, any program | [`Gpu::programs`]: `aligned`, `all_pairs`, reductions, `fold` |
 //! | the same over data that stay | [`Backend::resident`](crate::kernels::Backend::resident) |
+//! | suppression, with the processor's result | [`Gpu::programs`]: `suppress` |
 //!
 //! # Two kinds of kernels
 //!
 //! Scores of two boxes in the plane and measures of rings have kernels by hand, over handles of shapes that
 //! stay on the GPU. Everything else, and these as well, runs by kernels that are *generated* from what an
 //! operation was recorded as: [`Gpu::programs`] has the calls of [`Cpu`](crate::kernels::Cpu), with the
-//! operation as a value and slices as columns. What searches (clipping, hulls) has no recording, and is
-//! refused with [`Unrecordable::Search`](crate::Unrecordable::Search).
+//! operation as a value and slices as columns.
+//!
+//! What searches (clipping, hulls) is decided on the processor, item by item, and replayed here, with its
+//! slopes: every record that occurs becomes a list of instructions, and one kernel carries out all of them.
+//! Of all pairs that would decide every pair on the processor, and is refused with
+//! [`Unrecordable::Search`](crate::Unrecordable::Search).
 //!
 //! # Rounding
 //!

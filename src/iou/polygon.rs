@@ -60,7 +60,7 @@ pub fn giou_polygons_replay<S: Scalar, const N: usize, const M: usize, const K: 
 }
 
 /// The two vertices of two polygons that are farthest apart.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub struct FarthestCorners {
     /// One of them, a vertex of either polygon.
     pub from: Corner,

@@ -2,7 +2,7 @@
 use geograd::error::{Argument, Field, Flaw};
 use geograd::kernels::fold::fold;
 use geograd::kernels::{
-    Cpu, Decided, DiameterOfPolygon, One, SecondMomentsOfRing, SignedDistancePointRing,
+    Cpu, Decided, DiameterOfPolygon, IouPolygons, One, SecondMomentsOfRing, SignedDistancePointRing,
 };
 use geograd::measure::moments::{SecondMoments, second_moments};
 use geograd::{ConvexPolygon, Error, Pack, Vec2};
@@ -208,4 +208,33 @@ fn searches_are_decided_and_replayed() {
             ..
         })
     ));
+}
+
+/// Codes stand between the scalars of two shapes.
+#[test]
+fn searches_of_two_shapes() {
+    let ring = |n: u32, x: f64| {
+        let corner = |k: u32| {
+            let (sin, cos) = (f64::from(k) / f64::from(n) * std::f64::consts::TAU).sin_cos();
+            Vec2::new(x + cos, sin)
+        };
+        ConvexPolygon::<f64, 6>::try_new(&(0..n).map(corner).collect::<Vec<_>>()).unwrap()
+    };
+    let a: Vec<_> = (0..40).map(|i| ring(3 + i % 4, 0.0)).collect();
+    let b: Vec<_> = (0..40)
+        .map(|i| ring(3 + i % 3, 0.02 * f64::from(i)))
+        .collect();
+    let cpu = Cpu::new();
+    let (values, (by_a, by_b)) = cpu
+        .aligned(IouPolygons::<6>.value_grad(), (&a, &b))
+        .unwrap();
+    assert_eq!(cpu.aligned(IouPolygons::<6>, (&a, &b)).unwrap(), values);
+    for i in 0..40 {
+        assert_eq!(values[i], a[i].iou(&b[i]), "{i}");
+        assert_eq!((by_a[i].count, by_b[i].count), (a[i].count, b[i].count));
+        // Nothing happens when both move.
+        let sum = by_a[i].vertices.iter().chain(&by_b[i].vertices);
+        let sum = sum.fold(Vec2::zero(), |sum, &bar| sum + bar);
+        assert!(sum.length() < 1e-12, "{i}: {sum:?}");
+    }
 }

@@ -483,6 +483,25 @@ fn suppression_of_boxes_is_that_of_their_pairs() {
     }
 }
 
+/// Boxes too large for compiled kernels, in lists that fill no tile.
+#[test]
+fn suppression_of_huge_boxes() {
+    for count in [1, 15, 17, 30, 600] {
+        let mut boxes: Vec<Obb2<f32>> = (0..count)
+            .map(|k| Obb2::new(3.0 * k as f32, 0.0, 2.0, 1.0, 0.1))
+            .collect();
+        boxes[count / 2] = Obb2::new(0.0, 0.0, 1e30, 1e30, 0.2);
+        let scores = vec![0.5; count];
+        for overlap in [0.0, 0.5] {
+            let pairs = Cpu::new().overlaps(IouObb2, &boxes, overlap).unwrap();
+            assert!(pairs.iter().all(|pair| pair.second < count));
+            let expected = hard(&scores, &pairs, Rules::above(overlap)).unwrap();
+            let kept = Cpu::new().suppress(IouObb2, &boxes, &scores, Rules::above(overlap));
+            assert_eq!(kept.unwrap(), expected, "{count} boxes above {overlap}");
+        }
+    }
+}
+
 #[test]
 fn suppression_of_boxes_says_what_is_wrong() {
     let boxes = [Obb2::new(0.0_f32, 0.0, 1.0, 1.0, 0.0); 3];

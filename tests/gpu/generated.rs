@@ -4,18 +4,18 @@
 //! within its own measured error (`prove_any_on`). Here everything else: the same bits twice, however
 //! batches are cut, and in all pairs what there is in aligned ones, to within what the order of operations
 //! may change.
-use crate::{gpu, small, validate};
+use crate::{any_gpu, gpu, small, validate};
 use geograd::ad::check::Plan;
 use geograd::ad::check::sample::{Draw, Sample, random};
 use geograd::ad::program::{Program, Sym};
 use geograd::error::Argument;
 use geograd::kernels::check::{prove_any_on, prove_with};
-use geograd::kernels::gpu::{Gpu, fold_sources, op_sources};
+use geograd::kernels::gpu::{Gpu, op_sources};
 use geograd::kernels::ops::{distance, fold, iou, iou3, overlap, overlap3};
-use geograd::kernels::{Backend, Cpu, DiameterOfPolygon, Fold, One, Op, Row};
+use geograd::kernels::{Backend, Cpu, One, Op, Row};
 use geograd::{
-    Circle, ConvexPolygon, Error, Fixed, Flaw, GpuFault, Obb2, Pack, Scalar, Segment2,
-    Unrecordable, Vec2, shape::YawBox3 as YawBox,
+    Circle, Error, Fixed, Flaw, GpuFault, Obb2, Pack, Scalar, Segment2, Vec2,
+    shape::YawBox3 as YawBox,
 };
 
 /// Shader text needs no GPU to be judged.
@@ -37,7 +37,7 @@ where
     O::In<f32>: Row<Scalar = f32>,
     O::Out<f32>: Row<Scalar = f32>,
 {
-    let Some((_turn, gpu)) = gpu() else { return };
+    let Some(gpu) = any_gpu() else { return };
     // Of what has tens of thousands of operations, fewer inputs.
     let is_large = O::default().program::<f32>().unwrap().cost().total() > 5000;
     let plan = Plan {
@@ -325,98 +325,6 @@ fn programs_run_as_operations_do() {
     }
 }
 
-/// Rings and chains of many sizes, empty ones among them.
-fn paths() -> (Vec<Vec2<f32>>, Vec<usize>) {
-    let mut draw = Draw::new(8);
-    let (mut vertices, mut offsets) = (Vec::new(), vec![0]);
-    for size in [0, 1, 2, 3, 4, 7, 40, 0, 130, 5] {
-        for k in 0..size {
-            let angle = f64::from(k) / f64::from(size) * 6.2;
-            let reach = draw.within(0.5, 2.0);
-            let (sin, cos) = angle.sin_cos();
-            vertices.push(Vec2::new((reach * cos) as f32, (reach * sin) as f32));
-        }
-        offsets.push(vertices.len());
-    }
-    (vertices, offsets)
-}
-
-#[test]
-fn folds() {
-    for (name, text) in fold_sources(fold::SignedDistancePointRing).unwrap() {
-        validate(&name, &text);
-    }
-    for (name, text) in fold_sources(fold::SecondMomentsOfRing).unwrap() {
-        validate(&name, &text);
-    }
-    let Some((_turn, gpu)) = gpu() else { return };
-    let (vertices, offsets) = paths();
-    let paths = offsets.len() - 1;
-    let points: Vec<Vec2<f32>> = (0..paths).map(|k| Vec2::new(0.1 * k as f32, 0.3)).collect();
-    folds_agree(
-        gpu,
-        fold::SignedDistancePointRing,
-        &points[..],
-        &vertices,
-        &offsets,
-    );
-    folds_agree(
-        gpu,
-        fold::SignedDistancePointRing,
-        One(points[1]),
-        &vertices,
-        &offsets,
-    );
-    folds_agree(gpu, fold::SecondMomentsOfRing, One([]), &vertices, &offsets);
-    // What fits no buffer is an error, what fits is cut.
-    let small = small();
-    let run = fold::SignedDistancePointRing;
-    let found = small
-        .programs()
-        .fold(run, One(points[1]), &vertices, &offsets)
-        .unwrap();
-    let expected = gpu
-        .programs()
-        .fold(run, One(points[1]), &vertices, &offsets)
-        .unwrap();
-    assert_eq!(bits(&found), bits(&expected));
-    let long = vec![Vec2::new(1.0, 2.0); 5000];
-    let refused = small
-        .programs()
-        .fold(run, One(points[1]), &long, &[0, 5000]);
-    assert_eq!(refused.unwrap_err(), Error::Gpu(GpuFault::TooLarge));
-}
-
-fn folds_agree<F: Fold, C: geograd::kernels::Columns<Row = F::Context<f32>> + Copy>(
-    gpu: &Gpu,
-    run: F,
-    context: C,
-    vertices: &[Vec2<f32>],
-    offsets: &[usize],
-) where
-    F::Context<f32>: Row<Scalar = f32>,
-{
-    let numbers =
-        |all: &[F::Out<f32>]| -> Vec<f32> { all.iter().flat_map(Pack::scalars).collect() };
-    let (programs, cpu) = (gpu.programs(), Cpu::new());
-    let found = programs.fold(run, context, vertices, offsets).unwrap();
-    let expected = cpu.fold(run, context, vertices, offsets).unwrap();
-    near(&numbers(&found), &numbers(&expected), 1e-5);
-    let seeds: Vec<F::Out<f32>> = found.iter().map(|_| F::Out::filled(0.75)).collect();
-    let (by_context, by_vertex) = programs
-        .fold_vjp(run, context, vertices, offsets, &seeds)
-        .unwrap();
-    let expected = cpu
-        .fold_vjp(run, context, vertices, offsets, &seeds)
-        .unwrap();
-    let flat = |all: &[Vec2<f32>]| -> Vec<f32> { all.iter().flat_map(Pack::scalars).collect() };
-    near(&flat(&by_vertex), &flat(&expected.1), 2e-5);
-    assert_eq!(by_context.len(), expected.0.len());
-    for (found, expected) in by_context.iter().zip(&expected.0) {
-        near(&found.scalars(), &expected.scalars(), 2e-5);
-    }
-}
-
 #[test]
 fn bad_input_is_refused() {
     let Some((_turn, gpu)) = gpu() else { return };
@@ -443,9 +351,6 @@ fn bad_input_is_refused() {
             flaw: Flaw::NotFinite(_)
         }
     ));
-    let polygon: ConvexPolygon<f32, 4> = Obb2::new(0.0_f32, 0.0, 1.0, 1.0, 0.0).into();
-    let refused = programs.aligned(DiameterOfPolygon, &[polygon]);
-    assert_eq!(refused.unwrap_err(), Error::Program(Unrecordable::Search));
     let mut few = [0.0; 2];
     let refused = programs.aligned_into(run, (&points, One(segment)), &mut few);
     assert_eq!(refused.unwrap_err(), length(Argument::Result(0), 3, 2));
@@ -490,7 +395,7 @@ fn a_lost_device_is_an_error() {
         gpu.programs().row_max(run, &boxes, &boxes).unwrap_err(),
         lost
     );
-    let (vertices, offsets) = paths();
+    let (vertices, offsets) = crate::folds::paths();
     let point = One(Vec2::new(0.0, 0.0));
     let refused = gpu
         .programs()

@@ -3,15 +3,19 @@
 //! Without an adapter the tests say so and pass, unless `GEOGRAD_REQUIRE_GPU=1`. A driver in
 //! software will do.
 mod bounds;
+mod committed;
 mod context;
 mod faults;
+mod folds;
 mod generated;
 mod held;
 mod parity;
 mod program;
+mod replays;
 mod resident;
 mod rings;
 mod shapes;
+mod suppress;
 
 use geograd::kernels::gpu::{Gpu, Options, pair_sources, ring_sources};
 use std::sync::{Mutex, MutexGuard, OnceLock, PoisonError};
@@ -19,8 +23,13 @@ use std::sync::{Mutex, MutexGuard, OnceLock, PoisonError};
 /// One context for all tests, one test at a time: drivers in software use all cores anyway.
 fn gpu() -> Option<(MutexGuard<'static, ()>, &'static Gpu)> {
     static TURN: Mutex<()> = Mutex::new(());
-    static GPU: OnceLock<Option<Gpu>> = OnceLock::new();
     let turn = TURN.lock().unwrap_or_else(PoisonError::into_inner);
+    any_gpu().map(|gpu| (turn, gpu))
+}
+
+/// The same context without waiting for a turn: for tests that mostly think, and ask the GPU little.
+fn any_gpu() -> Option<&'static Gpu> {
+    static GPU: OnceLock<Option<Gpu>> = OnceLock::new();
     let made = GPU.get_or_init(|| match Gpu::new() {
         Ok(gpu) => {
             eprintln!("testing on {}", gpu.adapter());
@@ -33,7 +42,7 @@ fn gpu() -> Option<(MutexGuard<'static, ()>, &'static Gpu)> {
             None
         }
     });
-    made.as_ref().map(|gpu| (turn, gpu))
+    made.as_ref()
 }
 
 /// A context whose buffers are so small that everything is split.
@@ -59,7 +68,13 @@ fn validate(name: &str, text: &str) {
 
 macro_rules! walk {
     (pairs { $($pair:ident: $pair_op:ty,)* } rings { $($ring:ident: $ring_op:ty,)* }
-     straight { $($straight:ident: $straight_op:ty,)* } $($rest:tt)*) => {
+     straight { $($straight:ident: $straight_op:ty,)* }
+     folds { $($fold:ident: $fold_op:ty,)* } decided { $($decided:ident: $decided_op:ty,)* }
+     further {
+         straight { $($more:ident: $more_op:ty,)* }
+         folds { $($more_fold:ident: $more_fold_op:ty,)* }
+         decided { $($more_decided:ident: $more_decided_op:ty,)* }
+     }) => {
         $(mod $pair {
             #[test]
             fn shaders_are_valid() {
@@ -122,6 +137,24 @@ macro_rules! walk {
             $(#[test]
             fn $pair() {
                 super::generated::shaders_are_valid::<$pair_op>();
+            })*
+            $(#[test]
+            fn $fold() {
+                super::folds::shaders_are_valid(<$fold_op>::default());
+            })*
+            $(#[test]
+            fn $more_fold() {
+                super::folds::shaders_are_valid(<$more_fold_op>::default());
+            })*
+        }
+        mod replayed {
+            $(#[test]
+            fn $decided() {
+                super::replays::agrees::<$decided_op, _, _>();
+            })*
+            $(#[test]
+            fn $more_decided() {
+                super::replays::agrees::<$more_decided_op, _, _>();
             })*
         }
         mod agree {

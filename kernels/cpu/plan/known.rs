@@ -30,6 +30,9 @@ pub(crate) enum Known {
     /// What a GPU is given of a fold.
     #[cfg(feature = "gpu")]
     FoldShader,
+    /// What a GPU replays of an operation with a search.
+    #[cfg(feature = "gpu")]
+    Replays(Want),
 }
 
 /// What was asked for before, by operation and format.

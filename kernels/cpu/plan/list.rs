@@ -55,13 +55,12 @@ impl<'a, T: Real> List<'a, T> {
             let mut bounds = vec![Lane::default(); tiles * BOUNDS];
             let frames = Tiles::new(&list.frames, frame_fields);
             make([Tiles::new(&shapes, fields), frames], &mut bounds);
-            let (least, most) = (T::lit(f64::NEG_INFINITY), T::lit(f64::INFINITY));
+            // Finite, so that not even everything meets what is nowhere.
+            let everything = [T::lit(-T::LARGEST), T::lit(T::LARGEST)];
+            let nowhere = [T::lit(f64::INFINITY), T::lit(f64::NEG_INFINITY)];
             for (items, [low, high]) in [
-                (list.rare.clone(), [least, most]),
-                (
-                    (count as u32..(tiles * TILE) as u32).collect(),
-                    [most, least],
-                ),
+                (list.rare.clone(), everything),
+                ((count as u32..(tiles * TILE) as u32).collect(), nowhere),
             ] {
                 for i in items {
                     let (t, i) = (i as usize / TILE * BOUNDS, i as usize % TILE);

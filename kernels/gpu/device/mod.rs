@@ -24,7 +24,7 @@ pub(crate) use generated::held;
 pub use generated::held::{Given, HeldColumn};
 #[doc(hidden)]
 pub use generated::operation::Generated;
-pub use generated::{Programs, fold_sources, op_sources};
+pub use generated::{Programs, fold_sources, op_sources, replay_source};
 pub use matrix::Matrix;
 pub use pairs::PairBars;
 pub use reduce::{Best, Bests};

@@ -4,12 +4,15 @@ use super::operation::Generated;
 use super::text::{Form, GROUP, MOST_GROUPS};
 use crate::kernels::cpu::aligned::{as_rows, fitting, items, listed, sound};
 use crate::kernels::cpu::lane::TILE;
+use crate::kernels::cpu::plan::Face;
 use crate::kernels::cpu::work::spread;
 use crate::kernels::gpu::device::Inner;
 use crate::kernels::gpu::device::download::Arrival;
 use crate::kernels::gpu::device::work::Work;
 use crate::kernels::op::{Ask, Runs};
-use crate::kernels::row::{Column, Columns, Piece, Row, STRETCH, Target, Targets};
+use crate::kernels::replays::Replays;
+use crate::kernels::row::{Column, Columns, Piece, Row, STRETCH, Target};
+use crate::kernels::targets::Targets;
 use crate::{Error, GpuFault, Pack};
 use std::collections::VecDeque;
 use std::ops::Range;
@@ -18,10 +21,15 @@ use std::sync::Arc;
 impl Programs<'_> {
     /// Item i of every column: one result per item, as [`Cpu::aligned`](crate::kernels::Cpu::aligned).
     ///
+    /// What searches ([`Decided`](crate::kernels::Decided)) is decided on the processor and replayed on the
+    /// GPU; its slopes are taken backwards. Every record that occurs is made a program once, so that pays
+    /// where many items have the same one.
+    ///
     /// # Errors
     ///
-    /// As on the processor; [`Error::Program`] for what searches or has whole numbers, [`Error::Gpu`] for
-    /// what the device says.
+    /// As on the processor; [`Error::Program`] for what cannot be recorded, such as a result with whole
+    /// numbers, [`Error::Gpu`] for what the device says, of which [`GpuFault::TooLarge`] is for a program
+    /// that fits no buffer.
     pub fn aligned<C: Columns, R: Runs<C::Row>>(
         &self,
         run: R,
@@ -30,13 +38,13 @@ impl Programs<'_> {
     where
         C::Row: Pack<Scalar = f32>,
     {
-        let made = run.generated(Ask::ALIGNED)?;
+        let made = Made::of(&run)?;
         let columns = listed(&columns);
-        let count = checked(&made, &columns)?;
+        let count = made.checked(&columns)?;
         let mut many = R::Out::many(count);
         let mut targets = Vec::new();
         R::Out::targets(&mut many, &mut |target| targets.push(Some(target)));
-        self.compute(&made, &columns, count, targets)?;
+        self.run(&made, &columns, count, targets)?;
         Ok(many)
     }
 
@@ -56,11 +64,11 @@ impl Programs<'_> {
     where
         C::Row: Pack<Scalar = f32>,
     {
-        let made = run.generated(Ask::ALIGNED)?;
+        let made = Made::of(&run)?;
         let columns = listed(&columns);
-        let count = checked(&made, &columns)?;
+        let count = made.checked(&columns)?;
         let targets = fitting::<R::Out>(&mut targets, count)?;
-        self.compute(&made, &columns, count, targets)
+        self.run(&made, &columns, count, targets)
     }
 
     /// The numbers of every result, item by item.
@@ -72,12 +80,27 @@ impl Programs<'_> {
     where
         C::Row: Pack<Scalar = f32>,
     {
-        let made = run.generated(Ask::ALIGNED)?;
+        let made = Made::of(&run)?;
         let columns = listed(&columns);
-        let count = checked(&made, &columns)?;
-        as_rows(&made.gives, count, |targets| {
-            self.compute(&made, &columns, count, targets)
+        let count = made.checked(&columns)?;
+        as_rows(made.gives(), count, |targets| {
+            self.run(&made, &columns, count, targets)
         })
+    }
+
+    fn run(
+        &self,
+        made: &Made,
+        columns: &[Column<'_, f32>],
+        count: usize,
+        targets: Vec<Option<Target<'_, f32>>>,
+    ) -> Result<(), Error> {
+        match made {
+            Made::Kernel(made) => self.compute(made, columns, count, targets),
+            Made::Replays(replays, face) => {
+                self.replayed(&**replays, &face.gives, columns, count, targets)
+            }
+        }
     }
 
     /// Chunk by chunk: while one is computed, the one before comes back.
@@ -155,11 +178,36 @@ impl Programs<'_> {
     }
 }
 
-/// Checks columns; how many items there are.
-fn checked(made: &Generated<f32>, columns: &[Column<'_, f32>]) -> Result<usize, Error> {
-    let count = items(made.arguments.len(), columns)?;
-    sound(&made.arguments, f64::INFINITY, columns)?;
-    Ok(count)
+/// What computes items: a kernel, or replays of what the processor decides.
+enum Made {
+    Kernel(Arc<Generated<f32>>),
+    Replays(Arc<dyn Replays<f32>>, Arc<Face<f32>>),
+}
+
+impl Made {
+    fn of<R: Row<Scalar = f32>>(run: &impl Runs<R>) -> Result<Self, Error> {
+        Ok(match run.replays() {
+            Some(replays) => Made::Replays(replays?, run.face(Ask::ALIGNED)?),
+            None => Made::Kernel(run.generated(Ask::ALIGNED)?),
+        })
+    }
+    /// Numbers of every shape of a result.
+    fn gives(&self) -> &[usize] {
+        match self {
+            Made::Kernel(made) => &made.gives,
+            Made::Replays(_, face) => &face.gives,
+        }
+    }
+    /// Checks columns; how many items there are.
+    fn checked(&self, columns: &[Column<'_, f32>]) -> Result<usize, Error> {
+        let arguments = match self {
+            Made::Kernel(made) => &made.arguments,
+            Made::Replays(_, face) => &face.arguments,
+        };
+        let count = items(arguments.len(), columns)?;
+        sound(arguments, f64::INFINITY, columns)?;
+        Ok(count)
+    }
 }
 
 /// How many items a dispatch takes, so that what goes in and what comes out fits a binding each.

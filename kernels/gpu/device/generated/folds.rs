@@ -45,7 +45,8 @@ pub(super) fn made<F: Fold>() -> Result<Arc<GeneratedFold>, Error> {
             graph: recorded.value.graph.clone(),
             outputs: recorded.value.outputs.clone(),
         };
-        let whole = |name, recorded: &Recorded| body_of(name, &piece(recorded), recorded.inputs);
+        let whole =
+            |name, recorded: &Recorded| body_of(name, &piece(recorded), recorded.inputs, &[]);
         let edge_vjp = piece(&programs.edge_vjp);
         let slopes = part(&edge_vjp, &edge_vjp.outputs[F::State::<f32>::LEN..]);
         let own = F::Context::<f32>::LEN;
@@ -54,7 +55,7 @@ pub(super) fn made<F: Fold>() -> Result<Arc<GeneratedFold>, Error> {
             edge: whole("fold_edge", &programs.edge),
             join: whole("fold_join", &programs.join),
             finish: whole("fold_finish", &programs.finish),
-            edge_vjp: body_of("fold_edge_vjp", &slopes, programs.edge_vjp.inputs),
+            edge_vjp: body_of("fold_edge_vjp", &slopes, programs.edge_vjp.inputs, &[]),
             join_vjp: whole("fold_join_vjp", &programs.join_vjp),
             finish_vjp: whole("fold_finish_vjp", &programs.finish_vjp),
             empty: F::empty::<f32>().scalars(),

@@ -6,6 +6,8 @@ mod folds;
 pub(crate) mod held;
 pub(crate) mod operation;
 mod pairs;
+mod replays;
+mod suppress;
 mod text;
 
 use super::{Gpu, Inner, locked};
@@ -111,6 +113,10 @@ where
         }
         let made = generated_of::<O, O::In<f32>>(want, true)?;
         match want {
+            Want::Value if made.gives == [1] && is_of_one_list(&made) => {
+                add(Form::Pairs, &made);
+                add(Form::Masks, &made);
+            }
             Want::Value | Want::ValueGrad => add(Form::Pairs, &made),
             Want::Vjp if O::Out::<f32>::LEN == 1 => {
                 add(Form::RowSlopes, &made);
@@ -120,6 +126,11 @@ where
         }
     }
     Ok(all)
+}
+
+/// Whether both arguments may be shapes of one list.
+fn is_of_one_list(made: &Generated<f32>) -> bool {
+    made.arguments[0].fields == made.arguments[1].fields
 }
 
 /// Every shader that a fold can need, with a name.
@@ -133,4 +144,11 @@ pub fn fold_sources<F: Fold>(_fold: F) -> Result<Vec<(String, String)>, Error> {
     Ok([Form::Fold, Form::FoldSlopes]
         .map(|form| (format!("{form:?}"), made.text(form)))
         .into())
+}
+
+/// The shader that replays what was decided.
+#[doc(hidden)]
+#[must_use]
+pub fn replay_source() -> String {
+    replays::text()
 }

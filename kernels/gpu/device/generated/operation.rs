@@ -3,6 +3,7 @@ use crate::Error;
 use crate::ad::program::graph::{Graph, Id, Node};
 use crate::ad::program::recorded::Recorded;
 use crate::ad::program::wgsl::function_of;
+use crate::error::Field;
 use crate::kernels::cpu::plan::{List, Preparation, Want, prepared};
 use crate::kernels::cpu::program::split::{Piece, split};
 use crate::kernels::real::Real;
@@ -44,9 +45,9 @@ fn is_sine(node: Node) -> bool {
 }
 
 /// A piece as a function of so many numbers. It takes one at least: there are no arrays of none.
-pub(super) fn body_of(name: &str, piece: &Piece, inputs: usize) -> Body {
+pub(super) fn body_of(name: &str, piece: &Piece, inputs: usize, names: &[String]) -> Body {
     Body {
-        text: function_of(name, &piece.graph, &piece.outputs, inputs.max(1)),
+        text: function_of(name, &piece.graph, &piece.outputs, inputs.max(1), names),
         operations: piece.graph.len(),
         gives: piece.outputs.len(),
     }
@@ -88,6 +89,11 @@ impl<T: Real> Generated<T> {
         framed: bool,
     ) -> Result<Self, Error> {
         let fields: Vec<usize> = leaves.iter().map(|leaf| leaf.fields).collect();
+        let fields_named = leaves.iter().zip(LETTERS.chars()).map(|(leaf, letter)| {
+            let name = |i: usize| format!("{letter}.{}", (leaf.name)(i));
+            (0..leaf.fields).map(name).collect::<Vec<_>>()
+        });
+        let fields_named: Vec<Vec<String>> = fields_named.collect();
         let mut arguments: Vec<_> = leaves.into_iter().map(Preparation::plain).collect();
         let mut all = fields.clone();
         if want == Want::Vjp {
@@ -102,6 +108,16 @@ impl<T: Real> Generated<T> {
         let results = &results[skipped..];
         let is_prepared = |node| framed || matches!(node, Node::Input(_)) || is_sine(node);
         let parts = split(graph, &all, arguments.len(), results, is_prepared);
+        let prepared_named = parts
+            .frames
+            .iter()
+            .zip(&fields_named)
+            .flat_map(|(frame, fields)| {
+                let name = |&x: &Id| described(&frame.graph, x, fields);
+                frame.outputs.iter().map(name).collect::<Vec<_>>()
+            });
+        let bars = (0..outputs.iter().sum()).map(|k| format!("out_bar.{k}"));
+        let names = unlike(prepared_named.chain(bars));
         for ((argument, frame), &own) in arguments.iter_mut().zip(&parts.frames).zip(&fields) {
             argument.frame = match is_whole(frame, own) {
                 true => None,
@@ -111,12 +127,12 @@ impl<T: Real> Generated<T> {
         }
         let (widths, body) = (parts.widths, parts.body);
         let inputs = widths.iter().sum();
-        let mut bodies = vec![body_of("body", &body, inputs)];
+        let mut bodies = vec![body_of("body", &body, inputs, &names)];
         if framed && want == Want::Vjp {
             let mut first = 0;
             for own in &fields {
                 let own = &body.outputs[first..first + own];
-                bodies.push(body_of("body", &part(&body, own), inputs));
+                bodies.push(body_of("body", &part(&body, own), inputs, &names));
                 first += own.len();
             }
         }
@@ -142,6 +158,8 @@ impl<T: Real> Generated<T> {
             None => {
                 plain = Preparation::plain(Leaf {
                     fields: self.widths[k],
+                    codes: 0,
+                    name: |_| Field::VALUE,
                     check: |_| Ok(()),
                 });
                 &plain
@@ -149,6 +167,50 @@ impl<T: Real> Generated<T> {
         };
         crate::kernels::cpu::arch::flat(&List::new(plan, numbers, false, false).frames).to_vec()
     }
+}
+
+/// The letters of arguments.
+const LETTERS: &str = "abcdefghijklmnopqrstuvwxyz";
+
+/// What a prepared number is, where that is short.
+fn described(graph: &Graph, x: Id, fields: &[String]) -> String {
+    let of = |what: &str, x: Id| format!("{} {what}", described(graph, x, fields));
+    let made = || {
+        let letter = fields.first().map_or("", |field| &field[..1]);
+        format!("{letter} made")
+    };
+    match graph.at(x) {
+        Node::Input(k) => fields.get(k as usize).cloned().unwrap_or_default(),
+        Node::Sin(x) => of("sin", x),
+        Node::Cos(x) => of("cos", x),
+        Node::SinHigh(x) => of("sin high", x),
+        Node::SinLow(x) => of("sin low", x),
+        Node::CosHigh(x) => of("cos high", x),
+        Node::CosLow(x) => of("cos low", x),
+        Node::Neg(x) => of("negative", x),
+        Node::Mul(x, half) if graph.constant(half) == Some(0.5) => of("halved", x),
+        Node::Mul(half, x) if graph.constant(half) == Some(0.5) => of("halved", x),
+        _ => made(),
+    }
+}
+
+/// Descriptions as names that WGSL accepts, no two of them the same.
+fn unlike(all: impl Iterator<Item = String>) -> Vec<String> {
+    let mut names: Vec<String> = Vec::new();
+    for described in all {
+        let parts = described.split(|c: char| !c.is_ascii_alphanumeric());
+        let parts: Vec<&str> = parts.filter(|part| !part.is_empty()).collect();
+        let name = parts.join("_");
+        let is_taken = |name: &String| names.contains(name) || !name.contains('_');
+        let mut own = name.clone();
+        let mut count = 1;
+        while is_taken(&own) {
+            count += 1;
+            own = format!("{name}_{count}");
+        }
+        names.push(own);
+    }
+    names
 }
 
 /// Whether a frame is all numbers of a shape, as they are.

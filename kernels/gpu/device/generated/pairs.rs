@@ -19,7 +19,7 @@ use std::ops::Range;
 use std::sync::Arc;
 
 /// Operations that a dispatch does at most: drivers reset a GPU that is busy with one for seconds.
-const MOST_OPERATIONS: usize = 1 << 42;
+pub(super) const MOST_OPERATIONS: usize = 1 << 42;
 
 /// A list that went up: prepared shapes, in buffers that fit a binding each.
 #[derive(Clone, Debug)]

@@ -1,5 +1,6 @@
 //! Kernels around a generated function: what every thread reads, calls and writes.
 use super::operation::{Body, Generated};
+use super::suppress::masks;
 use crate::ad::program::WGSL;
 use crate::kernels::cpu::lane::TILE;
 use std::fmt::Write;
@@ -28,6 +29,10 @@ pub(in super::super) enum Form {
     RowSlopes,
     /// Sums of slopes of every row of the second list.
     ColumnSlopes,
+    /// Which pairs are above a threshold, as bits.
+    Masks,
+    /// Instructions of every item.
+    Replay,
     /// The edges of every path.
     Fold,
     /// Slopes of every path.
@@ -43,6 +48,8 @@ impl Form {
             Form::Pairs => "pairs_main",
             Form::RowSlopes => "row_slopes_main",
             Form::ColumnSlopes => "column_slopes_main",
+            Form::Masks => "masks_main",
+            Form::Replay => "replay_main",
             Form::Fold => "fold_main",
             Form::FoldSlopes => "fold_slopes_main",
         }
@@ -62,6 +69,7 @@ impl Form {
             Form::RowSlopes | Form::ColumnSlopes => slopes(made, body, self),
             Form::Pairs => pairs(made, body),
             Form::Columns => super::columns::text(made),
+            Form::Masks => masks(made, body),
             _ => aligned(made),
         };
         format!("{WGSL}\n{}\n{PLACE}{kernel}", body.text)
@@ -164,7 +172,7 @@ fn aligned_main(@builtin(global_invocation_id) thread: vec3u) {{
 
 /// The numbers of both shapes of a pair. Shapes that stay are read before the loop, those that are walked
 /// through within it.
-fn both(made: &Generated<f32>, own: usize) -> (String, String, Vec<String>) {
+pub(super) fn both(made: &Generated<f32>, own: usize) -> (String, String, Vec<String>) {
     let (mut outside, mut inside) = (String::new(), String::new());
     let mut inputs = Vec::new();
     for (k, name) in ["a", "b"].into_iter().enumerate() {
@@ -221,7 +229,7 @@ fn pairs_main(
 }
 
 /// Uses of buffers that nothing is read from: a binding that nothing uses would be none.
-fn bound(made: &Generated<f32>, a: &str, b: &str) -> String {
+pub(super) fn bound(made: &Generated<f32>, a: &str, b: &str) -> String {
     let unread = [a, b].into_iter().zip(&made.widths);
     unread
         .filter(|(_, width)| **width == 0)

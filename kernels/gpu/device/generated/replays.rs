@@ -1,0 +1,256 @@
+//! Item i of every column, for what searches: decided on the processor, replayed on the GPU.
+//!
+//! A replay is a list of instructions, and one kernel carries out those of any operation: what a thread
+//! does is data, so that no record asks for a pipeline of its own.
+use super::Programs;
+use super::operation::Name;
+use super::text::{Form, GROUP, MOST_GROUPS};
+use crate::ad::program::WGSL;
+use crate::kernels::cpu::work::spread;
+use crate::kernels::gpu::device::work::Work;
+use crate::kernels::replays::{Replay, Replays, numbers};
+use crate::kernels::row::{Column, Piece, STRETCH, Target};
+use crate::{Error, GpuFault};
+use std::collections::HashMap;
+use std::fmt::Write;
+use std::ops::Range;
+use std::sync::{Arc, OnceLock};
+
+/// Bytes of the slots of all items of a dispatch.
+const MOST_SLOTS: usize = 1 << 28;
+
+/// Items that are decided at a time.
+const CHUNK: usize = 32 * STRETCH;
+
+/// The kernel.
+pub(super) fn text() -> String {
+    let mut text = String::from(WGSL);
+    for (name, number) in numbers() {
+        let _ = writeln!(text, "const {name} = {number}u;");
+    }
+    text + include_str!("../../wgsl/replay.wgsl")
+}
+
+/// By which the pipeline is kept: as long as the process lives.
+fn name() -> &'static Name {
+    static NAME: OnceLock<Name> = OnceLock::new();
+    NAME.get_or_init(Name::default)
+}
+
+/// A stretch of items: their numbers, shape by shape, those that replays take, and which replays.
+#[derive(Default)]
+struct Stretch {
+    items: Range<usize>,
+    numbers: Vec<f32>,
+    taken: Vec<f32>,
+    replays: Vec<Arc<Replay>>,
+    found: Vec<f32>,
+    rows: Vec<f32>,
+    failed: Option<Error>,
+}
+
+impl Stretch {
+    /// Decides its items.
+    fn decide(&mut self, replays: &dyn Replays<f32>, columns: &[Column<'_, f32>]) {
+        let mut rooms = vec![Vec::new(); columns.len()];
+        let parts: Vec<&[f32]> = columns
+            .iter()
+            .zip(&mut rooms)
+            .map(|(column, room)| column.numbers(self.items.clone(), room))
+            .collect();
+        for i in 0..self.items.len() {
+            let first = self.numbers.len();
+            for (column, part) in columns.iter().zip(&parts) {
+                let at = if column.count.is_some() { i } else { 0 };
+                let own = &part[at * column.fields..][..column.fields];
+                self.numbers.extend_from_slice(own);
+            }
+            match replays.decide(&self.numbers[first..], &mut self.taken) {
+                Ok(replay) => self.replays.push(replay),
+                Err(error) => return self.failed = Some(error),
+            }
+        }
+    }
+    /// Makes rows of results of what was found.
+    fn finish(&mut self, replays: &dyn Replays<f32>, width: usize) {
+        let [_, gives] = replays.sizes();
+        let own = self.numbers.len() / self.items.len();
+        self.rows.resize(width * self.items.len(), 0.0);
+        let found = self.found.chunks_exact(gives);
+        let items = self.numbers.chunks_exact(own).zip(found);
+        for ((numbers, found), row) in items.zip(self.rows.chunks_exact_mut(width)) {
+            replays.put(numbers, found, row);
+            row.iter_mut().for_each(|x| *x += 0.0);
+        }
+    }
+}
+
+/// Items that go up together: places in the chunk, and their programs.
+#[derive(Default)]
+struct Load {
+    items: Vec<u32>,
+    codes: Vec<u32>,
+    programs: Vec<[u32; 2]>,
+    instructions: Vec<[u32; 4]>,
+    slots: usize,
+}
+
+impl Load {
+    /// Whether it still fits with one more item, and a program if it has another one.
+    fn fits(&self, replay: &Replay, is_new: bool, sizes: [usize; 2], most_bytes: usize) -> bool {
+        let slots = self.slots.max(replay.slots);
+        let items = self.items.len() + 1;
+        let code = self.instructions.len() + if is_new { replay.code.len() } else { 0 };
+        let widest = slots.max(sizes[0]).max(sizes[1]);
+        16 * code <= most_bytes
+            && 4 * items * widest <= most_bytes.min(MOST_SLOTS)
+            && items <= MOST_GROUPS * GROUP
+    }
+    fn add(&mut self, item: usize, replay: &Replay, is_new: bool) {
+        if is_new {
+            let first = self.instructions.len() as u32;
+            self.instructions.extend_from_slice(&replay.code);
+            self.programs.push([first, self.instructions.len() as u32]);
+            self.slots = self.slots.max(replay.slots);
+        }
+        self.items.push(item as u32);
+        self.codes.push(self.programs.len() as u32 - 1);
+    }
+}
+
+impl Programs<'_> {
+    /// Decides and replays all items.
+    pub(super) fn replayed(
+        &self,
+        replays: &dyn Replays<f32>,
+        gives: &[usize],
+        columns: &[Column<'_, f32>],
+        count: usize,
+        targets: Vec<Option<Target<'_, f32>>>,
+    ) -> Result<(), Error> {
+        self.gpu.inner.alive()?;
+        let mut targets: Vec<Vec<Piece<'_, f32>>> = targets
+            .into_iter()
+            .map(|target| target.map_or_else(Vec::new, Target::pieces))
+            .collect();
+        let width: usize = gives.iter().sum();
+        for start in (0..count).step_by(CHUNK) {
+            let end = count.min(start + CHUNK);
+            let stretches = (start..end).step_by(STRETCH).map(|first| Stretch {
+                items: first..end.min(first + STRETCH),
+                ..Stretch::default()
+            });
+            let mut stretches: Vec<Stretch> = stretches.collect();
+            let each = |stretches: &mut Vec<Stretch>, run: &(dyn Fn(&mut Stretch) + Sync)| {
+                spread(stretches.iter_mut().collect(), run);
+            };
+            each(&mut stretches, &|stretch| stretch.decide(replays, columns));
+            if let Some(error) = stretches.iter().find_map(|stretch| stretch.failed) {
+                return Err(error);
+            }
+            self.replay(replays.sizes(), &mut stretches)?;
+            each(&mut stretches, &|stretch| stretch.finish(replays, width));
+            for stretch in &stretches {
+                let mut first = 0;
+                for (target, &fields) in targets.iter_mut().zip(gives) {
+                    if let Some(piece) = target.get_mut(stretch.items.start / STRETCH) {
+                        let rows = stretch.rows.chunks_exact(width);
+                        for (to, row) in piece.numbers().chunks_exact_mut(fields).zip(rows) {
+                            to.copy_from_slice(&row[first..first + fields]);
+                        }
+                    }
+                    first += fields;
+                }
+            }
+        }
+        targets.into_iter().flatten().for_each(Piece::finish);
+        Ok(())
+    }
+
+    /// Replays items that are decided, those of a program side by side.
+    fn replay(&self, sizes: [usize; 2], stretches: &mut [Stretch]) -> Result<(), Error> {
+        let all: Vec<&Arc<Replay>> = stretches.iter().flat_map(|x| &x.replays).collect();
+        let mut ranks = HashMap::new();
+        let rank_of = all.iter().map(|replay| {
+            let next = ranks.len();
+            *ranks.entry(Arc::as_ptr(replay)).or_insert(next)
+        });
+        let rank_of: Vec<usize> = rank_of.collect();
+        let mut order: Vec<usize> = (0..all.len()).collect();
+        order.sort_by_key(|&item| rank_of[item]);
+        let most_bytes = self.gpu.inner.most_bytes as usize;
+        let mut loads = vec![Load::default()];
+        let mut last = None;
+        for item in order {
+            let replay = all[item];
+            let mut is_new = last != Some(rank_of[item]);
+            let mut load = loads.len() - 1;
+            if !loads[load].fits(replay, is_new, sizes, most_bytes) {
+                (is_new, load) = (true, load + 1);
+                loads.push(Load::default());
+                if !loads[load].fits(replay, true, sizes, most_bytes) {
+                    return Err(Error::Gpu(GpuFault::TooLarge));
+                }
+            }
+            loads[load].add(item, replay, is_new);
+            last = Some(rank_of[item]);
+        }
+        drop(all);
+        for stretch in stretches.iter_mut() {
+            stretch.found.resize(sizes[1] * stretch.items.len(), 0.0);
+        }
+        loads
+            .iter()
+            .filter(|load| !load.items.is_empty())
+            .try_for_each(|load| self.carry_out(sizes, load, stretches))
+    }
+
+    fn carry_out(
+        &self,
+        [takes, gives]: [usize; 2],
+        load: &Load,
+        stretches: &mut [Stretch],
+    ) -> Result<(), Error> {
+        let inner = &self.gpu.inner;
+        let count = load.items.len();
+        let mut taken = vec![0.0; takes * count];
+        for (i, &item) in load.items.iter().enumerate() {
+            let (stretch, at) = (&stretches[item as usize / STRETCH], item as usize % STRETCH);
+            for (k, &x) in stretch.taken[at * takes..][..takes].iter().enumerate() {
+                taken[k * count + i] = x;
+            }
+        }
+        let outputs = inner.guarded(|| {
+            let pipeline = inner.generated(name(), Form::Replay, text);
+            let buffers = [
+                inner.stored(&load.codes),
+                inner.stored(&load.programs),
+                inner.stored(&load.instructions),
+                inner.stored(&taken),
+                inner.storage(load.slots * count),
+                inner.storage(gives * count),
+            ];
+            let bound = buffers.iter().zip(1..).map(|(buffer, k)| (k, buffer));
+            let mut work = Work::new(inner);
+            let params = [[count as u32, 0, 0, 0]];
+            let groups = [count.div_ceil(GROUP) as u32, 1];
+            work.dispatch_with(&pipeline, &params, &bound.collect::<Vec<_>>(), groups);
+            work.submit()?;
+            let [.., outputs] = buffers;
+            Ok(outputs)
+        })?;
+        let arrival = inner.bring(self.gpu, &[(&outputs, 4 * (gives * count) as u64)])?;
+        arrival.finish(|_, numbers| {
+            let numbers: &[f32] = bytemuck::cast_slice(numbers);
+            for (i, &item) in load.items.iter().enumerate() {
+                let (stretch, at) = (
+                    &mut stretches[item as usize / STRETCH],
+                    item as usize % STRETCH,
+                );
+                for (k, x) in stretch.found[at * gives..][..gives].iter_mut().enumerate() {
+                    *x = numbers[k * count + i];
+                }
+            }
+        })
+    }
+}

@@ -1,0 +1,439 @@
+//! Suppression by masks of bits: the GPU says of which pairs it is certain, the processor decides the rest.
+//!
+//! Shapes go up the best first. Block by block, the GPU compares some rows that are still there with all
+//! later columns and writes two bits per pair: whether the result is certainly above the threshold, and
+//! whether it is so near to it that rounding may decide. The processor walks through the rows in order,
+//! and computes those few near pairs itself, if it comes to that, as a batch on the processor would.
+use super::Programs;
+use super::operation::{Body, Generated};
+use super::pairs::MOST_OPERATIONS;
+use super::text::{Form, GROUP, MOST_GROUPS, both, bound, call};
+use crate::kernels::cpu::Cpu;
+use crate::kernels::cpu::all_pairs::pairs;
+use crate::kernels::cpu::arch::flat;
+use crate::kernels::cpu::greedy::Greed;
+use crate::kernels::cpu::lane::{Planes, TILE};
+use crate::kernels::cpu::pairs::Pairs;
+use crate::kernels::cpu::plan::List;
+use crate::kernels::cpu::sweep::{Chooses, Sweep};
+use crate::kernels::gpu::Gpu;
+use crate::kernels::gpu::device::work::Work;
+use crate::kernels::op::{Ask, Runs};
+use crate::kernels::row::Single;
+use crate::kernels::suppress::{checked, ranked};
+use crate::suppression::Rules;
+use crate::{Error, GpuFault, Scalar};
+use std::fmt::Write;
+use std::ops::Range;
+use std::sync::Arc;
+
+/// Results that are nearer to the threshold than this are the processor's to compute.
+///
+/// On thin, nearly parallel boxes, the worst ones known, a driver in software was off by 3.3·10⁻⁴ of an
+/// IoU: this is ten times as much. Of pairs that overlap at all, about one in a hundred is so near.
+const NEAR: f32 = 1.0 / 256.0;
+
+/// Columns of a word of bits.
+const WORD: usize = 32;
+/// Rows of the first block: most of the rest are gone when it is done with.
+const FIRST_ROWS: usize = 256;
+/// Bytes of masks that come back at a time.
+const MOST_MASKS: usize = 1 << 26;
+
+impl Programs<'_> {
+    /// The shapes that no better one, kept itself, overlaps by more than the threshold: their places, the
+    /// best first, as [`Cpu::suppress`](crate::kernels::Cpu::suppress).
+    ///
+    /// What is kept is what the processor keeps: pairs whose result is within 1/256 of the threshold are
+    /// computed once more, on the processor, when it matters. So that holds for scores between zero and
+    /// one, such as an IoU of any boxes, which no driver gets wrong by so much.
+    ///
+    /// # Errors
+    ///
+    /// As on the processor; [`Error::Program`] for what searches, [`Error::Gpu`] for what the device says.
+    ///
+    /// ```no_run
+    /// use geograd::kernels::{IouBirdsEye, gpu::Gpu};
+    /// use geograd::shape::YawBox3;
+    /// use geograd::suppression::Rules;
+    /// use geograd::Vec3;
+    /// # #[cfg(feature = "gpu")] {
+    /// let boxes = [0.0, 0.2, 9.0].map(|x| YawBox3::new(Vec3::new(x, 0.0, 0.0), Vec3::new(4.0, 2.0, 1.5), 0.1_f32));
+    /// let scores = [0.6, 0.9, 0.5];
+    /// let gpu = Gpu::new()?;
+    /// let kept = gpu.programs().suppress(IouBirdsEye, &boxes, &scores, Rules::above(0.5))?;
+    /// assert_eq!(kept, [1, 2]);
+    /// # }
+    /// # Ok::<(), geograd::Error>(())
+    /// ```
+    pub fn suppress<A: Single<Scalar = f32>, R>(
+        &self,
+        run: R,
+        shapes: &[A],
+        scores: &[f32],
+        rules: Rules<'_, f32>,
+    ) -> Result<Vec<usize>, Error>
+    where
+        R: Runs<(A, A), Out = f32>,
+    {
+        checked(shapes.len(), scores, &rules)?;
+        let (face, made) = (run.face(Ask::PAIRS)?, run.generated(Ask::PAIRS)?);
+        let ranked = ranked(&face, shapes, scores, &rules)?;
+        self.gpu.inner.alive()?;
+        let pairs = pairs(&Cpu::new(), &face, &ranked.shapes, &ranked.shapes)?;
+        let kept = suppressed(self.gpu, &made, &pairs, ranked.greed(&rules))?;
+        Ok(kept.into_iter().map(|place| ranked.order[place]).collect())
+    }
+}
+
+/// The shapes of a list, the best first, that are kept.
+fn suppressed(
+    gpu: &Gpu,
+    made: &Arc<Generated<f32>>,
+    pairs: &Pairs<'_, f32>,
+    greed: Greed<'_, f32>,
+) -> Result<Vec<usize>, Error> {
+    let [a, b] = pairs.lists();
+    if a.count == 0 {
+        return Ok(Vec::new());
+    }
+    let masks = Masks::new(gpu, made, greed, [&a, &b])?;
+    let mut kept = Kept {
+        rows: masks.first_rows(),
+        masks,
+        greed,
+        gone: vec![0; a.count.div_ceil(WORD)],
+        kept: Vec::new(),
+        block: Block::default(),
+        at: 0,
+        next: 0,
+        near: Vec::new(),
+        failed: None,
+    };
+    Sweep::new(pairs.face, None, &a, &b).run_chosen(&mut kept);
+    match kept.failed {
+        None => Ok(kept.kept),
+        Some(error) => Err(error),
+    }
+}
+
+/// Masks of some rows.
+#[derive(Default)]
+struct Block {
+    /// The rows, ascending.
+    rows: Vec<u32>,
+    /// The first word of columns.
+    first: usize,
+    /// Certain bits and near ones: word by word, and of each word row by row.
+    masks: Vec<[u32; 2]>,
+}
+
+/// What is kept so far.
+struct Kept<'a> {
+    masks: Masks<'a>,
+    greed: Greed<'a, f32>,
+    /// A bit for every shape.
+    gone: Vec<u32>,
+    kept: Vec<usize>,
+    block: Block,
+    /// The next row of the block, and the first shape after its rows.
+    at: usize,
+    next: usize,
+    /// Rows of the next block.
+    rows: usize,
+    /// Columns of the row that are near to the threshold.
+    near: Vec<u32>,
+    failed: Option<Error>,
+}
+
+fn has(bits: &[u32], place: usize) -> bool {
+    bits[place / WORD] >> (place % WORD) & 1 != 0
+}
+
+impl Kept<'_> {
+    /// Asks for masks of the next rows that are still there. Whether there are any.
+    fn advance(&mut self) -> bool {
+        let count = self.masks.count;
+        let rest = (self.next..count).filter(|&row| !has(&self.gone, row));
+        let rows: Vec<u32> = rest.take(self.rows).map(|row| row as u32).collect();
+        let Some(&last) = rows.last() else {
+            return false;
+        };
+        self.next = last as usize + 1;
+        self.at = 0;
+        self.rows = (2 * self.rows).min(self.masks.most_rows);
+        match self.masks.of(rows) {
+            Ok(block) => self.block = block,
+            Err(error) => self.failed = Some(error),
+        }
+        self.failed.is_none()
+    }
+}
+
+impl Chooses<f32> for Kept<'_> {
+    fn next(&mut self) -> Option<usize> {
+        if self.kept.len() == self.greed.most {
+            return None;
+        }
+        loop {
+            let Some(&row) = self.block.rows.get(self.at) else {
+                match self.advance() {
+                    true => continue,
+                    false => return None,
+                }
+            };
+            self.at += 1;
+            if has(&self.gone, row as usize) {
+                continue;
+            }
+            self.kept.push(row as usize);
+            let Block { rows, first, masks } = &self.block;
+            let words = masks.iter().skip(self.at - 1).step_by(rows.len());
+            self.near.clear();
+            for (word, &[certain, near]) in (*first..).zip(words) {
+                let gone = &mut self.gone[word];
+                *gone |= certain;
+                let mut open = near & !*gone;
+                while open != 0 {
+                    self.near
+                        .push(WORD as u32 * word as u32 + open.trailing_zeros());
+                    open &= open - 1;
+                }
+            }
+            return Some(row as usize);
+        }
+    }
+    fn wanted(&mut self, columns: &mut Vec<u32>) -> bool {
+        columns.clone_from(&self.near);
+        true
+    }
+    fn take(&mut self, columns: &[u32], results: Planes<'_, f32>) {
+        for (&column, value) in columns.iter().zip(flat(results.field(0))) {
+            if value.above(self.greed.threshold) {
+                self.gone[column as usize / WORD] |= 1 << (column as usize % WORD);
+            }
+        }
+    }
+}
+
+/// Columns that went up together.
+struct Window {
+    columns: Range<usize>,
+    numbers: wgpu::Buffer,
+    bounds: wgpu::Buffer,
+    ids: wgpu::Buffer,
+}
+
+/// What the GPU is given of all shapes.
+struct Masks<'a> {
+    gpu: &'a Gpu,
+    made: &'a Arc<Generated<f32>>,
+    greed: Greed<'a, f32>,
+    /// Both lists, which are the same shapes, each prepared as its argument is.
+    rows: &'a List<'a, f32>,
+    count: usize,
+    windows: Vec<Window>,
+    most_rows: usize,
+}
+
+impl<'a> Masks<'a> {
+    fn new(
+        gpu: &'a Gpu,
+        made: &'a Arc<Generated<f32>>,
+        greed: Greed<'a, f32>,
+        [rows, columns]: [&'a List<'a, f32>; 2],
+    ) -> Result<Self, Error> {
+        let (inner, count) = (&gpu.inner, rows.count);
+        let numbers = inner.most_bytes as usize / 4;
+        // Bounds are four numbers of a shape.
+        let window = numbers / made.widths[1].max(4);
+        let window = window.min(MOST_GROUPS * WORD) / WORD * WORD;
+        let widest = window.min(count.next_multiple_of(WORD));
+        let most_rows = (numbers / made.widths[0].max(4) / TILE * TILE)
+            .min(numbers * WORD / 2 / widest.max(1))
+            .min(MOST_MASKS / 8 / count.div_ceil(WORD))
+            .min(MOST_OPERATIONS / made.bodies[0].operations.max(1) / widest.max(1))
+            .min(MOST_GROUPS * GROUP);
+        if window == 0 || most_rows == 0 {
+            return Err(Error::Gpu(GpuFault::TooLarge));
+        }
+        let mut masks = Masks {
+            gpu,
+            made,
+            greed,
+            rows,
+            count,
+            windows: Vec::new(),
+            most_rows,
+        };
+        for start in (0..count).step_by(window) {
+            let own = start..count.min(start + window);
+            let shapes = &columns.numbers[own.start * columns.fields..own.end * columns.fields];
+            let prepared = made.prepare(1, shapes);
+            let bounds: Vec<[f32; 4]> = own.clone().map(|j| bounds_of(columns, j)).collect();
+            let ids: Vec<[u32; 2]> = own.clone().map(|j| masks.ids(columns, j)).collect();
+            masks.windows.push(inner.guarded(|| {
+                Ok(Window {
+                    columns: own,
+                    numbers: inner.stored(&prepared),
+                    bounds: inner.stored(&bounds),
+                    ids: inner.stored(&ids),
+                })
+            })?);
+        }
+        Ok(masks)
+    }
+    fn first_rows(&self) -> usize {
+        FIRST_ROWS.min(self.most_rows)
+    }
+    /// A shape's class, and whether its results are the processor's.
+    fn ids(&self, list: &List<'_, f32>, i: usize) -> [u32; 2] {
+        let class = self.greed.classes.map_or(0, |classes| classes[i]);
+        [class, u32::from(list.is_rare(i))]
+    }
+    /// Masks of some rows with all columns behind the first of them.
+    fn of(&self, rows: Vec<u32>) -> Result<Block, Error> {
+        let (inner, made, list) = (&self.gpu.inner, self.made, self.rows);
+        let first = rows[0] as usize / WORD;
+        let shapes = rows.iter().flat_map(|&row| list.shape(row as usize));
+        let numbers = made.prepare(0, &shapes.copied().collect::<Vec<f32>>());
+        let bounds: Vec<[f32; 4]> = rows.iter().map(|&i| bounds_of(list, i as usize)).collect();
+        let ids = rows.iter().map(|&row| {
+            let [class, rare] = self.ids(list, row as usize);
+            [row, class, rare, 0]
+        });
+        let ids: Vec<[u32; 4]> = ids.collect();
+        let threshold = self.greed.threshold;
+        let mut masks = Vec::new();
+        inner.guarded(|| {
+            let pipeline = inner.generated(&made.name, Form::Masks, || Form::Masks.text(made));
+            let own = [
+                inner.stored(&numbers),
+                inner.stored(&bounds),
+                inner.stored(&ids),
+            ];
+            let mut work = Work::new(inner);
+            for window in &self.windows {
+                let words = window.columns.start / WORD..window.columns.end.div_ceil(WORD);
+                let words = words.start.max(first)..words.end;
+                if words.is_empty() {
+                    continue;
+                }
+                let room = inner.storage(2 * rows.len() * words.len());
+                let params = [
+                    [
+                        rows.len() as u32,
+                        window.columns.len() as u32,
+                        window.columns.start as u32,
+                        (words.start - window.columns.start / WORD) as u32,
+                    ],
+                    [0; 4],
+                    [
+                        (threshold - NEAR).to_bits(),
+                        (threshold + NEAR).to_bits(),
+                        0,
+                        0,
+                    ],
+                ];
+                let buffers = [
+                    (1, &own[0]),
+                    (2, &window.numbers),
+                    (3, &own[1]),
+                    (4, &window.bounds),
+                    (5, &own[2]),
+                    (6, &window.ids),
+                    (7, &room),
+                ];
+                let groups = [rows.len().div_ceil(GROUP) as u32, words.len() as u32];
+                work.dispatch_with(&pipeline, &params, &buffers, groups);
+                masks.push((room, 8 * (rows.len() * words.len()) as u64));
+            }
+            work.submit().map(drop)
+        })?;
+        let parts: Vec<_> = masks.iter().map(|(room, bytes)| (room, *bytes)).collect();
+        let mut block = Block {
+            rows,
+            first,
+            masks: Vec::new(),
+        };
+        inner.bring(self.gpu, &parts)?.finish(|_, numbers| {
+            block.masks.extend_from_slice(bytemuck::cast_slice(numbers));
+        })?;
+        Ok(block)
+    }
+}
+
+/// A shape's bounds as finite numbers: everything where there are none.
+fn bounds_of(list: &List<'_, f32>, i: usize) -> [f32; 4] {
+    let all = [-f32::MAX, -f32::MAX, f32::MAX, f32::MAX];
+    let bounds = list.bounds_of(i).unwrap_or(all);
+    bounds.map(|x| x.clamp(-f32::MAX, f32::MAX))
+}
+
+/// The kernel: a thread for a row and a word of columns. Parameters are how many rows and columns there are,
+/// the first column's index in the list and the first word that is wanted; where both lists begin; from where
+/// to where results are near to the threshold.
+pub(super) fn masks(made: &Generated<f32>, _body: &Body) -> String {
+    let mut text = String::from("@group(0) @binding(0) var<uniform> params: array<vec4u, 3>;\n");
+    for (k, (access, name, of)) in [
+        ("read", "a_numbers", "f32"),
+        ("read", "b_numbers", "f32"),
+        ("read", "a_bounds", "vec4f"),
+        ("read", "b_bounds", "vec4f"),
+        ("read", "a_ids", "vec4u"),
+        ("read", "b_ids", "vec2u"),
+        ("read_write", "masks", "vec2u"),
+    ]
+    .into_iter()
+    .enumerate()
+    {
+        let _ = writeln!(
+            text,
+            "@group(0) @binding({}) var<storage, {access}> {name}: array<{of}>;",
+            k + 1
+        );
+    }
+    let (outside, inside, inputs) = both(made, 0);
+    let (result, unread) = (call("body", inputs), bound(made, "a_numbers", "b_numbers"));
+    let _ = write!(
+        text,
+        "
+@compute @workgroup_size({GROUP})
+fn masks_main(
+    @builtin(workgroup_id) group: vec3u,
+    @builtin(local_invocation_index) here: u32,
+) {{
+    let own = group.x * {GROUP}u + here;
+    if own >= params[0].x {{
+        return;
+    }}
+    let first = (params[0].w + group.y) * {WORD}u;
+    let end = min(first + {WORD}u, params[0].y);
+    let id = a_ids[own];
+    let own_bounds = a_bounds[own];
+    let low = bitcast<f32>(params[2].x);
+    let high = bitcast<f32>(params[2].y);
+    var certain = 0u;
+    var near = 0u;
+{unread}{outside}    for (var walked = first; walked < end; walked++) {{
+        let other = b_ids[walked];
+        let bounds = b_bounds[walked];
+        let apart = own_bounds.x > bounds.z | bounds.x > own_bounds.z
+            | own_bounds.y > bounds.w | bounds.y > own_bounds.w;
+        if params[0].z + walked <= id.x | other.x != id.y | apart {{
+            continue;
+        }}
+{inside}        let y = {result};
+        let bit = 1u << (walked - first);
+        let is_rare = (id.z | other.y) != 0u;
+        // What is not a number is neither above nor below.
+        let is_open = is_rare | !(y[0] < low | y[0] > high);
+        near |= select(0u, bit, is_open);
+        certain |= select(0u, bit, !is_open & y[0] > high);
+    }}
+    masks[group.y * params[0].x + own] = vec2u(certain, near);
+}}
+"
+    );
+    text
+}

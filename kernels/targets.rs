@@ -1,0 +1,55 @@
+//! Where the results of batches go.
+use crate::kernels::row::{Row, Target, target};
+
+/// Where the results of a batch go: a slice or vector for every shape of a result, in a tuple like
+/// the result's; [`Skip`] for what is not wanted.
+pub trait Targets<R: Row> {
+    /// The targets, one per shape of a result.
+    #[doc(hidden)]
+    fn list<'a>(&'a mut self, add: &mut dyn FnMut(Option<Target<'a, R::Scalar>>));
+}
+
+/// In the place of results that nobody wants.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct Skip;
+
+impl<R: Row> Targets<R> for Skip {
+    fn list<'a>(&'a mut self, add: &mut dyn FnMut(Option<Target<'a, R::Scalar>>)) {
+        R::leaves(&mut |_| add(None));
+    }
+}
+impl<R: Row<Many = Vec<R>>> Targets<R> for &mut [R] {
+    fn list<'a>(&'a mut self, add: &mut dyn FnMut(Option<Target<'a, R::Scalar>>)) {
+        add(Some(target(self)));
+    }
+}
+impl<R: Row<Many = Vec<R>>> Targets<R> for &mut Vec<R> {
+    fn list<'a>(&'a mut self, add: &mut dyn FnMut(Option<Target<'a, R::Scalar>>)) {
+        add(Some(target(self)));
+    }
+}
+impl<R: Row<Many = Vec<R>>, const N: usize> Targets<R> for &mut [R; N] {
+    fn list<'a>(&'a mut self, add: &mut dyn FnMut(Option<Target<'a, R::Scalar>>)) {
+        add(Some(target(&mut self[..])));
+    }
+}
+
+/// Targets of several results.
+macro_rules! targets {
+    ($($first:ident $of_first:ident $($name:ident $of:ident)*;)*) => { $(
+        impl<$first: Row, $($name: Row<Scalar = $first::Scalar>,)* $of_first, $($of),*>
+            Targets<($first, $($name,)*)> for ($of_first, $($of,)*)
+        where
+            $of_first: Targets<$first>,
+            $($of: Targets<$name>,)*
+        {
+            #[allow(non_snake_case)]
+            fn list<'a>(&'a mut self, add: &mut dyn FnMut(Option<Target<'a, $first::Scalar>>)) {
+                let ($of_first, $($of,)*) = self;
+                $of_first.list(add);
+                $($of.list(add);)*
+            }
+        }
+    )* };
+}
+targets!(A X B Y; A X B Y C Z; A X B Y C Z D W; A X B Y C Z D W E V; A X B Y C Z D W E V F U;);

@@ -1,0 +1,126 @@
+//! Folds over paths on a GPU.
+use crate::{gpu, small, validate};
+use geograd::ad::check::sample::Draw;
+use geograd::kernels::gpu::{Gpu, fold_sources};
+use geograd::kernels::ops::fold;
+use geograd::kernels::{Cpu, Fold, One, Row};
+use geograd::{Error, Fixed, GpuFault, Pack, Vec2};
+
+/// Shader text needs no GPU to be judged.
+pub fn shaders_are_valid<F: Fold>(fold: F) {
+    for (name, text) in fold_sources(fold).unwrap() {
+        validate(&name, &text);
+    }
+}
+
+/// Numbers that may differ by so much of their size, and of one.
+fn near(name: &str, found: &[f32], expected: &[f32], by: f32) {
+    assert_eq!(found.len(), expected.len());
+    for (i, (found, expected)) in found.iter().zip(expected).enumerate() {
+        let off = (found - expected).abs();
+        let bound = by * (1.0 + expected.abs());
+        assert!(off <= bound, "{name} {i}: {found} for {expected}");
+    }
+}
+
+fn bits(numbers: &[f32]) -> Vec<u32> {
+    numbers.iter().map(|x| x.to_bits()).collect()
+}
+
+/// Rings and chains of many sizes, empty ones among them.
+pub fn paths() -> (Vec<Vec2<f32>>, Vec<usize>) {
+    let mut draw = Draw::new(8);
+    let (mut vertices, mut offsets) = (Vec::new(), vec![0]);
+    for size in [0, 1, 2, 3, 4, 7, 40, 0, 130, 5] {
+        for k in 0..size {
+            let angle = f64::from(k) / f64::from(size) * 6.2;
+            let reach = draw.within(0.5, 2.0);
+            let (sin, cos) = angle.sin_cos();
+            vertices.push(Vec2::new((reach * cos) as f32, (reach * sin) as f32));
+        }
+        offsets.push(vertices.len());
+    }
+    (vertices, offsets)
+}
+
+#[test]
+fn folds() {
+    let Some((_turn, gpu)) = gpu() else { return };
+    let (vertices, offsets) = paths();
+    let paths = offsets.len() - 1;
+    let points: Vec<Vec2<f32>> = (0..paths).map(|k| Vec2::new(0.1 * k as f32, 0.3)).collect();
+    folds_agree(
+        gpu,
+        fold::SignedDistancePointRing,
+        &points[..],
+        &vertices,
+        &offsets,
+    );
+    folds_agree(
+        gpu,
+        fold::SignedDistancePointRing,
+        One(points[1]),
+        &vertices,
+        &offsets,
+    );
+    folds_agree(gpu, fold::SecondMomentsOfRing, One([]), &vertices, &offsets);
+    folds_agree(gpu, fold::LengthOfPolyline, One([]), &vertices, &offsets);
+    let context = &points[..];
+    folds_agree(
+        gpu,
+        fold::DistancePointPolyline,
+        context,
+        &vertices,
+        &offsets,
+    );
+    folds_agree(gpu, fold::DistancePointRing, context, &vertices, &offsets);
+    folds_agree(gpu, fold::ClearancePointRing, context, &vertices, &offsets);
+    folds_agree(gpu, fold::WindingOfRing, context, &vertices, &offsets);
+    // What fits no buffer is an error, what fits is cut.
+    let small = small();
+    let run = fold::SignedDistancePointRing;
+    let found = small
+        .programs()
+        .fold(run, One(points[1]), &vertices, &offsets)
+        .unwrap();
+    let expected = gpu
+        .programs()
+        .fold(run, One(points[1]), &vertices, &offsets)
+        .unwrap();
+    assert_eq!(bits(&found), bits(&expected));
+    let long = vec![Vec2::new(1.0, 2.0); 5000];
+    let refused = small
+        .programs()
+        .fold(run, One(points[1]), &long, &[0, 5000]);
+    assert_eq!(refused.unwrap_err(), Error::Gpu(GpuFault::TooLarge));
+}
+
+fn folds_agree<F: Fold, C: geograd::kernels::Columns<Row = F::Context<f32>> + Copy>(
+    gpu: &Gpu,
+    run: F,
+    context: C,
+    vertices: &[Vec2<f32>],
+    offsets: &[usize],
+) where
+    F::Context<f32>: Row<Scalar = f32>,
+{
+    let numbers =
+        |all: &[F::Out<f32>]| -> Vec<f32> { all.iter().flat_map(Pack::scalars).collect() };
+    let (programs, cpu) = (gpu.programs(), Cpu::new());
+    let found = programs.fold(run, context, vertices, offsets).unwrap();
+    let expected = cpu.fold(run, context, vertices, offsets).unwrap();
+    near(F::NAME, &numbers(&found), &numbers(&expected), 1e-5);
+    let seeds: Vec<F::Out<f32>> = found.iter().map(|_| F::Out::filled(0.75)).collect();
+    let (by_context, by_vertex) = programs
+        .fold_vjp(run, context, vertices, offsets, &seeds)
+        .unwrap();
+    let expected = cpu
+        .fold_vjp(run, context, vertices, offsets, &seeds)
+        .unwrap();
+    let flat = |all: &[Vec2<f32>]| -> Vec<f32> { all.iter().flat_map(Pack::scalars).collect() };
+    near(F::NAME, &flat(&by_vertex), &flat(&expected.1), 2e-5);
+    assert_eq!(by_context.len(), expected.0.len());
+    for (found, expected) in by_context.iter().zip(&expected.0) {
+        near(F::NAME, &found.scalars(), &expected.scalars(), 2e-5);
+    }
+}

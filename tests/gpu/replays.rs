@@ -1,0 +1,277 @@
+//! Operations with a search: decided on the processor, replayed on the GPU.
+use crate::{any_gpu, gpu, small, validate};
+use geograd::ad::check::sample::{Draw, Sample};
+use geograd::error::Validate;
+use geograd::kernels::cpu::{Face, Want};
+use geograd::kernels::decided;
+use geograd::kernels::gpu::replay_source;
+use geograd::kernels::op::{Ask, Jumps, Promise, Vjp};
+use geograd::kernels::replays::{self, Replays};
+use geograd::kernels::{
+    Backend, Cpu, Decided, DiameterOfPolygon, GiouPolygons, IouPolygons, One, Row, Runs,
+};
+use geograd::{ConvexPolygon, Error, Fixed, GpuFault, Pack, Scalar, Unrecordable, Vec2};
+use std::sync::Arc;
+
+#[test]
+fn the_shader_is_valid() {
+    validate("replay", &replay_source());
+}
+
+/// Ordinary inputs of an operation in single precision.
+fn inputs<D: Decided>(count: usize) -> Vec<D::In<f32>>
+where
+    D::In<f64>: Sample + Pack<With<f32> = D::In<f32>>,
+    D::In<f32>: Validate,
+{
+    let mut draw = Draw::new(3);
+    let drawn =
+        std::iter::repeat_with(|| D::In::<f64>::ordinary(&mut draw).map(&mut |&x| x as f32));
+    drawn.filter(|x| x.validate().is_ok()).take(count).collect()
+}
+
+/// Numbers that may differ by so much of the largest of their item, and of one.
+fn near(name: &str, found: &[Vec<f32>], expected: &[Vec<f32>], by: f32) {
+    assert_eq!(found.len(), expected.len());
+    for (i, (found, expected)) in found.iter().zip(expected).enumerate() {
+        let size = expected.iter().fold(1.0, |size: f32, x| size.max(x.abs()));
+        for (found, expected) in found.iter().zip(expected) {
+            let off = (found - expected).abs();
+            assert!(off <= by * size, "{name} {i}: {found} for {expected}");
+        }
+    }
+}
+
+/// Results item by item, each as its numbers.
+pub trait Flat {
+    fn flat(&self) -> Vec<Vec<f32>>;
+}
+impl<P: Fixed<Scalar = f32>> Flat for Vec<P> {
+    fn flat(&self) -> Vec<Vec<f32>> {
+        self.iter().map(Pack::scalars).collect()
+    }
+}
+impl<A: Flat, B: Flat> Flat for (A, B) {
+    fn flat(&self) -> Vec<Vec<f32>> {
+        let both = self.0.flat().into_iter().zip(self.1.flat());
+        both.map(|(a, b)| [a, b].concat()).collect()
+    }
+}
+
+/// Values and slopes are those of batches on the processor, and those are the operation's own.
+pub fn agrees<D, X, Y>()
+where
+    D: Decided<In<f32> = X, Out<f32> = Y> + Runs<X, Out = Y>,
+    Vjp<D>: Runs<(X, Y), Out = X>,
+    D::In<f64>: Sample + Pack<With<f32> = X>,
+    X: Row<Scalar = f32> + Validate,
+    Y: Row<Scalar = f32>,
+    X::Many: Flat,
+    Y::Many: Flat,
+{
+    let (run, cpu) = (D::default(), Cpu::new());
+    // Every pair of polygons has a record of its own, nearly.
+    let inputs = inputs::<D>(if X::CODES > 1 { 40 } else { 300 });
+    let alone: Vec<Y> = inputs
+        .iter()
+        .map(|&x| D::replay::<f32>(x, D::decide::<f32>(x)))
+        .collect();
+    let expected = cpu.aligned(run, &inputs[..]).unwrap().flat();
+    near(D::NAME, &expected, &alone.flat(), 1e-6);
+    let Some(gpu) = any_gpu() else { return };
+    let programs = gpu.programs();
+    let found = programs.aligned(run, &inputs[..]).unwrap().flat();
+    near(D::NAME, &found, &expected, 2e-5);
+    let again = programs.aligned(run, &inputs[..]).unwrap().flat();
+    assert_eq!(found, again);
+    for k in 0..Y::LEN {
+        let seed: Vec<f32> = (0..Y::LEN).map(|j| f32::from(u8::from(j == k))).collect();
+        let seeds = vec![Y::load(&seed); inputs.len()];
+        let columns = (&inputs[..], &seeds[..]);
+        let found = programs.aligned(Decided::vjp(run), columns).unwrap().flat();
+        let expected = cpu.aligned(Decided::vjp(run), columns).unwrap().flat();
+        near(D::NAME, &found, &expected, 1e-4);
+    }
+}
+
+/// A polygon of so many corners on a circle.
+fn ring<const N: usize>(draw: &mut Draw, count: usize) -> ConvexPolygon<f32, N> {
+    let (x, y, turn) = (
+        draw.within(-1.0, 1.0),
+        draw.within(-1.0, 1.0),
+        draw.within(0.0, 1.0),
+    );
+    let corner = |k: usize| {
+        let (sin, cos) = ((k as f64 + turn) * std::f64::consts::TAU / count as f64).sin_cos();
+        Vec2::new((x + 2.0 * cos) as f32, (y + 2.0 * sin) as f32)
+    };
+    ConvexPolygon::from_vertices(&(0..count).map(corner).collect::<Vec<_>>())
+}
+
+/// Polygons of several sizes in one batch, more than one chunk of the smallest buffers, one for all.
+#[test]
+fn polygons_of_many_sizes() {
+    let Some((_turn, gpu)) = gpu() else { return };
+    let mut draw = Draw::new(2);
+    let mut list = |from: usize| -> Vec<ConvexPolygon<f32, 6>> {
+        (0..2500)
+            .map(|i| ring(&mut draw, 3 + (i + from) % 4))
+            .collect()
+    };
+    let (many, b) = (list(0), list(1));
+    // Of what is dear a few.
+    let (a, b) = (&many[..400], &b[..400]);
+    let (programs, cpu) = (gpu.programs(), Cpu::new());
+    let found = programs.aligned(IouPolygons::<6>, (a, b)).unwrap();
+    let direct: Vec<f32> = a.iter().zip(b).map(|(a, b)| a.iou(b)).collect();
+    near("iou", &[found], &[direct], 1e-5);
+    let (value, (by_a, by_b)) = programs
+        .aligned(IouPolygons::<6>.value_grad(), (a, b))
+        .unwrap();
+    let (expected, grads) = cpu.aligned(IouPolygons::<6>.value_grad(), (a, b)).unwrap();
+    near("iou", &[value], &[expected], 1e-5);
+    near("iou", &by_a.flat(), &grads.0.flat(), 1e-4);
+    near("iou", &by_b.flat(), &grads.1.flat(), 1e-4);
+    // A gradient has the codes of its shape.
+    assert!(
+        by_a.iter()
+            .zip(a)
+            .all(|(bar, shape)| bar.count == shape.count)
+    );
+    let run = DiameterOfPolygon::<6>;
+    let found = programs.aligned(run, &many).unwrap();
+    near(
+        "diameter",
+        std::slice::from_ref(&found),
+        &[cpu.aligned(run, &many).unwrap()],
+        1e-6,
+    );
+    assert_eq!(small().programs().aligned(run, &many).unwrap(), found);
+    let one = programs.aligned(IouPolygons::<6>, (a, One(b[0]))).unwrap();
+    let all = programs
+        .aligned(IouPolygons::<6>, (a, &vec![b[0]; a.len()]))
+        .unwrap();
+    assert_eq!(one, all);
+    assert_eq!(programs.aligned(run, &many[..0]).unwrap(), []);
+    let mut lengths = vec![0.0; many.len()];
+    Backend::Gpu(gpu)
+        .run_into(run, &many, &mut lengths)
+        .unwrap();
+    assert_eq!(lengths, found);
+}
+
+#[test]
+fn what_cannot_be_replayed_is_refused() {
+    let Some((_turn, gpu)) = gpu() else { return };
+    let mut draw = Draw::new(5);
+    let (a, b) = ([ring::<6>(&mut draw, 6)], [ring::<6>(&mut draw, 5)]);
+    // A program longer than a buffer.
+    let refused = small().programs().aligned(GiouPolygons::<6, 12>, (&a, &b));
+    assert_eq!(refused.unwrap_err(), Error::Gpu(GpuFault::TooLarge));
+    // All pairs would decide every pair on the processor.
+    let refused = gpu.programs().all_pairs(IouPolygons::<6>, &a, &b);
+    assert_eq!(refused.unwrap_err(), Error::Program(Unrecordable::Search));
+    let mut bad = a;
+    bad[0].vertices[1].x = f32::NAN;
+    let refused = gpu.programs().aligned(IouPolygons::<6>, (&bad, &b));
+    assert_eq!(
+        refused.unwrap_err(),
+        Cpu::new()
+            .aligned(IouPolygons::<6>, (&bad, &b))
+            .unwrap_err()
+    );
+    let refused = gpu.programs().aligned(IouPolygons::<6>, (&a, &[b[0]; 2]));
+    assert!(matches!(
+        refused.unwrap_err(),
+        Error::Length {
+            expected: 1,
+            found: 2,
+            ..
+        }
+    ));
+    let lost = geograd::kernels::gpu::Gpu::new().unwrap();
+    lost.destroy();
+    let refused = lost.programs().aligned(IouPolygons::<6>, (&a, &b));
+    assert_eq!(refused.unwrap_err(), Error::Gpu(GpuFault::DeviceLost));
+}
+
+/// All instructions there are.
+#[derive(Clone, Copy, Debug, Default)]
+struct Everything;
+
+impl Decided for Everything {
+    const NAME: &'static str = "everything";
+    type In<S: Scalar> = [S; 3];
+    type Out<S: Scalar> = [S; 4];
+    type Record = bool;
+    const PROMISES: &'static [Promise] = &[];
+    const JUMPS: Jumps = Jumps::Anywhere;
+    fn decide<S: Scalar<Mask = bool>>([a, b, _]: [S; 3]) -> bool {
+        a.below(b)
+    }
+    fn replay<S: Scalar>([a, b, c]: [S; 3], record: bool) -> [S; 4] {
+        let (a, b) = if record { (a, b) } else { (b, a) };
+        let [(sin_high, sin_low), (cos_high, cos_low)] = a.sin_cos_parts();
+        let parts = sin_high * cos_high + sin_low + cos_low + b.parts().0;
+        let smooth =
+            a.exp() + b.magnitude().ln() + a.atan2(c) + c.magnitude().root() + b.sin() + b.cos();
+        let kinks = a.least(b).most(c).magnitude() + b.most(c).least(a) + c.clamp(a, b);
+        let fused =
+            (a + b) * c - (a - b) * (b - c) + (a * b - c * a) * (a * c + b) + (a + b + c - (c - b));
+        let ratio = (a * b + c).over(S::one() + c * c) * a.magnitude().binade();
+        let mask = (a.below(c) & b.at_most(c)) | !a.equals(c);
+        let other = (a.at_most(b) | c.below(b)) & a.below(b + c);
+        let chosen = S::select(mask & other, parts, -kinks) + S::select(a.below(b), -c, fused);
+        let more =
+            S::select(a.at_most(c), b, c) + S::select(a.equals(b), b, c) + S::select(other, -a, c);
+        [chosen, smooth + more, ratio * fused, kinks - more]
+    }
+}
+
+/// Its adjoint.
+#[derive(Clone, Copy, Debug)]
+struct Adjoint;
+
+macro_rules! runs {
+    ($($run:ident: $row:ty => $out:ty, $want:ident;)*) => { $(
+        impl Runs<$row> for $run {
+            type Out = $out;
+            fn face(&self, ask: Ask) -> Result<Arc<Face<f32>>, Error> {
+                decided::face::<Everything, [f32; 3]>(Want::$want, ask)
+            }
+            fn replays(&self) -> Option<Result<Arc<dyn Replays<f32>>, Error>> {
+                Some(replays::of::<Everything, [f32; 3]>(Want::$want))
+            }
+        }
+    )* };
+}
+runs! {
+    Everything: [f32; 3] => [f32; 4], Value;
+    Adjoint: ([f32; 3], [f32; 4]) => [f32; 3], Vjp;
+}
+
+#[test]
+fn every_instruction() {
+    let text = replay_source();
+    let constants = text.lines().filter_map(|line| line.strip_prefix("const "));
+    for line in constants {
+        let name = line.split(' ').next().unwrap();
+        assert!(
+            text.contains(&format!("case {name}:")) || text.contains(&format!("op == {name}")),
+            "{name} is never carried out"
+        );
+    }
+    let Some((_turn, gpu)) = gpu() else { return };
+    let mut draw = Draw::new(6);
+    let mut number = || (4.0 * draw.within(-1.0, 1.0)) as f32;
+    let mut items: Vec<[f32; 3]> = (0..500).map(|_| [number(), number(), number()]).collect();
+    items.extend([[1.0, 1.0, 2.0], [2.0, 1.0, 1.0], [1.5; 3], [1.0, 2.0, 1.0]]);
+    let (programs, cpu) = (gpu.programs(), Cpu::new());
+    let found = programs.aligned(Everything, &items).unwrap();
+    let expected = cpu.aligned(Everything, &items).unwrap();
+    near("everything", &found.flat(), &expected.flat(), 1e-5);
+    let seeds = vec![[1.0, -0.5, 0.25, 2.0]; items.len()];
+    let found = programs.aligned(Adjoint, (&items, &seeds)).unwrap();
+    let expected = cpu.aligned(Adjoint, (&items, &seeds)).unwrap();
+    near("adjoint", &found.flat(), &expected.flat(), 1e-4);
+}
