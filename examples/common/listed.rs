@@ -439,6 +439,8 @@ macro_rules! list {
      }) => {
         /// The whole list; unoptimised builds leave out its last section, as every operation costs them a
         /// second.
+        // Which implementation serves an operation is found by the reference.
+        #[allow(clippy::needless_borrow)]
         pub fn list() -> Vec<Listed> {
             macro_rules! straight {
                 ($name:ident: $op:ty) => {{

@@ -233,8 +233,8 @@ pub fn paper(machine: &Machine) -> (String, String) {
         points.push((k, times));
     }
     let place = match machine {
-        Machine::Cpu => "on one thread, f32".to_owned(),
-        Machine::Gpu(gpu) => format!("on one thread and on {gpu}, f32"),
+        Machine::Cpu => "on one thread".to_owned(),
+        Machine::Gpu(gpu) => format!("on one thread, and on {gpu}"),
     };
     (drawn(&all, &points, &place), csv)
 }
@@ -256,7 +256,8 @@ fn drawn(curves: &[Curve<'_>], points: &[(usize, Vec<f64>)], place: &str) -> Str
         "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 {WIDTH} {HEIGHT}\" \
          font-family=\"sans-serif\" font-size=\"12\">\n\
          <rect width=\"{WIDTH}\" height=\"{HEIGHT}\" fill=\"white\"/>\n\
-         <text x=\"{LEFT}\" y=\"24\" font-size=\"15\">IoU loss of box pairs {place}</text>\n"
+         <text x=\"{LEFT}\" y=\"22\" font-size=\"15\">IoU loss of box pairs, f32</text>\n\
+         <text x=\"{LEFT}\" y=\"39\" font-size=\"11\">{place}</text>\n"
     );
     for power in first.log10() as i32..=last.log10() as i32 {
         let at = x(10_f64.powi(power));

@@ -1,0 +1,255 @@
+//! Every row of one list that stays with every row of another.
+use super::{Held, Resident, foreign, held_of, shapes_of};
+#[cfg(feature = "gpu")]
+use super::{of_gpu, on_gpu};
+use crate::error::{Argument, Error};
+use crate::kernels::backend::Backend;
+use crate::kernels::cpu::checked::expect;
+#[cfg(feature = "gpu")]
+use crate::kernels::gpu;
+use crate::kernels::op::Runs;
+use crate::kernels::resident::{Bests, Founds, Matrix, Side};
+use crate::kernels::row::Single;
+use crate::kernels::{Cpu, reduce};
+
+impl Resident<'_> {
+    /// Every row of `a` with every row of `b`, as [`Cpu::all_pairs`], for one number as result: a matrix
+    /// that stays.
+    ///
+    /// # Errors
+    ///
+    /// As [`aligned`](Resident::aligned).
+    pub fn all_pairs<A: Single<Scalar = f32>, B: Single<Scalar = f32>, R>(
+        self,
+        run: R,
+        a: &Held<A>,
+        b: &Held<B>,
+    ) -> Result<Matrix, Error>
+    where
+        R: Runs<(A, B), Out = f32>,
+    {
+        match self.0 {
+            Backend::Cpu => {
+                let table = Cpu::new().all_pairs(run, &shapes_of(a)?, &shapes_of(b)?)?;
+                let values = table.into_planes();
+                Ok(Matrix(Side::Cpu(reduce::Matrix::new(
+                    a.count, b.count, values,
+                )?)))
+            }
+            #[cfg(feature = "gpu")]
+            Backend::Gpu(gpu) => {
+                let made = run.generated(crate::kernels::op::Ask::PAIRS)?;
+                let (a, b) = (on_gpu::column(a)?, on_gpu::column(b)?);
+                Ok(Matrix(Side::Gpu(gpu.programs().held_matrix(&made, a, b)?)))
+            }
+            #[cfg(not(feature = "gpu"))]
+            Backend::Gpu(gpu) => match *gpu {},
+        }
+    }
+
+    /// [`all_pairs`](Resident::all_pairs) over a matrix that is there already, in the same buffers.
+    ///
+    /// # Errors
+    ///
+    /// As [`all_pairs`](Resident::all_pairs), and [`Error::Length`] for a matrix of another size.
+    pub fn all_pairs_into<A: Single<Scalar = f32>, B: Single<Scalar = f32>, R>(
+        self,
+        run: R,
+        a: &Held<A>,
+        b: &Held<B>,
+        matrix: &mut Matrix,
+    ) -> Result<(), Error>
+    where
+        R: Runs<(A, B), Out = f32>,
+    {
+        match (self.0, &mut matrix.0) {
+            (Backend::Cpu, Side::Cpu(own)) => {
+                fits(a, b, own, Argument::Values)?;
+                let (a, b) = (shapes_of(a)?, shapes_of(b)?);
+                Cpu::new().all_pairs_planes(run, &a, &b, &mut own.values)
+            }
+            #[cfg(feature = "gpu")]
+            (Backend::Gpu(gpu), Side::Gpu(own)) => {
+                let made = run.generated(crate::kernels::op::Ask::PAIRS)?;
+                let (a, b) = (on_gpu::column(a)?, on_gpu::column(b)?);
+                gpu.programs().held_matrix_into(&made, a, b, own)
+            }
+            _ => Err(foreign()),
+        }
+    }
+
+    /// The adjoint of [`all_pairs`](Resident::all_pairs), as [`Cpu::all_pairs_vjp`]: slopes summed for
+    /// every row of both lists.
+    ///
+    /// # Errors
+    ///
+    /// As [`all_pairs`](Resident::all_pairs), and [`Error::Length`] for an upstream of another size.
+    pub fn all_pairs_vjp<A: Single<Scalar = f32>, B: Single<Scalar = f32>, R>(
+        self,
+        run: R,
+        a: &Held<A>,
+        b: &Held<B>,
+        upstream: &Matrix,
+    ) -> Result<(Held<A>, Held<B>), Error>
+    where
+        R: Runs<(A, B), Out = f32>,
+    {
+        match (self.0, &upstream.0) {
+            (Backend::Cpu, Side::Cpu(own)) => {
+                fits(a, b, own, Argument::Upstream)?;
+                let (a, b) = (shapes_of(a)?, shapes_of(b)?);
+                let (by_a, by_b) = Cpu::new().all_pairs_vjp(run, &a, &b, &own.values)?;
+                Ok((held_of(&by_a), held_of(&by_b)))
+            }
+            #[cfg(feature = "gpu")]
+            (Backend::Gpu(gpu), Side::Gpu(own)) => {
+                let made = run.generated(crate::kernels::op::Ask::ADJOINT)?;
+                let (a, b) = (on_gpu::column(a)?, on_gpu::column(b)?);
+                Ok(both(gpu.programs().held_slopes(&made, a, b, Ok(own))?))
+            }
+            _ => Err(foreign()),
+        }
+    }
+
+    /// The sum of all results, and its slopes for every row of both lists, as [`Cpu::sum_grad`].
+    ///
+    /// # Errors
+    ///
+    /// As [`all_pairs`](Resident::all_pairs).
+    pub fn sum_grad<A: Single<Scalar = f32>, B: Single<Scalar = f32>, R>(
+        self,
+        run: R,
+        a: &Held<A>,
+        b: &Held<B>,
+    ) -> Result<(f64, Held<A>, Held<B>), Error>
+    where
+        R: Runs<(A, B), Out = f32> + Copy,
+    {
+        match self.0 {
+            Backend::Cpu => {
+                let (a, b) = (shapes_of(a)?, shapes_of(b)?);
+                let (sum, by_a, by_b) = Cpu::new().sum_grad(run, &a, &b)?;
+                Ok((sum, held_of(&by_a), held_of(&by_b)))
+            }
+            #[cfg(feature = "gpu")]
+            Backend::Gpu(gpu) => self.loss(gpu, run, a, b, 1.0),
+            #[cfg(not(feature = "gpu"))]
+            Backend::Gpu(gpu) => match *gpu {},
+        }
+    }
+
+    /// The mean of all results, zero where there are none, and its slopes, as [`Cpu::mean_grad`].
+    ///
+    /// # Errors
+    ///
+    /// As [`all_pairs`](Resident::all_pairs).
+    pub fn mean_grad<A: Single<Scalar = f32>, B: Single<Scalar = f32>, R>(
+        self,
+        run: R,
+        a: &Held<A>,
+        b: &Held<B>,
+    ) -> Result<(f64, Held<A>, Held<B>), Error>
+    where
+        R: Runs<(A, B), Out = f32> + Copy,
+    {
+        match self.0 {
+            Backend::Cpu => {
+                let (a, b) = (shapes_of(a)?, shapes_of(b)?);
+                let (mean, by_a, by_b) = Cpu::new().mean_grad(run, &a, &b)?;
+                Ok((mean, held_of(&by_a), held_of(&by_b)))
+            }
+            #[cfg(feature = "gpu")]
+            Backend::Gpu(gpu) => {
+                let factor = 1.0 / (a.count as f64 * b.count as f64).max(1.0);
+                let (sum, by_a, by_b) = self.loss(gpu, run, a, b, factor as f32)?;
+                Ok((sum * factor, by_a, by_b))
+            }
+            #[cfg(not(feature = "gpu"))]
+            Backend::Gpu(gpu) => match *gpu {},
+        }
+    }
+
+    #[cfg(feature = "gpu")]
+    fn loss<A: Single<Scalar = f32>, B: Single<Scalar = f32>, R>(
+        self,
+        gpu: &gpu::Gpu,
+        run: R,
+        a: &Held<A>,
+        b: &Held<B>,
+        factor: f32,
+    ) -> Result<(f64, Held<A>, Held<B>), Error>
+    where
+        R: Runs<(A, B), Out = f32> + Copy,
+    {
+        let sum = self.all_pairs(run, a, b)?.sum()?;
+        let made = run.generated(crate::kernels::op::Ask::ADJOINT)?;
+        let (a, b) = (on_gpu::column(a)?, on_gpu::column(b)?);
+        let (by_a, by_b) = both(gpu.programs().held_slopes(&made, a, b, Err(factor))?);
+        Ok((sum, by_a, by_b))
+    }
+}
+
+/// Slopes of both lists.
+#[cfg(feature = "gpu")]
+fn both<A, B>([a, b]: [gpu::HeldColumn; 2]) -> (Held<A>, Held<B>) {
+    (of_gpu(vec![a]), of_gpu(vec![b]))
+}
+
+/// Refuses a matrix of another size than two lists have.
+fn fits<A, B>(
+    a: &Held<A>,
+    b: &Held<B>,
+    matrix: &reduce::Matrix,
+    argument: Argument,
+) -> Result<(), Error> {
+    expect(argument, a.count, matrix.rows())?;
+    expect(argument, b.count, matrix.columns())
+}
+
+/// Reductions of all pairs: on the CPU without the matrix, on a GPU of the matrix, which stays there.
+macro_rules! reductions {
+    ($($(#[$doc:meta])* $name:ident($($arg:ident)?) -> $out:ty
+        = |$held:ident, $a:ident, $b:ident| $wrap:expr;)*) => {
+        impl Resident<'_> { $(
+            $(#[$doc])*
+            ///
+            /// # Errors
+            ///
+            /// As [`all_pairs`](Resident::all_pairs).
+            pub fn $name<A: Single<Scalar = f32>, B: Single<Scalar = f32>, R>(
+                self,
+                run: R,
+                $a: &Held<A>,
+                $b: &Held<B>,
+                $($arg: f32,)?
+            ) -> Result<$out, Error>
+            where
+                R: Runs<(A, B), Out = f32>,
+            {
+                match self.0 {
+                    Backend::Cpu => {
+                        let (x, y) = (shapes_of($a)?, shapes_of($b)?);
+                        let $held = Cpu::new().$name(run, &x, &y $(, $arg)?)?;
+                        Ok($wrap)
+                    }
+                    Backend::Gpu(_) => self.all_pairs(run, $a, $b)?.$name($($arg)?),
+                }
+            }
+        )* }
+    };
+}
+
+reductions! {
+    /// The largest result of every row and its column, of several the first, as [`Cpu::row_max`].
+    row_max() -> Bests = |found, a, b| Bests(Side::Cpu((found, b.count)));
+    /// The largest result of every column and its row, of several the first, as [`Cpu::column_max`].
+    column_max() -> Bests = |found, a, b| Bests(Side::Cpu((found, a.count)));
+    /// Every pair whose result is above the threshold, row by row, as [`Cpu::above`].
+    above(threshold) -> Founds = |found, a, b| Founds(Side::Cpu(found));
+    /// How many pairs have a result above the threshold, as [`Cpu::count_above`].
+    count_above(threshold) -> u64 = |found, a, b| found;
+    /// The sum of all results, as [`Cpu::sum`].
+    sum() -> f64 = |found, a, b| found;
+    /// The mean of all results, zero where there are none, as [`Cpu::mean`].
+    mean() -> f64 = |found, a, b| found;
+}
