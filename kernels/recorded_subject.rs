@@ -53,7 +53,7 @@ pub(crate) struct Recording<S> {
     /// that its slopes come.
     pub slopes: Arc<Recorded>,
     /// The slopes of a cotangent from the recorded result, backwards: where slopes are by hand, a further
-    /// witness.
+    /// witness in double precision.
     pub reverse: Option<Arc<Recorded>>,
     /// The function itself, on plain numbers.
     pub source: Path<S>,
