@@ -15,14 +15,13 @@ use crate::kernels::cpu::plan::{Want, program_of};
 use crate::kernels::decided::{Decided, Replayed};
 use crate::kernels::fold::{Fold, Folded};
 use crate::kernels::gpu::{GpuPair, GpuRing};
-use crate::kernels::op::{Op, RingOp, Ringed, Slopes};
+use crate::kernels::op::{Op, RingOp, Ringed};
 use crate::kernels::real::Real;
 use crate::kernels::recorded_subject::{RecordedSubject, Recording};
 use crate::kernels::row::{Row, target};
 use crate::kernels::witness::{Ask, Batch, ask_any, ask_pairs, ask_rings};
 use crate::kernels::{Backend, Cpu};
 use crate::{Error, Fixed, Pack, Vec2};
-use std::sync::Arc;
 
 pub use crate::kernels::of::OfOperation;
 pub use crate::kernels::subject::{Fused, OpSubject, Path};
@@ -60,11 +59,8 @@ where
     O::Out<S>: Row,
     O::Out<f64>: Sample,
 {
-    let value = program_of::<O, S>(Want::Value)?;
-    let by_hand_only = O::SLOPES == Slopes::ByHand;
     Ok(Recording {
-        reverse: by_hand_only.then(|| Arc::new(value.vjp())),
-        value,
+        value: program_of::<O, S>(Want::Value)?,
         slopes: program_of::<O, S>(Want::Vjp)?,
         source: source::<O, S>,
         batch: batch_value::<O, S>,

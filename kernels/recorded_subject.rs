@@ -52,9 +52,6 @@ pub(crate) struct Recording<S> {
     /// The result and slopes from the input and a cotangent, recorded: from wherever the operation says
     /// that its slopes come.
     pub slopes: Arc<Recorded>,
-    /// The slopes of a cotangent from the recorded result, backwards: where slopes are by hand, a further
-    /// witness.
-    pub reverse: Option<Arc<Recorded>>,
     /// The function itself, on plain numbers.
     pub source: Path<S>,
     /// The result by a batch.
@@ -146,12 +143,10 @@ impl<S: Number> Subject for RecordedSubject<'_, S> {
         Some(slopes.iter().map(|s| s.0.widen()).collect())
     }
     fn further(&self, x: &[f64], y_bar: &[f64]) -> Vec<Vec<f64>> {
-        let (x, y_bar): (Vec<S>, Vec<S>) = (nearest(x), nearest(y_bar));
-        let backwards = self.recording.reverse.as_ref();
-        let backwards = backwards.map(|of| widened(&of.run(&[&x[..], &y_bar[..]].concat())));
         // As batches compute them.
-        let recorded = widened(&self.recording.slopes_on::<S>(x, y_bar));
-        [recorded].into_iter().chain(backwards).collect()
+        vec![widened(
+            &self.recording.slopes_on::<S>(nearest(x), nearest(y_bar)),
+        )]
     }
     fn batch(&self, x: &[f64], y_bar: &[f64]) -> Option<(Vec<f64>, Vec<f64>)> {
         let answer = self.batch?.about(x)?;

@@ -6,7 +6,7 @@
 //! by as much as either of them changes when the input is moved by its last digit (whatever a
 //! function does to rounding errors, it does to that too) or its own roundings fall differently. A finite difference may be off by its
 //! own error estimate. A refusal by differences must be repeated by other ladders of steps that
-//! agree among themselves. How these are measured is in [`tolerances`](crate::ad::check::tolerances).
+//! agree among themselves. How these are measured is in `tolerances`.
 use crate::ad::check::compare::curvature::curvature;
 use crate::ad::check::compare::exact::exact;
 use crate::ad::check::compare::linear::linear;

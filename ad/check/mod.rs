@@ -156,7 +156,7 @@
 //! has its say (`notes`), and `judge` decides what is refused. Every number by which it decides is in
 //! `tolerances`, with its reason; `rounding` measures at each input what a witness may be off by. Steps are
 //! in [`witness`], what they say about one slope in `compare/slope_test`, how complaints are weighed in
-//! `compare/opinion`. [`examine`] walks the inputs, `shrink` makes refused ones simple, [`report`] has the
+//! `compare/opinion`. [`examine`](fn@examine) walks the inputs, `shrink` makes refused ones simple, [`report`] has the
 //! lines, `words` the sentences. A function is a [`Subject`](subject::Subject): lists of numbers in and out.
 mod builder;
 mod closures;
