@@ -35,7 +35,7 @@ fn gradients_by_hand_are_those_of_duals() {
             );
             let by_hand = (function.gradient)(x);
             assert_eq!(by_hand.len(), x.len(), "{}", function.name);
-            for i in 0..x.len() {
+            for (i, &own) in by_hand.iter().enumerate() {
                 let jet = |(k, &value): (usize, &f64)| Jet {
                     value,
                     slope: [f64::from(k == i)],
@@ -46,10 +46,10 @@ fn gradients_by_hand_are_those_of_duals() {
                 let tie = function.kinks.contains(&x.as_slice());
                 assert!(
                     // At a tie of three or more there are many ways to share.
-                    tie || close(by_hand[i], jet.slope[0], inputs.usual[i]),
+                    tie || close(own, jet.slope[0], inputs.usual[i]),
                     "{} at {x:?}, slope {i}: {} by hand, {} by duals",
                     function.name,
-                    by_hand[i],
+                    own,
                     jet.slope[0]
                 );
             }
