@@ -356,10 +356,10 @@ fn inverse_distance_parts<S: Scalar>([x, y, a, b, c, power]: [S; 6], sum_moves: 
         let square = dx * dx + dy * dy;
         let weight = (-S::lit(0.5) * power * square.ln()).exp();
         let share = weight * (z - value);
-        g[0] = g[0] - share * power * dx / square;
-        g[1] = g[1] - share * power * dy / square;
+        g[0] -= share * power * dx / square;
+        g[1] -= share * power * dy / square;
         g[2 + i] = weight;
-        g[5] = g[5] - share * S::lit(0.5) * square.ln();
+        g[5] -= share * S::lit(0.5) * square.ln();
         all += weight;
     }
     g.map(|g| g / all)

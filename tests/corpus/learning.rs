@@ -63,7 +63,7 @@ fn softmax<S: Scalar, const N: usize>(z: [S; N]) -> [S; N] {
 }
 fn softmax_cross_entropy_slopes<S: Scalar>(z: [S; 4]) -> [S; 4] {
     let mut p = softmax(z);
-    p[1] = p[1] - S::one();
+    p[1] -= S::one();
     p
 }
 fn softmax_cross_entropy_no_one(z: [f64; 4]) -> [f64; 4] {

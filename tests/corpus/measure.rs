@@ -17,8 +17,8 @@ pub struct Question {
     pub what: String,
     /// How wrong it is, by [`Inputs::error`].
     pub error: f64,
-    /// Whether it is wrong at single inputs only, by [`Inputs::single`].
-    pub single: bool,
+    /// Whether it jumps wherever it is wrong, by [`Inputs::unsteady`].
+    pub unsteady: bool,
     /// What each checker said: whether it accepts.
     pub accepted: Vec<bool>,
 }
@@ -81,7 +81,7 @@ pub fn measure(
             kind: None,
             what: what.to_owned(),
             error: 0.0,
-            single: false,
+            unsteady: false,
             accepted: Vec::new(),
         };
         findings.ask(question, &inputs, checkers, seed, &|| Box::new(&gradient));
@@ -100,7 +100,7 @@ pub fn measure(
                 kind: Some(fault.kind),
                 what: fault.what.clone(),
                 error,
-                single: inputs.single(function, &fault.gradient()),
+                unsteady: inputs.unsteady(&fault.gradient()),
                 accepted: Vec::new(),
             };
             findings.ask(question, &inputs, checkers, seed, &|| fault.gradient());

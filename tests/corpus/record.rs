@@ -1,5 +1,6 @@
 //! What is known of the errors of geograd's harness: anything else is news.
 use crate::corpus::checkers::{Geograd, Task};
+use crate::corpus::faults::faults;
 use crate::corpus::inputs::{Inputs, RANDOM};
 use crate::corpus::kind::Kind;
 use crate::corpus::measure::{Question, right};
@@ -9,6 +10,9 @@ use std::fmt::Write;
 /// Errors of a slope that are smaller, relative to its usual size, are counted in the table of sizes only: what one part
 /// in a million of one slope does to a value is less than its rounding when the value is larger by as much.
 pub const VISIBLE: f64 = 1e-6;
+
+/// The name of geograd's harness with a function's generic source.
+pub const GEOGRAD: &str = "geograd";
 
 /// An error that is known: of a checker, about right gradients of a function.
 struct Known {
@@ -40,14 +44,19 @@ const REFUSED: &[Known] = &[
     },
 ];
 
+/// Whether a checker of ours, by its name, is known to refuse right gradients of a function.
+#[must_use]
+pub fn refused(checker: &str, function: &str) -> bool {
+    let here = |known: &Known| known.checker == checker && known.function == function;
+    REFUSED.iter().any(here)
+}
+
 /// Whether geograd's harness is known to err so.
 fn known(checker: &str, function: &str, question: &Question) -> bool {
     match question.kind {
-        // Where a slope jumps and jumps back within the last digit of the input, its jump counts as rounding.
-        Some(_) => question.single,
-        None => REFUSED
-            .iter()
-            .any(|known| known.checker == checker && known.function == function),
+        // A slope that jumps within the last digit of the input is taken to be rounded so badly.
+        Some(_) => question.unsteady,
+        None => refused(checker, function),
     }
 }
 
@@ -69,16 +78,16 @@ pub fn verdict(checker: &str, place: usize, runs: &[Run]) -> Option<Verdict> {
         _ => return None,
     };
     let (mut text, mut unknown) = ("\n".to_owned(), 0);
-    let [mut everywhere, mut single, mut refused] = [[0_usize; 2]; 3];
+    let [mut everywhere, mut unsteady, mut right_ones] = [[0_usize; 2]; 3];
     for run in runs {
         let function = run.findings.function.name;
         for question in &run.findings.questions {
             let accepted = question.accepted[place];
             let (counts, wrong) = match question.kind {
                 Some(_) if question.error <= VISIBLE => continue,
-                Some(_) if question.single => (&mut single, accepted),
+                Some(_) if question.unsteady => (&mut unsteady, accepted),
                 Some(_) => (&mut everywhere, accepted),
-                None => (&mut refused, !accepted),
+                None => (&mut right_ones, !accepted),
             };
             counts[1] += 1;
             counts[0] += usize::from(wrong);
@@ -92,28 +101,54 @@ pub fn verdict(checker: &str, place: usize, runs: &[Run]) -> Option<Verdict> {
                     "{checker}: {function}, {kind}: {} (error {:.1e}, seed {})",
                     question.what, question.error, run.seed
                 );
-                if question.kind.is_none() {
-                    text += &refusal(generic, run, &question.what);
-                }
+                text += &match question.kind {
+                    Some(_) => missed(run, question),
+                    None => refusal(generic, run, &question.what),
+                };
             }
         }
     }
     let share = |[wrong, of]: [usize; 2]| 100.0 * wrong as f64 / of.max(1) as f64;
     let _ = writeln!(
         text,
-        "{checker} misses {} of {} faults with an error above {VISIBLE:e} ({:.2} %), {} of {} that are wrong at single \
-         inputs only ({:.1} %), and refuses {} of {} right gradients ({:.2} %); of no known kind: {unknown}",
+        "{checker} misses {} of {} faults with an error above {VISIBLE:e} ({:.2} %), {} of {} that jump within the \
+         last digit of the input ({:.1} %), and refuses {} of {} right gradients ({:.2} %); of no known kind: {unknown}",
         everywhere[0],
         everywhere[1],
         share(everywhere),
-        single[0],
-        single[1],
-        share(single),
-        refused[0],
-        refused[1],
-        share(refused),
+        unsteady[0],
+        unsteady[1],
+        share(unsteady),
+        right_ones[0],
+        right_ones[1],
+        share(right_ones),
     );
     Some(Verdict { text, unknown })
+}
+
+/// Where a fault is most wrong, with what is right there.
+fn missed(run: &Run, question: &Question) -> String {
+    let function = run.findings.function;
+    let inputs = Inputs::new(function, RANDOM, run.seed);
+    let mut all = faults(function, &inputs).into_iter();
+    let fault = all.find(|fault| Some(fault.kind) == question.kind && fault.what == question.what);
+    let gradient = fault.expect("it was asked about").gradient();
+    let (mut worst, mut text) = (0.0, String::new());
+    for x in &inputs.points {
+        let (wrong, right) = (gradient(x), (function.gradient)(x));
+        let gap = wrong
+            .iter()
+            .zip(&right)
+            .map(|(a, b)| (a - b).abs())
+            .fold(0.0, f64::max);
+        if gap > worst {
+            (worst, text) = (
+                gap,
+                format!("  at    {x:?}\n  says  {wrong:?}\n  right {right:?}\n"),
+            );
+        }
+    }
+    text
 }
 
 /// The report in which our harness refuses a right gradient.

@@ -119,7 +119,7 @@ fn quaternion_parts<S: Scalar>([w, x, y, z, px, py, pz]: [S; 7]) -> ([S; 7], S) 
 fn quaternion_rotation_slopes<S: Scalar>(q: [S; 7]) -> [S; 7] {
     let (mut g, shrink) = quaternion_parts(q);
     for i in 0..4 {
-        g[i] = g[i] - shrink * q[i];
+        g[i] -= shrink * q[i];
     }
     g
 }

@@ -6,8 +6,10 @@ use geograd_tests::corpus::checkers::{Checker, Geograd, Task};
 use geograd_tests::corpus::faults::faults;
 use geograd_tests::corpus::function::Function;
 use geograd_tests::corpus::inputs::Inputs;
+use geograd_tests::corpus::kind::Kind;
 use geograd_tests::corpus::measure::right;
 use geograd_tests::corpus::mutant::{Mutant, mistaken};
+use geograd_tests::corpus::record::{GEOGRAD, refused};
 use std::collections::BTreeMap;
 
 const SEED: u64 = 11;
@@ -25,9 +27,15 @@ fn gradients_by_hand_are_those_of_duals() {
     for function in functions() {
         let inputs = Inputs::new(function, 100, SEED);
         for x in &inputs.points {
+            let within = |(x, [low, high]): (&f64, &[f64; 2])| low <= x && x <= high;
+            assert!(
+                x.iter().zip(function.domain).all(within),
+                "{} {x:?}",
+                function.name
+            );
             let by_hand = (function.gradient)(x);
             assert_eq!(by_hand.len(), x.len(), "{}", function.name);
-            for i in 0..x.len() {
+            for (i, &own) in by_hand.iter().enumerate() {
                 let jet = |(k, &value): (usize, &f64)| Jet {
                     value,
                     slope: [f64::from(k == i)],
@@ -38,10 +46,10 @@ fn gradients_by_hand_are_those_of_duals() {
                 let tie = function.kinks.contains(&x.as_slice());
                 assert!(
                     // At a tie of three or more there are many ways to share.
-                    tie || close(by_hand[i], jet.slope[0], inputs.usual[i]),
+                    tie || close(own, jet.slope[0], inputs.usual[i]),
                     "{} at {x:?}, slope {i}: {} by hand, {} by duals",
                     function.name,
-                    by_hand[i],
+                    own,
                     jet.slope[0]
                 );
             }
@@ -93,23 +101,20 @@ fn without_a_mistake_a_mutant_is_right() {
 
 #[test]
 fn right_ones_are_accepted() {
+    let mut count = 0;
     for function in functions() {
         let inputs = Inputs::new(function, 3, SEED);
         for (what, gradient) in right(function) {
-            assert_eq!(
-                inputs.error(&gradient) > 1e-10,
-                false,
-                "{}, {what}",
-                function.name
-            );
+            let error = inputs.error(&gradient);
+            assert!(error <= 1e-10, "{}, {what}: {error}", function.name);
             let task = Task::new(function, &inputs.points, &gradient, SEED);
-            assert!(
-                Geograd { generic: true }.accepts(&task),
-                "{}, {what}",
-                function.name
-            );
+            let accepted = Geograd { generic: true }.accepts(&task);
+            let known = refused(GEOGRAD, function.name);
+            assert!(accepted || known, "{}, {what}", function.name);
+            count += usize::from(accepted);
         }
     }
+    assert!(count > 195, "{count}");
 }
 
 #[test]
@@ -128,28 +133,30 @@ fn a_few_faults_of_every_kind_are_refused() {
             if *count == EACH || !kinds.insert(fault.kind) {
                 continue;
             }
-            // Wrong at one input and right at its neighbours in the last digit: most of these pass at present, which
-            // the rates of the corpus say.
-            let gradient = fault.gradient();
-            if inputs.single(function, &gradient) || inputs.error(&gradient) < 1e-5 {
-                continue; // Changes nothing, or less than differences alone can tell.
+            // What is wrong at one input and right at its neighbours in the last digit passes at present, as the
+            // rates of the corpus say.
+            let error = inputs.error(&fault.gradient());
+            if inputs.unsteady(&fault.gradient()) || error < 1e-9 {
+                continue; // Or changes nothing.
             }
+            // Differences alone, now and then, where they can tell.
+            let generic = *count % 2 == 0 || error < 1e-6;
             let gradient = fault.gradient();
             let task = Task::new(function, &inputs.points, &gradient, SEED);
-            let checker = Geograd {
-                generic: *count % 2 == 0,
-            };
+            let accepted = Geograd { generic }.accepts(&task);
             assert!(
-                !checker.accepts(&task),
+                !accepted,
                 "{}: {:?}, {}",
-                function.name,
-                fault.kind,
-                fault.what
+                function.name, fault.kind, fault.what
             );
             *count += 1;
         }
     }
-    assert!(asked.len() >= 20, "{asked:?}");
+    let never = |kind: &Kind| matches!(kind, Kind::AtKink | Kind::OneInput);
+    for (kind, count) in &asked {
+        assert!(*count > 0 || never(kind), "{kind:?} was never refused");
+    }
+    assert!(asked.len() >= 24, "{asked:?}");
 }
 
 #[test]
