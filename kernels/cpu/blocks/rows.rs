@@ -125,7 +125,6 @@ pub(crate) fn take<T: Real, V: Vector<T>>(
         (6, 6) => take_tiles::<T, V, 6>(results, rows),
         (7, 7) => take_tiles::<T, V, 7>(results, rows),
         (8, 8) => take_tiles::<T, V, 8>(results, rows),
-        (10, 10) => take_tiles::<T, V, 10>(results, rows),
         _ => 0,
     };
     for (i, row) in rows.chunks_exact_mut(stride).enumerate().skip(whole * TILE) {
