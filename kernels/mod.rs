@@ -290,6 +290,7 @@ macro_rules! for_each_op {
                     closest_points_point_segment: $crate::kernels::ops::distance::ClosestPointsPointSegment,
                     closest_points_point_triangle: $crate::kernels::ops::distance::ClosestPointsPointTriangle,
                     crossing_of_lines: $crate::kernels::ops::intersection::CrossingOfLines,
+                    diou_aabb3: $crate::kernels::ops::iou3::DiouAabb3,
                     distance_aabb2: $crate::kernels::ops::distance::DistanceAabb2,
                     distance_capsules: $crate::kernels::ops::distance::DistanceCapsules,
                     distance_circle_obb2: $crate::kernels::ops::distance::DistanceCircleObb2,

@@ -3,6 +3,7 @@ pub mod boolean;
 pub mod clip;
 pub mod clipping;
 pub mod iou;
+pub(crate) mod iou3;
 pub mod overlap;
 pub mod overlap_polygon;
 pub mod overlap_rings;

@@ -41,6 +41,8 @@ pub(crate) mod plan;
 #[forbid(unsafe_code)]
 pub mod program;
 #[forbid(unsafe_code)]
+mod quads;
+#[forbid(unsafe_code)]
 mod ragged;
 #[forbid(unsafe_code)]
 mod reductions;
@@ -53,6 +55,8 @@ mod solids;
 #[forbid(unsafe_code)]
 pub(crate) mod sweep;
 #[forbid(unsafe_code)]
+mod table;
+#[forbid(unsafe_code)]
 mod tree;
 #[forbid(unsafe_code)]
 pub(crate) mod upright;
@@ -60,10 +64,10 @@ pub(crate) mod upright;
 pub(crate) mod work;
 
 pub use crate::kernels::row::Single;
-pub use all_pairs::Table;
 #[doc(hidden)]
 pub use plan::{Face, Want};
 pub(crate) use ragged::check_ragged;
+pub use table::Table;
 
 /// The processor: all its lanes, and all threads of rayon's current pool.
 ///

@@ -2,8 +2,9 @@
 //!
 //! What is put around a pair is a box along the axes of the world, unless the name says otherwise.
 use crate::Obb2;
+use crate::ad::adjoint::iou3::score_obb3_vjp;
 use crate::iou::separation_aware_obb2;
-use crate::iou3::{Enclosing, alpha_iou, ciou, diou, eiou, giou, separation_aware};
+use crate::iou3::{Enclosing, Score, alpha_iou, ciou, diou, eiou, giou, separation_aware};
 use crate::operation;
 use crate::overlap3::{iou_aabb3, iou_yaw};
 use crate::shape::{Aabb3, Obb3, YawBox3};
@@ -98,28 +99,28 @@ operation! {
         (a: Obb3<S>, b: Obb3<S>) -> S { giou(a, b, Enclosing::Aabb) }
     promises [TranslationX Stays, TranslationY Stays, Scaling Stays, Exchange Stays]
     jumps Anywhere
-    slopes Forward
+    slopes ByHand |(a, b), out_bar| { score_obb3_vjp(Score::Giou, a, b, out_bar) }
 
     /// [`diou`] of boxes of any orientation.
     pub DiouObb3 = "diou_obb3":
         (a: Obb3<S>, b: Obb3<S>) -> S { diou(a, b, Enclosing::Aabb) }
     promises [TranslationX Stays, TranslationY Stays, Scaling Stays, Exchange Stays]
     jumps Anywhere
-    slopes Forward
+    slopes ByHand |(a, b), out_bar| { score_obb3_vjp(Score::Diou, a, b, out_bar) }
 
     /// [`ciou`] of boxes of any orientation.
     pub CiouObb3 = "ciou_obb3":
         (a: Obb3<S>, b: Obb3<S>) -> S { ciou(a, b, Enclosing::Aabb) }
     promises [TranslationX Stays, TranslationY Stays, Scaling Stays, Exchange Stays]
     jumps Anywhere
-    slopes Forward
+    slopes ByHand |(a, b), out_bar| { score_obb3_vjp(Score::Ciou, a, b, out_bar) }
 
     /// [`eiou`] of boxes of any orientation.
     pub EiouObb3 = "eiou_obb3":
         (a: Obb3<S>, b: Obb3<S>) -> S { eiou(a, b, Enclosing::Aabb) }
     promises [TranslationX Stays, TranslationY Stays, Scaling Stays, Exchange Stays]
     jumps Anywhere
-    slopes Forward
+    slopes ByHand |(a, b), out_bar| { score_obb3_vjp(Score::Eiou, a, b, out_bar) }
 
     /// [`separation_aware`] of axis-aligned boxes.
     pub SeparationAwareAabb3 = "separation_aware_aabb3":
@@ -140,7 +141,7 @@ operation! {
         (a: Obb3<S>, b: Obb3<S>) -> S { separation_aware(a, b) }
     promises [TranslationX Stays, TranslationY Stays, Scaling Stays, Exchange Stays]
     jumps Anywhere
-    slopes Forward
+    slopes ByHand |(a, b), out_bar| { score_obb3_vjp(Score::Separation, a, b, out_bar) }
 
     /// [`separation_aware_obb2`] of rotated boxes.
     pub SeparationAwareObb2 = "separation_aware_obb2":

@@ -161,6 +161,12 @@ struct Terms<S> {
 
 #[inline(always)]
 fn terms<S: Scalar, B: Solid<S>>(a: B, b: B, kind: Enclosing) -> Terms<S> {
+    terms_with(a.overlap(b), a, b, kind)
+}
+
+/// The same for boxes whose overlap is known.
+#[inline(always)]
+fn terms_with<S: Scalar, B: Solid<S>>(iou: S, a: B, b: B, kind: Enclosing) -> Terms<S> {
     let meet = a.shared_box(b);
     let lengths = [
         b.middle() - a.middle(),
@@ -171,7 +177,7 @@ fn terms<S: Scalar, B: Solid<S>>(a: B, b: B, kind: Enclosing) -> Terms<S> {
     ];
     let [between, size_a, size_b, around, shared] = scaled(lengths);
     Terms {
-        iou: a.overlap(b),
+        iou,
         between,
         size_a,
         size_b,
@@ -192,7 +198,11 @@ fn terms<S: Scalar, B: Solid<S>>(a: B, b: B, kind: Enclosing) -> Terms<S> {
 #[must_use]
 #[inline]
 pub fn giou<S: Scalar, B: Solid<S>>(a: B, b: B, kind: Enclosing) -> S {
-    let t = terms(a, b, kind);
+    giou_of(&terms(a, b, kind)).canonical()
+}
+
+#[inline(always)]
+fn giou_of<S: Scalar>(t: &Terms<S>) -> S {
     let volume = |v: Vec3<S>| v.x * v.y * v.z;
     let (volume_a, volume_b, around) = (volume(t.size_a), volume(t.size_b), volume(t.around));
     let shared = match t.shared {
@@ -206,7 +216,7 @@ pub fn giou<S: Scalar, B: Solid<S>>(a: B, b: B, kind: Enclosing) -> S {
     // Rounding can leave the shape around a little smaller than what it encloses.
     let short = waste.below(S::zero());
     let waste = S::select(short, waste.with_primal(S::Primal::zero()), waste);
-    (t.iou - share(waste, around)).canonical()
+    t.iou - share(waste, around)
 }
 
 #[inline(always)]
@@ -241,10 +251,14 @@ fn proportions<S: Scalar>(t: &Terms<S>) -> S {
 #[must_use]
 #[inline]
 pub fn ciou<S: Scalar, B: Solid<S>>(a: B, b: B, kind: Enclosing) -> S {
-    let t = terms(a, b, kind);
-    let v = proportions(&t);
+    ciou_of(&terms(a, b, kind)).canonical()
+}
+
+#[inline(always)]
+fn ciou_of<S: Scalar>(t: &Terms<S>) -> S {
+    let v = proportions(t);
     let weight = share(v, (S::one() - t.iou) + v);
-    (diou_of(&t) - weight * v).canonical()
+    diou_of(t) - weight * v
 }
 
 /// Complete IoU, in `(−2, 1]`, whose weight α counts as constant: no slope goes through it, as its authors
@@ -264,7 +278,11 @@ pub fn ciou_fixed_weight<S: Scalar, B: Solid<S>>(a: B, b: B, kind: Enclosing) ->
 #[must_use]
 #[inline]
 pub fn eiou<S: Scalar, B: Solid<S>>(a: B, b: B, kind: Enclosing) -> S {
-    let t = terms(a, b, kind);
+    eiou_of(&terms(a, b, kind)).canonical()
+}
+
+#[inline(always)]
+fn eiou_of<S: Scalar>(t: &Terms<S>) -> S {
     // Of equal ones what is around counts: it is never smaller, but for turned boxes.
     let larger = |x: S, y: S| S::select(x.below(y), y, x);
     let differ = |p: S, q: S, around: S| {
@@ -274,7 +292,37 @@ pub fn eiou<S: Scalar, B: Solid<S>>(a: B, b: B, kind: Enclosing) -> S {
     let sizes = differ(t.size_a.x, t.size_b.x, t.around.x)
         + differ(t.size_a.y, t.size_b.y, t.around.y)
         + differ(t.size_a.z, t.size_b.z, t.around.z);
-    (diou_of(&t) - sizes).canonical()
+    diou_of(t) - sizes
+}
+
+/// A score of boxes of any orientation that is made of their IoU and of a formula of their numbers.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Score {
+    /// [`giou`], within a box along the axes of the world.
+    Giou,
+    /// [`diou`], likewise.
+    Diou,
+    /// [`ciou`], likewise.
+    Ciou,
+    /// [`eiou`], likewise.
+    Eiou,
+    /// [`separation_aware`].
+    Separation,
+}
+
+/// A score of boxes whose IoU is known: with slopes by that and by all else.
+#[inline(always)]
+pub(crate) fn score_with_iou<S: Scalar>(score: Score, iou: S, a: Obb3<S>, b: Obb3<S>) -> S {
+    if score == Score::Separation {
+        return separation::or_overlap(a, b, || iou);
+    }
+    let t = terms_with(iou, a, b, Enclosing::Aabb);
+    match score {
+        Score::Giou => giou_of(&t),
+        Score::Diou => diou_of(&t),
+        Score::Ciou => ciou_of(&t),
+        Score::Eiou | Score::Separation => eiou_of(&t),
+    }
 }
 
 /// `xᵅ` of an overlap x in `[0, 1]`, for `α > 0`; zero with slope zero at zero. Of IoU it is the α-IoU.

@@ -80,12 +80,18 @@ pub fn penetration_or_gap<S: Scalar>(a: Obb3<S>, b: Obb3<S>) -> S {
 #[must_use]
 #[inline]
 pub fn separation_aware<S: Scalar, B: Solid<S>>(a: B, b: B) -> S {
-    let pair = relate3(a.into(), b.into());
+    or_overlap(a.into(), b.into(), || a.overlap(b)).canonical()
+}
+
+/// The separation of boxes apart, the overlap of others.
+#[inline(always)]
+pub(super) fn or_overlap<S: Scalar>(a: Obb3<S>, b: Obb3<S>, overlap: impl Fn() -> S) -> S {
+    let pair = relate3(a, b);
     let gap = widest_gap(&pair);
     let size = |half: [S; 3]| half[0].most(half[1]).most(half[2]);
     let size = size(pair.half_a) + size(pair.half_b);
     let apart = gap.above(S::zero());
     let held = S::select(apart, gap, S::one());
     let value = held.over(held + size);
-    S::select(apart, -value, a.overlap(b)).canonical()
+    S::select(apart, -value, overlap())
 }

@@ -462,12 +462,12 @@ more! {
         giou_obb2: GiouObb2,
         intersection_volume_yaw: IntersectionVolumeYaw,
         iou_yaw: IouYaw,
+        iou_obb3: IouObb3,
     }
-    // The same in double precision by kernels and filters that those above share; longer programs than all others.
+    // The same in double precision by kernels and filters that those above share.
     single {
         iof_yaw: IofYaw,
         iou_birds_eye: IouBirdsEye,
         iou_aabb3: IouAabb3,
-        iou_obb3: IouObb3,
     }
 }

@@ -6,6 +6,7 @@ use crate::kernels::cpu::boxes::{self, BOUNDS, View};
 use crate::kernels::cpu::boxes3;
 use crate::kernels::cpu::lane::{Lane, Planes, Results, TILE, Tiles};
 use crate::kernels::cpu::program::{self, Pass, Tape};
+use crate::kernels::cpu::quads;
 use crate::kernels::cpu::rings::{self, Measure};
 use crate::kernels::cpu::simd::Simd;
 use crate::kernels::cpu::upright;
@@ -94,7 +95,7 @@ entries! {
     /// Generalised IoU of prepared rotated boxes with ten slopes each.
     giou_slopes(a: Tiles<'_, T>, b: Tiles<'_, T>, seeds: Option<Tiles<'_, T>>, out: Results<'_, T>) = boxes::giou_slopes::<T, V>;
     /// Areas that convex quadrilaterals share.
-    quad_scores(a: Tiles<'_, T>, b: Tiles<'_, T>, out: Results<'_, T>) = boxes::quad_scores::<T, V>;
+    quad_scores(a: Tiles<'_, T>, b: Tiles<'_, T>, out: Results<'_, T>) = quads::scores::<T, V>;
     /// Whether upright boxes are valid and of common size, or zero size.
     all_common_upright(numbers: &[T]) -> bool = boxes::all_common_upright::<T, V>;
     /// Scores of upright boxes from what they share seen from above.

@@ -5,10 +5,11 @@ use crate::ad::adjoint::upright::score_upright_vjp;
 use crate::error::Validate;
 use crate::iou::giou_framed;
 use crate::kernels::cpu::boxes::{
-    AABB2, OBB2, QUAD2, SEEN, UPRIGHT, View, is_common_upright, is_solid_obb2,
+    AABB2, OBB2, SEEN, UPRIGHT, View, is_common_upright, is_solid_obb2,
 };
 use crate::kernels::cpu::boxes3::OBB3;
 use crate::kernels::cpu::lane::{Lane, Results, Tiles};
+use crate::kernels::cpu::quads::QUAD2;
 use crate::kernels::cpu::solids;
 use crate::kernels::cpu::upright;
 use crate::kernels::real::Real;

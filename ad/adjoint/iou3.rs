@@ -1,0 +1,46 @@
+//! Adjoints of the IoU family of boxes of any orientation.
+//!
+//! Such a score is a formula of the boxes' IoU and of their numbers. The IoU has slopes by hand, which keep their
+//! digits where edges are parallel to faces and cost twice its value; the formula is short and is differentiated
+//! forwards.
+use crate::iou3::{Score, score_with_iou};
+use crate::overlap3::iou_obb3_vjp;
+use crate::shape::Obb3;
+use crate::{Fixed, Jet, Scalar};
+
+/// Numbers of a box.
+const OBB3: usize = 10;
+/// The IoU, then those of both boxes.
+const ALL: usize = 1 + 2 * OBB3;
+
+/// One function for each kind of number, whatever the score.
+#[inline(never)]
+fn slopes_of<S: Scalar>(score: Score, iou: S, a: Obb3<S>, b: Obb3<S>) -> Jet<S, ALL> {
+    let mut numbers = [S::zero(); 2 * OBB3];
+    (a, b).store(&mut numbers);
+    let mut moving = [Jet::variable(iou, 0); 2 * OBB3];
+    for (k, &x) in numbers.iter().enumerate() {
+        moving[k] = Jet::variable(x, 1 + k);
+    }
+    let (a, b) = Fixed::load(&moving);
+    score_with_iou(score, Jet::variable(iou, 0), a, b)
+}
+
+/// A score of two boxes and `out_bar` times its slopes by both; those by a rotation are by its quaternion.
+pub(crate) fn score_obb3_vjp<S: Scalar>(
+    score: Score,
+    a: Obb3<S>,
+    b: Obb3<S>,
+    out_bar: S,
+) -> (S, (Obb3<S>, Obb3<S>)) {
+    // The slopes by the IoU are known before the slopes of it.
+    let iou = crate::overlap3::iou_obb3(a, b);
+    let found = slopes_of(score, iou, a, b);
+    let (_, bars) = iou_obb3_vjp(a, b, found.slope[0] * out_bar);
+    let mut numbers = [S::zero(); 2 * OBB3];
+    bars.store(&mut numbers);
+    for (k, x) in numbers.iter_mut().enumerate() {
+        *x = (*x + found.slope[1 + k] * out_bar).canonical();
+    }
+    (found.value.canonical(), Fixed::load(&numbers))
+}

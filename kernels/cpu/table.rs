@@ -1,0 +1,86 @@
+//! Results of all pairs.
+use crate::error::Error;
+use crate::kernels::cpu::checked::entries;
+use crate::kernels::row::Row;
+use std::marker::PhantomData;
+
+/// A result for every row with every column.
+///
+/// Numbers are kept as planes, one matrix per number of a result, because that is how a consumer of
+/// millions reads them and because the processor can write nothing else at full speed.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Table<P: Row> {
+    rows: usize,
+    columns: usize,
+    planes: Vec<P::Scalar>,
+    result: PhantomData<P>,
+}
+
+impl<P: Row> Table<P> {
+    /// Room for so many rows and columns; all results are zero.
+    ///
+    /// # Errors
+    ///
+    /// [`Error::TooLarge`] when they have more numbers than memory has addresses.
+    pub fn new(rows: usize, columns: usize) -> Result<Self, Error> {
+        Ok(Table {
+            rows,
+            columns,
+            planes: vec![P::Scalar::default(); entries(rows, columns, P::LEN)?],
+            result: PhantomData,
+        })
+    }
+    /// How many rows: shapes of the first list.
+    #[must_use]
+    pub fn rows(&self) -> usize {
+        self.rows
+    }
+    /// How many columns: shapes of the second list.
+    #[must_use]
+    pub fn columns(&self) -> usize {
+        self.columns
+    }
+    /// The first number of every result, row by row: all there is where a result is one number.
+    #[must_use]
+    pub fn values(&self) -> &[P::Scalar] {
+        self.plane(0)
+    }
+    /// Number `k` of every result, row by row; nothing where results have fewer.
+    #[must_use]
+    pub fn plane(&self, k: usize) -> &[P::Scalar] {
+        let size = self.rows * self.columns;
+        self.planes
+            .get(k * size..(k + 1) * size)
+            .unwrap_or_default()
+    }
+    /// All numbers: plane after plane.
+    #[must_use]
+    pub fn planes(&self) -> &[P::Scalar] {
+        &self.planes
+    }
+    /// All numbers, to be written.
+    #[must_use]
+    pub fn planes_mut(&mut self) -> &mut [P::Scalar] {
+        &mut self.planes
+    }
+    /// All numbers: plane after plane; of results of one number the matrix, row by row.
+    #[must_use]
+    pub fn into_planes(self) -> Vec<P::Scalar> {
+        self.planes
+    }
+    /// The result of a row with a column.
+    ///
+    /// # Panics
+    ///
+    /// When there is no such row or column.
+    #[must_use]
+    pub fn at(&self, row: usize, column: usize) -> P {
+        let (rows, columns) = (self.rows, self.columns);
+        assert!(
+            row < rows && column < columns,
+            "pair ({row}, {column}) of {rows} × {columns}"
+        );
+        let number = |k: usize| self.planes[(k * rows + row) * columns + column];
+        P::load(&(0..P::LEN).map(number).collect::<Vec<_>>())
+    }
+}
