@@ -10,7 +10,6 @@ use crate::kernels::cpu::blocks::all_within;
 use crate::kernels::cpu::lane::{Lane, PLANE, Results, Tiles};
 use crate::kernels::real::Real;
 use crate::overlap::{Denominator, score_aabb2, score_framed};
-use crate::overlap_polygon::intersection_area_quads;
 use crate::{Aabb2, Fixed, Obb2, Scalar, Vec2};
 
 /// Numbers of a rotated box.
@@ -325,42 +324,6 @@ pub(crate) fn all_ordinary_obb2<T: Real, V: Vector<T>>(numbers: &[T]) -> bool {
         [fine, fine, SMALL, SMALL, fine],
         [FAR, FAR, LARGE, LARGE, T::LARGEST],
     )
-}
-
-/// Numbers of a quadrilateral.
-pub(crate) const QUAD2: usize = 8;
-
-/// A part of a tile of quadrilaterals.
-#[inline(always)]
-fn quad<T: Real, V: Vector<T>>(tiles: Tiles<'_, T>, t: usize, at: usize) -> Option<[Vec2<V>; 4]> {
-    let tile = tiles.tile::<QUAD2>(t)?;
-    let mut quad = [Vec2::zero(); 4];
-    let mut k = 0;
-    while k < 4 {
-        quad[k] = Vec2::new(V::read(&tile[2 * k], at), V::read(&tile[2 * k + 1], at));
-        k += 1;
-    }
-    Some(quad)
-}
-
-/// Areas that convex quadrilaterals share.
-#[inline(always)]
-pub(crate) fn quad_scores<T: Real, V: Vector<T>>(
-    a: Tiles<'_, T>,
-    b: Tiles<'_, T>,
-    mut out: Results<'_, T>,
-) {
-    for t in 0..out.tiles {
-        let Some(out) = lanes_of::<T, 1>(&mut out, t) else {
-            return;
-        };
-        for at in V::starts() {
-            let (Some(a), Some(b)) = (quad::<T, V>(a, t, at), quad::<T, V>(b, t, at)) else {
-                return;
-            };
-            put([intersection_area_quads(a, b)], out, 0, at);
-        }
-    }
 }
 
 /// Sizes and places of shapes whose measures of the second and third power of a length, and slopes of

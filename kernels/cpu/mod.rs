@@ -32,12 +32,18 @@ pub(crate) mod greedy;
 #[forbid(unsafe_code)]
 pub(crate) mod lane;
 #[forbid(unsafe_code)]
+pub(crate) mod nearest;
+#[forbid(unsafe_code)]
 pub(crate) mod pairs;
 #[forbid(unsafe_code)]
 pub(crate) mod plan;
+#[forbid(unsafe_code)]
+pub mod polygons;
 #[doc(hidden)]
 #[forbid(unsafe_code)]
 pub mod program;
+#[forbid(unsafe_code)]
+mod quads;
 #[forbid(unsafe_code)]
 mod ragged;
 #[forbid(unsafe_code)]
