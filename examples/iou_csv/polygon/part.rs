@@ -9,7 +9,7 @@ use geograd::ad::adjoint::ring::signed_area_vjp;
 use geograd::hull::hull_area_decided;
 use geograd::measure::extent::diameter_decided;
 use geograd::overlap_polygon::rings::intersection_area;
-use geograd::{ConvexPolygon, Vec2};
+use geograd::Vec2;
 
 /// Slopes by the vertices of two polygons, in the order of their vertices.
 #[derive(Clone, Debug)]
