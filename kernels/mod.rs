@@ -315,7 +315,6 @@ macro_rules! for_each_op {
                     penetration_capsules: $crate::kernels::ops::distance::PenetrationCapsules,
                     penetration_circles: $crate::kernels::ops::distance::PenetrationCircles,
                     penetration_obb2: $crate::kernels::ops::distance::PenetrationObb2,
-                    signed_distance_aabb2: $crate::kernels::ops::distance::SignedDistanceAabb2,
                     signed_distance_circle_obb2: $crate::kernels::ops::distance::SignedDistanceCircleObb2,
                     signed_distance_circles: $crate::kernels::ops::distance::SignedDistanceCircles,
                     signed_distance_obb2: $crate::kernels::ops::distance::SignedDistanceObb2,
