@@ -4,12 +4,12 @@
 //! ([`intersection_area`](geograd::overlap_polygon::rings::intersection_area), with its adjoint).
 use super::Polygon;
 use crate::number::Number;
+use geograd::Vec2;
 use geograd::ad::adjoint::overlap_rings::intersection_area_vjp;
 use geograd::ad::adjoint::ring::signed_area_vjp;
 use geograd::hull::hull_area_decided;
 use geograd::measure::extent::diameter_decided;
 use geograd::overlap_polygon::rings::intersection_area;
-use geograd::Vec2;
 
 /// Slopes by the vertices of two polygons, in the order of their vertices.
 #[derive(Clone, Debug)]
