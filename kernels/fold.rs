@@ -65,6 +65,10 @@ pub trait Fold: Copy + Debug + Default + Send + Sync + 'static {
     const PROMISES: &'static [Promise];
     /// Where its value may jump.
     const JUMPS: Jumps;
+    /// Of a fold that takes no more of a path than the edges nearest to the point that its context begins with,
+    /// and the winding number around that: which number of the state that is. Batches then fold no other edges.
+    #[doc(hidden)]
+    const WINDING: Option<usize> = None;
     /// What else it takes: shapes, numbers, a tuple of them, or `[S; 0]` for nothing.
     type Context<S: Scalar>: Fixed<Scalar = S>;
     /// Constants that say from where a path is looked at; `[S; 0]` for none.

@@ -293,6 +293,8 @@ macro_rules! for_each_op {
                     diou_aabb3: $crate::kernels::ops::iou3::DiouAabb3,
                     distance_aabb2: $crate::kernels::ops::distance::DistanceAabb2,
                     distance_capsules: $crate::kernels::ops::distance::DistanceCapsules,
+                    distance_triangles: $crate::kernels::ops::distance::DistanceTriangles,
+                    signed_distance_capsules: $crate::kernels::ops::distance::SignedDistanceCapsules,
                     distance_circle_obb2: $crate::kernels::ops::distance::DistanceCircleObb2,
                     distance_obb2: $crate::kernels::ops::distance::DistanceObb2,
                     distance_segment_obb2: $crate::kernels::ops::distance::DistanceSegmentObb2,

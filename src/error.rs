@@ -392,6 +392,13 @@ pub enum Error {
         /// The index into the offsets.
         row: usize,
     },
+    /// The same of a call that takes more than one list.
+    OffsetsOf {
+        /// The list.
+        argument: Argument,
+        /// The index into its offsets.
+        row: usize,
+    },
     /// The number of results does not fit in memory.
     TooLarge,
     /// A GPU could not be had, or a call on it failed.
@@ -433,6 +440,12 @@ impl fmt::Display for Error {
                 write!(
                     f,
                     "`offsets` row {row}: offsets go from 0 to the number of vertices and never decrease"
+                )
+            }
+            Error::OffsetsOf { argument, row } => {
+                write!(
+                    f,
+                    "`{argument}`: offset {row}: offsets go from 0 to the number of vertices and never decrease"
                 )
             }
             Error::Program(why) => write!(f, "the function cannot be a program: {why}"),

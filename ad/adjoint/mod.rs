@@ -2,10 +2,12 @@
 pub mod boolean;
 pub mod clip;
 pub mod clipping;
+pub mod distance;
 pub mod iou;
 pub(crate) mod iou3;
 pub mod overlap;
 pub mod overlap_polygon;
+pub mod overlap_quad;
 pub mod overlap_rings;
 pub mod ring;
 pub mod upright;

@@ -1,8 +1,11 @@
 //! The drivers, compiled in this library for both formats: whoever calls a batch compiles no more
 //! than what turns shapes into numbers.
+use crate::Vec2;
 use crate::kernels::cpu::desk::{self, Aligned};
 use crate::kernels::cpu::greedy::{self, Greed};
+use crate::kernels::cpu::nearest::{self, Sieved, Spans};
 use crate::kernels::cpu::pairs::{self, Pairs};
+use crate::kernels::cpu::polygons::{self, Pulled, RingPairs};
 use crate::kernels::cpu::reductions;
 use crate::kernels::cpu::sweep::Upstream;
 use crate::kernels::reduce::{Best, Found};
@@ -30,5 +33,8 @@ drivers! {
     above: fn(&Pairs<'_, T>, T) -> Vec<Found<T>> = reductions::above;
     count_above: fn(&Pairs<'_, T>, T) -> u64 = reductions::count_above;
     sum: fn(&Pairs<'_, T>) -> f64 = reductions::sum;
+    sieved: fn(&[Vec2<T>], &[Vec2<T>], Spans<'_>, bool) -> Option<Vec<Sieved<T>>> = nearest::sieved;
+    ring_scores: fn(RingPairs<'_, T>) -> Vec<T> = polygons::scores;
+    ring_slopes: fn(RingPairs<'_, T>, &[T]) -> Pulled<T> = polygons::slopes;
     suppress: fn(&Pairs<'_, T>, Greed<'_, T>) -> Vec<usize> = greedy::suppress;
 }

@@ -34,9 +34,13 @@ pub(crate) mod greedy;
 #[forbid(unsafe_code)]
 pub(crate) mod lane;
 #[forbid(unsafe_code)]
+pub(crate) mod nearest;
+#[forbid(unsafe_code)]
 pub(crate) mod pairs;
 #[forbid(unsafe_code)]
 pub(crate) mod plan;
+#[forbid(unsafe_code)]
+pub mod polygons;
 #[doc(hidden)]
 #[forbid(unsafe_code)]
 pub mod program;

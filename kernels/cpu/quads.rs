@@ -1,12 +1,13 @@
-//! Block kernel of the area that convex quadrilaterals share.
+//! Block kernels of convex quadrilaterals.
 //!
 //! Compiled in this library only, by the entries in `arch`.
-use crate::Vec2;
+use crate::ad::adjoint::overlap_quad::intersection_area_quads_vjp;
 use crate::kernels::cpu::arch::Vector;
-use crate::kernels::cpu::boxes::{lanes_of, put};
-use crate::kernels::cpu::lane::{Results, Tiles};
+use crate::kernels::cpu::boxes::{lanes_of, put, seed};
+use crate::kernels::cpu::lane::{PLANE, Results, Tiles};
 use crate::kernels::real::Real;
 use crate::overlap_polygon::intersection_area_quads;
+use crate::{Fixed, Vec2};
 
 /// Numbers of a quadrilateral.
 pub(crate) const QUAD2: usize = 8;
@@ -26,7 +27,7 @@ fn quad<T: Real, V: Vector<T>>(tiles: Tiles<'_, T>, t: usize, at: usize) -> Opti
 
 /// Areas that convex quadrilaterals share.
 #[inline(always)]
-pub(crate) fn scores<T: Real, V: Vector<T>>(
+pub(crate) fn quad_scores<T: Real, V: Vector<T>>(
     a: Tiles<'_, T>,
     b: Tiles<'_, T>,
     mut out: Results<'_, T>,
@@ -40,6 +41,31 @@ pub(crate) fn scores<T: Real, V: Vector<T>>(
                 return;
             };
             put([intersection_area_quads(a, b)], out, 0, at);
+        }
+    }
+}
+
+/// Areas that convex quadrilaterals share, each followed by its sixteen slopes.
+#[inline(always)]
+pub(crate) fn quad_slopes<T: Real, V: Vector<T>>(
+    a: Tiles<'_, T>,
+    b: Tiles<'_, T>,
+    seeds: Option<Tiles<'_, T>>,
+    mut out: Results<'_, T>,
+) {
+    for t in 0..out.tiles {
+        let Some(out) = lanes_of::<T, { 2 * QUAD2 * PLANE + 1 }>(&mut out, t) else {
+            return;
+        };
+        for at in V::starts() {
+            let (Some(a), Some(b)) = (quad::<T, V>(a, t, at), quad::<T, V>(b, t, at)) else {
+                return;
+            };
+            let (value, bars) = intersection_area_quads_vjp(a, b, seed(seeds, t, at));
+            put([value], out, 0, at);
+            let mut slopes = [V::zero(); 2 * QUAD2];
+            bars.store(&mut slopes);
+            put(slopes, out, 1, at);
         }
     }
 }

@@ -191,7 +191,7 @@ pub(crate) fn check_ragged<T: Real>(vertices: &[Vec2<T>], offsets: &[usize]) -> 
 }
 
 /// Checks offsets of so many vertices.
-fn check_offsets<T: Real>(vertices: usize, offsets: &[usize]) -> Result<(), Error> {
+pub(crate) fn check_offsets<T: Real>(vertices: usize, offsets: &[usize]) -> Result<(), Error> {
     Simd::current()?;
     if offsets.first() != Some(&0) {
         return Err(Error::Offsets { row: 0 });
@@ -212,7 +212,7 @@ fn check_offsets<T: Real>(vertices: usize, offsets: &[usize]) -> Result<(), Erro
 }
 
 /// Finds the first vertex that is not finite.
-fn check_vertices<T: Real>(vertices: &[Vec2<T>]) -> Result<(), Error> {
+pub(crate) fn check_vertices<T: Real>(vertices: &[Vec2<T>]) -> Result<(), Error> {
     for (row, vertex) in vertices.iter().enumerate() {
         vertex.validate().map_err(|flaw| Error::Invalid {
             argument: Argument::Vertices,
@@ -224,7 +224,7 @@ fn check_vertices<T: Real>(vertices: &[Vec2<T>]) -> Result<(), Error> {
 }
 
 /// Where to cut a ragged batch: indices of rings, about [`STRETCH`] vertices or rings apart.
-fn cuts(offsets: &[usize]) -> Vec<usize> {
+pub(crate) fn cuts(offsets: &[usize]) -> Vec<usize> {
     let rings = offsets.len() - 1;
     let mut cuts = vec![0];
     let mut start = 0;

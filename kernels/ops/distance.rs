@@ -1,5 +1,7 @@
 //! Distances of shapes as operations.
+use crate::ad::adjoint::distance::{distance_point_segment_vjp, distance_segments_vjp};
 use crate::distance::segments::{ClosestOnSegments, closest_points_of_segments};
+use crate::distance::upright::signed_distance_aabb2;
 use crate::distance::{
     ClosestPoints, Penetration, clearance, closest_points, distance, distance_squared,
     farthest_distance, penetration, signed_distance,
@@ -13,6 +15,19 @@ operation! {
     pub DistancePointSegment = "distance_point_segment":
         (point: Vec2<S>, segment: Segment2<S>) -> S { distance(point, segment) }
     promises [TranslationX Stays, TranslationY Stays, Rotation Stays, Scaling Power(1)]
+    jumps Never
+    slopes ByHand |(point, segment), out_bar| { distance_point_segment_vjp(point, segment, out_bar) }
+
+    /// The [distance](crate::distance::distance()) of two segments.
+    pub DistanceSegments = "distance_segments": (a: Segment2<S>, b: Segment2<S>) -> S { distance(a, b) }
+    promises [TranslationX Stays, TranslationY Stays, Rotation Stays, Scaling Power(1), Exchange Stays]
+    jumps Never
+    slopes ByHand |(a, b), out_bar| { distance_segments_vjp(a, b, out_bar) }
+
+    /// The [signed distance](crate::distance::upright::signed_distance_aabb2) of two axis-aligned boxes.
+    pub SignedDistanceAabb2 = "signed_distance_aabb2":
+        (a: Aabb2<S>, b: Aabb2<S>) -> S { signed_distance_aabb2(a, b) }
+    promises [TranslationX Stays, TranslationY Stays, Scaling Power(1), Exchange Stays]
     jumps Never
     slopes Reverse
 
@@ -47,7 +62,6 @@ rows_of_pairs! {
         DistancePointCapsule = "distance_point_capsule": Vec2, Capsule2, "a point and a capsule" [Rotation Stays];
         DistancePointAabb2 = "distance_point_aabb2": Vec2, Aabb2, "a point and an axis-aligned box" [];
         DistancePointObb2 = "distance_point_obb2": Vec2, Obb2, "a point and a rotated box" [Rotation Stays];
-        DistanceSegments = "distance_segments": Segment2, Segment2, "two segments" [Rotation Stays, Exchange Stays];
         DistanceSegmentCircle = "distance_segment_circle": Segment2, Circle, "a segment and a circle" [Rotation Stays];
         DistanceSegmentObb2 = "distance_segment_obb2": Segment2, Obb2, "a segment and a rotated box" [Rotation Stays];
         DistanceCircles = "distance_circles": Circle, Circle, "two circles" [Rotation Stays, Exchange Stays];
@@ -69,7 +83,6 @@ rows_of_pairs! {
         SignedDistanceCircleObb2 = "signed_distance_circle_obb2": Circle, Obb2, "a circle and a rotated box" [Rotation Stays];
         SignedDistanceCapsules = "signed_distance_capsules": Capsule2, Capsule2, "two capsules" [Rotation Stays, Exchange Stays];
         SignedDistanceTriangles = "signed_distance_triangles": Triangle2, Triangle2, "two triangles" [Rotation Stays, Exchange Stays];
-        SignedDistanceAabb2 = "signed_distance_aabb2": Aabb2, Aabb2, "two axis-aligned boxes" [Exchange Stays];
         SignedDistanceObb2 = "signed_distance_obb2": Obb2, Obb2, "two rotated boxes" [Rotation Stays, Exchange Stays];
     }
     clearance as "The [clearance](crate::distance::clearance), positive inside," -> S,

@@ -92,6 +92,7 @@ macro_rules! of_point_and_path {
                 [TranslationX Stays, TranslationY Stays, Rotation Stays] $scaling
             );
             const JUMPS: Jumps = Jumps::$jumps;
+            const WINDING: Option<usize> = Some(EdgeFold::<f64>::WINDING);
             type Context<S: Scalar> = Vec2<S>;
             type Reference<S: Scalar> = [S; 0];
             type State<S: Scalar> = EdgeFold<S>;

@@ -1,4 +1,5 @@
 //! Measures of polygons of a fixed number of corners, and scores of convex ones, as operations.
+use crate::ad::adjoint::overlap_quad::intersection_area_quads_vjp;
 use crate::clipping::Corner;
 use crate::hull::{MergeTrace, merge_decided, merge_replay};
 use crate::iou::{
@@ -60,7 +61,7 @@ operation! {
         (a: [Vec2<S>; 4], b: [Vec2<S>; 4]) -> S { intersection_area_quads(a, b) }
     promises [TranslationX Stays, TranslationY Stays, Rotation Stays, Scaling Power(2), Exchange Stays]
     jumps Never
-    slopes Reverse
+    slopes ByHand |(a, b), out_bar| { intersection_area_quads_vjp(a, b, out_bar) }
     => compiled { Compiled::Quads }
 }
 

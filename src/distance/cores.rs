@@ -61,7 +61,7 @@ impl<S: Scalar> Core<S> for PointCore<S> {
 /// corner and two directions a line.
 #[derive(Clone, Copy, Debug)]
 pub struct EdgeCore<S, const CORNERS: usize, const AWAY: usize> {
-    edge: Edge<S>,
+    pub(super) edge: Edge<S>,
     /// The second corner, where there is one. Not start and way added, which would round: edges that share
     /// a corner have no distance at all.
     to: Vec2<S>,

@@ -15,6 +15,7 @@
 //! | [`penetration`] | how far to shift one of them until they only touch, and in which direction |
 //! | [`farthest_distance`] | the longest way |
 //! | [`segments::closest_points_of_segments`] | points and parameters of two segments |
+//! | [`upright::signed_distance_aabb2`] | the signed distance of two axis-aligned boxes by their bounds alone |
 //! | [`ring`] | distances of a point from polylines and polygons of any kind, edge by edge |
 //!
 //! The signed distance is positive outside. (DGAL's sign is the opposite, positive inside:
@@ -43,6 +44,7 @@ mod search;
 pub mod segments;
 pub mod shapes;
 pub mod share;
+pub mod upright;
 
 pub use convex::{Convex, Core};
 pub use edge::{edge_distance, edge_distance_squared, edge_winding};

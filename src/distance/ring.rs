@@ -38,6 +38,11 @@ pub struct EdgeFold<S> {
     pub winding: S,
 }
 
+impl<S> EdgeFold<S> {
+    /// Which of its numbers the winding number is.
+    pub(crate) const WINDING: usize = 5;
+}
+
 impl<S: Scalar> EdgeFold<S> {
     /// No edges: the largest finite distance, winding number 0.
     #[inline(always)]

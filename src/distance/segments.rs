@@ -1,5 +1,6 @@
 //! The closest points of two segments, with their parameters.
-use super::edge::{Edge, reach, scale_of, size_of};
+use super::convex::{Convex, Core};
+use super::edge::{Edge, choose, reach, scale_of, size_of};
 use super::share::{Best, Carry};
 use crate::{Scalar, Segment2, Vec2};
 
@@ -107,4 +108,119 @@ pub fn closest_points_of_segments<S: Scalar>(
         along_a: t.canonical(),
         along_b: u.canonical(),
     }
+}
+
+/// The shortest way from one shape to another, as the slopes of its length need it.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Way<S> {
+    /// The direction from a to b, of length one; zero where a and b have a point in common.
+    pub direction: Vec2<S>,
+    /// The fraction of the way along a at which it begins.
+    pub along_a: S,
+    /// The fraction of the way along b at which it ends.
+    pub along_b: S,
+}
+
+#[derive(Clone, Copy, Debug)]
+struct Link<S> {
+    apart: Vec2<S>,
+    along_a: S,
+    along_b: S,
+}
+
+impl<S: Scalar> Carry<S> for Link<S> {
+    #[inline(always)]
+    fn join(self, other: Self, keep: S::Mask, tie: S::Mask) -> Self {
+        let join = |a: S, b: S| a.join(b, keep, tie);
+        Link {
+            apart: Vec2::new(
+                join(self.apart.x, other.apart.x),
+                join(self.apart.y, other.apart.y),
+            ),
+            along_a: join(self.along_a, other.along_a),
+            along_b: join(self.along_b, other.along_b),
+        }
+    }
+    #[inline(always)]
+    fn times(self, factor: S) -> Self {
+        Link {
+            apart: self.apart * factor,
+            along_a: self.along_a * factor,
+            along_b: self.along_b * factor,
+        }
+    }
+}
+
+/// From an edge to a corner, which is at a fraction of its own shape.
+#[inline(always)]
+fn link<S: Scalar>(edge: Edge<S>, corner: Vec2<S>, fraction: S) -> Best<S, Link<S>> {
+    let found = reach(edge, corner - edge.from);
+    let link = Link {
+        apart: found.apart,
+        along_a: found.t,
+        along_b: fraction,
+    };
+    Best::of(found.apart.length_squared(), link)
+}
+
+/// With a and b exchanged.
+#[inline(always)]
+fn flipped<S: Scalar>(mut link: Best<S, Link<S>>) -> Best<S, Link<S>> {
+    let Link {
+        apart,
+        along_a,
+        along_b,
+    } = link.sum;
+    link.sum = Link {
+        apart: -apart,
+        along_a: along_b,
+        along_b: along_a,
+    };
+    link
+}
+
+#[inline(always)]
+fn way<S: Scalar>(link: Link<S>, distance: S) -> Way<S> {
+    let length = link.apart.length();
+    let over = S::select(length.at_most(S::zero()), S::one(), length);
+    let direction = Vec2::new(link.apart.x.over(over), link.apart.y.over(over));
+    Way {
+        direction: choose(distance.above(S::zero()), direction, Vec2::zero()),
+        along_a: link.along_a,
+        along_b: link.along_b,
+    }
+}
+
+// Both see what `relation` sees, in the same order, so that a recording of the distance and of the way has every
+// number once.
+
+/// The shortest way from a point to a segment at some distance.
+#[inline(always)]
+pub(crate) fn way_to_segment<S: Scalar>(
+    point: Vec2<S>,
+    segment: Segment2<S>,
+    distance: S,
+) -> Way<S> {
+    let (a, b) = (point.core(), segment.core());
+    let scale = scale_of::<S>(a.extent(point).most(b.extent(point)));
+    let (a, b) = (a.placed(point, scale), b.placed(point, scale));
+    way(flipped(link(b.edge, a.0, S::zero())).mean(), distance)
+}
+
+/// The shortest way between two segments at some distance.
+#[inline(always)]
+pub(crate) fn way_between_segments<S: Scalar>(
+    a: Segment2<S>,
+    b: Segment2<S>,
+    distance: S,
+) -> Way<S> {
+    let (a, b) = (a.core(), b.core());
+    let origin = a.anchor();
+    let scale = scale_of::<S>(a.extent(origin).most(b.extent(origin)));
+    let (a, b) = (a.placed(origin, scale), b.placed(origin, scale));
+    let (zero, one) = (S::zero(), S::one());
+    let ([from_a, to_a], [from_b, to_b]) = (a.corners(), b.corners());
+    let of_b = link(a.edge, from_b, zero).less(link(a.edge, to_b, one));
+    let of_a = link(b.edge, from_a, zero).less(link(b.edge, to_a, one));
+    way(of_b.less(flipped(of_a)).mean(), distance)
 }

@@ -90,6 +90,122 @@ fn separates<S: Scalar>(side: [S; 4], along: Vec2<S>) -> S::Mask {
     is_side & right
 }
 
+/// Two quadrilaterals, seen from a corner of b in units of the larger one.
+pub(crate) struct QuadPair<S: Scalar> {
+    /// The corners of a and of b, half as far from the first one of b, times `scale`.
+    pub at: [Vec2<S>; 4],
+    pub to: [Vec2<S>; 4],
+    /// How far every corner of a is to the left of each side of b, times its length: by sides.
+    pub left_of_b: [[S; 4]; 4],
+    /// How far every corner of b is to the left of each side of a, times its length: by sides.
+    pub left_of_a: [[S; 4]; 4],
+    /// The area that they share: zero, without a slope, where nothing is.
+    pub area: S,
+    /// Where nothing is shared.
+    pub nothing: S::Mask,
+    /// The power of two.
+    pub scale: S,
+}
+
+impl<S: Scalar> QuadPair<S> {
+    /// Measures two quadrilaterals.
+    #[inline(always)]
+    pub fn new(a: [Vec2<S>; 4], b: [Vec2<S>; 4]) -> Self {
+        let zero = S::zero();
+        // Halved first, so that a difference of huge numbers is finite, and seen from a corner of b.
+        let origin = half(b[0]);
+        let (mut at, mut to) = ([Vec2::zero(); 4], [Vec2::zero(); 4]);
+        let mut size = zero;
+        let mut k = 0;
+        while k < 4 {
+            (at[k], to[k]) = (half(a[k]) - origin, half(b[k]) - origin);
+            let (at, to) = (at[k], to[k]);
+            size = size
+                .most(at.x.unsigned().most(at.y.unsigned()))
+                .most(to.x.unsigned().most(to.y.unsigned()));
+            k += 1;
+        }
+        // A power of two that brings the larger one near one, so that nothing overflows.
+        let size = S::from_primal(size.primal());
+        let point = size.at_most(zero);
+        let scale = S::select(point, S::one(), S::select(point, S::one(), size).binade());
+        k = 0;
+        while k < 4 {
+            (at[k], to[k]) = (at[k] * scale, to[k] * scale);
+            k += 1;
+        }
+
+        // Every corner of a against the ways from the first corner of b to the others.
+        let mut cross = [[zero; 4]; 4];
+        k = 0;
+        while k < 4 {
+            let mut i = 1;
+            while i < 4 {
+                cross[i][k] = to[i].perp_dot(at[k]);
+                i += 1;
+            }
+            k += 1;
+        }
+        let (first, second) = (to[1].perp_dot(to[2]), to[2].perp_dot(to[3]));
+        let area = in_triangle(against(cross[2]), cross[1], first)
+            + in_triangle(against(cross[3]), cross[2], second);
+
+        // A side with all of the other on its right or on itself separates them.
+        let mut own = zero;
+        let mut left_of_a = [[zero; 4]; 4];
+        k = 0;
+        while k < 4 {
+            let next = (k + 1) % 4;
+            let corner = at[k].perp_dot(at[next]);
+            own += corner;
+            // Corners of b seen from edge k of a.
+            let mut i = 0;
+            while i < 4 {
+                left_of_a[k][i] = corner + (cross[i][k] - cross[i][next]);
+                i += 1;
+            }
+            k += 1;
+        }
+        let left_of_b = [
+            cross[1],
+            far(cross[1], cross[2], first),
+            far(cross[2], cross[3], second),
+            against(cross[3]),
+        ];
+        let mut apart = S::one().below(zero)
+            | separates(left_of_b[0], to[1])
+            | separates(left_of_b[1], to[2] - to[1])
+            | separates(left_of_b[2], to[3] - to[2])
+            | separates(left_of_b[3], to[3]);
+        k = 0;
+        while k < 4 {
+            apart = apart | separates(left_of_a[k], at[(k + 1) % 4] - at[k]);
+            k += 1;
+        }
+
+        let limit = own.primal().least((first + second).primal()).halved();
+        let beyond = area.above(S::from_primal(limit));
+        let area = S::select(beyond, area.with_primal(limit), area);
+        let nothing = apart | area.at_most(zero);
+        QuadPair {
+            at,
+            to,
+            left_of_b,
+            left_of_a,
+            area: S::select(nothing, zero, area),
+            nothing,
+            scale,
+        }
+    }
+    /// The area in the caller's unit; infinite where that is too small.
+    #[inline(always)]
+    pub fn outer_area(&self) -> S {
+        // Twice for each length, which was halved.
+        let area = (self.area + self.area).over(self.scale);
+        (area + area).over(self.scale)
+    }
+}
+
 /// The area shared by two convex quadrilaterals, counter-clockwise, from 0 to the area of the smaller one, in
 /// squared units of length. Exactly zero, with slope zero, where they are apart or merely touch;
 /// saturates at the largest finite number. Repeated and collinear vertices are fine.
@@ -109,79 +225,5 @@ fn separates<S: Scalar>(side: [S; 4], along: Vec2<S>) -> S::Mask {
 #[must_use]
 #[inline(always)]
 pub fn intersection_area_quads<S: Scalar>(a: [Vec2<S>; 4], b: [Vec2<S>; 4]) -> S {
-    let zero = S::zero();
-    // Halved first, so that a difference of huge numbers is finite, and seen from a corner of b.
-    let origin = half(b[0]);
-    let (mut at, mut to) = ([Vec2::zero(); 4], [Vec2::zero(); 4]);
-    let mut size = zero;
-    let mut k = 0;
-    while k < 4 {
-        (at[k], to[k]) = (half(a[k]) - origin, half(b[k]) - origin);
-        let (at, to) = (at[k], to[k]);
-        size = size
-            .most(at.x.unsigned().most(at.y.unsigned()))
-            .most(to.x.unsigned().most(to.y.unsigned()));
-        k += 1;
-    }
-    // A power of two that brings the larger one near one, so that nothing overflows.
-    let size = S::from_primal(size.primal());
-    let point = size.at_most(zero);
-    let scale = S::select(point, S::one(), S::select(point, S::one(), size).binade());
-    k = 0;
-    while k < 4 {
-        (at[k], to[k]) = (at[k] * scale, to[k] * scale);
-        k += 1;
-    }
-
-    // Every corner of a against the ways from the first corner of b to the others.
-    let mut cross = [[zero; 4]; 4];
-    k = 0;
-    while k < 4 {
-        let mut i = 1;
-        while i < 4 {
-            cross[i][k] = to[i].perp_dot(at[k]);
-            i += 1;
-        }
-        k += 1;
-    }
-    let (first, second) = (to[1].perp_dot(to[2]), to[2].perp_dot(to[3]));
-    let area = in_triangle(against(cross[2]), cross[1], first)
-        + in_triangle(against(cross[3]), cross[2], second);
-
-    // A side with all of the other on its right or on itself separates them.
-    let mut apart = S::one().below(zero);
-    let mut own = zero;
-    let mut sides = [[zero; 4]; 4];
-    k = 0;
-    while k < 4 {
-        let next = (k + 1) % 4;
-        let corner = at[k].perp_dot(at[next]);
-        own += corner;
-        // Corners of b seen from edge k of a.
-        let mut i = 0;
-        while i < 4 {
-            sides[k][i] = corner + (cross[i][k] - cross[i][next]);
-            i += 1;
-        }
-        k += 1;
-    }
-    apart = apart
-        | separates(cross[1], to[1])
-        | separates(far(cross[1], cross[2], first), to[2] - to[1])
-        | separates(far(cross[2], cross[3], second), to[3] - to[2])
-        | separates(against(cross[3]), to[3]);
-    k = 0;
-    while k < 4 {
-        apart = apart | separates(sides[k], at[(k + 1) % 4] - at[k]);
-        k += 1;
-    }
-
-    let limit = own.primal().least((first + second).primal()).halved();
-    let beyond = area.above(S::from_primal(limit));
-    let area = S::select(beyond, area.with_primal(limit), area);
-    let nothing = apart | area.at_most(zero);
-    let area = S::select(nothing, zero, area);
-    // Twice for each length, which was halved.
-    let area = (area + area).over(scale);
-    (area + area).over(scale).saturated().canonical()
+    QuadPair::new(a, b).outer_area().saturated().canonical()
 }

@@ -1,8 +1,11 @@
 //! Folds over paths and operations with a search, in batches.
 use geograd::error::{Argument, Field, Flaw};
-use geograd::kernels::fold::fold;
+use geograd::kernels::cpu::simd::Simd;
+use geograd::kernels::fold::{Folded, fold};
+use geograd::kernels::op::Source;
 use geograd::kernels::{
-    Cpu, Decided, DiameterOfPolygon, IouPolygons, One, SecondMomentsOfRing, SignedDistancePointRing,
+    Cpu, Decided, DiameterOfPolygon, IouPolygons, One, SecondMomentsOfRing,
+    SignedDistancePointRing, WindingOfRing,
 };
 use geograd::measure::moments::{SecondMoments, second_moments};
 use geograd::{ConvexPolygon, Error, Pack, Vec2};
@@ -49,6 +52,122 @@ fn folds_have_the_bits_of_one_path_at_a_time() {
             );
         }
     }
+}
+
+/// Rings of hundreds of vertices with a point each: round and jagged ones, ones in a raster with many ties and
+/// points on edges and corners, tiny and huge ones, ones with edges of length zero, and ones too extreme
+/// for squares.
+fn long_rings(dice: &mut Dice) -> (Vec<Vec2<f64>>, Vec<Vec2<f64>>, Vec<usize>) {
+    let (mut points, mut vertices, mut offsets) = (Vec::new(), Vec::new(), vec![0]);
+    for kind in 0..72 {
+        let unit = [1.0, 1e-9, 1e12, 1e-25, 1e18, 0.0][kind / 12];
+        let raster = kind % 4 == 0;
+        let count = 17 + dice.below(500);
+        for k in 0..count {
+            let (at, radius) = (k as f64 * std::f64::consts::TAU / count as f64, dice.within(0.9, 1.1));
+            let v = Vec2::new(radius * at.cos(), radius * at.sin());
+            let v = match raster {
+                true => Vec2::new((4.0 * v.x).round() / 4.0, (4.0 * v.y).round() / 4.0),
+                false => v,
+            };
+            vertices.push(v * unit);
+        }
+        offsets.push(vertices.len());
+        let at = point(dice) * 0.5;
+        points.push(match kind % 12 {
+            0 => Vec2::zero(),
+            1 => vertices[vertices.len() - 3],
+            4 => Vec2::new(unit, 0.0),
+            _ => at * unit,
+        });
+    }
+    (points, vertices, offsets)
+}
+
+#[test]
+fn folds_over_the_nearest_edges_alone_have_the_bits_of_those_over_all() {
+    let mut dice = Dice(11);
+    let (points, vertices, offsets) = long_rings(&mut dice);
+    let narrow = |all: &[Vec2<f64>]| -> Vec<Vec2<f32>> {
+        let narrow = |v: &Vec2<f64>| Vec2::new(v.x as f32, v.y as f32);
+        all.iter().map(narrow).collect()
+    };
+    let (points_32, vertices_32) = (narrow(&points), narrow(&vertices));
+    let cpu = Cpu::new();
+    for level in Simd::available() {
+        Simd::limit(Some(level)).unwrap();
+        let wide = cpu.fold(SignedDistancePointRing, &points, &vertices, &offsets);
+        let less = cpu.fold(SignedDistancePointRing, &points_32, &vertices_32, &offsets);
+        let turns = cpu.fold(WindingOfRing, &points, &vertices, &offsets);
+        let (wide, less, turns) = (wide.unwrap(), less.unwrap(), turns.unwrap());
+        for (i, ring) in offsets.windows(2).enumerate() {
+            let (own, own_32) = (&vertices[ring[0]..ring[1]], &vertices_32[ring[0]..ring[1]]);
+            let one = fold::<SignedDistancePointRing, f64>(points[i], own);
+            assert_eq!(wide[i].to_bits(), one.to_bits(), "{level:?} ring {i}");
+            let one = fold::<SignedDistancePointRing, f32>(points_32[i], own_32);
+            assert_eq!(
+                less[i].to_bits(),
+                one.to_bits(),
+                "{level:?} ring {i} in f32"
+            );
+            let one = fold::<WindingOfRing, f64>(points[i], own);
+            assert_eq!(turns[i], one, "{level:?} ring {i}");
+        }
+    }
+    Simd::limit(None).unwrap();
+    // Slopes are those of one path at a time, too.
+    let up: Vec<f64> = points.iter().map(|_| dice.within(-2.0, 2.0)).collect();
+    let (by_point, by_vertex) = cpu
+        .fold_vjp(SignedDistancePointRing, &points, &vertices, &offsets, &up)
+        .unwrap();
+    for (i, ring) in offsets.windows(2).enumerate() {
+        let input = (points[i], vertices[ring[0]..ring[1]].to_vec());
+        let (by_one, by_own) = Folded::<SignedDistancePointRing>::vjp(&input, up[i]);
+        let found = std::iter::once(&by_point[i]).chain(&by_vertex[ring[0]..ring[1]]);
+        for (found, one) in found.zip(std::iter::once(&by_one).chain(&by_own)) {
+            assert!(
+                (*found - *one).length() <= 1e-12,
+                "ring {i}: {found:?} {one:?}"
+            );
+        }
+    }
+}
+
+#[test]
+fn a_path_that_all_share_is_as_good_as_one_for_each() {
+    let mut dice = Dice(12);
+    let (_, vertices, offsets) = long_rings(&mut dice);
+    let ring = &vertices[offsets[5]..offsets[6]];
+    let points: Vec<Vec2<f64>> = (0..300).map(|_| point(&mut dice)).collect();
+    let up: Vec<f64> = points.iter().map(|_| dice.within(-2.0, 2.0)).collect();
+    let each: Vec<Vec2<f64>> = points.iter().flat_map(|_| ring.to_vec()).collect();
+    let bounds: Vec<usize> = (0..=points.len()).map(|i| i * ring.len()).collect();
+    let (cpu, op) = (Cpu::new(), SignedDistancePointRing);
+    let known = cpu.fold(op, &points, &each, &bounds).unwrap();
+    assert_eq!(cpu.fold_one(op, &points, ring).unwrap(), known);
+    assert!(known.iter().any(|x| *x < 0.0) && known.iter().any(|x| *x > 0.0));
+    let (by_point, by_each) = cpu.fold_vjp(op, &points, &each, &bounds, &up).unwrap();
+    let (found, by_vertex) = cpu.fold_one_vjp(op, &points, ring, &up).unwrap();
+    assert_eq!(found, by_point);
+    for (k, found) in by_vertex.iter().enumerate() {
+        let of_points = by_each.iter().skip(k).step_by(ring.len());
+        let sum = of_points.fold(Vec2::zero(), |sum, bar| sum + *bar);
+        assert!((*found - sum).length() < 1e-12, "{k}: {found:?} {sum:?}");
+    }
+    // A fold over all edges, too; and without points.
+    let moments = cpu.fold_one(SecondMomentsOfRing, One([]), ring).unwrap();
+    let known = cpu.fold(SecondMomentsOfRing, One([]), ring, &[0, ring.len()]);
+    assert_eq!(moments, known.unwrap());
+    assert!(cpu.fold_one(op, &points[..0], ring).unwrap().is_empty());
+    let nan = [Vec2::new(0.0, f64::NAN)];
+    let flaw = Flaw::NotFinite(Field::new("y"));
+    let (argument, row) = (Argument::Vertices, 0);
+    let refused = Error::Invalid {
+        argument,
+        row,
+        flaw,
+    };
+    assert_eq!(cpu.fold_one(op, &points, &nan), Err(refused));
 }
 
 #[test]

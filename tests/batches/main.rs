@@ -3,6 +3,7 @@ mod bits;
 mod calls;
 mod fold;
 mod fuzz;
+mod polygon;
 mod program;
 mod reduce;
 mod straight;

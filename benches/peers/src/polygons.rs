@@ -116,10 +116,17 @@ pub fn polygons() {
                 }
             }),
         ));
+        lines.push((
+            format!("geograd, signed, points to one {name} ring, batch"),
+            Timed::new(POINTS, move || {
+                let found = cpu.fold_one(SignedDistancePointRing, &points[..], ring);
+                black_box(found).expect("valid rings");
+            }),
+        ));
         let all: Vec<_> = points.iter().flat_map(|_| ring.iter().copied()).collect();
         let offsets = &offsets;
         lines.push((
-            format!("geograd, signed, point to {name} ring, batch"),
+            format!("geograd, signed, each point to a {name} ring of its own, batch"),
             Timed::new(POINTS, move || {
                 let context = &points[..];
                 let found = cpu.fold(SignedDistancePointRing, context, &all, offsets);

@@ -1,16 +1,15 @@
 //! What scores of two simple polygons are made of: lengths and areas, with their slopes by all vertices.
 //!
-//! The area of intersection of a polygon and a triangle is the library's
-//! ([`area_inside`](geograd::overlap_polygon::area_inside), with its adjoint). A polygon that is not
-//! convex is the sum, with signs, of the triangles over its edges from any one place.
+//! The area of intersection is the library's
+//! ([`intersection_area`](geograd::overlap_polygon::rings::intersection_area), with its adjoint).
 use super::Polygon;
 use crate::number::Number;
-use geograd::ad::adjoint::overlap_polygon::area_inside_vjp;
+use geograd::Vec2;
+use geograd::ad::adjoint::overlap_rings::intersection_area_vjp;
 use geograd::ad::adjoint::ring::signed_area_vjp;
 use geograd::hull::hull_area_decided;
 use geograd::measure::extent::diameter_decided;
-use geograd::overlap_polygon::area_inside;
-use geograd::{ConvexPolygon, Vec2};
+use geograd::overlap_polygon::rings::intersection_area;
 
 /// Slopes by the vertices of two polygons, in the order of their vertices.
 #[derive(Clone, Debug)]
@@ -71,36 +70,16 @@ pub fn intersection<T: Number>(a: &Polygon<T>, b: &Polygon<T>, grad: bool) -> Pa
             slopes,
         };
     }
-    let apex = apex(b);
-    let n = b.count();
-    let mut sum = zero;
-    for k in 0..n {
-        let (start, end) = (b.vertices[k], b.vertices[(k + 1) % n]);
-        let clockwise = (start - apex).perp_dot(end - apex) < zero;
-        let (sign, vertices) = match clockwise {
-            true => (-T::one(), [apex, end, start]),
-            false => (T::one(), [apex, start, end]),
-        };
-        let triangle = ConvexPolygon { vertices, count: 3 };
-        sum += sign * area_inside(&[&a.vertices], &triangle);
-        if grad {
-            let mut of_ring = vec![Vec2::zero(); a.count()];
-            let rings = &mut [&mut of_ring[..]];
-            let by = area_inside_vjp(&[&a.vertices], &triangle, sign, rings).vertices;
-            for (slope, by) in slopes.a.iter_mut().zip(of_ring) {
-                *slope += by;
-            }
-            let [start, end] = if clockwise {
-                [by[2], by[1]]
-            } else {
-                [by[1], by[2]]
-            };
-            slopes.b[k] += start;
-            slopes.b[(k + 1) % n] += end;
+    let (ring_a, ring_b) = (&a.vertices, &b.vertices);
+    let sum = match grad {
+        false => intersection_area(ring_a, ring_b),
+        true => {
+            let (by_a, by_b) = (&mut slopes.a, &mut slopes.b);
+            intersection_area_vjp(ring_a, ring_b, T::one(), by_a, by_b)
         }
-    }
-    // Triangles add up to the area with a rounding of their own sizes: polygons that merely touch share
-    // nothing.
+    };
+    // Contributions of edges add up with a rounding of the smaller one's size: polygons that merely touch
+    // share nothing.
     let (p, q) = (p.size(), q.size());
     let rounding = T::lit(16.0 * T::EPSILON) * (p.x * p.y).least(q.x * q.y);
     if sum <= rounding {
@@ -113,38 +92,6 @@ pub fn intersection<T: Number>(a: &Polygon<T>, b: &Polygon<T>, grad: bool) -> Pa
         value: sum.least(a.area).least(b.area),
         slopes,
     }
-}
-
-/// A place near a polygon that is in line with none of its edges, as far as can be: triangles from there
-/// are all proper ones. Its own slopes add up to nothing.
-fn apex<T: Number>(polygon: &Polygon<T>) -> Vec2<T> {
-    let n = polygon.count();
-    let size = polygon.bounds.size();
-    let clearance = |at: &Vec2<T>| {
-        let mut least = T::lit(T::LARGEST);
-        for k in 0..n {
-            let (start, end) = (polygon.vertices[k], polygon.vertices[(k + 1) % n]);
-            if start != end {
-                least = least.least((start - *at).perp_dot(end - *at).magnitude());
-            }
-        }
-        least
-    };
-    // Fractions that coordinates in a raster do not have.
-    let shares = [
-        (0.463_647, 0.540_302),
-        (0.618_033, 0.381_966),
-        (0.324_717, 0.657_298),
-    ];
-    let places =
-        shares.map(|(x, y)| polygon.bounds.min + Vec2::new(size.x * T::lit(x), size.y * T::lit(y)));
-    let mut best = places[0];
-    for at in &places[1..] {
-        if clearance(at) > clearance(&best) {
-            best = *at;
-        }
-    }
-    best
 }
 
 /// The vertices of both.

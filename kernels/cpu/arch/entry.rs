@@ -5,6 +5,7 @@ use crate::kernels::cpu::blocks;
 use crate::kernels::cpu::boxes::{self, BOUNDS, View};
 use crate::kernels::cpu::boxes3;
 use crate::kernels::cpu::lane::{Lane, Planes, Results, TILE, Tiles};
+use crate::kernels::cpu::nearest;
 use crate::kernels::cpu::program::{self, Pass, Tape};
 use crate::kernels::cpu::quads;
 use crate::kernels::cpu::rings::{self, Measure};
@@ -95,7 +96,9 @@ entries! {
     /// Generalised IoU of prepared rotated boxes with ten slopes each.
     giou_slopes(a: Tiles<'_, T>, b: Tiles<'_, T>, seeds: Option<Tiles<'_, T>>, out: Results<'_, T>) = boxes::giou_slopes::<T, V>;
     /// Areas that convex quadrilaterals share.
-    quad_scores(a: Tiles<'_, T>, b: Tiles<'_, T>, out: Results<'_, T>) = quads::scores::<T, V>;
+    quad_scores(a: Tiles<'_, T>, b: Tiles<'_, T>, out: Results<'_, T>) = quads::quad_scores::<T, V>;
+    /// Areas that convex quadrilaterals share with sixteen slopes each.
+    quad_slopes(a: Tiles<'_, T>, b: Tiles<'_, T>, seeds: Option<Tiles<'_, T>>, out: Results<'_, T>) = quads::quad_slopes::<T, V>;
     /// Whether upright boxes are valid and of common size, or zero size.
     all_common_upright(numbers: &[T]) -> bool = boxes::all_common_upright::<T, V>;
     /// Scores of upright boxes from what they share seen from above.
@@ -146,6 +149,8 @@ entries! {
     never_decreases(offsets: &[usize], vertices: usize) -> bool = rings::never_decreases::<T, V>;
     /// A part of a block by a recorded program.
     interpret(tape: &Tape, pass: Pass<'_, T>, out: &mut [Lane<T>]) = program::interpret::<T, V>;
+    /// The edges of a path that can be nearest to a point, and how often the path winds around it.
+    near_edges(point: Vec2<T>, path: &nearest::Edges<T>, limits: nearest::Limits<T>, squares: &mut [Lane<T>], picked: &mut [u32]) -> Option<(usize, T)> = nearest::near_edges::<T, V>;
     /// Measures of rings.
     ring_values(measure: Measure, vertices: &[Vec2<T>], offsets: &[usize], out: &mut [T]) = rings::values::<T, V>;
     /// Adjoints of measures of rings.

@@ -32,7 +32,7 @@ pub enum Compiled {
     Upright(Denominator),
     /// A score of upright boxes seen from above.
     BirdsEye(Denominator),
-    /// The area that two convex quadrilaterals share; its slopes are those of its program.
+    /// The area that two convex quadrilaterals share.
     Quads,
     /// A score of axis-aligned boxes in space: no kernels, but boxes that are apart score zero.
     Aabb3,
@@ -48,9 +48,9 @@ pub(super) fn of_compiled<T: Real>(compiled: Compiled, want: Want) -> Option<Fac
         Compiled::Giou => Some(of_giou(want)),
         Compiled::Upright(over) => Some(of_upright(over, want)),
         Compiled::BirdsEye(over) => Some(of_birds_eye(over, want)),
-        Compiled::Quads if want == Want::Value => Some(of_quads()),
+        Compiled::Quads => Some(of_quads(want)),
         Compiled::Obb3(over) => Some(of_obb3(over, want)),
-        Compiled::Quads | Compiled::Aabb3 => None,
+        Compiled::Aabb3 => None,
     }
 }
 
@@ -137,10 +137,10 @@ impl<T: Real> Maker<T> for Scored<T> {
         (self.0)(inputs[0], inputs[1], out);
     }
 }
-/// Generalised IoU with slopes.
-type GiouSlopesOf<T> = fn(Tiles<'_, T>, Tiles<'_, T>, Option<Tiles<'_, T>>, Results<'_, T>);
-struct GiouSlopes<T>(GiouSlopesOf<T>);
-impl<T: Real> Maker<T> for GiouSlopes<T> {
+/// The same with slopes.
+type SlopesOfOneOf<T> = fn(Tiles<'_, T>, Tiles<'_, T>, Option<Tiles<'_, T>>, Results<'_, T>);
+struct SlopesOfOne<T>(SlopesOfOneOf<T>);
+impl<T: Real> Maker<T> for SlopesOfOne<T> {
     fn make(&self, _: &mut Room<T>, inputs: &[Tiles<'_, T>], out: Results<'_, T>) {
         (self.0)(inputs[0], inputs[1], inputs.get(2).copied(), out);
     }
@@ -165,7 +165,7 @@ fn of_giou<T: Real>(want: Want) -> Face<T> {
     };
     let maker: Box<dyn Maker<T>> = match want {
         Want::Value => Box::new(Scored(kernels.giou_scores)),
-        Want::ValueGrad | Want::Vjp => Box::new(GiouSlopes(kernels.giou_slopes)),
+        Want::ValueGrad | Want::Vjp => Box::new(SlopesOfOne(kernels.giou_slopes)),
     };
     Face {
         steepest: T::LARGEST.powf(0.3125),
@@ -185,7 +185,7 @@ fn of_giou<T: Real>(want: Want) -> Face<T> {
 }
 
 /// Areas that convex quadrilaterals share.
-fn of_quads<T: Real>() -> Face<T> {
+fn of_quads<T: Real>(want: Want) -> Face<T> {
     let kernels = T::kernels();
     let shape = || Preparation {
         fields: QUAD2,
@@ -195,8 +195,11 @@ fn of_quads<T: Real>() -> Face<T> {
         check: |numbers| <[Vec2<T>; 4]>::load(numbers).validate(),
         is_rare: |_| false,
     };
-    let maker = Box::new(Scored(kernels.quad_scores));
-    Face::new(Want::Value, vec![shape(), shape()], vec![1], maker)
+    let maker: Box<dyn Maker<T>> = match want {
+        Want::Value => Box::new(Scored(kernels.quad_scores)),
+        Want::ValueGrad | Want::Vjp => Box::new(SlopesOfOne(kernels.quad_slopes)),
+    };
+    Face::new(want, vec![shape(), shape()], vec![1], maker)
 }
 
 /// Scores of upright boxes: of what is shared seen from above, then of heights.

@@ -20,6 +20,8 @@ use std::sync::{Arc, PoisonError, RwLock};
 pub(crate) enum Known {
     /// The programs of a fold.
     Fold,
+    /// How batches compute what is wanted of an edge of a fold.
+    Edge(Want),
     /// The program of what is wanted.
     Program(Want),
     /// How batches compute it, aligned or all pairs.

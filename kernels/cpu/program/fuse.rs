@@ -88,6 +88,7 @@ fn candidates(node: Node, of: impl Fn(Id) -> Option<Node>, found: &mut Vec<Step>
                     Some(N::Mul(p, q)) => add(Op::MulAdd, &[p, q, z], &[x]),
                     Some(N::Add(p, q)) => add(Op::AddAdd, &[p, q, z], &[x]),
                     Some(N::Sub(p, q)) => add(Op::SubAdd, &[p, q, z], &[x]),
+                    Some(N::Select(m, p, q)) => add(Op::SelectAdd, &[m, p, q, z], &[x]),
                     _ => {}
                 }
             }
@@ -134,10 +135,22 @@ fn candidates(node: Node, of: impl Fn(Id) -> Option<Node>, found: &mut Vec<Step>
             if let Some(N::Min(p, q)) = of(b) {
                 add(Op::MaxFrom, &[p, q, a], &[b]);
             }
+            if let Some(N::Magnitude(x) | N::Unsigned(x)) = of(a) {
+                add(Op::MagnitudeMax, &[x, b], &[a]);
+            }
+            if let Some(N::Magnitude(x) | N::Unsigned(x)) = of(b) {
+                add(Op::MaxMagnitude, &[a, x], &[b]);
+            }
         }
         N::Select(m, x, y) => {
             if let Some(N::Neg(p)) = of(x) {
                 add(Op::SelectNeg, &[m, p, y], &[x]);
+            }
+            if let Some(N::Mul(p, q)) = of(x) {
+                add(Op::SelectMul, &[m, p, q, y], &[x]);
+            }
+            if let Some(N::Mul(p, q)) = of(y) {
+                add(Op::ElseMul, &[m, x, p, q], &[y]);
             }
             match of(m) {
                 Some(N::Lt(p, q)) => add(Op::SelectLt, &[p, q, x, y], &[m]),
@@ -149,6 +162,9 @@ fn candidates(node: Node, of: impl Fn(Id) -> Option<Node>, found: &mut Vec<Step>
         N::And(a, b) | N::Or(a, b) => {
             let and = matches!(node, N::And(..));
             for (x, m) in [(a, b), (b, a)] {
+                if let (Some(N::Not(n)), true) = (of(x), and) {
+                    add(Op::AndNot, &[m, n], &[x]);
+                }
                 let (op, p, q) = match (of(x), and) {
                     (Some(N::Lt(p, q)), true) => (Op::LtAnd, p, q),
                     (Some(N::Le(p, q)), true) => (Op::LeAnd, p, q),

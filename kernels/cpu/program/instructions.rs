@@ -69,6 +69,12 @@ macro_rules! instructions {
         Cross(x, y, z, w) = x * y - z * w;
 
         SelectNeg(m, x, y) = V::select(m.truth(), -x, y);
+        SelectMul(m, x, y, z) = V::select(m.truth(), x * y, z);
+        ElseMul(m, x, y, z) = V::select(m.truth(), x, y * z);
+        SelectAdd(m, x, y, z) = V::select(m.truth(), x, y) + z;
+        MagnitudeMax(x, y) = x.magnitude().most(y);
+        MaxMagnitude(x, y) = x.most(y.magnitude());
+        AndNot(m, n) = V::word(m.truth() & !n.truth());
         SelectLt(x, y, z, w) = V::select(x.below(y), z, w);
         SelectLe(x, y, z, w) = V::select(x.at_most(y), z, w);
         SelectEq(x, y, z, w) = V::select(x.equals(y), z, w);

@@ -283,8 +283,8 @@ fn assign(
     Ok(tape)
 }
 
-/// The graph with choices of the smaller or larger of two numbers as such. The bits are the same, those
-/// of NaN included; only slopes would be others.
+/// The graph with choices of the smaller or larger of two numbers as such, and numbers without their signs
+/// as one node each. The bits are the same, those of NaN included; only slopes would be others.
 fn polished(graph: &Graph, outputs: &[Id]) -> (Graph, Vec<Id>) {
     let mut polished = Graph::new(graph.format);
     let mut names: Vec<Id> = Vec::with_capacity(graph.len());
@@ -297,6 +297,11 @@ fn polished(graph: &Graph, outputs: &[Id]) -> (Graph, Vec<Id>) {
         };
         let node = match node {
             Node::Select(m, yes, no) => lesser(m, yes, no).unwrap_or(node),
+            // Both take the sign away.
+            Node::Magnitude(x) | Node::Unsigned(x) => Node::Magnitude(match polished.at(x) {
+                Node::Neg(negated) => negated,
+                _ => x,
+            }),
             node => node,
         };
         names.push(polished.push(node));

@@ -443,3 +443,26 @@ fn segments_that_share_an_end_have_no_distance() {
         }
     }
 }
+
+#[test]
+fn boxes_along_the_axes_are_as_far_by_their_bounds_as_by_their_faces() {
+    use geograd::distance::{signed_distance, upright::signed_distance_aabb2};
+    let mut dice = Dice(9);
+    let (mut apart, mut overlapping) = (0, 0);
+    for round in 0..2000 {
+        let mut shape = || {
+            let numbers: [f64; 4] = std::array::from_fn(|_| match round % 2 {
+                0 => dice.whole(8) as f64,
+                _ => dice.in_range(-4.0, 4.0),
+            });
+            let [x, y, width, height] = numbers;
+            geograd::Aabb2::new(x, y, x + width.abs() + 0.125, y + height.abs() + 0.125)
+        };
+        let (a, b) = (shape(), shape());
+        let (found, known) = (signed_distance_aabb2(a, b), signed_distance(a, b));
+        assert!((found - known).abs() < 1e-13, "{a:?} {b:?} {found} {known}");
+        apart += u32::from(found > 0.0);
+        overlapping += u32::from(found < 0.0);
+    }
+    assert!(apart > 200 && overlapping > 200, "{apart} {overlapping}");
+}

@@ -1,0 +1,57 @@
+//! Adjoints of distances, by the envelope theorem.
+//!
+//! The nearest points move along their shapes, but to first order that does not change their distance. So its
+//! slope is that of the way between both, held fixed on their shapes: with n the unit vector from a to b,
+//! a point of a has the slope −n and one of b n, which the ends of a segment share by the fraction at
+//! which the point lies between them. (How the fractions themselves change matters to curvature, which
+//! follows from differentiating these adjoints.)
+use crate::distance::distance;
+use crate::distance::segments::{way_between_segments, way_to_segment};
+use crate::{Scalar, Segment2, Vec2};
+
+/// The cotangents of the ends of a segment from that of the point at a fraction of the way.
+#[inline(always)]
+fn shared<S: Scalar>(fraction: S, bar: Vec2<S>) -> Segment2<S> {
+    let to = bar * fraction;
+    Segment2 { from: bar - to, to }
+}
+
+/// The [distance](crate::distance::distance()) of a point and a segment and its adjoint: the distance, and
+/// `out_bar` times its slopes with respect to both. Zero where the point is on the segment.
+///
+/// ```
+/// use geograd::{Segment2, Vec2, ad::adjoint::distance::distance_point_segment_vjp};
+/// let segment = Segment2::new(Vec2::new(0.0, 0.0), Vec2::new(4.0, 0.0));
+/// let (distance, (by_point, by_segment)) =
+///     distance_point_segment_vjp(Vec2::new(1.0, 3.0), segment, 1.0);
+/// assert_eq!((distance, by_point.y), (3.0, 1.0));
+/// assert_eq!((by_segment.from.y, by_segment.to.y), (-0.75, -0.25));
+/// ```
+#[must_use]
+#[inline]
+pub fn distance_point_segment_vjp<S: Scalar>(
+    point: Vec2<S>,
+    segment: Segment2<S>,
+    out_bar: S,
+) -> (S, (Vec2<S>, Segment2<S>)) {
+    let apart = distance(point, segment);
+    let way = way_to_segment(point, segment, apart);
+    let bar = way.direction * out_bar;
+    (apart, (-bar, shared(way.along_b, bar)))
+}
+
+/// The [distance](crate::distance::distance()) of two segments and its adjoint: the distance, and `out_bar`
+/// times its slopes with respect to both. Zero where they meet. Where several ends are equally near, as those of
+/// parallel segments, they share the slope equally.
+#[must_use]
+#[inline]
+pub fn distance_segments_vjp<S: Scalar>(
+    a: Segment2<S>,
+    b: Segment2<S>,
+    out_bar: S,
+) -> (S, (Segment2<S>, Segment2<S>)) {
+    let apart = distance(a, b);
+    let way = way_between_segments(a, b, apart);
+    let bar = way.direction * out_bar;
+    (apart, (shared(way.along_a, -bar), shared(way.along_b, bar)))
+}

@@ -1,0 +1,143 @@
+//! Adjoint of the area that two convex quadrilaterals share, by the motion of its border.
+//!
+//! When corners move, the area changes by the integral of the normal velocity over what of either border lies
+//! inside the other shape (Reynolds' transport theorem, as in
+//! [`overlap_polygon`](super::overlap_polygon)): of every side the part from `s` to `t`, as fractions of
+//! it. A side is cut by the four lines of the other shape (Cyrus and Beck). The lines of sides `f` of a and
+//! `g` of b meet at
+//!
+//! ```text
+//! s = (g × (f₀ − g₀)) / (f × g),     t = (f × (g₀ − f₀)) / −(f × g)
+//! ```
+//!
+//! of either, so that there is one division for both; all products are there from measuring the area. By the sign of
+//! `f × g` one of the sides goes out of the other shape there and the other one comes in. Parallel lines meet
+//! far away, and fractions beyond a side say that all or nothing of it is inside. No corner of the shared area is
+//! made, and none is differentiated, so nearly parallel sides are harmless.
+//!
+//! Sides that lie along each other count half each.
+use crate::overlap_polygon::QuadPair;
+use crate::{Scalar, Vec2};
+
+/// Two quadrilaterals, or a cotangent of each.
+type Quads<S> = ([Vec2<S>; 4], [Vec2<S>; 4]);
+
+/// What of a side is inside, from one fraction of it to another, and how much it counts.
+#[derive(Clone, Copy)]
+struct Part<S> {
+    from: S,
+    to: S,
+    weight: S,
+}
+
+/// Whether two corners are apart.
+#[inline(always)]
+fn is_side<S: Scalar>(from: Vec2<S>, to: Vec2<S>) -> S::Mask {
+    !(from.x.equals(to.x) & from.y.equals(to.y))
+}
+
+/// Adds what a part of a side that moves does to both ends.
+#[inline(always)]
+fn pull<S: Scalar>(corners: &[Vec2<S>; 4], k: usize, part: Part<S>, bars: &mut [Vec2<S>; 4]) {
+    let next = (k + 1) % 4;
+    let along = corners[next] - corners[k];
+    let length = (part.to - part.from).most(S::zero()) * part.weight;
+    let to_end = (length * (part.to + part.from)).halved();
+    let to_start = length - to_end;
+    bars[k] += Vec2::new(along.y * to_start, -(along.x * to_start));
+    bars[next] += Vec2::new(along.y * to_end, -(along.x * to_end));
+}
+
+/// Slopes of the area in the units of a pair.
+#[inline(always)]
+fn slopes<S: Scalar>(pair: &QuadPair<S>) -> Quads<S> {
+    let (zero, one, half) = (S::zero(), S::one(), S::lit(0.5));
+    // Two sides whose product is no larger count as parallel; its reciprocal is finite, times any fraction of
+    // a side that is not parallel.
+    let tiny = S::lit(1e6 * S::EMPTY);
+    let whole = Part {
+        from: zero,
+        to: one,
+        weight: one,
+    };
+    let (mut a_bar, mut b_bar) = ([Vec2::zero(); 4], [Vec2::zero(); 4]);
+    let mut of_b = [whole; 4];
+    let mut is_side_b = [one.below(zero); 4];
+    let mut k = 0;
+    while k < 4 {
+        is_side_b[k] = is_side(pair.to[k], pair.to[(k + 1) % 4]);
+        k += 1;
+    }
+    k = 0;
+    while k < 4 {
+        let next = (k + 1) % 4;
+        let is_side_a = is_side(pair.at[k], pair.at[next]);
+        let mut of_a = whole;
+        let mut i = 0;
+        while i < 4 {
+            let (start, end) = (pair.left_of_b[i][k], pair.left_of_b[i][next]);
+            let turn = start - end;
+            let parallel = turn.unsigned().at_most(tiny);
+            // Parallel lines meet far away, in front or behind.
+            let per = one.over(S::select(parallel, tiny, turn));
+            let along = parallel & start.unsigned().at_most(tiny);
+            let (s, t) = (start * per, -(pair.left_of_a[k][i] * per));
+            let t = S::select(along, zero, t);
+            // Where the side of a leaves b to the right, that of b comes into a.
+            let leaves = per.above(zero);
+            let s_leaves = S::select(leaves & !along, s, one);
+            let s_enters = S::select(leaves, zero, s);
+            of_a.to = of_a.to.least(s_leaves);
+            of_a.from = of_a.from.most(s_enters);
+            of_b[i].from = of_b[i].from.most(S::select(leaves, t, zero));
+            of_b[i].to = of_b[i].to.least(S::select(leaves, one, t));
+            of_a.weight = S::select(along & is_side_b[i], half, of_a.weight);
+            of_b[i].weight = S::select(along & is_side_a, half, of_b[i].weight);
+            i += 1;
+        }
+        pull(&pair.at, k, of_a, &mut a_bar);
+        k += 1;
+    }
+    k = 0;
+    while k < 4 {
+        pull(&pair.to, k, of_b[k], &mut b_bar);
+        k += 1;
+    }
+    (a_bar, b_bar)
+}
+
+/// [`intersection_area_quads`](crate::overlap_polygon::intersection_area_quads) and its adjoint:
+/// the area, and `out_bar` times its slopes with respect to all corners. Derivation: see the
+/// [module](self).
+///
+/// ```
+/// use geograd::{Aabb2, ad::adjoint::overlap_quad::intersection_area_quads_vjp};
+/// let a = Aabb2::new(0.0, 0.0, 2.0, 2.0).corners();
+/// let b = Aabb2::new(1.0, 1.0, 3.0, 4.0).corners();
+/// let (area, (a_bar, _)) = intersection_area_quads_vjp(a, b, 1.0);
+/// assert_eq!(area, 1.0);
+/// // Moving the upper right corner of a to the right moves its right side, of which the upper half counts.
+/// assert_eq!(a_bar[2].x, 0.75);
+/// ```
+#[must_use]
+#[inline(always)]
+pub fn intersection_area_quads_vjp<S: Scalar>(
+    a: [Vec2<S>; 4],
+    b: [Vec2<S>; 4],
+    out_bar: S,
+) -> (S, Quads<S>) {
+    let zero = S::zero();
+    let pair = QuadPair::new(a, b);
+    let area = pair.outer_area();
+    let (mut a_bar, mut b_bar) = slopes(&pair);
+    // Lengths were halved and scaled; what saturates has no slopes.
+    let nothing = pair.nothing | area.above(S::lit(S::LARGEST));
+    let unit = S::select(nothing, zero, (out_bar + out_bar).over(pair.scale));
+    let mut k = 0;
+    while k < 4 {
+        a_bar[k] = a_bar[k] * unit;
+        b_bar[k] = b_bar[k] * unit;
+        k += 1;
+    }
+    (area.saturated().canonical(), (a_bar, b_bar))
+}

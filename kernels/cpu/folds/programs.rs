@@ -1,0 +1,134 @@
+//! The bodies of a fold as programs, and its adjoint from edge to edge.
+use crate::ad::program::record::record;
+use crate::ad::program::recorded::Recorded;
+use crate::ad::program::{Plain, Sym};
+use crate::kernels::cpu::plan::{Known, known};
+use crate::kernels::fold::{Fold, edges};
+use crate::{Error, Fixed, Pack, Scalar, Vec2};
+use std::sync::Arc;
+
+/// The bodies of a fold as programs.
+pub(crate) struct Programs {
+    /// From context, reference and both ends to a state, and its pull-back.
+    pub(crate) edge: Recorded,
+    pub(crate) edge_vjp: Recorded,
+    /// Joining two states, and its pull-back.
+    #[cfg_attr(
+        not(feature = "gpu"),
+        expect(dead_code, reason = "only a GPU joins by it")
+    )]
+    pub(crate) join: Recorded,
+    pub(crate) join_vjp: Recorded,
+    /// The end, and its pull-back.
+    #[cfg_attr(
+        not(feature = "gpu"),
+        expect(dead_code, reason = "only a GPU ends by it")
+    )]
+    pub(crate) finish: Recorded,
+    pub(crate) finish_vjp: Recorded,
+}
+
+pub(crate) fn programs<F: Fold, T: Plain>() -> Result<Arc<Programs>, Error> {
+    type Context<F, T> = <F as Fold>::Context<Sym<T>>;
+    type Reference<F, T> = <F as Fold>::Reference<Sym<T>>;
+    type State<F, T> = <F as Fold>::State<Sym<T>>;
+    type Point<T> = Vec2<Sym<T>>;
+    known::<F, T, _>(Known::Fold, || {
+        let edge = record::<T, (Context<F, T>, Reference<F, T>, Point<T>, Point<T>), State<F, T>>(
+            |(context, reference, from, to)| F::edge(context, reference, from, to),
+        )?;
+        let join = record::<T, (State<F, T>, State<F, T>), State<F, T>>(|(a, b)| F::join(a, b))?;
+        let finish = record::<T, (Context<F, T>, Reference<F, T>, State<F, T>), F::Out<Sym<T>>>(
+            |(context, reference, state)| F::finish(context, reference, state),
+        )?;
+        Ok(Programs {
+            edge_vjp: edge.value_vjp(),
+            join_vjp: join.vjp(),
+            finish_vjp: finish.vjp(),
+            edge,
+            join,
+            finish,
+        })
+    })
+}
+
+/// The adjoint of a fold for one path, on any scalar: cotangents of the context and of every vertex.
+pub(crate) fn pull_back<F: Fold, S: Scalar>(
+    context: F::Context<S>,
+    path: &[Vec2<S>],
+    out_bar: F::Out<S>,
+) -> (F::Context<S>, Vec<Vec2<S>>) {
+    // In the format that the scalar has.
+    let found = match S::EPSILON > 1e-10 {
+        true => programs::<F, f32>(),
+        false => programs::<F, f64>(),
+    };
+    let Ok(programs) = found else {
+        // What cannot be recorded has no slopes, and the harness says so.
+        let none = S::lit(f64::NAN);
+        return (Fixed::filled(none), vec![Vec2::filled(none); path.len()]);
+    };
+    let reference = F::reference(context, path);
+    let ends = |k: usize| [path[k], path[(k + 1) % path.len()]];
+    let count = edges::<F>(path.len());
+    let states: Vec<F::State<S>> = (0..count)
+        .map(|k| F::edge(context, reference, ends(k)[0], ends(k)[1]))
+        .collect();
+    let shared = [context.scalars(), reference.scalars()].concat();
+    let (mut context_bar, state_bars) =
+        backwards::<F, S>(&programs, &shared, &states, None, out_bar);
+    let mut path_bar = vec![Vec2::<S>::zero(); path.len()];
+    for (k, state_bar) in state_bars.into_iter().enumerate() {
+        let [from, to] = ends(k);
+        let points = [from.x, from.y, to.x, to.y];
+        let input = [&shared[..], &points, &state_bar.scalars()].concat();
+        let bars = &programs.edge_vjp.run_on(&input)[F::State::<S>::LEN..];
+        for (bar, &x) in context_bar.iter_mut().zip(bars) {
+            *bar += x;
+        }
+        let at = |i: usize| bars[shared.len() + i];
+        path_bar[k] += Vec2::new(at(0), at(1));
+        path_bar[(k + 1) % path.len()] += Vec2::new(at(2), at(3));
+    }
+    (F::Context::load(&context_bar), path_bar)
+}
+
+/// From the cotangent of a result to that of the context and of what every edge told.
+pub(super) fn backwards<F: Fold, S: Scalar>(
+    programs: &Programs,
+    shared: &[S],
+    states: &[F::State<S>],
+    winding: Option<S>,
+    out_bar: F::Out<S>,
+) -> (Vec<S>, Vec<F::State<S>>) {
+    // What is known before every edge, and after the last one.
+    let mut before = vec![F::empty::<S>()];
+    for &state in states {
+        before.push(F::join(before[before.len() - 1], state));
+    }
+    let last = with_winding::<F, S>(before[states.len()], winding);
+    let input = [shared, &last.scalars(), &out_bar.scalars()].concat();
+    let bars = programs.finish_vjp.run_on(&input);
+    let mut bar = F::State::<S>::load(&bars[shared.len()..]);
+    let mut state_bars = vec![bar; states.len()];
+    for k in (0..states.len()).rev() {
+        let input = [before[k].scalars(), states[k].scalars(), bar.scalars()].concat();
+        let bars = programs.join_vjp.run_on(&input);
+        bar = F::State::<S>::load(&bars);
+        state_bars[k] = F::State::<S>::load(&bars[F::State::<S>::LEN..]);
+    }
+    (bars[..F::Context::<S>::LEN].to_vec(), state_bars)
+}
+
+/// A state with the winding number of all edges, where that is known.
+pub(super) fn with_winding<F: Fold, S: Scalar>(
+    state: F::State<S>,
+    winding: Option<S>,
+) -> F::State<S> {
+    let (Some(place), Some(winding)) = (F::WINDING, winding) else {
+        return state;
+    };
+    let mut numbers = state.scalars();
+    numbers[place] = winding;
+    F::State::load(&numbers)
+}

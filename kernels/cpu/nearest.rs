@@ -1,0 +1,299 @@
+//! A block kernel of points and paths: which edges can be the nearest ones, and how often the path winds.
+//!
+//! Of a thousand edges a distance needs the nearest ones. Their squared distances, rounded as they may be, tell
+//! all others apart; only what is left is folded with slopes, so that the result has the bits of the fold
+//! over all edges, whatever the vectors' width is.
+//!
+//! Compiled in this library only, by the entries in `arch`.
+use crate::kernels::cpu::arch::{Vector, flat};
+use crate::kernels::cpu::checked::numbers;
+use crate::kernels::cpu::lane::{Lane, TILE, tiles};
+use crate::kernels::cpu::ragged::cuts;
+use crate::kernels::cpu::work::spread;
+use crate::kernels::real::Real;
+use crate::{Scalar, Vec2};
+use std::ops::Range;
+
+/// Where squares and signs hold.
+#[derive(Clone, Copy, Debug)]
+pub struct Limits<T> {
+    /// Vertices no farther than this, as seen from the point.
+    far: T,
+    /// The farthest of them no nearer than this.
+    near: T,
+    /// Edges of a squared length up to this count as their ends. They are shorter than what rounding leaves open.
+    short: T,
+    /// Products whose sign counts are above this.
+    doubt: T,
+}
+
+impl<T: Real> Limits<T> {
+    fn new() -> Self {
+        let power = |exponent: f64| T::lit(T::LARGEST.powf(exponent));
+        Limits {
+            far: power(0.39),
+            near: power(-0.26),
+            short: power(-0.83),
+            doubt: power(-0.8),
+        }
+    }
+}
+
+/// What rounding leaves open of a distance, in units of ε times the farthest coordinate. Both ways to find
+/// a distance are off by less than half of it: each of their two products and quotients of vectors has a few
+/// roundings of a length below `2√2` such units, where an edge begins and ends two more.
+const SLACK: f64 = 64.0;
+
+/// What is known after some edges.
+struct Seen<S> {
+    /// The least squared distance.
+    least: S,
+    /// The farthest coordinate of a vertex.
+    extent: S,
+    /// The winding number.
+    winding: S,
+    /// The least of the numbers whose signs it was made of.
+    doubt: S,
+}
+
+impl<S: Scalar> Seen<S> {
+    #[inline(always)]
+    fn nothing() -> Self {
+        Seen {
+            least: S::lit(S::LARGEST),
+            extent: S::zero(),
+            winding: S::zero(),
+            doubt: S::lit(S::LARGEST),
+        }
+    }
+    /// Sees the edge from a to b from the origin; its squared distance. Edges of at most a squared length of
+    /// `short` count as their ends.
+    #[inline(always)]
+    fn see(&mut self, a: Vec2<S>, b: Vec2<S>, short: S) -> S {
+        let (zero, one) = (S::zero(), S::one());
+        let along = b - a;
+        let square = along.length_squared();
+        let (ahead, turn) = (-a.dot(along), a.perp_dot(along));
+        let is_inside = zero.below(ahead) & ahead.below(square) & short.below(square);
+        let across = turn.over(S::select(is_inside, square, one)) * turn;
+        let (start, end) = (a.length_squared(), b.length_squared());
+        let distance = S::select(is_inside, across, start.least(end));
+        // The very number whose sign the fold looks at, but for a power of two.
+        let side = a.perp_dot(b);
+        let up = a.y.at_most(zero) & zero.below(b.y);
+        let down = b.y.at_most(zero) & zero.below(a.y);
+        let turns = S::select(
+            up & side.above(zero),
+            one,
+            S::select(down & side.below(zero), -one, zero),
+        );
+        self.winding += turns;
+        self.doubt = self
+            .doubt
+            .least(S::select(up | down, side.unsigned(), S::lit(S::LARGEST)));
+        self.extent = self.extent.most(a.x.unsigned().most(a.y.unsigned()));
+        self.least = self.least.least(distance);
+        distance
+    }
+}
+
+/// A path in columns: its vertices, from the first one to that after the last edge, which fills up the last lane and
+/// one more.
+#[derive(Debug, Default)]
+pub struct Edges<T> {
+    x: Vec<Lane<T>>,
+    y: Vec<Lane<T>>,
+    count: usize,
+}
+
+impl<T: Real> Edges<T> {
+    /// Of another path, closed or not.
+    fn set(&mut self, path: &[Vec2<T>], closed: bool) {
+        self.count = path.len() - usize::from(!closed && !path.is_empty());
+        let lanes = tiles(self.count) + 1;
+        if self.x.len() < lanes {
+            self.x.resize(lanes, Lane::default());
+            self.y.resize(lanes, Lane::default());
+        }
+        let (whole, rest) = path.as_chunks::<TILE>();
+        for ((x, y), vertices) in self.x.iter_mut().zip(&mut self.y).zip(whole) {
+            for ((x, y), vertex) in x.0.iter_mut().zip(&mut y.0).zip(vertices) {
+                (*x, *y) = (vertex.x, vertex.y);
+            }
+        }
+        let Some(&end) = (if closed { path.first() } else { path.last() }) else {
+            return;
+        };
+        for at in whole.len() * TILE..lanes * TILE {
+            let vertex = *rest.get(at - whole.len() * TILE).unwrap_or(&end);
+            self.x[at / TILE].0[at % TILE] = vertex.x;
+            self.y[at / TILE].0[at % TILE] = vertex.y;
+        }
+    }
+}
+
+/// A lane that begins one number later than a lane of some.
+#[inline(always)]
+fn later<T: Real>(lanes: &[Lane<T>], t: usize) -> Option<Lane<T>> {
+    Some(Lane(*flat(lanes).get(t * TILE + 1..)?.first_chunk()?))
+}
+
+/// Lists all edges of a path that can be nearest to a point, in order, and says how many they are and how often
+/// the path winds around it. `None` where squares, or signs, may be lost. There is room for sixteen more than
+/// there are edges, as there is for their squared distances.
+#[inline(always)]
+pub(crate) fn near_edges<T: Real, V: Vector<T>>(
+    point: Vec2<T>,
+    path: &Edges<T>,
+    limits: Limits<T>,
+    squares: &mut [Lane<T>],
+    picked: &mut [u32],
+) -> Option<(usize, T)> {
+    let origin = Vec2::new(V::splat(point.x), V::splat(point.y));
+    let short = V::splat(limits.short);
+    let mut all = Seen::<V>::nothing();
+    let columns = path.x.iter().zip(&path.y).take(tiles(path.count));
+    for (t, ((x, y), square)) in columns.zip(squares.iter_mut()).enumerate() {
+        let (next_x, next_y) = (later(&path.x, t)?, later(&path.y, t)?);
+        let mut at = 0;
+        while at < TILE {
+            let a = Vec2::new(V::read(x, at), V::read(y, at)) - origin;
+            let b = Vec2::new(V::read(&next_x, at), V::read(&next_y, at)) - origin;
+            all.see(a, b, short).write(square, at);
+            at += V::WIDTH;
+        }
+    }
+    let mut lanes = [Lane::default(); 4];
+    all.least.write(&mut lanes[0], 0);
+    all.doubt.write(&mut lanes[1], 0);
+    all.extent.write(&mut lanes[2], 0);
+    all.winding.write(&mut lanes[3], 0);
+    let mut seen = Seen::<T>::nothing();
+    let mut k = 0;
+    while k < V::WIDTH {
+        seen.least = seen.least.least(lanes[0].0[k]);
+        seen.doubt = seen.doubt.least(lanes[1].0[k]);
+        seen.extent = seen.extent.most(lanes[2].0[k]);
+        seen.winding += lanes[3].0[k];
+        k += 1;
+    }
+    let extent = seen.extent;
+    let is_ordinary = extent.below(limits.far)
+        & limits.near.below(extent)
+        & limits.doubt.below(seen.doubt)
+        & (T::lit(4.0 / T::LARGEST) * extent * extent).below(seen.doubt);
+    if !is_ordinary {
+        return None;
+    }
+    let reach = seen.least.root() + T::lit(2.0 * SLACK * T::EPSILON) * extent;
+    let limit = V::splat(reach * reach * T::lit(1.0 + 16.0 * T::EPSILON));
+    let mut count = 0;
+    for (t, lane) in squares.iter().enumerate().take(tiles(path.count)) {
+        let mut at = 0;
+        while at < TILE {
+            let mut bits = V::bits(V::read(lane, at).at_most(limit));
+            while bits != 0 {
+                let edge = t * TILE + at + bits.trailing_zeros() as usize;
+                // What fills up the last lane repeats the last vertex.
+                if let (true, Some(place)) = (edge < path.count, picked.get_mut(count)) {
+                    *place = edge as u32;
+                    count += 1;
+                }
+                bits &= bits - 1;
+            }
+            at += V::WIDTH;
+        }
+    }
+    Some((count, seen.winding))
+}
+
+/// Where the vertices of paths are.
+#[derive(Clone, Copy, Debug)]
+pub enum Spans<'a> {
+    /// Path i has those between two offsets.
+    Ragged(&'a [usize]),
+    /// So many paths have all of them.
+    Shared(usize, usize),
+}
+
+impl Spans<'_> {
+    /// How many paths there are.
+    pub(crate) fn count(&self) -> usize {
+        match *self {
+            Spans::Ragged(offsets) => offsets.len() - 1,
+            Spans::Shared(paths, _) => paths,
+        }
+    }
+    /// The vertices of a path.
+    pub(crate) fn of(&self, path: usize) -> Range<usize> {
+        match *self {
+            Spans::Ragged(offsets) => offsets[path]..offsets[path + 1],
+            Spans::Shared(_, vertices) => 0..vertices,
+        }
+    }
+}
+
+/// The edges of some paths that can be nearest to a point, one after another.
+#[derive(Default)]
+pub struct Sieved<T> {
+    pub(crate) edges: Vec<u32>,
+    /// Of every path how many they are, and the winding number; `None` where all edges count.
+    pub(crate) counts: Vec<(usize, Option<T>)>,
+    /// Whether a vertex was not finite.
+    unsound: bool,
+}
+
+/// Vertices that a piece of work looks at.
+const PIECE: usize = 1 << 14;
+
+/// Which edges of every path can be nearest to its point, on all threads; `None` if a vertex is not finite.
+pub fn sieved<T: Real>(
+    points: &[Vec2<T>],
+    vertices: &[Vec2<T>],
+    spans: Spans<'_>,
+    closed: bool,
+) -> Option<Vec<Sieved<T>>> {
+    let mut one = Edges::default();
+    let cuts = match spans {
+        Spans::Ragged(offsets) => cuts(offsets),
+        Spans::Shared(paths, length) => {
+            if !(T::kernels().all_finite)(&numbers(vertices)) {
+                return None;
+            }
+            one.set(vertices, closed);
+            let step = (PIECE / length.max(1)).max(1);
+            (0..paths).step_by(step).chain([paths]).collect()
+        }
+    };
+    let mut pieces: Vec<Sieved<T>> = Vec::new();
+    pieces.resize_with(cuts.len().saturating_sub(1), Sieved::default);
+    let work = cuts.windows(2).zip(&mut pieces).collect();
+    let (limits, one) = (Limits::new(), &one);
+    spread(work, |(cut, sieved): (&[usize], &mut Sieved<T>)| {
+        let (mut squares, mut picked) = (Vec::new(), Vec::new());
+        let mut own = Edges::default();
+        for path in cut[0]..cut[1] {
+            let edges = match spans {
+                Spans::Shared(..) => one,
+                Spans::Ragged(_) => {
+                    let vertices = &vertices[spans.of(path)];
+                    sieved.unsound |= !(T::kernels().all_finite)(&numbers(vertices));
+                    own.set(vertices, closed);
+                    &own
+                }
+            };
+            squares.resize(tiles(edges.count).max(squares.len()), Lane::default());
+            picked.resize((edges.count + TILE).max(picked.len()), 0);
+            let near = T::kernels().near_edges;
+            let found = near(points[path], edges, limits, &mut squares, &mut picked);
+            match found {
+                Some((count, _)) => sieved.edges.extend_from_slice(&picked[..count]),
+                None => sieved.edges.extend(0..edges.count as u32),
+            }
+            let count = found.map_or(edges.count, |found| found.0);
+            sieved.counts.push((count, found.map(|found| found.1)));
+        }
+    });
+    let sound = pieces.iter().all(|piece| !piece.unsound);
+    sound.then_some(pieces)
+}

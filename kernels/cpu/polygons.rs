@@ -1,0 +1,385 @@
+//! Batches of polygons of any kind: how much rings of two ragged lists overlap.
+use crate::ad::adjoint::overlap_rings;
+use crate::error::{Argument, Error, Flaw, VertexFault};
+use crate::kernels::cpu::Cpu;
+use crate::kernels::cpu::boxes::BOUNDS;
+use crate::kernels::cpu::checked::{check_upstream, expect, numbers};
+use crate::kernels::cpu::lane::{Lane, TILE, Tiles, tiles};
+use crate::kernels::cpu::ragged::check_offsets;
+use crate::kernels::cpu::work::{rows_per_piece, spread};
+use crate::kernels::real::Real;
+use crate::overlap_polygon::rings;
+use crate::reference::bounds_of;
+use crate::{Aabb2, Vec2};
+
+/// Polygons of one ring each, one after another: polygon i has the vertices `offsets[i]..offsets[i + 1]`. There
+/// is one offset more than there are polygons, from 0 to the number of vertices.
+///
+/// Rings have any number of vertices and either orientation, convex or not, and do not cross themselves. One
+/// of fewer than three vertices has no area and shares nothing.
+#[derive(Clone, Copy, Debug)]
+pub struct RingList<'a, T> {
+    /// The vertices of all polygons.
+    pub vertices: &'a [Vec2<T>],
+    /// Where each polygon begins, and the end.
+    pub offsets: &'a [usize],
+}
+
+impl<'a, T> RingList<'a, T> {
+    /// How many polygons there are.
+    fn count(&self) -> usize {
+        self.offsets.len() - 1
+    }
+    /// The vertices of a polygon.
+    fn ring(&self, i: usize) -> &'a [Vec2<T>] {
+        &self.vertices[self.offsets[i]..self.offsets[i + 1]]
+    }
+}
+
+/// What is measured of two polygons.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+#[non_exhaustive]
+pub enum RingScore {
+    /// The [area](crate::overlap_polygon::rings::intersection_area) that both share, in squared units of
+    /// length.
+    IntersectionArea,
+    /// [Intersection over union](crate::overlap_polygon::rings::iou), in `[0, 1]`.
+    Iou,
+    /// The [share](crate::overlap_polygon::rings::iof) of the first that lies in the second, in `[0, 1]`.
+    Iof,
+}
+
+impl RingScore {
+    fn value<T: Real>(self, a: &[Vec2<T>], b: &[Vec2<T>]) -> T {
+        match self {
+            RingScore::IntersectionArea => rings::intersection_area(a, b),
+            RingScore::Iou => rings::iou(a, b),
+            RingScore::Iof => rings::iof(a, b),
+        }
+    }
+    /// Writes slopes times a cotangent; the value.
+    fn vjp<T: Real>(
+        self,
+        [a, b]: [&[Vec2<T>]; 2],
+        out_bar: T,
+        [a_bar, b_bar]: [&mut [Vec2<T>]; 2],
+    ) -> T {
+        match self {
+            RingScore::IntersectionArea => {
+                overlap_rings::intersection_area_vjp(a, b, out_bar, a_bar, b_bar)
+            }
+            RingScore::Iou => overlap_rings::iou_vjp(a, b, out_bar, a_bar, b_bar),
+            RingScore::Iof => overlap_rings::iof_vjp(a, b, out_bar, a_bar, b_bar),
+        }
+    }
+}
+
+/// Two lists, and which of their polygons meet: those of the same row, or all.
+#[derive(Clone, Copy)]
+pub struct RingPairs<'a, T> {
+    score: RingScore,
+    lists: [RingList<'a, T>; 2],
+    all: bool,
+}
+
+/// Results and cotangents of both lists.
+pub type Pulled<T> = (Vec<T>, [Vec<Vec2<T>>; 2]);
+
+impl Cpu {
+    /// How much polygons of the same row overlap, one result per row.
+    ///
+    /// Every result has the bits of the function for two polygons, on any number of threads.
+    ///
+    /// # Errors
+    ///
+    /// [`Error::OffsetsOf`] for offsets of a list that decrease or do not cover its vertices,
+    /// [`Error::Length`] for lists of different lengths, [`Error::Invalid`] with the polygon as its row and
+    /// [`Flaw::Vertex`] for a vertex that is not finite.
+    ///
+    /// ```
+    /// use geograd::Aabb2;
+    /// use geograd::kernels::Cpu;
+    /// use geograd::kernels::cpu::polygons::{RingList, RingScore};
+    /// let a = Aabb2::new(0.0, 0.0, 2.0, 2.0).corners();
+    /// let b = Aabb2::new(1.0, 0.0, 3.0, 2.0).corners();
+    /// let (a, b) = (
+    ///     RingList { vertices: &a, offsets: &[0, 4] },
+    ///     RingList { vertices: &b[..3], offsets: &[0, 3] },
+    /// );
+    /// let found = Cpu::new().rings(RingScore::IntersectionArea, a, b)?;
+    /// assert!((found[0] - 1.5_f64).abs() < 1e-15);
+    /// # Ok::<(), geograd::Error>(())
+    /// ```
+    pub fn rings<T: Real>(
+        &self,
+        score: RingScore,
+        a: RingList<'_, T>,
+        b: RingList<'_, T>,
+    ) -> Result<Vec<T>, Error> {
+        Ok((T::drivers().ring_scores)(aligned(score, a, b)?))
+    }
+
+    /// [`rings`](Cpu::rings) with its adjoint: the results, and one cotangent per vertex of either list, for one
+    /// of every result.
+    ///
+    /// # Errors
+    ///
+    /// As [`rings`](Cpu::rings), and for cotangents of another number or not finite.
+    pub fn rings_vjp<T: Real>(
+        &self,
+        score: RingScore,
+        a: RingList<'_, T>,
+        b: RingList<'_, T>,
+        upstream: &[T],
+    ) -> Result<Pulled<T>, Error> {
+        let pairs = aligned(score, a, b)?;
+        expect(Argument::Upstream, a.count(), upstream.len())?;
+        check_upstream(upstream, 1)?;
+        Ok((T::drivers().ring_slopes)(pairs, upstream))
+    }
+
+    /// How much every polygon of one list overlaps every one of another: row after row, a row per polygon of
+    /// the first list. Pairs whose bounds are apart cost next to nothing.
+    ///
+    /// # Errors
+    ///
+    /// As [`rings`](Cpu::rings), but lists may have different lengths; [`Error::TooLarge`] for more results than
+    /// memory can hold.
+    pub fn all_rings<T: Real>(
+        &self,
+        score: RingScore,
+        a: RingList<'_, T>,
+        b: RingList<'_, T>,
+    ) -> Result<Vec<T>, Error> {
+        Ok((T::drivers().ring_scores)(crossed(score, a, b)?))
+    }
+
+    /// [`all_rings`](Cpu::all_rings) with its adjoint: the results, and one cotangent per vertex of either list,
+    /// added up over all pairs, for one of every result. Pairs of cotangent zero have no slopes.
+    ///
+    /// # Errors
+    ///
+    /// As [`all_rings`](Cpu::all_rings), and for cotangents of another number or not finite.
+    pub fn all_rings_vjp<T: Real>(
+        &self,
+        score: RingScore,
+        a: RingList<'_, T>,
+        b: RingList<'_, T>,
+        upstream: &[T],
+    ) -> Result<Pulled<T>, Error> {
+        let pairs = crossed(score, a, b)?;
+        expect(Argument::Upstream, a.count() * b.count(), upstream.len())?;
+        check_upstream(upstream, 1)?;
+        Ok((T::drivers().ring_slopes)(pairs, upstream))
+    }
+}
+
+/// Polygons of the same row, checked.
+fn aligned<'a, T: Real>(
+    score: RingScore,
+    a: RingList<'a, T>,
+    b: RingList<'a, T>,
+) -> Result<RingPairs<'a, T>, Error> {
+    check(Argument::A, a)?;
+    check(Argument::B, b)?;
+    expect(Argument::B, a.count(), b.count())?;
+    let lists = [a, b];
+    let all = false;
+    Ok(RingPairs { score, lists, all })
+}
+
+/// All pairs, checked.
+fn crossed<'a, T: Real>(
+    score: RingScore,
+    a: RingList<'a, T>,
+    b: RingList<'a, T>,
+) -> Result<RingPairs<'a, T>, Error> {
+    check(Argument::A, a)?;
+    check(Argument::B, b)?;
+    let count = a.count().checked_mul(b.count());
+    let bytes = count.and_then(|count| count.checked_mul(size_of::<T>()));
+    if bytes.is_none_or(|bytes| bytes > isize::MAX as usize) || b.count() >= u32::MAX as usize {
+        return Err(Error::TooLarge);
+    }
+    let lists = [a, b];
+    let all = true;
+    Ok(RingPairs { score, lists, all })
+}
+
+fn check<T: Real>(argument: Argument, list: RingList<'_, T>) -> Result<(), Error> {
+    check_offsets::<T>(list.vertices.len(), list.offsets).map_err(|error| match error {
+        Error::Offsets { row } => Error::OffsetsOf { argument, row },
+        error => error,
+    })?;
+    if (T::kernels().all_finite)(&numbers(list.vertices)) {
+        return Ok(());
+    }
+    for row in 0..list.count() {
+        let bad = |vertex: &Vec2<T>| !vertex.is_finite();
+        if let Some(index) = list.ring(row).iter().position(bad) {
+            let fault = VertexFault::NotFinite;
+            return Err(Error::Invalid {
+                argument,
+                row,
+                flaw: Flaw::Vertex { index, fault },
+            });
+        }
+    }
+    Ok(())
+}
+
+/// Bounds of polygons in tiles. Nothing meets those of a polygon without vertices.
+fn bounds<T: Real>(list: RingList<'_, T>) -> Vec<Lane<T>> {
+    let (least, most) = (T::lit(f64::NEG_INFINITY), T::lit(f64::INFINITY));
+    let mut all = vec![Lane::default(); tiles(list.count()) * BOUNDS];
+    for tile in all.as_chunks_mut::<BOUNDS>().0 {
+        *tile = [most, most, least, least].map(|x| Lane([x; TILE]));
+    }
+    for i in 0..list.count() {
+        if let Some(Aabb2 { min, max }) = bounds_of(list.ring(i)) {
+            for (k, x) in [min.x, min.y, max.x, max.y].into_iter().enumerate() {
+                all[i / TILE * BOUNDS + k].0[i % TILE] = x;
+            }
+        }
+    }
+    all
+}
+
+/// Finds the polygons of b that a polygon of a may meet.
+struct Near<'a, T> {
+    pairs: RingPairs<'a, T>,
+    bounds: Option<[Vec<Lane<T>>; 2]>,
+}
+
+impl<'a, T: Real> Near<'a, T> {
+    fn new(pairs: RingPairs<'a, T>) -> Self {
+        let bounds = pairs.all.then(|| pairs.lists.map(bounds));
+        Near { pairs, bounds }
+    }
+    /// How many results there are for every polygon of a.
+    fn wide(&self) -> usize {
+        match self.bounds {
+            Some(_) => self.pairs.lists[1].count(),
+            None => 1,
+        }
+    }
+    /// Calls something for every polygon of b that polygon `i` of a may meet, ascending, with the place of the
+    /// result in the row.
+    fn each(&self, i: usize, hits: &mut Vec<u32>, mut run: impl FnMut(usize, usize)) {
+        let Some([rows, columns]) = &self.bounds else {
+            return run(i, 0);
+        };
+        let row: [T; BOUNDS] = std::array::from_fn(|k| rows[i / TILE * BOUNDS + k].0[i % TILE]);
+        hits.resize(columns.len() / BOUNDS * TILE + TILE, 0);
+        let found = (T::kernels().near)(&row, Tiles::new(columns, BOUNDS), 0, hits);
+        for &j in hits[..found]
+            .iter()
+            .filter(|&&j| (j as usize) < self.wide())
+        {
+            run(j as usize, j as usize);
+        }
+    }
+}
+
+/// Results of all pairs, on all threads.
+pub(crate) fn scores<T: Real>(pairs: RingPairs<'_, T>) -> Vec<T> {
+    let near = Near::new(pairs);
+    let [a, b] = pairs.lists;
+    let wide = near.wide();
+    let mut out = vec![T::default(); a.count() * wide];
+    if out.is_empty() {
+        return out;
+    }
+    let rows = rows_per_piece(a.count());
+    let work = out.chunks_mut(rows * wide).enumerate().collect();
+    spread(work, |(piece, out): (usize, &mut [T])| {
+        let mut hits = Vec::new();
+        for (i, out) in out.chunks_mut(wide).enumerate() {
+            let i = piece * rows + i;
+            near.each(i, &mut hits, |j, place| {
+                out[place] = pairs.score.value(a.ring(i), b.ring(j));
+            });
+        }
+    });
+    out
+}
+
+/// Results of all pairs and slopes times cotangents, on all threads.
+pub(crate) fn slopes<T: Real>(pairs: RingPairs<'_, T>, upstream: &[T]) -> Pulled<T> {
+    let near = Near::new(pairs);
+    let [a, b] = pairs.lists;
+    let wide = near.wide();
+    let mut out = vec![T::default(); a.count() * wide];
+    let mut bars = [a, b].map(|list| vec![Vec2::<T>::zero(); list.vertices.len()]);
+    if out.is_empty() {
+        return (out, bars);
+    }
+    let rows = rows_per_piece(a.count());
+    let [a_bars, b_bars] = &mut bars;
+    // Slopes by b are added per piece of rows, and then piece by piece.
+    let pieces = a.count().div_ceil(rows);
+    let mut sums: Vec<Vec<Vec2<T>>> = vec![Vec::new(); pieces];
+    let mut work = Vec::new();
+    let (mut rest, mut given) = (&mut a_bars[..], upstream);
+    for ((piece, out), sum) in out.chunks_mut(rows * wide).enumerate().zip(&mut sums) {
+        let (first, end) = (piece * rows, a.count().min((piece + 1) * rows));
+        let (own, after) = rest.split_at_mut(a.offsets[end] - a.offsets[first]);
+        let (up, later) = given.split_at(out.len());
+        (rest, given) = (after, later);
+        work.push((first, out, up, own, sum));
+    }
+    type Work<'a, T> = (
+        usize,
+        &'a mut [T],
+        &'a [T],
+        &'a mut [Vec2<T>],
+        &'a mut Vec<Vec2<T>>,
+    );
+    spread(work, |(first, out, up, a_bars, b_bars): Work<'_, T>| {
+        let (mut hits, mut one, mut other) = (Vec::new(), Vec::new(), Vec::new());
+        let last = first + out.len() / wide;
+        // Of aligned polygons those of the same rows, else all of them.
+        let base = if pairs.all { 0 } else { b.offsets[first] };
+        let end = if pairs.all {
+            b.vertices.len()
+        } else {
+            b.offsets[last]
+        };
+        b_bars.resize(end - base, Vec2::zero());
+        for (row, (out, up)) in out.chunks_mut(wide).zip(up.chunks(wide)).enumerate() {
+            let i = first + row;
+            let a_bars = &mut a_bars[a.offsets[i] - a.offsets[first]..][..a.ring(i).len()];
+            near.each(i, &mut hits, |j, place| {
+                let (p, q) = (a.ring(i), b.ring(j));
+                if up[place] == T::zero() {
+                    out[place] = pairs.score.value(p, q);
+                    return;
+                }
+                one.resize(p.len(), Vec2::zero());
+                other.resize(q.len(), Vec2::zero());
+                let pulled = [&mut one[..], &mut other[..]];
+                out[place] = pairs.score.vjp([p, q], up[place], pulled);
+                let b_bars = &mut b_bars[b.offsets[j] - base..][..q.len()];
+                add(a_bars, &one);
+                add(b_bars, &other);
+            });
+        }
+    });
+    let mut at = 0;
+    for sum in sums {
+        let from = if pairs.all { 0 } else { at };
+        add(&mut b_bars[from..], &sum);
+        at += sum.len();
+    }
+    for bar in a_bars.iter_mut().chain(b_bars) {
+        *bar = bar.canonical();
+    }
+    (out, bars)
+}
+
+/// Adds numbers to as many others.
+fn add<T: Real>(to: &mut [Vec2<T>], from: &[Vec2<T>]) {
+    for (to, from) in to.iter_mut().zip(from) {
+        *to += *from;
+    }
+}
