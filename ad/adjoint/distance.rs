@@ -9,11 +9,15 @@ use crate::distance::distance;
 use crate::distance::segments::{way_between_segments, way_to_segment};
 use crate::{Scalar, Segment2, Vec2};
 
-/// The cotangents of the ends of a segment from that of the point at a fraction of the way.
+/// The cotangents of the ends of a segment from that of the point at a fraction of the way, zeros without
+/// a sign.
 #[inline(always)]
 fn shared<S: Scalar>(fraction: S, bar: Vec2<S>) -> Segment2<S> {
     let to = bar * fraction;
-    Segment2 { from: bar - to, to }
+    Segment2 {
+        from: (bar - to).canonical(),
+        to: to.canonical(),
+    }
 }
 
 /// The [distance](crate::distance::distance()) of a point and a segment and its adjoint: the distance, and
@@ -37,7 +41,7 @@ pub fn distance_point_segment_vjp<S: Scalar>(
     let apart = distance(point, segment);
     let way = way_to_segment(point, segment, apart);
     let bar = way.direction * out_bar;
-    (apart, (-bar, shared(way.along_b, bar)))
+    (apart, ((-bar).canonical(), shared(way.along_b, bar)))
 }
 
 /// The [distance](crate::distance::distance()) of two segments and its adjoint: the distance, and `out_bar`

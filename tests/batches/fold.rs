@@ -64,7 +64,10 @@ fn long_rings(dice: &mut Dice) -> (Vec<Vec2<f64>>, Vec<Vec2<f64>>, Vec<usize>) {
         let raster = kind % 4 == 0;
         let count = 17 + dice.below(500);
         for k in 0..count {
-            let (at, radius) = (k as f64 * std::f64::consts::TAU / count as f64, dice.within(0.9, 1.1));
+            let (at, radius) = (
+                k as f64 * std::f64::consts::TAU / count as f64,
+                dice.within(0.9, 1.1),
+            );
             let v = Vec2::new(radius * at.cos(), radius * at.sin());
             let v = match raster {
                 true => Vec2::new((4.0 * v.x).round() / 4.0, (4.0 * v.y).round() / 4.0),

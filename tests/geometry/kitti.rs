@@ -269,7 +269,7 @@ fn precisions(frames: &[Dense]) -> Vec<f64> {
 fn kitti_agrees_with_a_plain_walk_over_dense_frames() {
     let mut random = Random(71);
     let mut read = 0;
-    for round in 0..200 {
+    for round in 0..240 {
         let frames: Vec<Dense> = (0..1 + round % 60)
             .map(|_| Dense::draw(&mut random))
             .collect();
