@@ -107,10 +107,10 @@ impl<'a> Evidence<'a> {
         x: &'a [f64],
         said: &mut Notes,
     ) -> Option<Self> {
-        let y = subject.value(x);
         if !subject.inside(x) {
             return None;
         }
+        let y = subject.value(x);
         if !finite(&y) {
             said.complain(Reason::NotFinite(Witness::Value), 0, 0);
             return None;

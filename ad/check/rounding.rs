@@ -29,6 +29,17 @@ impl Evidence<'_> {
         sizes: Option<&[f64]>,
         f: impl Fn(&[f64]) -> Option<Vec<f64>>,
     ) -> Vec<f64> {
+        self.spread_if(base, sizes, |beside| beside != Beside::Loose, f)
+    }
+
+    /// The same; `decides` says beside which inputs a change that is no rounding may count all the same.
+    fn spread_if(
+        &self,
+        base: &[f64],
+        sizes: Option<&[f64]>,
+        decides: impl Fn(Beside) -> bool,
+        f: impl Fn(&[f64]) -> Option<Vec<f64>>,
+    ) -> Vec<f64> {
         let mut spread = vec![0.0_f64; base.len()];
         for (there, same) in &self.around {
             let Some(list) = f(there) else { continue };
@@ -38,7 +49,7 @@ impl Evidence<'_> {
             let change = |i: usize| (list[i] - base[i]).abs();
             let small = |sizes: &[f64]| (0..base.len()).all(|i| change(i) <= DECIDED * sizes[i]);
             // Single precision is nearly tied everywhere, so there every change counts.
-            let strict = *same == Beside::Loose && self.subject.precision() == Precision::F64;
+            let strict = !decides(*same) && self.subject.precision() == Precision::F64;
             if strict && sizes.is_some_and(|sizes| !small(sizes)) {
                 continue;
             }
@@ -202,15 +213,47 @@ impl Evidence<'_> {
         rough
     }
 
+    /// Whether a derivative lies among those at inputs beside this one, which another witness tells if there is
+    /// one. One that does not is no victim of rounding: it is wrong at this input alone.
+    fn is_among_neighbours(
+        &self,
+        derivative: &[f64],
+        sizes: &[f64],
+        neighbours: impl Fn(&[f64]) -> Option<Vec<f64>>,
+    ) -> bool {
+        let places = self.around.iter().map(|(there, _)| there.as_slice());
+        let all: Vec<Vec<f64>> = places
+            .filter_map(neighbours)
+            .filter(|list| list.len() == derivative.len())
+            .collect();
+        (0..derivative.len()).all(|i| {
+            let slack = DECIDED * sizes[i];
+            let least = all.iter().fold(f64::INFINITY, |m, list| m.min(list[i]));
+            let most = all.iter().fold(f64::NEG_INFINITY, |m, list| m.max(list[i]));
+            all.is_empty() || (least - slack..=most + slack).contains(&derivative[i])
+        })
+    }
+
     /// Adds to a row's tolerance what provoked rounding shows.
     pub(crate) fn provoke(&self, row: &Row) {
         if row.provoked.replace(true) {
             return;
         }
+        let by_duals = |x: &[f64]| {
+            let jacobian = self.subject.jacobian(x)?;
+            Some(combined(&row.weights, &jacobian, x.len()))
+        };
         if let Some(adjoint) = &row.adjoint {
-            let spread = self.spread(adjoint, Some(&row.size), |x| {
-                self.subject.adjoint(x, &row.weights)
+            let alone = !self.is_among_neighbours(adjoint, &row.size, |x| match &row.dual {
+                Some(_) => by_duals(x),
+                None => self.subject.adjoint(x, &row.weights),
             });
+            let spread = self.spread_if(
+                adjoint,
+                Some(&row.size),
+                |beside| beside != Beside::Loose && !alone,
+                |x| self.subject.adjoint(x, &row.weights),
+            );
             let noise = self.roundings(adjoint, &row.size, |seed| {
                 self.subject.noisy(self.x, &row.weights, seed)
             });
@@ -220,10 +263,6 @@ impl Evidence<'_> {
             row.allow(|i| SAFETY * spread[i].max(noise[i]).max(rough[i]));
         }
         if let Some(dual) = &row.dual {
-            let by_duals = |x: &[f64]| {
-                let jacobian = self.subject.jacobian(x)?;
-                Some(combined(&row.weights, &jacobian, x.len()))
-            };
             let spread = self.spread(dual, Some(&row.size), by_duals);
             let rough = self.rough_slopes(&row.weights, dual, &by_duals);
             row.allow(|i| {

@@ -3,7 +3,7 @@
 //! Compiled in this library only, by the entries in `arch`. Unlike those of the plane they leave nothing
 //! out, so they serve boxes of any size, and shapes need no preparation.
 use crate::Fixed;
-use crate::kernels::cpu::arch::Vector;
+use crate::kernels::cpu::arch::{LARGE, Vector};
 use crate::kernels::cpu::blocks::all_finite;
 use crate::kernels::cpu::boxes::{lanes_of, put, seed};
 use crate::kernels::cpu::lane::{PLANE, Results, Tiles};
@@ -36,6 +36,9 @@ pub(crate) fn scores<T: Real, V: Vector<T>>(
     b: Tiles<'_, T>,
     mut out: Results<'_, T>,
 ) {
+    if !LARGE {
+        return;
+    }
     for t in 0..out.tiles {
         let Some(out) = lanes_of::<T, 1>(&mut out, t) else {
             return;
@@ -58,6 +61,9 @@ pub(crate) fn slopes<T: Real, V: Vector<T>>(
     seeds: Option<Tiles<'_, T>>,
     mut out: Results<'_, T>,
 ) {
+    if !LARGE {
+        return;
+    }
     for t in 0..out.tiles {
         let Some(out) = lanes_of::<T, { 2 * OBB3 * PLANE + 1 }>(&mut out, t) else {
             return;

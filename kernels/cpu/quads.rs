@@ -2,7 +2,7 @@
 //!
 //! Compiled in this library only, by the entries in `arch`.
 use crate::ad::adjoint::overlap_quad::intersection_area_quads_vjp;
-use crate::kernels::cpu::arch::Vector;
+use crate::kernels::cpu::arch::{LARGE, Vector};
 use crate::kernels::cpu::boxes::{lanes_of, put, seed};
 use crate::kernels::cpu::lane::{PLANE, Results, Tiles};
 use crate::kernels::real::Real;
@@ -53,6 +53,9 @@ pub(crate) fn quad_slopes<T: Real, V: Vector<T>>(
     seeds: Option<Tiles<'_, T>>,
     mut out: Results<'_, T>,
 ) {
+    if !LARGE {
+        return;
+    }
     for t in 0..out.tiles {
         let Some(out) = lanes_of::<T, { 2 * QUAD2 * PLANE + 1 }>(&mut out, t) else {
             return;

@@ -322,3 +322,38 @@ fn details_say_where() {
     assert!((slope - difference).abs() <= nearest.tolerance, "{details}");
     assert!(nearest.share > 0.0 && nearest.share <= 1.0, "{details}");
 }
+
+/// Slopes that are wrong at one input to the bit, and right a digit beside it.
+mod at_one_input {
+    use geograd::Scalar;
+    use geograd::check::*;
+
+    fn product<S: Scalar>([x, y]: [S; 2]) -> S {
+        x * y
+    }
+
+    #[test]
+    fn a_special_case_of_equal_numbers_is_refused() {
+        let report = Check::at([2.0, 2.0])
+            .value(product)
+            .dual(product)
+            .traced(product)
+            .gradient(|[x, y]| if x == y { [0.0, 0.0] } else { [y, x] })
+            .prove();
+        assert!(!report.passed(), "{report}");
+    }
+
+    #[test]
+    fn a_special_case_of_one_number_is_refused() {
+        let wrong = |[x, y]: [f64; 2]| if x == 1.0 { [7.0, x] } else { [y, x] };
+        let with_duals = Check::at([1.0, 2.0])
+            .value(product)
+            .dual(product)
+            .traced(product)
+            .gradient(wrong)
+            .prove();
+        assert!(!with_duals.passed(), "{with_duals}");
+        let by_differences = Check::at([1.0, 2.0]).value(product).gradient(wrong).prove();
+        assert!(!by_differences.passed(), "{by_differences}");
+    }
+}

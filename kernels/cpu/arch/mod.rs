@@ -37,6 +37,10 @@ use crate::scalar::lanes::LaneMask;
 use crate::{Lanes, Scalar};
 use std::hint::black_box;
 
+/// Whether the largest kernels (boxes of any turn, slopes of quadrilaterals) are compiled: out of plain code the compiler
+/// would make them in minutes, so there they are interpreted, with the same bits.
+pub(crate) const LARGE: bool = cfg!(all(target_arch = "x86_64", not(geograd_portable)));
+
 /// A part of a [`Lane`] as a scalar.
 pub(crate) trait Vector<T>: Scalar<Primal = Self> {
     /// How many numbers: a power of two, at most [`TILE`].

@@ -4,6 +4,7 @@ use crate::ad::adjoint::iou::giou_framed_vjp;
 use crate::ad::adjoint::upright::score_upright_vjp;
 use crate::error::Validate;
 use crate::iou::giou_framed;
+use crate::kernels::cpu::arch::LARGE;
 use crate::kernels::cpu::boxes::{
     AABB2, OBB2, SEEN, UPRIGHT, View, is_common_upright, is_solid_obb2,
 };
@@ -48,9 +49,10 @@ pub(super) fn of_compiled<T: Real>(compiled: Compiled, want: Want) -> Option<Fac
         Compiled::Giou => Some(of_giou(want)),
         Compiled::Upright(over) => Some(of_upright(over, want)),
         Compiled::BirdsEye(over) => Some(of_birds_eye(over, want)),
-        Compiled::Quads => Some(of_quads(want)),
-        Compiled::Obb3(over) => Some(of_obb3(over, want)),
-        Compiled::Aabb3 => None,
+        // What is not compiled for this target is interpreted.
+        Compiled::Quads if LARGE || want == Want::Value => Some(of_quads(want)),
+        Compiled::Obb3(over) if LARGE => Some(of_obb3(over, want)),
+        Compiled::Quads | Compiled::Obb3(_) | Compiled::Aabb3 => None,
     }
 }
 
@@ -59,6 +61,9 @@ pub(super) fn outline<T: Real>(compiled: Compiled) -> Option<Outline<T>> {
     match compiled {
         Compiled::Aabb3 => Some(Arc::new(|[shapes, _], bounds| {
             solids::aabb3_bounds(shapes, bounds)
+        })),
+        Compiled::Obb3(_) => Some(Arc::new(|[shapes, _], bounds| {
+            solids::obb3_bounds(shapes, bounds)
         })),
         _ => None,
     }
