@@ -462,12 +462,24 @@ more! {
         giou_obb2: GiouObb2,
         intersection_volume_yaw: IntersectionVolumeYaw,
         iou_yaw: IouYaw,
-        iou_obb3: IouObb3,
     }
     // The same in double precision by kernels and filters that those above share.
     single {
         iof_yaw: IofYaw,
         iou_birds_eye: IouBirdsEye,
         iou_aabb3: IouAabb3,
+    }
+}
+// Its kernels are compiled for x86-64 only; elsewhere its program runs, which is the longest of all.
+#[cfg(not(geograd_portable))]
+more! {
+    both {
+        iou_obb3: IouObb3,
+    }
+}
+#[cfg(geograd_portable)]
+more! {
+    single {
+        iou_obb3: IouObb3,
     }
 }

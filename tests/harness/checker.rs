@@ -339,7 +339,7 @@ mod at_one_input {
             .dual(product)
             .traced(product)
             .gradient(|[x, y]| if x == y { [0.0, 0.0] } else { [y, x] })
-            .prove();
+            .run();
         assert!(!report.passed(), "{report}");
     }
 
@@ -351,9 +351,9 @@ mod at_one_input {
             .dual(product)
             .traced(product)
             .gradient(wrong)
-            .prove();
+            .run();
         assert!(!with_duals.passed(), "{with_duals}");
-        let by_differences = Check::at([1.0, 2.0]).value(product).gradient(wrong).prove();
+        let by_differences = Check::at([1.0, 2.0]).value(product).gradient(wrong).run();
         assert!(!by_differences.passed(), "{by_differences}");
     }
 }
