@@ -107,7 +107,7 @@ impl Cpu {
     ///     RingList { vertices: &b[..3], offsets: &[0, 3] },
     /// );
     /// let found = Cpu::new().rings(RingScore::IntersectionArea, a, b)?;
-    /// assert!((found[0] - 1.5_f64).abs() < 1e-15);
+    /// assert!((found[0] - 0.5_f64).abs() < 1e-15);
     /// # Ok::<(), geograd::Error>(())
     /// ```
     pub fn rings<T: Real>(

@@ -76,7 +76,8 @@ impl Cpu {
     /// let cpu = Cpu::new();
     /// assert_eq!(cpu.fold_one(SignedDistancePointRing, &points, &square)?, [-1.0, 5.0]);
     /// let (by_point, by_vertex) = cpu.fold_one_vjp(SignedDistancePointRing, &points, &square, &[1.0, 1.0])?;
-    /// assert_eq!((by_point[0].x, by_vertex[2].x), (-1.0, -0.6));
+    /// assert_eq!(by_point[0].x, -1.0);
+    /// assert!((by_vertex[2].x + 0.6).abs() < 1e-15);
     /// # Ok::<(), geograd::Error>(())
     /// ```
     pub fn fold_one<F, C: Columns, T: Real>(
