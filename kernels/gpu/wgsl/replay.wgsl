@@ -117,6 +117,12 @@ fn replay_main(@builtin(global_invocation_id) thread: vec3u) {
             case LtOr: { found = max(word(x < y), z); }
             case LeOr: { found = max(word(x <= y), z); }
             case EqOr: { found = max(word(x == y), z); }
+            case SelectMul: { found = select(w, y * z, x != 0.0); }
+            case ElseMul: { found = select(z * w, y, x != 0.0); }
+            case SelectAdd: { found = select(z, y, x != 0.0) + w; }
+            case MagnitudeMax: { found = max(abs(x), y); }
+            case MaxMagnitude: { found = max(x, abs(y)); }
+            case AndNot: { found = x * (1.0 - y); }
             default: {}
         }
         slots[to] = found;
