@@ -71,7 +71,7 @@ impl Cpu {
     /// ```
     /// use geograd::kernels::{Cpu, SignedDistancePointRing};
     /// use geograd::{Aabb2, Vec2};
-    /// let square = Aabb2::new(0.0, 0.0, 4.0, 4.0).corners();
+    /// let square = Aabb2::new(0.0_f64, 0.0, 4.0, 4.0).corners();
     /// let points = [Vec2::new(1.0, 2.0), Vec2::new(7.0, 8.0)];
     /// let cpu = Cpu::new();
     /// assert_eq!(cpu.fold_one(SignedDistancePointRing, &points, &square)?, [-1.0, 5.0]);
