@@ -20,7 +20,7 @@ use crate::{Pack, Vec2};
 /// use geograd::kernels::{Backend, IouObb2};
 /// let a = [Obb2::new(0.0, 0.0, 2.0, 2.0, 0.0)];
 /// let b = [Obb2::new(1.0, 0.0, 2.0, 2.0, 0.0)];
-/// assert_eq!(Backend::Cpu.all_pairs::<IouObb2>(&a, &b)?, [1.0 / 3.0]);
+/// assert_eq!(Backend::Cpu.all_pairs(IouObb2, &a, &b)?, [1.0 / 3.0]);
 /// # Ok::<(), geograd::Error>(())
 /// ```
 #[derive(Clone, Copy, Debug)]
@@ -250,7 +250,7 @@ macro_rules! calls {
                 /// # Errors
                 ///
                 /// As on the CPU; [`Error::Gpu`](crate::Error::Gpu) are the GPU's.
-                pub fn $name<O: $bound>(self, $($arg: $type),*) -> Result<$out, Error> {
+                pub fn $name<O: $bound>(self, _op: O, $($arg: $type),*) -> Result<$out, Error> {
                     match self {
                         Backend::Cpu => Ok($cpu($($arg),*)?),
                         #[cfg(feature = "gpu")]

@@ -108,8 +108,8 @@ pub(crate) fn ask_pairs<O: GpuPair>(
         a.push(O::Shape::load(first));
         b.push(O::Shape::load(second));
     }
-    let values = backend.aligned::<O>(&a, &b)?;
-    let (a_bars, b_bars) = backend.aligned_vjp::<O>(&a, &b, &vec![1.0; a.len()])?;
+    let values = backend.aligned(O::default(), &a, &b)?;
+    let (a_bars, b_bars) = backend.aligned_vjp(O::default(), &a, &b, &vec![1.0; a.len()])?;
     let bars = a_bars.iter().zip(&b_bars);
     let answers = values.iter().zip(bars).map(|(value, (a, b))| Answer {
         value: widened(&[*value]),
@@ -160,7 +160,7 @@ pub(crate) fn ask_rings<O: GpuRing>(
         vertices.extend(x.chunks_exact(2).map(|p| Vec2::new(p[0], p[1])));
         offsets.push(vertices.len());
     }
-    let values = backend.ragged::<O>(&vertices, &offsets)?;
+    let values = backend.ragged(O::default(), &vertices, &offsets)?;
     let mut answers: Vec<Answer> = values
         .iter()
         .map(|value| Answer {
@@ -172,7 +172,7 @@ pub(crate) fn ask_rings<O: GpuRing>(
     for j in 0..outputs {
         let seed: Vec<f32> = (0..outputs).map(|k| f32::from(u8::from(j == k))).collect();
         let seeds = vec![<O as RingOp>::Out::<f32>::load(&seed); inputs.len()];
-        let bars = backend.ragged_vjp::<O>(&vertices, &offsets, &seeds)?;
+        let bars = backend.ragged_vjp(O::default(), &vertices, &offsets, &seeds)?;
         for (answer, bounds) in answers.iter_mut().zip(offsets.windows(2)) {
             let ring = bars[bounds[0]..bounds[1]].iter();
             answer

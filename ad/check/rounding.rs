@@ -214,7 +214,9 @@ impl Evidence<'_> {
     }
 
     /// Whether a derivative lies among those at inputs beside this one, which another witness tells if there is
-    /// one. One that does not is no victim of rounding: it is wrong at this input alone.
+    /// one. One that does not is no victim of rounding: it is wrong at this input alone. For each number of a
+    /// short input, only those inputs count at which that number is another one: the fault may be a special case
+    /// of it.
     fn is_among_neighbours(
         &self,
         derivative: &[f64],
@@ -222,16 +224,27 @@ impl Evidence<'_> {
         neighbours: impl Fn(&[f64]) -> Option<Vec<f64>>,
     ) -> bool {
         let places = self.around.iter().map(|(there, _)| there.as_slice());
-        let all: Vec<Vec<f64>> = places
-            .filter_map(neighbours)
-            .filter(|list| list.len() == derivative.len())
+        let all: Vec<(&[f64], Vec<f64>)> = places
+            .filter_map(|there| Some((there, neighbours(there)?)))
+            .filter(|(_, list)| list.len() == derivative.len())
             .collect();
-        (0..derivative.len()).all(|i| {
-            let slack = DECIDED * sizes[i];
-            let least = all.iter().fold(f64::INFINITY, |m, list| m.min(list[i]));
-            let most = all.iter().fold(f64::NEG_INFINITY, |m, list| m.max(list[i]));
-            all.is_empty() || (least - slack..=most + slack).contains(&derivative[i])
-        })
+        let is_among = |counts: &dyn Fn(&[f64]) -> bool| {
+            let others = || {
+                all.iter()
+                    .filter(|(there, _)| counts(there))
+                    .map(|(_, list)| list)
+            };
+            (0..derivative.len()).all(|i| {
+                let slack = DECIDED * sizes[i];
+                let least = others().fold(f64::INFINITY, |m, list| m.min(list[i]));
+                let most = others().fold(f64::NEG_INFINITY, |m, list| m.max(list[i]));
+                least > most || (least - slack..=most + slack).contains(&derivative[i])
+            })
+        };
+        match self.x.len() {
+            ..=FEW_INPUTS => (0..self.x.len()).all(|k| is_among(&|there| there[k] != self.x[k])),
+            _ => is_among(&|_| true),
+        }
     }
 
     /// Adds to a row's tolerance what provoked rounding shows.

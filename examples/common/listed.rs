@@ -208,8 +208,8 @@ struct Ring<O: GpuRing> {
 impl<O: GpuRing> Ready for Ring<O> {
     fn run(&mut self) -> Result<(), Error> {
         match self.ups.is_empty() {
-            true => self.values = Some(self.rings.ragged::<O>()?),
-            false => self.slopes = Some(self.rings.ragged_vjp::<O>(&self.ups)?),
+            true => self.values = Some(self.rings.ragged(O::default())?),
+            false => self.slopes = Some(self.rings.ragged_vjp(O::default(), &self.ups)?),
         }
         Ok(())
     }

@@ -83,11 +83,15 @@ where
     }
     match pairs {
         Pairs::Aligned(a, b) if grad => {
-            let (values, a_bar, b_bar) = backend.aligned_grad::<O>(a, b)?;
+            let (values, a_bar, b_bar) = backend.aligned_grad(O::default(), a, b)?;
             Ok(Scores::with_slopes(values, a_bar, b_bar))
         }
-        Pairs::Aligned(a, b) => Ok(Scores::new(backend.aligned::<O>(a, b)?)),
-        Pairs::All(a, b) if grad => Ok(Scores::from_table(&backend.all_pairs_grad::<O>(a, b)?)),
-        Pairs::All(a, b) => Ok(Scores::new(backend.all_pairs::<O>(a, b)?)),
+        Pairs::Aligned(a, b) => Ok(Scores::new(backend.aligned(O::default(), a, b)?)),
+        Pairs::All(a, b) if grad => Ok(Scores::from_table(&backend.all_pairs_grad(
+            O::default(),
+            a,
+            b,
+        )?)),
+        Pairs::All(a, b) => Ok(Scores::new(backend.all_pairs(O::default(), a, b)?)),
     }
 }

@@ -52,7 +52,7 @@
 //! # #[cfg(feature = "gpu")] {
 //! let gpu = Gpu::new()?;
 //! let boxes = gpu.upload(&[Obb2::new(0.0, 0.0, 4.0, 2.0, 0.3)])?;
-//! let best = gpu.row_max::<IouObb2>(&boxes, &boxes)?.download()?;
+//! let best = gpu.row_max(IouObb2, &boxes, &boxes)?.download()?;
 //! assert_eq!(best[0].value, 1.0);
 //! # }
 //! # Ok::<(), geograd::Error>(())

@@ -17,20 +17,20 @@
 //! let truths = vec![Obb2::new(0.0, 0.0, 2.0, 2.0, 0.0); 3];
 //!
 //! let (mut a, b) = (backend.upload(&guesses)?, backend.upload(&truths)?);
-//! let (mut iou, mut slopes, mut unused) = a.aligned_grad::<IouObb2>(&b)?;
+//! let (mut iou, mut slopes, mut unused) = a.aligned_grad(IouObb2, &b)?;
 //! for _ in 0..20 {
 //!     for (guess, slope) in guesses.iter_mut().zip(slopes.download()?) {
 //!         guess.center += slope.center * 0.05;
 //!     }
 //!     a.update(&guesses)?; // into the same buffers, and so are the results
-//!     a.aligned_grad_into::<IouObb2>(&b, &mut iou, &mut slopes, &mut unused)?;
+//!     a.aligned_grad_into(IouObb2, &b, &mut iou, &mut slopes, &mut unused)?;
 //! }
 //! assert!(iou.download()?.iter().all(|&iou| iou > 0.95));
 //!
-//! let matrix = a.all_pairs::<IouObb2>(&b)?;
+//! let matrix = a.all_pairs(IouObb2, &b)?;
 //! let best = matrix.row_max()?;            // of a matrix that is there already
 //! let matched = b.pick(&best)?;            // the truth of every guess
-//! assert!(a.aligned::<IouObb2>(&matched)?.download()?[0] > 0.95);
+//! assert!(a.aligned(IouObb2, &matched)?.download()?[0] > 0.95);
 //! # Ok::<(), geograd::Error>(())
 //! ```
 use crate::GpuFault;

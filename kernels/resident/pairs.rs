@@ -24,13 +24,14 @@ macro_rules! calls {
         /// backends, or what the device says.
         pub fn $name<O: GpuPair<Shape = P>>(
             &self,
+            op: O,
             b: &Shapes<P>,
             $($arg: $type),*
         ) -> Result<$out, Error> {
             on!($a = &self.0, $b = &b.0;
                 Ok($cpu);
                 {
-                    let $gpu = $a.gpu().$name::<O>($a, $b, $($arg),*)?;
+                    let $gpu = $a.gpu().$name(op, $a, $b, $($arg),*)?;
                     Ok($wrap)
                 })
         }
@@ -108,6 +109,7 @@ impl<P: GpuShape> Shapes<P> {
     /// As [`aligned`](Shapes::aligned), and for an upstream of another length.
     pub fn aligned_vjp<O: GpuPair<Shape = P>>(
         &self,
+        op: O,
         b: &ShapesOf<O>,
         upstream: &Values,
     ) -> Result<Slopes<O>, Error> {
@@ -117,7 +119,7 @@ impl<P: GpuShape> Shapes<P> {
             Ok((Bars(Side::Cpu(a_bar)), Bars(Side::Cpu(b_bar))))
         };
         {
-            let (a_bar, b_bar) = a.gpu().aligned_vjp::<O>(a, b, upstream)?;
+            let (a_bar, b_bar) = a.gpu().aligned_vjp(op, a, b, upstream)?;
             Ok((Bars(Side::Gpu(a_bar)), Bars(Side::Gpu(b_bar))))
         })
     }
@@ -129,6 +131,7 @@ impl<P: GpuShape> Shapes<P> {
     /// As [`all_pairs`](Shapes::all_pairs), and for an upstream of another size.
     pub fn all_pairs_vjp<O: GpuPair<Shape = P>>(
         &self,
+        op: O,
         b: &ShapesOf<O>,
         upstream: &Matrix,
     ) -> Result<Slopes<O>, Error> {
@@ -139,7 +142,7 @@ impl<P: GpuShape> Shapes<P> {
             Ok((Bars(Side::Cpu(a_bar)), Bars(Side::Cpu(b_bar))))
         };
         {
-            let (a_bar, b_bar) = a.gpu().all_pairs_vjp::<O>(a, b, upstream)?;
+            let (a_bar, b_bar) = a.gpu().all_pairs_vjp(op, a, b, upstream)?;
             Ok((Bars(Side::Gpu(a_bar)), Bars(Side::Gpu(b_bar))))
         })
     }
@@ -151,12 +154,13 @@ impl<P: GpuShape> Shapes<P> {
     /// As [`aligned`](Shapes::aligned), and for results of another length.
     pub fn aligned_into<O: GpuPair<Shape = P>>(
         &self,
+        op: O,
         b: &ShapesOf<O>,
         values: &mut Values,
     ) -> Result<(), Error> {
         on!(a = &self.0, b = &b.0, values = &mut values.0;
             Ok(on_cpu::aligned_into::<O>(a, b, values)?);
-            a.gpu().aligned_into::<O>(a, b, values))
+            a.gpu().aligned_into(op, a, b, values))
     }
 
     /// [`aligned_grad`](Shapes::aligned_grad) over results and slopes that are there already.
@@ -166,6 +170,7 @@ impl<P: GpuShape> Shapes<P> {
     /// As [`aligned`](Shapes::aligned), and for results or slopes of another length.
     pub fn aligned_grad_into<O: GpuPair<Shape = P>>(
         &self,
+        op: O,
         b: &ShapesOf<O>,
         values: &mut Values,
         a_bar: &mut BarsOf<O>,
@@ -173,7 +178,7 @@ impl<P: GpuShape> Shapes<P> {
     ) -> Result<(), Error> {
         on!(a = &self.0, b = &b.0, v = &mut values.0, x = &mut a_bar.0, y = &mut b_bar.0;
             Ok(on_cpu::aligned_grad_into::<O>(a, b, v, x, y)?);
-            a.gpu().aligned_grad_into::<O>(a, b, v, x, y))
+            a.gpu().aligned_grad_into(op, a, b, v, x, y))
     }
 
     /// [`aligned_vjp`](Shapes::aligned_vjp) over slopes that are there already.
@@ -183,6 +188,7 @@ impl<P: GpuShape> Shapes<P> {
     /// As [`aligned_vjp`](Shapes::aligned_vjp), and for slopes of another length.
     pub fn aligned_vjp_into<O: GpuPair<Shape = P>>(
         &self,
+        op: O,
         b: &ShapesOf<O>,
         upstream: &Values,
         a_bar: &mut BarsOf<O>,
@@ -190,7 +196,7 @@ impl<P: GpuShape> Shapes<P> {
     ) -> Result<(), Error> {
         on!(a = &self.0, b = &b.0, u = &upstream.0, x = &mut a_bar.0, y = &mut b_bar.0;
             Ok(on_cpu::aligned_vjp_into::<O>(a, b, u, x, y)?);
-            a.gpu().aligned_vjp_into::<O>(a, b, u, x, y))
+            a.gpu().aligned_vjp_into(op, a, b, u, x, y))
     }
 
     /// [`all_pairs`](Shapes::all_pairs) over a matrix that is there already.
@@ -200,6 +206,7 @@ impl<P: GpuShape> Shapes<P> {
     /// As [`all_pairs`](Shapes::all_pairs), and for a matrix of another size.
     pub fn all_pairs_into<O: GpuPair<Shape = P>>(
         &self,
+        op: O,
         b: &ShapesOf<O>,
         matrix: &mut Matrix,
     ) -> Result<(), Error> {
@@ -208,7 +215,7 @@ impl<P: GpuShape> Shapes<P> {
             fits(a, b, matrix, Argument::Values)?;
             Ok(on_cpu::all_pairs_into::<O>(a, b, &mut matrix.values)?)
         };
-        a.gpu().all_pairs_into::<O>(a, b, matrix))
+        a.gpu().all_pairs_into(op, a, b, matrix))
     }
 
     /// [`all_pairs_vjp`](Shapes::all_pairs_vjp) over slopes that are there already.
@@ -218,6 +225,7 @@ impl<P: GpuShape> Shapes<P> {
     /// As [`all_pairs_vjp`](Shapes::all_pairs_vjp), and for slopes of another length.
     pub fn all_pairs_vjp_into<O: GpuPair<Shape = P>>(
         &self,
+        op: O,
         b: &ShapesOf<O>,
         upstream: &Matrix,
         a_bar: &mut BarsOf<O>,
@@ -228,7 +236,7 @@ impl<P: GpuShape> Shapes<P> {
             fits(a, b, u, Argument::Upstream)?;
             Ok(on_cpu::all_pairs_vjp_into::<O>(a, b, &u.values, x, y)?)
         };
-        a.gpu().all_pairs_vjp_into::<O>(a, b, u, x, y))
+        a.gpu().all_pairs_vjp_into(op, a, b, u, x, y))
     }
 
     /// The sum of all results; over slopes that are there already those of the sum times `factor`:
@@ -240,6 +248,7 @@ impl<P: GpuShape> Shapes<P> {
     /// finite.
     pub fn sum_grad_into<O: GpuPair<Shape = P>>(
         &self,
+        op: O,
         b: &ShapesOf<O>,
         factor: f32,
         a_bar: &mut BarsOf<O>,
@@ -247,7 +256,7 @@ impl<P: GpuShape> Shapes<P> {
     ) -> Result<f64, Error> {
         on!(a = &self.0, b = &b.0, x = &mut a_bar.0, y = &mut b_bar.0;
             Ok(on_cpu::sum_grad_into::<O>(a, b, factor, x, y)?);
-            a.gpu().sum_grad_into::<O>(a, b, factor, x, y))
+            a.gpu().sum_grad_into(op, a, b, factor, x, y))
     }
 
     /// Puts as many other shapes in their place: what a loop does that moves them. On a GPU no

@@ -44,10 +44,10 @@ impl Rings {
     /// # Errors
     ///
     /// What the device says.
-    pub fn ragged<O: GpuRing>(&self) -> Result<RingValues<<O as RingOp>::Out<f32>>, Error> {
+    pub fn ragged<O: GpuRing>(&self, op: O) -> Result<RingValues<<O as RingOp>::Out<f32>>, Error> {
         on!(own = &self.0;
             Ok(RingValues(Side::Cpu(on_cpu::ragged::<O>(&own.0, &own.1)?)));
-            Ok(RingValues(Side::Gpu(own.gpu().ragged::<O>(own)?))))
+            Ok(RingValues(Side::Gpu(own.gpu().ragged(op, own)?))))
     }
 
     /// [`Cpu::ragged_vjp`](crate::kernels::Cpu::ragged_vjp).
@@ -58,11 +58,12 @@ impl Rings {
     /// device says.
     pub fn ragged_vjp<O: GpuRing>(
         &self,
+        op: O,
         upstream: &[<O as RingOp>::Out<f32>],
     ) -> Result<RingBars, Error> {
         on!(own = &self.0;
             Ok(RingBars(Side::Cpu(on_cpu::ragged_vjp::<O>(&own.0, &own.1, upstream)?)));
-            Ok(RingBars(Side::Gpu(own.gpu().ragged_vjp::<O>(own, upstream)?))))
+            Ok(RingBars(Side::Gpu(own.gpu().ragged_vjp(op, own, upstream)?))))
     }
 
     /// Moves the vertices; each ring keeps as many as it has.

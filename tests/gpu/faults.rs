@@ -26,9 +26,9 @@ where
         invalid(Argument::Shape)
     );
     let backend = Backend::Gpu(gpu);
-    let refused = backend.aligned::<O>(&[good, good], &[good, bad]);
+    let refused = backend.aligned(O::default(), &[good, good], &[good, bad]);
     assert_eq!(refused.unwrap_err(), invalid(Argument::B));
-    let refused = backend.all_pairs::<O>(&[good, bad], &[good]);
+    let refused = backend.all_pairs(O::default(), &[good, bad], &[good]);
     assert_eq!(refused.unwrap_err(), invalid(Argument::A));
     let on = gpu.upload(&[good, good]).unwrap();
     let one = gpu.upload(&[good]).unwrap();
@@ -37,16 +37,23 @@ where
         expected,
         found,
     };
-    let refused = gpu.aligned::<O>(&on, &one).unwrap_err();
+    let refused = gpu.aligned(O::default(), &on, &one).unwrap_err();
     assert_eq!(refused, length(Argument::B, 2, 1));
     let upstream = gpu.upload_values(&[1.0]).unwrap();
-    let refused = gpu.aligned_vjp::<O>(&on, &on, &upstream).unwrap_err();
+    let refused = gpu
+        .aligned_vjp(O::default(), &on, &on, &upstream)
+        .unwrap_err();
     assert_eq!(refused, length(Argument::Upstream, 2, 1));
     assert!(gpu.upload_values(&[f32::INFINITY]).is_err());
     assert!(gpu.upload_matrix(2, 2, &[1.0; 3]).is_err());
-    assert!(gpu.above::<O>(&on, &on, f32::NAN).is_err());
+    assert!(gpu.above(O::default(), &on, &on, f32::NAN).is_err());
     // What was refused harmed nothing.
-    assert!(gpu.aligned::<O>(&on, &on).unwrap().download().is_ok());
+    assert!(
+        gpu.aligned(O::default(), &on, &on)
+            .unwrap()
+            .download()
+            .is_ok()
+    );
 }
 
 pub fn empty_batches_are_valid<O: GpuPair>()
@@ -56,22 +63,31 @@ where
     let Some((_turn, gpu)) = gpu() else { return };
     let backend = Backend::Gpu(gpu);
     let (none, one) = (&[][..], &[O::Shape::hard()[0]][..]);
-    assert_eq!(backend.aligned::<O>(none, none).unwrap(), []);
-    assert_eq!(backend.aligned_grad::<O>(none, none).unwrap().0, []);
-    assert_eq!(backend.all_pairs::<O>(none, one).unwrap(), []);
-    assert_eq!(backend.all_pairs::<O>(one, none).unwrap(), []);
-    assert_eq!(backend.all_pairs_grad::<O>(one, none).unwrap().planes(), []);
-    let (a_bars, b_bars) = backend.all_pairs_vjp::<O>(one, none, &[]).unwrap();
+    assert_eq!(backend.aligned(O::default(), none, none).unwrap(), []);
+    assert_eq!(
+        backend.aligned_grad(O::default(), none, none).unwrap().0,
+        []
+    );
+    assert_eq!(backend.all_pairs(O::default(), none, one).unwrap(), []);
+    assert_eq!(backend.all_pairs(O::default(), one, none).unwrap(), []);
+    assert_eq!(
+        backend
+            .all_pairs_grad(O::default(), one, none)
+            .unwrap()
+            .planes(),
+        []
+    );
+    let (a_bars, b_bars) = backend.all_pairs_vjp(O::default(), one, none, &[]).unwrap();
     assert_eq!((a_bars.len(), b_bars.len()), (1, 0));
     assert!(fields(a_bars[0]).iter().all(|&slope| slope == 0.0));
-    assert_eq!(backend.row_max::<O>(none, one).unwrap(), []);
+    assert_eq!(backend.row_max(O::default(), none, one).unwrap(), []);
     assert_eq!(
-        backend.row_max::<O>(one, none).unwrap_err(),
-        Backend::Cpu.row_max::<O>(one, none).unwrap_err()
+        backend.row_max(O::default(), one, none).unwrap_err(),
+        Backend::Cpu.row_max(O::default(), one, none).unwrap_err()
     );
-    assert_eq!(backend.above::<O>(one, none, 0.5).unwrap(), []);
-    assert_eq!(backend.sum::<O>(one, none).unwrap(), 0.0);
-    assert_eq!(backend.mean::<O>(none, none).unwrap(), 0.0);
+    assert_eq!(backend.above(O::default(), one, none, 0.5).unwrap(), []);
+    assert_eq!(backend.sum(O::default(), one, none).unwrap(), 0.0);
+    assert_eq!(backend.mean(O::default(), none, none).unwrap(), 0.0);
 }
 
 #[test]
@@ -144,25 +160,25 @@ fn every_call(backend: Backend<'_>) -> Vec<Result<(), Error>> {
     let mut values = ones.clone();
     let (mut a_bar, mut b_bar) = (boxes.clone(), boxes.clone());
     vec![
-        backend.aligned::<O>(a, b).map(drop),
-        backend.aligned_into::<O>(a, b, &mut values),
-        backend.aligned_grad::<O>(a, b).map(drop),
-        backend.aligned_grad_into::<O>(a, b, &mut values, &mut a_bar, &mut b_bar),
-        backend.aligned_vjp::<O>(a, b, &ones).map(drop),
-        backend.all_pairs::<O>(a, b).map(drop),
-        backend.all_pairs_grad::<O>(a, b).map(drop),
-        backend.all_pairs_vjp::<O>(a, b, &matrix).map(drop),
-        backend.sum_grad::<O>(a, b).map(drop),
-        backend.mean_grad::<O>(a, b).map(drop),
-        backend.row_max::<O>(a, b).map(drop),
-        backend.column_max::<O>(a, b).map(drop),
-        backend.above::<O>(a, b, 0.5).map(drop),
-        backend.count_above::<O>(a, b, 0.5).map(drop),
-        backend.sum::<O>(a, b).map(drop),
-        backend.mean::<O>(a, b).map(drop),
-        backend.ragged::<R>(&corners, &[0, 3]).map(drop),
+        backend.aligned(O::default(), a, b).map(drop),
+        backend.aligned_into(O::default(), a, b, &mut values),
+        backend.aligned_grad(O::default(), a, b).map(drop),
+        backend.aligned_grad_into(O::default(), a, b, &mut values, &mut a_bar, &mut b_bar),
+        backend.aligned_vjp(O::default(), a, b, &ones).map(drop),
+        backend.all_pairs(O::default(), a, b).map(drop),
+        backend.all_pairs_grad(O::default(), a, b).map(drop),
+        backend.all_pairs_vjp(O::default(), a, b, &matrix).map(drop),
+        backend.sum_grad(O::default(), a, b).map(drop),
+        backend.mean_grad(O::default(), a, b).map(drop),
+        backend.row_max(O::default(), a, b).map(drop),
+        backend.column_max(O::default(), a, b).map(drop),
+        backend.above(O::default(), a, b, 0.5).map(drop),
+        backend.count_above(O::default(), a, b, 0.5).map(drop),
+        backend.sum(O::default(), a, b).map(drop),
+        backend.mean(O::default(), a, b).map(drop),
+        backend.ragged(R::default(), &corners, &[0, 3]).map(drop),
         backend
-            .ragged_vjp::<R>(&corners, &[0, 3], &corners[..1])
+            .ragged_vjp(R::default(), &corners, &[0, 3], &corners[..1])
             .map(drop),
         backend.upload(a).map(drop),
         backend.upload_values(&ones).map(drop),

@@ -17,9 +17,13 @@ where
     let Some((_turn, gpu)) = gpu() else { return };
     let (a, b) = pairs::<O::Shape>(300);
     let (on_a, on_b) = (gpu.upload(&a).unwrap(), gpu.upload(&b).unwrap());
-    let expected = Backend::Cpu.aligned_grad::<O>(&a, &b).unwrap();
-    let values = gpu.aligned::<O>(&on_a, &on_b).unwrap().download().unwrap();
-    let (same, a_bars, b_bars) = gpu.aligned_grad::<O>(&on_a, &on_b).unwrap();
+    let expected = Backend::Cpu.aligned_grad(O::default(), &a, &b).unwrap();
+    let values = gpu
+        .aligned(O::default(), &on_a, &on_b)
+        .unwrap()
+        .download()
+        .unwrap();
+    let (same, a_bars, b_bars) = gpu.aligned_grad(O::default(), &on_a, &on_b).unwrap();
     let (same, a_bars, b_bars) = (
         same.download().unwrap(),
         a_bars.download().unwrap(),
@@ -59,7 +63,9 @@ where
     // An upstream of ones changes nothing, one of twos doubles exactly.
     for (factor, upstream) in [(1.0, vec![1.0; a.len()]), (2.0, vec![2.0; a.len()])] {
         let upstream = gpu.upload_values(&upstream).unwrap();
-        let (again, _) = gpu.aligned_vjp::<O>(&on_a, &on_b, &upstream).unwrap();
+        let (again, _) = gpu
+            .aligned_vjp(O::default(), &on_a, &on_b, &upstream)
+            .unwrap();
         for (again, once) in again.download().unwrap().iter().zip(&a_bars) {
             for (again, once) in fields(*again).iter().zip(fields(*once)) {
                 assert_eq!(*again, once * factor);
@@ -76,9 +82,9 @@ where
     let a: Vec<O::Shape> = (0..rows).map(|_| Draw::draw(&mut draws)).collect();
     let b: Vec<O::Shape> = (0..columns).map(|_| Draw::draw(&mut draws)).collect();
     let (on_a, on_b) = (gpu.upload(&a).unwrap(), gpu.upload(&b).unwrap());
-    let matrix = gpu.all_pairs::<O>(&on_a, &on_b).unwrap();
+    let matrix = gpu.all_pairs(O::default(), &on_a, &on_b).unwrap();
     let values = matrix.download().unwrap();
-    let expected = Backend::Cpu.all_pairs::<O>(&a, &b).unwrap();
+    let expected = Backend::Cpu.all_pairs(O::default(), &a, &b).unwrap();
     assert_eq!(values.len(), expected.len());
     for (at, (&found, &value)) in values.iter().zip(&expected).enumerate() {
         let bound = value_bound::<O>(a[at / columns], b[at % columns], f64::from(value));
@@ -91,15 +97,17 @@ where
 
     // Sums: whatever the order, an error of one epsilon of the sum of magnitudes per term.
     let grads = gpu
-        .all_pairs_grad::<O>(&on_a, &on_b)
+        .all_pairs_grad(O::default(), &on_a, &on_b)
         .unwrap()
         .download()
         .unwrap();
     let upstream: Vec<f32> = (0..values.len()).map(|_| draws.next() - 0.5).collect();
     let on_upstream = gpu.upload_matrix(rows, columns, &upstream).unwrap();
-    let (a_bars, b_bars) = gpu.all_pairs_vjp::<O>(&on_a, &on_b, &on_upstream).unwrap();
+    let (a_bars, b_bars) = gpu
+        .all_pairs_vjp(O::default(), &on_a, &on_b, &on_upstream)
+        .unwrap();
     let (a_again, b_again) = gpu
-        .all_pairs_vjp_from::<O>(&on_a, &on_b, &upstream)
+        .all_pairs_vjp_from(O::default(), &on_a, &on_b, &upstream)
         .unwrap();
     let (a_bars, b_bars) = (a_bars.download().unwrap(), b_bars.download().unwrap());
     assert_eq!(a_bars, a_again.download().unwrap(), "the same bits");
@@ -144,7 +152,7 @@ where
 {
     let (rows, columns) = (a.len(), b.len());
     let (on_a, on_b) = (gpu.upload(a).unwrap(), gpu.upload(b).unwrap());
-    let matrix = gpu.all_pairs::<O>(&on_a, &on_b).unwrap();
+    let matrix = gpu.all_pairs(O::default(), &on_a, &on_b).unwrap();
     let held = reduce::Matrix::new(rows, columns, values.to_vec()).unwrap();
 
     // Of the matrix there is nothing to round but sums.
@@ -165,13 +173,17 @@ where
     assert!((matrix.sum().unwrap() - held.sum()).abs() <= bound * held.sum());
     assert!((matrix.mean().unwrap() - held.mean()).abs() <= bound * held.mean());
 
-    let best = gpu.row_max::<O>(&on_a, &on_b).unwrap().download().unwrap();
+    let best = gpu
+        .row_max(O::default(), &on_a, &on_b)
+        .unwrap()
+        .download()
+        .unwrap();
     for (row, best) in values.chunks(columns).zip(&best) {
         let most = row.iter().fold(0.0_f32, |x, &y| x.max(y));
         assert!(close(best.value, most) && close(row[best.index], most));
     }
     let best = gpu
-        .column_max::<O>(&on_a, &on_b)
+        .column_max(O::default(), &on_a, &on_b)
         .unwrap()
         .download()
         .unwrap();
@@ -181,12 +193,13 @@ where
         assert!(close(best.value, most) && close(values[best.index * columns + j], most));
     }
     let found = gpu
-        .above::<O>(&on_a, &on_b, threshold)
+        .above(O::default(), &on_a, &on_b, threshold)
         .unwrap()
         .download()
         .unwrap();
     assert_eq!(
-        gpu.count_above::<O>(&on_a, &on_b, threshold).unwrap(),
+        gpu.count_above(O::default(), &on_a, &on_b, threshold)
+            .unwrap(),
         found.len() as u64
     );
     assert!(found.is_sorted_by_key(|found| (found.row, found.column)));
@@ -198,7 +211,7 @@ where
     let clearly = |by: f32| values.iter().filter(|&&v| v > by).count();
     assert!((clearly(0.20001)..=clearly(0.19999)).contains(&found.len()));
     let exact = held.sum();
-    let sum = gpu.sum::<O>(&on_a, &on_b).unwrap();
+    let sum = gpu.sum(O::default(), &on_a, &on_b).unwrap();
     assert!((sum - exact).abs() <= bound * exact);
 }
 
@@ -213,7 +226,7 @@ fn losses_agree<O: GpuPair>(
 {
     let (rows, columns, len) = (a.len(), b.len(), O::Shape::LEN);
     let (on_a, on_b) = (gpu.upload(a).unwrap(), gpu.upload(b).unwrap());
-    let (sum, a_bar, b_bar) = gpu.sum_grad::<O>(&on_a, &on_b).unwrap();
+    let (sum, a_bar, b_bar) = gpu.sum_grad(O::default(), &on_a, &on_b).unwrap();
     let exact: f64 = grads.values().iter().map(|&x| f64::from(x)).sum();
     let bound = |n: usize| (n as f64 + ROUNDINGS) * EPSILON;
     assert!((sum - exact).abs() <= bound(256) * exact);
@@ -235,7 +248,7 @@ fn losses_agree<O: GpuPair>(
             check(found, &mut (0..rows).map(|i| plane(len + k, i, j)), rows);
         }
     }
-    let (mean, ..) = gpu.mean_grad::<O>(&on_a, &on_b).unwrap();
+    let (mean, ..) = gpu.mean_grad(O::default(), &on_a, &on_b).unwrap();
     assert!((mean - sum / (rows * columns) as f64).abs() <= bound(1) * mean);
 }
 
@@ -347,11 +360,13 @@ fn extremes_agree<O: GpuPair<Shape = Obb2<f32>>>(gpu: &Gpu) {
     }
     let on = gpu.upload(&boxes).unwrap();
     let found = gpu
-        .all_pairs_grad::<O>(&on, &on)
+        .all_pairs_grad(O::default(), &on, &on)
         .unwrap()
         .download()
         .unwrap();
-    let expected = Backend::Cpu.all_pairs_grad::<O>(&boxes, &boxes).unwrap();
+    let expected = Backend::Cpu
+        .all_pairs_grad(O::default(), &boxes, &boxes)
+        .unwrap();
     for (at, (found, expected)) in found.planes().iter().zip(expected.planes()).enumerate() {
         let (i, j) = (at / boxes.len() % boxes.len(), at % boxes.len());
         assert!(

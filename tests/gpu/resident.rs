@@ -32,17 +32,17 @@ fn chain<O: GpuPair>(
 ) -> Result<Outcome<O::Shape>, Error> {
     let (on_a, on_b) = (backend.upload(a)?, backend.upload(b)?);
     let same = backend.upload(&b[..a.len()])?;
-    let (values, a_bar, b_bar) = on_a.aligned_grad::<O>(&same)?;
-    let (by_a, by_b) = on_a.aligned_vjp::<O>(&same, &values)?;
-    let matrix = on_a.all_pairs::<O>(&on_b)?;
-    let grads = on_a.all_pairs_grad::<O>(&on_b)?;
+    let (values, a_bar, b_bar) = on_a.aligned_grad(O::default(), &same)?;
+    let (by_a, by_b) = on_a.aligned_vjp(O::default(), &same, &values)?;
+    let matrix = on_a.all_pairs(O::default(), &on_b)?;
+    let grads = on_a.all_pairs_grad(O::default(), &on_b)?;
     // The matrix is its own upstream: half the slopes of the sum of squares.
-    let (all_a, all_b) = on_a.all_pairs_vjp::<O>(&on_b, &matrix)?;
-    let (sum, sum_a, sum_b) = on_a.sum_grad::<O>(&on_b)?;
-    let (mean, ..) = on_a.mean_grad::<O>(&on_b)?;
-    let best = on_a.row_max::<O>(&on_b)?;
+    let (all_a, all_b) = on_a.all_pairs_vjp(O::default(), &on_b, &matrix)?;
+    let (sum, sum_a, sum_b) = on_a.sum_grad(O::default(), &on_b)?;
+    let (mean, ..) = on_a.mean_grad(O::default(), &on_b)?;
+    let best = on_a.row_max(O::default(), &on_b)?;
     let picked = on_b.pick(&best)?;
-    let picked = on_a.aligned::<O>(&picked)?;
+    let picked = on_a.aligned(O::default(), &picked)?;
     Ok(Outcome {
         values: values.download()?,
         bars: [
@@ -59,20 +59,23 @@ fn chain<O: GpuPair>(
         planes: grads.download()?.into_planes(),
         bests: [
             best.download()?,
-            on_a.column_max::<O>(&on_b)?.download()?,
+            on_a.column_max(O::default(), &on_b)?.download()?,
             matrix.row_max()?.download()?,
             matrix.column_max()?.download()?,
         ],
         founds: [
-            on_a.above::<O>(&on_b, 0.3)?.download()?,
+            on_a.above(O::default(), &on_b, 0.3)?.download()?,
             matrix.above(0.3)?.download()?,
         ],
-        counts: [on_a.count_above::<O>(&on_b, 0.3)?, matrix.count_above(0.3)?],
+        counts: [
+            on_a.count_above(O::default(), &on_b, 0.3)?,
+            matrix.count_above(0.3)?,
+        ],
         sums: [
             sum,
             mean,
-            on_a.sum::<O>(&on_b)?,
-            on_a.mean::<O>(&on_b)?,
+            on_a.sum(O::default(), &on_b)?,
+            on_a.mean(O::default(), &on_b)?,
             matrix.sum()?,
             matrix.mean()?,
         ],
@@ -196,9 +199,9 @@ fn into_is_the_same_as_anew() {
         Backend::Gpu(&crate::small()),
     ] {
         let run = |a: &Shapes<Obb2<f32>>, b: &Shapes<Obb2<f32>>| -> Vec<u32> {
-            let (values, x, y) = a.aligned_grad::<O>(b).unwrap();
-            let matrix = a.all_pairs::<O>(b).unwrap();
-            let (z, w) = a.all_pairs_vjp::<O>(b, &matrix).unwrap();
+            let (values, x, y) = a.aligned_grad(O::default(), b).unwrap();
+            let matrix = a.all_pairs(O::default(), b).unwrap();
+            let (z, w) = a.all_pairs_vjp(O::default(), b, &matrix).unwrap();
             let mut all = bits(&values.download().unwrap());
             all.extend(bits(&matrix.download().unwrap()));
             all.extend([x, y, z, w].iter().flat_map(bits_of));
@@ -208,19 +211,19 @@ fn into_is_the_same_as_anew() {
             backend.upload(&first).unwrap(),
             backend.upload(&other).unwrap(),
         );
-        let (mut values, mut x, mut y) = a.aligned_grad::<O>(&b).unwrap();
-        let mut matrix = a.all_pairs::<O>(&b).unwrap();
-        let (mut z, mut w) = a.all_pairs_vjp::<O>(&b, &matrix).unwrap();
+        let (mut values, mut x, mut y) = a.aligned_grad(O::default(), &b).unwrap();
+        let mut matrix = a.all_pairs(O::default(), &b).unwrap();
+        let (mut z, mut w) = a.all_pairs_vjp(O::default(), &b, &matrix).unwrap();
         a.update(&second).unwrap();
-        a.aligned_into::<O>(&b, &mut values).unwrap();
+        a.aligned_into(O::default(), &b, &mut values).unwrap();
         let alone = values.download().unwrap();
-        a.aligned_grad_into::<O>(&b, &mut values, &mut x, &mut y)
+        a.aligned_grad_into(O::default(), &b, &mut values, &mut x, &mut y)
             .unwrap();
         for (x, y) in alone.iter().zip(values.download().unwrap()) {
             assert!(close(*x, y));
         }
-        a.all_pairs_into::<O>(&b, &mut matrix).unwrap();
-        a.all_pairs_vjp_into::<O>(&b, &matrix, &mut z, &mut w)
+        a.all_pairs_into(O::default(), &b, &mut matrix).unwrap();
+        a.all_pairs_vjp_into(O::default(), &b, &matrix, &mut z, &mut w)
             .unwrap();
         let mut all = bits(&values.download().unwrap());
         all.extend(bits(&matrix.download().unwrap()));
@@ -228,12 +231,14 @@ fn into_is_the_same_as_anew() {
         let anew = backend.upload(&second).unwrap();
         assert!(all == run(&anew, &b));
 
-        let (sum, sum_a, sum_b) = a.sum_grad::<O>(&b).unwrap();
-        let again = a.sum_grad_into::<O>(&b, 1.0, &mut z, &mut w).unwrap();
+        let (sum, sum_a, sum_b) = a.sum_grad(O::default(), &b).unwrap();
+        let again = a
+            .sum_grad_into(O::default(), &b, 1.0, &mut z, &mut w)
+            .unwrap();
         assert_eq!(sum, again);
         assert!(bits_of(&z) == bits_of(&sum_a) && bits_of(&w) == bits_of(&sum_b));
         let ones = backend.upload_matrix(150, 150, &[1.0; 150 * 150]).unwrap();
-        a.all_pairs_vjp_into::<O>(&b, &ones, &mut z, &mut w)
+        a.all_pairs_vjp_into(O::default(), &b, &ones, &mut z, &mut w)
             .unwrap();
         assert!(
             bits_of(&z) == bits_of(&sum_a),
@@ -241,9 +246,9 @@ fn into_is_the_same_as_anew() {
         );
 
         let mut upstream = backend.upload_values(&[1.0; 150]).unwrap();
-        let (once, _) = a.aligned_vjp::<O>(&b, &upstream).unwrap();
+        let (once, _) = a.aligned_vjp(O::default(), &b, &upstream).unwrap();
         upstream.update(&[2.0; 150]).unwrap();
-        a.aligned_vjp_into::<O>(&b, &upstream, &mut x, &mut y)
+        a.aligned_vjp_into(O::default(), &b, &upstream, &mut x, &mut y)
             .unwrap();
         for (once, twice) in once.download().unwrap().iter().zip(x.download().unwrap()) {
             assert!(
@@ -283,15 +288,18 @@ fn updates_are_checked_and_change_nothing_when_refused() {
             found: 1,
         };
         assert_eq!(a.update(&[good]).unwrap_err(), expected);
-        assert_eq!(a.aligned::<O>(&a).unwrap().download().unwrap(), [1.0, 1.0]);
+        assert_eq!(
+            a.aligned(O::default(), &a).unwrap().download().unwrap(),
+            [1.0, 1.0]
+        );
         let one = backend.upload(&[good]).unwrap();
-        let (mut values, mut x, _) = one.aligned_grad::<O>(&one).unwrap();
-        assert!(a.aligned_into::<O>(&a, &mut values).is_err());
+        let (mut values, mut x, _) = one.aligned_grad(O::default(), &one).unwrap();
+        assert!(a.aligned_into(O::default(), &a, &mut values).is_err());
         let mut y = x.clone();
-        let refused = one.aligned_grad_into::<O>(&one, &mut values, &mut x, &mut y);
+        let refused = one.aligned_grad_into(O::default(), &one, &mut values, &mut x, &mut y);
         assert_eq!(refused.unwrap(), ());
-        let mut values = a.aligned::<O>(&a).unwrap();
-        let refused = a.aligned_grad_into::<O>(&a, &mut values, &mut x, &mut y);
+        let mut values = a.aligned(O::default(), &a).unwrap();
+        let refused = a.aligned_grad_into(O::default(), &a, &mut values, &mut x, &mut y);
         let expected = Error::Length {
             argument: Argument::GradA,
             expected: 2,
@@ -299,7 +307,7 @@ fn updates_are_checked_and_change_nothing_when_refused() {
         };
         assert_eq!(refused.unwrap_err(), expected);
         // Results about a list of another length pick nothing.
-        let best = one.row_max::<O>(&a).unwrap();
+        let best = one.row_max(O::default(), &a).unwrap();
         assert!(one.pick(&best).is_err());
         assert!(a.pick(&best).is_ok());
     }
@@ -307,11 +315,11 @@ fn updates_are_checked_and_change_nothing_when_refused() {
     let on_cpu = Backend::Cpu.upload(&[good]).unwrap();
     let on_gpu = Backend::Gpu(gpu).upload(&[good]).unwrap();
     assert_eq!(
-        on_cpu.aligned::<O>(&on_gpu).unwrap_err(),
+        on_cpu.aligned(O::default(), &on_gpu).unwrap_err(),
         Error::Gpu(GpuFault::ForeignBuffer)
     );
     assert_eq!(
-        on_gpu.aligned::<O>(&on_cpu).unwrap_err(),
+        on_gpu.aligned(O::default(), &on_cpu).unwrap_err(),
         Error::Gpu(GpuFault::ForeignBuffer)
     );
 }
@@ -327,9 +335,9 @@ fn an_update_to_extremes_is_noticed() {
     let clone = a.clone();
     for shape in [huge, tiny] {
         a.update(&[shape]).unwrap();
-        let expected = Backend::Cpu.sum::<O>(&[shape], &[shape]).unwrap();
+        let expected = Backend::Cpu.sum(O::default(), &[shape], &[shape]).unwrap();
         for a in [&a, &clone] {
-            let found = gpu.aligned::<O>(a, a).unwrap().download().unwrap();
+            let found = gpu.aligned(O::default(), a, a).unwrap().download().unwrap();
             assert!((f64::from(found[0]) - expected).abs() <= 1e-5 * expected);
         }
     }
@@ -355,21 +363,23 @@ fn slices_into_slices() {
     let mut draws = Draws(4);
     let boxes: Vec<Obb2<f32>> = (0..70).map(|_| Draw::draw(&mut draws)).collect();
     for backend in [Backend::Cpu, Backend::Gpu(gpu)] {
-        let expected = backend.aligned_grad::<O>(&boxes, &boxes[..]).unwrap();
+        let expected = backend
+            .aligned_grad(O::default(), &boxes, &boxes[..])
+            .unwrap();
         let (mut values, mut x, mut y) = (vec![0.0; 70], boxes.clone(), boxes.clone());
         backend
-            .aligned_grad_into::<O>(&boxes, &boxes, &mut values, &mut x, &mut y)
+            .aligned_grad_into(O::default(), &boxes, &boxes, &mut values, &mut x, &mut y)
             .unwrap();
         assert_eq!((&values, &x, &y), (&expected.0, &expected.1, &expected.2));
         let mut again = vec![0.0; 70];
         backend
-            .aligned_into::<O>(&boxes, &boxes, &mut again)
+            .aligned_into(O::default(), &boxes, &boxes, &mut again)
             .unwrap();
         assert!(again.iter().zip(&values).all(|(x, y)| close(*x, *y)));
-        let refused = backend.aligned_into::<O>(&boxes, &boxes, &mut again[1..]);
+        let refused = backend.aligned_into(O::default(), &boxes, &boxes, &mut again[1..]);
         assert!(refused.is_err());
-        let (sum, x, _) = backend.sum_grad::<O>(&boxes, &boxes).unwrap();
-        let (mean, z, _) = backend.mean_grad::<O>(&boxes, &boxes).unwrap();
+        let (sum, x, _) = backend.sum_grad(O::default(), &boxes, &boxes).unwrap();
+        let (mean, z, _) = backend.mean_grad(O::default(), &boxes, &boxes).unwrap();
         assert!((sum / 4900.0 - mean).abs() <= 1e-6 * mean);
         let size = |bars: &[Obb2<f32>]| {
             bars.iter()

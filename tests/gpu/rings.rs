@@ -43,17 +43,19 @@ fn rings() -> (Vec<Vec2<f32>>, Vec<usize>) {
 pub fn rings_agree<O: GpuRing>(gpu: &Gpu) {
     let (vertices, offsets) = rings();
     let on = gpu.upload_rings(&vertices, &offsets).unwrap();
-    let found = gpu.ragged::<O>(&on).unwrap().download().unwrap();
-    let expected = Backend::Cpu.ragged::<O>(&vertices, &offsets).unwrap();
+    let found = gpu.ragged(O::default(), &on).unwrap().download().unwrap();
+    let expected = Backend::Cpu
+        .ragged(O::default(), &vertices, &offsets)
+        .unwrap();
     assert_eq!(found.len(), expected.len());
     let upstream = vec![shape_of(&[1.5, -0.5]); expected.len()];
     let bars = gpu
-        .ragged_vjp::<O>(&on, &upstream)
+        .ragged_vjp(O::default(), &on, &upstream)
         .unwrap()
         .download()
         .unwrap();
     let expected_bars = Backend::Cpu
-        .ragged_vjp::<O>(&vertices, &offsets, &upstream)
+        .ragged_vjp(O::default(), &vertices, &offsets, &upstream)
         .unwrap();
     assert_eq!(bars.len(), expected_bars.len());
     for (ring, (found, expected)) in found.iter().zip(&expected).enumerate() {
@@ -109,10 +111,14 @@ pub fn long_rings_agree<O: GpuRing>(gpu: &Gpu, counts: &[usize]) {
         .map(|v| Vec2::new(f64::from(v.x), f64::from(v.y)))
         .collect();
     let on = gpu.upload_rings(&vertices, &offsets).unwrap();
-    let found = gpu.ragged::<O>(&on).unwrap().download().unwrap();
+    let found = gpu.ragged(O::default(), &on).unwrap().download().unwrap();
     let expected = calls::ragged::<O, f64>(&wide, &offsets).unwrap();
     let upstream = vec![shape_of(&[1.5, -0.5]); counts.len()];
-    let run = || gpu.ragged_vjp::<O>(&on, &upstream).unwrap().download();
+    let run = || {
+        gpu.ragged_vjp(O::default(), &on, &upstream)
+            .unwrap()
+            .download()
+    };
     let bars = run().unwrap();
     assert!(run().unwrap() == bars, "the same bits");
     let upstream = vec![shape_of(&[1.5, -0.5]); counts.len()];
@@ -188,14 +194,18 @@ pub fn moved_rings_agree<O: GpuRing>() {
         assert!(on.update(&moved[1..]).is_err());
         let bad = vec![Vec2::new(0.0, f32::NAN); moved.len()];
         assert!(on.update(&bad).is_err());
-        let found = on.ragged::<O>().unwrap().download().unwrap();
-        let expected = backend.ragged::<O>(&moved, &offsets).unwrap();
+        let found = on.ragged(O::default()).unwrap().download().unwrap();
+        let expected = backend.ragged(O::default(), &moved, &offsets).unwrap();
         for (x, y) in found.iter().zip(&expected) {
             assert_eq!(fields(*x), fields(*y));
         }
-        let bars = on.ragged_vjp::<O>(&upstream).unwrap().download().unwrap();
+        let bars = on
+            .ragged_vjp(O::default(), &upstream)
+            .unwrap()
+            .download()
+            .unwrap();
         let expected = backend
-            .ragged_vjp::<O>(&moved, &offsets, &upstream)
+            .ragged_vjp(O::default(), &moved, &offsets, &upstream)
             .unwrap();
         assert_eq!(bars, expected);
     }

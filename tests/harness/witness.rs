@@ -144,7 +144,7 @@ fn a_backend_as_a_witness_of_ones_own_check() {
         jumps: Jumps::FromZero,
     })
     .witness(|(a, b): Pair, seed| {
-        let bars = backend.aligned_vjp::<IouObb2>(&[a], &[b], seed);
+        let bars = backend.aligned_vjp(IouObb2, &[a], &[b], seed);
         let (a_bars, b_bars) = bars.expect("the backend answers");
         (a_bars[0], b_bars[0])
     })

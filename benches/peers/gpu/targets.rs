@@ -43,14 +43,14 @@ pub fn targets(gpu: &Gpu, settings: &Settings, roofs: Roofs) -> Result<(), Error
     let (a, b) = (boxes(0), boxes(n));
     {
         let (a, b) = (gpu.upload(&a)?, gpu.upload(&b)?);
-        let mut matrix = gpu.all_pairs::<IouObb2>(&a, &b)?;
+        let mut matrix = gpu.all_pairs(IouObb2, &a, &b)?;
         let found = rate(gpu, n * n, || {
-            gpu.all_pairs_into::<IouObb2>(&a, &b, &mut matrix)
+            gpu.all_pairs_into(IouObb2, &a, &b, &mut matrix)
         })?;
         told("rotated IoU, all pairs", "G/s", 110.0, found);
-        let (mut x, mut y) = gpu.all_pairs_vjp::<IouObb2>(&a, &b, &matrix)?;
+        let (mut x, mut y) = gpu.all_pairs_vjp(IouObb2, &a, &b, &matrix)?;
         let found = rate(gpu, n * n, || {
-            gpu.all_pairs_vjp_into::<IouObb2>(&a, &b, &matrix, &mut x, &mut y)
+            gpu.all_pairs_vjp_into(IouObb2, &a, &b, &matrix, &mut x, &mut y)
         })?;
         told(
             "rotated IoU, gradients of both boxes, upstream matrix",

@@ -18,10 +18,15 @@ impl Gpu {
     ///
     /// The input's when the lists differ in length, [`GpuFault::ForeignBuffer`](crate::GpuFault::ForeignBuffer), or what
     /// the device says.
-    pub fn aligned<O: GpuPair>(&self, a: &ShapesOf<O>, b: &ShapesOf<O>) -> Result<Values, Error> {
+    pub fn aligned<O: GpuPair>(
+        &self,
+        op: O,
+        a: &ShapesOf<O>,
+        b: &ShapesOf<O>,
+    ) -> Result<Values, Error> {
         self.aligned_lists(a, b)?;
         let mut values = self.inner.guarded(|| Ok(Values::room(self, a.len)))?;
-        self.aligned_into::<O>(a, b, &mut values)?;
+        self.aligned_into(op, a, b, &mut values)?;
         Ok(values)
     }
 
@@ -32,6 +37,7 @@ impl Gpu {
     /// As [`aligned`](Gpu::aligned), and for results of another length.
     pub fn aligned_into<O: GpuPair>(
         &self,
+        _op: O,
         a: &ShapesOf<O>,
         b: &ShapesOf<O>,
         values: &mut Values,
@@ -48,6 +54,7 @@ impl Gpu {
     /// As [`aligned`](Gpu::aligned).
     pub fn aligned_grad<O: GpuPair>(
         &self,
+        op: O,
         a: &ShapesOf<O>,
         b: &ShapesOf<O>,
     ) -> Result<AlignedBars<O>, Error> {
@@ -56,7 +63,7 @@ impl Gpu {
             let bars = || Bars::room(self, a.len);
             Ok((Values::room(self, a.len), bars(), bars()))
         })?;
-        self.aligned_grad_into::<O>(a, b, &mut values, &mut a_bar, &mut b_bar)?;
+        self.aligned_grad_into(op, a, b, &mut values, &mut a_bar, &mut b_bar)?;
         Ok((values, a_bar, b_bar))
     }
 
@@ -67,6 +74,7 @@ impl Gpu {
     /// As [`aligned`](Gpu::aligned), and for results or slopes of another length.
     pub fn aligned_grad_into<O: GpuPair>(
         &self,
+        _op: O,
         a: &ShapesOf<O>,
         b: &ShapesOf<O>,
         values: &mut Values,
@@ -91,6 +99,7 @@ impl Gpu {
     /// As [`aligned`](Gpu::aligned), and for an upstream of another length.
     pub fn aligned_vjp<O: GpuPair>(
         &self,
+        op: O,
         a: &ShapesOf<O>,
         b: &ShapesOf<O>,
         upstream: &Values,
@@ -98,7 +107,7 @@ impl Gpu {
         self.aligned_lists(a, b)?;
         let bars = || Ok((Bars::room(self, a.len), Bars::room(self, b.len)));
         let (mut a_bar, mut b_bar) = self.inner.guarded(bars)?;
-        self.aligned_vjp_into::<O>(a, b, upstream, &mut a_bar, &mut b_bar)?;
+        self.aligned_vjp_into(op, a, b, upstream, &mut a_bar, &mut b_bar)?;
         Ok((a_bar, b_bar))
     }
 
@@ -109,6 +118,7 @@ impl Gpu {
     /// As [`aligned_vjp`](Gpu::aligned_vjp), and for slopes of another length.
     pub fn aligned_vjp_into<O: GpuPair>(
         &self,
+        _op: O,
         a: &ShapesOf<O>,
         b: &ShapesOf<O>,
         upstream: &Values,

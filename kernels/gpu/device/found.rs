@@ -131,6 +131,7 @@ impl Gpu {
     /// what the device says.
     pub fn above<O: GpuPair>(
         &self,
+        _op: O,
         a: &ShapesOf<O>,
         b: &ShapesOf<O>,
         threshold: f32,

@@ -104,11 +104,16 @@ impl Gpu {
     /// # Errors
     ///
     /// [`GpuFault::ForeignBuffer`](crate::GpuFault::ForeignBuffer), or what the device says.
-    pub fn all_pairs<O: GpuPair>(&self, a: &ShapesOf<O>, b: &ShapesOf<O>) -> Result<Matrix, Error> {
+    pub fn all_pairs<O: GpuPair>(
+        &self,
+        op: O,
+        a: &ShapesOf<O>,
+        b: &ShapesOf<O>,
+    ) -> Result<Matrix, Error> {
         self.own_lists(a, b)?;
         let room = || Matrix::room(self, a.len, b.len);
         let mut matrix = self.inner.guarded(room)?;
-        self.all_pairs_into::<O>(a, b, &mut matrix)?;
+        self.all_pairs_into(op, a, b, &mut matrix)?;
         Ok(matrix)
     }
 
@@ -120,6 +125,7 @@ impl Gpu {
     /// As [`all_pairs`](Gpu::all_pairs), and The input's for a matrix of another size.
     pub fn all_pairs_into<O: GpuPair>(
         &self,
+        _op: O,
         a: &ShapesOf<O>,
         b: &ShapesOf<O>,
         matrix: &mut Matrix,
@@ -142,6 +148,7 @@ impl Gpu {
     /// As [`all_pairs`](Gpu::all_pairs).
     pub fn all_pairs_grad<O: GpuPair>(
         &self,
+        _op: O,
         a: &ShapesOf<O>,
         b: &ShapesOf<O>,
     ) -> Result<PairBars<O>, Error> {
@@ -203,12 +210,13 @@ impl Gpu {
     /// As [`all_pairs`](Gpu::all_pairs), and for an upstream of another size.
     pub fn all_pairs_vjp<O: GpuPair>(
         &self,
+        op: O,
         a: &ShapesOf<O>,
         b: &ShapesOf<O>,
         upstream: &Matrix,
     ) -> Result<(BarsOf<O>, BarsOf<O>), Error> {
         let (mut a_bar, mut b_bar) = self.bars_for::<O>(a, b)?;
-        self.all_pairs_vjp_into::<O>(a, b, upstream, &mut a_bar, &mut b_bar)?;
+        self.all_pairs_vjp_into(op, a, b, upstream, &mut a_bar, &mut b_bar)?;
         Ok((a_bar, b_bar))
     }
 
@@ -219,6 +227,7 @@ impl Gpu {
     /// As [`all_pairs_vjp`](Gpu::all_pairs_vjp), and for slopes of another length.
     pub fn all_pairs_vjp_into<O: GpuPair>(
         &self,
+        _op: O,
         a: &ShapesOf<O>,
         b: &ShapesOf<O>,
         upstream: &Matrix,
@@ -244,6 +253,7 @@ impl Gpu {
     /// As [`all_pairs_vjp`](Gpu::all_pairs_vjp), and for an upstream that is not finite.
     pub fn all_pairs_vjp_from<O: GpuPair>(
         &self,
+        _op: O,
         a: &ShapesOf<O>,
         b: &ShapesOf<O>,
         upstream: &[f32],
@@ -271,11 +281,12 @@ impl Gpu {
     /// As [`all_pairs`](Gpu::all_pairs).
     pub fn sum_grad<O: GpuPair>(
         &self,
+        op: O,
         a: &ShapesOf<O>,
         b: &ShapesOf<O>,
     ) -> Result<(f64, BarsOf<O>, BarsOf<O>), Error> {
         let (mut a_bar, mut b_bar) = self.bars_for::<O>(a, b)?;
-        let sum = self.sum_grad_into::<O>(a, b, 1.0, &mut a_bar, &mut b_bar)?;
+        let sum = self.sum_grad_into(op, a, b, 1.0, &mut a_bar, &mut b_bar)?;
         Ok((sum, a_bar, b_bar))
     }
 
@@ -287,12 +298,13 @@ impl Gpu {
     /// As [`all_pairs`](Gpu::all_pairs).
     pub fn mean_grad<O: GpuPair>(
         &self,
+        op: O,
         a: &ShapesOf<O>,
         b: &ShapesOf<O>,
     ) -> Result<(f64, BarsOf<O>, BarsOf<O>), Error> {
         let (mut a_bar, mut b_bar) = self.bars_for::<O>(a, b)?;
         let factor = 1.0 / (a.len as f64 * b.len as f64).max(1.0);
-        let sum = self.sum_grad_into::<O>(a, b, factor as f32, &mut a_bar, &mut b_bar)?;
+        let sum = self.sum_grad_into(op, a, b, factor as f32, &mut a_bar, &mut b_bar)?;
         Ok((sum * factor, a_bar, b_bar))
     }
 
@@ -304,6 +316,7 @@ impl Gpu {
     /// factor that is not finite.
     pub fn sum_grad_into<O: GpuPair>(
         &self,
+        _op: O,
         a: &ShapesOf<O>,
         b: &ShapesOf<O>,
         factor: f32,

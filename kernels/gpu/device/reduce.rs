@@ -145,7 +145,12 @@ impl Gpu {
     ///
     /// [`GpuFault::ForeignBuffer`](crate::GpuFault::ForeignBuffer), The input's for rows without columns, or what the
     /// device says.
-    pub fn row_max<O: GpuPair>(&self, a: &ShapesOf<O>, b: &ShapesOf<O>) -> Result<Bests, Error> {
+    pub fn row_max<O: GpuPair>(
+        &self,
+        _op: O,
+        a: &ShapesOf<O>,
+        b: &ShapesOf<O>,
+    ) -> Result<Bests, Error> {
         check_sides(a.len, b.len, true)?;
         Table::of_shapes::<O>(self, a, b, true)?.best()
     }
@@ -155,7 +160,12 @@ impl Gpu {
     /// # Errors
     ///
     /// As [`row_max`](Gpu::row_max), for columns without rows.
-    pub fn column_max<O: GpuPair>(&self, a: &ShapesOf<O>, b: &ShapesOf<O>) -> Result<Bests, Error> {
+    pub fn column_max<O: GpuPair>(
+        &self,
+        _op: O,
+        a: &ShapesOf<O>,
+        b: &ShapesOf<O>,
+    ) -> Result<Bests, Error> {
         check_sides(a.len, b.len, false)?;
         Table::of_shapes::<O>(self, a, b, false)?.best()
     }
@@ -167,6 +177,7 @@ impl Gpu {
     /// As [`above`](Gpu::above).
     pub fn count_above<O: GpuPair>(
         &self,
+        _op: O,
         a: &ShapesOf<O>,
         b: &ShapesOf<O>,
         threshold: f32,
@@ -180,7 +191,7 @@ impl Gpu {
     /// # Errors
     ///
     /// [`GpuFault::ForeignBuffer`](crate::GpuFault::ForeignBuffer), or what the device says.
-    pub fn sum<O: GpuPair>(&self, a: &ShapesOf<O>, b: &ShapesOf<O>) -> Result<f64, Error> {
+    pub fn sum<O: GpuPair>(&self, _op: O, a: &ShapesOf<O>, b: &ShapesOf<O>) -> Result<f64, Error> {
         Table::of_shapes::<O>(self, a, b, true)?.sum()
     }
 
@@ -189,9 +200,9 @@ impl Gpu {
     /// # Errors
     ///
     /// As [`sum`](Gpu::sum).
-    pub fn mean<O: GpuPair>(&self, a: &ShapesOf<O>, b: &ShapesOf<O>) -> Result<f64, Error> {
+    pub fn mean<O: GpuPair>(&self, op: O, a: &ShapesOf<O>, b: &ShapesOf<O>) -> Result<f64, Error> {
         let count = a.len as f64 * b.len as f64;
-        Ok(self.sum::<O>(a, b)? / count.max(1.0))
+        Ok(self.sum(op, a, b)? / count.max(1.0))
     }
 }
 

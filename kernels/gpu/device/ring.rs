@@ -221,7 +221,7 @@ impl Gpu {
     /// # Errors
     ///
     /// [`GpuFault::ForeignBuffer`](crate::GpuFault::ForeignBuffer), or what the device says.
-    pub fn ragged<O: GpuRing>(&self, rings: &Rings) -> Result<RingValues<OutOf<O>>, Error> {
+    pub fn ragged<O: GpuRing>(&self, _op: O, rings: &Rings) -> Result<RingValues<OutOf<O>>, Error> {
         self.owns(&rings.gpu)?;
         let inner = &self.inner;
         let fields = OutOf::<O>::LEN;
@@ -255,6 +255,7 @@ impl Gpu {
     /// one that is not finite.
     pub fn ragged_vjp<O: GpuRing>(
         &self,
+        _op: O,
         rings: &Rings,
         upstream: &[OutOf<O>],
     ) -> Result<RingBars, Error> {

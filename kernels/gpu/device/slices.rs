@@ -41,7 +41,7 @@ impl Gpu {
     ) -> Result<Vec<f32>, Error> {
         expect(Argument::B, a.len(), b.len())?;
         let (a, b) = lists::<O>(self, a, b)?;
-        self.aligned::<O>(&a, &b)?.download()
+        self.aligned(O::default(), &a, &b)?.download()
     }
 
     pub(crate) fn aligned_grad_slices<O: GpuPair>(
@@ -51,7 +51,7 @@ impl Gpu {
     ) -> Result<AlignedGrads<O>, Error> {
         expect(Argument::B, a.len(), b.len())?;
         let (a, b) = lists::<O>(self, a, b)?;
-        let (values, a_bars, b_bars) = self.aligned_grad::<O>(&a, &b)?;
+        let (values, a_bars, b_bars) = self.aligned_grad(O::default(), &a, &b)?;
         let values = values.start_download()?;
         let (a_bars, b_bars) = both::<O>((a_bars, b_bars))?;
         Ok((values.wait()?, a_bars, b_bars))
@@ -66,7 +66,7 @@ impl Gpu {
         expect(Argument::B, a.len(), b.len())?;
         expect(Argument::Values, a.len(), values.len())?;
         let (a, b) = lists::<O>(self, a, b)?;
-        self.aligned::<O>(&a, &b)?.download_into(values)
+        self.aligned(O::default(), &a, &b)?.download_into(values)
     }
 
     pub(crate) fn aligned_grad_into_slices<O: GpuPair>(
@@ -99,7 +99,7 @@ impl Gpu {
         expect(Argument::Upstream, a.len(), upstream.len())?;
         let (a, b) = lists::<O>(self, a, b)?;
         let upstream = self.upload_values(upstream)?;
-        both::<O>(self.aligned_vjp::<O>(&a, &b, &upstream)?)
+        both::<O>(self.aligned_vjp(O::default(), &a, &b, &upstream)?)
     }
 
     pub(crate) fn all_pairs_slices<O: GpuPair>(
@@ -108,7 +108,7 @@ impl Gpu {
         b: &[ShapeOf<O>],
     ) -> Result<Vec<f32>, Error> {
         let (a, b) = lists::<O>(self, a, b)?;
-        self.all_pairs::<O>(&a, &b)?.download()
+        self.all_pairs(O::default(), &a, &b)?.download()
     }
 
     pub(crate) fn all_pairs_grad_slices<O: GpuPair>(
@@ -117,7 +117,7 @@ impl Gpu {
         b: &[ShapeOf<O>],
     ) -> Result<PairGrads<O>, Error> {
         let (a, b) = lists::<O>(self, a, b)?;
-        self.all_pairs_grad::<O>(&a, &b)?.download()
+        self.all_pairs_grad(O::default(), &a, &b)?.download()
     }
 
     pub(crate) fn all_pairs_vjp_slices<O: GpuPair>(
@@ -127,7 +127,7 @@ impl Gpu {
         upstream: &[f32],
     ) -> Result<Both<O>, Error> {
         let (a, b) = lists::<O>(self, a, b)?;
-        both::<O>(self.all_pairs_vjp_from::<O>(&a, &b, upstream)?)
+        both::<O>(self.all_pairs_vjp_from(O::default(), &a, &b, upstream)?)
     }
 
     pub(crate) fn sum_grad_slices<O: GpuPair>(
@@ -136,7 +136,7 @@ impl Gpu {
         b: &[ShapeOf<O>],
     ) -> Result<Loss<O>, Error> {
         let (a, b) = lists::<O>(self, a, b)?;
-        let (sum, a_bar, b_bar) = self.sum_grad::<O>(&a, &b)?;
+        let (sum, a_bar, b_bar) = self.sum_grad(O::default(), &a, &b)?;
         let (a_bar, b_bar) = both::<O>((a_bar, b_bar))?;
         Ok((sum, a_bar, b_bar))
     }
@@ -147,7 +147,7 @@ impl Gpu {
         b: &[ShapeOf<O>],
     ) -> Result<Loss<O>, Error> {
         let (a, b) = lists::<O>(self, a, b)?;
-        let (mean, a_bar, b_bar) = self.mean_grad::<O>(&a, &b)?;
+        let (mean, a_bar, b_bar) = self.mean_grad(O::default(), &a, &b)?;
         let (a_bar, b_bar) = both::<O>((a_bar, b_bar))?;
         Ok((mean, a_bar, b_bar))
     }
@@ -158,7 +158,7 @@ impl Gpu {
         b: &[ShapeOf<O>],
     ) -> Result<Vec<Best>, Error> {
         let (a, b) = lists::<O>(self, a, b)?;
-        self.row_max::<O>(&a, &b)?.download()
+        self.row_max(O::default(), &a, &b)?.download()
     }
 
     pub(crate) fn column_max_slices<O: GpuPair>(
@@ -167,7 +167,7 @@ impl Gpu {
         b: &[ShapeOf<O>],
     ) -> Result<Vec<Best>, Error> {
         let (a, b) = lists::<O>(self, a, b)?;
-        self.column_max::<O>(&a, &b)?.download()
+        self.column_max(O::default(), &a, &b)?.download()
     }
 
     pub(crate) fn above_slices<O: GpuPair>(
@@ -177,7 +177,7 @@ impl Gpu {
         threshold: f32,
     ) -> Result<Vec<Found>, Error> {
         let (a, b) = lists::<O>(self, a, b)?;
-        self.above::<O>(&a, &b, threshold)?.download()
+        self.above(O::default(), &a, &b, threshold)?.download()
     }
 
     pub(crate) fn count_above_slices<O: GpuPair>(
@@ -187,7 +187,7 @@ impl Gpu {
         threshold: f32,
     ) -> Result<u64, Error> {
         let (a, b) = lists::<O>(self, a, b)?;
-        self.count_above::<O>(&a, &b, threshold)
+        self.count_above(O::default(), &a, &b, threshold)
     }
 
     pub(crate) fn sum_slices<O: GpuPair>(
@@ -196,7 +196,7 @@ impl Gpu {
         b: &[ShapeOf<O>],
     ) -> Result<f64, Error> {
         let (a, b) = lists::<O>(self, a, b)?;
-        self.sum::<O>(&a, &b)
+        self.sum(O::default(), &a, &b)
     }
 
     pub(crate) fn mean_slices<O: GpuPair>(
@@ -205,7 +205,7 @@ impl Gpu {
         b: &[ShapeOf<O>],
     ) -> Result<f64, Error> {
         let (a, b) = lists::<O>(self, a, b)?;
-        self.mean::<O>(&a, &b)
+        self.mean(O::default(), &a, &b)
     }
 
     pub(crate) fn ragged_slices<O: GpuRing>(
@@ -214,7 +214,7 @@ impl Gpu {
         offsets: &[usize],
     ) -> Result<Vec<OutOf<O>>, Error> {
         let rings = self.upload_rings(vertices, offsets)?;
-        self.ragged::<O>(&rings)?.download()
+        self.ragged(O::default(), &rings)?.download()
     }
 
     pub(crate) fn ragged_vjp_slices<O: GpuRing>(
@@ -224,6 +224,6 @@ impl Gpu {
         upstream: &[OutOf<O>],
     ) -> Result<Vec<Vec2<f32>>, Error> {
         let rings = self.upload_rings(vertices, offsets)?;
-        self.ragged_vjp::<O>(&rings, upstream)?.download()
+        self.ragged_vjp(O::default(), &rings, upstream)?.download()
     }
 }
