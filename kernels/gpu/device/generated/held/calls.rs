@@ -1,0 +1,295 @@
+//! The calls over columns that stay.
+use super::{Given, HeldColumn, State, Windows, window};
+use crate::Error;
+use crate::error::Argument;
+use crate::kernels::cpu::aligned::name_of;
+use crate::kernels::cpu::checked::{check, check_upstream, expect};
+use crate::kernels::cpu::lane::TILE;
+use crate::kernels::gpu::device::Matrix;
+use crate::kernels::gpu::device::generated::Programs;
+use crate::kernels::gpu::device::generated::adjoint::Seed;
+use crate::kernels::gpu::device::generated::aligned::tiles;
+use crate::kernels::gpu::device::generated::operation::Generated;
+use crate::kernels::gpu::device::generated::pairs::Sides;
+use crate::kernels::gpu::device::generated::text::{Form, GROUP, MOST_GROUPS};
+use crate::kernels::gpu::device::work::Work;
+use crate::kernels::row::Column;
+use std::sync::Arc;
+
+impl Programs<'_> {
+    /// Item i of columns that stay, one result per item, which stays. `over` are results that are there
+    /// already and may be written over.
+    pub(crate) fn held_aligned(
+        &self,
+        made: &Arc<Generated<f32>>,
+        columns: &[Given<'_>],
+        over: &[HeldColumn],
+    ) -> Result<Vec<HeldColumn>, Error> {
+        let inner = &self.gpu.inner;
+        inner.alive()?;
+        let count = self.sound(made, columns)?;
+        for held in over {
+            self.gpu.owns(&held.gpu)?;
+        }
+        let mut lists = Vec::with_capacity(columns.len());
+        for (k, column) in columns.iter().enumerate() {
+            lists.push(match column {
+                Given::Held(held) => (held.for_all(made, k)?, true),
+                Given::One(numbers) => {
+                    let column = Column::lent(numbers, numbers.len(), None);
+                    let numbers = tiles(made, k, &column, 0..1);
+                    let buffer = inner.guarded(|| Ok(inner.stored(&numbers)))?;
+                    let windows = Windows {
+                        window: usize::MAX,
+                        parts: vec![(buffer, 0)],
+                    };
+                    (windows, false)
+                }
+            });
+        }
+        let room = self.room(made, count, over, &lists)?;
+        let mut start = 0;
+        while start < count {
+            let mut end = count.min(start + MOST_GROUPS * GROUP);
+            let mut params = vec![[0; 4]];
+            let mut inputs = Vec::new();
+            for ((windows, is_many), &width) in lists.iter().zip(&made.widths) {
+                let item = if *is_many { start } else { 0 };
+                let (buffer, at, until) = windows.at(item, width);
+                if *is_many {
+                    end = end.min(until);
+                }
+                params.push([at as u32, u32::from(*is_many), 0, 0]);
+                inputs.push((buffer, at, width, *is_many));
+            }
+            let mut outputs = None;
+            for (windows, &fields) in room.iter().zip(&made.gives) {
+                let (buffer, at, until) = windows.at(start, fields);
+                end = end.min(until);
+                params.push([at as u32, 0, 0, 0]);
+                outputs = Some(buffer);
+            }
+            params[0][0] = (end - start) as u32;
+            if let Some(outputs) = outputs {
+                self.dispatch(made, &mut params, &inputs, outputs, end - start)?;
+            }
+            start = end;
+        }
+        let results = room.into_iter().zip(&made.gives).map(|(windows, &fields)| {
+            let state = State {
+                plain: Some((0, windows)),
+                ..State::default()
+            };
+            HeldColumn::of(self.gpu, fields, count, state)
+        });
+        Ok(results.collect())
+    }
+
+    /// One dispatch. Columns beyond what one kernel may bind are copied together first.
+    fn dispatch(
+        &self,
+        made: &Arc<Generated<f32>>,
+        params: &mut [[u32; 4]],
+        inputs: &[(&wgpu::Buffer, usize, usize, bool)],
+        outputs: &wgpu::Buffer,
+        items: usize,
+    ) -> Result<(), Error> {
+        let inner = &self.gpu.inner;
+        let groups = [items.div_ceil(GROUP) as u32, 1];
+        let read: Vec<_> = inputs
+            .iter()
+            .filter(|(_, _, width, _)| *width > 0)
+            .collect();
+        inner.guarded(|| {
+            let mut work = Work::new(inner);
+            if !read.is_empty() && read.len() < MOST_BOUND {
+                let form = Form::Columns;
+                let pipeline = inner.generated(&made.name, form, || form.text(made));
+                let mut buffers: Vec<(u32, &wgpu::Buffer)> = Vec::new();
+                for (buffer, ..) in &read {
+                    buffers.push((buffers.len() as u32 + 1, buffer));
+                }
+                buffers.push((buffers.len() as u32 + 1, outputs));
+                work.dispatch_with(&pipeline, params, &buffers, groups);
+                return work.submit().map(drop);
+            }
+            let form = Form::Aligned;
+            let pipeline = inner.generated(&made.name, form, || form.text(made));
+            let sizes = inputs.iter().map(|(_, _, width, is_many)| {
+                let items = if *is_many { items } else { 1 };
+                items.next_multiple_of(TILE) * width
+            });
+            let sizes: Vec<usize> = sizes.collect();
+            let all = inner.storage(sizes.iter().sum());
+            let mut first = 0;
+            for (k, ((buffer, at, ..), size)) in inputs.iter().zip(sizes).enumerate() {
+                work.copy_to(
+                    buffer,
+                    4 * *at as u64,
+                    &all,
+                    4 * first as u64,
+                    4 * size as u64,
+                );
+                params[1 + k][0] = first as u32;
+                first += size;
+            }
+            work.dispatch_with(&pipeline, params, &[(1, &all), (2, outputs)], groups);
+            work.submit().map(drop)
+        })
+    }
+
+    /// How many items columns have.
+    pub(crate) fn held_count(
+        &self,
+        made: &Generated<f32>,
+        columns: &[Given<'_>],
+    ) -> Result<usize, Error> {
+        self.sound(made, columns)
+    }
+
+    /// Checks columns: whose they are, how many items there are, what stands for all.
+    fn sound(&self, made: &Generated<f32>, columns: &[Given<'_>]) -> Result<usize, Error> {
+        let arguments = made.arguments.len();
+        let mut count = None;
+        for (k, column) in columns.iter().enumerate() {
+            let argument = name_of(arguments, k);
+            match column {
+                Given::Held(held) => {
+                    self.gpu.owns(&held.gpu)?;
+                    expect(argument, *count.get_or_insert(held.count), held.count)?;
+                }
+                Given::One(numbers) => match made.arguments.get(k) {
+                    Some(plan) => {
+                        check(argument, plan, &Column::lent(numbers, plan.fields, None))?;
+                    }
+                    None => check_upstream(numbers, numbers.len().max(1))?,
+                },
+            }
+        }
+        Ok(count.unwrap_or(1))
+    }
+
+    /// Where results go: over those that are there, if they lie side by side and nothing is read from
+    /// them, or into new buffers.
+    fn room(
+        &self,
+        made: &Generated<f32>,
+        count: usize,
+        over: &[HeldColumn],
+        read: &[(Windows, bool)],
+    ) -> Result<Vec<Windows>, Error> {
+        let inner = &self.gpu.inner;
+        let all: usize = made.gives.iter().sum();
+        let window = window(inner, all)?;
+        let there: Option<Vec<Windows>> = over.iter().map(HeldColumn::results).collect();
+        if let Some(there) = there.filter(|there| there.len() == made.gives.len()) {
+            let buffers = |windows: &Windows| -> Vec<wgpu::Buffer> {
+                windows
+                    .parts
+                    .iter()
+                    .map(|(buffer, _)| buffer.clone())
+                    .collect()
+            };
+            let own = there.first().map(&buffers).unwrap_or_default();
+            let is_read = |buffer: &wgpu::Buffer| {
+                let lists = read.iter().flat_map(|(list, _)| &list.parts);
+                lists.into_iter().any(|(other, _)| other == buffer)
+            };
+            let lies_so = |x: &Windows| x.window == window && buffers(x) == own;
+            if there.iter().all(lies_so) && !own.iter().any(is_read) {
+                return Ok(there);
+            }
+        }
+        let mut room: Vec<Windows> = made
+            .gives
+            .iter()
+            .map(|_| Windows {
+                window,
+                parts: Vec::new(),
+            })
+            .collect();
+        for start in (0..count).step_by(window) {
+            let items = window.min(count - start).next_multiple_of(TILE);
+            let buffer = inner.guarded(|| Ok(inner.storage(items * all)))?;
+            let mut first = 0;
+            for (windows, &fields) in room.iter_mut().zip(&made.gives) {
+                windows.parts.push((buffer.clone(), first));
+                first += items * fields;
+            }
+        }
+        Ok(room)
+    }
+
+    /// Two columns as the lists of all pairs.
+    pub(in crate::kernels::gpu::device::generated) fn held_sides(
+        &self,
+        made: &Generated<f32>,
+        a: &HeldColumn,
+        b: &HeldColumn,
+    ) -> Result<Sides, Error> {
+        self.gpu.inner.alive()?;
+        self.gpu.owns(&a.gpu)?;
+        self.gpu.owns(&b.gpu)?;
+        Ok(Sides {
+            a: a.for_pairs(made, 0)?,
+            b: b.for_pairs(made, 1)?,
+        })
+    }
+
+    /// Every row of `a` with every row of `b`, for results of one number.
+    pub(crate) fn held_matrix(
+        &self,
+        made: &Arc<Generated<f32>>,
+        a: &HeldColumn,
+        b: &HeldColumn,
+    ) -> Result<Matrix, Error> {
+        let sides = self.held_sides(made, a, b)?;
+        self.matrix_of(made, &sides)
+    }
+
+    /// The same over a matrix that is there already.
+    pub(crate) fn held_matrix_into(
+        &self,
+        made: &Arc<Generated<f32>>,
+        a: &HeldColumn,
+        b: &HeldColumn,
+        matrix: &Matrix,
+    ) -> Result<(), Error> {
+        self.gpu.owns(&matrix.gpu)?;
+        expect(Argument::Values, a.count, matrix.rows)?;
+        expect(Argument::Values, b.count, matrix.columns)?;
+        let sides = self.held_sides(made, a, b)?;
+        for (block, values) in &matrix.blocks {
+            sides.compute(&self.gpu.inner, made, block, values)?;
+        }
+        Ok(())
+    }
+
+    /// Slopes of both lists times a matrix, or times one number.
+    pub(crate) fn held_slopes(
+        &self,
+        made: &Arc<Generated<f32>>,
+        a: &HeldColumn,
+        b: &HeldColumn,
+        upstream: Result<&Matrix, f32>,
+    ) -> Result<[HeldColumn; 2], Error> {
+        let seed = match upstream {
+            Ok(matrix) => {
+                self.gpu.owns(&matrix.gpu)?;
+                expect(Argument::Upstream, a.count, matrix.rows)?;
+                expect(Argument::Upstream, b.count, matrix.columns)?;
+                Seed::Matrix(matrix)
+            }
+            Err(factor) => Seed::Factor(factor),
+        };
+        let sides = self.held_sides(made, a, b)?;
+        let [by_a, by_b] = self.slopes(made, &sides, &seed)?;
+        Ok([
+            HeldColumn::new(self.gpu, a.fields, by_a)?,
+            HeldColumn::new(self.gpu, b.fields, by_b)?,
+        ])
+    }
+}
+
+/// Buffers that a kernel binds at most, the results among them: as many as WebGPU promises of every device.
+const MOST_BOUND: usize = 8;
