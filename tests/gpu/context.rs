@@ -10,7 +10,7 @@ use geograd::{Error, GpuFault};
 fn downloads_can_be_awaited() {
     let Some((_turn, gpu)) = gpu() else { return };
     let on = gpu.upload(&Obb2::<f32>::hard()).unwrap();
-    let matrix = gpu.all_pairs::<overlap::IouObb2>(&on, &on).unwrap();
+    let matrix = gpu.all_pairs(overlap::IouObb2, &on, &on).unwrap();
     let awaited = pollster::block_on(matrix.start_download().unwrap()).unwrap();
     assert_eq!(bits(&awaited), bits(&matrix.download().unwrap()));
 }
@@ -20,7 +20,7 @@ fn contexts_are_shared_between_threads() {
     let Some((_turn, gpu)) = gpu() else { return };
     let on = gpu.upload(&Obb2::<f32>::hard()).unwrap();
     let once = || {
-        gpu.all_pairs::<overlap::IouObb2>(&on, &on)
+        gpu.all_pairs(overlap::IouObb2, &on, &on)
             .unwrap()
             .download()
             .unwrap()

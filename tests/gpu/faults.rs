@@ -94,9 +94,9 @@ where
 fn rings_may_be_missing_or_bad() {
     let Some((_turn, gpu)) = gpu() else { return };
     let backend = Backend::Gpu(gpu);
-    assert_eq!(backend.ragged::<ring::SignedArea>(&[], &[0]).unwrap(), []);
+    assert_eq!(backend.ragged(ring::SignedArea, &[], &[0]).unwrap(), []);
     assert_eq!(
-        backend.ragged::<ring::SignedArea>(&[], &[0, 0]).unwrap(),
+        backend.ragged(ring::SignedArea, &[], &[0, 0]).unwrap(),
         [0.0]
     );
     for (vertices, offsets) in [
@@ -106,10 +106,10 @@ fn rings_may_be_missing_or_bad() {
     ] {
         assert_eq!(
             backend
-                .ragged::<ring::Centroid>(&vertices, &offsets)
+                .ragged(ring::Centroid, &vertices, &offsets)
                 .unwrap_err(),
             Backend::Cpu
-                .ragged::<ring::Centroid>(&vertices, &offsets)
+                .ragged(ring::Centroid, &vertices, &offsets)
                 .unwrap_err()
         );
     }
@@ -121,10 +121,10 @@ fn a_lost_device_is_an_error() {
     let gpu = Gpu::new().unwrap();
     let boxes = Obb2::<f32>::hard();
     let on = gpu.upload(&boxes).unwrap();
-    let values = gpu.aligned::<overlap::IouObb2>(&on, &on).unwrap();
+    let values = gpu.aligned(overlap::IouObb2, &on, &on).unwrap();
     let pending = values.start_download().unwrap();
     // A handle of one context is nothing to another.
-    let foreign = other.aligned::<overlap::IouObb2>(&on, &on);
+    let foreign = other.aligned(overlap::IouObb2, &on, &on);
     assert_eq!(foreign.unwrap_err(), Error::Gpu(GpuFault::ForeignBuffer));
     gpu.destroy();
     assert_eq!(
@@ -140,7 +140,7 @@ fn a_lost_device_is_an_error() {
         Error::Gpu(GpuFault::DeviceLost)
     );
     assert_eq!(gpu.wait().unwrap_err(), Error::Gpu(GpuFault::DeviceLost));
-    let lost = gpu.all_pairs::<overlap::IouObb2>(&on, &on);
+    let lost = gpu.all_pairs(overlap::IouObb2, &on, &on);
     assert_eq!(lost.unwrap_err(), Error::Gpu(GpuFault::DeviceLost));
 }
 
@@ -194,7 +194,7 @@ fn a_lost_device_is_an_error_of_every_call_of_the_front() {
     assert!(every_call(backend).iter().all(Result::is_ok));
     let boxes = Obb2::<f32>::hard();
     let mut on = backend.upload(&boxes).unwrap();
-    let matrix = on.all_pairs::<overlap::IouObb2>(&on).unwrap();
+    let matrix = on.all_pairs(overlap::IouObb2, &on).unwrap();
     gpu.destroy();
     for (call, found) in every_call(backend).into_iter().enumerate() {
         assert_eq!(found, Err(Error::Gpu(GpuFault::DeviceLost)), "call {call}");
@@ -248,9 +248,9 @@ fn a_ring_beyond_every_buffer_is_an_error() {
     let backend = Backend::Gpu(&gpu);
     let most = gpu.most_bytes() as usize / 8;
     let corners = vec![Vec2::new(1.0, 2.0); most + 1];
-    let refused = backend.ragged::<ring::Centroid>(&corners, &[0, most + 1]);
+    let refused = backend.ragged(ring::Centroid, &corners, &[0, most + 1]);
     assert_eq!(refused.unwrap_err(), Error::Gpu(GpuFault::TooLarge));
-    let found = backend.ragged::<ring::Centroid>(&corners, &[0, most, most + 1]);
+    let found = backend.ragged(ring::Centroid, &corners, &[0, most, most + 1]);
     assert_eq!(found.unwrap(), [corners[0]; 2]);
 }
 
@@ -288,7 +288,7 @@ fn starve(gpu: &Gpu) {
     let boxes = Obb2::<f32>::hard();
     let on = gpu.upload(&boxes).unwrap();
     let expected = gpu
-        .aligned::<overlap::IouObb2>(&on, &on)
+        .aligned(overlap::IouObb2, &on, &on)
         .unwrap()
         .download()
         .unwrap();
@@ -304,11 +304,7 @@ fn starve(gpu: &Gpu) {
     eprintln!("starved after {}", held.len());
     assert_eq!(error, Error::Gpu(GpuFault::OutOfMemory));
     // What was there before is as it was, with the memory still full and after it was given back.
-    let again = || {
-        gpu.aligned::<overlap::IouObb2>(&on, &on)
-            .unwrap()
-            .download()
-    };
+    let again = || gpu.aligned(overlap::IouObb2, &on, &on).unwrap().download();
     assert_eq!(again().unwrap(), expected);
     held.clear();
     gpu.wait().unwrap();

@@ -259,8 +259,8 @@ fn repeated_runs_give_the_same_bits() {
     let boxes: Vec<Obb2<f32>> = (0..700).map(|_| Draw::draw(&mut draws)).collect();
     let on = gpu.upload(&boxes).unwrap();
     let run = || {
-        let matrix = gpu.all_pairs::<overlap::IouObb2>(&on, &on).unwrap();
-        let bars = gpu.all_pairs_vjp::<overlap::IouObb2>(&on, &on, &matrix);
+        let matrix = gpu.all_pairs(overlap::IouObb2, &on, &on).unwrap();
+        let bars = gpu.all_pairs_vjp(overlap::IouObb2, &on, &on, &matrix);
         let (a_bars, b_bars) = bars.unwrap();
         let mut all = bits(&matrix.download().unwrap());
         for bar in [a_bars, b_bars].iter().flat_map(|x| x.download().unwrap()) {
@@ -282,12 +282,12 @@ fn the_first_of_several_is_the_best() {
     let many: Vec<_> = few.iter().copied().cycle().take(2500).collect();
     for gpu in [gpu, &small()] {
         let (on_few, on_many) = (gpu.upload(&few).unwrap(), gpu.upload(&many).unwrap());
-        let found = gpu.row_max::<overlap::IouAabb2>(&on_few, &on_many).unwrap();
+        let found = gpu.row_max(overlap::IouAabb2, &on_few, &on_many).unwrap();
         let expected = calls::row_max::<overlap::IouAabb2, f32>(&few, &many).unwrap();
         let indices = |all: Vec<reduce::Best>| all.iter().map(|x| x.index).collect::<Vec<_>>();
         assert_eq!(indices(found.download().unwrap()), indices(expected));
         let found = gpu
-            .column_max::<overlap::IouAabb2>(&on_many, &on_few)
+            .column_max(overlap::IouAabb2, &on_many, &on_few)
             .unwrap();
         let expected = calls::column_max::<overlap::IouAabb2, f32>(&many, &few).unwrap();
         assert_eq!(indices(found.download().unwrap()), indices(expected));
@@ -319,7 +319,7 @@ fn identical_and_thin_boxes() {
     let mut boxes: Vec<Obb2<f32>> = (0..200).map(|_| Draw::draw(&mut draws)).collect();
     boxes.extend((0..200).map(|_| Obb2::new(0.0, 0.0, 1e-3, 50.0, 7.0 * draws.next())));
     let on = gpu.upload(&boxes).unwrap();
-    let (values, a_bars, _) = gpu.aligned_grad::<overlap::IouObb2>(&on, &on).unwrap();
+    let (values, a_bars, _) = gpu.aligned_grad(overlap::IouObb2, &on, &on).unwrap();
     assert!(values.download().unwrap().iter().all(|&value| value == 1.0));
     for bar in a_bars.download().unwrap() {
         assert!(fields(bar).iter().all(|&slope| slope == 0.0), "{bar:?}");
@@ -334,7 +334,7 @@ fn identical_and_thin_boxes() {
             })
             .collect();
         let found = gpu.upload(&turned).unwrap();
-        let found = gpu.aligned::<overlap::IouObb2>(&on, &found).unwrap();
+        let found = gpu.aligned(overlap::IouObb2, &on, &found).unwrap();
         for (i, found) in found.download().unwrap().into_iter().enumerate() {
             let wide = |x: &Obb2<f32>| shape_of::<Obb2<f64>>(&fields(*x));
             let exact = wide(&boxes[i]).iou(wide(&turned[i]));

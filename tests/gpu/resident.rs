@@ -158,7 +158,7 @@ fn climb(backend: Backend<'_>, steps: usize) -> Result<Vec<f32>, Error> {
         .map(|t| Obb2::new(t.center.x + 0.5, 0.3, 4.4, 1.8, 0.3))
         .collect();
     let (mut a, b) = (backend.upload(&guesses)?, backend.upload(&truths)?);
-    let (mut iou, mut slopes, mut unused) = a.aligned_grad::<overlap::IouObb2>(&b)?;
+    let (mut iou, mut slopes, mut unused) = a.aligned_grad(overlap::IouObb2, &b)?;
     let mut slope = guesses.clone();
     for step in 0..steps {
         slopes.download_into(&mut slope)?;
@@ -169,7 +169,7 @@ fn climb(backend: Backend<'_>, steps: usize) -> Result<Vec<f32>, Error> {
             guess.heading += slope.heading * pace * 0.1;
         }
         a.update(&guesses)?;
-        a.aligned_grad_into::<overlap::IouObb2>(&b, &mut iou, &mut slopes, &mut unused)?;
+        a.aligned_grad_into(overlap::IouObb2, &b, &mut iou, &mut slopes, &mut unused)?;
     }
     iou.download()
 }
@@ -349,7 +349,7 @@ fn downloads_of_either_side_can_be_awaited() {
     let boxes = Obb2::<f32>::hard();
     for backend in [Backend::Cpu, Backend::Gpu(gpu)] {
         let on = backend.upload(&boxes).unwrap();
-        let matrix = on.all_pairs::<overlap::IouObb2>(&on).unwrap();
+        let matrix = on.all_pairs(overlap::IouObb2, &on).unwrap();
         let awaited = pollster::block_on(matrix.start_download().unwrap()).unwrap();
         assert_eq!(bits(&awaited), bits(&matrix.download().unwrap()));
     }
