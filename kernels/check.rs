@@ -1,8 +1,8 @@
 //! Operations as subjects of the verification harness.
 //!
 //! ```
-//! use geograd::kernels::{check::prove, IouObb2};
-//! let report = prove::<IouObb2, f64>(20, 1);
+//! use geograd::kernels::{AreaTriangle, check::prove};
+//! let report = prove::<AreaTriangle, f64>(20, 1);
 //! assert!(report.passed(), "{report}");
 //! ```
 use crate::ad::check::picture::picture;

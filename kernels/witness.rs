@@ -3,8 +3,10 @@
 //! ```
 //! use geograd::ad::check::Plan;
 //! use geograd::kernels::{Backend, IouObb2, check::prove_on};
+//! // Of the hard cases every hundredth.
+//! let plan = Plan { hard: 100, ..Plan::new(10, 1) };
 //! // Backend::Gpu(&gpu) asks a GPU.
-//! let report = prove_on::<IouObb2>(Backend::Cpu, &Plan::new(20, 1))?;
+//! let report = prove_on::<IouObb2>(Backend::Cpu, &plan)?;
 //! assert!(report.passed(), "{report}");
 //! # Ok::<(), geograd::Error>(())
 //! ```

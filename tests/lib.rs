@@ -4,6 +4,8 @@ use geograd::Obb2;
 pub mod calls;
 #[cfg(feature = "list")]
 pub mod corpus;
+#[cfg(feature = "fuzzers")]
+pub mod fuzzers;
 #[cfg(feature = "list")]
 pub mod list;
 

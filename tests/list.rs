@@ -1,4 +1,4 @@
-//! What tests and the report ask of every operation of the list, compiled here once for all of them.
+//! Proofs of every operation of the list, compiled here once for tests and reports.
 use geograd::Error;
 use geograd::ad::check::{Plan, Report};
 use geograd::kernels::Backend;
@@ -6,7 +6,6 @@ use geograd::kernels::check::{
     prove_any_on, prove_decided_with, prove_fold_with, prove_on, prove_ring_on, prove_ring_with,
     prove_with,
 };
-use geograd::kernels::fuzz::{self, Fuzzed};
 use geograd::kernels::gpu::Gpu;
 
 /// One operation in one format: its name, whether that is `f64`, and what proves it, with batches
@@ -80,43 +79,7 @@ macro_rules! proofs {
     };
 }
 
-/// One operation in one format: its name, whether that is `f64`, and what fuzzes it.
-pub type Fuzzer = (&'static str, bool, Fuzz);
-pub type Fuzz = fn(u64, u64) -> Fuzzed;
-
-macro_rules! fuzzes {
-    (pairs { $($pair:ident: $pair_op:ty,)* } rings { $($ring:ident: $ring_op:ty,)* }
-     straight { $($straight:ident: $straight_op:ty,)* } $($rest:tt)*) => {
-        vec![
-            $(
-                (stringify!($pair), true, fuzz::pairs::<$pair_op, _, f64> as Fuzz),
-                (stringify!($pair), false, fuzz::pairs::<$pair_op, _, f32>),
-            )*
-            $(
-                (stringify!($ring), true, fuzz::rings::<$ring_op, f64>),
-                (stringify!($ring), false, fuzz::rings::<$ring_op, f32>),
-            )*
-        ]
-    };
-}
-
-macro_rules! more_fuzzes {
-    ($($name:ident: $op:ty,)*) => {
-        [$(
-            (stringify!($name), true, fuzz::pairs::<$op, _, f64> as Fuzz),
-            (stringify!($name), false, fuzz::pairs::<$op, _, f32>),
-        )*]
-    };
-}
-
 /// Proofs of all operations in both formats.
 pub fn proofs() -> Vec<Proof> {
     geograd::for_each_op!(proofs)
-}
-
-/// Fuzzers of the operations that have one, in both formats.
-pub fn fuzzers() -> Vec<Fuzzer> {
-    let mut all = geograd::for_each_op!(fuzzes);
-    all.extend(crate::more_fuzzed!(more_fuzzes));
-    all
 }

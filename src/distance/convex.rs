@@ -28,7 +28,7 @@ pub trait Convex<S: Scalar>: Copy {
     /// What is inflated.
     fn core(self) -> Self::Core;
     /// By how much; not negative.
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn radius(&self) -> S {
         S::zero()
     }
@@ -101,7 +101,7 @@ pub trait Core<S: Scalar>: Copy {
     /// sides of it.
     fn inside(&self, beam: Beam<S>, radius: S) -> Inside<S>;
     /// The least of `normal · point` over the corners, and the corner.
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn lowest(&self, normal: Vec2<S>) -> Best<S, Ahead<S>> {
         Best::least(self.corners().as_ref().iter().map(|&on_b| {
             let ahead = normal.dot(on_b);
@@ -113,7 +113,7 @@ pub trait Core<S: Scalar>: Copy {
 }
 
 /// The nearest of some corners to an edge.
-#[inline(always)]
+#[cfg_attr(not(debug_assertions), inline(always))]
 pub(super) fn edge_near<S: Scalar>(edge: Edge<S>, corners: &[Vec2<S>]) -> Best<S, Nearest<S>> {
     Best::least(corners.iter().map(|&corner| {
         let found = reach(edge, corner - edge.from);
@@ -131,7 +131,7 @@ pub(super) fn edge_near<S: Scalar>(edge: Edge<S>, corners: &[Vec2<S>]) -> Best<S
 
 /// How far in front of a face another core begins. The normal points out and has length one, or zero
 /// where the face has no length: such a face parts nothing.
-#[inline(always)]
+#[cfg_attr(not(debug_assertions), inline(always))]
 pub(super) fn face_deep<S: Scalar, B: Core<S>>(
     face: Edge<S>,
     normal: Vec2<S>,
@@ -164,7 +164,7 @@ pub(super) fn face_deep<S: Scalar, B: Core<S>>(
 }
 
 /// The vector with length one; zero for a vector so short that it counts as none.
-#[inline(always)]
+#[cfg_attr(not(debug_assertions), inline(always))]
 pub(crate) fn unit<S: Scalar>(v: Vec2<S>) -> Vec2<S> {
     let square = v.length_squared();
     let none = square.at_most(S::lit(S::EPSILON.powi(4)));

@@ -13,27 +13,27 @@ impl<S: Scalar> Core<S> for PointCore<S> {
     type Corners = [Vec2<S>; 1];
     type Away = [Vec2<S>; 0];
     const DIMENSION: usize = 0;
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn anchor(&self) -> Vec2<S> {
         self.0
     }
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn extent(&self, from: Vec2<S>) -> S::Primal {
         size_of(self.0 - from)
     }
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn placed(self, from: Vec2<S>, scale: S) -> Self {
         PointCore((self.0 - from) * scale)
     }
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn corners(&self) -> [Vec2<S>; 1] {
         [self.0]
     }
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn away(&self) -> [Vec2<S>; 0] {
         []
     }
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn near(&self, corners: &[Vec2<S>]) -> Best<S, Nearest<S>> {
         Best::least(corners.iter().map(|&corner| {
             let apart = corner - self.0;
@@ -47,11 +47,11 @@ impl<S: Scalar> Core<S> for PointCore<S> {
             )
         }))
     }
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn inside(&self, beam: Beam<S>, radius: S) -> Inside<S> {
         Inside::disc(beam, self.0, radius)
     }
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn deep<B: Core<S>>(&self, other: &B) -> Best<S, Deepest<S>> {
         face_deep(Edge::between(self.0, self.0), Vec2::zero(), other)
     }
@@ -69,7 +69,7 @@ pub struct EdgeCore<S, const CORNERS: usize, const AWAY: usize> {
 
 impl<S: Scalar> EdgeCore<S, 2, 0> {
     /// The segment between two points.
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     pub fn segment(from: Vec2<S>, to: Vec2<S>) -> Self {
         EdgeCore {
             edge: Edge::between(from, to),
@@ -80,7 +80,7 @@ impl<S: Scalar> EdgeCore<S, 2, 0> {
 
 impl<S: Scalar, const AWAY: usize> EdgeCore<S, 1, AWAY> {
     /// The ray, or the line, from a point in a direction.
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     pub fn endless(from: Vec2<S>, direction: Vec2<S>) -> Self {
         let large = S::lit(S::LARGEST);
         EdgeCore {
@@ -101,15 +101,15 @@ impl<S: Scalar, const CORNERS: usize, const AWAY: usize> Core<S> for EdgeCore<S,
     type Away = [Vec2<S>; AWAY];
     const DIMENSION: usize = 1;
     const BOUNDED: bool = AWAY == 0;
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn anchor(&self) -> Vec2<S> {
         self.edge.from
     }
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn extent(&self, from: Vec2<S>) -> S::Primal {
         size_of(self.edge.from - from).most(size_of(self.to - from))
     }
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn placed(self, from: Vec2<S>, scale: S) -> Self {
         let Edge { along, .. } = self.edge;
         EdgeCore {
@@ -121,25 +121,25 @@ impl<S: Scalar, const CORNERS: usize, const AWAY: usize> Core<S> for EdgeCore<S,
             to: (self.to - from) * scale,
         }
     }
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn corners(&self) -> [Vec2<S>; CORNERS] {
         std::array::from_fn(|k| if k == 0 { self.edge.from } else { self.to })
     }
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn away(&self) -> [Vec2<S>; AWAY] {
         let along = self.edge.along;
         std::array::from_fn(|k| if k == 0 { along } else { -along })
     }
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn near(&self, corners: &[Vec2<S>]) -> Best<S, Nearest<S>> {
         edge_near(self.edge, corners)
     }
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn inside(&self, beam: Beam<S>, radius: S) -> Inside<S> {
         let Edge { from, along, .. } = self.edge;
         Inside::strip(beam, from, along, radius, AWAY < 2, AWAY == 0)
     }
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn deep<B: Core<S>>(&self, other: &B) -> Best<S, Deepest<S>> {
         let normal = unit(self.edge.along.perp());
         let [left, right] = [normal, -normal].map(|normal| face_deep(self.edge, normal, other));
@@ -155,39 +155,39 @@ impl<S: Scalar, const N: usize> Core<S> for PolygonCore<S, N> {
     type Corners = [Vec2<S>; N];
     type Away = [Vec2<S>; 0];
     const DIMENSION: usize = 2;
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn anchor(&self) -> Vec2<S> {
         self.0[0]
     }
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn extent(&self, from: Vec2<S>) -> S::Primal {
         self.0.iter().fold(S::Primal::zero(), |most, &corner| {
             most.most(size_of(corner - from))
         })
     }
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn placed(self, from: Vec2<S>, scale: S) -> Self {
         PolygonCore(self.0.map(|corner| (corner - from) * scale))
     }
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn corners(&self) -> [Vec2<S>; N] {
         self.0
     }
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn away(&self) -> [Vec2<S>; 0] {
         []
     }
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn near(&self, corners: &[Vec2<S>]) -> Best<S, Nearest<S>> {
         Best::least(
             (0..N).map(|i| edge_near(Edge::between(self.0[i], self.0[(i + 1) % N]), corners)),
         )
     }
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn inside(&self, beam: Beam<S>, _: S) -> Inside<S> {
         Inside::polygon(beam, &self.0)
     }
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn deep<B: Core<S>>(&self, other: &B) -> Best<S, Deepest<S>> {
         Best::most_of((0..N).map(|i| {
             let face = Edge::between(self.0[i], self.0[(i + 1) % N]);
@@ -209,22 +209,22 @@ pub trait Turn<S: Scalar>: Copy {
 pub struct Upright;
 
 impl<S: Scalar> Turn<S> for Upright {
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn out(&self, v: Vec2<S>) -> Vec2<S> {
         v
     }
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn back(&self, v: Vec2<S>) -> Vec2<S> {
         v
     }
 }
 
 impl<S: Scalar> Turn<S> for Rotation2<S> {
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn out(&self, v: Vec2<S>) -> Vec2<S> {
         *self * v
     }
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn back(&self, v: Vec2<S>) -> Vec2<S> {
         self.inverse() * v
     }
@@ -243,7 +243,7 @@ pub struct BoxCore<S, R> {
 
 impl<S: Scalar, R: Turn<S>> BoxCore<S, R> {
     /// The normals of the faces, how far the faces are from the centre, and half their lengths.
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn faces(&self) -> [(Vec2<S>, S, S); 4] {
         let (right, up) = (
             self.turn.out(Vec2::new(S::one(), S::zero())),
@@ -258,15 +258,15 @@ impl<S: Scalar, R: Turn<S>> Core<S> for BoxCore<S, R> {
     type Corners = [Vec2<S>; 4];
     type Away = [Vec2<S>; 0];
     const DIMENSION: usize = 2;
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn anchor(&self) -> Vec2<S> {
         self.center
     }
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn extent(&self, from: Vec2<S>) -> S::Primal {
         size_of(self.center - from) + (self.half.x.primal() + self.half.y.primal())
     }
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn placed(self, from: Vec2<S>, scale: S) -> Self {
         BoxCore {
             center: (self.center - from) * scale,
@@ -274,7 +274,7 @@ impl<S: Scalar, R: Turn<S>> Core<S> for BoxCore<S, R> {
             turn: self.turn,
         }
     }
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn corners(&self) -> [Vec2<S>; 4] {
         let Vec2 { x, y } = self.half;
         let (near, far) = (
@@ -288,11 +288,11 @@ impl<S: Scalar, R: Turn<S>> Core<S> for BoxCore<S, R> {
             self.center - near,
         ]
     }
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn away(&self) -> [Vec2<S>; 0] {
         []
     }
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn near(&self, corners: &[Vec2<S>]) -> Best<S, Nearest<S>> {
         Best::least(corners.iter().map(|&corner| {
             let local = self.turn.back(corner - self.center);
@@ -312,7 +312,7 @@ impl<S: Scalar, R: Turn<S>> Core<S> for BoxCore<S, R> {
             )
         }))
     }
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn inside(&self, beam: Beam<S>, _: S) -> Inside<S> {
         self.faces()
             .into_iter()
@@ -320,7 +320,7 @@ impl<S: Scalar, R: Turn<S>> Core<S> for BoxCore<S, R> {
                 inside.behind(beam, self.center + normal * half, normal)
             })
     }
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn deep<B: Core<S>>(&self, other: &B) -> Best<S, Deepest<S>> {
         Best::most_of(self.faces().into_iter().map(|(normal, half, side)| {
             let face = Edge {
@@ -333,7 +333,7 @@ impl<S: Scalar, R: Turn<S>> Core<S> for BoxCore<S, R> {
         }))
     }
     /// Without the corners: half the diagonals' projections. Corners that tie are their middle.
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn lowest(&self, normal: Vec2<S>) -> Best<S, Ahead<S>> {
         let own = self.turn.back(normal);
         let (x, y) = (own.x * self.half.x, own.y * self.half.y);

@@ -17,7 +17,7 @@ pub struct Edge<S> {
 
 impl<S: Scalar> Edge<S> {
     /// The edge from one point to another.
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     pub fn between(from: Vec2<S>, to: Vec2<S>) -> Self {
         Edge {
             from,
@@ -45,7 +45,7 @@ pub struct Reach<S> {
 ///
 /// Edges shorter than ε² count as points: t is ½ (or the bound nearest to it), with slope zero.
 /// At either end of the edge the slope of t is shared.
-#[inline(always)]
+#[cfg_attr(not(debug_assertions), inline(always))]
 pub fn reach<S: Scalar>(edge: Edge<S>, arm: Vec2<S>) -> Reach<S> {
     let square = edge.along.length_squared();
     let point = square.at_most(S::lit(S::EPSILON.powi(4)));
@@ -63,19 +63,19 @@ pub fn reach<S: Scalar>(edge: Edge<S>, arm: Vec2<S>) -> Reach<S> {
 }
 
 /// `yes` where the mask is true, else `no`.
-#[inline(always)]
+#[cfg_attr(not(debug_assertions), inline(always))]
 pub(crate) fn choose<S: Scalar>(mask: S::Mask, yes: Vec2<S>, no: Vec2<S>) -> Vec2<S> {
     Vec2::new(S::select(mask, yes.x, no.x), S::select(mask, yes.y, no.y))
 }
 
 /// The larger coordinate of a vector, without sign, as a constant.
-#[inline(always)]
+#[cfg_attr(not(debug_assertions), inline(always))]
 pub(crate) fn size_of<S: Scalar>(v: Vec2<S>) -> S::Primal {
     v.x.primal().magnitude().most(v.y.primal().magnitude())
 }
 
 /// The power of two, a constant, in whose units a size is about one; one for zero.
-#[inline(always)]
+#[cfg_attr(not(debug_assertions), inline(always))]
 pub(crate) fn scale_of<S: Scalar>(size: S::Primal) -> S {
     let zero = size.at_most(S::Primal::zero());
     S::from_primal(S::Primal::select(zero, S::Primal::one(), size).binade())
@@ -88,18 +88,18 @@ pub(crate) struct Placed<S> {
 }
 
 impl<S: Scalar> Placed<S> {
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     pub fn segment(segment: Segment2<S>) -> Self {
         Placed { segment }
     }
     /// The edge and the way from its start to a point, both in units of the larger one.
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     pub fn near(self, point: Vec2<S>) -> (Edge<S>, Vec2<S>) {
         let (edge, arm, _) = self.near_scaled(point);
         (edge, arm)
     }
     /// The same with the power of two that lengths were multiplied by.
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     pub fn near_scaled(self, point: Vec2<S>) -> (Edge<S>, Vec2<S>, S) {
         let arm = point - self.segment.from;
         let along = self.segment.to - self.segment.from;
@@ -137,7 +137,7 @@ pub fn edge_distance<S: Scalar>(point: Vec2<S>, from: Vec2<S>, to: Vec2<S>) -> S
 
 /// The [distance](edge_distance) of a point and an edge, and where that is zero how far the point is on
 /// the left of the edge's line: zero, with the slope of the edge's normal.
-#[inline(always)]
+#[cfg_attr(not(debug_assertions), inline(always))]
 pub(super) fn edge_sides<S: Scalar>(point: Vec2<S>, from: Vec2<S>, to: Vec2<S>) -> (S, S) {
     let (edge, arm, scale) = Placed::segment(Segment2::new(from, to)).near_scaled(point);
     let distance = reach(edge, arm).apart.length().over(scale).canonical();
@@ -190,7 +190,7 @@ pub fn edge_winding<S: Scalar>(point: Vec2<S>, from: Vec2<S>, to: Vec2<S>) -> S 
 }
 
 /// 1, −1 or 0 from two masks.
-#[inline(always)]
+#[cfg_attr(not(debug_assertions), inline(always))]
 pub(crate) fn winding_of<S: Scalar>(up: S::Mask, down: S::Mask) -> S {
     S::select(up, S::one(), S::select(down, -S::one(), S::zero()))
 }

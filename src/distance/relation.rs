@@ -51,7 +51,7 @@ pub(crate) fn relate<S: Scalar, A: Convex<S>, B: Convex<S>, const ASK: u8>(
     }
 }
 
-#[inline(always)]
+#[cfg_attr(not(debug_assertions), inline(always))]
 fn relate_all<S: Scalar, A: Convex<S>, B: Convex<S>>(a: A, b: B) -> Relation<S> {
     let (a, b) = (a.core(), b.core());
     // Seen from a point of the two, in units of their extent: neither the distance from the origin
@@ -105,7 +105,7 @@ fn relate_all<S: Scalar, A: Convex<S>, B: Convex<S>>(a: A, b: B) -> Relation<S> 
 }
 
 /// The nearest points of two cores that do not overlap.
-#[inline(always)]
+#[cfg_attr(not(debug_assertions), inline(always))]
 fn nearest<S: Scalar, A: Core<S>, B: Core<S>>(a: A, b: B) -> Best<S, Nearest<S>> {
     // A point is nothing but a corner: the other core's edges have seen it.
     if A::DIMENSION == 0 && B::DIMENSION > 0 {
@@ -121,7 +121,7 @@ fn nearest<S: Scalar, A: Core<S>, B: Core<S>>(a: A, b: B) -> Best<S, Nearest<S>>
 /// The face that parts two cores best; `None` where neither their overlap nor their difference has an
 /// area. The faces of the set of all differences of two convex sets are those of the one and those
 /// of the other.
-#[inline(always)]
+#[cfg_attr(not(debug_assertions), inline(always))]
 fn deepest<S: Scalar, A: Core<S>, B: Core<S>>(a: A, b: B) -> Option<Best<S, Deepest<S>>> {
     if A::DIMENSION + B::DIMENSION < 2 {
         return None;

@@ -11,11 +11,11 @@ pub trait Carry<S: Scalar>: Copy {
 }
 
 impl<S: Scalar> Carry<S> for S {
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn join(self, other: S, keep: S::Mask, tie: S::Mask) -> S {
         S::select(tie, self + other, S::select(keep, self, other))
     }
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn times(self, factor: S) -> S {
         self * factor
     }
@@ -35,7 +35,7 @@ pub struct Best<S, C> {
 
 impl<S: Scalar, C: Carry<S>> Best<S, C> {
     /// One candidate.
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     pub fn of(value: S, carried: C) -> Self {
         Best {
             value,
@@ -45,19 +45,19 @@ impl<S: Scalar, C: Carry<S>> Best<S, C> {
     }
     /// The smaller of two; all of both where they are equal.
     #[must_use]
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     pub fn less(self, other: Self) -> Self {
         let keep = self.value.below(other.value);
         self.join(other, keep)
     }
     /// The larger of two; all of both where they are equal.
     #[must_use]
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     pub fn most(self, other: Self) -> Self {
         let keep = other.value.below(self.value);
         self.join(other, keep)
     }
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn join(self, other: Self, keep: S::Mask) -> Self {
         let tie = self.value.equals(other.value);
         Best {
@@ -67,21 +67,21 @@ impl<S: Scalar, C: Carry<S>> Best<S, C> {
         }
     }
     /// The smallest of at least one.
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     pub fn least(candidates: impl Iterator<Item = Self>) -> Self {
         candidates
             .reduce(Self::less)
             .expect("a core has at least one corner")
     }
     /// The largest of at least one.
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     pub fn most_of(candidates: impl Iterator<Item = Self>) -> Self {
         candidates
             .reduce(Self::most)
             .expect("a core has at least one face")
     }
     /// What the best ones carry, on average.
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     pub fn mean(self) -> C {
         self.sum.times(S::one().over(self.count))
     }
@@ -125,13 +125,13 @@ pub struct Deepest<S> {
     pub beyond: S,
 }
 
-#[inline(always)]
+#[cfg_attr(not(debug_assertions), inline(always))]
 fn join<S: Scalar>(a: Vec2<S>, b: Vec2<S>, keep: S::Mask, tie: S::Mask) -> Vec2<S> {
     Vec2::new(a.x.join(b.x, keep, tie), a.y.join(b.y, keep, tie))
 }
 
 impl<S: Scalar> Carry<S> for Nearest<S> {
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn join(self, other: Self, keep: S::Mask, tie: S::Mask) -> Self {
         Nearest {
             apart: join(self.apart, other.apart, keep, tie),
@@ -139,7 +139,7 @@ impl<S: Scalar> Carry<S> for Nearest<S> {
             on_b: join(self.on_b, other.on_b, keep, tie),
         }
     }
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn times(self, factor: S) -> Self {
         Nearest {
             apart: self.apart * factor,
@@ -150,14 +150,14 @@ impl<S: Scalar> Carry<S> for Nearest<S> {
 }
 
 impl<S: Scalar> Carry<S> for Ahead<S> {
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn join(self, other: Self, keep: S::Mask, tie: S::Mask) -> Self {
         Ahead {
             ahead: self.ahead.join(other.ahead, keep, tie),
             on_b: join(self.on_b, other.on_b, keep, tie),
         }
     }
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn times(self, factor: S) -> Self {
         Ahead {
             ahead: self.ahead * factor,
@@ -167,7 +167,7 @@ impl<S: Scalar> Carry<S> for Ahead<S> {
 }
 
 impl<S: Scalar> Carry<S> for Deepest<S> {
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn join(self, other: Self, keep: S::Mask, tie: S::Mask) -> Self {
         let first = keep | tie & self.beyond.at_most(other.beyond);
         Deepest {
@@ -178,7 +178,7 @@ impl<S: Scalar> Carry<S> for Deepest<S> {
             beyond: S::select(first, self.beyond, other.beyond),
         }
     }
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn times(self, factor: S) -> Self {
         Deepest {
             ahead: self.ahead * factor,
@@ -190,7 +190,7 @@ impl<S: Scalar> Carry<S> for Deepest<S> {
 impl<S: Scalar> Best<S, Nearest<S>> {
     /// With a and b exchanged.
     #[must_use]
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     pub fn flipped(mut self) -> Self {
         let Nearest { apart, on_a, on_b } = self.sum;
         self.sum = Nearest {
@@ -205,7 +205,7 @@ impl<S: Scalar> Best<S, Nearest<S>> {
 impl<S: Scalar> Best<S, Deepest<S>> {
     /// With a and b exchanged.
     #[must_use]
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     pub fn flipped(mut self) -> Self {
         self.sum = Deepest {
             ahead: self.sum.ahead,

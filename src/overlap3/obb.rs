@@ -22,10 +22,15 @@ use std::any::TypeId;
 /// turn is `½ τ × R` by the entries.
 #[inline(always)]
 fn volume<S: Scalar, const PIECES: bool>(pair: &Relative3<S>) -> S {
-    if TypeId::of::<S>() == TypeId::of::<S::Primal>() {
-        return shared_volume::<S, false, PIECES>(pair).volume;
+    // In one piece there are only plain vectors. Said as a constant: what follows is not compiled for them then.
+    if PIECES {
+        if TypeId::of::<S>() == TypeId::of::<S::Primal>() {
+            return shared_volume::<S, false, PIECES>(pair).volume;
+        }
+        volume_and_curvature(pair)
+    } else {
+        shared_volume::<S, false, PIECES>(pair).volume
     }
-    volume_and_curvature(pair)
 }
 
 /// The volume of numbers with derivatives.

@@ -48,35 +48,35 @@ impl<D: Tangent> Scalar for D {
     const PARALLEL: f64 = D::Inner::PARALLEL;
     const LARGEST: f64 = D::Inner::LARGEST;
 
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn lit(x: f64) -> Self {
         D::constant(D::Inner::lit(x))
     }
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn from_primal(x: Self::Primal) -> Self {
         D::constant(D::Inner::from_primal(x))
     }
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn primal(self) -> Self::Primal {
         self.value().primal()
     }
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn below(self, other: Self) -> Self::Mask {
         self.primal().below(other.primal())
     }
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn at_most(self, other: Self) -> Self::Mask {
         self.primal().at_most(other.primal())
     }
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn equals(self, other: Self) -> Self::Mask {
         self.primal().equals(other.primal())
     }
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn select(mask: Self::Mask, yes: Self, no: Self) -> Self {
         D::pick(mask, yes, no)
     }
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn over(self, divisor: Self) -> Self {
         // Scaling the divisor to about one keeps its square from over- or underflowing.
         let scale = Self::from_primal(Self::Primal::one().over(divisor.primal()));
@@ -86,7 +86,7 @@ impl<D: Tangent> Scalar for D {
         let (zero, one) = (D::Inner::zero(), D::Inner::one());
         quotient.chain([self.value().over(divisor.value()), one, zero, zero])
     }
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn root(self) -> Self {
         let x = self.value();
         let flat = self.at_most(Self::zero());
@@ -97,7 +97,7 @@ impl<D: Tangent> Scalar for D {
         let f3 = D::Inner::lit(-1.5) * f2.over(x);
         D::pick(flat, Self::zero(), self.chain([root, f1, f2, f3]))
     }
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn sin_cos(self) -> (Self, Self) {
         let (sin, cos) = self.value().sin_cos();
         (
@@ -105,7 +105,7 @@ impl<D: Tangent> Scalar for D {
             self.chain([cos, -sin, -cos, sin]),
         )
     }
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn sin_cos_parts(self) -> [(Self, Self); 2] {
         let [(sin_high, sin_low), (cos_high, cos_low)] = self.value().sin_cos_parts();
         let (sin, cos) = (sin_high + sin_low, cos_high + cos_low);
@@ -120,13 +120,13 @@ impl<D: Tangent> Scalar for D {
             ),
         ]
     }
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn parts(self) -> (Self, Self) {
         let (high, low) = self.value().parts();
         let (zero, one) = (D::Inner::zero(), D::Inner::one());
         (D::constant(high), self.chain([low, one, zero, zero]))
     }
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn atan2(self, x: Self) -> Self {
         let (y, zero, one) = (self, D::Inner::zero(), D::Inner::one());
         let large = x.primal().magnitude().most(y.primal().magnitude());
@@ -146,18 +146,18 @@ impl<D: Tangent> Scalar for D {
         let angle = slope.chain([y.value().atan2(x.value()), one, zero, D::Inner::lit(-2.0)]);
         D::pick(origin, Self::zero(), angle)
     }
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn exp(self) -> Self {
         self.chain([self.value().exp(); 4])
     }
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn ln(self) -> Self {
         let x = self.value();
         let f1 = D::Inner::one().over(x);
         let f2 = -(f1 * f1);
         self.chain([x.ln(), f1, f2, D::Inner::lit(-2.0) * f2 * f1])
     }
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn binade(self) -> Self {
         Self::from_primal(self.primal().binade())
     }
@@ -168,20 +168,20 @@ macro_rules! tangent {
     ($type:ident, [$($part:ident),*], |$x:ident, $f:ident| $chain:expr) => {
         impl<T: Scalar<Mask = bool> + DualNum> Tangent for $type<T> {
             type Inner = T;
-            #[inline(always)]
+            #[cfg_attr(not(debug_assertions), inline(always))]
             fn value(self) -> T {
                 self.re
             }
-            #[inline(always)]
+            #[cfg_attr(not(debug_assertions), inline(always))]
             fn constant(value: T) -> Self {
                 Self::from_re(value)
             }
-            #[inline(always)]
+            #[cfg_attr(not(debug_assertions), inline(always))]
             fn chain(self, $f: [T; 4]) -> Self {
                 let $x = self;
                 $chain
             }
-            #[inline(always)]
+            #[cfg_attr(not(debug_assertions), inline(always))]
             fn pick(mask: bool, yes: Self, no: Self) -> Self {
                 if mask { yes } else { no }
             }

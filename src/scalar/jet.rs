@@ -26,19 +26,19 @@ pub struct Jet<T, const N: usize> {
 
 impl<T: Scalar, const N: usize> Jet<T, N> {
     /// The independent variable of direction `i`; a constant when `i` is `N` or more.
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     pub fn variable(value: T, i: usize) -> Self {
         let slope = from_fn(|k| if k == i { T::one() } else { T::zero() });
         Jet { value, slope }
     }
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn parts(self, value: T, f: impl Fn(T) -> T) -> Self {
         Jet {
             value,
             slope: from_fn(|k| f(self.slope[k])),
         }
     }
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn join(self, other: Self, value: T, f: impl Fn(T, T) -> T) -> Self {
         Jet {
             value,
@@ -49,14 +49,14 @@ impl<T: Scalar, const N: usize> Jet<T, N> {
 
 impl<T: Scalar, const N: usize> Add for Jet<T, N> {
     type Output = Self;
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn add(self, other: Self) -> Self {
         self.join(other, self.value + other.value, |a, b| a + b)
     }
 }
 impl<T: Scalar, const N: usize> Sub for Jet<T, N> {
     type Output = Self;
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn sub(self, other: Self) -> Self {
         self.join(other, self.value - other.value, |a, b| a - b)
     }
@@ -65,7 +65,7 @@ impl<T: Scalar, const N: usize> Mul for Jet<T, N> {
     type Output = Self;
     // The product rule is a sum.
     #[expect(clippy::suspicious_arithmetic_impl)]
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn mul(self, other: Self) -> Self {
         let (x, y) = (self.value, other.value);
         self.join(other, x * y, |a, b| a * y + b * x)
@@ -73,7 +73,7 @@ impl<T: Scalar, const N: usize> Mul for Jet<T, N> {
 }
 impl<T: Scalar, const N: usize> Div for Jet<T, N> {
     type Output = Self;
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn div(self, other: Self) -> Self {
         let quotient = self.value.over(other.value);
         let inverse = T::one().over(other.value);
@@ -82,25 +82,25 @@ impl<T: Scalar, const N: usize> Div for Jet<T, N> {
 }
 impl<T: Scalar, const N: usize> Neg for Jet<T, N> {
     type Output = Self;
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn neg(self) -> Self {
         self.parts(-self.value, |a| -a)
     }
 }
 impl<T: Scalar, const N: usize> AddAssign for Jet<T, N> {
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn add_assign(&mut self, other: Self) {
         *self = *self + other;
     }
 }
 impl<T: Scalar, const N: usize> SubAssign for Jet<T, N> {
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn sub_assign(&mut self, other: Self) {
         *self = *self - other;
     }
 }
 impl<T: Scalar, const N: usize> MulAssign for Jet<T, N> {
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn mul_assign(&mut self, other: Self) {
         *self = *self * other;
     }
@@ -108,22 +108,22 @@ impl<T: Scalar, const N: usize> MulAssign for Jet<T, N> {
 
 impl<T: Scalar, const N: usize> Tangent for Jet<T, N> {
     type Inner = T;
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn value(self) -> T {
         self.value
     }
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn constant(value: T) -> Self {
         Jet {
             value,
             slope: [T::zero(); N],
         }
     }
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn chain(self, f: [T; 4]) -> Self {
         self.parts(f[0], |a| a * f[1])
     }
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn pick(mask: T::Mask, yes: Self, no: Self) -> Self {
         yes.join(no, T::select(mask, yes.value, no.value), |a, b| {
             T::select(mask, a, b)

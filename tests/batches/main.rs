@@ -2,6 +2,7 @@
 mod bits;
 mod calls;
 mod fold;
+#[cfg(feature = "fuzzers")]
 mod fuzz;
 mod polygon;
 mod program;

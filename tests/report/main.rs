@@ -3,7 +3,8 @@
 //! `cargo run --release --example gradient_report`; `-- --help` has the options.
 use geograd::ad::check::{Plan, Report, SEED};
 use geograd::kernels::gpu::Gpu;
-use geograd_tests::list::{self, Fuzzer, Proof};
+use geograd_tests::fuzzers::{self, Fuzzer};
+use geograd_tests::list::{self, Proof};
 use indicatif::{ProgressBar, ProgressStyle};
 use std::process::ExitCode;
 
@@ -85,7 +86,7 @@ fn options() -> Result<Option<Options>, String> {
 
 /// Fuzzes every chosen operation and prints a line of each.
 fn fuzz_all(options: &Options, count: u64) -> ExitCode {
-    let jobs: Vec<Fuzzer> = list::fuzzers()
+    let jobs: Vec<Fuzzer> = fuzzers::fuzzers()
         .into_iter()
         .filter(|(name, wide, _)| options.wants(name, *wide))
         .collect();

@@ -207,11 +207,12 @@ fn slopes_at_kinks_are_finite_and_shared_evenly_between_mirror_images() {
         }
         let (x, y) = variables(i, &a, j, &b);
         let context = || format!("{:?}\n{:?}", build(i, &a), build(j, &b));
+        let (signed, distance) = (x.signed(y), x.distance(y));
         let closest = x.closest(y);
         let penetration = x.penetration(y);
         for number in [
-            x.signed(y),
-            x.distance(y),
+            signed,
+            distance,
             x.squared(y),
             x.farthest(y),
             closest.on_a.x,
@@ -229,12 +230,10 @@ fn slopes_at_kinks_are_finite_and_shared_evenly_between_mirror_images() {
                 context()
             );
         }
-        let distance = x.distance(y);
         if distance.value == 0.0 {
             assert_eq!(distance.slope, [0.0; 2 * MOST], "{}", context());
         }
         // A shift of both changes nothing, and a shift of one by less than itself.
-        let signed = x.signed(y);
         let shift = |kind: usize, first: usize, axis: usize| -> f64 {
             let places: &[usize] = match kind {
                 0 | 1 | 2 | 6 | 7 => &[0],
