@@ -61,18 +61,24 @@ fn score_vjp<S: Scalar>(over: Denominator, a: Aabb3<S>, b: Aabb3<S>, out_bar: S)
         half: [half, half_a, half_b],
         volumes,
         apart,
+        same,
         scale,
     } = share3(a, b);
     let value = score(over, volumes[0], volumes[1], volumes[2], scale);
     let slopes = score_slopes(over, value, volumes, out_bar);
-    let shared_bar = S::select(apart, zero, slopes.inter);
+    // Of identical boxes the union is as flat as can be, by symmetry.
+    let flat = match over {
+        Denominator::Union => apart | same,
+        Denominator::None | Denominator::First => apart,
+    };
+    let shared_bar = S::select(flat, zero, slopes.inter);
+    let falling = S::select(flat, zero, slopes.falling);
     // A volume is eight times the product of the halves; a bound moves a half by half as much.
     let four = S::lit(4.0);
     let (max, min) = (parts(a.max, b.max), parts(b.min, a.min));
-    // Shared first: what is no number of the format may be one then.
-    let shared = |part: Vec3<S>| saturated(times(faces(half), part) * (four * shared_bar));
-    let own_a = saturated(faces(half_a) * (four * slopes.own[0])) * slopes.falling;
-    let own_b = saturated(faces(half_b) * (four * slopes.own[1])) * slopes.falling;
+    let shared = saturated(faces(half) * (four * shared_bar));
+    let own_a = saturated(faces(half_a) * (four * slopes.own[0])) * falling;
+    let own_b = saturated(faces(half_b) * (four * slopes.own[1])) * falling;
     // Of a volume by one length, which leaves two; of a ratio.
     let units = match over {
         Denominator::None => {
@@ -86,12 +92,12 @@ fn score_vjp<S: Scalar>(over: Denominator, a: Aabb3<S>, b: Aabb3<S>, out_bar: S)
         value,
         (
             Aabb3 {
-                min: outer(-(shared(min) + own_a), units),
-                max: outer(shared(max) + own_a, units),
+                min: outer(-(times(shared, min) + own_a), units),
+                max: outer(times(shared, max) + own_a, units),
             },
             Aabb3 {
-                min: outer(-(shared(rest(min)) + own_b), units),
-                max: outer(shared(rest(max)) + own_b, units),
+                min: outer(-(times(shared, rest(min)) + own_b), units),
+                max: outer(times(shared, rest(max)) + own_b, units),
             },
         ),
     )

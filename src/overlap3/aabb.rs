@@ -14,6 +14,8 @@ pub(crate) struct SharedBounds<S: Scalar> {
     pub volumes: [S; 3],
     /// Where the boxes are apart or merely touch.
     pub apart: S::Mask,
+    /// Where both are the same box.
+    pub same: S::Mask,
     /// The power of two by which sizes were multiplied.
     pub scale: S,
 }
@@ -34,19 +36,25 @@ pub(crate) fn share3<S: Scalar>(a: Aabb3<S>, b: Aabb3<S>) -> SharedBounds<S> {
     let half = [half * scale, half_a * scale, half_b * scale];
     let volume = |half: Vec3<S>| volume_from_half([half.x, half.y, half.z]);
     let shared = S::select(apart, S::zero(), volume(half[0]));
+    let same = (a.min.x.equals(b.min.x) & a.min.y.equals(b.min.y) & a.min.z.equals(b.min.z))
+        & (a.max.x.equals(b.max.x) & a.max.y.equals(b.max.y) & a.max.z.equals(b.max.z));
     SharedBounds {
         half,
         volumes: [shared, volume(half[1]), volume(half[2])],
         apart,
+        same,
         scale,
     }
 }
 
 fn score_aabb3<S: Scalar>(over: Denominator, a: Aabb3<S>, b: Aabb3<S>) -> S {
-    let SharedBounds { volumes, scale, .. } = share3(a, b);
+    let SharedBounds {
+        volumes,
+        same,
+        scale,
+        ..
+    } = share3(a, b);
     let value = score(over, volumes[0], volumes[1], volumes[2], scale);
-    let same = (a.min.x.equals(b.min.x) & a.min.y.equals(b.min.y) & a.min.z.equals(b.min.z))
-        & (a.max.x.equals(b.max.x) & a.max.y.equals(b.max.y) & a.max.z.equals(b.max.z));
     let constant = S::from_primal(value.primal());
     match over {
         Denominator::Union => S::select(same, constant, value).canonical(),
