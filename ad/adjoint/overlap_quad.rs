@@ -110,11 +110,12 @@ fn slopes<S: Scalar>(pair: &QuadPair<S>) -> Quads<S> {
 /// A slope times factors one after another, of which `EXTREME` ones leave no more than the largest number.
 #[inline(always)]
 fn outer<S: Scalar, const EXTREME: bool>(x: S, [bar, unit, steep]: [S; 3]) -> S {
-    if EXTREME {
+    let x = if EXTREME {
         (((x * bar).saturated() * unit).saturated() * steep).saturated()
     } else {
         (x * bar) * unit
-    }
+    };
+    x.canonical()
 }
 
 /// The area that two quadrilaterals share, and `out_bar` times its slopes. `EXTREME` says whether coordinates and

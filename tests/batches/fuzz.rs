@@ -3,7 +3,7 @@ use geograd::kernels::fuzz::{self, Drawn, Fuzzed, Promise};
 use geograd::kernels::op::{Jumps, Op, Slopes};
 use geograd::kernels::real::Real;
 use geograd::kernels::{Cpu, GiouObb2, IntersectionAreaQuads, IouAabb3, IouObb2, IouObb3, Single};
-use geograd::{Obb2, Pack, Scalar};
+use geograd::{Fixed, Obb2, Pack, Scalar};
 
 macro_rules! fuzzes {
     (pairs { $($pair:ident: $pair_op:ty,)* } rings { $($ring:ident: $ring_op:ty,)* }
