@@ -103,6 +103,16 @@ pub fn in_outer_unit<S: Scalar>(over: Denominator, value: S, scale: S) -> S {
     }
 }
 
+/// An upstream slope of at most about one, and the power of two that its results are to be multiplied
+/// by: boxes of extreme sizes have slopes that bear no larger one.
+#[inline(always)]
+pub(crate) fn tamed<S: Scalar>(out_bar: S) -> (S, S) {
+    let size = out_bar.unsigned();
+    let one = S::one();
+    let unit = S::select(size.above(one), size, one).binade().halved();
+    (out_bar * unit, one.over(unit))
+}
+
 /// A score of two rotated boxes with their trigonometry done.
 #[inline(always)]
 pub fn score_framed<S: Scalar, const EXTREME: bool>(

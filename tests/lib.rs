@@ -9,8 +9,7 @@ pub mod fuzzers;
 #[cfg(feature = "list")]
 pub mod list;
 
-/// Scores of two shapes that are fuzzed beside the list's pairs. Boxes of any turn, axis-aligned ones in space, GIoU
-/// and quadrilaterals are not yet finite for numbers of any bits, so they are not here.
+/// Scores of two shapes that are fuzzed beside the list's pairs.
 ///
 /// `more_fuzzed!(with)` calls the macro `with!` with names and types.
 #[macro_export]
@@ -18,6 +17,10 @@ macro_rules! more_fuzzed {
     ($with:ident) => {
         $with! {
             iou_yaw: geograd::kernels::IouYaw,
+            iou_aabb3: geograd::kernels::IouAabb3,
+            iou_obb3: geograd::kernels::IouObb3,
+            giou_obb2: geograd::kernels::GiouObb2,
+            intersection_area_quads: geograd::kernels::IntersectionAreaQuads,
         }
     };
 }

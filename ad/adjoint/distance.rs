@@ -47,6 +47,17 @@ pub fn distance_point_segment_vjp<S: Scalar>(
 /// The [distance](crate::distance::distance()) of two segments and its adjoint: the distance, and `out_bar`
 /// times its slopes with respect to both. Zero where they meet. Where several ends are equally near, as those of
 /// parallel segments, they share the slope equally.
+///
+/// ```
+/// use geograd::{Segment2, Vec2, ad::adjoint::distance::distance_segments_vjp};
+/// let a = Segment2::new(Vec2::new(0.0, 0.0), Vec2::new(4.0, 0.0));
+/// let b = Segment2::new(Vec2::new(1.0, 3.0), Vec2::new(2.0, 9.0));
+/// // The start of b is nearest, three above a quarter of the way along a.
+/// let (distance, (a_bar, b_bar)) = distance_segments_vjp(a, b, 1.0);
+/// assert_eq!(distance, 3.0);
+/// assert_eq!((a_bar.from.y, a_bar.to.y), (-0.75, -0.25));
+/// assert_eq!((b_bar.from.y, b_bar.to.y), (1.0, 0.0));
+/// ```
 #[must_use]
 #[inline]
 pub fn distance_segments_vjp<S: Scalar>(

@@ -8,10 +8,12 @@
 //!
 //! The intersection's slopes are those of [`ad::adjoint::clip`](crate::ad::adjoint::clip). The hull's area is half a sum of
 //! cross products of corners with constant weights (see [`iou`](crate::iou)), so with `t` the weight of a
-//! gap between a corner `A` of a and `B` of b, `Ā += t (B_y, −B_x)` and `B̄ += t (−A_y, A_x)`, likewise for
-//! the sides of b. From the corners slopes go to the boxes: the sum of all `B̄` is the centre's, that of
-//! `B̄ · (B − centre)⊥` the turn's, and the halves of the sizes take the parts along their axes.
+//! gap between a corner `A` of a and `B` of b, `Ā += t (B_y, −B_x)` and `B̄ += t (−A_y, A_x)`. With `B` seen from
+//! b's centre `c`, all of `c` is in one product `c × X` with a sum X of corners, whose slope by `c` is
+//! `(X_y, −X_x)` and by X `(−c_y, c_x)`. From the corners slopes go to the boxes: the sum of `B × B̄` is the turn's,
+//! and the halves of the sizes take the parts along their axes.
 use crate::ad::adjoint::clip::{Slopes, clipped_area_slopes};
+use crate::ad::adjoint::overlap::tamed;
 use crate::clip::{
     Framed, Relative, clip, clipped_area, frame, nothing_shared, relate, related_area,
 };
@@ -38,10 +40,11 @@ fn per<S: Scalar>(x: S) -> S {
     let empty = x.at_most(S::lit(S::EMPTY));
     S::select(empty, zero, one.over(S::select(empty, one, x)))
 }
-/// A term no larger than the largest number, so that two of opposite sign leave one.
+/// A term so far below the largest number that a sum of some of them is one.
 #[inline(always)]
 fn bounded<S: Scalar, const EXTREME: bool>(x: S) -> S {
-    if EXTREME { x.saturated() } else { x }
+    let most = S::lit(S::LARGEST / 16.0);
+    if EXTREME { x.clamp(-most, most) } else { x }
 }
 
 /// What slopes of both areas are multiplied by, and a box's own area.
@@ -82,23 +85,35 @@ impl<S: Scalar> Bars<S> {
     }
 }
 
+/// A slope no larger than the largest number, times what was taken from the upstream slope.
+#[inline(always)]
+fn outer<S: Scalar, const EXTREME: bool>(x: S, steep: S) -> S {
+    if EXTREME {
+        (x.saturated() * steep).saturated().canonical()
+    } else {
+        x.canonical()
+    }
+}
+
 /// A box's slopes in the caller's unit.
 #[inline(always)]
 fn finished<S: Scalar, const EXTREME: bool>(
     center: Vec2<S>,
     size: Vec2<S>,
     heading: S,
-    scale: S,
+    [scale, steep]: [S; 2],
 ) -> Obb2<S> {
     let size = size * scale;
     Obb2 {
         center: Vec2::new(
-            bounded::<S, EXTREME>(center.x),
-            bounded::<S, EXTREME>(center.y),
-        )
-        .canonical(),
-        size: Vec2::new(bounded::<S, EXTREME>(size.x), bounded::<S, EXTREME>(size.y)).canonical(),
-        heading: bounded::<S, EXTREME>(heading).canonical(),
+            outer::<S, EXTREME>(center.x, steep),
+            outer::<S, EXTREME>(center.y, steep),
+        ),
+        size: Vec2::new(
+            outer::<S, EXTREME>(size.x, steep),
+            outer::<S, EXTREME>(size.y, steep),
+        ),
+        heading: outer::<S, EXTREME>(heading, steep),
     }
 }
 
@@ -108,26 +123,28 @@ fn finished<S: Scalar, const EXTREME: bool>(
 pub fn hull_slopes<S: Scalar>(pair: &Relative<S>, hull: &HullOfBoxes<S>) -> Slopes<S> {
     let one = S::one();
     let (a, b) = (&hull.corners_a, &hull.corners_b);
+    let (to_center, from_center) = (right(hull.center), left(hull.center));
     let (mut a_bar, mut b_bar) = ([Vec2::zero(); 4], [Vec2::zero(); 4]);
-    let mut sides_a = S::zero();
+    let (mut sides_a, mut sides_b) = (S::zero(), S::zero());
     let mut k = 0;
     while k < 4 {
         let (before, next) = ((k + 3) % 4, (k + 1) % 4);
         let (at_a, at_b, at_next) = (hull.by_a[k], hull.by_b[k], hull.by_a[next]);
         sides_a += at_a;
-        let (early, late, own) = (at_a - at_b, at_b - at_next, one - at_b);
-        a_bar[k] += left(b[before]) * early + left(b[k]) * late;
-        b_bar[before] += right(a[k]) * early + left(b[k]) * own;
-        b_bar[k] += right(a[k]) * late + right(b[before]) * own;
+        sides_b += one - at_b;
+        let (early, late) = (at_a - at_b, at_b - at_next);
+        a_bar[k] += from_center * (at_a - at_next) + (left(b[before]) * early + left(b[k]) * late);
+        b_bar[before] += right(a[k]) * early;
+        b_bar[k] += to_center * (hull.by_b[next] - at_b) + right(a[k]) * late;
         k += 1;
     }
     let (cos, sin) = (hull.turn.x, hull.turn.y);
     let signs = [(one, one), (-one, one), (-one, -one), (one, -one)];
     let (mut half_a, mut half_b) = (
         Vec2::new(hull.half_a.y, hull.half_a.x) * (sides_a + sides_a),
-        Vec2::zero(),
+        Vec2::new(hull.half_b.y, hull.half_b.x) * (sides_b + sides_b),
     );
-    let (mut center, mut heading) = (Vec2::zero(), S::zero());
+    let (center, mut heading) = (left(hull.across()), S::zero());
     k = 0;
     while k < 4 {
         let (x, y) = signs[k];
@@ -137,8 +154,7 @@ pub fn hull_slopes<S: Scalar>(pair: &Relative<S>, hull: &HullOfBoxes<S>) -> Slop
             (bar.x * cos + bar.y * sin) * x,
             (bar.y * cos - bar.x * sin) * y,
         );
-        center += bar;
-        heading += (b[k] - hull.center).perp_dot(bar);
+        heading += b[k].perp_dot(bar);
         k += 1;
     }
     Slopes {
@@ -164,6 +180,11 @@ pub fn giou_framed_vjp<S: Scalar, const EXTREME: bool>(
 ) -> (S, (Obb2<S>, Obb2<S>)) {
     let (zero, one) = (S::zero(), S::one());
     let scale = if EXTREME { hull_scale(&a, &b) } else { one };
+    let (out_bar, steep) = if EXTREME {
+        tamed(out_bar)
+    } else {
+        (out_bar, one)
+    };
     let pair = relate::<S, EXTREME>(a, b, scale);
     let clip = clip(pair);
     let area = clipped_area(&clip);
@@ -205,8 +226,8 @@ pub fn giou_framed_vjp<S: Scalar, const EXTREME: bool>(
     (
         value,
         (
-            finished::<S, EXTREME>(-center_bar, size_a, -turn_bar, scale),
-            finished::<S, EXTREME>(center_bar, size_b, heading_bar, scale),
+            finished::<S, EXTREME>(-center_bar, size_a, -turn_bar, [scale, steep]),
+            finished::<S, EXTREME>(center_bar, size_b, heading_bar, [scale, steep]),
         ),
     )
 }

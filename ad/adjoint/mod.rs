@@ -1,5 +1,6 @@
 //! Adjoints by hand: the hot paths.
 pub mod boolean;
+pub mod bounds3;
 pub mod clip;
 pub mod clipping;
 pub mod distance;

@@ -6,20 +6,21 @@ use crate::ad::adjoint::clip::clipped_area_slopes;
 use crate::clip::{
     Framed, clip, clipped_area, frame, nothing_shared, relate, related_area, size_scale,
 };
+pub(crate) use crate::overlap::tamed;
 use crate::overlap::{
     Denominator, Shared, area_from_half, area_of_shared, in_outer_unit, score_of, share,
 };
 use crate::{Aabb2, Mask, Obb2, Scalar, Vec2};
 
-/// The slopes of a score with respect to the areas it is made of.
-struct AreaSlopes<S> {
+/// The slopes of a score with respect to the areas (in space: volumes) it is made of.
+pub(crate) struct AreaSlopes<S> {
     /// By the area of intersection.
-    inter: S,
+    pub inter: S,
     /// By the areas of both boxes, but for `falling`.
-    own: [S; 2],
+    pub own: [S; 2],
     /// What those are to be multiplied by at last: it may be so small that nothing would be left of
     /// them before.
-    falling: S,
+    pub falling: S,
 }
 
 /// `out_bar` times the slopes of a score with respect to the areas it is made of.
@@ -27,7 +28,7 @@ struct AreaSlopes<S> {
 /// `I / U` with `U = A + B − I`: `∂I = (1 + I/U) / U`, `∂A = ∂B = −(I/U) / U`.
 /// `I / A`: `∂I = 1/A`, `∂A = −(I/A) / A`. Zero where the denominator is.
 #[inline(always)]
-fn score_slopes<S: Scalar>(
+pub(crate) fn score_slopes<S: Scalar>(
     over: Denominator,
     value: S,
     [inter, area_a, area_b]: [S; 3],
@@ -69,16 +70,6 @@ pub(crate) fn reciprocal_or_zero<S: Scalar>(x: S) -> S {
         S::zero(),
         S::one().over(S::select(empty, S::one(), x)),
     )
-}
-
-/// An upstream slope of at most about one, and the power of two that its results are to be multiplied
-/// by: boxes of extreme sizes have slopes that bear no larger one.
-#[inline(always)]
-pub(crate) fn tamed<S: Scalar>(out_bar: S) -> (S, S) {
-    let size = out_bar.unsigned();
-    let one = S::one();
-    let unit = S::select(size.above(one), size, one).binade().halved();
-    (out_bar * unit, one.over(unit))
 }
 
 /// Slopes of a score with respect to both boxes.
@@ -316,7 +307,7 @@ fn own_bound_bar<S: Scalar>(half: Vec2<S>, own: S) -> Vec2<S> {
 
 /// The part of a bound's slope that the first of two bounds takes when the smaller one decides.
 #[inline(always)]
-fn part_taken<S: Scalar>(mine: S, other: S) -> S {
+pub(crate) fn part_taken<S: Scalar>(mine: S, other: S) -> S {
     let won = S::select(mine.below(other), S::one(), S::zero());
     S::select(mine.equals(other), S::lit(0.5), won)
 }

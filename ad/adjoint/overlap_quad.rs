@@ -16,7 +16,8 @@
 //! made, and none is differentiated, so nearly parallel sides are harmless.
 //!
 //! Sides that lie along each other count half each.
-use crate::overlap_polygon::QuadPair;
+use crate::ad::adjoint::overlap::tamed;
+use crate::overlap_polygon::{QuadPair, TINY, choose_quad};
 use crate::{Scalar, Vec2};
 
 /// Two quadrilaterals, or a cotangent of each.
@@ -54,7 +55,7 @@ fn slopes<S: Scalar>(pair: &QuadPair<S>) -> Quads<S> {
     let (zero, one, half) = (S::zero(), S::one(), S::lit(0.5));
     // Two sides whose product is no larger count as parallel; its reciprocal is finite, times any fraction of
     // a side that is not parallel.
-    let tiny = S::lit(1e6 * S::EMPTY);
+    let tiny = S::lit(TINY * S::EMPTY);
     let whole = Part {
         from: zero,
         to: one,
@@ -106,8 +107,60 @@ fn slopes<S: Scalar>(pair: &QuadPair<S>) -> Quads<S> {
     (a_bar, b_bar)
 }
 
+/// A slope times factors one after another, of which `EXTREME` ones leave no more than the largest number.
+#[inline(always)]
+fn outer<S: Scalar, const EXTREME: bool>(x: S, [bar, unit, steep]: [S; 3]) -> S {
+    let x = if EXTREME {
+        (((x * bar).saturated() * unit).saturated() * steep).saturated()
+    } else {
+        (x * bar) * unit
+    };
+    x.canonical()
+}
+
+/// The area that two quadrilaterals share, and `out_bar` times its slopes. `EXTREME` says whether coordinates and
+/// `out_bar` may be so large that products overflow; the bits are the same for ordinary ones.
+#[inline(always)]
+pub(crate) fn area_of_quads_vjp<S: Scalar, const EXTREME: bool>(
+    a: [Vec2<S>; 4],
+    b: [Vec2<S>; 4],
+    out_bar: S,
+) -> (S, Quads<S>) {
+    let zero = S::zero();
+    let pair = QuadPair::new(a, b);
+    let area = pair.outer_area();
+    let (of_first, of_second) = slopes(&pair);
+    let (mut a_bar, mut b_bar) = (
+        choose_quad(pair.exchanged, of_second, of_first),
+        choose_quad(pair.exchanged, of_first, of_second),
+    );
+    // Lengths were halved and scaled; what saturates has no slopes.
+    let nothing = pair.nothing | area.above(S::lit(S::LARGEST));
+    let out_bar = S::select(nothing, zero, out_bar);
+    let (out_bar, steep) = if EXTREME {
+        tamed(out_bar)
+    } else {
+        (out_bar, S::one())
+    };
+    let by = [out_bar + out_bar, S::one().over(pair.scale), steep];
+    let mut k = 0;
+    while k < 4 {
+        a_bar[k] = Vec2::new(
+            outer::<S, EXTREME>(a_bar[k].x, by),
+            outer::<S, EXTREME>(a_bar[k].y, by),
+        );
+        b_bar[k] = Vec2::new(
+            outer::<S, EXTREME>(b_bar[k].x, by),
+            outer::<S, EXTREME>(b_bar[k].y, by),
+        );
+        k += 1;
+    }
+    (area.saturated().canonical(), (a_bar, b_bar))
+}
+
 /// [`intersection_area_quads`](crate::overlap_polygon::intersection_area_quads) and its adjoint:
-/// the area, and `out_bar` times its slopes with respect to all corners. Derivation: see the
+/// the area, and `out_bar` times its slopes with respect to all corners. They are finite; those too steep
+/// for the format are its largest number. Derivation: see the
 /// [module](self).
 ///
 /// ```
@@ -126,18 +179,5 @@ pub fn intersection_area_quads_vjp<S: Scalar>(
     b: [Vec2<S>; 4],
     out_bar: S,
 ) -> (S, Quads<S>) {
-    let zero = S::zero();
-    let pair = QuadPair::new(a, b);
-    let area = pair.outer_area();
-    let (mut a_bar, mut b_bar) = slopes(&pair);
-    // Lengths were halved and scaled; what saturates has no slopes.
-    let nothing = pair.nothing | area.above(S::lit(S::LARGEST));
-    let unit = S::select(nothing, zero, (out_bar + out_bar).over(pair.scale));
-    let mut k = 0;
-    while k < 4 {
-        a_bar[k] = a_bar[k] * unit;
-        b_bar[k] = b_bar[k] * unit;
-        k += 1;
-    }
-    (area.saturated().canonical(), (a_bar, b_bar))
+    area_of_quads_vjp::<S, true>(a, b, out_bar)
 }

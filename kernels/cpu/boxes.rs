@@ -328,9 +328,9 @@ pub(crate) fn all_ordinary_obb2<T: Real, V: Vector<T>>(numbers: &[T]) -> bool {
 
 /// Sizes and places of shapes whose measures of the second and third power of a length, and slopes of
 /// those, stay far from over- and underflow in single precision.
-const COMMON_SMALL: f64 = 1e-5;
-const COMMON_LARGE: f64 = 1e6;
-const COMMON_FAR: f64 = 1e9;
+pub(crate) const COMMON_SMALL: f64 = 1e-5;
+pub(crate) const COMMON_LARGE: f64 = 1e6;
+pub(crate) const COMMON_FAR: f64 = 1e9;
 
 /// Whether every rotated box is valid, of a size from 10⁻⁵ to 10⁶ or zero, and no farther than 10⁹ from the
 /// origin.
@@ -347,7 +347,7 @@ pub(crate) fn all_common_obb2<T: Real, V: Vector<T>>(numbers: &[T]) -> bool {
 }
 
 /// Whether one number is zero or within limits; of a place or angle the magnitude.
-fn is_within<T: Real>(x: T, low: f64, high: f64) -> bool {
+pub(crate) fn is_within<T: Real>(x: T, low: f64, high: f64) -> bool {
     let x = x.unsigned();
     x == T::default() || (x >= T::lit(low) && x <= T::lit(high))
 }

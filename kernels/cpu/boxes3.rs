@@ -1,11 +1,13 @@
 //! Block kernels of the overlap of boxes of any orientation in space.
 //!
-//! Compiled in this library only, by the entries in `arch`. Unlike those of the plane they leave nothing
-//! out, so they serve boxes of any size, and shapes need no preparation.
+//! Compiled in this library only, by the entries in `arch`. Unlike those of the plane they scale every pair, so
+//! shapes need no preparation. Slopes of extreme boxes may overflow here: those take the scalar code.
 use crate::Fixed;
 use crate::kernels::cpu::arch::{LARGE, Vector};
-use crate::kernels::cpu::blocks::all_finite;
-use crate::kernels::cpu::boxes::{lanes_of, put, seed};
+use crate::kernels::cpu::blocks::all_within;
+use crate::kernels::cpu::boxes::{
+    COMMON_FAR, COMMON_LARGE, COMMON_SMALL, is_within, lanes_of, put, seed,
+};
 use crate::kernels::cpu::lane::{PLANE, Results, Tiles};
 use crate::kernels::real::Real;
 use crate::overlap::Denominator;
@@ -81,15 +83,38 @@ pub(crate) fn slopes<T: Real, V: Vector<T>>(
     }
 }
 
-/// Whether every box is valid: finite, of no negative size, with a quaternion that is not zero.
+/// Of quaternions that kernels serve no number is beyond the first limit, and the largest one is no smaller than
+/// the second.
+const LONG: f64 = 1e3;
+const SHORT: f64 = 1e-3;
+
+/// Whether a valid box is of common size and place, like those of [`all_common`].
+pub(crate) fn is_common_obb3<T: Real>(x: &[T]) -> bool {
+    let place = |x: &T| x.unsigned() <= T::lit(COMMON_FAR);
+    let size = |x: &T| is_within(*x, COMMON_SMALL, COMMON_LARGE);
+    let turn = |x: &T| x.unsigned() <= T::lit(LONG);
+    let sized = x[..3].iter().all(place) && x[3..6].iter().all(size);
+    sized && x[6..].iter().all(turn) && x[6..].iter().any(|x| x.unsigned() >= T::lit(SHORT))
+}
+
+/// Whether every box is valid, of a size from 10⁻⁵ to 10⁶ or zero, no farther than 10⁹ from the origin, with a
+/// quaternion that is neither very long nor very short.
 #[inline(always)]
-pub(crate) fn all_valid<T: Real, V: Vector<T>>(numbers: &[T]) -> bool {
+pub(crate) fn all_common<T: Real, V: Vector<T>>(numbers: &[T]) -> bool {
+    let (small, large, far) = (COMMON_SMALL, COMMON_LARGE, COMMON_FAR);
     let (items, _) = numbers.as_chunks::<OBB3>();
-    let none = T::default();
-    let valid = items.iter().fold(true, |all, x| {
-        let sized = none.at_most(x[3]) & none.at_most(x[4]) & none.at_most(x[5]);
-        let still = x[6].equals(none) & x[7].equals(none) & x[8].equals(none) & x[9].equals(none);
-        all & sized & !still
+    let short = T::lit(SHORT);
+    let turned = items.iter().fold(true, |all, x| {
+        let long = x[6].unsigned().at_least(short) | x[7].unsigned().at_least(short);
+        all & (long | x[8].unsigned().at_least(short) | x[9].unsigned().at_least(short))
     });
-    valid & all_finite::<T, V>(numbers)
+    turned
+        & all_within::<T, V, OBB3>(
+            numbers,
+            [
+                true, true, true, false, false, false, true, true, true, true,
+            ],
+            [0.0, 0.0, 0.0, small, small, small, 0.0, 0.0, 0.0, 0.0],
+            [far, far, far, large, large, large, LONG, LONG, LONG, LONG],
+        )
 }

@@ -1,16 +1,21 @@
 //! Block kernels of convex quadrilaterals.
 //!
 //! Compiled in this library only, by the entries in `arch`.
-use crate::ad::adjoint::overlap_quad::intersection_area_quads_vjp;
+use crate::ad::adjoint::overlap_quad::area_of_quads_vjp;
 use crate::kernels::cpu::arch::{LARGE, Vector};
 use crate::kernels::cpu::boxes::{lanes_of, put, seed};
 use crate::kernels::cpu::lane::{PLANE, Results, Tiles};
 use crate::kernels::real::Real;
 use crate::overlap_polygon::intersection_area_quads;
-use crate::{Fixed, Vec2};
+use crate::{Fixed, Scalar, Vec2};
 
 /// Numbers of a quadrilateral.
 pub(crate) const QUAD2: usize = 8;
+
+/// Coordinates beyond this take the scalar code: `10¹⁵` in single precision.
+pub(crate) fn farthest<T: Scalar>() -> f64 {
+    T::LARGEST.powf(0.39)
+}
 
 /// A part of a tile of quadrilaterals.
 #[inline(always)]
@@ -64,7 +69,7 @@ pub(crate) fn quad_slopes<T: Real, V: Vector<T>>(
             let (Some(a), Some(b)) = (quad::<T, V>(a, t, at), quad::<T, V>(b, t, at)) else {
                 return;
             };
-            let (value, bars) = intersection_area_quads_vjp(a, b, seed(seeds, t, at));
+            let (value, bars) = area_of_quads_vjp::<V, false>(a, b, seed(seeds, t, at));
             put([value], out, 0, at);
             let mut slopes = [V::zero(); 2 * QUAD2];
             bars.store(&mut slopes);

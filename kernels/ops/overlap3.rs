@@ -1,6 +1,7 @@
 //! The overlap of boxes of space as operations.
 //!
 //! Motions are those of the plane: boxes that turn about all axes promise nothing about turns.
+use crate::ad::adjoint::bounds3::{intersection_volume_aabb3_vjp, iof_aabb3_vjp, iou_aabb3_vjp};
 use crate::ad::adjoint::overlap::iou_obb2_vjp;
 use crate::ad::adjoint::upright::{intersection_volume_yaw_vjp, iof_yaw_vjp, iou_yaw_vjp};
 use crate::kernels::cpu::plan::Compiled;
@@ -32,21 +33,21 @@ operation! {
         (a: Aabb3<S>, b: Aabb3<S>) -> S { intersection_volume_aabb3(a, b) }
     promises [TranslationX Stays, TranslationY Stays, Scaling Power(3), Exchange Stays]
     jumps Never
-    slopes Reverse
+    slopes ByHand |(a, b), out_bar| { intersection_volume_aabb3_vjp(a, b, out_bar) }
     => compiled { Compiled::Aabb3 }
 
     /// [`iou_aabb3`].
     pub IouAabb3 = "iou_aabb3": (a: Aabb3<S>, b: Aabb3<S>) -> S { iou_aabb3(a, b) }
     promises [TranslationX Stays, TranslationY Stays, Scaling Stays, Exchange Stays]
     jumps FromZero
-    slopes Reverse
+    slopes ByHand |(a, b), out_bar| { iou_aabb3_vjp(a, b, out_bar) }
     => compiled { Compiled::Aabb3 }
 
     /// [`iof_aabb3`].
     pub IofAabb3 = "iof_aabb3": (a: Aabb3<S>, b: Aabb3<S>) -> S { iof_aabb3(a, b) }
     promises [TranslationX Stays, TranslationY Stays, Scaling Stays]
     jumps FromZero
-    slopes Reverse
+    slopes ByHand |(a, b), out_bar| { iof_aabb3_vjp(a, b, out_bar) }
     => compiled { Compiled::Aabb3 }
 
     /// [`intersection_volume_yaw`].

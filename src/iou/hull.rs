@@ -13,6 +13,9 @@
 //!
 //! with `w` before and `w′` behind the gap. That is eight comparisons; nothing is sorted or searched. At a
 //! tie both choices give the same area, so the sum is continuous; its slope there is the mean.
+//!
+//! Corners of b are its centre `c` and what they are away from it. All terms with `c` are one product `c × X`,
+//! so that of boxes very far apart no sizes are lost beside the distance.
 use crate::clip::{Framed, Relative, frame, relate, size_scale};
 use crate::{Aabb2, Obb2, Scalar, Vec2};
 
@@ -28,7 +31,7 @@ pub struct HullOfBoxes<S: Scalar> {
     pub center: Vec2<S>,
     /// a's corners, counter-clockwise from the upper right.
     pub corners_a: [Vec2<S>; 4],
-    /// b's corners, counter-clockwise from its own upper right.
+    /// b's corners as seen from its centre, counter-clockwise from its own upper right.
     pub corners_b: [Vec2<S>; 4],
     /// 1 where a reaches farther than b along its own right, upper, left, lower normal; else 0, or ½.
     pub by_a: [S; 4],
@@ -36,11 +39,13 @@ pub struct HullOfBoxes<S: Scalar> {
     pub by_b: [S; 4],
     /// Half the size of a.
     pub half_a: Vec2<S>,
+    /// Half the size of b.
+    pub half_b: Vec2<S>,
 }
 
 /// The power of two by which a pair of boxes is multiplied before their hull is measured: that of
-/// [`size_scale`], unless they are so far apart that the hull of boxes of that size, or its slopes, might
-/// overflow.
+/// [`size_scale`], unless one is so large, or they are so far apart, that the hull of boxes of that size, or
+/// its slopes, might overflow.
 #[inline(always)]
 pub(crate) fn hull_scale<S: Scalar>(a: &Framed<S>, b: &Framed<S>) -> S {
     let half = |a: S, b: S| b.primal().halved() - a.primal().halved();
@@ -51,6 +56,13 @@ pub(crate) fn hull_scale<S: Scalar>(a: &Framed<S>, b: &Framed<S>) -> S {
     // 2²⁰ units between the centres; but sizes stay above 2⁻⁸⁰.
     let by_way = S::from_primal((by_way * S::Primal::lit(1_048_576.0)).saturated());
     let by_size = size_scale(a.half, b.half);
+    // The larger box has at most 2⁵² units.
+    let larger = (a.half.x.most(a.half.y)).most(b.half.x.most(b.half.y));
+    let none = larger.at_most(S::zero());
+    let room = S::lit((1_u64 << 50) as f64);
+    let by_larger = S::select(none, S::one(), larger).binade();
+    let by_larger = S::select(none, by_size, (by_larger * room).saturated());
+    let by_size = S::select(by_larger.below(by_size), by_larger, by_size);
     let scale = S::select(by_way.below(by_size), by_way, by_size);
     let least = by_size * S::lit(1.0 / (1_u64 << 40) as f64) * S::lit(1.0 / (1_u64 << 40) as f64);
     let scale = S::select(scale.below(least), least, scale);
@@ -89,10 +101,10 @@ pub fn hull_of_related<S: Scalar>(pair: &Relative<S>) -> HullOfBoxes<S> {
             Vec2::new(a.x, -a.y),
         ],
         corners_b: [
-            Vec2::new(u + (px - qx), v + (py + qy)),
-            Vec2::new(u - (px + qx), v + (qy - py)),
-            Vec2::new(u - (px - qx), v - (py + qy)),
-            Vec2::new(u + (px + qx), v - (qy - py)),
+            Vec2::new(px - qx, py + qy),
+            Vec2::new(-(px + qx), qy - py),
+            Vec2::new(-(px - qx), -(py + qy)),
+            Vec2::new(px + qx, -(qy - py)),
         ],
         by_a: [
             larger(a.x, u + reach_b.x),
@@ -107,28 +119,45 @@ pub fn hull_of_related<S: Scalar>(pair: &Relative<S>) -> HullOfBoxes<S> {
             larger(reach_a.y, b.y - across),
         ],
         half_a: a,
+        half_b: b,
     }
 }
 
 impl<S: Scalar> HullOfBoxes<S> {
+    /// What the centre of b is multiplied with, crosswise, in twice the area: half of it, turned, is the slope
+    /// by that centre.
+    #[must_use]
+    #[inline(always)]
+    pub fn across(&self) -> Vec2<S> {
+        let (a, b) = (&self.corners_a, &self.corners_b);
+        let mut across = Vec2::zero();
+        let mut k = 0;
+        while k < 4 {
+            let (before, next) = ((k + 3) % 4, (k + 1) % 4);
+            across += (b[k] - b[before]) * (S::one() - self.by_b[k]);
+            across -= a[k] * (self.by_a[k] - self.by_a[next]);
+            k += 1;
+        }
+        across
+    }
     /// The hull's area, in units of the related pair.
     #[must_use]
     #[inline(always)]
     pub fn area(&self) -> S {
         let (a, b) = (&self.corners_a, &self.corners_b);
         let mut twice = S::zero();
-        let side_a = self.half_a.x * self.half_a.y;
-        let side_a = side_a + side_a;
+        let (side_a, side_b) = (self.half_a.x * self.half_a.y, self.half_b.x * self.half_b.y);
+        let (side_a, side_b) = (side_a + side_a, side_b + side_b);
         let mut k = 0;
         while k < 4 {
             let (before, next) = ((k + 3) % 4, (k + 1) % 4);
             let (at_a, at_b, at_next) = (self.by_a[k], self.by_b[k], self.by_a[next]);
-            twice += side_a * at_a + b[before].perp_dot(b[k]) * (S::one() - at_b);
+            twice += side_a * at_a + side_b * (S::one() - at_b);
             twice +=
                 a[k].perp_dot(b[before]) * (at_a - at_b) + a[k].perp_dot(b[k]) * (at_b - at_next);
             k += 1;
         }
-        twice.halved()
+        (twice + self.center.perp_dot(self.across())).halved()
     }
 }
 

@@ -5,7 +5,24 @@ use crate::overlap::Denominator;
 use crate::shape::Aabb3;
 use crate::{Scalar, Vec3};
 
-fn score_aabb3<S: Scalar>(over: Denominator, a: Aabb3<S>, b: Aabb3<S>) -> S {
+/// What two axis-aligned boxes share, all sizes halved and in units of `1 / scale`.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct SharedBounds<S: Scalar> {
+    /// Half the size of the shared part, of a and of b.
+    pub half: [Vec3<S>; 3],
+    /// The volume shared, that of a and that of b.
+    pub volumes: [S; 3],
+    /// Where the boxes are apart or merely touch.
+    pub apart: S::Mask,
+    /// Where both are the same box.
+    pub same: S::Mask,
+    /// The power of two by which sizes were multiplied.
+    pub scale: S,
+}
+
+/// Measures what two axis-aligned boxes share.
+#[inline(always)]
+pub(crate) fn share3<S: Scalar>(a: Aabb3<S>, b: Aabb3<S>) -> SharedBounds<S> {
     // Halving first keeps the difference of two huge bounds finite.
     let half_of = |shape: Aabb3<S>| {
         let half = S::lit(0.5);
@@ -16,12 +33,28 @@ fn score_aabb3<S: Scalar>(over: Denominator, a: Aabb3<S>, b: Aabb3<S>) -> S {
     let apart = (a.max.x.at_most(b.min.x) | b.max.x.at_most(a.min.x))
         | (a.max.y.at_most(b.min.y) | b.max.y.at_most(a.min.y))
         | (a.max.z.at_most(b.min.z) | b.max.z.at_most(a.min.z));
-    let volume = |half: Vec3<S>| volume_from_half([half.x * scale, half.y * scale, half.z * scale]);
-    let shared = S::select(apart, S::zero(), volume(half));
-    let (volume_a, volume_b) = (volume(half_a), volume(half_b));
-    let value = score(over, shared, volume_a, volume_b, scale);
+    let half = [half * scale, half_a * scale, half_b * scale];
+    let volume = |half: Vec3<S>| volume_from_half([half.x, half.y, half.z]);
+    let shared = S::select(apart, S::zero(), volume(half[0]));
     let same = (a.min.x.equals(b.min.x) & a.min.y.equals(b.min.y) & a.min.z.equals(b.min.z))
         & (a.max.x.equals(b.max.x) & a.max.y.equals(b.max.y) & a.max.z.equals(b.max.z));
+    SharedBounds {
+        half,
+        volumes: [shared, volume(half[1]), volume(half[2])],
+        apart,
+        same,
+        scale,
+    }
+}
+
+fn score_aabb3<S: Scalar>(over: Denominator, a: Aabb3<S>, b: Aabb3<S>) -> S {
+    let SharedBounds {
+        volumes,
+        same,
+        scale,
+        ..
+    } = share3(a, b);
+    let value = score(over, volumes[0], volumes[1], volumes[2], scale);
     let constant = S::from_primal(value.primal());
     match over {
         Denominator::Union => S::select(same, constant, value).canonical(),

@@ -3,8 +3,8 @@ use super::{
     intersection_volume_aabb3, intersection_volume_obb3, intersection_volume_yaw, iof_aabb3,
     iof_obb3, iof_yaw, iou_aabb3, iou_obb3, iou_obb3_vjp, iou_yaw,
 };
-use crate::Scalar;
-use crate::shape::{Aabb3, Obb3, YawBox3};
+use crate::shape::{Aabb3, Obb3, Rotation3, YawBox3};
+use crate::{Scalar, Vec3};
 
 /// Boxes that overlap another kind of box: every pair of [`Aabb3`], [`YawBox3`] and [`Obb3`]. The pair is
 /// measured as boxes of the more general kind.
@@ -67,15 +67,20 @@ overlaps! {
 /// z axis is the third of its body tangents.
 #[inline]
 fn upright<S: Scalar>(shape: YawBox3<S>, g: Obb3<S>) -> YawBox3<S> {
-    let turn = shape.rotation().tangent_gradient(g.rotation);
-    YawBox3::new(g.center, g.size, turn.z)
+    // Of an eighth, so that a sum of the largest numbers is one.
+    let q = g.rotation;
+    let eighth = S::lit(0.125);
+    let q = Rotation3::new(q.w * eighth, q.x * eighth, q.y * eighth, q.z * eighth);
+    let turn = shape.rotation().tangent_gradient(q);
+    YawBox3::new(g.center, g.size, (turn.z * S::lit(8.0)).saturated())
 }
 
 /// The gradient by bounds from that by the same box as one of any orientation.
 #[inline]
 fn bounds<S: Scalar>(g: Obb3<S>) -> Aabb3<S> {
     let half = g.center * S::lit(0.5);
-    Aabb3::new(half - g.size, half + g.size)
+    let held = |v: Vec3<S>| Vec3::new(v.x.saturated(), v.y.saturated(), v.z.saturated());
+    Aabb3::new(held(half - g.size), held(half + g.size))
 }
 
 /// Intersection over union of an upright box and one of any orientation, and `out_bar` times its slopes by

@@ -97,7 +97,7 @@ pub(super) fn related<S: Scalar>(a: Obb3<S>, b: Obb3<S>) -> Relative3<S> {
 
 /// A score as a function of its own, one for each kind of number however many callers.
 #[inline(never)]
-fn score_obb3<S: Scalar>(over: Denominator, a: Obb3<S>, b: Obb3<S>) -> S {
+pub(crate) fn score_obb3<S: Scalar>(over: Denominator, a: Obb3<S>, b: Obb3<S>) -> S {
     score_related::<S, true>(over, &related(a, b))
 }
 

@@ -1,8 +1,9 @@
 //! Slopes by hand of the overlap of boxes of any orientation.
 use super::obb::{far_apart, related, shared_within};
+use super::precise::to_about_half;
 use super::relate::{Relative3, relate3};
 use super::score;
-use crate::overlap::Denominator;
+use crate::overlap::{Denominator, tamed};
 use crate::shape::{Obb3, Rotation3};
 use crate::{Scalar, Vec3};
 
@@ -34,16 +35,16 @@ pub(crate) fn by_volumes<S: Scalar>(
 }
 
 /// Value of a score and `out_bar` times its slopes, one function for each kind of number.
-fn score_vjp<S: Scalar>(
+pub(crate) fn score_obb3_vjp<S: Scalar>(
     over: Denominator,
     a: Obb3<S>,
     b: Obb3<S>,
     out_bar: S,
 ) -> (S, (Obb3<S>, Obb3<S>)) {
-    score_related_vjp::<S, true>(over, &related(a, b), [a, b], out_bar)
+    score_related_vjp::<S, true, true>(over, &related(a, b), [a, b], out_bar)
 }
 
-/// The same in one piece, as code for vector instructions must be.
+/// The same in one piece, as code for vector instructions must be, for boxes of common size.
 #[inline(always)]
 pub(crate) fn score_obb3_vjp_here<S: Scalar>(
     over: Denominator,
@@ -51,7 +52,29 @@ pub(crate) fn score_obb3_vjp_here<S: Scalar>(
     b: Obb3<S>,
     out_bar: S,
 ) -> (S, (Obb3<S>, Obb3<S>)) {
-    score_related_vjp::<S, false>(over, &relate3(a, b), [a, b], out_bar)
+    score_related_vjp::<S, false, false>(over, &relate3(a, b), [a, b], out_bar)
+}
+
+/// A slope times factors, all but the first powers of two, one after another. `EXTREME` ones grow no farther than
+/// the largest number.
+#[inline(always)]
+fn times<S: Scalar, const EXTREME: bool>(x: S, by: [S; 4]) -> S {
+    let mut x = x;
+    for factor in by {
+        x = x * factor;
+        if EXTREME {
+            x = x.saturated();
+        }
+    }
+    x
+}
+#[inline(always)]
+fn times_each<S: Scalar, const EXTREME: bool>(v: Vec3<S>, by: [S; 4]) -> Vec3<S> {
+    Vec3::new(
+        times::<S, EXTREME>(v.x, by),
+        times::<S, EXTREME>(v.y, by),
+        times::<S, EXTREME>(v.z, by),
+    )
 }
 
 /// Value of a score and `out_bar` times its slopes.
@@ -59,8 +82,12 @@ pub(crate) fn score_obb3_vjp_here<S: Scalar>(
 /// The slopes of the volume come in a's frame: force F by the centre of b, torque τ by a turn of b about
 /// that centre. Moving b is moving a the other way; turning the pair about a's centre changes nothing, so
 /// the torque on a is `−(τ + c × F)`. Both torques are by body tangents; the quaternions' gradients follow.
+///
+/// `EXTREME` says whether sizes, quaternions and `out_bar` may be so small or large that products over- or
+/// underflow: slopes that are too steep for the format are its largest number, then. Ordinary boxes have the
+/// same bits either way.
 #[inline(always)]
-fn score_related_vjp<S: Scalar, const PIECES: bool>(
+fn score_related_vjp<S: Scalar, const EXTREME: bool, const PIECES: bool>(
     over: Denominator,
     pair: &Relative3<S>,
     [a, b]: [Obb3<S>; 2],
@@ -79,13 +106,11 @@ fn score_related_vjp<S: Scalar, const PIECES: bool>(
     }
     let value = score(over, shared.volume, volume_a, volume_b, pair.scale);
     let value = S::select(apart, S::zero(), value);
-    let (length_unit, turn_unit) = match over {
-        // A volume in the caller's unit is three lengths; its slope by a length is two.
-        Denominator::None => {
-            let area = S::one().over(pair.scale).over(pair.scale);
-            (area, area.over(pair.scale))
-        }
-        _ => (pair.scale, S::one()),
+    let one = S::one();
+    let (out_bar, steep) = if EXTREME {
+        tamed(out_bar)
+    } else {
+        (out_bar, one)
     };
     let ratio = match over {
         Denominator::None => shared.volume,
@@ -98,13 +123,28 @@ fn score_related_vjp<S: Scalar, const PIECES: bool>(
         _ => apart,
     };
     let [bar, bar_a, bar_b] = zero_where(flat, bars);
+    let (length, turn) = match over {
+        // A volume in the caller's unit is three lengths; its slope by a length is two.
+        Denominator::None => {
+            let per = one.over(pair.scale);
+            ([per, per], [bar, per, per, per])
+        }
+        _ => ([pair.scale, one], [bar, one, one, one]),
+    };
+    let way = [bar, length[0], length[1], one];
+    let length = [length[0], length[1], one, one];
 
-    let size_a = by_size(pair.half_a, shared.half_a, [bar, bar_a, length_unit]);
-    let size_b = by_size(pair.half_b, shared.half_b, [bar, bar_b, length_unit]);
+    let size_a = by_size::<S, EXTREME>(pair.half_a, shared.half_a, [bar, bar_a]);
+    let size_b = by_size::<S, EXTREME>(pair.half_b, shared.half_b, [bar, bar_b]);
     let size_b = pair.renamed.restore(size_b);
 
     let (force, torque) = (vector(shared.center), vector(shared.turn));
-    let own_torque = -(torque + vector(pair.center).cross(force));
+    let place = if EXTREME {
+        zero_where(apart, pair.center)
+    } else {
+        pair.center
+    };
+    let own_torque = -(torque + vector(place).cross(force));
     let axes = a.rotation.axes();
     let (force, torque) = (along_axes(axes, force), along_axes(axes, torque));
     let axes_b = b.rotation.axes();
@@ -113,17 +153,18 @@ fn score_related_vjp<S: Scalar, const PIECES: bool>(
         axes_b[1].dot(torque),
         axes_b[2].dot(torque),
     );
-    let center = force * (bar * length_unit);
-    let grad_a = gradient(
+    let center = times_each::<S, EXTREME>(force, way);
+    let grad_a = gradient::<S, EXTREME>(
         -center,
-        vector(size_a),
-        a.rotation
-            .quaternion_gradient(own_torque * (bar * turn_unit)),
+        times_each::<S, EXTREME>(vector(size_a), length),
+        by_quaternion::<S, EXTREME>(a.rotation, times_each::<S, EXTREME>(own_torque, turn)),
+        steep,
     );
-    let grad_b = gradient(
+    let grad_b = gradient::<S, EXTREME>(
         center,
-        vector(size_b),
-        b.rotation.quaternion_gradient(torque * (bar * turn_unit)),
+        times_each::<S, EXTREME>(vector(size_b), length),
+        by_quaternion::<S, EXTREME>(b.rotation, times_each::<S, EXTREME>(torque, turn)),
+        steep,
     );
     (value.canonical(), (grad_a, grad_b))
 }
@@ -154,35 +195,90 @@ fn along_axes<S: Scalar>(axes: [Vec3<S>; 3], v: Vec3<S>) -> Vec3<S> {
 /// Slopes by the sizes of a box from those by its halves and by its own volume. A size is twice its half; a
 /// volume is eight times the product of the halves.
 #[inline(always)]
-fn by_size<S: Scalar>(half: [S; 3], slope: [S; 3], [bar, own, unit]: [S; 3]) -> [S; 3] {
+fn by_size<S: Scalar, const EXTREME: bool>(
+    half: [S; 3],
+    slope: [S; 3],
+    [bar, own]: [S; 2],
+) -> [S; 3] {
     let mut out = [S::zero(); 3];
     for i in 0..3 {
         let (j, l) = ((i + 1) % 3, (i + 2) % 3);
         let face = (half[j] + half[j]) * (half[l] + half[l]);
-        out[i] = (slope[i].halved() * bar + face * own) * unit;
+        let (shared, whole) = (slope[i].halved() * bar, face * own);
+        out[i] = if EXTREME {
+            shared.saturated() + whole.saturated()
+        } else {
+            shared + whole
+        };
     }
     out
 }
 
-/// A gradient without signs of zeros.
+/// The gradient by a quaternion from that by a body tangent.
 #[inline(always)]
-fn gradient<S: Scalar>(center: Vec3<S>, size: Vec3<S>, rotation: Rotation3<S>) -> Obb3<S> {
-    Obb3 {
-        center: center.canonical(),
-        size: size.canonical(),
-        rotation: canonical(rotation),
+fn by_quaternion<S: Scalar, const EXTREME: bool>(
+    rotation: Rotation3<S>,
+    tangent: Vec3<S>,
+) -> Rotation3<S> {
+    if !EXTREME {
+        return rotation.quaternion_gradient(tangent);
     }
+    // Of one whose length is about one half: sums of products with it are finite where the tangent leaves
+    // some room. The slope grows as the length falls.
+    let (near, first) = to_about_half(rotation);
+    let (near, second) = to_about_half(near);
+    let most = S::lit(S::LARGEST / 4096.0);
+    let tangent = Vec3::new(
+        tangent.x.clamp(-most, most),
+        tangent.y.clamp(-most, most),
+        tangent.z.clamp(-most, most),
+    );
+    let g = near.quaternion_gradient(tangent);
+    Rotation3::new(
+        ((g.w * first).saturated() * second).saturated(),
+        ((g.x * first).saturated() * second).saturated(),
+        ((g.y * first).saturated() * second).saturated(),
+        ((g.z * first).saturated() * second).saturated(),
+    )
 }
 
-/// The same gradient; zeros lose their sign.
+/// A slope without the sign of a zero, times what was taken from the upstream slope.
 #[inline(always)]
-fn canonical<S: Scalar>(g: Rotation3<S>) -> Rotation3<S> {
-    Rotation3::new(
-        g.w.canonical(),
-        g.x.canonical(),
-        g.y.canonical(),
-        g.z.canonical(),
+fn finished<S: Scalar, const EXTREME: bool>(x: S, steep: S) -> S {
+    if EXTREME {
+        (x * steep).saturated().canonical()
+    } else {
+        x.canonical()
+    }
+}
+#[inline(always)]
+fn finished_each<S: Scalar, const EXTREME: bool>(v: Vec3<S>, steep: S) -> Vec3<S> {
+    Vec3::new(
+        finished::<S, EXTREME>(v.x, steep),
+        finished::<S, EXTREME>(v.y, steep),
+        finished::<S, EXTREME>(v.z, steep),
     )
+}
+
+/// A gradient without signs of zeros, times what was taken from the upstream slope.
+#[inline(always)]
+fn gradient<S: Scalar, const EXTREME: bool>(
+    center: Vec3<S>,
+    size: Vec3<S>,
+    rotation: Rotation3<S>,
+    steep: S,
+) -> Obb3<S> {
+    let g = rotation;
+    Obb3 {
+        center: finished_each::<S, EXTREME>(center, steep),
+        size: finished_each::<S, EXTREME>(size, steep),
+        rotation: Rotation3::new(
+            finished::<S, EXTREME>(g.w, steep),
+            finished::<S, EXTREME>(g.x, steep),
+            finished::<S, EXTREME>(g.y, steep),
+            finished::<S, EXTREME>(g.z, steep),
+        ),
+    }
 }
 
 /// The volume shared by two boxes of any orientation, and `out_bar` times its slopes by both.
@@ -206,7 +302,7 @@ pub fn intersection_volume_obb3_vjp<S: Scalar>(
     b: Obb3<S>,
     out_bar: S,
 ) -> (S, (Obb3<S>, Obb3<S>)) {
-    score_vjp(Denominator::None, a, b, out_bar)
+    score_obb3_vjp(Denominator::None, a, b, out_bar)
 }
 
 /// Intersection over union of two boxes of any orientation, and `out_bar` times its slopes by both.
@@ -215,7 +311,7 @@ pub fn intersection_volume_obb3_vjp<S: Scalar>(
 #[must_use]
 #[inline]
 pub fn iou_obb3_vjp<S: Scalar>(a: Obb3<S>, b: Obb3<S>, out_bar: S) -> (S, (Obb3<S>, Obb3<S>)) {
-    score_vjp(Denominator::Union, a, b, out_bar)
+    score_obb3_vjp(Denominator::Union, a, b, out_bar)
 }
 
 /// The share of the first box that lies in the second, and `out_bar` times its slopes by both.
@@ -224,5 +320,5 @@ pub fn iou_obb3_vjp<S: Scalar>(a: Obb3<S>, b: Obb3<S>, out_bar: S) -> (S, (Obb3<
 #[must_use]
 #[inline]
 pub fn iof_obb3_vjp<S: Scalar>(a: Obb3<S>, b: Obb3<S>, out_bar: S) -> (S, (Obb3<S>, Obb3<S>)) {
-    score_vjp(Denominator::First, a, b, out_bar)
+    score_obb3_vjp(Denominator::First, a, b, out_bar)
 }

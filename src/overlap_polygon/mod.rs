@@ -36,8 +36,8 @@ use crate::overlap::{ratio_of_first, ratio_of_union};
 use crate::reference::{Reference, bounds_of, choose};
 use crate::shape::edges;
 use crate::{Aabb2, ConvexPolygon, Mask, Scalar, Vec2};
-pub(crate) use quad::QuadPair;
 pub use quad::intersection_area_quads;
+pub(crate) use quad::{QuadPair, TINY, choose_quad};
 pub(crate) use wedge::{Fan, Wedge, between, mixed, shared_twice};
 
 /// Areas of two convex polygons and of what they share, in the local unit of a reference.

@@ -16,6 +16,7 @@
 //! `max(X, 0) − max(X + Y − D, 0)`, and the mean of the positive part of a linear function with values
 //! p and q at its ends is `½ (p⁺ + q⁺) (p⁺ − q⁺) / (p − q)`. Nothing is sorted and there are no cases; the sum
 //! is continuous in every vertex.
+use crate::reference::choose;
 use crate::{Scalar, Vec2};
 
 /// Twice the mean of the positive part of a linear function between two values.
@@ -47,7 +48,8 @@ fn in_triangle<S: Scalar>(x: [S; 4], y: [S; 4], all: S) -> S {
     while k < 4 {
         let next = (k + 1) % 4;
         let rise = y[next] - y[k];
-        let level = rise.equals(zero);
+        // What a rise so small adds is nothing, and its reciprocal may be infinite.
+        let level = rise.unsigned().at_most(S::lit(TINY * S::EMPTY));
         let slope = (x[next] - x[k]).over(S::select(level, one, rise));
         let slope = S::select(level, zero, slope);
         let (start, end) = (x[k] + moved[k] * slope, x[next] + moved[next] * slope);
@@ -92,7 +94,7 @@ fn separates<S: Scalar>(side: [S; 4], along: Vec2<S>) -> S::Mask {
 
 /// Two quadrilaterals, seen from a corner of b in units of the larger one.
 pub(crate) struct QuadPair<S: Scalar> {
-    /// The corners of a and of b, half as far from the first one of b, times `scale`.
+    /// The corners of a and of b (where they are exchanged: of b and of a), half as far from the first one of b, times `scale`.
     pub at: [Vec2<S>; 4],
     pub to: [Vec2<S>; 4],
     /// How far every corner of a is to the left of each side of b, times its length: by sides.
@@ -103,8 +105,41 @@ pub(crate) struct QuadPair<S: Scalar> {
     pub area: S,
     /// Where nothing is shared.
     pub nothing: S::Mask,
+    /// Where a and b are exchanged: b is the smaller one, since heights over sides that are much longer
+    /// than what is measured lose its digits.
+    pub exchanged: S::Mask,
     /// The power of two.
     pub scale: S,
+}
+
+/// So many times [`Scalar::EMPTY`] counts as nothing, in units of which the larger quadrilateral has about one.
+pub(crate) const TINY: f64 = 1e6;
+
+/// The longest of the ways from the first corner to the others, along x or y.
+#[inline(always)]
+fn reach<S: Scalar>(ways: &[Vec2<S>; 4]) -> S {
+    let mut reach = ways[1].x.unsigned().most(ways[1].y.unsigned());
+    let mut k = 2;
+    while k < 4 {
+        reach = reach.most(ways[k].x.unsigned().most(ways[k].y.unsigned()));
+        k += 1;
+    }
+    reach
+}
+
+/// The first quadrilateral where a mask says so, else the second.
+#[inline(always)]
+pub(crate) fn choose_quad<S: Scalar>(
+    mask: S::Mask,
+    yes: [Vec2<S>; 4],
+    no: [Vec2<S>; 4],
+) -> [Vec2<S>; 4] {
+    [
+        choose(mask, yes[0], no[0]),
+        choose(mask, yes[1], no[1]),
+        choose(mask, yes[2], no[2]),
+        choose(mask, yes[3], no[3]),
+    ]
 }
 
 impl<S: Scalar> QuadPair<S> {
@@ -113,12 +148,21 @@ impl<S: Scalar> QuadPair<S> {
     pub fn new(a: [Vec2<S>; 4], b: [Vec2<S>; 4]) -> Self {
         let zero = S::zero();
         // Halved first, so that a difference of huge numbers is finite, and seen from a corner of b.
-        let origin = half(b[0]);
         let (mut at, mut to) = ([Vec2::zero(); 4], [Vec2::zero(); 4]);
-        let mut size = zero;
+        let mut ways = [Vec2::zero(); 4];
         let mut k = 0;
         while k < 4 {
-            (at[k], to[k]) = (half(a[k]) - origin, half(b[k]) - origin);
+            ways[k] = half(a[k]) - half(a[0]);
+            to[k] = half(b[k]) - half(b[0]);
+            k += 1;
+        }
+        let exchanged = reach(&ways).below(reach(&to));
+        let origin = choose(exchanged, half(a[0]), half(b[0]));
+        let mut size = zero;
+        k = 0;
+        while k < 4 {
+            to[k] = choose(exchanged, ways[k], to[k]);
+            at[k] = choose(exchanged, half(b[k]), half(a[k])) - origin;
             let (at, to) = (at[k], to[k]);
             size = size
                 .most(at.x.unsigned().most(at.y.unsigned()))
@@ -194,6 +238,7 @@ impl<S: Scalar> QuadPair<S> {
             left_of_a,
             area: S::select(nothing, zero, area),
             nothing,
+            exchanged,
             scale,
         }
     }

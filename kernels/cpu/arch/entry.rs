@@ -105,8 +105,8 @@ entries! {
     upright_scores(over: Denominator, a: Tiles<'_, T>, b: Tiles<'_, T>, out: Results<'_, T>) = upright::scores::<T, V>;
     /// The same with fourteen slopes each, from the ten slopes of that.
     upright_slopes(over: Denominator, a: Tiles<'_, T>, b: Tiles<'_, T>, seeds: Option<Tiles<'_, T>>, out: Results<'_, T>) = upright::slopes::<T, V>;
-    /// Whether boxes of any orientation in space are valid.
-    all_obb3(numbers: &[T]) -> bool = boxes3::all_valid::<T, V>;
+    /// Whether boxes of any orientation in space are valid and of common size, or zero size.
+    all_common_obb3(numbers: &[T]) -> bool = boxes3::all_common::<T, V>;
     /// Scores of boxes of any orientation in space.
     obb3_scores(over: Denominator, a: Tiles<'_, T>, b: Tiles<'_, T>, out: Results<'_, T>) = boxes3::scores::<T, V>;
     /// Scores of boxes of any orientation in space with twenty slopes each.

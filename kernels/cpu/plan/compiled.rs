@@ -1,6 +1,7 @@
 //! Operations with compiled kernels: which kernels, and the scalar code for what those do not serve.
 use super::face::{Face, Maker, Outline, Preparation, Prepare, Room, Want};
 use crate::ad::adjoint::iou::giou_framed_vjp;
+use crate::ad::adjoint::overlap_quad::area_of_quads_vjp;
 use crate::ad::adjoint::upright::score_upright_vjp;
 use crate::error::Validate;
 use crate::iou::giou_framed;
@@ -8,14 +9,14 @@ use crate::kernels::cpu::arch::LARGE;
 use crate::kernels::cpu::boxes::{
     AABB2, OBB2, SEEN, UPRIGHT, View, is_common_upright, is_solid_obb2,
 };
-use crate::kernels::cpu::boxes3::OBB3;
+use crate::kernels::cpu::boxes3::{OBB3, is_common_obb3};
 use crate::kernels::cpu::lane::{Lane, Results, Tiles};
-use crate::kernels::cpu::quads::QUAD2;
+use crate::kernels::cpu::quads::{QUAD2, farthest};
 use crate::kernels::cpu::solids;
 use crate::kernels::cpu::upright;
 use crate::kernels::real::Real;
 use crate::overlap::{Denominator, score_framed};
-use crate::overlap3::score_yaw;
+use crate::overlap3::{score_obb3, score_obb3_vjp, score_yaw};
 use crate::shape::{Obb3, YawBox3};
 use crate::{Aabb2, Fixed, Obb2, Vec2, ad, clip};
 use std::sync::Arc;
@@ -196,15 +197,31 @@ fn of_quads<T: Real>(want: Want) -> Face<T> {
         fields: QUAD2,
         frame: None,
         bounds: None,
-        all_ordinary: kernels.all_finite,
+        all_ordinary: |numbers| (T::kernels().all_up_to)(numbers, farthest::<T>()),
         check: |numbers| <[Vec2<T>; 4]>::load(numbers).validate(),
-        is_rare: |_| false,
+        is_rare: |numbers| {
+            let most = T::lit(farthest::<T>());
+            numbers.iter().any(|x| x.unsigned() > most)
+        },
     };
     let maker: Box<dyn Maker<T>> = match want {
         Want::Value => Box::new(Scored(kernels.quad_scores)),
         Want::ValueGrad | Want::Vjp => Box::new(SlopesOfOne(kernels.quad_slopes)),
     };
-    Face::new(want, vec![shape(), shape()], vec![1], maker)
+    Face {
+        // Slopes are no longer than sides.
+        steepest: T::LARGEST.powf(0.3125),
+        rare: Some(Box::new(move |shapes, out_bar, out| {
+            let [a, b] = [0, 1].map(|k| <[Vec2<T>; 4]>::load(shapes[k]));
+            let out_bar = out_bar.first().copied().unwrap_or(T::one());
+            let (value, bars) = area_of_quads_vjp::<T, true>(a, b, out_bar);
+            out[0] = value;
+            if out.len() > 1 {
+                bars.store(&mut out[1..]);
+            }
+        })),
+        ..Face::new(want, vec![shape(), shape()], vec![1], maker)
+    }
 }
 
 /// Scores of upright boxes: of what is shared seen from above, then of heights.
@@ -321,15 +338,29 @@ fn of_obb3<T: Real>(over: Denominator, want: Want) -> Face<T> {
         bounds: Some(Arc::new(|[shapes, _], bounds| {
             solids::obb3_bounds(shapes, bounds)
         })),
-        all_ordinary: kernels.all_obb3,
+        all_ordinary: kernels.all_common_obb3,
         check: |numbers| Obb3::load(numbers).validate(),
-        is_rare: |_| false,
+        is_rare: |numbers| !is_common_obb3(numbers),
     };
     let maker: Box<dyn Maker<T>> = match want {
         Want::Value => Box::new(Scores(over, kernels.obb3_scores)),
         Want::ValueGrad | Want::Vjp => Box::new(Slopes(over, kernels.obb3_slopes)),
     };
-    Face::new(want, vec![shape(), shape()], vec![1], maker)
+    Face {
+        steepest: T::LARGEST.powf(0.3125),
+        rare: Some(Box::new(move |shapes, out_bar, out| {
+            let [a, b] = [0, 1].map(|k| Obb3::load(shapes[k]));
+            let out_bar = out_bar.first().copied().unwrap_or(T::one());
+            if let [value] = out {
+                *value = score_obb3(over, a, b);
+                return;
+            }
+            let (value, bars) = score_obb3_vjp(over, a, b, out_bar);
+            out[0] = value;
+            bars.store(&mut out[1..]);
+        })),
+        ..Face::new(want, vec![shape(), shape()], vec![1], maker)
+    }
 }
 
 /// Scores of axis-aligned boxes.

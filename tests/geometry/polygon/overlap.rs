@@ -537,6 +537,22 @@ fn areas_of_quads_are_those_of_polygons() {
     }
 }
 
+/// Which one is the first decides nothing: the smaller one is measured within the larger one.
+#[test]
+fn a_small_quad_in_a_large_one_keeps_its_digits() {
+    let mut dice = Dice(44);
+    for i in 0..400 {
+        let ratio = 10_f64.powi(i % 7);
+        let small = quad(&mut dice);
+        let large = quad(&mut dice).map(|v| v * ratio);
+        let exact = exact_area(&small, &large);
+        for (a, b) in [(small, large), (large, small)] {
+            let error = (intersection_area_quads(a, b) - exact).abs();
+            assert!(error <= 1e-14 * ratio, "{a:?} {b:?}: {error} of {exact}");
+        }
+    }
+}
+
 #[test]
 fn quads_that_are_apart_share_exactly_nothing() {
     let mut dice = Dice(43);
