@@ -49,20 +49,27 @@ pub(crate) fn values<T: Real, V: Vector<T>>(
         count: 0,
     };
     let mut first = 0;
+    // How many of the next rings are measured alone.
+    let mut alone = 0;
     while first < rings {
         let out = &mut out[first * fields..];
-        if let Some(ends) = offsets[first..].get(..=V::WIDTH) {
+        if alone == 0
+            && let Some(ends) = offsets[first..].get(..=V::WIDTH)
+        {
             let mut small = true;
             for ring in ends.windows(2) {
                 let count = ring[1] - ring[0];
                 small &= (0 < count) & (count <= SMALL);
             }
             if small {
-                side_by_side::<T, V>(measure, vertices, ends, &mut side, out);
-                first += V::WIDTH;
-                continue;
+                if side_by_side::<T, V>(measure, vertices, ends, &mut side, out) {
+                    first += V::WIDTH;
+                    continue;
+                }
+                alone = V::WIDTH;
             }
         }
+        alone = alone.saturating_sub(1);
         let own = &vertices[offsets[first]..offsets[first + 1]];
         one::<T>(measure, own, out);
         first += 1;
@@ -177,7 +184,7 @@ impl<T: Real, V: Vector<T>> Vertices<V> for &Side<T> {
     }
 }
 
-/// Results of as many rings as there are lanes.
+/// Results of as many rings as there are lanes; whether they hold, or each ring must be measured alone.
 #[inline(always)]
 fn side_by_side<T: Real, V: Vector<T>>(
     measure: Measure,
@@ -185,7 +192,7 @@ fn side_by_side<T: Real, V: Vector<T>>(
     ends: &[usize],
     side: &mut Side<T>,
     out: &mut [T],
-) {
+) -> bool {
     side.fill::<V>(vertices, ends);
     let mut room = Lane([T::default(); TILE]);
     match measure {
@@ -208,14 +215,10 @@ fn side_by_side<T: Real, V: Vector<T>>(
                 (out[0], out[1]) = (room.0[lane], more.0[lane]);
             }
             // Repeated vertices would count in the mean that stands for the centroid of nothing.
-            if flat.any() {
-                for (lane, ring) in ends.windows(2).enumerate() {
-                    let ring = &vertices[ring[0]..ring[1]];
-                    one::<T>(measure, ring, &mut out[2 * lane..]);
-                }
-            }
+            return !flat.any();
         }
     }
+    true
 }
 
 /// Adjoints: one cotangent per vertex of the rings, from one upstream slope per result.
