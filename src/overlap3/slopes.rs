@@ -61,7 +61,7 @@ pub(crate) fn score_obb3_vjp_here<S: Scalar>(
 fn times<S: Scalar, const EXTREME: bool>(x: S, by: [S; 4]) -> S {
     let mut x = x;
     for factor in by {
-        x = x * factor;
+        x *= factor;
         if EXTREME {
             x = x.saturated();
         }

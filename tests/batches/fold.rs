@@ -136,6 +136,30 @@ fn folds_over_the_nearest_edges_alone_have_the_bits_of_those_over_all() {
     }
 }
 
+/// Both sides of a narrow way are equally far from its middle, but for rounding: which of them is nearer only the
+/// fold itself can tell.
+#[test]
+fn what_rounding_decides_is_left_to_the_fold() {
+    let mut dice = Dice(12);
+    let (mut points, mut vertices, mut offsets) = (Vec::new(), Vec::new(), vec![0]);
+    for _ in 0..400 {
+        let (sin, cos) = dice.within(-3.0, 3.0).sin_cos();
+        let half = dice.within(0.1, 1.0);
+        let place =
+            |x: f64, y: f64| Vec2::new((x * cos - y * sin) as f32, (x * sin + y * cos) as f32);
+        vertices.extend((0..20).map(|i| place(100.0 * f64::from(i) - 950.0, -half)));
+        vertices.extend((0..20).map(|i| place(950.0 - 100.0 * f64::from(i), half)));
+        offsets.push(vertices.len());
+        points.push(place(dice.within(-900.0, 900.0), 0.0));
+    }
+    let found = Cpu::new().fold(SignedDistancePointRing, &points, &vertices, &offsets);
+    for (i, found) in found.unwrap().into_iter().enumerate() {
+        let one =
+            fold::<SignedDistancePointRing, f32>(points[i], &vertices[offsets[i]..offsets[i + 1]]);
+        assert_eq!(found.to_bits(), one.to_bits(), "ring {i}: {found} {one}");
+    }
+}
+
 #[test]
 fn a_path_that_all_share_is_as_good_as_one_for_each() {
     let mut dice = Dice(12);

@@ -27,7 +27,11 @@ where
         0.0 => T::lit(0.0),
         _ => T::lit(T::LARGEST.powf(power.abs())).signed_as(T::lit(power)),
     });
-    let upstream = [&upstream[..], &[T::one(), -largest, T::one().over(largest)]].concat();
+    let upstream = [
+        &upstream[..],
+        &[T::one(), -largest, T::lit(T::LARGEST.powf(-0.25))],
+    ]
+    .concat();
     for &input in inputs {
         let numbers: Vec<T> = input.iter().map(|&x| T::lit(x)).collect();
         let (a, b) = <(P, P)>::load(&numbers);
