@@ -250,9 +250,9 @@ macro_rules! calls {
                 /// # Errors
                 ///
                 /// As on the CPU; [`Error::Gpu`](crate::Error::Gpu) are the GPU's.
-                pub fn $name<O: $bound>(self, _op: O, $($arg: $type),*) -> Result<$out, Error> {
+                pub fn $name<O: $bound>(self, op: O, $($arg: $type),*) -> Result<$out, Error> {
                     match self {
-                        Backend::Cpu => Ok($cpu($($arg),*)?),
+                        Backend::Cpu => Ok($cpu(op, $($arg),*)?),
                         #[cfg(feature = "gpu")]
                         Backend::Gpu(gpu) => gpu.$gpu::<O>($($arg),*),
                         #[cfg(not(feature = "gpu"))]

@@ -37,8 +37,7 @@ fn named(done: Result<(), Error>, names: &[Argument]) -> Result<(), Error> {
 /// Calls that only pass on: the macro lists them.
 macro_rules! passed_on {
     ($($name:ident($($arg:ident: $type:ty),*) -> $out:ty = |$op:ident| $call:expr;)*) => { $(
-        pub fn $name<O: GpuPair>($($arg: $type),*) -> Result<$out, Error> {
-            let $op = O::default();
+        pub fn $name<O: GpuPair>($op: O, $($arg: $type),*) -> Result<$out, Error> {
             $call
         }
     )* };
@@ -100,16 +99,18 @@ use crate::kernels::op::RingOp;
 
 /// One result per ring.
 pub fn ragged<O: RingOp>(
+    op: O,
     vertices: &[Vec2<f32>],
     offsets: &[usize],
 ) -> Result<Vec<O::Out<f32>>, Error> {
-    CPU.ragged(O::default(), vertices, offsets)
+    CPU.ragged(op, vertices, offsets)
 }
 /// One cotangent per vertex.
 pub fn ragged_vjp<O: RingOp>(
+    op: O,
     vertices: &[Vec2<f32>],
     offsets: &[usize],
     upstream: &[O::Out<f32>],
 ) -> Result<Vec<Vec2<f32>>, Error> {
-    CPU.ragged_vjp(O::default(), vertices, offsets, upstream)
+    CPU.ragged_vjp(op, vertices, offsets, upstream)
 }

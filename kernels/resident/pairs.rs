@@ -15,7 +15,7 @@ pub type Slopes<O> = (BarsOf<O>, BarsOf<O>);
 /// The calls of two lists that give something new: the macro lists them.
 macro_rules! calls {
     ($($(#[$doc:meta])* $name:ident($($arg:ident: $type:ty),*) -> $out:ty
-        = |$a:ident, $b:ident| $cpu:expr; |$gpu:ident| $wrap:expr;)*) => { $(
+        = |$op:ident, $a:ident, $b:ident| $cpu:expr; |$gpu:ident| $wrap:expr;)*) => { $(
         $(#[$doc])*
         ///
         /// # Errors
@@ -24,14 +24,14 @@ macro_rules! calls {
         /// backends, or what the device says.
         pub fn $name<O: GpuPair<Shape = P>>(
             &self,
-            op: O,
+            $op: O,
             b: &Shapes<P>,
             $($arg: $type),*
         ) -> Result<$out, Error> {
             on!($a = &self.0, $b = &b.0;
                 Ok($cpu);
                 {
-                    let $gpu = $a.gpu().$name(op, $a, $b, $($arg),*)?;
+                    let $gpu = $a.gpu().$name($op, $a, $b, $($arg),*)?;
                     Ok($wrap)
                 })
         }
@@ -42,63 +42,63 @@ impl<P: GpuShape> Shapes<P> {
     calls! {
         /// [`Cpu::aligned`](crate::kernels::Cpu::aligned).
         aligned() -> Values
-            = |a, b| Values(Side::Cpu(on_cpu::aligned::<O>(a, b)?));
+            = |op, a, b| Values(Side::Cpu(on_cpu::aligned(op, a, b)?));
             |x| Values(Side::Gpu(x));
         /// [`Cpu::aligned`](crate::kernels::Cpu::aligned) of [`value_grad`](crate::kernels::Op::value_grad).
         aligned_grad() -> (Values, BarsOf<O>, BarsOf<O>)
-            = |a, b| {
-                let (values, a_bar, b_bar) = on_cpu::aligned_grad::<O>(a, b)?;
+            = |op, a, b| {
+                let (values, a_bar, b_bar) = on_cpu::aligned_grad(op, a, b)?;
                 (Values(Side::Cpu(values)), Bars(Side::Cpu(a_bar)), Bars(Side::Cpu(b_bar)))
             };
             |x| (Values(Side::Gpu(x.0)), Bars(Side::Gpu(x.1)), Bars(Side::Gpu(x.2)));
         /// [`Cpu::all_pairs`](crate::kernels::Cpu::all_pairs).
         all_pairs() -> Matrix
-            = |a, b| {
-                let values = on_cpu::all_pairs::<O>(a, b)?;
+            = |op, a, b| {
+                let values = on_cpu::all_pairs(op, a, b)?;
                 Matrix(Side::Cpu(reduce::Matrix::new(a.len(), b.len(), values)?))
             };
             |x| Matrix(Side::Gpu(x));
         /// [`Cpu::all_pairs`](crate::kernels::Cpu::all_pairs) of [`value_grad`](crate::kernels::Op::value_grad).
         all_pairs_grad() -> PairBars<O>
-            = |a, b| PairBars(Side::Cpu(on_cpu::all_pairs_grad::<O>(a, b)?));
+            = |op, a, b| PairBars(Side::Cpu(on_cpu::all_pairs_grad(op, a, b)?));
             |x| PairBars(Side::Gpu(x));
         /// [`Cpu::sum_grad`](crate::kernels::Cpu::sum_grad).
         sum_grad() -> (f64, BarsOf<O>, BarsOf<O>)
-            = |a, b| {
-                let (sum, a_bar, b_bar) = on_cpu::sum_grad::<O>(a, b)?;
+            = |op, a, b| {
+                let (sum, a_bar, b_bar) = on_cpu::sum_grad(op, a, b)?;
                 (sum, Bars(Side::Cpu(a_bar)), Bars(Side::Cpu(b_bar)))
             };
             |x| (x.0, Bars(Side::Gpu(x.1)), Bars(Side::Gpu(x.2)));
         /// [`Cpu::mean_grad`](crate::kernels::Cpu::mean_grad).
         mean_grad() -> (f64, BarsOf<O>, BarsOf<O>)
-            = |a, b| {
-                let (mean, a_bar, b_bar) = on_cpu::mean_grad::<O>(a, b)?;
+            = |op, a, b| {
+                let (mean, a_bar, b_bar) = on_cpu::mean_grad(op, a, b)?;
                 (mean, Bars(Side::Cpu(a_bar)), Bars(Side::Cpu(b_bar)))
             };
             |x| (x.0, Bars(Side::Gpu(x.1)), Bars(Side::Gpu(x.2)));
         /// [`Cpu::row_max`](crate::kernels::Cpu::row_max).
         row_max() -> Bests
-            = |a, b| Bests(Side::Cpu((on_cpu::row_max::<O>(a, b)?, b.len())));
+            = |op, a, b| Bests(Side::Cpu((on_cpu::row_max(op, a, b)?, b.len())));
             |x| Bests(Side::Gpu(x));
         /// [`Cpu::column_max`](crate::kernels::Cpu::column_max).
         column_max() -> Bests
-            = |a, b| Bests(Side::Cpu((on_cpu::column_max::<O>(a, b)?, a.len())));
+            = |op, a, b| Bests(Side::Cpu((on_cpu::column_max(op, a, b)?, a.len())));
             |x| Bests(Side::Gpu(x));
         /// [`Cpu::above`](crate::kernels::Cpu::above).
         above(threshold: f32) -> Founds
-            = |a, b| Founds(Side::Cpu(on_cpu::above::<O>(a, b, threshold)?));
+            = |op, a, b| Founds(Side::Cpu(on_cpu::above(op, a, b, threshold)?));
             |x| Founds(Side::Gpu(x));
         /// [`Cpu::count_above`](crate::kernels::Cpu::count_above).
         count_above(threshold: f32) -> u64
-            = |a, b| on_cpu::count_above::<O>(a, b, threshold)?;
+            = |op, a, b| on_cpu::count_above(op, a, b, threshold)?;
             |x| x;
         /// [`Cpu::sum`](crate::kernels::Cpu::sum).
         sum() -> f64
-            = |a, b| on_cpu::sum::<O>(a, b)?;
+            = |op, a, b| on_cpu::sum(op, a, b)?;
             |x| x;
         /// [`Cpu::mean`](crate::kernels::Cpu::mean).
         mean() -> f64
-            = |a, b| on_cpu::mean::<O>(a, b)?;
+            = |op, a, b| on_cpu::mean(op, a, b)?;
             |x| x;
     }
 
@@ -115,7 +115,7 @@ impl<P: GpuShape> Shapes<P> {
     ) -> Result<Slopes<O>, Error> {
         on!(a = &self.0, b = &b.0, upstream = &upstream.0;
         {
-            let (a_bar, b_bar) = on_cpu::aligned_vjp::<O>(a, b, upstream)?;
+            let (a_bar, b_bar) = on_cpu::aligned_vjp(op, a, b, upstream)?;
             Ok((Bars(Side::Cpu(a_bar)), Bars(Side::Cpu(b_bar))))
         };
         {
@@ -138,7 +138,7 @@ impl<P: GpuShape> Shapes<P> {
         on!(a = &self.0, b = &b.0, upstream = &upstream.0;
         {
             fits(a, b, upstream, Argument::Upstream)?;
-            let (a_bar, b_bar) = on_cpu::all_pairs_vjp::<O>(a, b, &upstream.values)?;
+            let (a_bar, b_bar) = on_cpu::all_pairs_vjp(op, a, b, &upstream.values)?;
             Ok((Bars(Side::Cpu(a_bar)), Bars(Side::Cpu(b_bar))))
         };
         {
@@ -159,7 +159,7 @@ impl<P: GpuShape> Shapes<P> {
         values: &mut Values,
     ) -> Result<(), Error> {
         on!(a = &self.0, b = &b.0, values = &mut values.0;
-            Ok(on_cpu::aligned_into::<O>(a, b, values)?);
+            Ok(on_cpu::aligned_into(op, a, b, values)?);
             a.gpu().aligned_into(op, a, b, values))
     }
 
@@ -177,7 +177,7 @@ impl<P: GpuShape> Shapes<P> {
         b_bar: &mut BarsOf<O>,
     ) -> Result<(), Error> {
         on!(a = &self.0, b = &b.0, v = &mut values.0, x = &mut a_bar.0, y = &mut b_bar.0;
-            Ok(on_cpu::aligned_grad_into::<O>(a, b, v, x, y)?);
+            Ok(on_cpu::aligned_grad_into(op, a, b, v, x, y)?);
             a.gpu().aligned_grad_into(op, a, b, v, x, y))
     }
 
@@ -195,7 +195,7 @@ impl<P: GpuShape> Shapes<P> {
         b_bar: &mut BarsOf<O>,
     ) -> Result<(), Error> {
         on!(a = &self.0, b = &b.0, u = &upstream.0, x = &mut a_bar.0, y = &mut b_bar.0;
-            Ok(on_cpu::aligned_vjp_into::<O>(a, b, u, x, y)?);
+            Ok(on_cpu::aligned_vjp_into(op, a, b, u, x, y)?);
             a.gpu().aligned_vjp_into(op, a, b, u, x, y))
     }
 
@@ -213,7 +213,7 @@ impl<P: GpuShape> Shapes<P> {
         on!(a = &self.0, b = &b.0, matrix = &mut matrix.0;
         {
             fits(a, b, matrix, Argument::Values)?;
-            Ok(on_cpu::all_pairs_into::<O>(a, b, &mut matrix.values)?)
+            Ok(on_cpu::all_pairs_into(op, a, b, &mut matrix.values)?)
         };
         a.gpu().all_pairs_into(op, a, b, matrix))
     }
@@ -234,7 +234,7 @@ impl<P: GpuShape> Shapes<P> {
         on!(a = &self.0, b = &b.0, u = &upstream.0, x = &mut a_bar.0, y = &mut b_bar.0;
         {
             fits(a, b, u, Argument::Upstream)?;
-            Ok(on_cpu::all_pairs_vjp_into::<O>(a, b, &u.values, x, y)?)
+            Ok(on_cpu::all_pairs_vjp_into(op, a, b, &u.values, x, y)?)
         };
         a.gpu().all_pairs_vjp_into(op, a, b, u, x, y))
     }
@@ -255,7 +255,7 @@ impl<P: GpuShape> Shapes<P> {
         b_bar: &mut BarsOf<O>,
     ) -> Result<f64, Error> {
         on!(a = &self.0, b = &b.0, x = &mut a_bar.0, y = &mut b_bar.0;
-            Ok(on_cpu::sum_grad_into::<O>(a, b, factor, x, y)?);
+            Ok(on_cpu::sum_grad_into(op, a, b, factor, x, y)?);
             a.gpu().sum_grad_into(op, a, b, factor, x, y))
     }
 

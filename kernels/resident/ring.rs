@@ -46,7 +46,7 @@ impl Rings {
     /// What the device says.
     pub fn ragged<O: GpuRing>(&self, op: O) -> Result<RingValues<<O as RingOp>::Out<f32>>, Error> {
         on!(own = &self.0;
-            Ok(RingValues(Side::Cpu(on_cpu::ragged::<O>(&own.0, &own.1)?)));
+            Ok(RingValues(Side::Cpu(on_cpu::ragged(op, &own.0, &own.1)?)));
             Ok(RingValues(Side::Gpu(own.gpu().ragged(op, own)?))))
     }
 
@@ -62,7 +62,7 @@ impl Rings {
         upstream: &[<O as RingOp>::Out<f32>],
     ) -> Result<RingBars, Error> {
         on!(own = &self.0;
-            Ok(RingBars(Side::Cpu(on_cpu::ragged_vjp::<O>(&own.0, &own.1, upstream)?)));
+            Ok(RingBars(Side::Cpu(on_cpu::ragged_vjp(op, &own.0, &own.1, upstream)?)));
             Ok(RingBars(Side::Gpu(own.gpu().ragged_vjp(op, own, upstream)?))))
     }
 
