@@ -1,13 +1,11 @@
 //! A shape and a function of your own: a two-link arm and its clearance from what is around it.
-//! `cargo run --release --example custom_shape`; `-- --help` has the options.
-#[path = "common/cli.rs"]
-mod cli;
+//! `cargo run --release -p geograd-examples --example custom_shape`; `-- --help` has the options.
 #[path = "custom_shape/command.rs"]
 mod command;
 #[path = "custom_shape/draw.rs"]
 mod draw;
 
-use cli::{Failure, Machine};
+use common::cli::{Failure, Machine};
 use draw::{POST, WALL};
 use geograd::ad::check::Plan;
 use geograd::kernels::{One, Op, Skip, check::prove_with};

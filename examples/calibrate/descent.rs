@@ -5,8 +5,8 @@
 //! IoU has none, and no pair counts by more than two, however wrong it is. Slopes by the boxes go back to
 //! the motion through its adjoint, and from its quaternion to a small turn and a small shift in the body's own
 //! frame, in which the steps are made (Adam, Kingma and Ba 2015, on six numbers).
-use crate::known::known;
 use crate::scene::{FAR, Scene};
+use common::known::known;
 use geograd::assignment::greedy;
 use geograd::iou3::separation_aware;
 use geograd::kernels::{Cpu, IouObb3, One, Op};

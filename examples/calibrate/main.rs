@@ -2,7 +2,7 @@
 //! these boxes in space.
 //!
 //! ```text
-//! cargo run --release --example calibrate -- --seed 3 --svg calibrate.svg --csv calibrate.csv
+//! cargo run --release -p geograd-examples --example calibrate -- --seed 3 --svg calibrate.svg --csv calibrate.csv
 //! ```
 //!
 //! Nobody says which box of one sensor is which one of the other; some are seen by one sensor only, some are
@@ -14,20 +14,12 @@
 //! | `descent.rs` | the loss, its slopes by the motion, the steps |
 //! | `picture.rs` | the picture |
 mod descent;
-#[path = "../common/failure.rs"]
-mod failure;
-#[path = "../common/file.rs"]
-mod file;
-#[path = "../common/known.rs"]
-mod known;
 mod picture;
-#[path = "../common/random.rs"]
-mod random;
 mod scene;
 
+use common::cli::{Failure, say};
+use common::file::write;
 use descent::State;
-use failure::{Failure, say};
-use file::write;
 use indicatif::{ProgressBar, ProgressStyle};
 use scene::Scene;
 use std::fmt::Write as _;

@@ -1,5 +1,5 @@
 //! Two sensors that see the same objects, each in coordinates of its own.
-use crate::random::Draw;
+use common::random::Draw;
 use geograd::Vec3;
 use geograd::shape::{Obb3, Pose3, Rotation3};
 use std::f64::consts::TAU;

@@ -1,8 +1,5 @@
 //! What the examples' command lines share: how they fail, and which machine runs the batches.
-#[path = "failure.rs"]
-mod failure;
-
-pub use failure::{Failure, say};
+pub use crate::failure::{Failure, say};
 use geograd::kernels::Backend;
 use geograd::kernels::backend::Auto;
 use geograd::kernels::gpu::Gpu;

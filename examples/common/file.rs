@@ -1,5 +1,5 @@
 //! How the examples write a file.
-use super::Failure;
+use crate::cli::Failure;
 use std::path::Path;
 
 /// Writes a text; a failure names the file.

@@ -1,7 +1,7 @@
 //! The command line, and what is told about a batch.
-use crate::cli::{Failure, Wish, say};
 use crate::draw::posture;
 use crate::{Arm, batch, draw, program, prove};
+use common::cli::{Failure, Wish, say};
 use indicatif::{ProgressBar, ProgressStyle};
 use lexopt::prelude::*;
 use std::f32::consts::{PI, TAU};

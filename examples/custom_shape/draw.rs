@@ -1,6 +1,6 @@
 //! The picture: the arm among its obstacles, and its clearance over both joints with its slopes.
-use crate::cli::Failure;
 use crate::{Arm, Clearance, Post};
+use common::cli::Failure;
 use geograd::kernels::{Cpu, One, Op};
 use geograd::{Error, Obb2, Vec2};
 use std::f32::consts::{PI, TAU};

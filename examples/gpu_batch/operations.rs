@@ -1,7 +1,7 @@
 //! Any operation of the list in all its forms, on a GPU and on the CPU: how long it takes, and whether both
 //! say the same.
-use crate::failure::Failure;
 use crate::listed::{Form, Listed, Make, list};
+use common::cli::Failure;
 use geograd::kernels::Backend;
 use geograd::kernels::gpu::{Gpu, Options};
 use geograd::{Error, Unrecordable};

@@ -1,9 +1,9 @@
 //! Overlap of boxes and polygons, table in, table out.
 //!
 //! ```text
-//! cargo run --release --example iou_csv -- --a A.csv --b B.csv [--all-pairs] [--grad]
-//! cargo run --release --example iou_csv -- --format polygons --metric giou --a A.csv --b B.csv
-//! cargo run --release --features gpu --example iou_csv -- --backend gpu --precision f32 …
+//! cargo run --release -p geograd-examples --example iou_csv -- --a A.csv --b B.csv [--all-pairs] [--grad]
+//! cargo run --release -p geograd-examples --example iou_csv -- --format polygons --metric giou --a A.csv --b B.csv
+//! cargo run --release -p geograd-examples --features gpu --example iou_csv -- --backend gpu --precision f32 …
 //! ```
 //!
 //! `--help` has the rest. Both inputs are read and checked as a whole before anything is computed,
@@ -16,11 +16,7 @@
 //! | `boxes/`, `number.rs` | boxes of the plane and of space, in both formats of numbers |
 //! | `polygon/` | polygons |
 mod boxes;
-#[path = "../common/cli.rs"]
-mod cli;
 mod input;
-#[path = "../common/known.rs"]
-mod known;
 mod metric;
 mod number;
 mod options;
@@ -28,7 +24,7 @@ mod output;
 mod polygon;
 
 use boxes::{Boxes, Pairs};
-use cli::{Failure, Machine, Wish};
+use common::cli::{Failure, Machine, Wish, on_the_cpu, say};
 use geograd::Obb2;
 use geograd::shape::{Obb3, YawBox3};
 use indicatif::{ProgressBar, ProgressStyle};
@@ -51,11 +47,11 @@ fn machine<T: Number>(options: &Options) -> Result<Machine, Failure> {
     let wish = options.wish;
     if wish == Wish::Auto && !T::ON_GPUS {
         let why = "GPUs have no f64; `--precision f32` allows one";
-        return Ok(cli::on_the_cpu(PROGRAM, why));
+        return Ok(on_the_cpu(PROGRAM, why));
     }
     if wish == Wish::Auto && !(options.format == Format::Obb2 && options.metric.is_on_gpus()) {
         let why = "GPUs compute iou and iof of obb2 only";
-        return Ok(cli::on_the_cpu(PROGRAM, why));
+        return Ok(on_the_cpu(PROGRAM, why));
     }
     wish.machine(PROGRAM)
 }
@@ -212,7 +208,7 @@ fn progress(pairs: u64) -> ProgressBar {
 fn main() -> ExitCode {
     let done = options().and_then(|options| match options {
         None => {
-            cli::say(HELP);
+            say(HELP);
             Ok(())
         }
         Some(options) if options.double => run::<f64>(&options),

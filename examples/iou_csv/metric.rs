@@ -1,5 +1,5 @@
 //! What is computed of a pair, and of what: the words of the command line.
-use crate::cli::Failure;
+use common::cli::Failure;
 
 /// What is computed of a pair of shapes.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

@@ -1,6 +1,6 @@
 //! The command line.
-use crate::cli::{Failure, Wish};
 use crate::metric::{Enclosing, Format, Metric};
+use common::cli::{Failure, Wish};
 use std::path::{Path, PathBuf};
 
 pub const HELP: &str = "\

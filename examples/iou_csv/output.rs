@@ -1,5 +1,5 @@
 //! Writes the result: block by block, on all cores, and under its name only when complete.
-use crate::cli::Failure;
+use common::cli::Failure;
 use std::fmt::{Debug, Write as _};
 use std::fs::File;
 use std::io::{self, BufWriter, Write};

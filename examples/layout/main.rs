@@ -1,23 +1,17 @@
 //! A dozen shapes of four kinds packed into a container without overlap, by descent on how deep they are in each
-//! other and in the walls. `cargo run --release -p geograd --example layout`; `-- --help` has the options.
+//! other and in the walls. `cargo run --release -p geograd-examples --example layout`; `-- --help` has the options.
 //!
 //! | file | what it holds |
 //! | --- | --- |
 //! | `pack.rs` | the shapes, how far they are apart, the steps |
 //! | `judge.rs` | the loss with its slopes by every pose: recorded functions in batches, on the CPU or a GPU |
 //! | `draw.rs` | the picture |
-#[path = "../common/cli.rs"]
-mod cli;
 mod draw;
-#[path = "../common/file.rs"]
-mod file;
 mod judge;
 mod pack;
-#[path = "../common/random.rs"]
-mod random;
 
-use cli::{Failure, Wish, say};
-use file::write;
+use common::cli::{Failure, Wish, say};
+use common::file::write;
 use indicatif::{ProgressBar, ProgressStyle};
 use lexopt::prelude::*;
 use pack::Layout;

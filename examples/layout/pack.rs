@@ -1,6 +1,6 @@
 //! The shapes, how far they are apart, and the descent.
 use crate::judge::Judge;
-use crate::random::Draw;
+use common::random::Draw;
 use geograd::distance::signed_distance;
 use geograd::kernels::Backend;
 use geograd::{Aabb2, Capsule2, Circle, Error, Obb2, Pose2, Scalar, Triangle2, Vec2};

@@ -1,15 +1,11 @@
 //! Polygons fitted to an outline by gradient descent: a convex one, and one with a hole; on the overlap
-//! and on the distance of borders. `cargo run --release --example polygon_fit`; `-- --help` has the options.
+//! and on the distance of borders. `cargo run --release -p geograd-examples --example polygon_fit`; `-- --help` has the options.
 mod draw;
-#[path = "../common/failure.rs"]
-mod failure;
-#[path = "../common/file.rs"]
-mod file;
 mod fit;
 mod target;
 
-use failure::{Failure, say};
-use file::write;
+use common::cli::{Failure, say};
+use common::file::write;
 use fit::{Fit, Loss};
 use indicatif::{ProgressBar, ProgressStyle};
 use lexopt::prelude::*;

@@ -1,6 +1,6 @@
 //! What boxes are moved by: a score of a box and its truth, 1 where both are the same. Losses are one minus
 //! these.
-use crate::cli::Failure;
+use common::cli::Failure;
 
 /// Where boxes overlap.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]

@@ -2,10 +2,10 @@
 //! every matched detection along the gradient of that overlap, or of another score.
 //!
 //! ```text
-//! cargo run --release --example refine_detections
-//! cargo run --release --example refine_detections -- --detections Car.txt Cyclist.txt --labels 0001.txt
-//! cargo run --release --example refine_detections -- --loss giou --space 3d --nms 0.1 --csv ap.csv
-//! cargo run --release --features gpu --example refine_detections -- --backend gpu
+//! cargo run --release -p geograd-examples --example refine_detections
+//! cargo run --release -p geograd-examples --example refine_detections -- --detections Car.txt Cyclist.txt --labels 0001.txt
+//! cargo run --release -p geograd-examples --example refine_detections -- --loss giou --space 3d --nms 0.1 --csv ap.csv
+//! cargo run --release -p geograd-examples --features gpu --example refine_detections -- --backend gpu
 //! ```
 //!
 //! The boxes are moved towards the very ground truth that they are then scored by, so the numbers
@@ -23,20 +23,12 @@
 //! | `refine.rs` | gradient descent on one minus a score |
 //! | `options.rs`, `table.rs`, `svg/` | the command line, the table, the picture |
 mod assign;
-#[path = "../common/cli.rs"]
-mod cli;
-#[path = "../common/file.rs"]
-mod file;
 mod kitti;
-#[path = "../common/known.rs"]
-mod known;
 mod loss;
 mod matching;
 mod model;
 mod options;
 mod precision;
-#[path = "../common/random.rs"]
-mod random;
 mod refine;
 mod scene;
 mod scorer;
@@ -44,8 +36,8 @@ mod suppress;
 mod svg;
 mod table;
 
-use cli::Failure;
-use file::write;
+use common::cli::{Failure, say};
+use common::file::write;
 use geograd::kernels::Backend;
 use geograd::shape::YawBox3;
 use geograd::{Error, Vec3};
@@ -195,13 +187,13 @@ fn run(options: &Options) -> Result<bool, Failure> {
         all: time,
     };
     let (first, last) = (quality(&before), quality(&after));
-    cli::say(&table::table(&counts, &first, &last, &times));
+    say(&table::table(&counts, &first, &last, &times));
     if options.judged {
         let (first, last) = (
             precision::by_class(&frames, space)?,
             precision::by_class(&refined, space)?,
         );
-        cli::say(&table::precision(options.goal, &first, &last));
+        say(&table::precision(options.goal, &first, &last));
         if let Some(csv) = &options.csv {
             write(csv, &table::csv(&first, &last))?;
         }
@@ -221,7 +213,7 @@ fn run(options: &Options) -> Result<bool, Failure> {
     });
     write(&options.svg, &picture)?;
     let name = options.svg.display();
-    cli::say(&format!(
+    say(&format!(
         "\nFrame {at} before and after is drawn in {name}.\n"
     ));
     if bad_lines > 0 {
@@ -243,7 +235,7 @@ fn most_improved(before: &Matches, after: &Matches) -> Option<u32> {
 fn main() -> ExitCode {
     let done = options().and_then(|options| match options {
         None => {
-            cli::say(HELP);
+            say(HELP);
             Ok(false)
         }
         Some(options) => run(&options),

@@ -1,6 +1,6 @@
 //! The command line.
-use crate::cli::{Failure, Wish};
 use crate::loss::{Goal, Loss, Space};
+use common::cli::{Failure, Wish};
 use std::path::PathBuf;
 
 pub const HELP: &str = "\

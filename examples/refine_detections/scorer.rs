@@ -3,8 +3,8 @@
 //! Overlaps and their slopes are the library's operations. All else is recorded as a program of both boxes
 //! and their overlap, which makes batches of it as fast; what a score adds to the overlap is recorded by
 //! itself (`known.rs`).
-use crate::known::known;
 use crate::loss::{Goal, Loss, Space};
+use common::known::known;
 use geograd::gaussian::{self, solid};
 use geograd::iou::{ciou_obb2, diou_obb2, hull_area_obb2};
 use geograd::iou3::{Enclosing, ciou, diou, giou, separation_aware};

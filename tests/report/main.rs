@@ -1,6 +1,6 @@
 //! Proves every operation of the library and prints the table.
 //!
-//! `cargo run --release --example gradient_report`; `-- --help` has the options.
+//! `cargo run --release -p geograd-tests --example gradient_report`; `-- --help` has the options.
 use geograd::ad::check::{Plan, Report, SEED};
 use geograd::kernels::gpu::Gpu;
 use geograd_tests::fuzzers::{self, Fuzzer};

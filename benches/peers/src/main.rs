@@ -13,15 +13,13 @@
 //! `-- --paper FILE.svg [--csv FILE] [--backend cpu|gpu|auto]` times the IoU loss against the number of boxes and
 //! draws it, with the GPU's curves beside the CPU's (`--features gpu`).
 mod boolean;
-#[path = "../../../examples/common/cli.rs"]
-mod cli;
 mod levels;
 mod paper;
 mod polygons;
 mod shapes;
 mod suppress;
 
-use cli::{Failure, Machine, Wish, say};
+use common::cli::{Failure, Machine, Wish, say};
 use geo::{Area, BooleanOps, Centroid, Coord, Euclidean, Length, LineString, Polygon};
 use geograd::kernels::{self, Cpu, IouObb2, Op, RingOp, Table};
 use geograd::{Obb2, Pack, Vec2, ad};

@@ -3,9 +3,9 @@
 //! IoU and IoF are the library's operations; the other scores are recorded as what they add to IoU.
 use super::plane::giou_in;
 use super::{Boxes, Pairs, Scores, on_cpu, on_scores};
-use crate::known::known;
 use crate::metric::{Enclosing, Metric};
 use crate::number::Number;
+use common::known::known;
 use geograd::ad::program::Plain;
 use geograd::iou::hull_area_obb2;
 use geograd::iou3::{self, Solid};
