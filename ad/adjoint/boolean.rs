@@ -83,7 +83,7 @@ pub fn overlay_vjp<'a, S: Scalar>(
         }
     }
     for bar in bars.all.into_iter().flatten() {
-        *bar = Vec2::new(bar.x.saturated(), bar.y.saturated()).canonical();
+        *bar = bar.saturated().canonical();
     }
 }
 

@@ -25,11 +25,6 @@ fn times<S: Scalar>(x: Vec3<S>, y: Vec3<S>) -> Vec3<S> {
     Vec3::new(x.x * y.x, x.y * y.y, x.z * y.z)
 }
 
-#[inline(always)]
-fn saturated<S: Scalar>(x: Vec3<S>) -> Vec3<S> {
-    Vec3::new(x.x.saturated(), x.y.saturated(), x.z.saturated())
-}
-
 /// What the first of two shapes takes of the slopes of shared bounds of which the smaller ones decide.
 #[inline(always)]
 fn parts<S: Scalar>(mine: Vec3<S>, other: Vec3<S>) -> Vec3<S> {
@@ -49,8 +44,8 @@ fn rest<S: Scalar>(x: Vec3<S>) -> Vec3<S> {
 /// Slopes in the caller's unit, by factors one after another.
 #[inline(always)]
 fn outer<S: Scalar>(x: Vec3<S>, by: [S; 3]) -> Vec3<S> {
-    let x = saturated(x * by[0]);
-    saturated(saturated(x * by[1]) * by[2]).canonical()
+    let x = (x * by[0]).saturated();
+    ((x * by[1]).saturated() * by[2]).saturated().canonical()
 }
 
 /// Value of a score and `out_bar` times its slopes.
@@ -76,9 +71,9 @@ fn score_vjp<S: Scalar>(over: Denominator, a: Aabb3<S>, b: Aabb3<S>, out_bar: S)
     // A volume is eight times the product of the halves; a bound moves a half by half as much.
     let four = S::lit(4.0);
     let (max, min) = (parts(a.max, b.max), parts(b.min, a.min));
-    let shared = saturated(faces(half) * (four * shared_bar));
-    let own_a = saturated(faces(half_a) * (four * slopes.own[0])) * falling;
-    let own_b = saturated(faces(half_b) * (four * slopes.own[1])) * falling;
+    let shared = (faces(half) * (four * shared_bar)).saturated();
+    let own_a = (faces(half_a) * (four * slopes.own[0])).saturated() * falling;
+    let own_b = (faces(half_b) * (four * slopes.own[1])).saturated() * falling;
     // Of a volume by one length, which leaves two; of a ratio.
     let units = match over {
         Denominator::None => {

@@ -43,7 +43,7 @@ pub fn clip_vjp<S: Scalar, const N: usize, const M: usize, const K: usize>(
             }
         }
     }
-    let finish = |v: Vec2<S>| Vec2::new(v.x.saturated(), v.y.saturated()).canonical();
+    let finish = |v: Vec2<S>| v.saturated().canonical();
     (
         ConvexPolygon {
             vertices: a_bar.map(finish),

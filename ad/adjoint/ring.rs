@@ -5,7 +5,7 @@ use crate::{Mask, Scalar, Vec2};
 /// A vertex's slopes at the nearest finite numbers.
 #[inline(always)]
 fn limited<S: Scalar>(x: S, y: S) -> Vec2<S> {
-    Vec2::new(x.saturated(), y.saturated()).canonical()
+    Vec2::new(x, y).saturated().canonical()
 }
 
 /// Writes a cotangent for every vertex, from it and its neighbours, each brought to its `place`

@@ -4,7 +4,7 @@ use super::{
     iof_obb3, iof_yaw, iou_aabb3, iou_obb3, iou_obb3_vjp, iou_yaw,
 };
 use crate::shape::{Aabb3, Obb3, Rotation3, YawBox3};
-use crate::{Scalar, Vec3};
+use crate::Scalar;
 
 /// Boxes that overlap another kind of box: every pair of [`Aabb3`], [`YawBox3`] and [`Obb3`]. The pair is
 /// measured as boxes of the more general kind.
@@ -79,8 +79,7 @@ fn upright<S: Scalar>(shape: YawBox3<S>, g: Obb3<S>) -> YawBox3<S> {
 #[inline]
 fn bounds<S: Scalar>(g: Obb3<S>) -> Aabb3<S> {
     let half = g.center * S::lit(0.5);
-    let held = |v: Vec3<S>| Vec3::new(v.x.saturated(), v.y.saturated(), v.z.saturated());
-    Aabb3::new(held(half - g.size), held(half + g.size))
+    Aabb3::new((half - g.size).saturated(), (half + g.size).saturated())
 }
 
 /// Intersection over union of an upright box and one of any orientation, and `out_bar` times its slopes by

@@ -99,6 +99,11 @@ macro_rules! vector {
             pub fn canonical(self) -> Self {
                 Self { $($field: self.$field.canonical()),* }
             }
+            /// The same vector with coordinates beyond the largest number at that.
+            #[inline(always)]
+            pub(crate) fn saturated(self) -> Self {
+                Self { $($field: self.$field.saturated()),* }
+            }
             /// Whether every coordinate is a finite number.
             #[must_use]
             #[inline]

@@ -1,6 +1,7 @@
 //! Operations with compiled kernels: which kernels, and the scalar code for what those do not serve.
 use super::face::{Face, Maker, Outline, Preparation, Prepare, Room, Want};
 use crate::ad::adjoint::iou::giou_framed_vjp;
+use crate::ad::adjoint::overlap::{score_aabb2_vjp, score_framed_vjp};
 use crate::ad::adjoint::overlap_quad::area_of_quads_vjp;
 use crate::ad::adjoint::upright::score_upright_vjp;
 use crate::error::Validate;
@@ -18,7 +19,7 @@ use crate::kernels::real::Real;
 use crate::overlap::{Denominator, score_framed};
 use crate::overlap3::{score_obb3, score_obb3_vjp, score_yaw};
 use crate::shape::{Obb3, YawBox3};
-use crate::{Aabb2, Fixed, Obb2, Vec2, ad, clip};
+use crate::{Aabb2, Fixed, Obb2, Vec2, clip};
 use std::sync::Arc;
 
 /// What batches know of an operation beside its program.
@@ -89,6 +90,37 @@ impl<T: Real> Maker<T> for Slopes<T> {
     }
 }
 
+/// The steepest cotangent that kernels bear: slopes of ordinary shapes are below 10²⁶ in single precision, and the
+/// terms that they are made of.
+fn steepest<T: Real>() -> f64 {
+    T::LARGEST.powf(0.3125)
+}
+
+/// A score of two shapes of a kind: how they are prepared, what its kernels make, and the scalar code of its value
+/// and of its value with slopes for shapes that kernels do not serve.
+fn score_of_two<T: Real, P: Fixed<Scalar = T>>(
+    want: Want,
+    shape: impl Fn() -> Preparation<T>,
+    maker: Box<dyn Maker<T>>,
+    value: impl Fn(P, P) -> T + Send + Sync + 'static,
+    vjp: impl Fn(P, P, T) -> (T, (P, P)) + Send + Sync + 'static,
+) -> Face<T> {
+    Face {
+        steepest: steepest::<T>(),
+        rare: Some(Box::new(move |shapes, out_bar, out| {
+            let [a, b] = [0, 1].map(|k| P::load(shapes[k]));
+            if let [score] = out {
+                *score = value(a, b);
+                return;
+            }
+            let (score, bars) = vjp(a, b, out_bar.first().copied().unwrap_or(T::one()));
+            out[0] = score;
+            bars.store(&mut out[1..]);
+        })),
+        ..Face::new(want, vec![shape(), shape()], vec![1], maker)
+    }
+}
+
 /// Scores of rotated boxes.
 fn of_obb2<T: Real>(over: Denominator, want: Want) -> Face<T> {
     let kernels = T::kernels();
@@ -104,23 +136,12 @@ fn of_obb2<T: Real>(over: Denominator, want: Want) -> Face<T> {
         Want::Value => Box::new(Scores(over, kernels.obb2_scores)),
         Want::ValueGrad | Want::Vjp => Box::new(Slopes(over, kernels.obb2_slopes)),
     };
-    Face {
-        // Slopes of ordinary boxes are below 10²⁶ in single precision, and their terms.
-        steepest: T::LARGEST.powf(0.3125),
-        rare: Some(Box::new(move |shapes, out_bar, out| {
-            let [a, b] = [0, 1].map(|k| clip::frame(Obb2::load(shapes[k])));
-            let out_bar = out_bar.first().copied().unwrap_or(T::one());
-            if let [value] = out {
-                *value = score_framed::<T, true>(over, a, b);
-                return;
-            }
-            let (value, bars) =
-                ad::adjoint::overlap::score_framed_vjp::<T, true>(over, a, b, out_bar);
-            out[0] = value;
-            bars.store(&mut out[1..]);
-        })),
-        ..Face::new(want, vec![shape(), shape()], vec![1], maker)
-    }
+    let value = move |a, b| score_framed::<T, true>(over, clip::frame(a), clip::frame(b));
+    let vjp = move |a, b, out_bar| {
+        let (a, b) = (clip::frame(a), clip::frame(b));
+        score_framed_vjp::<T, true>(over, a, b, out_bar)
+    };
+    score_of_two::<T, Obb2<T>>(want, shape, maker, value, vjp)
 }
 
 /// How rotated boxes are prepared, and how many numbers that gives.
@@ -173,21 +194,9 @@ fn of_giou<T: Real>(want: Want) -> Face<T> {
         Want::Value => Box::new(Scored(kernels.giou_scores)),
         Want::ValueGrad | Want::Vjp => Box::new(SlopesOfOne(kernels.giou_slopes)),
     };
-    Face {
-        steepest: T::LARGEST.powf(0.3125),
-        rare: Some(Box::new(move |shapes, out_bar, out| {
-            let [a, b] = [0, 1].map(|k| clip::frame(Obb2::load(shapes[k])));
-            let out_bar = out_bar.first().copied().unwrap_or(T::one());
-            if let [value] = out {
-                *value = giou_framed::<T, true>(a, b);
-                return;
-            }
-            let (value, bars) = giou_framed_vjp::<T, true>(a, b, out_bar);
-            out[0] = value;
-            bars.store(&mut out[1..]);
-        })),
-        ..Face::new(want, vec![shape(), shape()], vec![1], maker)
-    }
+    let value = |a, b| giou_framed::<T, true>(clip::frame(a), clip::frame(b));
+    let vjp = |a, b, out_bar| giou_framed_vjp::<T, true>(clip::frame(a), clip::frame(b), out_bar);
+    score_of_two::<T, Obb2<T>>(want, shape, maker, value, vjp)
 }
 
 /// Areas that convex quadrilaterals share.
@@ -208,20 +217,8 @@ fn of_quads<T: Real>(want: Want) -> Face<T> {
         Want::Value => Box::new(Scored(kernels.quad_scores)),
         Want::ValueGrad | Want::Vjp => Box::new(SlopesOfOne(kernels.quad_slopes)),
     };
-    Face {
-        // Slopes are no longer than sides.
-        steepest: T::LARGEST.powf(0.3125),
-        rare: Some(Box::new(move |shapes, out_bar, out| {
-            let [a, b] = [0, 1].map(|k| <[Vec2<T>; 4]>::load(shapes[k]));
-            let out_bar = out_bar.first().copied().unwrap_or(T::one());
-            let (value, bars) = area_of_quads_vjp::<T, true>(a, b, out_bar);
-            out[0] = value;
-            if out.len() > 1 {
-                bars.store(&mut out[1..]);
-            }
-        })),
-        ..Face::new(want, vec![shape(), shape()], vec![1], maker)
-    }
+    let value = |a, b| area_of_quads_vjp::<T, true>(a, b, T::one()).0;
+    score_of_two(want, shape, maker, value, area_of_quads_vjp::<T, true>)
 }
 
 /// Scores of upright boxes: of what is shared seen from above, then of heights.
@@ -260,21 +257,10 @@ fn of_upright<T: Real>(over: Denominator, want: Want) -> Face<T> {
         Want::Value => Box::new(UprightScores(over)),
         Want::ValueGrad | Want::Vjp => Box::new(UprightSlopes(over)),
     };
-    Face {
-        steepest: T::LARGEST.powf(0.3125),
-        rare: Some(Box::new(move |shapes, out_bar, out| {
-            let [a, b] = [0, 1].map(|k| YawBox3::load(shapes[k]));
-            let out_bar = out_bar.first().copied().unwrap_or(T::one());
-            if let [value] = out {
-                *value = score_yaw(over, a, b);
-                return;
-            }
-            let (value, bars) = score_upright_vjp(over, a, b, out_bar);
-            out[0] = value;
-            bars.store(&mut out[1..]);
-        })),
-        ..Face::new(want, vec![shape(), shape()], vec![1], maker)
-    }
+    let value = move |a: YawBox3<T>, b| score_yaw(over, a, b);
+    score_of_two(want, shape, maker, value, move |a, b, out_bar| {
+        score_upright_vjp(over, a, b, out_bar)
+    })
 }
 
 /// Scores of upright boxes seen from above, with their slopes.
@@ -304,7 +290,7 @@ fn of_birds_eye<T: Real>(over: Denominator, want: Want) -> Face<T> {
     };
     let flat = of_obb2::<T>(over, want).rare;
     Face {
-        steepest: T::LARGEST.powf(0.3125),
+        steepest: steepest::<T>(),
         rare: Some(Box::new(move |shapes, out_bar, out| {
             let Some(flat) = &flat else { return };
             let mut seen = [[T::default(); OBB2]; 2];
@@ -346,21 +332,10 @@ fn of_obb3<T: Real>(over: Denominator, want: Want) -> Face<T> {
         Want::Value => Box::new(Scores(over, kernels.obb3_scores)),
         Want::ValueGrad | Want::Vjp => Box::new(Slopes(over, kernels.obb3_slopes)),
     };
-    Face {
-        steepest: T::LARGEST.powf(0.3125),
-        rare: Some(Box::new(move |shapes, out_bar, out| {
-            let [a, b] = [0, 1].map(|k| Obb3::load(shapes[k]));
-            let out_bar = out_bar.first().copied().unwrap_or(T::one());
-            if let [value] = out {
-                *value = score_obb3(over, a, b);
-                return;
-            }
-            let (value, bars) = score_obb3_vjp(over, a, b, out_bar);
-            out[0] = value;
-            bars.store(&mut out[1..]);
-        })),
-        ..Face::new(want, vec![shape(), shape()], vec![1], maker)
-    }
+    let value = move |a: Obb3<T>, b| score_obb3(over, a, b);
+    score_of_two(want, shape, maker, value, move |a, b, out_bar| {
+        score_obb3_vjp(over, a, b, out_bar)
+    })
 }
 
 /// Scores of axis-aligned boxes.
@@ -381,18 +356,11 @@ fn of_aabb2<T: Real>(over: Denominator, want: Want) -> Face<T> {
         Want::Value => Box::new(Scores(over, kernels.aabb2_scores)),
         Want::ValueGrad | Want::Vjp => Box::new(Slopes(over, kernels.aabb2_slopes)),
     };
+    let vjp = move |a, b, out_bar| score_aabb2_vjp(over, a, b, out_bar);
+    let value = move |a: Aabb2<T>, b| vjp(a, b, T::one()).0;
     Face {
         // They serve boxes of any size.
         steepest: 1.0,
-        rare: Some(Box::new(move |shapes, out_bar, out| {
-            let [a, b] = [0, 1].map(|k| Aabb2::load(shapes[k]));
-            let out_bar = out_bar.first().copied().unwrap_or(T::one());
-            let (value, bars) = ad::adjoint::overlap::score_aabb2_vjp(over, a, b, out_bar);
-            out[0] = value;
-            if out.len() > 1 {
-                bars.store(&mut out[1..]);
-            }
-        })),
-        ..Face::new(want, vec![shape(), shape()], vec![1], maker)
+        ..score_of_two(want, shape, maker, value, vjp)
     }
 }
