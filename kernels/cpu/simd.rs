@@ -107,7 +107,7 @@ impl Simd {
 
 /// The best level there is.
 fn best() -> Simd {
-    #[cfg(target_arch = "x86_64")]
+    #[cfg(all(target_arch = "x86_64", not(geograd_portable)))]
     {
         macro_rules! has {
             ($($feature:tt)*) => { $(std::arch::is_x86_feature_detected!($feature) &&)* true };

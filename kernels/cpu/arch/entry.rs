@@ -48,7 +48,7 @@ macro_rules! entries {
                         type V = crate::kernels::cpu::arch::x86::$sse2;
                         $kernel($($arg),*)
                     }
-                    #[cfg(target_arch = "x86_64")]
+                    #[cfg(all(target_arch = "x86_64", not(geograd_portable)))]
                     {
                         use crate::kernels::cpu::arch::x86;
                         #[inline(never)]
@@ -70,7 +70,7 @@ macro_rules! entries {
                             Simd::V4 => unsafe { v4($($arg),*) },
                         }
                     }
-                    #[cfg(not(target_arch = "x86_64"))]
+                    #[cfg(any(not(target_arch = "x86_64"), geograd_portable))]
                     baseline($($arg),*)
                 }
             )*

@@ -21,9 +21,7 @@
 //! `if a < b { a } else { b }` does.
 mod entry;
 pub(crate) mod memory;
-#[cfg(target_arch = "x86_64")]
-// Its baseline vectors are compiled, but not used, where plain code takes their place for tests.
-#[cfg_attr(geograd_portable, allow(dead_code))]
+#[cfg(all(target_arch = "x86_64", not(geograd_portable)))]
 mod x86;
 
 pub use entry::Kernels;
