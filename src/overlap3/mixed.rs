@@ -3,8 +3,8 @@ use super::{
     intersection_volume_aabb3, intersection_volume_obb3, intersection_volume_yaw, iof_aabb3,
     iof_obb3, iof_yaw, iou_aabb3, iou_obb3, iou_obb3_vjp, iou_yaw,
 };
-use crate::shape::{Aabb3, Obb3, Rotation3, YawBox3};
 use crate::Scalar;
+use crate::shape::{Aabb3, Obb3, Rotation3, YawBox3};
 
 /// Boxes that overlap another kind of box: every pair of [`Aabb3`], [`YawBox3`] and [`Obb3`]. The pair is
 /// measured as boxes of the more general kind.

@@ -329,7 +329,7 @@ where
     let lists: [(Vec<O::A>, Vec<O::B>); 3] = [
         (far_apart(list(40, MILD, 3)), far_apart(list(1100, MILD, 4))),
         (near(33, 5), list(1030, 3, 6)),
-        (list(20, KINDS, 7), list(530, KINDS, 8)),
+        (list(8, KINDS, 7), list(530, KINDS, 8)),
     ];
     const THREADS: [usize; 4] = [1, 2, 3, 7];
     for (a, b) in &lists {

@@ -9,7 +9,6 @@ use crate::kernels::cpu::nearest;
 use crate::kernels::cpu::program::{self, Pass, Tape};
 use crate::kernels::cpu::quads;
 use crate::kernels::cpu::rings::{self, Measure};
-use crate::kernels::cpu::simd::Simd;
 use crate::kernels::cpu::upright;
 use crate::overlap::Denominator;
 
@@ -51,6 +50,7 @@ macro_rules! entries {
                     #[cfg(all(target_arch = "x86_64", not(geograd_portable)))]
                     {
                         use crate::kernels::cpu::arch::x86;
+                        use crate::kernels::cpu::simd::Simd;
                         #[inline(never)]
                         #[target_feature(enable = "avx2,fma,bmi1,bmi2,lzcnt,popcnt")]
                         fn avx2($($arg: $type),*) $(-> $out)? {

@@ -1,5 +1,5 @@
-//! A user's crate with shapes and a function of its own, outside the workspace: batches, the harness,
-//! programs, with and without the feature `gpu`.
+//! A user's program with shapes and a function of its own: batches, the harness, programs. It runs here, and is
+//! compiled outside the workspace with the feature `gpu`, too.
 use geograd::ad::check::Plan;
 use geograd::distance::Convex;
 use geograd::kernels::check::prove_with;
