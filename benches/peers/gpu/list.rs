@@ -1,7 +1,8 @@
 //! The whole list by generated kernels over data that stay: kernel time, bytes and counted instructions of
 //! every form, and what share of the machine that is.
 use crate::count::count;
-use crate::listed::{CORNERS, Form, Listed, list};
+use crate::listed::ready::CORNERS;
+use crate::listed::{Form, Listed, list};
 use crate::{Settings, fastest};
 use geograd::kernels::Backend;
 use geograd::kernels::gpu::{Gpu, fold_sources, op_sources};
