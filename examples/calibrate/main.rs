@@ -129,8 +129,7 @@ fn run(options: &Options) -> Result<(), Failure> {
     descent::descend(&scene, options.steps, |state| {
         states.push(state);
         bar.inc(1);
-    })
-    .map_err(|error| Failure::Work(error.to_string()))?;
+    })?;
     bar.finish_and_clear();
     say(&table(&scene, &states));
     if let Some(path) = &options.csv {

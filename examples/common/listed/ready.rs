@@ -26,7 +26,7 @@ pub trait Ready {
 const WAYS: usize = 64;
 
 /// A row moved in many ways by up to sixteen last digits of its largest number. No number changes its sign, so
-/// that sizes stay sizes.
+/// that sizes stay sizes; where the row would not be valid any more, it stays as it is.
 fn moved<R: Row<Scalar = f32>>(row: &R, draw: &mut Draw) -> Vec<R> {
     let numbers = row.scalars();
     let largest = numbers.iter().fold(0.0_f32, |most, x| most.max(x.abs()));
@@ -39,7 +39,9 @@ fn moved<R: Row<Scalar = f32>>(row: &R, draw: &mut Draw) -> Vec<R> {
                 if there * x < 0.0 { x } else { there }
             })
             .collect();
-        R::load(&numbers).load_codes(&row.codes())
+        let there = R::load(&numbers).load_codes(&row.codes());
+        let is_valid = Backend::Cpu.resident().upload(&[there]).is_ok();
+        if is_valid { there } else { *row }
     };
     (0..WAYS).map(&mut way).collect()
 }
@@ -83,11 +85,7 @@ impl<R: Row<Scalar = f32>, F: Runs<R> + Copy> Ready for Aligned<'_, R, F> {
         let width = self.numbers()?[list].len() / self.rows.len();
         let there = moved(&self.rows[at / width], &mut Draw::new(at as u64));
         let here = Backend::Cpu.resident();
-        // Moved shapes need not be valid.
-        let Ok(there) = here.upload(&there) else {
-            return Ok(None);
-        };
-        let found = &here.aligned(self.run, &there)?.numbers()?[list];
+        let found = &here.aligned(self.run, &here.upload(&there)?)?.numbers()?[list];
         Ok(Some(
             (0..WAYS)
                 .map(|way| found[way * width + at % width])
@@ -167,26 +165,20 @@ where
         if self.slopes.is_none() {
             let there = moved(&(self.rows[at / side].0, self.rows[at % side].1), &mut draw);
             let here = Backend::Cpu.resident();
-            let Ok(there) = here.upload(&there) else {
-                return Ok(None);
-            };
-            let mut found = here.aligned(self.run, &there)?.numbers()?;
+            let mut found = here.aligned(self.run, &here.upload(&there)?)?.numbers()?;
             return Ok(Some(found.swap_remove(0)));
         }
         // A sum over all of the others, each of which is moved, too.
-        let (from_a, width) = match list < self.a.numbers()?.len() {
-            true => (true, A::LEN),
-            false => (false, B::LEN),
-        };
+        let width = self.numbers()?[list].len() / side;
         let all: Vec<Vec<(A, B)>> = self.rows.iter().map(|x| moved(x, &mut draw)).collect();
         let way = |way: usize| {
             let mine = all[at / width][way];
             let others = all.iter().map(|x| x[way]);
-            let [by_a, by_b] = match from_a {
-                true => self.sums(&[mine.0], &others.map(|x| x.1).collect::<Vec<_>>())?,
-                false => self.sums(&others.map(|x| x.0).collect::<Vec<_>>(), &[mine.1])?,
+            let (a, b): (Vec<A>, Vec<B>) = match list {
+                0 => (vec![mine.0], others.map(|x| x.1).collect()),
+                _ => (others.map(|x| x.0).collect(), vec![mine.1]),
             };
-            Ok(if from_a { by_a } else { by_b }[at % width])
+            Ok(self.sums(&a, &b)?[list][at % width])
         };
         (0..WAYS).map(way).collect::<Result<_, _>>().map(Some)
     }
