@@ -67,7 +67,7 @@ fn batch(count: usize, machine: &Machine) -> Result<String, Failure> {
     let results = values.chunks_mut(piece).zip(slopes.chunks_mut(piece));
     for (arms, (values, slopes)) in arms.chunks(piece).zip(results) {
         let columns = (arms, One(WALL), One(POST));
-        machine.backend().run_into(
+        machine.backend().aligned_into(
             Clearance.value_grad(),
             columns,
             (values, (slopes, Skip, Skip)),

@@ -2,8 +2,7 @@
 use crate::Error;
 #[cfg(feature = "gpu")]
 use crate::GpuFault;
-use crate::kernels::gpu::{Gpu, GpuPair, GpuRing};
-use crate::kernels::on_cpu::{self, AlignedGrads, Bars as Slopes, Loss, PairGrads, ShapeOf};
+use crate::kernels::gpu::{Gpu, GpuRing};
 use crate::kernels::op::{RingOp, Runs};
 use crate::kernels::reduce::{Best, Found};
 use crate::kernels::row::Row;
@@ -12,15 +11,16 @@ use crate::{Pack, Vec2};
 
 /// Where batches run. Nothing ever falls back from one to the other by itself.
 ///
-/// These calls take and give slices. [`resident`](Backend::resident) has the same calls over handles whose
-/// data stay where they are computed with, between calls; see the [module](crate::kernels::resident).
+/// The calls are those of [`Cpu`], for any operation and any program, in `f32`: they take slices and give vectors.
+/// [`resident`](Backend::resident) has the same calls over handles whose data stay where they are computed with,
+/// between calls; see the [module](crate::kernels::resident).
 ///
 /// ```
 /// use geograd::Obb2;
 /// use geograd::kernels::{Backend, IouObb2};
 /// let a = [Obb2::new(0.0, 0.0, 2.0, 2.0, 0.0)];
 /// let b = [Obb2::new(1.0, 0.0, 2.0, 2.0, 0.0)];
-/// assert_eq!(Backend::Cpu.all_pairs(IouObb2, &a, &b)?, [1.0 / 3.0]);
+/// assert_eq!(Backend::Cpu.all_pairs(IouObb2, &a, &b)?.at(0, 0), 1.0 / 3.0);
 /// # Ok::<(), geograd::Error>(())
 /// ```
 #[derive(Clone, Copy, Debug)]
@@ -76,23 +76,37 @@ impl std::fmt::Display for Auto {
     }
 }
 
-/// Any operation, and any program.
+/// What one machine does or the other, by a call of the same name and the same arguments.
+macro_rules! on_either {
+    ($backend:expr, $name:ident($($arg:expr),*)) => {
+        match $backend {
+            Backend::Cpu => Cpu::new().$name($($arg),*),
+            #[cfg(feature = "gpu")]
+            Backend::Gpu(gpu) => gpu.$name($($arg),*),
+            #[cfg(not(feature = "gpu"))]
+            Backend::Gpu(gpu) => match *gpu {},
+        }
+    };
+}
+pub(crate) use on_either;
+
+/// Items side by side.
 impl Backend<'_> {
-    /// Item i of every column: [`Cpu::aligned`](crate::kernels::Cpu::aligned).
+    /// Item i of every column: [`Cpu::aligned`].
     ///
     /// ```
     /// use geograd::kernels::{Backend, DistanceCircles};
     /// use geograd::{Circle, Vec2};
     /// let circle = |x| Circle::new(Vec2::new(x, 0.0_f32), 1.0);
     /// let (a, b) = ([circle(0.0)], [circle(5.0)]);
-    /// assert_eq!(Backend::Cpu.run(DistanceCircles, (&a, &b))?, [3.0]);
+    /// assert_eq!(Backend::Cpu.aligned(DistanceCircles, (&a, &b))?, [3.0]);
     /// # Ok::<(), geograd::Error>(())
     /// ```
     ///
     /// # Errors
     ///
     /// As on the CPU; [`Error::Gpu`] are the GPU's.
-    pub fn run<C: Columns, R: Runs<C::Row>>(
+    pub fn aligned<C: Columns, R: Runs<C::Row>>(
         self,
         run: R,
         columns: C,
@@ -100,21 +114,15 @@ impl Backend<'_> {
     where
         C::Row: Pack<Scalar = f32>,
     {
-        match self {
-            Backend::Cpu => Cpu::new().aligned(run, columns),
-            #[cfg(feature = "gpu")]
-            Backend::Gpu(gpu) => gpu.programs().aligned(run, columns),
-            #[cfg(not(feature = "gpu"))]
-            Backend::Gpu(gpu) => match *gpu {},
-        }
+        on_either!(self, aligned(run, columns))
     }
 
-    /// The same into the caller's slices: [`Cpu::aligned_into`](crate::kernels::Cpu::aligned_into).
+    /// The same into the caller's slices: [`Cpu::aligned_into`].
     ///
     /// # Errors
     ///
-    /// As [`run`](Backend::run), and [`Error::Length`] for a slice of another length.
-    pub fn run_into<C: Columns, R: Runs<C::Row>>(
+    /// As [`aligned`](Backend::aligned), and [`Error::Length`] for a slice of another length.
+    pub fn aligned_into<C: Columns, R: Runs<C::Row>>(
         self,
         run: R,
         columns: C,
@@ -123,13 +131,7 @@ impl Backend<'_> {
     where
         C::Row: Pack<Scalar = f32>,
     {
-        match self {
-            Backend::Cpu => Cpu::new().aligned_into(run, columns, targets),
-            #[cfg(feature = "gpu")]
-            Backend::Gpu(gpu) => gpu.programs().aligned_into(run, columns, targets),
-            #[cfg(not(feature = "gpu"))]
-            Backend::Gpu(gpu) => match *gpu {},
-        }
+        on_either!(self, aligned_into(run, columns, targets))
     }
 
     /// The numbers of every result, item by item.
@@ -141,40 +143,77 @@ impl Backend<'_> {
     where
         C::Row: Pack<Scalar = f32>,
     {
-        match self {
-            Backend::Cpu => Cpu::new().rows(run, columns),
-            #[cfg(feature = "gpu")]
-            Backend::Gpu(gpu) => gpu.programs().rows(run, columns),
-            #[cfg(not(feature = "gpu"))]
-            Backend::Gpu(gpu) => match *gpu {},
-        }
+        on_either!(self, rows(run, columns))
     }
+}
 
-    /// Every row of `a` with every row of `b`: [`Cpu::all_pairs`](crate::kernels::Cpu::all_pairs).
+/// All pairs of two lists. A GPU does not serve what searches
+/// ([`Unrecordable::Search`](crate::Unrecordable::Search)).
+impl Backend<'_> {
+    /// Every row of `a` with every row of `b`: [`Cpu::all_pairs`].
     ///
     /// # Errors
     ///
-    /// As [`run`](Backend::run); a GPU does not serve all pairs of what searches
-    /// ([`Unrecordable::Search`](crate::Unrecordable::Search)).
-    pub fn run_pairs<A: Single<Scalar = f32>, B: Single<Scalar = f32>, R: Runs<(A, B)>>(
+    /// As on the CPU; [`Error::Gpu`] are the GPU's.
+    pub fn all_pairs<A: Single<Scalar = f32>, B: Single<Scalar = f32>, R: Runs<(A, B)>>(
         self,
         run: R,
         a: &[A],
         b: &[B],
     ) -> Result<Table<R::Out>, Error> {
-        match self {
-            Backend::Cpu => Cpu::new().all_pairs(run, a, b),
-            #[cfg(feature = "gpu")]
-            Backend::Gpu(gpu) => gpu.programs().all_pairs(run, a, b),
-            #[cfg(not(feature = "gpu"))]
-            Backend::Gpu(gpu) => match *gpu {},
-        }
+        on_either!(self, all_pairs(run, a, b))
     }
 }
 
-/// Folds over paths.
+/// Calls of two lists for results of one number: the macro lists them.
+macro_rules! of_pairs {
+    ($($(#[$doc:meta])* $name:ident($($arg:ident: $type:ty)?) -> $out:ty;)*) => {
+        impl Backend<'_> { $(
+            $(#[$doc])*
+            ///
+            /// # Errors
+            ///
+            /// As on the CPU; [`Error::Gpu`] are the GPU's.
+            pub fn $name<A: Single<Scalar = f32>, B: Single<Scalar = f32>, R>(
+                self,
+                run: R,
+                a: &[A],
+                b: &[B],
+                $($arg: $type,)?
+            ) -> Result<$out, Error>
+            where
+                R: Runs<(A, B), Out = f32>,
+            {
+                on_either!(self, $name(run, a, b $(, $arg)?))
+            }
+        )* }
+    };
+}
+
+of_pairs! {
+    /// The adjoint of [`all_pairs`](Backend::all_pairs): [`Cpu::all_pairs_vjp`].
+    all_pairs_vjp(upstream: &[f32]) -> (Vec<A>, Vec<B>);
+    /// The sum of all results and its slopes: [`Cpu::sum_grad`].
+    sum_grad() -> (f64, Vec<A>, Vec<B>);
+    /// The mean of all results and its slopes: [`Cpu::mean_grad`].
+    mean_grad() -> (f64, Vec<A>, Vec<B>);
+    /// The largest result of every row: [`Cpu::row_max`].
+    row_max() -> Vec<Best>;
+    /// The largest result of every column: [`Cpu::column_max`].
+    column_max() -> Vec<Best>;
+    /// Every pair whose result is above a threshold: [`Cpu::above`].
+    above(threshold: f32) -> Vec<Found>;
+    /// How many there are: [`Cpu::count_above`].
+    count_above(threshold: f32) -> u64;
+    /// The sum of all results: [`Cpu::sum`].
+    sum() -> f64;
+    /// The mean of all results: [`Cpu::mean`].
+    mean() -> f64;
+}
+
+/// Folds over paths, and measures of rings.
 impl Backend<'_> {
-    /// One result per path: [`Cpu::fold`](crate::kernels::Cpu::fold).
+    /// One result per path: [`Cpu::fold`].
     ///
     /// ```
     /// use geograd::kernels::{Backend, One, SignedDistancePointRing};
@@ -200,17 +239,10 @@ impl Backend<'_> {
         F: Fold<Context<f32> = C::Row>,
         C::Row: Pack<Scalar = f32>,
     {
-        match self {
-            Backend::Cpu => Cpu::new().fold(fold, context, vertices, offsets),
-            #[cfg(feature = "gpu")]
-            Backend::Gpu(gpu) => gpu.programs().fold(fold, context, vertices, offsets),
-            #[cfg(not(feature = "gpu"))]
-            Backend::Gpu(gpu) => match *gpu {},
-        }
+        on_either!(self, fold(fold, context, vertices, offsets))
     }
 
-    /// Its adjoint, one cotangent per context and one per vertex:
-    /// [`Cpu::fold_vjp`](crate::kernels::Cpu::fold_vjp).
+    /// Its adjoint, one cotangent per context and one per vertex: [`Cpu::fold_vjp`].
     ///
     /// # Errors
     ///
@@ -227,101 +259,35 @@ impl Backend<'_> {
         F: Fold<Context<f32> = C::Row>,
         C::Row: Pack<Scalar = f32>,
     {
-        match self {
-            Backend::Cpu => Cpu::new().fold_vjp(fold, context, vertices, offsets, upstream),
-            #[cfg(feature = "gpu")]
-            Backend::Gpu(gpu) => gpu
-                .programs()
-                .fold_vjp(fold, context, vertices, offsets, upstream),
-            #[cfg(not(feature = "gpu"))]
-            Backend::Gpu(gpu) => match *gpu {},
-        }
+        on_either!(self, fold_vjp(fold, context, vertices, offsets, upstream))
     }
-}
 
-/// The calls that both sides have under one name, with the CPU's types: the macro lists them.
-macro_rules! calls {
-    ($($(#[$doc:meta])* $name:ident<$bound:ident>($($arg:ident: $type:ty),*) -> $out:ty
-        = $cpu:path, $gpu:ident;)*) => {
-        impl Backend<'_> {
-            $(
-                $(#[$doc])*
-                ///
-                /// # Errors
-                ///
-                /// As on the CPU; [`Error::Gpu`](crate::Error::Gpu) are the GPU's.
-                pub fn $name<O: $bound>(self, op: O, $($arg: $type),*) -> Result<$out, Error> {
-                    match self {
-                        Backend::Cpu => Ok($cpu(op, $($arg),*)?),
-                        #[cfg(feature = "gpu")]
-                        Backend::Gpu(gpu) => gpu.$gpu::<O>($($arg),*),
-                        #[cfg(not(feature = "gpu"))]
-                        Backend::Gpu(gpu) => match *gpu {},
-                    }
-                }
-            )*
-        }
-    };
-}
+    /// One result per ring: [`Cpu::ragged`].
+    ///
+    /// # Errors
+    ///
+    /// As on the CPU; [`Error::Gpu`] are the GPU's.
+    pub fn ragged<O: GpuRing>(
+        self,
+        ring: O,
+        vertices: &[Vec2<f32>],
+        offsets: &[usize],
+    ) -> Result<Vec<<O as RingOp>::Out<f32>>, Error> {
+        on_either!(self, ragged(ring, vertices, offsets))
+    }
 
-calls! {
-    /// [`Cpu::aligned`](crate::kernels::Cpu::aligned).
-    aligned<GpuPair>(a: &[ShapeOf<O>], b: &[ShapeOf<O>]) -> Vec<f32>
-        = on_cpu::aligned::<O>, aligned_slices;
-    /// [`Cpu::aligned_into`](crate::kernels::Cpu::aligned_into).
-    aligned_into<GpuPair>(a: &[ShapeOf<O>], b: &[ShapeOf<O>], values: &mut [f32]) -> ()
-        = on_cpu::aligned_into::<O>, aligned_into_slices;
-    /// [`Cpu::aligned`](crate::kernels::Cpu::aligned) of [`value_grad`](crate::kernels::Op::value_grad).
-    aligned_grad<GpuPair>(a: &[ShapeOf<O>], b: &[ShapeOf<O>]) -> AlignedGrads<O>
-        = on_cpu::aligned_grad::<O>, aligned_grad_slices;
-    /// [`Cpu::aligned_into`](crate::kernels::Cpu::aligned_into) of [`value_grad`](crate::kernels::Op::value_grad).
-    aligned_grad_into<GpuPair>(
-        a: &[ShapeOf<O>], b: &[ShapeOf<O>],
-        values: &mut [f32], a_bar: &mut [ShapeOf<O>], b_bar: &mut [ShapeOf<O>]
-    ) -> ()
-        = on_cpu::aligned_grad_into::<O>, aligned_grad_into_slices;
-    /// [`Cpu::aligned`](crate::kernels::Cpu::aligned) of [`vjp`](crate::kernels::Op::vjp).
-    aligned_vjp<GpuPair>(a: &[ShapeOf<O>], b: &[ShapeOf<O>], upstream: &[f32]) -> Slopes<O>
-        = on_cpu::aligned_vjp::<O>, aligned_vjp_slices;
-    /// [`Cpu::all_pairs`](crate::kernels::Cpu::all_pairs).
-    all_pairs<GpuPair>(a: &[ShapeOf<O>], b: &[ShapeOf<O>]) -> Vec<f32>
-        = on_cpu::all_pairs::<O>, all_pairs_slices;
-    /// [`Cpu::all_pairs`](crate::kernels::Cpu::all_pairs) of [`value_grad`](crate::kernels::Op::value_grad).
-    all_pairs_grad<GpuPair>(a: &[ShapeOf<O>], b: &[ShapeOf<O>]) -> PairGrads<O>
-        = on_cpu::all_pairs_grad::<O>, all_pairs_grad_slices;
-    /// [`Cpu::all_pairs_vjp`](crate::kernels::Cpu::all_pairs_vjp).
-    all_pairs_vjp<GpuPair>(a: &[ShapeOf<O>], b: &[ShapeOf<O>], upstream: &[f32]) -> Slopes<O>
-        = on_cpu::all_pairs_vjp::<O>, all_pairs_vjp_slices;
-    /// [`Cpu::sum_grad`](crate::kernels::Cpu::sum_grad).
-    sum_grad<GpuPair>(a: &[ShapeOf<O>], b: &[ShapeOf<O>]) -> Loss<O>
-        = on_cpu::sum_grad::<O>, sum_grad_slices;
-    /// [`Cpu::mean_grad`](crate::kernels::Cpu::mean_grad).
-    mean_grad<GpuPair>(a: &[ShapeOf<O>], b: &[ShapeOf<O>]) -> Loss<O>
-        = on_cpu::mean_grad::<O>, mean_grad_slices;
-    /// [`Cpu::row_max`](crate::kernels::Cpu::row_max).
-    row_max<GpuPair>(a: &[ShapeOf<O>], b: &[ShapeOf<O>]) -> Vec<Best>
-        = on_cpu::row_max::<O>, row_max_slices;
-    /// [`Cpu::column_max`](crate::kernels::Cpu::column_max).
-    column_max<GpuPair>(a: &[ShapeOf<O>], b: &[ShapeOf<O>]) -> Vec<Best>
-        = on_cpu::column_max::<O>, column_max_slices;
-    /// [`Cpu::above`](crate::kernels::Cpu::above).
-    above<GpuPair>(a: &[ShapeOf<O>], b: &[ShapeOf<O>], threshold: f32) -> Vec<Found>
-        = on_cpu::above::<O>, above_slices;
-    /// [`Cpu::count_above`](crate::kernels::Cpu::count_above).
-    count_above<GpuPair>(a: &[ShapeOf<O>], b: &[ShapeOf<O>], threshold: f32) -> u64
-        = on_cpu::count_above::<O>, count_above_slices;
-    /// [`Cpu::sum`](crate::kernels::Cpu::sum).
-    sum<GpuPair>(a: &[ShapeOf<O>], b: &[ShapeOf<O>]) -> f64
-        = on_cpu::sum::<O>, sum_slices;
-    /// [`Cpu::mean`](crate::kernels::Cpu::mean).
-    mean<GpuPair>(a: &[ShapeOf<O>], b: &[ShapeOf<O>]) -> f64
-        = on_cpu::mean::<O>, mean_slices;
-    /// [`Cpu::ragged`](crate::kernels::Cpu::ragged).
-    ragged<GpuRing>(vertices: &[Vec2<f32>], offsets: &[usize]) -> Vec<<O as RingOp>::Out<f32>>
-        = on_cpu::ragged::<O>, ragged_slices;
-    /// [`Cpu::ragged_vjp`](crate::kernels::Cpu::ragged_vjp).
-    ragged_vjp<GpuRing>(
-        vertices: &[Vec2<f32>], offsets: &[usize], upstream: &[<O as RingOp>::Out<f32>]
-    ) -> Vec<Vec2<f32>>
-        = on_cpu::ragged_vjp::<O>, ragged_vjp_slices;
+    /// Its adjoint, one cotangent per vertex: [`Cpu::ragged_vjp`].
+    ///
+    /// # Errors
+    ///
+    /// As [`ragged`](Backend::ragged), and for cotangents of another number or not finite.
+    pub fn ragged_vjp<O: GpuRing>(
+        self,
+        ring: O,
+        vertices: &[Vec2<f32>],
+        offsets: &[usize],
+        upstream: &[<O as RingOp>::Out<f32>],
+    ) -> Result<Vec<Vec2<f32>>, Error> {
+        on_either!(self, ragged_vjp(ring, vertices, offsets, upstream))
+    }
 }

@@ -14,11 +14,11 @@ use crate::ad::check::{Plan, Report, examine};
 use crate::kernels::cpu::plan::{Want, program_of};
 use crate::kernels::decided::{Decided, Replayed};
 use crate::kernels::fold::{Fold, Folded};
-use crate::kernels::gpu::{GpuPair, GpuRing};
+use crate::kernels::gpu::GpuRing;
 use crate::kernels::op::{Op, RingOp, Ringed};
 use crate::kernels::real::Real;
 use crate::kernels::recorded_subject::{RecordedSubject, Recording};
-use crate::kernels::row::{Row, target};
+use crate::kernels::row::{Row, Single, target};
 use crate::kernels::witness::{Ask, Batch, ask_any, ask_pairs, ask_rings};
 use crate::kernels::{Backend, Cpu};
 use crate::{Error, Fixed, Pack, Vec2};
@@ -171,7 +171,8 @@ where
     without_batch(straight::<O, S>(plan, None))
 }
 
-/// The same in `f32`, with batches on a backend as a further witness.
+/// The same in `f32`, with batches of items side by side on a backend as a further witness: on a GPU its
+/// [generated](crate::kernels::gpu) kernels.
 ///
 /// A backend rounds differently: a GPU may fuse products and sums, divides to within two and a half
 /// units in the last place, and takes numbers below the smallest normal one for zero. All of it is
@@ -180,21 +181,7 @@ where
 /// # Errors
 ///
 /// The backend's.
-pub fn prove_on<O: GpuPair>(backend: Backend<'_>, plan: &Plan<'_>) -> Result<Report, Error>
-where
-    O::In<f64>: Sample + Row,
-    O::Out<f64>: Sample + Row,
-{
-    straight::<O, f32>(plan, Some(&|inputs| ask_pairs::<O>(backend, inputs)))
-}
-
-/// The same for any operation of fixed size: on a GPU its [generated](crate::kernels::gpu) kernels are
-/// asked.
-///
-/// # Errors
-///
-/// The backend's.
-pub fn prove_any_on<O: Op>(backend: Backend<'_>, plan: &Plan<'_>) -> Result<Report, Error>
+pub fn prove_on<O: Op>(backend: Backend<'_>, plan: &Plan<'_>) -> Result<Report, Error>
 where
     O::In<f64>: Sample + Row,
     O::Out<f64>: Sample + Row,
@@ -202,6 +189,23 @@ where
     O::Out<f32>: Row<Scalar = f32>,
 {
     straight::<O, f32>(plan, Some(&|inputs| ask_any::<O>(backend, inputs)))
+}
+
+/// The same for the kernels of all pairs, which may be others than those of items side by side: boxes in the plane
+/// have such by hand on a GPU.
+///
+/// # Errors
+///
+/// The backend's.
+pub fn prove_pairs_on<O, A, B>(backend: Backend<'_>, plan: &Plan<'_>) -> Result<Report, Error>
+where
+    O: Op<In<f32> = (A, B), Out<f32> = f32>,
+    O::In<f64>: Sample + Row,
+    O::Out<f64>: Sample + Row,
+    A: Single<Scalar = f32>,
+    B: Single<Scalar = f32>,
+{
+    straight::<O, f32>(plan, Some(&|inputs| ask_pairs::<O, A, B>(backend, inputs)))
 }
 
 fn straight<O: Op, S: Number + Real>(plan: &Plan<'_>, ask: Option<Ask<'_>>) -> Result<Report, Error>

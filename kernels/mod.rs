@@ -32,8 +32,6 @@ pub mod gpu;
 #[forbid(unsafe_code)]
 mod of;
 #[forbid(unsafe_code)]
-mod on_cpu;
-#[forbid(unsafe_code)]
 pub mod op;
 #[forbid(unsafe_code)]
 mod operation;

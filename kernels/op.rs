@@ -162,6 +162,11 @@ pub trait Runs<R: Row> {
     /// Those of recording it.
     #[doc(hidden)]
     fn face(&self, ask: Ask) -> Result<Arc<Face<R::Scalar>>, Error>;
+    /// What is known of it beside its program, where it is an operation.
+    #[doc(hidden)]
+    fn compiled(&self) -> Option<plan::Compiled> {
+        None
+    }
     /// What a GPU is given of it.
     ///
     /// # Errors
@@ -189,6 +194,9 @@ where
     fn face(&self, ask: Ask) -> Result<Arc<Face<R::Scalar>>, Error> {
         let want = if ask.adjoint { Want::Vjp } else { Want::Value };
         plan::face_of::<O, R>(want, ask.framed)
+    }
+    fn compiled(&self) -> Option<plan::Compiled> {
+        O::compiled()
     }
     #[cfg(feature = "gpu")]
     fn generated(&self, ask: Ask) -> Result<Arc<Generated<R::Scalar>>, Error> {

@@ -2,7 +2,7 @@
 //! no more of them than it needs.
 use crate::Error;
 use crate::error::Argument;
-use crate::kernels::Backend;
+use crate::kernels::backend::{Backend, on_either};
 use crate::kernels::cpu::all_pairs::pairs;
 use crate::kernels::cpu::checked::check;
 use crate::kernels::cpu::greedy::Greed;
@@ -173,12 +173,6 @@ impl Backend<'_> {
     where
         R: Runs<(A, A), Out = f32>,
     {
-        match self {
-            Backend::Cpu => Cpu::new().suppress(run, shapes, scores, rules),
-            #[cfg(feature = "gpu")]
-            Backend::Gpu(gpu) => gpu.programs().suppress(run, shapes, scores, rules),
-            #[cfg(not(feature = "gpu"))]
-            Backend::Gpu(gpu) => match *gpu {},
-        }
+        on_either!(self, suppress(run, shapes, scores, rules))
     }
 }

@@ -12,9 +12,9 @@
 //! ```
 use crate::Error;
 use crate::kernels::Backend;
-use crate::kernels::gpu::{GpuPair, GpuRing};
-use crate::kernels::op::{Op, RingOp};
-use crate::kernels::row::Row;
+use crate::kernels::gpu::GpuRing;
+use crate::kernels::op::{Op, RingOp, Runs};
+use crate::kernels::row::{Row, Single};
 use crate::{Fixed, Pack, Vec2};
 use std::cell::Cell;
 use std::collections::HashMap;
@@ -99,25 +99,40 @@ impl<'a> Batch<'a> {
     }
 }
 
-/// Asks a backend about pairs: values from the one kernel, slopes from the other.
-pub(crate) fn ask_pairs<O: GpuPair>(
+/// Inputs that all pairs are asked about at a time: of their square only the diagonal says something.
+const SIDE: usize = 64;
+
+/// Asks a backend about two shapes by all pairs: values from the matrix, slopes from the adjoint of an upstream
+/// that counts every row with its own column alone.
+pub(crate) fn ask_pairs<O, A, B>(
     backend: Backend<'_>,
     inputs: &[Vec<f32>],
-) -> Result<Vec<Answer>, Error> {
-    let (mut a, mut b) = (Vec::new(), Vec::new());
-    for x in inputs {
-        let (first, second) = x.split_at(O::Shape::LEN);
-        a.push(O::Shape::load(first));
-        b.push(O::Shape::load(second));
+) -> Result<Vec<Answer>, Error>
+where
+    O: Default + Runs<(A, B), Out = f32>,
+    A: Single<Scalar = f32>,
+    B: Single<Scalar = f32>,
+{
+    let mut answers = Vec::with_capacity(inputs.len());
+    for inputs in inputs.chunks(SIDE) {
+        let split = |x: &Vec<f32>| (A::load(&x[..A::LEN]), B::load(&x[A::LEN..]));
+        let (a, b): (Vec<A>, Vec<B>) = inputs.iter().map(split).unzip();
+        let side = a.len();
+        let mut own = vec![0.0; side * side];
+        own.iter_mut().step_by(side + 1).for_each(|x| *x = 1.0);
+        let values = backend.all_pairs(O::default(), &a, &b)?;
+        let (by_a, by_b) = backend.all_pairs_vjp(O::default(), &a, &b, &own)?;
+        answers.extend(
+            by_a.iter()
+                .zip(&by_b)
+                .enumerate()
+                .map(|(i, (a, b))| Answer {
+                    value: widened(&[values.at(i, i)]),
+                    rows: vec![widened(&[a.scalars(), b.scalars()].concat())],
+                }),
+        );
     }
-    let values = backend.aligned(O::default(), &a, &b)?;
-    let (a_bars, b_bars) = backend.aligned_vjp(O::default(), &a, &b, &vec![1.0; a.len()])?;
-    let bars = a_bars.iter().zip(&b_bars);
-    let answers = values.iter().zip(bars).map(|(value, (a, b))| Answer {
-        value: widened(&[*value]),
-        rows: vec![widened(&[a.scalars(), b.scalars()].concat())],
-    });
-    Ok(answers.collect())
+    Ok(answers)
 }
 
 /// Asks a backend about any operation, one call per output for the slopes.

@@ -74,7 +74,7 @@ pub fn shared_area<S: Scalar, const EXTREME: bool>(
 }
 
 /// What an area of intersection is divided by.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Denominator {
     /// Nothing: the score is the area itself.
     None,

@@ -3,7 +3,7 @@ use geograd::Error;
 use geograd::ad::check::{Plan, Report};
 use geograd::kernels::Backend;
 use geograd::kernels::check::{
-    prove_any_on, prove_decided_with, prove_fold_with, prove_on, prove_ring_on, prove_ring_with,
+    prove_decided_with, prove_fold_with, prove_on, prove_pairs_on, prove_ring_on, prove_ring_with,
     prove_with,
 };
 use geograd::kernels::gpu::Gpu;
@@ -30,7 +30,7 @@ macro_rules! proofs {
                     (|plan, _| Ok(prove_with::<$pair_op, f64>(plan))) as Prove,
                 ),
                 (stringify!($pair), false, |plan, gpu| match gpu {
-                    Some(gpu) => prove_on::<$pair_op>(Backend::Gpu(gpu), plan),
+                    Some(gpu) => prove_pairs_on::<$pair_op, _, _>(Backend::Gpu(gpu), plan),
                     None => Ok(prove_with::<$pair_op, f32>(plan)),
                 }),
             )*
@@ -44,7 +44,7 @@ macro_rules! proofs {
             $(
                 (stringify!($straight), true, |plan, _| Ok(prove_with::<$straight_op, f64>(plan))),
                 (stringify!($straight), false, |plan, gpu| match gpu {
-                    Some(gpu) => prove_any_on::<$straight_op>(Backend::Gpu(gpu), plan),
+                    Some(gpu) => prove_on::<$straight_op>(Backend::Gpu(gpu), plan),
                     None => Ok(prove_with::<$straight_op, f32>(plan)),
                 }),
             )*

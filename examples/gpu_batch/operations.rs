@@ -57,7 +57,8 @@ pub fn run(name: &str, size: f64) -> Result<(), Failure> {
 
 /// Bytes a second of a kernel that copies: what memory gives at best.
 fn copying(gpu: &Gpu, numbers: usize) -> Result<Option<f64>, Error> {
-    let from = gpu.upload_values(&vec![1.0; numbers])?;
+    let here = Backend::Gpu(gpu).resident();
+    let from = here.upload_matrix(1, numbers, &vec![1.0; numbers])?;
     let mut to = from.duplicate()?;
     let mut best = None;
     for _ in 0..5 {

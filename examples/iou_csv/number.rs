@@ -1,6 +1,5 @@
 //! The two formats to compute in.
 use crate::boxes::{Pairs, Scores, on_cpu};
-use geograd::kernels::gpu::GpuPair;
 use geograd::kernels::op::Op;
 use geograd::kernels::real::Real;
 use geograd::kernels::row::Single;
@@ -76,22 +75,22 @@ fn anywhere<O>(
     grad: bool,
 ) -> Result<Scores<Obb2<f32>>, Error>
 where
-    O: GpuPair<Shape = Obb2<f32>> + Op<In<f32> = (Obb2<f32>, Obb2<f32>), Out<f32> = f32>,
+    O: Op<In<f32> = (Obb2<f32>, Obb2<f32>), Out<f32> = f32>,
 {
     if let Backend::Cpu = backend {
         return on_cpu(op, pairs, grad);
     }
     match pairs {
         Pairs::Aligned(a, b) if grad => {
-            let (values, a_bar, b_bar) = backend.aligned_grad(O::default(), a, b)?;
+            let (values, (a_bar, b_bar)) = backend.aligned(op.value_grad(), (a, b))?;
             Ok(Scores::with_slopes(values, a_bar, b_bar))
         }
-        Pairs::Aligned(a, b) => Ok(Scores::new(backend.aligned(O::default(), a, b)?)),
-        Pairs::All(a, b) if grad => Ok(Scores::from_table(&backend.all_pairs_grad(
-            O::default(),
+        Pairs::Aligned(a, b) => Ok(Scores::new(backend.aligned(op, (a, b))?)),
+        Pairs::All(a, b) if grad => Ok(Scores::from_table(&backend.all_pairs(
+            op.value_grad(),
             a,
             b,
         )?)),
-        Pairs::All(a, b) => Ok(Scores::new(backend.all_pairs(O::default(), a, b)?)),
+        Pairs::All(a, b) => Ok(Scores::new(backend.all_pairs(op, a, b)?.into_planes())),
     }
 }

@@ -34,11 +34,11 @@ pub fn match_frame(
     let table = match space {
         Space::BirdsEye => {
             let grounds = |all: &[Seen]| all.iter().map(Seen::ground).collect::<Vec<_>>();
-            backend.run_pairs(IouObb2, &grounds(detections), &grounds(truths))?
+            backend.all_pairs(IouObb2, &grounds(detections), &grounds(truths))?
         }
         Space::Full => {
             let shapes = |all: &[Seen]| all.iter().map(|seen| seen.shape).collect::<Vec<_>>();
-            backend.run_pairs(IouYaw, &shapes(detections), &shapes(truths))?
+            backend.all_pairs(IouYaw, &shapes(detections), &shapes(truths))?
         }
     };
     let mut overlaps = table.into_planes();

@@ -190,7 +190,7 @@ impl Scorer {
             return Ok((ious, by_iou));
         };
         let columns = (boxes, truths, &ious);
-        let (scores, (mut slopes, _, along)) = backend.run(program, columns)?;
+        let (scores, (mut slopes, _, along)) = backend.aligned(program, columns)?;
         for ((by, along), iou) in slopes.iter_mut().zip(along).zip(by_iou) {
             by.center += iou.center * along;
             by.size += iou.size * along;
@@ -213,7 +213,7 @@ impl Scorer {
                 };
                 let (boxes, truths) = (ground(boxes), ground(truths));
                 let columns = (&boxes, &truths);
-                let (ious, (slopes, _)) = backend.run(IouObb2.value_grad(), columns)?;
+                let (ious, (slopes, _)) = backend.aligned(IouObb2.value_grad(), columns)?;
                 let raised = slopes.into_iter().map(|by| {
                     YawBox3::new(
                         Vec3::new(by.center.x, by.center.y, 0.0),
@@ -225,7 +225,7 @@ impl Scorer {
             }
             Space::Full => {
                 let columns = (boxes, truths);
-                let (ious, (slopes, _)) = backend.run(IouYaw.value_grad(), columns)?;
+                let (ious, (slopes, _)) = backend.aligned(IouYaw.value_grad(), columns)?;
                 Ok((ious, slopes))
             }
         }

@@ -1,9 +1,11 @@
 //! Batches on a GPU, through whatever wgpu finds: Vulkan, Metal, DX12, GL, or a driver in software.
 //!
-//! A [`Gpu`] is a context; cloning it is cheap and clones share everything. Shapes are uploaded
-//! once ([`Gpu::upload`]), operations run on handles and give handles, and only what is asked for
-//! comes back (`download`, or `start_download` without blocking). Handles of another context are
-//! refused.
+//! A [`Gpu`] is a context; cloning it is cheap and clones share everything. It has the calls of
+//! [`Cpu`](crate::kernels::Cpu), for any operation and any program: what runs is a value, columns are slices, vectors
+//! or [`One`](crate::kernels::One), and results come back as vectors. Numbers are `f32`.
+//! [`Backend`](crate::kernels::Backend) is one front for both machines, and
+//! [`Backend::resident`](crate::kernels::Backend::resident) has the same calls over data that stay, so that only what is
+//! asked for comes back.
 //!
 //! Results are the processor's to within rounding, and the same bits on every run: sums are added
 //! in a fixed order, without atomics. More than a dispatch, a binding or a buffer may hold is
@@ -11,24 +13,18 @@
 //!
 //! | what | call |
 //! | --- | --- |
-//! | row i with row i | [`Gpu::aligned`], [`Gpu::aligned_grad`], [`Gpu::aligned_vjp`] |
-//! | every row with every row | [`Gpu::all_pairs`], [`Gpu::all_pairs_grad`], [`Gpu::all_pairs_vjp`] |
-//! | the same, reduced where it is | [`Gpu::row_max`], [`Gpu::column_max`], [`Gpu::above`], [`Gpu::sum`] |
+//! | item i of every column | [`Gpu::aligned`], of [`value_grad`](crate::kernels::Op::value_grad) and [`vjp`](crate::kernels::Op::vjp), too |
+//! | every row with every row | [`Gpu::all_pairs`], [`Gpu::all_pairs_vjp`] |
+//! | the same, reduced where it is | [`Gpu::row_max`], [`Gpu::column_max`], [`Gpu::above`], [`Gpu::count_above`], [`Gpu::sum`] |
 //! | a loss with its gradient | [`Gpu::sum_grad`], [`Gpu::mean_grad`] |
-//! | a matrix that is there already | [`Matrix::row_max`], [`Matrix::above`], [`Matrix::sum`] |
-//! | the best match of each | [`Shapes::pick`] |
-//! | other shapes in the same buffers | [`Shapes::update`], [`Values::update`], [`Matrix::update`] |
-//! | rings | [`Gpu::ragged`], [`Gpu::ragged_vjp`] |
-//! | any operation, any program | [`Gpu::programs`]: `aligned`, `all_pairs`, reductions, `fold` |
-//! | the same over data that stay | [`Backend::resident`](crate::kernels::Backend::resident) |
-//! | suppression, with the processor's result | [`Gpu::programs`]: `suppress` |
+//! | paths and rings | [`Gpu::fold`], [`Gpu::fold_vjp`], [`Gpu::ragged`], [`Gpu::ragged_vjp`] |
+//! | suppression, with the processor's result | [`Gpu::suppress`] |
 //!
 //! # Two kinds of kernels
 //!
-//! Scores of two boxes in the plane and measures of rings have kernels by hand, over handles of shapes that
-//! stay on the GPU. Everything else, and these as well, runs by kernels that are *generated* from what an
-//! operation was recorded as: [`Gpu::programs`] has the calls of [`Cpu`](crate::kernels::Cpu), with the
-//! operation as a value and slices as columns.
+//! What an operation computes is recorded once, written as a shader once, and compiled once per context: its kernels
+//! are *generated*. All pairs of boxes in the plane (area of intersection, IoU, IoF), and measures of rings, have
+//! kernels by hand instead, which take fewer instructions. Which of them runs is the library's business.
 //!
 //! What searches (clipping, hulls) is decided on the processor, item by item, and replayed here, with its
 //! slopes: every record that occurs becomes a list of instructions, and one kernel carries out all of them.
@@ -44,16 +40,22 @@
 //! ([`WGSL`](crate::ad::program::WGSL)). Sines of an angle of one shape come from the processor. So every
 //! operation rounds as if its inputs had been moved by a few units in the last place, and a result is as far
 //! from the processor's as that moves it: little, but where a function is steep or terms cancel. The harness
-//! measures it input by input ([`prove_any_on`](crate::kernels::check::prove_any_on)) and allows no more.
+//! measures it input by input ([`prove_on`](crate::kernels::check::prove_on)) and allows no more.
 //!
 //! ```no_run
-//! use geograd::Obb2;
-//! use geograd::kernels::{IouObb2, gpu::Gpu};
+//! use geograd::kernels::gpu::Gpu;
+//! use geograd::kernels::{DistancePointSegment, IouObb2, One, Op};
+//! use geograd::{Obb2, Segment2, Vec2};
 //! # #[cfg(feature = "gpu")] {
 //! let gpu = Gpu::new()?;
-//! let boxes = gpu.upload(&[Obb2::new(0.0, 0.0, 4.0, 2.0, 0.3)])?;
-//! let best = gpu.row_max(IouObb2, &boxes, &boxes)?.download()?;
-//! assert_eq!(best[0].value, 1.0);
+//! let boxes = [Obb2::new(0.0, 0.0, 4.0, 2.0, 0.3)];
+//! assert_eq!(gpu.row_max(IouObb2, &boxes, &boxes)?[0].value, 1.0);
+//!
+//! let points = [Vec2::new(0.0_f32, 1.0), Vec2::new(3.0, 0.0)];
+//! let segment = One(Segment2::new(Vec2::new(0.0, 0.0), Vec2::new(2.0, 0.0)));
+//! let run = DistancePointSegment.value_grad();
+//! let (distances, (by_point, _)) = gpu.aligned(run, (&points, segment))?;
+//! assert_eq!((distances[0], by_point[0]), (1.0, Vec2::new(0.0, 1.0)));
 //! # }
 //! # Ok::<(), geograd::Error>(())
 //! ```

@@ -1,9 +1,6 @@
 //! What stands for the GPU in a build without the feature `gpu`: types without values, so that
 //! [`Backend`](crate::kernels::Backend) is the same in both.
-use crate::error::Validate;
-use crate::kernels::op::{Op, RingOp};
-use crate::kernels::row::Row;
-use crate::{Aabb2, Obb2};
+use crate::kernels::op::RingOp;
 use crate::{Error, GpuFault};
 use std::marker::PhantomData;
 
@@ -28,31 +25,6 @@ impl std::fmt::Display for Gpu {
     }
 }
 
-/// A shape that batches on a GPU take.
-pub trait GpuShape: Row<Scalar = f32, Many = Vec<Self>> + Validate + std::fmt::Debug {}
-impl GpuShape for Obb2<f32> {}
-impl GpuShape for Aabb2<f32> {}
-
-/// An operation of two shapes that a GPU serves.
-pub trait GpuPair:
-    Op<In<f32> = (<Self as GpuPair>::Shape, <Self as GpuPair>::Shape), Out<f32> = f32>
-{
-    /// Both shapes.
-    type Shape: GpuShape;
-}
-/// Lists the operations that a GPU serves.
-macro_rules! served {
-    ($($shape:ident: $($op:ident)*;)*) => { $($(
-        impl GpuPair for crate::kernels::$op {
-            type Shape = $shape<f32>;
-        }
-    )*)* };
-}
-served! {
-    Obb2: IntersectionAreaObb2 IouObb2 IofObb2;
-    Aabb2: IntersectionAreaAabb2 IouAabb2 IofAabb2;
-}
-
 /// An operation of a ring that a GPU serves.
 pub trait GpuRing: RingOp {}
 impl GpuRing for crate::kernels::SignedArea {}
@@ -71,4 +43,4 @@ macro_rules! none {
         }
     )* };
 }
-none! { Shapes Values Bars Matrix Bests Founds PairBars Pending HeldColumn Rings RingValues RingBars }
+none! { Matrix Bests Founds Pending HeldColumn Rings RingValues RingBars }

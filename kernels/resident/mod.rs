@@ -1,44 +1,40 @@
 //! Data that stay where a [`Backend`] computes, between calls: the same code on the CPU and on a GPU.
 //!
-//! Columns go up once, results stay as handles, calls chain on handles, and only what is asked for comes back. On
-//! the CPU a handle is the data itself, so nothing is lost there.
-//!
-//! [`Backend::resident`] has the calls of [`Cpu`](crate::kernels::Cpu) for any operation and any program
-//! ([`Resident`]): `upload`, `aligned`, `all_pairs`, adjoints and reductions, over handles of any shapes ([`Held`]).
-//!
-//! Boxes in the plane and rings have kernels by hand on GPUs, with handles of their own: [`Backend::upload`] and
-//! [`Backend::upload_rings`].
+//! [`Backend::resident`] has the calls of [`Cpu`](crate::kernels::Cpu) for any operation and any program over
+//! handles of any shapes: columns go up once, results stay as handles, calls chain on handles, and only what is
+//! asked for comes back. On the CPU a handle is the data itself, so nothing is lost there.
 //!
 //! ```
 //! use geograd::Obb2;
-//! use geograd::kernels::{Backend, IouObb2};
-//! let backend = Backend::Cpu; // or of a GPU
+//! use geograd::kernels::{Backend, IouObb2, Op};
+//! let here = Backend::Cpu.resident(); // or of a GPU
 //! let mut guesses = vec![Obb2::new(0.4, 0.0, 2.0, 2.0, 0.0); 3];
 //! let truths = vec![Obb2::new(0.0, 0.0, 2.0, 2.0, 0.0); 3];
 //!
-//! let (mut a, b) = (backend.upload(&guesses)?, backend.upload(&truths)?);
-//! let (mut iou, mut slopes, mut unused) = a.aligned_grad(IouObb2, &b)?;
+//! let (mut a, b) = (here.upload(&guesses)?, here.upload(&truths)?);
+//! let mut found = here.aligned(IouObb2.value_grad(), (&a, &b))?;
 //! for _ in 0..20 {
-//!     for (guess, slope) in guesses.iter_mut().zip(slopes.download()?) {
+//!     let (_, (slopes, _)) = found.download()?;
+//!     for (guess, slope) in guesses.iter_mut().zip(slopes) {
 //!         guess.center += slope.center * 0.05;
 //!     }
 //!     a.update(&guesses)?; // into the same buffers, and so are the results
-//!     a.aligned_grad_into(IouObb2, &b, &mut iou, &mut slopes, &mut unused)?;
+//!     here.aligned_into(IouObb2.value_grad(), (&a, &b), &mut found)?;
 //! }
+//! let (iou, _) = found.split(); // a handle of each part
 //! assert!(iou.download()?.iter().all(|&iou| iou > 0.95));
 //!
-//! let matrix = a.all_pairs(IouObb2, &b)?;
-//! let best = matrix.row_max()?;            // of a matrix that is there already
-//! let matched = b.pick(&best)?;            // the truth of every guess
-//! assert!(a.aligned(IouObb2, &matched)?.download()?[0] > 0.95);
+//! let matrix = here.all_pairs(IouObb2, &a, &b)?;
+//! let best = matrix.row_max()?; // of a matrix that is there already
+//! let matched = here.pick(&b, &best)?; // the truth of every guess
+//! assert!(here.aligned(IouObb2, (&a, &matched))?.download()?[0] > 0.95);
 //! # Ok::<(), geograd::Error>(())
 //! ```
 use crate::GpuFault;
 use crate::error::{Argument, Error};
 use crate::kernels::Backend;
 use crate::kernels::cpu::checked::{check_upstream, expect};
-use crate::kernels::gpu::{self, GpuPair, GpuShape};
-use crate::kernels::on_cpu::PairGrads;
+use crate::kernels::gpu;
 use crate::kernels::reduce::{self, Best, Found};
 use crate::{Fixed, Vec2};
 use std::future::Future;
@@ -66,13 +62,13 @@ macro_rules! on {
     };
 }
 
+mod calls;
 mod held;
 mod matrix;
 mod pairs;
 mod ring;
 
-pub use held::{Held, HeldColumns, Resident};
-pub use pairs::Slopes;
+pub use held::{Held, HeldColumns};
 pub use ring::Rings;
 
 /// Handles: name, what is kept on the CPU and on a GPU, what comes back and how.
@@ -107,10 +103,6 @@ macro_rules! handles {
 }
 
 handles! {
-    /// One number per aligned pair.
-    Values[] Vec<f32>, gpu::Values => Vec<f32> = Vec::clone;
-    /// Slopes with respect to every shape of a list.
-    Bars[P: GpuShape] Vec<P>, gpu::Bars<P> => Vec<P> = Vec::clone;
     /// One number per row of one list and row of another.
     Matrix[] reduce::Matrix, gpu::Matrix => Vec<f32> = |own: &reduce::Matrix| own.values.clone();
     /// The largest score of every row or column and where it is.
@@ -121,8 +113,6 @@ handles! {
     RingValues[T: RingResult] Vec<T>, gpu::RingValues<T> => Vec<T> = Vec::clone;
     /// One slope per vertex.
     RingBars[] Vec<Vec2<f32>>, gpu::RingBars => Vec<Vec2<f32>> = Vec::clone;
-    /// The results of all pairs and their slopes.
-    PairBars[O: GpuPair] PairGrads<O>, gpu::PairBars<O> => PairGrads<O> = Clone::clone;
 }
 
 /// A result of an operation of rings.
@@ -161,44 +151,44 @@ impl<T: Unpin> Future for Pending<T> {
     }
 }
 
-/// Shapes, checked and ready.
-#[derive(Clone, Debug)]
-pub struct Shapes<P>(Side<Vec<P>, gpu::Shapes<P>>);
+/// The calls of [`Cpu`](crate::kernels::Cpu) over data that stay where a [`Backend`] computes:
+/// [`Backend::resident`].
+///
+/// ```
+/// use geograd::kernels::{Backend, DistancePointSegment, IouObb3, Op, One};
+/// use geograd::shape::{Obb3, Rotation3};
+/// use geograd::{Segment2, Vec2, Vec3};
+/// let resident = Backend::Cpu.resident(); // or of a GPU
+///
+/// let boxes = |turn| {
+///     let size = Vec3::new(4.0, 2.0, 1.5);
+///     [0.0, 5.0].map(|x| Obb3::new(Vec3::new(x, 0.0, 0.0), size, Rotation3::new(1.0, 0.0, 0.0, turn)))
+/// };
+/// let (a, b) = (resident.upload(&boxes(0.0))?, resident.upload(&boxes(0.1))?);
+/// let iou = resident.aligned(IouObb3, (&a, &b))?; // stays there
+/// let matrix = resident.all_pairs(IouObb3, &a, &b)?; // of the same boxes: nothing goes up again
+/// assert_eq!(matrix.download()?[3], iou.download()?[1]);
+///
+/// // Results are arguments of what comes next: here slopes, times those of what is made of the distances.
+/// let points = resident.upload(&[Vec2::new(0.0, 1.0), Vec2::new(3.0, 0.0)])?;
+/// let wall = One(Segment2::new(Vec2::new(0.0, 0.0), Vec2::new(2.0, 0.0)));
+/// let (distances, _) = resident.aligned(DistancePointSegment.value_grad(), (&points, wall))?.split();
+/// let slopes = resident.aligned(DistancePointSegment.vjp(), ((&points, wall), &distances))?;
+/// assert_eq!(slopes.download()?.0, [Vec2::new(0.0, 1.0), Vec2::new(1.0, 0.0)]);
+/// # Ok::<(), geograd::Error>(())
+/// ```
+#[derive(Clone, Copy, Debug)]
+pub struct Resident<'a>(Backend<'a>);
 
-impl Backend<'_> {
-    /// Checks shapes and brings them to where it computes.
-    ///
-    /// # Errors
-    ///
-    /// The input's for a shape that is not valid, or what the device says.
-    pub fn upload<P: GpuShape>(self, shapes: &[P]) -> Result<Shapes<P>, Error> {
-        Ok(Shapes(match self {
-            Backend::Cpu => Side::Cpu(checked(shapes)?.to_vec()),
-            #[cfg(feature = "gpu")]
-            Backend::Gpu(gpu) => Side::Gpu(gpu.upload(shapes)?),
-            #[cfg(not(feature = "gpu"))]
-            Backend::Gpu(gpu) => match *gpu {},
-        }))
+impl<'a> Backend<'a> {
+    /// The same calls over data that stay where they are computed with.
+    #[must_use]
+    pub fn resident(self) -> Resident<'a> {
+        Resident(self)
     }
+}
 
-    /// Brings numbers to where it computes, such as an upstream gradient.
-    ///
-    /// # Errors
-    ///
-    /// The input's for a number that is not finite, or what the device says.
-    pub fn upload_values(self, values: &[f32]) -> Result<Values, Error> {
-        Ok(Values(match self {
-            Backend::Cpu => {
-                check_upstream(values, 1)?;
-                Side::Cpu(values.to_vec())
-            }
-            #[cfg(feature = "gpu")]
-            Backend::Gpu(gpu) => Side::Gpu(gpu.upload_values(values)?),
-            #[cfg(not(feature = "gpu"))]
-            Backend::Gpu(gpu) => match *gpu {},
-        }))
-    }
-
+impl Resident<'_> {
     /// Brings a matrix to where it computes, row by row.
     ///
     /// # Errors
@@ -211,7 +201,7 @@ impl Backend<'_> {
         columns: usize,
         values: &[f32],
     ) -> Result<Matrix, Error> {
-        Ok(Matrix(match self {
+        Ok(Matrix(match self.0 {
             Backend::Cpu => {
                 let expected = rows.checked_mul(columns).ok_or(Error::TooLarge)?;
                 expect(Argument::Upstream, expected, values.len())?;
@@ -226,65 +216,32 @@ impl Backend<'_> {
     }
 }
 
-/// The same shapes, all of them valid.
-fn checked<P: GpuShape>(shapes: &[P]) -> Result<&[P], Error> {
-    for (row, shape) in shapes.iter().enumerate() {
-        shape.validate().map_err(|flaw| Error::Invalid {
-            argument: Argument::Shape,
-            row,
-            flaw,
-        })?;
-    }
-    Ok(shapes)
-}
-
-impl<P: GpuShape> Bars<P> {
-    /// Brings the slopes back into a slice.
+impl Matrix {
+    /// The same numbers again, in memory of their own.
     ///
     /// # Errors
     ///
-    /// The input's for a slice of another length, or what the device says.
-    pub fn download_into(&self, to: &mut [P]) -> Result<(), Error> {
+    /// What the device says.
+    pub fn duplicate(&self) -> Result<Matrix, Error> {
         on!(own = &self.0;
-        {
-            expect(Argument::Values, own.len(), to.len())?;
-            to.copy_from_slice(own);
-            Ok(())
-        };
-        own.download_into(to))
+            Ok(Matrix(Side::Cpu(own.clone())));
+            Ok(Matrix(Side::Gpu(own.duplicate()?))))
     }
-}
 
-impl Values {
-    /// Brings the numbers back into a slice.
+    /// [`duplicate`](Matrix::duplicate) over a matrix that is there already: how fast a machine copies.
     ///
     /// # Errors
     ///
-    /// The input's for a slice of another length, or what the device says.
-    pub fn download_into(&self, to: &mut [f32]) -> Result<(), Error> {
-        on!(own = &self.0;
+    /// [`Error::Length`] for a matrix of another size, [`GpuFault::ForeignBuffer`] for one of another backend, or
+    /// what the device says.
+    pub fn duplicate_into(&self, to: &mut Matrix) -> Result<(), Error> {
+        on!(own = &self.0, to = &mut to.0;
         {
-            expect(Argument::Values, own.len(), to.len())?;
-            to.copy_from_slice(own);
+            expect(Argument::Values, own.rows(), to.rows())?;
+            expect(Argument::Values, own.columns(), to.columns())?;
+            to.values.copy_from_slice(&own.values);
             Ok(())
         };
-        own.download_into(to))
-    }
-
-    /// Puts as many other numbers in their place.
-    ///
-    /// # Errors
-    ///
-    /// The input's for another number of them or one that is not finite, or what the device
-    /// says.
-    pub fn update(&mut self, values: &[f32]) -> Result<(), Error> {
-        on!(own = &mut self.0;
-        {
-            expect(Argument::Upstream, own.len(), values.len())?;
-            check_upstream(values, 1)?;
-            own.copy_from_slice(values);
-            Ok(())
-        };
-        own.update(values))
+        own.duplicate_into(to))
     }
 }

@@ -1,301 +1,299 @@
-//! The calls of two lists of shapes.
-use super::{Bars, Bests, Founds, Matrix, PairBars, Shapes, Side, Values, checked};
+//! Every row of one list that stays with every row of another.
+#[cfg(feature = "gpu")]
+use super::calls::{of_gpu, on_gpu::column};
+use super::held::{Held, foreign, held_of, shapes_of};
+use super::{Bests, Founds, Matrix, Resident, Side};
 use crate::error::{Argument, Error};
+use crate::kernels::backend::Backend;
 use crate::kernels::cpu::checked::expect;
-use crate::kernels::gpu::{GpuPair, GpuShape};
-use crate::kernels::on_cpu;
-use crate::kernels::reduce;
+#[cfg(feature = "gpu")]
+use crate::kernels::gpu::{
+    Gpu, HeldColumn,
+    lists::{Lists, Seed, loss},
+};
+#[cfg(feature = "gpu")]
+use crate::kernels::op::Ask;
+use crate::kernels::op::Runs;
+use crate::kernels::row::Single;
+use crate::kernels::{Cpu, reduce};
 
-/// Shapes of an operation, and slopes with respect to them.
-type ShapesOf<O> = Shapes<<O as GpuPair>::Shape>;
-type BarsOf<O> = Bars<<O as GpuPair>::Shape>;
-/// Slopes with respect to both lists.
-pub type Slopes<O> = (BarsOf<O>, BarsOf<O>);
-
-/// The calls of two lists that give something new: the macro lists them.
-macro_rules! calls {
-    ($($(#[$doc:meta])* $name:ident($($arg:ident: $type:ty),*) -> $out:ty
-        = |$op:ident, $a:ident, $b:ident| $cpu:expr; |$gpu:ident| $wrap:expr;)*) => { $(
-        $(#[$doc])*
-        ///
-        /// # Errors
-        ///
-        /// The input's as on the CPU, [`GpuFault::ForeignBuffer`](crate::GpuFault::ForeignBuffer) for handles of different
-        /// backends, or what the device says.
-        pub fn $name<O: GpuPair<Shape = P>>(
-            &self,
-            $op: O,
-            b: &Shapes<P>,
-            $($arg: $type),*
-        ) -> Result<$out, Error> {
-            on!($a = &self.0, $b = &b.0;
-                Ok($cpu);
-                {
-                    let $gpu = $a.gpu().$name($op, $a, $b, $($arg),*)?;
-                    Ok($wrap)
-                })
+impl Resident<'_> {
+    /// Every row of `a` with every row of `b`, as [`Cpu::all_pairs`], for one number as result: a matrix
+    /// that stays.
+    ///
+    /// # Errors
+    ///
+    /// As [`aligned`](Resident::aligned).
+    pub fn all_pairs<A: Single<Scalar = f32>, B: Single<Scalar = f32>, R>(
+        self,
+        run: R,
+        a: &Held<A>,
+        b: &Held<B>,
+    ) -> Result<Matrix, Error>
+    where
+        R: Runs<(A, B), Out = f32>,
+    {
+        match self.0 {
+            Backend::Cpu => {
+                let table = Cpu::new().all_pairs(run, &shapes_of(a)?, &shapes_of(b)?)?;
+                let values = table.into_planes();
+                Ok(Matrix(Side::Cpu(reduce::Matrix::new(
+                    a.count, b.count, values,
+                )?)))
+            }
+            #[cfg(feature = "gpu")]
+            Backend::Gpu(gpu) => {
+                let lists = Lists::of_held(gpu, &run, column(a)?, column(b)?, Ask::PAIRS)?;
+                Ok(Matrix(Side::Gpu(lists.matrix()?)))
+            }
+            #[cfg(not(feature = "gpu"))]
+            Backend::Gpu(gpu) => match *gpu {},
         }
-    )* };
+    }
+
+    /// [`all_pairs`](Resident::all_pairs) over a matrix that is there already, in the same buffers.
+    ///
+    /// # Errors
+    ///
+    /// As [`all_pairs`](Resident::all_pairs), and [`Error::Length`] for a matrix of another size.
+    pub fn all_pairs_into<A: Single<Scalar = f32>, B: Single<Scalar = f32>, R>(
+        self,
+        run: R,
+        a: &Held<A>,
+        b: &Held<B>,
+        matrix: &mut Matrix,
+    ) -> Result<(), Error>
+    where
+        R: Runs<(A, B), Out = f32>,
+    {
+        match (self.0, &mut matrix.0) {
+            (Backend::Cpu, Side::Cpu(own)) => {
+                fits(a, b, own, Argument::Values)?;
+                let (a, b) = (shapes_of(a)?, shapes_of(b)?);
+                Cpu::new().all_pairs_planes(run, &a, &b, &mut own.values)
+            }
+            #[cfg(feature = "gpu")]
+            (Backend::Gpu(gpu), Side::Gpu(own)) => {
+                Lists::of_held(gpu, &run, column(a)?, column(b)?, Ask::PAIRS)?.matrix_into(own)
+            }
+            _ => Err(foreign()),
+        }
+    }
+
+    /// The adjoint of [`all_pairs`](Resident::all_pairs), as [`Cpu::all_pairs_vjp`]: slopes summed for
+    /// every row of both lists.
+    ///
+    /// # Errors
+    ///
+    /// As [`all_pairs`](Resident::all_pairs), and [`Error::Length`] for an upstream of another size.
+    pub fn all_pairs_vjp<A: Single<Scalar = f32>, B: Single<Scalar = f32>, R>(
+        self,
+        run: R,
+        a: &Held<A>,
+        b: &Held<B>,
+        upstream: &Matrix,
+    ) -> Result<(Held<A>, Held<B>), Error>
+    where
+        R: Runs<(A, B), Out = f32>,
+    {
+        match (self.0, &upstream.0) {
+            (Backend::Cpu, Side::Cpu(own)) => {
+                fits(a, b, own, Argument::Upstream)?;
+                let (a, b) = (shapes_of(a)?, shapes_of(b)?);
+                let (by_a, by_b) = Cpu::new().all_pairs_vjp(run, &a, &b, &own.values)?;
+                Ok((held_of(&by_a), held_of(&by_b)))
+            }
+            #[cfg(feature = "gpu")]
+            (Backend::Gpu(gpu), Side::Gpu(own)) => {
+                let (x, y) = (column(a)?, column(b)?);
+                let lists = Lists::of_held(gpu, &run, x, y, Ask::ADJOINT)?;
+                both(gpu, [x, y], lists.slopes(&Seed::Matrix(own))?)
+            }
+            _ => Err(foreign()),
+        }
+    }
+
+    /// The sum of all results, and its slopes for every row of both lists, as [`Cpu::sum_grad`].
+    ///
+    /// # Errors
+    ///
+    /// As [`all_pairs`](Resident::all_pairs).
+    pub fn sum_grad<A: Single<Scalar = f32>, B: Single<Scalar = f32>, R>(
+        self,
+        run: R,
+        a: &Held<A>,
+        b: &Held<B>,
+    ) -> Result<(f64, Held<A>, Held<B>), Error>
+    where
+        R: Runs<(A, B), Out = f32>,
+    {
+        match self.0 {
+            Backend::Cpu => {
+                let (a, b) = (shapes_of(a)?, shapes_of(b)?);
+                let (sum, by_a, by_b) = Cpu::new().sum_grad(run, &a, &b)?;
+                Ok((sum, held_of(&by_a), held_of(&by_b)))
+            }
+            #[cfg(feature = "gpu")]
+            Backend::Gpu(gpu) => Self::loss(gpu, &run, a, b, 1.0),
+            #[cfg(not(feature = "gpu"))]
+            Backend::Gpu(gpu) => match *gpu {},
+        }
+    }
+
+    /// The mean of all results, zero where there are none, and its slopes, as [`Cpu::mean_grad`].
+    ///
+    /// # Errors
+    ///
+    /// As [`all_pairs`](Resident::all_pairs).
+    pub fn mean_grad<A: Single<Scalar = f32>, B: Single<Scalar = f32>, R>(
+        self,
+        run: R,
+        a: &Held<A>,
+        b: &Held<B>,
+    ) -> Result<(f64, Held<A>, Held<B>), Error>
+    where
+        R: Runs<(A, B), Out = f32>,
+    {
+        match self.0 {
+            Backend::Cpu => {
+                let (a, b) = (shapes_of(a)?, shapes_of(b)?);
+                let (mean, by_a, by_b) = Cpu::new().mean_grad(run, &a, &b)?;
+                Ok((mean, held_of(&by_a), held_of(&by_b)))
+            }
+            #[cfg(feature = "gpu")]
+            Backend::Gpu(gpu) => {
+                let factor = 1.0 / (a.count as f64 * b.count as f64).max(1.0);
+                let (sum, by_a, by_b) = Self::loss(gpu, &run, a, b, factor as f32)?;
+                Ok((sum * factor, by_a, by_b))
+            }
+            #[cfg(not(feature = "gpu"))]
+            Backend::Gpu(gpu) => match *gpu {},
+        }
+    }
+
+    /// The sum of all results on a GPU, and slopes times a factor.
+    #[cfg(feature = "gpu")]
+    fn loss<A: Single<Scalar = f32>, B: Single<Scalar = f32>, R: Runs<(A, B)>>(
+        gpu: &Gpu,
+        run: &R,
+        a: &Held<A>,
+        b: &Held<B>,
+        factor: f32,
+    ) -> Result<(f64, Held<A>, Held<B>), Error> {
+        let (x, y) = (column(a)?, column(b)?);
+        let (sum, slopes) = loss(|ask| Lists::of_held(gpu, run, x, y, ask), factor)?;
+        let (by_a, by_b) = both(gpu, [x, y], slopes)?;
+        Ok((sum, by_a, by_b))
+    }
+
+    /// The shape of a list that each row (or column) found best: `pick(&b, &row_max)` has as many shapes as
+    /// `a`, ready to be aligned with it.
+    ///
+    /// # Errors
+    ///
+    /// [`Error::Length`] for results about a list of another length,
+    /// [`GpuFault::ForeignBuffer`](crate::GpuFault::ForeignBuffer) for handles of other backends, or what the
+    /// device says.
+    pub fn pick<P: Single<Scalar = f32>>(
+        self,
+        list: &Held<P>,
+        bests: &Bests,
+    ) -> Result<Held<P>, Error> {
+        match (self.0, &bests.0) {
+            (Backend::Cpu, Side::Cpu((found, among))) => {
+                expect(Argument::Shape, *among, list.count)?;
+                let shapes = shapes_of(list)?;
+                let picked: Vec<P> = found.iter().map(|best| shapes[best.index]).collect();
+                Ok(held_of(&picked))
+            }
+            #[cfg(feature = "gpu")]
+            (Backend::Gpu(gpu), Side::Gpu(found)) => {
+                let own = column(list)?;
+                own.is_of(gpu)?;
+                found.is_of(gpu)?;
+                expect(Argument::Shape, found.among, list.count)?;
+                Ok(of_gpu(vec![own.picked(&found.download()?)?]))
+            }
+            _ => Err(foreign()),
+        }
+    }
 }
 
-impl<P: GpuShape> Shapes<P> {
-    calls! {
-        /// [`Cpu::aligned`](crate::kernels::Cpu::aligned).
-        aligned() -> Values
-            = |op, a, b| Values(Side::Cpu(on_cpu::aligned(op, a, b)?));
-            |x| Values(Side::Gpu(x));
-        /// [`Cpu::aligned`](crate::kernels::Cpu::aligned) of [`value_grad`](crate::kernels::Op::value_grad).
-        aligned_grad() -> (Values, BarsOf<O>, BarsOf<O>)
-            = |op, a, b| {
-                let (values, a_bar, b_bar) = on_cpu::aligned_grad(op, a, b)?;
-                (Values(Side::Cpu(values)), Bars(Side::Cpu(a_bar)), Bars(Side::Cpu(b_bar)))
-            };
-            |x| (Values(Side::Gpu(x.0)), Bars(Side::Gpu(x.1)), Bars(Side::Gpu(x.2)));
-        /// [`Cpu::all_pairs`](crate::kernels::Cpu::all_pairs).
-        all_pairs() -> Matrix
-            = |op, a, b| {
-                let values = on_cpu::all_pairs(op, a, b)?;
-                Matrix(Side::Cpu(reduce::Matrix::new(a.len(), b.len(), values)?))
-            };
-            |x| Matrix(Side::Gpu(x));
-        /// [`Cpu::all_pairs`](crate::kernels::Cpu::all_pairs) of [`value_grad`](crate::kernels::Op::value_grad).
-        all_pairs_grad() -> PairBars<O>
-            = |op, a, b| PairBars(Side::Cpu(on_cpu::all_pairs_grad(op, a, b)?));
-            |x| PairBars(Side::Gpu(x));
-        /// [`Cpu::sum_grad`](crate::kernels::Cpu::sum_grad).
-        sum_grad() -> (f64, BarsOf<O>, BarsOf<O>)
-            = |op, a, b| {
-                let (sum, a_bar, b_bar) = on_cpu::sum_grad(op, a, b)?;
-                (sum, Bars(Side::Cpu(a_bar)), Bars(Side::Cpu(b_bar)))
-            };
-            |x| (x.0, Bars(Side::Gpu(x.1)), Bars(Side::Gpu(x.2)));
-        /// [`Cpu::mean_grad`](crate::kernels::Cpu::mean_grad).
-        mean_grad() -> (f64, BarsOf<O>, BarsOf<O>)
-            = |op, a, b| {
-                let (mean, a_bar, b_bar) = on_cpu::mean_grad(op, a, b)?;
-                (mean, Bars(Side::Cpu(a_bar)), Bars(Side::Cpu(b_bar)))
-            };
-            |x| (x.0, Bars(Side::Gpu(x.1)), Bars(Side::Gpu(x.2)));
-        /// [`Cpu::row_max`](crate::kernels::Cpu::row_max).
-        row_max() -> Bests
-            = |op, a, b| Bests(Side::Cpu((on_cpu::row_max(op, a, b)?, b.len())));
-            |x| Bests(Side::Gpu(x));
-        /// [`Cpu::column_max`](crate::kernels::Cpu::column_max).
-        column_max() -> Bests
-            = |op, a, b| Bests(Side::Cpu((on_cpu::column_max(op, a, b)?, a.len())));
-            |x| Bests(Side::Gpu(x));
-        /// [`Cpu::above`](crate::kernels::Cpu::above).
-        above(threshold: f32) -> Founds
-            = |op, a, b| Founds(Side::Cpu(on_cpu::above(op, a, b, threshold)?));
-            |x| Founds(Side::Gpu(x));
-        /// [`Cpu::count_above`](crate::kernels::Cpu::count_above).
-        count_above(threshold: f32) -> u64
-            = |op, a, b| on_cpu::count_above(op, a, b, threshold)?;
-            |x| x;
-        /// [`Cpu::sum`](crate::kernels::Cpu::sum).
-        sum() -> f64
-            = |op, a, b| on_cpu::sum(op, a, b)?;
-            |x| x;
-        /// [`Cpu::mean`](crate::kernels::Cpu::mean).
-        mean() -> f64
-            = |op, a, b| on_cpu::mean(op, a, b)?;
-            |x| x;
-    }
-
-    /// [`Cpu::aligned`](crate::kernels::Cpu::aligned) of [`vjp`](crate::kernels::Op::vjp).
-    ///
-    /// # Errors
-    ///
-    /// As [`aligned`](Shapes::aligned), and for an upstream of another length.
-    pub fn aligned_vjp<O: GpuPair<Shape = P>>(
-        &self,
-        op: O,
-        b: &ShapesOf<O>,
-        upstream: &Values,
-    ) -> Result<Slopes<O>, Error> {
-        on!(a = &self.0, b = &b.0, upstream = &upstream.0;
-        {
-            let (a_bar, b_bar) = on_cpu::aligned_vjp(op, a, b, upstream)?;
-            Ok((Bars(Side::Cpu(a_bar)), Bars(Side::Cpu(b_bar))))
-        };
-        {
-            let (a_bar, b_bar) = a.gpu().aligned_vjp(op, a, b, upstream)?;
-            Ok((Bars(Side::Gpu(a_bar)), Bars(Side::Gpu(b_bar))))
-        })
-    }
-
-    /// [`Cpu::all_pairs_vjp`](crate::kernels::Cpu::all_pairs_vjp).
-    ///
-    /// # Errors
-    ///
-    /// As [`all_pairs`](Shapes::all_pairs), and for an upstream of another size.
-    pub fn all_pairs_vjp<O: GpuPair<Shape = P>>(
-        &self,
-        op: O,
-        b: &ShapesOf<O>,
-        upstream: &Matrix,
-    ) -> Result<Slopes<O>, Error> {
-        on!(a = &self.0, b = &b.0, upstream = &upstream.0;
-        {
-            fits(a, b, upstream, Argument::Upstream)?;
-            let (a_bar, b_bar) = on_cpu::all_pairs_vjp(op, a, b, &upstream.values)?;
-            Ok((Bars(Side::Cpu(a_bar)), Bars(Side::Cpu(b_bar))))
-        };
-        {
-            let (a_bar, b_bar) = a.gpu().all_pairs_vjp(op, a, b, upstream)?;
-            Ok((Bars(Side::Gpu(a_bar)), Bars(Side::Gpu(b_bar))))
-        })
-    }
-
-    /// [`aligned`](Shapes::aligned) over results that are there already.
-    ///
-    /// # Errors
-    ///
-    /// As [`aligned`](Shapes::aligned), and for results of another length.
-    pub fn aligned_into<O: GpuPair<Shape = P>>(
-        &self,
-        op: O,
-        b: &ShapesOf<O>,
-        values: &mut Values,
-    ) -> Result<(), Error> {
-        on!(a = &self.0, b = &b.0, values = &mut values.0;
-            Ok(on_cpu::aligned_into(op, a, b, values)?);
-            a.gpu().aligned_into(op, a, b, values))
-    }
-
-    /// [`aligned_grad`](Shapes::aligned_grad) over results and slopes that are there already.
-    ///
-    /// # Errors
-    ///
-    /// As [`aligned`](Shapes::aligned), and for results or slopes of another length.
-    pub fn aligned_grad_into<O: GpuPair<Shape = P>>(
-        &self,
-        op: O,
-        b: &ShapesOf<O>,
-        values: &mut Values,
-        a_bar: &mut BarsOf<O>,
-        b_bar: &mut BarsOf<O>,
-    ) -> Result<(), Error> {
-        on!(a = &self.0, b = &b.0, v = &mut values.0, x = &mut a_bar.0, y = &mut b_bar.0;
-            Ok(on_cpu::aligned_grad_into(op, a, b, v, x, y)?);
-            a.gpu().aligned_grad_into(op, a, b, v, x, y))
-    }
-
-    /// [`aligned_vjp`](Shapes::aligned_vjp) over slopes that are there already.
-    ///
-    /// # Errors
-    ///
-    /// As [`aligned_vjp`](Shapes::aligned_vjp), and for slopes of another length.
-    pub fn aligned_vjp_into<O: GpuPair<Shape = P>>(
-        &self,
-        op: O,
-        b: &ShapesOf<O>,
-        upstream: &Values,
-        a_bar: &mut BarsOf<O>,
-        b_bar: &mut BarsOf<O>,
-    ) -> Result<(), Error> {
-        on!(a = &self.0, b = &b.0, u = &upstream.0, x = &mut a_bar.0, y = &mut b_bar.0;
-            Ok(on_cpu::aligned_vjp_into(op, a, b, u, x, y)?);
-            a.gpu().aligned_vjp_into(op, a, b, u, x, y))
-    }
-
-    /// [`all_pairs`](Shapes::all_pairs) over a matrix that is there already.
-    ///
-    /// # Errors
-    ///
-    /// As [`all_pairs`](Shapes::all_pairs), and for a matrix of another size.
-    pub fn all_pairs_into<O: GpuPair<Shape = P>>(
-        &self,
-        op: O,
-        b: &ShapesOf<O>,
-        matrix: &mut Matrix,
-    ) -> Result<(), Error> {
-        on!(a = &self.0, b = &b.0, matrix = &mut matrix.0;
-        {
-            fits(a, b, matrix, Argument::Values)?;
-            Ok(on_cpu::all_pairs_into(op, a, b, &mut matrix.values)?)
-        };
-        a.gpu().all_pairs_into(op, a, b, matrix))
-    }
-
-    /// [`all_pairs_vjp`](Shapes::all_pairs_vjp) over slopes that are there already.
-    ///
-    /// # Errors
-    ///
-    /// As [`all_pairs_vjp`](Shapes::all_pairs_vjp), and for slopes of another length.
-    pub fn all_pairs_vjp_into<O: GpuPair<Shape = P>>(
-        &self,
-        op: O,
-        b: &ShapesOf<O>,
-        upstream: &Matrix,
-        a_bar: &mut BarsOf<O>,
-        b_bar: &mut BarsOf<O>,
-    ) -> Result<(), Error> {
-        on!(a = &self.0, b = &b.0, u = &upstream.0, x = &mut a_bar.0, y = &mut b_bar.0;
-        {
-            fits(a, b, u, Argument::Upstream)?;
-            Ok(on_cpu::all_pairs_vjp_into(op, a, b, &u.values, x, y)?)
-        };
-        a.gpu().all_pairs_vjp_into(op, a, b, u, x, y))
-    }
-
-    /// The sum of all results; over slopes that are there already those of the sum times `factor`:
-    /// [`Cpu::sum_grad_into`](crate::kernels::Cpu::sum_grad_into).
-    ///
-    /// # Errors
-    ///
-    /// As [`sum_grad`](Shapes::sum_grad), and for slopes of another length or a factor that is not
-    /// finite.
-    pub fn sum_grad_into<O: GpuPair<Shape = P>>(
-        &self,
-        op: O,
-        b: &ShapesOf<O>,
-        factor: f32,
-        a_bar: &mut BarsOf<O>,
-        b_bar: &mut BarsOf<O>,
-    ) -> Result<f64, Error> {
-        on!(a = &self.0, b = &b.0, x = &mut a_bar.0, y = &mut b_bar.0;
-            Ok(on_cpu::sum_grad_into(op, a, b, factor, x, y)?);
-            a.gpu().sum_grad_into(op, a, b, factor, x, y))
-    }
-
-    /// Puts as many other shapes in their place: what a loop does that moves them. On a GPU no
-    /// buffer is made.
-    ///
-    /// # Errors
-    ///
-    /// The input's for another number of shapes or one that is not valid (the old ones are
-    /// then as they were), or what the device says.
-    pub fn update(&mut self, shapes: &[P]) -> Result<(), Error> {
-        on!(own = &mut self.0;
-        {
-            expect(Argument::Shape, own.len(), shapes.len())?;
-            own.copy_from_slice(checked(shapes)?);
-            Ok(())
-        };
-        own.update(shapes))
-    }
-
-    /// The shape of this list that each row (or column) found best: `b.pick(&row_max)` has as many
-    /// shapes as `a`, ready to be aligned with it.
-    ///
-    /// # Errors
-    ///
-    /// [`GpuFault::ForeignBuffer`](crate::GpuFault::ForeignBuffer), The input's for results about a list of another length,
-    /// or what the device says.
-    pub fn pick(&self, bests: &Bests) -> Result<Shapes<P>, Error> {
-        on!(own = &self.0, bests = &bests.0;
-        {
-            expect(Argument::Shape, bests.1, own.len())?;
-            let picked = bests.0.iter().map(|best| own[best.index]).collect();
-            Ok(Shapes(Side::Cpu(picked)))
-        };
-        Ok(Shapes(Side::Gpu(own.pick(bests)?))))
-    }
+/// Slopes of both lists, which stay.
+#[cfg(feature = "gpu")]
+fn both<A, B>(
+    gpu: &Gpu,
+    [a, b]: [&HeldColumn; 2],
+    [by_a, by_b]: [Vec<f32>; 2],
+) -> Result<(Held<A>, Held<B>), Error> {
+    Ok((
+        of_gpu(vec![HeldColumn::new(gpu, a.fields(), by_a)?]),
+        of_gpu(vec![HeldColumn::new(gpu, b.fields(), by_b)?]),
+    ))
 }
 
 /// Refuses a matrix of another size than two lists have.
-fn fits<P>(a: &[P], b: &[P], matrix: &reduce::Matrix, argument: Argument) -> Result<(), Error> {
-    expect(argument, a.len(), matrix.rows())?;
-    expect(argument, b.len(), matrix.columns())
+fn fits<A, B>(
+    a: &Held<A>,
+    b: &Held<B>,
+    matrix: &reduce::Matrix,
+    argument: Argument,
+) -> Result<(), Error> {
+    expect(argument, a.count, matrix.rows())?;
+    expect(argument, b.count, matrix.columns())
+}
+
+/// Reductions of all pairs, without the matrix.
+macro_rules! reductions {
+    ($($(#[$doc:meta])* $name:ident($($arg:ident)?) -> $out:ty
+        = |$found:ident, $a:ident, $b:ident| $cpu:expr, $gpu:expr;)*) => {
+        impl Resident<'_> { $(
+            $(#[$doc])*
+            ///
+            /// # Errors
+            ///
+            /// As [`all_pairs`](Resident::all_pairs).
+            pub fn $name<A: Single<Scalar = f32>, B: Single<Scalar = f32>, R>(
+                self,
+                run: R,
+                $a: &Held<A>,
+                $b: &Held<B>,
+                $($arg: f32,)?
+            ) -> Result<$out, Error>
+            where
+                R: Runs<(A, B), Out = f32>,
+            {
+                match self.0 {
+                    Backend::Cpu => {
+                        let (x, y) = (shapes_of($a)?, shapes_of($b)?);
+                        let $found = Cpu::new().$name(run, &x, &y $(, $arg)?)?;
+                        Ok($cpu)
+                    }
+                    #[cfg(feature = "gpu")]
+                    Backend::Gpu(gpu) => {
+                        let (x, y) = (column($a)?, column($b)?);
+                        let $found = Lists::of_held(gpu, &run, x, y, Ask::PAIRS)?.$name($($arg)?)?;
+                        Ok($gpu)
+                    }
+                    #[cfg(not(feature = "gpu"))]
+                    Backend::Gpu(gpu) => match *gpu {},
+                }
+            }
+        )* }
+    };
+}
+
+reductions! {
+    /// The largest result of every row and its column, of several the first, as [`Cpu::row_max`].
+    row_max() -> Bests = |found, a, b| Bests(Side::Cpu((found, b.count))), Bests(Side::Gpu(found));
+    /// The largest result of every column and its row, of several the first, as [`Cpu::column_max`].
+    column_max() -> Bests = |found, a, b| Bests(Side::Cpu((found, a.count))), Bests(Side::Gpu(found));
+    /// Every pair whose result is above the threshold, row by row, as [`Cpu::above`].
+    above(threshold) -> Founds = |found, a, b| Founds(Side::Cpu(found)), Founds(Side::Gpu(found));
+    /// How many pairs have a result above the threshold, as [`Cpu::count_above`].
+    count_above(threshold) -> u64 = |found, a, b| found, found;
+    /// The sum of all results, as [`Cpu::sum`].
+    sum() -> f64 = |found, a, b| found, found;
+    /// The mean of all results, zero where there are none, as [`Cpu::mean`].
+    mean() -> f64 = |found, a, b| found, found;
 }

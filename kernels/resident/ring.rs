@@ -1,14 +1,13 @@
 //! Rings that stay between calls.
-use super::{RingBars, RingValues, Side};
+use super::{Resident, RingBars, RingValues, Side};
 use crate::Error;
 use crate::Vec2;
 use crate::error::Argument;
-use crate::kernels::Backend;
 use crate::kernels::cpu::check_ragged;
 use crate::kernels::cpu::checked::expect;
 use crate::kernels::gpu::{self, GpuRing};
-use crate::kernels::on_cpu;
 use crate::kernels::op::RingOp;
+use crate::kernels::{Backend, Cpu};
 
 /// Vertices, and where each ring begins among them.
 type Held = (Vec<Vec2<f32>>, Vec<usize>);
@@ -17,7 +16,7 @@ type Held = (Vec<Vec2<f32>>, Vec<usize>);
 #[derive(Clone, Debug)]
 pub struct Rings(Side<Held, gpu::Rings>);
 
-impl Backend<'_> {
+impl Resident<'_> {
     /// Checks rings and brings them to where it computes. Ring i has the vertices
     /// `offsets[i]..offsets[i + 1]`.
     ///
@@ -25,7 +24,7 @@ impl Backend<'_> {
     ///
     /// The input's as [`Cpu::ragged`](crate::kernels::Cpu::ragged), or what the device says.
     pub fn upload_rings(self, vertices: &[Vec2<f32>], offsets: &[usize]) -> Result<Rings, Error> {
-        Ok(Rings(match self {
+        Ok(Rings(match self.0 {
             Backend::Cpu => {
                 check_ragged(vertices, offsets)?;
                 Side::Cpu((vertices.to_vec(), offsets.to_vec()))
@@ -46,8 +45,8 @@ impl Rings {
     /// What the device says.
     pub fn ragged<O: GpuRing>(&self, op: O) -> Result<RingValues<<O as RingOp>::Out<f32>>, Error> {
         on!(own = &self.0;
-            Ok(RingValues(Side::Cpu(on_cpu::ragged(op, &own.0, &own.1)?)));
-            Ok(RingValues(Side::Gpu(own.gpu().ragged(op, own)?))))
+            Ok(RingValues(Side::Cpu(Cpu::new().ragged(op, &own.0, &own.1)?)));
+            Ok(RingValues(Side::Gpu(own.gpu().ragged_of(op, own)?))))
     }
 
     /// [`Cpu::ragged_vjp`](crate::kernels::Cpu::ragged_vjp).
@@ -62,8 +61,8 @@ impl Rings {
         upstream: &[<O as RingOp>::Out<f32>],
     ) -> Result<RingBars, Error> {
         on!(own = &self.0;
-            Ok(RingBars(Side::Cpu(on_cpu::ragged_vjp(op, &own.0, &own.1, upstream)?)));
-            Ok(RingBars(Side::Gpu(own.gpu().ragged_vjp(op, own, upstream)?))))
+            Ok(RingBars(Side::Cpu(Cpu::new().ragged_vjp(op, &own.0, &own.1, upstream)?)));
+            Ok(RingBars(Side::Gpu(own.gpu().ragged_vjp_of(op, own, upstream)?))))
     }
 
     /// Moves the vertices; each ring keeps as many as it has.

@@ -1,6 +1,5 @@
 //! How far results of a GPU may lie from those of the CPU: derived, not tuned.
-use crate::shapes::{Draw, Draws, fields};
-use geograd::kernels::gpu::GpuPair;
+use crate::shapes::{Draw, Draws, Score, fields};
 use geograd::overlap::Denominator;
 use geograd::{Fixed, Pack};
 
@@ -19,15 +18,12 @@ pub const ROUNDINGS: f64 = 32.0;
 /// most min(W, l); long edges by k·ε·W, and by 2⁻³⁵·L for the relative heading, whose products
 /// carry low parts, along at most l. A ratio divides that by its denominator and adds its own
 /// roundings.
-pub fn value_bound<O: GpuPair>(a: O::Shape, b: O::Shape, value: f64) -> f64
-where
-    O::Shape: Draw,
-{
+pub fn value_bound<O: Score>(a: O::Shape, b: O::Shape, value: f64) -> f64 {
     let ((long_a, short_a), (long_b, short_b)) = (a.sides(), b.sides());
     let (long, small) = (long_a.max(long_b), long_a.min(long_b));
     let wide = short_a.max(short_b).min(small);
     let border = ROUNDINGS * (2.0 * EPSILON * long * wide + (-35_f64).exp2() * long * small);
-    let over = match O::DENOMINATOR {
+    let over = match O::OVER {
         Denominator::None => return border + ROUNDINGS * EPSILON * value,
         Denominator::Union => (long_a * short_a).max(long_b * short_b),
         Denominator::First => long_a * short_a,
@@ -42,7 +38,7 @@ pub fn close(x: f32, y: f32) -> bool {
 }
 
 /// The slopes of a pair in `f64`, the fields of b after those of a.
-fn wide_slopes<O: GpuPair>(a: &[f64], b: &[f64]) -> Vec<f64> {
+fn wide_slopes<O: Score>(a: &[f64], b: &[f64]) -> Vec<f64> {
     let pair = O::In::<f64>::load(&[a, b].concat());
     let one = O::Out::<f64>::filled(1.0);
     O::adjoint::<f64>(pair, one).map_or(Vec::new(), |found: (O::Out<f64>, O::In<f64>)| {
@@ -56,10 +52,7 @@ fn wide_slopes<O: GpuPair>(a: &[f64], b: &[f64]) -> Vec<f64> {
 /// except where rounding has no say in which side of a kink it is.
 /// A ratio's slope with respect to a size is the difference of two terms as large as the ratio over
 /// that size, which may cancel.
-pub fn slope_bounds<O: GpuPair>(a: O::Shape, b: O::Shape, value: f64, draws: &mut Draws) -> Vec<f64>
-where
-    O::Shape: Draw,
-{
+pub fn slope_bounds<O: Score>(a: O::Shape, b: O::Shape, value: f64, draws: &mut Draws) -> Vec<f64> {
     let (a_fields, b_fields) = (fields(a), fields(b));
     let exact = wide_slopes::<O>(&a_fields, &b_fields);
     let reach = ROUNDINGS * EPSILON * a.sides().0.max(b.sides().0);
@@ -86,7 +79,7 @@ where
     }
     let largest = exact.iter().fold(0.0_f64, |most, x| most.max(x.abs()));
     let term = |shape: O::Shape| match shape.sides().1 {
-        short if short > 0.0 && O::DENOMINATOR != Denominator::None => value / short,
+        short if short > 0.0 && O::OVER != Denominator::None => value / short,
         _ => 0.0,
     };
     let terms = largest.max(term(a)).max(term(b));

@@ -1,18 +1,15 @@
 //! Bad input and faults: typed errors, after which everything else still works.
 use crate::gpu;
-use crate::shapes::{Draw, fields};
+use crate::shapes::{Draw, Score, fields};
 use geograd::GpuFault;
 use geograd::error::{Argument, Field};
-use geograd::kernels::Backend;
-use geograd::kernels::gpu::{Gpu, GpuPair};
-use geograd::kernels::ops::{overlap, ring};
+use geograd::kernels::gpu::Gpu;
+use geograd::kernels::ops::{iou, overlap, ring};
+use geograd::kernels::{Backend, Op};
 use geograd::{Aabb2, Error, Flaw, Obb2, Vec2};
 use geograd_tests::calls;
 
-pub fn bad_input_is_refused<O: GpuPair>()
-where
-    O::Shape: Draw,
-{
+pub fn bad_input_is_refused<O: Score>() {
     let Some((_turn, gpu)) = gpu() else { return };
     let (bad, flaw) = O::Shape::flawed();
     let good = O::Shape::hard()[0];
@@ -21,73 +18,58 @@ where
         row: 1,
         flaw,
     };
-    assert_eq!(
-        gpu.upload(&[good, bad]).unwrap_err(),
-        invalid(Argument::Shape)
-    );
-    let backend = Backend::Gpu(gpu);
-    let refused = backend.aligned(O::default(), &[good, good], &[good, bad]);
+    let (run, here) = (O::default(), Backend::Gpu(gpu).resident());
+    let refused = here.upload(&[good, bad]);
+    assert_eq!(refused.unwrap_err(), invalid(Argument::Shape));
+    let refused = gpu.aligned(run, (&[good, good], &[good, bad]));
     assert_eq!(refused.unwrap_err(), invalid(Argument::B));
-    let refused = backend.all_pairs(O::default(), &[good, bad], &[good]);
+    let refused = gpu.all_pairs(run, &[good, bad], &[good]);
     assert_eq!(refused.unwrap_err(), invalid(Argument::A));
-    let on = gpu.upload(&[good, good]).unwrap();
-    let one = gpu.upload(&[good]).unwrap();
+    let refused = gpu.row_max(run, &[good], &[good, bad]);
+    assert_eq!(refused.unwrap_err(), invalid(Argument::B));
+    let on = here.upload(&[good, good]).unwrap();
+    let one = here.upload(&[good]).unwrap();
     let length = |argument, expected, found| Error::Length {
         argument,
         expected,
         found,
     };
-    let refused = gpu.aligned(O::default(), &on, &one).unwrap_err();
+    let refused = here.aligned(run, (&on, &one)).unwrap_err();
     assert_eq!(refused, length(Argument::B, 2, 1));
-    let upstream = gpu.upload_values(&[1.0]).unwrap();
-    let refused = gpu
-        .aligned_vjp(O::default(), &on, &on, &upstream)
-        .unwrap_err();
-    assert_eq!(refused, length(Argument::Upstream, 2, 1));
-    assert!(gpu.upload_values(&[f32::INFINITY]).is_err());
-    assert!(gpu.upload_matrix(2, 2, &[1.0; 3]).is_err());
-    assert!(gpu.above(O::default(), &on, &on, f32::NAN).is_err());
+    let refused = gpu.all_pairs_vjp(run, &[good], &[good], &[1.0; 2]);
+    assert_eq!(refused.unwrap_err(), length(Argument::Upstream, 1, 2));
+    assert!(here.upload(&[f32::INFINITY]).is_err());
+    assert!(here.upload_matrix(2, 2, &[1.0; 3]).is_err());
+    assert!(here.above(run, &on, &on, f32::NAN).is_err());
     // What was refused harmed nothing.
-    assert!(
-        gpu.aligned(O::default(), &on, &on)
-            .unwrap()
-            .download()
-            .is_ok()
-    );
+    assert!(here.aligned(run, (&on, &on)).unwrap().download().is_ok());
 }
 
-pub fn empty_batches_are_valid<O: GpuPair>()
-where
-    O::Shape: Draw,
-{
+pub fn empty_batches_are_valid<O: Score>() {
     let Some((_turn, gpu)) = gpu() else { return };
     let backend = Backend::Gpu(gpu);
-    let (none, one) = (&[][..], &[O::Shape::hard()[0]][..]);
-    assert_eq!(backend.aligned(O::default(), none, none).unwrap(), []);
-    assert_eq!(
-        backend.aligned_grad(O::default(), none, none).unwrap().0,
-        []
-    );
-    assert_eq!(backend.all_pairs(O::default(), none, one).unwrap(), []);
-    assert_eq!(backend.all_pairs(O::default(), one, none).unwrap(), []);
-    assert_eq!(
-        backend
-            .all_pairs_grad(O::default(), one, none)
-            .unwrap()
-            .planes(),
-        []
-    );
-    let (a_bars, b_bars) = backend.all_pairs_vjp(O::default(), one, none, &[]).unwrap();
+    let run = O::default();
+    let (none, one): (&[O::Shape], &[O::Shape]) = (&[], &[O::Shape::hard()[0]]);
+    assert_eq!(backend.aligned(run, (none, none)).unwrap(), []);
+    let grads = backend.aligned(run.value_grad(), (none, none)).unwrap();
+    assert_eq!(grads.0, []);
+    assert_eq!(backend.all_pairs(run, none, one).unwrap().planes(), []);
+    assert_eq!(backend.all_pairs(run, one, none).unwrap().planes(), []);
+    let grads = backend.all_pairs(run.value_grad(), one, none).unwrap();
+    assert_eq!(grads.planes(), []);
+    let (a_bars, b_bars) = backend.all_pairs_vjp(run, one, none, &[]).unwrap();
     assert_eq!((a_bars.len(), b_bars.len()), (1, 0));
     assert!(fields(a_bars[0]).iter().all(|&slope| slope == 0.0));
-    assert_eq!(backend.row_max(O::default(), none, one).unwrap(), []);
+    assert_eq!(backend.row_max(run, none, one).unwrap(), []);
     assert_eq!(
-        backend.row_max(O::default(), one, none).unwrap_err(),
-        Backend::Cpu.row_max(O::default(), one, none).unwrap_err()
+        backend.row_max(run, one, none).unwrap_err(),
+        Backend::Cpu.row_max(run, one, none).unwrap_err()
     );
-    assert_eq!(backend.above(O::default(), one, none, 0.5).unwrap(), []);
-    assert_eq!(backend.sum(O::default(), one, none).unwrap(), 0.0);
-    assert_eq!(backend.mean(O::default(), none, none).unwrap(), 0.0);
+    assert_eq!(backend.above(run, one, none, 0.5).unwrap(), []);
+    assert_eq!(backend.sum(run, one, none).unwrap(), 0.0);
+    assert_eq!(backend.mean(run, none, none).unwrap(), 0.0);
+    let (sum, by_a, _) = backend.sum_grad(run, one, none).unwrap();
+    assert!(sum == 0.0 && fields(by_a[0]).iter().all(|&slope| slope == 0.0));
 }
 
 #[test]
@@ -120,12 +102,17 @@ fn a_lost_device_is_an_error() {
     let Some((_turn, other)) = gpu() else { return };
     let gpu = Gpu::new().unwrap();
     let boxes = Obb2::<f32>::hard();
-    let on = gpu.upload(&boxes).unwrap();
-    let values = gpu.aligned(overlap::IouObb2, &on, &on).unwrap();
+    let here = Backend::Gpu(&gpu).resident();
+    let on = here.upload(&boxes).unwrap();
+    let values = here.aligned(overlap::IouObb2, (&on, &on)).unwrap();
     let pending = values.start_download().unwrap();
     // A handle of one context is nothing to another.
-    let foreign = other.aligned(overlap::IouObb2, &on, &on);
-    assert_eq!(foreign.unwrap_err(), Error::Gpu(GpuFault::ForeignBuffer));
+    let other = Backend::Gpu(other).resident();
+    let foreign = Error::Gpu(GpuFault::ForeignBuffer);
+    let refused = other.aligned(overlap::IouObb2, (&on, &on));
+    assert_eq!(refused.unwrap_err(), foreign);
+    let refused = other.row_max(overlap::IouObb2, &on, &on);
+    assert_eq!(refused.unwrap_err(), foreign);
     gpu.destroy();
     assert_eq!(
         pending.wait().unwrap_err(),
@@ -136,11 +123,11 @@ fn a_lost_device_is_an_error() {
         Error::Gpu(GpuFault::DeviceLost)
     );
     assert_eq!(
-        gpu.upload(&boxes).unwrap_err(),
+        here.upload(&boxes).unwrap_err(),
         Error::Gpu(GpuFault::DeviceLost)
     );
     assert_eq!(gpu.wait().unwrap_err(), Error::Gpu(GpuFault::DeviceLost));
-    let lost = gpu.all_pairs(overlap::IouObb2, &on, &on);
+    let lost = here.all_pairs(overlap::IouObb2, &on, &on);
     assert_eq!(lost.unwrap_err(), Error::Gpu(GpuFault::DeviceLost));
 }
 
@@ -158,31 +145,33 @@ fn every_call(backend: Backend<'_>) -> Vec<Result<(), Error>> {
         Vec2::new(0.0, 1.0),
     ];
     let mut values = ones.clone();
-    let (mut a_bar, mut b_bar) = (boxes.clone(), boxes.clone());
+    let (run, here) = (O::default(), backend.resident());
     vec![
-        backend.aligned(O::default(), a, b).map(drop),
-        backend.aligned_into(O::default(), a, b, &mut values),
-        backend.aligned_grad(O::default(), a, b).map(drop),
-        backend.aligned_grad_into(O::default(), a, b, &mut values, &mut a_bar, &mut b_bar),
-        backend.aligned_vjp(O::default(), a, b, &ones).map(drop),
-        backend.all_pairs(O::default(), a, b).map(drop),
-        backend.all_pairs_grad(O::default(), a, b).map(drop),
-        backend.all_pairs_vjp(O::default(), a, b, &matrix).map(drop),
-        backend.sum_grad(O::default(), a, b).map(drop),
-        backend.mean_grad(O::default(), a, b).map(drop),
-        backend.row_max(O::default(), a, b).map(drop),
-        backend.column_max(O::default(), a, b).map(drop),
-        backend.above(O::default(), a, b, 0.5).map(drop),
-        backend.count_above(O::default(), a, b, 0.5).map(drop),
-        backend.sum(O::default(), a, b).map(drop),
-        backend.mean(O::default(), a, b).map(drop),
+        backend.aligned(run, (a, b)).map(drop),
+        backend.aligned_into(run, (a, b), &mut values[..]),
+        backend.aligned(run.value_grad(), (a, b)).map(drop),
+        backend.aligned(run.vjp(), ((a, b), &ones)).map(drop),
+        backend.all_pairs(run, a, b).map(drop),
+        backend.all_pairs(run.value_grad(), a, b).map(drop),
+        backend.all_pairs_vjp(run, a, b, &matrix).map(drop),
+        backend.sum_grad(run, a, b).map(drop),
+        backend.mean_grad(run, a, b).map(drop),
+        backend.row_max(run, a, b).map(drop),
+        backend.column_max(run, a, b).map(drop),
+        backend.above(run, a, b, 0.5).map(drop),
+        backend.count_above(run, a, b, 0.5).map(drop),
+        backend.sum(run, a, b).map(drop),
+        backend.mean(run, a, b).map(drop),
+        backend.row_max(iou::GiouObb2, a, b).map(drop),
+        backend.above(iou::GiouObb2, a, b, 0.5).map(drop),
+        backend.sum_grad(iou::GiouObb2, a, b).map(drop),
         backend.ragged(R::default(), &corners, &[0, 3]).map(drop),
         backend
             .ragged_vjp(R::default(), &corners, &[0, 3], &corners[..1])
             .map(drop),
-        backend.upload(a).map(drop),
-        backend.upload_values(&ones).map(drop),
-        backend.upload_matrix(1, a.len(), &ones).map(drop),
+        here.upload(a).map(drop),
+        here.upload_matrix(1, a.len(), &ones).map(drop),
+        here.upload_rings(&corners, &[0, 3]).map(drop),
     ]
 }
 
@@ -193,13 +182,17 @@ fn a_lost_device_is_an_error_of_every_call_of_the_front() {
     let backend = Backend::Gpu(&gpu);
     assert!(every_call(backend).iter().all(Result::is_ok));
     let boxes = Obb2::<f32>::hard();
-    let mut on = backend.upload(&boxes).unwrap();
-    let matrix = on.all_pairs(overlap::IouObb2, &on).unwrap();
+    let here = backend.resident();
+    let on = here.upload(&boxes).unwrap();
+    let matrix = here.all_pairs(overlap::IouObb2, &on, &on).unwrap();
     gpu.destroy();
     for (call, found) in every_call(backend).into_iter().enumerate() {
         assert_eq!(found, Err(Error::Gpu(GpuFault::DeviceLost)), "call {call}");
     }
-    assert_eq!(on.update(&boxes), Err(Error::Gpu(GpuFault::DeviceLost)));
+    assert_eq!(
+        here.sum(overlap::IouObb2, &on, &on).unwrap_err(),
+        Error::Gpu(GpuFault::DeviceLost)
+    );
     assert_eq!(
         matrix.row_max().unwrap_err(),
         Error::Gpu(GpuFault::DeviceLost)
@@ -286,13 +279,17 @@ fn no_more_memory_is_an_error_and_everything_goes_on() {
 #[cfg(target_os = "linux")]
 fn starve(gpu: &Gpu) {
     let boxes = Obb2::<f32>::hard();
-    let on = gpu.upload(&boxes).unwrap();
-    let expected = gpu
-        .aligned(overlap::IouObb2, &on, &on)
-        .unwrap()
-        .download()
+    let here = Backend::Gpu(gpu).resident();
+    let on = here.upload(&boxes).unwrap();
+    let again = || {
+        let aligned = here.aligned(overlap::IouObb2, (&on, &on));
+        let sums = here.sum(overlap::IouObb2, &on, &on);
+        (aligned.unwrap().download().unwrap(), sums.unwrap())
+    };
+    let expected = again();
+    let first = here
+        .upload_matrix(1, 32 << 20, &vec![1.0; 32 << 20])
         .unwrap();
-    let first = gpu.upload_values(&vec![1.0; 32 << 20]).unwrap();
     let mut held = Vec::new();
     let error = loop {
         assert!(held.len() < 100, "memory without end");
@@ -304,11 +301,10 @@ fn starve(gpu: &Gpu) {
     eprintln!("starved after {}", held.len());
     assert_eq!(error, Error::Gpu(GpuFault::OutOfMemory));
     // What was there before is as it was, with the memory still full and after it was given back.
-    let again = || gpu.aligned(overlap::IouObb2, &on, &on).unwrap().download();
-    assert_eq!(again().unwrap(), expected);
+    assert_eq!(again(), expected);
     held.clear();
     gpu.wait().unwrap();
-    assert_eq!(again().unwrap(), expected);
+    assert_eq!(again(), expected);
     assert_eq!(
         first.duplicate().unwrap().download().unwrap()[..3],
         [1.0; 3]
@@ -319,7 +315,8 @@ fn starve(gpu: &Gpu) {
 fn too_much_is_an_error() {
     let Some((_turn, gpu)) = gpu() else { return };
     // More than any address space: refused before anything is asked of the device.
-    let refused = gpu.upload_matrix(usize::MAX, 2, &[]);
+    let here = Backend::Gpu(gpu).resident();
+    let refused = here.upload_matrix(usize::MAX, 2, &[]);
     assert_eq!(refused.unwrap_err(), Error::TooLarge);
 }
 

@@ -80,18 +80,12 @@ fn folds() {
     let small = small();
     let run = fold::SignedDistancePointRing;
     let found = small
-        .programs()
         .fold(run, One(points[1]), &vertices, &offsets)
         .unwrap();
-    let expected = gpu
-        .programs()
-        .fold(run, One(points[1]), &vertices, &offsets)
-        .unwrap();
+    let expected = gpu.fold(run, One(points[1]), &vertices, &offsets).unwrap();
     assert_eq!(bits(&found), bits(&expected));
     let long = vec![Vec2::new(1.0, 2.0); 5000];
-    let refused = small
-        .programs()
-        .fold(run, One(points[1]), &long, &[0, 5000]);
+    let refused = small.fold(run, One(points[1]), &long, &[0, 5000]);
     assert_eq!(refused.unwrap_err(), Error::Gpu(GpuFault::TooLarge));
 }
 
@@ -106,12 +100,12 @@ fn folds_agree<F: Fold, C: geograd::kernels::Columns<Row = F::Context<f32>> + Co
 {
     let numbers =
         |all: &[F::Out<f32>]| -> Vec<f32> { all.iter().flat_map(Pack::scalars).collect() };
-    let (programs, cpu) = (gpu.programs(), Cpu::new());
-    let found = programs.fold(run, context, vertices, offsets).unwrap();
+    let cpu = Cpu::new();
+    let found = gpu.fold(run, context, vertices, offsets).unwrap();
     let expected = cpu.fold(run, context, vertices, offsets).unwrap();
     near(F::NAME, &numbers(&found), &numbers(&expected), 1e-5);
     let seeds: Vec<F::Out<f32>> = found.iter().map(|_| F::Out::filled(0.75)).collect();
-    let (by_context, by_vertex) = programs
+    let (by_context, by_vertex) = gpu
         .fold_vjp(run, context, vertices, offsets, &seeds)
         .unwrap();
     let expected = cpu

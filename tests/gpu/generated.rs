@@ -1,7 +1,7 @@
 //! Kernels generated from recordings: every operation of the list, programs, folds.
 //!
 //! How far a result may be from the processor's is the harness's to say: a GPU is one more witness there,
-//! within its own measured error (`prove_any_on`). Here everything else: the same bits twice, however
+//! within its own measured error (`prove_on`). Here everything else: the same bits twice, however
 //! batches are cut, and in all pairs what there is in aligned ones, to within what the order of operations
 //! may change.
 use crate::{any_gpu, gpu, small, validate};
@@ -9,7 +9,7 @@ use geograd::ad::check::Plan;
 use geograd::ad::check::sample::{Draw, Sample, random};
 use geograd::ad::program::{Program, Sym};
 use geograd::error::Argument;
-use geograd::kernels::check::{prove_any_on, prove_with};
+use geograd::kernels::check::{prove_on, prove_with};
 use geograd::kernels::gpu::{Gpu, op_sources};
 use geograd::kernels::ops::{distance, fold, iou, iou3, overlap, overlap3};
 use geograd::kernels::{Backend, Cpu, One, Op, Row};
@@ -45,7 +45,7 @@ where
         hard: if is_large { 197 } else { 71 },
         ..Plan::new(if is_large { 4 } else { 10 }, 1)
     };
-    let report = prove_any_on::<O>(Backend::Gpu(gpu), &plan).unwrap();
+    let report = prove_on::<O>(Backend::Gpu(gpu), &plan).unwrap();
     assert!(report.worst[5].count > 0, "{report}");
     // What is refused without a GPU, too, is for the harness's own tests to say.
     let alone = || prove_with::<O, f32>(&plan);
@@ -92,16 +92,15 @@ fn batches_are_the_same_bits_however_they_are_cut() {
         let points: Vec<Vec2<f32>> = draws::<Point, _>(count, 1);
         let segments: Vec<Segment2<f32>> = draws::<Segment, _>(count, 2);
         let run = distance::DistancePointSegment.value_grad();
-        let once = gpu.programs().aligned(run, (&points, &segments)).unwrap();
-        let again = gpu.programs().aligned(run, (&points, &segments)).unwrap();
-        let cut = small.programs().aligned(run, (&points, &segments)).unwrap();
+        let once = gpu.aligned(run, (&points, &segments)).unwrap();
+        let again = gpu.aligned(run, (&points, &segments)).unwrap();
+        let cut = small.aligned(run, (&points, &segments)).unwrap();
         assert_eq!(bits(&once.0), bits(&again.0));
         assert_eq!(once, cut);
         assert_eq!(once.0.len(), count);
         let (mut values, mut by_point) = (vec![0.0; count], vec![Vec2::new(0.0, 0.0); count]);
         let targets = (&mut values, (&mut by_point, geograd::kernels::Skip));
-        gpu.programs()
-            .aligned_into(run, (&points, &segments), targets)
+        gpu.aligned_into(run, (&points, &segments), targets)
             .unwrap();
         assert_eq!((values, by_point), (once.0, once.1.0));
     }
@@ -114,12 +113,12 @@ fn one_shape_stands_for_all() {
     let own = boxes[7];
     let all = vec![own; 100];
     let run = iou::GiouObb2;
-    let expected = gpu.programs().aligned(run, (&boxes, &all)).unwrap();
-    let found = gpu.programs().aligned(run, (&boxes, One(own))).unwrap();
+    let expected = gpu.aligned(run, (&boxes, &all)).unwrap();
+    let found = gpu.aligned(run, (&boxes, One(own))).unwrap();
     assert_eq!(bits(&found), bits(&expected));
-    let found = small().programs().aligned(run, (&boxes, One(own))).unwrap();
+    let found = small().aligned(run, (&boxes, One(own))).unwrap();
     assert_eq!(bits(&found), bits(&expected));
-    let one = gpu.programs().aligned(run, (One(own), One(own))).unwrap();
+    let one = gpu.aligned(run, (One(own), One(own))).unwrap();
     assert_eq!(one.len(), 1);
 }
 
@@ -130,25 +129,25 @@ where
     (P, P): Row<Scalar = f32>,
     f32: Row<Scalar = f32>,
 {
-    let (programs, cpu) = (gpu.programs(), Cpu::new());
-    let table = programs.all_pairs(run, a, b).unwrap();
+    let cpu = Cpu::new();
+    let table = gpu.all_pairs(run, a, b).unwrap();
     let expected = cpu.all_pairs(run, a, b).unwrap();
     near(table.planes(), expected.planes(), 1e-4);
-    let again = programs.all_pairs(run, a, b).unwrap();
+    let again = gpu.all_pairs(run, a, b).unwrap();
     assert_eq!(bits(table.planes()), bits(again.planes()));
     // A gradient per pair.
-    let grads = programs.all_pairs(run.value_grad(), a, b).unwrap();
+    let grads = gpu.all_pairs(run.value_grad(), a, b).unwrap();
     assert_eq!(grads.planes().len(), (1 + 2 * P::LEN) * a.len() * b.len());
     near(grads.values(), expected.values(), 1e-4);
     // Reductions are those of the matrix.
     let values = table.values();
-    let rows = programs.row_max(run, a, b).unwrap();
+    let rows = gpu.row_max(run, a, b).unwrap();
     for (row, best) in values.chunks(b.len()).zip(&rows) {
         let most = row.iter().copied().fold(f32::NEG_INFINITY, f32::max);
         assert_eq!(best.value, most);
         assert_eq!(row.iter().position(|&x| x == most), Some(best.index));
     }
-    let columns = programs.column_max(run, a, b).unwrap();
+    let columns = gpu.column_max(run, a, b).unwrap();
     for (j, best) in columns.iter().enumerate() {
         let column = values.iter().skip(j).step_by(b.len());
         let most = column.copied().fold(f32::NEG_INFINITY, f32::max);
@@ -157,7 +156,7 @@ where
     let mut sorted = values.to_vec();
     sorted.sort_by(f32::total_cmp);
     let threshold = sorted[sorted.len() / 2];
-    let above = programs.above(run, a, b, threshold).unwrap();
+    let above = gpu.above(run, a, b, threshold).unwrap();
     let found: Vec<(usize, f32)> = above
         .iter()
         .map(|found| (found.row * b.len() + found.column, found.value))
@@ -165,20 +164,24 @@ where
     let all = values.iter().copied().enumerate();
     let expected: Vec<(usize, f32)> = all.filter(|&(_, x)| x > threshold).collect();
     assert_eq!(found, expected);
-    let count = programs.count_above(run, a, b, threshold).unwrap();
+    let count = gpu.count_above(run, a, b, threshold).unwrap();
     assert_eq!(count as usize, expected.len());
     let sum: f64 = values.iter().map(|&x| f64::from(x)).sum();
     let size: f64 = values.iter().map(|&x| f64::from(x).abs()).sum();
-    let found = programs.sum(run, a, b).unwrap();
+    let found = gpu.sum(run, a, b).unwrap();
     assert!((found - sum).abs() <= 1e-5 * size, "{found} for {sum}");
-    let mean = programs.mean(run, a, b).unwrap();
+    let mean = gpu.mean(run, a, b).unwrap();
     assert_eq!(mean, found / values.len() as f64);
     // Slopes: sums of those of every pair.
     let mut draw = Draw::new(5);
     let upstream: Vec<f32> = values.iter().map(|_| draw.unit() as f32 - 0.5).collect();
-    let (a_bar, b_bar) = programs.all_pairs_vjp(run, a, b, &upstream).unwrap();
-    let (sum_found, a_grad, b_grad) = programs.sum_grad(run, a, b).unwrap();
-    assert_eq!(sum_found, found);
+    let (a_bar, b_bar) = gpu.all_pairs_vjp(run, a, b, &upstream).unwrap();
+    let (sum_found, a_grad, b_grad) = gpu.sum_grad(run, a, b).unwrap();
+    // Kernels by hand add the sum in other groups beside its slopes.
+    assert!(
+        (sum_found - found).abs() <= 1e-6 * size,
+        "{sum_found} for {found}"
+    );
     for (upstream, [a_bar, b_bar]) in [
         (&upstream, [&a_bar, &b_bar]),
         (&vec![1.0; values.len()], [&a_grad, &b_grad]),
@@ -209,10 +212,10 @@ where
             }
         }
     }
-    let (mean_found, mean_bar, _) = programs.mean_grad(run, a, b).unwrap();
-    assert!((mean_found - mean).abs() <= 1e-12 * (1.0 + mean.abs()));
+    let (mean_found, mean_bar, _) = gpu.mean_grad(run, a, b).unwrap();
+    assert!((mean_found - mean).abs() <= 1e-6 * size / values.len() as f64);
     assert_eq!(mean_bar.len(), a.len());
-    let again = programs.all_pairs_vjp(run, a, b, &upstream).unwrap();
+    let again = gpu.all_pairs_vjp(run, a, b, &upstream).unwrap();
     assert_eq!(again, (a_bar, b_bar), "the same bits");
 }
 
@@ -250,7 +253,7 @@ fn thin_boxes_that_are_nearly_parallel() {
         Obb2::new(1e-4, 0.0, 50.0, 1e-3, 0.70001),
     ];
     let wide: Vec<Obb2<f64>> = boxes.iter().map(|shape| shape.cast()).collect();
-    let found = gpu.programs().all_pairs(overlap::IouObb2, &boxes, &boxes);
+    let found = gpu.all_pairs(overlap::IouObb2, &boxes, &boxes);
     let expected = Cpu::new()
         .all_pairs(overlap::IouObb2, &wide, &wide)
         .unwrap();
@@ -266,10 +269,7 @@ fn suppression_starts_from_the_same_pairs() {
     let mut draw = Draw::new(4);
     let shape = |_| Yaw::ordinary(&mut draw).cast::<f32>();
     let yaw: Vec<YawBox<f32>> = (0..60).map(shape).collect();
-    let found = gpu
-        .programs()
-        .overlaps(overlap3::IouYaw, &yaw, 0.1)
-        .unwrap();
+    let found = gpu.overlaps(overlap3::IouYaw, &yaw, 0.1).unwrap();
     let expected = Cpu::new().overlaps(overlap3::IouYaw, &yaw, 0.1).unwrap();
     let places = |pairs: &[geograd::suppression::Pair<f32>]| -> Vec<(usize, usize)> {
         pairs.iter().map(|pair| (pair.first, pair.second)).collect()
@@ -298,52 +298,41 @@ fn programs_run_as_operations_do() {
     let circles: Vec<Circle<f32>> = (0..300)
         .map(|_| Circle::<f64>::ordinary(&mut draw).cast())
         .collect();
-    let found = gpu
-        .programs()
-        .aligned(&program, (&points, &circles))
-        .unwrap();
+    let found = gpu.aligned(&program, (&points, &circles)).unwrap();
     let expected = Cpu::new().aligned(&program, (&points, &circles)).unwrap();
     near(&found, &expected, 3e-6);
     let (values, (by_point, _)) = gpu
-        .programs()
         .aligned(&program.value_grad(), (&points, &circles))
         .unwrap();
     near(&values, &found, 1e-6);
     assert_eq!(by_point.len(), 300);
     let constant = Program::trace(|_: Vec2<Sym<f32>>| Sym::lit(2.5)).unwrap();
-    assert_eq!(
-        gpu.programs().aligned(constant, &points).unwrap(),
-        vec![2.5; 300]
-    );
+    assert_eq!(gpu.aligned(constant, &points).unwrap(), vec![2.5; 300]);
     // Many, one after another: those that are gone make room.
     for k in 0..30 {
         let shift = f64::from(k);
         let moved = Program::trace(|x: Sym<f32>| x + Sym::lit(shift)).unwrap();
-        assert_eq!(
-            gpu.programs().aligned(moved, &[1.0]).unwrap(),
-            [1.0 + k as f32]
-        );
+        assert_eq!(gpu.aligned(moved, &[1.0]).unwrap(), [1.0 + k as f32]);
     }
 }
 
 #[test]
 fn bad_input_is_refused() {
     let Some((_turn, gpu)) = gpu() else { return };
-    let programs = gpu.programs();
     let (points, bad) = (vec![Vec2::new(0.0_f32, 1.0); 3], Vec2::new(f32::NAN, 0.0));
     let segment = Segment2::new(points[0], Vec2::new(1.0, 0.0));
     let run = distance::DistancePointSegment;
-    let refused = programs.aligned(run, (&points, &[segment; 2]));
+    let refused = gpu.aligned(run, (&points, &[segment; 2]));
     let length = |argument, expected, found| Error::Length {
         argument,
         expected,
         found,
     };
     assert_eq!(refused.unwrap_err(), length(Argument::B, 3, 2));
-    let refused = programs.aligned(run, (&[points[0], bad], One(segment)));
+    let refused = gpu.aligned(run, (&[points[0], bad], One(segment)));
     let expected = Cpu::new().aligned(run, (&[points[0], bad], One(segment)));
     assert_eq!(refused.unwrap_err(), expected.unwrap_err());
-    let refused = programs.aligned(run.vjp(), ((&points, One(segment)), &[f32::INFINITY; 3]));
+    let refused = gpu.aligned(run.vjp(), ((&points, One(segment)), &[f32::INFINITY; 3]));
     assert!(matches!(
         refused.unwrap_err(),
         Error::Invalid {
@@ -353,26 +342,21 @@ fn bad_input_is_refused() {
         }
     ));
     let mut few = [0.0; 2];
-    let refused = programs.aligned_into(run, (&points, One(segment)), &mut few);
+    let refused = gpu.aligned_into(run, (&points, One(segment)), &mut few);
     assert_eq!(refused.unwrap_err(), length(Argument::Result(0), 3, 2));
     let boxes = [Obb2::new(0.0_f32, 0.0, 1.0, 1.0, 0.0)];
-    let refused = programs.all_pairs_vjp(iou::GiouObb2, &boxes, &boxes, &[]);
+    let refused = gpu.all_pairs_vjp(iou::GiouObb2, &boxes, &boxes, &[]);
     assert_eq!(refused.unwrap_err(), length(Argument::Upstream, 1, 0));
     let none: &[Obb2<f32>] = &[];
-    assert!(programs.row_max(iou::GiouObb2, &boxes, none).is_err());
-    assert_eq!(programs.row_max(iou::GiouObb2, none, &boxes).unwrap(), []);
-    assert_eq!(programs.aligned(iou::GiouObb2, (none, none)).unwrap(), []);
+    assert!(gpu.row_max(iou::GiouObb2, &boxes, none).is_err());
+    assert_eq!(gpu.row_max(iou::GiouObb2, none, &boxes).unwrap(), []);
+    assert_eq!(gpu.aligned(iou::GiouObb2, (none, none)).unwrap(), []);
     assert_eq!(
-        programs
-            .all_pairs(iou::GiouObb2, none, &boxes)
-            .unwrap()
-            .planes(),
+        gpu.all_pairs(iou::GiouObb2, none, &boxes).unwrap().planes(),
         []
     );
-    assert_eq!(programs.sum(iou::GiouObb2, none, &boxes).unwrap(), 0.0);
-    let (a_bar, b_bar) = programs
-        .all_pairs_vjp(iou::GiouObb2, none, &boxes, &[])
-        .unwrap();
+    assert_eq!(gpu.sum(iou::GiouObb2, none, &boxes).unwrap(), 0.0);
+    let (a_bar, b_bar) = gpu.all_pairs_vjp(iou::GiouObb2, none, &boxes, &[]).unwrap();
     assert_eq!((a_bar.len(), b_bar), (0, vec![Obb2::filled(0.0)]));
 }
 
@@ -382,24 +366,13 @@ fn a_lost_device_is_an_error() {
     let gpu = Gpu::new().unwrap();
     let boxes = [Obb2::new(0.0_f32, 0.0, 1.0, 1.0, 0.0)];
     let (run, lost) = (iou::GiouObb2, Error::Gpu(GpuFault::DeviceLost));
-    assert!(gpu.programs().aligned(run, (&boxes, &boxes)).is_ok());
+    assert!(gpu.aligned(run, (&boxes, &boxes)).is_ok());
     gpu.destroy();
-    assert_eq!(
-        gpu.programs().aligned(run, (&boxes, &boxes)).unwrap_err(),
-        lost
-    );
-    assert_eq!(
-        gpu.programs().all_pairs(run, &boxes, &boxes).unwrap_err(),
-        lost
-    );
-    assert_eq!(
-        gpu.programs().row_max(run, &boxes, &boxes).unwrap_err(),
-        lost
-    );
+    assert_eq!(gpu.aligned(run, (&boxes, &boxes)).unwrap_err(), lost);
+    assert_eq!(gpu.all_pairs(run, &boxes, &boxes).unwrap_err(), lost);
+    assert_eq!(gpu.row_max(run, &boxes, &boxes).unwrap_err(), lost);
     let (vertices, offsets) = crate::folds::paths();
     let point = One(Vec2::new(0.0, 0.0));
-    let refused = gpu
-        .programs()
-        .fold(fold::SignedDistancePointRing, point, &vertices, &offsets);
+    let refused = gpu.fold(fold::SignedDistancePointRing, point, &vertices, &offsets);
     assert_eq!(refused.unwrap_err(), lost);
 }

@@ -78,10 +78,10 @@ fn what_is_prepared_is_what_slices_are() {
     for _ in 0..2 {
         let found = here.aligned(run, (&on_a, &on_b)).unwrap();
         let found = found.download().unwrap();
-        assert_eq!(found, gpu.programs().aligned(run, (&a, &b)).unwrap());
+        assert_eq!(found, gpu.aligned(run, (&a, &b)).unwrap());
     }
     let found = here.all_pairs(iou::GiouObb2, &on_a, &on_b).unwrap();
-    let expected = gpu.programs().all_pairs(iou::GiouObb2, &a, &b).unwrap();
+    let expected = gpu.all_pairs(iou::GiouObb2, &a, &b).unwrap();
     assert_eq!(bits(&found.download().unwrap()), bits(expected.planes()));
     // Boxes that a GPU computed are prepared as well, once they are brought back.
     let turned = Program::trace(|x: Obb2<Sym<f32>>| {
@@ -91,17 +91,11 @@ fn what_is_prepared_is_what_slices_are() {
     let turned = here.aligned(&turned.unwrap(), &on_a).unwrap();
     let found = here.aligned(iou::GiouObb2, (&turned, &on_b)).unwrap();
     let slices = turned.download().unwrap();
-    let expected = gpu
-        .programs()
-        .aligned(iou::GiouObb2, (&slices, &b))
-        .unwrap();
+    let expected = gpu.aligned(iou::GiouObb2, (&slices, &b)).unwrap();
     assert_eq!(bits(&found.download().unwrap()), bits(&expected));
     assert_eq!(slices[7].heading, 2.0 * a[7].heading);
     let found = here.all_pairs(iou::GiouObb2, &turned, &on_b).unwrap();
-    let expected = gpu
-        .programs()
-        .all_pairs(iou::GiouObb2, &slices, &b)
-        .unwrap();
+    let expected = gpu.all_pairs(iou::GiouObb2, &slices, &b).unwrap();
     assert_eq!(bits(&found.download().unwrap()), bits(expected.planes()));
 }
 
@@ -119,11 +113,11 @@ fn other_shapes_in_the_same_buffers() {
             a.update(list).unwrap();
             here.aligned_into(overlap3::IouObb3, (&a, &b), &mut found)
                 .unwrap();
-            let expected = gpu.programs().aligned(overlap3::IouObb3, (list, &lists[1]));
+            let expected = gpu.aligned(overlap3::IouObb3, (list, &lists[1]));
             assert_eq!(bits(&found.download().unwrap()), bits(&expected.unwrap()));
             here.all_pairs_into(overlap3::IouObb3, &a, &b, &mut matrix)
                 .unwrap();
-            let expected = gpu.programs().all_pairs(overlap3::IouObb3, list, &lists[1]);
+            let expected = gpu.all_pairs(overlap3::IouObb3, list, &lists[1]);
             let expected = expected.unwrap();
             assert_eq!(bits(&matrix.download().unwrap()), bits(expected.planes()));
         }

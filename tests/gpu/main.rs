@@ -83,8 +83,8 @@ macro_rules! walk {
                 }
             }
             #[test]
-            fn aligned() {
-                super::parity::aligned_agree::<$pair_op>();
+            fn hard_pairs() {
+                super::parity::hard_pairs_agree::<$pair_op>();
             }
             #[test]
             fn all_pairs() {

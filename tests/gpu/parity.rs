@@ -1,92 +1,84 @@
 //! The same numbers as on the CPU.
 use crate::bounds::{EPSILON, ROUNDINGS, close, slope_bounds, value_bound};
-use crate::shapes::{Draw, Draws, bits, fields, pairs, shape_of};
+use crate::shapes::{Draw, Draws, Score, bits, fields, shape_of};
 use crate::{gpu, small};
 
-use geograd::kernels::Backend;
-use geograd::kernels::gpu::{Gpu, GpuPair, Options};
+use geograd::kernels::gpu::{Gpu, Options};
 use geograd::kernels::ops::overlap;
-use geograd::kernels::{Table, reduce};
+use geograd::kernels::{Backend, Op, reduce};
 use geograd::{Aabb2, Fixed, Obb2, Pack};
 use geograd_tests::calls;
 
-pub fn aligned_agree<O: GpuPair>()
-where
-    O::Shape: Draw,
-{
-    let Some((_turn, gpu)) = gpu() else { return };
-    let (a, b) = pairs::<O::Shape>(300);
-    let (on_a, on_b) = (gpu.upload(&a).unwrap(), gpu.upload(&b).unwrap());
-    let expected = Backend::Cpu.aligned_grad(O::default(), &a, &b).unwrap();
-    let values = gpu
-        .aligned(O::default(), &on_a, &on_b)
-        .unwrap()
-        .download()
-        .unwrap();
-    let (same, a_bars, b_bars) = gpu.aligned_grad(O::default(), &on_a, &on_b).unwrap();
-    let (same, a_bars, b_bars) = (
-        same.download().unwrap(),
-        a_bars.download().unwrap(),
-        b_bars.download().unwrap(),
-    );
-    assert_eq!(values.len(), a.len());
-    let mut draws = Draws(3);
-    for i in 0..a.len() {
-        let found = f64::from(values[i]);
-        let bound = value_bound::<O>(a[i], b[i], f64::from(expected.0[i]));
-        for found in [found, f64::from(same[i])] {
-            assert!(
-                (found - f64::from(expected.0[i])).abs() <= bound,
-                "{} {i}: {:?} {:?}: {found} for {} ± {bound}",
-                O::NAME,
-                a[i],
-                b[i],
-                expected.0[i]
-            );
+/// Slopes of every pair, the fields of b after those of a: from adjoints in which no row and no column counts
+/// more than once.
+fn slopes_of_pairs<O: Score>(gpu: &Gpu, a: &[O::Shape], b: &[O::Shape]) -> Vec<Vec<f64>> {
+    let (rows, columns) = (a.len(), b.len());
+    let longer = rows.max(columns);
+    let mut all = vec![Vec::new(); rows * columns];
+    for shift in 0..longer {
+        let places: Vec<usize> = (0..rows)
+            .map(|i| (i, (i + shift) % longer))
+            .filter(|&(_, j)| j < columns)
+            .map(|(i, j)| i * columns + j)
+            .collect();
+        let mut upstream = vec![0.0; rows * columns];
+        for &at in &places {
+            upstream[at] = 1.0;
         }
-        let found = [fields(a_bars[i]), fields(b_bars[i])].concat();
-        let expected = [fields(expected.1[i]), fields(expected.2[i])].concat();
-        let bounds = slope_bounds::<O>(a[i], b[i], f64::from(values[i]), &mut draws);
+        let bars = gpu.all_pairs_vjp(O::default(), a, b, &upstream);
+        let (by_a, by_b) = bars.unwrap();
+        for &at in &places {
+            all[at] = [fields(by_a[at / columns]), fields(by_b[at % columns])].concat();
+        }
+    }
+    all
+}
+
+/// Every hard box with every other, and others at random, against bounds that are derived.
+pub fn hard_pairs_agree<O: Score>() {
+    let Some((_turn, gpu)) = gpu() else { return };
+    let mut draws = Draws(3);
+    let mut shapes = O::Shape::hard();
+    shapes.extend((0..25).map(|_| O::Shape::draw(&mut draws)));
+    let count = shapes.len();
+    let values = gpu.all_pairs(O::default(), &shapes, &shapes).unwrap();
+    let slopes = slopes_of_pairs::<O>(gpu, &shapes, &shapes);
+    let run = O::default().value_grad();
+    let expected = Backend::Cpu.all_pairs(run, &shapes, &shapes).unwrap();
+    for (at, found) in slopes.iter().enumerate() {
+        let (i, j) = (at / count, at % count);
+        let (a, b) = (shapes[i], shapes[j]);
+        let (value, (by_a, by_b)) = expected.at(i, j);
+        let (near, value) = (f64::from(values.at(i, j)), f64::from(value));
+        let bound = value_bound::<O>(a, b, value);
+        assert!(
+            (near - value).abs() <= bound,
+            "{}: {a:?} {b:?}: {near} for {value} ± {bound}",
+            O::NAME
+        );
+        let bounds = slope_bounds::<O>(a, b, near, &mut draws);
+        let expected = [fields(by_a), fields(by_b)].concat();
         for k in 0..found.len() {
             assert!(
                 (found[k] - expected[k]).abs() <= bounds[k],
-                "{} {i}, slope {k}: {:?} {:?}: {} for {} ± {}",
+                "{}, slope {k}: {a:?} {b:?}: {} for {} ± {}",
                 O::NAME,
-                a[i],
-                b[i],
                 found[k],
                 expected[k],
                 bounds[k]
             );
         }
     }
-    // An upstream of ones changes nothing, one of twos doubles exactly.
-    for (factor, upstream) in [(1.0, vec![1.0; a.len()]), (2.0, vec![2.0; a.len()])] {
-        let upstream = gpu.upload_values(&upstream).unwrap();
-        let (again, _) = gpu
-            .aligned_vjp(O::default(), &on_a, &on_b, &upstream)
-            .unwrap();
-        for (again, once) in again.download().unwrap().iter().zip(&a_bars) {
-            for (again, once) in fields(*again).iter().zip(fields(*once)) {
-                assert_eq!(*again, once * factor);
-            }
-        }
-    }
 }
 
-pub fn all_pairs_agree<O: GpuPair>(gpu: &Gpu, rows: usize, columns: usize)
-where
-    O::Shape: Draw,
-{
+pub fn all_pairs_agree<O: Score>(gpu: &Gpu, rows: usize, columns: usize) {
     let mut draws = Draws(11);
     let a: Vec<O::Shape> = (0..rows).map(|_| Draw::draw(&mut draws)).collect();
     let b: Vec<O::Shape> = (0..columns).map(|_| Draw::draw(&mut draws)).collect();
-    let (on_a, on_b) = (gpu.upload(&a).unwrap(), gpu.upload(&b).unwrap());
-    let matrix = gpu.all_pairs(O::default(), &on_a, &on_b).unwrap();
-    let values = matrix.download().unwrap();
+    let values = gpu.all_pairs(O::default(), &a, &b).unwrap().into_planes();
     let expected = Backend::Cpu.all_pairs(O::default(), &a, &b).unwrap();
-    assert_eq!(values.len(), expected.len());
-    for (at, (&found, &value)) in values.iter().zip(&expected).enumerate() {
+    assert_eq!(values.len(), expected.values().len());
+    for (at, (&found, &value)) in values.iter().zip(expected.values()).enumerate() {
         let bound = value_bound::<O>(a[at / columns], b[at % columns], f64::from(value));
         assert!(
             (f64::from(found) - f64::from(value)).abs() <= bound,
@@ -96,112 +88,89 @@ where
     }
 
     // Sums: whatever the order, an error of one epsilon of the sum of magnitudes per term.
-    let grads = gpu
-        .all_pairs_grad(O::default(), &on_a, &on_b)
-        .unwrap()
-        .download()
-        .unwrap();
+    let slopes = slopes_of_pairs::<O>(gpu, &a, &b);
     let upstream: Vec<f32> = (0..values.len()).map(|_| draws.next() - 0.5).collect();
-    let on_upstream = gpu.upload_matrix(rows, columns, &upstream).unwrap();
-    let (a_bars, b_bars) = gpu
-        .all_pairs_vjp(O::default(), &on_a, &on_b, &on_upstream)
-        .unwrap();
-    let (a_again, b_again) = gpu
-        .all_pairs_vjp_from(O::default(), &on_a, &on_b, &upstream)
-        .unwrap();
-    let (a_bars, b_bars) = (a_bars.download().unwrap(), b_bars.download().unwrap());
-    assert_eq!(a_bars, a_again.download().unwrap(), "the same bits");
-    assert_eq!(b_bars, b_again.download().unwrap(), "the same bits");
-    let len = O::Shape::LEN;
-    let check = |bars: Vec<f64>, terms: &dyn Fn(usize, usize) -> f64, n: usize| {
-        for (k, found) in bars.into_iter().enumerate() {
-            let (mut sum, mut size) = (0.0, 0.0);
-            for i in 0..n {
-                sum += terms(k, i);
-                size += terms(k, i).abs();
-            }
-            let bound = (n as f64 + ROUNDINGS) * EPSILON * size;
-            assert!(
-                (found - sum).abs() <= bound,
-                "{}: {found} for {sum}",
-                O::NAME
-            );
-        }
-    };
-    for i in 0..rows {
-        let term = |k: usize, j: usize| {
-            f64::from(upstream[i * columns + j]) * f64::from(grads.plane(1 + k)[i * columns + j])
-        };
-        check(fields(a_bars[i]), &term, columns);
-    }
-    for j in 0..columns {
-        let term = |k: usize, i: usize| {
-            f64::from(upstream[i * columns + j])
-                * f64::from(grads.plane(1 + len + k)[i * columns + j])
-        };
-        check(fields(b_bars[j]), &term, rows);
-    }
+    let (by_a, by_b) = gpu.all_pairs_vjp(O::default(), &a, &b, &upstream).unwrap();
+    // Of slices, and of data that stay: the same bits.
+    let here = Backend::Gpu(gpu).resident();
+    let (on_a, on_b) = (here.upload(&a).unwrap(), here.upload(&b).unwrap());
+    let on_upstream = here.upload_matrix(rows, columns, &upstream).unwrap();
+    let again = here.all_pairs_vjp(O::default(), &on_a, &on_b, &on_upstream);
+    let (a_again, b_again) = again.unwrap();
+    assert_eq!(by_a, a_again.download().unwrap(), "the same bits");
+    assert_eq!(by_b, b_again.download().unwrap(), "the same bits");
+    let weigh = |at: usize| f64::from(upstream[at]);
+    sums_agree::<O>(&slopes, &by_a, &by_b, &weigh);
     reductions_agree::<O>(gpu, &a, &b, &values);
-    losses_agree::<O>(gpu, &a, &b, &grads);
+    losses_agree::<O>(gpu, &a, &b, &values, &slopes);
+}
+
+/// Slopes of both lists against weighed sums of the slopes of every pair.
+fn sums_agree<O: Score>(
+    slopes: &[Vec<f64>],
+    by_a: &[O::Shape],
+    by_b: &[O::Shape],
+    weigh: &dyn Fn(usize) -> f64,
+) {
+    let (rows, columns, len) = (by_a.len(), by_b.len(), O::Shape::LEN);
+    let check = |found: f64, terms: &mut dyn Iterator<Item = f64>, n: usize| {
+        let (sum, size) = terms.fold((0.0, 0.0), |(x, y), term| (x + term, y + term.abs()));
+        let bound = (n as f64 + ROUNDINGS) * EPSILON * size;
+        assert!(
+            (found - sum).abs() <= bound,
+            "{}: {found} for {sum}",
+            O::NAME
+        );
+    };
+    let term = |i: usize, j: usize, k: usize| weigh(i * columns + j) * slopes[i * columns + j][k];
+    for (i, bar) in by_a.iter().enumerate() {
+        for (k, found) in fields(*bar).into_iter().enumerate() {
+            check(found, &mut (0..columns).map(|j| term(i, j, k)), columns);
+        }
+    }
+    for (j, bar) in by_b.iter().enumerate() {
+        for (k, found) in fields(*bar).into_iter().enumerate() {
+            check(found, &mut (0..rows).map(|i| term(i, j, len + k)), rows);
+        }
+    }
 }
 
 /// Reductions of two lists and of their matrix, both against the matrix itself.
-fn reductions_agree<O: GpuPair>(gpu: &Gpu, a: &[O::Shape], b: &[O::Shape], values: &[f32])
-where
-    O::Shape: Draw,
-{
+fn reductions_agree<O: Score>(gpu: &Gpu, a: &[O::Shape], b: &[O::Shape], values: &[f32]) {
     let (rows, columns) = (a.len(), b.len());
-    let (on_a, on_b) = (gpu.upload(a).unwrap(), gpu.upload(b).unwrap());
-    let matrix = gpu.all_pairs(O::default(), &on_a, &on_b).unwrap();
+    let here = Backend::Gpu(gpu).resident();
+    let (on_a, on_b) = (here.upload(a).unwrap(), here.upload(b).unwrap());
+    let matrix = here.all_pairs(O::default(), &on_a, &on_b).unwrap();
+    assert_eq!(bits(&matrix.download().unwrap()), bits(values));
     let held = reduce::Matrix::new(rows, columns, values.to_vec()).unwrap();
 
     // Of the matrix there is nothing to round but sums.
-    assert_eq!(
-        matrix.row_max().unwrap().download().unwrap(),
-        held.row_max().unwrap()
-    );
-    assert_eq!(
-        matrix.column_max().unwrap().download().unwrap(),
-        held.column_max().unwrap()
-    );
+    let best = matrix.row_max().unwrap().download().unwrap();
+    assert_eq!(best, held.row_max().unwrap());
+    let best = matrix.column_max().unwrap().download().unwrap();
+    assert_eq!(best, held.column_max().unwrap());
     let threshold = 0.2;
-    let found = matrix.above(threshold).unwrap();
-    assert_eq!(found.len() as u64, held.count_above(threshold).unwrap());
-    assert_eq!(found.download().unwrap(), held.above(threshold).unwrap());
+    let found = matrix.above(threshold).unwrap().download().unwrap();
+    assert_eq!(found, held.above(threshold).unwrap());
     assert_eq!(matrix.count_above(threshold).unwrap(), found.len() as u64);
     let bound = (1024.0 + ROUNDINGS) * EPSILON;
     assert!((matrix.sum().unwrap() - held.sum()).abs() <= bound * held.sum());
     assert!((matrix.mean().unwrap() - held.mean()).abs() <= bound * held.mean());
 
-    let best = gpu
-        .row_max(O::default(), &on_a, &on_b)
-        .unwrap()
-        .download()
-        .unwrap();
+    let best = gpu.row_max(O::default(), a, b).unwrap();
     for (row, best) in values.chunks(columns).zip(&best) {
         let most = row.iter().fold(0.0_f32, |x, &y| x.max(y));
         assert!(close(best.value, most) && close(row[best.index], most));
     }
-    let best = gpu
-        .column_max(O::default(), &on_a, &on_b)
-        .unwrap()
-        .download()
-        .unwrap();
+    let best = gpu.column_max(O::default(), a, b).unwrap();
     assert_eq!(best.len(), columns);
     for (j, best) in best.iter().enumerate() {
         let most = (0..rows).fold(0.0_f32, |x, i| x.max(values[i * columns + j]));
         assert!(close(best.value, most) && close(values[best.index * columns + j], most));
     }
-    let found = gpu
-        .above(O::default(), &on_a, &on_b, threshold)
-        .unwrap()
-        .download()
-        .unwrap();
-    assert_eq!(
-        gpu.count_above(O::default(), &on_a, &on_b, threshold)
-            .unwrap(),
-        found.len() as u64
-    );
+    let found = gpu.above(O::default(), a, b, threshold).unwrap();
+    let count = gpu.count_above(O::default(), a, b, threshold).unwrap();
+    assert_eq!(count, found.len() as u64);
     assert!(found.is_sorted_by_key(|found| (found.row, found.column)));
     assert!(
         found
@@ -211,45 +180,25 @@ where
     let clearly = |by: f32| values.iter().filter(|&&v| v > by).count();
     assert!((clearly(0.20001)..=clearly(0.19999)).contains(&found.len()));
     let exact = held.sum();
-    let sum = gpu.sum(O::default(), &on_a, &on_b).unwrap();
+    let sum = gpu.sum(O::default(), a, b).unwrap();
     assert!((sum - exact).abs() <= bound * exact);
 }
 
 /// The fused sum and its slopes against the sums of the slopes of every pair.
-fn losses_agree<O: GpuPair>(
+fn losses_agree<O: Score>(
     gpu: &Gpu,
     a: &[O::Shape],
     b: &[O::Shape],
-    grads: &Table<(f32, (O::Shape, O::Shape))>,
-) where
-    O::Shape: Draw,
-{
-    let (rows, columns, len) = (a.len(), b.len(), O::Shape::LEN);
-    let (on_a, on_b) = (gpu.upload(a).unwrap(), gpu.upload(b).unwrap());
-    let (sum, a_bar, b_bar) = gpu.sum_grad(O::default(), &on_a, &on_b).unwrap();
-    let exact: f64 = grads.values().iter().map(|&x| f64::from(x)).sum();
+    values: &[f32],
+    slopes: &[Vec<f64>],
+) {
+    let (sum, by_a, by_b) = gpu.sum_grad(O::default(), a, b).unwrap();
+    let exact: f64 = values.iter().map(|&x| f64::from(x)).sum();
     let bound = |n: usize| (n as f64 + ROUNDINGS) * EPSILON;
     assert!((sum - exact).abs() <= bound(256) * exact);
-    let plane = |k: usize, i: usize, j: usize| f64::from(grads.plane(1 + k)[i * columns + j]);
-    let check = |found: f64, terms: &mut dyn Iterator<Item = f64>, n: usize| {
-        let (exact, size) = terms.fold((0.0, 0.0), |(x, y), term| (x + term, y + term.abs()));
-        assert!(
-            (found - exact).abs() <= bound(n) * size,
-            "{found} for {exact}"
-        );
-    };
-    for (i, bar) in a_bar.download().unwrap().into_iter().enumerate() {
-        for (k, found) in fields(bar).into_iter().enumerate() {
-            check(found, &mut (0..columns).map(|j| plane(k, i, j)), columns);
-        }
-    }
-    for (j, bar) in b_bar.download().unwrap().into_iter().enumerate() {
-        for (k, found) in fields(bar).into_iter().enumerate() {
-            check(found, &mut (0..rows).map(|i| plane(len + k, i, j)), rows);
-        }
-    }
-    let (mean, ..) = gpu.mean_grad(O::default(), &on_a, &on_b).unwrap();
-    assert!((mean - sum / (rows * columns) as f64).abs() <= bound(1) * mean);
+    sums_agree::<O>(slopes, &by_a, &by_b, &|_| 1.0);
+    let (mean, ..) = gpu.mean_grad(O::default(), a, b).unwrap();
+    assert!((mean - sum / values.len() as f64).abs() <= bound(1) * mean);
 }
 
 #[test]
@@ -257,13 +206,12 @@ fn repeated_runs_give_the_same_bits() {
     let Some((_turn, gpu)) = gpu() else { return };
     let mut draws = Draws(1);
     let boxes: Vec<Obb2<f32>> = (0..700).map(|_| Draw::draw(&mut draws)).collect();
-    let on = gpu.upload(&boxes).unwrap();
     let run = || {
-        let matrix = gpu.all_pairs(overlap::IouObb2, &on, &on).unwrap();
-        let bars = gpu.all_pairs_vjp(overlap::IouObb2, &on, &on, &matrix);
+        let table = gpu.all_pairs(overlap::IouObb2, &boxes, &boxes).unwrap();
+        let bars = gpu.all_pairs_vjp(overlap::IouObb2, &boxes, &boxes, table.values());
         let (a_bars, b_bars) = bars.unwrap();
-        let mut all = bits(&matrix.download().unwrap());
-        for bar in [a_bars, b_bars].iter().flat_map(|x| x.download().unwrap()) {
+        let mut all = bits(table.values());
+        for bar in [a_bars, b_bars].iter().flatten() {
             all.extend(bits(&bar.scalars()));
         }
         all
@@ -281,16 +229,13 @@ fn the_first_of_several_is_the_best() {
     let few = Aabb2::<f32>::hard();
     let many: Vec<_> = few.iter().copied().cycle().take(2500).collect();
     for gpu in [gpu, &small()] {
-        let (on_few, on_many) = (gpu.upload(&few).unwrap(), gpu.upload(&many).unwrap());
-        let found = gpu.row_max(overlap::IouAabb2, &on_few, &on_many).unwrap();
+        let found = gpu.row_max(overlap::IouAabb2, &few, &many).unwrap();
         let expected = calls::row_max::<overlap::IouAabb2, f32>(&few, &many).unwrap();
         let indices = |all: Vec<reduce::Best>| all.iter().map(|x| x.index).collect::<Vec<_>>();
-        assert_eq!(indices(found.download().unwrap()), indices(expected));
-        let found = gpu
-            .column_max(overlap::IouAabb2, &on_many, &on_few)
-            .unwrap();
+        assert_eq!(indices(found), indices(expected));
+        let found = gpu.column_max(overlap::IouAabb2, &many, &few).unwrap();
         let expected = calls::column_max::<overlap::IouAabb2, f32>(&many, &few).unwrap();
-        assert_eq!(indices(found.download().unwrap()), indices(expected));
+        assert_eq!(indices(found), indices(expected));
     }
 }
 
@@ -318,10 +263,17 @@ fn identical_and_thin_boxes() {
     let mut draws = Draws(9);
     let mut boxes: Vec<Obb2<f32>> = (0..200).map(|_| Draw::draw(&mut draws)).collect();
     boxes.extend((0..200).map(|_| Obb2::new(0.0, 0.0, 1e-3, 50.0, 7.0 * draws.next())));
-    let on = gpu.upload(&boxes).unwrap();
-    let (values, a_bars, _) = gpu.aligned_grad(overlap::IouObb2, &on, &on).unwrap();
-    assert!(values.download().unwrap().iter().all(|&value| value == 1.0));
-    for bar in a_bars.download().unwrap() {
+    let run = overlap::IouObb2.value_grad();
+    let (values, (a_bars, _)) = gpu.aligned(run, (&boxes, &boxes)).unwrap();
+    assert!(values.iter().all(|&value| value == 1.0));
+    let mut own = vec![0.0; boxes.len() * boxes.len()];
+    own.iter_mut()
+        .step_by(boxes.len() + 1)
+        .for_each(|x| *x = 1.0);
+    let of_pairs = gpu
+        .all_pairs_vjp(overlap::IouObb2, &boxes, &boxes, &own)
+        .unwrap();
+    for bar in a_bars.into_iter().chain(of_pairs.0).chain(of_pairs.1) {
         assert!(fields(bar).iter().all(|&slope| slope == 0.0), "{bar:?}");
     }
     // Thin boxes ever so slightly turned: the exact ratio, from f64, to the last few digits.
@@ -333,23 +285,25 @@ fn identical_and_thin_boxes() {
                 ..*shape
             })
             .collect();
-        let found = gpu.upload(&turned).unwrap();
-        let found = gpu.aligned(overlap::IouObb2, &on, &found).unwrap();
-        for (i, found) in found.download().unwrap().into_iter().enumerate() {
+        let found = gpu.aligned(overlap::IouObb2, (&boxes, &turned)).unwrap();
+        let of_pairs = gpu.all_pairs(overlap::IouObb2, &boxes, &turned).unwrap();
+        for (i, found) in found.into_iter().enumerate() {
             let wide = |x: &Obb2<f32>| shape_of::<Obb2<f64>>(&fields(*x));
             let exact = wide(&boxes[i]).iou(wide(&turned[i]));
             // The relative heading is right to 2⁻³⁵, which over 25 is 7e-10 of a width of 1e-3.
-            assert!(
-                (f64::from(found) - exact).abs() < 5e-6,
-                "{i}: {found} for {exact}"
-            );
+            for found in [found, of_pairs.at(i, i)] {
+                assert!(
+                    (f64::from(found) - exact).abs() < 5e-6,
+                    "{i}: {found} for {exact}"
+                );
+            }
         }
     }
 }
 
 /// Where sizes differ by many powers of ten: finite wherever the source is finite (that it always
 /// is, is for its own tests), and the same values.
-fn extremes_agree<O: GpuPair<Shape = Obb2<f32>>>(gpu: &Gpu) {
+fn extremes_agree<O: Score<Shape = Obb2<f32>>>(gpu: &Gpu) {
     let sizes = [0.0, 1e-38, 1e-20, 1.0, 1e18, 1e38_f32];
     let mut boxes = Vec::new();
     for x in sizes {
@@ -358,29 +312,27 @@ fn extremes_agree<O: GpuPair<Shape = Obb2<f32>>>(gpu: &Gpu) {
             boxes.push(Obb2::new(x, -y, y, x, 1.0));
         }
     }
-    let on = gpu.upload(&boxes).unwrap();
-    let found = gpu
-        .all_pairs_grad(O::default(), &on, &on)
-        .unwrap()
-        .download()
-        .unwrap();
-    let expected = Backend::Cpu
-        .all_pairs_grad(O::default(), &boxes, &boxes)
-        .unwrap();
-    for (at, (found, expected)) in found.planes().iter().zip(expected.planes()).enumerate() {
-        let (i, j) = (at / boxes.len() % boxes.len(), at % boxes.len());
+    let found = gpu.all_pairs(O::default(), &boxes, &boxes).unwrap();
+    let slopes = slopes_of_pairs::<O>(gpu, &boxes, &boxes);
+    let run = O::default().value_grad();
+    let expected = Backend::Cpu.all_pairs(run, &boxes, &boxes).unwrap();
+    for (at, slopes) in slopes.iter().enumerate() {
+        let (i, j) = (at / boxes.len(), at % boxes.len());
+        let (value, (by_a, by_b)) = expected.at(i, j);
+        let on_cpu = [fields(by_a), fields(by_b)].concat();
+        for (k, (found, expected)) in slopes.iter().zip(on_cpu).enumerate() {
+            assert!(
+                found.is_finite() || !expected.is_finite(),
+                "{} {:?} {:?}, slope {k}: {found}, on the CPU {expected}",
+                O::NAME,
+                boxes[i],
+                boxes[j]
+            );
+        }
+        let found = found.at(i, j);
         assert!(
-            found.is_finite() || !expected.is_finite(),
-            "{} {:?} {:?}: {found}, on the CPU {expected}",
-            O::NAME,
-            boxes[i],
-            boxes[j]
-        );
-    }
-    for (found, expected) in found.values().iter().zip(expected.values()) {
-        assert!(
-            (found - expected).abs() <= 1e-5 * expected.max(1.0),
-            "{}: {found} for {expected}",
+            (found - value).abs() <= 1e-5 * value.max(1.0),
+            "{}: {found} for {value}",
             O::NAME
         );
     }

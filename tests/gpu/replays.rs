@@ -79,16 +79,15 @@ where
     let expected = cpu.aligned(run, &inputs[..]).unwrap().flat();
     near(D::NAME, &expected, &alone.flat(), 1e-6);
     let Some(gpu) = any_gpu() else { return };
-    let programs = gpu.programs();
-    let found = programs.aligned(run, &inputs[..]).unwrap().flat();
+    let found = gpu.aligned(run, &inputs[..]).unwrap().flat();
     near(D::NAME, &found, &expected, 2e-5);
-    let again = programs.aligned(run, &inputs[..]).unwrap().flat();
+    let again = gpu.aligned(run, &inputs[..]).unwrap().flat();
     assert_eq!(found, again);
     for k in 0..Y::LEN {
         let seed: Vec<f32> = (0..Y::LEN).map(|j| f32::from(u8::from(j == k))).collect();
         let seeds = vec![Y::load(&seed); inputs.len()];
         let columns = (&inputs[..], &seeds[..]);
-        let found = programs.aligned(Decided::vjp(run), columns).unwrap().flat();
+        let found = gpu.aligned(Decided::vjp(run), columns).unwrap().flat();
         let expected = cpu.aligned(Decided::vjp(run), columns).unwrap().flat();
         near(D::NAME, &found, &expected, 1e-4);
     }
@@ -121,13 +120,11 @@ fn polygons_of_many_sizes() {
     let (many, b) = (list(0), list(1));
     // Of what is dear a few.
     let (a, b) = (&many[..400], &b[..400]);
-    let (programs, cpu) = (gpu.programs(), Cpu::new());
-    let found = programs.aligned(IouPolygons::<6>, (a, b)).unwrap();
+    let cpu = Cpu::new();
+    let found = gpu.aligned(IouPolygons::<6>, (a, b)).unwrap();
     let direct: Vec<f32> = a.iter().zip(b).map(|(a, b)| a.iou(b)).collect();
     near("iou", &[found], &[direct], 1e-5);
-    let (value, (by_a, by_b)) = programs
-        .aligned(IouPolygons::<6>.value_grad(), (a, b))
-        .unwrap();
+    let (value, (by_a, by_b)) = gpu.aligned(IouPolygons::<6>.value_grad(), (a, b)).unwrap();
     let (expected, grads) = cpu.aligned(IouPolygons::<6>.value_grad(), (a, b)).unwrap();
     near("iou", &[value], &[expected], 1e-5);
     near("iou", &by_a.flat(), &grads.0.flat(), 1e-4);
@@ -139,23 +136,23 @@ fn polygons_of_many_sizes() {
             .all(|(bar, shape)| bar.count == shape.count)
     );
     let run = DiameterOfPolygon::<6>;
-    let found = programs.aligned(run, &many).unwrap();
+    let found = gpu.aligned(run, &many).unwrap();
     near(
         "diameter",
         std::slice::from_ref(&found),
         &[cpu.aligned(run, &many).unwrap()],
         1e-6,
     );
-    assert_eq!(small().programs().aligned(run, &many).unwrap(), found);
-    let one = programs.aligned(IouPolygons::<6>, (a, One(b[0]))).unwrap();
-    let all = programs
+    assert_eq!(small().aligned(run, &many).unwrap(), found);
+    let one = gpu.aligned(IouPolygons::<6>, (a, One(b[0]))).unwrap();
+    let all = gpu
         .aligned(IouPolygons::<6>, (a, &vec![b[0]; a.len()]))
         .unwrap();
     assert_eq!(one, all);
-    assert_eq!(programs.aligned(run, &many[..0]).unwrap(), []);
+    assert_eq!(gpu.aligned(run, &many[..0]).unwrap(), []);
     let mut lengths = vec![0.0; many.len()];
     Backend::Gpu(gpu)
-        .run_into(run, &many, &mut lengths)
+        .aligned_into(run, &many, &mut lengths)
         .unwrap();
     assert_eq!(lengths, found);
 }
@@ -166,21 +163,21 @@ fn what_cannot_be_replayed_is_refused() {
     let mut draw = Draw::new(5);
     let (a, b) = ([ring::<6>(&mut draw, 6)], [ring::<6>(&mut draw, 5)]);
     // A program longer than a buffer.
-    let refused = small().programs().aligned(GiouPolygons::<6, 12>, (&a, &b));
+    let refused = small().aligned(GiouPolygons::<6, 12>, (&a, &b));
     assert_eq!(refused.unwrap_err(), Error::Gpu(GpuFault::TooLarge));
     // All pairs would decide every pair on the processor.
-    let refused = gpu.programs().all_pairs(IouPolygons::<6>, &a, &b);
+    let refused = gpu.all_pairs(IouPolygons::<6>, &a, &b);
     assert_eq!(refused.unwrap_err(), Error::Program(Unrecordable::Search));
     let mut bad = a;
     bad[0].vertices[1].x = f32::NAN;
-    let refused = gpu.programs().aligned(IouPolygons::<6>, (&bad, &b));
+    let refused = gpu.aligned(IouPolygons::<6>, (&bad, &b));
     assert_eq!(
         refused.unwrap_err(),
         Cpu::new()
             .aligned(IouPolygons::<6>, (&bad, &b))
             .unwrap_err()
     );
-    let refused = gpu.programs().aligned(IouPolygons::<6>, (&a, &[b[0]; 2]));
+    let refused = gpu.aligned(IouPolygons::<6>, (&a, &[b[0]; 2]));
     assert!(matches!(
         refused.unwrap_err(),
         Error::Length {
@@ -191,7 +188,7 @@ fn what_cannot_be_replayed_is_refused() {
     ));
     let lost = geograd::kernels::gpu::Gpu::new().unwrap();
     lost.destroy();
-    let refused = lost.programs().aligned(IouPolygons::<6>, (&a, &b));
+    let refused = lost.aligned(IouPolygons::<6>, (&a, &b));
     assert_eq!(refused.unwrap_err(), Error::Gpu(GpuFault::DeviceLost));
 }
 
@@ -266,12 +263,12 @@ fn every_instruction() {
     let mut number = || (4.0 * draw.within(-1.0, 1.0)) as f32;
     let mut items: Vec<[f32; 3]> = (0..500).map(|_| [number(), number(), number()]).collect();
     items.extend([[1.0, 1.0, 2.0], [2.0, 1.0, 1.0], [1.5; 3], [1.0, 2.0, 1.0]]);
-    let (programs, cpu) = (gpu.programs(), Cpu::new());
-    let found = programs.aligned(Everything, &items).unwrap();
+    let cpu = Cpu::new();
+    let found = gpu.aligned(Everything, &items).unwrap();
     let expected = cpu.aligned(Everything, &items).unwrap();
     near("everything", &found.flat(), &expected.flat(), 1e-5);
     let seeds = vec![[1.0, -0.5, 0.25, 2.0]; items.len()];
-    let found = programs.aligned(Adjoint, (&items, &seeds)).unwrap();
+    let found = gpu.aligned(Adjoint, (&items, &seeds)).unwrap();
     let expected = cpu.aligned(Adjoint, (&items, &seeds)).unwrap();
     near("adjoint", &found.flat(), &expected.flat(), 1e-4);
 }

@@ -1,14 +1,13 @@
 //! Data that stay between calls: the same code on the CPU and on a GPU.
 use crate::bounds::{close, value_bound};
 use crate::gpu;
-use crate::shapes::{Draw, Draws, bits, fields};
+use crate::shapes::{Draw, Draws, Score, bits, fields};
 use geograd::GpuFault;
 use geograd::error::{Argument, Field};
-use geograd::kernels::Backend;
-use geograd::kernels::gpu::GpuPair;
 use geograd::kernels::ops::overlap;
 use geograd::kernels::reduce::{Best, Found};
-use geograd::kernels::resident::{Bars, Shapes};
+use geograd::kernels::resident::Held;
+use geograd::kernels::{Backend, Op};
 use geograd::{Aabb2, Error, Flaw, Obb2};
 
 /// What a chain of calls comes to.
@@ -16,7 +15,6 @@ struct Outcome<P> {
     values: Vec<f32>,
     bars: [Vec<P>; 8],
     matrix: Vec<f32>,
-    planes: Vec<f32>,
     bests: [Vec<Best>; 4],
     founds: [Vec<Found>; 2],
     counts: [u64; 2],
@@ -25,24 +23,29 @@ struct Outcome<P> {
 }
 
 /// Every call there is on handles, one result feeding the next.
-fn chain<O: GpuPair>(
+fn chain<O: Score>(
     backend: Backend<'_>,
     a: &[O::Shape],
     b: &[O::Shape],
 ) -> Result<Outcome<O::Shape>, Error> {
-    let (on_a, on_b) = (backend.upload(a)?, backend.upload(b)?);
-    let same = backend.upload(&b[..a.len()])?;
-    let (values, a_bar, b_bar) = on_a.aligned_grad(O::default(), &same)?;
-    let (by_a, by_b) = on_a.aligned_vjp(O::default(), &same, &values)?;
-    let matrix = on_a.all_pairs(O::default(), &on_b)?;
-    let grads = on_a.all_pairs_grad(O::default(), &on_b)?;
+    let here = backend.resident();
+    let run = O::default();
+    let (a, b, same) = (
+        here.upload(a)?,
+        here.upload(b)?,
+        here.upload(&b[..a.len()])?,
+    );
+    let (values, bars) = here.aligned(run.value_grad(), (&a, &same))?.split();
+    let (a_bar, b_bar) = bars.split();
+    let (by_a, by_b) = here.aligned(run.vjp(), ((&a, &same), &values))?.split();
+    let matrix = here.all_pairs(run, &a, &b)?;
     // The matrix is its own upstream: half the slopes of the sum of squares.
-    let (all_a, all_b) = on_a.all_pairs_vjp(O::default(), &on_b, &matrix)?;
-    let (sum, sum_a, sum_b) = on_a.sum_grad(O::default(), &on_b)?;
-    let (mean, ..) = on_a.mean_grad(O::default(), &on_b)?;
-    let best = on_a.row_max(O::default(), &on_b)?;
-    let picked = on_b.pick(&best)?;
-    let picked = on_a.aligned(O::default(), &picked)?;
+    let (all_a, all_b) = here.all_pairs_vjp(run, &a, &b, &matrix)?;
+    let (sum, sum_a, sum_b) = here.sum_grad(run, &a, &b)?;
+    let (mean, ..) = here.mean_grad(run, &a, &b)?;
+    let best = here.row_max(run, &a, &b)?;
+    let picked = here.pick(&b, &best)?;
+    let picked = here.aligned(run, (&a, &picked))?;
     Ok(Outcome {
         values: values.download()?,
         bars: [
@@ -56,26 +59,25 @@ fn chain<O: GpuPair>(
             sum_b.download()?,
         ],
         matrix: matrix.download()?,
-        planes: grads.download()?.into_planes(),
         bests: [
             best.download()?,
-            on_a.column_max(O::default(), &on_b)?.download()?,
+            here.column_max(run, &a, &b)?.download()?,
             matrix.row_max()?.download()?,
             matrix.column_max()?.download()?,
         ],
         founds: [
-            on_a.above(O::default(), &on_b, 0.3)?.download()?,
+            here.above(run, &a, &b, 0.3)?.download()?,
             matrix.above(0.3)?.download()?,
         ],
         counts: [
-            on_a.count_above(O::default(), &on_b, 0.3)?,
+            here.count_above(run, &a, &b, 0.3)?,
             matrix.count_above(0.3)?,
         ],
         sums: [
             sum,
             mean,
-            on_a.sum(O::default(), &on_b)?,
-            on_a.mean(O::default(), &on_b)?,
+            here.sum(run, &a, &b)?,
+            here.mean(run, &a, &b)?,
             matrix.sum()?,
             matrix.mean()?,
         ],
@@ -83,10 +85,7 @@ fn chain<O: GpuPair>(
     })
 }
 
-pub fn chains_agree<O: GpuPair>()
-where
-    O::Shape: Draw,
-{
+pub fn chains_agree<O: Score>() {
     let Some((_turn, gpu)) = gpu() else { return };
     let mut draws = Draws(23);
     let mut some = |n: usize| -> Vec<O::Shape> { (0..n).map(|_| Draw::draw(&mut draws)).collect() };
@@ -144,7 +143,6 @@ where
             }
             assert!(off <= 1e-3 * size, "{}: {off} of {size}", O::NAME);
         }
-        assert_eq!(found.planes.len(), expected.planes.len());
     }
 }
 
@@ -157,11 +155,12 @@ fn climb(backend: Backend<'_>, steps: usize) -> Result<Vec<f32>, Error> {
         .iter()
         .map(|t| Obb2::new(t.center.x + 0.5, 0.3, 4.4, 1.8, 0.3))
         .collect();
-    let (mut a, b) = (backend.upload(&guesses)?, backend.upload(&truths)?);
-    let (mut iou, mut slopes, mut unused) = a.aligned_grad(overlap::IouObb2, &b)?;
-    let mut slope = guesses.clone();
+    let here = backend.resident();
+    let (mut a, b) = (here.upload(&guesses)?, here.upload(&truths)?);
+    let run = overlap::IouObb2.value_grad();
+    let mut found = here.aligned(run, (&a, &b))?;
     for step in 0..steps {
-        slopes.download_into(&mut slope)?;
+        let (_, (slope, _)) = found.download()?;
         let pace = 0.1 / (1.0 + 0.05 * step as f32);
         for (guess, slope) in guesses.iter_mut().zip(&slope) {
             guess.center += slope.center * pace;
@@ -169,9 +168,9 @@ fn climb(backend: Backend<'_>, steps: usize) -> Result<Vec<f32>, Error> {
             guess.heading += slope.heading * pace * 0.1;
         }
         a.update(&guesses)?;
-        a.aligned_grad_into(overlap::IouObb2, &b, &mut iou, &mut slopes, &mut unused)?;
+        here.aligned_into(run, (&a, &b), &mut found)?;
     }
-    iou.download()
+    Ok(found.download()?.0)
 }
 
 #[test]
@@ -189,7 +188,7 @@ fn a_thousand_steps_in_the_same_buffers() {
 #[test]
 fn into_is_the_same_as_anew() {
     let Some((_turn, gpu)) = gpu() else { return };
-    type O = overlap::IouObb2;
+    let run = overlap::IouObb2;
     let mut draws = Draws(31);
     let mut some = || -> Vec<Obb2<f32>> { (0..150).map(|_| Draw::draw(&mut draws)).collect() };
     let (first, second, other) = (some(), some(), some());
@@ -198,84 +197,58 @@ fn into_is_the_same_as_anew() {
         Backend::Gpu(gpu),
         Backend::Gpu(&crate::small()),
     ] {
-        let run = |a: &Shapes<Obb2<f32>>, b: &Shapes<Obb2<f32>>| -> Vec<u32> {
-            let (values, x, y) = a.aligned_grad(O::default(), b).unwrap();
-            let matrix = a.all_pairs(O::default(), b).unwrap();
-            let (z, w) = a.all_pairs_vjp(O::default(), b, &matrix).unwrap();
-            let mut all = bits(&values.download().unwrap());
-            all.extend(bits(&matrix.download().unwrap()));
-            all.extend([x, y, z, w].iter().flat_map(bits_of));
-            all
-        };
-        let (mut a, b) = (
-            backend.upload(&first).unwrap(),
-            backend.upload(&other).unwrap(),
-        );
-        let (mut values, mut x, mut y) = a.aligned_grad(O::default(), &b).unwrap();
-        let mut matrix = a.all_pairs(O::default(), &b).unwrap();
-        let (mut z, mut w) = a.all_pairs_vjp(O::default(), &b, &matrix).unwrap();
+        let here = backend.resident();
+        let (mut a, b) = (here.upload(&first).unwrap(), here.upload(&other).unwrap());
+        let mut values = here.aligned(run, (&a, &b)).unwrap();
+        let mut grads = here.aligned(run.value_grad(), (&a, &b)).unwrap();
+        let mut matrix = here.all_pairs(run, &a, &b).unwrap();
         a.update(&second).unwrap();
-        a.aligned_into(O::default(), &b, &mut values).unwrap();
-        let alone = values.download().unwrap();
-        a.aligned_grad_into(O::default(), &b, &mut values, &mut x, &mut y)
+        here.aligned_into(run, (&a, &b), &mut values).unwrap();
+        here.aligned_into(run.value_grad(), (&a, &b), &mut grads)
             .unwrap();
-        for (x, y) in alone.iter().zip(values.download().unwrap()) {
+        here.all_pairs_into(run, &a, &b, &mut matrix).unwrap();
+        let anew = here.upload(&second).unwrap();
+        let bits_of = |held: &Held<f32>| bits(&held.download().unwrap());
+        assert!(bits_of(&values) == bits_of(&here.aligned(run, (&anew, &b)).unwrap()));
+        let again = here.aligned(run.value_grad(), (&anew, &b)).unwrap();
+        assert!(grads.numbers().unwrap() == again.numbers().unwrap());
+        for (x, y) in values
+            .download()
+            .unwrap()
+            .iter()
+            .zip(grads.download().unwrap().0)
+        {
             assert!(close(*x, y));
         }
-        a.all_pairs_into(O::default(), &b, &mut matrix).unwrap();
-        a.all_pairs_vjp_into(O::default(), &b, &matrix, &mut z, &mut w)
-            .unwrap();
-        let mut all = bits(&values.download().unwrap());
-        all.extend(bits(&matrix.download().unwrap()));
-        all.extend([&x, &y, &z, &w].into_iter().flat_map(bits_of));
-        let anew = backend.upload(&second).unwrap();
-        assert!(all == run(&anew, &b));
+        let again = here.all_pairs(run, &anew, &b).unwrap();
+        assert!(bits(&matrix.download().unwrap()) == bits(&again.download().unwrap()));
 
-        let (sum, sum_a, sum_b) = a.sum_grad(O::default(), &b).unwrap();
-        let again = a
-            .sum_grad_into(O::default(), &b, 1.0, &mut z, &mut w)
-            .unwrap();
-        assert_eq!(sum, again);
-        assert!(bits_of(&z) == bits_of(&sum_a) && bits_of(&w) == bits_of(&sum_b));
-        let ones = backend.upload_matrix(150, 150, &[1.0; 150 * 150]).unwrap();
-        a.all_pairs_vjp_into(O::default(), &b, &ones, &mut z, &mut w)
-            .unwrap();
-        assert!(
-            bits_of(&z) == bits_of(&sum_a),
-            "an upstream of ones is the sum"
-        );
+        // Sums with slopes are those of an upstream of ones.
+        let (_, sum_a, sum_b) = here.sum_grad(run, &a, &b).unwrap();
+        let ones = here.upload_matrix(150, 150, &[1.0; 150 * 150]).unwrap();
+        let (by_a, by_b) = here.all_pairs_vjp(run, &a, &b, &ones).unwrap();
+        assert!(sum_a.numbers().unwrap() == by_a.numbers().unwrap());
+        assert!(sum_b.numbers().unwrap() == by_b.numbers().unwrap());
 
-        let mut upstream = backend.upload_values(&[1.0; 150]).unwrap();
-        let (once, _) = a.aligned_vjp(O::default(), &b, &upstream).unwrap();
+        let mut upstream = here.upload(&[1.0_f32; 150]).unwrap();
+        let once = here.aligned(run.vjp(), ((&a, &b), &upstream)).unwrap();
         upstream.update(&[2.0; 150]).unwrap();
-        a.aligned_vjp_into(O::default(), &b, &upstream, &mut x, &mut y)
-            .unwrap();
-        for (once, twice) in once.download().unwrap().iter().zip(x.download().unwrap()) {
-            assert!(
-                fields(*once)
-                    .iter()
-                    .zip(fields(twice))
-                    .all(|(x, y)| 2.0 * x == y)
-            );
-        }
+        let twice = here.aligned(run.vjp(), ((&a, &b), &upstream)).unwrap();
+        let (once, twice) = (once.numbers().unwrap(), twice.numbers().unwrap());
+        let mut both = once.iter().flatten().zip(twice.iter().flatten());
+        assert!(both.all(|(x, y)| 2.0 * x == *y));
     }
-}
-
-fn bits_of(bars: &Bars<Obb2<f32>>) -> Vec<u32> {
-    let all = bars.download().unwrap();
-    all.iter()
-        .flat_map(|bar| bits(&geograd::Pack::scalars(bar)))
-        .collect()
 }
 
 #[test]
 fn updates_are_checked_and_change_nothing_when_refused() {
     let Some((_turn, gpu)) = gpu() else { return };
-    type O = overlap::IouAabb2;
+    let run = overlap::IouAabb2;
     let good = Aabb2::new(0.0, 0.0, 2.0, 2.0);
     let bad = Aabb2::new(0.0, 0.0, f32::NAN, 2.0);
     for backend in [Backend::Cpu, Backend::Gpu(gpu)] {
-        let mut a = backend.upload(&[good, good]).unwrap();
+        let here = backend.resident();
+        let mut a = here.upload(&[good, good]).unwrap();
         let expected = Error::Invalid {
             argument: Argument::Shape,
             row: 1,
@@ -288,57 +261,52 @@ fn updates_are_checked_and_change_nothing_when_refused() {
             found: 1,
         };
         assert_eq!(a.update(&[good]).unwrap_err(), expected);
-        assert_eq!(
-            a.aligned(O::default(), &a).unwrap().download().unwrap(),
-            [1.0, 1.0]
-        );
-        let one = backend.upload(&[good]).unwrap();
-        let (mut values, mut x, _) = one.aligned_grad(O::default(), &one).unwrap();
-        assert!(a.aligned_into(O::default(), &a, &mut values).is_err());
-        let mut y = x.clone();
-        let refused = one.aligned_grad_into(O::default(), &one, &mut values, &mut x, &mut y);
-        assert_eq!(refused.unwrap(), ());
-        let mut values = a.aligned(O::default(), &a).unwrap();
-        let refused = a.aligned_grad_into(O::default(), &a, &mut values, &mut x, &mut y);
+        let mut values = here.aligned(run, (&a, &a)).unwrap();
+        assert_eq!(values.download().unwrap(), [1.0, 1.0]);
+        let one = here.upload(&[good]).unwrap();
+        let refused = here.aligned_into(run, (&one, &one), &mut values);
         let expected = Error::Length {
-            argument: Argument::GradA,
-            expected: 2,
-            found: 1,
+            argument: Argument::Values,
+            expected: 1,
+            found: 2,
         };
         assert_eq!(refused.unwrap_err(), expected);
+        let mut matrix = here.all_pairs(run, &a, &one).unwrap();
+        assert!(here.all_pairs_into(run, &one, &one, &mut matrix).is_err());
+        assert!(here.all_pairs_vjp(run, &one, &one, &matrix).is_err());
         // Results about a list of another length pick nothing.
-        let best = one.row_max(O::default(), &a).unwrap();
-        assert!(one.pick(&best).is_err());
-        assert!(a.pick(&best).is_ok());
+        let best = here.row_max(run, &one, &a).unwrap();
+        assert!(here.pick(&one, &best).is_err());
+        assert!(here.pick(&a, &best).is_ok());
     }
     // Handles of both do not mix.
-    let on_cpu = Backend::Cpu.upload(&[good]).unwrap();
-    let on_gpu = Backend::Gpu(gpu).upload(&[good]).unwrap();
-    assert_eq!(
-        on_cpu.aligned(O::default(), &on_gpu).unwrap_err(),
-        Error::Gpu(GpuFault::ForeignBuffer)
-    );
-    assert_eq!(
-        on_gpu.aligned(O::default(), &on_cpu).unwrap_err(),
-        Error::Gpu(GpuFault::ForeignBuffer)
-    );
+    let (cpu, gpu) = (Backend::Cpu.resident(), Backend::Gpu(gpu).resident());
+    let (on_cpu, on_gpu) = (cpu.upload(&[good]).unwrap(), gpu.upload(&[good]).unwrap());
+    let foreign = Error::Gpu(GpuFault::ForeignBuffer);
+    for here in [cpu, gpu] {
+        let refused = here.aligned(run, (&on_cpu, &on_gpu));
+        assert_eq!(refused.unwrap_err(), foreign);
+        let refused = here.row_max(run, &on_gpu, &on_cpu);
+        assert_eq!(refused.unwrap_err(), foreign);
+    }
 }
 
 /// Ordinary boxes made extreme in place take the shader for extremes from then on.
 #[test]
 fn an_update_to_extremes_is_noticed() {
     let Some((_turn, gpu)) = gpu() else { return };
-    type O = overlap::IntersectionAreaObb2;
+    let run = overlap::IntersectionAreaObb2;
     let tiny = Obb2::new(0.0, 0.0, 1e-30, 1e-30, 0.3);
     let huge = Obb2::new(0.0, 0.0, 1e18, 1e18, 0.3);
-    let mut a = gpu.upload(&[Obb2::new(0.0, 0.0, 1.0, 1.0, 0.3)]).unwrap();
-    let clone = a.clone();
+    let here = Backend::Gpu(gpu).resident();
+    let mut a = here.upload(&[Obb2::new(0.0, 0.0, 1.0, 1.0, 0.3)]).unwrap();
+    assert!((here.sum(run, &a, &a).unwrap() - 1.0).abs() <= 1e-6);
     for shape in [huge, tiny] {
         a.update(&[shape]).unwrap();
-        let expected = Backend::Cpu.sum(O::default(), &[shape], &[shape]).unwrap();
-        for a in [&a, &clone] {
-            let found = gpu.aligned(O::default(), a, a).unwrap().download().unwrap();
-            assert!((f64::from(found[0]) - expected).abs() <= 1e-5 * expected);
+        let expected = Backend::Cpu.sum(run, &[shape], &[shape]).unwrap();
+        let found = here.aligned(run, (&a, &a)).unwrap().download().unwrap();
+        for found in [f64::from(found[0]), here.sum(run, &a, &a).unwrap()] {
+            assert!((found - expected).abs() <= 1e-5 * expected);
         }
     }
 }
@@ -348,10 +316,16 @@ fn downloads_of_either_side_can_be_awaited() {
     let Some((_turn, gpu)) = gpu() else { return };
     let boxes = Obb2::<f32>::hard();
     for backend in [Backend::Cpu, Backend::Gpu(gpu)] {
-        let on = backend.upload(&boxes).unwrap();
-        let matrix = on.all_pairs(overlap::IouObb2, &on).unwrap();
+        let here = backend.resident();
+        let on = here.upload(&boxes).unwrap();
+        let matrix = here.all_pairs(overlap::IouObb2, &on, &on).unwrap();
         let awaited = pollster::block_on(matrix.start_download().unwrap()).unwrap();
         assert_eq!(bits(&awaited), bits(&matrix.download().unwrap()));
+        let held = here
+            .aligned(overlap::IouObb2.value_grad(), (&on, &on))
+            .unwrap();
+        let awaited = pollster::block_on(held.start_download().unwrap()).unwrap();
+        assert_eq!(awaited, held.download().unwrap());
     }
 }
 
@@ -359,27 +333,28 @@ fn downloads_of_either_side_can_be_awaited() {
 #[test]
 fn slices_into_slices() {
     let Some((_turn, gpu)) = gpu() else { return };
-    type O = overlap::IouObb2;
+    let run = overlap::IouObb2;
     let mut draws = Draws(4);
     let boxes: Vec<Obb2<f32>> = (0..70).map(|_| Draw::draw(&mut draws)).collect();
     for backend in [Backend::Cpu, Backend::Gpu(gpu)] {
-        let expected = backend
-            .aligned_grad(O::default(), &boxes, &boxes[..])
-            .unwrap();
+        let columns = (&boxes, &boxes);
+        let expected = backend.aligned(run.value_grad(), columns).unwrap();
         let (mut values, mut x, mut y) = (vec![0.0; 70], boxes.clone(), boxes.clone());
+        let into = (&mut values[..], (&mut x[..], &mut y[..]));
         backend
-            .aligned_grad_into(O::default(), &boxes, &boxes, &mut values, &mut x, &mut y)
+            .aligned_into(run.value_grad(), columns, into)
             .unwrap();
-        assert_eq!((&values, &x, &y), (&expected.0, &expected.1, &expected.2));
+        assert_eq!(
+            (&values, (&x, &y)),
+            (&expected.0, (&expected.1.0, &expected.1.1))
+        );
         let mut again = vec![0.0; 70];
-        backend
-            .aligned_into(O::default(), &boxes, &boxes, &mut again)
-            .unwrap();
+        backend.aligned_into(run, columns, &mut again[..]).unwrap();
         assert!(again.iter().zip(&values).all(|(x, y)| close(*x, *y)));
-        let refused = backend.aligned_into(O::default(), &boxes, &boxes, &mut again[1..]);
+        let refused = backend.aligned_into(run, columns, &mut again[1..]);
         assert!(refused.is_err());
-        let (sum, x, _) = backend.sum_grad(O::default(), &boxes, &boxes).unwrap();
-        let (mean, z, _) = backend.mean_grad(O::default(), &boxes, &boxes).unwrap();
+        let (sum, x, _) = backend.sum_grad(run, &boxes, &boxes).unwrap();
+        let (mean, z, _) = backend.mean_grad(run, &boxes, &boxes).unwrap();
         assert!((sum / 4900.0 - mean).abs() <= 1e-6 * mean);
         let size = |bars: &[Obb2<f32>]| {
             bars.iter()

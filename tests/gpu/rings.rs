@@ -42,18 +42,14 @@ fn rings() -> (Vec<Vec2<f32>>, Vec<usize>) {
 
 pub fn rings_agree<O: GpuRing>(gpu: &Gpu) {
     let (vertices, offsets) = rings();
-    let on = gpu.upload_rings(&vertices, &offsets).unwrap();
-    let found = gpu.ragged(O::default(), &on).unwrap().download().unwrap();
+    let found = gpu.ragged(O::default(), &vertices, &offsets).unwrap();
     let expected = Backend::Cpu
         .ragged(O::default(), &vertices, &offsets)
         .unwrap();
     assert_eq!(found.len(), expected.len());
     let upstream = vec![shape_of(&[1.5, -0.5]); expected.len()];
-    let bars = gpu
-        .ragged_vjp(O::default(), &on, &upstream)
-        .unwrap()
-        .download()
-        .unwrap();
+    let bars = gpu.ragged_vjp(O::default(), &vertices, &offsets, &upstream);
+    let bars = bars.unwrap();
     let expected_bars = Backend::Cpu
         .ragged_vjp(O::default(), &vertices, &offsets, &upstream)
         .unwrap();
@@ -110,15 +106,12 @@ pub fn long_rings_agree<O: GpuRing>(gpu: &Gpu, counts: &[usize]) {
         .iter()
         .map(|v| Vec2::new(f64::from(v.x), f64::from(v.y)))
         .collect();
-    let on = gpu.upload_rings(&vertices, &offsets).unwrap();
-    let found = gpu.ragged(O::default(), &on).unwrap().download().unwrap();
+    let on = Backend::Gpu(gpu).resident();
+    let on = on.upload_rings(&vertices, &offsets).unwrap();
+    let found = on.ragged(O::default()).unwrap().download().unwrap();
     let expected = calls::ragged::<O, f64>(&wide, &offsets).unwrap();
     let upstream = vec![shape_of(&[1.5, -0.5]); counts.len()];
-    let run = || {
-        gpu.ragged_vjp(O::default(), &on, &upstream)
-            .unwrap()
-            .download()
-    };
+    let run = || on.ragged_vjp(O::default(), &upstream).unwrap().download();
     let bars = run().unwrap();
     assert!(run().unwrap() == bars, "the same bits");
     let upstream = vec![shape_of(&[1.5, -0.5]); counts.len()];
@@ -189,7 +182,10 @@ pub fn moved_rings_agree<O: GpuRing>() {
         Backend::Gpu(gpu),
         Backend::Gpu(&crate::small()),
     ] {
-        let mut on = backend.upload_rings(&vertices, &offsets).unwrap();
+        let mut on = backend
+            .resident()
+            .upload_rings(&vertices, &offsets)
+            .unwrap();
         on.update(&moved).unwrap();
         assert!(on.update(&moved[1..]).is_err());
         let bad = vec![Vec2::new(0.0, f32::NAN); moved.len()];

@@ -1,6 +1,32 @@
 //! Shapes to test with.
 use geograd::error::Field;
+use geograd::kernels::ops::overlap;
+use geograd::kernels::{Op, Single};
+use geograd::overlap::Denominator;
 use geograd::{Aabb2, Fixed, Flaw, Obb2};
+
+/// A score of two boxes in the plane: of all pairs it has kernels by hand.
+pub trait Score: Op<In<f32> = (Self::Shape, Self::Shape), Out<f32> = f32> {
+    type Shape: Draw + Single<Scalar = f32>;
+    /// What the area of intersection is divided by.
+    const OVER: Denominator;
+}
+macro_rules! scores {
+    ($($op:ident: $shape:ident over $over:ident;)*) => { $(
+        impl Score for overlap::$op {
+            type Shape = $shape<f32>;
+            const OVER: Denominator = Denominator::$over;
+        }
+    )* };
+}
+scores! {
+    IntersectionAreaObb2: Obb2 over None;
+    IouObb2: Obb2 over Union;
+    IofObb2: Obb2 over First;
+    IntersectionAreaAabb2: Aabb2 over None;
+    IouAabb2: Aabb2 over Union;
+    IofAabb2: Aabb2 over First;
+}
 
 /// Numbers in `[0, 1)`, the same ones every time.
 pub struct Draws(pub u64);
@@ -105,24 +131,6 @@ impl Draw for Aabb2<f32> {
         let flaw = Flaw::Inverted(Field::new("min.x"));
         (Aabb2::new(1.0, 0.0, 0.0, 1.0), flaw)
     }
-}
-
-/// Every hard shape with every other, then random ones.
-pub fn pairs<P: Draw>(random: usize) -> (Vec<P>, Vec<P>) {
-    let hard = P::hard();
-    let (mut a, mut b) = (Vec::new(), Vec::new());
-    for &x in &hard {
-        for &y in &hard {
-            a.push(x);
-            b.push(y);
-        }
-    }
-    let mut draws = Draws(7);
-    for _ in 0..random {
-        a.push(P::draw(&mut draws));
-        b.push(P::draw(&mut draws));
-    }
-    (a, b)
 }
 
 pub fn fields<P: Fixed<Scalar = f32>>(shape: P) -> Vec<f64> {

@@ -171,7 +171,6 @@ fn ties_at_the_threshold() {
     }
     let rules = Rules::above(1.0 / 3.0);
     let found = gpu
-        .programs()
         .suppress(overlap::IouObb2, &shapes, &scores, rules)
         .unwrap();
     let expected = Cpu::new()
@@ -209,10 +208,7 @@ fn ties_at_the_threshold() {
 fn the_driver_is_never_so_wrong() {
     let Some((_turn, gpu)) = gpu() else { return };
     let shapes = scene(150, 10, 8, turned).shapes;
-    let found = gpu
-        .programs()
-        .all_pairs(overlap3::IouObb3, &shapes, &shapes)
-        .unwrap();
+    let found = gpu.all_pairs(overlap3::IouObb3, &shapes, &shapes).unwrap();
     let expected = Cpu::new()
         .all_pairs(overlap3::IouObb3, &shapes, &shapes)
         .unwrap();
@@ -230,17 +226,17 @@ fn few_and_bad_ones() {
     let Some((_turn, gpu)) = gpu() else { return };
     let run = overlap::IouObb2;
     let one = [Obb2::new(0.0_f32, 0.0, 1.0, 1.0, 0.0)];
-    let (programs, cpu) = (gpu.programs(), Cpu::new());
+    let cpu = Cpu::new();
     let rules = Rules::above(0.5);
-    assert_eq!(programs.suppress(run, &one[..0], &[], rules).unwrap(), []);
-    assert_eq!(programs.suppress(run, &one, &[0.5], rules).unwrap(), [0]);
+    assert_eq!(gpu.suppress(run, &one[..0], &[], rules).unwrap(), []);
+    assert_eq!(gpu.suppress(run, &one, &[0.5], rules).unwrap(), [0]);
     let least = Rules {
         score: 0.6,
         ..rules
     };
-    assert_eq!(programs.suppress(run, &one, &[0.5], least).unwrap(), []);
+    assert_eq!(gpu.suppress(run, &one, &[0.5], least).unwrap(), []);
     let none = Rules { most: 0, ..rules };
-    assert_eq!(programs.suppress(run, &one, &[0.5], none).unwrap(), []);
+    assert_eq!(gpu.suppress(run, &one, &[0.5], none).unwrap(), []);
     let two = [one[0], Obb2::new(f32::NAN, 0.0, 1.0, 1.0, 0.0)];
     let classes = Rules {
         classes: Some(&[1]),
@@ -254,12 +250,12 @@ fn few_and_bad_ones() {
         (&two[..], &[0.5, 0.4][..], rules),
         (&two[..], &[0.5, 0.4][..], classes),
     ] {
-        let found = programs.suppress(run, shapes, scores, rules).unwrap_err();
+        let found = gpu.suppress(run, shapes, scores, rules).unwrap_err();
         assert_eq!(found, cpu.suppress(run, shapes, scores, rules).unwrap_err());
     }
     let gpu = Gpu::new().unwrap();
     gpu.destroy();
-    let refused = gpu.programs().suppress(run, &one, &[0.5], rules);
+    let refused = gpu.suppress(run, &one, &[0.5], rules);
     assert_eq!(refused.unwrap_err(), Error::Gpu(GpuFault::DeviceLost));
 }
 

@@ -3,11 +3,11 @@
 use geograd::ad::check::subject::{Conventions, Jumps};
 use geograd::ad::check::verdict::{Reason, Witness};
 use geograd::ad::check::{Check, Plan, examine};
-use geograd::kernels::check::{OpSubject, prove_on, prove_ring_on};
+use geograd::kernels::check::{OpSubject, prove_on, prove_pairs_on, prove_ring_on};
 use geograd::kernels::gpu::Gpu;
 use geograd::kernels::op::Straight;
 use geograd::kernels::witness::{Answer, Batch};
-use geograd::kernels::{Backend, IouObb2};
+use geograd::kernels::{Backend, IouObb2, Op};
 use geograd::{Error, GpuFault};
 use geograd::{Obb2, Pack, ad};
 
@@ -40,8 +40,13 @@ macro_rules! prove_all {
      straight { $($straight:ident: $straight_op:ty,)* } $($rest:tt)*) => {
         fn all_on(backend: Backend<'_>) {
             $(
-                let report = prove_on::<$pair_op>(backend, &plan()).unwrap();
-                assert!(report.passed() && report.worst[5].count > 0, "{report}");
+                let reports = [
+                    prove_on::<$pair_op>(backend, &plan()).unwrap(),
+                    prove_pairs_on::<$pair_op, _, _>(backend, &plan()).unwrap(),
+                ];
+                for report in reports {
+                    assert!(report.passed() && report.worst[5].count > 0, "{report}");
+                }
             )*
             $(
                 let report = prove_ring_on::<$ring_op>(backend, &plan()).unwrap();
@@ -144,7 +149,7 @@ fn a_backend_as_a_witness_of_ones_own_check() {
         jumps: Jumps::FromZero,
     })
     .witness(|(a, b): Pair, seed| {
-        let bars = backend.aligned_vjp(IouObb2, &[a], &[b], seed);
+        let bars = backend.aligned(IouObb2.vjp(), ((&[a], &[b]), seed));
         let (a_bars, b_bars) = bars.expect("the backend answers");
         (a_bars[0], b_bars[0])
     })

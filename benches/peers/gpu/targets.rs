@@ -5,7 +5,7 @@ use crate::{Draw, Settings, fastest};
 use geograd::Error;
 use geograd::Obb2;
 use geograd::kernels::gpu::{Gpu, op_sources};
-use geograd::kernels::{Backend, DistancePointSegment, IouObb2};
+use geograd::kernels::{Backend, DistancePointSegment, IouObb2, Op};
 
 /// One line: what, how much there is to be, how much there is.
 fn told(what: &str, unit: &str, wanted: f64, found: f64) {
@@ -41,29 +41,17 @@ pub fn targets(gpu: &Gpu, settings: &Settings, roofs: Roofs) -> Result<(), Error
         (from..from + n).map(|at| Obb2::draw(at, 12.0)).collect()
     };
     let (a, b) = (boxes(0), boxes(n));
-    {
-        let (a, b) = (gpu.upload(&a)?, gpu.upload(&b)?);
-        let mut matrix = gpu.all_pairs(IouObb2, &a, &b)?;
-        let found = rate(gpu, n * n, || {
-            gpu.all_pairs_into(IouObb2, &a, &b, &mut matrix)
-        })?;
-        told("rotated IoU, all pairs", "G/s", 110.0, found);
-        let (mut x, mut y) = gpu.all_pairs_vjp(IouObb2, &a, &b, &matrix)?;
-        let found = rate(gpu, n * n, || {
-            gpu.all_pairs_vjp_into(IouObb2, &a, &b, &matrix, &mut x, &mut y)
-        })?;
-        told(
-            "rotated IoU, gradients of both boxes, upstream matrix",
-            "G/s",
-            50.0,
-            found,
-        );
-    }
     let here = Backend::Gpu(gpu).resident();
     let (a, b) = (here.upload(&a)?, here.upload(&b)?);
+    let program = IouObb2.program::<f32>()?;
     let mut matrix = here.all_pairs(IouObb2, &a, &b)?;
     let found = rate(gpu, n * n, || {
         here.all_pairs_into(IouObb2, &a, &b, &mut matrix)
+    })?;
+    told("rotated IoU, all pairs", "G/s", 110.0, found);
+    here.all_pairs_into(&program, &a, &b, &mut matrix)?;
+    let found = rate(gpu, n * n, || {
+        here.all_pairs_into(&program, &a, &b, &mut matrix)
     })?;
     told(
         "the same values by the generated kernel",
@@ -74,6 +62,16 @@ pub fn targets(gpu: &Gpu, settings: &Settings, roofs: Roofs) -> Result<(), Error
     here.all_pairs_vjp(IouObb2, &a, &b, &matrix)?;
     let found = rate(gpu, n * n, || {
         here.all_pairs_vjp(IouObb2, &a, &b, &matrix).map(drop)
+    })?;
+    told(
+        "rotated IoU, gradients of both boxes, upstream matrix",
+        "G/s",
+        50.0,
+        found,
+    );
+    here.all_pairs_vjp(&program, &a, &b, &matrix)?;
+    let found = rate(gpu, n * n, || {
+        here.all_pairs_vjp(&program, &a, &b, &matrix).map(drop)
     })?;
     told(
         "the same gradients by the generated kernel",

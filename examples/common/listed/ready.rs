@@ -268,7 +268,7 @@ pub fn ring<'a, O: GpuRing>(
     let (vertices, offsets) = paths(count);
     let ups = if slopes { count } else { 0 };
     let mut ready = Ring::<O> {
-        rings: backend.upload_rings(&vertices, &offsets)?,
+        rings: backend.resident().upload_rings(&vertices, &offsets)?,
         values: None,
         ups: vec![Fixed::filled(1.0); ups],
         slopes: None,

@@ -175,6 +175,18 @@ impl<T> Pending<T> {
         }
     }
 
+    /// What is made of what arrives.
+    pub(crate) fn map<U>(self, with: impl Fn(T) -> U + Send + 'static) -> Pending<U>
+    where
+        T: 'static,
+    {
+        let mut make = self.make;
+        Pending {
+            arrival: self.arrival,
+            make: Box::new(move |arrival| make(arrival).map(&with)),
+        }
+    }
+
     /// Whether the numbers have arrived. Never blocks.
     ///
     /// # Errors

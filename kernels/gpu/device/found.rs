@@ -1,7 +1,6 @@
 //! Compacted lists on the GPU: the pairs whose score is above a threshold.
 use super::download::download;
-use super::pairs::ShapesOf;
-use super::source::{GpuPair, Take};
+use super::source::Take;
 use super::table::Table;
 use super::work::{Params, Work};
 use super::{Gpu, Matrix, Pending};
@@ -68,7 +67,7 @@ const BYTES: u64 = 12;
 impl Table<'_> {
     /// Every pair above the threshold: counted first, then written to places that follow from the
     /// counts, so the order is the same every time.
-    fn above(mut self, threshold: f32) -> Result<Founds, Error> {
+    pub fn above(mut self, threshold: f32) -> Result<Founds, Error> {
         check_threshold(threshold)?;
         let (gpu, inner) = (self.gpu, &self.gpu.inner);
         let mut all = Founds {
@@ -78,6 +77,7 @@ impl Table<'_> {
         };
         self.sweeps.reverse();
         while let Some(sweep) = self.sweeps.pop() {
+            self.compute(&sweep)?;
             let (places, total) = inner.guarded(|| {
                 let count = self.pipeline(Take::Count);
                 let place = inner.gather_pipeline("places_main");
@@ -119,24 +119,6 @@ impl Table<'_> {
             all.lists.push((list, found));
         }
         Ok(all)
-    }
-}
-
-impl Gpu {
-    /// Every pair whose score is above the threshold, as a list that stays on the GPU.
-    ///
-    /// # Errors
-    ///
-    /// [`GpuFault::ForeignBuffer`](crate::GpuFault::ForeignBuffer), The input's for a threshold that is not a number, or
-    /// what the device says.
-    pub fn above<O: GpuPair>(
-        &self,
-        _op: O,
-        a: &ShapesOf<O>,
-        b: &ShapesOf<O>,
-        threshold: f32,
-    ) -> Result<Founds, Error> {
-        Table::of_shapes::<O>(self, a, b, true)?.above(threshold)
     }
 }
 

@@ -1,6 +1,8 @@
 //! Matrices that stay on the GPU.
 use super::block::{Block, block_of, place_block};
 use super::download::download;
+use super::source::GROUP;
+use super::work::{MOST_GROUPS, Params, Work, groups};
 use super::{Gpu, Pending};
 use crate::error::{Argument, Error};
 use crate::kernels::cpu::checked::{check_upstream, entries, expect};
@@ -62,6 +64,47 @@ impl Matrix {
         }
     }
 
+    /// The same numbers in other buffers, copied by a kernel: also how fast memory can be had.
+    ///
+    /// # Errors
+    ///
+    /// What the device says.
+    pub fn duplicate(&self) -> Result<Matrix, Error> {
+        let made = || Matrix::room(&self.gpu, self.rows, self.columns);
+        let mut to = self.gpu.inner.guarded(made)?;
+        self.duplicate_into(&mut to)?;
+        Ok(to)
+    }
+
+    /// [`duplicate`](Matrix::duplicate) over numbers that are there already.
+    ///
+    /// # Errors
+    ///
+    /// [`GpuFault::ForeignBuffer`](crate::GpuFault::ForeignBuffer), [`Error::Length`] for a matrix of another size, or what
+    /// the device says.
+    pub fn duplicate_into(&self, to: &mut Matrix) -> Result<(), Error> {
+        self.gpu
+            .fits(to, self.rows, self.columns, Argument::Values)?;
+        let inner = &self.gpu.inner;
+        inner.guarded(|| {
+            let pipeline = inner.gather_pipeline("copy_main");
+            let mut work = Work::new(inner);
+            for ((block, from), (_, to)) in self.blocks.iter().zip(&to.blocks) {
+                let count = block.rows * block.columns;
+                for start in (0..count).step_by(MOST_COPIED) {
+                    let own = MOST_COPIED.min(count - start);
+                    let params = Params {
+                        own_count: own as u32,
+                        own_start: start as u32,
+                        ..Params::default()
+                    };
+                    work.dispatch(&pipeline, params, &[(3, from), (4, to)], [groups(own), 1]);
+                }
+            }
+            work.submit().map(drop)
+        })
+    }
+
     /// Puts another matrix of the same size in its place, without a new buffer.
     ///
     /// # Errors
@@ -110,6 +153,24 @@ impl Matrix {
             })?;
             Ok(all)
         }))
+    }
+}
+
+/// Numbers that a dispatch copies at most.
+const MOST_COPIED: usize = MOST_GROUPS * GROUP;
+
+impl Gpu {
+    /// Refuses a matrix of another context or another size.
+    pub(super) fn fits(
+        &self,
+        matrix: &Matrix,
+        rows: usize,
+        columns: usize,
+        argument: Argument,
+    ) -> Result<(), Error> {
+        self.owns(&matrix.gpu)?;
+        expect(argument, rows, matrix.rows)?;
+        expect(argument, columns, matrix.columns)
     }
 }
 

@@ -1,35 +1,32 @@
 //! The device behind [`Gpu`]: buffers, pipelines, batches.
 mod adapter;
-mod aligned;
 mod block;
 mod data;
 mod download;
 mod found;
 mod generated;
+pub(crate) mod lists;
 mod matrix;
 mod pairs;
 mod reduce;
 mod ring;
-mod slices;
 mod source;
 mod table;
 mod work;
 
 pub use adapter::{Adapter, Choice, Options};
-pub use data::{Bars, Shapes, Values};
-pub use download::Pending;
-pub use found::Founds;
+pub(crate) use download::Pending;
+pub(crate) use found::Founds;
 pub(crate) use generated::held;
 #[doc(hidden)]
 pub use generated::held::{Given, HeldColumn};
 #[doc(hidden)]
 pub use generated::operation::Generated;
-pub use generated::{Programs, fold_sources, op_sources, replay_source};
-pub use matrix::Matrix;
-pub use pairs::PairBars;
-pub use reduce::{Best, Bests};
-pub use ring::{RingBars, RingValues, Rings};
-pub use source::{GpuPair, GpuRing, GpuShape, pair_sources, ring_sources};
+pub use generated::{fold_sources, op_sources, replay_source};
+pub(crate) use matrix::Matrix;
+pub(crate) use reduce::Bests;
+pub(crate) use ring::{RingBars, RingValues, Rings};
+pub use source::{GpuRing, pair_sources, ring_sources};
 
 use crate::{Error, GpuFault};
 use source::{GROUP, GROUP_VJP, Source, TILE};
@@ -149,6 +146,12 @@ impl Gpu {
                 generated: Mutex::new(HashMap::new()),
             }),
         })
+    }
+
+    /// Whether it computes faster than the processor: not so for a driver in software, unless the
+    /// environment asks for one.
+    pub(crate) fn is_worth_it(&self) -> bool {
+        !self.adapter().is_software || std::env::var_os("GEOGRAD_GPU").is_some()
     }
 
     /// Every adapter there is, in the order of their indices.

@@ -1,17 +1,14 @@
 //! Reductions on the GPU, of all pairs of two lists or of a matrix that is there already.
 //!
-//! Of two lists the matrix is never written, so memory stays bounded.
+//! Of two lists the whole matrix never exists, so memory stays bounded.
 use super::data::Piece;
 use super::download::{download, parts};
-use super::pairs::ShapesOf;
-use super::source::{GpuPair, Take};
+use super::source::Take;
 use super::table::Table;
-use super::work::{Params, Work, groups};
-use super::{Gpu, Matrix, Pending, Shapes};
+use super::work::{Work, groups};
+use super::{Gpu, Matrix, Pending};
 use crate::Error;
-use crate::error::Argument;
-pub use crate::kernels::reduce::Best;
-use crate::kernels::reduce::{check_sides, check_threshold};
+use crate::kernels::reduce::{Best, check_sides, check_threshold};
 
 /// The largest score of every row (or column) and where it is, on the GPU.
 #[derive(Clone, Debug)]
@@ -19,12 +16,16 @@ pub struct Bests {
     gpu: Gpu,
     values: Vec<Piece>,
     indices: Vec<Piece>,
-    len: usize,
     /// How many there were to choose from.
-    among: usize,
+    pub(crate) among: usize,
 }
 
 impl Bests {
+    /// Refuses what is of another context.
+    pub(crate) fn is_of(&self, gpu: &Gpu) -> Result<(), Error> {
+        gpu.owns(&self.gpu)
+    }
+
     /// Starts bringing them back, in the order of the rows (or columns).
     ///
     /// # Errors
@@ -61,7 +62,7 @@ download! {
 
 impl Table<'_> {
     /// The largest of every own row (or column).
-    fn best(self) -> Result<Bests, Error> {
+    pub fn best(self) -> Result<Bests, Error> {
         let inner = &self.gpu.inner;
         inner.guarded(|| {
             let pipeline = self.pipeline(Take::Best);
@@ -69,6 +70,7 @@ impl Table<'_> {
             let values = inner.pieces(self.own, 1);
             let indices = inner.pieces(self.own, 1);
             for sweep in &self.sweeps {
+                self.compute(sweep)?;
                 let part_values = inner.storage(sweep.room());
                 let part_indices = inner.storage(sweep.room());
                 let mut work = Work::new(inner);
@@ -88,7 +90,6 @@ impl Table<'_> {
                 gpu: self.gpu.clone(),
                 values,
                 indices,
-                len: self.own,
                 among: self.walked,
             })
         })
@@ -99,6 +100,7 @@ impl Table<'_> {
         let inner = &self.gpu.inner;
         let binding = if take == Take::Count { 7 } else { 4 };
         for sweep in &self.sweeps {
+            self.compute(sweep)?;
             let totals = inner.guarded(|| {
                 let pipeline = self.pipeline(take);
                 let totals = inner.storage(sweep.room());
@@ -115,7 +117,7 @@ impl Table<'_> {
         Ok(())
     }
 
-    fn count_above(self, threshold: f32) -> Result<u64, Error> {
+    pub fn count_above(self, threshold: f32) -> Result<u64, Error> {
         check_threshold(threshold)?;
         let mut count = 0;
         self.totals(Take::Count, threshold, |numbers| {
@@ -124,7 +126,7 @@ impl Table<'_> {
         Ok(count)
     }
 
-    fn sum(self) -> Result<f64, Error> {
+    pub fn sum(self) -> Result<f64, Error> {
         let mut sum = 0.0;
         self.totals(Take::Sum, 0.0, |numbers| sum += sum_of(numbers))?;
         Ok(sum)
@@ -135,75 +137,6 @@ impl Table<'_> {
 pub(super) fn sum_of(numbers: &[u32]) -> f64 {
     let wide = |&n: &u32| f64::from(f32::from_bits(n));
     numbers.iter().map(wide).sum()
-}
-
-impl Gpu {
-    /// The largest score of every row and its column; of several the first. An empty list of
-    /// columns gives nothing to be the largest of and is refused.
-    ///
-    /// # Errors
-    ///
-    /// [`GpuFault::ForeignBuffer`](crate::GpuFault::ForeignBuffer), The input's for rows without columns, or what the
-    /// device says.
-    pub fn row_max<O: GpuPair>(
-        &self,
-        _op: O,
-        a: &ShapesOf<O>,
-        b: &ShapesOf<O>,
-    ) -> Result<Bests, Error> {
-        check_sides(a.len, b.len, true)?;
-        Table::of_shapes::<O>(self, a, b, true)?.best()
-    }
-
-    /// The largest score of every column and its row; of several the first.
-    ///
-    /// # Errors
-    ///
-    /// As [`row_max`](Gpu::row_max), for columns without rows.
-    pub fn column_max<O: GpuPair>(
-        &self,
-        _op: O,
-        a: &ShapesOf<O>,
-        b: &ShapesOf<O>,
-    ) -> Result<Bests, Error> {
-        check_sides(a.len, b.len, false)?;
-        Table::of_shapes::<O>(self, a, b, false)?.best()
-    }
-
-    /// How many pairs have a score above the threshold.
-    ///
-    /// # Errors
-    ///
-    /// As [`above`](Gpu::above).
-    pub fn count_above<O: GpuPair>(
-        &self,
-        _op: O,
-        a: &ShapesOf<O>,
-        b: &ShapesOf<O>,
-        threshold: f32,
-    ) -> Result<u64, Error> {
-        Table::of_shapes::<O>(self, a, b, true)?.count_above(threshold)
-    }
-
-    /// The sum of all scores: what a loss is made of. Up to 1024 scores are added in `f32`, those
-    /// sums in `f64`, always in the same order.
-    ///
-    /// # Errors
-    ///
-    /// [`GpuFault::ForeignBuffer`](crate::GpuFault::ForeignBuffer), or what the device says.
-    pub fn sum<O: GpuPair>(&self, _op: O, a: &ShapesOf<O>, b: &ShapesOf<O>) -> Result<f64, Error> {
-        Table::of_shapes::<O>(self, a, b, true)?.sum()
-    }
-
-    /// The mean of all scores; zero where there are none.
-    ///
-    /// # Errors
-    ///
-    /// As [`sum`](Gpu::sum).
-    pub fn mean<O: GpuPair>(&self, op: O, a: &ShapesOf<O>, b: &ShapesOf<O>) -> Result<f64, Error> {
-        let count = a.len as f64 * b.len as f64;
-        Ok(self.sum(op, a, b)? / count.max(1.0))
-    }
 }
 
 impl Matrix {
@@ -236,7 +169,7 @@ impl Matrix {
         Table::of_matrix(self, true).count_above(threshold)
     }
 
-    /// The sum of all numbers, added as [`Gpu::sum`] does.
+    /// The sum of all numbers, up to 1024 in `f32`, those sums in `f64`, always in the same order.
     ///
     /// # Errors
     ///
@@ -253,40 +186,5 @@ impl Matrix {
     pub fn mean(&self) -> Result<f64, Error> {
         let count = self.rows as f64 * self.columns as f64;
         Ok(self.sum()? / count.max(1.0))
-    }
-}
-
-impl<P: super::GpuShape> Shapes<P> {
-    /// The shape of this list that each row (or column) found best: `b.pick(&row_max)` has as many
-    /// shapes as `a`, ready to be aligned with it.
-    ///
-    /// # Errors
-    ///
-    /// [`GpuFault::ForeignBuffer`](crate::GpuFault::ForeignBuffer), The input's for results about a list of another length,
-    /// or what the device says.
-    pub fn pick(&self, bests: &Bests) -> Result<Shapes<P>, Error> {
-        self.gpu
-            .fits(&bests.gpu, Argument::Shape, bests.among, self.len)?;
-        let inner = &self.gpu.inner;
-        inner.guarded(|| {
-            let picked = Shapes::room(&self.gpu, bests.len, self.is_ordinary());
-            let pipeline = inner.gather_pipeline("pick_main");
-            let mut work = Work::new(inner);
-            for (to, indices) in picked.pieces.iter().zip(&bests.indices) {
-                for (i, from) in self.pieces.iter().enumerate() {
-                    let params = Params {
-                        own_count: to.items as u32,
-                        loop_count: from.items as u32,
-                        loop_base: (i * inner.chunk) as u32,
-                        fields: P::QUADS as u32,
-                        ..Params::default()
-                    };
-                    let buffers = [(1, &from.buffer), (7, &indices.buffer), (4, &to.buffer)];
-                    work.dispatch(&pipeline, params, &buffers, [groups(to.items), 1]);
-                }
-            }
-            work.submit()?;
-            Ok(picked)
-        })
     }
 }

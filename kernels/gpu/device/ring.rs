@@ -1,6 +1,6 @@
 //! Batches of rings on the GPU.
 use super::download::download;
-use super::source::{GpuRing, Kernel, LONG, ROW, SPAN, Source, ring_source};
+use super::source::{ANY, GpuRing, Kernel, LONG, ROW, SPAN, Source, ring_source};
 use super::work::{Params, Work, groups};
 use super::{Gpu, Inner, Pending};
 use crate::error::Argument;
@@ -70,16 +70,6 @@ pub struct Rings {
 }
 
 impl Rings {
-    /// How many rings.
-    #[must_use]
-    pub fn len(&self) -> usize {
-        self.len
-    }
-    /// Whether there are none.
-    #[must_use]
-    pub fn is_empty(&self) -> bool {
-        self.len == 0
-    }
     /// The context that they are in.
     #[must_use]
     pub fn gpu(&self) -> &Gpu {
@@ -168,6 +158,37 @@ download! {
 pub type OutOf<O> = <O as crate::kernels::op::RingOp>::Out<f32>;
 
 impl Gpu {
+    /// One result per ring, as [`Cpu::ragged`](crate::kernels::Cpu::ragged).
+    ///
+    /// # Errors
+    ///
+    /// As on the processor; [`GpuFault::TooLarge`] for a ring that fits no buffer, or what the device says.
+    pub fn ragged<O: GpuRing>(
+        &self,
+        ring: O,
+        vertices: &[Vec2<f32>],
+        offsets: &[usize],
+    ) -> Result<Vec<OutOf<O>>, Error> {
+        let rings = self.upload_rings(vertices, offsets)?;
+        self.ragged_of(ring, &rings)?.download()
+    }
+
+    /// Its adjoint, one cotangent per vertex, as [`Cpu::ragged_vjp`](crate::kernels::Cpu::ragged_vjp).
+    ///
+    /// # Errors
+    ///
+    /// As [`ragged`](Gpu::ragged), and for cotangents of another number or not finite.
+    pub fn ragged_vjp<O: GpuRing>(
+        &self,
+        ring: O,
+        vertices: &[Vec2<f32>],
+        offsets: &[usize],
+        upstream: &[OutOf<O>],
+    ) -> Result<Vec<Vec2<f32>>, Error> {
+        let rings = self.upload_rings(vertices, offsets)?;
+        self.ragged_vjp_of(ring, &rings, upstream)?.download()
+    }
+
     /// Checks rings and brings them to the GPU. Ring i has the vertices
     /// `offsets[i]..offsets[i + 1]`.
     ///
@@ -175,7 +196,11 @@ impl Gpu {
     ///
     /// The input's as [`Cpu::ragged`](crate::kernels::Cpu::ragged), [`GpuFault::TooLarge`](crate::GpuFault::TooLarge) for a
     /// ring that fits no buffer, or what the device says.
-    pub fn upload_rings(&self, vertices: &[Vec2<f32>], offsets: &[usize]) -> Result<Rings, Error> {
+    pub(crate) fn upload_rings(
+        &self,
+        vertices: &[Vec2<f32>],
+        offsets: &[usize],
+    ) -> Result<Rings, Error> {
         check_ragged(vertices, offsets)?;
         let inner = &self.inner;
         let most_vertices = (inner.most_bytes / 8) as usize;
@@ -221,7 +246,11 @@ impl Gpu {
     /// # Errors
     ///
     /// [`GpuFault::ForeignBuffer`](crate::GpuFault::ForeignBuffer), or what the device says.
-    pub fn ragged<O: GpuRing>(&self, _op: O, rings: &Rings) -> Result<RingValues<OutOf<O>>, Error> {
+    pub(crate) fn ragged_of<O: GpuRing>(
+        &self,
+        _op: O,
+        rings: &Rings,
+    ) -> Result<RingValues<OutOf<O>>, Error> {
         self.owns(&rings.gpu)?;
         let inner = &self.inner;
         let fields = OutOf::<O>::LEN;
@@ -253,7 +282,7 @@ impl Gpu {
     ///
     /// As [`ragged`](Gpu::ragged), and The input's for an upstream of another length or
     /// one that is not finite.
-    pub fn ragged_vjp<O: GpuRing>(
+    pub(crate) fn ragged_vjp_of<O: GpuRing>(
         &self,
         _op: O,
         rings: &Rings,
@@ -364,7 +393,7 @@ impl Run {
 }
 
 fn ring_pipeline<O: GpuRing>(inner: &Inner, entry: &'static str) -> wgpu::ComputePipeline {
-    let source = Source::of(Kernel::Ragged, O::NAME);
+    let source = Source::of(Kernel::Ragged(O::NAME), ANY);
     inner.pipeline(source, entry, ring_source::<O>)
 }
 

@@ -3,10 +3,9 @@
 //! A shader is its constants and its files, one after the other. Constants are written down in Rust
 //! alone.
 use crate::clip::{FAR, LARGEST_INVERSE, frame, is_ordinary};
-use crate::error::Validate;
+use crate::kernels::cpu::plan::Compiled;
 use crate::kernels::op::{Op, RingOp};
 use crate::kernels::ops::ring::{Centroid, Perimeter, SignedArea};
-use crate::kernels::row::Row;
 use crate::overlap::Denominator;
 use crate::scalar::float::Float;
 use crate::{Aabb2, Fixed, Obb2, Scalar};
@@ -45,80 +44,93 @@ pub(super) const ROW: usize = 32_768;
 /// The most quads a frame has.
 pub(super) const MOST_QUADS: usize = 2;
 
-/// A shape that batches on a GPU take.
-pub trait GpuShape: Row<Scalar = f32, Many = Vec<Self>> + Validate + std::fmt::Debug {
+/// Boxes that kernels by hand take.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub(super) enum Kind {
+    /// [`Obb2`].
+    Rotated,
+    /// [`Aabb2`].
+    Upright,
+}
+
+impl Kind {
     /// How many groups of four numbers a prepared shape has.
-    const QUADS: usize;
+    pub fn quads(self) -> usize {
+        match self {
+            Kind::Rotated => 2,
+            Kind::Upright => 1,
+        }
+    }
+    /// How many numbers a shape has.
+    pub fn fields(self) -> usize {
+        match self {
+            Kind::Rotated => Obb2::<f32>::LEN,
+            Kind::Upright => Aabb2::<f32>::LEN,
+        }
+    }
     /// The shape in WGSL.
-    const WGSL: &'static str;
-    /// Prepares the shape.
+    fn text(self) -> &'static str {
+        match self {
+            Kind::Rotated => include_str!("../wgsl/obb2.wgsl"),
+            Kind::Upright => include_str!("../wgsl/aabb.wgsl"),
+        }
+    }
+    /// A shape, prepared; and whether plain products of its numbers stay far from over- and underflow.
     ///
     /// The processor does that, once per upload: its sines and cosines come from `f64`, so a GPU
     /// starts from the very numbers that a batch on the processor starts from, for huge headings
     /// and for long thin boxes too, and no driver's trigonometry matters.
-    fn quads(self) -> [[f32; 4]; 2];
-    /// Whether plain products of its numbers stay far from over- and underflow.
-    fn is_ordinary(self) -> bool;
-}
-
-impl GpuShape for Obb2<f32> {
-    const QUADS: usize = 2;
-    const WGSL: &'static str = include_str!("../wgsl/obb2.wgsl");
-    #[inline]
-    fn quads(self) -> [[f32; 4]; 2] {
-        // Sine and cosine are the sums of their parts.
-        let f = frame(self);
-        [
-            [f.center.x, f.center.y, f.half.x, f.half.y],
-            [f.cos_high, f.cos_low, f.sin_high, f.sin_low],
-        ]
-    }
-    #[inline]
-    fn is_ordinary(self) -> bool {
-        is_ordinary(self)
-    }
-}
-
-impl GpuShape for Aabb2<f32> {
-    const QUADS: usize = 1;
-    const WGSL: &'static str = include_str!("../wgsl/aabb.wgsl");
-    #[inline]
-    fn quads(self) -> [[f32; 4]; 2] {
-        [[self.min.x, self.min.y, self.max.x, self.max.y], [0.0; 4]]
-    }
-    #[inline]
-    fn is_ordinary(self) -> bool {
-        true
-    }
-}
-
-/// An operation of two shapes that has a mirror in WGSL.
-pub trait GpuPair:
-    Op<In<f32> = (<Self as GpuPair>::Shape, <Self as GpuPair>::Shape), Out<f32> = f32>
-{
-    /// Both shapes.
-    type Shape: GpuShape;
-    /// What the score is divided by.
-    const DENOMINATOR: Denominator;
-}
-
-/// Lists the operations that have a mirror.
-macro_rules! mirrored {
-    ($($op:ident: $shape:ident over $over:ident;)*) => { $(
-        impl GpuPair for crate::kernels::$op {
-            type Shape = $shape<f32>;
-            const DENOMINATOR: Denominator = Denominator::$over;
+    pub fn prepared(self, numbers: &[f32]) -> ([[f32; 4]; MOST_QUADS], bool) {
+        match self {
+            Kind::Rotated => {
+                let shape = Obb2::load(numbers);
+                // Sine and cosine are the sums of their parts.
+                let f = frame(shape);
+                let quads = [
+                    [f.center.x, f.center.y, f.half.x, f.half.y],
+                    [f.cos_high, f.cos_low, f.sin_high, f.sin_low],
+                ];
+                (quads, is_ordinary(shape))
+            }
+            Kind::Upright => {
+                let own = Aabb2::load(numbers);
+                let quad = [own.min.x, own.min.y, own.max.x, own.max.y];
+                ([quad, [0.0; 4]], true)
+            }
         }
-    )* };
+    }
 }
-mirrored! {
-    IntersectionAreaObb2: Obb2 over None;
-    IouObb2: Obb2 over Union;
-    IofObb2: Obb2 over First;
-    IntersectionAreaAabb2: Aabb2 over None;
-    IouAabb2: Aabb2 over Union;
-    IofAabb2: Aabb2 over First;
+
+/// A score of all pairs of two lists of boxes that has kernels by hand: mirrors of its Rust source in WGSL.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub(super) struct Mirror {
+    pub kind: Kind,
+    /// What an area of intersection is divided by.
+    pub over: Denominator,
 }
+
+impl Mirror {
+    /// That of an operation, if it has one.
+    pub fn of(compiled: Compiled) -> Option<Self> {
+        match compiled {
+            Compiled::Obb2(over) => Some(Mirror {
+                kind: Kind::Rotated,
+                over,
+            }),
+            Compiled::Aabb2(over) => Some(Mirror {
+                kind: Kind::Upright,
+                over,
+            }),
+            _ => None,
+        }
+    }
+}
+
+/// For kernels in which the score does not matter.
+pub(super) const ANY: Mirror = Mirror {
+    kind: Kind::Upright,
+    over: Denominator::Union,
+};
 
 /// An operation of a ring that has a mirror in WGSL.
 pub trait GpuRing: RingOp {
@@ -149,9 +161,7 @@ impl GpuRing for Centroid {
 /// What a shader does.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub(super) enum Kernel {
-    Aligned,
     Pairs,
-    PairsGrad,
     Vjp(Seed),
     Fold,
     /// Of two lists.
@@ -159,7 +169,8 @@ pub(super) enum Kernel {
     /// Of a matrix that is there already.
     ReduceMatrix(Take),
     Gather,
-    Ragged,
+    /// Of rings, by the operation's name.
+    Ragged(&'static str),
 }
 
 /// What slopes are multiplied by.
@@ -197,8 +208,8 @@ const PAIRS: &str = include_str!("../wgsl/pairs.wgsl");
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub(super) struct Source {
     pub kernel: Kernel,
-    /// The operation's name.
-    pub name: &'static str,
+    pub mirror: Mirror,
+    /// Whether shapes may be such that plain products of their numbers over- or underflow.
     pub extreme: bool,
     /// Whether threads stand for rows, and not for columns.
     pub own_rows: bool,
@@ -208,10 +219,10 @@ pub(super) struct Source {
 }
 
 impl Source {
-    pub fn of(kernel: Kernel, name: &'static str) -> Self {
+    pub fn of(kernel: Kernel, mirror: Mirror) -> Self {
         Source {
             kernel,
-            name,
+            mirror,
             extreme: false,
             own_rows: false,
             slots: 0,
@@ -260,8 +271,9 @@ fn constants(group: usize, step: usize, strip: usize) -> String {
 const PRELUDE: &str = include_str!("../wgsl/prelude.wgsl");
 const BATCH: &str = include_str!("../wgsl/batch.wgsl");
 
-/// The shader of an operation of two shapes.
-pub(super) fn pair_source<O: GpuPair>(source: Source) -> String {
+/// The shader of all pairs.
+pub(super) fn pair_source(source: Source) -> String {
+    let Mirror { kind, over } = source.mirror;
     let (group, step, strip) = match source.kernel {
         Kernel::Vjp(_) => (GROUP_VJP, step_vjp(source.slots), STRIP_VJP),
         Kernel::ReduceMatrix(_) => (GROUP, STEP_MATRIX, STRIP),
@@ -273,23 +285,21 @@ pub(super) fn pair_source<O: GpuPair>(source: Source) -> String {
         "const QUADS: u32 = {}u;\nconst FIELDS: u32 = {}u;\nconst SLOTS: u32 = {}u;\n\
          const DENOMINATOR: u32 = {}u;\nconst IS_RATIO: bool = {};\nconst EXTREME: bool = {};\n\
          const OWN_ROWS: bool = {};",
-        O::Shape::QUADS,
-        O::Shape::LEN,
+        kind.quads(),
+        kind.fields(),
         source.slots.max(1),
-        O::DENOMINATOR as u32,
-        O::DENOMINATOR != Denominator::None,
+        over as u32,
+        over != Denominator::None,
         source.extreme,
         source.own_rows,
     );
     let clip = include_str!("../wgsl/clip.wgsl");
     let overlap = include_str!("../wgsl/overlap.wgsl");
-    for file in [PRELUDE, clip, overlap, O::Shape::WGSL, BATCH] {
+    for file in [PRELUDE, clip, overlap, kind.text(), BATCH] {
         text.push_str(file);
     }
     let files: &[&str] = match source.kernel {
-        Kernel::Aligned => &[include_str!("../wgsl/aligned.wgsl")],
         Kernel::Pairs => &[PAIRS, include_str!("../wgsl/put_value.wgsl")],
-        Kernel::PairsGrad => &[PAIRS, include_str!("../wgsl/put_grad.wgsl")],
         Kernel::Vjp(seed) => &[
             include_str!("../wgsl/vjp.wgsl"),
             match seed {
@@ -312,7 +322,7 @@ pub(super) fn pair_source<O: GpuPair>(source: Source) -> String {
             take.text(),
         ],
         Kernel::Fold => &[include_str!("../wgsl/fold.wgsl")],
-        Kernel::Gather | Kernel::Ragged => &[include_str!("../wgsl/gather.wgsl")],
+        Kernel::Gather | Kernel::Ragged(_) => &[include_str!("../wgsl/gather.wgsl")],
     };
     text.extend(files.iter().copied());
     text
@@ -340,16 +350,17 @@ pub(super) fn ring_source<O: GpuRing>() -> String {
     text
 }
 
-/// Every shader an operation of two shapes can need, with a name: for tests that have no GPU.
+/// Every shader by hand that all pairs of an operation can need, with a name: for tests that have no GPU.
 #[doc(hidden)]
 #[must_use]
-pub fn pair_sources<O: GpuPair>() -> Vec<(String, String)> {
+pub fn pair_sources<O: Op>() -> Vec<(String, String)> {
     let mut all = Vec::new();
+    let Some(mirror) = O::compiled().and_then(Mirror::of) else {
+        return all;
+    };
     let takes = [Take::Best, Take::Count, Take::Found, Take::Sum];
     let mut kernels = vec![
-        Kernel::Aligned,
         Kernel::Pairs,
-        Kernel::PairsGrad,
         Kernel::Vjp(Seed::Matrix),
         Kernel::Vjp(Seed::Factor),
         Kernel::Fold,
@@ -363,9 +374,9 @@ pub fn pair_sources<O: GpuPair>() -> Vec<(String, String)> {
                 extreme,
                 own_rows,
                 slots,
-                ..Source::of(kernel, O::NAME)
+                ..Source::of(kernel, mirror)
             };
-            all.push((format!("{source:?}"), pair_source::<O>(source)));
+            all.push((format!("{source:?}"), pair_source(source)));
         }
     }
     all

@@ -1,11 +1,15 @@
-//! All pairs as a reduction on the GPU sees them: two lists, or a matrix that is there already.
+//! All pairs as a reduction on the GPU sees them: two lists, blocks of results that are computed one after the
+//! other into the same buffer, or a matrix that is there already.
 use super::block::Block;
 use super::data::Piece;
-use super::pairs::{Any, ShapesOf, source_for};
-use super::source::{GpuPair, Kernel, STRIP, Source, Take, pair_source};
+use super::generated::operation::Generated;
+use super::generated::pairs::Sides;
+use super::pairs::Mirrored;
+use super::source::{ANY, Kernel, STRIP, Source, Take};
 use super::work::{Params, groups};
 use super::{Gpu, Inner, Matrix};
 use crate::Error;
+use std::sync::Arc;
 
 /// One dispatch of a reduction: a run of own rows (or columns) by a run of walked ones.
 #[derive(Clone, Debug)]
@@ -22,6 +26,8 @@ pub(super) struct Sweep {
     walked: usize,
     /// Two lists of shapes or a block of a matrix, and where they are bound.
     pub bound: Vec<(u32, wgpu::Buffer)>,
+    /// Which block of a matrix, where it is one.
+    block: usize,
 }
 
 impl Sweep {
@@ -81,19 +87,22 @@ pub(super) struct Table<'a> {
     pub walked: usize,
     /// The shader but for what it takes of the scores.
     source: Source,
-    text: fn(Source) -> String,
     pub sweeps: Vec<Sweep>,
+    results: Option<Results<'a>>,
+}
+
+/// Results that are computed block by block, when a reduction comes to them.
+struct Results<'a> {
+    made: &'a Arc<Generated<f32>>,
+    sides: &'a Sides,
+    blocks: Vec<Block>,
+    buffer: wgpu::Buffer,
 }
 
 impl<'a> Table<'a> {
-    /// Of two lists.
-    pub fn of_shapes<O: GpuPair>(
-        gpu: &'a Gpu,
-        a: &ShapesOf<O>,
-        b: &ShapesOf<O>,
-        own_rows: bool,
-    ) -> Result<Self, Error> {
-        gpu.own_lists(a, b)?;
+    /// Of two lists: the kernels compute what they reduce.
+    pub fn of_lists(gpu: &'a Gpu, lists: &Mirrored, own_rows: bool) -> Self {
+        let (a, b) = (&lists.a, &lists.b);
         let (own, walked) = if own_rows { (a, b) } else { (b, a) };
         let bound = |own: &Piece, walked: &Piece| {
             let (at_own, at_walked) = if own_rows { (1, 2) } else { (2, 1) };
@@ -102,59 +111,111 @@ impl<'a> Table<'a> {
                 (at_walked, walked.buffer.clone()),
             ]
         };
-        Ok(Table {
+        Table {
             gpu,
             own: own.len,
             walked: walked.len,
             source: Source {
                 own_rows,
-                ..source_for::<O>(Kernel::Reduce(Take::Best), a, b)
+                ..lists.source(Kernel::Reduce(Take::Best))
             },
-            text: pair_source::<O>,
             sweeps: gpu.inner.sweeps(&own.pieces, &walked.pieces, bound),
-        })
+            results: None,
+        }
     }
 
     /// Of a matrix that is there already.
     pub fn of_matrix(matrix: &'a Matrix, own_rows: bool) -> Self {
+        let blocks = matrix.blocks.iter().map(|(block, buffer)| (*block, buffer));
+        let counts = [matrix.rows, matrix.columns];
+        Self::of_blocks(&matrix.gpu, blocks, counts, own_rows)
+    }
+
+    /// Of all pairs of two lists of so many shapes: never more than a block of their results exists.
+    pub fn of_generated(
+        gpu: &'a Gpu,
+        made: &'a Arc<Generated<f32>>,
+        sides: &'a Sides,
+        counts: [usize; 2],
+        own_rows: bool,
+    ) -> Result<Self, Error> {
+        let inner = &gpu.inner;
+        let blocks = inner.cut(
+            counts[0],
+            counts[1],
+            (inner.most_bytes / MOST_ENTRIES).max(4),
+        );
+        let sizes = blocks.iter().map(|block| block.rows * block.columns);
+        let room = sizes.max().unwrap_or(0);
+        let buffer = inner.guarded(|| Ok(inner.storage(room)))?;
+        let own = blocks.iter().map(|block| (*block, &buffer));
+        let mut table = Self::of_blocks(gpu, own, counts, own_rows);
+        table.results = Some(Results {
+            made,
+            sides,
+            blocks,
+            buffer,
+        });
+        Ok(table)
+    }
+
+    fn of_blocks<'b>(
+        gpu: &'a Gpu,
+        blocks: impl Iterator<Item = (Block, &'b wgpu::Buffer)>,
+        [rows, columns]: [usize; 2],
+        own_rows: bool,
+    ) -> Self {
         let (own, walked) = match own_rows {
-            true => (matrix.rows, matrix.columns),
-            false => (matrix.columns, matrix.rows),
+            true => (rows, columns),
+            false => (columns, rows),
         };
-        let rows = |(block, buffer): &(Block, wgpu::Buffer)| Sweep {
-            own_start: 0,
-            out_piece: block.row_piece,
-            out_start: block.row_start,
-            own_base: block.row_base,
-            own: block.rows,
-            walked_base: block.column_base,
-            walked: block.columns,
-            bound: vec![(3, buffer.clone())],
-        };
-        let columns = |(block, buffer): &(Block, wgpu::Buffer)| Sweep {
-            own_start: 0,
-            out_piece: block.column_piece,
-            out_start: 0,
-            own_base: block.column_base,
-            own: block.columns,
-            walked_base: block.row_base,
-            walked: block.rows,
-            bound: vec![(3, buffer.clone())],
+        let sweep = |(k, (block, buffer)): (usize, (Block, &wgpu::Buffer))| match own_rows {
+            true => Sweep {
+                own_start: 0,
+                out_piece: block.row_piece,
+                out_start: block.row_start,
+                own_base: block.row_base,
+                own: block.rows,
+                walked_base: block.column_base,
+                walked: block.columns,
+                bound: vec![(3, buffer.clone())],
+                block: k,
+            },
+            false => Sweep {
+                own_start: 0,
+                out_piece: block.column_piece,
+                out_start: 0,
+                own_base: block.column_base,
+                own: block.columns,
+                walked_base: block.row_base,
+                walked: block.rows,
+                bound: vec![(3, buffer.clone())],
+                block: k,
+            },
         };
         Table {
-            gpu: &matrix.gpu,
+            gpu,
             own,
             walked,
             source: Source {
                 own_rows,
-                ..Source::of(Kernel::ReduceMatrix(Take::Best), "any")
+                ..Source::of(Kernel::ReduceMatrix(Take::Best), ANY)
             },
-            text: pair_source::<Any>,
-            sweeps: match own_rows {
-                true => matrix.blocks.iter().map(rows).collect(),
-                false => matrix.blocks.iter().map(columns).collect(),
-            },
+            sweeps: blocks.enumerate().map(sweep).collect(),
+            results: None,
         }
+    }
+
+    /// Computes what a sweep reduces, where that is not there already.
+    pub fn compute(&self, sweep: &Sweep) -> Result<(), Error> {
+        let Some(results) = &self.results else {
+            return Ok(());
+        };
+        let block = &results.blocks[sweep.block];
+        let inner = &self.gpu.inner;
+        results
+            .sides
+            .compute(inner, results.made, block, &results.buffer)
     }
 
     /// The shader that takes this of the scores.
@@ -168,9 +229,12 @@ impl<'a> Table<'a> {
             ..self.source
         };
         let inner = &self.gpu.inner;
-        inner.pipeline(source, "reduce_main", || (self.text)(source))
+        inner.pair_pipeline(source, "reduce_main")
     }
 }
+
+/// Results that exist at a time where a matrix would be too large: 256 MB of them.
+const MOST_ENTRIES: u64 = 1 << 26;
 
 impl Inner {
     /// How a reduction of two lists is cut: own shapes so that partial results fit a buffer.
@@ -198,6 +262,7 @@ impl Inner {
                         walked_base: i * self.chunk,
                         walked: walked.items,
                         bound: bound(own, walked),
+                        block: 0,
                     });
                 }
             }

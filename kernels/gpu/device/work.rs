@@ -181,6 +181,9 @@ impl<'a> Work<'a> {
     }
 }
 
+/// Workgroups along one dimension of a dispatch: what WebGPU promises of every device.
+pub(super) const MOST_GROUPS: usize = 65_535;
+
 /// Workgroups for so many threads.
 pub(super) fn groups(threads: usize) -> u32 {
     threads.div_ceil(GROUP) as u32
@@ -279,7 +282,7 @@ impl Inner {
         let mut pipelines = locked(&self.pipelines);
         let make = || {
             log::debug!("compiling {} of {source:?}", entry);
-            self.compiled(source.name, entry, text())
+            self.compiled(entry, entry, text())
         };
         pipelines
             .entry((source, entry))

@@ -5,7 +5,7 @@
 // write neighbouring memory and any run of whole tiles can be bound on its own.
 
 struct Params {
-    // Items of the list that threads stand for (rows of aligned pairs).
+    // Items of the list that threads stand for.
     own_count: u32,
     // Items of the list that every thread walks through.
     loop_count: u32,
@@ -66,27 +66,6 @@ fn load_a(item: u32) -> Frame {
 
 fn load_b(item: u32) -> Frame {
     return frame_of(b_quads[place(item, 0u, QUADS)], b_quads[place(item, QUADS - 1u, QUADS)]);
-}
-
-// Field by field without a loop: an index that is not constant would send registers to memory.
-fn put_a(item: u32, bar: Bar) {
-    a_bars[place(item, 0u, FIELDS)] = bar.quad.x;
-    a_bars[place(item, 1u, FIELDS)] = bar.quad.y;
-    a_bars[place(item, 2u, FIELDS)] = bar.quad.z;
-    a_bars[place(item, 3u, FIELDS)] = bar.quad.w;
-    if FIELDS > 4u {
-        a_bars[place(item, 4u, FIELDS)] = bar.rest;
-    }
-}
-
-fn put_b(item: u32, bar: Bar) {
-    b_bars[place(item, 0u, FIELDS)] = bar.quad.x;
-    b_bars[place(item, 1u, FIELDS)] = bar.quad.y;
-    b_bars[place(item, 2u, FIELDS)] = bar.quad.z;
-    b_bars[place(item, 3u, FIELDS)] = bar.quad.w;
-    if FIELDS > 4u {
-        b_bars[place(item, 4u, FIELDS)] = bar.rest;
-    }
 }
 
 // Brings STEP walked shapes close to the threads.

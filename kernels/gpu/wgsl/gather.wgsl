@@ -65,31 +65,11 @@ fn places_main(@builtin(local_invocation_index) here: u32) {
     }
 }
 
-// Shapes of another list, by index: those of one of its pieces.
-@compute @workgroup_size(GROUP)
-fn pick_main(@builtin(global_invocation_id) thread: vec3u) {
-    let item = thread.x;
-    if item >= params.own_count {
-        return;
-    }
-    // What comes before the piece wraps round to far beyond it.
-    let picked = indices[item] - params.loop_base;
-    if picked < params.loop_count {
-        for (var q = 0u; q < params.fields; q++) {
-            let quad = a_quads[place(picked, q, params.fields)];
-            let to = 4u * place(item, q, params.fields);
-            values[to] = quad.x;
-            values[to + 1u] = quad.y;
-            values[to + 2u] = quad.z;
-            values[to + 3u] = quad.w;
-        }
-    }
-}
-
 // Numbers to another buffer.
 @compute @workgroup_size(GROUP)
 fn copy_main(@builtin(global_invocation_id) thread: vec3u) {
     if thread.x < params.own_count {
-        values[thread.x] = upstream[thread.x];
+        let item = params.own_start + thread.x;
+        values[item] = upstream[item];
     }
 }

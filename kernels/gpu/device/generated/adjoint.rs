@@ -1,5 +1,4 @@
 //! The adjoint of all pairs: slopes summed for every shape, in a fixed order.
-use super::Programs;
 use super::operation::Generated;
 use super::pairs::Sides;
 use super::text::{Form, GROUP, STRIP};
@@ -7,24 +6,15 @@ use crate::Error;
 use crate::error::Argument;
 use crate::kernels::Single;
 use crate::kernels::cpu::checked::{check_upstream, entries, expect};
-use crate::kernels::gpu::device::Matrix;
+use crate::kernels::gpu::device::Gpu;
 use crate::kernels::gpu::device::block::block_of;
+use crate::kernels::gpu::device::lists::{Lists, Seed, loss};
 use crate::kernels::gpu::device::work::Work;
 use crate::kernels::op::{Ask, Runs};
 use std::sync::Arc;
 
-/// What slopes are multiplied by.
-pub(super) enum Seed<'a> {
-    /// A number for every pair, row by row.
-    Numbers(&'a [f32]),
-    /// The same, already on the GPU, for as many rows and columns.
-    Matrix(&'a Matrix),
-    /// One number for all.
-    Factor(f32),
-}
-
-impl Programs<'_> {
-    /// The adjoint of [`all_pairs`](Programs::all_pairs) for one number as result, as
+impl Gpu {
+    /// The adjoint of [`all_pairs`](Gpu::all_pairs) for one number as result, as
     /// [`Cpu::all_pairs_vjp`](crate::kernels::Cpu::all_pairs_vjp).
     ///
     /// # Errors
@@ -46,13 +36,8 @@ impl Programs<'_> {
             upstream.len(),
         )?;
         check_upstream(upstream, 1)?;
-        let made = run.generated(Ask::ADJOINT)?;
-        let sides = Sides::new(&self.gpu.inner, &made, a, b)?;
-        Ok(shapes(self.slopes(
-            &made,
-            &sides,
-            &Seed::Numbers(upstream),
-        )?))
+        let lists = Lists::of_slices(self, &run, a, b, Ask::ADJOINT)?;
+        Ok(shapes(lists.slopes(&Seed::Numbers(upstream))?))
     }
 
     /// The sum of all results and its slopes with respect to every shape of both lists, as
@@ -60,7 +45,7 @@ impl Programs<'_> {
     ///
     /// # Errors
     ///
-    /// As [`all_pairs_vjp`](Programs::all_pairs_vjp).
+    /// As [`all_pairs_vjp`](Gpu::all_pairs_vjp).
     pub fn sum_grad<A: Single<Scalar = f32>, B: Single<Scalar = f32>, R>(
         &self,
         run: R,
@@ -68,7 +53,7 @@ impl Programs<'_> {
         b: &[B],
     ) -> Result<(f64, Vec<A>, Vec<B>), Error>
     where
-        R: Runs<(A, B), Out = f32> + Copy,
+        R: Runs<(A, B), Out = f32>,
     {
         self.loss(run, a, b, 1.0)
     }
@@ -78,7 +63,7 @@ impl Programs<'_> {
     ///
     /// # Errors
     ///
-    /// As [`all_pairs_vjp`](Programs::all_pairs_vjp).
+    /// As [`all_pairs_vjp`](Gpu::all_pairs_vjp).
     pub fn mean_grad<A: Single<Scalar = f32>, B: Single<Scalar = f32>, R>(
         &self,
         run: R,
@@ -86,7 +71,7 @@ impl Programs<'_> {
         b: &[B],
     ) -> Result<(f64, Vec<A>, Vec<B>), Error>
     where
-        R: Runs<(A, B), Out = f32> + Copy,
+        R: Runs<(A, B), Out = f32>,
     {
         let factor = 1.0 / (a.len() as f64 * b.len() as f64).max(1.0);
         let (sum, a_bar, b_bar) = self.loss(run, a, b, factor as f32)?;
@@ -101,18 +86,17 @@ impl Programs<'_> {
         factor: f32,
     ) -> Result<(f64, Vec<A>, Vec<B>), Error>
     where
-        R: Runs<(A, B), Out = f32> + Copy,
+        R: Runs<(A, B), Out = f32>,
     {
-        let sum = self.sum(run, a, b)?;
-        let made = run.generated(Ask::ADJOINT)?;
-        let sides = Sides::new(&self.gpu.inner, &made, a, b)?;
-        let (a_bar, b_bar) = shapes(self.slopes(&made, &sides, &Seed::Factor(factor))?);
+        let lists = |ask| Lists::of_slices(self, &run, a, b, ask);
+        let (sum, slopes) = loss(lists, factor)?;
+        let (a_bar, b_bar) = shapes(slopes);
         Ok((sum, a_bar, b_bar))
     }
 
     /// The numbers of the slopes of both lists: strips of pairs are added in `f32`, those sums in `f64`, always in the same
     /// order.
-    pub(super) fn slopes(
+    pub(in crate::kernels::gpu::device) fn slopes(
         &self,
         made: &Arc<Generated<f32>>,
         sides: &Sides,
@@ -133,7 +117,7 @@ impl Programs<'_> {
         form: Form,
         count: usize,
     ) -> Result<Vec<f64>, Error> {
-        let inner = &self.gpu.inner;
+        let inner = &self.inner;
         let [rows, columns] = sides.counts();
         let body = form.body(made);
         let fields = body.gives;
@@ -175,7 +159,7 @@ impl Programs<'_> {
                     work.submit()?;
                     Ok(partial)
                 })?;
-                let arrival = inner.bring(self.gpu, &[(&partial, 4 * numbers as u64)])?;
+                let arrival = inner.bring(self, &[(&partial, 4 * numbers as u64)])?;
                 arrival.finish(|_, numbers| {
                     let numbers: &[f32] = bytemuck::cast_slice(numbers);
                     for strip in numbers.chunks_exact(fields * own) {

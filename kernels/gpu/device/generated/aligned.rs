@@ -1,11 +1,11 @@
 //! Item i of every column: one thread per item.
-use super::Programs;
 use super::operation::Generated;
 use super::text::{Form, GROUP, MOST_GROUPS};
 use crate::kernels::cpu::aligned::{as_rows, fitting, items, listed, sound};
 use crate::kernels::cpu::lane::TILE;
 use crate::kernels::cpu::plan::Face;
 use crate::kernels::cpu::work::spread;
+use crate::kernels::gpu::device::Gpu;
 use crate::kernels::gpu::device::Inner;
 use crate::kernels::gpu::device::download::Arrival;
 use crate::kernels::gpu::device::work::Work;
@@ -18,7 +18,7 @@ use std::collections::VecDeque;
 use std::ops::Range;
 use std::sync::Arc;
 
-impl Programs<'_> {
+impl Gpu {
     /// Item i of every column: one result per item, as [`Cpu::aligned`](crate::kernels::Cpu::aligned).
     ///
     /// What searches ([`Decided`](crate::kernels::Decided)) is decided on the processor and replayed on the
@@ -48,13 +48,13 @@ impl Programs<'_> {
         Ok(many)
     }
 
-    /// [`aligned`](Programs::aligned) into the caller's slices, as
+    /// [`aligned`](Gpu::aligned) into the caller's slices, as
     /// [`Cpu::aligned_into`](crate::kernels::Cpu::aligned_into). If the device fails in the middle, some of
     /// the results are there.
     ///
     /// # Errors
     ///
-    /// As [`aligned`](Programs::aligned), and [`Error::Length`] for a slice of another length.
+    /// As [`aligned`](Gpu::aligned), and [`Error::Length`] for a slice of another length.
     pub fn aligned_into<C: Columns, R: Runs<C::Row>>(
         &self,
         run: R,
@@ -111,7 +111,7 @@ impl Programs<'_> {
         count: usize,
         targets: Vec<Option<Target<'_, f32>>>,
     ) -> Result<(), Error> {
-        let inner = &self.gpu.inner;
+        let inner = &self.inner;
         inner.alive()?;
         let mut targets: Vec<Vec<Piece<'_, f32>>> = targets
             .into_iter()
@@ -143,7 +143,7 @@ impl Programs<'_> {
         columns: &[Column<'_, f32>],
         items: Range<usize>,
     ) -> Result<(Arrival, Chunk), Error> {
-        let inner = &self.gpu.inner;
+        let inner = &self.inner;
         let own = items.len();
         let parts: Vec<Vec<f32>> = columns
             .iter()
@@ -173,7 +173,7 @@ impl Programs<'_> {
             work.submit()?;
             Ok(to)
         })?;
-        let arrival = inner.bring(self.gpu, &[(&outputs, 4 * chunk.numbers as u64)])?;
+        let arrival = inner.bring(self, &[(&outputs, 4 * chunk.numbers as u64)])?;
         Ok((arrival, chunk))
     }
 }

@@ -1,5 +1,4 @@
 //! Folds over paths: a thread per path walks along its edges.
-use super::Programs;
 use super::operation::{Body, Name, body_of, part};
 use super::text::{Form, GROUP, MOST_GROUPS, call};
 use crate::ad::program::WGSL;
@@ -10,6 +9,7 @@ use crate::kernels::cpu::checked::{check_upstream, expect};
 use crate::kernels::cpu::folds;
 use crate::kernels::cpu::plan::{Known, known};
 use crate::kernels::cpu::program::split::Piece;
+use crate::kernels::gpu::device::Gpu;
 use crate::kernels::gpu::device::work::Work;
 use crate::kernels::row::Columns;
 use crate::{Error, Fixed, GpuFault, Pack, Vec2};
@@ -261,7 +261,7 @@ struct Load {
     vertices: Range<usize>,
 }
 
-impl Programs<'_> {
+impl Gpu {
     /// One result per path, as [`Cpu::fold`](crate::kernels::Cpu::fold).
     ///
     /// # Errors
@@ -281,7 +281,7 @@ impl Programs<'_> {
     {
         let made = made::<F>()?;
         let shared = folds::shared::<F, f32, C>(&context, vertices, offsets)?;
-        let inner = &self.gpu.inner;
+        let inner = &self.inner;
         inner.alive()?;
         let mut all = Vec::with_capacity(offsets.len() - 1);
         for load in self.loads(&made, offsets, 2)? {
@@ -300,7 +300,7 @@ impl Programs<'_> {
             })?;
             let bytes = 4 * (count * made.gives) as u64;
             inner
-                .bring(self.gpu, &[(&results, bytes)])?
+                .bring(self, &[(&results, bytes)])?
                 .finish(|_, numbers| {
                     let numbers: &[f32] = bytemuck::cast_slice(numbers);
                     all.extend(numbers.chunks_exact(made.gives).map(F::Out::<f32>::load));
@@ -309,12 +309,12 @@ impl Programs<'_> {
         Ok(all)
     }
 
-    /// The adjoint of [`fold`](Programs::fold): one cotangent per context and one per vertex, as
+    /// The adjoint of [`fold`](Gpu::fold): one cotangent per context and one per vertex, as
     /// [`Cpu::fold_vjp`](crate::kernels::Cpu::fold_vjp).
     ///
     /// # Errors
     ///
-    /// As [`fold`](Programs::fold), and for cotangents of another number or not finite.
+    /// As [`fold`](Gpu::fold), and for cotangents of another number or not finite.
     pub fn fold_vjp<F, C: Columns>(
         &self,
         _fold: F,
@@ -332,7 +332,7 @@ impl Programs<'_> {
         expect(Argument::Upstream, offsets.len() - 1, upstream.len())?;
         let seeds: Vec<f32> = upstream.iter().flat_map(Pack::scalars).collect();
         check_upstream(&seeds, made.gives.max(1))?;
-        let inner = &self.gpu.inner;
+        let inner = &self.inner;
         inner.alive()?;
         let mut context_bars = Vec::with_capacity(upstream.len());
         let mut path_bars = Vec::with_capacity(vertices.len());
@@ -367,7 +367,7 @@ impl Programs<'_> {
                 (&by_context, 4 * (count * made.own.max(1)) as u64),
                 (&by_vertex, 8 * own_vertices as u64),
             ];
-            inner.bring(self.gpu, &parts)?.finish(|part, numbers| {
+            inner.bring(self, &parts)?.finish(|part, numbers| {
                 let numbers: &[f32] = bytemuck::cast_slice(numbers);
                 match part {
                     0 => {
@@ -391,7 +391,7 @@ impl Programs<'_> {
         offsets: &[usize],
         per_vertex: usize,
     ) -> Result<Vec<Load>, Error> {
-        let numbers = self.gpu.inner.most_bytes as usize / 4;
+        let numbers = self.inner.most_bytes as usize / 4;
         let most_vertices = numbers / per_vertex;
         let per_path = made.wide.max(made.gives).max(made.own).max(1);
         let most_paths = (numbers / per_path - 1).min(MOST_GROUPS * GROUP);
@@ -422,7 +422,7 @@ impl Programs<'_> {
         offsets: &[usize],
         shared: &[f32],
     ) -> [wgpu::Buffer; 3] {
-        let inner = &self.gpu.inner;
+        let inner = &self.inner;
         let (paths, base) = (&load.paths, load.vertices.start);
         let own = &offsets[paths.start..=paths.end];
         let own: Vec<u32> = own.iter().map(|&at| (at - base) as u32).collect();

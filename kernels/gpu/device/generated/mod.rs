@@ -5,12 +5,12 @@ mod columns;
 mod folds;
 pub(crate) mod held;
 pub(crate) mod operation;
-mod pairs;
+pub(super) mod pairs;
 mod replays;
 mod suppress;
 mod text;
 
-use super::{Gpu, Inner, locked};
+use super::{Inner, locked};
 use crate::Error;
 use crate::Fixed;
 use crate::kernels::Fold;
@@ -21,46 +21,6 @@ use operation::{Generated, Name};
 use std::collections::HashMap;
 use std::sync::Weak;
 use text::Form;
-
-/// Batches of any operation, and of any program, on a GPU: [`Gpu::programs`].
-///
-/// The calls are those of [`Cpu`](crate::kernels::Cpu): what runs is a value, columns are slices, vectors or
-/// [`One`](crate::kernels::One), and results come back as vectors. Numbers are `f32`.
-///
-/// What an operation computes is recorded once, written as a shader once, and compiled once per context.
-/// Results are the processor's to within rounding ([tolerances](crate::kernels::gpu#rounding)), and the same
-/// bits on every run. Sines of an angle of one shape are computed by the processor, in double precision, when
-/// shapes go up. Batches are cut as buffers allow.
-///
-/// ```no_run
-/// use geograd::kernels::gpu::Gpu;
-/// use geograd::kernels::{DistancePointSegment, One, Op};
-/// use geograd::{Segment2, Vec2};
-/// # #[cfg(feature = "gpu")] {
-/// let gpu = Gpu::new()?;
-/// let points = [Vec2::new(0.0_f32, 1.0), Vec2::new(3.0, 0.0)];
-/// let segment = One(Segment2::new(Vec2::new(0.0, 0.0), Vec2::new(2.0, 0.0)));
-/// let distances = gpu.programs().aligned(DistancePointSegment, (&points, segment))?;
-/// assert_eq!(distances, [1.0, 1.0]);
-/// let (_, (by_point, _)) = gpu
-///     .programs()
-///     .aligned(DistancePointSegment.value_grad(), (&points, segment))?;
-/// assert_eq!(by_point[0], Vec2::new(0.0, 1.0));
-/// # }
-/// # Ok::<(), geograd::Error>(())
-/// ```
-#[derive(Clone, Copy, Debug)]
-pub struct Programs<'a> {
-    gpu: &'a Gpu,
-}
-
-impl Gpu {
-    /// Batches of any operation, and of any program, with the calls of [`Cpu`](crate::kernels::Cpu).
-    #[must_use]
-    pub fn programs(&self) -> Programs<'_> {
-        Programs { gpu: self }
-    }
-}
 
 /// Pipelines of generated kernels, by whose they are, and which kernel it is.
 pub(super) type Pipelines = HashMap<(u64, Form), (Weak<u64>, wgpu::ComputePipeline)>;

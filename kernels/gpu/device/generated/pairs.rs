@@ -1,5 +1,5 @@
 //! Every row with every column: a thread per column and some rows.
-use super::Programs;
+use super::held::HeldColumn;
 use super::operation::Generated;
 use super::text::{Form, GROUP, MOST_GROUPS, ROWS};
 use crate::error::Argument;
@@ -7,10 +7,11 @@ use crate::kernels::cpu::checked::check;
 use crate::kernels::cpu::lane::TILE;
 use crate::kernels::cpu::work::spread;
 use crate::kernels::gpu::device::block::{Block, place_block};
+use crate::kernels::gpu::device::lists::{Lists, has_kernels_by_hand};
 use crate::kernels::gpu::device::work::Work;
-use crate::kernels::gpu::device::{Inner, Matrix};
+use crate::kernels::gpu::device::{Gpu, Inner};
 use crate::kernels::op::{Ask, Runs};
-use crate::kernels::reduce::{Best, Found, check_sides, check_threshold};
+use crate::kernels::reduce::{Best, Found};
 use crate::kernels::row::{Column, STRETCH};
 use crate::kernels::{Single, Table};
 use crate::suppression::Pair;
@@ -109,9 +110,9 @@ fn frames(
 }
 
 /// Both lists, checked and brought up.
-pub(super) struct Sides {
-    pub a: Side,
-    pub b: Side,
+pub(in crate::kernels::gpu::device) struct Sides {
+    a: Side,
+    b: Side,
 }
 
 /// One dispatch: where both lists are, what of them, and their place in a block of results.
@@ -139,12 +140,19 @@ impl Sides {
             b: Side::new(inner, made, 1, &b)?,
         })
     }
+    /// Two columns that stay.
+    pub fn of_held(made: &Generated<f32>, a: &HeldColumn, b: &HeldColumn) -> Result<Self, Error> {
+        Ok(Sides {
+            a: a.for_pairs(made, 0)?,
+            b: b.for_pairs(made, 1)?,
+        })
+    }
     /// How many rows and columns there are.
     pub fn counts(&self) -> [usize; 2] {
         [self.a.count, self.b.count]
     }
     /// The dispatches of a block of results, for a function of so many operations.
-    pub fn pieces(&self, block: &Block, operations: usize) -> Vec<Piece<'_>> {
+    pub(super) fn pieces(&self, block: &Block, operations: usize) -> Vec<Piece<'_>> {
         let mut pieces = Vec::new();
         let rows = block.row_base..block.row_base + block.rows;
         let columns = block.column_base..block.column_base + block.columns;
@@ -203,7 +211,7 @@ impl Sides {
     }
 }
 
-impl Programs<'_> {
+impl Gpu {
     /// Every row of `a` with every row of `b`, as [`Cpu::all_pairs`](crate::kernels::Cpu::all_pairs).
     ///
     /// # Errors
@@ -215,8 +223,13 @@ impl Programs<'_> {
         a: &[A],
         b: &[B],
     ) -> Result<Table<R::Out>, Error> {
-        let inner = &self.gpu.inner;
+        let inner = &self.inner;
         let mut table = Table::<R::Out>::new(a.len(), b.len())?;
+        if run.compiled().is_some_and(has_kernels_by_hand) {
+            let matrix = Lists::of_slices(self, &run, a, b, Ask::PAIRS)?.matrix()?;
+            table.planes_mut().copy_from_slice(&matrix.download()?);
+            return Ok(table);
+        }
         let made = run.generated(Ask::PAIRS)?;
         let sides = Sides::new(inner, &made, a, b)?;
         let fields = made.bodies[0].gives;
@@ -225,7 +238,7 @@ impl Programs<'_> {
             let numbers = block.rows * block.columns * fields;
             let results = inner.guarded(|| Ok(inner.storage(numbers)))?;
             sides.compute(inner, &made, &block, &results)?;
-            let arrival = inner.bring(self.gpu, &[(&results, 4 * numbers as u64)])?;
+            let arrival = inner.bring(self, &[(&results, 4 * numbers as u64)])?;
             arrival.finish(|_, numbers| {
                 let numbers: &[f32] = bytemuck::cast_slice(numbers);
                 let planes = numbers.chunks_exact(block.rows * block.columns);
@@ -237,47 +250,13 @@ impl Programs<'_> {
         Ok(table)
     }
 
-    /// Every row of `a` with every row of `b` as a matrix that stays on the GPU, for results of one
-    /// number.
-    ///
-    /// # Errors
-    ///
-    /// As [`all_pairs`](Programs::all_pairs).
-    pub fn matrix<A: Single<Scalar = f32>, B: Single<Scalar = f32>, R>(
-        &self,
-        run: R,
-        a: &[A],
-        b: &[B],
-    ) -> Result<Matrix, Error>
-    where
-        R: Runs<(A, B), Out = f32>,
-    {
-        let made = run.generated(Ask::PAIRS)?;
-        let sides = Sides::new(&self.gpu.inner, &made, a, b)?;
-        self.matrix_of(&made, &sides)
-    }
-
-    pub(super) fn matrix_of(
-        &self,
-        made: &Arc<Generated<f32>>,
-        sides: &Sides,
-    ) -> Result<Matrix, Error> {
-        let inner = &self.gpu.inner;
-        let [rows, columns] = sides.counts();
-        let matrix = inner.guarded(|| Matrix::room(self.gpu, rows, columns))?;
-        for (block, values) in &matrix.blocks {
-            sides.compute(inner, made, block, values)?;
-        }
-        Ok(matrix)
-    }
-
     /// Every two shapes of a list whose result is above the threshold, each two once, as
     /// [`Cpu::overlaps`](crate::kernels::Cpu::overlaps): what [`suppression`](crate::suppression) starts
     /// from.
     ///
     /// # Errors
     ///
-    /// As [`above`](Programs::above).
+    /// As [`above`](Gpu::above).
     pub fn overlaps<A: Single<Scalar = f32>, R>(
         &self,
         run: R,
@@ -293,11 +272,10 @@ impl Programs<'_> {
     }
 }
 
-/// Reductions of the matrix, which stays on the GPU.
+/// Reductions of all pairs, without the matrix.
 macro_rules! reductions {
-    ($($(#[$doc:meta])* $name:ident($($more:ident: $type:ty)?) -> $out:ty
-        = |$a:ident, $b:ident| $before:expr, |$matrix:ident| $after:expr;)*) => {
-        impl Programs<'_> { $(
+    ($($(#[$doc:meta])* $name:ident($($more:ident: $type:ty)?) -> $out:ty = |$found:ident| $after:expr;)*) => {
+        impl Gpu { $(
             $(#[$doc])*
             ///
             /// # Errors
@@ -307,45 +285,36 @@ macro_rules! reductions {
             pub fn $name<A: Single<Scalar = f32>, B: Single<Scalar = f32>, R>(
                 &self,
                 run: R,
-                $a: &[A],
-                $b: &[B],
+                a: &[A],
+                b: &[B],
                 $($more: $type,)?
             ) -> Result<$out, Error>
             where
                 R: Runs<(A, B), Out = f32>,
             {
-                $before?;
-                let $matrix = self.matrix(run, $a, $b)?;
+                let $found = Lists::of_slices(self, &run, a, b, Ask::PAIRS)?.$name($($more)?)?;
                 $after
             }
         )* }
     };
 }
 
-fn nothing() -> Result<(), Error> {
-    Ok(())
-}
-
 reductions! {
     /// The largest result of every row and its column, of several the first, as
     /// [`Cpu::row_max`](crate::kernels::Cpu::row_max).
-    row_max() -> Vec<Best> = |a, b| check_sides(a.len(), b.len(), true),
-        |matrix| matrix.row_max()?.download();
+    row_max() -> Vec<Best> = |found| found.download();
     /// The largest result of every column and its row, of several the first, as
     /// [`Cpu::column_max`](crate::kernels::Cpu::column_max).
-    column_max() -> Vec<Best> = |a, b| check_sides(a.len(), b.len(), false),
-        |matrix| matrix.column_max()?.download();
+    column_max() -> Vec<Best> = |found| found.download();
     /// Every pair whose result is above the threshold, row by row, as
     /// [`Cpu::above`](crate::kernels::Cpu::above).
-    above(threshold: f32) -> Vec<Found> = |a, b| check_threshold(threshold),
-        |matrix| matrix.above(threshold)?.download();
+    above(threshold: f32) -> Vec<Found> = |found| found.download();
     /// How many pairs have a result above the threshold, as
     /// [`Cpu::count_above`](crate::kernels::Cpu::count_above).
-    count_above(threshold: f32) -> u64 = |a, b| check_threshold(threshold),
-        |matrix| matrix.count_above(threshold);
+    count_above(threshold: f32) -> u64 = |found| Ok(found);
     /// The sum of all results, as [`Cpu::sum`](crate::kernels::Cpu::sum): up to 1024 are added in `f32`,
     /// those sums in `f64`, always in the same order.
-    sum() -> f64 = |a, b| nothing(), |matrix| matrix.sum();
+    sum() -> f64 = |found| Ok(found);
     /// The mean of all results, zero where there are none, as [`Cpu::mean`](crate::kernels::Cpu::mean).
-    mean() -> f64 = |a, b| nothing(), |matrix| matrix.mean();
+    mean() -> f64 = |found| Ok(found);
 }

@@ -2,11 +2,11 @@
 //!
 //! A replay is a list of instructions, and one kernel carries out those of any operation: what a thread
 //! does is data, so that no record asks for a pipeline of its own.
-use super::Programs;
 use super::operation::Name;
 use super::text::{Form, GROUP, MOST_GROUPS};
 use crate::ad::program::WGSL;
 use crate::kernels::cpu::work::spread;
+use crate::kernels::gpu::device::Gpu;
 use crate::kernels::gpu::device::work::Work;
 use crate::kernels::replays::{Replay, Replays, numbers};
 use crate::kernels::row::{Column, Piece, STRETCH, Target};
@@ -118,7 +118,7 @@ impl Load {
     }
 }
 
-impl Programs<'_> {
+impl Gpu {
     /// Decides and replays all items.
     pub(super) fn replayed(
         &self,
@@ -128,7 +128,7 @@ impl Programs<'_> {
         count: usize,
         targets: Vec<Option<Target<'_, f32>>>,
     ) -> Result<(), Error> {
-        self.gpu.inner.alive()?;
+        self.inner.alive()?;
         let mut targets: Vec<Vec<Piece<'_, f32>>> = targets
             .into_iter()
             .map(|target| target.map_or_else(Vec::new, Target::pieces))
@@ -178,7 +178,7 @@ impl Programs<'_> {
         let rank_of: Vec<usize> = rank_of.collect();
         let mut order: Vec<usize> = (0..all.len()).collect();
         order.sort_by_key(|&item| rank_of[item]);
-        let most_bytes = self.gpu.inner.most_bytes as usize;
+        let most_bytes = self.inner.most_bytes as usize;
         let mut loads = vec![Load::default()];
         let mut last = None;
         for item in order {
@@ -211,7 +211,7 @@ impl Programs<'_> {
         load: &Load,
         stretches: &mut [Stretch],
     ) -> Result<(), Error> {
-        let inner = &self.gpu.inner;
+        let inner = &self.inner;
         let count = load.items.len();
         let mut taken = vec![0.0; takes * count];
         for (i, &item) in load.items.iter().enumerate() {
@@ -239,7 +239,7 @@ impl Programs<'_> {
             let [.., outputs] = buffers;
             Ok(outputs)
         })?;
-        let arrival = inner.bring(self.gpu, &[(&outputs, 4 * (gives * count) as u64)])?;
+        let arrival = inner.bring(self, &[(&outputs, 4 * (gives * count) as u64)])?;
         arrival.finish(|_, numbers| {
             let numbers: &[f32] = bytemuck::cast_slice(numbers);
             for (i, &item) in load.items.iter().enumerate() {

@@ -4,7 +4,6 @@
 //! later columns and writes two bits per pair: whether the result is certainly above the threshold, and
 //! whether it is so near to it that rounding may decide. The processor walks through the rows in order,
 //! and computes those few near pairs itself, if it comes to that, as a batch on the processor would.
-use super::Programs;
 use super::operation::{Body, Generated};
 use super::pairs::MOST_OPERATIONS;
 use super::text::{Form, GROUP, MOST_GROUPS, both, bound, call};
@@ -16,7 +15,7 @@ use crate::kernels::cpu::lane::{Planes, TILE};
 use crate::kernels::cpu::pairs::Pairs;
 use crate::kernels::cpu::plan::List;
 use crate::kernels::cpu::sweep::{Chooses, Sweep};
-use crate::kernels::gpu::Gpu;
+use crate::kernels::gpu::device::Gpu;
 use crate::kernels::gpu::device::work::Work;
 use crate::kernels::op::{Ask, Runs};
 use crate::kernels::row::Single;
@@ -40,7 +39,7 @@ const FIRST_ROWS: usize = 256;
 /// Bytes of masks that come back at a time.
 const MOST_MASKS: usize = 1 << 26;
 
-impl Programs<'_> {
+impl Gpu {
     /// The shapes that no better one, kept itself, overlaps by more than the threshold: their places, the
     /// best first, as [`Cpu::suppress`](crate::kernels::Cpu::suppress).
     ///
@@ -61,7 +60,7 @@ impl Programs<'_> {
     /// let boxes = [0.0, 0.2, 9.0].map(|x| YawBox3::new(Vec3::new(x, 0.0, 0.0), Vec3::new(4.0, 2.0, 1.5), 0.1_f32));
     /// let scores = [0.6, 0.9, 0.5];
     /// let gpu = Gpu::new()?;
-    /// let kept = gpu.programs().suppress(IouBirdsEye, &boxes, &scores, Rules::above(0.5))?;
+    /// let kept = gpu.suppress(IouBirdsEye, &boxes, &scores, Rules::above(0.5))?;
     /// assert_eq!(kept, [1, 2]);
     /// # }
     /// # Ok::<(), geograd::Error>(())
@@ -79,9 +78,9 @@ impl Programs<'_> {
         checked(shapes.len(), scores, &rules)?;
         let (face, made) = (run.face(Ask::PAIRS)?, run.generated(Ask::PAIRS)?);
         let ranked = ranked(&face, shapes, scores, &rules)?;
-        self.gpu.inner.alive()?;
+        self.inner.alive()?;
         let pairs = pairs(&Cpu::new(), &face, &ranked.shapes, &ranked.shapes)?;
-        let kept = suppressed(self.gpu, &made, &pairs, ranked.greed(&rules))?;
+        let kept = suppressed(self, &made, &pairs, ranked.greed(&rules))?;
         Ok(kept.into_iter().map(|place| ranked.order[place]).collect())
     }
 }

@@ -7,8 +7,7 @@ use std::fmt::Write;
 
 /// Threads per workgroup: few, as large programs need many registers.
 pub(super) const GROUP: usize = 64;
-/// Workgroups along one dimension that every device has.
-pub(super) const MOST_GROUPS: usize = 65_535;
+pub(super) use crate::kernels::gpu::device::work::MOST_GROUPS;
 /// Rows that a thread of all pairs walks through.
 pub(super) const ROWS: usize = 16;
 /// Rows (or columns) that a thread of an adjoint walks through.

@@ -1,22 +1,18 @@
 //! The calls over columns that stay.
 use super::{Given, HeldColumn, State, Windows, window};
 use crate::Error;
-use crate::error::Argument;
 use crate::kernels::cpu::aligned::name_of;
 use crate::kernels::cpu::checked::{check, check_upstream, expect};
 use crate::kernels::cpu::lane::TILE;
-use crate::kernels::gpu::device::Matrix;
-use crate::kernels::gpu::device::generated::Programs;
-use crate::kernels::gpu::device::generated::adjoint::Seed;
+use crate::kernels::gpu::device::Gpu;
 use crate::kernels::gpu::device::generated::aligned::tiles;
 use crate::kernels::gpu::device::generated::operation::Generated;
-use crate::kernels::gpu::device::generated::pairs::Sides;
 use crate::kernels::gpu::device::generated::text::{Form, GROUP, MOST_GROUPS};
 use crate::kernels::gpu::device::work::Work;
 use crate::kernels::row::Column;
 use std::sync::Arc;
 
-impl Programs<'_> {
+impl Gpu {
     /// Item i of columns that stay, one result per item, which stays. `over` are results that are there
     /// already and may be written over.
     pub(crate) fn held_aligned(
@@ -25,11 +21,11 @@ impl Programs<'_> {
         columns: &[Given<'_>],
         over: &[HeldColumn],
     ) -> Result<Vec<HeldColumn>, Error> {
-        let inner = &self.gpu.inner;
+        let inner = &self.inner;
         inner.alive()?;
         let count = self.sound(made, columns)?;
         for held in over {
-            self.gpu.owns(&held.gpu)?;
+            self.owns(&held.gpu)?;
         }
         let mut lists = Vec::with_capacity(columns.len());
         for (k, column) in columns.iter().enumerate() {
@@ -80,7 +76,7 @@ impl Programs<'_> {
                 plain: Some((0, windows)),
                 ..State::default()
             };
-            HeldColumn::of(self.gpu, fields, count, state)
+            HeldColumn::of(self, fields, count, state)
         });
         Ok(results.collect())
     }
@@ -94,7 +90,7 @@ impl Programs<'_> {
         outputs: &wgpu::Buffer,
         items: usize,
     ) -> Result<(), Error> {
-        let inner = &self.gpu.inner;
+        let inner = &self.inner;
         let groups = [items.div_ceil(GROUP) as u32, 1];
         let read: Vec<_> = inputs
             .iter()
@@ -155,7 +151,7 @@ impl Programs<'_> {
             let argument = name_of(arguments, k);
             match column {
                 Given::Held(held) => {
-                    self.gpu.owns(&held.gpu)?;
+                    self.owns(&held.gpu)?;
                     expect(argument, *count.get_or_insert(held.count), held.count)?;
                 }
                 Given::One(numbers) => match made.arguments.get(k) {
@@ -178,7 +174,7 @@ impl Programs<'_> {
         over: &[HeldColumn],
         read: &[(Windows, bool)],
     ) -> Result<Vec<Windows>, Error> {
-        let inner = &self.gpu.inner;
+        let inner = &self.inner;
         let all: usize = made.gives.iter().sum();
         let window = window(inner, all)?;
         let there: Option<Vec<Windows>> = over.iter().map(HeldColumn::results).collect();
@@ -218,76 +214,6 @@ impl Programs<'_> {
             }
         }
         Ok(room)
-    }
-
-    /// Two columns as the lists of all pairs.
-    pub(in crate::kernels::gpu::device::generated) fn held_sides(
-        &self,
-        made: &Generated<f32>,
-        a: &HeldColumn,
-        b: &HeldColumn,
-    ) -> Result<Sides, Error> {
-        self.gpu.inner.alive()?;
-        self.gpu.owns(&a.gpu)?;
-        self.gpu.owns(&b.gpu)?;
-        Ok(Sides {
-            a: a.for_pairs(made, 0)?,
-            b: b.for_pairs(made, 1)?,
-        })
-    }
-
-    /// Every row of `a` with every row of `b`, for results of one number.
-    pub(crate) fn held_matrix(
-        &self,
-        made: &Arc<Generated<f32>>,
-        a: &HeldColumn,
-        b: &HeldColumn,
-    ) -> Result<Matrix, Error> {
-        let sides = self.held_sides(made, a, b)?;
-        self.matrix_of(made, &sides)
-    }
-
-    /// The same over a matrix that is there already.
-    pub(crate) fn held_matrix_into(
-        &self,
-        made: &Arc<Generated<f32>>,
-        a: &HeldColumn,
-        b: &HeldColumn,
-        matrix: &Matrix,
-    ) -> Result<(), Error> {
-        self.gpu.owns(&matrix.gpu)?;
-        expect(Argument::Values, a.count, matrix.rows)?;
-        expect(Argument::Values, b.count, matrix.columns)?;
-        let sides = self.held_sides(made, a, b)?;
-        for (block, values) in &matrix.blocks {
-            sides.compute(&self.gpu.inner, made, block, values)?;
-        }
-        Ok(())
-    }
-
-    /// Slopes of both lists times a matrix, or times one number.
-    pub(crate) fn held_slopes(
-        &self,
-        made: &Arc<Generated<f32>>,
-        a: &HeldColumn,
-        b: &HeldColumn,
-        upstream: Result<&Matrix, f32>,
-    ) -> Result<[HeldColumn; 2], Error> {
-        let seed = match upstream {
-            Ok(matrix) => {
-                self.gpu.owns(&matrix.gpu)?;
-                expect(Argument::Upstream, a.count, matrix.rows)?;
-                expect(Argument::Upstream, b.count, matrix.columns)?;
-                Seed::Matrix(matrix)
-            }
-            Err(factor) => Seed::Factor(factor),
-        };
-        let sides = self.held_sides(made, a, b)?;
-        let [by_a, by_b] = self.slopes(made, &sides, &seed)?;
-        Ok([
-            HeldColumn::new(self.gpu, a.fields, by_a)?,
-            HeldColumn::new(self.gpu, b.fields, by_b)?,
-        ])
     }
 }
 

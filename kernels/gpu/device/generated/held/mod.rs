@@ -5,11 +5,14 @@
 //! Results are columns, too. They are read where they are by whatever prepares nothing; an operation that
 //! has something computed of them beforehand has them brought to the processor once.
 use crate::kernels::cpu::lane::TILE;
+use crate::kernels::gpu::device::data::Boxes;
 use crate::kernels::gpu::device::generated::aligned::tiles;
 use crate::kernels::gpu::device::generated::operation::Generated;
 use crate::kernels::gpu::device::generated::pairs::Side;
 use crate::kernels::gpu::device::generated::text::{GROUP, MOST_GROUPS};
+use crate::kernels::gpu::device::source::Kind;
 use crate::kernels::gpu::device::{Gpu, Inner, Pending, locked};
+use crate::kernels::reduce::Best;
 use crate::kernels::row::Column;
 use crate::{Error, GpuFault};
 use std::collections::HashMap;
@@ -39,6 +42,8 @@ struct State {
     /// As operations want them, by whose they are and which argument: for all items, and for all pairs.
     aligned: HashMap<(u64, usize), (Weak<u64>, u64, Windows)>,
     pairs: HashMap<(u64, usize), (Weak<u64>, u64, Side)>,
+    /// As kernels by hand want them.
+    boxes: Option<(u64, Boxes)>,
 }
 
 /// Items in tiles, cut into buffers.
@@ -133,6 +138,22 @@ impl HeldColumn {
     pub(crate) fn count(&self) -> usize {
         self.count
     }
+    /// How many numbers a shape has.
+    pub(crate) fn fields(&self) -> usize {
+        self.fields
+    }
+
+    /// The shapes that were found best, in that order. What prepares shapes is the processor, so they are
+    /// put together there.
+    pub(crate) fn picked(&self, bests: &[Best]) -> Result<Self, Error> {
+        let rows = self.rows(&mut locked(&self.state))?;
+        let own = |best: &Best| &rows[best.index * self.fields..][..self.fields];
+        HeldColumn::new(
+            &self.gpu,
+            self.fields,
+            bests.iter().flat_map(own).copied().collect(),
+        )
+    }
 
     /// Other numbers, checked, for as many shapes. They go up when they are next used.
     pub(crate) fn update(&self, rows: Vec<f32>) {
@@ -219,7 +240,11 @@ impl HeldColumn {
     }
 
     /// The column as a list of all pairs wants it.
-    fn for_pairs(&self, made: &Generated<f32>, k: usize) -> Result<Side, Error> {
+    pub(in crate::kernels::gpu::device::generated) fn for_pairs(
+        &self,
+        made: &Generated<f32>,
+        k: usize,
+    ) -> Result<Side, Error> {
         let inner = &self.gpu.inner;
         let mut state = locked(&self.state);
         let version = state.version;
@@ -244,6 +269,29 @@ impl HeldColumn {
         let owner = Arc::downgrade(&made.name.0);
         state.pairs.insert(key, (owner, version, side.clone()));
         Ok(side)
+    }
+
+    /// The column as kernels by hand want it.
+    pub(in crate::kernels::gpu::device) fn boxes(&self, kind: Kind) -> Result<Boxes, Error> {
+        let inner = &self.gpu.inner;
+        let mut state = locked(&self.state);
+        let version = state.version;
+        let there = state.boxes.as_ref().filter(|(_, own)| own.kind == kind);
+        if let Some((own, boxes)) = there
+            && *own == version
+        {
+            return Ok(boxes.clone());
+        }
+        let there = there.map(|(_, boxes)| boxes.clone());
+        let rows = self.rows(&mut state)?;
+        let boxes = inner.guarded(|| Ok(inner.boxes(kind, &rows, there.as_ref())))?;
+        state.boxes = Some((version, boxes.clone()));
+        Ok(boxes)
+    }
+
+    /// Refuses what is of another context.
+    pub(crate) fn is_of(&self, gpu: &Gpu) -> Result<(), Error> {
+        gpu.owns(&self.gpu)
     }
 
     /// Where results may go that are computed over these ones: whole columns of one buffer, `None` if they

@@ -1,0 +1,222 @@
+//! Two lists on the GPU, whatever computes their pairs: one front for kernels by hand and generated ones.
+//!
+//! Scores of boxes in the plane have kernels by hand, everything else has generated ones. Which of them run is
+//! decided here and nowhere else.
+use super::data::Boxes;
+use super::generated::held::HeldColumn;
+use super::generated::operation::Generated;
+use super::generated::pairs::Sides;
+use super::pairs::Mirrored;
+use super::source::Mirror;
+use super::table::Table;
+use super::{Bests, Founds, Gpu, Matrix};
+use crate::Error;
+use crate::error::Argument;
+use crate::kernels::Single;
+use crate::kernels::cpu::checked::check;
+use crate::kernels::cpu::plan::Compiled;
+use crate::kernels::op::{Ask, Runs};
+use crate::kernels::reduce::{check_sides, check_threshold};
+use crate::kernels::row::Column;
+use std::sync::Arc;
+
+/// What slopes are multiplied by.
+pub(crate) enum Seed<'a> {
+    /// A number for every pair, row by row.
+    Numbers(&'a [f32]),
+    /// The same, already on the GPU, for as many rows and columns.
+    Matrix(&'a Matrix),
+    /// One number for all.
+    Factor(f32),
+}
+
+/// The kernels of all pairs, and the lists as they want them.
+enum Kernels {
+    ByHand(Mirrored),
+    Generated(Arc<Generated<f32>>, Sides),
+}
+
+/// Two lists on the GPU and what is computed of their pairs.
+pub(crate) struct Lists<'a> {
+    gpu: &'a Gpu,
+    counts: [usize; 2],
+    kernels: Kernels,
+}
+
+/// Whether all pairs of an operation are computed by kernels by hand.
+pub(super) fn has_kernels_by_hand(compiled: Compiled) -> bool {
+    Mirror::of(compiled).is_some()
+}
+
+/// The mirror of what runs, if there is one.
+fn mirror_of<A, B, R>(run: &R) -> Option<Mirror>
+where
+    A: Single<Scalar = f32>,
+    B: Single<Scalar = f32>,
+    R: Runs<(A, B)>,
+{
+    run.compiled().and_then(Mirror::of)
+}
+
+impl<'a> Lists<'a> {
+    /// Of slices, which are checked and brought up.
+    pub fn of_slices<A: Single<Scalar = f32>, B: Single<Scalar = f32>, R: Runs<(A, B)>>(
+        gpu: &'a Gpu,
+        run: &R,
+        a: &[A],
+        b: &[B],
+        ask: Ask,
+    ) -> Result<Self, Error> {
+        let counts = [a.len(), b.len()];
+        let inner = &gpu.inner;
+        let kernels = match mirror_of(run) {
+            Some(mirror) => {
+                inner.alive()?;
+                let face = run.face(Ask::PAIRS)?;
+                let columns = [Column::of(a), Column::of(b)];
+                let [a, b] = &columns;
+                check(Argument::A, &face.arguments[0], a)?;
+                check(Argument::B, &face.arguments[1], b)?;
+                let boxes = |column: &Column<'_, f32>| -> Result<Boxes, Error> {
+                    let numbers = column.all();
+                    inner.guarded(|| Ok(inner.boxes(mirror.kind, &numbers, None)))
+                };
+                let (a, b) = (boxes(a)?, boxes(b)?);
+                Kernels::ByHand(Mirrored { mirror, a, b })
+            }
+            None => {
+                let made = run.generated(ask)?;
+                let sides = Sides::new(inner, &made, a, b)?;
+                Kernels::Generated(made, sides)
+            }
+        };
+        Ok(Lists {
+            gpu,
+            counts,
+            kernels,
+        })
+    }
+
+    /// Of columns that stay on the GPU.
+    pub fn of_held<A: Single<Scalar = f32>, B: Single<Scalar = f32>, R: Runs<(A, B)>>(
+        gpu: &'a Gpu,
+        run: &R,
+        a: &HeldColumn,
+        b: &HeldColumn,
+        ask: Ask,
+    ) -> Result<Self, Error> {
+        gpu.inner.alive()?;
+        a.is_of(gpu)?;
+        b.is_of(gpu)?;
+        let kernels = match mirror_of(run) {
+            Some(mirror) => Kernels::ByHand(Mirrored {
+                mirror,
+                a: a.boxes(mirror.kind)?,
+                b: b.boxes(mirror.kind)?,
+            }),
+            None => {
+                let made = run.generated(ask)?;
+                let sides = Sides::of_held(&made, a, b)?;
+                Kernels::Generated(made, sides)
+            }
+        };
+        Ok(Lists {
+            gpu,
+            counts: [a.count(), b.count()],
+            kernels,
+        })
+    }
+
+    /// Results of one number as a matrix.
+    pub fn matrix(&self) -> Result<Matrix, Error> {
+        let [rows, columns] = self.counts;
+        let made = || Matrix::room(self.gpu, rows, columns);
+        let mut matrix = self.gpu.inner.guarded(made)?;
+        self.matrix_into(&mut matrix)?;
+        Ok(matrix)
+    }
+
+    /// The same over a matrix that is there already.
+    pub fn matrix_into(&self, matrix: &mut Matrix) -> Result<(), Error> {
+        let [rows, columns] = self.counts;
+        self.gpu.fits(matrix, rows, columns, Argument::Values)?;
+        match &self.kernels {
+            Kernels::ByHand(lists) => lists.fill(matrix),
+            Kernels::Generated(made, sides) => {
+                for (block, values) in &matrix.blocks {
+                    sides.compute(&self.gpu.inner, made, block, values)?;
+                }
+                Ok(())
+            }
+        }
+    }
+
+    /// All pairs as a reduction sees them.
+    fn table(&self, own_rows: bool) -> Result<Table<'_>, Error> {
+        match &self.kernels {
+            Kernels::ByHand(lists) => Ok(Table::of_lists(self.gpu, lists, own_rows)),
+            Kernels::Generated(made, sides) => {
+                Table::of_generated(self.gpu, made, sides, self.counts, own_rows)
+            }
+        }
+    }
+
+    /// The largest of every row and its column, of several the first.
+    pub fn row_max(&self) -> Result<Bests, Error> {
+        check_sides(self.counts[0], self.counts[1], true)?;
+        self.table(true)?.best()
+    }
+    /// The largest of every column and its row, of several the first.
+    pub fn column_max(&self) -> Result<Bests, Error> {
+        check_sides(self.counts[0], self.counts[1], false)?;
+        self.table(false)?.best()
+    }
+    /// Every pair above the threshold.
+    pub fn above(&self, threshold: f32) -> Result<Founds, Error> {
+        check_threshold(threshold)?;
+        self.table(true)?.above(threshold)
+    }
+    /// How many pairs are above the threshold.
+    pub fn count_above(&self, threshold: f32) -> Result<u64, Error> {
+        check_threshold(threshold)?;
+        self.table(true)?.count_above(threshold)
+    }
+    /// The sum of all results: up to 1024 are added in `f32`, those sums in `f64`, always in the same order.
+    pub fn sum(&self) -> Result<f64, Error> {
+        self.table(true)?.sum()
+    }
+    /// The mean of all results; zero where there are none.
+    pub fn mean(&self) -> Result<f64, Error> {
+        let [rows, columns] = self.counts.map(|n| n as f64);
+        Ok(self.sum()? / (rows * columns).max(1.0))
+    }
+
+    /// The numbers of the slopes of both lists, of lists that were made for adjoints.
+    pub fn slopes(&self, seed: &Seed<'_>) -> Result<[Vec<f32>; 2], Error> {
+        if let Seed::Matrix(matrix) = seed {
+            let [rows, columns] = self.counts;
+            self.gpu.fits(matrix, rows, columns, Argument::Upstream)?;
+        }
+        match &self.kernels {
+            Kernels::ByHand(lists) => Ok(lists.slopes(self.gpu, seed)?.0),
+            Kernels::Generated(made, sides) => self.gpu.slopes(made, sides, seed),
+        }
+    }
+}
+
+/// The sum of all results, and the numbers of the slopes of both lists times a factor. `make` makes the lists
+/// for results or for adjoints.
+pub(crate) fn loss<'a>(
+    make: impl Fn(Ask) -> Result<Lists<'a>, Error>,
+    factor: f32,
+) -> Result<(f64, [Vec<f32>; 2]), Error> {
+    let lists = make(Ask::ADJOINT)?;
+    let seed = Seed::Factor(factor);
+    match &lists.kernels {
+        Kernels::ByHand(own) => {
+            let (slopes, sum) = own.slopes(lists.gpu, &seed)?;
+            Ok((sum, slopes))
+        }
+        Kernels::Generated(..) => Ok((make(Ask::PAIRS)?.sum()?, lists.slopes(&seed)?)),
+    }
+}
