@@ -180,10 +180,7 @@ impl<'a, T: Real> Sweep<'a, T> {
     fn near<'r>(&self, row: usize, room: &'r mut Vec<u32>) -> &'r [u32] {
         let count = self.b.count;
         match (&self.tree, &self.b.bounds, self.a.bounds_of(row)) {
-            (Some(tree), _, Some(own)) => {
-                tree.near(&own, room);
-                room
-            }
+            (Some(tree), _, Some(own)) => tree.near(&own, room),
             (None, Some(bounds), Some(own)) => {
                 let first = row / TILE;
                 let rest = Tiles::new(&bounds[first * BOUNDS..], BOUNDS);
@@ -237,12 +234,12 @@ impl<'a, T: Real> Sweep<'a, T> {
     ) {
         let mut desk = Desk::new(self, lanes);
         if let Some(tree) = &self.tree {
-            let mut hits = Vec::new();
+            let mut room = Vec::new();
             for row in rows {
                 if let Some(bounds) = self.a.bounds_of(row) {
                     desk.choose(row);
-                    tree.near(&bounds, &mut hits);
-                    desk.some(0..self.b.count, &hits, &mut consume);
+                    let hits = tree.near(&bounds, &mut room);
+                    desk.some(0..self.b.count, hits, &mut consume);
                 }
             }
             return;

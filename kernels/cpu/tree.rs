@@ -11,9 +11,9 @@ pub struct Tree<T> {
     order: Vec<u32>,
 }
 
-/// A coordinate's place among 2¹⁶ between two ends, its bits spread out to every second.
-fn spread(x: f64, low: f64, high: f64) -> u32 {
-    let place = ((x - low) / (high - low) * 65_535.0) as u32 & 0xffff;
+/// A place among 2¹⁶, its bits spread out to every second.
+fn spread(place: f64) -> u32 {
+    let place = place as u32 & 0xffff;
     let place = (place | place << 8) & 0x00ff_00ff;
     let place = (place | place << 4) & 0x0f0f_0f0f;
     let place = (place | place << 2) & 0x3333_3333;
@@ -26,29 +26,28 @@ impl<T: Real> Tree<T> {
         let of = |i: usize| -> [T; BOUNDS] {
             std::array::from_fn(|k| bounds[i / TILE * BOUNDS + k].0[i % TILE])
         };
-        let center = |i: usize, k: usize| {
-            let x = 0.5 * of(i)[k].widen() + 0.5 * of(i)[k + 2].widen();
+        let center = |i: usize| {
+            let own = of(i).map(|x| 0.5 * x.widen());
             // Bounds of rare shapes have none.
-            if x.is_finite() { x } else { 0.0 }
+            [own[0] + own[2], own[1] + own[3]].map(|x| if x.is_finite() { x } else { 0.0 })
         };
+        let centers: Vec<[f64; 2]> = (0..count).map(center).collect();
         let ends = |k: usize| {
-            let all = (0..count).map(|i| center(i, k));
+            let all = centers.iter().map(|center| center[k]);
             all.fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), x| {
                 (low.min(x), high.max(x))
             })
         };
         let ((left, right), (bottom, top)) = (ends(0), ends(1));
-        let mut order: Vec<(u32, u32)> = (0..count)
-            .map(|i| {
-                let (x, y) = (center(i, 0), center(i, 1));
-                (
-                    spread(x, left, right) | spread(y, bottom, top) << 1,
-                    i as u32,
-                )
-            })
-            .collect();
+        // One scale for both, so that tiles of a street are not as long as the street is.
+        let scale = 65_535.0 / (right - left).max(top - bottom);
+        let place = |(i, [x, y]): (usize, &[f64; 2])| {
+            let along = spread((x - left) * scale) | spread((y - bottom) * scale) << 1;
+            u64::from(along) << 32 | i as u64
+        };
+        let mut order: Vec<u64> = centers.iter().enumerate().map(place).collect();
         order.sort_unstable();
-        let order: Vec<u32> = order.into_iter().map(|(_, item)| item).collect();
+        let order: Vec<u32> = order.into_iter().map(|own| own as u32).collect();
         let mut levels = Vec::new();
         let mut boxes: Vec<[T; BOUNDS]> = order.iter().map(|&i| of(i as usize)).collect();
         loop {
@@ -82,10 +81,14 @@ impl<T: Real> Tree<T> {
             boxes = boxes.chunks(TILE).map(around).collect();
         }
     }
-    /// Every item whose bounds meet the given ones, ascending.
-    pub fn near(&self, bounds: &[T; BOUNDS], hits: &mut Vec<u32>) {
-        hits.clear();
-        (T::kernels().search)(bounds, &self.levels, &self.order, hits);
+    /// Every item whose bounds meet the given ones, ascending; `room` is kept for the next call.
+    pub fn near<'r>(&self, bounds: &[T; BOUNDS], room: &'r mut Vec<u32>) -> &'r [u32] {
+        let [start, end] = (T::kernels().search)(bounds, &self.levels, room);
+        let hits = &mut room[start..end];
+        for hit in &mut *hits {
+            *hit = self.order[*hit as usize];
+        }
         hits.sort_unstable();
+        hits
     }
 }

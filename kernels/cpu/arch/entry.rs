@@ -128,7 +128,7 @@ entries! {
     /// The items whose bounds meet those of a row.
     near(row: &[T; BOUNDS], bounds: Tiles<'_, T>, first: u32, hits: &mut [u32]) -> usize = blocks::near::<T, V>;
     /// The same of a tree of bounds.
-    search(row: &[T; BOUNDS], levels: &[Vec<Lane<T>>], order: &[u32], hits: &mut Vec<u32>) = blocks::search::<T, V>;
+    search(row: &[T; BOUNDS], levels: &[Vec<Lane<T>>], room: &mut Vec<u32>) -> [usize; 2] = blocks::search::<T, V>;
     /// Results of picked columns, put into a row per field.
     scatter(results: Planes<'_, T>, columns: &[u32], first: usize, rows: &mut [T], stride: usize) = blocks::scatter::<T, V>;
     /// Slopes, added up.

@@ -91,42 +91,38 @@ fn places(bits: u32, base: u32, room: &mut [u32; TILE]) -> usize {
     few + high.count_ones() as usize
 }
 
-/// Adds the index of every item of a tree of bounds that meets those of the row. Level 0 has the
-/// items, in the tree's order; each box of a higher level bounds a tile of the one below.
+/// Finds every item of a tree of bounds that meets those of the row. Level 0 has the items, in the tree's order; each
+/// box of a higher level bounds a tile of the one below, up to a single tile. What is found is written one level
+/// after the other; of the last one, the items, come back where their places begin and end.
+///
+/// There is no branch per item, since which of them meet is anybody's guess. `room` grows as needed.
 #[inline(always)]
 pub(crate) fn search<T: Real, V: Vector<T>>(
     row: &[T; BOUNDS],
     levels: &[Vec<Lane<T>>],
-    order: &[u32],
-    hits: &mut Vec<u32>,
-) {
+    room: &mut Vec<u32>,
+) -> [usize; 2] {
     let row = splat::<T, V>(row);
-    // What is left to look at: levels and tiles. Each level leaves at most fifteen behind.
-    let mut waiting = [(0_usize, 0_usize); 16 * 8];
-    let mut count = 0;
-    let top = levels.len().wrapping_sub(1);
-    for t in 0..levels.last().map_or(0, |level| level.len() / BOUNDS) {
-        waiting[0] = (top, t);
-        count += 1;
-        while count > 0 {
-            count -= 1;
-            let (level, t) = waiting[count];
-            let Some(tile) = levels[level].as_chunks::<BOUNDS>().0.get(t) else {
-                continue;
-            };
-            let mut bits = meeting(&row, tile);
-            while bits != 0 {
-                let child = t * TILE + bits.trailing_zeros() as usize;
-                bits &= bits - 1;
-                if level == 0 {
-                    if let Some(&item) = order.get(child) {
-                        hits.push(item);
-                    }
-                } else if let Some(next) = waiting.get_mut(count) {
-                    *next = (level - 1, child);
-                    count += 1;
-                }
+    if room.is_empty() {
+        room.resize(16 * TILE, 0);
+    }
+    // The only tile of the highest level.
+    room[0] = 0;
+    let (mut start, mut end) = (0, 1);
+    for level in levels.iter().rev() {
+        let tiles = level.as_chunks::<BOUNDS>().0;
+        let mut to = end;
+        for i in start..end {
+            let t = room[i];
+            if room.len() < to + TILE {
+                room.resize(2 * room.len(), 0);
+            }
+            let to_fill = room.get_mut(to..).and_then(|x| x.first_chunk_mut());
+            if let (Some(tile), Some(room)) = (tiles.get(t as usize), to_fill) {
+                to += places(meeting(&row, tile), t * TILE as u32, room);
             }
         }
+        (start, end) = (end, to);
     }
+    [start, end]
 }
