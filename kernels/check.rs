@@ -15,7 +15,7 @@ use crate::kernels::cpu::plan::{Want, program_of};
 use crate::kernels::decided::{Decided, Replayed};
 use crate::kernels::fold::{Fold, Folded};
 use crate::kernels::gpu::GpuRing;
-use crate::kernels::op::{Op, RingOp, Ringed};
+use crate::kernels::op::{Op, RingOp, Ringed, Slopes};
 use crate::kernels::real::Real;
 use crate::kernels::recorded_subject::{RecordedSubject, Recording};
 use crate::kernels::row::{Row, Single, target};
@@ -59,8 +59,12 @@ where
     O::Out<S>: Row,
     O::Out<f64>: Sample,
 {
+    let value = program_of::<O, S>(Want::Value)?;
+    let is_wide = Precision::of::<S>() == Precision::F64;
+    let by_hand_alone = O::SLOPES == Slopes::ByHand && is_wide;
     Ok(Recording {
-        value: program_of::<O, S>(Want::Value)?,
+        reversed: by_hand_alone.then(|| value.value_vjp().into()),
+        value,
         slopes: program_of::<O, S>(Want::Vjp)?,
         source: source::<O, S>,
         batch: batch_value::<O, S>,

@@ -52,6 +52,9 @@ pub(crate) struct Recording<S> {
     /// The result and slopes from the input and a cotangent, recorded: from wherever the operation says
     /// that its slopes come.
     pub slopes: Arc<Recorded>,
+    /// The same by differentiating the recorded function backwards, where slopes are by hand: another derivation of
+    /// them. In double precision alone, since cotangents of nearly parallel boxes cancel in single.
+    pub reversed: Option<Arc<Recorded>>,
     /// The function itself, on plain numbers.
     pub source: Path<S>,
     /// The result by a batch.
@@ -73,6 +76,11 @@ impl<S: Number> Recording<S> {
     fn slopes_on<T: Scalar>(&self, x: Vec<T>, y_bar: Vec<T>) -> Vec<T> {
         let mut all = self.slopes.run_on(&[x, y_bar].concat());
         all.split_off(self.outputs)
+    }
+    /// The slopes by differentiating the recorded function backwards, where that is another derivation.
+    fn reversed_on<T: Scalar>(&self, x: &[T], y_bar: &[T]) -> Option<Vec<T>> {
+        let mut all = self.reversed.as_ref()?.run_on(&[x, y_bar].concat());
+        Some(all.split_off(self.outputs))
     }
     /// The Hessian times a direction, through the slopes, on another kind of number.
     fn bends<T>(&self, x: &[f64], y_bar: &[f64], direction: &[f64], of: impl Fn(S) -> T) -> Vec<T>
@@ -143,10 +151,28 @@ impl<S: Number> Subject for RecordedSubject<'_, S> {
         Some(slopes.iter().map(|s| s.0.widen()).collect())
     }
     fn further(&self, x: &[f64], y_bar: &[f64]) -> Vec<Vec<f64>> {
-        // As batches compute them.
-        vec![widened(
-            &self.recording.slopes_on::<S>(nearest(x), nearest(y_bar)),
-        )]
+        let (x, y_bar): (Vec<S>, Vec<S>) = (nearest(x), nearest(y_bar));
+        // By another derivation, and as batches compute them.
+        let reversed = self.recording.reversed_on(&x, &y_bar);
+        let mut all = vec![widened(&self.recording.slopes_on::<S>(x, y_bar))];
+        all.extend(reversed.map(|slopes| widened(&slopes)));
+        all
+    }
+    fn noisy_further(
+        &self,
+        x: &[f64],
+        y_bar: &[f64],
+        position: usize,
+        seed: u64,
+    ) -> Option<Vec<f64>> {
+        if position == 0 {
+            return None;
+        }
+        let of = |list: &[f64]| -> Vec<Noisy<S>> {
+            list.iter().map(|&x| Noisy(S::nearest(x))).collect()
+        };
+        let slopes = noisy(seed, || self.recording.reversed_on(&of(x), &of(y_bar)));
+        Some(slopes?.iter().map(|s| s.0.widen()).collect())
     }
     fn batch(&self, x: &[f64], y_bar: &[f64]) -> Option<(Vec<f64>, Vec<f64>)> {
         let answer = self.batch?.about(x)?;

@@ -60,6 +60,16 @@ pub trait Subject {
     fn further(&self, _x: &[f64], _y_bar: &[f64]) -> Vec<Vec<f64>> {
         Vec::new()
     }
+    /// A further witness, by its position, with every rounding on the way drawn from a seed.
+    fn noisy_further(
+        &self,
+        _x: &[f64],
+        _y_bar: &[f64],
+        _position: usize,
+        _seed: u64,
+    ) -> Option<Vec<f64>> {
+        None
+    }
     /// Value and slopes of `y_bar · value` from a batch, on the CPU or a GPU.
     fn batch(&self, _x: &[f64], _y_bar: &[f64]) -> Option<(Vec<f64>, Vec<f64>)> {
         None

@@ -26,6 +26,23 @@ pub(crate) fn exact(e: &Evidence<'_>) -> Notes {
     said
 }
 
+/// What a witness that is neither adjoint nor duals may be off by: what it says of inputs moved by their last digits,
+/// and how far its own roundings carry it when they fall differently.
+fn rounding_of(e: &Evidence<'_>, row: &Row, witness: Witness, said: &[f64]) -> Vec<f64> {
+    let mut spread = e.spread(said, Some(&row.size), |x| match witness {
+        Witness::Further(k) => e.subject.further(x, &row.weights).into_iter().nth(k),
+        _ => Some(e.subject.batch(x, &row.weights)?.1),
+    });
+    if let Witness::Further(k) = witness {
+        let noisy = |seed| e.subject.noisy_further(e.x, &row.weights, k, seed);
+        let own = e.roundings(said, &row.size, noisy);
+        for (spread, own) in spread.iter_mut().zip(own) {
+            *spread = spread.max(own);
+        }
+    }
+    spread
+}
+
 fn one_row(e: &Evidence<'_>, row: &Row) -> Notes {
     let mut said = Notes::new(e.x.len());
     let Some(adjoint) = &row.adjoint else {
@@ -60,15 +77,7 @@ fn one_row(e: &Evidence<'_>, row: &Row) -> Notes {
             let mut tolerance = row.allowed(i);
             if gap > tolerance && witness != Witness::Dual {
                 // Duals were provoked with the row; others on their own.
-                let theirs = theirs.get_or_insert_with(|| {
-                    e.spread(&other, Some(&row.size), |x| match witness {
-                        Witness::Further(k) => {
-                            let further = e.subject.further(x, &row.weights);
-                            further.into_iter().nth(k)
-                        }
-                        _ => Some(e.subject.batch(x, &row.weights)?.1),
-                    })
-                });
+                let theirs = theirs.get_or_insert_with(|| rounding_of(e, row, witness, &other));
                 tolerance += SAFETY * theirs[i];
             }
             let numbers = Numbers {
