@@ -25,6 +25,14 @@ pub struct Found<T = f32> {
     pub value: T,
 }
 
+/// What all results come to.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Loss {
+    Sum,
+    /// Zero where there are none.
+    Mean,
+}
+
 /// Refuses to look for the largest of nothing.
 pub(crate) fn check_sides(rows: usize, columns: usize, of_rows: bool) -> Result<(), Error> {
     let (own, other, argument) = match of_rows {

@@ -14,6 +14,7 @@ use crate::kernels::gpu::{
 #[cfg(feature = "gpu")]
 use crate::kernels::op::Ask;
 use crate::kernels::op::Runs;
+use crate::kernels::reduce::Loss;
 use crate::kernels::row::Single;
 use crate::kernels::{Cpu, reduce};
 
@@ -127,17 +128,7 @@ impl Resident<'_> {
     where
         R: Runs<(A, B), Out = f32>,
     {
-        match self.0 {
-            Backend::Cpu => {
-                let (a, b) = (shapes_of(a)?, shapes_of(b)?);
-                let (sum, by_a, by_b) = Cpu::new().sum_grad(run, &a, &b)?;
-                Ok((sum, held_of(&by_a), held_of(&by_b)))
-            }
-            #[cfg(feature = "gpu")]
-            Backend::Gpu(gpu) => Self::loss(gpu, &run, a, b, 1.0),
-            #[cfg(not(feature = "gpu"))]
-            Backend::Gpu(gpu) => match *gpu {},
-        }
+        self.loss(run, a, b, Loss::Sum)
     }
 
     /// The mean of all results, zero where there are none, and its slopes, as [`Cpu::mean_grad`].
@@ -154,36 +145,38 @@ impl Resident<'_> {
     where
         R: Runs<(A, B), Out = f32>,
     {
+        self.loss(run, a, b, Loss::Mean)
+    }
+
+    fn loss<A: Single<Scalar = f32>, B: Single<Scalar = f32>, R>(
+        self,
+        run: R,
+        a: &Held<A>,
+        b: &Held<B>,
+        of: Loss,
+    ) -> Result<(f64, Held<A>, Held<B>), Error>
+    where
+        R: Runs<(A, B), Out = f32>,
+    {
         match self.0 {
             Backend::Cpu => {
                 let (a, b) = (shapes_of(a)?, shapes_of(b)?);
-                let (mean, by_a, by_b) = Cpu::new().mean_grad(run, &a, &b)?;
-                Ok((mean, held_of(&by_a), held_of(&by_b)))
+                let (value, by_a, by_b) = match of {
+                    Loss::Sum => Cpu::new().sum_grad(run, &a, &b)?,
+                    Loss::Mean => Cpu::new().mean_grad(run, &a, &b)?,
+                };
+                Ok((value, held_of(&by_a), held_of(&by_b)))
             }
             #[cfg(feature = "gpu")]
             Backend::Gpu(gpu) => {
-                let factor = 1.0 / (a.count as f64 * b.count as f64).max(1.0);
-                let (sum, by_a, by_b) = Self::loss(gpu, &run, a, b, factor as f32)?;
-                Ok((sum * factor, by_a, by_b))
+                let (x, y) = (column(a)?, column(b)?);
+                let (value, slopes) = loss(|ask| Lists::of_held(gpu, &run, x, y, ask), of)?;
+                let (by_a, by_b) = both(gpu, [x, y], slopes)?;
+                Ok((value, by_a, by_b))
             }
             #[cfg(not(feature = "gpu"))]
             Backend::Gpu(gpu) => match *gpu {},
         }
-    }
-
-    /// The sum of all results on a GPU, and slopes times a factor.
-    #[cfg(feature = "gpu")]
-    fn loss<A: Single<Scalar = f32>, B: Single<Scalar = f32>, R: Runs<(A, B)>>(
-        gpu: &Gpu,
-        run: &R,
-        a: &Held<A>,
-        b: &Held<B>,
-        factor: f32,
-    ) -> Result<(f64, Held<A>, Held<B>), Error> {
-        let (x, y) = (column(a)?, column(b)?);
-        let (sum, slopes) = loss(|ask| Lists::of_held(gpu, run, x, y, ask), factor)?;
-        let (by_a, by_b) = both(gpu, [x, y], slopes)?;
-        Ok((sum, by_a, by_b))
     }
 
     /// The shape of a list that each row (or column) found best: `pick(&b, &row_max)` has as many shapes as

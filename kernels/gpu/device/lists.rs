@@ -16,7 +16,7 @@ use crate::kernels::Single;
 use crate::kernels::cpu::checked::check;
 use crate::kernels::cpu::plan::Compiled;
 use crate::kernels::op::{Ask, Runs};
-use crate::kernels::reduce::{check_sides, check_threshold};
+use crate::kernels::reduce::{Loss, check_sides, check_threshold};
 use crate::kernels::row::Column;
 use std::sync::Arc;
 
@@ -204,19 +204,22 @@ impl<'a> Lists<'a> {
     }
 }
 
-/// The sum of all results, and the numbers of the slopes of both lists times a factor. `make` makes the lists
-/// for results or for adjoints.
+/// The sum or mean of all results, and the numbers of its slopes for both lists. `make` makes the lists for results
+/// or for adjoints.
 pub(crate) fn loss<'a>(
     make: impl Fn(Ask) -> Result<Lists<'a>, Error>,
-    factor: f32,
+    loss: Loss,
 ) -> Result<(f64, [Vec<f32>; 2]), Error> {
     let lists = make(Ask::ADJOINT)?;
-    let seed = Seed::Factor(factor);
-    match &lists.kernels {
-        Kernels::ByHand(own) => {
-            let (slopes, sum) = own.slopes(lists.gpu, &seed)?;
-            Ok((sum, slopes))
-        }
-        Kernels::Generated(..) => Ok((make(Ask::PAIRS)?.sum()?, lists.slopes(&seed)?)),
-    }
+    let [rows, columns] = lists.counts.map(|n| n as f64);
+    let factor = match loss {
+        Loss::Sum => 1.0,
+        Loss::Mean => 1.0 / (rows * columns).max(1.0),
+    };
+    let seed = Seed::Factor(factor as f32);
+    let (slopes, sum) = match &lists.kernels {
+        Kernels::ByHand(own) => own.slopes(lists.gpu, &seed)?,
+        Kernels::Generated(..) => (lists.slopes(&seed)?, make(Ask::PAIRS)?.sum()?),
+    };
+    Ok((sum * factor, slopes))
 }

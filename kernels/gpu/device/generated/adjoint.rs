@@ -11,6 +11,7 @@ use crate::kernels::gpu::device::block::block_of;
 use crate::kernels::gpu::device::lists::{Lists, Seed, loss};
 use crate::kernels::gpu::device::work::Work;
 use crate::kernels::op::{Ask, Runs};
+use crate::kernels::reduce::Loss;
 use std::sync::Arc;
 
 impl Gpu {
@@ -55,7 +56,7 @@ impl Gpu {
     where
         R: Runs<(A, B), Out = f32>,
     {
-        self.loss(run, a, b, 1.0)
+        self.loss(run, a, b, Loss::Sum)
     }
 
     /// The mean of all results and its slopes, zeros where there are no pairs, as
@@ -73,9 +74,7 @@ impl Gpu {
     where
         R: Runs<(A, B), Out = f32>,
     {
-        let factor = 1.0 / (a.len() as f64 * b.len() as f64).max(1.0);
-        let (sum, a_bar, b_bar) = self.loss(run, a, b, factor as f32)?;
-        Ok((sum * factor, a_bar, b_bar))
+        self.loss(run, a, b, Loss::Mean)
     }
 
     fn loss<A: Single<Scalar = f32>, B: Single<Scalar = f32>, R>(
@@ -83,15 +82,15 @@ impl Gpu {
         run: R,
         a: &[A],
         b: &[B],
-        factor: f32,
+        of: Loss,
     ) -> Result<(f64, Vec<A>, Vec<B>), Error>
     where
         R: Runs<(A, B), Out = f32>,
     {
         let lists = |ask| Lists::of_slices(self, &run, a, b, ask);
-        let (sum, slopes) = loss(lists, factor)?;
+        let (value, slopes) = loss(lists, of)?;
         let (a_bar, b_bar) = shapes(slopes);
-        Ok((sum, a_bar, b_bar))
+        Ok((value, a_bar, b_bar))
     }
 
     /// The numbers of the slopes of both lists: strips of pairs are added in `f32`, those sums in `f64`, always in the same
