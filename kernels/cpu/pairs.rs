@@ -80,6 +80,11 @@ fn put<T: Real>(part: &Part<'_, T>, room: &mut Vec<T>, rows: &mut [&mut [T]]) {
             }
         }
         Columns::Picked(columns) if width <= BLOCK * TILE => {
+            if let [row] = rows {
+                let row = &mut row[part.stretch.clone()];
+                row.fill(T::default());
+                return (T::kernels().scatter)(part.results, columns, first, row, width);
+            }
             room.clear();
             room.resize(rows.len() * width, T::default());
             (T::kernels().scatter)(part.results, columns, first, room, width);

@@ -233,10 +233,14 @@ fn gather_quads<T: Real, V: Vector<T>, const QUADS: usize>(
 ) {
     let Some(&last) = picked.last() else { return };
     let items = rows.as_chunks::<QUAD>().0.as_chunks::<QUADS>().0;
-    let Some(mut own) = items.get(last as usize).map(|last| [last; TILE]) else {
+    let Some(own_last) = items.get(last as usize) else {
         return;
     };
-    for (picked, tile) in picked.chunks(TILE).zip(out.chunks_exact_mut(fields)) {
+    let mut own = [own_last; TILE];
+    for (t, picked) in picked.chunks(TILE).enumerate() {
+        let Some(tile) = out.get_mut(t * fields..(t + 1) * fields) else {
+            return;
+        };
         match picked.first_chunk::<TILE>() {
             Some(picked) => {
                 let mut i = 0;
@@ -248,10 +252,24 @@ fn gather_quads<T: Real, V: Vector<T>, const QUADS: usize>(
                     i += 1;
                 }
             }
+            // The last tile, four places at a time: how many there are is anybody's guess, so beyond the last one
+            // stands the last one.
             None => {
-                for (i, own) in own.iter_mut().enumerate() {
-                    let picked = *picked.get(i).unwrap_or(&last);
-                    *own = &items[picked as usize];
+                own = [own_last; TILE];
+                let end = picked.len().wrapping_sub(1);
+                for (group, own) in own.as_chunks_mut::<4>().0.iter_mut().enumerate() {
+                    if 4 * group >= picked.len() {
+                        break;
+                    }
+                    let mut i = 0;
+                    while i < 4 {
+                        let place = picked.get((4 * group + i).min(end)).unwrap_or(&last);
+                        let Some(item) = items.get(*place as usize) else {
+                            return;
+                        };
+                        own[i] = item;
+                        i += 1;
+                    }
                 }
             }
         }
