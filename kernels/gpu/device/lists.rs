@@ -14,7 +14,6 @@ use crate::Error;
 use crate::error::Argument;
 use crate::kernels::Single;
 use crate::kernels::cpu::checked::check;
-use crate::kernels::cpu::plan::Compiled;
 use crate::kernels::op::{Ask, Runs};
 use crate::kernels::reduce::{Loss, check_sides, check_threshold};
 use crate::kernels::row::Column;
@@ -43,13 +42,8 @@ pub(crate) struct Lists<'a> {
     kernels: Kernels,
 }
 
-/// Whether all pairs of an operation are computed by kernels by hand.
-pub(super) fn has_kernels_by_hand(compiled: Compiled) -> bool {
-    Mirror::of(compiled).is_some()
-}
-
 /// The mirror of what runs, if there is one.
-fn mirror_of<A, B, R>(run: &R) -> Option<Mirror>
+pub(super) fn mirror_of<A, B, R>(run: &R) -> Option<Mirror>
 where
     A: Single<Scalar = f32>,
     B: Single<Scalar = f32>,

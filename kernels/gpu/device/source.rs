@@ -50,7 +50,7 @@ pub(super) enum Kind {
     /// [`Obb2`].
     Rotated,
     /// [`Aabb2`].
-    Upright,
+    AxisAligned,
 }
 
 impl Kind {
@@ -58,21 +58,21 @@ impl Kind {
     pub fn quads(self) -> usize {
         match self {
             Kind::Rotated => 2,
-            Kind::Upright => 1,
+            Kind::AxisAligned => 1,
         }
     }
     /// How many numbers a shape has.
     pub fn fields(self) -> usize {
         match self {
             Kind::Rotated => Obb2::<f32>::LEN,
-            Kind::Upright => Aabb2::<f32>::LEN,
+            Kind::AxisAligned => Aabb2::<f32>::LEN,
         }
     }
     /// The shape in WGSL.
     fn text(self) -> &'static str {
         match self {
             Kind::Rotated => include_str!("../wgsl/obb2.wgsl"),
-            Kind::Upright => include_str!("../wgsl/aabb.wgsl"),
+            Kind::AxisAligned => include_str!("../wgsl/aabb.wgsl"),
         }
     }
     /// A shape, prepared; and whether plain products of its numbers stay far from over- and underflow.
@@ -92,7 +92,7 @@ impl Kind {
                 ];
                 (quads, is_ordinary(shape))
             }
-            Kind::Upright => {
+            Kind::AxisAligned => {
                 let own = Aabb2::load(numbers);
                 let quad = [own.min.x, own.min.y, own.max.x, own.max.y];
                 ([quad, [0.0; 4]], true)
@@ -118,7 +118,7 @@ impl Mirror {
                 over,
             }),
             Compiled::Aabb2(over) => Some(Mirror {
-                kind: Kind::Upright,
+                kind: Kind::AxisAligned,
                 over,
             }),
             _ => None,
@@ -128,7 +128,7 @@ impl Mirror {
 
 /// For kernels in which the score does not matter.
 pub(super) const ANY: Mirror = Mirror {
-    kind: Kind::Upright,
+    kind: Kind::AxisAligned,
     over: Denominator::Union,
 };
 

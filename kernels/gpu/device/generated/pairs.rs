@@ -7,7 +7,7 @@ use crate::kernels::cpu::checked::check;
 use crate::kernels::cpu::lane::TILE;
 use crate::kernels::cpu::work::spread;
 use crate::kernels::gpu::device::block::{Block, place_block};
-use crate::kernels::gpu::device::lists::{Lists, has_kernels_by_hand};
+use crate::kernels::gpu::device::lists::{Lists, mirror_of};
 use crate::kernels::gpu::device::work::Work;
 use crate::kernels::gpu::device::{Gpu, Inner};
 use crate::kernels::op::{Ask, Runs};
@@ -225,7 +225,7 @@ impl Gpu {
     ) -> Result<Table<R::Out>, Error> {
         let inner = &self.inner;
         let mut table = Table::<R::Out>::new(a.len(), b.len())?;
-        if run.compiled().is_some_and(has_kernels_by_hand) {
+        if mirror_of(&run).is_some() {
             let matrix = Lists::of_slices(self, &run, a, b, Ask::PAIRS)?.matrix()?;
             table.planes_mut().copy_from_slice(&matrix.download()?);
             return Ok(table);
