@@ -413,6 +413,13 @@ pub(crate) fn fine<S: Scalar>() -> f64 {
     S::LARGEST.powf(-0.3125)
 }
 
+/// Sides of shapes whose measures of the second and third power of a length, and slopes of those, stay
+/// far from over- and underflow in single precision, unless one is a speck beside a giant.
+pub(crate) const COMMON_SMALL: f64 = 1e-5;
+pub(crate) const COMMON_LARGE: f64 = 1e6;
+/// Coordinates of the centre of such shapes are not beyond this.
+pub(crate) const COMMON_FAR: f64 = 1e9;
+
 /// Whether a box is valid and plain products of its numbers stay far from over- and underflow, so
 /// that a batch of such boxes needs no [`size_scale`]. The results are the same bits either way.
 ///
@@ -432,6 +439,6 @@ pub fn is_ordinary<S: Scalar>(shape: Obb2<S>) -> S::Mask {
 
 /// Whether a number is zero or from `low` to `high`.
 #[inline(always)]
-fn zero_or_within<S: Scalar>(x: S, low: S, high: S) -> S::Mask {
+pub(crate) fn zero_or_within<S: Scalar>(x: S, low: S, high: S) -> S::Mask {
     x.equals(S::zero()) | (x.at_least(low) & x.at_most(high))
 }

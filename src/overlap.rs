@@ -64,13 +64,24 @@ pub fn shared_area<S: Scalar, const EXTREME: bool>(
     } else {
         S::one()
     };
+    let (pair, area) = scaled_shared_area::<S, EXTREME>(a, b, scale);
+    (pair, area, scale)
+}
+
+/// [`shared_area`] in a given unit.
+#[inline(always)]
+pub(crate) fn scaled_shared_area<S: Scalar, const EXTREME: bool>(
+    a: Framed<S>,
+    b: Framed<S>,
+    scale: S,
+) -> (Relative<S>, S) {
     let pair = relate::<S, EXTREME>(a, b, scale);
     let area = if pair.apart.all() {
         S::zero()
     } else {
         related_area(&pair, clipped_area(&clip(pair)))
     };
-    (pair, area, scale)
+    (pair, area)
 }
 
 /// What an area of intersection is divided by.

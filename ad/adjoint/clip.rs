@@ -47,14 +47,20 @@ fn crossing<S: Scalar>(from: S, low: S, high: S, rise: S, out: S::Mask) -> S {
     S::select(out | at.above(high), high, at)
 }
 
-/// How much farther the far end of an edge lies beyond a than the near one.
+/// Of the height of a that an edge beside it covers, what lies beyond a's right side minus what it leaves
+/// out beyond the left one, from the edge's first end to its last.
+///
+/// An edge with both ends beyond one side covers its whole `rise`. That is not taken from how far they lie
+/// beyond: of a speck in a giant both are so large that their difference has no digits left.
 #[inline(always)]
-fn spread<S: Scalar>(out: S::Mask, near: End<S>, far: End<S>) -> S {
-    S::select(
-        out,
-        S::zero(),
-        far.beyond.unsigned() - near.beyond.unsigned(),
-    )
+fn beside<S: Scalar>(out: S::Mask, [first, last]: [End<S>; 2], rise: S, slope: S) -> S {
+    let one_side = (first.beyond * last.beyond).above(S::zero());
+    let covered = S::select(
+        one_side,
+        rise.signed_as(last.beyond),
+        (last.beyond.unsigned() - first.beyond.unsigned()) * slope,
+    );
+    S::select(out, S::zero(), covered)
 }
 
 /// What an edge adds to the length of a's top and bottom inside b: the x where it returns below
@@ -109,13 +115,13 @@ pub fn clipped_area_slopes<S: Scalar>(pair: &Relative<S>, clip: &Clip<S>) -> Slo
     let mut height_left = left_leave - left_enter;
 
     // a's right and left side inside b.
-    let flat = spread(bottom_out, clip.bottom[0], clip.bottom[1])
-        + spread(top_out, clip.top[0], clip.top[1]);
+    let flat = beside(bottom_out, clip.bottom, y[1] - y[0], slope)
+        + beside(top_out, clip.top, y[3] - y[2], slope);
     let upright = ((right_enter - y[1]).signed_as(clip.right[0].beyond)
         + (y[2] - right_leave).signed_as(clip.right[1].beyond))
         - ((left_enter - y[0]).signed_as(clip.left[1].beyond)
             + (y[3] - left_leave).signed_as(clip.left[0].beyond));
-    let mut side_x = flat * slope + upright;
+    let mut side_x = flat + upright;
 
     // a's top and bottom side inside b.
     let right_out = (above[1] * above[2]).above(zero);

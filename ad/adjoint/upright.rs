@@ -9,10 +9,12 @@
 //! ```
 //!
 //! The top that decides takes the slope of `H` by it, likewise the bottom; tied ones take half each.
-use crate::ad::adjoint::overlap::{Grads, reciprocal_or_zero, score_scaled_vjp, tamed};
-use crate::clip::{Framed, frame, size_scale};
+use crate::ad::adjoint::overlap::{
+    Grads, reciprocal_or_zero, score_scaled_vjp, score_slopes, tamed,
+};
+use crate::clip::{Framed, frame};
 use crate::overlap::{Denominator, area_from_half, ratio_of_first};
-use crate::overlap3::{Heights, by_volumes, heights, score_of_columns};
+use crate::overlap3::{Heights, Scales, heights, score_of_columns, upright_scales};
 use crate::shape::YawBox3;
 use crate::{Obb2, Scalar, Vec2, Vec3};
 
@@ -45,10 +47,13 @@ fn same<S: Scalar>(a: &Upright<S>, b: &Upright<S>) -> S::Mask {
 
 /// The slopes of a score by what it is made of.
 struct Parts<S> {
-    /// By the area shared, that of a and that of b.
+    /// By the area shared, that of a and that of b; but for `falling`, of the last two.
     areas: [S; 3],
-    /// By the height shared, that of a and that of b.
+    /// By the height shared, that of a and that of b; but for `falling`, of the last two.
     heights: [S; 3],
+    /// What slopes by a box's own area and height are to be multiplied by at last: of a speck beside
+    /// a giant it is so small that nothing would be left of them before.
+    falling: S,
 }
 
 /// `out_bar` times the slopes of a score by areas and heights.
@@ -65,13 +70,16 @@ fn parts<S: Scalar>(
         Denominator::None => Parts {
             areas: [height.shared * out_bar, zero, zero],
             heights: [area * out_bar, zero, zero],
+            falling: zero,
         },
         Denominator::Union => {
             let volumes = [area * height.shared, area_a * height.a, area_b * height.b];
-            let [shared, a, b] = by_volumes(over, value, volumes, out_bar);
+            let slopes = score_slopes(over, value, volumes, out_bar);
+            let (shared, [a, b]) = (slopes.inter, slopes.own);
             Parts {
                 areas: [shared * height.shared, a * height.a, b * height.b],
                 heights: [shared * area, a * area_a, b * area_b],
+                falling: slopes.falling,
             }
         }
         Denominator::First => {
@@ -82,8 +90,9 @@ fn parts<S: Scalar>(
                 reciprocal_or_zero(height.a) * out_bar,
             );
             Parts {
-                areas: [by_area * tall, -(by_area * value), zero],
-                heights: [by_height * flat, -(by_height * value), zero],
+                areas: [by_area * tall, by_area, zero],
+                heights: [by_height * flat, by_height, zero],
+                falling: -value,
             }
         }
     }
@@ -133,21 +142,28 @@ fn bounded<S: Scalar, const EXTREME: bool>(x: S) -> S {
     if EXTREME { x.saturated() } else { x }
 }
 
-/// A box's slopes, from those of the area shared, by that area and by its own, and by its middle and height.
+/// What a side takes from its own box, whose slope is `own` times `falling`.
+#[inline(always)]
+fn own_bar<S: Scalar, const EXTREME: bool>(own: S, falling: S) -> S {
+    bounded::<S, EXTREME>(bounded::<S, EXTREME>(own) * falling)
+}
+
+/// A box's slopes, from those of the area shared, by that area and by its own (but for `falling`), and by
+/// its middle and height.
 #[inline(always)]
 fn box_bar<S: Scalar, const EXTREME: bool>(
     seen: Obb2<S>,
     half: Vec2<S>,
-    [by_area, by_own]: [S; 2],
+    [by_area, by_own, falling]: [S; 3],
     [z, dz]: [S; 2],
     units: &Units<S>,
 ) -> YawBox3<S> {
     let x = bounded::<S, EXTREME>(seen.center.x * by_area);
     let y = bounded::<S, EXTREME>(seen.center.y * by_area);
     let dx = bounded::<S, EXTREME>(seen.size.x * by_area)
-        + bounded::<S, EXTREME>((half.y + half.y) * by_own);
+        + own_bar::<S, EXTREME>((half.y + half.y) * by_own, falling);
     let dy = bounded::<S, EXTREME>(seen.size.y * by_area)
-        + bounded::<S, EXTREME>((half.x + half.x) * by_own);
+        + own_bar::<S, EXTREME>((half.x + half.x) * by_own, falling);
     let heading = bounded::<S, EXTREME>(seen.heading * by_area);
     YawBox3 {
         center: Vec3::new(
@@ -168,27 +184,32 @@ fn box_bar<S: Scalar, const EXTREME: bool>(
 pub(crate) type Bars<S> = (YawBox3<S>, YawBox3<S>);
 
 /// Value of a score of upright boxes and `out_bar` times its slopes, from the area shared seen from above
-/// and its slopes, in units of `1 / scale`.
+/// and its slopes, in units of `1 / scales.flat`.
 #[inline(always)]
 pub(crate) fn score_from_area_vjp<S: Scalar, const EXTREME: bool>(
     over: Denominator,
     a: &Upright<S>,
     b: &Upright<S>,
     (area, bars): (S, Grads<S>),
-    scale: S,
+    scales: Scales<S>,
     out_bar: S,
 ) -> (S, Bars<S>) {
+    let scale = scales.flat;
     let (zero, one) = (S::zero(), S::one());
     let (half_a, half_b) = (a.flat.half * scale, b.flat.half * scale);
     let areas = [area, area_from_half(half_a), area_from_half(half_b)];
-    let height = heights::<S, EXTREME>(a.standing, b.standing);
+    let height = heights(a.standing, b.standing, scales.tall);
     let value = score_of_columns::<S, EXTREME>(over, areas, scale, &height);
     let (out_bar, steep) = if EXTREME {
         tamed(out_bar)
     } else {
         (out_bar, one)
     };
-    let Parts { areas, heights } = parts(over, value, areas, &height, out_bar);
+    let Parts {
+        areas,
+        heights,
+        falling,
+    } = parts(over, value, areas, &height, out_bar);
     // Of identical boxes the union is as flat as can be, by symmetry.
     let flat = match over {
         Denominator::Union => same(a, b),
@@ -226,12 +247,24 @@ pub(crate) fn score_from_area_vjp<S: Scalar, const EXTREME: bool>(
     };
     let z = by_up * shared_bar;
     let (dz_a, dz_b) = (
-        (by_a * shared_bar).halved() + heights[1],
-        (by_b * shared_bar).halved() + heights[2],
+        (by_a * shared_bar).halved() + own_bar::<S, EXTREME>(heights[1], falling),
+        (by_b * shared_bar).halved() + own_bar::<S, EXTREME>(heights[2], falling),
     );
     let (a_bar, b_bar) = (
-        box_bar::<S, EXTREME>(bars.0, half_a, [areas[0], areas[1]], [-z, dz_a], &units),
-        box_bar::<S, EXTREME>(bars.1, half_b, [areas[0], areas[2]], [z, dz_b], &units),
+        box_bar::<S, EXTREME>(
+            bars.0,
+            half_a,
+            [areas[0], areas[1], falling],
+            [-z, dz_a],
+            &units,
+        ),
+        box_bar::<S, EXTREME>(
+            bars.1,
+            half_b,
+            [areas[0], areas[2], falling],
+            [z, dz_b],
+            &units,
+        ),
     );
     (value.canonical(), (a_bar, b_bar))
 }
@@ -244,9 +277,10 @@ pub(crate) fn score_upright_vjp<S: Scalar>(
     out_bar: S,
 ) -> (S, Bars<S>) {
     let (a, b) = (upright(a), upright(b));
-    let scale = size_scale(a.flat.half, b.flat.half);
-    let area = score_scaled_vjp::<S, true>(Denominator::None, a.flat, b.flat, scale, S::one());
-    score_from_area_vjp::<S, true>(over, &a, &b, area, scale, out_bar)
+    let scales = upright_scales((a.flat.half, a.standing[1]), (b.flat.half, b.standing[1]));
+    let area =
+        score_scaled_vjp::<S, true>(Denominator::None, a.flat, b.flat, scales.flat, S::one());
+    score_from_area_vjp::<S, true>(over, &a, &b, area, scales, out_bar)
 }
 
 /// The volume shared by two upright boxes, and `out_bar` times its slopes by both.

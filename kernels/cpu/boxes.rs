@@ -3,7 +3,9 @@
 //! Compiled in this library only, by the entries in `arch`.
 use crate::ad::adjoint::iou::giou_framed_vjp;
 use crate::ad::adjoint::overlap::{score_framed_vjp, tame_score_aabb2_vjp};
-use crate::clip::{FAR_AWAY as FAR, Framed, LARGE, SMALL, fine, frame};
+use crate::clip::{
+    COMMON_FAR, COMMON_LARGE, COMMON_SMALL, FAR_AWAY as FAR, Framed, LARGE, SMALL, fine, frame,
+};
 use crate::iou::giou_framed;
 use crate::kernels::cpu::arch::Vector;
 use crate::kernels::cpu::blocks::all_within;
@@ -325,12 +327,6 @@ pub(crate) fn all_ordinary_obb2<T: Real, V: Vector<T>>(numbers: &[T]) -> bool {
         [FAR, FAR, LARGE, LARGE, T::LARGEST],
     )
 }
-
-/// Sizes and places of shapes whose measures of the second and third power of a length, and slopes of
-/// those, stay far from over- and underflow in single precision.
-pub(crate) const COMMON_SMALL: f64 = 1e-5;
-pub(crate) const COMMON_LARGE: f64 = 1e6;
-pub(crate) const COMMON_FAR: f64 = 1e9;
 
 /// Whether every rotated box is valid, of a size from 10⁻⁵ to 10⁶ or zero, and no farther than 10⁹ from the
 /// origin.

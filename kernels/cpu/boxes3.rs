@@ -3,11 +3,10 @@
 //! Compiled in this library only, by the entries in `arch`. Unlike those of the plane they scale every pair, so
 //! shapes need no preparation. Slopes of extreme boxes may overflow here: those take the scalar code.
 use crate::Fixed;
+use crate::clip::{COMMON_FAR, COMMON_LARGE, COMMON_SMALL};
 use crate::kernels::cpu::arch::{LARGE, Vector};
 use crate::kernels::cpu::blocks::all_within;
-use crate::kernels::cpu::boxes::{
-    COMMON_FAR, COMMON_LARGE, COMMON_SMALL, is_within, lanes_of, put, seed,
-};
+use crate::kernels::cpu::boxes::{is_within, lanes_of, put, seed};
 use crate::kernels::cpu::lane::{PLANE, Results, Tiles};
 use crate::kernels::real::Real;
 use crate::overlap::Denominator;

@@ -7,7 +7,7 @@ use crate::kernels::cpu::boxes::{OBB2, SEEN, UPRIGHT, frame_fields, framed, lane
 use crate::kernels::cpu::lane::{Lane, PLANE, Results, Tiles};
 use crate::kernels::real::Real;
 use crate::overlap::{Denominator, area_from_half};
-use crate::overlap3::{heights, score_of_columns};
+use crate::overlap3::{Scales, heights, score_of_columns};
 use crate::{Fixed, Obb2};
 
 /// Turns results with ten slopes of boxes seen from above into those with fourteen of upright boxes.
@@ -62,7 +62,7 @@ pub(crate) fn scores<T: Real, V: Vector<T>>(
                 area_from_half(a.flat.half),
                 area_from_half(b.flat.half),
             ];
-            let height = heights::<V, false>(a.standing, b.standing);
+            let height = heights(a.standing, b.standing, V::one());
             let value = score_of_columns::<V, false>(over, areas, V::one(), &height);
             put([value.canonical()], out, 0, at);
         }
@@ -94,9 +94,13 @@ pub(crate) fn slopes<T: Real, V: Vector<T>>(
             }
             let bars = <(Obb2<V>, Obb2<V>)>::load(&numbers);
             let area = (V::read(&out[0], at), bars);
+            let unscaled = Scales {
+                flat: V::one(),
+                tall: V::one(),
+            };
             let seed = seed(seeds, t, at);
             let (value, (a_bar, b_bar)) =
-                score_from_area_vjp::<V, false>(over, &a, &b, area, V::one(), seed);
+                score_from_area_vjp::<V, false>(over, &a, &b, area, unscaled, seed);
             put([value], out, 0, at);
             let mut slopes = [V::zero(); 2 * UPRIGHT];
             (a_bar, b_bar).store(&mut slopes);

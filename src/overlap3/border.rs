@@ -32,6 +32,7 @@
 use super::edge::{Bounds, Cut, clamped, cut, less_signed, signed, turn};
 use super::face::{Face, face};
 use super::relate::Relative3;
+use super::volume_from_half;
 use crate::{Mask, Scalar};
 
 /// The volume that two related boxes share, in units of `1 / scale³`, and its slopes in a's frame.
@@ -49,10 +50,20 @@ pub struct Shared3<S> {
     pub half_b: [S; 3],
 }
 
-/// The most that two boxes can share: each against the other's bounds in its own frame. Zero where one of
-/// the fifteen axes separates them.
+/// What can be said of two boxes before the border of one is clamped to the other.
+struct Glance<S: Scalar> {
+    /// The most that they can share: each against the other's bounds in its own frame. Zero where one of the
+    /// fifteen axes separates them.
+    most: S,
+    /// Where a lies in b, and touches none of its faces.
+    a_inside: S::Mask,
+    /// Where b lies in a, and touches none of its faces.
+    b_inside: S::Mask,
+}
+
+/// Looks at the bounds of each box in the other's frame.
 #[inline(always)]
-fn most_shared<S: Scalar>(pair: &Relative3<S>) -> S {
+fn glance<S: Scalar>(pair: &Relative3<S>) -> Glance<S> {
     let (r, c, h, p) = (pair.turn, pair.center, pair.half_a, pair.half_b);
     let zero = S::zero();
     let mut steep = [[zero; 3]; 3];
@@ -62,12 +73,17 @@ fn most_shared<S: Scalar>(pair: &Relative3<S>) -> S {
         }
     }
     let (mut in_a, mut in_b) = (S::one(), S::one());
+    let (mut a_inside, mut b_inside) = (zero.at_most(zero), zero.at_most(zero));
+    // A face that is touched is a kink whose sides share, found where the faces' integrals are.
+    let clear = S::lit(1.0 - 32.0 * S::EPSILON);
     for i in 0..3 {
         let reach = (steep[i][0] * p[0] + steep[i][1] * p[1]) + steep[i][2] * p[2];
+        b_inside = b_inside & (c[i].unsigned() + reach).below(h[i] * clear);
         let shared = (c[i] + reach).least(h[i]) - (c[i] - reach).most(-h[i]);
         in_a *= shared.most(zero);
         let reach = (steep[0][i] * h[0] + steep[1][i] * h[1]) + steep[2][i] * h[2];
         let center = (r[0][i] * c[0] + r[1][i] * c[1]) + r[2][i] * c[2];
+        a_inside = a_inside & (center.unsigned() + reach).below(p[i] * clear);
         let shared = (center + reach).least(p[i]) - (center - reach).most(-p[i]);
         in_b *= shared.most(zero);
     }
@@ -82,7 +98,14 @@ fn most_shared<S: Scalar>(pair: &Relative3<S>) -> S {
             gap = gap.most(distance - (reach_a + reach_b));
         }
     }
-    S::select(gap.above(zero), zero, in_a.least(in_b))
+    let most = S::select(gap.above(zero), zero, in_a.least(in_b));
+    // Rounding of a giant's place may part it from what it holds.
+    let own = volume_from_half(h).least(volume_from_half(p));
+    Glance {
+        most: S::select(a_inside | b_inside, own, most),
+        a_inside,
+        b_inside,
+    }
 }
 
 /// The volume that two related boxes share and, if asked for, its slopes. Straight line, but for pairs all
@@ -95,7 +118,8 @@ pub fn shared_volume<S: Scalar, const SLOPES: bool, const PIECES: bool>(
     pair: &Relative3<S>,
 ) -> Shared3<S> {
     let zero = S::zero();
-    let most = most_shared(pair);
+    let seen = glance(pair);
+    let most = seen.most;
     let mut out = Shared3 {
         volume: zero,
         center: [zero; 3],
@@ -154,6 +178,7 @@ pub fn shared_volume<S: Scalar, const SLOPES: bool, const PIECES: bool>(
             out.half_b[i] = S::select(apart, zero, slopes.half_b[i]);
         }
     }
+    nested::<S, SLOPES>(pair, &seen, &mut out);
     same_box::<S, SLOPES>(pair, out)
 }
 
@@ -214,6 +239,38 @@ impl<S: Scalar> Slopes<S> {
             self.turn[i] += moment[j] * normal[l] - moment[l] * normal[j];
         }
     }
+}
+
+/// Of a box inside the other exactly its volume, which only its own sizes change. The integrals over the
+/// border of a box of a thousand times its size would lose three digits of it.
+#[inline(always)]
+fn nested<S: Scalar, const SLOPES: bool>(
+    pair: &Relative3<S>,
+    seen: &Glance<S>,
+    out: &mut Shared3<S>,
+) {
+    let (h, p, zero) = (pair.half_a, pair.half_b, S::zero());
+    // Of boxes without volume neither shares more when it alone grows.
+    let solid = seen.most.above(zero);
+    let (a, b) = (seen.a_inside & solid, seen.b_inside & solid);
+    out.volume = S::select(a, volume_from_half(h), out.volume);
+    out.volume = S::select(b, volume_from_half(p), out.volume);
+    if SLOPES {
+        for i in 0..3 {
+            out.center[i] = S::select(a | b, zero, out.center[i]);
+            out.turn[i] = S::select(a | b, zero, out.turn[i]);
+            out.half_a[i] = S::select(a, by_half(h, i), S::select(b, zero, out.half_a[i]));
+            out.half_b[i] = S::select(b, by_half(p, i), S::select(a, zero, out.half_b[i]));
+        }
+    }
+}
+
+/// The slope of a box's volume by half of one of its sizes.
+#[inline(always)]
+fn by_half<S: Scalar>(half: [S; 3], i: usize) -> S {
+    let (j, l) = ((i + 1) % 3, (i + 2) % 3);
+    let face = (half[j] + half[j]) * (half[l] + half[l]);
+    face + face
 }
 
 /// For boxes that are the same set of points: exactly their volume, each size with half the slope, and no

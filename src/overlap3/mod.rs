@@ -32,9 +32,9 @@ pub use aabb::{intersection_volume_aabb3, iof_aabb3, iou_aabb3};
 pub use mixed::{Overlaps, iou_aabb3_obb3_vjp, iou_yaw_obb3_vjp};
 pub use obb::{intersection_volume_obb3, iof_obb3, iou_obb3};
 pub(crate) use obb::{score_obb3, score_obb3_here};
-pub(crate) use slopes::{by_volumes, score_obb3_vjp, score_obb3_vjp_here};
 pub use slopes::{intersection_volume_obb3_vjp, iof_obb3_vjp, iou_obb3_vjp};
-pub(crate) use yaw::{Heights, heights, score_of_columns, score_yaw};
+pub(crate) use slopes::{score_obb3_vjp, score_obb3_vjp_here};
+pub(crate) use yaw::{Heights, Scales, heights, score_of_columns, score_yaw, upright_scales};
 pub use yaw::{intersection_volume_yaw, iof_yaw, iou_birds_eye, iou_yaw};
 
 use crate::Scalar;

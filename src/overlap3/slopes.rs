@@ -12,7 +12,7 @@ use crate::{Scalar, Vec3};
 /// `I / U` with `U = A + B − I`: `∂I = (1 + I/U) / U`, `∂A = ∂B = −(I/U) / U`. `I / A`: `∂I = 1/A`,
 /// `∂A = −(I/A) / A`. Zero where the denominator is.
 #[inline(always)]
-pub(crate) fn by_volumes<S: Scalar>(
+fn by_volumes<S: Scalar>(
     over: Denominator,
     value: S,
     [shared, a, b]: [S; 3],

@@ -1,10 +1,42 @@
 //! Overlap of upright boxes.
-use crate::Scalar;
-use crate::clip::frame;
+use crate::clip::{COMMON_LARGE, COMMON_SMALL, frame, size_scale, zero_or_within};
 use crate::overlap::{
-    Denominator, area_from_half, iou_obb2, ratio_of_first, ratio_of_union, shared_area,
+    Denominator, area_from_half, iou_obb2, ratio_of_first, ratio_of_union, scaled_shared_area,
 };
 use crate::shape::YawBox3;
+use crate::{Scalar, Vec2};
+
+/// What is multiplied where two upright boxes are compared, so that no product over- or underflows: powers
+/// of two.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Scales<S> {
+    /// Lengths seen from above.
+    pub flat: S,
+    /// Heights.
+    pub tall: S,
+}
+
+/// Seen from above the larger side of the smaller box becomes about one, and so does the larger height;
+/// nothing is scaled where all sides are of common size, as in batches, so that the same is lost below the
+/// smallest normal number.
+///
+/// Each box is given by half its sides seen from above and half its height.
+#[inline(always)]
+pub(crate) fn upright_scales<S: Scalar>(a: (Vec2<S>, S), b: (Vec2<S>, S)) -> Scales<S> {
+    let one = S::one();
+    let (small, large) = (S::lit(0.5 * COMMON_SMALL), S::lit(0.5 * COMMON_LARGE));
+    let is_common = |half: S| zero_or_within(half, small, large);
+    let common =
+        |(half, tall): (Vec2<S>, S)| is_common(half.x) & is_common(half.y) & is_common(tall);
+    let unscaled = common(a) & common(b);
+    let higher = a.1.most(b.1);
+    let flat = higher.at_most(S::zero());
+    let tall = S::select(flat, one, S::select(flat, one, higher).binade());
+    Scales {
+        flat: S::select(unscaled, one, size_scale(a.0, b.0)),
+        tall: S::select(unscaled, one, tall),
+    }
+}
 
 /// Heights of two upright boxes, in units of `1 / scale`.
 #[derive(Clone, Copy, Debug)]
@@ -19,26 +51,19 @@ pub(crate) struct Heights<S> {
     pub scale: S,
 }
 
-/// Heights of two upright boxes, each given by where its middle is and half its height.
-///
-/// `EXTREME` says whether they may be so small or large that products over- or underflow.
+/// Heights of two upright boxes, each given by where its middle is and half its height, times `scale`.
 #[inline(always)]
-pub(crate) fn heights<S: Scalar, const EXTREME: bool>(
+pub(crate) fn heights<S: Scalar>(
     [at_a, half_a]: [S; 2],
     [at_b, half_b]: [S; 2],
+    scale: S,
 ) -> Heights<S> {
     let zero = S::zero();
-    // Relative to a's centre, so that far from the origin no digits are lost.
-    let up = at_b - at_a;
-    let shared = half_a.least(up + half_b) - (-half_a).most(up - half_b);
+    // Relative to a centre, so that far from the origin no digits are lost, and within the lower one, so that
+    // it keeps its own within one much higher. Which of them is above the other does not matter.
+    let (up, lower, higher) = (at_b - at_a, half_a.least(half_b), half_a.most(half_b));
+    let shared = lower.least(up + higher) - (-lower).most(up - higher);
     let shared = S::select(shared.at_most(zero), zero, shared);
-    let mut scale = S::one();
-    if EXTREME {
-        // The higher one becomes about one, so that no product overflows.
-        let higher = half_a.most(half_b);
-        let flat = higher.at_most(zero);
-        scale = S::select(flat, S::one(), S::select(flat, S::one(), higher).binade());
-    }
     Heights {
         shared: shared * scale,
         a: (half_a + half_a) * scale,
@@ -73,13 +98,13 @@ pub(crate) fn score_of_columns<S: Scalar, const EXTREME: bool>(
 
 /// A score of two upright boxes.
 pub(crate) fn score_yaw<S: Scalar>(over: Denominator, a: YawBox3<S>, b: YawBox3<S>) -> S {
-    let (pair, area, scale) = shared_area::<S, true>(frame(a.birds_eye()), frame(b.birds_eye()));
-    let height = heights::<S, true>(
-        [a.center.z, a.size.z.halved()],
-        [b.center.z, b.size.z.halved()],
-    );
+    let (flat_a, flat_b) = (frame(a.birds_eye()), frame(b.birds_eye()));
+    let (tall_a, tall_b) = (a.size.z.halved(), b.size.z.halved());
+    let scales = upright_scales((flat_a.half, tall_a), (flat_b.half, tall_b));
+    let (pair, area) = scaled_shared_area::<S, true>(flat_a, flat_b, scales.flat);
+    let height = heights([a.center.z, tall_a], [b.center.z, tall_b], scales.tall);
     let (area_a, area_b) = (area_from_half(pair.half_a), area_from_half(pair.half_b));
-    let mut value = score_of_columns::<S, true>(over, [area, area_a, area_b], scale, &height);
+    let mut value = score_of_columns::<S, true>(over, [area, area_a, area_b], scales.flat, &height);
     if over == Denominator::Union {
         let birds_same = (a.center.x.equals(b.center.x) & a.center.y.equals(b.center.y))
             & (a.size.x.equals(b.size.x) & a.size.y.equals(b.size.y) & a.heading.equals(b.heading));

@@ -196,6 +196,7 @@ impl<S: Scalar> QuadPair<S> {
 
         // A side with all of the other on its right or on itself separates them.
         let mut own = zero;
+        let mut inside = S::one();
         let mut left_of_a = [[zero; 4]; 4];
         k = 0;
         while k < 4 {
@@ -206,6 +207,7 @@ impl<S: Scalar> QuadPair<S> {
             let mut i = 0;
             while i < 4 {
                 left_of_a[k][i] = corner + (cross[i][k] - cross[i][next]);
+                inside = inside.least(left_of_a[k][i]);
                 i += 1;
             }
             k += 1;
@@ -227,7 +229,12 @@ impl<S: Scalar> QuadPair<S> {
             k += 1;
         }
 
-        let limit = own.primal().least((first + second).primal()).halved();
+        // With every corner clear of a's sides b shares all it has, which the integral over the border of
+        // an a of R times its size would give to R roundings. What is nearer is a kink, found by that.
+        let whole = (first + second).halved();
+        let inside = inside.above(S::lit(64.0 * S::EPSILON));
+        let area = S::select(inside, whole, area);
+        let limit = own.halved().primal().least(whole.primal());
         let beyond = area.above(S::from_primal(limit));
         let area = S::select(beyond, area.with_primal(limit), area);
         let nothing = apart | area.at_most(zero);
@@ -257,8 +264,8 @@ impl<S: Scalar> QuadPair<S> {
 ///
 /// What is not convex or runs clockwise has a finite result without a meaning;
 /// [`intersection_area_polygons`](super::intersection_area_polygons) takes polygons whose type keeps that
-/// promise. Right to a few roundings of the smaller area where sizes are alike, to about R of them where
-/// one is R times longer. Kinks: edges lying along each other, which share the slope half and half.
+/// promise. Right to a few roundings of the smaller area where sizes are alike or one contains the other, to
+/// about R of them where one is R times longer and reaches across the other's border. Kinks: edges lying along each other, which share the slope half and half.
 ///
 /// ```
 /// use geograd::{Aabb2, overlap_polygon::intersection_area_quads};

@@ -231,8 +231,13 @@ fn crossing(start: f32, low: f32, high: f32, rise: f32, out: bool) -> f32 {
     return choose(out || held > high, high, held);
 }
 
-fn spread(out: bool, near: End, far: End) -> f32 {
-    return choose(out, 0.0, abs(far.beyond) - abs(near.beyond));
+fn beside(out: bool, first: End, last: End, rise: f32, slope: f32) -> f32 {
+    let covered = choose(
+        first.beyond * last.beyond > 0.0,
+        signed_as(rise, last.beyond),
+        (abs(last.beyond) - abs(first.beyond)) * slope,
+    );
+    return choose(out, 0.0, covered);
 }
 
 fn between(out: bool, start_above: f32, start: End, end_above: f32, end: End) -> f32 {
@@ -264,13 +269,13 @@ fn clipped_area_slopes(pair: Relative, clip: Clip) -> Slopes {
     var height_left = left.leave - left.enter;
 
     // a's right and left side inside b.
-    let flat = spread(bottom_out, clip.bottom_from, clip.bottom_to)
-        + spread(top_out, clip.top_from, clip.top_to);
+    let flat = beside(bottom_out, clip.bottom_from, clip.bottom_to, y.y - y.x, slope)
+        + beside(top_out, clip.top_from, clip.top_to, y.w - y.z, slope);
     let upright = (signed_as(right.enter - y.y, clip.right_from.beyond)
         + signed_as(y.z - right.leave, clip.right_to.beyond))
         - (signed_as(left.enter - y.x, clip.left_to.beyond)
             + signed_as(y.w - left.leave, clip.left_from.beyond));
-    var side_x = flat * slope + upright;
+    var side_x = flat + upright;
 
     // a's top and bottom side inside b.
     let right_out = above.y * above.z > 0.0;
