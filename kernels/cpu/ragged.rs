@@ -48,19 +48,20 @@ impl Cpu {
         let sound = AtomicBool::new(true);
         spread(work, |(offsets, values): (&[usize], &mut [O::Out<T>])| {
             let own = &vertices[offsets[0]..offsets[offsets.len() - 1]];
-            if !(T::kernels().all_finite)(&numbers(own)) {
-                sound.store(false, Ordering::Relaxed);
-                return;
-            }
-            match O::compiled() {
+            let done = match O::compiled() {
                 Some(measure) => fill(values, |values| {
-                    (T::kernels().ring_values)(measure, vertices, offsets, values);
+                    (T::kernels().ring_values)(measure, vertices, offsets, values)
                 }),
                 None => {
-                    for (ring, value) in offsets.windows(2).zip(values) {
+                    let finite = (T::kernels().all_finite)(&numbers(own));
+                    for (ring, value) in offsets.windows(2).zip(values).filter(|_| finite) {
                         *value = O::value(&vertices[ring[0]..ring[1]]);
                     }
+                    finite
                 }
+            };
+            if !done {
+                sound.store(false, Ordering::Relaxed);
             }
         });
         match sound.into_inner() {

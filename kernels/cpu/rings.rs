@@ -2,6 +2,7 @@
 //!
 //! Compiled in this library only, by the entries in `arch`.
 use crate::kernels::cpu::arch::{Vector, numbers};
+use crate::kernels::cpu::blocks::all_finite;
 use crate::kernels::cpu::lane::{Lane, TILE};
 use crate::kernels::real::Real;
 use crate::ring::{Measured, Vertices};
@@ -32,14 +33,15 @@ impl Measure {
 /// would make the order of additions another.
 const SMALL: usize = ring::SIDE;
 
-/// One result per ring; ring `i` has the vertices `offsets[i]..offsets[i + 1]`.
+/// One result per ring; ring `i` has the vertices `offsets[i]..offsets[i + 1]`. Whether all of those are
+/// finite: where one is not, the results are any numbers.
 #[inline(always)]
 pub(crate) fn values<T: Real, V: Vector<T>>(
     measure: Measure,
     vertices: &[Vec2<T>],
     offsets: &[usize],
     out: &mut [T],
-) {
+) -> bool {
     let fields = measure.fields();
     let rings = offsets.len().saturating_sub(1);
     let empty = Lane([T::default(); TILE]);
@@ -62,7 +64,13 @@ pub(crate) fn values<T: Real, V: Vector<T>>(
                 small &= (0 < count) & (count <= SMALL);
             }
             if small {
-                if side_by_side::<T, V>(measure, vertices, ends, &mut side, out) {
+                side.fill::<V>(vertices, ends);
+                // What is at hand already is looked at there; an infinite sum of finite numbers is told apart.
+                let own = &vertices[ends[0]..ends[V::WIDTH]];
+                if !side.is_finite::<V>() && !finite::<T, V>(own) {
+                    return false;
+                }
+                if side_by_side::<T, V>(measure, &side, out) {
                     first += V::WIDTH;
                     continue;
                 }
@@ -71,8 +79,21 @@ pub(crate) fn values<T: Real, V: Vector<T>>(
         }
         alone = alone.saturating_sub(1);
         let own = &vertices[offsets[first]..offsets[first + 1]];
+        if !finite::<T, V>(own) {
+            return false;
+        }
         one::<T>(measure, own, out);
         first += 1;
+    }
+    true
+}
+
+/// Whether every vertex is finite.
+#[inline(always)]
+fn finite<T: Real, V: Vector<T>>(vertices: &[Vec2<T>]) -> bool {
+    match numbers(vertices) {
+        Some(numbers) => all_finite::<T, V>(numbers),
+        None => vertices.iter().all(|v| v.x.finite() && v.y.finite()),
     }
 }
 
@@ -137,6 +158,20 @@ impl<T: Real> Side<T> {
             }
         }
     }
+    /// Whether every vertex is finite, unless finite ones add up to what is not.
+    #[inline(always)]
+    fn is_finite<V: Vector<T>>(&self) -> bool {
+        let (mut x, mut y) = (V::zero(), V::zero());
+        for k in 0..self.count {
+            x += V::read(&self.x[k % SMALL], 0);
+            y += V::read(&self.y[k % SMALL], 0);
+        }
+        let sum = x + y;
+        // A finite number less itself is zero, all others less themselves are not numbers.
+        #[allow(clippy::eq_op)]
+        let nothing = sum - sum;
+        nothing.equals(V::zero()).all()
+    }
     /// From rings of as many numbers each, two vertices at a time.
     #[inline(always)]
     fn fill_same<V: Vector<T>, const NUMBERS: usize>(&mut self, numbers: &[T]) -> Option<()> {
@@ -186,28 +221,21 @@ impl<T: Real, V: Vector<T>> Vertices<V> for &Side<T> {
 
 /// Results of as many rings as there are lanes; whether they hold, or each ring must be measured alone.
 #[inline(always)]
-fn side_by_side<T: Real, V: Vector<T>>(
-    measure: Measure,
-    vertices: &[Vec2<T>],
-    ends: &[usize],
-    side: &mut Side<T>,
-    out: &mut [T],
-) -> bool {
-    side.fill::<V>(vertices, ends);
+fn side_by_side<T: Real, V: Vector<T>>(measure: Measure, side: &Side<T>, out: &mut [T]) -> bool {
     let mut room = Lane([T::default(); TILE]);
     match measure {
         Measure::SignedArea => {
-            let area: V = ring::signed_area_of(&*side);
+            let area: V = ring::signed_area_of(side);
             area.write(&mut room, 0);
             out[..V::WIDTH].copy_from_slice(&room.0[..V::WIDTH]);
         }
         Measure::Perimeter => {
-            let perimeter: V = ring::perimeter_of(&*side);
+            let perimeter: V = ring::perimeter_of(side);
             perimeter.write(&mut room, 0);
             out[..V::WIDTH].copy_from_slice(&room.0[..V::WIDTH]);
         }
         Measure::Centroid => {
-            let Measured::<V> { value, flat } = ring::centroid_of(&*side);
+            let Measured::<V> { value, flat } = ring::centroid_of(side);
             let mut more = room;
             value.x.write(&mut room, 0);
             value.y.write(&mut more, 0);

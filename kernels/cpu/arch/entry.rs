@@ -151,8 +151,8 @@ entries! {
     interpret(tape: &Tape, pass: Pass<'_, T>, out: &mut [Lane<T>]) = program::interpret::<T, V>;
     /// The edges of a path that can be nearest to a point, and how often the path winds around it.
     near_edges(point: Vec2<T>, path: &nearest::Edges<T>, limits: nearest::Limits<T>, squares: &mut [Lane<T>], picked: &mut [u32]) -> Option<(usize, T)> = nearest::near_edges::<T, V>;
-    /// Measures of rings.
-    ring_values(measure: Measure, vertices: &[Vec2<T>], offsets: &[usize], out: &mut [T]) = rings::values::<T, V>;
+    /// Measures of rings; false, and any numbers, where a vertex is not finite.
+    ring_values(measure: Measure, vertices: &[Vec2<T>], offsets: &[usize], out: &mut [T]) -> bool = rings::values::<T, V>;
     /// Adjoints of measures of rings.
     ring_bars(measure: Measure, vertices: &[Vec2<T>], offsets: &[usize], upstream: &[T], bars: &mut [Vec2<T>]) = rings::bars::<T, V>;
 }
