@@ -4,6 +4,7 @@
 //! write tiles whatever their vectors' width is, so the layout is the same at every level.
 
 use std::cell::RefCell;
+use std::ops::{Deref, DerefMut};
 use std::thread::LocalKey;
 
 /// Items of a tile.
@@ -121,22 +122,41 @@ pub(crate) const fn tiles(items: usize) -> usize {
 }
 
 thread_local! {
-    static F32: RefCell<Vec<Lane<f32>>> = const { RefCell::new(Vec::new()) };
-    static F64: RefCell<Vec<Lane<f64>>> = const { RefCell::new(Vec::new()) };
+    static F32: Stock<f32> = const { Stock::new() };
+    static F64: Stock<f64> = const { Stock::new() };
 }
 
-/// Lanes of each thread, kept from call to call: to make room anew would take a short batch's time.
+/// Lanes of each thread, kept from call to call: to make room anew would take a short batch's time, most of it
+/// the system's for giving pages and taking them back.
+#[derive(Debug)]
+pub struct Stock<T> {
+    /// What a call computes with.
+    desk: RefCell<Vec<Lane<T>>>,
+    /// Lists that nobody has.
+    lists: RefCell<Vec<Vec<Lane<T>>>>,
+}
+
+impl<T> Stock<T> {
+    const fn new() -> Self {
+        Stock {
+            desk: RefCell::new(Vec::new()),
+            lists: RefCell::new(Vec::new()),
+        }
+    }
+}
+
+/// A format of which threads keep lanes.
 pub trait Kept: Sized + 'static {
     #[doc(hidden)]
-    fn kept() -> &'static LocalKey<RefCell<Vec<Lane<Self>>>>;
+    fn kept() -> &'static LocalKey<Stock<Self>>;
 }
 impl Kept for f32 {
-    fn kept() -> &'static LocalKey<RefCell<Vec<Lane<f32>>>> {
+    fn kept() -> &'static LocalKey<Stock<f32>> {
         &F32
     }
 }
 impl Kept for f64 {
-    fn kept() -> &'static LocalKey<RefCell<Vec<Lane<f64>>>> {
+    fn kept() -> &'static LocalKey<Stock<f64>> {
         &F64
     }
 }
@@ -146,7 +166,7 @@ pub(crate) fn with_lanes<T: Kept + Copy + Default, R>(
     count: usize,
     run: impl FnOnce(&mut [Lane<T>]) -> R,
 ) -> R {
-    T::kept().with(|kept| match kept.try_borrow_mut() {
+    T::kept().with(|kept| match kept.desk.try_borrow_mut() {
         Ok(mut lanes) => {
             if lanes.len() < count {
                 lanes.resize(count, Lane::default());
@@ -156,4 +176,65 @@ pub(crate) fn with_lanes<T: Kept + Copy + Default, R>(
         // Lent already, further up.
         Err(_) => run(&mut vec![Lane::default(); count]),
     })
+}
+
+/// So many lists a thread keeps, and none of more lanes: half a megabyte of single precision. What is filled in
+/// longer ones takes longer than to make room for them.
+const KEPT_LISTS: usize = 8;
+const KEPT_LANES: usize = 1 << 13;
+
+/// Lanes for as long as they are needed, with anything in them.
+#[derive(Debug)]
+pub struct Lent<T: Kept> {
+    lanes: Vec<Lane<T>>,
+    count: usize,
+}
+
+impl<T: Kept + Copy + Default> Lent<T> {
+    pub(crate) fn new(count: usize) -> Self {
+        let old = T::kept().with(|kept| {
+            let mut lists = kept.lists.borrow_mut();
+            let fitting = lists.iter().position(|lanes| lanes.len() >= count);
+            fitting.map(|at| lists.swap_remove(at))
+        });
+        let lanes = old.unwrap_or_else(|| vec![Lane::default(); count]);
+        Lent { lanes, count }
+    }
+}
+
+impl<T: Kept> Deref for Lent<T> {
+    type Target = [Lane<T>];
+    #[inline]
+    fn deref(&self) -> &[Lane<T>] {
+        self.lanes.get(..self.count).unwrap_or_default()
+    }
+}
+impl<T: Kept> DerefMut for Lent<T> {
+    #[inline]
+    fn deref_mut(&mut self) -> &mut [Lane<T>] {
+        self.lanes.get_mut(..self.count).unwrap_or_default()
+    }
+}
+
+impl<T: Kept> Drop for Lent<T> {
+    fn drop(&mut self) {
+        let mut lanes = std::mem::take(&mut self.lanes);
+        if lanes.is_empty() || lanes.len() > KEPT_LANES {
+            return;
+        }
+        // A thread that ends keeps nothing.
+        let _ = T::kept().try_with(|kept| {
+            let Ok(mut lists) = kept.lists.try_borrow_mut() else {
+                return;
+            };
+            if lists.len() < KEPT_LISTS {
+                return lists.push(lanes);
+            }
+            if let Some(least) = lists.iter_mut().min_by_key(|lanes| lanes.len())
+                && least.len() < lanes.len()
+            {
+                std::mem::swap(least, &mut lanes);
+            }
+        });
+    }
 }

@@ -3,9 +3,10 @@
 //! A filter by bounds leaves out pairs whose result is zero for certain. What is left over closes
 //! ranks, is computed tile by tile, and goes to a consumer with the columns it belongs to; nothing
 //! depends on which pairs were left out.
+use crate::kernels::cpu::arch::flat;
 use crate::kernels::cpu::boxes::BOUNDS;
 use crate::kernels::cpu::lane::{
-    BLOCK, Lane, PLANE, Planes, Results, TILE, Tiles, planes, tiles, with_lanes,
+    BLOCK, Kept, Lane, Lent, PLANE, Planes, Results, TILE, Tiles, planes, tiles, with_lanes,
 };
 use crate::kernels::cpu::plan::{Face, List, Maker, Rare, Room};
 use crate::kernels::cpu::tree::Tree;
@@ -26,6 +27,10 @@ const DENSE: f64 = 0.6;
 
 /// Rows that are asked for the share of near pairs.
 const ASKED: usize = 16;
+
+/// Tiles of rows with few columns each that one call of a kernel computes: what one tile waits for is done
+/// beside the next ones.
+const GROUP: usize = 8;
 
 /// An upstream matrix: row `i` starts at `i * step`. With a step of zero all rows are the same one.
 #[derive(Clone, Copy, Debug)]
@@ -78,7 +83,7 @@ pub trait Chooses<T> {
 }
 
 /// What is computed of all pairs.
-pub struct Sweep<'a, T> {
+pub struct Sweep<'a, T: Kept> {
     a: &'a List<'a, T>,
     b: &'a List<'a, T>,
     maker: &'a dyn Maker<T>,
@@ -86,7 +91,7 @@ pub struct Sweep<'a, T> {
     fields: usize,
     rare: Option<&'a Rare<T>>,
     /// Columns as rows of numbers, for picking some, and how many numbers each has.
-    picking: Vec<T>,
+    picking: Lent<T>,
     stride: usize,
     tree: Option<Tree<T>>,
     /// What slopes are multiplied by.
@@ -111,7 +116,7 @@ impl<'a, T: Real> Sweep<'a, T> {
             maker: &*face.maker,
             fields: face.made(),
             rare: face.rare.as_ref(),
-            picking: Vec::new(),
+            picking: Lent::new(0),
             stride: b.frame_fields.next_multiple_of(4),
             tree: None,
             block: upstream.map_or(BLOCK, |_| BLOCK_OF_SUMS),
@@ -137,11 +142,15 @@ impl<'a, T: Real> Sweep<'a, T> {
     /// Makes columns rows of numbers, for picking some.
     fn prepare_picking(&mut self) {
         let b = self.b;
-        self.picking = vec![T::default(); tiles(b.count) * TILE * self.stride];
-        for (j, row) in self.picking.chunks_exact_mut(self.stride).enumerate() {
-            let tile = &b.frames[j / TILE * b.frame_fields..][..b.frame_fields];
-            for (x, lane) in row.iter_mut().zip(tile) {
-                *x = lane.0[j % TILE];
+        self.picking = Lent::new(tiles(b.count) * self.stride);
+        // Rows of a tile take as many lanes as a row has numbers.
+        let rows = self.picking.chunks_exact_mut(self.stride);
+        for (rows, tile) in rows.zip(b.frames.chunks_exact(b.frame_fields)) {
+            for i in 0..TILE {
+                for (k, lane) in tile.iter().enumerate() {
+                    let at = i * self.stride + k;
+                    rows[at / TILE].0[at % TILE] = lane.0[i];
+                }
             }
         }
     }
@@ -235,14 +244,26 @@ impl<'a, T: Real> Sweep<'a, T> {
         let mut desk = Desk::new(self, lanes);
         if let Some(tree) = &self.tree {
             let mut room = Vec::new();
+            let mut group = Group::default();
+            let is_plain =
+                self.upstream.is_none() && self.a.rare.is_empty() && self.b.rare.is_empty();
             for row in rows {
-                if let Some(bounds) = self.a.bounds_of(row) {
+                let Some(bounds) = self.a.bounds_of(row) else {
+                    continue;
+                };
+                let hits = tree.near(&bounds, &mut room);
+                if is_plain && tiles(hits.len()) <= GROUP {
+                    if group.tiles + tiles(hits.len()) > GROUP {
+                        desk.finish(&mut group, &mut consume);
+                    }
+                    desk.add(&mut group, row, hits);
+                } else {
+                    desk.finish(&mut group, &mut consume);
                     desk.choose(row);
-                    let hits = tree.near(&bounds, &mut room);
                     desk.some(0..self.b.count, hits, &mut consume);
                 }
             }
-            return;
+            return desk.finish(&mut group, &mut consume);
         }
         let mut hits = [0; (BLOCK + 1) * TILE];
         let step = self.block * TILE;
@@ -270,12 +291,22 @@ impl<'a, T: Real> Sweep<'a, T> {
     }
 }
 
+/// Rows with their columns that wait on a desk for being computed together.
+#[derive(Default)]
+struct Group {
+    /// Tiles in use.
+    tiles: usize,
+    /// Each row, its first tile, and where its columns end among those of all.
+    rows: Vec<(usize, usize, usize)>,
+    columns: Vec<u32>,
+}
+
 /// What one thread computes with.
-struct Desk<'a, T> {
+struct Desk<'a, T: Kept> {
     sweep: &'a Sweep<'a, T>,
     row: usize,
     row_is_rare: bool,
-    /// The row's shape in every place of a tile.
+    /// The row's shape in every place of a tile; those of a group, tile after tile.
     own: &'a mut [Lane<T>],
     /// Columns that were picked.
     picked: &'a mut [Lane<T>],
@@ -291,7 +322,7 @@ impl<'a, T: Real> Desk<'a, T> {
     /// Numbers of lanes of a desk: the row, picked columns, upstream slopes and results.
     fn lanes(sweep: &Sweep<'_, T>) -> [usize; 4] {
         [
-            sweep.a.frame_fields,
+            GROUP * sweep.a.frame_fields,
             sweep.block * sweep.b.frame_fields,
             sweep.block,
             planes(sweep.fields),
@@ -320,7 +351,8 @@ impl<'a, T: Real> Desk<'a, T> {
     fn choose(&mut self, row: usize) {
         if row != self.row {
             self.row = row;
-            self.sweep.a.spread(row, self.own);
+            let own = &mut self.own[..self.sweep.a.frame_fields];
+            self.sweep.a.spread(row, own);
             self.row_is_rare = !self.sweep.a.rare.is_empty() && self.sweep.a.is_rare(row);
         }
     }
@@ -341,6 +373,55 @@ impl<'a, T: Real> Desk<'a, T> {
     }
     fn results(&self) -> Planes<'_, T> {
         Planes(self.results)
+    }
+    /// Puts a row with few columns beside those that wait. There is room.
+    fn add(&mut self, group: &mut Group, row: usize, columns: &[u32]) {
+        let Sweep { a, b, stride, .. } = *self.sweep;
+        let first = group.tiles;
+        group.tiles += tiles(columns.len());
+        for t in first..group.tiles {
+            let own = &mut self.own[t * a.frame_fields..][..a.frame_fields];
+            a.spread(row, own);
+        }
+        let picked = &mut self.picked[first * b.frame_fields..group.tiles * b.frame_fields];
+        (T::kernels().gather)(
+            flat(&self.sweep.picking),
+            stride,
+            columns,
+            b.frame_fields,
+            picked,
+        );
+        group.columns.extend_from_slice(columns);
+        group.rows.push((row, first, group.columns.len()));
+    }
+    /// Computes the rows that wait.
+    fn finish(&mut self, group: &mut Group, consume: &mut impl FnMut(Part<'_, T>)) {
+        let Sweep { a, b, .. } = *self.sweep;
+        if group.tiles > 0 {
+            let own = Tiles::new(self.own, a.frame_fields);
+            let picked = Tiles::new(self.picked, b.frame_fields);
+            let out = Results {
+                lanes: self.results,
+                tiles: group.tiles,
+            };
+            self.sweep.maker.make(&mut self.room, &[own, picked], out);
+            // The first row of the next stretch is another one.
+            self.row = usize::MAX;
+        }
+        let mut start = 0;
+        for &(row, tile, end) in &group.rows {
+            consume(Part {
+                row,
+                stretch: 0..b.count,
+                is_first: true,
+                columns: Columns::Picked(&group.columns[start..end]),
+                results: Planes(&self.results[tile..]),
+            });
+            start = end;
+        }
+        group.tiles = 0;
+        group.rows.clear();
+        group.columns.clear();
     }
     /// Results of the row with all columns of a stretch.
     fn all(&mut self, stretch: Range<usize>, consume: &mut impl FnMut(Part<'_, T>)) {
@@ -379,7 +460,13 @@ impl<'a, T: Real> Desk<'a, T> {
         for (i, columns) in parts.chain(none).enumerate() {
             let tiles = &mut picked[..tiles(columns.len()) * b.frame_fields];
             let gather = T::kernels().gather;
-            gather(&self.sweep.picking, stride, columns, b.frame_fields, tiles);
+            gather(
+                flat(&self.sweep.picking),
+                stride,
+                columns,
+                b.frame_fields,
+                tiles,
+            );
             if let Some(upstream) = self.upstream() {
                 for (seeds, columns) in self.seeds.iter_mut().zip(columns.chunks(TILE)) {
                     for (seed, &j) in seeds.0.iter_mut().zip(columns) {

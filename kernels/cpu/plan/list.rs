@@ -1,11 +1,11 @@
 //! A list of shapes made ready for kernels.
 use super::face::Preparation;
 use crate::kernels::cpu::boxes::BOUNDS;
-use crate::kernels::cpu::lane::{Lane, TILE, Tiles};
+use crate::kernels::cpu::lane::{Kept, Lane, Lent, TILE, Tiles};
 use crate::kernels::real::Real;
 
 /// A list of shapes, prepared.
-pub struct List<'a, T> {
+pub struct List<'a, T: Kept> {
     /// The shapes' numbers.
     pub numbers: &'a [T],
     /// Numbers per shape.
@@ -13,12 +13,12 @@ pub struct List<'a, T> {
     /// How many shapes.
     pub count: usize,
     /// Prepared shapes in tiles.
-    pub frames: Vec<Lane<T>>,
+    pub frames: Lent<T>,
     /// Numbers per prepared shape.
     pub frame_fields: usize,
     /// Bounds in tiles; nothing meets those that fill up the last one, everything those of rare
     /// shapes. `None` where they are of no use.
-    pub bounds: Option<Vec<Lane<T>>>,
+    pub bounds: Option<Lent<T>>,
     /// Which shapes kernels do not serve, ascending.
     pub rare: Vec<u32>,
 }
@@ -29,12 +29,12 @@ impl<'a, T: Real> List<'a, T> {
         let fields = plan.fields;
         let count = numbers.len() / fields;
         let tiles = count.div_ceil(TILE);
-        let mut shapes = vec![Lane::default(); tiles * fields];
+        let mut shapes = Lent::new(tiles * fields);
         (T::kernels().bring)(numbers, fields, &mut shapes);
         let frame_fields = plan.frame_fields();
-        let mut frames = Vec::new();
+        let mut frames = Lent::new(0);
         if let Some((_, make)) = &plan.frame {
-            frames = vec![Lane::default(); tiles * frame_fields];
+            frames = Lent::new(tiles * frame_fields);
             make(Tiles::new(&shapes, fields), &mut frames);
         }
         let mut list = List {
@@ -52,7 +52,7 @@ impl<'a, T: Real> List<'a, T> {
             list.rare = rare.map(|(i, _)| i as u32).collect();
         }
         if let (Some(make), true) = (&plan.bounds, bounded) {
-            let mut bounds = vec![Lane::default(); tiles * BOUNDS];
+            let mut bounds = Lent::new(tiles * BOUNDS);
             let frames = Tiles::new(&list.frames, frame_fields);
             make([Tiles::new(&shapes, fields), frames], &mut bounds);
             // Finite, so that not even everything meets what is nowhere.
