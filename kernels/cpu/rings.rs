@@ -66,7 +66,7 @@ pub(crate) fn values<T: Real, V: Vector<T>>(
             if small {
                 side.fill::<V>(vertices, ends);
                 // What is at hand already is looked at there; an infinite sum of finite numbers is told apart.
-                let own = &vertices[ends[0]..ends[V::WIDTH]];
+                let own = vertices.get(ends[0]..ends[V::WIDTH]).unwrap_or_default();
                 if !side.is_finite::<V>() && !finite::<T, V>(own) {
                     return false;
                 }
@@ -78,7 +78,9 @@ pub(crate) fn values<T: Real, V: Vector<T>>(
             }
         }
         alone = alone.saturating_sub(1);
-        let own = &vertices[offsets[first]..offsets[first + 1]];
+        let own = vertices
+            .get(offsets[first]..offsets[first + 1])
+            .unwrap_or_default();
         if !finite::<T, V>(own) {
             return false;
         }
