@@ -6,7 +6,9 @@
 use crate::error::{Field, Flaw, Validate};
 use crate::kernels::cpu::arch;
 use crate::kernels::real::Real;
-use crate::{Fixed, Pack};
+use crate::shape::{Obb3, YawBox3};
+use crate::{Aabb2, Fixed, Obb2, Pack};
+use std::any::TypeId;
 use std::borrow::Cow;
 use std::ops::Range;
 
@@ -21,6 +23,8 @@ pub struct Leaf<T> {
     pub name: fn(usize) -> Field,
     /// What is wrong with numbers of such a shape.
     pub check: fn(&[T]) -> Result<(), Flaw>,
+    /// Whether numbers are those of valid shapes, told quickly. May say no too often.
+    pub all_valid: fn(&[T]) -> bool,
 }
 
 impl<T> Clone for Leaf<T> {
@@ -113,6 +117,26 @@ pub fn leaf<P: Row + Validate>() -> Leaf<P::Scalar> {
         codes: P::CODES,
         name: P::name,
         check: |numbers| get::<P>(numbers).validate(),
+        all_valid: all_valid::<P>(),
+    }
+}
+
+/// How many shapes are told to be valid at once: by their numbers alone, or by the rules of boxes, for which
+/// there are kernels.
+fn all_valid<P: Row + Validate>() -> fn(&[P::Scalar]) -> bool {
+    let is = |shape: TypeId| TypeId::of::<P>() == shape;
+    if P::FINITE_SUFFICES {
+        |x| (P::Scalar::kernels().all_finite)(x)
+    } else if is(TypeId::of::<Obb2<P::Scalar>>()) {
+        |x| (P::Scalar::kernels().all_ordinary_obb2)(x)
+    } else if is(TypeId::of::<Aabb2<P::Scalar>>()) {
+        |x| (P::Scalar::kernels().all_aabb2)(x)
+    } else if is(TypeId::of::<YawBox3<P::Scalar>>()) {
+        |x| (P::Scalar::kernels().all_common_upright)(x)
+    } else if is(TypeId::of::<Obb3<P::Scalar>>()) {
+        |x| (P::Scalar::kernels().all_common_obb3)(x)
+    } else {
+        |_| false
     }
 }
 

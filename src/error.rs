@@ -463,6 +463,8 @@ impl std::error::Error for Error {}
 
 /// Shapes that can say what is wrong with them. A number is valid when it is finite.
 pub trait Validate {
+    /// Whether finite fields are all that is asked of a shape: then many shapes are told to be valid at once.
+    const FINITE_SUFFICES: bool = false;
     /// `Ok` when every field is finite and the shape's own rules hold.
     ///
     /// # Errors
@@ -472,6 +474,7 @@ pub trait Validate {
 }
 
 impl<S: crate::Scalar<Mask = bool>> Validate for S {
+    const FINITE_SUFFICES: bool = true;
     #[inline(always)]
     fn validate(&self) -> Result<(), Flaw> {
         if self.finite() {

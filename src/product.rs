@@ -67,6 +67,8 @@ macro_rules! tuples {
             }
         }
         impl<$first: Validate $(, $part: Validate)*> Validate for ($first, $($part,)*) {
+            const FINITE_SUFFICES: bool =
+                $first::FINITE_SUFFICES $(&& $part::FINITE_SUFFICES)*;
             fn validate(&self) -> Result<(), Flaw> {
                 valid(&self.$zero, stringify!($zero))?;
                 $(valid(&self.$place, stringify!($place))?;)*
@@ -140,6 +142,7 @@ impl<P: Fixed, const N: usize> Fixed for [P; N] {
     }
 }
 impl<P: Validate, const N: usize> Validate for [P; N] {
+    const FINITE_SUFFICES: bool = P::FINITE_SUFFICES;
     fn validate(&self) -> Result<(), Flaw> {
         for (i, shape) in self.iter().enumerate() {
             shape.validate().map_err(|flaw| flaw.within_item(i))?;

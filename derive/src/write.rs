@@ -326,9 +326,16 @@ fn validate(writer: &Writer<'_>) -> String {
         let rule = hole(writer.shape.fields.len() + i);
         format!("{rule}(self)?;")
     });
+    let is_ruled = |field: &Field| field.non_negative || field.positive || field.at_most.is_some();
+    let has_rules = !writer.shape.rules.is_empty() || writer.shape.fields.iter().any(is_ruled);
+    let finite_suffices = writer.fields(|i, _, is_code| match is_code || has_rules {
+        true => " && false".into(),
+        false => format!(" && <{} as __g::Validate>::FINITE_SUFFICES", hole(i)),
+    });
     format!(
         "#[automatically_derived]
         impl{generics} __g::Validate for {of} {{
+            const FINITE_SUFFICES: bool = true{finite_suffices};
             #[inline]
             fn validate(&self) -> ::core::result::Result<(), __g::Flaw> {{
                 {finite} {first} {own}

@@ -191,7 +191,14 @@ pub struct Lent<T: Kept> {
 }
 
 impl<T: Kept + Copy + Default> Lent<T> {
+    /// So many lanes: those of a list that nobody has, or new ones.
     pub(crate) fn new(count: usize) -> Self {
+        if count == 0 {
+            return Lent {
+                lanes: Vec::new(),
+                count,
+            };
+        }
         let old = T::kept().with(|kept| {
             let mut lists = kept.lists.borrow_mut();
             let fitting = lists.iter().position(|lanes| lanes.len() >= count);

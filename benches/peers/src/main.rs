@@ -16,6 +16,7 @@ mod boolean;
 mod levels;
 mod paper;
 mod polygons;
+mod programs;
 mod shapes;
 mod suppress;
 

@@ -2,7 +2,7 @@
 //!
 //! Everything is run by turns and the fastest run counts.
 use super::levels::Timed;
-use super::{Dice, N, by_parry, flat, narrow, on_threads, points};
+use super::{Dice, N, by_parry, flat, narrow, on_threads, points, programs};
 use geograd::kernels::cpu::simd::Simd;
 use geograd::kernels::{
     Cpu, DistancePointSegment, DistanceSegments, GiouObb2, IntersectionAreaQuads, IouBirdsEye,
@@ -13,18 +13,18 @@ use geograd::{Obb2, Segment2, Vec2, Vec3};
 use std::hint::black_box;
 
 /// Rows and columns of all pairs: short enough to run without interruption now and then.
-const PART: usize = 200;
+pub const PART: usize = 200;
 /// How often all takes its turn.
 const ROUNDS: usize = 12;
 
 /// One line of the table: what, and how it is timed at the level in use.
-struct Line<'a> {
-    name: &'static str,
-    timed: Timed<'a>,
+pub struct Line<'a> {
+    pub name: &'static str,
+    pub timed: Timed<'a>,
 }
 
 /// Something that is measured, and what it is divided by.
-struct Ratio(&'static str, &'static str, &'static str);
+pub struct Ratio(pub &'static str, pub &'static str, pub &'static str);
 
 /// What is asked: the first line's rate over the second one's.
 const RATIOS: [Ratio; 10] = [
@@ -98,7 +98,7 @@ fn solids(flat: &[Obb2<f32>], dice: &mut Dice) -> (Vec<YawBox3<f32>>, Vec<Obb3<f
 }
 
 /// Aligned items of an operation, as values.
-fn aligned<'a, O, A, B, T>(name: &'static str, op: O, a: &'a [A], b: &'a [B]) -> Line<'a>
+pub fn aligned<'a, O, A, B, T>(name: &'static str, op: O, a: &'a [A], b: &'a [B]) -> Line<'a>
 where
     O: Op<In<T> = (A, B), Out<T> = T>,
     A: Single<Scalar = T>,
@@ -223,7 +223,7 @@ fn lines(lists: &Lists) -> Vec<Line<'_>> {
     } = lists;
     let (cpu, all) = (Cpu::new(), Cpu::new().culled(false));
     let mut grads = Table::new(PART, PART).expect("it fits");
-    vec![
+    let mut lines = vec![
         matrix("iou, no filter", all, IouObb2, &a[..PART], &b[..PART]),
         matrix("giou", cpu, GiouObb2, &a[..PART], &b[..PART]),
         Line {
@@ -298,7 +298,9 @@ fn lines(lists: &Lists) -> Vec<Line<'_>> {
             &segments[0],
             &segments[1],
         ),
-    ]
+    ];
+    lines.extend(programs::lines([a, b, near], points, &segments[0]));
+    lines
 }
 
 /// Prints the table; gives it as lines of `level,row,mitems`.
@@ -370,7 +372,7 @@ pub fn shapes() -> String {
     }
     println!("\n| ratio of rates | {} |", names(&levels));
     println!("| --- |{}", " ---: |".repeat(levels.len()));
-    for Ratio(what, over, under) in RATIOS {
+    for Ratio(what, over, under) in RATIOS.iter().chain(&programs::RATIOS) {
         let cells: Vec<String> = ours
             .iter()
             .map(|lines| {

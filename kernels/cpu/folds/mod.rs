@@ -299,6 +299,7 @@ fn face<F: Fold, T: Real>(recorded: &Recorded, want: Want) -> Result<Arc<Face<T>
             codes: 0,
             name: |_| Field::VALUE,
             check: |_: &[T]| Ok(()),
+            all_valid: |_| true,
         };
         let arguments = [wide, 4].into_iter().filter(|&fields| fields > 0).map(leaf);
         of_recorded(want, arguments.collect(), vec![state], recorded, false)

@@ -49,8 +49,7 @@ impl<T> Preparation<T> {
             fields: leaf.fields,
             frame: None,
             bounds: None,
-            // Whether they are valid only the shape knows.
-            all_ordinary: |_| false,
+            all_ordinary: leaf.all_valid,
             check: leaf.check,
             is_rare: |_| false,
         }

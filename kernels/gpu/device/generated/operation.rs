@@ -161,6 +161,7 @@ impl<T: Real> Generated<T> {
                     codes: 0,
                     name: |_| Field::VALUE,
                     check: |_| Ok(()),
+                    all_valid: |_| true,
                 });
                 &plain
             }
