@@ -100,7 +100,7 @@ fn glance<S: Scalar>(pair: &Relative3<S>) -> Glance<S> {
     }
     let most = S::select(gap.above(zero), zero, in_a.least(in_b));
     // Rounding of a giant's place may part it from what it holds.
-    let own = volume_from_half(h).least(volume_from_half(p));
+    let own = volume_from_half(h).least(volume_from_half(p)).most(zero);
     Glance {
         most: S::select(a_inside | b_inside, own, most),
         a_inside,

@@ -217,3 +217,26 @@ fn cotangents_of_all_pairs_are_taken_as_they_are() {
     assert_eq!(sum, 9.0 - 42.0);
     assert_eq!((&a_bar[..], &b_bar[..]), (&[3.0; 2][..], &[-2.0; 3][..]));
 }
+
+/// Boxes of two kinds: the same as boxes of one kind, whose slopes are by other numbers.
+#[test]
+fn overlaps_of_boxes_of_two_kinds() {
+    use geograd::Vec3;
+    use geograd::kernels::{IouAabb3Obb3, IouYawObb3};
+    use geograd::overlap3::Overlaps;
+    use geograd::shape::{Aabb3, Obb3, Rotation3, YawBox3};
+    let aligned = Aabb3::new(Vec3::new(0.0, 0.0, 0.0), Vec3::new(2.0, 1.0, 1.5_f64));
+    let upright = YawBox3::new(aligned.center(), aligned.size(), 0.0);
+    let (center, size) = (Vec3::new(0.5, 0.2, 0.3), Vec3::new(1.0, 2.0, 1.0));
+    let turned = Obb3::new(center, size, Rotation3::new(0.9, 0.1, 0.2, -0.3));
+    let cpu = Cpu::new();
+    let own = cpu.aligned(IouAabb3Obb3, (&[aligned][..], &[turned][..]));
+    assert_eq!(own.unwrap(), [aligned.iou_with(turned)]);
+    let of_aligned = cpu.aligned(IouAabb3Obb3.value_grad(), (&[aligned][..], &[turned][..]));
+    let of_upright = cpu.aligned(IouYawObb3.value_grad(), (&[upright][..], &[turned][..]));
+    let ((iou, (by_bounds, _)), (other, (by_box, _))) = (of_aligned.unwrap(), of_upright.unwrap());
+    assert_eq!(iou, other);
+    // Moving both bounds is moving the box.
+    let moved = by_bounds[0].min + by_bounds[0].max;
+    assert!((moved - by_box[0].center).length() < 1e-15);
+}

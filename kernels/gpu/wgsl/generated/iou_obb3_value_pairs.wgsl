@@ -828,7 +828,7 @@ fn body(x: array<f32, 53>) -> array<f32, 1> {
     let v823 = v815 * v822;
     let v824 = min(v800, v823);
     let v825 = select(v824, v56, v777);
-    let v826 = select(v825, v405, v659);
+    let v826 = select(v825, v406, v659);
     let v827 = v56 < v826;
     let v828 = v614 & v827;
     let v829 = v658 & v827;
