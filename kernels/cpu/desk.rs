@@ -1,6 +1,6 @@
 //! Aligned items over plain numbers, block by block: the same code for every operation.
 use crate::kernels::cpu::lane::{Lane, Planes, Results, TILE, Tiles, planes, tiles, with_lanes};
-use crate::kernels::cpu::plan::{Face, Preparation, Room};
+use crate::kernels::cpu::plan::{Face, Preparation};
 use crate::kernels::cpu::work::spread;
 use crate::kernels::real::Real;
 use crate::kernels::row::{Column, Piece, STRETCH, Target};
@@ -97,7 +97,6 @@ impl<T: Real> Stretch<'_, T> {
                 lanes = rest;
             }
             let results = lanes;
-            let mut room = Room::new();
             for first in (0..count).step_by(ITEMS) {
                 let items = first..count.min(first + ITEMS);
                 let inputs: Vec<Tiles<'_, T>> = rooms
@@ -109,7 +108,7 @@ impl<T: Real> Stretch<'_, T> {
                     lanes: &mut *results,
                     tiles: tiles(items.len()),
                 };
-                face.maker.make(&mut room, &inputs, out.again());
+                face.maker.make(&inputs, out.again());
                 if self.rare {
                     self.mend(items.clone(), out);
                 }

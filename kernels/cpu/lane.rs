@@ -134,6 +134,8 @@ pub struct Stock<T> {
     desk: RefCell<Vec<Lane<T>>>,
     /// Lists that nobody has.
     lists: RefCell<Vec<Vec<Lane<T>>>>,
+    /// What was furnished, by the number of whose it is; the latest come last.
+    rooms: RefCell<Vec<(u64, Vec<Lane<T>>)>>,
 }
 
 impl<T> Stock<T> {
@@ -141,6 +143,7 @@ impl<T> Stock<T> {
         Stock {
             desk: RefCell::new(Vec::new()),
             lists: RefCell::new(Vec::new()),
+            rooms: RefCell::new(Vec::new()),
         }
     }
 }
@@ -178,7 +181,32 @@ pub(crate) fn with_lanes<T: Kept + Copy + Default, R>(
     })
 }
 
-/// So many lists a thread keeps, and none of more lanes: half a megabyte of single precision. What is filled in
+/// Lends the thread's room of a number. `furnish` is asked to make one unless it was kept since the last time.
+pub(crate) fn with_room<T: Kept, R>(
+    whose: u64,
+    furnish: impl FnOnce() -> Vec<Lane<T>>,
+    run: impl FnOnce(&mut [Lane<T>]) -> R,
+) -> R {
+    let kept = T::kept().with(|kept| {
+        let mut rooms = kept.rooms.borrow_mut();
+        let at = rooms.iter().position(|room| room.0 == whose);
+        at.map(|at| rooms.remove(at).1)
+    });
+    let mut room = kept.unwrap_or_else(furnish);
+    let result = run(&mut room);
+    if room.len() <= KEPT_LANES {
+        T::kept().with(|kept| {
+            let mut rooms = kept.rooms.borrow_mut();
+            if rooms.len() == KEPT_LISTS {
+                rooms.remove(0);
+            }
+            rooms.push((whose, room));
+        });
+    }
+    result
+}
+
+/// So many lists and rooms a thread keeps, and none of more lanes: half a megabyte of single precision. What is filled in
 /// longer ones takes longer than to make room for them.
 const KEPT_LISTS: usize = 8;
 const KEPT_LANES: usize = 1 << 13;

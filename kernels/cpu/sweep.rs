@@ -8,7 +8,7 @@ use crate::kernels::cpu::boxes::BOUNDS;
 use crate::kernels::cpu::lane::{
     BLOCK, Kept, Lane, Lent, PLANE, Planes, Results, TILE, Tiles, planes, tiles, with_lanes,
 };
-use crate::kernels::cpu::plan::{Face, List, Maker, Rare, Room};
+use crate::kernels::cpu::plan::{Face, List, Maker, Rare};
 use crate::kernels::cpu::tree::Tree;
 use crate::kernels::real::Real;
 use std::ops::Range;
@@ -313,7 +313,6 @@ struct Desk<'a, T: Kept> {
     /// Upstream slopes.
     seeds: &'a mut [Lane<T>],
     results: &'a mut [Lane<T>],
-    room: Room<T>,
     /// Numbers of one result.
     one: Vec<T>,
 }
@@ -342,7 +341,6 @@ impl<'a, T: Real> Desk<'a, T> {
             picked,
             seeds,
             results,
-            room: Room::new(),
             one: vec![T::default(); sweep.fields],
         }
     }
@@ -369,7 +367,7 @@ impl<'a, T: Real> Desk<'a, T> {
             lanes: self.results,
             tiles: tiles(count),
         };
-        self.sweep.maker.make(&mut self.room, &inputs[..used], out);
+        self.sweep.maker.make(&inputs[..used], out);
     }
     fn results(&self) -> Planes<'_, T> {
         Planes(self.results)
@@ -404,7 +402,7 @@ impl<'a, T: Real> Desk<'a, T> {
                 lanes: self.results,
                 tiles: group.tiles,
             };
-            self.sweep.maker.make(&mut self.room, &[own, picked], out);
+            self.sweep.maker.make(&[own, picked], out);
             // The first row of the next stretch is another one.
             self.row = usize::MAX;
         }

@@ -28,10 +28,10 @@ fn line<S: Scalar>(seed: u64, steps: usize, inputs: &[S]) -> [S; OUTPUTS] {
             _ => count - 1 - dice.below(count.min(6)),
         };
         let mut number = || numbers[recent(&mut dice, numbers.len())];
-        let (x, y, z) = (number(), number(), number());
+        let [x, y, z, w] = [(); 4].map(|()| number());
         let mut mask = || masks[recent(&mut dice, masks.len())];
         let (m, n) = (mask(), mask());
-        let made = match dice.below(46) {
+        let made = match dice.below(52) {
             0 => x * y + z * x,
             1..=4 => x + y,
             5 => x * y - z * y,
@@ -62,6 +62,22 @@ fn line<S: Scalar>(seed: u64, steps: usize, inputs: &[S]) -> [S; OUTPUTS] {
             35 => -x,
             36 => x.with_primal(y.primal()).damp(z.primal()),
             37..=40 => S::select(m, x, y),
+            41 => {
+                numbers.push(y * z - x * w);
+                x * z + w * y
+            }
+            42 => {
+                numbers.push(x + y);
+                x - y
+            }
+            43 => match dice.below(3) {
+                0 => w.most(z.least(x * y)),
+                1 => w.most(z.least(-x)),
+                _ => w.most(x * y + z),
+            },
+            44 => (x - y) * (z + w),
+            45 => (x - y) + (z - w),
+            46 => S::select(x.below(y), -z, w),
             _ => {
                 masks.push(match dice.below(10) {
                     0 => x.below(y),
@@ -166,10 +182,9 @@ fn computed<T: Real>(ready: &Ready, rows: &[Vec<T>], count: usize) -> Vec<T> {
         .enumerate()
         .map(|(k, rows)| ready.items(k, rows))
         .collect();
-    let mut room = Vec::new();
-    // Twice, since the room is kept.
-    let _ = ready.compute(&mut room, count, &items);
-    ready.compute(&mut room, count, &items)
+    // Twice, since its slots are kept.
+    let _ = ready.compute(count, &items);
+    ready.compute(count, &items)
 }
 
 /// Numbers of all kinds; of the first field the sign changes every 64 items.
@@ -266,9 +281,23 @@ fn random_lines<T: Real + Plain>() {
         "SinCos",
         "SkipIfAll",
         "SkipIfNone",
+        "Turn",
+        "SumSub",
+        "MaxFromMul",
+        "MaxFromNeg",
+        "MaxMulAdd",
+        "SubByAdd",
+        "SubAndSub",
+        "SelectNegLt",
+        "SelectMul",
+        "ElseMul",
+        "SelectAdd",
+        "MagnitudeMax",
+        "MaxMagnitude",
+        "AndNot",
     ] {
         assert!(
-            listings.contains(&format!("{name} [")),
+            listings.contains(&format!("\n{name} [")),
             "no {name} in any line"
         );
     }

@@ -1,5 +1,5 @@
 //! Operations with compiled kernels: which kernels, and the scalar code for what those do not serve.
-use super::face::{Face, Maker, Outline, Preparation, Prepare, Room, Want};
+use super::face::{Face, Maker, Outline, Preparation, Prepare, Want};
 use crate::ad::adjoint::iou::giou_framed_vjp;
 use crate::ad::adjoint::overlap::{score_aabb2_vjp, score_framed_vjp};
 use crate::ad::adjoint::overlap_quad::area_of_quads_vjp;
@@ -75,7 +75,7 @@ pub(super) fn outline<T: Real>(compiled: Compiled) -> Option<Outline<T>> {
 type ScoresOf<T> = fn(Denominator, Tiles<'_, T>, Tiles<'_, T>, Results<'_, T>);
 struct Scores<T>(Denominator, ScoresOf<T>);
 impl<T: Real> Maker<T> for Scores<T> {
-    fn make(&self, _: &mut Room<T>, inputs: &[Tiles<'_, T>], out: Results<'_, T>) {
+    fn make(&self, inputs: &[Tiles<'_, T>], out: Results<'_, T>) {
         (self.1)(self.0, inputs[0], inputs[1], out);
     }
 }
@@ -85,7 +85,7 @@ type SlopesOf<T> =
     fn(Denominator, Tiles<'_, T>, Tiles<'_, T>, Option<Tiles<'_, T>>, Results<'_, T>);
 struct Slopes<T>(Denominator, SlopesOf<T>);
 impl<T: Real> Maker<T> for Slopes<T> {
-    fn make(&self, _: &mut Room<T>, inputs: &[Tiles<'_, T>], out: Results<'_, T>) {
+    fn make(&self, inputs: &[Tiles<'_, T>], out: Results<'_, T>) {
         (self.1)(self.0, inputs[0], inputs[1], inputs.get(2).copied(), out);
     }
 }
@@ -160,7 +160,7 @@ fn obb2_bounds<T: Real>() -> Outline<T> {
 /// A kernel of two shapes of which there is one: generalised IoU, areas of quadrilaterals.
 struct Scored<T>(fn(Tiles<'_, T>, Tiles<'_, T>, Results<'_, T>));
 impl<T: Real> Maker<T> for Scored<T> {
-    fn make(&self, _: &mut Room<T>, inputs: &[Tiles<'_, T>], out: Results<'_, T>) {
+    fn make(&self, inputs: &[Tiles<'_, T>], out: Results<'_, T>) {
         (self.0)(inputs[0], inputs[1], out);
     }
 }
@@ -168,7 +168,7 @@ impl<T: Real> Maker<T> for Scored<T> {
 type SlopesOfOneOf<T> = fn(Tiles<'_, T>, Tiles<'_, T>, Option<Tiles<'_, T>>, Results<'_, T>);
 struct SlopesOfOne<T>(SlopesOfOneOf<T>);
 impl<T: Real> Maker<T> for SlopesOfOne<T> {
-    fn make(&self, _: &mut Room<T>, inputs: &[Tiles<'_, T>], out: Results<'_, T>) {
+    fn make(&self, inputs: &[Tiles<'_, T>], out: Results<'_, T>) {
         (self.0)(inputs[0], inputs[1], inputs.get(2).copied(), out);
     }
 }
@@ -224,7 +224,7 @@ fn of_quads<T: Real>(want: Want) -> Face<T> {
 /// Scores of upright boxes: of what is shared seen from above, then of heights.
 struct UprightScores(Denominator);
 impl<T: Real> Maker<T> for UprightScores {
-    fn make(&self, _: &mut Room<T>, inputs: &[Tiles<'_, T>], mut out: Results<'_, T>) {
+    fn make(&self, inputs: &[Tiles<'_, T>], mut out: Results<'_, T>) {
         let kernels = T::kernels();
         (kernels.obb2_scores)(Denominator::None, inputs[0], inputs[1], out.again());
         (kernels.upright_scores)(self.0, inputs[0], inputs[1], out);
@@ -234,7 +234,7 @@ impl<T: Real> Maker<T> for UprightScores {
 /// The same with slopes.
 struct UprightSlopes(Denominator);
 impl<T: Real> Maker<T> for UprightSlopes {
-    fn make(&self, _: &mut Room<T>, inputs: &[Tiles<'_, T>], mut out: Results<'_, T>) {
+    fn make(&self, inputs: &[Tiles<'_, T>], mut out: Results<'_, T>) {
         let kernels = T::kernels();
         (kernels.obb2_slopes)(Denominator::None, inputs[0], inputs[1], None, out.again());
         let seeds = inputs.get(2).copied();
@@ -266,7 +266,7 @@ fn of_upright<T: Real>(over: Denominator, want: Want) -> Face<T> {
 /// Scores of upright boxes seen from above, with their slopes.
 struct BirdsEyeSlopes(Denominator);
 impl<T: Real> Maker<T> for BirdsEyeSlopes {
-    fn make(&self, _: &mut Room<T>, inputs: &[Tiles<'_, T>], mut out: Results<'_, T>) {
+    fn make(&self, inputs: &[Tiles<'_, T>], mut out: Results<'_, T>) {
         let seeds = inputs.get(2).copied();
         (T::kernels().obb2_slopes)(self.0, inputs[0], inputs[1], seeds, out.again());
         upright::spread_slopes(&mut out);

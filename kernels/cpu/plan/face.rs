@@ -4,16 +4,13 @@ use crate::kernels::cpu::lane::{Lane, Results, Tiles};
 use crate::kernels::row::Leaf;
 use std::sync::Arc;
 
-/// Lanes that a maker may use as it likes, kept from block to block.
-pub type Room<T> = Vec<Lane<T>>;
-
 /// Something that computes blocks of items from one or more arguments.
 ///
 /// A compiled kernel is one; a recorded program will be another. It knows nothing of batches.
 pub trait Maker<T>: Send + Sync {
     /// Computes as many tiles of results as are asked for. Each input has at least as many tiles, or
     /// one that stands for all.
-    fn make(&self, room: &mut Room<T>, inputs: &[Tiles<'_, T>], out: Results<'_, T>);
+    fn make(&self, inputs: &[Tiles<'_, T>], out: Results<'_, T>);
 }
 
 /// Something that is made of each of many shapes, as tiles of numbers.

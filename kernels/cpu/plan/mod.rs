@@ -6,7 +6,7 @@ mod list;
 mod recorded;
 
 pub use compiled::Compiled;
-pub use face::{Face, Maker, Preparation, Rare, Room, Want};
+pub use face::{Face, Maker, Preparation, Rare, Want};
 pub use known::face_of;
 #[cfg(feature = "gpu")]
 pub use known::generated_of;

@@ -1,5 +1,5 @@
 //! Recorded programs, and functions that are computed item by item, as makers of blocks.
-use super::face::{Face, Maker, Preparation, Prepare, Room, Want};
+use super::face::{Face, Maker, Preparation, Prepare, Want};
 use crate::ad::program::graph::{Graph, Id};
 use crate::ad::program::recorded::Recorded;
 use crate::error::Error;
@@ -51,7 +51,7 @@ pub(crate) fn prepared<T: Real>(
     let made = Interpreted::new(&frame.graph, &[fields], &frame.outputs, false);
     let made = made.map_err(Error::Program)?;
     let prepare = move |shapes: Tiles<'_, T>, frames: &mut [Lane<T>]| {
-        made.prepare(&mut Room::new(), &[shapes], frames);
+        made.prepare(&[shapes], frames);
     };
     Ok((frame.outputs.len(), Arc::new(prepare)))
 }
@@ -77,7 +77,7 @@ fn item<T: Copy>(input: &Tiles<'_, T>, t: usize, i: usize, fields: usize, number
 }
 
 impl<T: Real> Maker<T> for Items<T> {
-    fn make(&self, _: &mut Room<T>, inputs: &[Tiles<'_, T>], mut out: Results<'_, T>) {
+    fn make(&self, inputs: &[Tiles<'_, T>], mut out: Results<'_, T>) {
         let (shapes, cotangents) = inputs.split_at(self.arguments.len());
         let (mut numbers, mut seed) = (Vec::with_capacity(self.taken), Vec::new());
         let mut one = vec![T::default(); self.made];

@@ -119,24 +119,42 @@ fn four<T: Real, V: Vector<T>>(memory: Memory<'_, T>, code: Code, f: impl Fn(V, 
     }
 }
 
-/// Several results of one operand.
+/// Several results of some operands.
 #[inline(always)]
-fn several<T: Real, V: Vector<T>, const N: usize>(
+fn several<T: Real, V: Vector<T>, const A: usize, const N: usize>(
     memory: Memory<'_, T>,
     code: Code,
-    f: impl Fn(V) -> [V; N],
+    f: impl Fn([V; A]) -> [V; N],
 ) {
     let lanes = |slot: u16| memory.slot(slot).as_flattened();
-    let (from, mut to) = (lanes(code.from[0]), [lanes(code.to[0]); N]);
-    for (k, lane) in to.iter_mut().enumerate() {
-        *lane = lanes(code.to[k]);
+    let (mut from, mut to) = ([lanes(code.from[0]); A], [lanes(code.to[0]); N]);
+    let mut k = 1;
+    while k < A {
+        from[k] = lanes(code.from[k]);
+        k += 1;
     }
-    for (t, from) in from.iter().enumerate() {
-        let from = from.get();
+    k = 1;
+    while k < N {
+        to[k] = lanes(code.to[k]);
+        k += 1;
+    }
+    for t in 0..memory.width {
+        let mut operands = [Lane::default(); A];
+        let mut k = 0;
+        while k < A {
+            operands[k] = from[k][t].get();
+            k += 1;
+        }
         let mut out = [Lane::default(); N];
         let mut at = 0;
         while at < TILE {
-            let results = f(V::read(&from, at));
+            let mut x = [V::zero(); A];
+            let mut k = 0;
+            while k < A {
+                x[k] = V::read(&operands[k], at);
+                k += 1;
+            }
+            let results = f(x);
             let mut k = 0;
             while k < N {
                 results[k].write(&mut out[k], at);
@@ -146,9 +164,7 @@ fn several<T: Real, V: Vector<T>, const N: usize>(
         }
         let mut k = 0;
         while k < N {
-            if let Some(to) = to[k].get(t) {
-                to.set(out[k]);
-            }
+            to[k][t].set(out[k]);
             k += 1;
         }
     }
@@ -277,16 +293,22 @@ fn run<T: Real, V: Vector<T>>(code: &[Code], memory: Memory<'_, T>) {
                         |$x: V $(, $more: V)*| $value); $x $(, $more)*),)*
                     Op::Parts => several(memory, code,
                         #[inline(always)]
-                        |x: V| {
+                        |[x]: [V; 1]| {
                             let [(a, b), (c, d)] = x.sin_cos_parts();
                             [a, b, c, d]
                         }),
                     Op::SinCos => several(memory, code,
                         #[inline(always)]
-                        |x: V| {
+                        |[x]: [V; 1]| {
                             let (sin, cos) = x.sin_cos();
                             [sin, cos]
                         }),
+                    Op::Turn => several(memory, code,
+                        #[inline(always)]
+                        |[x, y, z, w]: [V; 4]| [x * z + y * w, y * z - x * w]),
+                    Op::SumSub => several(memory, code,
+                        #[inline(always)]
+                        |[x, y]: [V; 2]| [x + y, x - y]),
                     Op::SkipIfAll | Op::SkipIfNone => {
                         if is::<T, V>(memory, code.from[0], code.op == Op::SkipIfAll) {
                             next += code.to[0] as usize;

@@ -3,7 +3,7 @@ use crate::Unrecordable;
 use crate::ad::program::Program;
 use crate::ad::program::recorded::Recorded;
 use crate::kernels::cpu::lane::{BLOCK, Lane, Planes, Results, TILE, Tiles, planes, tiles};
-use crate::kernels::cpu::plan::{Maker, Room};
+use crate::kernels::cpu::plan::Maker;
 use crate::kernels::cpu::program::Interpreted;
 use crate::kernels::cpu::program::split::{Piece, split};
 use crate::kernels::real::Real;
@@ -118,7 +118,7 @@ impl Ready {
             return Items { lanes, fields };
         };
         let mut made = vec![Lane::default(); count * width];
-        frame.prepare(&mut Room::new(), &[Tiles::new(&lanes, fields)], &mut made);
+        frame.prepare(&[Tiles::new(&lanes, fields)], &mut made);
         Items {
             lanes: made,
             fields: *width,
@@ -126,33 +126,27 @@ impl Ready {
     }
     /// Results of so many items, number by number in rows; an argument of one tile stands for all.
     #[must_use]
-    pub fn compute<T: Real>(&self, room: &mut Room<T>, count: usize, items: &[Items<T>]) -> Vec<T> {
+    pub fn compute<T: Real>(&self, count: usize, items: &[Items<T>]) -> Vec<T> {
         let mut rows = vec![T::default(); count * self.results];
         let mut lanes = vec![Lane::default(); planes(self.results)];
         for (block, rows) in rows.chunks_mut(BLOCK * TILE * self.results).enumerate() {
             let from = |items| Items::from(items, block * BLOCK);
             let inputs: Vec<Tiles<'_, T>> = items.iter().map(from).collect();
-            self.make(room, &inputs, &mut lanes, tiles(rows.len() / self.results));
+            self.make(&inputs, &mut lanes, tiles(rows.len() / self.results));
             (T::kernels().take)(Planes(&lanes), self.results, rows, self.results);
         }
         rows
     }
     /// Computes items over and over, for measuring.
-    pub fn repeat<T: Real>(&self, room: &mut Room<T>, items: &[Items<T>], times: usize) {
+    pub fn repeat<T: Real>(&self, items: &[Items<T>], times: usize) {
         let mut lanes = vec![Lane::default(); planes(self.results)];
         let inputs: Vec<Tiles<'_, T>> = items.iter().map(|x| Items::from(x, 0)).collect();
         for _ in 0..times {
-            self.make(room, &inputs, &mut lanes, BLOCK);
+            self.make(&inputs, &mut lanes, BLOCK);
         }
     }
-    fn make<T: Real>(
-        &self,
-        room: &mut Room<T>,
-        inputs: &[Tiles<'_, T>],
-        lanes: &mut [Lane<T>],
-        tiles: usize,
-    ) {
-        self.body.make(room, inputs, Results { lanes, tiles });
+    fn make<T: Real>(&self, inputs: &[Tiles<'_, T>], lanes: &mut [Lane<T>], tiles: usize) {
+        self.body.make(inputs, Results { lanes, tiles });
     }
 }
 

@@ -1,6 +1,7 @@
 //! Which nodes an instruction computes: a node with those of its operands that nobody else needs.
 use crate::ad::program::graph::{Graph, Id, Node};
 use crate::kernels::cpu::program::instructions::Op;
+use std::collections::HashMap;
 
 /// What an instruction costs beside its operands, in units of an operand.
 const CHOICE: u32 = 3;
@@ -83,6 +84,9 @@ fn candidates(node: Node, of: impl Fn(Id) -> Option<Node>, found: &mut Vec<Step>
             if let (Some(N::Mul(x, y)), Some(N::Mul(z, w)), true) = (of(a), of(b), a != b) {
                 add(Op::Dot, &[x, y, z, w], &[a, b]);
             }
+            if let (Some(N::Sub(x, y)), Some(N::Sub(z, w)), true) = (of(a), of(b), a != b) {
+                add(Op::SubAndSub, &[x, y, z, w], &[a, b]);
+            }
             for (x, z) in [(a, b), (b, a)] {
                 match of(x) {
                     Some(N::Mul(p, q)) => add(Op::MulAdd, &[p, q, z], &[x]),
@@ -115,7 +119,12 @@ fn candidates(node: Node, of: impl Fn(Id) -> Option<Node>, found: &mut Vec<Step>
                 match of(x) {
                     Some(N::Mul(p, q)) => add(Op::MulMul, &[p, q, z], &[x]),
                     Some(N::Add(p, q)) => add(Op::AddMul, &[p, q, z], &[x]),
-                    Some(N::Sub(p, q)) => add(Op::SubMul, &[p, q, z], &[x]),
+                    Some(N::Sub(p, q)) => {
+                        add(Op::SubMul, &[p, q, z], &[x]);
+                        if let Some(N::Add(r, s)) = of(z) {
+                            add(Op::SubByAdd, &[p, q, r, s], &[x, z]);
+                        }
+                    }
                     _ => {}
                 }
             }
@@ -132,8 +141,23 @@ fn candidates(node: Node, of: impl Fn(Id) -> Option<Node>, found: &mut Vec<Step>
             if let Some(N::Min(p, q)) = of(a) {
                 add(Op::MinMax, &[p, q, b], &[a]);
             }
-            if let Some(N::Min(p, q)) = of(b) {
-                add(Op::MaxFrom, &[p, q, a], &[b]);
+            match of(b) {
+                Some(N::Min(p, q)) => {
+                    add(Op::MaxFrom, &[p, q, a], &[b]);
+                    match of(q) {
+                        Some(N::Mul(r, s)) => add(Op::MaxFromMul, &[r, s, p, a], &[b, q]),
+                        Some(N::Neg(r)) => add(Op::MaxFromNeg, &[r, p, a], &[b, q]),
+                        _ => {}
+                    }
+                }
+                Some(N::Add(p, q)) => {
+                    for (product, rest) in [(p, q), (q, p)] {
+                        if let Some(N::Mul(r, s)) = of(product) {
+                            add(Op::MaxMulAdd, &[r, s, rest, a], &[b, product]);
+                        }
+                    }
+                }
+                _ => {}
             }
             if let Some(N::Magnitude(x) | N::Unsigned(x)) = of(a) {
                 add(Op::MagnitudeMax, &[x, b], &[a]);
@@ -151,6 +175,9 @@ fn candidates(node: Node, of: impl Fn(Id) -> Option<Node>, found: &mut Vec<Step>
             }
             if let Some(N::Mul(p, q)) = of(y) {
                 add(Op::ElseMul, &[m, x, p, q], &[y]);
+            }
+            if let (Some(N::Lt(p, q)), Some(N::Neg(r))) = (of(m), of(x)) {
+                add(Op::SelectNegLt, &[p, q, r, y], &[m, x]);
             }
             match of(m) {
                 Some(N::Lt(p, q)) => add(Op::SelectLt, &[p, q, x, y], &[m]),
@@ -179,6 +206,108 @@ fn candidates(node: Node, of: impl Fn(Id) -> Option<Node>, found: &mut Vec<Step>
         }
         _ => {}
     }
+}
+
+/// Nodes that one instruction computes together, from the same operands.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Group {
+    pub(crate) op: Op,
+    from: [Id; 4],
+    count: usize,
+    results: [Option<Id>; 4],
+    made: usize,
+}
+
+impl Group {
+    /// The operands.
+    pub(crate) fn operands(&self) -> &[Id] {
+        &self.from[..self.count]
+    }
+    /// The nodes, in the order of the instruction's results; `None` for a result that nobody needs.
+    pub(crate) fn results(&self) -> &[Option<Id>] {
+        &self.results[..self.made]
+    }
+}
+
+/// Groups of nodes, by node: all sines of an angle, and pairs of instructions on the same operands. Pairs agree
+/// in what `apart` says of them.
+pub(crate) fn groups(
+    graph: &Graph,
+    live: &[bool],
+    steps: &[Option<Step>],
+    apart: impl Fn(Id) -> bool,
+) -> HashMap<Id, Group> {
+    let live = || (0..graph.len() as Id).filter(|&x| live[x as usize]);
+    let mut groups = HashMap::new();
+    let mut sines: HashMap<(Id, bool), Group> = HashMap::new();
+    for x in live() {
+        let Some((angle, parts, k)) = sine_of(graph.at(x)) else {
+            continue;
+        };
+        let group = sines.entry((angle, parts)).or_insert(Group {
+            op: if parts { Op::Parts } else { Op::SinCos },
+            from: [angle, 0, 0, 0],
+            count: 1,
+            results: [None; 4],
+            made: if parts { 4 } else { 2 },
+        });
+        group.results[k] = Some(x);
+    }
+    for group in sines.into_values() {
+        let nodes = group.results.into_iter().flatten();
+        groups.extend(nodes.map(|x| (x, group)));
+    }
+    let steps = || live().filter_map(|x| Some((x, steps[x as usize].as_ref()?)));
+    // Sums by their operands, whatever the order.
+    let mut sums: HashMap<[Id; 4], (Id, &Step)> = HashMap::new();
+    for (x, step) in steps().filter(|(_, step)| matches!(step.op, Op::Add | Op::Dot)) {
+        sums.entry(sorted(step)).or_insert((x, step));
+    }
+    for (x, step) in steps() {
+        let Some(&(sum, of)) = sums.get(&sorted(step)) else {
+            continue;
+        };
+        let found = match (step.op, of.op) {
+            (Op::Sub, Op::Add) => Some((Op::SumSub, step.from)),
+            (Op::Cross, Op::Dot) => turn(step.from, of.from).map(|from| (Op::Turn, from)),
+            _ => None,
+        };
+        let Some((op, from)) = found else { continue };
+        if apart(x) == apart(sum) && !groups.contains_key(&sum) {
+            let group = Group {
+                op,
+                from,
+                count: step.count,
+                results: [Some(sum), Some(x), None, None],
+                made: 2,
+            };
+            groups.extend([(sum, group), (x, group)]);
+        }
+    }
+    groups
+}
+
+/// The operands of [`Op::Turn`] whose results are a difference of products and a sum of two of the other
+/// products.
+fn turn([a, b, c, d]: [Id; 4], [p, q, r, s]: [Id; 4]) -> Option<[Id; 4]> {
+    let are = |x: [Id; 2], [y, z]: [Id; 2]| x == [y, z] || x == [z, y];
+    let both = |x, y| are([p, q], x) && are([r, s], y) || are([p, q], y) && are([r, s], x);
+    if both([b, c], [a, d]) {
+        Some([c, a, b, d])
+    } else if both([a, c], [b, d]) {
+        Some([d, a, b, c])
+    } else {
+        None
+    }
+}
+
+/// The operands of an instruction in order.
+fn sorted(step: &Step) -> [Id; 4] {
+    // What is none comes last.
+    let mut from = [Id::MAX; 4];
+    from[..step.count].copy_from_slice(step.operands());
+    from.sort_unstable();
+    from
 }
 
 /// The angle, and whether it is its parts that are asked for, and which result.

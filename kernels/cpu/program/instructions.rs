@@ -2,7 +2,8 @@
 //!
 //! Besides one instruction per node there are instructions for two nodes, or three, of which the inner
 //! ones have no other use: a number that never goes to memory saves a store, a load and the choice of
-//! an instruction. Each node of them rounds as it does alone.
+//! an instruction. Each node of them rounds as it does alone. For the same reason some have two results of the
+//! same operands.
 
 /// Hands every instruction of one result to a macro: its name, its operands and its value, of vectors.
 ///
@@ -64,7 +65,13 @@ macro_rules! instructions {
         MinMax(x, y, z) = x.least(y).most(z);
         MinFrom(x, y, z) = z.least(x.most(y));
         MaxFrom(x, y, z) = z.most(x.least(y));
-        // (x y) . (z w).
+        // Adjoints by hand of areas are full of these.
+        MaxFromMul(x, y, z, w) = w.most(z.least(x * y));
+        MaxFromNeg(x, y, z) = z.most(y.least(-x));
+        MaxMulAdd(x, y, z, w) = w.most(x * y + z);
+        // (x . y) . (z . w).
+        SubByAdd(x, y, z, w) = (x - y) * (z + w);
+        SubAndSub(x, y, z, w) = (x - y) + (z - w);
         Dot(x, y, z, w) = x * y + z * w;
         Cross(x, y, z, w) = x * y - z * w;
 
@@ -76,6 +83,7 @@ macro_rules! instructions {
         MaxMagnitude(x, y) = x.most(y.magnitude());
         AndNot(m, n) = V::word(m.truth() & !n.truth());
         SelectLt(x, y, z, w) = V::select(x.below(y), z, w);
+        SelectNegLt(x, y, z, w) = V::select(x.below(y), -z, w);
         SelectLe(x, y, z, w) = V::select(x.at_most(y), z, w);
         SelectEq(x, y, z, w) = V::select(x.equals(y), z, w);
         LtAnd(x, y, m) = V::word(x.below(y) & m.truth());
@@ -102,6 +110,10 @@ macro_rules! names {
             Parts,
             /// The sine and the cosine of `from[0]`.
             SinCos,
+            /// `x z + y w` and `y z - x w` of `from`: a vector in a turned frame, sums of angles.
+            Turn,
+            /// The sum and the difference of `from[0]` and `from[1]`.
+            SumSub,
             /// Leaves out the next `to[0]` instructions if the truth `from[0]` holds for every item.
             SkipIfAll,
             /// The same if it holds for none.
@@ -116,7 +128,7 @@ instructions! { names!() }
 pub(crate) struct Code {
     /// What it does.
     pub(crate) op: Op,
-    /// Slots of results; all but sines have one.
+    /// Slots of results; most instructions have one.
     pub(crate) to: [u16; 4],
     /// Slots of operands.
     pub(crate) from: [u16; 4],

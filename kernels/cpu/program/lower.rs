@@ -1,7 +1,7 @@
 //! From a graph to a tape: instructions in order, operands and results in slots.
 use crate::Unrecordable;
 use crate::ad::program::graph::{Graph, Id, Node};
-use crate::kernels::cpu::program::fuse::{Step, cover, sine_of, uses};
+use crate::kernels::cpu::program::fuse::{Group, Step, cover, groups, uses};
 use crate::kernels::cpu::program::instructions::{Code, Op};
 use crate::kernels::cpu::program::skip;
 use crate::kernels::cpu::program::slots::Slots;
@@ -32,8 +32,8 @@ enum Place {
 struct Lowering<'a> {
     graph: &'a Graph,
     steps: Vec<Option<Step>>,
-    /// Sines of an angle: the nodes of all parts that are needed.
-    sines: HashMap<(Id, bool), Vec<Id>>,
+    /// Of each node those that are computed together with it.
+    groups: HashMap<Id, Group>,
     /// How many slots each node takes to be computed, were everything needed once (Sethi and Ullman).
     room: Vec<u32>,
     /// Nodes in the order of their instructions.
@@ -44,11 +44,15 @@ struct Lowering<'a> {
 impl Lowering<'_> {
     /// What has to be there before a node.
     fn operands(&self, x: Id) -> Vec<Id> {
-        match (&self.steps[x as usize], sine_of(self.graph.at(x))) {
-            (Some(step), _) => step.operands().to_vec(),
-            (None, Some((angle, ..))) => vec![angle],
+        match (self.groups.get(&x), &self.steps[x as usize]) {
+            (Some(group), _) => group.operands().to_vec(),
+            (None, Some(step)) => step.operands().to_vec(),
             (None, None) => Vec::new(),
         }
+    }
+    /// Whether an instruction gives a node.
+    fn is_computed(&self, x: Id) -> bool {
+        self.steps[x as usize].is_some() || self.groups.contains_key(&x)
     }
     /// Puts a node in order after all that it needs, but for what `idle` says.
     fn visit(&mut self, root: Id, idle: &[bool]) {
@@ -66,16 +70,14 @@ impl Lowering<'_> {
                 continue;
             }
             self.done[x as usize] = true;
-            match sine_of(self.graph.at(x)) {
-                // All sines of an angle come together, at the first one.
-                Some((angle, parts, _)) => {
-                    for &y in &self.sines[&(angle, parts)] {
-                        self.done[y as usize] = true;
-                    }
-                    self.order.push(x);
+            // A group comes at the first of its nodes.
+            if let Some(group) = self.groups.get(&x) {
+                for &y in group.results().iter().flatten() {
+                    self.done[y as usize] = true;
                 }
-                None if self.steps[x as usize].is_some() => self.order.push(x),
-                None => {}
+            }
+            if self.is_computed(x) {
+                self.order.push(x);
             }
         }
     }
@@ -102,16 +104,12 @@ impl Tape {
         let mut needed = outputs.to_vec();
         needed.extend(skip.as_ref().map(|skip| skip.mask));
         let uses = uses(graph, &live, &needed);
-        let mut sines: HashMap<(Id, bool), Vec<Id>> = HashMap::new();
-        for x in (0..graph.len() as Id).filter(|&x| live[x as usize]) {
-            if let Some((angle, parts, _)) = sine_of(graph.at(x)) {
-                sines.entry((angle, parts)).or_default().push(x);
-            }
-        }
+        let steps = cover(graph, &uses);
+        let apart = |x: Id| skip.as_ref().is_some_and(|skip| skip.idle[x as usize]);
         let mut lowering = Lowering {
             graph,
-            steps: cover(graph, &uses),
-            sines,
+            groups: groups(graph, &live, &steps, apart),
+            steps,
             room: Vec::new(),
             order: Vec::new(),
             done: vec![false; graph.len()],
@@ -129,9 +127,7 @@ impl Tape {
             lowering.visit(skip.mask, &nothing);
             let idle = (0..graph.len() as Id).filter(|&x| skip.idle[x as usize]);
             // Those inside other instructions are left to them.
-            let idle: Vec<Id> = idle
-                .filter(|&x| lowering.steps[x as usize].is_some() || sine_of(graph.at(x)).is_some())
-                .collect();
+            let idle: Vec<Id> = idle.filter(|&x| lowering.is_computed(x)).collect();
             for &x in &idle {
                 for y in lowering.operands(x) {
                     lowering.visit(y, &skip.idle);
@@ -227,21 +223,22 @@ fn assign(
             slots.read(y);
         }
         let mut to = [zero; 4];
-        let op = match (&lowering.steps[x as usize], sine_of(graph.at(x))) {
-            (Some(step), _) => {
+        let op = match (lowering.groups.get(&x), &lowering.steps[x as usize]) {
+            (Some(group), _) => {
+                for (to, result) in to.iter_mut().zip(group.results()) {
+                    *to = Place::Slot(match result {
+                        &Some(y) => slots.take(y),
+                        None => *waste.get_or_insert_with(|| slots.any()),
+                    });
+                }
+                group.op
+            }
+            (None, Some(step)) => {
                 to[0] = Place::Slot(slots.take(x));
                 step.op
             }
-            (None, sine) => {
-                let (angle, parts, _) = sine.unwrap_or_default();
-                let waste = *waste.get_or_insert_with(|| slots.any());
-                to = [Place::Slot(waste); 4];
-                for &y in &lowering.sines[&(angle, parts)] {
-                    let (_, _, k) = sine_of(graph.at(y)).unwrap_or_default();
-                    to[k] = Place::Slot(slots.take(y));
-                }
-                if parts { Op::Parts } else { Op::SinCos }
-            }
+            // Nothing else is in order.
+            (None, None) => continue,
         };
         code.push((op, to, from));
     }

@@ -15,8 +15,8 @@ pub(crate) mod split;
 
 use crate::Unrecordable;
 use crate::ad::program::graph::{Graph, Id, Node};
-use crate::kernels::cpu::lane::{Lane, PLANE, Results, Tiles};
-use crate::kernels::cpu::plan::{Maker, Room};
+use crate::kernels::cpu::lane::{Lane, PLANE, Results, Tiles, with_room};
+use crate::kernels::cpu::plan::Maker;
 use crate::kernels::real::Real;
 use execute::STRIP;
 pub(crate) use execute::{Pass, interpret};
@@ -28,9 +28,6 @@ use std::sync::atomic::{AtomicU64, Ordering};
 /// innermost cache.
 const SLOT: usize = 1 << 10;
 
-/// Numbers that tell whose a room is.
-const STAMP: usize = 4;
-
 /// A program that computes blocks of items.
 #[derive(Debug)]
 pub(crate) struct Interpreted {
@@ -38,7 +35,7 @@ pub(crate) struct Interpreted {
     /// Numbers of each argument.
     fields: Vec<usize>,
     /// Unlike that of any other.
-    stamp: [u16; STAMP],
+    number: u64,
     /// Where tests want another number of lanes.
     width: Option<usize>,
 }
@@ -57,7 +54,6 @@ impl Interpreted {
         skipping: bool,
     ) -> Result<Self, Unrecordable> {
         static NEXT: AtomicU64 = AtomicU64::new(1);
-        let stamp = NEXT.fetch_add(1, Ordering::Relaxed);
         // Zeros lose their signs on their way out.
         let plain = |&x: &Id| match graph.at(x) {
             Node::Canonical(x) => x,
@@ -67,7 +63,7 @@ impl Interpreted {
         Ok(Interpreted {
             tape: Tape::new(graph, fields.iter().sum(), &outputs, skipping)?,
             fields: fields.to_vec(),
-            stamp: [0, 16, 32, 48].map(|shift| (stamp >> shift) as u16),
+            number: NEXT.fetch_add(1, Ordering::Relaxed),
             width: None,
         })
     }
@@ -88,26 +84,18 @@ impl Interpreted {
     fn width<T>(&self) -> usize {
         self.width.unwrap_or(SLOT / size_of::<Lane<T>>())
     }
-    /// A room's lanes, with the constants in their slots.
-    fn furnish<'a, T: Real>(&self, room: &'a mut Room<T>, width: usize) -> &'a mut [Lane<T>] {
-        let stamp = self.stamp.map(|part| T::lit(f64::from(part)));
-        let lanes = self.tape.slots * width;
-        let known = |room: &Room<T>| room.len() == lanes + 1 && room[lanes].0[..STAMP] == stamp;
-        if !known(room) {
-            room.clear();
-            room.resize(lanes + 1, Lane::default());
-            room[lanes].0[..STAMP].copy_from_slice(&stamp);
-            for &(slot, constant) in &self.tape.constants {
-                let from = slot as usize * width;
-                room[from..from + width].fill(Lane([T::lit(constant); _]));
-            }
+    /// Slots of so many lanes, with the constants in theirs.
+    fn furnished<T: Real>(&self, width: usize) -> Vec<Lane<T>> {
+        let mut lanes = vec![Lane::default(); self.tape.slots * width];
+        for &(slot, constant) in &self.tape.constants {
+            let from = slot as usize * width;
+            lanes[from..from + width].fill(Lane([T::lit(constant); _]));
         }
-        &mut room[..lanes]
+        lanes
     }
     /// Computes so many tiles of results. Number `k` of tile `t` goes to `out[t * steps[0] + k * steps[1]]`.
     fn compute<T: Real>(
         &self,
-        room: &mut Room<T>,
         inputs: &[Tiles<'_, T>],
         tiles: usize,
         out: &mut [Lane<T>],
@@ -115,37 +103,35 @@ impl Interpreted {
         canonical: bool,
     ) {
         let width = self.width::<T>();
-        let lanes = Cell::from_mut(self.furnish(room, width)).as_slice_of_cells();
-        for first in (0..tiles).step_by(width) {
-            let pass = Pass {
-                lanes,
-                stride: width,
-                inputs,
-                fields: &self.fields,
-                steps,
-                canonical,
-                first,
-                tiles: width.min(tiles - first),
-            };
-            (T::kernels().interpret)(&self.tape, pass, out);
-        }
+        let furnish = || self.furnished(width);
+        with_room(self.number, furnish, |lanes| {
+            let lanes = Cell::from_mut(lanes).as_slice_of_cells();
+            for first in (0..tiles).step_by(width) {
+                let pass = Pass {
+                    lanes,
+                    stride: width,
+                    inputs,
+                    fields: &self.fields,
+                    steps,
+                    canonical,
+                    first,
+                    tiles: width.min(tiles - first),
+                };
+                (T::kernels().interpret)(&self.tape, pass, out);
+            }
+        });
     }
     /// Computes as many tiles as there is room for, one after another, each number by number: what is prepared
     /// once for every shape of a list. Zeros may keep their signs.
-    pub(crate) fn prepare<T: Real>(
-        &self,
-        room: &mut Room<T>,
-        inputs: &[Tiles<'_, T>],
-        out: &mut [Lane<T>],
-    ) {
+    pub(crate) fn prepare<T: Real>(&self, inputs: &[Tiles<'_, T>], out: &mut [Lane<T>]) {
         let numbers = self.tape.outputs.len();
         let tiles = out.len() / numbers.max(1);
-        self.compute(room, inputs, tiles, out, [numbers, 1], false);
+        self.compute(inputs, tiles, out, [numbers, 1], false);
     }
 }
 
 impl<T: Real> Maker<T> for Interpreted {
-    fn make(&self, room: &mut Room<T>, inputs: &[Tiles<'_, T>], out: Results<'_, T>) {
-        self.compute(room, inputs, out.tiles, out.lanes, [1, PLANE], true);
+    fn make(&self, inputs: &[Tiles<'_, T>], out: Results<'_, T>) {
+        self.compute(inputs, out.tiles, out.lanes, [1, PLANE], true);
     }
 }
