@@ -6,12 +6,11 @@
 //! ∂I = 1/U + I/U² − 1/C        ∂A = ∂B = 1/C − I/U²        ∂C = −U/C²
 //! ```
 //!
-//! The intersection's slopes are those of [`ad::adjoint::clip`](crate::ad::adjoint::clip). The hull's area is half a sum of
-//! cross products of corners with constant weights (see [`iou`](crate::iou)), so with `t` the weight of a
-//! gap between a corner `A` of a and `B` of b, `Ā += t (B_y, −B_x)` and `B̄ += t (−A_y, A_x)`. With `B` seen from
-//! b's centre `c`, all of `c` is in one product `c × X` with a sum X of corners, whose slope by `c` is
-//! `(X_y, −X_x)` and by X `(−c_y, c_x)`. From the corners slopes go to the boxes: the sum of `B × B̄` is the turn's,
-//! and the halves of the sizes take the parts along their axes.
+//! The intersection's slopes are those of [`ad::adjoint::clip`](crate::ad::adjoint::clip). The hull's area is a
+//! polynomial with constant weights (see [`iou`](crate::iou)): by the centre of b it has the slopes `(Y, −X)`, by
+//! half the size of a what stands beside x and y, by each number of b's arms what stands beside that. The arms are
+//! half the size of b times cosine and sine of its turn, which takes `p_x` to `−p_y`, `p_y` to `p_x`, and the
+//! magnitudes of `q_x` and `q_y` to `q_y` and `−q_x`.
 use crate::ad::adjoint::clip::{Slopes, clipped_area_slopes};
 use crate::ad::adjoint::overlap::tamed;
 use crate::clip::{
@@ -23,16 +22,6 @@ use crate::{Obb2, Scalar, Vec2};
 
 // Functions, not closures: those do not inherit instruction sets.
 
-/// A vector turned by a quarter clockwise.
-#[inline(always)]
-fn left<S: Scalar>(v: Vec2<S>) -> Vec2<S> {
-    Vec2::new(v.y, -v.x)
-}
-/// The same counter-clockwise.
-#[inline(always)]
-fn right<S: Scalar>(v: Vec2<S>) -> Vec2<S> {
-    Vec2::new(-v.y, v.x)
-}
 /// One over a number that is not empty, else zero.
 #[inline(always)]
 fn per<S: Scalar>(x: S) -> S {
@@ -121,50 +110,34 @@ fn finished<S: Scalar, const EXTREME: bool>(
 #[must_use]
 #[inline(always)]
 pub fn hull_slopes<S: Scalar>(pair: &Relative<S>, hull: &HullOfBoxes<S>) -> Slopes<S> {
-    let one = S::one();
-    let (a, b) = (&hull.corners_a, &hull.corners_b);
-    let (to_center, from_center) = (right(hull.center), left(hull.center));
-    let (mut a_bar, mut b_bar) = ([Vec2::zero(); 4], [Vec2::zero(); 4]);
-    let (mut sides_a, mut sides_b) = (S::zero(), S::zero());
-    let mut k = 0;
-    while k < 4 {
-        let (before, next) = ((k + 3) % 4, (k + 1) % 4);
-        let (at_a, at_b, at_next) = (hull.by_a[k], hull.by_b[k], hull.by_a[next]);
-        sides_a += at_a;
-        sides_b += one - at_b;
-        let (early, late) = (at_a - at_b, at_b - at_next);
-        a_bar[k] += from_center * (at_a - at_next) + (left(b[before]) * early + left(b[k]) * late);
-        b_bar[before] += right(a[k]) * early;
-        b_bar[k] += to_center * (hull.by_b[next] - at_b) + right(a[k]) * late;
-        k += 1;
-    }
-    let (cos, sin) = (hull.turn.x, hull.turn.y);
-    let signs = [(one, one), (-one, one), (-one, -one), (one, -one)];
-    let (mut half_a, mut half_b) = (
-        Vec2::new(hull.half_a.y, hull.half_a.x) * (sides_a + sides_a),
-        Vec2::new(hull.half_b.y, hull.half_b.x) * (sides_b + sides_b),
+    let (a, b, c, turn) = (hull.half_a, hull.half_b, hull.center, hull.turn);
+    let ([px, py, qx, qy], gaps) = (hull.arms, hull.gaps);
+    let (across, beside) = (hull.across(), hull.beside());
+    // By each number of the arms.
+    let p = Vec2::new(
+        a.y * gaps[3] - c.y * hull.lean_b.y,
+        c.x * hull.lean_b.y - a.x * gaps[2],
     );
-    let (center, mut heading) = (left(hull.across()), S::zero());
-    k = 0;
-    while k < 4 {
-        let (x, y) = signs[k];
-        let bar = b_bar[k];
-        half_a += Vec2::new(a_bar[k].x * x, a_bar[k].y * y);
-        half_b += Vec2::new(
-            (bar.x * cos + bar.y * sin) * x,
-            (bar.y * cos - bar.x * sin) * y,
-        );
-        heading += b[k].perp_dot(bar);
-        k += 1;
-    }
+    let q = Vec2::new(
+        -(a.y * gaps[0] + c.y * hull.lean_b.x),
+        a.x * gaps[1] - c.x * hull.lean_b.x,
+    );
+    let half_b = Vec2::new(
+        b.y * hull.sides[1] + (turn.x * p.x + turn.y * p.y),
+        b.x * hull.sides[1] + (turn.y * q.x + turn.x * q.y),
+    );
+    let heading = (px * p.y - py * p.x) + (qy * q.x - qx * q.y);
     Slopes {
-        u: center.x.halved(),
-        v: S::select(hull.mirrored, -center.y, center.y).halved(),
-        heading: S::select(hull.mirrored, -heading, heading).halved(),
-        half_a: Vec2::new(half_a.x.halved(), half_a.y.halved()),
+        u: across.y,
+        v: S::select(hull.mirrored, across.x, -across.x),
+        heading: S::select(hull.mirrored, -heading, heading),
+        half_a: Vec2::new(
+            (a.y * hull.sides[0] + beside.x) - c.y * hull.lean_a.y,
+            (a.x * hull.sides[0] + beside.y) - c.x * hull.lean_a.x,
+        ),
         half_b: Vec2::new(
-            S::select(pair.swapped, half_b.y, half_b.x).halved(),
-            S::select(pair.swapped, half_b.x, half_b.y).halved(),
+            S::select(pair.swapped, half_b.y, half_b.x),
+            S::select(pair.swapped, half_b.x, half_b.y),
         ),
     }
 }

@@ -14,13 +14,25 @@
 //! with `w` before and `w′` behind the gap. That is eight comparisons; nothing is sorted or searched. At a
 //! tie both choices give the same area, so the sum is continuous; its slope there is the mean.
 //!
-//! Corners of b are its centre `c` and what they are away from it. All terms with `c` are one product `c × X`,
-//! so that of boxes very far apart no sizes are lost beside the distance.
+//! Boxes are symmetric, which leaves little of the sum. Let `x`, `y` be half the size of a, `p` and `q` the arms of
+//! b (from its centre to its right and its upper side), `(u, v)` its centre, and `a₀ … a₃`, `b₀ … b₃` the weights at
+//! the right, upper, left, lower normal of a and of b. With `A₀ = a₀ + a₂`, `A₁ = a₁ + a₃`, `B₀`, `B₁` likewise,
+//!
+//! ```text
+//! area = x y (A₀ + A₁) + |p| |q| (4 − B₀ − B₁)
+//!      + x (q_y (B₀ − A₁) − p_y (A₁ − B₁)) + y (p_x (B₁ − A₀) − q_x (A₀ − B₀)) + u Y − v X
+//! X = p_x (b₁ − b₃) − q_x (b₂ − b₀) + x (a₁ − a₃)
+//! Y = p_y (b₁ − b₃) + q_y (b₂ − b₀) + y (a₂ − a₀)
+//! ```
+//!
+//! where q_x stands for its magnitude (q points to the left by as much as p points up). All terms with the centre
+//! are one product, so that of boxes very far apart no sizes are lost beside the distance. With constant weights
+//! this is a polynomial, whose slopes are plain.
 use crate::clip::{Framed, Relative, frame, relate, size_scale};
 use crate::{Aabb2, Obb2, Scalar, Vec2};
 
 /// The hull of two related boxes, in the frame of a and the units of the related pair; mirrored where b
-/// is turned clockwise.
+/// is turned clockwise. Weights are 0, ½, 1, their sums and differences; letters are the [module](self)'s.
 #[derive(Clone, Copy, Debug)]
 pub struct HullOfBoxes<S: Scalar> {
     /// Where everything was mirrored: y, and b's turn, have the other sign.
@@ -29,18 +41,20 @@ pub struct HullOfBoxes<S: Scalar> {
     pub turn: Vec2<S>,
     /// The centre of b.
     pub center: Vec2<S>,
-    /// a's corners, counter-clockwise from the upper right.
-    pub corners_a: [Vec2<S>; 4],
-    /// b's corners as seen from its centre, counter-clockwise from its own upper right.
-    pub corners_b: [Vec2<S>; 4],
-    /// 1 where a reaches farther than b along its own right, upper, left, lower normal; else 0, or ½.
-    pub by_a: [S; 4],
-    /// The same along b's normals.
-    pub by_b: [S; 4],
     /// Half the size of a.
     pub half_a: Vec2<S>,
     /// Half the size of b.
     pub half_b: Vec2<S>,
+    /// The magnitudes of `p_x`, `p_y`, `q_x`, `q_y`.
+    pub arms: [S; 4],
+    /// How many sides of a and of b the hull has: `A₀ + A₁`, `4 − B₀ − B₁`.
+    pub sides: [S; 2],
+    /// `A₀ − B₀`, `B₀ − A₁`, `A₁ − B₁`, `B₁ − A₀`.
+    pub gaps: [S; 4],
+    /// `a₀ − a₂`, `a₁ − a₃`: where a reaches farther to one side than to the other.
+    pub lean_a: Vec2<S>,
+    /// `b₀ − b₂`, `b₁ − b₃`.
+    pub lean_b: Vec2<S>,
 }
 
 /// The power of two by which a pair of boxes is multiplied before their hull is measured: that of
@@ -82,82 +96,71 @@ fn larger<S: Scalar>(x: S, y: S) -> S {
 pub fn hull_of_related<S: Scalar>(pair: &Relative<S>) -> HullOfBoxes<S> {
     let mirrored = pair.sin.below(S::zero());
     let (u, v) = (pair.u, S::select(mirrored, -pair.v, pair.v));
-    let (cos, sin) = (pair.cos, S::select(mirrored, -pair.sin, pair.sin));
+    // What `relate` has computed is written as there, for compilers to see.
+    let (cos, sin) = (pair.cos, pair.sin.unsigned());
     let (a, b) = (pair.half_a, pair.half_b);
+    let arms @ [px, py, qx, qy] = [b.x * cos, b.x * sin, b.y * sin, b.y * cos];
     // How far b reaches from its centre along a's axes, and a along b's; b's centre in b's frame.
-    let reach_b = Vec2::new(b.x * cos + b.y * sin, b.x * sin + b.y * cos);
-    let reach_a = Vec2::new(a.x * cos + a.y * sin, a.x * sin + a.y * cos);
-    let (along, across) = (u * cos + v * sin, v * cos - u * sin);
-    let (px, py) = (b.x * cos, b.x * sin);
-    let (qx, qy) = (b.y * sin, b.y * cos);
+    let reach_b = Vec2::new(px + qx, qy + py);
+    let reach_a = Vec2::new(a.x * cos + a.y * sin, a.y * cos + a.x * sin);
+    let along = u * cos + pair.v * pair.sin;
+    let across = pair.v * cos - u * pair.sin;
+    let across = S::select(mirrored, -across, across);
+    let by_a = [
+        larger(a.x, u + reach_b.x),
+        larger(a.y, v + reach_b.y),
+        larger(a.x, reach_b.x - u),
+        larger(a.y, reach_b.y - v),
+    ];
+    let by_b = [
+        larger(reach_a.x, along + b.x),
+        larger(reach_a.y, across + b.y),
+        larger(reach_a.x, b.x - along),
+        larger(reach_a.y, b.y - across),
+    ];
+    let [a0, a1] = [by_a[0] + by_a[2], by_a[1] + by_a[3]];
+    let [b0, b1] = [by_b[0] + by_b[2], by_b[1] + by_b[3]];
     HullOfBoxes {
         mirrored,
         turn: Vec2::new(cos, sin),
         center: Vec2::new(u, v),
-        corners_a: [
-            a,
-            Vec2::new(-a.x, a.y),
-            Vec2::new(-a.x, -a.y),
-            Vec2::new(a.x, -a.y),
-        ],
-        corners_b: [
-            Vec2::new(px - qx, py + qy),
-            Vec2::new(-(px + qx), qy - py),
-            Vec2::new(-(px - qx), -(py + qy)),
-            Vec2::new(px + qx, -(qy - py)),
-        ],
-        by_a: [
-            larger(a.x, u + reach_b.x),
-            larger(a.y, v + reach_b.y),
-            larger(a.x, reach_b.x - u),
-            larger(a.y, reach_b.y - v),
-        ],
-        by_b: [
-            larger(reach_a.x, along + b.x),
-            larger(reach_a.y, across + b.y),
-            larger(reach_a.x, b.x - along),
-            larger(reach_a.y, b.y - across),
-        ],
         half_a: a,
         half_b: b,
+        arms,
+        sides: [a0 + a1, S::lit(4.0) - (b0 + b1)],
+        gaps: [a0 - b0, b0 - a1, a1 - b1, b1 - a0],
+        lean_a: Vec2::new(by_a[0] - by_a[2], by_a[1] - by_a[3]),
+        lean_b: Vec2::new(by_b[0] - by_b[2], by_b[1] - by_b[3]),
     }
 }
 
 impl<S: Scalar> HullOfBoxes<S> {
-    /// What the centre of b is multiplied with, crosswise, in twice the area: half of it, turned, is the slope
-    /// by that centre.
+    /// `(X, Y)`, with which the centre of b is multiplied crosswise.
     #[must_use]
     #[inline(always)]
     pub fn across(&self) -> Vec2<S> {
-        let (a, b) = (&self.corners_a, &self.corners_b);
-        let mut across = Vec2::zero();
-        let mut k = 0;
-        while k < 4 {
-            let (before, next) = ((k + 3) % 4, (k + 1) % 4);
-            across += (b[k] - b[before]) * (S::one() - self.by_b[k]);
-            across -= a[k] * (self.by_a[k] - self.by_a[next]);
-            k += 1;
-        }
-        across
+        let [px, py, qx, qy] = self.arms;
+        let (a, lean, own) = (self.half_a, self.lean_b, self.lean_a);
+        Vec2::new(
+            (px * lean.y + qx * lean.x) + a.x * own.y,
+            (py * lean.y - qy * lean.x) - a.y * own.x,
+        )
+    }
+    /// What a's right and upper side gain by b's arms, per length: the factors of x and y.
+    #[must_use]
+    #[inline(always)]
+    pub fn beside(&self) -> Vec2<S> {
+        let ([px, py, qx, qy], gaps) = (self.arms, self.gaps);
+        Vec2::new(qy * gaps[1] - py * gaps[2], px * gaps[3] - qx * gaps[0])
     }
     /// The hull's area, in units of the related pair.
     #[must_use]
     #[inline(always)]
     pub fn area(&self) -> S {
-        let (a, b) = (&self.corners_a, &self.corners_b);
-        let mut twice = S::zero();
-        let (side_a, side_b) = (self.half_a.x * self.half_a.y, self.half_b.x * self.half_b.y);
-        let (side_a, side_b) = (side_a + side_a, side_b + side_b);
-        let mut k = 0;
-        while k < 4 {
-            let (before, next) = ((k + 3) % 4, (k + 1) % 4);
-            let (at_a, at_b, at_next) = (self.by_a[k], self.by_b[k], self.by_a[next]);
-            twice += side_a * at_a + side_b * (S::one() - at_b);
-            twice +=
-                a[k].perp_dot(b[before]) * (at_a - at_b) + a[k].perp_dot(b[k]) * (at_b - at_next);
-            k += 1;
-        }
-        (twice + self.center.perp_dot(self.across())).halved()
+        let (a, b, beside) = (self.half_a, self.half_b, self.beside());
+        let own = (a.x * a.y) * self.sides[0] + (b.x * b.y) * self.sides[1];
+        let joint = a.x * beside.x + a.y * beside.y;
+        (own + joint) + self.center.perp_dot(self.across())
     }
 }
 
