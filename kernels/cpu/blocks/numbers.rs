@@ -64,23 +64,34 @@ pub(crate) fn all_finite<T: Real, V: Vector<T>>(numbers: &[T]) -> bool {
 /// Whether every number is finite and none beyond a limit.
 #[inline(always)]
 pub(crate) fn all_up_to<T: Real, V: Vector<T>>(numbers: &[T], limit: f64) -> bool {
-    all_within::<T, V, 1>(numbers, [true], [0.0], [limit])
+    let (whole, rest) = numbers.as_chunks::<TILE>();
+    let (zero, limit) = (V::zero(), T::lit(limit));
+    let (most, mut all) = (V::splat(limit), zero.equals(zero));
+    for numbers in whole {
+        let lane = Lane(*numbers);
+        for at in V::starts() {
+            all = all & V::read(&lane, at).unsigned().at_most(most);
+        }
+    }
+    all.all() && rest.iter().all(|x| x.unsigned().at_most(limit))
 }
 
-/// Whether the numbers of a lane are zero or within limits, as far as all so far are; `limits` are which
-/// ones are signed, and how small and how large they may be.
+/// Whether the numbers of a lane are zero or within limits, as far as all so far are; `limits` are −1 where
+/// magnitudes are asked about, else 1, and how small and how large they may be.
 #[inline(always)]
 fn within<T: Real, V: Vector<T>>(
     numbers: &[T; TILE],
-    [signed, low, high]: &[Lane<T>; 3],
+    [sign, low, high]: &[Lane<T>; 3],
     mut all: V::Mask,
 ) -> V::Mask {
     let (numbers, zero) = (Lane(*numbers), V::zero());
     let mut at = 0;
     while at < TILE {
         let x = V::read(&numbers, at);
-        let x = V::select(V::read(signed, at).above(zero), x.unsigned(), x);
-        all = all & (V::read(low, at).at_most(x) | x.equals(zero)) & x.at_most(V::read(high, at));
+        // Cheaper than a choice.
+        let size = x.most(x * V::read(sign, at));
+        let above = V::read(low, at).at_most(size) | size.equals(zero);
+        all = all & above & size.at_most(V::read(high, at));
         at += V::WIDTH;
     }
     all
@@ -104,7 +115,7 @@ pub(crate) fn all_within<T: Real, V: Vector<T>, const FIELDS: usize>(
         lane
     };
     let mut lanes = [[Lane::default(); 3]; FIELDS];
-    let signs = signed.map(|signed| if signed { 1.0 } else { 0.0 });
+    let signs = signed.map(|signed| if signed { -1.0 } else { 1.0 });
     for (k, lane) in lanes.iter_mut().enumerate() {
         *lane = [limits(k, signs), limits(k, low), limits(k, high)];
     }
