@@ -82,8 +82,12 @@ rows_of_pairs! {
         SignedDistanceCircles = "signed_distance_circles": Circle, Circle, "two circles" [Rotation Stays, Exchange Stays];
         SignedDistanceCircleObb2 = "signed_distance_circle_obb2": Circle, Obb2, "a circle and a rotated box" [Rotation Stays];
         SignedDistanceCapsules = "signed_distance_capsules": Capsule2, Capsule2, "two capsules" [Rotation Stays, Exchange Stays];
-        SignedDistanceTriangles = "signed_distance_triangles": Triangle2, Triangle2, "two triangles" [Rotation Stays, Exchange Stays];
         SignedDistanceObb2 = "signed_distance_obb2": Obb2, Obb2, "two rotated boxes" [Rotation Stays, Exchange Stays];
+    }
+    signed_distance as "The [signed distance](crate::distance::signed_distance)" -> S,
+    promises [TranslationX Stays, TranslationY Stays, Scaling Power(1)],
+    jumps Never, slopes Forward {
+        SignedDistanceTriangles = "signed_distance_triangles": Triangle2, Triangle2, "two triangles" [Rotation Stays, Exchange Stays];
     }
     clearance as "The [clearance](crate::distance::clearance), positive inside," -> S,
     promises [TranslationX Stays, TranslationY Stays, Scaling Power(1)],
@@ -118,11 +122,15 @@ rows_of_pairs! {
     promises [TranslationX Stays, TranslationY Stays],
     jumps Anywhere, slopes Reverse {
         PenetrationCircles = "penetration_circles": Circle, Circle, "two circles" [];
-        PenetrationCircleObb2 = "penetration_circle_obb2": Circle, Obb2, "a circle and a rotated box" [];
         PenetrationCapsules = "penetration_capsules": Capsule2, Capsule2, "two capsules" [];
         PenetrationTriangles = "penetration_triangles": Triangle2, Triangle2, "two triangles" [];
         PenetrationAabb2 = "penetration_aabb2": Aabb2, Aabb2, "two axis-aligned boxes" [];
         PenetrationObb2 = "penetration_obb2": Obb2, Obb2, "two rotated boxes" [];
+    }
+    penetration as "The [depth of overlap and its direction](crate::distance::penetration)" -> Penetration<S>,
+    promises [TranslationX Stays, TranslationY Stays],
+    jumps Anywhere, slopes Forward {
+        PenetrationCircleObb2 = "penetration_circle_obb2": Circle, Obb2, "a circle and a rotated box" [];
     }
     closest_points as "The [nearest points](crate::distance::closest_points)" -> ClosestPoints<S>,
     promises [TranslationX Follows, TranslationY Follows, Scaling Follows],

@@ -28,17 +28,30 @@ pub fn separation_aware_obb2<S: Scalar>(a: Obb2<S>, b: Obb2<S>) -> S {
         center.magnitude() - (own + (along * cos + across * steep))
     };
     let (e, f) = (u * cos + v * pair.sin, v * cos - u * pair.sin);
-    // Of sides that are parallel the gap is the same along both; turned a little, the one stays wider that
-    // looks at the smaller extent across.
-    let wider = |of_a: S, of_b: S, across_b: S, across_a: S| {
-        let tied = of_a.equals(of_b);
-        let shared = of_a.most(of_b);
-        let first = tied & across_b.below(across_a);
-        let second = tied & across_a.below(across_b);
+    // Of sides that are parallel the gap is the same along both. With b turned by t from there the gap along b's side
+    // is the wider one by `tilt t + (p − h) |t|`, where p and h are what b and a extend across it: for both signs
+    // of t if the second term is larger, else for one of them. Then the slope is the mean of both ways.
+    let wider = |of_a: S, of_b: S, [p, h]: [S; 2], tilt: S| {
+        let parallel = of_a.equals(of_b) & pair.sin.equals(S::zero());
+        let more = S::from_primal((p - h).primal());
+        let decided = parallel & tilt.unsigned().below(more.unsigned());
+        let (first, second) = (decided & p.below(h), decided & h.below(p));
+        let turn = pair.sin * more.signed_as(tilt).halved();
+        let shared = of_a.most(of_b) + S::select(parallel, turn, S::zero());
         S::select(first, of_a, S::select(second, of_b, shared))
     };
-    let along = wider(gap(u, h.x, p.x, p.y), gap(e, p.x, h.x, h.y), p.y, h.y);
-    let across = wider(gap(v, h.y, p.y, p.x), gap(f, p.y, h.y, h.x), p.x, h.x);
+    let along = wider(
+        gap(u, h.x, p.x, p.y),
+        gap(e, p.x, h.x, h.y),
+        [p.y, h.y],
+        v.signed_as(u),
+    );
+    let across = wider(
+        gap(v, h.y, p.y, p.x),
+        gap(f, p.y, h.y, h.x),
+        [p.x, h.x],
+        (-u).signed_as(v),
+    );
     let gap = along.most(across);
     let size = h.x.most(h.y) + p.x.most(p.y);
     let apart = gap.above(S::zero());
