@@ -1,6 +1,8 @@
 //! What several tests need.
 use geograd::Obb2;
 
+#[cfg(feature = "gpu")]
+pub mod adapter;
 pub mod calls;
 #[cfg(feature = "list")]
 pub mod corpus;

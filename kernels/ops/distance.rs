@@ -1,7 +1,7 @@
 //! Distances of shapes as operations.
 use crate::ad::adjoint::distance::{distance_point_segment_vjp, distance_segments_vjp};
 use crate::distance::segments::{ClosestOnSegments, closest_points_of_segments};
-use crate::distance::upright::signed_distance_aabb2;
+use crate::distance::upright::{closest_points_aabb2, signed_distance_aabb2};
 use crate::distance::{
     ClosestPoints, Penetration, clearance, closest_points, distance, distance_squared,
     farthest_distance, penetration, signed_distance,
@@ -29,6 +29,14 @@ operation! {
         (a: Aabb2<S>, b: Aabb2<S>) -> S { signed_distance_aabb2(a, b) }
     promises [TranslationX Stays, TranslationY Stays, Scaling Power(1), Exchange Stays]
     jumps Never
+    slopes Reverse
+
+    /// The [nearest points](crate::distance::upright::closest_points_aabb2) of two axis-aligned boxes. Points jump where
+    /// another feature is nearest.
+    pub ClosestPointsAabb2 = "closest_points_aabb2":
+        (a: Aabb2<S>, b: Aabb2<S>) -> ClosestPoints<S> { closest_points_aabb2(a, b) }
+    promises [TranslationX Follows, TranslationY Follows, Scaling Follows]
+    jumps Anywhere
     slopes Reverse
 
     /// The [distance](crate::distance::distance()) of two rotated boxes.
@@ -141,7 +149,6 @@ rows_of_pairs! {
         ClosestPointsCircleObb2 = "closest_points_circle_obb2": Circle, Obb2, "a circle and a rotated box" [Rotation Follows];
         ClosestPointsCapsules = "closest_points_capsules": Capsule2, Capsule2, "two capsules" [Rotation Follows];
         ClosestPointsTriangles = "closest_points_triangles": Triangle2, Triangle2, "two triangles" [Rotation Follows];
-        ClosestPointsAabb2 = "closest_points_aabb2": Aabb2, Aabb2, "two axis-aligned boxes" [];
         ClosestPointsObb2 = "closest_points_obb2": Obb2, Obb2, "two rotated boxes" [Rotation Follows];
     }
 }

@@ -1,5 +1,6 @@
-//! Signed distances of axis-aligned boxes, axis by axis.
-use crate::{Aabb2, Scalar};
+//! Signed distances and nearest points of axis-aligned boxes, axis by axis.
+use super::ClosestPoints;
+use crate::{Aabb2, Scalar, Vec2};
 
 /// The signed distance of two axis-aligned boxes, in the unit of length: the shortest way between them, or minus
 /// the length of the shortest shift after which they only touch.
@@ -27,4 +28,50 @@ pub fn signed_distance_aabb2<S: Scalar>(a: Aabb2<S>, b: Aabb2<S>) -> S {
     S::select(apart, positive(x).hypot(positive(y)), x.most(y))
         .saturated()
         .canonical()
+}
+
+/// The bounds of two intervals that face each other, and how far they are apart; negative where they overlap.
+#[inline(always)]
+fn facing<S: Scalar>(a: [S; 2], b: [S; 2]) -> ([S; 2], S) {
+    let (right, left) = (b[0] - a[1], a[0] - b[1]);
+    let to_right = right.at_least(left);
+    let pick = |yes: S, no: S| S::select(to_right, yes, no);
+    ([pick(a[1], a[0]), pick(b[0], b[1])], pick(right, left))
+}
+
+/// The points in which two axis-aligned boxes are nearest to each other, or which the shortest shift brings together
+/// where they overlap.
+///
+/// The same as [`closest_points`](super::closest_points) of both but where many points are equally near: along sides
+/// that face each other it gives the middle of what they share, whatever else ties. All coordinates are bounds, or
+/// means of two, so that no size costs them digits. Kinks and jumps: where bounds tie, and where the depths of boxes
+/// that overlap do.
+///
+/// ```
+/// use geograd::{Aabb2, Vec2, distance::upright::closest_points_aabb2};
+/// let a = Aabb2::new(0.0, 0.0, 4.0, 4.0);
+/// let found = closest_points_aabb2(a, Aabb2::new(7.0, 3.0, 9.0, 9.0));
+/// assert_eq!((found.on_a, found.on_b), (Vec2::new(4.0, 3.5), Vec2::new(7.0, 3.5)));
+/// ```
+#[must_use]
+#[inline]
+pub fn closest_points_aabb2<S: Scalar>(a: Aabb2<S>, b: Aabb2<S>) -> ClosestPoints<S> {
+    let zero = S::zero();
+    let axes = |of: fn(Vec2<S>) -> S| ([of(a.min), of(a.max)], [of(b.min), of(b.max)]);
+    let axes = [axes(|v| v.x), axes(|v| v.y)];
+    let [(x, gap_x), (y, gap_y)] = axes.map(|(a, b)| facing(a, b));
+    let (apart_x, apart_y) = (gap_x.above(zero), gap_y.above(zero));
+    let apart = apart_x | apart_y;
+    // Of boxes that overlap the shallower axis parts them.
+    let first = gap_x.at_least(gap_y);
+    let parted = [apart_x | !apart & first, apart_y | !apart & !first];
+    let [x, y] =
+        [(x, axes[0], parted[0]), (y, axes[1], parted[1])].map(|(facing, (a, b), parted)| {
+            let middle = a[0].most(b[0]).halved() + a[1].least(b[1]).halved();
+            facing.map(|bound| S::select(parted, bound, middle).canonical())
+        });
+    ClosestPoints {
+        on_a: Vec2::new(x[0], y[0]),
+        on_b: Vec2::new(x[1], y[1]),
+    }
 }

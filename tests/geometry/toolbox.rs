@@ -248,6 +248,35 @@ fn separation_of_rotated_boxes_is_that_of_columns() {
 }
 
 #[test]
+fn separation_of_parallel_boxes_has_the_mean_of_both_ways_of_turning() {
+    use geograd::ad::forward::gradient;
+    let mut random = Random(210);
+    let mut turning = 0;
+    for _ in 0..500 {
+        let mut shape = |x: f64| {
+            let [width, height] = [(); 2].map(|()| random.between(0.0, 3.0));
+            let [x, y] = [x, 0.0].map(|x| x + random.between(-4.0, 4.0));
+            geograd::Obb2::new(x, y, width, height, 0.0)
+        };
+        let (a, b) = (shape(0.0), shape(6.0));
+        let (value, (slopes, _)) = gradient(|(a, b)| separation_aware_obb2(a, b), (a, b));
+        if value > -1e-3 {
+            continue;
+        }
+        let turned = |by: f64| separation_aware_obb2(geograd::Obb2 { heading: by, ..a }, b);
+        let step = 1e-7;
+        let [left, right] = [-step, step].map(|by| (turned(by) - value) / by);
+        let mean = (left + right) / 2.0;
+        assert!(
+            (slopes.heading - mean).abs() < 1e-6,
+            "{a:?} {b:?} {left} {right}"
+        );
+        turning += u32::from((left - right).abs() > 1e-3);
+    }
+    assert!(turning > 100, "{turning}");
+}
+
+#[test]
 fn signed_distances_are_those_of_planes_and_corners() {
     let mut random = Random(211);
     for family in FAMILIES {

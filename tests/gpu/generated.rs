@@ -4,57 +4,19 @@
 //! within its own measured error (`prove_on`). Here everything else: the same bits twice, however
 //! batches are cut, and in all pairs what there is in aligned ones, to within what the order of operations
 //! may change.
-use crate::{any_gpu, gpu, small, validate};
-use geograd::ad::check::Plan;
+use crate::{gpu, small};
+
 use geograd::ad::check::sample::{Draw, Sample, random};
 use geograd::ad::program::{Program, Sym};
 use geograd::error::Argument;
-use geograd::kernels::check::{prove_on, prove_with};
-use geograd::kernels::gpu::{Gpu, op_sources};
+
+use geograd::kernels::gpu::Gpu;
 use geograd::kernels::ops::{distance, fold, iou, iou3, overlap, overlap3};
-use geograd::kernels::{Backend, Cpu, One, Op, Row};
+use geograd::kernels::{Cpu, One, Op, Row};
 use geograd::{
     Circle, Error, Fixed, Flaw, GpuFault, Obb2, Pack, Scalar, Segment2, Vec2,
     shape::YawBox3 as YawBox,
 };
-
-/// Shader text needs no GPU to be judged.
-pub fn shaders_are_valid<O: Op>()
-where
-    O::In<f32>: Row<Scalar = f32>,
-    O::Out<f32>: Row,
-{
-    for (name, text) in op_sources::<O>().unwrap() {
-        validate(&name, &text);
-    }
-}
-
-/// Values and slopes are the processor's, within what the harness measures.
-pub fn agrees<O: Op>()
-where
-    O::In<f64>: Sample + Row,
-    O::Out<f64>: Sample + Row,
-    O::In<f32>: Row<Scalar = f32>,
-    O::Out<f32>: Row<Scalar = f32>,
-{
-    let Some(gpu) = any_gpu() else { return };
-    // Of what has tens of thousands of operations, fewer inputs.
-    let is_large = O::default().program::<f32>().unwrap().cost().total() > 5000;
-    // What takes time is the harness, which has said the same of the processor's batches.
-    let plan = Plan {
-        hard: if is_large { 197 } else { 71 },
-        ..Plan::new(if is_large { 4 } else { 10 }, 1)
-    };
-    let report = prove_on::<O>(Backend::Gpu(gpu), &plan).unwrap();
-    assert!(report.worst[5].count > 0, "{report}");
-    // What is refused without a GPU, too, is for the harness's own tests to say.
-    let alone = || prove_with::<O, f32>(&plan);
-    let refused = report.failures.len();
-    assert!(
-        refused == 0 || refused == alone().failures.len(),
-        "{report}"
-    );
-}
 
 /// Random shapes in single precision.
 fn draws<P: Sample + Pack<With<f32> = Q>, Q>(count: usize, seed: u64) -> Vec<Q> {

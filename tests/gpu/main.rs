@@ -18,7 +18,8 @@ mod shapes;
 mod suppress;
 
 use geograd::kernels::gpu::{Gpu, Options, pair_sources, ring_sources};
-use std::sync::{Mutex, MutexGuard, OnceLock, PoisonError};
+use geograd_tests::adapter::{any_gpu, validate};
+use std::sync::{Mutex, MutexGuard, PoisonError};
 
 /// One context for all tests, one test at a time: drivers in software use all cores anyway.
 fn gpu() -> Option<(MutexGuard<'static, ()>, &'static Gpu)> {
@@ -27,43 +28,11 @@ fn gpu() -> Option<(MutexGuard<'static, ()>, &'static Gpu)> {
     any_gpu().map(|gpu| (turn, gpu))
 }
 
-/// The same context without waiting for a turn: for tests that mostly think, and ask the GPU little.
-fn any_gpu() -> Option<&'static Gpu> {
-    static GPU: OnceLock<Option<Gpu>> = OnceLock::new();
-    let made = GPU.get_or_init(|| match Gpu::new() {
-        Ok(gpu) => {
-            eprintln!("testing on {}", gpu.adapter());
-            Some(gpu)
-        }
-        Err(error) => {
-            let required = std::env::var("GEOGRAD_REQUIRE_GPU").is_ok_and(|x| x == "1");
-            assert!(!required, "a GPU is required: {error}");
-            eprintln!("SKIPPED, NOTHING WAS TESTED: {error}");
-            None
-        }
-    });
-    made.as_ref()
-}
-
 /// A context whose buffers are so small that everything is split.
 fn small() -> Gpu {
     let mut options = Options::default();
     options.most_bytes = Some(64 * 64);
     Gpu::with(&options).unwrap()
-}
-
-/// A shader parses and passes validation without any GPU.
-fn validate(name: &str, text: &str) {
-    use naga::valid::{Capabilities, ValidationFlags, Validator};
-    let module = match naga::front::wgsl::parse_str(text) {
-        Ok(module) => module,
-        Err(error) => panic!("{name}: {}", error.emit_to_string(text)),
-    };
-    // WebGPU's own capabilities, and subgroups where a device has them.
-    let capabilities = Capabilities::SUBGROUP;
-    if let Err(error) = Validator::new(ValidationFlags::all(), capabilities).validate(&module) {
-        panic!("{name}: {}", error.emit_to_string(text));
-    }
 }
 
 macro_rules! walk {
@@ -132,11 +101,11 @@ macro_rules! walk {
         mod valid {
             $(#[test]
             fn $straight() {
-                super::generated::shaders_are_valid::<$straight_op>();
+                geograd_tests::adapter::shaders_are_valid::<$straight_op>();
             })*
             $(#[test]
             fn $pair() {
-                super::generated::shaders_are_valid::<$pair_op>();
+                geograd_tests::adapter::shaders_are_valid::<$pair_op>();
             })*
             $(#[test]
             fn $fold() {
@@ -160,11 +129,11 @@ macro_rules! walk {
         mod agree {
             $(#[test]
             fn $straight() {
-                super::generated::agrees::<$straight_op>();
+                geograd_tests::adapter::agrees::<$straight_op>();
             })*
             $(#[test]
             fn $pair() {
-                super::generated::agrees::<$pair_op>();
+                geograd_tests::adapter::agrees::<$pair_op>();
             })*
         }
     };

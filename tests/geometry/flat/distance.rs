@@ -465,3 +465,46 @@ fn boxes_along_the_axes_are_as_far_by_their_bounds_as_by_their_faces() {
     }
     assert!(apart > 200 && overlapping > 200, "{apart} {overlapping}");
 }
+
+#[test]
+fn nearest_points_by_bounds_are_as_far_as_the_boxes() {
+    use geograd::distance::{signed_distance, upright::closest_points_aabb2};
+    let mut dice = Dice(10);
+    let (mut apart, mut overlapping) = (0, 0);
+    for round in 0..4000 {
+        let mut shape = || {
+            let numbers: [f64; 4] = std::array::from_fn(|_| match round % 2 {
+                0 => dice.whole(8) as f64,
+                _ => dice.in_range(-4.0, 4.0),
+            });
+            let [x, y, width, height] = numbers;
+            // Flat ones, too.
+            geograd::Aabb2::new(x, y, x + width.abs().floor(), y + height.abs() + 0.125)
+        };
+        let (a, b) = (shape(), shape());
+        let (found, known) = (closest_points_aabb2(a, b), signed_distance(a, b));
+        let way = found.on_b - found.on_a;
+        let length = way.x.hypot(way.y);
+        assert!(
+            (length - known.abs()).abs() < 1e-13,
+            "{a:?} {b:?} {found:?}"
+        );
+        // On the border of one box, and in both where they overlap.
+        for (shape, point) in [(a, found.on_a), (b, found.on_b)] {
+            let beyond = signed_distance(point, shape);
+            assert!(beyond <= 1e-15, "{a:?} {b:?} {found:?}");
+        }
+        if known < 0.0 {
+            let borders = [(a, found.on_a), (b, found.on_b)]
+                .map(|(shape, point)| signed_distance(point, shape) >= -1e-15);
+            assert_eq!(borders, [true; 2], "{a:?} {b:?} {found:?}");
+        }
+        apart += u32::from(known > 0.0);
+        overlapping += u32::from(known < 0.0);
+    }
+    assert!(apart > 200 && overlapping > 200, "{apart} {overlapping}");
+    // No digit of a small box is lost beside a large one.
+    let long = geograd::Aabb2::new(0.0_f32, 0.0, 10.0, 0.0);
+    let short = geograd::Aabb2::new(7e-5_f32, 0.0, 2.9e-4, 0.0);
+    assert_eq!(closest_points_aabb2(long, short).on_a.x, 1.8e-4);
+}

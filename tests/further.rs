@@ -1,0 +1,29 @@
+//! Straight lines of further shapes on the GPU: shader text of every form, and values and slopes against the
+//! processor's.
+//!
+//! A binary of its own, which is compiled beside `gpu`.
+
+macro_rules! walk {
+    (pairs { $($pair:ident: $pair_op:ty,)* } rings { $($ring:ident: $ring_op:ty,)* }
+     straight { $($straight:ident: $straight_op:ty,)* }
+     folds { $($fold:ident: $fold_op:ty,)* } decided { $($decided:ident: $decided_op:ty,)* }
+     further {
+         straight { $($more:ident: $more_op:ty,)* }
+         folds { $($more_fold:ident: $more_fold_op:ty,)* }
+         decided { $($more_decided:ident: $more_decided_op:ty,)* }
+     }) => {
+        mod valid {
+            $(#[test]
+            fn $more() {
+                geograd_tests::adapter::shaders_are_valid::<$more_op>();
+            })*
+        }
+        mod agree {
+            $(#[test]
+            fn $more() {
+                geograd_tests::adapter::agrees::<$more_op>();
+            })*
+        }
+    };
+}
+geograd::for_each_op!(walk);
