@@ -121,7 +121,7 @@ pub fn leaf<P: Row + Validate>() -> Leaf<P::Scalar> {
     }
 }
 
-/// How many shapes are told to be valid at once: by their numbers alone, or by the rules of boxes, for which
+/// The quick way to tell that many shapes are valid: by their numbers alone, or by the rules of boxes, for which
 /// there are kernels.
 fn all_valid<P: Row + Validate>() -> fn(&[P::Scalar]) -> bool {
     let is = |shape: TypeId| TypeId::of::<P>() == shape;

@@ -186,19 +186,25 @@ fn inter_size_bar<S: Scalar, const EXTREME: bool>(slope: Vec2<S>, half_bar: S) -
     )
 }
 
-/// What a box's size takes from its own area, whose slope is `own` times `falling`.
+/// What a side takes from its own box, whose slope is `own` times `falling`.
+#[inline(always)]
+pub(super) fn own_bar<S: Scalar, const EXTREME: bool>(own: S, falling: S) -> S {
+    bounded::<S, EXTREME>(bounded::<S, EXTREME>(own) * falling)
+}
+
+/// What a box's size takes from its own area likewise.
 #[inline(always)]
 fn own_size_bar<S: Scalar, const EXTREME: bool>(half: Vec2<S>, own: S, falling: S) -> Vec2<S> {
     Vec2::new(
-        bounded::<S, EXTREME>(bounded::<S, EXTREME>(own * half.y) * falling),
-        bounded::<S, EXTREME>(bounded::<S, EXTREME>(own * half.x) * falling),
+        own_bar::<S, EXTREME>(own * half.y, falling),
+        own_bar::<S, EXTREME>(own * half.x, falling),
     )
 }
 
 /// A term of a sum of slopes: no larger than the largest number, so that two of opposite sign leave
 /// a number. Ordinary boxes have none so large.
 #[inline(always)]
-fn bounded<S: Scalar, const EXTREME: bool>(x: S) -> S {
+pub(super) fn bounded<S: Scalar, const EXTREME: bool>(x: S) -> S {
     if EXTREME { x.saturated() } else { x }
 }
 

@@ -10,7 +10,7 @@
 //!
 //! The top that decides takes the slope of `H` by it, likewise the bottom; tied ones take half each.
 use crate::ad::adjoint::overlap::{
-    Grads, reciprocal_or_zero, score_scaled_vjp, score_slopes, tamed,
+    Grads, bounded, own_bar, reciprocal_or_zero, score_scaled_vjp, score_slopes, tamed,
 };
 use crate::clip::{Framed, frame};
 use crate::overlap::{Denominator, area_from_half, ratio_of_first};
@@ -134,18 +134,6 @@ fn outer<S: Scalar, const EXTREME: bool>(x: S, by: &[S; 3], steep: S) -> S {
     let x = (x * by[0]).saturated();
     let x = ((x * by[1]).saturated() * by[2]).saturated();
     (x * steep).saturated().canonical()
-}
-
-/// A term of a sum of slopes, no larger than the largest number.
-#[inline(always)]
-fn bounded<S: Scalar, const EXTREME: bool>(x: S) -> S {
-    if EXTREME { x.saturated() } else { x }
-}
-
-/// What a side takes from its own box, whose slope is `own` times `falling`.
-#[inline(always)]
-fn own_bar<S: Scalar, const EXTREME: bool>(own: S, falling: S) -> S {
-    bounded::<S, EXTREME>(bounded::<S, EXTREME>(own) * falling)
 }
 
 /// A box's slopes, from those of the area shared, by that area and by its own (but for `falling`), and by

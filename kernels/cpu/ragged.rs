@@ -54,8 +54,10 @@ impl Cpu {
                 }),
                 None => {
                     let finite = (T::kernels().all_finite)(&numbers(own));
-                    for (ring, value) in offsets.windows(2).zip(values).filter(|_| finite) {
-                        *value = O::value(&vertices[ring[0]..ring[1]]);
+                    if finite {
+                        for (ring, value) in offsets.windows(2).zip(values) {
+                            *value = O::value(&vertices[ring[0]..ring[1]]);
+                        }
                     }
                     finite
                 }
