@@ -177,10 +177,12 @@ pub fn giou_framed_vjp<S: Scalar, const EXTREME: bool>(
     // and in a common sum the first would be lost.
     let lost = -(inter * per_union * per_union * out_bar);
     let own = per_hull * out_bar;
+    // Exactly one where one box holds the other, so that of what cancels nothing is left.
+    let filled = S::select(hull_area.equals(union), one, union * per_hull);
     let bars = Bars {
         nothing,
         inter: S::select(nothing, zero, -own),
-        hull: -(union * per_hull * per_hull * out_bar),
+        hull: -(filled * own),
         own,
         gained: S::select(nothing, zero, per_union * out_bar - lost),
         lost,
