@@ -1,7 +1,10 @@
 //! Distances of shapes as operations.
 use crate::ad::adjoint::distance::{distance_point_segment_vjp, distance_segments_vjp};
 use crate::distance::segments::{ClosestOnSegments, closest_points_of_segments};
-use crate::distance::upright::{closest_points_aabb2, signed_distance_aabb2};
+use crate::distance::upright::{
+    closest_points_aabb2, distance_aabb2, distance_squared_aabb2, farthest_distance_aabb2,
+    signed_distance_aabb2,
+};
 use crate::distance::{
     ClosestPoints, Penetration, clearance, closest_points, distance, distance_squared,
     farthest_distance, penetration, signed_distance,
@@ -27,6 +30,27 @@ operation! {
     /// The [signed distance](crate::distance::upright::signed_distance_aabb2) of two axis-aligned boxes.
     pub SignedDistanceAabb2 = "signed_distance_aabb2":
         (a: Aabb2<S>, b: Aabb2<S>) -> S { signed_distance_aabb2(a, b) }
+    promises [TranslationX Stays, TranslationY Stays, Scaling Power(1), Exchange Stays]
+    jumps Never
+    slopes Reverse
+
+    /// The [distance](crate::distance::upright::distance_aabb2) of two axis-aligned boxes.
+    pub DistanceAabb2 = "distance_aabb2":
+        (a: Aabb2<S>, b: Aabb2<S>) -> S { distance_aabb2(a, b) }
+    promises [TranslationX Stays, TranslationY Stays, Scaling Power(1), Exchange Stays]
+    jumps Never
+    slopes Reverse
+
+    /// The [squared distance](crate::distance::upright::distance_squared_aabb2) of two axis-aligned boxes.
+    pub DistanceSquaredAabb2 = "distance_squared_aabb2":
+        (a: Aabb2<S>, b: Aabb2<S>) -> S { distance_squared_aabb2(a, b) }
+    promises [TranslationX Stays, TranslationY Stays, Scaling Power(2), Exchange Stays]
+    jumps Never
+    slopes Reverse
+
+    /// The [longest distance](crate::distance::upright::farthest_distance_aabb2) of two axis-aligned boxes.
+    pub FarthestDistanceAabb2 = "farthest_distance_aabb2":
+        (a: Aabb2<S>, b: Aabb2<S>) -> S { farthest_distance_aabb2(a, b) }
     promises [TranslationX Stays, TranslationY Stays, Scaling Power(1), Exchange Stays]
     jumps Never
     slopes Reverse
@@ -76,7 +100,6 @@ rows_of_pairs! {
         DistanceCircleObb2 = "distance_circle_obb2": Circle, Obb2, "a circle and a rotated box" [Rotation Stays];
         DistanceCapsules = "distance_capsules": Capsule2, Capsule2, "two capsules" [Rotation Stays, Exchange Stays];
         DistanceTriangles = "distance_triangles": Triangle2, Triangle2, "two triangles" [Rotation Stays, Exchange Stays];
-        DistanceAabb2 = "distance_aabb2": Aabb2, Aabb2, "two axis-aligned boxes" [Exchange Stays];
     }
     signed_distance as "The [signed distance](crate::distance::signed_distance)" -> S,
     promises [TranslationX Stays, TranslationY Stays, Scaling Power(1)],
@@ -110,7 +133,6 @@ rows_of_pairs! {
         DistanceSquaredPointTriangle = "distance_squared_point_triangle": Vec2, Triangle2, "a point and a triangle" [Rotation Stays];
         DistanceSquaredSegments = "distance_squared_segments": Segment2, Segment2, "two segments" [Rotation Stays, Exchange Stays];
         DistanceSquaredTriangles = "distance_squared_triangles": Triangle2, Triangle2, "two triangles" [Rotation Stays, Exchange Stays];
-        DistanceSquaredAabb2 = "distance_squared_aabb2": Aabb2, Aabb2, "two axis-aligned boxes" [Exchange Stays];
         DistanceSquaredObb2 = "distance_squared_obb2": Obb2, Obb2, "two rotated boxes" [Rotation Stays, Exchange Stays];
     }
     farthest_distance as "The [longest distance](crate::distance::farthest_distance)" -> S,
@@ -119,7 +141,6 @@ rows_of_pairs! {
         FarthestDistancePointObb2 = "farthest_distance_point_obb2": Vec2, Obb2, "a point and a rotated box" [Rotation Stays];
         FarthestDistanceCircleObb2 = "farthest_distance_circle_obb2": Circle, Obb2, "a circle and a rotated box" [Rotation Stays];
         FarthestDistanceTriangles = "farthest_distance_triangles": Triangle2, Triangle2, "two triangles" [Rotation Stays, Exchange Stays];
-        FarthestDistanceAabb2 = "farthest_distance_aabb2": Aabb2, Aabb2, "two axis-aligned boxes" [Exchange Stays];
         FarthestDistanceObb2 = "farthest_distance_obb2": Obb2, Obb2, "two rotated boxes" [Rotation Stays, Exchange Stays];
     }
 }
@@ -133,12 +154,17 @@ rows_of_pairs! {
         PenetrationCapsules = "penetration_capsules": Capsule2, Capsule2, "two capsules" [];
         PenetrationTriangles = "penetration_triangles": Triangle2, Triangle2, "two triangles" [];
         PenetrationAabb2 = "penetration_aabb2": Aabb2, Aabb2, "two axis-aligned boxes" [];
-        PenetrationObb2 = "penetration_obb2": Obb2, Obb2, "two rotated boxes" [];
     }
     penetration as "The [depth of overlap and its direction](crate::distance::penetration)" -> Penetration<S>,
     promises [TranslationX Stays, TranslationY Stays],
     jumps Anywhere, slopes Forward {
         PenetrationCircleObb2 = "penetration_circle_obb2": Circle, Obb2, "a circle and a rotated box" [];
+        PenetrationObb2 = "penetration_obb2": Obb2, Obb2, "two rotated boxes" [];
+    }
+    closest_points as "The [nearest points](crate::distance::closest_points)" -> ClosestPoints<S>,
+    promises [TranslationX Follows, TranslationY Follows, Scaling Follows],
+    jumps Anywhere, slopes Forward {
+        ClosestPointsCircleObb2 = "closest_points_circle_obb2": Circle, Obb2, "a circle and a rotated box" [Rotation Follows];
     }
     closest_points as "The [nearest points](crate::distance::closest_points)" -> ClosestPoints<S>,
     promises [TranslationX Follows, TranslationY Follows, Scaling Follows],
@@ -146,7 +172,6 @@ rows_of_pairs! {
         ClosestPointsPointSegment = "closest_points_point_segment": Vec2, Segment2, "a point and a segment" [Rotation Follows];
         ClosestPointsPointTriangle = "closest_points_point_triangle": Vec2, Triangle2, "a point and a triangle" [Rotation Follows];
         ClosestPointsPointObb2 = "closest_points_point_obb2": Vec2, Obb2, "a point and a rotated box" [Rotation Follows];
-        ClosestPointsCircleObb2 = "closest_points_circle_obb2": Circle, Obb2, "a circle and a rotated box" [Rotation Follows];
         ClosestPointsCapsules = "closest_points_capsules": Capsule2, Capsule2, "two capsules" [Rotation Follows];
         ClosestPointsTriangles = "closest_points_triangles": Triangle2, Triangle2, "two triangles" [Rotation Follows];
         ClosestPointsObb2 = "closest_points_obb2": Obb2, Obb2, "two rotated boxes" [Rotation Follows];

@@ -84,6 +84,8 @@ pub trait Core<S: Scalar>: Copy {
     const DIMENSION: usize;
     /// Whether it ends in every direction.
     const BOUNDED: bool = true;
+    /// Whether it is a box, whose corners need not be compared to know the farthest one from a point.
+    const SYMMETRIC: bool = false;
     /// A point of it, or near it, from which the others are seen.
     fn anchor(&self) -> Vec2<S>;
     /// How far its corners are from a point at most, coordinate by coordinate, as a constant.
@@ -97,6 +99,11 @@ pub trait Core<S: Scalar>: Copy {
     fn away(&self) -> Self::Away;
     /// The corner that is nearest to an edge of this core, and where.
     fn near(&self, corners: &[Vec2<S>]) -> Best<S, Nearest<S>>;
+    /// The square of the longest way from a corner of this core to one of others.
+    #[cfg_attr(not(debug_assertions), inline(always))]
+    fn far(&self, corners: &[Vec2<S>]) -> Best<S, S> {
+        farthest(self.corners().as_ref(), corners)
+    }
     /// Where a line is inside of the core or, for a piece of a line, of the strip that far to both
     /// sides of it.
     fn inside(&self, beam: Beam<S>, radius: S) -> Inside<S>;
@@ -110,6 +117,17 @@ pub trait Core<S: Scalar>: Copy {
     }
     /// The face that parts this core best from another one.
     fn deep<B: Core<S>>(&self, other: &B) -> Best<S, Deepest<S>>;
+}
+
+/// The square of the longest way from some corners to others.
+#[cfg_attr(not(debug_assertions), inline(always))]
+pub(super) fn farthest<S: Scalar>(from: &[Vec2<S>], to: &[Vec2<S>]) -> Best<S, S> {
+    Best::most_of(from.iter().flat_map(|&p| {
+        to.iter().map(move |&q| {
+            let square = (q - p).length_squared();
+            Best::of(square, square)
+        })
+    }))
 }
 
 /// The nearest of some corners to an edge.

@@ -258,6 +258,7 @@ impl<S: Scalar, R: Turn<S>> Core<S> for BoxCore<S, R> {
     type Corners = [Vec2<S>; 4];
     type Away = [Vec2<S>; 0];
     const DIMENSION: usize = 2;
+    const SYMMETRIC: bool = true;
     #[cfg_attr(not(debug_assertions), inline(always))]
     fn anchor(&self) -> Vec2<S> {
         self.center
@@ -310,6 +311,19 @@ impl<S: Scalar, R: Turn<S>> Core<S> for BoxCore<S, R> {
                     on_b: corner,
                 },
             )
+        }))
+    }
+    /// Of a box the farthest corner is on the other side along both axes.
+    #[cfg_attr(not(debug_assertions), inline(always))]
+    fn far(&self, corners: &[Vec2<S>]) -> Best<S, S> {
+        Best::most_of(corners.iter().map(|&corner| {
+            let local = self.turn.back(corner - self.center);
+            let way = Vec2::new(
+                local.x.magnitude() + self.half.x,
+                local.y.magnitude() + self.half.y,
+            );
+            let square = way.length_squared();
+            Best::of(square, square)
         }))
     }
     #[cfg_attr(not(debug_assertions), inline(always))]

@@ -235,14 +235,15 @@ pub fn farthest_distance<S: Scalar, A: Convex<S>, B: Convex<S>>(a: A, b: B) -> S
     let origin = core_a.anchor();
     let scale = edge::scale_of::<S>(core_a.extent(origin).most(core_b.extent(origin)));
     let (core_a, core_b) = (core_a.placed(origin, scale), core_b.placed(origin, scale));
-    let (from, to) = (core_a.corners(), core_b.corners());
-    let pairs = from.as_ref().iter().flat_map(|&p| {
-        to.as_ref().iter().map(move |&q| {
-            let square = (q - p).length_squared();
-            share::Best::of(square, square)
-        })
-    });
     // Only the greatest one needs a root, and it is far from zero unless all points coincide.
-    let square = share::Best::most_of(pairs).mean();
+    let (from, to) = (core_a.corners(), core_b.corners());
+    let (from, to) = (from.as_ref(), to.as_ref());
+    let square = match (A::Core::SYMMETRIC, B::Core::SYMMETRIC) {
+        (true, false) => core_a.far(to),
+        (false, true) => core_b.far(from),
+        // Of two boxes neither comes first, so that exchanging them changes no slope.
+        _ => convex::farthest(from, to),
+    };
+    let square = square.mean();
     (square.root().over(scale) + (a.radius() + b.radius())).canonical()
 }

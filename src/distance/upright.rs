@@ -18,16 +18,70 @@ use crate::{Aabb2, Scalar, Vec2};
 #[must_use]
 #[inline]
 pub fn signed_distance_aabb2<S: Scalar>(a: Aabb2<S>, b: Aabb2<S>) -> S {
-    let zero = S::zero();
-    let (x, y) = (
-        (b.min.x - a.max.x).most(a.min.x - b.max.x),
-        (b.min.y - a.max.y).most(a.min.y - b.max.y),
-    );
-    let positive = |gap: S| S::select(gap.above(zero), gap, zero);
-    let apart = x.above(zero) | y.above(zero);
-    S::select(apart, positive(x).hypot(positive(y)), x.most(y))
+    let gap = gaps(a, b);
+    let way = open(gap);
+    let apart = way.x.above(S::zero()) | way.y.above(S::zero());
+    S::select(apart, way.length(), gap.x.most(gap.y))
         .saturated()
         .canonical()
+}
+
+/// The [distance](super::distance()) of two axis-aligned boxes by their bounds, in the unit of length.
+///
+/// ```
+/// use geograd::{Aabb2, distance::upright::distance_aabb2};
+/// let a = Aabb2::new(0.0, 0.0, 4.0, 4.0);
+/// assert_eq!(distance_aabb2(a, Aabb2::new(7.0, 8.0, 9.0, 9.0)), 5.0);
+/// ```
+#[must_use]
+#[inline]
+pub fn distance_aabb2<S: Scalar>(a: Aabb2<S>, b: Aabb2<S>) -> S {
+    open(gaps(a, b)).length().saturated().canonical()
+}
+
+/// The square of [`distance_aabb2`], smooth where that vanishes.
+///
+/// ```
+/// use geograd::{Aabb2, distance::upright::distance_squared_aabb2};
+/// let a = Aabb2::new(0.0, 0.0, 4.0, 4.0);
+/// assert_eq!(distance_squared_aabb2(a, Aabb2::new(7.0, 8.0, 9.0, 9.0)), 25.0);
+/// ```
+#[must_use]
+#[inline]
+pub fn distance_squared_aabb2<S: Scalar>(a: Aabb2<S>, b: Aabb2<S>) -> S {
+    open(gaps(a, b)).length_squared().saturated().canonical()
+}
+
+/// The [longest distance](super::farthest_distance) of points of two axis-aligned boxes by their bounds, in the unit
+/// of length. Kinks: boxes with one centre along x or along y.
+///
+/// ```
+/// use geograd::{Aabb2, distance::upright::farthest_distance_aabb2};
+/// let a = Aabb2::new(0.0, 0.0, 1.0, 1.0);
+/// assert_eq!(farthest_distance_aabb2(a, Aabb2::new(2.0, 2.0, 3.0, 4.0)), 5.0);
+/// ```
+#[must_use]
+#[inline]
+pub fn farthest_distance_aabb2<S: Scalar>(a: Aabb2<S>, b: Aabb2<S>) -> S {
+    let (right, left) = (b.max - a.min, a.max - b.min);
+    Vec2::new(right.x.most(left.x), right.y.most(left.y))
+        .length()
+        .saturated()
+        .canonical()
+}
+
+/// How far two boxes are apart along x and along y; negative where they overlap.
+#[inline(always)]
+fn gaps<S: Scalar>(a: Aabb2<S>, b: Aabb2<S>) -> Vec2<S> {
+    let (right, left) = (b.min - a.max, a.min - b.max);
+    Vec2::new(right.x.most(left.x), right.y.most(left.y))
+}
+
+/// Gaps that are, and zero for those that are not.
+#[inline(always)]
+fn open<S: Scalar>(gap: Vec2<S>) -> Vec2<S> {
+    let open = |gap: S| S::select(gap.above(S::zero()), gap, S::zero());
+    Vec2::new(open(gap.x), open(gap.y))
 }
 
 /// The bounds of two intervals that face each other, and how far they are apart; negative where they overlap.
