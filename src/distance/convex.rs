@@ -168,6 +168,9 @@ pub(super) fn face_deep<S: Scalar, B: Core<S>>(
     let foot = reach(face, lowest.on_b - face.from);
     let on_a = face.from + face.along * foot.t;
     let beyond = (foot.free - foot.t).magnitude() * S::from_primal(size_of(face.along));
+    let (low, high) = (face.low.halved(), face.high.halved());
+    let middle = face.from + face.along * (low + high);
+    let half = (high - low) * normal.perp_dot(face.along).unsigned();
     Best {
         value: S::select(useless, S::lit(-S::LARGEST), first.value - height),
         sum: Deepest {
@@ -176,6 +179,11 @@ pub(super) fn face_deep<S: Scalar, B: Core<S>>(
             on_a,
             on_b: on_a + normal * (lowest.ahead - height),
             beyond,
+            middle: Vec2::new(
+                S::from_primal(middle.x.primal()),
+                S::from_primal(middle.y.primal()),
+            ),
+            half: S::from_primal(half.primal()),
         },
         count: first.count,
     }

@@ -128,10 +128,13 @@ fn deepest<S: Scalar, A: Core<S>, B: Core<S>>(a: A, b: B) -> Option<Best<S, Deep
     }
     let of_a = || a.deep(&b);
     let of_b = || b.deep(&a).flipped();
+    let bounded = A::BOUNDED && B::BOUNDED;
     Some(if A::DIMENSION == 0 {
         of_b()
     } else if B::DIMENSION == 0 {
         of_a()
+    } else if bounded {
+        of_a().most_of_faces(of_b())
     } else {
         of_a().most(of_b())
     })

@@ -123,6 +123,10 @@ pub struct Deepest<S> {
     pub on_b: Vec2<S>,
     /// How far the points were beyond the end of the face.
     pub beyond: S,
+    /// The middle of the face, as a constant.
+    pub middle: Vec2<S>,
+    /// Half the face's length, as a constant.
+    pub half: S,
 }
 
 #[cfg_attr(not(debug_assertions), inline(always))]
@@ -176,6 +180,8 @@ impl<S: Scalar> Carry<S> for Deepest<S> {
             on_a: choose(first, self.on_a, other.on_a),
             on_b: choose(first, self.on_b, other.on_b),
             beyond: S::select(first, self.beyond, other.beyond),
+            middle: choose(first, self.middle, other.middle),
+            half: S::select(first, self.half, other.half),
         }
     }
     #[cfg_attr(not(debug_assertions), inline(always))]
@@ -212,8 +218,36 @@ impl<S: Scalar> Best<S, Deepest<S>> {
             normal: -self.sum.normal,
             on_a: self.sum.on_b,
             on_b: self.sum.on_a,
-            beyond: self.sum.beyond,
+            ..self.sum
         };
         self
+    }
+    /// The larger of two that are faces of different shapes, as [`most`](Best::most) but where both are parallel and
+    /// part the shapes equally.
+    ///
+    /// With b turned by t from there its own face parts them by `−offset t + (p − h) |t|` more than that of a, where p and h
+    /// are half the lengths of the faces of b and a, and offset is how far their middles are apart. So for both
+    /// signs of t it is the longer face that parts them if the second term is larger; else one of them for each
+    /// sign, and the slope is the mean.
+    #[must_use]
+    #[cfg_attr(not(debug_assertions), inline(always))]
+    pub fn most_of_faces(self, other: Self) -> Self {
+        let zero = S::zero();
+        let (a, b) = (self.sum, other.sum);
+        let turn = a.normal.perp_dot(b.normal);
+        let same = turn.equals(zero) & a.normal.dot(b.normal).above(zero);
+        let parallel = self.value.equals(other.value) & same;
+        let along = Vec2::new(a.normal.y, -a.normal.x);
+        let offset = S::from_primal(along.dot(b.middle - a.middle).primal());
+        let more = b.half - a.half;
+        let decided = parallel & offset.unsigned().below(more.unsigned());
+        let (first, second) = (decided & more.below(zero), decided & more.above(zero));
+        let lean = turn * (-more).signed_as(offset).halved();
+        let mut both = self.most(other);
+        let ahead = both.sum.ahead + S::select(parallel, lean * both.count, zero);
+        let choose = |a: S, b: S, both: S| S::select(first, a, S::select(second, b, both));
+        both.sum.ahead = choose(a.ahead, b.ahead, ahead);
+        both.count = choose(self.count, other.count, both.count);
+        both
     }
 }
