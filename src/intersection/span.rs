@@ -189,15 +189,21 @@ impl<S: Scalar> Inside<S> {
             let normal = -unit(along.perp());
             inside = inside.behind(beam, corners[i], normal);
         }
-        // Faces of a flat polygon do not say where it ends; its bounds do.
+        // Faces of a flat polygon do not say where it ends; its bounds do. Of others they would share the slope of
+        // faces along an axis.
+        let (mut twice, mut reach) = (S::zero(), S::zero());
+        for i in 1..n {
+            let way = corners[i] - corners[0];
+            reach += way.length_squared();
+            twice += way.perp_dot(corners[(i + 1) % n] - corners[0]);
+        }
+        let flat = twice.at_most(reach * S::lit(4.0 * S::EPSILON));
         let bounds = |pick: fn(Vec2<S>, Vec2<S>) -> Vec2<S>| {
             corners[1..].iter().fold(corners[0], |x, &y| pick(x, y))
         };
         let (min, max) = (bounds(Vec2::least), bounds(Vec2::most));
-        let (right, up) = (
-            Vec2::new(S::one(), S::zero()),
-            Vec2::new(S::zero(), S::one()),
-        );
+        let one = S::select(flat, S::one(), S::zero());
+        let (right, up) = (Vec2::new(one, S::zero()), Vec2::new(S::zero(), one));
         inside
             .behind(beam, max, right)
             .behind(beam, max, up)

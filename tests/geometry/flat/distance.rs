@@ -508,3 +508,41 @@ fn nearest_points_by_bounds_are_as_far_as_the_boxes() {
     let short = geograd::Aabb2::new(7e-5_f32, 0.0, 2.9e-4, 0.0);
     assert_eq!(closest_points_aabb2(long, short).on_a.x, 1.8e-4);
 }
+
+#[test]
+fn depth_of_parallel_boxes_has_the_mean_of_both_ways_of_turning() {
+    use geograd::ad::forward::gradient;
+    use geograd::{Obb2, distance::signed_distance};
+    let mut dice = Dice(11);
+    let (mut held, mut overlapping) = (0, 0);
+    for round in 0..2000 {
+        let mut shape = |large: f64| {
+            let [width, height] = [(); 2].map(|()| dice.in_range(0.0, large));
+            let [x, y] = [(); 2].map(|()| dice.in_range(-1.0, 1.0));
+            Obb2::new(x, y, width, height, 0.0)
+        };
+        // Every other b is small, often so small that it has no size.
+        let (a, mut b) = (shape(4.0), shape(if round % 2 == 0 { 4.0 } else { 0.5 }));
+        if round % 4 == 3 {
+            b.size = geograd::Vec2::zero();
+        }
+        let (depth, (slopes, _)) = gradient(|(a, b)| signed_distance(a, b), (a, b));
+        // Where another face is nearly as deep, steps go beyond the kink.
+        let step = 1e-7;
+        let by = |by: f64| (signed_distance(Obb2 { heading: by, ..a }, b) - depth) / by;
+        let [left, right] = [-step, step].map(by);
+        let wide = [-2.0 * step, 2.0 * step].map(by);
+        if depth > -1e-3 || (left - wide[0]).abs() + (right - wide[1]).abs() > 1e-5 {
+            continue;
+        }
+        let mean = (left + right) / 2.0;
+        let found = slopes.heading;
+        assert!(
+            (found - mean).abs() < 1e-5,
+            "{a:?} {b:?} {found} {left} {right}"
+        );
+        overlapping += 1;
+        held += u32::from((left - right).abs() < 1e-5);
+    }
+    assert!(overlapping > 500 && held > 100, "{overlapping} {held}");
+}

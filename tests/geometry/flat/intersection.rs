@@ -281,3 +281,25 @@ fn spans_of_flat_and_endless_shapes() {
     assert_eq!(span(line, at(4.0, 0.0)).enter, 2.0);
     assert_eq!(span(line, at(4.0, 1.0)).found, 0.0);
 }
+
+#[test]
+fn length_inside_takes_its_slopes_from_faces_along_an_axis_alone() {
+    use geograd::ad::forward::gradient;
+    use geograd::{Segment2, Triangle2, Vec2, intersection::length_inside};
+    let segment = Segment2::new(Vec2::new(0.5, -1.0), Vec2::new(0.5, 3.0));
+    let triangle = Triangle2::new(
+        Vec2::new(0.0, 0.0),
+        Vec2::new(2.0, 0.0),
+        Vec2::new(0.0, 2.0),
+    );
+    let (length, (_, slopes)) = gradient(|(a, b)| length_inside(a, b), (segment, triangle));
+    assert_eq!(length, 1.5);
+    // It enters after a quarter of the way from a to b and leaves after a quarter of that from c to b.
+    for (found, expected) in [
+        (slopes.a.y, -0.75),
+        (slopes.b.y, -0.25 + 0.25),
+        (slopes.c.y, 0.75),
+    ] {
+        assert!(f64::abs(found - expected) < 1e-15, "{slopes:?}");
+    }
+}
