@@ -178,7 +178,13 @@ fn instructions(
                 let head = to(own.op as u32, first);
                 [head, two(x, rest[0]), two(rest[1], rest[2]), 0]
             }
-            op => [to(op as u32, first), two(x, y), two(z, w), 0],
+            // Of most instructions the second result is none.
+            op => [
+                to(op as u32, first),
+                two(x, y),
+                two(z, w),
+                u32::from(rest[0]),
+            ],
         });
     }
     for (k, &slot) in tape.outputs.iter().enumerate() {
@@ -201,6 +207,8 @@ pub(crate) fn numbers() -> Vec<(&'static str, u32)> {
     all.extend([
         ("Parts", Op::Parts as u32),
         ("SinCos", Op::SinCos as u32),
+        ("Turn", Op::Turn as u32),
+        ("SumSub", Op::SumSub as u32),
         ("Constant", CONSTANT),
         ("Take", TAKE),
         ("Give", GIVE),

@@ -221,6 +221,9 @@ impl Decided for Everything {
         let chosen = S::select(mask & other, parts, -kinks) + S::select(a.below(b), -c, fused);
         let more =
             S::select(a.at_most(c), b, c) + S::select(a.equals(b), b, c) + S::select(other, -a, c);
+        let clamped = c.most(b.least(a * c)) + a.most(c.least(-b)) + b.most(c * a + b);
+        let paired = (a - b) * (c + a) + ((a - c) + (c - b)) + S::select(a.below(c), -b, a);
+        let more = more + clamped - paired;
         [chosen, smooth + more, ratio * fused, kinks - more]
     }
 }

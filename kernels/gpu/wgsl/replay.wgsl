@@ -6,7 +6,7 @@
 @group(0) @binding(1) var<storage, read> codes: array<u32>;
 // Of every program its first instruction and the end.
 @group(0) @binding(2) var<storage, read> programs: array<vec2u>;
-// What is done and the slot of the result; two operands; two more.
+// What is done and the slot of the result; two operands; two more; the slot of a second result.
 @group(0) @binding(3) var<storage, read> instructions: array<vec4u>;
 @group(0) @binding(4) var<storage, read> inputs: array<f32>;
 @group(0) @binding(5) var<storage, read_write> slots: array<f32>;
@@ -61,6 +61,12 @@ fn replay_main(@builtin(global_invocation_id) thread: vec3u) {
         let z = slots[(code.z & 0xffffu) * items + item];
         let w = slots[(code.z >> 16u) * items + item];
         var found = 0.0;
+        if op == Turn || op == SumSub {
+            let second = code.w * items + item;
+            slots[to] = select(x + y, x * z + y * w, op == Turn);
+            slots[second] = select(x - y, y * z - x * w, op == Turn);
+            continue;
+        }
         switch op {
             case Copy: { found = x; }
             case Canonical: { found = x + 0.0; }
@@ -105,6 +111,12 @@ fn replay_main(@builtin(global_invocation_id) thread: vec3u) {
             case MinMax: { found = max(min(x, y), z); }
             case MinFrom: { found = min(z, max(x, y)); }
             case MaxFrom: { found = max(z, min(x, y)); }
+            case MaxFromMul: { found = max(w, min(z, x * y)); }
+            case MaxFromNeg: { found = max(z, min(y, -x)); }
+            case MaxMulAdd: { found = max(w, x * y + z); }
+            case SubByAdd: { found = (x - y) * (z + w); }
+            case SubAndSub: { found = (x - y) + (z - w); }
+            case SelectNegLt: { found = select(w, -z, x < y); }
             case Dot: { found = x * y + z * w; }
             case Cross: { found = x * y - z * w; }
             case SelectNeg: { found = select(z, -y, x != 0.0); }
