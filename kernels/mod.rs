@@ -152,8 +152,8 @@ pub use targets::{Skip, Targets};
 /// straight { … } folds { … } decided { … } further { straight { … } folds { … } decided { … } }`: scores of two
 /// boxes and measures of rings, which have kernels of their own, then all other straight
 /// lines, [folds](Fold) over paths and operations with a [search](Decided). Further ones are the same
-/// functions of other shapes: what is compiled once per operation leaves them out of unoptimised builds. An
-/// operation that the harness does not accept at every input is not in the list.
+/// functions of other shapes: proofs of unoptimised builds leave them out. What the harness refuses at more than
+/// some hard cases is not in the list; those inputs are named in `BENCHMARKS.md`.
 #[macro_export]
 macro_rules! for_each_op {
     ($with:ident) => {
