@@ -32,7 +32,11 @@ use crate::clip::{Framed, Relative, frame, relate, size_scale};
 use crate::{Aabb2, Obb2, Scalar, Vec2};
 
 /// The hull of two related boxes, in the frame of a and the units of the related pair; mirrored where b
-/// is turned clockwise. Weights are 0, ½, 1, their sums and differences; letters are the [module](self)'s.
+/// is turned clockwise. Weights are 0, ½, 1, their sums and differences.
+///
+/// With half the size `(x, y)` of a, the arms `p` and `q` of b from its centre to its right and its upper side, and the
+/// weights `a₀ … a₃`, `b₀ … b₃` at the right, upper, left, lower normal of a and of b, which are 1 where a reaches
+/// farther along that normal, 0 where b does and ½ at a tie: `A₀ = a₀ + a₂`, `A₁ = a₁ + a₃`, `B₀`, `B₁` likewise.
 #[derive(Clone, Copy, Debug)]
 pub struct HullOfBoxes<S: Scalar> {
     /// Where everything was mirrored: y, and b's turn, have the other sign.
