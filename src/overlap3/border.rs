@@ -168,11 +168,7 @@ pub fn shared_volume<S: Scalar, const SLOPES: bool, const PIECES: bool>(
         }
     }
     let volume = thrice * S::lit(1.0 / 3.0) + (six * S::lit(1.0 / 6.0) + corners(&cut));
-    // Bounds are no more than a limit: where both are the same, as for boxes that are parallel, slopes are the border's.
-    let volume = volume.most(zero);
-    let limited = volume.with_primal(most.primal());
-    let volume = S::select(volume.above(most), limited, volume);
-    out.volume = S::select(apart, zero, volume);
+    out.volume = volume.most(zero).least(most);
     if SLOPES {
         for i in 0..3 {
             let by_half = slopes.bounds.high[i] - slopes.bounds.low[i];
