@@ -64,17 +64,14 @@ pub fn distance_squared_aabb2<S: Scalar>(a: Aabb2<S>, b: Aabb2<S>) -> S {
 #[inline]
 pub fn farthest_distance_aabb2<S: Scalar>(a: Aabb2<S>, b: Aabb2<S>) -> S {
     let (right, left) = (b.max - a.min, a.max - b.min);
-    Vec2::new(right.x.most(left.x), right.y.most(left.y))
-        .length()
-        .saturated()
-        .canonical()
+    right.most(left).length().saturated().canonical()
 }
 
 /// How far two boxes are apart along x and along y; negative where they overlap.
 #[inline(always)]
 fn gaps<S: Scalar>(a: Aabb2<S>, b: Aabb2<S>) -> Vec2<S> {
     let (right, left) = (b.min - a.max, a.min - b.max);
-    Vec2::new(right.x.most(left.x), right.y.most(left.y))
+    right.most(left)
 }
 
 /// Gaps that are, and zero for those that are not.
