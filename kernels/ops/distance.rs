@@ -1,6 +1,10 @@
 //! Distances of shapes as operations.
 use crate::ad::adjoint::distance::{distance_point_segment_vjp, distance_segments_vjp};
 use crate::distance::segments::{ClosestOnSegments, closest_points_of_segments};
+use crate::distance::turned::{
+    closest_points_obb2, distance_obb2, distance_squared_obb2, farthest_distance_obb2,
+    penetration_obb2, signed_distance_obb2,
+};
 use crate::distance::upright::{
     closest_points_aabb2, distance_aabb2, distance_squared_aabb2, farthest_distance_aabb2,
     signed_distance_aabb2,
@@ -63,10 +67,47 @@ operation! {
     jumps Anywhere
     slopes Reverse
 
-    /// The [distance](crate::distance::distance()) of two rotated boxes.
-    pub DistanceObb2 = "distance_obb2": (a: Obb2<S>, b: Obb2<S>) -> S { distance(a, b) }
+    /// The [distance](crate::distance::turned::distance_obb2) of two rotated boxes.
+    pub DistanceObb2 = "distance_obb2": (a: Obb2<S>, b: Obb2<S>) -> S { distance_obb2(a, b) }
     promises [TranslationX Stays, TranslationY Stays, Rotation Stays, Scaling Power(1), Exchange Stays]
     jumps Never
+    slopes Reverse
+
+    /// The [signed distance](crate::distance::turned::signed_distance_obb2) of two rotated boxes.
+    pub SignedDistanceObb2 = "signed_distance_obb2":
+        (a: Obb2<S>, b: Obb2<S>) -> S { signed_distance_obb2(a, b) }
+    promises [TranslationX Stays, TranslationY Stays, Rotation Stays, Scaling Power(1), Exchange Stays]
+    jumps Never
+    slopes Reverse
+
+    /// The [squared distance](crate::distance::turned::distance_squared_obb2) of two rotated boxes.
+    pub DistanceSquaredObb2 = "distance_squared_obb2":
+        (a: Obb2<S>, b: Obb2<S>) -> S { distance_squared_obb2(a, b) }
+    promises [TranslationX Stays, TranslationY Stays, Rotation Stays, Scaling Power(2), Exchange Stays]
+    jumps Never
+    slopes Reverse
+
+    /// The [longest distance](crate::distance::turned::farthest_distance_obb2) of two rotated boxes.
+    pub FarthestDistanceObb2 = "farthest_distance_obb2":
+        (a: Obb2<S>, b: Obb2<S>) -> S { farthest_distance_obb2(a, b) }
+    promises [TranslationX Stays, TranslationY Stays, Rotation Stays, Scaling Power(1), Exchange Stays]
+    jumps Never
+    slopes Reverse
+
+    /// The [depth of overlap and its direction](crate::distance::turned::penetration_obb2) of two rotated boxes. The
+    /// direction jumps where another face is the deepest.
+    pub PenetrationObb2 = "penetration_obb2":
+        (a: Obb2<S>, b: Obb2<S>) -> Penetration<S> { penetration_obb2(a, b) }
+    promises [TranslationX Stays, TranslationY Stays]
+    jumps Anywhere
+    slopes Forward
+
+    /// The [nearest points](crate::distance::turned::closest_points_obb2) of two rotated boxes. Points jump where another
+    /// feature is nearest.
+    pub ClosestPointsObb2 = "closest_points_obb2":
+        (a: Obb2<S>, b: Obb2<S>) -> ClosestPoints<S> { closest_points_obb2(a, b) }
+    promises [TranslationX Follows, TranslationY Follows, Scaling Follows, Rotation Follows]
+    jumps Anywhere
     slopes Reverse
 
     /// The [signed distance](crate::distance::signed_distance) of a point and a rotated box.
@@ -113,7 +154,6 @@ rows_of_pairs! {
         SignedDistanceCircles = "signed_distance_circles": Circle, Circle, "two circles" [Rotation Stays, Exchange Stays];
         SignedDistanceCircleObb2 = "signed_distance_circle_obb2": Circle, Obb2, "a circle and a rotated box" [Rotation Stays];
         SignedDistanceCapsules = "signed_distance_capsules": Capsule2, Capsule2, "two capsules" [Rotation Stays, Exchange Stays];
-        SignedDistanceObb2 = "signed_distance_obb2": Obb2, Obb2, "two rotated boxes" [Rotation Stays, Exchange Stays];
     }
     signed_distance as "The [signed distance](crate::distance::signed_distance)" -> S,
     promises [TranslationX Stays, TranslationY Stays, Scaling Power(1)],
@@ -133,7 +173,6 @@ rows_of_pairs! {
         DistanceSquaredPointTriangle = "distance_squared_point_triangle": Vec2, Triangle2, "a point and a triangle" [Rotation Stays];
         DistanceSquaredSegments = "distance_squared_segments": Segment2, Segment2, "two segments" [Rotation Stays, Exchange Stays];
         DistanceSquaredTriangles = "distance_squared_triangles": Triangle2, Triangle2, "two triangles" [Rotation Stays, Exchange Stays];
-        DistanceSquaredObb2 = "distance_squared_obb2": Obb2, Obb2, "two rotated boxes" [Rotation Stays, Exchange Stays];
     }
     farthest_distance as "The [longest distance](crate::distance::farthest_distance)" -> S,
     promises [TranslationX Stays, TranslationY Stays, Scaling Power(1)],
@@ -141,7 +180,6 @@ rows_of_pairs! {
         FarthestDistancePointObb2 = "farthest_distance_point_obb2": Vec2, Obb2, "a point and a rotated box" [Rotation Stays];
         FarthestDistanceCircleObb2 = "farthest_distance_circle_obb2": Circle, Obb2, "a circle and a rotated box" [Rotation Stays];
         FarthestDistanceTriangles = "farthest_distance_triangles": Triangle2, Triangle2, "two triangles" [Rotation Stays, Exchange Stays];
-        FarthestDistanceObb2 = "farthest_distance_obb2": Obb2, Obb2, "two rotated boxes" [Rotation Stays, Exchange Stays];
     }
 }
 
@@ -159,7 +197,6 @@ rows_of_pairs! {
     promises [TranslationX Stays, TranslationY Stays],
     jumps Anywhere, slopes Forward {
         PenetrationCircleObb2 = "penetration_circle_obb2": Circle, Obb2, "a circle and a rotated box" [];
-        PenetrationObb2 = "penetration_obb2": Obb2, Obb2, "two rotated boxes" [];
     }
     closest_points as "The [nearest points](crate::distance::closest_points)" -> ClosestPoints<S>,
     promises [TranslationX Follows, TranslationY Follows, Scaling Follows],
@@ -174,6 +211,5 @@ rows_of_pairs! {
         ClosestPointsPointObb2 = "closest_points_point_obb2": Vec2, Obb2, "a point and a rotated box" [Rotation Follows];
         ClosestPointsCapsules = "closest_points_capsules": Capsule2, Capsule2, "two capsules" [Rotation Follows];
         ClosestPointsTriangles = "closest_points_triangles": Triangle2, Triangle2, "two triangles" [Rotation Follows];
-        ClosestPointsObb2 = "closest_points_obb2": Obb2, Obb2, "two rotated boxes" [Rotation Follows];
     }
 }

@@ -167,6 +167,9 @@ pub(super) fn face_deep<S: Scalar, B: Core<S>>(
     let lowest = first.mean();
     let foot = reach(face, lowest.on_b - face.from);
     let on_a = face.from + face.along * foot.t;
+    // Above the face the point itself, which one found from the face would only be to the face's digits.
+    let above = foot.free.equals(foot.t);
+    let beside = on_a + normal * (lowest.ahead - height);
     let beyond = (foot.free - foot.t).magnitude() * S::from_primal(size_of(face.along));
     let (low, high) = (face.low.halved(), face.high.halved());
     let middle = face.from + face.along * (low + high);
@@ -177,7 +180,7 @@ pub(super) fn face_deep<S: Scalar, B: Core<S>>(
             ahead: first.sum.ahead - height * first.count,
             normal,
             on_a,
-            on_b: on_a + normal * (lowest.ahead - height),
+            on_b: choose(above, lowest.on_b, beside),
             beyond,
             middle: Vec2::new(
                 S::from_primal(middle.x.primal()),

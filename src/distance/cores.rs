@@ -252,6 +252,19 @@ impl<S: Scalar, R: Turn<S>> BoxCore<S, R> {
         let Vec2 { x, y } = self.half;
         [(right, x, y), (-right, x, y), (up, y, x), (-up, y, x)]
     }
+    /// How far in front of each face another core begins.
+    #[cfg_attr(not(debug_assertions), inline(always))]
+    pub(super) fn faces_deep<B: Core<S>>(&self, other: &B) -> [Best<S, Deepest<S>>; 4] {
+        self.faces().map(|(normal, half, side)| {
+            let face = Edge {
+                from: self.center + normal * half,
+                along: normal.perp(),
+                low: -side,
+                high: side,
+            };
+            face_deep(face, normal, other)
+        })
+    }
 }
 
 impl<S: Scalar, R: Turn<S>> Core<S> for BoxCore<S, R> {
@@ -336,15 +349,7 @@ impl<S: Scalar, R: Turn<S>> Core<S> for BoxCore<S, R> {
     }
     #[cfg_attr(not(debug_assertions), inline(always))]
     fn deep<B: Core<S>>(&self, other: &B) -> Best<S, Deepest<S>> {
-        Best::most_of(self.faces().into_iter().map(|(normal, half, side)| {
-            let face = Edge {
-                from: self.center + normal * half,
-                along: normal.perp(),
-                low: -side,
-                high: side,
-            };
-            face_deep(face, normal, other)
-        }))
+        Best::most_of(self.faces_deep(other).into_iter())
     }
     /// Without the corners: half the diagonals' projections. Corners that tie are their middle.
     #[cfg_attr(not(debug_assertions), inline(always))]

@@ -15,7 +15,8 @@
 //! | [`penetration`] | how far to shift one of them until they only touch, and in which direction |
 //! | [`farthest_distance`] | the longest way |
 //! | [`segments::closest_points_of_segments`] | points and parameters of two segments |
-//! | [`upright::signed_distance_aabb2`] | the signed distance of two axis-aligned boxes by their bounds alone |
+//! | [`upright`] | those of two axis-aligned boxes by their bounds alone |
+//! | [`turned`] | those of two rotated boxes in the frame of one of them, which keeps digits where faces are all but parallel |
 //! | [`ring`] | distances of a point from polylines and polygons of any kind, edge by edge |
 //!
 //! The signed distance is positive outside. (DGAL's sign is the opposite, positive inside:
@@ -44,6 +45,7 @@ mod search;
 pub mod segments;
 pub mod shapes;
 pub mod share;
+pub mod turned;
 pub mod upright;
 
 pub use convex::{Convex, Core};
@@ -74,12 +76,6 @@ pub struct Penetration<S> {
     pub direction: Vec2<S>,
 }
 
-/// Minus the largest finite number for two lines that cross: no shift parts them.
-#[inline(always)]
-fn endless_or<S: Scalar>(endless: S::Mask, value: S) -> S {
-    S::select(endless, S::lit(-S::LARGEST), value)
-}
-
 /// The signed distance of two convex shapes, in the unit of length: the shortest way between them, or
 /// minus the length of the shortest shift after which they only touch.
 ///
@@ -97,9 +93,7 @@ fn endless_or<S: Scalar>(endless: S::Mask, value: S) -> S {
 #[must_use]
 #[inline]
 pub fn signed_distance<S: Scalar, A: Convex<S>, B: Convex<S>>(a: A, b: B) -> S {
-    let found = relate::<S, A, B, { LENGTH }>(a, b);
-    let apart = found.apart.over(found.scale) - (a.radius() + b.radius());
-    endless_or::<S>(found.endless, apart).canonical()
+    relate::<S, A, B, { LENGTH }>(a, b).signed(a.radius() + b.radius())
 }
 
 /// The signed distance with DGAL's sign: positive where shapes overlap, as a clearance
@@ -150,15 +144,9 @@ pub fn distance_squared<S: Scalar, A: Convex<S>, B: Convex<S>>(a: A, b: B) -> S 
         let apart = found.apart - (a.radius() + b.radius()) * found.scale;
         S::select(apart.above(S::zero()), apart * apart, S::zero())
     } else {
-        // No root, so that curvature is right, too, where the distance vanishes.
-        let square = found.way.length_squared();
-        S::select(found.overlap | found.endless, S::zero(), square)
+        found.square()
     };
-    square
-        .over(found.scale)
-        .over(found.scale)
-        .saturated()
-        .canonical()
+    found.unscaled_square(square)
 }
 
 /// The points in which two convex shapes are nearest to each other.
@@ -177,10 +165,7 @@ pub fn distance_squared<S: Scalar, A: Convex<S>, B: Convex<S>>(a: A, b: B) -> S 
 #[inline]
 pub fn closest_points<S: Scalar, A: Convex<S>, B: Convex<S>>(a: A, b: B) -> ClosestPoints<S> {
     let found = relate::<S, A, B, { POINTS }>(a, b);
-    let outer = |v: Vec2<S>| {
-        let seen = Vec2::new(v.x.over(found.scale), v.y.over(found.scale));
-        found.origin + seen
-    };
+    let outer = |v: Vec2<S>| found.origin + found.unscaled(v);
     let (mut on_a, mut on_b) = (outer(found.on_a), outer(found.on_b));
     if A::ROUND {
         on_a += found.normal * a.radius();
@@ -209,12 +194,7 @@ pub fn closest_points<S: Scalar, A: Convex<S>, B: Convex<S>>(a: A, b: B) -> Clos
 #[inline]
 pub fn penetration<S: Scalar, A: Convex<S>, B: Convex<S>>(a: A, b: B) -> Penetration<S> {
     let found = relate::<S, A, B, { NORMAL }>(a, b);
-    let depth = (a.radius() + b.radius()) - found.apart.over(found.scale);
-    let depth = -endless_or::<S>(found.endless, -depth);
-    Penetration {
-        depth: S::select(depth.above(S::zero()), depth, S::zero()).canonical(),
-        direction: found.normal.canonical(),
-    }
+    found.penetration(a.radius() + b.radius(), found.normal)
 }
 
 /// The longest distance of a point of one shape from a point of the other, in the unit of length. For

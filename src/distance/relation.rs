@@ -1,4 +1,5 @@
 //! Two cores against each other, once for all functions of distance.
+use super::Penetration;
 use super::convex::{Convex, Core};
 use super::edge::{choose, scale_of};
 use super::share::{Best, Deepest, Nearest};
@@ -25,6 +26,49 @@ pub(crate) struct Relation<S: Scalar> {
     pub way: Vec2<S>,
     pub origin: Vec2<S>,
     pub scale: S,
+}
+
+impl<S: Scalar> Relation<S> {
+    /// The signed distance of the shapes, of which both radii together are taken away.
+    #[inline(always)]
+    pub fn signed(&self, radius: S) -> S {
+        self.parted(self.apart.over(self.scale) - radius)
+            .canonical()
+    }
+    /// The squared distance of cores without radii: no root, so that curvature is right, too, where it vanishes.
+    #[inline(always)]
+    pub fn square(&self) -> S {
+        S::select(
+            self.overlap | self.endless,
+            S::zero(),
+            self.way.length_squared(),
+        )
+    }
+    /// A square in the unit of length.
+    #[inline(always)]
+    pub fn unscaled_square(&self, square: S) -> S {
+        let square = square.over(self.scale).over(self.scale);
+        square.saturated().canonical()
+    }
+    /// The depth of overlap with both radii together, and a direction.
+    #[inline(always)]
+    pub fn penetration(&self, radius: S, direction: Vec2<S>) -> Penetration<S> {
+        let depth = -self.parted(self.apart.over(self.scale) - radius);
+        Penetration {
+            depth: S::select(depth.above(S::zero()), depth, S::zero()).canonical(),
+            direction: direction.canonical(),
+        }
+    }
+    /// A way in the unit of length.
+    #[inline(always)]
+    pub fn unscaled(&self, way: Vec2<S>) -> Vec2<S> {
+        Vec2::new(way.x.over(self.scale), way.y.over(self.scale))
+    }
+    /// Minus the largest finite number for two lines that cross: no shift parts them.
+    #[inline(always)]
+    fn parted(&self, apart: S) -> S {
+        S::select(self.endless, S::lit(-S::LARGEST), apart)
+    }
 }
 
 /// Ask for how far only.
@@ -59,13 +103,35 @@ fn relate_all<S: Scalar, A: Convex<S>, B: Convex<S>>(a: A, b: B) -> Relation<S> 
     let origin = a.anchor();
     let scale = scale_of::<S>(a.extent(origin).most(b.extent(origin)));
     let (a, b) = (a.placed(origin, scale), b.placed(origin, scale));
+    let bounded = A::Core::BOUNDED || B::Core::BOUNDED;
     let near = nearest(a, b).mean();
-    let length = near.apart.length();
+    let direction = direction(near.apart);
+    joined((near, direction), deepest(a, b), bounded, origin, scale)
+}
+
+/// The vector with length one; zero for none.
+#[cfg_attr(not(debug_assertions), inline(always))]
+pub(crate) fn direction<S: Scalar>(way: Vec2<S>) -> Vec2<S> {
+    let length = way.length();
     let none = length.at_most(S::zero());
     let over = S::select(none, S::one(), length);
-    let direction = Vec2::new(near.apart.x.over(over), near.apart.y.over(over));
+    Vec2::new(way.x.over(over), way.y.over(over))
+}
+
+/// The relation of two cores by their nearest points, the direction from a to b there, and by the face that parts them best, seen from `origin` in
+/// units of `1 / scale`; `bounded` says that one of them is.
+#[cfg_attr(not(debug_assertions), inline(always))]
+pub(crate) fn joined<S: Scalar>(
+    (near, direction): (Nearest<S>, Vec2<S>),
+    deepest: Option<Best<S, Deepest<S>>>,
+    bounded: bool,
+    origin: Vec2<S>,
+    scale: S,
+) -> Relation<S> {
+    let length = near.apart.length();
+    let none = length.at_most(S::zero());
     let never = S::one().below(S::zero());
-    let Some(deep) = deepest(a, b) else {
+    let Some(deep) = deepest else {
         // Without an area nothing overlaps.
         return Relation {
             apart: length,
@@ -92,11 +158,7 @@ fn relate_all<S: Scalar, A: Convex<S>, B: Convex<S>>(a: A, b: B) -> Relation<S> 
         on_a: choose(inside, deep.on_a, near.on_a),
         on_b: choose(inside, deep.on_b, near.on_b),
         // Bounded cores have a face that parts them unless both are points, for which it is the way.
-        endless: if <A::Core as Core<S>>::BOUNDED || <B::Core as Core<S>>::BOUNDED {
-            never
-        } else {
-            !parted
-        },
+        endless: if bounded { never } else { !parted },
         overlap: inside & deep.ahead.below(S::zero()),
         way: near.apart,
         origin,

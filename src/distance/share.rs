@@ -21,6 +21,29 @@ impl<S: Scalar> Carry<S> for S {
     }
 }
 
+impl<S: Scalar> Carry<S> for Vec2<S> {
+    #[cfg_attr(not(debug_assertions), inline(always))]
+    fn join(self, other: Self, keep: S::Mask, tie: S::Mask) -> Self {
+        join(self, other, keep, tie)
+    }
+    #[cfg_attr(not(debug_assertions), inline(always))]
+    fn times(self, factor: S) -> Self {
+        self * factor
+    }
+}
+
+impl<S: Scalar, A: Carry<S>, B: Carry<S>> Carry<S> for (A, B) {
+    #[cfg_attr(not(debug_assertions), inline(always))]
+    fn join(self, other: Self, keep: S::Mask, tie: S::Mask) -> Self {
+        let ((a, b), (c, d)) = (self, other);
+        (a.join(c, keep, tie), b.join(d, keep, tie))
+    }
+    #[cfg_attr(not(debug_assertions), inline(always))]
+    fn times(self, factor: S) -> Self {
+        (self.0.times(factor), self.1.times(factor))
+    }
+}
+
 /// A value by which candidates are compared, what the best ones carry, added up, and how many they
 /// are.
 #[derive(Clone, Copy, Debug)]

@@ -546,3 +546,99 @@ fn depth_of_parallel_boxes_has_the_mean_of_both_ways_of_turning() {
     }
     assert!(overlapping > 500 && held > 100, "{overlapping} {held}");
 }
+
+/// Boxes of whole numbers and quarter turns, of small angles, of any; every other one without a width.
+fn turned_boxes(dice: &mut Dice, round: usize) -> [geograd::Obb2<f64>; 2] {
+    [0, 1].map(|which| {
+        let numbers: [f64; 4] = std::array::from_fn(|_| match round % 2 {
+            0 => dice.whole(8) as f64,
+            _ => dice.in_range(-4.0, 4.0),
+        });
+        let [x, y, width, height] = numbers;
+        let heading = match (round / 2 % 3, which) {
+            (0, _) => dice.whole(4) as f64 * std::f64::consts::FRAC_PI_2,
+            (1, 1) => dice.in_range(-1.0, 1.0) * 1e-7,
+            (1, _) => 0.0,
+            _ => dice.in_range(-4.0, 4.0),
+        };
+        let height = if round % 5 == 0 { 0.0 } else { height.abs() };
+        geograd::Obb2::new(x, y, width.abs(), height, heading)
+    })
+}
+
+#[test]
+fn turned_boxes_are_as_far_in_the_frame_of_one_as_by_their_corners() {
+    use geograd::distance::{self, Convex, turned};
+    let mut dice = Dice(12);
+    let (mut apart, mut overlapping) = (0, 0);
+    for round in 0..6000 {
+        let [a, b] = turned_boxes(&mut dice, round);
+        let known = distance::signed_distance(a, b);
+        let close = |found: f64, known: f64| {
+            assert!((found - known).abs() < 1e-12, "{a:?} {b:?} {found} {known}");
+        };
+        close(turned::signed_distance_obb2(a, b), known);
+        close(turned::distance_obb2(a, b), known.max(0.0));
+        close(
+            turned::distance_squared_obb2(a, b),
+            distance::distance_squared(a, b),
+        );
+        let pushed = turned::penetration_obb2(a, b);
+        close(pushed.depth, (-known).max(0.0));
+        close(
+            turned::farthest_distance_obb2(a, b),
+            distance::farthest_distance(a, b),
+        );
+        // Shifted by the depth, and a little more, they are apart.
+        if known < -1e-9 {
+            close(pushed.direction.length(), 1.0);
+            let center = b.center + pushed.direction * (pushed.depth + 1e-9);
+            let left = turned::signed_distance_obb2(a, geograd::Obb2 { center, ..b });
+            assert!(left > 0.0 && left < 1e-8, "{a:?} {b:?} {left}");
+        }
+        let found = turned::closest_points_obb2(a, b);
+        close((found.on_b - found.on_a).length(), known.abs());
+        close(found.on_a.signed_distance(a).max(0.0), 0.0);
+        close(found.on_b.signed_distance(b).max(0.0), 0.0);
+        apart += u32::from(known > 0.0);
+        overlapping += u32::from(known < 0.0);
+    }
+    assert!(apart > 600 && overlapping > 600, "{apart} {overlapping}");
+}
+
+#[test]
+fn faces_that_are_all_but_parallel_are_told_apart_in_single_precision() {
+    use geograd::ad::forward::gradient;
+    use geograd::distance::turned;
+    use geograd::{Obb2, Pack};
+    let of = |[x, y, width, height, heading]: [f32; 5]| Obb2::new(x, y, width, height, heading);
+    let angle = 1e-5_f32;
+    // What parts them best, or is nearest, or farthest, differs from the next by less than a digit.
+    let pairs = [
+        [[0.5, 0.25, 1.0, 0.0, 0.0], [0.0, 0.0, 2.0, 1.0, angle]],
+        [[0.5, 0.2, 1.0, 0.5, 0.0], [0.0, 0.0, 2.0, 1.0, angle]],
+        [[2.0, 1.0, 2.0, 1.0, 0.0], [0.0, 0.0, 2.0, 1.0, angle]],
+        [[0.0, 0.0, 50.0, 1e-3, 0.0], [0.0, 0.0, 50.0, 1e-3, 0.0]],
+        [[0.0, 0.0, 0.0, 0.5, 0.0], [0.0, 0.0, 50.0, 0.0, 1e-6]],
+    ];
+    for pair in pairs {
+        let [a, b] = pair.map(of);
+        let wide = |shape: Obb2<f32>| shape.map(&mut |&x| f64::from(x));
+        macro_rules! same {
+            ($f:ident) => {
+                let (_, found) = gradient(|(a, b)| turned::$f(a, b), (a, b));
+                let (_, known) = gradient(|(a, b)| turned::$f(a, b), (wide(a), wide(b)));
+                let pairs = [(found.0, known.0), (found.1, known.1)];
+                for (found, known) in pairs {
+                    for (found, known) in found.scalars().into_iter().zip(known.scalars()) {
+                        let off = (f64::from(found) - known).abs();
+                        assert!(off < 1e-6, "{a:?} {b:?} {found} {known}");
+                    }
+                }
+            };
+        }
+        same!(signed_distance_obb2);
+        same!(distance_obb2);
+        same!(farthest_distance_obb2);
+    }
+}
