@@ -204,11 +204,33 @@ impl<S: Scalar> Inside<S> {
         let (min, max) = (bounds(Vec2::least), bounds(Vec2::most));
         let one = S::select(flat, S::one(), S::zero());
         let (right, up) = (Vec2::new(one, S::zero()), Vec2::new(S::zero(), one));
-        inside
+        let bounded = inside
             .behind(beam, max, right)
             .behind(beam, max, up)
             .behind(beam, min, -right)
-            .behind(beam, min, -up)
+            .behind(beam, min, -up);
+        // Where both say the same it is the faces that the line crosses.
+        let crossed = |faces: Best<S, Border<S>>, bounds: Best<S, Border<S>>| {
+            let same = faces.value.equals(bounds.value);
+            let never = S::one().below(S::zero());
+            Best {
+                value: bounds.value,
+                sum: faces.sum.join(bounds.sum, same, never),
+                count: S::select(same, faces.count, bounds.count),
+            }
+        };
+        // A point has no face at all: it is where its projection is.
+        let point = reach.equals(S::zero());
+        let middle = corners.iter().fold(Vec2::zero(), |sum, &c| sum + c) * S::lit(1.0 / n as f64);
+        let middle = beam.along.dot(middle - beam.from);
+        let projected = |mut best: Best<S, Border<S>>| {
+            best.sum.t = S::select(point, middle * best.count, best.sum.t);
+            best
+        };
+        Inside {
+            enter: projected(crossed(inside.enter, bounded.enter)),
+            exit: projected(crossed(inside.exit, bounded.exit)),
+        }
     }
     /// In a hull of corners, inflated by a radius.
     #[inline(always)]
