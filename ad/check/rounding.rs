@@ -83,6 +83,26 @@ impl Evidence<'_> {
         spread
     }
 
+    /// The same, number by number: how far the roundings of a number that only changes by them carry it, although
+    /// others were decided differently.
+    pub(crate) fn roundings_of_each(
+        &self,
+        base: &[f64],
+        sizes: &[f64],
+        noisy: impl Fn(u64) -> Option<Vec<f64>>,
+    ) -> Vec<f64> {
+        let mut spread = vec![0.0_f64; base.len()];
+        for list in (0..RUNS).map_while(noisy) {
+            for (i, spread) in spread.iter_mut().enumerate().take(list.len()) {
+                let change = (list[i] - base[i]).abs();
+                if change <= DECIDED * sizes[i] {
+                    *spread = spread.max(change);
+                }
+            }
+        }
+        spread
+    }
+
     /// What is linear in a direction, asked along that direction made shorter by a factor drawn from
     /// a seed, and made longer again: for [`roundings`](Self::roundings).
     pub(crate) fn along_shorter(

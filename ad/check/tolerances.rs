@@ -126,6 +126,8 @@ pub(crate) const COARSE: f64 = 0.5;
 /// rounding is larger: slopes there are those of duals, which need no room for steps, so a slope that is off by
 /// more than a millionth of the function's bend is outside.
 pub(crate) const NEARBY: f64 = 1e-6;
+/// How much nearer every other of them may be: a piece between two kinks may be as small as rounding.
+pub(crate) const NEARER: f64 = 1e-8;
 /// How many of them are looked at, and how many are tried: of a box without width only those are in the
 /// domain that have one.
 pub(crate) const PLACES: usize = 48;

@@ -302,6 +302,12 @@ impl Along<'_> {
                 } else if tied && (chosen(e) || self.bent(row)) {
                     said.convention = true;
                     (Place::Undefined, true)
+                } else if tied
+                    && e.among_slopes_nearby(&row.weights, direction, (test.slope, tolerance))
+                {
+                    // Along this direction the function has a slope, at the tie it has many.
+                    said.convention = true;
+                    (Place::Kink, true)
                 } else {
                     let other = slopes.other(witness);
                     let agrees =

@@ -35,7 +35,7 @@ fn rounding_of(e: &Evidence<'_>, row: &Row, witness: Witness, said: &[f64]) -> V
     });
     if let Witness::Further(k) = witness {
         let noisy = |seed| e.subject.noisy_further(e.x, &row.weights, k, seed);
-        let own = e.roundings(said, &row.size, noisy);
+        let own = e.roundings_of_each(said, &row.size, noisy);
         for (spread, own) in spread.iter_mut().zip(own) {
             *spread = spread.max(own);
         }

@@ -1,7 +1,7 @@
 //! Slopes beside a kink: what a derivative at the kink may be between.
 use crate::ad::check::evidence::Evidence;
 use crate::ad::check::sample::Draw;
-use crate::ad::check::tolerances::{NEARBY, PLACES, TRIES};
+use crate::ad::check::tolerances::{NEARBY, NEARER, PLACES, TRIES};
 use crate::ad::check::witness::{Precision, dot};
 
 impl Evidence<'_> {
@@ -24,11 +24,16 @@ impl Evidence<'_> {
         let rounding = self.subject.rounding(self.x);
         let mut draw = Draw::new(11);
         let (mut least, mut most, mut seen) = (f64::INFINITY, f64::NEG_INFINITY, 0);
-        for _ in 0..TRIES {
+        for k in 0..TRIES {
+            // The input may lie between two kinks that are nearer to each other than that.
+            let far = match k % 2 {
+                0 => NEARBY,
+                _ => NEARBY * NEARER.powf(draw.within(0.0, 1.0)),
+            };
             let there: Vec<f64> = (self.x.iter().zip(&self.scales))
                 .zip(&rounding)
                 .map(|((x, scale), rounding)| {
-                    x + (NEARBY * scale).max(*rounding) * draw.within(-1.0, 1.0)
+                    x + (far * scale).max(*rounding) * draw.within(-1.0, 1.0)
                 })
                 .collect();
             if !on.inside(&there) {
