@@ -74,6 +74,23 @@ impl<S: Scalar> Reference<S> {
         };
         (seen, in_a, apart)
     }
+    /// The same for fourth powers of length. What is longer than 2³⁰ in single precision is 2²⁶ local units instead of one:
+    /// the fourth power of the unit is then finite, and what slopes by local coordinates are multiplied by on the way back,
+    /// before the unit itself divides them. Not what is longer than 2³⁵, which is [`too_long`](Reference::too_long).
+    #[must_use]
+    #[inline(always)]
+    pub(crate) fn of_fourth_powers(mut self) -> Self {
+        let (least, most) = (least_unit::<S>(), S::lit(0.25 * ratio::<S>()));
+        let last = least * S::lit(ratio::<S>().powf(5.0 / 28.0)).binade();
+        let held = self.scale.below(least) & self.scale.at_least(last);
+        self.scale = S::select(held, self.scale.over(most.binade()), self.scale);
+        self
+    }
+    /// Where the fourth power of the unit need not be finite.
+    #[inline(always)]
+    pub(crate) fn too_long(&self) -> S::Mask {
+        self.scale.below(least_unit::<S>())
+    }
     /// The same with local coordinates that start elsewhere, at a place in present ones.
     #[must_use]
     #[inline(always)]
@@ -93,6 +110,20 @@ impl<S: Scalar> Reference<S> {
         // Halved: the whole way may not be finite.
         let seen = (halved(vertex) - halved(self.origin)) * self.scale;
         Vec2::new(near(seen.x), near(seen.y)) - self.shift
+    }
+    /// The area of a ring in local units, seen from its own first vertex.
+    #[must_use]
+    #[inline]
+    pub(crate) fn own_area(&self, ring: &[Vec2<S>]) -> S {
+        let Some((&first, rest)) = ring.split_first() else {
+            return S::zero();
+        };
+        let from = halved(first);
+        let ways = rest
+            .iter()
+            .map(|&vertex| (halved(vertex) - from) * self.scale);
+        let twice = ways.clone().zip(ways.skip(1)).map(|(p, q)| p.perp_dot(q));
+        twice.fold(S::zero(), |sum, twice| sum + twice).halved()
     }
     /// A local length in the caller's unit. Areas go through it twice.
     #[must_use]
@@ -146,6 +177,12 @@ pub fn bounds_of<S: Scalar>(points: &[Vec2<S>]) -> Option<Aabb2<S>> {
 #[inline(always)]
 fn ratio<S: Scalar>() -> f64 {
     S::LARGEST.powf(0.21875)
+}
+
+/// The scale of the longest unit with a fourth power that is finite, the unit being two lengths.
+#[inline(always)]
+fn least_unit<S: Scalar>() -> S {
+    S::lit(4.0 * ratio::<S>()).binade()
 }
 
 /// The power of two that brings the smaller size near one, unless the other becomes too large.

@@ -8,7 +8,7 @@ use crate::ad::check::tolerances::{
 };
 use crate::ad::check::trace::Trace;
 use crate::ad::check::verdict::{Reason, Witness};
-use crate::ad::check::witness::{beside, combined, dot};
+use crate::ad::check::witness::{Precision, beside, combined, dot};
 use std::cell::{Cell, RefCell};
 
 /// The slopes of one combination of the outputs.
@@ -79,10 +79,10 @@ pub(crate) struct Evidence<'a> {
     pub(crate) eps: f64,
     /// How far each output is off by what the function itself says of its values.
     pub(crate) resolution: Vec<f64>,
-    /// Outputs that single precision holds with fewer than all digits: of their values the size is judged
-    /// ([`resolution`](Evidence::resolution)); slopes that are pulled back through them have no digits that
-    /// could be.
-    pub(crate) underflown: Vec<bool>,
+    /// Outputs that single precision holds with fewer than all digits, or as its largest number: of their values
+    /// the size is judged ([`resolution`](Evidence::resolution)); slopes that are pulled back through them have no
+    /// digits that could be.
+    pub(crate) off_scale: Vec<bool>,
     /// Inputs beside `x`, with the branches of `x` as far as possible.
     pub(crate) around: Vec<(Vec<f64>, Beside)>,
     /// The slopes; empty until they are [gathered](Evidence::gather_slopes).
@@ -119,7 +119,7 @@ impl<'a> Evidence<'a> {
             said.complain(Reason::Impure(Witness::Value), 0, 0);
         }
         let wide = subject.wide();
-        let underflown = underflown(wide.as_deref(), x, y.len());
+        let off_scale = off_scale(wide.as_deref(), x, y.len());
         let (traced, trace) = subject.traced(x).unzip();
         let rounding = subject.rounding(x);
         let around = (0..ROUNDS).filter_map(|round| {
@@ -145,8 +145,8 @@ impl<'a> Evidence<'a> {
             scales: subject.scales(x),
             units: subject.units(x),
             eps: subject.precision().epsilon(),
-            resolution: resolution(subject, &y, &underflown),
-            underflown,
+            resolution: resolution(subject, &y, &off_scale),
+            off_scale,
             y,
             trace,
             traced,
@@ -179,8 +179,8 @@ impl<'a> Evidence<'a> {
             }
         }
         for (output, weights) in self.combinations(draw).into_iter().enumerate() {
-            let mut used = weights.iter().zip(&self.underflown);
-            if used.any(|(weight, under)| *under && *weight != 0.0) {
+            let mut used = weights.iter().zip(&self.off_scale);
+            if used.any(|(weight, off)| *off && *weight != 0.0) {
                 said.directions[2] += 1;
                 continue;
             }
@@ -303,25 +303,41 @@ impl<'a> Evidence<'a> {
 
 /// The smallest number of single precision that has all digits.
 const SMALLEST: f64 = f32::MIN_POSITIVE as f64;
+/// Its largest number.
+const LARGEST: f64 = f32::MAX as f64;
 
 /// How far each output may be off by how it is computed.
-fn resolution(subject: &dyn Subject, y: &[f64], underflown: &[bool]) -> Vec<f64> {
+fn resolution(subject: &dyn Subject, y: &[f64], off_scale: &[bool]) -> Vec<f64> {
     let mut own = subject.resolution(y);
     own.resize(y.len(), 0.0);
-    for (own, _) in own.iter_mut().zip(underflown).filter(|(_, under)| **under) {
+    for (own, _) in own.iter_mut().zip(off_scale).filter(|(_, off)| **off) {
         *own = own.max(SMALLEST);
     }
     own
 }
 
 /// Which results of single precision are below the smallest number that has all digits, as the fourth power of
-/// a small length is.
-fn underflown(wide: Option<&dyn Subject>, x: &[f64], outputs: usize) -> Vec<bool> {
+/// a small length is, or above the largest one. Zeros among nothing but too small ones are, too.
+fn off_scale(wide: Option<&dyn Subject>, x: &[f64], outputs: usize) -> Vec<bool> {
     let small = |y: &f64| *y != 0.0 && y.abs() < SMALLEST;
-    let mut all: Vec<bool> = match wide {
-        Some(wide) => wide.value(x).iter().map(small).collect(),
-        None => Vec::new(),
-    };
+    let values = wide.map_or(Vec::new(), |wide| wide.value(x));
+    let mut all: Vec<bool> = values.iter().map(small).collect();
+    if all.contains(&true) && values.iter().all(|y| y.abs() < SMALLEST) {
+        all.fill(true);
+    }
+    for (off, y) in all.iter_mut().zip(&values) {
+        *off |= y.abs() > LARGEST;
+    }
     all.resize(outputs, false);
     all
+}
+
+impl Evidence<'_> {
+    /// Whether two numbers say no more than that both are above the largest one of single precision.
+    pub(crate) fn both_saturated(&self, one: f64, other: f64) -> bool {
+        let most = one.abs().min(other.abs());
+        self.subject.precision() == Precision::F32
+            && most >= LARGEST
+            && (one > 0.0) == (other > 0.0)
+    }
 }

@@ -24,7 +24,7 @@ impl Fold for SecondMomentsOfRing {
     type State<S: Scalar> = Sums<S>;
     type Out<S: Scalar> = SecondMoments<S>;
     fn reference<S: Scalar>(_: [S; 0], ring: &[Vec2<S>]) -> Reference<S> {
-        Reference::of_ring(ring)
+        Reference::of_ring(ring).of_fourth_powers()
     }
     fn empty<S: Scalar>() -> Sums<S> {
         [S::zero(); 6]

@@ -41,6 +41,12 @@ pub fn giou_polygons_replay<S: Scalar, const N: usize, const M: usize, const K: 
 ) -> S {
     let shared = measure(a, b);
     let [inter, area_a, area_b] = shared.areas;
+    // Far from what it is seen from a polygon has the digits of its distance; without an overlap nothing need
+    // agree with the other one's.
+    let own = |known: S, vertices: &[Vec2<S>]| {
+        S::select(shared.nothing, shared.seen.own_area(vertices), known)
+    };
+    let (area_a, area_b) = (own(area_a, a.as_slice()), own(area_b, b.as_slice()));
     let hull = merge_replay(a, b, trace);
     let mut twice = S::zero();
     for [start, end] in hull.edges() {

@@ -93,17 +93,21 @@ pub fn of_edge<S: Scalar>(start: Vec2<S>, end: Vec2<S>) -> Sums<S> {
 }
 
 /// The end of the fold: second moments about the centroid, in the caller's unit. Where the area is
-/// zero they are those about the local origin: zero.
+/// zero they are those about the local origin: zero. No slope for what is longer than 2³⁵ in single precision (2²⁶⁶ in
+/// double), where moments are beyond all numbers unless nearly nothing is enclosed.
 #[must_use]
 #[inline(always)]
 pub fn finish<S: Scalar>(sums: Sums<S>, seen: &Reference<S>) -> SecondMoments<S> {
     let [twice, x, y, xx, yy, xy] = sums;
     let flat = twice.equals(S::zero());
-    // Both mean distances from the local origin, times six areas each.
-    let per = S::one().over(S::lit(18.0) * S::select(flat, S::one(), twice));
-    let per = S::select(flat, S::zero(), per);
-    let central = |square: S, by: f64, p: S, q: S| square.over(S::lit(by)) - p * q * per;
+    let thrice = S::lit(3.0) * S::select(flat, S::one(), twice);
+    // The centroid before the moments that are taken away about it: no product has more than four lengths.
+    let mean = |x: S| S::select(flat, S::zero(), x).over(thrice);
+    let (x, y) = (mean(x), mean(y));
+    let central =
+        |square: S, by: f64, p: S, q: S| square.over(S::lit(by)) - p * (q * twice.halved());
     let outer = |x: S| {
+        let x = S::select(seen.too_long(), S::from_primal(x.primal()), x);
         let area = seen.outer(seen.outer(x));
         seen.outer(seen.outer(area)).saturated().canonical()
     };
@@ -138,7 +142,7 @@ pub fn second_moments<S: Scalar>(rings: &[&[Vec2<S>]]) -> SecondMoments<S> {
     let Some(bounds) = bounds_of_rings(rings) else {
         return zero;
     };
-    let seen = Reference::of_bounds(bounds);
+    let seen = Reference::of_bounds(bounds).of_fourth_powers();
     let far = seen.place(bounds.max);
     let seen = seen.shifted(Vec2::new(far.x.halved(), far.y.halved()));
     let mut sums = [S::zero(); 6];

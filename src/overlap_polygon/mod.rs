@@ -71,12 +71,13 @@ fn middle<S: Scalar>(polygon: &[Vec2<S>], seen: &Reference<S>) -> Vec2<S> {
     sum * S::lit(1.0 / total.max(1.0))
 }
 
-/// How both polygons are seen: from a place inside the smaller one. And whether their bounds are apart.
+/// How both polygons are seen: from a place inside the smaller one. And whether that is a, and whether their bounds are
+/// apart.
 #[inline(always)]
-fn pair_reference<S: Scalar>(a: &[Vec2<S>], b: &[Vec2<S>]) -> (Reference<S>, S::Mask) {
+fn pair_reference<S: Scalar>(a: &[Vec2<S>], b: &[Vec2<S>]) -> (Reference<S>, S::Mask, S::Mask) {
     let (seen, in_a, apart) = Reference::of_pair(least_bounds(a), least_bounds(b));
     let middle = choose(in_a, middle(a, &seen), middle(b, &seen));
-    (seen.shifted(middle), apart)
+    (seen.shifted(middle), in_a, apart)
 }
 
 /// Measures two convex polygons, given as the first `count_a` and `count_b` of some vertices (repeated
@@ -88,7 +89,7 @@ fn measure_counted<S: Scalar, const N: usize, const M: usize>(
     b: &[Vec2<S>; M],
     count_b: usize,
 ) -> SharedArea<S> {
-    let (seen, apart) = pair_reference(&a[..count_a], &b[..count_b]);
+    let (seen, in_a, apart) = pair_reference(&a[..count_a], &b[..count_b]);
     let (fan_a, fan_b) = (Fan::new(a, count_a, &seen), Fan::new(b, count_b, &seen));
     let (area_a, area_b) = (fan_a.area(), fan_b.area());
     let zero = S::zero();
@@ -102,7 +103,7 @@ fn measure_counted<S: Scalar, const N: usize, const M: usize>(
     let mut twice = zero;
     let mut k = 0;
     while k < fan_a.count {
-        twice += fan_b.shared_with(fan_a.edge(k));
+        twice += fan_b.shared_with(fan_a.edge(k), !in_a);
         k += 1;
     }
     let area = twice.halved();
@@ -195,6 +196,7 @@ pub fn iof_polygons<S: Scalar, const N: usize, const M: usize>(
 pub struct Inside<S: Scalar, const M: usize> {
     pub(crate) seen: Reference<S>,
     pub(crate) fan: Fan<S, M>,
+    pub(crate) smaller: S::Mask,
     pub(crate) apart: S::Mask,
 }
 
@@ -214,6 +216,7 @@ impl<S: Scalar, const M: usize> Inside<S, M> {
         Inside {
             seen,
             fan: Fan::new(&polygon.vertices, polygon.count, &seen),
+            smaller: !in_rings,
             apart,
         }
     }
@@ -221,8 +224,8 @@ impl<S: Scalar, const M: usize> Inside<S, M> {
     #[must_use]
     #[inline(always)]
     pub fn of_edge(&self, start: Vec2<S>, end: Vec2<S>) -> S {
-        self.fan
-            .shared_with([self.seen.place(start), self.seen.place(end)])
+        let edge = [self.seen.place(start), self.seen.place(end)];
+        self.fan.shared_with(edge, self.smaller)
     }
     /// The end of the fold: the area inside, in the caller's unit, from the sum over all edges.
     #[must_use]

@@ -33,6 +33,8 @@ pub(crate) struct Pair<'a, S: Scalar> {
     pub rings: [Rings<'a, S>; 2],
     pub sides: [Sides; 2],
     pub seen: Reference<S>,
+    /// Whether b is the smaller one.
+    pub in_b: bool,
     /// Where nothing is shared: value and slopes are zero.
     pub apart: bool,
     /// Both are the same vertices in the same order.
@@ -65,6 +67,7 @@ impl<'a, S: Scalar<Mask = bool>> Pair<'a, S> {
             rings: [a, b],
             sides: [Sides::decided(a), Sides::decided(b)],
             seen: seen.shifted(at),
+            in_b: !in_a,
             apart: apart || empty,
             same,
         })
@@ -124,7 +127,7 @@ impl<'a, S: Scalar<Mask = bool>> Pair<'a, S> {
                     for k in 0..g.count {
                         let areas = [f.twice[i], g.twice[k]];
                         if let Some(pair) = between(f.edges[i], g.edges[k], areas) {
-                            sum += shared_twice(&pair) * g.signs[k];
+                            sum += shared_twice(&pair, self.in_b) * g.signs[k];
                         }
                     }
                     twice += sum * f.signs[i];

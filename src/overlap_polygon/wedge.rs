@@ -1,4 +1,5 @@
 //! Triangles over the edges of two rings, seen from one place: what every two of them share.
+use super::quad::TINY;
 use crate::reference::Reference;
 use crate::{Mask, Scalar, Vec2};
 
@@ -71,8 +72,8 @@ fn wedge<S: Scalar>(
         turned_g,
         first_g,
         last_g,
-        skip: p00.unsigned().over(first_unit),
-        rest: p11.unsigned().over(last_unit),
+        skip: S::select(first_g, -p00, p00).over(first_unit),
+        rest: S::select(last_g, p11, -p11).over(last_unit),
         first: [
             S::select(first_g, twice[0], first_unit),
             S::select(first_g, first_unit, twice[1]),
@@ -113,13 +114,22 @@ pub(crate) fn between<S: Scalar>(
     )
 }
 
-/// Twice the area that both triangles share, with the sign of their orientations.
+/// Twice the area that both triangles share, with the sign of their orientations; `of_g` says that the second edge is
+/// of the smaller polygon.
+///
+/// It is found as a part of the smaller polygon's triangle: of one that is R times as long the part is R² times smaller,
+/// and what is left of one.
 #[inline(always)]
-pub(crate) fn shared_twice<S: Scalar>(pair: &Wedge<S>) -> S {
+pub(crate) fn shared_twice<S: Scalar>(pair: &Wedge<S>, of_g: S::Mask) -> S {
     let (zero, one) = (S::zero(), S::one());
-    let span =
-        one - S::select(pair.first_g, pair.skip, zero) - S::select(pair.last_g, pair.rest, zero);
-    let ([a, b, alpha], [far_a, far_b, beta]) = (pair.first, pair.last);
+    // Seen from g both change places. A triangle of which the reciprocal may be infinite is none to see from.
+    let of_g = of_g & pair.twice[1].above(S::lit(TINY * S::EMPTY));
+    let choose = |by_g: S, by_f: S| S::select(of_g, by_g, by_f);
+    let skips = of_g & !pair.first_g | !of_g & pair.first_g;
+    let rests = of_g & !pair.last_g | !of_g & pair.last_g;
+    let span = one - S::select(skips, pair.skip, zero) - S::select(rests, pair.rest, zero);
+    let turned = |[f, g, more]: [S; 3]| [choose(g, f), choose(f, g), choose(-more, more)];
+    let ([a, b, alpha], [far_a, far_b, beta]) = (turned(pair.first), turned(pair.last));
     let excess = |at: S, by: S, other: S| {
         // On the other's border it counts where it comes from beyond or goes there.
         let beyond = (by.above(zero) | (by.equals(zero) & other.above(zero))) & at.above(zero);
@@ -138,7 +148,7 @@ pub(crate) fn shared_twice<S: Scalar>(pair: &Wedge<S>) -> S {
     let halves = alpha.over(S::select(tie, a, one)) + beta.over(S::select(tie, far_a, one));
     let tied = one - halves.halved();
     let share = S::select(tie, tied, S::select(crossing, crossed, whole));
-    let area = pair.twice[0] * span * share;
+    let area = choose(pair.twice[1], pair.twice[0]) * span * share;
     let area = S::select(pair.shared, area, zero);
     S::select(mixed::<S>(pair), -area, area)
 }
@@ -207,14 +217,15 @@ impl<S: Scalar, const M: usize> Fan<S, M> {
     pub fn wedge(&self, f: [Vec2<S>; 2], k: usize) -> Option<Wedge<S>> {
         between(f, self.edge(k), [f[0].perp_dot(f[1]), self.twice[k]])
     }
-    /// What an edge of a ring contributes to twice the area that the ring shares with this.
+    /// What an edge of a ring contributes to twice the area that the ring shares with this, which may be the
+    /// smaller one.
     #[inline(always)]
-    pub fn shared_with(&self, edge: [Vec2<S>; 2]) -> S {
+    pub fn shared_with(&self, edge: [Vec2<S>; 2], smaller: S::Mask) -> S {
         let mut sum = S::zero();
         let mut k = 0;
         while k < self.count {
             if let Some(pair) = self.wedge(edge, k) {
-                sum += shared_twice(&pair);
+                sum += shared_twice(&pair, smaller);
             }
             k += 1;
         }

@@ -89,12 +89,14 @@ impl Along<'_> {
         let reach = self.reach();
         let mut unrest = Vec::new();
         for j in 0..e.y.len() {
-            if here.traced && here.jump(j, e.eps * e.y[j].abs()).is_some() {
+            // Single precision may say zero where double does not.
+            let size = here.center[j].abs().max(e.y[j].abs());
+            if here.traced && here.jump(j, e.eps * size).is_some() {
                 // Rounding within a branch is no jump.
                 let none = vec![0.0; e.y.len()];
                 unrest = e.spread(&e.y, Some(&none), |x| Some(e.subject.value(x)));
             }
-            let noise = e.eps * e.y[j].abs() + unrest.get(j).unwrap_or(&0.0) + reach;
+            let noise = e.eps * size + unrest.get(j).unwrap_or(&0.0) + reach;
             let noise = noise.max(e.resolution[j]);
             // A kink may be nearer than the smallest step; a jump still jumps nearer by.
             let near = || (self.climb)(self.direction, NEAR_JUMP).jump(j, noise);

@@ -74,7 +74,7 @@ fn value_moves(e: &Evidence<'_>, promise: Promise, amount: f64, kinds: &[Kind]) 
             .sum()
     };
     let rounding: f64 = slopes.map(moved).sum();
-    for j in 0..y.len() {
+    for j in (0..y.len()).filter(|&j| !e.both_saturated(y[j], wanted[j])) {
         let size = y[j].abs().max(wanted[j].abs());
         let growth = (size / e.y[j].abs().max(f64::MIN_POSITIVE)).clamp(1.0, GROWTH);
         let off = 2.0 * spread[j].max(e.resolution[j]) + e.eps * rounding;

@@ -35,10 +35,7 @@ fn values(e: &Evidence<'_>, wide: &dyn Subject, value: &[f64]) -> Notes {
         let (narrow, value) = (e.y[j], value[j]);
         let off = (spread[j] + own[j]).max(e.resolution[j]);
         let tolerance = ROUNDINGS * e.eps * value.abs().max(narrow.abs()) + SAFETY * off;
-        // The largest number of a format says no more than that the value is larger.
-        let most = f64::from(f32::MAX);
-        let off_scale = narrow.abs() == most && value.abs() >= most;
-        if off_scale && (narrow > 0.0) == (value > 0.0) {
+        if e.both_saturated(narrow, value) {
             continue;
         }
         if (value - narrow).abs() > tolerance {

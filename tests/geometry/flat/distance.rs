@@ -561,7 +561,11 @@ fn turned_boxes(dice: &mut Dice, round: usize) -> [geograd::Obb2<f64>; 2] {
             (1, _) => 0.0,
             _ => dice.in_range(-4.0, 4.0),
         };
-        let height = if round % 5 == 0 { 0.0 } else { height.abs() };
+        let height = if round.is_multiple_of(5) {
+            0.0
+        } else {
+            height.abs()
+        };
         geograd::Obb2::new(x, y, width.abs(), height, heading)
     })
 }

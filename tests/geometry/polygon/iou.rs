@@ -426,3 +426,28 @@ fn generalised_iou_keeps_its_digits() {
         }
     }
 }
+
+#[test]
+fn giou_of_polygons_far_apart_keeps_the_area_of_the_far_one() {
+    let at = |corners: &[(f32, f32)]| -> ConvexPolygon<f32, 5> {
+        let corners: Vec<Vec2<f32>> = corners.iter().map(|&(x, y)| Vec2::new(x, y)).collect();
+        ConvexPolygon::try_new(&corners).unwrap()
+    };
+    let far = at(&[
+        (101_700_000.0, -102_300_000.0),
+        (101_800_000.0, -102_300_000.0),
+        (101_800_000.0, -102_200_000.0),
+        (101_700_000.0, -102_200_000.0),
+    ]);
+    let near = at(&[(-7e5, 1e5), (-5e5, 1e5), (0.0, 2e5)]);
+    let wide = |a: &ConvexPolygon<f32, 5>| ConvexPolygon::<f64, 5> {
+        vertices: a
+            .vertices
+            .map(|v| Vec2::new(f64::from(v.x), f64::from(v.y))),
+        count: a.count,
+    };
+    let (found, _) = giou_polygons_decided::<f32, 5, 5, 10>(&near, &far).unwrap();
+    let (known, _) = giou_polygons_decided::<f64, 5, 5, 10>(&wide(&near), &wide(&far)).unwrap();
+    // Not one unit in the last place more: the area of the far one is 4·10⁻⁴ of the hull's.
+    assert!((f64::from(found) - known).abs() < 1e-7, "{found} {known}");
+}

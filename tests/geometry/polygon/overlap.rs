@@ -607,3 +607,24 @@ fn slopes_of_quads_are_those_of_polygons() {
         }
     }
 }
+
+#[test]
+fn a_speck_at_the_corner_of_a_continent_keeps_its_area_in_either_order() {
+    // Seen from the larger one, what is shared is 10⁻²⁴ of its triangles.
+    let speck = Aabb2::new(0.0, 0.0, 1e-6, 1e-6).corners();
+    let speck = ConvexPolygon::<f64, 5>::try_new(&speck).unwrap();
+    for shift in [-7e-7, -1.1e-8, 0.0, 1e-9, 2e-7] {
+        let corners = [(0.0, shift), (2e6, 0.0), (1e6, 1e6)].map(|(x, y)| Vec2::new(x, y));
+        let land = ConvexPolygon::<f64, 5>::try_new(&corners).unwrap();
+        let known = exact_area(land.as_slice(), speck.as_slice());
+        for found in [
+            intersection_area_polygons(&speck, &land),
+            intersection_area_polygons(&land, &speck),
+        ] {
+            assert!(
+                (found - known).abs() < 1e-3 * 1e-12,
+                "{shift} {found} {known}"
+            );
+        }
+    }
+}
