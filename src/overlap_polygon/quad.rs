@@ -19,22 +19,20 @@
 use crate::reference::choose;
 use crate::{Scalar, Vec2};
 
-/// Twice the mean of the positive part of a linear function between two values.
+/// Twice the mean of the positive part of a linear function between two values: the square of what is positive of both
+/// over what they are without a sign.
 #[inline(always)]
 fn positive<S: Scalar>(start: S, end: S) -> S {
-    let (zero, one) = (S::zero(), S::one());
-    let (p, q) = (start.most(zero), end.most(zero));
-    let way = start - end;
-    let flat = way.equals(zero);
-    let share = (p - q).over(S::select(flat, one, way));
-    (p + q) * S::select(flat, one, share)
+    let zero = S::zero();
+    let part = start.most(zero) + end.most(zero);
+    let all = start.magnitude() + end.magnitude();
+    part * part.over(all.most(S::lit(S::EMPTY)))
 }
 
 /// The area that a ring shares with a triangle, from oblique coordinates.
 #[inline(always)]
 fn in_triangle<S: Scalar>(x: [S; 4], y: [S; 4], all: S) -> S {
     let (zero, one) = (S::zero(), S::one());
-    let none = all.at_most(zero);
     let mut low = [zero; 4];
     let mut moved = [zero; 4];
     let mut k = 0;
@@ -48,17 +46,16 @@ fn in_triangle<S: Scalar>(x: [S; 4], y: [S; 4], all: S) -> S {
     while k < 4 {
         let next = (k + 1) % 4;
         let rise = y[next] - y[k];
-        // What a rise so small adds is nothing, and its reciprocal may be infinite.
+        // What a rise so small adds is nothing whatever the slope, and its reciprocal may be infinite.
         let level = rise.unsigned().at_most(S::lit(TINY * S::EMPTY));
         let slope = (x[next] - x[k]).over(S::select(level, one, rise));
-        let slope = S::select(level, zero, slope);
         let (start, end) = (x[k] + moved[k] * slope, x[next] + moved[next] * slope);
         let beyond = positive((start + low[k]) - all, (end + low[next]) - all);
         twice += (low[next] - low[k]) * (positive(start, end) - beyond);
         k += 1;
     }
-    let area = twice.over(S::select(none, one, all)).halved();
-    S::select(none, zero, area)
+    // A triangle without an area has no strip, so that `twice` is zero.
+    twice.over(all.most(S::lit(S::EMPTY))).halved()
 }
 
 // Functions, not closures: those do not inherit instruction sets.
@@ -87,11 +84,19 @@ fn far<S: Scalar>(of: [S; 4], to: [S; 4], all: S) -> [S; 4] {
 fn separates<S: Scalar>(side: [S; 4], along: Vec2<S>) -> S::Mask {
     let zero = S::zero();
     let is_side = !(along.x.equals(zero) & along.y.equals(zero));
-    // One comparison instead of four: masks have fewer units than numbers.
-    let first = side[0].primal().most(side[1].primal());
-    let most = first.most(side[2].primal().most(side[3].primal()));
-    let right = S::from_primal(most).at_most(zero);
+    let right = S::from_primal(most_of(side)).at_most(zero);
     is_side & right
+}
+// One comparison instead of four: masks have fewer units than numbers.
+#[inline(always)]
+fn most_of<S: Scalar>(x: [S; 4]) -> S::Primal {
+    let x = [x[0].primal(), x[1].primal(), x[2].primal(), x[3].primal()];
+    x[0].most(x[1]).most(x[2].most(x[3]))
+}
+#[inline(always)]
+fn least_of<S: Scalar>(x: [S; 4]) -> S::Primal {
+    let x = [x[0].primal(), x[1].primal(), x[2].primal(), x[3].primal()];
+    x[0].least(x[1]).least(x[2].least(x[3]))
 }
 
 /// Two quadrilaterals, seen from a corner of b in units of the larger one.
@@ -158,17 +163,15 @@ impl<S: Scalar> QuadPair<S> {
             to[k] = half(b[k]) - half(b[0]);
             k += 1;
         }
-        let exchanged = reach(&ways).below(reach(&to));
+        let (reach_a, reach_b) = (reach(&ways), reach(&to));
+        let exchanged = reach_a.below(reach_b);
         let origin = choose(exchanged, half(a[0]), half(b[0]));
-        let mut size = zero;
+        let mut size = S::select(exchanged, reach_a, reach_b);
         k = 0;
         while k < 4 {
             to[k] = choose(exchanged, ways[k], to[k]);
             at[k] = choose(exchanged, half(b[k]), half(a[k])) - origin;
-            let (at, to) = (at[k], to[k]);
-            size = size
-                .most(at.x.unsigned().most(at.y.unsigned()))
-                .most(to.x.unsigned().most(to.y.unsigned()));
+            size = size.most(at[k].x.unsigned().most(at[k].y.unsigned()));
             k += 1;
         }
         // A power of two that brings the larger one near one, so that nothing overflows.
@@ -199,6 +202,7 @@ impl<S: Scalar> QuadPair<S> {
         // A side with all of the other on its right or on itself separates them.
         let mut own = zero;
         let mut inside = S::Primal::one();
+        let mut apart = S::one().below(zero);
         let mut left_of_a = [[zero; 4]; 4];
         k = 0;
         while k < 4 {
@@ -209,9 +213,13 @@ impl<S: Scalar> QuadPair<S> {
             let mut i = 0;
             while i < 4 {
                 left_of_a[k][i] = corner + (cross[i][k] - cross[i][next]);
-                inside = inside.least(left_of_a[k][i].primal());
                 i += 1;
             }
+            // Of a side without a length all of them are zero.
+            let (most, least) = (most_of(left_of_a[k]), least_of(left_of_a[k]));
+            inside = inside.least(least);
+            let (most, least) = (S::from_primal(most), S::from_primal(least));
+            apart = apart | most.at_most(zero) & least.below(zero);
             k += 1;
         }
         let left_of_b = [
@@ -220,16 +228,11 @@ impl<S: Scalar> QuadPair<S> {
             far(cross[2], cross[3], second),
             against(cross[3]),
         ];
-        let mut apart = S::one().below(zero)
+        let apart = apart
             | separates(left_of_b[0], to[1])
             | separates(left_of_b[1], to[2] - to[1])
             | separates(left_of_b[2], to[3] - to[2])
             | separates(left_of_b[3], to[3]);
-        k = 0;
-        while k < 4 {
-            apart = apart | separates(left_of_a[k], at[(k + 1) % 4] - at[k]);
-            k += 1;
-        }
 
         // With every corner clear of a's sides b shares all it has, which the integral over the border of
         // an a of R times its size would give to R roundings. What is nearer is a kink, found by that.
