@@ -51,7 +51,8 @@ fn beyond<S: Scalar>(first: S, last: S, half: S) -> S {
     S::select(out, by, zero)
 }
 
-/// The corner of b that is nearest to a, or the corner of a that is nearest to b, and the direction from a to b.
+/// The corner of b that is nearest to a, or the corner of a that is nearest to b, and the direction from a to b. The
+/// point of b is seen from b's centre, so that its distance from a costs no digits.
 #[inline(always)]
 fn nearest<S: Scalar>(pair: &Relative<S>) -> Best<S, (Nearest<S>, Vec2<S>)> {
     let (h, p, cos, sin) = (pair.half_a, pair.half_b, pair.cos, pair.sin);
@@ -62,11 +63,10 @@ fn nearest<S: Scalar>(pair: &Relative<S>) -> Best<S, (Nearest<S>, Vec2<S>)> {
         let arm = Vec2::new(signed(i, p.x), signed(j, p.y));
         let (first, last) = (center + arm, arm.perp() * sin - arm * short);
         let apart = Vec2::new(beyond(first.x, last.x, h.x), beyond(first.y, last.y, h.y));
-        let corner = first + last;
         let found = Nearest {
             apart,
-            on_a: corner - apart,
-            on_b: corner,
+            on_a: (first + last) - apart,
+            on_b: arm + last,
         };
         Best::of(apart.length_squared(), (found, direction(apart)))
     });
@@ -79,7 +79,7 @@ fn nearest<S: Scalar>(pair: &Relative<S>) -> Best<S, (Nearest<S>, Vec2<S>)> {
         let found = Nearest {
             apart: -turned,
             on_a: corner,
-            on_b: center + turn * (local - apart),
+            on_b: turn * (local - apart),
         };
         // Before it is turned: along a side it is that side's normal, however short the way is.
         let direction = -(turn * direction(apart));
@@ -88,18 +88,19 @@ fn nearest<S: Scalar>(pair: &Relative<S>) -> Best<S, (Nearest<S>, Vec2<S>)> {
     Best::least(of_b.into_iter().chain(of_a))
 }
 
-/// The face of a or b that parts them best.
+/// The face of a or b that parts them best; the point of b is seen from b's centre.
 #[inline(always)]
 fn deepest<S: Scalar>(pair: &Relative<S>) -> Best<S, Deepest<S>> {
     let (h, p, cos, sin) = (pair.half_a, pair.half_b, pair.cos, pair.sin);
     let (steep, short) = (sin.magnitude(), short(pair));
+    let center = Vec2::new(pair.u, pair.v);
     let of_a = BoxCore {
         center: Vec2::zero(),
         half: h,
         turn: Upright,
     };
     let of_b = BoxCore {
-        center: Vec2::new(pair.u, pair.v),
+        center,
         half: p,
         turn: Rotation2 { cos, sin },
     };
@@ -128,6 +129,7 @@ fn deepest<S: Scalar>(pair: &Relative<S>) -> Best<S, Deepest<S>> {
     let pairs = facing.enumerate().map(|(k, ((of_a, of_b, more), back))| {
         let (mut a, mut b) = (own[k], other[back].flipped());
         (a.sum.ahead, b.sum.ahead) = (of_a, of_b);
+        (a.sum.on_b, b.sum.on_b) = (a.sum.on_b - center, b.sum.on_b - center);
         let (zero, less) = (S::zero(), S::lit(-S::LARGEST));
         let ahead = S::select(more.below(zero), of_b, of_a);
         a.value = S::select(more.below(zero), less, ahead);
@@ -137,6 +139,7 @@ fn deepest<S: Scalar>(pair: &Relative<S>) -> Best<S, Deepest<S>> {
     Best::most_of(pairs)
 }
 
+/// The relation, in which each point is seen from the centre of its box along the axes of a.
 #[inline(always)]
 fn related<S: Scalar>(a: Obb2<S>, b: Obb2<S>) -> (Relation<S>, Rotation2<S>) {
     let (pair, turn, scale) = seen(a, b);
@@ -216,10 +219,10 @@ pub fn penetration_obb2<S: Scalar>(a: Obb2<S>, b: Obb2<S>) -> Penetration<S> {
 #[inline]
 pub fn closest_points_obb2<S: Scalar>(a: Obb2<S>, b: Obb2<S>) -> ClosestPoints<S> {
     let (found, turn) = related(a, b);
-    let outer = |v: Vec2<S>| (a.center + turn * found.unscaled(v)).canonical();
+    let outer = |center: Vec2<S>, v: Vec2<S>| (center + turn * found.unscaled(v)).canonical();
     ClosestPoints {
-        on_a: outer(found.on_a),
-        on_b: outer(found.on_b),
+        on_a: outer(a.center, found.on_a),
+        on_b: outer(b.center, found.on_b),
     }
 }
 
