@@ -70,17 +70,7 @@ impl Evidence<'_> {
         sizes: &[f64],
         noisy: impl Fn(u64) -> Option<Vec<f64>>,
     ) -> Vec<f64> {
-        let mut spread = vec![0.0_f64; base.len()];
-        for list in (0..RUNS).map_while(noisy) {
-            let change = |i: usize| (list[i] - base[i]).abs();
-            if list.len() == base.len() && (0..list.len()).all(|i| change(i) <= DECIDED * sizes[i])
-            {
-                for (i, spread) in spread.iter_mut().enumerate() {
-                    *spread = spread.max(change(i));
-                }
-            }
-        }
-        spread
+        self.rounded(base, sizes, noisy, true)
     }
 
     /// The same, number by number: how far the roundings of a number that only changes by them carry it, although
@@ -91,13 +81,26 @@ impl Evidence<'_> {
         sizes: &[f64],
         noisy: impl Fn(u64) -> Option<Vec<f64>>,
     ) -> Vec<f64> {
+        self.rounded(base, sizes, noisy, false)
+    }
+
+    fn rounded(
+        &self,
+        base: &[f64],
+        sizes: &[f64],
+        noisy: impl Fn(u64) -> Option<Vec<f64>>,
+        together: bool,
+    ) -> Vec<f64> {
         let mut spread = vec![0.0_f64; base.len()];
-        for list in (0..RUNS).map_while(noisy) {
-            for (i, spread) in spread.iter_mut().enumerate().take(list.len()) {
-                let change = (list[i] - base[i]).abs();
-                if change <= DECIDED * sizes[i] {
-                    *spread = spread.max(change);
-                }
+        let lists = (0..RUNS).map_while(noisy);
+        for list in lists.filter(|list| list.len() == base.len()) {
+            let change = |i: usize| (list[i] - base[i]).abs();
+            let small = |i: usize| change(i) <= DECIDED * sizes[i];
+            if together && !(0..list.len()).all(small) {
+                continue;
+            }
+            for (i, spread) in spread.iter_mut().enumerate().filter(|(i, _)| small(*i)) {
+                *spread = spread.max(change(i));
             }
         }
         spread
