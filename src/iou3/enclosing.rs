@@ -103,11 +103,47 @@ pub(super) fn of_any<S: Scalar>(a: Obb3<S>, b: Obb3<S>, kind: Enclosing) -> Vec3
 ///
 /// A side of it lies along an edge of the convex hull: along a side of either box, or through a corner of
 /// each. All eighteen such directions are tried, hull or not, since none of them can give less; so nothing is
-/// sorted. Kinks: where another direction becomes the best.
+/// sorted. The best one is found by values alone, so slopes are those of one rectangle and not of eighteen.
+/// Kinks: where another direction becomes the best.
 #[must_use]
 pub fn smallest_rectangle<S: Scalar>(a: Obb2<S>, b: Obb2<S>) -> Vec2<S> {
     let (p, q) = (a.corners(), b.corners());
-    let extent = |axis: Vec2<S>, points: [Vec2<S>; 8]| {
+    let points = [p[0], p[1], p[2], p[3], q[0], q[1], q[2], q[3]];
+    let values = points.map(primal);
+    let along = |heading: S| {
+        let axis = Rotation2::from_angle(heading);
+        Vec2::new(axis.cos, axis.sin)
+    };
+    let mut best = along(a.heading);
+    let mut area = area_along(primal(best), values);
+    let mut candidate = |way: Vec2<S>| {
+        let axis = primal(way).normalize_or_zero();
+        let own = area_along(axis, values);
+        // Corners that are one have no direction.
+        let better = axis.length_squared().above(S::Primal::zero()) & own.below(area);
+        area = S::Primal::select(better, own, area);
+        best = Vec2::new(
+            S::select(better, way.x, best.x),
+            S::select(better, way.y, best.y),
+        );
+    };
+    candidate(along(b.heading));
+    for from in p {
+        for to in q {
+            candidate(to - from);
+        }
+    }
+    size_along(best.normalize_or_zero(), points)
+}
+
+/// A point's numbers alone.
+fn primal<S: Scalar>(p: Vec2<S>) -> Vec2<S::Primal> {
+    Vec2::new(p.x.primal(), p.y.primal())
+}
+
+/// The size of the rectangle around eight points, along a direction and across.
+fn size_along<S: Scalar>(axis: Vec2<S>, points: [Vec2<S>; 8]) -> Vec2<S> {
+    let extent = |axis: Vec2<S>| {
         let at = points.map(|p| axis.dot(p));
         let (mut low, mut high) = (at[0], at[0]);
         for x in &at[1..] {
@@ -115,34 +151,11 @@ pub fn smallest_rectangle<S: Scalar>(a: Obb2<S>, b: Obb2<S>) -> Vec2<S> {
         }
         high - low
     };
-    let points = [p[0], p[1], p[2], p[3], q[0], q[1], q[2], q[3]];
-    let (mut best, mut area) = (Vec2::zero(), S::zero());
-    let mut first = true;
-    let mut candidate = |axis: Vec2<S>, valid: S::Mask| {
-        let size = Vec2::new(extent(axis, points), extent(axis.perp(), points));
-        let own = size.x * size.y;
-        let better = if first {
-            valid
-        } else {
-            valid & own.below(area)
-        };
-        first = false;
-        area = S::select(better, own, area);
-        best = Vec2::new(
-            S::select(better, size.x, best.x),
-            S::select(better, size.y, best.y),
-        );
-    };
-    let always = S::zero().equals(S::zero());
-    for heading in [a.heading, b.heading] {
-        let axis = Rotation2::from_angle(heading);
-        candidate(Vec2::new(axis.cos, axis.sin), always);
-    }
-    for from in p {
-        for to in q {
-            let axis = (to - from).normalize_or_zero();
-            candidate(axis, axis.length_squared().above(S::zero()));
-        }
-    }
-    best
+    Vec2::new(extent(axis), extent(axis.perp()))
+}
+
+/// The area of that rectangle.
+fn area_along<S: Scalar>(axis: Vec2<S>, points: [Vec2<S>; 8]) -> S {
+    let size = size_along(axis, points);
+    size.x * size.y
 }
