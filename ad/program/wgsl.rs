@@ -126,8 +126,9 @@ fn expression(node: Node, known: &[String]) -> String {
         Binade(x) => one("program_binade", x),
         High(x) => one("program_high", x),
         Graft { value, .. } => v(value).to_owned(),
-        Split(a, b, bar) => three("program_split", a, b, bar),
-        Rest(a, b, bar) => three("program_rest", a, b, bar),
+        // Slopes have thousands of these, and drivers move all that follows whenever they inline a call.
+        Split(a, b, bar) => shared(v(a), v(b), ("0f", v(bar)), v(bar)),
+        Rest(a, b, bar) => shared(v(a), v(b), (v(bar), "0f"), v(bar)),
         Lt(a, b) => between(a, "<", b),
         Le(a, b) => between(a, "<=", b),
         Eq(a, b) => between(a, "==", b),
@@ -136,6 +137,12 @@ fn expression(node: Node, known: &[String]) -> String {
         Not(x) => format!("!{}", v(x)),
         Select(mask, yes, no) => three("select", no, yes, mask),
     }
+}
+
+/// What reaches one of two numbers of the cotangent of the smaller one: the second where a is less, the first where it
+/// is more, half of the cotangent in a tie.
+fn shared(a: &str, b: &str, (more, less): (&str, &str), bar: &str) -> String {
+    format!("select(select({more}, {bar} * 0.5f, {a} == {b}), {less}, {a} < {b})")
 }
 
 /// A finite number. Those below the smallest normal one are given by their bits.
