@@ -91,7 +91,11 @@ impl fmt::Display for Adapter {
 
 /// Every adapter that can compute.
 pub(super) fn all() -> Vec<(wgpu::Adapter, Adapter)> {
-    let descriptor = wgpu::InstanceDescriptor::new_without_display_handle_from_env();
+    let mut descriptor = wgpu::InstanceDescriptor::new_without_display_handle_from_env();
+    // Line numbers of shaders, which debug builds of wgpu look up instruction by instruction from the first line on,
+    // take longer than compiling them.
+    let debug = wgpu::InstanceFlags::DEBUG;
+    descriptor.flags = (wgpu::InstanceFlags::default() - debug).with_env();
     let backends = descriptor.backends;
     let instance = wgpu::Instance::new(descriptor);
     let found = pollster::block_on(instance.enumerate_adapters(backends));
