@@ -233,7 +233,7 @@ where
 }
 
 /// Judges what was recorded of an operation; if nothing was, refuses it.
-fn recorded<X: Sample, S: Number>(
+fn recorded<X: Sample, S: Number + Real>(
     name: &'static str,
     plan: &Plan<'_>,
     ask: Option<Ask<'_>>,
@@ -247,12 +247,13 @@ fn recorded<X: Sample, S: Number>(
         });
     };
     judged(name, plan, inputs, ask, &|x, batch, judge| {
-        judge(&RecordedSubject {
+        let subject = RecordedSubject {
             near: x,
             recording: &recording,
             wide: wide.as_ref(),
             batch,
-        });
+        };
+        S::judged(&subject, judge);
     })
 }
 

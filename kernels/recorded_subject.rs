@@ -1,5 +1,5 @@
 //! A recorded operation as a subject of the verification harness: lists of numbers in, lists of numbers
-//! out. It is compiled once, in the library, whatever the operation.
+//! out. It is compiled once, in the library, whatever the operation (`Real::judged` sees to that).
 use crate::ad::check::noise::{Noisy, noisy};
 use crate::ad::check::sample::Sample;
 use crate::ad::check::subject::{Conventions, Subject};
@@ -98,13 +98,13 @@ impl<S: Number> Recording<S> {
 }
 
 /// A recorded operation near an input.
-pub(crate) struct RecordedSubject<'a, S: Number> {
-    pub near: &'a dyn Near,
-    pub recording: &'a Recording<S>,
+pub struct RecordedSubject<'a, S: Number> {
+    pub(crate) near: &'a dyn Near,
+    pub(crate) recording: &'a Recording<S>,
     /// The same operation in double precision.
-    pub wide: Option<&'a Recording<f64>>,
+    pub(crate) wide: Option<&'a Recording<f64>>,
     /// A batch on a backend as a further witness.
-    pub batch: Option<&'a Batch<'a>>,
+    pub(crate) batch: Option<&'a Batch<'a>>,
 }
 
 impl<S: Number> Subject for RecordedSubject<'_, S> {
