@@ -9,26 +9,29 @@ use geograd::kernels::{Backend, Op, reduce};
 use geograd::{Aabb2, Fixed, Obb2, Pack};
 use geograd_tests::calls;
 
-/// Slopes of every pair, the fields of b after those of a: from adjoints in which no row and no column counts
-/// more than once.
+/// Slopes of every pair, the fields of b after those of a: from the diagonals of squares in which the shorter list is
+/// repeated until it is as long as the other.
 fn slopes_of_pairs<O: Score>(gpu: &Gpu, a: &[O::Shape], b: &[O::Shape]) -> Vec<Vec<f64>> {
     let (rows, columns) = (a.len(), b.len());
-    let longer = rows.max(columns);
+    let (longer, shorter) = (rows.max(columns), rows.min(columns));
+    let mut diagonal = vec![0.0; longer * longer];
+    diagonal
+        .iter_mut()
+        .step_by(longer + 1)
+        .for_each(|x| *x = 1.0);
     let mut all = vec![Vec::new(); rows * columns];
-    for shift in 0..longer {
-        let places: Vec<usize> = (0..rows)
-            .map(|i| (i, (i + shift) % longer))
-            .filter(|&(_, j)| j < columns)
-            .map(|(i, j)| i * columns + j)
-            .collect();
-        let mut upstream = vec![0.0; rows * columns];
-        for &at in &places {
-            upstream[at] = 1.0;
-        }
-        let bars = gpu.all_pairs_vjp(O::default(), a, b, &upstream);
+    for shift in 0..shorter {
+        let place = |k: usize| match rows < columns {
+            true => ((k + shift) % rows, k),
+            false => (k, (k + shift) % columns),
+        };
+        let of_a: Vec<O::Shape> = (0..longer).map(|k| a[place(k).0]).collect();
+        let of_b: Vec<O::Shape> = (0..longer).map(|k| b[place(k).1]).collect();
+        let bars = gpu.all_pairs_vjp(O::default(), &of_a, &of_b, &diagonal);
         let (by_a, by_b) = bars.unwrap();
-        for &at in &places {
-            all[at] = [fields(by_a[at / columns]), fields(by_b[at % columns])].concat();
+        for k in 0..longer {
+            let (i, j) = place(k);
+            all[i * columns + j] = [fields(by_a[k]), fields(by_b[k])].concat();
         }
     }
     all
