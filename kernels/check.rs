@@ -19,7 +19,7 @@ use crate::kernels::op::{Op, RingOp, Ringed, Slopes};
 use crate::kernels::real::Real;
 use crate::kernels::recorded_subject::{RecordedSubject, Recording};
 use crate::kernels::row::{Row, Single, target};
-use crate::kernels::witness::{Ask, Batch, ask_any, ask_pairs, ask_rings};
+use crate::kernels::witness::{Ask, Batch, ask_any, ask_gradient, ask_pairs, ask_rings};
 use crate::kernels::{Backend, Cpu};
 use crate::{Error, Fixed, Pack, Vec2};
 
@@ -120,21 +120,20 @@ fn inputs<X: Sample, S: Number>(plan: &Plan<'_>) -> (Vec<X>, usize) {
 /// kind of input, and not once per operation.
 type With<'a, X> = &'a dyn Fn(&X, Option<&Batch<'_>>, &mut dyn FnMut(&dyn Subject));
 
-/// Judges an operation at hard cases and random inputs, with a batch as a further witness if there is
-/// one to ask.
+/// Judges an operation at hard cases and random inputs, with batches as further witnesses if there are some to ask.
 fn judged<X: Sample>(
     name: &'static str,
     plan: &Plan<'_>,
     (inputs, random_from): (Vec<X>, usize),
-    ask: Option<Ask<'_>>,
+    asks: Vec<Ask<'_>>,
     with: With<'_, X>,
 ) -> Result<Report, Error> {
-    let batch = match ask {
-        Some(ask) => {
+    let batch = match asks.is_empty() {
+        true => None,
+        false => {
             let lists: Vec<Vec<f64>> = inputs.iter().map(Pack::scalars).collect();
-            Some(Batch::new(ask, &lists)?)
+            Some(Batch::new(asks, &lists)?)
         }
-        None => None,
     };
     let batch = batch.as_ref();
     let mut report = examine(name, plan, &inputs, random_from, |x, judge| {
@@ -172,11 +171,11 @@ where
     O::In<S>: Row,
     O::Out<S>: Row,
 {
-    without_batch(straight::<O, S>(plan, None))
+    without_batch(straight::<O, S>(plan, Vec::new()))
 }
 
-/// The same in `f32`, with batches of items side by side on a backend as a further witness: on a GPU its
-/// [generated](crate::kernels::gpu) kernels.
+/// The same in `f32`, with batches of items side by side on a backend as further witnesses (values and adjoints, and the
+/// value with its gradient): on a GPU its [generated](crate::kernels::gpu) kernels.
 ///
 /// A backend rounds differently: a GPU may fuse products and sums, divides to within two and a half
 /// units in the last place, and takes numbers below the smallest normal one for zero. All of it is
@@ -192,11 +191,16 @@ where
     O::In<f32>: Row<Scalar = f32>,
     O::Out<f32>: Row<Scalar = f32>,
 {
-    straight::<O, f32>(plan, Some(&|inputs| ask_any::<O>(backend, inputs)))
+    straight::<O, f32>(
+        plan,
+        vec![&|inputs| ask_any::<O>(backend, inputs), &|inputs| {
+            ask_gradient::<O>(backend, inputs)
+        }],
+    )
 }
 
-/// The same for the kernels of all pairs, which may be others than those of items side by side: boxes in the plane
-/// have such by hand on a GPU.
+/// The same with the kernels of all pairs as one witness more: other kernels, of which boxes in the plane have some by hand
+/// on a GPU.
 ///
 /// # Errors
 ///
@@ -209,10 +213,17 @@ where
     A: Single<Scalar = f32>,
     B: Single<Scalar = f32>,
 {
-    straight::<O, f32>(plan, Some(&|inputs| ask_pairs::<O, A, B>(backend, inputs)))
+    straight::<O, f32>(
+        plan,
+        vec![
+            &|inputs| ask_any::<O>(backend, inputs),
+            &|inputs| ask_gradient::<O>(backend, inputs),
+            &|inputs| ask_pairs::<O, A, B>(backend, inputs),
+        ],
+    )
 }
 
-fn straight<O: Op, S: Number + Real>(plan: &Plan<'_>, ask: Option<Ask<'_>>) -> Result<Report, Error>
+fn straight<O: Op, S: Number + Real>(plan: &Plan<'_>, asks: Vec<Ask<'_>>) -> Result<Report, Error>
 where
     O::In<f64>: Sample + Row,
     O::Out<f64>: Sample + Row,
@@ -224,7 +235,7 @@ where
         Precision::F64 => None,
     };
     let recordings = (recording::<O, S>().ok(), wide);
-    let report = recorded::<O::In<f64>, S>(O::NAME, plan, ask, recordings, source::<O, S>);
+    let report = recorded::<O::In<f64>, S>(O::NAME, plan, asks, recordings, source::<O, S>);
     let names = O::In::<f64>::names();
     report.map(|report| Report {
         names: names.iter().map(ToString::to_string).collect(),
@@ -236,17 +247,17 @@ where
 fn recorded<X: Sample, S: Number + Real>(
     name: &'static str,
     plan: &Plan<'_>,
-    ask: Option<Ask<'_>>,
+    asks: Vec<Ask<'_>>,
     (recording, wide): (Option<Recording<S>>, Option<Recording<f64>>),
     source: Path<S>,
 ) -> Result<Report, Error> {
     let inputs = inputs::<X, S>(plan);
     let Some(recording) = recording else {
-        return judged(name, plan, inputs, None, &|_, _, judge| {
+        return judged(name, plan, inputs, Vec::new(), &|_, _, judge| {
             judge(&Unrecorded::<S>(source));
         });
     };
-    judged(name, plan, inputs, ask, &|x, batch, judge| {
+    judged(name, plan, inputs, asks, &|x, batch, judge| {
         let subject = RecordedSubject {
             near: x,
             recording: &recording,
@@ -270,7 +281,7 @@ pub fn prove_ring_with<O: RingOp, S: Number + Real>(plan: &Plan<'_>) -> Report
 where
     O::Out<f64>: Sample,
 {
-    without_batch(ring::<O, S>(plan, None))
+    without_batch(ring::<O, S>(plan, Vec::new()))
 }
 
 /// The same in `f32`, with batches on a backend as a further witness; see [`prove_on`].
@@ -282,15 +293,15 @@ pub fn prove_ring_on<O: GpuRing>(backend: Backend<'_>, plan: &Plan<'_>) -> Resul
 where
     <O as RingOp>::Out<f64>: Sample,
 {
-    ring::<O, f32>(plan, Some(&|inputs| ask_rings::<O>(backend, inputs)))
+    ring::<O, f32>(plan, vec![&|inputs| ask_rings::<O>(backend, inputs)])
 }
 
-fn ring<O: RingOp, S: Number + Real>(plan: &Plan<'_>, ask: Option<Ask<'_>>) -> Result<Report, Error>
+fn ring<O: RingOp, S: Number + Real>(plan: &Plan<'_>, asks: Vec<Ask<'_>>) -> Result<Report, Error>
 where
     O::Out<f64>: Sample,
 {
     let inputs = inputs::<Vec<Vec2<f64>>, S>(plan);
-    judged(O::NAME, plan, inputs, ask, &|x, batch, judge| {
+    judged(O::NAME, plan, inputs, asks, &|x, batch, judge| {
         let paths: [Path<S>; 1] = [ring_value::<O, S>];
         judge(&OpSubject::<Ringed<O>, S>::new(x, &paths, None).with_batch(batch));
     })
@@ -303,7 +314,7 @@ where
     F::Out<f64>: Sample,
 {
     let inputs = inputs::<(F::Context<f64>, Vec<Vec2<f64>>), S>(plan);
-    without_batch(judged(F::NAME, plan, inputs, None, &|x, _, judge| {
+    without_batch(judged(F::NAME, plan, inputs, Vec::new(), &|x, _, judge| {
         judge(&OpSubject::<Folded<F>, S>::new(x, &[], None));
     }))
 }
@@ -315,7 +326,7 @@ where
     D::Out<f64>: Sample,
 {
     let inputs = inputs::<D::In<f64>, S>(plan);
-    without_batch(judged(D::NAME, plan, inputs, None, &|x, _, judge| {
+    without_batch(judged(D::NAME, plan, inputs, Vec::new(), &|x, _, judge| {
         judge(&OpSubject::<Replayed<D>, S>::new(x, &[], None));
     }))
 }

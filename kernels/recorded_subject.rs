@@ -174,8 +174,11 @@ impl<S: Number> Subject for RecordedSubject<'_, S> {
         let slopes = noisy(seed, || self.recording.reversed_on(&of(x), &of(y_bar)));
         Some(slopes?.iter().map(|s| s.0.widen()).collect())
     }
-    fn batch(&self, x: &[f64], y_bar: &[f64]) -> Option<(Vec<f64>, Vec<f64>)> {
-        let answer = self.batch?.about(x)?;
+    fn forms(&self) -> usize {
+        self.batch.map_or(0, Batch::forms)
+    }
+    fn batch(&self, form: usize, x: &[f64], y_bar: &[f64]) -> Option<(Vec<f64>, Vec<f64>)> {
+        let answer = self.batch?.about(form, x)?;
         let slopes = answer.slopes(y_bar);
         Some((answer.value, slopes))
     }

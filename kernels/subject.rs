@@ -135,8 +135,11 @@ where
         let scaled = |list: Vec<S>| list.iter().map(|s| s.widen() * y_bar[0]).collect();
         fused.map(scaled).into_iter().collect()
     }
-    fn batch(&self, x: &[f64], y_bar: &[f64]) -> Option<(Vec<f64>, Vec<f64>)> {
-        let answer = self.batch?.about(x)?;
+    fn forms(&self) -> usize {
+        self.batch.map_or(0, Batch::forms)
+    }
+    fn batch(&self, form: usize, x: &[f64], y_bar: &[f64]) -> Option<(Vec<f64>, Vec<f64>)> {
+        let answer = self.batch?.about(form, x)?;
         let slopes = answer.slopes(y_bar);
         Some((answer.value, slopes))
     }

@@ -12,12 +12,16 @@
 //! ```
 use crate::Error;
 use crate::kernels::Backend;
+use crate::kernels::cpu::plan::{self, Face, Want};
+#[cfg(feature = "gpu")]
+use crate::kernels::gpu::Generated;
 use crate::kernels::gpu::GpuRing;
-use crate::kernels::op::{Op, RingOp, Runs};
+use crate::kernels::op::{self, Op, RingOp, Runs};
 use crate::kernels::row::{Row, Single};
 use crate::{Fixed, Pack, Vec2};
 use std::cell::Cell;
 use std::collections::HashMap;
+use std::sync::Arc;
 
 /// What a batch says about one input.
 #[derive(Clone, Debug)]
@@ -41,11 +45,12 @@ impl Answer {
 /// Something that answers many inputs, given as lists of numbers, at once.
 pub type Ask<'a> = &'a dyn Fn(&[Vec<f32>]) -> Result<Vec<Answer>, Error>;
 
-/// A batch as a witness. Inputs known beforehand are asked about in one large batch, as users would;
+/// Batches as witnesses, one of each form. Inputs known beforehand are asked about in one large batch, as users would;
 /// others (shrunk ones, those beside a point) one by one.
 pub struct Batch<'a> {
-    ask: Ask<'a>,
-    known: HashMap<Vec<u32>, Answer>,
+    asks: Vec<Ask<'a>>,
+    /// What each form answered.
+    known: Vec<HashMap<Vec<u32>, Answer>>,
     error: Cell<Option<Error>>,
 }
 
@@ -60,31 +65,37 @@ fn widened(list: &[f32]) -> Vec<f64> {
 }
 
 impl<'a> Batch<'a> {
-    /// A witness that has been asked about all these inputs.
+    /// Witnesses that have been asked about all these inputs.
     ///
     /// # Errors
     ///
-    /// As the batch's.
-    pub fn new(ask: Ask<'a>, inputs: &[Vec<f64>]) -> Result<Self, Error> {
+    /// As the batches'.
+    pub fn new(asks: Vec<Ask<'a>>, inputs: &[Vec<f64>]) -> Result<Self, Error> {
         let inputs: Vec<Vec<f32>> = inputs.iter().map(|x| single(x)).collect();
-        let answers = ask(&inputs)?;
+        let answers =
+            |ask: &Ask<'_>| Ok(inputs.iter().map(|x| key(x)).zip(ask(&inputs)?).collect());
         Ok(Batch {
-            ask,
-            known: inputs.iter().map(|x| key(x)).zip(answers).collect(),
+            known: asks.iter().map(answers).collect::<Result<_, Error>>()?,
+            asks,
             error: Cell::new(None),
         })
     }
-    /// What it says about an input; nothing after an error, which [`error`](Batch::error) keeps.
+    /// How many forms there are.
     #[must_use]
-    pub fn about(&self, x: &[f64]) -> Option<Answer> {
+    pub fn forms(&self) -> usize {
+        self.asks.len()
+    }
+    /// What a form says about an input; nothing after an error, which [`error`](Batch::error) keeps.
+    #[must_use]
+    pub fn about(&self, form: usize, x: &[f64]) -> Option<Answer> {
         let x = single(x);
-        if let Some(known) = self.known.get(&key(&x)) {
+        if let Some(known) = self.known.get(form)?.get(&key(&x)) {
             return Some(known.clone());
         }
         if self.error.get().is_some() {
             return None;
         }
-        match (self.ask)(&[x]) {
+        match self.asks[form](&[x]) {
             Ok(answers) => answers.into_iter().next(),
             Err(error) => {
                 self.error.set(Some(error));
@@ -103,7 +114,8 @@ impl<'a> Batch<'a> {
 const SIDE: usize = 64;
 
 /// Asks a backend about two shapes by all pairs: values from the matrix, slopes from the adjoint of an upstream
-/// that counts every row with its own column alone.
+/// that counts every row with its own column alone. Inputs whose slopes would meet infinite ones of a row with another
+/// column, which are none of theirs, are asked about by themselves.
 pub(crate) fn ask_pairs<O, A, B>(
     backend: Backend<'_>,
     inputs: &[Vec<f32>],
@@ -113,8 +125,9 @@ where
     A: Single<Scalar = f32>,
     B: Single<Scalar = f32>,
 {
-    let mut answers = Vec::with_capacity(inputs.len());
+    let mut answers: Vec<Answer> = Vec::with_capacity(inputs.len());
     for inputs in inputs.chunks(SIDE) {
+        let first = answers.len();
         let split = |x: &Vec<f32>| (A::load(&x[..A::LEN]), B::load(&x[A::LEN..]));
         let (a, b): (Vec<A>, Vec<B>) = inputs.iter().map(split).unzip();
         let side = a.len();
@@ -131,6 +144,13 @@ where
                     rows: vec![widened(&[a.scalars(), b.scalars()].concat())],
                 }),
         );
+        let is_finite = |answer: &Answer| answer.rows[0].iter().all(|x| x.is_finite());
+        for (input, answer) in inputs.iter().zip(&mut answers[first..]) {
+            if side > 1 && !is_finite(answer) {
+                let alone = ask_pairs::<O, A, B>(backend, std::slice::from_ref(input))?;
+                *answer = alone.into_iter().next().unwrap_or(answer.clone());
+            }
+        }
     }
     Ok(answers)
 }
@@ -164,6 +184,46 @@ where
         }
     }
     Ok(answers)
+}
+
+/// Asks a backend about an operation with one number as result, by the kernel that computes it with its gradient;
+/// nothing of others.
+pub(crate) fn ask_gradient<O: Op>(
+    backend: Backend<'_>,
+    inputs: &[Vec<f32>],
+) -> Result<Vec<Answer>, Error>
+where
+    O::In<f32>: Row<Scalar = f32>,
+    O::Out<f32>: Row<Scalar = f32>,
+{
+    if O::Out::<f32>::LEN != 1 {
+        return Ok(Vec::new());
+    }
+    let shapes: Vec<O::In<f32>> = inputs.iter().map(|x| O::In::<f32>::load(x)).collect();
+    let all = backend.rows(AnyGradient(O::default()), &shapes[..])?;
+    let answer = |numbers: Vec<f32>| Answer {
+        value: widened(&numbers[..1]),
+        rows: vec![widened(&numbers[1..])],
+    };
+    Ok(all.into_iter().map(answer).collect())
+}
+
+/// [`ValueGrad`](crate::kernels::op::ValueGrad) of an operation of which only its length says that its result is a number.
+struct AnyGradient<O>(O);
+
+impl<O, R: Row> Runs<R> for AnyGradient<O>
+where
+    O: Op<In<<R as Pack>::Scalar> = R>,
+    O::Out<R::Scalar>: Row<Scalar = R::Scalar>,
+{
+    type Out = (O::Out<R::Scalar>, R);
+    fn face(&self, ask: op::Ask) -> Result<Arc<Face<R::Scalar>>, Error> {
+        plan::face_of::<O, R>(Want::ValueGrad, ask.framed)
+    }
+    #[cfg(feature = "gpu")]
+    fn generated(&self, ask: op::Ask) -> Result<Arc<Generated<R::Scalar>>, Error> {
+        plan::generated_of::<O, R>(Want::ValueGrad, ask.framed)
+    }
 }
 
 /// Asks a backend about rings, one call per output for the slopes.

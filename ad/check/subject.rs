@@ -70,8 +70,12 @@ pub trait Subject {
     ) -> Option<Vec<f64>> {
         None
     }
-    /// Value and slopes of `y_bar · value` from a batch, on the CPU or a GPU.
-    fn batch(&self, _x: &[f64], _y_bar: &[f64]) -> Option<(Vec<f64>, Vec<f64>)> {
+    /// How many forms of batches there are to ask.
+    fn forms(&self) -> usize {
+        0
+    }
+    /// Value and slopes of `y_bar · value` from a batch of a form, on the CPU or a GPU.
+    fn batch(&self, _form: usize, _x: &[f64], _y_bar: &[f64]) -> Option<(Vec<f64>, Vec<f64>)> {
         None
     }
     /// The Jacobian by duals, one row per output.

@@ -27,11 +27,16 @@ pub(crate) fn exact(e: &Evidence<'_>) -> Notes {
 }
 
 /// What a witness that is neither adjoint nor duals may be off by: what it says of inputs moved by their last digits,
-/// and how far its own roundings carry it when they fall differently.
-fn rounding_of(e: &Evidence<'_>, row: &Row, witness: Witness, said: &[f64]) -> Vec<f64> {
+/// and how far its own roundings carry it when they fall differently. `form` says which of several batches it is.
+fn rounding_of(
+    e: &Evidence<'_>,
+    row: &Row,
+    (witness, form): (Witness, usize),
+    said: &[f64],
+) -> Vec<f64> {
     let mut spread = e.spread(said, Some(&row.size), |x| match witness {
         Witness::Further(k) => e.subject.further(x, &row.weights).into_iter().nth(k),
-        _ => Some(e.subject.batch(x, &row.weights)?.1),
+        _ => Some(e.subject.batch(form, x, &row.weights)?.1),
     });
     if let Witness::Further(k) = witness {
         let noisy = |seed| e.subject.noisy_further(e.x, &row.weights, k, seed);
@@ -49,15 +54,25 @@ fn one_row(e: &Evidence<'_>, row: &Row) -> Notes {
         return said;
     };
     let further = e.subject.further(e.x, &row.weights);
-    let batch = e.subject.batch(e.x, &row.weights);
-    if let Some((value, _)) = &batch {
+    let batch = |form| Some((form, e.subject.batch(form, e.x, &row.weights)?));
+    let batches: Vec<_> = (0..e.subject.forms()).filter_map(batch).collect();
+    for (_, (value, _)) in &batches {
         said.add(another(e, value, Witness::Batch));
     }
-    let dual = row.dual.iter().cloned().map(|dual| (Witness::Dual, dual));
+    let dual = row
+        .dual
+        .iter()
+        .cloned()
+        .map(|dual| (Witness::Dual, 0, dual));
+    let further = (0..).zip(further);
     let others = dual
-        .chain((0..).map(Witness::Further).zip(further))
-        .chain(batch.map(|(_, slopes)| (Witness::Batch, slopes)));
-    for (witness, other) in others {
+        .chain(further.map(|(k, slopes)| (Witness::Further(k), 0, slopes)))
+        .chain(
+            batches
+                .into_iter()
+                .map(|(form, (_, slopes))| (Witness::Batch, form, slopes)),
+        );
+    for (witness, form, other) in others {
         if other.len() != adjoint.len() {
             said.complain_of_length(witness, row.output, [other.len(), adjoint.len()]);
             continue;
@@ -77,7 +92,8 @@ fn one_row(e: &Evidence<'_>, row: &Row) -> Notes {
             let mut tolerance = row.allowed(i);
             if gap > tolerance && witness != Witness::Dual {
                 // Duals were provoked with the row; others on their own.
-                let theirs = theirs.get_or_insert_with(|| rounding_of(e, row, witness, &other));
+                let theirs =
+                    theirs.get_or_insert_with(|| rounding_of(e, row, (witness, form), &other));
                 tolerance += SAFETY * theirs[i];
             }
             let numbers = Numbers {
