@@ -509,10 +509,14 @@ pub enum GpuFault {
     DeviceLost,
     /// The device has not enough memory: give up some handles, or take smaller batches.
     OutOfMemory,
-    /// One item, such as a ring, is larger than any buffer the device allows
-    /// ([`Gpu::most_bytes`](crate::kernels::gpu::Gpu)): split it, or compute it on the CPU. Batches
-    /// are split as they need.
-    TooLarge,
+    /// The least that a batch can be split into, such as a ring, sixteen items of many numbers or a replayed program, is
+    /// larger than any buffer the device allows: split it, or compute it on the CPU. Batches are split as they need.
+    TooLarge {
+        /// How many bytes it takes.
+        bytes: u64,
+        /// How many a buffer of the device may have ([`Gpu::most_bytes`](crate::kernels::gpu::Gpu)).
+        most: u64,
+    },
     /// The driver refused a shader or a command: a fault of ours or of the driver's. The log says
     /// more.
     Shader,
@@ -523,6 +527,12 @@ pub enum GpuFault {
 impl fmt::Display for GpuFault {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         f.write_str(match self {
+            GpuFault::TooLarge { bytes, most } => {
+                return write!(
+                    f,
+                    "one item takes {bytes} bytes, and buffers of the GPU have {most} at most: split it, or use the CPU"
+                );
+            }
             GpuFault::NotBuilt => "built without GPU support: build with `--features gpu`",
             GpuFault::NoAdapter => "no GPU found: install its driver",
             GpuFault::NoSuchAdapter => {
@@ -537,9 +547,6 @@ impl fmt::Display for GpuFault {
             GpuFault::DeviceLost => "the GPU is lost: make a new context and upload again",
             GpuFault::OutOfMemory => {
                 "the GPU is out of memory: free handles or take smaller batches"
-            }
-            GpuFault::TooLarge => {
-                "one item is larger than any buffer of the GPU: split it, or use the CPU"
             }
             GpuFault::Shader => "the GPU's driver refused a command: see the log",
             GpuFault::ForeignBuffer => "a handle belongs to another GPU context",

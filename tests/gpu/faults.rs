@@ -242,7 +242,9 @@ fn a_ring_beyond_every_buffer_is_an_error() {
     let most = gpu.most_bytes() as usize / 8;
     let corners = vec![Vec2::new(1.0, 2.0); most + 1];
     let refused = backend.ragged(ring::Centroid, &corners, &[0, most + 1]);
-    assert_eq!(refused.unwrap_err(), Error::Gpu(GpuFault::TooLarge));
+    let (bytes, limit) = (8 * (most as u64 + 1), gpu.most_bytes());
+    let too_large = GpuFault::TooLarge { bytes, most: limit };
+    assert_eq!(refused.unwrap_err(), Error::Gpu(too_large));
     let found = backend.ragged(ring::Centroid, &corners, &[0, most, most + 1]);
     assert_eq!(found.unwrap(), [corners[0]; 2]);
 }

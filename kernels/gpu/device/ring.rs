@@ -3,10 +3,10 @@ use super::download::download;
 use super::source::{ANY, GpuRing, Kernel, LONG, ROW, SPAN, Source, ring_source};
 use super::work::{Params, Work, groups};
 use super::{Gpu, Inner, Pending};
+use crate::Error;
 use crate::error::Argument;
 use crate::kernels::cpu::check_ragged;
 use crate::kernels::cpu::checked::{check_upstream, expect};
-use crate::{Error, GpuFault};
 use crate::{Fixed, Vec2};
 use std::marker::PhantomData;
 
@@ -162,7 +162,7 @@ impl Gpu {
     ///
     /// # Errors
     ///
-    /// As on the processor; [`GpuFault::TooLarge`] for a ring that fits no buffer, or what the device says.
+    /// As on the processor; [`GpuFault::TooLarge`](crate::GpuFault::TooLarge) for a ring that fits no buffer, or what the device says.
     pub fn ragged<O: GpuRing>(
         &self,
         ring: O,
@@ -208,8 +208,9 @@ impl Gpu {
         let mut cuts = vec![0];
         for ring in 1..offsets.len() {
             let start = cuts[cuts.len() - 1];
-            if offsets[ring] - offsets[ring - 1] > most_vertices {
-                return Err(Error::Gpu(GpuFault::TooLarge));
+            let vertices = offsets[ring] - offsets[ring - 1];
+            if vertices > most_vertices {
+                return Err(inner.too_large(2 * vertices));
             }
             if offsets[ring] - offsets[start] > most_vertices || ring - start > most_rings {
                 cuts.push(ring - 1);

@@ -335,6 +335,14 @@ impl Inner {
         })
     }
 
+    /// That the least that can be done at once takes so many numbers, which are more than a buffer may have.
+    pub fn too_large(&self, numbers: usize) -> Error {
+        Error::Gpu(GpuFault::TooLarge {
+            bytes: 4 * numbers as u64,
+            most: self.most_bytes,
+        })
+    }
+
     /// Runs what talks to the device, and turns whatever the device says into an error.
     pub fn guarded<T>(&self, run: impl FnOnce() -> Result<T, Error>) -> Result<T, Error> {
         self.alive()?;

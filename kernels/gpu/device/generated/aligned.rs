@@ -13,7 +13,7 @@ use crate::kernels::op::{Ask, Runs};
 use crate::kernels::replays::Replays;
 use crate::kernels::row::{Column, Columns, Piece, Row, STRETCH, Target};
 use crate::kernels::targets::Targets;
-use crate::{Error, GpuFault, Pack};
+use crate::{Error, Pack};
 use std::collections::VecDeque;
 use std::ops::Range;
 use std::sync::Arc;
@@ -28,7 +28,7 @@ impl Gpu {
     /// # Errors
     ///
     /// As on the processor; [`Error::Program`] for what cannot be recorded, such as a result with whole
-    /// numbers, [`Error::Gpu`] for what the device says, of which [`GpuFault::TooLarge`] is for a program
+    /// numbers, [`Error::Gpu`] for what the device says, of which [`GpuFault::TooLarge`](crate::GpuFault::TooLarge) is for a program
     /// that fits no buffer.
     pub fn aligned<C: Columns, R: Runs<C::Row>>(
         &self,
@@ -218,7 +218,7 @@ fn chunk(inner: &Inner, made: &Generated<f32>) -> Result<usize, Error> {
     let most = inner.most_bytes as usize / 4 / widest;
     let threads = MOST_GROUPS * GROUP;
     match most.min(threads) / TILE * TILE {
-        0 => Err(Error::Gpu(GpuFault::TooLarge)),
+        0 => Err(inner.too_large(TILE * widest)),
         // Whole pieces of targets, where there are.
         chunk if chunk > STRETCH => Ok(chunk / STRETCH * STRETCH),
         chunk => Ok(chunk),

@@ -12,7 +12,7 @@ use crate::kernels::cpu::program::split::Piece;
 use crate::kernels::gpu::device::Gpu;
 use crate::kernels::gpu::device::work::Work;
 use crate::kernels::row::Columns;
-use crate::{Error, Fixed, GpuFault, Pack, Vec2};
+use crate::{Error, Fixed, Pack, Vec2};
 use std::fmt::Write;
 use std::ops::Range;
 use std::sync::Arc;
@@ -267,7 +267,7 @@ impl Gpu {
     /// # Errors
     ///
     /// As on the processor; [`Error::Gpu`] for what the device says, of which
-    /// [`GpuFault::TooLarge`] is for a path that fits no buffer.
+    /// [`GpuFault::TooLarge`](crate::GpuFault::TooLarge) is for a path that fits no buffer.
     pub fn fold<F, C: Columns>(
         &self,
         _fold: F,
@@ -394,7 +394,9 @@ impl Gpu {
         let numbers = self.inner.most_bytes as usize / 4;
         let most_vertices = numbers / per_vertex;
         let per_path = made.wide.max(made.gives).max(made.own).max(1);
-        let most_paths = (numbers / per_path - 1).min(MOST_GROUPS * GROUP);
+        let most_paths = (numbers / per_path)
+            .saturating_sub(1)
+            .min(MOST_GROUPS * GROUP);
         let mut loads = Vec::new();
         let mut start = 0;
         let paths = offsets.len() - 1;
@@ -402,7 +404,10 @@ impl Gpu {
             let rest = &offsets[start + 1..=paths.min(start + most_paths)];
             let fitting = rest.partition_point(|&end| end - offsets[start] <= most_vertices);
             if fitting == 0 {
-                return Err(Error::Gpu(GpuFault::TooLarge));
+                let vertices = offsets[start + 1] - offsets[start];
+                return Err(self
+                    .inner
+                    .too_large((vertices * per_vertex).max(2 * per_path)));
             }
             loads.push(Load {
                 paths: start..start + fitting,

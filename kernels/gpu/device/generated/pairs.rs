@@ -2,6 +2,7 @@
 use super::held::HeldColumn;
 use super::operation::Generated;
 use super::text::{Form, GROUP, MOST_GROUPS, ROWS};
+use crate::Error;
 use crate::error::Argument;
 use crate::kernels::cpu::checked::check;
 use crate::kernels::cpu::lane::TILE;
@@ -15,7 +16,6 @@ use crate::kernels::reduce::{Best, Found};
 use crate::kernels::row::{Column, STRETCH};
 use crate::kernels::{Single, Table};
 use crate::suppression::Pair;
-use crate::{Error, GpuFault};
 use std::ops::Range;
 use std::sync::Arc;
 
@@ -46,7 +46,7 @@ impl Side {
         // So that no dispatch has more workgroups than it may have.
         let window = window.min(MOST_GROUPS * ROWS) / TILE * TILE;
         if window == 0 {
-            return Err(Error::Gpu(GpuFault::TooLarge));
+            return Err(inner.too_large(TILE * width));
         }
         let mut buffers = Vec::new();
         for start in (0..count).step_by(window) {

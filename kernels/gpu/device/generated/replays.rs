@@ -4,13 +4,13 @@
 //! does is data, so that no record asks for a pipeline of its own.
 use super::operation::Name;
 use super::text::{Form, GROUP, MOST_GROUPS};
+use crate::Error;
 use crate::ad::program::WGSL;
 use crate::kernels::cpu::work::spread;
 use crate::kernels::gpu::device::Gpu;
 use crate::kernels::gpu::device::work::Work;
 use crate::kernels::replays::{Replay, Replays, numbers};
 use crate::kernels::row::{Column, Piece, STRETCH, Target};
-use crate::{Error, GpuFault};
 use std::collections::HashMap;
 use std::fmt::Write;
 use std::ops::Range;
@@ -96,15 +96,20 @@ struct Load {
 }
 
 impl Load {
-    /// Whether it still fits with one more item, and a program if it has another one.
-    fn fits(&self, replay: &Replay, is_new: bool, sizes: [usize; 2], most_bytes: usize) -> bool {
+    /// How many numbers its instructions and its slots are with one more item, and a program if it has another one.
+    fn numbers(&self, replay: &Replay, is_new: bool, sizes: [usize; 2]) -> [usize; 2] {
         let slots = self.slots.max(replay.slots);
         let items = self.items.len() + 1;
         let code = self.instructions.len() + if is_new { replay.code.len() } else { 0 };
         let widest = slots.max(sizes[0]).max(sizes[1]);
-        16 * code <= most_bytes
-            && 4 * items * widest <= most_bytes.min(MOST_SLOTS)
-            && items <= MOST_GROUPS * GROUP
+        [4 * code, items * widest]
+    }
+    /// Whether it still fits with that.
+    fn fits(&self, replay: &Replay, is_new: bool, sizes: [usize; 2], most_bytes: usize) -> bool {
+        let [code, slots] = self.numbers(replay, is_new, sizes);
+        4 * code <= most_bytes
+            && 4 * slots <= most_bytes.min(MOST_SLOTS)
+            && self.items.len() < MOST_GROUPS * GROUP
     }
     fn add(&mut self, item: usize, replay: &Replay, is_new: bool) {
         if is_new {
@@ -189,7 +194,8 @@ impl Gpu {
                 (is_new, load) = (true, load + 1);
                 loads.push(Load::default());
                 if !loads[load].fits(replay, true, sizes, most_bytes) {
-                    return Err(Error::Gpu(GpuFault::TooLarge));
+                    let [code, slots] = loads[load].numbers(replay, true, sizes);
+                    return Err(self.inner.too_large(code.max(slots)));
                 }
             }
             loads[load].add(item, replay, is_new);

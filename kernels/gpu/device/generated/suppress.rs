@@ -21,7 +21,7 @@ use crate::kernels::op::{Ask, Runs};
 use crate::kernels::row::Single;
 use crate::kernels::suppress::{checked, ranked};
 use crate::suppression::Rules;
-use crate::{Error, GpuFault, Scalar};
+use crate::{Error, Scalar};
 use std::fmt::Write;
 use std::ops::Range;
 use std::sync::Arc;
@@ -254,7 +254,8 @@ impl<'a> Masks<'a> {
             .min(MOST_OPERATIONS / made.bodies[0].operations.max(1) / widest.max(1))
             .min(MOST_GROUPS * GROUP);
         if window == 0 || most_rows == 0 {
-            return Err(Error::Gpu(GpuFault::TooLarge));
+            let [a, b] = [made.widths[0].max(4), made.widths[1].max(4)];
+            return Err(inner.too_large((TILE * a).max(WORD * b)));
         }
         let mut masks = Masks {
             gpu,

@@ -73,7 +73,7 @@ impl Windows {
 fn window(inner: &Inner, width: usize) -> Result<usize, Error> {
     let most = inner.most_bytes as usize / 4 / width.max(1);
     match most.min(MOST_GROUPS * GROUP) / TILE * TILE {
-        0 => Err(Error::Gpu(GpuFault::TooLarge)),
+        0 => Err(inner.too_large(TILE * width)),
         window => Ok(window),
     }
 }
