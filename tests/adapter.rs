@@ -1,9 +1,6 @@
-//! Tests on a GPU: the context, and what is asked of every operation.
-use geograd::ad::check::Plan;
-use geograd::ad::check::sample::Sample;
-use geograd::kernels::check::{prove_on, prove_with};
+//! Tests on a GPU: the context, and whether shader text is valid.
 use geograd::kernels::gpu::{Gpu, op_sources};
-use geograd::kernels::{Backend, Op, Row};
+use geograd::kernels::{Op, Row};
 use std::sync::OnceLock;
 
 /// One context for all tests of a binary; `None`, loudly, where there is no adapter.
@@ -51,31 +48,4 @@ where
     for (name, text) in op_sources::<O>().unwrap() {
         validate(&name, &text);
     }
-}
-
-/// Values and slopes are the processor's, within what the harness measures.
-pub fn agrees<O: Op>()
-where
-    O::In<f64>: Sample + Row,
-    O::Out<f64>: Sample + Row,
-    O::In<f32>: Row<Scalar = f32>,
-    O::Out<f32>: Row<Scalar = f32>,
-{
-    let Some(gpu) = any_gpu() else { return };
-    // Of what has tens of thousands of operations, fewer inputs.
-    let is_large = O::default().program::<f32>().unwrap().cost().total() > 5000;
-    // What takes time is the harness, which has said the same of the processor's batches.
-    let plan = Plan {
-        hard: if is_large { 197 } else { 71 },
-        ..Plan::new(if is_large { 4 } else { 10 }, 1)
-    };
-    let report = prove_on::<O>(Backend::Gpu(gpu), &plan).unwrap();
-    assert!(report.worst[5].count > 0, "{report}");
-    // What is refused without a GPU, too, is for the harness's own tests to say.
-    let alone = || prove_with::<O, f32>(&plan);
-    let refused = report.failures.len();
-    assert!(
-        refused == 0 || refused == alone().failures.len(),
-        "{report}"
-    );
 }

@@ -1,5 +1,4 @@
-//! Straight lines of further shapes on the GPU: shader text of every form, and values and slopes against the
-//! processor's.
+//! Straight lines of further shapes on the GPU in every form: shader text, and what it computes.
 //!
 //! A binary of its own, which is compiled beside `gpu`.
 
@@ -18,10 +17,13 @@ macro_rules! walk {
                 geograd_tests::adapter::shaders_are_valid::<$more_op>();
             })*
         }
+        // Which implementation serves an operation is found by the references.
+        #[allow(clippy::needless_borrow)]
         mod agree {
+            use geograd_tests::forms::{Agree, Forms};
             $(#[test]
             fn $more() {
-                geograd_tests::adapter::agrees::<$more_op>();
+                (&&&Forms::<$more_op>::NEW).agree();
             })*
         }
     };

@@ -6,6 +6,8 @@ pub mod adapter;
 pub mod calls;
 #[cfg(feature = "list")]
 pub mod corpus;
+#[cfg(feature = "gpu")]
+pub mod forms;
 #[cfg(feature = "fuzzers")]
 pub mod fuzzers;
 #[cfg(feature = "list")]

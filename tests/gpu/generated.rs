@@ -5,14 +5,15 @@
 //! batches are cut, and in all pairs what there is in aligned ones, to within what the order of operations
 //! may change.
 use crate::{gpu, small};
+use geograd_tests::forms::pairs_agree;
 
 use geograd::ad::check::sample::{Draw, Sample, random};
 use geograd::ad::program::{Program, Sym};
 use geograd::error::Argument;
 
 use geograd::kernels::gpu::Gpu;
-use geograd::kernels::ops::{distance, fold, iou, iou3, overlap, overlap3};
-use geograd::kernels::{Cpu, One, Op, Row};
+use geograd::kernels::ops::{distance, fold, iou, overlap, overlap3};
+use geograd::kernels::{Cpu, One, Op};
 use geograd::{
     Circle, Error, Fixed, Flaw, GpuFault, Obb2, Pack, Scalar, Segment2, Vec2,
     shape::YawBox3 as YawBox,
@@ -84,103 +85,6 @@ fn one_shape_stands_for_all() {
     assert_eq!(one.len(), 1);
 }
 
-/// All pairs of two lists: tables, reductions, slopes.
-fn pairs_agree<O: Op<In<f32> = (P, P), Out<f32> = f32>, P>(gpu: &Gpu, run: O, a: &[P], b: &[P])
-where
-    P: geograd::kernels::Single<Scalar = f32> + PartialEq + std::fmt::Debug,
-    (P, P): Row<Scalar = f32>,
-    f32: Row<Scalar = f32>,
-{
-    let cpu = Cpu::new();
-    let table = gpu.all_pairs(run, a, b).unwrap();
-    let expected = cpu.all_pairs(run, a, b).unwrap();
-    near(table.planes(), expected.planes(), 1e-4);
-    let again = gpu.all_pairs(run, a, b).unwrap();
-    assert_eq!(bits(table.planes()), bits(again.planes()));
-    // A gradient per pair.
-    let grads = gpu.all_pairs(run.value_grad(), a, b).unwrap();
-    assert_eq!(grads.planes().len(), (1 + 2 * P::LEN) * a.len() * b.len());
-    near(grads.values(), expected.values(), 1e-4);
-    // Reductions are those of the matrix.
-    let values = table.values();
-    let rows = gpu.row_max(run, a, b).unwrap();
-    for (row, best) in values.chunks(b.len()).zip(&rows) {
-        let most = row.iter().copied().fold(f32::NEG_INFINITY, f32::max);
-        assert_eq!(best.value, most);
-        assert_eq!(row.iter().position(|&x| x == most), Some(best.index));
-    }
-    let columns = gpu.column_max(run, a, b).unwrap();
-    for (j, best) in columns.iter().enumerate() {
-        let column = values.iter().skip(j).step_by(b.len());
-        let most = column.copied().fold(f32::NEG_INFINITY, f32::max);
-        assert_eq!(best.value, most);
-    }
-    let mut sorted = values.to_vec();
-    sorted.sort_by(f32::total_cmp);
-    let threshold = sorted[sorted.len() / 2];
-    let above = gpu.above(run, a, b, threshold).unwrap();
-    let found: Vec<(usize, f32)> = above
-        .iter()
-        .map(|found| (found.row * b.len() + found.column, found.value))
-        .collect();
-    let all = values.iter().copied().enumerate();
-    let expected: Vec<(usize, f32)> = all.filter(|&(_, x)| x > threshold).collect();
-    assert_eq!(found, expected);
-    let count = gpu.count_above(run, a, b, threshold).unwrap();
-    assert_eq!(count as usize, expected.len());
-    let sum: f64 = values.iter().map(|&x| f64::from(x)).sum();
-    let size: f64 = values.iter().map(|&x| f64::from(x).abs()).sum();
-    let found = gpu.sum(run, a, b).unwrap();
-    assert!((found - sum).abs() <= 1e-5 * size, "{found} for {sum}");
-    let mean = gpu.mean(run, a, b).unwrap();
-    assert_eq!(mean, found / values.len() as f64);
-    // Slopes: sums of those of every pair.
-    let mut draw = Draw::new(5);
-    let upstream: Vec<f32> = values.iter().map(|_| draw.unit() as f32 - 0.5).collect();
-    let (a_bar, b_bar) = gpu.all_pairs_vjp(run, a, b, &upstream).unwrap();
-    let (sum_found, a_grad, b_grad) = gpu.sum_grad(run, a, b).unwrap();
-    // Kernels by hand add the sum in other groups beside its slopes.
-    assert!(
-        (sum_found - found).abs() <= 1e-6 * size,
-        "{sum_found} for {found}"
-    );
-    for (upstream, [a_bar, b_bar]) in [
-        (&upstream, [&a_bar, &b_bar]),
-        (&vec![1.0; values.len()], [&a_grad, &b_grad]),
-    ] {
-        for (side, bars, stride) in [(0, a_bar, 1), (1, b_bar, b.len())] {
-            for (i, bar) in bars.iter().enumerate() {
-                for (k, found) in bar.scalars().into_iter().enumerate() {
-                    let plane = grads.plane(1 + side * P::LEN + k);
-                    let (mut sum, mut size) = (0.0, 0.0);
-                    let others = if side == 0 { b.len() } else { a.len() };
-                    for j in 0..others {
-                        let at = if side == 0 {
-                            i * b.len() + j
-                        } else {
-                            j * stride + i
-                        };
-                        let term = f64::from(plane[at]) * f64::from(upstream[at]);
-                        sum += term;
-                        size += term.abs();
-                    }
-                    let bound = 1e-3 * size + 1e-5;
-                    assert!(
-                        (f64::from(found) - sum).abs() <= bound,
-                        "{} {side} {i} {k}: {found} for {sum}",
-                        O::NAME
-                    );
-                }
-            }
-        }
-    }
-    let (mean_found, mean_bar, _) = gpu.mean_grad(run, a, b).unwrap();
-    assert!((mean_found - mean).abs() <= 1e-6 * size / values.len() as f64);
-    assert_eq!(mean_bar.len(), a.len());
-    let again = gpu.all_pairs_vjp(run, a, b, &upstream).unwrap();
-    assert_eq!(again, (a_bar, b_bar), "the same bits");
-}
-
 #[test]
 fn all_pairs_and_reductions() {
     let Some((_turn, gpu)) = gpu() else { return };
@@ -190,15 +94,10 @@ fn all_pairs_and_reductions() {
         (0..count).map(shape).collect()
     };
     let (a, b) = (ordinary(70, 1), ordinary(150, 2));
+    // Each operation of the list is asked the same on smaller lists; here more than a strip, cut, and a single column.
     pairs_agree(gpu, iou::GiouObb2, &a, &b);
-    pairs_agree(gpu, overlap::IouObb2, &a, &b);
     pairs_agree(&small(), iou::DiouObb2, &a, &b);
     pairs_agree(gpu, distance::DistanceObb2, &a, &a[..1]);
-    let mut draw = Draw::new(9);
-    let shape = |_| Yaw::ordinary(&mut draw).cast::<f32>();
-    let yaw: Vec<YawBox<f32>> = (0..40).map(shape).collect();
-    pairs_agree(gpu, iou3::GiouYaw, &yaw, &yaw[..30]);
-    pairs_agree(gpu, overlap3::IouBirdsEye, &yaw, &yaw[..30]);
 }
 
 /// Long thin boxes that are nearly parallel overlap in a sliver whose ends move far for a small turn.
@@ -276,6 +175,36 @@ fn programs_run_as_operations_do() {
         let moved = Program::trace(|x: Sym<f32>| x + Sym::lit(shift)).unwrap();
         assert_eq!(gpu.aligned(moved, &[1.0]).unwrap(), [1.0 + k as f32]);
     }
+}
+
+/// As many numbers in and out as the device has room for; beyond that an error says how much it would have been.
+#[test]
+fn any_number_of_fields() {
+    let Some((_turn, gpu)) = gpu() else { return };
+    const MANY: usize = 250;
+    let mixed = Program::trace(|x: [Sym<f32>; MANY]| {
+        std::array::from_fn::<_, MANY, _>(|i| x[i] * x[(i + 1) % MANY] + x[(7 * i) % MANY])
+    })
+    .unwrap();
+    let mut draw = Draw::new(3);
+    let items: Vec<[f32; MANY]> = (0..40)
+        .map(|_| std::array::from_fn(|_| draw.unit() as f32))
+        .collect();
+    let found = gpu.aligned(&mixed, &items).unwrap();
+    let expected = Cpu::new().aligned(&mixed, &items).unwrap();
+    for (found, expected) in found.iter().zip(&expected) {
+        near(found, expected, 1e-6);
+    }
+    // Sixteen items are the least there is.
+    let small = small();
+    let needed = 4 * 16 * MANY as u64;
+    assert_eq!(
+        small.aligned(&mixed, &items).unwrap_err(),
+        Error::Gpu(GpuFault::TooLarge {
+            bytes: needed,
+            most: small.most_bytes()
+        })
+    );
 }
 
 #[test]
