@@ -24,7 +24,7 @@ pub(crate) const FUNCTIONS: &[Function] = &[
         wrong ["slopes by the variance": gaussian_divergence_variance]),
     row!(triplet_loss, triplet_loss_slopes,
         [[-1.0, 1.0], [-1.0, 1.0], [-1.0, 1.0], [-1.0, 1.0], [-1.0, 1.0], [-1.0, 1.0], [0.1, 1.0]],
-        kinks [[0.0, 0.0, 0.0, 0.0, 0.5, 0.5, 0.5], [0.0, 0.0, 0.5, 0.0, 1.0, 0.0, 0.75]],
+        kinks [[0.0, 0.0, 0.0, 0.0, 0.5, 0.5, 0.5], [0.0, 0.0, 0.5, 0.0, 0.75, 0.0, 0.3125]],
         wrong ["margin always active": triplet_loss_active,
                "anchor pulled only": triplet_loss_pulled]),
     row!(cosine_similarity, cosine_similarity_slopes,
