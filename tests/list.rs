@@ -61,7 +61,10 @@ macro_rules! proofs {
                 #[cfg(not(debug_assertions))]
                 (stringify!($more), true, |plan, _| Ok(prove_with::<$more_op, f64>(plan))),
                 #[cfg(not(debug_assertions))]
-                (stringify!($more), false, |plan, _| Ok(prove_with::<$more_op, f32>(plan))),
+                (stringify!($more), false, |plan, gpu| match gpu {
+                    Some(gpu) => prove_on::<$more_op>(Backend::Gpu(gpu), plan),
+                    None => Ok(prove_with::<$more_op, f32>(plan)),
+                }),
             )*
             $(
                 #[cfg(not(debug_assertions))]

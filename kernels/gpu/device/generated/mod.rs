@@ -68,6 +68,7 @@ where
             all.push((format!("{} {want:?} {form:?}", O::NAME), form.text(made)));
         };
         add(Form::Aligned, &made);
+        add(Form::Columns, &made);
         if made.arguments.len() != 2 {
             continue;
         }
