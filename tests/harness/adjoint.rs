@@ -91,7 +91,7 @@ mod alarms {
     use super::*;
     use geograd::ad::check::sample::Sample;
     use geograd::ad::check::{self, Report, examine};
-    use geograd::kernels::check::OpSubject;
+    use geograd::kernels::check::{OpSubject, prove_with};
     use geograd::kernels::op::{Ringed, Source, Straight};
     use geograd::kernels::{Centroid, IntersectionAreaObb2, IofAabb2, IofObb2, IouObb2};
     use geograd::{Aabb2, Obb2, Vec2};
@@ -118,6 +118,17 @@ mod alarms {
                 judge(&OpSubject::<O, f64>::new(x, &[], None));
             },
         )
+    }
+
+    /// Edges a ten-millionth of a millionth from parallel: the recorded function differentiated backwards keeps three digits.
+    #[test]
+    fn backwards_along_nearly_parallel_edges() {
+        let plan = Plan {
+            hard: 0,
+            ..Plan::new(1, 1_947_457_352_151_963_172)
+        };
+        let report = prove_with::<IntersectionAreaObb2, f64>(&plan);
+        assert!(report.passed(), "{report}");
     }
 
     #[test]

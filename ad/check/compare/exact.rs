@@ -2,7 +2,7 @@
 use crate::ad::check::compare::values::another;
 use crate::ad::check::evidence::{Evidence, Row};
 use crate::ad::check::notes::{Notes, comparison};
-use crate::ad::check::tolerances::{CONVENTION_BORDER, SAFETY};
+use crate::ad::check::tolerances::{CONVENTION_BORDER, DECIDED, SAFETY};
 use crate::ad::check::verdict::{Numbers, Reason, Witness};
 use crate::ad::check::witness::dot;
 
@@ -34,13 +34,16 @@ fn rounding_of(
     (witness, form): (Witness, usize),
     said: &[f64],
 ) -> Vec<f64> {
-    let mut spread = e.spread(said, Some(&row.size), |x| match witness {
+    // Differentiated backwards, edges that are nearly parallel hand on terms as much larger than the slope, and what
+    // rounding leaves of those may be as large as itself: no other decision.
+    let sizes: Vec<f64> = row.size.iter().map(|size| size / DECIDED).collect();
+    let mut spread = e.spread(said, Some(&sizes), |x| match witness {
         Witness::Further(k) => e.subject.further(x, &row.weights).into_iter().nth(k),
         _ => Some(e.subject.batch(form, x, &row.weights)?.1),
     });
     if let Witness::Further(k) = witness {
         let noisy = |seed| e.subject.noisy_further(e.x, &row.weights, k, seed);
-        let own = e.roundings_of_each(said, &row.size, noisy);
+        let own = e.roundings_of_each(said, &sizes, noisy);
         for (spread, own) in spread.iter_mut().zip(own) {
             *spread = spread.max(own);
         }
