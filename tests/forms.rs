@@ -44,7 +44,7 @@ where
         let shapes = ordinary::<O>(90);
         let a: Vec<A> = shapes[..20].iter().map(|x| x.0).collect();
         let b: Vec<B> = shapes[20..].iter().map(|x| x.1).collect();
-        pairs_agree(gpu, O::default(), &a, &b);
+        pairs_agree(gpu, O::default(), &a, &b, Bound::Most);
         let shorter = &b[..a.len()];
         stays(gpu, O::default().value_grad(), &shapes);
         let run = O::default();
@@ -156,6 +156,31 @@ where
     );
 }
 
+/// How results are held to those of the processor.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Bound {
+    /// All of them closely: of what neither jumps nor cancels at these inputs.
+    All,
+    /// Nearly all; the harness judges the others.
+    Most,
+}
+
+impl Bound {
+    fn holds(self, name: &str, found: &[f32], expected: &[f32]) {
+        if self == Bound::Most {
+            return few_differ(name, found, expected);
+        }
+        assert_eq!(found.len(), expected.len());
+        for (i, (found, expected)) in found.iter().zip(expected).enumerate() {
+            let off = (found - expected).abs();
+            assert!(
+                off <= 1e-4 * (1.0 + expected.abs()),
+                "{name} {i}: {found} for {expected}"
+            );
+        }
+    }
+}
+
 /// Nearly all numbers are near: where a value jumps, or cancels, rounding may carry it away.
 fn few_differ(name: &str, found: &[f32], expected: &[f32]) {
     assert_eq!(found.len(), expected.len());
@@ -166,7 +191,7 @@ fn few_differ(name: &str, found: &[f32], expected: &[f32]) {
 }
 
 /// All pairs of two lists: tables, reductions, slopes.
-pub fn pairs_agree<O, A, B>(gpu: &Gpu, run: O, a: &[A], b: &[B])
+pub fn pairs_agree<O, A, B>(gpu: &Gpu, run: O, a: &[A], b: &[B], bound: Bound)
 where
     O: Op<In<f32> = (A, B), Out<f32> = f32>,
     A: Single<Scalar = f32> + PartialEq + Debug,
@@ -175,14 +200,14 @@ where
     let name = O::NAME;
     let table = gpu.all_pairs(run, a, b).unwrap();
     let expected = Cpu::new().all_pairs(run, a, b).unwrap();
-    few_differ(name, table.planes(), expected.planes());
+    bound.holds(name, table.planes(), expected.planes());
     let again = gpu.all_pairs(run, a, b).unwrap();
     assert_eq!(bits(table.planes()), bits(again.planes()), "{name}");
     // A gradient per pair.
     let grads = gpu.all_pairs(run.value_grad(), a, b).unwrap();
     let fields = 1 + A::LEN + B::LEN;
     assert_eq!(grads.planes().len(), fields * a.len() * b.len(), "{name}");
-    few_differ(name, grads.values(), expected.values());
+    bound.holds(name, grads.values(), expected.values());
     // Reductions are those of the matrix.
     let values = table.values();
     let rows = gpu.row_max(run, a, b).unwrap();
@@ -228,14 +253,19 @@ where
     let bars = gpu.all_pairs_vjp(run, a, b, &upstream).unwrap();
     let again = gpu.all_pairs_vjp(run, a, b, &upstream).unwrap();
     assert_eq!(again, bars, "{name}: the same bits");
-    slopes_agree(name, &grads, &upstream, &bars.0, &bars.1);
+    slopes_agree((name, bound), &grads, &upstream, (&bars.0, &bars.1));
     let (found, a_grad, b_grad) = gpu.sum_grad(run, a, b).unwrap();
     // Kernels by hand add the sum in other groups beside its slopes.
     assert!(
         (found - sum).abs() <= 1e-6 * size,
         "{name}: {found} for {sum}"
     );
-    slopes_agree(name, &grads, &vec![1.0; values.len()], &a_grad, &b_grad);
+    slopes_agree(
+        (name, bound),
+        &grads,
+        &vec![1.0; values.len()],
+        (&a_grad, &b_grad),
+    );
     let (found, mean_bar, _) = gpu.mean_grad(run, a, b).unwrap();
     assert!(
         (found - mean).abs() <= 1e-6 * size / values.len() as f64,
@@ -257,21 +287,23 @@ where
 
 /// Slopes of both lists are sums of those of pairs, weighed.
 fn slopes_agree<A, B>(
-    name: &str,
+    (name, bound): (&str, Bound),
     grads: &Table<(f32, (A, B))>,
     weights: &[f32],
-    a_bar: &[A],
-    b_bar: &[B],
+    (a_bar, b_bar): (&[A], &[B]),
 ) where
     A: Single<Scalar = f32>,
     B: Single<Scalar = f32>,
 {
     let (rows, columns) = (a_bar.len(), b_bar.len());
     // What is left where terms cancel within a slope is known to a few digits of those.
-    let largest = grads
-        .planes()
-        .iter()
-        .fold(1.0, |most: f32, x| most.max(x.abs()));
+    let largest = match bound {
+        Bound::All => 1.0,
+        Bound::Most => {
+            let sizes = grads.planes().iter().map(|x| x.abs());
+            sizes.fold(1.0, f32::max)
+        }
+    };
     let check = |found: f32, plane: &[f32], places: &mut dyn Iterator<Item = usize>| {
         let (mut sum, mut size) = (0.0, 0.0);
         for at in places {

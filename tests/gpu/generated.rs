@@ -5,14 +5,14 @@
 //! batches are cut, and in all pairs what there is in aligned ones, to within what the order of operations
 //! may change.
 use crate::{gpu, small};
-use geograd_tests::forms::pairs_agree;
+use geograd_tests::forms::{Bound, pairs_agree};
 
 use geograd::ad::check::sample::{Draw, Sample, random};
 use geograd::ad::program::{Program, Sym};
 use geograd::error::Argument;
 
 use geograd::kernels::gpu::Gpu;
-use geograd::kernels::ops::{distance, fold, iou, overlap, overlap3};
+use geograd::kernels::ops::{distance, fold, iou, iou3, overlap, overlap3};
 use geograd::kernels::{Cpu, One, Op};
 use geograd::{
     Circle, Error, Fixed, Flaw, GpuFault, Obb2, Pack, Scalar, Segment2, Vec2,
@@ -95,9 +95,15 @@ fn all_pairs_and_reductions() {
     };
     let (a, b) = (ordinary(70, 1), ordinary(150, 2));
     // Each operation of the list is asked the same on smaller lists; here more than a strip, cut, and a single column.
-    pairs_agree(gpu, iou::GiouObb2, &a, &b);
-    pairs_agree(&small(), iou::DiouObb2, &a, &b);
-    pairs_agree(gpu, distance::DistanceObb2, &a, &a[..1]);
+    pairs_agree(gpu, iou::GiouObb2, &a, &b, Bound::All);
+    pairs_agree(gpu, overlap::IouObb2, &a, &b, Bound::All);
+    pairs_agree(&small(), iou::DiouObb2, &a, &b, Bound::All);
+    pairs_agree(gpu, distance::DistanceObb2, &a, &a[..1], Bound::All);
+    let mut draw = Draw::new(9);
+    let shape = |_| Yaw::ordinary(&mut draw).cast::<f32>();
+    let yaw: Vec<YawBox<f32>> = (0..40).map(shape).collect();
+    pairs_agree(gpu, iou3::GiouYaw, &yaw, &yaw[..30], Bound::All);
+    pairs_agree(gpu, overlap3::IouBirdsEye, &yaw, &yaw[..30], Bound::All);
 }
 
 /// Long thin boxes that are nearly parallel overlap in a sliver whose ends move far for a small turn.
