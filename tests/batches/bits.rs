@@ -43,7 +43,7 @@ fn in_every_way(mut run: impl FnMut(&str)) {
     }
 }
 
-fn on_threads<R: Send>(threads: usize, run: impl FnOnce() -> R + Send) -> R {
+pub fn on_threads<R: Send>(threads: usize, run: impl FnOnce() -> R + Send) -> R {
     let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build();
     pool.unwrap().install(run)
 }
@@ -64,13 +64,13 @@ fn bits<T: Number>(numbers: &[T]) -> Vec<u64> {
 }
 
 /// Shapes of a kind, ordinary and hard ones.
-trait Drawn: Sized {
+pub trait Drawn: Sized {
     fn draw(dice: &mut Dice, kind: usize) -> Self;
 }
 
 /// Kinds of shapes: so many, of which the last ones are extreme.
 const KINDS: usize = 12;
-const MILD: usize = 9;
+pub const MILD: usize = 9;
 
 impl<T: Number> Drawn for Obb2<T> {
     fn draw(dice: &mut Dice, kind: usize) -> Self {
@@ -159,7 +159,7 @@ impl<T: Number> Drawn for Aabb3<T> {
     }
 }
 
-fn list<A: Drawn>(count: usize, kinds: usize, seed: u64) -> Vec<A> {
+pub fn list<A: Drawn>(count: usize, kinds: usize, seed: u64) -> Vec<A> {
     let mut dice = Dice(seed);
     (0..count)
         .map(|_| {
@@ -280,7 +280,7 @@ where
 }
 
 /// Everything that is summed or sought in a matrix, as bits.
-fn results<O: Pair<T>, T: Number>(a: &[O::A], b: &[O::B]) -> Vec<u64> {
+pub fn results<O: Pair<T>, T: Number>(a: &[O::A], b: &[O::B]) -> Vec<u64> {
     let values: Vec<T> = calls::all_pairs::<O, T>(a, b).unwrap();
     let mut all = bits(&values);
     let matrix = Matrix::new(a.len(), b.len(), values).unwrap();
@@ -354,7 +354,7 @@ where
 }
 
 /// Moves shapes along a line, each some way from the one before.
-fn far_apart<X: Pack>(mut shapes: Vec<X>) -> Vec<X>
+pub fn far_apart<X: Pack>(mut shapes: Vec<X>) -> Vec<X>
 where
     X::Scalar: Number,
 {

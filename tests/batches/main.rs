@@ -4,6 +4,7 @@ mod calls;
 mod fold;
 #[cfg(feature = "fuzzers")]
 mod fuzz;
+mod memory;
 mod polygon;
 mod program;
 mod reduce;
