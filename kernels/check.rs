@@ -9,6 +9,7 @@ use crate::ad::check::picture::picture;
 use crate::ad::check::sample::{Sample, hard_cases, random};
 use crate::ad::check::subject::Subject;
 use crate::ad::check::trace::Number;
+use crate::ad::check::verdict::Reason;
 use crate::ad::check::witness::Precision;
 use crate::ad::check::{Plan, Report, examine};
 use crate::kernels::cpu::plan::{Want, program_of};
@@ -76,22 +77,6 @@ where
     })
 }
 
-/// An operation that cannot be recorded.
-struct Unrecorded<S>(Path<S>);
-
-impl<S: Number> Subject for Unrecorded<S> {
-    fn precision(&self) -> Precision {
-        Precision::of::<S>()
-    }
-    fn value(&self, x: &[f64]) -> Vec<f64> {
-        let x: Vec<S> = x.iter().map(|&x| S::nearest(x)).collect();
-        (self.0)(&x).iter().map(|y| y.widen()).collect()
-    }
-    fn adjoint(&self, x: &[f64], _y_bar: &[f64]) -> Option<Vec<f64>> {
-        Some(vec![f64::NAN; x.len()])
-    }
-}
-
 /// The value of a ring that is a slice.
 fn ring_value<O: RingOp, S: Number>(x: &[S]) -> Vec<S> {
     let ring: Vec<Vec2<S>> = x.chunks(2).map(|p| Vec2::new(p[0], p[1])).collect();
@@ -108,11 +93,12 @@ fn inputs<X: Sample, S: Number>(plan: &Plan<'_>) -> (Vec<X>, usize) {
         0 => Vec::new(),
         every => hard_cases().into_iter().step_by(every).collect(),
     };
+    let asked = |x: &X| x.inside() && plan.inside.is_none_or(|inside| inside(&x.scalars()));
     let hard = hard.into_iter().map(rounded);
-    let mut inputs: Vec<X> = hard.filter(Sample::inside).collect();
+    let mut inputs: Vec<X> = hard.filter(asked).collect();
     let random_from = inputs.len();
     let drawn = (0..plan.samples).map(|i| random(&mut plan.draw(i)));
-    inputs.extend(drawn.map(rounded).filter(Sample::inside));
+    inputs.extend(drawn.map(rounded).filter(asked));
     (inputs, random_from)
 }
 
@@ -234,8 +220,8 @@ where
         Precision::F32 => recording::<O, f64>().ok(),
         Precision::F64 => None,
     };
-    let recordings = (recording::<O, S>().ok(), wide);
-    let report = recorded::<O::In<f64>, S>(O::NAME, plan, asks, recordings, source::<O, S>);
+    let recordings = (recording::<O, S>(), wide);
+    let report = recorded::<O::In<f64>, S>(O::NAME, plan, asks, recordings);
     let names = O::In::<f64>::names();
     report.map(|report| Report {
         names: names.iter().map(ToString::to_string).collect(),
@@ -248,15 +234,17 @@ fn recorded<X: Sample, S: Number + Real>(
     name: &'static str,
     plan: &Plan<'_>,
     asks: Vec<Ask<'_>>,
-    (recording, wide): (Option<Recording<S>>, Option<Recording<f64>>),
-    source: Path<S>,
+    (recording, wide): (Result<Recording<S>, Error>, Option<Recording<f64>>),
 ) -> Result<Report, Error> {
-    let inputs = inputs::<X, S>(plan);
-    let Some(recording) = recording else {
-        return judged(name, plan, inputs, Vec::new(), &|_, _, judge| {
-            judge(&Unrecorded::<S>(source));
-        });
+    let recording = match recording {
+        Ok(recording) => recording,
+        Err(Error::Program(why)) => {
+            let (precision, reason) = (Precision::of::<S>(), Reason::Unrecordable(why));
+            return Ok(Report::refused_whole(name, plan.seed, precision, reason));
+        }
+        Err(error) => return Err(error),
     };
+    let inputs = inputs::<X, S>(plan);
     judged(name, plan, inputs, asks, &|x, batch, judge| {
         let subject = RecordedSubject {
             near: x,

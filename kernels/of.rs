@@ -4,12 +4,19 @@ use crate::ad::check::{Check, Plan, Report, SEED};
 use crate::kernels::check::prove_with;
 use crate::kernels::op::Op;
 use crate::kernels::row::Row;
+use crate::{Fixed, Pack};
 use std::marker::PhantomData;
+use std::rc::Rc;
+
+type Inside = Rc<dyn Fn(&[f64]) -> bool>;
+type Scales = Rc<dyn Fn(&[f64]) -> Vec<f64>>;
 
 /// A check of an operation in both formats; see [`Check::of`].
-#[derive(Clone, Copy)]
+#[derive(Clone)]
 pub struct OfOperation<O> {
     plan: Plan<'static>,
+    inside: Option<Inside>,
+    scales: Option<Scales>,
     operation: PhantomData<O>,
 }
 
@@ -35,6 +42,8 @@ impl Check<'static, f64> {
     pub fn of<O: Op>(_operation: O) -> OfOperation<O> {
         OfOperation {
             plan: Plan::new(200, SEED),
+            inside: None,
+            scales: None,
             operation: PhantomData,
         }
     }
@@ -65,13 +74,79 @@ where
         self.plan.hard = every;
         self
     }
+    /// Where the operation is defined, beside what its shapes say: inputs outside are left out, and no step leads
+    /// there.
+    ///
+    /// ```
+    /// use geograd::check::*;
+    /// use geograd::operation;
+    /// operation! {
+    ///     /// The logarithm of a number.
+    ///     pub Logarithm = "logarithm": (x: S) -> S { x.ln() }
+    ///     promises []
+    ///     jumps Never
+    ///     slopes Reverse
+    /// }
+    /// Check::of(Logarithm).inside(|x| *x > 1e-3).prove();
+    /// ```
+    #[must_use]
+    pub fn inside(mut self, f: impl Fn(&O::In<f64>) -> bool + 'static) -> Self {
+        self.inside = Some(Rc::new(move |x| f(&O::In::<f64>::load(x))));
+        self
+    }
+    /// For each number, the length over which the operation may be expected to change. By default what the shapes
+    /// say.
+    #[must_use]
+    pub fn scales(mut self, f: impl Fn(&O::In<f64>) -> O::In<f64> + 'static) -> Self {
+        self.scales = Some(Rc::new(move |x| f(&O::In::<f64>::load(x)).scalars()));
+        self
+    }
+    /// How far values may be off, beyond rounding, in the unit of the result: by a table, by an iteration that
+    /// stops, by digits that cancel in single precision. Slopes are held to what they were held to.
+    ///
+    /// ```
+    /// use geograd::check::*;
+    /// use geograd::operation;
+    /// operation! {
+    ///     /// By how much a hyperbola rises above its vertex.
+    ///     pub Rise = "rise": (x: S, y: S) -> S {
+    ///         (S::one() + x * x + y * y).root() - S::one()
+    ///     }
+    ///     promises [Exchange Stays]
+    ///     jumps Never
+    ///     slopes Reverse
+    /// }
+    /// // In single precision a sum near one has seven digits after the point.
+    /// let [single, double] = Check::of(Rise).run();
+    /// assert!(single.refused_for(Reason::ValuesDisagree(Witness::Wide)) && double.passed());
+    /// Check::of(Rise).resolution(1e-7).prove();
+    /// ```
+    #[must_use]
+    pub fn resolution(mut self, absolute: f64) -> Self {
+        self.plan.resolution[0] = absolute;
+        self
+    }
+    /// The same as a share of each number of the result.
+    #[must_use]
+    pub fn relative_resolution(mut self, share: f64) -> Self {
+        self.plan.resolution[1] = share;
+        self
+    }
+    /// A derivative by hand must share exact ties as duals do.
+    #[must_use]
+    pub fn shared_ties(mut self) -> Self {
+        self.plan.shared_ties = true;
+        self
+    }
     /// Judges: a report in single precision, and one in double.
     #[must_use]
     pub fn run(&self) -> [Report; 2] {
-        [
-            prove_with::<O, f32>(&self.plan),
-            prove_with::<O, f64>(&self.plan),
-        ]
+        let plan = Plan {
+            inside: self.inside.as_deref(),
+            scales: self.scales.as_deref(),
+            ..self.plan
+        };
+        [prove_with::<O, f32>(&plan), prove_with::<O, f64>(&plan)]
     }
     /// Judges, and panics with the report when something was refused.
     ///

@@ -297,7 +297,7 @@ impl<S: Number> Subject for RecordedSubject<'_, S> {
         Conventions {
             flat: true,
             jumps: self.recording.jumps,
-            shared_ties: true,
+            shared_ties: false,
             searches: false,
         }
     }

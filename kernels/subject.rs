@@ -248,7 +248,7 @@ where
         Conventions {
             flat: true,
             jumps: O::JUMPS,
-            shared_ties: true,
+            shared_ties: false,
             searches: O::SEARCHES,
         }
     }

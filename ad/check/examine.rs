@@ -1,5 +1,6 @@
 //! Judging a function at many inputs.
 use crate::Pack;
+use crate::ad::check::agreed::{Agreed, Held};
 use crate::ad::check::judge::judge;
 use crate::ad::check::report::{Failure, Report};
 use crate::ad::check::sample::Draw;
@@ -7,7 +8,7 @@ use crate::ad::check::shrink::{code, shrunk};
 use crate::ad::check::subject::Subject;
 use crate::ad::check::tolerances::{ENOUGH, KEPT, SMOOTH_ONE_IN};
 use crate::ad::check::trace::Number;
-use crate::ad::check::verdict::{Fault, Findings, Numbers, PAIRS, Place, Reason, Worst};
+use crate::ad::check::verdict::{Findings, Place, Reason};
 use crate::ad::check::witness::Precision;
 use std::fmt::Debug;
 
@@ -27,6 +28,15 @@ pub struct Plan<'a> {
     pub draws: bool,
     /// Called after every sample: for a progress bar.
     pub tick: Option<&'a dyn Fn()>,
+    /// Whether a derivative by hand must share an exact tie as duals do. Without it any element between the slopes
+    /// of both sides is right.
+    pub shared_ties: bool,
+    /// How far values may be off, absolutely and as a share: see [`Check::resolution`](crate::check::Check::resolution).
+    pub resolution: [f64; 2],
+    /// Where the function is defined, beside what its shapes say: inputs outside are left out, no step leads there.
+    pub inside: Option<&'a dyn Fn(&[f64]) -> bool>,
+    /// For each number, the length over which the function may be expected to change, if shapes do not tell.
+    pub scales: Option<&'a dyn Fn(&[f64]) -> Vec<f64>>,
 }
 
 impl Plan<'_> {
@@ -39,6 +49,10 @@ impl Plan<'_> {
             hard: 1,
             draws: false,
             tick: None,
+            shared_ties: false,
+            resolution: [0.0; 2],
+            inside: None,
+            scales: None,
         }
     }
     /// The generator of random sample `i`: samples do not depend on each other.
@@ -68,28 +82,13 @@ pub fn examine<S: Number, X: Pack<Scalar = S> + Debug>(
             precision = subject.precision();
             // Shrinking makes up numbers that single precision may not have.
             let list: Vec<f64> = list.iter().map(|&x| precision.round(x)).collect();
-            findings = Some(judge(subject, &list, plan.seed ^ sample as u64));
+            let subject = Held::Lent(subject);
+            let subject = Agreed { subject, plan };
+            findings = Some(judge(&subject, &list, plan.seed ^ sample as u64));
         });
         findings.expect("the function was handed over")
     };
-    let mut report = Report {
-        name: name.to_owned(),
-        precision: Precision::F64,
-        seed: plan.seed,
-        samples: 0,
-        places: [0; 3],
-        conventions: 0,
-        jumps: 0,
-        directions: [0; 3],
-        switched: 0,
-        margin: f64::INFINITY,
-        worst: [Worst::default(); PAIRS.len()],
-        nearest: Default::default(),
-        picture: None,
-        names: Vec::new(),
-        refused: 0,
-        failures: Vec::new(),
-    };
+    let mut report = Report::empty(name, plan.seed);
     let mut smooth = 0;
     let mut covered: Vec<bool> = Vec::new();
     for (sample, x) in inputs.iter().enumerate() {
@@ -143,27 +142,16 @@ pub fn examine<S: Number, X: Pack<Scalar = S> + Debug>(
         shown.map_or_else(String::new, code)
     });
     let drawn = inputs.len().saturating_sub(random_from);
-    let whole = |reason, input| Failure {
-        sample: random_from,
-        fault: Fault {
-            reason,
-            suspect: None,
-            output: 0,
-            input,
-            numbers: Numbers::default(),
-            tolerance: 0.0,
-        },
-        input: Vec::new(),
-        code: String::new(),
-    };
     let uncovered = covered.iter().position(|covered| !covered);
     if drawn >= ENOUGH && smooth * SMOOTH_ONE_IN < drawn {
         report.refused += 1;
-        report.failures.push(whole(Reason::NothingSmooth, 0));
+        let failure = Failure::of_all(Reason::NothingSmooth, random_from, 0);
+        report.failures.push(failure);
     } else if report.failures.is_empty() && (uncovered.is_some() || covered.is_empty()) {
         report.refused += 1;
         let input = uncovered.unwrap_or(0);
-        report.failures.push(whole(Reason::Unjudged, input));
+        let failure = Failure::of_all(Reason::Unjudged, random_from, input);
+        report.failures.push(failure);
     }
     report
 }

@@ -19,6 +19,7 @@ use crate::ad::check::evidence::{Evidence, Row, same_bits};
 use crate::ad::check::notes::Notes;
 use crate::ad::check::sample::Draw;
 use crate::ad::check::subject::Subject;
+use crate::ad::check::symmetry::Motion;
 use crate::ad::check::verdict::{Fault, Findings, Place, Reason, Witness};
 
 /// Checks everything at one input. `seed` chooses random directions.
@@ -102,13 +103,17 @@ fn decided(e: Option<&Evidence<'_>>, said: Notes) -> Findings {
         .copied()
         .partition(|fault| e.is_some_and(|e| e.excusable(fault)));
     let others = one_of_a_kind(others);
-    let tie = e.is_some_and(Evidence::tie_of_duals);
     let (excused, refused): (Vec<Fault>, Vec<Fault>) = excusable
         .into_iter()
-        .partition(|fault| explained(fault, tie, &said, &others));
+        .partition(|fault| explained(e, fault, &said, &others));
+    // Of an element of one's own nobody can ask that it is the same with the arguments exchanged.
+    let exchanged = |fault: &Fault| {
+        let same = |other: &Fault| other.output == fault.output;
+        fault.reason == Reason::MotionUnbalanced(Motion::Exchange) && excused.iter().any(same)
+    };
     // Duals are asked before differences.
     let mut faults = one_of_a_kind(refused);
-    faults.extend(others);
+    faults.extend(others.into_iter().filter(|fault| !exchanged(fault)));
     vote(&mut faults);
     let [smooth, kinked, undefined] = said.directions;
     Findings {
@@ -145,14 +150,10 @@ fn one_of_a_kind(all: Vec<Fault>) -> Vec<Fault> {
 }
 
 /// Whether what duals say is explained: the input is a kink there, at which the adjoint has stood every
-/// step. Then it is between the slopes of both sides, as the duals are, and a convention.
-fn explained(fault: &Fault, tie_of_duals: bool, said: &Notes, others: &[Fault]) -> bool {
-    let place = said
-        .told
-        .iter()
-        .find(|told| (told.0, told.1) == (fault.output, fault.input));
-    // Where steps could not tell, nobody but the duals has spoken.
-    let excused = place.is_some_and(|told| tie_of_duals || told.2 == Place::Kink);
+/// step. Then it is between the slopes of both sides, as the duals are, and a convention. Where steps could not tell,
+/// it must be between the slopes of the pieces that meet there.
+fn explained(e: Option<&Evidence<'_>>, fault: &Fault, said: &Notes, others: &[Fault]) -> bool {
+    let Some(e) = e else { return false };
     let against = |other: &Fault| {
         let reasons = [
             Reason::Disagree(Witness::Adjoint, Witness::Difference),
@@ -160,7 +161,16 @@ fn explained(fault: &Fault, tie_of_duals: bool, said: &Notes, others: &[Fault]) 
         ];
         other.output == fault.output && reasons.contains(&other.reason)
     };
-    excused && !others.iter().any(against)
+    if others.iter().any(against) {
+        return false;
+    }
+    let place = said
+        .told
+        .iter()
+        .find(|told| (told.0, told.1) == (fault.output, fault.input));
+    let row = || e.rows.iter().find(|row| row.output == fault.output);
+    place.is_some_and(|told| e.tie_of_duals() || told.2 == Place::Kink)
+        || row().is_some_and(|row| e.between_pieces(row))
 }
 
 /// Where adjoint and duals differ, the one that the differences are against is outvoted.

@@ -72,7 +72,8 @@
 //! direction, and where many numbers tie, equals the slope along the direction that keeps the tie.
 //! Where kinks of both signs meet, and at the border of the domain, both sides do not bound it: there it may
 //! lie between the slopes at places nearby. It may be another element than the duals'
-//! ([`shared_ties`](crate::ad::check::subject::Conventions::shared_ties) asks for theirs). The report says how
+//! ([`shared_ties`](crate::ad::check::subject::Conventions::shared_ties) asks for theirs, of an operation
+//! [`Plan::shared_ties`]). Where steps cannot tell both sides, duals a few last digits beside the input must. The report says how
 //! many samples were kinks, so that a function cannot pass by being nothing but kinks; and a number of
 //! the input about which no witness could say anything is [`Unjudged`](crate::ad::check::verdict::Reason::Unjudged).
 //!
@@ -124,6 +125,29 @@
 //! library's operations, on the CPU or a GPU, are witnesses in
 //! [`kernels::check`](crate::kernels::check::prove_on).
 //!
+//! # A refusal that is no mistake
+//!
+//! Digits that cancel in single precision are lost with the best of formulas. The value is refused, and the report
+//! names the remedy: [`Check::resolution`] says how far values may be off. It leaves slopes as strict as they were.
+//!
+//! ```
+//! use geograd::ad::check::Check;
+//! use geograd::ad::check::verdict::{Reason, Witness};
+//! use geograd::Scalar;
+//! fn rise<S: Scalar>([x, y]: [S; 2]) -> S {
+//!     (S::one() + x * x + y * y).root() - S::one()
+//! }
+//! let slopes = |[x, y]: [f32; 2]| [x, y].map(|s| s / (1.0 + x * x + y * y).sqrt());
+//! let check = || Check::at([0.01_f32, 0.02]).value(rise).wide(rise).gradient(slopes);
+//! let report = check().run();
+//! assert!(report.refused_for(Reason::ValuesDisagree(Witness::Wide)));
+//! assert!(report.to_string().contains("`resolution`"));
+//! check().resolution(1e-7).prove();
+//! ```
+//!
+//! An operation takes the same words: `Check::of(operation).resolution(1e-7).inside(…)`. One that cannot be recorded is
+//! [`Unrecordable`](crate::ad::check::verdict::Reason::Unrecordable), with what to do.
+//!
 //! # How far the verdict goes
 //!
 //! | measured by the tests of this crate | |
@@ -158,6 +182,7 @@
 //! in [`witness`], what they say about one slope in `compare/slope_test`, how complaints are weighed in
 //! `compare/opinion`. [`examine`](fn@examine) walks the inputs, `shrink` makes refused ones simple, [`report`] has the
 //! lines, `words` the sentences. A function is a [`Subject`](subject::Subject): lists of numbers in and out.
+mod agreed;
 mod builder;
 mod closures;
 mod compare;

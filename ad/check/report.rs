@@ -1,7 +1,7 @@
 //! What came out: a line of a table, and what was refused in words.
-use crate::ad::check::verdict::{Fault, PAIRS, Reason, Worst};
+use crate::ad::check::verdict::{Fault, Numbers, PAIRS, Reason, Worst};
 use crate::ad::check::witness::Precision;
-use crate::ad::check::words::{outvoted, place, write_numbers};
+use crate::ad::check::words::{outvoted, place, remedy, write_numbers};
 use std::fmt;
 
 /// One refused sample.
@@ -15,6 +15,25 @@ pub struct Failure {
     pub input: Vec<f64>,
     /// The same as Rust code.
     pub code: String,
+}
+
+impl Failure {
+    /// What no single input is refused for.
+    pub(crate) fn of_all(reason: Reason, sample: usize, input: usize) -> Self {
+        Failure {
+            sample,
+            fault: Fault {
+                reason,
+                suspect: None,
+                output: 0,
+                input,
+                numbers: Numbers::default(),
+                tolerance: 0.0,
+            },
+            input: Vec::new(),
+            code: String::new(),
+        }
+    }
 }
 
 /// Everything found out about one function.
@@ -55,6 +74,41 @@ pub struct Report {
 }
 
 impl Report {
+    /// Nothing found out yet.
+    pub(crate) fn empty(name: &str, seed: u64) -> Self {
+        Report {
+            name: name.to_owned(),
+            precision: Precision::F64,
+            seed,
+            samples: 0,
+            places: [0; 3],
+            conventions: 0,
+            jumps: 0,
+            directions: [0; 3],
+            switched: 0,
+            margin: f64::INFINITY,
+            worst: [Worst::default(); PAIRS.len()],
+            nearest: Default::default(),
+            picture: None,
+            names: Vec::new(),
+            refused: 0,
+            failures: Vec::new(),
+        }
+    }
+    /// Of a function that cannot be judged at all.
+    pub(crate) fn refused_whole(
+        name: &str,
+        seed: u64,
+        precision: Precision,
+        reason: Reason,
+    ) -> Self {
+        Report {
+            precision,
+            refused: 1,
+            failures: vec![Failure::of_all(reason, 0, 0)],
+            ..Report::empty(name, seed)
+        }
+    }
     /// Whether nothing was refused.
     #[must_use]
     pub fn passed(&self) -> bool {
@@ -150,13 +204,19 @@ impl fmt::Display for Report {
         {
             writeln!(f, "\n  {}", fault.reason)?;
             let place = place(fault, &self.names);
-            writeln!(f, "    {place} (sample {sample}, seed {})", self.seed)?;
+            match fault.reason {
+                Reason::Unrecordable(_) => writeln!(f, "    {place}")?,
+                _ => writeln!(f, "    {place} (sample {sample}, seed {})", self.seed)?,
+            }
             write_numbers(f, fault.reason, &fault.numbers, fault.tolerance)?;
             if let Some(suspect) = fault.suspect {
                 writeln!(f, "    {}", outvoted(suspect))?;
             }
             if !code.is_empty() {
                 writeln!(f, "    let input = {code};")?;
+            }
+            for line in remedy(fault.reason) {
+                writeln!(f, "    {line}")?;
             }
             writeln!(f, "    {:?}", fault.reason)?;
         }

@@ -132,6 +132,9 @@ pub(crate) const NEARER: f64 = 1e-8;
 /// domain that have one.
 pub(crate) const PLACES: usize = 48;
 pub(crate) const TRIES: usize = 4000;
+/// How many steps lead to the nearest of all slopes between those of several pieces: with the two pieces of most kinks
+/// one is enough.
+pub(crate) const APPROACHES: usize = 100;
 /// By how much a whole input moves to see that a promise is kept: by a part of its smallest scale, by an
 /// angle that is no part of a circle, by a factor that is no power of two.
 pub(crate) const TRANSLATION: f64 = 0.75;

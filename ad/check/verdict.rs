@@ -1,4 +1,5 @@
 //! What the harness can say: typed reasons, the numbers behind them, no strings.
+use crate::Unrecordable;
 use crate::ad::check::symmetry::Motion;
 
 /// One way to obtain a value or a derivative.
@@ -48,6 +49,8 @@ pub enum Reason {
     MotionBroken(Motion),
     /// The derivative does not follow a declared motion: forces or torques do not balance.
     MotionUnbalanced(Motion),
+    /// The operation cannot be recorded as a program, so that nothing was judged.
+    Unrecordable(Unrecordable),
     /// Hardly a sample was smooth, so that nothing was proved.
     NothingSmooth,
     /// At no sample could any witness say anything about this number of the input: there was no

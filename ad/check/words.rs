@@ -1,4 +1,5 @@
 //! Verdicts in words, for people.
+use crate::Unrecordable;
 use crate::ad::check::symmetry::Motion;
 use crate::ad::check::verdict::{Fault, Numbers, Reason, Witness};
 use std::fmt;
@@ -58,6 +59,7 @@ impl fmt::Display for Reason {
             Reason::MotionUnbalanced(motion) => {
                 write!(f, "the slopes break a promise when the input {motion}")
             }
+            Reason::Unrecordable(why) => write!(f, "the operation cannot be recorded: {why}"),
             Reason::NothingSmooth => {
                 f.write_str("hardly an input was smooth, so nothing was proved")
             }
@@ -66,6 +68,35 @@ impl fmt::Display for Reason {
                  proved",
             ),
         }
+    }
+}
+
+/// The remedy of a refusal that need not be a mistake of the derivative, in lines.
+pub(crate) fn remedy(reason: Reason) -> &'static [&'static str] {
+    const SEARCHES: &[&str] = &[
+        "remedy: implement `Decided` (a search and its replay), and prove it with `prove_decided_with`;",
+        "        or check the plain function with `Check::random`",
+    ];
+    match reason {
+        Reason::ValuesDisagree(Witness::Wide) => &[
+            "remedy: where digits cancel in single precision and may be lost, say how far values may be off",
+            "        (`resolution`, `relative_resolution`); otherwise write the formula so that they stay",
+        ],
+        Reason::Unrecordable(Unrecordable::Constant) => &[
+            "remedy: use finite literals, such as the largest number (`S::LARGEST`) instead of infinity",
+        ],
+        Reason::Unrecordable(Unrecordable::Hint) => {
+            &["remedy: choose with `select`; a branch on `any` or `all` may only save work"]
+        }
+        Reason::Unrecordable(Unrecordable::ForeignSymbol) => {
+            &["remedy: compute with the arguments of the call and literals (`S::lit`) only"]
+        }
+        Reason::Unrecordable(Unrecordable::TooLong) => &[
+            "remedy: make it shorter, or a `Fold` if it repeats one step;",
+            "        or check the plain function with `Check::random`",
+        ],
+        Reason::Unrecordable(_) => SEARCHES,
+        _ => &[],
     }
 }
 
@@ -163,6 +194,7 @@ pub(crate) fn place(fault: &Fault, names: &[String]) -> String {
             "the value".to_owned()
         }
         Reason::NothingSmooth => "all random inputs".to_owned(),
+        Reason::Unrecordable(_) => "no input was judged".to_owned(),
         _ if numbers.along => {
             format!("slope of output {output} along a random direction, {named} among others")
         }

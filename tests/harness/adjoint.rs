@@ -18,6 +18,7 @@ fn plan() -> Plan<'static> {
     let (hard, samples) = HOT;
     Plan {
         hard,
+        shared_ties: true,
         ..Plan::new(samples, SEED)
     }
 }
@@ -34,6 +35,7 @@ fn plan_of_rows(name: &str) -> Plan<'static> {
     };
     Plan {
         hard,
+        shared_ties: true,
         ..Plan::new(samples, SEED)
     }
 }

@@ -12,5 +12,6 @@ mod program_random;
 mod program_slopes;
 mod shrinking;
 mod strategy;
+mod ties;
 mod unrecorded;
 mod witness;

@@ -1,6 +1,8 @@
-//! What cannot be recorded is refused, not proved, and does not panic.
+//! What cannot be recorded is refused for that, with what to do, and does not panic; values that lose digits on purpose
+//! are told how to say so.
+use geograd::check::{Check, Reason, Witness};
 use geograd::kernels::check::prove;
-use geograd::operation;
+use geograd::{Unrecordable, operation};
 
 operation! {
     /// Half of a number, with a constant in the way.
@@ -11,15 +13,81 @@ operation! {
     promises []
     jumps Never
     slopes Reverse
+
+    /// Half of a positive number, decided by a hint.
+    pub Hinted = "hinted": (x: S) -> S {
+        if x.above(S::zero()).any() { x.halved() } else { x }
+    }
+    promises []
+    jumps Never
+    slopes Reverse
+
+    /// By how much a hyperbola rises above its vertex.
+    pub Rise = "rise": (x: S, y: S) -> S {
+        (S::one() + x * x + y * y).root() - S::one()
+    }
+    promises [Exchange Stays]
+    jumps Never
+    slopes Reverse
+
+    /// The logarithm.
+    pub Logarithm = "logarithm": (x: S) -> S { x.ln() }
+    promises []
+    jumps Never
+    slopes Reverse
 }
 
 #[test]
 fn is_refused() {
     let report = prove::<Wild, f64>(5, 1);
-    assert!(!report.passed(), "{report}");
+    let reason = Reason::Unrecordable(Unrecordable::Constant);
+    assert!(report.refused_for(reason), "{report}");
+    assert_eq!(report.failures.len(), 1, "{report}");
+    let text = report.to_string();
+    assert!(
+        text.contains("cannot be recorded") && text.contains("remedy"),
+        "{text}"
+    );
     let refused = geograd::kernels::Cpu::new().aligned(Wild, &[1.0_f64]);
     assert_eq!(
         refused,
         Err(geograd::Error::Program(geograd::Unrecordable::Constant))
     );
+}
+
+#[test]
+fn a_hint_that_decides_is_refused() {
+    for report in Check::of(Hinted).samples(5).run() {
+        let reason = Reason::Unrecordable(Unrecordable::Hint);
+        assert!(report.refused_for(reason), "{report}");
+        assert!(report.to_string().contains("select"), "{report}");
+    }
+}
+
+#[test]
+fn cancelled_digits_name_their_remedy() {
+    let [single, double] = Check::of(Rise).run();
+    assert!(double.passed(), "{double}");
+    assert!(
+        single.refused_for(Reason::ValuesDisagree(Witness::Wide)),
+        "{single}"
+    );
+    let text = single.to_string();
+    assert!(text.contains("`resolution`"), "{text}");
+    Check::of(Rise).resolution(1e-7).prove();
+    // What is far too coarse by its own word says nothing of the slopes.
+    let [single, _] = Check::of(Rise).relative_resolution(1e-9).run();
+    assert!(!single.passed(), "{single}");
+}
+
+#[test]
+fn an_operation_with_a_domain() {
+    let [_, double] = Check::of(Logarithm).run();
+    assert!(!double.passed(), "{double}");
+    Check::of(Logarithm).inside(|x| *x > 1e-3).prove();
+    let scales = |x: &f64| x.abs();
+    Check::of(Logarithm)
+        .inside(|x| *x > 0.0)
+        .scales(scales)
+        .prove();
 }

@@ -15,6 +15,7 @@ use geograd::{Obb2, Pack, ad};
 fn plan() -> Plan<'static> {
     Plan {
         hard: 23,
+        shared_ties: true,
         ..Plan::new(40, 1)
     }
 }

@@ -165,6 +165,7 @@ fn main() -> ExitCode {
         let plan = Plan {
             draws: options.svg.is_some() && wide,
             tick: Some(&tick),
+            shared_ties: true,
             ..Plan::new(options.samples, options.seed)
         };
         let report = match prove(&plan, gpu.as_ref()) {

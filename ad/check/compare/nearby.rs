@@ -1,8 +1,15 @@
 //! Slopes beside a kink: what a derivative at the kink may be between.
-use crate::ad::check::evidence::Evidence;
+use crate::ad::check::evidence::{Evidence, Row, finite};
 use crate::ad::check::sample::Draw;
-use crate::ad::check::tolerances::{NEARBY, NEARER, PLACES, TRIES};
-use crate::ad::check::witness::{Precision, dot};
+use crate::ad::check::tolerances::{
+    APPROACHES, FEW_INPUTS, MOVED_ROUNDINGS, NEARBY, NEARER, PLACES, TRIES,
+};
+use crate::ad::check::witness::{Precision, combined, dot};
+
+/// The difference of two lists.
+fn minus(a: &[f64], b: &[f64]) -> Vec<f64> {
+    a.iter().zip(b).map(|(a, b)| a - b).collect()
+}
 
 impl Evidence<'_> {
     /// Whether a slope along a direction is between those at places beside the input.
@@ -53,5 +60,79 @@ impl Evidence<'_> {
             }
         }
         slope >= least - tolerance && slope <= most + tolerance
+    }
+
+    /// Whether the slopes by hand lie between those of the smooth pieces that meet at the input, as duals tell a few
+    /// last digits beside it: along every axis, along random directions, and along those that lead from the
+    /// pieces' slopes and their mean to the slopes in question.
+    ///
+    /// Steps need both sides of a kink, at several steps each. Here it is enough that the pieces are there, which
+    /// may end as near as a millionth of the scales.
+    pub(crate) fn between_pieces(&self, row: &Row) -> bool {
+        let (on, n) = (self.on(), self.x.len());
+        let Some(adjoint) = row.adjoint.as_ref().filter(|_| n <= FEW_INPUTS) else {
+            return false;
+        };
+        // Where branches are known, a tie is one to the bit.
+        if self.trace.is_some() && !self.exactly_tied() {
+            return false;
+        }
+        let rounding = self.subject.rounding(self.x);
+        let mut draw = Draw::new(13);
+        let pieces: Vec<Vec<f64>> = (0..PLACES)
+            .filter_map(|_| {
+                let there: Vec<f64> = (0..n)
+                    .map(|i| {
+                        // A zero has no last digit.
+                        let own = match self.x[i] {
+                            0.0 => self.eps * self.scales[i],
+                            _ => rounding[i],
+                        };
+                        let moved = self.x[i] + MOVED_ROUNDINGS * own * draw.within(-1.0, 1.0);
+                        self.subject.precision().round(moved)
+                    })
+                    .collect();
+                if !on.inside(&there) {
+                    return None;
+                }
+                let slopes = combined(&row.weights, &on.jacobian(&there)?, n);
+                finite(&slopes).then_some(slopes)
+            })
+            .collect();
+        if pieces.is_empty() {
+            return false;
+        }
+        // Slopes times scales are comparable.
+        let scaled = |slopes: &[f64]| -> Vec<f64> {
+            let each = slopes.iter().zip(&self.scales);
+            each.map(|(slope, scale)| slope * scale).collect()
+        };
+        let own = scaled(adjoint);
+        let corners: Vec<Vec<f64>> = pieces.iter().map(|piece| scaled(piece)).collect();
+        // From one of them to the nearest of all that lie between: the way on is a direction that separates the slopes
+        // in question from the pieces', if there is one.
+        let mut nearest = corners[0].clone();
+        for _ in 0..APPROACHES {
+            let on = minus(&own, &nearest);
+            let Some(farthest) =
+                (corners.iter()).max_by(|a, b| dot(a, &on).total_cmp(&dot(b, &on)))
+            else {
+                return false;
+            };
+            let direction = scaled(&on);
+            let most = dot(farthest, &on);
+            if dot(&own, &on) > most + row.allowed_along(&direction) {
+                return false;
+            }
+            let step = minus(farthest, &nearest);
+            let part = dot(&on, &step) / dot(&step, &step);
+            if part.is_nan() || part <= 0.0 {
+                break;
+            }
+            for (nearest, step) in nearest.iter_mut().zip(&step) {
+                *nearest += part.min(1.0) * step;
+            }
+        }
+        true
     }
 }

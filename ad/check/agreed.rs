@@ -1,0 +1,99 @@
+//! A function together with what a plan says of it: its ties, how far its values may be off, where it is defined.
+use crate::ad::check::Plan;
+use crate::ad::check::subject::{Conventions, Subject};
+use crate::ad::check::symmetry::{Kind, Promise};
+use crate::ad::check::trace::Trace;
+use crate::ad::check::witness::Precision;
+
+/// A function with a plan.
+pub(crate) struct Agreed<'a> {
+    pub(crate) subject: Held<'a>,
+    pub(crate) plan: &'a Plan<'a>,
+}
+
+/// A function that is lent, or made on the way.
+pub(crate) enum Held<'a> {
+    Lent(&'a dyn Subject),
+    Made(Box<dyn Subject + 'a>),
+}
+
+impl<'a> Agreed<'a> {
+    fn subject(&self) -> &(dyn Subject + 'a) {
+        match &self.subject {
+            Held::Lent(subject) => *subject,
+            Held::Made(subject) => &**subject,
+        }
+    }
+}
+
+/// Methods that the function answers alone.
+macro_rules! handed_on {
+    ($(fn $name:ident(&self $(, $arg:ident: $type:ty)*) -> $out:ty;)*) => { $(
+        fn $name(&self $(, $arg: $type)*) -> $out {
+            self.subject().$name($($arg),*)
+        }
+    )* };
+}
+
+impl Subject for Agreed<'_> {
+    handed_on! {
+        fn precision(&self) -> Precision;
+        fn value(&self, x: &[f64]) -> Vec<f64>;
+        fn other_values(&self, x: &[f64]) -> Vec<Vec<f64>>;
+        fn adjoint(&self, x: &[f64], y_bar: &[f64]) -> Option<Vec<f64>>;
+        fn noisy(&self, x: &[f64], y_bar: &[f64], seed: u64) -> Option<Vec<f64>>;
+        fn further(&self, x: &[f64], y_bar: &[f64]) -> Vec<Vec<f64>>;
+        fn noisy_further(&self, x: &[f64], y_bar: &[f64], position: usize, seed: u64) -> Option<Vec<f64>>;
+        fn forms(&self) -> usize;
+        fn batch(&self, form: usize, x: &[f64], y_bar: &[f64]) -> Option<(Vec<f64>, Vec<f64>)>;
+        fn jacobian(&self, x: &[f64]) -> Option<Vec<Vec<f64>>>;
+        fn dual_values(&self, x: &[f64]) -> Option<Vec<f64>>;
+        fn along(&self, x: &[f64], direction: &[f64]) -> Option<Vec<f64>>;
+        fn traced(&self, x: &[f64]) -> Option<(Vec<f64>, Trace)>;
+        fn curvature(&self, x: &[f64], y_bar: &[f64], direction: &[f64]) -> Option<Vec<f64>>;
+        fn noisy_curvature(&self, x: &[f64], y_bar: &[f64], direction: &[f64], seed: u64) -> Option<Vec<f64>>;
+        fn second_order(&self, x: &[f64], y_bar: &[f64], direction: &[f64]) -> Option<Vec<f64>>;
+        fn units(&self, x: &[f64]) -> Vec<f64>;
+        fn comparable(&self) -> bool;
+        fn rounding(&self, x: &[f64]) -> Vec<f64>;
+        fn kinds(&self) -> Vec<Kind>;
+        fn output_kinds(&self) -> Vec<Kind>;
+        fn promises(&self) -> &[Promise];
+    }
+    fn wide(&self) -> Option<Box<dyn Subject + '_>> {
+        let subject = Held::Made(self.subject().wide()?);
+        let plan = self.plan;
+        Some(Box::new(Agreed { subject, plan }))
+    }
+    fn inside(&self, x: &[f64]) -> bool {
+        self.subject().inside(x) && self.plan.inside.is_none_or(|inside| inside(x))
+    }
+    fn total(&self) -> bool {
+        // Beyond a border that was said the function may be anything.
+        self.plan.inside.is_none() && self.subject().total()
+    }
+    fn scales(&self, x: &[f64]) -> Vec<f64> {
+        match self.plan.scales {
+            Some(scales) => scales(x),
+            None => self.subject().scales(x),
+        }
+    }
+    fn guessed_scales(&self) -> bool {
+        self.plan.scales.is_none() && self.subject().guessed_scales()
+    }
+    fn resolution(&self, y: &[f64]) -> Vec<f64> {
+        let [absolute, share] = self.plan.resolution;
+        let mut all = self.subject().resolution(y);
+        for (own, y) in all.iter_mut().zip(y) {
+            *own = own.max(absolute).max(share * y.abs());
+        }
+        all
+    }
+    fn conventions(&self) -> Conventions {
+        let own = self.subject().conventions();
+        Conventions {
+            shared_ties: own.shared_ties || self.plan.shared_ties,
+            ..own
+        }
+    }
+}
