@@ -52,7 +52,7 @@ impl Scene {
             uniform(draw, -2.5, 2.5),
             uniform(draw, -0.6, 0.6),
         );
-        let a_from_b = Pose3::new(turn, shift);
+        let a_from_b = Pose3::new(shift, turn);
         let angle = uniform(draw, 0.05, 0.09);
         let by_turn = vector(draw, angle);
         let guess = a_from_b.retract(by_turn, vector(draw, 1.2));

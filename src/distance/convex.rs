@@ -1,8 +1,9 @@
 //! What distances ask of a shape: a convex core of few corners, inflated by a radius.
 use super::edge::{Edge, choose, reach, size_of};
+use super::pair::PairFormula;
 use super::share::{Ahead, Best, Deepest, Nearest};
 use crate::intersection::span::{Beam, Inside};
-use crate::{Scalar, Vec2};
+use crate::{Aabb2, Obb2, Scalar, Vec2};
 
 /// A convex shape: every point at most [`radius`](Convex::radius) from its [`core`](Convex::core).
 ///
@@ -67,6 +68,24 @@ pub trait Convex<S: Scalar>: Copy {
     #[inline]
     fn farthest_distance<B: Convex<S>>(self, other: B) -> S {
         super::farthest_distance(self, other)
+    }
+    /// The function of this shape and another one by the [formula](super::pair) for their kinds.
+    #[doc(hidden)]
+    #[inline]
+    fn take_formula<F: PairFormula<S>, B: Convex<S>>(self, other: B) -> F::Out {
+        F::cores(self, other)
+    }
+    /// The same where the first shape is known to be an axis-aligned box.
+    #[doc(hidden)]
+    #[inline]
+    fn take_formula_after_aabb2<F: PairFormula<S>>(self, first: Aabb2<S>) -> F::Out {
+        F::cores(first, self)
+    }
+    /// The same where the first shape is known to be a rotated box.
+    #[doc(hidden)]
+    #[inline]
+    fn take_formula_after_obb2<F: PairFormula<S>>(self, first: Obb2<S>) -> F::Out {
+        F::cores(first, self)
     }
 }
 

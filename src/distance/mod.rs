@@ -15,8 +15,8 @@
 //! | [`penetration`] | how far to shift one of them until they only touch, and in which direction |
 //! | [`farthest_distance`] | the longest way |
 //! | [`segments::closest_points_of_segments`] | points and parameters of two segments |
-//! | [`upright`] | those of two axis-aligned boxes by their bounds alone |
-//! | [`turned`] | those of two rotated boxes in the frame of one of them, which keeps digits where faces are all but parallel |
+//! | [`upright`] | what all of these do for two axis-aligned boxes: their bounds alone |
+//! | [`turned`] | what all of these do for two rotated boxes: the frame of one of them, which keeps digits where faces are all but parallel |
 //! | [`ring`] | distances of a point from polylines and polygons of any kind, edge by edge |
 //!
 //! The signed distance is positive outside. (DGAL's sign is the opposite, positive inside:
@@ -36,9 +36,11 @@
 //! slope, and the direction is that of the first.
 use crate::{Scalar, Vec2};
 
+pub mod bounds;
 pub mod convex;
 pub mod cores;
 pub mod edge;
+pub mod pair;
 pub(crate) mod relation;
 pub mod ring;
 mod search;
@@ -50,7 +52,7 @@ pub mod upright;
 
 pub use convex::{Convex, Core};
 pub use edge::{edge_distance, edge_distance_squared, edge_winding};
-use relation::{LENGTH, NORMAL, POINTS, relate};
+use pair::{Closest, Depth, Farthest, Signed, Squared, Unsigned};
 pub use shapes::repeat_last;
 
 /// A point of each of two shapes.
@@ -93,7 +95,7 @@ pub struct Penetration<S> {
 #[must_use]
 #[inline]
 pub fn signed_distance<S: Scalar, A: Convex<S>, B: Convex<S>>(a: A, b: B) -> S {
-    relate::<S, A, B, { LENGTH }>(a, b).signed(a.radius() + b.radius())
+    a.take_formula::<Signed, B>(b)
 }
 
 /// The signed distance with DGAL's sign: positive where shapes overlap, as a clearance
@@ -124,8 +126,7 @@ pub fn clearance<S: Scalar, A: Convex<S>, B: Convex<S>>(a: A, b: B) -> S {
 #[must_use]
 #[inline]
 pub fn distance<S: Scalar, A: Convex<S>, B: Convex<S>>(a: A, b: B) -> S {
-    let apart = signed_distance(a, b);
-    S::select(apart.above(S::zero()), apart, S::zero()).canonical()
+    a.take_formula::<Unsigned, B>(b)
 }
 
 /// The squared distance of two convex shapes; 0 where they touch or overlap. Once differentiable
@@ -139,14 +140,7 @@ pub fn distance<S: Scalar, A: Convex<S>, B: Convex<S>>(a: A, b: B) -> S {
 #[must_use]
 #[inline]
 pub fn distance_squared<S: Scalar, A: Convex<S>, B: Convex<S>>(a: A, b: B) -> S {
-    let found = relate::<S, A, B, { LENGTH }>(a, b);
-    let square = if A::ROUND || B::ROUND {
-        let apart = found.apart - (a.radius() + b.radius()) * found.scale;
-        S::select(apart.above(S::zero()), apart * apart, S::zero())
-    } else {
-        found.square()
-    };
-    found.unscaled_square(square)
+    a.take_formula::<Squared, B>(b)
 }
 
 /// The points in which two convex shapes are nearest to each other.
@@ -164,19 +158,7 @@ pub fn distance_squared<S: Scalar, A: Convex<S>, B: Convex<S>>(a: A, b: B) -> S 
 #[must_use]
 #[inline]
 pub fn closest_points<S: Scalar, A: Convex<S>, B: Convex<S>>(a: A, b: B) -> ClosestPoints<S> {
-    let found = relate::<S, A, B, { POINTS }>(a, b);
-    let outer = |v: Vec2<S>| found.origin + found.unscaled(v);
-    let (mut on_a, mut on_b) = (outer(found.on_a), outer(found.on_b));
-    if A::ROUND {
-        on_a += found.normal * a.radius();
-    }
-    if B::ROUND {
-        on_b -= found.normal * b.radius();
-    }
-    ClosestPoints {
-        on_a: on_a.canonical(),
-        on_b: on_b.canonical(),
-    }
+    a.take_formula::<Closest, B>(b)
 }
 
 /// How deep two convex shapes are in each other, and in which direction b leaves a by the shortest
@@ -193,8 +175,7 @@ pub fn closest_points<S: Scalar, A: Convex<S>, B: Convex<S>>(a: A, b: B) -> Clos
 #[must_use]
 #[inline]
 pub fn penetration<S: Scalar, A: Convex<S>, B: Convex<S>>(a: A, b: B) -> Penetration<S> {
-    let found = relate::<S, A, B, { NORMAL }>(a, b);
-    found.penetration(a.radius() + b.radius(), found.normal)
+    a.take_formula::<Depth, B>(b)
 }
 
 /// The longest distance of a point of one shape from a point of the other, in the unit of length. For
@@ -211,19 +192,5 @@ pub fn penetration<S: Scalar, A: Convex<S>, B: Convex<S>>(a: A, b: B) -> Penetra
 #[must_use]
 #[inline]
 pub fn farthest_distance<S: Scalar, A: Convex<S>, B: Convex<S>>(a: A, b: B) -> S {
-    let (core_a, core_b) = (a.core(), b.core());
-    let origin = core_a.anchor();
-    let scale = edge::scale_of::<S>(core_a.extent(origin).most(core_b.extent(origin)));
-    let (core_a, core_b) = (core_a.placed(origin, scale), core_b.placed(origin, scale));
-    // Only the greatest one needs a root, and it is far from zero unless all points coincide.
-    let (from, to) = (core_a.corners(), core_b.corners());
-    let (from, to) = (from.as_ref(), to.as_ref());
-    let square = match (A::Core::SYMMETRIC, B::Core::SYMMETRIC) {
-        (true, false) => core_a.far(to),
-        (false, true) => core_b.far(from),
-        // Of two boxes neither comes first, so that exchanging them changes no slope.
-        _ => convex::farthest(from, to),
-    };
-    let square = square.mean();
-    (square.root().over(scale) + (a.radius() + b.radius())).canonical()
+    a.take_formula::<Farthest, B>(b)
 }

@@ -1,6 +1,8 @@
 //! Every shape as an inflated core.
+use super::bounds::BoundsCore;
 use super::convex::Convex;
-use super::cores::{BoxCore, EdgeCore, PointCore, PolygonCore, Upright};
+use super::cores::{BoxCore, EdgeCore, PointCore, PolygonCore};
+use super::pair::PairFormula;
 use crate::{
     Aabb2, Capsule2, Circle, Line2, Obb2, Ray2, Rotation2, Scalar, Segment2, Triangle2, Vec2,
 };
@@ -46,15 +48,21 @@ impl<S: Scalar> Convex<S> for Triangle2<S> {
 }
 
 impl<S: Scalar> Convex<S> for Aabb2<S> {
-    type Core = BoxCore<S, Upright>;
+    type Core = BoundsCore<S>;
     #[inline(always)]
     fn core(self) -> Self::Core {
-        let half = |min: S, max: S| max.halved() - min.halved();
-        BoxCore {
-            center: self.center(),
-            half: Vec2::new(half(self.min.x, self.max.x), half(self.min.y, self.max.y)),
-            turn: Upright,
+        BoundsCore {
+            min: self.min,
+            max: self.max,
         }
+    }
+    #[inline]
+    fn take_formula<F: PairFormula<S>, B: Convex<S>>(self, other: B) -> F::Out {
+        other.take_formula_after_aabb2::<F>(self)
+    }
+    #[inline]
+    fn take_formula_after_aabb2<F: PairFormula<S>>(self, first: Aabb2<S>) -> F::Out {
+        F::aabb2(first, self)
     }
 }
 
@@ -67,6 +75,14 @@ impl<S: Scalar> Convex<S> for Obb2<S> {
             half: Vec2::new(self.size.x.halved(), self.size.y.halved()),
             turn: Rotation2::from_angle(self.heading),
         }
+    }
+    #[inline]
+    fn take_formula<F: PairFormula<S>, B: Convex<S>>(self, other: B) -> F::Out {
+        other.take_formula_after_obb2::<F>(self)
+    }
+    #[inline]
+    fn take_formula_after_obb2<F: PairFormula<S>>(self, first: Obb2<S>) -> F::Out {
+        F::obb2(first, self)
     }
 }
 

@@ -1,11 +1,14 @@
-//! Signed distances and nearest points of axis-aligned boxes, axis by axis.
-use super::ClosestPoints;
+//! Distances and nearest points of two axis-aligned boxes, axis by axis: what the functions of
+//! [`distance`](mod@crate::distance) do for them.
+use super::edge::{choose, scale_of, size_of};
+use super::relation::direction;
+use super::{ClosestPoints, Penetration};
 use crate::{Aabb2, Scalar, Vec2};
 
 /// The signed distance of two axis-aligned boxes, in the unit of length: the shortest way between them, or minus
 /// the length of the shortest shift after which they only touch.
 ///
-/// The same as [`signed_distance`](super::signed_distance) of both, by the two gaps between their bounds alone: it
+/// What [`signed_distance`](super::signed_distance) gives for them, by the two gaps between their bounds alone: it
 /// has no kink beside those of the distance itself, however flat the boxes are. Kinks: where bounds tie, or
 /// the gaps of boxes that overlap, which share the slope half and half; boxes that touch with a corner.
 ///
@@ -93,8 +96,8 @@ fn facing<S: Scalar>(a: [S; 2], b: [S; 2]) -> ([S; 2], S) {
 /// The points in which two axis-aligned boxes are nearest to each other, or which the shortest shift brings together
 /// where they overlap.
 ///
-/// The same as [`closest_points`](super::closest_points) of both but where many points are equally near: along sides
-/// that face each other it gives the middle of what they share, whatever else ties. All coordinates are bounds, or
+/// What [`closest_points`](super::closest_points) gives for them: along sides
+/// that face each other the middle of what they share. All coordinates are bounds, or
 /// means of two, so that no size costs them digits. Kinks and jumps: where bounds tie, and where the depths of boxes
 /// that overlap do.
 ///
@@ -124,5 +127,38 @@ pub fn closest_points_aabb2<S: Scalar>(a: Aabb2<S>, b: Aabb2<S>) -> ClosestPoint
     ClosestPoints {
         on_a: Vec2::new(x[0], y[0]),
         on_b: Vec2::new(x[1], y[1]),
+    }
+}
+
+/// How deep two axis-aligned boxes overlap, and in which direction b leaves a by the shortest way.
+///
+/// What [`penetration`](super::penetration) gives for them, by their bounds alone. Where the ways out along x and along
+/// y tie, the depth shares its slope and the direction is along x. Kinks: where bounds tie.
+///
+/// ```
+/// use geograd::{Aabb2, Vec2, distance::upright::penetration_aabb2};
+/// let a = Aabb2::new(0.0, 0.0, 4.0, 4.0);
+/// let found = penetration_aabb2(a, Aabb2::new(1.0, -5.0, 2.0, 0.5));
+/// assert_eq!((found.depth, found.direction), (0.5, Vec2::new(0.0, -1.0)));
+/// ```
+#[must_use]
+#[inline]
+pub fn penetration_aabb2<S: Scalar>(a: Aabb2<S>, b: Aabb2<S>) -> Penetration<S> {
+    let (zero, one) = (S::zero(), S::one());
+    let (right, left) = (b.min - a.max, a.min - b.max);
+    let gap = right.most(left);
+    let sign = |right: S, left: S| S::select(right.at_least(left), one, -one);
+    let side = Vec2::new(sign(right.x, left.x), sign(right.y, left.y));
+    let way = open(gap);
+    let apart = way.x.above(zero) | way.y.above(zero);
+    let deep = -gap.x.most(gap.y).saturated();
+    // In units of the way, so that no square over- or underflows.
+    let way = Vec2::new(way.x.saturated() * side.x, way.y.saturated() * side.y);
+    let across = direction(way * scale_of::<S>(size_of(way)));
+    let along_x = gap.x.at_least(gap.y);
+    let out = choose(along_x, Vec2::new(side.x, zero), Vec2::new(zero, side.y));
+    Penetration {
+        depth: S::select(apart | !deep.above(zero), zero, deep).canonical(),
+        direction: choose(apart, across, out).canonical(),
     }
 }

@@ -59,7 +59,7 @@ impl<S: Scalar> Obb3<S> {
     #[must_use]
     #[inline(always)]
     pub fn world_from_local(self) -> Pose3<S> {
-        Pose3::new(self.rotation, self.center)
+        Pose3::new(self.center, self.rotation)
     }
     /// The corners, in the order of [`FACES`](crate::shape::FACES).
     #[must_use]

@@ -9,7 +9,7 @@ use std::ops::Mul;
 ///
 /// ```
 /// use geograd::{Vec3, shape::{Pose3, Rotation3}};
-/// let world_from_car = Pose3::new(Rotation3::from_yaw(0.5), Vec3::new(10.0, 0.0, 1.0));
+/// let world_from_car = Pose3::new(Vec3::new(10.0, 0.0, 1.0), Rotation3::from_yaw(0.5));
 /// let there = world_from_car * Vec3::new(2.0, 1.0, 0.5);
 /// assert!((world_from_car.inverse() * there).distance(Vec3::new(2.0, 1.0, 0.5)) < 1e-14);
 /// ```
@@ -24,9 +24,9 @@ pub struct Pose3<S> {
 }
 
 impl<S> Pose3<S> {
-    /// From a rotation and where the origin goes.
+    /// From where the origin goes and the rotation, in the order of [`Pose2::new`](crate::Pose2::new) and of the boxes.
     #[inline(always)]
-    pub const fn new(rotation: Rotation3<S>, translation: Vec3<S>) -> Self {
+    pub const fn new(translation: Vec3<S>, rotation: Rotation3<S>) -> Self {
         Pose3 {
             rotation,
             translation,
@@ -38,14 +38,14 @@ impl<S: Scalar> Pose3<S> {
     /// No motion.
     #[inline(always)]
     pub fn identity() -> Self {
-        Pose3::new(Rotation3::identity(), Vec3::zero())
+        Pose3::new(Vec3::zero(), Rotation3::identity())
     }
     /// The motion back.
     #[must_use]
     #[inline]
     pub fn inverse(self) -> Self {
         let rotation = self.rotation.inverse();
-        Pose3::new(rotation, -(rotation * self.translation))
+        Pose3::new(-(rotation * self.translation), rotation)
     }
     /// The motion a fraction `t` of the way to another one: the rotation along the shorter way round,
     /// the origin along a straight line.
@@ -53,8 +53,8 @@ impl<S: Scalar> Pose3<S> {
     #[inline]
     pub fn interpolate(self, other: Self, t: S) -> Self {
         Pose3::new(
-            self.rotation.interpolate(other.rotation, t),
             self.translation.lerp(other.translation, t),
+            self.rotation.interpolate(other.rotation, t),
         )
     }
     /// The motion after a small one in the body's own frame: a turn as a rotation vector in radians and
@@ -63,8 +63,8 @@ impl<S: Scalar> Pose3<S> {
     #[inline]
     pub fn retract(self, turn: Vec3<S>, shift: Vec3<S>) -> Self {
         Pose3::new(
-            self.rotation.retract(turn),
             self.translation + self.rotation * shift,
+            self.rotation.retract(turn),
         )
     }
     /// The turn and the shift that lead to another motion: the inverse of [`retract`](Self::retract).
@@ -83,7 +83,7 @@ impl<S: Scalar> Mul for Pose3<S> {
     /// First `other`, then `self`.
     #[inline]
     fn mul(self, other: Self) -> Self {
-        Pose3::new(self.rotation * other.rotation, self * other.translation)
+        Pose3::new(self * other.translation, self.rotation * other.rotation)
     }
 }
 

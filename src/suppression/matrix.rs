@@ -7,7 +7,7 @@ use crate::error::Error;
 /// over all better detections that overlap it, with the factor f of [`Decay`]. Gives those whose score is
 /// not below the rules', the best first.
 ///
-/// The rules' threshold does not count: all overlaps do.
+/// The rules' threshold does not count: all overlaps do. Scores below zero stay as they are.
 ///
 /// # Errors
 ///
@@ -46,7 +46,8 @@ pub fn matrix<S: Scalar<Mask = bool>>(
     }
     let factor = |overlap: S| decay.factor(overlap, S::zero()).0;
     let mut now = scores.to_vec();
-    for &i in &order {
+    // A factor would raise a score below zero.
+    for &i in order.iter().filter(|&&i| !scores[i].below(S::zero())) {
         let mut least = S::one();
         for &(other, pair) in near.of(i) {
             let hidden = factor(most[other]);

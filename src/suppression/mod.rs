@@ -13,6 +13,9 @@
 //!
 //! Better is a higher score; of equal ones the detection that comes first. So results do not depend on the
 //! order of the pairs, nor on the machine.
+//!
+//! A score never rises. [`Decay`] lowers scores towards zero, so that scores below zero, such as logits, stay as they
+//! are, and those above zero never fall below them: every list is in the order of its scores, the best first.
 use crate::error::{Argument, Error, Field, Flaw};
 use crate::scalar::Scalar;
 use std::cmp::Ordering;
@@ -62,10 +65,10 @@ impl<S: Scalar> Rules<'_, S> {
     }
 }
 
-/// How a score falls by an overlap.
+/// How a score falls by an overlap: by a factor in `[0, 1]`. Scores below zero, which a factor would raise, stay.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Decay<S> {
-    /// By the factor `1 − overlap`, for overlaps above the threshold.
+    /// By the factor `1 − overlap`, for overlaps above the threshold; by the factor 0 for overlaps above one.
     Linear,
     /// By the factor `exp(−overlap² / sigma)`, for all overlaps.
     Gaussian {
@@ -78,6 +81,7 @@ impl<S: Scalar<Mask = bool>> Decay<S> {
     /// The factor of an overlap, and its slope by the overlap.
     fn factor(self, overlap: S, threshold: S) -> (S, S) {
         match self {
+            Decay::Linear if overlap.above(S::one()) => (S::zero(), S::zero()),
             Decay::Linear if overlap.above(threshold) => (S::one() - overlap, -S::one()),
             Decay::Linear => (S::one(), S::zero()),
             Decay::Gaussian { sigma } => {

@@ -18,7 +18,8 @@ pub struct Decayed {
 /// overlap it, until none is left or the best score is below the rules'. Gives the kept ones with their
 /// scores, the best first.
 ///
-/// Pairs count by [`Decay`]: with the linear one those above the threshold.
+/// Pairs count by [`Decay`]: with the linear one those above the threshold. Scores below zero stay as they are, with
+/// slope one by themselves.
 ///
 /// # Errors
 ///
@@ -83,7 +84,9 @@ pub fn soft_decided<S: Scalar<Mask = bool>>(
                 Decay::Linear => overlap.above(rules.overlap),
                 Decay::Gaussian { .. } => true,
             };
-            if left[other] && counts {
+            // A factor would raise a score below zero.
+            let falls = !now[other].below(S::zero());
+            if left[other] && counts && falls {
                 now[other] *= decay.factor(overlap, rules.overlap).0;
                 by[other].push(pair);
                 heap.push(Entry(other, now[other]));

@@ -8,4 +8,5 @@ mod memory;
 mod polygon;
 mod program;
 mod reduce;
+mod spellings;
 mod straight;

@@ -14,7 +14,7 @@ use std::fmt::Debug;
 const LENGTHS: [usize; 3] = [1, 17, 300];
 
 /// Results of a batch, item by item.
-trait Items {
+pub trait Items {
     fn item(&self, i: usize) -> Vec<u64>;
 }
 impl<A: Pack<Scalar: Number>> Items for Vec<A> {
@@ -33,13 +33,13 @@ macro_rules! items {
 }
 items! { (A.0, B.1) (A.0, B.1, C.2) }
 
-fn bits<A: Pack<Scalar: Number>>(shape: &A) -> Vec<u64> {
+pub fn bits<A: Pack<Scalar: Number>>(shape: &A) -> Vec<u64> {
     let numbers = shape.scalars().into_iter();
     numbers.map(|x| x.widen().to_bits()).collect()
 }
 
 /// Hard inputs, then random ones, in a format.
-fn inputs<O: Op, T: Number>(count: usize) -> Vec<O::In<T>>
+pub fn inputs<O: Op, T: Number>(count: usize) -> Vec<O::In<T>>
 where
     O::In<f64>: Sample,
 {

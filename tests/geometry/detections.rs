@@ -139,6 +139,54 @@ fn soft_is_the_loop_of_its_paper() {
     }
 }
 
+/// Whatever the scores and the overlaps are: no score rises, and the best comes first.
+#[test]
+fn softened_scores_fall_and_stay_in_order() {
+    let mut dice = Dice(64);
+    let pairs = [Pair {
+        first: 0,
+        second: 1,
+        overlap: 0.9,
+    }];
+    let kept = soft(&[-0.1, -0.2], &pairs, Decay::Linear, Rules::above(0.5)).unwrap();
+    assert_eq!(
+        kept.iter().map(|k| k.score).collect::<Vec<_>>(),
+        [-0.1, -0.2]
+    );
+    let mut raised = 0;
+    for n in 0..400 {
+        let mut scene = Scene::new(&mut dice, n % 12);
+        let mut pairs = scene.pairs(&mut dice);
+        for score in &mut scene.scores {
+            *score = dice.within(-1.0, 1.0);
+        }
+        for pair in &mut pairs {
+            pair.overlap *= 1.5;
+        }
+        let rules = Rules {
+            classes: Some(&scene.classes),
+            ..Rules::above(0.3)
+        };
+        for decay in [Decay::Linear, Decay::Gaussian { sigma: 0.5 }] {
+            let (soft, record) = soft_decided(&scene.scores, &pairs, decay, rules).unwrap();
+            let bar = vec![1.0; soft.len()];
+            let (by_score, _) = soft_vjp(&scene.scores, &pairs, decay, 0.3, &record, &bar);
+            for kept in [&soft, &matrix(&scene.scores, &pairs, decay, rules).unwrap()] {
+                assert!(kept.windows(2).all(|two| two[0].score >= two[1].score));
+                for k in kept {
+                    let before = scene.scores[k.index];
+                    assert!(k.score <= before && k.score >= before.min(0.0));
+                    if before < 0.0 {
+                        assert_eq!((k.score, by_score[k.index]), (before, 1.0));
+                        raised += 1;
+                    }
+                }
+            }
+        }
+    }
+    assert!(raised > 100);
+}
+
 #[test]
 fn slopes_of_soft_scores_are_differences() {
     let mut dice = Dice(63);

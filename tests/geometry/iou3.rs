@@ -89,7 +89,10 @@ fn gaps_are_distances_and_continue_overlap() {
         b.center += random.vector(4.0);
         let gap = penetration_or_gap(a, b);
         assert!((gap - penetration_or_gap(b, a)).abs() < 1e-12);
-        let motion = Pose3::new(random_rotation(&mut random), random.vector(10.0));
+        let motion = {
+            let rotation = random_rotation(&mut random);
+            Pose3::new(random.vector(10.0), rotation)
+        };
         assert!((gap - penetration_or_gap(motion * a, motion * b)).abs() < 1e-12);
         // It never exceeds the distance of any two points, and boxes apart are those with a gap.
         let from_b = |p: Vec3<f64>| {

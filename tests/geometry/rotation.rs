@@ -201,7 +201,10 @@ fn gradients_go_between_quaternion_and_tangent() {
 fn motions_compose_invert_and_interpolate() {
     let mut random = Random(4);
     for _ in 0..100 {
-        let mut pose = || Pose3::new(random_rotation(&mut random), random.vector(3.0));
+        let mut pose = || {
+            let rotation = random_rotation(&mut random);
+            Pose3::new(random.vector(3.0), rotation)
+        };
         let (a, b) = (pose(), pose());
         let p = random.vector(1.0);
         assert!(((a * b) * p).distance(a * (b * p)) < 1e-13);

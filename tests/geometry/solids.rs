@@ -307,7 +307,7 @@ fn motion_size_and_order_do_not_matter() {
                 "{family}: {a:?} {b:?}"
             );
             let shift = random.vector(a.size.x + b.size.x);
-            let motion = Pose3::new(random_rotation(&mut random), shift);
+            let motion = Pose3::new(shift, random_rotation(&mut random));
             let moved = iou_obb3(motion * a, motion * b);
             assert!(
                 (value - moved).abs() < 1e-11,

@@ -458,7 +458,8 @@ fn boxes_along_the_axes_are_as_far_by_their_bounds_as_by_their_faces() {
             geograd::Aabb2::new(x, y, x + width.abs() + 0.125, y + height.abs() + 0.125)
         };
         let (a, b) = (shape(), shape());
-        let (found, known) = (signed_distance_aabb2(a, b), signed_distance(a, b));
+        let known = signed_distance(a.corners(), b.corners());
+        let found = signed_distance_aabb2(a, b);
         assert!((found - known).abs() < 1e-13, "{a:?} {b:?} {found} {known}");
         apart += u32::from(found > 0.0);
         overlapping += u32::from(found < 0.0);
@@ -482,7 +483,8 @@ fn nearest_points_by_bounds_are_as_far_as_the_boxes() {
             geograd::Aabb2::new(x, y, x + width.abs().floor(), y + height.abs() + 0.125)
         };
         let (a, b) = (shape(), shape());
-        let (found, known) = (closest_points_aabb2(a, b), signed_distance(a, b));
+        let known = signed_distance(a.corners(), b.corners());
+        let found = closest_points_aabb2(a, b);
         let way = found.on_b - found.on_a;
         let length = way.x.hypot(way.y);
         assert!(
@@ -577,7 +579,8 @@ fn turned_boxes_are_as_far_in_the_frame_of_one_as_by_their_corners() {
     let (mut apart, mut overlapping) = (0, 0);
     for round in 0..6000 {
         let [a, b] = turned_boxes(&mut dice, round);
-        let known = distance::signed_distance(a, b);
+        let [by_corners, to_corners] = [a.corners(), b.corners()];
+        let known = distance::signed_distance(by_corners, to_corners);
         let close = |found: f64, known: f64| {
             assert!((found - known).abs() < 1e-12, "{a:?} {b:?} {found} {known}");
         };
@@ -585,13 +588,13 @@ fn turned_boxes_are_as_far_in_the_frame_of_one_as_by_their_corners() {
         close(turned::distance_obb2(a, b), known.max(0.0));
         close(
             turned::distance_squared_obb2(a, b),
-            distance::distance_squared(a, b),
+            distance::distance_squared(by_corners, to_corners),
         );
         let pushed = turned::penetration_obb2(a, b);
         close(pushed.depth, (-known).max(0.0));
         close(
             turned::farthest_distance_obb2(a, b),
-            distance::farthest_distance(a, b),
+            distance::farthest_distance(by_corners, to_corners),
         );
         // Shifted by the depth, and a little more, they are apart.
         if known < -1e-9 {
@@ -644,5 +647,73 @@ fn faces_that_are_all_but_parallel_are_told_apart_in_single_precision() {
         same!(signed_distance_obb2);
         same!(distance_obb2);
         same!(farthest_distance_obb2);
+    }
+}
+
+/// A box far from the origin keeps its digits: its centre, which is rounded there, has no part in distances.
+#[test]
+fn boxes_along_the_axes_keep_their_digits_far_from_the_origin() {
+    use geograd::distance::{Convex, upright::penetration_aabb2};
+    use geograd::{Aabb2, Circle};
+    let a = Aabb2::new(10000.0_f32, 0.0, 10000.000_976_562_5, 1.0);
+    let apart = Aabb2::new(10000.002_929_687_5_f32, 0.0, 10001.0, 1.0);
+    let touching = Aabb2::new(10000.000_976_562_5_f32, 0.0, 10000.001_953_125, 1.0);
+    assert_eq!(a.distance(apart), 0.001_953_125);
+    assert_eq!(a.signed_distance(touching), 0.0);
+    // Beside shapes of other kinds, too.
+    let point = Vec2::new(10000.002_929_687_5_f32, 0.5);
+    assert_eq!(
+        (a.distance(point), Convex::distance(point, a)),
+        (0.001_953_125, 0.001_953_125)
+    );
+    assert_eq!(a.distance(Circle::new(point, 0.0)), 0.001_953_125);
+    let inside = Vec2::new(10000.000_976_562_5_f32, 0.5);
+    assert_eq!(a.signed_distance(inside), 0.0);
+    let mut dice = Dice(98);
+    for _ in 0..2000 {
+        // Steps of the last digit at ten thousand: all differences are exact.
+        let step = 1.0_f32 / 1024.0;
+        let mut shape = || {
+            let [x, y, width, height] = [(); 4].map(|()| dice.whole(12) as f32 * step);
+            let (x, y) = (10000.0 + x, -12000.0 + y);
+            Aabb2::new(x, y, x + width, y + height)
+        };
+        let (a, b) = (shape(), shape());
+        let wide = |x: Aabb2<f32>| {
+            let [min, max] = [x.min, x.max].map(|v| Vec2::new(f64::from(v.x), f64::from(v.y)));
+            Aabb2 { min, max }
+        };
+        let (wide_a, wide_b) = (wide(a), wide(b));
+        let known = wide_a.corners().signed_distance(wide_b.corners()) as f32;
+        assert_eq!(a.signed_distance(b), known, "{a:?} {b:?}");
+        let known = wide_a.corners().farthest_distance(wide_b.corners()) as f32;
+        assert_eq!(a.farthest_distance(b), known, "{a:?} {b:?}");
+        for corner in b.corners() {
+            let far = Vec2::new(f64::from(corner.x), f64::from(corner.y));
+            let known = wide_a.corners().signed_distance(far) as f32;
+            let (found, back) = (a.signed_distance(corner), corner.signed_distance(a));
+            assert_eq!((found, back), (known, known), "{a:?} {corner:?}");
+        }
+        let out = penetration_aabb2(a, b);
+        let moved = |by: f32| {
+            let by = out.direction * by;
+            Aabb2 {
+                min: b.min + by,
+                max: b.max + by,
+            }
+        };
+        assert_eq!(
+            a.distance(moved(out.depth)),
+            (-out.depth).max(0.0).max(a.distance(b))
+        );
+        if out.depth > 0.0 {
+            assert_eq!(a.signed_distance(moved(out.depth)), 0.0, "{a:?} {b:?}");
+            assert!(
+                a.signed_distance(moved(out.depth - step)) < 0.0,
+                "{a:?} {b:?}"
+            );
+        } else if a.distance(b) > 0.0 {
+            assert!((out.direction.length() - 1.0).abs() < 1e-6);
+        }
     }
 }

@@ -1,0 +1,164 @@
+//! The formula that a function of distance takes for a pair of shapes.
+//!
+//! Two axis-aligned boxes have formulas of their own ([`upright`]), two rotated ones, too ([`turned`]); all other pairs
+//! are compared by their cores. Function, method and batch come through here, so that they agree to the bit.
+use super::convex::{self, Convex, Core};
+use super::relation::{LENGTH, NORMAL, POINTS, relate};
+use super::{ClosestPoints, Penetration, edge, turned, upright};
+use crate::{Aabb2, Obb2, Scalar};
+
+/// A function of two convex shapes, with a formula for each kind of pair.
+pub trait PairFormula<S: Scalar> {
+    /// Its result.
+    type Out;
+    /// Of any two shapes, by their cores.
+    fn cores<A: Convex<S>, B: Convex<S>>(a: A, b: B) -> Self::Out;
+    /// Of two axis-aligned boxes.
+    fn aabb2(a: Aabb2<S>, b: Aabb2<S>) -> Self::Out;
+    /// Of two rotated boxes.
+    fn obb2(a: Obb2<S>, b: Obb2<S>) -> Self::Out;
+}
+
+/// [`signed_distance`](super::signed_distance).
+pub(super) struct Signed;
+/// [`distance`](super::distance()).
+pub(super) struct Unsigned;
+/// [`distance_squared`](super::distance_squared).
+pub(super) struct Squared;
+/// [`closest_points`](super::closest_points).
+pub(super) struct Closest;
+/// [`penetration`](super::penetration).
+pub(super) struct Depth;
+/// [`farthest_distance`](super::farthest_distance).
+pub(super) struct Farthest;
+
+impl<S: Scalar> PairFormula<S> for Signed {
+    type Out = S;
+    #[inline]
+    fn cores<A: Convex<S>, B: Convex<S>>(a: A, b: B) -> S {
+        relate::<S, A, B, { LENGTH }>(a, b).signed(a.radius() + b.radius())
+    }
+    #[inline]
+    fn aabb2(a: Aabb2<S>, b: Aabb2<S>) -> S {
+        upright::signed_distance_aabb2(a, b)
+    }
+    #[inline]
+    fn obb2(a: Obb2<S>, b: Obb2<S>) -> S {
+        turned::signed_distance_obb2(a, b)
+    }
+}
+
+impl<S: Scalar> PairFormula<S> for Unsigned {
+    type Out = S;
+    #[inline]
+    fn cores<A: Convex<S>, B: Convex<S>>(a: A, b: B) -> S {
+        let apart = Signed::cores(a, b);
+        S::select(apart.above(S::zero()), apart, S::zero()).canonical()
+    }
+    #[inline]
+    fn aabb2(a: Aabb2<S>, b: Aabb2<S>) -> S {
+        upright::distance_aabb2(a, b)
+    }
+    #[inline]
+    fn obb2(a: Obb2<S>, b: Obb2<S>) -> S {
+        turned::distance_obb2(a, b)
+    }
+}
+
+impl<S: Scalar> PairFormula<S> for Squared {
+    type Out = S;
+    #[inline]
+    fn cores<A: Convex<S>, B: Convex<S>>(a: A, b: B) -> S {
+        let found = relate::<S, A, B, { LENGTH }>(a, b);
+        let square = if A::ROUND || B::ROUND {
+            let apart = found.apart - (a.radius() + b.radius()) * found.scale;
+            S::select(apart.above(S::zero()), apart * apart, S::zero())
+        } else {
+            found.square()
+        };
+        found.unscaled_square(square)
+    }
+    #[inline]
+    fn aabb2(a: Aabb2<S>, b: Aabb2<S>) -> S {
+        upright::distance_squared_aabb2(a, b)
+    }
+    #[inline]
+    fn obb2(a: Obb2<S>, b: Obb2<S>) -> S {
+        turned::distance_squared_obb2(a, b)
+    }
+}
+
+impl<S: Scalar> PairFormula<S> for Closest {
+    type Out = ClosestPoints<S>;
+    #[inline]
+    fn cores<A: Convex<S>, B: Convex<S>>(a: A, b: B) -> ClosestPoints<S> {
+        let found = relate::<S, A, B, { POINTS }>(a, b);
+        let [mut on_a, mut on_b] =
+            [found.on_a, found.on_b].map(|v| found.origin + found.unscaled(v));
+        if A::ROUND {
+            on_a += found.normal * a.radius();
+        }
+        if B::ROUND {
+            on_b -= found.normal * b.radius();
+        }
+        ClosestPoints {
+            on_a: on_a.canonical(),
+            on_b: on_b.canonical(),
+        }
+    }
+    #[inline]
+    fn aabb2(a: Aabb2<S>, b: Aabb2<S>) -> ClosestPoints<S> {
+        upright::closest_points_aabb2(a, b)
+    }
+    #[inline]
+    fn obb2(a: Obb2<S>, b: Obb2<S>) -> ClosestPoints<S> {
+        turned::closest_points_obb2(a, b)
+    }
+}
+
+impl<S: Scalar> PairFormula<S> for Depth {
+    type Out = Penetration<S>;
+    #[inline]
+    fn cores<A: Convex<S>, B: Convex<S>>(a: A, b: B) -> Penetration<S> {
+        let found = relate::<S, A, B, { NORMAL }>(a, b);
+        found.penetration(a.radius() + b.radius(), found.normal)
+    }
+    #[inline]
+    fn aabb2(a: Aabb2<S>, b: Aabb2<S>) -> Penetration<S> {
+        upright::penetration_aabb2(a, b)
+    }
+    #[inline]
+    fn obb2(a: Obb2<S>, b: Obb2<S>) -> Penetration<S> {
+        turned::penetration_obb2(a, b)
+    }
+}
+
+impl<S: Scalar> PairFormula<S> for Farthest {
+    type Out = S;
+    #[inline]
+    fn cores<A: Convex<S>, B: Convex<S>>(a: A, b: B) -> S {
+        let (core_a, core_b) = (a.core(), b.core());
+        let origin = core_a.anchor();
+        let scale = edge::scale_of::<S>(core_a.extent(origin).most(core_b.extent(origin)));
+        let (core_a, core_b) = (core_a.placed(origin, scale), core_b.placed(origin, scale));
+        // Only the greatest one needs a root, and it is far from zero unless all points coincide.
+        let (from, to) = (core_a.corners(), core_b.corners());
+        let (from, to) = (from.as_ref(), to.as_ref());
+        let square = match (A::Core::SYMMETRIC, B::Core::SYMMETRIC) {
+            (true, false) => core_a.far(to),
+            (false, true) => core_b.far(from),
+            // Of two boxes neither comes first, so that exchanging them changes no slope.
+            _ => convex::farthest(from, to),
+        };
+        let square = square.mean();
+        (square.root().over(scale) + (a.radius() + b.radius())).canonical()
+    }
+    #[inline]
+    fn aabb2(a: Aabb2<S>, b: Aabb2<S>) -> S {
+        upright::farthest_distance_aabb2(a, b)
+    }
+    #[inline]
+    fn obb2(a: Obb2<S>, b: Obb2<S>) -> S {
+        turned::farthest_distance_obb2(a, b)
+    }
+}
