@@ -43,26 +43,36 @@ pub(super) fn function(name: &str, recorded: &Recorded) -> String {
     )
 }
 
-/// A graph without grafts as a function of so many numbers, of which the first ones have names.
+/// A number that a function takes.
+pub(crate) struct Taken {
+    /// Its name.
+    pub name: String,
+    /// Whether it is [exact](exact).
+    pub is_exact: bool,
+}
+
+/// A graph without grafts as a function of so many numbers, of which the first ones are described.
 pub(crate) fn function_of(
     name: &str,
     graph: &Graph,
     outputs: &[Id],
     inputs: usize,
-    names: &[String],
+    taken: &[Taken],
 ) -> String {
     let count = outputs.len();
     let mut text = format!("fn {name}(x: array<f32, {inputs}>) -> array<f32, {count}> {{\n");
     let mut known: Vec<String> = Vec::with_capacity(graph.len());
+    let kept = kept(graph, taken);
     // Writing to a string does not fail.
     for (i, &node) in graph.nodes().iter().enumerate() {
         let own = match node {
-            Node::Input(place) => names.get(place as usize).cloned(),
+            Node::Input(place) => taken.get(place as usize).map(|x| x.name.clone()),
             _ => None,
         };
         let own = own.unwrap_or_else(|| format!("v{i}"));
         let value = match rounded(graph, node) {
             Some(x) => format!("round({})", known[x as usize]),
+            None if kept[i] => format!("program_kept({})", expression(node, &known)),
             None => expression(node, &known),
         };
         let _ = writeln!(text, "    let {own} = {value};");
@@ -90,6 +100,81 @@ fn rounded(graph: &Graph, node: Node) -> Option<Id> {
         Node::Add(y, x) if is_shift(shift) && is_shift(y) => Some(x),
         _ => None,
     }
+}
+
+/// Which sums and differences a driver must compute as they are written. WGSL lets it reorder a sum of several terms,
+/// and Mesa's do, so that errors of rounding become zero and parts that cancel exactly are rounded first.
+///
+/// These are sums from which a number that is in them is taken away again, as in the error of a difference,
+/// `b - (r - (r - b)) - (a + (r - b))` with `r = b - a`, and [exact](exact) ones to which others are added.
+fn kept(graph: &Graph, taken: &[Taken]) -> Vec<bool> {
+    /// Sums of more terms count as one number.
+    const MOST: usize = 8;
+    let taken: Vec<bool> = taken.iter().map(|x| x.is_exact).collect();
+    let exact = exact(graph, &taken);
+    let mut kept = vec![false; graph.len()];
+    // Every number as a sum: its terms, and whether each is negative.
+    let mut terms: Vec<Vec<(Id, bool)>> = Vec::with_capacity(graph.len());
+    for (i, &node) in graph.nodes().iter().enumerate() {
+        let (x, y, negative) = match node {
+            Node::Add(x, y) => (x, y, false),
+            Node::Sub(x, y) if rounded(graph, node).is_none() => (x, y, true),
+            _ => {
+                terms.push(vec![(i as Id, false)]);
+                continue;
+            }
+        };
+        let of = |terms: &[Vec<(Id, bool)>]| {
+            let second = terms[y as usize].iter();
+            let second = second.map(|&(term, sign)| (term, sign != negative));
+            (terms[x as usize].clone(), second.collect::<Vec<_>>())
+        };
+        let (mut first, mut second) = of(&terms);
+        let recurs = first.iter().any(|&(x, sign)| second.contains(&(x, !sign)));
+        for (sum, other) in [(x as usize, y as usize), (y as usize, x as usize)] {
+            if terms[sum].len() > 1 && (recurs || exact[sum] && !exact[other]) {
+                kept[sum] = true;
+                terms[sum] = vec![(sum as Id, false)];
+            }
+        }
+        (first, second) = of(&terms);
+        first.append(&mut second);
+        if first.len() > MOST {
+            first = vec![(i as Id, false)];
+        }
+        terms.push(first);
+    }
+    kept
+}
+
+/// Which numbers of a graph are made of constants and high halves of significands by products and sums alone: products
+/// of two halves are exact, and so are their sums where they cancel.
+pub(crate) fn exact(graph: &Graph, taken: &[bool]) -> Vec<bool> {
+    use Node::*;
+    let is_shift = |sum: Id, shift: Id| {
+        let same =
+            |x: Id| graph.constant(x).is_some() && graph.constant(x) == graph.constant(shift);
+        matches!(graph.at(sum), Add(x, y) if same(x) || same(y))
+    };
+    let (mut exact, mut constant) = (vec![false; graph.len()], vec![false; graph.len()]);
+    for (i, &node) in graph.nodes().iter().enumerate() {
+        let all = |x: Id, y: Id| {
+            let is = |x: Id| exact[x as usize] || constant[x as usize];
+            let constant = constant[x as usize] && constant[y as usize];
+            (is(x) && is(y) && !constant, constant)
+        };
+        (exact[i], constant[i]) = match node {
+            High(_) | SinHigh(_) | CosHigh(_) => (true, false),
+            // Rounded by adding a large number and taking it away again.
+            Sub(x, y) if is_shift(x, y) => (true, false),
+            Const(_) => (false, true),
+            Input(place) => (taken.get(place as usize).is_some_and(|&is| is), false),
+            Neg(x) => (exact[x as usize], constant[x as usize]),
+            Mul(x, y) | Add(x, y) | Sub(x, y) | Select(_, x, y) => all(x, y),
+            _ => (false, false),
+        };
+    }
+    exact
 }
 
 /// One operation on earlier results, which have names.

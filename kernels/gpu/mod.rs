@@ -33,8 +33,10 @@
 //!
 //! # Rounding
 //!
-//! WGSL lets a driver fuse a product with a sum, divide and take roots to within two and a half units in the
-//! last place, and take numbers below the smallest normal one (1.2·10⁻³⁸) for zero. Of its own sines,
+//! WGSL lets a driver fuse a product with a sum, add the terms of a sum in another order, divide and take roots to
+//! within two and a half units in the last place, and take numbers below the smallest normal one (1.2·10⁻³⁸) for
+//! zero. Sums that carry the digits which rounding takes away are written so that no driver reorders them: thin boxes
+//! need these digits. Of its own sines,
 //! exponentials, logarithms and angles it promises so little (an angle may be four thousand units off) that
 //! generated kernels have none of them: they compute polynomials, right to about two units, on any driver
 //! ([`WGSL`](crate::ad::program::WGSL)). Sines of an angle of one shape come from the processor. So every

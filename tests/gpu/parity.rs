@@ -5,7 +5,7 @@ use crate::{gpu, small};
 
 use geograd::kernels::gpu::{Gpu, Options};
 use geograd::kernels::ops::overlap;
-use geograd::kernels::{Backend, Op, reduce};
+use geograd::kernels::{Backend, Cpu, Op, reduce};
 use geograd::{Aabb2, Fixed, Obb2, Pack};
 use geograd_tests::calls;
 
@@ -347,4 +347,71 @@ fn extreme_sizes() {
     extremes_agree::<overlap::IntersectionAreaObb2>(gpu);
     extremes_agree::<overlap::IouObb2>(gpu);
     extremes_agree::<overlap::IofObb2>(gpu);
+}
+
+/// Long thin boxes that lie along each other with their centres apart: of the difference of the centres the digits
+/// that rounding takes away count.
+#[test]
+fn thin_boxes_along_each_other() {
+    let Some((_turn, gpu)) = gpu() else { return };
+    let mut draws = Draws(24);
+    let (mut a, mut b) = (Vec::new(), Vec::new());
+    // One pair for which the digits are worth 3e-4.
+    a.push(Obb2::new(-0.902_125_84, 1.592_955, 50.0, 1e-3, 2.092_978_5));
+    b.push(Obb2::new(
+        -5.862_623_7_f32,
+        10.212_768,
+        50.0,
+        1e-3,
+        2.092_979,
+    ));
+    while a.len() < 50 {
+        let [heading, x, y] = [6.0, 10.0, 10.0].map(|most| most * draws.next());
+        let (sin, cos) = heading.sin_cos();
+        let (along, across) = (25.0 * draws.next(), 5e-4 * draws.next());
+        a.push(Obb2::new(x, y, 50.0, 1e-3, heading));
+        b.push(Obb2::new(
+            x + (cos * along - sin * across),
+            y + (sin * along + cos * across),
+            50.0,
+            1e-3,
+            heading + 1e-6 * draws.next(),
+        ));
+    }
+    let (op, ones) = (overlap::IouObb2, vec![1.0; 50]);
+    let (values, (by_a, by_b)) = gpu.aligned(op.value_grad(), (&a, &b)).unwrap();
+    let alone = gpu.aligned(op, (&a, &b)).unwrap();
+    let pulled = gpu.aligned(op.vjp(), ((&a, &b), &ones)).unwrap();
+    let of_pairs = gpu.all_pairs(op, &a, &b).unwrap();
+    let bars = slopes_of_pairs::<overlap::IouObb2>(gpu, &a, &b);
+    let wide = |all: &[Obb2<f32>]| -> Vec<Obb2<f64>> {
+        all.iter().map(|&x| shape_of(&fields(x))).collect()
+    };
+    let exact = Cpu::new().aligned(op.value_grad(), (&wide(&a), &wide(&b)));
+    let (exact, (by_p, by_q)) = exact.unwrap();
+    let mut worst = [0.0_f64; 6];
+    for (i, exact) in exact.into_iter().enumerate() {
+        for (k, found) in [values[i], alone[i], of_pairs.at(i, i)]
+            .into_iter()
+            .enumerate()
+        {
+            worst[k] = worst[k].max((f64::from(found) - exact).abs());
+        }
+        let exact = [by_p[i].scalars(), by_q[i].scalars()].concat();
+        let most = exact.iter().fold(0.0_f64, |most, x| most.max(x.abs()));
+        let slopes = [
+            [fields(by_a[i]), fields(by_b[i])].concat(),
+            [fields(pulled.0[i]), fields(pulled.1[i])].concat(),
+            bars[i * 50 + i].clone(),
+        ];
+        for (k, found) in slopes.iter().enumerate() {
+            for (found, exact) in found.iter().zip(&exact) {
+                worst[3 + k] = worst[3 + k].max((found - exact).abs() / most);
+            }
+        }
+    }
+    // Where thin boxes are all but parallel, slopes depend on the last digits of the sine between them.
+    let (values, slopes) = worst.split_at(3);
+    assert!(values.iter().all(|&x| x < 1e-6), "{worst:?}");
+    assert!(slopes.iter().all(|&x| x < 1e-4), "{worst:?}");
 }

@@ -34,12 +34,11 @@ struct Relative {
     apart: bool,
 }
 
-// `b − a` in units of `1 / scale`, no farther than it matters, and what rounding took away. An
-// optimizer that re-associates makes that zero, which only costs thin boxes some digits.
+// `b − a` in units of `1 / scale`, no farther than it matters, and what rounding took away.
 fn difference(a: f32, b: f32, scale: f32) -> vec2f {
-    let rounded = b - a;
-    let taken = rounded - b;
-    let lost = (b - (rounded - taken)) - (a + taken);
+    let rounded = kept(b - a);
+    let taken = kept(rounded - b);
+    let lost = kept(b - kept(rounded - taken)) - kept(a + taken);
     let x = rounded * scale;
     let near = abs(x) <= FAR;
     return vec2f(choose(near, x, choose(x < 0.0, -FAR, FAR)), choose(near, lost * scale, 0.0));
@@ -54,15 +53,15 @@ fn relate(a: Framed, b: Framed, scale: f32) -> Relative {
     let dx_low = (dx - dx_high) + x[1];
     let dy_high = high_half(dy);
     let dy_low = (dy - dy_high) + y[1];
-    // Products of two high parts are exact, so fusing them with an addition changes nothing.
-    let u = (a.cos_high * dx_high + a.sin_high * dy_high)
+    // Products of two high parts are exact, and so are their sums where they cancel.
+    let u = kept(a.cos_high * dx_high + a.sin_high * dy_high)
         + ((a.cos_high * dx_low + a.sin_high * dy_low) + (a.cos_low * dx + a.sin_low * dy));
-    let v = (a.cos_high * dy_high - a.sin_high * dx_high)
+    let v = kept(a.cos_high * dy_high - a.sin_high * dx_high)
         + ((a.cos_high * dy_low - a.sin_high * dx_low) + (a.cos_low * dy - a.sin_low * dx));
-    var cos = (a.cos_high * b.cos_high + a.sin_high * b.sin_high)
+    var cos = kept(a.cos_high * b.cos_high + a.sin_high * b.sin_high)
         + ((a.cos_low * b.cos_high + a.sin_low * b.sin_high)
             + (a.cos * b.cos_low + a.sin * b.sin_low));
-    var sin = (a.cos_high * b.sin_high - a.sin_high * b.cos_high)
+    var sin = kept(a.cos_high * b.sin_high - a.sin_high * b.cos_high)
         + ((a.cos_low * b.sin_high - a.sin_low * b.cos_high)
             + (a.cos * b.sin_low - a.sin * b.cos_low));
 

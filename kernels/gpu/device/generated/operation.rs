@@ -2,12 +2,13 @@
 use crate::Error;
 use crate::ad::program::graph::{Graph, Id, Node};
 use crate::ad::program::recorded::Recorded;
-use crate::ad::program::wgsl::function_of;
+use crate::ad::program::wgsl::{Taken, exact, function_of};
 use crate::error::Field;
 use crate::kernels::cpu::plan::{List, Preparation, Want, prepared};
 use crate::kernels::cpu::program::split::{Piece, split};
 use crate::kernels::real::Real;
 use crate::kernels::row::Leaf;
+use std::iter::repeat;
 use std::sync::Arc;
 use std::sync::atomic::{AtomicU64, Ordering};
 
@@ -45,9 +46,9 @@ fn is_sine(node: Node) -> bool {
 }
 
 /// A piece as a function of so many numbers. It takes one at least: there are no arrays of none.
-pub(super) fn body_of(name: &str, piece: &Piece, inputs: usize, names: &[String]) -> Body {
+pub(super) fn body_of(name: &str, piece: &Piece, inputs: usize, taken: &[Taken]) -> Body {
     Body {
-        text: function_of(name, &piece.graph, &piece.outputs, inputs.max(1), names),
+        text: function_of(name, &piece.graph, &piece.outputs, inputs.max(1), taken),
         operations: piece.graph.len(),
         gives: piece.outputs.len(),
     }
@@ -118,6 +119,15 @@ impl<T: Real> Generated<T> {
             });
         let bars = (0..outputs.iter().sum()).map(|k| format!("out_bar.{k}"));
         let names = unlike(prepared_named.chain(bars));
+        let is_exact = parts.frames.iter().flat_map(|frame| {
+            let exact = exact(&frame.graph, &[]);
+            let is = |&x: &Id| exact[x as usize];
+            frame.outputs.iter().map(is).collect::<Vec<_>>()
+        });
+        let taken = names.into_iter().zip(is_exact.chain(repeat(false)));
+        let taken: Vec<_> = taken
+            .map(|(name, is_exact)| Taken { name, is_exact })
+            .collect();
         for ((argument, frame), &own) in arguments.iter_mut().zip(&parts.frames).zip(&fields) {
             argument.frame = match is_whole(frame, own) {
                 true => None,
@@ -127,12 +137,12 @@ impl<T: Real> Generated<T> {
         }
         let (widths, body) = (parts.widths, parts.body);
         let inputs = widths.iter().sum();
-        let mut bodies = vec![body_of("body", &body, inputs, &names)];
+        let mut bodies = vec![body_of("body", &body, inputs, &taken)];
         if framed && want == Want::Vjp {
             let mut first = 0;
             for own in &fields {
                 let own = &body.outputs[first..first + own];
-                bodies.push(body_of("body", &part(&body, own), inputs, &names));
+                bodies.push(body_of("body", &part(&body, own), inputs, &taken));
                 first += own.len();
             }
         }
