@@ -10,6 +10,8 @@ pub mod corpus;
 pub mod forms;
 #[cfg(feature = "fuzzers")]
 pub mod fuzzers;
+#[path = "hashes/lines.rs"]
+pub mod lines;
 #[cfg(feature = "list")]
 pub mod list;
 

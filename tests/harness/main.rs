@@ -6,6 +6,7 @@ mod corpus;
 mod difficult;
 mod everyday;
 mod forward;
+mod hashes;
 mod planted;
 mod program;
 mod program_random;

@@ -1,0 +1,119 @@
+//! The forms of rings and folds: values and slopes alone, of paths in one list, and of one path for all.
+use crate::forms::{Batch, Flat, Format, Found, Given, Item, flat, jacobian, load, load_all};
+use geograd::ad::forward::First;
+use geograd::kernels::fold::{Folded, fold};
+use geograd::kernels::op::Source;
+use geograd::kernels::{Cpu, Fold, RingOp, Row};
+use geograd::{Fixed, Pack, Scalar, Vec2};
+
+fn path<S: Scalar>(numbers: &[S]) -> Vec<Vec2<S>> {
+    let vertices = numbers.chunks_exact(2);
+    vertices.map(|p| Vec2::new(p[0], p[1])).collect()
+}
+fn path_of<S: Scalar>(numbers: &[f64]) -> Vec<Vec2<S>> {
+    let numbers: Vec<S> = numbers.iter().map(|&x| S::lit(x)).collect();
+    path(&numbers)
+}
+fn numbers<S: Format>(vertices: &[Vec2<S>]) -> Vec<f64> {
+    vertices.iter().flat_map(flat).collect()
+}
+
+/// Vertices of all inputs behind so many numbers, and where each path begins.
+fn ragged<S: Format>(given: &Given, behind: usize) -> (Vec<Vec2<S>>, Vec<usize>) {
+    let (mut vertices, mut offsets) = (Vec::new(), vec![0]);
+    for x in &given.inputs {
+        vertices.extend(path_of::<S>(&x[behind..]));
+        offsets.push(vertices.len());
+    }
+    (vertices, offsets)
+}
+
+pub fn ring_items<O: RingOp, S: Format>() -> Vec<(&'static str, Item)> {
+    vec![
+        ("scalar", |x, _| flat(&O::value::<S>(&path_of(x)))),
+        ("duals", |x, _| {
+            jacobian::<S>(x, &|x| O::value::<First<S>>(&path(x)).scalars())
+        }),
+        ("by_hand", |x, bar| {
+            let ring = path_of::<S>(x);
+            let mut bars = vec![Vec2::zero(); ring.len()];
+            O::ring_vjp(&ring, load::<O::Out<S>>(bar), &mut bars);
+            numbers(&bars)
+        }),
+    ]
+}
+
+pub fn ring_batch<O: RingOp, S: Format>(given: &Given) -> Vec<Found> {
+    let (vertices, offsets) = ragged::<S>(given, 0);
+    let (run, cpu) = (O::default(), Cpu::new());
+    let bars: Vec<O::Out<S>> = load_all(&given.cotangents);
+    let values = cpu.ragged(run, &vertices, &offsets);
+    let slopes = cpu.ragged_vjp(run, &vertices, &offsets, &bars);
+    vec![
+        (
+            "ragged",
+            values.map(|all| all.iter().flat_map(flat).collect()),
+        ),
+        ("ragged_vjp", slopes.map(|bars| numbers(&bars))),
+    ]
+}
+
+pub fn fold_items<F: Fold, S: Format>() -> Vec<(&'static str, Item)> {
+    vec![
+        ("scalar", |x, _| {
+            let (context, vertices) = x.split_at(F::Context::<S>::LEN);
+            flat(&fold::<F, S>(load(context), &path_of(vertices)))
+        }),
+        ("duals", |x, _| {
+            jacobian::<S>(x, &|x| {
+                let (context, vertices) = x.split_at(F::Context::<S>::LEN);
+                fold::<F, First<S>>(F::Context::load(context), &path(vertices)).scalars()
+            })
+        }),
+        ("vjp", |x, bar| {
+            let (context, vertices) = x.split_at(F::Context::<S>::LEN);
+            let input = (load::<F::Context<S>>(context), path_of(vertices));
+            let (context, vertices) = Folded::<F>::vjp::<S>(&input, load(bar));
+            [flat(&context), numbers(&vertices)].concat()
+        }),
+    ]
+}
+
+/// Contexts are one column per path. The longest path meets all contexts, too.
+pub fn fold_batch<F: Fold, S: Format>() -> Batch
+where
+    F::Context<S>: Row<Scalar = S>,
+{
+    |given| {
+        let own = F::Context::<S>::LEN;
+        let (vertices, offsets) = ragged::<S>(given, own);
+        let contexts = given.inputs.iter().map(|x| load(&x[..own]));
+        let contexts: Vec<F::Context<S>> = contexts.collect();
+        let bars: Vec<F::Out<S>> = load_all(&given.cotangents);
+        let (run, cpu) = (F::default(), Cpu::new());
+        let values = |all: Vec<F::Out<S>>| all.iter().flat_map(flat).collect();
+        let slopes = |(contexts, vertices): (Vec<F::Context<S>>, Vec<Vec2<S>>)| {
+            let mut all = numbers(&vertices);
+            contexts.flat(&mut all);
+            all
+        };
+        let longest = given.inputs.iter().max_by_key(|x| x.len());
+        let longest = longest.map_or(Vec::new(), |x| path_of::<S>(&x[own..]));
+        let met = if own == 0 { 1 } else { contexts.len() };
+        let one = cpu.fold_one(run, &contexts, &longest);
+        let pulled = cpu.fold_one_vjp(run, &contexts, &longest, &bars[..met]);
+        vec![
+            (
+                "fold",
+                cpu.fold(run, &contexts, &vertices, &offsets).map(values),
+            ),
+            (
+                "fold_vjp",
+                cpu.fold_vjp(run, &contexts, &vertices, &offsets, &bars)
+                    .map(slopes),
+            ),
+            ("fold_one", one.map(values)),
+            ("fold_one_vjp", pulled.map(slopes)),
+        ]
+    }
+}
