@@ -53,8 +53,13 @@ fn by_hand<O: Op, S: Real>(x: &[S], out_bar: &[S]) -> Option<(Vec<S>, Vec<S>)> {
     Some((value.scalars(), bars.scalars()))
 }
 
+/// The function itself on num-dual's numbers.
+fn on_num_dual<O: Op, S: Number>(x: &[S::NumDual]) -> Vec<S::NumDual> {
+    O::eval(O::In::<S::NumDual>::load(x)).scalars()
+}
+
 /// All that the harness needs of an operation in a format.
-fn recording<O: Op, S: Real>() -> Result<Recording<S>, Error>
+fn recording<O: Op, S: Number + Real>() -> Result<Recording<S>, Error>
 where
     O::In<S>: Row,
     O::Out<S>: Row,
@@ -70,6 +75,11 @@ where
         source: source::<O, S>,
         batch: batch_value::<O, S>,
         by_hand: by_hand::<O, S>,
+        // Compiled for derivatives by hand alone.
+        num_dual: match const { matches!(O::SLOPES, Slopes::ByHand) } {
+            true => Some(on_num_dual::<O, S>),
+            false => None,
+        },
         outputs: O::Out::<S>::LEN,
         output_kinds: O::Out::<f64>::filled(1.0).kinds(),
         promises: O::PROMISES,

@@ -27,6 +27,7 @@
 //! ```
 pub use crate::ad::check::subject::Jumps;
 pub use crate::ad::check::symmetry::{Answer, Motion, Promise};
+use crate::ad::check::trace::Number;
 use crate::ad::program::{Plain, Program};
 use crate::error::Error;
 use crate::kernels::cpu::plan::{self, Compiled, Face, Want};
@@ -273,6 +274,10 @@ pub trait Source: 'static {
     fn eval<S: Scalar<Mask = bool>>(input: &Self::In<S>) -> Self::Out<S>;
     /// The slopes of `out_bar · output` with respect to the input.
     fn vjp<S: Scalar<Mask = bool>>(input: &Self::In<S>, out_bar: Self::Out<S>) -> Self::In<S>;
+    /// The function on num-dual's numbers, where slopes are by hand: a witness that is compiled for no other.
+    fn on_num_dual<S: Number>(_input: &Self::In<S::NumDual>) -> Option<Self::Out<S::NumDual>> {
+        None
+    }
     /// The input with every scalar replaced.
     fn map<S: Scalar, T: Scalar>(input: &Self::In<S>, f: &mut impl FnMut(S) -> T) -> Self::In<T>;
 }
@@ -309,6 +314,12 @@ impl<O: Op> Source for Straight<O> {
             Err(_) => O::In::filled(S::lit(f64::NAN)),
         }
     }
+    fn on_num_dual<S: Number>(&input: &Self::In<S::NumDual>) -> Option<Self::Out<S::NumDual>> {
+        match const { matches!(O::SLOPES, Slopes::ByHand) } {
+            true => Some(O::eval(input)),
+            false => None,
+        }
+    }
     fn map<S: Scalar, T: Scalar>(input: &Self::In<S>, f: &mut impl FnMut(S) -> T) -> Self::In<T> {
         let numbers: Vec<T> = input.scalars().into_iter().map(f).collect();
         O::In::load(&numbers)
@@ -332,6 +343,9 @@ impl<O: RingOp> Source for Ringed<O> {
         let mut ring_bar = vec![Vec2::zero(); ring.len()];
         O::ring_vjp(ring, out_bar, &mut ring_bar);
         ring_bar
+    }
+    fn on_num_dual<S: Number>(ring: &Vec<Vec2<S::NumDual>>) -> Option<O::Out<S::NumDual>> {
+        Some(O::value(ring))
     }
     fn map<S: Scalar, T: Scalar>(ring: &Vec<Vec2<S>>, f: &mut impl FnMut(S) -> T) -> Vec<Vec2<T>> {
         Pack::map(ring, &mut |s| f(*s))

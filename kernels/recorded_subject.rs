@@ -4,7 +4,7 @@ use crate::ad::check::noise::{Noisy, noisy};
 use crate::ad::check::sample::Sample;
 use crate::ad::check::subject::{Conventions, Subject};
 use crate::ad::check::symmetry::{Kind, Promise};
-use crate::ad::check::trace::{Number, Trace, Traced, trace};
+use crate::ad::check::trace::{Number, Trace, Traced, num_duals, of_num_duals, trace};
 use crate::ad::check::witness::Precision;
 use crate::ad::forward::{Along, First};
 use crate::ad::program::recorded::Recorded;
@@ -46,7 +46,7 @@ pub(crate) type ByHand<S> = fn(&[S], &[S]) -> Option<(Vec<S>, Vec<S>)>;
 
 /// An operation in one format.
 #[derive(Clone)]
-pub(crate) struct Recording<S> {
+pub(crate) struct Recording<S: Number> {
     /// The result, recorded.
     pub value: Arc<Recorded>,
     /// The result and slopes from the input and a cotangent, recorded: from wherever the operation says
@@ -61,6 +61,8 @@ pub(crate) struct Recording<S> {
     pub batch: Path<S>,
     /// Slopes by hand, on plain numbers.
     pub by_hand: ByHand<S>,
+    /// The function itself on num-dual's numbers, where slopes are by hand.
+    pub num_dual: Option<fn(&[S::NumDual]) -> Vec<S::NumDual>>,
     /// How many numbers a result has.
     pub outputs: usize,
     /// What each number of a result is.
@@ -205,6 +207,11 @@ impl<S: Number> Subject for RecordedSubject<'_, S> {
         let jets: Vec<Jet<S, 1>> = jets.collect();
         let out = self.recording.value.run_on(&jets);
         Some(out.iter().map(|jet| jet.slope[0].widen()).collect())
+    }
+    fn num_dual(&self, x: &[f64], direction: &[f64]) -> Option<(Vec<f64>, Vec<f64>)> {
+        let source = self.recording.num_dual?;
+        let input = num_duals::<S>(x, direction);
+        Some(of_num_duals::<S>(source(&input)))
     }
     fn traced(&self, x: &[f64]) -> Option<(Vec<f64>, Trace)> {
         let input: Vec<Traced<S>> = x.iter().map(|&x| Traced(S::nearest(x))).collect();

@@ -4,7 +4,7 @@ use crate::ad::check::noise::{Noisy, noisy};
 use crate::ad::check::sample::Sample;
 use crate::ad::check::subject::{Conventions, Subject};
 use crate::ad::check::symmetry::{Kind, Promise};
-use crate::ad::check::trace::{Number, Trace, Traced, trace};
+use crate::ad::check::trace::{Number, Trace, Traced, of_num_duals, trace};
 use crate::ad::check::witness::Precision;
 use crate::ad::forward::{Along, First};
 use crate::kernels::op::Source;
@@ -163,6 +163,11 @@ where
         });
         let out = O::eval::<Jet<S, 1>>(&input).scalars();
         Some(out.iter().map(|jet| jet.slope[0].widen()).collect())
+    }
+    fn num_dual(&self, x: &[f64], direction: &[f64]) -> Option<(Vec<f64>, Vec<f64>)> {
+        let input = self.made(x, |i, v| S::num_dual(v, S::nearest(direction[i])));
+        let out = O::on_num_dual::<S>(&input)?;
+        Some(of_num_duals::<S>(out.scalars()))
     }
     fn traced(&self, x: &[f64]) -> Option<(Vec<f64>, Trace)> {
         let input = self.made(x, |_, v| Traced(v));

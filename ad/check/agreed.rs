@@ -49,6 +49,7 @@ impl Subject for Agreed<'_> {
         fn jacobian(&self, x: &[f64]) -> Option<Vec<Vec<f64>>>;
         fn dual_values(&self, x: &[f64]) -> Option<Vec<f64>>;
         fn along(&self, x: &[f64], direction: &[f64]) -> Option<Vec<f64>>;
+        fn num_dual(&self, x: &[f64], direction: &[f64]) -> Option<(Vec<f64>, Vec<f64>)>;
         fn traced(&self, x: &[f64]) -> Option<(Vec<f64>, Trace)>;
         fn curvature(&self, x: &[f64], y_bar: &[f64], direction: &[f64]) -> Option<Vec<f64>>;
         fn noisy_curvature(&self, x: &[f64], y_bar: &[f64], direction: &[f64], seed: u64) -> Option<Vec<f64>>;

@@ -4,7 +4,7 @@ use crate::ad::check::sample::{Draw, Sample, hard_cases, random};
 use crate::ad::check::second_order::{BentFn, TracedBentFn};
 use crate::ad::check::subject::Conventions;
 use crate::ad::check::symmetry::{Kind, Promise};
-use crate::ad::check::trace::{Number, Trace, Traced, trace};
+use crate::ad::check::trace::{Number, Trace, Traced, of_num_duals, trace};
 use crate::ad::check::{Plan, Report, SEED, examine, narrow};
 use crate::{Jet, Pack};
 use std::fmt::Debug;
@@ -37,6 +37,7 @@ pub struct Check<'a, X: Pack> {
     pub(crate) adjoint: Option<AdjointFn<'a, X>>,
     pub(crate) further: Vec<AdjointFn<'a, X>>,
     pub(crate) dual: Option<DualFn<'a, X>>,
+    pub(crate) num_dual: Option<DualFn<'a, X>>,
     pub(crate) traced: Option<TracedFn<'a, X>>,
     pub(crate) curvature: Option<AdjointFn<'a, X>>,
     pub(crate) second_order: Option<BentFn<'a, X>>,
@@ -75,6 +76,7 @@ impl<'a, S: Number, X: Pack<Scalar = S> + Debug + 'a> Check<'a, X> {
             adjoint: None,
             further: Vec::new(),
             dual: None,
+            num_dual: None,
             traced: None,
             curvature: None,
             second_order: None,
@@ -166,6 +168,23 @@ impl<'a, S: Number, X: Pack<Scalar = S> + Debug + 'a> Check<'a, X> {
             let values = jets.iter().map(|jet| jet.value.widen()).collect();
             let slopes = jets.iter().map(|jet| jet.slope[0].widen()).collect();
             (values, slopes)
+        }));
+        self
+    }
+    /// The generic source, called with num-dual's own dual numbers: another implementation of duals than ours, and a
+    /// witness of its own. A mistake that a derivative by hand shares with one of them is no mistake of both.
+    #[must_use]
+    pub fn num_dual<Y>(mut self, f: impl Fn(X::With<S::NumDual>) -> Y + 'a) -> Self
+    where
+        Y: Pack<Scalar = S::NumDual>,
+    {
+        self.num_dual = Some(Box::new(move |x, direction| {
+            let mut i = 0;
+            let duals = x.map(&mut |&value| {
+                i += 1;
+                S::num_dual(value, S::nearest(direction[i - 1]))
+            });
+            of_num_duals::<S>(f(duals).scalars())
         }));
         self
     }

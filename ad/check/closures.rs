@@ -62,6 +62,10 @@ impl<S: Number, X: Pack<Scalar = S>> Subject for Near<'_, '_, X> {
         let dual = self.check.dual.as_ref()?;
         Some(dual(&self.made(x), &vec![0.0; x.len()]).0)
     }
+    fn num_dual(&self, x: &[f64], direction: &[f64]) -> Option<(Vec<f64>, Vec<f64>)> {
+        let num_dual = self.check.num_dual.as_ref()?;
+        Some(num_dual(&self.made(x), direction))
+    }
     fn traced(&self, x: &[f64]) -> Option<(Vec<f64>, Trace)> {
         let traced = self.check.traced.as_ref()?;
         Some(traced(&self.made(x)))

@@ -11,6 +11,7 @@ fn who(witness: Witness) -> &'static str {
         Witness::Value => "value",
         Witness::Adjoint => "adjoint",
         Witness::Dual => "duals",
+        Witness::NumDual => "num-dual's numbers",
         Witness::Difference => "differences",
         Witness::Wide => "duals in double precision",
         Witness::Batch => "batch",

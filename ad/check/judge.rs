@@ -20,6 +20,7 @@ use crate::ad::check::notes::Notes;
 use crate::ad::check::sample::Draw;
 use crate::ad::check::subject::Subject;
 use crate::ad::check::symmetry::Motion;
+use crate::ad::check::tolerances::FEW_INPUTS;
 use crate::ad::check::verdict::{Fault, Findings, Place, Reason, Witness};
 
 /// Checks everything at one input. `seed` chooses random directions.
@@ -88,7 +89,7 @@ impl Evidence<'_> {
     /// Whether a complaint of duals may be explained by differences: at a tie duals and adjoint may each
     /// take an element of their own.
     pub(crate) fn excusable(&self, fault: &Fault) -> bool {
-        let by_duals = [Witness::Dual, Witness::Wide]
+        let by_duals = [Witness::Dual, Witness::NumDual, Witness::Wide]
             .iter()
             .any(|&witness| fault.reason == Reason::Disagree(Witness::Adjoint, witness));
         by_duals && !fault.numbers.along && !self.subject.conventions().shared_ties
@@ -154,6 +155,18 @@ fn one_of_a_kind(all: Vec<Fault>) -> Vec<Fault> {
 /// it must be between the slopes of the pieces that meet there.
 fn explained(e: Option<&Evidence<'_>>, fault: &Fault, said: &Notes, others: &[Fault]) -> bool {
     let Some(e) = e else { return false };
+    let row = e.rows.iter().find(|row| row.output == fault.output);
+    // At a tie both kinds of duals share alike: one that differs alone is wrong.
+    let dual = Reason::Disagree(Witness::Adjoint, Witness::Dual);
+    let alike = |other: &Fault| {
+        (other.reason, other.output, other.input) == (dual, fault.output, fault.input)
+    };
+    if fault.reason == Reason::Disagree(Witness::Adjoint, Witness::NumDual)
+        && row.is_some_and(|row| row.dual.is_some())
+        && !said.complaints.iter().any(alike)
+    {
+        return false;
+    }
     let against = |other: &Fault| {
         let reasons = [
             Reason::Disagree(Witness::Adjoint, Witness::Difference),
@@ -168,9 +181,10 @@ fn explained(e: Option<&Evidence<'_>>, fault: &Fault, said: &Notes, others: &[Fa
         .told
         .iter()
         .find(|told| (told.0, told.1) == (fault.output, fault.input));
-    let row = || e.rows.iter().find(|row| row.output == fault.output);
-    place.is_some_and(|told| e.tie_of_duals() || told.2 == Place::Kink)
-        || row().is_some_and(|row| e.between_pieces(row))
+    // Of a long input nobody knows more.
+    let tie = e.x.len() > FEW_INPUTS && e.tie_of_duals();
+    place.is_some_and(|told| tie || told.2 == Place::Kink)
+        || row.is_some_and(|row| e.between_pieces(row))
 }
 
 /// Where adjoint and duals differ, the one that the differences are against is outvoted.

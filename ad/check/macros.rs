@@ -5,7 +5,7 @@
 ///
 /// * `assert_gradient!(value, gradient, at point, …)` takes closures;
 /// * `assert_gradient!(generic function, gradient, at point, …)` takes a function generic over the
-///   scalar, which is then also run on duals, traced, and at points of `f32` in double precision;
+///   scalar, which is then also run on duals, ours and num-dual's, traced, and at points of `f32` in double precision;
 /// * `assert_gradient!(program &program, at point, …)` takes a recorded [`Program`](crate::Program), which
 ///   has its slopes.
 ///
@@ -39,7 +39,7 @@ macro_rules! assert_gradient {
 }
 
 /// A [`Check`](crate::ad::check::Check) of a function generic over the scalar, named once: it is run on
-/// plain numbers, on duals, on duals of duals, traced, and at points of `f32` in double precision.
+/// plain numbers, on duals (ours and num-dual's), on duals of duals, traced, and at points of `f32` in double precision.
 ///
 /// ```
 /// use geograd::{Scalar, generic_check};
@@ -56,6 +56,7 @@ macro_rules! generic_check {
         $crate::ad::check::Check::among([$($point),+])
             .value($value)
             .dual($value)
+            .num_dual($value)
             .traced($value)
             .wide($value)
             .second_order($value)

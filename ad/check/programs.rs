@@ -1,6 +1,6 @@
 //! A recorded program as what is checked.
 use crate::ad::check::second_order::Bent;
-use crate::ad::check::trace::{Number, Traced, trace};
+use crate::ad::check::trace::{Number, Traced, num_duals, of_num_duals, trace};
 use crate::ad::check::{Check, narrow};
 use crate::ad::program::recorded::Recorded;
 use crate::ad::program::{Plain, Program};
@@ -80,6 +80,12 @@ impl<'a, S: Number + Plain, X: Fixed<Scalar = S> + Debug + 'a> Check<'a, X> {
             let slopes = out.iter().map(|jet| jet.slope[0].widen()).collect();
             (values, slopes)
         }));
+        if program.recorded().gradient_by_hand().is_some() {
+            let of = Rc::clone(&value);
+            self.num_dual = Some(Box::new(move |x, direction| {
+                of_num_duals::<S>(of.run_on(&num_duals::<S>(&numbers(x), direction)))
+            }));
+        }
         let of = Rc::clone(&value);
         self.traced = Some(Box::new(move |x| {
             let input: Vec<Traced<S>> = x.scalars().into_iter().map(Traced).collect();

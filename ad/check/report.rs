@@ -129,13 +129,14 @@ impl Report {
          100 comparisons,\n  in units in the last place of the largest slope of the same unit.\n\
          used: how near the worst of all comparisons came to refusal, as a share of what the errors of both \
          allow,\n  which are measured at each input; more than 100 % is refused.\n\
-         adj-wide, adj-batch: the same share, against double precision and against a batch."
+         num-dual, adj-wide, adj-batch: the same share, against num-dual's numbers (derivatives by hand only), against \
+         double precision\n  and against a batch."
     }
     /// The line over the lines of a table; see [`legend`](Report::legend).
     #[must_use]
     pub fn heading() -> String {
         format!(
-            "{:<24} {:>4} {:>7} {:>7} {:>6} {:>6} | {:>8} {:>5} | {:>8} {:>5} | {:>8} | {:>9} | {}",
+            "{:<24} {:>4} {:>7} {:>7} {:>6} {:>6} | {:>8} {:>5} | {:>8} {:>5} | {:>8} | {:>8} | {:>9} | {}",
             "function",
             "in",
             "samples",
@@ -146,6 +147,7 @@ impl Report {
             "used",
             "adj-diff",
             "used",
+            "num-dual",
             "adj-wide",
             "adj-batch",
             "verdict"
@@ -166,14 +168,14 @@ impl Report {
             share if share > 1.0 => asked(worst, ">100%".to_owned()),
             share => asked(worst, format!("{:.0}%", 100.0 * share)),
         };
-        let [dual, difference, _, wide, _, batch] = &self.worst;
+        let [dual, difference, _, wide, _, batch, num_dual] = &self.worst;
         let verdict = if self.passed() {
             "proved".to_owned()
         } else {
             format!("REFUSED ({} samples)", self.refused)
         };
         format!(
-            "{:<24} {:>4} {:>7} {:>7} {:>6} {:>6} | {:>8} {:>5} | {:>8} {:>5} | {:>8} | {:>9} | {}",
+            "{:<24} {:>4} {:>7} {:>7} {:>6} {:>6} | {:>8} {:>5} | {:>8} {:>5} | {:>8} | {:>8} | {:>9} | {}",
             self.name,
             self.precision.name(),
             self.samples,
@@ -184,6 +186,7 @@ impl Report {
             used(dual),
             usual(difference),
             used(difference),
+            used(num_dual),
             used(wide),
             used(batch),
             verdict

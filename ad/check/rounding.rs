@@ -299,16 +299,31 @@ impl Evidence<'_> {
             row.allow(|i| SAFETY * spread[i].max(noise[i]).max(rough[i]));
         }
         if let Some(dual) = &row.dual {
-            let spread = self.spread(dual, Some(&row.size), by_duals);
-            let rough = self.rough_slopes(&row.weights, dual, &by_duals);
-            row.allow(|i| {
-                let axis = axis(dual.len(), i);
-                let own = self.roundings(&dual[i..=i], &row.size[i..=i], |seed| {
-                    self.along_shorter(&axis, seed, |axis| Some(vec![self.by_duals(row, axis)?]))
-                });
-                SAFETY * spread[i].max(own[0]).max(rough[i])
-            });
+            let along = |axis: &[f64]| self.by_duals(row, axis);
+            let off = self.rounding_of_duals(row, dual, &by_duals, &along);
+            row.allow(|i| SAFETY * off[i]);
         }
+    }
+
+    /// How far rounding carries each slope by duals: those of inputs beside this one, along an axis made shorter, and
+    /// what makes them rough.
+    pub(crate) fn rounding_of_duals(
+        &self,
+        row: &Row,
+        dual: &[f64],
+        slopes: &dyn Fn(&[f64]) -> Option<Vec<f64>>,
+        along: &dyn Fn(&[f64]) -> Option<f64>,
+    ) -> Vec<f64> {
+        let spread = self.spread(dual, Some(&row.size), slopes);
+        let rough = self.rough_slopes(&row.weights, dual, slopes);
+        let each = (0..dual.len()).map(|i| {
+            let axis = axis(dual.len(), i);
+            let own = self.roundings(&dual[i..=i], &row.size[i..=i], |seed| {
+                self.along_shorter(&axis, seed, |axis| Some(vec![along(axis)?]))
+            });
+            spread[i].max(own[0]).max(rough[i])
+        });
+        each.collect()
     }
 
     /// Where single precision is judged by double, decisions may fall differently: what that does
@@ -346,6 +361,17 @@ impl Evidence<'_> {
         row.allow(|i| SAFETY * spread[i]);
     }
 
+    /// The slope of a row along a direction by num-dual's numbers.
+    pub(crate) fn num_dual_along(&self, row: &Row, x: &[f64], direction: &[f64]) -> Option<f64> {
+        let (_, ahead) = self.subject.num_dual(x, direction)?;
+        let usable = ahead.len() == self.y.len();
+        usable.then(|| dot(&row.weights, &ahead))
+    }
+    /// The slopes of a row by num-dual's numbers.
+    pub(crate) fn by_num_dual(&self, row: &Row, x: &[f64]) -> Option<Vec<f64>> {
+        let slope = |i| self.num_dual_along(row, x, &axis(x.len(), i));
+        (0..x.len()).map(slope).collect()
+    }
     /// The slope of a row along a direction by duals.
     pub(crate) fn by_duals(&self, row: &Row, direction: &[f64]) -> Option<f64> {
         let ahead = self.subject.along(self.x, direction)?;

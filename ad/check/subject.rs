@@ -91,6 +91,11 @@ pub trait Subject {
     fn along(&self, _x: &[f64], _direction: &[f64]) -> Option<Vec<f64>> {
         None
     }
+    /// Values and the slopes of all outputs along a direction by num-dual's own dual numbers: another implementation
+    /// of duals, for derivatives by hand.
+    fn num_dual(&self, _x: &[f64], _direction: &[f64]) -> Option<(Vec<f64>, Vec<f64>)> {
+        None
+    }
     /// The value through the same source on traced numbers.
     fn traced(&self, _x: &[f64]) -> Option<(Vec<f64>, Trace)> {
         None

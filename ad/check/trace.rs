@@ -77,13 +77,45 @@ pub struct Traced<T>(
 
 /// `f32` or `f64`: what a function is checked in.
 pub trait Number: Scalar<Mask = bool, Primal = Self> + Float + Pack<With<Self> = Self> {
+    /// num-dual's own dual number over it.
+    type NumDual: Scalar<Mask = bool>;
     /// Nearest number to an `f64`.
     fn nearest(x: f64) -> Self {
         <Self as Scalar>::lit(x)
     }
+    /// A dual number of num-dual's.
+    fn num_dual(value: Self, slope: Self) -> Self::NumDual;
+    /// Its value and its slope.
+    fn of_num_dual(dual: Self::NumDual) -> (Self, Self);
 }
-impl Number for f32 {}
-impl Number for f64 {}
+macro_rules! number {
+    ($($float:ident)*) => { $(
+        impl Number for $float {
+            type NumDual = num_dual::Dual<$float>;
+            #[inline]
+            fn num_dual(value: Self, slope: Self) -> Self::NumDual {
+                num_dual::Dual::new(value, slope)
+            }
+            #[inline]
+            fn of_num_dual(dual: Self::NumDual) -> (Self, Self) {
+                (dual.re, dual.eps)
+            }
+        }
+    )* };
+}
+number!(f32 f64);
+
+/// A list of num-dual's dual numbers: values and slopes along a direction.
+pub(crate) fn num_duals<S: Number>(x: &[f64], direction: &[f64]) -> Vec<S::NumDual> {
+    let each = x.iter().zip(direction);
+    each.map(|(&x, &d)| S::num_dual(S::nearest(x), S::nearest(d)))
+        .collect()
+}
+/// Its values and its slopes.
+pub(crate) fn of_num_duals<S: Number>(list: Vec<S::NumDual>) -> (Vec<f64>, Vec<f64>) {
+    let parts = list.into_iter().map(S::of_num_dual);
+    parts.map(|(y, slope)| (y.widen(), slope.widen())).unzip()
+}
 
 impl<T: Number> Traced<T> {
     /// Records a comparison and hands its outcome on.

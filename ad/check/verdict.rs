@@ -11,6 +11,8 @@ pub enum Witness {
     Adjoint,
     /// Forward duals through the generic source.
     Dual,
+    /// num-dual's own dual numbers through the generic source.
+    NumDual,
     /// Finite differences with an error estimate.
     Difference,
     /// Duals through the same source in double precision.
@@ -215,13 +217,14 @@ impl Worst {
 }
 
 /// The pairs of witnesses a report has a line for.
-pub const PAIRS: [(Witness, Witness); 6] = [
+pub const PAIRS: [(Witness, Witness); 7] = [
     (Witness::Adjoint, Witness::Dual),
     (Witness::Adjoint, Witness::Difference),
     (Witness::Dual, Witness::Difference),
     (Witness::Adjoint, Witness::Wide),
     (Witness::Adjoint, Witness::Further(0)),
     (Witness::Adjoint, Witness::Batch),
+    (Witness::Adjoint, Witness::NumDual),
 ];
 
 /// What was found at one sample.

@@ -10,6 +10,7 @@ impl fmt::Display for Witness {
             Witness::Value => "the value",
             Witness::Adjoint => "the derivative by hand",
             Witness::Dual => "the duals",
+            Witness::NumDual => "num-dual's numbers",
             Witness::Difference => "the differences",
             Witness::Wide => "double precision",
             Witness::Batch => "the batch",
@@ -112,6 +113,7 @@ fn names(reason: Reason) -> [&'static str; 2] {
             ["by hand", "double precision"]
         }
         Reason::Disagree(_, Witness::Batch) => ["by hand", "batch"],
+        Reason::Disagree(_, Witness::NumDual) => ["by hand", "num-dual"],
         _ => ["by hand", "other witness"],
     }
 }
@@ -122,7 +124,7 @@ fn gap(reason: Reason, numbers: &Numbers) -> Option<f64> {
         Witness::Value | Witness::Adjoint => numbers.adjoint,
         Witness::Dual => numbers.dual,
         Witness::Difference => numbers.difference,
-        Witness::Wide | Witness::Batch | Witness::Further(_) => numbers.other,
+        Witness::NumDual | Witness::Wide | Witness::Batch | Witness::Further(_) => numbers.other,
     };
     let pair = match reason {
         Reason::Disagree(a, b) => of(a).zip(of(b)),

@@ -7,6 +7,7 @@ mod difficult;
 mod everyday;
 mod forward;
 mod hashes;
+mod num_dual;
 mod planted;
 mod program;
 mod program_random;

@@ -2,7 +2,7 @@
 use crate::ad::check::compare::values::another;
 use crate::ad::check::evidence::{Evidence, Row};
 use crate::ad::check::notes::{Notes, comparison};
-use crate::ad::check::tolerances::{CONVENTION_BORDER, DECIDED, SAFETY};
+use crate::ad::check::tolerances::{CONVENTION_BORDER, DECIDED, FEW_INPUTS, SAFETY};
 use crate::ad::check::verdict::{Numbers, Reason, Witness};
 use crate::ad::check::witness::dot;
 
@@ -37,6 +37,12 @@ fn rounding_of(
     // Differentiated backwards, edges that are nearly parallel hand on terms as much larger than the slope, and what
     // rounding leaves of those may be as large as itself: no other decision.
     let sizes: Vec<f64> = row.size.iter().map(|size| size / DECIDED).collect();
+    if witness == Witness::NumDual {
+        // Held as strictly as our own duals.
+        let by_them = |x: &[f64]| e.by_num_dual(row, x);
+        let along = |axis: &[f64]| e.num_dual_along(row, e.x, axis);
+        return e.rounding_of_duals(row, said, &by_them, &along);
+    }
     let mut spread = e.spread(said, Some(&sizes), |x| match witness {
         Witness::Further(k) => e.subject.further(x, &row.weights).into_iter().nth(k),
         _ => Some(e.subject.batch(form, x, &row.weights)?.1),
@@ -68,7 +74,10 @@ fn one_row(e: &Evidence<'_>, row: &Row) -> Notes {
         .cloned()
         .map(|dual| (Witness::Dual, 0, dual));
     let further = (0..).zip(further);
+    // Long inputs are projected.
+    let theirs = (e.x.len() <= FEW_INPUTS).then(|| e.by_num_dual(row, e.x));
     let others = dual
+        .chain(theirs.flatten().map(|theirs| (Witness::NumDual, 0, theirs)))
         .chain(further.map(|(k, slopes)| (Witness::Further(k), 0, slopes)))
         .chain(
             batches
@@ -83,6 +92,7 @@ fn one_row(e: &Evidence<'_>, row: &Row) -> Notes {
         let pair = match witness {
             Witness::Dual => 0,
             Witness::Batch => 5,
+            Witness::NumDual => 6,
             _ => 4,
         };
         let mut theirs: Option<Vec<f64>> = None;

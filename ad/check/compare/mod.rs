@@ -5,7 +5,7 @@
 //! | file | what is compared |
 //! | --- | --- |
 //! | `values` | the value with that of other paths |
-//! | `exact` | the adjoint with duals, batches and further witnesses |
+//! | `exact` | the adjoint with duals, ours and num-dual's, batches and further witnesses |
 //! | `wide` | single precision with double |
 //! | `projection` | the adjoint with duals along a direction |
 //! | `linear` | the adjoint of a sum with the sum of the adjoints |

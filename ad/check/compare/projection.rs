@@ -90,6 +90,9 @@ pub(crate) fn projections(e: &Evidence<'_>, draw: &mut Draw) -> Notes {
         };
         for row in &e.rows {
             project(row, Witness::Dual, subject);
+            if long {
+                project(row, Witness::NumDual, subject);
+            }
             if let Some(wide) = wide {
                 project(row, Witness::Wide, wide);
             }
@@ -124,7 +127,11 @@ impl Along<'_> {
         let sizes: Vec<f64> = direction.iter().map(|d| d.abs()).collect();
         said.covered.fill(true);
         if row.dual.is_none() {
-            let pair = if witness == Witness::Dual { 0 } else { 3 };
+            let pair = match witness {
+                Witness::Dual => 0,
+                Witness::NumDual => 6,
+                _ => 3,
+            };
             let numbers = whole.numbers(witness, 1.0, true);
             let at = comparison(row, 0, numbers, whole.tolerance);
             said.compared(pair, whole.gap(), dot(&row.size, &sizes), e.eps, at);
@@ -191,13 +198,17 @@ impl Along<'_> {
             ..
         } = self;
         let adjoint = dot(row.adjoint.as_ref()?, direction);
-        let ahead = on.along(e.x, direction)?;
+        let along = |x: &[f64], direction: &[f64]| match witness {
+            Witness::NumDual => Some(on.num_dual(x, direction)?.1),
+            _ => on.along(x, direction),
+        };
+        let ahead = along(e.x, direction)?;
         if ahead.len() != e.y.len() {
             said.complain_of_length(witness, row.output, [ahead.len(), e.y.len()]);
             return None;
         }
         if ahead.iter().any(|y| !y.is_finite()) {
-            if row.dual.is_none() && witness == Witness::Dual {
+            if (row.dual.is_none() && witness == Witness::Dual) || witness == Witness::NumDual {
                 said.complain(Reason::NotFinite(witness), row.output, 0);
             }
             return None;
@@ -223,13 +234,13 @@ impl Along<'_> {
             let single = (0..direction.len())
                 .map(|i| direction[i].abs() * row.size[i])
                 .fold(0.0, f64::max);
-            let strict = (witness == Witness::Dual).then_some([single]);
+            let strict = (witness != Witness::Wide).then_some([single]);
             let spread = e.spread(&[other], strict.as_ref().map(|s| &s[..]), |x| {
-                Some(vec![dot(&row.weights, &on.along(x, direction)?)])
+                Some(vec![dot(&row.weights, &along(x, direction)?)])
             });
             let own = e.roundings(&[other], &[single], |seed| {
                 e.along_shorter(direction, seed, |shorter| {
-                    Some(vec![dot(&row.weights, &on.along(e.x, shorter)?)])
+                    Some(vec![dot(&row.weights, &along(e.x, shorter)?)])
                 })
             });
             tolerance = row.allowed_along(direction) + sums + SAFETY * spread[0].max(own[0]);

@@ -16,6 +16,10 @@ pub(crate) fn values(e: &Evidence<'_>) -> Notes {
     for values in carried {
         said.add(compared(e, &values, Witness::Dual, false));
     }
+    let still = vec![0.0; e.x.len()];
+    if let Some((values, _)) = e.subject.num_dual(e.x, &still) {
+        said.add(another(e, &values, Witness::NumDual));
+    }
     for (i, values) in e.subject.other_values(e.x).into_iter().enumerate() {
         said.add(another(e, &values, Witness::Further(i)));
     }
