@@ -11,8 +11,8 @@
 //! | theirs | ours |
 //! | --- | --- |
 //! | `cal_iou` | [`IouObb2`], [`iou_obb2`](crate::overlap::iou_obb2) |
-//! | `cal_giou`, `enclosing_type` aligned, smallest | [`GiouBoxObb2`]; [`GiouObb2`] has the convex hull |
-//! | `cal_diou` | [`DiouBoxObb2`], [`DiouObb2`] |
+//! | `cal_giou`, `enclosing_type` aligned, smallest | [`GiouAabbObb2`]; [`GiouObb2`] has the convex hull |
+//! | `cal_diou` | [`DiouAabbObb2`], [`DiouObb2`] |
 //! | `cal_iou_3d` | [`IouYaw`]; [`IouObb3`] for boxes that turn about all axes |
 //! | `cal_giou_3d`, `cal_diou_3d` | [`giou`](crate::iou3::giou), [`diou`](crate::iou3::diou) with an [`Enclosing`](crate::iou3::Enclosing) |
 //! | enclosing box `pca` | none: [`Enclosing::Rectangle`](crate::iou3::Enclosing::Rectangle) is the smallest one |
@@ -58,7 +58,7 @@
 //!
 //! | theirs | ours |
 //! | --- | --- |
-//! | `bbox_overlaps`, modes `iou`, `iof`, `giou` | [`IouAabb2`], [`IofAabb2`], [`GiouBoxAabb2`] |
+//! | `bbox_overlaps`, modes `iou`, `iof`, `giou` | [`IouAabb2`], [`IofAabb2`], [`GiouAabb2`] |
 //! | `box_iou_rotated`, modes `iou`, `iof` | [`IouObb2`], [`IofObb2`] |
 //! | `box_iou_quadri`, `convex_iou` | [`overlap_polygon`](crate::overlap_polygon) |
 //! | `convex_giou` | [`giou_polygons_decided`](crate::iou::giou_polygons_decided) and its replay |
@@ -99,7 +99,7 @@
 //! [`Op::value_grad`]: crate::kernels::Op::value_grad
 #[expect(unused_imports, reason = "names in the documentation")]
 use crate::kernels::{
-    Backend, Cpu, DiouBoxObb2, DiouObb2, DiouYaw, DistanceNumberInterval, GiouBoxAabb2,
-    GiouBoxObb2, GiouObb2, IntersectionAreaObb2, IofAabb2, IofObb2, IouAabb2, IouBirdsEye,
-    IouIntervals, IouObb2, IouObb3, IouYaw, SignedDistancePointObb2, WassersteinObb2,
+    Backend, Cpu, DiouAabbObb2, DiouObb2, DiouYaw, DistanceNumberInterval, GiouAabb2, GiouAabbObb2,
+    GiouObb2, IntersectionAreaObb2, IofAabb2, IofObb2, IouAabb2, IouBirdsEye, IouIntervals,
+    IouObb2, IouObb3, IouYaw, SignedDistancePointObb2, WassersteinObb2,
 };

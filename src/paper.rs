@@ -70,8 +70,8 @@
 //! | `merge(Poly2, Poly2)` and its flags | [`merge`](crate::hull::merge()), [`merge_decided`](crate::hull::merge_decided), [`merge_replay`](crate::hull::merge_replay) | B5: empty for boxes of one heading |
 //! | `max_distance` | [`farthest_distance`](crate::distance::farthest_distance) | B13: wrong vertices; B14: wrong for nested boxes; no gradient |
 //! | `iou(AABox2, AABox2)` | [`Aabb2::iou`] | B18: slopes of one and minus one for equal boxes; no number for no area |
-//! | `giou(AABox2, AABox2)` | [`giou_box_aabb2`](crate::iou::giou_box_aabb2); with the exact hull [`giou_aabb2`](crate::iou::giou_aabb2) | B18 |
-//! | `diou(AABox2, AABox2)` | [`diou_box_aabb2`](crate::iou::diou_box_aabb2); with the hull's diameter [`diou_aabb2`](crate::iou::diou_aabb2) | B7: no number for equal boxes |
+//! | `giou(AABox2, AABox2)` | [`giou_aabb2`](crate::iou::giou_aabb2); with the exact hull [`giou_hull_aabb2`](crate::iou::giou_hull_aabb2) | B18 |
+//! | `diou(AABox2, AABox2)` | [`diou_aabb2`](crate::iou::diou_aabb2); with the hull's diameter [`diou_hull_aabb2`](crate::iou::diou_hull_aabb2) | B7: no number for equal boxes |
 //! | `iou(Poly2, Poly2)` | [`iou_polygons`](crate::overlap_polygon::iou_polygons), [`iou_polygons_vjp`](crate::ad::adjoint::overlap_polygon::iou_polygons_vjp); of boxes [`Obb2::iou`] | as `intersect` |
 //! | `giou(Poly2, Poly2)` | [`giou_polygons_decided`](crate::iou::giou_polygons_decided); of boxes [`Obb2::giou`] | B5: infinite for boxes of one heading |
 //! | `diou(Poly2, Poly2)` | [`diou_polygons_decided`](crate::iou::diou_polygons_decided); of boxes [`diou_obb2`](crate::iou::diou_obb2) | B5, B7; wrote beyond its memory above eight vertices |
@@ -85,7 +85,7 @@
 //! | --- | --- | --- |
 //! | `box2d_iou`, methods `box`, `rbox` | [`all_pairs`](crate::kernels::Cpu::all_pairs) of [`IouAabb2`](crate::kernels::IouAabb2), [`IouObb2`](crate::kernels::IouObb2) | gradients were added from many threads without order |
 //! | `grbox`, `drbox` | [`GiouObb2`](crate::kernels::GiouObb2), [`DiouObb2`](crate::kernels::DiouObb2) | B5, B7 |
-//! | `gbox`, `dbox` | [`GiouBoxAabb2`](crate::kernels::GiouBoxAabb2), [`DiouBoxAabb2`](crate::kernels::DiouBoxAabb2) | named, and refused |
+//! | `gbox`, `dbox` | [`GiouAabb2`](crate::kernels::GiouAabb2), [`DiouAabb2`](crate::kernels::DiouAabb2) | named, and refused |
 //! | `precise` | columns of `f64` | |
 //! | `box2d_nms` | [`suppression`](crate::suppression): [`hard`](crate::suppression::hard()), [`soft`](crate::suppression::soft()) with both decays | wrong on GPUs above 64 boxes |
 //! | `box2dr_pdist` | [`SignedDistancePointObb2`](crate::kernels::SignedDistancePointObb2) | read beyond its memory; B1 |

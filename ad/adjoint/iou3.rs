@@ -3,7 +3,7 @@
 //! Such a score is a formula of the boxes' IoU and of their numbers. The IoU has slopes by hand, which keep their
 //! digits where edges are parallel to faces and cost twice its value; the formula is short and is differentiated
 //! forwards.
-use crate::iou3::{Score, score_with_iou};
+use crate::iou3::{Enclosing, Score, score_with_iou};
 use crate::overlap3::iou_obb3_vjp;
 use crate::shape::Obb3;
 use crate::{Fixed, Jet, Scalar};
@@ -15,7 +15,12 @@ const ALL: usize = 1 + 2 * OBB3;
 
 /// One function for each kind of number, whatever the score.
 #[inline(never)]
-fn slopes_of<S: Scalar>(score: Score, iou: S, a: Obb3<S>, b: Obb3<S>) -> Jet<S, ALL> {
+fn slopes_of<S: Scalar>(
+    (score, kind): (Score, Enclosing),
+    iou: S,
+    a: Obb3<S>,
+    b: Obb3<S>,
+) -> Jet<S, ALL> {
     let mut numbers = [S::zero(); 2 * OBB3];
     (a, b).store(&mut numbers);
     let mut moving = [Jet::variable(iou, 0); 2 * OBB3];
@@ -23,12 +28,12 @@ fn slopes_of<S: Scalar>(score: Score, iou: S, a: Obb3<S>, b: Obb3<S>) -> Jet<S, 
         moving[k] = Jet::variable(x, 1 + k);
     }
     let (a, b) = Fixed::load(&moving);
-    score_with_iou(score, Jet::variable(iou, 0), a, b)
+    score_with_iou(score, kind, Jet::variable(iou, 0), a, b)
 }
 
 /// A score of two boxes and `out_bar` times its slopes by both; those by a rotation are by its quaternion.
 pub(crate) fn score_obb3_vjp<S: Scalar>(
-    score: Score,
+    score: (Score, Enclosing),
     a: Obb3<S>,
     b: Obb3<S>,
     out_bar: S,

@@ -2,7 +2,7 @@
 //!
 //! The overlap of two boxes of any orientation has compiled slopes of its own. What the scores add to it
 //! is recorded by itself, with the overlap as one more argument, so that nothing large is recorded twice.
-use geograd::iou3::{Enclosing, Solid};
+use geograd::iou3::{Enclosing, Solid, Terms};
 use geograd::shape::Obb3;
 use geograd::{Scalar, Vec3};
 
@@ -26,20 +26,12 @@ impl<S: Scalar, B: Solid<S>> Solid<S> for Known<B, S> {
         self.iou
     }
     #[inline]
-    fn own_volume(self) -> S {
-        self.shape.own_volume()
-    }
-    #[inline]
     fn own_size(self) -> Vec3<S> {
         self.shape.own_size()
     }
     #[inline]
-    fn middle(self) -> Vec3<S> {
-        self.shape.middle()
-    }
-    #[inline]
-    fn enclosing(self, other: Self, kind: Enclosing) -> Vec3<S> {
-        self.shape.enclosing(other.shape, kind)
+    fn terms(self, other: Self, iou: S, kind: Enclosing) -> Terms<S> {
+        self.shape.terms(other.shape, iou, kind)
     }
 }
 

@@ -8,19 +8,22 @@ pub enum Metric {
     Iof,
     /// With that around a pair.
     Giou(Enclosing),
-    Diou,
+    Diou(Enclosing),
+    /// DIoU with the axis-aligned box around a pair.
     DiouBox,
-    Ciou,
+    Ciou(Enclosing),
+    Eiou(Enclosing),
 }
 
 impl Metric {
-    const ALL: [Metric; 6] = [
+    const ALL: [Metric; 7] = [
         Metric::Iou,
         Metric::Iof,
         Metric::Giou(Enclosing::Hull),
-        Metric::Diou,
+        Metric::Diou(Enclosing::Hull),
         Metric::DiouBox,
-        Metric::Ciou,
+        Metric::Ciou(Enclosing::Hull),
+        Metric::Eiou(Enclosing::Hull),
     ];
 
     /// The word on the command line, and the name of the column.
@@ -29,10 +32,27 @@ impl Metric {
             Metric::Iou => "iou",
             Metric::Iof => "iof",
             Metric::Giou(_) => "giou",
-            Metric::Diou => "diou",
+            Metric::Diou(_) => "diou",
             Metric::DiouBox => "diou-box",
-            Metric::Ciou => "ciou",
+            Metric::Ciou(_) => "ciou",
+            Metric::Eiou(_) => "eiou",
         }
+    }
+
+    /// What it puts around a pair, if that can be chosen.
+    pub fn enclosing(&mut self) -> Option<&mut Enclosing> {
+        match self {
+            Metric::Giou(around)
+            | Metric::Diou(around)
+            | Metric::Ciou(around)
+            | Metric::Eiou(around) => Some(around),
+            Metric::Iou | Metric::Iof | Metric::DiouBox => None,
+        }
+    }
+
+    /// Whether it compares widths and heights.
+    pub fn compares_sizes(self) -> bool {
+        matches!(self, Metric::Ciou(_) | Metric::Eiou(_))
     }
 
     pub fn from_name(name: &str) -> Result<Self, Failure> {
@@ -49,7 +69,7 @@ impl Metric {
     }
 }
 
-/// What GIoU puts around a pair.
+/// What scores put around a pair.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Enclosing {
     /// The axis-aligned box.
@@ -102,7 +122,7 @@ impl Format {
         })
     }
 
-    /// The tightest shape that there is around a pair.
+    /// The tightest shape that there is around a pair: what the library's plain names put there.
     pub fn enclosing(self) -> Enclosing {
         match self {
             Format::Obb3 => Enclosing::Rect,

@@ -22,14 +22,18 @@ Usage: iou_csv --a A.csv --b B.csv [options]
       iou                  intersection over union
       iof                  intersection over the first one's area or volume
       giou                 IoU less the share of a shape around both that neither covers
-      diou                 IoU less the square of the distance of the centres over the largest
-                           distance of any two points of both
-      diou-box             the same over the diagonal of the axis-aligned box around both
-      ciou                 diou-box less a weighted difference of the proportions; boxes only
-  --enclosing SHAPE        the shape around both, for giou [default: hull; of obb3 rect]
+      diou                 IoU less the square of the distance of the centres over the diameter
+                           of that shape
+      diou-box             diou with `--enclosing aabb`
+      ciou                 diou less a weighted difference of the proportions; boxes only
+      eiou                 diou less the squares of the differences of the sizes over lengths of
+                           that shape; boxes only
+  --enclosing SHAPE        the shape around both, for giou, diou, ciou and eiou [default: hull; of
+                           obb3 rect]
       aabb                 the axis-aligned box
-      rect                 a box that turns with the pair: of least ground (obb2, yaw3), or the
-                           smaller one of those along the axes of either (obb3); no polygons
+      rect                 a box that turns with the pair: of least ground (obb2, for giou only;
+                           yaw3), or the smaller one of those along the axes of either (obb3);
+                           not of polygons
       hull                 the convex hull; of yaw3 that of the grounds times the height of both;
                            not of obb3
   --all-pairs              every row of A with every row of B, in row-major order:
@@ -117,19 +121,27 @@ pub fn options() -> Result<Option<Options>, Failure> {
     {
         return usage("`--out` is an input as well");
     }
-    if metric == Metric::Ciou && format == Format::Polygons {
-        return usage("`--metric ciou` compares widths and heights, which polygons do not have");
+    if metric.compares_sizes() && format == Format::Polygons {
+        return Err(Failure::Usage(format!(
+            "`--metric {}` compares widths and heights, which polygons do not have",
+            metric.name()
+        )));
     }
-    match (&mut metric, enclosing) {
-        (Metric::Giou(around), chosen) => *around = chosen.unwrap_or(format.enclosing()),
-        (_, Some(_)) => return usage("`--enclosing` is for `--metric giou`"),
-        (_, None) => {}
+    match (metric.enclosing(), enclosing) {
+        (Some(around), chosen) => *around = chosen.unwrap_or(format.enclosing()),
+        (None, Some(_)) => {
+            return usage("`--enclosing` is for `--metric giou`, `diou`, `ciou` and `eiou`");
+        }
+        (None, None) => {}
     }
-    match (format, metric) {
-        (Format::Polygons, Metric::Giou(Enclosing::Rect)) => {
+    match (format, metric, enclosing) {
+        (Format::Polygons, _, Some(Enclosing::Rect)) => {
             return usage("`--enclosing rect` is for boxes");
         }
-        (Format::Obb3, Metric::Giou(Enclosing::Hull)) => {
+        (Format::Obb2, metric, Some(Enclosing::Rect)) if metric.name() != "giou" => {
+            return usage("`--enclosing rect` of obb2 is for `--metric giou`");
+        }
+        (Format::Obb3, _, Some(Enclosing::Hull)) => {
             return usage("`--enclosing hull` is for the plane and for upright boxes");
         }
         _ => {}

@@ -113,9 +113,9 @@ fn on_ground(loss: Loss) -> Result<Program<Pair, f32>, Error> {
     }
 }
 
-/// Around a pair is the smallest upright box.
+/// Around a pair is the convex hull of both grounds times the height of both.
 fn in_space(loss: Loss) -> Result<Program<Pair, f32>, Error> {
-    let around = Enclosing::Rectangle;
+    let around = Enclosing::Hull;
     match loss {
         Loss::Iou => Program::trace(|(_, _, iou): Recorded| iou),
         Loss::Giou => Program::trace(|(a, b, iou): Recorded| {

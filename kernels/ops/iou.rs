@@ -37,73 +37,94 @@ impl Op for GiouObb2 {
 }
 
 // Slopes of quotients of areas lose digits backwards. CIoU jumps where a box has no size, and so no
-// aspect, EIoU where the box around both has no width or no height. DIoU of rotated boxes shares the slope of corners that are equally far by the
-// first one's frame: exchanged boxes share it otherwise.
+// aspect, EIoU where the box around both has no width or no height. By the diameter of the hull of rotated
+// boxes the slope of corners that are equally far is shared by the first one's frame: exchanged boxes
+// share it otherwise.
 rows_of_pairs! {
     iou::giou_aabb2 as "[`giou_aabb2`](crate::iou::giou_aabb2)" -> S,
     promises [TranslationX Stays, TranslationY Stays, Scaling Stays],
     jumps FromZero, slopes Forward {
         GiouAabb2 = "giou_aabb2": Aabb2, Aabb2, "two axis-aligned boxes" [Exchange Stays];
     }
-    iou::giou_box_obb2 as "[`giou_box_obb2`](crate::iou::giou_box_obb2)" -> S,
+    iou::giou_hull_aabb2 as "[`giou_hull_aabb2`](crate::iou::giou_hull_aabb2)" -> S,
     promises [TranslationX Stays, TranslationY Stays, Scaling Stays],
     jumps FromZero, slopes Forward {
-        GiouBoxObb2 = "giou_box_obb2": Obb2, Obb2, "two rotated boxes" [Exchange Stays];
+        GiouHullAabb2 = "giou_hull_aabb2": Aabb2, Aabb2, "two axis-aligned boxes" [Exchange Stays];
     }
-    iou::giou_box_aabb2 as "[`giou_box_aabb2`](crate::iou::giou_box_aabb2)" -> S,
+    iou::giou_aabb_obb2 as "[`giou_aabb_obb2`](crate::iou::giou_aabb_obb2)" -> S,
     promises [TranslationX Stays, TranslationY Stays, Scaling Stays],
     jumps FromZero, slopes Forward {
-        GiouBoxAabb2 = "giou_box_aabb2": Aabb2, Aabb2, "two axis-aligned boxes" [Exchange Stays];
-    }
-    iou::diou_obb2 as "[`diou_obb2`](crate::iou::diou_obb2)" -> S,
-    promises [TranslationX Stays, TranslationY Stays, Scaling Stays],
-    jumps FromZero, slopes Forward {
-        DiouObb2 = "diou_obb2": Obb2, Obb2, "two rotated boxes" [Rotation Stays];
+        GiouAabbObb2 = "giou_aabb_obb2": Obb2, Obb2, "two rotated boxes" [Exchange Stays];
     }
     iou::diou_aabb2 as "[`diou_aabb2`](crate::iou::diou_aabb2)" -> S,
     promises [TranslationX Stays, TranslationY Stays, Scaling Stays],
     jumps FromZero, slopes Forward {
         DiouAabb2 = "diou_aabb2": Aabb2, Aabb2, "two axis-aligned boxes" [Exchange Stays];
     }
-    iou::diou_box_obb2 as "[`diou_box_obb2`](crate::iou::diou_box_obb2)" -> S,
+    iou::diou_hull_aabb2 as "[`diou_hull_aabb2`](crate::iou::diou_hull_aabb2)" -> S,
     promises [TranslationX Stays, TranslationY Stays, Scaling Stays],
     jumps FromZero, slopes Forward {
-        DiouBoxObb2 = "diou_box_obb2": Obb2, Obb2, "two rotated boxes" [Exchange Stays];
+        DiouHullAabb2 = "diou_hull_aabb2": Aabb2, Aabb2, "two axis-aligned boxes" [Exchange Stays];
     }
-    iou::diou_box_aabb2 as "[`diou_box_aabb2`](crate::iou::diou_box_aabb2)" -> S,
+    iou::diou_obb2 as "[`diou_obb2`](crate::iou::diou_obb2)" -> S,
     promises [TranslationX Stays, TranslationY Stays, Scaling Stays],
     jumps FromZero, slopes Forward {
-        DiouBoxAabb2 = "diou_box_aabb2": Aabb2, Aabb2, "two axis-aligned boxes" [Exchange Stays];
+        DiouObb2 = "diou_obb2": Obb2, Obb2, "two rotated boxes" [Rotation Stays];
     }
-    iou::ciou_obb2 as "[`ciou_obb2`](crate::iou::ciou_obb2)" -> S,
+    iou::diou_aabb_obb2 as "[`diou_aabb_obb2`](crate::iou::diou_aabb_obb2)" -> S,
     promises [TranslationX Stays, TranslationY Stays, Scaling Stays],
-    jumps Anywhere, slopes Forward {
-        CiouObb2 = "ciou_obb2": Obb2, Obb2, "two rotated boxes" [Exchange Stays];
+    jumps FromZero, slopes Forward {
+        DiouAabbObb2 = "diou_aabb_obb2": Obb2, Obb2, "two rotated boxes" [Exchange Stays];
     }
     iou::ciou_aabb2 as "[`ciou_aabb2`](crate::iou::ciou_aabb2)" -> S,
     promises [TranslationX Stays, TranslationY Stays, Scaling Stays],
     jumps Anywhere, slopes Forward {
         CiouAabb2 = "ciou_aabb2": Aabb2, Aabb2, "two axis-aligned boxes" [Exchange Stays];
     }
-    iou::eiou_obb2 as "[`eiou_obb2`](crate::iou::eiou_obb2)" -> S,
+    iou::ciou_hull_aabb2 as "[`ciou_hull_aabb2`](crate::iou::ciou_hull_aabb2)" -> S,
     promises [TranslationX Stays, TranslationY Stays, Scaling Stays],
     jumps Anywhere, slopes Forward {
-        EiouObb2 = "eiou_obb2": Obb2, Obb2, "two rotated boxes" [Exchange Stays];
+        CiouHullAabb2 = "ciou_hull_aabb2": Aabb2, Aabb2, "two axis-aligned boxes" [Exchange Stays];
+    }
+    iou::ciou_obb2 as "[`ciou_obb2`](crate::iou::ciou_obb2)" -> S,
+    promises [TranslationX Stays, TranslationY Stays, Scaling Stays],
+    jumps Anywhere, slopes Forward {
+        CiouObb2 = "ciou_obb2": Obb2, Obb2, "two rotated boxes" [Rotation Stays];
+    }
+    iou::ciou_aabb_obb2 as "[`ciou_aabb_obb2`](crate::iou::ciou_aabb_obb2)" -> S,
+    promises [TranslationX Stays, TranslationY Stays, Scaling Stays],
+    jumps Anywhere, slopes Forward {
+        CiouAabbObb2 = "ciou_aabb_obb2": Obb2, Obb2, "two rotated boxes" [Exchange Stays];
+    }
+    iou::ciou_fixed_weight_aabb2 as "[`ciou_fixed_weight_aabb2`](crate::iou::ciou_fixed_weight_aabb2)" -> S,
+    promises [TranslationX Stays, TranslationY Stays, Scaling Stays],
+    jumps Anywhere, slopes Forward {
+        CiouFixedWeightAabb2 = "ciou_fixed_weight_aabb2": Aabb2, Aabb2, "two axis-aligned boxes" [Exchange Stays];
+    }
+    iou::ciou_fixed_weight_obb2 as "[`ciou_fixed_weight_obb2`](crate::iou::ciou_fixed_weight_obb2)" -> S,
+    promises [TranslationX Stays, TranslationY Stays, Scaling Stays],
+    jumps Anywhere, slopes Forward {
+        CiouFixedWeightObb2 = "ciou_fixed_weight_obb2": Obb2, Obb2, "two rotated boxes" [Rotation Stays];
     }
     iou::eiou_aabb2 as "[`eiou_aabb2`](crate::iou::eiou_aabb2)" -> S,
     promises [TranslationX Stays, TranslationY Stays, Scaling Stays],
     jumps Anywhere, slopes Forward {
         EiouAabb2 = "eiou_aabb2": Aabb2, Aabb2, "two axis-aligned boxes" [Exchange Stays];
     }
-    iou::ciou_fixed_weight_obb2 as "[`ciou_fixed_weight_obb2`](crate::iou::ciou_fixed_weight_obb2)" -> S,
+    iou::eiou_hull_aabb2 as "[`eiou_hull_aabb2`](crate::iou::eiou_hull_aabb2)" -> S,
     promises [TranslationX Stays, TranslationY Stays, Scaling Stays],
     jumps Anywhere, slopes Forward {
-        CiouFixedWeightObb2 = "ciou_fixed_weight_obb2": Obb2, Obb2, "two rotated boxes" [Exchange Stays];
+        EiouHullAabb2 = "eiou_hull_aabb2": Aabb2, Aabb2, "two axis-aligned boxes" [Exchange Stays];
     }
-    iou::ciou_fixed_weight_aabb2 as "[`ciou_fixed_weight_aabb2`](crate::iou::ciou_fixed_weight_aabb2)" -> S,
+    iou::eiou_obb2 as "[`eiou_obb2`](crate::iou::eiou_obb2)" -> S,
     promises [TranslationX Stays, TranslationY Stays, Scaling Stays],
     jumps Anywhere, slopes Forward {
-        CiouFixedWeightAabb2 = "ciou_fixed_weight_aabb2": Aabb2, Aabb2, "two axis-aligned boxes" [Exchange Stays];
+        EiouObb2 = "eiou_obb2": Obb2, Obb2, "two rotated boxes" [Rotation Stays];
+    }
+    iou::eiou_aabb_obb2 as "[`eiou_aabb_obb2`](crate::iou::eiou_aabb_obb2)" -> S,
+    promises [TranslationX Stays, TranslationY Stays, Scaling Stays],
+    jumps Anywhere, slopes Forward {
+        EiouAabbObb2 = "eiou_aabb_obb2": Obb2, Obb2, "two rotated boxes" [Exchange Stays];
     }
     iou::hull_area_obb2 as "[`hull_area_obb2`](crate::iou::hull_area_obb2)" -> S,
     promises [TranslationX Stays, TranslationY Stays, Scaling Power(2)],

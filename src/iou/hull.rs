@@ -28,6 +28,7 @@
 //! where q_x stands for its magnitude (q points to the left by as much as p points up). All terms with the centre
 //! are one product, so that of boxes very far apart no sizes are lost beside the distance. With constant weights
 //! this is a polynomial, whose slopes are plain.
+use super::terms::unit;
 use crate::clip::{Framed, Relative, frame, relate, size_scale};
 use crate::{Aabb2, Obb2, Scalar, Vec2};
 
@@ -190,18 +191,17 @@ pub fn hull_area_obb2<S: Scalar>(a: Obb2<S>, b: Obb2<S>) -> S {
 /// Half the size of the smallest box around two axis-aligned ones, and the share of its area that the
 /// four corners outside the hull have, as areas in quarter units.
 #[inline(always)]
-pub(super) fn hull_of_bounds<S: Scalar>(a: Aabb2<S>, b: Aabb2<S>, scale: S) -> (Vec2<S>, S) {
+pub(super) fn hull_of_bounds<S: Scalar>(a: Aabb2<S>, b: Aabb2<S>, scale: Vec2<S>) -> (Vec2<S>, S) {
     let zero = S::zero();
-    let gap = |x: S, y: S| (y.halved() - x.halved()) * scale;
-    let low = Vec2::new(gap(a.min.x, b.min.x), gap(a.min.y, b.min.y));
-    let high = Vec2::new(gap(a.max.x, b.max.x), gap(a.max.y, b.max.y));
+    let gap = |x: S, y: S, scale: S| (y.halved() - x.halved()) * scale;
+    let gaps = |p: Vec2<S>, q: Vec2<S>| Vec2::new(gap(p.x, q.x, scale.x), gap(p.y, q.y, scale.y));
+    let (low, high) = (gaps(a.min, b.min), gaps(a.max, b.max));
     // Two bounds of a corner that are not of the same box leave a triangle out.
     let cut = |x: S, y: S| (x * y).most(zero);
     let cuts =
         (cut(-low.x, low.y) + cut(high.x, low.y)) + (cut(-high.x, high.y) + cut(low.x, high.y));
     let joint = a.join(b);
-    let half = Vec2::new(gap(joint.min.x, joint.max.x), gap(joint.min.y, joint.max.y));
-    (half, cuts)
+    (gaps(joint.min, joint.max), cuts)
 }
 
 /// The area of the convex hull of two axis-aligned boxes, in squared units of length: of the box around
@@ -215,21 +215,33 @@ pub(super) fn hull_of_bounds<S: Scalar>(a: Aabb2<S>, b: Aabb2<S>, scale: S) -> (
 #[must_use]
 #[inline]
 pub fn hull_area_aabb2<S: Scalar>(a: Aabb2<S>, b: Aabb2<S>) -> S {
-    let scale = joint_scale(a, b);
-    let (half, cuts) = hull_of_bounds(a, b, scale);
+    let scale = joint_unit(a, b);
+    let (half, cuts) = hull_of_bounds(a, b, Vec2::new(scale, scale));
     let quarter = half.x * half.y;
     let area = (quarter + quarter) + (quarter + quarter) - (cuts + cuts);
     area.over(scale).over(scale).saturated().canonical()
 }
 
-/// The power of two that brings half the box around two others near one.
+/// Half the size of the box around two others.
 #[inline(always)]
-pub(super) fn joint_scale<S: Scalar>(a: Aabb2<S>, b: Aabb2<S>) -> S {
+fn joint_half<S: Scalar>(a: Aabb2<S>, b: Aabb2<S>) -> Vec2<S> {
     let joint = a.join(b);
-    let x = joint.max.x.halved() - joint.min.x.halved();
-    let y = joint.max.y.halved() - joint.min.y.halved();
-    let reach = x.most(y);
-    let point = reach.at_most(S::zero());
-    let scale = S::select(point, S::one(), reach).binade();
-    S::select(point, S::one(), S::from_primal(scale.primal()))
+    Vec2::new(
+        joint.max.x.halved() - joint.min.x.halved(),
+        joint.max.y.halved() - joint.min.y.halved(),
+    )
+}
+
+/// The power of two that brings the longer half side of the box around two others into `[½, 1)`.
+#[inline(always)]
+pub(super) fn joint_unit<S: Scalar>(a: Aabb2<S>, b: Aabb2<S>) -> S {
+    let half = joint_half(a, b);
+    unit([half.x, half.y])
+}
+
+/// The powers of two that bring either half side into `[½, 1)`.
+#[inline(always)]
+pub(super) fn joint_units<S: Scalar>(a: Aabb2<S>, b: Aabb2<S>) -> Vec2<S> {
+    let half = joint_half(a, b);
+    Vec2::new(unit([half.x]), unit([half.y]))
 }

@@ -1,46 +1,71 @@
 //! The family of intersection over union: scores of two shapes that also say something about shapes
 //! that are apart.
 //!
-//! With `I` the area of intersection, `U` that of the union, `C` that of the convex hull of both, `d` the
-//! distance of the centres:
+//! With `I` the area of intersection, `U` that of the union, `C` that of the enclosing shape, `d` the
+//! distance of the centres (polygons: of the centroids of their areas), `D` the diameter of the enclosing
+//! shape, `W`, `H` its sides and `Δw`, `Δh` the differences of the boxes' own sizes:
 //!
-//! | name | score | range | source |
-//! | --- | --- | --- | --- |
-//! | `iou`, `iof` | `I/U`, `I/A` | `[0, 1]` | [`overlap`](crate::overlap), [`overlap_polygon`](crate::overlap_polygon) |
-//! | `giou` | `I/U − (C − U)/C`, hull exact | `(−1, 1]` | Rezatofighi et al., CVPR 2019 |
-//! | `giou_box` | the same, `C` the smallest axis-aligned box around both | `(−1, 1]` | same, for boxes |
-//! | `diou` | `I/U − (d/D)²`, `D` the hull's diameter | `(−1, 1]` | the DGAL paper's; after Zheng et al. |
-//! | `diou_box` | the same, `D` the diagonal of the smallest axis-aligned box around both | `(−1, 1]` | Zheng et al., AAAI 2020 |
-//! | `ciou` | `diou_box − αv`, `v = 4/π² (Δ atan w/h)²`, `α = v/(1 − I/U + v)` | `(−2, 1]` | Zheng et al., IEEE Trans. Cybernetics 2021 |
-//! | `ciou_fixed_weight` | the same, without the slope of `α` | | as published and commonly trained |
-//! | `eiou` | `diou_box − (Δw/W)² − (Δh/H)²`, `W`, `H` of that box | `(−3, 1]` | Zhang et al., Focal and efficient IoU loss, 2021 |
-//! | `alpha_iou` | `(I/U)^α` | `[0, 1]` | He et al., NeurIPS 2021 |
+//! | verb | score | source |
+//! | --- | --- | --- |
+//! | `iou`, `iof` | `I/U`, `I/A` | [`overlap`](crate::overlap), [`overlap_polygon`](crate::overlap_polygon) |
+//! | `giou` | `I/U − (C − U)/C` | Rezatofighi et al., CVPR 2019 |
+//! | `diou` | `I/U − (d/D)²` | Zheng et al., AAAI 2020 |
+//! | `ciou` | `diou − αv`, `v = 4/π² (Δ atan w/h)²`, `α = v/(1 − I/U + v)` | Zheng et al., IEEE Trans. Cybernetics 2021 |
+//! | `ciou_fixed_weight` | the same, without the slope of `α` | as published and commonly trained |
+//! | `eiou` | `diou − (Δw/W)² − (Δh/H)²`; by a hull `diou − (Δw² + Δh²)/D²` | Zhang et al., Focal and efficient IoU loss, 2021 |
+//! | `alpha_iou` | `(I/U)^α` | He et al., NeurIPS 2021 |
+//!
+//! The enclosing shape of a plain verb is the published one for axis-aligned boxes, the smallest
+//! axis-aligned box around both; there the results are torchvision's but for the 10⁻⁷ that it adds. For
+//! shapes that turn it is the convex hull, so that scores are invariant under rotations. Suffixes name
+//! every other enclosing shape. `ciou` and `eiou` build on the `diou` of the same row.
+//!
+//! | shapes | enclosing shape | `giou` | `diou` | `ciou` | `eiou` |
+//! | --- | --- | --- | --- | --- | --- |
+//! | range | | `[−1, 1]` | `[−1, 1]` | `[−3/2, 1]` | `[−9/4, 1]` by the box around `Aabb2`, `[−3, 1]` around `Obb2`; `[−5/2, 1]` by a hull |
+//! | `Aabb2` | box around both | [`giou_aabb2`] | [`diou_aabb2`] | [`ciou_aabb2`] | [`eiou_aabb2`] |
+//! | `Aabb2` | convex hull | [`giou_hull_aabb2`] | [`diou_hull_aabb2`] | [`ciou_hull_aabb2`] | [`eiou_hull_aabb2`] |
+//! | `Obb2` | convex hull | [`giou_obb2`] | [`diou_obb2`] | [`ciou_obb2`] | [`eiou_obb2`] |
+//! | `Obb2` | box around both along the plane's axes | [`giou_aabb_obb2`] | [`diou_aabb_obb2`] | [`ciou_aabb_obb2`] | [`eiou_aabb_obb2`] |
+//! | convex polygons | convex hull | [`giou_polygons_decided`] | [`diou_polygons_decided`] | | |
+//!
+//! `ciou_fixed_weight` has the row of each shape's plain verb. Boxes of space: [`iou3`](crate::iou3).
 //!
 //! Losses are one minus the score. Shapes that are apart have slopes in all but IoU, IoF and `alpha_iou`:
-//! they are drawn together. Identical shapes of positive area have exactly 1 with slope zero. Where a
-//! denominator is zero (two shapes of no area on a line; coincident points) its term is zero with slope
-//! zero.
+//! they are drawn together. Identical shapes of positive area have exactly 1 with slope zero (but for
+//! `giou_aabb_obb2` of turned boxes). GIoU is −1 only where rounding makes it so, DIoU also for two points.
+//! Where a denominator is zero (two shapes of no area on a line; coincident points) its term is zero with
+//! slope zero.
 //!
-//! Kinks: those of the area of intersection; `giou`: a corner passes through the border of the hull;
-//! `diou`: two pairs of corners are farthest apart; `…_box`: bounds of both are equal. Exact ties share
-//! the slope.
-mod center;
+//! Kinks: those of the area of intersection; by a hull, `giou`: a corner passes through the border of the
+//! hull; the others: two pairs of corners are farthest apart; by a box around both: bounds of both are
+//! equal. Exact ties share the slope.
+mod aabb;
+mod alpha;
 mod giou;
 mod hull;
+mod obb;
 mod polygon;
 mod separation;
+mod terms;
 
-pub use center::{
-    Exponent, alpha_iou_aabb2, alpha_iou_obb2, ciou_aabb2, ciou_fixed_weight_aabb2,
-    ciou_fixed_weight_obb2, ciou_obb2, diou_aabb2, diou_box_aabb2, diou_box_obb2, diou_obb2,
-    eiou_aabb2, eiou_obb2, giou_box_obb2,
+pub use aabb::{
+    ciou_aabb2, ciou_fixed_weight_aabb2, ciou_hull_aabb2, diou_aabb2, diou_hull_aabb2, eiou_aabb2,
+    eiou_hull_aabb2, giou_aabb2, giou_hull_aabb2,
 };
+pub use alpha::{Exponent, alpha_iou_aabb2, alpha_iou_obb2};
 pub(crate) use giou::score;
-pub use giou::{giou_aabb2, giou_box_aabb2, giou_framed, giou_obb2};
+pub use giou::{giou_framed, giou_obb2};
 pub(crate) use hull::hull_scale;
 pub use hull::{HullOfBoxes, hull_area_aabb2, hull_area_obb2, hull_of_related};
+pub(crate) use obb::{Bounds, across, bounds, unit_of_pair};
+pub use obb::{
+    ciou_aabb_obb2, ciou_fixed_weight_obb2, ciou_obb2, diou_aabb_obb2, diou_obb2, eiou_aabb_obb2,
+    eiou_obb2, giou_aabb_obb2,
+};
 pub use polygon::{
     FarthestCorners, diou_polygons_decided, diou_polygons_replay, giou_polygons_decided,
     giou_polygons_replay,
 };
 pub use separation::separation_aware_obb2;
+pub(crate) use terms::{larger, part, share, unit, weighted};

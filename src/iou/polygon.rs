@@ -1,5 +1,6 @@
 //! Scores of convex polygons, by a search that is recorded.
 use super::score;
+use super::terms::part;
 use crate::clipping::Corner;
 use crate::error::Flaw;
 use crate::hull::{MergeTrace, merge_decided, merge_replay};
@@ -7,7 +8,7 @@ use crate::overlap_polygon::{iou_polygons, measure};
 use crate::reference::Reference;
 use crate::{ConvexPolygon, Scalar, Vec2};
 
-/// Generalised IoU of two convex polygons with the exact convex hull, in `(−1, 1]`, and which vertices the
+/// Generalised IoU of two convex polygons with the exact convex hull, in `[−1, 1]`, and which vertices the
 /// hull has. Conventions: see the [module](super).
 ///
 /// ```
@@ -74,7 +75,7 @@ pub struct FarthestCorners {
     pub to: Corner,
 }
 
-/// Distance IoU of two convex polygons, in `(−1, 1]`: IoU less the square of the distance of the centroids
+/// Distance IoU of two convex polygons, in `[−1, 1]`: IoU less the square of the distance of the centroids
 /// of their areas over the diameter of both together; and which vertices that one is between. Compares
 /// all pairs of vertices. Conventions: see the [module](super).
 ///
@@ -119,18 +120,25 @@ pub fn diou_polygons_replay<S: Scalar, const N: usize, const M: usize>(
     b: &ConvexPolygon<S, M>,
     record: FarthestCorners,
 ) -> S {
+    // Seen from their own bounds: far from the origin a centroid has the digits of the distance.
+    let seen = Reference::of_bounds(a.bounding().join(b.bounding()));
+    let (a_seen, b_seen) = (placed(a, &seen), placed(b, &seen));
     let at = |corner: Corner| match corner {
-        Corner::B(k) => b.vertex(k),
-        Corner::A(k) | Corner::Cross { a: k, .. } => a.vertex(k),
+        Corner::B(k) => b_seen.vertex(k),
+        Corner::A(k) | Corner::Cross { a: k, .. } => a_seen.vertex(k),
     };
-    let half = |p: Vec2<S>, q: Vec2<S>| {
-        Vec2::new(q.x.halved() - p.x.halved(), q.y.halved() - p.y.halved())
-    };
-    let diameter = half(at(record.from), at(record.to)).length();
-    let way = half(a.centroid(), b.centroid());
-    let point = diameter.at_most(S::zero());
-    let per = S::select(point, S::one(), diameter);
-    let share = way.x.over(per).squared() + way.y.over(per).squared();
-    let share = S::select(point, S::zero(), share);
-    (iou_polygons(a, b) - share).canonical()
+    let across = (at(record.to) - at(record.from)).length_squared();
+    let way = (b_seen.centroid() - a_seen.centroid()).length_squared();
+    (iou_polygons(a, b) - part(way, across)).canonical()
+}
+
+/// A polygon in local coordinates.
+fn placed<S: Scalar, const N: usize>(
+    polygon: &ConvexPolygon<S, N>,
+    seen: &Reference<S>,
+) -> ConvexPolygon<S, N> {
+    ConvexPolygon {
+        vertices: polygon.vertices.map(|v| seen.place(v)),
+        count: polygon.count,
+    }
 }

@@ -6,7 +6,7 @@ use crate::{Obb2, Scalar};
 
 /// IoU of two rotated boxes where they overlap; where they are apart minus `g / (g + s)`, with the widest gap
 /// g between them along the direction of a side and s the mean of the boxes' larger sides: from 0 at contact to
-/// −1 far away, in `(−1, 1]`. Continuous, and never without a slope for boxes apart.
+/// −1 far away, in `[−1, 1]`. Continuous, and never without a slope for boxes apart.
 ///
 /// Kinks: those of IoU, and where another side's direction has the widest gap.
 ///

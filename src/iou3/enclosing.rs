@@ -1,161 +1,228 @@
-//! Shapes around a pair of boxes.
-use crate::iou::{hull_area_aabb2, hull_area_obb2};
-use crate::shape::{Aabb3, Obb3, YawBox3};
-use crate::{Obb2, Rotation2, Scalar, Vec2, Vec3};
+//! Shapes around a pair of axis-aligned or of upright boxes.
+use super::Terms;
+use super::rectangle::least_rectangle;
+use crate::clip::{frame, relate};
+use crate::iou::{
+    Bounds, across, bounds, hull_of_related, hull_scale, larger, part, share, unit, unit_of_pair,
+};
+use crate::overlap::area_from_half;
+use crate::shape::{Aabb3, YawBox3};
+use crate::{Obb2, Scalar, Vec2, Vec3};
 
 /// What is put around a pair of boxes.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Enclosing {
     /// The smallest box along the axes of the world.
     Aabb,
-    /// A box that turns with the pair. Axis-aligned and upright boxes: the rectangle of least area around both grounds times
-    /// the height of both. Boxes of any orientation: the smaller one of the boxes around both along the axes
-    /// of either.
+    /// A box that turns with the pair. Axis-aligned and upright boxes: the rectangle of least area around both
+    /// grounds times the height of both. Boxes of any orientation: the smaller one, by volume, of the boxes
+    /// around both along the axes of either; equal ones, to within rounding, count half and half.
     Rectangle,
     /// The convex hull of both grounds times the height of both, for axis-aligned and upright boxes; boxes of
-    /// any orientation as [`Rectangle`](Enclosing::Rectangle). Its size is that of the box around both, made
-    /// narrower to the area of the hull.
+    /// any orientation as [`Rectangle`](Enclosing::Rectangle).
     Hull,
 }
 
-/// The size of a box around a pair whose ground has the area of a hull within it.
+/// The share of an enclosing shape that neither box covers, from those that they cover and their IoU.
 #[inline(always)]
-fn narrowed<S: Scalar>(around: Vec3<S>, hull: S) -> Vec3<S> {
-    let empty = (around.x.at_most(S::zero())) | (around.y.at_most(S::zero()));
-    let held = |x: S| S::select(empty, S::one(), x);
-    let part = hull.over(held(around.x)).over(held(around.y));
-    let narrow = S::select(empty, S::one(), part).root();
-    Vec3::new(around.x * narrow, around.y * narrow, around.z)
+pub(super) fn outside<S: Scalar>(covered: [S; 2], shared: S, empty: S::Mask) -> S {
+    let [a, b] = covered;
+    // In differences that are exactly zero for a box within the other one that is all there is.
+    let rest = (S::one() - a.most(b)) - (a.least(b) - shared);
+    // Rounding can leave the shape around a little smaller than what it encloses.
+    let short = rest.below(S::zero());
+    let rest = S::select(short, rest.with_primal(S::Primal::zero()), rest);
+    S::select(empty, S::zero(), rest)
 }
 
+/// What both share, from what they cover: with `I/U = i` and `U = A + B − I`.
 #[inline(always)]
-pub(super) fn of_bounds<S: Scalar>(a: Aabb3<S>, b: Aabb3<S>, kind: Enclosing) -> Vec3<S> {
-    let both = a.join(b).size();
-    match kind {
-        Enclosing::Aabb => both,
-        // The rectangle of least area around both grounds may be a turned one.
-        Enclosing::Rectangle => of_upright(a.into(), b.into(), kind),
-        Enclosing::Hull => narrowed(both, hull_area_aabb2(a.birds_eye(), b.birds_eye())),
+pub(super) fn shared<S: Scalar>(covered: [S; 2], iou: S) -> S {
+    (covered[0] + covered[1]) * iou.over(S::one() + iou)
+}
+
+/// The square of a difference of two sizes over a length that is no smaller than either.
+#[inline(always)]
+pub(super) fn gap<S: Scalar>(a: S, b: S, against: S) -> S {
+    share(a - b, against).squared()
+}
+
+/// The terms by the smallest axis-aligned box around two others.
+#[inline(always)]
+fn of_bounds<S: Scalar>(a: Aabb3<S>, b: Aabb3<S>) -> Terms<S> {
+    let half = |low: S, high: S| high.halved() - low.halved();
+    let size = |x: Aabb3<S>| {
+        [
+            half(x.min.x, x.max.x),
+            half(x.min.y, x.max.y),
+            half(x.min.z, x.max.z),
+        ]
+    };
+    let (own, other, around) = (size(a), size(b), size(a.join(b)));
+    let meet = size(a.meet(b));
+    let apart = (a.max.x.at_most(b.min.x) | b.max.x.at_most(a.min.x))
+        | (a.max.y.at_most(b.min.y) | b.max.y.at_most(a.min.y))
+        | (a.max.z.at_most(b.min.z) | b.max.z.at_most(a.min.z));
+    let zero = S::zero();
+    let empty = (around[0].at_most(zero) | around[1].at_most(zero)) | around[2].at_most(zero);
+    // Axis by axis: no product is of lengths.
+    let covered = |size: [S; 3]| {
+        let [x, y, z] = [0, 1, 2].map(|i| share(size[i], around[i]));
+        (x * y) * z
+    };
+    let covered_by_both = S::select(apart, zero, covered(meet));
+    let scale = unit(around);
+    let way = |low: S, high: S| (low + high).halved() * scale;
+    let way = Vec3::new(
+        way(half(a.min.x, b.min.x), half(a.max.x, b.max.x)),
+        way(half(a.min.y, b.min.y), half(a.max.y, b.max.y)),
+        way(half(a.min.z, b.min.z), half(a.max.z, b.max.z)),
+    );
+    let diagonal = Vec3::new(around[0], around[1], around[2]) * scale;
+    Terms {
+        outside: outside([covered(own), covered(other)], covered_by_both, empty),
+        way: part(way.length_squared(), diagonal.length_squared()),
+        gaps: gap(own[0], other[0], around[0])
+            + gap(own[1], other[1], around[1])
+            + gap(own[2], other[2], around[2]),
     }
 }
 
+/// The terms of two axis-aligned boxes.
 #[inline(always)]
-pub(super) fn of_upright<S: Scalar>(a: YawBox3<S>, b: YawBox3<S>, kind: Enclosing) -> Vec3<S> {
-    // Relative to the first box, so that far from the origin no digits are lost.
-    let b = YawBox3 {
-        center: b.center - a.center,
-        ..b
-    };
-    let a = YawBox3 {
-        center: Vec3::zero(),
-        ..a
-    };
-    let both = a.bounding().join(b.bounding()).size();
-    match kind {
-        Enclosing::Aabb => both,
-        Enclosing::Rectangle => {
-            let ground = smallest_rectangle(a.birds_eye(), b.birds_eye());
-            Vec3::new(ground.x, ground.y, both.z)
-        }
-        Enclosing::Hull => narrowed(both, hull_area_obb2(a.birds_eye(), b.birds_eye())),
+pub(super) fn of_aligned<S: Scalar>(a: Aabb3<S>, b: Aabb3<S>, iou: S, kind: Enclosing) -> Terms<S> {
+    if kind == Enclosing::Aabb {
+        return of_bounds(a, b);
     }
+    // Centres and sizes have their digits only near the origin.
+    let origin = Vec3::new(a.min.x, a.min.y, a.min.z);
+    let origin = Vec3::new(
+        S::from_primal(origin.x.primal()),
+        S::from_primal(origin.y.primal()),
+        S::from_primal(origin.z.primal()),
+    );
+    let seen = |x: Aabb3<S>| YawBox3::from(Aabb3::new(x.min - origin, x.max - origin));
+    of_upright(seen(a), seen(b), iou, kind)
 }
 
+/// The grounds of two upright boxes and what is around them, lengths in units of `1 / scale`.
+struct Ground<S: Scalar> {
+    /// The shares of its area that both cover.
+    covered: [S; 2],
+    empty: S::Mask,
+    /// The square of the way between the centres and that of the diameter.
+    way: S,
+    across: S,
+    sizes: [Vec2<S>; 2],
+    /// What differences of sizes are divided by.
+    against: Vec2<S>,
+    scale: S,
+}
+
+/// The grounds of two upright boxes.
 #[inline(always)]
-pub(super) fn of_any<S: Scalar>(a: Obb3<S>, b: Obb3<S>, kind: Enclosing) -> Vec3<S> {
+fn ground<S: Scalar>(a: Obb2<S>, b: Obb2<S>, kind: Enclosing) -> Ground<S> {
+    let (a, b) = (frame(a), frame(b));
+    let scale = unit_of_pair(&a, &b);
+    let covered = |size: [S; 2], around: S, empty: S::Mask| {
+        let held = S::select(empty, S::one(), around);
+        let covered = |x: S| S::select(empty, S::zero(), part(x, held));
+        [covered(size[0]), covered(size[1])]
+    };
+    let none = |area: S| area.at_most(S::lit(S::EMPTY));
     match kind {
         Enclosing::Aabb => {
-            let shifted = Obb3 {
-                center: b.center - a.center,
-                ..b
-            };
-            let own = Obb3 {
-                center: Vec3::zero(),
-                ..a
-            };
-            own.bounding().join(shifted.bounding()).size()
+            let Bounds { around, way, sizes } = bounds(a, b, scale);
+            let area = around.x * around.y;
+            let empty = none(area);
+            let own = |size: Vec2<S>| size.x * size.y;
+            // A turned box may be longer than the box around both.
+            let against = |x: S, a: S, b: S| larger(larger(x, a), b);
+            Ground {
+                covered: covered([own(sizes[0]), own(sizes[1])], area, empty),
+                empty,
+                way: way.length_squared(),
+                across: around.length_squared(),
+                sizes,
+                against: Vec2::new(
+                    against(around.x, sizes[0].x, sizes[1].x),
+                    against(around.y, sizes[0].y, sizes[1].y),
+                ),
+                scale: scale.halved(),
+            }
         }
-        Enclosing::Rectangle | Enclosing::Hull => {
-            let along = |one: Obb3<S>, other: Obb3<S>| {
-                let back = one.rotation.inverse();
-                let half = one.size * S::lit(0.5);
-                let seen = Obb3 {
-                    center: back * (other.center - one.center),
-                    size: other.size,
-                    rotation: back * other.rotation,
-                };
-                Aabb3::new(-half, half).join(seen.bounding()).size()
-            };
-            let (by_a, by_b) = (along(a, b), along(b, a));
-            let volume = |v: Vec3<S>| v.x * v.y * v.z;
-            let second = volume(by_b).below(volume(by_a));
-            Vec3::new(
-                S::select(second, by_b.x, by_a.x),
-                S::select(second, by_b.y, by_a.y),
-                S::select(second, by_b.z, by_a.z),
-            )
+        Enclosing::Rectangle => {
+            let pair = relate::<S, true>(a, b, scale);
+            let least = least_rectangle(&pair);
+            let empty = none(least.area);
+            let own = [area_from_half(pair.half_a), area_from_half(pair.half_b)];
+            let diagonal = least.diagonal.root();
+            let size = |half: Vec2<S>| (half + half) * scale;
+            Ground {
+                covered: covered(own, least.area, empty),
+                empty,
+                way: pair.u * pair.u + pair.v * pair.v,
+                across: least.diagonal,
+                sizes: [size(a.half), size(b.half)],
+                against: Vec2::new(diagonal, diagonal),
+                scale,
+            }
         }
-    }
-}
-
-/// The size of the rectangle of least area around two boxes of the plane, along the direction of one of its
-/// sides and across.
-///
-/// A side of it lies along an edge of the convex hull: along a side of either box, or through a corner of
-/// each. All eighteen such directions are tried, hull or not, since none of them can give less; so nothing is
-/// sorted. The best one is found by values alone, so slopes are those of one rectangle and not of eighteen.
-/// Kinks: where another direction becomes the best.
-#[must_use]
-pub fn smallest_rectangle<S: Scalar>(a: Obb2<S>, b: Obb2<S>) -> Vec2<S> {
-    let (p, q) = (a.corners(), b.corners());
-    let points = [p[0], p[1], p[2], p[3], q[0], q[1], q[2], q[3]];
-    let values = points.map(primal);
-    let along = |heading: S| {
-        let axis = Rotation2::from_angle(heading);
-        Vec2::new(axis.cos, axis.sin)
-    };
-    let mut best = along(a.heading);
-    let mut area = area_along(primal(best), values);
-    let mut candidate = |way: Vec2<S>| {
-        let axis = primal(way).normalize_or_zero();
-        let own = area_along(axis, values);
-        // Corners that are one have no direction.
-        let better = axis.length_squared().above(S::Primal::zero()) & own.below(area);
-        area = S::Primal::select(better, own, area);
-        best = Vec2::new(
-            S::select(better, way.x, best.x),
-            S::select(better, way.y, best.y),
-        );
-    };
-    candidate(along(b.heading));
-    for from in p {
-        for to in q {
-            candidate(to - from);
+        Enclosing::Hull => {
+            let pair = relate::<S, true>(a, b, hull_scale(&a, &b));
+            let area = hull_of_related(&pair).area();
+            let empty = none(area);
+            let own = [area_from_half(pair.half_a), area_from_half(pair.half_b)];
+            let across = across(a, b, scale);
+            let diameter = across.squared.root();
+            Ground {
+                covered: covered(own, area, empty),
+                empty,
+                way: across.way.length_squared(),
+                across: across.squared,
+                sizes: across.sizes,
+                against: Vec2::new(diameter, diameter),
+                scale,
+            }
         }
     }
-    size_along(best.normalize_or_zero(), points)
 }
 
-/// A point's numbers alone.
-fn primal<S: Scalar>(p: Vec2<S>) -> Vec2<S::Primal> {
-    Vec2::new(p.x.primal(), p.y.primal())
-}
-
-/// The size of the rectangle around eight points, along a direction and across.
-fn size_along<S: Scalar>(axis: Vec2<S>, points: [Vec2<S>; 8]) -> Vec2<S> {
-    let extent = |axis: Vec2<S>| {
-        let at = points.map(|p| axis.dot(p));
-        let (mut low, mut high) = (at[0], at[0]);
-        for x in &at[1..] {
-            (low, high) = (low.least(*x), high.most(*x));
-        }
-        high - low
-    };
-    Vec2::new(extent(axis), extent(axis.perp()))
-}
-
-/// The area of that rectangle.
-fn area_along<S: Scalar>(axis: Vec2<S>, points: [Vec2<S>; 8]) -> S {
-    let size = size_along(axis, points);
-    size.x * size.y
+/// The terms of two upright boxes.
+#[inline(always)]
+pub(super) fn of_upright<S: Scalar>(
+    a: YawBox3<S>,
+    b: YawBox3<S>,
+    iou: S,
+    kind: Enclosing,
+) -> Terms<S> {
+    let ground = ground(a.birds_eye(), b.birds_eye(), kind);
+    // All heights are halved.
+    let up = b.center.z.halved() - a.center.z.halved();
+    let (high_a, high_b) = (a.size.z.halved(), b.size.z.halved());
+    let (reach_a, reach_b) = (high_a.halved(), high_b.halved());
+    let high = reach_a.most(reach_b + up) + reach_a.most(reach_b - up);
+    let flat = high.at_most(S::zero());
+    let covered = [
+        ground.covered[0] * share(high_a, high),
+        ground.covered[1] * share(high_b, high),
+    ];
+    // In the unit of whichever is longer, the ground or the heights.
+    let (scale, point) = (unit([high]), ground.across.at_most(S::zero()));
+    let tall = (point | scale.below(ground.scale)) & !flat;
+    let scale = S::select(tall, scale, ground.scale);
+    let by_ground = S::select(point, ground.scale, scale)
+        .over(ground.scale)
+        .squared();
+    let full = |half: S| (half + half) * scale;
+    Terms {
+        outside: outside(covered, shared(covered, iou), ground.empty | flat),
+        way: part(
+            ground.way * by_ground + full(up).squared(),
+            ground.across * by_ground + full(high).squared(),
+        ),
+        gaps: gap(ground.sizes[0].x, ground.sizes[1].x, ground.against.x)
+            + gap(ground.sizes[0].y, ground.sizes[1].y, ground.against.y)
+            + gap(high_a, high_b, high),
+    }
 }

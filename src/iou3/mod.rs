@@ -1,53 +1,81 @@
 //! The family of IoU losses in space, and an overlap that has slopes for boxes apart.
 //!
-//! | function | is | range | paper |
-//! | --- | --- | --- | --- |
-//! | [`giou`] | IoU less the share of the enclosing shape that is in neither box | `(−1, 1]` | Rezatofighi et al., *Generalized intersection over union*, CVPR 2019 |
-//! | [`diou`] | IoU less the squared distance of the centres over the enclosing box's squared diagonal | `(−1, 1]` | Zheng et al., *Distance-IoU loss*, AAAI 2020 |
-//! | [`ciou`], [`ciou_fixed_weight`] | DIoU less a weighted difference of the proportions | `(−2, 1]` | the same |
-//! | [`eiou`] | DIoU less squared differences of the sizes over the enclosing box's | `(−4, 1]` | Zhang et al., *Focal and efficient IoU loss*, 2021 |
-//! | [`alpha_iou`] | a power of IoU | `[0, 1]` | He et al., *Alpha-IoU*, NeurIPS 2021 |
-//! | [`separation_aware`] | IoU, or for boxes apart minus their separation over itself and their size | `(−1, 1]` | here |
-//!
 //! The papers define them in the plane; here areas are volumes and the proportions are those of all three
-//! pairs of sizes. Losses are one minus these.
+//! pairs of sizes. With `I` the volume of intersection, `U` that of the union, `C` that of the enclosing
+//! shape, `d` the distance of the centres, `D` the diameter of the enclosing shape, and `Δsᵢ` the
+//! differences of the boxes' own sizes:
 //!
-//! Any kind of box serves ([`Solid`]); [`Enclosing`] says what is put around a pair. Kinks are those of IoU
-//! and of the enclosing shape.
+//! | function | is | paper |
+//! | --- | --- | --- |
+//! | [`giou`] | `I/U − (C − U)/C` | Rezatofighi et al., *Generalized intersection over union*, CVPR 2019 |
+//! | [`diou`] | `I/U − (d/D)²` | Zheng et al., *Distance-IoU loss*, AAAI 2020 |
+//! | [`ciou`] | `diou − αv`, v the mean over the pairs (x, y), (y, z), (z, x) of `4/π² (Δ atan p/q)²` | the same |
+//! | [`ciou_fixed_weight`] | the same, without the slope of `α` | the same |
+//! | [`eiou`] | `diou − Σ (Δsᵢ/Sᵢ)²`, `Sᵢ` by the enclosing shape | Zhang et al., *Focal and efficient IoU loss*, 2021 |
+//! | [`alpha_iou`] | a power of IoU | He et al., *Alpha-IoU*, NeurIPS 2021 |
+//! | [`separation_aware`] | IoU, or for boxes apart minus their separation over itself and their size | here |
+//!
+//! Any kind of box serves ([`Solid`]); [`Enclosing`] says what is put around a pair. Operations of a plain name
+//! put around axis-aligned boxes the published shape, the box around both, and around boxes that turn one
+//! that turns with them, so that their scores are invariant under the rotations that the boxes have. Suffixes
+//! name every other enclosing shape. `ciou` and `eiou` build on the `diou` of the same row.
+//!
+//! | boxes | enclosing shape | volume, diameter, lengths for sizes | operations |
+//! | --- | --- | --- | --- |
+//! | `Aabb3` | [`Aabb`](Enclosing::Aabb) | those of the box around both | `giou_aabb3`, `diou_aabb3`, `ciou_aabb3`, `eiou_aabb3` |
+//! | `YawBox3` | [`Hull`](Enclosing::Hull) | hull of the grounds times joint height H; `D² = g² + H²` with the hull's diameter g; `g, g, H` | `giou_yaw`, `diou_yaw`, `ciou_yaw`, `eiou_yaw` |
+//! | `YawBox3` | [`Rectangle`](Enclosing::Rectangle) | rectangle of least area around the grounds times H; the same with its diagonal g | `giou_rectangle_yaw`, `diou_rectangle_yaw`, `ciou_rectangle_yaw`, `eiou_rectangle_yaw` |
+//! | `YawBox3` | [`Aabb`](Enclosing::Aabb) | those of the box along the world's axes; a size that is longer counts instead of the side | `giou_aabb_yaw`, `diou_aabb_yaw`, `ciou_aabb_yaw`, `eiou_aabb_yaw` |
+//! | `Obb3` | [`Rectangle`](Enclosing::Rectangle) | those of the smaller box along the axes of either; a size that is longer counts instead of the side | `giou_obb3`, `diou_obb3`, `ciou_obb3`, `eiou_obb3` |
+//! | `Obb3` | [`Aabb`](Enclosing::Aabb) | those of the box along the world's axes; a size that is longer counts instead of the side | `giou_aabb_obb3`, `diou_aabb_obb3`, `ciou_aabb_obb3`, `eiou_aabb_obb3` |
+//!
+//! | `giou` | `diou` | `ciou` | `eiou` |
+//! | --- | --- | --- | --- |
+//! | `[−1, 1]` | `[−1, 1]` | `[−3/2, 1]` | `[−13/4, 1]` by the box around `Aabb3`, `[−7/2, 1]` by a ground's diameter, else `[−4, 1]` |
+//!
+//! Losses are one minus these. Identical boxes of positive volume have exactly 1 with slope zero (but for
+//! `giou` by the world's axes of turned boxes). GIoU is −1 only where rounding makes it so, DIoU also for two
+//! points. Where a denominator is zero its term is zero with slope zero. An enclosing shape that is so thin
+//! that its volume (of [`Obb3`]) or its ground's area underflows counts as empty: it has no GIoU term.
+//!
+//! Kinks are those of IoU and of the enclosing shape; of boxes of any orientation DIoU, CIoU and EIoU jump
+//! where another enclosing box becomes the smaller one. Exact ties share the slope.
+use crate::iou::weighted;
 use crate::overlap3::{iou_aabb3, iou_obb3, iou_yaw};
 use crate::shape::{Aabb3, Obb3, YawBox3};
 use crate::{Scalar, Vec3};
 
 mod enclosing;
+mod rectangle;
 mod separation;
+mod turned;
 
-pub use enclosing::{Enclosing, smallest_rectangle};
+pub use enclosing::Enclosing;
+pub use rectangle::smallest_rectangle;
 pub use separation::{penetration_or_gap, separation_aware};
+
+/// What scores take from an overlap: numbers without a unit, by the shape around two boxes.
+#[derive(Clone, Copy, Debug)]
+pub struct Terms<S> {
+    /// The share of the volume of the enclosing shape that neither box covers, in `[0, 1]`: GIoU's.
+    pub outside: S,
+    /// The square of the centres' distance over the enclosing shape's diameter, in `[0, 1]`: DIoU's.
+    pub way: S,
+    /// The sum of the squares of the differences of the sizes over lengths of the enclosing shape: EIoU's.
+    pub gaps: S,
+}
 
 /// A kind of box in space that the family of losses is for.
 pub trait Solid<S: Scalar>: Copy + Into<Obb3<S>> {
     /// Intersection over union.
     #[must_use]
     fn overlap(self, other: Self) -> S;
-    /// The volume.
-    #[must_use]
-    fn own_volume(self) -> S;
     /// The size along the box's own axes.
     #[must_use]
     fn own_size(self) -> Vec3<S>;
-    /// The centre.
+    /// What scores take from the IoU, by the chosen shape around both boxes.
     #[must_use]
-    fn middle(self) -> Vec3<S>;
-    /// The size of the chosen shape around both boxes: of the box, or of the upright prism whose ground has
-    /// the area of `x · y` and the proportions of the rectangle around it.
-    #[must_use]
-    fn enclosing(self, other: Self, kind: Enclosing) -> Vec3<S>;
-    /// The size of what both share, for a kind that shares boxes; zero where they are apart.
-    #[doc(hidden)]
-    #[inline]
-    fn shared_box(self, _other: Self) -> Option<Vec3<S>> {
-        None
-    }
+    fn terms(self, other: Self, iou: S, kind: Enclosing) -> Terms<S>;
 }
 
 impl<S: Scalar> Solid<S> for Aabb3<S> {
@@ -56,29 +84,12 @@ impl<S: Scalar> Solid<S> for Aabb3<S> {
         iou_aabb3(self, other)
     }
     #[inline]
-    fn own_volume(self) -> S {
-        self.volume()
-    }
-    #[inline]
     fn own_size(self) -> Vec3<S> {
         self.size()
     }
     #[inline]
-    fn middle(self) -> Vec3<S> {
-        self.center()
-    }
-    #[inline]
-    fn enclosing(self, other: Self, kind: Enclosing) -> Vec3<S> {
-        enclosing::of_bounds(self, other, kind)
-    }
-    #[inline]
-    fn shared_box(self, other: Self) -> Option<Vec3<S>> {
-        let apart = (self.max.x.at_most(other.min.x) | other.max.x.at_most(self.min.x))
-            | (self.max.y.at_most(other.min.y) | other.max.y.at_most(self.min.y))
-            | (self.max.z.at_most(other.min.z) | other.max.z.at_most(self.min.z));
-        let meet = self.meet(other).size();
-        let held = |x: S| S::select(apart, S::zero(), x);
-        Some(Vec3::new(held(meet.x), held(meet.y), held(meet.z)))
+    fn terms(self, other: Self, iou: S, kind: Enclosing) -> Terms<S> {
+        enclosing::of_aligned(self, other, iou, kind)
     }
 }
 
@@ -88,20 +99,12 @@ impl<S: Scalar> Solid<S> for YawBox3<S> {
         iou_yaw(self, other)
     }
     #[inline]
-    fn own_volume(self) -> S {
-        self.volume()
-    }
-    #[inline]
     fn own_size(self) -> Vec3<S> {
         self.size
     }
     #[inline]
-    fn middle(self) -> Vec3<S> {
-        self.center
-    }
-    #[inline]
-    fn enclosing(self, other: Self, kind: Enclosing) -> Vec3<S> {
-        enclosing::of_upright(self, other, kind)
+    fn terms(self, other: Self, iou: S, kind: Enclosing) -> Terms<S> {
+        enclosing::of_upright(self, other, iou, kind)
     }
 }
 
@@ -111,82 +114,16 @@ impl<S: Scalar> Solid<S> for Obb3<S> {
         iou_obb3(self, other)
     }
     #[inline]
-    fn own_volume(self) -> S {
-        self.volume()
-    }
-    #[inline]
     fn own_size(self) -> Vec3<S> {
         self.size
     }
     #[inline]
-    fn middle(self) -> Vec3<S> {
-        self.center
-    }
-    #[inline]
-    fn enclosing(self, other: Self, kind: Enclosing) -> Vec3<S> {
-        enclosing::of_any(self, other, kind)
+    fn terms(self, other: Self, iou: S, kind: Enclosing) -> Terms<S> {
+        turned::of_any(self, other, iou, kind)
     }
 }
 
-/// `x / y`, zero with slope zero where y is zero.
-#[inline(always)]
-fn share<S: Scalar>(x: S, y: S) -> S {
-    let empty = y.at_most(S::zero());
-    S::select(empty, S::zero(), x.over(S::select(empty, S::one(), y)))
-}
-
-/// Lengths in a common unit, so that their products stay finite.
-#[inline(always)]
-fn scaled<S: Scalar>(lengths: [Vec3<S>; 5]) -> [Vec3<S>; 5] {
-    let mut size = S::Primal::zero();
-    for v in lengths {
-        size = size.most(v.x.primal().magnitude());
-        size = size.most(v.y.primal().magnitude());
-        size = size.most(v.z.primal().magnitude());
-    }
-    let zero = size.at_most(S::Primal::zero());
-    let scale = S::Primal::select(zero, S::Primal::one(), size).binade();
-    lengths.map(|v| v * S::from_primal(scale))
-}
-
-/// What the terms of the family are made of, in a common unit.
-struct Terms<S> {
-    iou: S,
-    between: Vec3<S>,
-    size_a: Vec3<S>,
-    size_b: Vec3<S>,
-    around: Vec3<S>,
-    shared: Option<Vec3<S>>,
-}
-
-#[inline(always)]
-fn terms<S: Scalar, B: Solid<S>>(a: B, b: B, kind: Enclosing) -> Terms<S> {
-    terms_with(a.overlap(b), a, b, kind)
-}
-
-/// The same for boxes whose overlap is known.
-#[inline(always)]
-fn terms_with<S: Scalar, B: Solid<S>>(iou: S, a: B, b: B, kind: Enclosing) -> Terms<S> {
-    let meet = a.shared_box(b);
-    let lengths = [
-        b.middle() - a.middle(),
-        a.own_size(),
-        b.own_size(),
-        a.enclosing(b, kind),
-        meet.unwrap_or(Vec3::zero()),
-    ];
-    let [between, size_a, size_b, around, shared] = scaled(lengths);
-    Terms {
-        iou,
-        between,
-        size_a,
-        size_b,
-        around,
-        shared: meet.map(|_| shared),
-    }
-}
-
-/// Generalized IoU of two boxes, in `(−1, 1]`.
+/// Generalized IoU of two boxes, in `[−1, 1]`: IoU less the share of the enclosing shape that neither covers.
 ///
 /// ```
 /// use geograd::{Vec3, iou3::{Enclosing, giou}, shape::Aabb3};
@@ -198,130 +135,118 @@ fn terms_with<S: Scalar, B: Solid<S>>(iou: S, a: B, b: B, kind: Enclosing) -> Te
 #[must_use]
 #[inline]
 pub fn giou<S: Scalar, B: Solid<S>>(a: B, b: B, kind: Enclosing) -> S {
-    giou_of(&terms(a, b, kind)).canonical()
+    score_of(Score::Giou, a.overlap(b), a, b, kind).canonical()
 }
 
-#[inline(always)]
-fn giou_of<S: Scalar>(t: &Terms<S>) -> S {
-    let volume = |v: Vec3<S>| v.x * v.y * v.z;
-    let (volume_a, volume_b, around) = (volume(t.size_a), volume(t.size_b), volume(t.around));
-    let shared = match t.shared {
-        Some(shared) => volume(shared),
-        // I/U = i and U = A + B − I.
-        None => (volume_a + volume_b) * t.iou.over(S::one() + t.iou),
-    };
-    // Around less the union, in differences that are exactly zero for a box within the other.
-    let (larger, smaller) = (volume_a.most(volume_b), volume_a.least(volume_b));
-    let waste = (around - larger) - (smaller - shared);
-    // Rounding can leave the shape around a little smaller than what it encloses.
-    let short = waste.below(S::zero());
-    let waste = S::select(short, waste.with_primal(S::Primal::zero()), waste);
-    t.iou - share(waste, around)
-}
-
-#[inline(always)]
-fn diou_of<S: Scalar>(t: &Terms<S>) -> S {
-    t.iou - share(t.between.length_squared(), t.around.length_squared())
-}
-
-/// Distance-IoU of two boxes, in `(−1, 1]`.
+/// Distance-IoU of two boxes, in `[−1, 1]`: IoU less the square of the centres' distance over the diameter of
+/// the enclosing shape. Two points have −1.
+///
+/// ```
+/// use geograd::{Vec3, iou3::{Enclosing, diou}, shape::YawBox3};
+/// let a = YawBox3::new(Vec3::new(0.0, 0.0, 0.0), Vec3::new(2.0, 2.0, 2.0), 0.0);
+/// let b = YawBox3 { center: Vec3::new(4.0, 0.0, 0.0), ..a };
+/// // The ground's hull is six long and two wide, both are two high.
+/// assert!((diou(a, b, Enclosing::Hull) + 16.0_f64 / 44.0).abs() < 1e-15);
+/// ```
 #[must_use]
 #[inline]
 pub fn diou<S: Scalar, B: Solid<S>>(a: B, b: B, kind: Enclosing) -> S {
-    diou_of(&terms(a, b, kind)).canonical()
+    score_of(Score::Diou, a.overlap(b), a, b, kind).canonical()
 }
 
 /// The mean over the pairs (x, y), (y, z), (z, x) of `4/π² (atan(p/q) − atan(p'/q'))²`.
 #[inline(always)]
-fn proportions<S: Scalar>(t: &Terms<S>) -> S {
+fn proportions<S: Scalar>(u: Vec3<S>, v: Vec3<S>) -> S {
     let turn = |p: S, q: S| {
         let none = (p.at_most(S::zero())) & (q.at_most(S::zero()));
         S::select(none, S::one(), p).atan2(S::select(none, S::one(), q))
     };
-    let (u, v) = (t.size_a, t.size_b);
     let differ = |p: S, q: S, r: S, s: S| (turn(p, q) - turn(r, s)).squared();
     let sum =
         differ(u.x, u.y, v.x, v.y) + (differ(u.y, u.z, v.y, v.z) + differ(u.z, u.x, v.z, v.x));
     sum * S::lit(4.0 / 3.0 / (std::f64::consts::PI * std::f64::consts::PI))
 }
 
-/// Complete IoU of two boxes, in `(−2, 1]`: DIoU less `α v`, where v is the mean over the pairs (x, y),
+/// Complete IoU of two boxes, in `[−3/2, 1]`: [`diou`] less `α v`, where v is the mean over the pairs (x, y),
 /// (y, z), (z, x) of `4/π² (atan(p/q) − atan(p'/q'))²` and `α = v / (1 − IoU + v)`. All slopes, those of α
 /// too. The ratio of two zero sizes is that of a square.
 #[must_use]
 #[inline]
 pub fn ciou<S: Scalar, B: Solid<S>>(a: B, b: B, kind: Enclosing) -> S {
-    ciou_of(&terms(a, b, kind)).canonical()
+    score_of(Score::Ciou, a.overlap(b), a, b, kind).canonical()
 }
 
-#[inline(always)]
-fn ciou_of<S: Scalar>(t: &Terms<S>) -> S {
-    let v = proportions(t);
-    let weight = share(v, (S::one() - t.iou) + v);
-    diou_of(t) - weight * v
-}
-
-/// Complete IoU, in `(−2, 1]`, whose weight α counts as constant: no slope goes through it, as its authors
+/// Complete IoU, in `[−3/2, 1]`, whose weight α counts as constant: no slope goes through it, as its authors
 /// train. The value is that of [`ciou`]; the slopes are those of no function.
 #[must_use]
 #[inline]
 pub fn ciou_fixed_weight<S: Scalar, B: Solid<S>>(a: B, b: B, kind: Enclosing) -> S {
-    let t = terms(a, b, kind);
-    let v = proportions(&t);
-    let weight = share(v, (S::one() - t.iou) + v).primal();
-    (diou_of(&t) - S::from_primal(weight) * v).canonical()
+    let iou = a.overlap(b);
+    let terms = a.terms(b, iou, kind);
+    let v = proportions(a.own_size(), b.own_size());
+    (iou - terms.way - weighted(v, iou, true)).canonical()
 }
 
-/// Efficient IoU of two boxes, in `(−4, 1]`: DIoU less the squared difference of the sizes along each of the
-/// boxes' own axes over the square of the enclosing box's size there; or of the larger one of both sizes,
-/// where the boxes are turned so that this is more.
+/// Efficient IoU of two boxes, in `[−4, 1]`: [`diou`] less the squared differences of the sizes along the
+/// boxes' own axes over the squares of lengths of the enclosing shape: the sides of a box, or the size itself
+/// where a box is turned so that this is longer; of a hull or rectangle times a height the diameter of the
+/// ground for x and y, the height for z.
+///
+/// ```
+/// use geograd::{Vec3, iou3::{Enclosing, eiou}, shape::YawBox3};
+/// let a = YawBox3::new(Vec3::new(0.0, 0.0, 0.0), Vec3::new(4.0, 3.0, 2.0), 0.0);
+/// let b = YawBox3 { size: Vec3::new(2.0, 3.0, 1.0), ..a };
+/// // A quarter of the volume; the ground's diagonal is 5, the height 2.
+/// assert!((eiou(a, b, Enclosing::Hull) - (0.25 - 4.0 / 25.0 - 0.25_f64)).abs() < 1e-15);
+/// ```
 #[must_use]
 #[inline]
 pub fn eiou<S: Scalar, B: Solid<S>>(a: B, b: B, kind: Enclosing) -> S {
-    eiou_of(&terms(a, b, kind)).canonical()
+    score_of(Score::Eiou, a.overlap(b), a, b, kind).canonical()
 }
 
-#[inline(always)]
-fn eiou_of<S: Scalar>(t: &Terms<S>) -> S {
-    // Of equal ones what is around counts: it is never smaller, but for turned boxes.
-    let larger = |x: S, y: S| S::select(x.below(y), y, x);
-    let differ = |p: S, q: S, around: S| {
-        let all = larger(larger(around, p), q);
-        share((p - q).squared(), all.squared())
-    };
-    let sizes = differ(t.size_a.x, t.size_b.x, t.around.x)
-        + differ(t.size_a.y, t.size_b.y, t.around.y)
-        + differ(t.size_a.z, t.size_b.z, t.around.z);
-    diou_of(t) - sizes
-}
-
-/// A score of boxes of any orientation that is made of their IoU and of a formula of their numbers.
+/// A score that is made of the boxes' IoU and of a formula of their numbers.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Score {
-    /// [`giou`], within a box along the axes of the world.
+    /// [`giou`].
     Giou,
-    /// [`diou`], likewise.
+    /// [`diou`].
     Diou,
-    /// [`ciou`], likewise.
+    /// [`ciou`].
     Ciou,
-    /// [`eiou`], likewise.
+    /// [`eiou`].
     Eiou,
     /// [`separation_aware`].
     Separation,
 }
 
-/// A score of boxes whose IoU is known: with slopes by that and by all else.
+/// A score of boxes whose IoU is known.
 #[inline(always)]
-pub(crate) fn score_with_iou<S: Scalar>(score: Score, iou: S, a: Obb3<S>, b: Obb3<S>) -> S {
-    if score == Score::Separation {
-        return separation::or_overlap(a, b, || iou);
-    }
-    let t = terms_with(iou, a, b, Enclosing::Aabb);
+fn score_of<S: Scalar, B: Solid<S>>(score: Score, iou: S, a: B, b: B, kind: Enclosing) -> S {
+    let terms = a.terms(b, iou, kind);
     match score {
-        Score::Giou => giou_of(&t),
-        Score::Diou => diou_of(&t),
-        Score::Ciou => ciou_of(&t),
-        Score::Eiou | Score::Separation => eiou_of(&t),
+        Score::Giou => iou - terms.outside,
+        Score::Diou => iou - terms.way,
+        Score::Ciou => {
+            let v = proportions(a.own_size(), b.own_size());
+            iou - terms.way - weighted(v, iou, false)
+        }
+        Score::Eiou | Score::Separation => iou - terms.way - terms.gaps,
+    }
+}
+
+/// A score of boxes of any orientation whose IoU is known: with slopes by that and by all else.
+#[inline(always)]
+pub(crate) fn score_with_iou<S: Scalar>(
+    score: Score,
+    kind: Enclosing,
+    iou: S,
+    a: Obb3<S>,
+    b: Obb3<S>,
+) -> S {
+    match score {
+        Score::Separation => separation::or_overlap(a, b, || iou),
+        _ => score_of(score, iou, a, b, kind),
     }
 }
 

@@ -54,9 +54,14 @@ fn levelled<S: Scalar>(x: S, flat: S) -> S {
 #[inline(always)]
 pub fn relate3<S: Scalar>(a: Obb3<S>, b: Obb3<S>) -> Relative3<S> {
     let half = S::lit(0.5);
-    let (half_a, half_b) = (a.size * half, b.size * half);
-    let scale = size_scale3(half_a, half_b);
-    let (half_a, half_b) = (half_a * scale, half_b * scale);
+    relate3_in(a, b, size_scale3(a.size * half, b.size * half))
+}
+
+/// Sees `b` from `a` in units of `1 / scale`, a power of two.
+#[inline(always)]
+pub(crate) fn relate3_in<S: Scalar>(a: Obb3<S>, b: Obb3<S>, scale: S) -> Relative3<S> {
+    let half = S::lit(0.5);
+    let (half_a, half_b) = (a.size * half * scale, b.size * half * scale);
     let (dx, lost_x) = difference(a.center.x, b.center.x, scale);
     let (dy, lost_y) = difference(a.center.y, b.center.y, scale);
     let (dz, lost_z) = difference(a.center.z, b.center.z, scale);

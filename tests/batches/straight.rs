@@ -144,8 +144,8 @@ fn gradients() {
     }
     each! {
         DistancePointSegment DistancePointCircle DistancePointTriangle DistanceSegments DistanceObb2
-        SignedDistancePointObb2 DistanceSquaredPointSegment GiouObb2 GiouAabb2 GiouBoxObb2 DiouAabb2
-        DiouBoxObb2 DiouBoxAabb2 EiouObb2 EiouAabb2 HullAreaObb2 HullAreaAabb2 AreaTriangle
+        SignedDistancePointObb2 DistanceSquaredPointSegment GiouObb2 GiouAabb2 GiouHullAabb2
+        GiouAabbObb2 DiouAabb2 DiouHullAabb2 DiouAabbObb2 EiouObb2 EiouAabb2 HullAreaObb2 HullAreaAabb2 AreaTriangle
         PerimeterTriangle SignedAreaQuad PerimeterQuad
     }
 }

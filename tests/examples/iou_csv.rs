@@ -102,11 +102,16 @@ fn the_column_bears_the_name_of_the_metric() {
     near(scores(&at, "--a a.csv --b half.csv --metric iof")[0], 0.5);
     // Proportions that differ: v = 4/π² (atan 1 − atan ½)².
     let v = 4.0 / std::f64::consts::PI.powi(2) * (1.0_f64.atan() - 0.5_f64.atan()).powi(2);
-    let expected = -16.0 / 52.0 - v * v / (1.0 + v);
-    near(
-        scores(&at, "--a a.csv --b b.csv --metric ciou")[0],
-        expected,
-    );
+    for (metric, expected) in [
+        ("ciou", -16.0 / 45.0 - v * v / (1.0 + v)),
+        ("ciou --enclosing aabb", -16.0 / 52.0 - v * v / (1.0 + v)),
+        ("diou --enclosing aabb", -16.0 / 52.0),
+        ("eiou", -16.0 / 45.0 - 4.0 / 45.0),
+        ("eiou --enclosing aabb", -16.0 / 52.0 - 4.0 / 16.0),
+    ] {
+        let found = scores(&at, &format!("--a a.csv --b b.csv --metric {metric}"));
+        near(found[0], expected);
+    }
     let (header, _) = table(&at, "--a a.csv --b b.csv --metric ciou --grad");
     assert_eq!(header, "ciou,dax,day,daw,dah,dar,dbx,dby,dbw,dbh,dbr");
 }
@@ -127,7 +132,9 @@ fn upright_boxes() {
         ("giou", 2.0 / 14.0 - (18.0 - 14.0) / 18.0),
         ("diou", 2.0 / 14.0 - 2.0 / 22.0),
         ("diou-box", 2.0 / 14.0 - 2.0 / 22.0),
+        ("diou --enclosing rect", 2.0 / 14.0 - 2.0 / 22.0),
         ("ciou", 2.0 / 14.0 - 2.0 / 22.0),
+        ("eiou", 2.0 / 14.0 - 2.0 / 22.0),
     ] {
         let found = scores(
             &at,
@@ -153,6 +160,9 @@ fn upright_boxes() {
         "diou",
         "diou-box",
         "ciou",
+        "ciou --enclosing rect",
+        "eiou",
+        "eiou --enclosing aabb",
     ] {
         let options = format!("--format yaw3 --metric {metric}");
         slopes_agree(&at, &options, [&a, &b], number, [7, 7]);
@@ -177,9 +187,10 @@ fn boxes_of_any_orientation() {
         "iou",
         "iof",
         "giou --enclosing aabb",
-        "diou",
+        "diou --enclosing aabb",
         "diou-box",
-        "ciou",
+        "ciou --enclosing aabb",
+        "eiou --enclosing aabb",
     ] {
         let tilted = scores(
             &at,
@@ -226,6 +237,7 @@ fn boxes_of_any_orientation() {
         "diou",
         "diou-box",
         "ciou",
+        "eiou",
     ] {
         let options = format!("--format obb3 --metric {metric}");
         slopes_agree(&at, &options, [&a, &b], moved, [9, 9]);

@@ -227,7 +227,19 @@ fn wrong_command_lines() {
             "iou_csv",
             "--a a.csv --b b.csv --format polygons --metric ciou",
         ),
+        (
+            "iou_csv",
+            "--a a.csv --b b.csv --format polygons --metric eiou",
+        ),
         ("iou_csv", "--a a.csv --b b.csv --enclosing aabb"),
+        (
+            "iou_csv",
+            "--a a.csv --b b.csv --metric diou-box --enclosing aabb",
+        ),
+        (
+            "iou_csv",
+            "--a a.csv --b b.csv --metric diou --enclosing rect",
+        ),
         (
             "iou_csv",
             "--a a.csv --b b.csv --metric giou --enclosing tent",

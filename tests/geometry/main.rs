@@ -19,6 +19,7 @@ mod ring;
 mod rotation;
 mod scalar;
 mod shape;
+mod solid_scores;
 mod solids;
 mod source;
 mod toolbox;

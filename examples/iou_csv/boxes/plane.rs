@@ -3,7 +3,10 @@ use super::{Boxes, Pairs, Scores, on_cpu, on_scores};
 use crate::metric::{Enclosing, Metric};
 use crate::number::Number;
 use geograd::iou3::smallest_rectangle;
-use geograd::kernels::{Backend, CiouObb2, DiouBoxObb2, DiouObb2, GiouBoxObb2, GiouObb2};
+use geograd::kernels::{
+    Backend, CiouAabbObb2, CiouObb2, DiouAabbObb2, DiouObb2, EiouAabbObb2, EiouObb2, GiouAabbObb2,
+    GiouObb2,
+};
 use geograd::{Error, Obb2, Program, Scalar, Sym};
 
 /// GIoU with the rectangle of least area around both, from their IoU.
@@ -18,7 +21,7 @@ fn giou_in_rectangle<S: Scalar>(a: Obb2<S>, b: Obb2<S>, iou: S) -> S {
 }
 
 /// GIoU from the sizes of two boxes and of what is around them, and their IoU.
-pub fn giou_in<S: Scalar>(a: S, b: S, around: S, iou: S) -> S {
+fn giou_in<S: Scalar>(a: S, b: S, around: S, iou: S) -> S {
     let point = around.at_most(S::zero());
     let union = (a + b).over(S::one() + iou);
     let covered = union.over(S::select(point, S::one(), around));
@@ -45,16 +48,20 @@ impl<T: Number> Boxes for Obb2<T> {
             Metric::Iou => T::iou(backend, pairs, grad),
             Metric::Iof => T::iof(backend, pairs, grad),
             Metric::Giou(Enclosing::Hull) => on_cpu(GiouObb2, pairs, grad),
-            Metric::Giou(Enclosing::Aabb) => on_cpu(GiouBoxObb2, pairs, grad),
+            Metric::Giou(Enclosing::Aabb) => on_cpu(GiouAabbObb2, pairs, grad),
             Metric::Giou(Enclosing::Rect) => {
                 let ious = T::iou(Backend::Cpu, pairs, grad)?;
                 type Known<T> = (Obb2<Sym<T>>, Obb2<Sym<T>>, Sym<T>);
                 let giou = |(a, b, iou): Known<T>| giou_in_rectangle(a, b, iou);
                 on_scores(&Program::trace(giou)?, pairs, ious)
             }
-            Metric::Diou => on_cpu(DiouObb2, pairs, grad),
-            Metric::DiouBox => on_cpu(DiouBoxObb2, pairs, grad),
-            Metric::Ciou => on_cpu(CiouObb2, pairs, grad),
+            // The command line has no rectangle for these.
+            Metric::Diou(Enclosing::Hull | Enclosing::Rect) => on_cpu(DiouObb2, pairs, grad),
+            Metric::Diou(Enclosing::Aabb) | Metric::DiouBox => on_cpu(DiouAabbObb2, pairs, grad),
+            Metric::Ciou(Enclosing::Hull | Enclosing::Rect) => on_cpu(CiouObb2, pairs, grad),
+            Metric::Ciou(Enclosing::Aabb) => on_cpu(CiouAabbObb2, pairs, grad),
+            Metric::Eiou(Enclosing::Hull | Enclosing::Rect) => on_cpu(EiouObb2, pairs, grad),
+            Metric::Eiou(Enclosing::Aabb) => on_cpu(EiouAabbObb2, pairs, grad),
         }
     }
 }

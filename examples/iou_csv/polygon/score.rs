@@ -65,7 +65,7 @@ fn ordinary<T: Number>(
         add(&own_areas(a, b, [each, each]), one);
     }
     match metric {
-        Metric::Iou | Metric::Iof | Metric::Ciou => iou,
+        Metric::Iou | Metric::Iof | Metric::Ciou(_) | Metric::Eiou(_) => iou,
         Metric::Giou(around) => {
             let hull = match around {
                 Enclosing::Aabb => bounding_area(a, b),
@@ -81,9 +81,9 @@ fn ordinary<T: Number>(
             // Rounding can leave the hull a little smaller than what it encloses.
             iou - over((hull.value - union).most(zero), hull.value)
         }
-        Metric::Diou | Metric::DiouBox => {
+        Metric::Diou(_) | Metric::DiouBox => {
             let around = match metric {
-                Metric::Diou => diameter(a, b),
+                Metric::Diou(Enclosing::Hull | Enclosing::Rect) => diameter(a, b),
                 _ => diagonal(a, b),
             };
             let (from, to) = (ring::centroid(&a.vertices), ring::centroid(&b.vertices));

@@ -5,6 +5,7 @@ mod cases;
 mod exact;
 mod iou;
 mod overlap;
+mod published;
 mod rings;
 mod scanline;
 mod shapes;

@@ -1,0 +1,224 @@
+//! The rectangle of least area around two boxes of the plane.
+//!
+//! A side of it lies along an edge of the convex hull. As in [`iou`](crate::iou::HullOfBoxes), the normals of
+//! the eight sides come in turns, one of a, one of b; between two neighbours the hull goes over from a corner
+//! of one box to one of the other where not the same box reaches farther along both. That is eight directions,
+//! and those of both boxes' own sides are two more; nothing is sorted.
+//!
+//! Several directions often give the same area: where boxes have one centre, opposite edges do. Areas, and
+//! lengths along a direction, count as equal when they differ by no more than rounding makes them differ;
+//! equal ones share the slope.
+use crate::clip::{Relative, frame, relate};
+use crate::iou::unit;
+use crate::{Obb2, Scalar, Vec2};
+
+/// How many roundings apart numbers count as equal.
+const ROUNDINGS: f64 = 16.0;
+
+/// The rectangle of least area, in units of `1 / scale`; the mean of all of that area.
+pub(super) struct Rectangle<S> {
+    pub area: S,
+    /// The square of the diagonal.
+    pub diagonal: S,
+    /// The size along the side nearer to the first box's own x axis, and across.
+    pub size: Vec2<S>,
+}
+
+/// A rectangle along a direction of any length.
+struct Along<S: Scalar> {
+    length: S,
+    width: S,
+    /// The square of the length of the direction.
+    squared: S,
+    /// Where the direction is nearer to y than to x.
+    steep: S::Mask,
+    /// Where it is along an edge of the hull.
+    is_edge: S::Mask,
+}
+
+/// Numbers as constants: whether the first is larger, as 1, 0, or ½ for as good as a tie.
+#[inline(always)]
+fn weight<S: Scalar>(x: S, terms: [S; 3]) -> S::Primal {
+    let [a, b, c] = terms.map(S::primal);
+    let (x, y) = (x.primal(), (a + b) + c);
+    let all = x + (a.unsigned() + b + c);
+    let near = (x - y)
+        .unsigned()
+        .at_most(all * S::Primal::lit(ROUNDINGS * S::EPSILON));
+    let won = S::Primal::select(x.above(y), S::Primal::one(), S::Primal::zero());
+    S::Primal::select(near, S::Primal::lit(0.5), won)
+}
+
+/// The farther one of what a reaches and what b reaches from its centre at `way`; as good as a tie shares
+/// the slope.
+#[inline(always)]
+fn farther<S: Scalar>(own: S, way: S, other: S) -> S {
+    let reach = way + other;
+    let all = (own.primal() + way.primal().unsigned()) + other.primal();
+    let slack = S::from_primal(all * S::Primal::lit(ROUNDINGS * S::EPSILON));
+    let near = (own - reach).unsigned().at_most(slack);
+    let longer = S::select(own.below(reach), reach, own);
+    S::select(near, own.halved() + reach.halved(), longer)
+}
+
+/// Both boxes in the frame of a, mirrored so that b is turned counter-clockwise.
+struct Seen<S: Scalar> {
+    center: Vec2<S>,
+    turn: Vec2<S>,
+    half_a: Vec2<S>,
+    half_b: Vec2<S>,
+}
+
+impl<S: Scalar> Seen<S> {
+    #[inline(always)]
+    fn of(pair: &Relative<S>) -> Self {
+        let mirrored = pair.sin.below(S::zero());
+        Seen {
+            center: Vec2::new(pair.u, S::select(mirrored, -pair.v, pair.v)),
+            turn: Vec2::new(pair.cos, pair.sin.unsigned()),
+            half_a: pair.half_a,
+            half_b: pair.half_b,
+        }
+    }
+    #[inline(always)]
+    fn along(&self, way: Vec2<S>, is_edge: S::Mask) -> Along<S> {
+        let way = way * unit([way.x, way.y]);
+        let (x, y, turn) = (way.x, way.y, self.turn);
+        let in_b = Vec2::new(x * turn.x + y * turn.y, y * turn.x - x * turn.y);
+        let shadow = |x: S, y: S, half: Vec2<S>| x.magnitude() * half.x + y.magnitude() * half.y;
+        let extent = |center: S, own: S, other: S| {
+            farther(own, center, other) + farther(own, -center, other)
+        };
+        let c = self.center;
+        let squared = way.length_squared();
+        let point = squared.at_most(S::zero());
+        Along {
+            length: extent(
+                x * c.x + y * c.y,
+                shadow(x, y, self.half_a),
+                shadow(in_b.x, in_b.y, self.half_b),
+            ),
+            width: extent(
+                x * c.y - y * c.x,
+                shadow(y, x, self.half_a),
+                shadow(in_b.y, in_b.x, self.half_b),
+            ),
+            squared: S::select(point, S::one(), squared),
+            steep: x.unsigned().below(y.unsigned()),
+            is_edge: is_edge & !point,
+        }
+    }
+    /// The ten directions.
+    #[inline(always)]
+    fn directions(&self) -> [Along<S>; 10] {
+        let (c, turn, a, b) = (self.center, self.turn, self.half_a, self.half_b);
+        let (p, q) = (
+            Vec2::new(b.x * turn.x, b.x * turn.y),
+            Vec2::new(-(b.y * turn.y), b.y * turn.x),
+        );
+        // How far b reaches along the sides of a, and a along those of b.
+        let (bx, by) = (p.x - q.x, p.y + q.y);
+        let (ax, ay) = (a.x * turn.x + a.y * turn.y, a.y * turn.x + a.x * turn.y);
+        let (e, f) = (c.x * turn.x + c.y * turn.y, c.y * turn.x - c.x * turn.y);
+        let zero = S::zero();
+        let of_a = [
+            weight(a.x, [c.x, bx, zero]),
+            weight(a.y, [c.y, by, zero]),
+            weight(a.x, [-c.x, bx, zero]),
+            weight(a.y, [-c.y, by, zero]),
+        ];
+        let one = S::Primal::one();
+        let of_b = [
+            one - weight(b.x, [-e, ax, zero]),
+            one - weight(b.y, [-f, ay, zero]),
+            one - weight(b.x, [e, ax, zero]),
+            one - weight(b.y, [f, ay, zero]),
+        ];
+        let differ = |x: S::Primal, y: S::Primal| !x.equals(y);
+        let (none, all) = (S::Primal::zero(), one);
+        let sides_of_a = differ(of_a[0], none)
+            | differ(of_a[1], none)
+            | differ(of_a[2], none)
+            | differ(of_a[3], none);
+        let sides_of_b = differ(of_b[0], all)
+            | differ(of_b[1], all)
+            | differ(of_b[2], all)
+            | differ(of_b[3], all);
+        // From a corner of a to one of b.
+        let over = |side: Vec2<S>, arm: Vec2<S>| (c + arm) - side;
+        let [a0, a1] = [a, Vec2::new(-a.x, a.y)];
+        let (b0, b1) = (p + q, q - p);
+        let minus = |v: Vec2<S>| Vec2::new(-v.x, -v.y);
+        [
+            self.along(Vec2::new(S::one(), S::zero()), sides_of_a),
+            self.along(turn, sides_of_b),
+            self.along(over(a0, minus(b1)), differ(of_a[0], of_b[0])),
+            self.along(over(a0, b0), differ(of_b[0], of_a[1])),
+            self.along(over(a1, b0), differ(of_a[1], of_b[1])),
+            self.along(over(a1, b1), differ(of_b[1], of_a[2])),
+            self.along(over(minus(a0), b1), differ(of_a[2], of_b[2])),
+            self.along(over(minus(a0), minus(b0)), differ(of_b[2], of_a[3])),
+            self.along(over(minus(a1), minus(b0)), differ(of_a[3], of_b[3])),
+            self.along(over(minus(a1), minus(b1)), differ(of_b[3], of_a[0])),
+        ]
+    }
+}
+
+/// The rectangle of least area around a related pair.
+#[inline(always)]
+pub(super) fn least_rectangle<S: Scalar>(pair: &Relative<S>) -> Rectangle<S> {
+    let all = Seen::of(pair).directions();
+    let area = |x: &Along<S>| (x.length * x.width).over(x.squared);
+    let mut least = S::Primal::lit(S::LARGEST);
+    for x in &all {
+        let own = area(x).primal();
+        let better = x.is_edge & own.below(least);
+        least = S::Primal::select(better, own, least);
+    }
+    let slack = least * S::Primal::lit(1.0 + ROUNDINGS * S::EPSILON);
+    let (mut count, zero) = (S::Primal::zero(), S::zero());
+    let mut sum = Rectangle {
+        area: zero,
+        diagonal: zero,
+        size: Vec2::zero(),
+    };
+    for x in &all {
+        let own = area(x);
+        let takes = x.is_edge & own.primal().at_most(slack);
+        let taken = |value: S| S::select(takes, value, zero);
+        count = count + S::Primal::select(takes, S::Primal::one(), S::Primal::zero());
+        sum.area += taken(own);
+        let diagonal = x.length.squared() + x.width.squared();
+        sum.diagonal += taken(diagonal.over(x.squared));
+        let by = x.squared.root();
+        let (length, width) = (x.length.over(by), x.width.over(by));
+        sum.size.x += taken(S::select(x.steep, width, length));
+        sum.size.y += taken(S::select(x.steep, length, width));
+    }
+    let mean = |x: S| x.over(S::from_primal(count));
+    Rectangle {
+        area: mean(sum.area),
+        diagonal: mean(sum.diagonal),
+        size: Vec2::new(mean(sum.size.x), mean(sum.size.y)),
+    }
+}
+
+/// The size of the rectangle of least area around two boxes of the plane, in units of length: along the side
+/// nearer to the first box's own x axis, and across. Of several that are equal to within rounding the mean.
+///
+/// Kinks: where another direction becomes the best; exact ties, and what differs by less than rounding,
+/// share the slope.
+///
+/// ```
+/// use geograd::{Obb2, Vec2, iou3::smallest_rectangle};
+/// let (a, b) = (Obb2::new(0.0, 0.0, 4.0, 2.0, 0.0), Obb2::new(3.0, 0.0, 2.0, 2.0, 0.0));
+/// assert_eq!(smallest_rectangle(a, b), Vec2::new(6.0, 2.0));
+/// ```
+#[must_use]
+pub fn smallest_rectangle<S: Scalar>(a: Obb2<S>, b: Obb2<S>) -> Vec2<S> {
+    let (a, b) = (frame(a), frame(b));
+    let scale = crate::iou::unit_of_pair(&a, &b);
+    let size = least_rectangle(&relate::<S, true>(a, b, scale)).size;
+    let outer = |x: S| x.over(scale).saturated().canonical();
+    Vec2::new(outer(size.x), outer(size.y))
+}
