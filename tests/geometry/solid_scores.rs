@@ -232,7 +232,7 @@ fn scores_of_turned_boxes_are_those_of_their_corners_and_do_not_turn() {
             &(family, a, b),
         );
         // The whole turned and moved.
-        let motion = Pose3::new(random_rotation(&mut random), random.vector(4.0 * a.size.x));
+        let motion = Pose3::new(random.vector(4.0 * a.size.x), random_rotation(&mut random));
         let (c, d) = (motion * a, motion * b);
         let turned = [
             GiouObb3::eval,
