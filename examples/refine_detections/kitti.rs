@@ -18,6 +18,10 @@ const TOLD: usize = 20;
 pub struct Report {
     /// Lines that could not be used.
     pub bad: usize,
+    /// Detections that were read.
+    pub detections: usize,
+    /// Labelled boxes that were read.
+    pub truths: usize,
 }
 
 /// Detections: `frame, class (1 pedestrian, 2 car, 3 cyclist), image box x1, y1, x2, y2, score, h,
@@ -27,9 +31,11 @@ pub fn read_detections(
     frames: &mut Frames,
     report: &mut Report,
 ) -> Result<(), String> {
+    let (mut read, before) = (0, report.bad);
     each_line(path, report, |line| {
         let fields: Vec<&str> = line.split(',').map(str::trim).collect();
         let fields = Fields::new(&fields, 15)?;
+        fields.unused(&[(2, "x1"), (3, "y1"), (4, "x2"), (5, "y2"), (14, "alpha")])?;
         let class = match fields.text(1) {
             "1" => Class::Pedestrian,
             "2" => Class::Car,
@@ -50,19 +56,31 @@ pub fn read_detections(
             .or_default()
             .detections
             .push(detection);
+        read += 1;
         Ok(())
-    })
+    })?;
+    tell_nothing(path, "detections", read, report.bad - before);
+    report.detections += read;
+    Ok(())
 }
 
 /// Ground truth: `frame, track id, class name, truncated, occluded, alpha, image box x1 y1 x2 y2, h
 /// w l, x y z, rotation_y`. Regions marked DontCare have no geometry and are passed over.
 pub fn read_labels(path: &Path, frames: &mut Frames, report: &mut Report) -> Result<(), String> {
+    let (mut read, before) = (0, report.bad);
     each_line(path, report, |line| {
         let fields: Vec<&str> = line.split_whitespace().collect();
         if fields.get(2) == Some(&"DontCare") {
             return Ok(());
         }
         let fields = Fields::new(&fields, 17)?;
+        fields.unused(&[
+            (1, "track id"),
+            (3, "truncated"),
+            (4, "occluded"),
+            (5, "alpha"),
+        ])?;
+        fields.unused(&[(6, "x1"), (7, "y1"), (8, "x2"), (9, "y2")])?;
         let truth = Seen {
             class: match fields.text(2) {
                 "Car" => Class::Car,
@@ -76,6 +94,7 @@ pub fn read_labels(path: &Path, frames: &mut Frames, report: &mut Report) -> Res
         };
         let frame = frames.entry(fields.frame()?).or_default();
         frame.truths.push(truth);
+        read += 1;
         let class = match fields.text(2) {
             "Van" => Class::Car,
             "Person" | "Person_sitting" => Class::Pedestrian,
@@ -83,7 +102,28 @@ pub fn read_labels(path: &Path, frames: &mut Frames, report: &mut Report) -> Res
         };
         frame.alike.push(Seen { class, ..truth });
         Ok(())
-    })
+    })?;
+    tell_nothing(path, "labelled boxes", read, report.bad - before);
+    report.truths += read;
+    Ok(())
+}
+
+/// Tells a file of which nothing could be read.
+fn tell_nothing(path: &Path, what: &str, read: usize, bad: usize) {
+    let name = path.display();
+    match (read, bad) {
+        (0, 0) => eprintln!("{name}: no {what} in it"),
+        (0, _) => eprintln!("{name}: no {what} in it but bad lines"),
+        _ => {}
+    }
+}
+
+/// So many bad lines, in words.
+pub fn bad_lines(count: usize) -> String {
+    match count {
+        1 => "1 bad line".to_string(),
+        _ => format!("{count} bad lines"),
+    }
 }
 
 /// Every line that is not blank; what is wrong with one is told with file and line number.
@@ -110,7 +150,7 @@ fn each_line(
         }
     }
     if bad > TOLD {
-        eprintln!("{name}: and {} more bad lines", bad - TOLD);
+        eprintln!("{name}: and another {}", bad_lines(bad - TOLD));
     }
     report.bad += bad;
     Ok(())
@@ -130,6 +170,14 @@ impl<'a> Fields<'a> {
 
     fn text(&self, i: usize) -> &'a str {
         self.0[i]
+    }
+
+    /// Columns that nothing here depends on: numbers all the same, or the line is not what it should be.
+    fn unused(&self, columns: &[(usize, &str)]) -> Result<(), String> {
+        for &(i, name) in columns {
+            self.number(i, name)?;
+        }
+        Ok(())
     }
 
     fn frame(&self) -> Result<u32, String> {

@@ -64,6 +64,15 @@ fn load(options: &Options) -> Result<(Frames, usize), Failure> {
         kitti::read_detections(path, &mut frames, &mut report).map_err(Failure::Work)?;
     }
     kitti::read_labels(labels, &mut frames, &mut report).map_err(Failure::Work)?;
+    let nothing = [
+        (report.detections, "detections"),
+        (report.truths, "labelled boxes"),
+    ];
+    if let Some((_, what)) = nothing.iter().find(|(count, _)| *count == 0) {
+        return Err(Failure::Work(format!(
+            "there is nothing to match: no {what}"
+        )));
+    }
     Ok((frames, report.bad))
 }
 
@@ -217,7 +226,9 @@ fn run(options: &Options) -> Result<bool, Failure> {
         "\nFrame {at} before and after is drawn in {name}.\n"
     ));
     if bad_lines > 0 {
-        eprintln!("{PROGRAM}: {bad_lines} bad lines were left out");
+        let were = if bad_lines == 1 { "was" } else { "were" };
+        let lines = kitti::bad_lines(bad_lines);
+        eprintln!("{PROGRAM}: {lines} {were} left out");
     }
     Ok(bad_lines > 0)
 }

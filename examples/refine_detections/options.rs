@@ -54,7 +54,7 @@ overlap among all detections and among all truths of the detected classes. Other
 and DontCare regions are left out. Before and after are matched afresh.
 
 Exit status: 0 when all went well; 1 for lines that could not be used (each is told on stderr, the
-rest goes on), files that cannot be read or written, and a GPU that fails (nothing is drawn then);
+rest goes on), files without any detection or any label, files that cannot be read or written, and a GPU that fails (nothing is drawn then);
 2 for a wrong command line.
 ";
 

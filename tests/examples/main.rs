@@ -404,9 +404,11 @@ fn refine_detections_tells_bad_lines_and_goes_on() {
         0,2,0,0,1,1,9.5,1.5,1.7,-4.2,2.0,1.6,12.0,-1.57,0\n\
         0,9,0,0,1,1,9.5,1.5,1.7,4.2,2.0,1.6,12.0,-1.57,0\n\
         zero,2,0,0,1,1,9.5,1.5,1.7,4.2,2.0,1.6,12.0,-1.57,0\n\
-        0,2,0,0,1,1,9.5,1.5,1.7,4.2,inf,1.6,12.0,-1.57,0\n\n";
+        0,2,0,0,1,1,9.5,1.5,1.7,4.2,inf,1.6,12.0,-1.57,0\n\
+        0,2,0,0,1,1,9.5,1.5,1.7,4.2,2.0,1.6,12.0,-1.57,none\n\n";
     std::fs::write(at.join("seen.txt"), format!("{bad}{DETECTIONS}")).unwrap();
-    let bad = "0 3 Car 0 0 0 0 0 1 1 1.5 wide 4.4 2.1 1.6 12.2 -1.5\n";
+    let bad = "0 3 Car 0 0 0 0 0 1 1 1.5 wide 4.4 2.1 1.6 12.2 -1.5\n\
+        0 3 Car 0 0 0 left 0 1 1 1.5 1.7 4.4 2.1 1.6 12.2 -1.5\n";
     std::fs::write(at.join("true.txt"), format!("{LABELS}{bad}")).unwrap();
     let done = run(
         "refine_detections",
@@ -421,24 +423,56 @@ fn refine_detections_tells_bad_lines_and_goes_on() {
         "seen.txt:4: frame is not a whole number: `zero`",
         "seen.txt:5: x is not finite: `inf`",
         "true.txt:6: w is not a number: `wide`",
-        "6 bad lines were left out",
+        "true.txt:7: x1 is not a number: `left`",
+        "seen.txt:6: alpha is not a number: `none`",
+        "8 bad lines were left out",
     ] {
         assert!(stderr(&done).contains(told), "{told}: {}", stderr(&done));
     }
     // The rest went on.
     assert_eq!(row(&done, "matches"), [3.0, 3.0]);
     assert!(at.join("refine_detections.svg").exists());
+    std::fs::write(at.join("true.txt"), LABELS).unwrap();
+    std::fs::write(at.join("seen.txt"), format!("{DETECTIONS}?\n")).unwrap();
+    let done = run(
+        "refine_detections",
+        &at,
+        "--detections seen.txt --labels true.txt",
+    );
+    assert!(stderr(&done).contains("1 bad line was left out"));
 }
 
 #[test]
 fn refine_detections_without_anything() {
     let at = folder("refine_nothing");
     std::fs::write(at.join("none.txt"), "").unwrap();
-    let files = "--detections none.txt --labels none.txt";
-    for arguments in [files, "--frames 0"] {
-        let done = run("refine_detections", &at, arguments);
-        assert_eq!((status(&done), stderr(&done)), (0, ""));
-        assert_eq!(row(&done, "boxes"), [0.0, 0.0]);
+    let done = run("refine_detections", &at, "--frames 0");
+    assert_eq!((status(&done), stderr(&done)), (0, ""));
+    assert_eq!(row(&done, "boxes"), [0.0, 0.0]);
+    // Files without anything are told, and without detections or labels there is nothing to do.
+    std::fs::write(at.join("seen.txt"), DETECTIONS).unwrap();
+    std::fs::write(at.join("true.txt"), LABELS).unwrap();
+    for (detections, labels, told, code) in [
+        ("none.txt", "true.txt", "none.txt: no detections in it", 1),
+        (
+            "seen.txt",
+            "none.txt",
+            "none.txt: no labelled boxes in it",
+            1,
+        ),
+        (
+            "none.txt seen.txt",
+            "true.txt",
+            "none.txt: no detections in it",
+            0,
+        ),
+    ] {
+        let files = format!("--detections {detections} --labels {labels}");
+        let done = run("refine_detections", &at, &files);
+        assert_eq!(status(&done), code, "{files}: {}", stderr(&done));
+        assert!(stderr(&done).contains(told), "{files}: {}", stderr(&done));
+        let nothing = stderr(&done).contains("there is nothing to match");
+        assert_eq!(nothing, code == 1, "{files}: {}", stderr(&done));
     }
 }
 
