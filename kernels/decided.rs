@@ -13,6 +13,10 @@ use std::hash::Hash;
 use std::sync::Arc;
 
 /// An operation with a search.
+///
+/// Batches run those of the [list](crate::for_each_op). One of another crate is proved by the harness
+/// ([`prove_decided_with`](crate::kernels::check::prove_decided_with)), but no batch takes it: that `Runs` is implemented
+/// for it by its input, which is not of that crate either, is what Rust's rule of orphans forbids.
 pub trait Decided: Copy + Debug + Default + Send + Sync + 'static {
     /// The name of the function, letter for letter.
     const NAME: &'static str;

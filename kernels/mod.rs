@@ -10,9 +10,20 @@
 //! | [`Cpu::ragged`], [`Cpu::fold`] | paths as vertices and offsets | one result per path |
 //!
 //! What runs is a value: an [operation](op), such as [`IouObb2`]; an operation with its gradient
-//! ([`value_grad`](Op::value_grad)); its adjoint ([`vjp`](Op::vjp)); an operation with a search
+//! ([`value_grad`](Op::value_grad)); its adjoint ([`vjp`](Op::vjp)); an operation of the list with a search
 //! ([`Decided`]); a [`Program`](crate::Program). Columns are slices, vectors or [`One`]. Forms that end in `_into` write to
 //! what the caller has. [`operation!`](crate::operation) makes a function an operation.
+//!
+//! # What goes in, and what comes out
+//!
+//! Shapes are checked before anything is computed: one that is not valid is an error that names it. Results are not
+//! checked. They are the function's, and the library's functions of finite shapes are finite; a function of one's own that
+//! has a pole gives infinity or NaN there, and so does its batch, for that item alone.
+//!
+//! Without pairs a sum is 0, a count 0 and a list empty. The mean is 0, too, with slopes of zero, as the loss of a step
+//! that matched nothing. A largest of nothing there is not: rows without columns are [`Error::Length`](crate::Error::Length).
+//!
+//! # Elsewhere
 //!
 //! The same calls run on GPUs, but for all pairs of searches: [`gpu`]. [`Backend`] is one front for both machines, and
 //! [`resident`] keeps columns and results where they are between its calls.

@@ -23,6 +23,13 @@
 //! answer is refused, as is one that uses symbols of another recording or literals that are not finite.
 //! Everything else that the function captures is baked in.
 //!
+//! # Guards
+//!
+//! What must not be divided by, or have its root taken, is replaced before the operation: `x.over(select(y == 0, 1, y))`.
+//! On the processor a check of the result does as well for values, but neither for slopes nor in WGSL, whose drivers
+//! may assume that no number is infinite or NaN: there [`finite`](crate::Scalar::finite) and
+//! [`saturated`](crate::Scalar::saturated) of `x / (y − y)` tell nothing.
+//!
 //! # Slopes
 //!
 //! Reverse mode follows the [rules at kinks](crate::scalar): ties share, and what a choice did not take

@@ -1,4 +1,7 @@
 //! Programs as functions of the shading language WGSL.
+//!
+//! A driver may assume that no number is infinite or NaN, so guards stand before the operations that need them: see
+//! [`program`](super).
 use super::graph::{Graph, Id, Node};
 use super::recorded::Recorded;
 use crate::Unrecordable;

@@ -322,7 +322,7 @@ impl Cpu {
         Ok((A::Scalar::drivers().sum)(&pairs(self, &face, a, b)?))
     }
 
-    /// The mean of all results; zero where there are none.
+    /// The mean of all results; zero where there are none, as the loss of a step that matched nothing.
     ///
     /// # Errors
     ///

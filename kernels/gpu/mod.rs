@@ -44,6 +44,10 @@
 //! from the processor's as that moves it: little, but where a function is steep or terms cancel. The harness
 //! measures it input by input ([`prove_on`](crate::kernels::check::prove_on)) and allows no more.
 //!
+//! Nor does WGSL promise infinities and NaN: a driver that finds a divisor to be always zero may put any number for the
+//! quotient. A function of one's own guards what it divides by, not the result
+//! ([Guards](crate::ad::program#guards)).
+//!
 //! ```no_run
 //! use geograd::kernels::gpu::Gpu;
 //! use geograd::kernels::{DistancePointSegment, IouObb2, One, Op};

@@ -6,6 +6,10 @@
 //! shapes only touch, the result is a point (one vertex) or a segment (two), where they are apart it is
 //! empty (none).
 //!
+//! Every vertex has one origin, as the record names it, and all of its slope is by that: a vertex that both polygons have
+//! is the first one's, or the crossing of two edges. So `clip(a, a)` has the slopes of its first argument alone, where
+//! [`overlap_polygon`](crate::overlap_polygon) and [`hull::merge`](crate::hull::merge()) share slopes between equals.
+//!
 //! For the area of what two polygons share nothing need be clipped: see
 //! [`overlap_polygon`](crate::overlap_polygon).
 pub(crate) mod crossing;

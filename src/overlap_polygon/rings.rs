@@ -150,7 +150,8 @@ impl<'a, S: Scalar<Mask = bool>> Pair<'a, S> {
     }
 }
 
-/// The area that two polygons share, from 0 to the area of the smaller one, in squared units of length.
+/// The area that two polygons share, from 0 to the area of the smaller one, in squared units of length. Exactly zero where
+/// their bounds are apart; of polygons apart whose bounds overlap, to a few roundings of the smaller area.
 /// See the [module](self).
 ///
 /// ```
@@ -187,7 +188,8 @@ pub fn union_area<'a, S: Scalar<Mask = bool>>(
 }
 
 /// Intersection over union of two polygons, in `[0, 1]`; exactly 1 with slope zero for the same vertices
-/// twice, zero with slope zero where they are apart or the union is empty. See the [module](self).
+/// twice, zero with slope zero where their bounds are apart or the union is empty. Of polygons apart whose bounds overlap
+/// it is zero to a few roundings, and so are its slopes. See the [module](self).
 ///
 /// ```
 /// use geograd::{Aabb2, Polygon, overlap_polygon::rings::iou};

@@ -1,6 +1,7 @@
 //! A lean forward-mode dual number: a value and `N` slopes, nothing else.
 //!
-//! The engine of the derivative drivers. It has the value of a plain computation to the bit, costs
+//! The engine of the derivative drivers. It has the value of a plain computation to the bit, but for results below the
+//! smallest normal number: exact ties add two halves there, and `atan2` in `f32` divides. It costs
 //! the same in every build profile, nests, and runs over SIMD lanes.
 use crate::Scalar;
 use crate::scalar::dual::Tangent;

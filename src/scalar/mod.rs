@@ -235,11 +235,16 @@ pub trait Scalar:
         (self - Self::from_primal(self.primal())) + Self::from_primal(value)
     }
     /// Whether the value is neither infinite nor NaN.
+    ///
+    /// A guard stands before the operation that needs it: `x.over(S::select(y.equals(zero), one, y))`, then a choice.
+    /// On a GPU a check of the result is none, because drivers fold a divisor that is always zero, and what they make
+    /// of the quotient is neither infinite nor NaN; nor does a check afterwards keep slopes finite.
     #[inline(always)]
     fn finite(self) -> Self::Mask {
         self.unsigned().at_most(Self::lit(Self::LARGEST))
     }
-    /// The nearest finite number.
+    /// The nearest finite number: for results that overflow. Not a guard of a division by zero, for which see
+    /// [`finite`](Scalar::finite).
     #[inline(always)]
     fn saturated(self) -> Self {
         let largest = Self::lit(Self::LARGEST);
