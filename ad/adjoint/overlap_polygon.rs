@@ -14,6 +14,7 @@
 //! crossing point itself is not differentiated, so nearly parallel edges are harmless. Where the
 //! edges lie along each other both count half.
 use crate::overlap_polygon::{Fan, Inside, SharedArea, Wedge, bounds_of_rings, measure, mixed};
+use crate::reference::choose;
 use crate::shape::edges;
 use crate::{ConvexPolygon, Mask, Scalar, Vec2};
 
@@ -187,11 +188,14 @@ fn combined<S: Scalar, const N: usize, const M: usize>(
     }
     let (own_a, own_b) = (own_slopes(&fan_a), own_slopes(&fan_b));
     let inter = S::select(shared.nothing, S::zero(), partials[0]);
+    let half = |own: Vec2<S>| Vec2::new(own.x.halved(), own.y.halved());
     for (bar, own) in a_bar.iter_mut().zip(own_a) {
-        *bar = seen.outer_slope(*bar * inter + own * partials[1], power);
+        let of_both = choose(shared.same, half(own), *bar);
+        *bar = seen.outer_slope(of_both * inter + own * partials[1], power);
     }
     for (bar, own) in b_bar.iter_mut().zip(own_b) {
-        *bar = seen.outer_slope(*bar * inter + own * partials[2], power);
+        let of_both = choose(shared.same, half(own), *bar);
+        *bar = seen.outer_slope(of_both * inter + own * partials[2], power);
     }
     (
         ConvexPolygon {

@@ -48,6 +48,8 @@ pub(crate) struct SharedArea<S: Scalar> {
     pub areas: [S; 3],
     /// Where nothing is shared: value and slopes are zero.
     pub nothing: S::Mask,
+    /// Where both are the same vertices in the same order: each has half the slopes of its own area.
+    pub same: S::Mask,
 }
 
 #[inline(always)]
@@ -80,6 +82,19 @@ fn pair_reference<S: Scalar>(a: &[Vec2<S>], b: &[Vec2<S>]) -> (Reference<S>, S::
     (seen.shifted(middle), in_a, apart)
 }
 
+/// Where two polygons are the same vertices in the same order.
+#[inline(always)]
+fn same_vertices<S: Scalar>(a: &[Vec2<S>], b: &[Vec2<S>]) -> S::Mask {
+    let zero = S::zero();
+    if a.len() != b.len() {
+        return zero.below(zero);
+    }
+    let pairs = a.iter().zip(b);
+    pairs.fold(zero.equals(zero), |same, (p, q)| {
+        same & p.x.equals(q.x) & p.y.equals(q.y)
+    })
+}
+
 /// Measures two convex polygons, given as the first `count_a` and `count_b` of some vertices (repeated
 /// ones change nothing).
 #[inline(always)]
@@ -98,6 +113,7 @@ fn measure_counted<S: Scalar, const N: usize, const M: usize>(
             seen,
             areas: [zero, area_a, area_b],
             nothing: apart,
+            same: !apart & apart,
         };
     }
     let mut twice = zero;
@@ -111,11 +127,14 @@ fn measure_counted<S: Scalar, const N: usize, const M: usize>(
     let beyond = area.above(S::from_primal(limit));
     let area = S::select(beyond, area.with_primal(limit), area);
     let separate = fan_a.separates(&fan_b) | fan_b.separates(&fan_a);
+    let same = same_vertices(&a[..count_a], &b[..count_b]);
+    let area = S::select(same, area_a.halved() + area_b.halved(), area);
     let nothing = apart | separate | area.at_most(zero);
     SharedArea {
         seen,
         areas: [S::select(nothing, zero, area), area_a, area_b],
         nothing,
+        same,
     }
 }
 
@@ -159,7 +178,7 @@ pub fn intersection_area_polygons<S: Scalar, const N: usize, const M: usize>(
 }
 
 /// Intersection over union of two convex polygons, in `[0, 1]`; exactly 1 with slope zero for the same
-/// polygon twice, zero with slope zero where the union is empty. See the [module](self).
+/// vertices in the same order, zero with slope zero where the union is empty. See the [module](self).
 ///
 /// ```
 /// use geograd::{Aabb2, ConvexPolygon, overlap_polygon::iou_polygons};
