@@ -69,6 +69,12 @@ pub trait Convex<S: Scalar>: Copy {
     fn farthest_distance<B: Convex<S>>(self, other: B) -> S {
         super::farthest_distance(self, other)
     }
+    /// The points between which that is: [`farthest_points`](super::farthest_points).
+    #[must_use]
+    #[inline]
+    fn farthest_points<B: Convex<S>>(self, other: B) -> super::FarthestPoints<S> {
+        super::farthest_points(self, other)
+    }
     /// The function of this shape and another one by the [formula](super::pair) for their kinds.
     #[doc(hidden)]
     #[inline]

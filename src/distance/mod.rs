@@ -14,6 +14,7 @@
 //! | [`closest_points`] | where: a point of each |
 //! | [`penetration`] | how far to shift one of them until they only touch, and in which direction |
 //! | [`farthest_distance`] | the longest way |
+//! | [`farthest_points`] | from where to where it goes |
 //! | [`segments::closest_points_of_segments`] | points and parameters of two segments |
 //! | [`upright`] | what all of these do for two axis-aligned boxes: their bounds alone |
 //! | [`turned`] | what all of these do for two rotated boxes: the frame of one of them, which keeps digits where faces are all but parallel |
@@ -60,6 +61,17 @@ pub use shapes::repeat_last;
 #[repr(C)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct ClosestPoints<S> {
+    /// The point of a.
+    pub on_a: Vec2<S>,
+    /// The point of b.
+    pub on_b: Vec2<S>,
+}
+
+/// A point of each of two shapes, as far apart as any.
+#[derive(Clone, Copy, Debug, PartialEq, crate::Shape)]
+#[repr(C)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+pub struct FarthestPoints<S> {
     /// The point of a.
     pub on_a: Vec2<S>,
     /// The point of b.
@@ -193,4 +205,56 @@ pub fn penetration<S: Scalar, A: Convex<S>, B: Convex<S>>(a: A, b: B) -> Penetra
 #[inline]
 pub fn farthest_distance<S: Scalar, A: Convex<S>, B: Convex<S>>(a: A, b: B) -> S {
     a.take_formula::<Farthest, B>(b)
+}
+
+/// The points between which [`farthest_distance`] is: corners of both, or the points of round shapes beyond their centres
+/// and ends. For bounded shapes; of a ray or a line only the given point counts.
+///
+/// Of several pairs that are equally far it is the first, counted along a's corners and then b's, so that both are
+/// corners: points jump where pairs tie. Of round shapes with one centre they are two ends of one diameter.
+///
+/// ```
+/// use geograd::{Aabb2, Circle, Vec2, distance::farthest_points};
+/// let square = Aabb2::new(0.0, 0.0, 10.0, 10.0);
+/// let found = farthest_points(square, Vec2::new(6.0, 4.0));
+/// assert_eq!((found.on_a, found.on_b), (Vec2::new(0.0, 10.0), Vec2::new(6.0, 4.0)));
+/// let found = farthest_points(Vec2::new(0.0, 0.0), Circle::new(Vec2::new(3.0, 4.0), 5.0));
+/// assert_eq!(found.on_b, Vec2::new(6.0, 8.0));
+/// ```
+#[must_use]
+#[inline]
+pub fn farthest_points<S: Scalar, A: Convex<S>, B: Convex<S>>(a: A, b: B) -> FarthestPoints<S> {
+    let (core_a, core_b) = (a.core(), b.core());
+    let origin = core_a.anchor();
+    let scale = edge::scale_of::<S>(core_a.extent(origin).most(core_b.extent(origin)));
+    let (seen_a, seen_b) = (core_a.placed(origin, scale), core_b.placed(origin, scale));
+    let (from, to) = (core_a.corners(), core_b.corners());
+    let (seen_a, seen_b) = (seen_a.corners(), seen_b.corners());
+    let corners = seen_a.as_ref().iter().zip(from.as_ref());
+    let candidates = corners.flat_map(|(&p, &on_a)| {
+        let others = seen_b.as_ref().iter().zip(to.as_ref());
+        others.map(move |(&q, &on_b)| (q - p, on_a, on_b))
+    });
+    let farther = |best: (Vec2<S>, Vec2<S>, Vec2<S>), other: (Vec2<S>, Vec2<S>, Vec2<S>)| {
+        let keep = other.0.length_squared().at_most(best.0.length_squared());
+        let pick = |x, y| edge::choose(keep, x, y);
+        (
+            pick(best.0, other.0),
+            pick(best.1, other.1),
+            pick(best.2, other.2),
+        )
+    };
+    let best = candidates.reduce(farther);
+    let (way, mut on_a, mut on_b) = best.expect("a core has at least one corner");
+    if A::ROUND || B::ROUND {
+        let none = way.x.equals(S::zero()) & way.y.equals(S::zero());
+        let along = Vec2::new(S::one(), S::zero());
+        let direction = relation::direction(edge::choose(none, along, way));
+        on_a -= direction * a.radius();
+        on_b += direction * b.radius();
+    }
+    FarthestPoints {
+        on_a: on_a.canonical(),
+        on_b: on_b.canonical(),
+    }
 }

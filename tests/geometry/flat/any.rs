@@ -1,5 +1,5 @@
 //! One type for every convex shape, so that one test runs over all pairs.
-use geograd::distance::{self, ClosestPoints, Penetration};
+use geograd::distance::{self, ClosestPoints, FarthestPoints, Penetration};
 use geograd::{
     Aabb2, Capsule2, Circle, Line2, Obb2, Pose2, Ray2, Scalar, Segment2, Triangle2, Vec2,
 };
@@ -82,6 +82,9 @@ impl<S: Scalar> Any<S> {
     }
     pub fn farthest(self, other: Self) -> S {
         with!(self, a => with!(other, b => distance::farthest_distance(a, b)))
+    }
+    pub fn farthest_points(self, other: Self) -> FarthestPoints<S> {
+        with!(self, a => with!(other, b => distance::farthest_points(a, b)))
     }
     pub fn moved(self, pose: Pose2<S>) -> Self {
         match self {

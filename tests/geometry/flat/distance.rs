@@ -77,6 +77,11 @@ fn values_are_those_of_the_hull_of_differences() {
                 "{}",
                 context()
             );
+            let ends = x.farthest_points(y);
+            let (p, q) = (ends.on_a, ends.on_b);
+            assert!((p.distance(q) - far).abs() < 1e-13, "{}", context());
+            assert!(oracle::holds((i, &a), [p.x, p.y], 1e-13), "{}", context());
+            assert!(oracle::holds((j, &b), [q.x, q.y], 1e-13), "{}", context());
         }
     });
 }
