@@ -2,6 +2,8 @@
 use crate::forms::{self, Format, Given, Gradients, Of, Pairs, flat, round};
 use crate::{paths, print};
 use geograd::ad::check::sample::Sample;
+#[cfg(feature = "gpu")]
+use geograd::ad::program::WGSL as PRELUDE;
 use geograd::kernels::{Decided, Fold, Op, RingOp};
 use geograd::{Fixed, Pack, Vec2};
 
@@ -79,10 +81,13 @@ fn shaders(operation: &str, sources: Sources) -> Vec<(String, u64)> {
                 let end = if extreme { "_extreme" } else { "" };
                 format!("by_hand_{}{end}", words(kernel))
             }
+            None if name == operation => "by_hand".to_owned(),
             None => words(name.strip_prefix(operation).unwrap_or(name)),
         }
     };
-    let hash = |(name, text): (String, String)| (form(&name), print::of_text(&text));
+    // The functions that all of them begin with have a line of their own.
+    let own = |text: &str| print::of_text(text.strip_prefix(PRELUDE).unwrap_or(text));
+    let hash = |(name, text): (String, String)| (form(&name), own(&text));
     sources.into_iter().map(hash).collect()
 }
 
@@ -176,9 +181,13 @@ macro_rules! list {
                 $(entries!(all, $fold, |F: $fold_op| fold_sources(F::default()));)*
                 $(entries!(all, $more_fold, |F: $more_fold_op| fold_sources(F::default()));)*
                 all.push(Entry {
-                    row: "searches",
+                    row: "all_shaders",
                     format: WGSL,
-                    run: || shaders("", Ok(vec![("replay".to_owned(), replay_source())])),
+                    run: || {
+                        let mut all = shaders("", Ok(vec![("replay".to_owned(), replay_source())]));
+                        all.push(("prelude".to_owned(), print::of_text(PRELUDE)));
+                        all
+                    },
                 });
             }
             all
