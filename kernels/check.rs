@@ -103,8 +103,13 @@ fn inputs<X: Sample, S: Number>(plan: &Plan<'_>) -> (Vec<X>, usize) {
         0 => Vec::new(),
         every => hard_cases().into_iter().step_by(every).collect(),
     };
+    let like: Option<X> = hard_cases().into_iter().next();
+    let points = plan.points.iter().filter_map(|point| {
+        let like = like.as_ref()?;
+        (like.scalars().len() == point.len()).then(|| like.refill(point))
+    });
     let asked = |x: &X| x.inside() && plan.inside.is_none_or(|inside| inside(&x.scalars()));
-    let hard = hard.into_iter().map(rounded);
+    let hard = points.chain(hard).map(rounded);
     let mut inputs: Vec<X> = hard.filter(asked).collect();
     let random_from = inputs.len();
     let drawn = (0..plan.samples).map(|i| random(&mut plan.draw(i)));

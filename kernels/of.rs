@@ -15,6 +15,7 @@ type Scales = Rc<dyn Fn(&[f64]) -> Vec<f64>>;
 #[derive(Clone)]
 pub struct OfOperation<O> {
     plan: Plan<'static>,
+    points: Vec<Vec<f64>>,
     inside: Option<Inside>,
     scales: Option<Scales>,
     operation: PhantomData<O>,
@@ -42,6 +43,7 @@ impl Check<'static, f64> {
     pub fn of<O: Op>(_operation: O) -> OfOperation<O> {
         OfOperation {
             plan: Plan::new(200, SEED),
+            points: Vec::new(),
             inside: None,
             scales: None,
             operation: PhantomData,
@@ -72,6 +74,12 @@ where
     #[must_use]
     pub fn hard(mut self, every: usize) -> Self {
         self.plan.hard = every;
+        self
+    }
+    /// At one more input, before all others.
+    #[must_use]
+    pub fn and(mut self, point: O::In<f64>) -> Self {
+        self.points.push(point.scalars());
         self
     }
     /// Where the operation is defined, beside what its shapes say: inputs outside are left out, and no step leads
@@ -142,6 +150,7 @@ where
     #[must_use]
     pub fn run(&self) -> [Report; 2] {
         let plan = Plan {
+            points: &self.points,
             inside: self.inside.as_deref(),
             scales: self.scales.as_deref(),
             ..self.plan

@@ -24,6 +24,8 @@ pub struct Plan<'a> {
     pub seed: u64,
     /// Hard cases come first: every so many of them, all by default, none for zero.
     pub hard: usize,
+    /// Inputs that come before all others, as lists of numbers, of an operation of fixed size.
+    pub points: &'a [Vec<f64>],
     /// Whether to draw the worst case of an operation.
     pub draws: bool,
     /// Called after every sample: for a progress bar.
@@ -47,6 +49,7 @@ impl Plan<'_> {
             samples,
             seed,
             hard: 1,
+            points: &[],
             draws: false,
             tick: None,
             shared_ties: false,

@@ -15,9 +15,9 @@ use crate::ad::check::sample::Draw;
 use crate::ad::check::subject::Subject;
 use crate::ad::check::symmetry::exchanged;
 use crate::ad::check::tolerances::{
-    DECIDED, ELSEWHERE, FEW_INPUTS, ROUGH, RUNS, SAFETY, TALL, TALL_BEND,
+    DECIDED, DRAWS, ELSEWHERE, FEW_INPUTS, ROUGH, RUNS, SAFETY, TALL, TALL_BEND,
 };
-use crate::ad::check::witness::{Precision, axis, combined, dot};
+use crate::ad::check::witness::{Precision, axis, beside, combined, dot};
 
 impl Evidence<'_> {
     /// The largest change of a list-valued function under provoked rounding, per number. With
@@ -30,6 +30,34 @@ impl Evidence<'_> {
         f: impl Fn(&[f64]) -> Option<Vec<f64>>,
     ) -> Vec<f64> {
         self.spread_if(base, sizes, |beside| beside != Beside::Loose, f)
+    }
+
+    /// The same of many more inputs beside this one, whatever branches they take.
+    pub(crate) fn spread_of_many(
+        &self,
+        base: &[f64],
+        f: impl Fn(&[f64]) -> Option<Vec<f64>>,
+    ) -> Vec<f64> {
+        let precision = self.subject.precision();
+        let rounding = self.subject.rounding(self.x);
+        let mut spread = vec![0.0_f64; base.len()];
+        for round in 0..DRAWS {
+            let there = beside(precision, self.x, &rounding, round);
+            if !self.subject.inside(&there) {
+                continue;
+            }
+            for ((spread, base), y) in spread
+                .iter_mut()
+                .zip(base)
+                .zip(f(&there).unwrap_or_default())
+            {
+                let change = (y - base).abs();
+                if change.is_finite() {
+                    *spread = spread.max(change);
+                }
+            }
+        }
+        spread
     }
 
     /// The same; `decides` says beside which inputs a change that is no rounding may count all the same.

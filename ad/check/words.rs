@@ -83,6 +83,10 @@ pub(crate) fn remedy(reason: Reason) -> &'static [&'static str] {
             "remedy: where digits cancel in single precision and may be lost, say how far values may be off",
             "        (`resolution`, `relative_resolution`); otherwise write the formula so that they stay",
         ],
+        Reason::Disagree(Witness::Adjoint, Witness::Wide) => &[
+            "remedy: single precision loses digits that the function does not; write the formula so that they stay,",
+            "        or prove and use it in double precision alone",
+        ],
         Reason::Unrecordable(Unrecordable::Constant) => &[
             "remedy: use finite literals, such as the largest number (`S::LARGEST`) instead of infinity",
         ],

@@ -12,6 +12,7 @@ mod planted;
 mod program;
 mod program_random;
 mod program_slopes;
+mod scatter;
 mod shrinking;
 mod strategy;
 mod ties;

@@ -121,7 +121,9 @@ impl Evidence<'_> {
             };
             let direction = scaled(&on);
             let most = dot(farthest, &on);
-            if dot(&own, &on) > most + row.allowed_along(&direction) {
+            let each = direction.iter().zip(&row.plain);
+            let plain: f64 = each.map(|(d, plain)| d.abs() * plain).sum();
+            if dot(&own, &on) > most + plain {
                 return false;
             }
             let step = minus(farthest, &nearest);

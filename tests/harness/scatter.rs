@@ -1,0 +1,68 @@
+//! Single precision against double: a formula that scatters its results is refused, although moving its inputs by their last
+//! digits scatters them as much; where the function itself moves, it is accepted.
+use crate::planted;
+
+use geograd::check::{Check, Plan, Reason, Witness};
+use geograd::kernels::{IntersectionAreaObb2, IouObb2};
+use geograd::{Obb2, Scalar, operation};
+use planted::refused;
+
+/// A number whose last digits are lost on the way.
+fn scattered<S: Scalar>(x: S) -> S {
+    let far = x * S::lit(65_536.3);
+    (far + x) - far
+}
+
+operation! {
+    /// The product of two numbers, by a formula that loses half of the digits in single precision.
+    pub Value = "value": (x: S, y: S) -> S { scattered(x) * y }
+    promises []
+    jumps Never
+    slopes Reverse
+
+    /// The same of its slopes.
+    pub Slopes = "slopes": (x: S, y: S) -> S { x * y }
+    promises []
+    jumps Never
+    slopes ByHand |(x, y), bar| { (x * y, (scattered(y * bar), scattered(x * bar))) }
+}
+
+#[test]
+fn a_formula_that_scatters_is_refused() {
+    let [single, _] = Check::of(Value).samples(40).run();
+    refused(&single, Reason::ValuesDisagree(Witness::Wide));
+    let [single, _] = Check::of(Slopes).samples(40).run();
+    refused(&single, Reason::Disagree(Witness::Adjoint, Witness::Wide));
+    assert!(single.to_string().contains("remedy"), "{single}");
+}
+
+#[test]
+fn thin_boxes_are_accepted() {
+    // A thousandth wide, fifty long, from a hundred-millionth to a hundredth of a turn from parallel; and nested ones.
+    let mut score = Check::of(IouObb2).hard(0).samples(0);
+    let mut area = Check::of(IntersectionAreaObb2).hard(0).samples(0);
+    let plan = Plan::new(1, planted::SEED);
+    for i in 0..40 {
+        let mut d = plan.draw(i);
+        let (x, y, heading) = (
+            d.within(-10.0, 10.0),
+            d.within(-10.0, 10.0),
+            d.within(-3.0, 3.0),
+        );
+        let (tilt, side) = (d.magnitude(1e-8, 1e-2), d.magnitude(1e-6, 2e-3));
+        let (along, (sin, cos)) = (d.within(-20.0, 20.0), heading.sin_cos());
+        let (there, up) = (x + along * cos - side * sin, y + along * sin + side * cos);
+        let long = Obb2::new(x, y, 50.0, 1e-3, heading);
+        let other = Obb2::new(there, up, 50.0, 1e-3, heading + tilt);
+        let (length, width) = (d.magnitude(1e-2, 40.0), d.magnitude(1e-4, 9e-4));
+        let inner = Obb2::new(x, y, length, width, heading + d.within(-1e-6, 1e-6));
+        score = score
+            .and((long, other))
+            .and((long, inner))
+            .and((inner, long));
+        area = area.and((long, other));
+    }
+    for report in score.run().iter().chain(&area.run()) {
+        assert!(report.passed(), "{report}");
+    }
+}
