@@ -1,8 +1,8 @@
 //! Where detection engineers find what they know from elsewhere: a guide without items.
 //!
-//! Functions of five libraries, and what does the same here. Operations are values that [`Cpu::aligned`] (pair
-//! by pair), [`Cpu::all_pairs`] (every row with every column) and the reductions beside them take; with
-//! [`Op::value_grad`] they give slopes, too. Values are right to rounding for pairs that are identical, nearly
+//! Functions of other libraries, and what does the same here; then [the same numbers](#the-same-numbers). Operations
+//! are values that [`Cpu::aligned`] (pair by pair), [`Cpu::all_pairs`] (every row with every column) and the reductions
+//! beside them take; with [`Op::value_grad`] they give slopes, too. Values are right to rounding for pairs that are identical, nearly
 //! parallel, nested, thin or far from the origin, and no slope is NaN. Other people's encodings are types:
 //! [`convention`](crate::convention).
 //!
@@ -70,25 +70,66 @@
 //! | `points_in_polygons` | [`contain`](crate::contain) |
 //! | `min_area_polygons` | [`rectangle_decided`](crate::measure::rectangle::rectangle_decided) |
 //!
-//! # mmrotate's losses
+//! # The same numbers
 //!
-//! Each is one minus a similarity, or a function of a distance such as
-//! [`saturating_loss`](crate::gaussian::saturating_loss).
+//! Loss functions of other libraries are formulas of ours, with small numbers added that keep them from dividing by zero.
+//! Below `p` is the predicted box, `t` the target, `A` an area, `ε` theirs; `ln1p(d)` is `ln(1 + d)`. Where only ε tells them
+//! apart, results agree to ε over an area or a squared length of the boxes, in pixels.
+//!
+//! ## mmrotate
+//!
+//! Boxes are Gaussians of half their sizes as deviations, as in [`gaussian`](crate::gaussian). With `τ ≥ 1` the loss of a
+//! distance d is [`saturating_loss`](crate::gaussian::saturating_loss) of d and τ (for `fun='log1p'`), else `ln1p(d)`; the
+//! class `GDLoss` has τ = 0, the functions below it τ = 1.
+//!
+//! | theirs | the distance d by ours |
+//! | --- | --- |
+//! | `gwd_loss` | [`wasserstein`](crate::gaussian::wasserstein)`(p, t) / (A(p) A(t))^¼`, which is over `2 (det Σp det Σt)^⅛`; with `normalize=False` the distance itself |
+//! | `kld_loss` | the root of [`kullback_leibler`](crate::gaussian::kullback_leibler)`(t, p)`: of the target from the prediction; with `sqrt=False` the divergence itself |
+//! | `jd_loss` | the root of [`kullback_leibler_mean`](crate::gaussian::kullback_leibler_mean)`(p, t)` |
+//! | `kld_symmax_loss`, `kld_symmin_loss` | the larger, the smaller root of both divergences |
+//!
+//! | `GDLoss_v1`: by default `1 − 1 / (τ + √d)` with τ = 1 | the d by ours, at least 10⁻⁶ |
+//! | --- | --- |
+//! | `gwd` | [`wasserstein_squared`](crate::gaussian::wasserstein_squared)`(p, t)` |
+//! | `kld` | twice [`kullback_leibler`](crate::gaussian::kullback_leibler)`(p, t)`: of the prediction from the target |
+//! | `bcd` | [`bhattacharyya`](crate::gaussian::bhattacharyya)`(p, t)` |
+//!
+//! `KFLoss` is `1 − k` with k the [`kfiou`](crate::gaussian::kfiou), so at least ⅔; `fun='ln'` is `−ln(k + ε)`, `fun='exp'`
+//! `e^(1−k) − 1`. Each adds a smooth L1 loss of encoded centres. `RotatedIoULoss` is one minus [`IouObb2`], or its logarithm.
+//! `ConvexGIoULoss` and `BCConvexGIoULoss` are [`giou_polygons_decided`](crate::iou::giou_polygons_decided),
+//! `SpatialBorderLoss` is [`contain::clearance_decided`](crate::contain::clearance_decided). `KLDRepPointsLoss` has no
+//! counterpart: Gaussians are made of boxes here, not of points. All of them in space:
+//! [`gaussian::solid`](crate::gaussian::solid).
+//!
+//! ## ultralytics
 //!
 //! | theirs | ours |
 //! | --- | --- |
-//! | `RotatedIoULoss` | [`IouObb2`] |
-//! | `GDLoss`, `gwd` | [`WassersteinObb2`] |
-//! | `GDLoss`, `kld` | [`kullback_leibler`](crate::gaussian::kullback_leibler) |
-//! | `GDLoss`, `jd` | [`jeffreys`](crate::gaussian::jeffreys), halved: [`kullback_leibler_mean`](crate::gaussian::kullback_leibler_mean) |
-//! | `GDLoss`, `kld_symmax`, `kld_symmin` | the larger or smaller one of both directions |
-//! | `GDLoss_v1`, `bcd` | [`bhattacharyya`](crate::gaussian::bhattacharyya) |
-//! | `KFLoss` | [`kfiou`](crate::gaussian::kfiou) and a term for the centres |
-//! | ProbIoU (of ultralytics) | [`probiou`](crate::gaussian::probiou) |
-//! | `ConvexGIoULoss`, `BCConvexGIoULoss` | [`giou_polygons_decided`](crate::iou::giou_polygons_decided) |
-//! | `KLDRepPointsLoss` | none: Gaussians are made of boxes here, not of points |
-//! | `SpatialBorderLoss` | [`contain::clearance_decided`](crate::contain::clearance_decided) |
-//! | all of them in space | [`gaussian::solid`](crate::gaussian::solid) |
+//! | `probiou` | `1 − √((1 − q)² + ε)` with q of [`probiou`](crate::gaussian::probiou) and ε = 10⁻⁷; of equal boxes `1 − √(2ε)` = 0.99955, where ours is 1 |
+//! | `bbox_iou` | [`IouAabb2`]; ε is added to heights, to the union and to what is divided by |
+//! | `bbox_iou` with `GIoU`, `DIoU`, `CIoU` | [`giou_aabb2`](crate::iou::giou_aabb2), [`diou_aabb2`](crate::iou::diou_aabb2), [`ciou_aabb2`](crate::iou::ciou_aabb2) |
+//! | the slopes of `CIoU` | [`ciou_fixed_weight_aabb2`](crate::iou::ciou_fixed_weight_aabb2): α is a constant |
+//!
+//! ## torchvision and detectron2
+//!
+//! | theirs | ours |
+//! | --- | --- |
+//! | `box_iou`, `pairwise_iou`; `generalized_box_iou` | [`IouAabb2`]; [`giou_aabb2`](crate::iou::giou_aabb2), without any ε |
+//! | `generalized_box_iou_loss`, `giou_loss` (of fvcore) | `1 −` [`giou_aabb2`](crate::iou::giou_aabb2), ε = 10⁻⁷ |
+//! | `distance_box_iou_loss`, `diou_loss` | `1 −` [`diou_aabb2`](crate::iou::diou_aabb2), ε = 10⁻⁷ |
+//! | `complete_box_iou_loss`, `ciou_loss` | `1 −` [`ciou_fixed_weight_aabb2`](crate::iou::ciou_fixed_weight_aabb2), ε = 10⁻⁷ |
+//! | `pairwise_iou_rotated` | [`IouObb2`]; boxes by [`Detectron2Box`](crate::convention::Detectron2Box) |
+//! | `nms`, `batched_nms`, `nms_rotated` | [`suppression::hard`](crate::suppression::hard()) of overlaps above the threshold; `nms_rotated` on a CPU suppresses at the threshold, too |
+//!
+//! ## mmcv and mmdetection
+//!
+//! | theirs | ours |
+//! | --- | --- |
+//! | `soft_nms`, linear and gaussian | [`suppression::soft`](crate::suppression::soft()); theirs begins *at* the threshold: ours above the next smaller number |
+//! | `nms` | [`suppression::hard`](crate::suppression::hard()): both begin above the threshold |
+//! | `GIoULoss`, `DIoULoss` | `1 −` [`giou_aabb2`](crate::iou::giou_aabb2), `1 −` [`diou_aabb2`](crate::iou::diou_aabb2), ε = 10⁻⁶ |
+//! | `CIoULoss` | one minus [`ciou_fixed_weight_aabb2`](crate::iou::ciou_fixed_weight_aabb2) where the IoU is above ½, else one minus [`diou_aabb2`](crate::iou::diou_aabb2), within `[0, 2]` |
 //!
 //! # What none of them has
 //!
@@ -101,5 +142,5 @@
 use crate::kernels::{
     Backend, Cpu, DiouAabbObb2, DiouObb2, DiouYaw, DistanceNumberInterval, GiouAabb2, GiouAabbObb2,
     GiouObb2, IntersectionAreaObb2, IofAabb2, IofObb2, IouAabb2, IouBirdsEye, IouIntervals,
-    IouObb2, IouObb3, IouYaw, SignedDistancePointObb2, WassersteinObb2,
+    IouObb2, IouObb3, IouYaw, SignedDistancePointObb2,
 };

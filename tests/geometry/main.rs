@@ -6,6 +6,7 @@ mod flat;
 mod gaussian;
 mod iou3;
 mod kitti;
+mod libraries;
 mod nested;
 mod oracle;
 mod oracle_solid;
