@@ -131,12 +131,13 @@ fn run(options: &Options) -> Result<bool, String> {
         }
         None => None,
     };
+    // Files that cannot be read are refused before the work.
+    let mut all = match &options.write {
+        Some(path) if std::path::Path::new(path).exists() => read(path, lines::parse)?,
+        _ => Lines::new(),
+    };
     let found = hashed(options)?;
     if let Some(path) = &options.write {
-        let mut all = match std::path::Path::new(path).exists() {
-            true => read(path, lines::parse)?,
-            false => Lines::new(),
-        };
         all.retain(|[row, format, _], _| !options.wants(row, format));
         all.extend(found.clone());
         let text = format!("{HEAD}{}", lines::text(&all));
