@@ -86,6 +86,14 @@ impl<S: Scalar> Reference<S> {
         self.scale = S::select(held, self.scale.over(most.binade()), self.scale);
         self
     }
+    /// For moments of a shape, given by its bounds: seen from their middle, in a unit for fourth powers of length.
+    #[must_use]
+    #[inline(always)]
+    pub(crate) fn of_moments(bounds: Aabb2<S>) -> Self {
+        let seen = Self::of_bounds(bounds).of_fourth_powers();
+        let far = seen.place(bounds.max);
+        seen.shifted(Vec2::new(far.x.halved(), far.y.halved()))
+    }
     /// Where the fourth power of the unit need not be finite.
     #[inline(always)]
     pub(crate) fn too_long(&self) -> S::Mask {

@@ -4,8 +4,8 @@ use crate::kernels::fold::Fold;
 use crate::kernels::op::{Jumps, Promise};
 use crate::kernels::ops::rows::promises;
 use crate::measure::moments::{SecondMoments, Sums, finish, of_edge};
-use crate::reference::Reference;
-use crate::{Scalar, Vec2};
+use crate::reference::{Reference, bounds_of};
+use crate::{Aabb2, Scalar, Vec2};
 
 /// The [second moments](crate::measure::moments::second_moments) of a ring's area about its centroid.
 /// They jump where the area is zero.
@@ -24,7 +24,11 @@ impl Fold for SecondMomentsOfRing {
     type State<S: Scalar> = Sums<S>;
     type Out<S: Scalar> = SecondMoments<S>;
     fn reference<S: Scalar>(_: [S; 0], ring: &[Vec2<S>]) -> Reference<S> {
-        Reference::of_ring(ring).of_fourth_powers()
+        let nothing = Aabb2 {
+            min: Vec2::zero(),
+            max: Vec2::zero(),
+        };
+        Reference::of_moments(bounds_of(ring).unwrap_or(nothing))
     }
     fn empty<S: Scalar>() -> Sums<S> {
         [S::zero(); 6]

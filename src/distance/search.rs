@@ -16,8 +16,10 @@ fn measure<P: Scalar>(a: Vec2<P>, b: Vec2<P>) -> (P, P) {
     let inside = zero.below(ahead) & ahead.below(square);
     let across = turn.over(P::select(inside, square, P::one())) * turn;
     let end = P::select(ahead.at_most(zero), a.length_squared(), b.length_squared());
-    let up = a.y.at_most(zero) & zero.below(b.y) & zero.below(turn);
-    let down = b.y.at_most(zero) & zero.below(a.y) & turn.below(zero);
+    // The side as a fold over edges takes it, so that both have one winding number beside an edge, too.
+    let side = a.perp_dot(b);
+    let up = a.y.at_most(zero) & zero.below(b.y) & zero.below(side);
+    let down = b.y.at_most(zero) & zero.below(a.y) & side.below(zero);
     (P::select(inside, across, end), winding_of(up, down))
 }
 
@@ -27,7 +29,13 @@ fn larger<P: Scalar>(a: P, b: P) -> P {
     P::select(a.below(b), b, a)
 }
 
-/// The least square, the edge it is of, whether another edge has it too, the winding number, and the
+/// Whether a square is no larger than another one but for rounding.
+#[inline(always)]
+fn about_least<P: Scalar>(square: P, least: P) -> P::Mask {
+    square.at_most(least * P::lit(1.0 + 64.0 * P::EPSILON))
+}
+
+/// The least square, the edge it is of, whether another edge has it too but for rounding, the winding number, and the
 /// largest coordinate of a vertex seen from the point.
 struct Found<P> {
     least: P,
@@ -41,8 +49,9 @@ impl<P: Scalar<Mask = bool>> Found<P> {
     #[inline(always)]
     fn see(&mut self, square: P, edge: usize, tie: bool) {
         if square.below(self.least) {
+            let tie = tie || about_least(self.least, square);
             (self.least, self.edge, self.tie) = (square, edge, tie);
-        } else if square.equals(self.least) {
+        } else if about_least(square, self.least) {
             self.tie = true;
         }
     }
@@ -84,8 +93,8 @@ pub(super) fn nearest<S: Scalar<Mask = bool>>(
             let (a, b) = (Vec2::new(x[k], y[k]), Vec2::new(x[k + 1], y[k + 1]));
             let (square, turns) = measure(a, b);
             let less = square.below(least[k]);
-            let tie = square.equals(least[k]);
             let pick = S::Primal::select;
+            let tie = about_least(pick(less, least[k], square), pick(less, square, least[k]));
             block[k] = pick(less, number, block[k]);
             again[k] = pick(tie, one, pick(less, zero, again[k]));
             least[k] = pick(less, square, least[k]);
@@ -137,12 +146,22 @@ pub(super) fn nearest<S: Scalar<Mask = bool>>(
     };
     let mut state = EdgeFold::nearest(measured(found.edge), S::from_primal(found.winding));
     if found.tie {
+        let mut least = state.distance.primal();
         for edge in 0..edges + usize::from(ring) {
             let (from, to) = ends(edge);
-            if edge != found.edge && measure(seen(from), seen(to)).0.equals(found.least) {
-                state = state.and_also(measured(edge));
+            let square = measure(seen(from), seen(to)).0;
+            if edge == found.edge || !about_least(square, found.least) {
+                continue;
+            }
+            let distance = measured(edge);
+            let lower = distance.primal().below(least);
+            least = S::Primal::select(lower, distance.primal(), least);
+            if square.equals(found.least) {
+                state = state.and_also(distance);
             }
         }
+        // The least as it is measured: the distance that a fold over all edges has.
+        state.distance = state.distance.with_primal(least);
     }
     Some(state)
 }

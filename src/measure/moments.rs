@@ -142,9 +142,7 @@ pub fn second_moments<S: Scalar>(rings: &[&[Vec2<S>]]) -> SecondMoments<S> {
     let Some(bounds) = bounds_of_rings(rings) else {
         return zero;
     };
-    let seen = Reference::of_bounds(bounds).of_fourth_powers();
-    let far = seen.place(bounds.max);
-    let seen = seen.shifted(Vec2::new(far.x.halved(), far.y.halved()));
+    let seen = Reference::of_moments(bounds);
     let mut sums = [S::zero(); 6];
     for ring in rings {
         for [start, end] in edges(ring) {

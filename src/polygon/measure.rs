@@ -6,7 +6,7 @@ use crate::{Scalar, Vec2, ring};
 
 /// The sums of moments over all rings, each counted by its side, in a local frame.
 fn sums<S: Scalar>(rings: Rings<'_, S>, sides: &Sides) -> Option<(Reference<S>, [S; 6])> {
-    let seen = Reference::of_bounds(rings.bounds()?).of_fourth_powers();
+    let seen = Reference::of_moments(rings.bounds()?);
     let mut sums = [S::zero(); 6];
     rings.each_edge(|ring, _, [start, end]| {
         let edge = of_edge(seen.place(start), seen.place(end));

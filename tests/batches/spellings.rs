@@ -5,9 +5,11 @@ use geograd::distance::Convex;
 use geograd::error::Validate;
 use geograd::kernels::op::Op;
 use geograd::kernels::{self, Cpu, Row};
+use geograd::measure::moments::second_moments;
 use geograd::overlap3::Overlaps;
-use geograd::{Scalar, Triangle2};
+use geograd::{ConvexPolygon, Scalar, Triangle2, Vec2};
 use geograd::{distance, distance3, gaussian, intersection, iou, iou3, overlap, overlap3, ring};
+use geograd_tests::Dice;
 use geograd_tests::calls::Number;
 use std::fmt::Debug;
 
@@ -224,4 +226,132 @@ spellings! {
         SignedDistanceIntervals |(a, b)| a.signed_distance(b);
         DistanceNumberInterval |(x, interval)| interval.distance_to(x);
     }
+}
+
+/// Rings of a few vertices, every third in a raster where vertices and edges lie on each other, and a point for each.
+#[expect(clippy::type_complexity, reason = "points, vertices and offsets")]
+fn rings<T: Number>() -> (Vec<Vec2<T>>, Vec<Vec2<T>>, Vec<usize>) {
+    let mut dice = Dice(77);
+    let (mut points, mut vertices, mut offsets) = (Vec::new(), Vec::new(), vec![0]);
+    for round in 0..600 {
+        let mut at = || {
+            let x = [(); 2].map(|()| dice.within(-3.0, 3.0));
+            let [x, y] = if round % 3 == 0 { x.map(f64::round) } else { x };
+            Vec2::new(T::lit(x), T::lit(y))
+        };
+        points.push(at());
+        vertices.extend((0..3 + round % 7).map(|_| at()));
+        offsets.push(vertices.len());
+    }
+    (points, vertices, offsets)
+}
+
+fn folds_and_rings_are_the_same<T: Number>() {
+    use geograd::distance::ring as to;
+    use geograd::kernels::{
+        Centroid, DistancePointPolyline, DistancePointRing, One, Perimeter, RingOp,
+        SecondMomentsOfRing, SignedArea, SignedDistancePointRing, WindingOfRing,
+    };
+    let (points, vertices, offsets) = rings::<T>();
+    let cpu = Cpu::new();
+    macro_rules! fold {
+        ($op:expr, $context:expr) => {
+            cpu.fold($op, $context, &vertices, &offsets).unwrap()
+        };
+    }
+    let distances = fold!(DistancePointRing, &points);
+    let signed = fold!(SignedDistancePointRing, &points);
+    let windings = fold!(WindingOfRing, &points);
+    let to_paths = fold!(DistancePointPolyline, &points);
+    let moments = fold!(SecondMomentsOfRing, One([]));
+    let areas = cpu.ragged(SignedArea, &vertices, &offsets).unwrap();
+    let perimeters = cpu.ragged(Perimeter, &vertices, &offsets).unwrap();
+    let centroids = cpu.ragged(Centroid, &vertices, &offsets).unwrap();
+    for (i, at) in offsets.windows(2).enumerate() {
+        let (point, path) = (points[i], &vertices[at[0]..at[1]]);
+        let mut polygon = ConvexPolygon::<T, 9> {
+            vertices: [Vec2::zero(); 9],
+            count: path.len(),
+        };
+        polygon.vertices[..path.len()].copy_from_slice(path);
+        macro_rules! equal {
+            ($batch:expr, $($spelling:expr),+) => { $(
+                assert_eq!(bits(&$batch[i]), bits(&$spelling), "{} {point:?} {path:?}", stringify!($spelling));
+            )+ };
+        }
+        equal!(distances, to::distance_to_ring(point, path));
+        equal!(signed, to::signed_distance_to_ring(point, path));
+        equal!(windings, to::winding_of_ring(point, path).canonical());
+        equal!(to_paths, to::distance_to_polyline(point, path));
+        let both = &[path][..];
+        equal!(moments, second_moments(both), polygon.second_moments());
+        equal!(
+            areas,
+            ring::signed_area(path),
+            SignedArea::value(path),
+            polygon.area()
+        );
+        equal!(perimeters, ring::perimeter(path), polygon.perimeter());
+        equal!(centroids, ring::centroid(path), polygon.centroid());
+    }
+}
+
+#[test]
+fn folds_and_measures_of_rings() {
+    folds_and_rings_are_the_same::<f64>();
+    folds_and_rings_are_the_same::<f32>();
+}
+
+/// Operations with a search: what decides and replays is the function.
+#[test]
+fn searches() {
+    use geograd::kernels::{DiouPolygons, GiouPolygons, HullAreaPolygons};
+    use geograd::kernels::{IntersectionAreaPolygons, IofPolygons, IouPolygons};
+    use geograd::overlap_polygon::{intersection_area_polygons, iof_polygons, iou_polygons};
+    let mut dice = Dice(78);
+    let mut polygons = || -> Vec<ConvexPolygon<f64, 5>> {
+        let mut one = || {
+            let points =
+                [(); 5].map(|()| Vec2::new(dice.within(-2.0, 2.0), dice.within(-2.0, 2.0)));
+            geograd::hull::hull(&points).unwrap()
+        };
+        (0..200).map(|_| one()).collect()
+    };
+    let (a, b) = (polygons(), polygons());
+    let cpu = Cpu::new();
+    macro_rules! same {
+        ($op:expr, $($spelling:expr),+) => {{
+            let batch = cpu.aligned($op, (&a, &b)).unwrap();
+            for (k, (a, b)) in a.iter().zip(&b).enumerate() {
+                $(
+                    let spelling: fn(&ConvexPolygon<f64, 5>, &ConvexPolygon<f64, 5>) -> f64 = $spelling;
+                    assert_eq!(batch[k].to_bits(), spelling(a, b).to_bits(), "{}", stringify!($spelling));
+                )+
+            }
+        }};
+    }
+    same!(
+        IntersectionAreaPolygons::<5>,
+        intersection_area_polygons,
+        |a, b| a.intersection_area(b)
+    );
+    same!(IouPolygons::<5>, iou_polygons, |a, b| a.iou(b));
+    same!(IofPolygons::<5>, iof_polygons, |a, b| a.iof(b));
+    same!(GiouPolygons::<5, 10>, |a, b| iou::giou_polygons_decided::<
+        _,
+        5,
+        5,
+        10,
+    >(a, b)
+    .unwrap()
+    .0);
+    same!(DiouPolygons::<5>, |a, b| iou::diou_polygons_decided(a, b).0);
+    same!(HullAreaPolygons::<5, 10>, |a, b| geograd::hull::merge::<
+        _,
+        5,
+        5,
+        10,
+    >(a, b)
+    .unwrap()
+    .area());
 }
