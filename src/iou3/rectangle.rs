@@ -5,15 +5,15 @@
 //! of one box to one of the other where not the same box reaches farther along both. That is eight directions,
 //! and those of both boxes' own sides are two more; nothing is sorted.
 //!
-//! Several directions often give the same area: where boxes have one centre, opposite edges do. Areas, and
-//! lengths along a direction, count as equal when they differ by no more than rounding makes them differ;
-//! equal ones share the slope.
+//! Several directions often give the same area: where boxes have one centre, opposite edges do, and both boxes
+//! reach equally far across them on both sides. Areas, and lengths along a direction, count as equal when they
+//! differ by no more than rounding makes them differ; equal ones share the slope.
 use crate::clip::{Relative, frame, relate};
 use crate::iou::unit;
 use crate::{Obb2, Scalar, Vec2};
 
 /// How many roundings apart numbers count as equal.
-const ROUNDINGS: f64 = 16.0;
+const ROUNDINGS: f64 = 4.0;
 
 /// The rectangle of least area, in units of `1 / scale`; the mean of all of that area.
 pub(super) struct Rectangle<S> {
@@ -50,13 +50,13 @@ fn weight<S: Scalar>(x: S, terms: [S; 3]) -> S::Primal {
 }
 
 /// The farther one of what a reaches and what b reaches from its centre at `way`; as good as a tie shares
-/// the slope.
+/// the slope, and so does what is known to be one.
 #[inline(always)]
-fn farther<S: Scalar>(own: S, way: S, other: S) -> S {
+fn farther<S: Scalar>(own: S, way: S, other: S, tie: S::Mask) -> S {
     let reach = way + other;
     let all = (own.primal() + way.primal().unsigned()) + other.primal();
     let slack = S::from_primal(all * S::Primal::lit(ROUNDINGS * S::EPSILON));
-    let near = (own - reach).unsigned().at_most(slack);
+    let near = tie | (own - reach).unsigned().at_most(slack);
     let longer = S::select(own.below(reach), reach, own);
     S::select(near, own.halved() + reach.halved(), longer)
 }
@@ -80,15 +80,17 @@ impl<S: Scalar> Seen<S> {
             half_b: pair.half_b,
         }
     }
+    /// `flat`: where both boxes reach equally far across the direction, on both sides.
     #[inline(always)]
-    fn along(&self, way: Vec2<S>, is_edge: S::Mask) -> Along<S> {
+    fn along(&self, way: Vec2<S>, is_edge: S::Mask, flat: S::Mask) -> Along<S> {
         let way = way * unit([way.x, way.y]);
         let (x, y, turn) = (way.x, way.y, self.turn);
         let in_b = Vec2::new(x * turn.x + y * turn.y, y * turn.x - x * turn.y);
         let shadow = |x: S, y: S, half: Vec2<S>| x.magnitude() * half.x + y.magnitude() * half.y;
-        let extent = |center: S, own: S, other: S| {
-            farther(own, center, other) + farther(own, -center, other)
+        let extent = |center: S, own: S, other: S, tie: S::Mask| {
+            farther(own, center, other, tie) + farther(own, -center, other, tie)
         };
+        let never = S::one().below(S::zero());
         let c = self.center;
         let squared = way.length_squared();
         let point = squared.at_most(S::zero());
@@ -97,11 +99,13 @@ impl<S: Scalar> Seen<S> {
                 x * c.x + y * c.y,
                 shadow(x, y, self.half_a),
                 shadow(in_b.x, in_b.y, self.half_b),
+                never,
             ),
             width: extent(
                 x * c.y - y * c.x,
                 shadow(y, x, self.half_a),
                 shadow(in_b.y, in_b.x, self.half_b),
+                flat,
             ),
             squared: S::select(point, S::one(), squared),
             steep: x.unsigned().below(y.unsigned()),
@@ -144,22 +148,38 @@ impl<S: Scalar> Seen<S> {
             | differ(of_b[1], all)
             | differ(of_b[2], all)
             | differ(of_b[3], all);
-        // From a corner of a to one of b.
+        // From a corner of a to one of b, and where that is an edge; opposite ones four places apart.
         let over = |side: Vec2<S>, arm: Vec2<S>| (c + arm) - side;
         let [a0, a1] = [a, Vec2::new(-a.x, a.y)];
         let (b0, b1) = (p + q, q - p);
         let minus = |v: Vec2<S>| Vec2::new(-v.x, -v.y);
+        let edges = [
+            (over(a0, minus(b1)), differ(of_a[0], of_b[0])),
+            (over(a0, b0), differ(of_b[0], of_a[1])),
+            (over(a1, b0), differ(of_a[1], of_b[1])),
+            (over(a1, b1), differ(of_b[1], of_a[2])),
+            (over(minus(a0), b1), differ(of_a[2], of_b[2])),
+            (over(minus(a0), minus(b0)), differ(of_b[2], of_a[3])),
+            (over(minus(a1), minus(b0)), differ(of_a[3], of_b[3])),
+            (over(minus(a1), minus(b1)), differ(of_b[3], of_a[0])),
+        ];
+        let never = S::one().below(zero);
+        let along = |k: usize| {
+            let ((way, is_edge), (back, is_too)) = (edges[k], edges[(k + 4) % 8]);
+            let parallel = way.perp_dot(back).equals(zero);
+            self.along(way, is_edge, is_edge & is_too & parallel)
+        };
         [
-            self.along(Vec2::new(S::one(), S::zero()), sides_of_a),
-            self.along(turn, sides_of_b),
-            self.along(over(a0, minus(b1)), differ(of_a[0], of_b[0])),
-            self.along(over(a0, b0), differ(of_b[0], of_a[1])),
-            self.along(over(a1, b0), differ(of_a[1], of_b[1])),
-            self.along(over(a1, b1), differ(of_b[1], of_a[2])),
-            self.along(over(minus(a0), b1), differ(of_a[2], of_b[2])),
-            self.along(over(minus(a0), minus(b0)), differ(of_b[2], of_a[3])),
-            self.along(over(minus(a1), minus(b0)), differ(of_a[3], of_b[3])),
-            self.along(over(minus(a1), minus(b1)), differ(of_b[3], of_a[0])),
+            self.along(Vec2::new(S::one(), zero), sides_of_a, never),
+            self.along(turn, sides_of_b, never),
+            along(0),
+            along(1),
+            along(2),
+            along(3),
+            along(4),
+            along(5),
+            along(6),
+            along(7),
         ]
     }
 }

@@ -343,7 +343,7 @@ fn ranges_ones_and_slopes_apart() {
                 // DIoU may gain by a larger diameter more than it loses by the distance.
                 let way = far.center - one.center;
                 assert!(
-                    by(0).length() > 0.01 && by(10).length() > 0.01,
+                    by(0).length() > 1e-4 && by(10).length() > 1e-4,
                     "{kind:?} {score:?}"
                 );
                 assert!(

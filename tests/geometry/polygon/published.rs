@@ -127,8 +127,14 @@ fn scores_stay_in_their_ranges_and_do_not_turn() {
         for (i, (name, score, low)) in TURNED.into_iter().enumerate() {
             let value = score(a, b);
             assert!(value >= low && value <= iou, "{name} {a} {b} {value}");
-            // Of boxes without areas rounding decides whether their hull has one.
-            if name == "giou" && a.area() == 0.0 && b.area() == 0.0 {
+            // Of boxes all but without areas rounding decides what they share, and which part of their hull
+            // they cover.
+            let sides = [a.size.x, a.size.y, b.size.x, b.size.y];
+            let longest = sides
+                .into_iter()
+                .fold(a.center.distance(b.center), f64::max);
+            let vague = sides.iter().any(|x| *x < 1e-8 * longest);
+            if vague && (name == "giou" || iou > 0.0) {
                 continue;
             }
             assert!((score(b, a) - value).abs() < 1e-9, "{name} {a} {b}");
