@@ -50,22 +50,27 @@ fn meeting(grid: &Grid, before: usize, after: usize, at: IntPoint<i64>) -> Meeti
 
 /// Adds the vertex between two pieces of the border: two vertices where they are in line, or where an
 /// input has two there.
+pub(super) fn corner(grid: &Grid, before: &Border, after: &Border, trace: &mut OverlayTrace) {
+    let [first, second] = origins(grid, before, after);
+    push(trace, &first);
+    if second != first {
+        push(trace, &second);
+    }
+}
+
+/// The origins of the end of a piece of the border and of the start of the next one, which are at one place.
 ///
 /// Where a piece lies on several edges, its ends move with the mean of them.
-pub(super) fn corner(grid: &Grid, before: &Border, after: &Border, trace: &mut OverlayTrace) {
+pub(super) fn origins(grid: &Grid, before: &Border, after: &Border) -> [Vec<Origin>; 2] {
     let at = before.end;
-    let [first, second] = joined(grid, before, after)
+    joined(grid, before, after)
         .or_else(|| across(grid, before, after))
         .unwrap_or_else(|| {
             [before, after].map(|piece| {
                 let along = |&k: &usize| in_line(grid, k, before, after, at);
                 piece.edges.iter().map(along).collect()
             })
-        });
-    push(trace, &first);
-    if second != first {
-        push(trace, &second);
-    }
+        })
 }
 
 fn push(trace: &mut OverlayTrace, origins: &[Origin]) {

@@ -1,6 +1,6 @@
 //! Which pieces of which edges bound the result.
 use super::corner::{Border, corner};
-use super::grid::{Grid, Tag, invalid};
+use super::grid::{Grid, Steps, Tag, invalid};
 use super::{Operation, OverlayTrace, Owner};
 use crate::Scalar;
 use crate::error::Error;
@@ -11,7 +11,9 @@ use i_overlay::core::fill_rule::FillRule;
 use i_overlay::core::overlay::ShapeType;
 use i_overlay::core::overlay_rule::OverlayRule;
 use i_overlay::segm::boolean::ShapeCountBoolean;
-use i_overlay::vector::edge::{CLIP_LEFT, CLIP_RIGHT, DataVectorEdge, SUBJ_LEFT, SUBJ_RIGHT};
+use i_overlay::vector::edge::{
+    CLIP_LEFT, CLIP_RIGHT, DataVectorEdge, DataVectorShape, SUBJ_LEFT, SUBJ_RIGHT,
+};
 
 impl OverlayEdgeData for Tag {
     type Store = Vec<[Tag; 2]>;
@@ -23,7 +25,7 @@ impl OverlayEdgeData for Tag {
 
 /// Two polygons cut into pieces that meet at their ends only.
 pub(super) struct Pieces {
-    grid: Grid,
+    pub grid: Grid,
     overlay: EdgeOverlay<i64, Tag>,
     fill: FillRule,
 }
@@ -32,11 +34,12 @@ impl Pieces {
     pub fn new<S: Scalar<Mask = bool>>(
         inputs: [Rings<'_, S>; 2],
         fill: Fill,
+        steps: Steps,
     ) -> Result<Self, Error> {
         for (owner, rings) in [Owner::A, Owner::B].into_iter().zip(inputs) {
             rings.validate().map_err(|flaw| invalid(owner, flaw))?;
         }
-        let grid = Grid::new(inputs)?;
+        let grid = Grid::new(inputs, steps)?;
         let mut overlay = EdgeOverlay::new(grid.edges.len());
         for (k, edge) in grid.edges.iter().enumerate() {
             let [a, b] = edge.ends;
@@ -57,14 +60,18 @@ impl Pieces {
             fill,
         })
     }
-    pub fn trace(&mut self, operation: Operation) -> OverlayTrace {
+    /// The border of the result: the inside is left of every piece.
+    pub fn parts(&mut self, operation: Operation) -> Vec<DataVectorShape<i64, Tag>> {
         let rule = match operation {
             Operation::Union => OverlayRule::Union,
             Operation::Intersection => OverlayRule::Intersect,
             Operation::Difference => OverlayRule::Difference,
             Operation::SymmetricDifference => OverlayRule::Xor,
         };
-        let parts = self.overlay.build_vector_shapes(rule, self.fill);
+        self.overlay.build_vector_shapes(rule, self.fill)
+    }
+    pub fn trace(&mut self, operation: Operation) -> OverlayTrace {
+        let parts = self.parts(operation);
         let mut trace = OverlayTrace::default();
         for part in parts {
             for ring in part {
@@ -91,7 +98,7 @@ impl Pieces {
         }
     }
     /// The edges that a piece lies on, of inputs that it bounds.
-    fn border(&self, piece: &DataVectorEdge<i64, Tag>) -> Border {
+    pub fn border(&self, piece: &DataVectorEdge<i64, Tag>) -> Border {
         let mut edges = Vec::new();
         piece.data.edges(self.overlay.data_store(), &mut edges);
         let bounds = |left: u8, right: u8| (piece.fill & left == 0) != (piece.fill & right == 0);
@@ -117,5 +124,6 @@ pub fn overlay_decided<'a, S: Scalar<Mask = bool>>(
     operation: Operation,
     fill: Fill,
 ) -> Result<OverlayTrace, Error> {
-    Ok(Pieces::new([a.into(), b.into()], fill)?.trace(operation))
+    let mut pieces = Pieces::new([a.into(), b.into()], fill, Steps::Fine)?;
+    Ok(pieces.trace(operation))
 }

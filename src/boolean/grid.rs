@@ -1,4 +1,5 @@
 //! Inputs on a grid of whole numbers, edge by edge.
+use super::snap::Squares;
 use super::{EdgeId, Owner, VertexId};
 use crate::error::{Argument, Error, Flaw, VertexFault};
 use crate::polygon::Rings;
@@ -30,6 +31,12 @@ impl Edge {
             vertex: if at_end { self.end } else { self.id.edge },
         }
     }
+    /// How far along it a place is that lies on it: 0 at its start, 1 at its end.
+    pub fn share(&self, at: IntPoint<i64>) -> f64 {
+        let start = self.ends[0];
+        let way = Vec2::new((at.x - start.x) as f64, (at.y - start.y) as f64);
+        way.dot(self.along) / self.along.length_squared()
+    }
     /// Its own vertex at a place, if it has one there.
     pub fn vertex_at(&self, at: IntPoint<i64>) -> Option<VertexId> {
         [false, true]
@@ -39,15 +46,29 @@ impl Edge {
     }
 }
 
+/// Where a grid is seen from.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Steps {
+    /// From near both inputs, so that far away it is no coarser.
+    Fine,
+    /// From the origin, so that places of a coarser grid are numbers of the format.
+    Exact,
+}
+
 /// The edges of both inputs on the grid, those of length zero left out.
 pub(super) struct Grid {
     pub edges: Vec<Edge>,
+    /// Half a coordinate times this is from two to four where it is largest.
+    unit: f64,
     /// Every ring's vertices on the grid, of both inputs.
     places: [Vec<Vec<IntPoint<i64>>>; 2],
 }
 
 impl Grid {
-    pub fn new<S: Scalar<Mask = bool>>(inputs: [Rings<'_, S>; 2]) -> Result<Self, Error> {
+    pub fn new<S: Scalar<Mask = bool>>(
+        inputs: [Rings<'_, S>; 2],
+        steps: Steps,
+    ) -> Result<Self, Error> {
         let vertices = inputs.iter().flat_map(|rings| rings.iter()).flatten();
         let (mut low, mut high) = ([f64::INFINITY; 2], [f64::NEG_INFINITY; 2]);
         for &vertex in vertices {
@@ -57,7 +78,10 @@ impl Grid {
                 high[k] = high[k].max(at[k]);
             }
         }
-        let axes = [0, 1].map(|k| Axis::new(low[k], high[k]));
+        let axes = [0, 1].map(|k| match steps {
+            Steps::Fine => Axis::new(low[k], high[k]),
+            Steps::Exact => Axis::from_zero(low[k], high[k]),
+        });
         let reach = axes[0].reach.max(axes[1].reach);
         // Half of it near one; both factors are powers of two.
         let unit = if reach > 0.0 {
@@ -67,7 +91,7 @@ impl Grid {
         };
         let whole = |x: f64, axis: &Axis| {
             let half = (x * 0.5 - axis.from * 0.5) * unit;
-            // Below two in size: at most 2⁶⁰.
+            // Below four in size: at most 2⁶¹.
             (half * EXTENT).round() as i64
         };
         let place = |vertex: Vec2<S>| {
@@ -80,6 +104,7 @@ impl Grid {
         });
         let mut grid = Grid {
             edges: Vec::new(),
+            unit,
             places,
         };
         for (owner, rings) in [Owner::A, Owner::B].into_iter().zip(inputs) {
@@ -129,6 +154,16 @@ impl Grid {
         }
         Ok(())
     }
+    /// Squares of an exact grid whose centres are numbers of the format: steps of the largest coordinate.
+    pub fn squares<S: Scalar>() -> Squares {
+        let bits = (EXTENT * 2.0 * S::EPSILON).log2();
+        Squares { bits: bits as u32 }
+    }
+    /// The coordinates of the centre of a square.
+    pub fn coordinates(&self, squares: Squares, at: IntPoint<i64>) -> [f64; 2] {
+        let steps = EXTENT / (1_u64 << squares.bits) as f64;
+        [at.x, at.y].map(|x| x as f64 / steps / self.unit * 2.0)
+    }
     /// Whether two vertices are one, or follow each other in a ring at one place.
     pub fn is_joined(&self, a: VertexId, b: VertexId) -> bool {
         if (a.owner, a.ring) != (b.owner, b.ring) {
@@ -162,6 +197,11 @@ impl Axis {
             .abs()
             .max((high * 0.5 - from * 0.5).abs());
         Axis { from, reach }
+    }
+    /// Seen from zero.
+    fn from_zero(low: f64, high: f64) -> Self {
+        let reach = (low * 0.5).abs().max((high * 0.5).abs());
+        Axis { from: 0.0, reach }
     }
 }
 

@@ -19,6 +19,19 @@
 //!
 //! Vertices that differ by less than about 10⁻¹⁷ of the extent of both inputs count as one.
 //!
+//! # Validity
+//!
+//! A replayed result has the exact slopes of every vertex; it is not always valid by the OGC's rules (Simple Features,
+//! OGC 06-103r4), which GEOS, PostGIS and others ask for. Edges may cross by an ulp, rings may have no area or touch
+//! themselves, and a part may consist of pieces that meet in places only.
+//!
+//! [`valid`] gives results that are valid: one polygon per part, with simple rings and a connected inside. Its vertices
+//! are rounded to a grid of the format, with steps of the last digit of the largest coordinate, by snap rounding: rings
+//! move by less than a step, and do not cross. ([`valid_decided`] and [`valid_replay`] are its two halves.) Slopes are
+//! those of where each vertex is from, so for polygons in general position those of the usual result. What is narrower
+//! than a step may vanish and has no slope then. Where edges lie along each other, two vertices at one place become
+//! one, with the mean of their slopes.
+//!
 //! For the area of what polygons share nothing need be clipped: see
 //! [`overlap_polygon::rings`](crate::overlap_polygon::rings).
 //!
@@ -39,16 +52,24 @@ mod corner;
 #[cfg(feature = "boolean")]
 mod decide;
 #[cfg(feature = "boolean")]
+mod faces;
+#[cfg(feature = "boolean")]
 mod grid;
 mod replay;
 #[cfg(feature = "boolean")]
 mod shortcut;
+#[cfg(feature = "boolean")]
+mod snap;
 mod trace;
+#[cfg(feature = "boolean")]
+mod valid;
 
 #[cfg(feature = "boolean")]
 pub use decide::overlay_decided;
 pub(crate) use replay::{foot, input_edge, input_vertex};
-pub use replay::{iou_replay, overlay_replay};
+pub use replay::{iou_replay, overlay_replay, valid_replay};
 #[cfg(feature = "boolean")]
 pub use shortcut::{difference, intersection, iou_decided, symmetric_difference, union};
-pub use trace::{EdgeId, IouTrace, Operation, Origin, OverlayTrace, Owner, VertexId};
+pub use trace::{EdgeId, IouTrace, Operation, Origin, OverlayTrace, Owner, ValidTrace, VertexId};
+#[cfg(feature = "boolean")]
+pub use valid::{valid, valid_decided};

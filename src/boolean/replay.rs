@@ -1,5 +1,6 @@
 //! The result of a boolean operation from its inputs and its record.
-use super::{EdgeId, IouTrace, Origin, OverlayTrace, VertexId};
+use super::trace::Made;
+use super::{EdgeId, IouTrace, Origin, OverlayTrace, ValidTrace, VertexId};
 use crate::clipping::crossing::crossing;
 use crate::overlap::ratio_of_first;
 use crate::polygon::{Polygon, Rings};
@@ -55,6 +56,18 @@ fn place<S: Scalar>(inputs: [Rings<'_, S>; 2], origin: Origin) -> Vec2<S> {
     }
 }
 
+/// The mean of some places.
+pub(super) fn mean<S: Scalar>(inputs: [Rings<'_, S>; 2], all: &[Origin]) -> Vec2<S> {
+    match all {
+        [only] => place(inputs, *only),
+        _ => {
+            let share = S::lit(1.0 / all.len() as f64);
+            all.iter()
+                .fold(Vec2::zero(), |sum, &one| sum + place(inputs, one) * share)
+        }
+    }
+}
+
 /// The result of a boolean operation, from both inputs and the record of
 /// `overlay_decided`: parts counter-clockwise, holes clockwise. Slopes of a crossing are those of
 /// the two edges that cross; its own are unbounded as these become parallel, though those of areas are
@@ -70,15 +83,7 @@ pub fn overlay_replay<'a, S: Scalar>(
     trace: &OverlayTrace,
 ) -> Polygon<S> {
     let inputs = [a.into(), b.into()];
-    let vertices = trace.origins().map(|all| {
-        let share = S::lit(1.0 / all.len() as f64);
-        match all {
-            [only] => place(inputs, *only),
-            _ => all
-                .iter()
-                .fold(Vec2::zero(), |sum, &one| sum + place(inputs, one) * share),
-        }
-    });
+    let vertices = trace.origins().map(|all| mean(inputs, all));
     let mut vertices = vertices.collect::<Vec<_>>().into_iter();
     let mut made = Polygon::new();
     let mut start = 0;
@@ -87,6 +92,44 @@ pub fn overlay_replay<'a, S: Scalar>(
         start = end;
     }
     made
+}
+
+/// The result of a boolean operation as polygons that are valid by the OGC's rules, one per part, from both inputs and
+/// the record of `valid_decided`: the outer ring first, counter-clockwise, then the holes, clockwise. Values are those
+/// of the record, on its grid; slopes are those of where each vertex is from.
+///
+/// # Panics
+///
+/// When the record names a ring or a vertex that is not there: it is of other inputs.
+#[must_use]
+pub fn valid_replay<'a, S: Scalar>(
+    a: impl Into<Rings<'a, S>>,
+    b: impl Into<Rings<'a, S>>,
+    trace: &ValidTrace,
+) -> Vec<Polygon<S>> {
+    let inputs = [a.into(), b.into()];
+    let vertex = |k: usize| {
+        let near = match &trace.made[k] {
+            Made::Of(all) => mean(inputs, all),
+            &Made::Along(edge, share) => {
+                let [start, end] = input_edge(inputs, edge).0;
+                start * S::lit(1.0 - share) + end * S::lit(share)
+            }
+        };
+        let [x, y] = trace.places[k].map(S::Primal::lit);
+        Vec2::new(near.x.with_primal(x), near.y.with_primal(y))
+    };
+    let (mut ring, mut start) = (0, 0);
+    let part = |&rings: &usize| {
+        let mut made = Polygon::new();
+        while ring < rings {
+            made.push((start..trace.rings[ring]).map(vertex));
+            start = trace.rings[ring];
+            ring += 1;
+        }
+        made
+    };
+    trace.parts.iter().map(part).collect()
 }
 
 /// Intersection over union, in `[0, 1]`, from both inputs and the record of `iou_decided`; zero with slope

@@ -108,3 +108,36 @@ pub struct IouTrace {
     /// What they cover together.
     pub union: OverlayTrace,
 }
+
+/// Where a vertex of a valid result is from.
+#[derive(Clone, Debug, PartialEq)]
+pub(super) enum Made {
+    /// The mean of some places.
+    Of(Vec<Origin>),
+    /// A fixed fraction of the way along an edge.
+    Along(EdgeId, f64),
+}
+
+/// The vertices of a result that is valid by the OGC's rules: their coordinates and where each is from.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct ValidTrace {
+    pub(super) places: Vec<[f64; 2]>,
+    pub(super) made: Vec<Made>,
+    /// How many vertices there are up to the end of each ring.
+    pub(super) rings: Vec<usize>,
+    /// How many rings there are up to the end of each part.
+    pub(super) parts: Vec<usize>,
+}
+
+impl ValidTrace {
+    /// How many parts the result has.
+    #[must_use]
+    pub fn part_count(&self) -> usize {
+        self.parts.len()
+    }
+    /// How many vertices the result has.
+    #[must_use]
+    pub fn vertex_count(&self) -> usize {
+        self.places.len()
+    }
+}

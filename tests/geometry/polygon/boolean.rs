@@ -14,7 +14,7 @@ use geograd::{Error, Pack, Polygon, Scalar, Vec2};
 use geograd_tests::Dice;
 
 /// The operations, and which of the areas in a only, in both and in b only belong to the result.
-const OPERATIONS: [(Operation, [bool; 3]); 4] = [
+pub const OPERATIONS: [(Operation, [bool; 3]); 4] = [
     (Operation::Union, [true, true, true]),
     (Operation::Intersection, [false, true, false]),
     (Operation::Difference, [true, false, false]),
@@ -30,7 +30,7 @@ fn valid(rings: &[Ring]) -> bool {
     geograd::Rings::from(rings).validate().is_ok()
 }
 
-fn cases(dice: &mut Dice) -> Vec<(Vec<Ring>, Vec<Ring>)> {
+pub fn cases(dice: &mut Dice) -> Vec<(Vec<Ring>, Vec<Ring>)> {
     let mut all: Vec<_> = (0..40).map(|_| (stars(dice), stars(dice))).collect();
     all.extend((0..60).map(|_| (any(dice), any(dice))));
     let hard = hard_rings();

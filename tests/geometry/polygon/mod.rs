@@ -9,3 +9,7 @@ mod published;
 mod rings;
 mod scanline;
 mod shapes;
+#[cfg(feature = "boolean")]
+mod simple;
+#[cfg(feature = "boolean")]
+mod valid;
