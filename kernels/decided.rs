@@ -5,7 +5,7 @@
 //! the result is smooth; where a decision changes, its slopes are those of the one that was taken.
 use crate::error::Error;
 use crate::kernels::cpu::plan::{Face, Known, Want, known, of_items};
-use crate::kernels::op::{Ask, Jumps, Promise, Source};
+use crate::kernels::op::{Ask, Extremes, Finite, Jumps, Limits, Promise, Range, Source};
 use crate::kernels::row::{Row, by_kind, by_shape, get, leaves_of};
 use crate::{Fixed, Jet, Pack, Scalar};
 use std::fmt::Debug;
@@ -30,6 +30,12 @@ pub trait Decided: Copy + Debug + Default + Send + Sync + 'static {
     const PROMISES: &'static [Promise];
     /// Where its value may jump.
     const JUMPS: Jumps;
+    /// Of which inputs values and slopes are finite.
+    const FINITE: Finite = Finite::Within(Limits::ORDINARY);
+    /// Within which every number of its result lies.
+    const RANGE: Range = Range::ANY;
+    /// What identical shapes and shapes apart score.
+    const EXTREMES: Extremes = Extremes::Unsaid;
     /// The search.
     fn decide<S: Scalar<Mask = bool>>(input: Self::In<S>) -> Self::Record;
     /// The result, given what was decided.

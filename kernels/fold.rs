@@ -2,7 +2,7 @@
 //!
 //! A fold is what happens at one edge, how two results are joined, and how it ends. Edges may be
 //! computed in any order and side by side; batches run their body as a program.
-use crate::kernels::op::{Jumps, Promise, Source};
+use crate::kernels::op::{Finite, Jumps, Limits, Promise, Range, Source};
 use crate::{Fixed, Pack, Scalar, Vec2};
 use std::fmt::Debug;
 
@@ -65,6 +65,10 @@ pub trait Fold: Copy + Debug + Default + Send + Sync + 'static {
     const PROMISES: &'static [Promise];
     /// Where its value may jump.
     const JUMPS: Jumps;
+    /// Of which inputs values and slopes are finite.
+    const FINITE: Finite = Finite::Within(Limits::ORDINARY);
+    /// Within which every number of its result lies.
+    const RANGE: Range = Range::ANY;
     /// Of a fold that takes no more of a path than the edges nearest to the point that its context begins with,
     /// and the winding number around that: which number of the state that is. Batches then fold no other edges.
     #[doc(hidden)]

@@ -53,6 +53,8 @@ pub mod points;
 #[forbid(unsafe_code)]
 mod program;
 #[forbid(unsafe_code)]
+mod promised;
+#[forbid(unsafe_code)]
 pub mod real;
 #[forbid(unsafe_code)]
 mod recorded_subject;

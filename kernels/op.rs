@@ -34,6 +34,7 @@ use crate::kernels::cpu::plan::{self, Compiled, Face, Want};
 use crate::kernels::cpu::rings::Measure;
 #[cfg(feature = "gpu")]
 use crate::kernels::gpu::Generated;
+pub use crate::kernels::promised::{Extremes, Finite, Limits, Range};
 #[cfg(feature = "gpu")]
 use crate::kernels::replays::Replays;
 use crate::kernels::row::Row;
@@ -69,6 +70,12 @@ pub trait Op: Copy + Debug + Default + Send + Sync + 'static {
     const JUMPS: Jumps;
     /// Where its slopes come from.
     const SLOPES: Slopes;
+    /// Of which inputs values and slopes are finite.
+    const FINITE: Finite = Finite::Within(Limits::ORDINARY);
+    /// Within which every number of its result lies.
+    const RANGE: Range = Range::ANY;
+    /// What identical shapes and shapes apart score.
+    const EXTREMES: Extremes = Extremes::Unsaid;
     /// The function.
     fn eval<S: Scalar>(input: Self::In<S>) -> Self::Out<S>;
     /// The result, and the slopes of `out_bar · result` with respect to the input, by hand; `None`
@@ -245,6 +252,10 @@ pub trait RingOp: Copy + Debug + Default + Send + Sync + 'static {
     const PROMISES: &'static [Promise];
     /// Where its value may jump.
     const JUMPS: Jumps;
+    /// Of which inputs values and slopes are finite.
+    const FINITE: Finite = Finite::Within(Limits::ORDINARY);
+    /// Within which every number of its result lies.
+    const RANGE: Range = Range::ANY;
     /// The result.
     fn value<S: Scalar>(ring: &[Vec2<S>]) -> Self::Out<S>;
     /// The adjoint, one cotangent per vertex, written into the caller's slice of the same length.

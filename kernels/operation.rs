@@ -62,6 +62,9 @@ macro_rules! operation {
         $(#[$doc:meta])*
         $vis:vis $Name:ident = $name:literal: ($($arg:ident: $type:ty),+ $(,)?) -> $out:ty $body:block
         promises [$($motion:ident $answer:ident $(($power:literal))?),* $(,)?]
+        $(finite $finite:ident $(($limits:expr))?)?
+        $(range $range:ident)?
+        $(extremes $extremes:ident)?
         jumps $jumps:ident
         slopes $slopes:ident $(|$input:pat_param, $out_bar:ident| $adjoint:block)?
         $(=> compiled { $compiled:expr })?
@@ -84,6 +87,11 @@ macro_rules! operation {
             ),*];
             const JUMPS: $crate::kernels::op::Jumps = $crate::kernels::op::Jumps::$jumps;
             const SLOPES: $crate::kernels::op::Slopes = $crate::kernels::op::Slopes::$slopes;
+            $(const FINITE: $crate::kernels::op::Finite =
+                $crate::kernels::op::Finite::$finite $(($limits))?;)?
+            $(const RANGE: $crate::kernels::op::Range = $crate::kernels::op::Range::$range;)?
+            $(const EXTREMES: $crate::kernels::op::Extremes =
+                $crate::kernels::op::Extremes::$extremes;)?
             #[allow(unused_imports, unused_parens)]
             fn eval<S: $crate::Scalar>(($($arg),+): Self::In<S>) -> Self::Out<S> {
                 use $crate::{Mask as _, Scalar as _};

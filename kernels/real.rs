@@ -5,6 +5,7 @@ use crate::ad::program::Plain;
 use crate::kernels::cpu::arch::Kernels;
 use crate::kernels::cpu::drivers::Drivers;
 use crate::kernels::cpu::lane::Kept;
+use crate::kernels::fuzz::{self, Fuzzed, Job};
 use crate::kernels::recorded_subject::RecordedSubject;
 use crate::{Pack, Scalar};
 
@@ -24,6 +25,9 @@ pub trait Real:
     fn judged(subject: &RecordedSubject<'_, Self>, judge: &mut dyn FnMut(&dyn Subject))
     where
         Self: Number;
+    /// Fuzzes an operation; for the same reason.
+    #[doc(hidden)]
+    fn fuzzed(job: &Job<Self>, count: u64, seed: u64) -> Fuzzed;
 }
 
 impl Real for f32 {
@@ -38,6 +42,9 @@ impl Real for f32 {
     fn judged(subject: &RecordedSubject<'_, f32>, judge: &mut dyn FnMut(&dyn Subject)) {
         judge(subject);
     }
+    fn fuzzed(job: &Job<f32>, count: u64, seed: u64) -> Fuzzed {
+        fuzz::run(job, count, seed)
+    }
 }
 impl Real for f64 {
     #[inline]
@@ -50,5 +57,8 @@ impl Real for f64 {
     }
     fn judged(subject: &RecordedSubject<'_, f64>, judge: &mut dyn FnMut(&dyn Subject)) {
         judge(subject);
+    }
+    fn fuzzed(job: &Job<f64>, count: u64, seed: u64) -> Fuzzed {
+        fuzz::run(job, count, seed)
     }
 }

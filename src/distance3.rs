@@ -8,6 +8,9 @@
 //! assert_eq!(signed_distance(Vec3::new(1.5, 0.0, 0.75), shape), -0.25);
 //! ```
 //!
+//! Values and slopes are finite where every length and coordinate is zero or of a magnitude from 2⁻²⁰ to 2²⁰ in `f32`,
+//! from 2⁻¹⁵⁰ to 2¹⁵⁰ in `f64`.
+//!
 //! Kinks: inside, where several faces are equally near; at the centre's planes outside nothing. Across a face
 //! the signed distance is smooth, along an edge or at a corner of the border it is not.
 use crate::shape::{Aabb3, Obb3, YawBox3};

@@ -15,6 +15,9 @@
 //! at most [`Scalar::EMPTY`]: longer than wide by a factor beyond about 10³⁷ in `f32` and 10³⁰⁶ in `f64`.
 //! Two such boxes score 0, also when they are identical.
 //!
+//! Values and slopes are finite for all finite valid input, for upstream slopes of any size; slopes by duals where every length
+//! and coordinate is zero or of a magnitude from 2⁻²⁰ to 2²⁰ in `f32`, from 2⁻¹⁵⁰ to 2¹⁵⁰ in `f64`.
+//!
 //! Kinks: sides lying along each other (the slope is the mean of both sides of the kink), and
 //! boxes that begin to touch (slope zero). A corner on a side is no kink.
 use crate::clip::{Framed, Relative, clip, clipped_area, frame, relate, related_area, size_scale};

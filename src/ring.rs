@@ -4,6 +4,8 @@
 //! and self-intersection are valid: the functions are sums over edges and say what they give.
 //! Vertices are taken relative to the first one and in units of the ring's own extent, so neither
 //! the distance from the origin nor the size costs digits.
+//!
+//! Signed area, perimeter and centroid, and their slopes, are finite for all finite vertices.
 use crate::{Mask, Scalar, Vec2};
 
 /// Vertices worked on side by side: sums of their own that need not wait for each other, and arrays

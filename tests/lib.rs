@@ -15,17 +15,14 @@ pub mod lines;
 #[cfg(feature = "list")]
 pub mod list;
 
-/// Scores of two shapes that are fuzzed beside the list's pairs.
+/// Operations of two shapes that are fuzzed beside the list.
 ///
 /// `more_fuzzed!(with)` calls the macro `with!` with names and types.
 #[macro_export]
 macro_rules! more_fuzzed {
     ($with:ident) => {
         $with! {
-            iou_yaw: geograd::kernels::IouYaw,
-            iou_aabb3: geograd::kernels::IouAabb3,
-            iou_obb3: geograd::kernels::IouObb3,
-            giou_obb2: geograd::kernels::GiouObb2,
+            iou_aabb3_obb3: geograd::kernels::IouAabb3Obb3,
             intersection_area_quads: geograd::kernels::IntersectionAreaQuads,
         }
     };

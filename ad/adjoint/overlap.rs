@@ -7,9 +7,7 @@ use crate::clip::{
     Framed, clip, clipped_area, frame, nothing_shared, relate, related_area, size_scale,
 };
 pub(crate) use crate::overlap::tamed;
-use crate::overlap::{
-    Denominator, Shared, area_from_half, area_of_shared, in_outer_unit, score_of, share,
-};
+use crate::overlap::{Denominator, Shared, area_from_half, in_outer_unit, score_of, share};
 use crate::{Aabb2, Mask, Obb2, Scalar, Vec2};
 
 /// The slopes of a score with respect to the areas (in space: volumes) it is made of.
@@ -264,15 +262,17 @@ pub(crate) fn tame_score_aabb2_vjp<S: Scalar>(
     b: Aabb2<S>,
     out_bar: S,
 ) -> (S, (Aabb2<S>, Aabb2<S>)) {
-    let shared = share(a, b);
     let Shared {
         half,
         half_a,
         half_b,
         apart,
         scale,
-    } = shared;
-    let inter = area_of_shared(&shared);
+    } = share(a, b);
+    // Of boxes apart it may be infinite, and no slope of zero makes that zero.
+    let none = |x: S| S::select(apart, S::zero(), x);
+    let half = Vec2::new(none(half.x), none(half.y));
+    let inter = area_from_half(half);
     let (area_a, area_b) = (area_from_half(half_a), area_from_half(half_b));
     let value = score_of(over, inter, area_a, area_b);
     let areas = score_slopes(over, value, [inter, area_a, area_b], out_bar);
@@ -281,11 +281,11 @@ pub(crate) fn tame_score_aabb2_vjp<S: Scalar>(
         Denominator::None => S::one().over(scale),
         Denominator::Union | Denominator::First => scale,
     };
-    let inter_bar = S::select(apart, S::zero(), areas.inter);
-    let two = S::lit(2.0) * unit;
+    // Twice the unit of the least numbers is beyond the largest.
+    let two = (S::lit(2.0) * unit).saturated();
     // Slopes with respect to a shared bound, and to a box's own bounds; to the caller's unit go their
     // sums, so that what cancels cancels however small it is there.
-    let bound_bar = Vec2::new(half.y, half.x) * inter_bar;
+    let bound_bar = Vec2::new(half.y, half.x) * areas.inter;
     let own_a = own_bound_bar(half_a, areas.own[0]) * areas.falling;
     let own_b = own_bound_bar(half_b, areas.own[1]) * areas.falling;
     let max = Vec2::new(part_taken(a.max.x, b.max.x), part_taken(a.max.y, b.max.y));

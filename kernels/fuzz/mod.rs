@@ -1,34 +1,47 @@
-//! Operations on very many inputs that nobody would think of: what is promised of all finite valid
-//! input, at tens of millions of inputs a second.
+//! Operations on very many inputs that nobody would think of: what rows promise of all finite valid input.
 //!
-//! Of every input: value and slopes are finite, and the value is in its range. Of pairs: identical
-//! shapes share all they have, or nothing where they count as empty, with slopes of zero; and what
-//! stays when shapes are exchanged stays to a few roundings of the longest aspect. Slopes stay finite
-//! for upstream slopes of any size. Of some inputs: the scalar code and other positions in a batch
-//! give the same bits.
+//! Of every input: value and slopes are [finite](crate::kernels::op::Finite), and the value is in its
+//! [range](crate::kernels::op::Range). Of pairs: identical shapes and shapes apart score
+//! [as they should](crate::kernels::op::Extremes), and what stays when shapes are exchanged stays to a few roundings of
+//! the longest aspect. Of rows that are always finite slopes stay so for upstream slopes of any size. Of some inputs:
+//! other levels of instructions, other forms of a batch, other positions and the scalar code give the same bits, and
+//! duals are finite with the same value.
+//!
+//! Numbers are any bits, moderate ones, few different ones so that shapes share coordinates, multiples of 45 degrees,
+//! and those next to them, near and at the ends of the format; for a whole list, for a field, or for every number by
+//! itself, so that all of it meets in one shape. Rows with [limits](crate::kernels::op::Limits) are given numbers within
+//! them.
 //!
 //! ```
 //! use geograd::kernels::{IouObb2, fuzz};
-//! let fuzzed = fuzz::pairs::<IouObb2, _, f32>(100_000, 1);
+//! let fuzzed = fuzz::operation::<IouObb2, f32>(100_000, 1);
 //! assert_eq!(fuzzed.broken, None, "{fuzzed}");
 //! ```
-mod draw;
-mod pairs;
-mod rings;
+mod inputs;
+mod job;
+mod judge;
+mod numbers;
+mod rules;
+mod shrink;
 
-pub use draw::Drawn;
-pub use pairs::pairs;
-pub use rings::rings;
+#[doc(hidden)]
+pub use job::Job;
 
-use crate::ad::check::sample::Draw;
+use crate::ad::check::sample::{Draw, Sample};
+use crate::kernels::decided::Decided;
+use crate::kernels::fold::Fold;
+use crate::kernels::op::{Op, RingOp};
 use crate::kernels::real::Real;
+use crate::kernels::row::Row;
+use inputs::Inputs;
+use judge::Thorough;
 use std::fmt;
 use std::sync::atomic::{AtomicU64, Ordering};
 use std::sync::{Mutex, PoisonError};
 use std::time::{Duration, Instant};
 
-/// Of so many inputs one is computed again by the scalar code.
-const SINGLE: usize = 61;
+/// Inputs of one batch: few enough for one thread.
+const CHUNK: usize = 2048;
 
 /// How an operation broke what is promised.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
@@ -38,14 +51,18 @@ pub enum Promise {
     Accepted,
     /// A value or a slope is infinite or not a number.
     Finite,
-    /// A ratio is in `[0, 1]`, an area or a length is not negative.
+    /// The value is within the range of its row.
     Range,
     /// Identical shapes score 1 (or 0 where they count as empty) with slopes of zero.
     Identical,
+    /// Shapes apart score 0 with slopes of zero.
+    Apart,
     /// Exchanging the shapes changes nothing.
     Symmetric,
     /// All forms give the same bits.
     SameBits,
+    /// Duals have the value of plain numbers.
+    Duals,
 }
 
 impl fmt::Display for Promise {
@@ -55,19 +72,25 @@ impl fmt::Display for Promise {
             Promise::Finite => "a number is not finite",
             Promise::Range => "the value is out of range",
             Promise::Identical => "identical shapes do not score as such",
+            Promise::Apart => "shapes apart do not score zero with slopes of zero",
             Promise::Symmetric => "exchanging the shapes changes the value",
             Promise::SameBits => "two forms give different bits",
+            Promise::Duals => "duals have another value",
         })
     }
 }
 
-/// The input at which a promise is broken.
+/// The input at which a promise is broken, made as simple as it can be.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Broken {
     /// Which promise.
     pub promise: Promise,
     /// The numbers of the input, all shapes in a row.
     pub input: Vec<f64>,
+    /// Upstream slopes, one for every number of the result.
+    pub upstream: Vec<f64>,
+    /// The operation and the input as code.
+    pub code: String,
 }
 
 /// What was fuzzed, and how it went.
@@ -93,32 +116,73 @@ impl fmt::Display for Fuzzed {
         } = self;
         write!(
             f,
-            "{op:24} {format}  {inputs:>13} inputs, {rate:6.1} million a second: "
+            "{op:34} {format}  {inputs:>13} inputs, {rate:6.2} million a second: "
         )?;
-        match &self.broken {
-            None => f.write_str("ok"),
-            Some(Broken { promise, input }) => write!(f, "{promise}: {input:?}"),
+        let Some(broken) = &self.broken else {
+            return f.write_str("ok");
+        };
+        write!(f, "{}\n    {}", broken.promise, broken.code)?;
+        match broken.upstream.iter().all(|&x| x == 1.0) {
+            true => Ok(()),
+            false => write!(f, "\n    upstream {:?}", broken.upstream),
         }
     }
 }
 
-type Outcome = Result<(), Broken>;
+/// Fuzzes an operation of fixed size on all cores; stops at the first thing that it finds.
+#[must_use]
+pub fn operation<O: Op, T: Real>(count: u64, seed: u64) -> Fuzzed
+where
+    O::In<T>: Row<Scalar = T>,
+    O::Out<T>: Row<Scalar = T>,
+    O::In<f64>: Sample + Row<Scalar = f64>,
+{
+    T::fuzzed(&Job::of_op::<O>(), count, seed)
+}
 
-/// Runs chunks of so many inputs on all cores until there are so many inputs or one breaks a promise. Every thread has
-/// lists of its own.
-fn run<T: Real, L>(
-    op: &'static str,
-    (count, seed): (u64, u64),
-    per_chunk: usize,
-    lists: impl Fn() -> L + Sync,
-    chunk: impl Fn(&mut L, &mut Draw) -> Outcome + Sync,
-) -> Fuzzed {
+/// Fuzzes an operation with a search.
+#[must_use]
+pub fn decided<D: Decided, T: Real>(count: u64, seed: u64) -> Fuzzed
+where
+    D::In<T>: Row<Scalar = T>,
+    D::Out<T>: Row<Scalar = T>,
+    D::In<f64>: Sample + Row<Scalar = f64>,
+{
+    T::fuzzed(&Job::of_decided::<D>(), count, seed)
+}
+
+/// Fuzzes a measure of rings.
+#[must_use]
+pub fn ring<O: RingOp, T: Real>(count: u64, seed: u64) -> Fuzzed {
+    T::fuzzed(&Job::of_ring::<O>(), count, seed)
+}
+
+/// Fuzzes a fold over paths.
+#[must_use]
+pub fn fold<F: Fold, T: Real>(count: u64, seed: u64) -> Fuzzed
+where
+    F::Context<T>: Row<Scalar = T>,
+    F::Context<f64>: Sample + Row<Scalar = f64>,
+{
+    T::fuzzed(&Job::of_fold::<F>(), count, seed)
+}
+
+/// What breaks a promise among many inputs.
+struct Finding {
+    promise: Promise,
+    at: usize,
+}
+
+/// Runs chunks of inputs on all cores until there are so many or one breaks a promise. Every thread has lists of its
+/// own.
+pub(crate) fn run<T: Real>(job: &Job<T>, count: u64, seed: u64) -> Fuzzed {
     let start = Instant::now();
     let (next, done) = (AtomicU64::new(0), AtomicU64::new(0));
     let broken: Mutex<Option<(u64, Broken)>> = Mutex::new(None);
-    let chunks = count.div_ceil(per_chunk as u64);
+    let per_chunk = (CHUNK as u64).min(count.max(1));
+    let chunks = count.div_ceil(per_chunk);
     let work = || {
-        let mut lists = lists();
+        let mut inputs = Inputs::default();
         loop {
             let i = next.fetch_add(1, Ordering::Relaxed);
             if i >= chunks {
@@ -126,11 +190,16 @@ fn run<T: Real, L>(
             }
             // Every chunk has numbers of its own, whoever draws them.
             let mut draw = Draw::new(Draw::new(seed).bits() ^ i << 20);
-            let outcome = chunk(&mut lists, &mut draw);
-            done.fetch_add(per_chunk as u64, Ordering::Relaxed);
-            if let Err(found) = outcome {
+            job.draw(&mut draw, &mut inputs, per_chunk as usize);
+            let bars = job.cotangents(&mut draw, inputs.count);
+            let outcome = job.judge(&inputs, &bars, Thorough::some(&mut draw));
+            done.fetch_add(per_chunk, Ordering::Relaxed);
+            if let Err(Finding { promise, at }) = outcome {
                 let mut first = broken.lock().unwrap_or_else(PoisonError::into_inner);
                 if first.as_ref().is_none_or(|(at, _)| i < *at) {
+                    let bars = bars.iter().zip(&job.outputs);
+                    let bars = bars.flat_map(|(list, &n)| list[at * n..][..n].to_vec());
+                    let found = shrink::shrunk(job, inputs.item(job, at), bars.collect(), promise);
                     *first = Some((i, found));
                 }
                 next.store(chunks, Ordering::Relaxed);
@@ -146,39 +215,14 @@ fn run<T: Real, L>(
     });
     let broken = broken.into_inner().unwrap_or_else(PoisonError::into_inner);
     Fuzzed {
-        op,
-        format: if draw::is_wide::<T>() { "f64" } else { "f32" },
+        op: job.name,
+        format: if numbers::is_wide::<T>() {
+            "f64"
+        } else {
+            "f32"
+        },
         inputs: done.into_inner(),
         time: start.elapsed(),
         broken: broken.map(|(_, broken)| broken),
     }
-}
-
-/// Whether two lists have the same bits.
-fn same<T: Real>(a: &[T], b: &[T]) -> bool {
-    let bits = |x: &T| x.widen().to_bits();
-    a.len() == b.len() && a.iter().map(bits).eq(b.iter().map(bits))
-}
-
-/// The first place of a number that is not finite.
-#[allow(clippy::eq_op)]
-fn not_finite<T: Real>(list: &[T]) -> Option<usize> {
-    // A number less itself is zero, unless it is infinite or none; sums need no branches.
-    let (whole, rest) = list.as_chunks::<16>();
-    let mut sums = [T::zero(); 16];
-    for numbers in whole {
-        for (sum, &x) in sums.iter_mut().zip(numbers) {
-            *sum += x - x;
-        }
-    }
-    match sums.iter().chain(rest).all(|x| x.finite()) {
-        true => None,
-        false => list.iter().position(|x| !x.finite()),
-    }
-}
-
-/// The first place of which something is true, which it hardly ever is.
-fn first_where<T>(list: &[T], ill: impl Fn(&T) -> bool) -> Option<usize> {
-    let found = list.iter().fold(false, |any, x| any | ill(x));
-    found.then(|| list.iter().position(ill)).flatten()
 }

@@ -75,7 +75,7 @@ operation! {
 
     /// The [corners](Obb2::corners) of a rotated box.
     pub CornersOfObb2 = "corners_of_obb2":
-        (shape: Obb2<S>) -> [Vec2<S>; 4] { shape.corners() }
+        (shape: Obb2<S>) -> [Vec2<S>; 4] { unsigned(shape.corners()) }
     promises [TranslationX Follows, TranslationY Follows, Rotation Follows, Scaling Follows]
     jumps Never
     slopes Forward

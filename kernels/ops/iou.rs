@@ -4,7 +4,7 @@ use crate::clip::frame;
 use crate::iou;
 use crate::iou::Exponent;
 use crate::kernels::cpu::plan::Compiled;
-use crate::kernels::op::{Jumps, Op, Promise, Slopes};
+use crate::kernels::op::{Extremes, Finite, Jumps, Op, Promise, Range, Slopes};
 use crate::kernels::ops::rows::{promises, rows_of_pairs};
 use crate::operation;
 use crate::{Aabb2, Obb2, Scalar};
@@ -23,6 +23,9 @@ impl Op for GiouObb2 {
     );
     const JUMPS: Jumps = Jumps::FromZero;
     const SLOPES: Slopes = Slopes::ByHand;
+    const FINITE: Finite = Finite::Always;
+    const RANGE: Range = Range::SIGNED;
+    const EXTREMES: Extremes = Extremes::One;
     #[inline]
     fn eval<S: Scalar>((a, b): Self::In<S>) -> S {
         iou::giou_framed::<S, true>(frame(a), frame(b))
@@ -43,96 +46,115 @@ impl Op for GiouObb2 {
 rows_of_pairs! {
     iou::giou_aabb2 as "[`giou_aabb2`](crate::iou::giou_aabb2)" -> S,
     promises [TranslationX Stays, TranslationY Stays, Scaling Stays],
+    range SIGNED,
     jumps FromZero, slopes Forward {
         GiouAabb2 = "giou_aabb2": Aabb2, Aabb2, "two axis-aligned boxes" [Exchange Stays];
     }
     iou::giou_hull_aabb2 as "[`giou_hull_aabb2`](crate::iou::giou_hull_aabb2)" -> S,
     promises [TranslationX Stays, TranslationY Stays, Scaling Stays],
+    range SIGNED,
     jumps FromZero, slopes Forward {
         GiouHullAabb2 = "giou_hull_aabb2": Aabb2, Aabb2, "two axis-aligned boxes" [Exchange Stays];
     }
     iou::giou_aabb_obb2 as "[`giou_aabb_obb2`](crate::iou::giou_aabb_obb2)" -> S,
     promises [TranslationX Stays, TranslationY Stays, Scaling Stays],
+    range SIGNED,
     jumps FromZero, slopes Forward {
         GiouAabbObb2 = "giou_aabb_obb2": Obb2, Obb2, "two rotated boxes" [Exchange Stays];
     }
     iou::diou_aabb2 as "[`diou_aabb2`](crate::iou::diou_aabb2)" -> S,
     promises [TranslationX Stays, TranslationY Stays, Scaling Stays],
+    range SIGNED,
     jumps FromZero, slopes Forward {
         DiouAabb2 = "diou_aabb2": Aabb2, Aabb2, "two axis-aligned boxes" [Exchange Stays];
     }
     iou::diou_hull_aabb2 as "[`diou_hull_aabb2`](crate::iou::diou_hull_aabb2)" -> S,
     promises [TranslationX Stays, TranslationY Stays, Scaling Stays],
+    range SIGNED,
     jumps FromZero, slopes Forward {
         DiouHullAabb2 = "diou_hull_aabb2": Aabb2, Aabb2, "two axis-aligned boxes" [Exchange Stays];
     }
     iou::diou_obb2 as "[`diou_obb2`](crate::iou::diou_obb2)" -> S,
     promises [TranslationX Stays, TranslationY Stays, Scaling Stays],
+    range SIGNED,
     jumps FromZero, slopes Forward {
         DiouObb2 = "diou_obb2": Obb2, Obb2, "two rotated boxes" [Rotation Stays];
     }
     iou::diou_aabb_obb2 as "[`diou_aabb_obb2`](crate::iou::diou_aabb_obb2)" -> S,
     promises [TranslationX Stays, TranslationY Stays, Scaling Stays],
+    range SIGNED,
     jumps FromZero, slopes Forward {
         DiouAabbObb2 = "diou_aabb_obb2": Obb2, Obb2, "two rotated boxes" [Exchange Stays];
     }
     iou::ciou_aabb2 as "[`ciou_aabb2`](crate::iou::ciou_aabb2)" -> S,
     promises [TranslationX Stays, TranslationY Stays, Scaling Stays],
+    range CIOU,
     jumps Anywhere, slopes Forward {
         CiouAabb2 = "ciou_aabb2": Aabb2, Aabb2, "two axis-aligned boxes" [Exchange Stays];
     }
     iou::ciou_hull_aabb2 as "[`ciou_hull_aabb2`](crate::iou::ciou_hull_aabb2)" -> S,
     promises [TranslationX Stays, TranslationY Stays, Scaling Stays],
+    range CIOU,
     jumps Anywhere, slopes Forward {
         CiouHullAabb2 = "ciou_hull_aabb2": Aabb2, Aabb2, "two axis-aligned boxes" [Exchange Stays];
     }
     iou::ciou_obb2 as "[`ciou_obb2`](crate::iou::ciou_obb2)" -> S,
     promises [TranslationX Stays, TranslationY Stays, Scaling Stays],
+    range CIOU,
     jumps Anywhere, slopes Forward {
         CiouObb2 = "ciou_obb2": Obb2, Obb2, "two rotated boxes" [Rotation Stays];
     }
     iou::ciou_aabb_obb2 as "[`ciou_aabb_obb2`](crate::iou::ciou_aabb_obb2)" -> S,
     promises [TranslationX Stays, TranslationY Stays, Scaling Stays],
+    range CIOU,
     jumps Anywhere, slopes Forward {
         CiouAabbObb2 = "ciou_aabb_obb2": Obb2, Obb2, "two rotated boxes" [Exchange Stays];
     }
     iou::ciou_fixed_weight_aabb2 as "[`ciou_fixed_weight_aabb2`](crate::iou::ciou_fixed_weight_aabb2)" -> S,
     promises [TranslationX Stays, TranslationY Stays, Scaling Stays],
+    range CIOU,
     jumps Anywhere, slopes Forward {
         CiouFixedWeightAabb2 = "ciou_fixed_weight_aabb2": Aabb2, Aabb2, "two axis-aligned boxes" [Exchange Stays];
     }
     iou::ciou_fixed_weight_obb2 as "[`ciou_fixed_weight_obb2`](crate::iou::ciou_fixed_weight_obb2)" -> S,
     promises [TranslationX Stays, TranslationY Stays, Scaling Stays],
+    range CIOU,
     jumps Anywhere, slopes Forward {
         CiouFixedWeightObb2 = "ciou_fixed_weight_obb2": Obb2, Obb2, "two rotated boxes" [Rotation Stays];
     }
     iou::eiou_aabb2 as "[`eiou_aabb2`](crate::iou::eiou_aabb2)" -> S,
     promises [TranslationX Stays, TranslationY Stays, Scaling Stays],
+    range EIOU_BOX,
     jumps Anywhere, slopes Forward {
         EiouAabb2 = "eiou_aabb2": Aabb2, Aabb2, "two axis-aligned boxes" [Exchange Stays];
     }
     iou::eiou_hull_aabb2 as "[`eiou_hull_aabb2`](crate::iou::eiou_hull_aabb2)" -> S,
     promises [TranslationX Stays, TranslationY Stays, Scaling Stays],
+    range EIOU_HULL,
     jumps Anywhere, slopes Forward {
         EiouHullAabb2 = "eiou_hull_aabb2": Aabb2, Aabb2, "two axis-aligned boxes" [Exchange Stays];
     }
     iou::eiou_obb2 as "[`eiou_obb2`](crate::iou::eiou_obb2)" -> S,
     promises [TranslationX Stays, TranslationY Stays, Scaling Stays],
+    range EIOU_HULL,
     jumps Anywhere, slopes Forward {
         EiouObb2 = "eiou_obb2": Obb2, Obb2, "two rotated boxes" [Rotation Stays];
     }
     iou::eiou_aabb_obb2 as "[`eiou_aabb_obb2`](crate::iou::eiou_aabb_obb2)" -> S,
     promises [TranslationX Stays, TranslationY Stays, Scaling Stays],
+    range EIOU,
     jumps Anywhere, slopes Forward {
         EiouAabbObb2 = "eiou_aabb_obb2": Obb2, Obb2, "two rotated boxes" [Exchange Stays];
     }
     iou::hull_area_obb2 as "[`hull_area_obb2`](crate::iou::hull_area_obb2)" -> S,
     promises [TranslationX Stays, TranslationY Stays, Scaling Power(2)],
+    range NOT_NEGATIVE,
     jumps Never, slopes Reverse {
         HullAreaObb2 = "hull_area_obb2": Obb2, Obb2, "two rotated boxes" [Rotation Stays, Exchange Stays];
     }
     iou::hull_area_aabb2 as "[`hull_area_aabb2`](crate::iou::hull_area_aabb2)" -> S,
     promises [TranslationX Stays, TranslationY Stays, Scaling Power(2)],
+    range NOT_NEGATIVE,
     jumps Never, slopes Reverse {
         HullAreaAabb2 = "hull_area_aabb2": Aabb2, Aabb2, "two axis-aligned boxes" [Exchange Stays];
     }
@@ -144,6 +166,7 @@ operation! {
         iou::alpha_iou_obb2(a, b, power.alpha)
     }
     promises [TranslationX Stays, TranslationY Stays, Rotation Stays, Scaling Stays]
+    range RATIO
     jumps FromZero
     slopes Forward
 
@@ -152,6 +175,7 @@ operation! {
         iou::alpha_iou_aabb2(a, b, power.alpha)
     }
     promises [TranslationX Stays, TranslationY Stays, Scaling Stays]
+    range RATIO
     jumps FromZero
     slopes Forward
 }

@@ -16,6 +16,7 @@ operation! {
     pub GiouAabb3 = "giou_aabb3":
         (a: Aabb3<S>, b: Aabb3<S>) -> S { giou(a, b, Enclosing::Aabb) }
     promises [TranslationX Stays, TranslationY Stays, Scaling Stays, Exchange Stays]
+    range SIGNED
     jumps Anywhere
     slopes Forward
 
@@ -23,6 +24,7 @@ operation! {
     pub DiouAabb3 = "diou_aabb3":
         (a: Aabb3<S>, b: Aabb3<S>) -> S { diou(a, b, Enclosing::Aabb) }
     promises [TranslationX Stays, TranslationY Stays, Scaling Stays, Exchange Stays]
+    range SIGNED
     jumps Anywhere
     slopes Reverse
 
@@ -44,6 +46,7 @@ operation! {
     pub GiouYaw = "giou_yaw":
         (a: YawBox3<S>, b: YawBox3<S>) -> S { giou(a, b, Enclosing::Hull) }
     promises [TranslationX Stays, TranslationY Stays, Scaling Stays, Exchange Stays, Rotation Stays]
+    range SIGNED
     jumps Anywhere
     slopes Forward
 
@@ -51,6 +54,7 @@ operation! {
     pub DiouYaw = "diou_yaw":
         (a: YawBox3<S>, b: YawBox3<S>) -> S { diou(a, b, Enclosing::Hull) }
     promises [TranslationX Stays, TranslationY Stays, Scaling Stays, Rotation Stays]
+    range SIGNED
     jumps Anywhere
     slopes Forward
 
@@ -72,6 +76,7 @@ operation! {
     pub GiouAabbYaw = "giou_aabb_yaw":
         (a: YawBox3<S>, b: YawBox3<S>) -> S { giou(a, b, Enclosing::Aabb) }
     promises [TranslationX Stays, TranslationY Stays, Scaling Stays, Exchange Stays]
+    range SIGNED
     jumps Anywhere
     slopes Forward
 
@@ -79,6 +84,7 @@ operation! {
     pub DiouAabbYaw = "diou_aabb_yaw":
         (a: YawBox3<S>, b: YawBox3<S>) -> S { diou(a, b, Enclosing::Aabb) }
     promises [TranslationX Stays, TranslationY Stays, Scaling Stays, Exchange Stays]
+    range SIGNED
     jumps Anywhere
     slopes Forward
 
@@ -100,6 +106,7 @@ operation! {
     pub GiouRectangleYaw = "giou_rectangle_yaw":
         (a: YawBox3<S>, b: YawBox3<S>) -> S { giou(a, b, Enclosing::Rectangle) }
     promises [TranslationX Stays, TranslationY Stays, Scaling Stays, Exchange Stays, Rotation Stays]
+    range SIGNED
     jumps Anywhere
     slopes Forward
 
@@ -107,6 +114,7 @@ operation! {
     pub DiouRectangleYaw = "diou_rectangle_yaw":
         (a: YawBox3<S>, b: YawBox3<S>) -> S { diou(a, b, Enclosing::Rectangle) }
     promises [TranslationX Stays, TranslationY Stays, Scaling Stays, Exchange Stays, Rotation Stays]
+    range SIGNED
     jumps Anywhere
     slopes Forward
 
@@ -128,6 +136,7 @@ operation! {
     pub GiouObb3 = "giou_obb3":
         (a: Obb3<S>, b: Obb3<S>) -> S { giou(a, b, Enclosing::Rectangle) }
     promises [TranslationX Stays, TranslationY Stays, Scaling Stays, Exchange Stays]
+    range SIGNED
     jumps Anywhere
     slopes ByHand |(a, b), out_bar| { score_obb3_vjp((Score::Giou, Enclosing::Rectangle), a, b, out_bar) }
 
@@ -135,6 +144,7 @@ operation! {
     pub DiouObb3 = "diou_obb3":
         (a: Obb3<S>, b: Obb3<S>) -> S { diou(a, b, Enclosing::Rectangle) }
     promises [TranslationX Stays, TranslationY Stays, Scaling Stays, Exchange Stays]
+    range SIGNED
     jumps Anywhere
     slopes ByHand |(a, b), out_bar| { score_obb3_vjp((Score::Diou, Enclosing::Rectangle), a, b, out_bar) }
 
@@ -156,6 +166,7 @@ operation! {
     pub GiouAabbObb3 = "giou_aabb_obb3":
         (a: Obb3<S>, b: Obb3<S>) -> S { giou(a, b, Enclosing::Aabb) }
     promises [TranslationX Stays, TranslationY Stays, Scaling Stays, Exchange Stays]
+    range SIGNED
     jumps Anywhere
     slopes ByHand |(a, b), out_bar| { score_obb3_vjp((Score::Giou, Enclosing::Aabb), a, b, out_bar) }
 
@@ -163,6 +174,7 @@ operation! {
     pub DiouAabbObb3 = "diou_aabb_obb3":
         (a: Obb3<S>, b: Obb3<S>) -> S { diou(a, b, Enclosing::Aabb) }
     promises [TranslationX Stays, TranslationY Stays, Scaling Stays, Exchange Stays]
+    range SIGNED
     jumps Anywhere
     slopes ByHand |(a, b), out_bar| { score_obb3_vjp((Score::Diou, Enclosing::Aabb), a, b, out_bar) }
 
@@ -184,6 +196,7 @@ operation! {
     pub AlphaIouYaw = "alpha_iou_yaw":
         (a: YawBox3<S>, b: YawBox3<S>) -> S { alpha_iou(iou_yaw(a, b), S::lit(3.0)) }
     promises [TranslationX Stays, TranslationY Stays, Scaling Stays, Exchange Stays, Rotation Stays]
+    range RATIO
     jumps FromZero
     slopes Forward
 
@@ -191,6 +204,7 @@ operation! {
     pub AlphaIouAabb3 = "alpha_iou_aabb3":
         (a: Aabb3<S>, b: Aabb3<S>) -> S { alpha_iou(iou_aabb3(a, b), S::lit(3.0)) }
     promises [TranslationX Stays, TranslationY Stays, Scaling Stays, Exchange Stays]
+    range RATIO
     jumps FromZero
     slopes Reverse
 
@@ -198,6 +212,7 @@ operation! {
     pub SeparationAwareAabb3 = "separation_aware_aabb3":
         (a: Aabb3<S>, b: Aabb3<S>) -> S { separation_aware(a, b) }
     promises [TranslationX Stays, TranslationY Stays, Scaling Stays, Exchange Stays]
+    range SIGNED
     jumps Anywhere
     slopes Reverse
 
@@ -205,6 +220,7 @@ operation! {
     pub SeparationAwareYaw = "separation_aware_yaw":
         (a: YawBox3<S>, b: YawBox3<S>) -> S { separation_aware(a, b) }
     promises [TranslationX Stays, TranslationY Stays, Scaling Stays, Exchange Stays, Rotation Stays]
+    range SIGNED
     jumps Anywhere
     slopes Forward
 
@@ -212,6 +228,7 @@ operation! {
     pub SeparationAwareObb3 = "separation_aware_obb3":
         (a: Obb3<S>, b: Obb3<S>) -> S { separation_aware(a, b) }
     promises [TranslationX Stays, TranslationY Stays, Scaling Stays, Exchange Stays]
+    range SIGNED
     jumps Anywhere
     slopes ByHand |(a, b), out_bar| { score_obb3_vjp((Score::Separation, Enclosing::Aabb), a, b, out_bar) }
 
@@ -219,6 +236,7 @@ operation! {
     pub SeparationAwareObb2 = "separation_aware_obb2":
         (a: Obb2<S>, b: Obb2<S>) -> S { separation_aware_obb2(a, b) }
     promises [TranslationX Stays, TranslationY Stays, Scaling Stays, Exchange Stays, Rotation Stays]
+    range SIGNED
     jumps Never
     slopes Forward
 }

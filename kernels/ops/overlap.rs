@@ -2,7 +2,7 @@
 use crate::ad::adjoint::overlap::{score_aabb2_vjp, score_framed_vjp};
 use crate::clip::frame;
 use crate::kernels::cpu::plan::Compiled;
-use crate::kernels::op::{Answer, Jumps, Motion, Op, Promise, Slopes};
+use crate::kernels::op::{Answer, Extremes, Finite, Jumps, Motion, Op, Promise, Range, Slopes};
 use crate::overlap::{Denominator, score_aabb2, score_framed};
 use crate::{Aabb2, Obb2, Scalar};
 
@@ -32,7 +32,8 @@ const IOF: &[Promise] = &[
 
 /// Scores of rotated boxes: the macro lists them.
 macro_rules! obb2 {
-    ($($name:ident = $function:ident over $over:ident, $promises:expr, $jumps:ident;)*) => { $(
+    ($($name:ident = $function:ident over $over:ident, $promises:expr, $jumps:ident,
+        $range:ident, $extremes:ident;)*) => { $(
         #[doc = concat!("[`", stringify!($function), "`](crate::overlap::", stringify!($function), ").")]
         #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
         pub struct $name;
@@ -44,6 +45,9 @@ macro_rules! obb2 {
             const PROMISES: &'static [Promise] = $promises;
             const JUMPS: Jumps = Jumps::$jumps;
             const SLOPES: Slopes = Slopes::ByHand;
+            const FINITE: Finite = Finite::Always;
+            const RANGE: Range = Range::$range;
+            const EXTREMES: Extremes = Extremes::$extremes;
             #[inline]
             fn eval<S: Scalar>((a, b): Self::In<S>) -> S {
                 score_framed::<S, true>(Denominator::$over, frame(a), frame(b))
@@ -60,14 +64,15 @@ macro_rules! obb2 {
     )* };
 }
 obb2! {
-    IntersectionAreaObb2 = intersection_area_obb2 over None, AREA, Never;
-    IouObb2 = iou_obb2 over Union, IOU, FromZero;
-    IofObb2 = iof_obb2 over First, IOF, FromZero;
+    IntersectionAreaObb2 = intersection_area_obb2 over None, AREA, Never, NOT_NEGATIVE, Shared;
+    IouObb2 = iou_obb2 over Union, IOU, FromZero, RATIO, Union;
+    IofObb2 = iof_obb2 over First, IOF, FromZero, RATIO, Ratio;
 }
 
 /// Scores of axis-aligned boxes: the macro lists them.
 macro_rules! aabb2 {
-    ($($name:ident = $function:ident over $over:ident, $promises:expr, $jumps:ident;)*) => { $(
+    ($($name:ident = $function:ident over $over:ident, $promises:expr, $jumps:ident,
+        $range:ident, $extremes:ident;)*) => { $(
         #[doc = concat!("[`", stringify!($function), "`](crate::overlap::", stringify!($function), ").")]
         #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
         pub struct $name;
@@ -79,6 +84,9 @@ macro_rules! aabb2 {
             const PROMISES: &'static [Promise] = $promises;
             const JUMPS: Jumps = Jumps::$jumps;
             const SLOPES: Slopes = Slopes::ByHand;
+            const FINITE: Finite = Finite::Always;
+            const RANGE: Range = Range::$range;
+            const EXTREMES: Extremes = Extremes::$extremes;
             #[inline]
             fn eval<S: Scalar>((a, b): Self::In<S>) -> S {
                 score_aabb2(Denominator::$over, a, b)
@@ -94,7 +102,7 @@ macro_rules! aabb2 {
     )* };
 }
 aabb2! {
-    IntersectionAreaAabb2 = intersection_area_aabb2 over None, AREA.split_at(4).0, Never;
-    IouAabb2 = iou_aabb2 over Union, IOU.split_at(4).0, FromZero;
-    IofAabb2 = iof_aabb2 over First, IOF.split_at(3).0, FromZero;
+    IntersectionAreaAabb2 = intersection_area_aabb2 over None, AREA.split_at(4).0, Never, NOT_NEGATIVE, Shared;
+    IouAabb2 = iou_aabb2 over Union, IOU.split_at(4).0, FromZero, RATIO, Union;
+    IofAabb2 = iof_aabb2 over First, IOF.split_at(3).0, FromZero, RATIO, Ratio;
 }

@@ -32,6 +32,7 @@ operation! {
     pub IntersectionVolumeAabb3 = "intersection_volume_aabb3":
         (a: Aabb3<S>, b: Aabb3<S>) -> S { intersection_volume_aabb3(a, b) }
     promises [TranslationX Stays, TranslationY Stays, Scaling Power(3), Exchange Stays]
+    finite Always range NOT_NEGATIVE extremes Shared
     jumps Never
     slopes ByHand |(a, b), out_bar| { intersection_volume_aabb3_vjp(a, b, out_bar) }
     => compiled { Compiled::Aabb3 }
@@ -39,6 +40,7 @@ operation! {
     /// [`iou_aabb3`].
     pub IouAabb3 = "iou_aabb3": (a: Aabb3<S>, b: Aabb3<S>) -> S { iou_aabb3(a, b) }
     promises [TranslationX Stays, TranslationY Stays, Scaling Stays, Exchange Stays]
+    finite Always range RATIO extremes Union
     jumps FromZero
     slopes ByHand |(a, b), out_bar| { iou_aabb3_vjp(a, b, out_bar) }
     => compiled { Compiled::Aabb3 }
@@ -46,6 +48,7 @@ operation! {
     /// [`iof_aabb3`].
     pub IofAabb3 = "iof_aabb3": (a: Aabb3<S>, b: Aabb3<S>) -> S { iof_aabb3(a, b) }
     promises [TranslationX Stays, TranslationY Stays, Scaling Stays]
+    finite Always range RATIO extremes Ratio
     jumps FromZero
     slopes ByHand |(a, b), out_bar| { iof_aabb3_vjp(a, b, out_bar) }
     => compiled { Compiled::Aabb3 }
@@ -56,6 +59,7 @@ operation! {
     promises [
         TranslationX Stays, TranslationY Stays, Scaling Power(3), Exchange Stays, Rotation Stays,
     ]
+    finite Always range NOT_NEGATIVE extremes Shared
     jumps Never
     slopes ByHand |(a, b), out_bar| { intersection_volume_yaw_vjp(a, b, out_bar) }
     => compiled { Compiled::Upright(Denominator::None) }
@@ -65,6 +69,7 @@ operation! {
     promises [
         TranslationX Stays, TranslationY Stays, Scaling Stays, Exchange Stays, Rotation Stays,
     ]
+    finite Always range RATIO extremes Union
     jumps FromZero
     slopes ByHand |(a, b), out_bar| { iou_yaw_vjp(a, b, out_bar) }
     => compiled { Compiled::Upright(Denominator::Union) }
@@ -72,6 +77,7 @@ operation! {
     /// [`iof_yaw`].
     pub IofYaw = "iof_yaw": (a: YawBox3<S>, b: YawBox3<S>) -> S { iof_yaw(a, b) }
     promises [TranslationX Stays, TranslationY Stays, Scaling Stays, Rotation Stays]
+    finite Always range RATIO extremes Ratio
     jumps FromZero
     slopes ByHand |(a, b), out_bar| { iof_yaw_vjp(a, b, out_bar) }
     => compiled { Compiled::Upright(Denominator::First) }
@@ -82,6 +88,7 @@ operation! {
     promises [
         TranslationX Stays, TranslationY Stays, Scaling Stays, Exchange Stays, Rotation Stays,
     ]
+    finite Always range RATIO extremes Union
     jumps FromZero
     slopes ByHand |(a, b), out_bar| { birds_eye_vjp(a, b, out_bar) }
     => compiled { Compiled::BirdsEye(Denominator::Union) }
@@ -90,6 +97,7 @@ operation! {
     pub IntersectionVolumeObb3 = "intersection_volume_obb3":
         (a: Obb3<S>, b: Obb3<S>) -> S { intersection_volume_obb3(a, b) }
     promises [TranslationX Stays, TranslationY Stays, Scaling Power(3), Exchange Stays]
+    finite Always range NOT_NEGATIVE extremes Shared
     jumps Never
     slopes ByHand |(a, b), out_bar| { intersection_volume_obb3_vjp(a, b, out_bar) }
     => compiled { Compiled::Obb3(Denominator::None) }
@@ -97,6 +105,7 @@ operation! {
     /// [`iou_obb3`].
     pub IouObb3 = "iou_obb3": (a: Obb3<S>, b: Obb3<S>) -> S { iou_obb3(a, b) }
     promises [TranslationX Stays, TranslationY Stays, Scaling Stays, Exchange Stays]
+    finite Always range RATIO extremes Union
     jumps FromZero
     slopes ByHand |(a, b), out_bar| { iou_obb3_vjp(a, b, out_bar) }
     => compiled { Compiled::Obb3(Denominator::Union) }
@@ -104,6 +113,7 @@ operation! {
     /// [`iof_obb3`].
     pub IofObb3 = "iof_obb3": (a: Obb3<S>, b: Obb3<S>) -> S { iof_obb3(a, b) }
     promises [TranslationX Stays, TranslationY Stays, Scaling Stays]
+    finite Always range RATIO extremes Ratio
     jumps FromZero
     slopes ByHand |(a, b), out_bar| { iof_obb3_vjp(a, b, out_bar) }
     => compiled { Compiled::Obb3(Denominator::First) }
@@ -112,6 +122,7 @@ operation! {
     pub IouAabb3Yaw = "iou_aabb3_yaw":
         (a: Aabb3<S>, b: YawBox3<S>) -> S { a.iou_with(b) }
     promises [TranslationX Stays, TranslationY Stays, Scaling Stays]
+    range RATIO extremes Shared
     jumps FromZero
     slopes Forward
 
@@ -119,6 +130,7 @@ operation! {
     pub IouAabb3Obb3 = "iou_aabb3_obb3":
         (a: Aabb3<S>, b: Obb3<S>) -> S { a.iou_with(b) }
     promises [TranslationX Stays, TranslationY Stays, Scaling Stays]
+    finite Always range RATIO extremes Shared
     jumps FromZero
     slopes ByHand |(a, b), out_bar| { iou_aabb3_obb3_vjp(a, b, out_bar) }
 
@@ -126,6 +138,7 @@ operation! {
     pub IouYawObb3 = "iou_yaw_obb3":
         (a: YawBox3<S>, b: Obb3<S>) -> S { a.iou_with(b) }
     promises [TranslationX Stays, TranslationY Stays, Scaling Stays]
+    finite Always range RATIO extremes Shared
     jumps FromZero
     slopes ByHand |(a, b), out_bar| { iou_yaw_obb3_vjp(a, b, out_bar) }
 }

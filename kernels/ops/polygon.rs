@@ -23,12 +23,14 @@ operation! {
     /// The [area](Triangle2::area) of a triangle.
     pub AreaTriangle = "area_triangle": (shape: Triangle2<S>) -> S { shape.area() }
     promises [TranslationX Stays, TranslationY Stays, Rotation Stays, Scaling Power(2)]
+    range NOT_NEGATIVE
     jumps Never
     slopes Reverse
 
     /// The [perimeter](Triangle2::perimeter) of a triangle.
     pub PerimeterTriangle = "perimeter_triangle": (shape: Triangle2<S>) -> S { shape.perimeter() }
     promises [TranslationX Stays, TranslationY Stays, Rotation Stays, Scaling Power(1)]
+    range NOT_NEGATIVE
     jumps Never
     slopes Reverse
 
@@ -47,6 +49,7 @@ operation! {
     /// The [perimeter](crate::ring::perimeter) of four vertices.
     pub PerimeterQuad = "perimeter_quad": (ring: [Vec2<S>; 4]) -> S { ring::perimeter(&ring) }
     promises [TranslationX Stays, TranslationY Stays, Rotation Stays, Scaling Power(1)]
+    range NOT_NEGATIVE
     jumps Never
     slopes Reverse
 
@@ -60,6 +63,7 @@ operation! {
     pub IntersectionAreaQuads = "intersection_area_quads":
         (a: [Vec2<S>; 4], b: [Vec2<S>; 4]) -> S { intersection_area_quads(a, b) }
     promises [TranslationX Stays, TranslationY Stays, Rotation Stays, Scaling Power(2), Exchange Stays]
+    finite Always range NOT_NEGATIVE extremes Shared
     jumps Never
     slopes ByHand |(a, b), out_bar| { intersection_area_quads_vjp(a, b, out_bar) }
     => compiled { Compiled::Quads }
@@ -94,6 +98,7 @@ searches! {
     decide |_| {}
     replay |(a, b), _nothing| { intersection_area_polygons(&a, &b) }
     promises [TranslationX Stays, TranslationY Stays, Rotation Stays, Scaling Power(2)]
+    range NOT_NEGATIVE
     jumps Never
 
     /// The [IoU](crate::overlap_polygon::iou_polygons) of two convex polygons of up to `N` vertices.
@@ -101,6 +106,7 @@ searches! {
     decide |_| {}
     replay |(a, b), _nothing| { iou_polygons(&a, &b) }
     promises [TranslationX Stays, TranslationY Stays, Rotation Stays, Scaling Stays]
+    range RATIO
     jumps FromZero
 
     /// The [share](crate::overlap_polygon::iof_polygons) of the first of two convex polygons of up to `N`
@@ -109,6 +115,7 @@ searches! {
     decide |_| {}
     replay |(a, b), _nothing| { iof_polygons(&a, &b) }
     promises [TranslationX Stays, TranslationY Stays, Rotation Stays, Scaling Stays]
+    range RATIO
     jumps FromZero
 
     /// The [generalised IoU](crate::iou::giou_polygons_decided) of two convex polygons of up to `N` vertices.
@@ -118,6 +125,7 @@ searches! {
     decide |(a, b)| { joint_hull(&a, &b) }
     replay |(a, b), hull| { giou_polygons_replay(&a, &b, &hull) }
     promises [TranslationX Stays, TranslationY Stays, Rotation Stays, Scaling Stays]
+    range SIGNED
     jumps FromZero
 
     /// The [distance IoU](crate::iou::diou_polygons_decided) of two convex polygons of up to `N` vertices.
@@ -127,6 +135,7 @@ searches! {
     decide |(a, b)| { diou_polygons_decided(&a, &b).1 }
     replay |(a, b), farthest| { diou_polygons_replay(&a, &b, farthest) }
     promises [TranslationX Stays, TranslationY Stays, Rotation Stays, Scaling Stays]
+    range SIGNED
     jumps FromZero
 
     /// The area of the [joint hull](crate::hull::merge) of two convex polygons of up to `N` vertices.
@@ -135,5 +144,6 @@ searches! {
     decide |(a, b)| { joint_hull(&a, &b) }
     replay |(a, b), hull| { merge_replay(&a, &b, &hull).area() }
     promises [TranslationX Stays, TranslationY Stays, Rotation Stays, Scaling Power(2)]
+    range NOT_NEGATIVE
     jumps Never
 }

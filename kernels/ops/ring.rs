@@ -1,6 +1,6 @@
 //! The measures of a ring as operations.
 use crate::kernels::cpu::rings::Measure;
-use crate::kernels::op::{Answer, Jumps, Motion, Promise, RingOp};
+use crate::kernels::op::{Answer, Finite, Jumps, Motion, Promise, Range, RingOp};
 use crate::{Scalar, Vec2, ad, ring};
 
 const SIGNED_AREA: &[Promise] = &[
@@ -24,7 +24,7 @@ const CENTROID: &[Promise] = &[
 
 /// Measures of a ring with compiled kernels: the macro lists them.
 macro_rules! measures {
-    ($($name:ident = $function:ident, $vjp:ident: $out:ty, $promises:expr, $jumps:ident;)*) => { $(
+    ($($name:ident = $function:ident, $vjp:ident: $out:ty, $promises:expr, $jumps:ident, $range:ident;)*) => { $(
         #[doc = concat!("[`", stringify!($function), "`](crate::ring::", stringify!($function), ").")]
         #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
         pub struct $name;
@@ -34,6 +34,8 @@ macro_rules! measures {
             type Out<S: Scalar> = $out;
             const PROMISES: &'static [Promise] = $promises;
             const JUMPS: Jumps = Jumps::$jumps;
+            const FINITE: Finite = Finite::Always;
+            const RANGE: Range = Range::$range;
             #[inline(always)]
             fn value<S: Scalar>(ring: &[Vec2<S>]) -> $out {
                 ring::$function(ring)
@@ -49,8 +51,8 @@ macro_rules! measures {
     )* };
 }
 measures! {
-    SignedArea = signed_area, signed_area_vjp: S, SIGNED_AREA, Never;
-    Perimeter = perimeter, perimeter_vjp: S, PERIMETER, Never;
+    SignedArea = signed_area, signed_area_vjp: S, SIGNED_AREA, Never, ANY;
+    Perimeter = perimeter, perimeter_vjp: S, PERIMETER, Never, NOT_NEGATIVE;
     // Its value jumps where the area is zero.
-    Centroid = centroid, centroid_vjp: Vec2<S>, CENTROID, Anywhere;
+    Centroid = centroid, centroid_vjp: Vec2<S>, CENTROID, Anywhere, ANY;
 }

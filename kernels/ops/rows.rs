@@ -7,15 +7,21 @@ macro_rules! rows_of_pairs {
     ($(
         $function:path as $title:literal -> $out:ty,
         promises [$($motion:ident $answer:ident $(($power:literal))?),*],
+        $(finite $finite:ident $(($limits:expr))?,)? $(range $range:ident,)? $(extremes $extremes:ident,)?
         jumps $jumps:ident, slopes $slopes:ident {
             $($Name:ident = $name:literal: $A:ident, $B:ident, $what:literal
                 [$($further:ident $same:ident),*];)*
         }
     )*) => { $( crate::kernels::ops::rows::rows_of_pairs! {
-        @each $function, $title, $out, [$($motion $answer $(($power))?),*], $jumps, $slopes;
+        @each $function, $title, $out, [$($motion $answer $(($power))?),*],
+        [
+            $(const FINITE: crate::kernels::op::Finite = crate::kernels::op::Finite::$finite $(($limits))?;)?
+            $(const RANGE: crate::kernels::op::Range = crate::kernels::op::Range::$range;)?
+            $(const EXTREMES: crate::kernels::op::Extremes = crate::kernels::op::Extremes::$extremes;)?
+        ], $jumps, $slopes;
         $($Name, $name, $A, $B, $what, [$($further $same),*];)*
     } )* };
-    (@each $function:path, $title:literal, $out:ty, $shared:tt, $jumps:ident, $slopes:ident;
+    (@each $function:path, $title:literal, $out:ty, $shared:tt, $data:tt, $jumps:ident, $slopes:ident;
         $($Name:ident, $name:literal, $A:ident, $B:ident, $what:literal, $own:tt;)*) => { $(
         #[doc = concat!($title, " of ", $what, ".")]
         #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -29,6 +35,7 @@ macro_rules! rows_of_pairs {
                 crate::kernels::ops::rows::promises!($shared $own);
             const JUMPS: crate::kernels::op::Jumps = crate::kernels::op::Jumps::$jumps;
             const SLOPES: crate::kernels::op::Slopes = crate::kernels::op::Slopes::$slopes;
+            crate::kernels::ops::rows::items!($data);
             #[inline]
             fn eval<S: crate::Scalar>((a, b): Self::In<S>) -> $out {
                 $function(a, b)
@@ -46,6 +53,9 @@ macro_rules! searches {
         decide |$decided:pat_param| $decide:block
         replay |$replayed:pat_param, $found:ident| $replay:block
         promises $promises:tt
+        $(finite $finite:ident $(($limits:expr))?)?
+        $(range $range:ident)?
+        $(extremes $extremes:ident)?
         jumps $jumps:ident
     )*) => { $(
         $(#[$doc])*
@@ -60,6 +70,11 @@ macro_rules! searches {
             const PROMISES: &'static [crate::kernels::op::Promise] =
                 crate::kernels::ops::rows::promises!($promises []);
             const JUMPS: crate::kernels::op::Jumps = crate::kernels::op::Jumps::$jumps;
+            $(const FINITE: crate::kernels::op::Finite =
+                crate::kernels::op::Finite::$finite $(($limits))?;)?
+            $(const RANGE: crate::kernels::op::Range = crate::kernels::op::Range::$range;)?
+            $(const EXTREMES: crate::kernels::op::Extremes =
+                crate::kernels::op::Extremes::$extremes;)?
             fn decide<S: crate::Scalar<Mask = bool>>($decided: $input) -> $record {
                 $decide
             }
@@ -88,4 +103,9 @@ macro_rules! promises {
     };
 }
 
-pub(crate) use {promises, rows_of_pairs, searches};
+/// The items of a list.
+macro_rules! items {
+    ([$($item:tt)*]) => { $($item)* };
+}
+
+pub(crate) use {items, promises, rows_of_pairs, searches};

@@ -30,6 +30,9 @@
 //! shift of a, wherever the points move to. A corner gets the share with which it takes part in the
 //! nearest point; a radius gets −1.
 //!
+//! Values and slopes are finite where every length and coordinate is zero or of a magnitude from 2⁻²⁰ to 2²⁰ in `f32`,
+//! from 2⁻¹⁵⁰ to 2¹⁵⁰ in `f64`.
+//!
 //! Kinks: at distance zero the distance and its slopes are 0 (the signed distance keeps its slope
 //! there). Where several pairs of corner and edge are equally near, as for parallel edges, they
 //! share the slope and the point equally: for two boxes face to face the points are the middle of what

@@ -12,6 +12,9 @@
 //! gives the value and which vertices decided it, `…_replay` the value from vertices and that record,
 //! with the slopes of exactly those vertices (the envelope theorem: a vertex that does not decide
 //! has slope zero). Ties go to the first found.
+//!
+//! Values and slopes are finite where every length and coordinate is zero or of a magnitude from 2⁻²⁰ to 2²⁰ in `f32`,
+//! from 2⁻¹⁵⁰ to 2¹⁵⁰ in `f64`.
 pub mod circle;
 pub mod extent;
 pub mod moments;

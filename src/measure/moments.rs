@@ -50,7 +50,7 @@ impl<S: Scalar> SecondMoments<S> {
         let spread = half.hypot(self.xy);
         PrincipalAxes {
             major: (mean + spread).saturated().canonical(),
-            minor: (mean - spread).canonical(),
+            minor: (mean - spread).saturated().canonical(),
             angle: self.xy.atan2(half).halved().canonical(),
         }
     }

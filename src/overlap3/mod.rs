@@ -9,6 +9,9 @@
 //! ratios are within `[0, 1]`; identical boxes of positive volume give exactly 1 with slope zero. Where a
 //! ratio's denominator is zero it is 0 with slope zero.
 //!
+//! Values and slopes are finite for all finite valid input, for upstream slopes of any size; slopes by duals, and of an axis-aligned box with an upright one, where every length
+//! and coordinate is zero or of a magnitude from 2⁻²⁰ to 2²⁰ in `f32`, from 2⁻¹⁵⁰ to 2¹⁵⁰ in `f64`.
+//!
 //! Kinks: faces lying in each other's planes (the slope is the mean of both sides of the kink), and boxes
 //! that begin to touch (slope zero). A corner on a face, or an edge on an edge, is no kink.
 #![expect(

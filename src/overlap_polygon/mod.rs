@@ -26,6 +26,9 @@
 //! collinear polygons need no care, and every term is bounded by either triangle: with `c` near the
 //! smaller polygon nothing large cancels.
 //!
+//! Values and slopes are finite where every length and coordinate is zero or of a magnitude from 2⁻²⁰ to 2²⁰ in `f32`,
+//! from 2⁻¹⁵⁰ to 2¹⁵⁰ in `f64`.
+//!
 //! Kinks: edges lying along each other (where both are exactly on one line on either ray, the slope
 //! is shared half and half), and polygons that begin to touch (slope zero).
 mod quad;

@@ -76,7 +76,7 @@ impl<S: Scalar> Aabb2<S> {
             self.min.y.halved() + self.max.y.halved(),
         )
     }
-    /// The area.
+    /// The area; infinite beyond the largest number.
     #[must_use]
     #[inline(always)]
     pub fn area(self) -> S {

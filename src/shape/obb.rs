@@ -94,7 +94,7 @@ impl<S: Scalar> Obb2<S> {
             heading,
         }
     }
-    /// The area.
+    /// The area; infinite beyond the largest number.
     #[must_use]
     #[inline(always)]
     pub fn area(self) -> S {

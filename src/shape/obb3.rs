@@ -147,9 +147,13 @@ impl<S: Scalar> From<YawBox3<S>> for Obb3<S> {
 }
 
 impl<S: Scalar> From<Aabb3<S>> for Obb3<S> {
-    /// The same box, not turned.
+    /// The same box, not turned; a side longer than the largest number is that.
     #[inline(always)]
     fn from(bounds: Aabb3<S>) -> Self {
-        Obb3::new(bounds.center(), bounds.size(), Rotation3::identity())
+        Obb3::new(
+            bounds.center(),
+            bounds.size().saturated(),
+            Rotation3::identity(),
+        )
     }
 }

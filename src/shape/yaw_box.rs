@@ -111,9 +111,9 @@ impl<S: Scalar> YawBox3<S> {
 }
 
 impl<S: Scalar> From<Aabb3<S>> for YawBox3<S> {
-    /// The same box with heading zero.
+    /// The same box with heading zero; a side longer than the largest number is that.
     #[inline(always)]
     fn from(bounds: Aabb3<S>) -> Self {
-        YawBox3::new(bounds.center(), bounds.size(), S::zero())
+        YawBox3::new(bounds.center(), bounds.size().saturated(), S::zero())
     }
 }

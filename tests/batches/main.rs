@@ -7,6 +7,7 @@ mod fuzz;
 mod memory;
 mod polygon;
 mod program;
+mod promised;
 mod reduce;
 mod spellings;
 mod straight;

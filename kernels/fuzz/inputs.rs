@@ -1,0 +1,292 @@
+//! Lists of inputs, and how they are drawn.
+use super::job::Job;
+use super::numbers::{Family, limited, limits_of, power};
+use crate::Vec2;
+use crate::ad::check::sample::Draw;
+use crate::ad::check::symmetry::Kind;
+use crate::kernels::op::Finite;
+use crate::kernels::real::Real;
+
+/// How often an input of the harness is drawn anew when it is not valid or beyond limits.
+const ATTEMPTS: usize = 100;
+
+/// Inputs that are one of the harness, stretched differently.
+const GROUP: usize = 16;
+
+/// Most vertices of a path.
+const MOST: usize = 8;
+
+/// Many inputs of an operation.
+#[derive(Clone, Debug, Default)]
+pub(super) struct Inputs<T> {
+    /// For every shape of an input its numbers, input after input.
+    pub columns: Vec<Vec<T>>,
+    /// Vertices of paths, where an input has one.
+    pub vertices: Vec<Vec2<T>>,
+    /// Where every path begins, and the end of the last.
+    pub offsets: Vec<usize>,
+    /// How many inputs.
+    pub count: usize,
+}
+
+impl<T: Real> Inputs<T> {
+    /// All numbers of an input, its vertices last.
+    pub fn item(&self, job: &Job<T>, i: usize) -> Vec<T> {
+        let mut numbers = Vec::with_capacity(job.kinds.len());
+        for (column, shape) in self.columns.iter().zip(&job.shapes) {
+            let n = shape.leaf.fields;
+            numbers.extend_from_slice(&column[i * n..][..n]);
+        }
+        if job.has_path {
+            let path = &self.vertices[self.offsets[i]..self.offsets[i + 1]];
+            numbers.extend(path.iter().flat_map(|v| [v.x, v.y]));
+        }
+        numbers
+    }
+    /// An input so many times.
+    pub fn repeated(job: &Job<T>, numbers: &[T], count: usize) -> Self {
+        let (mut columns, mut rest) = (Vec::new(), numbers);
+        for shape in &job.shapes {
+            let (own, others) = rest.split_at(shape.leaf.fields);
+            columns.push(own.repeat(count));
+            rest = others;
+        }
+        let path: Vec<Vec2<T>> = rest.chunks(2).map(|v| Vec2::new(v[0], v[1])).collect();
+        Inputs {
+            columns,
+            vertices: path.repeat(count),
+            offsets: (0..=count).map(|i| i * path.len()).collect(),
+            count,
+        }
+    }
+    /// With the second shape instead of the first, and the first instead of the second.
+    pub fn exchanged(&self) -> Self {
+        let mut other = self.clone();
+        other.columns.swap(0, 1);
+        other
+    }
+    /// With the first shape instead of the second.
+    pub fn twins(&self) -> Self {
+        let mut other = self.clone();
+        other.columns[1] = other.columns[0].clone();
+        other
+    }
+}
+
+/// Whether numbers are valid shapes.
+pub(super) fn is_valid<T: Real>(job: &Job<T>, numbers: &[T]) -> bool {
+    let mut rest = numbers;
+    job.shapes.iter().all(|shape| {
+        let (own, others) = rest.split_at(shape.leaf.fields);
+        rest = others;
+        (shape.leaf.check)(own).is_ok()
+    }) && rest.iter().all(|x| x.finite())
+}
+
+/// Numbers of one kind beside one another: families of numbers.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum Mix {
+    /// One family for all.
+    One,
+    /// One for every number of a shape, the same in all inputs.
+    ByField,
+    /// One for every number.
+    ByNumber,
+}
+
+impl<T: Real> Job<T> {
+    /// Draws inputs.
+    pub(super) fn draw(&self, draw: &mut Draw, inputs: &mut Inputs<T>, count: usize) {
+        let limits = limits_of::<T>(self.promised.finite);
+        inputs.count = count;
+        let mix = match draw.below(4) {
+            0 | 1 => Mix::One,
+            2 => Mix::ByField,
+            _ => Mix::ByNumber,
+        };
+        let any = |draw: &mut Draw| match (self.promised.finite, mix) {
+            // What is far from ordinary takes the scalar code, which is a tenth as fast.
+            (Finite::Always, Mix::One) if !draw.once_in(6) => Family::quick(draw),
+            _ => Family::any::<T>(draw),
+        };
+        let family = any(draw);
+        inputs.columns.resize_with(self.shapes.len(), Vec::new);
+        for (shape, column) in self.shapes.iter().zip(&mut inputs.columns) {
+            let n = shape.leaf.fields;
+            column.resize(count * n, T::zero());
+            for (k, &kind) in shape.kinds.iter().enumerate() {
+                let own = if mix == Mix::One { family } else { any(draw) };
+                for x in column.iter_mut().skip(k).step_by(n) {
+                    let own = match mix {
+                        Mix::ByNumber => Family::any::<T>(draw),
+                        _ => own,
+                    };
+                    *x = own.number(kind, draw);
+                }
+            }
+        }
+        if self.has_path {
+            self.draw_paths(draw, inputs, |draw| match mix {
+                Mix::One => family,
+                _ => Family::any::<T>(draw),
+            });
+        }
+        if draw.once_in(3) {
+            self.mingle(draw, inputs);
+        }
+        if let Some(limits) = limits {
+            for (shape, column) in self.shapes.iter().zip(&mut inputs.columns) {
+                for numbers in column.chunks_exact_mut(shape.leaf.fields) {
+                    for (x, &kind) in numbers.iter_mut().zip(&shape.kinds) {
+                        *x = limited(*x, kind, limits);
+                    }
+                }
+            }
+            for v in &mut inputs.vertices {
+                v.x = limited(v.x, Kind::X, limits);
+                v.y = limited(v.y, Kind::Y, limits);
+            }
+        }
+        self.mend(draw, inputs, limits);
+    }
+
+    fn draw_paths(
+        &self,
+        draw: &mut Draw,
+        inputs: &mut Inputs<T>,
+        family: impl Fn(&mut Draw) -> Family,
+    ) {
+        inputs.offsets.clear();
+        inputs.offsets.push(0);
+        let (mut end, mut bits) = (0, 0);
+        for i in 0..inputs.count {
+            // Sixteen times four bits.
+            bits = if i % 16 == 0 { draw.bits() } else { bits >> 4 };
+            end += (bits & 15) as usize * (MOST + 1) / 16;
+            inputs.offsets.push(end);
+        }
+        inputs.vertices.resize(end, Vec2::new(T::zero(), T::zero()));
+        for v in &mut inputs.vertices {
+            v.x = family(draw).number(Kind::X, draw);
+            v.y = family(draw).number(Kind::Y, draw);
+        }
+    }
+
+    /// Some numbers become those of other places of the same kind: shapes share coordinates, touch, are flat.
+    fn mingle(&self, draw: &mut Draw, inputs: &mut Inputs<T>) {
+        let kinds: Vec<(usize, usize, Kind)> = self
+            .shapes
+            .iter()
+            .enumerate()
+            .flat_map(|(s, shape)| {
+                shape
+                    .kinds
+                    .iter()
+                    .enumerate()
+                    .map(move |(k, &kind)| (s, k, kind))
+            })
+            .collect();
+        for i in 0..inputs.count {
+            for &(s, k, kind) in &kinds {
+                let bits = draw.bits();
+                if bits & 3 != 0 {
+                    continue;
+                }
+                let fields = self.shapes[s].leaf.fields;
+                if kind == Kind::Length && bits & 12 == 0 {
+                    inputs.columns[s][i * fields + k] = T::zero();
+                    continue;
+                }
+                let (from, at, other) = kinds[(bits >> 33) as usize % kinds.len()];
+                if other == kind {
+                    let n = self.shapes[from].leaf.fields;
+                    inputs.columns[s][i * fields + k] = inputs.columns[from][i * n + at];
+                }
+            }
+        }
+        for i in 1..inputs.vertices.len() {
+            let bits = draw.bits();
+            let from = i - 1 - (bits >> 8) as usize % i.min(MOST);
+            if bits & 3 == 0 {
+                inputs.vertices[i].x = inputs.vertices[from].x;
+            }
+            if bits & 12 == 0 {
+                inputs.vertices[i].y = inputs.vertices[from].y;
+            }
+        }
+    }
+
+    /// Makes shapes of numbers.
+    fn mend(&self, draw: &mut Draw, inputs: &mut Inputs<T>, limits: Option<[i32; 2]>) {
+        for (shape, column) in self.shapes.iter().zip(&mut inputs.columns) {
+            for numbers in column.chunks_exact_mut(shape.leaf.fields) {
+                shape.rules.mend(numbers);
+            }
+        }
+        if self.shapes.iter().all(|shape| shape.rules.known) {
+            return;
+        }
+        // What has rules of its own is drawn by the harness, and stretched.
+        let mut base = Vec::new();
+        for i in 0..inputs.count {
+            if i % GROUP == 0 {
+                base = self.sampled(draw, limits);
+            }
+            let stretched = self.stretched(draw, &base, limits);
+            let mut rest = stretched.as_ref().unwrap_or(&base).as_slice();
+            for (shape, column) in self.shapes.iter().zip(&mut inputs.columns) {
+                let n = shape.leaf.fields;
+                let (own, others) = rest.split_at(n);
+                rest = others;
+                if !shape.rules.known || draw.once_in(2) {
+                    column[i * n..][..n].copy_from_slice(own);
+                }
+            }
+        }
+    }
+
+    /// An input of the harness that is valid and within limits.
+    fn sampled(&self, draw: &mut Draw, limits: Option<[i32; 2]>) -> Vec<T> {
+        let mut last = Vec::new();
+        for _ in 0..ATTEMPTS {
+            let x: Vec<T> = (self.sample)(draw).into_iter().map(T::lit).collect();
+            if is_valid(self, &x) {
+                if self.fits(&x, limits) {
+                    return x;
+                }
+                last = x;
+            }
+        }
+        last
+    }
+
+    /// The same input stretched along x and y by powers of two; nothing where that does not fit.
+    fn stretched(&self, draw: &mut Draw, x: &[T], limits: Option<[i32; 2]>) -> Option<Vec<T>> {
+        let [least, most] = limits.unwrap_or([-20, 20]);
+        let power = |draw: &mut Draw| {
+            let reach = (most - least) as usize / 4;
+            T::lit(power(draw.below(2 * reach + 1) as i32 - reach as i32))
+        };
+        let along = power(draw);
+        let across = if draw.once_in(2) { along } else { power(draw) };
+        let stretch = |(&x, kind): (&T, &Kind)| match kind {
+            Kind::X | Kind::Length => x * along,
+            Kind::Y => x * across,
+            _ => x,
+        };
+        let x: Vec<T> = x.iter().zip(&self.kinds).map(stretch).collect();
+        (self.fits(&x, limits) && is_valid(self, &x)).then_some(x)
+    }
+
+    /// Whether lengths are within limits.
+    fn fits(&self, x: &[T], limits: Option<[i32; 2]>) -> bool {
+        let Some([least, most]) = limits else {
+            return true;
+        };
+        let range = power(least)..=power(most);
+        x.iter().zip(&self.kinds).all(|(x, kind)| {
+            let size = x.widen().abs();
+            !kind.is_length() || size == 0.0 || range.contains(&size)
+        })
+    }
+}

@@ -1,0 +1,393 @@
+//! An operation of any sort on plain numbers, so that what fuzzes it is compiled once.
+use super::inputs::Inputs;
+use super::rules::Rules;
+use crate::ad::check::sample::{Draw, Sample, random};
+use crate::ad::check::symmetry::{Answer, Kind, Motion, Promise};
+use crate::ad::program::recorded::Recorded;
+use crate::error::Error;
+use crate::kernels::Cpu;
+use crate::kernels::cpu::aligned::run_columns;
+use crate::kernels::cpu::checked::numbers;
+use crate::kernels::cpu::pairs::Pairs;
+use crate::kernels::cpu::plan::{Compiled, Face, Want, face_of, program_of};
+use crate::kernels::decided::{self, Decided};
+use crate::kernels::fold::{Fold, Folded};
+use crate::kernels::op::{Ask, Extremes, Finite, Op, Range, RingOp, Source};
+use crate::kernels::real::Real;
+use crate::kernels::row::{Column, Leaf, Row, by_kind, by_shape, get, leaves_of, width};
+use crate::{Fixed, Pack, Vec2};
+use std::borrow::Cow;
+use std::sync::Arc;
+
+/// Numbers of results, a list for each of their shapes.
+pub(super) type Lists<T> = Vec<Vec<T>>;
+type Compute<T, const N: usize> =
+    Box<dyn Fn(&Inputs<T>, [&[Vec<T>]; N]) -> Result<Lists<T>, Error> + Sync>;
+
+/// One shape of an input.
+pub(super) struct Shape<T> {
+    pub leaf: Leaf<T>,
+    pub kinds: Vec<Kind>,
+    pub rules: Rules,
+}
+
+/// What a row promises.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Promised {
+    pub finite: Finite,
+    pub range: Range,
+    pub extremes: Extremes,
+    /// Exchanging the shapes changes nothing.
+    pub symmetric: bool,
+    /// With which power of the scale the result grows.
+    pub power: Option<i32>,
+}
+
+impl Promised {
+    fn new(promises: &[Promise], finite: Finite, range: Range, extremes: Extremes) -> Self {
+        let power = promises
+            .iter()
+            .find_map(|promise| match (promise.motion, promise.answer) {
+                (Motion::Scaling, Answer::Stays) => Some(0),
+                (Motion::Scaling, Answer::Power(power)) => Some(power),
+                _ => None,
+            });
+        Promised {
+            finite,
+            range,
+            extremes,
+            symmetric: promises.contains(&Promise::new(Motion::Exchange, Answer::Stays)),
+            power,
+        }
+    }
+}
+
+/// An operation in one format.
+pub struct Job<T: Real> {
+    pub(super) name: &'static str,
+    /// The name of its type.
+    pub(super) op: &'static str,
+    pub(super) shapes: Vec<Shape<T>>,
+    /// What every number of an input is, but for vertices.
+    pub(super) kinds: Vec<Kind>,
+    /// Whether a path comes with an input.
+    pub(super) has_path: bool,
+    /// Numbers of every shape of a result.
+    pub(super) outputs: Vec<usize>,
+    pub(super) promised: Promised,
+    /// Results.
+    pub(super) values: Compute<T, 0>,
+    /// Slopes of cotangents.
+    pub(super) slopes: Compute<T, 1>,
+    /// Results that are one number, and their slopes.
+    pub(super) both: Option<Compute<T, 0>>,
+    /// The same of the first few shapes, every one with every other one.
+    pub(super) square: Option<Square<T>>,
+    /// The scalar code.
+    pub(super) alone: fn(&[T]) -> Vec<T>,
+    /// Slopes by hand by the scalar code.
+    pub(super) by_hand: fn(&[T], &[T]) -> Option<(Vec<T>, Vec<T>)>,
+    /// The function, recorded.
+    pub(super) recorded: Option<Arc<Recorded>>,
+    pub(super) sample: fn(&mut Draw) -> Vec<f64>,
+    pub(super) show: fn(&[f64]) -> String,
+}
+
+/// Computes all pairs of the shapes in some places.
+pub(super) type Square<T> =
+    Box<dyn Fn(&Inputs<T>, std::ops::Range<usize>) -> Result<Vec<T>, Error> + Sync>;
+
+/// The last part of a type's name.
+fn short(name: &'static str) -> &'static str {
+    let end = name.find('<').unwrap_or(name.len());
+    let start = name[..end].rfind("::").map_or(0, |at| at + 2);
+    &name[start..]
+}
+
+/// The scalars and codes of a shape, as they lie in columns.
+fn all_numbers<X: Row>(x: &X) -> Vec<X::Scalar> {
+    let mut all = vec![X::Scalar::default(); leaves_of::<X>().iter().map(|leaf| leaf.fields).sum()];
+    by_shape::<X>(&x.scalars(), &x.codes(), &mut all);
+    all
+}
+
+fn sampled<X: Sample + Row>(draw: &mut Draw) -> Vec<f64> {
+    all_numbers(&random::<X>(draw))
+}
+
+fn shown<X: Sample + Row>(numbers: &[f64]) -> String {
+    format!("{:?}", get::<X>(&by_kind::<X>(numbers)))
+}
+
+/// The shapes of an input.
+fn shapes<T: Real>(leaves: Vec<Leaf<T>>, kinds: &[Kind], is_convex: bool) -> Vec<Shape<T>> {
+    let mut rest = kinds;
+    let shape = |leaf: Leaf<T>| {
+        let (own, others) = rest.split_at(leaf.fields - leaf.codes);
+        rest = others;
+        let kinds = [own, &vec![Kind::Number; leaf.codes]].concat();
+        Shape {
+            rules: Rules::of(&leaf, &kinds, is_convex),
+            leaf,
+            kinds,
+        }
+    };
+    leaves.into_iter().map(shape).collect()
+}
+
+/// What is common to all sorts: shapes by name and kind.
+fn kinds_of<X: Sample + Row>() -> Vec<Kind> {
+    X::filled(1.0).kinds()
+}
+
+/// What batches compute by a face.
+fn faced<T: Real, const N: usize>(
+    face: impl Fn() -> Result<Arc<Face<T>>, Error> + Sync + 'static,
+) -> Compute<T, N> {
+    Box::new(move |inputs, bars| {
+        // Made when it is asked for first, and kept.
+        let face = &face()?;
+        let columns = face.arguments.iter().zip(&inputs.columns);
+        let mut columns: Vec<Column<'_, T>> = columns
+            .map(|(argument, numbers)| Column::lent(numbers, argument.fields, Some(inputs.count)))
+            .collect();
+        for bars in bars.iter().flat_map(|bars| bars.iter()) {
+            columns.push(Column::lent(
+                bars,
+                bars.len() / inputs.count,
+                Some(inputs.count),
+            ));
+        }
+        run_columns(face, columns)
+    })
+}
+
+/// All pairs by a face of two shapes.
+fn squared<T: Real>(face: impl Fn() -> Result<Arc<Face<T>>, Error> + Sync + 'static) -> Square<T> {
+    Box::new(move |inputs, items| {
+        let face = face()?;
+        let part = |k: usize| {
+            let n = face.arguments[k].fields;
+            &inputs.columns[k][items.start * n..items.end * n]
+        };
+        let pairs = Pairs {
+            face: &face,
+            numbers: [0, 1].map(|k| Cow::Borrowed(part(k))),
+            rare: [true; 2],
+            filter: true,
+        };
+        let mut planes = vec![T::zero(); items.len() * items.len() * face.made()];
+        (T::drivers().planes)(&pairs, &mut planes);
+        Ok(planes)
+    })
+}
+
+impl<T: Real> Job<T> {
+    /// Of an operation of fixed size.
+    pub(super) fn of_op<O: Op>() -> Self
+    where
+        O::In<T>: Row<Scalar = T>,
+        O::Out<T>: Row<Scalar = T>,
+        O::In<f64>: Sample + Row<Scalar = f64>,
+    {
+        let is_number = O::Out::<T>::LEN == 1;
+        let kinds = kinds_of::<O::In<f64>>();
+        let face = |want, framed| face_of::<O, O::In<T>>(want, framed);
+        Job {
+            name: O::NAME,
+            op: short(std::any::type_name::<O>()),
+            shapes: shapes(
+                leaves_of::<O::In<T>>(),
+                &kinds,
+                O::compiled() == Some(Compiled::Quads),
+            ),
+            kinds,
+            has_path: false,
+            outputs: leaves_of::<O::Out<T>>()
+                .iter()
+                .map(|leaf| leaf.fields)
+                .collect(),
+            promised: Promised::new(O::PROMISES, O::FINITE, O::RANGE, O::EXTREMES),
+            values: faced(move || face(Want::Value, false)),
+            slopes: faced(move || face(Want::Vjp, false)),
+            both: is_number.then(|| faced(move || face(Want::ValueGrad, false))),
+            square: (leaves_of::<O::In<T>>().len() == 2).then(|| {
+                let want = if is_number {
+                    Want::ValueGrad
+                } else {
+                    Want::Value
+                };
+                squared(move || face(want, true))
+            }),
+            alone: |x| O::eval(O::In::<T>::load(x)).scalars(),
+            by_hand: |x, out_bar| {
+                let (value, bars) = O::adjoint(O::In::<T>::load(x), O::Out::<T>::load(out_bar))?;
+                Some((value.scalars(), bars.scalars()))
+            },
+            recorded: program_of::<O, T>(Want::Value).ok(),
+            sample: sampled::<O::In<f64>>,
+            show: shown::<O::In<f64>>,
+        }
+    }
+
+    /// Of an operation with a search.
+    pub(super) fn of_decided<D: Decided>() -> Self
+    where
+        D::In<T>: Row<Scalar = T>,
+        D::Out<T>: Row<Scalar = T>,
+        D::In<f64>: Sample + Row<Scalar = f64>,
+    {
+        let is_number = D::Out::<T>::LEN == 1;
+        let mut kinds = Vec::new();
+        let scalars = kinds_of::<D::In<f64>>();
+        let mut rest = &scalars[..];
+        // Codes follow the scalars of their shape.
+        for leaf in leaves_of::<D::In<T>>() {
+            let (own, others) = rest.split_at(leaf.fields - leaf.codes);
+            kinds.extend_from_slice(own);
+            kinds.resize(kinds.len() + leaf.codes, Kind::Number);
+            rest = others;
+        }
+        let face = |want| decided::face::<D, D::In<T>>(want, Ask::ALIGNED);
+        Job {
+            name: D::NAME,
+            op: short(std::any::type_name::<D>()),
+            shapes: shapes(leaves_of::<D::In<T>>(), &scalars, false),
+            kinds,
+            has_path: false,
+            outputs: leaves_of::<D::Out<T>>()
+                .iter()
+                .map(|leaf| leaf.fields)
+                .collect(),
+            promised: Promised::new(D::PROMISES, D::FINITE, D::RANGE, D::EXTREMES),
+            values: faced(move || face(Want::Value)),
+            slopes: faced(move || face(Want::Vjp)),
+            both: is_number.then(|| faced(move || face(Want::ValueGrad))),
+            square: None,
+            alone: |x| {
+                let input = get::<D::In<T>>(&by_kind::<D::In<T>>(x));
+                D::replay::<T>(input, D::decide::<T>(input)).scalars()
+            },
+            by_hand: |_, _| None,
+            recorded: None,
+            sample: sampled::<D::In<f64>>,
+            show: shown::<D::In<f64>>,
+        }
+    }
+
+    /// Of a measure of rings.
+    pub(super) fn of_ring<O: RingOp>() -> Self {
+        Job {
+            name: O::NAME,
+            op: short(std::any::type_name::<O>()),
+            shapes: Vec::new(),
+            kinds: Vec::new(),
+            has_path: true,
+            outputs: vec![O::Out::<T>::LEN],
+            promised: Promised::new(O::PROMISES, O::FINITE, O::RANGE, Extremes::Unsaid),
+            values: Box::new(|inputs, []| {
+                let values = Cpu::new().ragged(O::default(), &inputs.vertices, &inputs.offsets)?;
+                Ok(vec![numbers(&values).into_owned()])
+            }),
+            slopes: Box::new(|inputs, [bars]| {
+                let bars = loaded::<O::Out<T>>(&bars[0]);
+                let (vertices, offsets) = (&inputs.vertices, &inputs.offsets);
+                let slopes = Cpu::new().ragged_vjp(O::default(), vertices, offsets, &bars)?;
+                Ok(vec![numbers(&slopes).into_owned()])
+            }),
+            both: None,
+            square: None,
+            alone: |x| O::value(&path(x)).scalars(),
+            by_hand: |x, out_bar| {
+                let ring = path(x);
+                let mut bars = vec![Vec2::new(T::zero(), T::zero()); ring.len()];
+                O::ring_vjp(&ring, O::Out::<T>::load(out_bar), &mut bars);
+                Some((O::value(&ring).scalars(), bars.scalars()))
+            },
+            recorded: None,
+            sample: |draw| random::<Vec<Vec2<f64>>>(draw).scalars(),
+            show: |x| shown_path(x),
+        }
+    }
+
+    /// Of a fold over a path.
+    pub(super) fn of_fold<F: Fold>() -> Self
+    where
+        F::Context<T>: Row<Scalar = T>,
+        F::Context<f64>: Sample + Row<Scalar = f64>,
+    {
+        let kinds = kinds_of::<F::Context<f64>>();
+        Job {
+            name: F::NAME,
+            op: short(std::any::type_name::<F>()),
+            shapes: shapes(leaves_of::<F::Context<T>>(), &kinds, false),
+            kinds,
+            has_path: true,
+            outputs: vec![F::Out::<T>::LEN],
+            promised: Promised::new(F::PROMISES, F::FINITE, F::RANGE, Extremes::Unsaid),
+            values: Box::new(|inputs, []| {
+                let contexts = contexts::<F, T>(inputs);
+                let values =
+                    Cpu::new().fold(F::default(), &contexts, &inputs.vertices, &inputs.offsets)?;
+                Ok(vec![numbers(&values).into_owned()])
+            }),
+            slopes: Box::new(|inputs, [bars]| {
+                let (contexts, bars) = (contexts::<F, T>(inputs), loaded::<F::Out<T>>(&bars[0]));
+                let (vertices, offsets) = (&inputs.vertices, &inputs.offsets);
+                let slopes =
+                    Cpu::new().fold_vjp(F::default(), &contexts, vertices, offsets, &bars)?;
+                let own = (F::Context::<T>::LEN > 0).then(|| numbers(&slopes.0).into_owned());
+                Ok(own
+                    .into_iter()
+                    .chain([numbers(&slopes.1).into_owned()])
+                    .collect())
+            }),
+            both: None,
+            square: None,
+            alone: |x| {
+                let (context, vertices) = x.split_at(F::Context::<T>::LEN);
+                Folded::<F>::eval::<T>(&(F::Context::load(context), path(vertices))).scalars()
+            },
+            by_hand: |_, _| None,
+            recorded: None,
+            sample: |draw| random::<(F::Context<f64>, Vec<Vec2<f64>>)>(draw).scalars(),
+            show: |x| {
+                let (context, vertices) = x.split_at(F::Context::<f64>::LEN);
+                format!(
+                    "({:?}, {})",
+                    F::Context::<f64>::load(context),
+                    shown_path(vertices)
+                )
+            },
+        }
+    }
+}
+
+fn contexts<F: Fold, T: Real>(inputs: &Inputs<T>) -> Vec<F::Context<T>>
+where
+    F::Context<T>: Row<Scalar = T>,
+{
+    let of = |i: usize| {
+        let mut x = Vec::with_capacity(width::<F::Context<T>>());
+        for (column, leaf) in inputs.columns.iter().zip(leaves_of::<F::Context<T>>()) {
+            x.extend_from_slice(&column[i * leaf.fields..][..leaf.fields]);
+        }
+        F::Context::<T>::load(&x)
+    };
+    (0..inputs.count).map(of).collect()
+}
+
+fn loaded<P: Fixed>(numbers: &[P::Scalar]) -> Vec<P> {
+    numbers.chunks_exact(P::LEN).map(P::load).collect()
+}
+
+fn path<T: Real>(numbers: &[T]) -> Vec<Vec2<T>> {
+    numbers
+        .chunks_exact(2)
+        .map(|v| Vec2::new(v[0], v[1]))
+        .collect()
+}
+
+fn shown_path(numbers: &[f64]) -> String {
+    format!("vec!{:?}", path(numbers))
+}

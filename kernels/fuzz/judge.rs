@@ -1,0 +1,486 @@
+//! What is asked of many inputs of an operation.
+use super::inputs::Inputs;
+use super::job::{Job, Lists};
+use super::numbers::{Family, limits_of, power};
+use super::{Finding, Promise};
+use crate::ad::check::sample::Draw;
+use crate::ad::check::symmetry::Kind;
+use crate::ad::forward::First;
+use crate::kernels::cpu::simd::Simd;
+use crate::kernels::op::{Extremes, Finite, Limits};
+use crate::kernels::real::Real;
+use crate::{Jet, Scalar};
+
+/// Of so many inputs one is computed again by the scalar code, and one with duals.
+const SINGLE: usize = 127;
+const DUAL: usize = 1021;
+
+/// Shapes of a square that is computed as all pairs.
+const SQUARE: usize = 16;
+
+/// Values may change by so many roundings, times the longest aspect, when shapes are exchanged, for aspects up to a
+/// limit.
+const ROUNDINGS: f64 = 64.0;
+const LIMIT: f64 = 1e20;
+
+/// Values of duals are those of plain numbers but for so many roundings, and for what is below the least normal number.
+const DUAL_ROUNDINGS: f64 = 16.0;
+
+/// Inputs are judged as far as this says, so that not everything is done to all of them.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Thorough {
+    /// Computed at all levels of instructions.
+    pub levels: bool,
+    /// With cotangents of all sizes.
+    pub upstream: bool,
+    /// With exchanged and with identical shapes.
+    pub pairs: bool,
+    /// The first of them by scalar code, with duals, and as all pairs.
+    pub single: usize,
+    pub dual: usize,
+}
+
+impl Thorough {
+    /// Everything, of all inputs.
+    pub const ALL: Thorough = Thorough {
+        levels: true,
+        upstream: true,
+        pairs: true,
+        single: 1,
+        dual: 1,
+    };
+    /// Some of it.
+    pub fn some(draw: &mut Draw) -> Self {
+        Thorough {
+            levels: draw.once_in(8),
+            upstream: draw.once_in(2),
+            pairs: draw.once_in(3),
+            single: SINGLE,
+            dual: DUAL,
+        }
+    }
+}
+
+/// Results and slopes of many inputs.
+struct Found<T> {
+    values: Lists<T>,
+    slopes: Lists<T>,
+}
+
+type Outcome = Result<(), Finding>;
+
+/// The promise is broken at a place, if there is one.
+fn unless(promise: Promise, place: Option<usize>) -> Outcome {
+    place.map_or(Ok(()), |at| Err(Finding { promise, at }))
+}
+
+/// Whether two lists have the same bits.
+fn same<T: Real>(a: &[T], b: &[T]) -> bool {
+    let bits = |x: &T| x.widen().to_bits();
+    a.len() == b.len() && a.iter().map(bits).eq(b.iter().map(bits))
+}
+
+/// The first place of a number that is not finite.
+#[allow(clippy::eq_op)]
+fn not_finite<T: Real>(list: &[T]) -> Option<usize> {
+    // A number less itself is zero, unless it is infinite or none; sums need no branches.
+    let (whole, rest) = list.as_chunks::<16>();
+    let mut sums = [T::zero(); 16];
+    for numbers in whole {
+        for (sum, &x) in sums.iter_mut().zip(numbers) {
+            *sum += x - x;
+        }
+    }
+    match sums.iter().chain(rest).all(|x| x.finite()) {
+        true => None,
+        false => list.iter().position(|x| !x.finite()),
+    }
+}
+
+/// The first place of which something is true, which it hardly ever is.
+fn first_where<T>(list: &[T], ill: impl Fn(&T) -> bool) -> Option<usize> {
+    let found = list.iter().fold(false, |any, x| any | ill(x));
+    found.then(|| list.iter().position(ill)).flatten()
+}
+
+impl<T: Real> Job<T> {
+    /// Cotangents of one.
+    fn ones(&self, count: usize) -> Lists<T> {
+        let of = |&fields: &usize| vec![T::one(); fields * count];
+        self.outputs.iter().map(of).collect()
+    }
+
+    fn compute(&self, inputs: &Inputs<T>) -> Result<Found<T>, Finding> {
+        let refused = |_| Finding {
+            promise: Promise::Accepted,
+            at: 0,
+        };
+        if let Some(both) = &self.both {
+            let mut values = both(inputs, []).map_err(refused)?;
+            let slopes = values.split_off(self.outputs.len());
+            return Ok(Found { values, slopes });
+        }
+        let values = (self.values)(inputs, []).map_err(refused)?;
+        let slopes = (self.slopes)(inputs, [&self.ones(inputs.count)]).map_err(refused)?;
+        Ok(Found { values, slopes })
+    }
+
+    /// The input of which a slope of a list is.
+    fn input_at(&self, inputs: &Inputs<T>, list: usize, at: usize) -> usize {
+        match self.shapes.get(list) {
+            Some(shape) => at / shape.leaf.fields,
+            None => inputs.offsets.partition_point(|&x| x <= at / 2) - 1,
+        }
+    }
+
+    /// The slopes of one input.
+    fn slopes_of(&self, inputs: &Inputs<T>, slopes: &Lists<T>, i: usize) -> Vec<T> {
+        let mut own = Vec::with_capacity(self.kinds.len());
+        for (k, list) in slopes.iter().enumerate() {
+            match self.shapes.get(k) {
+                Some(shape) => {
+                    let n = shape.leaf.fields;
+                    own.extend_from_slice(&list[i * n..][..n - shape.leaf.codes]);
+                }
+                None => {
+                    own.extend_from_slice(&list[2 * inputs.offsets[i]..2 * inputs.offsets[i + 1]])
+                }
+            }
+        }
+        own
+    }
+
+    fn value_of(&self, values: &Lists<T>, i: usize) -> Vec<T> {
+        let own = values.iter().zip(&self.outputs);
+        own.flat_map(|(list, &n)| list[i * n..][..n].to_vec())
+            .collect()
+    }
+
+    fn finite_values(&self, values: &Lists<T>) -> Outcome {
+        if self.promised.finite == Finite::Unsaid {
+            return Ok(());
+        }
+        values
+            .iter()
+            .zip(&self.outputs)
+            .try_for_each(|(list, n)| unless(Promise::Finite, not_finite(list).map(|at| at / n)))
+    }
+
+    fn finite_slopes(&self, inputs: &Inputs<T>, slopes: &Lists<T>) -> Outcome {
+        if matches!(self.promised.finite, Finite::Unsaid | Finite::Values(_)) {
+            return Ok(());
+        }
+        slopes.iter().enumerate().try_for_each(|(k, list)| {
+            let place = not_finite(list).map(|at| self.input_at(inputs, k, at));
+            unless(Promise::Finite, place)
+        })
+    }
+
+    /// Judges inputs; the first finding ends it.
+    pub(super) fn judge(&self, inputs: &Inputs<T>, upstream: &Lists<T>, how: Thorough) -> Outcome {
+        let found = self.compute(inputs)?;
+        self.finite_values(&found.values)?;
+        self.finite_slopes(inputs, &found.slopes)?;
+        let range = self.promised.range;
+        let (least, most) = (T::lit(range.least), T::lit(range.largest));
+        for (list, n) in found.values.iter().zip(&self.outputs) {
+            let outside = first_where(list, |x| (*x < least) | (*x > most));
+            unless(Promise::Range, outside.map(|at| at / n))?;
+        }
+        self.same_bits(inputs, &found, how)?;
+        self.duals(inputs, &found, how)?;
+        if how.upstream && self.promised.finite == Finite::Always {
+            let slopes = (self.slopes)(inputs, [upstream]);
+            let slopes = slopes.map_err(|_| Finding {
+                promise: Promise::Accepted,
+                at: 0,
+            })?;
+            self.finite_slopes(inputs, &slopes)?;
+        }
+        self.apart(inputs, &found)?;
+        if !how.pairs || self.shapes.len() != 2 {
+            return Ok(());
+        }
+        self.identical(inputs)?;
+        self.exchanged(inputs, &found)
+    }
+
+    /// By the scalar code, at other levels, in other forms, at other places.
+    fn same_bits(&self, inputs: &Inputs<T>, found: &Found<T>, how: Thorough) -> Outcome {
+        let broken = |place| unless(Promise::SameBits, place);
+        let accepted = |place| Finding {
+            promise: Promise::Accepted,
+            at: place,
+        };
+        let is_wild =
+            |list: &[T]| self.promised.finite == Finite::Unsaid && !list.iter().all(|x| x.finite());
+        let mut places = (0..inputs.count).step_by(how.single);
+        broken(places.find(|&i| {
+            let x = inputs.item(self, i);
+            let value = self.value_of(&found.values, i);
+            if is_wild(&value) {
+                return false;
+            }
+            let ones: Vec<T> = value.iter().map(|_| T::one()).collect();
+            // Batches give no zero with a sign.
+            let plain =
+                |list: Vec<T>| -> Vec<T> { list.into_iter().map(|x| x.canonical()).collect() };
+            !same(&plain((self.alone)(&x)), &value)
+                || (self.by_hand)(&x, &ones).is_some_and(|(other, slopes)| {
+                    !same(&plain(other), &value)
+                        || !same(&plain(slopes), &self.slopes_of(inputs, &found.slopes, i))
+                })
+        }))?;
+        let compare = |other: &Lists<T>, own: &Lists<T>, is_slope: bool| {
+            for (k, (other, own)) in other.iter().zip(own).enumerate() {
+                if same(other, own) {
+                    continue;
+                }
+                let differs = |i: &usize| {
+                    other[*i].widen().to_bits() != own[*i].widen().to_bits()
+                        && !is_wild(&own[*i..=*i])
+                };
+                let place = (0..own.len()).find(differs);
+                broken(place.map(|at| match is_slope {
+                    true => self.input_at(inputs, k, at),
+                    false => at / self.outputs[k],
+                }))?;
+            }
+            Ok(())
+        };
+        if how.levels {
+            let values = (self.values)(inputs, []).map_err(|_| accepted(0))?;
+            compare(&values, &found.values, false)?;
+            let slopes = (self.slopes)(inputs, [&self.ones(inputs.count)]);
+            compare(&slopes.map_err(|_| accepted(0))?, &found.slopes, true)?;
+            let level = Simd::in_use();
+            for other in Simd::available() {
+                Simd::limit(Some(other)).map_err(|_| accepted(0))?;
+                let again = self.compute(inputs);
+                Simd::limit(Some(level)).map_err(|_| accepted(0))?;
+                let again = again?;
+                compare(&again.values, &found.values, false)?;
+                compare(&again.slopes, &found.slopes, true)?;
+            }
+        }
+        let Some(square) = self
+            .square
+            .as_ref()
+            .filter(|_| how.pairs && inputs.count > SQUARE)
+        else {
+            return Ok(());
+        };
+        // From a place of no multiple of anything.
+        let items = 1..1 + SQUARE;
+        let planes = square(inputs, items.clone()).map_err(|_| accepted(1))?;
+        let place = (0..SQUARE).find(|&i| {
+            let here = [
+                self.value_of(&found.values, 1 + i),
+                match self.both {
+                    Some(_) => self.slopes_of(inputs, &found.slopes, 1 + i),
+                    None => Vec::new(),
+                },
+            ]
+            .concat();
+            let matrix = SQUARE * SQUARE;
+            let there: Vec<T> = planes
+                .iter()
+                .skip(i * (SQUARE + 1))
+                .step_by(matrix)
+                .copied()
+                .collect();
+            !is_wild(&here) && !same(&here, &there)
+        });
+        broken(place.map(|i| 1 + i))
+    }
+
+    /// Duals: finite, and with the value of plain numbers.
+    fn duals(&self, inputs: &Inputs<T>, found: &Found<T>, how: Thorough) -> Outcome {
+        let Some(recorded) = &self.recorded else {
+            return Ok(());
+        };
+        if !matches!(self.promised.finite, Finite::Always | Finite::Within(_)) {
+            return Ok(());
+        }
+        let chunk = <First<T> as Scalar>::lit(0.0).slope.len();
+        for i in (0..inputs.count).step_by(how.dual) {
+            let x = inputs.item(self, i);
+            if self.promised.finite == Finite::Always && !self.is_for_duals(&x) {
+                continue;
+            }
+            let value = self.value_of(&found.values, i);
+            for start in (0..x.len()).step_by(chunk) {
+                let jets = x.iter().enumerate();
+                let jets: Vec<First<T>> = jets
+                    .map(|(k, &x)| Jet::variable(x, k.wrapping_sub(start)))
+                    .collect();
+                for (jet, &value) in recorded.run_on(&jets).iter().zip(&value) {
+                    let finite = jet.value.finite() && jet.slope.iter().all(|x| x.finite());
+                    let (one, other) = (jet.value.widen(), value.widen());
+                    let apart = (one - other).abs() - DUAL_ROUNDINGS * T::EPSILON * other.abs();
+                    let promise = match finite {
+                        true if apart <= 1.0 / T::LARGEST * 8.0 => continue,
+                        true => Promise::Duals,
+                        false => Promise::Finite,
+                    };
+                    return Err(Finding { promise, at: i });
+                }
+            }
+        }
+        Ok(())
+    }
+
+    /// Whether duals are promised to be finite, too.
+    fn is_for_duals(&self, x: &[T]) -> bool {
+        let [least, most] = limits_of::<T>(Finite::Within(Limits::ORDINARY)).unwrap_or_default();
+        let range = power(least)..=power(most);
+        x.iter().zip(&self.kinds).all(|(x, &kind)| {
+            let size = x.widen().abs();
+            kind == Kind::Angle || size == 0.0 || range.contains(&size)
+        })
+    }
+
+    /// Shapes that are apart for certain: by what their numbers reach along x or y.
+    fn apart(&self, inputs: &Inputs<T>, found: &Found<T>) -> Outcome {
+        use Extremes::{Ratio, Shared, Union};
+        if !matches!(self.promised.extremes, Shared | Ratio | Union) || self.shapes.len() != 2 {
+            return Ok(());
+        }
+        let reach = |s: usize, i: usize, along: Kind| {
+            let n = self.shapes[s].leaf.fields;
+            let numbers = &inputs.columns[s][i * n..][..n];
+            let (mut low, mut high, mut around) = (f64::INFINITY, f64::NEG_INFINITY, 0.0);
+            for (x, &kind) in numbers.iter().zip(&self.shapes[s].kinds) {
+                let x = x.widen();
+                if kind == along {
+                    (low, high) = (low.min(x), high.max(x));
+                } else if kind == Kind::Length {
+                    around += x.abs();
+                }
+            }
+            [low - around, high + around]
+        };
+        let mut places = (0..inputs.count).step_by(7);
+        let place = places.find(|&i| {
+            let is_apart = [Kind::X, Kind::Y].into_iter().any(|along| {
+                let ([a, b], [c, d]) = (reach(0, i, along), reach(1, i, along));
+                // More than rounding apart; in the format itself, where shapes are nothing but coordinates.
+                let least = [a, b, c, d]
+                    .into_iter()
+                    .fold(0.0, |m: f64, x| m.max(x.abs()))
+                    * 1e-6;
+                (c - b).max(a - d) > least
+            });
+            let is_zero = |x: &T| *x == T::zero();
+            is_apart
+                && !(self.value_of(&found.values, i).iter().all(is_zero)
+                    && self.slopes_of(inputs, &found.slopes, i).iter().all(is_zero))
+        });
+        unless(Promise::Apart, place)
+    }
+
+    /// A shape and itself.
+    fn identical(&self, inputs: &Inputs<T>) -> Outcome {
+        use Extremes::{One, Ratio, Union};
+        let extremes = self.promised.extremes;
+        if !matches!(extremes, Ratio | Union | One)
+            || self.shapes[0].leaf.fields != self.shapes[1].leaf.fields
+        {
+            return Ok(());
+        }
+        let found = self.compute(&inputs.twins())?;
+        let ill = |x: &T| (*x != T::one()) & (*x != T::zero());
+        unless(Promise::Identical, first_where(&found.values[0], ill))?;
+        // Nothing decides a union alone; a share of the first box has a kink here.
+        if extremes != Union {
+            return Ok(());
+        }
+        found
+            .slopes
+            .iter()
+            .zip(&self.shapes)
+            .try_for_each(|(list, shape)| {
+                let some = first_where(list, |x| *x != T::zero());
+                unless(Promise::Identical, some.map(|at| at / shape.leaf.fields))
+            })
+    }
+
+    fn exchanged(&self, inputs: &Inputs<T>, found: &Found<T>) -> Outcome {
+        let [a, b] = [0, 1].map(|s| self.shapes[s].leaf.fields);
+        if !self.promised.symmetric || a != b || self.outputs.len() != 1 {
+            return Ok(());
+        }
+        let others = (self.values)(&inputs.exchanged(), []);
+        let others = others.map_err(|_| Finding {
+            promise: Promise::Accepted,
+            at: 0,
+        })?;
+        let (own, n) = (&found.values[0], self.outputs[0]);
+        let place = (0..own.len()).find(|&k| {
+            let apart = (own[k].widen() - others[0][k].widen()).abs();
+            // A score without an end changes as it is large.
+            let size = own[k].widen().abs().max(1.0);
+            let size = if self.promised.power == Some(0) {
+                size
+            } else {
+                1.0
+            };
+            apart > 0.0 && apart > size * self.exchange_may_change(inputs, k / n) * T::EPSILON
+        });
+        unless(Promise::Symmetric, place.map(|k| k / n))
+    }
+
+    /// By how many roundings of one a result may change when shapes are exchanged; infinite where nothing is
+    /// promised.
+    fn exchange_may_change(&self, inputs: &Inputs<T>, i: usize) -> f64 {
+        let Some(power) = self.promised.power else {
+            return f64::INFINITY;
+        };
+        let numbers = |s: usize| {
+            let n = self.shapes[s].leaf.fields;
+            &inputs.columns[s][i * n..][..n]
+        };
+        let sides = [0, 1].map(|s| self.shapes[s].rules.sides(numbers(s)));
+        let is_measure = matches!(self.promised.extremes, Extremes::Shared);
+        if power > 0 && !is_measure {
+            // A distance moves by a rounding of the coordinates.
+            let all = [0, 1].map(numbers);
+            let all = all.iter().flat_map(|x| x.iter()).zip(&self.kinds);
+            let largest = all.fold(0.0_f64, |m, (x, kind)| match kind.is_length() {
+                true => m.max(x.widen().abs()),
+                false => m,
+            });
+            return ROUNDINGS * largest.powi(power);
+        }
+        if sides.iter().any(Vec::is_empty) {
+            return f64::INFINITY;
+        }
+        // A rounding of the longest side moves a side of the shorter ones.
+        let all = || sides.iter().flatten().copied();
+        let aspect = all().fold(0.0, f64::max) / all().fold(f64::INFINITY, f64::min);
+        if aspect.is_nan() || aspect >= LIMIT {
+            return f64::INFINITY;
+        }
+        let content = |sides: &Vec<f64>| sides.iter().product::<f64>();
+        // Of volumes two sides may be short.
+        let aspect = if power == 3 { aspect * aspect } else { aspect };
+        match is_measure {
+            true => ROUNDINGS * aspect * content(&sides[0]).min(content(&sides[1])),
+            // Ratios of squares of sizes are in scores without an end.
+            false if self.promised.range.least < -3.0 || self.promised.range.largest > 1.0 => {
+                ROUNDINGS * aspect * aspect
+            }
+            false => ROUNDINGS * aspect,
+        }
+    }
+
+    /// Cotangents of all sizes.
+    pub(super) fn cotangents(&self, draw: &mut Draw, count: usize) -> Lists<T> {
+        let family = Family::any::<T>(draw);
+        let mut of = |&fields: &usize| {
+            let numbers = (0..fields * count).map(|_| family.number(Kind::Number, draw));
+            numbers.collect()
+        };
+        self.outputs.iter().map(&mut of).collect()
+    }
+}

@@ -1,0 +1,104 @@
+//! What rows promise of results as data: where they are finite, within which range, of identical shapes and of
+//! shapes apart. The fuzzer keeps to it.
+
+/// Of which valid finite inputs values and slopes are finite.
+///
+/// ```
+/// use geograd::kernels::op::{Finite, Op};
+/// use geograd::kernels::IouObb2;
+/// assert_eq!(IouObb2::FINITE, Finite::Always);
+/// ```
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[non_exhaustive]
+pub enum Finite {
+    /// Of all of them, for upstream slopes of any size; duals within [`Limits::ORDINARY`].
+    Always,
+    /// Of those within limits, for upstream slopes of one.
+    Within(Limits),
+    /// Values of those within limits; slopes need not be.
+    Values(Limits),
+    /// Nothing is said.
+    Unsaid,
+}
+
+/// Limits of numbers: every length, coordinate and plain number is zero or between two powers of two in
+/// magnitude; angles have no lower one.
+///
+/// ```
+/// use geograd::kernels::op::Limits;
+/// let limits = Limits::new([-40, 40], [-300, 300]);
+/// assert_eq!(limits.single, [-40, 40]);
+/// ```
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Limits {
+    /// Exponents of the least and of the largest magnitude in `f32`.
+    pub single: [i32; 2],
+    /// The same in `f64`.
+    pub double: [i32; 2],
+}
+
+impl Limits {
+    /// From the exponents of both formats.
+    #[must_use]
+    pub const fn new(single: [i32; 2], double: [i32; 2]) -> Self {
+        Limits { single, double }
+    }
+    /// From 2⁻²⁰ to 2²⁰ (about a millionth to a million) in `f32`, from 2⁻¹⁵⁰ to 2¹⁵⁰ in `f64`: what a row promises
+    /// that says nothing.
+    pub const ORDINARY: Limits = Limits::new([-20, 20], [-150, 150]);
+}
+
+/// Within which every number of a result lies, both ends included.
+///
+/// ```
+/// use geograd::kernels::op::{Op, Range};
+/// use geograd::kernels::IouObb2;
+/// assert_eq!(IouObb2::RANGE, Range::RATIO);
+/// ```
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Range {
+    /// The least.
+    pub least: f64,
+    /// The largest.
+    pub largest: f64,
+}
+
+impl Range {
+    /// Any number.
+    pub const ANY: Range = Range::new(f64::NEG_INFINITY, f64::INFINITY);
+    /// From 0 to 1.
+    pub const RATIO: Range = Range::new(0.0, 1.0);
+    /// From −1 to 1.
+    pub const SIGNED: Range = Range::new(-1.0, 1.0);
+    /// From −3/2 to 1.
+    pub const CIOU: Range = Range::new(-1.5, 1.0);
+    /// From −9/4 to 1.
+    pub const EIOU_BOX: Range = Range::new(-2.25, 1.0);
+    /// From −5/2 to 1.
+    pub const EIOU_HULL: Range = Range::new(-2.5, 1.0);
+    /// From −3 to 1.
+    pub const EIOU: Range = Range::new(-3.0, 1.0);
+    /// Not below 0.
+    pub const NOT_NEGATIVE: Range = Range::new(0.0, f64::INFINITY);
+    /// Between two numbers.
+    #[must_use]
+    pub const fn new(least: f64, largest: f64) -> Self {
+        Range { least, largest }
+    }
+}
+
+/// What two identical shapes and two shapes apart score.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[non_exhaustive]
+pub enum Extremes {
+    /// Nothing is said.
+    Unsaid,
+    /// Shapes apart score 0 with slopes of zero.
+    Shared,
+    /// The same, and identical shapes score 1, or 0 where they count as empty.
+    Ratio,
+    /// The same, and slopes of identical shapes are zero.
+    Union,
+    /// Identical shapes score 1, or 0 where they count as empty.
+    One,
+}

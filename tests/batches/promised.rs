@@ -1,0 +1,91 @@
+//! What rows promise as data is what the README says.
+use geograd::kernels::op::{Finite, Limits};
+use geograd::kernels::{Decided as _, Fold as _, Op as _, RingOp as _};
+
+macro_rules! promises {
+    (pairs { $($pair:ident: $pair_op:ty,)* } rings { $($ring:ident: $ring_op:ty,)* }
+     straight { $($straight:ident: $straight_op:ty,)* }
+     folds { $($fold:ident: $fold_op:ty,)* } decided { $($decided:ident: $decided_op:ty,)* }
+     further {
+         straight { $($more:ident: $more_op:ty,)* }
+         folds { $($more_fold:ident: $more_fold_op:ty,)* }
+         decided { $($more_decided:ident: $more_decided_op:ty,)* }
+     }) => {
+        vec![
+            $((stringify!($pair), <$pair_op>::FINITE),)*
+            $((stringify!($ring), <$ring_op>::FINITE),)*
+            $((stringify!($straight), <$straight_op>::FINITE),)*
+            $((stringify!($fold), <$fold_op>::FINITE),)*
+            $((stringify!($decided), <$decided_op>::FINITE),)*
+            $((stringify!($more), <$more_op>::FINITE),)*
+            $((stringify!($more_fold), <$more_fold_op>::FINITE),)*
+            $((stringify!($more_decided), <$more_decided_op>::FINITE),)*
+        ]
+    };
+}
+
+macro_rules! further {
+    ($($name:ident: $op:ty,)*) => {
+        [$((stringify!($name), <$op>::FINITE),)*]
+    };
+}
+
+/// What every row promises.
+fn rows() -> Vec<(&'static str, Finite)> {
+    let mut all = geograd::for_each_op!(promises);
+    all.extend(geograd_tests::more_fuzzed!(further));
+    all
+}
+
+/// The second promise of the README, up to where the others are spoken of, and what follows.
+fn second_promise() -> (String, String) {
+    let path = concat!(env!("CARGO_MANIFEST_DIR"), "/../README.md");
+    let text = std::fs::read_to_string(path).unwrap();
+    let start = text.find("2. **Finite in, finite out.**").unwrap();
+    let end = text.find("3. **Ratios stay").unwrap();
+    let (list, others) = text[start..end].split_once("All other operations").unwrap();
+    (list.to_owned(), others.to_owned())
+}
+
+#[test]
+fn the_readme_names_what_is_always_finite() {
+    let rows = rows();
+    let (list, _) = second_promise();
+    let mut named: Vec<&str> = list.split('`').skip(1).step_by(2).collect();
+    let mut always: Vec<&str> = rows
+        .iter()
+        .filter(|(_, finite)| *finite == Finite::Always)
+        .map(|(name, _)| *name)
+        .collect();
+    named.sort_unstable();
+    always.sort_unstable();
+    assert_eq!(named, always);
+}
+
+#[test]
+fn the_readme_says_within_which_limits_others_are_finite() {
+    let (_, others) = second_promise();
+    let power = |exponent: i32| {
+        let digits: String = exponent.abs().to_string();
+        let raised = |digit: char| {
+            let all = ['⁰', '¹', '²', '³', '⁴', '⁵', '⁶', '⁷', '⁸', '⁹'];
+            all[digit.to_digit(10).unwrap() as usize]
+        };
+        let digits: String = digits.chars().map(raised).collect();
+        let sign = if exponent < 0 { "⁻" } else { "" };
+        format!("2{sign}{digits}")
+    };
+    let Limits { single, double } = Limits::ORDINARY;
+    for exponent in single.into_iter().chain(double) {
+        let power = power(exponent);
+        assert!(others.contains(&power), "{power} in {others}");
+    }
+    for (name, finite) in rows() {
+        let is_said =
+            matches!(finite, Finite::Always) || finite == Finite::Within(Limits::ORDINARY);
+        assert!(
+            is_said || others.contains(&format!("`{name}`")),
+            "{name}: {finite:?}"
+        );
+    }
+}
