@@ -11,8 +11,10 @@
 //! Values and slopes are finite where every length and coordinate is zero or of a magnitude from 2⁻²⁰ to 2²⁰ in `f32`,
 //! from 2⁻¹⁵⁰ to 2¹⁵⁰ in `f64`.
 //!
-//! Kinks: inside, where several faces are equally near; at the centre's planes outside nothing. Across a face
+//! Kinks: inside, where several faces are equally near and share the slope equally; at the centre's planes outside
+//! nothing. Across a face
 //! the signed distance is smooth, along an edge or at a corner of the border it is not.
+use crate::scalar::most_of;
 use crate::shape::{Aabb3, Obb3, YawBox3};
 use crate::{Rotation2, Scalar, Vec2, Vec3};
 
@@ -64,7 +66,7 @@ impl<S: Scalar> Faces<S> for Obb3<S> {
 #[inline]
 pub fn signed_distance<S: Scalar>(point: Vec3<S>, shape: impl Faces<S>) -> S {
     let beyond = shape.beyond(point);
-    let nearest = beyond.x.most(beyond.y).most(beyond.z);
+    let nearest = most_of([beyond.x, beyond.y, beyond.z]);
     let outside = clear(beyond);
     S::select(nearest.above(S::zero()), outside, nearest).canonical()
 }

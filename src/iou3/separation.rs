@@ -2,6 +2,7 @@
 use super::Solid;
 use crate::Scalar;
 use crate::overlap3::relate::{Relative3, relate3};
+use crate::scalar::most_of;
 use crate::shape::Obb3;
 
 /// The largest gap between the boxes' shadows over all fifteen axes that could separate them: a face's normal
@@ -20,7 +21,7 @@ fn widest_gap<S: Scalar>(pair: &Relative3<S>) -> S {
         let center = (r[0][i] * c[0] + r[1][i] * c[1]) + r[2][i] * c[2];
         of_a.most(center.magnitude() - (p[i] + reach))
     };
-    let gap = faces(0).most(faces(1)).most(faces(2));
+    let gap = most_of([faces(0), faces(1), faces(2)]);
     let least = S::lit(64.0 * S::EPSILON);
     // The gap along a's edge i cross b's edge m, or what is given where both are parallel.
     let edges = |i: usize, m: usize, gap: S| {
@@ -35,22 +36,22 @@ fn widest_gap<S: Scalar>(pair: &Relative3<S>) -> S {
         let own = (distance - (reach_a + reach_b)).over(length);
         S::select(parallel, gap, own)
     };
-    // In pairs that change places when the boxes do, so that ties are shared alike both ways round.
-    let mut all = gap;
-    for i in 0..3 {
+    // Groups that neither other names of the coordinates nor an exchange of the boxes mix: ties are shared alike.
+    let along = |i: usize| edges(i, i, gap);
+    let across = |i: usize| {
         let (j, l) = ((i + 1) % 3, (i + 2) % 3);
-        all = all.most(edges(i, i, gap));
-        let (forth, back) = (edges(j, l, gap), edges(l, j, gap));
-        all = all.most(forth.most(back));
-    }
-    all
+        edges(j, l, gap).most(edges(l, j, gap))
+    };
+    let of_edges = most_of([along(0), along(1), along(2)]);
+    let of_edges = of_edges.most(most_of([across(0), across(1), across(2)]));
+    gap.most(of_edges)
 }
 
 /// How far two boxes are apart along the axis that separates them most, a length; negative for boxes that
 /// overlap: how far one must move to leave the other.
 ///
 /// For boxes apart it is at most their distance, and equal to it where that is between faces, or edges, or a
-/// face and anything; its slopes point apart. Kinks where another axis becomes the widest.
+/// face and anything; its slopes point apart. Kinks where another axis becomes the widest; axes that tie share the slope.
 ///
 /// ```
 /// use geograd::{Vec3, iou3::penetration_or_gap, shape::{Obb3, Rotation3}};
@@ -88,8 +89,7 @@ pub fn separation_aware<S: Scalar, B: Solid<S>>(a: B, b: B) -> S {
 pub(super) fn or_overlap<S: Scalar>(a: Obb3<S>, b: Obb3<S>, overlap: impl Fn() -> S) -> S {
     let pair = relate3(a, b);
     let gap = widest_gap(&pair);
-    let size = |half: [S; 3]| half[0].most(half[1]).most(half[2]);
-    let size = size(pair.half_a) + size(pair.half_b);
+    let size = most_of(pair.half_a) + most_of(pair.half_b);
     let apart = gap.above(S::zero());
     let held = S::select(apart, gap, S::one());
     let value = held.over(held + size);

@@ -10,7 +10,8 @@
 //!
 //! 1. The derivative is that of the branch the value took.
 //! 2. Exact ties share the slope equally ([`least`](Scalar::least), [`most`](Scalar::most),
-//!    [`clamp`](Scalar::clamp)): half and half.
+//!    [`clamp`](Scalar::clamp)): half and half; thirds where three tie, and so on ([`least_of`],
+//!    [`most_of`]).
 //! 3. A norm at zero has slope zero ([`magnitude`](Scalar::magnitude), [`root`](Scalar::root),
 //!    [`hypot`](Scalar::hypot)).
 //! 4. The angle of the zero vector is 0 with slope zero ([`atan2`](Scalar::atan2)).
@@ -20,9 +21,12 @@ mod dual_vector;
 pub mod float;
 pub mod jet;
 pub mod lanes;
+mod ties;
 
 pub use jet::Jet;
 pub use lanes::Lanes;
+pub(crate) use ties::Span;
+pub use ties::{least_of, most_of};
 
 use crate::Fixed;
 use std::fmt::Debug;

@@ -1,5 +1,6 @@
 //! Axis-aligned boxes in the plane.
 use crate::error::{Flaw, Validate};
+use crate::scalar::Span;
 use crate::{Scalar, Shape, Vec2};
 
 /// An axis-aligned box in the plane. Valid when finite and `min ≤ max`; zero size is valid.
@@ -48,18 +49,18 @@ impl<S: Scalar> Aabb2<S> {
         made.validate().map(|()| made)
     }
     /// The smallest box around the points; `None` without points. Where several points share a
-    /// bound they share its slope.
+    /// bound they share its slope equally.
     #[must_use]
     pub fn around(points: &[Vec2<S>]) -> Option<Self> {
         let (&first, rest) = points.split_first()?;
-        let start = Aabb2 {
-            min: first,
-            max: first,
-        };
-        Some(rest.iter().fold(start, |bounds, &point| Aabb2 {
-            min: bounds.min.least(point),
-            max: bounds.max.most(point),
-        }))
+        let (mut x, mut y) = (Span::new(first.x), Span::new(first.y));
+        for point in rest {
+            (x, y) = (x.or(point.x), y.or(point.y));
+        }
+        Some(Aabb2 {
+            min: Vec2::new(x.least(), y.least()),
+            max: Vec2::new(x.most(), y.most()),
+        })
     }
     /// Width and height.
     #[must_use]

@@ -1,4 +1,5 @@
 //! Axis-aligned boxes in space.
+use crate::scalar::Span;
 use crate::{Aabb2, Scalar, Shape, Vec2, Vec3};
 
 /// The corners of each face of a box, by their number in `corners()`, counter-clockwise seen from
@@ -45,16 +46,20 @@ impl<S> Aabb3<S> {
 
 impl<S: Scalar> Aabb3<S> {
     /// The smallest box around the points; `None` without points. Where several points share a bound
-    /// they share its slope.
+    /// they share its slope equally.
     #[must_use]
     pub fn around(points: &[Vec3<S>]) -> Option<Self> {
         let (&first, rest) = points.split_first()?;
-        Some(
-            rest.iter()
-                .fold(Aabb3::new(first, first), |bounds, &point| {
-                    Aabb3::new(bounds.min.least(point), bounds.max.most(point))
-                }),
-        )
+        let mut spans = [Span::new(first.x), Span::new(first.y), Span::new(first.z)];
+        for point in rest {
+            let [x, y, z] = spans;
+            spans = [x.or(point.x), y.or(point.y), z.or(point.z)];
+        }
+        let [x, y, z] = spans;
+        Some(Aabb3::new(
+            Vec3::new(x.least(), y.least(), z.least()),
+            Vec3::new(x.most(), y.most(), z.most()),
+        ))
     }
     /// The size along x, y and z.
     #[must_use]

@@ -1,5 +1,6 @@
 //! Triangles of the plane.
 use crate::error::{Flaw, Validate};
+use crate::scalar::{least_of, most_of};
 use crate::shape::circumcircle;
 use crate::{Aabb2, Circle, Pose2, Scalar, Shape, Vec2};
 use std::ops::Mul;
@@ -96,13 +97,14 @@ impl<S: Scalar> Triangle2<S> {
         let arms = (self.b - self.a) + (self.c - self.a);
         (self.a + arms * S::lit(1.0 / 3.0)).canonical()
     }
-    /// The smallest axis-aligned box around it; corners that share a bound share its slope.
+    /// The smallest axis-aligned box around it; corners that share a bound share its slope equally.
     #[must_use]
     #[inline(always)]
     pub fn bounding(self) -> Aabb2<S> {
+        let (x, y) = (self.corners().map(|p| p.x), self.corners().map(|p| p.y));
         Aabb2 {
-            min: self.a.least(self.b).least(self.c).canonical(),
-            max: self.a.most(self.b).most(self.c).canonical(),
+            min: Vec2::new(least_of(x), least_of(y)).canonical(),
+            max: Vec2::new(most_of(x), most_of(y)).canonical(),
         }
     }
     /// The circle through its corners. For corners on one line see [`circumcircle`].
