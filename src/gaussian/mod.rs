@@ -16,17 +16,29 @@
 //!
 //! A square is a circle as a Gaussian, so its heading has no slope.
 //!
+//! Wasserstein's distance takes sizes and the distance of the centres each in a unit of its own: none costs another
+//! one digits, however far apart they are.
+//!
 //! But for Wasserstein's distance, sizes count as no smaller than 2⁻²³ of the largest length of the pair: of
 //! all sizes and the distance of the centres. So boxes of zero size are served, sides up to eight million times
 //! as long as others are exact, and all results are finite, the same in every format. Slopes go through that
 //! bound, too: by the largest length.
 //!
+//! Slopes are zero where they could exceed the largest number: those by lengths of pairs that are both thin and near
+//! the smallest numbers (in `f32` 10⁶ times as long as thick and below 10⁻¹⁷), and those of Wasserstein's distance by
+//! rotations of sizes near the largest numbers, or near the root of them for its square.
+//!
 //! Kinks: [`wasserstein`] and [`probiou`] at identical Gaussians (slope zero). The others are smooth, but
 //! where a size meets that bound, and where all lengths are zero: there boxes count as identical.
 use crate::{Obb2, Rotation2, Scalar, Vec2};
 
+mod lengths;
 pub mod smooth;
 pub mod solid;
+mod solid_wasserstein;
+mod wasserstein;
+
+pub use wasserstein::{wasserstein, wasserstein_squared};
 
 use smooth::{excess, exp_minus_one, ln_one_plus};
 
@@ -41,44 +53,51 @@ struct Pair<S> {
     /// The square of the sine of the angle between the axes, where the axes of b are named so that the
     /// larger deviations of both have the same name.
     sin2: S,
-    /// And of its cosine.
-    cos2: S,
-    /// The power of two by which lengths were multiplied.
-    scale: S,
 }
 
 /// The least size, as a share of the largest size or distance of a pair: 2⁻²³, in every format.
 const LEAST: f64 = 1.0 / (1_u32 << 23) as f64;
 
-/// The power of two by which the lengths of a pair are multiplied, from its largest one, and the least size
-/// in that unit; where all lengths are zero the least size is one.
+/// The power of two by which the lengths of a pair are multiplied, from a quarter of the largest one (so that it is
+/// finite), and the least size in that unit; where all lengths are zero the least size is one.
 #[inline(always)]
-fn unit<S: Scalar>(largest: S) -> (S, S) {
-    let none = largest.at_most(S::zero());
-    let scale = S::select(none, S::one(), largest).binade();
-    let least = largest * scale * S::lit(LEAST);
+fn unit<S: Scalar>(quarter: S) -> (S, S) {
+    let none = quarter.at_most(S::zero());
+    let scale = S::select(none, S::one(), quarter).binade();
+    let least = quarter * scale * S::lit(LEAST);
+    let scale = S::select(none, S::one(), scale * S::lit(0.25));
     (scale, S::select(none, S::one(), least))
 }
 
-/// Brings a pair into a common unit. `FLOOR` says whether sizes are bounded from below.
-fn pair<S: Scalar, const FLOOR: bool>(a: Obb2<S>, b: Obb2<S>, deviation: f64) -> Pair<S> {
+/// A length, or a constant where slopes by lengths might not be finite: they grow as the unit's scale times the
+/// third power of what one is over the smallest size. A function of the scale and that size.
+#[inline(always)]
+fn finite_slopes<S: Scalar>(scale: S, smallest: S) -> impl Fn(S) -> S + use<S> {
+    let per = S::Primal::one().over(smallest.primal());
+    let steep = ((scale.primal() * per) * (per * per)).above(S::Primal::lit(S::LARGEST / 1024.0));
+    move |x: S| S::select(steep, S::from_primal(x.primal()), x)
+}
+
+/// Brings a pair into a common unit.
+fn pair<S: Scalar>(a: Obb2<S>, b: Obb2<S>, deviation: f64) -> Pair<S> {
     let between = b.center - a.center;
+    let between = Vec2::new(between.x.saturated(), between.y.saturated());
     let sizes = a.size.x.most(a.size.y).most(b.size.x.most(b.size.y));
-    let (scale, least) = unit(sizes.most(between.length()));
+    let quarter = S::lit(0.25);
+    let (scale, least) = unit((sizes * quarter).most((between * quarter).length()));
     let deviations = |v: Vec2<S>| {
         let v = v * scale;
-        let v = match FLOOR {
-            true => Vec2::new(v.x.most(least), v.y.most(least)),
-            false => v,
-        };
-        v * S::lit(deviation)
+        Vec2::new(v.x.most(least), v.y.most(least)) * S::lit(deviation)
     };
     let (own, other) = (deviations(a.size), deviations(b.size));
+    let held = finite_slopes(scale, own.x.least(own.y).least(other.x.least(other.y)));
+    let held = |v: Vec2<S>| Vec2::new(held(v.x), held(v.y));
+    let (own, other) = (held(own), held(other));
     let (axes_a, axes_b) = (
         Rotation2::from_angle(a.heading),
         Rotation2::from_angle(b.heading),
     );
-    let between = between * scale;
+    let between = held(between * scale);
     let turn = axes_a.inverse() * axes_b;
     let crossed = ((own.x - own.y) * (other.x - other.y)).below(S::zero());
     let exchange = |x: S, y: S| S::select(crossed, y, x);
@@ -92,61 +111,7 @@ fn pair<S: Scalar, const FLOOR: bool>(a: Obb2<S>, b: Obb2<S>, deviation: f64) ->
         a: own,
         b: Vec2::new(exchange(other.x, other.y), exchange(other.y, other.x)),
         sin2: exchange(turn.sin, turn.cos).squared(),
-        cos2: exchange(turn.cos, turn.sin).squared(),
-        scale,
     }
-}
-
-/// The square of [`wasserstein`], in squared units of length; smooth but for boxes of zero size.
-///
-/// `|Δ|² + (a₁−b₁)² + (a₂−b₂)² + 2 sin² (a₁²−a₂²)(b₁²−b₂²) / (P + T)` with the deviations a, b,
-/// `P = a₁b₁ + a₂b₂`, `Q = a₁b₂ + a₂b₁` and `T = √(P² cos² + Q² sin²)`, axes named so that no term is
-/// negative: the trace of `Σa + Σb − 2 (√Σa Σb √Σa)^½` by the determinant of its last term.
-#[must_use]
-#[inline]
-pub fn wasserstein_squared<S: Scalar>(a: Obb2<S>, b: Obb2<S>) -> S {
-    let pair = pair::<S, false>(a, b, 0.5);
-    let value = squared_distance(&pair);
-    value
-        .over(pair.scale)
-        .over(pair.scale)
-        .saturated()
-        .canonical()
-}
-
-#[inline(always)]
-fn squared_distance<S: Scalar>(pair: &Pair<S>) -> S {
-    let (a, b) = (pair.a, pair.b);
-    let straight = a.x * b.x + a.y * b.y;
-    let crossed = a.x * b.y + a.y * b.x;
-    let root = (straight * straight * pair.cos2 + crossed * crossed * pair.sin2).root();
-    let sum = straight + root;
-    let empty = sum.at_most(S::lit(S::EMPTY));
-    let spread = (a.x - a.y) * (a.x + a.y) * ((b.x - b.y) * (b.x + b.y));
-    let twist = (pair.sin2 * spread).over(S::select(empty, S::one(), sum));
-    let twist = S::select(empty, S::zero(), twist);
-    pair.offset.length_squared() + ((a - b).length_squared() + (twist + twist))
-}
-
-/// Wasserstein's distance of two boxes as Gaussians, a length: how far mass must move, as a root of a mean
-/// of squares. Slope zero for identical ones.
-///
-/// ```
-/// use geograd::{Obb2, gaussian::wasserstein};
-/// let a = Obb2::new(0.0, 0.0, 4.0, 2.0, 0.3_f64);
-/// assert_eq!(wasserstein(a, a), 0.0);
-/// let moved = Obb2::new(3.0, 4.0, 4.0, 2.0, 0.3);
-/// assert!((wasserstein(a, moved) - 5.0).abs() < 1e-14);
-/// ```
-#[must_use]
-#[inline]
-pub fn wasserstein<S: Scalar>(a: Obb2<S>, b: Obb2<S>) -> S {
-    let pair = pair::<S, false>(a, b, 0.5);
-    squared_distance(&pair)
-        .root()
-        .over(pair.scale)
-        .saturated()
-        .canonical()
 }
 
 /// The Kullback-Leibler divergence of box a from box b as Gaussians, `KL(a ‖ b)`, from 0.
@@ -163,9 +128,7 @@ pub fn wasserstein<S: Scalar>(a: Obb2<S>, b: Obb2<S>) -> S {
 #[must_use]
 #[inline]
 pub fn kullback_leibler<S: Scalar>(a: Obb2<S>, b: Obb2<S>) -> S {
-    divergence(&pair::<S, true>(a, b, 0.5))
-        .saturated()
-        .canonical()
+    divergence(&pair(a, b, 0.5)).saturated().canonical()
 }
 
 #[inline(always)]
@@ -182,7 +145,7 @@ fn divergence<S: Scalar>(pair: &Pair<S>) -> S {
 #[must_use]
 #[inline]
 pub fn jeffreys<S: Scalar>(a: Obb2<S>, b: Obb2<S>) -> S {
-    let (forth, back) = (pair::<S, true>(a, b, 0.5), pair::<S, true>(b, a, 0.5));
+    let (forth, back) = (pair(a, b, 0.5), pair(b, a, 0.5));
     (divergence(&forth) + divergence(&back))
         .saturated()
         .canonical()
@@ -203,9 +166,7 @@ pub fn kullback_leibler_mean<S: Scalar>(a: Obb2<S>, b: Obb2<S>) -> S {
 #[must_use]
 #[inline]
 pub fn bhattacharyya<S: Scalar>(a: Obb2<S>, b: Obb2<S>) -> S {
-    distance(&pair::<S, true>(a, b, 0.5))
-        .saturated()
-        .canonical()
+    distance(&pair(a, b, 0.5)).saturated().canonical()
 }
 
 #[inline(always)]
@@ -239,7 +200,7 @@ fn distance<S: Scalar>(pair: &Pair<S>) -> S {
 #[must_use]
 #[inline]
 pub fn probiou<S: Scalar>(a: Obb2<S>, b: Obb2<S>) -> S {
-    let pair = pair::<S, true>(a, b, (1.0 / 12.0_f64).sqrt());
+    let pair = pair(a, b, (1.0 / 12.0_f64).sqrt());
     similarity(distance(&pair))
 }
 
@@ -263,7 +224,7 @@ pub(crate) fn similarity<S: Scalar>(distance: S) -> S {
 #[must_use]
 #[inline]
 pub fn kfiou<S: Scalar>(a: Obb2<S>, b: Obb2<S>) -> S {
-    let pair = pair::<S, true>(a, b, 0.5);
+    let pair = pair(a, b, 0.5);
     let (a, b) = (pair.a, pair.b);
     let (one, two) = (a.x.hypot(b.x), a.y.hypot(b.y));
     let spread = |v: Vec2<S>| (v.x - v.y).over(one) * (v.x + v.y).over(two);

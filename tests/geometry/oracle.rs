@@ -57,7 +57,7 @@ impl Fixed {
         self.0.sign() == Sign::Minus
     }
     /// Cosine and sine by their power series at a 2⁻¹⁶ part of the angle, then doubling.
-    fn cos_sin(&self) -> (Self, Self) {
+    pub(super) fn cos_sin(&self) -> (Self, Self) {
         let small = Fixed(&self.0 >> 16);
         let one = Fixed(BigInt::from(1) << BITS);
         let (mut cos, mut sin, mut term) = (one.clone(), Fixed(BigInt::from(0)), one.clone());

@@ -1,0 +1,132 @@
+//! Lengths in units of their own: sizes of boxes that are small or large beside each other, or beside the
+//! distance between them, keep their digits.
+use crate::Scalar;
+
+/// The units of the sizes of two boxes: powers of two, constants.
+pub(super) struct Shapes<S: Scalar> {
+    /// What brings the largest size of the first box into `[2, 4)`; a box without size takes that of the other.
+    pub a: S,
+    /// The same for the second box.
+    pub b: S,
+    /// The unit of both, that of the larger box, over that of the first: at most one.
+    pub share_a: S,
+    /// The same for the second box.
+    pub share_b: S,
+    /// What brings the largest size of both into `[2, 4)`.
+    pub both: S,
+    /// Where neither box has a size.
+    pub none: S::Mask,
+}
+
+/// The power of two that brings a length into `[2, 4)`; no larger than three quarters of the range of exponents
+/// allow, so that slopes by lengths stay finite in that unit.
+#[inline(always)]
+fn bounded_unit<S: Scalar>(length: S) -> S {
+    let most = S::lit(S::LARGEST.powf(-0.75)).binade();
+    let unit = length.binade();
+    S::select(most.below(unit), most, unit)
+}
+
+impl<S: Scalar> Shapes<S> {
+    /// From the largest size of each box.
+    #[inline(always)]
+    pub fn of(a: S, b: S) -> Self {
+        let zero = S::zero();
+        let (none_a, none_b) = (a.at_most(zero), b.at_most(zero));
+        let none = none_a & none_b;
+        let a = S::select(none_a, b, a);
+        let b = S::select(none_b, a, b);
+        let own = bounded_unit(S::select(none, S::one(), a));
+        let other = bounded_unit(S::select(none, S::one(), b));
+        let both = S::select(own.below(other), own, other);
+        Shapes {
+            a: own,
+            b: other,
+            share_a: both.over(own),
+            share_b: both.over(other),
+            both,
+            none,
+        }
+    }
+    /// A number that says how the boxes are turned, or a constant where slopes by it might not be finite: they
+    /// grow as the larger size to a power.
+    #[inline(always)]
+    pub fn finite_slopes<const POWER: usize>(&self) -> impl Fn(S) -> S + use<S, POWER> {
+        let both = self.both.primal();
+        let mut unit = both;
+        for _ in 1..POWER {
+            unit = unit * both;
+        }
+        let steep = unit.below(S::Primal::lit(4096.0 / S::LARGEST));
+        move |x: S| S::select(steep, S::from_primal(x.primal()), x)
+    }
+}
+
+/// The way between two centres.
+pub(super) struct Way<S: Scalar> {
+    /// Its squared length, in squared units of `1 / unit`.
+    pub squared: S,
+    /// The power of two that brings its largest coordinate into `[2, 4)`, a constant.
+    pub unit: S,
+    /// Where there is none: the centres agree.
+    pub none: S::Mask,
+}
+
+impl<S: Scalar> Way<S> {
+    /// From its coordinates; infinite ones count as the largest number.
+    #[inline(always)]
+    pub fn of<const N: usize>(coordinates: [S; N]) -> Self {
+        let mut longest = S::Primal::zero();
+        let mut way = coordinates;
+        for k in 0..N {
+            way[k] = way[k].saturated();
+            longest = longest.most(way[k].primal().magnitude());
+        }
+        let none = longest.at_most(S::Primal::zero());
+        let unit = S::Primal::select(none, S::Primal::one(), longest);
+        let unit = S::from_primal(bounded_unit(unit));
+        let mut squared = (way[0] * unit).squared();
+        for k in 1..N {
+            squared += (way[k] * unit).squared();
+        }
+        Way {
+            squared,
+            unit,
+            none,
+        }
+    }
+}
+
+/// The sum of the squares of a distance of shapes and of a way, in squared units of length.
+#[inline(always)]
+pub(super) fn sum_of_squares<S: Scalar>(shape: S, units: &Shapes<S>, way: &Way<S>) -> S {
+    let shape = shape.over(units.both).over(units.both);
+    let way = way.squared.over(way.unit).over(way.unit);
+    (shape + way).saturated()
+}
+
+/// Its root, a length. A constant where slopes might not be finite: sizes near the largest numbers and boxes that
+/// are almost identical beside them.
+///
+/// Both are brought into the unit of the longer one, so that the shorter one alone can underflow.
+#[inline(always)]
+pub(super) fn root_of_sum<S: Scalar>(shape: S, units: &Shapes<S>, way: &Way<S>) -> S {
+    let one = S::one();
+    let length = |square: S, unit: S| square.primal().root().over(unit.primal());
+    let longest = length(shape, units.both).most(length(way.squared, way.unit));
+    let longest = S::from_primal(longest.saturated());
+    let none = longest.at_most(S::zero());
+    let unit = bounded_unit(S::select(none, one, longest));
+    // Slopes grow as the square of a unit over that of the sizes.
+    let bound = units.both * S::lit((1_u64 << 40) as f64);
+    let bounded = bound.below(unit) & !units.none;
+    let unit = S::select(bounded, bound, unit);
+    let of_shape = S::select(units.none, one, unit.over(units.both));
+    let of_way = S::select(way.none, one, unit.over(way.unit));
+    let sum = shape * of_shape * of_shape + way.squared * of_way * of_way;
+    let root = sum.primal().root();
+    let steep = (of_shape.squared() + of_way.squared()).primal();
+    let steep = steep.above((unit.primal() * root) * S::Primal::lit(S::LARGEST / 8.0));
+    let sum = S::select(steep, S::from_primal(sum.primal()), sum);
+    sum.root().over(unit).saturated()
+}
