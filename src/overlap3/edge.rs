@@ -118,33 +118,58 @@ pub(super) fn signed<S: Scalar>(sum: S, side: usize, x: S) -> S {
     if side == 1 { sum + x } else { sum - x }
 }
 
+/// A side of b is cut off where a reaches less than this part of its half.
+const REACHED: f64 = 0.125;
+
+/// The bounds of b along its own axes, without what of its long sides a cannot reach: the integrals over a
+/// thin long box that another one crosses would be of terms 10⁴ times as large as their sum.
+///
+/// Between two opposite faces of a, across its axis i, `Σ R_in w_n` is within h_i of `−c_i`, so w_m is known up
+/// to `(h_i + Σ_{n≠m} |R_in| p_n) / |R_im|`. The narrowest of these three ranges counts, with room for rounding.
+/// Only where products carry low parts: digits are plenty elsewhere.
+#[inline(always)]
+fn reached<S: Scalar>(pair: &Relative3<S>, rho: &[[S; 3]; 3]) -> [[S; 2]; 3] {
+    let (r, c, h, p) = (pair.turn, pair.center, pair.half_a, pair.half_b);
+    let mut out = [[-p[0], p[0]], [-p[1], p[1]], [-p[2], p[2]]];
+    if !S::COMPENSATED {
+        return out;
+    }
+    let limit = [
+        p[0] * S::lit(REACHED),
+        p[1] * S::lit(REACHED),
+        p[2] * S::lit(REACHED),
+    ];
+    let (mut least, mut middle) = (limit, [S::zero(); 3]);
+    for i in 0..3 {
+        let steep = [r[i][0].unsigned(), r[i][1].unsigned(), r[i][2].unsigned()];
+        let reach = (steep[0] * p[0] + steep[1] * p[1]) + steep[2] * p[2];
+        let rounding = (h[i] + reach + c[i].unsigned()) * S::lit(32.0 * S::EPSILON);
+        let all = (h[i] + reach) + rounding;
+        for m in 0..3 {
+            let own = (all - steep[m] * p[m]) * rho[i][m].unsigned();
+            let narrow = own.below(least[m]);
+            least[m] = S::select(narrow, own, least[m]);
+            middle[m] = S::select(narrow, -(c[i] * rho[i][m]), middle[m]);
+        }
+    }
+    for m in 0..3 {
+        let short = least[m].below(limit[m]);
+        let low = clamped(middle[m] - least[m], -p[m], p[m]);
+        let high = clamped(middle[m] + least[m], low, p[m]);
+        // Nothing depends on where it is cut.
+        let (low, high) = (S::from_primal(low.primal()), S::from_primal(high.primal()));
+        out[m] = [S::select(short, low, -p[m]), S::select(short, high, p[m])];
+    }
+    out
+}
+
 #[inline(always)]
 pub(super) fn cut<S: Scalar>(pair: &Relative3<S>) -> (Cut<S>, [S; 3]) {
-    let (r, c, h, p) = (pair.turn, pair.center, pair.half_a, pair.half_b);
+    let (r, c, h) = (pair.turn, pair.center, pair.half_a);
     let zero = S::zero();
-    // Alternating projections onto both boxes.
-    let (mut w, mut origin) = ([zero; 3], c);
-    for _ in 0..2 {
-        let mut y = [zero; 3];
-        for i in 0..3 {
-            y[i] = clamped(origin[i], -h[i], h[i]) - c[i];
-        }
-        for m in 0..3 {
-            let t = (r[0][m] * y[0] + r[1][m] * y[1]) + r[2][m] * y[2];
-            w[m] = clamped(t, -p[m], p[m]);
-        }
-        for i in 0..3 {
-            origin[i] = c[i] + ((r[i][0] * w[0] + r[i][1] * w[1]) + r[i][2] * w[2]);
-        }
-    }
-    let (mut k, mut f) = ([[zero; 2]; 3], [[zero; 2]; 3]);
-    for i in 0..3 {
-        k[i] = [-h[i] - origin[i], h[i] - origin[i]];
-        f[i] = [-p[i] - w[i], p[i] - w[i]];
-    }
     let least = S::lit(tiny::<S>());
     let never = S::one().below(zero);
-    let (mut rho, mut middle, mut flat) = ([[zero; 3]; 3], [[zero; 3]; 3], [[never; 3]; 3]);
+    let (mut rho, mut flat) = ([[zero; 3]; 3], [[never; 3]; 3]);
     for i in 0..3 {
         for m in 0..3 {
             let entry = r[i][m];
@@ -154,6 +179,40 @@ pub(super) fn cut<S: Scalar>(pair: &Relative3<S>) -> (Cut<S>, [S; 3]) {
                 flat[i][m] = entry.unsigned().below(least);
                 let safe = S::select(flat[i][m], least.signed_as(entry), entry);
                 rho[i][m] = S::one().over(safe);
+            }
+        }
+    }
+    let reached = reached(pair, &rho);
+    // Alternating projections onto both boxes.
+    let (mut w, mut origin) = ([zero; 3], c);
+    for m in 0..3 {
+        w[m] = (reached[m][0] + reached[m][1]).halved();
+    }
+    for i in 0..3 {
+        origin[i] = c[i] + ((r[i][0] * w[0] + r[i][1] * w[1]) + r[i][2] * w[2]);
+    }
+    for _ in 0..2 {
+        let mut y = [zero; 3];
+        for i in 0..3 {
+            y[i] = clamped(origin[i], -h[i], h[i]) - c[i];
+        }
+        for m in 0..3 {
+            let t = (r[0][m] * y[0] + r[1][m] * y[1]) + r[2][m] * y[2];
+            w[m] = clamped(t, reached[m][0], reached[m][1]);
+        }
+        for i in 0..3 {
+            origin[i] = c[i] + ((r[i][0] * w[0] + r[i][1] * w[1]) + r[i][2] * w[2]);
+        }
+    }
+    let (mut k, mut f) = ([[zero; 2]; 3], [[zero; 2]; 3]);
+    for i in 0..3 {
+        k[i] = [-h[i] - origin[i], h[i] - origin[i]];
+        f[i] = [reached[i][0] - w[i], reached[i][1] - w[i]];
+    }
+    let mut middle = [[zero; 3]; 3];
+    for i in 0..3 {
+        for m in 0..3 {
+            if i != m {
                 let half = (f[m][0] + f[m][1]).halved();
                 middle[i][m] = S::select(flat[i][m], half, zero);
             }

