@@ -12,8 +12,7 @@
 //! from 2⁻¹⁵⁰ to 2¹⁵⁰ in `f64`.
 //!
 //! Kinks: inside, where several faces are equally near and share the slope equally; at the centre's planes outside
-//! nothing. Across a face
-//! the signed distance is smooth, along an edge or at a corner of the border it is not.
+//! nothing. Across a face the signed distance is smooth, along an edge or at a corner of the border it is not.
 use crate::scalar::most_of;
 use crate::shape::{Aabb3, Obb3, YawBox3};
 use crate::{Rotation2, Scalar, Vec2, Vec3};
