@@ -125,6 +125,25 @@
 //! library's operations, on the CPU or a GPU, are witnesses in
 //! [`kernels::check`](crate::kernels::check::prove_on).
 //!
+//! num-dual's own numbers judge derivatives by hand beside our [`Jet`](crate::Jet): one of the two may be wrong in the
+//! same way as the derivative. `assert_gradient!(generic …)`, operations with an adjoint by hand and rings ask them; a check
+//! of closures is told with [`Check::num_dual`].
+//!
+//! ```
+//! use geograd::ad::check::Check;
+//! use geograd::ad::check::verdict::{Reason, Witness};
+//! use geograd::{Jet, Scalar};
+//! fn little<S: Scalar>(x: S) -> S {
+//!     S::lit(1e9) + x * x * S::lit(1e-9) // less than the value's rounding: steps say nothing
+//! }
+//! // Duals and gradient share a mistake.
+//! let tampered = |x: Jet<f64, 1>| little(x).damp(0.999);
+//! let check = || Check::at(0.7).value(little).dual(tampered).gradient(|x| 0.999 * 2e-9 * x);
+//! assert!(check().run().passed());
+//! let report = check().num_dual(little).run();
+//! assert!(report.refused_for(Reason::Disagree(Witness::Adjoint, Witness::NumDual)));
+//! ```
+//!
 //! # A refusal that is no mistake
 //!
 //! Digits that cancel in single precision are lost with the best of formulas. The value is refused, and the report
