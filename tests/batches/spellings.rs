@@ -229,7 +229,6 @@ spellings! {
 }
 
 /// Rings of a few vertices, every third in a raster where vertices and edges lie on each other, and a point for each.
-#[expect(clippy::type_complexity, reason = "points, vertices and offsets")]
 fn rings<T: Number>() -> (Vec<Vec2<T>>, Vec<Vec2<T>>, Vec<usize>) {
     let mut dice = Dice(77);
     let (mut points, mut vertices, mut offsets) = (Vec::new(), Vec::new(), vec![0]);

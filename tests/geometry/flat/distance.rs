@@ -660,19 +660,21 @@ fn faces_that_are_all_but_parallel_are_told_apart_in_single_precision() {
 fn boxes_along_the_axes_keep_their_digits_far_from_the_origin() {
     use geograd::distance::{Convex, upright::penetration_aabb2};
     use geograd::{Aabb2, Circle};
-    let a = Aabb2::new(10000.0_f32, 0.0, 10000.000_976_562_5, 1.0);
-    let apart = Aabb2::new(10000.002_929_687_5_f32, 0.0, 10001.0, 1.0);
-    let touching = Aabb2::new(10000.000_976_562_5_f32, 0.0, 10000.001_953_125, 1.0);
+    // Steps of the last digit at ten thousand.
+    let at = |steps: f32| 10000.0_f32 + steps / 1024.0;
+    let a = Aabb2::new(at(0.0), 0.0, at(1.0), 1.0);
+    let apart = Aabb2::new(at(3.0), 0.0, 10001.0, 1.0);
+    let touching = Aabb2::new(at(1.0), 0.0, at(2.0), 1.0);
     assert_eq!(a.distance(apart), 0.001_953_125);
     assert_eq!(a.signed_distance(touching), 0.0);
     // Beside shapes of other kinds, too.
-    let point = Vec2::new(10000.002_929_687_5_f32, 0.5);
+    let point = Vec2::new(at(3.0), 0.5);
     assert_eq!(
         (a.distance(point), Convex::distance(point, a)),
         (0.001_953_125, 0.001_953_125)
     );
     assert_eq!(a.distance(Circle::new(point, 0.0)), 0.001_953_125);
-    let inside = Vec2::new(10000.000_976_562_5_f32, 0.5);
+    let inside = Vec2::new(at(1.0), 0.5);
     assert_eq!(a.signed_distance(inside), 0.0);
     let mut dice = Dice(98);
     for _ in 0..2000 {

@@ -110,7 +110,7 @@ fn the_same_polygon_twice_has_iou_one_and_no_slope() {
     }
     // One of them turned about by a vertex is the same shape: to rounding.
     let [p, q, r] = [at(0.0, 0.0), at(3.0, 0.0), at(0.0, 1.0)];
-    let [a, b] = [[p, q, r], [q, r, p]].map(|corners| ConvexPolygon::<f64, 3>::from(corners));
+    let [a, b] = [[p, q, r], [q, r, p]].map(ConvexPolygon::<f64, 3>::from);
     let (by_a, by_b) = iou_polygons_vjp(&a, &a, 1.0);
     assert_eq!(by_a.vertices, [Vec2::zero(); 3]);
     assert_eq!(by_b.vertices, [Vec2::zero(); 3]);
