@@ -10,6 +10,7 @@ use i_overlay::core::edge_overlay::{EdgeOverlay, InputEdge};
 use i_overlay::core::fill_rule::FillRule;
 use i_overlay::core::overlay::ShapeType;
 use i_overlay::core::overlay_rule::OverlayRule;
+use i_overlay::i_float::int::point::IntPoint;
 use i_overlay::segm::boolean::ShapeCountBoolean;
 use i_overlay::vector::edge::{
     CLIP_LEFT, CLIP_RIGHT, DataVectorEdge, DataVectorShape, SUBJ_LEFT, SUBJ_RIGHT,
@@ -23,6 +24,14 @@ impl OverlayEdgeData for Tag {
     }
 }
 
+/// Both polygons on a grid.
+fn grid<S: Scalar<Mask = bool>>(inputs: [Rings<'_, S>; 2], steps: Steps) -> Result<Grid, Error> {
+    for (owner, rings) in [Owner::A, Owner::B].into_iter().zip(inputs) {
+        rings.validate().map_err(|flaw| invalid(owner, flaw))?;
+    }
+    Grid::new(inputs, steps)
+}
+
 /// Two polygons cut into pieces that meet at their ends only.
 pub(super) struct Pieces {
     pub grid: Grid,
@@ -34,17 +43,27 @@ impl Pieces {
     pub fn new<S: Scalar<Mask = bool>>(
         inputs: [Rings<'_, S>; 2],
         fill: Fill,
-        steps: Steps,
     ) -> Result<Self, Error> {
-        for (owner, rings) in [Owner::A, Owner::B].into_iter().zip(inputs) {
-            rings.validate().map_err(|flaw| invalid(owner, flaw))?;
-        }
-        let grid = Grid::new(inputs, steps)?;
-        let mut overlay = EdgeOverlay::new(grid.edges.len());
-        for (k, edge) in grid.edges.iter().enumerate() {
-            let [a, b] = edge.ends;
+        let grid = grid(inputs, Steps::Fine)?;
+        let edges = grid.edges.iter().map(|edge| edge.ends).enumerate();
+        let edges = edges.collect();
+        Ok(Pieces::of(grid, edges, fill))
+    }
+    /// Of polygons whose edges are rounded to numbers of the format.
+    pub fn snapped<S: Scalar<Mask = bool>>(
+        inputs: [Rings<'_, S>; 2],
+        fill: Fill,
+    ) -> Result<Self, Error> {
+        let mut grid = grid(inputs, Steps::Exact)?;
+        let edges = grid.snap::<S>();
+        Ok(Pieces::of(grid, edges, fill))
+    }
+    /// Of pieces of edges, each with the number of its edge.
+    fn of(grid: Grid, edges: Vec<(usize, [IntPoint<i64>; 2])>, fill: Fill) -> Self {
+        let mut overlay = EdgeOverlay::new(edges.len());
+        for (k, [a, b]) in edges {
             let data = Tag::edge(k);
-            let shape = match edge.id.owner {
+            let shape = match grid.edges[k].id.owner {
                 Owner::A => ShapeType::Subject,
                 Owner::B => ShapeType::Clip,
             };
@@ -54,11 +73,11 @@ impl Pieces {
             Fill::NonZero => FillRule::NonZero,
             Fill::EvenOdd => FillRule::EvenOdd,
         };
-        Ok(Pieces {
+        Pieces {
             grid,
             overlay,
             fill,
-        })
+        }
     }
     /// The border of the result: the inside is left of every piece.
     pub fn parts(&mut self, operation: Operation) -> Vec<DataVectorShape<i64, Tag>> {
@@ -124,6 +143,6 @@ pub fn overlay_decided<'a, S: Scalar<Mask = bool>>(
     operation: Operation,
     fill: Fill,
 ) -> Result<OverlayTrace, Error> {
-    let mut pieces = Pieces::new([a.into(), b.into()], fill, Steps::Fine)?;
+    let mut pieces = Pieces::new([a.into(), b.into()], fill)?;
     Ok(pieces.trace(operation))
 }

@@ -154,14 +154,31 @@ impl Grid {
         }
         Ok(())
     }
-    /// Squares of an exact grid whose centres are numbers of the format: steps of the largest coordinate.
-    pub fn squares<S: Scalar>() -> Squares {
-        let bits = (EXTENT * 2.0 * S::EPSILON).log2();
-        Squares { bits: bits as u32 }
+    /// The edges in pieces that meet at their ends only, on a grid whose places are numbers of the format: each piece
+    /// with the number of its edge. Ends of edges and vertices are on that grid from now on.
+    pub fn snap<S: Scalar>(&mut self) -> Vec<(usize, [IntPoint<i64>; 2])> {
+        let squares = squares::<S>();
+        let ends: Vec<_> = self.edges.iter().map(|edge| edge.ends).collect();
+        let mut pieces = Vec::new();
+        for (k, path) in squares.along(&ends).into_iter().enumerate() {
+            pieces.extend(path.windows(2).map(|pair| (k, [pair[0], pair[1]])));
+        }
+        for edge in &mut self.edges {
+            edge.ends = edge.ends.map(|at| squares.of(at));
+            let along = [0, 1].map(|k| {
+                let [from, to] = edge.ends.map(|p| if k == 0 { p.x } else { p.y });
+                (to - from) as f64
+            });
+            edge.along = Vec2::new(along[0], along[1]);
+        }
+        for at in self.places.iter_mut().flatten().flatten() {
+            *at = squares.of(*at);
+        }
+        pieces
     }
-    /// The coordinates of the centre of a square.
-    pub fn coordinates(&self, squares: Squares, at: IntPoint<i64>) -> [f64; 2] {
-        let steps = EXTENT / (1_u64 << squares.bits) as f64;
+    /// The coordinates of a place of the grid that [`snap`](Self::snap) rounds to.
+    pub fn coordinates<S: Scalar>(&self, at: IntPoint<i64>) -> [f64; 2] {
+        let steps = EXTENT / (1_u64 << squares::<S>().bits) as f64;
         [at.x, at.y].map(|x| x as f64 / steps / self.unit * 2.0)
     }
     /// Whether two vertices are one, or follow each other in a ring at one place.
@@ -176,6 +193,12 @@ impl Grid {
             |mut steps: std::ops::Range<usize>| steps.all(|k| ring[(a.vertex + k) % n] == here);
         alike(0..way + 1) || alike(way..n)
     }
+}
+
+/// Squares of an exact grid whose centres are numbers of the format: steps of the largest coordinate.
+fn squares<S: Scalar>() -> Squares {
+    let bits = (EXTENT * 2.0 * S::EPSILON).log2();
+    Squares { bits: bits as u32 }
 }
 
 /// A coordinate: what it is seen from, and how far it reaches from there.

@@ -1,6 +1,5 @@
 //! Results without their record, and intersection over union with it.
 use super::decide::Pieces;
-use super::grid::Steps;
 use super::{IouTrace, Operation, iou_replay, overlay_decided, overlay_replay};
 use crate::Scalar;
 use crate::error::Error;
@@ -108,7 +107,7 @@ pub fn iou_decided<'a, S: Scalar<Mask = bool>>(
     fill: Fill,
 ) -> Result<(S, IouTrace), Error> {
     let (a, b) = (a.into(), b.into());
-    let mut pieces = Pieces::new([a, b], fill, Steps::Fine)?;
+    let mut pieces = Pieces::new([a, b], fill)?;
     let trace = IouTrace {
         intersection: pieces.trace(Operation::Intersection),
         union: pieces.trace(Operation::Union),

@@ -1,8 +1,8 @@
-//! Pieces of a border on a coarser grid, rounded so that they still meet at their ends only.
+//! Edges cut and rounded to a coarser grid, so that they meet at their ends only.
 //!
 //! Snap rounding (Hobby, Practical segment intersection with finite precision output, 1999): a square of the coarse grid
-//! is *hot* if an end lies in it, and a piece goes through the centres of all hot squares that it meets. Then no two
-//! pieces cross, and each moves by less than a square.
+//! is *hot* if an end of an edge or a crossing of two lies in it, and an edge goes through the centres of all hot squares
+//! that it meets. Then no two edges cross, and each moves by less than a square.
 use i_overlay::i_float::int::point::IntPoint;
 
 type Point = IntPoint<i64>;
@@ -27,14 +27,25 @@ impl Squares {
     pub fn center(self, square: Point) -> Point {
         Point::new(square.x << self.bits, square.y << self.bits)
     }
-    /// For each piece the hot squares that it meets, from its start to its end.
-    pub fn along(self, pieces: &[[Point; 2]]) -> Vec<Vec<Point>> {
-        let mut hot: Vec<Point> = pieces.iter().flatten().map(|&p| self.of(p)).collect();
+    /// For each edge the hot squares that it meets, from its start to its end.
+    pub fn along(self, edges: &[[Point; 2]]) -> Vec<Vec<Point>> {
+        let mut hot: Vec<Point> = edges.iter().flatten().map(|&p| self.of(p)).collect();
+        let mut order: Vec<usize> = (0..edges.len()).collect();
+        order.sort_unstable_by_key(|&k| edges[k][0].x.min(edges[k][1].x));
+        for (i, &k) in order.iter().enumerate() {
+            let right = edges[k][0].x.max(edges[k][1].x);
+            let near = order[i + 1..].iter().map(|&j| edges[j]);
+            let near = near.take_while(|other| other[0].x.min(other[1].x) <= right);
+            hot.extend(
+                near.filter_map(|other| crossing(edges[k], other))
+                    .map(|p| self.of(p)),
+            );
+        }
         hot.sort_unstable();
         hot.dedup();
-        pieces.iter().map(|&piece| self.path(piece, &hot)).collect()
+        edges.iter().map(|&edge| self.path(edge, &hot)).collect()
     }
-    /// The hot squares that a piece meets; `hot` is in ascending order.
+    /// The hot squares that an edge meets; `hot` is in ascending order.
     fn path(self, [from, to]: [Point; 2], hot: &[Point]) -> Vec<Point> {
         let [start, end] = [from, to].map(|p| self.of(p));
         let (left, right) = (start.x.min(end.x), start.x.max(end.x));
@@ -50,7 +61,7 @@ impl Squares {
         });
         path
     }
-    /// Whether a piece meets a square: whether neither an axis nor the normal of the piece separates them. The upper and
+    /// Whether an edge meets a square: whether neither an axis nor the normal of the edge separates them. The upper and
     /// right sides of the square are infinitely little inside of where they are.
     fn meets(self, from: Point, to: Point, square: Point) -> bool {
         let (center, half) = (self.center(square), self.half());
@@ -78,4 +89,53 @@ impl Squares {
         ];
         !(sides.iter().all(|&x| x > 0) || sides.iter().all(|&x| x < 0))
     }
+}
+
+/// Where two edges cross that are not parallel, rounded down in both coordinates.
+fn crossing(a: [Point; 2], b: [Point; 2]) -> Option<Point> {
+    let apart = |a: [i64; 2], b: [i64; 2]| {
+        a[0].max(a[1]) < b[0].min(b[1]) || b[0].max(b[1]) < a[0].min(a[1])
+    };
+    if apart(a.map(|p| p.x), b.map(|p| p.x)) || apart(a.map(|p| p.y), b.map(|p| p.y)) {
+        return None;
+    }
+    // Differences have up to 62 bits, these up to 125.
+    let cross = |from: Point, to: Point, at: Point| {
+        let [ux, uy] = [to.x - from.x, to.y - from.y].map(i128::from);
+        let [vx, vy] = [at.x - from.x, at.y - from.y].map(i128::from);
+        ux * vy - uy * vx
+    };
+    let (before, after) = (cross(b[0], b[1], a[0]), cross(b[0], b[1], a[1]));
+    if before.signum() * after.signum() > 0 || before == after {
+        return None;
+    }
+    if cross(a[0], a[1], b[0]).signum() * cross(a[0], a[1], b[1]).signum() > 0 {
+        return None;
+    }
+    let (part, whole) = (before.unsigned_abs(), (before - after).unsigned_abs());
+    let number = |from: i64, to: i64| {
+        let (way, rest) = share(from.abs_diff(to), part, whole);
+        match to >= from {
+            true => from + way,
+            false => from - way - i64::from(rest),
+        }
+    };
+    Some(Point::new(number(a[0].x, a[1].x), number(a[0].y, a[1].y)))
+}
+
+/// A part of a length, the part given as a fraction of at most one: rounded down, and whether there is a rest.
+fn share(length: u64, part: u128, whole: u128) -> (i64, bool) {
+    let (mut quotient, mut rest) = (0, 0);
+    for bit in (0..64).rev() {
+        rest *= 2;
+        quotient *= 2;
+        if length >> bit & 1 == 1 {
+            rest += part;
+        }
+        while rest >= whole {
+            rest -= whole;
+            quotient += 1;
+        }
+    }
+    (quotient, rest > 0)
 }

@@ -8,6 +8,7 @@ mod gaussian;
 mod gaussian_extremes;
 mod iou3;
 mod kitti;
+mod kitti_labels;
 mod libraries;
 mod nested;
 mod oracle;

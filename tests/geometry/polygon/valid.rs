@@ -147,3 +147,40 @@ fn single_precision_has_a_grid_of_its_own() {
         assert_eq!(flaw(&wide), Ok(()), "{a:?} {b:?}");
     }
 }
+
+/// Small rings near the origin beside a large one, turned, so that edges lie along each other but for many roundings.
+#[test]
+fn edges_along_each_other_but_for_rounding() {
+    let mut dice = Dice(8);
+    let large = ring(&[(3.0, 3.0), (4.0, 3.0), (4.0, 4.0), (3.0, 4.0)]);
+    let mut parts_found = 0;
+    for _ in 0..60 {
+        let (sin, cos) = dice.within(0.0, 6.0).sin_cos();
+        let size = 2f64.powi(-6 - dice.below(4) as i32);
+        let turned = |ring: &[Vec2<f64>]| -> Ring {
+            let place = |v: &Vec2<f64>| at(cos * v.x - sin * v.y, sin * v.x + cos * v.y) * size;
+            ring.iter().map(place).collect()
+        };
+        let mut whole = |least: usize| -> Ring {
+            let count = least + dice.below(5);
+            (0..count)
+                .map(|_| at(dice.below(5) as f64, dice.below(5) as f64))
+                .collect()
+        };
+        let (first, second) = (whole(4), whole(4));
+        let beside: Ring = first.iter().map(|&v| v + at(1.0, 0.0)).collect();
+        let a = [turned(&first), turned(&second), large.clone()];
+        let b = [turned(&beside), turned(&second)];
+        if geograd::Rings::from(&a[..]).validate().is_err()
+            || geograd::Rings::from(&b[..]).validate().is_err()
+        {
+            continue;
+        }
+        for (operation, _) in OPERATIONS {
+            let parts = valid(&made(&a), &made(&b), operation, Fill::EvenOdd).unwrap();
+            assert_eq!(flaw(&parts), Ok(()), "{operation:?} {a:?} {b:?}");
+            parts_found += parts.len();
+        }
+    }
+    assert!(parts_found > 500, "{parts_found}");
+}
