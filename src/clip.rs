@@ -86,8 +86,9 @@ pub fn size_scale<S: Scalar>(half_a: Vec2<S>, half_b: Vec2<S>) -> S {
     S::select(zero, S::one(), S::select(zero, S::one(), size).binade())
 }
 
-/// The larger box of a pair may be 2⁶⁰ times as large as the smaller one; its area fits an `f32`.
-pub(crate) const LARGEST_INVERSE: f64 = 1.0 / (1_u64 << 60) as f64;
+/// The larger box of a pair may be 2⁵⁹ times as large as the smaller one; its area fits an `f32`, and what is [`FAR`] away
+/// is apart from it however it is turned.
+pub(crate) const LARGEST_INVERSE: f64 = 1.0 / (1_u64 << 59) as f64;
 
 /// Beyond this many units (of which the smaller box has about one) between the centres in either
 /// coordinate, only the fact that the boxes are apart matters.
@@ -136,7 +137,9 @@ fn difference<S: Scalar, const EXTREME: bool>(a: S, b: S, scale: S) -> (S, S) {
     let (x, far) = (rounded * scale, S::lit(FAR));
     let near = x.unsigned().at_most(far);
     let x = S::select(near, x, S::select(x.below(S::zero()), -far, far));
-    (x, S::select(near, lost * scale, S::zero()))
+    // Near the largest number what rounding took may be beyond it.
+    let told = near & rounded.unsigned().at_most(S::lit(0.5 * S::LARGEST));
+    (x, S::select(told, lost * scale, S::zero()))
 }
 
 /// Sees `b` from `a`.

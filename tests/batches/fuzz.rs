@@ -517,6 +517,31 @@ fn limits_are_kept_to() {
     assert_eq!(limited.broken, None, "{limited}");
 }
 
+/// Of a coordinate at the largest number what rounding took from a difference was none.
+#[test]
+fn differences_of_the_largest_numbers_are_finite() {
+    bears::<GiouObb2, _, f32>(&[&[
+        0.0,
+        f64::from(f32::MAX),
+        1.0,
+        1.0,
+        0.0,
+        0.0,
+        1.5077232415859413e38,
+        1.0,
+        1.0,
+        0.0,
+    ]]);
+    // A thin box beside a huge one that is turned: apart, and nothing is left of it in the slopes.
+    let huge = Obb2::new(-7.319668e22_f32, 0.0, 1.8446735e19, 9.2233715e18, 0.5);
+    let thin = Obb2::new(0.0_f32, 0.0, 1.0, 0.0, 0.0);
+    let (value, bars) = IouObb2::adjoint((huge, thin), 1.0).unwrap();
+    assert!(
+        value == 0.0 && bars.scalars().iter().all(|&x| x == 0.0),
+        "{value} {bars:?}"
+    );
+}
+
 /// What was found by a hostile reading: slopes of boxes apart, one of them flat, near the limits.
 #[test]
 fn slopes_of_flat_boxes_apart_are_zero() {

@@ -41,7 +41,9 @@ fn difference(a: f32, b: f32, scale: f32) -> vec2f {
     let lost = kept(b - kept(rounded - taken)) - kept(a + taken);
     let x = rounded * scale;
     let near = abs(x) <= FAR;
-    return vec2f(choose(near, x, choose(x < 0.0, -FAR, FAR)), choose(near, lost * scale, 0.0));
+    // Near the largest number what rounding took may be beyond it.
+    let told = near && abs(rounded) <= 0.5 * LARGEST;
+    return vec2f(choose(near, x, choose(x < 0.0, -FAR, FAR)), choose(told, lost * scale, 0.0));
 }
 
 fn relate(a: Framed, b: Framed, scale: f32) -> Relative {
