@@ -95,11 +95,12 @@ fn item<D: Decided<In<<R as Pack>::Scalar> = R>, R: Row>(
 
 /// How batches compute what is wanted of an operation.
 #[doc(hidden)]
-pub fn face<D, R: Row>(want: Want, _ask: Ask) -> Result<Arc<Face<R::Scalar>>, Error>
+pub fn face<D, R: Row>(want: Want, ask: Ask) -> Result<Arc<Face<R::Scalar>>, Error>
 where
     D: Decided<In<<R as Pack>::Scalar> = R>,
     D::Out<R::Scalar>: Row,
 {
+    let want = if ask.adjoint { Want::Vjp } else { want };
     known::<D, R::Scalar, _>(Known::Face(want, false), || {
         let outputs = leaves_of::<D::Out<R::Scalar>>();
         let outputs = outputs.iter().map(|leaf| leaf.fields).collect();

@@ -1,5 +1,4 @@
 //! All-pairs batches: every row with every column.
-use crate::Fixed;
 use crate::error::{Argument, Error};
 use crate::kernels::cpu::Cpu;
 use crate::kernels::cpu::checked::{check, entries, expect, fill, numbers, restore, tame};
@@ -10,7 +9,7 @@ use crate::kernels::cpu::table::Table;
 use crate::kernels::op::{Ask, Runs};
 use crate::kernels::real::Real;
 use crate::kernels::reduce::{Best, Found, check_sides, check_threshold};
-use crate::kernels::row::{Column, Single};
+use crate::kernels::row::{Column, Single, width};
 
 /// Lists of shapes, checked.
 pub(crate) fn pairs<'a, T: Real, A: Single<Scalar = T>, B: Single<Scalar = T>>(
@@ -97,7 +96,7 @@ impl Cpu {
         b: &[B],
         planes: &mut [A::Scalar],
     ) -> Result<(), Error> {
-        let wanted = entries(a.len(), b.len(), R::Out::LEN)?;
+        let wanted = entries(a.len(), b.len(), width::<R::Out>())?;
         expect(Argument::Values, wanted, planes.len())?;
         let face = run.face(Ask::PAIRS)?;
         let pairs = pairs(self, &face, a, b)?;
@@ -197,6 +196,13 @@ impl Cpu {
             },
             ..upstream
         };
+        // A gradient has the codes of its shape.
+        if A::CODES > 0 {
+            a_bar.copy_from_slice(a);
+        }
+        if B::CODES > 0 {
+            b_bar.copy_from_slice(b);
+        }
         fill(a_bar, |a_bar| {
             fill(b_bar, |b_bar| {
                 (T::drivers().pull_back)(&pairs, upstream, a_bar, b_bar);

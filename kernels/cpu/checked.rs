@@ -7,7 +7,7 @@ use crate::kernels::cpu::plan::Preparation;
 use crate::kernels::cpu::simd::Simd;
 use crate::kernels::cpu::work::spread;
 use crate::kernels::real::Real;
-use crate::kernels::row::Column;
+use crate::kernels::row::{Column, put, width};
 use std::borrow::Cow;
 use std::sync::Mutex;
 
@@ -74,11 +74,17 @@ pub(crate) fn restore<T: Real>(slopes: &mut [T], by: T) {
 pub(crate) fn numbers<T: Real, P: Fixed<Scalar = T>>(shapes: &[P]) -> Cow<'_, [T]> {
     match arch::numbers(shapes) {
         Some(numbers) => Cow::Borrowed(numbers),
-        None => Cow::Owned(shapes.iter().flat_map(|shape| shape.scalars()).collect()),
+        None => {
+            let mut rows = vec![T::default(); shapes.len() * width::<P>()];
+            for (shape, row) in shapes.iter().zip(rows.chunks_exact_mut(width::<P>())) {
+                put(*shape, row);
+            }
+            Cow::Owned(rows)
+        }
     }
 }
 
-/// Hands out room for the numbers of shapes, and makes shapes of what was put there.
+/// Hands out room for the numbers of shapes, and makes shapes of what was put there. Shapes keep their codes.
 pub(crate) fn fill<T: Real, P: Fixed<Scalar = T>, R>(
     shapes: &mut [P],
     run: impl FnOnce(&mut [T]) -> R,
@@ -86,10 +92,10 @@ pub(crate) fn fill<T: Real, P: Fixed<Scalar = T>, R>(
     if let Some(numbers) = arch::numbers_mut(shapes) {
         return run(numbers);
     }
-    let mut rows = vec![T::default(); shapes.len() * P::LEN];
+    let mut rows = vec![T::default(); shapes.len() * width::<P>()];
     let out = run(&mut rows);
-    for (shape, row) in shapes.iter_mut().zip(rows.chunks_exact(P::LEN)) {
-        *shape = P::load(row);
+    for (shape, row) in shapes.iter_mut().zip(rows.chunks_exact(width::<P>())) {
+        *shape = P::load(row).load_codes(&shape.codes());
     }
     out
 }

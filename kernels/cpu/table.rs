@@ -1,7 +1,7 @@
 //! Results of all pairs.
 use crate::error::Error;
 use crate::kernels::cpu::checked::entries;
-use crate::kernels::row::Row;
+use crate::kernels::row::{Row, by_kind, get, width};
 use std::marker::PhantomData;
 
 /// A result for every row with every column.
@@ -26,7 +26,7 @@ impl<P: Row> Table<P> {
         Ok(Table {
             rows,
             columns,
-            planes: vec![P::Scalar::default(); entries(rows, columns, P::LEN)?],
+            planes: vec![P::Scalar::default(); entries(rows, columns, width::<P>())?],
             result: PhantomData,
         })
     }
@@ -81,6 +81,7 @@ impl<P: Row> Table<P> {
             "pair ({row}, {column}) of {rows} × {columns}"
         );
         let number = |k: usize| self.planes[(k * rows + row) * columns + column];
-        P::load(&(0..P::LEN).map(number).collect::<Vec<_>>())
+        let numbers: Vec<P::Scalar> = (0..width::<P>()).map(number).collect();
+        get(&by_kind::<P>(&numbers))
     }
 }

@@ -9,5 +9,6 @@ mod polygon;
 mod program;
 mod promised;
 mod reduce;
+mod search;
 mod spellings;
 mod straight;
