@@ -455,9 +455,21 @@ impl<T: Real> Job<T> {
         if sides.iter().any(Vec::is_empty) {
             return f64::INFINITY;
         }
-        // A rounding of the longest side moves a side of the shorter ones.
+        // A rounding of the longest side moves a side of the shorter ones. So does one of the way between boxes apart,
+        // which scores with slopes there compare with sizes.
         let all = || sides.iter().flatten().copied();
-        let aspect = all().fold(0.0, f64::max) / all().fold(f64::INFINITY, f64::min);
+        let way = match self.promised.extremes {
+            Extremes::Unsaid | Extremes::One => {
+                let [a, b] = [0, 1].map(numbers);
+                let pairs = a.iter().zip(b).zip(&self.kinds);
+                let lengths = pairs.filter(|(_, kind)| kind.is_length());
+                lengths.fold(0.0, |m: f64, ((x, y), _)| {
+                    m.max((x.widen() - y.widen()).abs())
+                })
+            }
+            _ => 0.0,
+        };
+        let aspect = all().fold(way, f64::max) / all().fold(f64::INFINITY, f64::min);
         if aspect.is_nan() || aspect >= LIMIT {
             return f64::INFINITY;
         }

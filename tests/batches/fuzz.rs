@@ -11,16 +11,10 @@ use geograd_tests::fuzzers::{Fuzzer, walk};
 /// Inputs of every row in either format; the report takes many more.
 const COUNT: u64 = 512;
 
-/// What is mended elsewhere: the distance of boxes in space whose sizes and distance differ much in magnitude.
-const PENDING: [&str; 2] = ["wasserstein_obb3", "wasserstein_squared_obb3"];
-
 #[test]
 fn every_operation_keeps_its_promises() {
     let mut broken = Vec::new();
     for (name, double, run) in geograd_tests::fuzzers::fuzzers() {
-        if PENDING.contains(&name) {
-            continue;
-        }
         let fuzzed = run(COUNT, 2);
         assert!(fuzzed.inputs >= COUNT, "{name}, f64: {double}");
         if fuzzed.broken.is_some() {
