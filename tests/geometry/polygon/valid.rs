@@ -184,3 +184,41 @@ fn edges_along_each_other_but_for_rounding() {
     }
     assert!(parts_found > 500, "{parts_found}");
 }
+
+/// What the oracle must refuse, or the other tests say nothing.
+#[test]
+fn the_oracle_sees_every_kind_of_flaw() {
+    let judge = |rings: &[&[(f64, f64)]]| {
+        let rings: Vec<Ring> = rings.iter().map(|all| ring(all)).collect();
+        flaw(&[made(&rings)])
+    };
+    let square: &[(f64, f64)] = &[(0.0, 0.0), (4.0, 0.0), (4.0, 4.0), (0.0, 4.0)];
+    assert_eq!(judge(&[square]), Ok(()));
+    let simple = Err("a ring meets itself");
+    assert_eq!(
+        judge(&[&[(0.0, 0.0), (4.0, 4.0), (4.0, 0.0), (0.0, 4.0)]]),
+        simple
+    );
+    assert_eq!(
+        judge(&[&[(0.0, 0.0), (4.0, 0.0), (2.0, 0.0), (1.0, 3.0)]]),
+        simple
+    );
+    assert_eq!(
+        judge(&[&[(0.0, 0.0), (4.0, 0.0), (4.0, 4.0), (2.0, 0.0), (0.0, 4.0)]]),
+        simple
+    );
+    let hole: &[(f64, f64)] = &[(0.0, 0.0), (1.0, 2.0), (2.0, 1.0)];
+    assert_eq!(judge(&[square, hole]), Ok(()));
+    let cut: &[(f64, f64)] = &[(0.0, 0.0), (1.0, 2.0), (4.0, 4.0), (2.0, 1.0)];
+    assert_eq!(judge(&[square, cut]), Err("the inside is not connected"));
+    let outside: &[(f64, f64)] = &[(5.0, 0.0), (6.0, 0.0), (6.0, 1.0)];
+    assert_eq!(judge(&[square, outside]), Err("a hole is not inside"));
+    let along: &[(f64, f64)] = &[(0.0, 1.0), (0.0, 3.0), (1.0, 2.0)];
+    assert_eq!(
+        judge(&[square, along]),
+        Err("rings cross, or share a piece")
+    );
+    let one = made(&[ring(square)]);
+    let other = made(&[ring(&[(1.0, 1.0), (2.0, 1.0), (2.0, 2.0)])]);
+    assert_eq!(flaw(&[one, other]), Err("parts overlap"));
+}
