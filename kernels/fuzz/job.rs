@@ -12,7 +12,7 @@ use crate::kernels::cpu::pairs::Pairs;
 use crate::kernels::cpu::plan::{Compiled, Face, Want, face_of, program_of};
 use crate::kernels::decided::{self, Decided};
 use crate::kernels::fold::{Fold, Folded};
-use crate::kernels::op::{Ask, Extremes, Finite, Op, Range, RingOp, Source};
+use crate::kernels::op::{Ask, Extremes, Finite, Jumps, Op, Range, RingOp, Source};
 use crate::kernels::real::Real;
 use crate::kernels::row::{Column, Leaf, Row, by_kind, by_shape, get, leaves_of, width};
 use crate::{Fixed, Pack, Vec2};
@@ -44,7 +44,12 @@ pub(super) struct Promised {
 }
 
 impl Promised {
-    fn new(promises: &[Promise], finite: Finite, range: Range, extremes: Extremes) -> Self {
+    fn new(
+        (promises, jumps): (&[Promise], Jumps),
+        finite: Finite,
+        range: Range,
+        extremes: Extremes,
+    ) -> Self {
         let power = promises
             .iter()
             .find_map(|promise| match (promise.motion, promise.answer) {
@@ -56,7 +61,9 @@ impl Promised {
             finite,
             range,
             extremes,
-            symmetric: promises.contains(&Promise::new(Motion::Exchange, Answer::Stays)),
+            // Rounding decides on which side of a jump a value is.
+            symmetric: promises.contains(&Promise::new(Motion::Exchange, Answer::Stays))
+                && jumps != Jumps::Anywhere,
             power,
         }
     }
@@ -207,7 +214,7 @@ impl<T: Real> Job<T> {
                 .iter()
                 .map(|leaf| leaf.fields)
                 .collect(),
-            promised: Promised::new(O::PROMISES, O::FINITE, O::RANGE, O::EXTREMES),
+            promised: Promised::new((O::PROMISES, O::JUMPS), O::FINITE, O::RANGE, O::EXTREMES),
             values: faced(move || face(Want::Value, false)),
             slopes: faced(move || face(Want::Vjp, false)),
             both: is_number.then(|| faced(move || face(Want::ValueGrad, false))),
@@ -259,7 +266,7 @@ impl<T: Real> Job<T> {
                 .iter()
                 .map(|leaf| leaf.fields)
                 .collect(),
-            promised: Promised::new(D::PROMISES, D::FINITE, D::RANGE, D::EXTREMES),
+            promised: Promised::new((D::PROMISES, D::JUMPS), D::FINITE, D::RANGE, D::EXTREMES),
             values: faced(move || face(Want::Value)),
             slopes: faced(move || face(Want::Vjp)),
             both: is_number.then(|| faced(move || face(Want::ValueGrad))),
@@ -284,7 +291,12 @@ impl<T: Real> Job<T> {
             kinds: Vec::new(),
             has_path: true,
             outputs: vec![O::Out::<T>::LEN],
-            promised: Promised::new(O::PROMISES, O::FINITE, O::RANGE, Extremes::Unsaid),
+            promised: Promised::new(
+                (O::PROMISES, O::JUMPS),
+                O::FINITE,
+                O::RANGE,
+                Extremes::Unsaid,
+            ),
             values: Box::new(|inputs, []| {
                 let values = Cpu::new().ragged(O::default(), &inputs.vertices, &inputs.offsets)?;
                 Ok(vec![numbers(&values).into_owned()])
@@ -324,7 +336,12 @@ impl<T: Real> Job<T> {
             kinds,
             has_path: true,
             outputs: vec![F::Out::<T>::LEN],
-            promised: Promised::new(F::PROMISES, F::FINITE, F::RANGE, Extremes::Unsaid),
+            promised: Promised::new(
+                (F::PROMISES, F::JUMPS),
+                F::FINITE,
+                F::RANGE,
+                Extremes::Unsaid,
+            ),
             values: Box::new(|inputs, []| {
                 let contexts = contexts::<F, T>(inputs);
                 let values =
