@@ -111,6 +111,10 @@ pub struct IouTrace {
 
 /// Where a vertex of a valid result is from.
 #[derive(Clone, Debug, PartialEq)]
+#[cfg_attr(
+    not(feature = "boolean"),
+    expect(dead_code, reason = "a replay needs no feature, its record does")
+)]
 pub(super) enum Made {
     /// The mean of some places.
     Of(Vec<Origin>),

@@ -55,7 +55,7 @@ impl<S: Scalar> Shapes<S> {
         let both = self.both.primal();
         let mut unit = both;
         for _ in 1..POWER {
-            unit = unit * both;
+            unit *= both;
         }
         let steep = unit.below(S::Primal::lit(4096.0 / S::LARGEST));
         move |x: S| S::select(steep, S::from_primal(x.primal()), x)
@@ -78,16 +78,16 @@ impl<S: Scalar> Way<S> {
     pub fn of<const N: usize>(coordinates: [S; N]) -> Self {
         let mut longest = S::Primal::zero();
         let mut way = coordinates;
-        for k in 0..N {
-            way[k] = way[k].saturated();
-            longest = longest.most(way[k].primal().magnitude());
+        for x in &mut way {
+            *x = x.saturated();
+            longest = longest.most(x.primal().magnitude());
         }
         let none = longest.at_most(S::Primal::zero());
         let unit = S::Primal::select(none, S::Primal::one(), longest);
         let unit = S::from_primal(bounded_unit(unit));
         let mut squared = (way[0] * unit).squared();
-        for k in 1..N {
-            squared += (way[k] * unit).squared();
+        for &x in &way[1..] {
+            squared += (x * unit).squared();
         }
         Way {
             squared,

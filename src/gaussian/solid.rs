@@ -3,10 +3,6 @@
 //! With `D_ij = R_ij²` from the rotation R between the boxes, traces and determinants are sums over D with
 //! terms that are not negative; what would cancel for similar boxes is taken out by hand. The axes of the
 //! second box are renamed first so that R is as small as it can be.
-#![expect(
-    clippy::needless_range_loop,
-    reason = "indices are axes, shared by several arrays"
-)]
 use super::smooth::{excess, ln_one_plus};
 pub use super::solid_wasserstein::{wasserstein, wasserstein_squared};
 use super::{finite_slopes, fused, similarity, unit};

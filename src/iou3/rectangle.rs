@@ -206,7 +206,7 @@ pub(super) fn least_rectangle<S: Scalar>(pair: &Relative<S>) -> Rectangle<S> {
         let own = area(x);
         let takes = x.is_edge & own.primal().at_most(slack);
         let taken = |value: S| S::select(takes, value, zero);
-        count = count + S::Primal::select(takes, S::Primal::one(), S::Primal::zero());
+        count += S::Primal::select(takes, S::Primal::one(), S::Primal::zero());
         sum.area += taken(own);
         let diagonal = x.length.squared() + x.width.squared();
         sum.diagonal += taken(diagonal.over(x.squared));

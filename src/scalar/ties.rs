@@ -65,8 +65,8 @@ impl<S: Scalar, const MOST: bool> Extreme<S, MOST> {
             return Self::of_three(x[0], x[1], x[2]);
         }
         let mut best = Self::new(x[0]);
-        for k in 1..N {
-            best = best.or(x[k]);
+        for &x in &x[1..] {
+            best = best.or(x);
         }
         best.value()
     }
