@@ -40,7 +40,7 @@ where
         let known = results::<O, T>(&a[1..], &b[1..]);
         calls::count_above::<O, T>(&a[1..], &b[1..], T::lit(0.1)).unwrap();
         // The same numbers elsewhere in memory.
-        let moved = results::<O, T>(&a[1..].to_vec(), &b[1..].to_vec());
+        let moved = results::<O, T>(&a[1..], &b[1..]);
         assert!(known == moved, "{}, {rows} times {columns}", O::NAME);
         let _ = calls::all_pairs_grad::<O, T>(&a[1..], &b[1..]).unwrap();
         let (a, b) = (list::<O::A>(20, MILD, 3), list::<O::B>(20, MILD, 4));

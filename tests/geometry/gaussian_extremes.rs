@@ -103,7 +103,11 @@ fn hostile(random: &mut Random, least: f64, most: f64) -> f64 {
         6 => random.between(0.0, 10.0),
         _ => 10_f64.powf(random.between(-3.0, 3.0)),
     };
-    if random.next() % 2 == 0 { x } else { -x }
+    if random.next().is_multiple_of(2) {
+        x
+    } else {
+        -x
+    }
 }
 
 fn finite<S: Scalar<Mask = bool>, const N: usize>(x: &[f64; N], values: &[Jet<S, N>]) {
@@ -123,7 +127,7 @@ fn all_finite<S: Scalar<Mask = bool>>(least: f64, most: f64) {
                 3..6 => x[k] = x[k].abs(),
                 _ => x[k] = random.between(-1.0, 1.0),
             }
-            if n % 3 == 0 && k >= 10 && random.next() % 2 == 0 {
+            if n % 3 == 0 && k >= 10 && random.next().is_multiple_of(2) {
                 x[k] = x[k - 10];
             }
         }

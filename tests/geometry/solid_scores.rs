@@ -405,7 +405,7 @@ fn ties_of_the_smallest_rectangle_are_not_left_to_rounding() {
             "{w} {h} {other:?} {turns:?} {found:?}"
         );
         let single = slope::<Jet<f32, 2>>(
-            |x| Jet::lit(x),
+            Jet::lit,
             Jet::variable(0.0, 0),
             Jet::variable(0.0, 1),
             [w, h, other[0], other[1]],

@@ -303,8 +303,8 @@ fn distance_iou_of_polygons_far_from_the_origin_keeps_its_digits() {
         let [a, mut b] = triangles::<Jet<f64, 1>>();
         let [c, d] = [&mut a.clone(), &mut b];
         for v in c.vertices.iter_mut().chain(&mut d.vertices) {
-            v.x = v.x - Jet::lit(x);
-            v.y = v.y - Jet::lit(x);
+            v.x -= Jet::lit(x);
+            v.y -= Jet::lit(x);
         }
         d.vertices[1].x.slope[0] = 1.0;
         diou_polygons_replay(c, d, record).slope[0]
