@@ -59,7 +59,7 @@ fn score_vjp<S: Scalar>(over: Denominator, a: Aabb3<S>, b: Aabb3<S>, out_bar: S)
         same,
         scale,
     } = share3(a, b);
-    // Of boxes apart it may be infinite, and no slope of zero makes that zero.
+    // It may be infinite for boxes apart, and no slope of zero makes that zero.
     let none = |x: S| S::select(apart, zero, x);
     let half = Vec3::new(none(half.x), none(half.y), none(half.z));
     let value = score(over, volumes[0], volumes[1], volumes[2], scale);

@@ -269,7 +269,7 @@ pub(crate) fn tame_score_aabb2_vjp<S: Scalar>(
         apart,
         scale,
     } = share(a, b);
-    // Of boxes apart it may be infinite, and no slope of zero makes that zero.
+    // It may be infinite for boxes apart, and no slope of zero makes that zero.
     let none = |x: S| S::select(apart, S::zero(), x);
     let half = Vec2::new(none(half.x), none(half.y));
     let inter = area_from_half(half);

@@ -35,7 +35,7 @@ pub struct Plan<'a> {
     pub shared_ties: bool,
     /// How far values may be off, absolutely and as a share: see [`Check::resolution`](crate::check::Check::resolution).
     pub resolution: [f64; 2],
-    /// Where the function is defined, beside what its shapes say: inputs outside are left out, no step leads there.
+    /// The domain, beside the rules of the shapes: inputs outside are left out, no step leads there.
     pub inside: Option<&'a dyn Fn(&[f64]) -> bool>,
     /// For each number, the length over which the function may be expected to change, if shapes do not tell.
     pub scales: Option<&'a dyn Fn(&[f64]) -> Vec<f64>>,

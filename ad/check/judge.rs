@@ -107,7 +107,7 @@ fn decided(e: Option<&Evidence<'_>>, said: Notes) -> Findings {
     let (excused, refused): (Vec<Fault>, Vec<Fault>) = excusable
         .into_iter()
         .partition(|fault| explained(e, fault, &said, &others));
-    // Of an element of one's own nobody can ask that it is the same with the arguments exchanged.
+    // Exchanged arguments need not give the same element where it is a choice of the adjoint.
     let exchanged = |fault: &Fault| {
         let same = |other: &Fault| other.output == fault.output;
         fault.reason == Reason::MotionUnbalanced(Motion::Exchange) && excused.iter().any(same)
@@ -181,7 +181,7 @@ fn explained(e: Option<&Evidence<'_>>, fault: &Fault, said: &Notes, others: &[Fa
         .told
         .iter()
         .find(|told| (told.0, told.1) == (fault.output, fault.input));
-    // Of a long input nobody knows more.
+    // The tie of the duals is all the evidence for long inputs.
     let tie = e.x.len() > FEW_INPUTS && e.tie_of_duals();
     place.is_some_and(|told| tie || told.2 == Place::Kink)
         || row.is_some_and(|row| e.between_pieces(row))

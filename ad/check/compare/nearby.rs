@@ -73,7 +73,7 @@ impl Evidence<'_> {
         let Some(adjoint) = row.adjoint.as_ref().filter(|_| n <= FEW_INPUTS) else {
             return false;
         };
-        // Where branches are known, a tie is one to the bit.
+        // A tie is one to the bit where branches are known.
         if self.trace.is_some() && !self.exactly_tied() {
             return false;
         }
