@@ -69,6 +69,10 @@ pub trait Fold: Copy + Debug + Default + Send + Sync + 'static {
     const FINITE: Finite = Finite::Within(Limits::ORDINARY);
     /// Within which every number of its result lies.
     const RANGE: Range = Range::ANY;
+    /// The names of the shapes and numbers of its context, one for each; empty where they have none of their own.
+    const ARGUMENTS: &'static [&'static str] = &[];
+    /// What it gives, in Markdown: the doc comment of its row; empty where there is none.
+    const DOC: &'static str = "";
     /// Of a fold that takes no more of a path than the edges nearest to the point that its context begins with,
     /// and the winding number around that: which number of the state that is. Batches then fold no other edges.
     #[doc(hidden)]

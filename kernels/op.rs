@@ -76,6 +76,10 @@ pub trait Op: Copy + Debug + Default + Send + Sync + 'static {
     const RANGE: Range = Range::ANY;
     /// What identical shapes and shapes apart score.
     const EXTREMES: Extremes = Extremes::Unsaid;
+    /// The names of its arguments, one for each; empty where they have none of their own.
+    const ARGUMENTS: &'static [&'static str] = &[];
+    /// What it gives, in Markdown: the doc comment of its row; empty where there is none.
+    const DOC: &'static str = "";
     /// The function.
     fn eval<S: Scalar>(input: Self::In<S>) -> Self::Out<S>;
     /// The result, and the slopes of `out_bar · result` with respect to the input, by hand; `None`
@@ -256,6 +260,8 @@ pub trait RingOp: Copy + Debug + Default + Send + Sync + 'static {
     const FINITE: Finite = Finite::Within(Limits::ORDINARY);
     /// Within which every number of its result lies.
     const RANGE: Range = Range::ANY;
+    /// What it gives, in Markdown: the doc comment of its row; empty where there is none.
+    const DOC: &'static str = "";
     /// The result.
     fn value<S: Scalar>(ring: &[Vec2<S>]) -> Self::Out<S>;
     /// The adjoint, one cotangent per vertex, written into the caller's slice of the same length.

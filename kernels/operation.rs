@@ -59,7 +59,7 @@
 #[macro_export]
 macro_rules! operation {
     ($(
-        $(#[$doc:meta])*
+        $(#[$($doc:tt)*])*
         $vis:vis $Name:ident = $name:literal: ($($arg:ident: $type:ty),+ $(,)?) -> $out:ty $body:block
         promises [$($motion:ident $answer:ident $(($power:literal))?),* $(,)?]
         $(finite $finite:ident $(($limits:expr))?)?
@@ -69,7 +69,7 @@ macro_rules! operation {
         slopes $slopes:ident $(|$input:pat_param, $out_bar:ident| $adjoint:block)?
         $(=> compiled { $compiled:expr })?
     )+) => { $(
-        $(#[$doc])*
+        $(#[$($doc)*])*
         #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
         $vis struct $Name;
 
@@ -77,6 +77,8 @@ macro_rules! operation {
         #[allow(unused_parens)]
         impl $crate::kernels::op::Op for $Name {
             const NAME: &'static str = $name;
+            const ARGUMENTS: &'static [&'static str] = &[$(::core::stringify!($arg)),+];
+            const DOC: &'static str = $crate::__doc!([] $([$($doc)*])*);
             type In<S: $crate::Scalar> = ($($type),+);
             type Out<S: $crate::Scalar> = $out;
             const PROMISES: &'static [$crate::kernels::op::Promise] = &[$(
@@ -114,4 +116,15 @@ macro_rules! operation {
             )?
         }
     )+ };
+}
+
+/// The text of doc comments, given a list of attributes: a line each.
+#[doc(hidden)]
+#[macro_export]
+macro_rules! __doc {
+    ([$($line:expr,)*]) => { ::core::concat!($($line, "\n"),*) };
+    ([$($line:expr,)*] [doc = $next:expr] $($rest:tt)*) => {
+        $crate::__doc!([$($line,)* $next,] $($rest)*)
+    };
+    ([$($line:expr,)*] [$($other:tt)*] $($rest:tt)*) => { $crate::__doc!([$($line,)*] $($rest)*) };
 }

@@ -12,7 +12,7 @@ use crate::{Circle, ConvexPolygon, Obb2};
 searches! {
     /// The [diameter](crate::measure::extent::diameter_decided) of a convex polygon of up to `N` vertices:
     /// the largest distance of two of them, which are its record.
-    DiameterOfPolygon<N> = "diameter_of_polygon": ConvexPolygon<S, N> => S, by Farthest;
+    DiameterOfPolygon<N> = "diameter_of_polygon": (polygon) as ConvexPolygon<S, N> => S, by Farthest;
     decide |polygon| {
         let nothing = Farthest { from: 0, to: 0 };
         diameter_decided(polygon.as_slice()).map_or(nothing, |found| found.1)
@@ -23,7 +23,7 @@ searches! {
 
     /// The [width](crate::measure::extent::width_decided) of a convex polygon of up to `N` vertices: the
     /// least distance of two parallel lines around it. Its record is what they touch.
-    WidthOfPolygon<N> = "width_of_polygon": ConvexPolygon<S, N> => S, by Narrowest;
+    WidthOfPolygon<N> = "width_of_polygon": (polygon) as ConvexPolygon<S, N> => S, by Narrowest;
     decide |polygon| {
         let nothing = Narrowest { start: 0, end: 0, across: 0 };
         width_decided(polygon.as_slice()).map_or(nothing, |found| found.1)
@@ -34,7 +34,7 @@ searches! {
 
     /// The [rectangle of least area](crate::measure::rectangle::rectangle_decided) around a convex polygon
     /// of up to `N` vertices. It jumps where another edge carries a smaller one.
-    RectangleAroundPolygon<N> = "rectangle_around_polygon": ConvexPolygon<S, N> => Obb2<S>, by Resting;
+    RectangleAroundPolygon<N> = "rectangle_around_polygon": (polygon) as ConvexPolygon<S, N> => Obb2<S>, by Resting;
     decide |polygon| {
         let nothing = Resting { start: 0, end: 0, right: 0, top: 0, left: 0 };
         rectangle_decided(polygon.as_slice()).map_or(nothing, |found| found.1)
@@ -45,7 +45,7 @@ searches! {
 
     /// The [smallest circle](crate::measure::circle::circle_decided) around a convex polygon of up to `N`
     /// vertices. Its record is what it goes through.
-    CircleAroundPolygon<N> = "circle_around_polygon": ConvexPolygon<S, N> => Circle<S>, by Support;
+    CircleAroundPolygon<N> = "circle_around_polygon": (polygon) as ConvexPolygon<S, N> => Circle<S>, by Support;
     decide |polygon| {
         circle_decided(polygon.as_slice()).map_or(Support::One(0), |found| found.1)
     }

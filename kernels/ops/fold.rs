@@ -14,6 +14,7 @@ pub struct SecondMomentsOfRing;
 
 impl Fold for SecondMomentsOfRing {
     const NAME: &'static str = "second_moments_of_ring";
+    const DOC: &'static str = "The [second moments](crate::measure::moments::second_moments) of a ring's area about its centroid.";
     const CLOSED: bool = true;
     const PROMISES: &'static [Promise] = promises!(
         [TranslationX Stays, TranslationY Stays, Scaling Power(4)] []
@@ -51,6 +52,8 @@ pub struct LengthOfPolyline;
 
 impl Fold for LengthOfPolyline {
     const NAME: &'static str = "length_of_polyline";
+    const DOC: &'static str =
+        "The length of a polyline: the sum of the distances of neighbouring vertices.";
     const CLOSED: bool = false;
     const PROMISES: &'static [Promise] = promises!(
         [TranslationX Stays, TranslationY Stays, Rotation Stays, Scaling Power(1)] []
@@ -81,16 +84,18 @@ impl Fold for LengthOfPolyline {
 /// operations, whether the path is closed, what they promise, where they jump, and the answer.
 macro_rules! of_point_and_path {
     ($(
-        $(#[$doc:meta])*
+        $(#[$($doc:tt)*])*
         $Name:ident = $name:literal, closed $closed:literal, $scaling:tt, jumps $jumps:ident:
         |$state:ident| $answer:expr;
     )*) => { $(
-        $(#[$doc])*
+        $(#[$($doc)*])*
         #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
         pub struct $Name;
 
         impl Fold for $Name {
             const NAME: &'static str = $name;
+            const ARGUMENTS: &'static [&'static str] = &["point"];
+            const DOC: &'static str = crate::__doc!([] $([$($doc)*])*);
             const CLOSED: bool = $closed;
             const PROMISES: &'static [Promise] = promises!(
                 [TranslationX Stays, TranslationY Stays, Rotation Stays] $scaling

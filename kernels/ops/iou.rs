@@ -15,6 +15,8 @@ pub struct GiouObb2;
 
 impl Op for GiouObb2 {
     const NAME: &'static str = "giou_obb2";
+    const ARGUMENTS: &'static [&'static str] = &["a", "b"];
+    const DOC: &'static str = "[`giou_obb2`](crate::iou::giou_obb2).";
     type In<S: Scalar> = (Obb2<S>, Obb2<S>);
     type Out<S: Scalar> = S;
     const PROMISES: &'static [Promise] = promises!(

@@ -40,6 +40,9 @@ macro_rules! obb2 {
 
         impl Op for $name {
             const NAME: &'static str = stringify!($function);
+            const ARGUMENTS: &'static [&'static str] = &["a", "b"];
+            const DOC: &'static str =
+                concat!("[`", stringify!($function), "`](crate::overlap::", stringify!($function), ").");
             type In<S: Scalar> = (Obb2<S>, Obb2<S>);
             type Out<S: Scalar> = S;
             const PROMISES: &'static [Promise] = $promises;
@@ -79,6 +82,9 @@ macro_rules! aabb2 {
 
         impl Op for $name {
             const NAME: &'static str = stringify!($function);
+            const ARGUMENTS: &'static [&'static str] = &["a", "b"];
+            const DOC: &'static str =
+                concat!("[`", stringify!($function), "`](crate::overlap::", stringify!($function), ").");
             type In<S: Scalar> = (Aabb2<S>, Aabb2<S>);
             type Out<S: Scalar> = S;
             const PROMISES: &'static [Promise] = $promises;

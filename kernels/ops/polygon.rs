@@ -94,7 +94,7 @@ searches! {
     /// The [area](crate::overlap_polygon::intersection_area_polygons) that two convex polygons of up to `N`
     /// vertices share. Nothing is searched for.
     IntersectionAreaPolygons<N> = "intersection_area_polygons":
-        (ConvexPolygon<S, N>, ConvexPolygon<S, N>) => S, by ();
+        (a, b) as (ConvexPolygon<S, N>, ConvexPolygon<S, N>) => S, by ();
     decide |_| {}
     replay |(a, b), _nothing| { intersection_area_polygons(&a, &b) }
     promises [TranslationX Stays, TranslationY Stays, Rotation Stays, Scaling Power(2)]
@@ -102,7 +102,7 @@ searches! {
     jumps Never
 
     /// The [IoU](crate::overlap_polygon::iou_polygons) of two convex polygons of up to `N` vertices.
-    IouPolygons<N> = "iou_polygons": (ConvexPolygon<S, N>, ConvexPolygon<S, N>) => S, by ();
+    IouPolygons<N> = "iou_polygons": (a, b) as (ConvexPolygon<S, N>, ConvexPolygon<S, N>) => S, by ();
     decide |_| {}
     replay |(a, b), _nothing| { iou_polygons(&a, &b) }
     promises [TranslationX Stays, TranslationY Stays, Rotation Stays, Scaling Stays]
@@ -111,7 +111,7 @@ searches! {
 
     /// The [share](crate::overlap_polygon::iof_polygons) of the first of two convex polygons of up to `N`
     /// vertices that lies in the second.
-    IofPolygons<N> = "iof_polygons": (ConvexPolygon<S, N>, ConvexPolygon<S, N>) => S, by ();
+    IofPolygons<N> = "iof_polygons": (a, b) as (ConvexPolygon<S, N>, ConvexPolygon<S, N>) => S, by ();
     decide |_| {}
     replay |(a, b), _nothing| { iof_polygons(&a, &b) }
     promises [TranslationX Stays, TranslationY Stays, Rotation Stays, Scaling Stays]
@@ -121,7 +121,7 @@ searches! {
     /// The [generalised IoU](crate::iou::giou_polygons_decided) of two convex polygons of up to `N` vertices.
     /// Its record says which of them are on the hull.
     GiouPolygons<N, K> = "giou_polygons":
-        (ConvexPolygon<S, N>, ConvexPolygon<S, N>) => S, by MergeTrace<K>;
+        (a, b) as (ConvexPolygon<S, N>, ConvexPolygon<S, N>) => S, by MergeTrace<K>;
     decide |(a, b)| { joint_hull(&a, &b) }
     replay |(a, b), hull| { giou_polygons_replay(&a, &b, &hull) }
     promises [TranslationX Stays, TranslationY Stays, Rotation Stays, Scaling Stays]
@@ -131,7 +131,7 @@ searches! {
     /// The [distance IoU](crate::iou::diou_polygons_decided) of two convex polygons of up to `N` vertices.
     /// Its record says which of them are farthest apart.
     DiouPolygons<N> = "diou_polygons":
-        (ConvexPolygon<S, N>, ConvexPolygon<S, N>) => S, by FarthestCorners;
+        (a, b) as (ConvexPolygon<S, N>, ConvexPolygon<S, N>) => S, by FarthestCorners;
     decide |(a, b)| { diou_polygons_decided(&a, &b).1 }
     replay |(a, b), farthest| { diou_polygons_replay(&a, &b, farthest) }
     promises [TranslationX Stays, TranslationY Stays, Rotation Stays, Scaling Stays]
@@ -140,7 +140,7 @@ searches! {
 
     /// The area of the [joint hull](crate::hull::merge) of two convex polygons of up to `N` vertices.
     HullAreaPolygons<N, K> = "hull_area_polygons":
-        (ConvexPolygon<S, N>, ConvexPolygon<S, N>) => S, by MergeTrace<K>;
+        (a, b) as (ConvexPolygon<S, N>, ConvexPolygon<S, N>) => S, by MergeTrace<K>;
     decide |(a, b)| { joint_hull(&a, &b) }
     replay |(a, b), hull| { merge_replay(&a, &b, &hull).area() }
     promises [TranslationX Stays, TranslationY Stays, Rotation Stays, Scaling Power(2)]

@@ -31,6 +31,8 @@ macro_rules! measures {
 
         impl RingOp for $name {
             const NAME: &'static str = stringify!($function);
+            const DOC: &'static str =
+                concat!("[`", stringify!($function), "`](crate::ring::", stringify!($function), ").");
             type Out<S: Scalar> = $out;
             const PROMISES: &'static [Promise] = $promises;
             const JUMPS: Jumps = Jumps::$jumps;

@@ -29,6 +29,11 @@ macro_rules! rows_of_pairs {
 
         impl crate::kernels::op::Op for $Name {
             const NAME: &'static str = $name;
+            const ARGUMENTS: &'static [&'static str] = &crate::kernels::ops::rows::names(
+                crate::kernels::ops::rows::noun!($A),
+                crate::kernels::ops::rows::noun!($B),
+            );
+            const DOC: &'static str = concat!($title, " of ", $what, ".");
             type In<S: crate::Scalar> = ($A<S>, $B<S>);
             type Out<S: crate::Scalar> = $out;
             const PROMISES: &'static [crate::kernels::op::Promise] =
@@ -44,12 +49,12 @@ macro_rules! rows_of_pairs {
     )* };
 }
 
-/// Operations with a search: the type with its capacities, its name, what it takes, its result and its
-/// record; how it decides and how it replays; what it promises and where it jumps.
+/// Operations with a search: the type with its capacities, its name, its arguments and what they are, its result
+/// and its record; how it decides and how it replays; what it promises and where it jumps.
 macro_rules! searches {
     ($(
-        $(#[$doc:meta])*
-        $Name:ident<$($N:ident),+> = $name:literal: $input:ty => $out:ty, by $record:ty;
+        $(#[$($doc:tt)*])*
+        $Name:ident<$($N:ident),+> = $name:literal: ($($arg:ident),+) as $input:ty => $out:ty, by $record:ty;
         decide |$decided:pat_param| $decide:block
         replay |$replayed:pat_param, $found:ident| $replay:block
         promises $promises:tt
@@ -58,12 +63,14 @@ macro_rules! searches {
         $(extremes $extremes:ident)?
         jumps $jumps:ident
     )*) => { $(
-        $(#[$doc])*
+        $(#[$($doc)*])*
         #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
         pub struct $Name<$(const $N: usize),+>;
 
         impl<$(const $N: usize),+> crate::kernels::decided::Decided for $Name<$($N),+> {
             const NAME: &'static str = $name;
+            const ARGUMENTS: &'static [&'static str] = &[$(stringify!($arg)),+];
+            const DOC: &'static str = crate::__doc!([] $([$($doc)*])*);
             type In<S: crate::Scalar> = $input;
             type Out<S: crate::Scalar> = $out;
             type Record = $record;
@@ -108,4 +115,47 @@ macro_rules! items {
     ([$($item:tt)*]) => { $($item)* };
 }
 
-pub(crate) use {items, promises, rows_of_pairs, searches};
+/// The noun of a shape, by its type.
+macro_rules! noun {
+    (Vec2) => {
+        "point"
+    };
+    (Segment2) => {
+        "segment"
+    };
+    (Line2) => {
+        "line"
+    };
+    (Ray2) => {
+        "ray"
+    };
+    (Triangle2) => {
+        "triangle"
+    };
+    (Circle) => {
+        "circle"
+    };
+    (Capsule2) => {
+        "capsule"
+    };
+    (Aabb2) => {
+        "shape"
+    };
+    (Obb2) => {
+        "shape"
+    };
+}
+
+/// The names of two arguments: what they are, or `a` and `b` of two of one kind.
+pub(crate) const fn names(a: &'static str, b: &'static str) -> [&'static str; 2] {
+    let (x, y) = (a.as_bytes(), b.as_bytes());
+    let mut alike = x.len() == y.len();
+    let mut i = 0;
+    while alike && i < x.len() {
+        alike = x[i] == y[i];
+        i += 1;
+    }
+    if alike { ["a", "b"] } else { [a, b] }
+}
+
+pub(crate) use {items, noun, promises, rows_of_pairs, searches};
