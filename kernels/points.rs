@@ -243,7 +243,7 @@ impl Cpu {
     /// [`Error::Invalid`] for a point or box that is not valid, with its row.
     ///
     /// ```
-    /// use geograd::{Vec3, kernels::Cpu, shape::YawBox3};
+    /// use geograd::{Vec3, YawBox3, kernels::Cpu};
     /// let size = Vec3::new(4.0_f32, 2.0, 1.5);
     /// let cars = [0.0, 3.0, 9.0].map(|x| YawBox3::new(Vec3::new(x, 0.0, 0.0), size, 0.0));
     /// let points = [1.5, 4.5, 6.5].map(|x| Vec3::new(x, 0.5, 0.5));

@@ -1,7 +1,7 @@
 //! How far a point is from boxes of space.
 //!
 //! ```
-//! use geograd::{Vec3, distance3::signed_distance, shape::{Obb3, Rotation3}};
+//! use geograd::{Obb3, Rotation3, Vec3, distance3::signed_distance};
 //! let size = Vec3::new(4.0_f64, 2.0, 2.0);
 //! let shape = Obb3::new(Vec3::new(1.0, 0.0, 0.0), size, Rotation3::identity());
 //! assert_eq!(signed_distance(Vec3::new(6.0, 5.0, 0.0), shape), 5.0); // an edge is nearest
@@ -73,7 +73,7 @@ pub fn signed_distance<S: Scalar>(point: Vec3<S>, shape: impl Faces<S>) -> S {
 /// Distance of a point from a box, in units of length; zero inside, with slope zero.
 ///
 /// ```
-/// use geograd::{Vec3, distance3::distance, shape::Aabb3};
+/// use geograd::{Aabb3, Vec3, distance3::distance};
 /// let shape = Aabb3::new(Vec3::new(0.0, 0.0, 0.0), Vec3::new(1.0, 1.0, 1.0));
 /// assert_eq!(distance(Vec3::new(0.5, 4.0, 5.0), shape), 5.0);
 /// assert_eq!(distance(Vec3::new(0.5, 0.5, 0.5), shape), 0.0);

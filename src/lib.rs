@@ -23,7 +23,7 @@
 //! | to | see |
 //! | --- | --- |
 //! | measure overlap of boxes | [`overlap`], [`Obb2::iou`], [`Aabb2::iou`] |
-//! | measure overlap of boxes in space | [`overlap3`], [`shape::Obb3::iou`], [`shape::YawBox3::iou`] |
+//! | measure overlap of boxes in space | [`overlap3`], [`Obb3::iou`], [`YawBox3::iou`] |
 //! | train detectors in space | [`iou3`]: GIoU, DIoU, CIoU, EIoU, separation |
 //! | compare boxes as Gaussians | [`gaussian`]: Wasserstein, Kullback-Leibler, ProbIoU, KFIoU |
 //! | read other people's boxes | [`convention`] |
@@ -43,7 +43,7 @@
 //! | differentiate any generic function of shapes | [`ad`]: [`ad::gradient`], [`ad::hessian`], … |
 //! | use an adjoint by hand | [`ad::adjoint::overlap`], [`ad::adjoint::ring`] |
 //! | work on many shapes at once | [`kernels::cpu`] |
-//! | make a shape | [`Vec2`], [`Vec3`], [`Rotation2`], [`Pose2`], [`Aabb2`], [`Obb2`], [`ConvexPolygon`]; in space [`shape`] |
+//! | make a shape | [`Vec2`], [`Rotation2`], [`Pose2`], [`Aabb2`], [`Obb2`], [`ConvexPolygon`]; in space [`Vec3`], [`Pose3`], [`Aabb3`], [`Obb3`], [`YawBox3`]; all: [`shape`] |
 //! | make a shape of your own | [`derive(Shape)`](macro@Shape) |
 //! | write generic geometry | [`Scalar`], [`Mask`], [`Pack`] |
 //! | come from the paper's library (DGAL, d3d) | [`paper`] |
@@ -172,6 +172,7 @@ pub use polygon::{Polygon, Rings};
 pub use product::Code;
 pub use scalar::{Jet, Lanes, Mask, Scalar};
 pub use shape::{
-    Aabb2, Capsule2, Circle, ConvexPolygon, Interval, Line2, Obb2, Pose2, Ray2, Rotation2,
-    Segment2, Triangle2, Vec2, Vec3,
+    Aabb2, Aabb3, Capsule2, Circle, ConvexPolygon, EulerOrder, Interval, Line2, Obb2, Obb3, Plane3,
+    Pose2, Pose3, Ray2, Rotation2, Rotation3, Segment2, Segment3, Sphere, Triangle2, Triangle3,
+    Vec2, Vec3, YawBox3,
 };

@@ -2,8 +2,7 @@
 use geograd::kernels::real::Real;
 use geograd::kernels::reduce::{Best, Found};
 use geograd::kernels::{Cpu, Op, RingOp, Single, Table};
-use geograd::shape::{Aabb3, Obb3, YawBox3};
-use geograd::{Aabb2, Error, Obb2, Vec2};
+use geograd::{Aabb2, Aabb3, Error, Obb2, Obb3, Vec2, YawBox3};
 use std::sync::atomic::{AtomicBool, Ordering};
 
 /// A format that batches serve.

@@ -104,7 +104,7 @@ fn score_vjp<S: Scalar>(over: Denominator, a: Aabb3<S>, b: Aabb3<S>, out_bar: S)
 /// The volume shared by two axis-aligned boxes, and `out_bar` times its slopes by both.
 ///
 /// ```
-/// use geograd::{Vec3, ad::adjoint::bounds3::intersection_volume_aabb3_vjp, shape::Aabb3};
+/// use geograd::{Aabb3, Vec3, ad::adjoint::bounds3::intersection_volume_aabb3_vjp};
 /// let a = Aabb3::new(Vec3::new(0.0, 0.0, 0.0), Vec3::new(2.0, 2.0, 2.0));
 /// let b = Aabb3::new(Vec3::new(1.0, 0.5, -1.0), Vec3::new(3.0, 3.0, 3.0));
 /// let (volume, (a_bar, b_bar)) = intersection_volume_aabb3_vjp(a, b, 1.0);

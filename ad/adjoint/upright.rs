@@ -285,7 +285,7 @@ pub fn intersection_volume_yaw_vjp<S: Scalar>(
 /// Intersection over union of two upright boxes, and `out_bar` times its slopes by both.
 ///
 /// ```
-/// use geograd::{Vec3, ad::adjoint::upright::iou_yaw_vjp, shape::YawBox3};
+/// use geograd::{Vec3, YawBox3, ad::adjoint::upright::iou_yaw_vjp};
 /// let car = YawBox3::new(Vec3::new(0.0, 0.0, 0.0), Vec3::new(4.0, 2.0, 2.0), 0.3_f64);
 /// let seen = YawBox3 { center: Vec3::new(0.0, 0.0, 1.0), ..car };
 /// let (iou, (by_car, by_seen)) = iou_yaw_vjp(car, seen, 1.0);

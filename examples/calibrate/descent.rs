@@ -10,9 +10,8 @@ use common::known::known;
 use geograd::assignment::greedy;
 use geograd::iou3::separation_aware;
 use geograd::kernels::{Cpu, IouObb3, One, Op};
-use geograd::shape::{Obb3, Pose3, Rotation3};
 use geograd::suppression::Pair;
-use geograd::{Error, Vec3, operation};
+use geograd::{Error, Obb3, Pose3, Rotation3, Vec3, operation};
 
 operation! {
     /// A box carried along by a motion.

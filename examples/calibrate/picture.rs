@@ -1,8 +1,7 @@
 //! The picture: both sensors' boxes from above, before and after, and the way between.
 use crate::descent::State;
 use crate::scene::{FAR, Scene};
-use geograd::shape::Obb3;
-use geograd::{Vec2, Vec3};
+use geograd::{Obb3, Vec2, Vec3};
 use std::fmt::Write as _;
 
 /// The page, in pixels: two maps side by side, and two charts below.

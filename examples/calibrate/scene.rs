@@ -1,7 +1,6 @@
 //! Two sensors that see the same objects, each in coordinates of its own.
 use common::random::Draw;
-use geograd::Vec3;
-use geograd::shape::{Obb3, Pose3, Rotation3};
+use geograd::{Obb3, Pose3, Rotation3, Vec3};
 use std::f64::consts::TAU;
 
 /// How far the sensors see, in metres.

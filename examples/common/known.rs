@@ -3,8 +3,7 @@
 //! The overlap of two boxes of any orientation has compiled slopes of its own. What the scores add to it
 //! is recorded by itself, with the overlap as one more argument, so that nothing large is recorded twice.
 use geograd::iou3::{Enclosing, Solid, Terms};
-use geograd::shape::Obb3;
-use geograd::{Scalar, Vec3};
+use geograd::{Obb3, Scalar, Vec3};
 
 /// One of two boxes, with the overlap of both.
 #[derive(Clone, Copy, Debug)]

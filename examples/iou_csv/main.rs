@@ -25,8 +25,7 @@ mod polygon;
 
 use boxes::{Boxes, Pairs};
 use common::cli::{Failure, Machine, Wish, on_the_cpu, say};
-use geograd::Obb2;
-use geograd::shape::{Obb3, YawBox3};
+use geograd::{Obb2, Obb3, YawBox3};
 use indicatif::{ProgressBar, ProgressStyle};
 use input::Shape;
 use metric::Format;

@@ -6,8 +6,7 @@
 //! counter-clockwise heading is its negative. The place given is the middle of the box's bottom, and up is
 //! the negative of y.
 use crate::model::{Class, Frames, Seen};
-use geograd::Vec3;
-use geograd::shape::YawBox3;
+use geograd::{Vec3, YawBox3};
 use std::path::Path;
 
 /// Bad lines are told on stderr, at most this many of each file one by one.

@@ -1,6 +1,5 @@
 //! What a frame holds.
-use geograd::Obb2;
-use geograd::shape::YawBox3;
+use geograd::{Obb2, YawBox3};
 use std::collections::{BTreeMap, BTreeSet};
 
 /// What an object is. Only objects of the same class are matched.

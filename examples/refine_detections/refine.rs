@@ -10,8 +10,7 @@
 use crate::loss::Space;
 use crate::scorer::Scorer;
 use geograd::kernels::Backend;
-use geograd::shape::YawBox3;
-use geograd::{Error, Rotation2, Vec2, Vec3};
+use geograd::{Error, Rotation2, Vec2, Vec3, YawBox3};
 use std::time::{Duration, Instant};
 
 /// A step longer by this after one that went well, shorter by that after one too far.

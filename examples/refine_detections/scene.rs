@@ -1,8 +1,7 @@
 //! A street of the program's own making, the same for the same seed.
 use crate::model::{Class, Frame, Frames, Seen};
 use common::random::Draw;
-use geograd::shape::YawBox3;
-use geograd::{Obb2, Pose2, Vec2, Vec3};
+use geograd::{Obb2, Pose2, Vec2, Vec3, YawBox3};
 use std::f32::consts::{FRAC_PI_2, PI};
 
 /// Seconds between frames, and how fast the camera drives, in metres a second.

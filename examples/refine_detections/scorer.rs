@@ -9,8 +9,7 @@ use geograd::gaussian::{self, solid};
 use geograd::iou::{ciou_obb2, diou_obb2, hull_area_obb2};
 use geograd::iou3::{Enclosing, ciou, diou, giou, separation_aware};
 use geograd::kernels::{Backend, IouObb2, IouYaw, Op};
-use geograd::shape::{Obb3, YawBox3};
-use geograd::{Error, Obb2, Program, Rotation2, Scalar, Sym, Vec2, Vec3};
+use geograd::{Error, Obb2, Obb3, Program, Rotation2, Scalar, Sym, Vec2, Vec3, YawBox3};
 
 /// Sizes of truths count as no smaller than a millimetre.
 const THIN: f64 = 1e-3;

@@ -156,8 +156,7 @@ impl<T: Unpin> Future for Pending<T> {
 ///
 /// ```
 /// use geograd::kernels::{Backend, DistancePointSegment, IouObb3, Op, One};
-/// use geograd::shape::{Obb3, Rotation3};
-/// use geograd::{Segment2, Vec2, Vec3};
+/// use geograd::{Obb3, Rotation3, Segment2, Vec2, Vec3};
 /// let resident = Backend::Cpu.resident(); // or of a GPU
 ///
 /// let boxes = |turn| {

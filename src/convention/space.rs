@@ -9,7 +9,7 @@ use std::f64::consts::FRAC_PI_2;
 /// up. (How a real camera is mounted is a [`Pose3`](crate::shape::Pose3).)
 ///
 /// ```
-/// use geograd::{Vec3, convention::KittiBox, shape::YawBox3};
+/// use geograd::{Vec3, YawBox3, convention::KittiBox};
 /// let car = KittiBox {
 ///     height: 1.5, width: 1.6, length: 4.0,
 ///     location: Vec3::new(2.0, 1.7, 20.0),
@@ -101,7 +101,7 @@ impl<S> From<YawBox3<S>> for LidarBox<S> {
 /// `w, x, y, z`. The direction of travel is the box's own x axis.
 ///
 /// ```
-/// use geograd::{Vec3, convention::NuScenesBox, shape::{Obb3, Rotation3}};
+/// use geograd::{Obb3, Rotation3, Vec3, convention::NuScenesBox};
 /// let seen = NuScenesBox {
 ///     translation: Vec3::new(1.0, 2.0, 3.0),
 ///     width: 1.8, length: 4.5, height: 1.5,

@@ -193,7 +193,7 @@ pub fn wasserstein_squared<S: Scalar>(a: Obb3<S>, b: Obb3<S>) -> S {
 /// above the second are not served.
 ///
 /// ```
-/// use geograd::{Vec3, gaussian::solid, shape::{Obb3, Rotation3}};
+/// use geograd::{Obb3, Rotation3, Vec3, gaussian::solid};
 /// let a = Obb3::new(
 ///     Vec3::new(0.0, 0.0, 0.0),
 ///     Vec3::new(4.0, 2.0, 1.0),

@@ -126,7 +126,7 @@ impl<S: Scalar> Solid<S> for Obb3<S> {
 /// Generalized IoU of two boxes, in `[−1, 1]`: IoU less the share of the enclosing shape that neither covers.
 ///
 /// ```
-/// use geograd::{Vec3, iou3::{Enclosing, giou}, shape::Aabb3};
+/// use geograd::{Aabb3, Vec3, iou3::{Enclosing, giou}};
 /// let a = Aabb3::new(Vec3::new(0.0, 0.0, 0.0), Vec3::new(1.0, 1.0, 1.0));
 /// let b = Aabb3::new(Vec3::new(3.0, 0.0, 0.0), Vec3::new(4.0, 1.0, 1.0));
 /// assert_eq!(giou(a, a, Enclosing::Aabb), 1.0);
@@ -142,7 +142,7 @@ pub fn giou<S: Scalar, B: Solid<S>>(a: B, b: B, kind: Enclosing) -> S {
 /// the enclosing shape. Two points have −1.
 ///
 /// ```
-/// use geograd::{Vec3, iou3::{Enclosing, diou}, shape::YawBox3};
+/// use geograd::{Vec3, YawBox3, iou3::{Enclosing, diou}};
 /// let a = YawBox3::new(Vec3::new(0.0, 0.0, 0.0), Vec3::new(2.0, 2.0, 2.0), 0.0);
 /// let b = YawBox3 { center: Vec3::new(4.0, 0.0, 0.0), ..a };
 /// // The ground's hull is six long and two wide, both are two high.
@@ -193,7 +193,7 @@ pub fn ciou_fixed_weight<S: Scalar, B: Solid<S>>(a: B, b: B, kind: Enclosing) ->
 /// ground for x and y, the height for z.
 ///
 /// ```
-/// use geograd::{Vec3, iou3::{Enclosing, eiou}, shape::YawBox3};
+/// use geograd::{Vec3, YawBox3, iou3::{Enclosing, eiou}};
 /// let a = YawBox3::new(Vec3::new(0.0, 0.0, 0.0), Vec3::new(4.0, 3.0, 2.0), 0.0);
 /// let b = YawBox3 { size: Vec3::new(2.0, 3.0, 1.0), ..a };
 /// // A quarter of the volume; the ground's diagonal is 5, the height 2.

@@ -54,7 +54,7 @@ fn widest_gap<S: Scalar>(pair: &Relative3<S>) -> S {
 /// face and anything; its slopes point apart. Kinks where another axis becomes the widest; axes that tie share the slope.
 ///
 /// ```
-/// use geograd::{Vec3, iou3::penetration_or_gap, shape::{Obb3, Rotation3}};
+/// use geograd::{Obb3, Rotation3, Vec3, iou3::penetration_or_gap};
 /// let a = Obb3::new(Vec3::new(0.0, 0.0, 0.0), Vec3::new(2.0, 2.0, 2.0), Rotation3::identity());
 /// let at = |x: f64| Obb3 { center: Vec3::new(x, 0.0, 0.0), ..a };
 /// assert_eq!(penetration_or_gap(a, at(5.0)), 3.0);
@@ -72,7 +72,7 @@ pub fn penetration_or_gap<S: Scalar>(a: Obb3<S>, b: Obb3<S>) -> S {
 /// far away, in `(−1, 1]`. Continuous, and never without a slope for boxes apart.
 ///
 /// ```
-/// use geograd::{Vec3, iou3::separation_aware, shape::Aabb3};
+/// use geograd::{Aabb3, Vec3, iou3::separation_aware};
 /// let a = Aabb3::new(Vec3::new(0.0, 0.0, 0.0), Vec3::new(2.0, 2.0, 2.0));
 /// let b = Aabb3::new(Vec3::new(4.0, 0.0, 0.0), Vec3::new(6.0, 2.0, 2.0));
 /// assert_eq!(separation_aware(a, a), 1.0);

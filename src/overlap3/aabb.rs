@@ -68,7 +68,7 @@ fn score_aabb3<S: Scalar>(over: Denominator, a: Aabb3<S>, b: Aabb3<S>) -> S {
 /// Kinks and conventions: see the [module](super).
 ///
 /// ```
-/// use geograd::{Vec3, overlap3::intersection_volume_aabb3, shape::Aabb3};
+/// use geograd::{Aabb3, Vec3, overlap3::intersection_volume_aabb3};
 /// let a = Aabb3::new(Vec3::new(0.0, 0.0, 0.0), Vec3::new(2.0, 2.0, 2.0));
 /// let b = Aabb3::new(Vec3::new(1.0, 1.0, -1.0), Vec3::new(3.0, 3.0, 1.0));
 /// assert_eq!(intersection_volume_aabb3(a, b), 1.0);

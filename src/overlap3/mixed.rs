@@ -10,7 +10,7 @@ use crate::shape::{Aabb3, Obb3, Rotation3, YawBox3};
 /// measured as boxes of the more general kind.
 ///
 /// ```
-/// use geograd::{Vec3, overlap3::Overlaps, shape::{Aabb3, Obb3, Rotation3, YawBox3}};
+/// use geograd::{Aabb3, Obb3, Rotation3, Vec3, YawBox3, overlap3::Overlaps};
 /// let room = Aabb3::new(Vec3::new(-1.0_f64, -1.0, 0.0), Vec3::new(1.0, 1.0, 2.0));
 /// let car = YawBox3::new(Vec3::new(1.0, 0.0, 1.0), Vec3::new(2.0, 2.0, 2.0), 0.0);
 /// assert_eq!(room.volume_shared_with(car), 4.0);

@@ -170,7 +170,7 @@ pub(super) fn shared_within<S: Scalar, const PIECES: bool>(
 /// Kinks and conventions: see the [module](super).
 ///
 /// ```
-/// use geograd::{Vec3, overlap3::intersection_volume_obb3, shape::{Obb3, Rotation3}};
+/// use geograd::{Obb3, Rotation3, Vec3, overlap3::intersection_volume_obb3};
 /// let (origin, size) = (Vec3::new(0.0_f64, 0.0, 0.0), Vec3::new(1.0, 1.0, 1.0));
 /// let cube = Obb3::new(origin, size, Rotation3::identity());
 /// // Turned by a sixth of a turn about its diagonal: they share two pyramids over a hexagon.
@@ -189,7 +189,7 @@ pub fn intersection_volume_obb3<S: Scalar>(a: Obb3<S>, b: Obb3<S>) -> S {
 /// As for [`intersection_volume_obb3`].
 ///
 /// ```
-/// use geograd::{Vec3, overlap3::iou_obb3, shape::{Obb3, Rotation3}};
+/// use geograd::{Obb3, Rotation3, Vec3, overlap3::iou_obb3};
 /// let turn = Rotation3::new(0.9, 0.1, -0.3, 0.2);
 /// let a = Obb3::new(Vec3::new(1.0, 2.0, 3.0), Vec3::new(4.0, 2.0, 1.0), turn);
 /// assert_eq!(iou_obb3(a, a), 1.0);

@@ -287,7 +287,7 @@ fn gradient<S: Scalar, const EXTREME: bool>(
 /// [`Rotation3::tangent_gradient`] makes those of body tangents of them.
 ///
 /// ```
-/// use geograd::{Vec3, overlap3::intersection_volume_obb3_vjp, shape::{Obb3, Rotation3}};
+/// use geograd::{Obb3, Rotation3, Vec3, overlap3::intersection_volume_obb3_vjp};
 /// let cube = Obb3::new(Vec3::new(0.0, 0.0, 0.0), Vec3::new(2.0, 2.0, 2.0), Rotation3::identity());
 /// let moved = Obb3 { center: Vec3::new(0.5, 0.5, 0.5), ..cube };
 /// let (volume, (by_cube, by_moved)) = intersection_volume_obb3_vjp(cube, moved, 1.0_f64);

@@ -130,7 +130,7 @@ pub fn intersection_volume_yaw<S: Scalar>(a: YawBox3<S>, b: YawBox3<S>) -> S {
 /// Kinks and conventions: see the [module](super).
 ///
 /// ```
-/// use geograd::{Vec3, overlap3::iou_yaw, shape::YawBox3};
+/// use geograd::{Vec3, YawBox3, overlap3::iou_yaw};
 /// let car = YawBox3::new(Vec3::new(0.0, 0.0, 0.0), Vec3::new(4.0, 2.0, 2.0), 0.3_f64);
 /// let seen = YawBox3 { center: Vec3::new(0.0, 0.0, 1.0), ..car };
 /// assert_eq!(iou_yaw(car, car), 1.0);

@@ -18,7 +18,7 @@ pub const FACES: [[usize; 4]; 6] = [
 /// An axis-aligned box in space. Valid when finite and `min ≤ max`; zero size is valid.
 ///
 /// ```
-/// use geograd::{Vec3, shape::Aabb3};
+/// use geograd::{Aabb3, Vec3};
 /// let a = Aabb3::new(Vec3::new(0.0, 0.0, 0.0), Vec3::new(2.0, 2.0, 2.0));
 /// let b = Aabb3::new(Vec3::new(1.0, 1.0, 1.0), Vec3::new(3.0, 3.0, 3.0));
 /// assert_eq!(a.meet(b).volume(), 1.0);

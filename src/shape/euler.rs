@@ -62,7 +62,7 @@ impl<S: Scalar> Rotation3<S> {
     /// From three angles in radians about the axes that the order names.
     ///
     /// ```
-    /// use geograd::shape::{EulerOrder, Rotation3};
+    /// use geograd::{EulerOrder, Rotation3};
     /// let car = Rotation3::from_euler(EulerOrder::Zyx, [0.5_f64, 0.1, -0.2]); // yaw, pitch, roll
     /// let [yaw, pitch, roll] = car.euler(EulerOrder::Zyx);
     /// assert!((yaw - 0.5).abs() < 1e-15 && (pitch - 0.1).abs() < 1e-15 && (roll + 0.2).abs() < 1e-15);

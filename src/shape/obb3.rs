@@ -6,7 +6,7 @@ use crate::{Scalar, Shape, Vec3};
 /// when finite, of non-negative size and with a quaternion that is not zero; zero size is valid.
 ///
 /// ```
-/// use geograd::{Vec3, shape::{Obb3, Rotation3}};
+/// use geograd::{Obb3, Rotation3, Vec3};
 /// let tilted = Rotation3::from_axis_angle(Vec3::new(1.0, 0.0, 0.0), 0.2_f64);
 /// let a = Obb3::new(Vec3::new(0.0, 0.0, 0.0), Vec3::new(4.0, 2.0, 1.0), tilted);
 /// assert_eq!(a.volume(), 8.0);

@@ -6,7 +6,7 @@ use crate::{Flaw, Scalar, Shape, Vec3};
 /// and the half-space behind it, `normal · p ≤ offset`. Valid when finite and the normal is not zero.
 ///
 /// ```
-/// use geograd::{Vec3, shape::Plane3};
+/// use geograd::{Plane3, Vec3};
 /// let floor = Plane3::through(Vec3::new(5.0, 5.0, 1.0), Vec3::new(0.0, 0.0, 2.0));
 /// assert_eq!(floor.signed_distance(Vec3::new(0.0, 0.0, 4.0)), 3.0);
 /// assert_eq!(floor.project(Vec3::new(0.0, 7.0, 4.0)), Vec3::new(0.0, 7.0, 1.0));

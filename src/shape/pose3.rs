@@ -8,7 +8,7 @@ use std::ops::Mul;
 /// Named `a_from_b` it maps coordinates of frame b to frame a, and `a_from_b * b_from_c` is `a_from_c`.
 ///
 /// ```
-/// use geograd::{Vec3, shape::{Pose3, Rotation3}};
+/// use geograd::{Pose3, Rotation3, Vec3};
 /// let world_from_car = Pose3::new(Vec3::new(10.0, 0.0, 1.0), Rotation3::from_yaw(0.5));
 /// let there = world_from_car * Vec3::new(2.0, 1.0, 0.5);
 /// assert!((world_from_car.inverse() * there).distance(Vec3::new(2.0, 1.0, 0.5)) < 1e-14);

@@ -15,7 +15,7 @@ use std::ops::Mul;
 /// The zero quaternion is not valid; it acts as no rotation, with slope zero.
 ///
 /// ```
-/// use geograd::{Vec3, shape::Rotation3};
+/// use geograd::{Rotation3, Vec3};
 /// let quarter = Rotation3::from_axis_angle(Vec3::new(0.0, 0.0, 2.0), std::f64::consts::FRAC_PI_2);
 /// assert!((quarter * Vec3::new(1.0, 0.0, 5.0)).distance(Vec3::new(0.0, 1.0, 5.0)) < 1e-15);
 /// assert!((quarter * quarter.inverse()).angle() < 1e-15);
@@ -264,7 +264,7 @@ impl<S: Scalar> Rotation3<S> {
     /// optimiser in three numbers.
     ///
     /// ```
-    /// use geograd::{Vec3, shape::Rotation3};
+    /// use geograd::{Rotation3, Vec3};
     /// let (here, there) = (Rotation3::from_yaw(0.3), Rotation3::new(0.9, 0.1, -0.3, 0.2));
     /// let step: Vec3<f64> = here.tangent_to(there);
     /// assert!(here.retract(step).tangent_to(there).length() < 1e-15);
@@ -285,7 +285,7 @@ impl<S: Scalar> Rotation3<S> {
     /// rotation): `½ ⟨gradient, q e⟩` for e = i, j, k.
     ///
     /// ```
-    /// use geograd::{Jet, Vec3, shape::Rotation3};
+    /// use geograd::{Jet, Rotation3, Vec3};
     /// let q = Rotation3::new(0.8_f64, 0.1, -0.3, 0.4);
     /// let up = |q: Rotation3<Jet<f64, 4>>| q.axes()[0].z; // how far the body's x axis looks up
     /// let slopes = up(Rotation3::new(

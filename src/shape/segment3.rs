@@ -4,7 +4,7 @@ use crate::{Scalar, Shape, Vec3};
 /// A segment in space. Valid when finite; length zero is valid.
 ///
 /// ```
-/// use geograd::{Vec3, shape::Segment3};
+/// use geograd::{Segment3, Vec3};
 /// let edge = Segment3::new(Vec3::new(0.0, 0.0, 0.0), Vec3::new(2.0, 0.0, 0.0));
 /// assert_eq!(edge.nearest(Vec3::new(5.0, 1.0, 0.0)), Vec3::new(2.0, 0.0, 0.0));
 /// ```

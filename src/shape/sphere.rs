@@ -5,7 +5,7 @@ use crate::{Scalar, Shape, Vec3};
 /// A ball in space. Valid when finite and of non-negative radius; radius zero is valid.
 ///
 /// ```
-/// use geograd::{Vec3, shape::Sphere};
+/// use geograd::{Sphere, Vec3};
 /// let ball = Sphere::new(Vec3::new(1.0, 0.0, 0.0), 2.0);
 /// assert_eq!(ball.signed_distance(Vec3::new(4.0, 0.0, 0.0)), 1.0);
 /// ```

@@ -5,7 +5,7 @@ use crate::{Scalar, Shape, Vec3};
 /// A triangle in space. Valid when finite; area zero is valid.
 ///
 /// ```
-/// use geograd::{Vec3, shape::Triangle3};
+/// use geograd::{Triangle3, Vec3};
 /// let half = Triangle3::new(
 ///     Vec3::new(0.0, 0.0, 1.0),
 ///     Vec3::new(2.0, 0.0, 1.0),

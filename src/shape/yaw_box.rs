@@ -7,7 +7,7 @@ use crate::{Obb2, Scalar, Shape, Vec2, Vec3};
 /// detectors. Valid when finite and of non-negative size; zero size is valid.
 ///
 /// ```
-/// use geograd::{Vec3, shape::YawBox3};
+/// use geograd::{Vec3, YawBox3};
 /// let car = YawBox3::new(Vec3::new(10.0, 2.0, 0.8), Vec3::new(4.0, 2.0, 1.6), 0.3_f64);
 /// assert!(car.contains(Vec3::new(10.0, 2.0, 1.6)));
 /// assert!((car.volume() - 12.8).abs() < 1e-14);

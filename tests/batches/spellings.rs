@@ -7,8 +7,10 @@ use geograd::kernels::op::Op;
 use geograd::kernels::{self, Cpu, Row};
 use geograd::measure::moments::second_moments;
 use geograd::overlap3::Overlaps;
-use geograd::{ConvexPolygon, Scalar, Triangle2, Vec2};
-use geograd::{distance, distance3, gaussian, intersection, iou, iou3, overlap, overlap3, ring};
+use geograd::{
+    ConvexPolygon, Scalar, Triangle2, Vec2, distance, distance3, gaussian, intersection, iou, iou3,
+    overlap, overlap3, ring,
+};
 use geograd_tests::Dice;
 use geograd_tests::calls::Number;
 use std::fmt::Debug;

@@ -221,10 +221,9 @@ fn cotangents_of_all_pairs_are_taken_as_they_are() {
 /// Boxes of two kinds: the same as boxes of one kind, whose slopes are by other numbers.
 #[test]
 fn overlaps_of_boxes_of_two_kinds() {
-    use geograd::Vec3;
     use geograd::kernels::{IouAabb3Obb3, IouYawObb3};
     use geograd::overlap3::Overlaps;
-    use geograd::shape::{Aabb3, Obb3, Rotation3, YawBox3};
+    use geograd::{Aabb3, Obb3, Rotation3, Vec3, YawBox3};
     let aligned = Aabb3::new(Vec3::new(0.0, 0.0, 0.0), Vec3::new(2.0, 1.0, 1.5_f64));
     let upright = YawBox3::new(aligned.center(), aligned.size(), 0.0);
     let (center, size) = (Vec3::new(0.5, 0.2, 0.3), Vec3::new(1.0, 2.0, 1.0));

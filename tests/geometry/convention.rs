@@ -4,8 +4,7 @@ use geograd::convention::{
     Clockwise, Degrees, Detectron2Box, ImageBox, KittiBox, Le90, Le135, LidarBox, NuScenesBox,
     OpenCvBox, Period, Radians, Xyxyr,
 };
-use geograd::shape::{Obb3, YawBox3};
-use geograd::{Jet, Obb2, Scalar, Vec2, Vec3};
+use geograd::{Jet, Obb2, Obb3, Scalar, Vec2, Vec3, YawBox3};
 use std::f64::consts::{FRAC_PI_2, FRAC_PI_4, PI};
 
 fn same_box(a: Obb2<f64>, b: Obb2<f64>) -> bool {

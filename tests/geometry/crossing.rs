@@ -2,8 +2,7 @@
 use super::oracle_solid;
 use super::pairs::{Random, random_rotation};
 use geograd::overlap3::{intersection_volume_obb3, iou_obb3};
-use geograd::shape::{Obb3, Rotation3};
-use geograd::{Jet, Scalar, Vec3};
+use geograd::{Jet, Obb3, Rotation3, Scalar, Vec3};
 
 fn numbers(x: Obb3<f64>) -> [f32; 10] {
     let (c, s, q) = (x.center, x.size, x.rotation);

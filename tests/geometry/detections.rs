@@ -3,11 +3,10 @@ use geograd::assignment::{greedy, optimal};
 use geograd::error::{Argument, Error, Field, Flaw};
 use geograd::kernels::{Cpu, IouObb2, IouYaw};
 use geograd::metric::{Frame, Outcome, Point, Recalls, average_precision, curve, outcomes};
-use geograd::shape::YawBox3;
 use geograd::suppression::{
     Decay, Pair, Rules, cluster, hard, matrix, order, soft, soft_decided, soft_replay, soft_vjp,
 };
-use geograd::{Obb2, Vec3};
+use geograd::{Obb2, Vec3, YawBox3};
 use geograd_tests::Dice;
 
 /// Scores, classes and a symmetric matrix of overlaps, with ties now and then.

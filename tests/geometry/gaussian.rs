@@ -1,8 +1,7 @@
 //! Gaussian losses against dense linear algebra, and where that fails.
 use super::pairs::{FAMILIES, Random, pair, random_rotation};
 use geograd::gaussian::{self, smooth, solid};
-use geograd::shape::{Obb3, Rotation3, YawBox3};
-use geograd::{Jet, Obb2, Scalar, Vec3};
+use geograd::{Jet, Obb2, Obb3, Rotation3, Scalar, Vec3, YawBox3};
 
 type M = [[f64; 3]; 3];
 

@@ -1,8 +1,7 @@
 //! Boxes as Gaussians where sizes and distances are far from each other, or near the limits of the numbers.
 use super::pairs::Random;
 use geograd::gaussian::{self, solid};
-use geograd::shape::{Obb3, Rotation3};
-use geograd::{Jet, Obb2, Scalar, Vec3};
+use geograd::{Jet, Obb2, Obb3, Rotation3, Scalar, Vec3};
 
 fn space<S: Scalar>(x: &[S]) -> Obb3<S> {
     let turn = Rotation3::new(x[6], x[7], x[8], x[9]);

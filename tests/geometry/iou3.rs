@@ -4,8 +4,7 @@ use geograd::iou3::{
     Enclosing, alpha_iou, ciou, diou, eiou, giou, penetration_or_gap, separation_aware,
     smallest_rectangle,
 };
-use geograd::shape::{Obb3, Pose3, YawBox3};
-use geograd::{Jet, Obb2, Scalar, Vec2, Vec3};
+use geograd::{Jet, Obb2, Obb3, Pose3, Scalar, Vec2, Vec3, YawBox3};
 
 #[test]
 fn ranges_and_identical_boxes() {

@@ -4,8 +4,7 @@ use geograd::ad::adjoint::overlap::intersection_area_obb2_vjp;
 use geograd::ad::adjoint::overlap_quad::intersection_area_quads_vjp;
 use geograd::ad::adjoint::upright::intersection_volume_yaw_vjp;
 use geograd::overlap3::intersection_volume_obb3_vjp;
-use geograd::shape::{Obb3, Rotation3, YawBox3};
-use geograd::{Fixed, Obb2, Scalar, Vec3};
+use geograd::{Fixed, Obb2, Obb3, Rotation3, Scalar, Vec3, YawBox3};
 use proptest::prelude::*;
 
 /// A box about as large as one near the middle of a giant of 10 to 10⁷ times its size.

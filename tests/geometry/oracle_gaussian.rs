@@ -4,8 +4,7 @@
 use super::oracle::{BITS, Fixed};
 use super::pairs::{FAMILIES, Random, pair};
 use geograd::gaussian::{self, solid};
-use geograd::shape::{Obb3, Rotation3};
-use geograd::{Jet, Obb2, Scalar, Vec3};
+use geograd::{Jet, Obb2, Obb3, Rotation3, Scalar, Vec3};
 use num_bigint::BigInt;
 
 type Matrix = Vec<Vec<Fixed>>;

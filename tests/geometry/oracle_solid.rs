@@ -2,7 +2,8 @@
 //! box's planes (Sutherland-Hodgman), and the divergence theorem, in fixed-point numbers of 256 fractional
 //! bits from the exact values of the floats. It shares no code and no method with the library.
 use super::oracle::{BITS, Fixed};
-use geograd::shape::{FACES, Obb3};
+use geograd::Obb3;
+use geograd::shape::FACES;
 use num_bigint::BigInt;
 
 type Point = [Fixed; 3];

@@ -1,6 +1,5 @@
 //! Pairs of boxes in space, ordinary and difficult ones.
-use geograd::Vec3;
-use geograd::shape::{Obb3, Rotation3, YawBox3};
+use geograd::{Obb3, Rotation3, Vec3, YawBox3};
 use std::f64::consts::{FRAC_PI_2, FRAC_PI_4, PI};
 
 /// A small generator of random numbers (SplitMix64).

@@ -3,7 +3,7 @@ use super::pairs::{FAMILIES, Random, pair, single};
 use geograd::ad::program::{Program, Sym};
 use geograd::iou3::{Enclosing, giou, separation_aware};
 use geograd::overlap3::{intersection_volume_obb3, iou_aabb3, iou_obb3, iou_obb3_vjp, iou_yaw};
-use geograd::shape::{Aabb3, Obb3, YawBox3};
+use geograd::{Aabb3, Obb3, YawBox3};
 use geograd::{Fixed, Lanes, Pack, gaussian::solid};
 
 type Pair<B> = (B, B);

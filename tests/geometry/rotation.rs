@@ -1,7 +1,7 @@
 //! What rotations and motions of space promise.
 use super::pairs::{Random, random_rotation};
-use geograd::shape::{Aabb3, EulerOrder, FACES, Obb3, Pose3, Rotation3, Sphere, Triangle3};
-use geograd::{Jet, Scalar, Vec3};
+use geograd::shape::FACES;
+use geograd::{Aabb3, EulerOrder, Jet, Obb3, Pose3, Rotation3, Scalar, Sphere, Triangle3, Vec3};
 use std::f64::consts::{FRAC_PI_2, PI};
 
 fn apart(a: Rotation3<f64>, b: Rotation3<f64>) -> f64 {

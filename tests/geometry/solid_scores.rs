@@ -6,8 +6,7 @@ use geograd::kernels::{
     CiouAabbObb3, CiouObb3, CiouYaw, DiouAabbObb3, DiouObb3, DiouYaw, EiouAabbObb3, EiouObb3,
     EiouYaw, GiouAabbObb3, GiouObb3, GiouYaw,
 };
-use geograd::shape::{Aabb3, Obb3, Pose3, YawBox3};
-use geograd::{Fixed, Jet, Pack, Scalar, Vec2, Vec3};
+use geograd::{Aabb3, Fixed, Jet, Obb3, Pack, Pose3, Scalar, Vec2, Vec3, YawBox3};
 
 /// The convex hull by Andrew's monotone chain.
 fn chain(mut points: Vec<Vec2<f64>>) -> Vec<Vec2<f64>> {

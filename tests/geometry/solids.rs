@@ -2,8 +2,7 @@
 use super::oracle_solid::overlap;
 use super::pairs::{FAMILIES, Random, pair, random_rotation, single};
 use geograd::overlap3::{intersection_volume_obb3, iou_aabb3, iou_obb3, iou_obb3_vjp, iou_yaw};
-use geograd::shape::{Aabb3, Obb3, Pose3, Rotation3, YawBox3};
-use geograd::{Jet, Pack, Scalar, Vec3, ad};
+use geograd::{Aabb3, Jet, Obb3, Pack, Pose3, Rotation3, Scalar, Vec3, YawBox3, ad};
 
 #[test]
 fn the_oracle_agrees_with_counted_points() {

@@ -2,8 +2,7 @@
 use geograd::distance3::signed_distance;
 use geograd::iou3::penetration_or_gap;
 use geograd::scalar::{least_of, most_of};
-use geograd::shape::{Aabb3, Obb3, Rotation3, YawBox3};
-use geograd::{Aabb2, Jet, Triangle2, Vec2, Vec3};
+use geograd::{Aabb2, Aabb3, Jet, Obb3, Rotation3, Triangle2, Vec2, Vec3, YawBox3};
 
 fn variables<const N: usize>(x: [f64; N]) -> [Jet<f64, N>; N] {
     std::array::from_fn(|i| Jet::variable(x[i], i))

@@ -8,8 +8,7 @@ use geograd::iou3::{Enclosing, diou, giou};
 use geograd::kernels::Cpu;
 use geograd::kernels::points::Container;
 use geograd::overlap3::{Overlaps, iou_obb3};
-use geograd::shape::{Aabb3, Obb3, Plane3, YawBox3};
-use geograd::{Aabb2, Obb2, Pack, Vec2, Vec3, distance3};
+use geograd::{Aabb2, Aabb3, Obb2, Obb3, Pack, Plane3, Vec2, Vec3, YawBox3, distance3};
 
 fn relative(a: f64, b: f64) -> f64 {
     (a - b).abs() / a.abs().max(b.abs()).max(f64::MIN_POSITIVE)

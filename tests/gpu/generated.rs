@@ -15,8 +15,7 @@ use geograd::kernels::gpu::Gpu;
 use geograd::kernels::ops::{distance, fold, iou, iou3, overlap, overlap3};
 use geograd::kernels::{Cpu, One, Op};
 use geograd::{
-    Circle, Error, Fixed, Flaw, GpuFault, Obb2, Pack, Scalar, Segment2, Vec2,
-    shape::YawBox3 as YawBox,
+    Circle, Error, Fixed, Flaw, GpuFault, Obb2, Pack, Scalar, Segment2, Vec2, YawBox3 as YawBox,
 };
 
 /// Random shapes in single precision.

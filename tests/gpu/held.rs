@@ -7,8 +7,9 @@ use geograd::error::Argument;
 use geograd::kernels::ops::{distance, iou, iou3, overlap, overlap3};
 use geograd::kernels::resident::{Held, Resident};
 use geograd::kernels::{Backend, DiameterOfPolygon, One, Op};
-use geograd::shape::{Obb3, YawBox3};
-use geograd::{ConvexPolygon, Error, GpuFault, Obb2, Pack, Scalar, Segment2, Unrecordable, Vec2};
+use geograd::{
+    ConvexPolygon, Error, GpuFault, Obb2, Obb3, Pack, Scalar, Segment2, Unrecordable, Vec2, YawBox3,
+};
 
 /// Ordinary shapes in single precision.
 fn ordinary<P: Sample + Pack<Scalar = f64, With<f32> = Q>, Q>(count: usize, seed: u64) -> Vec<Q> {

@@ -7,9 +7,8 @@ use geograd::kernels::gpu::{Generated, Gpu};
 use geograd::kernels::op::Ask;
 use geograd::kernels::ops::{iou, overlap, overlap3};
 use geograd::kernels::{Backend, Cpu, Runs, Single};
-use geograd::shape::{Obb3, Rotation3, YawBox3};
 use geograd::suppression::Rules;
-use geograd::{Error, GpuFault, Obb2, Scalar, Vec3};
+use geograd::{Error, GpuFault, Obb2, Obb3, Rotation3, Scalar, Vec3, YawBox3};
 use std::sync::Arc;
 
 /// Detections that crowd around some objects, with scores of which many are the same.

@@ -7,8 +7,7 @@ use common::cli::Machine;
 use geograd::kernels::gpu::Gpu;
 use geograd::kernels::resident::Resident;
 use geograd::kernels::{Cpu, IouObb2, IouObb3, IouYaw, Op, Row, Single};
-use geograd::shape::{Obb3, Rotation3, YawBox3};
-use geograd::{Obb2, Vec3};
+use geograd::{Obb2, Obb3, Rotation3, Vec3, YawBox3};
 use std::fmt::Write;
 use std::hint::black_box;
 

@@ -8,8 +8,7 @@ use geograd::kernels::{
     Cpu, DistancePointSegment, DistanceSegments, GiouObb2, IntersectionAreaQuads, IouBirdsEye,
     IouObb2, IouObb3, IouYaw, Op, Row, Single, Table,
 };
-use geograd::shape::{Obb3, Rotation3, YawBox3};
-use geograd::{Obb2, Segment2, Vec2, Vec3};
+use geograd::{Obb2, Obb3, Rotation3, Segment2, Vec2, Vec3, YawBox3};
 use std::hint::black_box;
 
 /// Rows and columns of all pairs: short enough to run without interruption now and then.

@@ -2,9 +2,8 @@
 use super::levels::Timed;
 use super::{Dice, flat, narrow, on_threads};
 use geograd::kernels::{Cpu, IouBirdsEye, IouObb2, IouYaw};
-use geograd::shape::YawBox3;
 use geograd::suppression::Rules;
-use geograd::{Obb2, Vec3};
+use geograd::{Obb2, Vec3, YawBox3};
 use std::hint::black_box;
 
 /// Detections that overlap, and those of a large scene.

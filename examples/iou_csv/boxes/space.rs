@@ -8,8 +8,7 @@ use common::known::known;
 use geograd::ad::program::Plain;
 use geograd::iou3::{self, Solid};
 use geograd::kernels::{Backend, IofObb3, IofYaw, IouObb3, IouYaw};
-use geograd::shape::{Obb3, YawBox3};
-use geograd::{Error, Fixed, Program, Sym};
+use geograd::{Error, Fixed, Obb3, Program, Sym, YawBox3};
 
 /// What the scores of two boxes add to their IoU.
 fn program<T, P, Q>(metric: Metric) -> Result<Program<(P, P, T), T>, Error>

@@ -3,8 +3,7 @@ use super::Scene;
 use super::page::{FAINT, Kind, MARGIN, View, WIDTH, text};
 use crate::loss::Space;
 use crate::model::Seen;
-use geograd::shape::YawBox3;
-use geograd::{Obb2, Rotation2, Vec2};
+use geograd::{Obb2, Rotation2, Vec2, YawBox3};
 use std::fmt::Write as _;
 
 /// Close-ups in a row under the maps.

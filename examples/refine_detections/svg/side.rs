@@ -4,8 +4,7 @@ use super::page::{FAINT, Kind, MARGIN, SIDE, View, WIDTH, line, metres, text};
 use crate::loss::Space;
 use crate::matching::Match;
 use crate::model::Frame;
-use geograd::shape::YawBox3;
-use geograd::{Obb2, Vec2};
+use geograd::{Obb2, Vec2, YawBox3};
 use std::fmt::Write as _;
 
 /// Above each strip for its name, and below both for the numbers.

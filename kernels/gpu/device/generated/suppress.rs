@@ -53,9 +53,8 @@ impl Gpu {
     ///
     /// ```no_run
     /// use geograd::kernels::{IouBirdsEye, gpu::Gpu};
-    /// use geograd::shape::YawBox3;
+    /// use geograd::{Vec3, YawBox3};
     /// use geograd::suppression::Rules;
-    /// use geograd::Vec3;
     /// # #[cfg(feature = "gpu")] {
     /// let boxes = [0.0, 0.2, 9.0].map(|x| YawBox3::new(Vec3::new(x, 0.0, 0.0), Vec3::new(4.0, 2.0, 1.5), 0.1_f32));
     /// let scores = [0.6, 0.9, 0.5];
