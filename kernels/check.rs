@@ -93,8 +93,20 @@ fn ring_value<O: RingOp, S: Number>(x: &[S]) -> Vec<S> {
     O::value(&ring).scalars()
 }
 
-/// Hard cases and random inputs, all rounded to a format, and how many of them are hard.
-fn inputs<X: Sample, S: Number>(plan: &Plan<'_>) -> (Vec<X>, usize) {
+/// How often a random input is drawn anew while it is outside the domain.
+const ATTEMPTS: usize = 16;
+
+/// What is judged.
+struct Inputs<X> {
+    /// Hard cases, then random inputs, all rounded to a format. Some may be outside the domain.
+    all: Vec<X>,
+    /// How many of them are hard.
+    random_from: usize,
+    /// How many more were drawn, outside the domain.
+    outside: u64,
+}
+
+fn inputs<X: Sample, S: Number>(plan: &Plan<'_>) -> Inputs<X> {
     let rounded = |x: X| {
         let list: Vec<f64> = x.scalars().iter().map(|&x| S::nearest(x).widen()).collect();
         x.refill(&list)
@@ -108,13 +120,24 @@ fn inputs<X: Sample, S: Number>(plan: &Plan<'_>) -> (Vec<X>, usize) {
         let like = like.as_ref()?;
         (like.scalars().len() == point.len()).then(|| like.refill(point))
     });
-    let asked = |x: &X| x.inside() && plan.inside.is_none_or(|inside| inside(&x.scalars()));
     let hard = points.chain(hard).map(rounded);
-    let mut inputs: Vec<X> = hard.filter(asked).collect();
-    let random_from = inputs.len();
-    let drawn = (0..plan.samples).map(|i| random(&mut plan.draw(i)));
-    inputs.extend(drawn.map(rounded).filter(asked));
-    (inputs, random_from)
+    let mut all: Vec<X> = hard.filter(X::inside).collect();
+    let (random_from, mut outside) = (all.len(), 0);
+    for i in 0..plan.samples {
+        let mut draw = plan.draw(i);
+        let mut x = rounded(random(&mut draw));
+        let mut attempts = 1;
+        while attempts < ATTEMPTS && plan.inside.is_some_and(|inside| !inside(&x.scalars())) {
+            (x, attempts) = (rounded(random(&mut draw)), attempts + 1);
+            outside += 1;
+        }
+        all.extend(Some(x).filter(X::inside));
+    }
+    Inputs {
+        all,
+        random_from,
+        outside,
+    }
 }
 
 /// Makes subjects near an input and hands them over. Not generic: what judges them is compiled once per
@@ -125,10 +148,15 @@ type With<'a, X> = &'a dyn Fn(&X, Option<&Batch<'_>>, &mut dyn FnMut(&dyn Subjec
 fn judged<X: Sample>(
     name: &'static str,
     plan: &Plan<'_>,
-    (inputs, random_from): (Vec<X>, usize),
+    inputs: Inputs<X>,
     asks: Vec<Ask<'_>>,
     with: With<'_, X>,
 ) -> Result<Report, Error> {
+    let Inputs {
+        all: inputs,
+        random_from,
+        outside,
+    } = inputs;
     let batch = match asks.is_empty() {
         true => None,
         false => {
@@ -140,6 +168,7 @@ fn judged<X: Sample>(
     let mut report = examine(name, plan, &inputs, random_from, |x, judge| {
         with(x, batch, &mut |subject| judge(subject));
     });
+    report.outside += outside;
     let worst = inputs.get(report.worst[1].nearest.sample);
     if let Some(x) = worst.filter(|_| plan.draws) {
         let title = format!("{name}: where adjoint and differences are farthest apart");
@@ -231,6 +260,16 @@ where
     O::In<S>: Row,
     O::Out<S>: Row,
 {
+    let domain = |x: &[f64]| O::DOMAIN.is_none_or(|inside| inside(O::In::<f64>::load(x)));
+    let stated: Option<&dyn Fn(&[f64]) -> bool> = match O::DOMAIN {
+        Some(_) => Some(&domain),
+        None => None,
+    };
+    let plan = &Plan {
+        inside: plan.inside.or(stated),
+        resolution: plan.resolution.or(Some(O::RESOLUTION)),
+        ..*plan
+    };
     let wide = match Precision::of::<S>() {
         Precision::F32 => recording::<O, f64>().ok(),
         Precision::F64 => None,

@@ -82,8 +82,8 @@ where
         self.points.push(point.scalars());
         self
     }
-    /// Where the operation is defined, beside what its shapes say: inputs outside are left out, and no step leads
-    /// there.
+    /// Where the operation is defined, beside what its shapes say: inputs outside are not judged, and no step leads
+    /// there. It stands in the place of the [domain](Op::DOMAIN) that the row states.
     ///
     /// ```
     /// use geograd::check::*;
@@ -110,7 +110,8 @@ where
         self
     }
     /// How far values may be off, beyond rounding, in the unit of the result: by a table, by an iteration that
-    /// stops, by digits that cancel in single precision. Slopes are held to what they were held to.
+    /// stops, by digits that cancel in single precision. Slopes are held to what they were held to. It stands in the
+    /// place of what the row [states](Op::RESOLUTION).
     ///
     /// ```
     /// use geograd::check::*;
@@ -131,13 +132,13 @@ where
     /// ```
     #[must_use]
     pub fn resolution(mut self, absolute: f64) -> Self {
-        self.plan.resolution[0] = absolute;
+        self.plan.resolution.get_or_insert(O::RESOLUTION)[0] = absolute;
         self
     }
     /// The same as a share of each number of the result.
     #[must_use]
     pub fn relative_resolution(mut self, share: f64) -> Self {
-        self.plan.resolution[1] = share;
+        self.plan.resolution.get_or_insert(O::RESOLUTION)[1] = share;
         self
     }
     /// A derivative by hand must share exact ties as duals do.

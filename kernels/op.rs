@@ -76,6 +76,11 @@ pub trait Op: Copy + Debug + Default + Send + Sync + 'static {
     const RANGE: Range = Range::ANY;
     /// What identical shapes and shapes apart score.
     const EXTREMES: Extremes = Extremes::Unsaid;
+    /// Where it is defined, beside the rules of its shapes; `None` for everywhere. The harness and the fuzzer keep to it;
+    /// batches compute outside, too.
+    const DOMAIN: Option<fn(Self::In<f64>) -> bool> = None;
+    /// How far values may be off, beyond rounding: in the unit of the result, and as a share of each of its numbers.
+    const RESOLUTION: [f64; 2] = [0.0; 2];
     /// The names of its arguments, one for each; empty where they have none of their own.
     const ARGUMENTS: &'static [&'static str] = &[];
     /// What it gives, in Markdown: the doc comment of its row; empty where there is none.

@@ -30,6 +30,44 @@
 /// # Ok::<(), geograd::Error>(())
 /// ```
 ///
+/// A function that is not defined everywhere says where it is, of the same arguments made of `f64`; one whose values are
+/// off by more than rounding says by how much. Both come between `jumps` and `slopes`, and [`Check::of`] takes them from
+/// there. A camera has a pole in the plane of its aperture, so its row is refused without the domain:
+///
+/// ```
+/// use geograd::check::*;
+/// use geograd::{Shape, Vec2, Vec3, operation};
+///
+/// /// A pinhole camera at the origin that looks along z.
+/// #[derive(Clone, Copy, Debug, PartialEq, Shape)]
+/// pub struct Camera<S> {
+///     #[shape(positive)]
+///     focal: S,
+///     center: Vec2<S>,
+/// }
+///
+/// operation! {
+///     /// The image of a point, in pixels.
+///     pub Project = "project": (point: Vec3<S>, camera: Camera<S>) -> Vec2<S> {
+///         let scale = camera.focal.over(point.z);
+///         Vec2::new(point.x * scale, point.y * scale) + camera.center
+///     }
+///     promises []
+///     jumps Never
+///     domain { point.z > 0.1 }
+///     slopes Reverse
+/// }
+///
+/// Check::of(Project).samples(50).prove();
+/// let everywhere = Check::of(Project).samples(50).inside(|_| true).run();
+/// assert!(everywhere.iter().any(|report| !report.passed()));
+/// ```
+///
+/// Inputs outside are not judged, and a report says how many there were. `resolution 1e-9` is in the unit of the result,
+/// `relative_resolution 1e-6` a share of each of its numbers.
+///
+/// [`Check::of`]: crate::check::Check::of
+///
 /// An adjoint by hand is a further formula, of the arguments and the cotangent of the result, that
 /// gives the result and the slopes:
 ///
@@ -66,6 +104,9 @@ macro_rules! operation {
         $(range $range:ident)?
         $(extremes $extremes:ident)?
         jumps $jumps:ident
+        $(domain $domain:block)?
+        $(resolution $absolute:literal)?
+        $(relative_resolution $share:literal)?
         slopes $slopes:ident $(|$input:pat_param, $out_bar:ident| $adjoint:block)?
         $(=> compiled { $compiled:expr })?
     )+) => { $(
@@ -94,6 +135,10 @@ macro_rules! operation {
             $(const RANGE: $crate::kernels::op::Range = $crate::kernels::op::Range::$range;)?
             $(const EXTREMES: $crate::kernels::op::Extremes =
                 $crate::kernels::op::Extremes::$extremes;)?
+            #[allow(unused_parens, unused_variables)]
+            const DOMAIN: ::core::option::Option<fn(Self::In<f64>) -> bool> =
+                $crate::__domain!(($($arg),+) $($domain)?);
+            const RESOLUTION: [f64; 2] = [0.0 $(+ $absolute)?, 0.0 $(+ $share)?];
             #[allow(unused_imports, unused_parens)]
             fn eval<S: $crate::Scalar>(($($arg),+): Self::In<S>) -> Self::Out<S> {
                 use $crate::{Mask as _, Scalar as _};
@@ -127,4 +172,12 @@ macro_rules! __doc {
         $crate::__doc!([$($line,)* $next,] $($rest)*)
     };
     ([$($line:expr,)*] [$($other:tt)*] $($rest:tt)*) => { $crate::__doc!([$($line,)*] $($rest)*) };
+}
+
+/// A domain, given its arguments and its formula, if there is one.
+#[doc(hidden)]
+#[macro_export]
+macro_rules! __domain {
+    (($($arg:ident),+)) => { ::core::option::Option::None };
+    (($($arg:ident),+) $domain:block) => { ::core::option::Option::Some(|($($arg),+)| $domain) };
 }

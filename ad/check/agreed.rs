@@ -83,7 +83,7 @@ impl Subject for Agreed<'_> {
         self.plan.scales.is_none() && self.subject().guessed_scales()
     }
     fn resolution(&self, y: &[f64]) -> Vec<f64> {
-        let [absolute, share] = self.plan.resolution;
+        let [absolute, share] = self.plan.resolution.unwrap_or_default();
         let mut all = self.subject().resolution(y);
         for (own, y) in all.iter_mut().zip(y) {
             *own = own.max(absolute).max(share * y.abs());

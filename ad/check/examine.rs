@@ -6,7 +6,7 @@ use crate::ad::check::report::{Failure, Report};
 use crate::ad::check::sample::Draw;
 use crate::ad::check::shrink::{code, shrunk};
 use crate::ad::check::subject::Subject;
-use crate::ad::check::tolerances::{ENOUGH, KEPT, SMOOTH_ONE_IN};
+use crate::ad::check::tolerances::{ENOUGH, INSIDE_ONE_IN, KEPT, SMOOTH_ONE_IN};
 use crate::ad::check::trace::Number;
 use crate::ad::check::verdict::{Findings, Place, Reason};
 use crate::ad::check::witness::Precision;
@@ -34,8 +34,10 @@ pub struct Plan<'a> {
     /// of both sides is right.
     pub shared_ties: bool,
     /// How far values may be off, absolutely and as a share: see [`Check::resolution`](crate::check::Check::resolution).
-    pub resolution: [f64; 2],
-    /// The domain, beside the rules of the shapes: inputs outside are left out, no step leads there.
+    /// `None` takes what an operation says of itself.
+    pub resolution: Option<[f64; 2]>,
+    /// The domain, beside the rules of the shapes: inputs outside are not judged, no step leads there. `None` takes what
+    /// an operation says of itself.
     pub inside: Option<&'a dyn Fn(&[f64]) -> bool>,
     /// For each number, the length over which the function may be expected to change, if shapes do not tell.
     pub scales: Option<&'a dyn Fn(&[f64]) -> Vec<f64>>,
@@ -53,7 +55,7 @@ impl Plan<'_> {
             draws: false,
             tick: None,
             shared_ties: false,
-            resolution: [0.0; 2],
+            resolution: None,
             inside: None,
             scales: None,
         }
@@ -78,7 +80,8 @@ pub fn examine<S: Number, X: Pack<Scalar = S> + Debug>(
     meet: impl Fn(&X, &mut dyn FnMut(&dyn Subject)),
 ) -> Report {
     let mut precision = Precision::F64;
-    let mut judged = |x: &X, sample: usize| -> Findings {
+    // Nothing is found outside the domain.
+    let mut judged = |x: &X, sample: usize| -> Option<Findings> {
         let list: Vec<f64> = x.scalars().iter().map(|x| x.widen()).collect();
         let mut findings = None;
         meet(x, &mut |subject| {
@@ -87,16 +90,22 @@ pub fn examine<S: Number, X: Pack<Scalar = S> + Debug>(
             let list: Vec<f64> = list.iter().map(|&x| precision.round(x)).collect();
             let subject = Held::Lent(subject);
             let subject = Agreed { subject, plan };
-            findings = Some(judge(&subject, &list, plan.seed ^ sample as u64));
+            if subject.inside(&list) {
+                findings = Some(judge(&subject, &list, plan.seed ^ sample as u64));
+            }
         });
-        findings.expect("the function was handed over")
+        findings
     };
     let mut report = Report::empty(name, plan.seed);
-    let mut smooth = 0;
+    let (mut smooth, mut drawn) = (0, 0);
     let mut covered: Vec<bool> = Vec::new();
     for (sample, x) in inputs.iter().enumerate() {
-        let findings = judged(x, sample);
+        let Some(findings) = judged(x, sample) else {
+            report.outside += 1;
+            continue;
+        };
         report.samples += 1;
+        drawn += usize::from(sample >= random_from);
         report.places[match findings.place {
             Place::Smooth => 0,
             Place::Kink => 1,
@@ -144,9 +153,13 @@ pub fn examine<S: Number, X: Pack<Scalar = S> + Debug>(
         let shown = judged.filter(|_| worst.nearest.share > 0.0);
         shown.map_or_else(String::new, code)
     });
-    let drawn = inputs.len().saturating_sub(random_from);
+    let asked = inputs.len().saturating_sub(random_from);
     let uncovered = covered.iter().position(|covered| !covered);
-    if drawn >= ENOUGH && smooth * SMOOTH_ONE_IN < drawn {
+    if asked >= ENOUGH && drawn * INSIDE_ONE_IN < asked {
+        report.refused += 1;
+        let failure = Failure::of_all(Reason::FewInside, random_from, 0);
+        report.failures.push(failure);
+    } else if drawn >= ENOUGH && smooth * SMOOTH_ONE_IN < drawn {
         report.refused += 1;
         let failure = Failure::of_all(Reason::NothingSmooth, random_from, 0);
         report.failures.push(failure);

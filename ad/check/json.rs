@@ -11,7 +11,7 @@ impl Report {
         let _ = write!(
             out,
             "{{\"name\":{},\"precision\":\"{:?}\",\"seed\":{},\"passed\":{},\"samples\":{},\
-             \"smooth\":{},\"kink\":{},\"undefined\":{},\"conventions\":{},\"jumps\":{},\
+             \"outside\":{},\"smooth\":{},\"kink\":{},\"undefined\":{},\"conventions\":{},\"jumps\":{},\
              \"directions\":{{\"smooth\":{},\"kink\":{},\"undefined\":{},\"switched\":{}}},\
              \"smallest_margin\":{},\"refused\":{},\"pairs\":[",
             quoted(&self.name),
@@ -19,6 +19,7 @@ impl Report {
             self.seed,
             self.passed(),
             self.samples,
+            self.outside,
             self.places[0],
             self.places[1],
             self.places[2],

@@ -164,7 +164,9 @@
 //! check().resolution(1e-7).prove();
 //! ```
 //!
-//! An operation takes the same words: `Check::of(operation).resolution(1e-7).inside(…)`. One that cannot be recorded is
+//! An operation takes the same words: `Check::of(operation).resolution(1e-7).inside(…)`, and its row may state them
+//! ([`operation!`](crate::operation): `domain`, `resolution`). Inputs outside are counted and not judged; a domain in which
+//! fewer than a tenth of the random inputs lie is [`FewInside`](crate::ad::check::verdict::Reason::FewInside). An operation that cannot be recorded is
 //! [`Unrecordable`](crate::ad::check::verdict::Reason::Unrecordable), with what to do.
 //!
 //! # How far the verdict goes

@@ -47,6 +47,8 @@ pub struct Report {
     pub seed: u64,
     /// How many inputs were judged.
     pub samples: u64,
+    /// How many inputs were outside the domain, and not judged.
+    pub outside: u64,
     /// How many of them were smooth places, kinks, and undefined.
     pub places: [u64; 3],
     /// How many needed a declared convention.
@@ -81,6 +83,7 @@ impl Report {
             precision: Precision::F64,
             seed,
             samples: 0,
+            outside: 0,
             places: [0; 3],
             conventions: 0,
             jumps: 0,
@@ -198,6 +201,13 @@ impl fmt::Display for Report {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         writeln!(f, "{}", Report::heading())?;
         writeln!(f, "{}", self.line())?;
+        if self.outside > 0 {
+            writeln!(
+                f,
+                "  {} inputs outside the domain are not judged",
+                self.outside
+            )?;
+        }
         for Failure {
             sample,
             fault,

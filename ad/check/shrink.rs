@@ -46,7 +46,7 @@ pub(crate) fn shrunk<S: Number, X: Pack<Scalar = S> + Debug>(
     x: &X,
     fault: Fault,
     place: Place,
-    mut judged: impl FnMut(&X) -> Findings,
+    mut judged: impl FnMut(&X) -> Option<Findings>,
 ) -> (X, Fault) {
     let mut least = (x.clone(), fault);
     let mut left = SHRINKING;
@@ -59,7 +59,7 @@ pub(crate) fn shrunk<S: Number, X: Pack<Scalar = S> + Debug>(
         };
         let mut candidates = simpler(&least.0).take_while(affordable);
         let found = candidates.find_map(|candidate| {
-            let found = catch_unwind(AssertUnwindSafe(|| judged(&candidate))).ok()?;
+            let found = catch_unwind(AssertUnwindSafe(|| judged(&candidate))).ok()??;
             let same_place = |f: &Fault| {
                 let own = (f.output, f.input) == (least.1.output, least.1.input);
                 own || candidate.count() != count || fault.numbers.along

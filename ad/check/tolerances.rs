@@ -167,6 +167,8 @@ pub(crate) const NO_UNIT: f64 = 1e150;
 /// Of this many random inputs or more, one in so many must be smooth, or nothing was proved.
 pub(crate) const ENOUGH: usize = 20;
 pub(crate) const SMOOTH_ONE_IN: usize = 10;
+/// And one in so many must be inside the domain.
+pub(crate) const INSIDE_ONE_IN: usize = 10;
 /// How many failures a report keeps: one of each reason is what is read.
 pub(crate) const KEPT: usize = 8;
 /// How many numbers simpler inputs of a failure may have together: 400 short inputs are tried.

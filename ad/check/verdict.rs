@@ -53,6 +53,8 @@ pub enum Reason {
     MotionUnbalanced(Motion),
     /// The operation cannot be recorded as a program, so that nothing was judged.
     Unrecordable(Unrecordable),
+    /// Hardly a random input was inside the domain, so that nothing was proved.
+    FewInside,
     /// Hardly a sample was smooth, so that nothing was proved.
     NothingSmooth,
     /// At no sample could any witness say anything about this number of the input: there was no

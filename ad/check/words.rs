@@ -61,6 +61,9 @@ impl fmt::Display for Reason {
                 write!(f, "the slopes break a promise when the input {motion}")
             }
             Reason::Unrecordable(why) => write!(f, "the operation cannot be recorded: {why}"),
+            Reason::FewInside => f.write_str(
+                "hardly a random input was inside the domain, so nothing was proved",
+            ),
             Reason::NothingSmooth => {
                 f.write_str("hardly an input was smooth, so nothing was proved")
             }
@@ -86,6 +89,10 @@ pub(crate) fn remedy(reason: Reason) -> &'static [&'static str] {
         Reason::Disagree(Witness::Adjoint, Witness::Wide) => &[
             "remedy: single precision loses digits that the function does not; write the formula so that they stay,",
             "        or prove and use it in double precision alone",
+        ],
+        Reason::FewInside => &[
+            "remedy: say a wider domain, or give inputs inside it: with `Check::drawn`, or of an operation one by one with",
+            "        `and`, and `samples(0)`",
         ],
         Reason::Unrecordable(Unrecordable::Constant) => &[
             "remedy: use finite literals, such as the largest number (`S::LARGEST`) instead of infinity",
@@ -199,7 +206,7 @@ pub(crate) fn place(fault: &Fault, names: &[String]) -> String {
         Reason::NotFinite(Witness::Value) | Reason::Impure(Witness::Value) => {
             "the value".to_owned()
         }
-        Reason::NothingSmooth => "all random inputs".to_owned(),
+        Reason::FewInside | Reason::NothingSmooth => "all random inputs".to_owned(),
         Reason::Unrecordable(_) => "no input was judged".to_owned(),
         _ if numbers.along => {
             format!("slope of output {output} along a random direction, {named} among others")

@@ -1,6 +1,7 @@
 //! Lists of inputs, and how they are drawn.
 use super::job::Job;
 use super::numbers::{Family, limited, limits_of, power};
+use super::{Finding, Promise};
 use crate::Vec2;
 use crate::ad::check::sample::Draw;
 use crate::ad::check::symmetry::Kind;
@@ -27,6 +28,8 @@ pub(super) struct Inputs<T> {
     pub offsets: Vec<usize>,
     /// How many inputs.
     pub count: usize,
+    /// How many more were drawn outside the domain.
+    pub outside: u64,
 }
 
 impl<T: Real> Inputs<T> {
@@ -57,7 +60,29 @@ impl<T: Real> Inputs<T> {
             vertices: path.repeat(count),
             offsets: (0..=count).map(|i| i * path.len()).collect(),
             count,
+            outside: 0,
         }
+    }
+    /// Puts numbers in the place of those of an input of fixed size.
+    pub fn put(&mut self, job: &Job<T>, i: usize, numbers: &[T]) {
+        let mut rest = numbers;
+        for (shape, column) in job.shapes.iter().zip(&mut self.columns) {
+            let n = shape.leaf.fields;
+            let (own, others) = rest.split_at(n);
+            rest = others;
+            column[i * n..][..n].copy_from_slice(own);
+        }
+    }
+    /// Keeps inputs of fixed size at some places, which ascend.
+    pub fn keep(&mut self, job: &Job<T>, places: &[usize]) {
+        for (shape, column) in job.shapes.iter().zip(&mut self.columns) {
+            let n = shape.leaf.fields;
+            for (to, &from) in places.iter().enumerate() {
+                column.copy_within(from * n..(from + 1) * n, to * n);
+            }
+            column.truncate(places.len() * n);
+        }
+        self.count = places.len();
     }
     /// With the second shape instead of the first, and the first instead of the second.
     pub fn exchanged(&self) -> Self {
@@ -81,6 +106,12 @@ pub(super) fn is_valid<T: Real>(job: &Job<T>, numbers: &[T]) -> bool {
         rest = others;
         (shape.leaf.check)(own).is_ok()
     }) && rest.iter().all(|x| x.finite())
+        && is_inside(job, numbers)
+}
+
+/// Whether numbers are inside the domain.
+pub(super) fn is_inside<T: Real>(job: &Job<T>, numbers: &[T]) -> bool {
+    job.domain.is_none_or(|inside| inside(numbers))
 }
 
 /// Numbers of one kind beside one another: families of numbers.
@@ -95,10 +126,15 @@ enum Mix {
 }
 
 impl<T: Real> Job<T> {
-    /// Draws inputs.
-    pub(super) fn draw(&self, draw: &mut Draw, inputs: &mut Inputs<T>, count: usize) {
+    /// Draws inputs, all of them inside the domain, if any can be found there.
+    pub(super) fn draw(
+        &self,
+        draw: &mut Draw,
+        inputs: &mut Inputs<T>,
+        count: usize,
+    ) -> Result<(), Finding> {
         let limits = limits_of::<T>(self.promised.finite);
-        inputs.count = count;
+        (inputs.count, inputs.outside) = (count, 0);
         let mix = match draw.below(4) {
             0 | 1 => Mix::One,
             2 => Mix::ByField,
@@ -148,6 +184,36 @@ impl<T: Real> Job<T> {
             }
         }
         self.mend(draw, inputs, limits);
+        self.keep_inside(draw, inputs, limits)
+    }
+
+    /// Replaces inputs outside the domain by those of the harness that are inside, stretched.
+    fn keep_inside(
+        &self,
+        draw: &mut Draw,
+        inputs: &mut Inputs<T>,
+        limits: Option<[i32; 2]>,
+    ) -> Result<(), Finding> {
+        if self.domain.is_none() {
+            return Ok(());
+        }
+        let mut base = Vec::new();
+        for i in 0..inputs.count {
+            if is_inside(self, &inputs.item(self, i)) {
+                continue;
+            }
+            if inputs.outside.is_multiple_of(GROUP as u64) {
+                base = self.sampled(draw, limits);
+            }
+            inputs.outside += 1;
+            if base.is_empty() {
+                let promise = Promise::Domain;
+                return Err(Finding { promise, at: i });
+            }
+            let stretched = self.stretched(draw, &base, limits);
+            inputs.put(self, i, stretched.as_ref().unwrap_or(&base));
+        }
+        Ok(())
     }
 
     fn draw_paths(
@@ -245,7 +311,8 @@ impl<T: Real> Job<T> {
         }
     }
 
-    /// An input of the harness that is valid and within limits.
+    /// An input of the harness that is valid, inside the domain, and within limits if one of them is; nothing if none
+    /// is valid.
     fn sampled(&self, draw: &mut Draw, limits: Option<[i32; 2]>) -> Vec<T> {
         let mut last = Vec::new();
         for _ in 0..ATTEMPTS {

@@ -82,6 +82,8 @@ pub struct Job<T: Real> {
     /// Numbers of every shape of a result.
     pub(super) outputs: Vec<usize>,
     pub(super) promised: Promised,
+    /// Whether an input is inside the domain that the row states, if it states one.
+    pub(super) domain: Option<fn(&[T]) -> bool>,
     /// Results.
     pub(super) values: Compute<T, 0>,
     /// Slopes of cotangents.
@@ -215,6 +217,10 @@ impl<T: Real> Job<T> {
                 .map(|leaf| leaf.fields)
                 .collect(),
             promised: Promised::new((O::PROMISES, O::JUMPS), O::FINITE, O::RANGE, O::EXTREMES),
+            domain: O::DOMAIN.is_some().then_some(|x: &[T]| {
+                let x: Vec<f64> = x.iter().map(|x| x.widen()).collect();
+                O::DOMAIN.is_none_or(|inside| inside(O::In::<f64>::load(&x)))
+            }),
             values: faced(move || face(Want::Value, false)),
             slopes: faced(move || face(Want::Vjp, false)),
             both: is_number.then(|| faced(move || face(Want::ValueGrad, false))),
@@ -267,6 +273,7 @@ impl<T: Real> Job<T> {
                 .map(|leaf| leaf.fields)
                 .collect(),
             promised: Promised::new((D::PROMISES, D::JUMPS), D::FINITE, D::RANGE, D::EXTREMES),
+            domain: None,
             values: faced(move || face(Want::Value)),
             slopes: faced(move || face(Want::Vjp)),
             both: is_number.then(|| faced(move || face(Want::ValueGrad))),
@@ -297,6 +304,7 @@ impl<T: Real> Job<T> {
                 O::RANGE,
                 Extremes::Unsaid,
             ),
+            domain: None,
             values: Box::new(|inputs, []| {
                 let values = Cpu::new().ragged(O::default(), &inputs.vertices, &inputs.offsets)?;
                 Ok(vec![numbers(&values).into_owned()])
@@ -342,6 +350,7 @@ impl<T: Real> Job<T> {
                 F::RANGE,
                 Extremes::Unsaid,
             ),
+            domain: None,
             values: Box::new(|inputs, []| {
                 let contexts = contexts::<F, T>(inputs);
                 let values =

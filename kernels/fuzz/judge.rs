@@ -1,5 +1,5 @@
 //! What is asked of many inputs of an operation.
-use super::inputs::Inputs;
+use super::inputs::{Inputs, is_inside};
 use super::job::{Job, Lists};
 use super::numbers::{Family, limits_of, power};
 use super::{Finding, Promise};
@@ -388,7 +388,18 @@ impl<T: Real> Job<T> {
         {
             return Ok(());
         }
-        let found = self.compute(&inputs.twins())?;
+        // Twins outside the domain are left out.
+        let mut twins = inputs.twins();
+        let mut places: Vec<usize> = (0..inputs.count).collect();
+        if self.domain.is_some() {
+            places.retain(|&i| is_inside(self, &twins.item(self, i)));
+            if places.is_empty() {
+                return Ok(());
+            }
+            twins.keep(self, &places);
+        }
+        let found = self.compute(&twins)?;
+        let unless = |promise, place: Option<usize>| unless(promise, place.map(|at| places[at]));
         let ill = |x: &T| (*x != T::one()) & (*x != T::zero());
         unless(Promise::Identical, first_where(&found.values[0], ill))?;
         // Nothing decides a union alone; a share of the first box has a kink here.
@@ -410,7 +421,14 @@ impl<T: Real> Job<T> {
         if !self.promised.symmetric || a != b || self.outputs.len() != 1 {
             return Ok(());
         }
-        let others = (self.values)(&inputs.exchanged(), []);
+        let mut exchanged = inputs.exchanged();
+        for i in 0..inputs.count {
+            // One that leaves the domain stays as it is.
+            if self.domain.is_some() && !is_inside(self, &exchanged.item(self, i)) {
+                exchanged.put(self, i, &inputs.item(self, i));
+            }
+        }
+        let others = (self.values)(&exchanged, []);
         let others = others.map_err(|_| Finding {
             promise: Promise::Accepted,
             at: 0,

@@ -47,6 +47,8 @@ const CHUNK: usize = 2048;
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 #[non_exhaustive]
 pub enum Promise {
+    /// No input inside of its domain was found.
+    Domain,
     /// A valid input was refused.
     Accepted,
     /// A value or a slope is infinite or not a number.
@@ -68,6 +70,7 @@ pub enum Promise {
 impl fmt::Display for Promise {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         f.write_str(match self {
+            Promise::Domain => "no input inside the domain was drawn",
             Promise::Accepted => "a valid input is refused",
             Promise::Finite => "a number is not finite",
             Promise::Range => "the value is out of range",
@@ -102,6 +105,8 @@ pub struct Fuzzed {
     pub format: &'static str,
     /// How many inputs were drawn.
     pub inputs: u64,
+    /// How many more were drawn outside the domain, and drawn anew.
+    pub outside: u64,
     /// How long it took.
     pub time: Duration,
     /// The first thing that was found, if any.
@@ -118,10 +123,17 @@ impl fmt::Display for Fuzzed {
             f,
             "{op:34} {format}  {inputs:>13} inputs, {rate:6.2} million a second: "
         )?;
-        let Some(broken) = &self.broken else {
-            return f.write_str("ok");
+        let outside = |f: &mut fmt::Formatter<'_>| match self.outside {
+            0 => Ok(()),
+            n => write!(f, ", {n} draws outside the domain"),
         };
-        write!(f, "{}\n    {}", broken.promise, broken.code)?;
+        let Some(broken) = &self.broken else {
+            f.write_str("ok")?;
+            return outside(f);
+        };
+        write!(f, "{}", broken.promise)?;
+        outside(f)?;
+        write!(f, "\n    {}", broken.code)?;
         match broken.upstream.iter().all(|&x| x == 1.0) {
             true => Ok(()),
             false => write!(f, "\n    upstream {:?}", broken.upstream),
@@ -177,7 +189,7 @@ struct Finding {
 /// own.
 pub(crate) fn run<T: Real>(job: &Job<T>, count: u64, seed: u64) -> Fuzzed {
     let start = Instant::now();
-    let (next, done) = (AtomicU64::new(0), AtomicU64::new(0));
+    let [next, done, outside] = [0; 3].map(AtomicU64::new);
     let broken: Mutex<Option<(u64, Broken)>> = Mutex::new(None);
     let per_chunk = (CHUNK as u64).min(count.max(1));
     let chunks = count.div_ceil(per_chunk);
@@ -190,9 +202,11 @@ pub(crate) fn run<T: Real>(job: &Job<T>, count: u64, seed: u64) -> Fuzzed {
             }
             // Every chunk has numbers of its own, whoever draws them.
             let mut draw = Draw::new(Draw::new(seed).bits() ^ i << 20);
-            job.draw(&mut draw, &mut inputs, per_chunk as usize);
+            let inhabited = job.draw(&mut draw, &mut inputs, per_chunk as usize);
             let bars = job.cotangents(&mut draw, inputs.count);
-            let outcome = job.judge(&inputs, &bars, Thorough::some(&mut draw));
+            let outcome =
+                inhabited.and_then(|()| job.judge(&inputs, &bars, Thorough::some(&mut draw)));
+            outside.fetch_add(inputs.outside, Ordering::Relaxed);
             done.fetch_add(per_chunk, Ordering::Relaxed);
             if let Err(Finding { promise, at }) = outcome {
                 let mut first = broken.lock().unwrap_or_else(PoisonError::into_inner);
@@ -222,6 +236,7 @@ pub(crate) fn run<T: Real>(job: &Job<T>, count: u64, seed: u64) -> Fuzzed {
             "f32"
         },
         inputs: done.into_inner(),
+        outside: outside.into_inner(),
         time: start.elapsed(),
         broken: broken.map(|(_, broken)| broken),
     }

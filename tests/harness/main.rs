@@ -4,6 +4,7 @@ mod behaviour;
 mod checker;
 mod corpus;
 mod difficult;
+mod domain;
 mod everyday;
 mod forward;
 mod hashes;

@@ -1,0 +1,176 @@
+//! Rows that state where they are defined and how far their values may be off.
+use geograd::check::*;
+use geograd::kernels::fuzz::{self, Promise as Fuzzing};
+use geograd::kernels::op::Op;
+use geograd::{Shape, Vec2, Vec3, operation};
+
+/// A pinhole camera at the origin that looks along z.
+#[derive(Clone, Copy, Debug, PartialEq, Shape)]
+pub struct Camera<S> {
+    #[shape(positive)]
+    focal: S,
+    center: Vec2<S>,
+}
+
+impl<S: Scalar> Camera<S> {
+    fn image(self, point: Vec3<S>) -> Vec2<S> {
+        let scale = self.focal.over(point.z);
+        Vec2::new(point.x * scale, point.y * scale) + self.center
+    }
+}
+
+operation! {
+    /// The image of a point.
+    pub Project = "project": (point: Vec3<S>, camera: Camera<S>) -> Vec2<S> { camera.image(point) }
+    promises []
+    jumps Never
+    domain { point.z > 0.1 }
+    slopes Reverse
+
+    /// The image of a point, of which nothing is said.
+    pub ProjectAnywhere = "project_anywhere": (point: Vec3<S>, camera: Camera<S>) -> Vec2<S> { camera.image(point) }
+    promises []
+    jumps Never
+    slopes Reverse
+
+    /// A root of one number that no random one has.
+    pub Nowhere = "nowhere": (x: S) -> S { x.root() }
+    promises []
+    jumps Never
+    domain { x == 0.123 }
+    slopes Reverse
+
+    /// By how much a hyperbola rises above its vertex.
+    pub Rise = "rise": (x: S, y: S) -> S { (S::one() + x * x + y * y).root() - S::one() }
+    promises [Exchange Stays]
+    jumps Never
+    resolution 1e-7
+    slopes Reverse
+
+    /// The logarithm of a ratio, which is smaller than one.
+    pub Loss = "loss": (part: S, whole: S) -> S { part.over(whole).ln() }
+    promises [Scaling Stays]
+    jumps Never
+    domain { part > 0.01 && whole > part }
+    relative_resolution 1e-4
+    slopes ByHand |(part, whole), out_bar| {
+        (part.over(whole).ln(), (out_bar.over(part), -out_bar.over(whole)))
+    }
+}
+
+#[test]
+fn a_camera_is_provable_inside_its_domain() {
+    for report in Check::of(Project).run() {
+        assert!(report.passed(), "{report}");
+        // Every second random point is behind the camera and is drawn anew; hard cases are not.
+        assert!(report.outside > 100 && report.samples > 150, "{report}");
+        let said = format!(
+            "{} inputs outside the domain are not judged",
+            report.outside
+        );
+        assert!(report.to_string().contains(&said), "{report}");
+        assert!(
+            report
+                .json()
+                .contains(&format!("\"outside\":{},", report.outside))
+        );
+    }
+}
+
+#[test]
+fn a_camera_is_refused_without_a_domain() {
+    assert!(ProjectAnywhere::DOMAIN.is_none());
+    for report in Check::of(ProjectAnywhere).run() {
+        assert!(!report.passed(), "{report}");
+        assert_eq!(report.outside, 0);
+    }
+    // A caller's domain stands in the place of the row's.
+    for report in Check::of(Project).inside(|_| true).run() {
+        assert!(!report.passed() && report.outside == 0, "{report}");
+    }
+    Check::of(ProjectAnywhere)
+        .inside(|(point, _)| point.z > 0.1)
+        .prove();
+}
+
+#[test]
+fn a_wrong_slope_inside_is_refused() {
+    operation! {
+        /// The logarithm of a number, with a slope of something else.
+        pub Wrong = "wrong": (x: S) -> S { x.ln() }
+        promises []
+        jumps Never
+        domain { x > 0.01 }
+        slopes ByHand |x, out_bar| { (x.ln(), out_bar.over(x + x)) }
+    }
+    for report in Check::of(Wrong).run() {
+        assert!(
+            report.refused_for(Reason::Disagree(Witness::Adjoint, Witness::Dual)),
+            "{report}"
+        );
+        let outside = report
+            .failures
+            .iter()
+            .any(|failure| failure.input.iter().any(|x| *x <= 0.01));
+        assert!(!outside, "shrunk out of the domain: {report}");
+    }
+}
+
+#[test]
+fn a_domain_that_leaves_too_few_inputs_is_refused() {
+    for report in Check::of(Nowhere).run() {
+        assert!(report.refused_for(Reason::FewInside), "{report}");
+        assert_eq!(report.samples, 0);
+        assert!(report.to_string().contains("samples(0)"), "{report}");
+    }
+    // With an input of one's own there is something to judge.
+    Check::of(Nowhere)
+        .samples(0)
+        .inside(|x| *x > 0.1 && *x < 0.2)
+        .and(0.123)
+        .prove();
+    // A function's own draws are held to the same.
+    let narrow = Check::random(200, 1)
+        .value(|x: f64| x.sqrt())
+        .gradient(|x| 0.5 / x.sqrt());
+    let report = narrow.inside(|x| (0.1..0.1001).contains(x)).run();
+    assert!(report.refused_for(Reason::FewInside), "{report}");
+}
+
+#[test]
+fn a_resolution_is_the_rows() {
+    Check::of(Rise).prove();
+    Check::of(Loss).prove();
+    assert_eq!(
+        (Rise::RESOLUTION, Loss::RESOLUTION),
+        ([1e-7, 0.0], [0.0, 1e-4])
+    );
+    // A caller may ask for more.
+    let [single, double] = Check::of(Rise).resolution(0.0).run();
+    assert!(
+        single.refused_for(Reason::ValuesDisagree(Witness::Wide)),
+        "{single}"
+    );
+    assert!(double.passed(), "{double}");
+}
+
+#[test]
+fn fuzzers_stay_inside() {
+    let fuzzed = fuzz::operation::<Project, f32>(20_000, 1);
+    assert_eq!(fuzzed.broken, None, "{fuzzed}");
+    assert!(
+        fuzzed.outside > 1000 && fuzzed.to_string().contains("outside the domain"),
+        "{fuzzed}"
+    );
+    let fuzzed = fuzz::operation::<Loss, f64>(20_000, 1);
+    assert_eq!(fuzzed.broken, None, "{fuzzed}");
+    // The pole is found without the domain.
+    let broken = fuzz::operation::<ProjectAnywhere, f64>(20_000, 1)
+        .broken
+        .expect("z = 0");
+    assert_eq!(broken.promise, Fuzzing::Finite);
+    let broken = fuzz::operation::<Nowhere, f64>(20_000, 1)
+        .broken
+        .expect("nothing to draw");
+    assert_eq!(broken.promise, Fuzzing::Domain);
+}
