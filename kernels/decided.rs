@@ -99,12 +99,12 @@ fn item<D: Decided<In<<R as Pack>::Scalar> = R>, R: Row>(
 
 /// How batches compute what is wanted of an operation.
 #[doc(hidden)]
-pub fn face<D, R: Row>(want: Want, ask: Ask) -> Result<Arc<Face<R::Scalar>>, Error>
+pub fn face<D, R: Row>(ask: Ask) -> Result<Arc<Face<R::Scalar>>, Error>
 where
     D: Decided<In<<R as Pack>::Scalar> = R>,
     D::Out<R::Scalar>: Row,
 {
-    let want = if ask.adjoint { Want::Vjp } else { want };
+    let want = ask.want;
     known::<D, R::Scalar, _>(Known::Face(want, false), || {
         let outputs = leaves_of::<D::Out<R::Scalar>>();
         let outputs = outputs.iter().map(|leaf| leaf.fields).collect();
@@ -125,18 +125,17 @@ where
 #[doc(hidden)]
 #[macro_export]
 macro_rules! __replays {
-    ([$scalar:ident] $op:ty, $input:ty, $want:ident) => {
+    ([$scalar:ident] $op:ty, $input:ty) => {
         fn replays(
             &self,
+            ask: $crate::kernels::op::Ask,
         ) -> ::core::option::Option<
             ::core::result::Result<
                 ::std::sync::Arc<dyn $crate::kernels::replays::Replays<$scalar>>,
                 $crate::Error,
             >,
         > {
-            ::core::option::Option::Some($crate::kernels::replays::of::<$op, $input>(
-                $crate::kernels::cpu::Want::$want,
-            ))
+            ::core::option::Option::Some($crate::kernels::replays::of::<$op, $input>(ask))
         }
     };
 }
@@ -147,8 +146,7 @@ macro_rules! __replays {
     ($($nothing:tt)*) => {};
 }
 
-/// Lists what batches run of an operation with a search: itself, its gradient, its adjoint. The macro is
-/// given constants, the operation, its input and its output, made of `S`.
+/// Batches run an operation with a search. The macro is given constants, the operation, its input and its output, made of `S`.
 #[doc(hidden)]
 #[macro_export]
 macro_rules! __runs_decided {
@@ -162,37 +160,9 @@ macro_rules! __runs_decided {
                 &self,
                 ask: $crate::kernels::op::Ask,
             ) -> ::core::result::Result<::std::sync::Arc<$crate::kernels::cpu::Face<S>>, $crate::Error> {
-                $crate::kernels::decided::face::<Self, $input>($crate::kernels::cpu::Want::Value, ask)
+                $crate::kernels::decided::face::<Self, $input>(ask)
             }
-            $crate::__replays!([S] Self, $input, Value);
-        }
-        impl<S: $crate::kernels::real::Real, $($constant)*> $crate::kernels::Runs<$input>
-            for $crate::kernels::op::ValueGrad<$op>
-        where
-            $out: $crate::kernels::Row<Scalar = S>,
-        {
-            type Out = ($out, $input);
-            fn face(
-                &self,
-                ask: $crate::kernels::op::Ask,
-            ) -> ::core::result::Result<::std::sync::Arc<$crate::kernels::cpu::Face<S>>, $crate::Error> {
-                $crate::kernels::decided::face::<$op, $input>($crate::kernels::cpu::Want::ValueGrad, ask)
-            }
-            $crate::__replays!([S] $op, $input, ValueGrad);
-        }
-        impl<S: $crate::kernels::real::Real, $($constant)*> $crate::kernels::Runs<($input, $out)>
-            for $crate::kernels::op::Vjp<$op>
-        where
-            $out: $crate::kernels::Row<Scalar = S>,
-        {
-            type Out = $input;
-            fn face(
-                &self,
-                ask: $crate::kernels::op::Ask,
-            ) -> ::core::result::Result<::std::sync::Arc<$crate::kernels::cpu::Face<S>>, $crate::Error> {
-                $crate::kernels::decided::face::<$op, $input>($crate::kernels::cpu::Want::Vjp, ask)
-            }
-            $crate::__replays!([S] $op, $input, Vjp);
+            $crate::__replays!([S] Self, $input);
         }
     };
 }

@@ -75,6 +75,8 @@ mod suppress;
 #[forbid(unsafe_code)]
 mod targets;
 #[forbid(unsafe_code)]
+pub mod verbs;
+#[forbid(unsafe_code)]
 pub mod witness;
 
 pub use backend::Backend;
@@ -160,6 +162,7 @@ pub use ops::ring::{Centroid, Perimeter, SignedArea};
 pub use ops::shape::{Circumcircle, Incircle, MoveSegment};
 pub use row::{Column, Columns, One, Row, Target};
 pub use targets::{Skip, Targets};
+pub use verbs::{Binary, Function, Ternary, Unary, convert, function};
 
 /// Every operation, one per line: a name and a type. Tests, benches and documentation walk this
 /// list.

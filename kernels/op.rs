@@ -144,28 +144,47 @@ pub struct ValueGrad<O>(pub(crate) O);
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Vjp<O>(pub(crate) O);
 
+impl<O> ValueGrad<O> {
+    #[doc(hidden)]
+    #[must_use]
+    pub const fn of(function: O) -> Self {
+        ValueGrad(function)
+    }
+}
+impl<O> Vjp<O> {
+    #[doc(hidden)]
+    #[must_use]
+    pub const fn of(function: O) -> Self {
+        Vjp(function)
+    }
+}
+
 /// How a batch asks for what it runs.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub struct Ask {
-    /// Whether its adjoint is meant.
-    pub(crate) adjoint: bool,
+    /// The result, the result with its gradient, or the adjoint.
+    pub(crate) want: Want,
     /// Whether every shape meets many others, so that what is made of it alone is made once.
     pub(crate) framed: bool,
 }
 
 impl Ask {
     pub(crate) const ALIGNED: Ask = Ask {
-        adjoint: false,
+        want: Want::Value,
         framed: false,
     };
     pub(crate) const PAIRS: Ask = Ask {
-        adjoint: false,
+        want: Want::Value,
         framed: true,
     };
     pub(crate) const ADJOINT: Ask = Ask {
-        adjoint: true,
+        want: Want::Vjp,
         framed: true,
     };
+    /// The same for a derivative of what runs.
+    pub(crate) fn wanting(self, want: Want) -> Ask {
+        Ask { want, ..self }
+    }
 }
 
 /// What a batch can run on rows of arguments: an operation, its gradient, its adjoint, a program.
@@ -197,7 +216,7 @@ pub trait Runs<R: Row> {
     /// What a GPU replays of it, if it searches.
     #[cfg(feature = "gpu")]
     #[doc(hidden)]
-    fn replays(&self) -> Option<Result<Arc<dyn Replays<R::Scalar>>, Error>> {
+    fn replays(&self, _ask: Ask) -> Option<Result<Arc<dyn Replays<R::Scalar>>, Error>> {
         None
     }
 }
@@ -209,45 +228,51 @@ where
 {
     type Out = O::Out<R::Scalar>;
     fn face(&self, ask: Ask) -> Result<Arc<Face<R::Scalar>>, Error> {
-        let want = if ask.adjoint { Want::Vjp } else { Want::Value };
-        plan::face_of::<O, R>(want, ask.framed)
+        plan::face_of::<O, R>(ask.want, ask.framed)
     }
     fn compiled(&self) -> Option<plan::Compiled> {
         O::compiled()
     }
     #[cfg(feature = "gpu")]
     fn generated(&self, ask: Ask) -> Result<Arc<Generated<R::Scalar>>, Error> {
-        let want = if ask.adjoint { Want::Vjp } else { Want::Value };
-        plan::generated_of::<O, R>(want, ask.framed)
+        plan::generated_of::<O, R>(ask.want, ask.framed)
     }
 }
 
-impl<O, R: Row> Runs<R> for ValueGrad<O>
+impl<F, R: Row> Runs<R> for ValueGrad<F>
 where
-    O: Op<In<<R as Pack>::Scalar> = R, Out<<R as Pack>::Scalar> = <R as Pack>::Scalar>,
+    F: Runs<R, Out = <R as Pack>::Scalar>,
     R::Scalar: Row<Scalar = R::Scalar>,
 {
     type Out = (R::Scalar, R);
     fn face(&self, ask: Ask) -> Result<Arc<Face<R::Scalar>>, Error> {
-        plan::face_of::<O, R>(Want::ValueGrad, ask.framed)
+        self.0.face(ask.wanting(Want::ValueGrad))
     }
     #[cfg(feature = "gpu")]
     fn generated(&self, ask: Ask) -> Result<Arc<Generated<R::Scalar>>, Error> {
-        plan::generated_of::<O, R>(Want::ValueGrad, ask.framed)
+        self.0.generated(ask.wanting(Want::ValueGrad))
+    }
+    #[cfg(feature = "gpu")]
+    fn replays(&self, ask: Ask) -> Option<Result<Arc<dyn Replays<R::Scalar>>, Error>> {
+        self.0.replays(ask.wanting(Want::ValueGrad))
     }
 }
 
-impl<O, R: Row, Y: Row<Scalar = R::Scalar>> Runs<(R, Y)> for Vjp<O>
+impl<F, R: Row, Y: Row<Scalar = R::Scalar>> Runs<(R, Y)> for Vjp<F>
 where
-    O: Op<In<<R as Pack>::Scalar> = R, Out<<R as Pack>::Scalar> = Y>,
+    F: Runs<R, Out = Y>,
 {
     type Out = R;
     fn face(&self, ask: Ask) -> Result<Arc<Face<R::Scalar>>, Error> {
-        plan::face_of::<O, R>(Want::Vjp, ask.framed)
+        self.0.face(ask.wanting(Want::Vjp))
     }
     #[cfg(feature = "gpu")]
     fn generated(&self, ask: Ask) -> Result<Arc<Generated<R::Scalar>>, Error> {
-        plan::generated_of::<O, R>(Want::Vjp, ask.framed)
+        self.0.generated(ask.wanting(Want::Vjp))
+    }
+    #[cfg(feature = "gpu")]
+    fn replays(&self, ask: Ask) -> Option<Result<Arc<dyn Replays<R::Scalar>>, Error>> {
+        self.0.replays(ask.wanting(Want::Vjp))
     }
 }
 

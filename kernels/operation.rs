@@ -94,8 +94,41 @@
 /// assert_eq!((value[0], by_a[0]), (6.0, 3.0));
 /// # Ok::<(), geograd::Error>(())
 /// ```
+///
+/// A row without a name of its own adds shapes to a verb, the library's or one's own: here a shape of one's own to
+/// [`Distance`](crate::kernels::verbs::Distance).
+///
+/// ```
+/// use geograd::prelude::*;
+/// use geograd::operation;
+///
+/// /// A round tree of one height.
+/// #[derive(Clone, Copy, Debug, PartialEq, geograd::Shape)]
+/// struct Tree<S> {
+///     foot: Vec2<S>,
+///     #[shape(positive)]
+///     radius: S,
+/// }
+///
+/// operation! {
+///     /// From a vehicle to a tree.
+///     Distance: (car: Obb2<S>, tree: Tree<S>) -> S {
+///         (car.signed_distance(tree.foot) - tree.radius).most(S::zero())
+///     }
+///     promises [TranslationX Stays, TranslationY Stays, Rotation Stays, Scaling Power(1)]
+///     jumps Never
+///     slopes Reverse
+/// }
+///
+/// let cars = [Obb2::new(0.0_f64, 0.0, 4.0, 2.0, 0.0)];
+/// let trees = [Tree { foot: Vec2::new(5.0, 0.0), radius: 1.0 }];
+/// let (distance, (_, by_tree)) = Cpu::new().aligned(Distance.value_grad(), (&cars, &trees))?;
+/// assert_eq!((distance[0], by_tree[0].radius), (2.0, -1.0));
+/// # Ok::<(), geograd::Error>(())
+/// ```
 #[macro_export]
 macro_rules! operation {
+    // An operation with a name of its own.
     ($(
         $(#[$($doc:tt)*])*
         $vis:vis $Name:ident = $name:literal: ($($arg:ident: $type:ty),+ $(,)?) -> $out:ty $body:block
@@ -110,6 +143,66 @@ macro_rules! operation {
         slopes $slopes:ident $(|$input:pat_param, $out_bar:ident| $adjoint:block)?
         $(=> compiled { $compiled:expr })?
     )+) => { $(
+        $crate::operation! {
+            @row [$([$($doc)*])*] $vis $Name, $name, [$($arg: $type),+] -> $out, $body
+            promises [$($motion $answer $(($power))?),*]
+            $(finite $finite $(($limits))?)?
+            $(range $range)?
+            $(extremes $extremes)?
+            jumps $jumps
+            $(domain $domain)?
+            $(resolution $absolute)?
+            $(relative_resolution $share)?
+            slopes $slopes $(|$input, $out_bar| $adjoint)?
+            $(=> compiled { $compiled })?
+        }
+    )+ };
+    // A row of a verb.
+    ($(
+        $(#[$($doc:tt)*])*
+        $Verb:ident: ($($arg:ident: $type:ty),+ $(,)?) -> $out:ty $body:block
+        promises [$($motion:ident $answer:ident $(($power:literal))?),* $(,)?]
+        $(finite $finite:ident $(($limits:expr))?)?
+        $(range $range:ident)?
+        $(extremes $extremes:ident)?
+        jumps $jumps:ident
+        $(domain $domain:block)?
+        $(resolution $absolute:literal)?
+        $(relative_resolution $share:literal)?
+        slopes $slopes:ident $(|$input:pat_param, $out_bar:ident| $adjoint:block)?
+    )+) => { $(
+        const _: () = {
+            $crate::operation! {
+                @row [$([$($doc)*])*] pub Row,
+                ::core::concat!(::core::stringify!($Verb), ::core::stringify!(($($type),+))),
+                [$($arg: $type),+] -> $out, $body
+                promises [$($motion $answer $(($power))?),*]
+                $(finite $finite $(($limits))?)?
+                $(range $range)?
+                $(extremes $extremes)?
+                jumps $jumps
+                $(domain $domain)?
+                $(resolution $absolute)?
+                $(relative_resolution $share)?
+                slopes $slopes $(|$input, $out_bar| $adjoint)?
+            }
+            $crate::__takes!($Verb, ($($type),+), Row);
+        };
+    )+ };
+    (
+        @row [$([$($doc:tt)*])*] $vis:vis $Name:ident, $name:expr,
+        [$($arg:ident: $type:ty),+] -> $out:ty, $body:block
+        promises [$($motion:ident $answer:ident $(($power:literal))?),*]
+        $(finite $finite:ident $(($limits:expr))?)?
+        $(range $range:ident)?
+        $(extremes $extremes:ident)?
+        jumps $jumps:ident
+        $(domain $domain:block)?
+        $(resolution $absolute:literal)?
+        $(relative_resolution $share:literal)?
+        slopes $slopes:ident $(|$input:pat_param, $out_bar:ident| $adjoint:block)?
+        $(=> compiled { $compiled:expr })?
+    ) => {
         $(#[$($doc)*])*
         #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
         $vis struct $Name;
@@ -160,7 +253,46 @@ macro_rules! operation {
                 }
             )?
         }
-    )+ };
+    };
+}
+
+/// Joins a verb and shapes to the operation that serves them.
+#[doc(hidden)]
+#[macro_export]
+macro_rules! __takes {
+    ($Verb:ident, ($A:ty), $By:ident) => {
+        impl<S: $crate::Scalar> $crate::kernels::verbs::Unary<$A> for $Verb {
+            type Out = <$By as $crate::kernels::op::Op>::Out<S>;
+            type By = $By;
+            const BY: $By = $By;
+            #[inline]
+            fn apply(a: $A) -> Self::Out {
+                <$By as $crate::kernels::op::Op>::eval(a)
+            }
+        }
+    };
+    ($Verb:ident, ($A:ty, $B:ty), $By:ident) => {
+        impl<S: $crate::Scalar> $crate::kernels::verbs::Binary<$A, $B> for $Verb {
+            type Out = <$By as $crate::kernels::op::Op>::Out<S>;
+            type By = $By;
+            const BY: $By = $By;
+            #[inline]
+            fn apply(a: $A, b: $B) -> Self::Out {
+                <$By as $crate::kernels::op::Op>::eval((a, b))
+            }
+        }
+    };
+    ($Verb:ident, ($A:ty, $B:ty, $C:ty), $By:ident) => {
+        impl<S: $crate::Scalar> $crate::kernels::verbs::Ternary<$A, $B, $C> for $Verb {
+            type Out = <$By as $crate::kernels::op::Op>::Out<S>;
+            type By = $By;
+            const BY: $By = $By;
+            #[inline]
+            fn apply(a: $A, b: $B, c: $C) -> Self::Out {
+                <$By as $crate::kernels::op::Op>::eval((a, b, c))
+            }
+        }
+    };
 }
 
 /// The text of doc comments, given a list of attributes: a line each.

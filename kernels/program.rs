@@ -34,7 +34,7 @@ where
     }
     #[cfg(feature = "gpu")]
     fn generated(&self, ask: Ask) -> Result<Arc<Generated<In::Scalar>>, Error> {
-        made(self, 4, ask, Generated::new)
+        made(self, 16, ask, Generated::new)
     }
 }
 
@@ -52,7 +52,7 @@ fn made<In: Row, Out: Row<Scalar = In::Scalar>, M: Send + Sync + 'static>(
 where
     In::Scalar: Plain,
 {
-    let key = machine | u8::from(ask.adjoint) | u8::from(ask.framed) << 1;
+    let key = machine | ask.want as u8 | u8::from(ask.framed) << 3;
     let lock = || program.kept.lock().unwrap_or_else(PoisonError::into_inner);
     let found = lock()
         .iter()
@@ -62,9 +62,11 @@ where
         return Ok(found);
     }
     let outputs = leaves_of::<Out>().iter().map(|leaf| leaf.fields).collect();
-    let (want, recorded) = match ask.adjoint {
-        false => (Want::Value, program.recorded().clone()),
-        true => (Want::Vjp, program.recorded().value_vjp()),
+    let (value, want) = (program.recorded(), ask.want);
+    let recorded = match want {
+        Want::Value => value.clone(),
+        Want::ValueGrad => value.value_grad(),
+        Want::Vjp => value.value_vjp(),
     };
     let made = make(want, leaves_of::<In>(), outputs, &recorded, ask.framed)?;
     let made = Arc::new(made);

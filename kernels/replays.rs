@@ -11,6 +11,7 @@ use crate::kernels::cpu::plan::{Known, Want, known};
 use crate::kernels::cpu::program::Tape;
 use crate::kernels::cpu::program::instructions::Op;
 use crate::kernels::decided::Decided;
+use crate::kernels::op::Ask;
 use crate::kernels::real::Real;
 use crate::kernels::row::{Row, by_kind, by_shape, get};
 use crate::{Fixed, Pack};
@@ -66,10 +67,11 @@ struct Of<D: Decided, T> {
 /// # Errors
 ///
 /// None: what cannot be recorded is found out item by item.
-pub fn of<D, R: Row>(want: Want) -> Result<Arc<dyn Replays<R::Scalar>>, Error>
+pub fn of<D, R: Row>(ask: Ask) -> Result<Arc<dyn Replays<R::Scalar>>, Error>
 where
     D: Decided<In<<R as Pack>::Scalar> = R>,
 {
+    let want = ask.want;
     let made = known::<D, R::Scalar, _>(Known::Replays(want), || {
         Ok(Of::<D, R::Scalar> {
             want,

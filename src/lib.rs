@@ -158,6 +158,43 @@ pub mod check {
     pub use crate::{assert_gradient, generic_check};
 }
 
+/// Everything of everyday use: shapes, [`Scalar`], verbs as values and as methods, machines.
+///
+/// Traits come without names, for their methods alone.
+///
+/// ```
+/// use geograd::prelude::*;
+/// let (car, mast) = (Obb2::new(0.0, 0.0, 4.0, 2.0, 0.0), Circle::new(Vec2::new(5.0, 0.0), 1.0));
+/// assert_eq!(car.distance(mast), 2.0);
+/// assert_eq!(car.giou(car), 1.0);
+/// assert_eq!(Cpu::new().aligned(Distance, (One(car), &[mast]))?, [2.0]);
+/// # Ok::<(), geograd::Error>(())
+/// ```
+#[forbid(unsafe_code)]
+pub mod prelude {
+    pub use crate::ad::forward::{gradient, jacobian, value};
+    pub use crate::distance::Convex as _;
+    pub use crate::kernels::verbs::methods::{
+        Bhattacharyya as _, Ciou as _, CiouAabb as _, CiouFixedWeight as _, CiouHull as _,
+        CiouRectangle as _, Crossing as _, Diameter as _, Diou as _, DiouAabb as _, DiouHull as _,
+        DiouRectangle as _, Eiou as _, EiouAabb as _, EiouHull as _, EiouRectangle as _,
+        FirstHit as _, FlipY as _, Giou as _, GiouAabb as _, GiouHull as _, GiouRectangle as _,
+        HullArea as _, IntersectionArea as _, IntersectionLength as _, IntersectionVolume as _,
+        Iof as _, Iou as _, IouBev as _, Jeffreys as _, Kfiou as _, KullbackLeibler as _,
+        LengthInside as _, Meeting as _, MinimumCircle as _, MinimumRectangle as _, Probiou as _,
+        SeparationAware as _, Span as _, SquaredWasserstein as _, Wasserstein as _, Width as _,
+    };
+    pub use crate::kernels::verbs::*;
+    pub use crate::kernels::{Backend, Cpu, One};
+    pub use crate::pack::{Fixed as _, Pack as _};
+    pub use crate::scalar::{Mask as _, Scalar};
+    pub use crate::shape::{
+        Aabb2, Aabb3, Capsule2, Circle, ConvexPolygon, Interval, Line2, Obb2, Obb3, Plane3, Pose2,
+        Pose3, Ray2, Rotation2, Rotation3, Segment2, Segment3, Sphere, Triangle2, Triangle3, Vec2,
+        Vec3, YawBox3,
+    };
+}
+
 /// README's examples, run with the documentation's.
 #[cfg(doctest)]
 #[doc = include_str!("../README.md")]

@@ -69,7 +69,7 @@ pub(crate) mod work;
 
 pub use crate::kernels::row::Single;
 #[doc(hidden)]
-pub use plan::{Face, Want};
+pub use plan::{Compiled, Face, Want};
 pub(crate) use ragged::check_ragged;
 pub use table::Table;
 

@@ -261,7 +261,7 @@ impl<T: Real> Job<T> {
             kinds.resize(kinds.len() + leaf.codes, Kind::Number);
             rest = others;
         }
-        let face = |want| decided::face::<D, D::In<T>>(want, Ask::ALIGNED);
+        let face = |want| decided::face::<D, D::In<T>>(Ask::ALIGNED.wanting(want));
         Job {
             name: D::NAME,
             op: short(std::any::type_name::<D>()),

@@ -1,6 +1,7 @@
 //! The measures of a ring as operations.
 use crate::kernels::cpu::rings::Measure;
 use crate::kernels::op::{Answer, Finite, Jumps, Motion, Promise, Range, RingOp};
+use crate::kernels::verbs::{Centroid, Perimeter, SignedArea};
 use crate::{Scalar, Vec2, ad, ring};
 
 const SIGNED_AREA: &[Promise] = &[
@@ -25,10 +26,6 @@ const CENTROID: &[Promise] = &[
 /// Measures of a ring with compiled kernels: the macro lists them.
 macro_rules! measures {
     ($($name:ident = $function:ident, $vjp:ident: $out:ty, $promises:expr, $jumps:ident, $range:ident;)*) => { $(
-        #[doc = concat!("[`", stringify!($function), "`](crate::ring::", stringify!($function), ").")]
-        #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-        pub struct $name;
-
         impl RingOp for $name {
             const NAME: &'static str = stringify!($function);
             const DOC: &'static str =

@@ -12,3 +12,4 @@ mod reduce;
 mod search;
 mod spellings;
 mod straight;
+mod verbs;

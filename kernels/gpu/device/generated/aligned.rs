@@ -186,7 +186,7 @@ enum Made {
 
 impl Made {
     fn of<R: Row<Scalar = f32>>(run: &impl Runs<R>) -> Result<Self, Error> {
-        Ok(match run.replays() {
+        Ok(match run.replays(Ask::ALIGNED) {
             Some(replays) => Made::Replays(replays?, run.face(Ask::ALIGNED)?),
             None => Made::Kernel(run.generated(Ask::ALIGNED)?),
         })

@@ -1,0 +1,216 @@
+//! Plain generic functions in batches.
+use crate::Fixed;
+use crate::ad::program::record::record;
+use crate::ad::program::recorded::Recorded;
+use crate::ad::program::{Plain, Program, Sym};
+use crate::error::Error;
+use crate::kernels::cpu::plan::{Face, Known, Want, known, of_recorded};
+#[cfg(feature = "gpu")]
+use crate::kernels::gpu::Generated;
+use crate::kernels::op::{Ask, Runs, ValueGrad, Vjp};
+use crate::kernels::row::{Row, leaves_of};
+use std::marker::PhantomData;
+use std::sync::Arc;
+
+/// A generic function that batches run; see [`function`].
+#[derive(Debug)]
+pub struct Function<F, N>(F, PhantomData<N>);
+
+impl<F: Copy, N> Clone for Function<F, N> {
+    fn clone(&self) -> Self {
+        *self
+    }
+}
+impl<F: Copy, N> Copy for Function<F, N> {}
+
+/// Makes a generic function of one to six shapes or numbers a value that batches run, without a row.
+///
+/// The columns say for which shapes and in which format it is recorded, once. It has no promises, and the harness knows
+/// it as a [`Program`]: [`operation!`](crate::operation) makes a function an operation that is proved.
+///
+/// ```
+/// use geograd::kernels::function;
+/// use geograd::prelude::*;
+/// /// The distance of a point and the far end of a box.
+/// fn reach<S: Scalar>(point: Vec2<S>, car: Obb2<S>) -> S {
+///     (point - car.center).length() + car.size.x.halved()
+/// }
+/// let points = [Vec2::new(3.0_f64, 4.0), Vec2::new(6.0, 8.0)];
+/// let car = One(Obb2::new(0.0, 0.0, 4.0, 2.0, 0.0));
+/// let cpu = Cpu::new();
+/// assert_eq!(cpu.aligned(function(reach), (&points, car))?, [7.0, 12.0]);
+/// let (_, (by_point, _)) = cpu.aligned(function(reach).value_grad(), (&points, car))?;
+/// assert!((by_point[0].x - 0.6).abs() < 1e-15);
+/// # Ok::<(), geograd::Error>(())
+/// ```
+///
+/// A closure says of which shapes its arguments are, and captures nothing: what was recorded is found again by its type.
+/// One that captures does not compile; another argument, as [`One`](crate::kernels::One), takes what it would capture.
+///
+/// ```compile_fail
+/// # use geograd::kernels::function;
+/// # use geograd::prelude::*;
+/// let shift = 2.0;
+/// let shifted = function(|x: Vec2<_>| x.length() + Scalar::lit(shift));
+/// let _ = Cpu::new().aligned(shifted, &[Vec2::new(3.0_f64, 4.0)][..]);
+/// ```
+///
+/// # Errors
+///
+/// Batches of a function that cannot be recorded are an [`Error::Program`] that says why.
+#[must_use]
+pub const fn function<F: Copy, N>(function: F) -> Function<F, N> {
+    const {
+        assert!(
+            size_of::<F>() == 0,
+            "the function captures a value or is a pointer: pass a function by its name, and what it captures as an argument"
+        );
+    }
+    Function(function, PhantomData)
+}
+
+impl<F: Copy, N> Function<F, N> {
+    /// The function with its gradient, for one number as result.
+    #[must_use]
+    pub const fn value_grad(self) -> ValueGrad<Self> {
+        ValueGrad::of(self)
+    }
+    /// The adjoint: takes the arguments and a cotangent of the result, gives the cotangents of the arguments.
+    #[must_use]
+    pub const fn vjp(self) -> Vjp<Self> {
+        Vjp::of(self)
+    }
+    /// The function as a [`Program`]: to read, to count, to differentiate further.
+    ///
+    /// ```
+    /// use geograd::kernels::function;
+    /// use geograd::{Program, Scalar, Vec2};
+    /// fn product<S: Scalar>(v: Vec2<S>) -> S {
+    ///     v.x * v.y
+    /// }
+    /// let program: Program<Vec2<f64>, f64> = function(product).program()?;
+    /// assert_eq!(program.eval(Vec2::new(3.0, 4.0)), 12.0);
+    /// # Ok::<(), geograd::Error>(())
+    /// ```
+    ///
+    /// # Errors
+    ///
+    /// [`Error::Program`] for a function that cannot be recorded.
+    pub fn program<In: Row<Scalar: Plain>, Out>(self) -> Result<Program<In, Out>, Error>
+    where
+        Self: Traced<In, Out = Out>,
+        Out: Fixed<Scalar = In::Scalar>,
+    {
+        Ok(Program::of((*recorded(self, Want::Value)?).clone()))
+    }
+}
+
+/// A number of arguments, by which Rust tells the forms of a function apart.
+#[derive(Debug)]
+pub struct Arguments<const N: usize>;
+
+/// Functions that can be recorded on rows `In`.
+#[diagnostic::on_unimplemented(
+    message = "this is not a generic function of `{In}`",
+    label = "does not take these columns",
+    note = "`fn f<S: Scalar>(a: A<S>, b: B<S>) -> S` is one of columns of `A` and `B`; a closure names its shapes: `|a: A<_>, b: B<_>|`"
+)]
+pub trait Traced<In: Row<Scalar: Plain>>: Copy + Send + Sync {
+    /// The result.
+    type Out: Row<Scalar = In::Scalar>;
+    /// By which type its recording is found again.
+    #[doc(hidden)]
+    type Key: 'static;
+    /// Records it.
+    ///
+    /// # Errors
+    ///
+    /// [`Error::Program`] for a function that cannot be recorded.
+    #[doc(hidden)]
+    fn record(self) -> Result<Program<In, Self::Out>, Error>;
+}
+
+macro_rules! arities {
+    ($($count:literal: $row:ty, [$($A:ident $a:ident),+];)*) => { $(
+        // Of one argument they are needless.
+        #[allow(unused_parens)]
+        impl<T: Plain, $($A,)+ Y, F> Traced<$row> for Function<F, Arguments<$count>>
+        where
+            $row: Row<Scalar = T>,
+            $($A: Fixed<Scalar = T>,)+
+            F: Fn($(<$A as Fixed>::Of<Sym<T>>),+) -> Y + Copy + Send + Sync + 'static,
+            Y: Fixed<Scalar = Sym<T>>,
+            Y::Of<T>: Row<Scalar = T>,
+        {
+            type Out = Y::Of<T>;
+            type Key = F;
+            fn record(self) -> Result<Program<$row, Y::Of<T>>, Error> {
+                record::<T, ($(<$A as Fixed>::Of<Sym<T>>),+), Y>(|($($a),+)| (self.0)($($a),+))
+                    .map(Program::of)
+            }
+        }
+    )* };
+}
+arities! {
+    1: A, [A a];
+    2: (A, B), [A a, B b];
+    3: (A, B, C), [A a, B b, C c];
+    4: (A, B, C, D), [A a, B b, C c, D d];
+    5: (A, B, C, D, E), [A a, B b, C c, D d, E e];
+    6: (A, B, C, D, E, G), [A a, B b, C c, D d, E e, G g];
+}
+
+/// What is wanted of a function, as a program.
+fn recorded<In: Row<Scalar: Plain>, F: Traced<In>>(
+    function: F,
+    want: Want,
+) -> Result<Arc<Recorded>, Error> {
+    known::<F::Key, In::Scalar, _>(Known::Program(want), || match want {
+        Want::Value => Ok(function.record()?.recorded().clone()),
+        Want::ValueGrad => Ok(recorded(function, Want::Value)?.value_grad()),
+        Want::Vjp => Ok(recorded(function, Want::Value)?.value_vjp()),
+    })
+}
+
+/// How batches compute what is wanted of a function.
+fn face<In: Row<Scalar: Plain>, F: Traced<In>>(
+    function: F,
+    ask: Ask,
+) -> Result<Arc<Face<In::Scalar>>, Error> {
+    let want = ask.want;
+    known::<F::Key, In::Scalar, _>(Known::Face(want, ask.framed), || {
+        let outputs = leaves_of::<F::Out>();
+        let outputs = outputs.iter().map(|leaf| leaf.fields).collect();
+        let recorded = recorded(function, want)?;
+        of_recorded(want, leaves_of::<In>(), outputs, &recorded, ask.framed)
+    })
+}
+
+/// What a GPU is given of what is wanted of a function.
+#[cfg(feature = "gpu")]
+fn generated<In: Row<Scalar: Plain>, F: Traced<In>>(
+    function: F,
+    ask: Ask,
+) -> Result<Arc<Generated<In::Scalar>>, Error> {
+    let want = ask.want;
+    known::<F::Key, In::Scalar, _>(Known::Shader(want, ask.framed), || {
+        let outputs = leaves_of::<F::Out>();
+        let outputs = outputs.iter().map(|leaf| leaf.fields).collect();
+        let recorded = recorded(function, want)?;
+        Generated::new(want, leaves_of::<In>(), outputs, &recorded, ask.framed)
+    })
+}
+
+impl<In: Row<Scalar: Plain>, F, N> Runs<In> for Function<F, N>
+where
+    Self: Traced<In>,
+{
+    type Out = <Self as Traced<In>>::Out;
+    fn face(&self, ask: Ask) -> Result<Arc<Face<In::Scalar>>, Error> {
+        face(*self, ask)
+    }
+    #[cfg(feature = "gpu")]
+    fn generated(&self, ask: Ask) -> Result<Arc<Generated<In::Scalar>>, Error> {
+        generated(*self, ask)
+    }
+}

@@ -1,0 +1,323 @@
+//! Verbs: one word for one function, whatever shapes it takes.
+//!
+//! A verb is a value without fields, such as [`Iou`] or [`Distance`]. Columns select the formula:
+//!
+//! ```
+//! use geograd::prelude::*;
+//! let cars = [Obb2::new(0.0, 0.0, 4.0, 2.0, 0.0)];
+//! let masts = [Circle::new(Vec2::new(5.0, 0.0), 1.0)];
+//! let cpu = Cpu::new();
+//! assert_eq!(cpu.aligned(Distance, (&masts, &cars))?, [2.0]);
+//! assert_eq!(cpu.all_pairs(Iou, &cars, &cars)?.values(), [1.0]);
+//! let (_, (by_mast, _)) = cpu.aligned(Distance.value_grad(), (&masts, &cars))?;
+//! assert_eq!(by_mast[0].center, Vec2::new(1.0, 0.0));
+//! # Ok::<(), geograd::Error>(())
+//! ```
+//!
+//! The pages of [`Unary`], [`Binary`] and [`Ternary`] list every verb with its shapes. A *row* joins a verb, the shapes
+//! that it takes and the formula; [`operation!`](crate::operation) adds rows for shapes of one's own, [`verb!`](crate::verb)
+//! a verb, and [`function`] runs a plain generic function without a row.
+//!
+//! A verb whose first argument has a name for it is a method, too ([`prelude`](crate::prelude)): `a.iou(b)`. All three
+//! spellings, method, [`of`](Iou::of) and batch, run the same code.
+mod function;
+mod list;
+pub mod methods;
+mod rows;
+
+pub use function::{Arguments, Function, Traced, function};
+pub use list::*;
+
+use crate::Fixed;
+
+/// Shapes that a verb of one argument takes.
+#[diagnostic::on_unimplemented(
+    message = "`{Self}` of `{A}` is not defined",
+    label = "`{Self}` does not take this shape",
+    note = "a row adds shapes of your own: `operation! {{ {Self}: (a: …) -> … {{ … }} … }}`"
+)]
+pub trait Unary<A> {
+    /// The result.
+    type Out;
+    /// The operation that batches run.
+    #[doc(hidden)]
+    type By: Copy;
+    #[doc(hidden)]
+    const BY: Self::By;
+    /// The function.
+    #[doc(hidden)]
+    fn apply(a: A) -> Self::Out;
+}
+
+/// Shapes that a verb of two arguments takes.
+#[diagnostic::on_unimplemented(
+    message = "`{Self}` of `{A}` and `{B}` is not defined",
+    label = "`{Self}` does not take these two shapes",
+    note = "a row adds shapes of your own: `operation! {{ {Self}: (a: …, b: …) -> … {{ … }} … }}`"
+)]
+pub trait Binary<A, B> {
+    /// The result.
+    type Out;
+    /// The operation that batches run.
+    #[doc(hidden)]
+    type By: Copy;
+    #[doc(hidden)]
+    const BY: Self::By;
+    /// The function.
+    #[doc(hidden)]
+    fn apply(a: A, b: B) -> Self::Out;
+}
+
+/// Shapes that a verb of three arguments takes.
+#[diagnostic::on_unimplemented(
+    message = "`{Self}` of `{A}`, `{B}` and `{C}` is not defined",
+    label = "`{Self}` does not take these three shapes",
+    note = "a row adds shapes of your own: `operation! {{ {Self}: (a: …, b: …, c: …) -> … {{ … }} … }}`"
+)]
+pub trait Ternary<A, B, C> {
+    /// The result.
+    type Out;
+    /// The operation that batches run.
+    #[doc(hidden)]
+    type By: Copy;
+    #[doc(hidden)]
+    const BY: Self::By;
+    /// The function.
+    #[doc(hidden)]
+    fn apply(a: A, b: B, c: C) -> Self::Out;
+}
+
+/// Shapes that a verb takes, as one row: `(Vec2<f64>, Obb2<f64>)`, or a lone shape.
+///
+/// For code that is generic over the verb; every verb implements it.
+pub trait Takes<In: Fixed> {
+    /// The result.
+    type Out;
+    /// The operation of the row.
+    type By: Copy;
+    /// The operation of the row, as a value.
+    const BY: Self::By;
+}
+
+/// The type of the operation that serves a verb and the shapes `In`: `RowOf<Iou, (Obb2<f64>, Obb2<f64>)>`.
+pub type RowOf<V, In> = <V as Takes<In>>::By;
+
+/// Defines a verb: a value that batches run on all shapes that a row joins to it.
+///
+/// ```
+/// use geograd::prelude::*;
+/// use geograd::{operation, verb};
+///
+/// verb! {
+///     /// The free width between two vehicles; 0 where they touch.
+///     pub Gap: (a, b)
+/// }
+/// operation! {
+///     /// Between two rotated boxes.
+///     Gap: (a: Obb2<S>, b: Obb2<S>) -> S { a.distance(b) }
+///     promises [Exchange Stays] jumps Never slopes Reverse
+///
+///     /// Between two circles.
+///     Gap: (a: Circle<S>, b: Circle<S>) -> S { a.distance(b) }
+///     promises [Exchange Stays] jumps Never slopes Reverse
+/// }
+///
+/// let masts = [Circle::new(Vec2::new(0.0_f64, 0.0), 1.0), Circle::new(Vec2::new(5.0, 0.0), 1.0)];
+/// assert_eq!(Cpu::new().all_pairs(Gap, &masts[..1], &masts)?.values(), [0.0, 3.0]);
+/// # Ok::<(), geograd::Error>(())
+/// ```
+#[macro_export]
+macro_rules! verb {
+    ($( $(#[$doc:meta])* $vis:vis $Verb:ident $(= $method:ident)?: $arguments:tt )+) => { $(
+        $(#[$doc])*
+        #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
+        $vis struct $Verb;
+
+        impl $Verb {
+            /// The same with the gradient: batches give the result and the slopes by every argument.
+            #[must_use]
+            pub const fn value_grad(self) -> $crate::kernels::op::ValueGrad<Self> {
+                $crate::kernels::op::ValueGrad::of(self)
+            }
+            /// The adjoint: batches take the arguments and a cotangent of the result, and give the cotangents of the
+            /// arguments.
+            #[must_use]
+            pub const fn vjp(self) -> $crate::kernels::op::Vjp<Self> {
+                $crate::kernels::op::Vjp::of(self)
+            }
+        }
+        impl $Verb {
+            /// The operation of the row for these shapes, `(A<f64>, B<f64>)` or a lone one: for the harness and programs.
+            #[must_use]
+            pub const fn row<In: $crate::Fixed>(self) -> <Self as $crate::kernels::verbs::Takes<In>>::By
+            where
+                Self: $crate::kernels::verbs::Takes<In>,
+            {
+                <Self as $crate::kernels::verbs::Takes<In>>::BY
+            }
+        }
+        $crate::__verb_runs!([] $Verb: $arguments);
+        $crate::__verb_applies!($Verb: $arguments);
+    )+ };
+}
+
+/// What a function of each number of arguments has.
+#[doc(hidden)]
+#[macro_export]
+macro_rules! __verb_applies {
+    ($Verb:ident: ($a:ident)) => {
+        impl $Verb {
+            /// The function of one shape made of any scalar.
+            #[inline]
+            pub fn of<A>(self, $a: A) -> <Self as $crate::kernels::verbs::Unary<A>>::Out
+            where
+                Self: $crate::kernels::verbs::Unary<A>,
+            {
+                <Self as $crate::kernels::verbs::Unary<A>>::apply($a)
+            }
+        }
+    };
+    ($Verb:ident: ($a:ident, $b:ident)) => {
+        impl $Verb {
+            /// The function of two shapes made of any scalar.
+            #[inline]
+            pub fn of<A, B>(
+                self,
+                $a: A,
+                $b: B,
+            ) -> <Self as $crate::kernels::verbs::Binary<A, B>>::Out
+            where
+                Self: $crate::kernels::verbs::Binary<A, B>,
+            {
+                <Self as $crate::kernels::verbs::Binary<A, B>>::apply($a, $b)
+            }
+        }
+    };
+    ($Verb:ident: ($a:ident, $b:ident, $c:ident)) => {
+        impl $Verb {
+            /// The function of three shapes made of any scalar.
+            #[inline]
+            pub fn of<A, B, C>(
+                self,
+                $a: A,
+                $b: B,
+                $c: C,
+            ) -> <Self as $crate::kernels::verbs::Ternary<A, B, C>>::Out
+            where
+                Self: $crate::kernels::verbs::Ternary<A, B, C>,
+            {
+                <Self as $crate::kernels::verbs::Ternary<A, B, C>>::apply($a, $b, $c)
+            }
+        }
+    };
+}
+
+/// Batches run a verb, its gradient and its adjoint by the operation of its row.
+#[doc(hidden)]
+#[macro_export]
+macro_rules! __verb_runs {
+    ([$($generic:tt)*] $Verb:ty: ($a:ident)) => {
+        $crate::__verb_runs!(@all [$($generic)*] $Verb, Unary, [A], A);
+    };
+    ([$($generic:tt)*] $Verb:ty: ($a:ident, $b:ident)) => {
+        $crate::__verb_runs!(@all [$($generic)*] $Verb, Binary, [A, B], (A, B));
+    };
+    ([$($generic:tt)*] $Verb:ty: ($a:ident, $b:ident, $c:ident)) => {
+        $crate::__verb_runs!(@all [$($generic)*] $Verb, Ternary, [A, B, C], (A, B, C));
+    };
+    (@all [$($generic:tt)*] $Verb:ty, $Takes:ident, [$($A:ident),+], $row:ty) => {
+        impl<$($generic)* $($A),+> $crate::kernels::verbs::Takes<$row> for $Verb
+        where
+            $row: $crate::Fixed,
+            $Verb: $crate::kernels::verbs::$Takes<$($A),+>,
+        {
+            type Out = <$Verb as $crate::kernels::verbs::$Takes<$($A),+>>::Out;
+            type By = <$Verb as $crate::kernels::verbs::$Takes<$($A),+>>::By;
+            const BY: Self::By = <$Verb as $crate::kernels::verbs::$Takes<$($A),+>>::BY;
+        }
+        impl<$($generic)* $($A),+> $crate::kernels::Runs<$row> for $Verb
+        where
+            $row: $crate::kernels::Row,
+            $Verb: $crate::kernels::verbs::$Takes<$($A),+, By: $crate::kernels::Runs<$row>>,
+        {
+            type Out = <<$Verb as $crate::kernels::verbs::$Takes<$($A),+>>::By
+                as $crate::kernels::Runs<$row>>::Out;
+            $crate::__delegated!($row, <$Verb as $crate::kernels::verbs::$Takes<$($A),+>>::BY);
+        }
+    };
+}
+
+/// What runs for a verb: the operation of its row.
+#[cfg(feature = "gpu")]
+#[doc(hidden)]
+#[macro_export]
+macro_rules! __delegated {
+    ($row:ty, $by:expr) => {
+        $crate::__delegated_cpu!($row, $by);
+        fn generated(
+            &self,
+            ask: $crate::kernels::op::Ask,
+        ) -> ::core::result::Result<
+            ::std::sync::Arc<$crate::kernels::gpu::Generated<<$row as $crate::Pack>::Scalar>>,
+            $crate::Error,
+        > {
+            $crate::kernels::Runs::<$row>::generated(&$by, ask)
+        }
+        fn replays(
+            &self,
+            ask: $crate::kernels::op::Ask,
+        ) -> ::core::option::Option<
+            ::core::result::Result<
+                ::std::sync::Arc<
+                    dyn $crate::kernels::replays::Replays<<$row as $crate::Pack>::Scalar>,
+                >,
+                $crate::Error,
+            >,
+        > {
+            $crate::kernels::Runs::<$row>::replays(&$by, ask)
+        }
+    };
+}
+/// What runs for a verb: the operation of its row.
+#[cfg(not(feature = "gpu"))]
+#[doc(hidden)]
+#[macro_export]
+macro_rules! __delegated {
+    ($row:ty, $by:expr) => {
+        $crate::__delegated_cpu!($row, $by);
+    };
+}
+#[doc(hidden)]
+#[macro_export]
+macro_rules! __delegated_cpu {
+    ($row:ty, $by:expr) => {
+        fn face(
+            &self,
+            ask: $crate::kernels::op::Ask,
+        ) -> ::core::result::Result<
+            ::std::sync::Arc<$crate::kernels::cpu::Face<<$row as $crate::Pack>::Scalar>>,
+            $crate::Error,
+        > {
+            $crate::kernels::Runs::<$row>::face(&$by, ask)
+        }
+        fn compiled(&self) -> ::core::option::Option<$crate::kernels::cpu::Compiled> {
+            $crate::kernels::Runs::<$row>::compiled(&$by)
+        }
+    };
+}
+
+/// Verbs that a batch runs over the edges of rings: [`Cpu::fold`](crate::kernels::Cpu::fold).
+pub trait OverRing {
+    /// The operation.
+    type By: crate::kernels::Fold;
+    /// The operation, as a value.
+    const BY: Self::By;
+}
+
+/// Verbs that a batch runs over the edges of polylines: [`Cpu::fold`](crate::kernels::Cpu::fold).
+pub trait OverPolyline {
+    /// The operation.
+    type By: crate::kernels::Fold;
+    /// The operation, as a value.
+    const BY: Self::By;
+}
