@@ -17,10 +17,10 @@ use crate::{Pack, Vec2};
 ///
 /// ```
 /// use geograd::Obb2;
-/// use geograd::kernels::{Backend, IouObb2};
+/// use geograd::kernels::{Backend, Iou};
 /// let a = [Obb2::new(0.0, 0.0, 2.0, 2.0, 0.0)];
 /// let b = [Obb2::new(1.0, 0.0, 2.0, 2.0, 0.0)];
-/// assert_eq!(Backend::Cpu.all_pairs(IouObb2, &a, &b)?.at(0, 0), 1.0 / 3.0);
+/// assert_eq!(Backend::Cpu.all_pairs(Iou, &a, &b)?.at(0, 0), 1.0 / 3.0);
 /// # Ok::<(), geograd::Error>(())
 /// ```
 #[derive(Clone, Copy, Debug)]
@@ -95,11 +95,11 @@ impl Backend<'_> {
     /// Item i of every column: [`Cpu::aligned`].
     ///
     /// ```
-    /// use geograd::kernels::{Backend, DistanceCircles};
+    /// use geograd::kernels::{Backend, Distance};
     /// use geograd::{Circle, Vec2};
     /// let circle = |x| Circle::new(Vec2::new(x, 0.0_f32), 1.0);
     /// let (a, b) = ([circle(0.0)], [circle(5.0)]);
-    /// assert_eq!(Backend::Cpu.aligned(DistanceCircles, (&a, &b))?, [3.0]);
+    /// assert_eq!(Backend::Cpu.aligned(Distance, (&a, &b))?, [3.0]);
     /// # Ok::<(), geograd::Error>(())
     /// ```
     ///
@@ -216,11 +216,11 @@ impl Backend<'_> {
     /// One result per path: [`Cpu::fold`].
     ///
     /// ```
-    /// use geograd::kernels::{Backend, One, SignedDistancePointRing};
+    /// use geograd::kernels::{Backend, One, SignedDistance};
     /// use geograd::Vec2;
     /// let square = [(0.0, 0.0), (2.0, 0.0), (2.0, 2.0), (0.0, 2.0)].map(|(x, y)| Vec2::new(x, y));
     /// let point = One(Vec2::new(1.0_f32, 0.5));
-    /// let distances = Backend::Cpu.fold(SignedDistancePointRing, point, &square, &[0, 4])?;
+    /// let distances = Backend::Cpu.fold(SignedDistance.over_ring(), point, &square, &[0, 4])?;
     /// assert_eq!(distances, [-0.5]);
     /// # Ok::<(), geograd::Error>(())
     /// ```

@@ -1,8 +1,9 @@
 //! Operations as subjects of the verification harness.
 //!
 //! ```
-//! use geograd::kernels::{AreaTriangle, check::prove};
-//! let report = prove::<AreaTriangle, f64>(20, 1);
+//! use geograd::Triangle2;
+//! use geograd::kernels::{Area, RowOf, check::prove};
+//! let report = prove::<RowOf<Area, Triangle2<f64>>, f64>(20, 1);
 //! assert!(report.passed(), "{report}");
 //! ```
 use crate::ad::check::picture::picture;

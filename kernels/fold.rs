@@ -110,10 +110,11 @@ pub trait Fold: Copy + Debug + Default + Send + Sync + 'static {
 /// The result of a fold for one path.
 ///
 /// ```
-/// use geograd::kernels::{SignedDistancePointRing, fold::fold};
+/// use geograd::kernels::{OverRing, SignedDistance, fold::fold};
+/// type Row = <SignedDistance as OverRing>::By;
 /// use geograd::Vec2;
 /// let square = [(0.0, 0.0), (2.0, 0.0), (2.0, 2.0), (0.0, 2.0)].map(|(x, y)| Vec2::new(x, y));
-/// assert_eq!(fold::<SignedDistancePointRing, f64>(Vec2::new(1.0, 0.5), &square), -0.5);
+/// assert_eq!(fold::<Row, f64>(Vec2::new(1.0, 0.5), &square), -0.5);
 /// ```
 pub fn fold<F: Fold, S: Scalar>(context: F::Context<S>, path: &[Vec2<S>]) -> F::Out<S> {
     let reference = F::reference(context, path);

@@ -1,4 +1,4 @@
-//! A check of an operation that is a value: `Check::of(IouObb2)`.
+//! A check of an operation that is a value: `Check::of(Iou.row::<(Obb2<f64>, Obb2<f64>)>())`.
 use crate::ad::check::sample::Sample;
 use crate::ad::check::{Check, Plan, Report, SEED};
 use crate::kernels::check::prove_with;

@@ -56,7 +56,7 @@ pub enum Slopes {
 
 /// An operation: a generic function of fixed size, what it promises, and where its slopes come from.
 ///
-/// A value of the type is the operation: `Cpu::new().aligned(IouObb2, (&a, &b))`.
+/// A value of the type is the operation: `Cpu::new().aligned(Iou, (&a, &b))`.
 pub trait Op: Copy + Debug + Default + Send + Sync + 'static {
     /// The name of the function, letter for letter.
     const NAME: &'static str;
@@ -105,9 +105,9 @@ pub trait Op: Copy + Debug + Default + Send + Sync + 'static {
     /// slopes of a number are by hand, the program has them, too.
     ///
     /// ```
-    /// use geograd::kernels::{IouObb2, Op};
+    /// use geograd::kernels::{Iou, Op};
     /// use geograd::Obb2;
-    /// let iou = IouObb2.program::<f64>()?;
+    /// let iou = Iou.row::<(Obb2<f64>, Obb2<f64>)>().program::<f64>()?;
     /// let boxes = (Obb2::new(0.0, 0.0, 2.0, 2.0, 0.1), Obb2::new(1.0, 0.0, 2.0, 2.0, 0.2));
     /// assert_eq!(iou.eval(boxes), boxes.0.iou(boxes.1));
     /// assert_eq!(iou.value_grad().cost().elementary, 4);
@@ -145,14 +145,14 @@ pub struct ValueGrad<O>(pub(crate) O);
 pub struct Vjp<O>(pub(crate) O);
 
 impl<O> ValueGrad<O> {
-    #[doc(hidden)]
+    /// The same as [`Op::value_grad`], for code that is generic over what runs.
     #[must_use]
     pub const fn of(function: O) -> Self {
         ValueGrad(function)
     }
 }
 impl<O> Vjp<O> {
-    #[doc(hidden)]
+    /// The same as [`Op::vjp`], for code that is generic over what runs.
     #[must_use]
     pub const fn of(function: O) -> Self {
         Vjp(function)

@@ -143,8 +143,25 @@ macro_rules! operation {
         slopes $slopes:ident $(|$input:pat_param, $out_bar:ident| $adjoint:block)?
         $(=> compiled { $compiled:expr })?
     )+) => { $(
+        $(#[$($doc)*])*
+        #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+        $vis struct $Name;
+
+        #[allow(dead_code)]
+        impl $Name {
+            /// The operation with its gradient, for one number as result.
+            #[must_use]
+            pub const fn value_grad(self) -> $crate::kernels::op::ValueGrad<Self> {
+                $crate::kernels::op::ValueGrad::of(self)
+            }
+            /// The adjoint: takes the arguments and a cotangent of the result, gives the cotangents of the arguments.
+            #[must_use]
+            pub const fn vjp(self) -> $crate::kernels::op::Vjp<Self> {
+                $crate::kernels::op::Vjp::of(self)
+            }
+        }
         $crate::operation! {
-            @row [$([$($doc)*])*] $vis $Name, $name, [$($arg: $type),+] -> $out, $body
+            @row [$([$($doc)*])*] $Name, $name, [$($arg: $type),+] -> $out, $body
             promises [$($motion $answer $(($power))?),*]
             $(finite $finite $(($limits))?)?
             $(range $range)?
@@ -172,8 +189,30 @@ macro_rules! operation {
         slopes $slopes:ident $(|$input:pat_param, $out_bar:ident| $adjoint:block)?
     )+) => { $(
         const _: () = {
+            // As visible as the shapes that it is of.
+            pub struct Row<X>(::core::marker::PhantomData<fn() -> X>);
+            #[allow(dead_code)]
+            type S = f64;
+            #[allow(unused_parens)]
+            type This = Row<($($type),+)>;
+            impl<X> ::core::clone::Clone for Row<X> {
+                fn clone(&self) -> Self {
+                    *self
+                }
+            }
+            impl<X> ::core::marker::Copy for Row<X> {}
+            impl<X> ::core::fmt::Debug for Row<X> {
+                fn fmt(&self, f: &mut ::core::fmt::Formatter<'_>) -> ::core::fmt::Result {
+                    f.write_str(::core::stringify!($Verb))
+                }
+            }
+            impl<X> ::core::default::Default for Row<X> {
+                fn default() -> Self {
+                    Row(::core::marker::PhantomData)
+                }
+            }
             $crate::operation! {
-                @row [$([$($doc)*])*] pub Row,
+                @row [$([$($doc)*])*] This,
                 ::core::concat!(::core::stringify!($Verb), ::core::stringify!(($($type),+))),
                 [$($arg: $type),+] -> $out, $body
                 promises [$($motion $answer $(($power))?),*]
@@ -186,11 +225,11 @@ macro_rules! operation {
                 $(relative_resolution $share)?
                 slopes $slopes $(|$input, $out_bar| $adjoint)?
             }
-            $crate::__takes!($Verb, ($($type),+), Row);
+            $crate::__takes!($Verb, ($($type),+), This, Row(::core::marker::PhantomData));
         };
     )+ };
     (
-        @row [$([$($doc:tt)*])*] $vis:vis $Name:ident, $name:expr,
+        @row [$([$($doc:tt)*])*] $Name:ident, $name:expr,
         [$($arg:ident: $type:ty),+] -> $out:ty, $body:block
         promises [$($motion:ident $answer:ident $(($power:literal))?),*]
         $(finite $finite:ident $(($limits:expr))?)?
@@ -203,10 +242,6 @@ macro_rules! operation {
         slopes $slopes:ident $(|$input:pat_param, $out_bar:ident| $adjoint:block)?
         $(=> compiled { $compiled:expr })?
     ) => {
-        $(#[$($doc)*])*
-        #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-        $vis struct $Name;
-
         // Of one argument they are needless.
         #[allow(unused_parens)]
         impl $crate::kernels::op::Op for $Name {
@@ -260,33 +295,33 @@ macro_rules! operation {
 #[doc(hidden)]
 #[macro_export]
 macro_rules! __takes {
-    ($Verb:ident, ($A:ty), $By:ident) => {
+    ($Verb:ident, ($A:ty), $By:ident, $value:expr) => {
         impl<S: $crate::Scalar> $crate::kernels::verbs::Unary<$A> for $Verb {
             type Out = <$By as $crate::kernels::op::Op>::Out<S>;
             type By = $By;
-            const BY: $By = $By;
+            const BY: $By = $value;
             #[inline]
             fn apply(a: $A) -> Self::Out {
                 <$By as $crate::kernels::op::Op>::eval(a)
             }
         }
     };
-    ($Verb:ident, ($A:ty, $B:ty), $By:ident) => {
+    ($Verb:ident, ($A:ty, $B:ty), $By:ident, $value:expr) => {
         impl<S: $crate::Scalar> $crate::kernels::verbs::Binary<$A, $B> for $Verb {
             type Out = <$By as $crate::kernels::op::Op>::Out<S>;
             type By = $By;
-            const BY: $By = $By;
+            const BY: $By = $value;
             #[inline]
             fn apply(a: $A, b: $B) -> Self::Out {
                 <$By as $crate::kernels::op::Op>::eval((a, b))
             }
         }
     };
-    ($Verb:ident, ($A:ty, $B:ty, $C:ty), $By:ident) => {
+    ($Verb:ident, ($A:ty, $B:ty, $C:ty), $By:ident, $value:expr) => {
         impl<S: $crate::Scalar> $crate::kernels::verbs::Ternary<$A, $B, $C> for $Verb {
             type Out = <$By as $crate::kernels::op::Op>::Out<S>;
             type By = $By;
-            const BY: $By = $By;
+            const BY: $By = $value;
             #[inline]
             fn apply(a: $A, b: $B, c: $C) -> Self::Out {
                 <$By as $crate::kernels::op::Op>::eval((a, b, c))

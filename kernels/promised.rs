@@ -4,9 +4,10 @@
 /// Of which valid finite inputs values and slopes are finite.
 ///
 /// ```
-/// use geograd::kernels::op::{Finite, Op};
-/// use geograd::kernels::IouObb2;
-/// assert_eq!(IouObb2::FINITE, Finite::Always);
+/// use geograd::kernels::op::Finite;
+/// use geograd::Obb2;
+/// use geograd::kernels::{Iou, Op, RowOf};
+/// assert_eq!(<RowOf<Iou, (Obb2<f64>, Obb2<f64>)>>::FINITE, Finite::Always);
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[non_exhaustive]
@@ -51,9 +52,10 @@ impl Limits {
 /// Within which every number of a result lies, both ends included.
 ///
 /// ```
-/// use geograd::kernels::op::{Op, Range};
-/// use geograd::kernels::IouObb2;
-/// assert_eq!(IouObb2::RANGE, Range::RATIO);
+/// use geograd::kernels::op::Range;
+/// use geograd::Obb2;
+/// use geograd::kernels::{Iou, Op, RowOf};
+/// assert_eq!(<RowOf<Iou, (Obb2<f64>, Obb2<f64>)>>::RANGE, Range::RATIO);
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Range {

@@ -329,11 +329,11 @@ impl<'a, T: Real> Column<'a, T> {
 /// One shape that stands for all items of its column.
 ///
 /// ```
-/// use geograd::kernels::{Cpu, IouObb2, One};
+/// use geograd::kernels::{Cpu, Iou, One};
 /// use geograd::Obb2;
 /// let goal = Obb2::new(0.0_f64, 0.0, 2.0, 2.0, 0.0);
 /// let boxes = [Obb2::new(1.0, 0.0, 2.0, 2.0, 0.0), goal];
-/// assert_eq!(Cpu::new().aligned(IouObb2, (&boxes, One(goal)))?, [1.0 / 3.0, 1.0]);
+/// assert_eq!(Cpu::new().aligned(Iou, (&boxes, One(goal)))?, [1.0 / 3.0, 1.0]);
 /// # Ok::<(), geograd::Error>(())
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]

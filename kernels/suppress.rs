@@ -59,13 +59,13 @@ impl Cpu {
     /// `[0, 1]`; [`Error::Length`] for another number of scores or classes than of shapes.
     ///
     /// ```
-    /// use geograd::kernels::{Cpu, IouObb2};
+    /// use geograd::kernels::{Cpu, Iou};
     /// use geograd::suppression::Rules;
     /// use geograd::Obb2;
     ///
     /// let boxes = [0.0, 0.2, 3.0].map(|x| Obb2::new(x, 0.0, 2.0, 1.0, 0.0_f32));
     /// let scores = [0.6, 0.9, 0.5];
-    /// let kept = Cpu::new().suppress(IouObb2, &boxes, &scores, Rules::above(0.5))?;
+    /// let kept = Cpu::new().suppress(Iou, &boxes, &scores, Rules::above(0.5))?;
     /// assert_eq!(kept, [1, 2]);
     /// # Ok::<(), geograd::Error>(())
     /// ```
@@ -150,12 +150,12 @@ impl Backend<'_> {
     /// [`Cpu::suppress`], and the same places on a GPU.
     ///
     /// ```
-    /// use geograd::kernels::{Backend, IouObb2};
+    /// use geograd::kernels::{Backend, Iou};
     /// use geograd::suppression::Rules;
     /// use geograd::Obb2;
     ///
     /// let boxes = [0.0, 0.2, 3.0].map(|x| Obb2::new(x, 0.0, 2.0, 1.0, 0.0));
-    /// let kept = Backend::Cpu.suppress(IouObb2, &boxes, &[0.6, 0.9, 0.5], Rules::above(0.5))?;
+    /// let kept = Backend::Cpu.suppress(Iou, &boxes, &[0.6, 0.9, 0.5], Rules::above(0.5))?;
     /// assert_eq!(kept, [1, 2]);
     /// # Ok::<(), geograd::Error>(())
     /// ```

@@ -2,11 +2,12 @@
 //!
 //! ```
 //! use geograd::ad::check::Plan;
-//! use geograd::kernels::{Backend, IouObb2, check::prove_on};
+//! use geograd::Obb2;
+//! use geograd::kernels::{Backend, Iou, RowOf, check::prove_on};
 //! // Of the hard cases every hundredth.
 //! let plan = Plan { hard: 100, ..Plan::new(10, 1) };
 //! // Backend::Gpu(&gpu) asks a GPU.
-//! let report = prove_on::<IouObb2>(Backend::Cpu, &plan)?;
+//! let report = prove_on::<RowOf<Iou, (Obb2<f64>, Obb2<f64>)>>(Backend::Cpu, &plan)?;
 //! assert!(report.passed(), "{report}");
 //! # Ok::<(), geograd::Error>(())
 //! ```

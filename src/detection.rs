@@ -10,14 +10,14 @@
 //!
 //! | theirs | ours |
 //! | --- | --- |
-//! | `cal_iou` | [`IouObb2`], [`iou_obb2`](crate::overlap::iou_obb2) |
-//! | `cal_giou`, `enclosing_type` aligned, smallest | [`GiouAabbObb2`]; [`GiouObb2`] has the convex hull |
-//! | `cal_diou` | [`DiouAabbObb2`], [`DiouObb2`] |
-//! | `cal_iou_3d` | [`IouYaw`]; [`IouObb3`] for boxes that turn about all axes |
+//! | `cal_iou` | [`Iou`](crate::kernels::Iou) of `Obb2`, [`iou_obb2`](crate::overlap::iou_obb2) |
+//! | `cal_giou`, `enclosing_type` aligned, smallest | [`GiouAabb`](crate::kernels::GiouAabb) of `Obb2`; [`Giou`](crate::kernels::Giou) of `Obb2` has the convex hull |
+//! | `cal_diou` | [`DiouAabb`](crate::kernels::DiouAabb) of `Obb2`, [`Diou`](crate::kernels::Diou) of `Obb2` |
+//! | `cal_iou_3d` | [`Iou`](crate::kernels::Iou) of `YawBox3`; [`Iou`](crate::kernels::Iou) of `Obb3` for boxes that turn about all axes |
 //! | `cal_giou_3d`, `cal_diou_3d` | [`giou`](crate::iou3::giou), [`diou`](crate::iou3::diou) with an [`Enclosing`](crate::iou3::Enclosing) |
 //! | enclosing box `pca` | none: [`Enclosing::Rectangle`](crate::iou3::Enclosing::Rectangle) is the smallest one |
 //! | `box2corners_th` | [`Obb2::corners`](crate::Obb2::corners) |
-//! | `oriented_box_intersection_2d` | [`IntersectionAreaObb2`]; the polygon itself: [`clipping`](crate::clipping) |
+//! | `oriented_box_intersection_2d` | [`IntersectionArea`](crate::kernels::IntersectionArea) of `Obb2`; the polygon itself: [`clipping`](crate::clipping) |
 //!
 //! # OpenPCDet
 //!
@@ -26,30 +26,30 @@
 //!
 //! | theirs | ours |
 //! | --- | --- |
-//! | `boxes_iou_bev`, `boxes_bev_iou_cpu` | [`Cpu::all_pairs`] of [`IouBirdsEye`] |
-//! | `boxes_aligned_iou_bev_cpu` | [`Cpu::aligned`] of [`IouBirdsEye`] |
-//! | `boxes_overlap_bev_gpu`, `boxes_aligned_overlap_bev_gpu`, `paired_boxes_overlap_bev_gpu` | [`IntersectionAreaObb2`] of [`birds_eye`](crate::shape::YawBox3::birds_eye) |
-//! | `boxes_iou3d_gpu` | [`Cpu::all_pairs`] of [`IouYaw`] |
-//! | `boxes_aligned_iou3d_gpu`, `paired_boxes_iou3d_gpu` | [`Cpu::aligned`] of [`IouYaw`] |
-//! | `nms_gpu` | [`Backend::suppress`] of [`IouBirdsEye`], the same places on CPU and GPU |
-//! | `nms_normal_gpu` | the same with [`IouAabb2`] |
+//! | `boxes_iou_bev`, `boxes_bev_iou_cpu` | [`Cpu::all_pairs`] of [`IouBev`](crate::kernels::IouBev) of `YawBox3` |
+//! | `boxes_aligned_iou_bev_cpu` | [`Cpu::aligned`] of [`IouBev`](crate::kernels::IouBev) of `YawBox3` |
+//! | `boxes_overlap_bev_gpu`, `boxes_aligned_overlap_bev_gpu`, `paired_boxes_overlap_bev_gpu` | [`IntersectionArea`](crate::kernels::IntersectionArea) of `Obb2` of [`birds_eye`](crate::shape::YawBox3::birds_eye) |
+//! | `boxes_iou3d_gpu` | [`Cpu::all_pairs`] of [`Iou`](crate::kernels::Iou) of `YawBox3` |
+//! | `boxes_aligned_iou3d_gpu`, `paired_boxes_iou3d_gpu` | [`Cpu::aligned`] of [`Iou`](crate::kernels::Iou) of `YawBox3` |
+//! | `nms_gpu` | [`Backend::suppress`] of [`IouBev`](crate::kernels::IouBev) of `YawBox3`, the same places on CPU and GPU |
+//! | `nms_normal_gpu` | the same with [`Iou`](crate::kernels::Iou) of `Aabb2` |
 //! | `points_in_boxes_cpu`, `points_in_boxes_gpu` | [`Cpu::first_box`], [`Cpu::boxes_of_points`], [`Cpu::points_per_box`]; no margin of a centimetre |
 //! | `boxes_to_corners_3d` | [`YawBox3::corners`](crate::shape::YawBox3::corners) |
-//! | `boxes_iou_normal`, `boxes3d_nearest_bev_iou` | [`IouAabb2`] of [`Obb2::bounding`](crate::Obb2::bounding) |
-//! | `bbox3d_overlaps_diou`, `IouRegLossSparse` | [`DiouYaw`], which does see the heading |
+//! | `boxes_iou_normal`, `boxes3d_nearest_bev_iou` | [`Iou`](crate::kernels::Iou) of `Aabb2` of [`Obb2::bounding`](crate::Obb2::bounding) |
+//! | `bbox3d_overlaps_diou`, `IouRegLossSparse` | [`Diou`](crate::kernels::Diou) of `YawBox3`, which does see the heading |
 //! | corner loss | the corners, and [`operation!`](crate::operation) for the sum you want |
 //!
 //! # d3d
 //!
 //! | theirs | ours |
 //! | --- | --- |
-//! | `box2d_iou`, methods `box`, `rbox` | [`IouAabb2`], [`IouObb2`] |
-//! | `box2d_iou`, methods `grbox`, `drbox` | [`GiouObb2`], [`DiouObb2`] |
+//! | `box2d_iou`, methods `box`, `rbox` | [`Iou`](crate::kernels::Iou) of `Aabb2`, [`Iou`](crate::kernels::Iou) of `Obb2` |
+//! | `box2d_iou`, methods `grbox`, `drbox` | [`Giou`](crate::kernels::Giou) of `Obb2`, [`Diou`](crate::kernels::Diou) of `Obb2` |
 //! | `box2d_nms`, hard | [`suppression::hard`](crate::suppression::hard()) |
 //! | `box2d_nms`, linear, gaussian | [`suppression::soft`](crate::suppression::soft()) with a [`Decay`](crate::suppression::Decay), and its slopes |
-//! | `box2dr_pdist` | [`SignedDistancePointObb2`], of the other sign |
+//! | `box2dr_pdist` | [`SignedDistance`](crate::kernels::SignedDistance) of `Vec2` and `Obb2`, of the other sign |
 //! | `box3dr_pdist` | [`distance3::signed_distance`](crate::distance3::signed_distance), of the other sign |
-//! | `seg1d_pdist`, `seg1d_iou` | [`DistanceNumberInterval`], [`IouIntervals`] |
+//! | `seg1d_pdist`, `seg1d_iou` | [`Distance`](crate::kernels::Distance) of `S` and `Interval`, [`Iou`](crate::kernels::Iou) of `Interval` |
 //! | `box2dr_crop`, `box3dp_crop` | [`Cpu::boxes_of_points`] |
 //! | matchers: score, nearest; Hungarian | [`assignment::greedy`](crate::assignment::greedy), [`assignment::optimal`](crate::assignment::optimal) |
 //! | evaluators | [`metric`](crate::metric) |
@@ -58,12 +58,12 @@
 //!
 //! | theirs | ours |
 //! | --- | --- |
-//! | `bbox_overlaps`, modes `iou`, `iof`, `giou` | [`IouAabb2`], [`IofAabb2`], [`GiouAabb2`] |
-//! | `box_iou_rotated`, modes `iou`, `iof` | [`IouObb2`], [`IofObb2`] |
+//! | `bbox_overlaps`, modes `iou`, `iof`, `giou` | [`Iou`](crate::kernels::Iou) of `Aabb2`, [`Iof`](crate::kernels::Iof) of `Aabb2`, [`Giou`](crate::kernels::Giou) of `Aabb2` |
+//! | `box_iou_rotated`, modes `iou`, `iof` | [`Iou`](crate::kernels::Iou) of `Obb2`, [`Iof`](crate::kernels::Iof) of `Obb2` |
 //! | `box_iou_quadri`, `convex_iou` | [`overlap_polygon`](crate::overlap_polygon) |
 //! | `convex_giou` | [`giou_polygons_decided`](crate::iou::giou_polygons_decided) and its replay |
-//! | `diff_iou_rotated_2d`, `diff_iou_rotated_3d` | [`IouObb2`], [`IouYaw`], with slopes |
-//! | `boxes_overlap_bev`, `boxes_iou3d` | [`IntersectionAreaObb2`], [`IouYaw`] |
+//! | `diff_iou_rotated_2d`, `diff_iou_rotated_3d` | [`Iou`](crate::kernels::Iou) of `Obb2`, [`Iou`](crate::kernels::Iou) of `YawBox3`, with slopes |
+//! | `boxes_overlap_bev`, `boxes_iou3d` | [`IntersectionArea`](crate::kernels::IntersectionArea) of `Obb2`, [`Iou`](crate::kernels::Iou) of `YawBox3` |
 //! | `nms`, `batched_nms`, `nms_rotated`, `nms_quadri`, `nms3d`, `nms3d_normal` | [`Cpu::overlaps`] of the overlap that is meant, then [`suppression::hard`](crate::suppression::hard()) with classes |
 //! | `soft_nms` | [`suppression::soft`](crate::suppression::soft()) |
 //! | `points_in_boxes_part`, `points_in_boxes_all`, `points_in_boxes_cpu` | [`Cpu::first_box`], [`Cpu::boxes_of_points`] |
@@ -96,7 +96,7 @@
 //! | `bcd` | [`bhattacharyya`](crate::gaussian::bhattacharyya)`(p, t)` |
 //!
 //! `KFLoss` is `1 − k` with k the [`kfiou`](crate::gaussian::kfiou), so at least ⅔; `fun='ln'` is `−ln(k + ε)`, `fun='exp'`
-//! `e^(1−k) − 1`. Each adds a smooth L1 loss of encoded centres. `RotatedIoULoss` is one minus [`IouObb2`], or its logarithm.
+//! `e^(1−k) − 1`. Each adds a smooth L1 loss of encoded centres. `RotatedIoULoss` is one minus [`Iou`](crate::kernels::Iou) of `Obb2`, or its logarithm.
 //! `ConvexGIoULoss` and `BCConvexGIoULoss` are [`giou_polygons_decided`](crate::iou::giou_polygons_decided),
 //! `SpatialBorderLoss` is [`contain::clearance_decided`](crate::contain::clearance_decided). `KLDRepPointsLoss` has no
 //! counterpart: Gaussians are made of boxes here, not of points. All of them in space:
@@ -107,7 +107,7 @@
 //! | theirs | ours |
 //! | --- | --- |
 //! | `probiou` | `1 − √((1 − q)² + ε)` with q of [`probiou`](crate::gaussian::probiou) and ε = 10⁻⁷; of equal boxes `1 − √(2ε)` = 0.99955, where ours is 1 |
-//! | `bbox_iou` | [`IouAabb2`]; ε is added to heights, to the union and to what is divided by |
+//! | `bbox_iou` | [`Iou`](crate::kernels::Iou) of `Aabb2`; ε is added to heights, to the union and to what is divided by |
 //! | `bbox_iou` with `GIoU`, `DIoU`, `CIoU` | [`giou_aabb2`](crate::iou::giou_aabb2), [`diou_aabb2`](crate::iou::diou_aabb2), [`ciou_aabb2`](crate::iou::ciou_aabb2) |
 //! | the slopes of `CIoU` | [`ciou_fixed_weight_aabb2`](crate::iou::ciou_fixed_weight_aabb2): α is a constant |
 //!
@@ -115,11 +115,11 @@
 //!
 //! | theirs | ours |
 //! | --- | --- |
-//! | `box_iou`, `pairwise_iou`; `generalized_box_iou` | [`IouAabb2`]; [`giou_aabb2`](crate::iou::giou_aabb2), without any ε |
+//! | `box_iou`, `pairwise_iou`; `generalized_box_iou` | [`Iou`](crate::kernels::Iou) of `Aabb2`; [`giou_aabb2`](crate::iou::giou_aabb2), without any ε |
 //! | `generalized_box_iou_loss`, `giou_loss` (of fvcore) | `1 −` [`giou_aabb2`](crate::iou::giou_aabb2), ε = 10⁻⁷ |
 //! | `distance_box_iou_loss`, `diou_loss` | `1 −` [`diou_aabb2`](crate::iou::diou_aabb2), ε = 10⁻⁷ |
 //! | `complete_box_iou_loss`, `ciou_loss` | `1 −` [`ciou_fixed_weight_aabb2`](crate::iou::ciou_fixed_weight_aabb2), ε = 10⁻⁷ |
-//! | `pairwise_iou_rotated` | [`IouObb2`]; boxes by [`Detectron2Box`](crate::convention::Detectron2Box) |
+//! | `pairwise_iou_rotated` | [`Iou`](crate::kernels::Iou) of `Obb2`; boxes by [`Detectron2Box`](crate::convention::Detectron2Box) |
 //! | `nms`, `batched_nms`, `nms_rotated` | [`suppression::hard`](crate::suppression::hard()) of overlaps above the threshold; `nms_rotated` on a CPU suppresses at the threshold, too |
 //!
 //! ## mmcv and mmdetection
@@ -133,14 +133,10 @@
 //!
 //! # What none of them has
 //!
-//! Overlap of boxes under full rotation with slopes ([`IouObb3`]), of two kinds of boxes
+//! Overlap of boxes under full rotation with slopes ([`Iou`](crate::kernels::Iou) of `Obb3`), of two kinds of boxes
 //! ([`Overlaps`](crate::overlap3::Overlaps)), and an overlap that goes on beyond contact
 //! ([`separation_aware`](crate::iou3::separation_aware)).
 //!
 //! [`Op::value_grad`]: crate::kernels::Op::value_grad
 #[expect(unused_imports, reason = "names in the documentation")]
-use crate::kernels::{
-    Backend, Cpu, DiouAabbObb2, DiouObb2, DiouYaw, DistanceNumberInterval, GiouAabb2, GiouAabbObb2,
-    GiouObb2, IntersectionAreaObb2, IofAabb2, IofObb2, IouAabb2, IouBirdsEye, IouIntervals,
-    IouObb2, IouObb3, IouYaw, SignedDistancePointObb2,
-};
+use crate::kernels::{Backend, Cpu};

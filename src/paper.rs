@@ -83,17 +83,17 @@
 //!
 //! | there | here | what was wrong |
 //! | --- | --- | --- |
-//! | `box2d_iou`, methods `box`, `rbox` | [`all_pairs`](crate::kernels::Cpu::all_pairs) of [`IouAabb2`](crate::kernels::IouAabb2), [`IouObb2`](crate::kernels::IouObb2) | gradients were added from many threads without order |
-//! | `grbox`, `drbox` | [`GiouObb2`](crate::kernels::GiouObb2), [`DiouObb2`](crate::kernels::DiouObb2) | B5, B7 |
-//! | `gbox`, `dbox` | [`GiouAabb2`](crate::kernels::GiouAabb2), [`DiouAabb2`](crate::kernels::DiouAabb2) | named, and refused |
+//! | `box2d_iou`, methods `box`, `rbox` | [`all_pairs`](crate::kernels::Cpu::all_pairs) of [`Iou`](crate::kernels::Iou) of `Aabb2`, [`Iou`](crate::kernels::Iou) of `Obb2` | gradients were added from many threads without order |
+//! | `grbox`, `drbox` | [`Giou`](crate::kernels::Giou) of `Obb2`, [`Diou`](crate::kernels::Diou) of `Obb2` | B5, B7 |
+//! | `gbox`, `dbox` | [`Giou`](crate::kernels::Giou) of `Aabb2`, [`Diou`](crate::kernels::Diou) of `Aabb2` | named, and refused |
 //! | `precise` | columns of `f64` | |
 //! | `box2d_nms` | [`suppression`](crate::suppression): [`hard`](crate::suppression::hard()), [`soft`](crate::suppression::soft()) with both decays | wrong on GPUs above 64 boxes |
-//! | `box2dr_pdist` | [`SignedDistancePointObb2`](crate::kernels::SignedDistancePointObb2) | read beyond its memory; B1 |
-//! | `seg1d_pdist` | [`Interval::signed_distance_to`], [`DistanceNumberInterval`](crate::kernels::DistanceNumberInterval) | |
-//! | `box2dr_crop` | [`above`](crate::kernels::Cpu::above) of [`ClearancePointObb2`](crate::kernels::ClearancePointObb2), or [`Obb2::contains`] | |
-//! | `box3dr_pdist` | [`SignedDistancePointYaw`](crate::kernels::SignedDistancePointYaw) | B1 |
+//! | `box2dr_pdist` | [`SignedDistance`](crate::kernels::SignedDistance) of `Vec2` and `Obb2` | read beyond its memory; B1 |
+//! | `seg1d_pdist` | [`Interval::signed_distance_to`], [`Distance`](crate::kernels::Distance) of `S` and `Interval` | |
+//! | `box2dr_crop` | [`above`](crate::kernels::Cpu::above) of [`Clearance`](crate::kernels::Clearance) of `Vec2` and `Obb2`, or [`Obb2::contains`] | |
+//! | `box3dr_pdist` | [`SignedDistance`](crate::kernels::SignedDistance) of `Vec3` and `YawBox3` | B1 |
 //! | `box3dp_crop` | [`YawBox3::contains`](crate::shape::YawBox3::contains) | |
-//! | `seg1d_iou` | [`Interval::iou`], [`IouIntervals`](crate::kernels::IouIntervals) | took one interval's length for both |
+//! | `seg1d_iou` | [`Interval::iou`], [`Iou`](crate::kernels::Iou) of `Interval` | took one interval's length for both |
 //!
 //! Its matchers are [`assignment`](crate::assignment), its evaluation [`metric`](crate::metric).
 #[cfg(doc)]

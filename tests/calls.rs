@@ -2,7 +2,7 @@
 use geograd::kernels::real::Real;
 use geograd::kernels::reduce::{Best, Found};
 use geograd::kernels::{Cpu, Op, RingOp, Single, Table};
-use geograd::{Aabb2, Aabb3, Error, Obb2, Obb3, Vec2, YawBox3};
+use geograd::{Error, Vec2};
 use std::sync::atomic::{AtomicBool, Ordering};
 
 /// A format that batches serve.
@@ -17,20 +17,14 @@ pub trait Pair<T: Number>: Op<In<T> = (Self::A, Self::B), Out<T> = T> {
     type B: Single<Scalar = T> + std::fmt::Debug + PartialEq;
 }
 
-macro_rules! pairs {
-    ($($shape:ident: $($op:ident)*;)*) => { $($(
-        impl<T: Number> Pair<T> for geograd::kernels::$op {
-            type A = $shape<T>;
-            type B = $shape<T>;
-        }
-    )*)* };
-}
-pairs! {
-    Obb2: IntersectionAreaObb2 IouObb2 IofObb2 GiouObb2;
-    YawBox3: IntersectionVolumeYaw IouYaw IofYaw IouBirdsEye;
-    Obb3: IouObb3 IofObb3;
-    Aabb3: IouAabb3;
-    Aabb2: IntersectionAreaAabb2 IouAabb2 IofAabb2;
+impl<O, A, B, T: Number> Pair<T> for O
+where
+    O: Op<In<T> = (A, B), Out<T> = T>,
+    A: Single<Scalar = T> + std::fmt::Debug + PartialEq,
+    B: Single<Scalar = T> + std::fmt::Debug + PartialEq,
+{
+    type A = A;
+    type B = B;
 }
 
 static UNCULLED: AtomicBool = AtomicBool::new(false);

@@ -14,6 +14,7 @@ pub mod fuzzers;
 pub mod lines;
 #[cfg(feature = "list")]
 pub mod list;
+pub mod rows;
 
 /// Operations of two shapes that are fuzzed beside the list.
 ///
@@ -22,8 +23,8 @@ pub mod list;
 macro_rules! more_fuzzed {
     ($with:ident) => {
         $with! {
-            iou_aabb3_obb3: geograd::kernels::IouAabb3Obb3,
-            intersection_area_quads: geograd::kernels::IntersectionAreaQuads,
+            iou_aabb3_obb3: $crate::rows::IouAabb3Obb3,
+            intersection_area_quads: $crate::rows::IntersectionAreaQuads,
         }
     };
 }

@@ -3,10 +3,10 @@ use geograd::convention::{
     Detectron2Box, ImageBox, KittiBox, Le90, Le135, LidarBox, NuScenesBox, OpenCvBox, Xyxyr,
 };
 use geograd::iou::Exponent;
-use geograd::kernels::verbs::{self, Takes};
+use geograd::kernels::verbs::{self, OverPolyline, OverRing, Takes};
 use geograd::{
-    Aabb2, Aabb3, Capsule2, Circle, ConvexPolygon, Interval, Line2, Obb2, Obb3, Pose2, Ray2,
-    Segment2, Triangle2, Vec2, Vec3, YawBox3,
+    Aabb2, Aabb3, Capsule2, Circle, Interval, Line2, Obb2, Obb3, Pose2, Ray2, Segment2, Triangle2,
+    Vec2, Vec3, YawBox3,
 };
 
 /// A type and a value of that name.
@@ -214,11 +214,80 @@ rows! {
     GiouObb2 = verbs::Giou: (Obb2<f64>, Obb2<f64>);
 }
 
-pub type DiameterOfPolygon<const N: usize> = <verbs::Diameter as Takes<ConvexPolygon<f64, N>>>::By;
-pub type WidthOfPolygon<const N: usize> = <verbs::Width as Takes<ConvexPolygon<f64, N>>>::By;
-pub type RectangleAroundPolygon<const N: usize> = <verbs::MinimumRectangle as Takes<ConvexPolygon<f64, N>>>::By;
-pub type CircleAroundPolygon<const N: usize> = <verbs::MinimumCircle as Takes<ConvexPolygon<f64, N>>>::By;
-pub type IntersectionAreaPolygons<const N: usize> = <verbs::IntersectionArea as Takes<(ConvexPolygon<f64, N>, ConvexPolygon<f64, N>)>>::By;
-pub type IouPolygons<const N: usize> = <verbs::Iou as Takes<(ConvexPolygon<f64, N>, ConvexPolygon<f64, N>)>>::By;
-pub type IofPolygons<const N: usize> = <verbs::Iof as Takes<(ConvexPolygon<f64, N>, ConvexPolygon<f64, N>)>>::By;
-pub type DiouPolygons<const N: usize> = <verbs::Diou as Takes<(ConvexPolygon<f64, N>, ConvexPolygon<f64, N>)>>::By;
+/// Folds over paths.
+macro_rules! folds {
+    ($($Name:ident = $verb:ident $Over:ident;)*) => { $(
+        pub type $Name = <verbs::$verb as $Over>::By;
+        #[allow(non_upper_case_globals)]
+        pub const $Name: $Name = <verbs::$verb as $Over>::BY;
+    )* };
+}
+folds! {
+    DistancePointPolyline = Distance OverPolyline;
+    DistancePointRing = Distance OverRing;
+    SignedDistancePointRing = SignedDistance OverRing;
+    ClearancePointRing = Clearance OverRing;
+    WindingOfRing = Winding OverRing;
+    LengthOfPolyline = Length OverPolyline;
+    SecondMomentsOfRing = SecondMoments OverRing;
+}
+
+pub mod distance {
+    pub use super::{
+        ClearancePointAabb2, ClearancePointObb2, ClosestPointsAabb2, ClosestPointsCapsules,
+        ClosestPointsCircleObb2, ClosestPointsObb2, ClosestPointsOfSegments,
+        ClosestPointsPointObb2, ClosestPointsPointSegment, ClosestPointsPointTriangle,
+        ClosestPointsTriangles, DistanceAabb2, DistanceCapsules, DistanceCircleObb2,
+        DistanceCircles, DistanceObb2, DistancePointAabb2, DistancePointCapsule,
+        DistancePointCircle, DistancePointObb2, DistancePointSegment, DistancePointTriangle,
+        DistanceSegmentCircle, DistanceSegmentObb2, DistanceSegments, DistanceSquaredAabb2,
+        DistanceSquaredObb2, DistanceSquaredPointSegment, DistanceSquaredPointTriangle,
+        DistanceSquaredSegments, DistanceSquaredTriangles, DistanceTriangles,
+        FarthestDistanceAabb2, FarthestDistanceCircleObb2, FarthestDistanceObb2,
+        FarthestDistancePointObb2, FarthestDistanceTriangles, PenetrationAabb2,
+        PenetrationCapsules, PenetrationCircleObb2, PenetrationCircles, PenetrationObb2,
+        PenetrationTriangles, SignedDistanceAabb2, SignedDistanceCapsules,
+        SignedDistanceCircleObb2, SignedDistanceCircles, SignedDistanceObb2,
+        SignedDistancePointAabb2, SignedDistancePointCapsule, SignedDistancePointCircle,
+        SignedDistancePointObb2, SignedDistancePointTriangle, SignedDistanceSegmentCircle,
+        SignedDistanceSegmentObb2, SignedDistanceTriangles,
+    };
+}
+pub mod fold {
+    pub use super::{
+        ClearancePointRing, DistancePointPolyline, DistancePointRing, LengthOfPolyline,
+        SecondMomentsOfRing, SignedDistancePointRing, WindingOfRing,
+    };
+}
+pub mod iou {
+    pub use super::{
+        AlphaIouAabb2, AlphaIouObb2, CiouAabb2, CiouAabbObb2, CiouFixedWeightAabb2,
+        CiouFixedWeightObb2, CiouHullAabb2, CiouObb2, DiouAabb2, DiouAabbObb2, DiouHullAabb2,
+        DiouObb2, EiouAabb2, EiouAabbObb2, EiouHullAabb2, EiouObb2, GiouAabb2, GiouAabbObb2,
+        GiouHullAabb2, GiouObb2, HullAreaAabb2, HullAreaObb2,
+    };
+}
+pub mod iou3 {
+    pub use super::{
+        AlphaIouAabb3, AlphaIouYaw, CiouAabb3, CiouAabbObb3, CiouAabbYaw, CiouObb3,
+        CiouRectangleYaw, CiouYaw, DiouAabb3, DiouAabbObb3, DiouAabbYaw, DiouObb3,
+        DiouRectangleYaw, DiouYaw, EiouAabb3, EiouAabbObb3, EiouAabbYaw, EiouObb3,
+        EiouRectangleYaw, EiouYaw, GiouAabb3, GiouAabbObb3, GiouAabbYaw, GiouObb3,
+        GiouRectangleYaw, GiouYaw, SeparationAwareAabb3, SeparationAwareObb2, SeparationAwareObb3,
+        SeparationAwareYaw,
+    };
+}
+pub mod overlap {
+    pub use super::{
+        IntersectionAreaAabb2, IntersectionAreaObb2, IofAabb2, IofObb2, IouAabb2, IouObb2,
+    };
+}
+pub mod overlap3 {
+    pub use super::{
+        IntersectionVolumeAabb3, IntersectionVolumeObb3, IntersectionVolumeYaw, IofAabb3, IofObb3,
+        IofYaw, IouAabb3, IouAabb3Obb3, IouAabb3Yaw, IouBirdsEye, IouObb3, IouYaw, IouYawObb3,
+    };
+}
+pub mod ring {
+    pub use geograd::kernels::{Centroid, Perimeter, SignedArea};
+}

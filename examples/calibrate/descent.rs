@@ -9,7 +9,7 @@ use crate::scene::{FAR, Scene};
 use common::known::known;
 use geograd::assignment::greedy;
 use geograd::iou3::separation_aware;
-use geograd::kernels::{Cpu, IouObb3, One, Op};
+use geograd::kernels::{Cpu, Iou, One};
 use geograd::suppression::Pair;
 use geograd::{Error, Obb3, Pose3, Rotation3, Vec3, operation};
 
@@ -108,7 +108,7 @@ fn evaluate(scene: &Scene, a_from_b: Pose3<f64>) -> Result<(State, [Vec3<f64>; 2
     let of_b: Vec<_> = pairs.iter().map(|pair| scene.b[pair.second]).collect();
     let moved: Vec<_> = pairs.iter().map(|pair| seen[pair.second]).collect();
 
-    let (ious, (by_iou, _)) = cpu.aligned(IouObb3.value_grad(), (&moved, &of_a))?;
+    let (ious, (by_iou, _)) = cpu.aligned(Iou.value_grad(), (&moved, &of_a))?;
     let columns = (&moved, &of_a, &ious);
     let (overlaps, (mut by_moved, _, along)) = cpu.aligned(Separation.value_grad(), columns)?;
     // The mean loss is one minus the mean overlap.

@@ -1,7 +1,7 @@
 //! The picture: the arm among its obstacles, and its clearance over both joints with its slopes.
 use crate::{Arm, Clearance, Post};
 use common::cli::Failure;
-use geograd::kernels::{Cpu, One, Op};
+use geograd::kernels::{Cpu, One};
 use geograd::{Error, Obb2, Vec2};
 use std::f32::consts::{PI, TAU};
 use std::ffi::OsStr;

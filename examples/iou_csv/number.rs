@@ -1,9 +1,10 @@
 //! The two formats to compute in.
 use crate::boxes::{Pairs, Scores, on_cpu};
-use geograd::kernels::op::Op;
+use geograd::kernels::Runs;
+use geograd::kernels::op::ValueGrad;
 use geograd::kernels::real::Real;
 use geograd::kernels::row::Single;
-use geograd::kernels::{Backend, IofObb2, IouObb2};
+use geograd::kernels::{Backend, Iof, Iou};
 use geograd::{Error, Obb2};
 use std::fmt::Debug;
 use std::str::FromStr;
@@ -34,7 +35,7 @@ impl Number for f32 {
         pairs: Pairs<'_, Obb2<f32>>,
         grad: bool,
     ) -> Result<Scores<Obb2<f32>>, Error> {
-        anywhere(backend, IouObb2, pairs, grad)
+        anywhere(backend, Iou, pairs, grad)
     }
 
     fn iof(
@@ -42,7 +43,7 @@ impl Number for f32 {
         pairs: Pairs<'_, Obb2<f32>>,
         grad: bool,
     ) -> Result<Scores<Obb2<f32>>, Error> {
-        anywhere(backend, IofObb2, pairs, grad)
+        anywhere(backend, Iof, pairs, grad)
     }
 }
 
@@ -55,7 +56,7 @@ impl Number for f64 {
         pairs: Pairs<'_, Obb2<f64>>,
         grad: bool,
     ) -> Result<Scores<Obb2<f64>>, Error> {
-        on_cpu(IouObb2, pairs, grad)
+        on_cpu(Iou, pairs, grad)
     }
 
     fn iof(
@@ -63,7 +64,7 @@ impl Number for f64 {
         pairs: Pairs<'_, Obb2<f64>>,
         grad: bool,
     ) -> Result<Scores<Obb2<f64>>, Error> {
-        on_cpu(IofObb2, pairs, grad)
+        on_cpu(Iof, pairs, grad)
     }
 }
 
@@ -75,19 +76,19 @@ fn anywhere<O>(
     grad: bool,
 ) -> Result<Scores<Obb2<f32>>, Error>
 where
-    O: Op<In<f32> = (Obb2<f32>, Obb2<f32>), Out<f32> = f32>,
+    O: Runs<(Obb2<f32>, Obb2<f32>), Out = f32> + Copy,
 {
     if let Backend::Cpu = backend {
         return on_cpu(op, pairs, grad);
     }
     match pairs {
         Pairs::Aligned(a, b) if grad => {
-            let (values, (a_bar, b_bar)) = backend.aligned(op.value_grad(), (a, b))?;
+            let (values, (a_bar, b_bar)) = backend.aligned(ValueGrad::of(op), (a, b))?;
             Ok(Scores::with_slopes(values, a_bar, b_bar))
         }
         Pairs::Aligned(a, b) => Ok(Scores::new(backend.aligned(op, (a, b))?)),
         Pairs::All(a, b) if grad => Ok(Scores::from_table(&backend.all_pairs(
-            op.value_grad(),
+            ValueGrad::of(op),
             a,
             b,
         )?)),

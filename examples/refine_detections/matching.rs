@@ -4,7 +4,7 @@ use crate::loss::Space;
 use crate::model::{Frame, Frames, Seen};
 use geograd::Error;
 use geograd::assignment::greedy;
-use geograd::kernels::{Backend, IouObb2, IouYaw};
+use geograd::kernels::{Backend, Iou};
 use geograd::suppression::Pair;
 
 /// A detection and the truth it was matched to.
@@ -34,11 +34,11 @@ pub fn match_frame(
     let table = match space {
         Space::BirdsEye => {
             let grounds = |all: &[Seen]| all.iter().map(Seen::ground).collect::<Vec<_>>();
-            backend.all_pairs(IouObb2, &grounds(detections), &grounds(truths))?
+            backend.all_pairs(Iou, &grounds(detections), &grounds(truths))?
         }
         Space::Full => {
             let shapes = |all: &[Seen]| all.iter().map(|seen| seen.shape).collect::<Vec<_>>();
-            backend.all_pairs(IouYaw, &shapes(detections), &shapes(truths))?
+            backend.all_pairs(Iou, &shapes(detections), &shapes(truths))?
         }
     };
     let mut overlaps = table.into_planes();

@@ -2,7 +2,7 @@
 use crate::loss::Space;
 use crate::model::{Class, Frames, Seen};
 use geograd::Error;
-use geograd::kernels::{Cpu, IouObb2, IouYaw};
+use geograd::kernels::{Cpu, Iou};
 use geograd::metric::{self, Recalls, average_precision, curve, outcomes};
 use geograd::suppression::Pair;
 
@@ -71,11 +71,11 @@ fn near(detections: &[Seen], truths: &[Seen], space: Space) -> Result<Vec<Pair<f
     let found = match space {
         Space::BirdsEye => {
             let grounds = |all: &[Seen]| all.iter().map(Seen::ground).collect::<Vec<_>>();
-            cpu.above(IouObb2, &grounds(detections), &grounds(truths), 0.0)?
+            cpu.above(Iou, &grounds(detections), &grounds(truths), 0.0)?
         }
         Space::Full => {
             let shapes = |all: &[Seen]| all.iter().map(|seen| seen.shape).collect::<Vec<_>>();
-            cpu.above(IouYaw, &shapes(detections), &shapes(truths), 0.0)?
+            cpu.above(Iou, &shapes(detections), &shapes(truths), 0.0)?
         }
     };
     let pairs = found.into_iter().map(|found| Pair {

@@ -8,7 +8,7 @@ use common::known::known;
 use geograd::gaussian::{self, solid};
 use geograd::iou::{ciou_obb2, diou_obb2, hull_area_obb2};
 use geograd::iou3::{Enclosing, ciou, diou, giou, separation_aware};
-use geograd::kernels::{Backend, IouObb2, IouYaw, Op};
+use geograd::kernels::{Backend, Iou};
 use geograd::{Error, Obb2, Obb3, Program, Rotation2, Scalar, Sym, Vec2, Vec3, YawBox3};
 
 /// Sizes of truths count as no smaller than a millimetre.
@@ -212,7 +212,7 @@ impl Scorer {
                 };
                 let (boxes, truths) = (ground(boxes), ground(truths));
                 let columns = (&boxes, &truths);
-                let (ious, (slopes, _)) = backend.aligned(IouObb2.value_grad(), columns)?;
+                let (ious, (slopes, _)) = backend.aligned(Iou.value_grad(), columns)?;
                 let raised = slopes.into_iter().map(|by| {
                     YawBox3::new(
                         Vec3::new(by.center.x, by.center.y, 0.0),
@@ -224,7 +224,7 @@ impl Scorer {
             }
             Space::Full => {
                 let columns = (boxes, truths);
-                let (ious, (slopes, _)) = backend.aligned(IouYaw.value_grad(), columns)?;
+                let (ious, (slopes, _)) = backend.aligned(Iou.value_grad(), columns)?;
                 Ok((ious, slopes))
             }
         }

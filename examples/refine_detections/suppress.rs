@@ -2,7 +2,7 @@
 use crate::loss::Space;
 use crate::model::{Frames, Seen};
 use geograd::Error;
-use geograd::kernels::{Cpu, IouObb2, IouYaw};
+use geograd::kernels::{Cpu, Iou};
 use geograd::suppression::{Pair, Rules, hard};
 
 /// Leaves out detections that overlap a better one of their class by more than the threshold. Gives their
@@ -33,11 +33,11 @@ fn overlaps(all: &[Seen], space: Space, threshold: f32) -> Result<Vec<Pair<f32>>
     match space {
         Space::BirdsEye => {
             let grounds: Vec<_> = all.iter().map(Seen::ground).collect();
-            cpu.overlaps(IouObb2, &grounds, threshold)
+            cpu.overlaps(Iou, &grounds, threshold)
         }
         Space::Full => {
             let shapes: Vec<_> = all.iter().map(|seen| seen.shape).collect();
-            cpu.overlaps(IouYaw, &shapes, threshold)
+            cpu.overlaps(Iou, &shapes, threshold)
         }
     }
 }

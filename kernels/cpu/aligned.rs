@@ -16,7 +16,7 @@ type ScalarOf<C> = <<C as Columns>::Row as Pack>::Scalar;
 impl Cpu {
     /// Item i of every column: one result per item, shape by shape for results of several.
     ///
-    /// What runs is an operation ([`IouObb2`](crate::kernels::IouObb2)), its gradient
+    /// What runs is an operation ([`Iou`](crate::kernels::Iou)), its gradient
     /// ([`value_grad`](crate::kernels::Op::value_grad)), its adjoint
     /// ([`vjp`](crate::kernels::Op::vjp)), or a program.
     ///
@@ -27,18 +27,18 @@ impl Cpu {
     ///
     /// ```
     /// use geograd::Obb2;
-    /// use geograd::kernels::{Cpu, IouObb2, Op};
+    /// use geograd::kernels::{Cpu, Iou, Op};
     /// let a = [Obb2::new(0.0_f64, 0.0, 2.0, 2.0, 0.0), Obb2::new(5.0, 5.0, 1.0, 3.0, 0.7)];
     /// let b = [Obb2::new(1.0, 0.0, 2.0, 2.0, 0.0), Obb2::new(5.0, 5.0, 1.0, 3.0, 0.7)];
     /// let cpu = Cpu::new();
-    /// assert_eq!(cpu.aligned(IouObb2, (&a, &b))?, [1.0 / 3.0, 1.0]);
+    /// assert_eq!(cpu.aligned(Iou, (&a, &b))?, [1.0 / 3.0, 1.0]);
     ///
-    /// let (iou, (a_bar, _)) = cpu.aligned(IouObb2.value_grad(), (&a, &b))?;
+    /// let (iou, (a_bar, _)) = cpu.aligned(Iou.value_grad(), (&a, &b))?;
     /// assert_eq!(iou[0], 1.0 / 3.0);
     /// assert!((a_bar[0].center.x - 4.0 / 9.0).abs() < 1e-15); // nearer is better
     ///
     /// // The adjoint: slopes times what some loss says about every result.
-    /// let (twice, _) = cpu.aligned(IouObb2.vjp(), ((&a, &b), &[2.0, 0.0]))?;
+    /// let (twice, _) = cpu.aligned(Iou.vjp(), ((&a, &b), &[2.0, 0.0]))?;
     /// assert_eq!(twice[0].center.x, 2.0 * a_bar[0].center.x);
     /// # Ok::<(), geograd::Error>(())
     /// ```
@@ -67,11 +67,11 @@ impl Cpu {
     ///
     /// ```
     /// use geograd::Aabb2;
-    /// use geograd::kernels::{Cpu, IouAabb2, Op, Skip};
+    /// use geograd::kernels::{Cpu, Iou, Op, Skip};
     /// let boxes = [Aabb2::new(0.0, 0.0, 2.0, 2.0)];
     /// let mut a_bar = boxes;
     /// let targets = (Skip, (&mut a_bar, Skip));
-    /// Cpu::new().aligned_into(IouAabb2.value_grad(), (&boxes, &boxes), targets)?;
+    /// Cpu::new().aligned_into(Iou.value_grad(), (&boxes, &boxes), targets)?;
     /// # Ok::<(), geograd::Error>(())
     /// ```
     pub fn aligned_into<C: Columns, R: Runs<C::Row>>(

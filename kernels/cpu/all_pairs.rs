@@ -43,13 +43,13 @@ impl Cpu {
     ///
     /// ```
     /// use geograd::Obb2;
-    /// use geograd::kernels::{Cpu, IouObb2, Op};
+    /// use geograd::kernels::{Cpu, Iou, Op};
     /// let a = [Obb2::new(0.0, 0.0, 2.0, 2.0, 0.0)];
     /// let b = [Obb2::new(9.0, 0.0, 2.0, 2.0, 0.0), Obb2::new(1.0, 0.0, 2.0, 2.0, 0.0)];
     /// let cpu = Cpu::new();
-    /// assert_eq!(cpu.all_pairs(IouObb2, &a, &b)?.values(), [0.0, 1.0 / 3.0]);
+    /// assert_eq!(cpu.all_pairs(Iou, &a, &b)?.values(), [0.0, 1.0 / 3.0]);
     ///
-    /// let (_, (_, b_bar)) = cpu.all_pairs(IouObb2.value_grad(), &a, &b)?.at(0, 1);
+    /// let (_, (_, b_bar)) = cpu.all_pairs(Iou.value_grad(), &a, &b)?.at(0, 1);
     /// assert!((b_bar.center.x + 4.0_f64 / 9.0).abs() < 1e-15);
     /// # Ok::<(), geograd::Error>(())
     /// ```
@@ -114,10 +114,10 @@ impl Cpu {
     ///
     /// ```
     /// use geograd::Obb2;
-    /// use geograd::kernels::{Cpu, IouObb2};
+    /// use geograd::kernels::{Cpu, Iou};
     /// let a = [Obb2::new(0.0, 0.0, 2.0, 2.0, 0.0)];
     /// let b = [Obb2::new(9.0, 0.0, 2.0, 2.0, 0.0), Obb2::new(1.0, 0.0, 2.0, 2.0, 0.0)];
-    /// let (a_bar, b_bar) = Cpu::new().all_pairs_vjp(IouObb2, &a, &b, &[1.0, 3.0])?;
+    /// let (a_bar, b_bar) = Cpu::new().all_pairs_vjp(Iou, &a, &b, &[1.0, 3.0])?;
     /// assert!((a_bar[0].center.x - 3.0 * 4.0_f64 / 9.0).abs() < 1e-15);
     /// assert_eq!(b_bar[0].center.x, 0.0);
     /// # Ok::<(), geograd::Error>(())
@@ -223,10 +223,10 @@ impl Cpu {
     ///
     /// ```
     /// use geograd::Obb2;
-    /// use geograd::kernels::{Cpu, IouObb2};
+    /// use geograd::kernels::{Cpu, Iou};
     /// let a = [Obb2::new(0.0, 0.0, 2.0, 2.0, 0.0)];
     /// let b = [Obb2::new(9.0, 0.0, 2.0, 2.0, 0.0), Obb2::new(1.0, 0.0, 2.0, 2.0, 0.0)];
-    /// let best = Cpu::new().row_max(IouObb2, &a, &b)?;
+    /// let best = Cpu::new().row_max(Iou, &a, &b)?;
     /// assert_eq!((best[0].value, best[0].index), (1.0 / 3.0, 1));
     /// # Ok::<(), geograd::Error>(())
     /// ```
@@ -355,10 +355,10 @@ impl Cpu {
     ///
     /// ```
     /// use geograd::Aabb2;
-    /// use geograd::kernels::{Cpu, IntersectionAreaAabb2};
+    /// use geograd::kernels::{Cpu, IntersectionArea};
     /// let a = [Aabb2::new(0.0, 0.0, 2.0, 2.0)];
     /// let b = [Aabb2::new(1.0, 0.0, 3.0, 2.0), Aabb2::new(-1.0, 1.0, 3.0, 3.0)];
-    /// let (sum, a_bar, _) = Cpu::new().sum_grad(IntersectionAreaAabb2, &a, &b)?;
+    /// let (sum, a_bar, _) = Cpu::new().sum_grad(IntersectionArea, &a, &b)?;
     /// assert_eq!(sum, 4.0);
     /// assert_eq!(a_bar[0].max.x, 3.0); // 2 along the one, 1 along the other
     /// # Ok::<(), geograd::Error>(())

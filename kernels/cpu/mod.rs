@@ -76,14 +76,14 @@ pub use table::Table;
 /// The processor: all its lanes, and all threads of rayon's current pool.
 ///
 /// ```
-/// use geograd::kernels::{Cpu, Op, IouObb2};
+/// use geograd::kernels::{Cpu, Op, Iou};
 /// use geograd::Obb2;
 /// let guesses = [Obb2::new(0.0_f32, 0.0, 2.0, 2.0, 0.0), Obb2::new(4.0, 1.0, 2.0, 1.0, 0.5)];
 /// let truths = [Obb2::new(1.0, 0.0, 2.0, 2.0, 0.0), Obb2::new(4.0, 1.0, 2.0, 1.0, 0.4)];
 /// let cpu = Cpu::new();
-/// let iou = cpu.aligned(IouObb2, (&guesses, &truths))?;
-/// let (iou_again, (by_guess, by_truth)) = cpu.aligned(IouObb2.value_grad(), (&guesses, &truths))?;
-/// let matrix = cpu.all_pairs(IouObb2, &guesses, &truths)?;
+/// let iou = cpu.aligned(Iou, (&guesses, &truths))?;
+/// let (iou_again, (by_guess, by_truth)) = cpu.aligned(Iou.value_grad(), (&guesses, &truths))?;
+/// let matrix = cpu.all_pairs(Iou, &guesses, &truths)?;
 /// assert_eq!(iou, iou_again);
 /// assert_eq!(matrix.values()[0], iou[0]);
 /// # Ok::<(), geograd::Error>(())

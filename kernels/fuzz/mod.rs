@@ -13,8 +13,9 @@
 //! them.
 //!
 //! ```
-//! use geograd::kernels::{IouObb2, fuzz};
-//! let fuzzed = fuzz::operation::<IouObb2, f32>(100_000, 1);
+//! use geograd::Obb2;
+//! use geograd::kernels::{Iou, RowOf, fuzz};
+//! let fuzzed = fuzz::operation::<RowOf<Iou, (Obb2<f64>, Obb2<f64>)>, f32>(100_000, 1);
 //! assert_eq!(fuzzed.broken, None, "{fuzzed}");
 //! ```
 mod inputs;

@@ -50,16 +50,16 @@
 //!
 //! ```no_run
 //! use geograd::kernels::gpu::Gpu;
-//! use geograd::kernels::{DistancePointSegment, IouObb2, One, Op};
+//! use geograd::kernels::{Distance, Iou, One, Op};
 //! use geograd::{Obb2, Segment2, Vec2};
 //! # #[cfg(feature = "gpu")] {
 //! let gpu = Gpu::new()?;
 //! let boxes = [Obb2::new(0.0, 0.0, 4.0, 2.0, 0.3)];
-//! assert_eq!(gpu.row_max(IouObb2, &boxes, &boxes)?[0].value, 1.0);
+//! assert_eq!(gpu.row_max(Iou, &boxes, &boxes)?[0].value, 1.0);
 //!
 //! let points = [Vec2::new(0.0_f32, 1.0), Vec2::new(3.0, 0.0)];
 //! let segment = One(Segment2::new(Vec2::new(0.0, 0.0), Vec2::new(2.0, 0.0)));
-//! let run = DistancePointSegment.value_grad();
+//! let run = Distance.value_grad();
 //! let (distances, (by_point, _)) = gpu.aligned(run, (&points, segment))?;
 //! assert_eq!((distances[0], by_point[0]), (1.0, Vec2::new(0.0, 1.0)));
 //! # }

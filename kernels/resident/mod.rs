@@ -6,28 +6,28 @@
 //!
 //! ```
 //! use geograd::Obb2;
-//! use geograd::kernels::{Backend, IouObb2, Op};
+//! use geograd::kernels::{Backend, Iou, Op};
 //! let here = Backend::Cpu.resident(); // or of a GPU
 //! let mut guesses = vec![Obb2::new(0.4, 0.0, 2.0, 2.0, 0.0); 3];
 //! let truths = vec![Obb2::new(0.0, 0.0, 2.0, 2.0, 0.0); 3];
 //!
 //! let (mut a, b) = (here.upload(&guesses)?, here.upload(&truths)?);
-//! let mut found = here.aligned(IouObb2.value_grad(), (&a, &b))?;
+//! let mut found = here.aligned(Iou.value_grad(), (&a, &b))?;
 //! for _ in 0..20 {
 //!     let (_, (slopes, _)) = found.download()?;
 //!     for (guess, slope) in guesses.iter_mut().zip(slopes) {
 //!         guess.center += slope.center * 0.05;
 //!     }
 //!     a.update(&guesses)?; // into the same buffers, and so are the results
-//!     here.aligned_into(IouObb2.value_grad(), (&a, &b), &mut found)?;
+//!     here.aligned_into(Iou.value_grad(), (&a, &b), &mut found)?;
 //! }
 //! let (iou, _) = found.split(); // a handle of each part
 //! assert!(iou.download()?.iter().all(|&iou| iou > 0.95));
 //!
-//! let matrix = here.all_pairs(IouObb2, &a, &b)?;
+//! let matrix = here.all_pairs(Iou, &a, &b)?;
 //! let best = matrix.row_max()?; // of a matrix that is there already
 //! let matched = here.pick(&b, &best)?; // the truth of every guess
-//! assert!(here.aligned(IouObb2, (&a, &matched))?.download()?[0] > 0.95);
+//! assert!(here.aligned(Iou, (&a, &matched))?.download()?[0] > 0.95);
 //! # Ok::<(), geograd::Error>(())
 //! ```
 use crate::GpuFault;
@@ -155,7 +155,7 @@ impl<T: Unpin> Future for Pending<T> {
 /// [`Backend::resident`].
 ///
 /// ```
-/// use geograd::kernels::{Backend, DistancePointSegment, IouObb3, Op, One};
+/// use geograd::kernels::{Backend, Distance, Iou, Op, One};
 /// use geograd::{Obb3, Rotation3, Segment2, Vec2, Vec3};
 /// let resident = Backend::Cpu.resident(); // or of a GPU
 ///
@@ -164,15 +164,15 @@ impl<T: Unpin> Future for Pending<T> {
 ///     [0.0, 5.0].map(|x| Obb3::new(Vec3::new(x, 0.0, 0.0), size, Rotation3::new(1.0, 0.0, 0.0, turn)))
 /// };
 /// let (a, b) = (resident.upload(&boxes(0.0))?, resident.upload(&boxes(0.1))?);
-/// let iou = resident.aligned(IouObb3, (&a, &b))?; // stays there
-/// let matrix = resident.all_pairs(IouObb3, &a, &b)?; // of the same boxes: nothing goes up again
+/// let iou = resident.aligned(Iou, (&a, &b))?; // stays there
+/// let matrix = resident.all_pairs(Iou, &a, &b)?; // of the same boxes: nothing goes up again
 /// assert_eq!(matrix.download()?[3], iou.download()?[1]);
 ///
 /// // Results are arguments of what comes next: here slopes, times those of what is made of the distances.
 /// let points = resident.upload(&[Vec2::new(0.0, 1.0), Vec2::new(3.0, 0.0)])?;
 /// let wall = One(Segment2::new(Vec2::new(0.0, 0.0), Vec2::new(2.0, 0.0)));
-/// let (distances, _) = resident.aligned(DistancePointSegment.value_grad(), (&points, wall))?.split();
-/// let slopes = resident.aligned(DistancePointSegment.vjp(), ((&points, wall), &distances))?;
+/// let (distances, _) = resident.aligned(Distance.value_grad(), (&points, wall))?.split();
+/// let slopes = resident.aligned(Distance.vjp(), ((&points, wall), &distances))?;
 /// assert_eq!(slopes.download()?.0, [Vec2::new(0.0, 1.0), Vec2::new(1.0, 0.0)]);
 /// # Ok::<(), geograd::Error>(())
 /// ```

@@ -31,7 +31,7 @@ use crate::{
 /// Joins verbs and shapes to the operations that serve them.
 macro_rules! rows {
     ($($Verb:ident($($shape:ty),+) by $By:ident;)*) => { $(
-        crate::__takes!($Verb, ($($shape),+), $By);
+        crate::__takes!($Verb, ($($shape),+), $By, $By);
     )* };
 }
 rows! {

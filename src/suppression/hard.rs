@@ -12,13 +12,13 @@ use crate::error::Error;
 /// something that has no score; [`Error::Length`] for another number of classes than of scores.
 ///
 /// ```
-/// use geograd::kernels::{Cpu, IouObb2};
+/// use geograd::kernels::{Cpu, Iou};
 /// use geograd::suppression::{Rules, hard};
 /// use geograd::Obb2;
 ///
 /// let boxes = [0.0, 0.2, 3.0].map(|x| Obb2::new(x, 0.0, 2.0, 1.0, 0.0_f32));
 /// let scores = [0.6, 0.9, 0.5];
-/// let pairs = Cpu::new().overlaps(IouObb2, &boxes, 0.5)?;
+/// let pairs = Cpu::new().overlaps(Iou, &boxes, 0.5)?;
 /// assert_eq!(hard(&scores, &pairs, Rules::above(0.5))?, [1, 2]);
 /// # Ok::<(), geograd::Error>(())
 /// ```

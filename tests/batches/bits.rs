@@ -449,7 +449,7 @@ geograd::for_each_op!(tests);
 macro_rules! more {
     ($($format:ident { $($name:ident: $op:ident,)* })*) => { $($(mod $name {
         use super::*;
-        use geograd::kernels::$op;
+        use geograd_tests::rows::$op;
         #[test]
         fn anywhere_in_a_batch() {
             positions::<$op, f32>();

@@ -1,9 +1,10 @@
 //! What batches promise: every form gives the numbers of the single call; bad input is refused with its place, and buffers are left alone.
 use geograd::error::{Argument, Field};
 use geograd::kernels::op::{Ringed, Source};
-use geograd::kernels::{Centroid, IofAabb2, IouAabb2, IouObb2, Op, Perimeter, RingOp, SignedArea};
+use geograd::kernels::{Centroid, Op, Perimeter, RingOp, SignedArea};
 use geograd::{Aabb2, Error, Flaw, Obb2, Pack, Vec2};
 use geograd_tests::calls::{self, Number, Pair};
+use geograd_tests::rows::{IofAabb2, IouAabb2, IouObb2};
 
 fn boxes(n: usize, seed: u64) -> Vec<Obb2<f64>> {
     let mut state = seed;

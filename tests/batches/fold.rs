@@ -3,13 +3,12 @@ use geograd::error::{Argument, Field, Flaw};
 use geograd::kernels::cpu::simd::Simd;
 use geograd::kernels::fold::{Folded, fold};
 use geograd::kernels::op::Source;
-use geograd::kernels::{
-    Cpu, Decided, DiameterOfPolygon, IouPolygons, One, SecondMomentsOfRing,
-    SignedDistancePointRing, WindingOfRing,
-};
+use geograd::kernels::{Cpu, One};
+use geograd::kernels::{Diameter, Iou};
 use geograd::measure::moments::{SecondMoments, second_moments};
 use geograd::{ConvexPolygon, Error, Vec2};
 use geograd_tests::Dice;
+use geograd_tests::rows::{SecondMomentsOfRing, SignedDistancePointRing, WindingOfRing};
 
 fn point(dice: &mut Dice) -> Vec2<f64> {
     Vec2::new(dice.within(-2.0, 2.0), dice.within(-2.0, 2.0))
@@ -321,13 +320,8 @@ fn searches_are_decided_and_replayed() {
     let polygons: [ConvexPolygon<f64, 6>; 2] =
         [&kite[..], &triangle].map(|ring| ConvexPolygon::try_new(ring).unwrap());
     let cpu = Cpu::new();
-    assert_eq!(
-        cpu.aligned(DiameterOfPolygon, &polygons).unwrap(),
-        [3.0, 5.0]
-    );
-    let (values, bars) = cpu
-        .aligned(DiameterOfPolygon.value_grad(), &polygons)
-        .unwrap();
+    assert_eq!(cpu.aligned(Diameter, &polygons).unwrap(), [3.0, 5.0]);
+    let (values, bars) = cpu.aligned(Diameter.value_grad(), &polygons).unwrap();
     assert_eq!(values, [3.0, 5.0]);
     assert_eq!(bars[0].vertices[2], Vec2::new(1.0, 0.0));
     assert_eq!(bars[0].vertices[0], Vec2::new(-1.0, 0.0));
@@ -335,14 +329,12 @@ fn searches_are_decided_and_replayed() {
     // Places behind the last vertex have no slopes.
     assert_eq!(bars[0].vertices[4], Vec2::new(0.0, 0.0));
     let up = [2.0, -1.0];
-    let pulled = cpu
-        .aligned(DiameterOfPolygon.vjp(), (&polygons, &up))
-        .unwrap();
+    let pulled = cpu.aligned(Diameter.vjp(), (&polygons, &up)).unwrap();
     assert_eq!(pulled[0].vertices[2], Vec2::new(2.0, 0.0));
     let mut flat = polygons;
     flat[1].count = 2;
     assert!(matches!(
-        cpu.aligned(DiameterOfPolygon, &flat),
+        cpu.aligned(Diameter, &flat),
         Err(Error::Invalid {
             argument: Argument::A,
             row: 1,
@@ -366,10 +358,8 @@ fn searches_of_two_shapes() {
         .map(|i| ring(3 + i % 3, 0.02 * f64::from(i)))
         .collect();
     let cpu = Cpu::new();
-    let (values, (by_a, by_b)) = cpu
-        .aligned(IouPolygons::<6>.value_grad(), (&a, &b))
-        .unwrap();
-    assert_eq!(cpu.aligned(IouPolygons::<6>, (&a, &b)).unwrap(), values);
+    let (values, (by_a, by_b)) = cpu.aligned(Iou.value_grad(), (&a, &b)).unwrap();
+    assert_eq!(cpu.aligned(Iou, (&a, &b)).unwrap(), values);
     for i in 0..40 {
         assert_eq!(values[i], a[i].iou(&b[i]), "{i}");
         assert_eq!((by_a[i].count, by_b[i].count), (a[i].count, b[i].count));

@@ -2,11 +2,10 @@
 use geograd::kernels::fuzz::{self, Fuzzed, Promise};
 use geograd::kernels::op::{Extremes, Finite, Jumps, Limits, Op, Range, Slopes};
 use geograd::kernels::real::Real;
-use geograd::kernels::{
-    Cpu, GiouObb2, IntersectionAreaQuads, IouAabb2, IouAabb3, IouObb2, IouObb3, Single,
-};
+use geograd::kernels::{Cpu, Single};
 use geograd::{Aabb2, Fixed, Obb2, Pack, Scalar};
 use geograd_tests::fuzzers::{Fuzzer, walk};
+use geograd_tests::rows::{GiouObb2, IntersectionAreaQuads, IouAabb2, IouAabb3, IouObb2, IouObb3};
 
 /// Inputs of every row in either format; the report takes many more.
 const COUNT: u64 = 512;

@@ -5,13 +5,14 @@
 use super::bits::{Drawn, MILD, Turn, far_apart, list, on_threads, results};
 use geograd::kernels::cpu::polygons::{RingList, RingScore};
 use geograd::kernels::cpu::simd::Simd;
-use geograd::kernels::{
-    Centroid, Cpu, DiouObb2, GiouObb2, IntersectionAreaQuads, IofObb2, IouAabb2, IouObb2, IouObb3,
-    IouYaw, Op, Perimeter, RingOp, SignedArea, SignedDistancePointRing,
-};
+use geograd::kernels::{Centroid, Cpu, Op, Perimeter, RingOp, SignedArea};
 use geograd::{Obb2, Vec2};
 use geograd_tests::Dice;
 use geograd_tests::calls::{self, Number, Pair};
+use geograd_tests::rows::{
+    DiouObb2, GiouObb2, IntersectionAreaQuads, IofObb2, IouAabb2, IouObb2, IouObb3, IouYaw,
+    SignedDistancePointRing,
+};
 
 /// Alone, at the level that the environment asks for.
 fn alone() -> Turn {

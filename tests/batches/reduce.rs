@@ -1,9 +1,9 @@
 //! Reductions on the CPU: of all pairs block by block, and of a matrix that is there, against plain
 //! loops over the matrix.
 use geograd::Aabb2;
-use geograd::kernels::ops::overlap::IouAabb2;
 use geograd::kernels::reduce::{Best, Found, Matrix};
 use geograd_tests::calls::{self, Number};
+use geograd_tests::rows::IouAabb2;
 
 /// Boxes on a coarse grid, so that equal scores occur often.
 fn boxes<T: Number>(n: usize, seed: u64) -> Vec<Aabb2<T>> {

@@ -1,6 +1,6 @@
 //! Searches over shapes with codes (polygons, which count their vertices), all pairs.
-use geograd::kernels::ops::polygon::IouPolygons;
-use geograd::kernels::{Cpu, Decided};
+use geograd::kernels::Cpu;
+use geograd::kernels::Iou;
 use geograd::{ConvexPolygon, Fixed, Pack, Vec2};
 use geograd_tests::Dice;
 use std::f64::consts::TAU;
@@ -24,7 +24,7 @@ fn polygons(dice: &mut Dice, count: usize) -> Vec<ConvexPolygon<f64, 5>> {
 fn all_pairs_of_polygons_are_those_of_aligned_pairs() {
     let mut dice = Dice(5);
     let (a, b) = (polygons(&mut dice, 23), polygons(&mut dice, 37));
-    let run = IouPolygons::<5>;
+    let run = Iou;
     let cpu = Cpu::new();
     let table = cpu.all_pairs(run, &a, &b).unwrap();
     let slopes = cpu.all_pairs(run.value_grad(), &a, &b).unwrap();

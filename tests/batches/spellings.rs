@@ -4,7 +4,7 @@ use geograd::ad::check::sample::Sample;
 use geograd::distance::Convex;
 use geograd::error::Validate;
 use geograd::kernels::op::Op;
-use geograd::kernels::{self, Cpu, Row};
+use geograd::kernels::{Cpu, Row};
 use geograd::measure::moments::second_moments;
 use geograd::overlap3::Overlaps;
 use geograd::{
@@ -41,8 +41,8 @@ macro_rules! spellings {
         #[test]
         fn $test() {
             $(
-                same::<kernels::$Op, f64>(&[$(&|$input| $spelling),+]);
-                same::<kernels::$Op, f32>(&[$(&|$input| $spelling),+]);
+                same::<geograd_tests::rows::$Op, f64>(&[$(&|$input| $spelling),+]);
+                same::<geograd_tests::rows::$Op, f32>(&[$(&|$input| $spelling),+]);
             )+
         }
     )+ };
@@ -249,9 +249,10 @@ fn rings<T: Number>() -> (Vec<Vec2<T>>, Vec<Vec2<T>>, Vec<usize>) {
 
 fn folds_and_rings_are_the_same<T: Number>() {
     use geograd::distance::ring as to;
-    use geograd::kernels::{
-        Centroid, DistancePointPolyline, DistancePointRing, One, Perimeter, RingOp,
-        SecondMomentsOfRing, SignedArea, SignedDistancePointRing, WindingOfRing,
+    use geograd::kernels::{Centroid, One, Perimeter, RingOp, SignedArea};
+    use geograd_tests::rows::{
+        DistancePointPolyline, DistancePointRing, SecondMomentsOfRing, SignedDistancePointRing,
+        WindingOfRing,
     };
     let (points, vertices, offsets) = rings::<T>();
     let cpu = Cpu::new();
@@ -306,8 +307,8 @@ fn folds_and_measures_of_rings() {
 /// Operations with a search: what decides and replays is the function.
 #[test]
 fn searches() {
-    use geograd::kernels::{DiouPolygons, GiouPolygons, HullAreaPolygons};
-    use geograd::kernels::{IntersectionAreaPolygons, IofPolygons, IouPolygons};
+    use geograd::kernels::{Diou, Giou, HullArea};
+    use geograd::kernels::{IntersectionArea, Iof, Iou};
     use geograd::overlap_polygon::{intersection_area_polygons, iof_polygons, iou_polygons};
     let mut dice = Dice(78);
     let mut polygons = || -> Vec<ConvexPolygon<f64, 5>> {
@@ -331,28 +332,15 @@ fn searches() {
             }
         }};
     }
-    same!(
-        IntersectionAreaPolygons::<5>,
-        intersection_area_polygons,
-        |a, b| a.intersection_area(b)
-    );
-    same!(IouPolygons::<5>, iou_polygons, |a, b| a.iou(b));
-    same!(IofPolygons::<5>, iof_polygons, |a, b| a.iof(b));
-    same!(GiouPolygons::<5, 10>, |a, b| iou::giou_polygons_decided::<
-        _,
-        5,
-        5,
-        10,
-    >(a, b)
-    .unwrap()
-    .0);
-    same!(DiouPolygons::<5>, |a, b| iou::diou_polygons_decided(a, b).0);
-    same!(HullAreaPolygons::<5, 10>, |a, b| geograd::hull::merge::<
-        _,
-        5,
-        5,
-        10,
-    >(a, b)
-    .unwrap()
-    .area());
+    same!(IntersectionArea, intersection_area_polygons, |a, b| a
+        .intersection_area(b));
+    same!(Iou, iou_polygons, |a, b| a.iou(b));
+    same!(Iof, iof_polygons, |a, b| a.iof(b));
+    same!(Giou, |a, b| iou::giou_polygons_decided::<_, 5, 5, 10>(a, b)
+        .unwrap()
+        .0);
+    same!(Diou, |a, b| iou::diou_polygons_decided(a, b).0);
+    same!(HullArea, |a, b| geograd::hull::merge::<_, 5, 5, 10>(a, b)
+        .unwrap()
+        .area());
 }

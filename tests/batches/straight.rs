@@ -4,7 +4,7 @@ use crate::bits::Turn;
 use geograd::ad::check::sample::{Draw, Family, Sample, random};
 use geograd::kernels::cpu::simd::Simd;
 use geograd::kernels::op::{Op, Source, Straight};
-use geograd::kernels::{self, Cpu, Row};
+use geograd::kernels::{Cpu, Row};
 use geograd::scalar::float::Float;
 use geograd::{Fixed, Jet, Pack};
 use geograd_tests::calls::Number;
@@ -138,8 +138,8 @@ where
 fn gradients() {
     macro_rules! each {
         ($($op:ident)*) => { $(
-            same_gradient::<kernels::$op, f64>();
-            same_gradient::<kernels::$op, f32>();
+            same_gradient::<geograd_tests::rows::$op, f64>();
+            same_gradient::<geograd_tests::rows::$op, f32>();
         )* };
     }
     each! {
@@ -221,9 +221,9 @@ fn cotangents_of_all_pairs_are_taken_as_they_are() {
 /// Boxes of two kinds: the same as boxes of one kind, whose slopes are by other numbers.
 #[test]
 fn overlaps_of_boxes_of_two_kinds() {
-    use geograd::kernels::{IouAabb3Obb3, IouYawObb3};
     use geograd::overlap3::Overlaps;
     use geograd::{Aabb3, Obb3, Rotation3, Vec3, YawBox3};
+    use geograd_tests::rows::{IouAabb3Obb3, IouYawObb3};
     let aligned = Aabb3::new(Vec3::new(0.0, 0.0, 0.0), Vec3::new(2.0, 1.0, 1.5_f64));
     let upright = YawBox3::new(aligned.center(), aligned.size(), 0.0);
     let (center, size) = (Vec3::new(0.5, 0.2, 0.3), Vec3::new(1.0, 2.0, 1.0));

@@ -1,12 +1,11 @@
 //! Verbs select the operation by shapes; own verbs, own shapes and plain functions run in every form.
 use geograd::convention::{ImageBox, Le90};
 use geograd::iou::Exponent;
-use geograd::kernels::ops::distance::{DistanceCircleObb2, DistancePointObb2};
-use geograd::kernels::ops::overlap::IouObb2;
 use geograd::kernels::verbs::Takes;
 use geograd::kernels::{Op, Runs, Table};
 use geograd::prelude::*;
 use geograd::{Error, Fixed, Sym, Unrecordable, operation, verb};
+use geograd_tests::rows::{DistanceCircleObb2, DistancePointObb2, IouObb2};
 
 fn cars<const N: usize>() -> [Obb2<f64>; N] {
     std::array::from_fn(|i| {
@@ -61,7 +60,9 @@ fn three_shapes_conversions_and_searches() -> Result<(), Error> {
     let power = Exponent { alpha: 2.0 };
     let squared = cpu.aligned(AlphaIou, (&boxes, One(boxes[0]), One(power)))?;
     assert_eq!(squared[1], AlphaIou.of(boxes[1], boxes[0], power));
-    let image = [ImageBox::from_mirrored(Obb2::new(10.0, 20.0, 4.0, 2.0, 0.1))];
+    let image = [ImageBox::from_mirrored(Obb2::new(
+        10.0, 20.0, 4.0, 2.0, 0.1,
+    ))];
     assert_eq!(
         cpu.aligned(convert::<Le90<_>>(), &image[..])?,
         [Le90::from(image[0])]

@@ -1,13 +1,14 @@
 //! Suppression, assignment and metrics against their definitions, written down naively.
 use geograd::assignment::{greedy, optimal};
 use geograd::error::{Argument, Error, Field, Flaw};
-use geograd::kernels::{Cpu, IouObb2, IouYaw};
+use geograd::kernels::Cpu;
 use geograd::metric::{Frame, Outcome, Point, Recalls, average_precision, curve, outcomes};
 use geograd::suppression::{
     Decay, Pair, Rules, cluster, hard, matrix, order, soft, soft_decided, soft_replay, soft_vjp,
 };
 use geograd::{Obb2, Vec3, YawBox3};
 use geograd_tests::Dice;
+use geograd_tests::rows::{IouObb2, IouYaw};
 
 /// Scores, classes and a symmetric matrix of overlaps, with ties now and then.
 struct Scene {

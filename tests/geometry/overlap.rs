@@ -73,7 +73,7 @@ fn f32_agrees_with_the_oracle_on_random_boxes() {
 /// A million pairs, against f64 (which the oracle vouches for above).
 #[test]
 fn f32_agrees_with_f64_on_a_million_pairs() {
-    use geograd::kernels::ops::overlap::IouObb2;
+    use geograd_tests::rows::IouObb2;
     let mut dice = Dice(3);
     let mut list = || (0..1000).map(|_| narrow(dice.obb())).collect::<Vec<_>>();
     let (a, b) = (list(), list());

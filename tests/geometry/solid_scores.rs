@@ -2,11 +2,11 @@
 use super::pairs::{FAMILIES, Random, pair, random_rotation};
 use geograd::iou3::{Enclosing, Solid, ciou, diou, eiou, giou};
 use geograd::kernels::op::Op;
-use geograd::kernels::{
+use geograd::{Aabb3, Fixed, Jet, Obb3, Pack, Pose3, Scalar, Vec2, Vec3, YawBox3};
+use geograd_tests::rows::{
     CiouAabbObb3, CiouObb3, CiouYaw, DiouAabbObb3, DiouObb3, DiouYaw, EiouAabbObb3, EiouObb3,
     EiouYaw, GiouAabbObb3, GiouObb3, GiouYaw,
 };
-use geograd::{Aabb3, Fixed, Jet, Obb3, Pack, Pose3, Scalar, Vec2, Vec3, YawBox3};
 
 /// The convex hull by Andrew's monotone chain.
 fn chain(mut points: Vec<Vec2<f64>>) -> Vec<Vec2<f64>> {

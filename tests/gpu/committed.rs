@@ -3,8 +3,8 @@
 //! `GEOGRAD_WRITE_WGSL=1 cargo test -p geograd-tests --features gpu --test gpu committed` writes them anew.
 use geograd::ad::program::WGSL;
 use geograd::kernels::gpu::{fold_sources, op_sources};
-use geograd::kernels::ops::{distance, fold, iou, overlap, overlap3};
 use geograd::kernels::{Op, Row};
+use geograd_tests::rows::{distance, fold, iou, overlap, overlap3};
 use std::path::PathBuf;
 
 /// Compares a shader with what is kept, or writes it. The functions that all of them call are left out.

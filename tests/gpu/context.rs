@@ -4,8 +4,8 @@ use crate::shapes::{Draw, bits};
 use geograd::Obb2;
 use geograd::kernels::Backend;
 use geograd::kernels::gpu::{Gpu, Options};
-use geograd::kernels::ops::overlap;
 use geograd::{Error, GpuFault};
+use geograd_tests::rows::overlap;
 
 #[test]
 fn contexts_are_shared_between_threads() {

@@ -4,10 +4,10 @@ use crate::shapes::{Draw, Score, fields};
 use geograd::GpuFault;
 use geograd::error::{Argument, Field};
 use geograd::kernels::gpu::Gpu;
-use geograd::kernels::ops::{iou, overlap, ring};
 use geograd::kernels::{Backend, Op};
 use geograd::{Aabb2, Error, Flaw, Obb2, Vec2};
 use geograd_tests::calls;
+use geograd_tests::rows::{iou, overlap, ring};
 
 pub fn bad_input_is_refused<O: Score>() {
     let Some((_turn, gpu)) = gpu() else { return };

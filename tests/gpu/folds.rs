@@ -2,9 +2,9 @@
 use crate::{gpu, small, validate};
 use geograd::ad::check::sample::Draw;
 use geograd::kernels::gpu::{Gpu, fold_sources};
-use geograd::kernels::ops::fold;
 use geograd::kernels::{Cpu, Fold, One, Row};
 use geograd::{Error, Fixed, GpuFault, Pack, Vec2};
+use geograd_tests::rows::fold;
 
 /// Shader text needs no GPU to be judged.
 pub fn shaders_are_valid<F: Fold>(fold: F) {

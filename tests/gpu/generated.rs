@@ -12,11 +12,11 @@ use geograd::ad::program::{Program, Sym};
 use geograd::error::Argument;
 
 use geograd::kernels::gpu::Gpu;
-use geograd::kernels::ops::{distance, fold, iou, iou3, overlap, overlap3};
-use geograd::kernels::{Cpu, One, Op};
+use geograd::kernels::{Cpu, One};
 use geograd::{
     Circle, Error, Fixed, Flaw, GpuFault, Obb2, Pack, Scalar, Segment2, Vec2, YawBox3 as YawBox,
 };
+use geograd_tests::rows::{distance, fold, iou, iou3, overlap, overlap3};
 
 /// Random shapes in single precision.
 fn draws<P: Sample + Pack<With<f32> = Q>, Q>(count: usize, seed: u64) -> Vec<Q> {

@@ -4,12 +4,13 @@ use crate::{gpu, small};
 use geograd::ad::check::sample::{Draw, Sample};
 use geograd::ad::program::{Program, Sym};
 use geograd::error::Argument;
-use geograd::kernels::ops::{distance, iou, iou3, overlap, overlap3};
+use geograd::kernels::Diameter;
 use geograd::kernels::resident::{Held, Resident};
-use geograd::kernels::{Backend, DiameterOfPolygon, One, Op};
+use geograd::kernels::{Backend, One, Op};
 use geograd::{
     ConvexPolygon, Error, GpuFault, Obb2, Obb3, Pack, Scalar, Segment2, Unrecordable, Vec2, YawBox3,
 };
+use geograd_tests::rows::{distance, iou, iou3, overlap, overlap3};
 
 /// Ordinary shapes in single precision.
 fn ordinary<P: Sample + Pack<Scalar = f64, With<f32> = Q>, Q>(count: usize, seed: u64) -> Vec<Q> {
@@ -285,7 +286,7 @@ fn wrong_columns_are_refused() {
     let polygon: ConvexPolygon<f32, 4> = Obb2::new(0.0_f32, 0.0, 1.0, 1.0, 0.0).into();
     let here = Backend::Gpu(gpu).resident();
     let held = here.upload(&[polygon]).unwrap();
-    let found = here.aligned(DiameterOfPolygon, &held).unwrap_err();
+    let found = here.aligned(Diameter, &held).unwrap_err();
     assert_eq!(found, Error::Program(Unrecordable::Search));
 }
 

@@ -4,10 +4,10 @@ use crate::shapes::{Draw, Draws, Score, bits, fields, shape_of};
 use crate::{gpu, small};
 
 use geograd::kernels::gpu::{Gpu, Options};
-use geograd::kernels::ops::overlap;
 use geograd::kernels::{Backend, Cpu, Op, reduce};
 use geograd::{Aabb2, Fixed, Obb2, Pack};
 use geograd_tests::calls;
+use geograd_tests::rows::overlap;
 
 /// Slopes of every pair, the fields of b after those of a: from the diagonals of squares in which the shorter list is
 /// repeated until it is as long as the other.

@@ -2,14 +2,13 @@
 use crate::{any_gpu, gpu, small, validate};
 use geograd::ad::check::sample::{Draw, Sample};
 use geograd::error::Validate;
-use geograd::kernels::cpu::{Face, Want};
+use geograd::kernels::cpu::Face;
 use geograd::kernels::decided;
 use geograd::kernels::gpu::replay_source;
 use geograd::kernels::op::{Ask, Jumps, Promise, Vjp};
 use geograd::kernels::replays::{self, Replays};
-use geograd::kernels::{
-    Backend, Cpu, Decided, DiameterOfPolygon, GiouPolygons, IouPolygons, One, Row, Runs,
-};
+use geograd::kernels::{Backend, Cpu, Decided, One, Row, Runs};
+use geograd::kernels::{Diameter, Giou, Iou};
 use geograd::{ConvexPolygon, Error, Fixed, GpuFault, Pack, Scalar, Unrecordable, Vec2};
 use std::sync::Arc;
 
@@ -121,11 +120,11 @@ fn polygons_of_many_sizes() {
     // Of what is dear a few.
     let (a, b) = (&many[..400], &b[..400]);
     let cpu = Cpu::new();
-    let found = gpu.aligned(IouPolygons::<6>, (a, b)).unwrap();
+    let found = gpu.aligned(Iou, (a, b)).unwrap();
     let direct: Vec<f32> = a.iter().zip(b).map(|(a, b)| a.iou(b)).collect();
     near("iou", &[found], &[direct], 1e-5);
-    let (value, (by_a, by_b)) = gpu.aligned(IouPolygons::<6>.value_grad(), (a, b)).unwrap();
-    let (expected, grads) = cpu.aligned(IouPolygons::<6>.value_grad(), (a, b)).unwrap();
+    let (value, (by_a, by_b)) = gpu.aligned(Iou.value_grad(), (a, b)).unwrap();
+    let (expected, grads) = cpu.aligned(Iou.value_grad(), (a, b)).unwrap();
     near("iou", &[value], &[expected], 1e-5);
     near("iou", &by_a.flat(), &grads.0.flat(), 1e-4);
     near("iou", &by_b.flat(), &grads.1.flat(), 1e-4);
@@ -135,7 +134,7 @@ fn polygons_of_many_sizes() {
             .zip(a)
             .all(|(bar, shape)| bar.count == shape.count)
     );
-    let run = DiameterOfPolygon::<6>;
+    let run = Diameter;
     let found = gpu.aligned(run, &many).unwrap();
     near(
         "diameter",
@@ -144,10 +143,8 @@ fn polygons_of_many_sizes() {
         1e-6,
     );
     assert_eq!(small().aligned(run, &many).unwrap(), found);
-    let one = gpu.aligned(IouPolygons::<6>, (a, One(b[0]))).unwrap();
-    let all = gpu
-        .aligned(IouPolygons::<6>, (a, &vec![b[0]; a.len()]))
-        .unwrap();
+    let one = gpu.aligned(Iou, (a, One(b[0]))).unwrap();
+    let all = gpu.aligned(Iou, (a, &vec![b[0]; a.len()])).unwrap();
     assert_eq!(one, all);
     assert_eq!(gpu.aligned(run, &many[..0]).unwrap(), []);
     let mut lengths = vec![0.0; many.len()];
@@ -163,24 +160,22 @@ fn what_cannot_be_replayed_is_refused() {
     let mut draw = Draw::new(5);
     let (a, b) = ([ring::<6>(&mut draw, 6)], [ring::<6>(&mut draw, 5)]);
     // A program longer than a buffer.
-    let refused = small().aligned(GiouPolygons::<6, 12>, (&a, &b));
+    let refused = small().aligned(Giou, (&a, &b));
     assert!(matches!(
         refused.unwrap_err(),
         Error::Gpu(GpuFault::TooLarge { bytes, most }) if bytes > most
     ));
     // All pairs would decide every pair on the processor.
-    let refused = gpu.all_pairs(IouPolygons::<6>, &a, &b);
+    let refused = gpu.all_pairs(Iou, &a, &b);
     assert_eq!(refused.unwrap_err(), Error::Program(Unrecordable::Search));
     let mut bad = a;
     bad[0].vertices[1].x = f32::NAN;
-    let refused = gpu.aligned(IouPolygons::<6>, (&bad, &b));
+    let refused = gpu.aligned(Iou, (&bad, &b));
     assert_eq!(
         refused.unwrap_err(),
-        Cpu::new()
-            .aligned(IouPolygons::<6>, (&bad, &b))
-            .unwrap_err()
+        Cpu::new().aligned(Iou, (&bad, &b)).unwrap_err()
     );
-    let refused = gpu.aligned(IouPolygons::<6>, (&a, &[b[0]; 2]));
+    let refused = gpu.aligned(Iou, (&a, &[b[0]; 2]));
     assert!(matches!(
         refused.unwrap_err(),
         Error::Length {
@@ -191,7 +186,7 @@ fn what_cannot_be_replayed_is_refused() {
     ));
     let lost = geograd::kernels::gpu::Gpu::new().unwrap();
     lost.destroy();
-    let refused = lost.aligned(IouPolygons::<6>, (&a, &b));
+    let refused = lost.aligned(Iou, (&a, &b));
     assert_eq!(refused.unwrap_err(), Error::Gpu(GpuFault::DeviceLost));
 }
 
@@ -231,26 +226,14 @@ impl Decided for Everything {
     }
 }
 
-/// Its adjoint.
-#[derive(Clone, Copy, Debug)]
-struct Adjoint;
-
-macro_rules! runs {
-    ($($run:ident: $row:ty => $out:ty, $want:ident;)*) => { $(
-        impl Runs<$row> for $run {
-            type Out = $out;
-            fn face(&self, ask: Ask) -> Result<Arc<Face<f32>>, Error> {
-                decided::face::<Everything, [f32; 3]>(Want::$want, ask)
-            }
-            fn replays(&self) -> Option<Result<Arc<dyn Replays<f32>>, Error>> {
-                Some(replays::of::<Everything, [f32; 3]>(Want::$want))
-            }
-        }
-    )* };
-}
-runs! {
-    Everything: [f32; 3] => [f32; 4], Value;
-    Adjoint: ([f32; 3], [f32; 4]) => [f32; 3], Vjp;
+impl Runs<[f32; 3]> for Everything {
+    type Out = [f32; 4];
+    fn face(&self, ask: Ask) -> Result<Arc<Face<f32>>, Error> {
+        decided::face::<Everything, [f32; 3]>(ask)
+    }
+    fn replays(&self, ask: Ask) -> Option<Result<Arc<dyn Replays<f32>>, Error>> {
+        Some(replays::of::<Everything, [f32; 3]>(ask))
+    }
 }
 
 #[test]
@@ -274,7 +257,7 @@ fn every_instruction() {
     let expected = cpu.aligned(Everything, &items).unwrap();
     near("everything", &found.flat(), &expected.flat(), 1e-5);
     let seeds = vec![[1.0, -0.5, 0.25, 2.0]; items.len()];
-    let found = gpu.aligned(Adjoint, (&items, &seeds)).unwrap();
-    let expected = cpu.aligned(Adjoint, (&items, &seeds)).unwrap();
+    let found = gpu.aligned(Everything.vjp(), (&items, &seeds)).unwrap();
+    let expected = cpu.aligned(Everything.vjp(), (&items, &seeds)).unwrap();
     near("adjoint", &found.flat(), &expected.flat(), 1e-4);
 }

@@ -4,11 +4,11 @@ use crate::gpu;
 use crate::shapes::{Draw, Draws, Score, bits, fields};
 use geograd::GpuFault;
 use geograd::error::{Argument, Field};
-use geograd::kernels::ops::overlap;
 use geograd::kernels::reduce::{Best, Found};
 use geograd::kernels::resident::Held;
 use geograd::kernels::{Backend, Op};
 use geograd::{Aabb2, Error, Flaw, Obb2};
+use geograd_tests::rows::overlap;
 
 /// What a chain of calls comes to.
 struct Outcome<P> {

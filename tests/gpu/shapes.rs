@@ -1,6 +1,5 @@
 //! Shapes to test with.
 use geograd::error::Field;
-use geograd::kernels::ops::overlap;
 use geograd::kernels::{Op, Single};
 use geograd::overlap::Denominator;
 use geograd::{Aabb2, Fixed, Flaw, Obb2};
@@ -11,21 +10,17 @@ pub trait Score: Op<In<f32> = (Self::Shape, Self::Shape), Out<f32> = f32> {
     /// What the area of intersection is divided by.
     const OVER: Denominator;
 }
-macro_rules! scores {
-    ($($op:ident: $shape:ident over $over:ident;)*) => { $(
-        impl Score for overlap::$op {
-            type Shape = $shape<f32>;
-            const OVER: Denominator = Denominator::$over;
-        }
-    )* };
-}
-scores! {
-    IntersectionAreaObb2: Obb2 over None;
-    IouObb2: Obb2 over Union;
-    IofObb2: Obb2 over First;
-    IntersectionAreaAabb2: Aabb2 over None;
-    IouAabb2: Aabb2 over Union;
-    IofAabb2: Aabb2 over First;
+impl<O, A> Score for O
+where
+    O: Op<In<f32> = (A, A), Out<f32> = f32>,
+    A: Draw + Single<Scalar = f32>,
+{
+    type Shape = A;
+    const OVER: Denominator = match O::NAME.as_bytes() {
+        [b'i', b'n', ..] => Denominator::None,
+        [b'i', b'o', b'u', ..] => Denominator::Union,
+        _ => Denominator::First,
+    };
 }
 
 /// Numbers in `[0, 1)`, the same ones every time.

@@ -5,10 +5,10 @@ use geograd::ad::program::{Program, Sym};
 use geograd::kernels::cpu::Face;
 use geograd::kernels::gpu::{Generated, Gpu};
 use geograd::kernels::op::Ask;
-use geograd::kernels::ops::{iou, overlap, overlap3};
 use geograd::kernels::{Backend, Cpu, Runs, Single};
 use geograd::suppression::Rules;
 use geograd::{Error, GpuFault, Obb2, Obb3, Rotation3, Scalar, Vec3, YawBox3};
+use geograd_tests::rows::{iou, overlap, overlap3};
 use std::sync::Arc;
 
 /// Detections that crowd around some objects, with scores of which many are the same.

@@ -93,10 +93,11 @@ mod alarms {
     use super::*;
     use geograd::ad::check::sample::Sample;
     use geograd::ad::check::{self, Report, examine};
+    use geograd::kernels::Centroid;
     use geograd::kernels::check::{OpSubject, prove_with};
     use geograd::kernels::op::{Ringed, Source, Straight};
-    use geograd::kernels::{Centroid, IntersectionAreaObb2, IofAabb2, IofObb2, IouObb2};
     use geograd::{Aabb2, Obb2, Vec2};
+    use geograd_tests::rows::{IntersectionAreaObb2, IofAabb2, IofObb2, IouObb2};
 
     /// By the random directions of the sample at which it was refused.
     fn judged<O: Source>(pair: O::In<f64>, sample: u64) -> Report

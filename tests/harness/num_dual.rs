@@ -4,9 +4,10 @@ use crate::planted;
 
 use geograd::ad::check::verdict::{PAIRS, Reason, Witness};
 use geograd::check::{Check, Report};
+use geograd::kernels::SignedArea;
 use geograd::kernels::check::{prove, prove_ring};
-use geograd::kernels::{AreaTriangle, IofAabb2, SignedArea};
 use geograd::{Jet, Program, Scalar, Sym, Vec2, generic_check, operation};
+use geograd_tests::rows::{AreaTriangle, IofAabb2};
 use planted::{BY_DUALS, points, refused, smooth, smooth_slopes};
 use std::any::TypeId;
 

@@ -3,8 +3,8 @@
 use crate::planted;
 
 use geograd::check::{Check, Plan, Reason, Witness};
-use geograd::kernels::{IntersectionAreaObb2, IouObb2};
 use geograd::{Obb2, Scalar, operation};
+use geograd_tests::rows::{IntersectionAreaObb2, IouObb2};
 use planted::refused;
 
 /// A number whose last digits are lost on the way.

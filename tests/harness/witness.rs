@@ -7,9 +7,10 @@ use geograd::kernels::check::{OpSubject, prove_pairs_on, prove_ring_on};
 use geograd::kernels::gpu::Gpu;
 use geograd::kernels::op::Straight;
 use geograd::kernels::witness::{Answer, Batch};
-use geograd::kernels::{Backend, IouObb2, Op};
+use geograd::kernels::{Backend, Op};
 use geograd::{Error, GpuFault};
 use geograd::{Obb2, Pack, ad};
+use geograd_tests::rows::IouObb2;
 
 /// Every so many hard cases, and random inputs on top.
 fn plan() -> Plan<'static> {

@@ -5,7 +5,8 @@ use crate::{Draw, Settings, fastest};
 use geograd::Error;
 use geograd::Obb2;
 use geograd::kernels::gpu::{Gpu, op_sources};
-use geograd::kernels::{Backend, DistancePointSegment, IouObb2, Op};
+use geograd::kernels::{Backend, Distance, Iou, Op, RowOf};
+use geograd::{Segment2, Vec2};
 
 /// One line: what, how much there is to be, how much there is.
 fn told(what: &str, unit: &str, wanted: f64, found: f64) {
@@ -43,11 +44,9 @@ pub fn targets(gpu: &Gpu, settings: &Settings, roofs: Roofs) -> Result<(), Error
     let (a, b) = (boxes(0), boxes(n));
     let here = Backend::Gpu(gpu).resident();
     let (a, b) = (here.upload(&a)?, here.upload(&b)?);
-    let program = IouObb2.program::<f32>()?;
-    let mut matrix = here.all_pairs(IouObb2, &a, &b)?;
-    let found = rate(gpu, n * n, || {
-        here.all_pairs_into(IouObb2, &a, &b, &mut matrix)
-    })?;
+    let program = Iou.row::<(Obb2<f32>, Obb2<f32>)>().program::<f32>()?;
+    let mut matrix = here.all_pairs(Iou, &a, &b)?;
+    let found = rate(gpu, n * n, || here.all_pairs_into(Iou, &a, &b, &mut matrix))?;
     told("rotated IoU, all pairs", "G/s", 110.0, found);
     here.all_pairs_into(&program, &a, &b, &mut matrix)?;
     let found = rate(gpu, n * n, || {
@@ -59,9 +58,9 @@ pub fn targets(gpu: &Gpu, settings: &Settings, roofs: Roofs) -> Result<(), Error
         110.0,
         found,
     );
-    here.all_pairs_vjp(IouObb2, &a, &b, &matrix)?;
+    here.all_pairs_vjp(Iou, &a, &b, &matrix)?;
     let found = rate(gpu, n * n, || {
-        here.all_pairs_vjp(IouObb2, &a, &b, &matrix).map(drop)
+        here.all_pairs_vjp(Iou, &a, &b, &matrix).map(drop)
     })?;
     told(
         "rotated IoU, gradients of both boxes, upstream matrix",
@@ -89,7 +88,10 @@ pub fn targets(gpu: &Gpu, settings: &Settings, roofs: Roofs) -> Result<(), Error
     );
     let items = ((1 << 24) as f64 * settings.scale) as usize;
     let found = listed(gpu, "distance_point_segment", Form::Gradient, items)?;
-    let bytes = crate::list::bytes(&op_sources::<DistancePointSegment>()?, "ValueGrad Aligned");
+    let bytes = crate::list::bytes(
+        &op_sources::<RowOf<Distance, (Vec2<f32>, Segment2<f32>)>>()?,
+        "ValueGrad Aligned",
+    );
     let share = 100.0 * found * 1e9 * bytes as f64 / roofs.copy;
     told(
         "point to segment, aligned, with gradient",

@@ -5,7 +5,7 @@ use super::{Dice, N, flat, narrow, on_threads};
 use geograd::Obb2;
 use geograd::kernels::cpu::simd::Simd;
 use geograd::kernels::real::Real;
-use geograd::kernels::{Cpu, IouObb2, Op, Single, Table};
+use geograd::kernels::{Cpu, Iou, Single, Table};
 use std::fmt::Write;
 use std::hint::black_box;
 use std::time::Instant;
@@ -110,30 +110,30 @@ where
     let pairs = PART * PART;
     vec![
         Timed::new(pairs, move || {
-            cpu.all_pairs_planes(IouObb2, a, b, &mut values).unwrap();
+            cpu.all_pairs_planes(Iou, a, b, &mut values).unwrap();
         }),
         Timed::new(pairs, move || {
-            cpu.all_pairs_into(IouObb2.value_grad(), a, b, &mut grads)
+            cpu.all_pairs_into(Iou.value_grad(), a, b, &mut grads)
                 .unwrap()
         }),
         Timed::new(pairs, move || {
-            cpu.all_pairs_vjp_into(IouObb2, a, b, &up, &mut p, &mut q)
+            cpu.all_pairs_vjp_into(Iou, a, b, &up, &mut p, &mut q)
                 .unwrap();
         }),
         Timed::new(N, move || {
-            cpu.aligned_into(IouObb2, (aligned_with, near), &mut aligned[..])
+            cpu.aligned_into(Iou, (aligned_with, near), &mut aligned[..])
                 .unwrap();
         }),
         Timed::new(N, move || {
             let into = (&mut v[..], (&mut x[..], &mut y[..]));
-            cpu.aligned_into(IouObb2.value_grad(), (aligned_with, near), into)
+            cpu.aligned_into(Iou.value_grad(), (aligned_with, near), into)
                 .unwrap();
         }),
         Timed::new(pairs, move || {
-            black_box(cpu.row_max(IouObb2, a, b).unwrap());
+            black_box(cpu.row_max(Iou, a, b).unwrap());
         }),
         Timed::new(STREET * STREET, move || {
-            cpu.all_pairs_planes(IouObb2, street, street, &mut matrix)
+            cpu.all_pairs_planes(Iou, street, street, &mut matrix)
                 .unwrap();
         }),
     ]
@@ -147,17 +147,17 @@ fn filter(street: &[Obb2<f32>]) -> Vec<Timed<'_>> {
     let (cpu, slow) = (Cpu::new(), Cpu::new().culled(false));
     let maxima = |cpu: Cpu| {
         Timed::new(n, move || {
-            black_box(cpu.row_max(IouObb2, street, street).unwrap());
+            black_box(cpu.row_max(Iou, street, street).unwrap());
         })
     };
     let above = |cpu: Cpu| {
         Timed::new(n, move || {
-            black_box(cpu.above(IouObb2, street, street, 0.1).unwrap());
+            black_box(cpu.above(Iou, street, street, 0.1).unwrap());
         })
     };
     vec![
         Timed::new(n, move || {
-            cpu.all_pairs_planes(IouObb2, street, street, &mut matrix)
+            cpu.all_pairs_planes(Iou, street, street, &mut matrix)
                 .unwrap();
         }),
         Timed::new(n, move || black_box(&mut zeros).fill(0.0)),

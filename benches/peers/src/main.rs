@@ -22,7 +22,7 @@ mod suppress;
 
 use common::cli::{Failure, Machine, Wish, say};
 use geo::{Area, BooleanOps, Centroid, Coord, Euclidean, Length, LineString, Polygon};
-use geograd::kernels::{self, Cpu, IouObb2, Op, RingOp, Table};
+use geograd::kernels::{self, Cpu, Iou, RingOp, Table};
 use geograd::{Obb2, Pack, Vec2, ad};
 use parry2d_f64::math::Vector2;
 use parry2d_f64::transformation::convex_polygons_intersection_points;
@@ -332,14 +332,14 @@ fn scaling() {
         on_threads(threads, || {
             let rate = |seconds| pairs as f64 / seconds / 1e6;
             let value = rate(fastest(|| {
-                cpu.all_pairs_planes(IouObb2, &a, &b, &mut values).unwrap()
+                cpu.all_pairs_planes(Iou, &a, &b, &mut values).unwrap()
             }));
             let slopes = rate(fastest(|| {
-                cpu.all_pairs_into(IouObb2.value_grad(), &a, &b, &mut grads)
+                cpu.all_pairs_into(Iou.value_grad(), &a, &b, &mut grads)
                     .unwrap()
             }));
             let adjoint = rate(fastest(|| {
-                cpu.all_pairs_vjp_into(IouObb2, &a, &b, &up, &mut p, &mut q)
+                cpu.all_pairs_vjp_into(Iou, &a, &b, &up, &mut p, &mut q)
                     .unwrap()
             }));
             println!("| {threads} | {value:.0} | {slopes:.0} | {adjoint:.0} |");
@@ -362,12 +362,11 @@ fn peers() {
     println!("\n| random, all pairs of {N} x {N}, one thread | M pairs/s |\n| --- | ---: |");
     let mut values = vec![0.0; pairs];
     let ours = line("geograd, f32, value", pairs, || {
-        cpu.all_pairs_planes(IouObb2, &a32, &b32, &mut values)
-            .unwrap()
+        cpu.all_pairs_planes(Iou, &a32, &b32, &mut values).unwrap()
     });
     let mut grads = Table::new(N, N).unwrap();
     let ours_grad = line("geograd, f32, value + ten slopes per pair", pairs, || {
-        cpu.all_pairs_into(IouObb2.value_grad(), &a32, &b32, &mut grads)
+        cpu.all_pairs_into(Iou.value_grad(), &a32, &b32, &mut grads)
             .unwrap()
     });
     let (up, mut p, mut q) = (vec![1.0; pairs], a32.clone(), b32.clone());
@@ -375,17 +374,17 @@ fn peers() {
         "geograd, f32, adjoint with an upstream matrix",
         pairs,
         || {
-            cpu.all_pairs_vjp_into(IouObb2, &a32, &b32, &up, &mut p, &mut q)
+            cpu.all_pairs_vjp_into(Iou, &a32, &b32, &up, &mut p, &mut q)
                 .unwrap()
         },
     );
     let mut values = vec![0.0; pairs];
     let ours64 = line("geograd, f64, value", pairs, || {
-        cpu.all_pairs_planes(IouObb2, &a, &b, &mut values).unwrap()
+        cpu.all_pairs_planes(Iou, &a, &b, &mut values).unwrap()
     });
     let mut grads = Table::new(N, N).unwrap();
     line("geograd, f64, value + ten slopes per pair", pairs, || {
-        cpu.all_pairs_into(IouObb2.value_grad(), &a, &b, &mut grads)
+        cpu.all_pairs_into(Iou.value_grad(), &a, &b, &mut grads)
             .unwrap()
     });
     let (up, mut p, mut q) = (vec![1.0; pairs], a.clone(), b.clone());
@@ -393,7 +392,7 @@ fn peers() {
         "geograd, f64, adjoint with an upstream matrix",
         pairs,
         || {
-            cpu.all_pairs_vjp_into(IouObb2, &a, &b, &up, &mut p, &mut q)
+            cpu.all_pairs_vjp_into(Iou, &a, &b, &up, &mut p, &mut q)
                 .unwrap()
         },
     );
@@ -474,32 +473,31 @@ fn peers() {
     );
 
     println!("\n| overlapping, {N} aligned pairs, one thread | M pairs/s |\n| --- | ---: |");
-    let grads = cpu.aligned(IouObb2.value_grad(), (&a32, &near32));
+    let grads = cpu.aligned(Iou.value_grad(), (&a32, &near32));
     let (mut v, (mut p, mut q)) = grads.unwrap();
     line("geograd, f32, value, with sines and cosines", N, || {
-        cpu.aligned_into(IouObb2, (&a32, &near32), &mut v[..])
-            .unwrap()
+        cpu.aligned_into(Iou, (&a32, &near32), &mut v[..]).unwrap()
     });
     line(
         "geograd, f32, value + gradient, with sines and cosines",
         N,
         || {
             cpu.aligned_into(
-                IouObb2.value_grad(),
+                Iou.value_grad(),
                 (&a32, &near32),
                 (&mut v[..], (&mut p[..], &mut q[..])),
             )
             .unwrap()
         },
     );
-    let grads = cpu.aligned(IouObb2.value_grad(), (&a, &near));
+    let grads = cpu.aligned(Iou.value_grad(), (&a, &near));
     let (mut v, (mut p, mut q)) = grads.unwrap();
     line(
         "geograd, f64, value + gradient, with sines and cosines",
         N,
         || {
             cpu.aligned_into(
-                IouObb2.value_grad(),
+                Iou.value_grad(),
                 (&a, &near),
                 (&mut v[..], (&mut p[..], &mut q[..])),
             )
@@ -528,7 +526,7 @@ fn peers() {
     });
 
     // A benchmark of the wrong thing would be worthless.
-    let iou = cpu.all_pairs(IouObb2, &a[..SLOW], &b[..SLOW]).unwrap();
+    let iou = cpu.all_pairs(Iou, &a[..SLOW], &b[..SLOW]).unwrap();
     let theirs = powerboxesrs::iou::rotated_iou_distance_slice(&flat_a, &flat_b, SLOW, SLOW);
     for i in 0..SLOW {
         for j in 0..SLOW {

@@ -5,8 +5,9 @@ use super::levels::Timed;
 use super::{Dice, flat, narrow, on_threads};
 use common::cli::Machine;
 use geograd::kernels::gpu::Gpu;
+use geograd::kernels::op::ValueGrad;
 use geograd::kernels::resident::Resident;
-use geograd::kernels::{Cpu, IouObb2, IouObb3, IouYaw, Op, Row, Single};
+use geograd::kernels::{Cpu, Iou, Row, Runs, Single};
 use geograd::{Obb2, Obb3, Rotation3, Vec3, YawBox3};
 use std::fmt::Write;
 use std::hint::black_box;
@@ -38,7 +39,7 @@ fn curves<'a, O, B>(
     lists: &'a Lists<B>,
 ) -> [Curve<'a>; 2]
 where
-    O: Op<In<f32> = (B, B), Out<f32> = f32>,
+    O: Runs<(B, B), Out = f32> + Copy + Send + 'a,
     B: Single<Scalar = f32>,
     (B, B): Row<Scalar = f32>,
 {
@@ -56,7 +57,7 @@ where
         let (mut values, mut p, mut q) = (vec![0.0; n], a.to_vec(), b.to_vec());
         Timed::new(n, move || {
             let into = (&mut values[..], (&mut p[..], &mut q[..]));
-            cpu.aligned_into(op.value_grad(), (a, b), into).unwrap();
+            cpu.aligned_into(ValueGrad::of(op), (a, b), into).unwrap();
             black_box(values.iter().sum::<f32>());
         })
     });
@@ -90,7 +91,7 @@ fn curves_on<'a, O, B>(
     lists: &Lists<B>,
 ) -> [Curve<'a>; 2]
 where
-    O: Op<In<f32> = (B, B), Out<f32> = f32>,
+    O: Runs<(B, B), Out = f32> + Copy + Send + 'a,
     B: Single<Scalar = f32> + 'a,
     (B, B): Row<Scalar = f32>,
 {
@@ -108,10 +109,10 @@ where
     });
     let backward = COUNTS.map(|n| {
         let (a, b) = held(n);
-        let mut slopes = here.aligned(op.value_grad(), (&a, &b)).unwrap();
+        let mut slopes = here.aligned(ValueGrad::of(op), (&a, &b)).unwrap();
         Timed::new(n, move || {
             let columns = (&a, &b);
-            here.aligned_into(op.value_grad(), columns, &mut slopes)
+            here.aligned_into(ValueGrad::of(op), columns, &mut slopes)
                 .unwrap();
             done(gpu);
         })
@@ -165,28 +166,21 @@ pub fn paper(machine: &Machine) -> (String, String) {
     let upright_names = ["3D upright forward", "3D upright forward and backward"];
     let turned_names = ["3D any turn forward", "3D any turn forward and backward"];
     let mut all: Vec<Curve<'_>> = Vec::new();
-    all.extend(curves(flat_names, "#1b6ca8", IouObb2, &plane));
-    all.extend(curves(upright_names, "#c0572b", IouYaw, &upright));
-    all.extend(curves(turned_names, "#3f7d3a", IouObb3, &turned));
+    all.extend(curves(flat_names, "#1b6ca8", Iou, &plane));
+    all.extend(curves(upright_names, "#c0572b", Iou, &upright));
+    all.extend(curves(turned_names, "#3f7d3a", Iou, &turned));
     if let Machine::Gpu(gpu) = machine {
         let here = machine.backend().resident();
-        all.extend(curves_on(here, gpu, flat_names, "#66b7f0", IouObb2, &plane));
+        all.extend(curves_on(here, gpu, flat_names, "#66b7f0", Iou, &plane));
         all.extend(curves_on(
             here,
             gpu,
             upright_names,
             "#f2a07c",
-            IouYaw,
+            Iou,
             &upright,
         ));
-        all.extend(curves_on(
-            here,
-            gpu,
-            turned_names,
-            "#8fd08a",
-            IouObb3,
-            &turned,
-        ));
+        all.extend(curves_on(here, gpu, turned_names, "#8fd08a", Iou, &turned));
     }
     let peer = COUNTS.map(|n| {
         // Pair by pair, as a loss needs it: its matrices of 1 x 1.

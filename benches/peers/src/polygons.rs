@@ -4,7 +4,7 @@ use super::{Dice, on_threads};
 use geo::{Coord, Distance, Euclidean, LineString, Point, Polygon};
 use geograd::clipping::clip;
 use geograd::distance::ring::distance_to_ring;
-use geograd::kernels::{Cpu, SignedDistancePointRing};
+use geograd::kernels::{Cpu, SignedDistance};
 use geograd::{ConvexPolygon, Vec2};
 use parry2d_f64::math::Vector2;
 use parry2d_f64::transformation::convex_polygons_intersection_points;
@@ -119,7 +119,7 @@ pub fn polygons() {
         lines.push((
             format!("geograd, signed, points to one {name} ring, batch"),
             Timed::new(POINTS, move || {
-                let found = cpu.fold_one(SignedDistancePointRing, &points[..], ring);
+                let found = cpu.fold_one(SignedDistance.over_ring(), &points[..], ring);
                 black_box(found).expect("valid rings");
             }),
         ));
@@ -129,7 +129,7 @@ pub fn polygons() {
             format!("geograd, signed, each point to a {name} ring of its own, batch"),
             Timed::new(POINTS, move || {
                 let context = &points[..];
-                let found = cpu.fold(SignedDistancePointRing, context, &all, offsets);
+                let found = cpu.fold(SignedDistance.over_ring(), context, &all, offsets);
                 black_box(found).expect("valid rings");
             }),
         ));

@@ -2,7 +2,7 @@
 use super::N;
 use super::levels::Timed;
 use super::shapes::{Line, PART, Ratio, aligned};
-use geograd::kernels::{Cpu, DistancePointSegment, IouObb2, Op};
+use geograd::kernels::{Cpu, Distance, Iou, Op};
 use geograd::{Obb2, Segment2, Vec2};
 use std::hint::black_box;
 
@@ -42,7 +42,11 @@ pub fn lines<'a>(
     segments: &'a [Segment2<f32>],
 ) -> Vec<Line<'a>> {
     let cpu = Cpu::new();
-    let iou = || IouObb2.program::<f32>().expect("it is recorded");
+    let iou = || {
+        Iou.row::<(Obb2<f32>, Obb2<f32>)>()
+            .program::<f32>()
+            .expect("it is recorded")
+    };
     let (value, slopes, pairs) = (iou(), iou().value_grad(), iou());
     let (mut values, mut more) = (vec![0.0; N], vec![0.0; N]);
     let (mut p, mut q) = (a.to_vec(), near.to_vec());
@@ -70,7 +74,7 @@ pub fn lines<'a>(
                 cpu.aligned_into(&slopes, (a, near), into).unwrap();
             }),
         },
-        aligned("point to segment", DistancePointSegment, points, segments),
+        aligned("point to segment", Distance, points, segments),
         Line {
             name: "copying points and segments",
             timed: Timed::new(N, move || {

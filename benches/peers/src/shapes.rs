@@ -4,9 +4,9 @@
 use super::levels::Timed;
 use super::{Dice, N, by_parry, flat, narrow, on_threads, points, programs};
 use geograd::kernels::cpu::simd::Simd;
+use geograd::kernels::op::ValueGrad;
 use geograd::kernels::{
-    Cpu, DistancePointSegment, DistanceSegments, GiouObb2, IntersectionAreaQuads, IouBirdsEye,
-    IouObb2, IouObb3, IouYaw, Op, Row, Single, Table,
+    Cpu, Distance, Giou, IntersectionArea, Iou, IouBev, Row, Runs, Single, Table,
 };
 use geograd::{Obb2, Obb3, Rotation3, Segment2, Vec2, Vec3, YawBox3};
 use std::hint::black_box;
@@ -99,7 +99,7 @@ fn solids(flat: &[Obb2<f32>], dice: &mut Dice) -> (Vec<YawBox3<f32>>, Vec<Obb3<f
 /// Aligned items of an operation, as values.
 pub fn aligned<'a, O, A, B, T>(name: &'static str, op: O, a: &'a [A], b: &'a [B]) -> Line<'a>
 where
-    O: Op<In<T> = (A, B), Out<T> = T>,
+    O: Runs<(A, B), Out = T> + Copy + Send + 'a,
     A: Single<Scalar = T>,
     B: Single<Scalar = T>,
     T: geograd::kernels::real::Real + Single<Scalar = T>,
@@ -115,7 +115,7 @@ where
 /// The same with slopes.
 fn slopes<'a, O, A, B, T>(name: &'static str, op: O, a: &'a [A], b: &'a [B]) -> Line<'a>
 where
-    O: Op<In<T> = (A, B), Out<T> = T>,
+    O: Runs<(A, B), Out = T> + Copy + Send + 'a,
     A: Single<Scalar = T>,
     B: Single<Scalar = T>,
     T: geograd::kernels::real::Real + Single<Scalar = T>,
@@ -125,7 +125,7 @@ where
     let (mut p, mut q) = (a.to_vec(), b.to_vec());
     let timed = Timed::new(a.len(), move || {
         let into = (&mut values[..], (&mut p[..], &mut q[..]));
-        cpu.aligned_into(op.value_grad(), (a, b), into).unwrap();
+        cpu.aligned_into(ValueGrad::of(op), (a, b), into).unwrap();
     });
     Line { name, timed }
 }
@@ -133,7 +133,7 @@ where
 /// All pairs of an operation, as values.
 fn matrix<'a, O, A>(name: &'static str, cpu: Cpu, op: O, a: &'a [A], b: &'a [A]) -> Line<'a>
 where
-    O: Op<In<f32> = (A, A), Out<f32> = f32>,
+    O: Runs<(A, A), Out = f32> + Copy + Send + 'a,
     A: Single<Scalar = f32>,
     (A, A): Row<Scalar = f32>,
 {
@@ -223,77 +223,62 @@ fn lines(lists: &Lists) -> Vec<Line<'_>> {
     let (cpu, all) = (Cpu::new(), Cpu::new().culled(false));
     let mut grads = Table::new(PART, PART).expect("it fits");
     let mut lines = vec![
-        matrix("iou, no filter", all, IouObb2, &a[..PART], &b[..PART]),
-        matrix("giou", cpu, GiouObb2, &a[..PART], &b[..PART]),
+        matrix("iou, no filter", all, Iou, &a[..PART], &b[..PART]),
+        matrix("giou", cpu, Giou, &a[..PART], &b[..PART]),
         Line {
             name: "giou, slopes",
             timed: Timed::new(PART * PART, move || {
-                cpu.all_pairs_into(GiouObb2.value_grad(), &a[..PART], &b[..PART], &mut grads)
+                cpu.all_pairs_into(Giou.value_grad(), &a[..PART], &b[..PART], &mut grads)
                     .unwrap();
             }),
         },
-        aligned("iou, aligned", IouObb2, a, near),
-        slopes("iou, aligned, slopes", IouObb2, a, near),
-        aligned("giou, aligned", GiouObb2, a, near),
-        slopes("giou, aligned, slopes", GiouObb2, a, near),
+        aligned("iou, aligned", Iou, a, near),
+        slopes("iou, aligned, slopes", Iou, a, near),
+        aligned("giou, aligned", Giou, a, near),
+        slopes("giou, aligned, slopes", Giou, a, near),
         matrix(
             "upright iou",
             cpu,
-            IouYaw,
+            Iou,
             &upright[..PART],
             &upright_b[..PART],
         ),
         matrix(
             "upright iou, no filter",
             all,
-            IouYaw,
+            Iou,
             &upright[..PART],
             &upright_b[..PART],
         ),
-        aligned("upright iou, aligned", IouYaw, upright, upright_near),
-        slopes(
-            "upright iou, aligned, slopes",
-            IouYaw,
-            upright,
-            upright_near,
-        ),
-        aligned(
-            "bird's eye iou, aligned",
-            IouBirdsEye,
-            upright,
-            upright_near,
-        ),
+        aligned("upright iou, aligned", Iou, upright, upright_near),
+        slopes("upright iou, aligned, slopes", Iou, upright, upright_near),
+        aligned("bird's eye iou, aligned", IouBev, upright, upright_near),
         slopes(
             "bird's eye iou, aligned, slopes",
-            IouBirdsEye,
+            IouBev,
             upright,
             upright_near,
         ),
-        aligned("any turn, aligned", IouObb3, tilted, tilted_near),
-        slopes("any turn, aligned, slopes", IouObb3, tilted, tilted_near),
-        matrix("any turn, scene", cpu, IouObb3, scene, scene),
-        matrix("any turn, scene, no filter", all, IouObb3, scene, scene),
+        aligned("any turn, aligned", Iou, tilted, tilted_near),
+        slopes("any turn, aligned, slopes", Iou, tilted, tilted_near),
+        matrix("any turn, scene", cpu, Iou, scene, scene),
+        matrix("any turn, scene, no filter", all, Iou, scene, scene),
         aligned(
             "quadrilaterals, aligned",
-            IntersectionAreaQuads,
+            IntersectionArea,
             quads,
             quads_near,
         ),
         slopes(
             "quadrilaterals, aligned, slopes",
-            IntersectionAreaQuads,
+            IntersectionArea,
             quads,
             quads_near,
         ),
-        slopes(
-            "point to segment, slopes",
-            DistancePointSegment,
-            points,
-            &segments[0],
-        ),
+        slopes("point to segment, slopes", Distance, points, &segments[0]),
         slopes(
             "segment to segment, slopes",
-            DistanceSegments,
+            Distance,
             &segments[0],
             &segments[1],
         ),

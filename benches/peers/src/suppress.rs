@@ -1,7 +1,7 @@
 //! Suppression of rotated boxes next to the plain loop over powerboxesrs, and of large scenes.
 use super::levels::Timed;
 use super::{Dice, flat, narrow, on_threads};
-use geograd::kernels::{Cpu, IouBirdsEye, IouObb2, IouYaw};
+use geograd::kernels::{Cpu, Iou, IouBev};
 use geograd::suppression::Rules;
 use geograd::{Obb2, Vec3, YawBox3};
 use std::hint::black_box;
@@ -57,7 +57,7 @@ pub fn suppress() -> String {
     let (flat_crowd, flat_spread) = (flat(&crowd), flat(&spread));
     let (cpu, rules) = (Cpu::new(), Rules::above(OVERLAP as f32));
 
-    let ours = cpu.suppress(IouObb2, &crowd, &scores[..CROWD], Rules::above(OVERLAP));
+    let ours = cpu.suppress(Iou, &crowd, &scores[..CROWD], Rules::above(OVERLAP));
     let theirs = powerboxesrs::nms::rotated_nms_slice(&flat_crowd, &scores[..CROWD], OVERLAP, 0.0);
     let ours = ours.unwrap();
     let same = ours.iter().filter(|i| theirs.contains(i)).count();
@@ -71,13 +71,13 @@ pub fn suppress() -> String {
         (
             "geograd, f32, crowded",
             Timed::new(CROWD, || {
-                black_box(cpu.suppress(IouObb2, &crowd32, &few[..CROWD], rules)).unwrap();
+                black_box(cpu.suppress(Iou, &crowd32, &few[..CROWD], rules)).unwrap();
             }),
         ),
         (
             "geograd, f32, crowded, IoU in space",
             Timed::new(CROWD, || {
-                black_box(cpu.suppress(IouYaw, &solid_crowd, &few[..CROWD], rules)).unwrap();
+                black_box(cpu.suppress(Iou, &solid_crowd, &few[..CROWD], rules)).unwrap();
             }),
         ),
         (
@@ -107,7 +107,7 @@ pub fn suppress() -> String {
         (
             "geograd, f32, spread",
             Timed::new(CROWD, || {
-                black_box(cpu.suppress(IouObb2, &spread32, &few[..CROWD], rules)).unwrap();
+                black_box(cpu.suppress(Iou, &spread32, &few[..CROWD], rules)).unwrap();
             }),
         ),
         (
@@ -125,19 +125,19 @@ pub fn suppress() -> String {
         (
             "geograd, f32, scene",
             Timed::new(SCENE, || {
-                black_box(cpu.suppress(IouObb2, &scene32, &few, rules)).unwrap();
+                black_box(cpu.suppress(Iou, &scene32, &few, rules)).unwrap();
             }),
         ),
         (
             "geograd, f32, scene, bird's eye",
             Timed::new(SCENE, || {
-                black_box(cpu.suppress(IouBirdsEye, &solid_scene, &few, rules)).unwrap();
+                black_box(cpu.suppress(IouBev, &solid_scene, &few, rules)).unwrap();
             }),
         ),
         (
             "geograd, f32, scene, IoU in space",
             Timed::new(SCENE, || {
-                black_box(cpu.suppress(IouYaw, &solid_scene, &few, rules)).unwrap();
+                black_box(cpu.suppress(Iou, &solid_scene, &few, rules)).unwrap();
             }),
         ),
     ];

@@ -5,7 +5,8 @@ mod space;
 use crate::input::{self, Shape};
 use crate::metric::Metric;
 use crate::number::Number;
-use geograd::kernels::op::Op;
+use geograd::kernels::Runs;
+use geograd::kernels::op::ValueGrad;
 use geograd::kernels::row::Single;
 use geograd::kernels::{Backend, Cpu, Table};
 use geograd::{Error, Program};
@@ -123,18 +124,20 @@ impl<P: Boxes> Scores<P> {
 /// The scores of an operation of two boxes.
 pub fn on_cpu<P: Boxes, O>(op: O, pairs: Pairs<'_, P>, grad: bool) -> Result<Scores<P>, Error>
 where
-    O: Op<In<P::Scalar> = (P, P), Out<P::Scalar> = P::Scalar>,
+    O: Runs<(P, P), Out = P::Scalar> + Copy,
 {
     let cpu = Cpu::new();
     match pairs {
         Pairs::Aligned(a, b) if grad => {
-            let (values, (a_bar, b_bar)) = cpu.aligned(op.value_grad(), (a, b))?;
+            let (values, (a_bar, b_bar)) = cpu.aligned(ValueGrad::of(op), (a, b))?;
             Ok(Scores::with_slopes(values, a_bar, b_bar))
         }
         Pairs::Aligned(a, b) => Ok(Scores::new(cpu.aligned(op, (a, b))?)),
-        Pairs::All(a, b) if grad => {
-            Ok(Scores::from_table(&cpu.all_pairs(op.value_grad(), a, b)?))
-        }
+        Pairs::All(a, b) if grad => Ok(Scores::from_table(&cpu.all_pairs(
+            ValueGrad::of(op),
+            a,
+            b,
+        )?)),
         Pairs::All(a, b) => Ok(Scores::new(cpu.all_pairs(op, a, b)?.into_planes())),
     }
 }

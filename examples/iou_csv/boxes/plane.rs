@@ -3,10 +3,7 @@ use super::{Boxes, Pairs, Scores, on_cpu, on_scores};
 use crate::metric::{Enclosing, Metric};
 use crate::number::Number;
 use geograd::iou3::smallest_rectangle;
-use geograd::kernels::{
-    Backend, CiouAabbObb2, CiouObb2, DiouAabbObb2, DiouObb2, EiouAabbObb2, EiouObb2, GiouAabbObb2,
-    GiouObb2,
-};
+use geograd::kernels::{Backend, Ciou, CiouAabb, Diou, DiouAabb, Eiou, EiouAabb, Giou, GiouAabb};
 use geograd::{Error, Obb2, Program, Scalar, Sym};
 
 /// GIoU with the rectangle of least area around both, from their IoU.
@@ -47,8 +44,8 @@ impl<T: Number> Boxes for Obb2<T> {
         match metric {
             Metric::Iou => T::iou(backend, pairs, grad),
             Metric::Iof => T::iof(backend, pairs, grad),
-            Metric::Giou(Enclosing::Hull) => on_cpu(GiouObb2, pairs, grad),
-            Metric::Giou(Enclosing::Aabb) => on_cpu(GiouAabbObb2, pairs, grad),
+            Metric::Giou(Enclosing::Hull) => on_cpu(Giou, pairs, grad),
+            Metric::Giou(Enclosing::Aabb) => on_cpu(GiouAabb, pairs, grad),
             Metric::Giou(Enclosing::Rect) => {
                 let ious = T::iou(Backend::Cpu, pairs, grad)?;
                 type Known<T> = (Obb2<Sym<T>>, Obb2<Sym<T>>, Sym<T>);
@@ -56,12 +53,12 @@ impl<T: Number> Boxes for Obb2<T> {
                 on_scores(&Program::trace(giou)?, pairs, ious)
             }
             // The command line has no rectangle for these.
-            Metric::Diou(Enclosing::Hull | Enclosing::Rect) => on_cpu(DiouObb2, pairs, grad),
-            Metric::Diou(Enclosing::Aabb) | Metric::DiouBox => on_cpu(DiouAabbObb2, pairs, grad),
-            Metric::Ciou(Enclosing::Hull | Enclosing::Rect) => on_cpu(CiouObb2, pairs, grad),
-            Metric::Ciou(Enclosing::Aabb) => on_cpu(CiouAabbObb2, pairs, grad),
-            Metric::Eiou(Enclosing::Hull | Enclosing::Rect) => on_cpu(EiouObb2, pairs, grad),
-            Metric::Eiou(Enclosing::Aabb) => on_cpu(EiouAabbObb2, pairs, grad),
+            Metric::Diou(Enclosing::Hull | Enclosing::Rect) => on_cpu(Diou, pairs, grad),
+            Metric::Diou(Enclosing::Aabb) | Metric::DiouBox => on_cpu(DiouAabb, pairs, grad),
+            Metric::Ciou(Enclosing::Hull | Enclosing::Rect) => on_cpu(Ciou, pairs, grad),
+            Metric::Ciou(Enclosing::Aabb) => on_cpu(CiouAabb, pairs, grad),
+            Metric::Eiou(Enclosing::Hull | Enclosing::Rect) => on_cpu(Eiou, pairs, grad),
+            Metric::Eiou(Enclosing::Aabb) => on_cpu(EiouAabb, pairs, grad),
         }
     }
 }

@@ -7,7 +7,7 @@ use crate::number::Number;
 use common::known::known;
 use geograd::ad::program::Plain;
 use geograd::iou3::{self, Solid};
-use geograd::kernels::{Backend, IofObb3, IofYaw, IouObb3, IouYaw};
+use geograd::kernels::{Backend, Iof, Iou};
 use geograd::{Error, Fixed, Obb3, Program, Sym, YawBox3};
 
 /// What the scores of two boxes add to their IoU.
@@ -66,11 +66,11 @@ impl<T: Number> Boxes for YawBox3<T> {
         grad: bool,
     ) -> Result<Scores<Self>, Error> {
         match metric {
-            Metric::Iou => on_cpu(IouYaw, pairs, grad),
-            Metric::Iof => on_cpu(IofYaw, pairs, grad),
+            Metric::Iou => on_cpu(Iou, pairs, grad),
+            Metric::Iof => on_cpu(Iof, pairs, grad),
             _ => {
                 let added = program::<T, Self, YawBox3<Sym<T>>>(metric)?;
-                on_scores(&added, pairs, on_cpu(IouYaw, pairs, grad)?)
+                on_scores(&added, pairs, on_cpu(Iou, pairs, grad)?)
             }
         }
     }
@@ -105,11 +105,11 @@ impl<T: Number> Boxes for Obb3<T> {
         grad: bool,
     ) -> Result<Scores<Self>, Error> {
         match metric {
-            Metric::Iou => on_cpu(IouObb3, pairs, grad),
-            Metric::Iof => on_cpu(IofObb3, pairs, grad),
+            Metric::Iou => on_cpu(Iou, pairs, grad),
+            Metric::Iof => on_cpu(Iof, pairs, grad),
             _ => {
                 let added = program::<T, Self, Obb3<Sym<T>>>(metric)?;
-                on_scores(&added, pairs, on_cpu(IouObb3, pairs, grad)?)
+                on_scores(&added, pairs, on_cpu(Iou, pairs, grad)?)
             }
         }
     }

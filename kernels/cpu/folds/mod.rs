@@ -69,13 +69,13 @@ impl Cpu {
     /// numbers.
     ///
     /// ```
-    /// use geograd::kernels::{Cpu, SignedDistancePointRing};
+    /// use geograd::kernels::{Cpu, SignedDistance};
     /// use geograd::{Aabb2, Vec2};
     /// let square = Aabb2::new(0.0_f64, 0.0, 4.0, 4.0).corners();
     /// let points = [Vec2::new(1.0, 2.0), Vec2::new(7.0, 8.0)];
     /// let cpu = Cpu::new();
-    /// assert_eq!(cpu.fold_one(SignedDistancePointRing, &points, &square)?, [-1.0, 5.0]);
-    /// let (by_point, by_vertex) = cpu.fold_one_vjp(SignedDistancePointRing, &points, &square, &[1.0, 1.0])?;
+    /// assert_eq!(cpu.fold_one(SignedDistance.over_ring(), &points, &square)?, [-1.0, 5.0]);
+    /// let (by_point, by_vertex) = cpu.fold_one_vjp(SignedDistance.over_ring(), &points, &square, &[1.0, 1.0])?;
     /// assert_eq!(by_point[0].x, -1.0);
     /// assert!((by_vertex[2].x + 0.6).abs() < 1e-15);
     /// # Ok::<(), geograd::Error>(())

@@ -5,7 +5,7 @@
 use crate::clip::{FAR, LARGEST_INVERSE, frame, is_ordinary};
 use crate::kernels::cpu::plan::Compiled;
 use crate::kernels::op::{Op, RingOp};
-use crate::kernels::ops::ring::{Centroid, Perimeter, SignedArea};
+use crate::kernels::verbs::{Centroid, Perimeter, SignedArea};
 use crate::overlap::Denominator;
 use crate::scalar::float::Float;
 use crate::{Aabb2, Fixed, Obb2, Scalar};

@@ -581,7 +581,7 @@ fn slopes_of_quads_are_those_of_polygons() {
     let mut dice = Dice(42);
     let cpu = geograd::kernels::Cpu::new();
     let (a, b): (Vec<_>, Vec<_>) = (0..500).map(|_| (quad(&mut dice), quad(&mut dice))).unzip();
-    let op = geograd::kernels::IntersectionAreaQuads;
+    let op = geograd_tests::rows::IntersectionAreaQuads;
     let (values, (by_a, by_b)) = cpu
         .aligned(geograd::kernels::Op::value_grad(op), (&a, &b))
         .unwrap();

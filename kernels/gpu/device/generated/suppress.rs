@@ -52,14 +52,14 @@ impl Gpu {
     /// As on the processor; [`Error::Program`] for what searches, [`Error::Gpu`] for what the device says.
     ///
     /// ```no_run
-    /// use geograd::kernels::{IouBirdsEye, gpu::Gpu};
+    /// use geograd::kernels::{IouBev, gpu::Gpu};
     /// use geograd::{Vec3, YawBox3};
     /// use geograd::suppression::Rules;
     /// # #[cfg(feature = "gpu")] {
     /// let boxes = [0.0, 0.2, 9.0].map(|x| YawBox3::new(Vec3::new(x, 0.0, 0.0), Vec3::new(4.0, 2.0, 1.5), 0.1_f32));
     /// let scores = [0.6, 0.9, 0.5];
     /// let gpu = Gpu::new()?;
-    /// let kept = gpu.suppress(IouBirdsEye, &boxes, &scores, Rules::above(0.5))?;
+    /// let kept = gpu.suppress(IouBev, &boxes, &scores, Rules::above(0.5))?;
     /// assert_eq!(kept, [1, 2]);
     /// # }
     /// # Ok::<(), geograd::Error>(())
