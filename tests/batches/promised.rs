@@ -1,4 +1,4 @@
-//! What rows promise as data is what the README says.
+//! Rows promise as data what the documentation of the crate says.
 use geograd::kernels::op::{Finite, Limits};
 use geograd::kernels::{Decided as _, Fold as _, Op as _, RingOp as _};
 
@@ -37,9 +37,9 @@ fn rows() -> Vec<(&'static str, Finite)> {
     all
 }
 
-/// The second promise of the README, up to where the others are spoken of, and what follows.
+/// The second promise of the crate's documentation: the rows that it names, and the limits of all others.
 fn second_promise() -> (String, String) {
-    let path = concat!(env!("CARGO_MANIFEST_DIR"), "/../README.md");
+    let path = concat!(env!("CARGO_MANIFEST_DIR"), "/../src/lib.rs");
     let text = std::fs::read_to_string(path).unwrap();
     let start = text.find("2. **Finite in, finite out.**").unwrap();
     let end = text.find("3. **Ratios stay").unwrap();
@@ -48,7 +48,7 @@ fn second_promise() -> (String, String) {
 }
 
 #[test]
-fn the_readme_names_what_is_always_finite() {
+fn the_documentation_names_what_is_always_finite() {
     let rows = rows();
     let (list, _) = second_promise();
     let mut named: Vec<&str> = list.split('`').skip(1).step_by(2).collect();
@@ -63,7 +63,7 @@ fn the_readme_names_what_is_always_finite() {
 }
 
 #[test]
-fn the_readme_says_within_which_limits_others_are_finite() {
+fn the_documentation_says_within_which_limits_others_are_finite() {
     let (_, others) = second_promise();
     let power = |exponent: i32| {
         let digits: String = exponent.abs().to_string();
