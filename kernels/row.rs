@@ -15,6 +15,8 @@ use std::ops::Range;
 /// One shape of a row, as numbers.
 #[derive(Debug)]
 pub struct Leaf<T> {
+    /// The name of its type, with its path.
+    pub shape: fn() -> &'static str,
     /// How many numbers: scalars, then codes.
     pub fields: usize,
     /// How many of them are codes.
@@ -113,6 +115,7 @@ pub(crate) fn by_shape<R: Row>(mut scalars: &[R::Scalar], codes: &[u32], mut to:
 #[doc(hidden)]
 pub fn leaf<P: Row + Validate>() -> Leaf<P::Scalar> {
     Leaf {
+        shape: std::any::type_name::<P>,
         fields: width::<P>(),
         codes: P::CODES,
         name: P::name,

@@ -23,6 +23,10 @@ pub enum Argument {
     Result(usize),
     /// An input by the name that its operation gives it.
     Named(&'static str),
+    /// The input in this place, from zero, of a function without names for them.
+    Input(usize),
+    /// The direction of a derivative, for the input in this place, from zero.
+    Direction(usize),
     /// The vertices of a ragged batch.
     Vertices,
     /// The offsets of a ragged batch.
@@ -78,6 +82,8 @@ impl fmt::Display for Argument {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         f.write_str(match self {
             Argument::Result(index) => return write!(f, "result {index}"),
+            Argument::Input(index) => return write!(f, "input {index}"),
+            Argument::Direction(index) => return write!(f, "direction {index}"),
             Argument::Shape => "shape",
             Argument::A => "a",
             Argument::B => "b",
@@ -346,6 +352,8 @@ pub enum Unrecordable {
     TooLong,
     /// The name asked for is not one that a function can have there.
     Name,
+    /// Another recording is open on this thread.
+    Nested,
 }
 
 impl fmt::Display for Unrecordable {
@@ -360,6 +368,7 @@ impl fmt::Display for Unrecordable {
             Unrecordable::Search => "it searches, and a program is a straight line",
             Unrecordable::TooLong => "there are too many operations",
             Unrecordable::Name => "the name is reserved or not an identifier",
+            Unrecordable::Nested => "another recording is open on this thread",
         })
     }
 }
@@ -398,6 +407,27 @@ pub enum Error {
         argument: Argument,
         /// The index into its offsets.
         row: usize,
+    },
+    /// Rows of an argument have the wrong number of fields.
+    Fields {
+        /// The argument.
+        argument: Argument,
+        /// How many numbers a row of it has.
+        expected: usize,
+        /// How many it was given.
+        found: usize,
+    },
+    /// A call has the wrong number of arguments.
+    Arguments {
+        /// How many the function takes.
+        expected: usize,
+        /// How many it was given.
+        found: usize,
+    },
+    /// The call is for functions whose result is one number.
+    NotOneNumber {
+        /// How many numbers the result has.
+        found: usize,
     },
     /// The number of results does not fit in memory.
     TooLarge,
@@ -447,6 +477,20 @@ impl fmt::Display for Error {
                     f,
                     "`{argument}`: offset {row}: offsets go from 0 to the number of vertices and never decrease"
                 )
+            }
+            Error::Fields {
+                argument,
+                expected,
+                found,
+            } => write!(
+                f,
+                "rows of `{argument}` have {found} numbers where {expected} are needed"
+            ),
+            Error::Arguments { expected, found } => {
+                write!(f, "{found} arguments where {expected} are needed")
+            }
+            Error::NotOneNumber { found } => {
+                write!(f, "the result has {found} numbers where one is needed")
             }
             Error::Program(why) => write!(f, "the function cannot be a program: {why}"),
             Error::TooLarge => f.write_str("more results than memory can hold"),

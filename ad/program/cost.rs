@@ -52,7 +52,7 @@ impl Cost {
         ]
     }
 
-    pub(super) fn of(graph: &Graph) -> Self {
+    pub(crate) fn of(graph: &Graph) -> Self {
         use Node::*;
         let mut cost = Cost::default();
         for node in graph.nodes() {

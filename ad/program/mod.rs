@@ -41,7 +41,8 @@ mod derivative;
 pub(crate) mod evaluate;
 mod forward;
 pub(crate) mod graph;
-mod print;
+pub(crate) mod opened;
+pub(crate) mod print;
 #[expect(
     clippy::module_inception,
     reason = "the type is called as the module is"

@@ -4,7 +4,7 @@ use super::recorded::Recorded;
 use std::fmt;
 
 /// Writes a line per operation, numbered, and at last the results.
-pub(super) fn print(
+pub(crate) fn print(
     f: &mut fmt::Formatter<'_>,
     recorded: &Recorded,
     input: impl Fn(usize) -> String,

@@ -7,14 +7,14 @@ use super::symbol::{Plain, Sym};
 use crate::{Error, Fixed, Scalar, Unrecordable};
 
 /// How many inputs a function that asks for hints is tried on.
-const TRIALS: usize = 192;
+pub(crate) const TRIALS: usize = 192;
 
 /// The same for one of many replays of a function.
 #[cfg(feature = "gpu")]
 const TRIALS_OF_REPLAY: usize = 12;
 
 /// A function of shapes as one of lists of symbols.
-type Listed<'a, T> = &'a dyn Fn(&[Sym<T>]) -> Vec<Sym<T>>;
+pub(crate) type Listed<'a, T> = &'a dyn Fn(&[Sym<T>]) -> Vec<Sym<T>>;
 
 /// Records a function of shapes of symbols.
 pub(crate) fn record<T, X, Y>(function: impl Fn(X) -> Y) -> Result<Recorded, Error>
@@ -52,7 +52,7 @@ where
 }
 
 /// Records a function of lists of symbols.
-fn listed<T: Plain>(
+pub(crate) fn listed<T: Plain>(
     inputs: usize,
     trials: usize,
     function: Listed<'_, T>,
@@ -93,7 +93,7 @@ fn run<T: Plain>(
 }
 
 /// The places of the results, which must be of this recording, too.
-fn places<T: Plain>(
+pub(super) fn places<T: Plain>(
     recording: &mut Recording,
     results: &[Sym<T>],
 ) -> Result<Vec<Id>, Unrecordable> {

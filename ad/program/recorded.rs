@@ -196,6 +196,39 @@ impl Recorded {
         Recorded::new(graph, self.inputs, &rows)
     }
 
+    /// The derivatives of all results by all numbers of the input: of the first result first.
+    pub(crate) fn jacobian(&self) -> Recorded {
+        if self.by_hand.is_some() {
+            let (graph, gradient) = self.gradient();
+            return Recorded::new(graph, self.inputs, &gradient);
+        }
+        let mut graph = self.graph.clone();
+        let mut rows = Vec::with_capacity(self.outputs.len() * self.inputs);
+        if self.outputs.len() <= self.inputs {
+            let one = graph.lit(1.0);
+            for output in &self.outputs {
+                rows.extend(reverse(
+                    &mut graph,
+                    std::slice::from_ref(output),
+                    &[one],
+                    self.inputs,
+                ));
+            }
+        } else {
+            let axes = (0..self.inputs).map(|axis| self.along(&mut graph, axis));
+            let columns: Vec<Vec<Id>> = axes.collect();
+            for k in 0..self.outputs.len() {
+                rows.extend(columns.iter().map(|column| column[k]));
+            }
+        }
+        Recorded::new(graph, self.inputs, &rows)
+    }
+
+    /// The same without the first so many results.
+    pub(crate) fn without_first(&self, count: usize) -> Recorded {
+        Recorded::new(self.graph.clone(), self.inputs, &self.outputs[count..])
+    }
+
     /// The same with a gradient by hand, a program with the same input.
     pub(crate) fn with_gradient(&self, gradient: &Recorded) -> Recorded {
         let mut made = self.clone();

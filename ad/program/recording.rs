@@ -42,18 +42,7 @@ impl Recording {
         plain: bool,
         body: &mut dyn FnMut(),
     ) -> Result<Recording, Unrecordable> {
-        let mut graph = Graph::new(format);
-        graph.plain = plain;
-        // The places that symbols of a spoiled recording point to.
-        graph.lit(0.0);
-        let recording = Recording {
-            name: NEXT.fetch_add(1, Ordering::Relaxed),
-            graph,
-            asked: 0,
-            hints: 0,
-            flaw: None,
-        };
-        OPEN.with_borrow_mut(|open| open.push(recording));
+        Self::open(format, plain);
         // Taken off the stack also when `body` panics.
         struct Closing;
         impl Drop for Closing {
@@ -69,6 +58,53 @@ impl Recording {
             .with_borrow_mut(Vec::pop)
             .ok_or(Unrecordable::ForeignSymbol)?;
         recording.sound().map(|()| recording)
+    }
+
+    /// Opens a recording on this thread and gives its name.
+    pub(super) fn open(format: Format, plain: bool) -> u64 {
+        let mut graph = Graph::new(format);
+        graph.plain = plain;
+        // The places that symbols of a spoiled recording point to.
+        graph.lit(0.0);
+        let name = NEXT.fetch_add(1, Ordering::Relaxed);
+        let recording = Recording {
+            name,
+            graph,
+            asked: 0,
+            hints: 0,
+            flaw: None,
+        };
+        OPEN.with_borrow_mut(|open| open.push(recording));
+        name
+    }
+
+    /// Takes the recording of this name off this thread, if it is there.
+    pub(super) fn close(name: u64) -> Option<Recording> {
+        OPEN.with_borrow_mut(|open| {
+            let at = open.iter().position(|recording| recording.name == name)?;
+            Some(open.remove(at))
+        })
+    }
+
+    /// Whether a recording is open on this thread.
+    pub(super) fn is_open() -> bool {
+        OPEN.with_borrow(|open| !open.is_empty())
+    }
+
+    /// An error unless the recording that is open on this thread is of this format, and sound.
+    pub(super) fn takes(format: Format) -> Result<(), Unrecordable> {
+        OPEN.with_borrow(|open| match open.last() {
+            Some(recording) if recording.graph.format == format => recording.sound(),
+            _ => Err(Unrecordable::ForeignSymbol),
+        })
+    }
+
+    /// An error unless the recording that is open on this thread made the symbol, and is sound.
+    pub(super) fn owns(symbol: Symbol) -> Result<(), Unrecordable> {
+        OPEN.with_borrow(|open| match open.last() {
+            Some(recording) if recording.name == symbol.recording => recording.sound(),
+            _ => Err(Unrecordable::ForeignSymbol),
+        })
     }
 
     /// An error if the recording was spoiled.

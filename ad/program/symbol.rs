@@ -34,7 +34,7 @@ pub struct Sym<T> {
 /// A truth of a program that is being recorded.
 #[derive(Clone, Copy, Debug)]
 pub struct SymMask<T> {
-    symbol: Symbol,
+    pub(super) symbol: Symbol,
     number: PhantomData<fn() -> T>,
 }
 
@@ -66,7 +66,7 @@ impl<T: Plain> Sym<T> {
         SymMask::new(Symbol::made(T::FORMAT, operands, |[a, b]| node(a, b)))
     }
     /// The value of `value`, and of every symbol of the list its slopes times the number beside it.
-    pub(super) fn with_slopes(value: Self, slopes: impl Iterator<Item = (Self, Self)>) -> Self {
+    pub(crate) fn with_slopes(value: Self, slopes: impl Iterator<Item = (Self, Self)>) -> Self {
         let along = slopes.fold(Self::zero(), |sum, (x, share)| {
             let operands = [Self::zero().symbol, x.symbol, share.symbol];
             sum + Self::new(Symbol::made(

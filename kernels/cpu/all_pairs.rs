@@ -33,6 +33,44 @@ pub(crate) fn pairs<'a, T: Real, A: Single<Scalar = T>, B: Single<Scalar = T>>(
     })
 }
 
+/// Upstream slopes that kernels bear.
+pub(crate) struct Bearable<T> {
+    /// What they were brought down to, if they were.
+    down: Option<Vec<T>>,
+    /// What slopes are multiplied by afterwards.
+    by: T,
+}
+
+impl<T: Real> Bearable<T> {
+    /// Where one is too steep for kernels all are brought down by the same power of two, and the sums back.
+    ///
+    /// # Errors
+    ///
+    /// When one is not finite.
+    pub fn new(face: &Face<T>, upstream: &Upstream<'_, T>) -> Result<Self, Error> {
+        let steep = tame(upstream.slopes, face.steepest)?;
+        let by = steep.iter().flatten().map(|x| x.1).fold(T::one(), T::most);
+        let down = steep.map(|_| upstream.slopes.iter().map(|&x| x.over(by)).collect());
+        Ok(Bearable { down, by })
+    }
+    /// Slopes of both lists.
+    pub fn pull_back(
+        &self,
+        pairs: &Pairs<'_, T>,
+        upstream: Upstream<'_, T>,
+        a_bar: &mut [T],
+        b_bar: &mut [T],
+    ) {
+        let slopes = self.down.as_deref().unwrap_or(upstream.slopes);
+        let upstream = Upstream { slopes, ..upstream };
+        (T::drivers().pull_back)(pairs, upstream, a_bar, b_bar);
+        if self.down.is_some() {
+            restore(a_bar, self.by);
+            restore(b_bar, self.by);
+        }
+    }
+}
+
 impl Cpu {
     /// Every row of `a` with every row of `b`.
     ///
@@ -180,22 +218,7 @@ impl Cpu {
         expect(Argument::GradA, a.len(), a_bar.len())?;
         expect(Argument::GradB, b.len(), b_bar.len())?;
         let pairs = pairs(self, face, a, b)?;
-        // Where one is too steep for kernels all are brought down by the same power of two, and the sums
-        // back.
-        let steep = tame(upstream.slopes, face.steepest)?;
-        let by = steep.iter().flatten().map(|x| x.1).fold(T::one(), T::most);
-        let down: Vec<T> = match steep {
-            Some(_) => upstream.slopes.iter().map(|&x| x.over(by)).collect(),
-            None => Vec::new(),
-        };
-        let upstream = Upstream {
-            slopes: if steep.is_some() {
-                &down
-            } else {
-                upstream.slopes
-            },
-            ..upstream
-        };
+        let bearable = Bearable::new(face, &upstream)?;
         // A gradient has the codes of its shape.
         if A::CODES > 0 {
             a_bar.copy_from_slice(a);
@@ -205,11 +228,7 @@ impl Cpu {
         }
         fill(a_bar, |a_bar| {
             fill(b_bar, |b_bar| {
-                (T::drivers().pull_back)(&pairs, upstream, a_bar, b_bar);
-                if steep.is_some() {
-                    restore(a_bar, by);
-                    restore(b_bar, by);
-                }
+                bearable.pull_back(&pairs, upstream, a_bar, b_bar);
             });
         });
         Ok(())

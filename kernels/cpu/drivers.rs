@@ -1,14 +1,17 @@
 //! The drivers, compiled in this library for both formats: whoever calls a batch compiles no more
 //! than what turns shapes into numbers.
 use crate::Vec2;
+use crate::error::Error;
 use crate::kernels::cpu::desk::{self, Aligned};
 use crate::kernels::cpu::greedy::{self, Greed};
 use crate::kernels::cpu::nearest::{self, Sieved, Spans};
 use crate::kernels::cpu::pairs::{self, Pairs};
+use crate::kernels::cpu::plan::{self, Face, Shaped, Want};
 use crate::kernels::cpu::polygons::{self, Pulled, RingPairs};
 use crate::kernels::cpu::reductions;
 use crate::kernels::cpu::sweep::Upstream;
 use crate::kernels::reduce::{Best, Found};
+use std::sync::Arc;
 
 /// Lists the drivers: a name, a type, and the function of a format.
 macro_rules! drivers {
@@ -25,6 +28,7 @@ macro_rules! drivers {
 }
 
 drivers! {
+    faced: fn(&Shaped<T>, Want, bool) -> Result<Arc<Face<T>>, Error> = plan::faced;
     aligned: fn(Aligned<'_, T>) = desk::compute;
     planes: fn(&Pairs<'_, T>, &mut [T]) = pairs::planes;
     pull_back: fn(&Pairs<'_, T>, Upstream<'_, T>, &mut [T], &mut [T]) = pairs::pull_back;

@@ -295,6 +295,7 @@ fn face<F: Fold, T: Real>(recorded: &Recorded, want: Want) -> Result<Arc<Face<T>
     let state = F::State::<T>::LEN;
     known::<F, T, _>(Known::Edge(want), || {
         let leaf = |fields| Leaf {
+            shape: || "",
             fields,
             codes: 0,
             name: |_| Field::VALUE,

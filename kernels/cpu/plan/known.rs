@@ -1,16 +1,18 @@
 //! What was made of an operation before: programs and faces are made once per operation and format.
 use super::compiled::{of_compiled, outline};
 use super::face::{Face, Want};
+use super::line::{Line, Shaped};
 use super::recorded::of_recorded;
-use crate::ad::program::record::record;
+use crate::ad::program::record::{TRIALS, listed};
 use crate::ad::program::recorded::Recorded;
 use crate::ad::program::{Plain, Sym};
 use crate::error::Error;
 #[cfg(feature = "gpu")]
 use crate::kernels::gpu::Generated;
 use crate::kernels::op::{self, Op};
-use crate::kernels::row::{Row, leaves_of};
-use crate::{Fixed, Pack, Scalar};
+use crate::kernels::real::Real;
+use crate::kernels::row::Row;
+use crate::{Pack, Scalar, Unrecordable};
 use std::any::{Any, TypeId};
 use std::collections::HashMap;
 use std::sync::{Arc, PoisonError, RwLock};
@@ -47,7 +49,14 @@ pub(crate) fn known<O: 'static, T: 'static, X: Send + Sync + 'static>(
     key: Known,
     make: impl Fn() -> Result<X, Error>,
 ) -> Result<Arc<X>, Error> {
-    let key = (TypeId::of::<O>(), TypeId::of::<T>(), key);
+    known_by((TypeId::of::<O>(), TypeId::of::<T>(), key), &make)
+}
+
+/// The same by the whole key.
+fn known_by<X: Send + Sync + 'static>(
+    key: (TypeId, TypeId, Known),
+    make: &dyn Fn() -> Result<X, Error>,
+) -> Result<Arc<X>, Error> {
     let found = kept(key, &|| Ok(Arc::new(make()?)))?;
     Ok(found
         .downcast()
@@ -74,35 +83,33 @@ fn kept(
 /// What is wanted of an operation, as a program: the result, or the result and slopes, from the input
 /// and then the cotangent.
 pub(crate) fn program_of<O: Op, T: Plain>(want: Want) -> Result<Arc<Recorded>, Error> {
-    known::<O, T, _>(Known::Program(want), || {
-        type In<O, T> = <O as Op>::In<Sym<T>>;
-        type Out<O, T> = <O as Op>::Out<Sym<T>>;
-        // Without an adjoint by hand the program fails to be finite, which nothing then hides.
-        let by_hand = |x, out_bar| {
-            let nothing = || {
-                (
-                    Out::<O, T>::filled(Sym::lit(f64::NAN)),
-                    In::<O, T>::filled(Sym::lit(0.0)),
-                )
-            };
-            O::adjoint(x, out_bar).unwrap_or_else(nothing)
-        };
-        if want == Want::Value {
-            return record::<T, In<O, T>, Out<O, T>>(O::eval);
+    recorded_of(&const { Line::<T>::of::<O>() }, want)
+}
+
+/// The same of an operation without its types.
+pub(crate) fn recorded_of<T: Plain>(line: &Line<T>, want: Want) -> Result<Arc<Recorded>, Error> {
+    known_by(line.key(Known::Program(want)), &|| {
+        if line.codes > 0 {
+            return Err(Error::Program(Unrecordable::Codes));
         }
-        match (O::SLOPES, want) {
+        if want == Want::Value {
+            return listed(line.inputs, TRIALS, &line.eval);
+        }
+        let value = || recorded_of(line, Want::Value);
+        match (line.slopes, want) {
             (op::Slopes::ByHand, Want::Vjp) => {
-                record(|(x, out_bar): (In<O, T>, Out<O, T>)| by_hand(x, out_bar))
+                listed(line.inputs + line.outputs, TRIALS, &|numbers| {
+                    let (input, out_bar) = numbers.split_at(line.inputs);
+                    (line.adjoint)(input, out_bar)
+                })
             }
-            (op::Slopes::ByHand, _) => {
-                record(|x: In<O, T>| by_hand(x, Out::<O, T>::filled(Sym::lit(1.0))))
-            }
-            (op::Slopes::Reverse, Want::Vjp) => Ok(program_of::<O, T>(Want::Value)?.value_vjp()),
-            (op::Slopes::Reverse, _) => Ok(program_of::<O, T>(Want::Value)?.value_grad()),
-            (op::Slopes::Forward, Want::Vjp) => {
-                Ok(program_of::<O, T>(Want::Value)?.value_vjp_forwards())
-            }
-            (op::Slopes::Forward, _) => Ok(program_of::<O, T>(Want::Value)?.value_grad_forwards()),
+            (op::Slopes::ByHand, _) => listed(line.inputs, TRIALS, &|input| {
+                (line.adjoint)(input, &vec![Sym::lit(1.0); line.outputs])
+            }),
+            (op::Slopes::Reverse, Want::Vjp) => Ok(value()?.value_vjp()),
+            (op::Slopes::Reverse, _) => Ok(value()?.value_grad()),
+            (op::Slopes::Forward, Want::Vjp) => Ok(value()?.value_vjp_forwards()),
+            (op::Slopes::Forward, _) => Ok(value()?.value_grad_forwards()),
         }
     })
 }
@@ -113,16 +120,26 @@ where
     O: Op<In<<R as Pack>::Scalar> = R>,
     O::Out<R::Scalar>: Row,
 {
-    known::<O, R::Scalar, _>(Known::Face(want, framed), || {
-        if let Some(face) = O::compiled().and_then(|compiled| of_compiled(compiled, want)) {
+    let shaped = &const { Shaped::<R::Scalar>::of::<O, R>() };
+    (R::Scalar::drivers().faced)(shaped, want, framed)
+}
+
+/// The same of an operation without its types.
+pub(crate) fn faced<T: Real>(
+    shaped: &Shaped<T>,
+    want: Want,
+    framed: bool,
+) -> Result<Arc<Face<T>>, Error> {
+    let line = &shaped.line;
+    known_by(line.key(Known::Face(want, framed)), &|| {
+        let compiled = (line.compiled)();
+        if let Some(face) = compiled.and_then(|compiled| of_compiled(compiled, want)) {
             return Ok(face);
         }
-        let recorded = program_of::<O, R::Scalar>(want)?;
-        let outputs = leaves_of::<O::Out<R::Scalar>>();
-        let outputs = outputs.iter().map(|leaf| leaf.fields).collect();
-        let mut face = of_recorded(want, leaves_of::<R>(), outputs, &recorded, framed)?;
+        let recorded = recorded_of(line, want)?;
+        let mut face = of_recorded(want, (shaped.takes)(), shaped.outputs(), &recorded, framed)?;
         for argument in &mut face.arguments {
-            argument.bounds = O::compiled().and_then(outline);
+            argument.bounds = compiled.and_then(outline);
         }
         Ok(face)
     })
@@ -135,10 +152,18 @@ where
     O: Op<In<<R as Pack>::Scalar> = R>,
     O::Out<R::Scalar>: Row,
 {
-    known::<O, R::Scalar, _>(Known::Shader(want, framed), || {
-        let recorded = program_of::<O, R::Scalar>(want)?;
-        let outputs = leaves_of::<O::Out<R::Scalar>>();
-        let outputs = outputs.iter().map(|leaf| leaf.fields).collect();
-        Generated::new(want, leaves_of::<R>(), outputs, &recorded, framed)
+    generated(&const { Shaped::<R::Scalar>::of::<O, R>() }, want, framed)
+}
+
+/// The same of an operation without its types.
+#[cfg(feature = "gpu")]
+pub(crate) fn generated<T: Real>(
+    shaped: &Shaped<T>,
+    want: Want,
+    framed: bool,
+) -> Result<Arc<Generated<T>>, Error> {
+    known_by(shaped.line.key(Known::Shader(want, framed)), &|| {
+        let recorded = recorded_of(&shaped.line, want)?;
+        Generated::new(want, (shaped.takes)(), shaped.outputs(), &recorded, framed)
     })
 }

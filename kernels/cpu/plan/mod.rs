@@ -2,6 +2,7 @@
 mod compiled;
 mod face;
 mod known;
+mod line;
 mod list;
 mod recorded;
 
@@ -9,8 +10,11 @@ pub use compiled::Compiled;
 pub use face::{Face, Maker, Preparation, Rare, Want};
 pub use known::face_of;
 #[cfg(feature = "gpu")]
+pub(crate) use known::generated;
+#[cfg(feature = "gpu")]
 pub use known::generated_of;
-pub(crate) use known::{Known, known, program_of};
+pub(crate) use known::{Known, faced, known, program_of, recorded_of};
+pub(crate) use line::{Line, Shaped};
 pub use list::List;
 #[cfg(feature = "gpu")]
 pub(crate) use recorded::prepared;

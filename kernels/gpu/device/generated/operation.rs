@@ -167,6 +167,7 @@ impl<T: Real> Generated<T> {
             Some(plan) => plan,
             None => {
                 plain = Preparation::plain(Leaf {
+                    shape: || "",
                     fields: self.widths[k],
                     codes: 0,
                     name: |_| Field::VALUE,
