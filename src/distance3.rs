@@ -84,6 +84,60 @@ pub fn distance<S: Scalar>(point: Vec3<S>, shape: impl Faces<S>) -> S {
     clear(shape.beyond(point)).canonical()
 }
 
+/// Shapes of space at some distance from a point.
+pub trait FromPoint<S: Scalar>: Copy {
+    /// The distance of the point, in units of length; zero inside.
+    #[must_use]
+    fn distance_from(self, point: Vec3<S>) -> S;
+}
+
+impl<S: Scalar> FromPoint<S> for Vec3<S> {
+    #[inline(always)]
+    fn distance_from(self, point: Vec3<S>) -> S {
+        (point - self).length()
+    }
+}
+
+macro_rules! from_point {
+    ($($shape:ident)*) => { $(
+        impl<S: Scalar> FromPoint<S> for $shape<S> {
+            #[inline]
+            fn distance_from(self, point: Vec3<S>) -> S {
+                distance(point, self)
+            }
+        }
+    )* };
+}
+from_point! { Aabb3 YawBox3 Obb3 }
+
+impl<S: Scalar> Vec3<S> {
+    /// The distance of the point from another one or from a box.
+    ///
+    /// ```
+    /// use geograd::{Aabb3, Vec3};
+    /// let point = Vec3::new(0.5, 4.0, 5.0);
+    /// assert_eq!(point.distance(Vec3::new(0.5, 1.0, 1.0)), 5.0);
+    /// assert_eq!(point.distance(Aabb3::new(Vec3::new(0.0, 0.0, 0.0), Vec3::new(1.0, 1.0, 1.0))), 5.0);
+    /// ```
+    #[must_use]
+    #[inline(always)]
+    pub fn distance<B: FromPoint<S>>(self, other: B) -> S {
+        other.distance_from(self)
+    }
+    /// The signed distance of the point from the border of a box, negative inside: [`signed_distance`].
+    #[must_use]
+    #[inline]
+    pub fn signed_distance<B: Faces<S>>(self, shape: B) -> S {
+        signed_distance(self, shape)
+    }
+    /// The square of the distance to another point: smooth everywhere.
+    #[must_use]
+    #[inline(always)]
+    pub fn distance_squared(self, other: Self) -> S {
+        (self - other).length_squared()
+    }
+}
+
 /// The length of what is beyond the faces.
 #[inline(always)]
 fn clear<S: Scalar>(beyond: Vec3<S>) -> S {

@@ -192,7 +192,7 @@ pub mod check {
 ///
 /// ```
 /// use geograd::prelude::*;
-/// let (car, mast) = (Obb2::new(0.0, 0.0, 4.0, 2.0, 0.0), Circle::new(Vec2::new(5.0, 0.0), 1.0));
+/// let (car, mast) = (Obb2::new(0.0_f64, 0.0, 4.0, 2.0, 0.0), Circle::new(Vec2::new(5.0, 0.0), 1.0));
 /// assert_eq!(car.distance(mast), 2.0);
 /// assert_eq!(car.giou(car), 1.0);
 /// assert_eq!(Cpu::new().aligned(Distance, (One(car), &[mast]))?, [2.0]);

@@ -4,7 +4,7 @@
 //!
 //! ```
 //! use geograd::prelude::*;
-//! let cars = [Obb2::new(0.0, 0.0, 4.0, 2.0, 0.0)];
+//! let cars = [Obb2::new(0.0_f64, 0.0, 4.0, 2.0, 0.0)];
 //! let masts = [Circle::new(Vec2::new(5.0, 0.0), 1.0)];
 //! let cpu = Cpu::new();
 //! assert_eq!(cpu.aligned(Distance, (&masts, &cars))?, [2.0]);
@@ -23,6 +23,7 @@
 mod function;
 mod list;
 pub mod methods;
+mod more;
 mod rows;
 
 pub use function::{Arguments, Function, Traced, function};

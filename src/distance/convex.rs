@@ -81,6 +81,12 @@ pub trait Convex<S: Scalar>: Copy {
     fn take_formula<F: PairFormula<S>, B: Convex<S>>(self, other: B) -> F::Out {
         F::cores(self, other)
     }
+    /// The same where the first shape is known to be a point.
+    #[doc(hidden)]
+    #[inline]
+    fn take_formula_after_point<F: PairFormula<S>>(self, first: Vec2<S>) -> F::Out {
+        F::cores(first, self)
+    }
     /// The same where the first shape is known to be an axis-aligned box.
     #[doc(hidden)]
     #[inline]

@@ -261,3 +261,25 @@ pub fn farthest_points<S: Scalar, A: Convex<S>, B: Convex<S>>(a: A, b: B) -> Far
         on_b: on_b.canonical(),
     }
 }
+
+impl<S: Scalar> Vec2<S> {
+    /// The distance of the point from a convex shape, another point among them: [`distance`].
+    ///
+    /// ```
+    /// use geograd::{Obb2, Vec2};
+    /// let point = Vec2::new(5.0, 0.0);
+    /// assert_eq!(point.distance(Vec2::new(2.0, 4.0)), 5.0);
+    /// assert_eq!(point.distance(Obb2::new(0.0, 0.0, 4.0, 2.0, 0.0)), 3.0);
+    /// ```
+    #[must_use]
+    #[inline(always)]
+    pub fn distance<B: Convex<S>>(self, other: B) -> S {
+        distance(self, other)
+    }
+    /// The square of the distance of the point from a convex shape: [`distance_squared`].
+    #[must_use]
+    #[inline(always)]
+    pub fn distance_squared<B: Convex<S>>(self, other: B) -> S {
+        distance_squared(self, other)
+    }
+}

@@ -1,11 +1,11 @@
 //! The formula that a function of distance takes for a pair of shapes.
 //!
-//! Two axis-aligned boxes have formulas of their own ([`upright`]), two rotated ones, too ([`turned`]); all other pairs
+//! Two points and two axis-aligned boxes have formulas of their own ([`upright`]), two rotated boxes, too ([`turned`]); all other pairs
 //! are compared by their cores. Function, method and batch come through here, so that they agree to the bit.
 use super::convex::{self, Convex, Core};
 use super::relation::{LENGTH, NORMAL, POINTS, relate};
 use super::{ClosestPoints, Penetration, edge, turned, upright};
-use crate::{Aabb2, Obb2, Scalar};
+use crate::{Aabb2, Obb2, Scalar, Vec2};
 
 /// A function of two convex shapes, with a formula for each kind of pair.
 pub trait PairFormula<S: Scalar> {
@@ -13,6 +13,11 @@ pub trait PairFormula<S: Scalar> {
     type Out;
     /// Of any two shapes, by their cores.
     fn cores<A: Convex<S>, B: Convex<S>>(a: A, b: B) -> Self::Out;
+    /// Of two points.
+    #[inline]
+    fn points(a: Vec2<S>, b: Vec2<S>) -> Self::Out {
+        Self::cores(a, b)
+    }
     /// Of two axis-aligned boxes.
     fn aabb2(a: Aabb2<S>, b: Aabb2<S>) -> Self::Out;
     /// Of two rotated boxes.
@@ -38,6 +43,10 @@ impl<S: Scalar> PairFormula<S> for Signed {
     fn cores<A: Convex<S>, B: Convex<S>>(a: A, b: B) -> S {
         relate::<S, A, B, { LENGTH }>(a, b).signed(a.radius() + b.radius())
     }
+    #[inline(always)]
+    fn points(a: Vec2<S>, b: Vec2<S>) -> S {
+        (a - b).length()
+    }
     #[inline]
     fn aabb2(a: Aabb2<S>, b: Aabb2<S>) -> S {
         upright::signed_distance_aabb2(a, b)
@@ -54,6 +63,10 @@ impl<S: Scalar> PairFormula<S> for Unsigned {
     fn cores<A: Convex<S>, B: Convex<S>>(a: A, b: B) -> S {
         let apart = Signed::cores(a, b);
         S::select(apart.above(S::zero()), apart, S::zero()).canonical()
+    }
+    #[inline(always)]
+    fn points(a: Vec2<S>, b: Vec2<S>) -> S {
+        (a - b).length()
     }
     #[inline]
     fn aabb2(a: Aabb2<S>, b: Aabb2<S>) -> S {
@@ -77,6 +90,10 @@ impl<S: Scalar> PairFormula<S> for Squared {
             found.square()
         };
         found.unscaled_square(square)
+    }
+    #[inline(always)]
+    fn points(a: Vec2<S>, b: Vec2<S>) -> S {
+        (a - b).length_squared().saturated()
     }
     #[inline]
     fn aabb2(a: Aabb2<S>, b: Aabb2<S>) -> S {

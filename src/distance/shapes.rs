@@ -13,6 +13,14 @@ impl<S: Scalar> Convex<S> for Vec2<S> {
     fn core(self) -> PointCore<S> {
         PointCore(self)
     }
+    #[inline(always)]
+    fn take_formula<F: PairFormula<S>, B: Convex<S>>(self, other: B) -> F::Out {
+        other.take_formula_after_point::<F>(self)
+    }
+    #[inline(always)]
+    fn take_formula_after_point<F: PairFormula<S>>(self, first: Vec2<S>) -> F::Out {
+        F::points(first, self)
+    }
 }
 
 impl<S: Scalar> Convex<S> for Line2<S> {

@@ -96,12 +96,3 @@ pub fn iou_aabb3<S: Scalar>(a: Aabb3<S>, b: Aabb3<S>) -> S {
 pub fn iof_aabb3<S: Scalar>(a: Aabb3<S>, b: Aabb3<S>) -> S {
     score_aabb3(Denominator::First, a, b)
 }
-
-impl<S: Scalar> Aabb3<S> {
-    /// Intersection over union with another box, in `[0, 1]`.
-    #[must_use]
-    #[inline]
-    pub fn iou(self, other: Self) -> S {
-        iou_aabb3(self, other)
-    }
-}

@@ -63,6 +63,41 @@ overlaps! {
     Obb3 Obb3 as Obb3: intersection_volume_obb3 iou_obb3 iof_obb3;
 }
 
+macro_rules! methods {
+    ($($a:ident)*) => { $(
+        impl<S: Scalar> $a<S> {
+            /// Intersection over union with a box of any kind, in `[0, 1]`.
+            #[must_use]
+            #[inline]
+            pub fn iou<B>(self, other: B) -> S
+            where
+                Self: Overlaps<B, Scalar = S>,
+            {
+                self.iou_with(other)
+            }
+            /// The share of this box that lies in a box of any kind, in `[0, 1]`.
+            #[must_use]
+            #[inline]
+            pub fn iof<B>(self, other: B) -> S
+            where
+                Self: Overlaps<B, Scalar = S>,
+            {
+                self.iof_with(other)
+            }
+            /// The volume shared with a box of any kind, in cubed units of length.
+            #[must_use]
+            #[inline]
+            pub fn intersection_volume<B>(self, other: B) -> S
+            where
+                Self: Overlaps<B, Scalar = S>,
+            {
+                self.volume_shared_with(other)
+            }
+        }
+    )* };
+}
+methods! { Aabb3 YawBox3 Obb3 }
+
 /// The gradient by an upright box from that by the same box as one of any orientation: the turn about the
 /// z axis is the third of its body tangents.
 #[inline]

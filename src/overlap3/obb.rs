@@ -211,12 +211,3 @@ pub fn iou_obb3<S: Scalar>(a: Obb3<S>, b: Obb3<S>) -> S {
 pub fn iof_obb3<S: Scalar>(a: Obb3<S>, b: Obb3<S>) -> S {
     score_obb3(Denominator::First, a, b)
 }
-
-impl<S: Scalar> Obb3<S> {
-    /// Intersection over union with another box, in `[0, 1]`.
-    #[must_use]
-    #[inline]
-    pub fn iou(self, other: Self) -> S {
-        iou_obb3(self, other)
-    }
-}

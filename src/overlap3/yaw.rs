@@ -157,12 +157,3 @@ pub fn iof_yaw<S: Scalar>(a: YawBox3<S>, b: YawBox3<S>) -> S {
 pub fn iou_birds_eye<S: Scalar>(a: YawBox3<S>, b: YawBox3<S>) -> S {
     iou_obb2(a.birds_eye(), b.birds_eye())
 }
-
-impl<S: Scalar> YawBox3<S> {
-    /// Intersection over union with another box, in `[0, 1]`.
-    #[must_use]
-    #[inline]
-    pub fn iou(self, other: Self) -> S {
-        iou_yaw(self, other)
-    }
-}

@@ -63,18 +63,6 @@ macro_rules! vector {
             {
                 self.length().above(S::zero()).then(|| self.normalize_or_zero())
             }
-            /// The distance to another point; slope zero where they coincide.
-            #[must_use]
-            #[inline(always)]
-            pub fn distance(self, other: Self) -> S {
-                (self - other).length()
-            }
-            /// The square of the distance to another point: smooth everywhere.
-            #[must_use]
-            #[inline(always)]
-            pub fn distance_squared(self, other: Self) -> S {
-                (self - other).length_squared()
-            }
             /// The point a fraction `t` of the way to another one.
             #[must_use]
             #[inline(always)]

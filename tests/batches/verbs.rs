@@ -215,3 +215,70 @@ fn a_function_that_cannot_be_recorded_says_why() {
     let found = Cpu::new().aligned(infinite, &[1.0][..]);
     assert!(matches!(found, Err(Error::Program(Unrecordable::Constant))));
 }
+
+#[test]
+fn exchanged_arguments_and_two_kinds_of_boxes_have_the_same_values() {
+    let [car, other] = cars::<2>();
+    let mast = Circle::new(Vec2::new(4.0, 3.0), 0.5);
+    let curb = Segment2::new(Vec2::new(-3.0, 2.5), Vec2::new(6.0, 4.0));
+    assert_eq!(Distance.of(car, mast), Distance.of(mast, car));
+    assert_eq!(SignedDistance.of(car, mast), SignedDistance.of(mast, car));
+    assert_eq!(Distance.of(car, curb), Distance.of(curb, car));
+    assert_eq!(Distance.of(mast, curb), Distance.of(curb, mast));
+    assert_eq!(
+        Distance.of(other, mast.center),
+        Distance.of(mast.center, other)
+    );
+    let (there, back) = (ClosestPoints.of(mast, car), ClosestPoints.of(car, mast));
+    assert_eq!((there.on_a, there.on_b), (back.on_b, back.on_a));
+    assert_eq!(Distance.of(Vec2::new(0.0, 0.0), Vec2::new(3.0, 4.0)), 5.0);
+    assert_eq!(
+        Distance.of(Vec3::new(0.0, 1.0, 0.0), Vec3::new(2.0, 3.0, 1.0)),
+        3.0
+    );
+    let room = Aabb3::new(Vec3::new(-1.0, -1.0, 0.0), Vec3::new(1.0, 1.0, 2.0));
+    let upright = YawBox3::new(Vec3::new(1.0, 0.0, 1.0), Vec3::new(2.0, 2.0, 2.0), 0.4);
+    let tilted = Obb3 {
+        rotation: Rotation3::new(0.9, 0.1, 0.2, 0.3),
+        ..Obb3::from(upright)
+    };
+    assert_eq!(
+        room.intersection_volume(upright),
+        IntersectionVolume.of(upright, room)
+    );
+    assert!((tilted.iou(room) - Iou.of(room, tilted)).abs() < 1e-14);
+    assert_eq!(Iof.of(tilted, upright), tilted.iof(upright));
+    let table = Cpu::new().all_pairs(Iou, &[upright], &[room]).unwrap();
+    assert_eq!(table.values(), [upright.iou(room)]);
+}
+
+#[test]
+fn further_rows_are_proved() {
+    use geograd::check::Check;
+    Check::of(Distance.row::<(Vec2<f64>, Vec2<f64>)>())
+        .samples(40)
+        .prove();
+    Check::of(Distance.row::<(Vec3<f64>, Vec3<f64>)>())
+        .samples(40)
+        .prove();
+    Check::of(Distance.row::<(Obb2<f64>, Circle<f64>)>())
+        .samples(10)
+        .hard(31)
+        .prove();
+    Check::of(SignedDistance.row::<(Circle<f64>, Segment2<f64>)>())
+        .samples(10)
+        .hard(31)
+        .prove();
+    Check::of(ClosestPoints.row::<(Obb2<f64>, Circle<f64>)>())
+        .samples(10)
+        .hard(31)
+        .prove();
+    Check::of(Iof.row::<(Aabb3<f64>, YawBox3<f64>)>())
+        .samples(10)
+        .hard(31)
+        .prove();
+    Check::of(IntersectionVolume.row::<(YawBox3<f64>, Aabb3<f64>)>())
+        .samples(10)
+        .hard(31)
+        .prove();
+}
