@@ -236,7 +236,7 @@ fn exchanged_arguments_and_two_kinds_of_boxes_have_the_same_values() {
         Distance.of(Vec3::new(0.0, 1.0, 0.0), Vec3::new(2.0, 3.0, 1.0)),
         3.0
     );
-    let room = Aabb3::new(Vec3::new(-1.0, -1.0, 0.0), Vec3::new(1.0, 1.0, 2.0));
+    let room = Aabb3::new(Vec3::new(-1.0_f64, -1.0, 0.0), Vec3::new(1.0, 1.0, 2.0));
     let upright = YawBox3::new(Vec3::new(1.0, 0.0, 1.0), Vec3::new(2.0, 2.0, 2.0), 0.4);
     let tilted = Obb3 {
         rotation: Rotation3::new(0.9, 0.1, 0.2, 0.3),

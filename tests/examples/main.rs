@@ -6,6 +6,7 @@ use std::process::{Command, Output};
 mod assign;
 mod calibrate;
 mod custom_shape;
+mod first;
 #[cfg(feature = "gpu")]
 mod gpu_batch;
 mod iou_csv;

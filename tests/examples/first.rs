@@ -1,0 +1,46 @@
+//! The examples to begin with.
+use crate::example;
+use std::process::Command;
+
+/// What an example prints.
+fn printed(name: &str) -> String {
+    let output = Command::new(example(name)).output().unwrap();
+    assert!(output.status.success(), "{output:?}");
+    String::from_utf8(output.stdout).unwrap()
+}
+
+#[test]
+fn batch_prints_overlaps_that_grow() {
+    let text = printed("batch");
+    let numbers = |label: &str| -> Vec<f64> {
+        let line = text.lines().find(|line| line.starts_with(label)).unwrap();
+        let list = line[label.len()..].trim().trim_matches(['[', ']']);
+        list.split(", ").map(|x| x.parse().unwrap()).collect()
+    };
+    let (before, after) = (numbers("pair by pair"), numbers("after ten steps"));
+    assert_eq!(numbers("best match of each"), [0.0, 1.0, 2.0, 3.0]);
+    assert!(
+        before
+            .iter()
+            .zip(&after)
+            .all(|(before, after)| before < after),
+        "{text}"
+    );
+}
+
+#[test]
+fn own_function_prints_slopes() {
+    let text = printed("own_function");
+    assert_eq!(text.lines().count(), 3);
+    // Two points that part: the nearest they come is how far they are.
+    assert!(text.lines().nth(1).unwrap().starts_with("4.472"), "{text}");
+}
+
+#[test]
+fn own_shape_is_proved() {
+    let text = printed("own_shape");
+    assert!(
+        text.starts_with("2.000, by heading 0.000, by crown -1.000\n"),
+        "{text}"
+    );
+}
