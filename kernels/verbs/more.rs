@@ -63,7 +63,7 @@ macro_rules! mixed {
             $Verb: (a: $A<S>, b: $B<S>) -> S { a.$method(b) }
             promises [TranslationX Stays, TranslationY Stays]
             jumps FromZero
-            slopes Reverse
+            slopes Forward
         }
     )* };
 }
