@@ -32,8 +32,8 @@ fn batch_prints_overlaps_that_grow() {
 fn own_function_prints_slopes() {
     let text = printed("own_function");
     assert_eq!(text.lines().count(), 3);
-    // Two points that part: the nearest they come is how far they are.
-    assert!(text.lines().nth(1).unwrap().starts_with("4.472"), "{text}");
+    // At (10, 4) from each other and closing by (-2, 1) they are nearest after 3.2: at (3.6, 7.2).
+    assert!(text.lines().nth(1).unwrap().starts_with("8.050"), "{text}");
 }
 
 #[test]
