@@ -1,6 +1,8 @@
 //! Which pieces of which edges bound the result.
 use super::corner::{Border, corner};
-use super::grid::{Grid, Steps, Tag, invalid};
+use super::cut::{Numbered, cut, may_grow};
+use super::grid::{Grid, Steps, Tag, invalid, squares};
+use super::snap::Squares;
 use super::{Operation, OverlayTrace, Owner};
 use crate::Scalar;
 use crate::error::Error;
@@ -10,7 +12,6 @@ use i_overlay::core::edge_overlay::{EdgeOverlay, InputEdge};
 use i_overlay::core::fill_rule::FillRule;
 use i_overlay::core::overlay::ShapeType;
 use i_overlay::core::overlay_rule::OverlayRule;
-use i_overlay::i_float::int::point::IntPoint;
 use i_overlay::segm::boolean::ShapeCountBoolean;
 use i_overlay::vector::edge::{
     CLIP_LEFT, CLIP_RIGHT, DataVectorEdge, DataVectorShape, SUBJ_LEFT, SUBJ_RIGHT,
@@ -44,9 +45,13 @@ impl Pieces {
         inputs: [Rings<'_, S>; 2],
         fill: Fill,
     ) -> Result<Self, Error> {
-        let grid = grid(inputs, Steps::Fine)?;
+        let mut grid = grid(inputs, Steps::Fine)?;
         let edges = grid.edges.iter().map(|edge| edge.ends).enumerate();
-        let edges = edges.collect();
+        let mut edges: Numbered = edges.collect();
+        if may_grow(&edges) {
+            let of_second = |k: usize| grid.edges[k].id.owner == Owner::B;
+            edges = cut(&edges, of_second).unwrap_or_else(|| grid.snap(Squares { bits: 1 }));
+        }
         Ok(Pieces::of(grid, edges, fill))
     }
     /// Of polygons whose edges are rounded to numbers of the format.
@@ -55,11 +60,11 @@ impl Pieces {
         fill: Fill,
     ) -> Result<Self, Error> {
         let mut grid = grid(inputs, Steps::Exact)?;
-        let edges = grid.snap::<S>();
+        let edges = grid.snap(squares::<S>());
         Ok(Pieces::of(grid, edges, fill))
     }
     /// Of pieces of edges, each with the number of its edge.
-    fn of(grid: Grid, edges: Vec<(usize, [IntPoint<i64>; 2])>, fill: Fill) -> Self {
+    fn of(grid: Grid, edges: Numbered, fill: Fill) -> Self {
         let mut overlay = EdgeOverlay::new(edges.len());
         for (k, [a, b]) in edges {
             let data = Tag::edge(k);

@@ -1,4 +1,5 @@
 //! Inputs on a grid of whole numbers, edge by edge.
+use super::cut::Numbered;
 use super::snap::Squares;
 use super::{EdgeId, Owner, VertexId};
 use crate::error::{Argument, Error, Flaw, VertexFault};
@@ -154,10 +155,9 @@ impl Grid {
         }
         Ok(())
     }
-    /// The edges in pieces that meet at their ends only, on a grid whose places are numbers of the format: each piece
-    /// with the number of its edge. Ends of edges and vertices are on that grid from now on.
-    pub fn snap<S: Scalar>(&mut self) -> Vec<(usize, [IntPoint<i64>; 2])> {
-        let squares = squares::<S>();
+    /// The edges in pieces that meet at their ends only, on a coarser grid: each piece with the number of its edge. Ends
+    /// of edges and vertices are on that grid from now on.
+    pub fn snap(&mut self, squares: Squares) -> Numbered {
         let ends: Vec<_> = self.edges.iter().map(|edge| edge.ends).collect();
         let mut pieces = Vec::new();
         for (k, path) in squares.along(&ends).into_iter().enumerate() {
@@ -176,7 +176,7 @@ impl Grid {
         }
         pieces
     }
-    /// The coordinates of a place of the grid that [`snap`](Self::snap) rounds to.
+    /// The coordinates of a place of the grid of [`squares`].
     pub fn coordinates<S: Scalar>(&self, at: IntPoint<i64>) -> [f64; 2] {
         let steps = EXTENT / (1_u64 << squares::<S>().bits) as f64;
         [at.x, at.y].map(|x| x as f64 / steps / self.unit * 2.0)
@@ -196,7 +196,7 @@ impl Grid {
 }
 
 /// Squares of an exact grid whose centres are numbers of the format: steps of the largest coordinate.
-fn squares<S: Scalar>() -> Squares {
+pub(super) fn squares<S: Scalar>() -> Squares {
     let bits = (EXTENT * 2.0 * S::EPSILON).log2();
     Squares { bits: bits as u32 }
 }

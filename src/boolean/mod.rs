@@ -50,6 +50,8 @@
 #[cfg(feature = "boolean")]
 mod corner;
 #[cfg(feature = "boolean")]
+mod cut;
+#[cfg(feature = "boolean")]
 mod decide;
 #[cfg(feature = "boolean")]
 mod faces;

@@ -425,3 +425,112 @@ fn flaws_name_polygon_ring_and_vertex() {
     bad[1][0] = at(0.0, 0.0);
     assert!(iou_decided(&bad[..], &good[..], Fill::NonZero).is_err());
 }
+
+/// Small turned rings on a lattice, many of them along each other, beside a large one: their edges lie along each other
+/// but for a step of the grid.
+fn turned_beside_large(dice: &mut Dice) -> [Vec<Ring>; 2] {
+    let (sin, cos) = dice.within(0.0, 6.3).sin_cos();
+    let size = 2f64.powi(-(dice.below(40) as i32));
+    let side = 3 + dice.below(4);
+    let mut whole = |least: usize| -> Ring {
+        let count = least + dice.below(7);
+        (0..count)
+            .map(|_| at(dice.below(side) as f64, dice.below(side) as f64))
+            .collect()
+    };
+    let first = whole(4);
+    let others: Vec<Ring> = (0..6).map(|_| whole(4)).collect();
+    let mut found = [Vec::new(), Vec::new()];
+    for other in others.into_iter().skip(dice.below(5)) {
+        let by = at(dice.below(4) as f64 - 1.0, dice.below(3) as f64 - 1.0);
+        let placed = match dice.below(3) {
+            0 => other,
+            _ => first.iter().map(|&v| v + by).collect(),
+        };
+        let place = |v: &Vec2<f64>| at(cos * v.x - sin * v.y, sin * v.x + cos * v.y) * size;
+        found[dice.below(2)].push(placed.iter().map(place).collect());
+    }
+    found[0].push(ring(&[(3.0, 3.0), (4.0, 3.0), (4.0, 4.0), (3.0, 4.0)]));
+    found
+}
+
+/// What a function returns, unless it takes longer than a minute.
+fn in_time<T: Send + 'static>(of: impl FnOnce() -> T + Send + 'static) -> T {
+    let (sender, receiver) = std::sync::mpsc::channel();
+    std::thread::spawn(move || sender.send(of()));
+    let limit = std::time::Duration::from_secs(60);
+    receiver.recv_timeout(limit).expect("a result in a minute")
+}
+
+/// Pieces of edges within a step of each other cross anew wherever they are rounded: without a bound there are more of
+/// them in every round.
+#[test]
+fn edges_within_a_step_of_each_other_have_results() {
+    let crossing = ring(&[
+        (-0.0007632322275892014, -0.0012739106811149197),
+        (-0.0009904402360832207, -0.0011845733112657228),
+        (-0.0014448562530712597, -0.001005898571567329),
+        (-0.0008602987651804522, -0.000186403907440448),
+        (-0.0003088162106011624, -0.0014525854208133136),
+        (-0.0014448562530712597, -0.001005898571567329),
+    ]);
+    let along = ring(&[
+        (-0.0009904402360832207, -0.0011845733112657228),
+        (-0.0005360242190951818, -0.0013632480509641167),
+        (-0.0016720642615652792, -0.0009165612017181319),
+    ]);
+    let large = ring(&[(4.0, 3.0), (4.0, 4.0), (3.0, 4.0)]);
+    // Of all sizes, the last needs the most pieces: four millions are not enough.
+    let sized = |ring: &Ring, size: f64| ring.iter().map(|&v| v * size).collect::<Ring>();
+    for exponent in [-10, -6, -1, 0, 4] {
+        let size = 2f64.powi(exponent);
+        let a = vec![sized(&crossing, size), large.clone()];
+        judge_in_time(&a, &[sized(&along, size)]);
+    }
+}
+
+/// All operations end, with areas of the oracle and finite slopes.
+fn judge_in_time(a: &[Ring], b: &[Ring]) {
+    for fill in [Fill::NonZero, Fill::EvenOdd] {
+        let truth = scanline::areas(a, b, fill);
+        for (operation, kept) in OPERATIONS {
+            let (p, q) = (made(a), made(b));
+            let trace = in_time(move || overlay_decided(&p, &q, operation, fill).unwrap());
+            let expected: f64 = (0..3).filter(|&i| kept[i]).map(|i| truth[i]).sum();
+            let (p, q) = (made(a), made(b));
+            let of = |(p, q): (Polygon<_>, Polygon<_>)| {
+                polygon::signed_area(&overlay_replay(&p, &q, &trace))
+            };
+            let (found, slopes) = geograd::gradient(of, (p, q));
+            assert!((found - expected).abs() < 1e-14, "{found} {expected}");
+            assert!(slopes.scalars().into_iter().all(f64::is_finite));
+        }
+    }
+}
+
+#[test]
+fn hostile_pairs_have_results() {
+    let mut dice = Dice(11);
+    let mut vertices = 0;
+    for k in 0..400 {
+        let [a, b] = turned_beside_large(&mut dice);
+        if !valid(&a) || !valid(&b) {
+            continue;
+        }
+        let (operation, kept) = OPERATIONS[k % 4];
+        let fill = [Fill::NonZero, Fill::EvenOdd][k / 4 % 2];
+        let (p, q) = (made(&a), made(&b));
+        let found = in_time(move || result(&p, &q, operation, fill));
+        vertices += found.vertices().len();
+        if k % 20 == 0 {
+            let truth = scanline::areas(&a, &b, fill);
+            let truth: f64 = (0..3).filter(|&i| kept[i]).map(|i| truth[i]).sum();
+            let found = polygon::signed_area(&found);
+            assert!(
+                (found - truth).abs() < 1e-13 * (1.0 + truth),
+                "{found} {truth}"
+            );
+        }
+    }
+    assert!(vertices > 4000, "{vertices}");
+}
