@@ -162,8 +162,11 @@ pub(super) fn shared_within<S: Scalar, const PIECES: bool>(
 /// The volume shared by two boxes of any orientation, from 0 to the volume of the smaller one, in cubed
 /// units of length. Saturates at the largest finite number.
 ///
-/// By the integral over the clamped [`border`](super::border): straight line, continuous in every number,
-/// right to a few roundings of the smaller box's volume. In `f32` boxes 5·10⁴ times as long as thick that cross at any
+/// By the integral over the clamped [`border`](super::border): straight line, continuous in every number. The error is
+/// a few roundings of two volumes: what the first box shares with bounds around the second one, along the first one's
+/// axes; and the smaller box's surface times the longest side. For boxes of similar sizes these are about their volumes.
+/// A rod of 13000 × 0.0001 × 0.0001 across a plate of 13000 × 13000 × 72 is right to 10⁻⁸ of its volume in `f64` as the
+/// first box, and to 10⁻³ as the second: the thinner box belongs first. In `f32` boxes 5·10⁴ times as long as thick that cross at any
 /// angle share 10⁻⁵ of it: that is found to 10⁻⁶ of the box's volume in 99 of 100 pairs and to 3·10⁻⁵ in all, which
 /// are 0.5 % of what is shared in nine of ten. Slopes by a rotation's quaternion are those of its
 /// direction; see [`Rotation3`](crate::shape::Rotation3). Derivatives above the second are not served.
