@@ -38,6 +38,11 @@ pub trait Tangent:
     fn chain(self, f: [Self::Inner; 4]) -> Self;
     /// Part by part `yes` or `no`.
     fn pick(mask: <Self::Inner as Scalar>::Mask, yes: Self, no: Self) -> Self;
+    /// Half of every part. A product has the slope `∞ · 0` where the value is infinite.
+    #[cfg_attr(not(debug_assertions), inline(always))]
+    fn half(self) -> Self {
+        self * Self::constant(Self::Inner::lit(0.5))
+    }
 }
 
 impl<D: Tangent> Scalar for D {
@@ -96,6 +101,10 @@ impl<D: Tangent> Scalar for D {
         let f2 = -f1.halved().over(x);
         let f3 = D::Inner::lit(-1.5) * f2.over(x);
         D::pick(flat, Self::zero(), self.chain([root, f1, f2, f3]))
+    }
+    #[cfg_attr(not(debug_assertions), inline(always))]
+    fn halved(self) -> Self {
+        self.half()
     }
     #[cfg_attr(not(debug_assertions), inline(always))]
     fn sin_cos(self) -> (Self, Self) {
@@ -184,6 +193,10 @@ macro_rules! tangent {
             #[cfg_attr(not(debug_assertions), inline(always))]
             fn pick(mask: bool, yes: Self, no: Self) -> Self {
                 if mask { yes } else { no }
+            }
+            #[cfg_attr(not(debug_assertions), inline(always))]
+            fn half(self) -> Self {
+                $type::new($(self.$part.halved()),*)
             }
         }
     };

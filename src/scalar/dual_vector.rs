@@ -32,6 +32,10 @@ impl<T: Scalar<Mask = bool> + DualNum + nalgebra::Scalar, const N: usize> Tangen
     fn pick(mask: bool, yes: Self, no: Self) -> Self {
         if mask { yes } else { no }
     }
+    #[inline]
+    fn half(self) -> Self {
+        Self::new(self.re.halved(), self.eps * T::lit(0.5))
+    }
 }
 
 #[cfg(test)]

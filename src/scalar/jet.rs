@@ -130,4 +130,8 @@ impl<T: Scalar, const N: usize> Tangent for Jet<T, N> {
             T::select(mask, a, b)
         })
     }
+    #[cfg_attr(not(debug_assertions), inline(always))]
+    fn half(self) -> Self {
+        self.parts(self.value.halved(), T::halved)
+    }
 }

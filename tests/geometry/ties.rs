@@ -2,7 +2,7 @@
 use geograd::distance3::signed_distance;
 use geograd::iou3::penetration_or_gap;
 use geograd::scalar::{least_of, most_of};
-use geograd::{Aabb2, Aabb3, Jet, Obb3, Rotation3, Triangle2, Vec2, Vec3, YawBox3};
+use geograd::{Aabb2, Aabb3, Jet, Obb3, Rotation3, Scalar, Triangle2, Vec2, Vec3, YawBox3};
 
 fn variables<const N: usize>(x: [f64; N]) -> [Jet<f64, N>; N] {
     std::array::from_fn(|i| Jet::variable(x[i], i))
@@ -51,6 +51,24 @@ fn several_that_tie_share_equally() {
         close(&most.slope, &shares);
     }
     assert_eq!(most_of(variables([f64::INFINITY; 3])).value, f64::INFINITY);
+}
+
+/// Infinite numbers share as others do, whatever carries the slopes.
+#[test]
+fn infinite_ties_share_the_slope() {
+    let infinite = f64::INFINITY;
+    let [x, y] = [0, 1].map(|i| Jet::<f64, 2>::variable(infinite, i));
+    for shared in [x.most(y), x.least(y), (-x).least(-y), x.clamp(y, y)] {
+        let all = shared.slope.map(f64::abs);
+        assert!(all == [0.5, 0.5] || all == [0.25, 0.75], "{shared:?}");
+    }
+    let [x, y] = [1.0, 3.0].map(|slope| num_dual::Dual64::new(infinite, slope));
+    assert_eq!((x.most(y).re, x.most(y).eps), (infinite, 2.0));
+    let [x, y] = [1.0, 3.0].map(|slope| num_dual::Dual2_64::new(infinite, slope, 2.0 * slope));
+    assert_eq!((x.least(y).v1, x.least(y).v2), (2.0, 4.0));
+    // Within one that is nested in another.
+    let x = Jet::<Jet<f64, 1>, 1>::variable(Jet::variable(infinite, 0), 0);
+    assert_eq!(x.most(x).value.slope, [1.0]);
 }
 
 #[test]
