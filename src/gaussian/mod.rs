@@ -24,6 +24,9 @@
 //! as long as others are exact, and all results are finite, the same in every format. Slopes go through that
 //! bound, too: by the largest length.
 //!
+//! Values and slopes are finite where every length and coordinate is zero or of a magnitude from 2⁻²⁰ to 2²⁰ in `f32`,
+//! from 2⁻¹⁵⁰ to 2¹⁵⁰ in `f64`.
+//!
 //! Slopes are zero where they could exceed the largest number: those by lengths of pairs that are both thin and near
 //! the smallest numbers (in `f32` 10⁶ times as long as thick and below 10⁻¹⁷), and those of Wasserstein's distance by
 //! rotations of sizes near the largest numbers, or near the root of them for its square.

@@ -37,6 +37,10 @@
 //! Where a denominator is zero (two shapes of no area on a line; coincident points) its term is zero with
 //! slope zero.
 //!
+//! Values and slopes are finite where every length and coordinate is zero or of a magnitude from 2⁻²⁰ to 2²⁰ in `f32`,
+//! from 2⁻¹⁵⁰ to 2¹⁵⁰ in `f64`; those of [`giou_obb2`] and its adjoint for all finite valid input, for upstream slopes
+//! of any size.
+//!
 //! Kinks: those of the area of intersection; by a hull, `giou`: a corner passes through the border of the
 //! hull; the others: two pairs of corners are farthest apart; by a box around both: bounds of both are
 //! equal. Exact ties share the slope.

@@ -38,6 +38,9 @@
 //! points. Where a denominator is zero its term is zero with slope zero. An enclosing shape that is so thin
 //! that its volume (of [`Obb3`]) or its ground's area underflows counts as empty: it has no GIoU term.
 //!
+//! Values and slopes are finite where every length and coordinate is zero or of a magnitude from 2⁻²⁰ to 2²⁰ in `f32`,
+//! from 2⁻¹⁵⁰ to 2¹⁵⁰ in `f64`.
+//!
 //! Kinks are those of IoU and of the enclosing shape; of boxes of any orientation DIoU, CIoU and EIoU jump
 //! where another enclosing box becomes the smaller one. Exact ties share the slope.
 use crate::iou::weighted;
