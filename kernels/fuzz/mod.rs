@@ -22,6 +22,7 @@ mod inputs;
 mod job;
 mod judge;
 mod numbers;
+mod pairs;
 mod rules;
 mod shrink;
 

@@ -1,0 +1,180 @@
+//! What is asked of pairs of shapes: apart, identical, exchanged.
+use super::inputs::{Inputs, is_inside};
+use super::job::Job;
+use super::judge::{Found, Outcome, first_where, unless};
+use super::{Finding, Promise};
+use crate::ad::check::symmetry::Kind;
+use crate::kernels::op::Extremes;
+use crate::kernels::real::Real;
+
+/// Values may change by so many roundings, times the longest aspect, when shapes are exchanged, for aspects up to a
+/// limit.
+const ROUNDINGS: f64 = 64.0;
+const LIMIT: f64 = 1e20;
+
+impl<T: Real> Job<T> {
+    /// Shapes that are apart for certain: by what their numbers reach along x or y.
+    pub(super) fn apart(&self, inputs: &Inputs<T>, found: &Found<T>) -> Outcome {
+        use Extremes::{Ratio, Shared, Union};
+        if !matches!(self.promised.extremes, Shared | Ratio | Union) || self.shapes.len() != 2 {
+            return Ok(());
+        }
+        let reach = |s: usize, i: usize, along: Kind| {
+            let n = self.shapes[s].leaf.fields;
+            let numbers = &inputs.columns[s][i * n..][..n];
+            let (mut low, mut high, mut around) = (f64::INFINITY, f64::NEG_INFINITY, 0.0);
+            for (x, &kind) in numbers.iter().zip(&self.shapes[s].kinds) {
+                let x = x.widen();
+                if kind == along {
+                    (low, high) = (low.min(x), high.max(x));
+                } else if kind == Kind::Length {
+                    around += x.abs();
+                }
+            }
+            [low - around, high + around]
+        };
+        let mut places = (0..inputs.count).step_by(7);
+        let place = places.find(|&i| {
+            let is_apart = [Kind::X, Kind::Y].into_iter().any(|along| {
+                let ([a, b], [c, d]) = (reach(0, i, along), reach(1, i, along));
+                // More than rounding apart; in the format itself, where shapes are nothing but coordinates.
+                let least = [a, b, c, d]
+                    .into_iter()
+                    .fold(0.0, |m: f64, x| m.max(x.abs()))
+                    * 1e-6;
+                (c - b).max(a - d) > least
+            });
+            let is_zero = |x: &T| *x == T::zero();
+            is_apart
+                && !(self.value_of(&found.values, i).iter().all(is_zero)
+                    && self.slopes_of(inputs, &found.slopes, i).iter().all(is_zero))
+        });
+        unless(Promise::Apart, place)
+    }
+
+    /// A shape and itself.
+    pub(super) fn identical(&self, inputs: &Inputs<T>) -> Outcome {
+        use Extremes::{One, Ratio, Union};
+        let extremes = self.promised.extremes;
+        if !matches!(extremes, Ratio | Union | One)
+            || self.shapes[0].leaf.fields != self.shapes[1].leaf.fields
+        {
+            return Ok(());
+        }
+        // Twins outside the domain are left out.
+        let mut twins = inputs.twins();
+        let mut places: Vec<usize> = (0..inputs.count).collect();
+        if self.domain.is_some() {
+            places.retain(|&i| is_inside(self, &twins.item(self, i)));
+            if places.is_empty() {
+                return Ok(());
+            }
+            twins.keep(self, &places);
+        }
+        let found = self.compute(&twins)?;
+        let unless = |promise, place: Option<usize>| unless(promise, place.map(|at| places[at]));
+        let ill = |x: &T| (*x != T::one()) & (*x != T::zero());
+        unless(Promise::Identical, first_where(&found.values[0], ill))?;
+        // Nothing decides a union alone; a share of the first box has a kink here.
+        if extremes != Union {
+            return Ok(());
+        }
+        found
+            .slopes
+            .iter()
+            .zip(&self.shapes)
+            .try_for_each(|(list, shape)| {
+                let some = first_where(list, |x| *x != T::zero());
+                unless(Promise::Identical, some.map(|at| at / shape.leaf.fields))
+            })
+    }
+
+    /// The same shapes in the other order.
+    pub(super) fn exchanged(&self, inputs: &Inputs<T>, found: &Found<T>) -> Outcome {
+        let [a, b] = [0, 1].map(|s| self.shapes[s].leaf.fields);
+        if !self.promised.symmetric || a != b || self.outputs.len() != 1 {
+            return Ok(());
+        }
+        let mut exchanged = inputs.exchanged();
+        for i in 0..inputs.count {
+            // One that leaves the domain stays as it is.
+            if self.domain.is_some() && !is_inside(self, &exchanged.item(self, i)) {
+                exchanged.put(self, i, &inputs.item(self, i));
+            }
+        }
+        let others = (self.values)(&exchanged, []);
+        let others = others.map_err(|_| Finding {
+            promise: Promise::Accepted,
+            at: 0,
+        })?;
+        let (own, n) = (&found.values[0], self.outputs[0]);
+        let place = (0..own.len()).find(|&k| {
+            let apart = (own[k].widen() - others[0][k].widen()).abs();
+            // A score without an end changes as it is large.
+            let size = own[k].widen().abs().max(1.0);
+            let size = if self.promised.power == Some(0) {
+                size
+            } else {
+                1.0
+            };
+            apart > 0.0 && apart > size * self.exchange_may_change(inputs, k / n) * T::EPSILON
+        });
+        unless(Promise::Symmetric, place.map(|k| k / n))
+    }
+
+    /// By how many roundings of one a result may change when shapes are exchanged; infinite where nothing is
+    /// promised.
+    fn exchange_may_change(&self, inputs: &Inputs<T>, i: usize) -> f64 {
+        let Some(power) = self.promised.power else {
+            return f64::INFINITY;
+        };
+        let numbers = |s: usize| {
+            let n = self.shapes[s].leaf.fields;
+            &inputs.columns[s][i * n..][..n]
+        };
+        let sides = [0, 1].map(|s| self.shapes[s].rules.sides(numbers(s)));
+        let is_measure = matches!(self.promised.extremes, Extremes::Shared);
+        if power > 0 && !is_measure {
+            // A distance moves by a rounding of the coordinates.
+            let all = [0, 1].map(numbers);
+            let all = all.iter().flat_map(|x| x.iter()).zip(&self.kinds);
+            let largest = all.fold(0.0_f64, |m, (x, kind)| match kind.is_length() {
+                true => m.max(x.widen().abs()),
+                false => m,
+            });
+            return ROUNDINGS * largest.powi(power);
+        }
+        if sides.iter().any(Vec::is_empty) {
+            return f64::INFINITY;
+        }
+        // A rounding of the longest side moves a side of the shorter ones. So does one of the way between boxes apart,
+        // which scores with slopes there compare with sizes.
+        let all = || sides.iter().flatten().copied();
+        let way = match self.promised.extremes {
+            Extremes::Unsaid | Extremes::One => {
+                let [a, b] = [0, 1].map(numbers);
+                let pairs = a.iter().zip(b).zip(&self.kinds);
+                let lengths = pairs.filter(|(_, kind)| kind.is_length());
+                lengths.fold(0.0, |m: f64, ((x, y), _)| {
+                    m.max((x.widen() - y.widen()).abs())
+                })
+            }
+            _ => 0.0,
+        };
+        let aspect = all().fold(way, f64::max) / all().fold(f64::INFINITY, f64::min);
+        if aspect.is_nan() || aspect >= LIMIT {
+            return f64::INFINITY;
+        }
+        let content = |sides: &Vec<f64>| sides.iter().product::<f64>();
+        // Of volumes two sides may be short.
+        let aspect = if power == 3 { aspect * aspect } else { aspect };
+        match is_measure {
+            true => ROUNDINGS * aspect * content(&sides[0]).min(content(&sides[1])),
+            // Ratios of squares of sizes are in scores without an end.
+            false if self.promised.range.least < -3.0 || self.promised.range.largest > 1.0 => {
+                ROUNDINGS * aspect * aspect
+            }
+            false => ROUNDINGS * aspect,
+        }
+    }
+}
