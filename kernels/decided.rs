@@ -36,9 +36,9 @@ pub trait Decided: Copy + Debug + Default + Send + Sync + 'static {
     const RANGE: Range = Range::ANY;
     /// What identical shapes and shapes apart score.
     const EXTREMES: Extremes = Extremes::Unsaid;
-    /// The names of its arguments, one for each; empty where they have none of their own.
+    /// The names of its arguments, one for each; empty without names of their own.
     const ARGUMENTS: &'static [&'static str] = &[];
-    /// What it gives, in Markdown: the doc comment of its row; empty where there is none.
+    /// Documentation in Markdown: the doc comment of its row, empty without one.
     const DOC: &'static str = "";
     /// The search.
     fn decide<S: Scalar<Mask = bool>>(input: Self::In<S>) -> Self::Record;

@@ -71,7 +71,7 @@ pub trait Fold: Copy + Debug + Default + Send + Sync + 'static {
     const RANGE: Range = Range::ANY;
     /// The names of the shapes and numbers of its context, one for each; empty where they have none of their own.
     const ARGUMENTS: &'static [&'static str] = &[];
-    /// What it gives, in Markdown: the doc comment of its row; empty where there is none.
+    /// Documentation in Markdown: the doc comment of its row, empty without one.
     const DOC: &'static str = "";
     /// Of a fold that takes no more of a path than the edges nearest to the point that its context begins with,
     /// and the winding number around that: which number of the state that is. Batches then fold no other edges.

@@ -35,6 +35,8 @@ pub mod cpu;
 #[forbid(unsafe_code)]
 pub mod decided;
 #[forbid(unsafe_code)]
+pub mod dynamic;
+#[forbid(unsafe_code)]
 pub mod fold;
 #[forbid(unsafe_code)]
 pub mod fuzz;

@@ -81,9 +81,9 @@ pub trait Op: Copy + Debug + Default + Send + Sync + 'static {
     const DOMAIN: Option<fn(Self::In<f64>) -> bool> = None;
     /// How far values may be off, beyond rounding: in the unit of the result, and as a share of each of its numbers.
     const RESOLUTION: [f64; 2] = [0.0; 2];
-    /// The names of its arguments, one for each; empty where they have none of their own.
+    /// The names of its arguments, one for each; empty without names of their own.
     const ARGUMENTS: &'static [&'static str] = &[];
-    /// What it gives, in Markdown: the doc comment of its row; empty where there is none.
+    /// Documentation in Markdown: the doc comment of its row, empty without one.
     const DOC: &'static str = "";
     /// The function.
     fn eval<S: Scalar>(input: Self::In<S>) -> Self::Out<S>;
@@ -290,7 +290,7 @@ pub trait RingOp: Copy + Debug + Default + Send + Sync + 'static {
     const FINITE: Finite = Finite::Within(Limits::ORDINARY);
     /// Within which every number of its result lies.
     const RANGE: Range = Range::ANY;
-    /// What it gives, in Markdown: the doc comment of its row; empty where there is none.
+    /// Documentation in Markdown: the doc comment of its row, empty without one.
     const DOC: &'static str = "";
     /// The result.
     fn value<S: Scalar>(ring: &[Vec2<S>]) -> Self::Out<S>;

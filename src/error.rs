@@ -54,7 +54,7 @@ pub enum Argument {
 }
 
 impl Argument {
-    /// Input `i`, from zero; `Shape` from six on.
+    /// Input `i`, from zero: a letter for each of the first six.
     #[must_use]
     pub const fn input(i: usize) -> Self {
         use Argument::{A, B, C, D, E, F};
@@ -62,7 +62,7 @@ impl Argument {
         if i < ALL.len() {
             ALL[i]
         } else {
-            Argument::Shape
+            Argument::Input(i)
         }
     }
     /// The caller's buffer for gradients of input `i`, from zero; `Values` from six on.
@@ -354,6 +354,8 @@ pub enum Unrecordable {
     Name,
     /// Another recording is open on this thread.
     Nested,
+    /// It takes a path of any length: a program is of one length.
+    Path,
 }
 
 impl fmt::Display for Unrecordable {
@@ -368,6 +370,7 @@ impl fmt::Display for Unrecordable {
             Unrecordable::Search => "it searches, and a program is a straight line",
             Unrecordable::TooLong => "there are too many operations",
             Unrecordable::Name => "the name is reserved or not an identifier",
+            Unrecordable::Path => "it takes a path of any length, and a program has one length",
             Unrecordable::Nested => "another recording is open on this thread",
         })
     }

@@ -54,7 +54,7 @@ impl<T> Drop for Opened<T> {
     }
 }
 
-/// Whether a recording is open on this thread.
+/// True while a recording is open on this thread.
 pub(crate) fn is_open() -> bool {
     Recording::is_open()
 }

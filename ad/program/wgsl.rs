@@ -19,7 +19,7 @@ const USED: &str =
     "f32 i32 u32 bool array vec2f select bitcast abs min max floor clamp log sqrt round";
 
 /// `Ok` for a name that a function of a shader may have beside [`WGSL`].
-pub(super) fn checked(name: &str) -> Result<(), Unrecordable> {
+pub(crate) fn checked(name: &str) -> Result<(), Unrecordable> {
     let letters = |c: char| c == '_' || c.is_ascii_alphanumeric();
     let identifier = name.chars().all(letters)
         && name.starts_with(|c: char| c == '_' || c.is_ascii_alphabetic())
@@ -36,7 +36,7 @@ pub(super) fn checked(name: &str) -> Result<(), Unrecordable> {
 /// The program as a function. One `let` per operation: deep expressions overflow the stacks of
 /// compilers (gfx-rs/wgpu#5759, #9497). A constant is a `let`, too, so that no compiler computes
 /// with it and finds an overflow where the program would go on.
-pub(super) fn function(name: &str, recorded: &Recorded) -> String {
+pub(crate) fn function(name: &str, recorded: &Recorded) -> String {
     function_of(
         name,
         &recorded.value.graph,

@@ -191,7 +191,10 @@ pub(crate) fn listed<C: Columns>(columns: &C) -> Vec<Column<'_, ScalarOf<C>>> {
 }
 
 /// Checks columns: how many items there are, and whether some may be too rare for kernels.
-fn checked<T: Real>(face: &Face<T>, columns: &[Column<'_, T>]) -> Result<(usize, bool), Error> {
+pub(crate) fn checked<T: Real>(
+    face: &Face<T>,
+    columns: &[Column<'_, T>],
+) -> Result<(usize, bool), Error> {
     let count = items(face.arguments.len(), columns)?;
     let rare = sound(&face.arguments, face.steepest, columns)?;
     Ok((count, rare))
@@ -245,7 +248,7 @@ pub(crate) fn sound<T: Real>(
     Ok(rare)
 }
 
-fn compute<'a, T: Real>(
+pub(crate) fn compute<'a, T: Real>(
     face: &'a Face<T>,
     columns: Vec<Column<'a, T>>,
     rare: bool,

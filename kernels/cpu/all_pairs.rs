@@ -35,14 +35,14 @@ pub(crate) fn pairs<'a, T: Real, A: Single<Scalar = T>, B: Single<Scalar = T>>(
 
 /// Upstream slopes that kernels bear.
 pub(crate) struct Bearable<T> {
-    /// What they were brought down to, if they were.
+    /// The smaller slopes that stand for them, if some are too steep.
     down: Option<Vec<T>>,
-    /// What slopes are multiplied by afterwards.
+    /// The factor of the results.
     by: T,
 }
 
 impl<T: Real> Bearable<T> {
-    /// Where one is too steep for kernels all are brought down by the same power of two, and the sums back.
+    /// Divides all by the same power of two where one is too steep for kernels.
     ///
     /// # Errors
     ///

@@ -76,7 +76,11 @@ pub(crate) fn numbers<T: Real, P: Fixed<Scalar = T>>(shapes: &[P]) -> Cow<'_, [T
         Some(numbers) => Cow::Borrowed(numbers),
         None => {
             let mut rows = vec![T::default(); shapes.len() * width::<P>()];
-            for (shape, row) in shapes.iter().zip(rows.chunks_exact_mut(width::<P>())) {
+            // Shapes may have no numbers at all.
+            for (shape, row) in shapes
+                .iter()
+                .zip(rows.chunks_exact_mut(width::<P>().max(1)))
+            {
                 put(*shape, row);
             }
             Cow::Owned(rows)

@@ -28,6 +28,8 @@ mod shrink;
 
 #[doc(hidden)]
 pub use job::Job;
+pub use rules::Bound;
+pub(crate) use rules::bounds;
 
 use crate::ad::check::sample::{Draw, Sample};
 use crate::kernels::decided::Decided;

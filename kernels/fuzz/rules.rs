@@ -21,6 +21,47 @@ enum Rule {
     Parallelogram,
 }
 
+/// Which values a number of a shape may have, beside that it is finite.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[non_exhaustive]
+pub enum Bound {
+    /// Any.
+    Any,
+    /// None below zero.
+    NotNegative,
+    /// Those above zero.
+    Positive,
+    /// None above the number in this place of the same shape.
+    AtMost(usize),
+    /// None below the number in this place of the same shape.
+    AtLeast(usize),
+    /// A part of a direction: not all numbers of which are zero.
+    Direction,
+    /// The cosine or the sine of an angle, the other of which is beside it.
+    Unit,
+    /// A whole number.
+    Whole,
+}
+
+/// The bounds of every number of a shape, as far as its refusals tell.
+pub(crate) fn bounds<T: Real>(leaf: &Leaf<T>, kinds: &[Kind]) -> Vec<Bound> {
+    let mut bounds = vec![Bound::Any; leaf.fields];
+    for rule in Rules::of(leaf, kinds, false).rules {
+        match rule {
+            Rule::NotNegative(i) => bounds[i] = Bound::NotNegative,
+            Rule::Positive(i) => bounds[i] = Bound::Positive,
+            Rule::Ordered(i, j) => {
+                (bounds[i], bounds[j]) = (Bound::AtMost(j), Bound::AtLeast(i));
+            }
+            Rule::Some(any) => any.iter().for_each(|&i| bounds[i] = Bound::Direction),
+            Rule::Unit(i, j) => (bounds[i], bounds[j]) = (Bound::Unit, Bound::Unit),
+            Rule::Parallelogram => (),
+        }
+    }
+    bounds[leaf.fields - leaf.codes..].fill(Bound::Whole);
+    bounds
+}
+
 /// The rules of one shape.
 #[derive(Clone, Debug)]
 pub(super) struct Rules {

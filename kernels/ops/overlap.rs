@@ -33,7 +33,7 @@ const IOF: &[Promise] = &[
 /// Scores of rotated boxes: the macro lists them.
 macro_rules! obb2 {
     ($($name:ident = $function:ident over $over:ident, $promises:expr, $jumps:ident,
-        $range:ident, $extremes:ident;)*) => { $(
+        $range:ident, $extremes:ident, $doc:literal;)*) => { $(
         #[doc = concat!("[`", stringify!($function), "`](crate::overlap::", stringify!($function), ").")]
         #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
         pub struct $name;
@@ -41,8 +41,7 @@ macro_rules! obb2 {
         impl Op for $name {
             const NAME: &'static str = stringify!($function);
             const ARGUMENTS: &'static [&'static str] = &["a", "b"];
-            const DOC: &'static str =
-                concat!("[`", stringify!($function), "`](crate::overlap::", stringify!($function), ").");
+            const DOC: &'static str = $doc;
             type In<S: Scalar> = (Obb2<S>, Obb2<S>);
             type Out<S: Scalar> = S;
             const PROMISES: &'static [Promise] = $promises;
@@ -67,15 +66,18 @@ macro_rules! obb2 {
     )* };
 }
 obb2! {
-    IntersectionAreaObb2 = intersection_area_obb2 over None, AREA, Never, NOT_NEGATIVE, Shared;
-    IouObb2 = iou_obb2 over Union, IOU, FromZero, RATIO, Union;
-    IofObb2 = iof_obb2 over First, IOF, FromZero, RATIO, Ratio;
+    IntersectionAreaObb2 = intersection_area_obb2 over None, AREA, Never, NOT_NEGATIVE, Shared,
+        "Area that two rotated boxes share.";
+    IouObb2 = iou_obb2 over Union, IOU, FromZero, RATIO, Union,
+        "Intersection over union of two rotated boxes, 0 to 1.";
+    IofObb2 = iof_obb2 over First, IOF, FromZero, RATIO, Ratio,
+        "The part of the first of two rotated boxes that lies in the second, 0 to 1.";
 }
 
 /// Scores of axis-aligned boxes: the macro lists them.
 macro_rules! aabb2 {
     ($($name:ident = $function:ident over $over:ident, $promises:expr, $jumps:ident,
-        $range:ident, $extremes:ident;)*) => { $(
+        $range:ident, $extremes:ident, $doc:literal;)*) => { $(
         #[doc = concat!("[`", stringify!($function), "`](crate::overlap::", stringify!($function), ").")]
         #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
         pub struct $name;
@@ -83,8 +85,7 @@ macro_rules! aabb2 {
         impl Op for $name {
             const NAME: &'static str = stringify!($function);
             const ARGUMENTS: &'static [&'static str] = &["a", "b"];
-            const DOC: &'static str =
-                concat!("[`", stringify!($function), "`](crate::overlap::", stringify!($function), ").");
+            const DOC: &'static str = $doc;
             type In<S: Scalar> = (Aabb2<S>, Aabb2<S>);
             type Out<S: Scalar> = S;
             const PROMISES: &'static [Promise] = $promises;
@@ -108,7 +109,10 @@ macro_rules! aabb2 {
     )* };
 }
 aabb2! {
-    IntersectionAreaAabb2 = intersection_area_aabb2 over None, AREA.split_at(4).0, Never, NOT_NEGATIVE, Shared;
-    IouAabb2 = iou_aabb2 over Union, IOU.split_at(4).0, FromZero, RATIO, Union;
-    IofAabb2 = iof_aabb2 over First, IOF.split_at(3).0, FromZero, RATIO, Ratio;
+    IntersectionAreaAabb2 = intersection_area_aabb2 over None, AREA.split_at(4).0, Never, NOT_NEGATIVE, Shared,
+        "Area that two axis-aligned boxes share.";
+    IouAabb2 = iou_aabb2 over Union, IOU.split_at(4).0, FromZero, RATIO, Union,
+        "Intersection over union of two axis-aligned boxes, 0 to 1.";
+    IofAabb2 = iof_aabb2 over First, IOF.split_at(3).0, FromZero, RATIO, Ratio,
+        "The part of the first of two axis-aligned boxes that lies in the second, 0 to 1.";
 }

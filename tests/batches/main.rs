@@ -1,6 +1,7 @@
 //! What batches on the CPU promise.
 mod bits;
 mod calls;
+mod dynamic;
 mod fold;
 #[cfg(feature = "fuzzers")]
 mod fuzz;

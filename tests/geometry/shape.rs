@@ -170,7 +170,7 @@ fn arguments_go_by_number_or_name() {
     assert_eq!(Argument::Named("robot").to_string(), "robot");
     assert_eq!(
         (Argument::input(1), Argument::input(6)),
-        (Argument::B, Argument::Shape)
+        (Argument::B, Argument::Input(6))
     );
 }
 

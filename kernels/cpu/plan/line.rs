@@ -13,7 +13,7 @@ use std::any::TypeId;
 pub struct Line<T> {
     /// Its type.
     id: fn() -> TypeId,
-    /// Where its slopes come from.
+    /// The source of its slopes.
     pub(crate) slopes: Slopes,
     /// Numbers of its input, numbers of its result, and codes of both.
     pub(crate) inputs: usize,
@@ -23,7 +23,7 @@ pub struct Line<T> {
     pub(crate) eval: fn(&[Sym<T>]) -> Vec<Sym<T>>,
     /// The result and then the slopes, by hand, from the input and the cotangent.
     pub(crate) adjoint: fn(&[Sym<T>], &[Sym<T>]) -> Vec<Sym<T>>,
-    /// What the library has compiled for it.
+    /// Its compiled kernels.
     pub(crate) compiled: fn() -> Option<Compiled>,
 }
 

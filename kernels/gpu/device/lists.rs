@@ -7,6 +7,7 @@ use super::generated::held::HeldColumn;
 use super::generated::operation::Generated;
 use super::generated::pairs::Sides;
 use super::pairs::Mirrored;
+use super::plans::{Plans, Typed};
 use super::source::Mirror;
 use super::table::Table;
 use super::{Bests, Founds, Gpu, Matrix};
@@ -43,7 +44,7 @@ pub(crate) struct Lists<'a> {
 }
 
 /// The mirror of what runs, if there is one.
-pub(super) fn mirror_of<A, B, R>(run: &R) -> Option<Mirror>
+fn mirror_of<A, B, R>(run: &R) -> Option<Mirror>
 where
     A: Single<Scalar = f32>,
     B: Single<Scalar = f32>,
@@ -61,14 +62,24 @@ impl<'a> Lists<'a> {
         b: &[B],
         ask: Ask,
     ) -> Result<Self, Error> {
+        let columns = [Column::of(a), Column::of(b)];
+        Self::of_columns(gpu, &Typed::<(A, B), R>::new(run), &columns, ask)
+    }
+
+    /// The same of columns of numbers.
+    pub fn of_columns(
+        gpu: &'a Gpu,
+        run: &dyn Plans,
+        columns: &[Column<'_, f32>; 2],
+        ask: Ask,
+    ) -> Result<Self, Error> {
+        let [a, b] = columns;
         let counts = [a.len(), b.len()];
         let inner = &gpu.inner;
-        let kernels = match mirror_of(run) {
+        let kernels = match run.compiled().and_then(Mirror::of) {
             Some(mirror) => {
                 inner.alive()?;
                 let face = run.face(Ask::PAIRS)?;
-                let columns = [Column::of(a), Column::of(b)];
-                let [a, b] = &columns;
                 check(Argument::A, &face.arguments[0], a)?;
                 check(Argument::B, &face.arguments[1], b)?;
                 let boxes = |column: &Column<'_, f32>| -> Result<Boxes, Error> {

@@ -8,6 +8,7 @@ mod generated;
 pub(crate) mod lists;
 mod matrix;
 mod pairs;
+mod plans;
 mod reduce;
 mod ring;
 mod source;
@@ -23,7 +24,9 @@ pub use generated::held::{Given, HeldColumn};
 #[doc(hidden)]
 pub use generated::operation::Generated;
 pub use generated::{fold_sources, op_sources, replay_source};
+pub(crate) use lists::Lists;
 pub(crate) use matrix::Matrix;
+pub(crate) use plans::Plans;
 pub(crate) use reduce::Bests;
 pub(crate) use ring::{RingBars, RingValues, Rings};
 pub use source::{GpuRing, pair_sources, ring_sources};

@@ -9,9 +9,11 @@ use crate::kernels::cpu::checked::{check_upstream, entries, expect};
 use crate::kernels::gpu::device::Gpu;
 use crate::kernels::gpu::device::block::block_of;
 use crate::kernels::gpu::device::lists::{Lists, Seed, loss};
+use crate::kernels::gpu::device::plans::{Plans, Typed};
 use crate::kernels::gpu::device::work::Work;
 use crate::kernels::op::{Ask, Runs};
 use crate::kernels::reduce::Loss;
+use crate::kernels::row::Column;
 use std::sync::Arc;
 
 impl Gpu {
@@ -31,14 +33,37 @@ impl Gpu {
     where
         R: Runs<(A, B), Out = f32>,
     {
+        let lists = [Column::of(a), Column::of(b)];
+        let run = Typed::<(A, B), R>::new(&run);
+        Ok(shapes(self.pulled(&run, &lists, upstream)?))
+    }
+
+    /// The adjoint of all pairs of columns of numbers.
+    pub(crate) fn pulled(
+        &self,
+        run: &dyn Plans,
+        columns: &[Column<'_, f32>; 2],
+        upstream: &[f32],
+    ) -> Result<[Vec<f32>; 2], Error> {
+        let [a, b] = columns;
         expect(
             Argument::Upstream,
             entries(a.len(), b.len(), 1)?,
             upstream.len(),
         )?;
         check_upstream(upstream, 1)?;
-        let lists = Lists::of_slices(self, &run, a, b, Ask::ADJOINT)?;
-        Ok(shapes(lists.slopes(&Seed::Numbers(upstream))?))
+        let lists = Lists::of_columns(self, run, columns, Ask::ADJOINT)?;
+        lists.slopes(&Seed::Numbers(upstream))
+    }
+
+    /// The sum or the mean of all pairs of columns of numbers, and its slopes.
+    pub(crate) fn loss_of(
+        &self,
+        run: &dyn Plans,
+        columns: &[Column<'_, f32>; 2],
+        of: Loss,
+    ) -> Result<(f64, [Vec<f32>; 2]), Error> {
+        loss(|ask| Lists::of_columns(self, run, columns, ask), of)
     }
 
     /// The sum of all results and its slopes with respect to every shape of both lists, as
@@ -87,8 +112,8 @@ impl Gpu {
     where
         R: Runs<(A, B), Out = f32>,
     {
-        let lists = |ask| Lists::of_slices(self, &run, a, b, ask);
-        let (value, slopes) = loss(lists, of)?;
+        let columns = [Column::of(a), Column::of(b)];
+        let (value, slopes) = self.loss_of(&Typed::<(A, B), R>::new(&run), &columns, of)?;
         let (a_bar, b_bar) = shapes(slopes);
         Ok((value, a_bar, b_bar))
     }

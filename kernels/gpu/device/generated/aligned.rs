@@ -8,6 +8,7 @@ use crate::kernels::cpu::work::spread;
 use crate::kernels::gpu::device::Gpu;
 use crate::kernels::gpu::device::Inner;
 use crate::kernels::gpu::device::download::Arrival;
+use crate::kernels::gpu::device::plans::{Plans, Typed};
 use crate::kernels::gpu::device::work::Work;
 use crate::kernels::op::{Ask, Runs};
 use crate::kernels::replays::Replays;
@@ -86,6 +87,22 @@ impl Gpu {
         as_rows(made.gives(), count, |targets| {
             self.run(&made, &columns, count, targets)
         })
+    }
+
+    /// Item i of every column of numbers: a list of numbers for every shape of a result.
+    pub(crate) fn lists(
+        &self,
+        run: &dyn Plans,
+        columns: &[Column<'_, f32>],
+    ) -> Result<Vec<Vec<f32>>, Error> {
+        let made = Made::by(run)?;
+        let count = made.checked(columns)?;
+        let lists = made.gives().iter().map(|n| vec![0.0; n * count]);
+        let mut lists: Vec<Vec<f32>> = lists.collect();
+        let targets = lists.iter_mut().zip(made.gives());
+        let targets = targets.map(|(list, &fields)| Some(Target::of_rows(list, fields)));
+        self.run(&made, columns, count, targets.collect())?;
+        Ok(lists)
     }
 
     fn run(
@@ -186,6 +203,9 @@ enum Made {
 
 impl Made {
     fn of<R: Row<Scalar = f32>>(run: &impl Runs<R>) -> Result<Self, Error> {
+        Self::by(&Typed::new(run))
+    }
+    fn by(run: &dyn Plans) -> Result<Self, Error> {
         Ok(match run.replays(Ask::ALIGNED) {
             Some(replays) => Made::Replays(replays?, run.face(Ask::ALIGNED)?),
             None => Made::Kernel(run.generated(Ask::ALIGNED)?),

@@ -8,7 +8,9 @@ use crate::kernels::cpu::checked::check;
 use crate::kernels::cpu::lane::TILE;
 use crate::kernels::cpu::work::spread;
 use crate::kernels::gpu::device::block::{Block, place_block};
-use crate::kernels::gpu::device::lists::{Lists, mirror_of};
+use crate::kernels::gpu::device::lists::Lists;
+use crate::kernels::gpu::device::plans::{Plans, Typed};
+use crate::kernels::gpu::device::source::Mirror;
 use crate::kernels::gpu::device::work::Work;
 use crate::kernels::gpu::device::{Gpu, Inner};
 use crate::kernels::op::{Ask, Runs};
@@ -125,19 +127,18 @@ pub(super) struct Piece<'a> {
 }
 
 impl Sides {
-    pub fn new<A: Single<Scalar = f32>, B: Single<Scalar = f32>>(
+    pub fn new(
         inner: &Inner,
         made: &Generated<f32>,
-        a: &[A],
-        b: &[B],
+        a: &Column<'_, f32>,
+        b: &Column<'_, f32>,
     ) -> Result<Self, Error> {
         inner.alive()?;
-        let (a, b) = (Column::of(a), Column::of(b));
-        check(Argument::A, &made.arguments[0], &a)?;
-        check(Argument::B, &made.arguments[1], &b)?;
+        check(Argument::A, &made.arguments[0], a)?;
+        check(Argument::B, &made.arguments[1], b)?;
         Ok(Sides {
-            a: Side::new(inner, made, 0, &a)?,
-            b: Side::new(inner, made, 1, &b)?,
+            a: Side::new(inner, made, 0, a)?,
+            b: Side::new(inner, made, 1, b)?,
         })
     }
     /// Two columns that stay.
@@ -223,31 +224,46 @@ impl Gpu {
         a: &[A],
         b: &[B],
     ) -> Result<Table<R::Out>, Error> {
-        let inner = &self.inner;
         let mut table = Table::<R::Out>::new(a.len(), b.len())?;
-        if mirror_of(&run).is_some() {
-            let matrix = Lists::of_slices(self, &run, a, b, Ask::PAIRS)?.matrix()?;
-            table.planes_mut().copy_from_slice(&matrix.download()?);
-            return Ok(table);
+        let columns = [Column::of(a), Column::of(b)];
+        let run = Typed::<(A, B), R>::new(&run);
+        self.planes(&run, &columns, table.planes_mut())?;
+        Ok(table)
+    }
+
+    /// Every row with every row of columns of numbers, plane after plane.
+    pub(crate) fn planes(
+        &self,
+        run: &dyn Plans,
+        lists: &[Column<'_, f32>; 2],
+        planes: &mut [f32],
+    ) -> Result<(), Error> {
+        let inner = &self.inner;
+        if run.compiled().and_then(Mirror::of).is_some() {
+            let matrix = Lists::of_columns(self, run, lists, Ask::PAIRS)?.matrix()?;
+            planes.copy_from_slice(&matrix.download()?);
+            return Ok(());
         }
         let made = run.generated(Ask::PAIRS)?;
+        let [a, b] = lists;
         let sides = Sides::new(inner, &made, a, b)?;
+        let [rows, columns] = [a.len(), b.len()];
         let fields = made.bodies[0].gives;
-        let size = a.len() * b.len();
-        for block in inner.cut(a.len(), b.len(), 4 * fields.max(1) as u64) {
+        let size = rows * columns;
+        for block in inner.cut(rows, columns, 4 * fields.max(1) as u64) {
             let numbers = block.rows * block.columns * fields;
             let results = inner.guarded(|| Ok(inner.storage(numbers)))?;
             sides.compute(inner, &made, &block, &results)?;
             let arrival = inner.bring(self, &[(&results, 4 * numbers as u64)])?;
             arrival.finish(|_, numbers| {
                 let numbers: &[f32] = bytemuck::cast_slice(numbers);
-                let planes = numbers.chunks_exact(block.rows * block.columns);
-                for (from, to) in planes.zip(table.planes_mut().chunks_exact_mut(size)) {
-                    place_block(&block, b.len(), from, to);
+                let found = numbers.chunks_exact(block.rows * block.columns);
+                for (from, to) in found.zip(planes.chunks_exact_mut(size)) {
+                    place_block(&block, columns, from, to);
                 }
             })?;
         }
-        Ok(table)
+        Ok(())
     }
 
     /// Every two shapes of a list whose result is above the threshold, each two once, as

@@ -1,0 +1,591 @@
+//! Every operation of the list, by name.
+use super::Mode;
+use super::function::{Function, Origin, Search};
+use super::paths::{Code, OnPaths, fold_double, fold_single, ring_double, ring_single};
+use super::program::Program;
+use super::rows::{Layout, named};
+use super::symbol::Symbol;
+use crate::Fixed;
+use crate::ad::check::sample::Sample;
+use crate::ad::check::symmetry::Kind;
+use crate::ad::program::record::{TRIALS, listed};
+use crate::error::{Argument, Error, Field, Unrecordable};
+use crate::kernels::cpu::plan::{Shaped, recorded_of};
+use crate::kernels::decided::{self, Decided};
+use crate::kernels::fold::Fold;
+use crate::kernels::fuzz::{Bound, bounds};
+use crate::kernels::gpu::GpuRing;
+use crate::kernels::op::{Extremes, Finite, Jumps, Op, Promise, Range, Slopes};
+use crate::kernels::real::Real;
+use crate::kernels::row::{Leaf, Row, leaves_of};
+
+/// The sort of function that an operation is.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum Sort {
+    /// A straight line of fixed size: it can be a program, and all derivatives of one.
+    Straight,
+    /// A search of fixed size: values, gradients and adjoints in batches.
+    Search,
+    /// A fold over a path of any length.
+    Fold,
+    /// A measure of a ring of any length.
+    Ring,
+}
+
+/// An operation of the [list](crate::for_each_op), without its types.
+#[derive(Clone, Copy, Debug)]
+pub struct Operation {
+    /// The name of its function.
+    pub name: &'static str,
+    /// Its verb, as the list calls its type.
+    path: &'static str,
+    /// The sort of function that it is.
+    pub sort: Sort,
+    /// Its documentation in Markdown, with links to Rust's items; see [`summary`](Operation::summary).
+    pub doc: &'static str,
+    /// The names of its arguments; none where they have only places.
+    names: &'static [&'static str],
+    /// Motions that it follows.
+    pub promises: &'static [Promise],
+    /// The inputs at which its value may jump.
+    pub jumps: Jumps,
+    /// The source of slopes of a straight line.
+    pub slopes: Option<Slopes>,
+    /// The inputs of which values and slopes are finite.
+    pub finite: Finite,
+    /// The range in which every number of its result lies.
+    pub range: Range,
+    /// The scores of identical shapes and of shapes apart.
+    pub extremes: Extremes,
+    /// Largest error of a value beyond rounding, in the unit of the result and as a share of it.
+    pub resolution: [f64; 2],
+    /// True at valid inputs for which the row is stated.
+    inside: fn(&[f64]) -> bool,
+    /// The kinds of the scalars of its arguments, and of its result.
+    kinds: [fn() -> Vec<Kind>; 2],
+    single: Of<f32>,
+    double: Of<f64>,
+}
+
+/// An operation in one format.
+#[derive(Debug)]
+#[doc(hidden)]
+pub struct Of<T: 'static> {
+    takes: fn() -> Vec<Leaf<T>>,
+    gives: fn() -> Vec<Leaf<T>>,
+    body: Body<T>,
+}
+
+#[derive(Debug)]
+enum Body<T: 'static> {
+    Straight(Shaped<T>),
+    Search(Search<T>),
+    Path(Code<T>),
+}
+
+impl<T> Clone for Of<T> {
+    fn clone(&self) -> Self {
+        *self
+    }
+}
+impl<T> Copy for Of<T> {}
+impl<T> Clone for Body<T> {
+    fn clone(&self) -> Self {
+        *self
+    }
+}
+impl<T> Copy for Body<T> {}
+
+/// `f32` or `f64`, in which every operation of the list is.
+pub trait Format: Real {
+    /// The operation in this format.
+    #[doc(hidden)]
+    fn of(operation: &Operation) -> &Of<Self>;
+}
+impl Format for f32 {
+    fn of(operation: &Operation) -> &Of<f32> {
+        &operation.single
+    }
+}
+impl Format for f64 {
+    fn of(operation: &Operation) -> &Of<f64> {
+        &operation.double
+    }
+}
+
+/// A shape that an operation takes or gives.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Shape {
+    /// Its name: `Obb2`, `number`, `[Vec2; 4]`.
+    pub name: String,
+    /// Its numbers, first field first.
+    pub fields: Vec<Number>,
+}
+
+/// A number of a shape.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Number {
+    /// Its name; `value` of a lone number.
+    pub name: Field,
+    /// Its kind: length, coordinate, angle, number, ….
+    pub kind: Kind,
+    /// The values that it may have.
+    pub bound: Bound,
+}
+
+/// An argument of an operation.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Parameter {
+    /// Its name, by which errors call it.
+    pub name: Argument,
+    /// Its shape.
+    pub shape: Shape,
+}
+
+impl Operation {
+    /// The name of its [verb](crate::kernels::verbs) in lower case: `iou` of `iou_obb2`, `convert` of conversions.
+    #[must_use]
+    pub fn verb(&self) -> String {
+        verb_of(self.path)
+    }
+    /// The first paragraph of its documentation as plain text, without links.
+    #[must_use]
+    pub fn summary(&self) -> String {
+        summary(self.doc)
+    }
+    /// Its arguments, but for the path of a fold or a ring.
+    #[must_use]
+    pub fn arguments(&self) -> Vec<Parameter> {
+        let shapes = shapes(&(self.double.takes)(), &(self.kinds[0])());
+        let names = named(self.names, shapes.len());
+        let all = names.into_iter().zip(shapes);
+        all.map(|(name, shape)| Parameter { name, shape }).collect()
+    }
+    /// The shapes of its result, nearly always one.
+    #[must_use]
+    pub fn result(&self) -> Vec<Shape> {
+        shapes(&(self.double.gives)(), &(self.kinds[1])())
+    }
+    /// True where the operation is defined, given the numbers of a valid input, all arguments in a row. Folds and rings are
+    /// defined at every valid input.
+    #[must_use]
+    pub fn is_inside(&self, input: &[f64]) -> bool {
+        (self.inside)(input)
+    }
+    /// The layouts of its arguments in a format, to trace functions of the same shapes.
+    #[must_use]
+    pub fn layouts<T: Format>(&self) -> Vec<Layout<T>> {
+        let leaves = (T::of(self).takes)().into_iter();
+        leaves.map(|leaf| Layout { leaf }).collect()
+    }
+
+    /// The operation on columns: its value, its gradient or its adjoint; `None` for folds and rings, which run
+    /// [on paths](Operation::on_paths).
+    #[must_use]
+    pub fn function<T: Format>(&self, mode: Mode) -> Option<Function<T>> {
+        let own = T::of(self);
+        let origin = match own.body {
+            Body::Straight(shaped) => Origin::Straight(shaped),
+            Body::Search(search) => Origin::Search(search),
+            Body::Path(_) => return None,
+        };
+        let takes = (own.takes)();
+        Some(Function {
+            origin,
+            mode,
+            names: named(self.names, takes.len()),
+            takes,
+            outputs: (own.gives)().iter().map(|leaf| leaf.fields).collect(),
+        })
+    }
+    /// The value on columns.
+    #[must_use]
+    pub fn value<T: Format>(&self) -> Option<Function<T>> {
+        self.function(Mode::Value)
+    }
+    /// The value, one number, and its gradient on columns; `None` also for other results.
+    #[must_use]
+    pub fn value_grad<T: Format>(&self) -> Option<Function<T>> {
+        let function = self.function(Mode::ValueGrad)?;
+        (function.outputs.iter().sum::<usize>() == 1).then_some(function)
+    }
+    /// The adjoint on columns, of which cotangents come last.
+    #[must_use]
+    pub fn vjp<T: Format>(&self) -> Option<Function<T>> {
+        self.function(Mode::Vjp)
+    }
+    /// The operation on paths; `None` for those of fixed size.
+    #[must_use]
+    pub fn on_paths<T: Format>(&self) -> Option<OnPaths<T>> {
+        let own = T::of(self);
+        let Body::Path(code) = own.body else {
+            return None;
+        };
+        let gives = (own.gives)().iter().map(|leaf| leaf.fields).sum();
+        Some(OnPaths::new(code, self.names, (own.takes)(), gives))
+    }
+
+    /// A straight line as a program, for its derivatives and its nodes.
+    ///
+    /// # Errors
+    ///
+    /// [`Error::Program`]: searches are no programs ([`Unrecordable::Search`]), folds and rings only those of paths of a
+    /// given length ([`Unrecordable::Path`]; see [`program_of_path`](Operation::program_of_path)).
+    pub fn program<T: Format>(&self) -> Result<Program<T>, Error> {
+        let own = T::of(self);
+        let Body::Straight(shaped) = &own.body else {
+            return Err(self.refused());
+        };
+        let line = &shaped.line;
+        let value = recorded_of(line, Mode::Value)?;
+        let recorded = match (line.slopes, line.outputs) {
+            (Slopes::ByHand, 1) => {
+                value.with_gradient_after_result(&*recorded_of(line, Mode::ValueGrad)?)
+            }
+            _ => (*value).clone(),
+        };
+        let leaves = (own.takes)();
+        let names = named(self.names, leaves.len());
+        let takes = names.into_iter().zip(leaves).collect();
+        Ok(Program::new(recorded, takes, shaped.outputs(), Some(*line)))
+    }
+
+    /// A fold or a measure of rings as a program, for a path of so many vertices, whose numbers follow its other
+    /// arguments.
+    ///
+    /// # Errors
+    ///
+    /// Those of recording it, and [`Unrecordable::Path`] for what takes no path.
+    pub fn program_of_path<T: Format>(&self, vertices: usize) -> Result<Program<T>, Error> {
+        let own = T::of(self);
+        let Body::Path(code) = own.body else {
+            return Err(Error::Program(Unrecordable::Path));
+        };
+        let leaves = (own.takes)();
+        let mut takes: Vec<_> = named(self.names, leaves.len())
+            .into_iter()
+            .zip(leaves)
+            .collect();
+        takes.push((Argument::Vertices, Layout::numbers(2 * vertices).leaf));
+        let inputs = takes.iter().map(|take| take.1.fields).sum();
+        let recorded = listed(inputs, TRIALS, &code.symbols)?;
+        let gives = (own.gives)().iter().map(|leaf| leaf.fields).collect();
+        Ok(Program::new(recorded, takes, gives, None))
+    }
+
+    /// The operation of symbols, as part of the function that is being recorded on this thread: a list of numbers for
+    /// every argument; of folds and rings the last one is the path.
+    ///
+    /// # Errors
+    ///
+    /// [`Error::Arguments`] and [`Error::Fields`] for other numbers of them; [`Error::Program`] for searches, and for
+    /// symbols that are not of the recording that is open on this thread.
+    pub fn on_symbols<T: Format>(
+        &self,
+        arguments: &[&[Symbol<T>]],
+    ) -> Result<Vec<Symbol<T>>, Error> {
+        let program = match T::of(self).body {
+            Body::Path(_) => {
+                let numbers = arguments.last().map_or(0, |path| path.len());
+                self.program_of_path::<T>(numbers / 2)?
+            }
+            _ => self.program::<T>()?,
+        };
+        program.on_symbols(arguments)
+    }
+
+    /// Why it is no program.
+    const fn refused(&self) -> Error {
+        Error::Program(match self.sort {
+            Sort::Search => Unrecordable::Search,
+            _ => Unrecordable::Path,
+        })
+    }
+}
+
+/// The verb in the path of a type of the list: the word after `verbs`, in lower case.
+fn verb_of(path: &str) -> String {
+    let verb = path.split("verbs").nth(1).unwrap_or(path);
+    let verb = verb.trim_start_matches(|c: char| !c.is_alphanumeric());
+    let mut snake = String::new();
+    for c in verb.chars().take_while(|c| c.is_alphanumeric()) {
+        if c.is_uppercase() && !snake.is_empty() {
+            snake.push('_');
+        }
+        snake.extend(c.to_lowercase());
+    }
+    snake
+}
+
+/// The first paragraph of Markdown as plain text.
+fn summary(doc: &str) -> String {
+    let lines = doc.lines().map(str::trim);
+    let lines: Vec<&str> = lines.take_while(|line| !line.is_empty()).collect();
+    let text = lines.join(" ");
+    let (mut plain, mut rest) = (String::new(), text.as_str());
+    // A link is its words.
+    while let Some(at) = rest.find("](") {
+        let (before, after) = rest.split_at(at);
+        let words = before.rfind('[').unwrap_or(0);
+        plain.push_str(&before[..words]);
+        plain.push_str(before[words..].trim_start_matches('['));
+        // Names of functions end in parentheses of their own.
+        let end = after.find("())").map(|end| end + 3);
+        let end = end.filter(|&end| after[..end].matches(')').count() == 2);
+        let end = end.or_else(|| after.find(')').map(|end| end + 1));
+        rest = &after[end.unwrap_or(after.len())..];
+    }
+    plain.push_str(rest);
+    plain.replace(['`', '[', ']'], "")
+}
+
+/// The shapes of leaves whose scalars are of these kinds.
+fn shapes(leaves: &[Leaf<f64>], kinds: &[Kind]) -> Vec<Shape> {
+    let mut rest = kinds;
+    let shape = |&leaf: &Leaf<f64>| {
+        let scalars = leaf.fields - leaf.codes;
+        let (own, others) = rest.split_at(scalars.min(rest.len()));
+        rest = others;
+        let kind = |i: usize| own.get(i).copied().unwrap_or(Kind::Number);
+        let bounds = bounds(&leaf, own);
+        let number = |i: usize| Number {
+            name: match i < scalars {
+                true => (leaf.name)(i),
+                false => Field::VALUE.within_item(i - scalars).within("codes"),
+            },
+            kind: kind(i),
+            bound: bounds[i],
+        };
+        Shape {
+            name: Layout { leaf }.name(),
+            fields: (0..leaf.fields).map(number).collect(),
+        }
+    };
+    leaves.iter().map(shape).collect()
+}
+
+fn kinds_of<P: Fixed<Scalar = f64> + Sample>() -> Vec<Kind> {
+    P::filled(1.0).kinds()
+}
+
+fn inside<O: Op>(input: &[f64]) -> bool {
+    let is_whole = input.len() == O::In::<f64>::LEN;
+    is_whole && O::DOMAIN.is_none_or(|domain| domain(O::In::load(input)))
+}
+
+fn anywhere(_: &[f64]) -> bool {
+    true
+}
+
+/// The description of an operation of any sort.
+macro_rules! said {
+    ($path:expr, $op:ty, $sort:ident, $names:expr, $slopes:expr, $extremes:expr, $resolution:expr, $inside:expr, $kinds:expr, $single:expr, $double:expr) => {
+        Operation {
+            name: <$op>::NAME,
+            path: $path,
+            sort: Sort::$sort,
+            doc: <$op>::DOC,
+            names: $names,
+            promises: <$op>::PROMISES,
+            jumps: <$op>::JUMPS,
+            slopes: $slopes,
+            finite: <$op>::FINITE,
+            range: <$op>::RANGE,
+            extremes: $extremes,
+            resolution: $resolution,
+            inside: $inside,
+            kinds: $kinds,
+            single: $single,
+            double: $double,
+        }
+    };
+}
+
+/// A straight line.
+#[doc(hidden)]
+#[must_use]
+pub const fn straight<O: Op>(path: &'static str) -> Operation
+where
+    O::In<f32>: Row<Scalar = f32>,
+    O::Out<f32>: Row<Scalar = f32>,
+    O::In<f64>: Row<Scalar = f64> + Sample,
+    O::Out<f64>: Row<Scalar = f64> + Sample,
+{
+    const fn of<T: Real, O: Op>() -> Of<T>
+    where
+        O::In<T>: Row<Scalar = T>,
+        O::Out<T>: Row<Scalar = T>,
+    {
+        Of {
+            takes: leaves_of::<O::In<T>>,
+            gives: leaves_of::<O::Out<T>>,
+            body: Body::Straight(Shaped::of::<O, O::In<T>>()),
+        }
+    }
+    said!(
+        path,
+        O,
+        Straight,
+        O::ARGUMENTS,
+        Some(O::SLOPES),
+        O::EXTREMES,
+        O::RESOLUTION,
+        inside::<O>,
+        [kinds_of::<O::In<f64>>, kinds_of::<O::Out<f64>>],
+        of::<f32, O>(),
+        of::<f64, O>()
+    )
+}
+
+/// A search.
+#[doc(hidden)]
+#[must_use]
+pub const fn search<D: Decided>(path: &'static str) -> Operation
+where
+    D::In<f32>: Row<Scalar = f32>,
+    D::Out<f32>: Row<Scalar = f32>,
+    D::In<f64>: Row<Scalar = f64> + Sample,
+    D::Out<f64>: Row<Scalar = f64> + Sample,
+{
+    const fn of<T: Real, D: Decided>() -> Of<T>
+    where
+        D::In<T>: Row<Scalar = T>,
+        D::Out<T>: Row<Scalar = T>,
+    {
+        Of {
+            takes: leaves_of::<D::In<T>>,
+            gives: leaves_of::<D::Out<T>>,
+            body: Body::Search(Search {
+                face: decided::face::<D, D::In<T>>,
+                #[cfg(feature = "gpu")]
+                replays: crate::kernels::replays::of::<D, D::In<T>>,
+            }),
+        }
+    }
+    said!(
+        path,
+        D,
+        Search,
+        D::ARGUMENTS,
+        None,
+        D::EXTREMES,
+        [0.0; 2],
+        anywhere,
+        [kinds_of::<D::In<f64>>, kinds_of::<D::Out<f64>>],
+        of::<f32, D>(),
+        of::<f64, D>()
+    )
+}
+
+/// A fold.
+#[doc(hidden)]
+#[must_use]
+pub const fn fold<F: Fold>(path: &'static str) -> Operation
+where
+    F::Context<f32>: Row<Scalar = f32>,
+    F::Out<f32>: Row<Scalar = f32>,
+    F::Context<f64>: Row<Scalar = f64> + Sample,
+    F::Out<f64>: Row<Scalar = f64> + Sample,
+{
+    said!(
+        path,
+        F,
+        Fold,
+        F::ARGUMENTS,
+        None,
+        Extremes::Unsaid,
+        [0.0; 2],
+        anywhere,
+        [kinds_of::<F::Context<f64>>, kinds_of::<F::Out<f64>>],
+        Of {
+            takes: leaves_of::<F::Context<f32>>,
+            gives: leaves_of::<F::Out<f32>>,
+            body: Body::Path(fold_single::<F>()),
+        },
+        Of {
+            takes: leaves_of::<F::Context<f64>>,
+            gives: leaves_of::<F::Out<f64>>,
+            body: Body::Path(fold_double::<F>()),
+        }
+    )
+}
+
+/// A measure of rings.
+#[doc(hidden)]
+#[must_use]
+pub const fn ring<O: GpuRing>(path: &'static str) -> Operation
+where
+    O::Out<f32>: Row<Scalar = f32>,
+    O::Out<f64>: Row<Scalar = f64> + Sample,
+{
+    said!(
+        path,
+        O,
+        Ring,
+        &[],
+        None,
+        Extremes::Unsaid,
+        [0.0; 2],
+        anywhere,
+        [Vec::new, kinds_of::<O::Out<f64>>],
+        Of {
+            takes: Vec::new,
+            gives: leaves_of::<O::Out<f32>>,
+            body: Body::Path(ring_single::<O>()),
+        },
+        Of {
+            takes: Vec::new,
+            gives: leaves_of::<O::Out<f64>>,
+            body: Body::Path(ring_double::<O>()),
+        }
+    )
+}
+
+/// The list as one of values.
+macro_rules! all {
+    (
+        pairs { $($_p:ident: $pair:ty,)* }
+        rings { $($_r:ident: $ring:ty,)* }
+        straight { $($_s:ident: $straight:ty,)* }
+        folds { $($_f:ident: $fold:ty,)* }
+        decided { $($_d:ident: $decided:ty,)* }
+        further {
+            straight { $($_fs:ident: $further:ty,)* }
+            folds { $($_ff:ident: $further_fold:ty,)* }
+            decided { $($_fd:ident: $further_decided:ty,)* }
+        }
+    ) => {
+        &[
+            $(straight::<$pair>(stringify!($pair)),)*
+            $(straight::<$straight>(stringify!($straight)),)*
+            $(straight::<$further>(stringify!($further)),)*
+            $(search::<$decided>(stringify!($decided)),)*
+            $(search::<$further_decided>(stringify!($further_decided)),)*
+            $(ring::<$ring>(stringify!($ring)),)*
+            $(fold::<$fold>(stringify!($fold)),)*
+            $(fold::<$further_fold>(stringify!($further_fold)),)*
+        ]
+    };
+}
+
+/// Every operation of the [list](crate::for_each_op). A program that calls this compiles all of them, in both formats;
+/// who does not pays nothing.
+// Inlined, so that it is compiled where it is called.
+#[inline]
+#[must_use]
+pub fn operations() -> &'static [Operation] {
+    const { crate::for_each_op!(all) }
+}
+
+/// The operation of a name.
+///
+/// ```
+/// use geograd::kernels::dynamic::operation;
+/// let iou = operation("iou_obb2").expect("is listed");
+/// assert_eq!((iou.verb().as_str(), iou.arguments()[1].shape.name.as_str()), ("iou", "Obb2"));
+/// ```
+#[inline]
+#[must_use]
+pub fn operation(name: &str) -> Option<&'static Operation> {
+    operations().iter().find(|operation| operation.name == name)
+}

@@ -1,0 +1,53 @@
+//! The untyped face, for bindings and tools: operations by name, columns of plain numbers, functions of other languages.
+//!
+//! | what | by |
+//! | --- | --- |
+//! | every operation, with the names of its arguments, fields and rules | [`operations`], [`operation`] |
+//! | its value, gradient and adjoint on columns of numbers, in every form of a batch | [`Function`] |
+//! | folds and measures of rings | [`OnPaths`] |
+//! | a function of any arguments and results, recorded call by call | [`Tracing`], [`symbol`] |
+//! | its derivatives, and its operations as data | [`Program`], [`Nodes`] |
+//!
+//! Columns are slices of numbers, row by row ([`Rows`]); results are vectors, or go into the caller's slices. Whatever is
+//! wrong with an argument is an error that names it as the operation does, before anything is written.
+//!
+//! ```
+//! use geograd::kernels::dynamic::{Rows, operation};
+//! let iou = operation("iou_obb2").expect("is listed");
+//! let boxes = [0.0, 0.0, 2.0, 2.0, 0.0, 5.0, 5.0, 1.0, 3.0, 0.7];
+//! let truth = [1.0, 0.0, 2.0, 2.0, 0.0];
+//!
+//! let value_grad = iou.value_grad::<f64>().expect("its result is one number");
+//! let found = value_grad.aligned(&[Rows::new(&boxes, 5), Rows::one(&truth)])?;
+//! assert_eq!(found[0], [1.0 / 3.0, 0.0]);
+//! assert!((found[1][0] - 4.0 / 9.0).abs() < 1e-15); // by the x of the first box
+//!
+//! let value = iou.value::<f64>().expect("is of fixed size");
+//! assert_eq!(value.row_max(Rows::new(&truth, 5), Rows::new(&boxes, 5))?[0].index, 0);
+//! let wrong = value.aligned(&[Rows::new(&[0.0, 0.0, -2.0, 2.0, 0.0], 5), Rows::one(&truth)]);
+//! assert_eq!(wrong.unwrap_err().to_string(), "`a` row 0: width is negative");
+//! # Ok::<(), geograd::Error>(())
+//! ```
+//!
+//! The list costs whoever calls [`operations`] or [`operation`] the compilation of every row in both formats, and nobody
+//! else.
+mod function;
+mod list;
+mod machines;
+mod nodes;
+mod paths;
+mod program;
+mod rows;
+pub mod symbol;
+
+pub use crate::kernels::cpu::plan::Want as Mode;
+pub use crate::kernels::fuzz::Bound;
+pub use function::Function;
+pub use list::{Format, Number, Operation, Parameter, Shape, Sort, operation, operations};
+#[doc(hidden)]
+pub use list::{fold, ring, search, straight};
+pub use nodes::{Elementary, Nodes, Step};
+pub use paths::OnPaths;
+pub use program::{Program, Tracing};
+pub use rows::{Layout, Rows};
+pub use symbol::{Symbol, Truth};

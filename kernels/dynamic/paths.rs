@@ -1,0 +1,349 @@
+//! Folds over paths and measures of rings on plain numbers.
+use super::rows::{Layout, Rows, named, renamed};
+use crate::ad::program::Sym;
+use crate::error::{Argument, Error};
+use crate::kernels::backend::Backend;
+use crate::kernels::cpu::checked::{expect, numbers};
+use crate::kernels::fold::Fold;
+use crate::kernels::op::RingOp;
+use crate::kernels::real::Real;
+use crate::kernels::row::{Column, Columns, Leaf, Row};
+use crate::{Fixed, Vec2};
+use std::marker::PhantomData;
+
+/// Numbers of contexts and of vertices.
+type Slopes<T> = (Vec<T>, Vec<T>);
+
+/// A fold or a measure of rings without its types.
+#[derive(Debug)]
+pub(super) struct Code<T: 'static> {
+    pub(super) values:
+        fn(Backend<'_>, &[Rows<'_, T>], &[Vec2<T>], &[usize]) -> Result<Vec<T>, Error>,
+    pub(super) slopes:
+        fn(Backend<'_>, &[Rows<'_, T>], &[Vec2<T>], &[usize], &[T]) -> Result<Slopes<T>, Error>,
+    /// The result of one path from the numbers of its context and then of its vertices.
+    pub(super) symbols: fn(&[Sym<T>]) -> Vec<Sym<T>>,
+}
+
+impl<T> Clone for Code<T> {
+    fn clone(&self) -> Self {
+        *self
+    }
+}
+impl<T> Copy for Code<T> {}
+
+/// Columns of numbers as columns of shapes.
+pub(super) struct Contexts<'a, R: Row> {
+    rows: &'a [Rows<'a, R::Scalar>],
+    row: PhantomData<fn() -> R>,
+}
+
+impl<'a, R: Row> Contexts<'a, R> {
+    pub(super) const fn new(rows: &'a [Rows<'a, R::Scalar>]) -> Self {
+        Contexts {
+            rows,
+            row: PhantomData,
+        }
+    }
+}
+
+impl<R: Row> Columns for Contexts<'_, R> {
+    type Row = R;
+    fn list<'a>(&'a self, add: &mut dyn FnMut(Column<'a, R::Scalar>)) {
+        for rows in self.rows {
+            let fields = rows.fields();
+            add(Column::lent(rows.numbers(), fields, rows.count()));
+        }
+    }
+}
+
+/// Shapes from their numbers.
+pub(super) fn loaded<P: Fixed>(numbers: &[P::Scalar]) -> Vec<P> {
+    let shapes = numbers.chunks_exact(P::LEN.max(1));
+    shapes.map(P::load).collect()
+}
+
+/// A path of symbols.
+pub(super) fn path<T: Copy>(numbers: &[T]) -> Vec<Vec2<T>> {
+    let vertices = numbers.chunks_exact(2);
+    vertices.map(|v| Vec2 { x: v[0], y: v[1] }).collect()
+}
+
+/// A fold in one format; the machine, given a backend.
+macro_rules! fold_in {
+    ($format:ty, |$backend:pat_param| $machine:expr) => {
+        Code {
+            values: |$backend, rows, vertices, offsets| {
+                let contexts = Contexts::<F::Context<$format>>::new(rows);
+                let values = $machine.fold(F::default(), contexts, vertices, offsets)?;
+                Ok(numbers(&values).into_owned())
+            },
+            slopes: |$backend, rows, vertices, offsets, upstream| {
+                let contexts = Contexts::<F::Context<$format>>::new(rows);
+                let upstream = loaded::<F::Out<$format>>(upstream);
+                let (contexts, vertices) =
+                    $machine.fold_vjp(F::default(), contexts, vertices, offsets, &upstream)?;
+                Ok((
+                    numbers(&contexts).into_owned(),
+                    numbers(&vertices).into_owned(),
+                ))
+            },
+            symbols: |x| {
+                let (context, vertices) = x.split_at(F::Context::<Sym<$format>>::LEN);
+                let context = F::Context::<Sym<$format>>::load(context);
+                let result = fold::<F, Sym<$format>>(context, &path(vertices));
+                crate::Pack::scalars(&result)
+            },
+        }
+    };
+}
+/// A measure of rings in one format.
+macro_rules! ring_in {
+    ($format:ty, |$backend:pat_param| $machine:expr) => {
+        Code {
+            values: |$backend, _, vertices, offsets| {
+                let values = $machine.ragged(O::default(), vertices, offsets)?;
+                Ok(numbers(&values).into_owned())
+            },
+            slopes: |$backend, _, vertices, offsets, upstream| {
+                let upstream = loaded::<O::Out<$format>>(upstream);
+                let vertices = $machine.ragged_vjp(O::default(), vertices, offsets, &upstream)?;
+                Ok((Vec::new(), numbers(&vertices).into_owned()))
+            },
+            symbols: |x| crate::Pack::scalars(&O::value::<Sym<$format>>(&path(x))),
+        }
+    };
+}
+
+use crate::kernels::cpu::Cpu;
+use crate::kernels::fold::fold;
+use crate::kernels::gpu::GpuRing;
+
+pub(super) const fn fold_single<F: Fold>() -> Code<f32>
+where
+    F::Context<f32>: Row<Scalar = f32>,
+{
+    fold_in!(f32, |backend| backend)
+}
+pub(super) const fn fold_double<F: Fold>() -> Code<f64>
+where
+    F::Context<f64>: Row<Scalar = f64>,
+{
+    fold_in!(f64, |_| Cpu::new())
+}
+pub(super) const fn ring_single<O: GpuRing>() -> Code<f32> {
+    ring_in!(f32, |backend| backend)
+}
+pub(super) const fn ring_double<O: RingOp>() -> Code<f64> {
+    ring_in!(f64, |_| Cpu::new())
+}
+
+/// A function of paths: a fold, or a measure of rings.
+///
+/// Paths are vertices, two numbers each, and offsets: path i has the vertices `offsets[i]..offsets[i + 1]`. Further
+/// arguments of a fold are columns with a row per path.
+///
+/// ```
+/// use geograd::kernels::dynamic::{Rows, operation};
+/// let distance = operation("signed_distance_point_ring").expect("is listed");
+/// let distance = distance.on_paths::<f64>().expect("is a fold");
+/// let square = [0.0, 0.0, 2.0, 0.0, 2.0, 2.0, 0.0, 2.0];
+/// let point = [Rows::new(&[1.0, 0.5], 2)];
+/// assert_eq!(distance.values(&point, &square, &[0, 4])?, [-0.5]);
+/// let (by_point, by_vertex) = distance.vjp(&point, &square, &[0, 4], &[1.0])?;
+/// assert_eq!(by_point[0], [0.0, -1.0]);
+/// assert_eq!(by_vertex[1] + by_vertex[3], 1.0);
+/// # Ok::<(), geograd::Error>(())
+/// ```
+#[derive(Clone, Debug)]
+pub struct OnPaths<T: Real> {
+    pub(super) code: Code<T>,
+    pub(super) names: Vec<Argument>,
+    pub(super) takes: Vec<Leaf<T>>,
+    /// Numbers of the result.
+    pub(super) gives: usize,
+}
+
+impl<T: Real> OnPaths<T> {
+    pub(super) fn new(
+        code: Code<T>,
+        names: &[&'static str],
+        takes: Vec<Leaf<T>>,
+        gives: usize,
+    ) -> Self {
+        OnPaths {
+            code,
+            names: named(names, takes.len()),
+            takes,
+            gives,
+        }
+    }
+    /// A name and a layout for every column that it takes beside paths.
+    #[must_use]
+    pub fn takes(&self) -> Vec<(Argument, Layout<T>)> {
+        let layouts = self.takes.iter().map(|&leaf| Layout { leaf });
+        self.names.iter().copied().zip(layouts).collect()
+    }
+    /// Numbers of a result.
+    #[must_use]
+    pub const fn gives(&self) -> usize {
+        self.gives
+    }
+
+    /// The numbers of one result per path.
+    ///
+    /// # Errors
+    ///
+    /// [`Error::Offsets`] for offsets that decrease or do not cover the vertices; otherwise those of
+    /// [`Function::aligned`](super::Function::aligned).
+    pub fn values(
+        &self,
+        contexts: &[Rows<'_, T>],
+        vertices: &[T],
+        offsets: &[usize],
+    ) -> Result<Vec<T>, Error> {
+        self.run(Backend::Cpu, contexts, vertices, offsets)
+    }
+
+    /// [`values`](OnPaths::values) into the caller's numbers.
+    ///
+    /// # Errors
+    ///
+    /// As [`values`](OnPaths::values), and [`Error::Length`] for another number of them. Nothing is written then.
+    pub fn values_into(
+        &self,
+        contexts: &[Rows<'_, T>],
+        vertices: &[T],
+        offsets: &[usize],
+        values: &mut [T],
+    ) -> Result<(), Error> {
+        let all = self.values(contexts, vertices, offsets)?;
+        expect(Argument::Values, all.len(), values.len())?;
+        values.copy_from_slice(&all);
+        Ok(())
+    }
+
+    /// Cotangents of every column and of every vertex, for a cotangent of every result.
+    ///
+    /// # Errors
+    ///
+    /// As [`values`](OnPaths::values), and for cotangents of another number or not finite.
+    pub fn vjp(
+        &self,
+        contexts: &[Rows<'_, T>],
+        vertices: &[T],
+        offsets: &[usize],
+        upstream: &[T],
+    ) -> Result<(Vec<Vec<T>>, Vec<T>), Error> {
+        self.pulled(Backend::Cpu, contexts, vertices, offsets, upstream)
+    }
+
+    /// Results of one number, and their slopes by every column and every vertex of their path.
+    ///
+    /// # Errors
+    ///
+    /// As [`values`](OnPaths::values), and [`Error::NotOneNumber`] for other results.
+    pub fn value_grad(
+        &self,
+        contexts: &[Rows<'_, T>],
+        vertices: &[T],
+        offsets: &[usize],
+    ) -> Result<(Vec<T>, Vec<Vec<T>>, Vec<T>), Error> {
+        if self.gives != 1 {
+            return Err(Error::NotOneNumber { found: self.gives });
+        }
+        let values = self.values(contexts, vertices, offsets)?;
+        let ones = vec![T::one(); values.len()];
+        let (contexts, vertices) = self.vjp(contexts, vertices, offsets, &ones)?;
+        Ok((values, contexts, vertices))
+    }
+
+    fn run(
+        &self,
+        backend: Backend<'_>,
+        contexts: &[Rows<'_, T>],
+        vertices: &[T],
+        offsets: &[usize],
+    ) -> Result<Vec<T>, Error> {
+        let vertices = self.checked(contexts, vertices)?;
+        let values = (self.code.values)(backend, contexts, &vertices, offsets);
+        values.map_err(|e| renamed(e, &self.names))
+    }
+
+    fn pulled(
+        &self,
+        backend: Backend<'_>,
+        contexts: &[Rows<'_, T>],
+        vertices: &[T],
+        offsets: &[usize],
+        upstream: &[T],
+    ) -> Result<(Vec<Vec<T>>, Vec<T>), Error> {
+        let vertices = self.checked(contexts, vertices)?;
+        let paths = offsets.len().saturating_sub(1);
+        expect(
+            Argument::Upstream,
+            paths.saturating_mul(self.gives),
+            upstream.len(),
+        )?;
+        let slopes = (self.code.slopes)(backend, contexts, &vertices, offsets, upstream);
+        let (all, vertices) = slopes.map_err(|e| renamed(e, &self.names))?;
+        let wide: usize = self.takes.iter().map(|leaf| leaf.fields).sum();
+        let mut from = 0;
+        let mut columns = Vec::with_capacity(self.takes.len());
+        for leaf in &self.takes {
+            let own = from..from + leaf.fields;
+            from = own.end;
+            let rows = all.chunks_exact(wide);
+            columns.push(rows.flat_map(|row| row[own.clone()].to_vec()).collect());
+        }
+        Ok((columns, vertices))
+    }
+
+    /// The vertices, and whether there are as many columns, as wide, as there should be.
+    fn checked(&self, contexts: &[Rows<'_, T>], vertices: &[T]) -> Result<Vec<Vec2<T>>, Error> {
+        if contexts.len() != self.takes.len() {
+            return Err(Error::Arguments {
+                expected: self.takes.len(),
+                found: contexts.len(),
+            });
+        }
+        for ((rows, leaf), &name) in contexts.iter().zip(&self.takes).zip(&self.names) {
+            rows.column(name, leaf.fields)?;
+        }
+        let whole = vertices.len() / 2 * 2;
+        expect(Argument::Vertices, whole, vertices.len())?;
+        Ok(path(vertices))
+    }
+}
+
+impl OnPaths<f32> {
+    /// [`values`](OnPaths::values) on the processor or on a GPU.
+    ///
+    /// # Errors
+    ///
+    /// As [`values`](OnPaths::values); [`Error::Gpu`] are the GPU's.
+    pub fn values_on(
+        &self,
+        backend: Backend<'_>,
+        contexts: &[Rows<'_, f32>],
+        vertices: &[f32],
+        offsets: &[usize],
+    ) -> Result<Vec<f32>, Error> {
+        self.run(backend, contexts, vertices, offsets)
+    }
+    /// [`vjp`](OnPaths::vjp) on the processor or on a GPU.
+    ///
+    /// # Errors
+    ///
+    /// As [`vjp`](OnPaths::vjp); [`Error::Gpu`] are the GPU's.
+    pub fn vjp_on(
+        &self,
+        backend: Backend<'_>,
+        contexts: &[Rows<'_, f32>],
+        vertices: &[f32],
+        offsets: &[usize],
+        upstream: &[f32],
+    ) -> Result<(Vec<Vec<f32>>, Vec<f32>), Error> {
+        self.pulled(backend, contexts, vertices, offsets, upstream)
+    }
+}

@@ -1,0 +1,461 @@
+//! Programs whose shapes are known at run time, and how functions of other languages become such.
+use super::Mode;
+use super::function::{Function, Origin};
+use super::nodes::{Nodes, nodes};
+use super::rows::{Layout, Rows, named};
+use super::symbol::Symbol;
+use crate::Scalar;
+use crate::ad::program::opened::Opened;
+use crate::ad::program::print::print;
+use crate::ad::program::recorded::Recorded;
+use crate::ad::program::{Cost, Format, Plain, Sym, wgsl};
+use crate::error::{Argument, Error, Unrecordable};
+use crate::kernels::cpu::checked::expect;
+use crate::kernels::cpu::plan::{Face, Line, of_recorded, recorded_of};
+use crate::kernels::real::Real;
+use crate::kernels::row::Leaf;
+use std::fmt;
+use std::sync::{Arc, Mutex, PoisonError};
+
+/// A recorded function of lists of numbers: traced, of an operation, or a derivative of such.
+///
+/// Clones share what was made of it.
+#[derive(Clone)]
+pub struct Program<T: Real> {
+    inner: Arc<Inner<T>>,
+}
+
+struct Inner<T: Real> {
+    recorded: Recorded,
+    names: Vec<Argument>,
+    takes: Vec<Leaf<T>>,
+    /// Numbers of every shape of the result.
+    gives: Vec<usize>,
+    /// The operation that it is of, which has its own gradient and adjoint.
+    line: Option<Line<T>>,
+    /// Plans that were made of it.
+    faces: Kept<Face<T>>,
+    #[cfg(feature = "gpu")]
+    shaders: Kept<crate::kernels::gpu::Generated<T>>,
+}
+
+/// Plans by mode, and whether they are for all pairs.
+type Kept<M> = Mutex<Vec<((Mode, bool), Arc<M>)>>;
+
+impl<T: Real> fmt::Debug for Program<T> {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.debug_struct("Program")
+            .field("takes", &self.takes())
+            .field("gives", &self.gives())
+            .field("cost", &self.cost())
+            .finish()
+    }
+}
+
+/// The operations one by one, in the order in which they are carried out.
+impl<T: Real> fmt::Display for Program<T> {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let inner = &*self.inner;
+        let input = |mut i: usize| {
+            for (argument, leaf) in inner.names.iter().zip(&inner.takes) {
+                if i < leaf.fields {
+                    let field = (leaf.name)(i);
+                    return field.within(&argument.to_string()).to_string();
+                }
+                i -= leaf.fields;
+            }
+            String::new()
+        };
+        print(f, &inner.recorded, input, |i| format!("result {i}"))
+    }
+}
+
+impl<T: Real> Program<T> {
+    pub(super) fn new(
+        recorded: Recorded,
+        takes: Vec<(Argument, Leaf<T>)>,
+        gives: Vec<usize>,
+        line: Option<Line<T>>,
+    ) -> Self {
+        let (names, takes) = takes.into_iter().unzip();
+        Program {
+            inner: Arc::new(Inner {
+                recorded,
+                names,
+                takes,
+                gives,
+                line,
+                faces: Mutex::default(),
+                #[cfg(feature = "gpu")]
+                shaders: Mutex::default(),
+            }),
+        }
+    }
+
+    /// The same with names for its arguments, by which errors call them.
+    ///
+    /// # Errors
+    ///
+    /// [`Error::Arguments`] for another number of names.
+    pub fn named(self, names: &[&'static str]) -> Result<Self, Error> {
+        let inner = &*self.inner;
+        if names.len() != inner.takes.len() {
+            return Err(Error::Arguments {
+                expected: inner.takes.len(),
+                found: names.len(),
+            });
+        }
+        let takes = named(names, names.len());
+        let takes = takes.into_iter().zip(inner.takes.iter().copied());
+        let takes = takes.collect();
+        Ok(Self::new(
+            inner.recorded.clone(),
+            takes,
+            inner.gives.clone(),
+            inner.line,
+        ))
+    }
+
+    /// A name and a layout for every argument.
+    #[must_use]
+    pub fn takes(&self) -> Vec<(Argument, Layout<T>)> {
+        let layouts = self.inner.takes.iter().map(|&leaf| Layout { leaf });
+        self.inner.names.iter().copied().zip(layouts).collect()
+    }
+    /// Numbers of every shape of the result.
+    #[must_use]
+    pub fn gives(&self) -> &[usize] {
+        &self.inner.gives
+    }
+    /// How many numbers go in, and how many come out.
+    #[must_use]
+    pub fn sizes(&self) -> [usize; 2] {
+        [self.inner.recorded.inputs, self.inner.gives.iter().sum()]
+    }
+    /// The format of its numbers.
+    #[must_use]
+    pub fn format(&self) -> Format {
+        T::FORMAT
+    }
+    /// How many operations a value takes, by kind.
+    #[must_use]
+    pub fn cost(&self) -> Cost {
+        Cost::of(&self.inner.recorded.value.graph)
+    }
+    /// Its operations as data.
+    #[must_use]
+    pub fn nodes(&self) -> Nodes {
+        nodes(&self.inner.recorded)
+    }
+    /// The program as what runs on columns, in every form.
+    #[must_use]
+    pub fn function(&self) -> Function<T> {
+        Function {
+            origin: Origin::Program(self.clone()),
+            mode: Mode::Value,
+            names: self.inner.names.clone(),
+            takes: self.inner.takes.clone(),
+            outputs: self.inner.gives.clone(),
+        }
+    }
+    /// The results for the numbers of one input, unchecked but for how many there are.
+    ///
+    /// # Errors
+    ///
+    /// [`Error::Length`] for another number of them.
+    pub fn eval(&self, input: &[T]) -> Result<Vec<T>, Error> {
+        expect(Argument::Shape, self.inner.recorded.inputs, input.len())?;
+        Ok(self.inner.recorded.run(input))
+    }
+    /// The results for the numbers of one input on any scalar, with its slopes if it has any.
+    ///
+    /// # Errors
+    ///
+    /// [`Error::Length`] for another number of them.
+    pub fn eval_on<S: Scalar>(&self, input: &[S]) -> Result<Vec<S>, Error> {
+        expect(Argument::Shape, self.inner.recorded.inputs, input.len())?;
+        Ok(self.inner.recorded.run_on(input))
+    }
+    /// Item i of every column, as [`Function::aligned`].
+    ///
+    /// # Errors
+    ///
+    /// Those of [`Function::aligned`].
+    pub fn aligned(&self, rows: &[Rows<'_, T>]) -> Result<Vec<Vec<T>>, Error> {
+        self.function().aligned(rows)
+    }
+
+    /// A derivative of it: what it takes beside the same arguments, and what it gives.
+    fn derived(
+        &self,
+        recorded: Recorded,
+        more: Vec<(Argument, Leaf<T>)>,
+        gives: Vec<usize>,
+    ) -> Self {
+        let own = self.inner.names.iter().copied();
+        let own = own.zip(self.inner.takes.iter().copied());
+        Self::new(recorded, own.chain(more).collect(), gives, None)
+    }
+    fn inputs(&self) -> Vec<usize> {
+        self.inner.takes.iter().map(|leaf| leaf.fields).collect()
+    }
+    fn directions(&self) -> Vec<(Argument, Leaf<T>)> {
+        let inputs = self.inputs().into_iter().enumerate();
+        let direction = |(k, n)| (Argument::Direction(k), Layout::numbers(n).leaf);
+        inputs.map(direction).collect()
+    }
+    fn one_number(&self) -> Result<(), Error> {
+        match self.sizes()[1] {
+            1 => Ok(()),
+            found => Err(Error::NotOneNumber { found }),
+        }
+    }
+
+    /// The result, one number, and its gradient. An operation's is the one that its row says: by hand, backwards or
+    /// forwards.
+    ///
+    /// # Errors
+    ///
+    /// [`Error::NotOneNumber`] for other results.
+    pub fn value_grad(&self) -> Result<Self, Error> {
+        self.one_number()?;
+        let recorded = match &self.inner.line {
+            Some(line) => (*recorded_of(line, Mode::ValueGrad)?).clone(),
+            None => self.inner.recorded.value_grad(),
+        };
+        let gives = [&self.inner.gives[..], &self.inputs()].concat();
+        Ok(self.derived(recorded, Vec::new(), gives))
+    }
+    /// The adjoint: from an input and a cotangent of the result to the cotangent of the input. An operation's is the
+    /// one that its row says.
+    ///
+    /// # Errors
+    ///
+    /// Those of recording it.
+    pub fn vjp(&self) -> Result<Self, Error> {
+        let recorded = match &self.inner.line {
+            Some(line) => recorded_of(line, Mode::Vjp)?.without_first(line.outputs),
+            None => self.inner.recorded.vjp(),
+        };
+        let bars = self.inner.gives.iter();
+        let bars = bars.map(|&n| (Argument::Upstream, Layout::numbers(n).leaf));
+        Ok(self.derived(recorded, bars.collect(), self.inputs()))
+    }
+    /// From an input and a direction of it to the result and its derivative along the direction.
+    #[must_use]
+    pub fn jvp(&self) -> Self {
+        let gives = [self.gives(), self.gives()].concat();
+        self.derived(self.inner.recorded.jvp(), self.directions(), gives)
+    }
+    /// From an input and a direction of it to the derivative of the gradient along the direction.
+    ///
+    /// # Errors
+    ///
+    /// [`Error::NotOneNumber`] for other results than one number.
+    pub fn hvp(&self) -> Result<Self, Error> {
+        self.one_number()?;
+        let recorded = self.inner.recorded.hvp();
+        Ok(self.derived(recorded, self.directions(), self.inputs()))
+    }
+    /// The derivatives of every number of the result by every number of the input, those of the first result first.
+    ///
+    /// # Errors
+    ///
+    /// Those of recording it.
+    pub fn jacobian(&self) -> Result<Self, Error> {
+        let [inputs, outputs] = self.sizes();
+        let recorded = match &self.inner.line {
+            Some(line) if outputs == 1 => recorded_of(line, Mode::ValueGrad)?.without_first(1),
+            _ => self.inner.recorded.jacobian(),
+        };
+        Ok(self.derived(recorded, Vec::new(), vec![inputs * outputs]))
+    }
+    /// The second derivatives by all numbers of the input, those by the first number first.
+    ///
+    /// # Errors
+    ///
+    /// [`Error::NotOneNumber`] for other results than one number.
+    pub fn hessian(&self) -> Result<Self, Error> {
+        self.one_number()?;
+        let [inputs, _] = self.sizes();
+        let recorded = self.inner.recorded.hessian();
+        Ok(self.derived(recorded, Vec::new(), vec![inputs * inputs]))
+    }
+
+    /// The result as part of a larger function that is being recorded: a list of symbols for every argument. A gradient
+    /// by hand comes along.
+    ///
+    /// # Errors
+    ///
+    /// [`Error::Arguments`] and [`Error::Fields`] for other numbers of them, [`Error::Program`] for symbols that are not
+    /// of the recording that is open on this thread.
+    pub fn on_symbols(&self, arguments: &[&[Symbol<T>]]) -> Result<Vec<Symbol<T>>, Error> {
+        let inner = &*self.inner;
+        let layouts: Vec<_> = inner.names.iter().copied().zip(self.inputs()).collect();
+        let input = flat(&layouts, arguments)?;
+        let values = inner.recorded.run_on(&input);
+        let made = match (inner.recorded.gradient_by_hand(), &values[..]) {
+            (Some(gradient), &[value]) => {
+                let slopes = gradient.run_on(&input);
+                vec![Sym::with_slopes(value, input.into_iter().zip(slopes))]
+            }
+            _ => values,
+        };
+        Ok(made.into_iter().map(Symbol).collect())
+    }
+
+    /// How batches compute it.
+    pub(super) fn face(&self, mode: Mode, framed: bool) -> Result<Arc<Face<T>>, Error> {
+        self.made(&self.inner.faces, mode, framed, of_recorded)
+    }
+    /// Its shaders.
+    #[cfg(feature = "gpu")]
+    pub(super) fn generated(
+        &self,
+        mode: Mode,
+        framed: bool,
+    ) -> Result<Arc<crate::kernels::gpu::Generated<T>>, Error> {
+        let make = crate::kernels::gpu::Generated::new;
+        self.made(&self.inner.shaders, mode, framed, make)
+    }
+    fn made<M>(
+        &self,
+        kept: &Kept<M>,
+        mode: Mode,
+        framed: bool,
+        make: fn(Mode, Vec<Leaf<T>>, Vec<usize>, &Recorded, bool) -> Result<M, Error>,
+    ) -> Result<Arc<M>, Error> {
+        let lock = || kept.lock().unwrap_or_else(PoisonError::into_inner);
+        let found = lock().iter().find(|made| made.0 == (mode, framed)).cloned();
+        if let Some((_, found)) = found {
+            return Ok(found);
+        }
+        let inner = &*self.inner;
+        let derived = match mode {
+            Mode::Value => None,
+            Mode::ValueGrad => Some(inner.recorded.value_grad()),
+            Mode::Vjp => Some(inner.recorded.value_vjp()),
+        };
+        let recorded = derived.as_ref().unwrap_or(&inner.recorded);
+        let (takes, gives) = (inner.takes.clone(), inner.gives.clone());
+        let made = Arc::new(make(mode, takes, gives, recorded, framed)?);
+        lock().push(((mode, framed), made.clone()));
+        Ok(made)
+    }
+}
+
+impl Program<f32> {
+    /// The program as a function in WGSL, as [`Program::wgsl`](crate::Program::wgsl).
+    ///
+    /// # Errors
+    ///
+    /// If the name is not an identifier, or has a meaning in WGSL.
+    pub fn wgsl(&self, name: &str) -> Result<String, Error> {
+        wgsl::checked(name).map_err(Error::Program)?;
+        Ok(wgsl::function(name, &self.inner.recorded))
+    }
+}
+
+/// The symbols of all arguments, each of so many.
+pub(super) fn flat<T: Plain>(
+    layouts: &[(Argument, usize)],
+    arguments: &[&[Symbol<T>]],
+) -> Result<Vec<Sym<T>>, Error> {
+    if layouts.len() != arguments.len() {
+        return Err(Error::Arguments {
+            expected: layouts.len(),
+            found: arguments.len(),
+        });
+    }
+    let mut all = Vec::new();
+    for (&(argument, expected), symbols) in layouts.iter().zip(arguments) {
+        if symbols.len() != expected {
+            return Err(Error::Fields {
+                argument,
+                expected,
+                found: symbols.len(),
+            });
+        }
+        for symbol in *symbols {
+            symbol.belongs()?;
+            all.push(symbol.0);
+        }
+    }
+    Ok(all)
+}
+
+/// A function that is being recorded on this thread, from its arguments to its results.
+///
+/// Dropped, it records nothing. It stays on its thread.
+///
+/// ```
+/// use geograd::kernels::dynamic::{Layout, Rows, Tracing, operation, symbol};
+/// use geograd::Obb2;
+/// // One minus the IoU, plus a tenth of the distance of two headings.
+/// let tracing = Tracing::start(&[Layout::of::<Obb2<f64>>(); 2])?;
+/// let [a, b] = &tracing.inputs()[..] else { unreachable!() };
+/// let iou = operation("iou_obb2").expect("is listed").on_symbols(&[a, b])?[0];
+/// let turn = symbol::magnitude(symbol::sub(a[4], b[4])?)?;
+/// let turn = symbol::mul(symbol::literal(0.1)?, turn)?;
+/// let loss = symbol::add(symbol::sub(symbol::literal(1.0)?, iou)?, turn)?;
+/// let loss = tracing.finish(&[&[loss]])?.named(&["guess", "truth"])?;
+///
+/// let guesses = [0.0, 0.0, 2.0, 2.0, 0.5, 1.0, 0.0, 2.0, 2.0, 0.0];
+/// let truth = [0.0, 0.0, 2.0, 2.0, 0.0];
+/// let found = loss.value_grad()?.aligned(&[Rows::new(&guesses, 5), Rows::one(&truth)])?;
+/// assert_eq!(found[0][1], 1.0 - 1.0 / 3.0);
+/// assert!((found[1][5] - 4.0 / 9.0).abs() < 1e-15); // by the second guess's x
+/// # Ok::<(), geograd::Error>(())
+/// ```
+pub struct Tracing<T: Real> {
+    opened: Opened<T>,
+    takes: Vec<Leaf<T>>,
+}
+
+impl<T: Real> fmt::Debug for Tracing<T> {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.debug_struct("Tracing").finish_non_exhaustive()
+    }
+}
+
+impl<T: Real> Tracing<T> {
+    /// Starts to record a function of such arguments.
+    ///
+    /// # Errors
+    ///
+    /// [`Error::Program`] where a recording is open on this thread ([`Unrecordable::Nested`]), or for shapes with whole
+    /// numbers.
+    pub fn start(takes: &[Layout<T>]) -> Result<Self, Error> {
+        if takes.iter().any(|layout| layout.codes() > 0) {
+            return Err(Error::Program(Unrecordable::Codes));
+        }
+        let inputs = takes.iter().map(Layout::fields).sum();
+        Ok(Tracing {
+            opened: Opened::start(inputs).map_err(Error::Program)?,
+            takes: takes.iter().map(|layout| layout.leaf).collect(),
+        })
+    }
+    /// The symbols of every argument.
+    #[must_use]
+    pub fn inputs(&self) -> Vec<Vec<Symbol<T>>> {
+        let mut all = self.opened.inputs().into_iter().map(Symbol);
+        let takes = self.takes.iter();
+        takes
+            .map(|leaf| all.by_ref().take(leaf.fields).collect())
+            .collect()
+    }
+    /// The program with these results, each a list of numbers.
+    ///
+    /// # Errors
+    ///
+    /// [`Error::Program`] for symbols of another recording, a result that depends on a literal that is not finite, or too
+    /// many operations.
+    pub fn finish(self, results: &[&[Symbol<T>]]) -> Result<Program<T>, Error> {
+        let outputs: Vec<Sym<T>> = results.iter().flat_map(|x| x.iter().map(|x| x.0)).collect();
+        let recorded = self.opened.finish(&outputs).map_err(Error::Program)?;
+        let names = named(&[], self.takes.len());
+        let takes = names.into_iter().zip(self.takes).collect();
+        let gives = results.iter().map(|result| result.len()).collect();
+        Ok(Program::new(recorded, takes, gives, None))
+    }
+}

@@ -1,0 +1,186 @@
+//! The operations of [`Scalar`] on symbols, as plain functions that refuse what is not of the open recording.
+//!
+//! A function is recorded between [`Tracing::start`](super::Tracing::start) and
+//! [`Tracing::finish`](super::Tracing::finish). Symbols stand for its numbers, [`Truth`]s for comparisons of them. They
+//! mean something on the thread of their recording only, until it is finished: everywhere else every function here gives
+//! [`Unrecordable::ForeignSymbol`](crate::Unrecordable::ForeignSymbol).
+use crate::Scalar;
+use crate::ad::program::opened::{is_open, is_open_in};
+use crate::ad::program::{Plain, Sym, SymMask};
+use crate::error::Error;
+
+/// A number of the function that is being recorded.
+#[derive(Clone, Copy, Debug)]
+pub struct Symbol<T>(pub(super) Sym<T>);
+
+/// A truth of the function that is being recorded.
+#[derive(Clone, Copy, Debug)]
+pub struct Truth<T>(SymMask<T>);
+
+/// A result of the functions here: an error for symbols that are not of the recording that is open on this thread.
+pub type Made<X> = Result<X, Error>;
+
+impl<T: Plain> Symbol<T> {
+    /// `Ok` when it is of the recording that is open on this thread.
+    ///
+    /// # Errors
+    ///
+    /// [`Error::Program`].
+    pub fn belongs(self) -> Made<()> {
+        self.0.belongs().map_err(Error::Program)
+    }
+}
+impl<T: Plain> Truth<T> {
+    /// `Ok` when it is of the recording that is open on this thread.
+    ///
+    /// # Errors
+    ///
+    /// [`Error::Program`].
+    pub fn belongs(self) -> Made<()> {
+        self.0.belongs().map_err(Error::Program)
+    }
+}
+
+/// True while a recording is open on this thread.
+#[must_use]
+pub fn is_recording() -> bool {
+    is_open()
+}
+
+/// A literal, rounded to the format.
+///
+/// # Errors
+///
+/// [`Error::Program`] without a recording of the format on this thread.
+pub fn literal<T: Plain>(x: f64) -> Made<Symbol<T>> {
+    is_open_in::<T>().map_err(Error::Program)?;
+    Ok(Symbol(Sym::lit(x)))
+}
+
+/// Functions of symbols: a documentation, a name, arguments, and what [`Scalar`] does.
+macro_rules! functions {
+    ($($(#[$doc:meta])* $name:ident($($x:ident: $type:ident),+) -> $out:ident = $body:expr;)*) => { $(
+        $(#[$doc])*
+        ///
+        /// # Errors
+        ///
+        /// [`Error::Program`] for what is not of the recording that is open on this thread.
+        pub fn $name<T: Plain>($($x: $type<T>),+) -> Made<$out<T>> {
+            $($x.belongs()?;)+
+            $(let $x = $x.0;)+
+            let made = $out($body);
+            // One operation too many shows here.
+            made.belongs()?;
+            Ok(made)
+        }
+    )* };
+}
+
+functions! {
+    /// `−x`.
+    neg(x: Symbol) -> Symbol = -x;
+    /// `a + b`.
+    add(a: Symbol, b: Symbol) -> Symbol = a + b;
+    /// `a − b`.
+    sub(a: Symbol, b: Symbol) -> Symbol = a - b;
+    /// `a b`.
+    mul(a: Symbol, b: Symbol) -> Symbol = a * b;
+    /// `a / b`: [`Scalar::over`].
+    over(a: Symbol, b: Symbol) -> Symbol = a.over(b);
+    /// The smaller one; an exact tie shares the slope: [`Scalar::least`].
+    least(a: Symbol, b: Symbol) -> Symbol = a.least(b);
+    /// The larger one; an exact tie shares the slope: [`Scalar::most`].
+    most(a: Symbol, b: Symbol) -> Symbol = a.most(b);
+    /// The nearest value in `[low, high]`; at either border the slope is shared: [`Scalar::clamp`].
+    clamp(x: Symbol, low: Symbol, high: Symbol) -> Symbol = x.clamp(low, high);
+    /// `|x|`, with slope 0 at 0: [`Scalar::magnitude`].
+    magnitude(x: Symbol) -> Symbol = x.magnitude();
+    /// `|x|`, with slope 1 at 0: [`Scalar::unsigned`].
+    unsigned(x: Symbol) -> Symbol = x.unsigned();
+    /// `x`, negated where `side` is negative: [`Scalar::signed_as`].
+    signed_as(x: Symbol, side: Symbol) -> Symbol = x.signed_as(side);
+    /// The square root; zero with slope zero at zero and below: [`Scalar::root`].
+    root(x: Symbol) -> Symbol = x.root();
+    /// `√(a² + b²)` without overflow; slope zero at the origin: [`Scalar::hypot`].
+    hypot(a: Symbol, b: Symbol) -> Symbol = a.hypot(b);
+    /// The sine of an angle in radians.
+    sin(x: Symbol) -> Symbol = x.sin();
+    /// The cosine of an angle in radians.
+    cos(x: Symbol) -> Symbol = x.cos();
+    /// The tangent of an angle in radians.
+    tan(x: Symbol) -> Symbol = x.tan();
+    /// The angle of the vector `(x, y)` in radians, in `[−π, π]`: [`Scalar::atan2`].
+    atan2(y: Symbol, x: Symbol) -> Symbol = y.atan2(x);
+    /// The exponential.
+    exp(x: Symbol) -> Symbol = x.exp();
+    /// The natural logarithm.
+    ln(x: Symbol) -> Symbol = x.ln();
+    /// `x²`.
+    squared(x: Symbol) -> Symbol = x.squared();
+    /// `x / 2`.
+    halved(x: Symbol) -> Symbol = x.halved();
+    /// The power of two that brings `x > 0` into `[2, 4)`, a constant: [`Scalar::binade`].
+    binade(x: Symbol) -> Symbol = x.binade();
+    /// The value without its derivatives: [`Scalar::primal`].
+    primal(x: Symbol) -> Symbol = x.primal();
+    /// The derivatives of `x` at another value: [`Scalar::with_primal`].
+    with_primal(x: Symbol, value: Symbol) -> Symbol = x.with_primal(value);
+    /// The value of `x` with its derivatives multiplied by `share`: [`Scalar::damp`].
+    damp(x: Symbol, share: Symbol) -> Symbol = x.damp(share);
+    /// The nearest finite number: [`Scalar::saturated`].
+    saturated(x: Symbol) -> Symbol = x.saturated();
+    /// The same number; a zero loses its sign: [`Scalar::canonical`].
+    canonical(x: Symbol) -> Symbol = x.canonical();
+    /// `a < b`.
+    below(a: Symbol, b: Symbol) -> Truth = a.below(b);
+    /// `a ≤ b`.
+    at_most(a: Symbol, b: Symbol) -> Truth = a.at_most(b);
+    /// `a > b`.
+    above(a: Symbol, b: Symbol) -> Truth = a.above(b);
+    /// `a ≥ b`.
+    at_least(a: Symbol, b: Symbol) -> Truth = a.at_least(b);
+    /// `a = b`.
+    equals(a: Symbol, b: Symbol) -> Truth = a.equals(b);
+    /// True where the value is neither infinite nor NaN: [`Scalar::finite`].
+    finite(x: Symbol) -> Truth = x.finite();
+    /// Both truths.
+    and(a: Truth, b: Truth) -> Truth = a & b;
+    /// Either truth.
+    or(a: Truth, b: Truth) -> Truth = a | b;
+    /// The other truth.
+    not(x: Truth) -> Truth = !x;
+    /// `yes` where the truth holds, else `no`, without a trace of what is not chosen: [`Scalar::select`].
+    select(truth: Truth, yes: Symbol, no: Symbol) -> Symbol = Sym::select(truth, yes, no);
+}
+
+/// A whole power, by repeated multiplication: [`Scalar::powi`].
+///
+/// # Errors
+///
+/// [`Error::Program`] for what is not of the recording that is open on this thread.
+pub fn powi<T: Plain>(x: Symbol<T>, exponent: i32) -> Made<Symbol<T>> {
+    x.belongs()?;
+    Ok(Symbol(x.0.powi(exponent)))
+}
+
+/// `(high, low)` with `high + low = x` exactly, `high` a constant of half the significand: [`Scalar::parts`].
+///
+/// # Errors
+///
+/// [`Error::Program`] for what is not of the recording that is open on this thread.
+pub fn parts<T: Plain>(x: Symbol<T>) -> Made<(Symbol<T>, Symbol<T>)> {
+    x.belongs()?;
+    let (high, low) = x.0.parts();
+    Ok((Symbol(high), Symbol(low)))
+}
+
+/// Sine and cosine, each as a short high part and the rest: [`Scalar::sin_cos_parts`].
+///
+/// # Errors
+///
+/// [`Error::Program`] for what is not of the recording that is open on this thread.
+pub fn sin_cos_parts<T: Plain>(x: Symbol<T>) -> Made<[(Symbol<T>, Symbol<T>); 2]> {
+    x.belongs()?;
+    let parts = x.0.sin_cos_parts();
+    Ok(parts.map(|(high, low)| (Symbol(high), Symbol(low))))
+}
