@@ -185,6 +185,9 @@ pub fn hull_area_obb2<S: Scalar>(a: Obb2<S>, b: Obb2<S>) -> S {
     let scale = hull_scale(&a, &b);
     let pair = relate::<S, true>(a, b, scale);
     let area = hull_of_related(&pair).area();
+    // Of flat boxes along one line rounding leaves a little of either sign.
+    let none = area.below(S::zero());
+    let area = S::select(none, area.with_primal(S::Primal::zero()), area);
     area.over(scale).over(scale).saturated().canonical()
 }
 

@@ -1,6 +1,7 @@
 //! Shapes of the plane, their distances and intersections.
 mod any;
 mod distance;
+mod extremes;
 mod intersection;
 mod oracle;
 mod ring;
