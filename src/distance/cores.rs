@@ -1,6 +1,6 @@
 //! The cores that shapes are made of: a point, a piece of a line, a polygon, a box.
 use super::convex::{Core, edge_near, face_deep, unit};
-use super::edge::{Edge, scale_of, size_of};
+use super::edge::{Edge, choose, scale_of, size_of};
 use super::share::{Ahead, Best, Deepest, Nearest};
 use crate::intersection::span::{Beam, Inside};
 use crate::{Rotation2, Scalar, Vec2};
@@ -147,11 +147,40 @@ impl<S: Scalar, const CORNERS: usize, const AWAY: usize> Core<S> for EdgeCore<S,
     }
 }
 
-/// A convex polygon of at most N corners, counter-clockwise; corners may be repeated.
+/// A convex polygon of at most N corners, counter-clockwise; corners may be repeated. With `TRIANGLE` it has three, and
+/// what turns clockwise when coordinates are rounded is turned back.
 #[derive(Clone, Copy, Debug)]
-pub struct PolygonCore<S, const N: usize>(pub [Vec2<S>; N]);
+pub struct PolygonCore<S, const N: usize, const TRIANGLE: bool = false>(pub [Vec2<S>; N]);
 
-impl<S: Scalar, const N: usize> Core<S> for PolygonCore<S, N> {
+impl<S: Scalar, const N: usize, const TRIANGLE: bool> PolygonCore<S, N, TRIANGLE> {
+    /// The corners counter-clockwise, as they are placed.
+    ///
+    /// The turn is that at the corner of the two shorter sides, which is known best: rounding is as small beside the
+    /// product of these as it can be. The normal of a short side depends on it.
+    #[cfg_attr(not(debug_assertions), inline(always))]
+    fn turned(&self) -> [Vec2<S>; N] {
+        let mut corners = self.0;
+        if !TRIANGLE {
+            return corners;
+        }
+        let [a, b, c] = [corners[0], corners[1], corners[2]];
+        let (p, q, r) = (b - a, c - b, a - c);
+        let [first, second, third] = [p, q, r].map(|side| side.length_squared().primal());
+        let turn = |side: Vec2<S>, next: Vec2<S>| side.perp_dot(next).primal();
+        let longest = first.most(second).most(third);
+        let turn = S::Primal::select(
+            third.equals(longest),
+            turn(p, q),
+            S::Primal::select(first.equals(longest), turn(q, r), turn(r, p)),
+        );
+        let clockwise = S::from_primal(turn).below(S::zero());
+        corners[1] = choose(clockwise, c, b);
+        corners[2] = choose(clockwise, b, c);
+        corners
+    }
+}
+
+impl<S: Scalar, const N: usize, const TRIANGLE: bool> Core<S> for PolygonCore<S, N, TRIANGLE> {
     type Corners = [Vec2<S>; N];
     type Away = [Vec2<S>; 0];
     const DIMENSION: usize = 2;
@@ -185,12 +214,13 @@ impl<S: Scalar, const N: usize> Core<S> for PolygonCore<S, N> {
     }
     #[cfg_attr(not(debug_assertions), inline(always))]
     fn inside(&self, beam: Beam<S>, _: S) -> Inside<S> {
-        Inside::polygon(beam, &self.0)
+        Inside::polygon(beam, &self.turned())
     }
     #[cfg_attr(not(debug_assertions), inline(always))]
     fn deep<B: Core<S>>(&self, other: &B) -> Best<S, Deepest<S>> {
+        let corners = self.turned();
         Best::most_of((0..N).map(|i| {
-            let face = Edge::between(self.0[i], self.0[(i + 1) % N]);
+            let face = Edge::between(corners[i], corners[(i + 1) % N]);
             face_deep(face, -unit(face.along.perp()), other)
         }))
     }

@@ -48,7 +48,7 @@ impl<S: Scalar> Convex<S> for Segment2<S> {
 }
 
 impl<S: Scalar> Convex<S> for Triangle2<S> {
-    type Core = PolygonCore<S, 3>;
+    type Core = PolygonCore<S, 3, true>;
     #[inline(always)]
     fn core(self) -> Self::Core {
         PolygonCore(self.counter_clockwise())
