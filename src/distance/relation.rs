@@ -71,6 +71,9 @@ impl<S: Scalar> Relation<S> {
     }
 }
 
+/// By so many roundings of the unit, in which all is of a size of at most four, heights and ways differ.
+const SLACK: f64 = 64.0;
+
 /// Ask for how far only.
 pub(crate) const LENGTH: u8 = 0;
 /// Ask for the normal, too.
@@ -147,7 +150,11 @@ pub(crate) fn joined<S: Scalar>(
     };
     let parted = deep.value.above(S::lit(-S::LARGEST));
     let deep = deep.mean();
-    let inside = parted & (deep.ahead.below(S::zero()) | none);
+    // Shifted by their depth, cores that overlap touch, and then a corner of one is on an edge of the other: without the
+    // shift it is no farther from there than the depth. Faces too short to count would have parted any others.
+    let reachable = (S::lit(SLACK * S::EPSILON) - deep.ahead) - deep.ahead;
+    let behind = deep.ahead.below(S::zero()) & length.at_most(reachable);
+    let inside = parted & (behind | none);
     // Cores with a point in common are not apart, however the height over a face was rounded.
     let rounded = none & deep.ahead.above(S::zero());
     let touching = deep.ahead.with_primal(S::Primal::zero());

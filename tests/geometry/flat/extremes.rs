@@ -1,7 +1,61 @@
-//! Flat boxes on a line, and needles that rounding turns over.
-use geograd::distance::{distance, signed_distance};
+//! Specks beside giants, needles that rounding turns over, and flat boxes on a line.
+use geograd::distance::{Convex, distance, signed_distance};
 use geograd::iou::hull_area_obb2;
-use geograd::{Obb2, Scalar, Triangle2, Vec2};
+use geograd::{Capsule2, Obb2, Scalar, Segment2, Triangle2, Vec2};
+
+fn points<const N: usize>(numbers: [[f64; 2]; N]) -> [Vec2<f64>; N] {
+    numbers.map(|[x, y]| Vec2::new(x, y))
+}
+
+fn segment(numbers: [[f64; 2]; 2]) -> Segment2<f64> {
+    let [from, to] = points(numbers);
+    Segment2::new(from, to)
+}
+
+fn triangle(numbers: [[f64; 2]; 3]) -> Triangle2<f64> {
+    let [a, b, c] = points(numbers);
+    Triangle2::new(a, b, c)
+}
+
+/// Both orders of two shapes have a distance, to a few roundings of the largest coordinate.
+fn are_apart<A: Convex<f64>, B: Convex<f64>>(a: A, b: B, by: f64, largest: f64) {
+    let slack = 16.0 * f64::EPSILON * largest;
+    for found in [
+        distance(a, b),
+        distance(b, a),
+        signed_distance(a, b),
+        signed_distance(b, a),
+    ] {
+        assert!((found - by).abs() <= slack, "{found:e} is not {by:e}");
+    }
+}
+
+/// The faces of a speck are too short to count, and those of the giant do not bound it lengthwise.
+#[test]
+fn specks_on_the_line_of_a_giant_are_apart_from_it() {
+    let speck = segment([[0.0, 1.0], [0.0, 0.0]]);
+    let giant = segment([[2.1267647932558652e37, 0.0], [5.316911983139663e36, 2e-19]]);
+    are_apart(speck, giant, 5.316911983139663e36, giant.from.x);
+    let capsule = |shape: Segment2<f64>| Capsule2 {
+        from: shape.from,
+        to: shape.to,
+        radius: 0.0,
+    };
+    let giant = segment([
+        [3.4e-18, -2.933487712768306e38],
+        [0.0, -1.618172962370735e42],
+    ]);
+    let speck = segment([[1.0, 0.0], [0.0, 0.0]]);
+    let by = 2.933487712768306e38;
+    are_apart(capsule(giant), capsule(speck), by, giant.to.y.abs());
+    let point = triangle([[0.0, 0.0]; 3]);
+    let needle = triangle([
+        [0.0, -2.2300745198530623e43],
+        [1.0, -2.1267647932558652e37],
+        [-1.0, -2.1267647932558647e37],
+    ]);
+    are_apart(point, needle, 2.1267647932558647e37, needle.a.y.abs());
+}
 
 /// A needle that turns clockwise when its corners are rounded keeps its short side on the outside.
 #[test]
