@@ -3,6 +3,7 @@ use super::Penetration;
 use super::convex::{Convex, Core};
 use super::edge::{choose, scale_of};
 use super::share::{Best, Deepest, Nearest};
+use crate::scalar::speck;
 use crate::{Scalar, Vec2};
 
 /// What two convex shapes are to each other. Lengths are in units of `1 / scale`, points are seen from
@@ -112,13 +113,20 @@ fn relate_all<S: Scalar, A: Convex<S>, B: Convex<S>>(a: A, b: B) -> Relation<S> 
     joined((near, direction), deepest(a, b), bounded, origin, scale)
 }
 
-/// The vector with length one; zero for none.
+/// The vector with length one; zero for none. Beside a speck it is a constant, whose slopes are beyond the format.
 #[cfg_attr(not(debug_assertions), inline(always))]
 pub(crate) fn direction<S: Scalar>(way: Vec2<S>) -> Vec2<S> {
     let length = way.length();
     let none = length.at_most(S::zero());
     let over = S::select(none, S::one(), length);
-    Vec2::new(way.x.over(over), way.y.over(over))
+    let unit = Vec2::new(way.x.over(over), way.y.over(over));
+    choose(length.at_most(S::lit(speck::<S>())), constant(unit), unit)
+}
+
+/// The vector without slopes.
+#[cfg_attr(not(debug_assertions), inline(always))]
+fn constant<S: Scalar>(v: Vec2<S>) -> Vec2<S> {
+    Vec2::new(S::from_primal(v.x.primal()), S::from_primal(v.y.primal()))
 }
 
 /// The relation of two cores by their nearest points, the direction from a to b there, and by the face that parts them best, seen from `origin` in
@@ -132,6 +140,10 @@ pub(crate) fn joined<S: Scalar>(
     scale: S,
 ) -> Relation<S> {
     let length = near.apart.length();
+    // Duals of the length of a speck pass through numbers beyond the largest one.
+    let along = near.apart.dot(constant(direction));
+    let along = along.with_primal(length.primal());
+    let length = S::select(length.at_most(S::lit(speck::<S>())), along, length);
     let none = length.at_most(S::zero());
     let never = S::one().below(S::zero());
     let Some(deep) = deepest else {

@@ -1,4 +1,5 @@
 //! What DIoU, CIoU and EIoU of boxes of the plane are made of.
+use crate::scalar::speck;
 use crate::{Scalar, Vec2};
 
 /// `x / y`, zero with slope zero where `y` is zero.
@@ -74,6 +75,12 @@ impl<S: Scalar> Terms<S> {
     #[inline(always)]
     pub fn eiou(&self) -> S {
         let [a, b] = self.sizes;
+        // Beside a speck slopes are beyond the format.
+        let share = |x: S, y: S| {
+            let share = share(x, y);
+            let constant = S::from_primal(share.primal());
+            S::select(y.at_most(S::lit(speck::<S>())), constant, share)
+        };
         let wide = share(a.x - b.x, self.against.x).squared();
         let high = share(a.y - b.y, self.against.y).squared();
         (self.iou - self.way - (wide + high)).canonical()

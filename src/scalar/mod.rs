@@ -28,6 +28,13 @@ pub use lanes::Lanes;
 pub(crate) use ties::Span;
 pub use ties::{least_of, most_of};
 
+/// A speck beside a length of about one, 2⁻⁶⁴ in single precision and 2⁻⁵¹² in double precision: no difference of
+/// [ordinary](crate::kernels::op::Limits::ORDINARY) coordinates is so small, but one times the sine of a small angle is.
+/// Quotients by a speck have slopes that may not be finite.
+pub(crate) fn speck<S: Scalar>() -> f64 {
+    S::LARGEST.powf(-0.5)
+}
+
 use crate::Fixed;
 use std::fmt::Debug;
 use std::ops::{Add, AddAssign, BitAnd, BitOr, Div, Mul, MulAssign, Neg, Not, Sub, SubAssign};

@@ -1,7 +1,8 @@
-//! Specks beside giants, needles that rounding turns over, and flat boxes on a line.
-use geograd::distance::{Convex, distance, signed_distance};
-use geograd::iou::hull_area_obb2;
-use geograd::{Capsule2, Obb2, Scalar, Segment2, Triangle2, Vec2};
+//! Specks beside giants, needles that rounding turns over, and angles below the least normal number.
+use geograd::ad::{gradient, jacobian};
+use geograd::distance::{Convex, closest_points, distance, penetration, signed_distance};
+use geograd::iou::{eiou_aabb_obb2, hull_area_obb2};
+use geograd::{Capsule2, Circle, Obb2, Pack, Scalar, Segment2, Triangle2, Vec2};
 
 fn points<const N: usize>(numbers: [[f64; 2]; N]) -> [Vec2<f64>; N] {
     numbers.map(|[x, y]| Vec2::new(x, y))
@@ -99,6 +100,44 @@ fn needles_overlap_what_they_cross() {
             assert_eq!(distance(a, b), 0.0);
         }
     }
+}
+
+fn all_finite(rows: &[impl Pack<Scalar = f32>], at: &str) {
+    let slopes: Vec<f32> = rows.iter().flat_map(Pack::scalars).collect();
+    assert!(slopes.iter().all(|x| x.is_finite()), "{at}: {slopes:?}");
+}
+
+/// A length that only the sine of such an angle makes is so short that its reciprocal is not finite.
+#[test]
+fn slopes_beside_angles_below_the_least_normal_number_are_finite() {
+    let (disc, flat) = (
+        Circle::new(Vec2::new(0.015625_f32, 0.0), 1.193028),
+        Obb2::new(0.49999994_f32, 0.0, 1.486026, 0.0, -8.816208e-39),
+    );
+    let deep = |(a, b): (Circle<_>, Obb2<_>)| {
+        let found = penetration(a, b);
+        (found.depth, found.direction)
+    };
+    let ((depth, direction), slopes) = jacobian(deep, (disc, flat));
+    assert_eq!((depth, direction), (1.193028, Vec2::new(0.0, 1.0)));
+    let (of_depth, of_direction) = slopes;
+    let (by_disc, by_flat) = of_depth;
+    assert_eq!((by_disc.center.y, by_disc.radius), (1.0, 1.0));
+    assert_eq!(by_flat.center.y, -1.0);
+    all_finite(&[of_depth, of_direction.x, of_direction.y], "penetration");
+    let near = |(a, b): (Circle<_>, Obb2<_>)| {
+        let found = closest_points(a, b);
+        (found.on_a, found.on_b)
+    };
+    let (_, (on_a, on_b)) = jacobian(near, (disc, flat));
+    all_finite(&[on_a.x, on_a.y, on_b.x, on_b.y], "closest_points");
+
+    let (a, b) = (
+        Obb2::new(-131072.0_f32, 63.999996, 0.0, 0.015625, -1.1754944e-38),
+        Obb2::new(-131072.0_f32, -0.0234375, 0.0, 1.5258788e-5, -1e-45),
+    );
+    let (_, slopes) = gradient(|(a, b): (Obb2<_>, Obb2<_>)| eiou_aabb_obb2(a, b), (a, b));
+    all_finite(&[slopes], "eiou_aabb_obb2");
 }
 
 /// A point on the line of a flat box: terms of the square of its distance cancel.
