@@ -295,7 +295,7 @@ macro_rules! operation {
 #[doc(hidden)]
 #[macro_export]
 macro_rules! __takes {
-    ($Verb:ident, ($A:ty), $By:ident, $value:expr) => {
+    ($Verb:ty, ($A:ty), $By:ident, $value:expr) => {
         impl<S: $crate::Scalar> $crate::kernels::verbs::Unary<$A> for $Verb {
             type Out = <$By as $crate::kernels::op::Op>::Out<S>;
             type By = $By;
@@ -306,7 +306,7 @@ macro_rules! __takes {
             }
         }
     };
-    ($Verb:ident, ($A:ty, $B:ty), $By:ident, $value:expr) => {
+    ($Verb:ty, ($A:ty, $B:ty), $By:ident, $value:expr) => {
         impl<S: $crate::Scalar> $crate::kernels::verbs::Binary<$A, $B> for $Verb {
             type Out = <$By as $crate::kernels::op::Op>::Out<S>;
             type By = $By;
@@ -317,7 +317,7 @@ macro_rules! __takes {
             }
         }
     };
-    ($Verb:ident, ($A:ty, $B:ty, $C:ty), $By:ident, $value:expr) => {
+    ($Verb:ty, ($A:ty, $B:ty, $C:ty), $By:ident, $value:expr) => {
         impl<S: $crate::Scalar> $crate::kernels::verbs::Ternary<$A, $B, $C> for $Verb {
             type Out = <$By as $crate::kernels::op::Op>::Out<S>;
             type By = $By;

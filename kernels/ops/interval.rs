@@ -1,39 +1,26 @@
 //! Intervals of the number line as operations.
 use crate::Interval;
-use crate::operation;
+use crate::kernels::ops::noun::Number;
+use crate::kernels::ops::rows::table;
+use crate::kernels::verbs::{Distance, IntersectionLength, Iou, SignedDistance};
 
-operation! {
-    /// The [IoU](Interval::iou) of two intervals.
-    pub IouIntervals = "iou_intervals": (a: Interval<S>, b: Interval<S>) -> S { a.iou(b) }
-    promises [Scaling Stays, Exchange Stays]
-    jumps FromZero
-    slopes Reverse
-
-    /// The [length](Interval::intersection_length) that two intervals share.
-    pub IntersectionLengthIntervals = "intersection_length_intervals":
-        (a: Interval<S>, b: Interval<S>) -> S { a.intersection_length(b) }
-    promises [Scaling Power(1), Exchange Stays]
-    jumps Never
-    slopes Reverse
-
-    /// The [distance](Interval::distance) of two intervals.
-    pub DistanceIntervals = "distance_intervals":
-        (a: Interval<S>, b: Interval<S>) -> S { a.distance(b) }
-    promises [Scaling Power(1), Exchange Stays]
-    jumps Never
-    slopes Reverse
-
-    /// The [signed distance](Interval::signed_distance) of two intervals.
-    pub SignedDistanceIntervals = "signed_distance_intervals":
-        (a: Interval<S>, b: Interval<S>) -> S { a.signed_distance(b) }
-    promises [Scaling Power(1), Exchange Stays]
-    jumps Never
-    slopes Reverse
-
-    /// The [distance](Interval::distance_to) of a number from an interval.
-    pub DistanceNumberInterval = "distance_number_interval":
-        (x: S, interval: Interval<S>) -> S { interval.distance_to(x) }
-    promises [Scaling Power(1)]
-    jumps Never
-    slopes Reverse
+table! {
+    /// The [IoU](Interval::iou)
+    Iou: (a, b) -> S { a.iou(b) } [similar, symmetric] jumps FromZero slopes Reverse {
+        "iou_intervals": Interval, Interval;
+    }
+    /// The [shared length](Interval::intersection_length)
+    IntersectionLength: (a, b) -> S { a.intersection_length(b) }
+    [rigid(1), symmetric] jumps Never slopes Reverse {
+        "intersection_length_intervals": Interval, Interval;
+    }
+    /// The [distance](Interval::distance)
+    Distance: (a, b) -> S { a.distance(b) } [rigid(1), symmetric] jumps Never slopes Reverse {
+        "distance_intervals": Interval, Interval;
+        "distance_number_interval": Number, Interval { b.distance_to(a) };
+    }
+    /// The [signed distance](Interval::signed_distance)
+    SignedDistance: (a, b) -> S { a.signed_distance(b) } [rigid(1), symmetric] jumps Never slopes Reverse {
+        "signed_distance_intervals": Interval, Interval;
+    }
 }

@@ -4,180 +4,96 @@ use crate::clip::frame;
 use crate::iou;
 use crate::iou::Exponent;
 use crate::kernels::cpu::plan::Compiled;
-use crate::kernels::op::{Extremes, Finite, Jumps, Op, Promise, Range, Slopes};
-use crate::kernels::ops::rows::{promises, rows_of_pairs};
-use crate::operation;
-use crate::{Aabb2, Obb2, Scalar};
-
-/// [`giou_obb2`](crate::iou::giou_obb2).
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub struct GiouObb2;
-
-impl Op for GiouObb2 {
-    const NAME: &'static str = "giou_obb2";
-    const ARGUMENTS: &'static [&'static str] = &["a", "b"];
-    const DOC: &'static str = "[`giou_obb2`](crate::iou::giou_obb2).";
-    type In<S: Scalar> = (Obb2<S>, Obb2<S>);
-    type Out<S: Scalar> = S;
-    const PROMISES: &'static [Promise] = promises!(
-        [TranslationX Stays, TranslationY Stays, Scaling Stays]
-        [Rotation Stays, Exchange Stays]
-    );
-    const JUMPS: Jumps = Jumps::FromZero;
-    const SLOPES: Slopes = Slopes::ByHand;
-    const FINITE: Finite = Finite::Always;
-    const RANGE: Range = Range::SIGNED;
-    const EXTREMES: Extremes = Extremes::One;
-    #[inline]
-    fn eval<S: Scalar>((a, b): Self::In<S>) -> S {
-        iou::giou_framed::<S, true>(frame(a), frame(b))
-    }
-    #[inline]
-    fn adjoint<S: Scalar>((a, b): Self::In<S>, out_bar: S) -> Option<(S, Self::In<S>)> {
-        Some(giou_framed_vjp::<S, true>(frame(a), frame(b), out_bar))
-    }
-    fn compiled() -> Option<Compiled> {
-        Some(Compiled::Giou)
-    }
-}
+use crate::kernels::ops::rows::table;
+use crate::kernels::verbs::{
+    AlphaIou, Ciou, CiouAabb, CiouFixedWeight, CiouHull, Diou, DiouAabb, DiouHull, Eiou, EiouAabb,
+    EiouHull, Giou, GiouAabb, GiouHull, HullArea,
+};
+use crate::{Aabb2, Obb2};
 
 // Slopes of quotients of areas lose digits backwards. CIoU jumps where a box has no size, and so no
 // aspect, EIoU where the box around both has no width or no height. By the diameter of the hull of rotated
 // boxes the slope of corners that are equally far is shared by the first one's frame: exchanged boxes
 // share it otherwise.
-rows_of_pairs! {
-    iou::giou_aabb2 as "[`giou_aabb2`](crate::iou::giou_aabb2)" -> S,
-    promises [TranslationX Stays, TranslationY Stays, Scaling Stays],
-    range SIGNED,
-    jumps FromZero, slopes Forward {
-        GiouAabb2 = "giou_aabb2": Aabb2, Aabb2, "two axis-aligned boxes" [Exchange Stays];
+table! {
+    /// The [generalised IoU](crate::iou::giou_obb2)
+    Giou: (a, b) -> S { iou::giou_aabb2(a, b) } [similar, symmetric] range SIGNED jumps FromZero slopes Forward {
+        "giou_aabb2": Aabb2, Aabb2;
+        "giou_obb2": Obb2, Obb2 { iou::giou_framed::<S, true>(frame(a), frame(b)) } finite Always extremes One
+            slopes ByHand |(a, b), out_bar| { giou_framed_vjp::<S, true>(frame(a), frame(b), out_bar) }
+            => compiled { Compiled::Giou };
     }
-    iou::giou_hull_aabb2 as "[`giou_hull_aabb2`](crate::iou::giou_hull_aabb2)" -> S,
-    promises [TranslationX Stays, TranslationY Stays, Scaling Stays],
-    range SIGNED,
-    jumps FromZero, slopes Forward {
-        GiouHullAabb2 = "giou_hull_aabb2": Aabb2, Aabb2, "two axis-aligned boxes" [Exchange Stays];
+    /// The [generalised IoU by the convex hull](crate::iou::giou_hull_aabb2)
+    GiouHull: (a, b) -> S { iou::giou_hull_aabb2(a, b) }
+    [similar, symmetric] range SIGNED jumps FromZero slopes Forward {
+        "giou_hull_aabb2": Aabb2, Aabb2;
     }
-    iou::giou_aabb_obb2 as "[`giou_aabb_obb2`](crate::iou::giou_aabb_obb2)" -> S,
-    promises [TranslationX Stays, TranslationY Stays, Scaling Stays],
-    range SIGNED,
-    jumps FromZero, slopes Forward {
-        GiouAabbObb2 = "giou_aabb_obb2": Obb2, Obb2, "two rotated boxes" [Exchange Stays];
+    /// The [generalised IoU by the box around both](crate::iou::giou_aabb_obb2)
+    GiouAabb: (a, b) -> S { iou::giou_aabb_obb2(a, b) }
+    [similar, along_axes, symmetric] range SIGNED jumps FromZero slopes Forward {
+        "giou_aabb_obb2": Obb2, Obb2;
     }
-    iou::diou_aabb2 as "[`diou_aabb2`](crate::iou::diou_aabb2)" -> S,
-    promises [TranslationX Stays, TranslationY Stays, Scaling Stays],
-    range SIGNED,
-    jumps FromZero, slopes Forward {
-        DiouAabb2 = "diou_aabb2": Aabb2, Aabb2, "two axis-aligned boxes" [Exchange Stays];
+    /// The [distance IoU](crate::iou::diou_obb2)
+    Diou: (a, b) -> S { iou::diou_aabb2(a, b) } [similar] range SIGNED jumps FromZero slopes Forward {
+        "diou_aabb2": Aabb2, Aabb2 [similar, symmetric];
+        "diou_obb2": Obb2, Obb2 { iou::diou_obb2(a, b) };
     }
-    iou::diou_hull_aabb2 as "[`diou_hull_aabb2`](crate::iou::diou_hull_aabb2)" -> S,
-    promises [TranslationX Stays, TranslationY Stays, Scaling Stays],
-    range SIGNED,
-    jumps FromZero, slopes Forward {
-        DiouHullAabb2 = "diou_hull_aabb2": Aabb2, Aabb2, "two axis-aligned boxes" [Exchange Stays];
+    /// The [distance IoU by the diameter of the convex hull](crate::iou::diou_hull_aabb2)
+    DiouHull: (a, b) -> S { iou::diou_hull_aabb2(a, b) }
+    [similar, symmetric] range SIGNED jumps FromZero slopes Forward {
+        "diou_hull_aabb2": Aabb2, Aabb2;
     }
-    iou::diou_obb2 as "[`diou_obb2`](crate::iou::diou_obb2)" -> S,
-    promises [TranslationX Stays, TranslationY Stays, Scaling Stays],
-    range SIGNED,
-    jumps FromZero, slopes Forward {
-        DiouObb2 = "diou_obb2": Obb2, Obb2, "two rotated boxes" [Rotation Stays];
+    /// The [distance IoU by the diagonal of the box around both](crate::iou::diou_aabb_obb2)
+    DiouAabb: (a, b) -> S { iou::diou_aabb_obb2(a, b) }
+    [similar, along_axes, symmetric] range SIGNED jumps FromZero slopes Forward {
+        "diou_aabb_obb2": Obb2, Obb2;
     }
-    iou::diou_aabb_obb2 as "[`diou_aabb_obb2`](crate::iou::diou_aabb_obb2)" -> S,
-    promises [TranslationX Stays, TranslationY Stays, Scaling Stays],
-    range SIGNED,
-    jumps FromZero, slopes Forward {
-        DiouAabbObb2 = "diou_aabb_obb2": Obb2, Obb2, "two rotated boxes" [Exchange Stays];
+    /// The [complete IoU](crate::iou::ciou_obb2)
+    Ciou: (a, b) -> S { iou::ciou_aabb2(a, b) } [similar] range CIOU jumps Anywhere slopes Forward {
+        "ciou_aabb2": Aabb2, Aabb2 [similar, symmetric];
+        "ciou_obb2": Obb2, Obb2 { iou::ciou_obb2(a, b) };
     }
-    iou::ciou_aabb2 as "[`ciou_aabb2`](crate::iou::ciou_aabb2)" -> S,
-    promises [TranslationX Stays, TranslationY Stays, Scaling Stays],
-    range CIOU,
-    jumps Anywhere, slopes Forward {
-        CiouAabb2 = "ciou_aabb2": Aabb2, Aabb2, "two axis-aligned boxes" [Exchange Stays];
+    /// The [complete IoU by the diameter of the convex hull](crate::iou::ciou_hull_aabb2)
+    CiouHull: (a, b) -> S { iou::ciou_hull_aabb2(a, b) }
+    [similar, symmetric] range CIOU jumps Anywhere slopes Forward {
+        "ciou_hull_aabb2": Aabb2, Aabb2;
     }
-    iou::ciou_hull_aabb2 as "[`ciou_hull_aabb2`](crate::iou::ciou_hull_aabb2)" -> S,
-    promises [TranslationX Stays, TranslationY Stays, Scaling Stays],
-    range CIOU,
-    jumps Anywhere, slopes Forward {
-        CiouHullAabb2 = "ciou_hull_aabb2": Aabb2, Aabb2, "two axis-aligned boxes" [Exchange Stays];
+    /// The [complete IoU by the diagonal of the box around both](crate::iou::ciou_aabb_obb2)
+    CiouAabb: (a, b) -> S { iou::ciou_aabb_obb2(a, b) }
+    [similar, along_axes, symmetric] range CIOU jumps Anywhere slopes Forward {
+        "ciou_aabb_obb2": Obb2, Obb2;
     }
-    iou::ciou_obb2 as "[`ciou_obb2`](crate::iou::ciou_obb2)" -> S,
-    promises [TranslationX Stays, TranslationY Stays, Scaling Stays],
-    range CIOU,
-    jumps Anywhere, slopes Forward {
-        CiouObb2 = "ciou_obb2": Obb2, Obb2, "two rotated boxes" [Rotation Stays];
+    /// The [complete IoU, its weight a constant in the gradient,](crate::iou::ciou_fixed_weight_obb2)
+    CiouFixedWeight: (a, b) -> S { iou::ciou_fixed_weight_aabb2(a, b) }
+    [similar] range CIOU jumps Anywhere slopes Forward {
+        "ciou_fixed_weight_aabb2": Aabb2, Aabb2 [similar, symmetric];
+        "ciou_fixed_weight_obb2": Obb2, Obb2 { iou::ciou_fixed_weight_obb2(a, b) };
     }
-    iou::ciou_aabb_obb2 as "[`ciou_aabb_obb2`](crate::iou::ciou_aabb_obb2)" -> S,
-    promises [TranslationX Stays, TranslationY Stays, Scaling Stays],
-    range CIOU,
-    jumps Anywhere, slopes Forward {
-        CiouAabbObb2 = "ciou_aabb_obb2": Obb2, Obb2, "two rotated boxes" [Exchange Stays];
+    /// The [efficient IoU](crate::iou::eiou_obb2)
+    Eiou: (a, b) -> S { iou::eiou_aabb2(a, b) } [similar] jumps Anywhere slopes Forward {
+        "eiou_aabb2": Aabb2, Aabb2 [similar, symmetric] range EIOU_BOX;
+        "eiou_obb2": Obb2, Obb2 { iou::eiou_obb2(a, b) } range EIOU_HULL;
     }
-    iou::ciou_fixed_weight_aabb2 as "[`ciou_fixed_weight_aabb2`](crate::iou::ciou_fixed_weight_aabb2)" -> S,
-    promises [TranslationX Stays, TranslationY Stays, Scaling Stays],
-    range CIOU,
-    jumps Anywhere, slopes Forward {
-        CiouFixedWeightAabb2 = "ciou_fixed_weight_aabb2": Aabb2, Aabb2, "two axis-aligned boxes" [Exchange Stays];
+    /// The [efficient IoU by the convex hull](crate::iou::eiou_hull_aabb2)
+    EiouHull: (a, b) -> S { iou::eiou_hull_aabb2(a, b) }
+    [similar, symmetric] range EIOU_HULL jumps Anywhere slopes Forward {
+        "eiou_hull_aabb2": Aabb2, Aabb2;
     }
-    iou::ciou_fixed_weight_obb2 as "[`ciou_fixed_weight_obb2`](crate::iou::ciou_fixed_weight_obb2)" -> S,
-    promises [TranslationX Stays, TranslationY Stays, Scaling Stays],
-    range CIOU,
-    jumps Anywhere, slopes Forward {
-        CiouFixedWeightObb2 = "ciou_fixed_weight_obb2": Obb2, Obb2, "two rotated boxes" [Rotation Stays];
+    /// The [efficient IoU by the box around both](crate::iou::eiou_aabb_obb2)
+    EiouAabb: (a, b) -> S { iou::eiou_aabb_obb2(a, b) }
+    [similar, along_axes, symmetric] range EIOU jumps Anywhere slopes Forward {
+        "eiou_aabb_obb2": Obb2, Obb2;
     }
-    iou::eiou_aabb2 as "[`eiou_aabb2`](crate::iou::eiou_aabb2)" -> S,
-    promises [TranslationX Stays, TranslationY Stays, Scaling Stays],
-    range EIOU_BOX,
-    jumps Anywhere, slopes Forward {
-        EiouAabb2 = "eiou_aabb2": Aabb2, Aabb2, "two axis-aligned boxes" [Exchange Stays];
+    /// The [area of the convex hull](crate::iou::hull_area_obb2)
+    HullArea: (a, b) -> S { iou::hull_area_aabb2(a, b) }
+    [rigid(2), symmetric] range NOT_NEGATIVE jumps Never slopes Reverse {
+        "hull_area_aabb2": Aabb2, Aabb2;
+        "hull_area_obb2": Obb2, Obb2 { iou::hull_area_obb2(a, b) };
     }
-    iou::eiou_hull_aabb2 as "[`eiou_hull_aabb2`](crate::iou::eiou_hull_aabb2)" -> S,
-    promises [TranslationX Stays, TranslationY Stays, Scaling Stays],
-    range EIOU_HULL,
-    jumps Anywhere, slopes Forward {
-        EiouHullAabb2 = "eiou_hull_aabb2": Aabb2, Aabb2, "two axis-aligned boxes" [Exchange Stays];
+    /// A [power](crate::iou::alpha_iou_obb2) of the IoU
+    AlphaIou: (a, b, power) -> S { iou::alpha_iou_aabb2(a, b, power.alpha) }
+    [similar] range RATIO jumps FromZero slopes Forward {
+        "alpha_iou_aabb2": Aabb2, Aabb2, Exponent;
+        "alpha_iou_obb2": Obb2, Obb2, Exponent { iou::alpha_iou_obb2(a, b, power.alpha) };
     }
-    iou::eiou_obb2 as "[`eiou_obb2`](crate::iou::eiou_obb2)" -> S,
-    promises [TranslationX Stays, TranslationY Stays, Scaling Stays],
-    range EIOU_HULL,
-    jumps Anywhere, slopes Forward {
-        EiouObb2 = "eiou_obb2": Obb2, Obb2, "two rotated boxes" [Rotation Stays];
-    }
-    iou::eiou_aabb_obb2 as "[`eiou_aabb_obb2`](crate::iou::eiou_aabb_obb2)" -> S,
-    promises [TranslationX Stays, TranslationY Stays, Scaling Stays],
-    range EIOU,
-    jumps Anywhere, slopes Forward {
-        EiouAabbObb2 = "eiou_aabb_obb2": Obb2, Obb2, "two rotated boxes" [Exchange Stays];
-    }
-    iou::hull_area_obb2 as "[`hull_area_obb2`](crate::iou::hull_area_obb2)" -> S,
-    promises [TranslationX Stays, TranslationY Stays, Scaling Power(2)],
-    range NOT_NEGATIVE,
-    jumps Never, slopes Reverse {
-        HullAreaObb2 = "hull_area_obb2": Obb2, Obb2, "two rotated boxes" [Rotation Stays, Exchange Stays];
-    }
-    iou::hull_area_aabb2 as "[`hull_area_aabb2`](crate::iou::hull_area_aabb2)" -> S,
-    promises [TranslationX Stays, TranslationY Stays, Scaling Power(2)],
-    range NOT_NEGATIVE,
-    jumps Never, slopes Reverse {
-        HullAreaAabb2 = "hull_area_aabb2": Aabb2, Aabb2, "two axis-aligned boxes" [Exchange Stays];
-    }
-}
-
-operation! {
-    /// A [power](crate::iou::alpha_iou_obb2) of the IoU of two rotated boxes.
-    pub AlphaIouObb2 = "alpha_iou_obb2": (a: Obb2<S>, b: Obb2<S>, power: Exponent<S>) -> S {
-        iou::alpha_iou_obb2(a, b, power.alpha)
-    }
-    promises [TranslationX Stays, TranslationY Stays, Rotation Stays, Scaling Stays]
-    range RATIO
-    jumps FromZero
-    slopes Forward
-
-    /// A [power](crate::iou::alpha_iou_aabb2) of the IoU of two axis-aligned boxes.
-    pub AlphaIouAabb2 = "alpha_iou_aabb2": (a: Aabb2<S>, b: Aabb2<S>, power: Exponent<S>) -> S {
-        iou::alpha_iou_aabb2(a, b, power.alpha)
-    }
-    promises [TranslationX Stays, TranslationY Stays, Scaling Stays]
-    range RATIO
-    jumps FromZero
-    slopes Forward
 }

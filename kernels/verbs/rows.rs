@@ -4,18 +4,13 @@ use super::{Binary, OverPolyline, OverRing, Unary};
 use crate::convention::{
     Detectron2Box, ImageBox, KittiBox, Le90, Le135, LidarBox, NuScenesBox, OpenCvBox, Xyxyr,
 };
-use crate::iou::Exponent;
 use crate::kernels::decided::Decided;
 use crate::kernels::op::Op;
 use crate::kernels::ops::convention::*;
 use crate::kernels::ops::distance::*;
-use crate::kernels::ops::distance3::*;
 use crate::kernels::ops::extent::*;
 use crate::kernels::ops::fold::*;
-use crate::kernels::ops::gaussian::*;
 use crate::kernels::ops::intersection::*;
-use crate::kernels::ops::interval::*;
-use crate::kernels::ops::iou::*;
 use crate::kernels::ops::iou3::*;
 use crate::kernels::ops::overlap::*;
 use crate::kernels::ops::overlap3::*;
@@ -24,8 +19,8 @@ use crate::kernels::ops::shape::{
     Circumcircle as ThroughThree, Incircle as Inscribed, MoveSegment,
 };
 use crate::{
-    Aabb2, Aabb3, Capsule2, Circle, ConvexPolygon, Interval, Line2, Obb2, Obb3, Pose2, Ray2,
-    Scalar, Segment2, Triangle2, Vec2, Vec3, YawBox3,
+    Aabb2, Aabb3, Capsule2, Circle, ConvexPolygon, Line2, Obb2, Obb3, Pose2, Ray2, Scalar,
+    Segment2, Triangle2, Vec2, YawBox3,
 };
 
 /// Joins verbs and shapes to the operations that serve them.
@@ -35,14 +30,12 @@ macro_rules! rows {
     )* };
 }
 rows! {
-    IntersectionLength(Interval<S>, Interval<S>) by IntersectionLengthIntervals;
     IntersectionArea([Vec2<S>; 4], [Vec2<S>; 4]) by IntersectionAreaQuads;
     IntersectionArea(Obb2<S>, Obb2<S>) by IntersectionAreaObb2;
     IntersectionArea(Aabb2<S>, Aabb2<S>) by IntersectionAreaAabb2;
     IntersectionVolume(Aabb3<S>, Aabb3<S>) by IntersectionVolumeAabb3;
     IntersectionVolume(YawBox3<S>, YawBox3<S>) by IntersectionVolumeYaw;
     IntersectionVolume(Obb3<S>, Obb3<S>) by IntersectionVolumeObb3;
-    Iou(Interval<S>, Interval<S>) by IouIntervals;
     Iou(Aabb3<S>, Aabb3<S>) by IouAabb3;
     Iou(YawBox3<S>, YawBox3<S>) by IouYaw;
     Iou(Obb3<S>, Obb3<S>) by IouObb3;
@@ -57,72 +50,36 @@ rows! {
     Iof(Obb2<S>, Obb2<S>) by IofObb2;
     Iof(Aabb2<S>, Aabb2<S>) by IofAabb2;
     IouBev(YawBox3<S>, YawBox3<S>) by IouBirdsEye;
-    AlphaIou(Obb2<S>, Obb2<S>, Exponent<S>) by AlphaIouObb2;
-    AlphaIou(Aabb2<S>, Aabb2<S>, Exponent<S>) by AlphaIouAabb2;
     AlphaIou(YawBox3<S>, YawBox3<S>) by AlphaIouYaw;
     AlphaIou(Aabb3<S>, Aabb3<S>) by AlphaIouAabb3;
     SeparationAware(Aabb3<S>, Aabb3<S>) by SeparationAwareAabb3;
     SeparationAware(YawBox3<S>, YawBox3<S>) by SeparationAwareYaw;
     SeparationAware(Obb3<S>, Obb3<S>) by SeparationAwareObb3;
     SeparationAware(Obb2<S>, Obb2<S>) by SeparationAwareObb2;
-    HullArea(Obb2<S>, Obb2<S>) by HullAreaObb2;
-    HullArea(Aabb2<S>, Aabb2<S>) by HullAreaAabb2;
-    Giou(Aabb2<S>, Aabb2<S>) by GiouAabb2;
     Giou(Aabb3<S>, Aabb3<S>) by GiouAabb3;
     Giou(YawBox3<S>, YawBox3<S>) by GiouYaw;
     Giou(Obb3<S>, Obb3<S>) by GiouObb3;
-    Giou(Obb2<S>, Obb2<S>) by GiouObb2;
-    GiouHull(Aabb2<S>, Aabb2<S>) by GiouHullAabb2;
-    GiouAabb(Obb2<S>, Obb2<S>) by GiouAabbObb2;
     GiouAabb(YawBox3<S>, YawBox3<S>) by GiouAabbYaw;
     GiouAabb(Obb3<S>, Obb3<S>) by GiouAabbObb3;
     GiouRectangle(YawBox3<S>, YawBox3<S>) by GiouRectangleYaw;
-    Diou(Aabb2<S>, Aabb2<S>) by DiouAabb2;
-    Diou(Obb2<S>, Obb2<S>) by DiouObb2;
     Diou(Aabb3<S>, Aabb3<S>) by DiouAabb3;
     Diou(YawBox3<S>, YawBox3<S>) by DiouYaw;
     Diou(Obb3<S>, Obb3<S>) by DiouObb3;
-    DiouHull(Aabb2<S>, Aabb2<S>) by DiouHullAabb2;
-    DiouAabb(Obb2<S>, Obb2<S>) by DiouAabbObb2;
     DiouAabb(YawBox3<S>, YawBox3<S>) by DiouAabbYaw;
     DiouAabb(Obb3<S>, Obb3<S>) by DiouAabbObb3;
     DiouRectangle(YawBox3<S>, YawBox3<S>) by DiouRectangleYaw;
-    Ciou(Aabb2<S>, Aabb2<S>) by CiouAabb2;
-    Ciou(Obb2<S>, Obb2<S>) by CiouObb2;
     Ciou(Aabb3<S>, Aabb3<S>) by CiouAabb3;
     Ciou(YawBox3<S>, YawBox3<S>) by CiouYaw;
     Ciou(Obb3<S>, Obb3<S>) by CiouObb3;
-    CiouHull(Aabb2<S>, Aabb2<S>) by CiouHullAabb2;
-    CiouAabb(Obb2<S>, Obb2<S>) by CiouAabbObb2;
     CiouAabb(YawBox3<S>, YawBox3<S>) by CiouAabbYaw;
     CiouAabb(Obb3<S>, Obb3<S>) by CiouAabbObb3;
     CiouRectangle(YawBox3<S>, YawBox3<S>) by CiouRectangleYaw;
-    CiouFixedWeight(Aabb2<S>, Aabb2<S>) by CiouFixedWeightAabb2;
-    CiouFixedWeight(Obb2<S>, Obb2<S>) by CiouFixedWeightObb2;
-    Eiou(Aabb2<S>, Aabb2<S>) by EiouAabb2;
-    Eiou(Obb2<S>, Obb2<S>) by EiouObb2;
     Eiou(Aabb3<S>, Aabb3<S>) by EiouAabb3;
     Eiou(YawBox3<S>, YawBox3<S>) by EiouYaw;
     Eiou(Obb3<S>, Obb3<S>) by EiouObb3;
-    EiouHull(Aabb2<S>, Aabb2<S>) by EiouHullAabb2;
-    EiouAabb(Obb2<S>, Obb2<S>) by EiouAabbObb2;
     EiouAabb(YawBox3<S>, YawBox3<S>) by EiouAabbYaw;
     EiouAabb(Obb3<S>, Obb3<S>) by EiouAabbObb3;
     EiouRectangle(YawBox3<S>, YawBox3<S>) by EiouRectangleYaw;
-    Wasserstein(Obb2<S>, Obb2<S>) by WassersteinObb2;
-    Wasserstein(Obb3<S>, Obb3<S>) by WassersteinObb3;
-    SquaredWasserstein(Obb2<S>, Obb2<S>) by WassersteinSquaredObb2;
-    SquaredWasserstein(Obb3<S>, Obb3<S>) by WassersteinSquaredObb3;
-    KullbackLeibler(Obb2<S>, Obb2<S>) by KullbackLeiblerObb2;
-    KullbackLeibler(Obb3<S>, Obb3<S>) by KullbackLeiblerObb3;
-    Jeffreys(Obb2<S>, Obb2<S>) by JeffreysObb2;
-    Jeffreys(Obb3<S>, Obb3<S>) by JeffreysObb3;
-    Bhattacharyya(Obb2<S>, Obb2<S>) by BhattacharyyaObb2;
-    Bhattacharyya(Obb3<S>, Obb3<S>) by BhattacharyyaObb3;
-    Probiou(Obb2<S>, Obb2<S>) by ProbiouObb2;
-    Probiou(Obb3<S>, Obb3<S>) by ProbiouObb3;
-    Kfiou(Obb2<S>, Obb2<S>) by KfiouObb2;
-    Kfiou(Obb3<S>, Obb3<S>) by KfiouObb3;
     Distance(Vec2<S>, Segment2<S>) by DistancePointSegment;
     Distance(Segment2<S>, Segment2<S>) by DistanceSegments;
     Distance(Aabb2<S>, Aabb2<S>) by DistanceAabb2;
@@ -138,11 +95,6 @@ rows! {
     Distance(Circle<S>, Obb2<S>) by DistanceCircleObb2;
     Distance(Capsule2<S>, Capsule2<S>) by DistanceCapsules;
     Distance(Triangle2<S>, Triangle2<S>) by DistanceTriangles;
-    Distance(Vec3<S>, Aabb3<S>) by DistancePointAabb3;
-    Distance(Vec3<S>, YawBox3<S>) by DistancePointYaw;
-    Distance(Vec3<S>, Obb3<S>) by DistancePointObb3;
-    Distance(Interval<S>, Interval<S>) by DistanceIntervals;
-    Distance(S, Interval<S>) by DistanceNumberInterval;
     SquaredDistance(Aabb2<S>, Aabb2<S>) by DistanceSquaredAabb2;
     SquaredDistance(Obb2<S>, Obb2<S>) by DistanceSquaredObb2;
     SquaredDistance(Vec2<S>, Segment2<S>) by DistanceSquaredPointSegment;
@@ -162,10 +114,6 @@ rows! {
     SignedDistance(Circle<S>, Obb2<S>) by SignedDistanceCircleObb2;
     SignedDistance(Capsule2<S>, Capsule2<S>) by SignedDistanceCapsules;
     SignedDistance(Triangle2<S>, Triangle2<S>) by SignedDistanceTriangles;
-    SignedDistance(Vec3<S>, Aabb3<S>) by SignedDistancePointAabb3;
-    SignedDistance(Vec3<S>, YawBox3<S>) by SignedDistancePointYaw;
-    SignedDistance(Vec3<S>, Obb3<S>) by SignedDistancePointObb3;
-    SignedDistance(Interval<S>, Interval<S>) by SignedDistanceIntervals;
     Clearance(Vec2<S>, Aabb2<S>) by ClearancePointAabb2;
     Clearance(Vec2<S>, Obb2<S>) by ClearancePointObb2;
     ClosestPoints(Aabb2<S>, Aabb2<S>) by ClosestPointsAabb2;

@@ -1,0 +1,125 @@
+//! Classes of invariance, and the promises that they make for shapes.
+use crate::kernels::op::{Answer, Motion, Promise};
+use crate::kernels::ops::noun::{Noun, same};
+
+/// What the result of a function does where its arguments move: a few words that make a list of promises.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Class {
+    shifts: Option<Answer>,
+    turns: Option<Answer>,
+    scaling: Option<Answer>,
+    exchange: Option<Answer>,
+}
+
+impl Class {
+    /// Nothing is promised.
+    pub const NONE: Class = Class {
+        shifts: None,
+        turns: None,
+        scaling: None,
+        exchange: None,
+    };
+    /// Shifts stay; of turns and scaling nothing is said.
+    pub const fn shifts(self) -> Self {
+        Class {
+            shifts: Some(Answer::Stays),
+            ..self
+        }
+    }
+    /// Shifts and turns stay; of scaling nothing is said.
+    const fn isometric(self) -> Self {
+        Class {
+            turns: Some(Answer::Stays),
+            ..self.shifts()
+        }
+    }
+    /// Shifts, turns and scaling stay.
+    pub const fn similar(self) -> Self {
+        Class {
+            scaling: Some(Answer::Stays),
+            ..self.isometric()
+        }
+    }
+    /// Shifts and turns stay; the result grows with a power of the scale.
+    pub const fn rigid(self, power: i32) -> Self {
+        Class {
+            scaling: Some(Answer::Power(power)),
+            ..self.isometric()
+        }
+    }
+    /// The result moves along, as the points, lengths and angles that it is made of do.
+    pub const fn follows(self) -> Self {
+        Class {
+            shifts: Some(Answer::Follows),
+            turns: Some(Answer::Follows),
+            scaling: Some(Answer::Follows),
+            ..self
+        }
+    }
+    /// The axes of the world count: nothing is said of turns.
+    pub const fn along_axes(self) -> Self {
+        Class {
+            turns: None,
+            ..self
+        }
+    }
+    /// Two arguments of one kind may be exchanged.
+    pub const fn symmetric(self) -> Self {
+        Class {
+            exchange: Some(Answer::Stays),
+            ..self
+        }
+    }
+    /// The promises of this class for the motions that all of these arguments have.
+    pub const fn promises(self, arguments: &[Noun]) -> Promises {
+        let (mut shift, mut turn, mut i) = (true, true, 0);
+        while i < arguments.len() {
+            shift = shift && arguments[i].shifts;
+            turn = turn && arguments[i].turns;
+            i += 1;
+        }
+        let alike = arguments.len() == 2 && same(arguments[0].one, arguments[1].one);
+        Promises::NONE
+            .with(Motion::TranslationX, self.shifts, shift)
+            .with(Motion::TranslationY, self.shifts, shift)
+            .with(Motion::Rotation, self.turns, turn)
+            .with(Motion::Scaling, self.scaling, true)
+            .with(Motion::Exchange, self.exchange, alike)
+    }
+}
+
+/// A list of promises, one for a motion at most.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Promises {
+    all: [Promise; 5],
+    count: usize,
+}
+
+impl Promises {
+    const NONE: Promises = Promises {
+        all: [Promise::new(Motion::Exchange, Answer::Stays); 5],
+        count: 0,
+    };
+    const fn with(mut self, motion: Motion, answer: Option<Answer>, moves: bool) -> Self {
+        if let (Some(answer), true) = (answer, moves) {
+            self.all[self.count] = Promise::new(motion, answer);
+            self.count += 1;
+        }
+        self
+    }
+    /// As a slice.
+    pub const fn as_slice(&self) -> &[Promise] {
+        self.all.split_at(self.count).0
+    }
+}
+
+/// The promises of a class, given its words, and of the types of the arguments.
+macro_rules! promises {
+    ([$($word:ident $(($power:literal))?),*] $($type:ty),+) => {{
+        const PROMISES: &crate::kernels::ops::class::Promises =
+            &crate::kernels::ops::class::Class::NONE $(.$word($($power)?))*
+                .promises(&[$(<$type as crate::kernels::ops::noun::Named>::NOUN),+]);
+        PROMISES.as_slice()
+    }};
+}
+pub(crate) use promises;
