@@ -97,8 +97,9 @@ pub use verbs::*;
 /// straight { … } folds { … } decided { … } further { straight { … } folds { … } decided { … } }`: scores of two
 /// boxes and measures of rings, which have kernels of their own, then all other straight
 /// lines, [folds](Fold) over paths and operations with a [search](Decided). Further ones are the same
-/// functions of other shapes: proofs of unoptimised builds leave them out. What the harness refuses at more than
-/// some hard cases is not in the list; those inputs are named in `BENCHMARKS.md`.
+/// functions of other shapes: proofs in unoptimised builds leave them out, because every row costs about a second to compile;
+/// `gradient_report --release` proves them, and `tests/further.rs` runs them on a GPU in every form. The list leaves out what the harness
+/// refuses at more than some hard cases; `BENCHMARKS.md` names those inputs.
 #[macro_export]
 macro_rules! for_each_op {
     ($with:ident) => {

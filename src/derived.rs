@@ -1,4 +1,7 @@
 //! What `#[derive(Shape)]` gives, and what the code that it writes calls.
+//!
+//! The derive (package `geograd-derive`) reads a struct's tokens without a parser of Rust. The code that it writes names this module and
+//! `ad::check::derived` only, so it needs no feature or dependency of its user's crate.
 pub use crate::ad::check::derived::{
     all, as_angle, as_non_negative, as_positive, combined, drawn, hard, in_order, joined, mingled,
     one_of, together,

@@ -203,6 +203,11 @@
 //! in [`witness`], what they say about one slope in `compare/slope_test`, how complaints are weighed in
 //! `compare/opinion`. [`examine`](fn@examine) walks the inputs, `shrink` makes refused ones simple, [`report`] has the
 //! lines, `words` the sentences. A function is a [`Subject`](subject::Subject): lists of numbers in and out.
+//!
+//! A traced scalar (`trace`) records every comparison and its margin, to tell a kink from a mistake. `rounding` measures sensitivity: inputs
+//! move by an ulp, and a scalar of `noise` rounds at random. `agreed` has what a plan says of a function: ties, resolution, domain. `strategy`
+//! draws for proptest from the same [`sample`]. `tests/corpus` measures the harness and other checkers: functions, faults made by operators
+//! and by a scalar that makes one mistake, and a record of the harness's errors.
 mod agreed;
 mod builder;
 mod closures;

@@ -36,6 +36,12 @@
 //! leaves no trace, not even where its slope is infinite. In `f64` its slopes are those of forward
 //! duals to the last digits. In `f32` it may lose some where large cotangents cancel (nearly parallel
 //! sides of boxes): there, an adjoint by hand ([`Program::with_adjoint`]) is better.
+//!
+//! # Method
+//!
+//! `record` calls the function with symbols; `simplify` keeps the graph in exact normal form as it grows. `reverse` and `forward` append
+//! gradients and products with Jacobian and Hessian as further nodes, so these are programs, too. A choice passes its cotangent on
+//! together with the path on which it counts, so the branch not taken contributes nothing. `print` writes text, `wgsl` a shader function.
 mod cost;
 mod derivative;
 pub(crate) mod evaluate;

@@ -9,6 +9,35 @@
 //! With the feature `parallel` the work is spread over rayon's current thread pool (run inside
 //! `pool.install` to choose another). It is cut the same way for any number of threads, and sums
 //! are added in a fixed order.
+//!
+//! # Method
+//!
+//! *From shapes to numbers.* Rows and columns of shapes become plain numbers, and all code below knows numbers only: it is compiled once, in
+//! the library (`drivers`). `plan` decides how each argument is checked and prepared, and which kernel computes blocks. Blocks are made of
+//! tiles, sixteen items of one field (`lane`).
+//!
+//! *Compiled kernels* serve the scores of boxes in the plane (`boxes`), boxes in space (`upright`, `boxes3`), areas of quadrilaterals (`quads`)
+//! and measures of rings (`rings`): their generic source on processor vectors, for every format and level (`arch::entry` lists them). A
+//! kernel costs a second or two of every build, so a box with yaw goes through the kernel of its ground plan, and its height is a short
+//! second stage. Boxes of any rotation have one loop of three rounds in which the axes take turns, so indices are constant and the kernel
+//! stays small. Shapes too extreme for a kernel take the scalar code.
+//!
+//! *The interpreter* (`program`) runs all other rows: `lower`, `fuse` and `slots` make a tape of instructions, and `execute` runs each over a
+//! block that fits the innermost cache. Of all pairs, `split` computes once per shape what depends on one argument; `skip` leaves out
+//! what no item of a block takes. `folds` runs edges of a path in parallel; `nearest` finds the edges that a distance needs; `polygons` has
+//! rings of two ragged lists. Searches run item by item.
+//!
+//! *Pairs.* `sweep` walks all pairs for tables (`pairs`) and reductions (`reductions`). Where results of shapes apart are zero, bounds are
+//! compared first, by a tree (`tree`) where lists are long and few pairs near; boxes in space are filtered by their bounds seen from
+//! above (`solids`). The pairs that remain are gathered, computed densely and scattered. Suppression (`greedy`) computes only
+//! pairs of which one is kept.
+//!
+//! *Same bits.* Work is cut in the same way for any number of threads, and sums are added in a fixed order, so bits never depend on
+//! level, position, threads or filter.
+//!
+//! *Two measured rules for kernels.* A kernel contains no call: hence loops and `#[inline(always)]` functions, since closures do not inherit
+//! instruction sets. It contains no run-time case. `.ci/assembly` reads what the compiler made of them, and `.ci/run memory` runs them
+//! under valgrind. `GEOGRAD_SIMD` and [`Simd::limit`](simd::Simd::limit) force a level.
 #[forbid(unsafe_code)]
 pub(crate) mod aligned;
 #[forbid(unsafe_code)]

@@ -18,6 +18,8 @@
 //! let fuzzed = fuzz::operation::<RowOf<Iou, (Obb2<f64>, Obb2<f64>)>, f32>(100_000, 1);
 //! assert_eq!(fuzzed.broken, None, "{fuzzed}");
 //! ```
+//!
+//! An operation of any kind becomes a job on plain numbers, so that drawing, judging and shrinking are compiled once.
 mod inputs;
 mod job;
 mod judge;

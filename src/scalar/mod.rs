@@ -15,6 +15,16 @@
 //! 3. A norm at zero has slope zero ([`magnitude`](Scalar::magnitude), [`root`](Scalar::root),
 //!    [`hypot`](Scalar::hypot)).
 //! 4. The angle of the zero vector is 0 with slope zero ([`atan2`](Scalar::atan2)).
+//!
+//! # Three kinds of functions
+//!
+//! * *Straight lines* ask for `S: Scalar` alone. They run on floats, SIMD lanes, duals and the symbols of a
+//!   [recording](crate::ad::program).
+//! * *Searches* (clipping, hulls) ask for `S: Scalar<Mask = bool>`. `…_decided` returns a trace of the decisions, which holds no
+//!   numbers; `…_replay` computes the result from inputs and trace, with slopes.
+//! * *Folds* are sums over the edges of a list of any length ([`Fold`](crate::kernels::Fold)).
+//!
+//! A dual type implements `dual::Tangent`, which applies the chain rule; everything else follows from it.
 pub mod dual;
 #[cfg(feature = "nalgebra")]
 mod dual_vector;
