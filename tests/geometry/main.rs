@@ -10,6 +10,7 @@ mod iou3;
 mod kitti;
 mod kitti_labels;
 mod libraries;
+mod names;
 mod nested;
 mod oracle;
 mod oracle_gaussian;
