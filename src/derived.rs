@@ -81,6 +81,7 @@ pub use {
 /// | --- | --- |
 /// | `validate = path` | a function of `&Self` with a further rule, such as [`Flaw::Broken`](crate::Flaw::Broken) |
 /// | `except(Validate, approx, Sample, Arbitrary)` | leaves these to you |
+/// | `crate = "name"` | the library's name, where a manifest renames it |
 ///
 /// What cannot be a shape does not compile:
 ///

@@ -40,6 +40,8 @@ pub struct Shape {
     pub rules: Vec<TokenStream>,
     /// What the author writes by hand.
     pub except: Vec<String>,
+    /// The path of the library, where its name is another.
+    pub library: String,
 }
 
 /// A generic parameter.
@@ -194,6 +196,7 @@ pub fn shape(input: TokenStream) -> Result<Shape, Refusal> {
         fields: Vec::new(),
         rules: Vec::new(),
         except: Vec::new(),
+        library: "::geograd".to_owned(),
         scalar,
         parameters,
     };
@@ -216,10 +219,15 @@ pub fn shape(input: TokenStream) -> Result<Shape, Refusal> {
                 }
                 shape.except.push(word);
             }
+        } else if is_ident(item.first(), "crate")
+            && is_punct(item.get(1), '=')
+            && let Some(path) = text_of(item.get(2))
+        {
+            shape.library = format!("::{path}");
         } else {
             return Refusal::new(
                 span_of(item),
-                "a shape knows `validate = function` and `except(…)`",
+                "a shape knows `validate = function`, `except(…)` and `crate = \"name\"`",
             );
         }
     }

@@ -164,6 +164,7 @@ pub fn impls(shape: &Shape) -> TokenStream {
     }
     let text =
         format!("#[allow(unused)] const _: () = {{ use ::geograd::derived as __g; {text} }};");
+    let text = text.replace("::geograd::", &format!("{}::", shape.library));
     let types: Vec<_> = shape
         .fields
         .iter()
