@@ -5,7 +5,7 @@ use crate::GpuFault;
 use crate::kernels::gpu::{Gpu, GpuRing};
 use crate::kernels::op::{RingOp, Runs};
 use crate::kernels::reduce::{Best, Found};
-use crate::kernels::row::Row;
+use crate::kernels::row::Results;
 use crate::kernels::{Columns, Cpu, Fold, Single, Table, Targets};
 use crate::{Pack, Vec2};
 
@@ -110,7 +110,7 @@ impl Backend<'_> {
         self,
         run: R,
         columns: C,
-    ) -> Result<<R::Out as Row>::Many, Error>
+    ) -> Result<<R::Out as Results>::Many, Error>
     where
         C::Row: Pack<Scalar = f32>,
     {
@@ -155,12 +155,12 @@ impl Backend<'_> {
     /// # Errors
     ///
     /// As on the CPU; [`Error::Gpu`] are the GPU's.
-    pub fn all_pairs<A: Single<Scalar = f32>, B: Single<Scalar = f32>, R: Runs<(A, B)>>(
-        self,
-        run: R,
-        a: &[A],
-        b: &[B],
-    ) -> Result<Table<R::Out>, Error> {
+    pub fn all_pairs<A, B, R>(self, run: R, a: &[A], b: &[B]) -> Result<Table<R::Out>, Error>
+    where
+        A: Single<Scalar = f32>,
+        B: Single<Scalar = f32>,
+        R: Runs<(A, B)>,
+    {
         on_either!(self, all_pairs(run, a, b))
     }
 }

@@ -4,9 +4,9 @@
 //! from the input and the record by a straight line, which duals and batches replay. Between decisions
 //! the result is smooth; where a decision changes, its slopes are those of the one that was taken.
 use crate::error::Error;
-use crate::kernels::cpu::plan::{Face, Known, Want, known, of_items};
-use crate::kernels::op::{Ask, Extremes, Finite, Jumps, Limits, Promise, Range, Source};
-use crate::kernels::row::{Row, by_kind, by_shape, get, leaves_of};
+use crate::kernels::cpu::plan::{Face, Known, Want, known, name, of_items};
+use crate::kernels::op::{Ask, Extremes, Finite, Jacobian, Jumps, Limits, Promise, Range, Source};
+use crate::kernels::row::{Row, by_kind, by_shape, get, leaves_of, width};
 use crate::{Fixed, Jet, Pack, Scalar};
 use std::fmt::Debug;
 use std::hash::Hash;
@@ -48,6 +48,10 @@ pub trait Decided: Copy + Debug + Default + Send + Sync + 'static {
     fn value_grad(self) -> crate::kernels::op::ValueGrad<Self> {
         crate::kernels::op::ValueGrad(self)
     }
+    /// The operation whose result is the result with its Jacobian; see [`Op::jacobian`](crate::kernels::Op::jacobian).
+    fn jacobian(self) -> Jacobian<Self> {
+        Jacobian(self)
+    }
     /// Its adjoint: from an input and a cotangent of the result to the cotangent of the input.
     fn vjp(self) -> crate::kernels::op::Vjp<Self> {
         crate::kernels::op::Vjp(self)
@@ -56,6 +60,47 @@ pub trait Decided: Copy + Debug + Default + Send + Sync + 'static {
 
 /// Numbers of the input whose slopes are taken at a time.
 const AT_A_TIME: usize = 4;
+
+/// The numbers of a result with slopes with respect to some numbers of the input, from one on.
+fn replayed<D: Decided<In<<R as Pack>::Scalar> = R>, R: Row>(
+    numbers: &[R::Scalar],
+    codes: &[u32],
+    first: usize,
+    record: D::Record,
+) -> Vec<Jet<R::Scalar, AT_A_TIME>> {
+    let jets = numbers[..R::LEN].iter().enumerate();
+    let jets: Vec<Jet<R::Scalar, AT_A_TIME>> = jets
+        .map(|(i, &x)| Jet::variable(x, i.wrapping_sub(first)))
+        .collect();
+    let moved = D::In::<Jet<R::Scalar, AT_A_TIME>>::load(&jets).load_codes(codes);
+    D::replay::<Jet<R::Scalar, AT_A_TIME>>(moved, record).scalars()
+}
+
+/// The result of one item, and the gradient of each of its numbers.
+fn item_and_jacobian<D: Decided<In<<R as Pack>::Scalar> = R>, R: Row>(
+    numbers: &[R::Scalar],
+    out: &mut [R::Scalar],
+) {
+    let numbers = by_kind::<R>(numbers);
+    let input = get::<R>(&numbers);
+    let record = D::decide::<R::Scalar>(input);
+    let codes: Vec<u32> = input.codes();
+    let mut rows = vec![R::Scalar::default(); D::Out::<R::Scalar>::LEN * R::LEN];
+    for first in (0..R::LEN).step_by(AT_A_TIME) {
+        let replayed = replayed::<D, R>(&numbers, &codes, first, record);
+        for (row, jet) in rows.chunks_exact_mut(R::LEN).zip(replayed) {
+            for (entry, slope) in row[first..].iter_mut().zip(jet.slope) {
+                *entry = slope;
+            }
+        }
+    }
+    D::replay::<R::Scalar>(input, record).store(out);
+    let gradients = out[D::Out::<R::Scalar>::LEN..].chunks_exact_mut(width::<R>());
+    for (row, gradient) in rows.chunks_exact(R::LEN).zip(gradients) {
+        // A gradient has the input's codes.
+        by_shape::<R>(row, &codes, gradient);
+    }
+}
 
 /// The result of one item, and slopes times a cotangent (ones, if there is none).
 fn item<D: Decided<In<<R as Pack>::Scalar> = R>, R: Row>(
@@ -73,16 +118,10 @@ fn item<D: Decided<In<<R as Pack>::Scalar> = R>, R: Row>(
         return;
     }
     let codes: Vec<u32> = input.codes();
-    let numbers = &numbers[..R::LEN];
     let mut bars = vec![R::Scalar::default(); R::LEN];
     for first in (0..R::LEN).step_by(AT_A_TIME) {
-        let jets = numbers.iter().enumerate();
-        let jets: Vec<Jet<R::Scalar, AT_A_TIME>> = jets
-            .map(|(i, &x)| Jet::variable(x, i.wrapping_sub(first)))
-            .collect();
-        let moved = D::In::<Jet<R::Scalar, AT_A_TIME>>::load(&jets).load_codes(&codes);
-        let replayed = D::replay::<Jet<R::Scalar, AT_A_TIME>>(moved, record);
-        for (k, jet) in replayed.scalars().into_iter().enumerate() {
+        let replayed = replayed::<D, R>(&numbers, &codes, first, record);
+        for (k, jet) in replayed.into_iter().enumerate() {
             let by = out_bar.map_or(R::Scalar::one(), |out_bar| out_bar[k]);
             for (bar, slope) in bars[first..].iter_mut().zip(jet.slope) {
                 *bar = if k == 0 {
@@ -108,15 +147,18 @@ where
     known::<D, R::Scalar, _>(Known::Face(want, false), || {
         let outputs = leaves_of::<D::Out<R::Scalar>>();
         let outputs = outputs.iter().map(|leaf| leaf.fields).collect();
-        Ok(of_items(
+        let mut face = of_items(
             want,
             leaves_of::<R>(),
             outputs,
             match want {
                 Want::Value => |x, bar, out| item::<D, R>(x, bar, out, false),
+                Want::Jacobian => |x, _, out| item_and_jacobian::<D, R>(x, out),
                 Want::ValueGrad | Want::Vjp => |x, bar, out| item::<D, R>(x, bar, out, true),
             },
-        ))
+        );
+        name(&mut face.arguments, D::ARGUMENTS);
+        Ok(face)
     })
 }
 

@@ -10,7 +10,7 @@
 //! | [`Cpu::ragged`], [`Cpu::fold`] | paths as vertices and offsets | one result per path |
 //!
 //! What runs is a value: an [operation](op), such as [`Iou`]; an operation with its gradient
-//! ([`value_grad`](Op::value_grad)); its adjoint ([`vjp`](Op::vjp)); an operation of the list with a search
+//! ([`value_grad`](Op::value_grad)) or its Jacobian ([`jacobian`](Op::jacobian)); its adjoint ([`vjp`](Op::vjp)); an operation of the list with a search
 //! ([`Decided`]); a [`Program`](crate::Program). Columns are slices, vectors or [`One`]. Forms that end in `_into` write to
 //! what the caller has. [`operation!`](crate::operation) makes a function an operation.
 //!

@@ -28,6 +28,7 @@
 pub use crate::ad::check::subject::Jumps;
 pub use crate::ad::check::symmetry::{Answer, Motion, Promise};
 use crate::ad::check::trace::Number;
+pub use crate::ad::program::{Jacobian, OneNumber};
 use crate::ad::program::{Plain, Program};
 use crate::error::Error;
 use crate::kernels::cpu::plan::{self, Compiled, Face, Want};
@@ -37,7 +38,7 @@ use crate::kernels::gpu::Generated;
 pub use crate::kernels::promised::{Extremes, Finite, Limits, Range};
 #[cfg(feature = "gpu")]
 use crate::kernels::replays::Replays;
-use crate::kernels::row::Row;
+use crate::kernels::row::{Results, Row, WithJacobian};
 use crate::{Fixed, Pack, Scalar, Vec2};
 use std::fmt::Debug;
 use std::sync::Arc;
@@ -57,6 +58,11 @@ pub enum Slopes {
 /// An operation: a generic function of fixed size, what it promises, and where its slopes come from.
 ///
 /// A value of the type is the operation: `Cpu::new().aligned(Iou, (&a, &b))`.
+#[diagnostic::on_unimplemented(
+    message = "`{Self}` is not an operation",
+    label = "not an operation, nor a program",
+    note = "`operation!` makes an operation of a generic function, `Program::trace` a program of a closure"
+)]
 pub trait Op: Copy + Debug + Default + Send + Sync + 'static {
     /// The name of the function, letter for letter.
     const NAME: &'static str;
@@ -129,6 +135,23 @@ pub trait Op: Copy + Debug + Default + Send + Sync + 'static {
     fn value_grad(self) -> ValueGrad<Self> {
         ValueGrad(self)
     }
+    /// The operation whose result is the result with its Jacobian: the result's shape with its gradient, a shape like the
+    /// input, in the place of every number, as of [`ad::jacobian`](crate::ad::jacobian). Aligned batches run it, on a GPU where the
+    /// operation is recorded.
+    ///
+    /// ```
+    /// use geograd::kernels::{ClosestPoints, Cpu, Op};
+    /// use geograd::Obb2;
+    /// let (a, b) = ([Obb2::new(0.0, 0.0, 2.0, 2.0, 0.0)], [Obb2::new(5.0, 0.3, 2.0, 1.0, 0.1)]);
+    /// let (points, slopes) = Cpu::new().aligned(ClosestPoints.jacobian(), (&a, &b))?;
+    /// assert_eq!(points[0].on_a.x, 1.0);
+    /// let (by_a, by_b) = slopes[0].on_a.x; // of the point's x, with respect to both boxes
+    /// assert_eq!((by_a.center.x, by_a.size.x, by_b.center.x), (1.0, 0.5, 0.0));
+    /// # Ok::<(), geograd::Error>(())
+    /// ```
+    fn jacobian(self) -> Jacobian<Self> {
+        Jacobian(self)
+    }
     /// The operation that takes a cotangent of the result beside the input and gives that of the
     /// input: its adjoint.
     fn vjp(self) -> Vjp<Self> {
@@ -149,6 +172,13 @@ impl<O> ValueGrad<O> {
     #[must_use]
     pub const fn of(function: O) -> Self {
         ValueGrad(function)
+    }
+}
+impl<O> Jacobian<O> {
+    /// The same as [`Op::jacobian`], for code that is generic over what runs.
+    #[must_use]
+    pub const fn of(function: O) -> Self {
+        Jacobian(function)
     }
 }
 impl<O> Vjp<O> {
@@ -187,10 +217,17 @@ impl Ask {
     }
 }
 
-/// What a batch can run on rows of arguments: an operation, its gradient, its adjoint, a program.
+/// What a batch can run on rows of arguments: an operation, its gradient, its Jacobian, its adjoint, a program.
+#[diagnostic::on_unimplemented(
+    message = "`{Self}` does not run on these columns",
+    label = "does not run on rows of `{R}`",
+    note = "`.value_grad()` needs one number as result; `.jacobian()` gives the gradient of each of several",
+    note = "an operation of two shapes takes two columns, `(&a, &b)`, made of its shapes and of one format",
+    note = "a search of another crate (`Decided`) is proved by the harness, and no batch takes it"
+)]
 pub trait Runs<R: Row> {
     /// What it gives per row.
-    type Out: Row<Scalar = R::Scalar>;
+    type Out: Results<Scalar = R::Scalar>;
     /// How batches compute it.
     ///
     /// # Errors
@@ -241,7 +278,8 @@ where
 
 impl<F, R: Row> Runs<R> for ValueGrad<F>
 where
-    F: Runs<R, Out = <R as Pack>::Scalar>,
+    F: Runs<R>,
+    F::Out: OneNumber,
     R::Scalar: Row<Scalar = R::Scalar>,
 {
     type Out = (R::Scalar, R);
@@ -255,6 +293,43 @@ where
     #[cfg(feature = "gpu")]
     fn replays(&self, ask: Ask) -> Option<Result<Arc<dyn Replays<R::Scalar>>, Error>> {
         self.0.replays(ask.wanting(Want::ValueGrad))
+    }
+}
+
+impl<F, R: Row> Runs<R> for Jacobian<F>
+where
+    F: Runs<R>,
+    F::Out: Row<Scalar = R::Scalar> + Pack<With<R>: Send>,
+{
+    type Out = WithJacobian<F::Out, R>;
+    fn face(&self, ask: Ask) -> Result<Arc<Face<R::Scalar>>, Error> {
+        self.0.face(ask.wanting(Want::Jacobian))
+    }
+    #[cfg(feature = "gpu")]
+    fn generated(&self, ask: Ask) -> Result<Arc<Generated<R::Scalar>>, Error> {
+        self.0.generated(ask.wanting(Want::Jacobian))
+    }
+    #[cfg(feature = "gpu")]
+    fn replays(&self, ask: Ask) -> Option<Result<Arc<dyn Replays<R::Scalar>>, Error>> {
+        self.0.replays(ask.wanting(Want::Jacobian))
+    }
+}
+
+impl<F, R: Row> Runs<R> for &Jacobian<F>
+where
+    Jacobian<F>: Runs<R>,
+{
+    type Out = <Jacobian<F> as Runs<R>>::Out;
+    fn face(&self, ask: Ask) -> Result<Arc<Face<R::Scalar>>, Error> {
+        (**self).face(ask)
+    }
+    #[cfg(feature = "gpu")]
+    fn generated(&self, ask: Ask) -> Result<Arc<Generated<R::Scalar>>, Error> {
+        (**self).generated(ask)
+    }
+    #[cfg(feature = "gpu")]
+    fn replays(&self, ask: Ask) -> Option<Result<Arc<dyn Replays<R::Scalar>>, Error>> {
+        (**self).replays(ask)
     }
 }
 

@@ -6,7 +6,7 @@ use crate::kernels::cpu::plan::{Face, Want, of_recorded};
 #[cfg(feature = "gpu")]
 use crate::kernels::gpu::Generated;
 use crate::kernels::op::{Ask, Runs};
-use crate::kernels::row::{Leaf, Row, leaves_of};
+use crate::kernels::row::{Leaf, Results, Row, leaves_of};
 use std::sync::{Arc, PoisonError};
 
 /// Batches run programs as they run operations. What interprets one is made once, however often it
@@ -61,11 +61,12 @@ where
     if let Some(found) = found.and_then(|found| found.downcast().ok()) {
         return Ok(found);
     }
-    let outputs = leaves_of::<Out>().iter().map(|leaf| leaf.fields).collect();
+    let outputs = Out::widths();
     let (value, want) = (program.recorded(), ask.want);
     let recorded = match want {
         Want::Value => value.clone(),
         Want::ValueGrad => value.value_grad(),
+        Want::Jacobian => value.value_jacobian(),
         Want::Vjp => value.value_vjp(),
     };
     let made = make(want, leaves_of::<In>(), outputs, &recorded, ask.framed)?;

@@ -13,7 +13,7 @@ use crate::kernels::cpu::program::instructions::Op;
 use crate::kernels::decided::Decided;
 use crate::kernels::op::Ask;
 use crate::kernels::real::Real;
-use crate::kernels::row::{Row, by_kind, by_shape, get};
+use crate::kernels::row::{Row, by_kind, by_shape, get, width};
 use crate::{Fixed, Pack};
 use std::collections::HashMap;
 use std::sync::{Arc, PoisonError, RwLock};
@@ -92,6 +92,7 @@ impl<D: Decided, T: Real> Of<D, T> {
         let recorded = match self.want {
             Want::Value => recorded,
             Want::ValueGrad => recorded.value_grad(),
+            Want::Jacobian => recorded.value_jacobian(),
             Want::Vjp => recorded.vjp(),
         };
         instructions(
@@ -130,13 +131,14 @@ where
         match self.want {
             Want::Value => [numbers, result],
             Want::ValueGrad => [numbers, result + numbers],
+            Want::Jacobian => [numbers, result + result * numbers],
             Want::Vjp => [numbers + result, numbers],
         }
     }
     fn put(&self, numbers: &[T], found: &[T], row: &mut [T]) {
         let result = match self.want {
             Want::Value => return row.copy_from_slice(found),
-            Want::ValueGrad => D::Out::<T>::LEN,
+            Want::ValueGrad | Want::Jacobian => D::Out::<T>::LEN,
             Want::Vjp => 0,
         };
         row[..result].copy_from_slice(&found[..result]);
@@ -145,7 +147,11 @@ where
             &numbers[..D::In::<T>::LEN + D::In::<T>::CODES],
         ))
         .codes();
-        by_shape::<D::In<T>>(&found[result..], &codes, &mut row[result..]);
+        let width = width::<D::In<T>>();
+        let gradients = row[result..].chunks_exact_mut(width);
+        for (own, gradient) in found[result..].chunks(D::In::<T>::LEN).zip(gradients) {
+            by_shape::<D::In<T>>(own, &codes, gradient);
+        }
     }
 }
 

@@ -10,6 +10,7 @@ use crate::shape::{Obb3, YawBox3};
 use crate::{Aabb2, Fixed, Obb2, Pack};
 use std::any::TypeId;
 use std::borrow::Cow;
+use std::marker::PhantomData;
 use std::ops::Range;
 
 /// One shape of a row, as numbers.
@@ -51,6 +52,93 @@ pub trait Row: Fixed<Scalar: Real> {
     /// Where results go, one target per shape of a row.
     #[doc(hidden)]
     fn targets<'a>(many: &'a mut Self::Many, add: &mut dyn FnMut(Target<'a, Self::Scalar>));
+}
+
+/// What a batch gives per item: a row, or a result with its [Jacobian](WithJacobian).
+pub trait Results {
+    /// `f32` or `f64`.
+    type Scalar: Real;
+    /// Many of them.
+    type Many: Send;
+    /// As many as are wanted, all of them zero.
+    #[doc(hidden)]
+    fn room(count: usize) -> Self::Many;
+    /// Numbers of every target.
+    #[doc(hidden)]
+    fn widths() -> Vec<usize>;
+    /// Where they go.
+    #[doc(hidden)]
+    fn places<'a>(many: &'a mut Self::Many, add: &mut dyn FnMut(Target<'a, Self::Scalar>));
+}
+
+impl<R: Row> Results for R {
+    type Scalar = <R as Pack>::Scalar;
+    type Many = <R as Row>::Many;
+    fn room(count: usize) -> Self::Many {
+        R::many(count)
+    }
+    fn widths() -> Vec<usize> {
+        leaves_of::<R>().iter().map(|leaf| leaf.fields).collect()
+    }
+    fn places<'a>(many: &'a mut Self::Many, add: &mut dyn FnMut(Target<'a, Self::Scalar>)) {
+        R::targets(many, add);
+    }
+}
+
+/// A result `Y` and its Jacobian with respect to an input `X`: many results, as always, and a vector with a Jacobian per
+/// item, which is the result's shape with the gradient, of the input's shape, in the place of every number.
+#[derive(Clone, Copy, Debug)]
+pub struct WithJacobian<Y, X>(PhantomData<fn(X) -> Y>);
+
+impl<Y: Row, X: Row<Scalar = Y::Scalar>> Results for WithJacobian<Y, X>
+where
+    Y::With<X>: Send,
+{
+    type Scalar = <Y as Pack>::Scalar;
+    type Many = (<Y as Row>::Many, Vec<Y::With<X>>);
+    fn room(count: usize) -> Self::Many {
+        let zero = Self::Scalar::default();
+        let gradient = Y::filled(zero).map(&mut |_| X::filled(zero));
+        (Y::many(count), vec![gradient; count])
+    }
+    fn widths() -> Vec<usize> {
+        let own = leaves_of::<Y>().into_iter().map(|leaf| leaf.fields);
+        own.chain([Y::LEN * width::<X>()]).collect()
+    }
+    fn places<'a>(
+        (results, all): &'a mut Self::Many,
+        add: &mut dyn FnMut(Target<'a, Self::Scalar>),
+    ) {
+        Y::targets(results, add);
+        add(jacobians::<Y, X>(all));
+    }
+}
+
+/// Jacobians as a target: their gradients, one after another.
+pub(crate) fn jacobians<Y: Row, X: Row<Scalar = Y::Scalar>>(
+    all: &mut [Y::With<X>],
+) -> Target<'_, Y::Scalar>
+where
+    Y::With<X>: Send,
+{
+    let (count, fields) = (all.len(), width::<X>());
+    let pieces = all.chunks_mut(STRETCH).map(|jacobians| {
+        let room = vec![Y::Scalar::default(); jacobians.len() * Y::LEN * fields];
+        let write = move |numbers: &[Y::Scalar]| {
+            let mut gradients = numbers.chunks_exact(fields);
+            for jacobian in jacobians {
+                *jacobian = Y::filled(Y::Scalar::default()).map(&mut |_| {
+                    let numbers = gradients.next().unwrap_or_default();
+                    get::<X>(&by_kind::<X>(numbers))
+                });
+            }
+        };
+        Piece::Written(room, Box::new(write))
+    });
+    Target {
+        pieces: pieces.collect(),
+        count,
+    }
 }
 
 /// Numbers of a shape in a column: its scalars, then its codes.

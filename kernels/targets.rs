@@ -1,9 +1,9 @@
 //! Where the results of batches go.
-use crate::kernels::row::{Row, Target, target};
+use crate::kernels::row::{Results, Row, Target, WithJacobian, jacobians, target};
 
 /// Where the results of a batch go: a slice or vector for every shape of a result, in a tuple like
 /// the result's; [`Skip`] for what is not wanted.
-pub trait Targets<R: Row> {
+pub trait Targets<R: Results> {
     /// The targets, one per shape of a result.
     #[doc(hidden)]
     fn list<'a>(&'a mut self, add: &mut dyn FnMut(Option<Target<'a, R::Scalar>>));
@@ -13,9 +13,32 @@ pub trait Targets<R: Row> {
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Skip;
 
-impl<R: Row> Targets<R> for Skip {
+impl<R: Results> Targets<R> for Skip {
     fn list<'a>(&'a mut self, add: &mut dyn FnMut(Option<Target<'a, R::Scalar>>)) {
-        R::leaves(&mut |_| add(None));
+        for _ in R::widths() {
+            add(None);
+        }
+    }
+}
+/// Where a result goes, and where its Jacobian.
+impl<Y: Row, X: Row<Scalar = Y::Scalar>, T: Targets<Y>> Targets<WithJacobian<Y, X>>
+    for (T, &mut [Y::With<X>])
+where
+    Y::With<X>: Send,
+{
+    fn list<'a>(&'a mut self, add: &mut dyn FnMut(Option<Target<'a, Y::Scalar>>)) {
+        self.0.list(add);
+        add(Some(jacobians::<Y, X>(self.1)));
+    }
+}
+impl<Y: Row, X: Row<Scalar = Y::Scalar>, T: Targets<Y>> Targets<WithJacobian<Y, X>>
+    for (T, &mut Vec<Y::With<X>>)
+where
+    Y::With<X>: Send,
+{
+    fn list<'a>(&'a mut self, add: &mut dyn FnMut(Option<Target<'a, Y::Scalar>>)) {
+        self.0.list(add);
+        add(Some(jacobians::<Y, X>(self.1)));
     }
 }
 impl<R: Row<Many = Vec<R>>> Targets<R> for &mut [R] {

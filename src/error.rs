@@ -41,14 +41,6 @@ pub enum Argument {
     GradA,
     /// The caller's buffer for gradients of the second input.
     GradB,
-    /// The caller's buffer for gradients of the third input.
-    GradC,
-    /// The caller's buffer for gradients of the fourth input.
-    GradD,
-    /// The caller's buffer for gradients of the fifth input.
-    GradE,
-    /// The caller's buffer for gradients of the sixth input.
-    GradF,
     /// The caller's buffer for gradients of the vertices.
     GradVertices,
 }
@@ -65,15 +57,23 @@ impl Argument {
             Argument::Input(i)
         }
     }
-    /// The caller's buffer for gradients of input `i`, from zero; `Values` from six on.
+    /// An input by the name that its operation gives it: `A` for `a`, and so on up to `F`.
+    ///
+    /// ```
+    /// use geograd::error::Argument;
+    /// assert_eq!(Argument::named("b"), Argument::B);
+    /// assert_eq!(Argument::named("point"), Argument::Named("point"));
+    /// ```
     #[must_use]
-    pub const fn grad(i: usize) -> Self {
-        use Argument::{GradA, GradB, GradC, GradD, GradE, GradF};
-        const ALL: [Argument; 6] = [GradA, GradB, GradC, GradD, GradE, GradF];
-        if i < ALL.len() {
-            ALL[i]
-        } else {
-            Argument::Values
+    pub const fn named(name: &'static str) -> Self {
+        match name.as_bytes() {
+            b"a" => Argument::A,
+            b"b" => Argument::B,
+            b"c" => Argument::C,
+            b"d" => Argument::D,
+            b"e" => Argument::E,
+            b"f" => Argument::F,
+            _ => Argument::Named(name),
         }
     }
 }
@@ -99,10 +99,6 @@ impl fmt::Display for Argument {
             Argument::Values => "values",
             Argument::GradA => "grad_a",
             Argument::GradB => "grad_b",
-            Argument::GradC => "grad_c",
-            Argument::GradD => "grad_d",
-            Argument::GradE => "grad_e",
-            Argument::GradF => "grad_f",
             Argument::GradVertices => "grad_vertices",
         })
     }

@@ -8,6 +8,7 @@ use geograd::ad::check::sample::{Draw, Sample};
 use geograd::ad::check::{Plan, Report};
 use geograd::kernels::check::{prove_on, prove_pairs_on, prove_with};
 use geograd::kernels::gpu::Gpu;
+use geograd::kernels::row::Results;
 use geograd::kernels::{Backend, Cpu, One, Op, Row, Runs, Single, Table};
 use geograd::{Error, Fixed, Pack};
 use std::fmt::Debug;
@@ -145,6 +146,7 @@ fn stays<R, F>(gpu: &Gpu, run: F, rows: &[R])
 where
     R: Row<Scalar = f32>,
     F: Runs<R> + Copy,
+    F::Out: Row<Scalar = f32> + Results<Many = <F::Out as Row>::Many>,
     <F::Out as Row>::Many: PartialEq + Debug,
 {
     let here = Backend::Gpu(gpu).resident();

@@ -65,6 +65,6 @@ pub(crate) mod wgsl;
 
 pub use cost::Cost;
 pub use graph::Format;
-pub use program::Program;
-pub use symbol::{Plain, Sym, SymMask};
+pub use program::{Jacobian, Program};
+pub use symbol::{OneNumber, Plain, Sym, SymMask};
 pub use wgsl::WGSL;

@@ -5,13 +5,13 @@ use super::print::print;
 use super::record::record;
 use super::recorded::Recorded;
 use super::shapes::numbers;
-use super::symbol::{Plain, Sym};
+use super::symbol::{OneNumber, Plain, Sym};
 use super::wgsl;
 use crate::{Error, Fixed, Scalar};
 use std::any::Any;
 use std::fmt;
 use std::marker::PhantomData;
-use std::sync::{Arc, Mutex};
+use std::sync::{Arc, Mutex, PoisonError};
 
 /// A recorded function from one shape of plain numbers to another.
 ///
@@ -120,6 +120,34 @@ impl<T: Plain, In: Fixed<Scalar = T>, Out: Fixed<Scalar = T>> Program<In, Out> {
         Program::of(self.recorded.vjp())
     }
 
+    /// The value and its gradient, of the input's shape, as a program.
+    #[must_use]
+    pub fn value_grad(&self) -> Program<In, (Out, In)>
+    where
+        Out: OneNumber,
+    {
+        Program::of(self.recorded.value_grad())
+    }
+
+    /// The result with its Jacobian: the result's shape with its gradient, of the input's shape, in the place of every
+    /// number. It [runs](crate::kernels::Runs) in aligned batches.
+    ///
+    /// ```
+    /// use geograd::ad::program::{Program, Sym};
+    /// use geograd::kernels::Cpu;
+    /// use geograd::Vec2;
+    /// let polar = Program::trace(|v: Vec2<Sym<f64>>| (v.length(), v.x * v.y))?;
+    /// let (_, (by_length, by_product)) = polar.jacobian().eval(Vec2::new(3.0, 4.0));
+    /// assert_eq!((by_length, by_product), (Vec2::new(0.6, 0.8), Vec2::new(4.0, 3.0)));
+    /// let ((lengths, _), slopes) = Cpu::new().aligned(polar.jacobian(), &[Vec2::new(3.0, 4.0)])?;
+    /// assert_eq!((lengths[0], slopes[0].0), (5.0, by_length));
+    /// # Ok::<(), geograd::Error>(())
+    /// ```
+    #[must_use]
+    pub fn jacobian(&self) -> Jacobian<Self> {
+        Jacobian(self.clone())
+    }
+
     /// The push-forward as a program: from an input and a direction, of the input's shape, to the
     /// result and its derivative along the direction, of the result's shape.
     #[must_use]
@@ -129,12 +157,6 @@ impl<T: Plain, In: Fixed<Scalar = T>, Out: Fixed<Scalar = T>> Program<In, Out> {
 }
 
 impl<T: Plain, In: Fixed<Scalar = T>> Program<In, T> {
-    /// The value and its gradient, of the input's shape, as a program.
-    #[must_use]
-    pub fn value_grad(&self) -> Program<In, (T, In)> {
-        Program::of(self.recorded.value_grad())
-    }
-
     /// The Hessian times a direction as a program: from an input and a direction, of the input's
     /// shape, to the derivative of the gradient along it.
     #[must_use]
@@ -196,6 +218,42 @@ impl<T: Plain, In: Fixed<Scalar = T>> Program<In, T> {
         }
     }
 }
+
+/// A function with its Jacobian: see [`Program::jacobian`] and [`Op::jacobian`](crate::kernels::Op::jacobian).
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct Jacobian<O>(pub(crate) O);
+
+impl<T: Plain, In: Fixed<Scalar = T>, Out: Fixed<Scalar = T>> Jacobian<Program<In, Out>> {
+    /// The result for an input, and its Jacobian: in the place of every number of the result its gradient.
+    #[must_use]
+    pub fn eval(&self, input: In) -> (Out, Out::With<In>) {
+        // The gradients follow the result.
+        let all = self.recorded().run(&numbers(input));
+        let result = Out::load(&all);
+        let mut gradients = all[Out::LEN..].chunks(In::LEN.max(1));
+        let jacobian = result.map(&mut |_| In::load(gradients.next().unwrap_or_default()));
+        (result, jacobian)
+    }
+    /// How many operations a result and its Jacobian take, by kind.
+    #[must_use]
+    pub fn cost(&self) -> Cost {
+        Cost::of(&self.recorded().value.graph)
+    }
+    /// The operations, which are made once for a program and its clones.
+    fn recorded(&self) -> Arc<Recorded> {
+        let mut kept = self.0.kept.lock().unwrap_or_else(PoisonError::into_inner);
+        let found = kept.iter().find(|kept| kept.0 == JACOBIAN);
+        if let Some(found) = found.and_then(|kept| kept.1.clone().downcast().ok()) {
+            return found;
+        }
+        let made = Arc::new(self.0.recorded.value_jacobian());
+        kept.push((JACOBIAN, made.clone()));
+        made
+    }
+}
+
+/// The key of a Jacobian: machines have smaller ones.
+const JACOBIAN: u8 = u8::MAX;
 
 impl<In: Fixed<Scalar = f32>, Out: Fixed<Scalar = f32>> Program<In, Out> {
     /// The program as a function in WGSL, from an array of numbers to an array of numbers, in the order

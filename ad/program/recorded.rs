@@ -142,6 +142,59 @@ impl Recorded {
         Recorded::new(graph, self.inputs, &outputs)
     }
 
+    /// The results, and then the gradient of each.
+    pub(crate) fn value_jacobian(&self) -> Recorded {
+        let mut graph = self.graph.clone();
+        let mut outputs = self.outputs.clone();
+        match &self.by_hand {
+            Some(gradient) => outputs.extend(gradient),
+            None => {
+                let one = graph.lit(1.0);
+                for result in self.outputs.chunks(1) {
+                    outputs.extend(reverse(&mut graph, result, &[one], self.inputs));
+                }
+            }
+        }
+        Recorded::new(graph, self.inputs, &outputs)
+    }
+
+    /// The same with slopes taken forwards, along one axis of the input after the other.
+    pub(crate) fn value_jacobian_forwards(&self) -> Recorded {
+        let mut graph = self.graph.clone();
+        let columns: Vec<Vec<Id>> = (0..self.inputs)
+            .map(|axis| self.along(&mut graph, axis))
+            .collect();
+        let rows = (0..self.outputs.len()).flat_map(|k| columns.iter().map(move |own| own[k]));
+        let outputs: Vec<Id> = self.outputs.iter().copied().chain(rows).collect();
+        Recorded::new(graph, self.inputs, &outputs)
+    }
+
+    /// The same of a program that is a result and its pull-back, of so many results: the pull-back of every axis of the
+    /// result.
+    pub(crate) fn value_jacobian_of_vjp(&self, results: usize) -> Recorded {
+        let inputs = self.inputs - results;
+        let mut graph = Graph::new(self.format());
+        let (mut outputs, mut rows) = (Vec::new(), Vec::new());
+        for axis in 0..results {
+            let mut names: Vec<Id> = Vec::with_capacity(self.graph.len());
+            for &node in self.graph.nodes() {
+                names.push(match node {
+                    Node::Input(place) if place as usize >= inputs => {
+                        let is_axis = place as usize == inputs + axis;
+                        graph.lit(f64::from(u8::from(is_axis)))
+                    }
+                    node => graph.make(node.renamed(|x| names[x as usize])),
+                });
+            }
+            let renamed = |&x: &Id| names[x as usize];
+            if axis == 0 {
+                outputs.extend(self.outputs[..results].iter().map(renamed));
+            }
+            rows.extend(self.outputs[results..].iter().map(renamed));
+        }
+        Recorded::new(graph, inputs, &[outputs, rows].concat())
+    }
+
     /// The derivatives of all results along an axis of the input.
     fn along(&self, graph: &mut Graph, axis: usize) -> Vec<Id> {
         let (zero, one) = (graph.lit(0.0), graph.lit(1.0));

@@ -7,8 +7,19 @@ use crate::{Mask, Scalar};
 use std::marker::PhantomData;
 use std::ops::{Add, AddAssign, BitAnd, BitOr, Div, Mul, MulAssign, Neg, Not, Sub, SubAssign};
 
+/// A result that is one number, `f32` or `f64`: what has a gradient.
+#[diagnostic::on_unimplemented(
+    message = "`.value_grad()` needs one number as result, and `{Self}` is none",
+    label = "the result is `{Self}`",
+    note = "`.jacobian()` gives the gradient of every number of a result, `.vjp()` that of their sum times cotangents"
+)]
+pub trait OneNumber {}
+
+impl OneNumber for f32 {}
+impl OneNumber for f64 {}
+
 /// A plain number, `f32` or `f64`, on which programs run.
-pub trait Plain: Float + Scalar<Mask = bool, Primal = Self> {
+pub trait Plain: OneNumber + Float + Scalar<Mask = bool, Primal = Self> {
     /// Its format.
     const FORMAT: Format;
 }

@@ -7,7 +7,7 @@ use crate::kernels::cpu::desk::Aligned;
 use crate::kernels::cpu::plan::{Face, Preparation};
 use crate::kernels::op::{Ask, Runs};
 use crate::kernels::real::Real;
-use crate::kernels::row::{Column, Columns, Row, Target};
+use crate::kernels::row::{Column, Columns, Results, Target};
 use crate::kernels::targets::Targets;
 
 /// The scalar of columns.
@@ -17,8 +17,8 @@ impl Cpu {
     /// Item i of every column: one result per item, shape by shape for results of several.
     ///
     /// What runs is an operation ([`Iou`](crate::kernels::Iou)), its gradient
-    /// ([`value_grad`](crate::kernels::Op::value_grad)), its adjoint
-    /// ([`vjp`](crate::kernels::Op::vjp)), or a program.
+    /// ([`value_grad`](crate::kernels::Op::value_grad)) or Jacobian
+    /// ([`jacobian`](crate::kernels::Op::jacobian)), its adjoint ([`vjp`](crate::kernels::Op::vjp)), or a program.
     ///
     /// # Errors
     ///
@@ -46,13 +46,13 @@ impl Cpu {
         &self,
         run: R,
         columns: C,
-    ) -> Result<<R::Out as Row>::Many, Error> {
+    ) -> Result<<R::Out as Results>::Many, Error> {
         let face = run.face(Ask::ALIGNED)?;
         let columns = listed(&columns);
         let (count, rare) = checked(&face, &columns)?;
-        let mut many = R::Out::many(count);
+        let mut many = R::Out::room(count);
         let mut targets = Vec::new();
-        R::Out::targets(&mut many, &mut |target| targets.push(Some(target)));
+        R::Out::places(&mut many, &mut |target| targets.push(Some(target)));
         compute(&face, columns, rare, count, targets);
         Ok(many)
     }
@@ -90,7 +90,7 @@ impl Cpu {
 }
 
 /// The targets as a list, each of so many items.
-pub(crate) fn fitting<R: Row>(
+pub(crate) fn fitting<R: Results>(
     targets: &mut impl Targets<R>,
     count: usize,
 ) -> Result<Vec<Option<Target<'_, R::Scalar>>>, Error> {
@@ -195,21 +195,22 @@ pub(crate) fn checked<T: Real>(
     face: &Face<T>,
     columns: &[Column<'_, T>],
 ) -> Result<(usize, bool), Error> {
-    let count = items(face.arguments.len(), columns)?;
+    let count = items(&face.arguments, columns)?;
     let rare = sound(&face.arguments, face.steepest, columns)?;
     Ok((count, rare))
 }
 
-/// The name of a column, of so many arguments.
-pub(crate) fn name_of(arguments: usize, k: usize) -> Argument {
-    match k < arguments {
-        true => Argument::input(k),
-        false => Argument::Upstream,
-    }
+/// The name of a column, given those of arguments: cotangents follow.
+pub(crate) fn name_of<T>(arguments: &[Preparation<T>], k: usize) -> Argument {
+    let own = arguments.get(k);
+    own.map_or(Argument::Upstream, |argument| argument.argument(k))
 }
 
-/// How many items the columns of so many arguments, and cotangents, have.
-pub(crate) fn items<T: Real>(arguments: usize, columns: &[Column<'_, T>]) -> Result<usize, Error> {
+/// How many items the columns of arguments, and of cotangents, have.
+pub(crate) fn items<T: Real>(
+    arguments: &[Preparation<T>],
+    columns: &[Column<'_, T>],
+) -> Result<usize, Error> {
     let mut count = None;
     for (k, column) in columns.iter().enumerate() {
         match (count, column.count) {
@@ -236,7 +237,7 @@ pub(crate) fn sound<T: Real>(
     let mut rare = false;
     for (k, column) in columns.iter().enumerate() {
         match arguments.get(k) {
-            Some(plan) => rare |= check(name_of(arguments.len(), k), plan, column)?,
+            Some(plan) => rare |= check(plan.argument(k), plan, column)?,
             None => {
                 let numbers = column.all();
                 check_upstream(&numbers, column.fields)?;

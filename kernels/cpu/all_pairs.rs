@@ -1,7 +1,7 @@
 //! All-pairs batches: every row with every column.
 use crate::error::{Argument, Error};
 use crate::kernels::cpu::Cpu;
-use crate::kernels::cpu::checked::{check, entries, expect, fill, numbers, restore, tame};
+use crate::kernels::cpu::checked::{check_argument, entries, expect, fill, numbers, restore, tame};
 use crate::kernels::cpu::pairs::Pairs;
 use crate::kernels::cpu::plan::Face;
 use crate::kernels::cpu::sweep::Upstream;
@@ -9,7 +9,7 @@ use crate::kernels::cpu::table::Table;
 use crate::kernels::op::{Ask, Runs};
 use crate::kernels::real::Real;
 use crate::kernels::reduce::{Best, Found, check_sides, check_threshold};
-use crate::kernels::row::{Column, Single, width};
+use crate::kernels::row::{Column, Results, Single};
 
 /// Lists of shapes, checked.
 pub(crate) fn pairs<'a, T: Real, A: Single<Scalar = T>, B: Single<Scalar = T>>(
@@ -22,8 +22,8 @@ pub(crate) fn pairs<'a, T: Real, A: Single<Scalar = T>, B: Single<Scalar = T>>(
         return Err(Error::TooLarge);
     }
     let rare = [
-        check(Argument::A, &face.arguments[0], &Column::of(a))?,
-        check(Argument::B, &face.arguments[1], &Column::of(b))?,
+        check_argument(0, &face.arguments, &Column::of(a))?,
+        check_argument(1, &face.arguments, &Column::of(b))?,
     ];
     Ok(Pairs {
         face,
@@ -134,7 +134,7 @@ impl Cpu {
         b: &[B],
         planes: &mut [A::Scalar],
     ) -> Result<(), Error> {
-        let wanted = entries(a.len(), b.len(), width::<R::Out>())?;
+        let wanted = entries(a.len(), b.len(), R::Out::widths().iter().sum())?;
         expect(Argument::Values, wanted, planes.len())?;
         let face = run.face(Ask::PAIRS)?;
         let pairs = pairs(self, &face, a, b)?;

@@ -107,6 +107,15 @@ pub(crate) fn fill<T: Real, P: Fixed<Scalar = T>, R>(
 /// Shapes looked at together: few enough for the innermost cache.
 const GROUP: usize = 2048;
 
+/// Checks every shape of a column that is number `k` of the arguments. Whether some may be too rare for kernels.
+pub(crate) fn check_argument<T: Real>(
+    k: usize,
+    arguments: &[Preparation<T>],
+    column: &Column<'_, T>,
+) -> Result<bool, Error> {
+    check(arguments[k].argument(k), &arguments[k], column)
+}
+
 /// Checks every shape of a column. Whether some may be too rare for kernels.
 pub(crate) fn check<T: Real>(
     argument: Argument,

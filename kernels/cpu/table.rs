@@ -1,7 +1,7 @@
 //! Results of all pairs.
 use crate::error::Error;
 use crate::kernels::cpu::checked::entries;
-use crate::kernels::row::{Row, by_kind, get, width};
+use crate::kernels::row::{Results, Row, by_kind, get, width};
 use std::marker::PhantomData;
 
 /// A result for every row with every column.
@@ -9,14 +9,14 @@ use std::marker::PhantomData;
 /// Numbers are kept as planes, one matrix per number of a result, because that is how a consumer of
 /// millions reads them and because the processor can write nothing else at full speed.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Table<P: Row> {
+pub struct Table<P: Results> {
     rows: usize,
     columns: usize,
     planes: Vec<P::Scalar>,
     result: PhantomData<P>,
 }
 
-impl<P: Row> Table<P> {
+impl<P: Results> Table<P> {
     /// Room for so many rows and columns; all results are zero.
     ///
     /// # Errors
@@ -26,7 +26,7 @@ impl<P: Row> Table<P> {
         Ok(Table {
             rows,
             columns,
-            planes: vec![P::Scalar::default(); entries(rows, columns, width::<P>())?],
+            planes: vec![P::Scalar::default(); entries(rows, columns, P::widths().iter().sum())?],
             result: PhantomData,
         })
     }
@@ -68,6 +68,9 @@ impl<P: Row> Table<P> {
     pub fn into_planes(self) -> Vec<P::Scalar> {
         self.planes
     }
+}
+
+impl<P: Row> Table<P> {
     /// The result of a row with a column.
     ///
     /// # Panics

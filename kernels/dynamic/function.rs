@@ -7,6 +7,7 @@ use crate::kernels::cpu::aligned::{checked, compute};
 use crate::kernels::cpu::all_pairs::Bearable;
 use crate::kernels::cpu::checked::{check, entries, expect};
 use crate::kernels::cpu::pairs::Pairs;
+use crate::kernels::cpu::plan::with_jacobian;
 use crate::kernels::cpu::plan::{Face, Shaped};
 use crate::kernels::cpu::sweep::Upstream;
 use crate::kernels::op::Ask;
@@ -91,6 +92,7 @@ impl<T: Real> Function<T> {
         match self.mode {
             Mode::Value => self.outputs.clone(),
             Mode::ValueGrad => self.outputs.iter().copied().chain(slopes).collect(),
+            Mode::Jacobian => with_jacobian(self.outputs.clone(), &slopes.collect::<Vec<_>>()),
             Mode::Vjp => slopes.collect(),
         }
     }

@@ -334,6 +334,7 @@ impl<T: Real> Program<T> {
         let derived = match mode {
             Mode::Value => None,
             Mode::ValueGrad => Some(inner.recorded.value_grad()),
+            Mode::Jacobian => Some(inner.recorded.value_jacobian()),
             Mode::Vjp => Some(inner.recorded.value_vjp()),
         };
         let recorded = derived.as_ref().unwrap_or(&inner.recorded);

@@ -8,7 +8,7 @@ use crate::kernels::cpu::checked::expect;
 #[cfg(feature = "gpu")]
 use crate::kernels::gpu;
 use crate::kernels::op::Runs;
-use crate::kernels::row::{Column, Columns, Row, Target, leaves_of};
+use crate::kernels::row::{Column, Columns, Results, Row, Target};
 use std::marker::PhantomData;
 
 /// Columns for the processor.
@@ -178,12 +178,11 @@ fn compute<R: Row<Scalar = f32>, F: Runs<R>>(
     results: &mut Held<F::Out>,
 ) -> Result<(), Error> {
     let count = count_of(given)?;
-    let leaves = leaves_of::<F::Out>();
-    let mut found: Vec<Numbers> = leaves
-        .iter()
-        .map(|leaf| Numbers {
-            fields: leaf.fields,
-            rows: vec![0.0; leaf.fields * count],
+    let mut found: Vec<Numbers> = F::Out::widths()
+        .into_iter()
+        .map(|fields| Numbers {
+            fields,
+            rows: vec![0.0; fields * count],
         })
         .collect();
     let targets = found

@@ -168,6 +168,7 @@ fn recorded<In: Row<Scalar: Plain>, F: Traced<In>>(
     known::<F::Key, In::Scalar, _>(Known::Program(want), || match want {
         Want::Value => Ok(function.record()?.recorded().clone()),
         Want::ValueGrad => Ok(recorded(function, Want::Value)?.value_grad()),
+        Want::Jacobian => Ok(recorded(function, Want::Value)?.value_jacobian()),
         Want::Vjp => Ok(recorded(function, Want::Value)?.value_vjp()),
     })
 }

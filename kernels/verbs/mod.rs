@@ -140,6 +140,11 @@ macro_rules! verb {
             pub const fn value_grad(self) -> $crate::kernels::op::ValueGrad<Self> {
                 $crate::kernels::op::ValueGrad::of(self)
             }
+            /// The same with the Jacobian: aligned batches give the result, and in its shape the gradient of every number.
+            #[must_use]
+            pub const fn jacobian(self) -> $crate::kernels::op::Jacobian<Self> {
+                $crate::kernels::op::Jacobian::of(self)
+            }
             /// The adjoint: batches take the arguments and a cotangent of the result, and give the cotangents of the
             /// arguments.
             #[must_use]

@@ -277,7 +277,7 @@ fn folds_refuse_what_is_wrong() {
     assert_eq!(
         cpu.fold(SignedDistancePointRing, &one, &ring, &[0, 1, 3]),
         Err(Error::Length {
-            argument: Argument::A,
+            argument: Argument::Named("point"),
             expected: 2,
             found: 1
         })
@@ -286,7 +286,7 @@ fn folds_refuse_what_is_wrong() {
     assert_eq!(
         cpu.fold(SignedDistancePointRing, &nan, &ring, &[0, 3]),
         Err(Error::Invalid {
-            argument: Argument::A,
+            argument: Argument::Named("point"),
             row: 0,
             flaw: Flaw::NotFinite(Field::new("x"))
         })
@@ -336,7 +336,7 @@ fn searches_are_decided_and_replayed() {
     assert!(matches!(
         cpu.aligned(Diameter, &flat),
         Err(Error::Invalid {
-            argument: Argument::A,
+            argument: Argument::Named("polygon"),
             row: 1,
             ..
         })

@@ -5,7 +5,9 @@ mod dynamic;
 mod fold;
 #[cfg(feature = "fuzzers")]
 mod fuzz;
+mod jacobian;
 mod memory;
+mod names;
 mod polygon;
 mod program;
 mod promised;

@@ -166,7 +166,7 @@ fn long_names_keep_their_end() {
 fn arguments_go_by_number_or_name() {
     let all: Vec<_> = (0..6).map(|i| Argument::input(i).to_string()).collect();
     assert_eq!(all.concat(), "abcdef");
-    assert_eq!(Argument::grad(5).to_string(), "grad_f");
+    assert_eq!(Argument::named("f").to_string(), "f");
     assert_eq!(Argument::Named("robot").to_string(), "robot");
     assert_eq!(
         (Argument::input(1), Argument::input(6)),

@@ -213,6 +213,60 @@ fn any_number_of_fields() {
 }
 
 #[test]
+fn jacobians_are_the_processors() {
+    let Some((_turn, gpu)) = gpu() else { return };
+    let draw = |seed| -> Vec<Obb2<f32>> {
+        let mut draw = Draw::new(seed);
+        let shape = |_| Box2::ordinary(&mut draw).map(&mut |&x| x as f32);
+        (0..1000).map(shape).collect()
+    };
+    let (a, b) = (draw(1), draw(2));
+    let run = distance::ClosestPointsObb2.jacobian();
+    let (points, slopes) = gpu.aligned(run, (&a, One(b[0]))).unwrap();
+    let (expected, slopes_expected) = Cpu::new().aligned(run, (&a, One(b[0]))).unwrap();
+    let all = |points: &[geograd::distance::ClosestPoints<f32>]| -> Vec<f32> {
+        points.iter().flat_map(|x| x.scalars()).collect()
+    };
+    near(&all(&points), &all(&expected), 1e-4);
+    // Which sides are nearest is decided within rounding: hardly an item may choose others.
+    let differs = |(own, other): &(&_, &_)| -> bool {
+        let rows = |x: &geograd::distance::ClosestPoints<(Obb2<f32>, Obb2<f32>)>| -> Vec<f32> {
+            x.scalars().iter().flat_map(Pack::scalars).collect()
+        };
+        let pairs = rows(own).into_iter().zip(rows(other));
+        pairs
+            .into_iter()
+            .any(|(a, b)| (a - b).abs() > 1e-3 * (1.0 + b.abs()))
+    };
+    let different = slopes.iter().zip(&slopes_expected).filter(differs).count();
+    assert!(different <= 10, "{different} of {}", a.len());
+    let corners = Program::trace(|b: Obb2<Sym<f32>>| b.corners())
+        .unwrap()
+        .jacobian();
+    let (_, slopes) = gpu.aligned(&corners, &a).unwrap();
+    let (_, expected) = Cpu::new().aligned(&corners, &a).unwrap();
+    let rows = |all: &[[Vec2<Obb2<f32>>; 4]]| -> Vec<f32> {
+        let rows = all.iter().flat_map(|x| x.scalars());
+        rows.flat_map(|x| x.scalars()).collect()
+    };
+    near(&rows(&slopes), &rows(&expected), 1e-5);
+    // What searches is replayed with its slopes.
+    let mut draw = Draw::new(5);
+    let polygon = |_| geograd::ConvexPolygon::<f64, 5>::ordinary(&mut draw).map(&mut |&x| x as f32);
+    let polygons: Vec<geograd::ConvexPolygon<f32, 5>> = (0..50).map(polygon).collect();
+    let run = geograd::kernels::MinimumCircle.jacobian();
+    let (_, slopes) = gpu.aligned(run, &polygons).unwrap();
+    let (_, expected) = Cpu::new().aligned(run, &polygons).unwrap();
+    for ((own, other), polygon) in slopes.iter().zip(&expected).zip(&polygons) {
+        let rows = |x: &Circle<geograd::ConvexPolygon<f32, 5>>| -> Vec<f32> {
+            x.scalars().iter().flat_map(Pack::scalars).collect()
+        };
+        near(&rows(own), &rows(other), 1e-2);
+        assert_eq!(own.radius.count, polygon.count);
+    }
+}
+
+#[test]
 fn bad_input_is_refused() {
     let Some((_turn, gpu)) = gpu() else { return };
     let (points, bad) = (vec![Vec2::new(0.0_f32, 1.0); 3], Vec2::new(f32::NAN, 0.0));
@@ -224,7 +278,8 @@ fn bad_input_is_refused() {
         expected,
         found,
     };
-    assert_eq!(refused.unwrap_err(), length(Argument::B, 3, 2));
+    let segment_argument = Argument::Named("segment");
+    assert_eq!(refused.unwrap_err(), length(segment_argument, 3, 2));
     let refused = gpu.aligned(run, (&[points[0], bad], One(segment)));
     let expected = Cpu::new().aligned(run, (&[points[0], bad], One(segment)));
     assert_eq!(refused.unwrap_err(), expected.unwrap_err());

@@ -5,10 +5,10 @@ mod programs;
 use crate::ad::program::recorded::Recorded;
 use crate::error::{Argument, Field};
 use crate::kernels::cpu::Cpu;
-use crate::kernels::cpu::checked::{check, check_upstream, expect, numbers};
+use crate::kernels::cpu::checked::{check_argument, check_upstream, expect, numbers};
 use crate::kernels::cpu::desk::Aligned;
 use crate::kernels::cpu::nearest::Spans;
-use crate::kernels::cpu::plan::{Face, Known, Preparation, Want, known, of_recorded};
+use crate::kernels::cpu::plan::{Face, Known, Preparation, Want, known, name, of_recorded};
 use crate::kernels::cpu::ragged::{check_offsets, check_vertices};
 use crate::kernels::cpu::simd::Simd;
 use crate::kernels::cpu::work::spread;
@@ -280,11 +280,14 @@ where
     }
     let mut contexts = Vec::new();
     context.list(&mut |column| contexts.push(column));
-    for (k, (column, leaf)) in contexts.iter().zip(leaves_of::<C::Row>()).enumerate() {
+    let leaves = leaves_of::<C::Row>();
+    let mut plans: Vec<_> = leaves.into_iter().map(Preparation::plain).collect();
+    name(&mut plans, F::ARGUMENTS);
+    for (k, column) in contexts.iter().enumerate() {
         if let Some(found) = column.count {
-            expect(Argument::input(k), spans.count(), found)?;
+            expect(plans[k].argument(k), spans.count(), found)?;
         }
-        check(Argument::input(k), &Preparation::plain(leaf), column)?;
+        check_argument(k, &plans, column)?;
     }
     Ok(contexts)
 }

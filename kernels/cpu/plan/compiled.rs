@@ -125,6 +125,7 @@ fn score_of_two<T: Real, P: Fixed<Scalar = T>>(
 fn of_obb2<T: Real>(over: Denominator, want: Want) -> Face<T> {
     let kernels = T::kernels();
     let shape = || Preparation {
+        name: None,
         fields: OBB2,
         frame: Some(obb2_frames(View::Flat)),
         bounds: Some(obb2_bounds()),
@@ -134,7 +135,7 @@ fn of_obb2<T: Real>(over: Denominator, want: Want) -> Face<T> {
     };
     let maker: Box<dyn Maker<T>> = match want {
         Want::Value => Box::new(Scores(over, kernels.obb2_scores)),
-        Want::ValueGrad | Want::Vjp => Box::new(Slopes(over, kernels.obb2_slopes)),
+        Want::ValueGrad | Want::Jacobian | Want::Vjp => Box::new(Slopes(over, kernels.obb2_slopes)),
     };
     let value = move |a, b| score_framed::<T, true>(over, clip::frame(a), clip::frame(b));
     let vjp = move |a, b, out_bar| {
@@ -183,6 +184,7 @@ fn all_solid<T: Real>(numbers: &[T]) -> bool {
 fn of_giou<T: Real>(want: Want) -> Face<T> {
     let kernels = T::kernels();
     let shape = || Preparation {
+        name: None,
         fields: OBB2,
         frame: Some(obb2_frames(View::Flat)),
         bounds: None,
@@ -192,7 +194,7 @@ fn of_giou<T: Real>(want: Want) -> Face<T> {
     };
     let maker: Box<dyn Maker<T>> = match want {
         Want::Value => Box::new(Scored(kernels.giou_scores)),
-        Want::ValueGrad | Want::Vjp => Box::new(SlopesOfOne(kernels.giou_slopes)),
+        Want::ValueGrad | Want::Jacobian | Want::Vjp => Box::new(SlopesOfOne(kernels.giou_slopes)),
     };
     let value = |a, b| giou_framed::<T, true>(clip::frame(a), clip::frame(b));
     let vjp = |a, b, out_bar| giou_framed_vjp::<T, true>(clip::frame(a), clip::frame(b), out_bar);
@@ -203,6 +205,7 @@ fn of_giou<T: Real>(want: Want) -> Face<T> {
 fn of_quads<T: Real>(want: Want) -> Face<T> {
     let kernels = T::kernels();
     let shape = || Preparation {
+        name: None,
         fields: QUAD2,
         frame: None,
         bounds: None,
@@ -215,7 +218,7 @@ fn of_quads<T: Real>(want: Want) -> Face<T> {
     };
     let maker: Box<dyn Maker<T>> = match want {
         Want::Value => Box::new(Scored(kernels.quad_scores)),
-        Want::ValueGrad | Want::Vjp => Box::new(SlopesOfOne(kernels.quad_slopes)),
+        Want::ValueGrad | Want::Jacobian | Want::Vjp => Box::new(SlopesOfOne(kernels.quad_slopes)),
     };
     let value = |a, b| area_of_quads_vjp::<T, true>(a, b, T::one()).0;
     score_of_two(want, shape, maker, value, area_of_quads_vjp::<T, true>)
@@ -246,6 +249,7 @@ impl<T: Real> Maker<T> for UprightSlopes {
 fn of_upright<T: Real>(over: Denominator, want: Want) -> Face<T> {
     let kernels = T::kernels();
     let shape = || Preparation {
+        name: None,
         fields: UPRIGHT,
         frame: Some(obb2_frames(View::Upright)),
         bounds: Some(obb2_bounds()),
@@ -255,7 +259,7 @@ fn of_upright<T: Real>(over: Denominator, want: Want) -> Face<T> {
     };
     let maker: Box<dyn Maker<T>> = match want {
         Want::Value => Box::new(UprightScores(over)),
-        Want::ValueGrad | Want::Vjp => Box::new(UprightSlopes(over)),
+        Want::ValueGrad | Want::Jacobian | Want::Vjp => Box::new(UprightSlopes(over)),
     };
     let value = move |a: YawBox3<T>, b| score_yaw(over, a, b);
     score_of_two(want, shape, maker, value, move |a, b, out_bar| {
@@ -277,6 +281,7 @@ impl<T: Real> Maker<T> for BirdsEyeSlopes {
 fn of_birds_eye<T: Real>(over: Denominator, want: Want) -> Face<T> {
     let kernels = T::kernels();
     let shape = || Preparation {
+        name: None,
         fields: UPRIGHT,
         frame: Some(obb2_frames(View::FromAbove)),
         bounds: Some(obb2_bounds()),
@@ -286,7 +291,7 @@ fn of_birds_eye<T: Real>(over: Denominator, want: Want) -> Face<T> {
     };
     let maker: Box<dyn Maker<T>> = match want {
         Want::Value => Box::new(Scores(over, kernels.obb2_scores)),
-        Want::ValueGrad | Want::Vjp => Box::new(BirdsEyeSlopes(over)),
+        Want::ValueGrad | Want::Jacobian | Want::Vjp => Box::new(BirdsEyeSlopes(over)),
     };
     let flat = of_obb2::<T>(over, want).rare;
     Face {
@@ -319,6 +324,7 @@ fn of_birds_eye<T: Real>(over: Denominator, want: Want) -> Face<T> {
 fn of_obb3<T: Real>(over: Denominator, want: Want) -> Face<T> {
     let kernels = T::kernels();
     let shape = || Preparation {
+        name: None,
         fields: OBB3,
         frame: None,
         bounds: Some(Arc::new(|[shapes, _], bounds| {
@@ -330,7 +336,7 @@ fn of_obb3<T: Real>(over: Denominator, want: Want) -> Face<T> {
     };
     let maker: Box<dyn Maker<T>> = match want {
         Want::Value => Box::new(Scores(over, kernels.obb3_scores)),
-        Want::ValueGrad | Want::Vjp => Box::new(Slopes(over, kernels.obb3_slopes)),
+        Want::ValueGrad | Want::Jacobian | Want::Vjp => Box::new(Slopes(over, kernels.obb3_slopes)),
     };
     let value = move |a: Obb3<T>, b| score_obb3(over, a, b);
     score_of_two(want, shape, maker, value, move |a, b, out_bar| {
@@ -342,6 +348,7 @@ fn of_obb3<T: Real>(over: Denominator, want: Want) -> Face<T> {
 fn of_aabb2<T: Real>(over: Denominator, want: Want) -> Face<T> {
     let kernels = T::kernels();
     let shape = || Preparation {
+        name: None,
         fields: AABB2,
         frame: None,
         // The bounds are the shape itself.
@@ -354,7 +361,9 @@ fn of_aabb2<T: Real>(over: Denominator, want: Want) -> Face<T> {
     };
     let maker: Box<dyn Maker<T>> = match want {
         Want::Value => Box::new(Scores(over, kernels.aabb2_scores)),
-        Want::ValueGrad | Want::Vjp => Box::new(Slopes(over, kernels.aabb2_slopes)),
+        Want::ValueGrad | Want::Jacobian | Want::Vjp => {
+            Box::new(Slopes(over, kernels.aabb2_slopes))
+        }
     };
     let vjp = move |a, b, out_bar| score_aabb2_vjp(over, a, b, out_bar);
     let value = move |a: Aabb2<T>, b| vjp(a, b, T::one()).0;

@@ -1,5 +1,5 @@
 //! What is prepared once per shape and what makes blocks of results: the same for every kind of maker.
-use crate::error::Flaw;
+use crate::error::{Argument, Flaw};
 use crate::kernels::cpu::lane::{Lane, Results, Tiles};
 use crate::kernels::row::Leaf;
 use std::sync::Arc;
@@ -21,6 +21,8 @@ pub type Outline<T> = Arc<dyn Fn([Tiles<'_, T>; 2], &mut [Lane<T>]) + Send + Syn
 
 /// What is done once for every shape of a column.
 pub struct Preparation<T> {
+    /// What the operation calls the shape, if it has a name for it.
+    pub name: Option<&'static str>,
     /// Numbers of a shape.
     pub fields: usize,
     /// How a shape is prepared, and how many numbers that gives; `None` to leave it as it is.
@@ -40,15 +42,29 @@ impl<T> Preparation<T> {
     pub fn frame_fields(&self) -> usize {
         self.frame.as_ref().map_or(self.fields, |frame| frame.0)
     }
+    /// How errors call the shape, which is number `k` of those that the operation takes.
+    pub fn argument(&self, k: usize) -> Argument {
+        self.name.map_or(Argument::input(k), Argument::named)
+    }
     /// A shape that is left as it is.
     pub fn plain(leaf: Leaf<T>) -> Self {
         Preparation {
+            name: None,
             fields: leaf.fields,
             frame: None,
             bounds: None,
             all_ordinary: leaf.all_valid,
             check: leaf.check,
             is_rare: |_| false,
+        }
+    }
+}
+
+/// Gives shapes the names that an operation has for its arguments, if it has one for each.
+pub(crate) fn name<T>(arguments: &mut [Preparation<T>], names: &[&'static str]) {
+    if arguments.len() == names.len() {
+        for (argument, &name) in arguments.iter_mut().zip(names) {
+            argument.name = Some(name);
         }
     }
 }
@@ -64,8 +80,17 @@ pub enum Want {
     Value,
     /// Its result and the gradient of that, which is one number.
     ValueGrad,
+    /// Its result and the gradient of each of its numbers.
+    Jacobian,
     /// Slopes times a cotangent of the result.
     Vjp,
+}
+
+/// Numbers of every shape of a result, and of its Jacobian, given those of the shapes that it takes.
+pub(crate) fn with_jacobian(mut outputs: Vec<usize>, taken: &[usize]) -> Vec<usize> {
+    let jacobian = outputs.iter().sum::<usize>() * taken.iter().sum::<usize>();
+    outputs.push(jacobian);
+    outputs
 }
 
 /// How batches compute an operation.
@@ -98,12 +123,13 @@ impl<T> Face<T> {
     ) -> Self {
         let slopes: Vec<usize> = arguments.iter().map(|x| x.fields).collect();
         let skipped = match want {
-            Want::Value | Want::ValueGrad => 0,
+            Want::Value | Want::ValueGrad | Want::Jacobian => 0,
             Want::Vjp => outputs.iter().sum(),
         };
         let gives = match want {
             Want::Value => outputs,
             Want::ValueGrad => [outputs, slopes].concat(),
+            Want::Jacobian => with_jacobian(outputs, &slopes),
             Want::Vjp => slopes,
         };
         Face {

@@ -1,6 +1,6 @@
 //! What was made of an operation before: programs and faces are made once per operation and format.
 use super::compiled::{of_compiled, outline};
-use super::face::{Face, Want};
+use super::face::{Face, Want, name};
 use super::line::{Line, Shaped};
 use super::recorded::of_recorded;
 use crate::ad::program::record::{TRIALS, listed};
@@ -97,6 +97,11 @@ pub(crate) fn recorded_of<T: Plain>(line: &Line<T>, want: Want) -> Result<Arc<Re
         }
         let value = || recorded_of(line, Want::Value);
         match (line.slopes, want) {
+            (op::Slopes::ByHand, Want::Jacobian) => {
+                Ok(recorded_of(line, Want::Vjp)?.value_jacobian_of_vjp(line.outputs))
+            }
+            (op::Slopes::Reverse, Want::Jacobian) => Ok(value()?.value_jacobian()),
+            (op::Slopes::Forward, Want::Jacobian) => Ok(value()?.value_jacobian_forwards()),
             (op::Slopes::ByHand, Want::Vjp) => {
                 listed(line.inputs + line.outputs, TRIALS, &|numbers| {
                     let (input, out_bar) = numbers.split_at(line.inputs);
@@ -133,11 +138,13 @@ pub(crate) fn faced<T: Real>(
     let line = &shaped.line;
     known_by(line.key(Known::Face(want, framed)), &|| {
         let compiled = (line.compiled)();
-        if let Some(face) = compiled.and_then(|compiled| of_compiled(compiled, want)) {
+        if let Some(mut face) = compiled.and_then(|compiled| of_compiled(compiled, want)) {
+            name(&mut face.arguments, shaped.arguments);
             return Ok(face);
         }
         let recorded = recorded_of(line, want)?;
         let mut face = of_recorded(want, (shaped.takes)(), shaped.outputs(), &recorded, framed)?;
+        name(&mut face.arguments, shaped.arguments);
         for argument in &mut face.arguments {
             argument.bounds = compiled.and_then(outline);
         }
@@ -164,6 +171,7 @@ pub(crate) fn generated<T: Real>(
 ) -> Result<Arc<Generated<T>>, Error> {
     known_by(shaped.line.key(Known::Shader(want, framed)), &|| {
         let recorded = recorded_of(&shaped.line, want)?;
-        Generated::new(want, (shaped.takes)(), shaped.outputs(), &recorded, framed)
+        let made = Generated::new(want, (shaped.takes)(), shaped.outputs(), &recorded, framed)?;
+        Ok(made.named(shaped.arguments))
     })
 }

@@ -72,6 +72,8 @@ pub struct Shaped<T> {
     pub(crate) line: Line<T>,
     pub(crate) takes: fn() -> Vec<Leaf<T>>,
     pub(crate) gives: fn() -> Vec<Leaf<T>>,
+    /// The names of its arguments.
+    pub(crate) arguments: &'static [&'static str],
 }
 
 impl<T> Clone for Shaped<T> {
@@ -92,6 +94,7 @@ impl<T: Real> Shaped<T> {
             line: Line::of::<O>(),
             takes: leaves_of::<R>,
             gives: leaves_of::<O::Out<T>>,
+            arguments: O::ARGUMENTS,
         }
     }
     /// Numbers of every shape of its result.

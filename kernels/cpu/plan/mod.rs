@@ -7,6 +7,8 @@ mod list;
 mod recorded;
 
 pub use compiled::Compiled;
+pub(crate) use face::name;
+pub(crate) use face::with_jacobian;
 pub use face::{Face, Maker, Preparation, Rare, Want};
 pub use known::face_of;
 #[cfg(feature = "gpu")]

@@ -114,6 +114,7 @@ pub(crate) fn of_items<T: Real>(
     let made = match want {
         Want::Value => result,
         Want::ValueGrad | Want::Vjp => result + taken,
+        Want::Jacobian => result + result * taken,
     };
     let items = Items {
         each,

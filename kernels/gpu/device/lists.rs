@@ -14,7 +14,7 @@ use super::{Bests, Founds, Gpu, Matrix};
 use crate::Error;
 use crate::error::Argument;
 use crate::kernels::Single;
-use crate::kernels::cpu::checked::check;
+use crate::kernels::cpu::checked::check_argument;
 use crate::kernels::op::{Ask, Runs};
 use crate::kernels::reduce::{Loss, check_sides, check_threshold};
 use crate::kernels::row::Column;
@@ -80,8 +80,8 @@ impl<'a> Lists<'a> {
             Some(mirror) => {
                 inner.alive()?;
                 let face = run.face(Ask::PAIRS)?;
-                check(Argument::A, &face.arguments[0], a)?;
-                check(Argument::B, &face.arguments[1], b)?;
+                check_argument(0, &face.arguments, a)?;
+                check_argument(1, &face.arguments, b)?;
                 let boxes = |column: &Column<'_, f32>| -> Result<Boxes, Error> {
                     let numbers = column.all();
                     inner.guarded(|| Ok(inner.boxes(mirror.kind, &numbers, None)))

@@ -12,7 +12,7 @@ use crate::kernels::gpu::device::plans::{Plans, Typed};
 use crate::kernels::gpu::device::work::Work;
 use crate::kernels::op::{Ask, Runs};
 use crate::kernels::replays::Replays;
-use crate::kernels::row::{Column, Columns, Piece, Row, STRETCH, Target};
+use crate::kernels::row::{Column, Columns, Piece, Results, Row, STRETCH, Target};
 use crate::kernels::targets::Targets;
 use crate::{Error, Pack};
 use std::collections::VecDeque;
@@ -35,16 +35,16 @@ impl Gpu {
         &self,
         run: R,
         columns: C,
-    ) -> Result<<R::Out as Row>::Many, Error>
+    ) -> Result<<R::Out as Results>::Many, Error>
     where
         C::Row: Pack<Scalar = f32>,
     {
         let made = Made::of(&run)?;
         let columns = listed(&columns);
         let count = made.checked(&columns)?;
-        let mut many = R::Out::many(count);
+        let mut many = R::Out::room(count);
         let mut targets = Vec::new();
-        R::Out::targets(&mut many, &mut |target| targets.push(Some(target)));
+        R::Out::places(&mut many, &mut |target| targets.push(Some(target)));
         self.run(&made, &columns, count, targets)?;
         Ok(many)
     }
@@ -224,7 +224,7 @@ impl Made {
             Made::Kernel(made) => &made.arguments,
             Made::Replays(_, face) => &face.arguments,
         };
-        let count = items(arguments.len(), columns)?;
+        let count = items(arguments, columns)?;
         sound(arguments, f64::INFINITY, columns)?;
         Ok(count)
     }

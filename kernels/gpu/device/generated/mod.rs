@@ -78,7 +78,7 @@ where
                 add(Form::Pairs, &made);
                 add(Form::Masks, &made);
             }
-            Want::Value | Want::ValueGrad => add(Form::Pairs, &made),
+            Want::Value | Want::ValueGrad | Want::Jacobian => add(Form::Pairs, &made),
             Want::Vjp if O::Out::<f32>::LEN == 1 => {
                 add(Form::RowSlopes, &made);
                 add(Form::ColumnSlopes, &made);

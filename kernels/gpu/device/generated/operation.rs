@@ -4,7 +4,7 @@ use crate::ad::program::graph::{Graph, Id, Node};
 use crate::ad::program::recorded::Recorded;
 use crate::ad::program::wgsl::{Taken, exact, function_of};
 use crate::error::Field;
-use crate::kernels::cpu::plan::{List, Preparation, Want, prepared};
+use crate::kernels::cpu::plan::{List, Preparation, Want, name, prepared, with_jacobian};
 use crate::kernels::cpu::program::split::{Piece, split};
 use crate::kernels::real::Real;
 use crate::kernels::row::Leaf;
@@ -80,6 +80,11 @@ impl Default for Name {
 }
 
 impl<T: Real> Generated<T> {
+    /// With the names that an operation has for its arguments.
+    pub(crate) fn named(mut self, names: &[&'static str]) -> Self {
+        name(&mut self.arguments, names);
+        self
+    }
     /// Of a recorded function. `framed` says that it is for all pairs, where what depends on one shape
     /// alone is computed once per shape.
     pub(crate) fn new(
@@ -103,7 +108,7 @@ impl<T: Real> Generated<T> {
         let (graph, results) = (&recorded.value.graph, &recorded.value.outputs);
         // Of slopes the result comes first, which nobody asks for.
         let skipped = match want {
-            Want::Value | Want::ValueGrad => 0,
+            Want::Value | Want::ValueGrad | Want::Jacobian => 0,
             Want::Vjp => outputs.iter().sum(),
         };
         let results = &results[skipped..];
@@ -149,6 +154,7 @@ impl<T: Real> Generated<T> {
         let gives = match want {
             Want::Value => outputs,
             Want::ValueGrad => [outputs, fields].concat(),
+            Want::Jacobian => with_jacobian(outputs, &fields),
             Want::Vjp => fields,
         };
         Ok(Generated {

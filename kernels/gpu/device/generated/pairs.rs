@@ -3,8 +3,7 @@ use super::held::HeldColumn;
 use super::operation::Generated;
 use super::text::{Form, GROUP, MOST_GROUPS, ROWS};
 use crate::Error;
-use crate::error::Argument;
-use crate::kernels::cpu::checked::check;
+use crate::kernels::cpu::checked::check_argument;
 use crate::kernels::cpu::lane::TILE;
 use crate::kernels::cpu::work::spread;
 use crate::kernels::gpu::device::block::{Block, place_block};
@@ -134,8 +133,8 @@ impl Sides {
         b: &Column<'_, f32>,
     ) -> Result<Self, Error> {
         inner.alive()?;
-        check(Argument::A, &made.arguments[0], a)?;
-        check(Argument::B, &made.arguments[1], b)?;
+        check_argument(0, &made.arguments, a)?;
+        check_argument(1, &made.arguments, b)?;
         Ok(Sides {
             a: Side::new(inner, made, 0, a)?,
             b: Side::new(inner, made, 1, b)?,

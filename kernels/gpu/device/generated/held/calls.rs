@@ -145,10 +145,9 @@ impl Gpu {
 
     /// Checks columns: whose they are, how many items there are, what stands for all.
     fn sound(&self, made: &Generated<f32>, columns: &[Given<'_>]) -> Result<usize, Error> {
-        let arguments = made.arguments.len();
         let mut count = None;
         for (k, column) in columns.iter().enumerate() {
-            let argument = name_of(arguments, k);
+            let argument = name_of(&made.arguments, k);
             match column {
                 Given::Held(held) => {
                     self.owns(&held.gpu)?;

@@ -1,0 +1,202 @@
+//! Results of several numbers with their Jacobians, in batches.
+use geograd::ad;
+use geograd::ad::check::sample::{Draw, Sample};
+use geograd::ad::program::{Program, Sym};
+use geograd::kernels::{Cpu, Iou, MinimumCircle, MinimumRectangle, One, Op, Skip};
+use geograd::{
+    Circle, ConvexPolygon, Fixed, Obb2, Pack, Pose2, Scalar, Segment2, Triangle2, Vec2, operation,
+};
+use geograd_tests::rows::{
+    CentroidTriangle, ClosestPointsObb2, ClosestPointsPointSegment, CornersOfObb2, Incircle,
+    MoveSegment,
+};
+
+const COUNT: usize = 200;
+
+fn draws<P: Sample>(seed: u64) -> Vec<P> {
+    let mut draw = Draw::new(seed);
+    (0..COUNT).map(|_| P::ordinary(&mut draw)).collect()
+}
+
+/// A Jacobian as rows of numbers.
+fn rows<X: Pack>(jacobian: &impl Pack<Scalar = X>) -> Vec<Vec<X::Scalar>> {
+    jacobian.scalars().iter().map(Pack::scalars).collect()
+}
+
+/// The cotangents that are one in a place of the result.
+fn unit<Y: Fixed<Scalar: Scalar>>(k: usize) -> Y {
+    let mut numbers = vec![Y::Scalar::zero(); Y::LEN];
+    numbers[k] = Y::Scalar::one();
+    Y::load(&numbers)
+}
+
+#[track_caller]
+fn near(own: &[Vec<f64>], other: &[Vec<f64>]) {
+    for (own, other) in own.iter().zip(other) {
+        let size = other.iter().fold(1.0, |m: f64, x| m.max(x.abs()));
+        for (a, b) in own.iter().zip(other) {
+            assert!((a - b).abs() <= 1e-9 * size, "{own:?} {other:?}");
+        }
+    }
+}
+
+/// Of operations of one shape and of two: values are those of the operation, every row is the adjoint of an axis of the
+/// result to the bit, and duals say the same.
+macro_rules! agree {
+    ($($Op:ident($A:ty $(, $B:ty)?);)*) => { $({
+        type Out = <$Op as Op>::Out<f64>;
+        let a: Vec<$A> = draws(1);
+        $(let b: Vec<$B> = draws(2);)?
+        macro_rules! columns {
+            () => { agree!(@pair &a $(, &b, $B)?) };
+        }
+        let (found, jacobians) = Cpu::new().aligned($Op.jacobian(), columns!()).unwrap();
+        assert_eq!(found, Cpu::new().aligned($Op, columns!()).unwrap());
+        assert_eq!(jacobians.len(), COUNT);
+        for k in 0..Out::LEN {
+            let bars = Cpu::new().aligned($Op.vjp(), (columns!(), One(unit::<Out>(k)))).unwrap();
+            for (i, jacobian) in jacobians.iter().enumerate() {
+                let bar = agree!(@item bars, i $(, $B)?);
+                assert_eq!(rows(jacobian)[k], bar.scalars(), "{:?}, item {i}, number {k}", $Op);
+            }
+        }
+        for (i, jacobian) in jacobians.iter().enumerate() {
+            let x = agree!(@pair a[i] $(, b[i], $B)?);
+            let (_, expected) = ad::jacobian(|x| $Op::eval(x), x);
+            near(&rows(jacobian), &rows(&expected));
+        }
+    })* };
+    (@pair $a:expr) => { $a };
+    (@pair $a:expr, $b:expr, $B:ty) => { ($a, $b) };
+    (@item $bars:ident, $i:ident) => { $bars[$i] };
+    (@item $bars:ident, $i:ident, $B:ty) => { ($bars.0[$i], $bars.1[$i]) };
+}
+
+#[test]
+fn a_row_is_the_adjoint_of_an_axis_of_the_result() {
+    // Recorded backwards and forwards.
+    agree! {
+        CentroidTriangle(Triangle2<f64>);
+        Incircle(Triangle2<f64>);
+        MoveSegment(Pose2<f64>, Segment2<f64>);
+        CornersOfObb2(Obb2<f64>);
+        ClosestPointsPointSegment(Vec2<f64>, Segment2<f64>);
+        ClosestPointsObb2(Obb2<f64>, Obb2<f64>);
+    }
+}
+
+operation! {
+    /// A vector in polar coordinates, with slopes by hand.
+    pub Polar = "polar": (v: Vec2<S>) -> Vec2<S> { Vec2::new(v.length(), v.y.atan2(v.x)) }
+    promises []
+    jumps Anywhere
+    slopes ByHand |v, out_bar| {
+        let length = v.length();
+        let (along, around) = (out_bar.x.over(length), out_bar.y.over(length * length));
+        let bar = Vec2::new(v.x * along - v.y * around, v.y * along + v.x * around);
+        (Vec2::new(length, v.y.atan2(v.x)), bar)
+    }
+}
+
+#[test]
+fn slopes_by_hand_of_several_numbers() {
+    agree! { Polar(Vec2<f64>); }
+    let (_, slopes) = Cpu::new()
+        .aligned(Polar.jacobian(), &[Vec2::new(3.0_f32, 4.0)])
+        .unwrap();
+    assert_eq!(
+        (slopes[0].x, slopes[0].y),
+        (Vec2::new(0.6, 0.8), Vec2::new(-0.16, 0.12))
+    );
+}
+
+#[test]
+fn one_number_has_its_gradient() {
+    let (a, b) = (draws::<Obb2<f64>>(1), draws::<Obb2<f64>>(2));
+    let (values, (by_a, _)) = Cpu::new().aligned(Iou.value_grad(), (&a, &b)).unwrap();
+    let (again, slopes) = Cpu::new().aligned(Iou.jacobian(), (&a, &b)).unwrap();
+    for i in 0..COUNT {
+        assert!((values[i] - again[i]).abs() < 1e-12);
+        near(&[slopes[i].0.scalars()], &[by_a[i].scalars()]);
+    }
+}
+
+#[test]
+fn searches_keep_what_was_found() {
+    let polygons: Vec<ConvexPolygon<f64, 6>> = draws(3);
+    let cpu = Cpu::new();
+    let (found, slopes) = cpu.aligned(MinimumCircle.jacobian(), &polygons).unwrap();
+    assert_eq!(found, cpu.aligned(MinimumCircle, &polygons).unwrap());
+    for k in 0..3 {
+        let axis = One(unit::<Circle<f64>>(k));
+        let bars = cpu.aligned(MinimumCircle.vjp(), (&polygons, axis)).unwrap();
+        for (slopes, bar) in slopes.iter().zip(&bars) {
+            let own = slopes.scalars()[k];
+            assert_eq!(own, *bar);
+            assert_eq!(own.count, bar.count);
+        }
+    }
+    let (_, slopes) = cpu.aligned(MinimumRectangle.jacobian(), &polygons).unwrap();
+    // Moving all vertices moves the centre by as much.
+    for (slopes, polygon) in slopes.iter().zip(&polygons) {
+        let along = |gradient: &ConvexPolygon<f64, 6>| -> f64 {
+            gradient.vertices[..polygon.count].iter().map(|v| v.x).sum()
+        };
+        assert!((along(&slopes.center.x) - 1.0).abs() < 1e-9);
+        assert!(along(&slopes.size.x).abs() < 1e-9);
+    }
+}
+
+#[test]
+fn programs_of_several_numbers() {
+    let corners = Program::trace(|b: Obb2<Sym<f64>>| b.corners()).unwrap();
+    let boxes: Vec<Obb2<f64>> = draws(4);
+    let run = corners.jacobian();
+    let (found, slopes) = Cpu::new().aligned(&run, &boxes).unwrap();
+    for i in 0..COUNT {
+        let (value, expected) = run.eval(boxes[i]);
+        assert_eq!((found[i], slopes[i]), (value, expected));
+        assert_eq!(value, boxes[i].corners());
+        let (_, duals) = ad::jacobian(|b: Obb2<_>| b.corners(), boxes[i]);
+        near(&rows(&expected), &rows(&duals));
+    }
+    // An adjoint by hand is the Jacobian of one number.
+    let norm = Program::trace(|v: Vec2<Sym<f64>>| v.length()).unwrap();
+    let twice = norm.with_adjoint(|v: Vec2<Sym<f64>>| v + v).unwrap();
+    assert_eq!(
+        twice.jacobian().eval(Vec2::new(3.0, 4.0)),
+        (5.0, Vec2::new(6.0, 8.0))
+    );
+}
+
+#[test]
+fn into_what_is_there() {
+    let (a, b) = (draws::<Obb2<f64>>(1), draws::<Obb2<f64>>(2));
+    let cpu = Cpu::new();
+    let (found, slopes) = cpu.aligned(ClosestPointsObb2.jacobian(), (&a, &b)).unwrap();
+    let mut again = vec![slopes[0]; COUNT];
+    let columns = (&a, &b);
+    cpu.aligned_into(ClosestPointsObb2.jacobian(), columns, (Skip, &mut again))
+        .unwrap();
+    assert_eq!(again, slopes);
+    let mut points = vec![found[0]; COUNT];
+    let targets = (&mut points, &mut again[..]);
+    cpu.aligned_into(ClosestPointsObb2.jacobian(), columns, targets)
+        .unwrap();
+    assert_eq!(points, found);
+    cpu.aligned_into(ClosestPointsObb2.jacobian(), columns, Skip)
+        .unwrap();
+    let few = (Skip, &mut again[1..]);
+    let refused = cpu
+        .aligned_into(ClosestPointsObb2.jacobian(), columns, few)
+        .unwrap_err();
+    assert_eq!(
+        refused.to_string(),
+        "`result 1` has 199 items where 200 are needed"
+    );
+    let none: &[Obb2<f64>] = &[];
+    let (found, slopes) = cpu
+        .aligned(ClosestPointsObb2.jacobian(), (none, none))
+        .unwrap();
+    assert!(found.is_empty() && slopes.is_empty());
+}
