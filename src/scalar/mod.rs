@@ -95,6 +95,62 @@ impl Mask for bool {
 /// let slope = norm(num_dual::Dual64::new(0.0, 1.0), num_dual::Dual64::new(0.0, 0.0)).eps;
 /// assert_eq!(slope, 0.0); // a norm at zero has slope zero
 /// ```
+///
+/// # Writing a generic function
+///
+/// Two habits of plain numbers do not compile for `S: Scalar`.
+///
+/// **Literals.** `2.0` is an `f64`, and `2.0 * x` asks for an `f64` times an `S`: "cannot multiply `{float}` by `S`".
+/// [`lit`](Scalar::lit) makes an `S` of it; [`halved`](Scalar::halved), [`squared`](Scalar::squared),
+/// [`zero`](Scalar::zero) and [`one`](Scalar::one) need no literal.
+///
+/// ```compile_fail,E0277
+/// # use geograd::Scalar;
+/// fn energy<S: Scalar>(mass: S, speed: S) -> S {
+///     0.5 * mass * speed * speed
+/// }
+/// ```
+///
+/// ```
+/// # use geograd::Scalar;
+/// fn energy<S: Scalar>(mass: S, speed: S) -> S {
+///     S::lit(0.5) * mass * speed.squared()
+/// }
+/// assert_eq!(energy(2.0, 3.0), 9.0);
+/// ```
+///
+/// **Branches.** A comparison gives a [`Mask`], which is a `bool` for some scalars only: lanes have several outcomes,
+/// recorded numbers have none yet. [`select`](Scalar::select), [`least`](Scalar::least), [`most`](Scalar::most) and
+/// [`clamp`](Scalar::clamp) choose for every scalar. A function with `if` asks for `S: Scalar<Mask = bool>`. It runs on
+/// plain numbers and duals; [`operation!`](crate::operation), batches and programs cannot call it: "type mismatch
+/// resolving `<S as Scalar>::Mask == bool`".
+///
+/// ```compile_fail,E0271
+/// # use geograd::Scalar;
+/// fn ramp<S: Scalar<Mask = bool>>(x: S) -> S {
+///     if x.below(S::zero()) { S::zero() } else { x }
+/// }
+/// fn sum_of_ramps<S: Scalar>(x: S, y: S) -> S {
+///     ramp(x) + ramp(y)
+/// }
+/// ```
+///
+/// ```
+/// # use geograd::Scalar;
+/// fn ramp<S: Scalar>(x: S) -> S {
+///     S::select(x.below(S::zero()), S::zero(), x) // or x.most(S::zero()), which shares the slope at zero
+/// }
+/// fn sum_of_ramps<S: Scalar>(x: S, y: S) -> S {
+///     ramp(x) + ramp(y)
+/// }
+/// assert_eq!(sum_of_ramps(3.0, -1.0), 3.0);
+/// ```
+#[diagnostic::on_unimplemented(
+    message = "`{Self}` is not a number that shapes are made of",
+    label = "not a `Scalar`",
+    note = "`f32`, `f64`, `Jet`, num-dual's numbers, `Lanes` and `Sym` are",
+    note = "a whole number is not: write `2.0`, or `S::lit(2.0)` in a generic function"
+)]
 pub trait Scalar:
     Fixed<Scalar = Self>
     + Copy

@@ -8,6 +8,7 @@ mod domain;
 mod everyday;
 mod forward;
 mod hashes;
+mod messages;
 mod num_dual;
 mod planted;
 mod program;
