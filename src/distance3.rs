@@ -133,7 +133,7 @@ impl<S: Scalar> Vec3<S> {
     /// The square of the distance to another point: smooth everywhere.
     #[must_use]
     #[inline(always)]
-    pub fn distance_squared(self, other: Self) -> S {
+    pub fn squared_distance(self, other: Self) -> S {
         (self - other).length_squared()
     }
 }

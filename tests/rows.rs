@@ -36,12 +36,12 @@ rows! {
     DistanceSegments = verbs::Distance: (Segment2<f64>, Segment2<f64>);
     SignedDistanceAabb2 = verbs::SignedDistance: (Aabb2<f64>, Aabb2<f64>);
     DistanceAabb2 = verbs::Distance: (Aabb2<f64>, Aabb2<f64>);
-    DistanceSquaredAabb2 = verbs::SquaredDistance: (Aabb2<f64>, Aabb2<f64>);
+    SquaredDistanceAabb2 = verbs::SquaredDistance: (Aabb2<f64>, Aabb2<f64>);
     FarthestDistanceAabb2 = verbs::FarthestDistance: (Aabb2<f64>, Aabb2<f64>);
     ClosestPointsAabb2 = verbs::ClosestPoints: (Aabb2<f64>, Aabb2<f64>);
     DistanceObb2 = verbs::Distance: (Obb2<f64>, Obb2<f64>);
     SignedDistanceObb2 = verbs::SignedDistance: (Obb2<f64>, Obb2<f64>);
-    DistanceSquaredObb2 = verbs::SquaredDistance: (Obb2<f64>, Obb2<f64>);
+    SquaredDistanceObb2 = verbs::SquaredDistance: (Obb2<f64>, Obb2<f64>);
     FarthestDistanceObb2 = verbs::FarthestDistance: (Obb2<f64>, Obb2<f64>);
     PenetrationObb2 = verbs::Penetration: (Obb2<f64>, Obb2<f64>);
     ClosestPointsObb2 = verbs::ClosestPoints: (Obb2<f64>, Obb2<f64>);
@@ -70,10 +70,10 @@ rows! {
     SignedDistanceTriangles = verbs::SignedDistance: (Triangle2<f64>, Triangle2<f64>);
     ClearancePointAabb2 = verbs::Clearance: (Vec2<f64>, Aabb2<f64>);
     ClearancePointObb2 = verbs::Clearance: (Vec2<f64>, Obb2<f64>);
-    DistanceSquaredPointSegment = verbs::SquaredDistance: (Vec2<f64>, Segment2<f64>);
-    DistanceSquaredPointTriangle = verbs::SquaredDistance: (Vec2<f64>, Triangle2<f64>);
-    DistanceSquaredSegments = verbs::SquaredDistance: (Segment2<f64>, Segment2<f64>);
-    DistanceSquaredTriangles = verbs::SquaredDistance: (Triangle2<f64>, Triangle2<f64>);
+    SquaredDistancePointSegment = verbs::SquaredDistance: (Vec2<f64>, Segment2<f64>);
+    SquaredDistancePointTriangle = verbs::SquaredDistance: (Vec2<f64>, Triangle2<f64>);
+    SquaredDistanceSegments = verbs::SquaredDistance: (Segment2<f64>, Segment2<f64>);
+    SquaredDistanceTriangles = verbs::SquaredDistance: (Triangle2<f64>, Triangle2<f64>);
     FarthestDistancePointObb2 = verbs::FarthestDistance: (Vec2<f64>, Obb2<f64>);
     FarthestDistanceCircleObb2 = verbs::FarthestDistance: (Circle<f64>, Obb2<f64>);
     FarthestDistanceTriangles = verbs::FarthestDistance: (Triangle2<f64>, Triangle2<f64>);
@@ -240,9 +240,7 @@ pub mod distance {
         ClosestPointsTriangles, DistanceAabb2, DistanceCapsules, DistanceCircleObb2,
         DistanceCircles, DistanceObb2, DistancePointAabb2, DistancePointCapsule,
         DistancePointCircle, DistancePointObb2, DistancePointSegment, DistancePointTriangle,
-        DistanceSegmentCircle, DistanceSegmentObb2, DistanceSegments, DistanceSquaredAabb2,
-        DistanceSquaredObb2, DistanceSquaredPointSegment, DistanceSquaredPointTriangle,
-        DistanceSquaredSegments, DistanceSquaredTriangles, DistanceTriangles,
+        DistanceSegmentCircle, DistanceSegmentObb2, DistanceSegments, DistanceTriangles,
         FarthestDistanceAabb2, FarthestDistanceCircleObb2, FarthestDistanceObb2,
         FarthestDistancePointObb2, FarthestDistanceTriangles, PenetrationAabb2,
         PenetrationCapsules, PenetrationCircleObb2, PenetrationCircles, PenetrationObb2,
@@ -250,7 +248,9 @@ pub mod distance {
         SignedDistanceCircleObb2, SignedDistanceCircles, SignedDistanceObb2,
         SignedDistancePointAabb2, SignedDistancePointCapsule, SignedDistancePointCircle,
         SignedDistancePointObb2, SignedDistancePointTriangle, SignedDistanceSegmentCircle,
-        SignedDistanceSegmentObb2, SignedDistanceTriangles,
+        SignedDistanceSegmentObb2, SignedDistanceTriangles, SquaredDistanceAabb2,
+        SquaredDistanceObb2, SquaredDistancePointSegment, SquaredDistancePointTriangle,
+        SquaredDistanceSegments, SquaredDistanceTriangles,
     };
 }
 pub mod fold {

@@ -2,16 +2,16 @@
 use crate::ad::adjoint::distance::{distance_point_segment_vjp, distance_segments_vjp};
 use crate::distance::segments::{ClosestOnSegments, closest_points_of_segments};
 use crate::distance::turned::{
-    closest_points_obb2, distance_obb2, distance_squared_obb2, farthest_distance_obb2,
-    penetration_obb2, signed_distance_obb2,
+    closest_points_obb2, distance_obb2, farthest_distance_obb2, penetration_obb2,
+    signed_distance_obb2, squared_distance_obb2,
 };
 use crate::distance::upright::{
-    closest_points_aabb2, distance_aabb2, distance_squared_aabb2, farthest_distance_aabb2,
-    signed_distance_aabb2,
+    closest_points_aabb2, distance_aabb2, farthest_distance_aabb2, signed_distance_aabb2,
+    squared_distance_aabb2,
 };
 use crate::distance::{
-    ClosestPoints, Penetration, clearance, closest_points, distance, distance_squared,
-    farthest_distance, penetration, signed_distance,
+    ClosestPoints, Penetration, clearance, closest_points, distance, farthest_distance,
+    penetration, signed_distance, squared_distance,
 };
 use crate::kernels::ops::rows::rows_of_pairs;
 use crate::operation;
@@ -45,9 +45,9 @@ operation! {
     jumps Never
     slopes Reverse
 
-    /// The [squared distance](crate::distance::upright::distance_squared_aabb2) of two axis-aligned boxes.
-    pub DistanceSquaredAabb2 = "distance_squared_aabb2":
-        (a: Aabb2<S>, b: Aabb2<S>) -> S { distance_squared_aabb2(a, b) }
+    /// The [squared distance](crate::distance::upright::squared_distance_aabb2) of two axis-aligned boxes.
+    pub SquaredDistanceAabb2 = "squared_distance_aabb2":
+        (a: Aabb2<S>, b: Aabb2<S>) -> S { squared_distance_aabb2(a, b) }
     promises [TranslationX Stays, TranslationY Stays, Scaling Power(2), Exchange Stays]
     jumps Never
     slopes Reverse
@@ -80,9 +80,9 @@ operation! {
     jumps Never
     slopes Reverse
 
-    /// The [squared distance](crate::distance::turned::distance_squared_obb2) of two rotated boxes.
-    pub DistanceSquaredObb2 = "distance_squared_obb2":
-        (a: Obb2<S>, b: Obb2<S>) -> S { distance_squared_obb2(a, b) }
+    /// The [squared distance](crate::distance::turned::squared_distance_obb2) of two rotated boxes.
+    pub SquaredDistanceObb2 = "squared_distance_obb2":
+        (a: Obb2<S>, b: Obb2<S>) -> S { squared_distance_obb2(a, b) }
     promises [TranslationX Stays, TranslationY Stays, Rotation Stays, Scaling Power(2), Exchange Stays]
     jumps Never
     slopes Reverse
@@ -166,13 +166,13 @@ rows_of_pairs! {
         ClearancePointAabb2 = "clearance_point_aabb2": Vec2, Aabb2, "a point and an axis-aligned box" [];
         ClearancePointObb2 = "clearance_point_obb2": Vec2, Obb2, "a point and a rotated box" [Rotation Stays];
     }
-    distance_squared as "The [squared distance](crate::distance::distance_squared)" -> S,
+    squared_distance as "The [squared distance](crate::distance::squared_distance)" -> S,
     promises [TranslationX Stays, TranslationY Stays, Scaling Power(2)],
     jumps Never, slopes Reverse {
-        DistanceSquaredPointSegment = "distance_squared_point_segment": Vec2, Segment2, "a point and a segment" [Rotation Stays];
-        DistanceSquaredPointTriangle = "distance_squared_point_triangle": Vec2, Triangle2, "a point and a triangle" [Rotation Stays];
-        DistanceSquaredSegments = "distance_squared_segments": Segment2, Segment2, "two segments" [Rotation Stays, Exchange Stays];
-        DistanceSquaredTriangles = "distance_squared_triangles": Triangle2, Triangle2, "two triangles" [Rotation Stays, Exchange Stays];
+        SquaredDistancePointSegment = "squared_distance_point_segment": Vec2, Segment2, "a point and a segment" [Rotation Stays];
+        SquaredDistancePointTriangle = "squared_distance_point_triangle": Vec2, Triangle2, "a point and a triangle" [Rotation Stays];
+        SquaredDistanceSegments = "squared_distance_segments": Segment2, Segment2, "two segments" [Rotation Stays, Exchange Stays];
+        SquaredDistanceTriangles = "squared_distance_triangles": Triangle2, Triangle2, "two triangles" [Rotation Stays, Exchange Stays];
     }
     farthest_distance as "The [longest distance](crate::distance::farthest_distance)" -> S,
     promises [TranslationX Stays, TranslationY Stays, Scaling Power(1)],

@@ -95,12 +95,12 @@ rows! {
     Distance(Circle<S>, Obb2<S>) by DistanceCircleObb2;
     Distance(Capsule2<S>, Capsule2<S>) by DistanceCapsules;
     Distance(Triangle2<S>, Triangle2<S>) by DistanceTriangles;
-    SquaredDistance(Aabb2<S>, Aabb2<S>) by DistanceSquaredAabb2;
-    SquaredDistance(Obb2<S>, Obb2<S>) by DistanceSquaredObb2;
-    SquaredDistance(Vec2<S>, Segment2<S>) by DistanceSquaredPointSegment;
-    SquaredDistance(Vec2<S>, Triangle2<S>) by DistanceSquaredPointTriangle;
-    SquaredDistance(Segment2<S>, Segment2<S>) by DistanceSquaredSegments;
-    SquaredDistance(Triangle2<S>, Triangle2<S>) by DistanceSquaredTriangles;
+    SquaredDistance(Aabb2<S>, Aabb2<S>) by SquaredDistanceAabb2;
+    SquaredDistance(Obb2<S>, Obb2<S>) by SquaredDistanceObb2;
+    SquaredDistance(Vec2<S>, Segment2<S>) by SquaredDistancePointSegment;
+    SquaredDistance(Vec2<S>, Triangle2<S>) by SquaredDistancePointTriangle;
+    SquaredDistance(Segment2<S>, Segment2<S>) by SquaredDistanceSegments;
+    SquaredDistance(Triangle2<S>, Triangle2<S>) by SquaredDistanceTriangles;
     SignedDistance(Aabb2<S>, Aabb2<S>) by SignedDistanceAabb2;
     SignedDistance(Obb2<S>, Obb2<S>) by SignedDistanceObb2;
     SignedDistance(Vec2<S>, Obb2<S>) by SignedDistancePointObb2;

@@ -39,11 +39,11 @@ pub trait Convex<S: Scalar>: Copy {
     fn distance<B: Convex<S>>(self, other: B) -> S {
         super::distance(self, other)
     }
-    /// The square of the distance: [`distance_squared`](super::distance_squared).
+    /// The square of the distance: [`squared_distance`](super::squared_distance).
     #[must_use]
     #[inline]
-    fn distance_squared<B: Convex<S>>(self, other: B) -> S {
-        super::distance_squared(self, other)
+    fn squared_distance<B: Convex<S>>(self, other: B) -> S {
+        super::squared_distance(self, other)
     }
     /// The distance, or minus the depth of overlap: [`signed_distance`](super::signed_distance).
     #[must_use]

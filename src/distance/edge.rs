@@ -153,13 +153,13 @@ pub(super) fn edge_sides<S: Scalar>(point: Vec2<S>, from: Vec2<S>, to: Vec2<S>) 
 /// number.
 ///
 /// ```
-/// use geograd::{Vec2, distance::edge_distance_squared};
+/// use geograd::{Vec2, distance::edge_squared_distance};
 /// let (from, to) = (Vec2::new(0.0, 0.0), Vec2::new(4.0, 0.0));
-/// assert_eq!(edge_distance_squared(Vec2::new(1.0, 2.0), from, to), 4.0);
+/// assert_eq!(edge_squared_distance(Vec2::new(1.0, 2.0), from, to), 4.0);
 /// ```
 #[must_use]
 #[inline]
-pub fn edge_distance_squared<S: Scalar>(point: Vec2<S>, from: Vec2<S>, to: Vec2<S>) -> S {
+pub fn edge_squared_distance<S: Scalar>(point: Vec2<S>, from: Vec2<S>, to: Vec2<S>) -> S {
     let (edge, arm, scale) = Placed::segment(Segment2::new(from, to)).near_scaled(point);
     let square = reach(edge, arm).apart.length_squared();
     square.over(scale).over(scale).saturated().canonical()

@@ -9,7 +9,7 @@
 //! | function | gives |
 //! | --- | --- |
 //! | [`distance`] | the shortest way between the shapes; 0 where they touch or overlap |
-//! | [`distance_squared`] | its square, smooth where the distance vanishes |
+//! | [`squared_distance`] | its square, smooth where the distance vanishes |
 //! | [`signed_distance`] | the same, and minus the depth of overlap |
 //! | [`closest_points`] | where: a point of each |
 //! | [`penetration`] | how far to shift one of them until they only touch, and in which direction |
@@ -55,7 +55,7 @@ pub mod turned;
 pub mod upright;
 
 pub use convex::{Convex, Core};
-pub use edge::{edge_distance, edge_distance_squared, edge_winding};
+pub use edge::{edge_distance, edge_squared_distance, edge_winding};
 use pair::{Closest, Depth, Farthest, Signed, Squared, Unsigned};
 pub use shapes::repeat_last;
 
@@ -148,13 +148,13 @@ pub fn distance<S: Scalar, A: Convex<S>, B: Convex<S>>(a: A, b: B) -> S {
 /// wherever the nearest points are. Saturates at the largest finite number.
 ///
 /// ```
-/// use geograd::{Segment2, Vec2, distance::distance_squared};
+/// use geograd::{Segment2, Vec2, distance::squared_distance};
 /// let curb = Segment2::new(Vec2::new(0.0, 1.0), Vec2::new(9.0, 1.0));
-/// assert_eq!(distance_squared(curb, Vec2::new(-3.0, 5.0)), 25.0);
+/// assert_eq!(squared_distance(curb, Vec2::new(-3.0, 5.0)), 25.0);
 /// ```
 #[must_use]
 #[inline]
-pub fn distance_squared<S: Scalar, A: Convex<S>, B: Convex<S>>(a: A, b: B) -> S {
+pub fn squared_distance<S: Scalar, A: Convex<S>, B: Convex<S>>(a: A, b: B) -> S {
     a.take_formula::<Squared, B>(b)
 }
 
@@ -276,10 +276,10 @@ impl<S: Scalar> Vec2<S> {
     pub fn distance<B: Convex<S>>(self, other: B) -> S {
         distance(self, other)
     }
-    /// The square of the distance of the point from a convex shape: [`distance_squared`].
+    /// The square of the distance of the point from a convex shape: [`squared_distance`].
     #[must_use]
     #[inline(always)]
-    pub fn distance_squared<B: Convex<S>>(self, other: B) -> S {
-        distance_squared(self, other)
+    pub fn squared_distance<B: Convex<S>>(self, other: B) -> S {
+        squared_distance(self, other)
     }
 }

@@ -28,7 +28,7 @@ pub trait PairFormula<S: Scalar> {
 pub(super) struct Signed;
 /// [`distance`](super::distance()).
 pub(super) struct Unsigned;
-/// [`distance_squared`](super::distance_squared).
+/// [`squared_distance`](super::squared_distance).
 pub(super) struct Squared;
 /// [`closest_points`](super::closest_points).
 pub(super) struct Closest;
@@ -97,11 +97,11 @@ impl<S: Scalar> PairFormula<S> for Squared {
     }
     #[inline]
     fn aabb2(a: Aabb2<S>, b: Aabb2<S>) -> S {
-        upright::distance_squared_aabb2(a, b)
+        upright::squared_distance_aabb2(a, b)
     }
     #[inline]
     fn obb2(a: Obb2<S>, b: Obb2<S>) -> S {
-        turned::distance_squared_obb2(a, b)
+        turned::squared_distance_obb2(a, b)
     }
 }
 

@@ -181,13 +181,13 @@ pub fn distance_obb2<S: Scalar>(a: Obb2<S>, b: Obb2<S>) -> S {
 /// The square of [`distance_obb2`], smooth where that vanishes.
 ///
 /// ```
-/// use geograd::{Obb2, distance::turned::distance_squared_obb2};
+/// use geograd::{Obb2, distance::turned::squared_distance_obb2};
 /// let a = Obb2::new(0.0, 0.0, 4.0, 2.0, 0.0);
-/// assert_eq!(distance_squared_obb2(a, Obb2::new(7.0, 5.0, 4.0, 2.0, 0.0)), 18.0);
+/// assert_eq!(squared_distance_obb2(a, Obb2::new(7.0, 5.0, 4.0, 2.0, 0.0)), 18.0);
 /// ```
 #[must_use]
 #[inline]
-pub fn distance_squared_obb2<S: Scalar>(a: Obb2<S>, b: Obb2<S>) -> S {
+pub fn squared_distance_obb2<S: Scalar>(a: Obb2<S>, b: Obb2<S>) -> S {
     let (found, _) = related(a, b);
     found.unscaled_square(found.square())
 }

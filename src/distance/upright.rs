@@ -45,13 +45,13 @@ pub fn distance_aabb2<S: Scalar>(a: Aabb2<S>, b: Aabb2<S>) -> S {
 /// The square of [`distance_aabb2`], smooth where that vanishes.
 ///
 /// ```
-/// use geograd::{Aabb2, distance::upright::distance_squared_aabb2};
+/// use geograd::{Aabb2, distance::upright::squared_distance_aabb2};
 /// let a = Aabb2::new(0.0, 0.0, 4.0, 4.0);
-/// assert_eq!(distance_squared_aabb2(a, Aabb2::new(7.0, 8.0, 9.0, 9.0)), 25.0);
+/// assert_eq!(squared_distance_aabb2(a, Aabb2::new(7.0, 8.0, 9.0, 9.0)), 25.0);
 /// ```
 #[must_use]
 #[inline]
-pub fn distance_squared_aabb2<S: Scalar>(a: Aabb2<S>, b: Aabb2<S>) -> S {
+pub fn squared_distance_aabb2<S: Scalar>(a: Aabb2<S>, b: Aabb2<S>) -> S {
     open(gaps(a, b)).length_squared().saturated().canonical()
 }
 

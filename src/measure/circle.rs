@@ -57,7 +57,7 @@ pub fn circle_decided<S: Scalar<Mask = bool>>(
     let slack = S::Primal::lit(1.0 + 8.0 * S::EPSILON);
     let outside = |support: Support, k: usize| {
         let circle = local(support, place);
-        let reach = circle.center.distance_squared(place(k));
+        let reach = circle.center.squared_distance(place(k));
         reach.above(circle.radius * circle.radius * slack)
     };
     let mut support = Support::One(first);

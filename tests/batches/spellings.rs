@@ -111,8 +111,8 @@ spellings! {
         DistanceAabb2 |(a, b)| distance::distance(a, b), a.distance(b), distance::upright::distance_aabb2(a, b);
         SignedDistanceAabb2 |(a, b)| distance::signed_distance(a, b), a.signed_distance(b),
             (-distance::clearance(a, b)).canonical(), distance::upright::signed_distance_aabb2(a, b);
-        DistanceSquaredAabb2 |(a, b)| distance::distance_squared(a, b), a.distance_squared(b),
-            distance::upright::distance_squared_aabb2(a, b);
+        SquaredDistanceAabb2 |(a, b)| distance::squared_distance(a, b), a.squared_distance(b),
+            distance::upright::squared_distance_aabb2(a, b);
         FarthestDistanceAabb2 |(a, b)| distance::farthest_distance(a, b), a.farthest_distance(b),
             distance::upright::farthest_distance_aabb2(a, b);
         ClosestPointsAabb2 |(a, b)| distance::closest_points(a, b), a.closest_points(b),
@@ -122,8 +122,8 @@ spellings! {
         DistanceObb2 |(a, b)| distance::distance(a, b), a.distance(b), distance::turned::distance_obb2(a, b);
         SignedDistanceObb2 |(a, b)| distance::signed_distance(a, b), a.signed_distance(b),
             (-distance::clearance(a, b)).canonical(), distance::turned::signed_distance_obb2(a, b);
-        DistanceSquaredObb2 |(a, b)| distance::distance_squared(a, b), a.distance_squared(b),
-            distance::turned::distance_squared_obb2(a, b);
+        SquaredDistanceObb2 |(a, b)| distance::squared_distance(a, b), a.squared_distance(b),
+            distance::turned::squared_distance_obb2(a, b);
         FarthestDistanceObb2 |(a, b)| distance::farthest_distance(a, b), a.farthest_distance(b),
             distance::turned::farthest_distance_obb2(a, b);
         ClosestPointsObb2 |(a, b)| distance::closest_points(a, b), a.closest_points(b),
@@ -145,10 +145,10 @@ spellings! {
         DistanceCircleObb2 |(a, b)| distance::distance(a, b), Convex::distance(a, b);
         DistanceCapsules |(a, b)| distance::distance(a, b), Convex::distance(a, b);
         DistanceTriangles |(a, b)| distance::distance(a, b), Convex::distance(a, b);
-        DistanceSquaredPointSegment |(a, b)| distance::distance_squared(a, b), Convex::distance_squared(a, b);
-        DistanceSquaredPointTriangle |(a, b)| distance::distance_squared(a, b), Convex::distance_squared(a, b);
-        DistanceSquaredSegments |(a, b)| distance::distance_squared(a, b), Convex::distance_squared(a, b);
-        DistanceSquaredTriangles |(a, b)| distance::distance_squared(a, b), Convex::distance_squared(a, b);
+        SquaredDistancePointSegment |(a, b)| distance::squared_distance(a, b), Convex::squared_distance(a, b);
+        SquaredDistancePointTriangle |(a, b)| distance::squared_distance(a, b), Convex::squared_distance(a, b);
+        SquaredDistanceSegments |(a, b)| distance::squared_distance(a, b), Convex::squared_distance(a, b);
+        SquaredDistanceTriangles |(a, b)| distance::squared_distance(a, b), Convex::squared_distance(a, b);
         FarthestDistancePointObb2 |(a, b)| distance::farthest_distance(a, b), Convex::farthest_distance(a, b);
         FarthestDistanceCircleObb2 |(a, b)| distance::farthest_distance(a, b), Convex::farthest_distance(a, b);
         FarthestDistanceTriangles |(a, b)| distance::farthest_distance(a, b), Convex::farthest_distance(a, b);

@@ -144,7 +144,7 @@ fn gradients() {
     }
     each! {
         DistancePointSegment DistancePointCircle DistancePointTriangle DistanceSegments DistanceObb2
-        SignedDistancePointObb2 DistanceSquaredPointSegment GiouObb2 GiouAabb2 GiouHullAabb2
+        SignedDistancePointObb2 SquaredDistancePointSegment GiouObb2 GiouAabb2 GiouHullAabb2
         GiouAabbObb2 DiouAabb2 DiouHullAabb2 DiouAabbObb2 EiouObb2 EiouAabb2 HullAreaObb2 HullAreaAabb2 AreaTriangle
         PerimeterTriangle SignedAreaQuad PerimeterQuad
     }

@@ -72,7 +72,7 @@ impl<S: Scalar> Any<S> {
         with!(self, a => with!(other, b => distance::distance(a, b)))
     }
     pub fn squared(self, other: Self) -> S {
-        with!(self, a => with!(other, b => distance::distance_squared(a, b)))
+        with!(self, a => with!(other, b => distance::squared_distance(a, b)))
     }
     pub fn closest(self, other: Self) -> ClosestPoints<S> {
         with!(self, a => with!(other, b => distance::closest_points(a, b)))

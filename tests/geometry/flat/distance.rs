@@ -592,8 +592,8 @@ fn turned_boxes_are_as_far_in_the_frame_of_one_as_by_their_corners() {
         close(turned::signed_distance_obb2(a, b), known);
         close(turned::distance_obb2(a, b), known.max(0.0));
         close(
-            turned::distance_squared_obb2(a, b),
-            distance::distance_squared(by_corners, to_corners),
+            turned::squared_distance_obb2(a, b),
+            distance::squared_distance(by_corners, to_corners),
         );
         let pushed = turned::penetration_obb2(a, b);
         close(pushed.depth, (-known).max(0.0));
