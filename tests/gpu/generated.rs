@@ -221,7 +221,7 @@ fn jacobians_are_the_processors() {
         (0..1000).map(shape).collect()
     };
     let (a, b) = (draw(1), draw(2));
-    let run = distance::ClosestPointsObb2.jacobian();
+    let run = geograd::kernels::ClosestPoints.jacobian();
     let (points, slopes) = gpu.aligned(run, (&a, One(b[0]))).unwrap();
     let (expected, slopes_expected) = Cpu::new().aligned(run, (&a, One(b[0]))).unwrap();
     let all = |points: &[geograd::distance::ClosestPoints<f32>]| -> Vec<f32> {
