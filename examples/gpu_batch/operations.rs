@@ -3,8 +3,8 @@
 use crate::listed::ready::Ready;
 use crate::listed::{Form, Listed, Make, list};
 use common::cli::Failure;
-use geograd::kernels::Backend;
 use geograd::kernels::gpu::{Gpu, Options};
+use geograd::kernels::{Backend, dynamic};
 use geograd::{Error, Unrecordable};
 use std::time::{Duration, Instant};
 
@@ -18,17 +18,23 @@ const NEAR: f32 = 1e-3;
 /// too: one of the two ties broken by rounding gives slopes that no input nearby has.
 const FEW: usize = 5;
 
-/// The names, one to a line.
+/// Verbs and shapes, one to a line.
 pub fn names() -> String {
-    list().iter().map(|op| format!("{}\n", op.name)).collect()
+    let listed = list();
+    let all = dynamic::names().into_iter();
+    let here = all.filter(|name| listed.iter().any(|op| op.name == name.row));
+    here.map(|name| format!("{}\n", name.spelling)).collect()
 }
 
 /// Runs the operation of a name, or all.
 pub fn run(name: &str, size: f64) -> Result<(), Failure> {
     let mut wanted = list();
-    wanted.retain(|op| name == "all" || op.name == name);
+    let asked = if name == "all" { "" } else { name };
+    let rows = dynamic::named_rows(asked)
+        .map_err(|error| Failure::Usage(format!("`--op {name}`: {error}")))?;
+    wanted.retain(|op| rows.contains(&op.name));
     if wanted.is_empty() {
-        let why = format!("`--op {name}`: no such operation (`--list` has their names)");
+        let why = format!("`--op {name}`: not in this list (`--list` has its names)");
         return Err(Failure::Usage(why));
     }
     let mut options = Options::default();

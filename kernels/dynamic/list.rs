@@ -304,7 +304,7 @@ impl Operation {
 }
 
 /// The verb in the path of a type of the list: the word after `verbs`, in lower case.
-fn verb_of(path: &str) -> String {
+pub(super) fn verb_of(path: &str) -> String {
     let verb = path.split("verbs").nth(1).unwrap_or(path);
     let verb = verb.trim_start_matches(|c: char| !c.is_alphanumeric());
     let mut snake = String::new();

@@ -34,6 +34,7 @@
 mod function;
 mod list;
 mod machines;
+mod names;
 mod nodes;
 mod paths;
 mod program;
@@ -46,6 +47,7 @@ pub use function::Function;
 pub use list::{Format, Number, Operation, Parameter, Shape, Sort, operation, operations};
 #[doc(hidden)]
 pub use list::{fold, ring, search, straight};
+pub use names::{Name, Unnamed, named_rows, names};
 pub use nodes::{Elementary, Nodes, Step};
 pub use paths::OnPaths;
 pub use program::{Program, Tracing};

@@ -4,7 +4,7 @@ use crate::{folder, has_gpu, run, status, stderr, stdout, without_gpu};
 #[test]
 fn gpu_batch_without_a_gpu() {
     let at = folder("gpu_batch_without");
-    let done = without_gpu("gpu_batch", &at, "--op iou_obb2 0.001");
+    let done = without_gpu("gpu_batch", &at, "--op iou(obb2,obb2) 0.001");
     assert_eq!((status(&done), stdout(&done)), (1, ""));
     let told = stderr(&done);
     assert!(
@@ -13,6 +13,7 @@ fn gpu_batch_without_a_gpu() {
     );
     for wrong in [
         "--op nothing",
+        "--op iou_obb2",
         "--op",
         "0",
         "-1",
@@ -35,13 +36,13 @@ fn gpu_batch_agrees_with_the_cpu() {
     let done = run("gpu_batch", &at, "--list");
     let names: Vec<&str> = stdout(&done).lines().collect();
     for (name, forms) in [
-        ("iou_obb2", 4),
-        ("centroid", 2),
-        ("distance_point_segment", 4),
-        ("closest_points_of_segments", 2),
-        ("circumcircle", 2),
-        ("signed_distance_point_ring", 2),
-        ("diameter_of_polygon", 2),
+        ("iou(obb2,obb2)", 4),
+        ("centroid(ring)", 2),
+        ("distance(vec2,segment2)", 4),
+        ("closest_points(segment2,segment2)", 2),
+        ("circumcircle(vec2,vec2,vec2)", 2),
+        ("signed_distance(ring)", 2),
+        ("diameter(convexpolygon6)", 2),
     ] {
         assert!(names.contains(&name), "{name}");
         let done = run("gpu_batch", &at, &format!("--op {name} 0.0005"));

@@ -2,6 +2,7 @@
 //!
 //! `cargo run --release -p geograd-tests --example gradient_report`; `-- --help` has the options.
 use geograd::ad::check::{Plan, Report, SEED};
+use geograd::kernels::dynamic::named_rows;
 use geograd::kernels::gpu::Gpu;
 use geograd_tests::fuzzers::{self, Fuzzer};
 use geograd_tests::list::{self, Proof};
@@ -12,7 +13,7 @@ const HELP: &str = "\
 Proves every operation of the library and prints the table. Built without --release it
 knows the most important ones only.
 
-  --op NAME       only operations whose name contains NAME
+  --op NAME       only a verb, as `iou`, or a verb of some shapes, as 'iou(obb2,obb2)'
   --samples N     random inputs per operation and format, 1000 unless told; hard
                   cases come on top
   --seed N        what they are drawn from
@@ -35,7 +36,7 @@ wrong argument, 3 when a GPU was asked for and there is none, or it failed.
 
 /// What the command line says.
 struct Options {
-    op: String,
+    rows: Vec<&'static str>,
     samples: usize,
     seed: u64,
     formats: [bool; 2],
@@ -48,14 +49,15 @@ struct Options {
 
 impl Options {
     fn wants(&self, name: &str, wide: bool) -> bool {
-        name.contains(&self.op) && self.formats[usize::from(wide)]
+        let is_named = self.rows.is_empty() || self.rows.contains(&name);
+        is_named && self.formats[usize::from(wide)]
     }
 }
 
 /// `None` when only help was wanted.
 fn options() -> Result<Option<Options>, String> {
     let mut options = Options {
-        op: String::new(),
+        rows: Vec::new(),
         samples: 1000,
         seed: SEED,
         formats: [true, true],
@@ -69,7 +71,7 @@ fn options() -> Result<Option<Options>, String> {
     while let Some(argument) = arguments.next() {
         let mut value = || arguments.next().ok_or(format!("{argument} needs a value"));
         match argument.as_str() {
-            "--op" => options.op = value()?,
+            "--op" => options.rows = named_rows(&value()?).map_err(|e| e.to_string())?,
             "--samples" => options.samples = value()?.parse().map_err(|e| format!("{e}"))?,
             "--seed" => options.seed = value()?.parse().map_err(|e| format!("{e}"))?,
             "--fuzz" => options.fuzz = Some(value()?.parse().map_err(|e| format!("{e}"))?),
@@ -128,7 +130,7 @@ fn main() -> ExitCode {
         .filter(|(name, wide, _)| options.wants(name, *wide))
         .collect();
     if jobs.is_empty() {
-        eprintln!("no operation is named {}", options.op);
+        eprintln!("this build proves none of {}", options.rows.join(", "));
         return ExitCode::from(2);
     }
     if let Some(count) = options.fuzz {
