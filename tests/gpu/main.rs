@@ -5,6 +5,7 @@
 mod bounds;
 mod committed;
 mod context;
+mod dynamic;
 mod faults;
 mod folds;
 mod generated;
