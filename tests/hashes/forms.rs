@@ -5,6 +5,7 @@ use crate::print;
 use geograd::ad::forward::First;
 use geograd::kernels::op::{ValueGrad, Vjp};
 use geograd::kernels::real::Real;
+use geograd::kernels::row::Results;
 use geograd::kernels::{Columns, Cpu, Decided, Op, Row, Runs, Single};
 use geograd::{Error, Fixed, Jet, Pack, Scalar};
 use std::marker::PhantomData;
@@ -159,7 +160,7 @@ fn numbers(many: &impl Flat) -> Vec<f64> {
 }
 fn aligned<C: Columns, R: Runs<C::Row>>(run: R, columns: C) -> Result<Vec<f64>, Error>
 where
-    <R::Out as Row>::Many: Flat,
+    <R::Out as Results>::Many: Flat,
 {
     Ok(numbers(&Cpu::new().aligned(run, columns)?))
 }
