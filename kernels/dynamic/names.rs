@@ -9,7 +9,9 @@ pub struct Name {
     pub row: &'static str,
     /// Its verb.
     pub verb: String,
-    /// Its verb and the shapes that it takes: `iou(obb2,obb2)`.
+    /// The shapes that it takes: `Obb2`, `[Vec2;4]`, `number`; of a fold `ring` or `polyline`.
+    pub shapes: Vec<String>,
+    /// Its verb and its shapes: `iou(obb2,obb2)`.
     pub spelling: String,
 }
 
@@ -72,11 +74,12 @@ const ROWS: &[(&str, &str)] = crate::for_each_op!(all);
 pub fn names() -> Vec<Name> {
     let name = |&(row, path)| {
         let verb = verb_of(path);
-        let spelling = format!("{verb}({})", shapes(path).join(","));
+        let shapes = shapes(path);
         Name {
             row,
+            spelling: format!("{verb}({})", shapes.join(",")).to_lowercase(),
             verb,
-            spelling,
+            shapes,
         }
     };
     ROWS.iter().map(name).collect()
@@ -110,7 +113,7 @@ pub fn named_rows(asked: &str) -> Result<Vec<&'static str>, Unnamed> {
     Err(function.map_or(Unnamed::Unknown, Unnamed::Function))
 }
 
-/// The shapes that a row takes, from its type: `obb2`, `[vec2;4]`, `number`; of a fold `ring` or `polyline`.
+/// The shapes that a row takes, from its type.
 fn shapes(path: &str) -> Vec<String> {
     let path: String = path.chars().filter(|c| !c.is_whitespace()).collect();
     let Some((_, taken)) = path.split_once("Takes<") else {
@@ -138,7 +141,7 @@ fn shapes(path: &str) -> Vec<String> {
     all.iter().map(|shape| short(shape)).collect()
 }
 
-/// `$crate::Obb2<f64>` as `obb2`.
+/// `$crate::Obb2<f64>` as `Obb2`.
 fn short(shape: &str) -> String {
     if shape == "f64" {
         return "number".to_owned();
@@ -151,10 +154,10 @@ fn short(shape: &str) -> String {
         return format!("[{};{count}]", short(of));
     }
     let (path, of) = shape.split_once('<').unwrap_or((shape, ""));
-    let name = path.rsplit(':').next().unwrap_or(path).to_lowercase();
+    let name = path.rsplit(':').next().unwrap_or(path);
     // A polygon says how many corners it may have.
     match of.strip_suffix('>').and_then(|of| of.split_once(',')) {
         Some((_, corners)) => format!("{name}{corners}"),
-        None => name,
+        None => name.to_owned(),
     }
 }

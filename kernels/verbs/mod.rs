@@ -20,6 +20,10 @@
 //!
 //! A verb whose first argument has a name for it is a method, too ([`prelude`](crate::prelude)): `a.iou(b)`. All three
 //! spellings, method, [`of`](Iou::of) and batch, run the same code.
+//!
+//! # Verbs by shapes
+//!
+#![doc = include_str!("shapes.md")]
 mod function;
 mod list;
 pub mod methods;

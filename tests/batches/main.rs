@@ -13,6 +13,7 @@ mod program;
 mod promised;
 mod reduce;
 mod search;
+mod shapes;
 mod spellings;
 mod straight;
 mod verbs;

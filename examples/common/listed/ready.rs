@@ -73,7 +73,7 @@ struct Aligned<'a, R: Row<Scalar = f32>, F: Runs<R>> {
     found: Held<F::Out>,
 }
 
-impl<R: Row<Scalar = f32>, F: Runs<R> + Copy> Ready for Aligned<'_, R, F> {
+impl<R: Row<Scalar = f32>, F: Runs<R, Out: Row<Scalar = f32>> + Copy> Ready for Aligned<'_, R, F> {
     fn run(&mut self) -> Result<(), Error> {
         self.here
             .aligned_into(self.run, &self.held, &mut self.found)
@@ -101,7 +101,7 @@ pub fn aligned<'a, R, F>(
 ) -> Result<Box<dyn Ready + 'a>, Error>
 where
     R: Row<Scalar = f32> + 'a,
-    F: Runs<R> + Copy + 'a,
+    F: Runs<R, Out: Row<Scalar = f32>> + Copy + 'a,
 {
     let here = backend.resident();
     let held = here.upload(rows)?;
