@@ -61,7 +61,7 @@ pub enum Slopes {
 #[diagnostic::on_unimplemented(
     message = "`{Self}` is not an operation",
     label = "not an operation, nor a program",
-    note = "`operation!` makes an operation of a generic function, `Program::trace` a program of a closure"
+    note = "`function(f)` runs a plain generic function, `operation!` makes it an operation, `Program::trace` makes a closure a program"
 )]
 pub trait Op: Copy + Debug + Default + Send + Sync + 'static {
     /// The name of the function, letter for letter.

@@ -1,5 +1,5 @@
 //~ is not an operation
-//~ `operation!` makes an operation of a generic function, `Program::trace` a program of a closure
+//~ `function(f)` runs a plain generic function, `operation!` makes it an operation
 use geograd::kernels::Cpu;
 use geograd::{Error, Obb2};
 
