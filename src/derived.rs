@@ -1,7 +1,7 @@
 //! What `#[derive(Shape)]` gives, and what the code that it writes calls.
 //!
-//! The derive (package `geograd-derive`) reads a struct's tokens without a parser of Rust. The code that it writes names this module and
-//! `ad::check::derived` only, so it needs no feature or dependency of its user's crate.
+//! The derive (package `geograd-derive`) reads a struct's tokens without a parser of Rust. The code that it writes
+//! names this module and `ad::check::derived` only, so it needs no feature or dependency of its user's crate.
 pub use crate::ad::check::derived::{
     all, as_angle, as_non_negative, as_positive, combined, drawn, hard, in_order, joined, mingled,
     one_of, together,
@@ -66,6 +66,9 @@ pub use {
 /// * the comparisons of `approx`;
 /// * [`Sample`](crate::ad::check::sample::Sample) for `f64`: random and hard inputs for the harness and, with the
 ///   feature `proptest`, the strategies of `ad::check::strategy` and proptest's own `any`.
+///
+/// The code names the crate `geograd`. With a dependency of another name, say `gg`, declare `extern crate gg as geograd;` in
+/// the root of your crate.
 ///
 /// # Attributes
 ///
