@@ -1,4 +1,4 @@
-//! Drivers: derivatives of any generic function of shapes, without seeding a dual by hand.
+//! Derivatives of any generic function of shapes by dual numbers, seeded by the library.
 //!
 //! Every driver takes the function and the point, and gives back shapes. The function is generic
 //! over the scalar, or a closure over generic functions: it is called with shapes made of
@@ -18,16 +18,16 @@ use crate::{Jet, Pack, Scalar};
 /// slopes one pass serves the first and three registers hold them.
 const CHUNK: usize = 12;
 
-/// The jet of first derivatives that drivers call functions with.
+/// The number type on which drivers call a function for first derivatives.
 pub type First<S> = Jet<S, CHUNK>;
 
 /// Directions carried at once in each of both orders.
 const CHUNK2: usize = 5;
 
-/// The jet of second derivatives that drivers call functions with.
+/// The number type on which drivers call a function for second derivatives.
 pub type Second<S> = Jet<Jet<S, CHUNK2>, CHUNK2>;
 
-/// The value of a function, for symmetry with the other drivers.
+/// Returns the value of a function of shapes.
 pub fn value<X: Pack, Y>(f: impl Fn(X) -> Y, x: X) -> Y {
     f(x)
 }
@@ -41,7 +41,7 @@ fn constant<S: Scalar, const N: usize>(value: S) -> Jet<S, N> {
     }
 }
 
-/// Value and derivative along a direction of a function of shapes: one evaluation.
+/// Returns the value of a function of shapes and its derivative along a direction, by one evaluation.
 ///
 /// ```
 /// use geograd::{ad, Obb2, Vec2};
@@ -73,7 +73,8 @@ where
     (y.map(&mut |jet| jet.value), y.map(&mut |jet| jet.slope[0]))
 }
 
-/// Value and gradient of a scalar function of shapes. The gradient is a shape like the input.
+/// Returns the value and the gradient of a function of shapes with one number as result. The gradient is a shape like the
+/// input.
 ///
 /// ```
 /// use geograd::{ad, Obb2};
@@ -92,8 +93,7 @@ where
     (value[0], x.refill(&slopes[0]))
 }
 
-/// Value and Jacobian of a function of shapes with a shape as result: in place of every number of
-/// the result, its gradient.
+/// Returns the value and the Jacobian of a function of shapes: the result's shape with a gradient in place of every number.
 ///
 /// ```
 /// use geograd::{ad, ring, Vec2};
@@ -163,8 +163,8 @@ fn slopes<S: Scalar, X: Pack<Scalar = S>>(
     (values, rows)
 }
 
-/// Value, gradient and Hessian of a scalar function of shapes. In place of every number of the
-/// input, the Hessian has the gradient of the slope with respect to it.
+/// Returns the value, gradient and Hessian of a function of shapes with one number as result. In place of every number
+/// of the input, the Hessian has the gradient of the slope with respect to it.
 ///
 /// ```
 /// use geograd::{ad, Scalar, Vec2};
@@ -214,11 +214,11 @@ where
     (value, x.refill(&gradient), hessian)
 }
 
-/// The jet of a Hessian-vector product: slopes of the slope along a direction.
+/// The number type on which [`hvp`] calls a function.
 pub type Along<S> = Jet<Jet<S, 1>, CHUNK>;
 
-/// Value, gradient, and Hessian times a direction of a scalar function of shapes, without forming
-/// the Hessian.
+/// Returns the value, the gradient and the Hessian times a direction of a function with one number as result; the Hessian is
+/// not formed.
 ///
 /// ```
 /// use geograd::{ad, Vec2};

@@ -1,31 +1,29 @@
-//! Derivatives: drivers on dual numbers, and adjoints by hand.
+//! Derivatives of formulas: by dual numbers, by adjoints, by recorded programs.
 //!
 //! # Drivers
 //!
 //! [`value`], [`jvp`], [`gradient`], [`jacobian`], [`hessian`] and [`hvp`] differentiate any
-//! generic function of shapes and give back shapes.
+//! generic function of shapes by dual numbers and return shapes.
 //!
 //! # Adjoints
 //!
-//! An adjoint takes the inputs of its forward function and the slope `out_bar` of some loss with
-//! respect to the output, and returns the slopes of the loss with respect to the inputs, one
-//! cotangent per argument, in order, of the argument's type. It replays the forward values, pulls
-//! backwards, last line first, and returns. Write one where an operation is on a hot path: it costs
-//! two to three values for any number of inputs, where duals cost one to two values *per input*.
-//! Everywhere else the duals suffice. Adjoints are generic too: run on duals they give second
-//! derivatives.
+//! An adjoint takes the inputs of its forward function and the cotangent `out_bar` of the output: the derivative of a
+//! loss by it. It returns the cotangents of the inputs, one per argument, in order, of the argument's type. It repeats
+//! the forward values and goes backwards, last line first. Write one for an operation on a hot path: it costs two to
+//! three values for any number of inputs, while duals cost one to two values *per input*. Adjoints are generic, too: on
+//! duals they return second derivatives.
 //!
 //! # Programs
 //!
-//! [`program`] records a generic function once, as a list of operations. From it come reverse mode,
-//! batches, kernels and a printout, without a line per function.
+//! [`program`] records a generic function once, as a graph of operations. Reverse mode, batches, shaders and a
+//! printout follow from the graph.
 //!
 //! # Verification
 //!
-//! [`check`] proves derivatives, the library's and anybody's: see there, and
+//! [`check`] checks derivatives, the library's and yours, as does
 //! [`assert_gradient!`](crate::assert_gradient).
 //!
-//! `x_bar` is the cotangent of `x`. `…_grad` functions give value and slopes fused.
+//! `x_bar` is the cotangent of `x`. `…_grad` functions return value and gradient together.
 pub mod adjoint;
 pub mod check;
 pub mod forward;

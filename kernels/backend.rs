@@ -1,4 +1,4 @@
-//! One front for batches of `f32`: the same calls on the CPU and on a GPU.
+//! One front for batches in `f32`: the same calls on the CPU and on a GPU.
 use crate::Error;
 #[cfg(feature = "gpu")]
 use crate::GpuFault;
@@ -9,11 +9,11 @@ use crate::kernels::row::Results;
 use crate::kernels::{Columns, Cpu, Fold, Single, Table, Targets};
 use crate::{Pack, Vec2};
 
-/// Where batches run. Nothing ever falls back from one to the other by itself.
+/// The machine on which batches run. There is no silent fallback from one to the other.
 ///
-/// The calls are those of [`Cpu`], for any operation and any program, in `f32`: they take slices and give vectors.
-/// [`resident`](Backend::resident) has the same calls over handles whose data stay where they are computed with,
-/// between calls; see the [module](crate::kernels::resident).
+/// The calls are those of [`Cpu`], for any operation and any program, in `f32`: they take slices and return vectors.
+/// [`resident`](Backend::resident) has the same calls on handles, whose data stay on the machine between
+/// calls; see the [module](crate::kernels::resident).
 ///
 /// ```
 /// use geograd::Obb2;
@@ -25,23 +25,23 @@ use crate::{Pack, Vec2};
 /// ```
 #[derive(Clone, Copy, Debug)]
 pub enum Backend<'a> {
-    /// On the processor, with all its lanes and cores.
+    /// The CPU: all lanes and cores.
     Cpu,
-    /// On a GPU.
+    /// A GPU.
     Gpu(&'a Gpu),
 }
 
-/// What [`Backend::auto`] took.
+/// The choice of [`Backend::auto`], with its reason.
 #[derive(Clone, Debug)]
 pub enum Auto {
-    /// The processor, because of this.
+    /// The CPU, and the error that rules out a GPU.
     Cpu(Error),
-    /// A GPU; never a driver in software, which only repeats what the processor does better.
+    /// A GPU. A software driver is not chosen, because it is slower than the CPU.
     Gpu(Gpu),
 }
 
 impl Backend<'_> {
-    /// Takes the best GPU, or the processor where there is none, and says which, and why.
+    /// Returns the best GPU, or the CPU and the reason why there is no GPU.
     ///
     /// A driver in software counts as no GPU ([`OnlySoftware`](crate::GpuFault::OnlySoftware)) unless the environment
     /// variable `GEOGRAD_GPU` asks for one.
@@ -57,7 +57,7 @@ impl Backend<'_> {
 }
 
 impl Auto {
-    /// The backend that was taken.
+    /// The chosen backend.
     #[must_use]
     pub fn backend(&self) -> Backend<'_> {
         match self {
@@ -76,7 +76,7 @@ impl std::fmt::Display for Auto {
     }
 }
 
-/// What one machine does or the other, by a call of the same name and the same arguments.
+/// Calls the method of this name and these arguments on the machine of a backend.
 macro_rules! on_either {
     ($backend:expr, $name:ident($($arg:expr),*)) => {
         match $backend {
@@ -90,9 +90,9 @@ macro_rules! on_either {
 }
 pub(crate) use on_either;
 
-/// Items side by side.
+/// Aligned batches.
 impl Backend<'_> {
-    /// Item i of every column: [`Cpu::aligned`].
+    /// Computes item i of every column, as [`Cpu::aligned`].
     ///
     /// ```
     /// use geograd::kernels::{Backend, Distance};
@@ -105,7 +105,7 @@ impl Backend<'_> {
     ///
     /// # Errors
     ///
-    /// As on the CPU; [`Error::Gpu`] are the GPU's.
+    /// Those of the CPU, and [`Error::Gpu`].
     pub fn aligned<C: Columns, R: Runs<C::Row>>(
         self,
         run: R,
@@ -117,7 +117,7 @@ impl Backend<'_> {
         on_either!(self, aligned(run, columns))
     }
 
-    /// The same into the caller's slices: [`Cpu::aligned_into`].
+    /// Computes item i of every column into the caller's slices, as [`Cpu::aligned_into`].
     ///
     /// # Errors
     ///
@@ -147,14 +147,14 @@ impl Backend<'_> {
     }
 }
 
-/// All pairs of two lists. A GPU does not serve what searches
+/// All pairs of two lists. A GPU refuses searches
 /// ([`Unrecordable::Search`](crate::Unrecordable::Search)).
 impl Backend<'_> {
-    /// Every row of `a` with every row of `b`: [`Cpu::all_pairs`].
+    /// Computes every shape of `a` with every shape of `b`, as [`Cpu::all_pairs`].
     ///
     /// # Errors
     ///
-    /// As on the CPU; [`Error::Gpu`] are the GPU's.
+    /// Those of the CPU, and [`Error::Gpu`].
     pub fn all_pairs<A, B, R>(self, run: R, a: &[A], b: &[B]) -> Result<Table<R::Out>, Error>
     where
         A: Single<Scalar = f32>,
@@ -173,7 +173,7 @@ macro_rules! of_pairs {
             ///
             /// # Errors
             ///
-            /// As on the CPU; [`Error::Gpu`] are the GPU's.
+            /// Those of the CPU, and [`Error::Gpu`].
             pub fn $name<A: Single<Scalar = f32>, B: Single<Scalar = f32>, R>(
                 self,
                 run: R,
@@ -193,9 +193,9 @@ macro_rules! of_pairs {
 of_pairs! {
     /// The adjoint of [`all_pairs`](Backend::all_pairs): [`Cpu::all_pairs_vjp`].
     all_pairs_vjp(upstream: &[f32]) -> (Vec<A>, Vec<B>);
-    /// The sum of all results and its slopes: [`Cpu::sum_grad`].
+    /// The sum of all results and its gradient: [`Cpu::sum_grad`].
     sum_grad() -> (f64, Vec<A>, Vec<B>);
-    /// The mean of all results and its slopes: [`Cpu::mean_grad`].
+    /// The mean of all results and its gradient: [`Cpu::mean_grad`].
     mean_grad() -> (f64, Vec<A>, Vec<B>);
     /// The largest result of every row: [`Cpu::row_max`].
     row_max() -> Vec<Best>;
@@ -203,7 +203,7 @@ of_pairs! {
     column_max() -> Vec<Best>;
     /// Every pair whose result is above a threshold: [`Cpu::above`].
     above(threshold: f32) -> Vec<Found>;
-    /// How many there are: [`Cpu::count_above`].
+    /// The number of pairs whose result is above a threshold: [`Cpu::count_above`].
     count_above(threshold: f32) -> u64;
     /// The sum of all results: [`Cpu::sum`].
     sum() -> f64;
@@ -227,7 +227,7 @@ impl Backend<'_> {
     ///
     /// # Errors
     ///
-    /// As on the CPU; [`Error::Gpu`] are the GPU's.
+    /// Those of the CPU, and [`Error::Gpu`].
     pub fn fold<F, C: Columns>(
         self,
         fold: F,
@@ -242,7 +242,7 @@ impl Backend<'_> {
         on_either!(self, fold(fold, context, vertices, offsets))
     }
 
-    /// Its adjoint, one cotangent per context and one per vertex: [`Cpu::fold_vjp`].
+    /// The adjoint of [`fold`](Backend::fold), one cotangent per context and one per vertex: [`Cpu::fold_vjp`].
     ///
     /// # Errors
     ///
@@ -266,7 +266,7 @@ impl Backend<'_> {
     ///
     /// # Errors
     ///
-    /// As on the CPU; [`Error::Gpu`] are the GPU's.
+    /// Those of the CPU, and [`Error::Gpu`].
     pub fn ragged<O: GpuRing>(
         self,
         ring: O,
@@ -276,7 +276,7 @@ impl Backend<'_> {
         on_either!(self, ragged(ring, vertices, offsets))
     }
 
-    /// Its adjoint, one cotangent per vertex: [`Cpu::ragged_vjp`].
+    /// The adjoint of [`ragged`](Backend::ragged), one cotangent per vertex: [`Cpu::ragged_vjp`].
     ///
     /// # Errors
     ///

@@ -1,32 +1,32 @@
-//! Batches: the list of operations, and the machines that run them over many shapes.
+//! Batches: functions of shapes over many items, on the CPU or a GPU.
 //!
-//! | batch | what it takes | what it gives |
+//! | batch | arguments | results |
 //! | --- | --- | --- |
-//! | [`Cpu::aligned`] | item i of every column; [`One`] stands for all items | one result per item |
-//! | [`Cpu::all_pairs`] | every row of a with every column of b | a [`Table`] |
+//! | [`Cpu::aligned`] | item i of every column; [`One`] repeats one shape | one result per item |
+//! | [`Cpu::all_pairs`] | every shape of a with every shape of b | a [`Table`] |
 //! | [`Cpu::row_max`], [`Cpu::column_max`] | the same | the best match of every row or column |
 //! | [`Cpu::above`], [`Cpu::count_above`] | the same | the pairs above a threshold |
 //! | [`Cpu::sum`], [`Cpu::mean`], [`Cpu::sum_grad`] | the same | a loss, and its gradient |
 //! | [`Cpu::ragged`], [`Cpu::fold`] | paths as vertices and offsets | one result per path |
 //!
-//! What runs is a value: an [operation](op), such as [`Iou`]; an operation with its gradient
-//! ([`value_grad`](Op::value_grad)) or its Jacobian ([`jacobian`](Op::jacobian)); its adjoint ([`vjp`](Op::vjp)); an operation of the list with a search
-//! ([`Decided`]); a [`Program`](crate::Program). Columns are slices, vectors or [`One`]. Forms that end in `_into` write to
-//! what the caller has. [`operation!`](crate::operation) makes a function an operation.
+//! The function is a value: a [verb](verbs) such as [`Iou`]; its gradient ([`value_grad`](Iou::value_grad)), Jacobian
+//! ([`jacobian`](Iou::jacobian)) or adjoint ([`vjp`](Iou::vjp)); an [operation](op) or a search ([`Decided`]); a plain
+//! generic [`function`]; a [`Program`](crate::Program). Columns are slices, vectors or [`One`]. Calls that end in `_into`
+//! write into the caller's memory. [`operation!`](crate::operation) makes a function an operation.
 //!
-//! # What goes in, and what comes out
+//! # Inputs and results
 //!
-//! Shapes are checked before anything is computed: one that is not valid is an error that names it. Results are not
-//! checked. They are the function's, and the library's functions of finite shapes are finite; a function of one's own that
-//! has a pole gives infinity or NaN there, and so does its batch, for that item alone.
+//! Shapes are checked before anything is computed: an invalid one is an error that names it. Results are not checked.
+//! The library's functions of finite shapes are finite; your own function gives infinity or NaN at a pole, and so does
+//! its batch, for that item alone.
 //!
-//! Without pairs a sum is 0, a count 0 and a list empty. The mean is 0, too, with slopes of zero, as the loss of a step
-//! that matched nothing. A largest of nothing there is not: rows without columns are [`Error::Length`](crate::Error::Length).
+//! Without pairs a sum is 0, a count 0 and a list empty. The mean is 0 with a gradient of zero, as the loss of a step
+//! without matches. The maximum of an empty row is an error: [`Error::Length`](crate::Error::Length).
 //!
-//! # Elsewhere
+//! # GPUs
 //!
-//! The same calls run on GPUs, but for all pairs of searches: [`gpu`]. [`Backend`] is one front for both machines, and
-//! [`resident`] keeps columns and results where they are between its calls.
+//! [`gpu`] has the same calls, except all pairs of searches. [`Backend`] is one front for both machines, and
+//! [`resident`] keeps columns and results on the machine between calls.
 #[forbid(unsafe_code)]
 pub mod backend;
 #[forbid(unsafe_code)]
@@ -90,16 +90,14 @@ pub use row::{Column, Columns, One, Row, Target};
 pub use targets::{Skip, Targets};
 pub use verbs::*;
 
-/// Every operation, one per line: a name and a type. Tests, benches and documentation walk this
-/// list.
+/// Calls a macro with the list of all operations: a name and a type each. Tests, benches and documentation use it.
 ///
-/// `for_each_op!(with)` calls the macro `with!` with the whole list, `pairs { … } rings { … }
-/// straight { … } folds { … } decided { … } further { straight { … } folds { … } decided { … } }`: scores of two
-/// boxes and measures of rings, which have kernels of their own, then all other straight
-/// lines, [folds](Fold) over paths and operations with a [search](Decided). Further ones are the same
-/// functions of other shapes: proofs in unoptimised builds leave them out, because every row costs about a second to compile;
-/// `gradient_report --release` proves them, and `tests/further.rs` runs them on a GPU in every form. The list leaves out what the harness
-/// refuses at more than some hard cases; `BENCHMARKS.md` names those inputs.
+/// `for_each_op!(with)` calls the macro `with!` with the whole list, `pairs { … } rings { … } straight { … } folds { … }
+/// decided { … } further { straight { … } folds { … } decided { … } }`: scores of two boxes and measures of rings, which have kernels of their own, then all other straight lines, [folds](Fold) over paths and operations with a
+/// [search](Decided). Further ones are the same functions of other shapes: proofs in unoptimised builds leave them out,
+/// because every row costs about a second to compile; `gradient_report --release` proves them, and `tests/further.rs`
+/// runs them on a GPU in every form. The list leaves out what the harness refuses at more than some hard cases;
+/// `BENCHMARKS.md` names those inputs.
 #[macro_export]
 macro_rules! for_each_op {
     ($with:ident) => {

@@ -1,4 +1,4 @@
-//! The contract of an operation: its function and one row. Everything else follows from them.
+//! The contract of an operation: its function, and what the library has to know about it.
 //!
 //! ```
 //! use geograd::kernels::op::{Jumps, Op, Promise, Slopes};
@@ -43,19 +43,19 @@ use crate::{Fixed, Pack, Scalar, Vec2};
 use std::fmt::Debug;
 use std::sync::Arc;
 
-/// Where the slopes of an operation come from.
+/// The source of an operation's derivatives.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Slopes {
-    /// From [`Op::adjoint`], written by hand.
+    /// [`Op::adjoint`], written by hand.
     ByHand,
-    /// From the recorded function, backwards.
+    /// The recorded function, differentiated backwards.
     Reverse,
-    /// From the recorded function, forwards, one number of the input after the other: for functions
-    /// whose slopes lose digits backwards, where large terms meet before they cancel.
+    /// The recorded function, differentiated forwards, one number of the input after the other. For functions whose
+    /// derivatives lose digits backwards, because large terms meet before they cancel.
     Forward,
 }
 
-/// An operation: a generic function of fixed size, what it promises, and where its slopes come from.
+/// A generic function of fixed size, its promises, and the source of its derivatives.
 ///
 /// A value of the type is the operation: `Cpu::new().aligned(Iou, (&a, &b))`.
 #[diagnostic::on_unimplemented(
@@ -66,26 +66,26 @@ pub enum Slopes {
 pub trait Op: Copy + Debug + Default + Send + Sync + 'static {
     /// The name of the function, letter for letter.
     const NAME: &'static str;
-    /// What it takes, made of any scalar: a shape, a number, or a tuple of up to six.
+    /// The argument, made of any scalar: a shape, a number, or a tuple of up to six.
     type In<S: Scalar>: Fixed<Scalar = S>;
-    /// What it gives, made of the same scalar.
+    /// The result, made of the same scalar.
     type Out<S: Scalar>: Fixed<Scalar = S>;
-    /// Motions it follows; `&[]` says that it promises none.
+    /// Motions of the argument and their effect on the result; `&[]` promises none.
     const PROMISES: &'static [Promise];
-    /// Where its value may jump.
+    /// Places at which the value may jump.
     const JUMPS: Jumps;
-    /// Where its slopes come from.
+    /// The source of the derivatives.
     const SLOPES: Slopes;
-    /// Of which inputs values and slopes are finite.
+    /// Inputs whose values and derivatives are finite.
     const FINITE: Finite = Finite::Within(Limits::ORDINARY);
-    /// Within which every number of its result lies.
+    /// The range of every number of the result.
     const RANGE: Range = Range::ANY;
-    /// What identical shapes and shapes apart score.
+    /// The results of identical shapes and of shapes apart.
     const EXTREMES: Extremes = Extremes::Unsaid;
-    /// Where it is defined, beside the rules of its shapes; `None` for everywhere. The harness and the fuzzer keep to it;
+    /// The domain, in addition to the rules of its shapes; `None` for everywhere. The harness and the fuzzer keep to it;
     /// batches compute outside, too.
     const DOMAIN: Option<fn(Self::In<f64>) -> bool> = None;
-    /// How far values may be off, beyond rounding: in the unit of the result, and as a share of each of its numbers.
+    /// The error of values beyond rounding: in the unit of the result, and relative to each of its numbers.
     const RESOLUTION: [f64; 2] = [0.0; 2];
     /// The names of its arguments, one for each; empty without names of their own.
     const ARGUMENTS: &'static [&'static str] = &[];
@@ -93,8 +93,7 @@ pub trait Op: Copy + Debug + Default + Send + Sync + 'static {
     const DOC: &'static str = "";
     /// The function.
     fn eval<S: Scalar>(input: Self::In<S>) -> Self::Out<S>;
-    /// The result, and the slopes of `out_bar · result` with respect to the input, by hand; `None`
-    /// where they are recorded.
+    /// The result and the gradient of `out_bar · result` with respect to the input, by hand; `None` if they are recorded.
     #[inline(always)]
     fn adjoint<S: Scalar>(
         _input: Self::In<S>,
@@ -107,8 +106,8 @@ pub trait Op: Copy + Debug + Default + Send + Sync + 'static {
     fn compiled() -> Option<Compiled> {
         None
     }
-    /// The function as a [`Program`]: to read, to count, to take further derivatives of, for a GPU. Where
-    /// slopes of a number are by hand, the program has them, too.
+    /// The function as a [`Program`], to print, count, differentiate further, or run on a GPU. It includes an adjoint
+    /// by hand of a lone number.
     ///
     /// ```
     /// use geograd::kernels::{Iou, Op};
@@ -131,7 +130,7 @@ pub trait Op: Copy + Debug + Default + Send + Sync + 'static {
         let value_grad = plan::program_of::<Self, T>(Want::ValueGrad)?;
         Ok(Program::of(value.with_gradient_after_result(&value_grad)))
     }
-    /// The operation whose result is the result with its gradient, for one number as result.
+    /// The operation that returns the result and its gradient; the result is one number.
     fn value_grad(self) -> ValueGrad<Self> {
         ValueGrad(self)
     }
@@ -152,8 +151,8 @@ pub trait Op: Copy + Debug + Default + Send + Sync + 'static {
     fn jacobian(self) -> Jacobian<Self> {
         Jacobian(self)
     }
-    /// The operation that takes a cotangent of the result beside the input and gives that of the
-    /// input: its adjoint.
+    /// The adjoint: the operation that takes the input and a cotangent of the result, and returns the cotangent of the
+    /// input.
     fn vjp(self) -> Vjp<Self> {
         Vjp(self)
     }
@@ -189,12 +188,12 @@ impl<O> Vjp<O> {
     }
 }
 
-/// How a batch asks for what it runs.
+/// The derivative that a batch needs, and its form.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub struct Ask {
     /// The result, the result with its gradient, or the adjoint.
     pub(crate) want: Want,
-    /// Whether every shape meets many others, so that what is made of it alone is made once.
+    /// `true` if every shape meets many others, so that its own part is computed once.
     pub(crate) framed: bool,
 }
 
@@ -217,7 +216,7 @@ impl Ask {
     }
 }
 
-/// What a batch can run on rows of arguments: an operation, its gradient, its Jacobian, its adjoint, a program.
+/// A function that a batch runs on rows of arguments: a verb, its gradient, Jacobian or adjoint, a program.
 #[diagnostic::on_unimplemented(
     message = "`{Self}` does not run on these columns",
     label = "does not run on rows of `{R}`",
@@ -226,31 +225,31 @@ impl Ask {
     note = "a search of another crate (`Decided`) is proved by the harness, and no batch takes it"
 )]
 pub trait Runs<R: Row> {
-    /// What it gives per row.
+    /// The result per row.
     type Out: Results<Scalar = R::Scalar>;
-    /// How batches compute it.
+    /// The plan by which batches on the CPU compute it.
     ///
     /// # Errors
     ///
     /// Those of recording it.
     #[doc(hidden)]
     fn face(&self, ask: Ask) -> Result<Arc<Face<R::Scalar>>, Error>;
-    /// What is known of it beside its program, where it is an operation.
+    /// The compiled kernels of an operation, if it has some.
     #[doc(hidden)]
     fn compiled(&self) -> Option<plan::Compiled> {
         None
     }
-    /// What a GPU is given of it.
+    /// The plan by which a GPU computes it.
     ///
     /// # Errors
     ///
-    /// Those of recording it: what searches cannot be recorded.
+    /// Those of recording it: searches cannot be recorded.
     #[cfg(feature = "gpu")]
     #[doc(hidden)]
     fn generated(&self, _ask: Ask) -> Result<Arc<Generated<R::Scalar>>, Error> {
         Err(Error::Program(crate::Unrecordable::Search))
     }
-    /// What a GPU replays of it, if it searches.
+    /// The replay of a search on a GPU.
     #[cfg(feature = "gpu")]
     #[doc(hidden)]
     fn replays(&self, _ask: Ask) -> Option<Result<Arc<dyn Replays<R::Scalar>>, Error>> {
@@ -351,19 +350,19 @@ where
     }
 }
 
-/// An operation of a ring of run-time size: what ragged batches serve.
+/// A function of a ring of run-time length, for ragged batches.
 pub trait RingOp: Copy + Debug + Default + Send + Sync + 'static {
     /// The name of the function, letter for letter.
     const NAME: &'static str;
-    /// What it gives.
+    /// The result.
     type Out<S: Scalar>: Fixed<Scalar = S>;
-    /// Motions it follows; `&[]` says that it promises none.
+    /// Motions of the argument and their effect on the result; `&[]` promises none.
     const PROMISES: &'static [Promise];
-    /// Where its value may jump.
+    /// Places at which the value may jump.
     const JUMPS: Jumps;
-    /// Of which inputs values and slopes are finite.
+    /// Inputs whose values and derivatives are finite.
     const FINITE: Finite = Finite::Within(Limits::ORDINARY);
-    /// Within which every number of its result lies.
+    /// The range of every number of the result.
     const RANGE: Range = Range::ANY;
     /// Documentation in Markdown: the doc comment of its row, empty without one.
     const DOC: &'static str = "";
@@ -378,25 +377,25 @@ pub trait RingOp: Copy + Debug + Default + Send + Sync + 'static {
     }
 }
 
-/// Any operation, as the harness sees it.
+/// An operation as a subject of the harness.
 pub trait Source: 'static {
     /// The name of the forward function, letter for letter.
     const NAME: &'static str;
-    /// What it takes, made of any scalar.
+    /// The argument, made of any scalar.
     type In<S: Scalar>: Pack<Scalar = S>;
-    /// What it gives, made of the same scalar.
+    /// The result, made of the same scalar.
     type Out<S: Scalar>: Fixed<Scalar = S>;
-    /// Motions it follows.
+    /// Motions of the argument and their effect on the result.
     const PROMISES: &'static [Promise];
-    /// Where its value may jump.
+    /// Places at which the value may jump.
     const JUMPS: Jumps;
-    /// Whether it searches, and its slopes are those of what was found.
+    /// `true` for a search, whose derivatives are those of its replay.
     const SEARCHES: bool = false;
     /// The generic source.
     fn eval<S: Scalar<Mask = bool>>(input: &Self::In<S>) -> Self::Out<S>;
-    /// The slopes of `out_bar · output` with respect to the input.
+    /// The gradient of `out_bar · output` with respect to the input.
     fn vjp<S: Scalar<Mask = bool>>(input: &Self::In<S>, out_bar: Self::Out<S>) -> Self::In<S>;
-    /// The function on num-dual's numbers, where slopes are by hand: a witness that is compiled for no other.
+    /// The function on num-dual's numbers; only for operations with an adjoint by hand, as a witness of it.
     fn on_num_dual<S: Number>(_input: &Self::In<S::NumDual>) -> Option<Self::Out<S::NumDual>> {
         None
     }
@@ -404,7 +403,7 @@ pub trait Source: 'static {
     fn map<S: Scalar, T: Scalar>(input: &Self::In<S>, f: &mut impl FnMut(S) -> T) -> Self::In<T>;
 }
 
-/// An operation of fixed size, as the harness sees it.
+/// An operation of fixed size as a subject of the harness.
 #[derive(Clone, Copy, Debug)]
 pub struct Straight<O>(std::marker::PhantomData<O>);
 
@@ -448,7 +447,7 @@ impl<O: Op> Source for Straight<O> {
     }
 }
 
-/// An operation of a ring, as the harness sees it.
+/// An operation of a ring as a subject of the harness.
 #[derive(Clone, Copy, Debug)]
 pub struct Ringed<O>(std::marker::PhantomData<O>);
 

@@ -1,10 +1,10 @@
-//! Where detection engineers find what they know from elsewhere: a guide without items.
+//! A guide from other detection libraries to geograd: their calls, and how to reproduce their numbers.
 //!
-//! Functions of other libraries, and what does the same here; then [the same numbers](#the-same-numbers). Operations
-//! are values that [`Cpu::aligned`] (pair by pair), [`Cpu::all_pairs`] (every row with every column) and the reductions
-//! beside them take; with [`Op::value_grad`] they give slopes, too. Values are right to rounding for pairs that are identical, nearly
-//! parallel, nested, thin or far from the origin, and no slope is NaN. Other people's encodings are types:
-//! [`convention`](crate::convention).
+//! The tables list functions of other libraries and their equivalents; [the same numbers](#the-same-numbers) follow.
+//! Verbs are values that [`Cpu::aligned`] (pair by pair), [`Cpu::all_pairs`] (every shape with every other) and its
+//! reductions take; with `value_grad` they return gradients, too. Values are right to rounding for pairs that are
+//! identical, nearly parallel, contained, thin or far from the origin, and no derivative is NaN. Encodings of other
+//! libraries are types: [`convention`](crate::convention).
 //!
 //! # Rotated_IoU
 //!
@@ -72,9 +72,9 @@
 //!
 //! # The same numbers
 //!
-//! Loss functions of other libraries are formulas of ours, with small numbers added that keep them from dividing by zero.
-//! Below `p` is the predicted box, `t` the target, `A` an area, `ε` theirs; `ln1p(d)` is `ln(1 + d)`. Where only ε tells them
-//! apart, results agree to ε over an area or a squared length of the boxes, in pixels.
+//! Loss functions of other libraries are formulas of ours, with small numbers added that keep them from dividing by
+//! zero. Below `p` is the predicted box, `t` the target, `A` an area, `ε` theirs; `ln1p(d)` is `ln(1 + d)`. Where only
+//! ε tells them apart, results agree to ε over an area or a squared length of the boxes, in pixels.
 //!
 //! ## mmrotate
 //!
@@ -95,12 +95,12 @@
 //! | `kld` | twice [`kullback_leibler`](crate::gaussian::kullback_leibler)`(p, t)`: of the prediction from the target |
 //! | `bcd` | [`bhattacharyya`](crate::gaussian::bhattacharyya)`(p, t)` |
 //!
-//! `KFLoss` is `1 − k` with k the [`kfiou`](crate::gaussian::kfiou), so at least ⅔; `fun='ln'` is `−ln(k + ε)`, `fun='exp'`
-//! `e^(1−k) − 1`. Each adds a smooth L1 loss of encoded centres. `RotatedIoULoss` is one minus [`Iou`](crate::kernels::Iou) of `Obb2`, or its logarithm.
-//! `ConvexGIoULoss` and `BCConvexGIoULoss` are [`giou_polygons_decided`](crate::iou::giou_polygons_decided),
-//! `SpatialBorderLoss` is [`contain::clearance_decided`](crate::contain::clearance_decided). `KLDRepPointsLoss` has no
-//! counterpart: Gaussians are made of boxes here, not of points. All of them in space:
-//! [`gaussian::solid`](crate::gaussian::solid).
+//! `KFLoss` is `1 − k` with k the [`kfiou`](crate::gaussian::kfiou), so at least ⅔; `fun='ln'` is `−ln(k + ε)`,
+//! `fun='exp'` `e^(1−k) − 1`. Each adds a smooth L1 loss of encoded centres. `RotatedIoULoss` is one minus
+//! [`Iou`](crate::kernels::Iou) of `Obb2`, or its logarithm. `ConvexGIoULoss` and `BCConvexGIoULoss` are
+//! [`giou_polygons_decided`](crate::iou::giou_polygons_decided), `SpatialBorderLoss` is
+//! [`contain::clearance_decided`](crate::contain::clearance_decided). `KLDRepPointsLoss` has no counterpart: Gaussians
+//! are made of boxes here, not of points. All of them in space: [`gaussian::solid`](crate::gaussian::solid).
 //!
 //! ## ultralytics
 //!

@@ -1,7 +1,7 @@
-//! What can be wrong with an input, as data.
+//! Errors as data: the argument, the row, the field and the fault.
 use std::fmt;
 
-/// Which argument of a call is meant.
+/// The argument of a call to which an error belongs.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 #[non_exhaustive]
 pub enum Argument {
@@ -31,7 +31,7 @@ pub enum Argument {
     Vertices,
     /// The offsets of a ragged batch.
     Offsets,
-    /// The gradient that comes from above, one number per result.
+    /// The cotangents of the results, one number per result.
     Upstream,
     /// The threshold of a reduction.
     Threshold,
@@ -104,7 +104,7 @@ impl fmt::Display for Argument {
     }
 }
 
-/// Which number of a shape is meant, by its name: `heading`, `min.x`, `links[0].x`.
+/// A number of a shape, by its name: `heading`, `min.x`, `links[0].x`.
 ///
 /// ```
 /// use geograd::error::Field;
@@ -125,7 +125,7 @@ impl Field {
     /// A lone number.
     pub const VALUE: Field = Field::new("");
 
-    /// By its name. Of names longer than 55 bytes the end is kept, after an ellipsis.
+    /// Returns the field of a name; a name longer than 55 bytes is cut to its end, after an ellipsis.
     #[must_use]
     pub const fn new(name: &str) -> Self {
         Field::joined([name, "", ""])
@@ -199,7 +199,7 @@ impl fmt::Debug for Field {
     }
 }
 
-/// Why a shape is not valid.
+/// The rule that an invalid shape breaks.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 #[non_exhaustive]
 pub enum Flaw {
@@ -233,7 +233,7 @@ pub enum Flaw {
     },
 }
 
-/// What is wrong with a vertex of a polygon.
+/// The rule that a vertex of a polygon breaks.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 #[non_exhaustive]
 pub enum VertexFault {
@@ -329,7 +329,7 @@ impl fmt::Display for Flaw {
 
 impl std::error::Error for Flaw {}
 
-/// Why a function cannot be recorded as a program.
+/// The reason why a function cannot be recorded as a program.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 #[non_exhaustive]
 pub enum Unrecordable {
@@ -372,7 +372,7 @@ impl fmt::Display for Unrecordable {
     }
 }
 
-/// Why a call was refused. Nothing was computed and no buffer was written.
+/// The reason why a call was refused. A refused call computes nothing and writes no buffer.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 #[non_exhaustive]
 pub enum Error {
@@ -380,9 +380,9 @@ pub enum Error {
     Length {
         /// The argument.
         argument: Argument,
-        /// How many items the other arguments call for.
+        /// The number of items of the other arguments.
         expected: usize,
-        /// How many it has.
+        /// The number of its items.
         found: usize,
     },
     /// A row of an argument is not a valid shape.
@@ -391,7 +391,7 @@ pub enum Error {
         argument: Argument,
         /// The row, from zero.
         row: usize,
-        /// What is wrong with it.
+        /// The rule that it breaks.
         flaw: Flaw,
     },
     /// The offsets of a ragged batch decrease at this row, do not start at zero (row 0) or do not
@@ -411,26 +411,26 @@ pub enum Error {
     Fields {
         /// The argument.
         argument: Argument,
-        /// How many numbers a row of it has.
+        /// The count of numbers of one of its rows.
         expected: usize,
-        /// How many it was given.
+        /// The count of numbers given.
         found: usize,
     },
     /// A call has the wrong number of arguments.
     Arguments {
-        /// How many the function takes.
+        /// The number of arguments of the function.
         expected: usize,
-        /// How many it was given.
+        /// The number of arguments given.
         found: usize,
     },
     /// The call is for functions whose result is one number.
     NotOneNumber {
-        /// How many numbers the result has.
+        /// The count of numbers of the result.
         found: usize,
     },
     /// The number of results does not fit in memory.
     TooLarge,
-    /// A GPU could not be had, or a call on it failed.
+    /// No GPU is available, or a call on it failed.
     Gpu(GpuFault),
     /// The environment variable `GEOGRAD_SIMD`, or a call, asks for a level of vector instructions that
     /// is unknown or that this processor lacks.
@@ -504,9 +504,9 @@ impl fmt::Display for Error {
 
 impl std::error::Error for Error {}
 
-/// Shapes that can say what is wrong with them. A number is valid when it is finite.
+/// Shapes with rules of validity. A number is valid if it is finite.
 pub trait Validate {
-    /// Whether finite fields are all that is asked of a shape: then many shapes are told to be valid at once.
+    /// `true` if finite fields make a shape valid; batches then check many shapes at once.
     const FINITE_SUFFICES: bool = false;
     /// `Ok` when every field is finite and the shape's own rules hold.
     ///
@@ -528,7 +528,7 @@ impl<S: crate::Scalar<Mask = bool>> Validate for S {
     }
 }
 
-/// Why a GPU could not be had or a call on it failed. Inputs are as they were and stay usable,
+/// The reason why no GPU is available or a call on it failed. Inputs are as they were and stay usable,
 /// except after [`GpuFault::DeviceLost`].
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 #[non_exhaustive]
@@ -555,9 +555,9 @@ pub enum GpuFault {
     /// The least that a batch can be split into, such as a ring, sixteen items of many numbers or a replayed program, is
     /// larger than any buffer the device allows: split it, or compute it on the CPU. Batches are split as they need.
     TooLarge {
-        /// How many bytes it takes.
+        /// Its size in bytes.
         bytes: u64,
-        /// How many a buffer of the device may have ([`Gpu::most_bytes`](crate::kernels::gpu::Gpu)).
+        /// The size limit of a buffer of the device in bytes ([`Gpu::most_bytes`](crate::kernels::gpu::Gpu)).
         most: u64,
     },
     /// The driver refused a shader or a command: a fault of ours or of the driver's. The log says

@@ -1,60 +1,61 @@
-//! Computational geometry with exact derivatives.
+//! Computational geometry with exact derivatives: overlaps, distances and scores of boxes and polygons.
 //!
-//! Geometry is written once, generic over a [`Scalar`]: the same code runs on `f32`, `f64`, dual
-//! numbers and SIMD lanes. Hot paths have adjoints by hand, proved against the duals. Batches run
-//! on all cores in a default build.
+//! Each formula is written once, generic over a [`Scalar`]: the same code runs on `f32`, `f64`, dual
+//! numbers and SIMD lanes. Hot paths have adjoints by hand, checked against the duals. Batches run
+//! on all cores in a default build. A derivative by a shape is a shape:
 //!
 //! ```
-//! use geograd::{Obb2, Pack, ad};
+//! use geograd::{Obb2, Pack, gradient, hessian};
 //!
 //! let truth = Obb2::new(0.0, 0.0, 4.0, 2.0, 0.0); // centre, size, heading in radians
 //! let guess = Obb2::new(0.5, 0.2, 4.2, 1.8, 0.1);
 //!
 //! let iou: f64 = guess.iou(truth);
-//! let (same, slopes) = ad::gradient(|b: Obb2<_>| b.iou(truth.lift()), guess);
-//! let (_, _, curvature) = ad::hessian(|b: Obb2<_>| b.iou(truth.lift()), guess);
+//! // `lift` makes the other box a constant of the dual numbers.
+//! let (same, by_guess) = gradient(|b: Obb2<_>| b.iou(truth.lift()), guess);
+//! let (_, _, curvature) = hessian(|b: Obb2<_>| b.iou(truth.lift()), guess);
 //! assert_eq!(iou, same);
-//! assert!(slopes.center.x < 0.0); // moving right makes it worse
+//! assert!(by_guess.center.x < 0.0); // the IoU falls as the box moves right
 //! assert_eq!(curvature.heading.center.x, curvature.center.x.heading);
 //! ```
 //!
-//! # Where to find what
+//! # Contents
 //!
 //! | to | see |
 //! | --- | --- |
 //! | measure overlap of boxes | [`overlap`], [`Obb2::iou`], [`Aabb2::iou`] |
 //! | measure overlap of boxes in space | [`overlap3`], [`Obb3::iou`], [`YawBox3::iou`] |
-//! | train detectors in space | [`iou3`]: GIoU, DIoU, CIoU, EIoU, separation |
+//! | score boxes in space that may be apart | [`iou3`]: GIoU, DIoU, CIoU, EIoU, separation |
 //! | compare boxes as Gaussians | [`gaussian`]: Wasserstein, Kullback-Leibler, ProbIoU, KFIoU |
-//! | read other people's boxes | [`convention`] |
-//! | find what another detection library has | [`detection`] |
-//! | know how far points are from boxes in space, which boxes they are in | [`distance3`], [`kernels::points`] |
+//! | convert boxes of other libraries and data sets | [`convention`] |
+//! | replace a call of another detection library | [`detection`] |
+//! | measure distances of points from boxes in space, find the boxes that contain points | [`distance3`], [`kernels::points`] |
 //! | score boxes that may be apart: GIoU, DIoU, CIoU and the like | [`iou`] |
 //! | suppress, assign and judge detections | [`suppression`], [`assignment`], [`metric`] |
 //! | measure polygons | [`ring`], [`measure`] |
-//! | measure what polygons share, with holes or without | [`overlap_polygon`] |
-//! | hold polygons with holes and of many parts, and measure them | [`polygon`] |
+//! | measure the overlap of polygons, with holes or without | [`overlap_polygon`] |
+//! | store and measure polygons with holes and several parts | [`polygon`] |
 //! | unite, intersect and subtract polygons of any kind | [`boolean`] |
 //! | clip, join, add convex polygons | [`clipping`], [`hull`] |
-//! | know whether a point is in a polygon, and how far in | [`contain`] |
+//! | test whether a point is in a polygon, and how deep | [`contain`] |
 //! | measure distances, closest points and penetration of shapes | [`distance`](mod@distance) |
 //! | cross lines, cast rays, cut segments | [`intersection`] |
-//! | check that a derivative of one's own is right | [`check`] |
+//! | check your own derivative | [`check`] |
 //! | differentiate any generic function of shapes | [`ad`]: [`ad::gradient`], [`ad::hessian`], … |
 //! | use an adjoint by hand | [`ad::adjoint::overlap`], [`ad::adjoint::ring`] |
-//! | work on many shapes at once | [`kernels::verbs`], [`kernels::cpu`] |
+//! | compute for many shapes at once | [`kernels::verbs`], [`kernels::cpu`] |
 //! | make a shape | [`Vec2`], [`Rotation2`], [`Pose2`], [`Aabb2`], [`Obb2`], [`ConvexPolygon`]; in space [`Vec3`], [`Pose3`], [`Aabb3`], [`Obb3`], [`YawBox3`]; all: [`shape`] |
 //! | make a shape of your own | [`derive(Shape)`](macro@Shape) |
 //! | write generic geometry | [`Scalar`], [`Mask`], [`Pack`] |
-//! | come from the paper's library (DGAL, d3d) | [`paper`] |
-//! | know what happens at a kink | [`scalar`] |
+//! | port code from the paper's library (DGAL, d3d) | [`paper`] |
+//! | read the rules at kinks | [`scalar`] |
 //!
 //! # Promises
 //!
-//! A test that can fail stands behind each.
+//! A test checks each.
 //!
-//! 1. **One source.** Every operation is one generic function; all derivatives come from it. Every adjoint by hand agrees with
-//!    duals and with differences, on ties and beside them.
+//! 1. **One source.** Every operation is one generic function; all derivatives come from it. Every adjoint by hand
+//!    agrees with duals and with differences, on ties and near them.
 //! 2. **Finite in, finite out.** Any finite valid input, from zero size to the largest number, gives finite values and
 //!    slopes, for cotangents of any size, of these rows:
 //!    - boxes in the plane: `intersection_area_obb2`, `iou_obb2`, `iof_obb2`, `giou_obb2`, `intersection_area_aabb2`,
@@ -63,19 +64,19 @@
 //!      `iof_yaw`, `iou_birds_eye`, `intersection_volume_obb3`, `iou_obb3`, `iof_obb3`, `iou_aabb3_obb3`, `iou_yaw_obb3`;
 //!    - rings: `signed_area`, `perimeter`, `centroid`.
 //!
-//!    All other operations promise it where every length, coordinate and plain number is zero or of a magnitude from 2⁻²⁰
-//!    to 2²⁰ in `f32` and from 2⁻¹⁵⁰ to 2¹⁵⁰ in `f64`, for cotangents of one; duals promise it for all operations. A row says
-//!    so as data (`Op::FINITE`).
+//!    All other operations promise it where every length, coordinate and plain number is zero or of a magnitude from
+//!    2⁻²⁰ to 2²⁰ in `f32` and from 2⁻¹⁵⁰ to 2¹⁵⁰ in `f64`, for cotangents of one; duals promise it for all operations.
+//!    A row says so as data (`Op::FINITE`).
 //! 3. **Ratios stay in \[0, 1\].** Identical boxes give exactly 1 with slope 0; boxes that are apart exactly 0 with slope 0.
-//! 4. **No absolute epsilon.** Results far from the origin, tiny, huge and thin are as exact as the inputs. The IoU of rotated
-//!    boxes is within 2·10⁻⁶ of the exact one in `f32` and within 10⁻¹² in `f64`, against an independent oracle of 256 bits;
-//!    for boxes up to a million times longer than wide within 2·10⁻⁵ and 2·10⁻¹⁰.
+//! 4. **No absolute epsilon.** Results far from the origin, tiny, huge and thin are as exact as the inputs. The IoU of
+//!    rotated boxes is within 2·10⁻⁶ of the exact one in `f32` and within 10⁻¹² in `f64`, against an independent oracle
+//!    of 256 bits; for boxes up to a million times longer than wide within 2·10⁻⁵ and 2·10⁻¹⁰.
 //! 5. **Reproducible.** A batch returns exactly the bits of calling the function once per item, at every SIMD level, batch
 //!    position and thread count, with culling on or off.
 //! 6. **Kinks have one policy:** the slope of the branch taken; ties share; a norm at zero has slope 0.
 //! 7. **Typed errors** name argument, row and field; nothing is written when something is wrong.
-//! 8. **Safe.** One module, `kernels/cpu/arch`, has `unsafe` code: it calls vector instructions after it has asked the processor
-//!    for them, and reads shapes as the numbers that they are.
+//! 8. **Safe.** One module, `kernels/cpu/arch`, has `unsafe` code: it calls vector instructions after it has asked the
+//!    processor for them, and reads shapes as the numbers that they are.
 //!
 //! # Features
 //!
@@ -160,7 +161,7 @@ pub mod ad;
 #[path = "../kernels/mod.rs"]
 pub mod kernels;
 
-/// Whether a derivative is right: all that one check needs, in one module.
+/// Checks of derivatives: everything that one check needs, in one module.
 ///
 /// A function of your own, in five lines:
 ///
@@ -172,9 +173,8 @@ pub mod kernels;
 /// assert_gradient!(generic area, |[width, height]| [height, width], at [2.0, 3.0]);
 /// ```
 ///
-/// What was recorded is checked by `assert_gradient!(program &program, at …)`, an operation by
-/// `Check::of(operation).prove()`. What else a [`Check`](check::Check) can be told, and what its verdict is worth, is said
-/// in [`ad::check`].
+/// `assert_gradient!(program &program, at …)` checks a recording, `Check::of(operation).prove()` an operation.
+/// [`ad::check`] has the other options of a [`Check`](check::Check), and how far its verdict goes.
 #[forbid(unsafe_code)]
 pub mod check {
     pub use crate::ad::check::sample::{Draw, Sample};
@@ -186,7 +186,7 @@ pub mod check {
     pub use crate::{assert_gradient, generic_check};
 }
 
-/// Everything of everyday use: shapes, [`Scalar`], verbs as values and as methods, machines.
+/// Shapes, [`Scalar`], verbs as values and as methods, and machines: everything of everyday use.
 ///
 /// Traits come without names, for their methods alone.
 ///

@@ -15,18 +15,18 @@
 //! at most [`Scalar::EMPTY`]: longer than wide by a factor beyond about 10³⁷ in `f32` and 10³⁰⁶ in `f64`.
 //! Two such boxes score 0, also when they are identical.
 //!
-//! Values and slopes are finite for all finite valid input, for upstream slopes of any size; slopes by duals where every length
-//! and coordinate is zero or of a magnitude from 2⁻²⁰ to 2²⁰ in `f32`, from 2⁻¹⁵⁰ to 2¹⁵⁰ in `f64`.
+//! Values and slopes are finite for all finite valid input, for upstream slopes of any size; slopes by duals where
+//! every length and coordinate is zero or of a magnitude from 2⁻²⁰ to 2²⁰ in `f32`, from 2⁻¹⁵⁰ to 2¹⁵⁰ in `f64`.
 //!
 //! Kinks: sides lying along each other (the slope is the mean of both sides of the kink), and
 //! boxes that begin to touch (slope zero). A corner on a side is no kink.
 //!
 //! # Method
 //!
-//! The relative pose comes first: the difference of the centres, then the rotation, both with low parts where the scalar has 24 bits.
-//! Four separating axes make boxes that are apart exactly zero. A pair is scaled by a power of two, so that nothing overflows; for
-//! ordinary sizes that changes no bit, and compiled kernels leave it out (`EXTREME`). [`clip`](crate::clip) has the area, and
-//! [`ad::adjoint::clip`](crate::ad::adjoint::clip) its adjoint.
+//! The relative pose comes first: the difference of the centres, then the rotation, both with low parts where the
+//! scalar has 24 bits. Four separating axes make boxes that are apart exactly zero. A pair is scaled by a power of two,
+//! so that nothing overflows; for ordinary sizes that changes no bit, and compiled kernels leave it out (`EXTREME`).
+//! [`clip`](crate::clip) has the area, and [`ad::adjoint::clip`](crate::ad::adjoint::clip) its adjoint.
 use crate::clip::{Framed, Relative, clip, clipped_area, frame, relate, related_area, size_scale};
 use crate::{Aabb2, Mask, Obb2, Scalar, Vec2};
 

@@ -1,14 +1,15 @@
-//! Shapes as lists of scalars: one order of fields for derivatives, batches and kernels.
+//! Shapes as lists of scalars, in one order of fields for derivatives, batches and kernels.
 //!
-//! [`Pack`] flattens a shape into scalars, and `With<T>` is the same shape made of `T`: a gradient is a shape, a Hessian a shape of
-//! gradients. [`Fixed`] adds a constant length, loads and stores slices, and names every scalar for errors.
+//! [`Pack`] flattens a shape into scalars, and `With<T>` is the same shape made of `T`: a gradient is a shape, a
+//! Hessian a shape of gradients. [`Fixed`] adds a constant length, loads and stores slices, and names every scalar for
+//! errors.
 use crate::Scalar;
 use crate::error::Field;
 
 /// A shape made of scalars, in a fixed order.
 ///
-/// `With<T>` is the same shape made of something else: of dual numbers to differentiate, of whole
-/// gradients to hold a Hessian. Numbers, shapes, tuples and arrays of them, and vectors of run-time
+/// `With<T>` is the same shape made of `T`: of dual numbers to differentiate, of gradients to hold a Hessian. Numbers,
+/// shapes, tuples and arrays of them, and vectors of run-time
 /// length are packs. `#[derive(Shape)]` makes a struct one.
 ///
 /// ```
@@ -21,13 +22,13 @@ use crate::error::Field;
 /// assert_eq!(named.heading, "heading");
 /// ```
 pub trait Pack: Clone {
-    /// What the shape is made of.
+    /// The number type of the shape.
     type Scalar: Clone;
     /// The same shape made of `T`.
     type With<T: Clone>: Clone;
     /// The same shape with every scalar replaced, first field first.
     fn map<T: Clone>(&self, f: &mut impl FnMut(&Self::Scalar) -> T) -> Self::With<T>;
-    /// Hands out every scalar for change, first field first.
+    /// Calls a function with every scalar by reference, first field first.
     fn each(&mut self, f: &mut impl FnMut(&mut Self::Scalar));
 
     /// The shape as constants of another scalar: of dual numbers, to take part in a function that
@@ -69,7 +70,7 @@ pub trait Pack: Clone {
     fn fewer(&self) -> Box<dyn Iterator<Item = Self> + '_> {
         Box::new(std::iter::empty())
     }
-    /// How many scalars the shape has.
+    /// The number of scalars of the shape.
     fn count(&self) -> usize {
         let mut n = 0;
         self.map(&mut |_| n += 1);
@@ -114,9 +115,9 @@ pub trait Pack: Clone {
 pub trait Fixed: Pack<Scalar: Copy + Send + Sync> + Copy + Send + Sync + 'static {
     /// The same shape made of another scalar.
     type Of<R: Scalar>: Fixed<Scalar = R>;
-    /// How many scalars.
+    /// The number of scalars.
     const LEN: usize;
-    /// How many whole numbers: counts and codes, which have no slopes and are no part of `LEN`.
+    /// The number of whole numbers: counts and codes, which have no derivatives and are no part of `LEN`.
     const CODES: usize = 0;
     /// The shape with the first `LEN` scalars of a slice, first field first. Its codes are zero.
     ///

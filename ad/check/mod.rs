@@ -68,14 +68,14 @@
 //!
 //! # A function with a kink
 //!
-//! At a kink a derivative is right when it lies between the slopes of both sides along every
-//! direction, and where many numbers tie, equals the slope along the direction that keeps the tie.
-//! Where kinks of both signs meet, and at the border of the domain, both sides do not bound it: there it may
-//! lie between the slopes at places nearby. It may be another element than the duals'
-//! ([`shared_ties`](crate::ad::check::subject::Conventions::shared_ties) asks for theirs, of an operation
-//! [`Plan::shared_ties`]). Where steps cannot tell both sides, duals a few last digits beside the input must. The report says how
-//! many samples were kinks, so that a function cannot pass by being nothing but kinks; and a number of
-//! the input about which no witness could say anything is [`Unjudged`](crate::ad::check::verdict::Reason::Unjudged).
+//! At a kink a derivative is right when it lies between the slopes of both sides along every direction, and where many
+//! numbers tie, equals the slope along the direction that keeps the tie. Where kinks of both signs meet, and at the
+//! border of the domain, both sides do not bound it: there it may lie between the slopes at places nearby. It may be
+//! another element than the duals' ([`shared_ties`](crate::ad::check::subject::Conventions::shared_ties) asks for
+//! theirs, of an operation [`Plan::shared_ties`]). Where steps cannot tell both sides, duals a few last digits beside
+//! the input must. The report says how many samples were kinks, so that a function cannot pass by being nothing but
+//! kinks; and a number of the input about which no witness could say anything is
+//! [`Unjudged`](crate::ad::check::verdict::Reason::Unjudged).
 //!
 //! ```
 //! use geograd::ad::check::Check;
@@ -98,9 +98,9 @@
 //!
 //! # A long input
 //!
-//! Up to 48 numbers are judged one by one, each slope by its own digits. Of more the slopes are multiplied with a direction and
-//! compared with what duals and differences say along it; halving the direction finds the number
-//! at fault.
+//! Up to 48 numbers are judged one by one, each slope by its own digits. Of more the slopes are multiplied with a
+//! direction and compared with what duals and differences say along it; halving the direction finds the number at
+//! fault.
 //!
 //! ```
 //! use geograd::ad::check::Check;
@@ -119,11 +119,9 @@
 //!
 //! # Other witnesses
 //!
-//! Single precision is judged by double where the source is generic ([`Check::wide`]), a Hessian by
-//! duals of duals ([`Check::second_order`]). Another implementation is a witness ([`Check::witness`],
-//! [`Check::path`]). Batches of the
-//! library's operations, on the CPU or a GPU, are witnesses in
-//! [`kernels::check`](crate::kernels::check::prove_on).
+//! Single precision is judged by double where the source is generic ([`Check::wide`]), a Hessian by duals of duals
+//! ([`Check::second_order`]). Another implementation is a witness ([`Check::witness`], [`Check::path`]). Batches of the
+//! library's operations, on the CPU or a GPU, are witnesses in [`kernels::check`](crate::kernels::check::prove_on).
 //!
 //! num-dual's own numbers judge derivatives by hand beside our [`Jet`](crate::Jet): one of the two may be wrong in the
 //! same way as the derivative. `assert_gradient!(generic …)`, operations with an adjoint by hand and rings ask them; a check
@@ -165,9 +163,10 @@
 //! ```
 //!
 //! An operation takes the same words: `Check::of(operation).resolution(1e-7).inside(…)`, and its row may state them
-//! ([`operation!`](crate::operation): `domain`, `resolution`). Inputs outside are counted and not judged; a domain in which
-//! fewer than a tenth of the random inputs lie is [`FewInside`](crate::ad::check::verdict::Reason::FewInside). An operation that cannot be recorded is
-//! [`Unrecordable`](crate::ad::check::verdict::Reason::Unrecordable), with what to do.
+//! ([`operation!`](crate::operation): `domain`, `resolution`). Inputs outside are counted and not judged; a domain in
+//! which fewer than a tenth of the random inputs lie is [`FewInside`](crate::ad::check::verdict::Reason::FewInside). An
+//! operation that cannot be recorded is [`Unrecordable`](crate::ad::check::verdict::Reason::Unrecordable), with what to
+//! do.
 //!
 //! # How far the verdict goes
 //!
@@ -204,10 +203,11 @@
 //! `compare/opinion`. [`examine`](fn@examine) walks the inputs, `shrink` makes refused ones simple, [`report`] has the
 //! lines, `words` the sentences. A function is a [`Subject`](subject::Subject): lists of numbers in and out.
 //!
-//! A traced scalar (`trace`) records every comparison and its margin, to tell a kink from a mistake. `rounding` measures sensitivity: inputs
-//! move by an ulp, and a scalar of `noise` rounds at random. `agreed` has what a plan says of a function: ties, resolution, domain. `strategy`
-//! draws for proptest from the same [`sample`]. `tests/corpus` measures the harness and other checkers: functions, faults made by operators
-//! and by a scalar that makes one mistake, and a record of the harness's errors.
+//! A traced scalar (`trace`) records every comparison and its margin, to tell a kink from a mistake. `rounding`
+//! measures sensitivity: inputs move by an ulp, and a scalar of `noise` rounds at random. `agreed` has what a plan says
+//! of a function: ties, resolution, domain. `strategy` draws for proptest from the same [`sample`]. `tests/corpus`
+//! measures the harness and other checkers: functions, faults made by operators and by a scalar that makes one mistake,
+//! and a record of the harness's errors.
 mod agreed;
 mod builder;
 mod closures;

@@ -1,9 +1,9 @@
-//! Programs: generic functions, recorded once, run everywhere.
+//! Programs: generic functions recorded once, to evaluate, differentiate, print, and run in batches.
 //!
-//! A [`Program`] is the list of operations that a generic function of shapes does. It is made by
-//! calling the function once with shapes of [`Sym`], a scalar that writes down what is done with it.
-//! It gives the bits of the function, and more: its gradient, products with its Jacobian and Hessian as
-//! programs again, its cost, a text to read, a function for GPUs.
+//! A [`Program`] is the list of operations that a generic function of shapes performs. [`Program::trace`] calls the
+//! function once with shapes of [`Sym`], a scalar that records each operation. A program returns the bits of the
+//! function. Its gradient and its products with Jacobian and Hessian are programs again; it has a cost, a printout, and
+//! a shader function.
 //!
 //! ```
 //! use geograd::ad::program::{Program, Sym};
@@ -17,31 +17,32 @@
 //!
 //! # What can be recorded
 //!
-//! Straight lines: functions that ask for nothing but `S: Scalar`. What asks for control flow
-//! (`S: Scalar<Mask = bool>`) does not compile with symbols. [`Mask::any`](crate::Mask::any) and
+//! Straight lines: functions with the bound `S: Scalar` alone. Functions with control flow
+//! (`S: Scalar<Mask = bool>`) do not compile with symbols. [`Mask::any`](crate::Mask::any) and
 //! [`Mask::all`](crate::Mask::all) compile, but are only hints; a function whose value depends on their
 //! answer is refused, as is one that uses symbols of another recording or literals that are not finite.
-//! Everything else that the function captures is baked in.
+//! Everything else that the function captures becomes a constant.
 //!
 //! # Guards
 //!
-//! What must not be divided by, or have its root taken, is replaced before the operation: `x.over(select(y == 0, 1, y))`.
+//! Replace a forbidden divisor or radicand before the operation: `x.over(select(y == 0, 1, y))`.
 //! On the processor a check of the result does as well for values, but neither for slopes nor in WGSL, whose drivers
 //! may assume that no number is infinite or NaN: there [`finite`](crate::Scalar::finite) and
 //! [`saturated`](crate::Scalar::saturated) of `x / (y − y)` tell nothing.
 //!
 //! # Slopes
 //!
-//! Reverse mode follows the [rules at kinks](crate::scalar): ties share, and what a choice did not take
-//! leaves no trace, not even where its slope is infinite. In `f64` its slopes are those of forward
+//! Reverse mode follows the [rules at kinks](crate::scalar): ties share, and the branch that a choice did
+//! not take contributes nothing, even if its derivative is infinite. In `f64` its slopes are those of forward
 //! duals to the last digits. In `f32` it may lose some where large cotangents cancel (nearly parallel
 //! sides of boxes): there, an adjoint by hand ([`Program::with_adjoint`]) is better.
 //!
 //! # Method
 //!
-//! `record` calls the function with symbols; `simplify` keeps the graph in exact normal form as it grows. `reverse` and `forward` append
-//! gradients and products with Jacobian and Hessian as further nodes, so these are programs, too. A choice passes its cotangent on
-//! together with the path on which it counts, so the branch not taken contributes nothing. `print` writes text, `wgsl` a shader function.
+//! `record` calls the function with symbols; `simplify` keeps the graph in exact normal form as it grows. `reverse` and
+//! `forward` append gradients and products with Jacobian and Hessian as further nodes, so these are programs, too. A
+//! choice passes its cotangent on together with the path on which it counts, so the branch not taken contributes
+//! nothing. `print` writes text, `wgsl` a shader function.
 mod cost;
 mod derivative;
 pub(crate) mod evaluate;

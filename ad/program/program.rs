@@ -1,4 +1,4 @@
-//! Programs with the shapes of what goes in and out.
+//! Programs with the types of their argument and result.
 use super::cost::Cost;
 use super::graph::Format;
 use super::print::print;
@@ -13,7 +13,7 @@ use std::fmt;
 use std::marker::PhantomData;
 use std::sync::{Arc, Mutex, PoisonError};
 
-/// A recorded function from one shape of plain numbers to another.
+/// A recorded function from one shape to another, in `f32` or `f64`.
 ///
 /// Several arguments are a tuple. See the [module](super) for what can be recorded.
 ///
@@ -36,7 +36,7 @@ use std::sync::{Arc, Mutex, PoisonError};
 #[derive(Clone, Debug)]
 pub struct Program<In, Out> {
     recorded: Recorded,
-    /// What machines have made of it, shared by clones.
+    /// Plans of machines for it, shared by clones.
     pub(crate) kept: Arc<Kept>,
     shapes: PhantomData<fn(In) -> Out>,
 }
@@ -72,13 +72,13 @@ impl<In, Out> Program<In, Out> {
         record(function).map(Self::of)
     }
 
-    /// The format of its numbers.
+    /// The format of its numbers: `f32` or `f64`.
     #[must_use]
     pub fn format(&self) -> Format {
         self.recorded.format()
     }
 
-    /// How many operations a value takes, by kind.
+    /// The number of operations of a value, by kind.
     #[must_use]
     pub fn cost(&self) -> Cost {
         Cost::of(&self.recorded.value.graph)
@@ -91,14 +91,13 @@ impl<In, Out> Program<In, Out> {
 }
 
 impl<T: Plain, In: Fixed<Scalar = T>, Out: Fixed<Scalar = T>> Program<In, Out> {
-    /// The result for an input: what the function gives on plain numbers, to the bit. Zeros have no
-    /// sign.
+    /// Returns the result for an input, with the bits of the function on plain numbers. Zeros have no sign.
     #[must_use]
     pub fn eval(&self, input: In) -> Out {
         Out::load(&self.recorded.run(&numbers(input)))
     }
 
-    /// The result for an input on any scalar, with its slopes if it has any. Literals are those of the
+    /// Returns the result for an input on any scalar, with its derivatives if it has any. Literals are those of the
     /// format of the program.
     ///
     /// ```
@@ -182,7 +181,7 @@ impl<T: Plain, In: Fixed<Scalar = T>> Program<In, T> {
 
     /// The same function, whose gradient is given by another one, which is recorded, too: an adjoint by
     /// hand. [`value_grad`](Program::value_grad), [`vjp`](Program::vjp), [`jvp`](Program::jvp) and
-    /// second derivatives come from it. Whether it is right is for the harness to say.
+    /// second derivatives come from it. The harness checks it.
     ///
     /// ```
     /// use geograd::ad::program::{Program, Sym};
@@ -203,8 +202,7 @@ impl<T: Plain, In: Fixed<Scalar = T>> Program<In, T> {
         Ok(Self::of(self.recorded.with_gradient(&record(gradient)?)))
     }
 
-    /// The result as part of a larger function that is being recorded. An adjoint by hand comes along:
-    /// the larger program's slopes pass through it.
+    /// Returns the result as part of a larger function that is being recorded, with its adjoint by hand.
     #[must_use]
     pub fn eval_within(&self, input: In::Of<Sym<T>>) -> Sym<T> {
         let input = numbers(input);
@@ -224,7 +222,7 @@ impl<T: Plain, In: Fixed<Scalar = T>> Program<In, T> {
 pub struct Jacobian<O>(pub(crate) O);
 
 impl<T: Plain, In: Fixed<Scalar = T>, Out: Fixed<Scalar = T>> Jacobian<Program<In, Out>> {
-    /// The result for an input, and its Jacobian: in the place of every number of the result its gradient.
+    /// Returns the result for an input and its Jacobian: in the place of every number of the result its gradient.
     #[must_use]
     pub fn eval(&self, input: In) -> (Out, Out::With<In>) {
         // The gradients follow the result.
@@ -234,7 +232,7 @@ impl<T: Plain, In: Fixed<Scalar = T>, Out: Fixed<Scalar = T>> Jacobian<Program<I
         let jacobian = result.map(&mut |_| In::load(gradients.next().unwrap_or_default()));
         (result, jacobian)
     }
-    /// How many operations a result and its Jacobian take, by kind.
+    /// The number of operations of a result and its Jacobian, by kind.
     #[must_use]
     pub fn cost(&self) -> Cost {
         Cost::of(&self.recorded().value.graph)

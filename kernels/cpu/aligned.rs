@@ -1,4 +1,4 @@
-//! Aligned batches: item i of every column.
+//! Aligned batches: one result for item i of every column.
 use crate::Pack;
 use crate::error::{Argument, Error};
 use crate::kernels::cpu::Cpu;
@@ -14,9 +14,9 @@ use crate::kernels::targets::Targets;
 type ScalarOf<C> = <<C as Columns>::Row as Pack>::Scalar;
 
 impl Cpu {
-    /// Item i of every column: one result per item, shape by shape for results of several.
+    /// Computes item i of every column: one result per item; results of several shapes come as one vector per shape.
     ///
-    /// What runs is an operation ([`Iou`](crate::kernels::Iou)), its gradient
+    /// `run` is a verb ([`Iou`](crate::kernels::Iou)), its gradient
     /// ([`value_grad`](crate::kernels::Op::value_grad)) or Jacobian
     /// ([`jacobian`](crate::kernels::Op::jacobian)), its adjoint ([`vjp`](crate::kernels::Op::vjp)), or a program.
     ///
@@ -159,7 +159,7 @@ pub(crate) fn run_columns<T: Real>(
     Ok(lists)
 }
 
-/// What is put into targets of so many numbers each, item by item.
+/// The numbers that a call writes into targets of so many numbers each, item by item.
 pub(crate) fn as_rows<T: Real>(
     gives: &[usize],
     count: usize,
@@ -206,7 +206,7 @@ pub(crate) fn name_of<T>(arguments: &[Preparation<T>], k: usize) -> Argument {
     own.map_or(Argument::Upstream, |argument| argument.argument(k))
 }
 
-/// How many items the columns of arguments, and of cotangents, have.
+/// The number of items of the columns of arguments and cotangents.
 pub(crate) fn items<T: Real>(
     arguments: &[Preparation<T>],
     columns: &[Column<'_, T>],

@@ -1,4 +1,4 @@
-//! All-pairs batches: every row with every column.
+//! All-pairs batches: every shape of one list with every shape of another.
 use crate::error::{Argument, Error};
 use crate::kernels::cpu::Cpu;
 use crate::kernels::cpu::checked::{check_argument, entries, expect, fill, numbers, restore, tame};
@@ -72,7 +72,7 @@ impl<T: Real> Bearable<T> {
 }
 
 impl Cpu {
-    /// Every row of `a` with every row of `b`.
+    /// Computes every shape of `a` with every shape of `b`: a table with a row per shape of `a`.
     ///
     /// # Errors
     ///
@@ -102,7 +102,7 @@ impl Cpu {
         Ok(table)
     }
 
-    /// [`all_pairs`](Cpu::all_pairs) into a table that is there already.
+    /// [`all_pairs`](Cpu::all_pairs) into the caller's table.
     ///
     /// # Errors
     ///
@@ -307,7 +307,7 @@ impl Cpu {
         Ok((A::Scalar::drivers().above)(&pairs, threshold))
     }
 
-    /// How many pairs have a result above the threshold.
+    /// The number of pairs whose result is above the threshold.
     ///
     /// # Errors
     ///
@@ -347,7 +347,7 @@ impl Cpu {
         Ok((A::Scalar::drivers().sum)(&pairs(self, &face, a, b)?))
     }
 
-    /// The mean of all results; zero where there are none, as the loss of a step that matched nothing.
+    /// The mean of all results; 0 without pairs, as the loss of a step without matches.
     ///
     /// # Errors
     ///
@@ -365,8 +365,8 @@ impl Cpu {
         Ok(self.sum(run, a, b)? / count.max(1.0))
     }
 
-    /// The sum of all results and its slopes with respect to every shape of both lists: a loss and its
-    /// gradient without a matrix of results or of upstream slopes.
+    /// The sum of all results and its gradient with respect to every shape of both lists: a loss and its
+    /// gradient without a matrix of results or cotangents.
     ///
     /// # Errors
     ///
@@ -397,8 +397,7 @@ impl Cpu {
         Ok((sum, a_bar, b_bar))
     }
 
-    /// The mean of all results and its slopes, as [`sum_grad`](Cpu::sum_grad); zeros where there are
-    /// none.
+    /// The mean of all results and its gradient, as [`sum_grad`](Cpu::sum_grad); zeros without pairs.
     ///
     /// # Errors
     ///

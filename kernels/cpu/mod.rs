@@ -1,43 +1,46 @@
-//! Batches on the CPU: SIMD lanes inside, threads outside, the same bits for any number of either.
+//! Batches on the CPU: on all SIMD lanes and threads, with the same bits for any number of either.
 //!
 //! Operations with compiled kernels run their generic source on bundles of lanes; all others, and
 //! programs, are recorded and interpreted block by block. The instruction set is chosen at run time, once
-//! per stretch of work, so a default build uses AVX-512 where there is AVX-512; see
-//! [`Simd`](simd::Simd). Inputs are checked before anything is written: on an error every buffer is as
-//! it was.
+//! per piece of work, so a default build uses AVX-512 where there is AVX-512; see
+//! [`Simd`](simd::Simd). Inputs are checked before anything is written: an error leaves every buffer
+//! unchanged.
 //!
-//! With the feature `parallel` the work is spread over rayon's current thread pool (run inside
+//! With the feature `parallel` the work runs on rayon's current thread pool (run inside
 //! `pool.install` to choose another). It is cut the same way for any number of threads, and sums
 //! are added in a fixed order.
 //!
 //! # Method
 //!
-//! *From shapes to numbers.* Rows and columns of shapes become plain numbers, and all code below knows numbers only: it is compiled once, in
-//! the library (`drivers`). `plan` decides how each argument is checked and prepared, and which kernel computes blocks. Blocks are made of
-//! tiles, sixteen items of one field (`lane`).
+//! *From shapes to numbers.* Rows and columns of shapes become plain numbers, and all code below knows numbers only: it
+//! is compiled once, in the library (`drivers`). `plan` decides how each argument is checked and prepared, and which
+//! kernel computes blocks. Blocks are made of tiles, sixteen items of one field (`lane`).
 //!
-//! *Compiled kernels* serve the scores of boxes in the plane (`boxes`), boxes in space (`upright`, `boxes3`), areas of quadrilaterals (`quads`)
-//! and measures of rings (`rings`): their generic source on processor vectors, for every format and level (`arch::entry` lists them). A
-//! kernel costs a second or two of every build, so a box with yaw goes through the kernel of its ground plan, and its height is a short
-//! second stage. Boxes of any rotation have one loop of three rounds in which the axes take turns, so indices are constant and the kernel
-//! stays small. Shapes too extreme for a kernel take the scalar code.
+//! *Compiled kernels* serve the scores of boxes in the plane (`boxes`), boxes in space (`upright`, `boxes3`), areas of
+//! quadrilaterals (`quads`) and measures of rings (`rings`): their generic source on processor vectors, for every
+//! format and level (`arch::entry` lists them). A kernel costs a second or two of every build, so a box with yaw goes
+//! through the kernel of its ground plan, and its height is a short second stage. Boxes of any rotation have one loop
+//! of three rounds in which the axes take turns, so indices are constant and the kernel stays small. Shapes too extreme
+//! for a kernel take the scalar code.
 //!
-//! *The interpreter* (`program`) runs all other rows: `lower`, `fuse` and `slots` make a tape of instructions, and `execute` runs each over a
-//! block that fits the innermost cache. Of all pairs, `split` computes once per shape what depends on one argument; `skip` leaves out
-//! what no item of a block takes. `folds` runs edges of a path in parallel; `nearest` finds the edges that a distance needs; `polygons` has
-//! rings of two ragged lists. Searches run item by item.
+//! *The interpreter* (`program`) runs all other rows: `lower`, `fuse` and `slots` make a tape of instructions, and
+//! `execute` runs each over a block that fits the innermost cache. For all pairs, `split` computes once per shape
+//! whatever depends on one argument; `skip` leaves out what no item of a block takes. `folds` runs edges of a path in
+//! parallel; `nearest` finds the edges that a distance needs; `polygons` has rings of two ragged lists. Searches run
+//! item by item.
 //!
-//! *Pairs.* `sweep` walks all pairs for tables (`pairs`) and reductions (`reductions`). Where results of shapes apart are zero, bounds are
-//! compared first, by a tree (`tree`) where lists are long and few pairs near; boxes in space are filtered by their bounds seen from
-//! above (`solids`). The pairs that remain are gathered, computed densely and scattered. Suppression (`greedy`) computes only
-//! pairs of which one is kept.
+//! *Pairs.* `sweep` walks all pairs for tables (`pairs`) and reductions (`reductions`). If results of shapes apart are
+//! zero, bounds are compared first, by a tree (`tree`) where lists are long and few pairs near; boxes in space are
+//! filtered by their bounds seen from above (`solids`). The pairs that remain are gathered, computed densely and
+//! scattered. Suppression (`greedy`) computes only pairs of which one is kept.
 //!
-//! *Same bits.* Work is cut in the same way for any number of threads, and sums are added in a fixed order, so bits never depend on
-//! level, position, threads or filter.
+//! *Same bits.* Work is cut in the same way for any number of threads, and sums are added in a fixed order, so bits
+//! never depend on level, position, threads or filter.
 //!
-//! *Two measured rules for kernels.* A kernel contains no call: hence loops and `#[inline(always)]` functions, since closures do not inherit
-//! instruction sets. It contains no run-time case. `.ci/assembly` reads what the compiler made of them, and `.ci/run memory` runs them
-//! under valgrind. `GEOGRAD_SIMD` and [`Simd::limit`](simd::Simd::limit) force a level.
+//! *Two measured rules for kernels.* A kernel contains no call: hence loops and `#[inline(always)]` functions, since
+//! closures do not inherit instruction sets. It contains no run-time case. `.ci/assembly` reads what the compiler made
+//! of them, and `.ci/run memory` runs them under valgrind. `GEOGRAD_SIMD` and [`Simd::limit`](simd::Simd::limit) force
+//! a level.
 #[forbid(unsafe_code)]
 pub(crate) mod aligned;
 #[forbid(unsafe_code)]
@@ -102,7 +105,7 @@ pub use plan::{Compiled, Face, Want};
 pub(crate) use ragged::check_ragged;
 pub use table::Table;
 
-/// The processor: all its lanes, and all threads of rayon's current pool.
+/// The CPU as a machine: all SIMD lanes, and all threads of rayon's current pool.
 ///
 /// ```
 /// use geograd::kernels::{Cpu, Op, Iou};
@@ -129,16 +132,15 @@ impl Default for Cpu {
 }
 
 impl Cpu {
-    /// With the filter of all-pairs batches on.
+    /// Returns the CPU, with culling of all-pairs batches on.
     #[must_use]
     pub const fn new() -> Self {
         Cpu { cull: true }
     }
-    /// The same with the filter of all-pairs batches on or off.
+    /// Returns the same with culling of all-pairs batches on or off.
     ///
-    /// The filter compares bounds before anything else is computed. Results are the same bits either
-    /// way; where nearly all pairs overlap it costs a few hundredths of the time, which it notices and
-    /// saves.
+    /// Culling compares bounds before anything else is computed. Results are the same bits either way. If nearly all pairs
+    /// overlap, it costs a few hundredths of the time and stops.
     #[must_use]
     pub const fn culled(self, cull: bool) -> Self {
         Cpu { cull }

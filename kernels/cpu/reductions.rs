@@ -33,7 +33,7 @@ fn picked<'a, T: Real>(
     columns.zip(scores.iter().copied())
 }
 
-/// What a maximum starts from. Where pairs may be left out their zeros count from the start.
+/// The start of a maximum: zero if pairs may be culled, since their results are zeros.
 fn start<T: Real>(filtered: bool, index: usize) -> Best<T> {
     let value = T::lit(if filtered { 0.0 } else { f64::NEG_INFINITY });
     Best { value, index }
@@ -146,7 +146,7 @@ pub fn above<T: Real>(pairs: &Pairs<'_, T>, threshold: T) -> Vec<Found<T>> {
     found.concat()
 }
 
-/// How many pairs have a score above the threshold.
+/// The number of pairs whose score is above the threshold.
 pub fn count_above<T: Real>(pairs: &Pairs<'_, T>, threshold: T) -> u64 {
     let [rows, _] = pairs.counts();
     let mut counts = vec![0; rows.div_ceil(rows_per_piece(rows))];

@@ -1,10 +1,10 @@
-//! Results of all pairs.
+//! Matrices of results, of all pairs.
 use crate::error::Error;
 use crate::kernels::cpu::checked::entries;
 use crate::kernels::row::{Results, Row, by_kind, get, width};
 use std::marker::PhantomData;
 
-/// A result for every row with every column.
+/// A matrix of results: a row per shape of the first list, a column per shape of the second.
 ///
 /// Numbers are kept as planes, one matrix per number of a result, because that is how a consumer of
 /// millions reads them and because the processor can write nothing else at full speed.
@@ -17,7 +17,7 @@ pub struct Table<P: Results> {
 }
 
 impl<P: Results> Table<P> {
-    /// Room for so many rows and columns; all results are zero.
+    /// Returns a table of zeros with so many rows and columns.
     ///
     /// # Errors
     ///
@@ -30,22 +30,22 @@ impl<P: Results> Table<P> {
             result: PhantomData,
         })
     }
-    /// How many rows: shapes of the first list.
+    /// The number of rows: shapes of the first list.
     #[must_use]
     pub fn rows(&self) -> usize {
         self.rows
     }
-    /// How many columns: shapes of the second list.
+    /// The number of columns: shapes of the second list.
     #[must_use]
     pub fn columns(&self) -> usize {
         self.columns
     }
-    /// The first number of every result, row by row: all there is where a result is one number.
+    /// The first number of every result, row by row; of results of one number that is the whole matrix.
     #[must_use]
     pub fn values(&self) -> &[P::Scalar] {
         self.plane(0)
     }
-    /// Number `k` of every result, row by row; nothing where results have fewer.
+    /// Number `k` of every result, row by row; empty if results have fewer numbers.
     #[must_use]
     pub fn plane(&self, k: usize) -> &[P::Scalar] {
         let size = self.rows * self.columns;
@@ -53,7 +53,7 @@ impl<P: Results> Table<P> {
             .get(k * size..(k + 1) * size)
             .unwrap_or_default()
     }
-    /// All numbers: plane after plane.
+    /// All numbers, plane by plane: a plane has number `k` of every result, row by row.
     #[must_use]
     pub fn planes(&self) -> &[P::Scalar] {
         &self.planes

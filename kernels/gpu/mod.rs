@@ -1,48 +1,46 @@
-//! Batches on a GPU, through whatever wgpu finds: Vulkan, Metal, DX12, GL, or a driver in software.
+//! Batches on a GPU through wgpu: Vulkan, Metal, DX12, GL, or a software driver.
 //!
 //! A [`Gpu`] is a context; cloning it is cheap and clones share everything. It has the calls of
-//! [`Cpu`](crate::kernels::Cpu), for any operation and any program: what runs is a value, columns are slices, vectors
-//! or [`One`](crate::kernels::One), and results come back as vectors. Numbers are `f32`.
+//! [`Cpu`](crate::kernels::Cpu), for any operation and any program. Columns are slices, vectors
+//! or [`One`](crate::kernels::One), and results are vectors. Numbers are `f32`.
 //! [`Backend`](crate::kernels::Backend) is one front for both machines, and
-//! [`Backend::resident`](crate::kernels::Backend::resident) has the same calls over data that stay, so that only what is
-//! asked for comes back.
+//! [`Backend::resident`](crate::kernels::Backend::resident) has the same calls on data that stay on the device until they
+//! are downloaded.
 //!
 //! Results are the processor's to within rounding, and the same bits on every run: sums are added
 //! in a fixed order, without atomics. More than a dispatch, a binding or a buffer may hold is
 //! split, so sizes are limited by memory alone.
 //!
-//! | what | call |
+//! | batch | call |
 //! | --- | --- |
 //! | item i of every column | [`Gpu::aligned`], of [`value_grad`](crate::kernels::Op::value_grad) and [`vjp`](crate::kernels::Op::vjp), too |
 //! | every row with every row | [`Gpu::all_pairs`], [`Gpu::all_pairs_vjp`] |
-//! | the same, reduced where it is | [`Gpu::row_max`], [`Gpu::column_max`], [`Gpu::above`], [`Gpu::count_above`], [`Gpu::sum`] |
+//! | the same, reduced on the device | [`Gpu::row_max`], [`Gpu::column_max`], [`Gpu::above`], [`Gpu::count_above`], [`Gpu::sum`] |
 //! | a loss with its gradient | [`Gpu::sum_grad`], [`Gpu::mean_grad`] |
 //! | paths and rings | [`Gpu::fold`], [`Gpu::fold_vjp`], [`Gpu::ragged`], [`Gpu::ragged_vjp`] |
 //! | suppression, with the processor's result | [`Gpu::suppress`] |
 //!
 //! # Two kinds of kernels
 //!
-//! What an operation computes is recorded once, written as a shader once, and compiled once per context: its kernels
-//! are *generated*. All pairs of boxes in the plane (area of intersection, IoU, IoF), and measures of rings, have
-//! kernels by hand instead, which take fewer instructions. Which of them runs is the library's business.
+//! An operation is recorded once, written as a shader once, and compiled once per context: its kernels are *generated*.
+//! All pairs of boxes in the plane (area of intersection, IoU, IoF), and measures of rings, have kernels by hand
+//! instead, which take fewer instructions. The library chooses between them.
 //!
-//! What searches (clipping, hulls) is decided on the processor, item by item, and replayed here, with its
-//! slopes: every record that occurs becomes a list of instructions, and one kernel carries out all of them.
-//! Of all pairs that would decide every pair on the processor, and is refused with
-//! [`Unrecordable::Search`](crate::Unrecordable::Search).
+//! Searches (clipping, hulls) are decided on the CPU, item by item, and replayed on the GPU, with their derivatives:
+//! every trace becomes a list of instructions, and one kernel carries out all of them. All pairs of a search would
+//! decide every pair on the CPU, so they are refused with [`Unrecordable::Search`](crate::Unrecordable::Search).
 //!
 //! # Rounding
 //!
 //! WGSL lets a driver fuse a product with a sum, add the terms of a sum in another order, divide and take roots to
-//! within two and a half units in the last place, and take numbers below the smallest normal one (1.2·10⁻³⁸) for
-//! zero. Sums that carry the digits which rounding takes away are written so that no driver reorders them: thin boxes
-//! need these digits. Of its own sines,
-//! exponentials, logarithms and angles it promises so little (an angle may be four thousand units off) that
-//! generated kernels have none of them: they compute polynomials, right to about two units, on any driver
-//! ([`WGSL`](crate::ad::program::WGSL)). Sines of an angle of one shape come from the processor. So every
-//! operation rounds as if its inputs had been moved by a few units in the last place, and a result is as far
-//! from the processor's as that moves it: little, but where a function is steep or terms cancel. The harness
-//! measures it input by input ([`prove_on`](crate::kernels::check::prove_on)) and allows no more.
+//! within two and a half units in the last place, and take numbers below the smallest normal one (1.2·10⁻³⁸) for zero.
+//! Sums that carry the digits which rounding takes away are written so that no driver reorders them: thin boxes need
+//! these digits. Its own sines, exponentials, logarithms and angles may be far off (an angle by four thousand units),
+//! so generated kernels use none of them: they compute polynomials, right to about two units, on any driver
+//! ([`WGSL`](crate::ad::program::WGSL)). Sines of an angle of one shape come from the processor. So every operation
+//! rounds as if its inputs had been moved by a few units in the last place, and a result is as far from the processor's
+//! as that moves it: little, but where a function is steep or terms cancel. The harness measures it input by input
+//! ([`prove_on`](crate::kernels::check::prove_on)) and allows no more.
 //!
 //! Nor does WGSL promise infinities and NaN: a driver that finds a divisor to be always zero may put any number for the
 //! quotient. A function of one's own guards what it divides by, not the result

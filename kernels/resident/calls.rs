@@ -1,4 +1,4 @@
-//! The calls over columns that stay: items side by side.
+//! Aligned batches on handles.
 use super::held::{Given, Held, HeldColumns, Numbers, foreign, numbers_of};
 use super::{Resident, Side};
 use crate::error::{Argument, Error};
@@ -63,7 +63,7 @@ pub(super) mod on_gpu {
 }
 
 impl Resident<'_> {
-    /// Checks items and brings them to where it computes.
+    /// Checks items and uploads them.
     ///
     /// # Errors
     ///
@@ -85,9 +85,9 @@ impl Resident<'_> {
         Ok(Held::new(items.len(), columns))
     }
 
-    /// Item i of every column, as [`Cpu::aligned`]: one result per item, which stays.
+    /// Computes item i of every column, as [`Cpu::aligned`]: a handle of one result per item.
     ///
-    /// What a GPU computed is not looked at before it is computed with; the CPU refuses what is not valid.
+    /// Results of a GPU are not checked before a further call takes them; the CPU refuses invalid ones.
     ///
     /// # Errors
     ///
@@ -117,8 +117,8 @@ impl Resident<'_> {
         }
     }
 
-    /// [`aligned`](Resident::aligned) over results that are there already: in the same buffers, if no
-    /// other handle has a part of them.
+    /// [`aligned`](Resident::aligned) into an existing handle, in the same buffers unless another handle
+    /// shares them.
     ///
     /// # Errors
     ///
@@ -158,8 +158,7 @@ pub(super) fn of_gpu<R>(columns: Vec<gpu::HeldColumn>) -> Held<R> {
     Held::new(count, Side::Gpu(columns))
 }
 
-/// How many items there are on the processor: those of the first column. That others have as many is for
-/// the call to say.
+/// The number of items on the CPU: those of the first column. The call checks the others.
 fn count_of(given: &[Given<'_>]) -> Result<usize, Error> {
     if given.iter().any(|given| matches!(given, Given::Gpu(_))) {
         return Err(foreign());

@@ -1,4 +1,4 @@
-//! Columns that stay between calls of any operation.
+//! Columns that stay on the machine between calls.
 use super::{Pending, Side};
 use crate::error::{Argument, Error};
 use crate::kernels::cpu::checked::{check, expect};
@@ -16,7 +16,7 @@ pub struct Numbers {
     pub(super) rows: Vec<f32>,
 }
 
-/// Items that stay where they were computed or brought: shapes, numbers, or results of several of both.
+/// A handle of items on the machine: shapes, numbers, or results of several of both.
 ///
 /// On the CPU these are plain vectors. On a GPU they lie in buffers; what an operation wants prepared
 /// beforehand (sines of headings, frames of boxes) is computed at its first call and kept.
@@ -47,12 +47,12 @@ impl<R> Held<R> {
             row: PhantomData,
         }
     }
-    /// How many items.
+    /// The number of items.
     #[must_use]
     pub fn len(&self) -> usize {
         self.count
     }
-    /// Whether there are none.
+    /// `true` without items.
     #[must_use]
     pub fn is_empty(&self) -> bool {
         self.count == 0
@@ -95,20 +95,20 @@ fn many_of<R: Row<Scalar = f32>>(count: usize, columns: &[Vec<f32>]) -> R::Many 
 }
 
 impl<R: Row<Scalar = f32>> Held<R> {
-    /// Brings the items back and waits for them: a vector, or one for every shape of a result.
+    /// Downloads the items and waits for them: a vector, or one for every shape of a result.
     ///
     /// # Errors
     ///
-    /// What the device says.
+    /// Those of the device.
     pub fn download(&self) -> Result<R::Many, Error> {
         Ok(many_of::<R>(self.count, &self.numbers()?))
     }
 
-    /// Starts bringing the items back. On the CPU they are there at once.
+    /// Starts the download of the items, which is complete at once on the CPU.
     ///
     /// # Errors
     ///
-    /// What the device says.
+    /// Those of the device.
     pub fn start_download(&self) -> Result<Pending<R::Many>, Error> {
         match &self.columns {
             Side::Cpu(_) => Ok(Pending(Side::Cpu(Some(self.download()?)))),
@@ -136,7 +136,7 @@ impl<R: Row<Scalar = f32>> Held<R> {
     ///
     /// # Errors
     ///
-    /// What the device says.
+    /// Those of the device.
     pub fn numbers(&self) -> Result<Vec<Vec<f32>>, Error> {
         match &self.columns {
             Side::Cpu(own) => Ok(own.iter().map(|own| own.rows.clone()).collect()),
@@ -147,8 +147,7 @@ impl<R: Row<Scalar = f32>> Held<R> {
         }
     }
 
-    /// Puts as many other items in their place: what a loop does that moves them. On a GPU no buffer is
-    /// made.
+    /// Replaces the items by as many others, as a loop does that moves them. On a GPU it reuses the buffer.
     ///
     /// # Errors
     ///
@@ -176,7 +175,7 @@ impl<R: Row<Scalar = f32>> Held<R> {
 macro_rules! split {
     ($($first:ident $($name:ident)*;)*) => { $(
         impl<$first: Row<Scalar = f32>, $($name: Row<Scalar = f32>),*> Held<($first, $($name,)*)> {
-            /// The parts of every item, each as a handle of its own. Nothing moves.
+            /// The parts of every item, each as a handle of its own. No data are copied.
             #[must_use]
             #[allow(non_snake_case)]
             pub fn split(self) -> (Held<$first>, $(Held<$name>,)*) {
@@ -203,7 +202,7 @@ fn portions<T>(all: Vec<T>, counts: &[usize]) -> impl Iterator<Item = Vec<T>> {
     counts.iter().map(move |&n| all.by_ref().take(n).collect())
 }
 
-/// One argument of a call, wherever it is.
+/// One argument of a call: a handle or a shape that all items share.
 #[doc(hidden)]
 #[derive(Debug)]
 pub enum Given<'a> {
@@ -212,7 +211,7 @@ pub enum Given<'a> {
     One(Vec<f32>),
 }
 
-/// The arguments of a batch that stay: a handle, [`One`], or a tuple of such.
+/// The arguments of a batch on handles: a handle, [`One`], or a tuple of them.
 pub trait HeldColumns {
     /// The arguments of one item.
     type Row: Row<Scalar = f32>;

@@ -1,8 +1,8 @@
-//! Reductions of a matrix that is there already.
+//! Reductions of a matrix on the machine.
 use super::{Bests, Founds, Matrix, Side};
 use crate::Error;
 
-/// What a matrix that is there already is reduced to: the macro lists the calls.
+/// Reductions of a matrix; the macro lists the calls.
 macro_rules! reductions {
     ($($(#[$doc:meta])* $name:ident($($arg:ident)?) -> $out:ty
         = |$cpu:ident| $held:expr; |$gpu:ident| $wrap:expr;)*) => {
@@ -30,11 +30,11 @@ reductions! {
     column_max() -> Bests
         = |own| Bests(Side::Cpu((own.column_max()?, own.rows())));
         |x| Bests(Side::Gpu(x));
-    /// Every number above the threshold and where it is.
+    /// Every number above the threshold, with its place.
     above(threshold) -> Founds
         = |own| Founds(Side::Cpu(own.above(threshold)?));
         |x| Founds(Side::Gpu(x));
-    /// How many numbers are above the threshold.
+    /// The count of numbers above the threshold.
     count_above(threshold) -> u64
         = |own| own.count_above(threshold)?;
         |x| x;
@@ -42,7 +42,7 @@ reductions! {
     sum() -> f64
         = |own| own.sum();
         |x| x;
-    /// The mean of all numbers; zero where there are none.
+    /// The mean of all numbers; 0 without any.
     mean() -> f64
         = |own| own.mean();
         |x| x;

@@ -1,8 +1,8 @@
-//! Data that stay where a [`Backend`] computes, between calls: the same code on the CPU and on a GPU.
+//! Data that stay on the machine between calls: the same code for the CPU and for a GPU.
 //!
 //! [`Backend::resident`] has the calls of [`Cpu`](crate::kernels::Cpu) for any operation and any program over
-//! handles of any shapes: columns go up once, results stay as handles, calls chain on handles, and only what is
-//! asked for comes back. On the CPU a handle is the data itself, so nothing is lost there.
+//! handles: columns are uploaded once, results stay as handles, calls chain on handles, and only
+//! [`download`](Held::download) brings data back. On the CPU a handle is the data itself, at no cost.
 //!
 //! ```
 //! use geograd::Obb2;
@@ -79,20 +79,20 @@ macro_rules! handles {
         pub struct $name<$($p: $bound)?>(Side<$cpu, $gpu>);
 
         impl<$($p: $bound)?> $name<$($p)?> {
-            /// Brings it back and waits for it.
+            /// Downloads it and waits for it.
             ///
             /// # Errors
             ///
-            /// What the device says.
+            /// Those of the device.
             pub fn download(&self) -> Result<$out, Error> {
                 self.start_download()?.wait()
             }
 
-            /// Starts bringing it back. On the CPU it is there at once.
+            /// Starts the download, which is complete at once on the CPU.
             ///
             /// # Errors
             ///
-            /// What the device says.
+            /// Those of the device.
             pub fn start_download(&self) -> Result<Pending<$out>, Error> {
                 on!(own = &self.0;
                     Ok(Pending(Side::Cpu(Some($get(own)))));
@@ -103,15 +103,15 @@ macro_rules! handles {
 }
 
 handles! {
-    /// One number per row of one list and row of another.
+    /// One number per pair of two lists, row by row.
     Matrix[] reduce::Matrix, gpu::Matrix => Vec<f32> = |own: &reduce::Matrix| own.values.clone();
-    /// The largest score of every row or column and where it is.
+    /// The largest score of every row or column, with its place.
     Bests[] (Vec<Best>, usize), gpu::Bests => Vec<Best> = |own: &(Vec<Best>, usize)| own.0.clone();
     /// Pairs whose score is above a threshold, row by row and within a row by column.
     Founds[] Vec<Found>, gpu::Founds => Vec<Found> = Vec::clone;
     /// One result per ring.
     RingValues[T: RingResult] Vec<T>, gpu::RingValues<T> => Vec<T> = Vec::clone;
-    /// One slope per vertex.
+    /// One cotangent per vertex.
     RingBars[] Vec<Vec2<f32>>, gpu::RingBars => Vec<Vec2<f32>> = Vec::clone;
 }
 
@@ -151,8 +151,7 @@ impl<T: Unpin> Future for Pending<T> {
     }
 }
 
-/// The calls of [`Cpu`](crate::kernels::Cpu) over data that stay where a [`Backend`] computes:
-/// [`Backend::resident`].
+/// The calls of [`Cpu`](crate::kernels::Cpu) on data that stay on the machine: [`Backend::resident`] returns it.
 ///
 /// ```
 /// use geograd::kernels::{Backend, Distance, Iou, Op, One};
@@ -180,7 +179,7 @@ impl<T: Unpin> Future for Pending<T> {
 pub struct Resident<'a>(Backend<'a>);
 
 impl<'a> Backend<'a> {
-    /// The same calls over data that stay where they are computed with.
+    /// The same calls on data that stay on the machine.
     #[must_use]
     pub fn resident(self) -> Resident<'a> {
         Resident(self)
@@ -188,7 +187,7 @@ impl<'a> Backend<'a> {
 }
 
 impl Resident<'_> {
-    /// Brings a matrix to where it computes, row by row.
+    /// Uploads a matrix, row by row.
     ///
     /// # Errors
     ///
@@ -216,23 +215,23 @@ impl Resident<'_> {
 }
 
 impl Matrix {
-    /// The same numbers again, in memory of their own.
+    /// A copy of the numbers on the same machine.
     ///
     /// # Errors
     ///
-    /// What the device says.
+    /// Those of the device.
     pub fn duplicate(&self) -> Result<Matrix, Error> {
         on!(own = &self.0;
             Ok(Matrix(Side::Cpu(own.clone())));
             Ok(Matrix(Side::Gpu(own.duplicate()?))))
     }
 
-    /// [`duplicate`](Matrix::duplicate) over a matrix that is there already: how fast a machine copies.
+    /// [`duplicate`](Matrix::duplicate) into another matrix of the same size; it measures the speed of memory.
     ///
     /// # Errors
     ///
     /// [`Error::Length`] for a matrix of another size, [`GpuFault::ForeignBuffer`] for one of another backend, or
-    /// what the device says.
+    /// those of the device.
     pub fn duplicate_into(&self, to: &mut Matrix) -> Result<(), Error> {
         on!(own = &self.0, to = &mut to.0;
         {

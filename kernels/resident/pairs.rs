@@ -1,4 +1,4 @@
-//! Every row of one list that stays with every row of another.
+//! All pairs of two handles.
 #[cfg(feature = "gpu")]
 use super::calls::{of_gpu, on_gpu::column};
 use super::held::{Held, foreign, held_of, shapes_of};
@@ -19,8 +19,8 @@ use crate::kernels::row::Single;
 use crate::kernels::{Cpu, reduce};
 
 impl Resident<'_> {
-    /// Every row of `a` with every row of `b`, as [`Cpu::all_pairs`], for one number as result: a matrix
-    /// that stays.
+    /// Computes every shape of `a` with every shape of `b`, as [`Cpu::all_pairs`], for results of one number: a handle
+    /// of the matrix.
     ///
     /// # Errors
     ///
@@ -52,7 +52,7 @@ impl Resident<'_> {
         }
     }
 
-    /// [`all_pairs`](Resident::all_pairs) over a matrix that is there already, in the same buffers.
+    /// [`all_pairs`](Resident::all_pairs) into an existing matrix, in the same buffers.
     ///
     /// # Errors
     ///
@@ -81,8 +81,8 @@ impl Resident<'_> {
         }
     }
 
-    /// The adjoint of [`all_pairs`](Resident::all_pairs), as [`Cpu::all_pairs_vjp`]: slopes summed for
-    /// every row of both lists.
+    /// The adjoint of [`all_pairs`](Resident::all_pairs), as [`Cpu::all_pairs_vjp`]: cotangents summed for
+    /// every shape of both lists.
     ///
     /// # Errors
     ///
@@ -114,7 +114,7 @@ impl Resident<'_> {
         }
     }
 
-    /// The sum of all results, and its slopes for every row of both lists, as [`Cpu::sum_grad`].
+    /// The sum of all results, and its gradient by every shape of both lists, as [`Cpu::sum_grad`].
     ///
     /// # Errors
     ///
@@ -131,7 +131,7 @@ impl Resident<'_> {
         self.loss(run, a, b, Loss::Sum)
     }
 
-    /// The mean of all results, zero where there are none, and its slopes, as [`Cpu::mean_grad`].
+    /// The mean of all results, 0 without pairs, and its gradient, as [`Cpu::mean_grad`].
     ///
     /// # Errors
     ///
@@ -283,10 +283,10 @@ reductions! {
     column_max() -> Bests = |found, a, b| Bests(Side::Cpu((found, a.count))), Bests(Side::Gpu(found));
     /// Every pair whose result is above the threshold, row by row, as [`Cpu::above`].
     above(threshold) -> Founds = |found, a, b| Founds(Side::Cpu(found)), Founds(Side::Gpu(found));
-    /// How many pairs have a result above the threshold, as [`Cpu::count_above`].
+    /// The number of pairs whose result is above the threshold, as [`Cpu::count_above`].
     count_above(threshold) -> u64 = |found, a, b| found, found;
     /// The sum of all results, as [`Cpu::sum`].
     sum() -> f64 = |found, a, b| found, found;
-    /// The mean of all results, zero where there are none, as [`Cpu::mean`].
+    /// The mean of all results, 0 without pairs, as [`Cpu::mean`].
     mean() -> f64 = |found, a, b| found, found;
 }

@@ -1,4 +1,4 @@
-//! Rings that stay between calls.
+//! Rings on the machine between calls.
 use super::{Resident, RingBars, RingValues, Side};
 use crate::Error;
 use crate::Vec2;
@@ -12,12 +12,12 @@ use crate::kernels::{Backend, Cpu};
 /// Vertices, and where each ring begins among them.
 type Held = (Vec<Vec2<f32>>, Vec<usize>);
 
-/// Rings, checked and ready.
+/// A handle of rings, which are checked.
 #[derive(Clone, Debug)]
 pub struct Rings(Side<Held, gpu::Rings>);
 
 impl Resident<'_> {
-    /// Checks rings and brings them to where it computes. Ring i has the vertices
+    /// Checks rings and uploads them. Ring i has the vertices
     /// `offsets[i]..offsets[i + 1]`.
     ///
     /// # Errors
@@ -42,7 +42,7 @@ impl Rings {
     ///
     /// # Errors
     ///
-    /// What the device says.
+    /// Those of the device.
     pub fn ragged<O: GpuRing>(&self, op: O) -> Result<RingValues<<O as RingOp>::Out<f32>>, Error> {
         on!(own = &self.0;
             Ok(RingValues(Side::Cpu(Cpu::new().ragged(op, &own.0, &own.1)?)));
@@ -65,7 +65,7 @@ impl Rings {
             Ok(RingBars(Side::Gpu(own.gpu().ragged_vjp_of(op, own, upstream)?))))
     }
 
-    /// Moves the vertices; each ring keeps as many as it has.
+    /// Replaces the vertices; each ring keeps its number of them.
     ///
     /// # Errors
     ///

@@ -23,15 +23,15 @@ impl<F: Copy, N> Clone for Function<F, N> {
 }
 impl<F: Copy, N> Copy for Function<F, N> {}
 
-/// Makes a generic function of one to six shapes or numbers a value that batches run, without a row.
+/// Wraps a generic function of one to six shapes or numbers, so that batches run it without a row.
 ///
-/// The columns say for which shapes and in which format it is recorded, once. It has no promises, and the harness knows
-/// it as a [`Program`]: [`operation!`](crate::operation) makes a function an operation that is proved.
+/// The columns determine the shapes and the format in which it is recorded, once. It has no promises; the harness
+/// checks it as a [`Program`]. [`operation!`](crate::operation) gives a function a row with promises.
 ///
 /// ```
 /// use geograd::kernels::function;
 /// use geograd::prelude::*;
-/// /// The distance of a point and the far end of a box.
+/// /// The distance of a point from the centre of a box, plus half its width.
 /// fn reach<S: Scalar>(point: Vec2<S>, car: Obb2<S>) -> S {
 ///     (point - car.center).length() + car.size.x.halved()
 /// }
@@ -44,8 +44,8 @@ impl<F: Copy, N> Copy for Function<F, N> {}
 /// # Ok::<(), geograd::Error>(())
 /// ```
 ///
-/// A closure says of which shapes its arguments are, and captures nothing: what was recorded is found again by its type.
-/// One that captures does not compile; another argument, as [`One`](crate::kernels::One), takes what it would capture.
+/// A closure names the shapes of its arguments and captures nothing, because its type is the key of the recording. One that
+/// captures does not compile: pass the value as a further argument, [`One`](crate::kernels::One).
 ///
 /// ```compile_fail
 /// # use geograd::kernels::function;
@@ -70,17 +70,17 @@ pub const fn function<F: Copy, N>(function: F) -> Function<F, N> {
 }
 
 impl<F: Copy, N> Function<F, N> {
-    /// The function with its gradient, for one number as result.
+    /// The function with its gradient; the result is one number.
     #[must_use]
     pub const fn value_grad(self) -> ValueGrad<Self> {
         ValueGrad::of(self)
     }
-    /// The adjoint: takes the arguments and a cotangent of the result, gives the cotangents of the arguments.
+    /// The adjoint: takes the arguments and a cotangent of the result, returns the cotangents of the arguments.
     #[must_use]
     pub const fn vjp(self) -> Vjp<Self> {
         Vjp::of(self)
     }
-    /// The function as a [`Program`]: to read, to count, to differentiate further.
+    /// The function as a [`Program`], to print, count or differentiate further.
     ///
     /// ```
     /// use geograd::kernels::function;
@@ -105,7 +105,7 @@ impl<F: Copy, N> Function<F, N> {
     }
 }
 
-/// A number of arguments, by which Rust tells the forms of a function apart.
+/// The number of arguments of a [`Function`], as a type.
 #[derive(Debug)]
 pub struct Arguments<const N: usize>;
 
@@ -118,7 +118,7 @@ pub struct Arguments<const N: usize>;
 pub trait Traced<In: Row<Scalar: Plain>>: Copy + Send + Sync {
     /// The result.
     type Out: Row<Scalar = In::Scalar>;
-    /// By which type its recording is found again.
+    /// The key of its recording.
     #[doc(hidden)]
     type Key: 'static;
     /// Records it.
@@ -160,7 +160,7 @@ arities! {
     6: (A, B, C, D, E, G), [A a, B b, C c, D d, E e, G g];
 }
 
-/// What is wanted of a function, as a program.
+/// The recording of a function, its gradient or its adjoint.
 fn recorded<In: Row<Scalar: Plain>, F: Traced<In>>(
     function: F,
     want: Want,
@@ -173,7 +173,7 @@ fn recorded<In: Row<Scalar: Plain>, F: Traced<In>>(
     })
 }
 
-/// How batches compute what is wanted of a function.
+/// The plan by which the CPU computes it.
 fn face<In: Row<Scalar: Plain>, F: Traced<In>>(
     function: F,
     ask: Ask,
@@ -187,7 +187,7 @@ fn face<In: Row<Scalar: Plain>, F: Traced<In>>(
     })
 }
 
-/// What a GPU is given of what is wanted of a function.
+/// The plan by which a GPU computes it.
 #[cfg(feature = "gpu")]
 fn generated<In: Row<Scalar: Plain>, F: Traced<In>>(
     function: F,

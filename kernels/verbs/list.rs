@@ -9,17 +9,18 @@ verb! {
     pub IntersectionArea: (a, b)
     /// Volume that two shapes share, in the cube of the unit of length; 0 where they are apart.
     pub IntersectionVolume: (a, b)
-    /// Intersection over union, 0 to 1: what two shapes share, as a part of what they cover together.
+    /// Intersection over union, 0 to 1: the measure of the intersection of two shapes over that of their union.
     pub Iou: (a, b)
     /// Intersection over foreground, 0 to 1: the part of `a` that lies in `b`.
     pub Iof: (a, b)
     /// Intersection over union of two boxes seen from above (bird's eye view), 0 to 1.
     pub IouBev: (a, b)
-    /// Intersection over union with a joint separation term, -1 to 1: boxes that are apart keep a slope.
+    /// Intersection over union with a joint separation term, -1 to 1: boxes that are apart have a gradient, too.
     pub SeparationAware: (a, b)
     /// Area of the convex hull of two shapes, in the square of the unit of length.
     pub HullArea: (a, b)
-    /// Generalised IoU, -1 to 1 (Rezatofighi et al. 2019); the table of [`iou`](mod@crate::iou) says by which enclosing shape.
+    /// Generalised IoU, -1 to 1 (Rezatofighi et al. 2019); the table of [`iou`](mod@crate::iou) says by which enclosing
+    /// shape.
     pub Giou: (a, b)
     /// Generalised IoU by the convex hull, -1 to 1.
     pub GiouHull: (a, b)
@@ -75,7 +76,7 @@ verb! {
     pub SignedDistance: (a, b)
     /// Depth of a point in a shape, negative outside, in the unit of length: minus the signed distance.
     pub Clearance: (a, b)
-    /// A point of each of two shapes, nearest to each other.
+    /// Closest points: one of each shape, with the smallest distance from each other.
     pub ClosestPoints: (a, b)
     /// Longest distance of a point of one shape from a point of the other, in the unit of length.
     pub FarthestDistance: (a, b)
@@ -115,7 +116,7 @@ verb! {
     pub Incircle: (shape)
     /// Shape moved by a pose.
     pub Move: (pose, shape)
-    /// Box of an image, whose y points down, as a box whose y points up; takes the height of the image.
+    /// Box of an image, whose y axis points down, as a box whose y axis points up; takes the height of the image in pixels.
     pub FlipY: (shape, image_height)
     /// IoU to a power (He et al. 2021), 0 to 1; of boxes in space the power is three.
     pub AlphaIou: (a, b, power)
@@ -126,7 +127,7 @@ crate::__verb_runs!([] AlphaIou: (a, b));
 #[derive(Debug)]
 pub struct Convert<To>(PhantomData<fn() -> To>);
 
-/// The verb that gives a box in another [convention](mod@crate::convention).
+/// Returns the verb that converts a box to another [convention](mod@crate::convention), `To`.
 ///
 /// ```
 /// use geograd::convention::{KittiBox, Le90, ImageBox};
@@ -149,7 +150,7 @@ impl<To> Clone for Convert<To> {
 }
 impl<To> Copy for Convert<To> {}
 impl<To> Convert<To> {
-    /// The adjoint: batches take the shape and a cotangent of the result, and give the cotangent of the shape.
+    /// The adjoint: batches take the shape and a cotangent of the result, and return the cotangent of the shape.
     #[must_use]
     pub const fn vjp(self) -> crate::kernels::op::Vjp<Self> {
         crate::kernels::op::Vjp::of(self)

@@ -1,4 +1,4 @@
-//! Verbs: one word for one function, whatever shapes it takes.
+//! Verbs: one name per function, whatever shapes it takes.
 //!
 //! A verb is a value without fields, such as [`Iou`] or [`Distance`]. Columns select the formula:
 //!
@@ -14,9 +14,9 @@
 //! # Ok::<(), geograd::Error>(())
 //! ```
 //!
-//! The pages of [`Unary`], [`Binary`] and [`Ternary`] list every verb with its shapes. A *row* joins a verb, the shapes
-//! that it takes and the formula; [`operation!`](crate::operation) adds rows for shapes of one's own, [`verb!`](crate::verb)
-//! a verb, and [`function`] runs a plain generic function without a row.
+//! The pages of [`Unary`], [`Binary`] and [`Ternary`] list every verb with its shapes. A *row* is a verb, the shapes
+//! that it takes, and the formula. [`operation!`](crate::operation) adds rows for your own shapes, [`verb!`](crate::verb)
+//! defines a verb, and [`function`] runs a plain generic function without a row.
 //!
 //! A verb whose first argument has a name for it is a method, too ([`prelude`](crate::prelude)): `a.iou(b)`. All three
 //! spellings, method, [`of`](Iou::of) and batch, run the same code.
@@ -35,7 +35,7 @@ pub use list::*;
 
 use crate::Fixed;
 
-/// Shapes that a verb of one argument takes.
+/// Verbs of one argument: `Area: Unary<Triangle2<f64>>` says that `Area` takes a triangle.
 #[diagnostic::on_unimplemented(
     message = "`{Self}` of `{A}` is not defined",
     label = "`{Self}` does not take this shape",
@@ -44,17 +44,17 @@ use crate::Fixed;
 pub trait Unary<A> {
     /// The result.
     type Out;
-    /// The operation that batches run.
+    /// The operation of the row.
     #[doc(hidden)]
     type By: Copy;
     #[doc(hidden)]
     const BY: Self::By;
-    /// The function.
+    /// Computes the result.
     #[doc(hidden)]
     fn apply(a: A) -> Self::Out;
 }
 
-/// Shapes that a verb of two arguments takes.
+/// Verbs of two arguments: `Distance: Binary<Vec2<f64>, Obb2<f64>>` says that `Distance` takes a point and a box.
 #[diagnostic::on_unimplemented(
     message = "`{Self}` of `{A}` and `{B}` is not defined",
     label = "`{Self}` does not take these two shapes",
@@ -63,17 +63,17 @@ pub trait Unary<A> {
 pub trait Binary<A, B> {
     /// The result.
     type Out;
-    /// The operation that batches run.
+    /// The operation of the row.
     #[doc(hidden)]
     type By: Copy;
     #[doc(hidden)]
     const BY: Self::By;
-    /// The function.
+    /// Computes the result.
     #[doc(hidden)]
     fn apply(a: A, b: B) -> Self::Out;
 }
 
-/// Shapes that a verb of three arguments takes.
+/// Verbs of three arguments: `Circumcircle: Ternary<V, V, V>` says that `Circumcircle` takes three `V`.
 #[diagnostic::on_unimplemented(
     message = "`{Self}` of `{A}`, `{B}` and `{C}` is not defined",
     label = "`{Self}` does not take these three shapes",
@@ -82,19 +82,17 @@ pub trait Binary<A, B> {
 pub trait Ternary<A, B, C> {
     /// The result.
     type Out;
-    /// The operation that batches run.
+    /// The operation of the row.
     #[doc(hidden)]
     type By: Copy;
     #[doc(hidden)]
     const BY: Self::By;
-    /// The function.
+    /// Computes the result.
     #[doc(hidden)]
     fn apply(a: A, b: B, c: C) -> Self::Out;
 }
 
-/// Shapes that a verb takes, as one row: `(Vec2<f64>, Obb2<f64>)`, or a lone shape.
-///
-/// For code that is generic over the verb; every verb implements it.
+/// Verbs by their arguments as one type, `(Vec2<f64>, Obb2<f64>)` or a lone shape: for code that is generic over the verb.
 pub trait Takes<In: Fixed> {
     /// The result.
     type Out;
@@ -104,10 +102,10 @@ pub trait Takes<In: Fixed> {
     const BY: Self::By;
 }
 
-/// The type of the operation that serves a verb and the shapes `In`: `RowOf<Iou, (Obb2<f64>, Obb2<f64>)>`.
+/// The operation of a verb and the shapes `In`: `RowOf<Iou, (Obb2<f64>, Obb2<f64>)>`.
 pub type RowOf<V, In> = <V as Takes<In>>::By;
 
-/// Defines a verb: a value that batches run on all shapes that a row joins to it.
+/// Defines a verb: a value that batches run on all shapes for which it has a row.
 ///
 /// ```
 /// use geograd::prelude::*;
@@ -139,17 +137,17 @@ macro_rules! verb {
         $vis struct $Verb;
 
         impl $Verb {
-            /// The same with the gradient: batches give the result and the slopes by every argument.
+            /// The verb with its gradient: batches return the result and the gradient by every argument.
             #[must_use]
             pub const fn value_grad(self) -> $crate::kernels::op::ValueGrad<Self> {
                 $crate::kernels::op::ValueGrad::of(self)
             }
-            /// The same with the Jacobian: aligned batches give the result, and in its shape the gradient of every number.
+            /// The verb with its Jacobian: aligned batches return the result, and in its shape the gradient of every number.
             #[must_use]
             pub const fn jacobian(self) -> $crate::kernels::op::Jacobian<Self> {
                 $crate::kernels::op::Jacobian::of(self)
             }
-            /// The adjoint: batches take the arguments and a cotangent of the result, and give the cotangents of the
+            /// The adjoint: batches take the arguments and a cotangent of the result, and return the cotangents of the
             /// arguments.
             #[must_use]
             pub const fn vjp(self) -> $crate::kernels::op::Vjp<Self> {
@@ -157,7 +155,7 @@ macro_rules! verb {
             }
         }
         impl $Verb {
-            /// The operation of the row for these shapes, `(A<f64>, B<f64>)` or a lone one: for the harness and programs.
+            /// The operation for the shapes `In`, `(A<f64>, B<f64>)` or a lone one: for the harness and programs.
             #[must_use]
             pub const fn row<In: $crate::Fixed>(self) -> <Self as $crate::kernels::verbs::Takes<In>>::By
             where
@@ -171,13 +169,13 @@ macro_rules! verb {
     )+ };
 }
 
-/// What a function of each number of arguments has.
+/// The method `of`, by the number of arguments.
 #[doc(hidden)]
 #[macro_export]
 macro_rules! __verb_applies {
     ($Verb:ident: ($a:ident)) => {
         impl $Verb {
-            /// The function of one shape made of any scalar.
+            /// Computes the result for one shape of any scalar.
             #[inline]
             pub fn of<A>(self, $a: A) -> <Self as $crate::kernels::verbs::Unary<A>>::Out
             where
@@ -189,7 +187,7 @@ macro_rules! __verb_applies {
     };
     ($Verb:ident: ($a:ident, $b:ident)) => {
         impl $Verb {
-            /// The function of two shapes made of any scalar.
+            /// Computes the result for two shapes of any scalar.
             #[inline]
             pub fn of<A, B>(
                 self,
@@ -205,7 +203,7 @@ macro_rules! __verb_applies {
     };
     ($Verb:ident: ($a:ident, $b:ident, $c:ident)) => {
         impl $Verb {
-            /// The function of three shapes made of any scalar.
+            /// Computes the result for three shapes of any scalar.
             #[inline]
             pub fn of<A, B, C>(
                 self,
@@ -222,7 +220,7 @@ macro_rules! __verb_applies {
     };
 }
 
-/// Batches run a verb, its gradient and its adjoint by the operation of its row.
+/// `Takes` and `Runs` for a verb, by the operation of its row.
 #[doc(hidden)]
 #[macro_export]
 macro_rules! __verb_runs {
@@ -257,7 +255,7 @@ macro_rules! __verb_runs {
     };
 }
 
-/// What runs for a verb: the operation of its row.
+/// The methods of `Runs` for a verb: those of the operation of its row.
 #[cfg(feature = "gpu")]
 #[doc(hidden)]
 #[macro_export]
@@ -288,7 +286,7 @@ macro_rules! __delegated {
         }
     };
 }
-/// What runs for a verb: the operation of its row.
+/// The methods of `Runs` for a verb: those of the operation of its row.
 #[cfg(not(feature = "gpu"))]
 #[doc(hidden)]
 #[macro_export]

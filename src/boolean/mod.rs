@@ -50,9 +50,9 @@
 //!
 //! # Method
 //!
-//! i_overlay cuts edges on a grid of 2⁶⁰ steps (`grid`) and carries a tag per edge. `corner` reads the origin of a vertex (vertex, crossing,
-//! foot) from the tags before and after it, without numbers. For valid results edges are cut and rounded first (`snap`), and faces
-//! traced (`faces`).
+//! i_overlay cuts edges on a grid of 2⁶⁰ steps (`grid`) and carries a tag per edge. `corner` reads the origin of a
+//! vertex (vertex, crossing, foot) from the tags before and after it, without numbers. For valid results edges are cut
+//! and rounded first (`snap`), and faces traced (`faces`).
 #[cfg(feature = "boolean")]
 mod corner;
 #[cfg(feature = "boolean")]

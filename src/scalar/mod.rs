@@ -1,6 +1,6 @@
-//! The one bound every geometry function carries, and the one home of the kinks.
+//! The number types that formulas are generic over, and their rules at kinks.
 //!
-//! A [`Scalar`] is anything a shape can be made of: `f32`, `f64`, a dual number over either (of
+//! A [`Scalar`] is a number that a shape can be made of: `f32`, `f64`, a dual number over either (of
 //! `num-dual` or our own [`Jet`]), or a bundle of SIMD [`Lanes`].
 //! Comparisons look at the value only and yield a [`Mask`]; branch-free code chooses with
 //! [`Scalar::select`] and runs on all of them, code with control flow asks for
@@ -20,8 +20,8 @@
 //!
 //! * *Straight lines* ask for `S: Scalar` alone. They run on floats, SIMD lanes, duals and the symbols of a
 //!   [recording](crate::ad::program).
-//! * *Searches* (clipping, hulls) ask for `S: Scalar<Mask = bool>`. `…_decided` returns a trace of the decisions, which holds no
-//!   numbers; `…_replay` computes the result from inputs and trace, with slopes.
+//! * *Searches* (clipping, hulls) ask for `S: Scalar<Mask = bool>`. `…_decided` returns a trace of the decisions, which
+//!   holds no numbers; `…_replay` computes the result from inputs and trace, with slopes.
 //! * *Folds* are sums over the edges of a list of any length ([`Fold`](crate::kernels::Fold)).
 //!
 //! A dual type implements `dual::Tangent`, which applies the chain rule; everything else follows from it.
@@ -38,9 +38,9 @@ pub use lanes::Lanes;
 pub(crate) use ties::Span;
 pub use ties::{least_of, most_of};
 
-/// A speck beside a length of about one, 2⁻⁶⁴ in single precision and 2⁻⁵¹² in double precision: no difference of
+/// A length that is negligible in a sum with one, 2⁻⁶⁴ in single precision and 2⁻⁵¹² in double precision: no difference of
 /// [ordinary](crate::kernels::op::Limits::ORDINARY) coordinates is so small, but one times the sine of a small angle is.
-/// Quotients by a speck have slopes that may not be finite.
+/// Quotients by it may have infinite derivatives.
 pub(crate) fn speck<S: Scalar>() -> f64 {
     S::LARGEST.powf(-0.5)
 }
@@ -49,22 +49,20 @@ use crate::Fixed;
 use std::fmt::Debug;
 use std::ops::{Add, AddAssign, BitAnd, BitOr, Div, Mul, MulAssign, Neg, Not, Sub, SubAssign};
 
-/// The outcome of a comparison: `bool`, one truth value per SIMD lane, or a truth of a program that
-/// is yet to run.
+/// The outcome of a comparison: a `bool`, one `bool` per SIMD lane, or a symbol of a recording.
 ///
 /// [`any`](Mask::any) and [`all`](Mask::all) are **hints** for leaving early: the code that follows
 /// must give the same value without them, that is if `any` had answered `true` and `all` `false`.
-/// A truth of a recorded program answers so unless it is known; a function whose value depends on the
-/// answer is refused when it is [recorded](crate::ad::program). Choose with [`Scalar::select`]. Code
+/// A symbol answers so unless its truth is known; [recording](crate::ad::program) refuses a function whose value depends on
+/// the answer. Choose with [`Scalar::select`]. Code
 /// that needs control flow asks for `S: Scalar<Mask = bool>`.
 pub trait Mask:
     Copy + Debug + Send + Sync + BitAnd<Output = Self> + BitOr<Output = Self> + Not<Output = Self>
 {
-    /// Whether any lane is true; `true` if that is not known. A hint: `false` allows to leave out
-    /// what only true lanes need.
+    /// `true` if any lane is true or that is unknown. A hint: `false` allows to skip work that only true lanes need.
     fn any(self) -> bool;
-    /// Whether every lane is true; `false` if that is not known. A hint: `true` allows to leave out
-    /// what only false lanes need.
+    /// `true` if every lane is true, `false` if that is unknown. A hint: `true` allows to skip work that only false lanes
+    /// need.
     fn all(self) -> bool;
 }
 
@@ -79,8 +77,7 @@ impl Mask for bool {
     }
 }
 
-/// A number a shape can be made of. See the [module](self) for what implements it and for the
-/// rules at kinks.
+/// A number that a shape can be made of; the [module](self) lists the implementing types and the rules at kinks.
 ///
 /// Division in geometry goes through [`over`](Scalar::over), roots through
 /// [`root`](Scalar::root), absolute values through [`magnitude`](Scalar::magnitude): the
@@ -167,13 +164,13 @@ pub trait Scalar:
     + SubAssign
     + MulAssign
 {
-    /// What a comparison yields.
+    /// The outcome of a comparison.
     type Mask: Mask;
     /// The plain number (or lanes of plain numbers) under all derivative parts.
     type Primal: Scalar<Mask = Self::Mask, Primal = Self::Primal>;
 
-    /// Whether products that must survive cancellation carry a low part: true for 24-bit
-    /// significands, where rotating a long thin box would otherwise lose its width.
+    /// `true` if products carry a low part through cancellation: for 24-bit significands, with which a rotated long thin box
+    /// would otherwise lose its width.
     const COMPENSATED: bool;
     /// The distance from 1 to the next larger number.
     const EPSILON: f64;
@@ -200,13 +197,12 @@ pub trait Scalar:
     fn at_most(self, other: Self) -> Self::Mask;
     /// `self = other`, by value.
     fn equals(self, other: Self) -> Self::Mask;
-    /// `yes` where the mask is true, else `no`. What is not chosen leaves no trace, not even a
-    /// NaN.
+    /// `yes` where the mask is true, else `no`. The other value has no effect, even if it is NaN.
     fn select(mask: Self::Mask, yes: Self, no: Self) -> Self;
 
-    /// The quotient, with the value that plain numbers would have.
+    /// The quotient, with the value of plain numbers.
     fn over(self, divisor: Self) -> Self;
-    /// The square root; zero with slope zero at zero and below.
+    /// The square root; 0 with derivative 0 for zero and below.
     fn root(self) -> Self;
     /// Sine and cosine of an angle in radians.
     fn sin_cos(self) -> (Self, Self);
@@ -215,8 +211,8 @@ pub trait Scalar:
     fn sin_cos_parts(self) -> [(Self, Self); 2];
     /// `(high, low)` with `high + low = self` exactly, `high` a constant of half the significand.
     fn parts(self) -> (Self, Self);
-    /// The angle of `(x, self)` in radians, in `[−π, π]`; zero with slope zero at the origin. The
-    /// sign of a zero does not count: `(−1, −0)` is at π.
+    /// The angle of `(x, self)` in radians, in `[−π, π]`; 0 with derivative 0 at the origin. The sign of a zero does not
+    /// count: `(−1, −0)` is at π.
     fn atan2(self, x: Self) -> Self;
     /// The exponential.
     fn exp(self) -> Self;
@@ -251,19 +247,19 @@ pub trait Scalar:
     fn halved(self) -> Self {
         self * Self::lit(0.5)
     }
-    /// The smaller value; an exact tie shares the slope, half and half.
+    /// The smaller value; an exact tie shares the derivative, half and half.
     #[inline(always)]
     fn least(self, other: Self) -> Self {
         let nearer = Self::select(self.below(other), self, other);
         Self::select(self.equals(other), self.halved() + other.halved(), nearer)
     }
-    /// The larger value; an exact tie shares the slope, half and half.
+    /// The larger value; an exact tie shares the derivative, half and half.
     #[inline(always)]
     fn most(self, other: Self) -> Self {
         let nearer = Self::select(other.below(self), self, other);
         Self::select(self.equals(other), self.halved() + other.halved(), nearer)
     }
-    /// The nearest value in `[low, high]`; at either border the slope is shared.
+    /// The nearest value in `[low, high]`; at either bound half of the derivative.
     #[inline(always)]
     fn clamp(self, low: Self, high: Self) -> Self {
         self.most(low).least(high)
@@ -285,7 +281,7 @@ pub trait Scalar:
     fn signed_as(self, side: Self) -> Self {
         Self::select(side.below(Self::zero()), -self, self)
     }
-    /// `√(self² + other²)` without overflow; zero with slope zero at the origin.
+    /// `√(self² + other²)` without overflow; 0 with derivative 0 at the origin.
     #[inline(always)]
     fn hypot(self, other: Self) -> Self {
         let (x, y) = (self.primal(), other.primal());
@@ -299,19 +295,19 @@ pub trait Scalar:
         let (x, y) = (self * scale, other * scale);
         (x * x + y * y).root() * back
     }
-    /// The same value with the derivatives multiplied by a constant. How a decision that a
-    /// comparison cannot make alone is shared at a tie.
+    /// The same value with the derivatives multiplied by a constant: shares a derivative at a tie that one comparison cannot
+    /// detect.
     #[inline(always)]
     fn damp(self, share: Self::Primal) -> Self {
         let value = Self::from_primal(self.primal());
         value + (self - value) * Self::from_primal(share)
     }
-    /// The same derivatives at another value: how rounding is mended without touching slopes.
+    /// The same derivatives with another value, to correct rounding of the value alone.
     #[inline(always)]
     fn with_primal(self, value: Self::Primal) -> Self {
         (self - Self::from_primal(self.primal())) + Self::from_primal(value)
     }
-    /// Whether the value is neither infinite nor NaN.
+    /// True where the value is neither infinite nor NaN.
     ///
     /// A guard stands before the operation that needs it: `x.over(S::select(y.equals(zero), one, y))`, then a choice.
     /// On a GPU a check of the result is none, because drivers fold a divisor that is always zero, and what they make

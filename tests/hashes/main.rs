@@ -2,14 +2,16 @@
 //!
 //! `cargo run -p geograd-tests --no-default-features --features gpu,hashes --example hashes`; `-- --help` has the options.
 //!
-//! It walks every row of `for_each_op!` in `f32` and `f64` at a fixed set of inputs (hard, random and extreme ones of `sample`), and prints a
-//! line per form: plain numbers, duals, an adjoint by hand, aligned batches, all pairs, reductions, folds, searches; and per template of a
-//! shader. `--check FILE` names each line that differs, `--names FILE` maps rows that were renamed, `--write FILE` records. Only `rows.rs`,
-//! `forms.rs` and `paths.rs` call the library; a change of its calls changes these files and no line of the record. The lines hold on one
-//! system, whose sines and exponentials they contain. The feature `hashes` keeps the example out of other builds: on one core it takes 70 s to
-//! compile and 85 s to run.
+//! It walks every row of `for_each_op!` in `f32` and `f64` at a fixed set of inputs (hard, random and extreme ones of
+//! `sample`), and prints a line per form: plain numbers, duals, an adjoint by hand, aligned batches, all pairs,
+//! reductions, folds, searches; and per template of a shader. `--check FILE` names each line that differs, `--names
+//! FILE` maps rows that were renamed, `--write FILE` records. Only `rows.rs`, `forms.rs` and `paths.rs` call the
+//! library; a change of its calls changes these files and no line of the record. The lines hold on one system, whose
+//! sines and exponentials they contain. The feature `hashes` keeps the example out of other builds: on one core it
+//! takes 70 s to compile and 85 s to run.
 //!
-//! `cargo run -p geograd-tests --no-default-features --features gpu,hashes --example hashes -- --check tests/hashes/hashes.txt`
+//! `cargo run -p geograd-tests --no-default-features --features gpu,hashes --example hashes -- --check
+//! tests/hashes/hashes.txt`
 mod forms;
 mod paths;
 mod print;

@@ -2,24 +2,26 @@
 //!
 //! # Generated kernels
 //!
-//! `generated/operation.rs` cuts a recording into what the processor prepares (for all pairs whatever depends on one shape, otherwise the
-//! sines of its angles) and a body, which `generated/text.rs` writes as a WGSL function with a kernel around it. Items lie in tiles as on the
-//! CPU; one binding holds all inputs, another all outputs. A context keeps pipelines as long as their program lives. Reductions compute a
-//! block of the matrix, reduce it, and go on to the next. Gradients of all pairs are summed per strip, then on the processor, always in the
-//! same order. A fold is a thread per path. Searches are decided on the processor; each trace becomes a list of instructions, which one
-//! kernel (`replay.wgsl`) carries out. For suppression the GPU writes which pairs are certainly above the threshold and which are within
-//! 1/256 of it; the processor computes the latter. Columns on the device (`generated/held`, `generated/columns.rs`) are kept as given and as
-//! each operation wants them prepared.
+//! `generated/operation.rs` cuts a recording into what the processor prepares (for all pairs whatever depends on one
+//! shape, otherwise the sines of its angles) and a body, which `generated/text.rs` writes as a WGSL function with a
+//! kernel around it. Items lie in tiles as on the CPU; one binding holds all inputs, another all outputs. A context
+//! keeps pipelines as long as their program lives. Reductions compute a block of the matrix, reduce it, and go on to
+//! the next. Gradients of all pairs are summed per strip, then on the processor, always in the same order. A fold is a
+//! thread per path. Searches are decided on the processor; each trace becomes a list of instructions, which one kernel
+//! (`replay.wgsl`) carries out. For suppression the GPU writes which pairs are certainly above the threshold and which
+//! are within 1/256 of it; the processor computes the latter. Columns on the device (`generated/held`,
+//! `generated/columns.rs`) are kept as given and as each operation wants them prepared.
 //!
 //! # Kernels by hand
 //!
-//! All pairs of boxes in the plane, and the measures of rings, have shaders in `wgsl/` that mirror their Rust source, because they take fewer
-//! instructions (BENCHMARKS.md). `lists` decides which kernels compute two lists. Constants come from Rust, sources are concatenated, and
-//! naga validates every combination in a test without a GPU. Frames are computed on the CPU at upload, so both machines start from the same
-//! sines. One thread per column runs over a tile of rows; sums are added across the subgroup (or workgroup memory) and written as partial
-//! sums that a second pass adds in fixed order. A shader is a template (`pairs.wgsl`, `vjp.wgsl`, `reduce.wgsl`) and one snippet: how scores
-//! are stored (`put_*`), where cotangents come from (`seed_*`), or which reduction runs (`take_*`). Rings have a thread each, long ones a
-//! workgroup per span.
+//! All pairs of boxes in the plane, and the measures of rings, have shaders in `wgsl/` that mirror their Rust source,
+//! because they take fewer instructions (BENCHMARKS.md). `lists` decides which kernels compute two lists. Constants
+//! come from Rust, sources are concatenated, and naga validates every combination in a test without a GPU. Frames are
+//! computed on the CPU at upload, so both machines start from the same sines. One thread per column runs over a tile of
+//! rows; sums are added across the subgroup (or workgroup memory) and written as partial sums that a second pass adds
+//! in fixed order. A shader is a template (`pairs.wgsl`, `vjp.wgsl`, `reduce.wgsl`) and one snippet: how scores are
+//! stored (`put_*`), where cotangents come from (`seed_*`), or which reduction runs (`take_*`). Rings have a thread
+//! each, long ones a workgroup per span.
 mod adapter;
 mod block;
 mod data;
@@ -106,7 +108,8 @@ impl Gpu {
     ///
     /// # Errors
     ///
-    /// [`GpuFault::NoAdapter`](crate::GpuFault::NoAdapter), [`GpuFault::NoSuchAdapter`](crate::GpuFault::NoSuchAdapter) or [`GpuFault::AdapterRefused`](crate::GpuFault::AdapterRefused).
+    /// [`GpuFault::NoAdapter`](crate::GpuFault::NoAdapter), [`GpuFault::NoSuchAdapter`](crate::GpuFault::NoSuchAdapter)
+    /// or [`GpuFault::AdapterRefused`](crate::GpuFault::AdapterRefused).
     pub fn new() -> Result<Self, Error> {
         Self::with(&Options::default())
     }
@@ -115,7 +118,8 @@ impl Gpu {
     ///
     /// # Errors
     ///
-    /// [`GpuFault::NoAdapter`](crate::GpuFault::NoAdapter), [`GpuFault::NoSuchAdapter`](crate::GpuFault::NoSuchAdapter) or [`GpuFault::AdapterRefused`](crate::GpuFault::AdapterRefused).
+    /// [`GpuFault::NoAdapter`](crate::GpuFault::NoAdapter), [`GpuFault::NoSuchAdapter`](crate::GpuFault::NoSuchAdapter)
+    /// or [`GpuFault::AdapterRefused`](crate::GpuFault::AdapterRefused).
     pub fn with(options: &Options) -> Result<Self, Error> {
         let (chosen, adapter) = adapter::choose(&options.adapter)?;
         let limits = chosen.limits();
