@@ -93,7 +93,8 @@ pub use verbs::*;
 /// Calls a macro with the list of all operations: a name and a type each. Tests, benches and documentation use it.
 ///
 /// `for_each_op!(with)` calls the macro `with!` with the whole list, `pairs { … } rings { … } straight { … } folds { … }
-/// decided { … } further { straight { … } folds { … } decided { … } }`: scores of two boxes and measures of rings, which have kernels of their own, then all other straight lines, [folds](Fold) over paths and operations with a
+/// decided { … } further { straight { … } folds { … } decided { … } }`: scores of two boxes and measures of rings, which
+/// have kernels of their own, then all other straight lines, [folds](Fold) over paths and operations with a
 /// [search](Decided). Further ones are the same functions of other shapes: proofs in unoptimised builds leave them out,
 /// because every row costs about a second to compile; `gradient_report --release` proves them, and `tests/further.rs`
 /// runs them on a GPU in every form. The list leaves out what the harness refuses at more than some hard cases;
