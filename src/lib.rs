@@ -66,7 +66,8 @@
 //!
 //!    All other operations promise it where every length, coordinate and plain number is zero or of a magnitude from
 //!    2⁻²⁰ to 2²⁰ in `f32` and from 2⁻¹⁵⁰ to 2¹⁵⁰ in `f64`, for cotangents of one; duals promise it for all operations.
-//!    A row says so as data (`Op::FINITE`).
+//!    Slopes of `crossing_of_lines` grow with the square of the reciprocal of the sine between the lines: its numbers are
+//!    from 2⁻⁸ to 2⁸ in `f32`. A row says so as data (`Op::FINITE`).
 //! 3. **Ratios stay in \[0, 1\].** Identical boxes give exactly 1 with slope 0; boxes that are apart exactly 0 with slope 0.
 //! 4. **No absolute epsilon.** Results far from the origin, tiny, huge and thin are as exact as the inputs. The IoU of
 //!    rotated boxes is within 2·10⁻⁶ of the exact one in `f32` and within 10⁻¹² in `f64`, against an independent oracle

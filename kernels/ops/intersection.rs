@@ -12,6 +12,8 @@ use crate::{Aabb2, Capsule2, Circle, Line2, Obb2, Ray2, Segment2, Triangle2};
 rows_of_pairs! {
     crossing_of_lines as "The [crossing](crate::intersection::crossing_of_lines())" -> Crossing<S>,
     promises [],
+    // Slopes grow with the square of the reciprocal of the sine, which is a rounding of the product of the directions.
+    finite Within(crate::kernels::op::Limits::new([-8, 8], [-150, 150])),
     jumps Anywhere, slopes Reverse {
         CrossingOfLines = "crossing_of_lines": Line2, Line2, "two lines" [];
     }

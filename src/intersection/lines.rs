@@ -41,6 +41,9 @@ pub(crate) fn flag<S: Scalar>(mask: S::Mask) -> S {
 /// Lines count as parallel by the sine of their angle, whatever the lengths of their directions:
 /// there is no tolerance in units of length. Parallel lines have parameters 0 with slope zero.
 ///
+/// Slopes grow with the square of the reciprocal of the sine of the angle. They are finite where every number is zero or of
+/// a magnitude from 2⁻⁸ to 2⁸ in `f32`, from 2⁻¹⁵⁰ to 2¹⁵⁰ in `f64`.
+///
 /// ```
 /// use geograd::{Line2, Vec2, intersection::crossing_of_lines};
 /// let wall = Line2::new(Vec2::new(2.0, 0.0), Vec2::new(0.0, 1.0)); // x = 2

@@ -1,6 +1,10 @@
 //! Rows promise as data what the documentation of the crate says.
+use geograd::ad::jacobian;
+use geograd::intersection::crossing_of_lines;
 use geograd::kernels::op::{Finite, Limits};
 use geograd::kernels::{Decided as _, Fold as _, Op as _, RingOp as _};
+use geograd::{Line2, Pack, Vec2};
+use geograd_tests::rows::CrossingOfLines;
 
 macro_rules! promises {
     (pairs { $($pair:ident: $pair_op:ty,)* } rings { $($ring:ident: $ring_op:ty,)* }
@@ -87,5 +91,32 @@ fn the_documentation_says_within_which_limits_others_are_finite() {
             is_said || others.contains(&format!("`{name}`")),
             "{name}: {finite:?}"
         );
+    }
+}
+
+/// The sine between two lines that are not parallel is as small as their numbers allow.
+#[test]
+fn slopes_of_a_crossing_are_finite_within_its_limits() {
+    let Finite::Within(Limits { single, .. }) = CrossingOfLines::FINITE else {
+        panic!("a crossing has limits");
+    };
+    let [small, large] = single.map(|exponent| 2.0_f32.powi(exponent));
+    let line = |x: f32, [dx, dy]: [f32; 2]| Line2 {
+        point: Vec2::new(x, 0.0),
+        direction: Vec2::new(dx, dy),
+    };
+    let beside = small * (1.0 + f32::EPSILON);
+    for other in [[0.0, small], [beside, large]] {
+        let pair = (line(0.0, [small, large]), line(large, other));
+        let crossing = |(a, b): (Line2<_>, Line2<_>)| {
+            let found = crossing_of_lines(a, b);
+            (found.point, found.along_a, found.along_b, found.found)
+        };
+        let ((.., found), (point, along_a, along_b, _)) = jacobian(crossing, pair);
+        assert_eq!(found, 1.0);
+        let slopes = [point.x, point.y, along_a, along_b].map(|(a, b)| (a.scalars(), b.scalars()));
+        for slope in slopes.iter().flat_map(|(a, b)| a.iter().chain(b)) {
+            assert!(slope.is_finite(), "{other:?}: {slopes:?}");
+        }
     }
 }
