@@ -27,7 +27,7 @@ impl Class {
         }
     }
     /// Shifts and turns stay; of scaling nothing is said.
-    const fn isometric(self) -> Self {
+    pub const fn isometric(self) -> Self {
         Class {
             turns: Some(Answer::Stays),
             ..self.shifts()

@@ -2,7 +2,10 @@
 use crate::distance::ring::{EdgeFold, Fill};
 use crate::kernels::fold::Fold;
 use crate::kernels::op::{Jumps, Promise};
-use crate::kernels::ops::rows::promises;
+use crate::kernels::ops::class::promises;
+use crate::kernels::verbs::{
+    self, Clearance, Distance, Length, OverPolyline, OverRing, SignedDistance, Winding,
+};
 use crate::measure::moments::{SecondMoments, Sums, finish, of_edge};
 use crate::reference::{Reference, bounds_of};
 use crate::{Aabb2, Scalar, Vec2};
@@ -16,9 +19,7 @@ impl Fold for SecondMomentsOfRing {
     const NAME: &'static str = "second_moments_of_ring";
     const DOC: &'static str = "The [second moments](crate::measure::moments::second_moments) of a ring's area about its centroid.";
     const CLOSED: bool = true;
-    const PROMISES: &'static [Promise] = promises!(
-        [TranslationX Stays, TranslationY Stays, Scaling Power(4)] []
-    );
+    const PROMISES: &'static [Promise] = promises!([rigid(4), along_axes] Vec2<f64>);
     const JUMPS: Jumps = Jumps::Anywhere;
     type Context<S: Scalar> = [S; 0];
     type Reference<S: Scalar> = Reference<S>;
@@ -55,9 +56,7 @@ impl Fold for LengthOfPolyline {
     const DOC: &'static str =
         "The length of a polyline: the sum of the distances of neighbouring vertices.";
     const CLOSED: bool = false;
-    const PROMISES: &'static [Promise] = promises!(
-        [TranslationX Stays, TranslationY Stays, Rotation Stays, Scaling Power(1)] []
-    );
+    const PROMISES: &'static [Promise] = promises!([rigid(1)] Vec2<f64>);
     const JUMPS: Jumps = Jumps::Never;
     type Context<S: Scalar> = [S; 0];
     type Reference<S: Scalar> = [S; 0];
@@ -85,7 +84,7 @@ impl Fold for LengthOfPolyline {
 macro_rules! of_point_and_path {
     ($(
         $(#[$($doc:tt)*])*
-        $Name:ident = $name:literal, closed $closed:literal, $scaling:tt, jumps $jumps:ident:
+        $Name:ident = $name:literal, closed $closed:literal, $class:tt, jumps $jumps:ident:
         |$state:ident| $answer:expr;
     )*) => { $(
         $(#[$($doc)*])*
@@ -97,9 +96,7 @@ macro_rules! of_point_and_path {
             const ARGUMENTS: &'static [&'static str] = &["point"];
             const DOC: &'static str = crate::__doc!([] $([$($doc)*])*);
             const CLOSED: bool = $closed;
-            const PROMISES: &'static [Promise] = promises!(
-                [TranslationX Stays, TranslationY Stays, Rotation Stays] $scaling
-            );
+            const PROMISES: &'static [Promise] = promises!($class Vec2<f64>);
             const JUMPS: Jumps = Jumps::$jumps;
             const WINDING: Option<usize> = Some(EdgeFold::<f64>::WINDING);
             type Context<S: Scalar> = Vec2<S>;
@@ -133,22 +130,48 @@ macro_rules! of_point_and_path {
 of_point_and_path! {
     /// The [distance](crate::distance::ring::distance_to_polyline) of a point and a polyline; the largest
     /// finite number where that has fewer than two vertices.
-    DistancePointPolyline = "distance_point_polyline", closed false, [], jumps Never:
+    DistancePointPolyline = "distance_point_polyline", closed false, [isometric], jumps Never:
         |state| state.distance();
     /// The [distance](crate::distance::ring::distance_to_ring) of a point and the edges of a ring; without
     /// edges the largest finite number.
-    DistancePointRing = "distance_point_ring", closed true, [], jumps Never:
+    DistancePointRing = "distance_point_ring", closed true, [isometric], jumps Never:
         |state| state.distance();
     /// The [signed distance](crate::distance::ring::signed_distance_to_ring) of a point and a ring:
     /// negative inside. Without edges it is the largest finite number.
-    SignedDistancePointRing = "signed_distance_point_ring", closed true, [], jumps Never:
+    SignedDistancePointRing = "signed_distance_point_ring", closed true, [isometric], jumps Never:
         |state| state.signed_distance(Fill::NonZero);
     /// How far a point is inside a ring by the even-odd rule, negative outside. Without edges it is minus
     /// the largest finite number.
-    ClearancePointRing = "clearance_point_ring", closed true, [], jumps Never:
+    ClearancePointRing = "clearance_point_ring", closed true, [isometric], jumps Never:
         |state| (-state.signed_distance(Fill::EvenOdd)).canonical();
     /// The [winding number](crate::distance::ring::winding_of_ring) of a ring around a point: a whole
     /// number, which jumps at the border and has no slopes.
-    WindingOfRing = "winding_of_ring", closed true, [Scaling Stays], jumps Anywhere:
+    WindingOfRing = "winding_of_ring", closed true, [similar], jumps Anywhere:
         |state| state.winding.canonical();
+}
+
+/// Joins verbs to the folds that serve paths.
+macro_rules! folds {
+    ($($Verb:ty, $Over:ident $method:ident by $By:ident;)*) => { $(
+        impl $Over for $Verb {
+            type By = $By;
+            const BY: $By = $By;
+        }
+        impl $Verb {
+            /// The operation over the edges of a path, for [`Cpu::fold`](crate::kernels::Cpu::fold).
+            #[must_use]
+            pub const fn $method(self) -> $By {
+                $By
+            }
+        }
+    )* };
+}
+folds! {
+    Distance, OverRing over_ring by DistancePointRing;
+    Distance, OverPolyline over_polyline by DistancePointPolyline;
+    SignedDistance, OverRing over_ring by SignedDistancePointRing;
+    Clearance, OverRing over_ring by ClearancePointRing;
+    Winding, OverRing over_ring by WindingOfRing;
+    Length, OverPolyline over_polyline by LengthOfPolyline;
+    verbs::SecondMoments, OverRing over_ring by SecondMomentsOfRing;
 }

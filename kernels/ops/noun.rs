@@ -99,21 +99,30 @@ pub(crate) const fn named(a: &'static str, b: &'static str) -> [&'static str; 2]
     }
 }
 
-/// The parts of a sentence: a title of arguments. A title that ends in a full stop is the sentence, and parameters after
-/// the first two arguments are left out.
-pub(crate) const fn sentence(title: &'static str, arguments: &[Noun]) -> [&'static str; 6] {
+/// The parts of a documentation: the title, its `{}` the arguments (but for parameters after the first two), and the
+/// sentence of the row alone.
+pub(crate) const fn sentences(
+    title: &'static str,
+    own: &'static str,
+    arguments: &[Noun],
+) -> [&'static str; 6] {
     let title = title.trim_ascii();
-    if title.as_bytes()[title.len() - 1] == b'.' {
-        return [title, "", "", "", "", ""];
+    let (bytes, mut at) = (title.as_bytes(), 0);
+    while at + 1 < bytes.len() && !(bytes[at] == b'{' && bytes[at + 1] == b'}') {
+        at += 1;
     }
+    if at + 1 >= bytes.len() {
+        return [title, "", "", "", "", own];
+    }
+    let (before, after) = (title.split_at(at).0, title.split_at(at + 2).1);
     let a = arguments[0];
     if arguments.len() == 1 {
-        return [title, " of ", a.one, "", "", "."];
+        return [before, a.one, "", "", after, own];
     }
     let b = arguments[1];
     match same(a.one, b.one) {
-        true => [title, " of ", a.two, "", "", "."],
-        false => [title, " of ", a.one, " and ", b.one, "."],
+        true => [before, a.two, "", "", after, own],
+        false => [before, a.one, " and ", b.one, after, own],
     }
 }
 

@@ -3,11 +3,10 @@
 /// Rows of a verb. The head says the documentation, the names of the arguments, the result, the formula, the
 /// [class](crate::kernels::ops::class::Class) of invariance, where it is finite, its range and its extremes, where it jumps
 /// and where its slopes come from. A line each says the name of the row and its shapes, then what differs: another formula,
-/// class, range, jump, source of slopes; and kernels that the library has compiled. A comment before it is its whole
-/// documentation.
+/// class, range, jump, source of slopes; and kernels that the library has compiled.
 ///
-/// `" of two circles."` comes after a documentation that does not end in a full stop. Arguments `(a, b)` are called by what
-/// they are where that differs: a point and a circle.
+/// In the documentation `{}` stands for the shapes ("two circles"); a comment before a line follows it. Arguments `(a, b)`
+/// of two kinds have the names of these: a point and a circle.
 macro_rules! table {
     ($(
         $(#[doc = $title:literal])+
@@ -54,10 +53,8 @@ macro_rules! table {
             const NAME: &'static str = $name;
             const ARGUMENTS: &'static [&'static str] =
                 &crate::kernels::ops::rows::arguments!($arguments $($Shape)+);
-            const DOC: &'static str = crate::kernels::ops::rows::text!(
-                crate::kernels::ops::rows::first!($({ $own_title })? { $title }),
-                $($Shape<f64>),+
-            );
+            const DOC: &'static str =
+                crate::kernels::ops::rows::text!($title, concat!($($own_title)?), $($Shape<f64>),+);
             type In<S: crate::Scalar> = ($($Shape<S>),+);
             type Out<S: crate::Scalar> = $out;
             const PROMISES: &'static [crate::kernels::op::Promise] = {
@@ -115,11 +112,12 @@ macro_rules! arguments {
     (($($argument:ident),+) $($Shape:ident)+) => { [$(stringify!($argument)),+] };
 }
 
-/// The documentation of a row: the title of the table, and what it is of.
+/// The documentation of a row, given the title of its table and the sentence of the row alone.
 macro_rules! text {
-    ($title:expr, $($type:ty),+) => {{
-        const PARTS: &[&str] = &crate::kernels::ops::noun::sentence(
+    ($title:expr, $own:expr, $($type:ty),+) => {{
+        const PARTS: &[&str] = &crate::kernels::ops::noun::sentences(
             $title,
+            $own,
             &[$(<$type as crate::kernels::ops::noun::Named>::NOUN),+],
         );
         const BYTES: &[u8] = &crate::kernels::ops::noun::joined::<
@@ -132,74 +130,23 @@ macro_rules! text {
     }};
 }
 
-/// Operations of one function of two shapes: the function, its result, what all of them promise, where
-/// they jump and where their slopes come from; then for every pair its name, the shapes and what else
-/// it promises.
-macro_rules! rows_of_pairs {
-    ($(
-        $function:path as $title:literal -> $out:ty,
-        promises [$($motion:ident $answer:ident $(($power:literal))?),*],
-        $(finite $finite:ident $(($limits:expr))?,)? $(range $range:ident,)? $(extremes $extremes:ident,)?
-        jumps $jumps:ident, slopes $slopes:ident {
-            $($Name:ident = $name:literal: $A:ident, $B:ident, $what:literal
-                [$($further:ident $same:ident),*];)*
-        }
-    )*) => { $( crate::kernels::ops::rows::rows_of_pairs! {
-        @each $function, $title, $out, [$($motion $answer $(($power))?),*],
-        [
-            $(const FINITE: crate::kernels::op::Finite = crate::kernels::op::Finite::$finite $(($limits))?;)?
-            $(const RANGE: crate::kernels::op::Range = crate::kernels::op::Range::$range;)?
-            $(const EXTREMES: crate::kernels::op::Extremes = crate::kernels::op::Extremes::$extremes;)?
-        ], $jumps, $slopes;
-        $($Name, $name, $A, $B, $what, [$($further $same),*];)*
-    } )* };
-    (@each $function:path, $title:literal, $out:ty, $shared:tt, $data:tt, $jumps:ident, $slopes:ident;
-        $($Name:ident, $name:literal, $A:ident, $B:ident, $what:literal, $own:tt;)*) => { $(
-        #[doc = concat!($title, " of ", $what, ".")]
-        #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-        pub struct $Name;
-
-        impl crate::kernels::op::Op for $Name {
-            const NAME: &'static str = $name;
-            const ARGUMENTS: &'static [&'static str] = &crate::kernels::ops::noun::named(
-                crate::kernels::ops::rows::noun!($A),
-                crate::kernels::ops::rows::noun!($B),
-            );
-            const DOC: &'static str = concat!($title, " of ", $what, ".");
-            type In<S: crate::Scalar> = ($A<S>, $B<S>);
-            type Out<S: crate::Scalar> = $out;
-            const PROMISES: &'static [crate::kernels::op::Promise] =
-                crate::kernels::ops::rows::promises!($shared $own);
-            const JUMPS: crate::kernels::op::Jumps = crate::kernels::op::Jumps::$jumps;
-            const SLOPES: crate::kernels::op::Slopes = crate::kernels::op::Slopes::$slopes;
-            crate::kernels::ops::rows::items!($data);
-            #[inline]
-            fn eval<S: crate::Scalar>((a, b): Self::In<S>) -> $out {
-                $function(a, b)
-            }
-        }
-    )* };
-}
-
-/// Operations with a search: the type with its capacities, its name, its arguments and what they are, its result
-/// and its record; how it decides and how it replays; what it promises and where it jumps.
+/// Operations with a search: the verb with the capacities of its row, the row's name, its arguments and their types, its
+/// result and its record; how it decides and how it replays; its class of invariance and where it jumps.
 macro_rules! searches {
     ($(
         $(#[$($doc:tt)*])*
-        $Name:ident<$($N:ident),+> = $name:literal: ($($arg:ident),+) as $input:ty => $out:ty, by $record:ty;
+        $Verb:ident<$($N:ident),+> = $name:literal: ($($arg:ident),+) as $input:ty => $out:ty, by $record:ty;
         decide |$decided:pat_param| $decide:block
         replay |$replayed:pat_param, $found:ident| $replay:block
-        promises $promises:tt
-        $(finite $finite:ident $(($limits:expr))?)?
+        $class:tt
         $(range $range:ident)?
-        $(extremes $extremes:ident)?
         jumps $jumps:ident
-    )*) => { $(
-        $(#[$($doc)*])*
-        #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-        pub struct $Name<$(const $N: usize),+>;
+    )*) => { $( const _: () = {
+        // As visible as the verb.
+        #[derive(Clone, Copy, Debug, Default)]
+        pub struct Row<$(const $N: usize),+>;
 
-        impl<$(const $N: usize),+> crate::kernels::decided::Decided for $Name<$($N),+> {
+        impl<$(const $N: usize),+> crate::kernels::decided::Decided for Row<$($N),+> {
             const NAME: &'static str = $name;
             const ARGUMENTS: &'static [&'static str] = &[$(stringify!($arg)),+];
             const DOC: &'static str = crate::__doc!([] $([$($doc)*])*);
@@ -207,13 +154,9 @@ macro_rules! searches {
             type Out<S: crate::Scalar> = $out;
             type Record = $record;
             const PROMISES: &'static [crate::kernels::op::Promise] =
-                crate::kernels::ops::rows::promises!($promises []);
+                crate::kernels::ops::class::promises!($class crate::ConvexPolygon<f64, 3>);
             const JUMPS: crate::kernels::op::Jumps = crate::kernels::op::Jumps::$jumps;
-            $(const FINITE: crate::kernels::op::Finite =
-                crate::kernels::op::Finite::$finite $(($limits))?;)?
             $(const RANGE: crate::kernels::op::Range = crate::kernels::op::Range::$range;)?
-            $(const EXTREMES: crate::kernels::op::Extremes =
-                crate::kernels::op::Extremes::$extremes;)?
             fn decide<S: crate::Scalar<Mask = bool>>($decided: $input) -> $record {
                 $decide
             }
@@ -221,61 +164,55 @@ macro_rules! searches {
                 $replay
             }
         }
-
-        crate::__runs_decided!([$(const $N: usize),+] $Name<$($N),+>: $input => $out);
-    )* };
+        crate::__runs_decided!([$(const $N: usize),+] Row<$($N),+>: $input => $out);
+        crate::kernels::ops::rows::finds!($Verb<$($N),+> ($($arg),+));
+    }; )* };
 }
 
-/// Two lists of promises as one.
-macro_rules! promises {
-    ([$($motion:ident $answer:ident $(($power:literal))?),*] [$($further:ident $same:ident),*]) => {
-        &[
-            $(crate::kernels::op::Promise {
-                motion: crate::kernels::op::Motion::$motion,
-                answer: crate::kernels::op::Answer::$answer $(($power))?,
-            },)*
-            $(crate::kernels::op::Promise {
-                motion: crate::kernels::op::Motion::$further,
-                answer: crate::kernels::op::Answer::$same,
-            },)*
-        ]
+/// Joins a verb of convex polygons to its search.
+macro_rules! finds {
+    ($Verb:ident<N> ($polygon:ident)) => {
+        impl<S: crate::Scalar<Mask = bool>, const N: usize>
+            crate::kernels::verbs::Unary<crate::ConvexPolygon<S, N>> for $Verb
+        {
+            type Out = <Row<N> as crate::kernels::decided::Decided>::Out<S>;
+            type By = Row<N>;
+            const BY: Row<N> = Row;
+            #[inline]
+            fn apply(polygon: crate::ConvexPolygon<S, N>) -> Self::Out {
+                use crate::kernels::decided::Decided;
+                Row::<N>::replay(polygon, Row::<N>::decide(polygon))
+            }
+        }
     };
-}
-
-/// The items of a list.
-macro_rules! items {
-    ([$($item:tt)*]) => { $($item)* };
-}
-
-/// The noun of a shape, by its type.
-macro_rules! noun {
-    (Vec2) => {
-        "point"
+    ($Verb:ident<N> ($a:ident, $b:ident)) => {
+        crate::kernels::ops::rows::finds!(@two [const N: usize] $Verb, N, <N>);
     };
-    (Segment2) => {
-        "segment"
+    // The hull of both has up to as many corners as both together, which the type must say.
+    ($Verb:ident<N, K> ($a:ident, $b:ident)) => {
+        crate::kernels::ops::rows::finds!(@two [] $Verb, 3, <3, 6>);
+        crate::kernels::ops::rows::finds!(@two [] $Verb, 4, <4, 8>);
+        crate::kernels::ops::rows::finds!(@two [] $Verb, 5, <5, 10>);
+        crate::kernels::ops::rows::finds!(@two [] $Verb, 6, <6, 12>);
+        crate::kernels::ops::rows::finds!(@two [] $Verb, 7, <7, 14>);
+        crate::kernels::ops::rows::finds!(@two [] $Verb, 8, <8, 16>);
     };
-    (Line2) => {
-        "line"
-    };
-    (Ray2) => {
-        "ray"
-    };
-    (Triangle2) => {
-        "triangle"
-    };
-    (Circle) => {
-        "circle"
-    };
-    (Capsule2) => {
-        "capsule"
-    };
-    (Aabb2) => {
-        "shape"
-    };
-    (Obb2) => {
-        "shape"
+    (@two [$($constant:tt)*] $Verb:ident, $N:tt, <$($capacity:tt),+>) => {
+        impl<S: crate::Scalar<Mask = bool>, $($constant)*>
+            crate::kernels::verbs::Binary<crate::ConvexPolygon<S, $N>, crate::ConvexPolygon<S, $N>>
+            for $Verb
+        {
+            type Out = <Row<$($capacity),+> as crate::kernels::decided::Decided>::Out<S>;
+            type By = Row<$($capacity),+>;
+            const BY: Self::By = Row;
+            #[inline]
+            fn apply(a: crate::ConvexPolygon<S, $N>, b: crate::ConvexPolygon<S, $N>) -> Self::Out {
+                use crate::kernels::decided::Decided;
+                let found = Row::<$($capacity),+>::decide((a, b));
+                Row::<$($capacity),+>::replay((a, b), found)
+            }
+        }
     };
 }
 
-pub(crate) use {arguments, first, items, noun, promises, rows_of_pairs, searches, table, text};
+pub(crate) use {arguments, finds, first, searches, table, text};

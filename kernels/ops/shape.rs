@@ -1,28 +1,50 @@
-//! What makes shapes of shapes, as operations.
-use crate::operation;
+//! Measures of shapes, and what makes shapes of shapes, as operations.
+use crate::kernels::ops::noun::Quad;
+use crate::kernels::ops::rows::table;
+use crate::kernels::verbs::{Area, Centroid, Circumcircle, Incircle, Move, Perimeter, SignedArea};
 use crate::shape::circumcircle;
-use crate::{Circle, Pose2, Segment2, Triangle2, Vec2};
+use crate::{Circle, Pose2, Segment2, Triangle2, Vec2, ring};
 
-operation! {
+table! {
+    /// The [signed area](Triangle2::signed_area) of {}.
+    SignedArea: (shape) -> S { shape.signed_area() } [rigid(2)] jumps Never slopes Reverse {
+        "signed_area_triangle": Triangle2;
+    }
+    /// The [signed area](crate::ring::signed_area) of {}.
+    SignedArea: (ring) -> S { ring::signed_area(&ring) } [rigid(2)] jumps Never slopes Reverse {
+        "signed_area_quad": Quad;
+    }
+    /// The [area](Triangle2::area) of {}.
+    Area: (shape) -> S { shape.area() } [rigid(2)] range NOT_NEGATIVE jumps Never slopes Reverse {
+        "area_triangle": Triangle2;
+    }
+    /// The [perimeter](Triangle2::perimeter) of {}.
+    Perimeter: (shape) -> S { shape.perimeter() } [rigid(1)] range NOT_NEGATIVE jumps Never slopes Reverse {
+        "perimeter_triangle": Triangle2;
+    }
+    /// The [perimeter](crate::ring::perimeter) of {}.
+    Perimeter: (ring) -> S { ring::perimeter(&ring) } [rigid(1)] range NOT_NEGATIVE jumps Never slopes Reverse {
+        "perimeter_quad": Quad;
+    }
+    /// The [centroid](Triangle2::centroid) of {}.
+    Centroid: (shape) -> Vec2<S> { shape.centroid() } [follows] jumps Never slopes Reverse {
+        "centroid_triangle": Triangle2;
+    }
+    // It jumps where the area is zero.
+    /// The [centroid](crate::ring::centroid) of {}.
+    Centroid: (ring) -> Vec2<S> { ring::centroid(&ring) } [follows] jumps Anywhere slopes Reverse {
+        "centroid_quad": Quad;
+    }
+    /// The [inscribed circle](Triangle2::incircle) of {}.
+    Incircle: (shape) -> Circle<S> { shape.incircle() } [follows] jumps Never slopes Reverse {
+        "incircle": Triangle2;
+    }
     /// The circle through three points ([`circumcircle`]). It jumps where they are on one line.
-    pub Circumcircle = "circumcircle": (a: Vec2<S>, b: Vec2<S>, c: Vec2<S>) -> Circle<S> {
-        circumcircle(a, b, c)
+    Circumcircle: (a, b, c) -> Circle<S> { circumcircle(a, b, c) } [] jumps Anywhere slopes Reverse {
+        "circumcircle": Vec2, Vec2, Vec2;
     }
-    promises []
-    jumps Anywhere
-    slopes Reverse
-
-    /// The [inscribed circle](Triangle2::incircle) of a triangle.
-    pub Incircle = "incircle": (shape: Triangle2<S>) -> Circle<S> { shape.incircle() }
-    promises [TranslationX Follows, TranslationY Follows, Rotation Follows, Scaling Follows]
-    jumps Never
-    slopes Reverse
-
     /// A segment, moved.
-    pub MoveSegment = "move_segment": (pose: Pose2<S>, segment: Segment2<S>) -> Segment2<S> {
-        pose * segment
+    Move: (pose, segment) -> Segment2<S> { pose * segment } [] jumps Never slopes Reverse {
+        "move_segment": Pose2, Segment2;
     }
-    promises []
-    jumps Never
-    slopes Reverse
 }

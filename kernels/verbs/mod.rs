@@ -28,7 +28,6 @@ mod function;
 mod list;
 pub mod methods;
 mod more;
-mod rows;
 
 pub use function::{Arguments, Function, Traced, function};
 pub use list::*;
