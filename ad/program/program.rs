@@ -135,11 +135,11 @@ impl<T: Plain, In: Fixed<Scalar = T>, Out: Fixed<Scalar = T>> Program<In, Out> {
     /// use geograd::ad::program::{Program, Sym};
     /// use geograd::kernels::Cpu;
     /// use geograd::Vec2;
-    /// let polar = Program::trace(|v: Vec2<Sym<f64>>| (v.length(), v.x * v.y))?;
-    /// let (_, (by_length, by_product)) = polar.jacobian().eval(Vec2::new(3.0, 4.0));
-    /// assert_eq!((by_length, by_product), (Vec2::new(0.6, 0.8), Vec2::new(4.0, 3.0)));
-    /// let ((lengths, _), slopes) = Cpu::new().aligned(polar.jacobian(), &[Vec2::new(3.0, 4.0)])?;
-    /// assert_eq!((lengths[0], slopes[0].0), (5.0, by_length));
+    /// let both = Program::trace(|v: Vec2<Sym<f64>>| (v.length_squared(), v.x * v.y))?;
+    /// let (_, (by_square, by_product)) = both.jacobian().eval(Vec2::new(3.0, 4.0));
+    /// assert_eq!((by_square, by_product), (Vec2::new(6.0, 8.0), Vec2::new(4.0, 3.0)));
+    /// let ((squares, _), slopes) = Cpu::new().aligned(both.jacobian(), &[Vec2::new(3.0, 4.0)])?;
+    /// assert_eq!((squares[0], slopes[0].0), (25.0, by_square));
     /// # Ok::<(), geograd::Error>(())
     /// ```
     #[must_use]
