@@ -2,7 +2,7 @@
 use crate::kernels::op::{Answer, Motion, Promise};
 use crate::kernels::ops::noun::{Noun, same};
 
-/// What the result of a function does where its arguments move: a few words that make a list of promises.
+/// The answer of a function's result to motions of its arguments: a few words that make a list of promises.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Class {
     shifts: Option<Answer>,

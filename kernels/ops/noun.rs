@@ -1,4 +1,4 @@
-//! What rows say of a shape: its names in sentences, and which motions of the plane it has.
+//! Shapes in rows: their names in sentences, and the motions of the plane that they have.
 use crate::convention::{Detectron2Box, ImageBox, KittiBox, LidarBox, NuScenesBox, Xyxyr};
 use crate::iou::Exponent;
 use crate::{

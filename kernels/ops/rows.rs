@@ -1,12 +1,21 @@
-//! Tables of rows: what a function is, once, and a line for all shapes that it takes.
+//! Tables of rows: the function once, and a line for the shapes of each row.
 
-/// Rows of a verb. The head says the documentation, the names of the arguments, the result, the formula, the
-/// [class](crate::kernels::ops::class::Class) of invariance, where it is finite, its range and its extremes, where it jumps
-/// and where its slopes come from. A line each says the name of the row and its shapes, then what differs: another formula,
-/// class, range, jump, source of slopes; and kernels that the library has compiled.
+/// Writes the rows of a verb, and joins them to it.
 ///
-/// In the documentation `{}` stands for the shapes ("two circles"); a comment before a line follows it. Arguments `(a, b)`
-/// of two kinds have the names of these: a point and a circle.
+/// ```text
+/// /// The [squared distance](crate::distance::squared_distance) of {}.
+/// SquaredDistance: (a, b) -> S { squared_distance(a, b) } [rigid(2), symmetric] jumps Never slopes Reverse {
+///     "squared_distance_segments": Segment2, Segment2;
+///     /// By the axes of both.
+///     "squared_distance_obb2": Obb2, Obb2 { squared_distance_obb2(a, b) } slopes Forward;
+/// }
+/// ```
+///
+/// * The head has the documentation, arguments, result, formula, [class](crate::kernels::ops::class::Class) of invariance,
+///   jumps and slopes; before the jumps come `finite`, `range` and `extremes`, where they are not the default.
+/// * A line has the name of the row and its shapes, then what differs from the head, in the same order.
+/// * `{}` in the documentation stands for the shapes: "two segments". A comment before a line follows it.
+/// * Arguments `(a, b)` of two kinds take the [names](crate::kernels::ops::noun::Noun) of these: `point`, `circle`.
 macro_rules! table {
     ($(
         $(#[doc = $title:literal])+
@@ -93,7 +102,7 @@ macro_rules! table {
     }; )* };
 }
 
-/// The first of alternatives: what a row says, or else what its table says.
+/// The first of alternatives: the line's, or else the head's.
 macro_rules! first {
     (@class [$class:tt $($other:tt)?] $($type:ty),+) => {
         crate::kernels::ops::class::promises!($class $($type),+)
@@ -130,8 +139,10 @@ macro_rules! text {
     }};
 }
 
-/// Operations with a search: the verb with the capacities of its row, the row's name, its arguments and their types, its
-/// result and its record; how it decides and how it replays; its class of invariance and where it jumps.
+/// Writes operations with a search of convex polygons, and joins them to their verbs.
+///
+/// Each says its verb with the capacities of the row, the name, arguments, result and record. Then come the search, the
+/// replay, the class of invariance and the jumps.
 macro_rules! searches {
     ($(
         $(#[$($doc:tt)*])*
