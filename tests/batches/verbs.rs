@@ -97,10 +97,10 @@ fn methods_are_the_verbs() {
 }
 
 /// Generic over the verb.
-fn largest<V, A: Copy, T>(verb: V, a: &[A], b: &[A]) -> Result<f64, Error>
+fn largest<V, A, T>(verb: V, a: &[A], b: &[A]) -> Result<f64, Error>
 where
     V: Runs<(A, A), Out = f64> + Copy,
-    A: geograd::kernels::Single<Scalar = f64>,
+    A: geograd::kernels::Single<Scalar = f64> + Copy,
     (A, A): Fixed,
     V: Takes<(A, A), Out = T>,
 {

@@ -12,7 +12,7 @@ use geograd::ad::program::{Program, Sym};
 use geograd::error::Argument;
 
 use geograd::kernels::gpu::Gpu;
-use geograd::kernels::{Cpu, One};
+use geograd::kernels::{Cpu, One, Op};
 use geograd::{
     Circle, Error, Fixed, Flaw, GpuFault, Obb2, Pack, Scalar, Segment2, Vec2, YawBox3 as YawBox,
 };
