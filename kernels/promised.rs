@@ -23,7 +23,7 @@ pub enum Finite {
 }
 
 /// Limits of numbers: every length, coordinate and plain number is zero or between two powers of two in
-/// magnitude; angles have no lower one.
+/// magnitude; angles are zero or not below [`Limits::LEAST_ANGLE`].
 ///
 /// ```
 /// use geograd::kernels::op::Limits;
@@ -47,6 +47,9 @@ impl Limits {
     /// From 2⁻²⁰ to 2²⁰ (about a millionth to a million) in `f32`, from 2⁻¹⁵⁰ to 2¹⁵⁰ in `f64`: what a row promises
     /// that says nothing.
     pub const ORDINARY: Limits = Limits::new([-20, 20], [-150, 150]);
+    /// Exponents of the least magnitude of an angle in `f32` and in `f64`: the product of a length and the sine of a lesser
+    /// one may be below the least normal number, whose reciprocal overflows.
+    pub const LEAST_ANGLE: [i32; 2] = [-100, -900];
 }
 
 /// Within which every number of a result lies, both ends included.

@@ -1,6 +1,6 @@
 //! Lists of inputs, and how they are drawn.
 use super::job::Job;
-use super::numbers::{Family, limited, limits_of, power};
+use super::numbers::{Family, is_angle_within, limited, limits_of, power};
 use super::{Finding, Promise};
 use crate::Vec2;
 use crate::ad::check::sample::Draw;
@@ -345,15 +345,18 @@ impl<T: Real> Job<T> {
         (self.fits(&x, limits) && is_valid(self, &x)).then_some(x)
     }
 
-    /// Whether lengths are within limits.
+    /// Whether lengths and angles are within limits.
     fn fits(&self, x: &[T], limits: Option<[i32; 2]>) -> bool {
         let Some([least, most]) = limits else {
             return true;
         };
         let range = power(least)..=power(most);
-        x.iter().zip(&self.kinds).all(|(x, kind)| {
+        x.iter().zip(&self.kinds).all(|(&x, &kind)| {
             let size = x.widen().abs();
-            !kind.is_length() || size == 0.0 || range.contains(&size)
+            match kind {
+                Kind::Angle => is_angle_within(x),
+                _ => !kind.is_length() || size == 0.0 || range.contains(&size),
+            }
         })
     }
 }

@@ -164,9 +164,20 @@ pub(super) fn limits_of<T: Real>(finite: Finite) -> Option<[i32; 2]> {
     }
 }
 
-/// A number within limits: its own digits with another exponent where that is beyond them.
+/// Whether an angle is one of which a row with limits promises something.
+pub(super) fn is_angle_within<T: Real>(x: T) -> bool {
+    let [single, double] = Limits::LEAST_ANGLE;
+    let least = if is_wide::<T>() { double } else { single };
+    let size = x.widen().abs();
+    size == 0.0 || size >= power(least)
+}
+
+/// A number within limits: its own digits with another exponent where that is beyond them; zero for a lesser angle.
 pub(super) fn limited<T: Real>(x: T, kind: Kind, [least, most]: [i32; 2]) -> T {
     let wide = x.widen();
+    if kind == Kind::Angle && !is_angle_within(x) {
+        return T::zero();
+    }
     if wide == 0.0 || (kind == Kind::Angle && wide.abs() <= power(most)) {
         return x;
     }

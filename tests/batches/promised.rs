@@ -80,7 +80,8 @@ fn the_documentation_says_within_which_limits_others_are_finite() {
         format!("2{sign}{digits}")
     };
     let Limits { single, double } = Limits::ORDINARY;
-    for exponent in single.into_iter().chain(double) {
+    let exponents = single.into_iter().chain(double);
+    for exponent in exponents.chain(Limits::LEAST_ANGLE) {
         let power = power(exponent);
         assert!(others.contains(&power), "{power} in {others}");
     }
