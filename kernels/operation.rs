@@ -7,6 +7,19 @@
 /// result and the formula, then what it promises, where it jumps, and where its slopes come from. All
 /// three must be said: `promises []` and `jumps Never` say none.
 ///
+/// Clauses stand in this order; those in brackets are optional.
+///
+/// | clause | words |
+/// | --- | --- |
+/// | `promises [Motion Answer, …]` | motions `TranslationX`, `TranslationY`, `Rotation`, `Scaling`, `Exchange` of all arguments; the result `Stays`, grows with `Power(p)` of the scale, or `Follows` |
+/// | \[`finite`\] | `Always`, `Within(limits)`, `Values(limits)`, `Unsaid`: [`Finite`](crate::kernels::op::Finite) |
+/// | \[`range`\] | `RATIO`, `SIGNED`, `NOT_NEGATIVE`, …: the constants of [`Range`](crate::kernels::op::Range) |
+/// | \[`extremes`\] | `Shared`, `Ratio`, `Union`, `One`: [`Extremes`](crate::kernels::op::Extremes) |
+/// | `jumps` | `Never`, `FromZero` (where the value leaves zero), `Anywhere` |
+/// | \[`domain { … }`\] | a condition of the arguments outside of which nothing is checked |
+/// | \[`resolution x`\], \[`relative_resolution x`\] | the error of a value beyond rounding |
+/// | `slopes` | `Reverse`; `Forward`, where large terms cancel backwards; <code>ByHand &#124;(a, b), out_bar&#124; { … }</code> |
+///
 /// ```
 /// use geograd::kernels::Cpu;
 /// use geograd::{Obb2, Vec2, operation};
@@ -177,7 +190,7 @@ macro_rules! operation {
     // A row of a verb.
     ($(
         $(#[$($doc:tt)*])*
-        $Verb:ident: ($($arg:ident: $type:ty),+ $(,)?) -> $out:ty $body:block
+        $Verb:path: ($($arg:ident: $type:ty),+ $(,)?) -> $out:ty $body:block
         promises [$($motion:ident $answer:ident $(($power:literal))?),* $(,)?]
         $(finite $finite:ident $(($limits:expr))?)?
         $(range $range:ident)?

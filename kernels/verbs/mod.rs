@@ -18,8 +18,10 @@
 //! that it takes, and the formula. [`operation!`](crate::operation) adds rows for your own shapes, [`verb!`](crate::verb)
 //! defines a verb, and [`function`] runs a plain generic function without a row.
 //!
-//! A verb whose first argument has a name for it is a method, too ([`prelude`](crate::prelude)): `a.iou(b)`. All three
-//! spellings, method, [`of`](Iou::of) and batch, run the same code.
+//! Overlaps, scores and intersections are methods of their first argument, too, for every row, own ones included
+//! ([`prelude`](crate::prelude)): `a.iou(b)`. Distances, closest points and penetration are methods of any two convex shapes of the
+//! plane ([`Convex`](crate::distance::Convex)); a row adds no method to them. A method, [`of`](Iou::of) and a batch return the same bits.
+//! A verb takes up to three arguments; [`function`] and an operation with a name of its own take up to six.
 //!
 //! # Verbs by shapes
 //!
@@ -38,7 +40,8 @@ use crate::Fixed;
 #[diagnostic::on_unimplemented(
     message = "`{Self}` of `{A}` is not defined",
     label = "`{Self}` does not take this shape",
-    note = "a row adds shapes of your own: `operation! {{ {Self}: (a: …) -> … {{ … }} … }}`"
+    note = "a row adds shapes of your own: `operation! {{ {Self}: (a: …) -> … {{ … }} … }}`",
+    note = "shapes of the library without a row: `function(f)` runs any generic function"
 )]
 pub trait Unary<A> {
     /// The result.
@@ -57,7 +60,8 @@ pub trait Unary<A> {
 #[diagnostic::on_unimplemented(
     message = "`{Self}` of `{A}` and `{B}` is not defined",
     label = "`{Self}` does not take these two shapes",
-    note = "a row adds shapes of your own: `operation! {{ {Self}: (a: …, b: …) -> … {{ … }} … }}`"
+    note = "a row adds shapes of your own: `operation! {{ {Self}: (a: …, b: …) -> … {{ … }} … }}`",
+    note = "two shapes of the library without a row: exchange them, or run `function(f)` of any generic function"
 )]
 pub trait Binary<A, B> {
     /// The result.
@@ -76,7 +80,8 @@ pub trait Binary<A, B> {
 #[diagnostic::on_unimplemented(
     message = "`{Self}` of `{A}`, `{B}` and `{C}` is not defined",
     label = "`{Self}` does not take these three shapes",
-    note = "a row adds shapes of your own: `operation! {{ {Self}: (a: …, b: …, c: …) -> … {{ … }} … }}`"
+    note = "a row adds shapes of your own: `operation! {{ {Self}: (a: …, b: …, c: …) -> … {{ … }} … }}`",
+    note = "shapes of the library without a row: `function(f)` runs any generic function"
 )]
 pub trait Ternary<A, B, C> {
     /// The result.
@@ -130,7 +135,7 @@ pub type RowOf<V, In> = <V as Takes<In>>::By;
 /// ```
 #[macro_export]
 macro_rules! verb {
-    ($( $(#[$doc:meta])* $vis:vis $Verb:ident $(= $method:ident)?: $arguments:tt )+) => { $(
+    ($( $(#[$doc:meta])* $vis:vis $Verb:ident: $arguments:tt )+) => { $(
         $(#[$doc])*
         #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
         $vis struct $Verb;

@@ -29,8 +29,8 @@ fn table() -> String {
         writeln!(text, "| [`{unit}`] | {} |", shapes.join(", ")).unwrap();
     }
     text.push_str(
-        "\nPolygons may have other numbers of corners; distances take their arguments in either order, overlaps in space boxes of \
-         any two kinds.\n",
+        "\nPolygons may have other numbers of corners. `Distance` and `SignedDistance` in the plane take their arguments in either order; \
+         `Iou`, `Iof` and `IntersectionVolume` take boxes in space of any two kinds. Other pairs run by `function`.\n",
     );
     text
 }
