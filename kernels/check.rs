@@ -105,7 +105,7 @@ fn ring_value<O: RingOp, S: Number>(x: &[S]) -> Vec<S> {
 /// How often a random input is drawn anew while it is outside the domain.
 const ATTEMPTS: usize = 16;
 
-/// What is judged.
+/// The inputs that are judged.
 struct Inputs<X> {
     /// Hard cases, then random inputs, all rounded to a format. Some may be outside the domain.
     all: Vec<X>,

@@ -1,4 +1,4 @@
-//! What is asked of pairs of shapes: apart, identical, exchanged.
+//! Properties of pairs of shapes: apart, identical, exchanged.
 use super::inputs::{Inputs, is_inside};
 use super::job::Job;
 use super::judge::{Found, Outcome, first_where, unless};
@@ -166,7 +166,7 @@ impl<T: Real> Job<T> {
             return f64::INFINITY;
         }
         let content = |sides: &Vec<f64>| sides.iter().product::<f64>();
-        // Of volumes two sides may be short.
+        // Two sides of a volume may be short.
         let aspect = if power == 3 { aspect * aspect } else { aspect };
         match is_measure {
             true => ROUNDINGS * aspect * content(&sides[0]).min(content(&sides[1])),

@@ -15,9 +15,9 @@ pub(crate) struct Noun {
     pub one: &'static str,
     /// Two of it.
     pub two: &'static str,
-    /// Whether all of it moves along x and y like points.
+    /// True if all of it moves along x and y like points.
     pub shifts: bool,
-    /// Whether it turns about the origin of the plane. Axis-aligned boxes cannot; the turn of a box of any orientation is
+    /// True if it turns about the origin of the plane. Axis-aligned boxes cannot; the turn of a box of any orientation is
     /// not an angle of the plane.
     pub turns: bool,
 }
@@ -79,7 +79,7 @@ nouns! {
     [] NuScenesBox<f64>:   "shape",  "nuScenes' box",              "two boxes of nuScenes",         false, false;
 }
 
-/// Whether two texts are the same.
+/// True for two equal texts.
 pub(crate) const fn same(a: &str, b: &str) -> bool {
     let (x, y) = (a.as_bytes(), b.as_bytes());
     let mut alike = x.len() == y.len();

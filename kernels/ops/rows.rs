@@ -56,7 +56,7 @@ macro_rules! table {
         #[derive(Clone, Copy, Debug, Default)]
         pub struct Row;
 
-        // Of one argument they are needless.
+        // One argument needs none.
         #[allow(unused_parens)]
         impl crate::kernels::op::Op for Row {
             const NAME: &'static str = $name;

@@ -132,7 +132,7 @@ pub trait Traced<In: Row<Scalar: Plain>>: Copy + Send + Sync {
 
 macro_rules! arities {
     ($($count:literal: $row:ty, [$($A:ident $a:ident),+];)*) => { $(
-        // Of one argument they are needless.
+        // One argument needs none.
         #[allow(unused_parens)]
         impl<T: Plain, $($A,)+ Y, F> Traced<$row> for Function<F, Arguments<$count>>
         where

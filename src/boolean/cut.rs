@@ -29,7 +29,7 @@ const CLOSE: (f64, f64) = (16.0, 256.0);
 /// Edges or pieces of them, each with the number of its edge.
 pub(super) type Numbered = Vec<(usize, [Point; 2])>;
 
-/// Whether pieces of edges could become many: whether two edges lie along each other, but for some steps. Edges that are
+/// True if pieces of edges could become many: two edges lie along each other, but for some steps. Edges that are
 /// the same, and those parallel to one axis, are not bent by rounding.
 pub(super) fn may_grow(edges: &[(usize, [Point; 2])]) -> bool {
     if edges.iter().all(|(_, ends)| is_level(*ends)) {
@@ -51,7 +51,7 @@ pub(super) fn may_grow(edges: &[(usize, [Point; 2])]) -> bool {
         .any(|group| group.len() > 1 && are_along(alike(group)))
 }
 
-/// Whether any of some edges that are nearly parallel lie along each other.
+/// True if any of some edges that are nearly parallel lie along each other.
 fn are_along(mut alike: Vec<[Point; 2]>) -> bool {
     if alike.iter().all(|&ends| is_level(ends)) {
         return false;
@@ -66,7 +66,7 @@ fn are_along(mut alike: Vec<[Point; 2]>) -> bool {
     })
 }
 
-/// Whether an edge is parallel to an axis.
+/// True for an edge parallel to an axis.
 fn is_level([a, b]: [Point; 2]) -> bool {
     a.x == b.x || a.y == b.y
 }
@@ -82,7 +82,7 @@ fn direction([a, b]: [Point; 2]) -> f64 {
     }
 }
 
-/// Whether two edges that are nearly parallel lie along each other.
+/// True if two edges that are nearly parallel lie along each other.
 fn is_along(p: [Point; 2], q: [Point; 2]) -> bool {
     if p == q || p == [q[1], q[0]] || is_level(p) && is_level(q) {
         return false;
@@ -112,7 +112,7 @@ struct Piece {
     /// The number of its edge, and whether the edge runs from the first end to the second.
     edge: u32,
     forward: bool,
-    /// Whether the last round cut it off another one.
+    /// True if the last round cut it off another one.
     is_new: bool,
 }
 

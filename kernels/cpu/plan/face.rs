@@ -21,7 +21,7 @@ pub type Outline<T> = Arc<dyn Fn([Tiles<'_, T>; 2], &mut [Lane<T>]) + Send + Syn
 
 /// What is done once for every shape of a column.
 pub struct Preparation<T> {
-    /// What the operation calls the shape, if it has a name for it.
+    /// The operation's name of the argument, if it has one.
     pub name: Option<&'static str>,
     /// Numbers of a shape.
     pub fields: usize,
