@@ -160,19 +160,7 @@ macro_rules! operation {
         #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
         $vis struct $Name;
 
-        #[allow(dead_code)]
-        impl $Name {
-            /// The operation with its gradient, for one number as result.
-            #[must_use]
-            pub const fn value_grad(self) -> $crate::kernels::op::ValueGrad<Self> {
-                $crate::kernels::op::ValueGrad::of(self)
-            }
-            /// The adjoint: takes the arguments and a cotangent of the result, gives the cotangents of the arguments.
-            #[must_use]
-            pub const fn vjp(self) -> $crate::kernels::op::Vjp<Self> {
-                $crate::kernels::op::Vjp::of(self)
-            }
-        }
+        $crate::__derivatives!($Name);
         $crate::operation! {
             @row [$([$($doc)*])*] $Name, $name, [$($arg: $type),+] -> $out, $body
             promises [$($motion $answer $(($power))?),*]
@@ -255,7 +243,7 @@ macro_rules! operation {
         slopes $slopes:ident $(|$input:pat_param, $out_bar:ident| $adjoint:block)?
         $(=> compiled { $compiled:expr })?
     ) => {
-        // Of one argument they are needless.
+        // One argument needs none.
         #[allow(unused_parens)]
         impl $crate::kernels::op::Op for $Name {
             const NAME: &'static str = $name;
@@ -300,6 +288,34 @@ macro_rules! operation {
                     ::core::option::Option::Some($compiled)
                 }
             )?
+        }
+    };
+}
+
+/// Derivatives of a verb or an operation as methods that need no trait in scope.
+#[doc(hidden)]
+#[macro_export]
+macro_rules! __derivatives {
+    ($Name:ident) => {
+        #[allow(dead_code)]
+        impl $Name {
+            /// The function with its gradient: batches return the result, one number, and the gradient by every argument.
+            #[must_use]
+            pub const fn value_grad(self) -> $crate::kernels::op::ValueGrad<Self> {
+                $crate::kernels::op::ValueGrad::of(self)
+            }
+            /// The function with its Jacobian: aligned batches return the result, and in its shape the gradient of every
+            /// number.
+            #[must_use]
+            pub const fn jacobian(self) -> $crate::kernels::op::Jacobian<Self> {
+                $crate::kernels::op::Jacobian::of(self)
+            }
+            /// The adjoint: batches take the arguments and a cotangent of the result, and return the cotangents of the
+            /// arguments.
+            #[must_use]
+            pub const fn vjp(self) -> $crate::kernels::op::Vjp<Self> {
+                $crate::kernels::op::Vjp::of(self)
+            }
         }
     };
 }

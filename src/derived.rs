@@ -67,8 +67,7 @@ pub use {
 /// * [`Sample`](crate::ad::check::sample::Sample) for `f64`: random and hard inputs for the harness and, with the
 ///   feature `proptest`, the strategies of `ad::check::strategy` and proptest's own `any`.
 ///
-/// The code names the crate `geograd`. With a dependency of another name, say `gg`, declare `extern crate gg as geograd;` in
-/// the root of your crate.
+/// The code names the crate `geograd`. With a dependency of another name, say `gg`, write `#[shape(crate = "gg")]`.
 ///
 /// # Attributes
 ///

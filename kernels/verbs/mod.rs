@@ -140,24 +140,7 @@ macro_rules! verb {
         #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
         $vis struct $Verb;
 
-        impl $Verb {
-            /// The verb with its gradient: batches return the result and the gradient by every argument.
-            #[must_use]
-            pub const fn value_grad(self) -> $crate::kernels::op::ValueGrad<Self> {
-                $crate::kernels::op::ValueGrad::of(self)
-            }
-            /// The verb with its Jacobian: aligned batches return the result, and in its shape the gradient of every number.
-            #[must_use]
-            pub const fn jacobian(self) -> $crate::kernels::op::Jacobian<Self> {
-                $crate::kernels::op::Jacobian::of(self)
-            }
-            /// The adjoint: batches take the arguments and a cotangent of the result, and return the cotangents of the
-            /// arguments.
-            #[must_use]
-            pub const fn vjp(self) -> $crate::kernels::op::Vjp<Self> {
-                $crate::kernels::op::Vjp::of(self)
-            }
-        }
+        $crate::__derivatives!($Verb);
         impl $Verb {
             /// The operation for the shapes `In`, `(A<f64>, B<f64>)` or a lone one: for the harness and programs.
             #[must_use]

@@ -1,7 +1,6 @@
 //! Errors name arguments as rows do.
 use geograd::distance::distance;
 use geograd::error::{Argument, Field};
-use geograd::kernels::op::Op;
 use geograd::kernels::{Cpu, Distance, MinimumRectangle, One};
 use geograd::{ConvexPolygon, Error, Flaw, Obb2, Segment2, Vec2, operation};
 
