@@ -10,12 +10,12 @@
 //! | [`jvp`] | value, and derivative along a direction |
 //! | [`gradient`] | value of a scalar function, and its gradient as a shape |
 //! | [`jacobian`] | value, and one gradient per output number |
-//! | [`hessian`] | value, gradient, and one gradient of every slope |
+//! | [`hessian`] | value, gradient, and one gradient of every derivative |
 //! | [`hvp`] | value, gradient, and the Hessian times a direction |
 use crate::{Jet, Pack, Scalar};
 
 /// Directions carried at once: a pair of rotated boxes has ten numbers, a point two; with twelve
-/// slopes one pass serves the first and three registers hold them.
+/// derivatives one pass serves the first and three registers hold them.
 const CHUNK: usize = 12;
 
 /// The number type on which drivers call a function for first derivatives.
@@ -37,7 +37,7 @@ pub fn value<X: Pack, Y>(f: impl Fn(X) -> Y, x: X) -> Y {
 fn constant<S: Scalar, const N: usize>(value: S) -> Jet<S, N> {
     Jet {
         value,
-        slope: [S::zero(); N],
+        derivative: [S::zero(); N],
     }
 }
 
@@ -67,14 +67,17 @@ where
         i += 1;
         Jet {
             value,
-            slope: [along[i - 1]],
+            derivative: [along[i - 1]],
         }
     }));
-    (y.map(&mut |jet| jet.value), y.map(&mut |jet| jet.slope[0]))
+    (
+        y.map(&mut |jet| jet.value),
+        y.map(&mut |jet| jet.derivative[0]),
+    )
 }
 
-/// Returns the value and the gradient of a function of shapes with one number as result. The gradient is a shape like the
-/// input.
+/// Returns the value and the gradient of a function of shapes with one number as result. The gradient is a shape like
+/// the input.
 ///
 /// ```
 /// use geograd::{ad, Obb2};
@@ -89,18 +92,19 @@ where
     S: Scalar,
     X: Pack<Scalar = S>,
 {
-    let (value, slopes) = slopes(|x| vec![f(x)], &x);
-    (value[0], x.refill(&slopes[0]))
+    let (value, derivatives) = derivatives(|x| vec![f(x)], &x);
+    (value[0], x.refill(&derivatives[0]))
 }
 
-/// Returns the value and the Jacobian of a function of shapes: the result's shape with a gradient in place of every number.
+/// Returns the value and the Jacobian of a function of shapes: the result's shape with a gradient in place of every
+/// number.
 ///
 /// ```
 /// use geograd::{ad, ring, Vec2};
 /// let triangle = vec![Vec2::new(0.0, 0.0), Vec2::new(3.0, 0.0), Vec2::new(0.0, 3.0)];
-/// let (at, slopes) = ad::jacobian(|v: Vec<_>| ring::centroid(&v), triangle);
+/// let (at, derivatives) = ad::jacobian(|v: Vec<_>| ring::centroid(&v), triangle);
 /// assert_eq!(at, Vec2::new(1.0, 1.0));
-/// assert!((slopes.x[0].x - 1.0_f64 / 3.0).abs() < 1e-15); // d centroid.x / d vertex 0 .x
+/// assert!((derivatives.x[0].x - 1.0_f64 / 3.0).abs() < 1e-15); // d centroid.x / d vertex 0 .x
 /// ```
 pub fn jacobian<S, X, Y>(f: impl Fn(X::With<First<S>>) -> Y, x: X) -> (Y::With<S>, Y::With<X>)
 where
@@ -110,7 +114,7 @@ where
 {
     let mut shape = None;
     let shape_of = std::cell::RefCell::new(&mut shape);
-    let (values, slopes) = slopes(
+    let (values, derivatives) = derivatives(
         |x| {
             let y = f(x);
             let parts = y.scalars();
@@ -128,13 +132,13 @@ where
     let mut i = 0;
     let rows = y.map(&mut |_| {
         i += 1;
-        x.refill(&slopes[i - 1])
+        x.refill(&derivatives[i - 1])
     });
     (value, rows)
 }
 
-/// Values and slopes of a list-valued function, by as many passes as it takes.
-fn slopes<S: Scalar, X: Pack<Scalar = S>>(
+/// Values and derivatives of a list-valued function, by as many passes as it takes.
+fn derivatives<S: Scalar, X: Pack<Scalar = S>>(
     f: impl Fn(X::With<First<S>>) -> Vec<First<S>>,
     x: &X,
 ) -> (Vec<S>, Vec<Vec<S>>) {
@@ -154,8 +158,8 @@ fn slopes<S: Scalar, X: Pack<Scalar = S>>(
             rows = vec![vec![S::zero(); n]; y.len()];
         }
         for (row, jet) in rows.iter_mut().zip(&y) {
-            for (slot, &slope) in row[start..].iter_mut().zip(&jet.slope) {
-                *slot = slope;
+            for (slot, &derivative) in row[start..].iter_mut().zip(&jet.derivative) {
+                *slot = derivative;
             }
         }
         start += CHUNK;
@@ -164,7 +168,7 @@ fn slopes<S: Scalar, X: Pack<Scalar = S>>(
 }
 
 /// Returns the value, gradient and Hessian of a function of shapes with one number as result. In place of every number
-/// of the input, the Hessian has the gradient of the slope with respect to it.
+/// of the input, the Hessian has the gradient of the derivative with respect to it.
 ///
 /// ```
 /// use geograd::{ad, Scalar, Vec2};
@@ -188,16 +192,16 @@ where
             let (mut i, mut j) = (row.wrapping_neg(), column.wrapping_neg());
             let y = f(x.map(&mut |&value| {
                 let mut jet = constant(Jet::variable(value, j));
-                if let Some(slope) = jet.slope.get_mut(i) {
-                    *slope = constant(S::one());
+                if let Some(derivative) = jet.derivative.get_mut(i) {
+                    *derivative = constant(S::one());
                 }
                 (i, j) = (i.wrapping_add(1), j.wrapping_add(1));
                 jet
             }));
             value = y.value.value;
             for i in row..n.min(row + CHUNK2) {
-                gradient[i] = y.slope[i - row].value;
-                for (j, &entry) in (column..n).zip(&y.slope[i - row].slope) {
+                gradient[i] = y.derivative[i - row].value;
+                for (j, &entry) in (column..n).zip(&y.derivative[i - row].derivative) {
                     rows[i][j] = entry;
                     rows[j][i] = entry;
                 }
@@ -217,8 +221,8 @@ where
 /// The number type on which [`hvp`] calls a function.
 pub type Along<S> = Jet<Jet<S, 1>, CHUNK>;
 
-/// Returns the value, the gradient and the Hessian times a direction of a function with one number as result; the Hessian is
-/// not formed.
+/// Returns the value, the gradient and the Hessian times a direction of a function with one number as result; the
+/// Hessian is not formed.
 ///
 /// ```
 /// use geograd::{ad, Vec2};
@@ -241,18 +245,18 @@ where
         let y = f(x.map(&mut |&value| {
             let mut jet = constant(Jet {
                 value,
-                slope: [along[k]],
+                derivative: [along[k]],
             });
-            if let Some(slope) = jet.slope.get_mut(k.wrapping_sub(start)) {
-                *slope = constant(S::one());
+            if let Some(derivative) = jet.derivative.get_mut(k.wrapping_sub(start)) {
+                *derivative = constant(S::one());
             }
             k += 1;
             jet
         }));
         value = y.value.value;
         for k in start..n.min(start + CHUNK) {
-            gradient[k] = y.slope[k - start].value;
-            product[k] = y.slope[k - start].slope[0];
+            gradient[k] = y.derivative[k - start].value;
+            product[k] = y.derivative[k - start].derivative[0];
         }
         start += CHUNK;
     }

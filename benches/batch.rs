@@ -2,11 +2,11 @@
 //!
 //! A plain main, no framework: medians of repeated runs, nothing asserted. For rotated boxes next
 //! to other libraries see `cargo run --release -p peers`.
-use geograd::ad::check::Plan;
+use geograd::ad::check::Sampling;
 use geograd::ad::check::sample::{Sample, random};
 use geograd::kernels::op::Vjp;
 use geograd::kernels::real::Real;
-use geograd::kernels::{Cpu, Decided, Fold, Op, RingOp, Row, Runs, Single};
+use geograd::kernels::{Cpu, Fold, Item, Op, RingOp, Runs, Search, Single};
 use geograd::{Aabb2, Fixed, Obb2, Vec2};
 use std::hint::black_box;
 use std::time::Instant;
@@ -106,10 +106,10 @@ fn rings<O: RingOp, T: Real>(op: O) {
 fn straight<O, R, Y>(op: O)
 where
     O: Op<In<f64> = R, Out<f64> = Y>,
-    R: Sample + Row<Scalar = f64>,
-    Y: Row<Scalar = f64>,
+    R: Sample + Item<Scalar = f64>,
+    Y: Item<Scalar = f64>,
 {
-    let (cpu, plan) = (Cpu::new(), Plan::new(N, 7));
+    let (cpu, plan) = (Cpu::new(), Sampling::new(N, 7));
     let drawn = (0..N).map(|i| random::<R>(&mut plan.draw(i)));
     let rows: Vec<R> = drawn.filter(Sample::inside).collect();
     let ones = vec![Y::filled(1.0); rows.len()];
@@ -123,10 +123,10 @@ where
 
 fn folds<F: Fold>(fold: F)
 where
-    F::Context<f64>: Sample + Row<Scalar = f64>,
-    F::Out<f64>: Row,
+    F::Context<f64>: Sample + Item<Scalar = f64>,
+    F::Out<f64>: Item,
 {
-    let (cpu, plan) = (Cpu::new(), Plan::new(N, 7));
+    let (cpu, plan) = (Cpu::new(), Sampling::new(N, 7));
     let contexts: Vec<F::Context<f64>> = (0..N).map(|i| random(&mut plan.draw(i))).collect();
     let mut state = 5;
     let mut roll = || f64::from(roll(&mut state));
@@ -146,12 +146,12 @@ where
 
 fn decided<D, R, Y>(op: D)
 where
-    D: Decided<In<f64> = R, Out<f64> = Y> + Runs<R, Out = Y>,
-    R: Sample + Row<Scalar = f64>,
-    Y: Row<Scalar = f64>,
+    D: Search<In<f64> = R, Out<f64> = Y> + Runs<R, Out = Y>,
+    R: Sample + Item<Scalar = f64>,
+    Y: Item<Scalar = f64>,
     Vjp<D>: Runs<(R, Y), Out = R>,
 {
-    let (cpu, plan) = (Cpu::new(), Plan::new(N, 7));
+    let (cpu, plan) = (Cpu::new(), Sampling::new(N, 7));
     let drawn = (0..N).map(|i| random::<R>(&mut plan.draw(i)));
     let rows: Vec<R> = drawn.filter(Sample::inside).collect();
     let ones = vec![Y::filled(1.0); rows.len()];
@@ -159,7 +159,7 @@ where
         black_box(cpu.aligned(op, &rows).unwrap());
     });
     line(D::NAME, "aligned, adjoint, f64", rows.len(), || {
-        black_box(cpu.aligned(Decided::vjp(op), (&rows, &ones)).unwrap());
+        black_box(cpu.aligned(Search::vjp(op), (&rows, &ones)).unwrap());
     });
 }
 
@@ -170,7 +170,7 @@ macro_rules! measure {
      further {
          straight { $($more:ident: $more_op:ty,)* }
          folds { $($more_fold:ident: $more_fold_op:ty,)* }
-         decided { $($more_decided:ident: $more_decided_op:ty,)* }
+         decided { $($more_search:ident: $more_decided_op:ty,)* }
      }) => {
         $(pairs(<$pair_op>::default());)*
         $(rings::<_, f32>(<$ring_op>::default());)*

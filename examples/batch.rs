@@ -13,7 +13,7 @@ fn main() -> Result<(), geograd::Error> {
 
     let (iou, (by_guess, _)) = cpu.aligned(Iou.value_grad(), (&guesses, &truths))?;
     println!("pair by pair        {iou:.3?}");
-    println!("slope by heading    {:.3}", by_guess[3].heading);
+    println!("derivative by heading    {:.3}", by_guess[3].heading);
 
     let best = cpu.row_max(Iou, &guesses, &truths)?;
     println!(
@@ -24,13 +24,13 @@ fn main() -> Result<(), geograd::Error> {
     let near = cpu.all_pairs(Distance, &[Vec2::new(3.0, 5.0)], &truths)?;
     println!("distances           {:.3?}", near.values());
 
-    // Ten steps uphill, by the slopes of GIoU with respect to the centres.
+    // Ten steps uphill, by the derivatives of GIoU with respect to the centres.
     let mut moved = guesses.clone();
     for _ in 0..10 {
-        let (_, (slope, _)) = cpu.aligned(Giou.value_grad(), (&moved, &truths))?;
+        let (_, (derivative, _)) = cpu.aligned(Giou.value_grad(), (&moved, &truths))?;
         moved
             .iter_mut()
-            .zip(slope)
+            .zip(derivative)
             .for_each(|(shape, s)| shape.center += s.center * 0.2);
     }
     println!(

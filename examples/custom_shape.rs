@@ -7,8 +7,8 @@ mod draw;
 
 use common::cli::{Failure, Machine};
 use draw::{POST, WALL};
-use geograd::ad::check::Plan;
-use geograd::kernels::{One, Op, Skip, check::prove_with};
+use geograd::ad::check::Sampling;
+use geograd::kernels::{One, Op, Skip, check::check_with};
 use geograd::{Capsule2, Circle, Obb2, Pose2, Program, Scalar, Shape, Sym, Vec2};
 use geograd::{ad::program::WGSL, distance::Convex, operation};
 
@@ -54,48 +54,50 @@ operation! {
         let [upper, lower] = arm.links().map(|x| x.signed_distance(wall).least(x.signed_distance(disc)));
         upper.least(lower)
     }
-    promises [TranslationX Stays, TranslationY Stays, Rotation Stays, Scaling Power(1)]
+    invariances [TranslationX Stays, TranslationY Stays, Rotation Stays, Scaling Power(1)]
     jumps Never
-    slopes Reverse
+    derivative Reverse
 }
 
-/// Value and slopes for many arms, on all cores or on a GPU.
+/// Value and derivatives for many arms, on all cores or on a GPU.
 fn batch(count: usize, machine: &Machine) -> Result<String, Failure> {
     let (arms, start, piece) = (command::postures(count), std::time::Instant::now(), 1 << 16);
-    let (mut values, mut slopes) = (vec![0.0; count], arms.clone());
+    let (mut values, mut derivatives) = (vec![0.0; count], arms.clone());
     let bar = command::progress(count);
-    let results = values.chunks_mut(piece).zip(slopes.chunks_mut(piece));
-    for (arms, (values, slopes)) in arms.chunks(piece).zip(results) {
+    let results = values.chunks_mut(piece).zip(derivatives.chunks_mut(piece));
+    for (arms, (values, derivatives)) in arms.chunks(piece).zip(results) {
         let columns = (arms, One(WALL), One(POST));
         machine.backend().aligned_into(
             Clearance.value_grad(),
             columns,
-            (values, (slopes, Skip, Skip)),
+            (values, (derivatives, Skip, Skip)),
         )?;
         bar.inc(arms.len() as u64);
     }
     bar.finish_and_clear();
-    Ok(command::summary(start.elapsed(), &values, &slopes))
+    Ok(command::summary(start.elapsed(), &values, &derivatives))
 }
 
 /// The report of the harness in both formats.
-fn prove() -> Result<String, Failure> {
+fn check() -> Result<String, Failure> {
     // Every eighth of the hard cases, which are many for three shapes; fewer in slow, unoptimised builds.
     let (samples, every) = if cfg!(debug_assertions) {
         (40, 101)
     } else {
         (200, 8)
     };
-    let mut plan = Plan::new(samples, 1);
+    let mut plan = Sampling::new(samples, 1);
     plan.hard = every;
     let reports = [
-        prove_with::<Clearance, f64>(&plan),
-        prove_with::<Clearance, f32>(&plan),
+        check_with::<Clearance, f64>(&plan),
+        check_with::<Clearance, f32>(&plan),
     ];
     let text: String = reports.iter().map(|report| format!("{report}\n")).collect();
     match reports.iter().all(|report| report.passed()) {
         true => Ok(text),
-        false => Err(Failure::Work(format!("some slopes were refused\n{text}"))),
+        false => Err(Failure::Work(format!(
+            "some derivatives were refused\n{text}"
+        ))),
     }
 }
 

@@ -15,9 +15,9 @@ struct Tree<S> {
 operation! {
     /// The distance of a vehicle and a crown; minus the depth where they overlap.
     SignedDistance: (car: Obb2<S>, tree: Tree<S>) -> S { car.signed_distance(tree.foot) - tree.crown }
-    promises [TranslationX Stays, TranslationY Stays, Rotation Stays, Scaling Power(1)]
+    invariances [TranslationX Stays, TranslationY Stays, Rotation Stays, Scaling Power(1)]
     jumps Never
-    slopes Reverse
+    derivative Reverse
 }
 
 fn main() -> Result<(), geograd::Error> {
@@ -38,6 +38,6 @@ fn main() -> Result<(), geograd::Error> {
         );
     }
     // Random and hard inputs, independent witnesses, every promise: panics on a refusal.
-    Check::of(SignedDistance.row::<(Obb2<f64>, Tree<f64>)>()).prove();
+    Check::of(SignedDistance.row::<(Obb2<f64>, Tree<f64>)>()).assert();
     Ok(())
 }

@@ -3,9 +3,9 @@ use crate::Error;
 #[cfg(feature = "gpu")]
 use crate::GpuFault;
 use crate::kernels::gpu::{Gpu, GpuRing};
+use crate::kernels::item::Results;
 use crate::kernels::op::{RingOp, Runs};
 use crate::kernels::reduce::{Best, Found};
-use crate::kernels::row::Results;
 use crate::kernels::{Columns, Cpu, Fold, Single, Table, Targets};
 use crate::{Pack, Vec2};
 
@@ -106,13 +106,13 @@ impl Backend<'_> {
     /// # Errors
     ///
     /// Those of the CPU, and [`Error::Gpu`].
-    pub fn aligned<C: Columns, R: Runs<C::Row>>(
+    pub fn aligned<C: Columns, R: Runs<C::Item>>(
         self,
         run: R,
         columns: C,
     ) -> Result<<R::Out as Results>::Many, Error>
     where
-        C::Row: Pack<Scalar = f32>,
+        C::Item: Pack<Scalar = f32>,
     {
         on_either!(self, aligned(run, columns))
     }
@@ -122,26 +122,26 @@ impl Backend<'_> {
     /// # Errors
     ///
     /// As [`aligned`](Backend::aligned), and [`Error::Length`] for a slice of another length.
-    pub fn aligned_into<C: Columns, R: Runs<C::Row>>(
+    pub fn aligned_into<C: Columns, R: Runs<C::Item>>(
         self,
         run: R,
         columns: C,
         targets: impl Targets<R::Out>,
     ) -> Result<(), Error>
     where
-        C::Row: Pack<Scalar = f32>,
+        C::Item: Pack<Scalar = f32>,
     {
         on_either!(self, aligned_into(run, columns, targets))
     }
 
     /// The numbers of every result, item by item.
-    pub(crate) fn rows<C: Columns, R: Runs<C::Row>>(
+    pub(crate) fn rows<C: Columns, R: Runs<C::Item>>(
         self,
         run: R,
         columns: C,
     ) -> Result<Vec<Vec<f32>>, Error>
     where
-        C::Row: Pack<Scalar = f32>,
+        C::Item: Pack<Scalar = f32>,
     {
         on_either!(self, rows(run, columns))
     }
@@ -236,8 +236,8 @@ impl Backend<'_> {
         offsets: &[usize],
     ) -> Result<Vec<F::Out<f32>>, Error>
     where
-        F: Fold<Context<f32> = C::Row>,
-        C::Row: Pack<Scalar = f32>,
+        F: Fold<Context<f32> = C::Item>,
+        C::Item: Pack<Scalar = f32>,
     {
         on_either!(self, fold(fold, context, vertices, offsets))
     }
@@ -256,8 +256,8 @@ impl Backend<'_> {
         upstream: &[F::Out<f32>],
     ) -> Result<(Vec<F::Context<f32>>, Vec<Vec2<f32>>), Error>
     where
-        F: Fold<Context<f32> = C::Row>,
-        C::Row: Pack<Scalar = f32>,
+        F: Fold<Context<f32> = C::Item>,
+        C::Item: Pack<Scalar = f32>,
     {
         on_either!(self, fold_vjp(fold, context, vertices, offsets, upstream))
     }

@@ -2,12 +2,12 @@
 //!
 //! ```
 //! use geograd::Triangle2;
-//! use geograd::kernels::{Area, RowOf, check::prove};
-//! let report = prove::<RowOf<Area, Triangle2<f64>>, f64>(20, 1);
+//! use geograd::kernels::{Area, RowOf, check::check};
+//! let report = check::<RowOf<Area, Triangle2<f64>>, f64>(20, 1);
 //! assert!(report.passed(), "{report}");
 //! ```
 //!
-//! A promise is a motion of the input and what the result then does ([`symmetry`](crate::ad::check::symmetry)): it
+//! An invariance is a motion of the input and what the result then does ([`symmetry`](crate::ad::check::symmetry)): it
 //! stays, grows with a power of the scale, or follows by the kinds of its numbers. The harness checks derivatives and
 //! promises, not the formula: a radius off by a factor of two passes, so a formula needs a test of its value, too.
 //!
@@ -20,15 +20,15 @@ use crate::ad::check::subject::Subject;
 use crate::ad::check::trace::Number;
 use crate::ad::check::verdict::Reason;
 use crate::ad::check::witness::Precision;
-use crate::ad::check::{Plan, Report, examine};
+use crate::ad::check::{Report, Sampling, examine};
 use crate::kernels::cpu::plan::{Want, program_of};
-use crate::kernels::decided::{Decided, Replayed};
 use crate::kernels::fold::{Fold, Folded};
 use crate::kernels::gpu::GpuRing;
-use crate::kernels::op::{Op, RingOp, Ringed, Slopes};
+use crate::kernels::item::{Item, Single, target};
+use crate::kernels::op::{Derivative, Op, RingOp, Ringed};
 use crate::kernels::real::Real;
 use crate::kernels::recorded_subject::{RecordedSubject, Recording};
-use crate::kernels::row::{Row, Single, target};
+use crate::kernels::search::{Replayed, Search};
 use crate::kernels::witness::{Ask, Batch, ask_any, ask_gradient, ask_pairs, ask_rings};
 use crate::kernels::{Backend, Cpu};
 use crate::{Error, Fixed, Pack, Vec2};
@@ -44,8 +44,8 @@ fn source<O: Op, S: Real>(x: &[S]) -> Vec<S> {
 /// The value by a batch.
 fn batch_value<O: Op, S: Real>(x: &[S]) -> Vec<S>
 where
-    O::In<S>: Row,
-    O::Out<S>: Row,
+    O::In<S>: Item,
+    O::Out<S>: Item,
 {
     let mut out = [O::Out::<S>::filled(S::zero())];
     let into = target(&mut out);
@@ -56,7 +56,7 @@ where
     }
 }
 
-/// The value and slopes by hand.
+/// The value and derivatives by hand.
 fn by_hand<O: Op, S: Real>(x: &[S], out_bar: &[S]) -> Option<(Vec<S>, Vec<S>)> {
     let (value, bars) = O::adjoint(O::In::<S>::load(x), O::Out::<S>::load(out_bar))?;
     Some((value.scalars(), bars.scalars()))
@@ -70,28 +70,28 @@ fn on_num_dual<O: Op, S: Number>(x: &[S::NumDual]) -> Vec<S::NumDual> {
 /// All that the harness needs of an operation in a format.
 fn recording<O: Op, S: Number + Real>() -> Result<Recording<S>, Error>
 where
-    O::In<S>: Row,
-    O::Out<S>: Row,
+    O::In<S>: Item,
+    O::Out<S>: Item,
     O::Out<f64>: Sample,
 {
     let value = program_of::<O, S>(Want::Value)?;
     let is_wide = Precision::of::<S>() == Precision::F64;
-    let by_hand_alone = O::SLOPES == Slopes::ByHand && is_wide;
+    let by_hand_alone = O::DERIVATIVE == Derivative::ByHand && is_wide;
     Ok(Recording {
         reversed: by_hand_alone.then(|| value.value_vjp().into()),
         value,
-        slopes: program_of::<O, S>(Want::Vjp)?,
+        derivatives: program_of::<O, S>(Want::Vjp)?,
         source: source::<O, S>,
         batch: batch_value::<O, S>,
         by_hand: by_hand::<O, S>,
         // Compiled for derivatives by hand alone.
-        num_dual: match const { matches!(O::SLOPES, Slopes::ByHand) } {
+        num_dual: match const { matches!(O::DERIVATIVE, Derivative::ByHand) } {
             true => Some(on_num_dual::<O, S>),
             false => None,
         },
         outputs: O::Out::<S>::LEN,
         output_kinds: O::Out::<f64>::filled(1.0).kinds(),
-        promises: O::PROMISES,
+        invariances: O::INVARIANCES,
         jumps: O::JUMPS,
     })
 }
@@ -115,28 +115,28 @@ struct Inputs<X> {
     outside: u64,
 }
 
-fn inputs<X: Sample, S: Number>(plan: &Plan<'_>) -> Inputs<X> {
+fn inputs<X: Sample, S: Number>(sampling: &Sampling<'_>) -> Inputs<X> {
     let rounded = |x: X| {
         let list: Vec<f64> = x.scalars().iter().map(|&x| S::nearest(x).widen()).collect();
         x.refill(&list)
     };
-    let hard: Vec<X> = match plan.hard {
+    let hard: Vec<X> = match sampling.hard {
         0 => Vec::new(),
         every => hard_cases().into_iter().step_by(every).collect(),
     };
     let like: Option<X> = hard_cases().into_iter().next();
-    let points = plan.points.iter().filter_map(|point| {
+    let points = sampling.points.iter().filter_map(|point| {
         let like = like.as_ref()?;
         (like.scalars().len() == point.len()).then(|| like.refill(point))
     });
     let hard = points.chain(hard).map(rounded);
     let mut all: Vec<X> = hard.filter(X::inside).collect();
     let (random_from, mut outside) = (all.len(), 0);
-    for i in 0..plan.samples {
-        let mut draw = plan.draw(i);
+    for i in 0..sampling.samples {
+        let mut draw = sampling.draw(i);
         let mut x = rounded(random(&mut draw));
         let mut attempts = 1;
-        while attempts < ATTEMPTS && plan.inside.is_some_and(|inside| !inside(&x.scalars())) {
+        while attempts < ATTEMPTS && sampling.inside.is_some_and(|inside| !inside(&x.scalars())) {
             (x, attempts) = (rounded(random(&mut draw)), attempts + 1);
             outside += 1;
         }
@@ -156,7 +156,7 @@ type With<'a, X> = &'a dyn Fn(&X, Option<&Batch<'_>>, &mut dyn FnMut(&dyn Subjec
 /// Judges an operation at hard cases and random inputs, with batches as further witnesses if there are some to ask.
 fn judged<X: Sample>(
     name: &'static str,
-    plan: &Plan<'_>,
+    sampling: &Sampling<'_>,
     inputs: Inputs<X>,
     asks: Vec<Ask<'_>>,
     with: With<'_, X>,
@@ -174,12 +174,12 @@ fn judged<X: Sample>(
         }
     };
     let batch = batch.as_ref();
-    let mut report = examine(name, plan, &inputs, random_from, |x, judge| {
+    let mut report = examine(name, sampling, &inputs, random_from, |x, judge| {
         with(x, batch, &mut |subject| judge(subject));
     });
     report.outside += outside;
     let worst = inputs.get(report.worst[1].nearest.sample);
-    if let Some(x) = worst.filter(|_| plan.draws) {
+    if let Some(x) = worst.filter(|_| sampling.draws) {
         let title = format!("{name}: where adjoint and differences are farthest apart");
         with(x, None, &mut |subject| {
             report.picture = Some(picture(&title, x, subject));
@@ -192,29 +192,29 @@ fn judged<X: Sample>(
 }
 
 /// Runs every check of an operation.
-pub fn prove<O: Op, S: Number + Real>(samples: usize, seed: u64) -> Report
+pub fn check<O: Op, S: Number + Real>(samples: usize, seed: u64) -> Report
 where
-    O::In<f64>: Sample + Row,
-    O::Out<f64>: Sample + Row,
-    O::In<S>: Row,
-    O::Out<S>: Row,
+    O::In<f64>: Sample + Item,
+    O::Out<f64>: Sample + Item,
+    O::In<S>: Item,
+    O::Out<S>: Item,
 {
-    prove_with::<O, S>(&Plan::new(samples, seed))
+    check_with::<O, S>(&Sampling::new(samples, seed))
 }
 
-/// The same by a plan.
-pub fn prove_with<O: Op, S: Number + Real>(plan: &Plan<'_>) -> Report
+/// The same by a sampling.
+pub fn check_with<O: Op, S: Number + Real>(sampling: &Sampling<'_>) -> Report
 where
-    O::In<f64>: Sample + Row,
-    O::Out<f64>: Sample + Row,
-    O::In<S>: Row,
-    O::Out<S>: Row,
+    O::In<f64>: Sample + Item,
+    O::Out<f64>: Sample + Item,
+    O::In<S>: Item,
+    O::Out<S>: Item,
 {
-    without_batch(straight::<O, S>(plan, Vec::new()))
+    without_batch(straight::<O, S>(sampling, Vec::new()))
 }
 
-/// The same in `f32`, with batches of items side by side on a backend as further witnesses (values and adjoints, and the
-/// value with its gradient): on a GPU its [generated](crate::kernels::gpu) kernels.
+/// The same in `f32`, with batches of items side by side on a backend as further witnesses (values and adjoints, and
+/// the value with its gradient): on a GPU its [generated](crate::kernels::gpu) kernels.
 ///
 /// A backend rounds differently: a GPU may fuse products and sums, divides to within two and a half
 /// units in the last place, and takes numbers below the smallest normal one for zero. All of it is
@@ -223,37 +223,40 @@ where
 /// # Errors
 ///
 /// The backend's.
-pub fn prove_on<O: Op>(backend: Backend<'_>, plan: &Plan<'_>) -> Result<Report, Error>
+pub fn check_on<O: Op>(backend: Backend<'_>, sampling: &Sampling<'_>) -> Result<Report, Error>
 where
-    O::In<f64>: Sample + Row,
-    O::Out<f64>: Sample + Row,
-    O::In<f32>: Row<Scalar = f32>,
-    O::Out<f32>: Row<Scalar = f32>,
+    O::In<f64>: Sample + Item,
+    O::Out<f64>: Sample + Item,
+    O::In<f32>: Item<Scalar = f32>,
+    O::Out<f32>: Item<Scalar = f32>,
 {
     straight::<O, f32>(
-        plan,
+        sampling,
         vec![&|inputs| ask_any::<O>(backend, inputs), &|inputs| {
             ask_gradient::<O>(backend, inputs)
         }],
     )
 }
 
-/// The same with the kernels of all pairs as one witness more: other kernels, of which boxes in the plane have some by hand
-/// on a GPU.
+/// The same with the kernels of all pairs as one witness more: other kernels, of which boxes in the plane have some
+/// by hand on a GPU.
 ///
 /// # Errors
 ///
 /// The backend's.
-pub fn prove_pairs_on<O, A, B>(backend: Backend<'_>, plan: &Plan<'_>) -> Result<Report, Error>
+pub fn check_pairs_on<O, A, B>(
+    backend: Backend<'_>,
+    sampling: &Sampling<'_>,
+) -> Result<Report, Error>
 where
     O: Op<In<f32> = (A, B), Out<f32> = f32>,
-    O::In<f64>: Sample + Row,
-    O::Out<f64>: Sample + Row,
+    O::In<f64>: Sample + Item,
+    O::Out<f64>: Sample + Item,
     A: Single<Scalar = f32>,
     B: Single<Scalar = f32>,
 {
     straight::<O, f32>(
-        plan,
+        sampling,
         vec![
             &|inputs| ask_any::<O>(backend, inputs),
             &|inputs| ask_gradient::<O>(backend, inputs),
@@ -262,29 +265,32 @@ where
     )
 }
 
-fn straight<O: Op, S: Number + Real>(plan: &Plan<'_>, asks: Vec<Ask<'_>>) -> Result<Report, Error>
+fn straight<O: Op, S: Number + Real>(
+    sampling: &Sampling<'_>,
+    asks: Vec<Ask<'_>>,
+) -> Result<Report, Error>
 where
-    O::In<f64>: Sample + Row,
-    O::Out<f64>: Sample + Row,
-    O::In<S>: Row,
-    O::Out<S>: Row,
+    O::In<f64>: Sample + Item,
+    O::Out<f64>: Sample + Item,
+    O::In<S>: Item,
+    O::Out<S>: Item,
 {
     let domain = |x: &[f64]| O::DOMAIN.is_none_or(|inside| inside(O::In::<f64>::load(x)));
     let stated: Option<&dyn Fn(&[f64]) -> bool> = match O::DOMAIN {
         Some(_) => Some(&domain),
         None => None,
     };
-    let plan = &Plan {
-        inside: plan.inside.or(stated),
-        resolution: plan.resolution.or(Some(O::RESOLUTION)),
-        ..*plan
+    let sampling = &Sampling {
+        inside: sampling.inside.or(stated),
+        resolution: sampling.resolution.or(Some(O::RESOLUTION)),
+        ..*sampling
     };
     let wide = match Precision::of::<S>() {
         Precision::F32 => recording::<O, f64>().ok(),
         Precision::F64 => None,
     };
     let recordings = (recording::<O, S>(), wide);
-    let report = recorded::<O::In<f64>, S>(O::NAME, plan, asks, recordings);
+    let report = recorded::<O::In<f64>, S>(O::NAME, sampling, asks, recordings);
     let names = O::In::<f64>::names();
     report.map(|report| Report {
         names: names.iter().map(ToString::to_string).collect(),
@@ -295,7 +301,7 @@ where
 /// Judges what was recorded of an operation; if nothing was, refuses it.
 fn recorded<X: Sample, S: Number + Real>(
     name: &'static str,
-    plan: &Plan<'_>,
+    sampling: &Sampling<'_>,
     asks: Vec<Ask<'_>>,
     (recording, wide): (Result<Recording<S>, Error>, Option<Recording<f64>>),
 ) -> Result<Report, Error> {
@@ -303,12 +309,17 @@ fn recorded<X: Sample, S: Number + Real>(
         Ok(recording) => recording,
         Err(Error::Program(why)) => {
             let (precision, reason) = (Precision::of::<S>(), Reason::Unrecordable(why));
-            return Ok(Report::refused_whole(name, plan.seed, precision, reason));
+            return Ok(Report::refused_whole(
+                name,
+                sampling.seed,
+                precision,
+                reason,
+            ));
         }
         Err(error) => return Err(error),
     };
-    let inputs = inputs::<X, S>(plan);
-    judged(name, plan, inputs, asks, &|x, batch, judge| {
+    let inputs = inputs::<X, S>(sampling);
+    judged(name, sampling, inputs, asks, &|x, batch, judge| {
         let subject = RecordedSubject {
             near: x,
             recording: &recording,
@@ -320,66 +331,84 @@ fn recorded<X: Sample, S: Number + Real>(
 }
 
 /// Runs every check of an operation of a ring.
-pub fn prove_ring<O: RingOp, S: Number + Real>(samples: usize, seed: u64) -> Report
+pub fn check_ring<O: RingOp, S: Number + Real>(samples: usize, seed: u64) -> Report
 where
     O::Out<f64>: Sample,
 {
-    prove_ring_with::<O, S>(&Plan::new(samples, seed))
+    check_ring_with::<O, S>(&Sampling::new(samples, seed))
 }
 
-/// The same by a plan.
-pub fn prove_ring_with<O: RingOp, S: Number + Real>(plan: &Plan<'_>) -> Report
+/// The same by a sampling.
+pub fn check_ring_with<O: RingOp, S: Number + Real>(sampling: &Sampling<'_>) -> Report
 where
     O::Out<f64>: Sample,
 {
-    without_batch(ring::<O, S>(plan, Vec::new()))
+    without_batch(ring::<O, S>(sampling, Vec::new()))
 }
 
-/// The same in `f32`, with batches on a backend as a further witness; see [`prove_on`].
+/// The same in `f32`, with batches on a backend as a further witness; see [`check_on`].
 ///
 /// # Errors
 ///
 /// The backend's.
-pub fn prove_ring_on<O: GpuRing>(backend: Backend<'_>, plan: &Plan<'_>) -> Result<Report, Error>
+pub fn check_ring_on<O: GpuRing>(
+    backend: Backend<'_>,
+    sampling: &Sampling<'_>,
+) -> Result<Report, Error>
 where
     <O as RingOp>::Out<f64>: Sample,
 {
-    ring::<O, f32>(plan, vec![&|inputs| ask_rings::<O>(backend, inputs)])
+    ring::<O, f32>(sampling, vec![&|inputs| ask_rings::<O>(backend, inputs)])
 }
 
-fn ring<O: RingOp, S: Number + Real>(plan: &Plan<'_>, asks: Vec<Ask<'_>>) -> Result<Report, Error>
+fn ring<O: RingOp, S: Number + Real>(
+    sampling: &Sampling<'_>,
+    asks: Vec<Ask<'_>>,
+) -> Result<Report, Error>
 where
     O::Out<f64>: Sample,
 {
-    let inputs = inputs::<Vec<Vec2<f64>>, S>(plan);
-    judged(O::NAME, plan, inputs, asks, &|x, batch, judge| {
+    let inputs = inputs::<Vec<Vec2<f64>>, S>(sampling);
+    judged(O::NAME, sampling, inputs, asks, &|x, batch, judge| {
         let paths: [Path<S>; 1] = [ring_value::<O, S>];
         judge(&OpSubject::<Ringed<O>, S>::new(x, &paths, None).with_batch(batch));
     })
 }
 
 /// Runs every check of a fold over paths.
-pub fn prove_fold_with<F: Fold, S: Number + Real>(plan: &Plan<'_>) -> Report
+pub fn check_fold_with<F: Fold, S: Number + Real>(sampling: &Sampling<'_>) -> Report
 where
     F::Context<f64>: Sample,
     F::Out<f64>: Sample,
 {
-    let inputs = inputs::<(F::Context<f64>, Vec<Vec2<f64>>), S>(plan);
-    without_batch(judged(F::NAME, plan, inputs, Vec::new(), &|x, _, judge| {
-        judge(&OpSubject::<Folded<F>, S>::new(x, &[], None));
-    }))
+    let inputs = inputs::<(F::Context<f64>, Vec<Vec2<f64>>), S>(sampling);
+    without_batch(judged(
+        F::NAME,
+        sampling,
+        inputs,
+        Vec::new(),
+        &|x, _, judge| {
+            judge(&OpSubject::<Folded<F>, S>::new(x, &[], None));
+        },
+    ))
 }
 
 /// Runs every check of an operation with a search.
-pub fn prove_decided_with<D: Decided, S: Number + Real>(plan: &Plan<'_>) -> Report
+pub fn check_search_with<D: Search, S: Number + Real>(sampling: &Sampling<'_>) -> Report
 where
     D::In<f64>: Sample,
     D::Out<f64>: Sample,
 {
-    let inputs = inputs::<D::In<f64>, S>(plan);
-    without_batch(judged(D::NAME, plan, inputs, Vec::new(), &|x, _, judge| {
-        judge(&OpSubject::<Replayed<D>, S>::new(x, &[], None));
-    }))
+    let inputs = inputs::<D::In<f64>, S>(sampling);
+    without_batch(judged(
+        D::NAME,
+        sampling,
+        inputs,
+        Vec::new(),
+        &|x, _, judge| {
+            judge(&OpSubject::<Replayed<D>, S>::new(x, &[], None));
+        },
+    ))
 }
 
 fn without_batch(report: Result<Report, Error>) -> Report {

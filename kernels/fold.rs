@@ -2,14 +2,14 @@
 //!
 //! A fold is what happens at one edge, how two results are joined, and how it ends. Edges may be
 //! computed in any order and side by side; batches run their body as a program.
-use crate::kernels::op::{Finite, Jumps, Limits, Promise, Range, Source};
+use crate::kernels::op::{Finite, Invariance, Jumps, Limits, Range, Source};
 use crate::{Fixed, Pack, Scalar, Vec2};
 use std::fmt::Debug;
 
 /// An operation over the edges of a path.
 ///
 /// ```
-/// use geograd::kernels::op::{Jumps, Promise};
+/// use geograd::kernels::op::{Jumps, Invariance};
 /// use geograd::kernels::{Cpu, Fold, One};
 /// use geograd::{Scalar, Vec2};
 ///
@@ -20,7 +20,7 @@ use std::fmt::Debug;
 /// impl Fold for LengthAbove {
 ///     const NAME: &'static str = "length_above";
 ///     const CLOSED: bool = true;
-///     const PROMISES: &'static [Promise] = &[];
+///     const INVARIANCES: &'static [Invariance] = &[];
 ///     const JUMPS: Jumps = Jumps::Never;
 ///     type Context<S: Scalar> = S;
 ///     type Reference<S: Scalar> = [S; 0];
@@ -62,10 +62,10 @@ pub trait Fold: Copy + Debug + Default + Send + Sync + 'static {
     /// Whether an edge leads from the last vertex back to the first.
     const CLOSED: bool;
     /// Motions it follows; `&[]` says that it promises none.
-    const PROMISES: &'static [Promise];
+    const INVARIANCES: &'static [Invariance];
     /// Where its value may jump.
     const JUMPS: Jumps;
-    /// Of which inputs values and slopes are finite.
+    /// Of which inputs values and derivatives are finite.
     const FINITE: Finite = Finite::Within(Limits::ORDINARY);
     /// Within which every number of its result lies.
     const RANGE: Range = Range::ANY;
@@ -85,7 +85,7 @@ pub trait Fold: Copy + Debug + Default + Send + Sync + 'static {
     type State<S: Scalar>: Fixed<Scalar = S>;
     /// The result.
     type Out<S: Scalar>: Fixed<Scalar = S>;
-    /// From where a path is looked at. Its slopes are not followed: the result must not depend on it
+    /// From where a path is looked at. Its derivatives are not followed: the result must not depend on it
     /// but for rounding.
     fn reference<S: Scalar>(context: Self::Context<S>, path: &[Vec2<S>]) -> Self::Reference<S>;
     /// What is known after no edge.
@@ -111,7 +111,7 @@ pub trait Fold: Copy + Debug + Default + Send + Sync + 'static {
 ///
 /// ```
 /// use geograd::kernels::{OverRing, SignedDistance, fold::fold};
-/// type Row = <SignedDistance as OverRing>::By;
+/// type Item = <SignedDistance as OverRing>::By;
 /// use geograd::Vec2;
 /// let square = [(0.0, 0.0), (2.0, 0.0), (2.0, 2.0), (0.0, 2.0)].map(|(x, y)| Vec2::new(x, y));
 /// assert_eq!(fold::<Row, f64>(Vec2::new(1.0, 0.5), &square), -0.5);
@@ -143,7 +143,7 @@ impl<F: Fold> Source for Folded<F> {
     const NAME: &'static str = F::NAME;
     type In<S: Scalar> = (F::Context<S>, Vec<Vec2<S>>);
     type Out<S: Scalar> = F::Out<S>;
-    const PROMISES: &'static [Promise] = F::PROMISES;
+    const INVARIANCES: &'static [Invariance] = F::INVARIANCES;
     const JUMPS: Jumps = F::JUMPS;
     fn eval<S: Scalar<Mask = bool>>((context, path): &Self::In<S>) -> F::Out<S> {
         fold::<F, S>(*context, path)

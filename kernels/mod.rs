@@ -10,9 +10,9 @@
 //! | [`Cpu::ragged`], [`Cpu::fold`] | paths as vertices and offsets | one result per path |
 //!
 //! The function is a value: a [verb](verbs) such as [`Iou`]; its gradient ([`value_grad`](Iou::value_grad)), Jacobian
-//! ([`jacobian`](Iou::jacobian)) or adjoint ([`vjp`](Iou::vjp)); an [operation](op) or a search ([`Decided`]); a plain
-//! generic [`function`]; a [`Program`](crate::Program). Columns are slices, vectors or [`One`]. Calls that end in `_into`
-//! write into the caller's memory. [`operation!`](crate::operation) makes a function an operation.
+//! ([`jacobian`](Iou::jacobian)) or adjoint ([`vjp`](Iou::vjp)); an [operation](op) or a search ([`Search`]); a plain
+//! generic [`function`]; a [`Program`](crate::Program). Columns are slices, vectors or [`One`]. Calls that end in
+//! `_into` write into the caller's memory. [`operation!`](crate::operation) makes a function an operation.
 //!
 //! # Inputs and results
 //!
@@ -33,7 +33,7 @@ pub mod backend;
 pub mod check;
 pub mod cpu;
 #[forbid(unsafe_code)]
-pub mod decided;
+mod declared;
 #[forbid(unsafe_code)]
 pub mod dynamic;
 #[forbid(unsafe_code)]
@@ -42,6 +42,8 @@ pub mod fold;
 pub mod fuzz;
 #[forbid(unsafe_code)]
 pub mod gpu;
+#[forbid(unsafe_code)]
+pub mod item;
 #[forbid(unsafe_code)]
 mod of;
 #[forbid(unsafe_code)]
@@ -55,8 +57,6 @@ pub mod points;
 #[forbid(unsafe_code)]
 mod program;
 #[forbid(unsafe_code)]
-mod promised;
-#[forbid(unsafe_code)]
 pub mod real;
 #[forbid(unsafe_code)]
 mod recorded_subject;
@@ -69,7 +69,7 @@ pub mod replays;
 #[forbid(unsafe_code)]
 pub mod resident;
 #[forbid(unsafe_code)]
-pub mod row;
+pub mod search;
 #[forbid(unsafe_code)]
 mod subject;
 #[forbid(unsafe_code)]
@@ -83,22 +83,22 @@ pub mod witness;
 
 pub use backend::Backend;
 pub use cpu::{Cpu, Single, Table};
-pub use decided::Decided;
 pub use fold::Fold;
+pub use item::{Column, Columns, Item, One, Target};
 pub use op::{Op, RingOp, Runs};
-pub use row::{Column, Columns, One, Row, Target};
+pub use search::Search;
 pub use targets::{Skip, Targets};
 pub use verbs::*;
 
 /// Calls a macro with the list of all operations: a name and a type each. Tests, benches and documentation use it.
 ///
-/// `for_each_op!(with)` calls the macro `with!` with the whole list, `pairs { … } rings { … } straight { … } folds { … }
-/// decided { … } further { straight { … } folds { … } decided { … } }`: scores of two boxes and measures of rings, which
-/// have kernels of their own, then all other straight lines, [folds](Fold) over paths and operations with a
-/// [search](Decided). Further ones are the same functions of other shapes: proofs in unoptimised builds leave them out,
-/// because every row costs about a second to compile; `gradient_report --release` proves them, and `tests/further.rs`
-/// runs them on a GPU in every form. The list leaves out what the harness refuses at more than some hard cases;
-/// `BENCHMARKS.md` names those inputs.
+/// `for_each_op!(with)` calls the macro `with!` with the whole list, `pairs { … } rings { … } straight { … } folds {
+/// … } decided { … } further { straight { … } folds { … } decided { … } }`: scores of two boxes and measures of
+/// rings, which have kernels of their own, then all other straight lines, [folds](Fold) over paths and operations
+/// with a [search](Search). Further ones are the same functions of other shapes: checks in unoptimised builds leave
+/// them out, because every row costs about a second to compile; `gradient_report --release` checks them, and
+/// `tests/further.rs` runs them on a GPU in every form. The list leaves out what the harness refuses at more than
+/// some hard cases; `BENCHMARKS.md` names those inputs.
 #[macro_export]
 macro_rules! for_each_op {
     ($with:ident) => {

@@ -1,9 +1,9 @@
 //! A check of an operation that is a value: `Check::of(Iou.row::<(Obb2<f64>, Obb2<f64>)>())`.
 use crate::ad::check::sample::Sample;
-use crate::ad::check::{Check, Plan, Report, SEED};
-use crate::kernels::check::prove_with;
+use crate::ad::check::{Check, Report, SEED, Sampling};
+use crate::kernels::check::check_with;
+use crate::kernels::item::Item;
 use crate::kernels::op::Op;
-use crate::kernels::row::Row;
 use crate::{Fixed, Pack};
 use std::marker::PhantomData;
 use std::rc::Rc;
@@ -14,7 +14,7 @@ type Scales = Rc<dyn Fn(&[f64]) -> Vec<f64>>;
 /// A check of an operation in both formats; see [`Check::of`].
 #[derive(Clone)]
 pub struct OfOperation<O> {
-    plan: Plan<'static>,
+    sampling: Sampling<'static>,
     points: Vec<Vec<f64>>,
     inside: Option<Inside>,
     scales: Option<Scales>,
@@ -33,16 +33,16 @@ impl Check<'static, f64> {
     ///     pub Apart = "apart": (a: Vec2<S>, b: Vec2<S>) -> S {
     ///         (a - b).dot(a - b)
     ///     }
-    ///     promises [TranslationX Stays, Rotation Stays, Scaling Power(2), Exchange Stays]
+    ///     invariances [TranslationX Stays, Rotation Stays, Scaling Power(2), Exchange Stays]
     ///     jumps Never
-    ///     slopes Reverse
+    ///     derivative Reverse
     /// }
-    /// Check::of(Apart).samples(20).prove();
+    /// Check::of(Apart).samples(20).assert();
     /// ```
     #[must_use]
     pub fn of<O: Op>(_operation: O) -> OfOperation<O> {
         OfOperation {
-            plan: Plan::new(200, SEED),
+            sampling: Sampling::new(200, SEED),
             points: Vec::new(),
             inside: None,
             scales: None,
@@ -53,27 +53,27 @@ impl Check<'static, f64> {
 
 impl<O: Op> OfOperation<O>
 where
-    O::In<f64>: Sample + Row,
-    O::Out<f64>: Sample + Row,
-    O::In<f32>: Row,
-    O::Out<f32>: Row,
+    O::In<f64>: Sample + Item,
+    O::Out<f64>: Sample + Item,
+    O::In<f32>: Item,
+    O::Out<f32>: Item,
 {
     /// At so many random inputs.
     #[must_use]
     pub fn samples(mut self, samples: usize) -> Self {
-        self.plan.samples = samples;
+        self.sampling.samples = samples;
         self
     }
     /// From another seed.
     #[must_use]
     pub fn seed(mut self, seed: u64) -> Self {
-        self.plan.seed = seed;
+        self.sampling.seed = seed;
         self
     }
     /// At every so many of the hard cases; at none for zero.
     #[must_use]
     pub fn hard(mut self, every: usize) -> Self {
-        self.plan.hard = every;
+        self.sampling.hard = every;
         self
     }
     /// At one more input, before all others.
@@ -91,11 +91,11 @@ where
     /// operation! {
     ///     /// The logarithm of a number.
     ///     pub Logarithm = "logarithm": (x: S) -> S { x.ln() }
-    ///     promises []
+    ///     invariances []
     ///     jumps Never
-    ///     slopes Reverse
+    ///     derivative Reverse
     /// }
-    /// Check::of(Logarithm).inside(|x| *x > 1e-3).prove();
+    /// Check::of(Logarithm).inside(|x| *x > 1e-3).assert();
     /// ```
     #[must_use]
     pub fn inside(mut self, f: impl Fn(&O::In<f64>) -> bool + 'static) -> Self {
@@ -109,8 +109,8 @@ where
         self.scales = Some(Rc::new(move |x| f(&O::In::<f64>::load(x)).scalars()));
         self
     }
-    /// How far values may be off, beyond rounding, in the unit of the result: by a table, by an iteration that
-    /// stops, by digits that cancel in single precision. Slopes are held to what they were held to. It stands in the
+    /// How far values may be off, beyond rounding, in the unit of the result: by a table, by an iteration that stops,
+    /// by digits that cancel in single precision. Derivatives are held to what they were held to. It stands in the
     /// place of what the row [states](Op::RESOLUTION).
     ///
     /// ```
@@ -121,42 +121,45 @@ where
     ///     pub Rise = "rise": (x: S, y: S) -> S {
     ///         (S::one() + x * x + y * y).root() - S::one()
     ///     }
-    ///     promises [Exchange Stays]
+    ///     invariances [Exchange Stays]
     ///     jumps Never
-    ///     slopes Reverse
+    ///     derivative Reverse
     /// }
     /// // In single precision a sum near one has seven digits after the point.
     /// let [single, double] = Check::of(Rise).run();
     /// assert!(single.refused_for(Reason::ValuesDisagree(Witness::Wide)) && double.passed());
-    /// Check::of(Rise).resolution(1e-7).prove();
+    /// Check::of(Rise).resolution(1e-7).assert();
     /// ```
     #[must_use]
     pub fn resolution(mut self, absolute: f64) -> Self {
-        self.plan.resolution.get_or_insert(O::RESOLUTION)[0] = absolute;
+        self.sampling.resolution.get_or_insert(O::RESOLUTION)[0] = absolute;
         self
     }
     /// The same as a share of each number of the result.
     #[must_use]
     pub fn relative_resolution(mut self, share: f64) -> Self {
-        self.plan.resolution.get_or_insert(O::RESOLUTION)[1] = share;
+        self.sampling.resolution.get_or_insert(O::RESOLUTION)[1] = share;
         self
     }
     /// A derivative by hand must share exact ties as duals do.
     #[must_use]
     pub fn shared_ties(mut self) -> Self {
-        self.plan.shared_ties = true;
+        self.sampling.shared_ties = true;
         self
     }
     /// Judges: a report in single precision, and one in double.
     #[must_use]
     pub fn run(&self) -> [Report; 2] {
-        let plan = Plan {
+        let sampling = Sampling {
             points: &self.points,
             inside: self.inside.as_deref(),
             scales: self.scales.as_deref(),
-            ..self.plan
+            ..self.sampling
         };
-        [prove_with::<O, f32>(&plan), prove_with::<O, f64>(&plan)]
+        [
+            check_with::<O, f32>(&sampling),
+            check_with::<O, f64>(&sampling),
+        ]
     }
     /// Judges, and panics with the report when something was refused.
     ///
@@ -164,7 +167,7 @@ where
     ///
     /// When something was refused.
     #[track_caller]
-    pub fn prove(&self) {
+    pub fn assert(&self) {
         for report in self.run() {
             assert!(report.passed(), "the operation is refused\n{report}");
         }

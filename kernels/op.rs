@@ -1,7 +1,7 @@
 //! The contract of an operation: its function, and what the library has to know about it.
 //!
 //! ```
-//! use geograd::kernels::op::{Jumps, Op, Promise, Slopes};
+//! use geograd::kernels::op::{Jumps, Op, Invariance, Derivative};
 //! use geograd::kernels::Cpu;
 //! use geograd::{Scalar, Vec2};
 //!
@@ -13,9 +13,9 @@
 //!     const NAME: &'static str = "distance";
 //!     type In<S: Scalar> = (Vec2<S>, Vec2<S>);
 //!     type Out<S: Scalar> = S;
-//!     const PROMISES: &'static [Promise] = &[];
+//!     const INVARIANCES: &'static [Invariance] = &[];
 //!     const JUMPS: Jumps = Jumps::Never;
-//!     const SLOPES: Slopes = Slopes::Reverse;
+//!     const DERIVATIVE: Derivative = Derivative::Reverse;
 //!     fn eval<S: Scalar>((a, b): (Vec2<S>, Vec2<S>)) -> S {
 //!         (a - b).length()
 //!     }
@@ -26,26 +26,26 @@
 //! # Ok::<(), geograd::Error>(())
 //! ```
 pub use crate::ad::check::subject::Jumps;
-pub use crate::ad::check::symmetry::{Answer, Motion, Promise};
+pub use crate::ad::check::symmetry::{Answer, Invariance, Motion};
 use crate::ad::check::trace::Number;
 pub use crate::ad::program::{Jacobian, OneNumber};
 use crate::ad::program::{Plain, Program};
 use crate::error::Error;
 use crate::kernels::cpu::plan::{self, Compiled, Face, Want};
 use crate::kernels::cpu::rings::Measure;
+pub use crate::kernels::declared::{Extremes, Finite, Limits, Range};
 #[cfg(feature = "gpu")]
 use crate::kernels::gpu::Generated;
-pub use crate::kernels::promised::{Extremes, Finite, Limits, Range};
+use crate::kernels::item::{Item, Results, WithJacobian};
 #[cfg(feature = "gpu")]
 use crate::kernels::replays::Replays;
-use crate::kernels::row::{Results, Row, WithJacobian};
 use crate::{Fixed, Pack, Scalar, Vec2};
 use std::fmt::Debug;
 use std::sync::Arc;
 
 /// The source of an operation's derivatives.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Slopes {
+pub enum Derivative {
     /// [`Op::adjoint`], written by hand.
     ByHand,
     /// The recorded function, differentiated backwards.
@@ -71,19 +71,19 @@ pub trait Op: Copy + Debug + Default + Send + Sync + 'static {
     /// The result, made of the same scalar.
     type Out<S: Scalar>: Fixed<Scalar = S>;
     /// Motions of the argument and their effect on the result; `&[]` promises none.
-    const PROMISES: &'static [Promise];
+    const INVARIANCES: &'static [Invariance];
     /// Places at which the value may jump.
     const JUMPS: Jumps;
     /// The source of the derivatives.
-    const SLOPES: Slopes;
+    const DERIVATIVE: Derivative;
     /// Inputs whose values and derivatives are finite.
     const FINITE: Finite = Finite::Within(Limits::ORDINARY);
     /// The range of every number of the result.
     const RANGE: Range = Range::ANY;
     /// The results of identical shapes and of shapes apart.
     const EXTREMES: Extremes = Extremes::Unsaid;
-    /// The domain, in addition to the rules of its shapes; `None` for everywhere. The harness and the fuzzer keep to it;
-    /// batches compute outside, too.
+    /// The domain, in addition to the rules of its shapes; `None` for everywhere. The harness and the fuzzer keep to
+    /// it; batches compute outside, too.
     const DOMAIN: Option<fn(Self::In<f64>) -> bool> = None;
     /// The error of values beyond rounding: in the unit of the result, and relative to each of its numbers.
     const RESOLUTION: [f64; 2] = [0.0; 2];
@@ -93,7 +93,8 @@ pub trait Op: Copy + Debug + Default + Send + Sync + 'static {
     const DOC: &'static str = "";
     /// The function.
     fn eval<S: Scalar>(input: Self::In<S>) -> Self::Out<S>;
-    /// The result and the gradient of `out_bar · result` with respect to the input, by hand; `None` if they are recorded.
+    /// The result and the gradient of `out_bar · result` with respect to the input, by hand; `None` if they are
+    /// recorded.
     #[inline(always)]
     fn adjoint<S: Scalar>(
         _input: Self::In<S>,
@@ -124,7 +125,7 @@ pub trait Op: Copy + Debug + Default + Send + Sync + 'static {
     /// Those of recording it: [`Error::Program`].
     fn program<T: Plain>(self) -> Result<Program<Self::In<T>, Self::Out<T>>, Error> {
         let value = plan::program_of::<Self, T>(Want::Value)?;
-        if Self::SLOPES != Slopes::ByHand || Self::Out::<T>::LEN != 1 {
+        if Self::DERIVATIVE != Derivative::ByHand || Self::Out::<T>::LEN != 1 {
             return Ok(Program::of((*value).clone()));
         }
         let value_grad = plan::program_of::<Self, T>(Want::ValueGrad)?;
@@ -134,17 +135,17 @@ pub trait Op: Copy + Debug + Default + Send + Sync + 'static {
     fn value_grad(self) -> ValueGrad<Self> {
         ValueGrad(self)
     }
-    /// The operation whose result is the result with its Jacobian: the result's shape with its gradient, a shape like the
-    /// input, in the place of every number, as of [`ad::jacobian`](crate::ad::jacobian). Aligned batches run it, on a GPU where the
-    /// operation is recorded.
+    /// The operation whose result is the result with its Jacobian: the result's shape with its gradient, a shape like
+    /// the input, in the place of every number, as of [`ad::jacobian`](crate::ad::jacobian). Aligned batches run it,
+    /// on a GPU where the operation is recorded.
     ///
     /// ```
     /// use geograd::kernels::{ClosestPoints, Cpu, Op};
     /// use geograd::Obb2;
     /// let (a, b) = ([Obb2::new(0.0, 0.0, 2.0, 2.0, 0.0)], [Obb2::new(5.0, 0.3, 2.0, 1.0, 0.1)]);
-    /// let (points, slopes) = Cpu::new().aligned(ClosestPoints.jacobian(), (&a, &b))?;
+    /// let (points, derivatives) = Cpu::new().aligned(ClosestPoints.jacobian(), (&a, &b))?;
     /// assert_eq!(points[0].on_a.x, 1.0);
-    /// let (by_a, by_b) = slopes[0].on_a.x; // of the point's x, with respect to both boxes
+    /// let (by_a, by_b) = derivatives[0].on_a.x; // of the point's x, with respect to both boxes
     /// assert_eq!((by_a.center.x, by_a.size.x, by_b.center.x), (1.0, 0.5, 0.0));
     /// # Ok::<(), geograd::Error>(())
     /// ```
@@ -222,9 +223,9 @@ impl Ask {
     label = "does not run on rows of `{R}`",
     note = "`.value_grad()` needs one number as result; `.jacobian()` gives the gradient of each of several",
     note = "an operation of two shapes takes two columns, `(&a, &b)`, made of its shapes and of one format",
-    note = "a search of another crate (`Decided`) is proved by the harness, and no batch takes it"
+    note = "a search of another crate (`Search`) is checked by the harness, and no batch takes it"
 )]
-pub trait Runs<R: Row> {
+pub trait Runs<R: Item> {
     /// The result per row.
     type Out: Results<Scalar = R::Scalar>;
     /// The plan by which batches on the CPU compute it.
@@ -257,10 +258,10 @@ pub trait Runs<R: Row> {
     }
 }
 
-impl<O, R: Row> Runs<R> for O
+impl<O, R: Item> Runs<R> for O
 where
     O: Op<In<<R as Pack>::Scalar> = R>,
-    O::Out<R::Scalar>: Row,
+    O::Out<R::Scalar>: Item,
 {
     type Out = O::Out<R::Scalar>;
     fn face(&self, ask: Ask) -> Result<Arc<Face<R::Scalar>>, Error> {
@@ -275,11 +276,11 @@ where
     }
 }
 
-impl<F, R: Row> Runs<R> for ValueGrad<F>
+impl<F, R: Item> Runs<R> for ValueGrad<F>
 where
     F: Runs<R>,
     F::Out: OneNumber,
-    R::Scalar: Row<Scalar = R::Scalar>,
+    R::Scalar: Item<Scalar = R::Scalar>,
 {
     type Out = (R::Scalar, R);
     fn face(&self, ask: Ask) -> Result<Arc<Face<R::Scalar>>, Error> {
@@ -295,10 +296,10 @@ where
     }
 }
 
-impl<F, R: Row> Runs<R> for Jacobian<F>
+impl<F, R: Item> Runs<R> for Jacobian<F>
 where
     F: Runs<R>,
-    F::Out: Row<Scalar = R::Scalar> + Pack<With<R>: Send>,
+    F::Out: Item<Scalar = R::Scalar> + Pack<With<R>: Send>,
 {
     type Out = WithJacobian<F::Out, R>;
     fn face(&self, ask: Ask) -> Result<Arc<Face<R::Scalar>>, Error> {
@@ -314,7 +315,7 @@ where
     }
 }
 
-impl<F, R: Row> Runs<R> for &Jacobian<F>
+impl<F, R: Item> Runs<R> for &Jacobian<F>
 where
     Jacobian<F>: Runs<R>,
 {
@@ -332,7 +333,7 @@ where
     }
 }
 
-impl<F, R: Row, Y: Row<Scalar = R::Scalar>> Runs<(R, Y)> for Vjp<F>
+impl<F, R: Item, Y: Item<Scalar = R::Scalar>> Runs<(R, Y)> for Vjp<F>
 where
     F: Runs<R, Out = Y>,
 {
@@ -357,7 +358,7 @@ pub trait RingOp: Copy + Debug + Default + Send + Sync + 'static {
     /// The result.
     type Out<S: Scalar>: Fixed<Scalar = S>;
     /// Motions of the argument and their effect on the result; `&[]` promises none.
-    const PROMISES: &'static [Promise];
+    const INVARIANCES: &'static [Invariance];
     /// Places at which the value may jump.
     const JUMPS: Jumps;
     /// Inputs whose values and derivatives are finite.
@@ -386,7 +387,7 @@ pub trait Source: 'static {
     /// The result, made of the same scalar.
     type Out<S: Scalar>: Fixed<Scalar = S>;
     /// Motions of the argument and their effect on the result.
-    const PROMISES: &'static [Promise];
+    const INVARIANCES: &'static [Invariance];
     /// Places at which the value may jump.
     const JUMPS: Jumps;
     /// `true` for a search, whose derivatives are those of its replay.
@@ -411,7 +412,7 @@ impl<O: Op> Source for Straight<O> {
     const NAME: &'static str = O::NAME;
     type In<S: Scalar> = O::In<S>;
     type Out<S: Scalar> = O::Out<S>;
-    const PROMISES: &'static [Promise] = O::PROMISES;
+    const INVARIANCES: &'static [Invariance] = O::INVARIANCES;
     const JUMPS: Jumps = O::JUMPS;
     fn eval<S: Scalar<Mask = bool>>(&input: &Self::In<S>) -> Self::Out<S> {
         O::eval(input)
@@ -431,12 +432,12 @@ impl<O: Op> Source for Straight<O> {
                 let all = recorded.run_on(&numbers);
                 O::In::load(&all[Self::Out::<S>::LEN..])
             }
-            // What cannot be recorded has no slopes, and the harness says so.
+            // What cannot be recorded has no derivatives, and the harness says so.
             Err(_) => O::In::filled(S::lit(f64::NAN)),
         }
     }
     fn on_num_dual<S: Number>(&input: &Self::In<S::NumDual>) -> Option<Self::Out<S::NumDual>> {
-        match const { matches!(O::SLOPES, Slopes::ByHand) } {
+        match const { matches!(O::DERIVATIVE, Derivative::ByHand) } {
             true => Some(O::eval(input)),
             false => None,
         }
@@ -455,7 +456,7 @@ impl<O: RingOp> Source for Ringed<O> {
     const NAME: &'static str = O::NAME;
     type In<S: Scalar> = Vec<Vec2<S>>;
     type Out<S: Scalar> = O::Out<S>;
-    const PROMISES: &'static [Promise] = O::PROMISES;
+    const INVARIANCES: &'static [Invariance] = O::INVARIANCES;
     const JUMPS: Jumps = O::JUMPS;
     fn eval<S: Scalar<Mask = bool>>(ring: &Vec<Vec2<S>>) -> O::Out<S> {
         O::value(ring)

@@ -4,21 +4,21 @@
 /// programs take.
 ///
 /// A row says the type and its name, the arguments (one to six shapes or numbers made of `S`), the
-/// result and the formula, then what it promises, where it jumps, and where its slopes come from. All
-/// three must be said: `promises []` and `jumps Never` say none.
+/// result and the formula, then what it promises, where it jumps, and where its derivatives come from. All
+/// three must be said: `invariances []` and `jumps Never` say none.
 ///
 /// Clauses stand in this order; those in brackets are optional.
 ///
 /// | clause | words |
 /// | --- | --- |
-/// | `promises [Motion Answer, …]` | motions `TranslationX`, `TranslationY`, `Rotation`, `Scaling`, `Exchange` of all arguments; the result `Stays`, grows with `Power(p)` of the scale, or `Follows` |
+/// | `invariances [Motion Answer, …]` | motions `TranslationX`, `TranslationY`, `Rotation`, `Scaling`, `Exchange` of all arguments; the result `Stays`, grows with `Power(p)` of the scale, or `Follows` |
 /// | \[`finite`\] | `Always`, `Within(limits)`, `Values(limits)`, `Unsaid`: [`Finite`](crate::kernels::op::Finite) |
 /// | \[`range`\] | `RATIO`, `SIGNED`, `NOT_NEGATIVE`, …: the constants of [`Range`](crate::kernels::op::Range) |
 /// | \[`extremes`\] | `Shared`, `Ratio`, `Union`, `One`: [`Extremes`](crate::kernels::op::Extremes) |
 /// | `jumps` | `Never`, `FromZero` (where the value leaves zero), `Anywhere` |
 /// | \[`domain { … }`\] | a condition of the arguments outside of which nothing is checked |
 /// | \[`resolution x`\], \[`relative_resolution x`\] | the error of a value beyond rounding |
-/// | `slopes` | `Reverse`; `Forward`, where large terms cancel backwards; <code>ByHand &#124;(a, b), out_bar&#124; { … }</code> |
+/// | `derivatives` | `Reverse`; `Forward`, where large terms cancel backwards; <code>ByHand &#124;(a, b), out_bar&#124; { … }</code> |
 ///
 /// ```
 /// use geograd::kernels::Cpu;
@@ -32,9 +32,9 @@
 ///             local.y.magnitude() - shape.size.y.halved());
 ///         x.most(y)
 ///     }
-///     promises [TranslationX Stays, TranslationY Stays, Scaling Power(1), Rotation Stays]
+///     invariances [TranslationX Stays, TranslationY Stays, Scaling Power(1), Rotation Stays]
 ///     jumps Never
-///     slopes Reverse
+///     derivative Reverse
 /// }
 ///
 /// let points = [Vec2::new(3.0_f64, 0.0), Vec2::new(0.0, 2.0)];
@@ -43,9 +43,9 @@
 /// # Ok::<(), geograd::Error>(())
 /// ```
 ///
-/// A function that is not defined everywhere says where it is, of the same arguments made of `f64`; one whose values are
-/// off by more than rounding says by how much. Both come between `jumps` and `slopes`, and [`Check::of`] takes them from
-/// there. A camera has a pole in the plane of its aperture, so its row is refused without the domain:
+/// A function that is not defined everywhere says where it is, of the same arguments made of `f64`; one whose values
+/// are off by more than rounding says by how much. Both come between `jumps` and `derivatives`, and [`Check::of`]
+/// takes them from there. A camera has a pole in the plane of its aperture, so its row is refused without the domain:
 ///
 /// ```
 /// use geograd::check::*;
@@ -65,24 +65,24 @@
 ///         let scale = camera.focal.over(point.z);
 ///         Vec2::new(point.x * scale, point.y * scale) + camera.center
 ///     }
-///     promises []
+///     invariances []
 ///     jumps Never
 ///     domain { point.z > 0.1 }
-///     slopes Reverse
+///     derivative Reverse
 /// }
 ///
-/// Check::of(Project).samples(50).prove();
+/// Check::of(Project).samples(50).assert();
 /// let everywhere = Check::of(Project).samples(50).inside(|_| true).run();
 /// assert!(everywhere.iter().any(|report| !report.passed()));
 /// ```
 ///
-/// Inputs outside are not judged, and a report says how many there were. `resolution 1e-9` is in the unit of the result,
-/// `relative_resolution 1e-6` a share of each of its numbers.
+/// Inputs outside are not judged, and a report says how many there were. `resolution 1e-9` is in the unit of the
+/// result, `relative_resolution 1e-6` a share of each of its numbers.
 ///
 /// [`Check::of`]: crate::check::Check::of
 ///
 /// An adjoint by hand is a further formula, of the arguments and the cotangent of the result, that
-/// gives the result and the slopes:
+/// gives the result and the derivatives:
 ///
 /// ```
 /// use geograd::kernels::{Cpu, Op};
@@ -91,15 +91,15 @@
 /// operation! {
 ///     /// The product of two numbers.
 ///     pub Product = "product": (a: S, b: S) -> S { a * b }
-///     promises [Exchange Stays]
+///     invariances [Exchange Stays]
 ///     jumps Never
-///     slopes ByHand |(a, b), out_bar| { (a * b, (b * out_bar, a * out_bar)) }
+///     derivative ByHand |(a, b), out_bar| { (a * b, (b * out_bar, a * out_bar)) }
 ///
 ///     /// The square of a number.
 ///     pub Square = "square": (a: S) -> S { a * a }
-///     promises []
+///     invariances []
 ///     jumps Never
-///     slopes Reverse
+///     derivative Reverse
 /// }
 ///
 /// let (a, b) = ([2.0_f64], [3.0]);
@@ -128,9 +128,9 @@
 ///     Distance: (car: Obb2<S>, tree: Tree<S>) -> S {
 ///         (car.signed_distance(tree.foot) - tree.radius).most(S::zero())
 ///     }
-///     promises [TranslationX Stays, TranslationY Stays, Rotation Stays, Scaling Power(1)]
+///     invariances [TranslationX Stays, TranslationY Stays, Rotation Stays, Scaling Power(1)]
 ///     jumps Never
-///     slopes Reverse
+///     derivative Reverse
 /// }
 ///
 /// let cars = [Obb2::new(0.0_f64, 0.0, 4.0, 2.0, 0.0)];
@@ -145,7 +145,7 @@ macro_rules! operation {
     ($(
         $(#[$($doc:tt)*])*
         $vis:vis $Name:ident = $name:literal: ($($arg:ident: $type:ty),+ $(,)?) -> $out:ty $body:block
-        promises [$($motion:ident $answer:ident $(($power:literal))?),* $(,)?]
+        invariances [$($motion:ident $answer:ident $(($power:literal))?),* $(,)?]
         $(finite $finite:ident $(($limits:expr))?)?
         $(range $range:ident)?
         $(extremes $extremes:ident)?
@@ -153,7 +153,7 @@ macro_rules! operation {
         $(domain $domain:block)?
         $(resolution $absolute:literal)?
         $(relative_resolution $share:literal)?
-        slopes $slopes:ident $(|$input:pat_param, $out_bar:ident| $adjoint:block)?
+        derivative $derivative:ident $(|$input:pat_param, $out_bar:ident| $adjoint:block)?
         $(=> compiled { $compiled:expr })?
     )+) => { $(
         $(#[$($doc)*])*
@@ -163,7 +163,7 @@ macro_rules! operation {
         $crate::__derivatives!($Name);
         $crate::operation! {
             @row [$([$($doc)*])*] $Name, $name, [$($arg: $type),+] -> $out, $body
-            promises [$($motion $answer $(($power))?),*]
+            invariances [$($motion $answer $(($power))?),*]
             $(finite $finite $(($limits))?)?
             $(range $range)?
             $(extremes $extremes)?
@@ -171,7 +171,7 @@ macro_rules! operation {
             $(domain $domain)?
             $(resolution $absolute)?
             $(relative_resolution $share)?
-            slopes $slopes $(|$input, $out_bar| $adjoint)?
+            derivative $derivative $(|$input, $out_bar| $adjoint)?
             $(=> compiled { $compiled })?
         }
     )+ };
@@ -179,7 +179,7 @@ macro_rules! operation {
     ($(
         $(#[$($doc:tt)*])*
         $Verb:path: ($($arg:ident: $type:ty),+ $(,)?) -> $out:ty $body:block
-        promises [$($motion:ident $answer:ident $(($power:literal))?),* $(,)?]
+        invariances [$($motion:ident $answer:ident $(($power:literal))?),* $(,)?]
         $(finite $finite:ident $(($limits:expr))?)?
         $(range $range:ident)?
         $(extremes $extremes:ident)?
@@ -187,36 +187,36 @@ macro_rules! operation {
         $(domain $domain:block)?
         $(resolution $absolute:literal)?
         $(relative_resolution $share:literal)?
-        slopes $slopes:ident $(|$input:pat_param, $out_bar:ident| $adjoint:block)?
+        derivative $derivative:ident $(|$input:pat_param, $out_bar:ident| $adjoint:block)?
     )+) => { $(
         const _: () = {
             // As visible as the shapes that it is of.
-            pub struct Row<X>(::core::marker::PhantomData<fn() -> X>);
+            pub struct Item<X>(::core::marker::PhantomData<fn() -> X>);
             #[allow(dead_code)]
             type S = f64;
             #[allow(unused_parens)]
-            type This = Row<($($type),+)>;
-            impl<X> ::core::clone::Clone for Row<X> {
+            type This = Item<($($type),+)>;
+            impl<X> ::core::clone::Clone for Item<X> {
                 fn clone(&self) -> Self {
                     *self
                 }
             }
-            impl<X> ::core::marker::Copy for Row<X> {}
-            impl<X> ::core::fmt::Debug for Row<X> {
+            impl<X> ::core::marker::Copy for Item<X> {}
+            impl<X> ::core::fmt::Debug for Item<X> {
                 fn fmt(&self, f: &mut ::core::fmt::Formatter<'_>) -> ::core::fmt::Result {
                     f.write_str(::core::stringify!($Verb))
                 }
             }
-            impl<X> ::core::default::Default for Row<X> {
+            impl<X> ::core::default::Default for Item<X> {
                 fn default() -> Self {
-                    Row(::core::marker::PhantomData)
+                    Item(::core::marker::PhantomData)
                 }
             }
             $crate::operation! {
                 @row [$([$($doc)*])*] This,
                 ::core::concat!(::core::stringify!($Verb), ::core::stringify!(($($type),+))),
                 [$($arg: $type),+] -> $out, $body
-                promises [$($motion $answer $(($power))?),*]
+                invariances [$($motion $answer $(($power))?),*]
                 $(finite $finite $(($limits))?)?
                 $(range $range)?
                 $(extremes $extremes)?
@@ -224,15 +224,15 @@ macro_rules! operation {
                 $(domain $domain)?
                 $(resolution $absolute)?
                 $(relative_resolution $share)?
-                slopes $slopes $(|$input, $out_bar| $adjoint)?
+                derivative $derivative $(|$input, $out_bar| $adjoint)?
             }
-            $crate::__takes!($Verb, ($($type),+), This, Row(::core::marker::PhantomData));
+            $crate::__takes!($Verb, ($($type),+), This, Item(::core::marker::PhantomData));
         };
     )+ };
     (
         @row [$([$($doc:tt)*])*] $Name:ident, $name:expr,
         [$($arg:ident: $type:ty),+] -> $out:ty, $body:block
-        promises [$($motion:ident $answer:ident $(($power:literal))?),*]
+        invariances [$($motion:ident $answer:ident $(($power:literal))?),*]
         $(finite $finite:ident $(($limits:expr))?)?
         $(range $range:ident)?
         $(extremes $extremes:ident)?
@@ -240,7 +240,7 @@ macro_rules! operation {
         $(domain $domain:block)?
         $(resolution $absolute:literal)?
         $(relative_resolution $share:literal)?
-        slopes $slopes:ident $(|$input:pat_param, $out_bar:ident| $adjoint:block)?
+        derivative $derivative:ident $(|$input:pat_param, $out_bar:ident| $adjoint:block)?
         $(=> compiled { $compiled:expr })?
     ) => {
         // One argument needs none.
@@ -251,14 +251,14 @@ macro_rules! operation {
             const DOC: &'static str = $crate::__doc!([] $([$($doc)*])*);
             type In<S: $crate::Scalar> = ($($type),+);
             type Out<S: $crate::Scalar> = $out;
-            const PROMISES: &'static [$crate::kernels::op::Promise] = &[$(
-                $crate::kernels::op::Promise {
+            const INVARIANCES: &'static [$crate::kernels::op::Invariance] = &[$(
+                $crate::kernels::op::Invariance {
                     motion: $crate::kernels::op::Motion::$motion,
                     answer: $crate::kernels::op::Answer::$answer $(($power))?,
                 }
             ),*];
             const JUMPS: $crate::kernels::op::Jumps = $crate::kernels::op::Jumps::$jumps;
-            const SLOPES: $crate::kernels::op::Slopes = $crate::kernels::op::Slopes::$slopes;
+            const DERIVATIVE: $crate::kernels::op::Derivative = $crate::kernels::op::Derivative::$derivative;
             $(const FINITE: $crate::kernels::op::Finite =
                 $crate::kernels::op::Finite::$finite $(($limits))?;)?
             $(const RANGE: $crate::kernels::op::Range = $crate::kernels::op::Range::$range;)?
@@ -292,20 +292,21 @@ macro_rules! operation {
     };
 }
 
-/// Derivatives of a verb or an operation as methods that need no trait in scope.
+/// Derivative of a verb or an operation as methods that need no trait in scope.
 #[doc(hidden)]
 #[macro_export]
 macro_rules! __derivatives {
     ($Name:ident) => {
         #[allow(dead_code)]
         impl $Name {
-            /// The function with its gradient: batches return the result, one number, and the gradient by every argument.
+            /// The function with its gradient: batches return the result, one number, and the gradient by every
+            /// argument.
             #[must_use]
             pub const fn value_grad(self) -> $crate::kernels::op::ValueGrad<Self> {
                 $crate::kernels::op::ValueGrad::of(self)
             }
-            /// The function with its Jacobian: aligned batches return the result, and in its shape the gradient of every
-            /// number.
+            /// The function with its Jacobian: aligned batches return the result, and in its shape the gradient of
+            /// every number.
             #[must_use]
             pub const fn jacobian(self) -> $crate::kernels::op::Jacobian<Self> {
                 $crate::kernels::op::Jacobian::of(self)

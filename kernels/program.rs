@@ -5,8 +5,8 @@ use crate::ad::program::{Plain, Program};
 use crate::kernels::cpu::plan::{Face, Want, of_recorded};
 #[cfg(feature = "gpu")]
 use crate::kernels::gpu::Generated;
+use crate::kernels::item::{Item, Leaf, Results, leaves_of};
 use crate::kernels::op::{Ask, Runs};
-use crate::kernels::row::{Leaf, Results, Row, leaves_of};
 use std::sync::{Arc, PoisonError};
 
 /// Batches run programs as they run operations. What interprets one is made once, however often it
@@ -24,7 +24,7 @@ use std::sync::{Arc, PoisonError};
 /// assert!(by_point[0].distance(Vec2::new(0.6, 0.8)) < 1e-15);
 /// # Ok::<(), geograd::Error>(())
 /// ```
-impl<In: Row, Out: Row<Scalar = In::Scalar>> Runs<In> for &Program<In, Out>
+impl<In: Item, Out: Item<Scalar = In::Scalar>> Runs<In> for &Program<In, Out>
 where
     In::Scalar: Plain,
 {
@@ -43,7 +43,7 @@ where
 type Make<T, M> = fn(Want, Vec<Leaf<T>>, Vec<usize>, &Recorded, bool) -> Result<M, Error>;
 
 /// Something that is made of a program once; `machine` says for whom.
-fn made<In: Row, Out: Row<Scalar = In::Scalar>, M: Send + Sync + 'static>(
+fn made<In: Item, Out: Item<Scalar = In::Scalar>, M: Send + Sync + 'static>(
     program: &Program<In, Out>,
     machine: u8,
     ask: Ask,
@@ -75,7 +75,7 @@ where
     Ok(made)
 }
 
-impl<In: Row, Out: Row<Scalar = In::Scalar>> Runs<In> for Program<In, Out>
+impl<In: Item, Out: Item<Scalar = In::Scalar>> Runs<In> for Program<In, Out>
 where
     In::Scalar: Plain,
 {

@@ -20,7 +20,7 @@ pub trait Real:
     #[doc(hidden)]
     fn drivers() -> &'static Drivers<Self>;
     /// Hands a recorded operation to whoever judges it. A function of a concrete format is compiled in this library,
-    /// with its optimisation; a generic one would be compiled anew wherever an operation is proved.
+    /// with its optimisation; a generic one would be compiled anew wherever an operation is checked.
     #[doc(hidden)]
     fn judged(subject: &RecordedSubject<'_, Self>, judge: &mut dyn FnMut(&dyn Subject))
     where

@@ -3,7 +3,7 @@
 use crate::ad::check::noise::{Noisy, noisy};
 use crate::ad::check::sample::Sample;
 use crate::ad::check::subject::{Conventions, Subject};
-use crate::ad::check::symmetry::{Kind, Promise};
+use crate::ad::check::symmetry::{Invariance, Kind};
 use crate::ad::check::trace::{Number, Trace, Traced, num_duals, of_num_duals, trace};
 use crate::ad::check::witness::Precision;
 use crate::ad::forward::{Along, First};
@@ -41,7 +41,7 @@ impl<P: Sample> Near for P {
     }
 }
 
-/// The result and the slopes of a cotangent, by hand, on plain numbers; nothing where there are none.
+/// The result and the derivatives of a cotangent, by hand, on plain numbers; nothing where there are none.
 pub(crate) type ByHand<S> = fn(&[S], &[S]) -> Option<(Vec<S>, Vec<S>)>;
 
 /// An operation in one format.
@@ -49,53 +49,53 @@ pub(crate) type ByHand<S> = fn(&[S], &[S]) -> Option<(Vec<S>, Vec<S>)>;
 pub(crate) struct Recording<S: Number> {
     /// The result, recorded.
     pub value: Arc<Recorded>,
-    /// The result and slopes from the input and a cotangent, recorded: from wherever the operation says
-    /// that its slopes come.
-    pub slopes: Arc<Recorded>,
-    /// The same by differentiating the recorded function backwards, where slopes are by hand: another derivation of
-    /// them. In double precision alone, since cotangents of nearly parallel boxes cancel in single.
+    /// The result and derivatives from the input and a cotangent, recorded: from wherever the operation says
+    /// that its derivatives come.
+    pub derivatives: Arc<Recorded>,
+    /// The same by differentiating the recorded function backwards, where derivatives are by hand: another derivation
+    /// of them. In double precision alone, since cotangents of nearly parallel boxes cancel in single.
     pub reversed: Option<Arc<Recorded>>,
     /// The function itself, on plain numbers.
     pub source: Path<S>,
     /// The result by a batch.
     pub batch: Path<S>,
-    /// Slopes by hand, on plain numbers.
+    /// Derivatives by hand, on plain numbers.
     pub by_hand: ByHand<S>,
-    /// The function itself on num-dual's numbers, where slopes are by hand.
+    /// The function itself on num-dual's numbers, where derivatives are by hand.
     pub num_dual: Option<fn(&[S::NumDual]) -> Vec<S::NumDual>>,
     /// How many numbers a result has.
     pub outputs: usize,
     /// What each number of a result is.
     pub output_kinds: Vec<Kind>,
     /// What it promises.
-    pub promises: &'static [Promise],
+    pub invariances: &'static [Invariance],
     /// Where it jumps.
     pub jumps: Jumps,
 }
 
 impl<S: Number> Recording<S> {
-    /// The slopes, on any scalar.
-    fn slopes_on<T: Scalar>(&self, x: Vec<T>, y_bar: Vec<T>) -> Vec<T> {
-        let mut all = self.slopes.run_on(&[x, y_bar].concat());
+    /// The derivatives, on any scalar.
+    fn derivatives_on<T: Scalar>(&self, x: Vec<T>, y_bar: Vec<T>) -> Vec<T> {
+        let mut all = self.derivatives.run_on(&[x, y_bar].concat());
         all.split_off(self.outputs)
     }
-    /// The slopes by differentiating the recorded function backwards, where that is another derivation.
+    /// The derivatives by differentiating the recorded function backwards, where that is another derivation.
     fn reversed_on<T: Scalar>(&self, x: &[T], y_bar: &[T]) -> Option<Vec<T>> {
         let mut all = self.reversed.as_ref()?.run_on(&[x, y_bar].concat());
         Some(all.split_off(self.outputs))
     }
-    /// The Hessian times a direction, through the slopes, on another kind of number.
+    /// The Hessian times a direction, through the derivatives, on another kind of number.
     fn bends<T>(&self, x: &[f64], y_bar: &[f64], direction: &[f64], of: impl Fn(S) -> T) -> Vec<T>
     where
         T: Scalar<Primal = T>,
     {
         let input = x.iter().zip(direction).map(|(&x, &d)| Jet {
             value: of(S::nearest(x)),
-            slope: [of(S::nearest(d))],
+            derivative: [of(S::nearest(d))],
         });
         let y_bar = y_bar.iter().map(|&y| <Jet<T, 1> as Scalar>::lit(y));
-        let slopes = self.slopes_on(input.collect(), y_bar.collect());
-        slopes.iter().map(|jet| jet.slope[0]).collect()
+        let derivatives = self.derivatives_on(input.collect(), y_bar.collect());
+        derivatives.iter().map(|jet| jet.derivative[0]).collect()
     }
 }
 
@@ -137,11 +137,11 @@ impl<S: Number> Subject for RecordedSubject<'_, S> {
     }
     fn adjoint(&self, x: &[f64], y_bar: &[f64]) -> Option<Vec<f64>> {
         let (x, y_bar): (Vec<S>, Vec<S>) = (nearest(x), nearest(y_bar));
-        let slopes = match (self.recording.by_hand)(&x, &y_bar) {
-            Some((_, slopes)) => slopes,
-            None => self.recording.slopes_on(x, y_bar),
+        let derivatives = match (self.recording.by_hand)(&x, &y_bar) {
+            Some((_, derivatives)) => derivatives,
+            None => self.recording.derivatives_on(x, y_bar),
         };
-        Some(widened(&slopes))
+        Some(widened(&derivatives))
     }
     fn noisy(&self, x: &[f64], y_bar: &[f64], seed: u64) -> Option<Vec<f64>> {
         // Low parts of single precision hold what roundings leave; others would spoil them.
@@ -149,15 +149,15 @@ impl<S: Number> Subject for RecordedSubject<'_, S> {
             return None;
         }
         let of = |list: &[f64]| list.iter().map(|&x| Noisy(S::nearest(x))).collect();
-        let slopes = noisy(seed, || self.recording.slopes_on(of(x), of(y_bar)));
-        Some(slopes.iter().map(|s| s.0.widen()).collect())
+        let derivatives = noisy(seed, || self.recording.derivatives_on(of(x), of(y_bar)));
+        Some(derivatives.iter().map(|s| s.0.widen()).collect())
     }
     fn further(&self, x: &[f64], y_bar: &[f64]) -> Vec<Vec<f64>> {
         let (x, y_bar): (Vec<S>, Vec<S>) = (nearest(x), nearest(y_bar));
         // By another derivation, and as batches compute them.
         let reversed = self.recording.reversed_on(&x, &y_bar);
-        let mut all = vec![widened(&self.recording.slopes_on::<S>(x, y_bar))];
-        all.extend(reversed.map(|slopes| widened(&slopes)));
+        let mut all = vec![widened(&self.recording.derivatives_on::<S>(x, y_bar))];
+        all.extend(reversed.map(|derivatives| widened(&derivatives)));
         all
     }
     fn noisy_further(
@@ -173,27 +173,27 @@ impl<S: Number> Subject for RecordedSubject<'_, S> {
         let of = |list: &[f64]| -> Vec<Noisy<S>> {
             list.iter().map(|&x| Noisy(S::nearest(x))).collect()
         };
-        let slopes = noisy(seed, || self.recording.reversed_on(&of(x), &of(y_bar)));
-        Some(slopes?.iter().map(|s| s.0.widen()).collect())
+        let derivatives = noisy(seed, || self.recording.reversed_on(&of(x), &of(y_bar)));
+        Some(derivatives?.iter().map(|s| s.0.widen()).collect())
     }
     fn forms(&self) -> usize {
         self.batch.map_or(0, Batch::forms)
     }
     fn batch(&self, form: usize, x: &[f64], y_bar: &[f64]) -> Option<(Vec<f64>, Vec<f64>)> {
         let answer = self.batch?.about(form, x)?;
-        let slopes = answer.slopes(y_bar);
-        Some((answer.value, slopes))
+        let derivatives = answer.derivatives(y_bar);
+        Some((answer.value, derivatives))
     }
     fn jacobian(&self, x: &[f64]) -> Option<Vec<Vec<f64>>> {
         let mut rows = vec![vec![0.0; x.len()]; self.recording.outputs];
-        let chunk = <First<S> as Scalar>::lit(0.0).slope.len();
+        let chunk = <First<S> as Scalar>::lit(0.0).derivative.len();
         for start in (0..x.len()).step_by(chunk) {
             let jets = x.iter().enumerate();
             let jets = jets.map(|(i, &x)| Jet::variable(S::nearest(x), i.wrapping_sub(start)));
             let jets: Vec<First<S>> = jets.collect();
             for (row, jet) in rows.iter_mut().zip(self.recording.value.run_on(&jets)) {
-                for (slot, slope) in row[start..].iter_mut().zip(jet.slope) {
-                    *slot = slope.widen();
+                for (slot, derivative) in row[start..].iter_mut().zip(jet.derivative) {
+                    *slot = derivative.widen();
                 }
             }
         }
@@ -202,11 +202,11 @@ impl<S: Number> Subject for RecordedSubject<'_, S> {
     fn along(&self, x: &[f64], direction: &[f64]) -> Option<Vec<f64>> {
         let jets = x.iter().zip(direction).map(|(&x, &d)| Jet {
             value: S::nearest(x),
-            slope: [S::nearest(d)],
+            derivative: [S::nearest(d)],
         });
         let jets: Vec<Jet<S, 1>> = jets.collect();
         let out = self.recording.value.run_on(&jets);
-        Some(out.iter().map(|jet| jet.slope[0].widen()).collect())
+        Some(out.iter().map(|jet| jet.derivative[0].widen()).collect())
     }
     fn num_dual(&self, x: &[f64], direction: &[f64]) -> Option<(Vec<f64>, Vec<f64>)> {
         let source = self.recording.num_dual?;
@@ -236,25 +236,25 @@ impl<S: Number> Subject for RecordedSubject<'_, S> {
         Some(bends.iter().map(|bend| bend.0.widen()).collect())
     }
     fn second_order(&self, x: &[f64], y_bar: &[f64], direction: &[f64]) -> Option<Vec<f64>> {
-        let chunk = <First<S> as Scalar>::lit(0.0).slope.len();
+        let chunk = <First<S> as Scalar>::lit(0.0).derivative.len();
         let mut bends = vec![0.0; x.len()];
-        let along = |value, slope| Jet {
+        let along = |value, derivative| Jet {
             value,
-            slope: [slope],
+            derivative: [derivative],
         };
         for start in (0..x.len()).step_by(chunk) {
             let jets = x.iter().zip(direction).enumerate().map(|(i, (&x, &d))| {
                 let mut jet: Along<S> = <Along<S> as Scalar>::lit(0.0);
                 jet.value = along(S::nearest(x), S::nearest(d));
-                if let Some(slope) = jet.slope.get_mut(i.wrapping_sub(start)) {
-                    *slope = along(S::nearest(1.0), S::nearest(0.0));
+                if let Some(derivative) = jet.derivative.get_mut(i.wrapping_sub(start)) {
+                    *derivative = along(S::nearest(1.0), S::nearest(0.0));
                 }
                 jet
             });
             let jets: Vec<Along<S>> = jets.collect();
             for (y_bar, jet) in y_bar.iter().zip(self.recording.value.run_on(&jets)) {
-                for (bend, slope) in bends[start..].iter_mut().zip(jet.slope) {
-                    *bend += y_bar * slope.slope[0].widen();
+                for (bend, derivative) in bends[start..].iter_mut().zip(jet.derivative) {
+                    *bend += y_bar * derivative.derivative[0].widen();
                 }
             }
         }
@@ -297,8 +297,8 @@ impl<S: Number> Subject for RecordedSubject<'_, S> {
     fn output_kinds(&self) -> Vec<Kind> {
         self.recording.output_kinds.clone()
     }
-    fn promises(&self) -> &[Promise] {
-        self.recording.promises
+    fn invariances(&self) -> &[Invariance] {
+        self.recording.invariances
     }
     fn conventions(&self) -> Conventions {
         Conventions {

@@ -10,10 +10,10 @@ use crate::ad::program::record::record_with_codes;
 use crate::kernels::cpu::plan::{Known, Want, known};
 use crate::kernels::cpu::program::Tape;
 use crate::kernels::cpu::program::instructions::Op;
-use crate::kernels::decided::Decided;
+use crate::kernels::item::{Item, by_kind, by_shape, get, width};
 use crate::kernels::op::Ask;
 use crate::kernels::real::Real;
-use crate::kernels::row::{Row, by_kind, by_shape, get, width};
+use crate::kernels::search::Search;
 use crate::{Fixed, Pack};
 use std::collections::HashMap;
 use std::sync::{Arc, PoisonError, RwLock};
@@ -54,9 +54,9 @@ pub trait Replays<T>: Send + Sync {
 }
 
 /// The replays of an operation that are known.
-type Replayed<D> = RwLock<HashMap<(Vec<u32>, <D as Decided>::Record), Arc<Replay>>>;
+type Replayed<D> = RwLock<HashMap<(Vec<u32>, <D as Search>::Record), Arc<Replay>>>;
 
-struct Of<D: Decided, T> {
+struct Of<D: Search, T> {
     want: Want,
     known: Replayed<D>,
     format: std::marker::PhantomData<fn() -> T>,
@@ -67,9 +67,9 @@ struct Of<D: Decided, T> {
 /// # Errors
 ///
 /// None: what cannot be recorded is found out item by item.
-pub fn of<D, R: Row>(ask: Ask) -> Result<Arc<dyn Replays<R::Scalar>>, Error>
+pub fn of<D, R: Item>(ask: Ask) -> Result<Arc<dyn Replays<R::Scalar>>, Error>
 where
-    D: Decided<In<<R as Pack>::Scalar> = R>,
+    D: Search<In<<R as Pack>::Scalar> = R>,
 {
     let want = ask.want;
     let made = known::<D, R::Scalar, _>(Known::Replays(want), || {
@@ -82,11 +82,11 @@ where
     Ok(made)
 }
 
-impl<D: Decided, T: Real> Of<D, T> {
+impl<D: Search, T: Real> Of<D, T> {
     /// Records a replay.
     fn make(&self, codes: &[u32], record: D::Record) -> Result<Replay, Error> {
-        type In<D, T> = <D as Decided>::In<Sym<T>>;
-        type Out<D, T> = <D as Decided>::Out<Sym<T>>;
+        type In<D, T> = <D as Search>::In<Sym<T>>;
+        type Out<D, T> = <D as Search>::Out<Sym<T>>;
         let replay = |x: In<D, T>| D::replay::<Sym<T>>(x, record);
         let recorded = record_with_codes::<T, In<D, T>, Out<D, T>>(codes, replay)?;
         let recorded = match self.want {
@@ -103,9 +103,9 @@ impl<D: Decided, T: Real> Of<D, T> {
     }
 }
 
-impl<D: Decided, T: Real> Replays<T> for Of<D, T>
+impl<D: Search, T: Real> Replays<T> for Of<D, T>
 where
-    D::In<T>: Row<Scalar = T>,
+    D::In<T>: Item<Scalar = T>,
 {
     fn decide(&self, numbers: &[T], taken: &mut Vec<T>) -> Result<Arc<Replay>, Error> {
         let (own, out_bar) = numbers.split_at(D::In::<T>::LEN + D::In::<T>::CODES);

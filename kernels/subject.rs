@@ -3,7 +3,7 @@
 use crate::ad::check::noise::{Noisy, noisy};
 use crate::ad::check::sample::Sample;
 use crate::ad::check::subject::{Conventions, Subject};
-use crate::ad::check::symmetry::{Kind, Promise};
+use crate::ad::check::symmetry::{Invariance, Kind};
 use crate::ad::check::trace::{Number, Trace, Traced, of_num_duals, trace};
 use crate::ad::check::witness::Precision;
 use crate::ad::forward::{Along, First};
@@ -15,7 +15,7 @@ use std::marker::PhantomData;
 
 /// An operation's value by another path.
 pub type Path<S> = fn(&[S]) -> Vec<S>;
-/// An operation's value and slopes, fused.
+/// An operation's value and derivatives, fused.
 pub type Fused<S> = fn(&[S]) -> (Vec<S>, Vec<S>);
 
 /// An operation near an input, in one format.
@@ -67,8 +67,8 @@ where
             of(i - 1, S::nearest(x[i - 1]))
         })
     }
-    /// The slopes by hand, on another kind of number.
-    fn slopes<T: Scalar<Mask = bool>>(
+    /// The derivatives by hand, on another kind of number.
+    fn derivatives<T: Scalar<Mask = bool>>(
         &self,
         x: &[f64],
         y_bar: &[f64],
@@ -84,15 +84,15 @@ where
     {
         let input = self.made(x, |i, value| Jet {
             value: of(value),
-            slope: [of(S::nearest(direction[i]))],
+            derivative: [of(S::nearest(direction[i]))],
         });
         let y_bar: Vec<Jet<T, 1>> = y_bar
             .iter()
             .map(|&y| <Jet<T, 1> as Scalar>::lit(y))
             .collect();
         let y_bar = O::Out::<Jet<T, 1>>::load(&y_bar);
-        let slopes = O::vjp::<Jet<T, 1>>(&input, y_bar).scalars();
-        slopes.iter().map(|jet| jet.slope[0]).collect()
+        let derivatives = O::vjp::<Jet<T, 1>>(&input, y_bar).scalars();
+        derivatives.iter().map(|jet| jet.derivative[0]).collect()
     }
 }
 
@@ -120,15 +120,15 @@ where
         all
     }
     fn adjoint(&self, x: &[f64], y_bar: &[f64]) -> Option<Vec<f64>> {
-        Some(widened(&self.slopes(x, y_bar, |x| x)))
+        Some(widened(&self.derivatives(x, y_bar, |x| x)))
     }
     fn noisy(&self, x: &[f64], y_bar: &[f64], seed: u64) -> Option<Vec<f64>> {
         // Low parts of single precision hold what roundings leave; others would spoil them.
         if S::COMPENSATED {
             return None;
         }
-        let slopes = noisy(seed, || self.slopes(x, y_bar, Noisy));
-        Some(slopes.iter().map(|s| s.0.widen()).collect())
+        let derivatives = noisy(seed, || self.derivatives(x, y_bar, Noisy));
+        Some(derivatives.iter().map(|s| s.0.widen()).collect())
     }
     fn further(&self, x: &[f64], y_bar: &[f64]) -> Vec<Vec<f64>> {
         let fused = self.fused.map(|fused| fused(&nearest(x)).1);
@@ -140,17 +140,17 @@ where
     }
     fn batch(&self, form: usize, x: &[f64], y_bar: &[f64]) -> Option<(Vec<f64>, Vec<f64>)> {
         let answer = self.batch?.about(form, x)?;
-        let slopes = answer.slopes(y_bar);
-        Some((answer.value, slopes))
+        let derivatives = answer.derivatives(y_bar);
+        Some((answer.value, derivatives))
     }
     fn jacobian(&self, x: &[f64]) -> Option<Vec<Vec<f64>>> {
         let mut rows = vec![vec![0.0; x.len()]; O::Out::<S>::LEN];
-        let chunk = <First<S> as Scalar>::lit(0.0).slope.len();
+        let chunk = <First<S> as Scalar>::lit(0.0).derivative.len();
         for start in (0..x.len()).step_by(chunk) {
             let jets = self.made(x, |i, v| Jet::variable(v, i.wrapping_sub(start)));
             for (row, jet) in rows.iter_mut().zip(O::eval::<First<S>>(&jets).scalars()) {
-                for (slot, slope) in row[start..].iter_mut().zip(jet.slope) {
-                    *slot = slope.widen();
+                for (slot, derivative) in row[start..].iter_mut().zip(jet.derivative) {
+                    *slot = derivative.widen();
                 }
             }
         }
@@ -159,10 +159,10 @@ where
     fn along(&self, x: &[f64], direction: &[f64]) -> Option<Vec<f64>> {
         let input = self.made(x, |i, value| Jet {
             value,
-            slope: [S::nearest(direction[i])],
+            derivative: [S::nearest(direction[i])],
         });
         let out = O::eval::<Jet<S, 1>>(&input).scalars();
-        Some(out.iter().map(|jet| jet.slope[0].widen()).collect())
+        Some(out.iter().map(|jet| jet.derivative[0].widen()).collect())
     }
     fn num_dual(&self, x: &[f64], direction: &[f64]) -> Option<(Vec<f64>, Vec<f64>)> {
         let input = self.made(x, |i, v| S::num_dual(v, S::nearest(direction[i])));
@@ -192,24 +192,24 @@ where
         Some(bends.iter().map(|bend| bend.0.widen()).collect())
     }
     fn second_order(&self, x: &[f64], y_bar: &[f64], direction: &[f64]) -> Option<Vec<f64>> {
-        let chunk = <First<S> as Scalar>::lit(0.0).slope.len();
+        let chunk = <First<S> as Scalar>::lit(0.0).derivative.len();
         let mut bends = vec![0.0; x.len()];
         for start in (0..x.len()).step_by(chunk) {
             let input = self.made(x, |i, value| {
-                let along = |value, slope| Jet {
+                let along = |value, derivative| Jet {
                     value,
-                    slope: [slope],
+                    derivative: [derivative],
                 };
                 let mut jet: Along<S> = <Along<S> as Scalar>::lit(0.0);
                 jet.value = along(value, S::nearest(direction[i]));
-                if let Some(slope) = jet.slope.get_mut(i.wrapping_sub(start)) {
-                    *slope = along(S::nearest(1.0), S::nearest(0.0));
+                if let Some(derivative) = jet.derivative.get_mut(i.wrapping_sub(start)) {
+                    *derivative = along(S::nearest(1.0), S::nearest(0.0));
                 }
                 jet
             });
             for (y_bar, jet) in y_bar.iter().zip(O::eval::<Along<S>>(&input).scalars()) {
-                for (bend, slope) in bends[start..].iter_mut().zip(jet.slope) {
-                    *bend += y_bar * slope.slope[0].widen();
+                for (bend, derivative) in bends[start..].iter_mut().zip(jet.derivative) {
+                    *bend += y_bar * derivative.derivative[0].widen();
                 }
             }
         }
@@ -246,8 +246,8 @@ where
     fn output_kinds(&self) -> Vec<Kind> {
         O::Out::<f64>::filled(1.0).kinds()
     }
-    fn promises(&self) -> &[Promise] {
-        O::PROMISES
+    fn invariances(&self) -> &[Invariance] {
+        O::INVARIANCES
     }
     fn conventions(&self) -> Conventions {
         Conventions {

@@ -7,10 +7,10 @@ use crate::kernels::cpu::all_pairs::pairs;
 use crate::kernels::cpu::checked::check;
 use crate::kernels::cpu::greedy::Greed;
 use crate::kernels::cpu::{Cpu, Face, Single};
+use crate::kernels::item::Column;
 use crate::kernels::op::{Ask, Runs};
 use crate::kernels::real::Real;
 use crate::kernels::reduce::{Found, check_threshold};
-use crate::kernels::row::Column;
 use crate::suppression::{Pair, Rules, check_rules, order};
 
 impl<T> From<Found<T>> for Pair<T> {

@@ -1,5 +1,5 @@
 //! Where the results of batches go.
-use crate::kernels::row::{Results, Row, Target, WithJacobian, jacobians, target};
+use crate::kernels::item::{Item, Results, Target, WithJacobian, jacobians, target};
 
 /// Where the results of a batch go: a slice or vector for every shape of a result, in a tuple like
 /// the result's; [`Skip`] for what is not wanted.
@@ -21,7 +21,7 @@ impl<R: Results> Targets<R> for Skip {
     }
 }
 /// Where a result goes, and where its Jacobian.
-impl<Y: Row, X: Row<Scalar = Y::Scalar>, T: Targets<Y>> Targets<WithJacobian<Y, X>>
+impl<Y: Item, X: Item<Scalar = Y::Scalar>, T: Targets<Y>> Targets<WithJacobian<Y, X>>
     for (T, &mut [Y::With<X>])
 where
     Y::With<X>: Send,
@@ -31,7 +31,7 @@ where
         add(Some(jacobians::<Y, X>(self.1)));
     }
 }
-impl<Y: Row, X: Row<Scalar = Y::Scalar>, T: Targets<Y>> Targets<WithJacobian<Y, X>>
+impl<Y: Item, X: Item<Scalar = Y::Scalar>, T: Targets<Y>> Targets<WithJacobian<Y, X>>
     for (T, &mut Vec<Y::With<X>>)
 where
     Y::With<X>: Send,
@@ -41,17 +41,17 @@ where
         add(Some(jacobians::<Y, X>(self.1)));
     }
 }
-impl<R: Row<Many = Vec<R>>> Targets<R> for &mut [R] {
+impl<R: Item<Many = Vec<R>>> Targets<R> for &mut [R] {
     fn list<'a>(&'a mut self, add: &mut dyn FnMut(Option<Target<'a, R::Scalar>>)) {
         add(Some(target(self)));
     }
 }
-impl<R: Row<Many = Vec<R>>> Targets<R> for &mut Vec<R> {
+impl<R: Item<Many = Vec<R>>> Targets<R> for &mut Vec<R> {
     fn list<'a>(&'a mut self, add: &mut dyn FnMut(Option<Target<'a, R::Scalar>>)) {
         add(Some(target(self)));
     }
 }
-impl<R: Row<Many = Vec<R>>, const N: usize> Targets<R> for &mut [R; N] {
+impl<R: Item<Many = Vec<R>>, const N: usize> Targets<R> for &mut [R; N] {
     fn list<'a>(&'a mut self, add: &mut dyn FnMut(Option<Target<'a, R::Scalar>>)) {
         add(Some(target(&mut self[..])));
     }
@@ -60,7 +60,7 @@ impl<R: Row<Many = Vec<R>>, const N: usize> Targets<R> for &mut [R; N] {
 /// Targets of several results.
 macro_rules! targets {
     ($($first:ident $of_first:ident $($name:ident $of:ident)*;)*) => { $(
-        impl<$first: Row, $($name: Row<Scalar = $first::Scalar>,)* $of_first, $($of),*>
+        impl<$first: Item, $($name: Item<Scalar = $first::Scalar>,)* $of_first, $($of),*>
             Targets<($first, $($name,)*)> for ($of_first, $($of,)*)
         where
             $of_first: Targets<$first>,

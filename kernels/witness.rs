@@ -1,13 +1,13 @@
 //! Batches as witnesses: what a [`Backend`] answers, beside what everybody else says.
 //!
 //! ```
-//! use geograd::ad::check::Plan;
+//! use geograd::ad::check::Sampling;
 //! use geograd::Obb2;
-//! use geograd::kernels::{Backend, Iou, RowOf, check::prove_on};
+//! use geograd::kernels::{Backend, Iou, RowOf, check::check_on};
 //! // Of the hard cases every hundredth.
-//! let plan = Plan { hard: 100, ..Plan::new(10, 1) };
+//! let plan = Sampling { hard: 100, ..Sampling::new(10, 1) };
 //! // Backend::Gpu(&gpu) asks a GPU.
-//! let report = prove_on::<RowOf<Iou, (Obb2<f64>, Obb2<f64>)>>(Backend::Cpu, &plan)?;
+//! let report = check_on::<RowOf<Iou, (Obb2<f64>, Obb2<f64>)>>(Backend::Cpu, &plan)?;
 //! assert!(report.passed(), "{report}");
 //! # Ok::<(), geograd::Error>(())
 //! ```
@@ -17,8 +17,8 @@ use crate::kernels::cpu::plan::{self, Face, Want};
 #[cfg(feature = "gpu")]
 use crate::kernels::gpu::Generated;
 use crate::kernels::gpu::GpuRing;
+use crate::kernels::item::{Item, Single};
 use crate::kernels::op::{self, Op, RingOp, Runs};
-use crate::kernels::row::{Row, Single};
 use crate::{Fixed, Pack, Vec2};
 use std::cell::Cell;
 use std::collections::HashMap;
@@ -29,17 +29,17 @@ use std::sync::Arc;
 pub struct Answer {
     /// The value.
     pub value: Vec<f64>,
-    /// The slopes of every output.
+    /// The derivatives of every output.
     pub rows: Vec<Vec<f64>>,
 }
 
 impl Answer {
-    /// The slopes of `y_bar · value`.
+    /// The derivatives of `y_bar · value`.
     #[must_use]
-    pub fn slopes(&self, y_bar: &[f64]) -> Vec<f64> {
+    pub fn derivatives(&self, y_bar: &[f64]) -> Vec<f64> {
         let count = self.rows.first().map_or(0, Vec::len);
-        let slope = |i| self.rows.iter().zip(y_bar).map(|(row, y)| row[i] * y).sum();
-        (0..count).map(slope).collect()
+        let derivative = |i| self.rows.iter().zip(y_bar).map(|(row, y)| row[i] * y).sum();
+        (0..count).map(derivative).collect()
     }
 }
 
@@ -114,9 +114,9 @@ impl<'a> Batch<'a> {
 /// Inputs that all pairs are asked about at a time: of their square only the diagonal says something.
 const SIDE: usize = 64;
 
-/// Asks a backend about two shapes by all pairs: values from the matrix, slopes from the adjoint of an upstream
-/// that counts every row with its own column alone. Inputs whose slopes would meet infinite ones of a row with another
-/// column, which are none of theirs, are asked about by themselves.
+/// Asks a backend about two shapes by all pairs: values from the matrix, derivatives from the adjoint of an upstream
+/// that counts every row with its own column alone. Inputs whose derivatives would meet infinite ones of a row with
+/// another column, which are none of theirs, are asked about by themselves.
 pub(crate) fn ask_pairs<O, A, B>(
     backend: Backend<'_>,
     inputs: &[Vec<f32>],
@@ -156,14 +156,14 @@ where
     Ok(answers)
 }
 
-/// Asks a backend about any operation, one call per output for the slopes.
+/// Asks a backend about any operation, one call per output for the derivatives.
 pub(crate) fn ask_any<O: Op>(
     backend: Backend<'_>,
     inputs: &[Vec<f32>],
 ) -> Result<Vec<Answer>, Error>
 where
-    O::In<f32>: Row<Scalar = f32>,
-    O::Out<f32>: Row<Scalar = f32>,
+    O::In<f32>: Item<Scalar = f32>,
+    O::Out<f32>: Item<Scalar = f32>,
 {
     let run = O::default();
     let shapes: Vec<O::In<f32>> = inputs.iter().map(|x| O::In::<f32>::load(x)).collect();
@@ -194,8 +194,8 @@ pub(crate) fn ask_gradient<O: Op>(
     inputs: &[Vec<f32>],
 ) -> Result<Vec<Answer>, Error>
 where
-    O::In<f32>: Row<Scalar = f32>,
-    O::Out<f32>: Row<Scalar = f32>,
+    O::In<f32>: Item<Scalar = f32>,
+    O::Out<f32>: Item<Scalar = f32>,
 {
     if O::Out::<f32>::LEN != 1 {
         return Ok(Vec::new());
@@ -209,13 +209,14 @@ where
     Ok(all.into_iter().map(answer).collect())
 }
 
-/// [`ValueGrad`](crate::kernels::op::ValueGrad) of an operation of which only its length says that its result is a number.
+/// [`ValueGrad`](crate::kernels::op::ValueGrad) of an operation of which only its length says that its result is a
+/// number.
 struct AnyGradient<O>(O);
 
-impl<O, R: Row> Runs<R> for AnyGradient<O>
+impl<O, R: Item> Runs<R> for AnyGradient<O>
 where
     O: Op<In<<R as Pack>::Scalar> = R>,
-    O::Out<R::Scalar>: Row<Scalar = R::Scalar>,
+    O::Out<R::Scalar>: Item<Scalar = R::Scalar>,
 {
     type Out = (O::Out<R::Scalar>, R);
     fn face(&self, ask: op::Ask) -> Result<Arc<Face<R::Scalar>>, Error> {
@@ -227,7 +228,7 @@ where
     }
 }
 
-/// Asks a backend about rings, one call per output for the slopes.
+/// Asks a backend about rings, one call per output for the derivatives.
 pub(crate) fn ask_rings<O: GpuRing>(
     backend: Backend<'_>,
     inputs: &[Vec<f32>],

@@ -86,8 +86,8 @@ pub fn size_scale<S: Scalar>(half_a: Vec2<S>, half_b: Vec2<S>) -> S {
     S::select(zero, S::one(), S::select(zero, S::one(), size).binade())
 }
 
-/// The larger box of a pair may be 2⁵⁹ times as large as the smaller one; its area fits an `f32`, and what is [`FAR`] away
-/// is apart from it however it is turned.
+/// The larger box of a pair may be 2⁵⁹ times as large as the smaller one; its area fits an `f32`, and what is [`FAR`]
+/// away is apart from it however it is turned.
 pub(crate) const LARGEST_INVERSE: f64 = 1.0 / (1_u64 << 59) as f64;
 
 /// Beyond this many units (of which the smaller box has about one) between the centres in either
@@ -264,11 +264,11 @@ pub struct Clip<S: Scalar> {
     pub top: [End<S>; 2],
     /// Both ends of the left edge, from top to bottom.
     pub left: [End<S>; 2],
-    /// Slope dy/dx of the bottom edge (for the heading's derivative shared at a tie).
-    pub slope_bottom: S,
-    /// Slope dy/dx of the top edge.
-    pub slope_top: S,
-    /// Slope dx/dy of bottom and top edge; minus the slope dy/dx of right and left. Zero where
+    /// Derivative dy/dx of the bottom edge (for the heading's derivative shared at a tie).
+    pub derivative_bottom: S,
+    /// Derivative dy/dx of the top edge.
+    pub derivative_top: S,
+    /// Derivative dx/dy of bottom and top edge; minus the derivative dy/dx of right and left. Zero where
     /// the sides are parallel and nothing depends on it.
     pub steepness: S,
 }
@@ -310,7 +310,7 @@ pub fn clip<S: Scalar>(pair: Relative<S>) -> Clip<S> {
     let low = Vec2::new(-half_a.x - origin.x, -half_a.y - origin.y);
     let high = Vec2::new(half_a.x - origin.x, half_a.y - origin.y);
 
-    let slope = sin.over(cos);
+    let derivative = sin.over(cos);
     let steepness = cos.over(S::select(parallel, S::one(), sin));
     let steepness = S::select(parallel, S::zero(), steepness);
 
@@ -345,19 +345,19 @@ pub fn clip<S: Scalar>(pair: Relative<S>) -> Clip<S> {
             End::at(corner_x[1] - above[1] * steepness, low.x, high.x),
         ],
         right: [
-            End::at(corner_x[1] + above[1] * slope, low.x, high.x),
-            End::at(corner_x[2] + above[2] * slope, low.x, high.x),
+            End::at(corner_x[1] + above[1] * derivative, low.x, high.x),
+            End::at(corner_x[2] + above[2] * derivative, low.x, high.x),
         ],
         top: [
             End::at(corner_x[2] - above[2] * steepness, low.x, high.x),
             End::at(corner_x[3] - above[3] * steepness, low.x, high.x),
         ],
         left: [
-            End::at(corner_x[3] + above[3] * slope, low.x, high.x),
-            End::at(corner_x[0] + above[0] * slope, low.x, high.x),
+            End::at(corner_x[3] + above[3] * derivative, low.x, high.x),
+            End::at(corner_x[0] + above[0] * derivative, low.x, high.x),
         ],
-        slope_bottom: slope.damp(share_inside(corner_y[0], low.y, high.y, parallel)),
-        slope_top: slope.damp(share_inside(corner_y[2], low.y, high.y, parallel)),
+        derivative_bottom: derivative.damp(share_inside(corner_y[0], low.y, high.y, parallel)),
+        derivative_top: derivative.damp(share_inside(corner_y[2], low.y, high.y, parallel)),
         steepness,
     }
 }
@@ -380,7 +380,7 @@ pub fn clipped_area<S: Scalar>(clip: &Clip<S>) -> S {
         + (y[3] - y[2]) * (clip.top[0].x + clip.top[1].x))
         + ((y[2] - y[1]) * (clip.right[0].x + clip.right[1].x)
             + (y[0] - y[3]) * (clip.left[0].x + clip.left[1].x));
-    let flat = bend(clip.bottom) * clip.slope_bottom + bend(clip.top) * clip.slope_top;
+    let flat = bend(clip.bottom) * clip.derivative_bottom + bend(clip.top) * clip.derivative_top;
     let upright = (bend(clip.right) + bend(clip.left)) * clip.steepness;
     (straight + (flat - upright)).halved()
 }
@@ -399,7 +399,7 @@ pub fn related_area<S: Scalar>(pair: &Relative<S>, area: S) -> S {
     S::select(nothing_shared(pair, area), S::zero(), area)
 }
 
-/// Where a pair counts as sharing nothing, so that value and slopes are zero.
+/// Where a pair counts as sharing nothing, so that value and derivatives are zero.
 #[inline(always)]
 pub fn nothing_shared<S: Scalar>(pair: &Relative<S>, area: S) -> S::Mask {
     pair.apart | area.below(S::zero())
@@ -416,7 +416,7 @@ pub(crate) fn fine<S: Scalar>() -> f64 {
     S::LARGEST.powf(-0.3125)
 }
 
-/// Sides of shapes whose measures of the second and third power of a length, and slopes of those, stay
+/// Sides of shapes whose measures of the second and third power of a length, and derivatives of those, stay
 /// far from over- and underflow in single precision, unless one is a speck beside a giant.
 pub(crate) const COMMON_SMALL: f64 = 1e-5;
 pub(crate) const COMMON_LARGE: f64 = 1e6;

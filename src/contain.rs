@@ -135,17 +135,17 @@ pub struct Clearance {
 /// operations is the negative of it; the sign here is the DGAL paper's.)
 ///
 /// The sign is decided by winding numbers, so it is right where the point is on the extension of an
-/// edge. Kinks: several nearest places (the medial axis), and the border, where both one-sided slopes
-/// are those of the inside. Slopes: see [`clearance_replay`].
+/// edge. Kinks: several nearest places (the medial axis), and the border, where both one-sided derivatives
+/// are those of the inside. Derivatives: see [`clearance_replay`].
 ///
 /// ```
-/// use geograd::{Aabb2, Vec2, contain::clearance_decided};
+/// use geograd::{Aabb2, Vec2, contain::clearance_search};
 /// let square = Aabb2::new(0.0, 0.0, 1.0, 1.0).corners();
-/// let clearance = |x, y| clearance_decided(&[&square], Vec2::new(x, y)).unwrap().0;
+/// let clearance = |x, y| clearance_search(&[&square], Vec2::new(x, y)).unwrap().0;
 /// assert_eq!((clearance(2.0, 0.0), clearance(2.0, 0.5), clearance(0.5, 0.25)), (-1.0, -1.0, 0.25));
 /// ```
 #[must_use]
-pub fn clearance_decided<S: Scalar<Mask = bool>>(
+pub fn clearance_search<S: Scalar<Mask = bool>>(
     rings: &[&[Vec2<S>]],
     point: Vec2<S>,
 ) -> Option<(S, Clearance)> {
@@ -183,8 +183,8 @@ pub fn clearance_decided<S: Scalar<Mask = bool>>(
     best.map(|(_, record)| (clearance_replay(rings, point, record), record))
 }
 
-/// The signed distance of a point from the part of an edge that a record names, with slopes to the
-/// point and to that edge's ends. Where the distance is zero between the ends of an edge, the slope
+/// The signed distance of a point from the part of an edge that a record names, with derivatives to the
+/// point and to that edge's ends. Where the distance is zero between the ends of an edge, the derivative
 /// is that of the side on the edge's left, else zero.
 ///
 /// # Panics
@@ -214,7 +214,7 @@ pub fn clearance_replay<S: Scalar>(rings: &[&[Vec2<S>]], point: Vec2<S>, record:
 }
 
 impl<S: Scalar, const N: usize> ConvexPolygon<S, N> {
-    /// Whether a point is in the polygon; the border belongs to it. Decided exactly.
+    /// Whether a point is in the polygon; the border belongs to it. Search exactly.
     #[must_use]
     #[inline]
     pub fn contains(&self, point: Vec2<S>) -> bool
@@ -230,6 +230,6 @@ impl<S: Scalar, const N: usize> ConvexPolygon<S, N> {
     where
         S: Scalar<Mask = bool>,
     {
-        clearance_decided(&[self.as_slice()], point).map_or(S::zero(), |(value, _)| value)
+        clearance_search(&[self.as_slice()], point).map_or(S::zero(), |(value, _)| value)
     }
 }

@@ -9,8 +9,8 @@ pub use crate::ad::check::derived::{
 pub use crate::ad::check::sample::{Draw, Sample};
 pub use crate::ad::check::symmetry::Kind;
 pub use crate::error::{Field, Flaw, Validate};
+pub use crate::kernels::item::Item;
 pub use crate::kernels::real::Real;
-pub use crate::kernels::row::Row;
 pub use crate::product::{
     load, load_code, load_codes, name, no_code, store, store_code, store_codes, valid,
 };
@@ -62,7 +62,7 @@ pub use {
 /// * [`Pack`](crate::Pack) and [`Fixed`](crate::Fixed): the scalars in the order of the fields, and their
 ///   names;
 /// * [`Validate`](crate::Validate): every scalar is finite, every part valid, the rules below hold;
-/// * [`Row`](crate::kernels::Row): columns of it go into batches and come out of them;
+/// * [`Item`](crate::kernels::Row): columns of it go into batches and come out of them;
 /// * the comparisons of `approx`;
 /// * [`Sample`](crate::ad::check::sample::Sample) for `f64`: random and hard inputs for the harness and, with the
 ///   feature `proptest`, the strategies of `ad::check::strategy` and proptest's own `any`.

@@ -46,7 +46,7 @@
 //! | `box2d_iou`, methods `box`, `rbox` | [`Iou`](crate::kernels::Iou) of `Aabb2`, [`Iou`](crate::kernels::Iou) of `Obb2` |
 //! | `box2d_iou`, methods `grbox`, `drbox` | [`Giou`](crate::kernels::Giou) of `Obb2`, [`Diou`](crate::kernels::Diou) of `Obb2` |
 //! | `box2d_nms`, hard | [`suppression::hard`](crate::suppression::hard()) |
-//! | `box2d_nms`, linear, gaussian | [`suppression::soft`](crate::suppression::soft()) with a [`Decay`](crate::suppression::Decay), and its slopes |
+//! | `box2d_nms`, linear, gaussian | [`suppression::soft`](crate::suppression::soft()) with a [`Decay`](crate::suppression::Decay), and its derivatives |
 //! | `box2dr_pdist` | [`SignedDistance`](crate::kernels::SignedDistance) of `Vec2` and `Obb2`, of the other sign |
 //! | `box3dr_pdist` | [`distance3::signed_distance`](crate::distance3::signed_distance), of the other sign |
 //! | `seg1d_pdist`, `seg1d_iou` | [`Distance`](crate::kernels::Distance) of `S` and `Interval`, [`Iou`](crate::kernels::Iou) of `Interval` |
@@ -61,14 +61,14 @@
 //! | `bbox_overlaps`, modes `iou`, `iof`, `giou` | [`Iou`](crate::kernels::Iou) of `Aabb2`, [`Iof`](crate::kernels::Iof) of `Aabb2`, [`Giou`](crate::kernels::Giou) of `Aabb2` |
 //! | `box_iou_rotated`, modes `iou`, `iof` | [`Iou`](crate::kernels::Iou) of `Obb2`, [`Iof`](crate::kernels::Iof) of `Obb2` |
 //! | `box_iou_quadri`, `convex_iou` | [`overlap_polygon`](crate::overlap_polygon) |
-//! | `convex_giou` | [`giou_polygons_decided`](crate::iou::giou_polygons_decided) and its replay |
-//! | `diff_iou_rotated_2d`, `diff_iou_rotated_3d` | [`Iou`](crate::kernels::Iou) of `Obb2`, [`Iou`](crate::kernels::Iou) of `YawBox3`, with slopes |
+//! | `convex_giou` | [`giou_polygons_search`](crate::iou::giou_polygons_search) and its replay |
+//! | `diff_iou_rotated_2d`, `diff_iou_rotated_3d` | [`Iou`](crate::kernels::Iou) of `Obb2`, [`Iou`](crate::kernels::Iou) of `YawBox3`, with derivatives |
 //! | `boxes_overlap_bev`, `boxes_iou3d` | [`IntersectionArea`](crate::kernels::IntersectionArea) of `Obb2`, [`Iou`](crate::kernels::Iou) of `YawBox3` |
 //! | `nms`, `batched_nms`, `nms_rotated`, `nms_quadri`, `nms3d`, `nms3d_normal` | [`Cpu::overlaps`] of the overlap that is meant, then [`suppression::hard`](crate::suppression::hard()) with classes |
 //! | `soft_nms` | [`suppression::soft`](crate::suppression::soft()) |
 //! | `points_in_boxes_part`, `points_in_boxes_all`, `points_in_boxes_cpu` | [`Cpu::first_box`], [`Cpu::boxes_of_points`] |
 //! | `points_in_polygons` | [`contain`](crate::contain) |
-//! | `min_area_polygons` | [`rectangle_decided`](crate::measure::rectangle::rectangle_decided) |
+//! | `min_area_polygons` | [`rectangle_search`](crate::measure::rectangle::rectangle_search) |
 //!
 //! # The same numbers
 //!
@@ -78,9 +78,9 @@
 //!
 //! ## mmrotate
 //!
-//! Boxes are Gaussians of half their sizes as deviations, as in [`gaussian`](crate::gaussian). With `τ ≥ 1` the loss of a
-//! distance d is [`saturating_loss`](crate::gaussian::saturating_loss) of d and τ (for `fun='log1p'`), else `ln1p(d)`; the
-//! class `GDLoss` has τ = 0, the functions below it τ = 1.
+//! Boxes are Gaussians of half their sizes as deviations, as in [`gaussian`](crate::gaussian). With `τ ≥ 1` the loss
+//! of a distance d is [`saturating_loss`](crate::gaussian::saturating_loss) of d and τ (for `fun='log1p'`), else
+//! `ln1p(d)`; the class `GDLoss` has τ = 0, the functions below it τ = 1.
 //!
 //! | theirs | the distance d by ours |
 //! | --- | --- |
@@ -98,8 +98,8 @@
 //! `KFLoss` is `1 − k` with k the [`kfiou`](crate::gaussian::kfiou), so at least ⅔; `fun='ln'` is `−ln(k + ε)`,
 //! `fun='exp'` `e^(1−k) − 1`. Each adds a smooth L1 loss of encoded centres. `RotatedIoULoss` is one minus
 //! [`Iou`](crate::kernels::Iou) of `Obb2`, or its logarithm. `ConvexGIoULoss` and `BCConvexGIoULoss` are
-//! [`giou_polygons_decided`](crate::iou::giou_polygons_decided), `SpatialBorderLoss` is
-//! [`contain::clearance_decided`](crate::contain::clearance_decided). `KLDRepPointsLoss` has no counterpart: Gaussians
+//! [`giou_polygons_search`](crate::iou::giou_polygons_search), `SpatialBorderLoss` is
+//! [`contain::clearance_search`](crate::contain::clearance_search). `KLDRepPointsLoss` has no counterpart: Gaussians
 //! are made of boxes here, not of points. All of them in space: [`gaussian::solid`](crate::gaussian::solid).
 //!
 //! ## ultralytics
@@ -109,7 +109,7 @@
 //! | `probiou` | `1 − √((1 − q)² + ε)` with q of [`probiou`](crate::gaussian::probiou) and ε = 10⁻⁷; of equal boxes `1 − √(2ε)` = 0.99955, where ours is 1 |
 //! | `bbox_iou` | [`Iou`](crate::kernels::Iou) of `Aabb2`; ε is added to heights, to the union and to what is divided by |
 //! | `bbox_iou` with `GIoU`, `DIoU`, `CIoU` | [`giou_aabb2`](crate::iou::giou_aabb2), [`diou_aabb2`](crate::iou::diou_aabb2), [`ciou_aabb2`](crate::iou::ciou_aabb2) |
-//! | the slopes of `CIoU` | [`ciou_fixed_weight_aabb2`](crate::iou::ciou_fixed_weight_aabb2): α is a constant |
+//! | the derivatives of `CIoU` | [`ciou_fixed_weight_aabb2`](crate::iou::ciou_fixed_weight_aabb2): α is a constant |
 //!
 //! ## torchvision and detectron2
 //!
@@ -133,8 +133,8 @@
 //!
 //! # What none of them has
 //!
-//! Overlap of boxes under full rotation with slopes ([`Iou`](crate::kernels::Iou) of `Obb3`), of two kinds of boxes
-//! ([`Overlaps`](crate::overlap3::Overlaps)), and an overlap that goes on beyond contact
+//! Overlap of boxes under full rotation with derivatives ([`Iou`](crate::kernels::Iou) of `Obb3`), of two kinds of
+//! boxes ([`Overlaps`](crate::overlap3::Overlaps)), and an overlap that goes on beyond contact
 //! ([`separation_aware`](crate::iou3::separation_aware)).
 //!
 //! [`Op::value_grad`]: crate::kernels::Op::value_grad

@@ -8,10 +8,10 @@
 //! assert_eq!(signed_distance(Vec3::new(1.5, 0.0, 0.75), shape), -0.25);
 //! ```
 //!
-//! Values and slopes are finite where every length and coordinate is zero or of a magnitude from 2⁻²⁰ to 2²⁰ in `f32`,
-//! from 2⁻¹⁵⁰ to 2¹⁵⁰ in `f64`.
+//! Values and derivatives are finite where every length and coordinate is zero or of a magnitude from 2⁻²⁰ to 2²⁰ in
+//! `f32`, from 2⁻¹⁵⁰ to 2¹⁵⁰ in `f64`.
 //!
-//! Kinks: inside, where several faces are equally near and share the slope equally; at the centre's planes outside
+//! Kinks: inside, where several faces are equally near and share the derivative equally; at the centre's planes outside
 //! nothing. Across a face the signed distance is smooth, along an edge or at a corner of the border it is not.
 use crate::scalar::most_of;
 use crate::shape::{Aabb3, Obb3, YawBox3};
@@ -70,7 +70,7 @@ pub fn signed_distance<S: Scalar>(point: Vec3<S>, shape: impl Faces<S>) -> S {
     S::select(nearest.above(S::zero()), outside, nearest).canonical()
 }
 
-/// Distance of a point from a box, in units of length; zero inside, with slope zero.
+/// Distance of a point from a box, in units of length; zero inside, with derivative zero.
 ///
 /// ```
 /// use geograd::{Aabb3, Vec3, distance3::distance};

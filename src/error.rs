@@ -340,7 +340,7 @@ pub enum Unrecordable {
     /// Its value without the hints of [`Mask::any`](crate::Mask::any) and
     /// [`Mask::all`](crate::Mask::all) is another than with them.
     Hint,
-    /// Its input or its result has whole numbers (codes, counts): programs are of numbers with slopes.
+    /// Its input or its result has whole numbers (codes, counts): programs are of numbers with derivatives.
     Codes,
     /// It searches: what it does depends on its input, and a program is a straight line.
     Search,
@@ -552,8 +552,9 @@ pub enum GpuFault {
     DeviceLost,
     /// The device has not enough memory: give up some handles, or take smaller batches.
     OutOfMemory,
-    /// The least that a batch can be split into, such as a ring, sixteen items of many numbers or a replayed program, is
-    /// larger than any buffer the device allows: split it, or compute it on the CPU. Batches are split as they need.
+    /// The least that a batch can be split into, such as a ring, sixteen items of many numbers or a replayed program,
+    /// is larger than any buffer the device allows: split it, or compute it on the CPU. Batches are split as they
+    /// need.
     TooLarge {
         /// Its size in bytes.
         bytes: u64,

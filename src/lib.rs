@@ -50,14 +50,14 @@
 //! | port code from the paper's library (DGAL, d3d) | [`paper`] |
 //! | read the rules at kinks | [`scalar`] |
 //!
-//! # Promises
+//! # Invariances
 //!
 //! A test checks each.
 //!
 //! 1. **One source.** Every operation is one generic function; all derivatives come from it. Every adjoint by hand
 //!    agrees with duals and with differences, on ties and near them.
 //! 2. **Finite in, finite out.** Any finite valid input, from zero size to the largest number, gives finite values and
-//!    slopes, for cotangents of any size, of these rows:
+//!    derivatives, for cotangents of any size, of these rows:
 //!    - boxes in the plane: `intersection_area_obb2`, `iou_obb2`, `iof_obb2`, `giou_obb2`, `intersection_area_aabb2`,
 //!      `iou_aabb2`, `iof_aabb2`, `intersection_area_quads`;
 //!    - boxes in space: `intersection_volume_aabb3`, `iou_aabb3`, `iof_aabb3`, `intersection_volume_yaw`, `iou_yaw`,
@@ -65,17 +65,20 @@
 //!    - rings: `signed_area`, `perimeter`, `centroid`.
 //!
 //!    All other operations promise it where every length, coordinate and plain number is zero or of a magnitude from
-//!    2⁻²⁰ to 2²⁰ in `f32` and from 2⁻¹⁵⁰ to 2¹⁵⁰ in `f64`, and every angle is zero or at least 2⁻¹⁰⁰ in `f32` and 2⁻⁹⁰⁰ in
+//! 2⁻²⁰ to 2²⁰ in `f32` and from 2⁻¹⁵⁰ to 2¹⁵⁰ in `f64`, and every angle is zero or at least 2⁻¹⁰⁰ in `f32` and 2⁻⁹⁰⁰
+//! in
 //!    `f64`, for cotangents of one; duals promise it for all operations.
-//!    Slopes of `crossing_of_lines` grow with the square of the reciprocal of the sine between the lines: its numbers are
+//! Derivatives of `crossing_of_lines` grow with the square of the reciprocal of the sine between the lines: its
+//! numbers are
 //!    from 2⁻⁸ to 2⁸ in `f32`. A row says so as data (`Op::FINITE`).
-//! 3. **Ratios stay in \[0, 1\].** Identical boxes give exactly 1 with slope 0; boxes that are apart exactly 0 with slope 0.
+//! 3. **Ratios stay in \[0, 1\].** Identical boxes give exactly 1 with derivative 0; boxes that are apart exactly 0
+//!    with derivative 0.
 //! 4. **No absolute epsilon.** Results far from the origin, tiny, huge and thin are as exact as the inputs. The IoU of
 //!    rotated boxes is within 2·10⁻⁶ of the exact one in `f32` and within 10⁻¹² in `f64`, against an independent oracle
 //!    of 256 bits; for boxes up to a million times longer than wide within 2·10⁻⁵ and 2·10⁻¹⁰.
-//! 5. **Reproducible.** A batch returns exactly the bits of calling the function once per item, at every SIMD level, batch
-//!    position and thread count, with culling on or off.
-//! 6. **Kinks have one policy:** the slope of the branch taken; ties share; a norm at zero has slope 0.
+//! 5. **Reproducible.** A batch returns exactly the bits of calling the function once per item, at every SIMD level,
+//!    batch position and thread count, with culling on or off.
+//! 6. **Kinks have one policy:** the derivative of the branch taken; ties share; a norm at zero has derivative 0.
 //! 7. **Typed errors** name argument, row and field; nothing is written when something is wrong.
 //! 8. **Safe.** One module, `kernels/cpu/arch`, has `unsafe` code: it calls vector instructions after it has asked the
 //!    processor for them, and reads shapes as the numbers that they are.
@@ -175,15 +178,15 @@ pub mod kernels;
 /// assert_gradient!(generic area, |[width, height]| [height, width], at [2.0, 3.0]);
 /// ```
 ///
-/// `assert_gradient!(program &program, at …)` checks a recording, `Check::of(operation).prove()` an operation.
+/// `assert_gradient!(program &program, at …)` checks a recording, `Check::of(operation).assert()` an operation.
 /// [`ad::check`] has the other options of a [`Check`](check::Check), and how far its verdict goes.
 #[forbid(unsafe_code)]
 pub mod check {
     pub use crate::ad::check::sample::{Draw, Sample};
     pub use crate::ad::check::subject::{Conventions, Jumps};
-    pub use crate::ad::check::symmetry::{Answer, Kind, Motion, Promise};
+    pub use crate::ad::check::symmetry::{Answer, Invariance, Kind, Motion};
     pub use crate::ad::check::verdict::{Reason, Witness};
-    pub use crate::ad::check::{Check, Failure, Plan, Report};
+    pub use crate::ad::check::{Check, Failure, Report, Sampling};
     pub use crate::scalar::Scalar;
     pub use crate::{assert_gradient, generic_check};
 }

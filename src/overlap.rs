@@ -1,9 +1,9 @@
 //! How much two boxes overlap: area of intersection, intersection over union, intersection over
 //! the first box.
 //!
-//! All results are exactly zero, with all slopes zero, for boxes that are apart or merely touch.
-//! The ratios are within `[0, 1]`; identical boxes of positive area give exactly 1 with slope
-//! zero. Where a ratio's denominator is zero it is 0 with slope zero.
+//! All results are exactly zero, with all derivatives zero, for boxes that are apart or merely touch.
+//! The ratios are within `[0, 1]`; identical boxes of positive area give exactly 1 with derivative
+//! zero. Where a ratio's denominator is zero it is 0 with derivative zero.
 //!
 //! Ratios by the union are right to a few roundings. Where one box is R times longer than the other,
 //! the area and its ratio to the small box are right to about R roundings: in `f32`, the share of a
@@ -15,11 +15,12 @@
 //! at most [`Scalar::EMPTY`]: longer than wide by a factor beyond about 10³⁷ in `f32` and 10³⁰⁶ in `f64`.
 //! Two such boxes score 0, also when they are identical.
 //!
-//! Values and slopes are finite for all finite valid input, for upstream slopes of any size; slopes by duals where
-//! every length and coordinate is zero or of a magnitude from 2⁻²⁰ to 2²⁰ in `f32`, from 2⁻¹⁵⁰ to 2¹⁵⁰ in `f64`.
+//! Values and derivatives are finite for all finite valid input, for upstream derivatives of any size; derivatives by
+//! duals where every length and coordinate is zero or of a magnitude from 2⁻²⁰ to 2²⁰ in `f32`, from 2⁻¹⁵⁰ to 2¹⁵⁰ in
+//! `f64`.
 //!
-//! Kinks: sides lying along each other (the slope is the mean of both sides of the kink), and
-//! boxes that begin to touch (slope zero). A corner on a side is no kink.
+//! Kinks: sides lying along each other (the derivative is the mean of both sides of the kink), and
+//! boxes that begin to touch (derivative zero). A corner on a side is no kink.
 //!
 //! # Method
 //!
@@ -30,7 +31,7 @@
 use crate::clip::{Framed, Relative, clip, clipped_area, frame, relate, related_area, size_scale};
 use crate::{Aabb2, Mask, Obb2, Scalar, Vec2};
 
-/// Intersection over union from areas, in `[0, 1]`; zero with slope zero when the union is empty.
+/// Intersection over union from areas, in `[0, 1]`; zero with derivative zero when the union is empty.
 #[inline(always)]
 pub fn ratio_of_union<S: Scalar>(inter: S, area_a: S, area_b: S) -> S {
     let total = area_a + area_b - inter;
@@ -42,7 +43,7 @@ pub fn ratio_of_union<S: Scalar>(inter: S, area_a: S, area_b: S) -> S {
     )
 }
 
-/// Intersection over the first area, in `[0, 1]`; zero with slope zero when that is empty.
+/// Intersection over the first area, in `[0, 1]`; zero with derivative zero when that is empty.
 #[inline(always)]
 pub fn ratio_of_first<S: Scalar>(inter: S, area_a: S) -> S {
     let empty = area_a.at_most(S::lit(S::EMPTY));
@@ -124,8 +125,8 @@ pub fn in_outer_unit<S: Scalar>(over: Denominator, value: S, scale: S) -> S {
     }
 }
 
-/// An upstream slope of at most about one, and the power of two that its results are to be multiplied
-/// by: boxes of extreme sizes have slopes that bear no larger one.
+/// An upstream derivative of at most about one, and the power of two that its results are to be multiplied
+/// by: boxes of extreme sizes have derivatives that bear no larger one.
 #[inline(always)]
 pub(crate) fn tamed<S: Scalar>(out_bar: S) -> (S, S) {
     let size = out_bar.unsigned();

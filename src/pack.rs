@@ -37,8 +37,8 @@ pub trait Pack: Clone {
     /// ```
     /// use geograd::{Obb2, Pack, ad};
     /// let (here, there) = (Obb2::new(0.0, 0.0, 2.0, 2.0, 0.0), Obb2::new(1.0, 0.0, 2.0, 2.0, 0.0));
-    /// let (_, slopes) = ad::gradient(|b: Obb2<_>| b.iou(there.lift()), here);
-    /// assert!(slopes.center.x > 0.0);
+    /// let (_, derivatives) = ad::gradient(|b: Obb2<_>| b.iou(there.lift()), here);
+    /// assert!(derivatives.center.x > 0.0);
     /// ```
     fn lift<D: Scalar>(&self) -> Self::With<D>
     where

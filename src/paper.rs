@@ -2,21 +2,21 @@
 //! it.
 //!
 //! DGAL, a header of C++ and CUDA templates, came with the paper that this library was begun for; `d3d`
-//! is its Python face. Everything that they do in the plane is here, generic, with slopes, in batches. Bug
+//! is its Python face. Everything that they do in the plane is here, generic, with derivatives, in batches. Bug
 //! numbers are those of the tests: `tests/geometry/paper_bugs.rs` has one per bug.
 //!
 //! ```
 //! // The paper's listing: the IoU of two quadrilaterals, and its gradient.
 //! use geograd::ad::adjoint::overlap_polygon::iou_polygons_vjp;
-//! use geograd::clipping::clip_decided;
+//! use geograd::clipping::clip_search;
 //! use geograd::overlap_polygon::iou_polygons;
 //! use geograd::{ConvexPolygon, Obb2};
 //!
 //! let a = ConvexPolygon::from(Obb2::new(0.0, 0.0, 4.0, 2.0, 0.0)); // x, y, width, height, radians
 //! let b = ConvexPolygon::from(Obb2::new(1.0, 0.5, 4.0, 2.0, 0.3));
 //! let iou: f64 = iou_polygons(&a, &b);
-//! // What it calls flags: where every vertex of what both share is from. Slopes do without them.
-//! let flags = clip_decided::<_, 4, 4, 8>(&a, &b).unwrap();
+//! // What it calls flags: where every vertex of what both share is from. Derivatives do without them.
+//! let flags = clip_search::<_, 4, 4, 8>(&a, &b).unwrap();
 //! let (grad_a, grad_b) = iou_polygons_vjp(&a, &b, 1.0);
 //!
 //! // Against a difference, moving one vertex.
@@ -58,23 +58,23 @@
 //! | `distance(Point2, Point2)` | [`Vec2::distance`] | B7: the gradient of equal points was no number |
 //! | `distance(Line2, Point2)` | [`Line2::side`] (signed), [`distance`](crate::distance::distance()) | B1: wrong gradient with respect to the line |
 //! | `distance(Segment2, Point2)` | [`distance`](crate::distance::distance()) | B1; B3: a sign that means nothing beyond the ends |
-//! | `distance(Poly2, Point2)` | [`ConvexPolygon::clearance`], [`clearance_decided`](crate::contain::clearance_decided) (with the edge); the opposite sign: [`signed_distance_to_ring`](crate::distance::ring::signed_distance_to_ring) | B1; B3: positive on the extension of an edge |
+//! | `distance(Poly2, Point2)` | [`ConvexPolygon::clearance`], [`clearance_search`](crate::contain::clearance_search) (with the edge); the opposite sign: [`signed_distance_to_ring`](crate::distance::ring::signed_distance_to_ring) | B1; B3: positive on the extension of an edge |
 //! | `intersect(Line2, Line2)` | [`crossing_of_lines`](crate::intersection::crossing_of_lines()) | infinite for parallel lines |
 //! | `intersect(AABox2, AABox2)` | [`Aabb2::meet`] | |
-//! | `intersect(Poly2, Poly2)` and its flags | [`clip`](crate::clipping::clip()), [`clip_decided`](crate::clipping::clip_decided), [`clip_replay`](crate::clipping::clip_replay), [`clip_vjp`](crate::ad::adjoint::clipping::clip_vjp) | B4, B6: boxes of one heading; B10, B11, B12: single precision, small shapes, long ones |
+//! | `intersect(Poly2, Poly2)` and its flags | [`clip`](crate::clipping::clip()), [`clip_search`](crate::clipping::clip_search), [`clip_replay`](crate::clipping::clip_replay), [`clip_vjp`](crate::ad::adjoint::clipping::clip_vjp) | B4, B6: boxes of one heading; B10, B11, B12: single precision, small shapes, long ones |
 //! | `area` | [`Aabb2::area`], [`ConvexPolygon::area`], [`ring::signed_area`](crate::ring::signed_area) | B10: not relative to a vertex |
-//! | `dimension` | [`Aabb2::diagonal`], [`diameter_decided`](crate::measure::extent::diameter_decided) | B8: did not end for flat shapes |
+//! | `dimension` | [`Aabb2::diagonal`], [`diameter_search`](crate::measure::extent::diameter_search) | B8: did not end for flat shapes |
 //! | `center` | [`Aabb2::center`], [`ConvexPolygon::center`] | |
 //! | `centroid` | [`ConvexPolygon::centroid`]; the mean of vertices is [`ConvexPolygon::vertex_mean`] | B9: was that mean |
 //! | `merge(AABox2, AABox2)` | [`Aabb2::join`] | |
-//! | `merge(Poly2, Poly2)` and its flags | [`merge`](crate::hull::merge()), [`merge_decided`](crate::hull::merge_decided), [`merge_replay`](crate::hull::merge_replay) | B5: empty for boxes of one heading |
+//! | `merge(Poly2, Poly2)` and its flags | [`merge`](crate::hull::merge()), [`merge_search`](crate::hull::merge_search), [`merge_replay`](crate::hull::merge_replay) | B5: empty for boxes of one heading |
 //! | `max_distance` | [`farthest_distance`](crate::distance::farthest_distance) | B13: wrong vertices; B14: wrong for nested boxes; no gradient |
-//! | `iou(AABox2, AABox2)` | [`Aabb2::iou`] | B18: slopes of one and minus one for equal boxes; no number for no area |
+//! | `iou(AABox2, AABox2)` | [`Aabb2::iou`] | B18: derivatives of one and minus one for equal boxes; no number for no area |
 //! | `giou(AABox2, AABox2)` | [`giou_aabb2`](crate::iou::giou_aabb2); with the exact hull [`giou_hull_aabb2`](crate::iou::giou_hull_aabb2) | B18 |
 //! | `diou(AABox2, AABox2)` | [`diou_aabb2`](crate::iou::diou_aabb2); with the hull's diameter [`diou_hull_aabb2`](crate::iou::diou_hull_aabb2) | B7: no number for equal boxes |
 //! | `iou(Poly2, Poly2)` | [`iou_polygons`](crate::overlap_polygon::iou_polygons), [`iou_polygons_vjp`](crate::ad::adjoint::overlap_polygon::iou_polygons_vjp); of boxes [`Obb2::iou`] | as `intersect` |
-//! | `giou(Poly2, Poly2)` | [`giou_polygons_decided`](crate::iou::giou_polygons_decided); of boxes [`Obb2::giou`] | B5: infinite for boxes of one heading |
-//! | `diou(Poly2, Poly2)` | [`diou_polygons_decided`](crate::iou::diou_polygons_decided); of boxes [`diou_obb2`](crate::iou::diou_obb2) | B5, B7; wrote beyond its memory above eight vertices |
+//! | `giou(Poly2, Poly2)` | [`giou_polygons_search`](crate::iou::giou_polygons_search); of boxes [`Obb2::giou`] | B5: infinite for boxes of one heading |
+//! | `diou(Poly2, Poly2)` | [`diou_polygons_search`](crate::iou::diou_polygons_search); of boxes [`diou_obb2`](crate::iou::diou_obb2) | B5, B7; wrote beyond its memory above eight vertices |
 //! | `…_grad` | any function with [`ad::gradient`](crate::ad::gradient) or in a batch with [`value_grad`](crate::kernels::Op::value_grad) and [`vjp`](crate::kernels::Op::vjp) | B20: results had to be zeroed by the caller |
 //!
 //! B15 was a name that means another function in another file.

@@ -190,7 +190,7 @@ impl<P: Pack> Pack for Vec<P> {
     }
 }
 
-/// A count or a code: whole numbers beside the scalars of a shape. A decision: without slopes, and
+/// A count or a code: whole numbers beside the scalars of a shape. A decision: without derivatives, and
 /// the same for every kind of scalar.
 ///
 /// ```

@@ -74,9 +74,10 @@ impl<S: Scalar> Reference<S> {
         };
         (seen, in_a, apart)
     }
-    /// The same for fourth powers of length. What is longer than 2³⁰ in single precision is 2²⁶ local units instead of one:
-    /// the fourth power of the unit is then finite, and what slopes by local coordinates are multiplied by on the way back,
-    /// before the unit itself divides them. Not what is longer than 2³⁵, which is [`too_long`](Reference::too_long).
+    /// The same for fourth powers of length. What is longer than 2³⁰ in single precision is 2²⁶ local units instead
+    /// of one: the fourth power of the unit is then finite, and what derivatives by local coordinates are multiplied
+    /// by on the way back, before the unit itself divides them. Not what is longer than 2³⁵, which is
+    /// [`too_long`](Reference::too_long).
     #[must_use]
     #[inline(always)]
     pub(crate) fn of_fourth_powers(mut self) -> Self {
@@ -149,12 +150,12 @@ impl<S: Scalar> Reference<S> {
             (self.origin.y + self.outer(at.y)).saturated(),
         )
     }
-    /// The caller's slope by a vertex, from a slope by its local coordinates of something whose unit
+    /// The caller's derivative by a vertex, from a derivative by its local coordinates of something whose unit
     /// is length to the power `power`.
     #[must_use]
     #[inline(always)]
-    pub fn outer_slope(&self, slope: Vec2<S>, power: i32) -> Vec2<S> {
-        let (mut x, mut y) = (slope.x, slope.y);
+    pub fn outer_derivative(&self, derivative: Vec2<S>, power: i32) -> Vec2<S> {
+        let (mut x, mut y) = (derivative.x, derivative.y);
         for _ in 1..power {
             (x, y) = (self.outer(x), self.outer(y));
         }

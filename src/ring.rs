@@ -5,7 +5,7 @@
 //! Vertices are taken relative to the first one and in units of the ring's own extent, so neither
 //! the distance from the origin nor the size costs digits.
 //!
-//! Signed area, perimeter and centroid, and their slopes, are finite for all finite vertices.
+//! Signed area, perimeter and centroid, and their derivatives, are finite for all finite vertices.
 use crate::{Mask, Scalar, Vec2};
 
 /// Vertices worked on side by side: sums of their own that need not wait for each other, and arrays
@@ -273,7 +273,7 @@ pub(crate) fn signed_area_of<S: Scalar>(ring: impl Vertices<S>) -> S {
 /// the largest finite number.
 ///
 /// Zero for fewer than two vertices; two vertices count their distance twice. Kink: an edge of
-/// length zero, where the slope is zero.
+/// length zero, where the derivative is zero.
 ///
 /// ```
 /// use geograd::{Vec2, ring::perimeter};
@@ -306,7 +306,7 @@ pub(crate) fn perimeter_of<S: Scalar>(ring: impl Vertices<S>) -> S {
 ///
 /// Where the signed area is exactly zero (fewer than three vertices, collinear vertices, a
 /// symmetric figure of eight) there is no such point: the mean of the vertices is returned, with
-/// its slope; the origin for no vertices. That case is a jump, and near it the result grows without
+/// its derivative; the origin for no vertices. That case is a jump, and near it the result grows without
 /// bound for rings whose lobes cancel (it saturates at the largest finite number). Source: Green's
 /// theorem.
 ///

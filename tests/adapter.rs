@@ -1,6 +1,6 @@
 //! Tests on a GPU: the context, and whether shader text is valid.
 use geograd::kernels::gpu::{Gpu, op_sources};
-use geograd::kernels::{Op, Row};
+use geograd::kernels::{Item, Op};
 use std::sync::OnceLock;
 
 /// One context for all tests of a binary; `None`, loudly, where there is no adapter.
@@ -42,8 +42,8 @@ pub fn validate(name: &str, text: &str) {
 /// Shader text needs no GPU to be judged.
 pub fn shaders_are_valid<O: Op>()
 where
-    O::In<f32>: Row<Scalar = f32>,
-    O::Out<f32>: Row,
+    O::In<f32>: Item<Scalar = f32>,
+    O::Out<f32>: Item,
 {
     for (name, text) in op_sources::<O>().unwrap() {
         validate(&name, &text);

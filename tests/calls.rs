@@ -39,7 +39,7 @@ fn cpu() -> Cpu {
 
 /// Shapes of both lists.
 type Bars<O, T> = (Vec<<O as Pair<T>>::A>, Vec<<O as Pair<T>>::B>);
-/// A result and its slopes.
+/// A result and its derivatives.
 type Graded<O, T> = (T, (<O as Pair<T>>::A, <O as Pair<T>>::B));
 
 pub fn aligned<O: Pair<T>, T: Number>(a: &[O::A], b: &[O::B]) -> Result<Vec<T>, Error> {

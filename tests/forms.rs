@@ -2,20 +2,20 @@
 //!
 //! How far a result may be from the processor's is the harness's to say, to which the kernels of items side by side, of
 //! values with gradients and of all pairs are witnesses. Everything else is held to those: reductions and sums to the
-//! matrix and its slopes, data that stay to slices.
+//! matrix and its derivatives, data that stay to slices.
 use crate::adapter::any_gpu;
 use geograd::ad::check::sample::{Draw, Sample};
-use geograd::ad::check::{Plan, Report};
-use geograd::kernels::check::{prove_on, prove_pairs_on, prove_with};
+use geograd::ad::check::{Report, Sampling};
+use geograd::kernels::check::{check_on, check_pairs_on, check_with};
 use geograd::kernels::gpu::Gpu;
-use geograd::kernels::row::Results;
-use geograd::kernels::{Backend, Cpu, One, Op, Row, Runs, Single, Table};
+use geograd::kernels::item::Results;
+use geograd::kernels::{Backend, Cpu, Item, One, Op, Runs, Single, Table};
 use geograd::{Error, Fixed, Pack};
 use std::fmt::Debug;
 use std::marker::PhantomData;
 
-/// An operation's type, by which the forms are found that it has: of a method called on `&&&Forms`, the implementation for
-/// what is behind more references comes first.
+/// An operation's type, by which the forms are found that it has: of a method called on `&&&Forms`, the
+/// implementation for what is behind more references comes first.
 pub struct Forms<O>(PhantomData<O>);
 
 impl<O> Forms<O> {
@@ -34,14 +34,14 @@ pub trait Agree {
 impl<O, A, B> Agree for &&Forms<O>
 where
     O: Op<In<f32> = (A, B), Out<f32> = f32>,
-    O::In<f64>: Sample + Row,
-    O::Out<f64>: Sample + Row,
+    O::In<f64>: Sample + Item,
+    O::Out<f64>: Sample + Item,
     A: Single<Scalar = f32> + PartialEq + Debug,
     B: Single<Scalar = f32> + PartialEq + Debug,
 {
     fn agree(&self) {
         let Some(gpu) = any_gpu() else { return };
-        judged::<O>(&|plan| prove_pairs_on::<O, A, B>(Backend::Gpu(gpu), plan));
+        judged::<O>(&|plan| check_pairs_on::<O, A, B>(Backend::Gpu(gpu), plan));
         let shapes = ordinary::<O>(90);
         let a: Vec<A> = shapes[..20].iter().map(|x| x.0).collect();
         let b: Vec<B> = shapes[20..].iter().map(|x| x.1).collect();
@@ -62,15 +62,15 @@ where
 impl<O, A, B> Agree for &Forms<O>
 where
     O: Op<In<f32> = (A, B)>,
-    O::In<f64>: Sample + Row,
-    O::Out<f64>: Sample + Row,
-    O::Out<f32>: Row<Scalar = f32, Many: PartialEq + Debug>,
+    O::In<f64>: Sample + Item,
+    O::Out<f64>: Sample + Item,
+    O::Out<f32>: Item<Scalar = f32, Many: PartialEq + Debug>,
     A: Single<Scalar = f32>,
     B: Single<Scalar = f32>,
 {
     fn agree(&self) {
         let Some(gpu) = any_gpu() else { return };
-        judged::<O>(&|plan| prove_on::<O>(Backend::Gpu(gpu), plan));
+        judged::<O>(&|plan| check_on::<O>(Backend::Gpu(gpu), plan));
         let shapes = ordinary::<O>(90);
         stays(gpu, O::default(), &shapes);
         let a: Vec<A> = shapes[..20].iter().map(|x| x.0).collect();
@@ -84,37 +84,37 @@ where
 /// Of one shape, or of more than two.
 impl<O: Op> Agree for Forms<O>
 where
-    O::In<f64>: Sample + Row,
-    O::Out<f64>: Sample + Row,
-    O::In<f32>: Row<Scalar = f32>,
-    O::Out<f32>: Row<Scalar = f32, Many: PartialEq + Debug>,
+    O::In<f64>: Sample + Item,
+    O::Out<f64>: Sample + Item,
+    O::In<f32>: Item<Scalar = f32>,
+    O::Out<f32>: Item<Scalar = f32, Many: PartialEq + Debug>,
 {
     fn agree(&self) {
         let Some(gpu) = any_gpu() else { return };
-        judged::<O>(&|plan| prove_on::<O>(Backend::Gpu(gpu), plan));
+        judged::<O>(&|plan| check_on::<O>(Backend::Gpu(gpu), plan));
         stays(gpu, O::default(), &ordinary::<O>(40));
     }
 }
 
-/// Values and slopes are the processor's, within what the harness measures.
-fn judged<O: Op>(prove: &dyn Fn(&Plan<'_>) -> Result<Report, Error>)
+/// Values and derivatives are the processor's, within what the harness measures.
+fn judged<O: Op>(check: &dyn Fn(&Sampling<'_>) -> Result<Report, Error>)
 where
-    O::In<f64>: Sample + Row,
-    O::Out<f64>: Sample + Row,
-    O::In<f32>: Row<Scalar = f32>,
-    O::Out<f32>: Row<Scalar = f32>,
+    O::In<f64>: Sample + Item,
+    O::Out<f64>: Sample + Item,
+    O::In<f32>: Item<Scalar = f32>,
+    O::Out<f32>: Item<Scalar = f32>,
 {
     // Of what has tens of thousands of operations, fewer inputs.
     let is_large = O::default().program::<f32>().unwrap().cost().total() > 5000;
     // What takes time is the harness, which has said the same of the processor's batches.
-    let plan = Plan {
+    let plan = Sampling {
         hard: if is_large { 197 } else { 71 },
-        ..Plan::new(if is_large { 4 } else { 10 }, 1)
+        ..Sampling::new(if is_large { 4 } else { 10 }, 1)
     };
-    let report = prove(&plan).unwrap();
+    let report = check(&plan).unwrap();
     assert!(report.worst[5].count > 0, "{report}");
     // What is refused without a GPU, too, is for the harness's own tests to say.
-    let alone = || prove_with::<O, f32>(&plan);
+    let alone = || check_with::<O, f32>(&plan);
     let refused = report.failures.len();
     assert!(
         refused == 0 || refused == alone().failures.len(),
@@ -126,7 +126,7 @@ where
 fn ordinary<O: Op>(count: usize) -> Vec<O::In<f32>>
 where
     O::In<f64>: Sample,
-    O::In<f32>: Row<Scalar = f32>,
+    O::In<f32>: Item<Scalar = f32>,
 {
     let mut draw = Draw::new(7);
     let drawn = std::iter::repeat_with(|| O::In::<f64>::ordinary(&mut draw));
@@ -144,10 +144,10 @@ fn bits(numbers: &[f32]) -> Vec<u32> {
 /// Columns that stay give what slices give.
 fn stays<R, F>(gpu: &Gpu, run: F, rows: &[R])
 where
-    R: Row<Scalar = f32>,
+    R: Item<Scalar = f32>,
     F: Runs<R> + Copy,
-    F::Out: Row<Scalar = f32> + Results<Many = <F::Out as Row>::Many>,
-    <F::Out as Row>::Many: PartialEq + Debug,
+    F::Out: Item<Scalar = f32> + Results<Many = <F::Out as Item>::Many>,
+    <F::Out as Item>::Many: PartialEq + Debug,
 {
     let here = Backend::Gpu(gpu).resident();
     let found = here.aligned(run, &here.upload(rows).unwrap()).unwrap();
@@ -192,7 +192,7 @@ fn few_differ(name: &str, found: &[f32], expected: &[f32]) {
     assert!(200 * far <= found.len(), "{name}: {far} of {}", found.len());
 }
 
-/// All pairs of two lists: tables, reductions, slopes.
+/// All pairs of two lists: tables, reductions, derivatives.
 pub fn pairs_agree<O, A, B>(gpu: &Gpu, run: O, a: &[A], b: &[B], bound: Bound)
 where
     O: Op<In<f32> = (A, B), Out<f32> = f32>,
@@ -249,20 +249,20 @@ where
     );
     let mean = gpu.mean(run, a, b).unwrap();
     assert_eq!(mean, sum / values.len() as f64, "{name}");
-    // Slopes: sums of those of every pair.
+    // Derivatives: sums of those of every pair.
     let mut draw = Draw::new(5);
     let upstream: Vec<f32> = values.iter().map(|_| draw.unit() as f32 - 0.5).collect();
     let bars = gpu.all_pairs_vjp(run, a, b, &upstream).unwrap();
     let again = gpu.all_pairs_vjp(run, a, b, &upstream).unwrap();
     assert_eq!(again, bars, "{name}: the same bits");
-    slopes_agree((name, bound), &grads, &upstream, (&bars.0, &bars.1));
+    derivatives_agree((name, bound), &grads, &upstream, (&bars.0, &bars.1));
     let (found, a_grad, b_grad) = gpu.sum_grad(run, a, b).unwrap();
-    // Kernels by hand add the sum in other groups beside its slopes.
+    // Kernels by hand add the sum in other groups beside its derivatives.
     assert!(
         (found - sum).abs() <= 1e-6 * size,
         "{name}: {found} for {sum}"
     );
-    slopes_agree(
+    derivatives_agree(
         (name, bound),
         &grads,
         &vec![1.0; values.len()],
@@ -287,8 +287,8 @@ where
     assert_eq!(again, bars, "{name}: the same bits");
 }
 
-/// Slopes of both lists are sums of those of pairs, weighed.
-fn slopes_agree<A, B>(
+/// Derivatives of both lists are sums of those of pairs, weighed.
+fn derivatives_agree<A, B>(
     (name, bound): (&str, Bound),
     grads: &Table<(f32, (A, B))>,
     weights: &[f32],
@@ -298,7 +298,7 @@ fn slopes_agree<A, B>(
     B: Single<Scalar = f32>,
 {
     let (rows, columns) = (a_bar.len(), b_bar.len());
-    // What is left where terms cancel within a slope is known to a few digits of those.
+    // What is left where terms cancel within a derivative is known to a few digits of those.
     let largest = match bound {
         Bound::All => 1.0,
         Bound::Most => {

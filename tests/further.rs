@@ -9,7 +9,7 @@ macro_rules! walk {
      further {
          straight { $($more:ident: $more_op:ty,)* }
          folds { $($more_fold:ident: $more_fold_op:ty,)* }
-         decided { $($more_decided:ident: $more_decided_op:ty,)* }
+         decided { $($more_search:ident: $more_decided_op:ty,)* }
      }) => {
         mod valid {
             $(#[test]

@@ -12,7 +12,7 @@ macro_rules! fuzzes {
      further {
          straight { $($more:ident: $more_op:ty,)* }
          folds { $($more_fold:ident: $more_fold_op:ty,)* }
-         decided { $($more_decided:ident: $more_decided_op:ty,)* }
+         decided { $($more_search:ident: $more_decided_op:ty,)* }
      }) => {
         vec![
             $(
@@ -44,8 +44,8 @@ macro_rules! fuzzes {
                 (stringify!($more_fold), false, fuzz::fold::<$more_fold_op, f32>),
             )*
             $(
-                (stringify!($more_decided), true, fuzz::decided::<$more_decided_op, f64>),
-                (stringify!($more_decided), false, fuzz::decided::<$more_decided_op, f32>),
+                (stringify!($more_search), true, fuzz::decided::<$more_decided_op, f64>),
+                (stringify!($more_search), false, fuzz::decided::<$more_decided_op, f32>),
             )*
         ]
     };

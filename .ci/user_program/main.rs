@@ -23,8 +23,8 @@ where
     let count = cpu.count_above(op, a, b, T::lit(0.5))?;
     let sum = cpu.sum(op, a, b)?;
     let (mean, s, _) = cpu.mean_grad(op, a, b)?;
-    let slopes = p.len() + q.len() + r.len() + s.len() + grads.planes().len();
-    Ok(sum + mean + (slopes + best.len() + other.len() + found.len()) as f64 + count as f64)
+    let derivatives = p.len() + q.len() + r.len() + s.len() + grads.planes().len();
+    Ok(sum + mean + (derivatives + best.len() + other.len() + found.len()) as f64 + count as f64)
 }
 
 fn rings<O: RingOp, T: Real>(op: O, vertices: &[Vec2<T>], offsets: &[usize]) -> Result<f64, Error> {

@@ -1,8 +1,8 @@
 //! A user's program with shapes and a function of its own: batches, the harness, programs. It runs here, and is
 //! compiled outside the workspace with the feature `gpu`, too.
-use geograd::ad::check::Plan;
+use geograd::ad::check::Sampling;
 use geograd::distance::Convex;
-use geograd::kernels::check::prove_with;
+use geograd::kernels::check::check_with;
 use geograd::kernels::{Cpu, One, Op, Skip};
 use geograd::{Capsule2, Circle, Error, Obb2, Pose2, Program, Scalar, Shape, Sym, Vec2, ad};
 
@@ -46,9 +46,9 @@ geograd::operation! {
         let [upper, lower] = arm.links().map(|x| x.signed_distance(wall).least(x.signed_distance(disc)));
         upper.least(lower)
     }
-    promises [TranslationX Stays, TranslationY Stays, Rotation Stays, Scaling Power(1)]
+    invariances [TranslationX Stays, TranslationY Stays, Rotation Stays, Scaling Power(1)]
     jumps Never
-    slopes Reverse
+    derivative Reverse
 }
 
 fn main() -> Result<(), Error> {
@@ -70,8 +70,8 @@ fn main() -> Result<(), Error> {
     };
     let arms: Vec<_> = (0..3000).map(posture).collect();
     let columns = (&arms, One(wall), One(post));
-    let (mut values, mut slopes) = (vec![0.0; arms.len()], arms.clone());
-    let targets = (&mut values, (&mut slopes, Skip, Skip));
+    let (mut values, mut derivatives) = (vec![0.0; arms.len()], arms.clone());
+    let targets = (&mut values, (&mut derivatives, Skip, Skip));
     Cpu::new().aligned_into(Clearance.value_grad(), columns, targets)?;
 
     // The batch says what duals say.
@@ -82,9 +82,9 @@ fn main() -> Result<(), Error> {
             (arms[i], scene),
         );
         assert_eq!(values[i], value);
-        approx(slopes[i].shoulder, by_arm.shoulder);
-        approx(slopes[i].elbow, by_arm.elbow);
-        approx(slopes[i].links[1], by_arm.links[1]);
+        approx(derivatives[i].shoulder, by_arm.shoulder);
+        approx(derivatives[i].elbow, by_arm.elbow);
+        approx(derivatives[i].links[1], by_arm.links[1]);
     }
     // What is not valid is refused by name.
     let flat = Arm {
@@ -97,11 +97,11 @@ fn main() -> Result<(), Error> {
     let program = Program::trace(|x: (Arm<Sym<f32>>, Obb2<_>, Post<_>)| Clearance::eval(x))?;
     assert!(program.wgsl("clearance")?.starts_with("fn clearance("));
 
-    let mut plan = Plan::new(20, 1);
+    let mut plan = Sampling::new(20, 1);
     plan.hard = 40;
     for report in [
-        prove_with::<Clearance, f64>(&plan),
-        prove_with::<Clearance, f32>(&plan),
+        check_with::<Clearance, f64>(&plan),
+        check_with::<Clearance, f32>(&plan),
     ] {
         assert!(report.passed(), "{report}");
     }

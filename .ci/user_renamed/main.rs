@@ -17,22 +17,22 @@ verb! {
 operation! {
     /// Between a vehicle and a tree.
     Gap: (car: Obb2<S>, tree: Tree<S>) -> S { (car.signed_distance(tree.foot) - tree.crown).most(S::zero()) }
-    promises [TranslationX Stays, TranslationY Stays]
+    invariances [TranslationX Stays, TranslationY Stays]
     jumps Never
-    slopes Reverse
+    derivative Reverse
 
     /// A verb of the library.
     SignedDistance: (car: Obb2<S>, tree: Tree<S>) -> S { car.signed_distance(tree.foot) - tree.crown }
-    promises [TranslationX Stays, TranslationY Stays]
+    invariances [TranslationX Stays, TranslationY Stays]
     jumps Never
-    slopes Reverse
+    derivative Reverse
 }
 operation! {
     /// Five arguments.
     Far = "far": (a: S, b: S, c: S, d: S, e: S) -> S { a * b + c * d - e }
-    promises []
+    invariances []
     jumps Never
-    slopes Reverse
+    derivative Reverse
 }
 fn reach<S: Scalar>(point: Vec2<S>, car: Obb2<S>) -> S {
     point.distance(car)
@@ -61,7 +61,7 @@ fn main() -> Result<(), gg::Error> {
     );
     gg::check::Check::of(Gap.row::<(Obb2<f64>, Tree<f64>)>())
         .samples(20)
-        .prove();
+        .assert();
     println!("every form of a renamed library runs");
     Ok(())
 }

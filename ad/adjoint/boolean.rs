@@ -25,7 +25,7 @@ impl<S: Scalar> Bars<'_, S> {
 }
 
 /// Adjoint of [`overlay_replay`](crate::boolean::overlay_replay): the cotangents of both inputs from those
-/// of the vertices of the result, so the slopes of any function of these. One per vertex, one ring after
+/// of the vertices of the result, so the derivatives of any function of these. One per vertex, one ring after
 /// the other.
 ///
 /// A vertex that is one of an input has that one's cotangent. For a crossing at the fractions `s` and `t`
@@ -37,9 +37,9 @@ impl<S: Scalar> Bars<'_, S> {
 /// ```
 /// # #[cfg(feature = "boolean")] {
 /// use geograd::ad::adjoint::{boolean::overlay_vjp, ring::signed_area_vjp};
-/// use geograd::{Aabb2, Vec2, boolean::{Operation, overlay_decided, overlay_replay}, polygon::Fill};
+/// use geograd::{Aabb2, Vec2, boolean::{Operation, overlay_search, overlay_replay}, polygon::Fill};
 /// let (a, b) = (Aabb2::new(0.0, 0.0, 2.0, 2.0).corners(), Aabb2::new(1.0, 1.0, 3.0, 3.0).corners());
-/// let trace = overlay_decided(&a, &b, Operation::Union, Fill::NonZero)?;
+/// let trace = overlay_search(&a, &b, Operation::Union, Fill::NonZero)?;
 /// let union = overlay_replay(&a, &b, &trace);
 /// let mut bars = vec![Vec2::zero(); union.vertices().len()];
 /// signed_area_vjp(union.ring(0), 1.0, &mut bars);

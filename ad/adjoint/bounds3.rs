@@ -1,16 +1,16 @@
 //! Adjoints of the overlap scores of axis-aligned boxes in space.
 //!
-//! With `h` half the size of the shared part, the volume shared is `8 h_x h_y h_z`. A bound that decides alone takes the
-//! whole slope of its side, tied bounds half each; what a box's own volume adds goes to its own bounds.
+//! With `h` half the size of the shared part, the volume shared is `8 h_x h_y h_z`. A bound that decides alone takes
+//! the whole derivative of its side, tied bounds half each; what a box's own volume adds goes to its own bounds.
 //!
-//! Slopes are finite for finite boxes: those too steep for the format are its largest number.
-use crate::ad::adjoint::overlap::{part_taken, score_slopes, tamed};
+//! Derivatives are finite for finite boxes: those too steep for the format are its largest number.
+use crate::ad::adjoint::overlap::{part_taken, score_derivatives, tamed};
 use crate::overlap::Denominator;
 use crate::overlap3::{SharedBounds, score, share3};
 use crate::shape::Aabb3;
 use crate::{Scalar, Vec3};
 
-/// Slopes by both boxes.
+/// Derivatives by both boxes.
 pub type Bars<S> = (Aabb3<S>, Aabb3<S>);
 
 /// The areas of a box's faces across each axis, in quarters, from half its size.
@@ -25,7 +25,7 @@ fn times<S: Scalar>(x: Vec3<S>, y: Vec3<S>) -> Vec3<S> {
     Vec3::new(x.x * y.x, x.y * y.y, x.z * y.z)
 }
 
-/// What the first of two shapes takes of the slopes of shared bounds of which the smaller ones decide.
+/// What the first of two shapes takes of the derivatives of shared bounds of which the smaller ones decide.
 #[inline(always)]
 fn parts<S: Scalar>(mine: Vec3<S>, other: Vec3<S>) -> Vec3<S> {
     Vec3::new(
@@ -41,14 +41,14 @@ fn rest<S: Scalar>(x: Vec3<S>) -> Vec3<S> {
     Vec3::new(S::one() - x.x, S::one() - x.y, S::one() - x.z)
 }
 
-/// Slopes in the caller's unit, by factors one after another.
+/// Derivatives in the caller's unit, by factors one after another.
 #[inline(always)]
 fn outer<S: Scalar>(x: Vec3<S>, by: [S; 3]) -> Vec3<S> {
     let x = (x * by[0]).saturated();
     ((x * by[1]).saturated() * by[2]).saturated().canonical()
 }
 
-/// Value of a score and `out_bar` times its slopes.
+/// Value of a score and `out_bar` times its derivatives.
 fn score_vjp<S: Scalar>(over: Denominator, a: Aabb3<S>, b: Aabb3<S>, out_bar: S) -> (S, Bars<S>) {
     let (zero, one) = (S::zero(), S::one());
     let (out_bar, steep) = tamed(out_bar);
@@ -59,24 +59,24 @@ fn score_vjp<S: Scalar>(over: Denominator, a: Aabb3<S>, b: Aabb3<S>, out_bar: S)
         same,
         scale,
     } = share3(a, b);
-    // It may be infinite for boxes apart, and no slope of zero makes that zero.
+    // It may be infinite for boxes apart, and no derivative of zero makes that zero.
     let none = |x: S| S::select(apart, zero, x);
     let half = Vec3::new(none(half.x), none(half.y), none(half.z));
     let value = score(over, volumes[0], volumes[1], volumes[2], scale);
-    let slopes = score_slopes(over, value, volumes, out_bar);
+    let derivatives = score_derivatives(over, value, volumes, out_bar);
     // Of identical boxes the union is as flat as can be, by symmetry.
     let flat = match over {
         Denominator::Union => apart | same,
         Denominator::None | Denominator::First => apart,
     };
-    let shared_bar = S::select(flat, zero, slopes.inter);
-    let falling = S::select(flat, zero, slopes.falling);
+    let shared_bar = S::select(flat, zero, derivatives.inter);
+    let falling = S::select(flat, zero, derivatives.falling);
     // A volume is eight times the product of the halves; a bound moves a half by half as much.
     let four = S::lit(4.0);
     let (max, min) = (parts(a.max, b.max), parts(b.min, a.min));
     let shared = (faces(half) * (four * shared_bar)).saturated();
-    let own_a = (faces(half_a) * (four * slopes.own[0])).saturated() * falling;
-    let own_b = (faces(half_b) * (four * slopes.own[1])).saturated() * falling;
+    let own_a = (faces(half_a) * (four * derivatives.own[0])).saturated() * falling;
+    let own_b = (faces(half_b) * (four * derivatives.own[1])).saturated() * falling;
     // Of a volume by one length, which leaves two; of a ratio.
     let units = match over {
         Denominator::None => {
@@ -101,7 +101,7 @@ fn score_vjp<S: Scalar>(over: Denominator, a: Aabb3<S>, b: Aabb3<S>, out_bar: S)
     )
 }
 
-/// The volume shared by two axis-aligned boxes, and `out_bar` times its slopes by both.
+/// The volume shared by two axis-aligned boxes, and `out_bar` times its derivatives by both.
 ///
 /// ```
 /// use geograd::{Aabb3, Vec3, ad::adjoint::bounds3::intersection_volume_aabb3_vjp};
@@ -123,14 +123,14 @@ pub fn intersection_volume_aabb3_vjp<S: Scalar>(
     score_vjp(Denominator::None, a, b, out_bar)
 }
 
-/// Intersection over union of two axis-aligned boxes in space, and `out_bar` times its slopes by both.
+/// Intersection over union of two axis-aligned boxes in space, and `out_bar` times its derivatives by both.
 #[must_use]
 #[inline]
 pub fn iou_aabb3_vjp<S: Scalar>(a: Aabb3<S>, b: Aabb3<S>, out_bar: S) -> (S, Bars<S>) {
     score_vjp(Denominator::Union, a, b, out_bar)
 }
 
-/// The share of the first axis-aligned box in space that lies in the second, and `out_bar` times its slopes by
+/// The share of the first axis-aligned box in space that lies in the second, and `out_bar` times its derivatives by
 /// both.
 #[must_use]
 #[inline]

@@ -11,9 +11,9 @@
 use crate::clip::{Clip, End, Relative};
 use crate::{Mask, Scalar, Vec2};
 
-/// Slopes of an area of intersection, in a's frame and the units of the related pair.
+/// Derivatives of an area of intersection, in a's frame and the units of the related pair.
 #[derive(Clone, Copy, Debug)]
-pub struct Slopes<S> {
+pub struct Derivatives<S> {
     /// With respect to b's centre, a standing still.
     pub u: S,
     /// With respect to b's centre, a standing still.
@@ -53,12 +53,12 @@ fn crossing<S: Scalar>(from: S, low: S, high: S, rise: S, out: S::Mask) -> S {
 /// An edge with both ends beyond one side covers its whole `rise`. That is not taken from how far they lie
 /// beyond: of a speck in a giant both are so large that their difference has no digits left.
 #[inline(always)]
-fn beside<S: Scalar>(out: S::Mask, [first, last]: [End<S>; 2], rise: S, slope: S) -> S {
+fn beside<S: Scalar>(out: S::Mask, [first, last]: [End<S>; 2], rise: S, derivative: S) -> S {
     let one_side = (first.beyond * last.beyond).above(S::zero());
     let covered = S::select(
         one_side,
         rise.signed_as(last.beyond),
-        (last.beyond.unsigned() - first.beyond.unsigned()) * slope,
+        (last.beyond.unsigned() - first.beyond.unsigned()) * derivative,
     );
     S::select(out, S::zero(), covered)
 }
@@ -81,7 +81,7 @@ fn half_along<S: Scalar>(parallel: S::Mask, at: S, beyond: S, low: S, high: S, w
     S::select(parallel & along, whole.halved(), S::zero())
 }
 
-/// Slopes of [`clipped_area`](crate::clip::clipped_area).
+/// Derivatives of [`clipped_area`](crate::clip::clipped_area).
 ///
 /// With `W` the length in x of the bottom and top edge inside a, `H` the length in y of the right
 /// and left edge inside a, `t = tan` of the relative heading, `c` its cosine:
@@ -96,11 +96,11 @@ fn half_along<S: Scalar>(parallel: S::Mask, at: S, beyond: S, low: S, high: S, w
 /// what lies beyond them. `∂hy` is the length of a's top and bottom side inside b: the x between
 /// the two edges that leave a corner of b beyond them.
 #[inline(always)]
-pub fn clipped_area_slopes<S: Scalar>(pair: &Relative<S>, clip: &Clip<S>) -> Slopes<S> {
+pub fn clipped_area_derivatives<S: Scalar>(pair: &Relative<S>, clip: &Clip<S>) -> Derivatives<S> {
     let zero = S::zero();
     let [_, ps, _, qs] = clip.arms;
     let (y, above, steepness) = (clip.y, clip.above, clip.steepness);
-    let slope = pair.sin.over(pair.cos);
+    let derivative = pair.sin.over(pair.cos);
     let length = S::one().over(pair.cos);
 
     // Edges that run above or below a, with both ends on the same side, share nothing with it.
@@ -115,8 +115,8 @@ pub fn clipped_area_slopes<S: Scalar>(pair: &Relative<S>, clip: &Clip<S>) -> Slo
     let mut height_left = left_leave - left_enter;
 
     // a's right and left side inside b.
-    let flat = beside(bottom_out, clip.bottom, y[1] - y[0], slope)
-        + beside(top_out, clip.top, y[3] - y[2], slope);
+    let flat = beside(bottom_out, clip.bottom, y[1] - y[0], derivative)
+        + beside(top_out, clip.top, y[3] - y[2], derivative);
     let upright = ((right_enter - y[1]).signed_as(clip.right[0].beyond)
         + (y[2] - right_leave).signed_as(clip.right[1].beyond))
         - ((left_enter - y[0]).signed_as(clip.left[1].beyond)
@@ -178,9 +178,9 @@ pub fn clipped_area_slopes<S: Scalar>(pair: &Relative<S>, clip: &Clip<S>) -> Slo
         (height_right + height_left) * length,
         (width_top + width_bottom) * length,
     );
-    Slopes {
-        u: high - slope * wide,
-        v: wide + slope * high,
+    Derivatives {
+        u: high - derivative * wide,
+        v: wide + derivative * high,
         heading: moment * (length * length),
         half_a: Vec2::new(side_x, side_y),
         half_b: Vec2::new(

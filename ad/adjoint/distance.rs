@@ -1,8 +1,8 @@
 //! Adjoints of distances, by the envelope theorem.
 //!
 //! The nearest points move along their shapes, but to first order that does not change their distance. So its
-//! slope is that of the way between both, held fixed on their shapes: with n the unit vector from a to b,
-//! a point of a has the slope −n and one of b n, which the ends of a segment share by the fraction at
+//! derivative is that of the way between both, held fixed on their shapes: with n the unit vector from a to b,
+//! a point of a has the derivative −n and one of b n, which the ends of a segment share by the fraction at
 //! which the point lies between them. (How the fractions themselves change matters to curvature, which
 //! follows from differentiating these adjoints.)
 use crate::distance::distance;
@@ -21,7 +21,7 @@ fn shared<S: Scalar>(fraction: S, bar: Vec2<S>) -> Segment2<S> {
 }
 
 /// The [distance](crate::distance::distance()) of a point and a segment and its adjoint: the distance, and
-/// `out_bar` times its slopes with respect to both. Zero where the point is on the segment.
+/// `out_bar` times its derivatives with respect to both. Zero where the point is on the segment.
 ///
 /// ```
 /// use geograd::{Segment2, Vec2, ad::adjoint::distance::distance_point_segment_vjp};
@@ -45,8 +45,8 @@ pub fn distance_point_segment_vjp<S: Scalar>(
 }
 
 /// The [distance](crate::distance::distance()) of two segments and its adjoint: the distance, and `out_bar`
-/// times its slopes with respect to both. Zero where they meet. Where several ends are equally near, as those of
-/// parallel segments, they share the slope equally.
+/// times its derivatives with respect to both. Zero where they meet. Where several ends are equally near, as those of
+/// parallel segments, they share the derivative equally.
 ///
 /// ```
 /// use geograd::{Segment2, Vec2, ad::adjoint::distance::distance_segments_vjp};

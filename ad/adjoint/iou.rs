@@ -6,12 +6,12 @@
 //! ∂I = 1/U + I/U² − 1/C        ∂A = ∂B = 1/C − I/U²        ∂C = −U/C²
 //! ```
 //!
-//! The intersection's slopes are those of [`ad::adjoint::clip`](crate::ad::adjoint::clip). The hull's area is a
-//! polynomial with constant weights (see [`iou`](crate::iou)): by the centre of b it has the slopes `(Y, −X)`, by
+//! The intersection's derivatives are those of [`ad::adjoint::clip`](crate::ad::adjoint::clip). The hull's area is a
+//! polynomial with constant weights (see [`iou`](crate::iou)): by the centre of b it has the derivatives `(Y, −X)`, by
 //! half the size of a what stands beside x and y, by each number of b's arms what stands beside that. The arms are
 //! half the size of b times cosine and sine of its turn, which takes `p_x` to `−p_y`, `p_y` to `p_x`, and the
 //! magnitudes of `q_x` and `q_y` to `q_y` and `−q_x`.
-use crate::ad::adjoint::clip::{Slopes, clipped_area_slopes};
+use crate::ad::adjoint::clip::{Derivatives, clipped_area_derivatives};
 use crate::ad::adjoint::overlap::tamed;
 use crate::clip::{
     Framed, Relative, clip, clipped_area, frame, nothing_shared, relate, related_area,
@@ -36,7 +36,7 @@ fn bounded<S: Scalar, const EXTREME: bool>(x: S) -> S {
     if EXTREME { x.clamp(-most, most) } else { x }
 }
 
-/// What slopes of both areas are multiplied by, and a box's own area.
+/// What derivatives of both areas are multiplied by, and a box's own area.
 struct Bars<S: Scalar> {
     nothing: S::Mask,
     inter: S,
@@ -74,7 +74,7 @@ impl<S: Scalar> Bars<S> {
     }
 }
 
-/// A slope no larger than the largest number, times what was taken from the upstream slope.
+/// A derivative no larger than the largest number, times what was taken from the upstream derivative.
 #[inline(always)]
 fn outer<S: Scalar, const EXTREME: bool>(x: S, steep: S) -> S {
     if EXTREME {
@@ -84,7 +84,7 @@ fn outer<S: Scalar, const EXTREME: bool>(x: S, steep: S) -> S {
     }
 }
 
-/// A box's slopes in the caller's unit.
+/// A box's derivatives in the caller's unit.
 #[inline(always)]
 fn finished<S: Scalar, const EXTREME: bool>(
     center: Vec2<S>,
@@ -106,10 +106,10 @@ fn finished<S: Scalar, const EXTREME: bool>(
     }
 }
 
-/// Slopes of the area of the hull of a related pair, in a's frame and the pair's units.
+/// Derivatives of the area of the hull of a related pair, in a's frame and the pair's units.
 #[must_use]
 #[inline(always)]
-pub fn hull_slopes<S: Scalar>(pair: &Relative<S>, hull: &HullOfBoxes<S>) -> Slopes<S> {
+pub fn hull_derivatives<S: Scalar>(pair: &Relative<S>, hull: &HullOfBoxes<S>) -> Derivatives<S> {
     let (a, b, c, turn) = (hull.half_a, hull.half_b, hull.center, hull.turn);
     let ([px, py, qx, qy], gaps) = (hull.arms, hull.gaps);
     let (across, beside) = (hull.across(), hull.beside());
@@ -127,7 +127,7 @@ pub fn hull_slopes<S: Scalar>(pair: &Relative<S>, hull: &HullOfBoxes<S>) -> Slop
         b.x * hull.sides[1] + (turn.y * q.x + turn.x * q.y),
     );
     let heading = (px * p.y - py * p.x) + (qy * q.x - qx * q.y);
-    Slopes {
+    Derivatives {
         u: across.y,
         v: S::select(hull.mirrored, across.x, -across.x),
         heading: S::select(hull.mirrored, -heading, heading),
@@ -142,7 +142,7 @@ pub fn hull_slopes<S: Scalar>(pair: &Relative<S>, hull: &HullOfBoxes<S>) -> Slop
     }
 }
 
-/// Value of the generalised IoU of two boxes with their trigonometry done, and `out_bar` times its slopes.
+/// Value of the generalised IoU of two boxes with their trigonometry done, and `out_bar` times its derivatives.
 /// `EXTREME` says whether sizes may be so small or large that products over- or underflow.
 #[must_use]
 #[inline(always)]
@@ -188,7 +188,10 @@ pub fn giou_framed_vjp<S: Scalar, const EXTREME: bool>(
         lost,
     };
 
-    let (shared, around) = (clipped_area_slopes(&pair, &clip), hull_slopes(&pair, &hull));
+    let (shared, around) = (
+        clipped_area_derivatives(&pair, &clip),
+        hull_derivatives(&pair, &hull),
+    );
     let u_bar = bars.sum::<EXTREME>(shared.u, around.u, zero);
     let v_bar = bars.sum::<EXTREME>(shared.v, around.v, zero);
     let heading_bar = bars.sum::<EXTREME>(shared.heading, around.heading, zero);
@@ -207,14 +210,14 @@ pub fn giou_framed_vjp<S: Scalar, const EXTREME: bool>(
     )
 }
 
-/// [`giou_obb2`](crate::iou::giou_obb2) and its slopes with respect to both boxes.
+/// [`giou_obb2`](crate::iou::giou_obb2) and its derivatives with respect to both boxes.
 #[must_use]
 #[inline]
 pub fn giou_obb2_grad<S: Scalar>(a: Obb2<S>, b: Obb2<S>) -> (S, (Obb2<S>, Obb2<S>)) {
     giou_framed_vjp::<S, true>(frame(a), frame(b), S::one())
 }
 
-/// Adjoint of [`giou_obb2`](crate::iou::giou_obb2): `out_bar` times the slopes with respect to both boxes.
+/// Adjoint of [`giou_obb2`](crate::iou::giou_obb2): `out_bar` times the derivatives with respect to both boxes.
 /// Derivation: see the [module](self).
 #[must_use]
 #[inline]

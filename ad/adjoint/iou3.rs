@@ -1,6 +1,6 @@
 //! Adjoints of the IoU family of boxes of any orientation.
 //!
-//! Such a score is a formula of the boxes' IoU and of their numbers. The IoU has slopes by hand, which keep their
+//! Such a score is a formula of the boxes' IoU and of their numbers. The IoU has derivatives by hand, which keep their
 //! digits where edges are parallel to faces and cost twice its value; the formula is short and is differentiated
 //! forwards.
 use crate::iou3::{Enclosing, Score, score_with_iou};
@@ -15,7 +15,7 @@ const ALL: usize = 1 + 2 * OBB3;
 
 /// One function for each kind of number, whatever the score.
 #[inline(never)]
-fn slopes_of<S: Scalar>(
+fn derivatives_of<S: Scalar>(
     (score, kind): (Score, Enclosing),
     iou: S,
     a: Obb3<S>,
@@ -31,21 +31,21 @@ fn slopes_of<S: Scalar>(
     score_with_iou(score, kind, Jet::variable(iou, 0), a, b)
 }
 
-/// A score of two boxes and `out_bar` times its slopes by both; those by a rotation are by its quaternion.
+/// A score of two boxes and `out_bar` times its derivatives by both; those by a rotation are by its quaternion.
 pub(crate) fn score_obb3_vjp<S: Scalar>(
     score: (Score, Enclosing),
     a: Obb3<S>,
     b: Obb3<S>,
     out_bar: S,
 ) -> (S, (Obb3<S>, Obb3<S>)) {
-    // The slopes by the IoU are known before the slopes of it.
+    // The derivatives by the IoU are known before the derivatives of it.
     let iou = crate::overlap3::iou_obb3(a, b);
-    let found = slopes_of(score, iou, a, b);
-    let (_, bars) = iou_obb3_vjp(a, b, found.slope[0] * out_bar);
+    let found = derivatives_of(score, iou, a, b);
+    let (_, bars) = iou_obb3_vjp(a, b, found.derivative[0] * out_bar);
     let mut numbers = [S::zero(); 2 * OBB3];
     bars.store(&mut numbers);
     for (k, x) in numbers.iter_mut().enumerate() {
-        *x = (*x + found.slope[1 + k] * out_bar).canonical();
+        *x = (*x + found.derivative[1 + k] * out_bar).canonical();
     }
     (found.value.canonical(), Fixed::load(&numbers))
 }

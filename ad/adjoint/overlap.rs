@@ -1,8 +1,8 @@
 //! Adjoints of the overlap scores of two boxes.
 //!
-//! Each comes fused, as value and slopes (`…_grad`), because the slopes need the value's pieces
+//! Each comes fused, as value and derivatives (`…_grad`), because the derivatives need the value's pieces
 //! anyway, and as a plain adjoint (`…_vjp`).
-use crate::ad::adjoint::clip::clipped_area_slopes;
+use crate::ad::adjoint::clip::clipped_area_derivatives;
 use crate::clip::{
     Framed, clip, clipped_area, frame, nothing_shared, relate, related_area, size_scale,
 };
@@ -10,8 +10,8 @@ pub(crate) use crate::overlap::tamed;
 use crate::overlap::{Denominator, Shared, area_from_half, in_outer_unit, score_of, share};
 use crate::{Aabb2, Mask, Obb2, Scalar, Vec2};
 
-/// The slopes of a score with respect to the areas (in space: volumes) it is made of.
-pub(crate) struct AreaSlopes<S> {
+/// The derivatives of a score with respect to the areas (in space: volumes) it is made of.
+pub(crate) struct AreaDerivatives<S> {
     /// By the area of intersection.
     pub inter: S,
     /// By the areas of both boxes, but for `falling`.
@@ -21,20 +21,20 @@ pub(crate) struct AreaSlopes<S> {
     pub falling: S,
 }
 
-/// `out_bar` times the slopes of a score with respect to the areas it is made of.
+/// `out_bar` times the derivatives of a score with respect to the areas it is made of.
 ///
 /// `I / U` with `U = A + B − I`: `∂I = (1 + I/U) / U`, `∂A = ∂B = −(I/U) / U`.
 /// `I / A`: `∂I = 1/A`, `∂A = −(I/A) / A`. Zero where the denominator is.
 #[inline(always)]
-pub(crate) fn score_slopes<S: Scalar>(
+pub(crate) fn score_derivatives<S: Scalar>(
     over: Denominator,
     value: S,
     [inter, area_a, area_b]: [S; 3],
     out_bar: S,
-) -> AreaSlopes<S> {
+) -> AreaDerivatives<S> {
     let zero = S::zero();
     match over {
-        Denominator::None => AreaSlopes {
+        Denominator::None => AreaDerivatives {
             inter: out_bar,
             own: [zero, zero],
             falling: zero,
@@ -42,7 +42,7 @@ pub(crate) fn score_slopes<S: Scalar>(
         Denominator::Union => {
             let per_area = reciprocal_or_zero(area_a + area_b - inter);
             let own = per_area * out_bar;
-            AreaSlopes {
+            AreaDerivatives {
                 inter: (per_area + value * per_area) * out_bar,
                 own: [own, own],
                 falling: -value,
@@ -50,7 +50,7 @@ pub(crate) fn score_slopes<S: Scalar>(
         }
         Denominator::First => {
             let own = reciprocal_or_zero(area_a) * out_bar;
-            AreaSlopes {
+            AreaDerivatives {
                 inter: own,
                 own: [own, zero],
                 falling: -value,
@@ -70,10 +70,10 @@ pub(crate) fn reciprocal_or_zero<S: Scalar>(x: S) -> S {
     )
 }
 
-/// Slopes of a score with respect to both boxes.
+/// Derivatives of a score with respect to both boxes.
 pub type Grads<S> = (Obb2<S>, Obb2<S>);
 
-/// Value of a score of two boxes with their trigonometry done, and `out_bar` times its slopes.
+/// Value of a score of two boxes with their trigonometry done, and `out_bar` times its derivatives.
 ///
 /// Moving b by `(∂u, ∂v)` in a's frame is moving a the other way; turning the pair about a's centre
 /// changes nothing, so `∂heading_a = −(∂heading_b + u ∂v − v ∂u)`.
@@ -120,7 +120,7 @@ pub fn score_framed_vjp<S: Scalar, const EXTREME: bool>(
     (value.canonical(), (canonical(grads.0), canonical(grads.1)))
 }
 
-/// [`score_framed_vjp`] with lengths, value and slopes in units of `1 / scale`.
+/// [`score_framed_vjp`] with lengths, value and derivatives in units of `1 / scale`.
 #[inline(always)]
 pub(crate) fn score_scaled_vjp<S: Scalar, const EXTREME: bool>(
     over: Denominator,
@@ -138,25 +138,25 @@ pub(crate) fn score_scaled_vjp<S: Scalar, const EXTREME: bool>(
     let area = clipped_area(&clip);
     let inter = related_area(&pair, area);
     let nothing = nothing_shared(&pair, area);
-    let slopes = clipped_area_slopes(&pair, &clip);
+    let derivatives = clipped_area_derivatives(&pair, &clip);
 
     let half_b = b.half * scale;
     let (area_a, area_b) = (area_from_half(pair.half_a), area_from_half(half_b));
     let value = score_of(over, inter, area_a, area_b);
-    let areas = score_slopes(over, value, [inter, area_a, area_b], out_bar);
+    let areas = score_derivatives(over, value, [inter, area_a, area_b], out_bar);
     let inter_bar = S::select(nothing, S::zero(), areas.inter);
     // A size is twice its half; a box's own area is four times the product of the halves.
     let (half_bar, falling) = (inter_bar.halved(), areas.falling + areas.falling);
-    let size_a_bar = inter_size_bar::<S, EXTREME>(slopes.half_a, half_bar)
+    let size_a_bar = inter_size_bar::<S, EXTREME>(derivatives.half_a, half_bar)
         + own_size_bar::<S, EXTREME>(pair.half_a, areas.own[0], falling);
-    let size_b_bar = inter_size_bar::<S, EXTREME>(slopes.half_b, half_bar)
+    let size_b_bar = inter_size_bar::<S, EXTREME>(derivatives.half_b, half_bar)
         + own_size_bar::<S, EXTREME>(half_b, areas.own[1], falling);
-    // What is apart scores zero whatever the areas are, so those slopes vanish by themselves.
+    // What is apart scores zero whatever the areas are, so those derivatives vanish by themselves.
     let (u_bar, v_bar) = (
-        bounded::<S, EXTREME>(slopes.u * inter_bar),
-        bounded::<S, EXTREME>(slopes.v * inter_bar),
+        bounded::<S, EXTREME>(derivatives.u * inter_bar),
+        bounded::<S, EXTREME>(derivatives.v * inter_bar),
     );
-    let heading_bar = bounded::<S, EXTREME>(slopes.heading * inter_bar);
+    let heading_bar = bounded::<S, EXTREME>(derivatives.heading * inter_bar);
     let turn_bar = heading_bar
         + (bounded::<S, EXTREME>(pair.u * v_bar) - bounded::<S, EXTREME>(pair.v * u_bar));
     let center_bar = Vec2::new(a.cos * u_bar - a.sin * v_bar, a.sin * u_bar + a.cos * v_bar);
@@ -175,16 +175,16 @@ pub(crate) fn score_scaled_vjp<S: Scalar, const EXTREME: bool>(
     (value, grads)
 }
 
-/// What a box's size takes from the shared area's slopes by its halves.
+/// What a box's size takes from the shared area's derivatives by its halves.
 #[inline(always)]
-fn inter_size_bar<S: Scalar, const EXTREME: bool>(slope: Vec2<S>, half_bar: S) -> Vec2<S> {
+fn inter_size_bar<S: Scalar, const EXTREME: bool>(derivative: Vec2<S>, half_bar: S) -> Vec2<S> {
     Vec2::new(
-        bounded::<S, EXTREME>(slope.x * half_bar),
-        bounded::<S, EXTREME>(slope.y * half_bar),
+        bounded::<S, EXTREME>(derivative.x * half_bar),
+        bounded::<S, EXTREME>(derivative.y * half_bar),
     )
 }
 
-/// What a side takes from its own box, whose slope is `own` times `falling`.
+/// What a side takes from its own box, whose derivative is `own` times `falling`.
 #[inline(always)]
 pub(super) fn own_bar<S: Scalar, const EXTREME: bool>(own: S, falling: S) -> S {
     bounded::<S, EXTREME>(bounded::<S, EXTREME>(own) * falling)
@@ -199,7 +199,7 @@ fn own_size_bar<S: Scalar, const EXTREME: bool>(half: Vec2<S>, own: S, falling: 
     )
 }
 
-/// A term of a sum of slopes: no larger than the largest number, so that two of opposite sign leave
+/// A term of a sum of derivatives: no larger than the largest number, so that two of opposite sign leave
 /// a number. Ordinary boxes have none so large.
 #[inline(always)]
 pub(super) fn bounded<S: Scalar, const EXTREME: bool>(x: S) -> S {
@@ -216,7 +216,7 @@ fn canonical<S: Scalar>(x: Obb2<S>) -> Obb2<S> {
     }
 }
 
-/// Every field at the nearest finite number, times what was taken from the upstream slope.
+/// Every field at the nearest finite number, times what was taken from the upstream derivative.
 #[inline(always)]
 fn saturated<S: Scalar>(x: Obb2<S>, steep: S) -> Obb2<S> {
     let times = |x: S| (x.saturated() * steep).saturated();
@@ -227,7 +227,7 @@ fn saturated<S: Scalar>(x: Obb2<S>, steep: S) -> Obb2<S> {
     }
 }
 
-/// Value of a score of two axis-aligned boxes, and `out_bar` times its slopes.
+/// Value of a score of two axis-aligned boxes, and `out_bar` times its derivatives.
 #[inline(always)]
 pub fn score_aabb2_vjp<S: Scalar>(
     over: Denominator,
@@ -251,9 +251,9 @@ pub fn score_aabb2_vjp<S: Scalar>(
     (value, grads)
 }
 
-/// [`score_aabb2_vjp`] where the upstream slope is no more than about one.
+/// [`score_aabb2_vjp`] where the upstream derivative is no more than about one.
 ///
-/// With `h` half the shared size, `I = 4 h_x h_y`; a bound that decides alone takes the whole slope
+/// With `h` half the shared size, `I = 4 h_x h_y`; a bound that decides alone takes the whole derivative
 /// of its side, tied bounds half each.
 #[inline(always)]
 pub(crate) fn tame_score_aabb2_vjp<S: Scalar>(
@@ -269,13 +269,13 @@ pub(crate) fn tame_score_aabb2_vjp<S: Scalar>(
         apart,
         scale,
     } = share(a, b);
-    // It may be infinite for boxes apart, and no slope of zero makes that zero.
+    // It may be infinite for boxes apart, and no derivative of zero makes that zero.
     let none = |x: S| S::select(apart, S::zero(), x);
     let half = Vec2::new(none(half.x), none(half.y));
     let inter = area_from_half(half);
     let (area_a, area_b) = (area_from_half(half_a), area_from_half(half_b));
     let value = score_of(over, inter, area_a, area_b);
-    let areas = score_slopes(over, value, [inter, area_a, area_b], out_bar);
+    let areas = score_derivatives(over, value, [inter, area_a, area_b], out_bar);
     let value = in_outer_unit(over, value, scale);
     let unit = match over {
         Denominator::None => S::one().over(scale),
@@ -283,7 +283,7 @@ pub(crate) fn tame_score_aabb2_vjp<S: Scalar>(
     };
     // Twice the unit of the least numbers is beyond the largest.
     let two = (S::lit(2.0) * unit).saturated();
-    // Slopes with respect to a shared bound, and to a box's own bounds; to the caller's unit go their
+    // Derivatives with respect to a shared bound, and to a box's own bounds; to the caller's unit go their
     // sums, so that what cancels cancels however small it is there.
     let bound_bar = Vec2::new(half.y, half.x) * areas.inter;
     let own_a = own_bound_bar(half_a, areas.own[0]) * areas.falling;
@@ -305,13 +305,13 @@ pub(crate) fn tame_score_aabb2_vjp<S: Scalar>(
     )
 }
 
-/// A box's own slopes by its bounds, no larger than the largest number.
+/// A box's own derivatives by its bounds, no larger than the largest number.
 #[inline(always)]
 fn own_bound_bar<S: Scalar>(half: Vec2<S>, own: S) -> Vec2<S> {
     Vec2::new((half.y * own).saturated(), (half.x * own).saturated())
 }
 
-/// The part of a bound's slope that the first of two bounds takes when the smaller one decides.
+/// The part of a bound's derivative that the first of two bounds takes when the smaller one decides.
 #[inline(always)]
 pub(crate) fn part_taken<S: Scalar>(mine: S, other: S) -> S {
     let won = S::select(mine.below(other), S::one(), S::zero());
@@ -330,7 +330,7 @@ fn rest<S: Scalar>(x: Vec2<S>) -> Vec2<S> {
     Vec2::new(S::one() - x.x, S::one() - x.y)
 }
 
-/// A bound's slopes in the caller's unit of length.
+/// A bound's derivatives in the caller's unit of length.
 #[inline(always)]
 fn in_unit<S: Scalar>(x: Vec2<S>, unit: S) -> Vec2<S> {
     Vec2::new((x.x * unit).saturated(), (x.y * unit).saturated()).canonical()
@@ -341,28 +341,28 @@ macro_rules! adjoints {
     ($($over:ident: $obb_grad:ident, $obb_vjp:ident of $obb:ident;
        $aabb_grad:ident, $aabb_vjp:ident of $aabb:ident;)*) => { $(
         #[doc = concat!("[`", stringify!($obb), "`](crate::overlap::", stringify!($obb),
-            ") and its slopes with respect to both boxes.")]
+            ") and its derivatives with respect to both boxes.")]
         #[must_use]
         #[inline]
         pub fn $obb_grad<S: Scalar>(a: Obb2<S>, b: Obb2<S>) -> (S, (Obb2<S>, Obb2<S>)) {
             score_framed_vjp::<S, true>(Denominator::$over, frame(a), frame(b), S::one())
         }
         #[doc = concat!("Adjoint of [`", stringify!($obb), "`](crate::overlap::", stringify!($obb),
-            "): `out_bar` times the slopes with respect to both boxes.")]
+            "): `out_bar` times the derivatives with respect to both boxes.")]
         #[must_use]
         #[inline]
         pub fn $obb_vjp<S: Scalar>(a: Obb2<S>, b: Obb2<S>, out_bar: S) -> (Obb2<S>, Obb2<S>) {
             score_framed_vjp::<S, true>(Denominator::$over, frame(a), frame(b), out_bar).1
         }
         #[doc = concat!("[`", stringify!($aabb), "`](crate::overlap::", stringify!($aabb),
-            ") and its slopes with respect to both boxes.")]
+            ") and its derivatives with respect to both boxes.")]
         #[must_use]
         #[inline]
         pub fn $aabb_grad<S: Scalar>(a: Aabb2<S>, b: Aabb2<S>) -> (S, (Aabb2<S>, Aabb2<S>)) {
             score_aabb2_vjp(Denominator::$over, a, b, S::one())
         }
         #[doc = concat!("Adjoint of [`", stringify!($aabb), "`](crate::overlap::",
-            stringify!($aabb), "): `out_bar` times the slopes with respect to both boxes.")]
+            stringify!($aabb), "): `out_bar` times the derivatives with respect to both boxes.")]
         #[must_use]
         #[inline]
         pub fn $aabb_vjp<S: Scalar>(a: Aabb2<S>, b: Aabb2<S>, out_bar: S) -> (Aabb2<S>, Aabb2<S>) {

@@ -89,9 +89,9 @@ fn pull<S: Scalar>(edge: [Vec2<S>; 2], piece: &Piece<S>, turned: S::Mask, bar: S
     [out * start, out * end]
 }
 
-/// The slopes of what the triangles over two edges share, to the ends of both.
+/// The derivatives of what the triangles over two edges share, to the ends of both.
 #[inline(always)]
-pub(super) fn pair_slopes<S: Scalar>(
+pub(super) fn pair_derivatives<S: Scalar>(
     f: [Vec2<S>; 2],
     g: [Vec2<S>; 2],
     pair: &Wedge<S>,
@@ -109,10 +109,10 @@ pub(super) fn pair_slopes<S: Scalar>(
     ]
 }
 
-/// Adds the slopes of what an edge of a ring shares with a polygon, both in local coordinates: to the
+/// Adds the derivatives of what an edge of a ring shares with a polygon, both in local coordinates: to the
 /// polygon's vertices, and as a result to both ends of the edge.
 #[inline(always)]
-fn edge_slopes<S: Scalar, const M: usize>(
+fn edge_derivatives<S: Scalar, const M: usize>(
     fan: &Fan<S, M>,
     edge: [Vec2<S>; 2],
     fan_bar: &mut [Vec2<S>; M],
@@ -125,7 +125,7 @@ fn edge_slopes<S: Scalar, const M: usize>(
         let Some(pair) = fan.wedge(edge, now) else {
             continue;
         };
-        let [f, g] = pair_slopes(edge, [fan.at[now], fan.at[next]], &pair);
+        let [f, g] = pair_derivatives(edge, [fan.at[now], fan.at[next]], &pair);
         edge_bar[0] += f[0];
         edge_bar[1] += f[1];
         fan_bar[now] += g[0];
@@ -134,9 +134,9 @@ fn edge_slopes<S: Scalar, const M: usize>(
     edge_bar
 }
 
-/// Local slopes of the shared area of two convex polygons.
+/// Local derivatives of the shared area of two convex polygons.
 #[inline(always)]
-fn shared_slopes<S: Scalar, const N: usize, const M: usize>(
+fn shared_derivatives<S: Scalar, const N: usize, const M: usize>(
     fan_a: &Fan<S, N>,
     fan_b: &Fan<S, M>,
 ) -> ([Vec2<S>; N], [Vec2<S>; M]) {
@@ -144,7 +144,7 @@ fn shared_slopes<S: Scalar, const N: usize, const M: usize>(
     let mut k = 0;
     while k < fan_a.count {
         let next = fan_a.after(k);
-        let bars = edge_slopes(fan_b, fan_a.edge(k), &mut b_bar);
+        let bars = edge_derivatives(fan_b, fan_a.edge(k), &mut b_bar);
         a_bar[k] += bars[0];
         a_bar[next] += bars[1];
         k += 1;
@@ -152,9 +152,9 @@ fn shared_slopes<S: Scalar, const N: usize, const M: usize>(
     (a_bar, b_bar)
 }
 
-/// Local slopes of a polygon's own area: `v̄ = (q_y − p_y, p_x − q_x)/2` with `p`, `q` its neighbours.
+/// Local derivatives of a polygon's own area: `v̄ = (q_y − p_y, p_x − q_x)/2` with `p`, `q` its neighbours.
 #[inline(always)]
-fn own_slopes<S: Scalar, const N: usize>(fan: &Fan<S, N>) -> [Vec2<S>; N] {
+fn own_derivatives<S: Scalar, const N: usize>(fan: &Fan<S, N>) -> [Vec2<S>; N] {
     let mut bars = [Vec2::zero(); N];
     let mut k = 0;
     while k < fan.count {
@@ -169,7 +169,7 @@ fn own_slopes<S: Scalar, const N: usize>(fan: &Fan<S, N>) -> [Vec2<S>; N] {
 /// A pair of cotangents.
 type Bars<S, const N: usize, const M: usize> = (ConvexPolygon<S, N>, ConvexPolygon<S, M>);
 
-/// Combines the slopes of a function of the three areas, given the function's partial derivatives in
+/// Combines the derivatives of a function of the three areas, given the function's partial derivatives in
 /// local units; `power` is the unit of the function as a power of length.
 #[inline(always)]
 fn combined<S: Scalar, const N: usize, const M: usize>(
@@ -184,18 +184,18 @@ fn combined<S: Scalar, const N: usize, const M: usize>(
     let fan_b = Fan::new(&b.vertices, b.count, &seen);
     let (mut a_bar, mut b_bar) = ([Vec2::zero(); N], [Vec2::zero(); M]);
     if !shared.nothing.all() {
-        (a_bar, b_bar) = shared_slopes(&fan_a, &fan_b);
+        (a_bar, b_bar) = shared_derivatives(&fan_a, &fan_b);
     }
-    let (own_a, own_b) = (own_slopes(&fan_a), own_slopes(&fan_b));
+    let (own_a, own_b) = (own_derivatives(&fan_a), own_derivatives(&fan_b));
     let inter = S::select(shared.nothing, S::zero(), partials[0]);
     let half = |own: Vec2<S>| Vec2::new(own.x.halved(), own.y.halved());
     for (bar, own) in a_bar.iter_mut().zip(own_a) {
         let of_both = choose(shared.same, half(own), *bar);
-        *bar = seen.outer_slope(of_both * inter + own * partials[1], power);
+        *bar = seen.outer_derivative(of_both * inter + own * partials[1], power);
     }
     for (bar, own) in b_bar.iter_mut().zip(own_b) {
         let of_both = choose(shared.same, half(own), *bar);
-        *bar = seen.outer_slope(of_both * inter + own * partials[2], power);
+        *bar = seen.outer_derivative(of_both * inter + own * partials[2], power);
     }
     (
         ConvexPolygon {
@@ -210,7 +210,7 @@ fn combined<S: Scalar, const N: usize, const M: usize>(
 }
 
 /// Adjoint of [`intersection_area_polygons`](crate::overlap_polygon::intersection_area_polygons):
-/// `out_bar` times the slopes with respect to both polygons. Derivation: see the [module](self).
+/// `out_bar` times the derivatives with respect to both polygons. Derivation: see the [module](self).
 #[must_use]
 #[inline]
 pub fn intersection_area_polygons_vjp<S: Scalar, const N: usize, const M: usize>(
@@ -222,7 +222,7 @@ pub fn intersection_area_polygons_vjp<S: Scalar, const N: usize, const M: usize>
     combined(a, b, &shared, [out_bar, S::zero(), S::zero()], 2)
 }
 
-/// Adjoint of [`iou_polygons`](crate::overlap_polygon::iou_polygons): `out_bar` times the slopes with
+/// Adjoint of [`iou_polygons`](crate::overlap_polygon::iou_polygons): `out_bar` times the derivatives with
 /// respect to both polygons.
 ///
 /// With `r = I / U`: `∂I = (1 + r) / U`, `∂A = ∂B = −r / U`.
@@ -271,16 +271,16 @@ pub fn area_inside_vjp<S: Scalar, const M: usize>(
         bars.fill(Vec2::zero());
         for (k, [start, end]) in edges(ring).enumerate() {
             let edge = [seen.place(start), seen.place(end)];
-            let pulled = edge_slopes(&inside.fan, edge, &mut fan_bar);
+            let pulled = edge_derivatives(&inside.fan, edge, &mut fan_bar);
             bars[k] += pulled[0];
             bars[(k + 1) % ring.len()] += pulled[1];
         }
         for bar in bars {
-            *bar = seen.outer_slope(*bar * out_bar, 2);
+            *bar = seen.outer_derivative(*bar * out_bar, 2);
         }
     }
     for bar in &mut fan_bar {
-        *bar = seen.outer_slope(*bar * out_bar, 2);
+        *bar = seen.outer_derivative(*bar * out_bar, 2);
     }
     ConvexPolygon {
         vertices: fan_bar,

@@ -49,9 +49,9 @@ fn pull<S: Scalar>(corners: &[Vec2<S>; 4], k: usize, part: Part<S>, bars: &mut [
     bars[next] += Vec2::new(along.y * to_end, -(along.x * to_end));
 }
 
-/// Slopes of the area in the units of a pair.
+/// Derivatives of the area in the units of a pair.
 #[inline(always)]
-fn slopes<S: Scalar>(pair: &QuadPair<S>) -> Quads<S> {
+fn derivatives<S: Scalar>(pair: &QuadPair<S>) -> Quads<S> {
     let (zero, one, half) = (S::zero(), S::one(), S::lit(0.5));
     // Two sides whose product is no larger count as parallel; its reciprocal is finite, times any fraction of
     // a side that is not parallel.
@@ -107,7 +107,7 @@ fn slopes<S: Scalar>(pair: &QuadPair<S>) -> Quads<S> {
     (a_bar, b_bar)
 }
 
-/// A slope times factors one after another, of which `EXTREME` ones leave no more than the largest number.
+/// A derivative times factors one after another, of which `EXTREME` ones leave no more than the largest number.
 #[inline(always)]
 fn outer<S: Scalar, const EXTREME: bool>(x: S, [bar, unit, steep]: [S; 3]) -> S {
     let x = if EXTREME {
@@ -118,7 +118,7 @@ fn outer<S: Scalar, const EXTREME: bool>(x: S, [bar, unit, steep]: [S; 3]) -> S 
     x.canonical()
 }
 
-/// The area that two quadrilaterals share, and `out_bar` times its slopes. `EXTREME` says whether coordinates and
+/// The area that two quadrilaterals share, and `out_bar` times its derivatives. `EXTREME` says whether coordinates and
 /// `out_bar` may be so large that products overflow; the bits are the same for ordinary ones.
 #[inline(always)]
 pub(crate) fn area_of_quads_vjp<S: Scalar, const EXTREME: bool>(
@@ -129,12 +129,12 @@ pub(crate) fn area_of_quads_vjp<S: Scalar, const EXTREME: bool>(
     let zero = S::zero();
     let pair = QuadPair::new(a, b);
     let area = pair.outer_area();
-    let (of_first, of_second) = slopes(&pair);
+    let (of_first, of_second) = derivatives(&pair);
     let (mut a_bar, mut b_bar) = (
         choose_quad(pair.exchanged, of_second, of_first),
         choose_quad(pair.exchanged, of_first, of_second),
     );
-    // Lengths were halved and scaled; what saturates has no slopes.
+    // Lengths were halved and scaled; what saturates has no derivatives.
     let nothing = pair.nothing | area.above(S::lit(S::LARGEST));
     let out_bar = S::select(nothing, zero, out_bar);
     let (out_bar, steep) = if EXTREME {
@@ -159,7 +159,7 @@ pub(crate) fn area_of_quads_vjp<S: Scalar, const EXTREME: bool>(
 }
 
 /// [`intersection_area_quads`](crate::overlap_polygon::intersection_area_quads) and its adjoint:
-/// the area, and `out_bar` times its slopes with respect to all corners. They are finite; those too steep
+/// the area, and `out_bar` times its derivatives with respect to all corners. They are finite; those too steep
 /// for the format are its largest number. Derivation: see the
 /// [module](self).
 ///

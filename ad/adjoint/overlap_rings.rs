@@ -1,14 +1,14 @@
 //! Adjoints of the overlap of polygons with holes, by the motion of their own borders, as in
 //! [`overlap_polygon`](super::overlap_polygon): nothing is divided by the sine of the angle between two
 //! edges. Each writes one cotangent per vertex, one ring after the other, and returns the value.
-use super::overlap_polygon::pair_slopes;
+use super::overlap_polygon::pair_derivatives;
 use crate::overlap::{ratio_of_first, ratio_of_union};
 use crate::overlap_polygon::between;
 use crate::overlap_polygon::rings::Pair;
 use crate::polygon::Rings;
 use crate::{Scalar, Vec2};
 
-/// The local slopes of the area of one of them, times a factor.
+/// The local derivatives of the area of one of them, times a factor.
 fn add_own<S: Scalar<Mask = bool>>(pair: &Pair<'_, S>, which: usize, by: S, bars: &mut [Vec2<S>]) {
     pair.each_tile(which, |tile| {
         for k in 0..tile.count {
@@ -20,7 +20,7 @@ fn add_own<S: Scalar<Mask = bool>>(pair: &Pair<'_, S>, which: usize, by: S, bars
     });
 }
 
-/// The local slopes of the shared area, times a factor.
+/// The local derivatives of the shared area, times a factor.
 fn add_shared<S: Scalar<Mask = bool>>(
     pair: &Pair<'_, S>,
     by: S,
@@ -41,7 +41,7 @@ fn add_shared<S: Scalar<Mask = bool>>(
                         continue;
                     };
                     let sign = f.signs[i] * g.signs[k] * by;
-                    let [by_f, by_g] = pair_slopes(edge_f, edge_g, &found);
+                    let [by_f, by_g] = pair_derivatives(edge_f, edge_g, &found);
                     for end in 0..2 {
                         a_bar[f.numbers[i][end]] += by_f[end] * sign;
                         b_bar[g.numbers[k][end]] += by_g[end] * sign;
@@ -89,7 +89,7 @@ fn pulled<'a, S: Scalar<Mask = bool>>(
         add_own(&pair, 1, by_b, b_bar);
     }
     for bar in a_bar.iter_mut().chain(b_bar) {
-        *bar = pair.seen.outer_slope(*bar, found.power);
+        *bar = pair.seen.outer_derivative(*bar, found.power);
     }
     found.value
 }

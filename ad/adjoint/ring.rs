@@ -2,7 +2,7 @@
 use crate::ring::{Local, SIDE};
 use crate::{Mask, Scalar, Vec2};
 
-/// A vertex's slopes at the nearest finite numbers.
+/// A vertex's derivatives at the nearest finite numbers.
 #[inline(always)]
 fn limited<S: Scalar>(x: S, y: S) -> Vec2<S> {
     Vec2::new(x, y).saturated().canonical()
@@ -15,7 +15,7 @@ fn each_vertex<S: Scalar>(
     ring: &[Vec2<S>],
     ring_bar: &mut [Vec2<S>],
     place: impl Fn(Vec2<S>) -> Vec2<S>,
-    slope: impl Fn(Vec2<S>, Vec2<S>, Vec2<S>) -> Vec2<S>,
+    derivative: impl Fn(Vec2<S>, Vec2<S>, Vec2<S>) -> Vec2<S>,
 ) {
     let n = ring.len();
     let ring_bar = &mut ring_bar[..n];
@@ -23,7 +23,7 @@ fn each_vertex<S: Scalar>(
         return;
     }
     let (origin, last) = (place(ring[0]), place(ring[n - 1]));
-    ring_bar[0] = slope(last, origin, place(ring[1 % n]));
+    ring_bar[0] = derivative(last, origin, place(ring[1 % n]));
     let (mut x, mut y) = ([S::zero(); SIDE + 2], [S::zero(); SIDE + 2]);
     let (mut x_bar, mut y_bar) = ([S::zero(); SIDE], [S::zero(); SIDE]);
     let mut first = 1;
@@ -34,7 +34,7 @@ fn each_vertex<S: Scalar>(
         }
         let at = |k: usize| Vec2::new(x[k], y[k]);
         for k in 0..SIDE {
-            let bar = slope(at(k), at(k + 1), at(k + 2));
+            let bar = derivative(at(k), at(k + 1), at(k + 2));
             (x_bar[k], y_bar[k]) = (bar.x, bar.y);
         }
         for (k, bar) in ring_bar[first..first + SIDE].iter_mut().enumerate() {
@@ -50,7 +50,7 @@ fn each_vertex<S: Scalar>(
             } else {
                 place(ring[i + 1])
             };
-            ring_bar[i] = slope(before, here, after);
+            ring_bar[i] = derivative(before, here, after);
             (before, here) = (here, after);
         }
     }
@@ -118,7 +118,7 @@ pub fn centroid_vjp<S: Scalar>(ring: &[Vec2<S>], out_bar: Vec2<S>, ring_bar: &mu
         [cross, moment.x, moment.y]
     });
     let flat = twice.equals(S::zero());
-    // An area next to nothing, or an enormous upstream slope: then no term of a sum is larger than the
+    // An area next to nothing, or an enormous upstream derivative: then no term of a sum is larger than the
     // largest number, so that two of opposite sign leave a number.
     let large = S::lit(S::LARGEST.powf(0.125));
     let tame = (twice.magnitude() * large).at_least(S::one())

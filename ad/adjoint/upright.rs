@@ -1,6 +1,6 @@
 //! Adjoints of the overlap scores of upright boxes.
 //!
-//! A volume shared is the area `A` shared seen from above times the height `H` shared. Slopes by `A` and by
+//! A volume shared is the area `A` shared seen from above times the height `H` shared. Derivatives by `A` and by
 //! the boxes' own areas go on to the boxes in the plane (see [`overlap`](super::overlap)); with `h` half the
 //! heights and `u` how much higher b's centre is,
 //!
@@ -8,9 +8,9 @@
 //! H = min(h_a, u + h_b) − max(−h_a, u − h_b).
 //! ```
 //!
-//! The top that decides takes the slope of `H` by it, likewise the bottom; tied ones take half each.
+//! The top that decides takes the derivative of `H` by it, likewise the bottom; tied ones take half each.
 use crate::ad::adjoint::overlap::{
-    Grads, bounded, own_bar, reciprocal_or_zero, score_scaled_vjp, score_slopes, tamed,
+    Grads, bounded, own_bar, reciprocal_or_zero, score_derivatives, score_scaled_vjp, tamed,
 };
 use crate::clip::{Framed, frame};
 use crate::overlap::{Denominator, area_from_half, ratio_of_first};
@@ -45,18 +45,18 @@ fn same<S: Scalar>(a: &Upright<S>, b: &Upright<S>) -> S::Mask {
         & (a.standing[0].equals(b.standing[0]) & a.standing[1].equals(b.standing[1]))
 }
 
-/// The slopes of a score by what it is made of.
+/// The derivatives of a score by what it is made of.
 struct Parts<S> {
     /// By the area shared, that of a and that of b; but for `falling`, of the last two.
     areas: [S; 3],
     /// By the height shared, that of a and that of b; but for `falling`, of the last two.
     heights: [S; 3],
-    /// What slopes by a box's own area and height are to be multiplied by at last: of a speck beside
+    /// What derivatives by a box's own area and height are to be multiplied by at last: of a speck beside
     /// a giant it is so small that nothing would be left of them before.
     falling: S,
 }
 
-/// `out_bar` times the slopes of a score by areas and heights.
+/// `out_bar` times the derivatives of a score by areas and heights.
 #[inline(always)]
 fn parts<S: Scalar>(
     over: Denominator,
@@ -74,12 +74,12 @@ fn parts<S: Scalar>(
         },
         Denominator::Union => {
             let volumes = [area * height.shared, area_a * height.a, area_b * height.b];
-            let slopes = score_slopes(over, value, volumes, out_bar);
-            let (shared, [a, b]) = (slopes.inter, slopes.own);
+            let derivatives = score_derivatives(over, value, volumes, out_bar);
+            let (shared, [a, b]) = (derivatives.inter, derivatives.own);
             Parts {
                 areas: [shared * height.shared, a * height.a, b * height.b],
                 heights: [shared * area, a * area_a, b * area_b],
-                falling: slopes.falling,
+                falling: derivatives.falling,
             }
         }
         Denominator::First => {
@@ -116,16 +116,16 @@ fn unless<S: Scalar>(mask: S::Mask, x: [S; 3]) -> [S; 3] {
     ]
 }
 
-/// What brings slopes in the pair's units to the caller's: factors, one after another.
+/// What brings derivatives in the pair's units to the caller's: factors, one after another.
 struct Units<S> {
     flat: [S; 3],
     tall: [S; 3],
     turn: [S; 3],
-    /// What was taken from the upstream slope.
+    /// What was taken from the upstream derivative.
     steep: S,
 }
 
-/// A slope in the caller's units, no larger than the largest number.
+/// A derivative in the caller's units, no larger than the largest number.
 #[inline(always)]
 fn outer<S: Scalar, const EXTREME: bool>(x: S, by: &[S; 3], steep: S) -> S {
     if !EXTREME {
@@ -136,7 +136,7 @@ fn outer<S: Scalar, const EXTREME: bool>(x: S, by: &[S; 3], steep: S) -> S {
     (x * steep).saturated().canonical()
 }
 
-/// A box's slopes, from those of the area shared, by that area and by its own (but for `falling`), and by
+/// A box's derivatives, from those of the area shared, by that area and by its own (but for `falling`), and by
 /// its middle and height.
 #[inline(always)]
 fn box_bar<S: Scalar, const EXTREME: bool>(
@@ -168,11 +168,11 @@ fn box_bar<S: Scalar, const EXTREME: bool>(
     }
 }
 
-/// Both boxes' slopes.
+/// Both boxes' derivatives.
 pub(crate) type Bars<S> = (YawBox3<S>, YawBox3<S>);
 
-/// Value of a score of upright boxes and `out_bar` times its slopes, from the area shared seen from above
-/// and its slopes, in units of `1 / scales.flat`.
+/// Value of a score of upright boxes and `out_bar` times its derivatives, from the area shared seen from above
+/// and its derivatives, in units of `1 / scales.flat`.
 #[inline(always)]
 pub(crate) fn score_from_area_vjp<S: Scalar, const EXTREME: bool>(
     over: Denominator,
@@ -257,7 +257,7 @@ pub(crate) fn score_from_area_vjp<S: Scalar, const EXTREME: bool>(
     (value.canonical(), (a_bar, b_bar))
 }
 
-/// Value of a score of upright boxes and `out_bar` times its slopes.
+/// Value of a score of upright boxes and `out_bar` times its derivatives.
 pub(crate) fn score_upright_vjp<S: Scalar>(
     over: Denominator,
     a: YawBox3<S>,
@@ -271,7 +271,7 @@ pub(crate) fn score_upright_vjp<S: Scalar>(
     score_from_area_vjp::<S, true>(over, &a, &b, area, scales, out_bar)
 }
 
-/// The volume shared by two upright boxes, and `out_bar` times its slopes by both.
+/// The volume shared by two upright boxes, and `out_bar` times its derivatives by both.
 #[must_use]
 #[inline]
 pub fn intersection_volume_yaw_vjp<S: Scalar>(
@@ -282,7 +282,7 @@ pub fn intersection_volume_yaw_vjp<S: Scalar>(
     score_upright_vjp(Denominator::None, a, b, out_bar)
 }
 
-/// Intersection over union of two upright boxes, and `out_bar` times its slopes by both.
+/// Intersection over union of two upright boxes, and `out_bar` times its derivatives by both.
 ///
 /// ```
 /// use geograd::{Vec3, YawBox3, ad::adjoint::upright::iou_yaw_vjp};
@@ -300,7 +300,7 @@ pub fn iou_yaw_vjp<S: Scalar>(a: YawBox3<S>, b: YawBox3<S>, out_bar: S) -> (S, B
     score_upright_vjp(Denominator::Union, a, b, out_bar)
 }
 
-/// The share of the first upright box that lies in the second, and `out_bar` times its slopes by both.
+/// The share of the first upright box that lies in the second, and `out_bar` times its derivatives by both.
 #[must_use]
 #[inline]
 pub fn iof_yaw_vjp<S: Scalar>(a: YawBox3<S>, b: YawBox3<S>, out_bar: S) -> (S, Bars<S>) {

@@ -1,14 +1,14 @@
-//! A function together with what a plan says of it: its ties, how far its values may be off, where it is defined.
-use crate::ad::check::Plan;
+//! A function together with what a sampling says of it: its ties, how far its values may be off, where it is defined.
+use crate::ad::check::Sampling;
 use crate::ad::check::subject::{Conventions, Subject};
-use crate::ad::check::symmetry::{Kind, Promise};
+use crate::ad::check::symmetry::{Invariance, Kind};
 use crate::ad::check::trace::Trace;
 use crate::ad::check::witness::Precision;
 
-/// A function with a plan.
+/// A function with a sampling.
 pub(crate) struct Agreed<'a> {
     pub(crate) subject: Held<'a>,
-    pub(crate) plan: &'a Plan<'a>,
+    pub(crate) sampling: &'a Sampling<'a>,
 }
 
 /// A function that is lent, or made on the way.
@@ -59,31 +59,31 @@ impl Subject for Agreed<'_> {
         fn rounding(&self, x: &[f64]) -> Vec<f64>;
         fn kinds(&self) -> Vec<Kind>;
         fn output_kinds(&self) -> Vec<Kind>;
-        fn promises(&self) -> &[Promise];
+        fn invariances(&self) -> &[Invariance];
     }
     fn wide(&self) -> Option<Box<dyn Subject + '_>> {
         let subject = Held::Made(self.subject().wide()?);
-        let plan = self.plan;
-        Some(Box::new(Agreed { subject, plan }))
+        let sampling = self.sampling;
+        Some(Box::new(Agreed { subject, sampling }))
     }
     fn inside(&self, x: &[f64]) -> bool {
-        self.subject().inside(x) && self.plan.inside.is_none_or(|inside| inside(x))
+        self.subject().inside(x) && self.sampling.inside.is_none_or(|inside| inside(x))
     }
     fn total(&self) -> bool {
         // Beyond a border that was said the function may be anything.
-        self.plan.inside.is_none() && self.subject().total()
+        self.sampling.inside.is_none() && self.subject().total()
     }
     fn scales(&self, x: &[f64]) -> Vec<f64> {
-        match self.plan.scales {
+        match self.sampling.scales {
             Some(scales) => scales(x),
             None => self.subject().scales(x),
         }
     }
     fn guessed_scales(&self) -> bool {
-        self.plan.scales.is_none() && self.subject().guessed_scales()
+        self.sampling.scales.is_none() && self.subject().guessed_scales()
     }
     fn resolution(&self, y: &[f64]) -> Vec<f64> {
-        let [absolute, share] = self.plan.resolution.unwrap_or_default();
+        let [absolute, share] = self.sampling.resolution.unwrap_or_default();
         let mut all = self.subject().resolution(y);
         for (own, y) in all.iter_mut().zip(y) {
             *own = own.max(absolute).max(share * y.abs());
@@ -93,7 +93,7 @@ impl Subject for Agreed<'_> {
     fn conventions(&self) -> Conventions {
         let own = self.subject().conventions();
         Conventions {
-            shared_ties: own.shared_ties || self.plan.shared_ties,
+            shared_ties: own.shared_ties || self.sampling.shared_ties,
             ..own
         }
     }

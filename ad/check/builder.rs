@@ -3,9 +3,9 @@ use crate::ad::check::closures::Near;
 use crate::ad::check::sample::{Draw, Sample, hard_cases, random};
 use crate::ad::check::second_order::{BentFn, TracedBentFn};
 use crate::ad::check::subject::Conventions;
-use crate::ad::check::symmetry::{Kind, Promise};
+use crate::ad::check::symmetry::{Invariance, Kind};
 use crate::ad::check::trace::{Number, Trace, Traced, of_num_duals, trace};
-use crate::ad::check::{Plan, Report, SEED, examine, narrow};
+use crate::ad::check::{Report, SEED, Sampling, examine, narrow};
 use crate::{Jet, Pack};
 use std::fmt::Debug;
 
@@ -47,7 +47,7 @@ pub struct Check<'a, X: Pack> {
     pub(crate) kinds: Vec<Kind>,
     pub(crate) output_kinds: Vec<Kind>,
     pub(crate) resolution: [f64; 2],
-    pub(crate) promises: Vec<Promise>,
+    pub(crate) invariances: Vec<Invariance>,
     pub(crate) conventions: Conventions,
 }
 
@@ -86,15 +86,15 @@ impl<'a, S: Number, X: Pack<Scalar = S> + Debug + 'a> Check<'a, X> {
             kinds: Vec::new(),
             output_kinds: Vec::new(),
             resolution: [0.0; 2],
-            promises: Vec::new(),
+            invariances: Vec::new(),
             conventions: Conventions::default(),
         }
     }
     /// At so many points of one's own making, from a seed.
     #[must_use]
     pub fn drawn(count: usize, seed: u64, mut make: impl FnMut(&mut Draw) -> X) -> Self {
-        let plan = Plan::new(count, seed);
-        let mut check = Check::among((0..count).map(|i| make(&mut plan.draw(i))));
+        let sampling = Sampling::new(count, seed);
+        let mut check = Check::among((0..count).map(|i| make(&mut sampling.draw(i))));
         (check.seed, check.random_from) = (seed, 0);
         check
     }
@@ -130,12 +130,12 @@ impl<'a, S: Number, X: Pack<Scalar = S> + Debug + 'a> Check<'a, X> {
             let seed = y_bar.first().copied().unwrap_or(0.0);
             wide(&f(x.clone()))
                 .iter()
-                .map(|slope| seed * slope)
+                .map(|derivative| seed * derivative)
                 .collect()
         }));
         self
     }
-    /// The derivative by hand: the slopes of `y_bar · value` with respect to the input.
+    /// The derivative by hand: the derivatives of `y_bar · value` with respect to the input.
     #[must_use]
     pub fn adjoint(mut self, f: impl Fn(X, &[S]) -> X + 'a) -> Self {
         self.adjoint = Some(Box::new(move |x, y_bar| {
@@ -161,13 +161,13 @@ impl<'a, S: Number, X: Pack<Scalar = S> + Debug + 'a> Check<'a, X> {
             let mut i = 0;
             let jets = x.map(&mut |&value| {
                 i += 1;
-                let slope = [S::nearest(direction[i - 1])];
-                Jet { value, slope }
+                let derivative = [S::nearest(direction[i - 1])];
+                Jet { value, derivative }
             });
             let jets = f(jets).scalars();
             let values = jets.iter().map(|jet| jet.value.widen()).collect();
-            let slopes = jets.iter().map(|jet| jet.slope[0].widen()).collect();
-            (values, slopes)
+            let derivatives = jets.iter().map(|jet| jet.derivative[0].widen()).collect();
+            (values, derivatives)
         }));
         self
     }
@@ -225,9 +225,9 @@ impl<'a, S: Number, X: Pack<Scalar = S> + Debug + 'a> Check<'a, X> {
     }
     /// What the function promises under motions, and what each number of the input is.
     #[must_use]
-    pub fn promises(mut self, kinds: &[Kind], promises: &[Promise]) -> Self {
+    pub fn invariances(mut self, kinds: &[Kind], invariances: &[Invariance]) -> Self {
         self.kinds = kinds.to_vec();
-        self.promises = promises.to_vec();
+        self.invariances = invariances.to_vec();
         self
     }
     /// What each number of the result is, for promises that it
@@ -240,13 +240,13 @@ impl<'a, S: Number, X: Pack<Scalar = S> + Debug + 'a> Check<'a, X> {
     /// How far values may be off, beyond rounding, because of how they are computed: from a table, by an
     /// iteration that stops. In the unit of the result; for a share of the result, see
     /// [`relative_resolution`](Check::relative_resolution). Differences are then as coarse as that allows, and
-    /// a change as small is no jump. Slopes are held to what they were held to.
+    /// a change as small is no jump. Derivatives are held to what they were held to.
     ///
     /// ```
     /// use geograd::ad::check::Check;
-    /// // Sines to six digits after the point, with the slope of the exact one.
+    /// // Sines to six digits after the point, with the derivative of the exact one.
     /// let rounded = |x: f64| (x.sin() * 1e6).round() / 1e6;
-    /// Check::among([0.3, 1.0]).value(rounded).gradient(f64::cos).resolution(1e-6).prove();
+    /// Check::among([0.3, 1.0]).value(rounded).gradient(f64::cos).resolution(1e-6).assert();
     /// let report = Check::at(0.3).value(rounded).gradient(|x| 1.01 * x.cos()).resolution(1e-6).run();
     /// assert!(!report.passed());
     /// ```
@@ -281,10 +281,10 @@ impl<'a, S: Number, X: Pack<Scalar = S> + Debug + 'a> Check<'a, X> {
     #[must_use]
     pub fn run(&self) -> Report {
         assert!(self.value.is_some(), "a check needs a function");
-        let plan = Plan::new(self.points.len(), self.seed);
+        let sampling = Sampling::new(self.points.len(), self.seed);
         examine(
             &self.name,
-            &plan,
+            &sampling,
             &self.points,
             self.random_from,
             |near, judge| judge(&Near { check: self, near }),
@@ -296,7 +296,7 @@ impl<'a, S: Number, X: Pack<Scalar = S> + Debug + 'a> Check<'a, X> {
     ///
     /// When something was refused.
     #[track_caller]
-    pub fn prove(&self) {
+    pub fn assert(&self) {
         let report = self.run();
         assert!(report.passed(), "the derivative is refused\n{report}");
     }
@@ -306,11 +306,11 @@ impl<'a, X: Sample + 'a> Check<'a, X> {
     /// At the hard cases of a shape and so many random ones.
     #[must_use]
     pub fn random(count: usize, seed: u64) -> Self {
-        let plan = Plan::new(count, seed);
+        let sampling = Sampling::new(count, seed);
         let mut check = Check::among(hard_cases());
         check
             .points
-            .extend((0..count).map(|i| random::<X>(&mut plan.draw(i))));
+            .extend((0..count).map(|i| random::<X>(&mut sampling.draw(i))));
         check.seed = seed;
         check.inside(X::inside).scales(|x| x.refill(&x.scales()))
     }

@@ -2,7 +2,7 @@
 use crate::Pack;
 use crate::ad::check::second_order::{Wide, bends, transposed};
 use crate::ad::check::subject::{Conventions, Subject, default_scales};
-use crate::ad::check::symmetry::{Kind, Promise};
+use crate::ad::check::symmetry::{Invariance, Kind};
 use crate::ad::check::trace::{Number, Trace};
 use crate::ad::check::witness::{Precision, axis};
 use crate::ad::check::{Check, narrow};
@@ -122,8 +122,8 @@ impl<S: Number, X: Pack<Scalar = S>> Subject for Near<'_, '_, X> {
         let each = y.iter().map(|y| absolute.max(share * y.abs()));
         each.collect()
     }
-    fn promises(&self) -> &[Promise] {
-        &self.check.promises
+    fn invariances(&self) -> &[Invariance] {
+        &self.check.invariances
     }
     fn conventions(&self) -> Conventions {
         self.check.conventions

@@ -21,7 +21,7 @@ fn who(witness: Witness) -> &'static str {
 
 /// Which share of the comparisons differs by how many units of the precision.
 fn write_decades(out: &mut String, worst: &Worst) -> fmt::Result {
-    out.push_str("    units in the last place of the largest slope:");
+    out.push_str("    units in the last place of the largest derivative:");
     let total = worst.decades.iter().sum::<u64>().max(1) as f64;
     let mut seen = 0;
     for (decade, count) in (0..).zip(worst.decades) {
@@ -36,7 +36,7 @@ fn write_decades(out: &mut String, worst: &Worst) -> fmt::Result {
 
 impl Report {
     /// Everything the [line](Report::line) leaves out: what kinds of places there were, and of each
-    /// pair of witnesses how far apart they were, in units in the last place of the largest slope
+    /// pair of witnesses how far apart they were, in units in the last place of the largest derivative
     /// of the same unit, and the numbers where they came nearest to refusal.
     #[must_use]
     pub fn details(&self) -> String {
@@ -47,7 +47,7 @@ impl Report {
     }
 
     fn write_details(&self, out: &mut String) -> fmt::Result {
-        let verdict = if self.passed() { "proved" } else { "REFUSED" };
+        let verdict = if self.passed() { "checked" } else { "REFUSED" };
         let [smooth, kinks, undefined] = self.places;
         writeln!(
             out,
@@ -80,7 +80,7 @@ impl Report {
             let count = worst.count;
             writeln!(
                 out,
-                "\n  {} and {}: {count} slopes compared",
+                "\n  {} and {}: {count} derivatives compared",
                 who(*a),
                 who(*b)
             )?;

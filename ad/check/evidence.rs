@@ -11,8 +11,8 @@ use crate::ad::check::verdict::{Reason, Witness};
 use crate::ad::check::witness::{Precision, beside, combined, dot};
 use std::cell::{Cell, RefCell};
 
-/// The slopes of one combination of the outputs.
-pub(crate) struct Row {
+/// The derivatives of one combination of the outputs.
+pub(crate) struct Item {
     pub(crate) weights: Vec<f64>,
     pub(crate) output: usize,
     pub(crate) adjoint: Option<Vec<f64>>,
@@ -25,16 +25,16 @@ pub(crate) struct Row {
     pub(crate) provoked: Cell<bool>,
     pub(crate) provoked_widely: Cell<bool>,
     pub(crate) provoked_exchanged: Cell<bool>,
-    /// The largest slope in each input's unit.
+    /// The largest derivative in each input's unit.
     pub(crate) size: Vec<f64>,
-    /// The largest slope per scale.
+    /// The largest derivative per scale.
     pub(crate) largest: f64,
     /// Rounding noise of the combined value.
     pub(crate) noise: f64,
 }
 
-impl Row {
-    /// How much two exact slopes with respect to an input may differ.
+impl Item {
+    /// How much two exact derivatives with respect to an input may differ.
     pub(crate) fn allowed(&self, input: usize) -> f64 {
         self.tolerance.borrow()[input]
     }
@@ -80,13 +80,13 @@ pub(crate) struct Evidence<'a> {
     /// How far each output is off by what the function itself says of its values.
     pub(crate) resolution: Vec<f64>,
     /// Outputs that single precision holds with fewer than all digits, or as its largest number: of their values
-    /// the size is judged ([`resolution`](Evidence::resolution)); slopes that are pulled back through them have no
+    /// the size is judged ([`resolution`](Evidence::resolution)); derivatives that are pulled back through them have no
     /// digits that could be.
     pub(crate) off_scale: Vec<bool>,
     /// Inputs beside `x`, with the branches of `x` as far as possible.
     pub(crate) around: Vec<(Vec<f64>, Beside)>,
-    /// The slopes; empty until they are [gathered](Evidence::gather_slopes).
-    pub(crate) rows: Vec<Row>,
+    /// The derivatives; empty until they are [gathered](Evidence::gather_derivatives).
+    pub(crate) rows: Vec<Item>,
 }
 
 /// Whether all numbers are finite.
@@ -155,9 +155,9 @@ impl<'a> Evidence<'a> {
         })
     }
 
-    /// Gathers the slopes by hand and by duals. False when they cannot be compared at all, and `said`
+    /// Gathers the derivatives by hand and by duals. False when they cannot be compared at all, and `said`
     /// says why.
-    pub(crate) fn gather_slopes(&mut self, draw: &mut Draw, said: &mut Notes) -> bool {
+    pub(crate) fn gather_derivatives(&mut self, draw: &mut Draw, said: &mut Notes) -> bool {
         let (n, m) = (self.x.len(), self.y.len());
         let jacobian = if n <= FEW_INPUTS {
             self.subject.jacobian(self.x)
@@ -232,22 +232,22 @@ impl<'a> Evidence<'a> {
         weights: Vec<f64>,
         adjoint: Option<Vec<f64>>,
         dual: Option<Vec<f64>>,
-    ) -> Row {
+    ) -> Item {
         let n = self.x.len();
-        let slope = |i: usize| {
+        let derivative = |i: usize| {
             let a = adjoint.as_ref().map_or(0.0, |a| a[i].abs());
             dual.as_ref().map_or(a, |d| d[i].abs().max(a))
         };
         let value = dot(&weights, &self.y).abs();
-        let largest_per = |unit: &[f64]| (0..n).fold(value, |m, i| m.max(slope(i) * unit[i]));
+        let largest_per = |unit: &[f64]| (0..n).fold(value, |m, i| m.max(derivative(i) * unit[i]));
         let (largest, per_unit) = (largest_per(&self.scales), largest_per(&self.units));
         let size: Vec<f64> = self.units.iter().map(|unit| per_unit / unit).collect();
         let comparable = self.subject.comparable();
         let plain: Vec<f64> = (0..n)
-            .map(|i| if comparable { size[i] } else { slope(i) })
+            .map(|i| if comparable { size[i] } else { derivative(i) })
             .map(|size| ROUNDINGS * self.eps * size + f64::MIN_POSITIVE)
             .collect();
-        Row {
+        Item {
             noise: self.noise(&weights, adjoint.as_deref().or(dual.as_deref())),
             weights,
             output,
@@ -263,20 +263,20 @@ impl<'a> Evidence<'a> {
         }
     }
 
-    /// The rounding noise of a combined value: what changes beside the point and is not slope, and no less
+    /// The rounding noise of a combined value: what changes beside the point and is not derivative, and no less
     /// than the function says itself.
-    fn noise(&self, weights: &[f64], slopes: Option<&[f64]>) -> f64 {
+    fn noise(&self, weights: &[f64], derivatives: Option<&[f64]>) -> f64 {
         let here = dot(weights, &self.y);
         let terms = |y: &[f64]| -> f64 { weights.iter().zip(y).map(|(w, y)| (w * y).abs()).sum() };
         let mut noise = (self.eps * terms(&self.y)).max(terms(&self.resolution));
         for (there, _) in self.around.iter().take(NOISE_ROUNDS) {
             let change = dot(weights, &self.subject.value(there)) - here;
-            let by_slope = slopes.map_or(0.0, |slopes| {
+            let by_derivative = derivatives.map_or(0.0, |derivatives| {
                 (0..self.x.len())
-                    .map(|i| slopes[i] * (there[i] - self.x[i]))
+                    .map(|i| derivatives[i] * (there[i] - self.x[i]))
                     .sum()
             });
-            let left = (change - by_slope).abs().min(change.abs());
+            let left = (change - by_derivative).abs().min(change.abs());
             if left.is_finite() {
                 noise = noise.max(left);
             }

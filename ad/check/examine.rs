@@ -17,7 +17,7 @@ pub const SEED: u64 = 0x6765_6f67_7261_6421;
 
 /// How many inputs to judge, and which.
 #[derive(Clone, Copy)]
-pub struct Plan<'a> {
+pub struct Sampling<'a> {
     /// How many random inputs.
     pub samples: usize,
     /// What they are drawn from.
@@ -30,24 +30,24 @@ pub struct Plan<'a> {
     pub draws: bool,
     /// Called after every sample: for a progress bar.
     pub tick: Option<&'a dyn Fn()>,
-    /// Whether a derivative by hand must share an exact tie as duals do. Without it any element between the slopes
+    /// Whether a derivative by hand must share an exact tie as duals do. Without it any element between the derivatives
     /// of both sides is right.
     pub shared_ties: bool,
-    /// How far values may be off, absolutely and as a share: see [`Check::resolution`](crate::check::Check::resolution).
-    /// `None` takes what an operation says of itself.
+    /// How far values may be off, absolutely and as a share: see
+    /// [`Check::resolution`](crate::check::Check::resolution). `None` takes what an operation says of itself.
     pub resolution: Option<[f64; 2]>,
-    /// The domain, beside the rules of the shapes: inputs outside are not judged, no step leads there. `None` takes what
-    /// an operation says of itself.
+    /// The domain, beside the rules of the shapes: inputs outside are not judged, no step leads there. `None` takes
+    /// what an operation says of itself.
     pub inside: Option<&'a dyn Fn(&[f64]) -> bool>,
     /// For each number, the length over which the function may be expected to change, if shapes do not tell.
     pub scales: Option<&'a dyn Fn(&[f64]) -> Vec<f64>>,
 }
 
-impl Plan<'_> {
+impl Sampling<'_> {
     /// Hard cases and so many random inputs.
     #[must_use]
     pub fn new(samples: usize, seed: u64) -> Self {
-        Plan {
+        Sampling {
             samples,
             seed,
             hard: 1,
@@ -74,7 +74,7 @@ impl Plan<'_> {
 /// `random_from` is the number of the first input that was drawn at random.
 pub fn examine<S: Number, X: Pack<Scalar = S> + Debug>(
     name: &str,
-    plan: &Plan<'_>,
+    sampling: &Sampling<'_>,
     inputs: &[X],
     random_from: usize,
     meet: impl Fn(&X, &mut dyn FnMut(&dyn Subject)),
@@ -89,14 +89,14 @@ pub fn examine<S: Number, X: Pack<Scalar = S> + Debug>(
             // Shrinking makes up numbers that single precision may not have.
             let list: Vec<f64> = list.iter().map(|&x| precision.round(x)).collect();
             let subject = Held::Lent(subject);
-            let subject = Agreed { subject, plan };
+            let subject = Agreed { subject, sampling };
             if subject.inside(&list) {
-                findings = Some(judge(&subject, &list, plan.seed ^ sample as u64));
+                findings = Some(judge(&subject, &list, sampling.seed ^ sample as u64));
             }
         });
         findings
     };
-    let mut report = Report::empty(name, plan.seed);
+    let mut report = Report::empty(name, sampling.seed);
     let (mut smooth, mut drawn) = (0, 0);
     let mut covered: Vec<bool> = Vec::new();
     for (sample, x) in inputs.iter().enumerate() {
@@ -143,7 +143,7 @@ pub fn examine<S: Number, X: Pack<Scalar = S> + Debug>(
                 code: code(&least),
             });
         }
-        if let Some(tick) = plan.tick {
+        if let Some(tick) = sampling.tick {
             tick();
         }
     }

@@ -1,21 +1,21 @@
 //! The verdict about one input: evidence is gathered once, independent comparisons have their say, and
 //! here it is decided what is refused.
 //!
-//! Tolerances come from the witnesses themselves. Two derivatives that are both exact up to
-//! rounding may differ by a few units in the last place of the largest slope in the same unit, and
-//! by as much as either of them changes when the input is moved by its last digit (whatever a
-//! function does to rounding errors, it does to that too) or its own roundings fall differently. A finite difference may be off by its
-//! own error estimate. A refusal by differences must be repeated by other ladders of steps that
-//! agree among themselves. How these are measured is in `tolerances`.
+//! Tolerances come from the witnesses themselves. Two derivatives that are both exact up to rounding may differ by a
+//! few units in the last place of the largest derivative in the same unit, and by as much as either of them changes
+//! when the input is moved by its last digit (whatever a function does to rounding errors, it does to that too) or
+//! its own roundings fall differently. A finite difference may be off by its own error estimate. A refusal by
+//! differences must be repeated by other ladders of steps that agree among themselves. How these are measured is in
+//! `tolerances`.
 use crate::ad::check::compare::curvature::curvature;
 use crate::ad::check::compare::exact::exact;
+use crate::ad::check::compare::invariance::invariances;
 use crate::ad::check::compare::linear::linear;
 use crate::ad::check::compare::projection::projections;
-use crate::ad::check::compare::promise::promises;
 use crate::ad::check::compare::steps::steps;
 use crate::ad::check::compare::values::values;
 use crate::ad::check::compare::wide::wide;
-use crate::ad::check::evidence::{Evidence, Row, same_bits};
+use crate::ad::check::evidence::{Evidence, Item, same_bits};
 use crate::ad::check::notes::Notes;
 use crate::ad::check::sample::Draw;
 use crate::ad::check::subject::Subject;
@@ -34,13 +34,13 @@ pub fn judge(subject: &dyn Subject, x: &[f64], seed: u64) -> Findings {
         return findings;
     };
     said.add(values(&evidence));
-    if evidence.gather_slopes(&mut draw, &mut said) {
+    if evidence.gather_derivatives(&mut draw, &mut said) {
         compare(&evidence, &mut draw, &mut said);
     }
     decided(Some(&evidence), said)
 }
 
-/// All comparisons of slopes, one after the other.
+/// All comparisons of derivatives, one after the other.
 fn compare(e: &Evidence<'_>, draw: &mut Draw, said: &mut Notes) {
     said.add(exact(e));
     said.add(wide(e));
@@ -53,15 +53,15 @@ fn compare(e: &Evidence<'_>, draw: &mut Draw, said: &mut Notes) {
     let by_steps = steps(e, draw, said, refused);
     said.add(by_steps);
     if !said.jump {
-        said.add(promises(e));
+        said.add(invariances(e));
     }
     if said.plain {
         said.add(curvature(e, draw));
     }
     // Where there are no derivatives, other paths and promises are what was judged.
-    let slopes = |row: &Row| row.adjoint.is_some() || row.dual.is_some();
-    if !e.rows.iter().any(slopes)
-        && (!e.subject.other_values(e.x).is_empty() || !e.subject.promises().is_empty())
+    let derivatives = |row: &Item| row.adjoint.is_some() || row.dual.is_some();
+    if !e.rows.iter().any(derivatives)
+        && (!e.subject.other_values(e.x).is_empty() || !e.subject.invariances().is_empty())
     {
         said.covered.fill(true);
     }
@@ -150,9 +150,9 @@ fn one_of_a_kind(all: Vec<Fault>) -> Vec<Fault> {
     kept
 }
 
-/// Whether what duals say is explained: the input is a kink there, at which the adjoint has stood every
-/// step. Then it is between the slopes of both sides, as the duals are, and a convention. Where steps could not tell,
-/// it must be between the slopes of the pieces that meet there.
+/// Whether what duals say is explained: the input is a kink there, at which the adjoint has stood every step. Then it
+/// is between the derivatives of both sides, as the duals are, and a convention. Where steps could not tell, it must
+/// be between the derivatives of the pieces that meet there.
 fn explained(e: Option<&Evidence<'_>>, fault: &Fault, said: &Notes, others: &[Fault]) -> bool {
     let Some(e) = e else { return false };
     let row = e.rows.iter().find(|row| row.output == fault.output);

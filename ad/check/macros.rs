@@ -1,13 +1,13 @@
 //! One check in one line.
 
-/// Proves a gradient at points, or panics with the numbers. For use in tests; see the
+/// Checks a gradient at points, or panics with the numbers. For use in tests; see the
 /// [module](crate::ad::check) for examples.
 ///
 /// * `assert_gradient!(value, gradient, at point, …)` takes closures;
 /// * `assert_gradient!(generic function, gradient, at point, …)` takes a function generic over the
 ///   scalar, which is then also run on duals, ours and num-dual's, traced, and at points of `f32` in double precision;
 /// * `assert_gradient!(program &program, at point, …)` takes a recorded [`Program`](crate::Program), which
-///   has its slopes.
+///   has its derivatives.
 ///
 /// Behind the points, after semicolons, any method of [`Check`](crate::ad::check::Check) with one argument:
 ///
@@ -21,25 +21,25 @@ macro_rules! assert_gradient {
         $crate::generic_check!($value, at $($point),+)
             .gradient($gradient)
             $(.$option($argument))*
-            .prove()
+            .assert()
     };
     (program $program:expr, at $($point:expr),+ $(; $option:ident $argument:expr)* $(,)?) => {
         $crate::ad::check::Check::among([$($point),+])
             .program($program)
             $(.$option($argument))*
-            .prove()
+            .assert()
     };
     ($value:expr, $gradient:expr, at $($point:expr),+ $(; $option:ident $argument:expr)* $(,)?) => {
         $crate::ad::check::Check::among([$($point),+])
             .value($value)
             .gradient($gradient)
             $(.$option($argument))*
-            .prove()
+            .assert()
     };
 }
 
-/// A [`Check`](crate::ad::check::Check) of a function generic over the scalar, named once: it is run on
-/// plain numbers, on duals (ours and num-dual's), on duals of duals, traced, and at points of `f32` in double precision.
+/// A [`Check`](crate::ad::check::Check) of a function generic over the scalar, named once: it is run on plain
+/// numbers, on duals (ours and num-dual's), on duals of duals, traced, and at points of `f32` in double precision.
 ///
 /// ```
 /// use geograd::{Scalar, generic_check};
@@ -48,7 +48,7 @@ macro_rules! assert_gradient {
 /// }
 /// generic_check!(norm, at [3.0, 4.0], [0.0, 0.0])
 ///     .gradient(|[x, y]| if x == 0.0 && y == 0.0 { [0.0; 2] } else { [x / x.hypot(y), y / x.hypot(y)] })
-///     .prove();
+///     .assert();
 /// ```
 #[macro_export]
 macro_rules! generic_check {

@@ -1,11 +1,10 @@
 //! The gradient verification harness: is a derivative right?
 //!
-//! Every derivative is judged from three sides: by hand (the adjoint), by forward duals through the
-//! generic source, by finite differences with an error estimate. They must agree as far as their
-//! own errors, measured at every sample, allow; no tolerance is set per function. Beside that a derivative must be the same
-//! bits twice, linear in its seed, finite, right at kinks, consistent with declared invariances,
-//! and have the right derivatives itself. A refused input is made as simple as it can be, in its
-//! numbers and its length, and printed as code.
+//! Every derivative is judged from three sides: by hand (the adjoint), by forward duals through the generic source,
+//! by finite differences with an error estimate. They must agree as far as their own errors, measured at every
+//! sample, allow; no tolerance is set per function. Beside that a derivative must be the same bits twice, linear in
+//! its seed, finite, right at kinks, consistent with declared invariances, and have the right derivatives itself. A
+//! refused input is made as simple as it can be, in its numbers and its length, and printed as code.
 //!
 //! What one check needs is in one module, [`geograd::check`](crate::check).
 //!
@@ -68,13 +67,14 @@
 //!
 //! # A function with a kink
 //!
-//! At a kink a derivative is right when it lies between the slopes of both sides along every direction, and where many
-//! numbers tie, equals the slope along the direction that keeps the tie. Where kinks of both signs meet, and at the
-//! border of the domain, both sides do not bound it: there it may lie between the slopes at places nearby. It may be
-//! another element than the duals' ([`shared_ties`](crate::ad::check::subject::Conventions::shared_ties) asks for
-//! theirs, of an operation [`Plan::shared_ties`]). Where steps cannot tell both sides, duals a few last digits beside
-//! the input must. The report says how many samples were kinks, so that a function cannot pass by being nothing but
-//! kinks; and a number of the input about which no witness could say anything is
+//! At a kink a derivative is right when it lies between the derivatives of both sides along every direction, and
+//! where many numbers tie, equals the derivative along the direction that keeps the tie. Where kinks of both signs
+//! meet, and at the border of the domain, both sides do not bound it: there it may lie between the derivatives at
+//! places nearby. It may be another element than the duals'
+//! ([`shared_ties`](crate::ad::check::subject::Conventions::shared_ties) asks for theirs, of an operation
+//! [`Sampling::shared_ties`]). Where steps cannot tell both sides, duals a few last digits beside the input must. The
+//! report says how many samples were kinks, so that a function cannot pass by being nothing but kinks; and a number
+//! of the input about which no witness could say anything is
 //! [`Unjudged`](crate::ad::check::verdict::Reason::Unjudged).
 //!
 //! ```
@@ -90,7 +90,7 @@
 //! let report = Check::at([1.0, 1.0]).and([2.0, 1.0]).value(larger).gradient(halves).run();
 //! assert!(report.passed());
 //! assert_eq!(report.places, [1, 1, 0]); // one smooth place, one kink
-//! // One and one at the tie: not the slope of anything.
+//! // One and one at the tie: not the derivative of anything.
 //! let both = |[x, y]: [f64; 2]| [f64::from(x >= y), f64::from(y >= x)];
 //! let report = Check::at([1.0, 1.0]).value(larger).gradient(both).run();
 //! assert!(report.refused_for(Reason::OutsideKink));
@@ -98,9 +98,9 @@
 //!
 //! # A long input
 //!
-//! Up to 48 numbers are judged one by one, each slope by its own digits. Of more the slopes are multiplied with a
-//! direction and compared with what duals and differences say along it; halving the direction finds the number at
-//! fault.
+//! Up to 48 numbers are judged one by one, each derivative by its own digits. Of more the derivatives are multiplied
+//! with a direction and compared with what duals and differences say along it; halving the direction finds the number
+//! at fault.
 //!
 //! ```
 //! use geograd::ad::check::Check;
@@ -121,11 +121,11 @@
 //!
 //! Single precision is judged by double where the source is generic ([`Check::wide`]), a Hessian by duals of duals
 //! ([`Check::second_order`]). Another implementation is a witness ([`Check::witness`], [`Check::path`]). Batches of the
-//! library's operations, on the CPU or a GPU, are witnesses in [`kernels::check`](crate::kernels::check::prove_on).
+//! library's operations, on the CPU or a GPU, are witnesses in [`kernels::check`](crate::kernels::check::check_on).
 //!
-//! num-dual's own numbers judge derivatives by hand beside our [`Jet`](crate::Jet): one of the two may be wrong in the
-//! same way as the derivative. `assert_gradient!(generic …)`, operations with an adjoint by hand and rings ask them; a check
-//! of closures is told with [`Check::num_dual`].
+//! num-dual's own numbers judge derivatives by hand beside our [`Jet`](crate::Jet): one of the two may be wrong in
+//! the same way as the derivative. `assert_gradient!(generic …)`, operations with an adjoint by hand and rings ask
+//! them; a check of closures is told with [`Check::num_dual`].
 //!
 //! ```
 //! use geograd::ad::check::Check;
@@ -145,7 +145,8 @@
 //! # A refusal that is no mistake
 //!
 //! Digits that cancel in single precision are lost with the best of formulas. The value is refused, and the report
-//! names the remedy: [`Check::resolution`] says how far values may be off. It leaves slopes as strict as they were.
+//! names the remedy: [`Check::resolution`] says how far values may be off. It leaves derivatives as strict as they
+//! were.
 //!
 //! ```
 //! use geograd::ad::check::Check;
@@ -154,12 +155,12 @@
 //! fn rise<S: Scalar>([x, y]: [S; 2]) -> S {
 //!     (S::one() + x * x + y * y).root() - S::one()
 //! }
-//! let slopes = |[x, y]: [f32; 2]| [x, y].map(|s| s / (1.0 + x * x + y * y).sqrt());
-//! let check = || Check::at([0.01_f32, 0.02]).value(rise).wide(rise).gradient(slopes);
+//! let derivatives = |[x, y]: [f32; 2]| [x, y].map(|s| s / (1.0 + x * x + y * y).sqrt());
+//! let check = || Check::at([0.01_f32, 0.02]).value(rise).wide(rise).gradient(derivatives);
 //! let report = check().run();
 //! assert!(report.refused_for(Reason::ValuesDisagree(Witness::Wide)));
 //! assert!(report.to_string().contains("`resolution`"));
-//! check().resolution(1e-7).prove();
+//! check().resolution(1e-7).assert();
 //! ```
 //!
 //! An operation takes the same words: `Check::of(operation).resolution(1e-7).inside(…)`, and its row may state them
@@ -180,12 +181,12 @@
 //!
 //! Give a function's generic source where there is one ([`Check::dual`], [`Check::traced`]): duals
 //! know no step, and traces tell a kink from a coincidence. Differences alone do not see a
-//! feature smaller than a hundred-millionth of the [scale](Check::scales), nor a slope whose rise is
+//! feature smaller than a hundred-millionth of the [scale](Check::scales), nor a derivative whose rise is
 //! lost in the rounding of the value; a function that has such features (boxes tilted by less, poles
 //! nearer than that) may be refused falsely without them. Without scales a number is taken to change
 //! over its own size or a thousandth of the largest one, whichever tells.
 //!
-//! A slope may be off by the rounding of terms as large as it gets when the inputs change over
+//! A derivative may be off by the rounding of terms as large as it gets when the inputs change over
 //! their size: what is left of `1 - 0.9997` has four digits less, and that is no mistake. One that
 //! loses more, half of its digits say, is refused.
 //!
@@ -195,19 +196,19 @@
 //!
 //! # How it is made
 //!
-//! One input is judged in [`judge`](mod@judge): `evidence` gathers once what is known there (values, slopes by hand
-//! and by duals, branches, inputs beside it), each file of `compare` holds a comparison that reads it and
-//! has its say (`notes`), and `judge` decides what is refused. Every number by which it decides is in
-//! `tolerances`, with its reason; `rounding` measures at each input what a witness may be off by. Steps are
-//! in [`witness`], what they say about one slope in `compare/slope_test`, how complaints are weighed in
-//! `compare/opinion`. [`examine`](fn@examine) walks the inputs, `shrink` makes refused ones simple, [`report`] has the
-//! lines, `words` the sentences. A function is a [`Subject`](subject::Subject): lists of numbers in and out.
+//! One input is judged in [`judge`](mod@judge): `evidence` gathers once what is known there (values, derivatives by
+//! hand and by duals, branches, inputs beside it), each file of `compare` holds a comparison that reads it and has
+//! its say (`notes`), and `judge` decides what is refused. Every number by which it decides is in `tolerances`, with
+//! its reason; `rounding` measures at each input what a witness may be off by. Steps are in [`witness`], what they
+//! say about one derivative in `compare/derivative_test`, how complaints are weighed in `compare/opinion`.
+//! [`examine`](fn@examine) walks the inputs, `shrink` makes refused ones simple, [`report`] has the lines, `words`
+//! the sentences. A function is a [`Subject`](subject::Subject): lists of numbers in and out.
 //!
 //! A traced scalar (`trace`) records every comparison and its margin, to tell a kink from a mistake. `rounding`
-//! measures sensitivity: inputs move by an ulp, and a scalar of `noise` rounds at random. `agreed` has what a plan says
-//! of a function: ties, resolution, domain. `strategy` draws for proptest from the same [`sample`]. `tests/corpus`
-//! measures the harness and other checkers: functions, faults made by operators and by a scalar that makes one mistake,
-//! and a record of the harness's errors.
+//! measures sensitivity: inputs move by an ulp, and a scalar of `noise` rounds at random. `agreed` has what a
+//! sampling says of a function: ties, resolution, domain. `strategy` draws for proptest from the same [`sample`].
+//! `tests/corpus` measures the harness and other checkers: functions, faults made by operators and by a scalar that
+//! makes one mistake, and a record of the harness's errors.
 mod agreed;
 mod builder;
 mod closures;
@@ -242,7 +243,7 @@ pub mod witness;
 mod words;
 
 pub use crate::ad::check::builder::Check;
-pub use crate::ad::check::examine::{Plan, SEED, examine};
+pub use crate::ad::check::examine::{SEED, Sampling, examine};
 pub use crate::ad::check::report::{Failure, Report};
 pub use crate::ad::check::second_order::Bent;
 

@@ -1,6 +1,6 @@
 //! What a comparison of witnesses has to say about one input. It refuses nothing: that is for
 //! [`judge`](crate::ad::check::judge).
-use crate::ad::check::evidence::Row;
+use crate::ad::check::evidence::Item;
 use crate::ad::check::verdict::{Fault, Nearest, Numbers, PAIRS, Place, Reason, Witness, Worst};
 
 /// What one comparison, or several, have to say.
@@ -10,7 +10,7 @@ pub(crate) struct Notes {
     pub(crate) complaints: Vec<Fault>,
     /// How far apart each pair of witnesses was.
     pub(crate) worst: [Worst; PAIRS.len()],
-    /// Whether some witness could judge the slope with respect to each number of the input.
+    /// Whether some witness could judge the derivative with respect to each number of the input.
     pub(crate) covered: Vec<bool>,
     /// Whether a declared convention was needed.
     pub(crate) convention: bool,
@@ -82,7 +82,7 @@ impl Notes {
         });
     }
 
-    /// One more comparison of the pair that stands at `pair` in [`PAIRS`]; `size` is the largest slope of
+    /// One more comparison of the pair that stands at `pair` in [`PAIRS`]; `size` is the largest derivative of
     /// the same unit.
     pub(crate) fn compared(&mut self, pair: usize, gap: f64, size: f64, eps: f64, at: Nearest) {
         self.worst[pair].note(gap, size, eps, at);
@@ -109,7 +109,7 @@ impl Notes {
 }
 
 /// A comparison at an output and an input, before it is known how near to refusal it is.
-pub(crate) fn comparison(row: &Row, input: usize, numbers: Numbers, tolerance: f64) -> Nearest {
+pub(crate) fn comparison(row: &Item, input: usize, numbers: Numbers, tolerance: f64) -> Nearest {
     Nearest {
         output: row.output,
         input,

@@ -5,9 +5,9 @@ use crate::ad::check::symmetry::Kind;
 use crate::ad::check::witness::{Ladder, dot};
 use std::fmt::Write;
 
-/// The slopes of the sum of all outputs by hand, by duals and by differences.
+/// The derivatives of the sum of all outputs by hand, by duals and by differences.
 #[must_use]
-pub fn slopes_of_witnesses(subject: &dyn Subject, x: &[f64]) -> [Vec<f64>; 3] {
+pub fn derivatives_of_witnesses(subject: &dyn Subject, x: &[f64]) -> [Vec<f64>; 3] {
     let wide = subject.wide();
     let on = wide.as_deref().unwrap_or(subject);
     let y = on.value(x);
@@ -58,7 +58,7 @@ const TOP: f64 = 70.0;
 pub fn picture<X: Sample>(title: &str, input: &X, subject: &dyn Subject) -> String {
     let x = input.scalars();
     let kinds = input.kinds();
-    let slopes = slopes_of_witnesses(subject, &x);
+    let derivatives = derivatives_of_witnesses(subject, &x);
     let outlines = input.outlines();
     let points = (0..x.len()).filter(|&i| kinds[i] == Kind::X);
     let all: Vec<[f64; 2]> = outlines
@@ -116,13 +116,13 @@ pub fn picture<X: Sample>(title: &str, input: &X, subject: &dyn Subject) -> Stri
             list.join(" ")
         );
     }
-    let longest = slopes.iter().flat_map(|list| {
+    let longest = derivatives.iter().flat_map(|list| {
         points
             .clone()
             .filter_map(|i| Some(list.get(i)?.hypot(*list.get(i + 1)?)))
     });
     let longest = longest.filter(|l| l.is_finite()).fold(0.0_f64, f64::max);
-    for (list, (_, colour, thick)) in slopes.iter().zip(ARROWS) {
+    for (list, (_, colour, thick)) in derivatives.iter().zip(ARROWS) {
         for i in points.clone() {
             let (Some(&gx), Some(&gy)) = (list.get(i), list.get(i + 1)) else {
                 continue;
@@ -177,7 +177,7 @@ pub fn picture<X: Sample>(title: &str, input: &X, subject: &dyn Subject) -> Stri
         let row = 1.2 + i as f64;
         text(0, row, kind, "#636363");
         text(1, row, &format!("{:.8e}", x[i]), "#636363");
-        for (k, list) in slopes.iter().enumerate() {
+        for (k, list) in derivatives.iter().enumerate() {
             let number = list.get(i).map_or("-".to_owned(), |g| format!("{g:.8e}"));
             text(2 + k, row, &number, "#252525");
         }

@@ -8,25 +8,25 @@ use crate::{Fixed, Jet, Scalar};
 use std::fmt::Debug;
 use std::rc::Rc;
 
-/// Numbers with a slope each.
-fn jets<T: Scalar>(x: &[f64], slopes: &[f64], of: impl Fn(f64) -> T) -> Vec<Jet<T, 1>> {
-    let jet = |(&value, &slope)| Jet {
+/// Numbers with a derivative each.
+fn jets<T: Scalar>(x: &[f64], derivatives: &[f64], of: impl Fn(f64) -> T) -> Vec<Jet<T, 1>> {
+    let jet = |(&value, &derivative)| Jet {
         value: of(value),
-        slope: [of(slope)],
+        derivative: [of(derivative)],
     };
-    x.iter().zip(slopes).map(jet).collect()
+    x.iter().zip(derivatives).map(jet).collect()
 }
 
-/// Numbers with slopes along two directions, `u` and `v`.
+/// Numbers with derivatives along two directions, `u` and `v`.
 fn bent<T: Scalar>([x, u, v]: [&[f64]; 3], of: impl Fn(f64) -> T) -> Vec<Bent<T>> {
-    let jet = |value, slope| Jet {
+    let jet = |value, derivative| Jet {
         value: of(value),
-        slope: [of(slope)],
+        derivative: [of(derivative)],
     };
     (0..x.len())
         .map(|i| Jet {
             value: jet(x[i], v[i]),
-            slope: [jet(u[i], 0.0)],
+            derivative: [jet(u[i], 0.0)],
         })
         .collect()
 }
@@ -34,17 +34,17 @@ fn bent<T: Scalar>([x, u, v]: [&[f64]; 3], of: impl Fn(f64) -> T) -> Vec<Bent<T>
 fn unbent<T: Scalar>(y: Vec<Bent<T>>, of: impl Fn(T) -> f64) -> Vec<Bent<f64>> {
     let jet = |jet: Jet<T, 1>| Jet {
         value: of(jet.value),
-        slope: [of(jet.slope[0])],
+        derivative: [of(jet.derivative[0])],
     };
     let all = y.into_iter().map(|y| Jet {
         value: jet(y.value),
-        slope: [jet(y.slope[0])],
+        derivative: [jet(y.derivative[0])],
     });
     all.collect()
 }
 
 impl<'a, S: Number + Plain, X: Fixed<Scalar = S> + Debug + 'a> Check<'a, X> {
-    /// A recorded function, with its slopes: those by hand, if it [has](Program::with_adjoint) some, or
+    /// A recorded function, with its derivatives: those by hand, if it [has](Program::with_adjoint) some, or
     /// those of its recording backwards. Witnesses are the recording on duals, on traced numbers, in
     /// double precision, and of one result on duals of duals.
     ///
@@ -52,8 +52,8 @@ impl<'a, S: Number + Plain, X: Fixed<Scalar = S> + Debug + 'a> Check<'a, X> {
     /// use geograd::check::*;
     /// use geograd::{Program, Sym, Vec2};
     /// let norm = Program::trace(|v: Vec2<Sym<f64>>| v.x.hypot(v.y))?;
-    /// Check::among([Vec2::new(3.0, 4.0), Vec2::zero()]).program(&norm).prove();
-    /// // Slopes by hand that are wrong where y is not zero.
+    /// Check::among([Vec2::new(3.0, 4.0), Vec2::zero()]).program(&norm).assert();
+    /// // Derivatives by hand that are wrong where y is not zero.
     /// let wrong = norm.with_adjoint(|v: Vec2<Sym<f64>>| Vec2::new(v.x.over(v.x.hypot(v.y)), Sym::zero()))?;
     /// let report = Check::at(Vec2::new(3.0, 4.0)).program(&wrong).run();
     /// assert!(report.refused_for(Reason::Disagree(Witness::Adjoint, Witness::Difference)));
@@ -62,14 +62,14 @@ impl<'a, S: Number + Plain, X: Fixed<Scalar = S> + Debug + 'a> Check<'a, X> {
     #[must_use]
     pub fn program<Y: Fixed<Scalar = S>>(mut self, program: &Program<X, Y>) -> Self {
         let widened = |list: Vec<S>| list.iter().map(|x| x.widen()).collect::<Vec<f64>>();
-        let slopes: Rc<Recorded> = Rc::new(program.recorded().vjp());
-        // Duals and everything else look at the value, whatever slopes it was given.
+        let derivatives: Rc<Recorded> = Rc::new(program.recorded().vjp());
+        // Duals and everything else look at the value, whatever derivatives it was given.
         let value: Rc<Recorded> = Rc::new(program.recorded().clone());
         let numbers = |x: &X| -> Vec<f64> { x.scalars().iter().map(|x| x.widen()).collect() };
 
         let of = Rc::clone(&value);
         self.value = Some(Box::new(move |x| widened(of.run(&x.scalars()))));
-        let of = Rc::clone(&slopes);
+        let of = Rc::clone(&derivatives);
         self.adjoint = Some(Box::new(move |x, y_bar| {
             widened(of.run(&[x.scalars(), narrow(y_bar)].concat()))
         }));
@@ -77,8 +77,8 @@ impl<'a, S: Number + Plain, X: Fixed<Scalar = S> + Debug + 'a> Check<'a, X> {
         self.dual = Some(Box::new(move |x, direction| {
             let out = of.run_on(&jets(&numbers(x), direction, S::nearest));
             let values = out.iter().map(|jet| jet.value.widen()).collect();
-            let slopes = out.iter().map(|jet| jet.slope[0].widen()).collect();
-            (values, slopes)
+            let derivatives = out.iter().map(|jet| jet.derivative[0].widen()).collect();
+            (values, derivatives)
         }));
         if program.recorded().gradient_by_hand().is_some() {
             let of = Rc::clone(&value);
@@ -97,12 +97,15 @@ impl<'a, S: Number + Plain, X: Fixed<Scalar = S> + Debug + 'a> Check<'a, X> {
             trace(|| unbent(of.run_on(&bent(at, Traced)), |x: Traced<f64>| x.0))
         }));
         if Y::LEN == 1 {
-            let of = Rc::clone(&slopes);
+            let of = Rc::clone(&derivatives);
             self.curvature = Some(Box::new(move |x, direction| {
                 let mut input = jets(&numbers(x), direction, S::nearest);
                 input.push(<Jet<S, 1> as Scalar>::lit(1.0));
-                let slopes = of.run_on(&input);
-                slopes.iter().map(|jet| jet.slope[0].widen()).collect()
+                let derivatives = of.run_on(&input);
+                derivatives
+                    .iter()
+                    .map(|jet| jet.derivative[0].widen())
+                    .collect()
             }));
             self.second_order = Some(Box::new(move |_, at| {
                 unbent(value.run_on(&bent(at, S::nearest)), S::widen)

@@ -65,7 +65,7 @@ pub struct Report {
     pub worst: [Worst; PAIRS.len()],
     /// The input nearest to refusal by each pair of witnesses, as Rust code; empty where all agreed.
     pub nearest: [String; PAIRS.len()],
-    /// The input nearest to refusal by differences as SVG, when the plan says to draw it.
+    /// The input nearest to refusal by differences as SVG, when the sampling says to draw it.
     pub picture: Option<String>,
     /// What the numbers of the input are called, where they have names.
     pub names: Vec<String>,
@@ -129,7 +129,7 @@ impl Report {
     pub fn legend() -> &'static str {
         "smooth, kink, undef: what kind of place the inputs were.\n\
          adj-dual, adj-diff: how far the derivative by hand was from duals and from differences in 99 of \
-         100 comparisons,\n  in units in the last place of the largest slope of the same unit.\n\
+         100 comparisons,\n  in units in the last place of the largest derivative of the same unit.\n\
          used: how near the worst of all comparisons came to refusal, as a share of what the errors of both \
          allow,\n  which are measured at each input; more than 100 % is refused.\n\
          num-dual, adj-wide, adj-batch: the same share, against num-dual's numbers (derivatives by hand only), against \
@@ -173,7 +173,7 @@ impl Report {
         };
         let [dual, difference, _, wide, _, batch, num_dual] = &self.worst;
         let verdict = if self.passed() {
-            "proved".to_owned()
+            "checked".to_owned()
         } else {
             format!("REFUSED ({} samples)", self.refused)
         };

@@ -1,15 +1,14 @@
 //! The part of a judgement that provokes rounding: how far each witness can be trusted here.
 //!
-//! Four kinds of rounding are provoked, each by what leaves the true answer where it is, or nearly.
-//! Inputs move by their last digits, which shows what a function does to errors of its input and of
-//! its value's computation. The adjoint's own operations round at random
-//! ([`noise`](crate::ad::check::noise)). Of a closure, whose operations nobody sees, the roughness between
-//! equally spaced inputs is measured ([`roughness`]). What is linear in a direction (duals, second derivatives) is asked
-//! along the direction made shorter: the answer is shorter by as much, except that every sum and
-//! product of slopes on the way has rounded differently. No rounding of the input shows that: where
-//! two large equal slopes cancel, what is left is their last digit, which does not move with the
-//! input's.
-use crate::ad::check::evidence::{Beside, Evidence, Row};
+//! Four kinds of rounding are provoked, each by what leaves the true answer where it is, or nearly. Inputs move by
+//! their last digits, which shows what a function does to errors of its input and of its value's computation. The
+//! adjoint's own operations round at random ([`noise`](crate::ad::check::noise)). Of a closure, whose operations
+//! nobody sees, the roughness between equally spaced inputs is measured ([`roughness`]). What is linear in a
+//! direction (duals, second derivatives) is asked along the direction made shorter: the answer is shorter by as much,
+//! except that every sum and product of derivatives on the way has rounded differently. No rounding of the input
+//! shows that: where two large equal derivatives cancel, what is left is their last digit, which does not move with
+//! the input's.
+use crate::ad::check::evidence::{Beside, Evidence, Item};
 use crate::ad::check::roughness::roughness;
 use crate::ad::check::sample::Draw;
 use crate::ad::check::subject::Subject;
@@ -168,17 +167,17 @@ impl Evidence<'_> {
         self.rough(on, &value).first().copied().unwrap_or(0.0)
     }
 
-    /// How large each slope gets when the numbers of the input change over their size, all together
-    /// and one by one. Where a slope is far steeper than the value is large, another feature is near
+    /// How large each derivative gets when the numbers of the input change over their size, all together
+    /// and one by one. Where a derivative is far steeper than the value is large, another feature is near
     /// and nothing is said.
     pub(crate) fn typical(
         &self,
         weights: &[f64],
         base: &[f64],
-        slopes: &dyn Fn(&[f64]) -> Option<Vec<f64>>,
+        derivatives: &dyn Fn(&[f64]) -> Option<Vec<f64>>,
         tallest: f64,
     ) -> Vec<f64> {
-        let mut sizes: Vec<f64> = base.iter().map(|slope| slope.abs()).collect();
+        let mut sizes: Vec<f64> = base.iter().map(|derivative| derivative.abs()).collect();
         let value = |y: &[f64]| -> f64 { weights.iter().zip(y).map(|(w, y)| (w * y).abs()).sum() };
         let here = value(&self.y);
         let mut look = |there: &[f64]| {
@@ -189,9 +188,9 @@ impl Evidence<'_> {
                 0.0 => f64::INFINITY,
                 value => tallest * value,
             };
-            for (i, slope) in slopes(there).unwrap_or_default().iter().enumerate() {
-                if slope.is_finite() && slope.abs() * self.scales[i] <= tall {
-                    sizes[i] = sizes[i].max(slope.abs());
+            for (i, derivative) in derivatives(there).unwrap_or_default().iter().enumerate() {
+                if derivative.is_finite() && derivative.abs() * self.scales[i] <= tall {
+                    sizes[i] = sizes[i].max(derivative.abs());
                 }
             }
         };
@@ -217,16 +216,16 @@ impl Evidence<'_> {
         sizes
     }
 
-    /// By how much slopes may be off by rounding: of terms as large as the slopes typically are, and
+    /// By how much derivatives may be off by rounding: of terms as large as the derivatives typically are, and
     /// as rough as they are beside the point, as far as that can be rounding of such terms. A
     /// derivative rougher than that loses digits without need.
-    pub(crate) fn rough_slopes(
+    pub(crate) fn rough_derivatives(
         &self,
         weights: &[f64],
         base: &[f64],
-        slopes: &dyn Fn(&[f64]) -> Option<Vec<f64>>,
+        derivatives: &dyn Fn(&[f64]) -> Option<Vec<f64>>,
     ) -> Vec<f64> {
-        self.roughly(weights, base, slopes, TALL)
+        self.roughly(weights, base, derivatives, TALL)
     }
 
     /// The same of second derivatives along a direction.
@@ -243,16 +242,16 @@ impl Evidence<'_> {
         &self,
         weights: &[f64],
         base: &[f64],
-        slopes: &dyn Fn(&[f64]) -> Option<Vec<f64>>,
+        derivatives: &dyn Fn(&[f64]) -> Option<Vec<f64>>,
         tallest: f64,
     ) -> Vec<f64> {
-        // What slopes of one unit may be off by is known.
+        // What derivatives of one unit may be off by is known.
         if self.subject.comparable() {
             return vec![0.0; base.len()];
         }
-        let mut rough = self.rough(self.subject, slopes);
+        let mut rough = self.rough(self.subject, derivatives);
         rough.resize(base.len(), 0.0);
-        let typical = self.typical(weights, base, slopes, tallest);
+        let typical = self.typical(weights, base, derivatives, tallest);
         for (rough, typical) in rough.iter_mut().zip(typical) {
             let one = self.eps * typical;
             *rough = if *rough <= ROUGH * one {
@@ -299,7 +298,7 @@ impl Evidence<'_> {
     }
 
     /// Adds to a row's tolerance what provoked rounding shows.
-    pub(crate) fn provoke(&self, row: &Row) {
+    pub(crate) fn provoke(&self, row: &Item) {
         if row.provoked.replace(true) {
             return;
         }
@@ -321,7 +320,7 @@ impl Evidence<'_> {
             let noise = self.roundings(adjoint, &row.size, |seed| {
                 self.subject.noisy(self.x, &row.weights, seed)
             });
-            let rough = self.rough_slopes(&row.weights, adjoint, &|x| {
+            let rough = self.rough_derivatives(&row.weights, adjoint, &|x| {
                 self.subject.adjoint(x, &row.weights)
             });
             row.allow(|i| SAFETY * spread[i].max(noise[i]).max(rough[i]));
@@ -333,17 +332,17 @@ impl Evidence<'_> {
         }
     }
 
-    /// How far rounding carries each slope by duals: those of inputs beside this one, along an axis made shorter, and
-    /// what makes them rough.
+    /// How far rounding carries each derivative by duals: those of inputs beside this one, along an axis made
+    /// shorter, and what makes them rough.
     pub(crate) fn rounding_of_duals(
         &self,
-        row: &Row,
+        row: &Item,
         dual: &[f64],
-        slopes: &dyn Fn(&[f64]) -> Option<Vec<f64>>,
+        derivatives: &dyn Fn(&[f64]) -> Option<Vec<f64>>,
         along: &dyn Fn(&[f64]) -> Option<f64>,
     ) -> Vec<f64> {
-        let spread = self.spread(dual, Some(&row.size), slopes);
-        let rough = self.rough_slopes(&row.weights, dual, slopes);
+        let spread = self.spread(dual, Some(&row.size), derivatives);
+        let rough = self.rough_derivatives(&row.weights, dual, derivatives);
         let each = (0..dual.len()).map(|i| {
             let axis = axis(dual.len(), i);
             let own = self.roundings(&dual[i..=i], &row.size[i..=i], |seed| {
@@ -356,7 +355,7 @@ impl Evidence<'_> {
 
     /// Where single precision is judged by double, decisions may fall differently: what that does
     /// counts too.
-    pub(crate) fn provoke_widely(&self, row: &Row) {
+    pub(crate) fn provoke_widely(&self, row: &Item) {
         let (Some(wide), Some(adjoint)) = (&self.wide, &row.adjoint) else {
             return;
         };
@@ -370,13 +369,13 @@ impl Evidence<'_> {
     }
 
     /// Adds what provoked rounding shows with the arguments exchanged, once.
-    pub(crate) fn provoke_exchanged(&self, row: &Row) {
+    pub(crate) fn provoke_exchanged(&self, row: &Item) {
         if row.provoked_exchanged.replace(true) {
             return;
         }
         let of = |x: &[f64]| {
-            let slopes = self.subject.adjoint(&exchanged(x), &row.weights)?;
-            Some(exchanged(&slopes))
+            let derivatives = self.subject.adjoint(&exchanged(x), &row.weights)?;
+            Some(exchanged(&derivatives))
         };
         let Some(base) = of(self.x) else { return };
         if let Some(adjoint) = &row.adjoint {
@@ -389,19 +388,19 @@ impl Evidence<'_> {
         row.allow(|i| SAFETY * spread[i]);
     }
 
-    /// The slope of a row along a direction by num-dual's numbers.
-    pub(crate) fn num_dual_along(&self, row: &Row, x: &[f64], direction: &[f64]) -> Option<f64> {
+    /// The derivative of a row along a direction by num-dual's numbers.
+    pub(crate) fn num_dual_along(&self, row: &Item, x: &[f64], direction: &[f64]) -> Option<f64> {
         let (_, ahead) = self.subject.num_dual(x, direction)?;
         let usable = ahead.len() == self.y.len();
         usable.then(|| dot(&row.weights, &ahead))
     }
-    /// The slopes of a row by num-dual's numbers.
-    pub(crate) fn by_num_dual(&self, row: &Row, x: &[f64]) -> Option<Vec<f64>> {
-        let slope = |i| self.num_dual_along(row, x, &axis(x.len(), i));
-        (0..x.len()).map(slope).collect()
+    /// The derivatives of a row by num-dual's numbers.
+    pub(crate) fn by_num_dual(&self, row: &Item, x: &[f64]) -> Option<Vec<f64>> {
+        let derivative = |i| self.num_dual_along(row, x, &axis(x.len(), i));
+        (0..x.len()).map(derivative).collect()
     }
-    /// The slope of a row along a direction by duals.
-    pub(crate) fn by_duals(&self, row: &Row, direction: &[f64]) -> Option<f64> {
+    /// The derivative of a row along a direction by duals.
+    pub(crate) fn by_duals(&self, row: &Item, direction: &[f64]) -> Option<f64> {
         let ahead = self.subject.along(self.x, direction)?;
         let usable = ahead.len() == self.y.len() && ahead.iter().all(|y| y.is_finite());
         usable.then(|| dot(&row.weights, &ahead))

@@ -9,7 +9,7 @@ use crate::ad::check::witness::{Precision, axis, combined, dot};
 use crate::{Jet, Pack, Scalar};
 use std::fmt::Debug;
 
-/// A number with its slopes along two directions, and how the one changes along the other.
+/// A number with its derivatives along two directions, and how the one changes along the other.
 pub type Bent<T> = Jet<Jet<T, 1>, 1>;
 
 /// A function on duals of duals near an input: at a point, along two directions.
@@ -26,13 +26,13 @@ fn bent<X: Pack, T: Scalar>(
     let mut i = 0;
     near.map(&mut |_| {
         i += 1;
-        let jet = |value, slope| Jet {
+        let jet = |value, derivative| Jet {
             value: of(value),
-            slope: [of(slope)],
+            derivative: [of(derivative)],
         };
         Jet {
             value: jet(x[i - 1], v[i - 1]),
-            slope: [jet(u[i - 1], 0.0)],
+            derivative: [jet(u[i - 1], 0.0)],
         }
     })
 }
@@ -41,12 +41,12 @@ fn bent<X: Pack, T: Scalar>(
 fn straight<T: Scalar, Y: Pack<Scalar = Bent<T>>>(y: &Y, of: impl Fn(T) -> f64) -> Vec<Bent<f64>> {
     let jet = |jet: &Jet<T, 1>| Jet {
         value: of(jet.value),
-        slope: [of(jet.slope[0])],
+        derivative: [of(jet.derivative[0])],
     };
     let numbers = y.scalars();
     let bent = |y: &Bent<T>| Jet {
         value: jet(&y.value),
-        slope: [jet(&y.slope[0])],
+        derivative: [jet(&y.derivative[0])],
     };
     numbers.iter().map(bent).collect()
 }
@@ -64,7 +64,7 @@ impl<'a, S: Number, X: Pack<Scalar = S> + Debug + 'a> Check<'a, X> {
     ///     .gradient(|x| 3.0 * x * x)
     ///     .hessian_times(|x, v| 6.0 * x * v)
     ///     .second_order(cube)
-    ///     .prove();
+    ///     .assert();
     /// ```
     ///
     /// [`hessian_times`]: Check::hessian_times
@@ -78,7 +78,7 @@ impl<'a, S: Number, X: Pack<Scalar = S> + Debug + 'a> Check<'a, X> {
         }));
         self
     }
-    /// The generic source in double precision, of a function of `f32`: then values and slopes are
+    /// The generic source in double precision, of a function of `f32`: then values and derivatives are
     /// compared with those, and differences are taken there, where they are not mostly rounding.
     /// Of a function of `f64` it is not asked.
     ///
@@ -125,7 +125,10 @@ pub(crate) fn bends(
 ) -> Vec<f64> {
     let bend = |i: usize| {
         let along = f([x, &axis(x.len(), i), direction]);
-        let bends: Vec<f64> = along.iter().map(|y| y.slope[0].slope[0]).collect();
+        let bends: Vec<f64> = along
+            .iter()
+            .map(|y| y.derivative[0].derivative[0])
+            .collect();
         dot(y_bar, &bends)
     };
     (0..x.len()).map(bend).collect()
@@ -154,7 +157,7 @@ impl<S: Number, X: Pack<Scalar = S>> Subject for Wide<'_, '_, X> {
     }
     fn along(&self, x: &[f64], direction: &[f64]) -> Option<Vec<f64>> {
         let ahead = self.at(x, direction);
-        Some(ahead.iter().map(|y| y.slope[0].value).collect())
+        Some(ahead.iter().map(|y| y.derivative[0].value).collect())
     }
     fn jacobian(&self, x: &[f64]) -> Option<Vec<Vec<f64>>> {
         let column = |i| self.along(x, &axis(x.len(), i));

@@ -1,5 +1,5 @@
 //! A function under test as the harness sees it: lists of numbers in, lists of numbers out.
-use crate::ad::check::symmetry::{Kind, Promise};
+use crate::ad::check::symmetry::{Invariance, Kind};
 use crate::ad::check::tolerances::{LEAST_SCALE, NO_UNIT};
 use crate::ad::check::trace::Trace;
 use crate::ad::check::witness::Precision;
@@ -7,16 +7,16 @@ use crate::ad::check::witness::Precision;
 /// What a function does on purpose at places where its derivative is nobody's.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Conventions {
-    /// Where the value is zero, or the input lies on the border of its domain, the slope may be
-    /// zero although it is not between the slopes of both sides.
+    /// Where the value is zero, or the input lies on the border of its domain, the derivative may be
+    /// zero although it is not between the derivatives of both sides.
     pub flat: bool,
     /// Where the value may jump.
     pub jumps: Jumps,
     /// Whether at a tie the derivative by hand must be the very one of the duals, and not another
-    /// between the slopes of both sides.
+    /// between the derivatives of both sides.
     pub shared_ties: bool,
-    /// Whether the function searches, and its slopes are those of what was found: where something else is as
-    /// good to the bit, they need not be between the slopes of both sides. The two that happen to win on
+    /// Whether the function searches, and its derivatives are those of what was found: where something else is as
+    /// good to the bit, they need not be between the derivatives of both sides. The two that happen to win on
     /// either side of such a tie are not all that tie: of a box and a box with the same heading, any pair of
     /// points of two sides is nearest. It counts at exact ties of the source only.
     pub searches: bool,
@@ -47,7 +47,7 @@ pub trait Subject {
     fn other_values(&self, _x: &[f64]) -> Vec<Vec<f64>> {
         Vec::new()
     }
-    /// The derivative by hand: the slopes of `y_bar · value`.
+    /// The derivative by hand: the derivatives of `y_bar · value`.
     fn adjoint(&self, _x: &[f64], _y_bar: &[f64]) -> Option<Vec<f64>> {
         None
     }
@@ -74,7 +74,7 @@ pub trait Subject {
     fn forms(&self) -> usize {
         0
     }
-    /// Value and slopes of `y_bar · value` from a batch of a form, on the CPU or a GPU.
+    /// Value and derivatives of `y_bar · value` from a batch of a form, on the CPU or a GPU.
     fn batch(&self, _form: usize, _x: &[f64], _y_bar: &[f64]) -> Option<(Vec<f64>, Vec<f64>)> {
         None
     }
@@ -86,13 +86,13 @@ pub trait Subject {
     fn dual_values(&self, _x: &[f64]) -> Option<Vec<f64>> {
         None
     }
-    /// The slopes of all outputs along a direction by duals: the Jacobian times the direction, for
+    /// The derivatives of all outputs along a direction by duals: the Jacobian times the direction, for
     /// inputs too long for a whole one.
     fn along(&self, _x: &[f64], _direction: &[f64]) -> Option<Vec<f64>> {
         None
     }
-    /// Values and the slopes of all outputs along a direction by num-dual's own dual numbers: another implementation
-    /// of duals, for derivatives by hand.
+    /// Values and the derivatives of all outputs along a direction by num-dual's own dual numbers: another
+    /// implementation of duals, for derivatives by hand.
     fn num_dual(&self, _x: &[f64], _direction: &[f64]) -> Option<(Vec<f64>, Vec<f64>)> {
         None
     }
@@ -139,13 +139,13 @@ pub trait Subject {
     fn guessed_scales(&self) -> bool {
         false
     }
-    /// For each number, its unit: slopes times units are comparable, and a derivative is right to
+    /// For each number, its unit: derivatives times units are comparable, and a derivative is right to
     /// within the rounding of the largest of them.
     fn units(&self, x: &[f64]) -> Vec<f64> {
         self.scales(x)
     }
-    /// Whether slopes times units are sums of terms as large as the largest of them, so that none can
-    /// be held to less than its rounding. If not, every slope is held to its own digits and to what
+    /// Whether derivatives times units are sums of terms as large as the largest of them, so that none can
+    /// be held to less than its rounding. If not, every derivative is held to its own digits and to what
     /// provoked rounding shows.
     fn comparable(&self) -> bool {
         false
@@ -172,7 +172,7 @@ pub trait Subject {
         Vec::new()
     }
     /// What the function promises under motions.
-    fn promises(&self) -> &[Promise] {
+    fn invariances(&self) -> &[Invariance] {
         &[]
     }
     /// What it does on purpose.

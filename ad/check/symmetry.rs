@@ -1,7 +1,7 @@
 //! Motions a function promises to follow, and what they imply for its derivatives.
 //!
 //! Where moving the input in a certain way changes the output in a known way, the derivative along
-//! that motion is known too. Translation invariance: the slopes of all positions sum to zero.
+//! that motion is known too. Translation invariance: the derivatives of all positions sum to zero.
 //! Rotation invariance: their torques balance. Homogeneity of degree p: Euler's `x · ∂y = p y`.
 
 /// A motion of the whole input.
@@ -59,18 +59,18 @@ pub enum Answer {
 
 /// A declared property of a function.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-pub struct Promise {
+pub struct Invariance {
     /// How the input moves.
     pub motion: Motion,
     /// What the output does.
     pub answer: Answer,
 }
 
-impl Promise {
+impl Invariance {
     /// That such a motion has such an answer.
     #[must_use]
     pub const fn new(motion: Motion, answer: Answer) -> Self {
-        Promise { motion, answer }
+        Invariance { motion, answer }
     }
 }
 
@@ -92,11 +92,11 @@ pub fn velocity(motion: Motion, kinds: &[Kind], x: &[f64]) -> Vec<f64> {
 
 /// The velocity of the output that the answer promises, when its numbers are of these kinds.
 #[must_use]
-pub fn answer(promise: Promise, kinds: &[Kind], y: &[f64]) -> Vec<f64> {
-    match promise.answer {
+pub fn answer(invariance: Invariance, kinds: &[Kind], y: &[f64]) -> Vec<f64> {
+    match invariance.answer {
         Answer::Stays => vec![0.0; y.len()],
         Answer::Power(p) => y.iter().map(|y| f64::from(p) * y).collect(),
-        Answer::Follows => velocity(promise.motion, kinds, y),
+        Answer::Follows => velocity(invariance.motion, kinds, y),
     }
 }
 

@@ -3,7 +3,7 @@
 //! extrapolation), and what stands here says how measurements are taken and by how much they may be
 //! exceeded.
 //!
-//! Sizes are relative: to a unit in the last place, to a scale of the input, or to the largest slope.
+//! Sizes are relative: to a unit in the last place, to a scale of the input, or to the largest derivative.
 
 // How far apart two exact witnesses may be.
 
@@ -14,26 +14,26 @@ pub(crate) const ROUNDINGS: f64 = 16.0;
 /// and the change from one extrapolation to the next, estimate an error and do not bound it. A factor off
 /// by 10⁻⁶ is refused all the same.
 pub(crate) const SAFETY: f64 = 8.0;
-/// How many times what the exact function explains a slope of single precision may scatter: where thin boxes cross, lengths
-/// are differences of coordinates, and slopes were seen off by twelve times as much, beside a tie of enclosing rectangles by
-/// sixty. Of values none is more than explained.
+/// How many times what the exact function explains a derivative of single precision may scatter: where thin boxes
+/// cross, lengths are differences of coordinates, and derivatives were seen off by twelve times as much, beside a tie
+/// of enclosing rectangles by sixty. Of values none is more than explained.
 pub(crate) const SCATTER: f64 = 100.0;
-/// How many roundings more than a slope a second derivative may have: each product of two slopes has two,
+/// How many roundings more than a derivative a second derivative may have: each product of two derivatives has two,
 /// and both are sums.
 pub(crate) const CURVATURE_ROUNDINGS: f64 = 4.0 * ROUNDINGS;
 /// Of what is larger than this share of the sizes, a change is another decision and no rounding.
 pub(crate) const DECIDED: f64 = 1e-3;
 /// By how many units in its last place a derivative may be rough and still be as good as terms as large
-/// as the slope typically is allow; rougher ones lose digits without need, and get one unit.
+/// as the derivative typically is allow; rougher ones lose digits without need, and get one unit.
 pub(crate) const ROUGH: f64 = 4.0;
-/// How many times the value a slope times the size of its number may be before it belongs to another
+/// How many times the value a derivative times the size of its number may be before it belongs to another
 /// feature: a logit of forty that leaves a loss of nothing is as steep as thirty times the loss at
 /// zero.
 pub(crate) const TALL: f64 = 64.0;
 /// The same of a second derivative along a direction as long as the scales, times the size of its number:
 /// the feature is as much steeper once more.
 pub(crate) const TALL_BEND: f64 = TALL * TALL;
-/// Where else the size of a slope is looked at: at zero, at half and at one and a half of the input.
+/// Where else the size of a derivative is looked at: at zero, at half and at one and a half of the input.
 pub(crate) const ELSEWHERE: [f64; 3] = [0.0, 0.5, 1.5];
 /// How many units of double precision a sum of numbers of `f64` may be off by, where it stands for the
 /// noise of a function known in double precision.
@@ -46,7 +46,7 @@ pub(crate) const WIDE_NOISE: f64 = 4.0;
 pub(crate) const FEW_INPUTS: usize = 48;
 /// Outputs up to this number are checked one by one, more of them in random combinations.
 pub(crate) const FEW_OUTPUTS: usize = 8;
-/// How many combinations of many outputs, or of the slopes of a long input, there are: a fault of a single
+/// How many combinations of many outputs, or of the derivatives of a long input, there are: a fault of a single
 /// number is in each of them, with a factor of its own.
 pub(crate) const COMBINATIONS: usize = 4;
 /// How often the input is moved by its rounding. A multiple of the three ways of moving it.
@@ -62,7 +62,7 @@ pub(crate) const DRAWS: u64 = 48;
 /// By how many of its last digits a number moves, and by how many of its roundings.
 pub(crate) const LAST_DIGITS: [i32; 4] = [-2, -1, 1, 2];
 pub(crate) const MOVED_ROUNDINGS: f64 = 2.0;
-/// Random directions for an input whose Jacobian is too large. Two slopes that are both wrong
+/// Random directions for an input whose Jacobian is too large. Two derivatives that are both wrong
 /// cancel along one of them with probability zero; more only guard against that.
 pub(crate) const PROJECTIONS: usize = 3;
 /// How many parts of a direction are looked at in search of the number at fault: halving two thousand
@@ -95,11 +95,11 @@ pub(crate) const SMALL_RUNGS: usize = 5;
 /// How many powers of the step an extrapolation eliminates at most; more only amplify rounding.
 pub(crate) const POWERS: usize = 6;
 /// How much of the truncation error of a large step, and how often the noise, may stand between an
-/// extrapolation and the slopes of smaller steps before it counts as its error.
+/// extrapolation and the derivatives of smaller steps before it counts as its error.
 pub(crate) const TRUNCATION: f64 = 2.0;
 pub(crate) const NOISE_OF_RUNGS: f64 = 16.0;
 /// A value jumps where the changes to the nearest rungs are as large as this share of each other, and so
-/// many times the noise: those of a slope fall by the ratio.
+/// many times the noise: those of a derivative fall by the ratio.
 pub(crate) const JUMP_STAYS: f64 = 0.8;
 pub(crate) const JUMP_NOISE: f64 = 64.0;
 /// First step of the ladder that tells a jump from a kink very near.
@@ -110,25 +110,25 @@ pub(crate) const BORDER: f64 = 1e-6;
 /// The same where the value is zero and a convention may decide: an exact witness has no steps that could
 /// tell, so the border is looked for farther away.
 pub(crate) const CONVENTION_BORDER: f64 = 1e-3;
-/// A difference whose error is larger than this share of the largest slope says nothing: it would pass
+/// A difference whose error is larger than this share of the largest derivative says nothing: it would pass
 /// whatever is compared with it.
 pub(crate) const INFORMATIVE: f64 = 0.02;
 /// First steps in units of the number itself, where that is smaller than this share of its scale.
 pub(crate) const OWN_FIRST: [f64; 2] = [0.1, 0.037];
 pub(crate) const OWN_SIZE: f64 = 0.5;
-/// Both sides are the same slope where they differ by less than so many times what each may be off by.
+/// Both sides are the same derivative where they differ by less than so many times what each may be off by.
 pub(crate) const SIDES: f64 = 2.0;
 /// How many ladders must repeat a complaint.
 pub(crate) const REPEATED: usize = 2;
-/// A slope is covered by a difference that is known to this share of what the slope typically is, although
+/// A derivative is covered by a difference that is known to this share of what the derivative typically is, although
 /// that says nothing of one as large as others are.
 pub(crate) const COARSE: f64 = 0.5;
 
 // Places beside the input.
 
-/// How far the places are whose slopes bound a derivative at a kink, in the scales of the input, unless
-/// rounding is larger: slopes there are those of duals, which need no room for steps, so a slope that is off by
-/// more than a millionth of the function's bend is outside.
+/// How far the places are whose derivatives bound a derivative at a kink, in the scales of the input, unless rounding
+/// is larger: derivatives there are those of duals, which need no room for steps, so a derivative that is off by more
+/// than a millionth of the function's bend is outside.
 pub(crate) const NEARBY: f64 = 1e-6;
 /// How much nearer every other of them may be: a piece between two kinks may be as small as rounding.
 pub(crate) const NEARER: f64 = 1e-8;
@@ -136,10 +136,10 @@ pub(crate) const NEARER: f64 = 1e-8;
 /// domain that have one.
 pub(crate) const PLACES: usize = 48;
 pub(crate) const TRIES: usize = 4000;
-/// How many steps lead to the nearest of all slopes between those of several pieces: with the two pieces of most kinks
-/// one is enough.
+/// How many steps lead to the nearest of all derivatives between those of several pieces: with the two pieces of most
+/// kinks one is enough.
 pub(crate) const APPROACHES: usize = 100;
-/// By how much a whole input moves to see that a promise is kept: by a part of its smallest scale, by an
+/// By how much a whole input moves to see that an invariance is kept: by a part of its smallest scale, by an
 /// angle that is no part of a circle, by a factor that is no power of two.
 pub(crate) const TRANSLATION: f64 = 0.75;
 pub(crate) const ROTATION: f64 = 0.6;
@@ -164,7 +164,7 @@ pub(crate) const MEDIAN: f64 = 1.4826;
 pub(crate) const LEAST_SCALE: f64 = 1e-3;
 /// Above this numbers have no unit in common, and products of them would overflow.
 pub(crate) const NO_UNIT: f64 = 1e150;
-/// Of this many random inputs or more, one in so many must be smooth, or nothing was proved.
+/// Of this many random inputs or more, one in so many must be smooth, or nothing was checked.
 pub(crate) const ENOUGH: usize = 20;
 pub(crate) const SMOOTH_ONE_IN: usize = 10;
 /// And one in so many must be inside the domain.

@@ -84,8 +84,8 @@ pub trait Number: Scalar<Mask = bool, Primal = Self> + Float + Pack<With<Self> =
         <Self as Scalar>::lit(x)
     }
     /// A dual number of num-dual's.
-    fn num_dual(value: Self, slope: Self) -> Self::NumDual;
-    /// Its value and its slope.
+    fn num_dual(value: Self, derivative: Self) -> Self::NumDual;
+    /// Its value and its derivative.
     fn of_num_dual(dual: Self::NumDual) -> (Self, Self);
 }
 macro_rules! number {
@@ -93,8 +93,8 @@ macro_rules! number {
         impl Number for $float {
             type NumDual = num_dual::Dual<$float>;
             #[inline]
-            fn num_dual(value: Self, slope: Self) -> Self::NumDual {
-                num_dual::Dual::new(value, slope)
+            fn num_dual(value: Self, derivative: Self) -> Self::NumDual {
+                num_dual::Dual::new(value, derivative)
             }
             #[inline]
             fn of_num_dual(dual: Self::NumDual) -> (Self, Self) {
@@ -105,16 +105,18 @@ macro_rules! number {
 }
 number!(f32 f64);
 
-/// A list of num-dual's dual numbers: values and slopes along a direction.
+/// A list of num-dual's dual numbers: values and derivatives along a direction.
 pub(crate) fn num_duals<S: Number>(x: &[f64], direction: &[f64]) -> Vec<S::NumDual> {
     let each = x.iter().zip(direction);
     each.map(|(&x, &d)| S::num_dual(S::nearest(x), S::nearest(d)))
         .collect()
 }
-/// Its values and its slopes.
+/// Its values and its derivatives.
 pub(crate) fn of_num_duals<S: Number>(list: Vec<S::NumDual>) -> (Vec<f64>, Vec<f64>) {
     let parts = list.into_iter().map(S::of_num_dual);
-    parts.map(|(y, slope)| (y.widen(), slope.widen())).unzip()
+    parts
+        .map(|(y, derivative)| (y.widen(), derivative.widen()))
+        .unzip()
 }
 
 impl<T: Number> Traced<T> {

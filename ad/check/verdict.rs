@@ -37,7 +37,7 @@ pub enum Reason {
     ValuesDisagree(Witness),
     /// Two derivatives differ by more than both can err.
     Disagree(Witness, Witness),
-    /// At a kink the derivative is not between the slopes of both sides.
+    /// At a kink the derivative is not between the derivatives of both sides.
     OutsideKink,
     /// The value jumps, and the function does not declare that it does.
     Jump,
@@ -53,9 +53,9 @@ pub enum Reason {
     MotionUnbalanced(Motion),
     /// The operation cannot be recorded as a program, so that nothing was judged.
     Unrecordable(Unrecordable),
-    /// Hardly a random input was inside the domain, so that nothing was proved.
+    /// Hardly a random input was inside the domain, so that nothing was checked.
     FewInside,
-    /// Hardly a sample was smooth, so that nothing was proved.
+    /// Hardly a sample was smooth, so that nothing was checked.
     NothingSmooth,
     /// At no sample could any witness say anything about this number of the input: there was no
     /// sample inside the domain, no derivative, no result, or all differences were lost in rounding.
@@ -67,9 +67,9 @@ pub enum Reason {
 pub enum Place {
     /// Differentiable as far as can be seen.
     Smooth,
-    /// The slopes of both sides differ.
+    /// The derivatives of both sides differ.
     Kink,
-    /// A jump, an infinite slope, or nowhere to step to.
+    /// A jump, an infinite derivative, or nowhere to step to.
     Undefined,
 }
 
@@ -84,9 +84,9 @@ pub struct Numbers {
     pub difference: Option<f64>,
     /// Of the further witness in question.
     pub other: Option<f64>,
-    /// Slopes of both sides, at a kink.
+    /// Derivatives of both sides, at a kink.
     pub sides: Option<[f64; 2]>,
-    /// Whether they are slopes along a random direction, in which several numbers of the input move,
+    /// Whether they are derivatives along a random direction, in which several numbers of the input move,
     /// and not with respect to one of them.
     pub along: bool,
     /// How many numbers there were, and how many there should have been.
@@ -128,7 +128,7 @@ pub struct Worst {
     pub count: u64,
     /// Largest difference.
     pub absolute: f64,
-    /// Largest difference, relative to the largest slope in the same unit.
+    /// Largest difference, relative to the largest derivative in the same unit.
     pub relative: f64,
     /// The same in units of the precision.
     pub ulps: f64,
@@ -244,7 +244,7 @@ pub struct Findings {
     pub convention: bool,
     /// How near the nearest change of branch is, relative; infinite when nothing was compared.
     pub margin: f64,
-    /// Whether some witness could judge the slope with respect to each number of the input.
+    /// Whether some witness could judge the derivative with respect to each number of the input.
     pub covered: Vec<bool>,
     /// What each pair of [`PAIRS`] differs by.
     pub worst: [Worst; PAIRS.len()],

@@ -2,7 +2,7 @@
 //! rounding.
 //!
 //! A [`Ladder`] holds values at steps of geometrically falling size on both sides of a point. From
-//! it come the central slope and the slopes of both sides, each extrapolated to step zero by
+//! it come the central derivative and the derivatives of both sides, each extrapolated to step zero by
 //! Richardson's scheme; of all extrapolations the one with the smallest error estimate counts
 //! (Ridders' method), where the estimate includes the rounding noise of the values.
 use crate::Scalar;
@@ -179,7 +179,7 @@ impl Ladder {
         }
     }
 
-    /// The central slope of `weights · value`. With `within`, only from steps inside which the
+    /// The central derivative of `weights · value`. With `within`, only from steps inside which the
     /// branches are those of the point.
     #[must_use]
     pub fn central(&self, weights: &[f64], noise: f64, within: bool) -> Option<Estimate> {
@@ -206,7 +206,7 @@ impl Ladder {
         extrapolated(&points, 2, noise)
     }
 
-    /// The slope of `weights · value` on one side.
+    /// The derivative of `weights · value` on one side.
     #[must_use]
     pub fn one_sided(&self, ahead: bool, weights: &[f64], noise: f64) -> Option<Estimate> {
         let (side, sign) = if ahead {
@@ -226,7 +226,7 @@ impl Ladder {
         if self.traced
             && let [.., before, last] = &points[..]
         {
-            // Other branches than at the point: nearer than the smallest step the slope may still
+            // Other branches than at the point: nearer than the smallest step the derivative may still
             // change as much as it does there.
             estimate.error += (last.1 - before.1).abs();
         }
@@ -240,17 +240,20 @@ impl Ladder {
     pub fn noise(&self, weights: &[f64]) -> f64 {
         let here = dot(weights, &self.center);
         let side = |side: &[Rung]| {
-            let slopes: Vec<(f64, f64)> = side
+            let derivatives: Vec<(f64, f64)> = side
                 .iter()
                 .map(|rung| (rung.step, (dot(weights, &rung.values) - here) / rung.step))
                 .collect();
             // Values that stand still and then leap are no finer than the smallest leap.
-            let leaps = slopes.iter().map(|(step, slope)| (step * slope).abs());
+            let leaps = derivatives
+                .iter()
+                .map(|(step, derivative)| (step * derivative).abs());
             let least = leaps
                 .filter(|leap| *leap > 0.0)
                 .fold(f64::INFINITY, f64::min);
-            let still = slopes.iter().any(|(_, slope)| *slope == 0.0) && least.is_finite();
-            let small = &slopes[slopes.len().saturating_sub(SMALL_RUNGS)..];
+            let still =
+                derivatives.iter().any(|(_, derivative)| *derivative == 0.0) && least.is_finite();
+            let small = &derivatives[derivatives.len().saturating_sub(SMALL_RUNGS)..];
             small
                 .windows(3)
                 .fold(if still { least } else { 0.0 }, |noise, w| {
@@ -336,16 +339,16 @@ pub(crate) fn axis(length: usize, i: usize) -> Vec<f64> {
     (0..length).map(|k| f64::from(u8::from(k == i))).collect()
 }
 
-/// The slopes of one combination of the outputs, from a Jacobian with one row per output.
+/// The derivatives of one combination of the outputs, from a Jacobian with one row per output.
 pub(crate) fn combined(weights: &[f64], jacobian: &[Vec<f64>], inputs: usize) -> Vec<f64> {
-    let slope = |i: usize| {
+    let derivative = |i: usize| {
         let column: Vec<f64> = jacobian.iter().map(|row| row[i]).collect();
         dot(weights, &column)
     };
-    (0..inputs).map(slope).collect()
+    (0..inputs).map(derivative).collect()
 }
 
-/// Extrapolates `(step, slope)` to step zero, eliminating the powers `order, 2 order, …`.
+/// Extrapolates `(step, derivative)` to step zero, eliminating the powers `order, 2 order, …`.
 ///
 /// Of all extrapolations the one with the smallest error counts. Its error is the change from the
 /// ones it was made of, the noise, and whatever makes smaller steps disagree with it: a function
@@ -353,8 +356,8 @@ pub(crate) fn combined(weights: &[f64], jacobian: &[Vec<f64>], inputs: usize) ->
 fn extrapolated(points: &[(f64, f64)], order: i32, noise: f64) -> Option<Estimate> {
     let mut best: Option<Estimate> = None;
     let mut last: Vec<f64> = Vec::new();
-    for (k, &(step, slope)) in points.iter().enumerate() {
-        let mut row = vec![slope];
+    for (k, &(step, derivative)) in points.iter().enumerate() {
+        let mut row = vec![derivative];
         for j in 1..=k.min(POWERS) {
             let ratio = (points[k - j].0 / step).powi(order);
             row.push(row[j - 1] + (row[j - 1] - last[j - 1]) / (ratio - 1.0));
@@ -367,7 +370,7 @@ fn extrapolated(points: &[(f64, f64)], order: i32, noise: f64) -> Option<Estimat
                     .abs()
                     .max((row[j] - last[j - 1]).abs()),
             };
-            let off = (slope - row[j]).abs();
+            let off = (derivative - row[j]).abs();
             let excess = points[k + 1..].iter().fold(0.0_f64, |excess, near| {
                 let truncation = TRUNCATION * off * (near.0 / step).powi(order);
                 let allowed = truncation + NOISE_OF_RUNGS * noise / near.0 + change;

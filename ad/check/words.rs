@@ -42,7 +42,7 @@ impl fmt::Display for Reason {
             Reason::ValuesDisagree(who) => write!(f, "by {who} the value is another one"),
             Reason::Disagree(a, b) => write!(f, "{a} and {b} disagree"),
             Reason::OutsideKink => {
-                f.write_str("at a kink the slope is not between those of both sides")
+                f.write_str("at a kink the derivative is not between those of both sides")
             }
             Reason::Jump => f.write_str("the value jumps, and no jump is declared"),
             Reason::NotLinear => f.write_str(
@@ -55,21 +55,21 @@ impl fmt::Display for Reason {
                 f.write_str("second derivatives taken in the other order differ")
             }
             Reason::MotionBroken(motion) => {
-                write!(f, "the value breaks a promise when the input {motion}")
+                write!(f, "the value breaks a invariance when the input {motion}")
             }
             Reason::MotionUnbalanced(motion) => {
-                write!(f, "the slopes break a promise when the input {motion}")
+                write!(f, "the derivatives break a invariance when the input {motion}")
             }
             Reason::Unrecordable(why) => write!(f, "the operation cannot be recorded: {why}"),
             Reason::FewInside => f.write_str(
-                "hardly a random input was inside the domain, so nothing was proved",
+                "hardly a random input was inside the domain, so nothing was checked",
             ),
             Reason::NothingSmooth => {
-                f.write_str("hardly an input was smooth, so nothing was proved")
+                f.write_str("hardly an input was smooth, so nothing was checked")
             }
             Reason::Unjudged => f.write_str(
-                "no witness could say anything about the slope with respect to this number, so nothing was \
-                 proved",
+                "no witness could say anything about the derivative with respect to this number, so nothing was \
+                 checked",
             ),
         }
     }
@@ -78,7 +78,7 @@ impl fmt::Display for Reason {
 /// The remedy of a refusal that need not be a mistake of the derivative, in lines.
 pub(crate) fn remedy(reason: Reason) -> &'static [&'static str] {
     const SEARCHES: &[&str] = &[
-        "remedy: implement `Decided` (a search and its replay), and prove it with `prove_decided_with`;",
+        "remedy: implement `Search` (a search and its replay), and check it with `check_search_with`;",
         "        or check the plain function with `Check::random`",
     ];
     match reason {
@@ -88,7 +88,7 @@ pub(crate) fn remedy(reason: Reason) -> &'static [&'static str] {
         ],
         Reason::Disagree(Witness::Adjoint, Witness::Wide) => &[
             "remedy: single precision loses digits that the function does not; write the formula so that they stay,",
-            "        or prove and use it in double precision alone",
+            "        or check and use it in double precision alone",
         ],
         Reason::FewInside => &[
             "remedy: say a wider domain, or give inputs inside it: with `Check::drawn`, or of an operation one by one with",
@@ -117,7 +117,7 @@ fn names(reason: Reason) -> [&'static str; 2] {
     match reason {
         Reason::ValuesDisagree(_) => ["the value", "the other value"],
         Reason::MotionBroken(_) => ["value there", "promised"],
-        Reason::MotionUnbalanced(_) => ["slope of the motion", "promised"],
+        Reason::MotionUnbalanced(_) => ["derivative of the motion", "promised"],
         Reason::NotLinear => ["of the sum", "sum of each"],
         Reason::CurvatureNotSymmetric => ["in one order", "in the other"],
         Reason::Disagree(_, Witness::Wide) | Reason::CurvatureDisagrees(Witness::Wide) => {
@@ -141,9 +141,9 @@ fn gap(reason: Reason, numbers: &Numbers) -> Option<f64> {
         Reason::Disagree(a, b) => of(a).zip(of(b)),
         Reason::CurvatureDisagrees(other) => numbers.adjoint.zip(of(other)),
         Reason::OutsideKink => {
-            let slope = numbers.adjoint.or(numbers.dual)?;
+            let derivative = numbers.adjoint.or(numbers.dual)?;
             let [a, b] = numbers.sides?;
-            return Some((a.min(b) - slope).max(slope - a.max(b)));
+            return Some((a.min(b) - derivative).max(derivative - a.max(b)));
         }
         _ => numbers.adjoint.zip(numbers.other),
     };
@@ -188,7 +188,7 @@ pub(crate) fn write_numbers(
     }
 }
 
-/// Which slope, or which value, a verdict is about; `names` has the numbers of the input, if they have any.
+/// Which derivative, or which value, a verdict is about; `names` has the numbers of the input, if they have any.
 pub(crate) fn place(fault: &Fault, names: &[String]) -> String {
     let Fault {
         reason,
@@ -209,9 +209,9 @@ pub(crate) fn place(fault: &Fault, names: &[String]) -> String {
         Reason::FewInside | Reason::NothingSmooth => "all random inputs".to_owned(),
         Reason::Unrecordable(_) => "no input was judged".to_owned(),
         _ if numbers.along => {
-            format!("slope of output {output} along a random direction, {named} among others")
+            format!("derivative of output {output} along a random direction, {named} among others")
         }
-        _ => format!("slope of output {output} with respect to {named}"),
+        _ => format!("derivative of output {output} with respect to {named}"),
     }
 }
 

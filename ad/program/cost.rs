@@ -23,7 +23,7 @@ pub struct Cost {
     pub roots: usize,
     /// Sines and cosines or halves of them, angles, exponentials and logarithms.
     pub elementary: usize,
-    /// Choices between numbers: selections, minima, maxima, and what their slopes are.
+    /// Choices between numbers: selections, minima, maxima, and what their derivatives are.
     pub choices: usize,
     /// Comparisons, and what connects their outcomes.
     pub comparisons: usize,

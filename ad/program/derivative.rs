@@ -1,27 +1,36 @@
 //! The derivative of every operation, written once for both directions.
 //!
-//! An operation's slope with respect to an operand is never a number by itself: it is what a tangent
+//! An operation's derivative with respect to an operand is never a number by itself: it is what a tangent
 //! of the operand becomes ([forward](super::forward)), or what a cotangent of the operation becomes
 //! ([reverse](super::reverse)). Both are the same product.
 use super::graph::{Graph, Id, Node};
 
-/// The operands through which slopes pass, by their place. The others are decisions or constants.
+/// The operands through which derivatives pass, by their place. The others are decisions or constants.
 pub(super) fn carriers(node: Node) -> &'static [usize] {
     use Node::*;
     match node {
         Const(_) | Input(_) | Bool(_) | Lt(..) | Le(..) | Eq(..) | And(..) | Or(..) | Not(_) => &[],
         // Powers of two and high halves are constants: steps that are flat.
-        Binade(_) | High(_) | SinHigh(_) | CosHigh(_) | Graft { slope: None, .. } => &[],
+        Binade(_)
+        | High(_)
+        | SinHigh(_)
+        | CosHigh(_)
+        | Graft {
+            derivative: None, ..
+        } => &[],
         Neg(_) | Canonical(_) | Magnitude(_) | Unsigned(_) | Root(_) | Sin(_) | Cos(_)
         | SinLow(_) | CosLow(_) | Exp(_) | Ln(_) => &[0],
         Add(..) | Sub(..) | Mul(..) | Div(..) | Min(..) | Max(..) | Atan2(..) => &[0, 1],
-        Graft { slope: Some(_), .. } => &[1],
+        Graft {
+            derivative: Some(_),
+            ..
+        } => &[1],
         Split(..) | Rest(..) => &[2],
         Select(..) => &[1, 2],
     }
 }
 
-/// Whether a zero times the slope by this operand is zero, whatever the values are.
+/// Whether a zero times the derivative by this operand is zero, whatever the values are.
 pub(super) fn keeps_zero(graph: &Graph, node: Node, operand: usize) -> bool {
     use Node::*;
     let finite = |x| graph.constant(x).is_some_and(f64::is_finite);
@@ -51,7 +60,7 @@ pub(super) fn keeps_zero(graph: &Graph, node: Node, operand: usize) -> bool {
 }
 
 /// The condition, a mask and what it must be, under which a node takes an operand at all. Elsewhere
-/// its slope is zero, also where the operand's own is infinite.
+/// its derivative is zero, also where the operand's own is infinite.
 pub(super) fn taken(graph: &mut Graph, node: Node, operand: usize) -> Option<(Id, bool)> {
     use Node::*;
     match node {
@@ -99,7 +108,7 @@ pub(super) fn taken(graph: &mut Graph, node: Node, operand: usize) -> Option<(Id
     }
 }
 
-/// `t` times the slope of the node at `me` by one of its [carriers].
+/// `t` times the derivative of the node at `me` by one of its [carriers].
 pub(super) fn along(graph: &mut Graph, me: Id, operand: usize, t: Id) -> Id {
     use Node::*;
     let node = graph.at(me);
@@ -135,7 +144,7 @@ pub(super) fn along(graph: &mut Graph, me: Id, operand: usize, t: Id) -> Id {
             let (negative, minus) = (g.make(Lt(x, zero)), g.make(Neg(t)));
             g.make(Select(negative, minus, t))
         }
-        // Guarded on both sides, so that slopes of the slope are finite, too.
+        // Guarded on both sides, so that derivatives of the derivative are finite, too.
         Root(x) => {
             let (zero, one, half) = (g.lit(0.0), g.lit(1.0), g.lit(0.5));
             let positive = g.make(Lt(zero, x));
@@ -202,7 +211,7 @@ fn scaled(g: &mut Graph, parts: [Id; 2]) -> Scaled {
     let large = g.make(Max(width, height));
     let large = g.make(Graft {
         value: large,
-        slope: None,
+        derivative: None,
         share: None,
     });
     let origin = g.make(Le(large, zero));
@@ -215,7 +224,7 @@ fn scaled(g: &mut Graph, parts: [Id; 2]) -> Scaled {
     }
 }
 
-/// `t` times the slope of the angle of `(x, y)`: `x / r²` by `y`, `−y / r²` by `x`; zero at the
+/// `t` times the derivative of the angle of `(x, y)`: `x / r²` by `y`, `−y / r²` by `x`; zero at the
 /// origin.
 fn along_angle(g: &mut Graph, parts: [Id; 2], operand: usize, t: Id) -> Id {
     use Node::*;
@@ -237,7 +246,7 @@ fn along_angle(g: &mut Graph, parts: [Id; 2], operand: usize, t: Id) -> Id {
     g.make(Select(vector.origin, zero, t))
 }
 
-/// Which nodes depend on one of the first so many numbers of the input in a way that slopes pass.
+/// Which nodes depend on one of the first so many numbers of the input in a way that derivatives pass.
 pub(super) fn active(graph: &Graph, inputs: usize) -> Vec<bool> {
     let mut active: Vec<bool> = Vec::with_capacity(graph.len());
     for &node in graph.nodes() {

@@ -26,7 +26,7 @@ impl<S: Scalar> Slot<S> {
 
 /// What a node gives, from what its operands gave.
 ///
-/// Slopes follow the scalar's own rules, so that a program evaluated on dual numbers has the slopes
+/// Derivatives follow the scalar's own rules, so that a program evaluated on dual numbers has the derivatives
 /// that the recorded function has on them.
 pub(crate) fn apply<S: Scalar>(node: Node, inputs: &[S], slot: impl Fn(Id) -> Slot<S>) -> Slot<S> {
     use Node::*;
@@ -69,14 +69,16 @@ pub(crate) fn apply<S: Scalar>(node: Node, inputs: &[S], slot: impl Fn(Id) -> Sl
         High(x) => n(x).parts().0,
         Graft {
             value,
-            slope,
+            derivative,
             share,
         } => {
             let value = n(value).primal();
-            match (slope, share) {
+            match (derivative, share) {
                 (None, _) => S::from_primal(value),
-                (Some(slope), None) => n(slope).with_primal(value),
-                (Some(slope), Some(share)) => n(slope).damp(n(share).primal()).with_primal(value),
+                (Some(derivative), None) => n(derivative).with_primal(value),
+                (Some(derivative), Some(share)) => {
+                    n(derivative).damp(n(share).primal()).with_primal(value)
+                }
             }
         }
         Split(a, b, bar) => {

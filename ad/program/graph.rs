@@ -49,49 +49,49 @@ pub(crate) enum Node {
     Mul(Id, Id),
     /// `a / b`.
     Div(Id, Id),
-    /// `a` if `a < b`, else `b`; slopes are shared at a tie.
+    /// `a` if `a < b`, else `b`; derivatives are shared at a tie.
     Min(Id, Id),
-    /// `a` if `a > b`, else `b`; slopes are shared at a tie.
+    /// `a` if `a > b`, else `b`; derivatives are shared at a tie.
     Max(Id, Id),
-    /// `|x|`, with slope 0 at 0.
+    /// `|x|`, with derivative 0 at 0.
     Magnitude(Id),
-    /// `|x|`, with slope 1 at 0.
+    /// `|x|`, with derivative 1 at 0.
     Unsigned(Id),
-    /// `√x` for `x > 0`, else 0 with slope 0.
+    /// `√x` for `x > 0`, else 0 with derivative 0.
     Root(Id),
     /// `sin x`.
     Sin(Id),
     /// `cos x`.
     Cos(Id),
-    /// The high half of `sin x`: twelve bits of the significand in `f32`, a constant to slopes.
+    /// The high half of `sin x`: twelve bits of the significand in `f32`, a constant to derivatives.
     SinHigh(Id),
     /// What `sin x` is beyond its high half.
     SinLow(Id),
-    /// The high half of `cos x`, a constant to slopes.
+    /// The high half of `cos x`, a constant to derivatives.
     CosHigh(Id),
     /// What `cos x` is beyond its high half.
     CosLow(Id),
     /// The angle of the vector with ordinate `.0` and abscissa `.1`; of the zero vector 0, with
-    /// slope 0.
+    /// derivative 0.
     Atan2(Id, Id),
     /// `eˣ`.
     Exp(Id),
     /// `ln x`.
     Ln(Id),
-    /// The power of two that brings `x > 0` into `[2, 4)`, a constant to slopes.
+    /// The power of two that brings `x > 0` into `[2, 4)`, a constant to derivatives.
     Binade(Id),
-    /// The high half of the significand, a constant to slopes.
+    /// The high half of the significand, a constant to derivatives.
     High(Id),
-    /// The value of `value` with the slopes of `slope`, multiplied by `share`: what
+    /// The value of `value` with the derivatives of `derivative`, multiplied by `share`: what
     /// [`primal`](crate::Scalar::primal), [`with_primal`](crate::Scalar::with_primal),
     /// [`damp`](crate::Scalar::damp) and adjoints by hand are. Gone from a
     /// [lowered](Graph::lowered) graph.
     Graft {
         /// Where the value comes from.
         value: Id,
-        /// Where the slopes come from; without, there are none.
-        slope: Option<Id>,
-        /// What the slopes are multiplied by; without, 1. Its own slopes count for second
+        /// Where the derivatives come from; without, there are none.
+        derivative: Option<Id>,
+        /// What the derivatives are multiplied by; without, 1. Its own derivatives count for second
         /// derivatives.
         share: Option<Id>,
     },
@@ -173,11 +173,11 @@ impl Node {
             Select(mask, yes, no) => Select(r(mask), r(yes), r(no)),
             Graft {
                 value,
-                slope,
+                derivative,
                 share,
             } => Graft {
                 value: r(value),
-                slope: slope.map(&mut r),
+                derivative: derivative.map(&mut r),
                 share: share.map(&mut r),
             },
         }
@@ -275,8 +275,8 @@ impl Graph {
         }
     }
 
-    /// What the outputs are computed from, for slopes (grafts included) or for values only.
-    pub(crate) fn live(&self, outputs: &[Id], with_slopes: bool) -> Vec<bool> {
+    /// What the outputs are computed from, for derivatives (grafts included) or for values only.
+    pub(crate) fn live(&self, outputs: &[Id], with_derivatives: bool) -> Vec<bool> {
         let mut live = vec![false; self.nodes.len()];
         let mut open = outputs.to_vec();
         while let Some(x) = open.pop() {
@@ -284,7 +284,7 @@ impl Graph {
                 continue;
             }
             match self.at(x) {
-                Node::Graft { value, .. } if !with_slopes => open.push(value),
+                Node::Graft { value, .. } if !with_derivatives => open.push(value),
                 node => open.extend_from_slice(&node.operands()),
             }
         }

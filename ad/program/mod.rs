@@ -25,15 +25,15 @@
 //!
 //! # Guards
 //!
-//! Replace a forbidden divisor or radicand before the operation: `x.over(select(y == 0, 1, y))`.
-//! On the processor a check of the result does as well for values, but neither for slopes nor in WGSL, whose drivers
-//! may assume that no number is infinite or NaN: there [`finite`](crate::Scalar::finite) and
+//! Replace a forbidden divisor or radicand before the operation: `x.over(select(y == 0, 1, y))`. On the processor a
+//! check of the result does as well for values, but neither for derivatives nor in WGSL, whose drivers may assume
+//! that no number is infinite or NaN: there [`finite`](crate::Scalar::finite) and
 //! [`saturated`](crate::Scalar::saturated) of `x / (y − y)` tell nothing.
 //!
-//! # Slopes
+//! # Derivatives
 //!
 //! Reverse mode follows the [rules at kinks](crate::scalar): ties share, and the branch that a choice did
-//! not take contributes nothing, even if its derivative is infinite. In `f64` its slopes are those of forward
+//! not take contributes nothing, even if its derivative is infinite. In `f64` its derivatives are those of forward
 //! duals to the last digits. In `f32` it may lose some where large cotangents cancel (nearly parallel
 //! sides of boxes): there, an adjoint by hand ([`Program::with_adjoint`]) is better.
 //!

@@ -104,8 +104,8 @@ impl<T: Plain, In: Fixed<Scalar = T>, Out: Fixed<Scalar = T>> Program<In, Out> {
     /// use geograd::ad::program::{Program, Sym};
     /// use geograd::{Jet, Scalar};
     /// let cube = Program::trace(|x: Sym<f64>| x.powi(3)).unwrap();
-    /// let slope = cube.eval_on(Jet::<f64, 1>::variable(2.0, 0)).slope;
-    /// assert_eq!(slope, [12.0]);
+    /// let derivative = cube.eval_on(Jet::<f64, 1>::variable(2.0, 0)).derivative;
+    /// assert_eq!(derivative, [12.0]);
     /// ```
     #[must_use]
     pub fn eval_on<S: Scalar>(&self, input: In::Of<S>) -> Out::Of<S> {
@@ -138,8 +138,8 @@ impl<T: Plain, In: Fixed<Scalar = T>, Out: Fixed<Scalar = T>> Program<In, Out> {
     /// let both = Program::trace(|v: Vec2<Sym<f64>>| (v.length_squared(), v.x * v.y))?;
     /// let (_, (by_square, by_product)) = both.jacobian().eval(Vec2::new(3.0, 4.0));
     /// assert_eq!((by_square, by_product), (Vec2::new(6.0, 8.0), Vec2::new(4.0, 3.0)));
-    /// let ((squares, _), slopes) = Cpu::new().aligned(both.jacobian(), &[Vec2::new(3.0, 4.0)])?;
-    /// assert_eq!((squares[0], slopes[0].0), (25.0, by_square));
+    /// let ((squares, _), derivatives) = Cpu::new().aligned(both.jacobian(), &[Vec2::new(3.0, 4.0)])?;
+    /// assert_eq!((squares[0], derivatives[0].0), (25.0, by_square));
     /// # Ok::<(), geograd::Error>(())
     /// ```
     #[must_use]
@@ -188,8 +188,8 @@ impl<T: Plain, In: Fixed<Scalar = T>> Program<In, T> {
     /// use geograd::{Scalar, Vec2};
     /// let norm = Program::trace(|v: Vec2<Sym<f64>>| v.x.hypot(v.y)).unwrap();
     /// let by_hand = norm.with_adjoint(|v: Vec2<Sym<f64>>| v * Sym::one().over(v.x.hypot(v.y)));
-    /// let (_, slopes) = by_hand.unwrap().value_grad().eval(Vec2::new(3.0, 4.0));
-    /// assert_eq!(slopes, Vec2::new(0.6000000000000001, 0.8));
+    /// let (_, derivatives) = by_hand.unwrap().value_grad().eval(Vec2::new(3.0, 4.0));
+    /// assert_eq!(derivatives, Vec2::new(0.6000000000000001, 0.8));
     /// ```
     ///
     /// # Errors
@@ -210,8 +210,8 @@ impl<T: Plain, In: Fixed<Scalar = T>> Program<In, T> {
         match self.recorded.gradient_by_hand() {
             None => value,
             Some(gradient) => {
-                let slopes = gradient.run_on(&input);
-                Sym::with_slopes(value, input.into_iter().zip(slopes))
+                let derivatives = gradient.run_on(&input);
+                Sym::with_derivatives(value, input.into_iter().zip(derivatives))
             }
         }
     }

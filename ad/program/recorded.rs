@@ -8,7 +8,7 @@ use crate::{Scalar, Unrecordable};
 /// A recorded function of a list of numbers with a list of numbers as result.
 #[derive(Clone, Debug)]
 pub(crate) struct Recorded {
-    /// What was recorded, with what slopes need.
+    /// What was recorded, with what derivatives need.
     graph: Graph,
     /// How many numbers go in.
     pub(crate) inputs: usize,
@@ -69,7 +69,7 @@ impl Recorded {
         evaluate(&self.value.graph, &self.value.outputs, inputs)
     }
 
-    /// The results for an input on any scalar, with its slopes.
+    /// The results for an input on any scalar, with its derivatives.
     pub(crate) fn run_on<S: Scalar>(&self, inputs: &[S]) -> Vec<S> {
         evaluate(&self.graph, &self.outputs, inputs)
     }
@@ -101,7 +101,7 @@ impl Recorded {
         let bars = match &self.by_hand {
             Some(gradient) => gradient
                 .iter()
-                .map(|&slope| graph.make(Node::Mul(seeds[0], slope)))
+                .map(|&derivative| graph.make(Node::Mul(seeds[0], derivative)))
                 .collect(),
             None => reverse(&mut graph, &self.outputs, &seeds, self.inputs),
         };
@@ -114,15 +114,15 @@ impl Recorded {
         self.after_result(self.vjp())
     }
 
-    /// The same with slopes taken forwards, along one axis of the input after the other.
+    /// The same with derivatives taken forwards, along one axis of the input after the other.
     pub(crate) fn value_vjp_forwards(&self) -> Recorded {
         let mut graph = self.graph.clone();
         let seeds = places(&mut graph, self.inputs, self.outputs.len());
         let mut bars = Vec::with_capacity(self.inputs);
         for axis in 0..self.inputs {
             let mut sum = graph.lit(0.0);
-            for (slope, &seed) in self.along(&mut graph, axis).into_iter().zip(&seeds) {
-                let term = graph.make(Node::Mul(seed, slope));
+            for (derivative, &seed) in self.along(&mut graph, axis).into_iter().zip(&seeds) {
+                let term = graph.make(Node::Mul(seed, derivative));
                 sum = graph.make(Node::Add(sum, term));
             }
             bars.push(sum);
@@ -136,8 +136,8 @@ impl Recorded {
         let mut graph = self.graph.clone();
         let mut outputs = self.outputs.clone();
         for axis in 0..self.inputs {
-            let slopes = self.along(&mut graph, axis);
-            outputs.extend(slopes);
+            let derivatives = self.along(&mut graph, axis);
+            outputs.extend(derivatives);
         }
         Recorded::new(graph, self.inputs, &outputs)
     }
@@ -158,7 +158,7 @@ impl Recorded {
         Recorded::new(graph, self.inputs, &outputs)
     }
 
-    /// The same with slopes taken forwards, along one axis of the input after the other.
+    /// The same with derivatives taken forwards, along one axis of the input after the other.
     pub(crate) fn value_jacobian_forwards(&self) -> Recorded {
         let mut graph = self.graph.clone();
         let columns: Vec<Vec<Id>> = (0..self.inputs)
@@ -216,8 +216,8 @@ impl Recorded {
         let tangents = match &self.by_hand {
             Some(gradient) => {
                 let mut sum = graph.lit(0.0);
-                for (&slope, &t) in gradient.iter().zip(&direction) {
-                    let term = graph.make(Node::Mul(slope, t));
+                for (&derivative, &t) in gradient.iter().zip(&direction) {
+                    let term = graph.make(Node::Mul(derivative, t));
                     sum = graph.make(Node::Add(sum, term));
                 }
                 vec![sum]
@@ -297,8 +297,8 @@ impl Recorded {
 
     /// The same with a gradient by hand that another program of the same input gives after the result.
     pub(crate) fn with_gradient_after_result(&self, value_grad: &Recorded) -> Recorded {
-        let slopes = &value_grad.outputs[self.outputs.len()..];
-        let gradient = Recorded::new(value_grad.graph.clone(), self.inputs, slopes);
+        let derivatives = &value_grad.outputs[self.outputs.len()..];
+        let gradient = Recorded::new(value_grad.graph.clone(), self.inputs, derivatives);
         self.with_gradient(&gradient)
     }
 

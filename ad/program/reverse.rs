@@ -1,7 +1,7 @@
 //! Reverse mode: cotangents of inputs from cotangents of outputs, as more nodes of the same graph.
 //!
 //! A choice hands its cotangent to the side that was taken. If the other side were given a zero at
-//! once, that zero could meet an infinite slope further down, and zero times infinity is NaN. So both
+//! once, that zero could meet an infinite derivative further down, and zero times infinity is NaN. So both
 //! sides are given the cotangent as it is, with a *path* that says under which choices it counts; it is
 //! chosen where paths meet again, or at the inputs.
 use super::derivative::{active, along, carriers, keeps_zero, taken};
@@ -131,7 +131,7 @@ impl Sweep<'_> {
                 self.graph.make(Node::Add(a, b))
             }
         };
-        // Where neither counts, the sum is a zero that must not meet an infinite slope, either.
+        // Where neither counts, the sum is a zero that must not meet an infinite derivative, either.
         let either = {
             let (a, b) = (
                 self.hold(&old.path[common..]),

@@ -65,10 +65,22 @@ impl Graph {
                 _ if self.constant(bar) == Some(0.0) => bar,
                 _ => self.push(node),
             },
-            // A constant has no slopes to lose.
+            // A constant has no derivatives to lose.
             Graft {
-                value, slope: None, ..
-            } if matches!(self.at(value), Const(_) | Graft { slope: None, .. }) => value,
+                value,
+                derivative: None,
+                ..
+            } if matches!(
+                self.at(value),
+                Const(_)
+                    | Graft {
+                        derivative: None,
+                        ..
+                    }
+            ) =>
+            {
+                value
+            }
             _ => self.push(node),
         }
     }

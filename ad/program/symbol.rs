@@ -76,16 +76,19 @@ impl<T: Plain> Sym<T> {
         let operands = [self.symbol, other.symbol];
         SymMask::new(Symbol::made(T::FORMAT, operands, |[a, b]| node(a, b)))
     }
-    /// The value of `value`, and of every symbol of the list its slopes times the number beside it.
-    pub(crate) fn with_slopes(value: Self, slopes: impl Iterator<Item = (Self, Self)>) -> Self {
-        let along = slopes.fold(Self::zero(), |sum, (x, share)| {
+    /// The value of `value`, and of every symbol of the list its derivatives times the number beside it.
+    pub(crate) fn with_derivatives(
+        value: Self,
+        derivatives: impl Iterator<Item = (Self, Self)>,
+    ) -> Self {
+        let along = derivatives.fold(Self::zero(), |sum, (x, share)| {
             let operands = [Self::zero().symbol, x.symbol, share.symbol];
             sum + Self::new(Symbol::made(
                 T::FORMAT,
                 operands,
-                |[value, slope, share]| Node::Graft {
+                |[value, derivative, share]| Node::Graft {
                     value,
-                    slope: Some(slope),
+                    derivative: Some(derivative),
                     share: Some(share),
                 },
             ))
@@ -202,7 +205,7 @@ impl<T: Plain> Scalar for Sym<T> {
     fn primal(self) -> Self {
         self.of_one(|value| Node::Graft {
             value,
-            slope: None,
+            derivative: None,
             share: None,
         })
     }
@@ -269,14 +272,14 @@ impl<T: Plain> Scalar for Sym<T> {
     fn damp(self, share: Self) -> Self {
         self.of_two(share, |x, share| Node::Graft {
             value: x,
-            slope: Some(x),
+            derivative: Some(x),
             share: Some(share),
         })
     }
     fn with_primal(self, value: Self) -> Self {
-        self.of_two(value, |slope, value| Node::Graft {
+        self.of_two(value, |derivative, value| Node::Graft {
             value,
-            slope: Some(slope),
+            derivative: Some(derivative),
             share: None,
         })
     }

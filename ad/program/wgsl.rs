@@ -214,7 +214,7 @@ fn expression(node: Node, known: &[String]) -> String {
         Binade(x) => one("program_binade", x),
         High(x) => one("program_high", x),
         Graft { value, .. } => v(value).to_owned(),
-        // Slopes have thousands of these, and drivers move all that follows whenever they inline a call.
+        // Derivatives have thousands of these, and drivers move all that follows whenever they inline a call.
         Split(a, b, bar) => shared(v(a), v(b), ("0f", v(bar)), v(bar)),
         Rest(a, b, bar) => shared(v(a), v(b), (v(bar), "0f"), v(bar)),
         Lt(a, b) => between(a, "<", b),

@@ -283,7 +283,7 @@ fn row(writer: &Writer<'_>) -> String {
     let generics = writer.generics("__g::Real");
     format!(
         "#[automatically_derived]
-        impl{generics} __g::Row for {of} where {of}: __g::Validate {{
+        impl{generics} __g::Item for {of} where {of}: __g::Validate {{
             ::geograd::__row_of_one!();
         }}"
     )

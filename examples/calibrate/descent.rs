@@ -1,8 +1,8 @@
 //! Descent on the overlap of two sensors' boxes, over the motion between the sensors.
 //!
 //! The loss of a pair is one minus its separation-aware overlap: the IoU of two boxes that overlap, and of
-//! boxes apart minus their separation over itself and their size. So there are slopes from far away, where
-//! IoU has none, and no pair counts by more than two, however wrong it is. Slopes by the boxes go back to
+//! boxes apart minus their separation over itself and their size. So there are derivatives from far away, where
+//! IoU has none, and no pair counts by more than two, however wrong it is. Derivatives by the boxes go back to
 //! the motion through its adjoint, and from its quaternion to a small turn and a small shift in the body's own
 //! frame, in which the steps are made (Adam, Kingma and Ba 2015, on six numbers).
 use crate::scene::{FAR, Scene};
@@ -16,18 +16,18 @@ use geograd::{Error, Obb3, Pose3, Rotation3, Vec3, operation};
 operation! {
     /// A box carried along by a motion.
     Carry = "carry": (motion: Pose3<S>, shape: Obb3<S>) -> Obb3<S> { motion * shape }
-    promises []
+    invariances []
     jumps Never
-    slopes Reverse
+    derivative Reverse
 
     /// The separation-aware overlap of two boxes whose IoU is known.
     Separation = "separation": (a: Obb3<S>, b: Obb3<S>, iou: S) -> S {
         let [a, b] = known(a, b, iou);
         separation_aware(a, b)
     }
-    promises []
+    invariances []
     jumps FromZero
-    slopes Reverse
+    derivative Reverse
 }
 
 /// Pairs farther apart than this, in metres, are no pairs.
@@ -35,7 +35,7 @@ const REACH: f64 = 6.0;
 
 /// The first and the last step, in metres; a turn moves boxes halfway out by as much.
 const STEPS: [f64; 2] = [0.15, 0.001];
-/// How much of the past Adam keeps, of slopes and of their squares.
+/// How much of the past Adam keeps, of derivatives and of their squares.
 const KEPT: [f64; 2] = [0.8, 0.95];
 
 /// Where a descent is.
@@ -56,23 +56,24 @@ pub struct State {
 /// Adam on a small turn and a small shift.
 #[derive(Default)]
 struct Adam {
-    slopes: [f64; 6],
+    derivatives: [f64; 6],
     squares: [f64; 6],
     steps: i32,
 }
 
 impl Adam {
-    /// A step of about this length against the slopes.
-    fn step(&mut self, slopes: [f64; 6], length: f64) -> [f64; 6] {
+    /// A step of about this length against the derivatives.
+    fn step(&mut self, derivatives: [f64; 6], length: f64) -> [f64; 6] {
         self.steps += 1;
         let mut by = [0.0; 6];
         let [kept, kept_squares] = KEPT;
-        for (i, slope) in slopes.into_iter().enumerate() {
-            self.slopes[i] = kept * self.slopes[i] + (1.0 - kept) * slope;
-            self.squares[i] = kept_squares * self.squares[i] + (1.0 - kept_squares) * slope * slope;
-            let mean = self.slopes[i] / (1.0 - kept.powi(self.steps));
+        for (i, derivative) in derivatives.into_iter().enumerate() {
+            self.derivatives[i] = kept * self.derivatives[i] + (1.0 - kept) * derivative;
+            self.squares[i] =
+                kept_squares * self.squares[i] + (1.0 - kept_squares) * derivative * derivative;
+            let mean = self.derivatives[i] / (1.0 - kept.powi(self.steps));
             let square = self.squares[i] / (1.0 - kept_squares.powi(self.steps));
-            // No slope at all is no step.
+            // No derivative at all is no step.
             by[i] = -length * mean / square.sqrt().max(f64::MIN_POSITIVE);
         }
         by
@@ -91,15 +92,15 @@ pub fn descend(scene: &Scene, steps: usize, mut show: impl FnMut(State)) -> Resu
         let length = first * (last / first).powf(step as f64 / steps.max(1) as f64);
         // In metres all six.
         let turn = turn * (1.0 / lever);
-        let slopes = [turn.x, turn.y, turn.z, shift.x, shift.y, shift.z];
-        let [x, y, z, u, v, w] = adam.step(slopes, length);
+        let derivatives = [turn.x, turn.y, turn.z, shift.x, shift.y, shift.z];
+        let [x, y, z, u, v, w] = adam.step(derivatives, length);
         let turn = Vec3::new(x, y, z) * (1.0 / lever);
         a_from_b = a_from_b.retract(turn, Vec3::new(u, v, w));
     }
     Ok(())
 }
 
-/// The loss of a motion, and its slopes by a small turn and a small shift in the frame of b.
+/// The loss of a motion, and its derivatives by a small turn and a small shift in the frame of b.
 fn evaluate(scene: &Scene, a_from_b: Pose3<f64>) -> Result<(State, [Vec3<f64>; 2]), Error> {
     let cpu = Cpu::new();
     let seen: Vec<_> = scene.b.iter().map(|&shape| a_from_b * shape).collect();
@@ -125,7 +126,7 @@ fn evaluate(scene: &Scene, a_from_b: Pose3<f64>) -> Result<(State, [Vec3<f64>; 2
         by_rotation = sum(by_rotation, by.rotation, 1.0);
         by_shift += by.translation;
     }
-    let slopes = [
+    let derivatives = [
         a_from_b.rotation.tangent_gradient(by_rotation),
         a_from_b.rotation.inverse() * by_shift,
     ];
@@ -143,7 +144,7 @@ fn evaluate(scene: &Scene, a_from_b: Pose3<f64>) -> Result<(State, [Vec3<f64>; 2
         shift_error: shift.length(),
         pairs,
     };
-    Ok((state, slopes))
+    Ok((state, derivatives))
 }
 
 /// `x + y · factor`, number by number.

@@ -11,7 +11,7 @@
 //! | file | what it holds |
 //! | --- | --- |
 //! | `scene.rs` | what both sensors see, made from a seed |
-//! | `descent.rs` | the loss, its slopes by the motion, the steps |
+//! | `descent.rs` | the loss, its derivatives by the motion, the steps |
 //! | `picture.rs` | the picture |
 mod descent;
 mod picture;

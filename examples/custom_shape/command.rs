@@ -1,6 +1,6 @@
 //! The command line, and what is told about a batch.
 use crate::draw::posture;
-use crate::{Arm, batch, draw, program, prove};
+use crate::{Arm, batch, check, draw, program};
 use common::cli::{Failure, Wish, say};
 use indicatif::{ProgressBar, ProgressStyle};
 use lexopt::prelude::*;
@@ -9,16 +9,16 @@ use std::process::ExitCode;
 use std::time::Duration;
 
 const HELP: &str = "\
-The clearance of a two-link arm from a wall and a post, with its slopes, for a million postures.
+The clearance of a two-link arm from a wall and a post, with its derivatives, for a million postures.
 
 Usage: custom_shape [options]
 
   --count N     for so many postures [default: 1000000]
   --backend B   on cpu, gpu or auto [default: cpu]
-  --prove       instead: prove the slopes in f64 and f32, and print the report
+  --check       instead: check the derivatives in f64 and f32, and print the report
   --program     instead: what the clearance was recorded as, and what it costs
   --wgsl        instead: the same as a function for GPUs
-  --svg FILE    instead: a picture of the clearance over both joints, with its slopes
+  --svg FILE    instead: a picture of the clearance over both joints, with its derivatives
   --help        this text
 ";
 
@@ -38,7 +38,7 @@ pub fn run() -> Result<String, Failure> {
                 backend = Some(Wish::from_name(&arguments.value()?.string()?)?);
                 continue;
             }
-            Long("prove") => Box::new(prove),
+            Long("check") => Box::new(check),
             Long("program") => Box::new(|| program(false)),
             Long("wgsl") => Box::new(|| program(true)),
             Long("svg") => {
@@ -84,15 +84,15 @@ pub fn progress(count: usize) -> ProgressBar {
 }
 
 /// What came out of a batch.
-pub fn summary(took: Duration, values: &[f32], slopes: &[Arm<f32>]) -> String {
+pub fn summary(took: Duration, values: &[f32], derivatives: &[Arm<f32>]) -> String {
     let (count, seconds) = (values.len(), took.as_secs_f64());
     let rate = count as f64 / seconds / 1e6;
     let hit = values.iter().filter(|value| **value < 0.0).count();
     let share = 100.0 * hit as f64 / count.max(1) as f64;
-    let steep = slopes.iter().map(|by| by.shoulder.hypot(by.elbow));
+    let steep = derivatives.iter().map(|by| by.shoulder.hypot(by.elbow));
     let steepest = steep.fold(0.0, f32::max);
     format!(
-        "{count} postures with slopes in {seconds:.3} s, {rate:.2} million a second\n\
+        "{count} postures with derivatives in {seconds:.3} s, {rate:.2} million a second\n\
          {share:.1} % collide; clearance changes by at most {steepest:.2} m per radian\n"
     )
 }

@@ -1,4 +1,4 @@
-//! The picture: the arm among its obstacles, and its clearance over both joints with its slopes.
+//! The picture: the arm among its obstacles, and its clearance over both joints with its derivatives.
 use crate::{Arm, Clearance, Post};
 use common::cli::Failure;
 use geograd::kernels::{Cpu, One};
@@ -47,7 +47,7 @@ const FAINT: &str = "#868e96";
 const START: &str = "#c92a2a";
 const END: &str = "#1864ab";
 
-/// Values and slopes at postures.
+/// Values and derivatives at postures.
 type Found = (Vec<f32>, Vec<Arm<f32>>);
 
 fn clearances(postures: &[Arm<f32>]) -> Result<Found, Error> {
@@ -56,7 +56,7 @@ fn clearances(postures: &[Arm<f32>]) -> Result<Found, Error> {
     Ok((values, by_arm))
 }
 
-/// From a posture in the wall along the slopes to one that is free: joints, one after another.
+/// From a posture in the wall along the derivatives to one that is free: joints, one after another.
 fn way_out() -> Result<Vec<Vec2<f32>>, Error> {
     let mut way = vec![Vec2::new(0.42, 1.35)];
     for _ in 0..400 {
@@ -65,8 +65,8 @@ fn way_out() -> Result<Vec<Vec2<f32>>, Error> {
         if value[0] > 0.25 {
             break;
         }
-        let slope = Vec2::new(by[0].shoulder, by[0].elbow);
-        way.push(at + slope * (0.02 / slope.length().max(0.1)));
+        let derivative = Vec2::new(by[0].shoulder, by[0].elbow);
+        way.push(at + derivative * (0.02 / derivative.length().max(0.1)));
     }
     Ok(way)
 }
@@ -245,7 +245,7 @@ fn scene(page: &mut String, way: &[Vec2<f32>]) {
     );
 }
 
-/// The right panel: the field in bands, its slopes as arrows, the way.
+/// The right panel: the field in bands, its derivatives as arrows, the way.
 fn field(page: &mut String, way: &[Vec2<f32>]) -> Result<(), Error> {
     let left = LEFT[1];
     let _ = writeln!(
@@ -270,9 +270,9 @@ fn field(page: &mut String, way: &[Vec2<f32>]) -> Result<(), Error> {
     let mut arrows = String::new();
     for (k, by) in by_arm.iter().enumerate() {
         // Up is less on a page.
-        let (foot, slope) = (joints(at(k)), Vec2::new(by.shoulder, -by.elbow));
-        let along = slope * (11.0 / slope.length().max(0.3).sqrt());
-        if slope.length() < 0.02 {
+        let (foot, derivative) = (joints(at(k)), Vec2::new(by.shoulder, -by.elbow));
+        let along = derivative * (11.0 / derivative.length().max(0.3).sqrt());
+        if derivative.length() < 0.02 {
             continue;
         }
         let (tail, tip) = (foot - along * 0.5, foot + along * 0.5);
@@ -381,7 +381,7 @@ fn picture() -> Result<String, Error> {
         &mut page,
         (LEFT[0], 38.0),
         &title,
-        "Up the slope of its clearance the arm leaves the wall",
+        "Up the derivative of its clearance the arm leaves the wall",
     );
     text(
         &mut page,
@@ -393,7 +393,7 @@ fn picture() -> Result<String, Error> {
         &mut page,
         (LEFT[1], 66.0),
         &under,
-        "clearance by shoulder (right) and elbow (up), and its slopes",
+        "clearance by shoulder (right) and elbow (up), and its derivatives",
     );
     scene(&mut page, &way);
     field(&mut page, &way)?;

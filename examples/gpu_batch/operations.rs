@@ -15,7 +15,7 @@ const ITEMS: usize = 1_000_000;
 const NEAR: f32 = 1e-3;
 /// So many in a thousand may that the processor does not give for inputs a few last digits away, either: of paths,
 /// which are not asked about, and where ties meet. Sides of boxes turned by the same angle tie, and their corners,
-/// too: one of the two ties broken by rounding gives slopes that no input nearby has.
+/// too: one of the two ties broken by rounding gives derivatives that no input nearby has.
 const FEW: usize = 5;
 
 /// Verbs and shapes, one to a line.

@@ -32,7 +32,7 @@ use metric::Format;
 use number::Number;
 use options::{HELP, Options, options, same_file};
 use output::Sink;
-use polygon::{Polygon, Slopes};
+use polygon::{Derivatives, Polygon};
 use std::process::ExitCode;
 
 const PROGRAM: &str = "iou_csv";
@@ -81,7 +81,7 @@ fn read<P: Shape>(options: &Options) -> Result<(Vec<P>, Vec<P>), Failure> {
     Ok((a, b))
 }
 
-/// The columns of the result: the metric's, and those of slopes by these numbers of a and of b.
+/// The columns of the result: the metric's, and those of derivatives by these numbers of a and of b.
 fn columns(options: &Options, by: [&[String]; 2]) -> Vec<String> {
     let mut columns = vec![options.metric.name().to_string()];
     if options.grad {
@@ -95,7 +95,7 @@ fn columns(options: &Options, by: [&[String]; 2]) -> Vec<String> {
 fn boxes<P: Boxes>(options: &Options) -> Result<(), Failure> {
     let (a, b) = read::<P>(options)?;
     let machine = machine::<P::Scalar>(options)?;
-    let by: Vec<String> = P::SLOPES.iter().map(|name| name.to_string()).collect();
+    let by: Vec<String> = P::DERIVATIVE.iter().map(|name| name.to_string()).collect();
     let mut sink = Sink::create(options.out.as_deref(), &columns(options, [&by, &by]))?;
     let mut block = |pairs: Pairs<'_, P>| {
         let scores = P::scores(options.metric, machine.backend(), pairs, options.grad)?;
@@ -105,8 +105,8 @@ fn boxes<P: Boxes>(options: &Options) -> Result<(), Failure> {
         };
         sink.rows(scores.values.len(), |i, fields| {
             fields.number(scores.values[i]);
-            for (by, shape) in scores.slopes.iter().flatten().zip(shapes(i)) {
-                shape.slopes(by[i], &mut |slope| fields.number(slope));
+            for (by, shape) in scores.derivatives.iter().flatten().zip(shapes(i)) {
+                shape.derivatives(by[i], &mut |derivative| fields.number(derivative));
             }
         })?;
         Ok::<bool, Failure>(sink.is_closed())
@@ -167,11 +167,11 @@ fn polygons<T: Number>(options: &Options) -> Result<(), Failure> {
             if !options.grad {
                 return fields.number(polygon::score(options.metric, a, b, None));
             }
-            let mut slopes = Slopes::new(a, b);
-            fields.number(polygon::score(options.metric, a, b, Some(&mut slopes)));
+            let mut derivatives = Derivatives::new(a, b);
+            fields.number(polygon::score(options.metric, a, b, Some(&mut derivatives)));
             for (by, count) in [
-                (a.given(&slopes.a), counts[0]),
-                (b.given(&slopes.b), counts[1]),
+                (a.given(&derivatives.a), counts[0]),
+                (b.given(&derivatives.b), counts[1]),
             ] {
                 for vertex in &by {
                     fields.number(vertex.x);

@@ -1,9 +1,9 @@
 //! The two formats to compute in.
 use crate::boxes::{Pairs, Scores, on_cpu};
 use geograd::kernels::Runs;
+use geograd::kernels::item::Single;
 use geograd::kernels::op::ValueGrad;
 use geograd::kernels::real::Real;
-use geograd::kernels::row::Single;
 use geograd::kernels::{Backend, Iof, Iou};
 use geograd::{Error, Obb2};
 use std::fmt::Debug;
@@ -84,7 +84,7 @@ where
     match pairs {
         Pairs::Aligned(a, b) if grad => {
             let (values, (a_bar, b_bar)) = backend.aligned(ValueGrad::of(op), (a, b))?;
-            Ok(Scores::with_slopes(values, a_bar, b_bar))
+            Ok(Scores::with_derivatives(values, a_bar, b_bar))
         }
         Pairs::Aligned(a, b) => Ok(Scores::new(backend.aligned(op, (a, b))?)),
         Pairs::All(a, b) if grad => Ok(Scores::from_table(&backend.all_pairs(

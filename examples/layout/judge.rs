@@ -5,7 +5,7 @@ use geograd::kernels::resident::{Held, Resident};
 use geograd::{Error, Program, Sym};
 
 type Sized32 = (Size<f32>, Place<f32>);
-/// The gap of two shapes, and its slopes by all that they are made of.
+/// The gap of two shapes, and its derivatives by all that they are made of.
 type Gap = (f32, (Size<f32>, Place<f32>, Size<f32>, Place<f32>));
 
 /// All pairs of two kinds.
@@ -89,15 +89,15 @@ impl<'a> Judge<'a> {
         })
     }
 
-    /// The loss, its slopes by every place, and the deepest penetration.
+    /// The loss, its derivatives by every place, and the deepest penetration.
     pub fn judge(&mut self, all: &[Place<f64>]) -> Result<(Step, Vec<Place<f64>>), Error> {
-        let mut slopes = vec![[0.0; 3]; all.len()];
+        let mut derivatives = vec![[0.0; 3]; all.len()];
         let mut step = Step {
             loss: 0.0,
             penetration: 0.0,
         };
-        let mut add = |i: usize, slope: Place<f32>, factor: f64| {
-            for (sum, s) in slopes[i].iter_mut().zip(slope) {
+        let mut add = |i: usize, derivative: Place<f32>, factor: f64| {
+            for (sum, s) in derivatives[i].iter_mut().zip(derivative) {
                 *sum += factor * f64::from(s);
             }
         };
@@ -114,9 +114,9 @@ impl<'a> Judge<'a> {
             let columns = (&walls.sizes, &walls.places);
             let found = compute(here, &walls.program, columns, &mut walls.found)?;
             let (losses, (_, by_place)) = found.download()?;
-            for ((&i, loss), slope) in walls.own.iter().zip(losses).zip(by_place) {
+            for ((&i, loss), derivative) in walls.own.iter().zip(losses).zip(by_place) {
                 step.loss += f64::from(loss);
-                add(i, slope, 1.0);
+                add(i, derivative, 1.0);
             }
         }
         for gaps in &mut self.gaps {
@@ -135,7 +135,7 @@ impl<'a> Judge<'a> {
                 add(j, by_b[k], steep);
             }
         }
-        Ok((step, slopes))
+        Ok((step, derivatives))
     }
 }
 
@@ -147,9 +147,9 @@ fn compute<'f, C, In, Out>(
     found: &'f mut Option<Held<Out>>,
 ) -> Result<&'f Held<Out>, Error>
 where
-    C: geograd::kernels::resident::HeldColumns<Row = In>,
-    In: geograd::kernels::Row<Scalar = f32>,
-    Out: geograd::kernels::Row<Scalar = f32>,
+    C: geograd::kernels::resident::HeldColumns<Item = In>,
+    In: geograd::kernels::Item<Scalar = f32>,
+    Out: geograd::kernels::Item<Scalar = f32>,
 {
     match found {
         Some(held) => here.aligned_into(program, columns, held)?,

@@ -4,7 +4,7 @@
 //! | file | what it holds |
 //! | --- | --- |
 //! | `pack.rs` | the shapes, how far they are apart, the steps |
-//! | `judge.rs` | the loss with its slopes by every pose: recorded functions in batches, on the CPU or a GPU |
+//! | `judge.rs` | the loss with its derivatives by every pose: recorded functions in batches, on the CPU or a GPU |
 //! | `draw.rs` | the picture |
 mod draw;
 mod judge;

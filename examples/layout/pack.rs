@@ -193,14 +193,14 @@ impl Layout {
         let mut mean = vec![[0.0; 3]; layout.forms.len()];
         let mut square = mean.clone();
         for t in 0..iterations {
-            let (step, slopes) = judge.judge(&layout.found)?;
+            let (step, derivatives) = judge.judge(&layout.found)?;
             layout.steps.push(step);
             let share = t as f64 / iterations as f64;
             let length = STEP * (1.0 - share).powi(2);
             let turns = (t + 1) as i32;
             let (first, second) = (1.0 - 0.9_f64.powi(turns), 1.0 - 0.99_f64.powi(turns));
-            for (i, slope) in slopes.iter().enumerate() {
-                for (k, s) in slope.iter().enumerate() {
+            for (i, derivative) in derivatives.iter().enumerate() {
+                for (k, s) in derivative.iter().enumerate() {
                     mean[i][k] = 0.9 * mean[i][k] + 0.1 * s;
                     square[i][k] = 0.99 * square[i][k] + 0.01 * s * s;
                     let along = mean[i][k] / first / ((square[i][k] / second).sqrt() + 1e-9);

@@ -34,8 +34,8 @@ impl Loss {
             Loss::Distance => between(polygon, outline),
         }
     }
-    /// The slopes of the loss by the vertices of a polygon.
-    fn slopes(self, polygon: &Polygon<f64>, outline: &Polygon<f64>) -> Vec<Vec2<f64>> {
+    /// The derivatives of the loss by the vertices of a polygon.
+    fn derivatives(self, polygon: &Polygon<f64>, outline: &Polygon<f64>) -> Vec<Vec2<f64>> {
         match self {
             Loss::Overlap => {
                 // The adjoint by hand.
@@ -47,8 +47,8 @@ impl Loss {
             Loss::Distance => {
                 // Any generic function can be differentiated.
                 let of = |p: Polygon<_>| between(&p, &outline.lift());
-                let (_, slopes) = geograd::gradient(of, polygon.clone());
-                slopes.vertices().to_vec()
+                let (_, derivatives) = geograd::gradient(of, polygon.clone());
+                derivatives.vertices().to_vec()
             }
         }
     }
@@ -110,7 +110,7 @@ impl Fit {
         }];
         let mut pace = PACE;
         for _ in 0..iterations {
-            let way = descent(&found, &loss.slopes(&found, outline));
+            let way = descent(&found, &loss.derivatives(&found, outline));
             for _ in 0..HALVINGS {
                 let next = moved(&found, &way, pace, target.shape);
                 let less = loss.of(&next, outline);
@@ -137,9 +137,9 @@ impl Fit {
 }
 
 /// The direction of descent, the longest way of a vertex being one. Neighbours take part in each other's
-/// slopes, so that borders stay smooth.
-fn descent(polygon: &Polygon<f64>, slopes: &[Vec2<f64>]) -> Vec<Vec2<f64>> {
-    let mut way: Vec<_> = slopes.iter().map(|&slope| -slope).collect();
+/// derivatives, so that borders stay smooth.
+fn descent(polygon: &Polygon<f64>, derivatives: &[Vec2<f64>]) -> Vec<Vec2<f64>> {
+    let mut way: Vec<_> = derivatives.iter().map(|&derivative| -derivative).collect();
     let mut start = 0;
     for &end in polygon.ends() {
         let ring = &mut way[start..end];

@@ -97,7 +97,7 @@ impl Loss {
         }
     }
 
-    /// Whether it has slopes for boxes that do not overlap.
+    /// Whether it has derivatives for boxes that do not overlap.
     pub fn reaches(self) -> bool {
         self != Loss::Iou
     }

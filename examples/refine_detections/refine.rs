@@ -1,12 +1,12 @@
 //! Moves boxes onto their truths along the gradient of a score of both.
 //!
-//! The loss of a pair is one minus its score. Its slope says which way to go but not how far: IoU grows
-//! steeply towards a peak with a kink, where slopes do not fade but flip. So a box moves by its sides
+//! The loss of a pair is one minus its score. Its derivative says which way to go but not how far: IoU grows
+//! steeply towards a peak with a kink, where derivatives do not fade but flip. So a box moves by its sides
 //! (in space top and bottom, too) and its heading, which hardly depend on each other there, and each of
-//! them keeps a step length of its own, which grows while the sign of its slope stays and halves when it
+//! them keeps a step length of its own, which grows while the sign of its derivative stays and halves when it
 //! flips (resilient gradient descent, Riedmiller and Braun 1993). A step that would not raise the score
 //! of its pair is taken back and tried shorter, so no pair ever gets worse. Pairs that overlap by a
-//! sliver have small slopes, which makes no difference to their steps.
+//! sliver have small derivatives, which makes no difference to their steps.
 use crate::loss::Space;
 use crate::scorer::Scorer;
 use geograd::kernels::Backend;
@@ -37,8 +37,8 @@ struct Walker {
     /// The best place so far, and its score.
     shape: YawBox3<f32>,
     score: f32,
-    /// The slopes there: of moving the sides outwards, and of turning.
-    slopes: Moves,
+    /// The derivatives there: of moving the sides outwards, and of turning.
+    derivatives: Moves,
     /// How far to go next, in metres and radians.
     steps: Moves,
 }
@@ -53,7 +53,7 @@ impl Walker {
         Walker {
             shape,
             score: f32::NEG_INFINITY,
-            slopes: [0.0; 7],
+            derivatives: [0.0; 7],
             steps: [size.x, size.x, size.y, size.y, 0.03, height, height],
         }
     }
@@ -61,9 +61,9 @@ impl Walker {
     /// The next place to try.
     fn next(&self) -> YawBox3<f32> {
         let mut by = [0.0; 7];
-        for ((by, step), slope) in by.iter_mut().zip(self.steps).zip(self.slopes) {
-            if slope != 0.0 {
-                *by = step.copysign(slope);
+        for ((by, step), derivative) in by.iter_mut().zip(self.steps).zip(self.derivatives) {
+            if derivative != 0.0 {
+                *by = step.copysign(derivative);
             }
         }
         let [front, rear, left, right, turn, top, bottom] = by;
@@ -83,23 +83,23 @@ impl Walker {
     }
 
     /// Takes the step if the score there is better, and learns from it either way.
-    fn learn(&mut self, tried: YawBox3<f32>, score: f32, slope: YawBox3<f32>) {
+    fn learn(&mut self, tried: YawBox3<f32>, score: f32, derivative: YawBox3<f32>) {
         // A side moves the centre by half of what it moves the size.
-        let flat = Vec2::new(slope.center.x, slope.center.y);
+        let flat = Vec2::new(derivative.center.x, derivative.center.y);
         let off = Rotation2::from_angle(tried.heading).inverse() * flat * 0.5;
-        let up = slope.center.z * 0.5;
-        let slopes = [
-            slope.size.x + off.x,
-            slope.size.x - off.x,
-            slope.size.y + off.y,
-            slope.size.y - off.y,
-            slope.heading,
-            slope.size.z + up,
-            slope.size.z - up,
+        let up = derivative.center.z * 0.5;
+        let derivatives = [
+            derivative.size.x + off.x,
+            derivative.size.x - off.x,
+            derivative.size.y + off.y,
+            derivative.size.y - off.y,
+            derivative.heading,
+            derivative.size.z + up,
+            derivative.size.z - up,
         ];
         let better = score > self.score;
         let mut flips = 0;
-        for ((step, old), new) in self.steps.iter_mut().zip(self.slopes).zip(slopes) {
+        for ((step, old), new) in self.steps.iter_mut().zip(self.derivatives).zip(derivatives) {
             if old * new < 0.0 {
                 *step *= SHORTER;
                 flips += 1;
@@ -108,7 +108,7 @@ impl Walker {
             }
         }
         if better {
-            (self.shape, self.score, self.slopes) = (tried, score, slopes);
+            (self.shape, self.score, self.derivatives) = (tried, score, derivatives);
         } else if flips == 0 {
             for step in &mut self.steps {
                 *step *= SHORTER;
@@ -149,11 +149,11 @@ pub fn refine(
             break;
         }
         let started = Instant::now();
-        let (scores, slopes) = scorer.scores(backend, &tried, &goals)?;
+        let (scores, derivatives) = scorer.scores(backend, &tried, &goals)?;
         cost.time += started.elapsed();
         cost.gradients += moving.len();
         for (i, &walker) in moving.iter().enumerate() {
-            walkers[walker].learn(tried[i], scores[i], slopes[i]);
+            walkers[walker].learn(tried[i], scores[i], derivatives[i]);
         }
         moving.retain(|&walker| !walkers[walker].is_done(goal.loss.close()));
         tried.clear();

@@ -1,6 +1,6 @@
 //! The scores that boxes are moved by, of many pairs at once.
 //!
-//! Overlaps and their slopes are the library's operations. All else is recorded as a program of both boxes
+//! Overlaps and their derivatives are the library's operations. All else is recorded as a program of both boxes
 //! and their overlap, which makes batches of it as fast; what a score adds to the overlap is recorded by
 //! itself (`known.rs`).
 use crate::loss::{Goal, Loss, Space};
@@ -157,7 +157,7 @@ fn in_space(loss: Loss) -> Result<Program<Pair, f32>, Error> {
 #[derive(Debug)]
 pub struct Scorer {
     goal: Goal,
-    /// The score with its slopes; `None` where it is the overlap.
+    /// The score with its derivatives; `None` where it is the overlap.
     program: Option<Program<Pair, (f32, Pair)>>,
 }
 
@@ -174,7 +174,7 @@ impl Scorer {
         Ok(Scorer { goal, program })
     }
 
-    /// The scores of boxes with their truths, and their slopes with respect to the boxes, in one batch.
+    /// The scores of boxes with their truths, and their derivatives with respect to the boxes, in one batch.
     pub fn scores(
         &self,
         backend: Backend<'_>,
@@ -189,16 +189,16 @@ impl Scorer {
             return Ok((ious, by_iou));
         };
         let columns = (boxes, truths, &ious);
-        let (scores, (mut slopes, _, along)) = backend.aligned(program, columns)?;
-        for ((by, along), iou) in slopes.iter_mut().zip(along).zip(by_iou) {
+        let (scores, (mut derivatives, _, along)) = backend.aligned(program, columns)?;
+        for ((by, along), iou) in derivatives.iter_mut().zip(along).zip(by_iou) {
             by.center += iou.center * along;
             by.size += iou.size * along;
             by.heading += iou.heading * along;
         }
-        Ok((scores, slopes))
+        Ok((scores, derivatives))
     }
 
-    /// Overlaps, and their slopes with respect to the boxes.
+    /// Overlaps, and their derivatives with respect to the boxes.
     fn overlaps(
         &self,
         backend: Backend<'_>,
@@ -212,8 +212,8 @@ impl Scorer {
                 };
                 let (boxes, truths) = (ground(boxes), ground(truths));
                 let columns = (&boxes, &truths);
-                let (ious, (slopes, _)) = backend.aligned(Iou.value_grad(), columns)?;
-                let raised = slopes.into_iter().map(|by| {
+                let (ious, (derivatives, _)) = backend.aligned(Iou.value_grad(), columns)?;
+                let raised = derivatives.into_iter().map(|by| {
                     YawBox3::new(
                         Vec3::new(by.center.x, by.center.y, 0.0),
                         Vec3::new(by.size.x, by.size.y, 0.0),
@@ -224,12 +224,12 @@ impl Scorer {
             }
             Space::Full => {
                 let columns = (boxes, truths);
-                let (ious, (slopes, _)) = backend.aligned(Iou.value_grad(), columns)?;
-                Ok((ious, slopes))
+                let (ious, (derivatives, _)) = backend.aligned(Iou.value_grad(), columns)?;
+                Ok((ious, derivatives))
             }
         }
     }
 }
 
-/// Scores, and their slopes with respect to the boxes that move.
+/// Scores, and their derivatives with respect to the boxes that move.
 type Scores = (Vec<f32>, Vec<YawBox3<f32>>);

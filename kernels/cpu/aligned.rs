@@ -5,13 +5,13 @@ use crate::kernels::cpu::Cpu;
 use crate::kernels::cpu::checked::{check, check_upstream};
 use crate::kernels::cpu::desk::Aligned;
 use crate::kernels::cpu::plan::{Face, Preparation};
+use crate::kernels::item::{Column, Columns, Results, Target};
 use crate::kernels::op::{Ask, Runs};
 use crate::kernels::real::Real;
-use crate::kernels::row::{Column, Columns, Results, Target};
 use crate::kernels::targets::Targets;
 
 /// The scalar of columns.
-type ScalarOf<C> = <<C as Columns>::Row as Pack>::Scalar;
+type ScalarOf<C> = <<C as Columns>::Item as Pack>::Scalar;
 
 impl Cpu {
     /// Computes item i of every column: one result per item; results of several shapes come as one vector per shape.
@@ -37,12 +37,12 @@ impl Cpu {
     /// assert_eq!(iou[0], 1.0 / 3.0);
     /// assert!((a_bar[0].center.x - 4.0 / 9.0).abs() < 1e-15); // nearer is better
     ///
-    /// // The adjoint: slopes times what some loss says about every result.
+    /// // The adjoint: derivatives times what some loss says about every result.
     /// let (twice, _) = cpu.aligned(Iou.vjp(), ((&a, &b), &[2.0, 0.0]))?;
     /// assert_eq!(twice[0].center.x, 2.0 * a_bar[0].center.x);
     /// # Ok::<(), geograd::Error>(())
     /// ```
-    pub fn aligned<C: Columns, R: Runs<C::Row>>(
+    pub fn aligned<C: Columns, R: Runs<C::Item>>(
         &self,
         run: R,
         columns: C,
@@ -74,7 +74,7 @@ impl Cpu {
     /// Cpu::new().aligned_into(Iou.value_grad(), (&boxes, &boxes), targets)?;
     /// # Ok::<(), geograd::Error>(())
     /// ```
-    pub fn aligned_into<C: Columns, R: Runs<C::Row>>(
+    pub fn aligned_into<C: Columns, R: Runs<C::Item>>(
         &self,
         run: R,
         columns: C,
@@ -114,7 +114,7 @@ pub(crate) fn fitting<R: Results>(
 
 impl Cpu {
     /// [`aligned`](Cpu::aligned) into targets of the right length.
-    pub(crate) fn run_into<C: Columns, R: Runs<C::Row>>(
+    pub(crate) fn run_into<C: Columns, R: Runs<C::Item>>(
         &self,
         run: R,
         columns: C,
@@ -130,7 +130,7 @@ impl Cpu {
 
 impl Cpu {
     /// The numbers of every result, item by item.
-    pub(crate) fn rows<C: Columns, R: Runs<C::Row>>(
+    pub(crate) fn rows<C: Columns, R: Runs<C::Item>>(
         &self,
         run: R,
         columns: C,

@@ -6,10 +6,10 @@ use crate::kernels::cpu::pairs::Pairs;
 use crate::kernels::cpu::plan::Face;
 use crate::kernels::cpu::sweep::Upstream;
 use crate::kernels::cpu::table::Table;
+use crate::kernels::item::{Column, Results, Single};
 use crate::kernels::op::{Ask, Runs};
 use crate::kernels::real::Real;
 use crate::kernels::reduce::{Best, Found, check_sides, check_threshold};
-use crate::kernels::row::{Column, Results, Single};
 
 /// Lists of shapes, checked.
 pub(crate) fn pairs<'a, T: Real, A: Single<Scalar = T>, B: Single<Scalar = T>>(
@@ -33,9 +33,9 @@ pub(crate) fn pairs<'a, T: Real, A: Single<Scalar = T>, B: Single<Scalar = T>>(
     })
 }
 
-/// Upstream slopes that kernels bear.
+/// Upstream derivatives that kernels bear.
 pub(crate) struct Bearable<T> {
-    /// The smaller slopes that stand for them, if some are too steep.
+    /// The smaller derivatives that stand for them, if some are too steep.
     down: Option<Vec<T>>,
     /// The factor of the results.
     by: T,
@@ -48,12 +48,12 @@ impl<T: Real> Bearable<T> {
     ///
     /// When one is not finite.
     pub fn new(face: &Face<T>, upstream: &Upstream<'_, T>) -> Result<Self, Error> {
-        let steep = tame(upstream.slopes, face.steepest)?;
+        let steep = tame(upstream.derivatives, face.steepest)?;
         let by = steep.iter().flatten().map(|x| x.1).fold(T::one(), T::most);
-        let down = steep.map(|_| upstream.slopes.iter().map(|&x| x.over(by)).collect());
+        let down = steep.map(|_| upstream.derivatives.iter().map(|&x| x.over(by)).collect());
         Ok(Bearable { down, by })
     }
-    /// Slopes of both lists.
+    /// Derivatives of both lists.
     pub fn pull_back(
         &self,
         pairs: &Pairs<'_, T>,
@@ -61,8 +61,11 @@ impl<T: Real> Bearable<T> {
         a_bar: &mut [T],
         b_bar: &mut [T],
     ) {
-        let slopes = self.down.as_deref().unwrap_or(upstream.slopes);
-        let upstream = Upstream { slopes, ..upstream };
+        let derivatives = self.down.as_deref().unwrap_or(upstream.derivatives);
+        let upstream = Upstream {
+            derivatives,
+            ..upstream
+        };
         (T::drivers().pull_back)(pairs, upstream, a_bar, b_bar);
         if self.down.is_some() {
             restore(a_bar, self.by);
@@ -142,7 +145,7 @@ impl Cpu {
         Ok(())
     }
 
-    /// The adjoint of [`all_pairs`](Cpu::all_pairs) for one number as result: slopes of
+    /// The adjoint of [`all_pairs`](Cpu::all_pairs) for one number as result: derivatives of
     /// `Σ upstream[i, j] · result[i, j]` with respect to every shape of both lists. `upstream` is a
     /// matrix, row by row.
     ///
@@ -199,7 +202,7 @@ impl Cpu {
         let wanted = entries(a.len(), b.len(), 1)?;
         expect(Argument::Upstream, wanted, upstream.len())?;
         let upstream = Upstream {
-            slopes: upstream,
+            derivatives: upstream,
             step: b.len(),
         };
         let face = run.face(Ask::ADJOINT)?;
@@ -418,7 +421,7 @@ impl Cpu {
         Ok((sum * factor, a_bar, b_bar))
     }
 
-    /// The sum of all results; into the caller's slices the slopes of the sum times `factor`.
+    /// The sum of all results; into the caller's slices the derivatives of the sum times `factor`.
     ///
     /// # Errors
     ///
@@ -438,7 +441,7 @@ impl Cpu {
     {
         let face = run.face(Ask::ADJOINT)?;
         let upstream = Upstream {
-            slopes: &vec![factor; b.len().max(1)],
+            derivatives: &vec![factor; b.len().max(1)],
             step: 0,
         };
         self.pull_back(&face, a, b, upstream, a_bar, b_bar)?;

@@ -116,7 +116,7 @@ pub(crate) fn put<T: Real, V: Vector<T>, const N: usize, const LANES: usize>(
     }
 }
 
-/// What slopes of a tile are multiplied by: one where nothing is given.
+/// What derivatives of a tile are multiplied by: one where nothing is given.
 #[inline(always)]
 pub(crate) fn seed<T: Real, V: Vector<T>>(seeds: Option<Tiles<'_, T>>, t: usize, at: usize) -> V {
     match seeds.and_then(|seeds| seeds.tile::<1>(t)) {
@@ -184,9 +184,9 @@ pub(crate) fn obb2_scores<T: Real, V: Vector<T>>(
     }
 }
 
-/// Scores of prepared rotated boxes of ordinary size, each followed by its ten slopes.
+/// Scores of prepared rotated boxes of ordinary size, each followed by its ten derivatives.
 #[inline(always)]
-pub(crate) fn obb2_slopes<T: Real, V: Vector<T>>(
+pub(crate) fn obb2_derivatives<T: Real, V: Vector<T>>(
     over: Denominator,
     a: Tiles<'_, T>,
     b: Tiles<'_, T>,
@@ -204,9 +204,9 @@ pub(crate) fn obb2_slopes<T: Real, V: Vector<T>>(
             let (value, (a_bar, b_bar)) =
                 score_framed_vjp::<V, false>(over, a, b, seed(seeds, t, at));
             put([value], out, 0, at);
-            let mut slopes = [V::zero(); 2 * OBB2];
-            (a_bar, b_bar).store(&mut slopes);
-            put(slopes, out, 1, at);
+            let mut derivatives = [V::zero(); 2 * OBB2];
+            (a_bar, b_bar).store(&mut derivatives);
+            put(derivatives, out, 1, at);
         }
     }
 }
@@ -232,9 +232,9 @@ pub(crate) fn giou_scores<T: Real, V: Vector<T>>(
 }
 
 /// Generalised IoU of prepared rotated boxes of [common](all_common_obb2) size, each followed by its ten
-/// slopes.
+/// derivatives.
 #[inline(always)]
-pub(crate) fn giou_slopes<T: Real, V: Vector<T>>(
+pub(crate) fn giou_derivatives<T: Real, V: Vector<T>>(
     a: Tiles<'_, T>,
     b: Tiles<'_, T>,
     seeds: Option<Tiles<'_, T>>,
@@ -250,9 +250,9 @@ pub(crate) fn giou_slopes<T: Real, V: Vector<T>>(
             };
             let (value, (a_bar, b_bar)) = giou_framed_vjp::<V, false>(a, b, seed(seeds, t, at));
             put([value], out, 0, at);
-            let mut slopes = [V::zero(); 2 * OBB2];
-            (a_bar, b_bar).store(&mut slopes);
-            put(slopes, out, 1, at);
+            let mut derivatives = [V::zero(); 2 * OBB2];
+            (a_bar, b_bar).store(&mut derivatives);
+            put(derivatives, out, 1, at);
         }
     }
 }
@@ -290,9 +290,9 @@ pub(crate) fn aabb2_scores<T: Real, V: Vector<T>>(
     }
 }
 
-/// Scores of axis-aligned boxes, each followed by its eight slopes.
+/// Scores of axis-aligned boxes, each followed by its eight derivatives.
 #[inline(always)]
-pub(crate) fn aabb2_slopes<T: Real, V: Vector<T>>(
+pub(crate) fn aabb2_derivatives<T: Real, V: Vector<T>>(
     over: Denominator,
     a: Tiles<'_, T>,
     b: Tiles<'_, T>,
@@ -309,9 +309,9 @@ pub(crate) fn aabb2_slopes<T: Real, V: Vector<T>>(
             };
             let (value, (a_bar, b_bar)) = tame_score_aabb2_vjp(over, a, b, seed(seeds, t, at));
             put([value], out, 0, at);
-            let mut slopes = [V::zero(); 2 * AABB2];
-            (a_bar, b_bar).store(&mut slopes);
-            put(slopes, out, 1, at);
+            let mut derivatives = [V::zero(); 2 * AABB2];
+            (a_bar, b_bar).store(&mut derivatives);
+            put(derivatives, out, 1, at);
         }
     }
 }

@@ -1,7 +1,7 @@
 //! Block kernels of the overlap of boxes of any orientation in space.
 //!
 //! Compiled in this library only, by the entries in `arch`. Unlike those of the plane they scale every pair, so
-//! shapes need no preparation. Slopes of extreme boxes may overflow here: those take the scalar code.
+//! shapes need no preparation. Derivatives of extreme boxes may overflow here: those take the scalar code.
 use crate::Fixed;
 use crate::clip::{COMMON_FAR, COMMON_LARGE, COMMON_SMALL};
 use crate::kernels::cpu::arch::{LARGE, Vector};
@@ -53,9 +53,9 @@ pub(crate) fn scores<T: Real, V: Vector<T>>(
     }
 }
 
-/// Scores of boxes, each followed by its twenty slopes.
+/// Scores of boxes, each followed by its twenty derivatives.
 #[inline(always)]
-pub(crate) fn slopes<T: Real, V: Vector<T>>(
+pub(crate) fn derivatives<T: Real, V: Vector<T>>(
     over: Denominator,
     a: Tiles<'_, T>,
     b: Tiles<'_, T>,
@@ -75,9 +75,9 @@ pub(crate) fn slopes<T: Real, V: Vector<T>>(
             };
             let (value, (a_bar, b_bar)) = score_obb3_vjp_here(over, a, b, seed(seeds, t, at));
             put([value], out, 0, at);
-            let mut slopes = [V::zero(); 2 * OBB3];
-            (a_bar, b_bar).store(&mut slopes);
-            put(slopes, out, 1, at);
+            let mut derivatives = [V::zero(); 2 * OBB3];
+            (a_bar, b_bar).store(&mut derivatives);
+            put(derivatives, out, 1, at);
         }
     }
 }

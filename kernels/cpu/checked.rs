@@ -6,8 +6,8 @@ use crate::kernels::cpu::arch;
 use crate::kernels::cpu::plan::Preparation;
 use crate::kernels::cpu::simd::Simd;
 use crate::kernels::cpu::work::spread;
+use crate::kernels::item::{Column, put, width};
 use crate::kernels::real::Real;
-use crate::kernels::row::{Column, put, width};
 use std::borrow::Cow;
 use std::sync::Mutex;
 
@@ -34,7 +34,7 @@ pub(crate) fn entries(rows: usize, columns: usize, fields: usize) -> Result<usiz
         .ok_or(Error::TooLarge)
 }
 
-/// Checks that every upstream slope is finite; each has so many numbers.
+/// Checks that every upstream derivative is finite; each has so many numbers.
 pub(crate) fn check_upstream<T: Real>(upstream: &[T], fields: usize) -> Result<(), Error> {
     if (T::kernels().all_finite)(upstream) {
         return Ok(());
@@ -49,7 +49,7 @@ pub(crate) fn check_upstream<T: Real>(upstream: &[T], fields: usize) -> Result<(
     Ok(())
 }
 
-/// Upstream slopes that kernels bear: each with what its results are to be multiplied by afterwards.
+/// Upstream derivatives that kernels bear: each with what its results are to be multiplied by afterwards.
 /// `None` when they are so themselves, as nearly always.
 ///
 /// # Errors
@@ -63,9 +63,9 @@ pub(crate) fn tame<T: Real>(upstream: &[T], steepest: f64) -> Result<Option<Vec<
     Ok(Some(upstream.iter().map(|&x| tamed(x)).collect()))
 }
 
-/// Multiplies slopes by what was taken from their upstream slope.
-pub(crate) fn restore<T: Real>(slopes: &mut [T], by: T) {
-    for x in slopes {
+/// Multiplies derivatives by what was taken from their upstream derivative.
+pub(crate) fn restore<T: Real>(derivatives: &mut [T], by: T) {
+    for x in derivatives {
         *x = (*x * by).saturated();
     }
 }

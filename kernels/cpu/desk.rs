@@ -2,8 +2,8 @@
 use crate::kernels::cpu::lane::{Lane, Planes, Results, TILE, Tiles, planes, tiles, with_lanes};
 use crate::kernels::cpu::plan::{Face, Preparation};
 use crate::kernels::cpu::work::spread;
+use crate::kernels::item::{Column, Piece, STRETCH, Target};
 use crate::kernels::real::Real;
-use crate::kernels::row::{Column, Piece, STRETCH, Target};
 use std::ops::Range;
 
 /// Items per block: with their results few enough for the innermost cache.

@@ -39,6 +39,6 @@ drivers! {
     sum: fn(&Pairs<'_, T>) -> f64 = reductions::sum;
     sieved: fn(&[Vec2<T>], &[Vec2<T>], Spans<'_>, bool) -> Option<Vec<Sieved<T>>> = nearest::sieved;
     ring_scores: fn(RingPairs<'_, T>) -> Vec<T> = polygons::scores;
-    ring_slopes: fn(RingPairs<'_, T>, &[T]) -> Pulled<T> = polygons::slopes;
+    ring_derivatives: fn(RingPairs<'_, T>, &[T]) -> Pulled<T> = polygons::derivatives;
     suppress: fn(&Pairs<'_, T>, Greed<'_, T>) -> Vec<usize> = greedy::suppress;
 }

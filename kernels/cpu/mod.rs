@@ -99,7 +99,7 @@ pub(crate) mod upright;
 #[forbid(unsafe_code)]
 pub(crate) mod work;
 
-pub use crate::kernels::row::Single;
+pub use crate::kernels::item::Single;
 #[doc(hidden)]
 pub use plan::{Compiled, Face, Want};
 pub(crate) use ragged::check_ragged;
@@ -139,8 +139,8 @@ impl Cpu {
     }
     /// Returns the same with culling of all-pairs batches on or off.
     ///
-    /// Culling compares bounds before anything else is computed. Results are the same bits either way. If nearly all pairs
-    /// overlap, it costs a few hundredths of the time and stops.
+    /// Culling compares bounds before anything else is computed. Results are the same bits either way. If nearly all
+    /// pairs overlap, it costs a few hundredths of the time and stops.
     #[must_use]
     pub const fn culled(self, cull: bool) -> Self {
         Cpu { cull }

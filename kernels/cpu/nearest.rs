@@ -1,7 +1,7 @@
 //! A block kernel of points and paths: which edges can be the nearest ones, and how often the path winds.
 //!
 //! Of a thousand edges a distance needs the nearest ones. Their squared distances, rounded as they may be, tell
-//! all others apart; only what is left is folded with slopes, so that the result has the bits of the fold
+//! all others apart; only what is left is folded with derivatives, so that the result has the bits of the fold
 //! over all edges, whatever the vectors' width is.
 //!
 //! Compiled in this library only, by the entries in `arch`.

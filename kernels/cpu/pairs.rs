@@ -106,7 +106,7 @@ fn put<T: Real>(part: &Part<'_, T>, room: &mut Vec<T>, rows: &mut [&mut [T]]) {
     }
 }
 
-/// Results, or results with slopes: a matrix per number, row by row, one after another.
+/// Results, or results with derivatives: a matrix per number, row by row, one after another.
 pub fn planes<T: Real>(pairs: &Pairs<'_, T>, planes: &mut [T]) {
     let [rows, columns] = pairs.counts();
     if rows * columns == 0 {
@@ -137,7 +137,7 @@ pub fn planes<T: Real>(pairs: &Pairs<'_, T>, planes: &mut [T]) {
     });
 }
 
-/// How sums of slopes lie in lanes.
+/// How sums of derivatives lie in lanes.
 #[derive(Clone, Copy)]
 enum Lay {
     /// In tiles, field by field.
@@ -178,7 +178,7 @@ fn folded<T: Real>(mut numbers: [T; TILE]) -> T {
     numbers[0].canonical()
 }
 
-/// Slopes of the sum of upstream times scores, with respect to every shape of both lists.
+/// Derivatives of the sum of upstream times scores, with respect to every shape of both lists.
 ///
 /// Of a row sixteen sums are kept, column `j` counts for sum `j` modulo sixteen; of a column one per
 /// piece of rows. All are added in a fixed order, the same for either way of lying.

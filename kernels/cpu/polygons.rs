@@ -57,7 +57,7 @@ impl RingScore {
             RingScore::Iof => rings::iof(a, b),
         }
     }
-    /// Writes slopes times a cotangent; the value.
+    /// Writes derivatives times a cotangent; the value.
     fn vjp<T: Real>(
         self,
         [a, b]: [&[Vec2<T>]; 2],
@@ -135,7 +135,7 @@ impl Cpu {
         let pairs = aligned(score, a, b)?;
         expect(Argument::Upstream, a.count(), upstream.len())?;
         check_upstream(upstream, 1)?;
-        Ok((T::drivers().ring_slopes)(pairs, upstream))
+        Ok((T::drivers().ring_derivatives)(pairs, upstream))
     }
 
     /// How much every polygon of one list overlaps every one of another: row after row, a row per polygon of
@@ -155,7 +155,7 @@ impl Cpu {
     }
 
     /// [`all_rings`](Cpu::all_rings) with its adjoint: the results, and one cotangent per vertex of either list,
-    /// added up over all pairs, for one of every result. Pairs of cotangent zero have no slopes.
+    /// added up over all pairs, for one of every result. Pairs of cotangent zero have no derivatives.
     ///
     /// # Errors
     ///
@@ -170,7 +170,7 @@ impl Cpu {
         let pairs = crossed(score, a, b)?;
         expect(Argument::Upstream, a.count() * b.count(), upstream.len())?;
         check_upstream(upstream, 1)?;
-        Ok((T::drivers().ring_slopes)(pairs, upstream))
+        Ok((T::drivers().ring_derivatives)(pairs, upstream))
     }
 }
 
@@ -304,8 +304,8 @@ pub(crate) fn scores<T: Real>(pairs: RingPairs<'_, T>) -> Vec<T> {
     out
 }
 
-/// Results of all pairs and slopes times cotangents, on all threads.
-pub(crate) fn slopes<T: Real>(pairs: RingPairs<'_, T>, upstream: &[T]) -> Pulled<T> {
+/// Results of all pairs and derivatives times cotangents, on all threads.
+pub(crate) fn derivatives<T: Real>(pairs: RingPairs<'_, T>, upstream: &[T]) -> Pulled<T> {
     let near = Near::new(pairs);
     let [a, b] = pairs.lists;
     let wide = near.wide();
@@ -316,7 +316,7 @@ pub(crate) fn slopes<T: Real>(pairs: RingPairs<'_, T>, upstream: &[T]) -> Pulled
     }
     let rows = rows_per_piece(a.count());
     let [a_bars, b_bars] = &mut bars;
-    // Slopes by b are added per piece of rows, and then piece by piece.
+    // Derivatives by b are added per piece of rows, and then piece by piece.
     let pieces = a.count().div_ceil(rows);
     let mut sums: Vec<Vec<Vec2<T>>> = vec![Vec::new(); pieces];
     let mut work = Vec::new();

@@ -50,9 +50,9 @@ pub(crate) fn quad_scores<T: Real, V: Vector<T>>(
     }
 }
 
-/// Areas that convex quadrilaterals share, each followed by its sixteen slopes.
+/// Areas that convex quadrilaterals share, each followed by its sixteen derivatives.
 #[inline(always)]
-pub(crate) fn quad_slopes<T: Real, V: Vector<T>>(
+pub(crate) fn quad_derivatives<T: Real, V: Vector<T>>(
     a: Tiles<'_, T>,
     b: Tiles<'_, T>,
     seeds: Option<Tiles<'_, T>>,
@@ -71,9 +71,9 @@ pub(crate) fn quad_slopes<T: Real, V: Vector<T>>(
             };
             let (value, bars) = area_of_quads_vjp::<V, false>(a, b, seed(seeds, t, at));
             put([value], out, 0, at);
-            let mut slopes = [V::zero(); 2 * QUAD2];
-            bars.store(&mut slopes);
-            put(slopes, out, 1, at);
+            let mut derivatives = [V::zero(); 2 * QUAD2];
+            bars.store(&mut derivatives);
+            put(derivatives, out, 1, at);
         }
     }
 }

@@ -91,7 +91,7 @@ impl Cpu {
         Ok(())
     }
 
-    /// [`ragged`](Cpu::ragged) with the adjoint for the given upstream, one slope per result: results, and one
+    /// [`ragged`](Cpu::ragged) with the adjoint for the given upstream, one derivative per result: results, and one
     /// cotangent per vertex.
     ///
     /// # Errors
@@ -155,8 +155,8 @@ impl Cpu {
         expect(Argument::Upstream, offsets.len() - 1, upstream.len())?;
         expect(Argument::GradVertices, vertices.len(), bars.len())?;
         for (row, out_bar) in upstream.iter().enumerate() {
-            for slope in out_bar.scalars() {
-                slope.validate().map_err(|flaw| Error::Invalid {
+            for derivative in out_bar.scalars() {
+                derivative.validate().map_err(|flaw| Error::Invalid {
                     argument: Argument::Upstream,
                     row,
                     flaw,

@@ -251,7 +251,7 @@ fn side_by_side<T: Real, V: Vector<T>>(measure: Measure, side: &Side<T>, out: &m
     true
 }
 
-/// Adjoints: one cotangent per vertex of the rings, from one upstream slope per result.
+/// Adjoints: one cotangent per vertex of the rings, from one upstream derivative per result.
 #[inline(always)]
 pub(crate) fn bars<T: Real, V: Vector<T>>(
     measure: Measure,

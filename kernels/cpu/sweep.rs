@@ -36,7 +36,7 @@ const GROUP: usize = 8;
 #[derive(Clone, Copy, Debug)]
 pub struct Upstream<'a, T> {
     /// The numbers.
-    pub slopes: &'a [T],
+    pub derivatives: &'a [T],
     /// From row to row.
     pub step: usize,
 }
@@ -94,7 +94,7 @@ pub struct Sweep<'a, T: Kept> {
     picking: Lent<T>,
     stride: usize,
     tree: Option<Tree<T>>,
-    /// What slopes are multiplied by.
+    /// What derivatives are multiplied by.
     upstream: Option<Upstream<'a, T>>,
     /// Tiles of columns of a stretch.
     block: usize,
@@ -103,7 +103,7 @@ pub struct Sweep<'a, T: Kept> {
 }
 
 impl<'a, T: Real> Sweep<'a, T> {
-    /// Scores, or scores with slopes. A filter is used where both lists have bounds.
+    /// Scores, or scores with derivatives. A filter is used where both lists have bounds.
     pub fn new(
         face: &'a Face<T>,
         upstream: Option<Upstream<'a, T>>,
@@ -310,7 +310,7 @@ struct Desk<'a, T: Kept> {
     own: &'a mut [Lane<T>],
     /// Columns that were picked.
     picked: &'a mut [Lane<T>],
-    /// Upstream slopes.
+    /// Upstream derivatives.
     seeds: &'a mut [Lane<T>],
     results: &'a mut [Lane<T>],
     /// Numbers of one result.
@@ -318,7 +318,7 @@ struct Desk<'a, T: Kept> {
 }
 
 impl<'a, T: Real> Desk<'a, T> {
-    /// Numbers of lanes of a desk: the row, picked columns, upstream slopes and results.
+    /// Numbers of lanes of a desk: the row, picked columns, upstream derivatives and results.
     fn lanes(sweep: &Sweep<'_, T>) -> [usize; 4] {
         [
             GROUP * sweep.a.frame_fields,
@@ -354,10 +354,10 @@ impl<'a, T: Real> Desk<'a, T> {
             self.row_is_rare = !self.sweep.a.rare.is_empty() && self.sweep.a.is_rare(row);
         }
     }
-    /// The row's upstream slopes.
+    /// The row's upstream derivatives.
     fn upstream(&self) -> Option<&'a [T]> {
-        let Upstream { slopes, step } = self.sweep.upstream?;
-        Some(&slopes[self.row * step..][..self.sweep.b.count])
+        let Upstream { derivatives, step } = self.sweep.upstream?;
+        Some(&derivatives[self.row * step..][..self.sweep.b.count])
     }
     /// Computes the row with some columns; results wait on the desk.
     fn make(&mut self, columns: Tiles<'_, T>, count: usize) {

@@ -1,7 +1,7 @@
 //! Matrices of results, of all pairs.
 use crate::error::Error;
 use crate::kernels::cpu::checked::entries;
-use crate::kernels::row::{Results, Row, by_kind, get, width};
+use crate::kernels::item::{Item, Results, by_kind, get, width};
 use std::marker::PhantomData;
 
 /// A matrix of results: a row per shape of the first list, a column per shape of the second.
@@ -70,7 +70,7 @@ impl<P: Results> Table<P> {
     }
 }
 
-impl<P: Row> Table<P> {
+impl<P: Item> Table<P> {
     /// The result of a row with a column.
     ///
     /// # Panics

@@ -10,8 +10,8 @@ use crate::overlap::{Denominator, area_from_half};
 use crate::overlap3::{Scales, heights, score_of_columns};
 use crate::{Fixed, Obb2};
 
-/// Turns results with ten slopes of boxes seen from above into those with fourteen of upright boxes.
-pub(crate) fn spread_slopes<T: Real>(out: &mut Results<'_, T>) {
+/// Turns results with ten derivatives of boxes seen from above into those with fourteen of upright boxes.
+pub(crate) fn spread_derivatives<T: Real>(out: &mut Results<'_, T>) {
     for t in 0..out.tiles {
         // From the last one on, so that none is lost.
         for side in [1, 0] {
@@ -69,9 +69,9 @@ pub(crate) fn scores<T: Real, V: Vector<T>>(
     }
 }
 
-/// The same with fourteen slopes each, put in the place of areas with ten.
+/// The same with fourteen derivatives each, put in the place of areas with ten.
 #[inline(always)]
-pub(crate) fn slopes<T: Real, V: Vector<T>>(
+pub(crate) fn derivatives<T: Real, V: Vector<T>>(
     over: Denominator,
     a: Tiles<'_, T>,
     b: Tiles<'_, T>,
@@ -102,9 +102,9 @@ pub(crate) fn slopes<T: Real, V: Vector<T>>(
             let (value, (a_bar, b_bar)) =
                 score_from_area_vjp::<V, false>(over, &a, &b, area, unscaled, seed);
             put([value], out, 0, at);
-            let mut slopes = [V::zero(); 2 * UPRIGHT];
-            (a_bar, b_bar).store(&mut slopes);
-            put(slopes, out, 1, at);
+            let mut derivatives = [V::zero(); 2 * UPRIGHT];
+            (a_bar, b_bar).store(&mut derivatives);
+            put(derivatives, out, 1, at);
         }
     }
 }

@@ -10,33 +10,33 @@ use crate::kernels::cpu::pairs::Pairs;
 use crate::kernels::cpu::plan::with_jacobian;
 use crate::kernels::cpu::plan::{Face, Shaped};
 use crate::kernels::cpu::sweep::Upstream;
+use crate::kernels::item::{Leaf, Target};
 use crate::kernels::op::Ask;
 use crate::kernels::real::Real;
 use crate::kernels::reduce::{Best, Found, check_sides, check_threshold};
-use crate::kernels::row::{Leaf, Target};
 use std::borrow::Cow;
 use std::sync::Arc;
 
 /// A search without its types.
 #[derive(Debug)]
-pub(super) struct Search<T> {
+pub(super) struct Searching<T> {
     pub(super) face: fn(Ask) -> Result<Arc<Face<T>>, Error>,
     #[cfg(feature = "gpu")]
     pub(super) replays: fn(Ask) -> Result<Arc<dyn crate::kernels::replays::Replays<T>>, Error>,
 }
 
-impl<T> Clone for Search<T> {
+impl<T> Clone for Searching<T> {
     fn clone(&self) -> Self {
         *self
     }
 }
-impl<T> Copy for Search<T> {}
+impl<T> Copy for Searching<T> {}
 
 /// The source of plans.
 #[derive(Clone)]
 pub(super) enum Origin<T: Real> {
     Straight(Shaped<T>),
-    Search(Search<T>),
+    Search(Searching<T>),
     Program(Program<T>),
 }
 
@@ -88,12 +88,12 @@ impl<T: Real> Function<T> {
     /// The number of fields of every column that it gives.
     #[must_use]
     pub fn gives(&self) -> Vec<usize> {
-        let slopes = self.takes.iter().map(|leaf| leaf.fields);
+        let derivatives = self.takes.iter().map(|leaf| leaf.fields);
         match self.mode {
             Mode::Value => self.outputs.clone(),
-            Mode::ValueGrad => self.outputs.iter().copied().chain(slopes).collect(),
-            Mode::Jacobian => with_jacobian(self.outputs.clone(), &slopes.collect::<Vec<_>>()),
-            Mode::Vjp => slopes.collect(),
+            Mode::ValueGrad => self.outputs.iter().copied().chain(derivatives).collect(),
+            Mode::Jacobian => with_jacobian(self.outputs.clone(), &derivatives.collect::<Vec<_>>()),
+            Mode::Vjp => derivatives.collect(),
         }
     }
 
@@ -141,7 +141,7 @@ impl<T: Real> Function<T> {
         &self,
         face: &Face<T>,
         rows: &[Rows<'a, T>],
-    ) -> Result<(Vec<crate::kernels::row::Column<'a, T>>, usize, bool), Error> {
+    ) -> Result<(Vec<crate::kernels::item::Column<'a, T>>, usize, bool), Error> {
         let columns = self.listed(rows)?;
         let (count, rare) = checked(face, &columns).map_err(|e| renamed(e, &self.names))?;
         Ok((columns, count, rare))
@@ -151,7 +151,7 @@ impl<T: Real> Function<T> {
     pub(super) fn listed<'a>(
         &self,
         rows: &[Rows<'a, T>],
-    ) -> Result<Vec<crate::kernels::row::Column<'a, T>>, Error> {
+    ) -> Result<Vec<crate::kernels::item::Column<'a, T>>, Error> {
         let takes = self.takes();
         if takes.len() != rows.len() {
             return Err(Error::Arguments {
@@ -192,7 +192,7 @@ impl<T: Real> Function<T> {
         &self,
         a: &Rows<'a, T>,
         b: &Rows<'a, T>,
-    ) -> Result<[crate::kernels::row::Column<'a, T>; 2], Error> {
+    ) -> Result<[crate::kernels::item::Column<'a, T>; 2], Error> {
         let takes = self.takes();
         let (2, [first, second]) = (self.takes.len(), &takes[..]) else {
             return Err(Error::Arguments {
@@ -218,7 +218,8 @@ impl<T: Real> Function<T> {
     ///
     /// # Errors
     ///
-    /// As [`aligned`](Function::aligned), and [`Error::TooLarge`] when there are more numbers than memory has addresses.
+    /// As [`aligned`](Function::aligned), and [`Error::TooLarge`] when there are more numbers than memory has
+    /// addresses.
     pub fn all_pairs(&self, a: Rows<'_, T>, b: Rows<'_, T>) -> Result<Vec<T>, Error> {
         let face = self.origin.face(self.mode, true)?;
         let pairs = self.pairs(&face, &a, &b)?;
@@ -231,7 +232,8 @@ impl<T: Real> Function<T> {
     ///
     /// # Errors
     ///
-    /// As [`all_pairs`](Function::all_pairs), and [`Error::Length`] for another number of them. Nothing is written then.
+    /// As [`all_pairs`](Function::all_pairs), and [`Error::Length`] for another number of them. Nothing is written
+    /// then.
     pub fn all_pairs_into(
         &self,
         a: Rows<'_, T>,
@@ -345,7 +347,7 @@ impl<T: Real> Function<T> {
         reduce(&mut self.pairs(&face, a, b)?).map_err(|e| renamed(e, &self.names))
     }
 
-    /// The sum of all results and its slopes by both lists, as [`Cpu::sum_grad`](crate::kernels::Cpu::sum_grad).
+    /// The sum of all results and its derivatives by both lists, as [`Cpu::sum_grad`](crate::kernels::Cpu::sum_grad).
     ///
     /// # Errors
     ///
@@ -357,7 +359,7 @@ impl<T: Real> Function<T> {
         Ok((sum, a_bar, b_bar))
     }
 
-    /// The mean of all results and its slopes by both lists, zero where there are none, as
+    /// The mean of all results and its derivatives by both lists, zero where there are none, as
     /// [`Cpu::mean_grad`](crate::kernels::Cpu::mean_grad).
     ///
     /// # Errors
@@ -377,7 +379,7 @@ impl<T: Real> Function<T> {
         Ok((sum * factor, a_bar, b_bar))
     }
 
-    /// Slopes of `Σ upstream[i, j] · result[i, j]` by both lists, as
+    /// Derivatives of `Σ upstream[i, j] · result[i, j]` by both lists, as
     /// [`Cpu::all_pairs_vjp`](crate::kernels::Cpu::all_pairs_vjp). `upstream` is a matrix, row by row.
     ///
     /// # Errors
@@ -397,7 +399,7 @@ impl<T: Real> Function<T> {
         })
     }
 
-    /// Slopes of both lists; the upstream slopes for so many columns, and how many a row of them has.
+    /// Derivatives of both lists; the upstream derivatives for so many columns, and how many a row of them has.
     fn pulled(
         &self,
         a: &Rows<'_, T>,
@@ -407,9 +409,9 @@ impl<T: Real> Function<T> {
         self.one_number()?;
         let face = self.origin.face(Mode::Vjp, true)?;
         let pairs = self.pairs(&face, a, b)?;
-        let (slopes, step) = upstream(pairs.counts()[1])?;
+        let (derivatives, step) = upstream(pairs.counts()[1])?;
         let upstream = Upstream {
-            slopes: &slopes,
+            derivatives: &derivatives,
             step,
         };
         let bearable = Bearable::new(&face, &upstream)?;

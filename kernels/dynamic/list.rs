@@ -1,6 +1,6 @@
 //! Every operation of the list, by name.
 use super::Mode;
-use super::function::{Function, Origin, Search};
+use super::function::{Function, Origin, Searching};
 use super::paths::{Code, OnPaths, fold_double, fold_single, ring_double, ring_single};
 use super::program::Program;
 use super::rows::{Layout, named};
@@ -11,13 +11,13 @@ use crate::ad::check::symmetry::Kind;
 use crate::ad::program::record::{TRIALS, listed};
 use crate::error::{Argument, Error, Field, Unrecordable};
 use crate::kernels::cpu::plan::{Shaped, recorded_of};
-use crate::kernels::decided::{self, Decided};
 use crate::kernels::fold::Fold;
 use crate::kernels::fuzz::{Bound, bounds};
 use crate::kernels::gpu::GpuRing;
-use crate::kernels::op::{Extremes, Finite, Jumps, Op, Promise, Range, Slopes};
+use crate::kernels::item::{Item, Leaf, leaves_of};
+use crate::kernels::op::{Derivative, Extremes, Finite, Invariance, Jumps, Op, Range};
 use crate::kernels::real::Real;
-use crate::kernels::row::{Leaf, Row, leaves_of};
+use crate::kernels::search::{self, Search};
 
 /// The sort of function that an operation is.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
@@ -46,12 +46,12 @@ pub struct Operation {
     /// The names of its arguments; none where they have only places.
     names: &'static [&'static str],
     /// Motions that it follows.
-    pub promises: &'static [Promise],
+    pub invariances: &'static [Invariance],
     /// The inputs at which its value may jump.
     pub jumps: Jumps,
-    /// The source of slopes of a straight line.
-    pub slopes: Option<Slopes>,
-    /// The inputs of which values and slopes are finite.
+    /// The source of derivatives of a straight line.
+    pub derivatives: Option<Derivative>,
+    /// The inputs of which values and derivatives are finite.
     pub finite: Finite,
     /// The range in which every number of its result lies.
     pub range: Range,
@@ -79,7 +79,7 @@ pub struct Of<T: 'static> {
 #[derive(Debug)]
 enum Body<T: 'static> {
     Straight(Shaped<T>),
-    Search(Search<T>),
+    Search(Searching<T>),
     Path(Code<T>),
 }
 
@@ -166,8 +166,8 @@ impl Operation {
     pub fn result(&self) -> Vec<Shape> {
         shapes(&(self.double.gives)(), &(self.kinds[1])())
     }
-    /// True where the operation is defined, given the numbers of a valid input, all arguments in a row. Folds and rings are
-    /// defined at every valid input.
+    /// True where the operation is defined, given the numbers of a valid input, all arguments in a row. Folds and
+    /// rings are defined at every valid input.
     #[must_use]
     pub fn is_inside(&self, input: &[f64]) -> bool {
         (self.inside)(input)
@@ -238,8 +238,8 @@ impl Operation {
         };
         let line = &shaped.line;
         let value = recorded_of(line, Mode::Value)?;
-        let recorded = match (line.slopes, line.outputs) {
-            (Slopes::ByHand, 1) => {
+        let recorded = match (line.derivatives, line.outputs) {
+            (Derivative::ByHand, 1) => {
                 value.with_gradient_after_result(&*recorded_of(line, Mode::ValueGrad)?)
             }
             _ => (*value).clone(),
@@ -379,16 +379,16 @@ fn anywhere(_: &[f64]) -> bool {
 
 /// The description of an operation of any sort.
 macro_rules! said {
-    ($path:expr, $op:ty, $sort:ident, $names:expr, $slopes:expr, $extremes:expr, $resolution:expr, $inside:expr, $kinds:expr, $single:expr, $double:expr) => {
+    ($path:expr, $op:ty, $sort:ident, $names:expr, $derivatives:expr, $extremes:expr, $resolution:expr, $inside:expr, $kinds:expr, $single:expr, $double:expr) => {
         Operation {
             name: <$op>::NAME,
             path: $path,
             sort: Sort::$sort,
             doc: <$op>::DOC,
             names: $names,
-            promises: <$op>::PROMISES,
+            invariances: <$op>::INVARIANCES,
             jumps: <$op>::JUMPS,
-            slopes: $slopes,
+            derivatives: $derivatives,
             finite: <$op>::FINITE,
             range: <$op>::RANGE,
             extremes: $extremes,
@@ -406,15 +406,15 @@ macro_rules! said {
 #[must_use]
 pub const fn straight<O: Op>(path: &'static str) -> Operation
 where
-    O::In<f32>: Row<Scalar = f32>,
-    O::Out<f32>: Row<Scalar = f32>,
-    O::In<f64>: Row<Scalar = f64> + Sample,
-    O::Out<f64>: Row<Scalar = f64> + Sample,
+    O::In<f32>: Item<Scalar = f32>,
+    O::Out<f32>: Item<Scalar = f32>,
+    O::In<f64>: Item<Scalar = f64> + Sample,
+    O::Out<f64>: Item<Scalar = f64> + Sample,
 {
     const fn of<T: Real, O: Op>() -> Of<T>
     where
-        O::In<T>: Row<Scalar = T>,
-        O::Out<T>: Row<Scalar = T>,
+        O::In<T>: Item<Scalar = T>,
+        O::Out<T>: Item<Scalar = T>,
     {
         Of {
             takes: leaves_of::<O::In<T>>,
@@ -427,7 +427,7 @@ where
         O,
         Straight,
         O::ARGUMENTS,
-        Some(O::SLOPES),
+        Some(O::DERIVATIVE),
         O::EXTREMES,
         O::RESOLUTION,
         inside::<O>,
@@ -440,23 +440,23 @@ where
 /// A search.
 #[doc(hidden)]
 #[must_use]
-pub const fn search<D: Decided>(path: &'static str) -> Operation
+pub const fn search<D: Search>(path: &'static str) -> Operation
 where
-    D::In<f32>: Row<Scalar = f32>,
-    D::Out<f32>: Row<Scalar = f32>,
-    D::In<f64>: Row<Scalar = f64> + Sample,
-    D::Out<f64>: Row<Scalar = f64> + Sample,
+    D::In<f32>: Item<Scalar = f32>,
+    D::Out<f32>: Item<Scalar = f32>,
+    D::In<f64>: Item<Scalar = f64> + Sample,
+    D::Out<f64>: Item<Scalar = f64> + Sample,
 {
-    const fn of<T: Real, D: Decided>() -> Of<T>
+    const fn of<T: Real, D: Search>() -> Of<T>
     where
-        D::In<T>: Row<Scalar = T>,
-        D::Out<T>: Row<Scalar = T>,
+        D::In<T>: Item<Scalar = T>,
+        D::Out<T>: Item<Scalar = T>,
     {
         Of {
             takes: leaves_of::<D::In<T>>,
             gives: leaves_of::<D::Out<T>>,
-            body: Body::Search(Search {
-                face: decided::face::<D, D::In<T>>,
+            body: Body::Search(Searching {
+                face: search::face::<D, D::In<T>>,
                 #[cfg(feature = "gpu")]
                 replays: crate::kernels::replays::of::<D, D::In<T>>,
             }),
@@ -482,10 +482,10 @@ where
 #[must_use]
 pub const fn fold<F: Fold>(path: &'static str) -> Operation
 where
-    F::Context<f32>: Row<Scalar = f32>,
-    F::Out<f32>: Row<Scalar = f32>,
-    F::Context<f64>: Row<Scalar = f64> + Sample,
-    F::Out<f64>: Row<Scalar = f64> + Sample,
+    F::Context<f32>: Item<Scalar = f32>,
+    F::Out<f32>: Item<Scalar = f32>,
+    F::Context<f64>: Item<Scalar = f64> + Sample,
+    F::Out<f64>: Item<Scalar = f64> + Sample,
 {
     said!(
         path,
@@ -515,8 +515,8 @@ where
 #[must_use]
 pub const fn ring<O: GpuRing>(path: &'static str) -> Operation
 where
-    O::Out<f32>: Row<Scalar = f32>,
-    O::Out<f64>: Row<Scalar = f64> + Sample,
+    O::Out<f32>: Item<Scalar = f32>,
+    O::Out<f64>: Item<Scalar = f64> + Sample,
 {
     said!(
         path,
@@ -552,7 +552,7 @@ macro_rules! all {
         further {
             straight { $($_fs:ident: $further:ty,)* }
             folds { $($_ff:ident: $further_fold:ty,)* }
-            decided { $($_fd:ident: $further_decided:ty,)* }
+            decided { $($_fd:ident: $further_search:ty,)* }
         }
     ) => {
         &[
@@ -560,7 +560,7 @@ macro_rules! all {
             $(straight::<$straight>(stringify!($straight)),)*
             $(straight::<$further>(stringify!($further)),)*
             $(search::<$decided>(stringify!($decided)),)*
-            $(search::<$further_decided>(stringify!($further_decided)),)*
+            $(search::<$further_search>(stringify!($further_search)),)*
             $(ring::<$ring>(stringify!($ring)),)*
             $(fold::<$fold>(stringify!($fold)),)*
             $(fold::<$further_fold>(stringify!($further_fold)),)*

@@ -112,7 +112,7 @@ reductions! {
     mean_on = mean() -> f64 = |found| Ok(found);
 }
 
-/// A number, and slopes of both lists.
+/// A number, and derivatives of both lists.
 type Loss32 = (f64, Vec<f32>, Vec<f32>);
 
 impl Function<f32> {

@@ -51,7 +51,7 @@ macro_rules! all {
      further {
          straight { $($more:ident: $more_op:ty,)* }
          folds { $($more_fold:ident: $more_fold_op:ty,)* }
-         decided { $($more_decided:ident: $more_decided_op:ty,)* }
+         decided { $($more_search:ident: $more_decided_op:ty,)* }
      }) => {
         &[
             $((stringify!($pair), stringify!($pair_op)),)*
@@ -61,7 +61,7 @@ macro_rules! all {
             $((stringify!($decided), stringify!($decided_op)),)*
             $((stringify!($more), stringify!($more_op)),)*
             $((stringify!($more_fold), stringify!($more_fold_op)),)*
-            $((stringify!($more_decided), stringify!($more_decided_op)),)*
+            $((stringify!($more_search), stringify!($more_decided_op)),)*
         ]
     };
 }

@@ -5,22 +5,27 @@ use crate::error::{Argument, Error};
 use crate::kernels::backend::Backend;
 use crate::kernels::cpu::checked::{expect, numbers};
 use crate::kernels::fold::Fold;
+use crate::kernels::item::{Column, Columns, Item, Leaf};
 use crate::kernels::op::RingOp;
 use crate::kernels::real::Real;
-use crate::kernels::row::{Column, Columns, Leaf, Row};
 use crate::{Fixed, Vec2};
 use std::marker::PhantomData;
 
 /// Numbers of contexts and of vertices.
-type Slopes<T> = (Vec<T>, Vec<T>);
+type Derivatives<T> = (Vec<T>, Vec<T>);
 
 /// A fold or a measure of rings without its types.
 #[derive(Debug)]
 pub(super) struct Code<T: 'static> {
     pub(super) values:
         fn(Backend<'_>, &[Rows<'_, T>], &[Vec2<T>], &[usize]) -> Result<Vec<T>, Error>,
-    pub(super) slopes:
-        fn(Backend<'_>, &[Rows<'_, T>], &[Vec2<T>], &[usize], &[T]) -> Result<Slopes<T>, Error>,
+    pub(super) derivatives: fn(
+        Backend<'_>,
+        &[Rows<'_, T>],
+        &[Vec2<T>],
+        &[usize],
+        &[T],
+    ) -> Result<Derivatives<T>, Error>,
     /// The result of one path from the numbers of its context and then of its vertices.
     pub(super) symbols: fn(&[Sym<T>]) -> Vec<Sym<T>>,
 }
@@ -33,12 +38,12 @@ impl<T> Clone for Code<T> {
 impl<T> Copy for Code<T> {}
 
 /// Columns of numbers as columns of shapes.
-pub(super) struct Contexts<'a, R: Row> {
+pub(super) struct Contexts<'a, R: Item> {
     rows: &'a [Rows<'a, R::Scalar>],
     row: PhantomData<fn() -> R>,
 }
 
-impl<'a, R: Row> Contexts<'a, R> {
+impl<'a, R: Item> Contexts<'a, R> {
     pub(super) const fn new(rows: &'a [Rows<'a, R::Scalar>]) -> Self {
         Contexts {
             rows,
@@ -47,8 +52,8 @@ impl<'a, R: Row> Contexts<'a, R> {
     }
 }
 
-impl<R: Row> Columns for Contexts<'_, R> {
-    type Row = R;
+impl<R: Item> Columns for Contexts<'_, R> {
+    type Item = R;
     fn list<'a>(&'a self, add: &mut dyn FnMut(Column<'a, R::Scalar>)) {
         for rows in self.rows {
             let fields = rows.fields();
@@ -78,7 +83,7 @@ macro_rules! fold_in {
                 let values = $machine.fold(F::default(), contexts, vertices, offsets)?;
                 Ok(numbers(&values).into_owned())
             },
-            slopes: |$backend, rows, vertices, offsets, upstream| {
+            derivatives: |$backend, rows, vertices, offsets, upstream| {
                 let contexts = Contexts::<F::Context<$format>>::new(rows);
                 let upstream = loaded::<F::Out<$format>>(upstream);
                 let (contexts, vertices) =
@@ -105,7 +110,7 @@ macro_rules! ring_in {
                 let values = $machine.ragged(O::default(), vertices, offsets)?;
                 Ok(numbers(&values).into_owned())
             },
-            slopes: |$backend, _, vertices, offsets, upstream| {
+            derivatives: |$backend, _, vertices, offsets, upstream| {
                 let upstream = loaded::<O::Out<$format>>(upstream);
                 let vertices = $machine.ragged_vjp(O::default(), vertices, offsets, &upstream)?;
                 Ok((Vec::new(), numbers(&vertices).into_owned()))
@@ -121,13 +126,13 @@ use crate::kernels::gpu::GpuRing;
 
 pub(super) const fn fold_single<F: Fold>() -> Code<f32>
 where
-    F::Context<f32>: Row<Scalar = f32>,
+    F::Context<f32>: Item<Scalar = f32>,
 {
     fold_in!(f32, |backend| backend)
 }
 pub(super) const fn fold_double<F: Fold>() -> Code<f64>
 where
-    F::Context<f64>: Row<Scalar = f64>,
+    F::Context<f64>: Item<Scalar = f64>,
 {
     fold_in!(f64, |_| Cpu::new())
 }
@@ -238,7 +243,7 @@ impl<T: Real> OnPaths<T> {
         self.pulled(Backend::Cpu, contexts, vertices, offsets, upstream)
     }
 
-    /// Results of one number, and their slopes by every column and every vertex of their path.
+    /// Results of one number, and their derivatives by every column and every vertex of their path.
     ///
     /// # Errors
     ///
@@ -285,8 +290,8 @@ impl<T: Real> OnPaths<T> {
             paths.saturating_mul(self.gives),
             upstream.len(),
         )?;
-        let slopes = (self.code.slopes)(backend, contexts, &vertices, offsets, upstream);
-        let (all, vertices) = slopes.map_err(|e| renamed(e, &self.names))?;
+        let derivatives = (self.code.derivatives)(backend, contexts, &vertices, offsets, upstream);
+        let (all, vertices) = derivatives.map_err(|e| renamed(e, &self.names))?;
         let wide: usize = self.takes.iter().map(|leaf| leaf.fields).sum();
         let mut from = 0;
         let mut columns = Vec::with_capacity(self.takes.len());

@@ -12,8 +12,8 @@ use crate::ad::program::{Cost, Format, Plain, Sym, wgsl};
 use crate::error::{Argument, Error, Unrecordable};
 use crate::kernels::cpu::checked::expect;
 use crate::kernels::cpu::plan::{Face, Line, of_recorded, recorded_of};
+use crate::kernels::item::Leaf;
 use crate::kernels::real::Real;
-use crate::kernels::row::Leaf;
 use std::fmt;
 use std::sync::{Arc, Mutex, PoisonError};
 
@@ -167,7 +167,7 @@ impl<T: Real> Program<T> {
         expect(Argument::Shape, self.inner.recorded.inputs, input.len())?;
         Ok(self.inner.recorded.run(input))
     }
-    /// The results for the numbers of one input on any scalar, with its slopes if it has any.
+    /// The results for the numbers of one input on any scalar, with its derivatives if it has any.
     ///
     /// # Errors
     ///
@@ -287,8 +287,8 @@ impl<T: Real> Program<T> {
     ///
     /// # Errors
     ///
-    /// [`Error::Arguments`] and [`Error::Fields`] for other numbers of them, [`Error::Program`] for symbols that are not
-    /// of the recording that is open on this thread.
+    /// [`Error::Arguments`] and [`Error::Fields`] for other numbers of them, [`Error::Program`] for symbols that are
+    /// not of the recording that is open on this thread.
     pub fn on_symbols(&self, arguments: &[&[Symbol<T>]]) -> Result<Vec<Symbol<T>>, Error> {
         let inner = &*self.inner;
         let layouts: Vec<_> = inner.names.iter().copied().zip(self.inputs()).collect();
@@ -296,8 +296,11 @@ impl<T: Real> Program<T> {
         let values = inner.recorded.run_on(&input);
         let made = match (inner.recorded.gradient_by_hand(), &values[..]) {
             (Some(gradient), &[value]) => {
-                let slopes = gradient.run_on(&input);
-                vec![Sym::with_slopes(value, input.into_iter().zip(slopes))]
+                let derivatives = gradient.run_on(&input);
+                vec![Sym::with_derivatives(
+                    value,
+                    input.into_iter().zip(derivatives),
+                )]
             }
             _ => values,
         };
@@ -449,8 +452,8 @@ impl<T: Real> Tracing<T> {
     ///
     /// # Errors
     ///
-    /// [`Error::Program`] for symbols of another recording, a result that depends on a literal that is not finite, or too
-    /// many operations.
+    /// [`Error::Program`] for symbols of another recording, a result that depends on a literal that is not finite, or
+    /// too many operations.
     pub fn finish(self, results: &[&[Symbol<T>]]) -> Result<Program<T>, Error> {
         let outputs: Vec<Sym<T>> = results.iter().flat_map(|x| x.iter().map(|x| x.0)).collect();
         let recorded = self.opened.finish(&outputs).map_err(Error::Program)?;

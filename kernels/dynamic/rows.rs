@@ -2,8 +2,8 @@
 use crate::Fixed;
 use crate::error::{Argument, Error, Field, Flaw, Validate};
 use crate::kernels::cpu::checked::expect;
+use crate::kernels::item::{Column, Item, Leaf, leaf};
 use crate::kernels::real::Real;
-use crate::kernels::row::{Column, Leaf, Row, leaf};
 
 /// One argument of every item as plain numbers: rows of so many fields, one after another.
 #[derive(Clone, Copy, Debug)]
@@ -119,7 +119,7 @@ impl<T: Real> Layout<T> {
     /// assert_eq!(layout.names()[4].as_str(), "heading");
     /// ```
     #[must_use]
-    pub fn of<P: Row<Scalar = T> + Fixed + Validate>() -> Self {
+    pub fn of<P: Item<Scalar = T> + Fixed + Validate>() -> Self {
         Layout { leaf: leaf::<P>() }
     }
     /// The name of the shape; `number` or `numbers` without one.
@@ -136,7 +136,7 @@ impl<T: Real> Layout<T> {
     pub const fn fields(&self) -> usize {
         self.leaf.fields
     }
-    /// How many of them are whole numbers, which have no slopes.
+    /// How many of them are whole numbers, which have no derivatives.
     #[must_use]
     pub const fn codes(&self) -> usize {
         self.leaf.codes

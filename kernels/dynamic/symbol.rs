@@ -1,9 +1,9 @@
 //! The operations of [`Scalar`] on symbols, as plain functions that refuse what is not of the open recording.
 //!
 //! A function is recorded between [`Tracing::start`](super::Tracing::start) and
-//! [`Tracing::finish`](super::Tracing::finish). Symbols stand for its numbers, [`Truth`]s for comparisons of them. They
-//! mean something on the thread of their recording only, until it is finished: everywhere else every function here gives
-//! [`Unrecordable::ForeignSymbol`](crate::Unrecordable::ForeignSymbol).
+//! [`Tracing::finish`](super::Tracing::finish). Symbols stand for its numbers, [`Truth`]s for comparisons of them.
+//! They mean something on the thread of their recording only, until it is finished: everywhere else every function
+//! here gives [`Unrecordable::ForeignSymbol`](crate::Unrecordable::ForeignSymbol).
 use crate::Scalar;
 use crate::ad::program::opened::{is_open, is_open_in};
 use crate::ad::program::{Plain, Sym, SymMask};
@@ -87,21 +87,21 @@ functions! {
     mul(a: Symbol, b: Symbol) -> Symbol = a * b;
     /// `a / b`: [`Scalar::over`].
     over(a: Symbol, b: Symbol) -> Symbol = a.over(b);
-    /// The smaller one; an exact tie shares the slope: [`Scalar::least`].
+    /// The smaller one; an exact tie shares the derivative: [`Scalar::least`].
     least(a: Symbol, b: Symbol) -> Symbol = a.least(b);
-    /// The larger one; an exact tie shares the slope: [`Scalar::most`].
+    /// The larger one; an exact tie shares the derivative: [`Scalar::most`].
     most(a: Symbol, b: Symbol) -> Symbol = a.most(b);
-    /// The nearest value in `[low, high]`; at either border the slope is shared: [`Scalar::clamp`].
+    /// The nearest value in `[low, high]`; at either border the derivative is shared: [`Scalar::clamp`].
     clamp(x: Symbol, low: Symbol, high: Symbol) -> Symbol = x.clamp(low, high);
-    /// `|x|`, with slope 0 at 0: [`Scalar::magnitude`].
+    /// `|x|`, with derivative 0 at 0: [`Scalar::magnitude`].
     magnitude(x: Symbol) -> Symbol = x.magnitude();
-    /// `|x|`, with slope 1 at 0: [`Scalar::unsigned`].
+    /// `|x|`, with derivative 1 at 0: [`Scalar::unsigned`].
     unsigned(x: Symbol) -> Symbol = x.unsigned();
     /// `x`, negated where `side` is negative: [`Scalar::signed_as`].
     signed_as(x: Symbol, side: Symbol) -> Symbol = x.signed_as(side);
-    /// The square root; zero with slope zero at zero and below: [`Scalar::root`].
+    /// The square root; zero with derivative zero at zero and below: [`Scalar::root`].
     root(x: Symbol) -> Symbol = x.root();
-    /// `√(a² + b²)` without overflow; slope zero at the origin: [`Scalar::hypot`].
+    /// `√(a² + b²)` without overflow; derivative zero at the origin: [`Scalar::hypot`].
     hypot(a: Symbol, b: Symbol) -> Symbol = a.hypot(b);
     /// The sine of an angle in radians.
     sin(x: Symbol) -> Symbol = x.sin();

@@ -1,7 +1,7 @@
 //! Lists of inputs, and how they are drawn.
 use super::job::Job;
 use super::numbers::{Family, is_angle_within, limited, limits_of, power};
-use super::{Finding, Promise};
+use super::{Finding, Property};
 use crate::Vec2;
 use crate::ad::check::sample::Draw;
 use crate::ad::check::symmetry::Kind;
@@ -133,14 +133,14 @@ impl<T: Real> Job<T> {
         inputs: &mut Inputs<T>,
         count: usize,
     ) -> Result<(), Finding> {
-        let limits = limits_of::<T>(self.promised.finite);
+        let limits = limits_of::<T>(self.declared.finite);
         (inputs.count, inputs.outside) = (count, 0);
         let mix = match draw.below(4) {
             0 | 1 => Mix::One,
             2 => Mix::ByField,
             _ => Mix::ByNumber,
         };
-        let any = |draw: &mut Draw| match (self.promised.finite, mix) {
+        let any = |draw: &mut Draw| match (self.declared.finite, mix) {
             // What is far from ordinary takes the scalar code, which is a tenth as fast.
             (Finite::Always, Mix::One) if !draw.once_in(6) => Family::quick(draw),
             _ => Family::any::<T>(draw),
@@ -207,8 +207,8 @@ impl<T: Real> Job<T> {
             }
             inputs.outside += 1;
             if base.is_empty() {
-                let promise = Promise::Domain;
-                return Err(Finding { promise, at: i });
+                let property = Property::Domain;
+                return Err(Finding { property, at: i });
             }
             let stretched = self.stretched(draw, &base, limits);
             inputs.put(self, i, stretched.as_ref().unwrap_or(&base));

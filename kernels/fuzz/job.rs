@@ -2,7 +2,7 @@
 use super::inputs::Inputs;
 use super::rules::Rules;
 use crate::ad::check::sample::{Draw, Sample, random};
-use crate::ad::check::symmetry::{Answer, Kind, Motion, Promise};
+use crate::ad::check::symmetry::{Answer, Invariance, Kind, Motion};
 use crate::ad::program::recorded::Recorded;
 use crate::error::Error;
 use crate::kernels::Cpu;
@@ -10,11 +10,11 @@ use crate::kernels::cpu::aligned::run_columns;
 use crate::kernels::cpu::checked::numbers;
 use crate::kernels::cpu::pairs::Pairs;
 use crate::kernels::cpu::plan::{Compiled, Face, Want, face_of, program_of};
-use crate::kernels::decided::{self, Decided};
 use crate::kernels::fold::{Fold, Folded};
+use crate::kernels::item::{Column, Item, Leaf, by_kind, by_shape, get, leaves_of, width};
 use crate::kernels::op::{Ask, Extremes, Finite, Jumps, Op, Range, RingOp, Source};
 use crate::kernels::real::Real;
-use crate::kernels::row::{Column, Leaf, Row, by_kind, by_shape, get, leaves_of, width};
+use crate::kernels::search::{self, Search};
 use crate::{Fixed, Pack, Vec2};
 use std::borrow::Cow;
 use std::sync::Arc;
@@ -31,9 +31,9 @@ pub(super) struct Shape<T> {
     pub rules: Rules,
 }
 
-/// What a row promises.
+/// What a row invariances.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Promised {
+pub(super) struct Declared {
     pub finite: Finite,
     pub range: Range,
     pub extremes: Extremes,
@@ -43,26 +43,26 @@ pub(super) struct Promised {
     pub power: Option<i32>,
 }
 
-impl Promised {
+impl Declared {
     fn new(
-        (promises, jumps): (&[Promise], Jumps),
+        (invariances, jumps): (&[Invariance], Jumps),
         finite: Finite,
         range: Range,
         extremes: Extremes,
     ) -> Self {
-        let power = promises
-            .iter()
-            .find_map(|promise| match (promise.motion, promise.answer) {
+        let power = invariances.iter().find_map(|invariance| {
+            match (invariance.motion, invariance.answer) {
                 (Motion::Scaling, Answer::Stays) => Some(0),
                 (Motion::Scaling, Answer::Power(power)) => Some(power),
                 _ => None,
-            });
-        Promised {
+            }
+        });
+        Declared {
             finite,
             range,
             extremes,
             // Rounding decides on which side of a jump a value is.
-            symmetric: promises.contains(&Promise::new(Motion::Exchange, Answer::Stays))
+            symmetric: invariances.contains(&Invariance::new(Motion::Exchange, Answer::Stays))
                 && jumps != Jumps::Anywhere,
             power,
         }
@@ -81,20 +81,20 @@ pub struct Job<T: Real> {
     pub(super) has_path: bool,
     /// Numbers of every shape of a result.
     pub(super) outputs: Vec<usize>,
-    pub(super) promised: Promised,
+    pub(super) declared: Declared,
     /// Whether an input is inside the domain that the row states, if it states one.
     pub(super) domain: Option<fn(&[T]) -> bool>,
     /// Results.
     pub(super) values: Compute<T, 0>,
-    /// Slopes of cotangents.
-    pub(super) slopes: Compute<T, 1>,
-    /// Results that are one number, and their slopes.
+    /// Derivatives of cotangents.
+    pub(super) derivatives: Compute<T, 1>,
+    /// Results that are one number, and their derivatives.
     pub(super) both: Option<Compute<T, 0>>,
     /// The same of the first few shapes, every one with every other one.
     pub(super) square: Option<Square<T>>,
     /// The scalar code.
     pub(super) alone: fn(&[T]) -> Vec<T>,
-    /// Slopes by hand by the scalar code.
+    /// Derivatives by hand by the scalar code.
     pub(super) by_hand: fn(&[T], &[T]) -> Option<(Vec<T>, Vec<T>)>,
     /// The function, recorded.
     pub(super) recorded: Option<Arc<Recorded>>,
@@ -114,17 +114,17 @@ fn short(name: &'static str) -> &'static str {
 }
 
 /// The scalars and codes of a shape, as they lie in columns.
-fn all_numbers<X: Row>(x: &X) -> Vec<X::Scalar> {
+fn all_numbers<X: Item>(x: &X) -> Vec<X::Scalar> {
     let mut all = vec![X::Scalar::default(); leaves_of::<X>().iter().map(|leaf| leaf.fields).sum()];
     by_shape::<X>(&x.scalars(), &x.codes(), &mut all);
     all
 }
 
-fn sampled<X: Sample + Row>(draw: &mut Draw) -> Vec<f64> {
+fn sampled<X: Sample + Item>(draw: &mut Draw) -> Vec<f64> {
     all_numbers(&random::<X>(draw))
 }
 
-fn shown<X: Sample + Row>(numbers: &[f64]) -> String {
+fn shown<X: Sample + Item>(numbers: &[f64]) -> String {
     format!("{:?}", get::<X>(&by_kind::<X>(numbers)))
 }
 
@@ -145,7 +145,7 @@ fn shapes<T: Real>(leaves: Vec<Leaf<T>>, kinds: &[Kind], is_convex: bool) -> Vec
 }
 
 /// What is common to all sorts: shapes by name and kind.
-fn kinds_of<X: Sample + Row>() -> Vec<Kind> {
+fn kinds_of<X: Sample + Item>() -> Vec<Kind> {
     X::filled(1.0).kinds()
 }
 
@@ -195,9 +195,9 @@ impl<T: Real> Job<T> {
     /// Of an operation of fixed size.
     pub(super) fn of_op<O: Op>() -> Self
     where
-        O::In<T>: Row<Scalar = T>,
-        O::Out<T>: Row<Scalar = T>,
-        O::In<f64>: Sample + Row<Scalar = f64>,
+        O::In<T>: Item<Scalar = T>,
+        O::Out<T>: Item<Scalar = T>,
+        O::In<f64>: Sample + Item<Scalar = f64>,
     {
         let is_number = O::Out::<T>::LEN == 1;
         let kinds = kinds_of::<O::In<f64>>();
@@ -216,13 +216,13 @@ impl<T: Real> Job<T> {
                 .iter()
                 .map(|leaf| leaf.fields)
                 .collect(),
-            promised: Promised::new((O::PROMISES, O::JUMPS), O::FINITE, O::RANGE, O::EXTREMES),
+            declared: Declared::new((O::INVARIANCES, O::JUMPS), O::FINITE, O::RANGE, O::EXTREMES),
             domain: O::DOMAIN.is_some().then_some(|x: &[T]| {
                 let x: Vec<f64> = x.iter().map(|x| x.widen()).collect();
                 O::DOMAIN.is_none_or(|inside| inside(O::In::<f64>::load(&x)))
             }),
             values: faced(move || face(Want::Value, false)),
-            slopes: faced(move || face(Want::Vjp, false)),
+            derivatives: faced(move || face(Want::Vjp, false)),
             both: is_number.then(|| faced(move || face(Want::ValueGrad, false))),
             square: (leaves_of::<O::In<T>>().len() == 2).then(|| {
                 let want = if is_number {
@@ -244,11 +244,11 @@ impl<T: Real> Job<T> {
     }
 
     /// Of an operation with a search.
-    pub(super) fn of_decided<D: Decided>() -> Self
+    pub(super) fn of_search<D: Search>() -> Self
     where
-        D::In<T>: Row<Scalar = T>,
-        D::Out<T>: Row<Scalar = T>,
-        D::In<f64>: Sample + Row<Scalar = f64>,
+        D::In<T>: Item<Scalar = T>,
+        D::Out<T>: Item<Scalar = T>,
+        D::In<f64>: Sample + Item<Scalar = f64>,
     {
         let is_number = D::Out::<T>::LEN == 1;
         let mut kinds = Vec::new();
@@ -261,7 +261,7 @@ impl<T: Real> Job<T> {
             kinds.resize(kinds.len() + leaf.codes, Kind::Number);
             rest = others;
         }
-        let face = |want| decided::face::<D, D::In<T>>(Ask::ALIGNED.wanting(want));
+        let face = |want| search::face::<D, D::In<T>>(Ask::ALIGNED.wanting(want));
         Job {
             name: D::NAME,
             op: short(std::any::type_name::<D>()),
@@ -272,10 +272,10 @@ impl<T: Real> Job<T> {
                 .iter()
                 .map(|leaf| leaf.fields)
                 .collect(),
-            promised: Promised::new((D::PROMISES, D::JUMPS), D::FINITE, D::RANGE, D::EXTREMES),
+            declared: Declared::new((D::INVARIANCES, D::JUMPS), D::FINITE, D::RANGE, D::EXTREMES),
             domain: None,
             values: faced(move || face(Want::Value)),
-            slopes: faced(move || face(Want::Vjp)),
+            derivatives: faced(move || face(Want::Vjp)),
             both: is_number.then(|| faced(move || face(Want::ValueGrad))),
             square: None,
             alone: |x| {
@@ -298,8 +298,8 @@ impl<T: Real> Job<T> {
             kinds: Vec::new(),
             has_path: true,
             outputs: vec![O::Out::<T>::LEN],
-            promised: Promised::new(
-                (O::PROMISES, O::JUMPS),
+            declared: Declared::new(
+                (O::INVARIANCES, O::JUMPS),
                 O::FINITE,
                 O::RANGE,
                 Extremes::Unsaid,
@@ -309,11 +309,11 @@ impl<T: Real> Job<T> {
                 let values = Cpu::new().ragged(O::default(), &inputs.vertices, &inputs.offsets)?;
                 Ok(vec![numbers(&values).into_owned()])
             }),
-            slopes: Box::new(|inputs, [bars]| {
+            derivatives: Box::new(|inputs, [bars]| {
                 let bars = loaded::<O::Out<T>>(&bars[0]);
                 let (vertices, offsets) = (&inputs.vertices, &inputs.offsets);
-                let slopes = Cpu::new().ragged_vjp(O::default(), vertices, offsets, &bars)?;
-                Ok(vec![numbers(&slopes).into_owned()])
+                let derivatives = Cpu::new().ragged_vjp(O::default(), vertices, offsets, &bars)?;
+                Ok(vec![numbers(&derivatives).into_owned()])
             }),
             both: None,
             square: None,
@@ -333,8 +333,8 @@ impl<T: Real> Job<T> {
     /// Of a fold over a path.
     pub(super) fn of_fold<F: Fold>() -> Self
     where
-        F::Context<T>: Row<Scalar = T>,
-        F::Context<f64>: Sample + Row<Scalar = f64>,
+        F::Context<T>: Item<Scalar = T>,
+        F::Context<f64>: Sample + Item<Scalar = f64>,
     {
         let kinds = kinds_of::<F::Context<f64>>();
         Job {
@@ -344,8 +344,8 @@ impl<T: Real> Job<T> {
             kinds,
             has_path: true,
             outputs: vec![F::Out::<T>::LEN],
-            promised: Promised::new(
-                (F::PROMISES, F::JUMPS),
+            declared: Declared::new(
+                (F::INVARIANCES, F::JUMPS),
                 F::FINITE,
                 F::RANGE,
                 Extremes::Unsaid,
@@ -357,15 +357,15 @@ impl<T: Real> Job<T> {
                     Cpu::new().fold(F::default(), &contexts, &inputs.vertices, &inputs.offsets)?;
                 Ok(vec![numbers(&values).into_owned()])
             }),
-            slopes: Box::new(|inputs, [bars]| {
+            derivatives: Box::new(|inputs, [bars]| {
                 let (contexts, bars) = (contexts::<F, T>(inputs), loaded::<F::Out<T>>(&bars[0]));
                 let (vertices, offsets) = (&inputs.vertices, &inputs.offsets);
-                let slopes =
+                let derivatives =
                     Cpu::new().fold_vjp(F::default(), &contexts, vertices, offsets, &bars)?;
-                let own = (F::Context::<T>::LEN > 0).then(|| numbers(&slopes.0).into_owned());
+                let own = (F::Context::<T>::LEN > 0).then(|| numbers(&derivatives.0).into_owned());
                 Ok(own
                     .into_iter()
-                    .chain([numbers(&slopes.1).into_owned()])
+                    .chain([numbers(&derivatives.1).into_owned()])
                     .collect())
             }),
             both: None,
@@ -391,7 +391,7 @@ impl<T: Real> Job<T> {
 
 fn contexts<F: Fold, T: Real>(inputs: &Inputs<T>) -> Vec<F::Context<T>>
 where
-    F::Context<T>: Row<Scalar = T>,
+    F::Context<T>: Item<Scalar = T>,
 {
     let of = |i: usize| {
         let mut x = Vec::with_capacity(width::<F::Context<T>>());

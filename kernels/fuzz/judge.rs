@@ -2,7 +2,7 @@
 use super::inputs::Inputs;
 use super::job::{Job, Lists};
 use super::numbers::{Family, limits_of, power};
-use super::{Finding, Promise};
+use super::{Finding, Property};
 use crate::ad::check::sample::Draw;
 use crate::ad::check::symmetry::Kind;
 use crate::ad::forward::First;
@@ -56,17 +56,17 @@ impl Thorough {
     }
 }
 
-/// Results and slopes of many inputs.
+/// Results and derivatives of many inputs.
 pub(super) struct Found<T> {
     pub values: Lists<T>,
-    pub slopes: Lists<T>,
+    pub derivatives: Lists<T>,
 }
 
 pub(super) type Outcome = Result<(), Finding>;
 
-/// The promise is broken at a place, if there is one.
-pub(super) fn unless(promise: Promise, place: Option<usize>) -> Outcome {
-    place.map_or(Ok(()), |at| Err(Finding { promise, at }))
+/// The property is broken at a place, if there is one.
+pub(super) fn unless(property: Property, place: Option<usize>) -> Outcome {
+    place.map_or(Ok(()), |at| Err(Finding { property, at }))
 }
 
 /// Whether two lists have the same bits.
@@ -107,20 +107,27 @@ impl<T: Real> Job<T> {
 
     pub(super) fn compute(&self, inputs: &Inputs<T>) -> Result<Found<T>, Finding> {
         let refused = |_| Finding {
-            promise: Promise::Accepted,
+            property: Property::Accepted,
             at: 0,
         };
         if let Some(both) = &self.both {
             let mut values = both(inputs, []).map_err(refused)?;
-            let slopes = values.split_off(self.outputs.len());
-            return Ok(Found { values, slopes });
+            let derivatives = values.split_off(self.outputs.len());
+            return Ok(Found {
+                values,
+                derivatives,
+            });
         }
         let values = (self.values)(inputs, []).map_err(refused)?;
-        let slopes = (self.slopes)(inputs, [&self.ones(inputs.count)]).map_err(refused)?;
-        Ok(Found { values, slopes })
+        let derivatives =
+            (self.derivatives)(inputs, [&self.ones(inputs.count)]).map_err(refused)?;
+        Ok(Found {
+            values,
+            derivatives,
+        })
     }
 
-    /// The input of which a slope of a list is.
+    /// The input of which a derivative of a list is.
     fn input_at(&self, inputs: &Inputs<T>, list: usize, at: usize) -> usize {
         match self.shapes.get(list) {
             Some(shape) => at / shape.leaf.fields,
@@ -128,10 +135,15 @@ impl<T: Real> Job<T> {
         }
     }
 
-    /// The slopes of one input.
-    pub(super) fn slopes_of(&self, inputs: &Inputs<T>, slopes: &Lists<T>, i: usize) -> Vec<T> {
+    /// The derivatives of one input.
+    pub(super) fn derivatives_of(
+        &self,
+        inputs: &Inputs<T>,
+        derivatives: &Lists<T>,
+        i: usize,
+    ) -> Vec<T> {
         let mut own = Vec::with_capacity(self.kinds.len());
-        for (k, list) in slopes.iter().enumerate() {
+        for (k, list) in derivatives.iter().enumerate() {
             match self.shapes.get(k) {
                 Some(shape) => {
                     let n = shape.leaf.fields;
@@ -152,22 +164,22 @@ impl<T: Real> Job<T> {
     }
 
     fn finite_values(&self, values: &Lists<T>) -> Outcome {
-        if self.promised.finite == Finite::Unsaid {
+        if self.declared.finite == Finite::Unsaid {
             return Ok(());
         }
         values
             .iter()
             .zip(&self.outputs)
-            .try_for_each(|(list, n)| unless(Promise::Finite, not_finite(list).map(|at| at / n)))
+            .try_for_each(|(list, n)| unless(Property::Finite, not_finite(list).map(|at| at / n)))
     }
 
-    fn finite_slopes(&self, inputs: &Inputs<T>, slopes: &Lists<T>) -> Outcome {
-        if matches!(self.promised.finite, Finite::Unsaid | Finite::Values(_)) {
+    fn finite_derivatives(&self, inputs: &Inputs<T>, derivatives: &Lists<T>) -> Outcome {
+        if matches!(self.declared.finite, Finite::Unsaid | Finite::Values(_)) {
             return Ok(());
         }
-        slopes.iter().enumerate().try_for_each(|(k, list)| {
+        derivatives.iter().enumerate().try_for_each(|(k, list)| {
             let place = not_finite(list).map(|at| self.input_at(inputs, k, at));
-            unless(Promise::Finite, place)
+            unless(Property::Finite, place)
         })
     }
 
@@ -175,22 +187,22 @@ impl<T: Real> Job<T> {
     pub(super) fn judge(&self, inputs: &Inputs<T>, upstream: &Lists<T>, how: Thorough) -> Outcome {
         let found = self.compute(inputs)?;
         self.finite_values(&found.values)?;
-        self.finite_slopes(inputs, &found.slopes)?;
-        let range = self.promised.range;
+        self.finite_derivatives(inputs, &found.derivatives)?;
+        let range = self.declared.range;
         let (least, most) = (T::lit(range.least), T::lit(range.largest));
         for (list, n) in found.values.iter().zip(&self.outputs) {
             let outside = first_where(list, |x| (*x < least) | (*x > most));
-            unless(Promise::Range, outside.map(|at| at / n))?;
+            unless(Property::Range, outside.map(|at| at / n))?;
         }
         self.same_bits(inputs, &found, how)?;
         self.duals(inputs, &found, how)?;
-        if how.upstream && self.promised.finite == Finite::Always {
-            let slopes = (self.slopes)(inputs, [upstream]);
-            let slopes = slopes.map_err(|_| Finding {
-                promise: Promise::Accepted,
+        if how.upstream && self.declared.finite == Finite::Always {
+            let derivatives = (self.derivatives)(inputs, [upstream]);
+            let derivatives = derivatives.map_err(|_| Finding {
+                property: Property::Accepted,
                 at: 0,
             })?;
-            self.finite_slopes(inputs, &slopes)?;
+            self.finite_derivatives(inputs, &derivatives)?;
         }
         self.apart(inputs, &found)?;
         if !how.pairs || self.shapes.len() != 2 {
@@ -202,13 +214,13 @@ impl<T: Real> Job<T> {
 
     /// By the scalar code, at other levels, in other forms, at other places.
     fn same_bits(&self, inputs: &Inputs<T>, found: &Found<T>, how: Thorough) -> Outcome {
-        let broken = |place| unless(Promise::SameBits, place);
+        let broken = |place| unless(Property::SameBits, place);
         let accepted = |place| Finding {
-            promise: Promise::Accepted,
+            property: Property::Accepted,
             at: place,
         };
         let is_wild =
-            |list: &[T]| self.promised.finite == Finite::Unsaid && !list.iter().all(|x| x.finite());
+            |list: &[T]| self.declared.finite == Finite::Unsaid && !list.iter().all(|x| x.finite());
         let mut places = (0..inputs.count).step_by(how.single);
         broken(places.find(|&i| {
             let x = inputs.item(self, i);
@@ -221,12 +233,15 @@ impl<T: Real> Job<T> {
             let plain =
                 |list: Vec<T>| -> Vec<T> { list.into_iter().map(|x| x.canonical()).collect() };
             !same(&plain((self.alone)(&x)), &value)
-                || (self.by_hand)(&x, &ones).is_some_and(|(other, slopes)| {
+                || (self.by_hand)(&x, &ones).is_some_and(|(other, derivatives)| {
                     !same(&plain(other), &value)
-                        || !same(&plain(slopes), &self.slopes_of(inputs, &found.slopes, i))
+                        || !same(
+                            &plain(derivatives),
+                            &self.derivatives_of(inputs, &found.derivatives, i),
+                        )
                 })
         }))?;
-        let compare = |other: &Lists<T>, own: &Lists<T>, is_slope: bool| {
+        let compare = |other: &Lists<T>, own: &Lists<T>, is_derivative: bool| {
             for (k, (other, own)) in other.iter().zip(own).enumerate() {
                 if same(other, own) {
                     continue;
@@ -236,7 +251,7 @@ impl<T: Real> Job<T> {
                         && !is_wild(&own[*i..=*i])
                 };
                 let place = (0..own.len()).find(differs);
-                broken(place.map(|at| match is_slope {
+                broken(place.map(|at| match is_derivative {
                     true => self.input_at(inputs, k, at),
                     false => at / self.outputs[k],
                 }))?;
@@ -246,8 +261,12 @@ impl<T: Real> Job<T> {
         if how.levels {
             let values = (self.values)(inputs, []).map_err(|_| accepted(0))?;
             compare(&values, &found.values, false)?;
-            let slopes = (self.slopes)(inputs, [&self.ones(inputs.count)]);
-            compare(&slopes.map_err(|_| accepted(0))?, &found.slopes, true)?;
+            let derivatives = (self.derivatives)(inputs, [&self.ones(inputs.count)]);
+            compare(
+                &derivatives.map_err(|_| accepted(0))?,
+                &found.derivatives,
+                true,
+            )?;
             let level = Simd::in_use();
             for other in Simd::available() {
                 Simd::limit(Some(other)).map_err(|_| accepted(0))?;
@@ -255,7 +274,7 @@ impl<T: Real> Job<T> {
                 Simd::limit(Some(level)).map_err(|_| accepted(0))?;
                 let again = again?;
                 compare(&again.values, &found.values, false)?;
-                compare(&again.slopes, &found.slopes, true)?;
+                compare(&again.derivatives, &found.derivatives, true)?;
             }
         }
         let Some(square) = self
@@ -272,7 +291,7 @@ impl<T: Real> Job<T> {
             let here = [
                 self.value_of(&found.values, 1 + i),
                 match self.both {
-                    Some(_) => self.slopes_of(inputs, &found.slopes, 1 + i),
+                    Some(_) => self.derivatives_of(inputs, &found.derivatives, 1 + i),
                     None => Vec::new(),
                 },
             ]
@@ -294,13 +313,13 @@ impl<T: Real> Job<T> {
         let Some(recorded) = &self.recorded else {
             return Ok(());
         };
-        if !matches!(self.promised.finite, Finite::Always | Finite::Within(_)) {
+        if !matches!(self.declared.finite, Finite::Always | Finite::Within(_)) {
             return Ok(());
         }
-        let chunk = <First<T> as Scalar>::lit(0.0).slope.len();
+        let chunk = <First<T> as Scalar>::lit(0.0).derivative.len();
         for i in (0..inputs.count).step_by(how.dual) {
             let x = inputs.item(self, i);
-            if self.promised.finite == Finite::Always && !self.is_for_duals(&x) {
+            if self.declared.finite == Finite::Always && !self.is_for_duals(&x) {
                 continue;
             }
             let value = self.value_of(&found.values, i);
@@ -310,22 +329,22 @@ impl<T: Real> Job<T> {
                     .map(|(k, &x)| Jet::variable(x, k.wrapping_sub(start)))
                     .collect();
                 for (jet, &value) in recorded.run_on(&jets).iter().zip(&value) {
-                    let finite = jet.value.finite() && jet.slope.iter().all(|x| x.finite());
+                    let finite = jet.value.finite() && jet.derivative.iter().all(|x| x.finite());
                     let (one, other) = (jet.value.widen(), value.widen());
                     let apart = (one - other).abs() - DUAL_ROUNDINGS * T::EPSILON * other.abs();
-                    let promise = match finite {
+                    let property = match finite {
                         true if apart <= 1.0 / T::LARGEST * 8.0 => continue,
-                        true => Promise::Duals,
-                        false => Promise::Finite,
+                        true => Property::Duals,
+                        false => Property::Finite,
                     };
-                    return Err(Finding { promise, at: i });
+                    return Err(Finding { property, at: i });
                 }
             }
         }
         Ok(())
     }
 
-    /// Whether duals are promised to be finite, too.
+    /// Whether duals are declared to be finite, too.
     fn is_for_duals(&self, x: &[T]) -> bool {
         let [least, most] = limits_of::<T>(Finite::Within(Limits::ORDINARY)).unwrap_or_default();
         let range = power(least)..=power(most);

@@ -1,16 +1,16 @@
-//! Operations on very many inputs that nobody would think of: what rows promise of all finite valid input.
+//! Operations on very many inputs that nobody would think of: what rows property of all finite valid input.
 //!
-//! Of every input: value and slopes are [finite](crate::kernels::op::Finite), and the value is in its
-//! [range](crate::kernels::op::Range). Of pairs: identical shapes and shapes apart score
-//! [as they should](crate::kernels::op::Extremes), and what stays when shapes are exchanged stays to a few roundings of
-//! the longest aspect. Of rows that are always finite slopes stay so for upstream slopes of any size. Of some inputs:
-//! other levels of instructions, other forms of a batch, other positions and the scalar code give the same bits, and
-//! duals are finite with the same value.
+//! Of every input: value and derivatives are [finite](crate::kernels::op::Finite), and the value is in its
+//! [range](crate::kernels::op::Range). Of pairs: identical shapes and shapes apart score [as they
+//! should](crate::kernels::op::Extremes), and what stays when shapes are exchanged stays to a few roundings of the
+//! longest aspect. Of rows that are always finite derivatives stay so for upstream derivatives of any size. Of some
+//! inputs: other levels of instructions, other forms of a batch, other positions and the scalar code give the same
+//! bits, and duals are finite with the same value.
 //!
 //! Numbers are any bits, moderate ones, few different ones so that shapes share coordinates, multiples of 45 degrees,
 //! and those next to them, near and at the ends of the format; for a whole list, for a field, or for every number by
-//! itself, so that all of it meets in one shape. Rows with [limits](crate::kernels::op::Limits) are given numbers within
-//! them.
+//! itself, so that all of it meets in one shape. Rows with [limits](crate::kernels::op::Limits) are given numbers
+//! within them.
 //!
 //! ```
 //! use geograd::Obb2;
@@ -34,11 +34,11 @@ pub use rules::Bound;
 pub(crate) use rules::bounds;
 
 use crate::ad::check::sample::{Draw, Sample};
-use crate::kernels::decided::Decided;
 use crate::kernels::fold::Fold;
+use crate::kernels::item::Item;
 use crate::kernels::op::{Op, RingOp};
 use crate::kernels::real::Real;
-use crate::kernels::row::Row;
+use crate::kernels::search::Search;
 use inputs::Inputs;
 use judge::Thorough;
 use std::fmt;
@@ -49,21 +49,21 @@ use std::time::{Duration, Instant};
 /// Inputs of one batch: few enough for one thread.
 const CHUNK: usize = 2048;
 
-/// How an operation broke what is promised.
+/// How an operation broke what is declared.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 #[non_exhaustive]
-pub enum Promise {
+pub enum Property {
     /// No input inside of its domain was found.
     Domain,
     /// A valid input was refused.
     Accepted,
-    /// A value or a slope is infinite or not a number.
+    /// A value or a derivative is infinite or not a number.
     Finite,
     /// The value is within the range of its row.
     Range,
-    /// Identical shapes score 1 (or 0 where they count as empty) with slopes of zero.
+    /// Identical shapes score 1 (or 0 where they count as empty) with derivatives of zero.
     Identical,
-    /// Shapes apart score 0 with slopes of zero.
+    /// Shapes apart score 0 with derivatives of zero.
     Apart,
     /// Exchanging the shapes changes nothing.
     Symmetric,
@@ -73,30 +73,30 @@ pub enum Promise {
     Duals,
 }
 
-impl fmt::Display for Promise {
+impl fmt::Display for Property {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         f.write_str(match self {
-            Promise::Domain => "no input inside the domain was drawn",
-            Promise::Accepted => "a valid input is refused",
-            Promise::Finite => "a number is not finite",
-            Promise::Range => "the value is out of range",
-            Promise::Identical => "identical shapes do not score as such",
-            Promise::Apart => "shapes apart do not score zero with slopes of zero",
-            Promise::Symmetric => "exchanging the shapes changes the value",
-            Promise::SameBits => "two forms give different bits",
-            Promise::Duals => "duals have another value",
+            Property::Domain => "no input inside the domain was drawn",
+            Property::Accepted => "a valid input is refused",
+            Property::Finite => "a number is not finite",
+            Property::Range => "the value is out of range",
+            Property::Identical => "identical shapes do not score as such",
+            Property::Apart => "shapes apart do not score zero with derivatives of zero",
+            Property::Symmetric => "exchanging the shapes changes the value",
+            Property::SameBits => "two forms give different bits",
+            Property::Duals => "duals have another value",
         })
     }
 }
 
-/// The input at which a promise is broken, made as simple as it can be.
+/// The input at which a property is broken, made as simple as it can be.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Broken {
-    /// Which promise.
-    pub promise: Promise,
+    /// Which property.
+    pub property: Property,
     /// The numbers of the input, all shapes in a row.
     pub input: Vec<f64>,
-    /// Upstream slopes, one for every number of the result.
+    /// Upstream derivatives, one for every number of the result.
     pub upstream: Vec<f64>,
     /// The operation and the input as code.
     pub code: String,
@@ -137,7 +137,7 @@ impl fmt::Display for Fuzzed {
             f.write_str("ok")?;
             return outside(f);
         };
-        write!(f, "{}", broken.promise)?;
+        write!(f, "{}", broken.property)?;
         outside(f)?;
         write!(f, "\n    {}", broken.code)?;
         match broken.upstream.iter().all(|&x| x == 1.0) {
@@ -151,22 +151,22 @@ impl fmt::Display for Fuzzed {
 #[must_use]
 pub fn operation<O: Op, T: Real>(count: u64, seed: u64) -> Fuzzed
 where
-    O::In<T>: Row<Scalar = T>,
-    O::Out<T>: Row<Scalar = T>,
-    O::In<f64>: Sample + Row<Scalar = f64>,
+    O::In<T>: Item<Scalar = T>,
+    O::Out<T>: Item<Scalar = T>,
+    O::In<f64>: Sample + Item<Scalar = f64>,
 {
     T::fuzzed(&Job::of_op::<O>(), count, seed)
 }
 
 /// Fuzzes an operation with a search.
 #[must_use]
-pub fn decided<D: Decided, T: Real>(count: u64, seed: u64) -> Fuzzed
+pub fn decided<D: Search, T: Real>(count: u64, seed: u64) -> Fuzzed
 where
-    D::In<T>: Row<Scalar = T>,
-    D::Out<T>: Row<Scalar = T>,
-    D::In<f64>: Sample + Row<Scalar = f64>,
+    D::In<T>: Item<Scalar = T>,
+    D::Out<T>: Item<Scalar = T>,
+    D::In<f64>: Sample + Item<Scalar = f64>,
 {
-    T::fuzzed(&Job::of_decided::<D>(), count, seed)
+    T::fuzzed(&Job::of_search::<D>(), count, seed)
 }
 
 /// Fuzzes a measure of rings.
@@ -179,19 +179,19 @@ pub fn ring<O: RingOp, T: Real>(count: u64, seed: u64) -> Fuzzed {
 #[must_use]
 pub fn fold<F: Fold, T: Real>(count: u64, seed: u64) -> Fuzzed
 where
-    F::Context<T>: Row<Scalar = T>,
-    F::Context<f64>: Sample + Row<Scalar = f64>,
+    F::Context<T>: Item<Scalar = T>,
+    F::Context<f64>: Sample + Item<Scalar = f64>,
 {
     T::fuzzed(&Job::of_fold::<F>(), count, seed)
 }
 
-/// What breaks a promise among many inputs.
+/// What breaks a property among many inputs.
 struct Finding {
-    promise: Promise,
+    property: Property,
     at: usize,
 }
 
-/// Runs chunks of inputs on all cores until there are so many or one breaks a promise. Every thread has lists of its
+/// Runs chunks of inputs on all cores until there are so many or one breaks a property. Every thread has lists of its
 /// own.
 pub(crate) fn run<T: Real>(job: &Job<T>, count: u64, seed: u64) -> Fuzzed {
     let start = Instant::now();
@@ -214,12 +214,12 @@ pub(crate) fn run<T: Real>(job: &Job<T>, count: u64, seed: u64) -> Fuzzed {
                 inhabited.and_then(|()| job.judge(&inputs, &bars, Thorough::some(&mut draw)));
             outside.fetch_add(inputs.outside, Ordering::Relaxed);
             done.fetch_add(per_chunk, Ordering::Relaxed);
-            if let Err(Finding { promise, at }) = outcome {
+            if let Err(Finding { property, at }) = outcome {
                 let mut first = broken.lock().unwrap_or_else(PoisonError::into_inner);
                 if first.as_ref().is_none_or(|(at, _)| i < *at) {
                     let bars = bars.iter().zip(&job.outputs);
                     let bars = bars.flat_map(|(list, &n)| list[at * n..][..n].to_vec());
-                    let found = shrink::shrunk(job, inputs.item(job, at), bars.collect(), promise);
+                    let found = shrink::shrunk(job, inputs.item(job, at), bars.collect(), property);
                     *first = Some((i, found));
                 }
                 next.store(chunks, Ordering::Relaxed);

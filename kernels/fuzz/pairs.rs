@@ -2,7 +2,7 @@
 use super::inputs::{Inputs, is_inside};
 use super::job::Job;
 use super::judge::{Found, Outcome, first_where, unless};
-use super::{Finding, Promise};
+use super::{Finding, Property};
 use crate::ad::check::symmetry::Kind;
 use crate::kernels::op::Extremes;
 use crate::kernels::real::Real;
@@ -16,7 +16,7 @@ impl<T: Real> Job<T> {
     /// Shapes that are apart for certain: by what their numbers reach along x or y.
     pub(super) fn apart(&self, inputs: &Inputs<T>, found: &Found<T>) -> Outcome {
         use Extremes::{Ratio, Shared, Union};
-        if !matches!(self.promised.extremes, Shared | Ratio | Union) || self.shapes.len() != 2 {
+        if !matches!(self.declared.extremes, Shared | Ratio | Union) || self.shapes.len() != 2 {
             return Ok(());
         }
         let reach = |s: usize, i: usize, along: Kind| {
@@ -47,15 +47,18 @@ impl<T: Real> Job<T> {
             let is_zero = |x: &T| *x == T::zero();
             is_apart
                 && !(self.value_of(&found.values, i).iter().all(is_zero)
-                    && self.slopes_of(inputs, &found.slopes, i).iter().all(is_zero))
+                    && self
+                        .derivatives_of(inputs, &found.derivatives, i)
+                        .iter()
+                        .all(is_zero))
         });
-        unless(Promise::Apart, place)
+        unless(Property::Apart, place)
     }
 
     /// A shape and itself.
     pub(super) fn identical(&self, inputs: &Inputs<T>) -> Outcome {
         use Extremes::{One, Ratio, Union};
-        let extremes = self.promised.extremes;
+        let extremes = self.declared.extremes;
         if !matches!(extremes, Ratio | Union | One)
             || self.shapes[0].leaf.fields != self.shapes[1].leaf.fields
         {
@@ -72,27 +75,27 @@ impl<T: Real> Job<T> {
             twins.keep(self, &places);
         }
         let found = self.compute(&twins)?;
-        let unless = |promise, place: Option<usize>| unless(promise, place.map(|at| places[at]));
+        let unless = |property, place: Option<usize>| unless(property, place.map(|at| places[at]));
         let ill = |x: &T| (*x != T::one()) & (*x != T::zero());
-        unless(Promise::Identical, first_where(&found.values[0], ill))?;
+        unless(Property::Identical, first_where(&found.values[0], ill))?;
         // Nothing decides a union alone; a share of the first box has a kink here.
         if extremes != Union {
             return Ok(());
         }
         found
-            .slopes
+            .derivatives
             .iter()
             .zip(&self.shapes)
             .try_for_each(|(list, shape)| {
                 let some = first_where(list, |x| *x != T::zero());
-                unless(Promise::Identical, some.map(|at| at / shape.leaf.fields))
+                unless(Property::Identical, some.map(|at| at / shape.leaf.fields))
             })
     }
 
     /// The same shapes in the other order.
     pub(super) fn exchanged(&self, inputs: &Inputs<T>, found: &Found<T>) -> Outcome {
         let [a, b] = [0, 1].map(|s| self.shapes[s].leaf.fields);
-        if !self.promised.symmetric || a != b || self.outputs.len() != 1 {
+        if !self.declared.symmetric || a != b || self.outputs.len() != 1 {
             return Ok(());
         }
         let mut exchanged = inputs.exchanged();
@@ -104,7 +107,7 @@ impl<T: Real> Job<T> {
         }
         let others = (self.values)(&exchanged, []);
         let others = others.map_err(|_| Finding {
-            promise: Promise::Accepted,
+            property: Property::Accepted,
             at: 0,
         })?;
         let (own, n) = (&found.values[0], self.outputs[0]);
@@ -112,20 +115,20 @@ impl<T: Real> Job<T> {
             let apart = (own[k].widen() - others[0][k].widen()).abs();
             // A score without an end changes as it is large.
             let size = own[k].widen().abs().max(1.0);
-            let size = if self.promised.power == Some(0) {
+            let size = if self.declared.power == Some(0) {
                 size
             } else {
                 1.0
             };
             apart > 0.0 && apart > size * self.exchange_may_change(inputs, k / n) * T::EPSILON
         });
-        unless(Promise::Symmetric, place.map(|k| k / n))
+        unless(Property::Symmetric, place.map(|k| k / n))
     }
 
     /// By how many roundings of one a result may change when shapes are exchanged; infinite where nothing is
-    /// promised.
+    /// declared.
     fn exchange_may_change(&self, inputs: &Inputs<T>, i: usize) -> f64 {
-        let Some(power) = self.promised.power else {
+        let Some(power) = self.declared.power else {
             return f64::INFINITY;
         };
         let numbers = |s: usize| {
@@ -133,7 +136,7 @@ impl<T: Real> Job<T> {
             &inputs.columns[s][i * n..][..n]
         };
         let sides = [0, 1].map(|s| self.shapes[s].rules.sides(numbers(s)));
-        let is_measure = matches!(self.promised.extremes, Extremes::Shared);
+        let is_measure = matches!(self.declared.extremes, Extremes::Shared);
         if power > 0 && !is_measure {
             // A distance moves by a rounding of the coordinates.
             let all = [0, 1].map(numbers);
@@ -148,9 +151,9 @@ impl<T: Real> Job<T> {
             return f64::INFINITY;
         }
         // A rounding of the longest side moves a side of the shorter ones. So does one of the way between boxes apart,
-        // which scores with slopes there compare with sizes.
+        // which scores with derivatives there compare with sizes.
         let all = || sides.iter().flatten().copied();
-        let way = match self.promised.extremes {
+        let way = match self.declared.extremes {
             Extremes::Unsaid | Extremes::One => {
                 let [a, b] = [0, 1].map(numbers);
                 let pairs = a.iter().zip(b).zip(&self.kinds);
@@ -171,7 +174,7 @@ impl<T: Real> Job<T> {
         match is_measure {
             true => ROUNDINGS * aspect * content(&sides[0]).min(content(&sides[1])),
             // Ratios of squares of sizes are in scores without an end.
-            false if self.promised.range.least < -3.0 || self.promised.range.largest > 1.0 => {
+            false if self.declared.range.least < -3.0 || self.declared.range.largest > 1.0 => {
                 ROUNDINGS * aspect * aspect
             }
             false => ROUNDINGS * aspect,

@@ -1,8 +1,8 @@
 //! Rules of a shape's numbers, found by asking what it refuses, and how numbers are made to keep to them.
 use crate::ad::check::symmetry::Kind;
 use crate::error::Flaw;
+use crate::kernels::item::Leaf;
 use crate::kernels::real::Real;
-use crate::kernels::row::Leaf;
 
 /// A rule of a shape's numbers.
 #[derive(Clone, Debug, PartialEq, Eq)]

@@ -1,9 +1,9 @@
-//! A simpler input that breaks the same promise.
+//! A simpler input that breaks the same property.
 use super::inputs::{Inputs, is_valid};
 use super::job::{Job, Lists};
 use super::judge::Thorough;
 use super::numbers::limits_of;
-use super::{Broken, Promise};
+use super::{Broken, Property};
 use crate::kernels::real::Real;
 
 /// Copies of an input, so that forms of more than a few are asked, too.
@@ -12,8 +12,8 @@ const COPIES: usize = 20;
 /// The most attempts.
 const ATTEMPTS: usize = 4000;
 
-/// The promise that an input breaks by itself.
-fn broken<T: Real>(job: &Job<T>, x: &[T], bars: &[T]) -> Option<Promise> {
+/// The property that an input breaks by itself.
+fn broken<T: Real>(job: &Job<T>, x: &[T], bars: &[T]) -> Option<Property> {
     let inputs = Inputs::repeated(job, x, COPIES);
     let mut rest = bars;
     let bar = |&fields: &usize| {
@@ -23,12 +23,12 @@ fn broken<T: Real>(job: &Job<T>, x: &[T], bars: &[T]) -> Option<Promise> {
     };
     let bars: Lists<T> = job.outputs.iter().map(bar).collect();
     let found = job.judge(&inputs, &bars, Thorough::ALL);
-    found.err().map(|found| found.promise)
+    found.err().map(|found| found.property)
 }
 
 /// Whether a number is as limits want it.
 fn fits<T: Real>(job: &Job<T>, x: T) -> bool {
-    let Some([least, most]) = limits_of::<T>(job.promised.finite) else {
+    let Some([least, most]) = limits_of::<T>(job.declared.finite) else {
         return true;
     };
     let size = x.widen().abs();
@@ -66,13 +66,13 @@ fn length<T: Real>(numbers: &[T]) -> usize {
     numbers.iter().map(digits).sum()
 }
 
-/// The simplest input near one that breaks a promise, and what it breaks.
-pub(super) fn shrunk<T: Real>(job: &Job<T>, x: Vec<T>, bars: Vec<T>, promise: Promise) -> Broken {
+/// The simplest input near one that breaks a property, and what it breaks.
+pub(super) fn shrunk<T: Real>(job: &Job<T>, x: Vec<T>, bars: Vec<T>, property: Property) -> Broken {
     let (mut x, mut bars) = (x, bars);
-    let is_alone = broken(job, &x, &bars) == Some(promise);
+    let is_alone = broken(job, &x, &bars) == Some(property);
     let mut attempts = if is_alone { ATTEMPTS } else { 0 };
     let ones = vec![T::one(); bars.len()];
-    if is_alone && broken(job, &x, &ones) == Some(promise) {
+    if is_alone && broken(job, &x, &ones) == Some(property) {
         bars = ones;
     }
     // Vertices that are not needed.
@@ -80,7 +80,7 @@ pub(super) fn shrunk<T: Real>(job: &Job<T>, x: Vec<T>, bars: Vec<T>, promise: Pr
     let mut at = own;
     while is_alone && at + 2 <= x.len() {
         let fewer = [&x[..at], &x[at + 2..]].concat();
-        match broken(job, &fewer, &bars) == Some(promise) {
+        match broken(job, &fewer, &bars) == Some(property) {
             true => x = fewer,
             false => at += 2,
         }
@@ -110,7 +110,7 @@ pub(super) fn shrunk<T: Real>(job: &Job<T>, x: Vec<T>, bars: Vec<T>, promise: Pr
                 if numbers(&near, &near_bars) < numbers(&x, &bars)
                     && near.iter().all(|&x| fits(job, x))
                     && is_valid(job, &near)
-                    && broken(job, &near, &near_bars) == Some(promise)
+                    && broken(job, &near, &near_bars) == Some(property)
                 {
                     (x, bars) = (near, near_bars);
                     is_better = true;
@@ -130,7 +130,7 @@ pub(super) fn shrunk<T: Real>(job: &Job<T>, x: Vec<T>, bars: Vec<T>, promise: Pr
     let input: Vec<f64> = x.iter().map(plain).collect();
     let upstream: Vec<f64> = bars.iter().map(plain).collect();
     Broken {
-        promise,
+        property,
         code: format!("{}: {}", job.op, (job.show)(&input)),
         input,
         upstream,

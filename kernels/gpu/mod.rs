@@ -1,11 +1,10 @@
 //! Batches on a GPU through wgpu: Vulkan, Metal, DX12, GL, or a software driver.
 //!
 //! A [`Gpu`] is a context; cloning it is cheap and clones share everything. It has the calls of
-//! [`Cpu`](crate::kernels::Cpu), for any operation and any program. Columns are slices, vectors
-//! or [`One`](crate::kernels::One), and results are vectors. Numbers are `f32`.
-//! [`Backend`](crate::kernels::Backend) is one front for both machines, and
-//! [`Backend::resident`](crate::kernels::Backend::resident) has the same calls on data that stay on the device until they
-//! are downloaded.
+//! [`Cpu`](crate::kernels::Cpu), for any operation and any program. Columns are slices, vectors or
+//! [`One`](crate::kernels::One), and results are vectors. Numbers are `f32`. [`Backend`](crate::kernels::Backend) is
+//! one front for both machines, and [`Backend::resident`](crate::kernels::Backend::resident) has the same calls on
+//! data that stay on the device until they are downloaded.
 //!
 //! Results are the processor's to within rounding, and the same bits on every run: sums are added
 //! in a fixed order, without atomics. More than a dispatch, a binding or a buffer may hold is
@@ -40,7 +39,7 @@
 //! ([`WGSL`](crate::ad::program::WGSL)). Sines of an angle of one shape come from the processor. So every operation
 //! rounds as if its inputs had been moved by a few units in the last place, and a result is as far from the processor's
 //! as that moves it: little, but where a function is steep or terms cancel. The harness measures it input by input
-//! ([`prove_on`](crate::kernels::check::prove_on)) and allows no more.
+//! ([`check_on`](crate::kernels::check::check_on)) and allows no more.
 //!
 //! Nor does WGSL promise infinities and NaN: a driver that finds a divisor to be always zero may put any number for the
 //! quotient. A function of one's own guards what it divides by, not the result

@@ -1,5 +1,5 @@
 //! Classes of invariance, and the promises that they make for shapes.
-use crate::kernels::op::{Answer, Motion, Promise};
+use crate::kernels::op::{Answer, Invariance, Motion};
 use crate::kernels::ops::noun::{Noun, same};
 
 /// The answer of a function's result to motions of its arguments: a few words that make a list of promises.
@@ -71,7 +71,7 @@ impl Class {
         }
     }
     /// The promises of this class for the motions that all of these arguments have.
-    pub const fn promises(self, arguments: &[Noun]) -> Promises {
+    pub const fn invariances(self, arguments: &[Noun]) -> Invariances {
         let (mut shift, mut turn, mut i) = (true, true, 0);
         while i < arguments.len() {
             shift = shift && arguments[i].shifts;
@@ -79,7 +79,7 @@ impl Class {
             i += 1;
         }
         let alike = arguments.len() == 2 && same(arguments[0].one, arguments[1].one);
-        Promises::NONE
+        Invariances::NONE
             .with(Motion::TranslationX, self.shifts, shift)
             .with(Motion::TranslationY, self.shifts, shift)
             .with(Motion::Rotation, self.turns, turn)
@@ -90,36 +90,36 @@ impl Class {
 
 /// A list of promises, one for a motion at most.
 #[derive(Clone, Copy, Debug)]
-pub(crate) struct Promises {
-    all: [Promise; 5],
+pub(crate) struct Invariances {
+    all: [Invariance; 5],
     count: usize,
 }
 
-impl Promises {
-    const NONE: Promises = Promises {
-        all: [Promise::new(Motion::Exchange, Answer::Stays); 5],
+impl Invariances {
+    const NONE: Invariances = Invariances {
+        all: [Invariance::new(Motion::Exchange, Answer::Stays); 5],
         count: 0,
     };
     const fn with(mut self, motion: Motion, answer: Option<Answer>, moves: bool) -> Self {
         if let (Some(answer), true) = (answer, moves) {
-            self.all[self.count] = Promise::new(motion, answer);
+            self.all[self.count] = Invariance::new(motion, answer);
             self.count += 1;
         }
         self
     }
     /// As a slice.
-    pub const fn as_slice(&self) -> &[Promise] {
+    pub const fn as_slice(&self) -> &[Invariance] {
         self.all.split_at(self.count).0
     }
 }
 
 /// The promises of a class, given its words, and of the types of the arguments.
-macro_rules! promises {
+macro_rules! invariances {
     ([$($word:ident $(($power:literal))?),*] $($type:ty),+) => {{
-        const PROMISES: &crate::kernels::ops::class::Promises =
+        const INVARIANCES: &crate::kernels::ops::class::Invariances =
             &crate::kernels::ops::class::Class::NONE $(.$word($($power)?))*
-                .promises(&[$(<$type as crate::kernels::ops::noun::Named>::NOUN),+]);
-        PROMISES.as_slice()
+                .invariances(&[$(<$type as crate::kernels::ops::noun::Named>::NOUN),+]);
+        INVARIANCES.as_slice()
     }};
 }
-pub(crate) use promises;
+pub(crate) use invariances;

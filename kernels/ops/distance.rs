@@ -21,10 +21,10 @@ use crate::{Aabb2, Capsule2, Circle, Obb2, Segment2, Triangle2, Vec2};
 
 table! {
     /// The [distance](crate::distance::distance()) of {}.
-    Distance: (a, b) -> S { distance(a, b) } [rigid(1), symmetric] jumps Never slopes Reverse {
+    Distance: (a, b) -> S { distance(a, b) } [rigid(1), symmetric] jumps Never derivative Reverse {
         "distance_point_segment": Vec2, Segment2
-            slopes ByHand |(a, b), out_bar| { distance_point_segment_vjp(a, b, out_bar) };
-        "distance_segments": Segment2, Segment2 slopes ByHand |(a, b), out_bar| { distance_segments_vjp(a, b, out_bar) };
+            derivative ByHand |(a, b), out_bar| { distance_point_segment_vjp(a, b, out_bar) };
+        "distance_segments": Segment2, Segment2 derivative ByHand |(a, b), out_bar| { distance_segments_vjp(a, b, out_bar) };
         "distance_aabb2": Aabb2, Aabb2 { distance_aabb2(a, b) };
         "distance_obb2": Obb2, Obb2 { distance_obb2(a, b) };
         "distance_point_circle": Vec2, Circle;
@@ -40,7 +40,7 @@ table! {
         "distance_triangles": Triangle2, Triangle2;
     }
     /// The [squared distance](crate::distance::squared_distance) of {}.
-    SquaredDistance: (a, b) -> S { squared_distance(a, b) } [rigid(2), symmetric] jumps Never slopes Reverse {
+    SquaredDistance: (a, b) -> S { squared_distance(a, b) } [rigid(2), symmetric] jumps Never derivative Reverse {
         "squared_distance_aabb2": Aabb2, Aabb2 { squared_distance_aabb2(a, b) };
         "squared_distance_obb2": Obb2, Obb2 { squared_distance_obb2(a, b) };
         "squared_distance_point_segment": Vec2, Segment2;
@@ -49,7 +49,7 @@ table! {
         "squared_distance_triangles": Triangle2, Triangle2;
     }
     /// The [signed distance](crate::distance::signed_distance) of {}.
-    SignedDistance: (a, b) -> S { signed_distance(a, b) } [rigid(1), symmetric] jumps Never slopes Reverse {
+    SignedDistance: (a, b) -> S { signed_distance(a, b) } [rigid(1), symmetric] jumps Never derivative Reverse {
         "signed_distance_aabb2": Aabb2, Aabb2 { signed_distance_aabb2(a, b) };
         "signed_distance_obb2": Obb2, Obb2 { signed_distance_obb2(a, b) };
         "signed_distance_point_obb2": Vec2, Obb2;
@@ -62,15 +62,15 @@ table! {
         "signed_distance_circles": Circle, Circle;
         "signed_distance_circle_obb2": Circle, Obb2;
         "signed_distance_capsules": Capsule2, Capsule2;
-        "signed_distance_triangles": Triangle2, Triangle2 slopes Forward;
+        "signed_distance_triangles": Triangle2, Triangle2 derivative Forward;
     }
     /// The [clearance](crate::distance::clearance) of {}, positive inside.
-    Clearance: (a, b) -> S { clearance(a, b) } [rigid(1)] jumps Never slopes Reverse {
+    Clearance: (a, b) -> S { clearance(a, b) } [rigid(1)] jumps Never derivative Reverse {
         "clearance_point_aabb2": Vec2, Aabb2;
         "clearance_point_obb2": Vec2, Obb2;
     }
     /// The [longest distance](crate::distance::farthest_distance) of {}.
-    FarthestDistance: (a, b) -> S { farthest_distance(a, b) } [rigid(1), symmetric] jumps Never slopes Reverse {
+    FarthestDistance: (a, b) -> S { farthest_distance(a, b) } [rigid(1), symmetric] jumps Never derivative Reverse {
         "farthest_distance_aabb2": Aabb2, Aabb2 { farthest_distance_aabb2(a, b) };
         "farthest_distance_obb2": Obb2, Obb2 { farthest_distance_obb2(a, b) };
         "farthest_distance_point_obb2": Vec2, Obb2;
@@ -81,29 +81,31 @@ table! {
 
 // Points and directions jump where another feature is nearest.
 table! {
-    /// The [depth of overlap and its direction](crate::distance::penetration) of {}. The direction jumps to another deepest face.
-    verbs::Penetration: (a, b) -> Penetration<S> { penetration(a, b) } [shifts] jumps Anywhere slopes Reverse {
-        "penetration_obb2": Obb2, Obb2 { penetration_obb2(a, b) } slopes Forward;
+    /// The [depth of overlap and its direction](crate::distance::penetration) of {}. The direction jumps to another
+    /// deepest face.
+    verbs::Penetration: (a, b) -> Penetration<S> { penetration(a, b) } [shifts] jumps Anywhere derivative Reverse {
+        "penetration_obb2": Obb2, Obb2 { penetration_obb2(a, b) } derivative Forward;
         "penetration_circles": Circle, Circle;
         "penetration_capsules": Capsule2, Capsule2;
         "penetration_triangles": Triangle2, Triangle2;
         "penetration_aabb2": Aabb2, Aabb2;
-        "penetration_circle_obb2": Circle, Obb2 slopes Forward;
+        "penetration_circle_obb2": Circle, Obb2 derivative Forward;
     }
     /// The [nearest points](crate::distance::closest_points) of {}. Points jump to another nearest feature.
-    verbs::ClosestPoints: (a, b) -> ClosestPoints<S> { closest_points(a, b) } [follows] jumps Anywhere slopes Reverse {
+    verbs::ClosestPoints: (a, b) -> ClosestPoints<S> { closest_points(a, b) } [follows] jumps Anywhere derivative Reverse {
         "closest_points_aabb2": Aabb2, Aabb2 { closest_points_aabb2(a, b) };
         "closest_points_obb2": Obb2, Obb2 { closest_points_obb2(a, b) };
-        "closest_points_circle_obb2": Circle, Obb2 slopes Forward;
+        "closest_points_circle_obb2": Circle, Obb2 derivative Forward;
         "closest_points_point_segment": Vec2, Segment2;
         "closest_points_point_triangle": Vec2, Triangle2;
         "closest_points_point_obb2": Vec2, Obb2;
         "closest_points_capsules": Capsule2, Capsule2;
         "closest_points_triangles": Triangle2, Triangle2;
     }
-    /// The [nearest points](crate::distance::segments::closest_points_of_segments) of {}, and where along both they lie.
+    /// The [nearest points](crate::distance::segments::closest_points_of_segments) of {}, and where along both they
+    /// lie.
     verbs::ClosestPoints: (a, b) -> ClosestOnSegments<S> { closest_points_of_segments(a, b) }
-    [] jumps Anywhere slopes Reverse {
+    [] jumps Anywhere derivative Reverse {
         "closest_points_of_segments": Segment2, Segment2;
     }
 }

@@ -8,13 +8,13 @@ use crate::{Aabb3, Obb3, Vec3, YawBox3};
 
 table! {
     /// The [distance](crate::distance3::distance) of {}.
-    Distance: (a, b) -> S { distance(a, b) } [rigid(1), symmetric] jumps Never slopes Reverse {
+    Distance: (a, b) -> S { distance(a, b) } [rigid(1), symmetric] jumps Never derivative Reverse {
         "distance_point_aabb3": Vec3, Aabb3;
         "distance_point_yaw": Vec3, YawBox3;
         "distance_point_obb3": Vec3, Obb3;
     }
     /// The [signed distance](crate::distance3::signed_distance) of {}.
-    SignedDistance: (a, b) -> S { signed_distance(a, b) } [rigid(1), symmetric] jumps Never slopes Reverse {
+    SignedDistance: (a, b) -> S { signed_distance(a, b) } [rigid(1), symmetric] jumps Never derivative Reverse {
         "signed_distance_point_aabb3": Vec3, Aabb3;
         "signed_distance_point_yaw": Vec3, YawBox3;
         "signed_distance_point_obb3": Vec3, Obb3;

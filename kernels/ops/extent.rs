@@ -1,54 +1,54 @@
 //! Extents of convex polygons, and what is smallest around them, as operations.
 use crate::kernels::ops::rows::searches;
 use crate::kernels::verbs::{Diameter, MinimumCircle, MinimumRectangle, Width};
-use crate::measure::circle::{Support, circle_decided, circle_replay};
+use crate::measure::circle::{Support, circle_replay, circle_search};
 use crate::measure::extent::{
-    Farthest, Narrowest, diameter_decided, diameter_replay, width_decided, width_replay,
+    Farthest, Narrowest, diameter_replay, diameter_search, width_replay, width_search,
 };
-use crate::measure::rectangle::{Resting, rectangle_decided, rectangle_replay};
+use crate::measure::rectangle::{Resting, rectangle_replay, rectangle_search};
 use crate::{Circle, ConvexPolygon, Obb2};
 
 // A polygon without vertices, or on a line where that has no extent, is measured as its first place,
 // again and again.
 searches! {
-    /// The [diameter](crate::measure::extent::diameter_decided) of a convex polygon of up to `N` vertices:
+    /// The [diameter](crate::measure::extent::diameter_search) of a convex polygon of up to `N` vertices:
     /// the largest distance of two of them, which are its record.
     Diameter<N> = "diameter_of_polygon": (polygon) as ConvexPolygon<S, N> => S, by Farthest;
     decide |polygon| {
         let nothing = Farthest { from: 0, to: 0 };
-        diameter_decided(polygon.as_slice()).map_or(nothing, |found| found.1)
+        diameter_search(polygon.as_slice()).map_or(nothing, |found| found.1)
     }
     replay |polygon, record| { diameter_replay(&polygon.vertices, record) }
     [rigid(1)]
     jumps Never
 
-    /// The [width](crate::measure::extent::width_decided) of a convex polygon of up to `N` vertices: the
+    /// The [width](crate::measure::extent::width_search) of a convex polygon of up to `N` vertices: the
     /// least distance of two parallel lines around it. Its record is what they touch.
     Width<N> = "width_of_polygon": (polygon) as ConvexPolygon<S, N> => S, by Narrowest;
     decide |polygon| {
         let nothing = Narrowest { start: 0, end: 0, across: 0 };
-        width_decided(polygon.as_slice()).map_or(nothing, |found| found.1)
+        width_search(polygon.as_slice()).map_or(nothing, |found| found.1)
     }
     replay |polygon, record| { width_replay(&polygon.vertices, record) }
     [rigid(1)]
     jumps Never
 
-    /// The [rectangle of least area](crate::measure::rectangle::rectangle_decided) around a convex polygon
+    /// The [rectangle of least area](crate::measure::rectangle::rectangle_search) around a convex polygon
     /// of up to `N` vertices. It jumps where another edge carries a smaller one.
     MinimumRectangle<N> = "rectangle_around_polygon": (polygon) as ConvexPolygon<S, N> => Obb2<S>, by Resting;
     decide |polygon| {
         let nothing = Resting { start: 0, end: 0, right: 0, top: 0, left: 0 };
-        rectangle_decided(polygon.as_slice()).map_or(nothing, |found| found.1)
+        rectangle_search(polygon.as_slice()).map_or(nothing, |found| found.1)
     }
     replay |polygon, record| { rectangle_replay(&polygon.vertices, record) }
     []
     jumps Anywhere
 
-    /// The [smallest circle](crate::measure::circle::circle_decided) around a convex polygon of up to `N`
+    /// The [smallest circle](crate::measure::circle::circle_search) around a convex polygon of up to `N`
     /// vertices. Its record is what it goes through.
     MinimumCircle<N> = "circle_around_polygon": (polygon) as ConvexPolygon<S, N> => Circle<S>, by Support;
     decide |polygon| {
-        circle_decided(polygon.as_slice()).map_or(Support::One(0), |found| found.1)
+        circle_search(polygon.as_slice()).map_or(Support::One(0), |found| found.1)
     }
     replay |polygon, record| {
         let found = circle_replay(&polygon.vertices, record);

@@ -1,8 +1,8 @@
 //! Folds over paths as operations.
 use crate::distance::ring::{EdgeFold, Fill};
 use crate::kernels::fold::Fold;
-use crate::kernels::op::{Jumps, Promise};
-use crate::kernels::ops::class::promises;
+use crate::kernels::op::{Invariance, Jumps};
+use crate::kernels::ops::class::invariances;
 use crate::kernels::verbs::{
     self, Clearance, Distance, Length, OverPolyline, OverRing, SignedDistance, Winding,
 };
@@ -19,7 +19,7 @@ impl Fold for SecondMomentsOfRing {
     const NAME: &'static str = "second_moments_of_ring";
     const DOC: &'static str = "The [second moments](crate::measure::moments::second_moments) of a ring's area about its centroid.";
     const CLOSED: bool = true;
-    const PROMISES: &'static [Promise] = promises!([rigid(4), along_axes] Vec2<f64>);
+    const INVARIANCES: &'static [Invariance] = invariances!([rigid(4), along_axes] Vec2<f64>);
     const JUMPS: Jumps = Jumps::Anywhere;
     type Context<S: Scalar> = [S; 0];
     type Reference<S: Scalar> = Reference<S>;
@@ -46,7 +46,7 @@ impl Fold for SecondMomentsOfRing {
     }
 }
 
-/// The length of a polyline: the sum of the distances of neighbouring vertices. Slope zero at edges of
+/// The length of a polyline: the sum of the distances of neighbouring vertices. Derivative zero at edges of
 /// length zero.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct LengthOfPolyline;
@@ -56,7 +56,7 @@ impl Fold for LengthOfPolyline {
     const DOC: &'static str =
         "The length of a polyline: the sum of the distances of neighbouring vertices.";
     const CLOSED: bool = false;
-    const PROMISES: &'static [Promise] = promises!([rigid(1)] Vec2<f64>);
+    const INVARIANCES: &'static [Invariance] = invariances!([rigid(1)] Vec2<f64>);
     const JUMPS: Jumps = Jumps::Never;
     type Context<S: Scalar> = [S; 0];
     type Reference<S: Scalar> = [S; 0];
@@ -96,7 +96,7 @@ macro_rules! of_point_and_path {
             const ARGUMENTS: &'static [&'static str] = &["point"];
             const DOC: &'static str = crate::__doc!([] $([$($doc)*])*);
             const CLOSED: bool = $closed;
-            const PROMISES: &'static [Promise] = promises!($class Vec2<f64>);
+            const INVARIANCES: &'static [Invariance] = invariances!($class Vec2<f64>);
             const JUMPS: Jumps = Jumps::$jumps;
             const WINDING: Option<usize> = Some(EdgeFold::<f64>::WINDING);
             type Context<S: Scalar> = Vec2<S>;
@@ -145,7 +145,7 @@ of_point_and_path! {
     ClearancePointRing = "clearance_point_ring", closed true, [isometric], jumps Never:
         |state| (-state.signed_distance(Fill::EvenOdd)).canonical();
     /// The [winding number](crate::distance::ring::winding_of_ring) of a ring around a point: a whole
-    /// number, which jumps at the border and has no slopes.
+    /// number, which jumps at the border and has no derivatives.
     WindingOfRing = "winding_of_ring", closed true, [similar], jumps Anywhere:
         |state| state.winding.canonical();
 }

@@ -15,7 +15,7 @@ use crate::overlap3::{
 };
 use crate::{Aabb3, Obb2, Obb3, Scalar, Vec2, Vec3, YawBox3};
 
-/// [`iou_birds_eye`] and its slopes: those of the boxes seen from above.
+/// [`iou_birds_eye`] and its derivatives: those of the boxes seen from above.
 fn birds_eye_vjp<S: Scalar>(
     a: YawBox3<S>,
     b: YawBox3<S>,
@@ -30,49 +30,49 @@ fn birds_eye_vjp<S: Scalar>(
 table! {
     /// [Volume](crate::overlap3::intersection_volume_obb3) that {} share.
     IntersectionVolume: (a, b) -> S { intersection_volume_aabb3(a, b) }
-    [rigid(3), symmetric] finite Always range NOT_NEGATIVE extremes Shared jumps Never slopes ByHand {
+    [rigid(3), symmetric] finite Always range NOT_NEGATIVE extremes Shared jumps Never derivative ByHand {
         "intersection_volume_aabb3": Aabb3, Aabb3
-            slopes ByHand |(a, b), out_bar| { intersection_volume_aabb3_vjp(a, b, out_bar) }
+            derivative ByHand |(a, b), out_bar| { intersection_volume_aabb3_vjp(a, b, out_bar) }
             => compiled { Compiled::Aabb3 };
         "intersection_volume_yaw": YawBox3, YawBox3 { intersection_volume_yaw(a, b) }
-            slopes ByHand |(a, b), out_bar| { intersection_volume_yaw_vjp(a, b, out_bar) }
+            derivative ByHand |(a, b), out_bar| { intersection_volume_yaw_vjp(a, b, out_bar) }
             => compiled { Compiled::Upright(Denominator::None) };
         "intersection_volume_obb3": Obb3, Obb3 { intersection_volume_obb3(a, b) }
-            slopes ByHand |(a, b), out_bar| { intersection_volume_obb3_vjp(a, b, out_bar) }
+            derivative ByHand |(a, b), out_bar| { intersection_volume_obb3_vjp(a, b, out_bar) }
             => compiled { Compiled::Obb3(Denominator::None) };
     }
     /// [Intersection over union](crate::overlap3::iou_obb3) of {}, 0 to 1.
     Iou: (a, b) -> S { iou_aabb3(a, b) }
-    [similar, symmetric] finite Always range RATIO extremes Union jumps FromZero slopes ByHand {
-        "iou_aabb3": Aabb3, Aabb3 slopes ByHand |(a, b), out_bar| { iou_aabb3_vjp(a, b, out_bar) }
+    [similar, symmetric] finite Always range RATIO extremes Union jumps FromZero derivative ByHand {
+        "iou_aabb3": Aabb3, Aabb3 derivative ByHand |(a, b), out_bar| { iou_aabb3_vjp(a, b, out_bar) }
             => compiled { Compiled::Aabb3 };
-        "iou_yaw": YawBox3, YawBox3 { iou_yaw(a, b) } slopes ByHand |(a, b), out_bar| { iou_yaw_vjp(a, b, out_bar) }
+        "iou_yaw": YawBox3, YawBox3 { iou_yaw(a, b) } derivative ByHand |(a, b), out_bar| { iou_yaw_vjp(a, b, out_bar) }
             => compiled { Compiled::Upright(Denominator::Union) };
-        "iou_obb3": Obb3, Obb3 { iou_obb3(a, b) } slopes ByHand |(a, b), out_bar| { iou_obb3_vjp(a, b, out_bar) }
+        "iou_obb3": Obb3, Obb3 { iou_obb3(a, b) } derivative ByHand |(a, b), out_bar| { iou_obb3_vjp(a, b, out_bar) }
             => compiled { Compiled::Obb3(Denominator::Union) };
     }
     /// [Intersection over union](crate::overlap3::Overlaps::iou_with) of {}, 0 to 1.
-    Iou: (a, b) -> S { a.iou_with(b) } [similar] range RATIO extremes Shared jumps FromZero slopes Forward {
+    Iou: (a, b) -> S { a.iou_with(b) } [similar] range RATIO extremes Shared jumps FromZero derivative Forward {
         "iou_aabb3_yaw": Aabb3, YawBox3;
         "iou_aabb3_obb3": Aabb3, Obb3 finite Always
-            slopes ByHand |(a, b), out_bar| { iou_aabb3_obb3_vjp(a, b, out_bar) };
+            derivative ByHand |(a, b), out_bar| { iou_aabb3_obb3_vjp(a, b, out_bar) };
         "iou_yaw_obb3": YawBox3, Obb3 finite Always
-            slopes ByHand |(a, b), out_bar| { iou_yaw_obb3_vjp(a, b, out_bar) };
+            derivative ByHand |(a, b), out_bar| { iou_yaw_obb3_vjp(a, b, out_bar) };
     }
     /// The [part of the first](crate::overlap3::iof_obb3) of {} that lies in the second, 0 to 1.
     Iof: (a, b) -> S { iof_aabb3(a, b) }
-    [similar] finite Always range RATIO extremes Ratio jumps FromZero slopes ByHand {
-        "iof_aabb3": Aabb3, Aabb3 slopes ByHand |(a, b), out_bar| { iof_aabb3_vjp(a, b, out_bar) }
+    [similar] finite Always range RATIO extremes Ratio jumps FromZero derivative ByHand {
+        "iof_aabb3": Aabb3, Aabb3 derivative ByHand |(a, b), out_bar| { iof_aabb3_vjp(a, b, out_bar) }
             => compiled { Compiled::Aabb3 };
-        "iof_yaw": YawBox3, YawBox3 { iof_yaw(a, b) } slopes ByHand |(a, b), out_bar| { iof_yaw_vjp(a, b, out_bar) }
+        "iof_yaw": YawBox3, YawBox3 { iof_yaw(a, b) } derivative ByHand |(a, b), out_bar| { iof_yaw_vjp(a, b, out_bar) }
             => compiled { Compiled::Upright(Denominator::First) };
-        "iof_obb3": Obb3, Obb3 { iof_obb3(a, b) } slopes ByHand |(a, b), out_bar| { iof_obb3_vjp(a, b, out_bar) }
+        "iof_obb3": Obb3, Obb3 { iof_obb3(a, b) } derivative ByHand |(a, b), out_bar| { iof_obb3_vjp(a, b, out_bar) }
             => compiled { Compiled::Obb3(Denominator::First) };
     }
     /// [Intersection over union](crate::overlap3::iou_birds_eye) of {}, seen from above, 0 to 1.
     IouBev: (a, b) -> S { iou_birds_eye(a, b) }
-    [similar, symmetric] finite Always range RATIO extremes Union jumps FromZero slopes ByHand {
-        "iou_birds_eye": YawBox3, YawBox3 slopes ByHand |(a, b), out_bar| { birds_eye_vjp(a, b, out_bar) }
+    [similar, symmetric] finite Always range RATIO extremes Union jumps FromZero derivative ByHand {
+        "iou_birds_eye": YawBox3, YawBox3 derivative ByHand |(a, b), out_bar| { birds_eye_vjp(a, b, out_bar) }
             => compiled { Compiled::BirdsEye(Denominator::Union) };
     }
 }

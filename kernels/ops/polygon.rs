@@ -1,8 +1,8 @@
 //! Scores of convex polygons as operations.
 use crate::clipping::Corner;
-use crate::hull::{MergeTrace, merge_decided, merge_replay};
+use crate::hull::{MergeTrace, merge_replay, merge_search};
 use crate::iou::{
-    FarthestCorners, diou_polygons_decided, diou_polygons_replay, giou_polygons_replay,
+    FarthestCorners, diou_polygons_replay, diou_polygons_search, giou_polygons_replay,
 };
 use crate::kernels::ops::rows::searches;
 use crate::kernels::verbs::{Diou, Giou, HullArea, IntersectionArea, Iof, Iou};
@@ -20,7 +20,7 @@ fn joint_hull<S: Scalar<Mask = bool>, const N: usize, const K: usize>(
             "the hull of two polygons may have the vertices of both"
         )
     };
-    merge_decided(a, b).unwrap_or(MergeTrace {
+    merge_search(a, b).unwrap_or(MergeTrace {
         corners: [Corner::A(0); K],
         twins: [None; K],
         count: 0,
@@ -29,7 +29,7 @@ fn joint_hull<S: Scalar<Mask = bool>, const N: usize, const K: usize>(
 
 // What depends on a joint hull is given the room for it: at least twice that of the polygons. Values stay when
 // polygons are exchanged; which one is seen from the other decides how sides along each other share the
-// slope, so that is not promised.
+// derivative, so that is not promised.
 searches! {
     /// The [area](crate::overlap_polygon::intersection_area_polygons) that two convex polygons of up to `N`
     /// vertices share. Nothing is searched for.
@@ -58,7 +58,7 @@ searches! {
     range RATIO
     jumps FromZero
 
-    /// The [generalised IoU](crate::iou::giou_polygons_decided) of two convex polygons of up to `N` vertices.
+    /// The [generalised IoU](crate::iou::giou_polygons_search) of two convex polygons of up to `N` vertices.
     /// Its record says which of them are on the hull.
     Giou<N, K> = "giou_polygons":
         (a, b) as (ConvexPolygon<S, N>, ConvexPolygon<S, N>) => S, by MergeTrace<K>;
@@ -68,11 +68,11 @@ searches! {
     range SIGNED
     jumps FromZero
 
-    /// The [distance IoU](crate::iou::diou_polygons_decided) of two convex polygons of up to `N` vertices.
+    /// The [distance IoU](crate::iou::diou_polygons_search) of two convex polygons of up to `N` vertices.
     /// Its record says which of them are farthest apart.
     Diou<N> = "diou_polygons":
         (a, b) as (ConvexPolygon<S, N>, ConvexPolygon<S, N>) => S, by FarthestCorners;
-    decide |(a, b)| { diou_polygons_decided(&a, &b).1 }
+    decide |(a, b)| { diou_polygons_search(&a, &b).1 }
     replay |(a, b), farthest| { diou_polygons_replay(&a, &b, farthest) }
     [similar]
     range SIGNED

@@ -1,7 +1,7 @@
 //! The measures of a ring as operations.
 use crate::kernels::cpu::rings::Measure;
-use crate::kernels::op::{Finite, Jumps, Promise, Range, RingOp};
-use crate::kernels::ops::class::promises;
+use crate::kernels::op::{Finite, Invariance, Jumps, Range, RingOp};
+use crate::kernels::ops::class::invariances;
 use crate::kernels::verbs::{Centroid, Perimeter, SignedArea};
 use crate::{Scalar, Vec2, ad, ring};
 
@@ -13,7 +13,7 @@ macro_rules! measures {
             const DOC: &'static str =
                 concat!("[`", stringify!($function), "`](crate::ring::", stringify!($function), ").");
             type Out<S: Scalar> = $out;
-            const PROMISES: &'static [Promise] = promises!($class Vec2<f64>);
+            const INVARIANCES: &'static [Invariance] = invariances!($class Vec2<f64>);
             const JUMPS: Jumps = Jumps::$jumps;
             const FINITE: Finite = Finite::Always;
             const RANGE: Range = Range::$range;

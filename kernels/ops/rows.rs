@@ -4,15 +4,16 @@
 ///
 /// ```text
 /// /// The [squared distance](crate::distance::squared_distance) of {}.
-/// SquaredDistance: (a, b) -> S { squared_distance(a, b) } [rigid(2), symmetric] jumps Never slopes Reverse {
+/// SquaredDistance: (a, b) -> S { squared_distance(a, b) } [rigid(2), symmetric] jumps Never derivative Reverse {
 ///     "squared_distance_segments": Segment2, Segment2;
 ///     /// By the axes of both.
-///     "squared_distance_obb2": Obb2, Obb2 { squared_distance_obb2(a, b) } slopes Forward;
+///     "squared_distance_obb2": Obb2, Obb2 { squared_distance_obb2(a, b) } derivative Forward;
 /// }
 /// ```
 ///
-/// * The head has the documentation, arguments, result, formula, [class](crate::kernels::ops::class::Class) of invariance,
-///   jumps and slopes; before the jumps come `finite`, `range` and `extremes`, where they are not the default.
+/// * The head has the documentation, arguments, result, formula, [class](crate::kernels::ops::class::Class) of
+///   invariance, jumps and derivatives; before the jumps come `finite`, `range` and `extremes`, where they are not
+///   the default.
 /// * A line has the name of the row and its shapes, then what differs from the head, in the same order.
 /// * `{}` in the documentation stands for the shapes: "two segments". A comment before a line follows it.
 /// * Arguments `(a, b)` of two kinds take the [names](crate::kernels::ops::noun::Noun) of these: `point`, `circle`.
@@ -24,7 +25,7 @@ macro_rules! table {
         $(finite $finite:ident $(($limits:expr))?)?
         $(range $range:ident)?
         $(extremes $extremes:ident)?
-        jumps $jumps:ident slopes $slopes:ident
+        jumps $jumps:ident derivative $derivative:ident
         { $($rows:tt)* }
     )*) => { $( crate::kernels::ops::rows::table! {
         @rows [concat!($($title),+)] $Verb, $arguments, $out, $formula, $class,
@@ -34,12 +35,12 @@ macro_rules! table {
         ],
         [$(crate::kernels::op::Range::$range,)? crate::kernels::op::Range::ANY],
         [$(crate::kernels::op::Extremes::$extremes,)? crate::kernels::op::Extremes::Unsaid],
-        $jumps, $slopes;
+        $jumps, $derivative;
         $($rows)*
     } )* };
     (
         @rows [$title:expr] $Verb:ty, $arguments:tt, $out:ty, $formula:block, $class:tt, $finite:tt, $range:tt,
-        $extremes:tt, $jumps:ident, $slopes:ident;
+        $extremes:tt, $jumps:ident, $derivative:ident;
         $(
             $(#[doc = $own_title:literal])?
             $name:literal: $($Shape:ident),+ $($own_formula:block)?
@@ -48,17 +49,17 @@ macro_rules! table {
             $(range $own_range:ident)?
             $(extremes $own_extremes:ident)?
             $(jumps $own_jumps:ident)?
-            $(slopes $own_slopes:ident $(|$input:pat_param, $out_bar:ident| $adjoint:block)?)?
+            $(derivative $own_derivative:ident $(|$input:pat_param, $out_bar:ident| $adjoint:block)?)?
             $(=> compiled { $compiled:expr })?;
         )*
     ) => { $( const _: () = {
         // As visible as the verb.
         #[derive(Clone, Copy, Debug, Default)]
-        pub struct Row;
+        pub struct Item;
 
         // One argument needs none.
         #[allow(unused_parens)]
-        impl crate::kernels::op::Op for Row {
+        impl crate::kernels::op::Op for Item {
             const NAME: &'static str = $name;
             const ARGUMENTS: &'static [&'static str] =
                 &crate::kernels::ops::rows::arguments!($arguments $($Shape)+);
@@ -66,7 +67,7 @@ macro_rules! table {
                 crate::kernels::ops::rows::text!($title, concat!($($own_title)?), $($Shape<f64>),+);
             type In<S: crate::Scalar> = ($($Shape<S>),+);
             type Out<S: crate::Scalar> = $out;
-            const PROMISES: &'static [crate::kernels::op::Promise] = {
+            const INVARIANCES: &'static [crate::kernels::op::Invariance] = {
                 crate::kernels::ops::rows::first!(@class [$([$($own_class)*])? $class] $($Shape<f64>),+)
             };
             const FINITE: crate::kernels::op::Finite =
@@ -77,8 +78,8 @@ macro_rules! table {
                 [$(crate::kernels::op::Extremes::$own_extremes,)? $extremes[0]][0];
             const JUMPS: crate::kernels::op::Jumps =
                 [$(crate::kernels::op::Jumps::$own_jumps,)? crate::kernels::op::Jumps::$jumps][0];
-            const SLOPES: crate::kernels::op::Slopes =
-                [$(crate::kernels::op::Slopes::$own_slopes,)? crate::kernels::op::Slopes::$slopes][0];
+            const DERIVATIVE: crate::kernels::op::Derivative =
+                [$(crate::kernels::op::Derivative::$own_derivative,)? crate::kernels::op::Derivative::$derivative][0];
             #[inline]
             fn eval<S: crate::Scalar>($arguments: Self::In<S>) -> Self::Out<S> {
                 crate::kernels::ops::rows::first!($($own_formula)? $formula)
@@ -98,14 +99,14 @@ macro_rules! table {
                 }
             )?
         }
-        crate::__takes!($Verb, ($($Shape<S>),+), Row, Row);
+        crate::__takes!($Verb, ($($Shape<S>),+), Item, Item);
     }; )* };
 }
 
 /// The first of alternatives: the line's, or else the head's.
 macro_rules! first {
     (@class [$class:tt $($other:tt)?] $($type:ty),+) => {
-        crate::kernels::ops::class::promises!($class $($type),+)
+        crate::kernels::ops::class::invariances!($class $($type),+)
     };
     ($one:block $($other:block)?) => { $one };
 }
@@ -155,17 +156,17 @@ macro_rules! searches {
     )*) => { $( const _: () = {
         // As visible as the verb.
         #[derive(Clone, Copy, Debug, Default)]
-        pub struct Row<$(const $N: usize),+>;
+        pub struct Item<$(const $N: usize),+>;
 
-        impl<$(const $N: usize),+> crate::kernels::decided::Decided for Row<$($N),+> {
+        impl<$(const $N: usize),+> crate::kernels::search::Search for Item<$($N),+> {
             const NAME: &'static str = $name;
             const ARGUMENTS: &'static [&'static str] = &[$(stringify!($arg)),+];
             const DOC: &'static str = crate::__doc!([] $([$($doc)*])*);
             type In<S: crate::Scalar> = $input;
             type Out<S: crate::Scalar> = $out;
             type Record = $record;
-            const PROMISES: &'static [crate::kernels::op::Promise] =
-                crate::kernels::ops::class::promises!($class crate::ConvexPolygon<f64, 3>);
+            const INVARIANCES: &'static [crate::kernels::op::Invariance] =
+                crate::kernels::ops::class::invariances!($class crate::ConvexPolygon<f64, 3>);
             const JUMPS: crate::kernels::op::Jumps = crate::kernels::op::Jumps::$jumps;
             $(const RANGE: crate::kernels::op::Range = crate::kernels::op::Range::$range;)?
             fn decide<S: crate::Scalar<Mask = bool>>($decided: $input) -> $record {
@@ -175,7 +176,7 @@ macro_rules! searches {
                 $replay
             }
         }
-        crate::__runs_decided!([$(const $N: usize),+] Row<$($N),+>: $input => $out);
+        crate::__runs_search!([$(const $N: usize),+] Item<$($N),+>: $input => $out);
         crate::kernels::ops::rows::finds!($Verb<$($N),+> ($($arg),+));
     }; )* };
 }
@@ -186,13 +187,13 @@ macro_rules! finds {
         impl<S: crate::Scalar<Mask = bool>, const N: usize>
             crate::kernels::verbs::Unary<crate::ConvexPolygon<S, N>> for $Verb
         {
-            type Out = <Row<N> as crate::kernels::decided::Decided>::Out<S>;
-            type By = Row<N>;
-            const BY: Row<N> = Row;
+            type Out = <Item<N> as crate::kernels::search::Search>::Out<S>;
+            type By = Item<N>;
+            const BY: Item<N> = Item;
             #[inline]
             fn apply(polygon: crate::ConvexPolygon<S, N>) -> Self::Out {
-                use crate::kernels::decided::Decided;
-                Row::<N>::replay(polygon, Row::<N>::decide(polygon))
+                use crate::kernels::search::Search;
+                Item::<N>::replay(polygon, Item::<N>::decide(polygon))
             }
         }
     };
@@ -213,14 +214,14 @@ macro_rules! finds {
             crate::kernels::verbs::Binary<crate::ConvexPolygon<S, $N>, crate::ConvexPolygon<S, $N>>
             for $Verb
         {
-            type Out = <Row<$($capacity),+> as crate::kernels::decided::Decided>::Out<S>;
-            type By = Row<$($capacity),+>;
-            const BY: Self::By = Row;
+            type Out = <Item<$($capacity),+> as crate::kernels::search::Search>::Out<S>;
+            type By = Item<$($capacity),+>;
+            const BY: Self::By = Item;
             #[inline]
             fn apply(a: crate::ConvexPolygon<S, $N>, b: crate::ConvexPolygon<S, $N>) -> Self::Out {
-                use crate::kernels::decided::Decided;
-                let found = Row::<$($capacity),+>::decide((a, b));
-                Row::<$($capacity),+>::replay((a, b), found)
+                use crate::kernels::search::Search;
+                let found = Item::<$($capacity),+>::decide((a, b));
+                Item::<$($capacity),+>::replay((a, b), found)
             }
         }
     };

@@ -7,8 +7,8 @@ use crate::kernels::backend::Backend;
 use crate::kernels::cpu::checked::expect;
 #[cfg(feature = "gpu")]
 use crate::kernels::gpu;
+use crate::kernels::item::{Column, Columns, Item, Results, Target};
 use crate::kernels::op::Runs;
-use crate::kernels::row::{Column, Columns, Results, Row, Target};
 use std::marker::PhantomData;
 
 /// Columns for the processor.
@@ -17,8 +17,8 @@ struct OnCpu<'a, R> {
     row: PhantomData<fn() -> R>,
 }
 
-impl<R: Row<Scalar = f32>> Columns for OnCpu<'_, R> {
-    type Row = R;
+impl<R: Item<Scalar = f32>> Columns for OnCpu<'_, R> {
+    type Item = R;
     fn list<'a>(&'a self, add: &mut dyn FnMut(Column<'a, f32>)) {
         for given in self.given {
             add(match given {
@@ -68,7 +68,7 @@ impl Resident<'_> {
     /// # Errors
     ///
     /// The input's for a shape that is not valid, or what the device says.
-    pub fn upload<R: Row<Scalar = f32>>(self, items: &[R]) -> Result<Held<R>, Error> {
+    pub fn upload<R: Item<Scalar = f32>>(self, items: &[R]) -> Result<Held<R>, Error> {
         let numbers = numbers_of(items)?;
         let columns = match self.0 {
             Backend::Cpu => Side::Cpu(numbers),
@@ -94,7 +94,7 @@ impl Resident<'_> {
     /// [`Error::Length`] when columns differ in length, [`Error::Program`] on a GPU for what searches,
     /// [`GpuFault::ForeignBuffer`](crate::GpuFault::ForeignBuffer) for handles of other backends, or what
     /// the device says.
-    pub fn aligned<C: HeldColumns, R: Runs<C::Row>>(
+    pub fn aligned<C: HeldColumns, R: Runs<C::Item>>(
         self,
         run: R,
         columns: C,
@@ -103,7 +103,7 @@ impl Resident<'_> {
         match self.0 {
             Backend::Cpu => {
                 let mut held = Held::new(0, Side::Cpu(Vec::new()));
-                compute::<C::Row, R>(run, &given, &mut held)?;
+                compute::<C::Item, R>(run, &given, &mut held)?;
                 Ok(held)
             }
             #[cfg(feature = "gpu")]
@@ -123,7 +123,7 @@ impl Resident<'_> {
     /// # Errors
     ///
     /// As [`aligned`](Resident::aligned), and [`Error::Length`] for another number of results.
-    pub fn aligned_into<C: HeldColumns, R: Runs<C::Row>>(
+    pub fn aligned_into<C: HeldColumns, R: Runs<C::Item>>(
         self,
         run: R,
         columns: C,
@@ -134,7 +134,7 @@ impl Resident<'_> {
             (Backend::Cpu, Side::Cpu(_)) => {
                 let count = count_of(&given)?;
                 expect(Argument::Values, count, results.count)?;
-                compute::<C::Row, R>(run, &given, results)
+                compute::<C::Item, R>(run, &given, results)
             }
             #[cfg(feature = "gpu")]
             (Backend::Gpu(gpu), Side::Gpu(over)) => {
@@ -171,7 +171,7 @@ fn count_of(given: &[Given<'_>]) -> Result<usize, Error> {
 }
 
 /// Item i of every column, on the processor.
-fn compute<R: Row<Scalar = f32>, F: Runs<R>>(
+fn compute<R: Item<Scalar = f32>, F: Runs<R>>(
     run: F,
     given: &[Given<'_>],
     results: &mut Held<F::Out>,

@@ -4,7 +4,7 @@ use crate::error::{Argument, Error};
 use crate::kernels::cpu::checked::{check, expect};
 use crate::kernels::cpu::plan::Preparation;
 use crate::kernels::gpu;
-use crate::kernels::row::{Column, Columns, One, Row, Single, get, leaves_of, targets_of, width};
+use crate::kernels::item::{Column, Columns, Item, One, Single, get, leaves_of, targets_of, width};
 use std::fmt;
 use std::marker::PhantomData;
 
@@ -60,7 +60,7 @@ impl<R> Held<R> {
 }
 
 /// The numbers of rows, checked, shape by shape.
-pub(super) fn numbers_of<R: Row<Scalar = f32>>(rows: &[R]) -> Result<Vec<Numbers>, Error> {
+pub(super) fn numbers_of<R: Item<Scalar = f32>>(rows: &[R]) -> Result<Vec<Numbers>, Error> {
     let columns = &rows;
     let mut all = Vec::new();
     let mut leaves = leaves_of::<R>().into_iter();
@@ -79,7 +79,7 @@ pub(super) fn numbers_of<R: Row<Scalar = f32>>(rows: &[R]) -> Result<Vec<Numbers
 }
 
 /// Results of their numbers, shape by shape.
-fn many_of<R: Row<Scalar = f32>>(count: usize, columns: &[Vec<f32>]) -> R::Many {
+fn many_of<R: Item<Scalar = f32>>(count: usize, columns: &[Vec<f32>]) -> R::Many {
     let mut many = R::many(count);
     for (target, numbers) in targets_of::<R>(&mut many).into_iter().zip(columns) {
         let mut rest = &numbers[..];
@@ -94,7 +94,7 @@ fn many_of<R: Row<Scalar = f32>>(count: usize, columns: &[Vec<f32>]) -> R::Many 
     many
 }
 
-impl<R: Row<Scalar = f32>> Held<R> {
+impl<R: Item<Scalar = f32>> Held<R> {
     /// Downloads the items and waits for them: a vector, or one for every shape of a result.
     ///
     /// # Errors
@@ -174,7 +174,7 @@ impl<R: Row<Scalar = f32>> Held<R> {
 /// Results of several shapes as handles of their own.
 macro_rules! split {
     ($($first:ident $($name:ident)*;)*) => { $(
-        impl<$first: Row<Scalar = f32>, $($name: Row<Scalar = f32>),*> Held<($first, $($name,)*)> {
+        impl<$first: Item<Scalar = f32>, $($name: Item<Scalar = f32>),*> Held<($first, $($name,)*)> {
             /// The parts of every item, each as a handle of its own. No data are copied.
             #[must_use]
             #[allow(non_snake_case)]
@@ -214,14 +214,14 @@ pub enum Given<'a> {
 /// The arguments of a batch on handles: a handle, [`One`], or a tuple of them.
 pub trait HeldColumns {
     /// The arguments of one item.
-    type Row: Row<Scalar = f32>;
+    type Item: Item<Scalar = f32>;
     /// The columns, one per shape of a row.
     #[doc(hidden)]
     fn list<'a>(&'a self, add: &mut dyn FnMut(Given<'a>));
 }
 
-impl<R: Row<Scalar = f32>> HeldColumns for &Held<R> {
-    type Row = R;
+impl<R: Item<Scalar = f32>> HeldColumns for &Held<R> {
+    type Item = R;
     fn list<'a>(&'a self, add: &mut dyn FnMut(Given<'a>)) {
         match &self.columns {
             Side::Cpu(own) => own.iter().for_each(|own| add(Given::Cpu(own, self.count))),
@@ -230,8 +230,8 @@ impl<R: Row<Scalar = f32>> HeldColumns for &Held<R> {
     }
 }
 
-impl<R: Row<Scalar = f32>> HeldColumns for One<R> {
-    type Row = R;
+impl<R: Item<Scalar = f32>> HeldColumns for One<R> {
+    type Item = R;
     fn list<'a>(&'a self, add: &mut dyn FnMut(Given<'a>)) {
         Columns::list(self, &mut |column| {
             add(Given::One(column.all().into_owned()))
@@ -243,7 +243,7 @@ impl<R: Row<Scalar = f32>> HeldColumns for One<R> {
 macro_rules! columns {
     ($($first:ident $($name:ident)*;)*) => { $(
         impl<$first: HeldColumns, $($name: HeldColumns),*> HeldColumns for ($first, $($name,)*) {
-            type Row = ($first::Row, $($name::Row,)*);
+            type Item = ($first::Item, $($name::Item,)*);
             #[allow(non_snake_case)]
             fn list<'a>(&'a self, add: &mut dyn FnMut(Given<'a>)) {
                 let ($first, $($name,)*) = self;

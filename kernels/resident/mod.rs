@@ -14,9 +14,9 @@
 //! let (mut a, b) = (here.upload(&guesses)?, here.upload(&truths)?);
 //! let mut found = here.aligned(Iou.value_grad(), (&a, &b))?;
 //! for _ in 0..20 {
-//!     let (_, (slopes, _)) = found.download()?;
-//!     for (guess, slope) in guesses.iter_mut().zip(slopes) {
-//!         guess.center += slope.center * 0.05;
+//!     let (_, (derivatives, _)) = found.download()?;
+//!     for (guess, derivative) in guesses.iter_mut().zip(derivatives) {
+//!         guess.center += derivative.center * 0.05;
 //!     }
 //!     a.update(&guesses)?; // into the same buffers, and so are the results
 //!     here.aligned_into(Iou.value_grad(), (&a, &b), &mut found)?;
@@ -167,12 +167,12 @@ impl<T: Unpin> Future for Pending<T> {
 /// let matrix = resident.all_pairs(Iou, &a, &b)?; // of the same boxes: nothing goes up again
 /// assert_eq!(matrix.download()?[3], iou.download()?[1]);
 ///
-/// // Results are arguments of what comes next: here slopes, times those of what is made of the distances.
+/// // Results are arguments of what comes next: here derivatives, times those of what is made of the distances.
 /// let points = resident.upload(&[Vec2::new(0.0, 1.0), Vec2::new(3.0, 0.0)])?;
 /// let wall = One(Segment2::new(Vec2::new(0.0, 0.0), Vec2::new(2.0, 0.0)));
 /// let (distances, _) = resident.aligned(Distance.value_grad(), (&points, wall))?.split();
-/// let slopes = resident.aligned(Distance.vjp(), ((&points, wall), &distances))?;
-/// assert_eq!(slopes.download()?.0, [Vec2::new(0.0, 1.0), Vec2::new(1.0, 0.0)]);
+/// let derivatives = resident.aligned(Distance.vjp(), ((&points, wall), &distances))?;
+/// assert_eq!(derivatives.download()?.0, [Vec2::new(0.0, 1.0), Vec2::new(1.0, 0.0)]);
 /// # Ok::<(), geograd::Error>(())
 /// ```
 #[derive(Clone, Copy, Debug)]

@@ -11,11 +11,11 @@ use crate::kernels::gpu::{
     Gpu, HeldColumn,
     lists::{Lists, Seed, loss},
 };
+use crate::kernels::item::Single;
 #[cfg(feature = "gpu")]
 use crate::kernels::op::Ask;
 use crate::kernels::op::Runs;
 use crate::kernels::reduce::Loss;
-use crate::kernels::row::Single;
 use crate::kernels::{Cpu, reduce};
 
 impl Resident<'_> {
@@ -108,7 +108,7 @@ impl Resident<'_> {
             (Backend::Gpu(gpu), Side::Gpu(own)) => {
                 let (x, y) = (column(a)?, column(b)?);
                 let lists = Lists::of_held(gpu, &run, x, y, Ask::ADJOINT)?;
-                both(gpu, [x, y], lists.slopes(&Seed::Matrix(own))?)
+                both(gpu, [x, y], lists.derivatives(&Seed::Matrix(own))?)
             }
             _ => Err(foreign()),
         }
@@ -170,8 +170,8 @@ impl Resident<'_> {
             #[cfg(feature = "gpu")]
             Backend::Gpu(gpu) => {
                 let (x, y) = (column(a)?, column(b)?);
-                let (value, slopes) = loss(|ask| Lists::of_held(gpu, &run, x, y, ask), of)?;
-                let (by_a, by_b) = both(gpu, [x, y], slopes)?;
+                let (value, derivatives) = loss(|ask| Lists::of_held(gpu, &run, x, y, ask), of)?;
+                let (by_a, by_b) = both(gpu, [x, y], derivatives)?;
                 Ok((value, by_a, by_b))
             }
             #[cfg(not(feature = "gpu"))]
@@ -212,7 +212,7 @@ impl Resident<'_> {
     }
 }
 
-/// Slopes of both lists, which stay.
+/// Derivatives of both lists, which stay.
 #[cfg(feature = "gpu")]
 fn both<A, B>(
     gpu: &Gpu,

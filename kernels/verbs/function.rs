@@ -7,8 +7,8 @@ use crate::error::Error;
 use crate::kernels::cpu::plan::{Face, Known, Want, known, of_recorded};
 #[cfg(feature = "gpu")]
 use crate::kernels::gpu::Generated;
+use crate::kernels::item::{Item, leaves_of};
 use crate::kernels::op::{Ask, Runs, ValueGrad, Vjp};
-use crate::kernels::row::{Row, leaves_of};
 use std::marker::PhantomData;
 use std::sync::Arc;
 
@@ -44,8 +44,8 @@ impl<F: Copy, N> Copy for Function<F, N> {}
 /// # Ok::<(), geograd::Error>(())
 /// ```
 ///
-/// A closure names the shapes of its arguments and captures nothing, because its type is the key of the recording. One that
-/// captures does not compile: pass the value as a further argument, [`One`](crate::kernels::One).
+/// A closure names the shapes of its arguments and captures nothing, because its type is the key of the recording.
+/// One that captures does not compile: pass the value as a further argument, [`One`](crate::kernels::One).
 ///
 /// ```compile_fail
 /// # use geograd::kernels::function;
@@ -96,7 +96,7 @@ impl<F: Copy, N> Function<F, N> {
     /// # Errors
     ///
     /// [`Error::Program`] for a function that cannot be recorded.
-    pub fn program<In: Row<Scalar: Plain>, Out>(self) -> Result<Program<In, Out>, Error>
+    pub fn program<In: Item<Scalar: Plain>, Out>(self) -> Result<Program<In, Out>, Error>
     where
         Self: Traced<In, Out = Out>,
         Out: Fixed<Scalar = In::Scalar>,
@@ -115,9 +115,9 @@ pub struct Arguments<const N: usize>;
     label = "does not take these columns",
     note = "`fn f<S: Scalar>(a: A<S>, b: B<S>) -> S` is one of columns of `A` and `B`; a closure names its shapes: `|a: A<_>, b: B<_>|`"
 )]
-pub trait Traced<In: Row<Scalar: Plain>>: Copy + Send + Sync {
+pub trait Traced<In: Item<Scalar: Plain>>: Copy + Send + Sync {
     /// The result.
-    type Out: Row<Scalar = In::Scalar>;
+    type Out: Item<Scalar = In::Scalar>;
     /// The key of its recording.
     #[doc(hidden)]
     type Key: 'static;
@@ -136,11 +136,11 @@ macro_rules! arities {
         #[allow(unused_parens)]
         impl<T: Plain, $($A,)+ Y, F> Traced<$row> for Function<F, Arguments<$count>>
         where
-            $row: Row<Scalar = T>,
+            $row: Item<Scalar = T>,
             $($A: Fixed<Scalar = T>,)+
             F: Fn($(<$A as Fixed>::Of<Sym<T>>),+) -> Y + Copy + Send + Sync + 'static,
             Y: Fixed<Scalar = Sym<T>>,
-            Y::Of<T>: Row<Scalar = T>,
+            Y::Of<T>: Item<Scalar = T>,
         {
             type Out = Y::Of<T>;
             type Key = F;
@@ -161,7 +161,7 @@ arities! {
 }
 
 /// The recording of a function, its gradient or its adjoint.
-fn recorded<In: Row<Scalar: Plain>, F: Traced<In>>(
+fn recorded<In: Item<Scalar: Plain>, F: Traced<In>>(
     function: F,
     want: Want,
 ) -> Result<Arc<Recorded>, Error> {
@@ -174,7 +174,7 @@ fn recorded<In: Row<Scalar: Plain>, F: Traced<In>>(
 }
 
 /// The plan by which the CPU computes it.
-fn face<In: Row<Scalar: Plain>, F: Traced<In>>(
+fn face<In: Item<Scalar: Plain>, F: Traced<In>>(
     function: F,
     ask: Ask,
 ) -> Result<Arc<Face<In::Scalar>>, Error> {
@@ -189,7 +189,7 @@ fn face<In: Row<Scalar: Plain>, F: Traced<In>>(
 
 /// The plan by which a GPU computes it.
 #[cfg(feature = "gpu")]
-fn generated<In: Row<Scalar: Plain>, F: Traced<In>>(
+fn generated<In: Item<Scalar: Plain>, F: Traced<In>>(
     function: F,
     ask: Ask,
 ) -> Result<Arc<Generated<In::Scalar>>, Error> {
@@ -202,7 +202,7 @@ fn generated<In: Row<Scalar: Plain>, F: Traced<In>>(
     })
 }
 
-impl<In: Row<Scalar: Plain>, F, N> Runs<In> for Function<F, N>
+impl<In: Item<Scalar: Plain>, F, N> Runs<In> for Function<F, N>
 where
     Self: Traced<In>,
 {

@@ -15,13 +15,14 @@
 //! ```
 //!
 //! The pages of [`Unary`], [`Binary`] and [`Ternary`] list every verb with its shapes. A *row* is a verb, the shapes
-//! that it takes, and the formula. [`operation!`](crate::operation) adds rows for your own shapes, [`verb!`](crate::verb)
-//! defines a verb, and [`function`] runs a plain generic function without a row.
+//! that it takes, and the formula. [`operation!`](crate::operation) adds rows for your own shapes,
+//! [`verb!`](crate::verb) defines a verb, and [`function`] runs a plain generic function without a row.
 //!
 //! Overlaps, scores and intersections are methods of their first argument, too, for every row, own ones included
-//! ([`prelude`](crate::prelude)): `a.iou(b)`. Distances, closest points and penetration are methods of any two convex shapes of the
-//! plane ([`Convex`](crate::distance::Convex)); a row adds no method to them. A method, [`of`](Iou::of) and a batch return the same bits.
-//! A verb takes up to three arguments; [`function`] and an operation with a name of its own take up to six.
+//! ([`prelude`](crate::prelude)): `a.iou(b)`. Distances, closest points and penetration are methods of any two convex
+//! shapes of the plane ([`Convex`](crate::distance::Convex)); a row adds no method to them. A method, [`of`](Iou::of)
+//! and a batch return the same bits. A verb takes up to three arguments; [`function`] and an operation with a name of
+//! its own take up to six.
 //!
 //! # Verbs by shapes
 //!
@@ -96,7 +97,8 @@ pub trait Ternary<A, B, C> {
     fn apply(a: A, b: B, c: C) -> Self::Out;
 }
 
-/// Verbs by their arguments as one type, `(Vec2<f64>, Obb2<f64>)` or a lone shape: for code that is generic over the verb.
+/// Verbs by their arguments as one type, `(Vec2<f64>, Obb2<f64>)` or a lone shape: for code that is generic over the
+/// verb.
 pub trait Takes<In: Fixed> {
     /// The result.
     type Out;
@@ -122,11 +124,11 @@ pub type RowOf<V, In> = <V as Takes<In>>::By;
 /// operation! {
 ///     /// Between two rotated boxes.
 ///     Gap: (a: Obb2<S>, b: Obb2<S>) -> S { a.distance(b) }
-///     promises [Exchange Stays] jumps Never slopes Reverse
+///     invariances [Exchange Stays] jumps Never derivative Reverse
 ///
 ///     /// Between two circles.
 ///     Gap: (a: Circle<S>, b: Circle<S>) -> S { a.distance(b) }
-///     promises [Exchange Stays] jumps Never slopes Reverse
+///     invariances [Exchange Stays] jumps Never derivative Reverse
 /// }
 ///
 /// let masts = [Circle::new(Vec2::new(0.0_f64, 0.0), 1.0), Circle::new(Vec2::new(5.0, 0.0), 1.0)];
@@ -232,7 +234,7 @@ macro_rules! __verb_runs {
         }
         impl<$($generic)* $($A),+> $crate::kernels::Runs<$row> for $Verb
         where
-            $row: $crate::kernels::Row,
+            $row: $crate::kernels::Item,
             $Verb: $crate::kernels::verbs::$Takes<$($A),+, By: $crate::kernels::Runs<$row>>,
         {
             type Out = <<$Verb as $crate::kernels::verbs::$Takes<$($A),+>>::By

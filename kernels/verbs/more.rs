@@ -7,15 +7,15 @@ use crate::{Aabb2, Aabb3, Capsule2, Circle, Obb2, Obb3, Segment2, Triangle2, Vec
 operation! {
     /// The distance of two points.
     Distance: (a: Vec2<S>, b: Vec2<S>) -> S { a.distance(b) }
-    promises [TranslationX Stays, TranslationY Stays, Rotation Stays, Scaling Power(1), Exchange Stays]
+    invariances [TranslationX Stays, TranslationY Stays, Rotation Stays, Scaling Power(1), Exchange Stays]
     jumps Never
-    slopes Reverse
+    derivative Reverse
 
     /// The distance of two points in space.
     Distance: (a: Vec3<S>, b: Vec3<S>) -> S { a.distance(b) }
-    promises [TranslationX Stays, TranslationY Stays, Rotation Stays, Scaling Power(1), Exchange Stays]
+    invariances [TranslationX Stays, TranslationY Stays, Rotation Stays, Scaling Power(1), Exchange Stays]
     jumps Never
-    slopes Reverse
+    derivative Reverse
 }
 
 /// Distances with the arguments exchanged.
@@ -24,15 +24,15 @@ macro_rules! exchanged {
         operation! {
             /// The [distance](crate::distance::distance()).
             Distance: (a: $A<S>, b: $B<S>) -> S { distance(a, b) }
-            promises [TranslationX Stays, TranslationY Stays, Scaling Power(1)]
+            invariances [TranslationX Stays, TranslationY Stays, Scaling Power(1)]
             jumps Never
-            slopes Reverse
+            derivative Reverse
 
             /// The [signed distance](crate::distance::signed_distance()).
             SignedDistance: (a: $A<S>, b: $B<S>) -> S { signed_distance(a, b) }
-            promises [TranslationX Stays, TranslationY Stays, Scaling Power(1)]
+            invariances [TranslationX Stays, TranslationY Stays, Scaling Power(1)]
             jumps Never
-            slopes Reverse
+            derivative Reverse
         }
     )* };
 }
@@ -50,9 +50,9 @@ exchanged! {
 operation! {
     /// The [nearest points](crate::distance::closest_points()) of a box and a circle.
     ClosestPoints: (a: Obb2<S>, b: Circle<S>) -> crate::distance::ClosestPoints<S> { closest_points(a, b) }
-    promises [TranslationX Follows, TranslationY Follows, Scaling Follows]
+    invariances [TranslationX Follows, TranslationY Follows, Scaling Follows]
     jumps Anywhere
-    slopes Forward
+    derivative Forward
 }
 
 /// Overlaps of boxes of two kinds.
@@ -61,9 +61,9 @@ macro_rules! mixed {
         operation! {
             /// The overlap of boxes of two kinds: [`Overlaps`](crate::overlap3::Overlaps).
             $Verb: (a: $A<S>, b: $B<S>) -> S { a.$method(b) }
-            promises [TranslationX Stays, TranslationY Stays]
+            invariances [TranslationX Stays, TranslationY Stays]
             jumps FromZero
-            slopes Forward
+            derivative Forward
         }
     )* };
 }

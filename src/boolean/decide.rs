@@ -142,7 +142,7 @@ impl Pieces {
 ///
 /// [`Error::Invalid`] with the input and [`Flaw::Ring`](crate::Flaw::Ring) for a coordinate that is not
 /// finite, and for a ring of fewer than three distinct vertices.
-pub fn overlay_decided<'a, S: Scalar<Mask = bool>>(
+pub fn overlay_search<'a, S: Scalar<Mask = bool>>(
     a: impl Into<Rings<'a, S>>,
     b: impl Into<Rings<'a, S>>,
     operation: Operation,

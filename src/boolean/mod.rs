@@ -1,7 +1,7 @@
 //! Boolean operations of polygons of any kind, with the provenance of every vertex: union, intersection,
 //! difference, symmetric difference.
 //!
-//! [`overlay_decided`] (feature `boolean`) finds by exact arithmetic on integers which pieces of which edges
+//! [`overlay_search`] (feature `boolean`) finds by exact arithmetic on integers which pieces of which edges
 //! bound the result. Its record, [`OverlayTrace`], holds no numbers: a vertex of the result is a vertex of
 //! an input, or the crossing of two edges. [`overlay_replay`] makes the result from the inputs and the
 //! record in the precision of the scalar, so duals pass through it; the adjoint of any function of its
@@ -12,34 +12,34 @@
 //! result run counter-clockwise and its holes clockwise.
 //!
 //! Kinks: where edges of both inputs (or several of one) lie along each other, the border of the result
-//! moves with the mean of them, so identical polygons have the IoU 1 and slopes of zero. There the result
+//! moves with the mean of them, so identical polygons have the IoU 1 and derivatives of zero. There the result
 //! may have two vertices at one place, between which it has a side of length zero that opens as inputs
-//! move. A vertex of one input on an edge of the other has the slope of one of its sides. What has no area
-//! (a line along which both merely touch, or a polygon less itself) is no part of a result and has no slope.
+//! move. A vertex of one input on an edge of the other has the derivative of one of its sides. What has no area
+//! (a line along which both merely touch, or a polygon less itself) is no part of a result and has no derivative.
 //!
 //! Vertices that differ by less than about 10⁻¹⁷ of the extent of both inputs count as one.
 //!
 //! # Validity
 //!
-//! A replayed result has the exact slopes of every vertex; it is not always valid by the OGC's rules (Simple Features,
-//! OGC 06-103r4), which GEOS, PostGIS and others ask for. Edges may cross by an ulp, rings may have no area or touch
-//! themselves, and a part may consist of pieces that meet in places only.
+//! A replayed result has the exact derivatives of every vertex; it is not always valid by the OGC's rules (Simple
+//! Features, OGC 06-103r4), which GEOS, PostGIS and others ask for. Edges may cross by an ulp, rings may have no area
+//! or touch themselves, and a part may consist of pieces that meet in places only.
 //!
-//! [`valid`] gives results that are valid: one polygon per part, with simple rings and a connected inside. Its vertices
-//! are rounded to a grid of the format, with steps of the last digit of the largest coordinate, by snap rounding: rings
-//! move by less than a step, and do not cross. ([`valid_decided`] and [`valid_replay`] are its two halves.) Slopes are
-//! those of where each vertex is from, so for polygons in general position those of the usual result. What is narrower
-//! than a step may vanish and has no slope then. Where edges lie along each other, two vertices at one place become
-//! one, with the mean of their slopes.
+//! [`valid`] gives results that are valid: one polygon per part, with simple rings and a connected inside. Its
+//! vertices are rounded to a grid of the format, with steps of the last digit of the largest coordinate, by snap
+//! rounding: rings move by less than a step, and do not cross. ([`valid_search`] and [`valid_replay`] are its two
+//! halves.) Derivatives are those of where each vertex is from, so for polygons in general position those of the
+//! usual result. What is narrower than a step may vanish and has no derivative then. Where edges lie along each
+//! other, two vertices at one place become one, with the mean of their derivatives.
 //!
 //! For the area of what polygons share nothing need be clipped: see
 //! [`overlap_polygon::rings`](crate::overlap_polygon::rings).
 //!
 //! ```
 //! # #[cfg(feature = "boolean")] {
-//! use geograd::{Aabb2, Vec2, boolean::{Operation, Origin, overlay_decided, overlay_replay}, polygon::Fill};
+//! use geograd::{Aabb2, Vec2, boolean::{Operation, Origin, overlay_search, overlay_replay}, polygon::Fill};
 //! let (a, b) = (Aabb2::new(0.0, 0.0, 2.0, 2.0).corners(), Aabb2::new(1.0, 1.0, 3.0, 3.0).corners());
-//! let trace = overlay_decided(&a, &b, Operation::Intersection, Fill::NonZero)?;
+//! let trace = overlay_search(&a, &b, Operation::Intersection, Fill::NonZero)?;
 //! let shared = overlay_replay(&a, &b, &trace);
 //! assert_eq!(geograd::polygon::area(&shared), 1.0_f64);
 //! let crossings = trace.origins().filter(|of| matches!(of, [Origin::Cross(..)])).count();
@@ -73,11 +73,11 @@ mod trace;
 mod valid;
 
 #[cfg(feature = "boolean")]
-pub use decide::overlay_decided;
+pub use decide::overlay_search;
 pub(crate) use replay::{foot, input_edge, input_vertex};
 pub use replay::{iou_replay, overlay_replay, valid_replay};
 #[cfg(feature = "boolean")]
-pub use shortcut::{difference, intersection, iou_decided, symmetric_difference, union};
+pub use shortcut::{difference, intersection, iou_search, symmetric_difference, union};
 pub use trace::{EdgeId, IouTrace, Operation, Origin, OverlayTrace, Owner, ValidTrace, VertexId};
 #[cfg(feature = "boolean")]
-pub use valid::{valid, valid_decided};
+pub use valid::{valid, valid_search};

@@ -69,7 +69,7 @@ pub(super) fn mean<S: Scalar>(inputs: [Rings<'_, S>; 2], all: &[Origin]) -> Vec2
 }
 
 /// The result of a boolean operation, from both inputs and the record of
-/// `overlay_decided`: parts counter-clockwise, holes clockwise. Slopes of a crossing are those of
+/// `overlay_search`: parts counter-clockwise, holes clockwise. Derivatives of a crossing are those of
 /// the two edges that cross; its own are unbounded as these become parallel, though those of areas are
 /// not.
 ///
@@ -95,8 +95,8 @@ pub fn overlay_replay<'a, S: Scalar>(
 }
 
 /// The result of a boolean operation as polygons that are valid by the OGC's rules, one per part, from both inputs and
-/// the record of `valid_decided`: the outer ring first, counter-clockwise, then the holes, clockwise. Values are those
-/// of the record, on its grid; slopes are those of where each vertex is from.
+/// the record of `valid_search`: the outer ring first, counter-clockwise, then the holes, clockwise. Values are those
+/// of the record, on its grid; derivatives are those of where each vertex is from.
 ///
 /// # Panics
 ///
@@ -132,7 +132,7 @@ pub fn valid_replay<'a, S: Scalar>(
     trace.parts.iter().map(part).collect()
 }
 
-/// Intersection over union, in `[0, 1]`, from both inputs and the record of `iou_decided`; zero with slope
+/// Intersection over union, in `[0, 1]`, from both inputs and the record of `iou_search`; zero with derivative
 /// zero where the union is empty.
 ///
 /// # Panics

@@ -1,6 +1,6 @@
 //! Results without their record, and intersection over union with it.
 use super::decide::Pieces;
-use super::{IouTrace, Operation, iou_replay, overlay_decided, overlay_replay};
+use super::{IouTrace, Operation, iou_replay, overlay_replay, overlay_search};
 use crate::Scalar;
 use crate::error::Error;
 use crate::polygon::{Fill, Polygon, Rings};
@@ -11,7 +11,7 @@ fn made<S: Scalar<Mask = bool>>(
     operation: Operation,
     fill: Fill,
 ) -> Result<Polygon<S>, Error> {
-    overlay_decided(a, b, operation, fill).map(|trace| overlay_replay(a, b, &trace))
+    overlay_search(a, b, operation, fill).map(|trace| overlay_replay(a, b, &trace))
 }
 
 /// What is in either of two polygons of any kind. See the [module](super).
@@ -25,7 +25,7 @@ fn made<S: Scalar<Mask = bool>>(
 ///
 /// # Errors
 ///
-/// See [`overlay_decided`].
+/// See [`overlay_search`].
 pub fn union<'a, S: Scalar<Mask = bool>>(
     a: impl Into<Rings<'a, S>>,
     b: impl Into<Rings<'a, S>>,
@@ -38,7 +38,7 @@ pub fn union<'a, S: Scalar<Mask = bool>>(
 ///
 /// # Errors
 ///
-/// See [`overlay_decided`].
+/// See [`overlay_search`].
 pub fn intersection<'a, S: Scalar<Mask = bool>>(
     a: impl Into<Rings<'a, S>>,
     b: impl Into<Rings<'a, S>>,
@@ -59,7 +59,7 @@ pub fn intersection<'a, S: Scalar<Mask = bool>>(
 ///
 /// # Errors
 ///
-/// See [`overlay_decided`].
+/// See [`overlay_search`].
 pub fn difference<'a, S: Scalar<Mask = bool>>(
     a: impl Into<Rings<'a, S>>,
     b: impl Into<Rings<'a, S>>,
@@ -72,7 +72,7 @@ pub fn difference<'a, S: Scalar<Mask = bool>>(
 ///
 /// # Errors
 ///
-/// See [`overlay_decided`].
+/// See [`overlay_search`].
 pub fn symmetric_difference<'a, S: Scalar<Mask = bool>>(
     a: impl Into<Rings<'a, S>>,
     b: impl Into<Rings<'a, S>>,
@@ -81,15 +81,15 @@ pub fn symmetric_difference<'a, S: Scalar<Mask = bool>>(
     made(a.into(), b.into(), Operation::SymmetricDifference, fill)
 }
 
-/// Intersection over union of two polygons of any kind, in `[0, 1]`, and what decided it; zero with slope
-/// zero where they are apart or the union is empty. [`iou_replay`] has its slopes.
+/// Intersection over union of two polygons of any kind, in `[0, 1]`, and what decided it; zero with derivative
+/// zero where they are apart or the union is empty. [`iou_replay`] has its derivatives.
 ///
 /// ```
-/// use geograd::{Polygon, Vec2, boolean::{iou_decided, iou_replay}, polygon::Fill};
+/// use geograd::{Polygon, Vec2, boolean::{iou_search, iou_replay}, polygon::Fill};
 /// // A bow tie that crosses itself, and a square around it.
 /// let tie = [(0.0, 0.0), (2.0, 2.0), (2.0, 0.0), (0.0, 2.0)].map(|(x, y)| Vec2::new(x, y));
 /// let square = [(-1.0, -1.0), (3.0, -1.0), (3.0, 3.0), (-1.0, 3.0)].map(|(x, y)| Vec2::new(x, y));
-/// let (iou, trace) = iou_decided(&tie, &square, Fill::NonZero)?;
+/// let (iou, trace) = iou_search(&tie, &square, Fill::NonZero)?;
 /// assert_eq!(iou, 0.125);
 /// let both = (Polygon::from_rings([&tie[..]]), Polygon::from_rings([&square[..]]));
 /// let of = |(a, b): (Polygon<_>, Polygon<_>)| iou_replay(&a, &b, &trace);
@@ -100,8 +100,8 @@ pub fn symmetric_difference<'a, S: Scalar<Mask = bool>>(
 ///
 /// # Errors
 ///
-/// See [`overlay_decided`].
-pub fn iou_decided<'a, S: Scalar<Mask = bool>>(
+/// See [`overlay_search`].
+pub fn iou_search<'a, S: Scalar<Mask = bool>>(
     a: impl Into<Rings<'a, S>>,
     b: impl Into<Rings<'a, S>>,
     fill: Fill,

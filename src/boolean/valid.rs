@@ -26,7 +26,7 @@ use crate::polygon::{Fill, Polygon, Rings};
 ///
 /// # Errors
 ///
-/// See [`overlay_decided`](super::overlay_decided).
+/// See [`overlay_search`](super::overlay_search).
 pub fn valid<'a, S: Scalar<Mask = bool>>(
     a: impl Into<Rings<'a, S>>,
     b: impl Into<Rings<'a, S>>,
@@ -34,7 +34,7 @@ pub fn valid<'a, S: Scalar<Mask = bool>>(
     fill: Fill,
 ) -> Result<Vec<Polygon<S>>, Error> {
     let (a, b) = (a.into(), b.into());
-    valid_decided(a, b, operation, fill).map(|trace| valid_replay(a, b, &trace))
+    valid_search(a, b, operation, fill).map(|trace| valid_replay(a, b, &trace))
 }
 
 /// The vertices of a result that is valid by the OGC's rules, and where each is from: the record of
@@ -42,8 +42,8 @@ pub fn valid<'a, S: Scalar<Mask = bool>>(
 ///
 /// # Errors
 ///
-/// See [`overlay_decided`](super::overlay_decided).
-pub fn valid_decided<'a, S: Scalar<Mask = bool>>(
+/// See [`overlay_search`](super::overlay_search).
+pub fn valid_search<'a, S: Scalar<Mask = bool>>(
     a: impl Into<Rings<'a, S>>,
     b: impl Into<Rings<'a, S>>,
     operation: Operation,

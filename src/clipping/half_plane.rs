@@ -12,7 +12,7 @@ use crate::{ConvexPolygon, Scalar, Vec2};
 /// # Errors
 ///
 /// When more than `K` vertices are left; `N + 1` always suffice.
-pub fn half_plane_decided<S: Scalar<Mask = bool>, const N: usize, const K: usize>(
+pub fn half_plane_search<S: Scalar<Mask = bool>, const N: usize, const K: usize>(
     polygon: &ConvexPolygon<S, N>,
     line: [Vec2<S>; 2],
 ) -> Result<ClipTrace<K>, Flaw> {
@@ -38,14 +38,14 @@ pub fn half_plane_decided<S: Scalar<Mask = bool>, const N: usize, const K: usize
 }
 
 /// What is left of a polygon on the left of a line, from both and the record of
-/// [`half_plane_decided`].
+/// [`half_plane_search`].
 ///
 /// ```
 /// use geograd::{Aabb2, ConvexPolygon, Vec2};
-/// use geograd::clipping::{half_plane_decided, half_plane_replay};
+/// use geograd::clipping::{half_plane_search, half_plane_replay};
 /// let square = ConvexPolygon::from(Aabb2::new(0.0, 0.0, 2.0, 2.0));
 /// let diagonal = [Vec2::new(0.0, 0.0), Vec2::new(2.0, 2.0)];
-/// let trace = half_plane_decided::<_, 4, 5>(&square, diagonal).unwrap();
+/// let trace = half_plane_search::<_, 4, 5>(&square, diagonal).unwrap();
 /// assert_eq!(half_plane_replay(&square, diagonal, &trace).area(), 2.0);
 /// ```
 #[must_use]

@@ -1,14 +1,15 @@
 //! Clipping of convex polygons, with the provenance of every vertex and edge.
 //!
 //! A search decides, with exact predicates on the given vertices only, which corners and crossings the
-//! result has: [`clip_decided`]. Its record holds no numbers. [`clip_replay`] makes the polygon from
+//! result has: [`clip_search`]. Its record holds no numbers. [`clip_replay`] makes the polygon from
 //! the given ones and the record, so duals pass through it; its adjoint replays it likewise. Where the
 //! shapes only touch, the result is a point (one vertex) or a segment (two), where they are apart it is
 //! empty (none).
 //!
-//! Every vertex has one origin, as the record names it, and all of its slope is by that: a vertex that both polygons have
-//! is the first one's, or the crossing of two edges. So `clip(a, a)` has the slopes of its first argument alone, where
-//! [`overlap_polygon`](crate::overlap_polygon) and [`hull::merge`](crate::hull::merge()) share slopes between equals.
+//! Every vertex has one origin, as the record names it, and all of its derivative is by that: a vertex that both
+//! polygons have is the first one's, or the crossing of two edges. So `clip(a, a)` has the derivatives of its first
+//! argument alone, where [`overlap_polygon`](crate::overlap_polygon) and [`hull::merge`](crate::hull::merge()) share
+//! derivatives between equals.
 //!
 //! For the area of what two polygons share nothing need be clipped: see
 //! [`overlap_polygon`](crate::overlap_polygon).
@@ -17,8 +18,8 @@ mod half_plane;
 mod meeting;
 mod pair;
 
-pub use half_plane::{half_plane_decided, half_plane_replay};
-pub use pair::{clip, clip_decided, clip_replay};
+pub use half_plane::{half_plane_replay, half_plane_search};
+pub use pair::{clip, clip_replay, clip_search};
 
 /// Where a vertex is from.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]

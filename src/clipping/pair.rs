@@ -13,13 +13,13 @@ use crate::predicate::{Turn, turn_between};
 use crate::{ConvexPolygon, Scalar};
 
 /// What two convex polygons share, as a record of where every vertex and every side of it is from.
-/// Decided exactly, `O(n log m)`; the polygons must be valid, or the record means nothing.
+/// Search exactly, `O(n log m)`; the polygons must be valid, or the record means nothing.
 ///
 /// ```
-/// use geograd::{Aabb2, ConvexPolygon, clipping::{Corner, Side, clip_decided}};
+/// use geograd::{Aabb2, ConvexPolygon, clipping::{Corner, Side, clip_search}};
 /// let a = ConvexPolygon::from(Aabb2::new(0.0, 0.0, 2.0, 2.0));
 /// let b = ConvexPolygon::from(Aabb2::new(1.0, 1.0, 3.0, 3.0));
-/// let trace = clip_decided::<_, 4, 4, 8>(&a, &b).unwrap();
+/// let trace = clip_search::<_, 4, 4, 8>(&a, &b).unwrap();
 /// let cross = |a, b| Corner::Cross { a, b };
 /// assert_eq!(trace.corners[..trace.count], [cross(1, 0), Corner::A(2), cross(2, 3), Corner::B(0)]);
 /// assert_eq!(trace.sides[..trace.count], [Side::A(1), Side::A(2), Side::B(3), Side::B(0)]);
@@ -28,7 +28,7 @@ use crate::{ConvexPolygon, Scalar};
 /// # Errors
 ///
 /// When the result has more than `K` vertices; `N + M` always suffice.
-pub fn clip_decided<S: Scalar<Mask = bool>, const N: usize, const M: usize, const K: usize>(
+pub fn clip_search<S: Scalar<Mask = bool>, const N: usize, const M: usize, const K: usize>(
     a: &ConvexPolygon<S, N>,
     b: &ConvexPolygon<S, M>,
 ) -> Result<ClipTrace<K>, Flaw> {
@@ -102,7 +102,7 @@ fn starts_inside<S: Scalar<Mask = bool>>(
     chain.0 < chain.1 && outer.contains(inner.at(chain.0))
 }
 
-/// What two convex polygons share, from both and the record of [`clip_decided`]. Slopes of a crossing
+/// What two convex polygons share, from both and the record of [`clip_search`]. Derivatives of a crossing
 /// are those of the two edges that cross; its own are unbounded as these become parallel, though those of
 /// areas are not.
 #[must_use]
@@ -134,11 +134,11 @@ pub fn clip<S: Scalar<Mask = bool>, const N: usize, const M: usize, const K: usi
     a: &ConvexPolygon<S, N>,
     b: &ConvexPolygon<S, M>,
 ) -> Result<ConvexPolygon<S, K>, Flaw> {
-    clip_decided(a, b).map(|trace| clip_replay(a, b, &trace))
+    clip_search(a, b).map(|trace| clip_replay(a, b, &trace))
 }
 
 impl<S: Scalar<Mask = bool>, const N: usize> ConvexPolygon<S, N> {
-    /// Whether both polygons have a point in common; borders belong to both. Decided exactly.
+    /// Whether both polygons have a point in common; borders belong to both. Search exactly.
     ///
     /// ```
     /// use geograd::{Aabb2, ConvexPolygon};
@@ -149,6 +149,6 @@ impl<S: Scalar<Mask = bool>, const N: usize> ConvexPolygon<S, N> {
     #[must_use]
     pub fn touches<const M: usize>(&self, other: &ConvexPolygon<S, M>) -> bool {
         // More than there is room for is something, too.
-        clip_decided::<S, N, M, 1>(self, other).map_or(true, |trace| trace.count > 0)
+        clip_search::<S, N, M, 1>(self, other).map_or(true, |trace| trace.count > 0)
     }
 }

@@ -103,7 +103,7 @@ impl Period {
             Period::Quarter => 4.0,
         }
     }
-    /// The same angle, in radians, in `[−p/2, p/2]` for the period p; slope one.
+    /// The same angle, in radians, in `[−p/2, p/2]` for the period p; derivative one.
     #[must_use]
     #[inline]
     pub fn wrap<S: Scalar>(self, angle: S) -> S {

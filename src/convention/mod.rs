@@ -1,6 +1,6 @@
 //! Other people's conventions as types: a box in one of them must be converted before it can be used, so
 //! a mistaken handedness, unit or order of numbers does not compile. All conversions are generic and have
-//! slopes.
+//! derivatives.
 //!
 //! In this library angles are radians, counter-clockwise; in the plane x points to the right and y up, in
 //! space z points up.

@@ -43,8 +43,8 @@ pub struct Reach<S> {
 /// Where an edge is nearest to the point `edge.from + arm`. Coordinates are of a size near one, or
 /// smaller.
 ///
-/// Edges shorter than ε² count as points: t is ½ (or the bound nearest to it), with slope zero.
-/// At either end of the edge the slope of t is shared.
+/// Edges shorter than ε² count as points: t is ½ (or the bound nearest to it), with derivative zero.
+/// At either end of the edge the derivative of t is shared.
 #[cfg_attr(not(debug_assertions), inline(always))]
 pub fn reach<S: Scalar>(edge: Edge<S>, arm: Vec2<S>) -> Reach<S> {
     let square = edge.along.length_squared();
@@ -114,10 +114,10 @@ impl<S: Scalar> Placed<S> {
     }
 }
 
-/// The distance from a point to the edge between two points, not negative; 0 with slope zero on the
+/// The distance from a point to the edge between two points, not negative; 0 with derivative zero on the
 /// edge.
 ///
-/// Slopes, by the envelope theorem: with n the unit vector from the nearest point to `point` and t the
+/// Derivatives, by the envelope theorem: with n the unit vector from the nearest point to `point` and t the
 /// fraction of the way at which it lies, they are n for `point`, −(1 − t) n for `from` and −t n for
 /// `to`. There is no kink where the nearest point becomes an end. An edge shorter than ε² of the
 /// distance counts as its midpoint.
@@ -136,7 +136,7 @@ pub fn edge_distance<S: Scalar>(point: Vec2<S>, from: Vec2<S>, to: Vec2<S>) -> S
 }
 
 /// The [distance](edge_distance) of a point and an edge, and where that is zero how far the point is on
-/// the left of the edge's line: zero, with the slope of the edge's normal.
+/// the left of the edge's line: zero, with the derivative of the edge's normal.
 #[cfg_attr(not(debug_assertions), inline(always))]
 pub(super) fn edge_sides<S: Scalar>(point: Vec2<S>, from: Vec2<S>, to: Vec2<S>) -> (S, S) {
     let (edge, arm, scale) = Placed::segment(Segment2::new(from, to)).near_scaled(point);
@@ -166,7 +166,7 @@ pub fn edge_squared_distance<S: Scalar>(point: Vec2<S>, from: Vec2<S>, to: Vec2<
 }
 
 /// What the edge between two points adds to the winding number around a point: 1 where it crosses
-/// the ray from the point along +x upwards, −1 where downwards, else 0. A constant: no slope.
+/// the ray from the point along +x upwards, −1 where downwards, else 0. A constant: no derivative.
 ///
 /// An edge has its lower end and lacks its upper one, so a ring's edges add up to a whole number for
 /// every point off the ring. On the ring either side may win, and the distance is 0.

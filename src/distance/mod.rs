@@ -23,21 +23,21 @@
 //! The signed distance is positive outside. (DGAL's sign is the opposite, positive inside:
 //! [`clearance`].)
 //!
-//! # Slopes
+//! # Derivatives
 //!
-//! By the envelope theorem the slope of a distance is that of the way between the two nearest points,
+//! By the envelope theorem the derivative of a distance is that of the way between the two nearest points,
 //! held fixed on their shapes: with n the unit vector from a to b it is n for a shift of b and −n for a
 //! shift of a, wherever the points move to. A corner gets the share with which it takes part in the
 //! nearest point; a radius gets −1.
 //!
-//! Values and slopes are finite where every length and coordinate is zero or of a magnitude from 2⁻²⁰ to 2²⁰ in `f32`,
-//! from 2⁻¹⁵⁰ to 2¹⁵⁰ in `f64`.
+//! Values and derivatives are finite where every length and coordinate is zero or of a magnitude from 2⁻²⁰ to 2²⁰ in
+//! `f32`, from 2⁻¹⁵⁰ to 2¹⁵⁰ in `f64`.
 //!
-//! Kinks: at distance zero the distance and its slopes are 0 (the signed distance keeps its slope
+//! Kinks: at distance zero the distance and its derivatives are 0 (the signed distance keeps its derivative
 //! there). Where several pairs of corner and edge are equally near, as for parallel edges, they
-//! share the slope and the point equally: for two boxes face to face the points are the middle of what
+//! share the derivative and the point equally: for two boxes face to face the points are the middle of what
 //! faces each other, or of its ends' repetitions. Where several faces are equally deep they share the
-//! slope, and the direction is that of the first.
+//! derivative, and the direction is that of the first.
 use crate::{Scalar, Vec2};
 
 pub mod bounds;
@@ -96,7 +96,7 @@ pub struct Penetration<S> {
 /// The signed distance of two convex shapes, in the unit of length: the shortest way between them, or
 /// minus the length of the shortest shift after which they only touch.
 ///
-/// Minus the largest finite number for two lines that cross. Slopes and kinks: see the
+/// Minus the largest finite number for two lines that cross. Derivatives and kinks: see the
 /// [module](self); on the border of a shape with an area it is smooth.
 ///
 /// ```
@@ -126,10 +126,10 @@ pub fn clearance<S: Scalar, A: Convex<S>, B: Convex<S>>(a: A, b: B) -> S {
     (-signed_distance(a, b)).canonical()
 }
 
-/// The distance of two convex shapes, in the unit of length; 0 with slope zero where they touch or
+/// The distance of two convex shapes, in the unit of length; 0 with derivative zero where they touch or
 /// overlap.
 ///
-/// Slopes and kinks: see the [module](self).
+/// Derivatives and kinks: see the [module](self).
 ///
 /// ```
 /// use geograd::{Obb2, Segment2, Vec2, distance::distance};
@@ -162,7 +162,7 @@ pub fn squared_distance<S: Scalar, A: Convex<S>, B: Convex<S>>(a: A, b: B) -> S 
 ///
 /// Where they overlap, the points that [`penetration`] brings together: `on_b` is that point of b which
 /// is deepest in a (or the reverse), `on_a` the point of a's border to which it must go. Ties and
-/// slopes: see the [module](self). Where two lines cross the points are nearest to each other's
+/// derivatives: see the [module](self). Where two lines cross the points are nearest to each other's
 /// given points and mean nothing.
 ///
 /// ```
@@ -179,7 +179,7 @@ pub fn closest_points<S: Scalar, A: Convex<S>, B: Convex<S>>(a: A, b: B) -> Clos
 /// How deep two convex shapes are in each other, and in which direction b leaves a by the shortest
 /// way.
 ///
-/// The depth has slopes by the envelope theorem, like a distance; it is 0 with slope zero where the
+/// The depth has derivatives by the envelope theorem, like a distance; it is 0 with derivative zero where the
 /// shapes are apart or touch, and the largest finite number for two lines that cross.
 ///
 /// ```
@@ -196,7 +196,7 @@ pub fn penetration<S: Scalar, A: Convex<S>, B: Convex<S>>(a: A, b: B) -> Penetra
 /// The longest distance of a point of one shape from a point of the other, in the unit of length. For
 /// bounded shapes; of a ray or a line only the given point counts.
 ///
-/// Pairs of corners that are equally far share the slope; two equal points have slope zero.
+/// Pairs of corners that are equally far share the derivative; two equal points have derivative zero.
 ///
 /// ```
 /// use geograd::{Aabb2, distance::farthest_distance};
@@ -210,8 +210,8 @@ pub fn farthest_distance<S: Scalar, A: Convex<S>, B: Convex<S>>(a: A, b: B) -> S
     a.take_formula::<Farthest, B>(b)
 }
 
-/// The points between which [`farthest_distance`] is: corners of both, or the points of round shapes beyond their centres
-/// and ends. For bounded shapes; of a ray or a line only the given point counts.
+/// The points between which [`farthest_distance`] is: corners of both, or the points of round shapes beyond their
+/// centres and ends. For bounded shapes; of a ray or a line only the given point counts.
 ///
 /// Of several pairs that are equally far it is the first, counted along a's corners and then b's, so that both are
 /// corners: points jump where pairs tie. Of round shapes with one centre they are two ends of one diameter.

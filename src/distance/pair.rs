@@ -1,7 +1,8 @@
 //! The formula that a function of distance takes for a pair of shapes.
 //!
-//! Two points and two axis-aligned boxes have formulas of their own ([`upright`]), two rotated boxes, too ([`turned`]); all other pairs
-//! are compared by their cores. Function, method and batch come through here, so that they agree to the bit.
+//! Two points and two axis-aligned boxes have formulas of their own ([`upright`]), two rotated boxes, too
+//! ([`turned`]); all other pairs are compared by their cores. Function, method and batch come through here, so that
+//! they agree to the bit.
 use super::convex::{self, Convex, Core};
 use super::relation::{LENGTH, NORMAL, POINTS, relate};
 use super::{ClosestPoints, Penetration, edge, turned, upright};
@@ -164,7 +165,7 @@ impl<S: Scalar> PairFormula<S> for Farthest {
         let square = match (A::Core::SYMMETRIC, B::Core::SYMMETRIC) {
             (true, false) => core_a.far(to),
             (false, true) => core_b.far(from),
-            // Of two boxes neither comes first, so that exchanging them changes no slope.
+            // Of two boxes neither comes first, so that exchanging them changes no derivative.
             _ => convex::farthest(from, to),
         };
         let square = square.mean();

@@ -113,7 +113,7 @@ fn relate_all<S: Scalar, A: Convex<S>, B: Convex<S>>(a: A, b: B) -> Relation<S> 
     joined((near, direction), deepest(a, b), bounded, origin, scale)
 }
 
-/// The vector with length one; zero for none. Beside a speck it is a constant, whose slopes are beyond the format.
+/// The vector with length one; zero for none. Beside a speck it is a constant, whose derivatives are beyond the format.
 #[cfg_attr(not(debug_assertions), inline(always))]
 pub(crate) fn direction<S: Scalar>(way: Vec2<S>) -> Vec2<S> {
     let length = way.length();
@@ -123,14 +123,14 @@ pub(crate) fn direction<S: Scalar>(way: Vec2<S>) -> Vec2<S> {
     choose(length.at_most(S::lit(speck::<S>())), constant(unit), unit)
 }
 
-/// The vector without slopes.
+/// The vector without derivatives.
 #[cfg_attr(not(debug_assertions), inline(always))]
 fn constant<S: Scalar>(v: Vec2<S>) -> Vec2<S> {
     Vec2::new(S::from_primal(v.x.primal()), S::from_primal(v.y.primal()))
 }
 
-/// The relation of two cores by their nearest points, the direction from a to b there, and by the face that parts them best, seen from `origin` in
-/// units of `1 / scale`; `bounded` says that one of them is.
+/// The relation of two cores by their nearest points, the direction from a to b there, and by the face that parts
+/// them best, seen from `origin` in units of `1 / scale`; `bounded` says that one of them is.
 #[cfg_attr(not(debug_assertions), inline(always))]
 pub(crate) fn joined<S: Scalar>(
     (near, direction): (Nearest<S>, Vec2<S>),
@@ -162,8 +162,8 @@ pub(crate) fn joined<S: Scalar>(
     };
     let parted = deep.value.above(S::lit(-S::LARGEST));
     let deep = deep.mean();
-    // Shifted by their depth, cores that overlap touch, and then a corner of one is on an edge of the other: without the
-    // shift it is no farther from there than the depth. Faces too short to count would have parted any others.
+    // Shifted by their depth, cores that overlap touch, and then a corner of one is on an edge of the other: without
+    // the shift it is no farther from there than the depth. Faces too short to count would have parted any others.
     let reachable = (S::lit(SLACK * S::EPSILON) - deep.ahead) - deep.ahead;
     let behind = deep.ahead.below(S::zero()) & length.at_most(reachable);
     let inside = parted & (behind | none);

@@ -23,13 +23,13 @@ pub enum Fill {
 #[derive(Clone, Copy, Debug, PartialEq, crate::Shape)]
 #[repr(C)]
 pub struct EdgeFold<S> {
-    /// The distance of the nearest edge so far, with the slope of the edges that tie.
+    /// The distance of the nearest edge so far, with the derivative of the edges that tie.
     pub distance: S,
     /// The sum of the distances of the edges that tie.
     sum: S,
     /// How many they are.
     count: S,
-    /// Of an edge that the point is exactly on its distance to the left of it: zero but for slopes. Here
+    /// Of an edge that the point is exactly on its distance to the left of it: zero but for derivatives. Here
     /// where the winding number on that side is the point's own.
     left: S,
     /// Here where that on its right side is.
@@ -114,7 +114,7 @@ impl<S: Scalar> EdgeFold<S> {
         self.join(Self::of_edge(point, from, to))
     }
     /// The distance of the nearest edge; the largest finite number without edges. Edges that tie share
-    /// the slope equally.
+    /// the derivative equally.
     #[must_use]
     #[inline(always)]
     pub fn distance(self) -> S {
@@ -129,7 +129,7 @@ impl<S: Scalar> EdgeFold<S> {
     pub fn inside(self, fill: Fill) -> S::Mask {
         fills(self.winding, fill)
     }
-    /// The distance of the border, negative inside. Exactly on an edge, across which it is smooth, the slope
+    /// The distance of the border, negative inside. Exactly on an edge, across which it is smooth, the derivative
     /// is that of the outward normal; where several edges meet it is zero.
     #[must_use]
     #[inline(always)]
@@ -172,10 +172,10 @@ fn is_even<S: Scalar>(whole: S) -> S::Mask {
     ((half + shift) - shift).equals(half)
 }
 
-/// The distance from a point to the edges of a polyline, not negative; 0 with slope zero on it. For a
+/// The distance from a point to the edges of a polyline, not negative; 0 with derivative zero on it. For a
 /// single vertex the distance to it, for none the largest finite number.
 ///
-/// Edges that are equally near share the slope equally.
+/// Edges that are equally near share the derivative equally.
 ///
 /// ```
 /// use geograd::{Vec2, distance::ring::distance_to_polyline};
@@ -198,9 +198,9 @@ pub fn distance_to_ring<S: Scalar<Mask = bool>>(point: Vec2<S>, ring: &[Vec2<S>]
 /// The signed distance from a point to a ring in either orientation: negative inside, by the winding
 /// number. Self-intersecting rings are valid. Without vertices the largest finite number.
 ///
-/// Slopes: the unit vector from the nearest point of the ring (inside: towards it), to the ends of
+/// Derivatives: the unit vector from the nearest point of the ring (inside: towards it), to the ends of
 /// its edge by the share with which they take part; exactly on an edge the outward normal, on a vertex
-/// zero. Kinks: the points with several nearest edges, which share the slope equally.
+/// zero. Kinks: the points with several nearest edges, which share the derivative equally.
 ///
 /// ```
 /// use geograd::{Vec2, distance::ring::signed_distance_to_ring};

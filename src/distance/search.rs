@@ -60,7 +60,7 @@ impl<P: Scalar<Mask = bool>> Found<P> {
 /// The fold over the edges between neighbours in a path and, for a ring, from the last vertex to the
 /// first. `None` where squares over- or underflow, or there are too many edges to count.
 ///
-/// The nearest edges are found by their squared distance, and only they are measured with slopes.
+/// The nearest edges are found by their squared distance, and only they are measured with derivatives.
 #[inline]
 pub(super) fn nearest<S: Scalar<Mask = bool>>(
     point: Vec2<S>,

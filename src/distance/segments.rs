@@ -38,7 +38,7 @@ impl<S: Scalar> Carry<S> for Pair<S> {
 }
 
 /// The points in which two segments are nearest to each other, and where along the segments they lie.
-/// For segments that cross it is the point of crossing, with its slopes.
+/// For segments that cross it is the point of crossing, with its derivatives.
 ///
 /// Kinks: parallel segments, where the nearest pairs of an end and a segment share equally (for
 /// segments of equal length side by side: the middles); nearest points that become an end; ends that
@@ -110,7 +110,7 @@ pub fn closest_points_of_segments<S: Scalar>(
     }
 }
 
-/// The shortest way from one shape to another, as the slopes of its length need it.
+/// The shortest way from one shape to another, as the derivatives of its length need it.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Way<S> {
     /// The direction from a to b, of length one; zero where a and b have a point in common.

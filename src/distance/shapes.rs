@@ -131,7 +131,7 @@ impl<S: Scalar, const N: usize> Convex<S> for [Vec2<S>; N] {
 }
 
 /// The first `used` corners, and the last of them again to the end of the array: the same polygon.
-/// Slopes of corners beyond are zero. `used` is a whole number from 1 to N.
+/// Derivatives of corners beyond are zero. `used` is a whole number from 1 to N.
 ///
 /// ```
 /// use geograd::{Vec2, distance::repeat_last};

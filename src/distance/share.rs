@@ -132,7 +132,7 @@ pub struct Ahead<S> {
 
 /// A face and the points of the other core that are farthest behind it.
 ///
-/// Faces that tie share the slope of how far; of their normals and points those of the first face are
+/// Faces that tie share the derivative of how far; of their normals and points those of the first face are
 /// taken whose end the points are not beyond, for the mean of two normals is none.
 #[derive(Clone, Copy, Debug)]
 pub struct Deepest<S> {
@@ -248,10 +248,10 @@ impl<S: Scalar> Best<S, Deepest<S>> {
     /// The larger of two that are faces of different shapes, as [`most`](Best::most) but where both are parallel and
     /// part the shapes equally.
     ///
-    /// With b turned by t from there its own face parts them by `−offset t + (p − h) |t|` more than that of a, where p and h
-    /// are half the lengths of the faces of b and a, and offset is how far their middles are apart. So for both
-    /// signs of t it is the longer face that parts them if the second term is larger; else one of them for each
-    /// sign, and the slope is the mean.
+    /// With b turned by t from there its own face parts them by `−offset t + (p − h) |t|` more than that of a, where
+    /// p and h are half the lengths of the faces of b and a, and offset is how far their middles are apart. So for
+    /// both signs of t it is the longer face that parts them if the second term is larger; else one of them for each
+    /// sign, and the derivative is the mean.
     #[must_use]
     #[cfg_attr(not(debug_assertions), inline(always))]
     pub fn most_of_faces(self, other: Self) -> Self {

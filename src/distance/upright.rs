@@ -10,7 +10,7 @@ use crate::{Aabb2, Scalar, Vec2};
 ///
 /// What [`signed_distance`](super::signed_distance) gives for them, by the two gaps between their bounds alone: it
 /// has no kink beside those of the distance itself, however flat the boxes are. Kinks: where bounds tie, or
-/// the gaps of boxes that overlap, which share the slope half and half; boxes that touch with a corner.
+/// the gaps of boxes that overlap, which share the derivative half and half; boxes that touch with a corner.
 ///
 /// ```
 /// use geograd::{Aabb2, distance::upright::signed_distance_aabb2};
@@ -133,7 +133,7 @@ pub fn closest_points_aabb2<S: Scalar>(a: Aabb2<S>, b: Aabb2<S>) -> ClosestPoint
 /// How deep two axis-aligned boxes overlap, and in which direction b leaves a by the shortest way.
 ///
 /// What [`penetration`](super::penetration) gives for them, by their bounds alone. Where the ways out along x and along
-/// y tie, the depth shares its slope and the direction is along x. Kinks: where bounds tie.
+/// y tie, the depth shares its derivative and the direction is along x. Kinks: where bounds tie.
 ///
 /// ```
 /// use geograd::{Aabb2, Vec2, distance::upright::penetration_aabb2};

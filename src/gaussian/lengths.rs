@@ -19,7 +19,7 @@ pub(super) struct Shapes<S: Scalar> {
 }
 
 /// The power of two that brings a length into `[2, 4)`; no larger than three quarters of the range of exponents
-/// allow, so that slopes by lengths stay finite in that unit.
+/// allow, so that derivatives by lengths stay finite in that unit.
 #[inline(always)]
 fn bounded_unit<S: Scalar>(length: S) -> S {
     let most = S::lit(S::LARGEST.powf(-0.75)).binade();
@@ -48,10 +48,10 @@ impl<S: Scalar> Shapes<S> {
             none,
         }
     }
-    /// A number that says how the boxes are turned, or a constant where slopes by it might not be finite: they
+    /// A number that says how the boxes are turned, or a constant where derivatives by it might not be finite: they
     /// grow as the larger size to a power.
     #[inline(always)]
-    pub fn finite_slopes<const POWER: usize>(&self) -> impl Fn(S) -> S + use<S, POWER> {
+    pub fn finite_derivatives<const POWER: usize>(&self) -> impl Fn(S) -> S + use<S, POWER> {
         let both = self.both.primal();
         let mut unit = both;
         for _ in 1..POWER {
@@ -105,7 +105,7 @@ pub(super) fn sum_of_squares<S: Scalar>(shape: S, units: &Shapes<S>, way: &Way<S
     (shape + way).saturated()
 }
 
-/// Its root, a length. A constant where slopes might not be finite: sizes near the largest numbers and boxes that
+/// Its root, a length. A constant where derivatives might not be finite: sizes near the largest numbers and boxes that
 /// are almost identical beside them.
 ///
 /// Both are brought into the unit of the longer one, so that the shorter one alone can underflow.
@@ -117,7 +117,7 @@ pub(super) fn root_of_sum<S: Scalar>(shape: S, units: &Shapes<S>, way: &Way<S>) 
     let longest = S::from_primal(longest.saturated());
     let none = longest.at_most(S::zero());
     let unit = bounded_unit(S::select(none, one, longest));
-    // Slopes grow as the square of a unit over that of the sizes.
+    // Derivatives grow as the square of a unit over that of the sizes.
     let bound = units.both * S::lit((1_u64 << 40) as f64);
     let bounded = bound.below(unit) & !units.none;
     let unit = S::select(bounded, bound, unit);

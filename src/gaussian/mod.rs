@@ -1,4 +1,4 @@
-//! Boxes as Gaussians: distances and losses that have slopes for boxes apart, too.
+//! Boxes as Gaussians: distances and losses that have derivatives for boxes apart, too.
 //!
 //! A box stands for the Gaussian with its centre as mean and, along its own axes, half its sizes as
 //! standard deviations; [`probiou`] alone takes those of an even spread, `size / √12`, as its paper does.
@@ -14,24 +14,24 @@
 //! | [`probiou`] | similarity, one minus Hellinger's distance | `[0, 1]` | Llerena et al., *Gaussian bounding boxes and probabilistic intersection-over-union for object detection*, 2021 |
 //! | [`kfiou`] | similarity of shapes, blind to the centres | `[0, 1/3]` | Yang et al., *The KFIoU loss for rotated object detection*, ICLR 2023 |
 //!
-//! A square is a circle as a Gaussian, so its heading has no slope.
+//! A square is a circle as a Gaussian, so its heading has no derivative.
 //!
 //! Wasserstein's distance takes sizes and the distance of the centres each in a unit of its own: none costs another
 //! one digits, however far apart they are.
 //!
 //! But for Wasserstein's distance, sizes count as no smaller than 2⁻²³ of the largest length of the pair: of
 //! all sizes and the distance of the centres. So boxes of zero size are served, sides up to eight million times
-//! as long as others are exact, and all results are finite, the same in every format. Slopes go through that
+//! as long as others are exact, and all results are finite, the same in every format. Derivatives go through that
 //! bound, too: by the largest length.
 //!
-//! Values and slopes are finite where every length and coordinate is zero or of a magnitude from 2⁻²⁰ to 2²⁰ in `f32`,
-//! from 2⁻¹⁵⁰ to 2¹⁵⁰ in `f64`.
+//! Values and derivatives are finite where every length and coordinate is zero or of a magnitude from 2⁻²⁰ to 2²⁰ in
+//! `f32`, from 2⁻¹⁵⁰ to 2¹⁵⁰ in `f64`.
 //!
-//! Slopes are zero where they could exceed the largest number: those by lengths of pairs that are both thin and near
-//! the smallest numbers (in `f32` 10⁶ times as long as thick and below 10⁻¹⁷), and those of Wasserstein's distance by
-//! rotations of sizes near the largest numbers, or near the root of them for its square.
+//! Derivatives are zero where they could exceed the largest number: those by lengths of pairs that are both thin and
+//! near the smallest numbers (in `f32` 10⁶ times as long as thick and below 10⁻¹⁷), and those of Wasserstein's
+//! distance by rotations of sizes near the largest numbers, or near the root of them for its square.
 //!
-//! Kinks: [`wasserstein`] and [`probiou`] at identical Gaussians (slope zero). The others are smooth, but
+//! Kinks: [`wasserstein`] and [`probiou`] at identical Gaussians (derivative zero). The others are smooth, but
 //! where a size meets that bound, and where all lengths are zero: there boxes count as identical.
 use crate::{Obb2, Rotation2, Scalar, Vec2};
 
@@ -72,10 +72,10 @@ fn unit<S: Scalar>(quarter: S) -> (S, S) {
     (scale, S::select(none, S::one(), least))
 }
 
-/// A length, or a constant where slopes by lengths might not be finite: they grow as the unit's scale times the
+/// A length, or a constant where derivatives by lengths might not be finite: they grow as the unit's scale times the
 /// third power of what one is over the smallest size. A function of the scale and that size.
 #[inline(always)]
-fn finite_slopes<S: Scalar>(scale: S, smallest: S) -> impl Fn(S) -> S + use<S> {
+fn finite_derivatives<S: Scalar>(scale: S, smallest: S) -> impl Fn(S) -> S + use<S> {
     let per = S::Primal::one().over(smallest.primal());
     let steep = ((scale.primal() * per) * (per * per)).above(S::Primal::lit(S::LARGEST / 1024.0));
     move |x: S| S::select(steep, S::from_primal(x.primal()), x)
@@ -93,7 +93,7 @@ fn pair<S: Scalar>(a: Obb2<S>, b: Obb2<S>, deviation: f64) -> Pair<S> {
         Vec2::new(v.x.most(least), v.y.most(least)) * S::lit(deviation)
     };
     let (own, other) = (deviations(a.size), deviations(b.size));
-    let held = finite_slopes(scale, own.x.least(own.y).least(other.x.least(other.y)));
+    let held = finite_derivatives(scale, own.x.least(own.y).least(other.x.least(other.y)));
     let held = |v: Vec2<S>| Vec2::new(held(v.x), held(v.y));
     let (own, other) = (held(own), held(other));
     let (axes_a, axes_b) = (
@@ -191,8 +191,8 @@ fn distance<S: Scalar>(pair: &Pair<S>) -> S {
     far.halved().halved() + shape.halved()
 }
 
-/// One minus Hellinger's distance of two boxes as Gaussians of even spread, in `[0, 1]`: 1 for identical
-/// ones. Slope zero there. Below 10⁻³⁵ it is zero, in every format; [`bhattacharyya`] has slopes farther away.
+/// One minus Hellinger's distance of two boxes as Gaussians of even spread, in `[0, 1]`: 1 for identical ones.
+/// Derivative zero there. Below 10⁻³⁵ it is zero, in every format; [`bhattacharyya`] has derivatives farther away.
 ///
 /// ```
 /// use geograd::{Obb2, gaussian::probiou};

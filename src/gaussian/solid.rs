@@ -5,7 +5,7 @@
 //! second box are renamed first so that R is as small as it can be.
 use super::smooth::{excess, ln_one_plus};
 pub use super::solid_wasserstein::{wasserstein, wasserstein_squared};
-use super::{finite_slopes, fused, similarity, unit};
+use super::{finite_derivatives, fused, similarity, unit};
 use crate::overlap3::relate::relate3;
 use crate::scalar::{least_of, most_of};
 use crate::shape::{Obb3, Rotation3};
@@ -44,10 +44,10 @@ fn pair<S: Scalar>(a: Obb3<S>, b: Obb3<S>, deviation: f64) -> Pair<S> {
     ]));
     let sizes = |v: Vec3<S>| [v.x, v.y, v.z].map(|x| (x * scale).most(least));
     let (own, other) = (sizes(a.size), sizes(b.size));
-    let held = finite_slopes(scale, least_of(own).least(least_of(other)));
+    let held = finite_derivatives(scale, least_of(own).least(least_of(other)));
     let (own, other) = (own.map(&held), other.map(&held));
     let between = Vec3::new(between.x * scale, between.y * scale, between.z * scale);
-    // A way of 2⁻⁹⁰ of the largest length is none: units in which it is long have no finite slopes.
+    // A way of 2⁻⁹⁰ of the largest length is none: units in which it is long have no finite derivatives.
     let long = most_of([
         between.x.unsigned(),
         between.y.unsigned(),
@@ -187,7 +187,7 @@ fn distance<S: Scalar>(pair: &Pair<S>) -> S {
 }
 
 /// One minus Hellinger's distance of two boxes as Gaussians of even spread, in `[0, 1]`: 1 for identical
-/// ones. Slope zero there.
+/// ones. Derivative zero there.
 #[must_use]
 #[inline]
 pub fn probiou<S: Scalar>(a: Obb3<S>, b: Obb3<S>) -> S {

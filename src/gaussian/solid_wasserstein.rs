@@ -32,7 +32,7 @@ fn pair<S: Scalar, const POWER: usize>(a: Obb3<S>, b: Obb3<S>) -> Pair<S> {
     let own = numbers(a.size).map(|x| x * units.a);
     let other = numbers(b.size).map(|x| x * units.b);
     // The rotation and the names of axes do not depend on sizes: these keep every unit finite.
-    let held = units.finite_slopes::<POWER>();
+    let held = units.finite_derivatives::<POWER>();
     let turned = |q: Rotation3<S>| {
         let cube = Vec3::new(S::one(), S::one(), S::one());
         let rotation = Rotation3::new(held(q.w), held(q.x), held(q.y), held(q.z));
@@ -97,7 +97,7 @@ fn nearest_rotation<S: Scalar>(mut x: [[S::Primal; 3]; 3]) -> [[S; 3]; 3] {
 /// The squared distance of both shapes, as if their centres agreed, in squared units of [`Shapes`].
 ///
 /// The trace of `Σa + Σb − 2 (√Σa Σb √Σa)^½` is the least `‖√Σa − √Σb Q‖²` over all rotations Q: a sum of
-/// squares. At the best Q slopes by Q vanish, so Q is a constant.
+/// squares. At the best Q derivatives by Q vanish, so Q is a constant.
 fn of_shapes<S: Scalar>(pair: &Pair<S>) -> S {
     let (turn, units) = (&pair.turn, &pair.units);
     // Each box in its own unit: the rotation does not depend on units. Sides without thickness count as thin.
@@ -138,7 +138,7 @@ fn of_shapes<S: Scalar>(pair: &Pair<S>) -> S {
 }
 
 /// What moving the best rotation Q along with the pair takes from the sum of squares: nothing here, and no
-/// slope, but a second derivative.
+/// derivative, but a second derivative.
 ///
 /// With `K = Qᵀ M`, symmetric where Q is the best, a further turn ω changes `⟨M, Q⟩` by `ω · v − ½ ωᵀ P ω`,
 /// where v is twice the skew part of K and `P = tr K − K`; the best ω gains `½ vᵀ P⁻¹ v` of it, so twice that
@@ -189,7 +189,7 @@ pub fn wasserstein_squared<S: Scalar>(a: Obb3<S>, b: Obb3<S>) -> S {
     sum_of_squares(of_shapes(&pair), &pair.units, &pair.way).canonical()
 }
 
-/// Wasserstein's distance of two boxes as Gaussians, a length. Slope zero for identical ones. Derivatives
+/// Wasserstein's distance of two boxes as Gaussians, a length. Derivative zero for identical ones. Derivatives
 /// above the second are not served.
 ///
 /// ```

@@ -7,7 +7,7 @@ fn way<S: Scalar>(a: Obb2<S>, b: Obb2<S>) -> Way<S> {
     Way::of([between.x, between.y])
 }
 
-/// Sizes, or constants where all are near the smallest numbers: relative slopes are near the largest there.
+/// Sizes, or constants where all are near the smallest numbers: relative derivatives are near the largest there.
 fn small_as_constant<S: Scalar>(size: Vec2<S>) -> Vec2<S> {
     let small = size.x.most(size.y).at_most(S::lit(4096.0 / S::LARGEST));
     let held = |x: S| S::select(small, S::from_primal(x.primal()), x);
@@ -23,7 +23,7 @@ fn of_shapes<S: Scalar, const POWER: usize>(a: Obb2<S>, b: Obb2<S>) -> (S, Shape
         small_as_constant(a.size) * units.a * half,
         small_as_constant(b.size) * units.b * half,
     );
-    let held = units.finite_slopes::<POWER>();
+    let held = units.finite_derivatives::<POWER>();
     let axes = |heading: S| Rotation2::from_angle(held(heading));
     let turn = axes(a.heading).inverse() * axes(b.heading);
     // The larger deviations of both get the same name.
@@ -61,7 +61,7 @@ pub fn wasserstein_squared<S: Scalar>(a: Obb2<S>, b: Obb2<S>) -> S {
 }
 
 /// Wasserstein's distance of two boxes as Gaussians, a length: how far mass must move, as a root of a mean
-/// of squares. Slope zero for identical ones.
+/// of squares. Derivative zero for identical ones.
 ///
 /// ```
 /// use geograd::{Obb2, gaussian::wasserstein};

@@ -10,7 +10,7 @@ use crate::{ConvexPolygon, Scalar, Vec2};
 pub struct MergeTrace<const K: usize> {
     /// One entry per vertex; the first `count` matter. Only corners of a and of b occur.
     pub corners: [Corner; K],
-    /// For corners of a at the place of a vertex of b: which one. Both share the slope.
+    /// For corners of a at the place of a vertex of b: which one. Both share the derivative.
     pub twins: [Option<usize>; K],
     /// How many vertices the hull has.
     pub count: usize,
@@ -22,7 +22,7 @@ pub struct MergeTrace<const K: usize> {
 /// # Errors
 ///
 /// When both have more than `K` vertices together.
-pub fn merge_decided<S: Scalar<Mask = bool>, const N: usize, const M: usize, const K: usize>(
+pub fn merge_search<S: Scalar<Mask = bool>, const N: usize, const M: usize, const K: usize>(
     a: &ConvexPolygon<S, N>,
     b: &ConvexPolygon<S, M>,
 ) -> Result<MergeTrace<K>, Flaw> {
@@ -54,7 +54,7 @@ pub fn merge_decided<S: Scalar<Mask = bool>, const N: usize, const M: usize, con
     Ok(trace)
 }
 
-/// The joint hull from both polygons and the record of [`merge_decided`].
+/// The joint hull from both polygons and the record of [`merge_search`].
 #[must_use]
 pub fn merge_replay<S: Scalar, const N: usize, const M: usize, const K: usize>(
     a: &ConvexPolygon<S, N>,
@@ -69,7 +69,7 @@ pub fn merge_replay<S: Scalar, const N: usize, const M: usize, const K: usize>(
                 Corner::B(k) => b.vertex(k),
                 Corner::A(k) | Corner::Cross { a: k, .. } => a.vertex(k),
             };
-            // The same place, with the mean of both slopes.
+            // The same place, with the mean of both derivatives.
             twin.map_or(vertex, |k| vertex.least(b.vertex(k)))
         }),
         count: trace.count,
@@ -93,5 +93,5 @@ pub fn merge<S: Scalar<Mask = bool>, const N: usize, const M: usize, const K: us
     a: &ConvexPolygon<S, N>,
     b: &ConvexPolygon<S, M>,
 ) -> Result<ConvexPolygon<S, K>, Flaw> {
-    merge_decided(a, b).map(|trace| merge_replay(a, b, &trace))
+    merge_search(a, b).map(|trace| merge_replay(a, b, &trace))
 }

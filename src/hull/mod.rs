@@ -2,8 +2,8 @@
 //! are recorded.
 //!
 //! A record says which given vertex each vertex of the result is; `…_replay` builds the result from the
-//! given vertices and the record, so duals and adjoints pass through it: slopes go to the vertices on
-//! the hull, points inside have slope zero. Collinear and repeated points are not on the hull; of
+//! given vertices and the record, so duals and adjoints pass through it: derivatives go to the vertices on
+//! the hull, points inside have derivative zero. Collinear and repeated points are not on the hull; of
 //! points at the same place the first in order of sorting is.
 //!
 //! Degenerate hulls are represented: a point by one vertex, a segment by two.
@@ -13,8 +13,8 @@ mod sum;
 use crate::error::{Argument, Error, Flaw, VertexFault};
 use crate::predicate::{Turn, left_to_right, same, turn};
 use crate::{ConvexPolygon, Scalar, Vec2, ring};
-pub use merge::{MergeTrace, merge, merge_decided, merge_replay};
-pub use sum::{SumTrace, minkowski_sum, minkowski_sum_decided, minkowski_sum_replay};
+pub use merge::{MergeTrace, merge, merge_replay, merge_search};
+pub use sum::{SumTrace, minkowski_sum, minkowski_sum_replay, minkowski_sum_search};
 
 /// The convex hull of points, counter-clockwise from the leftmost one, as indices: written to the front
 /// of `order`, and returned. `O(n log n)`, no allocation.
@@ -95,7 +95,7 @@ fn left<S: Scalar<Mask = bool>>(points: &[Vec2<S>], a: usize, b: usize, c: usize
 
 /// The convex hull of points, counter-clockwise from the leftmost one, as indices. `O(n log n)`.
 #[must_use]
-pub fn hull_decided<S: Scalar<Mask = bool>>(points: &[Vec2<S>]) -> Vec<usize> {
+pub fn hull_search<S: Scalar<Mask = bool>>(points: &[Vec2<S>]) -> Vec<usize> {
     let mut order = vec![0; points.len()];
     let count = hull_decided_in(points, &mut order).map_or(0, <[usize]>::len);
     order.truncate(count);
@@ -129,7 +129,7 @@ pub fn hull_replay<'a, S: Copy>(
 pub fn hull<S: Scalar<Mask = bool>, const K: usize>(
     points: &[Vec2<S>],
 ) -> Result<ConvexPolygon<S, K>, Flaw> {
-    let record = hull_decided(points);
+    let record = hull_search(points);
     if record.len() > K {
         return Err(surplus(K));
     }
@@ -144,14 +144,14 @@ pub fn hull<S: Scalar<Mask = bool>, const K: usize>(
 }
 
 /// The area of the convex hull of points, in squared units of length, and its record. Zero for
-/// fewer than three points that are not on a line. Slopes: see [`hull_area_replay`].
+/// fewer than three points that are not on a line. Derivatives: see [`hull_area_replay`].
 #[must_use]
-pub fn hull_area_decided<S: Scalar<Mask = bool>>(points: &[Vec2<S>]) -> (S, Vec<usize>) {
-    let record = hull_decided(points);
+pub fn hull_area_search<S: Scalar<Mask = bool>>(points: &[Vec2<S>]) -> (S, Vec<usize>) {
+    let record = hull_search(points);
     (hull_area_replay(points, &record), record)
 }
 
-/// The area of a hull from points and record. Slopes are those of the vertices on the hull; kinks
+/// The area of a hull from points and record. Derivatives are those of the vertices on the hull; kinks
 /// where a point passes through the hull's border.
 ///
 /// # Panics

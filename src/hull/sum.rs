@@ -19,7 +19,7 @@ pub struct SumTrace<const K: usize> {
 /// # Errors
 ///
 /// When the sum has more than `K` vertices.
-pub fn minkowski_sum_decided<S, const N: usize, const M: usize, const K: usize>(
+pub fn minkowski_sum_search<S, const N: usize, const M: usize, const K: usize>(
     a: &ConvexPolygon<S, N>,
     b: &ConvexPolygon<S, M>,
 ) -> Result<SumTrace<K>, Flaw>
@@ -80,7 +80,7 @@ where
     Ok(trace)
 }
 
-/// The Minkowski sum from both polygons and the record of [`minkowski_sum_decided`].
+/// The Minkowski sum from both polygons and the record of [`minkowski_sum_search`].
 #[must_use]
 pub fn minkowski_sum_replay<S: Scalar, const N: usize, const M: usize, const K: usize>(
     a: &ConvexPolygon<S, N>,
@@ -116,5 +116,5 @@ pub fn minkowski_sum<S: Scalar<Mask = bool>, const N: usize, const M: usize, con
     a: &ConvexPolygon<S, N>,
     b: &ConvexPolygon<S, M>,
 ) -> Result<ConvexPolygon<S, K>, Flaw> {
-    minkowski_sum_decided(a, b).map(|trace| minkowski_sum_replay(a, b, &trace))
+    minkowski_sum_search(a, b).map(|trace| minkowski_sum_replay(a, b, &trace))
 }

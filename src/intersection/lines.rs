@@ -39,10 +39,10 @@ pub(crate) fn flag<S: Scalar>(mask: S::Mask) -> S {
 /// The point in which two lines cross, with its parameters on both.
 ///
 /// Lines count as parallel by the sine of their angle, whatever the lengths of their directions:
-/// there is no tolerance in units of length. Parallel lines have parameters 0 with slope zero.
+/// there is no tolerance in units of length. Parallel lines have parameters 0 with derivative zero.
 ///
-/// Slopes grow with the square of the reciprocal of the sine of the angle. They are finite where every number is zero or of
-/// a magnitude from 2⁻⁸ to 2⁸ in `f32`, from 2⁻¹⁵⁰ to 2¹⁵⁰ in `f64`.
+/// Derivatives grow with the square of the reciprocal of the sine of the angle. They are finite where every number is
+/// zero or of a magnitude from 2⁻⁸ to 2⁸ in `f32`, from 2⁻¹⁵⁰ to 2¹⁵⁰ in `f64`.
 ///
 /// ```
 /// use geograd::{Line2, Vec2, intersection::crossing_of_lines};
@@ -82,7 +82,7 @@ pub fn crossing_of_lines<S: Scalar>(a: Line2<S>, b: Line2<S>) -> Crossing<S> {
 ///
 /// Whether they lie along each other is decided by cross products that are exactly zero; after rounding,
 /// nearly parallel segments share nothing or one point. Without a meeting both points are the start
-/// of the longer segment. Slopes are those of the kind that was found; ends that tie share.
+/// of the longer segment. Derivatives are those of the kind that was found; ends that tie share.
 ///
 /// ```
 /// use geograd::{Segment2, Vec2, intersection::meeting_of_segments};

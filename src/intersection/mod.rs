@@ -11,13 +11,13 @@
 //! | [`length_inside_ring`] | how much of a segment lies in a polygon of any kind |
 //!
 //! Whether there is a result is a whole number in it, so that results are shapes like any other; what
-//! a result without a meeting holds is finite and has slope zero where said.
+//! a result without a meeting holds is finite and has derivative zero where said.
 //!
-//! Values and slopes are finite where every length and coordinate is zero or of a magnitude from 2⁻²⁰ to 2²⁰ in `f32`,
-//! from 2⁻¹⁵⁰ to 2¹⁵⁰ in `f64`.
+//! Values and derivatives are finite where every length and coordinate is zero or of a magnitude from 2⁻²⁰ to 2²⁰ in
+//! `f32`, from 2⁻¹⁵⁰ to 2¹⁵⁰ in `f64`.
 //!
 //! Kinks: rays that graze a shape, where the hit jumps; directions that are parallel to a face; hits
-//! of a corner, where the faces share the slope of the parameter and the first one gives the normal.
+//! of a corner, where the faces share the derivative of the parameter and the first one gives the normal.
 //! Directions whose sine is below ε² count as parallel.
 
 mod lines;

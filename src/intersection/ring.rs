@@ -35,7 +35,7 @@ pub fn edge_inside<S: Scalar>(segment: Segment2<S>, from: Vec2<S>, to: Vec2<S>) 
 /// The length of the part of a segment that lies in a ring of any kind and either orientation; parts
 /// that a ring winds around twice count twice.
 ///
-/// Slopes: exact for the segment and every vertex. Kinks: an end on the border, where the slope is
+/// Derivatives: exact for the segment and every vertex. Kinks: an end on the border, where the derivative is
 /// shared; a segment along an edge, where the length jumps. No vertices: 0.
 ///
 /// ```

@@ -36,7 +36,7 @@ pub struct Hit<S> {
     pub kind: S,
 }
 
-/// A parameter and the normal at it. Where several tie, the parameter shares the slope and the
+/// A parameter and the normal at it. Where several tie, the parameter shares the derivative and the
 /// first normal is taken.
 #[derive(Clone, Copy, Debug)]
 struct Border<S> {
@@ -189,7 +189,7 @@ impl<S: Scalar> Inside<S> {
             let normal = -unit(along.perp());
             inside = inside.behind(beam, corners[i], normal);
         }
-        // Faces of a flat polygon do not say where it ends; its bounds do. Of others they would share the slope of
+        // Faces of a flat polygon do not say where it ends; its bounds do. Of others they would share the derivative of
         // faces along an axis.
         let (mut twice, mut reach) = (S::zero(), S::zero());
         for i in 1..n {
@@ -319,7 +319,7 @@ pub fn span<S: Scalar, A: Convex<S>>(line: Line2<S>, shape: A) -> Span<S> {
 /// leaves.
 ///
 /// A start on the border is a hit from outside with parameter 0 if the ray enters there. The parameter
-/// has finite slopes everywhere; they grow without bound as the ray comes to graze a round border.
+/// has finite derivatives everywhere; they grow without bound as the ray comes to graze a round border.
 ///
 /// ```
 /// use geograd::{Circle, Ray2, Vec2, intersection::first_hit};
@@ -354,8 +354,8 @@ pub fn first_hit<S: Scalar, A: Convex<S>>(ray: Ray2<S>, shape: A) -> Hit<S> {
 /// The length of the part of a segment that lies in a convex shape, from 0 to the segment's own length;
 /// the border belongs to the shape.
 ///
-/// Slope zero where the segment misses or only touches the shape. Kinks: an end on the border, where
-/// the slope is shared; a segment along a face, where the length jumps.
+/// Derivative zero where the segment misses or only touches the shape. Kinks: an end on the border, where
+/// the derivative is shared; a segment along a face, where the length jumps.
 ///
 /// ```
 /// use geograd::{Aabb2, Segment2, Vec2, intersection::length_inside};

@@ -21,7 +21,7 @@ impl<S: Scalar> Parts<S> {
         // Before the other one begins, and after it has ended.
         let (low, high) = (half(a[0], b[0]), half(b[1], a[1]));
         let shared = half(a[0].most(b[0]), a[1].least(b[1]));
-        // Touching counts as apart, with its slopes, as in the area of intersection.
+        // Touching counts as apart, with its derivatives, as in the area of intersection.
         let apart = shared.at_most(zero);
         let own = |size: S, x: S, y: S| S::select(apart, size, x.most(zero) + y.most(zero));
         Parts {
@@ -156,7 +156,7 @@ pub fn diou_hull_aabb2<S: Scalar>(a: Aabb2<S>, b: Aabb2<S>) -> S {
 }
 
 /// Complete IoU of two axis-aligned boxes, in `[−3/2, 1]`: [`diou_aabb2`] less the difference of the aspects
-/// by a weight that grows with the overlap. All slopes, those of the weight too. Zheng et al., IEEE
+/// by a weight that grows with the overlap. All derivatives, those of the weight too. Zheng et al., IEEE
 /// Transactions on Cybernetics 2021. See the [module](super).
 ///
 /// ```
@@ -187,7 +187,7 @@ pub fn ciou_hull_aabb2<S: Scalar>(a: Aabb2<S>, b: Aabb2<S>) -> S {
 }
 
 /// Complete IoU of two axis-aligned boxes, in `[−3/2, 1]`, whose weight of the aspects counts as constant:
-/// no slope goes through it, as its authors train. The value is that of [`ciou_aabb2`]; the slopes are
+/// no derivative goes through it, as its authors train. The value is that of [`ciou_aabb2`]; the derivatives are
 /// those of no function.
 #[must_use]
 #[inline]

@@ -13,7 +13,7 @@ pub(crate) fn score<S: Scalar>(inter: S, area_a: S, area_b: S, hull: S) -> S {
     ratio_of_union(inter, area_a, area_b) - outside_share(hull - union, hull)
 }
 
-/// `rest / all`, zero with slope zero where there is next to nothing.
+/// `rest / all`, zero with derivative zero where there is next to nothing.
 #[inline(always)]
 pub(super) fn outside_share<S: Scalar>(rest: S, all: S) -> S {
     let empty = all.at_most(S::lit(S::EMPTY));

@@ -12,7 +12,7 @@
 //! ```
 //!
 //! with `w` before and `w′` behind the gap. That is eight comparisons; nothing is sorted or searched. At a
-//! tie both choices give the same area, so the sum is continuous; its slope there is the mean.
+//! tie both choices give the same area, so the sum is continuous; its derivative there is the mean.
 //!
 //! Boxes are symmetric, which leaves little of the sum. Let `x`, `y` be half the size of a, `p` and `q` the arms of
 //! b (from its centre to its right and its upper side), `(u, v)` its centre, and `a₀ … a₃`, `b₀ … b₃` the weights at
@@ -27,7 +27,7 @@
 //!
 //! where q_x stands for its magnitude (q points to the left by as much as p points up). All terms with the centre
 //! are one product, so that of boxes very far apart no sizes are lost beside the distance. With constant weights
-//! this is a polynomial, whose slopes are plain.
+//! this is a polynomial, whose derivatives are plain.
 use super::terms::unit;
 use crate::clip::{Framed, Relative, frame, relate, size_scale};
 use crate::{Aabb2, Obb2, Scalar, Vec2};
@@ -64,7 +64,7 @@ pub struct HullOfBoxes<S: Scalar> {
 
 /// The power of two by which a pair of boxes is multiplied before their hull is measured: that of
 /// [`size_scale`], unless one is so large, or they are so far apart, that the hull of boxes of that size, or
-/// its slopes, might overflow.
+/// its derivatives, might overflow.
 #[inline(always)]
 pub(crate) fn hull_scale<S: Scalar>(a: &Framed<S>, b: &Framed<S>) -> S {
     let half = |a: S, b: S| b.primal().halved() - a.primal().halved();

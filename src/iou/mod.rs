@@ -11,7 +11,7 @@
 //! | `giou` | `I/U − (C − U)/C` | Rezatofighi et al., CVPR 2019 |
 //! | `diou` | `I/U − (d/D)²` | Zheng et al., AAAI 2020 |
 //! | `ciou` | `diou − αv`, `v = 4/π² (Δ atan w/h)²`, `α = v/(1 − I/U + v)` | Zheng et al., IEEE Trans. Cybernetics 2021 |
-//! | `ciou_fixed_weight` | the same, without the slope of `α` | as published and commonly trained |
+//! | `ciou_fixed_weight` | the same, without the derivative of `α` | as published and commonly trained |
 //! | `eiou` | `diou − (Δw/W)² − (Δh/H)²`; by a hull `diou − (Δw² + Δh²)/D²` | Zhang et al., Focal and efficient IoU loss, 2021 |
 //! | `alpha_iou` | `(I/U)^α` | He et al., NeurIPS 2021 |
 //!
@@ -27,23 +27,23 @@
 //! | `Aabb2` | convex hull | [`giou_hull_aabb2`] | [`diou_hull_aabb2`] | [`ciou_hull_aabb2`] | [`eiou_hull_aabb2`] |
 //! | `Obb2` | convex hull | [`giou_obb2`] | [`diou_obb2`] | [`ciou_obb2`] | [`eiou_obb2`] |
 //! | `Obb2` | box around both along the plane's axes | [`giou_aabb_obb2`] | [`diou_aabb_obb2`] | [`ciou_aabb_obb2`] | [`eiou_aabb_obb2`] |
-//! | convex polygons | convex hull | [`giou_polygons_decided`] | [`diou_polygons_decided`] | | |
+//! | convex polygons | convex hull | [`giou_polygons_search`] | [`diou_polygons_search`] | | |
 //!
 //! `ciou_fixed_weight` has the row of each shape's plain verb. Boxes of space: [`iou3`](crate::iou3).
 //!
-//! Losses are one minus the score. Shapes that are apart have slopes in all but IoU, IoF and `alpha_iou`:
-//! they are drawn together. Identical shapes of positive area have exactly 1 with slope zero (but for
+//! Losses are one minus the score. Shapes that are apart have derivatives in all but IoU, IoF and `alpha_iou`:
+//! they are drawn together. Identical shapes of positive area have exactly 1 with derivative zero (but for
 //! `giou_aabb_obb2` of turned boxes). GIoU is −1 only where rounding makes it so, DIoU also for two points.
 //! Where a denominator is zero (two shapes of no area on a line; coincident points) its term is zero with
-//! slope zero.
+//! derivative zero.
 //!
-//! Values and slopes are finite where every length and coordinate is zero or of a magnitude from 2⁻²⁰ to 2²⁰ in `f32`,
-//! from 2⁻¹⁵⁰ to 2¹⁵⁰ in `f64`; those of [`giou_obb2`] and its adjoint for all finite valid input, for upstream slopes
-//! of any size.
+//! Values and derivatives are finite where every length and coordinate is zero or of a magnitude from 2⁻²⁰ to 2²⁰ in
+//! `f32`, from 2⁻¹⁵⁰ to 2¹⁵⁰ in `f64`; those of [`giou_obb2`] and its adjoint for all finite valid input, for
+//! upstream derivatives of any size.
 //!
 //! Kinks: those of the area of intersection; by a hull, `giou`: a corner passes through the border of the
 //! hull; the others: two pairs of corners are farthest apart; by a box around both: bounds of both are
-//! equal. Exact ties share the slope.
+//! equal. Exact ties share the derivative.
 mod aabb;
 mod alpha;
 mod giou;
@@ -68,8 +68,8 @@ pub use obb::{
     eiou_obb2, giou_aabb_obb2,
 };
 pub use polygon::{
-    FarthestCorners, diou_polygons_decided, diou_polygons_replay, giou_polygons_decided,
-    giou_polygons_replay,
+    FarthestCorners, diou_polygons_replay, diou_polygons_search, giou_polygons_replay,
+    giou_polygons_search,
 };
 pub use separation::separation_aware_obb2;
 pub(crate) use terms::{larger, part, share, unit, weighted};

@@ -181,7 +181,7 @@ pub fn diou_aabb_obb2<S: Scalar>(a: Obb2<S>, b: Obb2<S>) -> S {
 }
 
 /// Complete IoU of two rotated boxes, in `[−3/2, 1]`: [`diou_obb2`] less the difference of the aspects by a
-/// weight that grows with the overlap. All slopes, those of the weight too. Sizes are along the boxes' own
+/// weight that grows with the overlap. All derivatives, those of the weight too. Sizes are along the boxes' own
 /// axes. Zheng et al., IEEE Transactions on Cybernetics 2021. See the [module](super).
 ///
 /// ```
@@ -210,7 +210,7 @@ pub fn ciou_aabb_obb2<S: Scalar>(a: Obb2<S>, b: Obb2<S>) -> S {
 }
 
 /// Complete IoU of two rotated boxes, in `[−3/2, 1]`, whose weight of the aspects counts as constant: no
-/// slope goes through it, as its authors train. The value is that of [`ciou_obb2`]; the slopes are those
+/// derivative goes through it, as its authors train. The value is that of [`ciou_obb2`]; the derivatives are those
 /// of no function.
 #[must_use]
 #[inline]

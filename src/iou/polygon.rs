@@ -3,7 +3,7 @@ use super::score;
 use super::terms::part;
 use crate::clipping::Corner;
 use crate::error::Flaw;
-use crate::hull::{MergeTrace, merge_decided, merge_replay};
+use crate::hull::{MergeTrace, merge_replay, merge_search};
 use crate::overlap_polygon::{iou_polygons, measure};
 use crate::reference::Reference;
 use crate::{ConvexPolygon, Scalar, Vec2};
@@ -12,28 +12,28 @@ use crate::{ConvexPolygon, Scalar, Vec2};
 /// hull has. Conventions: see the [module](super).
 ///
 /// ```
-/// use geograd::{Aabb2, ConvexPolygon, iou::giou_polygons_decided};
+/// use geograd::{Aabb2, ConvexPolygon, iou::giou_polygons_search};
 /// let a = ConvexPolygon::from(Aabb2::new(0.0, 0.0, 1.0, 1.0));
 /// let b = ConvexPolygon::from(Aabb2::new(2.0, 0.0, 3.0, 1.0));
-/// let (giou, _) = giou_polygons_decided::<f64, 4, 4, 8>(&a, &b).unwrap();
+/// let (giou, _) = giou_polygons_search::<f64, 4, 4, 8>(&a, &b).unwrap();
 /// assert!((giou + 1.0 / 3.0).abs() < 1e-15);
 /// ```
 ///
 /// # Errors
 ///
 /// When both have more than `K` vertices together.
-pub fn giou_polygons_decided<S, const N: usize, const M: usize, const K: usize>(
+pub fn giou_polygons_search<S, const N: usize, const M: usize, const K: usize>(
     a: &ConvexPolygon<S, N>,
     b: &ConvexPolygon<S, M>,
 ) -> Result<(S, MergeTrace<K>), Flaw>
 where
     S: Scalar<Mask = bool>,
 {
-    let trace = merge_decided(a, b)?;
+    let trace = merge_search(a, b)?;
     Ok((giou_polygons_replay(a, b, &trace), trace))
 }
 
-/// Generalised IoU of two convex polygons from both and the record of [`giou_polygons_decided`].
+/// Generalised IoU of two convex polygons from both and the record of [`giou_polygons_search`].
 #[must_use]
 pub fn giou_polygons_replay<S: Scalar, const N: usize, const M: usize, const K: usize>(
     a: &ConvexPolygon<S, N>,
@@ -80,12 +80,12 @@ pub struct FarthestCorners {
 /// all pairs of vertices. Conventions: see the [module](super).
 ///
 /// ```
-/// use geograd::{Aabb2, ConvexPolygon, iou::diou_polygons_decided};
+/// use geograd::{Aabb2, ConvexPolygon, iou::diou_polygons_search};
 /// let a = ConvexPolygon::from(Aabb2::new(0.0, 0.0, 1.0, 1.0));
-/// assert_eq!(diou_polygons_decided(&a, &a).0, 1.0);
+/// assert_eq!(diou_polygons_search(&a, &a).0, 1.0);
 /// ```
 #[must_use]
-pub fn diou_polygons_decided<S: Scalar<Mask = bool>, const N: usize, const M: usize>(
+pub fn diou_polygons_search<S: Scalar<Mask = bool>, const N: usize, const M: usize>(
     a: &ConvexPolygon<S, N>,
     b: &ConvexPolygon<S, M>,
 ) -> (S, FarthestCorners) {
@@ -113,7 +113,7 @@ pub fn diou_polygons_decided<S: Scalar<Mask = bool>, const N: usize, const M: us
     (diou_polygons_replay(a, b, best), best)
 }
 
-/// Distance IoU of two convex polygons from both and the record of [`diou_polygons_decided`].
+/// Distance IoU of two convex polygons from both and the record of [`diou_polygons_search`].
 #[must_use]
 pub fn diou_polygons_replay<S: Scalar, const N: usize, const M: usize>(
     a: &ConvexPolygon<S, N>,

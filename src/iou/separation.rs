@@ -1,4 +1,4 @@
-//! An overlap of rotated boxes that has slopes for boxes apart, too.
+//! An overlap of rotated boxes that has derivatives for boxes apart, too.
 use super::hull_scale;
 use crate::clip::{frame, relate};
 use crate::overlap::iou_obb2;
@@ -6,7 +6,7 @@ use crate::{Obb2, Scalar};
 
 /// IoU of two rotated boxes where they overlap; where they are apart minus `g / (g + s)`, with the widest gap
 /// g between them along the direction of a side and s the mean of the boxes' larger sides: from 0 at contact to
-/// −1 far away, in `[−1, 1]`. Continuous, and never without a slope for boxes apart.
+/// −1 far away, in `[−1, 1]`. Continuous, and never without a derivative for boxes apart.
 ///
 /// Kinks: those of IoU, and where another side's direction has the widest gap.
 ///
@@ -30,7 +30,7 @@ pub fn separation_aware_obb2<S: Scalar>(a: Obb2<S>, b: Obb2<S>) -> S {
     let (e, f) = (u * cos + v * pair.sin, v * cos - u * pair.sin);
     // Of sides that are parallel the gap is the same along both. With b turned by t from there the gap along b's side
     // is the wider one by `tilt t + (p − h) |t|`, where p and h are what b and a extend across it: for both signs
-    // of t if the second term is larger, else for one of them. Then the slope is the mean of both ways.
+    // of t if the second term is larger, else for one of them. Then the derivative is the mean of both ways.
     let wider = |of_a: S, of_b: S, [p, h]: [S; 2], tilt: S| {
         let parallel = of_a.equals(of_b) & pair.sin.equals(S::zero());
         let more = S::from_primal((p - h).primal());

@@ -2,7 +2,7 @@
 use crate::scalar::speck;
 use crate::{Scalar, Vec2};
 
-/// `x / y`, zero with slope zero where `y` is zero.
+/// `x / y`, zero with derivative zero where `y` is zero.
 #[inline(always)]
 pub(crate) fn share<S: Scalar>(x: S, y: S) -> S {
     let none = y.at_most(S::zero());
@@ -17,7 +17,7 @@ pub(crate) fn part<S: Scalar>(x: S, y: S) -> S {
     S::select(over, part.with_primal(S::Primal::one()), part)
 }
 
-/// The power of two that brings the longest of some lengths into `[½, 1)`; one where all are zero. Slopes
+/// The power of two that brings the longest of some lengths into `[½, 1)`; one where all are zero. Derivatives
 /// of ratios of such lengths have no intermediate result much larger than themselves.
 #[inline(always)]
 pub(crate) fn unit<S: Scalar, const N: usize>(lengths: [S; N]) -> S {
@@ -31,7 +31,7 @@ pub(crate) fn unit<S: Scalar, const N: usize>(lengths: [S; N]) -> S {
     S::from_primal(S::Primal::select(none, S::Primal::one(), unit))
 }
 
-/// The larger one; of equal ones the first, with its slopes.
+/// The larger one; of equal ones the first, with its derivatives.
 #[inline(always)]
 pub(crate) fn larger<S: Scalar>(x: S, y: S) -> S {
     S::select(x.below(y), y, x)
@@ -75,7 +75,7 @@ impl<S: Scalar> Terms<S> {
     #[inline(always)]
     pub fn eiou(&self) -> S {
         let [a, b] = self.sizes;
-        // Beside a speck slopes are beyond the format.
+        // Beside a speck derivatives are beyond the format.
         let share = |x: S, y: S| {
             let share = share(x, y);
             let constant = S::from_primal(share.primal());

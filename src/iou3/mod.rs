@@ -1,4 +1,4 @@
-//! The family of IoU losses in space, and an overlap that has slopes for boxes apart.
+//! The family of IoU losses in space, and an overlap that has derivatives for boxes apart.
 //!
 //! The papers define them in the plane; here areas are volumes and the proportions are those of all three
 //! pairs of sizes. With `I` the volume of intersection, `U` that of the union, `C` that of the enclosing
@@ -10,7 +10,7 @@
 //! | [`giou`] | `I/U − (C − U)/C` | Rezatofighi et al., *Generalized intersection over union*, CVPR 2019 |
 //! | [`diou`] | `I/U − (d/D)²` | Zheng et al., *Distance-IoU loss*, AAAI 2020 |
 //! | [`ciou`] | `diou − αv`, v the mean over the pairs (x, y), (y, z), (z, x) of `4/π² (Δ atan p/q)²` | the same |
-//! | [`ciou_fixed_weight`] | the same, without the slope of `α` | the same |
+//! | [`ciou_fixed_weight`] | the same, without the derivative of `α` | the same |
 //! | [`eiou`] | `diou − Σ (Δsᵢ/Sᵢ)²`, `Sᵢ` by the enclosing shape | Zhang et al., *Focal and efficient IoU loss*, 2021 |
 //! | [`alpha_iou`] | a power of IoU | He et al., *Alpha-IoU*, NeurIPS 2021 |
 //! | [`separation_aware`] | IoU, or for boxes apart minus their separation over itself and their size | here |
@@ -33,16 +33,16 @@
 //! | --- | --- | --- | --- |
 //! | `[−1, 1]` | `[−1, 1]` | `[−3/2, 1]` | `[−13/4, 1]` by the box around `Aabb3`, `[−7/2, 1]` by a ground's diameter, else `[−4, 1]` |
 //!
-//! Losses are one minus these. Identical boxes of positive volume have exactly 1 with slope zero (but for
+//! Losses are one minus these. Identical boxes of positive volume have exactly 1 with derivative zero (but for
 //! `giou` by the world's axes of turned boxes). GIoU is −1 only where rounding makes it so, DIoU also for two
-//! points. Where a denominator is zero its term is zero with slope zero. An enclosing shape that is so thin
+//! points. Where a denominator is zero its term is zero with derivative zero. An enclosing shape that is so thin
 //! that its volume (of [`Obb3`]) or its ground's area underflows counts as empty: it has no GIoU term.
 //!
-//! Values and slopes are finite where every length and coordinate is zero or of a magnitude from 2⁻²⁰ to 2²⁰ in `f32`,
-//! from 2⁻¹⁵⁰ to 2¹⁵⁰ in `f64`.
+//! Values and derivatives are finite where every length and coordinate is zero or of a magnitude from 2⁻²⁰ to 2²⁰ in
+//! `f32`, from 2⁻¹⁵⁰ to 2¹⁵⁰ in `f64`.
 //!
 //! Kinks are those of IoU and of the enclosing shape; of boxes of any orientation DIoU, CIoU and EIoU jump
-//! where another enclosing box becomes the smaller one. Exact ties share the slope.
+//! where another enclosing box becomes the smaller one. Exact ties share the derivative.
 use crate::iou::weighted;
 use crate::overlap3::{iou_aabb3, iou_obb3, iou_yaw};
 use crate::shape::{Aabb3, Obb3, YawBox3};
@@ -171,7 +171,7 @@ fn proportions<S: Scalar>(u: Vec3<S>, v: Vec3<S>) -> S {
 }
 
 /// Complete IoU of two boxes, in `[−3/2, 1]`: [`diou`] less `α v`, where v is the mean over the pairs (x, y),
-/// (y, z), (z, x) of `4/π² (atan(p/q) − atan(p'/q'))²` and `α = v / (1 − IoU + v)`. All slopes, those of α
+/// (y, z), (z, x) of `4/π² (atan(p/q) − atan(p'/q'))²` and `α = v / (1 − IoU + v)`. All derivatives, those of α
 /// too. The ratio of two zero sizes is that of a square.
 #[must_use]
 #[inline]
@@ -179,8 +179,8 @@ pub fn ciou<S: Scalar, B: Solid<S>>(a: B, b: B, kind: Enclosing) -> S {
     score_of(Score::Ciou, a.overlap(b), a, b, kind).canonical()
 }
 
-/// Complete IoU, in `[−3/2, 1]`, whose weight α counts as constant: no slope goes through it, as its authors
-/// train. The value is that of [`ciou`]; the slopes are those of no function.
+/// Complete IoU, in `[−3/2, 1]`, whose weight α counts as constant: no derivative goes through it, as its authors
+/// train. The value is that of [`ciou`]; the derivatives are those of no function.
 #[must_use]
 #[inline]
 pub fn ciou_fixed_weight<S: Scalar, B: Solid<S>>(a: B, b: B, kind: Enclosing) -> S {
@@ -238,7 +238,7 @@ fn score_of<S: Scalar, B: Solid<S>>(score: Score, iou: S, a: B, b: B, kind: Encl
     }
 }
 
-/// A score of boxes of any orientation whose IoU is known: with slopes by that and by all else.
+/// A score of boxes of any orientation whose IoU is known: with derivatives by that and by all else.
 #[inline(always)]
 pub(crate) fn score_with_iou<S: Scalar>(
     score: Score,
@@ -253,7 +253,7 @@ pub(crate) fn score_with_iou<S: Scalar>(
     }
 }
 
-/// `xᵅ` of an overlap x in `[0, 1]`, for `α > 0`; zero with slope zero at zero. Of IoU it is the α-IoU.
+/// `xᵅ` of an overlap x in `[0, 1]`, for `α > 0`; zero with derivative zero at zero. Of IoU it is the α-IoU.
 #[must_use]
 #[inline]
 pub fn alpha_iou<S: Scalar>(overlap: S, alpha: S) -> S {

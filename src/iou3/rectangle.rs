@@ -7,7 +7,7 @@
 //!
 //! Several directions often give the same area: where boxes have one centre, opposite edges do, and both boxes
 //! reach equally far across them on both sides. Areas, and lengths along a direction, count as equal when they
-//! differ by no more than rounding makes them differ; equal ones share the slope.
+//! differ by no more than rounding makes them differ; equal ones share the derivative.
 use crate::clip::{Relative, frame, relate};
 use crate::iou::unit;
 use crate::{Obb2, Scalar, Vec2};
@@ -50,7 +50,7 @@ fn weight<S: Scalar>(x: S, terms: [S; 3]) -> S::Primal {
 }
 
 /// The farther one of what a reaches and what b reaches from its centre at `way`; as good as a tie shares
-/// the slope, and so does what is known to be one.
+/// the derivative, and so does what is known to be one.
 #[inline(always)]
 fn farther<S: Scalar>(own: S, way: S, other: S, tie: S::Mask) -> S {
     let reach = way + other;
@@ -227,7 +227,7 @@ pub(super) fn least_rectangle<S: Scalar>(pair: &Relative<S>) -> Rectangle<S> {
 /// nearer to the first box's own x axis, and across. Of several that are equal to within rounding the mean.
 ///
 /// Kinks: where another direction becomes the best; exact ties, and what differs by less than rounding,
-/// share the slope.
+/// share the derivative.
 ///
 /// ```
 /// use geograd::{Obb2, Vec2, iou3::smallest_rectangle};

@@ -50,8 +50,9 @@ fn widest_gap<S: Scalar>(pair: &Relative3<S>) -> S {
 /// How far two boxes are apart along the axis that separates them most, a length; negative for boxes that
 /// overlap: how far one must move to leave the other.
 ///
-/// For boxes apart it is at most their distance, and equal to it where that is between faces, or edges, or a
-/// face and anything; its slopes point apart. Kinks where another axis becomes the widest; axes that tie share the slope.
+/// For boxes apart it is at most their distance, and equal to it where that is between faces, or edges, or a face and
+/// anything; its derivatives point apart. Kinks where another axis becomes the widest; axes that tie share the
+/// derivative.
 ///
 /// ```
 /// use geograd::{Obb3, Rotation3, Vec3, iou3::penetration_or_gap};
@@ -69,7 +70,7 @@ pub fn penetration_or_gap<S: Scalar>(a: Obb3<S>, b: Obb3<S>) -> S {
 
 /// IoU of two boxes where they overlap; where they are apart minus `g / (g + s)`, with the widest gap g
 /// between them ([`penetration_or_gap`]) and s the mean of the boxes' largest sizes: from 0 at contact to −1
-/// far away, in `(−1, 1]`. Continuous, and never without a slope for boxes apart.
+/// far away, in `(−1, 1]`. Continuous, and never without a derivative for boxes apart.
 ///
 /// ```
 /// use geograd::{Aabb3, Vec3, iou3::separation_aware};

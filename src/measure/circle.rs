@@ -1,5 +1,5 @@
 //! The smallest circle around points.
-use crate::hull::hull_decided;
+use crate::hull::hull_search;
 use crate::reference::Reference;
 use crate::{Scalar, Vec2};
 
@@ -27,21 +27,21 @@ pub struct Enclosing<S> {
 /// The smallest circle that has all points inside, and the points that decide it. `None` for no
 /// points. Expected `O(n)` after the hull, at worst cubic in the hull's size.
 ///
-/// Kink: another point on the circle. Slopes: see [`circle_replay`]. Source: Welzl, Smallest enclosing
+/// Kink: another point on the circle. Derivatives: see [`circle_replay`]. Source: Welzl, Smallest enclosing
 /// disks, 1991, in its iterative form.
 ///
 /// ```
-/// use geograd::{Vec2, measure::circle::{Support, circle_decided}};
+/// use geograd::{Vec2, measure::circle::{Support, circle_search}};
 /// let points = [(-1.0, 0.0), (1.0, 0.0), (0.0, 0.5)].map(|(x, y)| Vec2::new(x, y));
-/// let (around, support) = circle_decided(&points).unwrap();
+/// let (around, support) = circle_search(&points).unwrap();
 /// assert_eq!((around.center, around.radius), (Vec2::new(0.0, 0.0), 1.0));
 /// assert_eq!(support, Support::Two([0, 1]));
 /// ```
 #[must_use]
-pub fn circle_decided<S: Scalar<Mask = bool>>(
+pub fn circle_search<S: Scalar<Mask = bool>>(
     points: &[Vec2<S>],
 ) -> Option<(Enclosing<S>, Support)> {
-    let mut hull = hull_decided(points);
+    let mut hull = hull_search(points);
     let seen = Reference::of_ring(points);
     let place = |k: usize| {
         let at = seen.place(points[k]);
@@ -123,7 +123,7 @@ fn local<S: Scalar>(support: Support, place: impl Fn(usize) -> Vec2<S>) -> Enclo
     }
 }
 
-/// The circle that a record's points decide, with slopes to those: for two, half their distance and
+/// The circle that a record's points decide, with derivatives to those: for two, half their distance and
 /// their middle; for three, the circle through them (the triangle's circumcircle).
 ///
 /// # Panics

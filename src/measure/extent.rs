@@ -1,5 +1,5 @@
 //! The longest and the shortest way across points: diameter and width.
-use crate::hull::hull_decided;
+use crate::hull::hull_search;
 use crate::predicate::{Turn, turn_between};
 use crate::reference::Reference;
 use crate::{Scalar, Vec2};
@@ -56,16 +56,16 @@ pub(crate) fn calipers<S: Scalar<Mask = bool>>(
 /// The diameter of points, in units of length: the largest distance between two of them, and which
 /// they are. `None` for no points; zero, between a point and itself, for one. `O(n log n)`.
 ///
-/// Kink: several pairs equally far apart. Slopes: see [`diameter_replay`].
+/// Kink: several pairs equally far apart. Derivatives: see [`diameter_replay`].
 ///
 /// ```
-/// use geograd::{Vec2, measure::extent::{Farthest, diameter_decided}};
+/// use geograd::{Vec2, measure::extent::{Farthest, diameter_search}};
 /// let points = [(0.0, 0.0), (3.0, 0.0), (3.0, 4.0), (1.0, 2.0)].map(|(x, y)| Vec2::new(x, y));
-/// assert_eq!(diameter_decided(&points), Some((5.0, Farthest { from: 0, to: 2 })));
+/// assert_eq!(diameter_search(&points), Some((5.0, Farthest { from: 0, to: 2 })));
 /// ```
 #[must_use]
-pub fn diameter_decided<S: Scalar<Mask = bool>>(points: &[Vec2<S>]) -> Option<(S, Farthest)> {
-    let hull = hull_decided(points);
+pub fn diameter_search<S: Scalar<Mask = bool>>(points: &[Vec2<S>]) -> Option<(S, Farthest)> {
+    let hull = hull_search(points);
     let &first = hull.first()?;
     let seen = Reference::of_ring(points);
     let squared = |i: usize, j: usize| {
@@ -96,7 +96,7 @@ pub fn diameter_decided<S: Scalar<Mask = bool>>(points: &[Vec2<S>]) -> Option<(S
     Some((diameter_replay(points, best), best))
 }
 
-/// The distance of the two points of a record. Slopes pull both apart; zero where they coincide.
+/// The distance of the two points of a record. Derivatives pull both apart; zero where they coincide.
 ///
 /// # Panics
 ///
@@ -116,17 +116,17 @@ pub fn diameter_replay<S: Scalar>(points: &[Vec2<S>], record: Farthest) -> S {
 /// them all between them, and what decided it. `None` for no points, and for points on a line, whose
 /// width is zero. `O(n log n)`.
 ///
-/// Kink: several edges of the hull equally far from their farthest point. Slopes: see
+/// Kink: several edges of the hull equally far from their farthest point. Derivatives: see
 /// [`width_replay`]. Source: Houle and Toussaint, Computing the width of a set, 1988.
 ///
 /// ```
-/// use geograd::{Vec2, measure::extent::width_decided};
+/// use geograd::{Vec2, measure::extent::width_search};
 /// let points = [(0.0, 0.0), (4.0, 0.0), (4.0, 1.0), (0.0, 1.0)].map(|(x, y)| Vec2::new(x, y));
-/// assert_eq!(width_decided(&points).unwrap().0, 1.0);
+/// assert_eq!(width_search(&points).unwrap().0, 1.0);
 /// ```
 #[must_use]
-pub fn width_decided<S: Scalar<Mask = bool>>(points: &[Vec2<S>]) -> Option<(S, Narrowest)> {
-    let hull = hull_decided(points);
+pub fn width_search<S: Scalar<Mask = bool>>(points: &[Vec2<S>]) -> Option<(S, Narrowest)> {
+    let hull = hull_search(points);
     let mut best: Option<(S::Primal, Narrowest)> = None;
     if hull.len() > 2 {
         let seen = Reference::of_ring(points);
@@ -153,7 +153,7 @@ fn height<S: Scalar>(start: Vec2<S>, end: Vec2<S>, point: Vec2<S>) -> S {
 }
 
 /// The distance of the third point of a record from the line through the other two: the width as long
-/// as these decide, with slopes to all three.
+/// as these decide, with derivatives to all three.
 ///
 /// # Panics
 ///

@@ -10,11 +10,11 @@
 //!
 //! Areas, centres and moments are sums over edges. Extents and enclosing shapes are searches: `…_decided`
 //! gives the value and which vertices decided it, `…_replay` the value from vertices and that record,
-//! with the slopes of exactly those vertices (the envelope theorem: a vertex that does not decide
-//! has slope zero). Ties go to the first found.
+//! with the derivatives of exactly those vertices (the envelope theorem: a vertex that does not decide
+//! has derivative zero). Ties go to the first found.
 //!
-//! Values and slopes are finite where every length and coordinate is zero or of a magnitude from 2⁻²⁰ to 2²⁰ in `f32`,
-//! from 2⁻¹⁵⁰ to 2¹⁵⁰ in `f64`.
+//! Values and derivatives are finite where every length and coordinate is zero or of a magnitude from 2⁻²⁰ to 2²⁰ in
+//! `f32`, from 2⁻¹⁵⁰ to 2¹⁵⁰ in `f64`.
 pub mod circle;
 pub mod extent;
 pub mod moments;

@@ -32,7 +32,7 @@ pub struct PrincipalAxes<S> {
 impl<S: Scalar> SecondMoments<S> {
     /// The principal axes.
     ///
-    /// Kink: equal moments in all directions (a square, a circle), where angle and slope are zero.
+    /// Kink: equal moments in all directions (a square, a circle), where angle and derivative are zero.
     ///
     /// ```
     /// use geograd::{ConvexPolygon, Obb2};
@@ -92,8 +92,8 @@ pub fn of_edge<S: Scalar>(start: Vec2<S>, end: Vec2<S>) -> Sums<S> {
     ]
 }
 
-/// The end of the fold: second moments about the centroid, in the caller's unit. Where the area is
-/// zero they are those about the local origin: zero. No slope for what is longer than 2³⁵ in single precision (2²⁶⁶ in
+/// The end of the fold: second moments about the centroid, in the caller's unit. Where the area is zero they are
+/// those about the local origin: zero. No derivative for what is longer than 2³⁵ in single precision (2²⁶⁶ in
 /// double), where moments are beyond all numbers unless nearly nothing is enclosed.
 #[must_use]
 #[inline(always)]

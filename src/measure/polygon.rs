@@ -40,7 +40,7 @@ impl<S: Scalar, const N: usize> ConvexPolygon<S, N> {
     pub fn area(&self) -> S {
         ring::signed_area(self.as_slice())
     }
-    /// The sum of the lengths of all edges. Slope zero at edges of length zero.
+    /// The sum of the lengths of all edges. Derivative zero at edges of length zero.
     #[must_use]
     #[inline]
     pub fn perimeter(&self) -> S {
@@ -58,7 +58,7 @@ impl<S: Scalar, const N: usize> ConvexPolygon<S, N> {
     pub fn vertex_mean(&self) -> Vec2<S> {
         vertex_mean(self.as_slice())
     }
-    /// The centre of the bounding box. Ties of bounds share the slope.
+    /// The centre of the bounding box. Ties of bounds share the derivative.
     #[must_use]
     #[inline]
     pub fn center(&self) -> Vec2<S> {

@@ -1,5 +1,5 @@
 //! The rectangle of least area around points.
-use crate::hull::hull_decided;
+use crate::hull::hull_search;
 use crate::predicate::{Turn, turn_between};
 use crate::reference::Reference;
 use crate::{Obb2, Scalar, Vec2};
@@ -43,18 +43,18 @@ fn advance<S: Scalar<Mask = bool>>(
 /// The rectangle of least area that has all points inside, and what it rests on. Its heading is that
 /// of an edge of the hull. `None` for no points, and for points on a line. `O(n log n)`.
 ///
-/// Kink: several rectangles of the same area. Slopes: see [`rectangle_replay`]. Source: Freeman and
+/// Kink: several rectangles of the same area. Derivatives: see [`rectangle_replay`]. Source: Freeman and
 /// Shapira 1975 (one side lies along an edge of the hull); rotating calipers, Toussaint 1983.
 ///
 /// ```
-/// use geograd::{Obb2, measure::rectangle::rectangle_decided};
+/// use geograd::{Obb2, measure::rectangle::rectangle_search};
 /// let car = Obb2::new(3.0_f64, 1.0, 4.0, 2.0, 0.5);
-/// let (around, _) = rectangle_decided(&car.corners()).unwrap();
+/// let (around, _) = rectangle_search(&car.corners()).unwrap();
 /// assert!((around.area() - 8.0).abs() < 1e-14);
 /// ```
 #[must_use]
-pub fn rectangle_decided<S: Scalar<Mask = bool>>(points: &[Vec2<S>]) -> Option<(Obb2<S>, Resting)> {
-    let hull = hull_decided(points);
+pub fn rectangle_search<S: Scalar<Mask = bool>>(points: &[Vec2<S>]) -> Option<(Obb2<S>, Resting)> {
+    let hull = hull_search(points);
     let n = hull.len();
     if n < 3 {
         return None;
@@ -107,7 +107,7 @@ fn sides<S: Scalar>(seen: &Reference<S>, points: &[Vec2<S>], record: Resting) ->
     }
 }
 
-/// The rectangle that rests on the points of a record, with slopes to all five.
+/// The rectangle that rests on the points of a record, with derivatives to all five.
 ///
 /// # Panics
 ///

@@ -1,4 +1,4 @@
-//! The border of one box of any orientation clamped to another: the volume they share, and its slopes.
+//! The border of one box of any orientation clamped to another: the volume they share, and its derivatives.
 //!
 //! # The method
 //!
@@ -23,10 +23,10 @@
 //! Those crossings are computed once per edge and shared by the faces that meet there, so that rounding
 //! cannot tear the border.
 //!
-//! # Slopes
+//! # Derivatives
 //!
-//! By the fundamental theorem the slope by a move of P's face outwards is the area of that face inside K,
-//! and by a turn its first moment; both come from the pieces of the faces' integrals. Slopes by K's size
+//! By the fundamental theorem the derivative by a move of P's face outwards is the area of that face inside K,
+//! and by a turn its first moment; both come from the pieces of the faces' integrals. Derivatives by K's size
 //! come from the parts of the integrals that are clamped to K's faces. Moving or turning both boxes
 //! together changes nothing, which gives the rest.
 use super::edge::{Bounds, Cut, clamped, cut, less_signed, signed, turn};
@@ -35,7 +35,7 @@ use super::relate::Relative3;
 use super::volume_from_half;
 use crate::{Mask, Scalar};
 
-/// The volume that two related boxes share, in units of `1 / scale³`, and its slopes in a's frame.
+/// The volume that two related boxes share, in units of `1 / scale³`, and its derivatives in a's frame.
 #[derive(Clone, Copy, Debug)]
 pub struct Shared3<S> {
     /// The volume.
@@ -108,13 +108,13 @@ fn glance<S: Scalar>(pair: &Relative3<S>) -> Glance<S> {
     }
 }
 
-/// The volume that two related boxes share and, if asked for, its slopes. Straight line, but for pairs all
+/// The volume that two related boxes share and, if asked for, its derivatives. Straight line, but for pairs all
 /// of which are apart.
 ///
 /// `PIECES` keeps the repeated pieces functions of their own, which costs less to build and less stack;
 /// without it all is one piece, as code for vector instructions must be.
 #[inline(always)]
-pub fn shared_volume<S: Scalar, const SLOPES: bool, const PIECES: bool>(
+pub fn shared_volume<S: Scalar, const DERIVATIVE: bool, const PIECES: bool>(
     pair: &Relative3<S>,
 ) -> Shared3<S> {
     let zero = S::zero();
@@ -129,10 +129,10 @@ pub fn shared_volume<S: Scalar, const SLOPES: bool, const PIECES: bool>(
     };
     let apart = most.at_most(zero);
     if apart.all() {
-        return same_box::<S, SLOPES>(pair, out);
+        return same_box::<S, DERIVATIVE>(pair, out);
     }
     let (mut cut, origin) = cut(pair);
-    let mut slopes = Slopes {
+    let mut derivatives = Derivatives {
         from_center: [zero; 3],
         center: [zero; 3],
         turn: [zero; 3],
@@ -143,19 +143,19 @@ pub fn shared_volume<S: Scalar, const SLOPES: bool, const PIECES: bool>(
         },
     };
     for i in 0..3 {
-        slopes.from_center[i] = origin[i] - pair.center[i];
+        derivatives.from_center[i] = origin[i] - pair.center[i];
     }
     let (mut six, mut thrice) = (zero, zero);
     for _ in 0..3 {
         cut.turn();
-        slopes.turn();
+        derivatives.turn();
         let mut both = Face::none();
         let mut all = zero;
         for side in 0..2 {
-            let made = face::<S, SLOPES, PIECES>(&cut, side, &mut slopes.bounds);
+            let made = face::<S, DERIVATIVE, PIECES>(&cut, side, &mut derivatives.bounds);
             six += made.six;
             thrice = signed(thrice, side, made.thrice);
-            if SLOPES {
+            if DERIVATIVE {
                 all += made.area;
                 both.area = signed(both.area, side, made.area);
                 for n in 0..3 {
@@ -163,23 +163,23 @@ pub fn shared_volume<S: Scalar, const SLOPES: bool, const PIECES: bool>(
                 }
             }
         }
-        if SLOPES {
-            slopes.add(&cut, &both, all);
+        if DERIVATIVE {
+            derivatives.add(&cut, &both, all);
         }
     }
     let volume = thrice * S::lit(1.0 / 3.0) + (six * S::lit(1.0 / 6.0) + corners(&cut));
     out.volume = volume.most(zero).least(most);
-    if SLOPES {
+    if DERIVATIVE {
         for i in 0..3 {
-            let by_half = slopes.bounds.high[i] - slopes.bounds.low[i];
-            out.center[i] = S::select(apart, zero, slopes.center[i]);
-            out.turn[i] = S::select(apart, zero, slopes.turn[i]);
+            let by_half = derivatives.bounds.high[i] - derivatives.bounds.low[i];
+            out.center[i] = S::select(apart, zero, derivatives.center[i]);
+            out.turn[i] = S::select(apart, zero, derivatives.turn[i]);
             out.half_a[i] = S::select(apart, zero, by_half);
-            out.half_b[i] = S::select(apart, zero, slopes.half_b[i]);
+            out.half_b[i] = S::select(apart, zero, derivatives.half_b[i]);
         }
     }
-    nested::<S, SLOPES>(pair, &seen, &mut out);
-    same_box::<S, SLOPES>(pair, out)
+    nested::<S, DERIVATIVE>(pair, &seen, &mut out);
+    same_box::<S, DERIVATIVE>(pair, out)
 }
 
 /// The part of the volume that corners have: the product of their clamped coordinates, positive where an odd
@@ -202,8 +202,8 @@ fn corners<S: Scalar>(cut: &Cut<S>) -> S {
     sum
 }
 
-/// Slopes as they are summed, under the names of axes that [`Cut::turn`] gives.
-struct Slopes<S> {
+/// Derivatives as they are summed, under the names of axes that [`Cut::turn`] gives.
+struct Derivatives<S> {
     /// From the centre of b to the common origin.
     from_center: [S; 3],
     /// By the centre of b, a turn of b about it, and half the size of b.
@@ -213,7 +213,7 @@ struct Slopes<S> {
     bounds: Bounds<S>,
 }
 
-impl<S: Scalar> Slopes<S> {
+impl<S: Scalar> Derivatives<S> {
     #[inline(always)]
     fn turn(&mut self) {
         turn(&mut self.from_center);
@@ -223,7 +223,7 @@ impl<S: Scalar> Slopes<S> {
         self.bounds.turn();
     }
 
-    /// Adds the slopes by the two faces across axis 2: the upper one's area and moment less those of the lower
+    /// Adds the derivatives by the two faces across axis 2: the upper one's area and moment less those of the lower
     /// one, and the area of both.
     #[inline(always)]
     fn add(&mut self, cut: &Cut<S>, both: &Face<S>, all: S) {
@@ -244,7 +244,7 @@ impl<S: Scalar> Slopes<S> {
 /// Of a box inside the other exactly its volume, which only its own sizes change. The integrals over the
 /// border of a box of a thousand times its size would lose three digits of it.
 #[inline(always)]
-fn nested<S: Scalar, const SLOPES: bool>(
+fn nested<S: Scalar, const DERIVATIVE: bool>(
     pair: &Relative3<S>,
     seen: &Glance<S>,
     out: &mut Shared3<S>,
@@ -255,7 +255,7 @@ fn nested<S: Scalar, const SLOPES: bool>(
     let (a, b) = (seen.a_inside & solid, seen.b_inside & solid);
     out.volume = S::select(a, volume_from_half(h), out.volume);
     out.volume = S::select(b, volume_from_half(p), out.volume);
-    if SLOPES {
+    if DERIVATIVE {
         for i in 0..3 {
             out.center[i] = S::select(a | b, zero, out.center[i]);
             out.turn[i] = S::select(a | b, zero, out.turn[i]);
@@ -265,7 +265,7 @@ fn nested<S: Scalar, const SLOPES: bool>(
     }
 }
 
-/// The slope of a box's volume by half of one of its sizes.
+/// The derivative of a box's volume by half of one of its sizes.
 #[inline(always)]
 fn by_half<S: Scalar>(half: [S; 3], i: usize) -> S {
     let (j, l) = ((i + 1) % 3, (i + 2) % 3);
@@ -273,12 +273,15 @@ fn by_half<S: Scalar>(half: [S; 3], i: usize) -> S {
     face + face
 }
 
-/// For boxes that are the same set of points: exactly their volume, each size with half the slope, and no
-/// slope by motion, by symmetry. No slopes at all without volume.
+/// For boxes that are the same set of points: exactly their volume, each size with half the derivative, and no
+/// derivative by motion, by symmetry. No derivatives at all without volume.
 #[inline(always)]
-fn same_box<S: Scalar, const SLOPES: bool>(pair: &Relative3<S>, found: Shared3<S>) -> Shared3<S> {
+fn same_box<S: Scalar, const DERIVATIVE: bool>(
+    pair: &Relative3<S>,
+    found: Shared3<S>,
+) -> Shared3<S> {
     let (same, h, zero) = (pair.same, pair.half_a, S::zero());
-    // Of both, so that slopes through this value are shared, too.
+    // Of both, so that derivatives through this value are shared, too.
     let p = pair.half_b;
     let whole = (h[0] + p[0]) * (h[1] + p[1]) * (h[2] + p[2]);
     // Of boxes without volume neither shares more when it alone grows.
@@ -286,7 +289,7 @@ fn same_box<S: Scalar, const SLOPES: bool>(pair: &Relative3<S>, found: Shared3<S
     let whole = S::select(flat, zero, whole);
     let mut out = found;
     out.volume = S::select(same, whole, found.volume);
-    if SLOPES {
+    if DERIVATIVE {
         for i in 0..3 {
             let (j, l) = ((i + 1) % 3, (i + 2) % 3);
             let face = (h[j] + h[j]) * (h[l] + h[l]);

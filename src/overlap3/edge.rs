@@ -88,7 +88,7 @@ pub(super) struct Edge<S> {
     pub leave: [S; 3],
 }
 
-/// Slopes by the bounds of a.
+/// Derivatives by the bounds of a.
 #[derive(Clone, Copy)]
 pub(super) struct Bounds<S> {
     /// By the upper bounds.
@@ -301,31 +301,31 @@ fn along<S: Scalar>(cut: &Cut<S>, edge: &Edge<S>, i: usize, low: S, high: S) -> 
 /// From the crossings of both coordinates it has at most five pieces; on the outer two both are constant,
 /// on the inner ones each is linear, where `6 ∫ X Y dt = D ((X + X')(Y + Y') + X Y + X' Y')`.
 #[inline(always)]
-pub(super) fn edge_term<S: Scalar, const SLOPES: bool, const PIECES: bool>(
+pub(super) fn edge_term<S: Scalar, const DERIVATIVE: bool, const PIECES: bool>(
     cut: &Cut<S>,
     edge: &Edge<S>,
     sides: [usize; 2],
     bounds: &mut Bounds<S>,
 ) -> S {
     if PIECES {
-        edge_term_apart::<S, SLOPES>(cut, edge, sides, bounds)
+        edge_term_apart::<S, DERIVATIVE>(cut, edge, sides, bounds)
     } else {
-        edge_term_here::<S, SLOPES>(cut, edge, sides, bounds)
+        edge_term_here::<S, DERIVATIVE>(cut, edge, sides, bounds)
     }
 }
 
 #[inline(never)]
-fn edge_term_apart<S: Scalar, const SLOPES: bool>(
+fn edge_term_apart<S: Scalar, const DERIVATIVE: bool>(
     cut: &Cut<S>,
     edge: &Edge<S>,
     sides: [usize; 2],
     bounds: &mut Bounds<S>,
 ) -> S {
-    edge_term_here::<S, SLOPES>(cut, edge, sides, bounds)
+    edge_term_here::<S, DERIVATIVE>(cut, edge, sides, bounds)
 }
 
 #[inline(always)]
-fn edge_term_here<S: Scalar, const SLOPES: bool>(
+fn edge_term_here<S: Scalar, const DERIVATIVE: bool>(
     cut: &Cut<S>,
     edge: &Edge<S>,
     [a, b]: [usize; 2],
@@ -357,7 +357,7 @@ fn edge_term_here<S: Scalar, const SLOPES: bool>(
         let mixed = (x[n] + x[n + 1]) * (y[n] + y[n + 1]) + (both[n] + both[n + 1]);
         six += (ends[n + 1] - ends[n]) * mixed;
     }
-    if SLOPES {
+    if DERIVATIVE {
         // Where the edge is beyond a along its own direction, X_0 is a bound of a.
         let q0 = coordinate(cut, edge, 1, cut.f[0][0]) * coordinate(cut, edge, 2, cut.f[0][0]);
         let q1 = coordinate(cut, edge, 1, cut.f[0][1]) * coordinate(cut, edge, 2, cut.f[0][1]);
@@ -370,7 +370,7 @@ fn edge_term_here<S: Scalar, const SLOPES: bool>(
     six * cut.r[0][0]
 }
 
-/// Adds the slopes by the bounds of coordinate `ONE` where an edge is beyond them: the integral of coordinate
+/// Adds the derivatives by the bounds of coordinate `ONE` where an edge is beyond them: the integral of coordinate
 /// `OTHER`.
 #[inline(always)]
 fn clamped_part<S: Scalar, const ONE: usize, const OTHER: usize>(

@@ -40,9 +40,9 @@ struct Side<S: Scalar> {
     rises: S,
     /// Where z counts as constant along it.
     flat: S::Mask,
-    /// `z + z₀/2` at parameter zero, and half its slope.
+    /// `z + z₀/2` at parameter zero, and half its derivative.
     z: S,
-    half_slope: S,
+    half_derivative: S,
     /// A point of it and its direction.
     at: [S; 2],
     direction: [S; 2],
@@ -53,7 +53,7 @@ struct Side<S: Scalar> {
 struct Sums<S> {
     /// `Σ d⁰ (W + z₀ L / 2)`.
     height: S,
-    /// Twice the areas: of all (only for slopes), above a, below a.
+    /// Twice the areas: of all (only for derivatives), above a, below a.
     area: [S; 3],
     /// Three times their first moments about the level points.
     moment: [[S; 2]; 3],
@@ -63,7 +63,7 @@ impl<S: Scalar> Sums<S> {
     /// Adds a side, given the weight of a unit of it for each level point; returns `∫ (clamp(z) + z₀/2)`
     /// along it.
     #[inline(always)]
-    fn add<const SLOPES: bool, const PIECES: bool>(
+    fn add<const DERIVATIVE: bool, const PIECES: bool>(
         &mut self,
         side: Side<S>,
         weight: [S; 3],
@@ -71,25 +71,25 @@ impl<S: Scalar> Sums<S> {
         points: &[[S; 2]; 3],
     ) -> S {
         if PIECES {
-            self.add_apart::<SLOPES>(side, weight, z_bounds, points)
+            self.add_apart::<DERIVATIVE>(side, weight, z_bounds, points)
         } else {
-            self.add_here::<SLOPES>(side, weight, z_bounds, points)
+            self.add_here::<DERIVATIVE>(side, weight, z_bounds, points)
         }
     }
 
     #[inline(never)]
-    fn add_apart<const SLOPES: bool>(
+    fn add_apart<const DERIVATIVE: bool>(
         &mut self,
         side: Side<S>,
         weight: [S; 3],
         z_bounds: [S; 2],
         points: &[[S; 2]; 3],
     ) -> S {
-        self.add_here::<SLOPES>(side, weight, z_bounds, points)
+        self.add_here::<DERIVATIVE>(side, weight, z_bounds, points)
     }
 
     #[inline(always)]
-    fn add_here<const SLOPES: bool>(
+    fn add_here<const DERIVATIVE: bool>(
         &mut self,
         side: Side<S>,
         weight: [S; 3],
@@ -104,12 +104,12 @@ impl<S: Scalar> Sums<S> {
         let falls = side.rises.below(S::zero());
         let above = S::select(falls, before, after);
         let below = S::select(falls, after, before);
-        let mean = (enter + leave) * side.half_slope + side.z;
+        let mean = (enter + leave) * side.half_derivative + side.z;
         let height = inside * mean + (above * z_bounds[1] + below * z_bounds[0]);
         self.height += weight[0] * height;
         self.area[1] += weight[1] * above;
         self.area[2] += weight[2] * below;
-        if SLOPES {
+        if DERIVATIVE {
             let length = to - from;
             self.area[0] += weight[0] * length;
             let (first, last) = ((from + enter).halved(), (leave + to).halved());
@@ -145,25 +145,25 @@ impl<S: Scalar> Sums<S> {
 ///
 /// by the divergence of `clamp(z) (q − p)`; all terms stay bounded for a thin a.
 #[inline(always)]
-pub(super) fn face<S: Scalar, const SLOPES: bool, const PIECES: bool>(
+pub(super) fn face<S: Scalar, const DERIVATIVE: bool, const PIECES: bool>(
     cut: &Cut<S>,
     side: usize,
     bounds: &mut Bounds<S>,
 ) -> Face<S> {
     if PIECES {
-        face_apart::<S, SLOPES>(cut, side, bounds)
+        face_apart::<S, DERIVATIVE>(cut, side, bounds)
     } else {
-        face_here::<S, SLOPES, false>(cut, side, bounds)
+        face_here::<S, DERIVATIVE, false>(cut, side, bounds)
     }
 }
 
 #[inline(never)]
-fn face_apart<S: Scalar, const SLOPES: bool>(
+fn face_apart<S: Scalar, const DERIVATIVE: bool>(
     cut: &Cut<S>,
     side: usize,
     bounds: &mut Bounds<S>,
 ) -> Face<S> {
-    face_here::<S, SLOPES, true>(cut, side, bounds)
+    face_here::<S, DERIVATIVE, true>(cut, side, bounds)
 }
 
 /// What the sides of the region have in common.
@@ -172,8 +172,8 @@ struct Seen<'a, S: Scalar> {
     side: usize,
     /// The edges of the face along axis 0, bottom and top, and along axis 1, left and right.
     edges: [[Edge<S>; 2]; 2],
-    /// `z = z_center + slope · (x, y)`.
-    slope: [S; 2],
+    /// `z = z_center + derivative · (x, y)`.
+    derivative: [S; 2],
     z_center: S,
     half_z0: S,
     /// The bounds of z, raised by half of z₀.
@@ -190,7 +190,7 @@ const OF_EDGE: [[usize; 3]; 2] = [[0, 1, 2], [2, 0, 1]];
 impl<S: Scalar> Seen<'_, S> {
     /// Adds an edge of the face: along axis `N`, the lower or the upper one (`G`).
     #[inline(always)]
-    fn edge<const SLOPES: bool, const PIECES: bool, const N: usize, const G: usize>(
+    fn edge<const DERIVATIVE: bool, const PIECES: bool, const N: usize, const G: usize>(
         &self,
         sums: &mut Sums<S>,
     ) {
@@ -221,11 +221,11 @@ impl<S: Scalar> Seen<'_, S> {
             rises: rho[2][N],
             flat: flat[2][N],
             z: edge.start[z] + self.half_z0,
-            half_slope: r[2][N].halved(),
+            half_derivative: r[2][N].halved(),
             at: [edge.start[x], edge.start[y]],
             direction: [r[0][N], r[1][N]],
         };
-        sums.add::<SLOPES, PIECES>(border, weight, self.raised, &self.points);
+        sums.add::<DERIVATIVE, PIECES>(border, weight, self.raised, &self.points);
     }
 
     /// Where an edge crosses the lower or the upper (`G`) bound of coordinate `OWN`: the other coordinate.
@@ -236,9 +236,9 @@ impl<S: Scalar> Seen<'_, S> {
     }
 
     /// Adds a side of a's rectangle: where x (`N` = 0) or y (1) is at its lower or upper bound (`G`). Along it
-    /// z has the reciprocal slope −R₂₂ / R₁₂ or −R₂₂ / R₀₂.
+    /// z has the reciprocal derivative −R₂₂ / R₁₂ or −R₂₂ / R₀₂.
     #[inline(always)]
-    fn side<const SLOPES: bool, const PIECES: bool, const N: usize, const G: usize>(
+    fn side<const DERIVATIVE: bool, const PIECES: bool, const N: usize, const G: usize>(
         &self,
         sums: &mut Sums<S>,
         bounds: &mut Bounds<S>,
@@ -259,12 +259,12 @@ impl<S: Scalar> Seen<'_, S> {
         };
         let from = low_bound.most(low).most(one_of.least(another));
         let to = high_bound.least(high).least(one_of.most(another));
-        let z = self.slope[N] * bound + self.z_center;
-        let per_slope = -(r[2][2] * rho[other][2]);
+        let z = self.derivative[N] * bound + self.z_center;
+        let per_derivative = -(r[2][2] * rho[other][2]);
         let center = (low_bound + high_bound).halved();
         let center = S::select(flat[other][2], center, zero);
-        let at_low = (z_bounds[0] - z) * per_slope + center;
-        let at_high = (z_bounds[1] - z) * per_slope + center;
+        let at_low = (z_bounds[0] - z) * per_derivative + center;
+        let at_high = (z_bounds[1] - z) * per_derivative + center;
         let mut weight = [zero; 3];
         for m in 0..3 {
             let beyond = bound - self.points[m][N];
@@ -278,12 +278,12 @@ impl<S: Scalar> Seen<'_, S> {
             rises: -rho[other][2],
             flat: flat[other][2],
             z: z + self.half_z0,
-            half_slope: self.slope[other].halved(),
+            half_derivative: self.derivative[other].halved(),
             at: if N == 0 { [bound, zero] } else { [zero, bound] },
             direction: if N == 0 { [zero, one] } else { [one, zero] },
         };
-        let height = sums.add::<SLOPES, PIECES>(border, weight, self.raised, &self.points);
-        if SLOPES {
+        let height = sums.add::<DERIVATIVE, PIECES>(border, weight, self.raised, &self.points);
+        if DERIVATIVE {
             // What a's face gains when it moves outwards.
             let gain = height - self.half_z0 * (to.most(from) - from);
             let bar = if G == 1 {
@@ -311,7 +311,7 @@ fn reach<S: Scalar>([own, other]: [[S; 2]; 2], along: S, across: S, middle: S) -
 }
 
 #[inline(always)]
-fn face_here<S: Scalar, const SLOPES: bool, const PIECES: bool>(
+fn face_here<S: Scalar, const DERIVATIVE: bool, const PIECES: bool>(
     cut: &Cut<S>,
     side: usize,
     bounds: &mut Bounds<S>,
@@ -329,7 +329,7 @@ fn face_here<S: Scalar, const SLOPES: bool, const PIECES: bool>(
     ];
     let mut out = Face::none();
     for a in 0..2 {
-        let six = edge_term::<S, SLOPES, PIECES>(cut, &edges[0][a], [a, side], bounds);
+        let six = edge_term::<S, DERIVATIVE, PIECES>(cut, &edges[0][a], [a, side], bounds);
         out.six = less_signed(out.six, a, side, six);
     }
 
@@ -341,7 +341,7 @@ fn face_here<S: Scalar, const SLOPES: bool, const PIECES: bool>(
         ..
     } = cut;
     let per = rho[2][2];
-    let slope = [-(r[0][2] * per), -(r[1][2] * per)];
+    let derivative = [-(r[0][2] * per), -(r[1][2] * per)];
     let offset = f[2][side % 2];
     let normal = [offset * r[0][2], offset * r[1][2]];
     let z_center = offset * per;
@@ -356,9 +356,12 @@ fn face_here<S: Scalar, const SLOPES: bool, const PIECES: bool>(
         (x_high - x_low).halved().most(zero),
         (y_high - y_low).halved().most(zero),
     ];
-    let uphill = [half[0].signed_as(slope[0]), half[1].signed_as(slope[1])];
-    let range = slope[0] * uphill[0] + slope[1] * uphill[1];
-    let z_mid = slope[0] * mid[0] + (slope[1] * mid[1] + z_center);
+    let uphill = [
+        half[0].signed_as(derivative[0]),
+        half[1].signed_as(derivative[1]),
+    ];
+    let range = derivative[0] * uphill[0] + derivative[1] * uphill[1];
+    let z_mid = derivative[0] * mid[0] + (derivative[1] * mid[1] + z_center);
     let least = S::lit(tiny::<S>());
     let level = range.at_most(least);
     let per_range = one.over(S::select(level, least, range));
@@ -390,25 +393,25 @@ fn face_here<S: Scalar, const SLOPES: bool, const PIECES: bool>(
         cut,
         side,
         edges,
-        slope,
+        derivative,
         z_center,
         half_z0,
         raised: [z_bounds[0] + half_z0, z_bounds[1] + half_z0],
         points,
         cross,
     };
-    seen.edge::<SLOPES, PIECES, 0, 0>(&mut sums);
-    seen.edge::<SLOPES, PIECES, 0, 1>(&mut sums);
-    seen.edge::<SLOPES, PIECES, 1, 0>(&mut sums);
-    seen.edge::<SLOPES, PIECES, 1, 1>(&mut sums);
-    seen.side::<SLOPES, PIECES, 0, 0>(&mut sums, bounds);
-    seen.side::<SLOPES, PIECES, 1, 0>(&mut sums, bounds);
-    seen.side::<SLOPES, PIECES, 0, 1>(&mut sums, bounds);
-    seen.side::<SLOPES, PIECES, 1, 1>(&mut sums, bounds);
+    seen.edge::<DERIVATIVE, PIECES, 0, 0>(&mut sums);
+    seen.edge::<DERIVATIVE, PIECES, 0, 1>(&mut sums);
+    seen.edge::<DERIVATIVE, PIECES, 1, 0>(&mut sums);
+    seen.edge::<DERIVATIVE, PIECES, 1, 1>(&mut sums);
+    seen.side::<DERIVATIVE, PIECES, 0, 0>(&mut sums, bounds);
+    seen.side::<DERIVATIVE, PIECES, 1, 0>(&mut sums, bounds);
+    seen.side::<DERIVATIVE, PIECES, 0, 1>(&mut sums, bounds);
+    seen.side::<DERIVATIVE, PIECES, 1, 1>(&mut sums, bounds);
 
     let (above, below) = (sums.area[1].halved(), sums.area[2].halved());
     out.thrice = (z_bounds[1] - z0) * above + ((z_bounds[0] - z0) * below + sums.height);
-    if SLOPES {
+    if DERIVATIVE {
         let all = sums.area[0].halved();
         bounds.high[2] = signed(bounds.high[2], side, above);
         bounds.low[2] = signed(bounds.low[2], side, below);
@@ -421,7 +424,8 @@ fn face_here<S: Scalar, const SLOPES: bool, const PIECES: bool>(
         }
         out.moment[0] = moment[0];
         out.moment[1] = moment[1];
-        out.moment[2] = z_center * out.area + (slope[0] * moment[0] + slope[1] * moment[1]);
+        out.moment[2] =
+            z_center * out.area + (derivative[0] * moment[0] + derivative[1] * moment[1]);
     }
     out
 }

@@ -117,7 +117,7 @@ fn bounds<S: Scalar>(g: Obb3<S>) -> Aabb3<S> {
     Aabb3::new((half - g.size).saturated(), (half + g.size).saturated())
 }
 
-/// Intersection over union of an upright box and one of any orientation, and `out_bar` times its slopes by
+/// Intersection over union of an upright box and one of any orientation, and `out_bar` times its derivatives by
 /// both.
 #[must_use]
 #[inline]
@@ -130,7 +130,7 @@ pub fn iou_yaw_obb3_vjp<S: Scalar>(
     (value, (upright(a, a_bar), b_bar))
 }
 
-/// Intersection over union of an axis-aligned box and one of any orientation, and `out_bar` times its slopes
+/// Intersection over union of an axis-aligned box and one of any orientation, and `out_bar` times its derivatives
 /// by both.
 #[must_use]
 #[inline]

@@ -1,25 +1,27 @@
 //! How much two boxes in space overlap: volume of intersection, intersection over union, intersection
 //! over the first box; and the same seen from above.
 //!
-//! Pairs of different kinds are measured as the more general kind: [`Overlaps`]. Each kind has its own formula: bounds for [`Aabb3`](crate::shape::Aabb3),
-//! the overlap in the plane times that of the heights for [`YawBox3`](crate::shape::YawBox3), and for
-//! [`Obb3`](crate::shape::Obb3) the integral over the clamped [`border`].
+//! Pairs of different kinds are measured as the more general kind: [`Overlaps`]. Each kind has its own formula:
+//! bounds for [`Aabb3`](crate::shape::Aabb3), the overlap in the plane times that of the heights for
+//! [`YawBox3`](crate::shape::YawBox3), and for [`Obb3`](crate::shape::Obb3) the integral over the clamped [`border`].
 //!
-//! All results are exactly zero, with all slopes zero, for boxes that are apart or merely touch. The
-//! ratios are within `[0, 1]`; identical boxes of positive volume give exactly 1 with slope zero. Where a
-//! ratio's denominator is zero it is 0 with slope zero.
+//! All results are exactly zero, with all derivatives zero, for boxes that are apart or merely touch. The
+//! ratios are within `[0, 1]`; identical boxes of positive volume give exactly 1 with derivative zero. Where a
+//! ratio's denominator is zero it is 0 with derivative zero.
 //!
-//! Values and slopes are finite for all finite valid input, for upstream slopes of any size; slopes by duals, and of an axis-aligned box with an upright one, where every length
-//! and coordinate is zero or of a magnitude from 2⁻²⁰ to 2²⁰ in `f32`, from 2⁻¹⁵⁰ to 2¹⁵⁰ in `f64`.
+//! Values and derivatives are finite for all finite valid input, for upstream derivatives of any size; derivatives by
+//! duals, and of an axis-aligned box with an upright one, where every length and coordinate is zero or of a magnitude
+//! from 2⁻²⁰ to 2²⁰ in `f32`, from 2⁻¹⁵⁰ to 2¹⁵⁰ in `f64`.
 //!
-//! Kinks: faces lying in each other's planes (the slope is the mean of both sides of the kink), and boxes
-//! that begin to touch (slope zero). A corner on a face, or an edge on an edge, is no kink.
+//! Kinks: faces lying in each other's planes (the derivative is the mean of both sides of the kink), and boxes
+//! that begin to touch (derivative zero). A corner on a face, or an edge on an edge, is no kink.
 #![expect(
     clippy::needless_range_loop,
     reason = "indices are axes and sides, shared by several arrays"
 )]
 mod aabb;
 pub mod border;
+mod derivatives;
 mod edge;
 mod face;
 mod mixed;
@@ -27,16 +29,15 @@ mod obb;
 mod precise;
 pub mod relate;
 mod rename;
-mod slopes;
 mod yaw;
 
 pub(crate) use aabb::{SharedBounds, share3};
 pub use aabb::{intersection_volume_aabb3, iof_aabb3, iou_aabb3};
+pub use derivatives::{intersection_volume_obb3_vjp, iof_obb3_vjp, iou_obb3_vjp};
+pub(crate) use derivatives::{score_obb3_vjp, score_obb3_vjp_here};
 pub use mixed::{Overlaps, iou_aabb3_obb3_vjp, iou_yaw_obb3_vjp};
 pub use obb::{intersection_volume_obb3, iof_obb3, iou_obb3};
 pub(crate) use obb::{score_obb3, score_obb3_here};
-pub use slopes::{intersection_volume_obb3_vjp, iof_obb3_vjp, iou_obb3_vjp};
-pub(crate) use slopes::{score_obb3_vjp, score_obb3_vjp_here};
 pub(crate) use yaw::{Heights, Scales, heights, score_of_columns, score_yaw, upright_scales};
 pub use yaw::{intersection_volume_yaw, iof_yaw, iou_birds_eye, iou_yaw};
 

@@ -9,8 +9,8 @@ use std::any::TypeId;
 
 /// The volume that two related boxes share, in units of `1 / scale³`.
 ///
-/// Plain numbers take the value alone. For numbers with derivatives the slopes g come from the formula for
-/// slopes, because those of the value's own arithmetic are lost where edges are parallel to faces. With
+/// Plain numbers take the value alone. For numbers with derivatives the derivatives g come from the formula for
+/// derivatives, because those of the value's own arithmetic are lost where edges are parallel to faces. With
 /// `x₀` the value of an input x without its derivatives,
 ///
 /// ```text
@@ -18,7 +18,7 @@ use std::any::TypeId;
 /// ```
 ///
 /// has the first derivative g and the second derivative g′. (Higher ones are not those of the volume.) The
-/// rotation enters by the entries of its matrix R: a turn ω changes them by `ω × R`, so the slope τ by a
+/// rotation enters by the entries of its matrix R: a turn ω changes them by `ω × R`, so the derivative τ by a
 /// turn is `½ τ × R` by the entries.
 #[inline(always)]
 fn volume<S: Scalar, const PIECES: bool>(pair: &Relative3<S>) -> S {
@@ -127,7 +127,7 @@ fn score_related<S: Scalar, const PIECES: bool>(over: Denominator, pair: &Relati
     }
 }
 
-/// The volume of a box of the pair; a constant where its slopes by the sizes could overflow: sizes far below
+/// The volume of a box of the pair; a constant where its derivatives by the sizes could overflow: sizes far below
 /// one of which one is 10⁸ times as large as another, or more.
 #[inline(always)]
 fn own_volume<S: Scalar>(pair: &Relative3<S>, half: [S; 3]) -> S {
@@ -139,7 +139,7 @@ fn own_volume<S: Scalar>(pair: &Relative3<S>, half: [S; 3]) -> S {
     S::select(steep, S::from_primal(volume.primal()), volume)
 }
 
-/// A volume that is not above that of either box, as scores measure boxes; slopes stay.
+/// A volume that is not above that of either box, as scores measure boxes; derivatives stay.
 #[inline(always)]
 pub(super) fn within<S: Scalar>(shared: S, volume_a: S, volume_b: S) -> S {
     let limit = volume_a.primal().least(volume_b.primal());
@@ -148,7 +148,7 @@ pub(super) fn within<S: Scalar>(shared: S, volume_a: S, volume_b: S) -> S {
     S::select(beyond, shared.with_primal(limit), shared)
 }
 
-/// The same for a volume with slopes.
+/// The same for a volume with derivatives.
 #[inline(always)]
 pub(super) fn shared_within<S: Scalar, const PIECES: bool>(
     pair: &Relative3<S>,
@@ -162,15 +162,15 @@ pub(super) fn shared_within<S: Scalar, const PIECES: bool>(
 /// The volume shared by two boxes of any orientation, from 0 to the volume of the smaller one, in cubed
 /// units of length. Saturates at the largest finite number.
 ///
-/// By the integral over the clamped [`border`](super::border): straight line, continuous in every number. The error is
-/// a few roundings of two volumes: what the first box shares with bounds around the second one, along the first one's
-/// axes; and the smaller box's surface times the longest side. For boxes of similar sizes these are about their volumes.
-/// A rod of 13000 × 0.0001 × 0.0001 across a plate of 13000 × 13000 × 72 is right to 10⁻⁸ of its volume in `f64` as the
-/// first box, and to 10⁻³ as the second: the thinner box belongs first. In `f32` boxes 5·10⁴ times as long as thick that cross at any
-/// angle share 10⁻⁵ of it: that is found to 10⁻⁶ of the box's volume in 99 of 100 pairs and to 3·10⁻⁵ in all, which
-/// are 0.5 % of what is shared in nine of ten. Slopes by a rotation's quaternion are those of its
-/// direction; see [`Rotation3`](crate::shape::Rotation3). Derivatives above the second are not served.
-/// Kinks and conventions: see the [module](super).
+/// By the integral over the clamped [`border`](super::border): straight line, continuous in every number. The error
+/// is a few roundings of two volumes: what the first box shares with bounds around the second one, along the first
+/// one's axes; and the smaller box's surface times the longest side. For boxes of similar sizes these are about their
+/// volumes. A rod of 13000 × 0.0001 × 0.0001 across a plate of 13000 × 13000 × 72 is right to 10⁻⁸ of its volume in
+/// `f64` as the first box, and to 10⁻³ as the second: the thinner box belongs first. In `f32` boxes 5·10⁴ times as
+/// long as thick that cross at any angle share 10⁻⁵ of it: that is found to 10⁻⁶ of the box's volume in 99 of 100
+/// pairs and to 3·10⁻⁵ in all, which are 0.5 % of what is shared in nine of ten. Derivatives by a rotation's
+/// quaternion are those of its direction; see [`Rotation3`](crate::shape::Rotation3). Derivatives above the second
+/// are not served. Kinks and conventions: see the [module](super).
 ///
 /// ```
 /// use geograd::{Obb3, Rotation3, Vec3, overlap3::intersection_volume_obb3};

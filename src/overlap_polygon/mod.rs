@@ -26,11 +26,11 @@
 //! collinear polygons need no care, and every term is bounded by either triangle: with `c` near the
 //! smaller polygon nothing large cancels.
 //!
-//! Values and slopes are finite where every length and coordinate is zero or of a magnitude from 2⁻²⁰ to 2²⁰ in `f32`,
-//! from 2⁻¹⁵⁰ to 2¹⁵⁰ in `f64`.
+//! Values and derivatives are finite where every length and coordinate is zero or of a magnitude from 2⁻²⁰ to 2²⁰ in
+//! `f32`, from 2⁻¹⁵⁰ to 2¹⁵⁰ in `f64`.
 //!
-//! Kinks: edges lying along each other (where both are exactly on one line on either ray, the slope
-//! is shared half and half), and polygons that begin to touch (slope zero).
+//! Kinks: edges lying along each other (where both are exactly on one line on either ray, the derivative
+//! is shared half and half), and polygons that begin to touch (derivative zero).
 mod quad;
 pub mod rings;
 mod wedge;
@@ -49,9 +49,9 @@ pub(crate) struct SharedArea<S: Scalar> {
     pub seen: Reference<S>,
     /// Shared area, area of a, area of b.
     pub areas: [S; 3],
-    /// Where nothing is shared: value and slopes are zero.
+    /// Where nothing is shared: value and derivatives are zero.
     pub nothing: S::Mask,
-    /// Where both are the same vertices in the same order: each has half the slopes of its own area.
+    /// Where both are the same vertices in the same order: each has half the derivatives of its own area.
     pub same: S::Mask,
 }
 
@@ -154,7 +154,7 @@ pub(crate) fn measure<S: Scalar, const N: usize, const M: usize>(
 }
 
 /// The area shared by two convex polygons, from 0 to the area of the smaller one, in squared units of
-/// length. Exactly zero, with slope zero, where they are apart or merely touch; saturates at the
+/// length. Exactly zero, with derivative zero, where they are apart or merely touch; saturates at the
 /// largest finite number.
 ///
 /// Straight line over all pairs of edges. Right to a few roundings of the smaller polygon's area
@@ -180,8 +180,8 @@ pub fn intersection_area_polygons<S: Scalar, const N: usize, const M: usize>(
         .canonical()
 }
 
-/// Intersection over union of two convex polygons, in `[0, 1]`; exactly 1 with slope zero for the same
-/// vertices in the same order, zero with slope zero where the union is empty. See the [module](self).
+/// Intersection over union of two convex polygons, in `[0, 1]`; exactly 1 with derivative zero for the same
+/// vertices in the same order, zero with derivative zero where the union is empty. See the [module](self).
 ///
 /// ```
 /// use geograd::{Aabb2, ConvexPolygon, overlap_polygon::iou_polygons};
@@ -200,7 +200,7 @@ pub fn iou_polygons<S: Scalar, const N: usize, const M: usize>(
     ratio_of_union(inter, area_a, area_b).canonical()
 }
 
-/// The share of the first convex polygon that lies in the second, in `[0, 1]`; zero with slope zero
+/// The share of the first convex polygon that lies in the second, in `[0, 1]`; zero with derivative zero
 /// where the first has no area. See the [module](self).
 #[must_use]
 #[inline]

@@ -46,10 +46,13 @@ fn in_triangle<S: Scalar>(x: [S; 4], y: [S; 4], all: S) -> S {
     while k < 4 {
         let next = (k + 1) % 4;
         let rise = y[next] - y[k];
-        // What a rise so small adds is nothing whatever the slope, and its reciprocal may be infinite.
+        // What a rise so small adds is nothing whatever the derivative, and its reciprocal may be infinite.
         let level = rise.unsigned().at_most(S::lit(TINY * S::EMPTY));
-        let slope = (x[next] - x[k]).over(S::select(level, one, rise));
-        let (start, end) = (x[k] + moved[k] * slope, x[next] + moved[next] * slope);
+        let derivative = (x[next] - x[k]).over(S::select(level, one, rise));
+        let (start, end) = (
+            x[k] + moved[k] * derivative,
+            x[next] + moved[next] * derivative,
+        );
         let beyond = positive((start + low[k]) - all, (end + low[next]) - all);
         twice += (low[next] - low[k]) * (positive(start, end) - beyond);
         k += 1;
@@ -101,14 +104,15 @@ fn least_of<S: Scalar>(x: [S; 4]) -> S::Primal {
 
 /// Two quadrilaterals, seen from a corner of b in units of the larger one.
 pub(crate) struct QuadPair<S: Scalar> {
-    /// The corners of a and of b (where they are exchanged: of b and of a), half as far from the first one of b, times `scale`.
+    /// The corners of a and of b (where they are exchanged: of b and of a), half as far from the first one of b,
+    /// times `scale`.
     pub at: [Vec2<S>; 4],
     pub to: [Vec2<S>; 4],
     /// How far every corner of a is to the left of each side of b, times its length: by sides.
     pub left_of_b: [[S; 4]; 4],
     /// How far every corner of b is to the left of each side of a, times its length: by sides.
     pub left_of_a: [[S; 4]; 4],
-    /// The area that they share: zero, without a slope, where nothing is.
+    /// The area that they share: zero, without a derivative, where nothing is.
     pub area: S,
     /// Where nothing is shared.
     pub nothing: S::Mask,
@@ -264,14 +268,14 @@ impl<S: Scalar> QuadPair<S> {
 }
 
 /// The area shared by two convex quadrilaterals, counter-clockwise, from 0 to the area of the smaller one, in
-/// squared units of length. Exactly zero, with slope zero, where they are apart or merely touch;
+/// squared units of length. Exactly zero, with derivative zero, where they are apart or merely touch;
 /// saturates at the largest finite number. Repeated and collinear vertices are fine.
 ///
 /// What is not convex or runs clockwise has a finite result without a meaning;
 /// [`intersection_area_polygons`](super::intersection_area_polygons) takes polygons whose type keeps that
 /// promise. Right to a few roundings of the smaller area where sizes are alike or one contains the other, to
 /// about R of them where one is R times longer and reaches across the other's border. Kinks: edges lying along
-/// each other, which share the slope half and half.
+/// each other, which share the derivative half and half.
 ///
 /// ```
 /// use geograd::{Aabb2, overlap_polygon::intersection_area_quads};

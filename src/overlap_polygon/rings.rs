@@ -35,7 +35,7 @@ pub(crate) struct Pair<'a, S: Scalar> {
     pub seen: Reference<S>,
     /// Whether b is the smaller one.
     pub in_b: bool,
-    /// Where nothing is shared: value and slopes are zero.
+    /// Where nothing is shared: value and derivatives are zero.
     pub apart: bool,
     /// Both are the same vertices in the same order.
     pub same: bool,
@@ -150,9 +150,9 @@ impl<'a, S: Scalar<Mask = bool>> Pair<'a, S> {
     }
 }
 
-/// The area that two polygons share, from 0 to the area of the smaller one, in squared units of length. Exactly zero where
-/// their bounds are apart; of polygons apart whose bounds overlap, to a few roundings of the smaller area.
-/// See the [module](self).
+/// The area that two polygons share, from 0 to the area of the smaller one, in squared units of length. Exactly zero
+/// where their bounds are apart; of polygons apart whose bounds overlap, to a few roundings of the smaller area. See
+/// the [module](self).
 ///
 /// ```
 /// use geograd::{Aabb2, overlap_polygon::rings::intersection_area};
@@ -187,17 +187,17 @@ pub fn union_area<'a, S: Scalar<Mask = bool>>(
     })
 }
 
-/// Intersection over union of two polygons, in `[0, 1]`; exactly 1 with slope zero for the same vertices
-/// twice, zero with slope zero where their bounds are apart or the union is empty. Of polygons apart whose bounds overlap
-/// it is zero to a few roundings, and so are its slopes. See the [module](self).
+/// Intersection over union of two polygons, in `[0, 1]`; exactly 1 with derivative zero for the same vertices twice,
+/// zero with derivative zero where their bounds are apart or the union is empty. Of polygons apart whose bounds
+/// overlap it is zero to a few roundings, and so are its derivatives. See the [module](self).
 ///
 /// ```
 /// use geograd::{Aabb2, Polygon, overlap_polygon::rings::iou};
 /// let (outer, hole) = (Aabb2::new(0.0, 0.0, 4.0, 4.0).corners(), Aabb2::new(1.0, 1.0, 3.0, 3.0).corners());
 /// let frame = Polygon::from_rings([&outer[..], &hole]);
 /// assert!((iou(&frame, &outer) - 0.75_f64).abs() < 1e-15);
-/// let (same, slopes) = geograd::gradient(|(a, b): (Polygon<_>, Polygon<_>)| iou(&a, &b), (frame.clone(), frame));
-/// assert_eq!((same, slopes.0.ring(1)[2].x), (1.0, 0.0));
+/// let (same, derivatives) = geograd::gradient(|(a, b): (Polygon<_>, Polygon<_>)| iou(&a, &b), (frame.clone(), frame));
+/// assert_eq!((same, derivatives.0.ring(1)[2].x), (1.0, 0.0));
 /// ```
 #[must_use]
 pub fn iou<'a, S: Scalar<Mask = bool>>(
@@ -210,7 +210,7 @@ pub fn iou<'a, S: Scalar<Mask = bool>>(
     })
 }
 
-/// The share of the first polygon that lies in the second, in `[0, 1]`; zero with slope zero where the
+/// The share of the first polygon that lies in the second, in `[0, 1]`; zero with derivative zero where the
 /// first has no area. See the [module](self).
 #[must_use]
 pub fn iof<'a, S: Scalar<Mask = bool>>(

@@ -50,7 +50,7 @@ pub fn area<'a, S: Scalar<Mask = bool>>(rings: impl Into<Rings<'a, S>>) -> S {
 }
 
 /// The perimeter of a polygon, in units of length: the borders of its holes count, too. Straight line.
-/// Kink: an edge of length zero, where the slope is zero.
+/// Kink: an edge of length zero, where the derivative is zero.
 #[must_use]
 pub fn perimeter<'a, S: Scalar>(rings: impl Into<Rings<'a, S>>) -> S {
     let mut sum = S::zero();

@@ -5,7 +5,7 @@ use crate::distance::ring::{EdgeFold, fold_ring};
 use crate::{Scalar, Vec2};
 
 impl<S: Scalar<Mask = bool>> Rings<'_, S> {
-    /// Where a point is: on the border, or how often the rings wind around it. Decided exactly.
+    /// Where a point is: on the border, or how often the rings wind around it. Search exactly.
     #[must_use]
     pub fn locate(&self, point: Vec2<S>) -> Location {
         let mut sum = 0;
@@ -17,7 +17,7 @@ impl<S: Scalar<Mask = bool>> Rings<'_, S> {
         }
         Location::Off(sum)
     }
-    /// Whether a point is in the polygon by a fill rule; its border belongs to it. Decided exactly.
+    /// Whether a point is in the polygon by a fill rule; its border belongs to it. Search exactly.
     ///
     /// ```
     /// use geograd::{Aabb2, Rings, Vec2, polygon::Fill};
@@ -38,8 +38,8 @@ impl<S: Scalar<Mask = bool>> Rings<'_, S> {
     /// How far a point is from the nearest edge of any ring, in units of length: positive inside,
     /// negative outside, by a fill rule. Without vertices the lowest finite number.
     ///
-    /// The sign is decided exactly. Slopes are exact for the point and the ends of the nearest edge.
-    /// Kinks: several nearest edges, which share the slope equally, and the border, where it is zero.
+    /// The sign is decided exactly. Derivatives are exact for the point and the ends of the nearest edge.
+    /// Kinks: several nearest edges, which share the derivative equally, and the border, where it is zero.
     ///
     /// ```
     /// use geograd::{Aabb2, Rings, Vec2, polygon::Fill};

@@ -83,13 +83,13 @@ impl<'a, S> Rings<'a, S> {
 }
 
 impl<S: Scalar> Rings<'_, S> {
-    /// The smallest axis-aligned box around all rings, without slopes; `None` without vertices.
+    /// The smallest axis-aligned box around all rings, without derivatives; `None` without vertices.
     #[must_use]
     #[inline]
     pub(crate) fn bounds(&self) -> Option<Aabb2<S>> {
         self.iter().filter_map(bounds_of).reduce(|a, b| a.join(b))
     }
-    /// The smallest axis-aligned box around all rings; ties share the slope. `None` without vertices.
+    /// The smallest axis-aligned box around all rings; ties share the derivative. `None` without vertices.
     ///
     /// ```
     /// use geograd::{Aabb2, Rings, Vec2};
@@ -186,8 +186,8 @@ impl<'a, S> From<&'a Polygon<S>> for Rings<'a, S> {
 ///     &Aabb2::new(1.0, 1.0, 3.0, 2.0).corners(),
 /// ])?;
 /// assert_eq!(polygon::area(&frame), 10.0);
-/// let (area, slopes) = geograd::gradient(|p: Polygon<_>| polygon::area(&p), frame);
-/// assert_eq!((area, slopes.ring(1)[0].x), (10.0, 0.5)); // a smaller hole, a larger area
+/// let (area, derivatives) = geograd::gradient(|p: Polygon<_>| polygon::area(&p), frame);
+/// assert_eq!((area, derivatives.ring(1)[0].x), (10.0, 0.5)); // a smaller hole, a larger area
 /// # Ok::<(), geograd::Flaw>(())
 /// ```
 #[derive(Clone, Debug, Default, PartialEq)]

@@ -2,7 +2,7 @@
 //!
 //! A dual number is a value with derivative parts. [`Tangent`] says how a type propagates a
 //! function of one variable; everything else a [`Scalar`] needs follows from it. This is also
-//! where the traps of `num-dual` are mended: its square root has no slope at zero, its `atan2`
+//! where the traps of `num-dual` are mended: its square root has no derivative at zero, its `atan2`
 //! none at a right angle, its quotient rounds differently from a plain one.
 use crate::{Fixed, Scalar};
 use num_dual::{Dual, Dual2, Dual3, DualNum, HyperDual, HyperHyperDual, Real};
@@ -38,7 +38,7 @@ pub trait Tangent:
     fn chain(self, f: [Self::Inner; 4]) -> Self;
     /// Part by part `yes` or `no`.
     fn pick(mask: <Self::Inner as Scalar>::Mask, yes: Self, no: Self) -> Self;
-    /// Half of every part. A product has the slope `∞ · 0` where the value is infinite.
+    /// Half of every part. A product has the derivative `∞ · 0` where the value is infinite.
     #[cfg_attr(not(debug_assertions), inline(always))]
     fn half(self) -> Self {
         self * Self::constant(Self::Inner::lit(0.5))
@@ -151,8 +151,8 @@ impl<D: Tangent> Scalar for D {
             D::constant(x.value().over(length)),
             D::constant(y.value().over(length)),
         );
-        let slope = (y * cos - x * sin).over(x * cos + y * sin);
-        let angle = slope.chain([y.value().atan2(x.value()), one, zero, D::Inner::lit(-2.0)]);
+        let derivative = (y * cos - x * sin).over(x * cos + y * sin);
+        let angle = derivative.chain([y.value().atan2(x.value()), one, zero, D::Inner::lit(-2.0)]);
         D::pick(origin, Self::zero(), angle)
     }
     #[cfg_attr(not(debug_assertions), inline(always))]

@@ -1,4 +1,4 @@
-//! A lean forward-mode dual number: a value and `N` slopes, nothing else.
+//! A lean forward-mode dual number: a value and `N` derivatives, nothing else.
 //!
 //! The engine of the derivative drivers. It has the value of a plain computation to the bit, but for results below the
 //! smallest normal number: exact ties add two halves there, and `atan2` in `f32` divides. It costs
@@ -8,42 +8,42 @@ use crate::scalar::dual::Tangent;
 use std::array::from_fn;
 use std::ops::{Add, AddAssign, Div, Mul, MulAssign, Neg, Sub, SubAssign};
 
-/// A value and its slopes along `N` directions.
+/// A value and its derivatives along `N` directions.
 ///
 /// ```
 /// use geograd::{Jet, Scalar};
 /// let x = Jet::variable(3.0_f64, 0);
 /// let y = Jet::variable(4.0, 1);
 /// let squares: Jet<f64, 2> = x * x + y * y;
-/// assert_eq!((squares.value, squares.slope), (25.0, [6.0, 8.0]));
+/// assert_eq!((squares.value, squares.derivative), (25.0, [6.0, 8.0]));
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Jet<T, const N: usize> {
     /// The value.
     pub value: T,
     /// The derivative along each direction.
-    pub slope: [T; N],
+    pub derivative: [T; N],
 }
 
 impl<T: Scalar, const N: usize> Jet<T, N> {
     /// The independent variable of direction `i`; a constant when `i` is `N` or more.
     #[cfg_attr(not(debug_assertions), inline(always))]
     pub fn variable(value: T, i: usize) -> Self {
-        let slope = from_fn(|k| if k == i { T::one() } else { T::zero() });
-        Jet { value, slope }
+        let derivative = from_fn(|k| if k == i { T::one() } else { T::zero() });
+        Jet { value, derivative }
     }
     #[cfg_attr(not(debug_assertions), inline(always))]
     fn parts(self, value: T, f: impl Fn(T) -> T) -> Self {
         Jet {
             value,
-            slope: from_fn(|k| f(self.slope[k])),
+            derivative: from_fn(|k| f(self.derivative[k])),
         }
     }
     #[cfg_attr(not(debug_assertions), inline(always))]
     fn join(self, other: Self, value: T, f: impl Fn(T, T) -> T) -> Self {
         Jet {
             value,
-            slope: from_fn(|k| f(self.slope[k], other.slope[k])),
+            derivative: from_fn(|k| f(self.derivative[k], other.derivative[k])),
         }
     }
 }
@@ -117,7 +117,7 @@ impl<T: Scalar, const N: usize> Tangent for Jet<T, N> {
     fn constant(value: T) -> Self {
         Jet {
             value,
-            slope: [T::zero(); N],
+            derivative: [T::zero(); N],
         }
     }
     #[cfg_attr(not(debug_assertions), inline(always))]

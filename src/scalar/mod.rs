@@ -9,19 +9,19 @@
 //! # The kink policy
 //!
 //! 1. The derivative is that of the branch the value took.
-//! 2. Exact ties share the slope equally ([`least`](Scalar::least), [`most`](Scalar::most),
+//! 2. Exact ties share the derivative equally ([`least`](Scalar::least), [`most`](Scalar::most),
 //!    [`clamp`](Scalar::clamp)): half and half; thirds where three tie, and so on ([`least_of`],
 //!    [`most_of`]).
-//! 3. A norm at zero has slope zero ([`magnitude`](Scalar::magnitude), [`root`](Scalar::root),
+//! 3. A norm at zero has derivative zero ([`magnitude`](Scalar::magnitude), [`root`](Scalar::root),
 //!    [`hypot`](Scalar::hypot)).
-//! 4. The angle of the zero vector is 0 with slope zero ([`atan2`](Scalar::atan2)).
+//! 4. The angle of the zero vector is 0 with derivative zero ([`atan2`](Scalar::atan2)).
 //!
 //! # Three kinds of functions
 //!
 //! * *Straight lines* ask for `S: Scalar` alone. They run on floats, SIMD lanes, duals and the symbols of a
 //!   [recording](crate::ad::program).
 //! * *Searches* (clipping, hulls) ask for `S: Scalar<Mask = bool>`. `…_decided` returns a trace of the decisions, which
-//!   holds no numbers; `…_replay` computes the result from inputs and trace, with slopes.
+//!   holds no numbers; `…_replay` computes the result from inputs and trace, with derivatives.
 //! * *Folds* are sums over the edges of a list of any length ([`Fold`](crate::kernels::Fold)).
 //!
 //! A dual type implements `dual::Tangent`, which applies the chain rule; everything else follows from it.
@@ -38,9 +38,9 @@ pub use lanes::Lanes;
 pub(crate) use ties::Span;
 pub use ties::{least_of, most_of};
 
-/// A length that is negligible in a sum with one, 2⁻⁶⁴ in single precision and 2⁻⁵¹² in double precision: no difference of
-/// [ordinary](crate::kernels::op::Limits::ORDINARY) coordinates is so small, but one times the sine of a small angle is.
-/// Quotients by it may have infinite derivatives.
+/// A length that is negligible in a sum with one, 2⁻⁶⁴ in single precision and 2⁻⁵¹² in double precision: no
+/// difference of [ordinary](crate::kernels::op::Limits::ORDINARY) coordinates is so small, but one times the sine of
+/// a small angle is. Quotients by it may have infinite derivatives.
 pub(crate) fn speck<S: Scalar>() -> f64 {
     S::LARGEST.powf(-0.5)
 }
@@ -51,18 +51,17 @@ use std::ops::{Add, AddAssign, BitAnd, BitOr, Div, Mul, MulAssign, Neg, Not, Sub
 
 /// The outcome of a comparison: a `bool`, one `bool` per SIMD lane, or a symbol of a recording.
 ///
-/// [`any`](Mask::any) and [`all`](Mask::all) are **hints** for leaving early: the code that follows
-/// must give the same value without them, that is if `any` had answered `true` and `all` `false`.
-/// A symbol answers so unless its truth is known; [recording](crate::ad::program) refuses a function whose value depends on
-/// the answer. Choose with [`Scalar::select`]. Code
-/// that needs control flow asks for `S: Scalar<Mask = bool>`.
+/// [`any`](Mask::any) and [`all`](Mask::all) are **hints** for leaving early: the code that follows must give the
+/// same value without them, that is if `any` had answered `true` and `all` `false`. A symbol answers so unless its
+/// truth is known; [recording](crate::ad::program) refuses a function whose value depends on the answer. Choose with
+/// [`Scalar::select`]. Code that needs control flow asks for `S: Scalar<Mask = bool>`.
 pub trait Mask:
     Copy + Debug + Send + Sync + BitAnd<Output = Self> + BitOr<Output = Self> + Not<Output = Self>
 {
     /// `true` if any lane is true or that is unknown. A hint: `false` allows to skip work that only true lanes need.
     fn any(self) -> bool;
-    /// `true` if every lane is true, `false` if that is unknown. A hint: `true` allows to skip work that only false lanes
-    /// need.
+    /// `true` if every lane is true, `false` if that is unknown. A hint: `true` allows to skip work that only false
+    /// lanes need.
     fn all(self) -> bool;
 }
 
@@ -81,7 +80,7 @@ impl Mask for bool {
 ///
 /// Division in geometry goes through [`over`](Scalar::over), roots through
 /// [`root`](Scalar::root), absolute values through [`magnitude`](Scalar::magnitude): the
-/// operators and inherent methods of some dual types round differently or have no slope there.
+/// operators and inherent methods of some dual types round differently or have no derivative there.
 ///
 /// ```
 /// use geograd::Scalar;
@@ -89,8 +88,8 @@ impl Mask for bool {
 ///     x.hypot(y)
 /// }
 /// assert_eq!(norm(3.0_f32, 4.0), 5.0);
-/// let slope = norm(num_dual::Dual64::new(0.0, 1.0), num_dual::Dual64::new(0.0, 0.0)).eps;
-/// assert_eq!(slope, 0.0); // a norm at zero has slope zero
+/// let derivative = norm(num_dual::Dual64::new(0.0, 1.0), num_dual::Dual64::new(0.0, 0.0)).eps;
+/// assert_eq!(derivative, 0.0); // a norm at zero has derivative zero
 /// ```
 ///
 /// # Writing a generic function
@@ -135,7 +134,7 @@ impl Mask for bool {
 /// ```
 /// # use geograd::Scalar;
 /// fn ramp<S: Scalar>(x: S) -> S {
-///     S::select(x.below(S::zero()), S::zero(), x) // or x.most(S::zero()), which shares the slope at zero
+///     S::select(x.below(S::zero()), S::zero(), x) // or x.most(S::zero()), which shares the derivative at zero
 /// }
 /// fn sum_of_ramps<S: Scalar>(x: S, y: S) -> S {
 ///     ramp(x) + ramp(y)
@@ -169,8 +168,8 @@ pub trait Scalar:
     /// The plain number (or lanes of plain numbers) under all derivative parts.
     type Primal: Scalar<Mask = Self::Mask, Primal = Self::Primal>;
 
-    /// `true` if products carry a low part through cancellation: for 24-bit significands, with which a rotated long thin box
-    /// would otherwise lose its width.
+    /// `true` if products carry a low part through cancellation: for 24-bit significands, with which a rotated long
+    /// thin box would otherwise lose its width.
     const COMPENSATED: bool;
     /// The distance from 1 to the next larger number.
     const EPSILON: f64;
@@ -181,7 +180,7 @@ pub trait Scalar:
     /// The largest finite number.
     const LARGEST: f64;
     /// At or below this an area counts as empty, where a box has a side of about one: its reciprocal,
-    /// sixty-four times over, would not be finite, and slopes could not cancel.
+    /// sixty-four times over, would not be finite, and derivatives could not cancel.
     const EMPTY: f64 = 64.0 / Self::LARGEST;
 
     /// A literal: `S::lit(0.5)`. Rounded to the precision of the scalar.
@@ -211,8 +210,8 @@ pub trait Scalar:
     fn sin_cos_parts(self) -> [(Self, Self); 2];
     /// `(high, low)` with `high + low = self` exactly, `high` a constant of half the significand.
     fn parts(self) -> (Self, Self);
-    /// The angle of `(x, self)` in radians, in `[−π, π]`; 0 with derivative 0 at the origin. The sign of a zero does not
-    /// count: `(−1, −0)` is at π.
+    /// The angle of `(x, self)` in radians, in `[−π, π]`; 0 with derivative 0 at the origin. The sign of a zero does
+    /// not count: `(−1, −0)` is at π.
     fn atan2(self, x: Self) -> Self;
     /// The exponential.
     fn exp(self) -> Self;
@@ -264,13 +263,13 @@ pub trait Scalar:
     fn clamp(self, low: Self, high: Self) -> Self {
         self.most(low).least(high)
     }
-    /// The absolute value; slope zero at zero.
+    /// The absolute value; derivative zero at zero.
     #[inline(always)]
     fn magnitude(self) -> Self {
         self.most(-self)
     }
     /// Whichever of `self` and `−self` is not negative. Unlike [`magnitude`](Scalar::magnitude) it
-    /// has the slope of `self` at zero: for choosing between two descriptions of the same thing,
+    /// has the derivative of `self` at zero: for choosing between two descriptions of the same thing,
     /// where there is no kink.
     #[inline(always)]
     fn unsigned(self) -> Self {
@@ -295,8 +294,8 @@ pub trait Scalar:
         let (x, y) = (self * scale, other * scale);
         (x * x + y * y).root() * back
     }
-    /// The same value with the derivatives multiplied by a constant: shares a derivative at a tie that one comparison cannot
-    /// detect.
+    /// The same value with the derivatives multiplied by a constant: shares a derivative at a tie that one comparison
+    /// cannot detect.
     #[inline(always)]
     fn damp(self, share: Self::Primal) -> Self {
         let value = Self::from_primal(self.primal());
@@ -311,7 +310,7 @@ pub trait Scalar:
     ///
     /// A guard stands before the operation that needs it: `x.over(S::select(y.equals(zero), one, y))`, then a choice.
     /// On a GPU a check of the result is none, because drivers fold a divisor that is always zero, and what they make
-    /// of the quotient is neither infinite nor NaN; nor does a check afterwards keep slopes finite.
+    /// of the quotient is neither infinite nor NaN; nor does a check afterwards keep derivatives finite.
     #[inline(always)]
     fn finite(self) -> Self::Mask {
         self.unsigned().at_most(Self::lit(Self::LARGEST))

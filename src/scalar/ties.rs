@@ -1,18 +1,18 @@
-//! The least and the largest of several numbers, where all that tie share the slope equally.
+//! The least and the largest of several numbers, where all that tie share the derivative equally.
 //!
 //! [`Scalar::least`] and [`Scalar::most`] share between two. A chain of them gives a tie of three a
 //! quarter, a quarter and a half, by the order of the chain; these functions give thirds.
 use crate::Scalar;
 use std::any::TypeId;
 
-/// The least of `N ≥ 1` numbers; those that tie share the slope equally.
+/// The least of `N ≥ 1` numbers; those that tie share the derivative equally.
 ///
-/// Kinks: ties. Infinite numbers that tie leave the slope to the first.
+/// Kinks: ties. Infinite numbers that tie leave the derivative to the first.
 ///
 /// ```
 /// use geograd::{Jet, scalar::least_of};
 /// let x: [Jet<f64, 4>; 4] = std::array::from_fn(|i| Jet::variable(2.0, i));
-/// assert_eq!(least_of(x).slope, [0.25; 4]);
+/// assert_eq!(least_of(x).derivative, [0.25; 4]);
 /// assert_eq!(least_of([3.0, 1.0, 2.0, 1.0]), 1.0);
 /// ```
 #[must_use]
@@ -21,14 +21,14 @@ pub fn least_of<S: Scalar, const N: usize>(x: [S; N]) -> S {
     Extreme::<S, false>::of_all(x)
 }
 
-/// The largest of `N ≥ 1` numbers; those that tie share the slope equally.
+/// The largest of `N ≥ 1` numbers; those that tie share the derivative equally.
 ///
-/// Kinks: ties. Infinite numbers that tie leave the slope to the first.
+/// Kinks: ties. Infinite numbers that tie leave the derivative to the first.
 ///
 /// ```
 /// use geograd::{Jet, scalar::most_of};
 /// let x: [Jet<f64, 4>; 4] = std::array::from_fn(|i| Jet::variable(2.0, i));
-/// assert_eq!(most_of(x).slope, [0.25; 4]);
+/// assert_eq!(most_of(x).derivative, [0.25; 4]);
 /// assert_eq!(most_of([3.0, 1.0, 2.0, 3.0]), 3.0);
 /// ```
 #[must_use]
@@ -42,7 +42,7 @@ pub fn most_of<S: Scalar, const N: usize>(x: [S; N]) -> S {
 struct Extreme<S: Scalar, const MOST: bool> {
     /// The first one of those that tie.
     first: S,
-    /// The sum of the others less the first: no value, only slopes.
+    /// The sum of the others less the first: no value, only derivatives.
     rest: S,
     /// How many they are.
     count: S::Primal,
@@ -110,7 +110,7 @@ impl<S: Scalar, const MOST: bool> Extreme<S, MOST> {
             count: S::Primal::select(better, one, count),
         }
     }
-    /// The value, with the mean of the slopes.
+    /// The value, with the mean of the derivatives.
     #[must_use]
     #[inline(always)]
     fn value(self) -> S {
@@ -144,13 +144,13 @@ impl<S: Scalar> Span<S> {
             high: self.high.or(x),
         }
     }
-    /// The least; those that tie share the slope equally.
+    /// The least; those that tie share the derivative equally.
     #[must_use]
     #[inline(always)]
     pub(crate) fn least(self) -> S {
         self.low.value()
     }
-    /// The largest; those that tie share the slope equally.
+    /// The largest; those that tie share the derivative equally.
     #[must_use]
     #[inline(always)]
     pub(crate) fn most(self) -> S {

@@ -49,7 +49,7 @@ impl<S: Scalar> Aabb2<S> {
         made.validate().map(|()| made)
     }
     /// The smallest box around the points; `None` without points. Where several points share a
-    /// bound they share its slope equally.
+    /// bound they share its derivative equally.
     #[must_use]
     pub fn around(points: &[Vec2<S>]) -> Option<Self> {
         let (&first, rest) = points.split_first()?;
@@ -84,7 +84,7 @@ impl<S: Scalar> Aabb2<S> {
         let size = self.size();
         size.x * size.y
     }
-    /// The length of the diagonal; slope zero for a point.
+    /// The length of the diagonal; derivative zero for a point.
     #[must_use]
     #[inline(always)]
     pub fn diagonal(self) -> S {
@@ -102,7 +102,7 @@ impl<S: Scalar> Aabb2<S> {
         ]
     }
     /// The shared part. Inverted (`min > max`, not valid) when the boxes are apart. Ties share
-    /// the slope.
+    /// the derivative.
     #[must_use]
     #[inline(always)]
     pub fn meet(self, other: Self) -> Self {
@@ -111,7 +111,7 @@ impl<S: Scalar> Aabb2<S> {
             max: self.max.least(other.max),
         }
     }
-    /// The smallest box around both. Ties share the slope.
+    /// The smallest box around both. Ties share the derivative.
     #[must_use]
     #[inline(always)]
     pub fn join(self, other: Self) -> Self {

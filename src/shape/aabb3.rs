@@ -46,7 +46,7 @@ impl<S> Aabb3<S> {
 
 impl<S: Scalar> Aabb3<S> {
     /// The smallest box around the points; `None` without points. Where several points share a bound
-    /// they share its slope equally.
+    /// they share its derivative equally.
     #[must_use]
     pub fn around(points: &[Vec3<S>]) -> Option<Self> {
         let (&first, rest) = points.split_first()?;
@@ -105,13 +105,13 @@ impl<S: Scalar> Aabb3<S> {
             b,
         ]
     }
-    /// The shared part. Inverted (`min > max`, not valid) when the boxes are apart. Ties share the slope.
+    /// The shared part. Inverted (`min > max`, not valid) when the boxes are apart. Ties share the derivative.
     #[must_use]
     #[inline(always)]
     pub fn meet(self, other: Self) -> Self {
         Aabb3::new(self.min.most(other.min), self.max.least(other.max))
     }
-    /// The smallest box around both. Ties share the slope.
+    /// The smallest box around both. Ties share the derivative.
     #[must_use]
     #[inline(always)]
     pub fn join(self, other: Self) -> Self {

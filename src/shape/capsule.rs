@@ -66,7 +66,7 @@ impl<S: Scalar> Capsule2<S> {
     pub fn perimeter(self) -> S {
         (self.segment().length() * S::lit(2.0) + self.radius * S::lit(TAU)).canonical()
     }
-    /// The smallest axis-aligned box around it; ends that share a bound share its slope.
+    /// The smallest axis-aligned box around it; ends that share a bound share its derivative.
     #[must_use]
     #[inline(always)]
     pub fn bounding(self) -> Aabb2<S> {

@@ -81,7 +81,7 @@ impl<S: Scalar> Circle<S> {
 ///
 /// For points on one line there is none, and the result is the circle with the longest side as its
 /// diameter, which is also the smallest one around the points; sides of equal length share the
-/// slopes, and three coinciding points give radius zero. Near a line the radius grows without bound;
+/// derivatives, and three coinciding points give radius zero. Near a line the radius grows without bound;
 /// it and the centre end at the largest finite number.
 ///
 /// The centre is where the perpendicular bisectors meet: with b and c relative to a and
@@ -109,7 +109,7 @@ pub fn circumcircle<S: Scalar>(a: Vec2<S>, b: Vec2<S>, c: Vec2<S>) -> Circle<S> 
     let (b, c) = (b * scale, c * scale);
     let (bb, cc) = (b.length_squared(), c.length_squared());
     let twice = b.perp_dot(c) * S::lit(2.0);
-    // Below this the points are on one line as far as the numbers can tell, and slopes, which grow
+    // Below this the points are on one line as far as the numbers can tell, and derivatives, which grow
     // with the inverse square, would not be finite.
     let line = twice.magnitude().at_most(S::lit(S::EPSILON.powi(2)));
     let twice = S::select(line, S::one(), twice);

@@ -68,7 +68,7 @@ impl<S: Scalar> Interval<S> {
         self.min.at_most(x) & x.at_most(self.max)
     }
     /// The signed distance of two intervals: the gap between them, or minus the shortest shift that
-    /// parts them. Ties share the slope.
+    /// parts them. Ties share the derivative.
     #[must_use]
     #[inline(always)]
     pub fn signed_distance(self, other: Self) -> S {
@@ -76,35 +76,35 @@ impl<S: Scalar> Interval<S> {
             .most(other.min - self.max)
             .canonical()
     }
-    /// The gap between two intervals; 0 with slope zero where they touch or overlap.
+    /// The gap between two intervals; 0 with derivative zero where they touch or overlap.
     #[must_use]
     #[inline(always)]
     pub fn distance(self, other: Self) -> S {
         let gap = self.signed_distance(other);
         S::select(gap.above(S::zero()), gap, S::zero()).canonical()
     }
-    /// The signed distance of a number: negative inside. Kink: the centre, which has slope zero, with
-    /// half of each bound's slope.
+    /// The signed distance of a number: negative inside. Kink: the centre, which has derivative zero, with
+    /// half of each bound's derivative.
     #[must_use]
     #[inline(always)]
     pub fn signed_distance_to(self, x: S) -> S {
         (self.min - x).most(x - self.max).canonical()
     }
-    /// The distance of a number; 0 with slope zero inside and on the bounds.
+    /// The distance of a number; 0 with derivative zero inside and on the bounds.
     #[must_use]
     #[inline(always)]
     pub fn distance_to(self, x: S) -> S {
         self.distance(Interval::new(x, x))
     }
-    /// The length that both share; 0 with slope zero where they are apart or touch.
+    /// The length that both share; 0 with derivative zero where they are apart or touch.
     #[must_use]
     #[inline(always)]
     pub fn intersection_length(self, other: Self) -> S {
         let shared = self.max.least(other.max) - self.min.most(other.min);
         S::select(shared.above(S::zero()), shared, S::zero()).canonical()
     }
-    /// Intersection over union, in `[0, 1]`; 0 with slope zero where they are apart, touch, or both
-    /// have length zero. Kinks: equal bounds share the slope, so that identical intervals have slope
+    /// Intersection over union, in `[0, 1]`; 0 with derivative zero where they are apart, touch, or both
+    /// have length zero. Kinks: equal bounds share the derivative, so that identical intervals have derivative
     /// zero.
     #[must_use]
     #[inline]

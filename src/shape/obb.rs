@@ -129,7 +129,7 @@ impl<S: Scalar> Obb2<S> {
             & local.y.magnitude().at_most(self.size.y.halved())
     }
     /// The smallest axis-aligned box around it. Kinks at multiples of a quarter turn, where the
-    /// slope with respect to the heading is zero.
+    /// derivative with respect to the heading is zero.
     #[must_use]
     #[inline(always)]
     pub fn bounding(self) -> Aabb2<S> {

@@ -187,7 +187,7 @@ impl<S: Scalar, const N: usize> ConvexPolygon<S, N> {
         std::array::from_fn(|k| [all[k], all[if k + 1 < N { k + 1 } else { 0 }]])
     }
     /// The smallest axis-aligned box around it; a point at the origin for no vertices. Ties share
-    /// the slope.
+    /// the derivative.
     #[must_use]
     #[inline]
     pub fn bounding(&self) -> Aabb2<S> {

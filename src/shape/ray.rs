@@ -66,7 +66,7 @@ impl<S: Scalar> Ray2<S> {
         self.line().point_at(t)
     }
     /// The parameter, at least 0, of the point of the ray that is nearest to a point. Kink: where
-    /// that becomes the start, the slope is shared.
+    /// that becomes the start, the derivative is shared.
     #[must_use]
     #[inline]
     pub fn parameter_of(self, point: Vec2<S>) -> S {

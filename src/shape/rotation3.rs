@@ -4,7 +4,7 @@ use crate::{Flaw, Scalar, Shape, Vec3};
 use std::ops::Mul;
 
 /// A rotation of space as a quaternion `w + x i + y j + z k` of any length but zero: all that uses it
-/// divides by its length, so that slopes by the four numbers are those of the direction alone. A
+/// divides by its length, so that derivatives by the four numbers are those of the direction alone. A
 /// quaternion and its negative are the same rotation.
 ///
 /// Optimisers that step in the four numbers need nothing else. Those that step in three use the *body
@@ -12,7 +12,7 @@ use std::ops::Mul;
 /// from one to the other with [`tangent_gradient`](Self::tangent_gradient), steps with
 /// [`retract`](Self::retract).
 ///
-/// The zero quaternion is not valid; it acts as no rotation, with slope zero.
+/// The zero quaternion is not valid; it acts as no rotation, with derivative zero.
 ///
 /// ```
 /// use geograd::{Rotation3, Vec3};
@@ -72,7 +72,7 @@ impl<S: Scalar> Rotation3<S> {
     pub fn vector(self) -> Vec3<S> {
         Vec3::new(self.x, self.y, self.z)
     }
-    /// The quaternion of length one; no rotation (with slope zero) for the zero quaternion.
+    /// The quaternion of length one; no rotation (with derivative zero) for the zero quaternion.
     #[must_use]
     #[inline(always)]
     pub fn normalized(self) -> Self {
@@ -175,7 +175,7 @@ impl<S: Scalar> Rotation3<S> {
         let half = safe.atan2(unit.w);
         v * S::select(small, series, (half + half).over(safe))
     }
-    /// The angle in radians, in `[0, π]`; slope zero at no rotation.
+    /// The angle in radians, in `[0, π]`; derivative zero at no rotation.
     #[must_use]
     #[inline]
     pub fn angle(self) -> S {
@@ -288,14 +288,14 @@ impl<S: Scalar> Rotation3<S> {
     /// use geograd::{Jet, Rotation3, Vec3};
     /// let q = Rotation3::new(0.8_f64, 0.1, -0.3, 0.4);
     /// let up = |q: Rotation3<Jet<f64, 4>>| q.axes()[0].z; // how far the body's x axis looks up
-    /// let slopes = up(Rotation3::new(
+    /// let derivatives = up(Rotation3::new(
     ///     Jet::variable(q.w, 0),
     ///     Jet::variable(q.x, 1),
     ///     Jet::variable(q.y, 2),
     ///     Jet::variable(q.z, 3),
     /// ))
-    /// .slope;
-    /// let tangent = q.tangent_gradient(Rotation3::new(slopes[0], slopes[1], slopes[2], slopes[3]));
+    /// .derivative;
+    /// let tangent = q.tangent_gradient(Rotation3::new(derivatives[0], derivatives[1], derivatives[2], derivatives[3]));
     /// assert!(tangent.x.abs() < 1e-15); // turning about its own x axis does not move it
     /// ```
     #[must_use]

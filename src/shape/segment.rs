@@ -50,7 +50,7 @@ impl<S: Scalar> Segment2<S> {
     pub fn along(self) -> Vec2<S> {
         self.to - self.from
     }
-    /// The length; slope zero where the ends coincide.
+    /// The length; derivative zero where the ends coincide.
     #[must_use]
     #[inline(always)]
     pub fn length(self) -> S {
@@ -71,8 +71,8 @@ impl<S: Scalar> Segment2<S> {
     }
     /// The fraction of the way, in `[0, 1]`, at which it is nearest to a point.
     ///
-    /// Kinks: where the nearest point becomes an end, the slope is shared. A segment of zero length
-    /// (below ε² of the distance to the point) gives one half, with slope zero.
+    /// Kinks: where the nearest point becomes an end, the derivative is shared. A segment of zero length
+    /// (below ε² of the distance to the point) gives one half, with derivative zero.
     #[must_use]
     #[inline]
     pub fn parameter_of(self, point: Vec2<S>) -> S {
@@ -104,7 +104,7 @@ impl<S: Scalar> Segment2<S> {
     pub fn ray(self) -> Ray2<S> {
         Ray2::new(self.from, self.along())
     }
-    /// The smallest axis-aligned box around it; ends that share a bound share its slope.
+    /// The smallest axis-aligned box around it; ends that share a bound share its derivative.
     #[must_use]
     #[inline(always)]
     pub fn bounding(self) -> Aabb2<S> {

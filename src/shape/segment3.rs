@@ -27,7 +27,7 @@ impl<S> Segment3<S> {
 }
 
 impl<S: Scalar> Segment3<S> {
-    /// The length; slope zero at length zero.
+    /// The length; derivative zero at length zero.
     #[must_use]
     #[inline(always)]
     pub fn length(self) -> S {
@@ -67,7 +67,7 @@ impl<S: Scalar> Segment3<S> {
         let t = S::select(zero, S::zero(), t.clamp(S::zero(), S::one()));
         self.at(t)
     }
-    /// The distance to a point; slope zero on the segment.
+    /// The distance to a point; derivative zero on the segment.
     #[must_use]
     #[inline(always)]
     pub fn distance(self, point: Vec3<S>) -> S {

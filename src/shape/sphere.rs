@@ -42,7 +42,7 @@ impl<S: Scalar> Sphere<S> {
     pub fn surface(self) -> S {
         self.radius * self.radius * S::lit(4.0 * std::f64::consts::PI)
     }
-    /// The distance from a point to the surface, negative inside; slope zero at the centre.
+    /// The distance from a point to the surface, negative inside; derivative zero at the centre.
     #[must_use]
     #[inline(always)]
     pub fn signed_distance(self, point: Vec3<S>) -> S {

@@ -78,7 +78,7 @@ impl<S: Scalar> Triangle2<S> {
         let (b, c) = (self.b - self.a, self.c - self.a);
         b.perp_dot(c * S::lit(0.5)).canonical()
     }
-    /// The area, not negative. Kink: zero area, with slope zero.
+    /// The area, not negative. Kink: zero area, with derivative zero.
     #[must_use]
     #[inline(always)]
     pub fn area(self) -> S {
@@ -97,7 +97,7 @@ impl<S: Scalar> Triangle2<S> {
         let arms = (self.b - self.a) + (self.c - self.a);
         (self.a + arms * S::lit(1.0 / 3.0)).canonical()
     }
-    /// The smallest axis-aligned box around it; corners that share a bound share its slope equally.
+    /// The smallest axis-aligned box around it; corners that share a bound share its derivative equally.
     #[must_use]
     #[inline(always)]
     pub fn bounding(self) -> Aabb2<S> {
@@ -119,8 +119,8 @@ impl<S: Scalar> Triangle2<S> {
     /// radius is twice the area over the perimeter, for either orientation. Corners on one line give
     /// radius zero and a center on that line, three coinciding ones give their place.
     ///
-    /// Kinks: zero area, where the radius has slope zero, and two corners that coincide; three that do
-    /// share the slopes of the center, a third each. Source: Coxeter and Greitzer, Geometry Revisited,
+    /// Kinks: zero area, where the radius has derivative zero, and two corners that coincide; three that do
+    /// share the derivatives of the center, a third each. Source: Coxeter and Greitzer, Geometry Revisited,
     /// 1967, section 1.4.
     ///
     /// ```

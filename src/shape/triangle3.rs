@@ -41,13 +41,13 @@ impl<S: Scalar> Triangle3<S> {
     pub fn twice_area_normal(self) -> Vec3<S> {
         (self.b - self.a).cross(self.c - self.a)
     }
-    /// The area; slope zero at area zero.
+    /// The area; derivative zero at area zero.
     #[must_use]
     #[inline(always)]
     pub fn area(self) -> S {
         self.twice_area_normal().length().halved()
     }
-    /// The normal of length one, or the zero vector (with slope zero) for area zero.
+    /// The normal of length one, or the zero vector (with derivative zero) for area zero.
     #[must_use]
     #[inline(always)]
     pub fn normal(self) -> Vec3<S> {

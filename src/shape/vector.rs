@@ -44,7 +44,7 @@ macro_rules! vector {
             pub fn length_squared(self) -> S {
                 self.dot(self)
             }
-            /// The vector of length one in the same direction, or the zero vector (with slope
+            /// The vector of length one in the same direction, or the zero vector (with derivative
             /// zero) for the zero vector.
             #[must_use]
             #[inline(always)]
@@ -69,13 +69,13 @@ macro_rules! vector {
             pub fn lerp(self, other: Self, t: S) -> Self {
                 self + (other - self) * t
             }
-            /// Coordinate by coordinate the smaller one; ties share the slope.
+            /// Coordinate by coordinate the smaller one; ties share the derivative.
             #[must_use]
             #[inline(always)]
             pub fn least(self, other: Self) -> Self {
                 Self { $($field: self.$field.least(other.$field)),* }
             }
-            /// Coordinate by coordinate the larger one; ties share the slope.
+            /// Coordinate by coordinate the larger one; ties share the derivative.
             #[must_use]
             #[inline(always)]
             pub fn most(self, other: Self) -> Self {
@@ -173,7 +173,7 @@ vector! {
 }
 
 impl<S: Scalar> Vec2<S> {
-    /// The length; slope zero at the zero vector.
+    /// The length; derivative zero at the zero vector.
     #[must_use]
     #[inline(always)]
     pub fn length(self) -> S {
@@ -191,7 +191,7 @@ impl<S: Scalar> Vec2<S> {
     pub fn perp(self) -> Self {
         Vec2::new(-self.y, self.x)
     }
-    /// The direction's angle in radians, counter-clockwise from x, in `[−π, π]`; zero with slope
+    /// The direction's angle in radians, counter-clockwise from x, in `[−π, π]`; zero with derivative
     /// zero for the zero vector.
     #[must_use]
     #[inline(always)]
@@ -207,7 +207,7 @@ impl<S: Scalar> Vec2<S> {
 }
 
 impl<S: Scalar> Vec3<S> {
-    /// The length; slope zero at the zero vector.
+    /// The length; derivative zero at the zero vector.
     #[must_use]
     #[inline(always)]
     pub fn length(self) -> S {

@@ -26,7 +26,7 @@ mod soft;
 
 pub use hard::{cluster, hard};
 pub use matrix::matrix;
-pub use soft::{Decayed, soft, soft_decided, soft_replay, soft_vjp};
+pub use soft::{Decayed, soft, soft_replay, soft_search, soft_vjp};
 
 /// Two things of a list, or one of each of two lists, and how much they overlap.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -78,7 +78,7 @@ pub enum Decay<S> {
 }
 
 impl<S: Scalar<Mask = bool>> Decay<S> {
-    /// The factor of an overlap, and its slope by the overlap.
+    /// The factor of an overlap, and its derivative by the overlap.
     fn factor(self, overlap: S, threshold: S) -> (S, S) {
         match self {
             Decay::Linear if overlap.above(S::one()) => (S::zero(), S::zero()),

@@ -1,4 +1,4 @@
-//! Suppression that lowers scores step by step, with slopes.
+//! Suppression that lowers scores step by step, with derivatives.
 use super::{Decay, Kept, Pair, Rules, neighbours, order};
 use crate::Scalar;
 use crate::error::Error;
@@ -19,7 +19,7 @@ pub struct Decayed {
 /// scores, the best first.
 ///
 /// Pairs count by [`Decay`]: with the linear one those above the threshold. Scores below zero stay as they are, with
-/// slope one by themselves.
+/// derivative one by themselves.
 ///
 /// # Errors
 ///
@@ -38,7 +38,7 @@ pub fn soft<S: Scalar<Mask = bool>>(
     decay: Decay<S>,
     rules: Rules<'_, S>,
 ) -> Result<Vec<Kept<S>>, Error> {
-    Ok(soft_decided(scores, pairs, decay, rules)?.0)
+    Ok(soft_search(scores, pairs, decay, rules)?.0)
 }
 
 /// [`soft`] and the record of its decisions, for [`soft_replay`] and [`soft_vjp`].
@@ -46,7 +46,7 @@ pub fn soft<S: Scalar<Mask = bool>>(
 /// # Errors
 ///
 /// As [`soft`].
-pub fn soft_decided<S: Scalar<Mask = bool>>(
+pub fn soft_search<S: Scalar<Mask = bool>>(
     scores: &[S],
     pairs: &[Pair<S>],
     decay: Decay<S>,
@@ -141,7 +141,7 @@ pub fn soft_replay<S: Scalar<Mask = bool>>(
     .collect()
 }
 
-/// Slopes of `Σ kept_bar · score` of the kept detections by all scores and by the overlaps of all pairs.
+/// Derivatives of `Σ kept_bar · score` of the kept detections by all scores and by the overlaps of all pairs.
 ///
 /// Which detections are kept, and which pairs lower which scores, stays as recorded.
 #[must_use]

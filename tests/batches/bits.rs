@@ -171,34 +171,34 @@ pub fn list<A: Drawn>(count: usize, kinds: usize, seed: u64) -> Vec<A> {
 type A<O, T> = <O as Pair<T>>::A;
 type B<O, T> = <O as Pair<T>>::B;
 
-/// Upstream slopes of aligned pairs, by turns.
+/// Upstream derivatives of aligned pairs, by turns.
 const UPSTREAM: [f64; 7] = [1.0, -0.5, 0.0, 3.0, -0.0, 1e20, -3e38];
 
 /// What the scalar code gives of all pairs of two lists.
 struct Known<O: Pair<T>, T: Number> {
     a: Vec<A<O, T>>,
     b: Vec<B<O, T>>,
-    /// Of each pair the value, then its slopes.
+    /// Of each pair the value, then its derivatives.
     pairs: Vec<Vec<u64>>,
-    /// Of pairs with equal places the upstream slope times the slopes.
+    /// Of pairs with equal places the upstream derivative times the derivatives.
     aligned: Vec<Vec<u64>>,
 }
 
 impl<O: Pair<T>, T: Number> Known<O, T> {
     fn new(a: Vec<A<O, T>>, b: Vec<B<O, T>>) -> Self {
-        let slopes = |i: usize, j: usize, up: T| {
+        let derivatives = |i: usize, j: usize, up: T| {
             let (p, q) = Straight::<O>::vjp::<T>(&(a[i], b[j]), up);
             bits_of([&p]).into_iter().chain(bits_of([&q]))
         };
         let pair = |i: usize, j: usize| {
             let mut all = bits(&[O::eval::<T>((a[i], b[j]))]);
-            all.extend(slopes(i, j, T::one()));
+            all.extend(derivatives(i, j, T::one()));
             all
         };
         let places = (0..a.len()).flat_map(|i| (0..b.len()).map(move |j| (i, j)));
         let pairs = places.map(|(i, j)| pair(i, j)).collect();
         let aligned = (0..a.len().min(b.len()))
-            .map(|i| slopes(i, i, T::lit(UPSTREAM[i % 7])).collect())
+            .map(|i| derivatives(i, i, T::lit(UPSTREAM[i % 7])).collect())
             .collect();
         Known {
             a,
@@ -398,7 +398,7 @@ fn rings<O: RingOp, T: Number>(
     }
     in_every_way(|way| {
         for threads in [1, 3] {
-            let (values, slopes) = on_threads(threads, || {
+            let (values, derivatives) = on_threads(threads, || {
                 let values = calls::ragged::<O, T>(&vertices, &offsets).unwrap();
                 let bars = calls::ragged_vjp::<O, T>(&vertices, &offsets, &values).unwrap();
                 (values, bars)
@@ -410,7 +410,7 @@ fn rings<O: RingOp, T: Number>(
                 assert_eq!(bits_of([&values[i]]), bits_of([&value]), "{}", place());
                 let bars = vjp(&ring, value);
                 assert_eq!(
-                    bits_of(&slopes[at[0]..at[1]]),
+                    bits_of(&derivatives[at[0]..at[1]]),
                     bits_of(&bars),
                     "{}",
                     place()

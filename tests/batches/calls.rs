@@ -1,4 +1,5 @@
-//! What batches promise: every form gives the numbers of the single call; bad input is refused with its place, and buffers are left alone.
+//! What batches promise: every form gives the numbers of the single call; bad input is refused with its place, and
+//! buffers are left alone.
 use geograd::error::{Argument, Field};
 use geograd::kernels::op::{Ringed, Source};
 use geograd::kernels::{Centroid, Op, Perimeter, RingOp, SignedArea};
@@ -34,8 +35,8 @@ fn narrow(list: &[Obb2<f64>]) -> Vec<Obb2<f32>> {
     list.iter().map(|x| x.map(&mut |&x| x as f32)).collect()
 }
 
-/// Slopes by one call, times an upstream slope.
-fn slopes<T: Number>(pair: (Obb2<T>, Obb2<T>), up: T) -> (Obb2<T>, Obb2<T>) {
+/// Derivatives by one call, times an upstream derivative.
+fn derivatives<T: Number>(pair: (Obb2<T>, Obb2<T>), up: T) -> (Obb2<T>, Obb2<T>) {
     IouObb2::adjoint(pair, up).unwrap().1
 }
 
@@ -50,9 +51,9 @@ fn all_forms_agree<T: Number>(make: impl Fn(usize, u64) -> Vec<Obb2<T>>) {
         let (a_up, b_up) = calls::aligned_vjp::<IouObb2, T>(&a, &b, &upstream).unwrap();
         for i in 0..n {
             assert_eq!(values[i], IouObb2::eval::<T>((a[i], b[i])));
-            let one = slopes((a[i], b[i]), T::one());
+            let one = derivatives((a[i], b[i]), T::one());
             assert_eq!((a_bar[i], b_bar[i]), one);
-            let up = slopes((a[i], b[i]), upstream[i]);
+            let up = derivatives((a[i], b[i]), upstream[i]);
             assert_eq!((a_up[i], b_up[i]), up);
         }
         let rows = make(n / 3 + 1, 3);
@@ -67,8 +68,8 @@ fn all_forms_agree<T: Number>(make: impl Fn(usize, u64) -> Vec<Obb2<T>>) {
         for i in 0..rows.len() {
             for j in 0..n {
                 assert_eq!(matrix[i * n + j], IouObb2::eval::<T>((rows[i], b[j])));
-                assert_eq!(grads.at(i, j).1, slopes((rows[i], b[j]), T::one()));
-                let (p, q) = slopes((rows[i], b[j]), upstream[i * n + j]);
+                assert_eq!(grads.at(i, j).1, derivatives((rows[i], b[j]), T::one()));
+                let (p, q) = derivatives((rows[i], b[j]), upstream[i * n + j]);
                 for k in 0..5 {
                     sums.0[i][k] += p.scalars()[k].widen();
                     sums.1[j][k] += q.scalars()[k].widen();
@@ -94,7 +95,7 @@ fn all_forms_agree_with_single_calls() {
 
 #[test]
 fn long_rows_agree_with_single_calls() {
-    // Slopes leave in runs of 512 or 1024 columns: lengths around the end of one and of two.
+    // Derivatives leave in runs of 512 or 1024 columns: lengths around the end of one and of two.
     fn agree<T: Number>(make: impl Fn(usize, u64) -> Vec<Obb2<T>>) {
         let rows = make(3, 1);
         for n in [511, 512, 513, 1023, 1024, 1025, 1041, 2050] {
@@ -103,7 +104,7 @@ fn long_rows_agree_with_single_calls() {
             for (i, &row) in rows.iter().enumerate() {
                 for (j, &column) in b.iter().enumerate() {
                     assert_eq!(grads.values()[i * n + j], IouObb2::eval::<T>((row, column)));
-                    assert_eq!(grads.at(i, j).1, slopes((row, column), T::one()));
+                    assert_eq!(grads.at(i, j).1, derivatives((row, column), T::one()));
                 }
             }
         }

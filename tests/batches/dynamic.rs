@@ -6,7 +6,7 @@ use geograd::kernels::dynamic::{
     Bound, Elementary, Format, Function, Layout, Mode, Operation, Program, Rows, Sort, Symbol,
     Tracing, operation, operations, symbol,
 };
-use geograd::kernels::{Cpu, Decided, Fold, Op, RingOp, SignedArea, fold::fold};
+use geograd::kernels::{Cpu, Fold, Op, RingOp, Search, SignedArea, fold::fold};
 use geograd::{
     Error, Fixed, Flaw, Jet, Obb2, Pack, Pose2, Scalar, Segment2, Unrecordable, Vec2, ad,
 };
@@ -43,7 +43,7 @@ fn path<T: Copy>(numbers: &[T]) -> Vec<Vec2<T>> {
 fn straight<O: Op, T: Scalar>(x: &[T]) -> Vec<T> {
     O::eval(O::In::<T>::load(x)).scalars()
 }
-fn decided<D: Decided, T: Scalar<Mask = bool> + Into<f64>>(x: &[T]) -> Vec<T> {
+fn decided<D: Search, T: Scalar<Mask = bool> + Into<f64>>(x: &[T]) -> Vec<T> {
     let (scalars, codes) = x.split_at(D::In::<T>::LEN);
     let codes: Vec<u32> = codes.iter().map(|&x| x.into() as u32).collect();
     let input = D::In::<T>::load(scalars).load_codes(&codes);
@@ -75,13 +75,13 @@ macro_rules! entries {
      further {
          straight { $($more:ident: $more_op:ty,)* }
          folds { $($more_fold:ident: $more_fold_op:ty,)* }
-         decided { $($more_decided:ident: $more_decided_op:ty,)* }
+         decided { $($more_search:ident: $more_decided_op:ty,)* }
      }) => { vec![
         $(entry!($pair, drawn::<<$pair_op as Op>::In<f64>>, ordinary::<<$pair_op as Op>::In<f64>>, straight, $pair_op),)*
         $(entry!($straight, drawn::<<$straight_op as Op>::In<f64>>, ordinary::<<$straight_op as Op>::In<f64>>, straight, $straight_op),)*
         $(entry!($more, drawn::<<$more_op as Op>::In<f64>>, ordinary::<<$more_op as Op>::In<f64>>, straight, $more_op),)*
-        $(entry!($decided, drawn::<<$decided_op as Decided>::In<f64>>, |_| Vec::new(), decided, $decided_op),)*
-        $(entry!($more_decided, drawn::<<$more_decided_op as Decided>::In<f64>>, |_| Vec::new(), decided, $more_decided_op),)*
+        $(entry!($decided, drawn::<<$decided_op as Search>::In<f64>>, |_| Vec::new(), decided, $decided_op),)*
+        $(entry!($more_search, drawn::<<$more_decided_op as Search>::In<f64>>, |_| Vec::new(), decided, $more_decided_op),)*
         $(entry!($ring, |draw| random::<Vec<Vec2<f64>>>(draw).scalars(), |_| Vec::new(), ringed, $ring_op),)*
         $(entry!($fold, paths_of::<$fold_op>, |_| Vec::new(), folded, $fold_op),)*
         $(entry!($more_fold, paths_of::<$more_fold_op>, |_| Vec::new(), folded, $more_fold_op),)*
@@ -201,8 +201,8 @@ fn same_bits<T: Number>() {
             .copied()
             .chain([Rows::new(&bars, wide)])
             .collect();
-        let slopes = operation.vjp::<T>().expect(name);
-        let slopes = by_item(&slopes.aligned(&with_bars).expect(name), count);
+        let derivatives = operation.vjp::<T>().expect(name);
+        let derivatives = by_item(&derivatives.aligned(&with_bars).expect(name), count);
         let gradients = operation
             .value_grad::<T>()
             .map(|x| by_item(&x.aligned(&rows).expect(name), count));
@@ -215,7 +215,7 @@ fn same_bits<T: Number>() {
                     let input = [&item[..], &bars[i * wide..][..wide]].concat();
                     let expected = vjp.eval(&input).expect(name);
                     assert_eq!(
-                        bits_of(&slopes[i]),
+                        bits_of(&derivatives[i]),
                         bits_of(&expected),
                         "vjp of {name} at {item:?}"
                     );
@@ -247,7 +247,7 @@ fn same_bits<T: Number>() {
                         };
                         let expected = gradient[1 + k] * by;
                         assert_eq!(
-                            bits_of(&[slopes[i][k]]),
+                            bits_of(&[derivatives[i][k]]),
                             bits_of(&[expected]),
                             "{name} by {k}"
                         );
@@ -300,7 +300,7 @@ fn every_path_has_the_bits_of_its_function() {
                 .expect(name);
             assert_eq!(bits_of(&into), bits_of(&values), "{name}");
 
-            // Recorded for one length, its slopes are those of the batch but for rounding.
+            // Recorded for one length, its derivatives are those of the batch but for rounding.
             let bars = vec![T::lit(0.5); values.len()];
             let (contexts, by_vertex) =
                 on_paths.vjp(&rows, &vertices, &offsets, &bars).expect(name);
@@ -313,10 +313,13 @@ fn every_path_has_the_bits_of_its_function() {
                 .program_of_path::<T>((items[long].len() - wide) / 2)
                 .expect(name);
             let given = [&items[long][..], &vec![T::lit(0.5); on_paths.gives()]].concat();
-            let slopes = program.vjp().expect(name).eval(&given).expect(name);
-            let size = slopes.iter().map(|&x| x.into().abs()).fold(0.0, f64::max);
+            let derivatives = program.vjp().expect(name).eval(&given).expect(name);
+            let size = derivatives
+                .iter()
+                .map(|&x| x.into().abs())
+                .fold(0.0, f64::max);
             let found = &by_vertex[2 * offsets[long]..2 * offsets[long + 1]];
-            for (&x, &y) in found.iter().zip(&slopes[wide..]) {
+            for (&x, &y) in found.iter().zip(&derivatives[wide..]) {
                 let (x, y): (f64, f64) = (x.into(), y.into());
                 assert!(
                     (x - y).abs() <= 256.0 * T::EPSILON * size,
@@ -449,11 +452,11 @@ fn one_row_stands_for_all() {
     let ones = [Rows::one(&BOXES[..5]), Rows::one(&TRUTHS[..5])];
     assert_eq!(iou(Mode::Value).aligned(&ones).unwrap()[0].len(), 1);
 
-    let (mut value, mut slopes) = (vec![9.0; 3], vec![9.0; 15]);
+    let (mut value, mut derivatives) = (vec![9.0; 3], vec![9.0; 15]);
     iou(Mode::ValueGrad)
-        .aligned_into(&all, &mut [Some(&mut value), None, Some(&mut slopes)])
+        .aligned_into(&all, &mut [Some(&mut value), None, Some(&mut derivatives)])
         .unwrap();
-    assert_eq!((&value, &slopes), (&found[0], &found[2]));
+    assert_eq!((&value, &derivatives), (&found[0], &found[2]));
 }
 
 #[test]
@@ -719,8 +722,8 @@ fn functions_of_any_arity_are_traced() {
         for (i, x) in inputs.iter().enumerate() {
             assert_eq!(bits_of(&found[i]), bits_of(&typed(x)));
             let dual: [Jet<T, 6>; 6] = std::array::from_fn(|k| Jet::variable(x[k], k));
-            let slopes: Vec<T> = typed(&dual).iter().flat_map(|x| x.slope).collect();
-            near(&jacobian[i], &slopes, "jacobian");
+            let derivatives: Vec<T> = typed(&dual).iter().flat_map(|x| x.derivative).collect();
+            near(&jacobian[i], &derivatives, "jacobian");
         }
         let wild: Vec<T> = [1.0, f64::NAN, 0.0].map(T::lit).to_vec();
         let error = program
@@ -897,10 +900,10 @@ fn operations_of_symbols_are_the_operations() {
         1.5, 2.0, -1.0, 1.0,
     ];
     assert_eq!(loss.eval(&x).unwrap(), [plain(&x) + 0.0]);
-    let (_, slopes) = ad::gradient(|x: Vec<_>| plain(&x), x.to_vec());
+    let (_, derivatives) = ad::gradient(|x: Vec<_>| plain(&x), x.to_vec());
     near(
         &loss.value_grad().unwrap().eval(&x).unwrap()[1..],
-        &slopes,
+        &derivatives,
         "gradient",
     );
     let columns = [
@@ -923,13 +926,16 @@ fn derivatives(program: &Program<f64>, x: &[f64], name: &str) {
         let dual: Vec<Dual> = x
             .iter()
             .zip(direction)
-            .map(|(&value, &t)| Jet { value, slope: [t] })
+            .map(|(&value, &t)| Jet {
+                value,
+                derivative: [t],
+            })
             .collect();
         program
             .eval_on(&dual)
             .unwrap()
             .iter()
-            .map(|x| x.slope[0])
+            .map(|x| x.derivative[0])
             .collect()
     };
     let axis =
@@ -968,15 +974,15 @@ fn derivatives(program: &Program<f64>, x: &[f64], name: &str) {
         let point = |k: usize| Second {
             value: Jet {
                 value: x[k],
-                slope: [s[k]],
+                derivative: [s[k]],
             },
-            slope: [Jet {
+            derivative: [Jet {
                 value: t[k],
-                slope: [0.0],
+                derivative: [0.0],
             }],
         };
         let dual: Vec<Second> = (0..inputs).map(point).collect();
-        program.eval_on(&dual).unwrap()[0].slope[0].slope[0]
+        program.eval_on(&dual).unwrap()[0].derivative[0].derivative[0]
     };
     let hessian: Vec<f64> = (0..inputs * inputs)
         .map(|k| second(&axis(k / inputs), &axis(k % inputs)))
@@ -994,7 +1000,7 @@ fn derivatives(program: &Program<f64>, x: &[f64], name: &str) {
         1e-7,
         name,
     );
-    // The vjp of the vjp at cotangent c: c times the Hessian product, then the slope along the direction.
+    // The vjp of the vjp at cotangent c: c times the Hessian product, then the derivative along the direction.
     let twice = program.vjp().unwrap().vjp().unwrap();
     let given = [x, &[0.5][..], &direction].concat();
     let found = twice.eval(&given).unwrap();

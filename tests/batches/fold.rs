@@ -112,7 +112,7 @@ fn folds_over_the_nearest_edges_alone_have_the_bits_of_those_over_all() {
         }
     }
     Simd::limit(None).unwrap();
-    // Slopes are those of one path at a time, too.
+    // Derivatives are those of one path at a time, too.
     let up: Vec<f64> = points.iter().map(|_| dice.within(-2.0, 2.0)).collect();
     let (by_point, by_vertex) = cpu
         .fold_vjp(SignedDistancePointRing, &points, &vertices, &offsets, &up)
@@ -192,7 +192,7 @@ fn a_path_that_all_share_is_as_good_as_one_for_each() {
 }
 
 #[test]
-fn adjoints_of_folds_are_slopes() {
+fn adjoints_of_folds_are_derivatives() {
     let mut dice = Dice(2);
     let (vertices, offsets) = rings(&mut dice, 200);
     let points: Vec<Vec2<f64>> = (0..200).map(|_| point(&mut dice)).collect();
@@ -227,12 +227,12 @@ fn adjoints_of_folds_are_slopes() {
                 .collect();
             total(&p, &v)
         };
-        let slope = (moved(step) - moved(-step)) / (2.0 * step);
+        let derivative = (moved(step) - moved(-step)) / (2.0 * step);
         let dots = |bars: &[Vec2<f64>], ways: &[Vec2<f64>]| -> f64 {
             bars.iter().zip(ways).map(|(bar, way)| bar.dot(*way)).sum()
         };
         let known = dots(&by_point, &directions) + dots(&by_vertex, &turns);
-        agreed += usize::from((slope - known).abs() <= 1e-5 * (1.0 + known.abs()));
+        agreed += usize::from((derivative - known).abs() <= 1e-5 * (1.0 + known.abs()));
     }
     assert!(agreed >= tries - 2, "{agreed} of {tries}");
 }
@@ -256,8 +256,12 @@ fn moments_pull_on_vertices() {
         let (mut more, mut less) = (ring, ring);
         more[k].x += 1e-6;
         less[k].x -= 1e-6;
-        let slope = (value(&more) - value(&less)) / 2e-6;
-        assert!((slope - bars[k].x).abs() < 1e-7, "{slope} {:?}", bars[k]);
+        let derivative = (value(&more) - value(&less)) / 2e-6;
+        assert!(
+            (derivative - bars[k].x).abs() < 1e-7,
+            "{derivative} {:?}",
+            bars[k]
+        );
     }
 }
 
@@ -326,7 +330,7 @@ fn searches_are_decided_and_replayed() {
     assert_eq!(bars[0].vertices[2], Vec2::new(1.0, 0.0));
     assert_eq!(bars[0].vertices[0], Vec2::new(-1.0, 0.0));
     assert!((bars[1].vertices[1] - Vec2::new(0.8, -0.6)).length() < 1e-15);
-    // Places behind the last vertex have no slopes.
+    // Places behind the last vertex have no derivatives.
     assert_eq!(bars[0].vertices[4], Vec2::new(0.0, 0.0));
     let up = [2.0, -1.0];
     let pulled = cpu.aligned(Diameter.vjp(), (&polygons, &up)).unwrap();

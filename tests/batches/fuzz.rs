@@ -1,6 +1,6 @@
 //! Inputs that nobody would think of, and whether the search for them finds what is wrong.
-use geograd::kernels::fuzz::{self, Fuzzed, Promise};
-use geograd::kernels::op::{Extremes, Finite, Jumps, Limits, Op, Range, Slopes};
+use geograd::kernels::fuzz::{self, Fuzzed, Property};
+use geograd::kernels::op::{Derivative, Extremes, Finite, Jumps, Limits, Op, Range};
 use geograd::kernels::real::Real;
 use geograd::kernels::{Cpu, Single};
 use geograd::{Aabb2, Fixed, Obb2, Pack, Scalar};
@@ -23,8 +23,8 @@ fn every_operation_keeps_its_promises() {
     assert!(broken.is_empty(), "{}", broken.join("\n"));
 }
 
-/// Of two shapes, for upstream slopes of any size: all slopes are finite, a batch has the bits of the scalar code,
-/// and exchanging the shapes changes the value by no more than a little.
+/// Of two shapes, for upstream derivatives of any size: all derivatives are finite, a batch has the bits of the
+/// scalar code, and exchanging the shapes changes the value by no more than a little.
 fn bears<O, P, T>(inputs: &[&[f64]])
 where
     O: Op<In<T> = (P, P), Out<T> = T>,
@@ -49,9 +49,9 @@ where
         let (by_a, by_b) = Cpu::new().aligned(O::default().vjp(), columns).unwrap();
         let values = Cpu::new().aligned(O::default(), (&all_a, &all_b)).unwrap();
         for (i, &out_bar) in upstream.iter().enumerate() {
-            let (value, slopes) = O::adjoint::<T>((a, b), out_bar).unwrap();
+            let (value, derivatives) = O::adjoint::<T>((a, b), out_bar).unwrap();
             let found = [vec![values[i]], by_a[i].scalars(), by_b[i].scalars()].concat();
-            let expected = [vec![value], slopes.scalars()].concat();
+            let expected = [vec![value], derivatives.scalars()].concat();
             let bits =
                 |all: &[T]| -> Vec<u64> { all.iter().map(|x| x.widen().to_bits()).collect() };
             let at = format!("{} {input:?} upstream {out_bar:?}", O::NAME);
@@ -360,7 +360,7 @@ fn what_was_found_once_stays_mended() {
 #[derive(Clone, Copy, Debug, Default)]
 struct Faulty<const FAULT: usize>;
 
-/// A slope is no number where a box is long.
+/// A derivative is no number where a box is long.
 const NO_NUMBER: usize = 0;
 /// What shares more than half shares more than all.
 const OUT_OF_RANGE: usize = 1;
@@ -368,20 +368,20 @@ const OUT_OF_RANGE: usize = 1;
 const NOT_ITSELF: usize = 2;
 /// The first box counts more.
 const ONE_SIDED: usize = 3;
-/// There are no slopes to record.
+/// There are no derivatives to record.
 const REFUSED: usize = 4;
 /// Boxes apart share a little.
 const NOT_APART: usize = 5;
-/// The value beside slopes is another one.
+/// The value beside derivatives is another one.
 const OTHERWISE_BY_HAND: usize = 6;
 
 impl<const FAULT: usize> Op for Faulty<FAULT> {
     const NAME: &'static str = IouObb2::NAME;
     type In<S: Scalar> = (Obb2<S>, Obb2<S>);
     type Out<S: Scalar> = S;
-    const PROMISES: &'static [geograd::kernels::op::Promise] = IouObb2::PROMISES;
+    const INVARIANCES: &'static [geograd::kernels::op::Invariance] = IouObb2::INVARIANCES;
     const JUMPS: Jumps = IouObb2::JUMPS;
-    const SLOPES: Slopes = Slopes::ByHand;
+    const DERIVATIVE: Derivative = Derivative::ByHand;
     const FINITE: Finite = IouObb2::FINITE;
     const RANGE: Range = IouObb2::RANGE;
     const EXTREMES: Extremes = IouObb2::EXTREMES;
@@ -431,19 +431,19 @@ fn found<const FAULT: usize>() -> Fuzzed {
     fuzzed
 }
 
-fn promise<const FAULT: usize>() -> Option<Promise> {
-    found::<FAULT>().broken.map(|broken| broken.promise)
+fn property<const FAULT: usize>() -> Option<Property> {
+    found::<FAULT>().broken.map(|broken| broken.property)
 }
 
 #[test]
 fn what_is_wrong_is_found_and_named() {
-    assert_eq!(promise::<NO_NUMBER>(), Some(Promise::Finite));
-    assert_eq!(promise::<OUT_OF_RANGE>(), Some(Promise::Range));
-    assert_eq!(promise::<NOT_ITSELF>(), Some(Promise::Identical));
-    assert_eq!(promise::<ONE_SIDED>(), Some(Promise::Symmetric));
-    assert_eq!(promise::<NOT_APART>(), Some(Promise::Apart));
-    assert_eq!(promise::<OTHERWISE_BY_HAND>(), Some(Promise::SameBits));
-    assert_eq!(promise::<REFUSED>(), Some(Promise::Accepted));
+    assert_eq!(property::<NO_NUMBER>(), Some(Property::Finite));
+    assert_eq!(property::<OUT_OF_RANGE>(), Some(Property::Range));
+    assert_eq!(property::<NOT_ITSELF>(), Some(Property::Identical));
+    assert_eq!(property::<ONE_SIDED>(), Some(Property::Symmetric));
+    assert_eq!(property::<NOT_APART>(), Some(Property::Apart));
+    assert_eq!(property::<OTHERWISE_BY_HAND>(), Some(Property::SameBits));
+    assert_eq!(property::<REFUSED>(), Some(Property::Accepted));
 }
 
 #[test]
@@ -482,7 +482,7 @@ fn what_is_found_is_simple_and_code() {
     assert!(line.contains("a number is not finite"), "{line}");
 }
 
-/// The slopes of a product and a quotient as they come, without a guard.
+/// The derivatives of a product and a quotient as they come, without a guard.
 #[derive(Clone, Copy, Debug, Default)]
 struct Unguarded<const LIMITED: bool>;
 
@@ -490,9 +490,9 @@ impl<const LIMITED: bool> Op for Unguarded<LIMITED> {
     const NAME: &'static str = "unguarded";
     type In<S: Scalar> = (Aabb2<S>, S);
     type Out<S: Scalar> = S;
-    const PROMISES: &'static [geograd::kernels::op::Promise] = &[];
+    const INVARIANCES: &'static [geograd::kernels::op::Invariance] = &[];
     const JUMPS: Jumps = Jumps::Anywhere;
-    const SLOPES: Slopes = Slopes::Reverse;
+    const DERIVATIVE: Derivative = Derivative::Reverse;
     const FINITE: Finite = match LIMITED {
         true => Finite::Within(Limits::new([-20, 20], [-200, 200])),
         false => Finite::Always,
@@ -505,7 +505,7 @@ impl<const LIMITED: bool> Op for Unguarded<LIMITED> {
 #[test]
 fn limits_are_kept_to() {
     let always = fuzz::operation::<Unguarded<false>, f32>(100_000, 1);
-    assert_eq!(always.broken.unwrap().promise, Promise::Finite);
+    assert_eq!(always.broken.unwrap().property, Property::Finite);
     let limited = fuzz::operation::<Unguarded<true>, f32>(100_000, 1);
     assert_eq!(limited.broken, None, "{limited}");
 }
@@ -525,7 +525,7 @@ fn differences_of_the_largest_numbers_are_finite() {
         1.0,
         0.0,
     ]]);
-    // A thin box beside a huge one that is turned: apart, and nothing is left of it in the slopes.
+    // A thin box beside a huge one that is turned: apart, and nothing is left of it in the derivatives.
     let huge = Obb2::new(-7.319668e22_f32, 0.0, 1.8446735e19, 9.2233715e18, 0.5);
     let thin = Obb2::new(0.0_f32, 0.0, 1.0, 0.0, 0.0);
     let (value, bars) = IouObb2::adjoint((huge, thin), 1.0).unwrap();
@@ -535,24 +535,24 @@ fn differences_of_the_largest_numbers_are_finite() {
     );
 }
 
-/// What was found by a hostile reading: slopes of boxes apart, one of them flat, near the limits.
+/// What was found by a hostile reading: derivatives of boxes apart, one of them flat, near the limits.
 #[test]
-fn slopes_of_flat_boxes_apart_are_zero() {
+fn derivatives_of_flat_boxes_apart_are_zero() {
     fn zero<T: Real + Single<Scalar = T>>(numbers: [[f64; 4]; 2]) {
         let [a, b] = numbers.map(|x| Aabb2::load(&x.map(T::lit)));
         let (value, bars) = IouAabb2::adjoint::<T>((a, b), T::one()).unwrap();
-        let slopes = [vec![value], bars.scalars()].concat();
+        let derivatives = [vec![value], bars.scalars()].concat();
         assert!(
-            slopes.iter().all(|x| *x == T::zero()),
-            "{a:?} {b:?}: {slopes:?}"
+            derivatives.iter().all(|x| *x == T::zero()),
+            "{a:?} {b:?}: {derivatives:?}"
         );
         let (values, (by_a, by_b)) = Cpu::new()
             .aligned(IouAabb2.value_grad(), (&[a], &[b]))
             .unwrap();
-        let slopes = [values, by_a[0].scalars(), by_b[0].scalars()].concat();
+        let derivatives = [values, by_a[0].scalars(), by_b[0].scalars()].concat();
         assert!(
-            slopes.iter().all(|x| *x == T::zero()),
-            "{a:?} {b:?}: {slopes:?}"
+            derivatives.iter().all(|x| *x == T::zero()),
+            "{a:?} {b:?}: {derivatives:?}"
         );
     }
     let most = f64::from(f32::MAX);

@@ -86,11 +86,11 @@ fn a_row_is_the_adjoint_of_an_axis_of_the_result() {
 }
 
 operation! {
-    /// A vector in polar coordinates, with slopes by hand.
+    /// A vector in polar coordinates, with derivatives by hand.
     pub Polar = "polar": (v: Vec2<S>) -> Vec2<S> { Vec2::new(v.length(), v.y.atan2(v.x)) }
-    promises []
+    invariances []
     jumps Anywhere
-    slopes ByHand |v, out_bar| {
+    derivative ByHand |v, out_bar| {
         let length = v.length();
         let (along, around) = (out_bar.x.over(length), out_bar.y.over(length * length));
         let bar = Vec2::new(v.x * along - v.y * around, v.y * along + v.x * around);
@@ -99,13 +99,13 @@ operation! {
 }
 
 #[test]
-fn slopes_by_hand_of_several_numbers() {
+fn derivatives_by_hand_of_several_numbers() {
     agree! { Polar(Vec2<f64>); }
-    let (_, slopes) = Cpu::new()
+    let (_, derivatives) = Cpu::new()
         .aligned(Polar.jacobian(), &[Vec2::new(3.0_f32, 4.0)])
         .unwrap();
     assert_eq!(
-        (slopes[0].x, slopes[0].y),
+        (derivatives[0].x, derivatives[0].y),
         (Vec2::new(0.6, 0.8), Vec2::new(-0.16, 0.12))
     );
 }
@@ -114,10 +114,10 @@ fn slopes_by_hand_of_several_numbers() {
 fn one_number_has_its_gradient() {
     let (a, b) = (draws::<Obb2<f64>>(1), draws::<Obb2<f64>>(2));
     let (values, (by_a, _)) = Cpu::new().aligned(Iou.value_grad(), (&a, &b)).unwrap();
-    let (again, slopes) = Cpu::new().aligned(Iou.jacobian(), (&a, &b)).unwrap();
+    let (again, derivatives) = Cpu::new().aligned(Iou.jacobian(), (&a, &b)).unwrap();
     for i in 0..COUNT {
         assert!((values[i] - again[i]).abs() < 1e-12);
-        near(&[slopes[i].0.scalars()], &[by_a[i].scalars()]);
+        near(&[derivatives[i].0.scalars()], &[by_a[i].scalars()]);
     }
 }
 
@@ -125,25 +125,25 @@ fn one_number_has_its_gradient() {
 fn searches_keep_what_was_found() {
     let polygons: Vec<ConvexPolygon<f64, 6>> = draws(3);
     let cpu = Cpu::new();
-    let (found, slopes) = cpu.aligned(MinimumCircle.jacobian(), &polygons).unwrap();
+    let (found, derivatives) = cpu.aligned(MinimumCircle.jacobian(), &polygons).unwrap();
     assert_eq!(found, cpu.aligned(MinimumCircle, &polygons).unwrap());
     for k in 0..3 {
         let axis = One(unit::<Circle<f64>>(k));
         let bars = cpu.aligned(MinimumCircle.vjp(), (&polygons, axis)).unwrap();
-        for (slopes, bar) in slopes.iter().zip(&bars) {
-            let own = slopes.scalars()[k];
+        for (derivatives, bar) in derivatives.iter().zip(&bars) {
+            let own = derivatives.scalars()[k];
             assert_eq!(own, *bar);
             assert_eq!(own.count, bar.count);
         }
     }
-    let (_, slopes) = cpu.aligned(MinimumRectangle.jacobian(), &polygons).unwrap();
+    let (_, derivatives) = cpu.aligned(MinimumRectangle.jacobian(), &polygons).unwrap();
     // Moving all vertices moves the centre by as much.
-    for (slopes, polygon) in slopes.iter().zip(&polygons) {
+    for (derivatives, polygon) in derivatives.iter().zip(&polygons) {
         let along = |gradient: &ConvexPolygon<f64, 6>| -> f64 {
             gradient.vertices[..polygon.count].iter().map(|v| v.x).sum()
         };
-        assert!((along(&slopes.center.x) - 1.0).abs() < 1e-9);
-        assert!(along(&slopes.size.x).abs() < 1e-9);
+        assert!((along(&derivatives.center.x) - 1.0).abs() < 1e-9);
+        assert!(along(&derivatives.size.x).abs() < 1e-9);
     }
 }
 
@@ -152,10 +152,10 @@ fn programs_of_several_numbers() {
     let corners = Program::trace(|b: Obb2<Sym<f64>>| b.corners()).unwrap();
     let boxes: Vec<Obb2<f64>> = draws(4);
     let run = corners.jacobian();
-    let (found, slopes) = Cpu::new().aligned(&run, &boxes).unwrap();
+    let (found, derivatives) = Cpu::new().aligned(&run, &boxes).unwrap();
     for i in 0..COUNT {
         let (value, expected) = run.eval(boxes[i]);
-        assert_eq!((found[i], slopes[i]), (value, expected));
+        assert_eq!((found[i], derivatives[i]), (value, expected));
         assert_eq!(value, boxes[i].corners());
         let (_, duals) = ad::jacobian(|b: Obb2<_>| b.corners(), boxes[i]);
         near(&rows(&expected), &rows(&duals));
@@ -173,12 +173,12 @@ fn programs_of_several_numbers() {
 fn into_what_is_there() {
     let (a, b) = (draws::<Obb2<f64>>(1), draws::<Obb2<f64>>(2));
     let cpu = Cpu::new();
-    let (found, slopes) = cpu.aligned(ClosestPointsObb2.jacobian(), (&a, &b)).unwrap();
-    let mut again = vec![slopes[0]; COUNT];
+    let (found, derivatives) = cpu.aligned(ClosestPointsObb2.jacobian(), (&a, &b)).unwrap();
+    let mut again = vec![derivatives[0]; COUNT];
     let columns = (&a, &b);
     cpu.aligned_into(ClosestPointsObb2.jacobian(), columns, (Skip, &mut again))
         .unwrap();
-    assert_eq!(again, slopes);
+    assert_eq!(again, derivatives);
     let mut points = vec![found[0]; COUNT];
     let targets = (&mut points, &mut again[..]);
     cpu.aligned_into(ClosestPointsObb2.jacobian(), columns, targets)
@@ -195,8 +195,8 @@ fn into_what_is_there() {
         "`result 1` has 199 items where 200 are needed"
     );
     let none: &[Obb2<f64>] = &[];
-    let (found, slopes) = cpu
+    let (found, derivatives) = cpu
         .aligned(ClosestPointsObb2.jacobian(), (none, none))
         .unwrap();
-    assert!(found.is_empty() && slopes.is_empty());
+    assert!(found.is_empty() && derivatives.is_empty());
 }

@@ -1,6 +1,7 @@
 //! What batches on the CPU promise.
 mod bits;
 mod calls;
+mod declared;
 mod dynamic;
 mod fold;
 #[cfg(feature = "fuzzers")]
@@ -10,7 +11,6 @@ mod memory;
 mod names;
 mod polygon;
 mod program;
-mod promised;
 mod reduce;
 mod search;
 mod shapes;

@@ -9,9 +9,9 @@ operation! {
     pub Spare = "spare": (robot: Vec2<S>, wall: Segment2<S>, margin: S) -> S {
         distance(robot, wall) - margin
     }
-    promises []
+    invariances []
     jumps Never
-    slopes Reverse
+    derivative Reverse
 }
 
 const NAN: Vec2<f64> = Vec2 {
@@ -39,7 +39,7 @@ fn a_shape_that_is_not_valid() {
         }
     );
     assert_eq!(error.to_string(), "`robot` row 1: x is not a finite number");
-    // With slopes, too.
+    // With derivatives, too.
     assert_eq!(cpu.aligned(Spare.value_grad(), columns).unwrap_err(), error);
     assert_eq!(cpu.aligned(Spare.jacobian(), columns).unwrap_err(), error);
     assert_eq!(

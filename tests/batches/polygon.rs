@@ -59,7 +59,7 @@ fn rings_of_lists_have_the_bits_of_two_at_a_time() {
 }
 
 #[test]
-fn slopes_of_rings_add_up_in_order_on_any_number_of_threads() {
+fn derivatives_of_rings_add_up_in_order_on_any_number_of_threads() {
     let mut dice = Dice(62);
     let (a, b) = (stars(&mut dice, 70), stars(&mut dice, 50));
     let up: Vec<f64> = (0..70 * 50)
@@ -102,7 +102,7 @@ fn slopes_of_rings_add_up_in_order_on_any_number_of_threads() {
     for (found, known) in by_a.iter().chain(&by_b).zip(sum_a.iter().chain(&sum_b)) {
         assert!((*found - *known).length() < 1e-12, "{found:?} {known:?}");
     }
-    // Aligned: of every row its own slopes.
+    // Aligned: of every row its own derivatives.
     let few = RingList {
         offsets: &a.1[..51],
         vertices: &a.0[..a.1[50]],

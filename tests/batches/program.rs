@@ -347,12 +347,12 @@ fn obb2<S: Scalar>(numbers: &[S]) -> Obb2<S> {
 fn overlap<T: Real + Plain>() {
     let _turn = Turn::take();
     let value = Program::trace(|x: [Sym<T>; 10]| iou_obb2(obb2(&x[..5]), obb2(&x[5..])));
-    let slopes = Program::trace(|x: [Sym<T>; 10]| {
+    let derivatives = Program::trace(|x: [Sym<T>; 10]| {
         let (value, bars) = iou_obb2_grad(obb2(&x[..5]), obb2(&x[5..]));
         let numbers = [vec![value], bars.0.scalars(), bars.1.scalars()].concat();
         <[Sym<T>; 11]>::load(&numbers)
     });
-    let (value, slopes) = (Trial::of(&value.unwrap()), Trial::of(&slopes.unwrap()));
+    let (value, derivatives) = (Trial::of(&value.unwrap()), Trial::of(&derivatives.unwrap()));
     let mut dice = Dice(7);
     let count = 700;
     let mut rows = [boxes::<T>(&mut dice, count), boxes(&mut dice, count)];
@@ -363,14 +363,14 @@ fn overlap<T: Real + Plain>() {
     }
     let pairs = || rows[0].chunks(5).zip(rows[1].chunks(5));
     let expected: Vec<T> = pairs().map(|(a, b)| iou_obb2(obb2(a), obb2(b))).collect();
-    let expected_slopes: Vec<T> = pairs()
+    let expected_derivatives: Vec<T> = pairs()
         .flat_map(|(a, b)| {
             let (value, bars) = iou_obb2_grad(obb2(a), obb2(b));
             [vec![value], bars.0.scalars(), bars.1.scalars()].concat()
         })
         .map(Scalar::canonical)
         .collect();
-    for (trial, expected) in [(value, expected), (slopes, expected_slopes)] {
+    for (trial, expected) in [(value, expected), (derivatives, expected_derivatives)] {
         for way in WAYS {
             let ready = trial.ready(&[5, 5], way).unwrap();
             assert_eq!(ready.listing().contains("Skip"), way.skipping);

@@ -27,7 +27,7 @@ fn all_pairs_of_polygons_are_those_of_aligned_pairs() {
     let run = Iou;
     let cpu = Cpu::new();
     let table = cpu.all_pairs(run, &a, &b).unwrap();
-    let slopes = cpu.all_pairs(run.value_grad(), &a, &b).unwrap();
+    let derivatives = cpu.all_pairs(run.value_grad(), &a, &b).unwrap();
     let upstream: Vec<f64> = (0..a.len() * b.len()).map(|k| k as f64 - 400.0).collect();
     let (a_bar, b_bar) = cpu.all_pairs_vjp(run, &a, &b, &upstream).unwrap();
     let mut sums = [vec![vec![0.0; 10]; a.len()], vec![vec![0.0; 10]; b.len()]];
@@ -39,10 +39,10 @@ fn all_pairs_of_polygons_are_those_of_aligned_pairs() {
                 .unwrap();
             meeting += usize::from(iou[0] > 0.0);
             assert_eq!(table.at(i, j), iou[0]);
-            assert_eq!(slopes.at(i, j), (iou[0], (by_a[0], by_b[0])));
+            assert_eq!(derivatives.at(i, j), (iou[0], (by_a[0], by_b[0])));
             let by = upstream[i * b.len() + j];
-            for (list, at, slope) in [(0, i, by_a[0]), (1, j, by_b[0])] {
-                for (sum, x) in sums[list][at].iter_mut().zip(slope.scalars()) {
+            for (list, at, derivative) in [(0, i, by_a[0]), (1, j, by_b[0])] {
+                for (sum, x) in sums[list][at].iter_mut().zip(derivative.scalars()) {
                     *sum += by * x;
                 }
             }

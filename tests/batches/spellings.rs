@@ -4,7 +4,7 @@ use geograd::ad::check::sample::Sample;
 use geograd::distance::Convex;
 use geograd::error::Validate;
 use geograd::kernels::op::Op;
-use geograd::kernels::{Cpu, Row};
+use geograd::kernels::{Cpu, Item};
 use geograd::measure::moments::second_moments;
 use geograd::overlap3::Overlaps;
 use geograd::{
@@ -19,8 +19,8 @@ use std::fmt::Debug;
 fn same<O: Op, T: Number>(spellings: &[&dyn Fn(O::In<T>) -> O::Out<T>])
 where
     O::In<f64>: Sample,
-    O::In<T>: Row<Scalar = T, Many: Items> + Validate + Debug,
-    O::Out<T>: Row<Scalar = T, Many: Items>,
+    O::In<T>: Item<Scalar = T, Many: Items> + Validate + Debug,
+    O::Out<T>: Item<Scalar = T, Many: Items>,
 {
     let mut all = inputs::<O, T>(600);
     all.retain(|x| x.validate().is_ok());
@@ -336,10 +336,10 @@ fn searches() {
         .intersection_area(b));
     same!(Iou, iou_polygons, |a, b| a.iou(b));
     same!(Iof, iof_polygons, |a, b| a.iof(b));
-    same!(Giou, |a, b| iou::giou_polygons_decided::<_, 5, 5, 10>(a, b)
+    same!(Giou, |a, b| iou::giou_polygons_search::<_, 5, 5, 10>(a, b)
         .unwrap()
         .0);
-    same!(Diou, |a, b| iou::diou_polygons_decided(a, b).0);
+    same!(Diou, |a, b| iou::diou_polygons_search(a, b).0);
     same!(HullArea, |a, b| geograd::hull::merge::<_, 5, 5, 10>(a, b)
         .unwrap()
         .area());

@@ -1,10 +1,10 @@
-//! Batches of every straight-line operation: the bits of the function and of its slopes on plain
+//! Batches of every straight-line operation: the bits of the function and of its derivatives on plain
 //! numbers, at every level of vector instructions and at every position of a batch.
 use crate::bits::Turn;
 use geograd::ad::check::sample::{Draw, Family, Sample, random};
 use geograd::kernels::cpu::simd::Simd;
 use geograd::kernels::op::{Op, Source, Straight};
-use geograd::kernels::{Cpu, Row};
+use geograd::kernels::{Cpu, Item};
 use geograd::scalar::float::Float;
 use geograd::{Fixed, Jet, Pack};
 use geograd_tests::calls::Number;
@@ -56,12 +56,12 @@ where
     all.iter().map(rounded).collect()
 }
 
-/// Values and slopes of batches are those of the function.
+/// Values and derivatives of batches are those of the function.
 fn same_bits<O: Op, T: Number>()
 where
     O::In<f64>: Sample,
-    O::In<T>: Row<Scalar = T, Many: Items> + Debug,
-    O::Out<T>: Row<Scalar = T, Many: Items>,
+    O::In<T>: Item<Scalar = T, Many: Items> + Debug,
+    O::Out<T>: Item<Scalar = T, Many: Items>,
 {
     let all = inputs::<O, T>(LENGTHS[2]);
     let mut draw = Draw::new(12);
@@ -74,14 +74,14 @@ where
         .iter()
         .zip(&bars)
         .map(|(&x, &bar)| {
-            let (value, slopes) = (O::eval(x), Straight::<O>::vjp(&x, bar));
+            let (value, derivatives) = (O::eval(x), Straight::<O>::vjp(&x, bar));
             let finite = |numbers: Vec<T>| numbers.iter().all(|x| x.widen().is_finite());
             assert!(
-                finite(value.scalars()) && finite(slopes.scalars()),
+                finite(value.scalars()) && finite(derivatives.scalars()),
                 "{}: {x:?}",
                 O::NAME
             );
-            [bits(&value), bits(&slopes)]
+            [bits(&value), bits(&derivatives)]
         })
         .collect();
     let _turn = Turn::take();
@@ -90,9 +90,9 @@ where
         for count in LENGTHS {
             let (all, bars) = (&all[..count], &bars[..count]);
             let values = Cpu::new().aligned(O::default(), all).unwrap();
-            let slopes = Cpu::new().aligned(O::default().vjp(), (all, bars)).unwrap();
+            let derivatives = Cpu::new().aligned(O::default().vjp(), (all, bars)).unwrap();
             for i in 0..count {
-                let found = [values.item(i), slopes.item(i)];
+                let found = [values.item(i), derivatives.item(i)];
                 assert_eq!(
                     found,
                     expected[i],
@@ -105,13 +105,13 @@ where
     }
 }
 
-/// A batch of values with gradients: the value, and the slopes of a cotangent of one.
+/// A batch of values with gradients: the value, and the derivatives of a cotangent of one.
 fn same_gradient<O, T>()
 where
     O: Op<Out<T> = T>,
     O::In<f64>: Sample,
-    O::In<T>: Row<Scalar = T, Many: Items> + Debug,
-    T: Number + Row<Many: Items>,
+    O::In<T>: Item<Scalar = T, Many: Items> + Debug,
+    T: Number + Item<Many: Items>,
 {
     let all = inputs::<O, T>(LENGTHS[2]);
     let _turn = Turn::take();
@@ -121,8 +121,8 @@ where
             let all = &all[..count];
             let found = Cpu::new().aligned(O::default().value_grad(), all).unwrap();
             for (i, x) in all.iter().enumerate() {
-                let slopes = Straight::<O>::vjp(x, T::lit(1.0));
-                let expected = [bits(&O::eval(*x)), bits(&slopes)].concat();
+                let derivatives = Straight::<O>::vjp(x, T::lit(1.0));
+                let expected = [bits(&O::eval(*x)), bits(&derivatives)].concat();
                 assert_eq!(
                     found.item(i),
                     expected,
@@ -150,8 +150,8 @@ fn gradients() {
     }
 }
 
-/// Slopes are those of forward duals where no tie is near.
-fn slopes_of_duals<O: Op>()
+/// Derivatives are those of forward duals where no tie is near.
+fn derivatives_of_duals<O: Op>()
 where
     O::In<f64>: Sample,
 {
@@ -159,21 +159,21 @@ where
     let ones = O::Out::<f64>::filled(1.0);
     for _ in 0..100 {
         let x: O::In<f64> = Family::Ordinary.draw(&mut draw);
-        let slopes = Straight::<O>::vjp(&x, ones).scalars();
+        let derivatives = Straight::<O>::vjp(&x, ones).scalars();
         let numbers = x.scalars();
-        let largest = slopes.iter().fold(1.0_f64, |m, s| m.max(s.abs()));
-        for (k, &slope) in slopes.iter().enumerate() {
+        let largest = derivatives.iter().fold(1.0_f64, |m, s| m.max(s.abs()));
+        for (k, &derivative) in derivatives.iter().enumerate() {
             let jets = numbers.iter().enumerate().map(|(i, &x)| Jet {
                 value: x,
-                slope: [if i == k { 1.0 } else { 0.0 }],
+                derivative: [if i == k { 1.0 } else { 0.0 }],
             });
             let jets: Vec<Jet<f64, 1>> = jets.collect();
             let out = O::eval(O::In::<Jet<f64, 1>>::load(&jets)).scalars();
-            let dual: f64 = out.iter().map(|y| y.slope[0]).sum();
-            let gap = (dual - slope).abs();
+            let dual: f64 = out.iter().map(|y| y.derivative[0]).sum();
+            let gap = (dual - derivative).abs();
             assert!(
                 gap <= 1e-12 * largest,
-                "{} by {k}: {dual} {slope} at {x:?}",
+                "{} by {k}: {dual} {derivative} at {x:?}",
                 O::NAME
             );
         }
@@ -187,18 +187,18 @@ macro_rules! each {
         fn $name() {
             same_bits::<$op, f64>();
             same_bits::<$op, f32>();
-            slopes_of_duals::<$op>();
+            derivatives_of_duals::<$op>();
         }
     )* };
 }
 geograd::for_each_op!(each);
 
 geograd::operation! {
-    /// A difference, whose slopes are its cotangent and the opposite.
+    /// A difference, whose derivatives are its cotangent and the opposite.
     Difference = "difference": (a: S, b: S) -> S { a - b }
-    promises []
+    invariances []
     jumps Never
-    slopes Reverse
+    derivative Reverse
 }
 
 #[test]
@@ -218,7 +218,7 @@ fn cotangents_of_all_pairs_are_taken_as_they_are() {
     assert_eq!((&a_bar[..], &b_bar[..]), (&[3.0; 2][..], &[-2.0; 3][..]));
 }
 
-/// Boxes of two kinds: the same as boxes of one kind, whose slopes are by other numbers.
+/// Boxes of two kinds: the same as boxes of one kind, whose derivatives are by other numbers.
 #[test]
 fn overlaps_of_boxes_of_two_kinds() {
     use geograd::overlap3::Overlaps;

@@ -73,8 +73,8 @@ fn three_shapes_conversions_and_searches() -> Result<(), Error> {
     assert_eq!(Giou.of(square, square), 1.0);
     assert_eq!(cpu.aligned(Diameter, &[square][..])?, [5.0_f64.sqrt()]);
     assert_eq!((square.diameter(), square.width()), (5.0_f64.sqrt(), 1.0));
-    let (_, slopes) = cpu.aligned(Diameter.value_grad(), &[square][..])?;
-    assert_eq!(slopes.len(), 1);
+    let (_, derivatives) = cpu.aligned(Diameter.value_grad(), &[square][..])?;
+    assert_eq!(derivatives.len(), 1);
     Ok(())
 }
 
@@ -91,9 +91,9 @@ fn methods_are_the_verbs() {
     let hit = ray.first_hit(a);
     assert_eq!(hit, FirstHit.of(ray, a));
     // On dual numbers, too.
-    let (value, slopes) = gradient(|x: Obb2<_>| x.giou(b.lift()), a);
+    let (value, derivatives) = gradient(|x: Obb2<_>| x.giou(b.lift()), a);
     assert_eq!(value, a.giou(b));
-    assert!(slopes.center.x != 0.0);
+    assert!(derivatives.center.x != 0.0);
 }
 
 /// Generic over the verb.
@@ -129,15 +129,15 @@ struct Tree<S> {
 operation! {
     /// Between two rotated boxes.
     Gap: (a: Obb2<S>, b: Obb2<S>) -> S { a.distance(b) }
-    promises [Exchange Stays] jumps Never slopes Reverse
+    invariances [Exchange Stays] jumps Never derivative Reverse
 
     /// Between a box and a tree.
     Gap: (car: Obb2<S>, tree: Tree<S>) -> S { (car.distance(tree.foot) - tree.radius).most(S::zero()) }
-    promises [] jumps Never slopes Reverse
+    invariances [] jumps Never derivative Reverse
 
     /// A library's verb with a shape of one's own.
     SignedDistance: (car: Obb2<S>, tree: Tree<S>) -> S { car.signed_distance(tree.foot) - tree.radius }
-    promises [] jumps Never slopes Reverse
+    invariances [] jumps Never derivative Reverse
 }
 
 #[test]
@@ -154,17 +154,17 @@ fn own_verbs_and_shapes_run_in_every_form() -> Result<(), Error> {
     }
     assert_eq!(cpu.aligned(Gap, (&cars, &cars))?, [0.0; 4]);
     let (_, (_, by_tree)) = cpu.aligned(SignedDistance.value_grad(), (&cars, &trees))?;
-    assert!(by_tree.iter().all(|slope| slope.radius == -1.0));
+    assert!(by_tree.iter().all(|derivative| derivative.radius == -1.0));
     // A gradient by duals, and the row's.
-    let (_, slope) = gradient(|t: Tree<_>| SignedDistance.of(cars[0].lift(), t), trees[0]);
-    assert!((slope.foot.x - by_tree[0].foot.x).abs() < 1e-12);
+    let (_, derivative) = gradient(|t: Tree<_>| SignedDistance.of(cars[0].lift(), t), trees[0]);
+    assert!((derivative.foot.x - by_tree[0].foot.x).abs() < 1e-12);
     Ok(())
 }
 
 #[test]
-fn a_row_of_a_verb_is_proved() {
+fn a_row_of_a_verb_is_checked() {
     // It panics on a refusal.
-    geograd::check::Check::of(Gap.row::<(Obb2<f64>, Tree<f64>)>()).prove();
+    geograd::check::Check::of(Gap.row::<(Obb2<f64>, Tree<f64>)>()).assert();
 }
 
 /// Five arguments.
@@ -184,9 +184,9 @@ fn plain_functions_run_without_a_row() -> Result<(), Error> {
         let expected = weighted(points[i], points[0], points[1], 2.0, cars[i]);
         assert_eq!(found[i], expected);
     }
-    let (value, slopes) = cpu.aligned(function(weighted).value_grad(), columns)?;
+    let (value, derivatives) = cpu.aligned(function(weighted).value_grad(), columns)?;
     assert_eq!(value, found);
-    assert!((slopes.3[0] - found[0] / 2.0).abs() < 1e-12);
+    assert!((derivatives.3[0] - found[0] / 2.0).abs() < 1e-12);
     // Results of several numbers, all pairs, either format.
     let table = cpu.all_pairs(function(nearest), &points, &cars)?;
     assert_eq!(table.at(1, 2), nearest(points[1], cars[2]));
@@ -251,32 +251,32 @@ fn exchanged_arguments_and_two_kinds_of_boxes_have_the_same_values() {
 }
 
 #[test]
-fn further_rows_are_proved() {
+fn further_rows_are_checked() {
     use geograd::check::Check;
     Check::of(Distance.row::<(Vec2<f64>, Vec2<f64>)>())
         .samples(40)
-        .prove();
+        .assert();
     Check::of(Distance.row::<(Vec3<f64>, Vec3<f64>)>())
         .samples(40)
-        .prove();
+        .assert();
     Check::of(Distance.row::<(Obb2<f64>, Circle<f64>)>())
         .samples(10)
         .hard(31)
-        .prove();
+        .assert();
     Check::of(SignedDistance.row::<(Circle<f64>, Segment2<f64>)>())
         .samples(10)
         .hard(31)
-        .prove();
+        .assert();
     Check::of(ClosestPoints.row::<(Obb2<f64>, Circle<f64>)>())
         .samples(10)
         .hard(31)
-        .prove();
+        .assert();
     Check::of(Iof.row::<(Aabb3<f64>, YawBox3<f64>)>())
         .samples(10)
         .hard(31)
-        .prove();
+        .assert();
     Check::of(IntersectionVolume.row::<(YawBox3<f64>, Aabb3<f64>)>())
         .samples(10)
         .hard(31)
-        .prove();
+        .assert();
 }

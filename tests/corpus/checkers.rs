@@ -118,7 +118,7 @@ impl Geograd {
 
 impl Checker for Geograd {
     fn accepts(&self, task: &Task<'_>) -> bool {
-        // Whether a slope could be judged at all is known at the end only.
+        // Whether a derivative could be judged at all is known at the end only.
         let final_word = |report: &Report| {
             let unjudged = |r: Reason| matches!(r, Reason::Unjudged | Reason::NothingSmooth);
             report
@@ -161,8 +161,8 @@ impl Checker for Differences {
         task.points.iter().all(|x| {
             let gradient = (task.gradient)(x);
             gradient.iter().enumerate().all(|(i, g)| {
-                let slope = (at(x, i, self.step) - at(x, i, -self.step)) / (2.0 * self.step);
-                (g - slope).abs() <= self.absolute + self.relative * slope.abs()
+                let derivative = (at(x, i, self.step) - at(x, i, -self.step)) / (2.0 * self.step);
+                (g - derivative).abs() <= self.absolute + self.relative * derivative.abs()
             })
         })
     }
@@ -196,10 +196,10 @@ impl Checker for Directions {
                 let moved: Vec<f64> = x.iter().zip(&direction).map(|(x, d)| x + by * d).collect();
                 (task.value)(&moved)
             };
-            let slope = (at(self.step) - at(-self.step)) / (2.0 * self.step);
+            let derivative = (at(self.step) - at(-self.step)) / (2.0 * self.step);
             let gradient = (task.gradient)(x);
             let along: f64 = gradient.iter().zip(&direction).map(|(g, d)| g * d).sum();
-            (along - slope).abs() <= self.tolerance * (1.0 + slope.abs())
+            (along - derivative).abs() <= self.tolerance * (1.0 + derivative.abs())
         })
     }
 }

@@ -46,7 +46,7 @@ pub fn faults(function: &'static Function, inputs: &Inputs) -> Vec<Fault> {
         all.push(Fault::new(Kind::ByHand, what.to_owned(), wrong));
     }
     mistakes(function, inputs, &mut all);
-    single_slopes(function, inputs, &mut all);
+    single_derivatives(function, inputs, &mut all);
     whole_gradients(function, &mut all);
     places(function, inputs, &mut all);
     all
@@ -54,7 +54,10 @@ pub fn faults(function: &'static Function, inputs: &Inputs) -> Vec<Fault> {
 
 /// One step of the formula, and one rule of differentiation.
 fn mistakes(function: &'static Function, inputs: &Inputs, all: &mut Vec<Fault>) {
-    let constant = |&value: &f64| Mutant { value, slope: 0.0 };
+    let constant = |&value: &f64| Mutant {
+        value,
+        derivative: 0.0,
+    };
     let (mut steps, mut rules) = (0, 0);
     for x in &inputs.points {
         let x: Vec<Mutant> = x.iter().map(constant).collect();
@@ -85,7 +88,7 @@ fn mistakes(function: &'static Function, inputs: &Inputs, all: &mut Vec<Fault>) 
         .flat_map(|s| (0..rules).map(move |at| (s, at)))
     {
         let mistake = Mistake {
-            place: Place::Slope,
+            place: Place::Derivative,
             at,
             second,
         };
@@ -93,33 +96,37 @@ fn mistakes(function: &'static Function, inputs: &Inputs, all: &mut Vec<Fault>) 
             Kind::Rule,
             format!("step {at}, {}", u8::from(second)),
             move |x| {
-                let slope = |i: usize| {
+                let derivative = |i: usize| {
                     let seed = |(k, &value): (usize, &f64)| Mutant {
                         value,
-                        slope: f64::from(k == i),
+                        derivative: f64::from(k == i),
                     };
                     let x: Vec<Mutant> = x.iter().enumerate().map(seed).collect();
                     mistaken(Some(mistake), || (function.value_mutant)(&x))
                         .0
-                        .slope
+                        .derivative
                 };
-                (0..x.len()).map(slope).collect()
+                (0..x.len()).map(derivative).collect()
             },
         ));
     }
 }
 
-/// What can happen to one slope.
-fn single_slopes(function: &'static Function, inputs: &Inputs, all: &mut Vec<Fault>) {
+/// What can happen to one derivative.
+fn single_derivatives(function: &'static Function, inputs: &Inputs, all: &mut Vec<Fault>) {
     let n = function.domain.len();
     let right = function.gradient;
     for i in 0..n {
         let mut one = |kind, what: String, f: Box<dyn Fn(&[f64], &[f64]) -> f64 + Send + Sync>| {
-            all.push(Fault::new(kind, format!("slope {i} {what}"), move |x| {
-                let mut g = right(x);
-                g[i] = f(x, &g);
-                g
-            }));
+            all.push(Fault::new(
+                kind,
+                format!("derivative {i} {what}"),
+                move |x| {
+                    let mut g = right(x);
+                    g[i] = f(x, &g);
+                    g
+                },
+            ));
         };
         one(Kind::Sign, "negated".into(), Box::new(move |_, g| -g[i]));
         one(Kind::Dropped, "zero".into(), Box::new(|_, _| 0.0));
@@ -192,7 +199,7 @@ fn single_slopes(function: &'static Function, inputs: &Inputs, all: &mut Vec<Fau
         for j in 0..i {
             all.push(Fault::new(
                 Kind::Exchanged,
-                format!("slopes {j} and {i}"),
+                format!("derivatives {j} and {i}"),
                 move |x| {
                     let mut g = right(x);
                     g.swap(i, j);
@@ -203,7 +210,7 @@ fn single_slopes(function: &'static Function, inputs: &Inputs, all: &mut Vec<Fau
     }
 }
 
-/// What can happen to all slopes together.
+/// What can happen to all derivatives together.
 fn whole_gradients(function: &'static Function, all: &mut Vec<Fault>) {
     let (value, right) = (function.value, function.gradient);
     let mut whole =
@@ -277,11 +284,11 @@ fn whole_gradients(function: &'static Function, all: &mut Vec<Fault>) {
                 x[i] += by;
                 value(&x)
             };
-            let slope = |i| {
+            let derivative = |i| {
                 let behind = if central { step } else { 0.0 };
                 (at(i, step) - at(i, -behind)) / (step + behind)
             };
-            (0..x.len()).map(slope).collect()
+            (0..x.len()).map(derivative).collect()
         }));
     }
     all.push(Fault {
@@ -330,7 +337,7 @@ fn places(function: &'static Function, inputs: &Inputs, all: &mut Vec<Fault>) {
             let special = special.clone();
             all.push(Fault::new(
                 kind,
-                format!("slope {i} times {factor} at {special:?}"),
+                format!("derivative {i} times {factor} at {special:?}"),
                 move |x| {
                     let mut g = right(x);
                     if x == special {

@@ -30,10 +30,10 @@ pub struct Function {
     pub wrong: &'static [(&'static str, fn(&[f64]) -> Vec<f64>)],
 }
 
-/// Lists a function: `row!(function, gradient, domain, kinks [inputs], wrong ["what": gradient])`. Both are generic over
-/// the scalar and take an array; wrong gradients are written for `f64`. The last two parts may be left out.
+/// Lists a function: `row!(function, gradient, domain, kinks [inputs], wrong ["what": gradient])`. Both are generic
+/// over the scalar and take an array; wrong gradients are written for `f64`. The last two parts may be left out.
 macro_rules! row {
-    ($value:ident, $slopes:ident, $domain:expr
+    ($value:ident, $derivatives:ident, $domain:expr
      $(, kinks [$($kink:expr),+ $(,)?])? $(, wrong [$($what:literal: $wrong:ident),+ $(,)?])? $(,)?) => {
         Function {
             name: stringify!($value),
@@ -43,9 +43,9 @@ macro_rules! row {
             dual: |x| $value(array(x)),
             traced: |x| $value(array(x)),
             value_mutant: |x| $value(array(x)),
-            gradient: |x| $slopes(array(x)).to_vec(),
-            gradient_single: |x| $slopes(array(x)).to_vec(),
-            gradient_mutant: |x| $slopes(array(x)).to_vec(),
+            gradient: |x| $derivatives(array(x)).to_vec(),
+            gradient_single: |x| $derivatives(array(x)).to_vec(),
+            gradient_mutant: |x| $derivatives(array(x)).to_vec(),
             wrong: &[$($(($what, |x| $wrong(array(x)).to_vec())),+)?],
         }
     };

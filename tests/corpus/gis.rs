@@ -6,40 +6,40 @@ use geograd::Scalar;
 use std::array::from_fn;
 
 pub(crate) const FUNCTIONS: &[Function] = &[
-    row!(haversine, haversine_slopes, [[-1.2, 1.2], [-3.0, 3.0], [-1.2, 1.2], [-3.0, 3.0]],
+    row!(haversine, haversine_derivatives, [[-1.2, 1.2], [-3.0, 3.0], [-1.2, 1.2], [-3.0, 3.0]],
         kinks [[0.5, 0.25, 0.5, 0.25]],
         wrong ["degrees for radians": haversine_degrees, "half of the half angle forgotten": haversine_twice]),
-    row!(equirectangular_distance, equirectangular_distance_slopes,
+    row!(equirectangular_distance, equirectangular_distance_derivatives,
         [[-1.2, 1.2], [-3.0, 3.0], [-1.2, 1.2], [-3.0, 3.0]],
         kinks [[0.5, 0.25, 0.5, 0.25]],
         wrong ["cosine of the mean latitude taken as constant": equirectangular_distance_fixed]),
-    row!(initial_bearing, initial_bearing_slopes,
+    row!(initial_bearing, initial_bearing_derivatives,
         [[-1.2, 0.0], [-1.0, 1.0], [0.2, 1.2], [-1.0, 1.0]],
         wrong ["longitudes only": initial_bearing_longitudes]),
-    row!(cross_track, cross_track_slopes, [[100.0, 5000.0], [-1.2, 1.2], [-1.2, 1.2]],
-        wrong ["arcsine's own slope forgotten": cross_track_no_arc]),
-    row!(mercator, mercator_slopes, [[-1.3, 1.3], [-3.0, 3.0], [0.5, 2.0]],
-        wrong ["slope of the spherical cosine": mercator_cosine]),
-    row!(geocentric, geocentric_slopes, [[-1.5, 1.5], [-3.0, 3.0], [0.0, 9.0]],
+    row!(cross_track, cross_track_derivatives, [[100.0, 5000.0], [-1.2, 1.2], [-1.2, 1.2]],
+        wrong ["arcsine's own derivative forgotten": cross_track_no_arc]),
+    row!(mercator, mercator_derivatives, [[-1.3, 1.3], [-3.0, 3.0], [0.5, 2.0]],
+        wrong ["derivative of the spherical cosine": mercator_cosine]),
+    row!(geocentric, geocentric_derivatives, [[-1.5, 1.5], [-3.0, 3.0], [0.0, 9.0]],
         wrong ["radius of curvature taken as constant": geocentric_sphere]),
-    row!(ring_area, ring_area_slopes,
+    row!(ring_area, ring_area_derivatives,
         [[-2.0, 0.0], [-2.0, 0.0], [0.0, 2.0], [-2.0, 0.0], [0.0, 2.0], [0.0, 2.0], [-2.0, 0.0], [0.0, 2.0]],
         wrong ["last edge forgotten": ring_area_open]),
-    row!(ring_centroid, ring_centroid_slopes,
+    row!(ring_centroid, ring_centroid_derivatives,
         [[-2.0, -0.5], [-2.0, -0.5], [0.5, 2.0], [-2.0, -0.5], [0.5, 2.0], [0.5, 2.0], [-2.0, -0.5], [0.5, 2.0]],
         wrong ["area taken as constant": ring_centroid_fixed_area]),
-    row!(terrain_slope, terrain_slope_slopes,
+    row!(terrain_slope, terrain_slope_derivatives,
         [[0.0, 50.0], [0.0, 50.0], [0.0, 50.0], [0.0, 50.0], [10.0, 30.0]],
         kinks [[20.0, 20.0, 30.0, 30.0, 10.0]],
         wrong ["arctangent forgotten": terrain_slope_ratio]),
-    row!(terrain_aspect, terrain_aspect_slopes, [[0.0, 20.0], [30.0, 50.0], [0.0, 50.0], [0.0, 50.0]],
+    row!(terrain_aspect, terrain_aspect_derivatives, [[0.0, 20.0], [30.0, 50.0], [0.0, 50.0], [0.0, 50.0]],
         wrong ["east and north exchanged": terrain_aspect_exchanged]),
-    row!(hillshade, hillshade_slopes, [[-2.0, 2.0], [-2.0, 2.0], [0.2, 1.4], [-3.0, 3.0]],
+    row!(hillshade, hillshade_derivatives, [[-2.0, 2.0], [-2.0, 2.0], [0.2, 1.4], [-3.0, 3.0]],
         wrong ["normal not normalised": hillshade_unnormalised]),
-    row!(inverse_distance, inverse_distance_slopes,
+    row!(inverse_distance, inverse_distance_derivatives,
         [[0.0, 1.0], [0.0, 1.0], [-5.0, 5.0], [-5.0, 5.0], [-5.0, 5.0], [1.0, 3.0]],
         wrong ["sum of the weights taken as constant": inverse_distance_fixed_sum]),
-    row!(variogram, variogram_slopes, [[0.0, 3.0], [0.0, 1.0], [0.5, 2.0], [1.0, 2.0]],
+    row!(variogram, variogram_derivatives, [[0.0, 3.0], [0.0, 1.0], [0.5, 2.0], [1.0, 2.0]],
         kinks [[1.5, 0.5, 1.0, 1.5]],
         wrong ["sill beyond the range forgotten": variogram_endless]),
 ];
@@ -53,7 +53,7 @@ fn haversine<S: Scalar>([a, b, c, d]: [S; 4]) -> S {
     let h = s * s + a.cos() * c.cos() * t * t;
     S::lit(2.0 * EARTH) * h.root().atan2((S::one() - h).root())
 }
-fn haversine_slopes<S: Scalar>([a, b, c, d]: [S; 4]) -> [S; 4] {
+fn haversine_derivatives<S: Scalar>([a, b, c, d]: [S; 4]) -> [S; 4] {
     let half = S::lit(0.5);
     let ((s, sc), (t, tc)) = ((half * (c - a)).sin_cos(), (half * (d - b)).sin_cos());
     let ((sa, ca), (sb, cb)) = (a.sin_cos(), c.sin_cos());
@@ -68,10 +68,10 @@ fn haversine_slopes<S: Scalar>([a, b, c, d]: [S; 4]) -> [S; 4] {
     ]
 }
 fn haversine_degrees(x: [f64; 4]) -> [f64; 4] {
-    haversine_slopes(x).map(f64::to_radians)
+    haversine_derivatives(x).map(f64::to_radians)
 }
 fn haversine_twice(x: [f64; 4]) -> [f64; 4] {
-    let mut g = haversine_slopes(x);
+    let mut g = haversine_derivatives(x);
     g[1] *= 2.0;
     g[3] *= 2.0;
     g
@@ -90,7 +90,7 @@ fn equirectangular_parts<S: Scalar>([a, b, c, d]: [S; 4], cosine_moves: S) -> [S
     let mean = -cosine_moves * S::lit(0.5) * g * x * (d - b) * sin;
     [mean - g * y, -g * x * cos, mean + g * y, g * x * cos]
 }
-fn equirectangular_distance_slopes<S: Scalar>(x: [S; 4]) -> [S; 4] {
+fn equirectangular_distance_derivatives<S: Scalar>(x: [S; 4]) -> [S; 4] {
     equirectangular_parts(x, S::one())
 }
 fn equirectangular_distance_fixed(x: [f64; 4]) -> [f64; 4] {
@@ -102,7 +102,7 @@ fn initial_bearing<S: Scalar>([a, b, c, d]: [S; 4]) -> S {
     let ((sa, ca), (sc, cc), (sl, cl)) = (a.sin_cos(), c.sin_cos(), (d - b).sin_cos());
     (sl * cc).atan2(ca * sc - sa * cc * cl)
 }
-fn initial_bearing_slopes<S: Scalar>([a, b, c, d]: [S; 4]) -> [S; 4] {
+fn initial_bearing_derivatives<S: Scalar>([a, b, c, d]: [S; 4]) -> [S; 4] {
     let ((sa, ca), (sc, cc), (sl, cl)) = (a.sin_cos(), c.sin_cos(), (d - b).sin_cos());
     let (y, x) = (sl * cc, ca * sc - sa * cc * cl);
     let r = S::one() / (x * x + y * y);
@@ -116,7 +116,7 @@ fn initial_bearing_slopes<S: Scalar>([a, b, c, d]: [S; 4]) -> [S; 4] {
     ]
 }
 fn initial_bearing_longitudes(x: [f64; 4]) -> [f64; 4] {
-    let g = initial_bearing_slopes(x);
+    let g = initial_bearing_derivatives(x);
     [0.0, g[1], 0.0, g[3]]
 }
 
@@ -125,7 +125,7 @@ fn cross_track<S: Scalar>([distance, bearing, path]: [S; 3]) -> S {
     let s = (distance / S::lit(EARTH)).sin() * (bearing - path).sin();
     S::lit(EARTH) * s.atan2((S::one() - s * s).root())
 }
-fn cross_track_slopes<S: Scalar>([distance, bearing, path]: [S; 3]) -> [S; 3] {
+fn cross_track_derivatives<S: Scalar>([distance, bearing, path]: [S; 3]) -> [S; 3] {
     let ((sd, cd), (sb, cb)) = (
         (distance / S::lit(EARTH)).sin_cos(),
         (bearing - path).sin_cos(),
@@ -145,7 +145,7 @@ fn mercator<S: Scalar>([lat, lon, scale]: [S; 3]) -> S {
     let half = S::lit(0.5) * lat + S::lit(std::f64::consts::FRAC_PI_4);
     scale * (half.tan().ln() + S::lit(0.25) * lon)
 }
-fn mercator_slopes<S: Scalar>([lat, lon, scale]: [S; 3]) -> [S; 3] {
+fn mercator_derivatives<S: Scalar>([lat, lon, scale]: [S; 3]) -> [S; 3] {
     let half = S::lit(0.5) * lat + S::lit(std::f64::consts::FRAC_PI_4);
     let quarter = S::lit(0.25);
     [
@@ -155,7 +155,7 @@ fn mercator_slopes<S: Scalar>([lat, lon, scale]: [S; 3]) -> [S; 3] {
     ]
 }
 fn mercator_cosine(x: [f64; 3]) -> [f64; 3] {
-    let g = mercator_slopes(x);
+    let g = mercator_derivatives(x);
     [x[2] * x[0].cos(), g[1], g[2]]
 }
 
@@ -185,7 +185,7 @@ fn geocentric_parts<S: Scalar>([lat, lon, height]: [S; 3], radius_moves: S) -> [
         cp * across + sp * w,
     ]
 }
-fn geocentric_slopes<S: Scalar>(x: [S; 3]) -> [S; 3] {
+fn geocentric_derivatives<S: Scalar>(x: [S; 3]) -> [S; 3] {
     geocentric_parts(x, S::one())
 }
 fn geocentric_sphere(x: [f64; 3]) -> [f64; 3] {
@@ -201,7 +201,7 @@ fn ring_area<S: Scalar>(p: [S; 8]) -> S {
     }
     sum * S::lit(0.5)
 }
-fn ring_area_slopes<S: Scalar>(p: [S; 8]) -> [S; 8] {
+fn ring_area_derivatives<S: Scalar>(p: [S; 8]) -> [S; 8] {
     from_fn(|k| {
         let (next, last) = ((k / 2 + 1) % 4, (k / 2 + 3) % 4);
         let across = if k % 2 == 0 {
@@ -213,7 +213,7 @@ fn ring_area_slopes<S: Scalar>(p: [S; 8]) -> [S; 8] {
     })
 }
 fn ring_area_open(p: [f64; 8]) -> [f64; 8] {
-    let mut g = ring_area_slopes(p);
+    let mut g = ring_area_derivatives(p);
     // What the edge from the last point to the first adds to each of them.
     g[0] += 0.5 * p[7];
     g[1] -= 0.5 * p[6];
@@ -257,7 +257,7 @@ fn ring_centroid_parts<S: Scalar>(p: [S; 8], area_moves: S) -> [S; 8] {
     let share = area_moves * sum / twice;
     from_fn(|k| (by_sum[k] - share * by_twice[k]) / (S::lit(3.0) * twice))
 }
-fn ring_centroid_slopes<S: Scalar>(p: [S; 8]) -> [S; 8] {
+fn ring_centroid_derivatives<S: Scalar>(p: [S; 8]) -> [S; 8] {
     ring_centroid_parts(p, S::one())
 }
 fn ring_centroid_fixed_area(p: [f64; 8]) -> [f64; 8] {
@@ -270,7 +270,7 @@ fn terrain_slope<S: Scalar>([north, south, east, west, cell]: [S; 5]) -> S {
     let (x, y) = ((east - west) / twice, (north - south) / twice);
     (x * x + y * y).root().atan2(S::one())
 }
-fn terrain_slope_slopes<S: Scalar>([north, south, east, west, cell]: [S; 5]) -> [S; 5] {
+fn terrain_slope_derivatives<S: Scalar>([north, south, east, west, cell]: [S; 5]) -> [S; 5] {
     let twice = cell + cell;
     let (x, y) = ((east - west) / twice, (north - south) / twice);
     let square = x * x + y * y;
@@ -287,24 +287,24 @@ fn terrain_slope_slopes<S: Scalar>([north, south, east, west, cell]: [S; 5]) -> 
 }
 fn terrain_slope_ratio(p: [f64; 5]) -> [f64; 5] {
     let (x, y) = ((p[2] - p[3]) / (2.0 * p[4]), (p[0] - p[1]) / (2.0 * p[4]));
-    terrain_slope_slopes(p).map(|g| g * (1.0 + x * x + y * y))
+    terrain_slope_derivatives(p).map(|g| g * (1.0 + x * x + y * y))
 }
 
 /// The direction in which a cell of a grid falls, from its four neighbours.
 fn terrain_aspect<S: Scalar>([north, south, east, west]: [S; 4]) -> S {
     (west - east).atan2(south - north)
 }
-fn terrain_aspect_slopes<S: Scalar>([north, south, east, west]: [S; 4]) -> [S; 4] {
+fn terrain_aspect_derivatives<S: Scalar>([north, south, east, west]: [S; 4]) -> [S; 4] {
     let (y, x) = (west - east, south - north);
     let r = S::one() / (x * x + y * y);
     [y * r, -y * r, -x * r, x * r]
 }
 fn terrain_aspect_exchanged(p: [f64; 4]) -> [f64; 4] {
-    let g = terrain_aspect_slopes(p);
+    let g = terrain_aspect_derivatives(p);
     [g[2], g[3], g[0], g[1]]
 }
 
-/// How bright the sun makes a slope: steepness eastwards and northwards, zenith angle, azimuth.
+/// How bright the sun makes a derivative: steepness eastwards and northwards, zenith angle, azimuth.
 fn hillshade<S: Scalar>([x, y, zenith, azimuth]: [S; 4]) -> S {
     let ((sz, cz), (sa, ca)) = (zenith.sin_cos(), azimuth.sin_cos());
     let lit = (cz - sz * (x * sa + y * ca)) / (S::one() + x * x + y * y).root();
@@ -323,7 +323,7 @@ fn hillshade_parts<S: Scalar>([x, y, zenith, azimuth]: [S; 4], norm_moves: S) ->
         -g * sz * (x * ca - y * sa),
     ]
 }
-fn hillshade_slopes<S: Scalar>(x: [S; 4]) -> [S; 4] {
+fn hillshade_derivatives<S: Scalar>(x: [S; 4]) -> [S; 4] {
     hillshade_parts(x, S::one())
 }
 fn hillshade_unnormalised(x: [f64; 4]) -> [f64; 4] {
@@ -364,7 +364,7 @@ fn inverse_distance_parts<S: Scalar>([x, y, a, b, c, power]: [S; 6], sum_moves: 
     }
     g.map(|g| g / all)
 }
-fn inverse_distance_slopes<S: Scalar>(x: [S; 6]) -> [S; 6] {
+fn inverse_distance_derivatives<S: Scalar>(x: [S; 6]) -> [S; 6] {
     inverse_distance_parts(x, S::one())
 }
 fn inverse_distance_fixed_sum(x: [f64; 6]) -> [f64; 6] {
@@ -376,7 +376,7 @@ fn variogram<S: Scalar>([h, nugget, sill, range]: [S; 4]) -> S {
     let t = (h / range).least(S::one());
     nugget + sill * t * (S::lit(1.5) - S::lit(0.5) * t * t)
 }
-fn variogram_slopes<S: Scalar>([h, _, sill, range]: [S; 4]) -> [S; 4] {
+fn variogram_derivatives<S: Scalar>([h, _, sill, range]: [S; 4]) -> [S; 4] {
     let t = (h / range).least(S::one());
     let g = S::lit(1.5) * sill * (S::one() - t * t) / range;
     [g, S::one(), t * (S::lit(1.5) - S::lit(0.5) * t * t), -g * t]

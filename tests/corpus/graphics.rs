@@ -6,37 +6,37 @@ use std::array::from_fn;
 use std::f64::consts::PI;
 
 pub(crate) const FUNCTIONS: &[Function] = &[
-    row!(bezier, bezier_slopes,
+    row!(bezier, bezier_derivatives,
         [[-2.0, 2.0], [-2.0, 2.0], [-2.0, 2.0], [-2.0, 2.0], [-2.0, 2.0], [-2.0, 2.0], [-2.0, 2.0],
          [-2.0, 2.0], [0.0, 1.0]],
         wrong ["tangent without its three": bezier_tangent_third]),
-    row!(catmull_rom, catmull_rom_slopes, [[-2.0, 2.0], [-2.0, 2.0], [-2.0, 2.0], [-2.0, 2.0], [0.0, 1.0]],
+    row!(catmull_rom, catmull_rom_derivatives, [[-2.0, 2.0], [-2.0, 2.0], [-2.0, 2.0], [-2.0, 2.0], [0.0, 1.0]],
         wrong ["outer points have no pull": catmull_rom_inner]),
-    row!(smooth_least, smooth_least_slopes, [[-1.0, 1.0], [-1.0, 1.0], [0.3, 1.0]],
+    row!(smooth_least, smooth_least_derivatives, [[-1.0, 1.0], [-1.0, 1.0], [0.3, 1.0]],
         kinks [[0.5, 0.5, 0.5]],
         wrong ["blend taken as constant": smooth_least_detached]),
-    row!(rounded_box, rounded_box_slopes,
+    row!(rounded_box, rounded_box_derivatives,
         [[-2.0, 2.0], [-2.0, 2.0], [-2.0, 2.0], [0.5, 1.0], [0.5, 1.0], [0.5, 1.0], [0.0, 0.3]],
         kinks [[0.5, 0.5, 0.0, 1.0, 1.0, 1.0, 0.25], [0.0, 0.5, 0.0, 1.0, 0.75, 1.0, 0.25]],
         wrong ["signs of the octant forgotten": rounded_box_unsigned]),
-    row!(lambert, lambert_slopes,
+    row!(lambert, lambert_derivatives,
         [[-1.0, 1.0], [-1.0, 1.0], [0.2, 1.0], [-1.0, 1.0], [-1.0, 1.0], [-1.0, 1.0], [0.2, 1.0]],
         kinks [[0.0, 0.0, 1.0, 0.5, 0.5, 0.0, 0.5]],
         wrong ["lit from behind": lambert_both_sides, "normal not normalised": lambert_unnormalised]),
-    row!(phong_highlight, phong_highlight_slopes, [[0.1, 1.0], [0.1, 1.0], [0.0, 1.4], [0.0, 1.4], [2.0, 30.0]],
+    row!(phong_highlight, phong_highlight_derivatives, [[0.1, 1.0], [0.1, 1.0], [0.0, 1.4], [0.0, 1.4], [2.0, 30.0]],
         wrong ["exponent not lowered by one": phong_highlight_power]),
-    row!(fresnel_schlick, fresnel_schlick_slopes, [[0.0, 0.2], [0.0, 1.0]],
+    row!(fresnel_schlick, fresnel_schlick_derivatives, [[0.0, 0.2], [0.0, 1.0]],
         wrong ["fourth power for the fifth": fresnel_schlick_fourth]),
-    row!(fresnel_dielectric, fresnel_dielectric_slopes, [[0.1, 1.0], [1.1, 2.5]],
+    row!(fresnel_dielectric, fresnel_dielectric_derivatives, [[0.1, 1.0], [1.1, 2.5]],
         wrong ["refracted angle taken as constant": fresnel_dielectric_detached]),
-    row!(barycentric, barycentric_slopes,
+    row!(barycentric, barycentric_derivatives,
         [[-1.0, 1.0], [-1.0, 1.0], [-2.0, -1.0], [-2.0, -1.0], [1.0, 2.0], [-2.0, -1.0], [-1.0, 1.0], [1.0, 2.0]],
         wrong ["area of the triangle taken as constant": barycentric_fixed_area]),
-    row!(ray_sphere, ray_sphere_slopes,
+    row!(ray_sphere, ray_sphere_derivatives,
         [[-0.3, 0.3], [-0.3, 0.3], [-3.0, -2.5], [-0.1, 0.1], [-0.1, 0.1], [0.5, 1.5], [-0.2, 0.2],
          [-0.2, 0.2], [-0.2, 0.2], [1.0, 1.5]],
         wrong ["direction taken as a unit vector": ray_sphere_unit]),
-    row!(ggx_lobe, ggx_lobe_slopes, [[0.2, 1.0], [0.1, 0.9]],
+    row!(ggx_lobe, ggx_lobe_derivatives, [[0.2, 1.0], [0.1, 0.9]],
         wrong ["roughness not squared": ggx_lobe_linear]),
 ];
 
@@ -51,7 +51,7 @@ fn bezier<S: Scalar>([a, b, c, d, e, f, g, h, t]: [S; 9]) -> S {
         [dot(w, [a, c, e, g]), dot(w, [b, d, f, h])],
     )
 }
-fn bezier_slopes<S: Scalar>([a, b, c, d, e, f, g, h, t]: [S; 9]) -> [S; 9] {
+fn bezier_derivatives<S: Scalar>([a, b, c, d, e, f, g, h, t]: [S; 9]) -> [S; 9] {
     let (s, three, two) = (S::one() - t, S::lit(3.0), S::lit(2.0));
     let w = [s * s * s, three * s * s * t, three * s * t * t, t * t * t];
     let [u, v] = literals::<S, _>(WEIGHTS);
@@ -72,7 +72,7 @@ fn bezier_slopes<S: Scalar>([a, b, c, d, e, f, g, h, t]: [S; 9]) -> [S; 9] {
     ]
 }
 fn bezier_tangent_third(x: [f64; 9]) -> [f64; 9] {
-    let mut g = bezier_slopes(x);
+    let mut g = bezier_derivatives(x);
     g[8] /= 3.0;
     g
 }
@@ -90,7 +90,7 @@ fn catmull_rom_weights<S: Scalar>(t: S) -> [S; 4] {
         half * t * t * (t - S::one()),
     ]
 }
-fn catmull_rom_slopes<S: Scalar>([a, b, c, d, t]: [S; 5]) -> [S; 5] {
+fn catmull_rom_derivatives<S: Scalar>([a, b, c, d, t]: [S; 5]) -> [S; 5] {
     let w = catmull_rom_weights(t);
     let [half, two, three, four, eight, nine, ten] =
         literals::<S, _>([0.5, 2.0, 3.0, 4.0, 8.0, 9.0, 10.0]);
@@ -103,7 +103,7 @@ fn catmull_rom_slopes<S: Scalar>([a, b, c, d, t]: [S; 5]) -> [S; 5] {
     [w[0], w[1], w[2], w[3], dot(by_t, [a, b, c, d])]
 }
 fn catmull_rom_inner(x: [f64; 5]) -> [f64; 5] {
-    let g = catmull_rom_slopes(x);
+    let g = catmull_rom_derivatives(x);
     [0.0, g[1], g[2], 0.0, g[4]]
 }
 
@@ -115,7 +115,7 @@ fn smooth_least<S: Scalar>([a, b, k]: [S; 3]) -> S {
 fn smooth_least_parts<S: Scalar>([a, b, k]: [S; 3], blend: S) -> [S; 3] {
     let h = (k - (a - b).magnitude()).most(S::zero()) / k;
     let (side, half) = (step(b - a), S::lit(0.5));
-    // d(h² k / 4): h k = k - |a - b|, so its slopes by a and b are h/2 (-sign), by k h/2 - h²/4.
+    // d(h² k / 4): h k = k - |a - b|, so its derivatives by a and b are h/2 (-sign), by k h/2 - h²/4.
     let pull = blend * half * h * sign(a - b);
     [
         side + pull,
@@ -123,7 +123,7 @@ fn smooth_least_parts<S: Scalar>([a, b, k]: [S; 3], blend: S) -> [S; 3] {
         -blend * (half * h - S::lit(0.25) * h * h),
     ]
 }
-fn smooth_least_slopes<S: Scalar>(x: [S; 3]) -> [S; 3] {
+fn smooth_least_derivatives<S: Scalar>(x: [S; 3]) -> [S; 3] {
     smooth_least_parts(x, S::one())
 }
 fn smooth_least_detached(x: [f64; 3]) -> [f64; 3] {
@@ -137,7 +137,7 @@ fn rounded_box<S: Scalar>([x, y, z, a, b, c, radius]: [S; 7]) -> S {
     let inside = q[0].most(q[1]).most(q[2]).least(S::zero());
     dot(out, out).root() + inside - radius
 }
-fn rounded_box_slopes<S: Scalar>([x, y, z, a, b, c, _]: [S; 7]) -> [S; 7] {
+fn rounded_box_derivatives<S: Scalar>([x, y, z, a, b, c, _]: [S; 7]) -> [S; 7] {
     let q = minus([x, y, z].map(S::magnitude), [a, b, c]);
     let out = q.map(|q| q.most(S::zero()));
     let r = inverse(dot(out, out).root());
@@ -161,7 +161,7 @@ fn rounded_box_slopes<S: Scalar>([x, y, z, a, b, c, _]: [S; 7]) -> [S; 7] {
     ]
 }
 fn rounded_box_unsigned(x: [f64; 7]) -> [f64; 7] {
-    let g = rounded_box_slopes(x);
+    let g = rounded_box_derivatives(x);
     [-g[3], -g[4], -g[5], g[3], g[4], g[5], g[6]]
 }
 
@@ -188,7 +188,7 @@ fn lambert_parts<S: Scalar>(x: [S; 7], lit: S, norm_moves: S) -> [S; 7] {
         cos * lit,
     ]
 }
-fn lambert_slopes<S: Scalar>(x: [S; 7]) -> [S; 7] {
+fn lambert_derivatives<S: Scalar>(x: [S; 7]) -> [S; 7] {
     let lit = step(dot([x[0], x[1], x[2]], [x[3], x[4], x[5]]));
     lambert_parts(x, lit, S::one())
 }
@@ -204,7 +204,7 @@ fn lambert_unnormalised(x: [f64; 7]) -> [f64; 7] {
 fn phong_highlight<S: Scalar>([diffuse, mirror, light, view, shine]: [S; 5]) -> S {
     diffuse * light.cos() + mirror * (shine * view.cos().ln()).exp()
 }
-fn phong_highlight_slopes<S: Scalar>([diffuse, mirror, light, view, shine]: [S; 5]) -> [S; 5] {
+fn phong_highlight_derivatives<S: Scalar>([diffuse, mirror, light, view, shine]: [S; 5]) -> [S; 5] {
     let ((sl, cl), (sv, cv)) = (light.sin_cos(), view.sin_cos());
     let lobe = (shine * cv.ln()).exp();
     [
@@ -216,7 +216,7 @@ fn phong_highlight_slopes<S: Scalar>([diffuse, mirror, light, view, shine]: [S; 
     ]
 }
 fn phong_highlight_power(x: [f64; 5]) -> [f64; 5] {
-    let mut g = phong_highlight_slopes(x);
+    let mut g = phong_highlight_derivatives(x);
     g[3] *= x[3].cos();
     g
 }
@@ -225,7 +225,7 @@ fn phong_highlight_power(x: [f64; 5]) -> [f64; 5] {
 fn fresnel_schlick<S: Scalar>([straight, cos]: [S; 2]) -> S {
     straight + (S::one() - straight) * (S::one() - cos).powi(5)
 }
-fn fresnel_schlick_slopes<S: Scalar>([straight, cos]: [S; 2]) -> [S; 2] {
+fn fresnel_schlick_derivatives<S: Scalar>([straight, cos]: [S; 2]) -> [S; 2] {
     let left = S::one() - cos;
     [
         S::one() - left.powi(5),
@@ -261,7 +261,7 @@ fn fresnel_dielectric_parts<S: Scalar>([cos, index]: [S; 2], angle_moves: S) -> 
         -s * cos * inner + t * inner * cos + by_inner * by_index,
     ]
 }
-fn fresnel_dielectric_slopes<S: Scalar>(x: [S; 2]) -> [S; 2] {
+fn fresnel_dielectric_derivatives<S: Scalar>(x: [S; 2]) -> [S; 2] {
     fresnel_dielectric_parts(x, S::one())
 }
 fn fresnel_dielectric_detached(x: [f64; 2]) -> [f64; 2] {
@@ -272,7 +272,7 @@ fn fresnel_dielectric_detached(x: [f64; 2]) -> [f64; 2] {
 fn twice_area<S: Scalar>([ax, ay, bx, by, cx, cy]: [S; 6]) -> S {
     (bx - ax) * (cy - ay) - (cx - ax) * (by - ay)
 }
-fn twice_area_slopes<S: Scalar>([ax, ay, bx, by, cx, cy]: [S; 6]) -> [S; 6] {
+fn twice_area_derivatives<S: Scalar>([ax, ay, bx, by, cx, cy]: [S; 6]) -> [S; 6] {
     [by - cy, cx - bx, cy - ay, ax - cx, ay - by, bx - ax]
 }
 /// The weight of a triangle's first corner at a point.
@@ -283,7 +283,7 @@ fn barycentric_parts<S: Scalar>([x, y, ax, ay, bx, by, cx, cy]: [S; 8], area_mov
     let (part, all) = ([x, y, bx, by, cx, cy], [ax, ay, bx, by, cx, cy]);
     let area = twice_area(all);
     let weight = area_moves * twice_area(part) / area;
-    let (p, q) = (twice_area_slopes(part), twice_area_slopes(all));
+    let (p, q) = (twice_area_derivatives(part), twice_area_derivatives(all));
     [
         p[0] / area,
         p[1] / area,
@@ -295,7 +295,7 @@ fn barycentric_parts<S: Scalar>([x, y, ax, ay, bx, by, cx, cy]: [S; 8], area_mov
         (p[5] - weight * q[5]) / area,
     ]
 }
-fn barycentric_slopes<S: Scalar>(x: [S; 8]) -> [S; 8] {
+fn barycentric_derivatives<S: Scalar>(x: [S; 8]) -> [S; 8] {
     barycentric_parts(x, S::one())
 }
 fn barycentric_fixed_area(x: [f64; 8]) -> [f64; 8] {
@@ -309,7 +309,7 @@ fn ray_sphere<S: Scalar>(x: [S; 10]) -> S {
     let (a, b, c) = (dot(d, d), dot(off, d), dot(off, off) - r * r);
     -(b + (b * b - a * c).root()) / a
 }
-fn ray_sphere_slopes<S: Scalar>(x: [S; 10]) -> [S; 10] {
+fn ray_sphere_derivatives<S: Scalar>(x: [S; 10]) -> [S; 10] {
     // On the sphere n · (o + t d - c) stays r: n · (do + t dd + d dt - dc) = dr.
     let (d, t, r) = ([x[3], x[4], x[5]], ray_sphere(x), x[9]);
     let hit: [S; 3] = from_fn(|i| (x[i] + t * d[i] - x[6 + i]) / r);
@@ -330,7 +330,7 @@ fn ray_sphere_slopes<S: Scalar>(x: [S; 10]) -> [S; 10] {
 }
 fn ray_sphere_unit(x: [f64; 10]) -> [f64; 10] {
     let length = dot([x[3], x[4], x[5]], [x[3], x[4], x[5]]).sqrt();
-    ray_sphere_slopes(x).map(|g| g * length)
+    ray_sphere_derivatives(x).map(|g| g * length)
 }
 
 /// The lobe of a rough surface by Trowbridge and Reitz: cosine of the half angle, roughness.
@@ -339,7 +339,7 @@ fn ggx_lobe<S: Scalar>([cos, rough]: [S; 2]) -> S {
     let d = cos * cos * (a - S::one()) + S::one();
     a / (S::lit(PI) * d * d)
 }
-fn ggx_lobe_slopes<S: Scalar>([cos, rough]: [S; 2]) -> [S; 2] {
+fn ggx_lobe_derivatives<S: Scalar>([cos, rough]: [S; 2]) -> [S; 2] {
     let (a, pi) = (rough.powi(4), S::lit(PI));
     let d = cos * cos * (a - S::one()) + S::one();
     let cube = pi * d * d * d;
@@ -350,6 +350,6 @@ fn ggx_lobe_slopes<S: Scalar>([cos, rough]: [S; 2]) -> [S; 2] {
     ]
 }
 fn ggx_lobe_linear(x: [f64; 2]) -> [f64; 2] {
-    let g = ggx_lobe_slopes(x);
+    let g = ggx_lobe_derivatives(x);
     [g[0], g[1] / (2.0 * x[1])]
 }

@@ -8,14 +8,14 @@ pub const RANDOM: usize = 16;
 pub const NEAR: [f64; 2] = [1e-2, 1e-4];
 /// A gradient that differs from the right one by no more is the same one with its terms in another order.
 pub const ROUNDING: f64 = 1e-12;
-/// How far a slope at a kink may lie outside of those found nearby, which are not all of them.
+/// How far a derivative at a kink may lie outside of those found nearby, which are not all of them.
 const AT_KINK: f64 = 0.1;
 
 /// Inputs with what is right at each of them.
 pub struct Inputs {
     /// Random ones first, then kinks, then inputs near kinks.
     pub points: Vec<Vec<f64>>,
-    /// For each number of the input, the size that its slope usually has: the largest one.
+    /// For each number of the input, the size that its derivative usually has: the largest one.
     pub usual: Vec<f64>,
     right: Vec<Right>,
 }
@@ -24,7 +24,7 @@ pub struct Inputs {
 enum Right {
     /// This gradient.
     One(Vec<f64>),
-    /// Whatever lies between gradients nearby, along these directions: direction, least and largest slope.
+    /// Whatever lies between gradients nearby, along these directions: direction, least and largest derivative.
     Between(Vec<(Vec<f64>, [f64; 2])>),
 }
 
@@ -71,8 +71,8 @@ impl Inputs {
             right,
         }
     }
-    /// How wrong a gradient is: the largest error of a slope, in units of the largest slope with respect to the
-    /// same number. Zero for one that is right, infinite for one that is not finite.
+    /// How wrong a gradient is: the largest error of a derivative, in units of the largest derivative with respect to
+    /// the same number. Zero for one that is right, infinite for one that is not finite.
     pub fn error(&self, gradient: &dyn Fn(&[f64]) -> Vec<f64>) -> f64 {
         let mut worst = 0.0_f64;
         for (x, right) in self.points.iter().zip(&self.right) {
@@ -87,8 +87,8 @@ impl Inputs {
 }
 
 impl Inputs {
-    /// Whether a gradient is finite, and wherever it is wrong jumps by as much between neighbours in the last digit of the
-    /// input: because it is wrong at single inputs only, or nothing but rounding.
+    /// Whether a gradient is finite, and wherever it is wrong jumps by as much between neighbours in the last digit
+    /// of the input: because it is wrong at single inputs only, or nothing but rounding.
     #[must_use]
     pub fn unsteady(&self, gradient: &dyn Fn(&[f64]) -> Vec<f64>) -> bool {
         let mut draw = Draw::new(0);
@@ -113,7 +113,8 @@ impl Inputs {
 }
 
 impl Right {
-    /// Gradients around a kink, and the slopes that they bound along the axes, between pairs of them, and elsewhere.
+    /// Gradients around a kink, and the derivatives that they bound along the axes, between pairs of them, and
+    /// elsewhere.
     fn between(function: &Function, kink: &[f64], widths: &[f64], draw: &mut Draw) -> Self {
         let n = kink.len();
         let random =
@@ -137,9 +138,9 @@ impl Right {
         }
         directions.extend((0..n).map(|_| random(draw)));
         let bounded = directions.into_iter().map(|d| {
-            let slopes = around.iter().map(|g| along(g, &d));
+            let derivatives = around.iter().map(|g| along(g, &d));
             let none = [f64::INFINITY, f64::NEG_INFINITY];
-            let bounds = slopes.fold(none, |[low, high], s| [low.min(s), high.max(s)]);
+            let bounds = derivatives.fold(none, |[low, high], s| [low.min(s), high.max(s)]);
             (d, bounds)
         });
         Right::Between(bounded.collect())
@@ -153,11 +154,11 @@ impl Right {
             Right::Between(bounds) => bounds
                 .iter()
                 .map(|(d, [low, high])| {
-                    let slope = along(g, d);
+                    let derivative = along(g, d);
                     let unit = (0..g.len())
                         .map(|i| (usual[i] * d[i]).abs())
                         .fold(0.0, f64::max);
-                    (low - slope).max(slope - high) / size(unit)
+                    (low - derivative).max(derivative - high) / size(unit)
                 })
                 .filter(|&error| error > AT_KINK)
                 .fold(0.0, f64::max),
@@ -165,7 +166,7 @@ impl Right {
     }
 }
 
-/// A unit: of slopes that are all zero, one.
+/// A unit: of derivatives that are all zero, one.
 fn size(usual: f64) -> f64 {
     if usual > 0.0 { usual } else { 1.0 }
 }

@@ -7,29 +7,30 @@ pub enum Kind {
     ByHand,
     /// One step of the formula is another one.
     Formula,
-    /// One rule of differentiation is broken on the way: what is inside is taken as constant, a term has the wrong sign.
+    /// One rule of differentiation is broken on the way: what is inside is taken as constant, a term has the wrong
+    /// sign.
     Rule,
-    /// A slope, or all, have the wrong sign.
+    /// A derivative, or all, have the wrong sign.
     Sign,
-    /// A slope is zero.
+    /// A derivative is zero.
     Dropped,
-    /// A slope, or all, are double or half.
+    /// A derivative, or all, are double or half.
     Factor,
-    /// A slope is off by one part in so many: the power of ten.
+    /// A derivative is off by one part in so many: the power of ten.
     Off(u8),
-    /// Two slopes are exchanged, or all are in another order.
+    /// Two derivatives are exchanged, or all are in another order.
     Exchanged,
-    /// A slope is that of the next number.
+    /// A derivative is that of the next number.
     Neighbour,
-    /// A slope has the number itself as a factor too many or too few.
+    /// A derivative has the number itself as a factor too many or too few.
     Power,
     /// The gradient is that of the square, the root, the logarithm or the exponential.
     Outer,
-    /// Something is added to a slope.
+    /// Something is added to a derivative.
     Added,
-    /// A slope is off by a tenth in half of the domain.
+    /// A derivative is off by a tenth in half of the domain.
     HalfDomain,
-    /// A slope is off by a tenth in a corner of the domain.
+    /// A derivative is off by a tenth in a corner of the domain.
     Corner,
     /// The gradient is that of an input nearby.
     OtherPlace,
@@ -37,9 +38,9 @@ pub enum Kind {
     OtherSide,
     /// At a kink, to the last digit, the gradient is no share of those of the sides.
     AtKink,
-    /// At one input, to the last digit, a slope is zero or has the wrong sign.
+    /// At one input, to the last digit, a derivative is zero or has the wrong sign.
     OneInput,
-    /// At one input, or at a kink, a slope is not finite.
+    /// At one input, or at a kink, a derivative is not finite.
     NotFinite,
     /// The gradient has single precision.
     Single,
@@ -58,11 +59,11 @@ impl Kind {
             Kind::Formula => "step of the formula",
             Kind::Rule => "rule of differentiation",
             Kind::Sign => "sign",
-            Kind::Dropped => "slope dropped",
+            Kind::Dropped => "derivative dropped",
             Kind::Factor => "double or half",
             Kind::Off(power) => return format!("off by 1e-{power}"),
             Kind::Exchanged => "exchanged",
-            Kind::Neighbour => "next number's slope",
+            Kind::Neighbour => "next number's derivative",
             Kind::Power => "power of the number",
             Kind::Outer => "of the square, root, …",
             Kind::Added => "constant added",

@@ -5,45 +5,45 @@ use geograd::Scalar;
 use std::array::from_fn;
 
 pub(crate) const FUNCTIONS: &[Function] = &[
-    row!(softmax_cross_entropy, softmax_cross_entropy_slopes, [[-3.0, 3.0]; 4],
+    row!(softmax_cross_entropy, softmax_cross_entropy_derivatives, [[-3.0, 3.0]; 4],
         kinks [[1.0, 1.0, 0.5, 1.0]],
         wrong ["one forgotten for the true class": softmax_cross_entropy_no_one]),
-    row!(log_sum_exp, log_sum_exp_slopes, [[-3.0, 3.0], [-3.0, 3.0], [-3.0, 3.0], [0.3, 2.0]],
+    row!(log_sum_exp, log_sum_exp_derivatives, [[-3.0, 3.0], [-3.0, 3.0], [-3.0, 3.0], [0.3, 2.0]],
         wrong ["temperature outside the sum only": log_sum_exp_outside]),
-    row!(layer_norm, layer_norm_slopes, [[-2.0, 0.0], [-1.0, 1.0], [0.0, 2.0], [0.5, 2.0], [-1.0, 1.0]],
+    row!(layer_norm, layer_norm_derivatives, [[-2.0, 0.0], [-1.0, 1.0], [0.0, 2.0], [0.5, 2.0], [-1.0, 1.0]],
         wrong ["mean and variance taken as constants": layer_norm_detached,
                "variance taken as constant": layer_norm_mean_only]),
-    row!(attention_row, attention_row_slopes, [[-1.5, 1.5]; 11],
+    row!(attention_row, attention_row_derivatives, [[-1.5, 1.5]; 11],
         wrong ["weights taken as constants": attention_row_detached]),
-    row!(huber_loss, huber_loss_slopes, [[-3.0, 3.0], [-3.0, 3.0], [0.5, 2.0]],
+    row!(huber_loss, huber_loss_derivatives, [[-3.0, 3.0], [-3.0, 3.0], [0.5, 2.0]],
         kinks [[1.0, 0.0, 1.0], [0.5, 0.5, 1.0]],
-        wrong ["threshold has no slope": huber_loss_fixed]),
-    row!(focal_loss, focal_loss_slopes, [[-3.0, 3.0], [0.1, 0.9], [0.5, 3.0]],
+        wrong ["threshold has no derivative": huber_loss_fixed]),
+    row!(focal_loss, focal_loss_derivatives, [[-3.0, 3.0], [0.1, 0.9], [0.5, 3.0]],
         wrong ["modulation taken as constant": focal_loss_detached]),
-    row!(gaussian_divergence, gaussian_divergence_slopes, [[-2.0, 2.0], [0.5, 2.0], [-2.0, 2.0], [0.5, 2.0]],
-        wrong ["slopes by the variance": gaussian_divergence_variance]),
-    row!(triplet_loss, triplet_loss_slopes,
+    row!(gaussian_divergence, gaussian_divergence_derivatives, [[-2.0, 2.0], [0.5, 2.0], [-2.0, 2.0], [0.5, 2.0]],
+        wrong ["derivatives by the variance": gaussian_divergence_variance]),
+    row!(triplet_loss, triplet_loss_derivatives,
         [[-1.0, 1.0], [-1.0, 1.0], [-1.0, 1.0], [-1.0, 1.0], [-1.0, 1.0], [-1.0, 1.0], [0.1, 1.0]],
         kinks [[0.0, 0.0, 0.0, 0.0, 0.5, 0.5, 0.5], [0.0, 0.0, 0.5, 0.0, 0.75, 0.0, 0.3125]],
         wrong ["margin always active": triplet_loss_active,
                "anchor pulled only": triplet_loss_pulled]),
-    row!(cosine_similarity, cosine_similarity_slopes,
+    row!(cosine_similarity, cosine_similarity_derivatives,
         [[0.2, 2.0], [-2.0, 2.0], [-2.0, 2.0], [-2.0, 2.0], [0.2, 2.0], [-2.0, 2.0]],
         wrong ["lengths taken as constants": cosine_similarity_detached]),
-    row!(swish_gate, swish_gate_slopes, [[-3.0, 3.0], [-2.0, 2.0], [-2.0, 2.0], [0.5, 2.0]],
+    row!(swish_gate, swish_gate_derivatives, [[-3.0, 3.0], [-2.0, 2.0], [-2.0, 2.0], [0.5, 2.0]],
         wrong ["sigmoid taken as constant": swish_gate_detached]),
-    row!(gelu_neuron, gelu_neuron_slopes, [[-2.0, 2.0], [-2.0, 2.0], [-1.5, 1.5], [-1.5, 1.5], [-1.0, 1.0]],
-        wrong ["cubic term's slope without its three": gelu_neuron_no_three]),
-    row!(logistic_loss, logistic_loss_slopes, [[-4.0, 4.0], [0.0, 1.0]],
+    row!(gelu_neuron, gelu_neuron_derivatives, [[-2.0, 2.0], [-2.0, 2.0], [-1.5, 1.5], [-1.5, 1.5], [-1.0, 1.0]],
+        wrong ["cubic term's derivative without its three": gelu_neuron_no_three]),
+    row!(logistic_loss, logistic_loss_derivatives, [[-4.0, 4.0], [0.0, 1.0]],
         kinks [[0.0, 0.25]],
         wrong ["label forgotten": logistic_loss_no_label]),
-    row!(leaky_neuron, leaky_neuron_slopes, [[-2.0, 2.0], [-2.0, 2.0], [-2.0, 2.0], [-2.0, 2.0], [-1.0, 1.0]],
+    row!(leaky_neuron, leaky_neuron_derivatives, [[-2.0, 2.0], [-2.0, 2.0], [-2.0, 2.0], [-2.0, 2.0], [-1.0, 1.0]],
         kinks [[1.0, -1.0, 0.5, 0.25, -0.25], [0.5, 0.5, 1.0, -1.0, 0.0]],
         wrong ["no leak": leaky_neuron_dry]),
-    row!(elastic_net, elastic_net_slopes, [[-2.0, 2.0], [-2.0, 2.0], [0.1, 1.0], [0.1, 1.0]],
+    row!(elastic_net, elastic_net_derivatives, [[-2.0, 2.0], [-2.0, 2.0], [0.1, 1.0], [0.1, 1.0]],
         kinks [[0.0, 1.0, 0.5, 0.5], [0.0, 0.0, 0.5, 0.25]],
-        wrong ["absolute value's slope without its sign": elastic_net_unsigned]),
-    row!(lstm_cell, lstm_cell_slopes, [[-2.0, 2.0]; 5],
+        wrong ["absolute value's derivative without its sign": elastic_net_unsigned]),
+    row!(lstm_cell, lstm_cell_derivatives, [[-2.0, 2.0]; 5],
         wrong ["cell's hyperbolic tangent forgotten": lstm_cell_no_tanh]),
 ];
 
@@ -61,7 +61,7 @@ fn softmax<S: Scalar, const N: usize>(z: [S; N]) -> [S; N] {
     }
     e.map(|e| e / sum)
 }
-fn softmax_cross_entropy_slopes<S: Scalar>(z: [S; 4]) -> [S; 4] {
+fn softmax_cross_entropy_derivatives<S: Scalar>(z: [S; 4]) -> [S; 4] {
     let mut p = softmax(z);
     p[1] -= S::one();
     p
@@ -74,13 +74,13 @@ fn softmax_cross_entropy_no_one(z: [f64; 4]) -> [f64; 4] {
 fn log_sum_exp<S: Scalar>([a, b, c, t]: [S; 4]) -> S {
     t * ((a / t).exp() + (b / t).exp() + (c / t).exp()).ln()
 }
-fn log_sum_exp_slopes<S: Scalar>([a, b, c, t]: [S; 4]) -> [S; 4] {
+fn log_sum_exp_derivatives<S: Scalar>([a, b, c, t]: [S; 4]) -> [S; 4] {
     let [p, q, r] = softmax([a / t, b / t, c / t]);
     let value = log_sum_exp([a, b, c, t]);
     [p, q, r, (value - p * a - q * b - r * c) / t]
 }
 fn log_sum_exp_outside(x: [f64; 4]) -> [f64; 4] {
-    let g = log_sum_exp_slopes(x);
+    let g = log_sum_exp_derivatives(x);
     [g[0], g[1], g[2], log_sum_exp(x) / x[3]]
 }
 
@@ -112,7 +112,7 @@ fn layer_norm_parts<S: Scalar>(
     };
     [by(0), by(1), by(2), along * r, sum]
 }
-fn layer_norm_slopes<S: Scalar>(x: [S; 5]) -> [S; 5] {
+fn layer_norm_derivatives<S: Scalar>(x: [S; 5]) -> [S; 5] {
     layer_norm_parts(x, S::one(), S::one())
 }
 fn layer_norm_detached(x: [f64; 5]) -> [f64; 5] {
@@ -128,7 +128,7 @@ fn attention_row<S: Scalar>(x: [S; 11]) -> S {
     let scores: [S; 3] = from_fn(|j| dot([x[0], x[1]], [x[2 + 2 * j], x[3 + 2 * j]]) * scale);
     dot(softmax(scores), [x[8], x[9], x[10]])
 }
-fn attention_row_slopes<S: Scalar>(x: [S; 11]) -> [S; 11] {
+fn attention_row_derivatives<S: Scalar>(x: [S; 11]) -> [S; 11] {
     let scale = S::lit(0.5_f64.sqrt());
     let keys: [[S; 2]; 3] = from_fn(|j| [x[2 + 2 * j], x[3 + 2 * j]]);
     let weights = softmax(keys.map(|key| dot([x[0], x[1]], key) * scale));
@@ -145,7 +145,7 @@ fn attention_row_slopes<S: Scalar>(x: [S; 11]) -> [S; 11] {
     g
 }
 fn attention_row_detached(x: [f64; 11]) -> [f64; 11] {
-    let g = attention_row_slopes(x);
+    let g = attention_row_derivatives(x);
     from_fn(|i| if i < 8 { 0.0 } else { g[i] })
 }
 
@@ -159,14 +159,14 @@ fn huber_loss<S: Scalar>([x, target, delta]: [S; 3]) -> S {
         delta * (size - half * delta),
     )
 }
-fn huber_loss_slopes<S: Scalar>([x, target, delta]: [S; 3]) -> [S; 3] {
+fn huber_loss_derivatives<S: Scalar>([x, target, delta]: [S; 3]) -> [S; 3] {
     let e = x - target;
     let near = e.unsigned().at_most(delta);
     let g = S::select(near, e, delta * sign(e));
     [g, -g, S::select(near, S::zero(), e.unsigned() - delta)]
 }
 fn huber_loss_fixed(x: [f64; 3]) -> [f64; 3] {
-    let g = huber_loss_slopes(x);
+    let g = huber_loss_derivatives(x);
     [g[0], g[1], 0.0]
 }
 
@@ -182,7 +182,7 @@ fn focal_parts<S: Scalar>([z, alpha, gamma]: [S; 3], modulation_moves: S) -> [S;
     let by_z = alpha * modulation * (modulation_moves * gamma * p * ln - q);
     [by_z, -modulation * ln, -alpha * modulation * q.ln() * ln]
 }
-fn focal_loss_slopes<S: Scalar>(x: [S; 3]) -> [S; 3] {
+fn focal_loss_derivatives<S: Scalar>(x: [S; 3]) -> [S; 3] {
     focal_parts(x, S::one())
 }
 fn focal_loss_detached(x: [f64; 3]) -> [f64; 3] {
@@ -194,7 +194,7 @@ fn gaussian_divergence<S: Scalar>([m, s, n, t]: [S; 4]) -> S {
     let half = S::lit(0.5);
     (t / s).ln() + (s * s + (m - n) * (m - n)) / (S::lit(2.0) * t * t) - half
 }
-fn gaussian_divergence_slopes<S: Scalar>([m, s, n, t]: [S; 4]) -> [S; 4] {
+fn gaussian_divergence_derivatives<S: Scalar>([m, s, n, t]: [S; 4]) -> [S; 4] {
     let (d, tt) = (m - n, t * t);
     let by_mean = d / tt;
     [
@@ -205,7 +205,7 @@ fn gaussian_divergence_slopes<S: Scalar>([m, s, n, t]: [S; 4]) -> [S; 4] {
     ]
 }
 fn gaussian_divergence_variance(x: [f64; 4]) -> [f64; 4] {
-    let g = gaussian_divergence_slopes(x);
+    let g = gaussian_divergence_derivatives(x);
     [g[0], g[1] / (2.0 * x[1]), g[2], g[3] / (2.0 * x[3])]
 }
 
@@ -214,7 +214,7 @@ fn triplet_loss<S: Scalar>([ax, ay, px, py, nx, ny, margin]: [S; 7]) -> S {
     let (near, far) = (minus([ax, ay], [px, py]), minus([ax, ay], [nx, ny]));
     (dot(near, near) - dot(far, far) + margin).most(S::zero())
 }
-fn triplet_loss_slopes<S: Scalar>([ax, ay, px, py, nx, ny, margin]: [S; 7]) -> [S; 7] {
+fn triplet_loss_derivatives<S: Scalar>([ax, ay, px, py, nx, ny, margin]: [S; 7]) -> [S; 7] {
     let (near, far) = (minus([ax, ay], [px, py]), minus([ax, ay], [nx, ny]));
     let active = step(dot(near, near) - dot(far, far) + margin);
     let (p, n) = (
@@ -224,10 +224,10 @@ fn triplet_loss_slopes<S: Scalar>([ax, ay, px, py, nx, ny, margin]: [S; 7]) -> [
     [p[0] - n[0], p[1] - n[1], -p[0], -p[1], n[0], n[1], active]
 }
 fn triplet_loss_active([ax, ay, px, py, nx, ny, _]: [f64; 7]) -> [f64; 7] {
-    triplet_loss_slopes([ax, ay, px, py, nx, ny, 1e3])
+    triplet_loss_derivatives([ax, ay, px, py, nx, ny, 1e3])
 }
 fn triplet_loss_pulled(x: [f64; 7]) -> [f64; 7] {
-    let g = triplet_loss_slopes(x);
+    let g = triplet_loss_derivatives(x);
     [-g[2], -g[3], g[2], g[3], g[4], g[5], g[6]]
 }
 
@@ -251,14 +251,14 @@ fn cosine_parts<S: Scalar>([a, b, c, d, e, f]: [S; 6], lengths_move: S) -> [S; 6
         other * r - value * mine / square
     })
 }
-fn cosine_similarity_slopes<S: Scalar>(x: [S; 6]) -> [S; 6] {
+fn cosine_similarity_derivatives<S: Scalar>(x: [S; 6]) -> [S; 6] {
     cosine_parts(x, S::one())
 }
 fn cosine_similarity_detached(x: [f64; 6]) -> [f64; 6] {
     cosine_parts(x, 0.0)
 }
 
-/// A gated unit: x w, through swish with a slope, times x v.
+/// A gated unit: x w, through swish with a derivative, times x v.
 fn swish_gate<S: Scalar>([x, w, v, beta]: [S; 4]) -> S {
     let z = x * w;
     z * sigmoid(beta * z) * x * v
@@ -276,7 +276,7 @@ fn swish_parts<S: Scalar>([x, w, v, beta]: [S; 4], sigmoid_moves: S) -> [S; 4] {
         z * z * bend * gate,
     ]
 }
-fn swish_gate_slopes<S: Scalar>(x: [S; 4]) -> [S; 4] {
+fn swish_gate_derivatives<S: Scalar>(x: [S; 4]) -> [S; 4] {
     swish_parts(x, S::one())
 }
 fn swish_gate_detached(x: [f64; 4]) -> [f64; 4] {
@@ -300,7 +300,7 @@ fn gelu_parts<S: Scalar>([a, b, w, v, bias]: [S; 5], three: S) -> [S; 5] {
     let g = half * (S::one() + t) + half * z * (S::one() - t * t) * inner;
     [g * w, g * v, g * a, g * b, g]
 }
-fn gelu_neuron_slopes<S: Scalar>(x: [S; 5]) -> [S; 5] {
+fn gelu_neuron_derivatives<S: Scalar>(x: [S; 5]) -> [S; 5] {
     gelu_parts(x, S::lit(3.0))
 }
 fn gelu_neuron_no_three(x: [f64; 5]) -> [f64; 5] {
@@ -311,7 +311,7 @@ fn gelu_neuron_no_three(x: [f64; 5]) -> [f64; 5] {
 fn logistic_loss<S: Scalar>([z, label]: [S; 2]) -> S {
     z.most(S::zero()) - z * label + (S::one() + (-z.magnitude()).exp()).ln()
 }
-fn logistic_loss_slopes<S: Scalar>([z, label]: [S; 2]) -> [S; 2] {
+fn logistic_loss_derivatives<S: Scalar>([z, label]: [S; 2]) -> [S; 2] {
     [sigmoid(z) - label, -z]
 }
 fn logistic_loss_no_label([z, _]: [f64; 2]) -> [f64; 2] {
@@ -330,7 +330,7 @@ fn leaky_parts<S: Scalar>([a, b, w, v, bias]: [S; 5], leak: S) -> [S; 5] {
     let g = side + (S::one() - side) * leak;
     [g * w, g * v, g * a, g * b, g]
 }
-fn leaky_neuron_slopes<S: Scalar>(x: [S; 5]) -> [S; 5] {
+fn leaky_neuron_derivatives<S: Scalar>(x: [S; 5]) -> [S; 5] {
     leaky_parts(x, S::lit(LEAK))
 }
 fn leaky_neuron_dry(x: [f64; 5]) -> [f64; 5] {
@@ -341,7 +341,7 @@ fn leaky_neuron_dry(x: [f64; 5]) -> [f64; 5] {
 fn elastic_net<S: Scalar>([v, w, one, two]: [S; 4]) -> S {
     one * (v.magnitude() + w.magnitude()) + two * (v * v + w * w)
 }
-fn elastic_net_slopes<S: Scalar>([v, w, one, two]: [S; 4]) -> [S; 4] {
+fn elastic_net_derivatives<S: Scalar>([v, w, one, two]: [S; 4]) -> [S; 4] {
     let twice = two + two;
     let sizes = v.magnitude() + w.magnitude();
     [
@@ -381,7 +381,7 @@ fn lstm_cell_parts<S: Scalar>(
         g * f,
     ]
 }
-fn lstm_cell_slopes<S: Scalar>(x: [S; 5]) -> [S; 5] {
+fn lstm_cell_derivatives<S: Scalar>(x: [S; 5]) -> [S; 5] {
     lstm_cell_parts(x, S::one())
 }
 fn lstm_cell_no_tanh(x: [f64; 5]) -> [f64; 5] {

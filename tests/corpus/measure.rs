@@ -39,15 +39,15 @@ pub struct Findings {
 #[must_use]
 pub fn right(function: &'static Function) -> Vec<(&'static str, Gradient)> {
     let by_duals = |x: &[f64]| -> Vec<f64> {
-        let slope = |i: usize| {
+        let derivative = |i: usize| {
             let jet = |(k, &value): (usize, &f64)| Jet {
                 value,
-                slope: [f64::from(k == i)],
+                derivative: [f64::from(k == i)],
             };
             let x: Vec<Jet<f64, 1>> = x.iter().enumerate().map(jet).collect();
-            (function.dual)(&x).slope[0]
+            (function.dual)(&x).derivative[0]
         };
-        (0..x.len()).map(slope).collect()
+        (0..x.len()).map(derivative).collect()
     };
     let rounded = |x: &[f64]| -> Vec<f64> {
         let other = |g: f64| g * (1.0 + (g.to_bits() % 3) as f64 * f64::EPSILON - f64::EPSILON);

@@ -1,7 +1,8 @@
 //! A scalar that makes one mistake: how a formula is wrong in one place.
 //!
-//! It counts operations. Number so and so is carried out wrongly, in its value (a formula with a wrong sign, a forgotten
-//! factor, a sine for a cosine) or in its slope (a rule of differentiation that is broken or left out).
+//! It counts operations. Number so and so is carried out wrongly, in its value (a formula with a wrong sign, a
+//! forgotten factor, a sine for a cosine) or in its derivative (a rule of differentiation that is broken or left
+//! out).
 use geograd::error::Field;
 use geograd::scalar::dual::Tangent;
 use geograd::{Fixed, Pack, Scalar};
@@ -11,17 +12,18 @@ use std::ops::{Add, AddAssign, Div, Mul, MulAssign, Neg, Sub, SubAssign};
 /// Where the mistake is made.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Place {
-    /// In a value: sums are differences, factors are forgotten, functions are left out or replaced by their derivatives,
-    /// constants are others.
+    /// In a value: sums are differences, factors are forgotten, functions are left out or replaced by their
+    /// derivatives, constants are others.
     Value,
-    /// In a slope: terms of a rule are dropped or have the wrong sign, what is inside a function is taken as constant.
-    Slope,
+    /// In a derivative: terms of a rule are dropped or have the wrong sign, what is inside a function is taken as
+    /// constant.
+    Derivative,
 }
 
 /// A mistake: operation number `at`, in one of two ways.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Mistake {
-    /// In value or slope.
+    /// In value or derivative.
     pub place: Place,
     /// The number of the operation.
     pub at: usize,
@@ -52,21 +54,21 @@ fn next() -> Option<(Place, bool)> {
     here.map(|mistake| (mistake.place, mistake.second))
 }
 
-/// A number and its slope along one direction.
+/// A number and its derivative along one direction.
 #[derive(Clone, Copy, Debug)]
 pub struct Mutant {
     /// The number.
     pub value: f64,
-    /// Its slope.
-    pub slope: f64,
+    /// Its derivative.
+    pub derivative: f64,
 }
 
-/// A result: right, or with the wrong value or the wrong slope.
-fn either([value, slope]: [f64; 2], values: [f64; 2], slopes: [f64; 2]) -> Mutant {
-    let mut out = Mutant { value, slope };
+/// A result: right, or with the wrong value or the wrong derivative.
+fn either([value, derivative]: [f64; 2], values: [f64; 2], derivatives: [f64; 2]) -> Mutant {
+    let mut out = Mutant { value, derivative };
     match next() {
         Some((Place::Value, second)) => out.value = values[usize::from(second)],
-        Some((Place::Slope, second)) => out.slope = slopes[usize::from(second)],
+        Some((Place::Derivative, second)) => out.derivative = derivatives[usize::from(second)],
         None => {}
     }
     out
@@ -75,28 +77,28 @@ fn either([value, slope]: [f64; 2], values: [f64; 2], slopes: [f64; 2]) -> Mutan
 impl Add for Mutant {
     type Output = Self;
     fn add(self, b: Self) -> Self {
-        let (x, y, dx, dy) = (self.value, b.value, self.slope, b.slope);
+        let (x, y, dx, dy) = (self.value, b.value, self.derivative, b.derivative);
         either([x + y, dx + dy], [x - y, x], [dx - dy, dx])
     }
 }
 impl Sub for Mutant {
     type Output = Self;
     fn sub(self, b: Self) -> Self {
-        let (x, y, dx, dy) = (self.value, b.value, self.slope, b.slope);
+        let (x, y, dx, dy) = (self.value, b.value, self.derivative, b.derivative);
         either([x - y, dx - dy], [x + y, x], [dx + dy, dx])
     }
 }
 impl Mul for Mutant {
     type Output = Self;
     fn mul(self, b: Self) -> Self {
-        let (x, y, dx, dy) = (self.value, b.value, self.slope, b.slope);
+        let (x, y, dx, dy) = (self.value, b.value, self.derivative, b.derivative);
         either([x * y, dx * y + dy * x], [x, y], [dx * y, dy * x])
     }
 }
 impl Div for Mutant {
     type Output = Self;
     fn div(self, b: Self) -> Self {
-        let (x, y, dx, dy) = (self.value, b.value, self.slope, b.slope);
+        let (x, y, dx, dy) = (self.value, b.value, self.derivative, b.derivative);
         let q = x / y;
         either(
             [q, (dx - q * dy) / y],
@@ -108,7 +110,7 @@ impl Div for Mutant {
 impl Neg for Mutant {
     type Output = Self;
     fn neg(self) -> Self {
-        let (x, dx) = (self.value, self.slope);
+        let (x, dx) = (self.value, self.derivative);
         either([-x, -dx], [x, 0.0], [dx, 0.0])
     }
 }
@@ -136,13 +138,20 @@ impl Tangent for Mutant {
     fn constant(value: f64) -> Self {
         // Nobody mistakes a zero or a one.
         if value == 0.0 || value == 1.0 {
-            return Mutant { value, slope: 0.0 };
+            return Mutant {
+                value,
+                derivative: 0.0,
+            };
         }
         either([value, 0.0], [1.0, 2.0 * value], [0.0, 0.0])
     }
-    fn chain(self, [f, slope, ..]: [f64; 4]) -> Self {
-        let dx = self.slope;
-        either([f, slope * dx], [self.value, slope], [0.0, f * dx])
+    fn chain(self, [f, derivative, ..]: [f64; 4]) -> Self {
+        let dx = self.derivative;
+        either(
+            [f, derivative * dx],
+            [self.value, derivative],
+            [0.0, f * dx],
+        )
     }
     fn pick(mask: bool, yes: Self, no: Self) -> Self {
         if mask { yes } else { no }

@@ -7,8 +7,9 @@ use crate::corpus::measure::{Question, right};
 use crate::corpus::tables::Run;
 use std::fmt::Write;
 
-/// Errors of a slope that are smaller, relative to its usual size, are counted in the table of sizes only: what one part
-/// in a million of one slope does to a value is less than its rounding when the value is larger by as much.
+/// Errors of a derivative that are smaller, relative to its usual size, are counted in the table of sizes only: what
+/// one part in a million of one derivative does to a value is less than its rounding when the value is larger by as
+/// much.
 pub const VISIBLE: f64 = 1e-6;
 
 /// The name of geograd's harness with a function's generic source.
@@ -22,8 +23,8 @@ struct Known {
 
 /// Functions whose right gradients are refused at some inputs, and why.
 const REFUSED: &[Known] = &[
-    // Near its axis the slope across it is what is left of 1 - 1: half of its digits, though it stands beside slopes of
-    // one.
+    // Near its axis the derivative across it is what is left of 1 - 1: half of its digits, though it stands beside
+    // derivatives of one.
     Known {
         checker: "geograd",
         function: "capsule_distance",
@@ -54,7 +55,7 @@ pub fn refused(checker: &str, function: &str) -> bool {
 /// Whether geograd's harness is known to err so.
 fn known(checker: &str, function: &str, question: &Question) -> bool {
     match question.kind {
-        // A slope that jumps within the last digit of the input is taken to be rounded so badly.
+        // A derivative that jumps within the last digit of the input is taken to be rounded so badly.
         Some(_) => question.unsteady,
         None => refused(checker, function),
     }

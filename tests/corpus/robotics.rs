@@ -4,45 +4,45 @@ use crate::corpus::tools::{array, cross, dot, inverse, literals, minus, plus, ti
 use geograd::Scalar;
 
 pub(crate) const FUNCTIONS: &[Function] = &[
-    row!(arm_miss, arm_miss_slopes,
+    row!(arm_miss, arm_miss_derivatives,
         [[0.5, 2.0], [0.5, 2.0], [-1.5, 1.5], [-1.5, 1.5], [-3.0, 3.0], [-3.0, 3.0]],
         kinks [[1.0, 1.0, 0.0, 0.0, 2.0, 0.0]],
         wrong ["shoulder does not move the forearm": arm_miss_stiff]),
-    row!(quaternion_rotation, quaternion_rotation_slopes,
+    row!(quaternion_rotation, quaternion_rotation_derivatives,
         [[-1.0, 1.0], [-1.0, 1.0], [-1.0, 1.0], [0.2, 1.0], [-2.0, 2.0], [-2.0, 2.0], [-2.0, 2.0]],
         wrong ["projection of the normalisation forgotten": quaternion_rotation_unprojected]),
-    row!(reprojection, reprojection_slopes,
+    row!(reprojection, reprojection_derivatives,
         [[-1.0, 1.0], [-1.0, 1.0], [2.0, 6.0], [400.0, 600.0], [400.0, 600.0], [300.0, 340.0],
          [220.0, 260.0], [200.0, 440.0], [150.0, 330.0]],
         wrong ["depth taken as constant": reprojection_flat]),
-    row!(se2_compose, se2_compose_slopes,
+    row!(se2_compose, se2_compose_derivatives,
         [[-2.0, 2.0], [-2.0, 2.0], [-3.0, 3.0], [-2.0, 2.0], [-2.0, 2.0], [-3.0, 3.0]],
         wrong ["heading's lever arm forgotten": se2_compose_no_lever]),
-    row!(icp_point_to_line, icp_point_to_line_slopes,
+    row!(icp_point_to_line, icp_point_to_line_derivatives,
         [[-1.0, 1.0], [-1.0, 1.0], [-1.0, 1.0], [-2.0, 2.0], [-2.0, 2.0], [-2.0, 2.0], [-2.0, 2.0], [-3.0, 3.0]],
         wrong ["point not turned before its lever arm is": icp_point_to_line_unturned]),
-    row!(capsule_distance, capsule_distance_slopes,
+    row!(capsule_distance, capsule_distance_derivatives,
         [[-3.0, 3.0], [-3.0, 3.0], [-1.5, -0.5], [-1.0, 1.0], [0.5, 1.5], [-1.0, 1.0], [0.1, 0.5]],
         kinks [[0.0, 0.0, -1.0, 0.0, 1.0, 0.0, 0.25], [1.0, 0.0, -1.0, 0.0, 1.0, 0.0, 0.25]],
         wrong ["all weight on the first end": capsule_distance_first_end]),
-    row!(bicycle_step, bicycle_step_slopes,
+    row!(bicycle_step, bicycle_step_derivatives,
         [[-5.0, 5.0], [-5.0, 5.0], [-3.0, 3.0], [0.5, 10.0], [-0.6, 0.6], [1.5, 3.0]],
         wrong ["tangent of the steering angle taken as the angle": bicycle_step_small_angle]),
-    row!(range_bearing, range_bearing_slopes,
+    row!(range_bearing, range_bearing_derivatives,
         [[-1.0, 1.0], [-1.0, 1.0], [-0.5, 0.5], [3.0, 8.0], [-3.0, 3.0], [2.0, 9.0], [-1.0, 1.0]],
-        wrong ["bearing's slopes not divided by the range": range_bearing_undivided]),
-    row!(saturated_pd, saturated_pd_slopes,
+        wrong ["bearing's derivatives not divided by the range": range_bearing_undivided]),
+    row!(saturated_pd, saturated_pd_derivatives,
         [[0.1, 2.0], [-1.0, 1.0], [0.1, 2.0], [-1.0, 1.0]],
         kinks [[1.0, 0.5, 1.0, 0.5], [2.0, -0.25, 1.0, -0.5]],
         wrong ["saturation forgotten": saturated_pd_unsaturated]),
-    row!(rotation_angle, rotation_angle_slopes,
+    row!(rotation_angle, rotation_angle_derivatives,
         [[-1.0, 1.0], [-1.0, 1.0], [-1.0, 1.0], [-1.0, 1.0]],
         kinks [[1.0, 0.0, 0.0, 0.0], [0.0, 0.6, 0.0, 0.8]],
         wrong ["written for unit quaternions only": rotation_angle_unit]),
-    row!(pendulum_energy, pendulum_energy_slopes,
+    row!(pendulum_energy, pendulum_energy_derivatives,
         [[-3.0, 3.0], [-3.0, 3.0], [-2.0, 2.0], [-2.0, 2.0], [0.5, 2.0], [0.5, 2.0], [0.5, 2.0], [0.5, 2.0]],
         wrong ["coupling of the joints forgotten": pendulum_energy_uncoupled]),
-    row!(obstacle_cost, obstacle_cost_slopes,
+    row!(obstacle_cost, obstacle_cost_derivatives,
         [[-2.0, 2.0], [-2.0, 2.0], [-2.0, 2.0], [-2.0, 2.0], [0.5, 2.0]],
         kinks [[1.0, 0.0, 0.0, 0.0, 1.0], [0.5, 0.5, 0.5, 0.5, 1.0]],
         wrong ["no reach at all": obstacle_cost_everywhere]),
@@ -54,7 +54,7 @@ fn arm_miss<S: Scalar>([upper, fore, shoulder, elbow, gx, gy]: [S; 6]) -> S {
     let (x, y) = (upper * c + fore * ce - gx, upper * s + fore * se - gy);
     (x * x + y * y).root()
 }
-fn arm_miss_slopes<S: Scalar>([upper, fore, shoulder, elbow, gx, gy]: [S; 6]) -> [S; 6] {
+fn arm_miss_derivatives<S: Scalar>([upper, fore, shoulder, elbow, gx, gy]: [S; 6]) -> [S; 6] {
     let ((s, c), (se, ce)) = (shoulder.sin_cos(), (shoulder + elbow).sin_cos());
     let (x, y) = (upper * c + fore * ce - gx, upper * s + fore * se - gy);
     let r = inverse((x * x + y * y).root());
@@ -70,7 +70,7 @@ fn arm_miss_slopes<S: Scalar>([upper, fore, shoulder, elbow, gx, gy]: [S; 6]) ->
     ]
 }
 fn arm_miss_stiff(x: [f64; 6]) -> [f64; 6] {
-    let mut g = arm_miss_slopes(x);
+    let mut g = arm_miss_derivatives(x);
     g[2] -= g[3];
     g
 }
@@ -86,7 +86,7 @@ fn quaternion_rotation<S: Scalar>([w, x, y, z, px, py, pz]: [S; 7]) -> S {
         + two * w * dot(u, cross(a, v));
     turned / (w * w + dot(a, a))
 }
-/// The slopes, and what part of them the normalisation projects away.
+/// The derivatives, and what part of them the normalisation projects away.
 fn quaternion_parts<S: Scalar>([w, x, y, z, px, py, pz]: [S; 7]) -> ([S; 7], S) {
     let (a, v, u) = ([x, y, z], [px, py, pz], literals::<S, _>(PULL));
     let (two, uv, au, av) = (S::lit(2.0), dot(u, v), dot(a, u), dot(a, v));
@@ -116,7 +116,7 @@ fn quaternion_parts<S: Scalar>([w, x, y, z, px, py, pz]: [S; 7]) -> ([S; 7], S) 
         two * turned * norm * norm,
     )
 }
-fn quaternion_rotation_slopes<S: Scalar>(q: [S; 7]) -> [S; 7] {
+fn quaternion_rotation_derivatives<S: Scalar>(q: [S; 7]) -> [S; 7] {
     let (mut g, shrink) = quaternion_parts(q);
     for i in 0..4 {
         g[i] -= shrink * q[i];
@@ -132,7 +132,7 @@ fn reprojection<S: Scalar>([x, y, z, fx, fy, cx, cy, u, v]: [S; 9]) -> S {
     let (a, b) = (fx * x / z + cx - u, fy * y / z + cy - v);
     a * a + b * b
 }
-fn reprojection_slopes<S: Scalar>([x, y, z, fx, fy, cx, cy, u, v]: [S; 9]) -> [S; 9] {
+fn reprojection_derivatives<S: Scalar>([x, y, z, fx, fy, cx, cy, u, v]: [S; 9]) -> [S; 9] {
     let two = S::lit(2.0);
     let (a, b) = (two * (fx * x / z + cx - u), two * (fy * y / z + cy - v));
     let by_z = -(a * fx * x + b * fy * y) / (z * z);
@@ -149,7 +149,7 @@ fn reprojection_slopes<S: Scalar>([x, y, z, fx, fy, cx, cy, u, v]: [S; 9]) -> [S
     ]
 }
 fn reprojection_flat(x: [f64; 9]) -> [f64; 9] {
-    let mut g = reprojection_slopes(x);
+    let mut g = reprojection_derivatives(x);
     g[2] = 0.0;
     g
 }
@@ -161,13 +161,13 @@ fn se2_compose<S: Scalar>([ax, ay, at, bx, by, bt]: [S; 6]) -> S {
     let ((s, c), w) = (at.sin_cos(), literals::<S, _>(POSE));
     dot(w, [ax + c * bx - s * by, ay + s * bx + c * by, at + bt])
 }
-fn se2_compose_slopes<S: Scalar>([_, _, at, bx, by, _]: [S; 6]) -> [S; 6] {
+fn se2_compose_derivatives<S: Scalar>([_, _, at, bx, by, _]: [S; 6]) -> [S; 6] {
     let ((s, c), [p, q, r]) = (at.sin_cos(), literals::<S, _>(POSE));
     let lever = q * (c * bx - s * by) - p * (s * bx + c * by);
     [p, q, r + lever, p * c + q * s, q * c - p * s, r]
 }
 fn se2_compose_no_lever(x: [f64; 6]) -> [f64; 6] {
-    let mut g = se2_compose_slopes(x);
+    let mut g = se2_compose_derivatives(x);
     g[2] = POSE[2];
     g
 }
@@ -178,7 +178,9 @@ fn icp_point_to_line<S: Scalar>([turn, tx, ty, px, py, qx, qy, normal]: [S; 8]) 
     let e = nx * (c * px - s * py + tx - qx) + ny * (s * px + c * py + ty - qy);
     S::lit(0.5) * e * e
 }
-fn icp_point_to_line_slopes<S: Scalar>([turn, tx, ty, px, py, qx, qy, normal]: [S; 8]) -> [S; 8] {
+fn icp_point_to_line_derivatives<S: Scalar>(
+    [turn, tx, ty, px, py, qx, qy, normal]: [S; 8],
+) -> [S; 8] {
     let ((s, c), (ny, nx)) = (turn.sin_cos(), normal.sin_cos());
     let (x, y) = (c * px - s * py, s * px + c * py);
     let (dx, dy) = (x + tx - qx, y + ty - qy);
@@ -196,7 +198,7 @@ fn icp_point_to_line_slopes<S: Scalar>([turn, tx, ty, px, py, qx, qy, normal]: [
     ]
 }
 fn icp_point_to_line_unturned(x: [f64; 8]) -> [f64; 8] {
-    let mut g = icp_point_to_line_slopes(x);
+    let mut g = icp_point_to_line_derivatives(x);
     g[0] = g[2] * x[3] - g[1] * x[4];
     g
 }
@@ -209,7 +211,7 @@ fn capsule_distance<S: Scalar>([x, y, ax, ay, bx, by, radius]: [S; 7]) -> S {
     let off = minus(ap, times(ab, t));
     dot(off, off).root() - radius
 }
-fn capsule_distance_slopes<S: Scalar>([x, y, ax, ay, bx, by, _]: [S; 7]) -> [S; 7] {
+fn capsule_distance_derivatives<S: Scalar>([x, y, ax, ay, bx, by, _]: [S; 7]) -> [S; 7] {
     // The foot is where the distance is least, so its own motion does not count.
     let (p, a, b) = ([x, y], [ax, ay], [bx, by]);
     let (ab, ap) = (minus(b, a), minus(p, a));
@@ -220,7 +222,7 @@ fn capsule_distance_slopes<S: Scalar>([x, y, ax, ay, bx, by, _]: [S; 7]) -> [S; 
     [nx, ny, -nx * s, -ny * s, -nx * t, -ny * t, -S::one()]
 }
 fn capsule_distance_first_end(x: [f64; 7]) -> [f64; 7] {
-    let g = capsule_distance_slopes(x);
+    let g = capsule_distance_derivatives(x);
     [g[0], g[1], -g[0], -g[1], 0.0, 0.0, g[6]]
 }
 
@@ -239,7 +241,7 @@ fn bicycle_step<S: Scalar>([x, y, heading, speed, steer, base]: [S; 6]) -> S {
         ],
     )
 }
-fn bicycle_step_slopes<S: Scalar>([_, _, heading, speed, steer, base]: [S; 6]) -> [S; 6] {
+fn bicycle_step_derivatives<S: Scalar>([_, _, heading, speed, steer, base]: [S; 6]) -> [S; 6] {
     let ((s, c), [p, q, r], tick) = (heading.sin_cos(), literals::<S, _>(POSE), S::lit(TICK));
     let tan = steer.tan();
     [
@@ -252,7 +254,7 @@ fn bicycle_step_slopes<S: Scalar>([_, _, heading, speed, steer, base]: [S; 6]) -
     ]
 }
 fn bicycle_step_small_angle(x: [f64; 6]) -> [f64; 6] {
-    let mut g = bicycle_step_slopes(x);
+    let mut g = bicycle_step_derivatives(x);
     g[4] = POSE[2] * TICK * x[3] / x[5];
     g
 }
@@ -264,7 +266,9 @@ fn range_bearing<S: Scalar>([px, py, heading, lx, ly, range, bearing]: [S; 7]) -
     let off = dy.atan2(dx) - heading - bearing;
     far * far + off * off
 }
-fn range_bearing_slopes<S: Scalar>([px, py, heading, lx, ly, range, bearing]: [S; 7]) -> [S; 7] {
+fn range_bearing_derivatives<S: Scalar>(
+    [px, py, heading, lx, ly, range, bearing]: [S; 7],
+) -> [S; 7] {
     let (dx, dy, two) = (lx - px, ly - py, S::lit(2.0));
     let square = dx * dx + dy * dy;
     let r = square.root();
@@ -287,7 +291,7 @@ fn range_bearing_undivided([px, py, heading, lx, ly, range, bearing]: [f64; 7]) 
 fn saturated_pd<S: Scalar>([kp, e, kd, rate]: [S; 4]) -> S {
     (kp * e + kd * rate).clamp(-S::one(), S::one())
 }
-fn saturated_pd_slopes<S: Scalar>([kp, e, kd, rate]: [S; 4]) -> [S; 4] {
+fn saturated_pd_derivatives<S: Scalar>([kp, e, kd, rate]: [S; 4]) -> [S; 4] {
     let u = kp * e + kd * rate;
     let free = S::select(u.unsigned().below(S::one()), S::one(), S::zero());
     let free = S::select(u.unsigned().equals(S::one()), S::lit(0.5), free);
@@ -301,7 +305,7 @@ fn saturated_pd_unsaturated([kp, e, kd, rate]: [f64; 4]) -> [f64; 4] {
 fn rotation_angle<S: Scalar>([w, x, y, z]: [S; 4]) -> S {
     S::lit(2.0) * (x * x + y * y + z * z).root().atan2(w.magnitude())
 }
-fn rotation_angle_slopes<S: Scalar>([w, x, y, z]: [S; 4]) -> [S; 4] {
+fn rotation_angle_derivatives<S: Scalar>([w, x, y, z]: [S; 4]) -> [S; 4] {
     let (two, square) = (S::lit(2.0), x * x + y * y + z * z);
     let (sin, all) = (square.root(), square + w * w);
     let out = two * w.magnitude() / all * inverse(sin);
@@ -322,7 +326,7 @@ fn pendulum_energy<S: Scalar>([a, b, u, v, m, n, k, l]: [S; 8]) -> S {
     let half = S::lit(0.5);
     half * (m + n) * k * k * u * u + half * n * l * l * v * v + n * k * l * u * v * (a - b).cos()
 }
-fn pendulum_energy_slopes<S: Scalar>([a, b, u, v, m, n, k, l]: [S; 8]) -> [S; 8] {
+fn pendulum_energy_derivatives<S: Scalar>([a, b, u, v, m, n, k, l]: [S; 8]) -> [S; 8] {
     let (half, (s, c)) = (S::lit(0.5), (a - b).sin_cos());
     let turn = n * k * l * u * v * s;
     let joint = k * l * u * v * c;
@@ -338,7 +342,7 @@ fn pendulum_energy_slopes<S: Scalar>([a, b, u, v, m, n, k, l]: [S; 8]) -> [S; 8]
     ]
 }
 fn pendulum_energy_uncoupled(x: [f64; 8]) -> [f64; 8] {
-    let mut g = pendulum_energy_slopes(x);
+    let mut g = pendulum_energy_derivatives(x);
     (g[0], g[1]) = (0.0, 0.0);
     g
 }
@@ -349,7 +353,7 @@ fn obstacle_cost<S: Scalar>([px, py, ox, oy, reach]: [S; 5]) -> S {
     let deep = (reach - dot(d, d).root()).most(S::zero());
     S::lit(0.5) * deep * deep
 }
-fn obstacle_cost_slopes<S: Scalar>([px, py, ox, oy, reach]: [S; 5]) -> [S; 5] {
+fn obstacle_cost_derivatives<S: Scalar>([px, py, ox, oy, reach]: [S; 5]) -> [S; 5] {
     let d = minus([px, py], [ox, oy]);
     let r = dot(d, d).root();
     let deep = (reach - r).most(S::zero());

@@ -156,5 +156,5 @@ pub fn tables(checkers: &[&str], runs: &[Run]) -> String {
     }
     fields(checkers, &by_field)
         + &missed("kind of fault", checkers, &by_kind)
-        + &missed("size, of the usual slope", checkers, &by_size)
+        + &missed("size, of the usual derivative", checkers, &by_size)
 }

@@ -44,16 +44,16 @@ pub fn cross<S: Scalar>(a: [S; 3], b: [S; 3]) -> [S; 3] {
 pub fn literals<S: Scalar, const N: usize>(x: [f64; N]) -> [S; N] {
     x.map(S::lit)
 }
-/// One over a number, and zero of zero: so a norm has slope zero at zero.
+/// One over a number, and zero of zero: so a norm has derivative zero at zero.
 pub fn inverse<S: Scalar>(x: S) -> S {
     S::select(x.equals(S::zero()), S::zero(), S::one() / x)
 }
-/// The slope of the larger of `x` and zero: 0, 1, and a half at the tie.
+/// The derivative of the larger of `x` and zero: 0, 1, and a half at the tie.
 pub fn step<S: Scalar>(x: S) -> S {
     let side = S::select(x.above(S::zero()), S::one(), S::zero());
     S::select(x.equals(S::zero()), S::lit(0.5), side)
 }
-/// The slope of the absolute value: −1, 1, and zero at zero.
+/// The derivative of the absolute value: −1, 1, and zero at zero.
 pub fn sign<S: Scalar>(x: S) -> S {
     let side = S::select(x.above(S::zero()), S::one(), -S::one());
     S::select(x.equals(S::zero()), S::zero(), side)

@@ -4,49 +4,49 @@ use crate::corpus::tools::{array, dot, inverse, literals, sign, step, times};
 use geograd::Scalar;
 
 pub(crate) const FUNCTIONS: &[Function] = &[
-    row!(epipolar_residual, epipolar_residual_slopes,
+    row!(epipolar_residual, epipolar_residual_derivatives,
         [[-1.0, 1.0], [-1.0, 1.0], [-1.0, 1.0], [-1.0, 1.0], [-1.0, 1.0], [-1.0, 1.0], [-1.0, 1.0],
          [-1.0, 1.0], [-1.0, 1.0], [0.2, 2.0], [0.2, 2.0], [-2.0, 2.0], [-2.0, 2.0]],
         wrong ["matrix transposed": epipolar_residual_transposed,
                "norm of the line taken as constant": epipolar_residual_constant_norm]),
-    row!(homography_transfer, homography_transfer_slopes,
+    row!(homography_transfer, homography_transfer_derivatives,
         [[0.5, 1.5], [-0.5, 0.5], [-1.0, 1.0], [-0.5, 0.5], [0.5, 1.5], [-1.0, 1.0], [-0.1, 0.1],
          [-0.1, 0.1], [0.8, 1.2], [-2.0, 2.0], [-2.0, 2.0]],
         wrong ["division by the third coordinate taken as constant": homography_transfer_affine]),
-    row!(radial_distortion, radial_distortion_slopes,
+    row!(radial_distortion, radial_distortion_derivatives,
         [[-1.0, 1.0], [-1.0, 1.0], [-0.3, 0.3], [-0.1, 0.1]],
         wrong ["growth with the radius forgotten": radial_distortion_linear]),
-    row!(tangential_distortion, tangential_distortion_slopes,
+    row!(tangential_distortion, tangential_distortion_derivatives,
         [[-1.0, 1.0], [-1.0, 1.0], [-0.1, 0.1], [-0.1, 0.1]],
         wrong ["the two coefficients exchanged": tangential_distortion_exchanged]),
-    row!(bilinear_sample, bilinear_sample_slopes,
+    row!(bilinear_sample, bilinear_sample_derivatives,
         [[0.0, 255.0], [0.0, 255.0], [0.0, 255.0], [0.0, 255.0], [0.0, 1.0], [0.0, 1.0]],
         wrong ["rows and columns exchanged": bilinear_sample_transposed]),
-    row!(iou_upright, iou_upright_slopes,
+    row!(iou_upright, iou_upright_derivatives,
         [[-1.0, 1.0], [-1.0, 1.0], [1.0, 3.0], [1.0, 3.0], [-1.0, 1.0], [-1.0, 1.0], [1.0, 3.0], [1.0, 3.0]],
         kinks [[0.0, 0.0, 2.0, 2.0, 0.0, 0.0, 2.0, 2.0], [0.0, 0.0, 2.0, 2.0, 0.5, 0.0, 1.0, 1.0]],
         wrong ["area of the union taken as constant": iou_upright_constant_union]),
-    row!(photometric_huber, photometric_huber_slopes,
+    row!(photometric_huber, photometric_huber_derivatives,
         [[0.0, 4.0], [0.0, 4.0], [0.5, 1.5], [-1.0, 1.0]],
         kinks [[1.0, 0.0, 1.0, 0.0], [2.0, 1.0, 1.0, 0.0]],
         wrong ["gain forgotten in the chain": photometric_huber_no_gain]),
-    row!(patch_correlation, patch_correlation_slopes,
+    row!(patch_correlation, patch_correlation_derivatives,
         [[0.0, 1.0], [1.0, 2.0], [0.0, 3.0], [0.0, 1.0], [2.0, 3.0], [0.0, 3.0]],
         wrong ["only the numerator": patch_correlation_numerator]),
-    row!(stereo_depth, stereo_depth_slopes,
+    row!(stereo_depth, stereo_depth_derivatives,
         [[400.0, 600.0], [0.1, 0.5], [300.0, 400.0], [100.0, 280.0], [0.5, 3.0]],
         wrong ["disparity not squared": stereo_depth_not_squared]),
-    row!(bilateral_weight, bilateral_weight_slopes,
+    row!(bilateral_weight, bilateral_weight_derivatives,
         [[-2.0, 2.0], [-2.0, 2.0], [-1.0, 1.0], [0.5, 2.0], [0.5, 2.0]],
         wrong ["squares of the widths instead of cubes": bilateral_weight_squares]),
-    row!(flow_residual, flow_residual_slopes,
+    row!(flow_residual, flow_residual_derivatives,
         [[-2.0, 2.0], [-2.0, 2.0], [-1.0, 1.0], [-2.0, 2.0], [-2.0, 2.0], [0.1, 1.0]],
         wrong ["root forgotten": flow_residual_no_root]),
-    row!(box_regression, box_regression_slopes,
+    row!(box_regression, box_regression_derivatives,
         [[-3.0, 3.0], [0.3, 3.0], [-3.0, 3.0], [0.5, 2.0]],
         kinks [[1.0, 1.0, 0.0, 1.0], [0.0, 1.0, 0.0, 1.0]],
         wrong ["truth's width does not scale the offset": box_regression_unscaled]),
-    row!(corner_strength, corner_strength_slopes,
+    row!(corner_strength, corner_strength_derivatives,
         [[0.5, 3.0], [-1.0, 1.0], [0.5, 3.0]],
         kinks [[1.0, 0.0, 1.0]],
         wrong ["off-diagonal entry counted once": corner_strength_once]),
@@ -76,14 +76,14 @@ fn epipolar_parts<S: Scalar>(x: [S; 13], norm_moves: S) -> [S; 13] {
     (g[11], g[12]) = (line[0] * r, line[1] * r);
     g
 }
-fn epipolar_residual_slopes<S: Scalar>(x: [S; 13]) -> [S; 13] {
+fn epipolar_residual_derivatives<S: Scalar>(x: [S; 13]) -> [S; 13] {
     epipolar_parts(x, S::one())
 }
 fn epipolar_residual_constant_norm(x: [f64; 13]) -> [f64; 13] {
     epipolar_parts(x, 0.0)
 }
 fn epipolar_residual_transposed(x: [f64; 13]) -> [f64; 13] {
-    let g = epipolar_residual_slopes(x);
+    let g = epipolar_residual_derivatives(x);
     std::array::from_fn(|i| if i < 9 { g[i % 3 * 3 + i / 3] } else { g[i] })
 }
 
@@ -97,7 +97,9 @@ fn homography_transfer<S: Scalar>([a, b, c, d, e, f, g, h, i, x, y]: [S; 11]) ->
         [(a * x + b * y + c) / w, (d * x + e * y + f) / w],
     )
 }
-fn homography_transfer_slopes<S: Scalar>([a, b, c, d, e, f, g, h, i, x, y]: [S; 11]) -> [S; 11] {
+fn homography_transfer_derivatives<S: Scalar>(
+    [a, b, c, d, e, f, g, h, i, x, y]: [S; 11],
+) -> [S; 11] {
     let r = S::one() / (g * x + h * y + i);
     let [p, q] = times(literals::<S, _>(SEEN), r);
     let all = -(p * (a * x + b * y + c) + q * (d * x + e * y + f)) * r;
@@ -116,7 +118,7 @@ fn homography_transfer_slopes<S: Scalar>([a, b, c, d, e, f, g, h, i, x, y]: [S; 
     ]
 }
 fn homography_transfer_affine(x: [f64; 11]) -> [f64; 11] {
-    let mut g = homography_transfer_slopes(x);
+    let mut g = homography_transfer_derivatives(x);
     g[6..9].fill(0.0);
     g
 }
@@ -126,14 +128,14 @@ fn radial_distortion<S: Scalar>([x, y, k, l]: [S; 4]) -> S {
     let r = x * x + y * y;
     dot(literals::<S, _>(SEEN), [x, y]) * (S::one() + k * r + l * r * r)
 }
-fn radial_distortion_slopes<S: Scalar>([x, y, k, l]: [S; 4]) -> [S; 4] {
+fn radial_distortion_derivatives<S: Scalar>([x, y, k, l]: [S; 4]) -> [S; 4] {
     let (r, two, [p, q]) = (x * x + y * y, S::lit(2.0), literals::<S, _>(SEEN));
     let (sum, grow) = (p * x + q * y, S::one() + k * r + l * r * r);
     let out = sum * two * (k + two * l * r);
     [p * grow + out * x, q * grow + out * y, sum * r, sum * r * r]
 }
 fn radial_distortion_linear(x: [f64; 4]) -> [f64; 4] {
-    let (g, r) = (radial_distortion_slopes(x), x[0] * x[0] + x[1] * x[1]);
+    let (g, r) = (radial_distortion_derivatives(x), x[0] * x[0] + x[1] * x[1]);
     let grow = 1.0 + x[2] * r + x[3] * r * r;
     [SEEN[0] * grow, SEEN[1] * grow, g[2], g[3]]
 }
@@ -147,7 +149,7 @@ fn tangential_distortion<S: Scalar>([x, y, k, l]: [S; 4]) -> S {
     ];
     dot(literals::<S, _>(SEEN), aside)
 }
-fn tangential_distortion_slopes<S: Scalar>([x, y, k, l]: [S; 4]) -> [S; 4] {
+fn tangential_distortion_derivatives<S: Scalar>([x, y, k, l]: [S; 4]) -> [S; 4] {
     let (r, two, six, [p, q]) = (
         x * x + y * y,
         S::lit(2.0),
@@ -162,7 +164,7 @@ fn tangential_distortion_slopes<S: Scalar>([x, y, k, l]: [S; 4]) -> [S; 4] {
     ]
 }
 fn tangential_distortion_exchanged([x, y, k, l]: [f64; 4]) -> [f64; 4] {
-    tangential_distortion_slopes([x, y, l, k])
+    tangential_distortion_derivatives([x, y, l, k])
 }
 
 /// An image between four pixels.
@@ -170,7 +172,7 @@ fn bilinear_sample<S: Scalar>([a, b, c, d, x, y]: [S; 6]) -> S {
     let one = S::one();
     (a * (one - x) + b * x) * (one - y) + (c * (one - x) + d * x) * y
 }
-fn bilinear_sample_slopes<S: Scalar>([a, b, c, d, x, y]: [S; 6]) -> [S; 6] {
+fn bilinear_sample_derivatives<S: Scalar>([a, b, c, d, x, y]: [S; 6]) -> [S; 6] {
     let (left, up) = (S::one() - x, S::one() - y);
     [
         left * up,
@@ -182,7 +184,7 @@ fn bilinear_sample_slopes<S: Scalar>([a, b, c, d, x, y]: [S; 6]) -> [S; 6] {
     ]
 }
 fn bilinear_sample_transposed([a, b, c, d, x, y]: [f64; 6]) -> [f64; 6] {
-    bilinear_sample_slopes([a, c, b, d, x, y])
+    bilinear_sample_derivatives([a, c, b, d, x, y])
 }
 
 /// The common length of two intervals, each a centre and a width.
@@ -192,7 +194,7 @@ fn common<S: Scalar>([a, w, b, v]: [S; 4]) -> S {
     let start = (a - w * half).most(b - v * half);
     (end - start).most(S::zero())
 }
-fn common_slopes<S: Scalar>([a, w, b, v]: [S; 4]) -> [S; 4] {
+fn common_derivatives<S: Scalar>([a, w, b, v]: [S; 4]) -> [S; 4] {
     let half = S::lit(0.5);
     let (ends, starts) = ([a + w * half, b + v * half], [a - w * half, b - v * half]);
     let open = step(ends[0].least(ends[1]) - starts[0].most(starts[1]));
@@ -220,8 +222,8 @@ fn iou_parts<S: Scalar>([ax, ay, aw, ah, bx, by, bw, bh]: [S; 8], union_moves: S
     let by_area = r + union_moves * x * y * r * r;
     let by_whole = -union_moves * x * y * r * r;
     let (gx, gy) = (
-        times(common_slopes(wide), by_area * y),
-        times(common_slopes(high), by_area * x),
+        times(common_derivatives(wide), by_area * y),
+        times(common_derivatives(high), by_area * x),
     );
     [
         gx[0],
@@ -234,7 +236,7 @@ fn iou_parts<S: Scalar>([ax, ay, aw, ah, bx, by, bw, bh]: [S; 8], union_moves: S
         gy[3] + by_whole * bw,
     ]
 }
-fn iou_upright_slopes<S: Scalar>(x: [S; 8]) -> [S; 8] {
+fn iou_upright_derivatives<S: Scalar>(x: [S; 8]) -> [S; 8] {
     iou_parts(x, S::one())
 }
 fn iou_upright_constant_union(x: [f64; 8]) -> [f64; 8] {
@@ -246,19 +248,19 @@ fn huber<S: Scalar>(e: S) -> S {
     let (half, size) = (S::lit(0.5), e.magnitude());
     S::select(size.at_most(S::one()), half * e * e, size - half)
 }
-fn huber_slope<S: Scalar>(e: S) -> S {
+fn huber_derivative<S: Scalar>(e: S) -> S {
     S::select(e.unsigned().at_most(S::one()), e, sign(e))
 }
 /// What two pixels differ by after gain and bias, robustly.
 fn photometric_huber<S: Scalar>([a, b, gain, bias]: [S; 4]) -> S {
     huber(gain * a + bias - b)
 }
-fn photometric_huber_slopes<S: Scalar>([a, b, gain, bias]: [S; 4]) -> [S; 4] {
-    let g = huber_slope(gain * a + bias - b);
+fn photometric_huber_derivatives<S: Scalar>([a, b, gain, bias]: [S; 4]) -> [S; 4] {
+    let g = huber_derivative(gain * a + bias - b);
     [g * gain, -g, g * a, g]
 }
 fn photometric_huber_no_gain([a, b, gain, bias]: [f64; 4]) -> [f64; 4] {
-    let g = huber_slope(gain * a + bias - b);
+    let g = huber_derivative(gain * a + bias - b);
     [g, -g, g * a, g]
 }
 
@@ -272,7 +274,7 @@ fn patch_correlation<S: Scalar>([a, b, c, d, e, f]: [S; 6]) -> S {
     );
     dot(p, q) / (dot(p, p) * dot(q, q)).root()
 }
-fn patch_correlation_slopes<S: Scalar>([a, b, c, d, e, f]: [S; 6]) -> [S; 6] {
+fn patch_correlation_derivatives<S: Scalar>([a, b, c, d, e, f]: [S; 6]) -> [S; 6] {
     let third = S::lit(1.0 / 3.0);
     let (left, right) = ((a + b + c) * third, (d + e + f) * third);
     let (p, q) = (
@@ -307,14 +309,14 @@ fn stereo_depth<S: Scalar>([focal, base, left, right, depth]: [S; 5]) -> S {
     let e = focal * base / (left - right) - depth;
     e * e
 }
-fn stereo_depth_slopes<S: Scalar>([focal, base, left, right, depth]: [S; 5]) -> [S; 5] {
+fn stereo_depth_derivatives<S: Scalar>([focal, base, left, right, depth]: [S; 5]) -> [S; 5] {
     let d = left - right;
     let e = S::lit(2.0) * (focal * base / d - depth);
     let by_d = -e * focal * base / (d * d);
     [e * base / d, e * focal / d, by_d, -by_d, -e]
 }
 fn stereo_depth_not_squared(x: [f64; 5]) -> [f64; 5] {
-    let (mut g, d) = (stereo_depth_slopes(x), x[2] - x[3]);
+    let (mut g, d) = (stereo_depth_derivatives(x), x[2] - x[3]);
     g[2] *= d;
     g[3] *= d;
     g
@@ -325,7 +327,7 @@ fn bilateral_weight<S: Scalar>([x, y, i, space, range]: [S; 5]) -> S {
     let half = S::lit(0.5);
     (-(half * (x * x + y * y) / (space * space)) - half * i * i / (range * range)).exp()
 }
-fn bilateral_weight_slopes<S: Scalar>([x, y, i, space, range]: [S; 5]) -> [S; 5] {
+fn bilateral_weight_derivatives<S: Scalar>([x, y, i, space, range]: [S; 5]) -> [S; 5] {
     let w = bilateral_weight([x, y, i, space, range]);
     let (ss, rr) = (space * space, range * range);
     [
@@ -337,7 +339,7 @@ fn bilateral_weight_slopes<S: Scalar>([x, y, i, space, range]: [S; 5]) -> [S; 5]
     ]
 }
 fn bilateral_weight_squares(x: [f64; 5]) -> [f64; 5] {
-    let g = bilateral_weight_slopes(x);
+    let g = bilateral_weight_derivatives(x);
     [g[0], g[1], g[2], g[3] * x[3], g[4] * x[4]]
 }
 
@@ -346,7 +348,7 @@ fn flow_residual<S: Scalar>([ix, iy, it, u, v, eps]: [S; 6]) -> S {
     let e = ix * u + iy * v + it;
     (e * e + eps * eps).root()
 }
-fn flow_residual_slopes<S: Scalar>([ix, iy, it, u, v, eps]: [S; 6]) -> [S; 6] {
+fn flow_residual_derivatives<S: Scalar>([ix, iy, it, u, v, eps]: [S; 6]) -> [S; 6] {
     let e = ix * u + iy * v + it;
     let r = S::one() / (e * e + eps * eps).root();
     let g = e * r;
@@ -361,15 +363,15 @@ fn flow_residual_no_root([ix, iy, it, u, v, eps]: [f64; 6]) -> [f64; 6] {
 fn box_regression<S: Scalar>([c, w, truth, width]: [S; 4]) -> S {
     huber((c - truth) / width) + huber((w / width).ln())
 }
-fn box_regression_slopes<S: Scalar>([c, w, truth, width]: [S; 4]) -> [S; 4] {
+fn box_regression_derivatives<S: Scalar>([c, w, truth, width]: [S; 4]) -> [S; 4] {
     let e = (c - truth) / width;
-    let (g, h) = (huber_slope(e), huber_slope((w / width).ln()));
+    let (g, h) = (huber_derivative(e), huber_derivative((w / width).ln()));
     [g / width, h / w, -g / width, -(g * e + h) / width]
 }
 fn box_regression_unscaled([c, w, truth, width]: [f64; 4]) -> [f64; 4] {
     let (g, h) = (
-        huber_slope((c - truth) / width),
-        huber_slope((w / width).ln()),
+        huber_derivative((c - truth) / width),
+        huber_derivative((w / width).ln()),
     );
     [g / width, h / w, -g / width, -h / width]
 }
@@ -380,13 +382,13 @@ fn corner_strength<S: Scalar>([a, b, c]: [S; 3]) -> S {
     let (mean, off) = (half * (a + c), half * (a - c));
     mean - (off * off + b * b).root()
 }
-fn corner_strength_slopes<S: Scalar>([a, b, c]: [S; 3]) -> [S; 3] {
+fn corner_strength_derivatives<S: Scalar>([a, b, c]: [S; 3]) -> [S; 3] {
     let half = S::lit(0.5);
     let off = half * (a - c);
     let r = inverse((off * off + b * b).root());
     [half - half * off * r, -b * r, half + half * off * r]
 }
 fn corner_strength_once(x: [f64; 3]) -> [f64; 3] {
-    let g = corner_strength_slopes(x);
+    let g = corner_strength_derivatives(x);
     [g[0], 0.5 * g[1], g[2]]
 }

@@ -9,7 +9,7 @@ fn a_batch() {
         assert_eq!((status(&done), stderr(&done)), (0, ""));
         let told = stdout(&done);
         assert!(
-            told.starts_with(&format!("{count} postures with slopes in ")),
+            told.starts_with(&format!("{count} postures with derivatives in ")),
             "{told}"
         );
         assert!(told.contains(share), "{told}");
@@ -19,13 +19,13 @@ fn a_batch() {
 }
 
 #[test]
-fn a_proof_in_both_formats() {
-    let done = run("custom_shape", &folder("custom_shape_proof"), "--prove");
+fn a_check_in_both_formats() {
+    let done = run("custom_shape", &folder("custom_shape_check"), "--check");
     assert_eq!((status(&done), stderr(&done)), (0, ""));
-    let proved = |line: &&str| line.starts_with("clearance") && line.ends_with("proved");
+    let checked = |line: &&str| line.starts_with("clearance") && line.ends_with("checked");
     let formats: Vec<_> = stdout(&done)
         .lines()
-        .filter(proved)
+        .filter(checked)
         .filter_map(|line| line.split_whitespace().nth(1))
         .collect();
     assert_eq!(formats, ["f64", "f32"]);

@@ -29,7 +29,7 @@ fn batch_prints_overlaps_that_grow() {
 }
 
 #[test]
-fn own_function_prints_slopes() {
+fn own_function_prints_derivatives() {
     let text = printed("own_function");
     assert_eq!(text.lines().count(), 3);
     // At (10, 4) from each other and closing by (-2, 1) they are nearest after 3.2: at (3.6, 7.2).
@@ -37,7 +37,7 @@ fn own_function_prints_slopes() {
 }
 
 #[test]
-fn own_shape_is_proved() {
+fn own_shape_is_checked() {
     let text = printed("own_shape");
     assert!(
         text.starts_with("2.000, by heading 0.000, by crown -1.000\n"),

@@ -11,7 +11,7 @@ fn table(at: &Path, arguments: &str) -> (String, Vec<Vec<Option<f64>>>) {
     (header.to_string(), rows.lines().map(row).collect())
 }
 
-/// The scores of a run without slopes.
+/// The scores of a run without derivatives.
 fn scores(at: &Path, arguments: &str) -> Vec<f64> {
     let (_, rows) = table(at, arguments);
     rows.into_iter().map(|row| row[0].unwrap()).collect()
@@ -21,9 +21,9 @@ fn near(found: f64, expected: f64) {
     assert!((found - expected).abs() < 1e-12, "{found} {expected}");
 }
 
-/// Every slope that a run prints agrees with what central differences of its own scores say. `moved`
+/// Every derivative that a run prints agrees with what central differences of its own scores say. `moved`
 /// moves a row along its direction k by h.
-fn slopes_agree(
+fn derivatives_agree(
     at: &Path,
     options: &str,
     rows: [&[f64]; 2],
@@ -58,10 +58,10 @@ fn slopes_agree(
     std::fs::write(at.join("b.csv"), b).unwrap();
     let values = scores(at, &format!("--a a.csv --b b.csv {options}"));
     for (k, pair) in values.chunks_exact(2).enumerate() {
-        let (slope, difference) = (found[0][1 + k].unwrap(), (pair[0] - pair[1]) / (2.0 * h));
+        let (derivative, difference) = (found[0][1 + k].unwrap(), (pair[0] - pair[1]) / (2.0 * h));
         assert!(
-            (slope - difference).abs() < 1e-7,
-            "{options} {k}: {slope} {difference}"
+            (derivative - difference).abs() < 1e-7,
+            "{options} {k}: {derivative} {difference}"
         );
     }
 }
@@ -147,7 +147,11 @@ fn upright_boxes() {
     let expected = "iou,dax,day,daz,dadx,dady,dadz,dar,dbx,dby,dbz,dbdx,dbdy,dbdz,dbr";
     assert_eq!((header.as_str(), rows.len()), (expected, 4));
     // The same box twice.
-    assert!(rows[3][1..].iter().all(|slope| *slope == Some(0.0)));
+    assert!(
+        rows[3][1..]
+            .iter()
+            .all(|derivative| *derivative == Some(0.0))
+    );
     let (a, b) = (
         [0.1, -0.2, 0.3, 3.0, 1.5, 1.2, 0.4],
         [0.6, 0.3, 0.1, 2.5, 1.8, 1.4, -0.5],
@@ -165,7 +169,7 @@ fn upright_boxes() {
         "eiou --enclosing aabb",
     ] {
         let options = format!("--format yaw3 --metric {metric}");
-        slopes_agree(&at, &options, [&a, &b], number, [7, 7]);
+        derivatives_agree(&at, &options, [&a, &b], number, [7, 7]);
     }
 }
 
@@ -240,7 +244,7 @@ fn boxes_of_any_orientation() {
         "eiou",
     ] {
         let options = format!("--format obb3 --metric {metric}");
-        slopes_agree(&at, &options, [&a, &b], moved, [9, 9]);
+        derivatives_agree(&at, &options, [&a, &b], moved, [9, 9]);
     }
 }
 
@@ -310,12 +314,16 @@ fn polygons() {
         "--format polygons --a a.csv --b b.csv --all-pairs --grad",
     );
     assert_eq!((rows[0][0], rows[1][0]), (Some(0.0), Some(1.0)));
-    assert!(rows[1][1..].iter().all(|slope| *slope == Some(0.0)));
+    assert!(
+        rows[1][1..]
+            .iter()
+            .all(|derivative| *derivative == Some(0.0))
+    );
 }
 
 #[test]
-fn polygons_have_slopes_by_every_vertex() {
-    let at = folder("iou_csv_polygon_slopes");
+fn polygons_have_derivatives_by_every_vertex() {
+    let at = folder("iou_csv_polygon_derivatives");
     // An arrow that is not convex, and a clockwise pentagon with one re-entrant vertex.
     let a = [0.0, 0.1, 3.0, -0.2, 2.1, 1.2, 3.2, 2.6, 0.2, 2.4];
     let b = [1.1, 3.3, 2.0, 1.9, 4.1, 1.7, 3.0, 0.4, 0.8, 0.7];
@@ -328,7 +336,7 @@ fn polygons_have_slopes_by_every_vertex() {
         "diou-box",
     ] {
         let options = format!("--format polygons --metric {metric}");
-        slopes_agree(&at, &options, [&a, &b], number, [10, 10]);
+        derivatives_agree(&at, &options, [&a, &b], number, [10, 10]);
     }
 }
 
@@ -389,7 +397,7 @@ fn bad_rows_of_other_formats() {
 }
 
 #[test]
-fn extreme_polygons_have_finite_scores_and_slopes() {
+fn extreme_polygons_have_finite_scores_and_derivatives() {
     let at = folder("iou_csv_extreme");
     let rows = [
         "0,0,2,0,2,2,0,2",

@@ -276,7 +276,7 @@ fn wrong_command_lines() {
         ("custom_shape", "--count"),
         ("custom_shape", "--count many"),
         ("custom_shape", "--svg"),
-        ("custom_shape", "--prove --wgsl"),
+        ("custom_shape", "--check --wgsl"),
         ("custom_shape", "--backend abacus"),
         ("layout", "--backend abacus"),
         ("layout", "--backend"),
@@ -670,7 +670,7 @@ fn iou_csv_on_the_gpu_is_iou_csv_on_the_cpu() {
         let overlapping = on_cpu.iter().step_by(fields).filter(|&&iou| iou > 0.0);
         assert!(overlapping.count() >= count / 10, "{arguments}");
         for (i, (x, y)) in on_cpu.iter().zip(&on_gpu).enumerate() {
-            // An overlap is at most one, a slope may be more.
+            // An overlap is at most one, a derivative may be more.
             let near = 1e-5 * x.abs().max(1.0);
             let place = (i / fields, i % fields);
             assert!((x - y).abs() <= near, "{arguments}: {x} {y} at {place:?}");
@@ -725,7 +725,7 @@ fn custom_shape_on_the_gpu() {
         assert_eq!(status(&done), 0, "{}", stderr(&done));
         let is_told = stderr(&done).contains("custom_shape: computing on ");
         assert_eq!(is_told, backend == "gpu");
-        // The share that collides and the steepest slope, as they are printed.
+        // The share that collides and the steepest derivative, as they are printed.
         stdout(&done).lines().nth(1).unwrap().to_owned()
     });
     assert_eq!(told[0], told[1]);

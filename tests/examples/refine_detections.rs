@@ -102,7 +102,7 @@ fn suppression_and_what_is_alike() {
     assert_eq!(found[0], ("Car".to_string(), 1.0, 1.0));
 }
 
-/// A pedestrian beside its truth, without overlap: IoU has no slope there, the others do.
+/// A pedestrian beside its truth, without overlap: IoU has no derivative there, the others do.
 #[test]
 fn boxes_apart() {
     let at = folder("refine_apart");

@@ -107,7 +107,7 @@ fn kitti_is_as_its_development_kit_draws_it() {
 }
 
 #[test]
-fn angles_wrap_with_slope_one() {
+fn angles_wrap_with_derivative_one() {
     for (period, length) in [
         (Period::Full, 2.0 * PI),
         (Period::Half, PI),
@@ -119,7 +119,7 @@ fn angles_wrap_with_slope_one() {
             assert!(wrapped.value.abs() <= length / 2.0 + 1e-15);
             let turns = (angle - wrapped.value) / length;
             assert!((turns - turns.round()).abs() < 1e-13);
-            assert!((wrapped.slope[0] - 1.0).abs() < 1e-14);
+            assert!((wrapped.derivative[0] - 1.0).abs() < 1e-14);
             assert!(period.loss(angle, angle + length) < 1e-25);
         }
     }

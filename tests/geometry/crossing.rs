@@ -16,7 +16,7 @@ fn made<S: Scalar>(x: [f32; 10]) -> Obb3<S> {
         Rotation3::new(a, b, c, d),
     )
 }
-/// The volume and its slopes by the rotation of the second box.
+/// The volume and its derivatives by the rotation of the second box.
 fn turned<S: Scalar<Mask = bool>>(a: [f32; 10], b: [f32; 10]) -> Jet<S, 4> {
     let (a, mut b) = (made::<Jet<S, 4>>(a), made::<Jet<S, 4>>(b));
     let q = &mut b.rotation;
@@ -67,12 +67,12 @@ fn what_thin_boxes_that_cross_share_is_found() {
         errors.push(error / made::<f64>(a).volume());
         shares.push(error / truth.value);
         let steepest = truth
-            .slope
+            .derivative
             .iter()
             .fold(0.0_f64, |most, s| most.max(s.abs()));
-        for (slope, truth) in found.slope.iter().zip(truth.slope) {
+        for (derivative, truth) in found.derivative.iter().zip(truth.derivative) {
             let counts = truth.abs() > 0.1 * steepest;
-            wrong += usize::from(counts && f64::from(*slope) * truth <= 0.0);
+            wrong += usize::from(counts && f64::from(*derivative) * truth <= 0.0);
         }
         if errors.len() % 100 == 0 {
             let exact = oracle_solid::overlap(made(a), made(b))[0];
@@ -108,12 +108,12 @@ fn plates_that_cross_at_a_small_angle() {
         "{found:?}"
     );
     let steepest = truth
-        .slope
+        .derivative
         .iter()
         .fold(0.0_f64, |most, s| most.max(s.abs()));
-    for (slope, truth) in found.slope.iter().zip(truth.slope) {
+    for (derivative, truth) in found.derivative.iter().zip(truth.derivative) {
         assert!(
-            (f64::from(*slope) - truth).abs() < 0.02 * steepest,
+            (f64::from(*derivative) - truth).abs() < 0.02 * steepest,
             "{found:?} {truth:?}"
         );
     }

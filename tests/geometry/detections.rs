@@ -4,7 +4,7 @@ use geograd::error::{Argument, Error, Field, Flaw};
 use geograd::kernels::Cpu;
 use geograd::metric::{Frame, Outcome, Point, Recalls, average_precision, curve, outcomes};
 use geograd::suppression::{
-    Decay, Pair, Rules, cluster, hard, matrix, order, soft, soft_decided, soft_replay, soft_vjp,
+    Decay, Pair, Rules, cluster, hard, matrix, order, soft, soft_replay, soft_search, soft_vjp,
 };
 use geograd::{Obb2, Vec3, YawBox3};
 use geograd_tests::Dice;
@@ -168,7 +168,7 @@ fn softened_scores_fall_and_stay_in_order() {
             ..Rules::above(0.3)
         };
         for decay in [Decay::Linear, Decay::Gaussian { sigma: 0.5 }] {
-            let (soft, record) = soft_decided(&scene.scores, &pairs, decay, rules).unwrap();
+            let (soft, record) = soft_search(&scene.scores, &pairs, decay, rules).unwrap();
             let bar = vec![1.0; soft.len()];
             let (by_score, _) = soft_vjp(&scene.scores, &pairs, decay, 0.3, &record, &bar);
             for kept in [&soft, &matrix(&scene.scores, &pairs, decay, rules).unwrap()] {
@@ -188,7 +188,7 @@ fn softened_scores_fall_and_stay_in_order() {
 }
 
 #[test]
-fn slopes_of_soft_scores_are_differences() {
+fn derivatives_of_soft_scores_are_differences() {
     let mut dice = Dice(63);
     for _ in 0..40 {
         let scene = Scene::new(&mut dice, 8);
@@ -200,7 +200,7 @@ fn slopes_of_soft_scores_are_differences() {
             .collect();
         let rules = Rules::above(0.3);
         for decay in [Decay::Linear, Decay::Gaussian { sigma: 0.4 }] {
-            let (kept, record) = soft_decided(&scores, &pairs, decay, rules).unwrap();
+            let (kept, record) = soft_search(&scores, &pairs, decay, rules).unwrap();
             let replayed = soft_replay(&scores, &pairs, decay, 0.3, &record);
             assert!(
                 kept.iter()
@@ -220,8 +220,8 @@ fn slopes_of_soft_scores_are_differences() {
                     moved[i] += h;
                     loss(&moved, &pairs)
                 };
-                let slope = (at(step) - at(-step)) / (2.0 * step);
-                assert!((slope - by_score[i]).abs() < 1e-8);
+                let derivative = (at(step) - at(-step)) / (2.0 * step);
+                assert!((derivative - by_score[i]).abs() < 1e-8);
             }
             for k in 0..pairs.len() {
                 if (pairs[k].overlap - 0.3).abs() < 1e-5 {
@@ -232,8 +232,12 @@ fn slopes_of_soft_scores_are_differences() {
                     moved[k].overlap += h;
                     loss(&scores, &moved)
                 };
-                let slope = (at(step) - at(-step)) / (2.0 * step);
-                assert!((slope - by_pair[k]).abs() < 1e-8, "{slope} {}", by_pair[k]);
+                let derivative = (at(step) - at(-step)) / (2.0 * step);
+                assert!(
+                    (derivative - by_pair[k]).abs() < 1e-8,
+                    "{derivative} {}",
+                    by_pair[k]
+                );
             }
         }
     }

@@ -1,4 +1,4 @@
-//! The nine first operations, bit for bit: values and slopes at many inputs as one number each. Whoever
+//! The nine first operations, bit for bit: values and derivatives at many inputs as one number each. Whoever
 //! changes a bit on purpose records the new number and says why.
 //!
 //! Sines of large angles are those of the system's library; so the numbers are those of one system.
@@ -58,7 +58,7 @@ const PAIRS: usize = 20_000;
 
 /// Areas of intersection, IoU, IoF of rotated boxes, of axis-aligned ones; area, perimeter, centroid.
 ///
-/// Those of rotated boxes are new since slopes by the sizes of a speck in a giant keep their digits.
+/// Those of rotated boxes are new since derivatives by the sizes of a speck in a giant keep their digits.
 const DOUBLE: [u64; 9] = [
     0x949c_6d09_24ed_d7b5,
     0xbef2_bbfe_8e4b_295c,

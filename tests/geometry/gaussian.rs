@@ -279,7 +279,7 @@ fn identical_boxes_are_at_zero_and_nothing_is_nan() {
             ] {
                 assert!(x.value.is_finite() && x.value >= 0.0, "{family} {x:?}");
                 assert!(
-                    x.slope.iter().all(|s| s.is_finite()),
+                    x.derivative.iter().all(|s| s.is_finite()),
                     "{family} {x:?} {p:?} {q:?}"
                 );
             }
@@ -310,7 +310,10 @@ fn identical_boxes_are_at_zero_and_nothing_is_nan() {
                     gaussian::kfiou(p, q),
                 ] {
                     assert!(x.value.is_finite() && x.value >= 0.0, "{p:?} {q:?} {x:?}");
-                    assert!(x.slope.iter().all(|s| !s.is_nan()), "{p:?} {q:?} {x:?}");
+                    assert!(
+                        x.derivative.iter().all(|s| !s.is_nan()),
+                        "{p:?} {q:?} {x:?}"
+                    );
                 }
             }
         }
@@ -318,7 +321,7 @@ fn identical_boxes_are_at_zero_and_nothing_is_nan() {
 }
 
 #[test]
-fn slopes_are_those_of_the_value() {
+fn derivatives_are_those_of_the_value() {
     let mut random = Random(74);
     type Loss = (
         fn(Obb3<f64>, Obb3<f64>) -> f64,
@@ -348,9 +351,9 @@ fn slopes_are_those_of_the_value() {
             )
         }
         let x = numbers(a);
-        for (n, (value, slopes)) in losses.iter().enumerate() {
+        for (n, (value, derivatives)) in losses.iter().enumerate() {
             let lifted = made(std::array::from_fn(|i| Jet::variable(x[i], i)));
-            let found = slopes(lifted, made(numbers(b).map(Scalar::lit)));
+            let found = derivatives(lifted, made(numbers(b).map(Scalar::lit)));
             for i in 0..10 {
                 let at = |h: f64| {
                     let mut x = x;
@@ -358,11 +361,11 @@ fn slopes_are_those_of_the_value() {
                     value(made(x), b)
                 };
                 let numeric = (at(1e-6) - at(-1e-6)) / 2e-6;
-                let error = (numeric - found.slope[i]).abs();
+                let error = (numeric - found.derivative[i]).abs();
                 assert!(
                     error < 1e-7 * (1.0 + numeric.abs()),
                     "{n} {i} {numeric} {}",
-                    found.slope[i]
+                    found.derivative[i]
                 );
             }
         }

@@ -70,10 +70,10 @@ fn sizes_have_a_unit_of_their_own() {
             "{squared:?}"
         );
         for i in 0..20 {
-            // By sizes W has the slope ¼ (a − b) / W here.
-            let error = (f64::from(found.slope[i]) - truth.slope[i]).abs();
+            // By sizes W has the derivative ¼ (a − b) / W here.
+            let error = (f64::from(found.derivative[i]) - truth.derivative[i]).abs();
             assert!(
-                error <= 1e-5 * truth.slope[i].abs(),
+                error <= 1e-5 * truth.derivative[i].abs(),
                 "{i} {found:?} {truth:?}"
             );
         }
@@ -82,9 +82,9 @@ fn sizes_have_a_unit_of_their_own() {
         space(&lifted::<f32, 10>(&upright([0.0; 3], [1.0, 2.0, 3.0]))),
         space(&upright([1e7, 0.0, 0.0], [2.0, 1.0, 2.0]).map(Scalar::lit)),
     );
-    for (slope, apart) in far.slope[3..6].iter().zip([-1.0, 1.0, 1.0]) {
+    for (derivative, apart) in far.derivative[3..6].iter().zip([-1.0, 1.0, 1.0]) {
         assert!(
-            (slope / (apart * 0.25e-7) - 1.0_f32).abs() < 1e-5,
+            (derivative / (apart * 0.25e-7) - 1.0_f32).abs() < 1e-5,
             "{far:?}"
         );
     }
@@ -111,7 +111,7 @@ fn hostile(random: &mut Random, least: f64, most: f64) -> f64 {
 
 fn finite<S: Scalar<Mask = bool>, const N: usize>(x: &[f64; N], values: &[Jet<S, N>]) {
     for (k, y) in values.iter().enumerate() {
-        let all = y.value.finite() && y.slope.iter().all(|s| s.finite());
+        let all = y.value.finite() && y.derivative.iter().all(|s| s.finite());
         assert!(all, "{k} {x:?} {y:?}");
     }
 }
@@ -166,7 +166,7 @@ fn all_finite<S: Scalar<Mask = bool>>(least: f64, most: f64) {
 }
 
 #[test]
-fn hostile_boxes_have_finite_values_and_slopes() {
+fn hostile_boxes_have_finite_values_and_derivatives() {
     all_finite::<f32>(1e-45, f64::from(f32::MAX));
     all_finite::<f64>(5e-324, f64::MAX);
     for (a, b) in [

@@ -129,7 +129,7 @@ fn gaps_are_distances_and_continue_overlap() {
 }
 
 #[test]
-fn slopes_are_those_of_the_value() {
+fn derivatives_are_those_of_the_value() {
     let mut random = Random(84);
     type F = fn(YawBox3<Jet<f64, 10>>, YawBox3<Jet<f64, 10>>) -> Jet<f64, 10>;
     let all: [(fn(YawBox3<f64>, YawBox3<f64>) -> f64, F); 5] = [
@@ -164,8 +164,8 @@ fn slopes_are_those_of_the_value() {
         }
         let (c, s) = (other.center, other.size);
         let fixed = made([c.x, c.y, c.z, s.x, s.y, s.z, other.heading].map(Scalar::lit));
-        for (k, (value, slopes)) in all.iter().enumerate() {
-            let found = slopes(made(std::array::from_fn(|i| Jet::variable(x[i], i))), fixed);
+        for (k, (value, derivatives)) in all.iter().enumerate() {
+            let found = derivatives(made(std::array::from_fn(|i| Jet::variable(x[i], i))), fixed);
             for i in 0..7 {
                 let at = |h: f64| {
                     let mut x = x;
@@ -178,11 +178,11 @@ fn slopes_are_those_of_the_value() {
                     continue; // A kink.
                 }
                 compared += 1;
-                let error = ((left + right) / 2.0 - found.slope[i]).abs();
+                let error = ((left + right) / 2.0 - found.derivative[i]).abs();
                 assert!(
                     error < 1e-6,
                     "{k} {i}: {left} {right} {} {one:?} {other:?}",
-                    found.slope[i]
+                    found.derivative[i]
                 );
             }
         }

@@ -91,7 +91,7 @@ where
     let sizes = axes..2 * axes;
     let product: f64 = shape[sizes.clone()].iter().product();
     assert!(close(measure, product, epsilon), "{measure}, not {product}");
-    for (i, &slope) in bar.iter().enumerate() {
+    for (i, &derivative) in bar.iter().enumerate() {
         let exact = if sizes.contains(&i) {
             product / shape[i]
         } else {
@@ -103,14 +103,17 @@ where
         } else {
             4.0 * epsilon * product
         };
-        let right = close(slope, exact, epsilon) || slope.abs() <= rounded;
-        assert!(right, "slope {i}: {slope}, not {exact}");
+        let right = close(derivative, exact, epsilon) || derivative.abs() <= rounded;
+        assert!(right, "derivative {i}: {derivative}, not {exact}");
     }
     let giant_bar = numbers(giant_bar);
     let (straight, turn) = giant_bar.split_at(2 * axes);
-    assert!(straight.iter().all(|&slope| slope == 0.0));
+    assert!(straight.iter().all(|&derivative| derivative == 0.0));
     let rounded = 4.0 * epsilon * product;
-    assert!(turn.iter().all(|slope| slope.abs() <= rounded), "{turn:?}");
+    assert!(
+        turn.iter().all(|derivative| derivative.abs() <= rounded),
+        "{turn:?}"
+    );
 }
 
 /// Both orders, in a format.
@@ -168,7 +171,7 @@ proptest! {
             let (area, bars) = intersection_area_quads_vjp(a, b, 1.0_f32);
             prop_assert!(close(area.into(), twice / 2.0, f32::EPSILON.into()), "{area}, not {}", twice / 2.0);
             let other = if small_at == 0 { bars.1 } else { bars.0 };
-            prop_assert!(numbers(other).iter().all(|&slope| slope == 0.0));
+            prop_assert!(numbers(other).iter().all(|&derivative| derivative == 0.0));
         }
     }
 }

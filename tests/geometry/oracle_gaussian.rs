@@ -432,11 +432,11 @@ fn losses_are_those_of_the_matrices() {
 }
 
 #[test]
-fn slopes_are_those_of_the_matrices() {
+fn derivatives_are_those_of_the_matrices() {
     let mut random = Random(76);
     let step = Fixed(BigInt::from(1) << (BITS - 64));
     for (n, (name, a, b)) in pairs(&mut random).into_iter().enumerate() {
-        // Slopes of identical boxes, and by sizes of zero, are those of a kink.
+        // Derivatives of identical boxes, and by sizes of zero, are those of a kink.
         let kink = ["identical", "cubes", "zero", "thin"]
             .iter()
             .any(|word| name.contains(word));
@@ -462,13 +462,13 @@ fn slopes_are_those_of_the_matrices() {
         }
         for k in 0..7 {
             let largest = truth.iter().fold(0.0_f64, |most, t| most.max(t[k].abs()));
-            // Sizes down to 10⁻⁹ of others have slopes by 10⁹ of which little is left.
+            // Sizes down to 10⁻⁹ of others have derivatives by 10⁹ of which little is left.
             let roundings = if name.starts_with(' ') { 1e4 } else { 30.0 };
-            for (i, (slope, truth)) in values[k].slope.iter().zip(&truth).enumerate() {
-                let error = (slope - truth[k]).abs();
+            for (i, (derivative, truth)) in values[k].derivative.iter().zip(&truth).enumerate() {
+                let error = (derivative - truth[k]).abs();
                 assert!(
                     error <= roundings * f64::EPSILON * largest + 1e-30,
-                    "{name}: {} by {i}: {slope} {}",
+                    "{name}: {} by {i}: {derivative} {}",
                     NAMES[k],
                     truth[k]
                 );

@@ -213,16 +213,16 @@ fn hard_pairs_agree_with_the_oracle() {
     }
 }
 
-/// Scores and slopes of every pair of hard boxes are finite, within range, and agree in format.
+/// Scores and derivatives of every pair of hard boxes are finite, within range, and agree in format.
 fn sound<S: Scalar<Mask = bool> + Into<f64>>(a: Obb2<S>, b: Obb2<S>) {
     let (iou, (a_bar, b_bar)) = iou_obb2_grad(a, b);
     assert!(
         iou.at_least(S::zero()) && iou.at_most(S::one()),
         "{a:?} {b:?}: {iou:?}"
     );
-    for slope in (a_bar, b_bar).scalars() {
+    for derivative in (a_bar, b_bar).scalars() {
         assert!(
-            Into::<f64>::into(slope).is_finite(),
+            Into::<f64>::into(derivative).is_finite(),
             "{a:?} {b:?}: {a_bar:?} {b_bar:?}"
         );
     }
@@ -286,31 +286,31 @@ fn extreme_sizes_are_sound() {
 }
 
 #[test]
-fn identical_boxes_give_one_and_no_slope() {
+fn identical_boxes_give_one_and_no_derivative() {
     let mut dice = Dice(6);
     for _ in 0..20_000 {
         let a = dice.obb();
         if a.area() == 0.0 {
             continue;
         }
-        let (iou, slopes) = iou_obb2_grad(a, a);
+        let (iou, derivatives) = iou_obb2_grad(a, a);
         assert_eq!(iou, 1.0, "{a}");
         assert!(
-            slopes.scalars().iter().all(|&s| s == 0.0),
-            "{a}: {slopes:?}"
+            derivatives.scalars().iter().all(|&s| s == 0.0),
+            "{a}: {derivatives:?}"
         );
         let a = narrow(a);
-        let (iou, slopes) = iou_obb2_grad(a, a);
+        let (iou, derivatives) = iou_obb2_grad(a, a);
         assert_eq!(iou, 1.0, "{a}");
         assert!(
-            slopes.scalars().iter().all(|&s| s == 0.0),
-            "{a}: {slopes:?}"
+            derivatives.scalars().iter().all(|&s| s == 0.0),
+            "{a}: {derivatives:?}"
         );
     }
 }
 
 #[test]
-fn boxes_that_are_apart_or_touch_give_zero_and_no_slope() {
+fn boxes_that_are_apart_or_touch_give_zero_and_no_derivative() {
     let mut dice = Dice(7);
     let mut found = 0;
     for _ in 0..20_000 {
@@ -319,9 +319,9 @@ fn boxes_that_are_apart_or_touch_give_zero_and_no_slope() {
         let reach = (a.size.length() + b.size.length()) / 2.0;
         if a.center.distance(b.center) > reach * (1.0 + 1e-6) {
             found += 1;
-            let (iou, slopes) = iou_obb2_grad(a, b);
+            let (iou, derivatives) = iou_obb2_grad(a, b);
             assert_eq!(iou, 0.0);
-            assert!(slopes.scalars().iter().all(|&s| s == 0.0));
+            assert!(derivatives.scalars().iter().all(|&s| s == 0.0));
         }
     }
     assert!(found > 1000);
@@ -330,9 +330,9 @@ fn boxes_that_are_apart_or_touch_give_zero_and_no_slope() {
         Obb2::new(2.0, 0.0, 2.0, 2.0, 0.0),
         Obb2::new(2.0, 2.0, 2.0, 2.0, 0.0),
     ] {
-        let (iou, slopes) = iou_obb2_grad(square, touching);
+        let (iou, derivatives) = iou_obb2_grad(square, touching);
         assert_eq!(iou, 0.0);
-        assert!(slopes.scalars().iter().all(|&s| s == 0.0));
+        assert!(derivatives.scalars().iter().all(|&s| s == 0.0));
     }
 }
 
@@ -378,11 +378,11 @@ fn cases_that_others_get_wrong() {
         [1.0, 2.0, 1.0, 3.0, 0.2 + quarter],
         1.0,
     );
-    // The slope of equal axis-aligned boxes is not ±1.
+    // The derivative of equal axis-aligned boxes is not ±1.
     let square = Aabb2::new(0.0, 0.0, 1.0, 1.0);
-    let (iou, slopes) = iou_aabb2_grad(square, square);
+    let (iou, derivatives) = iou_aabb2_grad(square, square);
     assert_eq!(iou, 1.0);
-    assert!(slopes.scalars().iter().all(|&s: &f64| s == 0.0));
+    assert!(derivatives.scalars().iter().all(|&s: &f64| s == 0.0));
 }
 
 /// Any two boxes: tiny, huge, far, thin, touching, with ties.
@@ -411,9 +411,9 @@ proptest! {
 
     #[test]
     fn ratios_of_any_boxes_stay_in_bounds((a, b) in any_pair()) {
-        let (iou, slopes) = iou_obb2_grad(a, b);
+        let (iou, derivatives) = iou_obb2_grad(a, b);
         prop_assert!((0.0..=1.0).contains(&iou), "{iou}");
-        prop_assert!(slopes.scalars().iter().all(|s| s.is_finite()));
+        prop_assert!(derivatives.scalars().iter().all(|s| s.is_finite()));
         let single: f32 = iou_obb2(a.cast::<f32>(), b.cast::<f32>());
         prop_assert!((0.0..=1.0).contains(&single), "{single}");
     }
@@ -480,7 +480,7 @@ proptest! {
 
     #[test]
     fn moving_both_boxes_changes_nothing(a in obb(), b in obb()) {
-        // So the slopes of both centres cancel, and turning about the origin gives no torque.
+        // So the derivatives of both centres cancel, and turning about the origin gives no torque.
         let (_, (a_bar, b_bar)) = iou_obb2_grad(a, b);
         let sum = a_bar.center + b_bar.center;
         let size = a_bar.center.length() + 1.0;

@@ -9,8 +9,8 @@ use geograd::clipping::clip;
 use geograd::distance::ring::signed_distance_to_ring;
 use geograd::distance::{clearance, distance, farthest_distance, signed_distance};
 use geograd::hull::merge;
-use geograd::iou::{diou_aabb2, diou_polygons_decided, giou_polygons_decided};
-use geograd::measure::extent::{diameter_decided, width_decided};
+use geograd::iou::{diou_aabb2, diou_polygons_search, giou_polygons_search};
+use geograd::measure::extent::{diameter_search, width_search};
 use geograd::overlap_polygon::iou_polygons;
 use geograd::{
     Aabb2, ConvexPolygon, Flaw, Interval, Jet, Line2, Obb2, Pack, Segment2, Triangle2, Vec2,
@@ -44,21 +44,23 @@ fn at<S>(x: S, y: S) -> Vec2<S> {
     Vec2::new(x, y)
 }
 
-/// B1: the slopes of a point's distance from `a x + b y + c = 0` in a and b.
+/// B1: the derivatives of a point's distance from `a x + b y + c = 0` in a and b.
 #[test]
-fn b1_slopes_in_the_coefficients_of_a_line() {
+fn b1_derivatives_in_the_coefficients_of_a_line() {
     let x: [Jet<f64, 3>; 3] = std::array::from_fn(|k| Jet::variable([1.3, -0.7, 0.4][k], k));
     let line = Line2::from_coefficients(x[0], x[1], x[2]);
     let side = line.side(at(Jet::variable(2.1, 9), Jet::variable(0.9, 9)));
     let n = 1.3_f64.hypot(0.7);
     assert!((side.value - (1.3 * 2.1 - 0.7 * 0.9 + 0.4) / n).abs() < 1e-14);
     // Measured by finite differences of the value: (0.4126, 1.1532).
-    assert!((side.slope[0] - 0.4126).abs() < 5e-5 && (side.slope[1] - 1.1532).abs() < 5e-5);
-    assert!((side.slope[2] - 1.0 / n).abs() < 1e-15);
-    // The unsigned distance has the same slopes here.
+    assert!(
+        (side.derivative[0] - 0.4126).abs() < 5e-5 && (side.derivative[1] - 1.1532).abs() < 5e-5
+    );
+    assert!((side.derivative[2] - 1.0 / n).abs() < 1e-15);
+    // The unsigned distance has the same derivatives here.
     let point = at(Jet::variable(2.1, 9), Jet::variable(0.9, 9));
     let unsigned = distance(point, line);
-    assert!((0..3).all(|k| (unsigned.slope[k] - side.slope[k]).abs() < 1e-14));
+    assert!((0..3).all(|k| (unsigned.derivative[k] - side.derivative[k]).abs() < 1e-14));
 }
 
 /// B2: points of a vertical line.
@@ -120,14 +122,14 @@ fn b5_the_hull_of_boxes_of_the_same_heading() {
     let [a, b] = headed(10.0);
     let both: ConvexPolygon<f64, 8> = merge(&a, &b).unwrap();
     assert!((both.area() - 28.0).abs() < 1e-12);
-    let (giou, _) = giou_polygons_decided::<f64, 4, 4, 8>(&a, &b).unwrap();
+    let (giou, _) = giou_polygons_search::<f64, 4, 4, 8>(&a, &b).unwrap();
     assert!((giou + 12.0 / 28.0).abs() < 1e-14);
-    assert_eq!(diou_polygons_decided(&a, &a).0, 1.0);
-    let (diou, _) = diou_polygons_decided(&a, &b);
+    assert_eq!(diou_polygons_search(&a, &a).0, 1.0);
+    let (diou, _) = diou_polygons_search(&a, &b);
     assert!((diou + 100.0 / (14.0 * 14.0 + 4.0)).abs() < 1e-14);
 }
 
-/// B6: a slope less its epsilon rounded to π, and the sweep never began; 1, 0 and 0.04 there.
+/// B6: a derivative less its epsilon rounded to π, and the sweep never began; 1, 0 and 0.04 there.
 #[test]
 fn b6_axis_aligned_polygons() {
     let iou = |a: Quad<f64>, b: Quad<f64>| iou_polygons(&a, &b);
@@ -140,7 +142,7 @@ fn b6_axis_aligned_polygons() {
 
 /// B7: equal points.
 #[test]
-fn b7_equal_points_have_slope_zero() {
+fn b7_equal_points_have_derivative_zero() {
     let x: [Jet<f64, 4>; 4] = std::array::from_fn(|k| Jet::variable([1.5, 2.0, 1.5, 2.0][k], k));
     let (a, b) = (at(x[0], x[1]), at(x[2], x[3]));
     for d in [
@@ -148,7 +150,7 @@ fn b7_equal_points_have_slope_zero() {
         signed_distance(a, b),
         farthest_distance(a, b),
     ] {
-        assert_eq!((d.value, d.slope), (0.0, [0.0; 4]));
+        assert_eq!((d.value, d.derivative), (0.0, [0.0; 4]));
     }
     // The same of the distance IoU of equal boxes.
     let x: [Jet<f64, 8>; 8] =
@@ -157,15 +159,15 @@ fn b7_equal_points_have_slope_zero() {
         Aabb2::new(x[0], x[1], x[2], x[3]),
         Aabb2::new(x[4], x[5], x[6], x[7]),
     );
-    assert_eq!((diou.value, diou.slope), (1.0, [0.0; 8]));
+    assert_eq!((diou.value, diou.derivative), (1.0, [0.0; 8]));
 }
 
 /// B8: what is flat is measured, not walked around for ever.
 #[test]
 fn b8_flat_shapes() {
     let height_zero = ConvexPolygon::from(Aabb2::new(0.0, 0.0, 4.0, 0.0));
-    assert_eq!(diameter_decided(height_zero.as_slice()).unwrap().0, 4.0);
-    assert!(width_decided(height_zero.as_slice()).is_none());
+    assert_eq!(diameter_search(height_zero.as_slice()).unwrap().0, 4.0);
+    assert!(width_search(height_zero.as_slice()).is_none());
     let flat = [at(0.0, 0.0), at(4.0, 0.0), at(4.0, 0.0), at(0.0, 0.0)];
     assert_eq!(farthest_distance(flat, flat), 4.0);
     assert_eq!(distance(flat, at(2.0, 3.0)), 3.0);
@@ -244,11 +246,11 @@ fn b13_farthest_corners() {
     );
     let far = farthest_distance(boxes.0, boxes.1);
     assert_eq!(far.value, 98.0_f64.sqrt());
-    // Its slopes are at exactly the two corners that are farthest apart.
+    // Its derivatives are at exactly the two corners that are farthest apart.
     let u = 0.5_f64.sqrt();
     let want = [-u, -u, 0.0, 0.0, 0.0, 0.0, u, u];
     assert!(
-        (0..8).all(|k| (far.slope[k] - want[k]).abs() < 1e-15),
+        (0..8).all(|k| (far.derivative[k] - want[k]).abs() < 1e-15),
         "{far:?}"
     );
 }
@@ -265,7 +267,7 @@ fn b14_farthest_distance_of_nested_boxes() {
 
 /// B18: equal boxes are as alike as can be: nothing pulls on them. One and minus one there.
 #[test]
-fn b18_equal_boxes_have_slope_zero() {
+fn b18_equal_boxes_have_derivative_zero() {
     let square = Aabb2::new(1.0, 2.0, 5.0, 4.0);
     let (iou, (by_a, by_b)) = iou_aabb2_grad(square, square);
     assert_eq!(iou, 1.0);
@@ -273,7 +275,7 @@ fn b18_equal_boxes_have_slope_zero() {
         by_a.scalars()
             .iter()
             .chain(&by_b.scalars())
-            .all(|slope| *slope == 0.0)
+            .all(|derivative| *derivative == 0.0)
     );
     let a = quad(0.0, 0.0, 4.0, 2.0, 0.0);
     let (by_a, by_b) = iou_polygons_vjp(&a, &a, 1.0);

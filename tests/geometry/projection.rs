@@ -23,7 +23,7 @@ fn star(vertices: usize) -> Ring {
         .collect()
 }
 
-fn area_slopes(ring: Ring) -> Ring {
+fn area_derivatives(ring: Ring) -> Ring {
     let mut bar = vec![Vec2::zero(); ring.len()];
     ad::adjoint::ring::signed_area_vjp(&ring, 1.0, &mut bar);
     bar
@@ -33,11 +33,11 @@ fn area<S: Scalar>(ring: Vec<Vec2<S>>) -> S {
     ring::signed_area(&ring)
 }
 
-fn of_area(slopes: impl Fn(Ring) -> Ring) -> Report {
+fn of_area(derivatives: impl Fn(Ring) -> Ring) -> Report {
     Check::at(star(LONG))
         .value(area)
         .dual(area)
-        .gradient(slopes)
+        .gradient(derivatives)
         .run()
 }
 
@@ -55,7 +55,7 @@ fn refused(report: &Report) {
 
 #[test]
 fn long_rings_are_accepted() {
-    let report = of_area(area_slopes);
+    let report = of_area(area_derivatives);
     assert!(report.passed(), "{report}");
     // Duals had their say, though there was no Jacobian.
     assert!(report.worst[0].count > 0 && report.worst[2].count > 0);
@@ -73,9 +73,9 @@ fn long_rings_are_accepted() {
         .value(|ring: Ring| ring::centroid(&ring))
         .dual(|ring: Vec<Vec2<_>>| ring::centroid(&ring))
         .adjoint(|ring, bar: &[f64]| {
-            let mut slopes = vec![Vec2::zero(); ring.len()];
-            ad::adjoint::ring::centroid_vjp(&ring, Vec2::new(bar[0], bar[1]), &mut slopes);
-            slopes
+            let mut derivatives = vec![Vec2::zero(); ring.len()];
+            ad::adjoint::ring::centroid_vjp(&ring, Vec2::new(bar[0], bar[1]), &mut derivatives);
+            derivatives
         })
         .run();
     assert!(centroid.passed(), "{centroid}");
@@ -84,21 +84,21 @@ fn long_rings_are_accepted() {
 #[test]
 fn one_wrong_number_in_a_thousand() {
     refused(&of_area(|ring| {
-        let mut slopes = area_slopes(ring);
-        let at = 137.min(slopes.len() - 1);
-        slopes[at].x *= 1.0 + 1e-6;
-        slopes[at].x += 1e-6;
-        slopes
+        let mut derivatives = area_derivatives(ring);
+        let at = 137.min(derivatives.len() - 1);
+        derivatives[at].x *= 1.0 + 1e-6;
+        derivatives[at].x += 1e-6;
+        derivatives
     }));
 }
 
 #[test]
 fn one_wrong_sign_in_a_thousand() {
     refused(&of_area(|ring| {
-        let mut slopes = area_slopes(ring);
-        let last = slopes.len() - 1;
-        slopes[last].y = -slopes[last].y;
-        slopes
+        let mut derivatives = area_derivatives(ring);
+        let last = derivatives.len() - 1;
+        derivatives[last].y = -derivatives[last].y;
+        derivatives
     }));
 }
 
@@ -106,23 +106,23 @@ fn one_wrong_sign_in_a_thousand() {
 fn the_ring_is_not_closed() {
     // Without the edge from the last vertex to the first.
     refused(&of_area(|ring| {
-        let mut slopes = area_slopes(ring.clone());
+        let mut derivatives = area_derivatives(ring.clone());
         let (first, last) = (ring[0], ring[ring.len() - 1]);
-        slopes[0] -= Vec2::new(-last.y, last.x) * 0.5;
-        let end = slopes.len() - 1;
-        slopes[end] -= Vec2::new(first.y, -first.x) * 0.5;
-        slopes
+        derivatives[0] -= Vec2::new(-last.y, last.x) * 0.5;
+        let end = derivatives.len() - 1;
+        derivatives[end] -= Vec2::new(first.y, -first.x) * 0.5;
+        derivatives
     }));
 }
 
 #[test]
 fn the_wrong_number_is_named() {
     let report = of_area(|ring| {
-        let mut slopes = area_slopes(ring);
-        if slopes.len() == LONG {
-            slopes[411].y *= 1.01;
+        let mut derivatives = area_derivatives(ring);
+        if derivatives.len() == LONG {
+            derivatives[411].y *= 1.01;
         }
-        slopes
+        derivatives
     });
     refused(&report);
     for failure in &report.failures {
@@ -137,7 +137,7 @@ fn wrong_duals_of_a_long_input_are_outvoted() {
     }
     let wrong = |x: Vec<geograd::Jet<f64, 1>>| {
         let mut y = sum(x.clone());
-        y.slope[0] += 1e-3 * x[700].slope[0];
+        y.derivative[0] += 1e-3 * x[700].derivative[0];
         y
     };
     let report = Check::at(vec![0.4; 1000])
@@ -158,7 +158,7 @@ fn duals_that_are_not_linear() {
     }
     let wrong = |[x, y]: [geograd::Jet<f64, 1>; 2]| {
         let mut z = product([x, y]);
-        z.slope[0] += x.slope[0] * y.slope[0];
+        z.derivative[0] += x.derivative[0] * y.derivative[0];
         z
     };
     let report = Check::at([1.5, 0.7])
@@ -176,12 +176,12 @@ fn kinks_do_not_hide_a_fault() {
     fn sines<S: Scalar>(x: Vec<S>) -> S {
         x.iter().fold(S::lit(0.0), |sum, x| sum + x.sin())
     }
-    let slope = |x: &f64| if *x > 1.9 { 1.01 * x.cos() } else { x.cos() };
+    let derivative = |x: &f64| if *x > 1.9 { 1.01 * x.cos() } else { x.cos() };
     let point: Vec<f64> = (0..2000).map(|i| f64::from(i % 97) / 50.0).collect();
     let report = Check::at(point)
         .value(sines)
         .dual(sines)
-        .gradient(|x| x.iter().map(slope).collect())
+        .gradient(|x| x.iter().map(derivative).collect())
         .run();
     assert_eq!(report.failures[0].fault.reason, BY_DUALS, "{report}");
     assert_eq!(report.failures[0].code, "vec![2.0]", "{report}");

@@ -20,12 +20,16 @@ fn overlap_of_turned_boxes_is_a_program() {
     let narrow =
         Program::trace(|(a, b): Pair<Obb3<Sym<f32>>>| intersection_volume_obb3(a, b)).unwrap();
     let adjoint = Program::trace(|(a, b): Pair<Obb3<Sym<f64>>>| {
-        let (value, slopes) = iou_obb3_vjp(a, b, Fixed::filled(geograd::Scalar::one()));
-        (value, slopes)
+        let (value, derivatives) = iou_obb3_vjp(a, b, Fixed::filled(geograd::Scalar::one()));
+        (value, derivatives)
     });
     let adjoint = adjoint.unwrap();
     if std::env::var("SHOW").is_ok() {
-        println!("value {:?}\nwith slopes {:?}", wide.cost(), adjoint.cost());
+        println!(
+            "value {:?}\nwith derivatives {:?}",
+            wide.cost(),
+            adjoint.cost()
+        );
     }
     for (a, b) in solids(&mut random) {
         assert_eq!(wide.eval((a, b)), iou_obb3(a, b));

@@ -173,7 +173,7 @@ fn adjoints_are_right_at_every_length() {
             ad::adjoint::ring::signed_area_vjp(&ring, 1.0, &mut bar);
             bar
         })
-        .prove();
+        .assert();
     Check::among(lengths().map(whole))
         .value(|ring: Vec<Vec2<f64>>| perimeter(&ring))
         .dual(|ring: Vec<Vec2<_>>| perimeter(&ring))
@@ -182,7 +182,7 @@ fn adjoints_are_right_at_every_length() {
             ad::adjoint::ring::perimeter_vjp(&ring, 1.0, &mut bar);
             bar
         })
-        .prove();
+        .assert();
     Check::among(lengths().filter(|&n| n > 2).map(whole))
         .value(|ring: Vec<Vec2<f64>>| centroid(&ring))
         .dual(|ring: Vec<Vec2<_>>| centroid(&ring))
@@ -191,5 +191,5 @@ fn adjoints_are_right_at_every_length() {
             ad::adjoint::ring::centroid_vjp(&ring, v(out_bar[0], out_bar[1]), &mut bar);
             bar
         })
-        .prove();
+        .assert();
 }

@@ -118,7 +118,7 @@ fn half_turns_have_the_documented_axis() {
 }
 
 #[test]
-fn slopes_are_finite_and_right_everywhere() {
+fn derivatives_are_finite_and_right_everywhere() {
     type J = Jet<f64, 3>;
     let log_of_exp = |v: Vec3<f64>| {
         let v = Vec3::new(
@@ -131,9 +131,12 @@ fn slopes_are_finite_and_right_everywhere() {
     for angle in [0.0, 1e-200, 1e-12, 0.01, 0.0299, 0.0301, 1.0, 3.0] {
         let out = log_of_exp(Vec3::new(0.6 * angle, 0.0, -0.8 * angle));
         for (i, x) in [out.x, out.y, out.z].into_iter().enumerate() {
-            for (j, slope) in x.slope.into_iter().enumerate() {
+            for (j, derivative) in x.derivative.into_iter().enumerate() {
                 let expected = if i == j { 1.0 } else { 0.0 };
-                assert!((slope - expected).abs() < 1e-12, "{angle} {i} {j} {slope}");
+                assert!(
+                    (derivative - expected).abs() < 1e-12,
+                    "{angle} {i} {j} {derivative}"
+                );
             }
         }
     }
@@ -155,7 +158,7 @@ fn slopes_are_finite_and_right_everywhere() {
         }
         for x in all {
             assert!(
-                x.value.is_finite() && x.slope.iter().all(|s| s.is_finite()),
+                x.value.is_finite() && x.derivative.iter().all(|s| s.is_finite()),
                 "{q:?} {x:?}"
             );
         }
@@ -172,7 +175,7 @@ fn gradients_go_between_quaternion_and_tangent() {
             let lift = |x: f64, i: usize| Jet::<f64, 4>::variable(x, i);
             let r = Rotation3::new(lift(q.w, 0), lift(q.x, 1), lift(q.y, 2), lift(q.z, 3));
             let at = r * Vec3::new(Scalar::lit(v.x), Scalar::lit(v.y), Scalar::lit(v.z));
-            (at.x + at.y + at.y).slope
+            (at.x + at.y + at.y).derivative
         };
         let raw = Rotation3::new(raw[0], raw[1], raw[2], raw[3]);
         let tangent = q.tangent_gradient(raw);

@@ -58,105 +58,114 @@ fn kinks_have_the_same_values_for_every_scalar() {
     values::<Jet<Dual<f64>, 2>>();
 }
 
-/// The slopes on the kinks, for any scalar with one slope. `x(v, d)` has value v and slope d.
-fn slopes<S: Scalar>(x: impl Fn(f64, f64) -> S, slope: impl Fn(S) -> f64) {
+/// The derivatives on the kinks, for any scalar with one derivative. `x(v, d)` has value v and derivative d.
+fn derivatives<S: Scalar>(x: impl Fn(f64, f64) -> S, derivative: impl Fn(S) -> f64) {
     // Ties share, half and half.
-    assert_eq!(slope(x(2.0, 1.0).least(x(2.0, 3.0))), 2.0);
-    assert_eq!(slope(x(2.0, 1.0).most(x(2.0, 3.0))), 2.0);
-    assert_eq!(slope(x(1.0, 1.0).clamp(x(-1.0, 0.0), x(1.0, 0.0))), 0.5);
+    assert_eq!(derivative(x(2.0, 1.0).least(x(2.0, 3.0))), 2.0);
+    assert_eq!(derivative(x(2.0, 1.0).most(x(2.0, 3.0))), 2.0);
+    assert_eq!(
+        derivative(x(1.0, 1.0).clamp(x(-1.0, 0.0), x(1.0, 0.0))),
+        0.5
+    );
     // Otherwise the winner takes all.
-    assert_eq!(slope(x(1.0, 1.0).least(x(2.0, 3.0))), 1.0);
-    assert_eq!(slope(x(1.0, 1.0).most(x(2.0, 3.0))), 3.0);
-    // A norm at zero has slope zero, whatever the sign of the zero.
+    assert_eq!(derivative(x(1.0, 1.0).least(x(2.0, 3.0))), 1.0);
+    assert_eq!(derivative(x(1.0, 1.0).most(x(2.0, 3.0))), 3.0);
+    // A norm at zero has derivative zero, whatever the sign of the zero.
     for zero in [0.0, -0.0] {
-        assert_eq!(slope(x(zero, 1.0).magnitude()), 0.0);
-        assert_eq!(slope(x(zero, 1.0).root()), 0.0);
-        assert_eq!(slope(x(zero, 1.0).hypot(x(zero, 2.0))), 0.0);
-        assert_eq!(slope(x(zero, 1.0).atan2(x(zero, 1.0))), 0.0);
+        assert_eq!(derivative(x(zero, 1.0).magnitude()), 0.0);
+        assert_eq!(derivative(x(zero, 1.0).root()), 0.0);
+        assert_eq!(derivative(x(zero, 1.0).hypot(x(zero, 2.0))), 0.0);
+        assert_eq!(derivative(x(zero, 1.0).atan2(x(zero, 1.0))), 0.0);
     }
-    assert_eq!(slope(x(-2.0, 1.0).magnitude()), -1.0);
-    assert_eq!(slope(x(-2.0, 1.0).root()), 0.0);
-    assert_eq!(slope(x(4.0, 1.0).root()), 0.25);
+    assert_eq!(derivative(x(-2.0, 1.0).magnitude()), -1.0);
+    assert_eq!(derivative(x(-2.0, 1.0).root()), 0.0);
+    assert_eq!(derivative(x(4.0, 1.0).root()), 0.25);
     // A choice between equal descriptions is no kink.
-    assert_eq!(slope(x(0.0, 1.0).unsigned()), 1.0);
-    // At a right angle the arctangent has its true slope.
-    assert_eq!(slope(x(2.0, 0.0).atan2(x(0.0, 1.0))), -0.5);
-    assert_eq!(slope(x(1.0, 1.0).atan2(x(0.0, 0.0))), 0.0);
-    assert_eq!(slope(x(0.0, 1.0).atan2(x(-2.0, 0.0))), -0.5);
+    assert_eq!(derivative(x(0.0, 1.0).unsigned()), 1.0);
+    // At a right angle the arctangent has its true derivative.
+    assert_eq!(derivative(x(2.0, 0.0).atan2(x(0.0, 1.0))), -0.5);
+    assert_eq!(derivative(x(1.0, 1.0).atan2(x(0.0, 0.0))), 0.0);
+    assert_eq!(derivative(x(0.0, 1.0).atan2(x(-2.0, 0.0))), -0.5);
     // What a select drops leaves no trace.
     let dropped = S::select(
         x(0.0, 0.0).below(x(1.0, 0.0)),
         x(1.0, 2.0),
         x(f64::NAN, f64::NAN),
     );
-    assert_eq!(slope(dropped), 2.0);
-    assert_eq!(slope(x(3.0, 2.0).damp(S::Primal::lit(0.5))), 1.0);
-    assert_eq!(slope(x(3.0, 2.0).with_primal(S::Primal::lit(8.0))), 2.0);
-    assert_eq!(slope(x(1.0, 4.0).over(x(2.0, 0.0))), 2.0);
-    assert_eq!(slope(x(1.0, 0.0).over(x(2.0, 1.0))), -0.25);
+    assert_eq!(derivative(dropped), 2.0);
+    assert_eq!(derivative(x(3.0, 2.0).damp(S::Primal::lit(0.5))), 1.0);
+    assert_eq!(
+        derivative(x(3.0, 2.0).with_primal(S::Primal::lit(8.0))),
+        2.0
+    );
+    assert_eq!(derivative(x(1.0, 4.0).over(x(2.0, 0.0))), 2.0);
+    assert_eq!(derivative(x(1.0, 0.0).over(x(2.0, 1.0))), -0.25);
     let (high, low) = x(0.3, 2.0).parts();
-    assert_eq!((slope(high), slope(low)), (0.0, 2.0));
+    assert_eq!((derivative(high), derivative(low)), (0.0, 2.0));
     let (sin, cos) = x(0.5, 1.0).sin_cos();
-    assert!((slope(sin) - 0.5f64.cos()).abs() < 1e-6 && (slope(cos) + 0.5f64.sin()).abs() < 1e-6);
+    assert!(
+        (derivative(sin) - 0.5f64.cos()).abs() < 1e-6
+            && (derivative(cos) + 0.5f64.sin()).abs() < 1e-6
+    );
     let [(sin_high, sin_low), (cos_high, cos_low)] = x(0.5, 1.0).sin_cos_parts();
-    assert!((slope(sin_low) - 0.5f64.cos()).abs() < 1e-6 && slope(sin_high) == 0.0);
-    assert!((slope(cos_low) + 0.5f64.sin()).abs() < 1e-6 && slope(cos_high) == 0.0);
-    assert!((slope(x(0.5, 1.0).exp()) - 0.5f64.exp()).abs() < 1e-6);
-    assert_eq!(slope(x(0.5, 1.0).ln()), 2.0);
+    assert!((derivative(sin_low) - 0.5f64.cos()).abs() < 1e-6 && derivative(sin_high) == 0.0);
+    assert!((derivative(cos_low) + 0.5f64.sin()).abs() < 1e-6 && derivative(cos_high) == 0.0);
+    assert!((derivative(x(0.5, 1.0).exp()) - 0.5f64.exp()).abs() < 1e-6);
+    assert_eq!(derivative(x(0.5, 1.0).ln()), 2.0);
 }
 
 #[test]
-fn kinks_have_the_same_slopes_for_every_dual() {
-    slopes(Dual::new, |y| y.eps);
-    slopes(|v, d| Dual::new(v as f32, d as f32), |y| f64::from(y.eps));
-    slopes(|v, d| Dual2::new(v, d, 0.0), |y| y.v1);
-    slopes(|v, d| Dual3::new(v, d, 0.0, 0.0), |y| y.v1);
-    slopes(|v, d| HyperDual::new(v, d, 0.0, 0.0), |y| y.eps1);
-    slopes(
+fn kinks_have_the_same_derivatives_for_every_dual() {
+    derivatives(Dual::new, |y| y.eps);
+    derivatives(|v, d| Dual::new(v as f32, d as f32), |y| f64::from(y.eps));
+    derivatives(|v, d| Dual2::new(v, d, 0.0), |y| y.v1);
+    derivatives(|v, d| Dual3::new(v, d, 0.0, 0.0), |y| y.v1);
+    derivatives(|v, d| HyperDual::new(v, d, 0.0, 0.0), |y| y.eps1);
+    derivatives(
         |v, d| HyperHyperDual::new(v, 0.0, d, 0.0, 0.0, 0.0, 0.0, 0.0),
         |y| y.eps2,
     );
-    slopes(
+    derivatives(
         |v, d| Dual::new(Dual::new(v, d), Dual::new(0.0, 0.0)),
         |y| y.re.eps,
     );
-    slopes(
+    derivatives(
         |v, d| Dual::new(Dual::new(v, 0.0), Dual::new(d, 0.0)),
         |y| y.eps.re,
     );
-    slopes(
+    derivatives(
         |v, d| Jet {
             value: v,
-            slope: [0.0, d],
+            derivative: [0.0, d],
         },
-        |y| y.slope[1],
+        |y| y.derivative[1],
     );
-    slopes(
+    derivatives(
         |v, d| Jet {
             value: v as f32,
-            slope: [d as f32],
+            derivative: [d as f32],
         },
-        |y| f64::from(y.slope[0]),
+        |y| f64::from(y.derivative[0]),
     );
-    slopes(
+    derivatives(
         |v, d| Jet {
             value: Jet {
                 value: v,
-                slope: [d],
+                derivative: [d],
             },
-            slope: [Jet {
+            derivative: [Jet {
                 value: 0.0,
-                slope: [0.0],
+                derivative: [0.0],
             }],
         },
-        |y| y.value.slope[0],
+        |y| y.value.derivative[0],
     );
-    slopes(
+    derivatives(
         |v, d| Jet {
             value: Lanes([v; 4]),
-            slope: [Lanes([d; 4])],
+            derivative: [Lanes([d; 4])],
         },
-        |y| y.slope[0].0[3],
+        |y| y.derivative[0].0[3],
     );
 }
 

@@ -87,7 +87,7 @@ where
             .zip(&numbers)
             .all(|(a, b)| a - b == 1.0)
     );
-    // As jets: the same numbers, each with its own slope.
+    // As jets: the same numbers, each with its own derivative.
     let mut i = 0;
     let jets: Vec<Jet<f64, 4>> = numbers[..P::LEN]
         .iter()
@@ -282,15 +282,18 @@ fn derivatives_are_shapes() {
         hand.dot(robot.grid[3][2]) + robot.pair.0 * bend
     }
     let at = robot();
-    let (value, slopes) = ad::gradient(reach, at);
+    let (value, derivatives) = ad::gradient(reach, at);
     let (_, same, curvature) = ad::hessian(reach, at);
-    assert_eq!((value, slopes), (reach(at), same));
-    assert_eq!(slopes.pair.0, at.joints.iter().map(|x| x * x).sum::<f64>());
-    assert_eq!(slopes.joints[1], 2.0 * at.joints[1] * at.pair.0);
-    assert_eq!(slopes.order, at.order);
+    assert_eq!((value, derivatives), (reach(at), same));
+    assert_eq!(
+        derivatives.pair.0,
+        at.joints.iter().map(|x| x * x).sum::<f64>()
+    );
+    assert_eq!(derivatives.joints[1], 2.0 * at.joints[1] * at.pair.0);
+    assert_eq!(derivatives.order, at.order);
     assert_eq!(curvature.joints[1].joints[1], 2.0 * at.pair.0);
     assert_eq!(curvature.pair.0.joints[2], 2.0 * at.joints[2]);
-    assert_eq!(slopes.grid[3][2], at.base * Vec2::new(2.0, 1.0));
+    assert_eq!(derivatives.grid[3][2], at.base * Vec2::new(2.0, 1.0));
 }
 
 #[track_caller]
@@ -355,7 +358,7 @@ fn samples_obey_the_rules() {
 }
 
 #[test]
-fn a_function_of_a_shape_of_ones_own_is_proved() {
+fn a_function_of_a_shape_of_ones_own_is_checked() {
     fn clearance<S: Scalar>((goal, point): (Goal<S>, Vec2<S>)) -> S {
         goal.0.distance(point).over(goal.1)
     }
@@ -364,7 +367,7 @@ fn a_function_of_a_shape_of_ones_own_is_proved() {
         .dual(clearance)
         .traced(clearance)
         .gradient(|x| ad::gradient(clearance, x).1)
-        .prove();
+        .assert();
 }
 
 proptest! {

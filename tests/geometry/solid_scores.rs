@@ -246,10 +246,10 @@ fn scores_of_turned_boxes_are_those_of_their_corners_and_do_not_turn() {
     }
 }
 
-type Slopes = Jet<f64, 20>;
+type Derivatives = Jet<f64, 20>;
 
 /// Variables for the numbers of two shapes.
-fn moving<P: Pack<Scalar = f64> + Fixed<Of<Slopes> = Q>, Q: Fixed<Scalar = Slopes>>(
+fn moving<P: Pack<Scalar = f64> + Fixed<Of<Derivatives> = Q>, Q: Fixed<Scalar = Derivatives>>(
     a: P,
     b: P,
 ) -> (Q, Q) {
@@ -266,7 +266,7 @@ fn moving<P: Pack<Scalar = f64> + Fixed<Of<Slopes> = Q>, Q: Fixed<Scalar = Slope
 }
 
 #[test]
-fn ranges_ones_and_slopes_apart() {
+fn ranges_ones_and_derivatives_apart() {
     let kinds = [Enclosing::Hull, Enclosing::Rectangle, Enclosing::Aabb];
     let mut random = Random(303);
     for n in 0..300 {
@@ -318,7 +318,7 @@ fn ranges_ones_and_slopes_apart() {
                 [1.0; 4],
                 "{one:?}"
             );
-            let all = |(a, b): (YawBox3<Slopes>, YawBox3<Slopes>)| {
+            let all = |(a, b): (YawBox3<Derivatives>, YawBox3<Derivatives>)| {
                 [
                     giou(a, b, kind),
                     diou(a, b, kind),
@@ -328,7 +328,7 @@ fn ranges_ones_and_slopes_apart() {
             };
             for score in all(moving(one, one)) {
                 assert!(
-                    score.slope.iter().all(|s| s.abs() < 1e-13),
+                    score.derivative.iter().all(|s| s.abs() < 1e-13),
                     "{kind:?} {score:?}"
                 );
             }
@@ -337,8 +337,13 @@ fn ranges_ones_and_slopes_apart() {
                 ..other
             };
             for (n, score) in all(moving(one, far)).into_iter().enumerate() {
-                let by =
-                    |k: usize| Vec3::new(score.slope[k], score.slope[k + 1], score.slope[k + 2]);
+                let by = |k: usize| {
+                    Vec3::new(
+                        score.derivative[k],
+                        score.derivative[k + 1],
+                        score.derivative[k + 2],
+                    )
+                };
                 // DIoU may gain by a larger diameter more than it loses by the distance.
                 let way = far.center - one.center;
                 assert!(
@@ -359,7 +364,7 @@ fn ranges_ones_and_slopes_apart() {
                 eiou(a, b, kind),
             ] {
                 assert!(
-                    score.slope.iter().all(|s| s.abs() < 1e-12),
+                    score.derivative.iter().all(|s| s.abs() < 1e-12),
                     "{kind:?} {score:?}"
                 );
             }
@@ -367,10 +372,16 @@ fn ranges_ones_and_slopes_apart() {
     }
 }
 
-/// Boxes with one centre: the score is the same on both sides, so its slope by the centre is zero.
+/// Boxes with one centre: the score is the same on both sides, so its derivative by the centre is zero.
 #[test]
 fn ties_of_the_smallest_rectangle_are_not_left_to_rounding() {
-    fn slope<S: Scalar>(made: fn(f64) -> S, x: S, y: S, sizes: [f64; 4], turns: [f64; 2]) -> S {
+    fn derivative<S: Scalar>(
+        made: fn(f64) -> S,
+        x: S,
+        y: S,
+        sizes: [f64; 4],
+        turns: [f64; 2],
+    ) -> S {
         let [w, h, u, v] = sizes.map(made);
         let a = YawBox3::new(Vec3::zero(), Vec3::new(w, h, made(1.0)), made(turns[0]));
         let b = YawBox3::new(
@@ -382,14 +393,14 @@ fn ties_of_the_smallest_rectangle_are_not_left_to_rounding() {
     }
     let by = |sizes: [f64; 4], turns: [f64; 2]| {
         type J = Jet<f64, 2>;
-        slope::<J>(
+        derivative::<J>(
             J::lit,
             J::variable(0.0, 0),
             J::variable(0.0, 1),
             sizes,
             turns,
         )
-        .slope
+        .derivative
     };
     assert_eq!(by([1.0, 3.0, 1.0, 3.0], [0.0, 0.3]), [0.0, 0.0]);
     let mut random = Random(304);
@@ -403,7 +414,7 @@ fn ties_of_the_smallest_rectangle_are_not_left_to_rounding() {
             found.iter().all(|s| s.abs() < 1e-12),
             "{w} {h} {other:?} {turns:?} {found:?}"
         );
-        let single = slope::<Jet<f32, 2>>(
+        let single = derivative::<Jet<f32, 2>>(
             Jet::lit,
             Jet::variable(0.0, 0),
             Jet::variable(0.0, 1),
@@ -411,7 +422,7 @@ fn ties_of_the_smallest_rectangle_are_not_left_to_rounding() {
             turns,
         );
         assert!(
-            single.slope.iter().all(|s| s.abs() < 1e-4),
+            single.derivative.iter().all(|s| s.abs() < 1e-4),
             "{w} {h} {other:?} {turns:?} {single:?}"
         );
     }

@@ -94,7 +94,7 @@ fn volumes_are_right_in_single_precision() {
 }
 
 #[test]
-fn identical_boxes_give_exactly_one_and_no_slope() {
+fn identical_boxes_give_exactly_one_and_no_derivative() {
     let mut random = Random(5);
     for n in 0..300 {
         let (a, _) = pair(FAMILIES[n % FAMILIES.len()], &mut random);
@@ -134,7 +134,7 @@ fn made<S: Scalar>(x: [S; 10]) -> Obb3<S> {
 }
 
 #[test]
-fn slopes_are_those_of_the_value() {
+fn derivatives_are_those_of_the_value() {
     let mut random = Random(21);
     let (mut compared, mut worst) = (0, 0.0_f64);
     for family in FAMILIES {
@@ -182,13 +182,13 @@ fn slopes_are_those_of_the_value() {
         }
     }
     if std::env::var("SHOW").is_ok() {
-        println!("slopes: {compared} compared, worst {worst:.1e}");
+        println!("derivatives: {compared} compared, worst {worst:.1e}");
     }
     assert!(compared > 1000, "{compared}");
 }
 
 #[test]
-fn duals_have_the_slopes_by_hand() {
+fn duals_have_the_derivatives_by_hand() {
     let mut random = Random(22);
     for family in FAMILIES {
         for _ in 0..3 {
@@ -204,7 +204,7 @@ fn duals_have_the_slopes_by_hand() {
             let by_a = numbers(by_a);
             let size = by_a.iter().fold(1e-9_f64, |m, x| m.max(x.abs()));
             for i in 0..10 {
-                let error = (dual.slope[i] - by_a[i]).abs();
+                let error = (dual.derivative[i] - by_a[i]).abs();
                 assert!(
                     error <= 1e-7 * size,
                     "{family} {i}: {dual:?} {by_a:?} {a:?} {b:?}"
@@ -215,7 +215,7 @@ fn duals_have_the_slopes_by_hand() {
 }
 
 #[test]
-fn second_derivatives_are_those_of_the_slopes() {
+fn second_derivatives_are_those_of_the_derivatives() {
     let mut random = Random(23);
     for _ in 0..4 {
         let (a, b) = pair("random", &mut random);
@@ -376,7 +376,7 @@ fn extremes_are_finite() {
                     );
                     let dual = iou_obb3(lifted, Obb3::new(v(b.center), v(b.size), r));
                     assert!(
-                        dual.slope.iter().all(|x| x.is_finite()),
+                        dual.derivative.iter().all(|x| x.is_finite()),
                         "{a:?} {b:?} {dual:?}"
                     );
                 }

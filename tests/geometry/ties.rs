@@ -17,9 +17,9 @@ fn cube(center: Vec3<Jet<f64, 3>>) -> Obb3<Jet<f64, 3>> {
     let turn = Rotation3::new(fixed(1.0), fixed(0.0), fixed(0.0), fixed(0.0));
     Obb3::new(center, three(2.0), turn)
 }
-fn close(slopes: &[f64], expected: &[f64]) {
-    for (a, b) in slopes.iter().zip(expected) {
-        assert!((a - b).abs() < 1e-15, "{slopes:?} {expected:?}");
+fn close(derivatives: &[f64], expected: &[f64]) {
+    for (a, b) in derivatives.iter().zip(expected) {
+        assert!((a - b).abs() < 1e-15, "{derivatives:?} {expected:?}");
     }
 }
 
@@ -27,12 +27,12 @@ fn close(slopes: &[f64], expected: &[f64]) {
 fn several_that_tie_share_equally() {
     let x = variables([2.0, 2.0, 5.0, 2.0, 5.0, 7.0, 7.0, 7.0]);
     close(
-        &least_of(x).slope,
+        &least_of(x).derivative,
         &[1.0 / 3.0, 1.0 / 3.0, 0.0, 1.0 / 3.0, 0.0, 0.0, 0.0, 0.0],
     );
     let third = 1.0 / 3.0;
     close(
-        &most_of(x).slope,
+        &most_of(x).derivative,
         &[0.0, 0.0, 0.0, 0.0, 0.0, third, third, third],
     );
     for (x, shares) in [
@@ -47,28 +47,29 @@ fn several_that_tie_share_equally() {
             most_of(variables(x.map(|x: f64| -x))),
         );
         assert_eq!((least.value, most.value), (least_of(x), -least_of(x)));
-        close(&least.slope, &shares);
-        close(&most.slope, &shares);
+        close(&least.derivative, &shares);
+        close(&most.derivative, &shares);
     }
     assert_eq!(most_of(variables([f64::INFINITY; 3])).value, f64::INFINITY);
 }
 
-/// Infinite numbers share as others do, whatever carries the slopes.
+/// Infinite numbers share as others do, whatever carries the derivatives.
 #[test]
-fn infinite_ties_share_the_slope() {
+fn infinite_ties_share_the_derivative() {
     let infinite = f64::INFINITY;
     let [x, y] = [0, 1].map(|i| Jet::<f64, 2>::variable(infinite, i));
     for shared in [x.most(y), x.least(y), (-x).least(-y), x.clamp(y, y)] {
-        let all = shared.slope.map(f64::abs);
+        let all = shared.derivative.map(f64::abs);
         assert!(all == [0.5, 0.5] || all == [0.25, 0.75], "{shared:?}");
     }
-    let [x, y] = [1.0, 3.0].map(|slope| num_dual::Dual64::new(infinite, slope));
+    let [x, y] = [1.0, 3.0].map(|derivative| num_dual::Dual64::new(infinite, derivative));
     assert_eq!((x.most(y).re, x.most(y).eps), (infinite, 2.0));
-    let [x, y] = [1.0, 3.0].map(|slope| num_dual::Dual2_64::new(infinite, slope, 2.0 * slope));
+    let [x, y] = [1.0, 3.0]
+        .map(|derivative| num_dual::Dual2_64::new(infinite, derivative, 2.0 * derivative));
     assert_eq!((x.least(y).v1, x.least(y).v2), (2.0, 4.0));
     // Within one that is nested in another.
     let x = Jet::<Jet<f64, 1>, 1>::variable(Jet::variable(infinite, 0), 0);
-    assert_eq!(x.most(x).value.slope, [1.0]);
+    assert_eq!(x.most(x).value.derivative, [1.0]);
 }
 
 #[test]
@@ -84,7 +85,7 @@ fn a_point_at_a_corner_belongs_to_three_faces() {
         ];
         for distance in found {
             assert_eq!(distance.value, at - 1.0);
-            close(&distance.slope, &thirds);
+            close(&distance.derivative, &thirds);
         }
     }
 }
@@ -95,24 +96,24 @@ fn bounds_share_among_all_that_reach_them() {
     let triangle = Triangle2::new(Vec2::new(a, b), Vec2::new(c, d), Vec2::new(e, f));
     let third = 1.0 / 3.0;
     close(
-        &triangle.bounding().min.x.slope,
+        &triangle.bounding().min.x.derivative,
         &[third, 0.0, third, 0.0, third, 0.0],
     );
     close(
-        &triangle.bounding().max.x.slope,
+        &triangle.bounding().max.x.derivative,
         &[third, 0.0, third, 0.0, third, 0.0],
     );
     close(
-        &triangle.bounding().max.y.slope,
+        &triangle.bounding().max.y.derivative,
         &[0.0, 0.0, 0.0, 0.0, 0.0, 1.0],
     );
     let points = variables([1.0, 1.0, 4.0, 1.0, 1.0]).map(|x| Vec2::new(x, x));
     let bounds = Aabb2::around(&points).expect("there are points");
-    close(&bounds.min.x.slope, &[0.25, 0.25, 0.0, 0.25, 0.25]);
-    close(&bounds.max.y.slope, &[0.0, 0.0, 1.0, 0.0, 0.0]);
+    close(&bounds.min.x.derivative, &[0.25, 0.25, 0.0, 0.25, 0.25]);
+    close(&bounds.max.y.derivative, &[0.0, 0.0, 1.0, 0.0, 0.0]);
     let points = points.map(|p| Vec3::new(p.x, p.y, p.x));
     let bounds = Aabb3::around(&points).expect("there are points");
-    close(&bounds.min.z.slope, &[0.25, 0.25, 0.0, 0.25, 0.25]);
+    close(&bounds.min.z.derivative, &[0.25, 0.25, 0.0, 0.25, 0.25]);
 }
 
 #[test]
@@ -120,5 +121,5 @@ fn cubes_that_leave_each_other_do_so_along_three_axes() {
     let [x, y, z] = variables([1.0; 3]);
     let gap = penetration_or_gap(cube(three(0.0)), cube(Vec3::new(x, y, z)));
     assert_eq!(gap.value, -1.0);
-    close(&gap.slope, &[1.0 / 3.0; 3]);
+    close(&gap.derivative, &[1.0 / 3.0; 3]);
 }

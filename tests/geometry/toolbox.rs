@@ -128,16 +128,16 @@ fn zero_sizes_have_finite_losses_in_every_format() {
         Obb2::new(1e20, 0.0, 1.0, 1.0, 0.0),
     );
     assert_eq!(gaussian::wasserstein(a, b), 1e20);
-    // Slopes go through the least size: it grows with the pair.
+    // Derivatives go through the least size: it grows with the pair.
     let (a, b) = (
         Obb2::new(0.0, 0.0, 0.0, 1.0, 0.0),
         Obb2::new(0.25, 0.0, 2.0, 1.0, 0.0),
     );
-    let (_, slopes) = gradient(|b: Obb2<_>| gaussian::kullback_leibler(b, a.lift()), b);
+    let (_, derivatives) = gradient(|b: Obb2<_>| gaussian::kullback_leibler(b, a.lift()), b);
     let step = 1e-6;
     let at = |x: f64| gaussian::kullback_leibler(Obb2::new(0.25, 0.0, x, 1.0, 0.0), a);
     let difference = (at(2.0 + step) - at(2.0 - step)) / (2.0 * step);
-    assert!(relative(slopes.size.x, difference) < 1e-6 || slopes.size.x.abs() < 1e-3);
+    assert!(relative(derivatives.size.x, difference) < 1e-6 || derivatives.size.x.abs() < 1e-3);
 }
 
 #[test]
@@ -152,7 +152,7 @@ fn second_derivatives_of_wasserstein_in_space() {
             .iter()
             .flat_map(|row| row.scalars())
             .collect();
-        let slopes = |x: &[f64]| {
+        let derivatives = |x: &[f64]| {
             gradient(
                 |x: Obb3<_>| solid::wasserstein_squared(x, b.lift()),
                 a.refill(x),
@@ -165,7 +165,7 @@ fn second_derivatives_of_wasserstein_in_space() {
             let moved = |h: f64| {
                 let mut there = x.clone();
                 there[i] += h;
-                slopes(&there)
+                derivatives(&there)
             };
             let (up, down) = (moved(1e-5), moved(-1e-5));
             for j in 0..x.len() {
@@ -258,7 +258,7 @@ fn separation_of_parallel_boxes_has_the_mean_of_both_ways_of_turning() {
             geograd::Obb2::new(x, y, width, height, 0.0)
         };
         let (a, b) = (shape(0.0), shape(6.0));
-        let (value, (slopes, _)) = gradient(|(a, b)| separation_aware_obb2(a, b), (a, b));
+        let (value, (derivatives, _)) = gradient(|(a, b)| separation_aware_obb2(a, b), (a, b));
         if value > -1e-3 {
             continue;
         }
@@ -267,7 +267,7 @@ fn separation_of_parallel_boxes_has_the_mean_of_both_ways_of_turning() {
         let [left, right] = [-step, step].map(|by| (turned(by) - value) / by);
         let mean = (left + right) / 2.0;
         assert!(
-            (slopes.heading - mean).abs() < 1e-6,
+            (derivatives.heading - mean).abs() < 1e-6,
             "{a:?} {b:?} {left} {right}"
         );
         turning += u32::from((left - right).abs() > 1e-3);
@@ -322,12 +322,12 @@ fn signed_distances_are_those_of_planes_and_corners() {
         );
     }
     let bounds = Aabb3::new(Vec3::new(0.0, 0.0, 0.0), Vec3::new(1.0, 2.0, 3.0));
-    let (value, slopes) = gradient(
+    let (value, derivatives) = gradient(
         |p: Vec3<_>| distance3::signed_distance(p, bounds.lift()),
         Vec3::new(1.0, 1.0, 1.0),
     );
     // On a face the signed distance is smooth.
-    assert_eq!((value, slopes), (0.0, Vec3::new(1.0, 0.0, 0.0)));
+    assert_eq!((value, derivatives), (0.0, Vec3::new(1.0, 0.0, 0.0)));
 }
 
 /// The loop over all points and boxes.

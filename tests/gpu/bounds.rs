@@ -37,8 +37,8 @@ pub fn close(x: f32, y: f32) -> bool {
     (f64::from(x) - f64::from(y)).abs() <= ROUNDINGS * EPSILON * f64::from(y).abs().max(1e-3)
 }
 
-/// The slopes of a pair in `f64`, the fields of b after those of a.
-fn wide_slopes<O: Score>(a: &[f64], b: &[f64]) -> Vec<f64> {
+/// The derivatives of a pair in `f64`, the fields of b after those of a.
+fn wide_derivatives<O: Score>(a: &[f64], b: &[f64]) -> Vec<f64> {
     let pair = O::In::<f64>::load(&[a, b].concat());
     let one = O::Out::<f64>::filled(1.0);
     O::adjoint::<f64>(pair, one).map_or(Vec::new(), |found: (O::Out<f64>, O::In<f64>)| {
@@ -46,15 +46,20 @@ fn wide_slopes<O: Score>(a: &[f64], b: &[f64]) -> Vec<f64> {
     })
 }
 
-/// How far each slope may lie from the CPU's: both are the exact slopes of inputs moved by at most
+/// How far each derivative may lie from the CPU's: both are the exact derivatives of inputs moved by at most
 /// k·ε of the longest side (rounding is a displacement of borders), and round a few times
-/// themselves. Slopes jump at kinks, so inputs are moved every which way and the spread is taken,
+/// themselves. Derivatives jump at kinks, so inputs are moved every which way and the spread is taken,
 /// except where rounding has no say in which side of a kink it is.
-/// A ratio's slope with respect to a size is the difference of two terms as large as the ratio over
+/// A ratio's derivative with respect to a size is the difference of two terms as large as the ratio over
 /// that size, which may cancel.
-pub fn slope_bounds<O: Score>(a: O::Shape, b: O::Shape, value: f64, draws: &mut Draws) -> Vec<f64> {
+pub fn derivative_bounds<O: Score>(
+    a: O::Shape,
+    b: O::Shape,
+    value: f64,
+    draws: &mut Draws,
+) -> Vec<f64> {
     let (a_fields, b_fields) = (fields(a), fields(b));
-    let exact = wide_slopes::<O>(&a_fields, &b_fields);
+    let exact = wide_derivatives::<O>(&a_fields, &b_fields);
     let reach = ROUNDINGS * EPSILON * a.sides().0.max(b.sides().0);
     let mut spread: Vec<f64> = vec![0.0; exact.len()];
     let trials = if a.decides_exactly(b) { 0 } else { 24 };
@@ -72,7 +77,7 @@ pub fn slope_bounds<O: Score>(a: O::Shape, b: O::Shape, value: f64, draws: &mut 
             };
             fields.iter().enumerate().map(step).collect()
         };
-        let near = wide_slopes::<O>(&moved(&a_fields), &moved(&b_fields));
+        let near = wide_derivatives::<O>(&moved(&a_fields), &moved(&b_fields));
         for ((spread, exact), near) in spread.iter_mut().zip(&exact).zip(&near) {
             *spread = spread.max((exact - near).abs());
         }

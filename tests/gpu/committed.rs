@@ -3,7 +3,7 @@
 //! `GEOGRAD_WRITE_WGSL=1 cargo test -p geograd-tests --features gpu --test gpu committed` writes them anew.
 use geograd::ad::program::WGSL;
 use geograd::kernels::gpu::{fold_sources, op_sources};
-use geograd::kernels::{Op, Row};
+use geograd::kernels::{Item, Op};
 use geograd_tests::rows::{distance, fold, iou, overlap, overlap3};
 use std::path::PathBuf;
 
@@ -39,8 +39,8 @@ fn compare(name: &str, text: &str) {
 /// Some shaders of an operation, by what is wanted and the form.
 fn kept<O: Op>(wanted: &[&str])
 where
-    O::In<f32>: Row<Scalar = f32>,
-    O::Out<f32>: Row,
+    O::In<f32>: Item<Scalar = f32>,
+    O::Out<f32>: Item,
 {
     let all = op_sources::<O>().unwrap();
     for wanted in wanted {
@@ -58,7 +58,7 @@ fn boxes_in_the_plane() {
         "Value Masks",
         "ValueGrad Aligned",
         "Vjp Aligned",
-        "Vjp ColumnSlopes",
+        "Vjp ColumnDerivatives",
     ]);
     kept::<iou::GiouObb2>(&["Value Pairs", "ValueGrad Aligned"]);
 }

@@ -59,7 +59,11 @@ pub fn empty_batches_are_valid<O: Score>() {
     assert_eq!(grads.planes(), []);
     let (a_bars, b_bars) = backend.all_pairs_vjp(run, one, none, &[]).unwrap();
     assert_eq!((a_bars.len(), b_bars.len()), (1, 0));
-    assert!(fields(a_bars[0]).iter().all(|&slope| slope == 0.0));
+    assert!(
+        fields(a_bars[0])
+            .iter()
+            .all(|&derivative| derivative == 0.0)
+    );
     assert_eq!(backend.row_max(run, none, one).unwrap(), []);
     assert_eq!(
         backend.row_max(run, one, none).unwrap_err(),
@@ -69,7 +73,7 @@ pub fn empty_batches_are_valid<O: Score>() {
     assert_eq!(backend.sum(run, one, none).unwrap(), 0.0);
     assert_eq!(backend.mean(run, none, none).unwrap(), 0.0);
     let (sum, by_a, _) = backend.sum_grad(run, one, none).unwrap();
-    assert!(sum == 0.0 && fields(by_a[0]).iter().all(|&slope| slope == 0.0));
+    assert!(sum == 0.0 && fields(by_a[0]).iter().all(|&derivative| derivative == 0.0));
 }
 
 #[test]

@@ -2,7 +2,7 @@
 use crate::{gpu, small, validate};
 use geograd::ad::check::sample::Draw;
 use geograd::kernels::gpu::{Gpu, fold_sources};
-use geograd::kernels::{Cpu, Fold, One, Row};
+use geograd::kernels::{Cpu, Fold, Item, One};
 use geograd::{Error, Fixed, GpuFault, Pack, Vec2};
 use geograd_tests::rows::fold;
 
@@ -92,14 +92,14 @@ fn folds() {
     ));
 }
 
-fn folds_agree<F: Fold, C: geograd::kernels::Columns<Row = F::Context<f32>> + Copy>(
+fn folds_agree<F: Fold, C: geograd::kernels::Columns<Item = F::Context<f32>> + Copy>(
     gpu: &Gpu,
     run: F,
     context: C,
     vertices: &[Vec2<f32>],
     offsets: &[usize],
 ) where
-    F::Context<f32>: Row<Scalar = f32>,
+    F::Context<f32>: Item<Scalar = f32>,
 {
     let numbers =
         |all: &[F::Out<f32>]| -> Vec<f32> { all.iter().flat_map(Pack::scalars).collect() };

@@ -1,7 +1,7 @@
 //! Kernels generated from recordings: every operation of the list, programs, folds.
 //!
 //! How far a result may be from the processor's is the harness's to say: a GPU is one more witness there,
-//! within its own measured error (`prove_on`). Here everything else: the same bits twice, however
+//! within its own measured error (`check_on`). Here everything else: the same bits twice, however
 //! batches are cut, and in all pairs what there is in aligned ones, to within what the order of operations
 //! may change.
 use crate::{gpu, small};
@@ -222,8 +222,8 @@ fn jacobians_are_the_processors() {
     };
     let (a, b) = (draw(1), draw(2));
     let run = geograd::kernels::ClosestPoints.jacobian();
-    let (points, slopes) = gpu.aligned(run, (&a, One(b[0]))).unwrap();
-    let (expected, slopes_expected) = Cpu::new().aligned(run, (&a, One(b[0]))).unwrap();
+    let (points, derivatives) = gpu.aligned(run, (&a, One(b[0]))).unwrap();
+    let (expected, derivatives_expected) = Cpu::new().aligned(run, (&a, One(b[0]))).unwrap();
     let all = |points: &[geograd::distance::ClosestPoints<f32>]| -> Vec<f32> {
         points.iter().flat_map(|x| x.scalars()).collect()
     };
@@ -238,26 +238,30 @@ fn jacobians_are_the_processors() {
             .into_iter()
             .any(|(a, b)| (a - b).abs() > 1e-3 * (1.0 + b.abs()))
     };
-    let different = slopes.iter().zip(&slopes_expected).filter(differs).count();
+    let different = derivatives
+        .iter()
+        .zip(&derivatives_expected)
+        .filter(differs)
+        .count();
     assert!(different <= 10, "{different} of {}", a.len());
     let corners = Program::trace(|b: Obb2<Sym<f32>>| b.corners())
         .unwrap()
         .jacobian();
-    let (_, slopes) = gpu.aligned(&corners, &a).unwrap();
+    let (_, derivatives) = gpu.aligned(&corners, &a).unwrap();
     let (_, expected) = Cpu::new().aligned(&corners, &a).unwrap();
     let rows = |all: &[[Vec2<Obb2<f32>>; 4]]| -> Vec<f32> {
         let rows = all.iter().flat_map(|x| x.scalars());
         rows.flat_map(|x| x.scalars()).collect()
     };
-    near(&rows(&slopes), &rows(&expected), 1e-5);
-    // What searches is replayed with its slopes.
+    near(&rows(&derivatives), &rows(&expected), 1e-5);
+    // What searches is replayed with its derivatives.
     let mut draw = Draw::new(5);
     let polygon = |_| geograd::ConvexPolygon::<f64, 5>::ordinary(&mut draw).map(&mut |&x| x as f32);
     let polygons: Vec<geograd::ConvexPolygon<f32, 5>> = (0..50).map(polygon).collect();
     let run = geograd::kernels::MinimumCircle.jacobian();
-    let (_, slopes) = gpu.aligned(run, &polygons).unwrap();
+    let (_, derivatives) = gpu.aligned(run, &polygons).unwrap();
     let (_, expected) = Cpu::new().aligned(run, &polygons).unwrap();
-    for ((own, other), polygon) in slopes.iter().zip(&expected).zip(&polygons) {
+    for ((own, other), polygon) in derivatives.iter().zip(&expected).zip(&polygons) {
         let rows = |x: &Circle<geograd::ConvexPolygon<f32, 5>>| -> Vec<f32> {
             x.scalars().iter().flat_map(Pack::scalars).collect()
         };

@@ -42,10 +42,10 @@ fn chain(here: Resident<'_>, count: usize) -> Result<Vec<Vec<f32>>, Error> {
     here.aligned_into(run.value_grad(), (&points, wall), &mut both)?;
     all.extend(both.numbers()?);
     // Results as cotangents, and as shapes to compute with.
-    let (distances, slopes) = both.split();
-    let (by_points, _) = slopes.split();
-    let slopes = here.aligned(run.vjp(), ((&points, wall), &distances))?;
-    all.extend(slopes.numbers()?);
+    let (distances, derivatives) = both.split();
+    let (by_points, _) = derivatives.split();
+    let derivatives = here.aligned(run.vjp(), ((&points, wall), &distances))?;
+    all.extend(derivatives.numbers()?);
     all.extend(here.aligned(run, (&by_points, &segments))?.numbers()?);
     Ok(all)
 }
@@ -123,7 +123,7 @@ fn other_shapes_in_the_same_buffers() {
             let expected = expected.unwrap();
             assert_eq!(bits(&matrix.download().unwrap()), bits(expected.planes()));
         }
-        // A slope of moved results, over which other results went.
+        // A derivative of moved results, over which other results went.
         let mut values = here
             .aligned(iou::DiouObb2, (&boxes(here, 1), &boxes(here, 2)))
             .unwrap();
@@ -170,7 +170,7 @@ fn many_columns() {
 }
 
 #[test]
-fn all_pairs_reductions_and_slopes() {
+fn all_pairs_reductions_and_derivatives() {
     let Some((_turn, gpu)) = gpu() else { return };
     let yaw: Vec<YawBox3<f32>> = ordinary::<YawBox3<f64>, _>(70, 9);
     let run = iou3::GiouYaw;

@@ -43,7 +43,7 @@ macro_rules! walk {
      further {
          straight { $($more:ident: $more_op:ty,)* }
          folds { $($more_fold:ident: $more_fold_op:ty,)* }
-         decided { $($more_decided:ident: $more_decided_op:ty,)* }
+         decided { $($more_search:ident: $more_decided_op:ty,)* }
      }) => {
         $(mod $pair {
             #[test]
@@ -123,7 +123,7 @@ macro_rules! walk {
                 super::replays::agrees::<$decided_op, _, _>();
             })*
             $(#[test]
-            fn $more_decided() {
+            fn $more_search() {
                 super::replays::agrees::<$more_decided_op, _, _>();
             })*
         }

@@ -1,5 +1,5 @@
 //! The same numbers as on the CPU.
-use crate::bounds::{EPSILON, ROUNDINGS, close, slope_bounds, value_bound};
+use crate::bounds::{EPSILON, ROUNDINGS, close, derivative_bounds, value_bound};
 use crate::shapes::{Draw, Draws, Score, bits, fields, shape_of};
 use crate::{gpu, small};
 
@@ -9,9 +9,9 @@ use geograd::{Aabb2, Fixed, Obb2, Pack};
 use geograd_tests::calls;
 use geograd_tests::rows::overlap;
 
-/// Slopes of every pair, the fields of b after those of a: from the diagonals of squares in which the shorter list is
-/// repeated until it is as long as the other.
-fn slopes_of_pairs<O: Score>(gpu: &Gpu, a: &[O::Shape], b: &[O::Shape]) -> Vec<Vec<f64>> {
+/// Derivatives of every pair, the fields of b after those of a: from the diagonals of squares in which the shorter
+/// list is repeated until it is as long as the other.
+fn derivatives_of_pairs<O: Score>(gpu: &Gpu, a: &[O::Shape], b: &[O::Shape]) -> Vec<Vec<f64>> {
     let (rows, columns) = (a.len(), b.len());
     let (longer, shorter) = (rows.max(columns), rows.min(columns));
     let mut diagonal = vec![0.0; longer * longer];
@@ -45,10 +45,10 @@ pub fn hard_pairs_agree<O: Score>() {
     shapes.extend((0..25).map(|_| O::Shape::draw(&mut draws)));
     let count = shapes.len();
     let values = gpu.all_pairs(O::default(), &shapes, &shapes).unwrap();
-    let slopes = slopes_of_pairs::<O>(gpu, &shapes, &shapes);
+    let derivatives = derivatives_of_pairs::<O>(gpu, &shapes, &shapes);
     let run = O::default().value_grad();
     let expected = Backend::Cpu.all_pairs(run, &shapes, &shapes).unwrap();
-    for (at, found) in slopes.iter().enumerate() {
+    for (at, found) in derivatives.iter().enumerate() {
         let (i, j) = (at / count, at % count);
         let (a, b) = (shapes[i], shapes[j]);
         let (value, (by_a, by_b)) = expected.at(i, j);
@@ -59,12 +59,12 @@ pub fn hard_pairs_agree<O: Score>() {
             "{}: {a:?} {b:?}: {near} for {value} ± {bound}",
             O::NAME
         );
-        let bounds = slope_bounds::<O>(a, b, near, &mut draws);
+        let bounds = derivative_bounds::<O>(a, b, near, &mut draws);
         let expected = [fields(by_a), fields(by_b)].concat();
         for k in 0..found.len() {
             assert!(
                 (found[k] - expected[k]).abs() <= bounds[k],
-                "{}, slope {k}: {a:?} {b:?}: {} for {} ± {}",
+                "{}, derivative {k}: {a:?} {b:?}: {} for {} ± {}",
                 O::NAME,
                 found[k],
                 expected[k],
@@ -91,7 +91,7 @@ pub fn all_pairs_agree<O: Score>(gpu: &Gpu, rows: usize, columns: usize) {
     }
 
     // Sums: whatever the order, an error of one epsilon of the sum of magnitudes per term.
-    let slopes = slopes_of_pairs::<O>(gpu, &a, &b);
+    let derivatives = derivatives_of_pairs::<O>(gpu, &a, &b);
     let upstream: Vec<f32> = (0..values.len()).map(|_| draws.next() - 0.5).collect();
     let (by_a, by_b) = gpu.all_pairs_vjp(O::default(), &a, &b, &upstream).unwrap();
     // Of slices, and of data that stay: the same bits.
@@ -103,14 +103,14 @@ pub fn all_pairs_agree<O: Score>(gpu: &Gpu, rows: usize, columns: usize) {
     assert_eq!(by_a, a_again.download().unwrap(), "the same bits");
     assert_eq!(by_b, b_again.download().unwrap(), "the same bits");
     let weigh = |at: usize| f64::from(upstream[at]);
-    sums_agree::<O>(&slopes, &by_a, &by_b, &weigh);
+    sums_agree::<O>(&derivatives, &by_a, &by_b, &weigh);
     reductions_agree::<O>(gpu, &a, &b, &values);
-    losses_agree::<O>(gpu, &a, &b, &values, &slopes);
+    losses_agree::<O>(gpu, &a, &b, &values, &derivatives);
 }
 
-/// Slopes of both lists against weighed sums of the slopes of every pair.
+/// Derivatives of both lists against weighed sums of the derivatives of every pair.
 fn sums_agree<O: Score>(
-    slopes: &[Vec<f64>],
+    derivatives: &[Vec<f64>],
     by_a: &[O::Shape],
     by_b: &[O::Shape],
     weigh: &dyn Fn(usize) -> f64,
@@ -125,7 +125,8 @@ fn sums_agree<O: Score>(
             O::NAME
         );
     };
-    let term = |i: usize, j: usize, k: usize| weigh(i * columns + j) * slopes[i * columns + j][k];
+    let term =
+        |i: usize, j: usize, k: usize| weigh(i * columns + j) * derivatives[i * columns + j][k];
     for (i, bar) in by_a.iter().enumerate() {
         for (k, found) in fields(*bar).into_iter().enumerate() {
             check(found, &mut (0..columns).map(|j| term(i, j, k)), columns);
@@ -187,19 +188,19 @@ fn reductions_agree<O: Score>(gpu: &Gpu, a: &[O::Shape], b: &[O::Shape], values:
     assert!((sum - exact).abs() <= bound * exact);
 }
 
-/// The fused sum and its slopes against the sums of the slopes of every pair.
+/// The fused sum and its derivatives against the sums of the derivatives of every pair.
 fn losses_agree<O: Score>(
     gpu: &Gpu,
     a: &[O::Shape],
     b: &[O::Shape],
     values: &[f32],
-    slopes: &[Vec<f64>],
+    derivatives: &[Vec<f64>],
 ) {
     let (sum, by_a, by_b) = gpu.sum_grad(O::default(), a, b).unwrap();
     let exact: f64 = values.iter().map(|&x| f64::from(x)).sum();
     let bound = |n: usize| (n as f64 + ROUNDINGS) * EPSILON;
     assert!((sum - exact).abs() <= bound(256) * exact);
-    sums_agree::<O>(slopes, &by_a, &by_b, &|_| 1.0);
+    sums_agree::<O>(derivatives, &by_a, &by_b, &|_| 1.0);
     let (mean, ..) = gpu.mean_grad(O::default(), a, b).unwrap();
     assert!((mean - sum / values.len() as f64).abs() <= bound(1) * mean);
 }
@@ -277,7 +278,10 @@ fn identical_and_thin_boxes() {
         .all_pairs_vjp(overlap::IouObb2, &boxes, &boxes, &own)
         .unwrap();
     for bar in a_bars.into_iter().chain(of_pairs.0).chain(of_pairs.1) {
-        assert!(fields(bar).iter().all(|&slope| slope == 0.0), "{bar:?}");
+        assert!(
+            fields(bar).iter().all(|&derivative| derivative == 0.0),
+            "{bar:?}"
+        );
     }
     // Thin boxes ever so slightly turned: the exact ratio, from f64, to the last few digits.
     for by in [1e-7_f32, 1e-6, 1e-5] {
@@ -316,17 +320,17 @@ fn extremes_agree<O: Score<Shape = Obb2<f32>>>(gpu: &Gpu) {
         }
     }
     let found = gpu.all_pairs(O::default(), &boxes, &boxes).unwrap();
-    let slopes = slopes_of_pairs::<O>(gpu, &boxes, &boxes);
+    let derivatives = derivatives_of_pairs::<O>(gpu, &boxes, &boxes);
     let run = O::default().value_grad();
     let expected = Backend::Cpu.all_pairs(run, &boxes, &boxes).unwrap();
-    for (at, slopes) in slopes.iter().enumerate() {
+    for (at, derivatives) in derivatives.iter().enumerate() {
         let (i, j) = (at / boxes.len(), at % boxes.len());
         let (value, (by_a, by_b)) = expected.at(i, j);
         let on_cpu = [fields(by_a), fields(by_b)].concat();
-        for (k, (found, expected)) in slopes.iter().zip(on_cpu).enumerate() {
+        for (k, (found, expected)) in derivatives.iter().zip(on_cpu).enumerate() {
             assert!(
                 found.is_finite() || !expected.is_finite(),
-                "{} {:?} {:?}, slope {k}: {found}, on the CPU {expected}",
+                "{} {:?} {:?}, derivative {k}: {found}, on the CPU {expected}",
                 O::NAME,
                 boxes[i],
                 boxes[j]
@@ -383,7 +387,7 @@ fn thin_boxes_along_each_other() {
     let alone = gpu.aligned(op, (&a, &b)).unwrap();
     let pulled = gpu.aligned(op.vjp(), ((&a, &b), &ones)).unwrap();
     let of_pairs = gpu.all_pairs(op, &a, &b).unwrap();
-    let bars = slopes_of_pairs::<overlap::IouObb2>(gpu, &a, &b);
+    let bars = derivatives_of_pairs::<overlap::IouObb2>(gpu, &a, &b);
     let wide = |all: &[Obb2<f32>]| -> Vec<Obb2<f64>> {
         all.iter().map(|&x| shape_of(&fields(x))).collect()
     };
@@ -399,19 +403,19 @@ fn thin_boxes_along_each_other() {
         }
         let exact = [by_p[i].scalars(), by_q[i].scalars()].concat();
         let most = exact.iter().fold(0.0_f64, |most, x| most.max(x.abs()));
-        let slopes = [
+        let derivatives = [
             [fields(by_a[i]), fields(by_b[i])].concat(),
             [fields(pulled.0[i]), fields(pulled.1[i])].concat(),
             bars[i * 50 + i].clone(),
         ];
-        for (k, found) in slopes.iter().enumerate() {
+        for (k, found) in derivatives.iter().enumerate() {
             for (found, exact) in found.iter().zip(&exact) {
                 worst[3 + k] = worst[3 + k].max((found - exact).abs() / most);
             }
         }
     }
-    // Where thin boxes are all but parallel, slopes depend on the last digits of the sine between them.
-    let (values, slopes) = worst.split_at(3);
+    // Where thin boxes are all but parallel, derivatives depend on the last digits of the sine between them.
+    let (values, derivatives) = worst.split_at(3);
     assert!(values.iter().all(|&x| x < 1e-6), "{worst:?}");
-    assert!(slopes.iter().all(|&x| x < 1e-4), "{worst:?}");
+    assert!(derivatives.iter().all(|&x| x < 1e-4), "{worst:?}");
 }

@@ -3,11 +3,11 @@ use crate::{any_gpu, gpu, small, validate};
 use geograd::ad::check::sample::{Draw, Sample};
 use geograd::error::Validate;
 use geograd::kernels::cpu::Face;
-use geograd::kernels::decided;
 use geograd::kernels::gpu::replay_source;
-use geograd::kernels::op::{Ask, Jumps, Promise, Vjp};
+use geograd::kernels::op::{Ask, Invariance, Jumps, Vjp};
 use geograd::kernels::replays::{self, Replays};
-use geograd::kernels::{Backend, Cpu, Decided, One, Row, Runs};
+use geograd::kernels::search;
+use geograd::kernels::{Backend, Cpu, Item, One, Runs, Search};
 use geograd::kernels::{Diameter, Giou, Iou};
 use geograd::{ConvexPolygon, Error, Fixed, GpuFault, Pack, Scalar, Unrecordable, Vec2};
 use std::sync::Arc;
@@ -18,7 +18,7 @@ fn the_shader_is_valid() {
 }
 
 /// Ordinary inputs of an operation in single precision.
-fn inputs<D: Decided>(count: usize) -> Vec<D::In<f32>>
+fn inputs<D: Search>(count: usize) -> Vec<D::In<f32>>
 where
     D::In<f64>: Sample + Pack<With<f32> = D::In<f32>>,
     D::In<f32>: Validate,
@@ -57,14 +57,14 @@ impl<A: Flat, B: Flat> Flat for (A, B) {
     }
 }
 
-/// Values and slopes are those of batches on the processor, and those are the operation's own.
+/// Values and derivatives are those of batches on the processor, and those are the operation's own.
 pub fn agrees<D, X, Y>()
 where
-    D: Decided<In<f32> = X, Out<f32> = Y> + Runs<X, Out = Y>,
+    D: Search<In<f32> = X, Out<f32> = Y> + Runs<X, Out = Y>,
     Vjp<D>: Runs<(X, Y), Out = X>,
     D::In<f64>: Sample + Pack<With<f32> = X>,
-    X: Row<Scalar = f32> + Validate,
-    Y: Row<Scalar = f32>,
+    X: Item<Scalar = f32> + Validate,
+    Y: Item<Scalar = f32>,
     X::Many: Flat,
     Y::Many: Flat,
 {
@@ -86,8 +86,8 @@ where
         let seed: Vec<f32> = (0..Y::LEN).map(|j| f32::from(u8::from(j == k))).collect();
         let seeds = vec![Y::load(&seed); inputs.len()];
         let columns = (&inputs[..], &seeds[..]);
-        let found = gpu.aligned(Decided::vjp(run), columns).unwrap().flat();
-        let expected = cpu.aligned(Decided::vjp(run), columns).unwrap().flat();
+        let found = gpu.aligned(Search::vjp(run), columns).unwrap().flat();
+        let expected = cpu.aligned(Search::vjp(run), columns).unwrap().flat();
         near(D::NAME, &found, &expected, 1e-4);
     }
 }
@@ -194,12 +194,12 @@ fn what_cannot_be_replayed_is_refused() {
 #[derive(Clone, Copy, Debug, Default)]
 struct Everything;
 
-impl Decided for Everything {
+impl Search for Everything {
     const NAME: &'static str = "everything";
     type In<S: Scalar> = [S; 3];
     type Out<S: Scalar> = [S; 4];
     type Record = bool;
-    const PROMISES: &'static [Promise] = &[];
+    const INVARIANCES: &'static [Invariance] = &[];
     const JUMPS: Jumps = Jumps::Anywhere;
     fn decide<S: Scalar<Mask = bool>>([a, b, _]: [S; 3]) -> bool {
         a.below(b)
@@ -229,7 +229,7 @@ impl Decided for Everything {
 impl Runs<[f32; 3]> for Everything {
     type Out = [f32; 4];
     fn face(&self, ask: Ask) -> Result<Arc<Face<f32>>, Error> {
-        decided::face::<Everything, [f32; 3]>(ask)
+        search::face::<Everything, [f32; 3]>(ask)
     }
     fn replays(&self, ask: Ask) -> Option<Result<Arc<dyn Replays<f32>>, Error>> {
         Some(replays::of::<Everything, [f32; 3]>(ask))

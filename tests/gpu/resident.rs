@@ -39,7 +39,7 @@ fn chain<O: Score>(
     let (a_bar, b_bar) = bars.split();
     let (by_a, by_b) = here.aligned(run.vjp(), ((&a, &same), &values))?.split();
     let matrix = here.all_pairs(run, &a, &b)?;
-    // The matrix is its own upstream: half the slopes of the sum of squares.
+    // The matrix is its own upstream: half the derivatives of the sum of squares.
     let (all_a, all_b) = here.all_pairs_vjp(run, &a, &b, &matrix)?;
     let (sum, sum_a, sum_b) = here.sum_grad(run, &a, &b)?;
     let (mean, ..) = here.mean_grad(run, &a, &b)?;
@@ -130,7 +130,7 @@ pub fn chains_agree<O: Score>() {
                 "{found} for {expected}"
             );
         }
-        // Slopes are held to their bounds by the tests of each call; here only that the handles
+        // Derivatives are held to their bounds by the tests of each call; here only that the handles
         // carry the right ones: all of one kind together.
         for (found, expected) in found.bars.iter().zip(&expected.bars) {
             assert_eq!(found.len(), expected.len());
@@ -160,12 +160,12 @@ fn climb(backend: Backend<'_>, steps: usize) -> Result<Vec<f32>, Error> {
     let run = overlap::IouObb2.value_grad();
     let mut found = here.aligned(run, (&a, &b))?;
     for step in 0..steps {
-        let (_, (slope, _)) = found.download()?;
+        let (_, (derivative, _)) = found.download()?;
         let pace = 0.1 / (1.0 + 0.05 * step as f32);
-        for (guess, slope) in guesses.iter_mut().zip(&slope) {
-            guess.center += slope.center * pace;
-            guess.size += slope.size * pace;
-            guess.heading += slope.heading * pace * 0.1;
+        for (guess, derivative) in guesses.iter_mut().zip(&derivative) {
+            guess.center += derivative.center * pace;
+            guess.size += derivative.size * pace;
+            guess.heading += derivative.heading * pace * 0.1;
         }
         a.update(&guesses)?;
         here.aligned_into(run, (&a, &b), &mut found)?;
@@ -223,7 +223,7 @@ fn into_is_the_same_as_anew() {
         let again = here.all_pairs(run, &anew, &b).unwrap();
         assert!(bits(&matrix.download().unwrap()) == bits(&again.download().unwrap()));
 
-        // Sums with slopes are those of an upstream of ones.
+        // Sums with derivatives are those of an upstream of ones.
         let (_, sum_a, sum_b) = here.sum_grad(run, &a, &b).unwrap();
         let ones = here.upload_matrix(150, 150, &[1.0; 150 * 150]).unwrap();
         let (by_a, by_b) = here.all_pairs_vjp(run, &a, &b, &ones).unwrap();

@@ -1,6 +1,6 @@
-//! Every operation of the list, proved by the harness: hard cases first, then random inputs, in
+//! Every operation of the list, checked by the harness: hard cases first, then random inputs, in
 //! both formats.
-use geograd::ad::check::Plan;
+use geograd::ad::check::Sampling;
 use geograd_tests::list;
 
 /// Random inputs per operation and format. Hard cases come on top.
@@ -14,12 +14,12 @@ const HOT: (usize, usize) = if cfg!(debug_assertions) {
     (1, SAMPLES)
 };
 
-fn plan() -> Plan<'static> {
+fn plan() -> Sampling<'static> {
     let (hard, samples) = HOT;
-    Plan {
+    Sampling {
         hard,
         shared_ties: true,
-        ..Plan::new(samples, SEED)
+        ..Sampling::new(samples, SEED)
     }
 }
 
@@ -27,47 +27,47 @@ fn plan() -> Plan<'static> {
 const LONGEST: [&str; 3] = ["intersection_volume_obb3", "iou_obb3", "iof_obb3"];
 
 /// For what runs as a recorded program, of which there are many: unoptimised builds take fewer inputs.
-fn plan_of_rows(name: &str) -> Plan<'static> {
+fn plan_of_rows(name: &str) -> Sampling<'static> {
     let (hard, samples) = match (cfg!(debug_assertions), LONGEST.contains(&name)) {
         (true, true) => (3 * 149, 3),
         (true, false) => (149, 10),
         (false, _) => (5, SAMPLES),
     };
-    Plan {
+    Sampling {
         hard,
         shared_ties: true,
-        ..Plan::new(samples, SEED)
+        ..Sampling::new(samples, SEED)
     }
 }
 
-/// An operation of the list in one format is proved.
-fn proved(name: &str, wide: bool, plan: &Plan<'_>) {
-    let all = list::proofs();
+/// An operation of the list in one format is checked.
+fn checked(name: &str, wide: bool, plan: &Sampling<'_>) {
+    let all = list::checks();
     let found = all.iter().find(|proof| (proof.0, proof.1) == (name, wide));
-    let (_, _, prove) = found.expect("an operation of the list");
-    let report = prove(plan, None).expect("no batch that could fail");
+    let (_, _, check) = found.expect("an operation of the list");
+    let report = check(plan, None).expect("no batch that could fail");
     assert!(report.passed(), "{report}");
 }
 
-macro_rules! prove_all {
+macro_rules! check_all {
     (pairs { $($pair:ident: $pair_op:ty,)* } rings { $($ring:ident: $ring_op:ty,)* }
      straight { $($straight:ident: $straight_op:ty,)* }
      folds { $($fold:ident: $fold_op:ty,)* } decided { $($decided:ident: $decided_op:ty,)* }
      further {
          straight { $($more:ident: $more_op:ty,)* }
          folds { $($more_fold:ident: $more_fold_op:ty,)* }
-         decided { $($more_decided:ident: $more_decided_op:ty,)* }
+         decided { $($more_search:ident: $more_decided_op:ty,)* }
      }) => {
-        prove_all! { @each
+        check_all! { @each
             hot { $($pair)* $($ring)* }
             rows { $($straight)* $($fold)* $($decided)* }
-            further { $($more)* $($more_fold)* $($more_decided)* }
+            further { $($more)* $($more_fold)* $($more_search)* }
             f64 true
         }
-        prove_all! { @each
+        check_all! { @each
             hot { $($pair)* $($ring)* }
             rows { $($straight)* $($fold)* $($decided)* }
-            further { $($more)* $($more_fold)* $($more_decided)* }
+            further { $($more)* $($more_fold)* $($more_search)* }
             f32 false
         }
     };
@@ -75,18 +75,18 @@ macro_rules! prove_all {
         mod $format {
             use super::*;
             $(#[test] fn $hot() {
-                proved(stringify!($hot), $wide, &plan());
+                checked(stringify!($hot), $wide, &plan());
             })*
             $(#[test] fn $row() {
-                proved(stringify!($row), $wide, &plan_of_rows(stringify!($row)));
+                checked(stringify!($row), $wide, &plan_of_rows(stringify!($row)));
             })*
             $(#[test] #[cfg(not(debug_assertions))] fn $more() {
-                proved(stringify!($more), $wide, &plan_of_rows(stringify!($more)));
+                checked(stringify!($more), $wide, &plan_of_rows(stringify!($more)));
             })*
         }
     };
 }
-geograd::for_each_op!(prove_all);
+geograd::for_each_op!(check_all);
 
 /// Inputs at which the harness once refused what is right.
 mod alarms {
@@ -94,7 +94,7 @@ mod alarms {
     use geograd::ad::check::sample::Sample;
     use geograd::ad::check::{self, Report, examine};
     use geograd::kernels::Centroid;
-    use geograd::kernels::check::{OpSubject, prove_with};
+    use geograd::kernels::check::{OpSubject, check_with};
     use geograd::kernels::op::{Ringed, Source, Straight};
     use geograd::{Aabb2, Obb2, Vec2};
     use geograd_tests::rows::{IntersectionAreaObb2, IofAabb2, IofObb2, IouObb2};
@@ -114,7 +114,7 @@ mod alarms {
     {
         examine(
             O::NAME,
-            &Plan::new(1, seed ^ sample),
+            &Sampling::new(1, seed ^ sample),
             &[pair],
             1,
             |x, judge| {
@@ -123,21 +123,22 @@ mod alarms {
         )
     }
 
-    /// Edges a ten-millionth of a millionth from parallel: the recorded function differentiated backwards keeps three digits.
+    /// Edges a ten-millionth of a millionth from parallel: the recorded function differentiated backwards keeps three
+    /// digits.
     #[test]
     fn backwards_along_nearly_parallel_edges() {
-        let plan = Plan {
+        let plan = Sampling {
             hard: 0,
-            ..Plan::new(1, 1_947_457_352_151_963_172)
+            ..Sampling::new(1, 1_947_457_352_151_963_172)
         };
-        let report = prove_with::<IntersectionAreaObb2, f64>(&plan);
+        let report = check_with::<IntersectionAreaObb2, f64>(&plan);
         assert!(report.passed(), "{report}");
     }
 
     #[test]
     fn thin_boxes_cross() {
         // The length of the crossing is the difference of coordinates a thousand times as large:
-        // the slope, exactly zero, is a unit in the last place of those.
+        // the derivative, exactly zero, is a unit in the last place of those.
         let pair = (
             Obb2::new(
                 -0.42486146573920247,
@@ -184,7 +185,7 @@ mod alarms {
 
     #[test]
     fn curvature_of_a_ring_of_hardly_any_area() {
-        // In single precision differences of its slopes are nothing but rounding.
+        // In single precision differences of its derivatives are nothing but rounding.
         let ring = [
             (0.507064700126648, -0.84375),
             (-0.1, 0.9),
@@ -196,7 +197,7 @@ mod alarms {
             (0.25456100702285767, -0.9357003569602966),
         ];
         let ring: Vec<Vec2<f64>> = ring.iter().map(|&(x, y)| Vec2::new(x, y)).collect();
-        let plan = Plan::new(1, check::SEED ^ 23144);
+        let plan = Sampling::new(1, check::SEED ^ 23144);
         let report = examine("centroid", &plan, &[ring], 1, |x, judge| {
             judge(&OpSubject::<Ringed<Centroid>, f32>::new(x, &[], None));
         });
@@ -205,7 +206,7 @@ mod alarms {
 
     #[test]
     fn duals_of_a_thin_box_along_a_direction() {
-        // Along a direction the slopes of two areas are sums of a large term, the same in both, and
+        // Along a direction the derivatives of two areas are sums of a large term, the same in both, and
         // a small one: their difference is a unit in the last place of the large one, divided by a
         // thin area. Inputs moved by their last digits leave that rounding as it is.
         let (left, right) = (0.5821051754596889, 9.865080533307342);

@@ -7,19 +7,19 @@ use geograd::Scalar;
 use geograd::ad;
 use geograd::ad::check::subject::Conventions;
 use geograd::ad::check::symmetry::Answer;
+use geograd::ad::check::symmetry::Invariance;
 use geograd::ad::check::symmetry::Kind;
 use geograd::ad::check::symmetry::Motion;
-use geograd::ad::check::symmetry::Promise;
 use geograd::ad::check::trace::Traced;
 use geograd::ad::check::verdict::Reason;
 use geograd::ad::check::verdict::Witness;
 use geograd::ad::check::{Bent, Check};
-use planted::{BY_DIFFERENCES, BY_DUALS, SEED, points, refused, smooth, smooth_slopes};
+use planted::{BY_DIFFERENCES, BY_DUALS, SEED, points, refused, smooth, smooth_derivatives};
 use std::cell::Cell;
 
 #[test]
 fn squared_seed() {
-    let wrong = |x: [f64; 2], s: &[f64]| smooth_slopes(x).map(|g| g * s[0] * s[0]);
+    let wrong = |x: [f64; 2], s: &[f64]| smooth_derivatives(x).map(|g| g * s[0] * s[0]);
     refused(
         &points().value(smooth).adjoint(wrong).run(),
         Reason::NotLinear,
@@ -27,7 +27,7 @@ fn squared_seed() {
 }
 #[test]
 fn seed_forgotten() {
-    let wrong = |x: [f64; 2], _: &[f64]| smooth_slopes(x);
+    let wrong = |x: [f64; 2], _: &[f64]| smooth_derivatives(x);
     refused(
         &points().value(smooth).adjoint(wrong).run(),
         Reason::NotLinear,
@@ -35,7 +35,7 @@ fn seed_forgotten() {
 }
 #[test]
 fn sign_of_the_seed_forgotten() {
-    let wrong = |x: [f64; 2], s: &[f64]| smooth_slopes(x).map(|g| g * s[0].abs());
+    let wrong = |x: [f64; 2], s: &[f64]| smooth_derivatives(x).map(|g| g * s[0].abs());
     refused(
         &points().value(smooth).adjoint(wrong).run(),
         Reason::NotLinear,
@@ -46,7 +46,7 @@ fn impure_gradient() {
     let calls = Cell::new(0.0);
     let wrong = |x: [f64; 2]| {
         calls.set(calls.get() + 1e-15);
-        smooth_slopes(x).map(|g| g + calls.get())
+        smooth_derivatives(x).map(|g| g + calls.get())
     };
     let report = points().value(smooth).gradient(wrong).run();
     refused(&report, Reason::Impure(Witness::Adjoint));
@@ -55,7 +55,7 @@ fn impure_gradient() {
 fn accumulator_not_cleared() {
     let sum = Cell::new([0.0; 2]);
     let wrong = |x: [f64; 2]| {
-        let g = smooth_slopes(x);
+        let g = smooth_derivatives(x);
         sum.set([sum.get()[0] + g[0], sum.get()[1] + g[1]]);
         sum.get()
     };
@@ -69,7 +69,7 @@ fn impure_value() {
         calls.set(calls.get() + 1);
         smooth(x) + f64::from(calls.get() % 7) * 1e-15
     };
-    let report = points().value(value).gradient(smooth_slopes).run();
+    let report = points().value(value).gradient(smooth_derivatives).run();
     refused(&report, Reason::Impure(Witness::Value));
 }
 #[test]
@@ -149,7 +149,7 @@ fn tie_of_duals_and_hand_differ() {
     refused(&check().conventions(shared).run(), BY_DUALS);
 }
 #[test]
-fn slope_outside_at_zero() {
+fn derivative_outside_at_zero() {
     let wrong = |x: f64| if x >= 0.0 { 1.0 } else { -3.0 } * if x == 0.0 { 1.5 } else { 1.0 };
     let report = Check::at(0.0).value(|x: f64| x.abs()).gradient(wrong).run();
     refused(&report, Reason::OutsideKink);
@@ -176,7 +176,7 @@ fn not_a_number_in_the_value() {
 fn infinite_by_duals() {
     let root = |x: geograd::Jet<f64, 1>| geograd::Jet {
         value: x.value.sqrt(),
-        slope: [x.slope[0] / (2.0 * x.value.sqrt())],
+        derivative: [x.derivative[0] / (2.0 * x.value.sqrt())],
     };
     let report = Check::at(0.0)
         .value(|x: f64| x.sqrt())
@@ -202,7 +202,7 @@ fn wrong_length() {
     refused(&report, Reason::WrongLength(Witness::Adjoint));
 }
 #[test]
-fn right_slope_wrong_hessian() {
+fn right_derivative_wrong_hessian() {
     let cube = |x: f64| x * x * x;
     let check = || {
         Check::at(1.3)
@@ -210,12 +210,12 @@ fn right_slope_wrong_hessian() {
             .value(cube)
             .gradient(|x| 3.0 * x * x)
     };
-    check().hessian_times(|x, v| 6.0 * x * v).prove();
+    check().hessian_times(|x, v| 6.0 * x * v).assert();
     let report = check().hessian_times(|x, v| 3.0 * x * v).run();
     refused(&report, Reason::CurvatureDisagrees(Witness::Difference));
 }
 #[test]
-fn right_slope_wrong_hessian_in_single() {
+fn right_derivative_wrong_hessian_in_single() {
     let check = || {
         Check::at([1.3_f32, 0.7])
             .and([-0.4, 1.9])
@@ -224,7 +224,7 @@ fn right_slope_wrong_hessian_in_single() {
     };
     let right =
         |[x, y]: [f32; 2], [u, v]: [f32; 2]| [6.0 * x * y * u + 3.0 * x * x * v, 3.0 * x * x * u];
-    check().hessian_times(right).prove();
+    check().hessian_times(right).assert();
     let report = check()
         .hessian_times(|x, [u, v]| right(x, [1.05 * u, 1.05 * v]))
         .run();
@@ -243,7 +243,7 @@ fn hessian_off_by_little() {
     };
     let points = || Check::among([1.3_f32, -0.4]);
     let (right, source) = cube(points(), 0.0);
-    right.wide(source).prove();
+    right.wide(source).assert();
     let (off, source) = cube(points(), 1e-4);
     let report = off.wide(source).run();
     refused(&report, Reason::CurvatureDisagrees(Witness::Dual));
@@ -261,9 +261,9 @@ fn right_in_double_wrong_in_single() {
         let far = x * x + 1e3;
         [2.0 * x * y, (far - 1e3) + y.cos()]
     };
-    points().value(bend).wide(bend).gradient(right).prove();
+    points().value(bend).wide(bend).gradient(right).assert();
     // Without the source in double precision single cannot see it.
-    points().value(bend).gradient(lossy).prove();
+    points().value(bend).gradient(lossy).assert();
     let report = points().value(bend).wide(bend).gradient(lossy).run();
     refused(&report, Reason::Disagree(Witness::Adjoint, Witness::Wide));
     assert_eq!(report.failures[0].fault.suspect, Some(Witness::Adjoint));
@@ -296,16 +296,16 @@ fn other_path_has_another_value() {
     let report = points()
         .value(smooth)
         .path(other)
-        .gradient(smooth_slopes)
+        .gradient(smooth_derivatives)
         .run();
     refused(&report, Reason::ValuesDisagree(Witness::Further(0)));
 }
 #[test]
 fn other_witness_disagrees() {
-    let gpu = |x: [f64; 2], s: &[f64]| smooth_slopes(x).map(|g| g * s[0] * 1.001);
+    let gpu = |x: [f64; 2], s: &[f64]| smooth_derivatives(x).map(|g| g * s[0] * 1.001);
     let report = points()
         .value(smooth)
-        .gradient(smooth_slopes)
+        .gradient(smooth_derivatives)
         .witness(gpu)
         .run();
     refused(
@@ -314,9 +314,9 @@ fn other_witness_disagrees() {
     );
 }
 #[test]
-fn broken_promises() {
+fn broken_invariances() {
     let kinds = [Kind::X, Kind::Y];
-    let promise = [Promise {
+    let invariance = [Invariance {
         motion: Motion::Rotation,
         answer: Answer::Stays,
     }];
@@ -325,12 +325,12 @@ fn broken_promises() {
     points()
         .value(round)
         .gradient(|x| x.map(|x| 2.0 * x))
-        .promises(&kinds, &promise)
-        .prove();
+        .invariances(&kinds, &invariance)
+        .assert();
     let report = points()
         .value(square)
         .gradient(|[x, y]| [2.0 * x, 2.02 * y])
-        .promises(&kinds, &promise)
+        .invariances(&kinds, &invariance)
         .run();
     refused(&report, Reason::MotionBroken(Motion::Rotation));
     refused(&report, Reason::MotionUnbalanced(Motion::Rotation));
@@ -346,7 +346,7 @@ fn nothing_but_kinks() {
 }
 #[test]
 fn boxes_with_a_wrong_share() {
-    // The whole slope to the first of two equal boxes: only a tie shows it.
+    // The whole derivative to the first of two equal boxes: only a tie shows it.
     let wrong = |(a, b): (Aabb2<f64>, Aabb2<f64>)| {
         let (mut da, mut db) = ad::adjoint::overlap::intersection_area_aabb2_vjp(a, b, 1.0);
         if a.max.x == b.max.x {

@@ -1,4 +1,4 @@
-//! The harness itself: planted faults of slopes are refused for the right reason.
+//! The harness itself: planted faults of derivatives are refused for the right reason.
 use crate::planted;
 
 use geograd::Obb2;
@@ -7,7 +7,7 @@ use geograd::ad;
 use geograd::ad::check::Check;
 use geograd::ad::check::sample::Draw;
 use geograd::ad::check::verdict::Witness;
-use planted::{BY_DIFFERENCES, BY_DUALS, SEED, points, refused, smooth, smooth_slopes};
+use planted::{BY_DIFFERENCES, BY_DUALS, SEED, points, refused, smooth, smooth_derivatives};
 
 /// A planted fault in the gradient of [`smooth`], seen by duals and by differences alone.
 #[track_caller]
@@ -33,29 +33,29 @@ fn the_right_one_is_accepted() {
         .value(smooth)
         .dual(smooth)
         .traced(smooth)
-        .gradient(smooth_slopes)
-        .prove();
-    points().value(smooth).gradient(smooth_slopes).prove();
+        .gradient(smooth_derivatives)
+        .assert();
+    points().value(smooth).gradient(smooth_derivatives).assert();
 }
 
 #[test]
 fn wrong_sign() {
-    planted(|x| smooth_slopes(x).map(|g| -g));
+    planted(|x| smooth_derivatives(x).map(|g| -g));
 }
 #[test]
 fn wrong_sign_of_one() {
     planted(|x| {
-        let [a, b] = smooth_slopes(x);
+        let [a, b] = smooth_derivatives(x);
         [a, -b]
     });
 }
 #[test]
 fn wrong_factor() {
-    planted(|x| smooth_slopes(x).map(|g| 2.0 * g));
+    planted(|x| smooth_derivatives(x).map(|g| 2.0 * g));
 }
 #[test]
 fn factor_off_by_a_millionth() {
-    planted(|x| smooth_slopes(x).map(|g| g * (1.0 + 1e-6)));
+    planted(|x| smooth_derivatives(x).map(|g| g * (1.0 + 1e-6)));
 }
 #[test]
 fn dropped_term() {
@@ -69,7 +69,7 @@ fn dropped_term() {
 #[test]
 fn swapped_arguments() {
     planted(|x| {
-        let [a, b] = smooth_slopes(x);
+        let [a, b] = smooth_derivatives(x);
         [b, a]
     });
 }
@@ -93,11 +93,11 @@ fn sine_for_cosine() {
 }
 #[test]
 fn constant_added() {
-    planted(|x| smooth_slopes(x).map(|g| g + 1e-5));
+    planted(|x| smooth_derivatives(x).map(|g| g + 1e-5));
 }
 #[test]
 fn wrong_point() {
-    planted(|[x, y]| smooth_slopes([x + 1e-4, y]));
+    planted(|[x, y]| smooth_derivatives([x + 1e-4, y]));
 }
 #[test]
 fn differences_for_a_derivative() {
@@ -111,7 +111,7 @@ fn differences_for_a_derivative() {
 #[test]
 fn wrong_in_a_corner_of_the_domain() {
     planted(|[x, y]| {
-        let [a, b] = smooth_slopes([x, y]);
+        let [a, b] = smooth_derivatives([x, y]);
         if x > 1.4 && y > 1.0 {
             [a, 1.01 * b]
         } else {
@@ -121,7 +121,7 @@ fn wrong_in_a_corner_of_the_domain() {
 }
 #[test]
 fn rounding_times_a_thousand() {
-    let wrong = |x| smooth_slopes(x).map(|g| g * (1.0 + 4e3 * f64::EPSILON));
+    let wrong = |x| smooth_derivatives(x).map(|g| g * (1.0 + 4e3 * f64::EPSILON));
     let report = points()
         .value(smooth)
         .dual(smooth)
@@ -132,7 +132,7 @@ fn rounding_times_a_thousand() {
 }
 #[test]
 fn single_precision_inside() {
-    let wrong = |x| smooth_slopes(x).map(|g| f64::from(g as f32));
+    let wrong = |x| smooth_derivatives(x).map(|g| f64::from(g as f32));
     let report = points().value(smooth).dual(smooth).gradient(wrong).run();
     refused(&report, BY_DUALS);
 }
@@ -182,7 +182,7 @@ fn transposed_jacobian() {
         |[x, y]: [f64; 2], s: &[f64]| [2.0 * x * s[0] + y * y * s[1], s[0] + 2.0 * x * y * s[1]];
     let wrong =
         |[x, y]: [f64; 2], s: &[f64]| [2.0 * x * s[0] + s[1], y * y * s[0] + 2.0 * x * y * s[1]];
-    points().value(f).dual(f).adjoint(right).prove();
+    points().value(f).dual(f).adjoint(right).assert();
     let report = points().value(f).dual(f).adjoint(wrong).run();
     refused(&report, BY_DUALS);
     refused(&report, BY_DIFFERENCES);
@@ -269,7 +269,7 @@ fn a_long_input_with_one_wrong_number() {
             .map(|i| 0.3 + 0.01 * f64::from(i))
             .collect::<Vec<f64>>()
     };
-    Check::at(point()).value(value).gradient(right).prove();
+    Check::at(point()).value(value).gradient(right).assert();
     refused(
         &Check::at(point()).value(value).gradient(wrong).run(),
         BY_DIFFERENCES,
@@ -277,9 +277,9 @@ fn a_long_input_with_one_wrong_number() {
 }
 
 #[test]
-fn refusals_say_slopes() {
+fn refusals_say_derivatives() {
     // Without duals: differences are taken along an axis as long as the number is large, and what
-    // is said is the slope all the same.
+    // is said is the derivative all the same.
     let report = Check::at([-0.4, 190.0])
         .value(|[x, y]: [f64; 2]| x * x * y)
         .gradient(|[x, y]| [2.0 * x * y, 1.01 * x * x])
@@ -300,14 +300,14 @@ fn details_say_where() {
     let report = points()
         .value(smooth)
         .dual(smooth)
-        .gradient(smooth_slopes)
+        .gradient(smooth_derivatives)
         .run();
     let details = report.details();
     for part in [
-        "proved at 60 inputs",
+        "checked at 60 inputs",
         "60 smooth, 0 on a kink",
-        "adjoint and duals: 120 slopes compared",
-        "adjoint and differences: 120 slopes compared",
+        "adjoint and duals: 120 derivatives compared",
+        "adjoint and differences: 120 derivatives compared",
         "nearest to refusal",
         "let input = [",
     ] {
@@ -316,14 +316,20 @@ fn details_say_where() {
     assert!(!details.contains("batch"), "nobody asked one\n{details}");
     // The numbers belong to the input.
     let nearest = report.worst[1].nearest;
-    let [slope, dual] = [nearest.numbers.adjoint, nearest.numbers.dual].map(Option::unwrap);
-    assert!((slope - dual).abs() <= 1e-14 * slope.abs(), "{details}");
+    let [derivative, dual] = [nearest.numbers.adjoint, nearest.numbers.dual].map(Option::unwrap);
+    assert!(
+        (derivative - dual).abs() <= 1e-14 * derivative.abs(),
+        "{details}"
+    );
     let difference = nearest.numbers.difference.unwrap();
-    assert!((slope - difference).abs() <= nearest.tolerance, "{details}");
+    assert!(
+        (derivative - difference).abs() <= nearest.tolerance,
+        "{details}"
+    );
     assert!(nearest.share > 0.0 && nearest.share <= 1.0, "{details}");
 }
 
-/// Slopes that are wrong at one input to the bit, and right a digit beside it.
+/// Derivatives that are wrong at one input to the bit, and right a digit beside it.
 mod at_one_input {
     use geograd::Scalar;
     use geograd::check::*;

@@ -1,5 +1,5 @@
-//! A sample of the corpus: everyday functions whose right gradients are accepted and planted faults refused. All of it is
-//! `cargo run --release -p geograd-tests --example corpus`.
+//! A sample of the corpus: everyday functions whose right gradients are accepted and planted faults refused. All of
+//! it is `cargo run --release -p geograd-tests --example corpus`.
 use geograd::Jet;
 use geograd_tests::corpus::FIELDS;
 use geograd_tests::corpus::checkers::{Checker, Geograd, Task};
@@ -38,7 +38,7 @@ fn gradients_by_hand_are_those_of_duals() {
             for (i, &own) in by_hand.iter().enumerate() {
                 let jet = |(k, &value): (usize, &f64)| Jet {
                     value,
-                    slope: [f64::from(k == i)],
+                    derivative: [f64::from(k == i)],
                 };
                 let jets: Vec<_> = x.iter().enumerate().map(jet).collect();
                 let jet = (function.dual)(&jets);
@@ -46,11 +46,11 @@ fn gradients_by_hand_are_those_of_duals() {
                 let tie = function.kinks.contains(&x.as_slice());
                 assert!(
                     // At a tie of three or more there are many ways to share.
-                    tie || close(own, jet.slope[0], inputs.usual[i]),
-                    "{} at {x:?}, slope {i}: {} by hand, {} by duals",
+                    tie || close(own, jet.derivative[0], inputs.usual[i]),
+                    "{} at {x:?}, derivative {i}: {} by hand, {} by duals",
                     function.name,
                     own,
-                    jet.slope[0]
+                    jet.derivative[0]
                 );
             }
             count += 1;
@@ -74,7 +74,10 @@ fn without_a_mistake_a_mutant_is_right() {
         for x in &Inputs::new(function, 5, SEED).points {
             let mutants: Vec<Mutant> = x
                 .iter()
-                .map(|&value| Mutant { value, slope: 1.0 })
+                .map(|&value| Mutant {
+                    value,
+                    derivative: 1.0,
+                })
                 .collect();
             let (g, _) = mistaken(None, || (function.gradient_mutant)(&mutants));
             let g: Vec<f64> = g.iter().map(|g| g.value).collect();
@@ -83,15 +86,15 @@ fn without_a_mistake_a_mutant_is_right() {
                 .iter()
                 .map(|&value| Jet {
                     value,
-                    slope: [1.0],
+                    derivative: [1.0],
                 })
                 .collect();
             let (mutant, _) = mistaken(None, || (function.value_mutant)(&mutants));
             let jet = (function.dual)(&jets);
             assert_eq!(mutant.value, jet.value, "{}", function.name);
-            let size = jet.slope[0].abs().max(1.0);
+            let size = jet.derivative[0].abs().max(1.0);
             assert!(
-                (mutant.slope - jet.slope[0]).abs() <= 1e-9 * size,
+                (mutant.derivative - jet.derivative[0]).abs() <= 1e-9 * size,
                 "{}",
                 function.name
             );

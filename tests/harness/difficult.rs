@@ -4,14 +4,14 @@ use crate::planted;
 use geograd::Vec2;
 use geograd::ad;
 use geograd::ad::check::Check;
-use geograd::ad::check::Plan;
+use geograd::ad::check::Sampling;
 use planted::SEED;
 
 macro_rules! accepted {
     ($name:ident: $f:expr, $gradient:expr, [$($at:expr),+ $(,)?]) => {
         #[test]
         fn $name() {
-            Check::among([$($at),+]).value($f).gradient($gradient).prove();
+            Check::among([$($at),+]).value($f).gradient($gradient).assert();
         }
     };
 }
@@ -45,7 +45,7 @@ accepted!(rational_near_its_pole: |x: f64| 1.0 / x, |x: f64| -1.0 / (x * x), [1e
 accepted!(oscillating: |x: f64| (1.0 / x).sin(), |x: f64| -(1.0 / x).cos() / (x * x), [0.01, 0.003]);
 
 #[test]
-fn infinite_slope_is_undefined() {
+fn infinite_derivative_is_undefined() {
     let report = Check::at(0.0)
         .and(2.0)
         .value(|x: f64| x.max(0.0).sqrt())
@@ -65,7 +65,7 @@ fn rings_of_any_length() {
             ad::adjoint::ring::signed_area_vjp(&ring, 1.0, &mut bar);
             bar
         })
-        .prove();
+        .assert();
 }
 
 /// Sums of products of sines, exponentials and ratios with random coefficients: how often a right
@@ -73,7 +73,7 @@ fn rings_of_any_length() {
 #[test]
 fn rates() {
     let (count, mut alarms, mut missed) = (1000, 0, 0);
-    let plan = Plan::new(count, SEED);
+    let plan = Sampling::new(count, SEED);
     for i in 0..count {
         let mut d = plan.draw(i);
         let [a, b, c, e]: [f64; 4] = std::array::from_fn(|_| d.within(-2.0, 2.0));

@@ -1,6 +1,6 @@
 //! Rows that state where they are defined and how far their values may be off.
 use geograd::check::*;
-use geograd::kernels::fuzz::{self, Promise as Fuzzing};
+use geograd::kernels::fuzz::{self, Property as Fuzzing};
 use geograd::kernels::op::Op;
 use geograd::{Shape, Vec2, Vec3, operation};
 
@@ -22,44 +22,44 @@ impl<S: Scalar> Camera<S> {
 operation! {
     /// The image of a point.
     pub Project = "project": (point: Vec3<S>, camera: Camera<S>) -> Vec2<S> { camera.image(point) }
-    promises []
+    invariances []
     jumps Never
     domain { point.z > 0.1 }
-    slopes Reverse
+    derivative Reverse
 
     /// The image of a point, of which nothing is said.
     pub ProjectAnywhere = "project_anywhere": (point: Vec3<S>, camera: Camera<S>) -> Vec2<S> { camera.image(point) }
-    promises []
+    invariances []
     jumps Never
-    slopes Reverse
+    derivative Reverse
 
     /// A root of one number that no random one has.
     pub Nowhere = "nowhere": (x: S) -> S { x.root() }
-    promises []
+    invariances []
     jumps Never
     domain { x == 0.123 }
-    slopes Reverse
+    derivative Reverse
 
     /// By how much a hyperbola rises above its vertex.
     pub Rise = "rise": (x: S, y: S) -> S { (S::one() + x * x + y * y).root() - S::one() }
-    promises [Exchange Stays]
+    invariances [Exchange Stays]
     jumps Never
     resolution 1e-7
-    slopes Reverse
+    derivative Reverse
 
     /// The logarithm of a ratio, which is smaller than one.
     pub Loss = "loss": (part: S, whole: S) -> S { part.over(whole).ln() }
-    promises [Scaling Stays]
+    invariances [Scaling Stays]
     jumps Never
     domain { part > 0.01 && whole > part }
     relative_resolution 1e-4
-    slopes ByHand |(part, whole), out_bar| {
+    derivative ByHand |(part, whole), out_bar| {
         (part.over(whole).ln(), (out_bar.over(part), -out_bar.over(whole)))
     }
 }
 
 #[test]
-fn a_camera_is_provable_inside_its_domain() {
+fn a_camera_is_checkable_inside_its_domain() {
     for report in Check::of(Project).run() {
         assert!(report.passed(), "{report}");
         // Every second random point is behind the camera and is drawn anew; hard cases are not.
@@ -90,18 +90,18 @@ fn a_camera_is_refused_without_a_domain() {
     }
     Check::of(ProjectAnywhere)
         .inside(|(point, _)| point.z > 0.1)
-        .prove();
+        .assert();
 }
 
 #[test]
-fn a_wrong_slope_inside_is_refused() {
+fn a_wrong_derivative_inside_is_refused() {
     operation! {
-        /// The logarithm of a number, with a slope of something else.
+        /// The logarithm of a number, with a derivative of something else.
         pub Wrong = "wrong": (x: S) -> S { x.ln() }
-        promises []
+        invariances []
         jumps Never
         domain { x > 0.01 }
-        slopes ByHand |x, out_bar| { (x.ln(), out_bar.over(x + x)) }
+        derivative ByHand |x, out_bar| { (x.ln(), out_bar.over(x + x)) }
     }
     for report in Check::of(Wrong).run() {
         assert!(
@@ -128,7 +128,7 @@ fn a_domain_that_leaves_too_few_inputs_is_refused() {
         .samples(0)
         .inside(|x| *x > 0.1 && *x < 0.2)
         .and(0.123)
-        .prove();
+        .assert();
     // A function's own draws are held to the same.
     let narrow = Check::random(200, 1)
         .value(|x: f64| x.sqrt())
@@ -139,8 +139,8 @@ fn a_domain_that_leaves_too_few_inputs_is_refused() {
 
 #[test]
 fn a_resolution_is_the_rows() {
-    Check::of(Rise).prove();
-    Check::of(Loss).prove();
+    Check::of(Rise).assert();
+    Check::of(Loss).assert();
     assert_eq!(
         (Rise::RESOLUTION, Loss::RESOLUTION),
         ([1e-7, 0.0], [0.0, 1e-4])
@@ -168,9 +168,9 @@ fn fuzzers_stay_inside() {
     let broken = fuzz::operation::<ProjectAnywhere, f64>(20_000, 1)
         .broken
         .expect("z = 0");
-    assert_eq!(broken.promise, Fuzzing::Finite);
+    assert_eq!(broken.property, Fuzzing::Finite);
     let broken = fuzz::operation::<Nowhere, f64>(20_000, 1)
         .broken
         .expect("nothing to draw");
-    assert_eq!(broken.promise, Fuzzing::Domain);
+    assert_eq!(broken.property, Fuzzing::Domain);
 }

@@ -22,7 +22,7 @@ fn sum_of_squares<S: Scalar>([a, b]: [S; 2]) -> S {
     a * a + b * b
 }
 
-/// Nothing judged is nothing proved.
+/// Nothing judged is nothing checked.
 mod unjudged {
     use super::*;
 
@@ -59,7 +59,7 @@ mod unjudged {
     #[test]
     fn another_path_alone_is_enough() {
         let product = Check::at([1.0, 2.0]).value(|[x, y]: [f64; 2]| x * y);
-        product.path(|[x, y]| y * x).prove();
+        product.path(|[x, y]| y * x).assert();
     }
 }
 
@@ -89,23 +89,23 @@ mod accepted {
         assert_gradient!(generic f, |_| [1.0, 0.0], at [0.0, -1.0]);
     }
     #[test]
-    fn a_kink_of_the_slope() {
+    fn a_kink_of_the_derivative() {
         Check::at(0.0)
             .value(|x: f64| x.max(0.0).powi(2))
             .gradient(|x| 2.0 * x.max(0.0))
             .hessian_times(|x, v| if x > 0.0 { 2.0 * v } else { 0.0 })
-            .prove();
+            .assert();
     }
     #[test]
-    fn slopes_that_are_what_is_left_of_one() {
+    fn derivatives_that_are_what_is_left_of_one() {
         fn loss<S: Scalar>(x: S) -> S {
             (S::one() + (-x).exp()).ln()
         }
-        let slope = |x: f64| 1.0 / (1.0 + (-x).exp()) - 1.0;
-        assert_gradient!(generic loss, slope, at 8.0, 0.5);
+        let derivative = |x: f64| 1.0 / (1.0 + (-x).exp()) - 1.0;
+        assert_gradient!(generic loss, derivative, at 8.0, 0.5);
         let single = |x: f32| 1.0 / (1.0 + (-x).exp()) - 1.0;
         let check = Check::among([8.0_f32, 0.5]).value(loss).dual(loss);
-        check.gradient(single).prove();
+        check.gradient(single).assert();
         // Of the value itself single precision keeps too few digits.
         let wide = Check::among([8.0_f32, 0.5]).value(loss).wide(loss);
         refused(
@@ -119,21 +119,21 @@ mod accepted {
             let m = a.max(b);
             m + ((a - m).exp() + (b - m).exp()).ln() - a
         };
-        let slopes = |[a, b]: [f64; 2]| {
+        let derivatives = |[a, b]: [f64; 2]| {
             let m = a.max(b);
             let (p, q) = ((a - m).exp(), (b - m).exp());
             [p / (p + q) - 1.0, q / (p + q)]
         };
-        assert_gradient!(loss, slopes, at [40.0, 0.0]);
+        assert_gradient!(loss, derivatives, at [40.0, 0.0]);
     }
     #[test]
-    fn slopes_of_zero() {
+    fn derivatives_of_zero() {
         let det = |[a, b, c, d]: [f64; 4]| (a * d - b * c) * (a * d - b * c);
-        let slopes = |[a, b, c, d]: [f64; 4]| {
+        let derivatives = |[a, b, c, d]: [f64; 4]| {
             let e = 2.0 * (a * d - b * c);
             [e * d, -e * c, -e * b, e * a]
         };
-        assert_gradient!(det, slopes, at [1.0, 1.0, 1.0, 1.0]);
+        assert_gradient!(det, derivatives, at [1.0, 1.0, 1.0, 1.0]);
     }
     #[test]
     fn metres_and_millimetres() {
@@ -147,7 +147,7 @@ mod accepted {
             [1e9, 1e-3],
             [5e5, 1e-6],
         ] {
-            Check::at(point).value(f).gradient(right).prove();
+            Check::at(point).value(f).gradient(right).assert();
             refused(
                 &Check::at(point).value(f).gradient(wrong).run(),
                 BY_DIFFERENCES,
@@ -166,7 +166,7 @@ mod accepted {
             let (p, q) = ((a - m).exp(), (b - m).exp());
             [p / (p + q), q / (p + q)]
         };
-        let slopes = move |x| {
+        let derivatives = move |x| {
             let [p, q] = shares(x);
             [p - 1.0, q]
         };
@@ -175,20 +175,20 @@ mod accepted {
             [(p - p * p) * u - p * q * v, (q - q * q) * v - p * q * u]
         };
         for x in [[40.0, 0.0], [12.0, 0.0], [3.0, 1.0], [-2.0, 20.0]] {
-            let check = generic_check!(loss, at x).gradient(slopes);
-            check.hessian_times(hessian).prove();
+            let check = generic_check!(loss, at x).gradient(derivatives);
+            check.hessian_times(hessian).assert();
             Check::at(x)
                 .value(loss)
-                .gradient(slopes)
+                .gradient(derivatives)
                 .hessian_times(hessian)
-                .prove();
+                .assert();
         }
         // Where it has not won, the mixed derivative forgotten shows.
         let wrong = move |x, [u, v]: [f64; 2]| {
             let [p, q] = shares(x);
             [(p - p * p) * u, (q - q * q) * v]
         };
-        let check = generic_check!(loss, at [3.0, 1.0]).gradient(slopes);
+        let check = generic_check!(loss, at [3.0, 1.0]).gradient(derivatives);
         let report = check.hessian_times(wrong).run();
         refused(&report, Reason::CurvatureDisagrees(Witness::Dual));
     }
@@ -196,8 +196,8 @@ mod accepted {
     fn values_from_a_table() {
         // Steps of a millionth; without being told the harness sees jumps and noise.
         let rounded = |[x, y]: [f64; 2]| (x.sin() * y * 1e6).round() / 1e6;
-        let slopes = |[x, y]: [f64; 2]| [x.cos() * y, x.sin()];
-        assert_gradient!(rounded, slopes, at [0.4, 1.3], [2.0, -0.7]; resolution 1e-6);
+        let derivatives = |[x, y]: [f64; 2]| [x.cos() * y, x.sin()];
+        assert_gradient!(rounded, derivatives, at [0.4, 1.3], [2.0, -0.7]; resolution 1e-6);
         let wrong = |[x, y]: [f64; 2]| [x.cos() * y, 1.01 * x.sin()];
         let check = Check::at([0.4, 1.3]).value(rounded).gradient(wrong);
         assert!(!check.resolution(1e-6).run().passed());
@@ -208,8 +208,8 @@ mod accepted {
             assert!(x > 0.0, "only inside");
             x.sqrt()
         };
-        let slope = |x: f64| 0.5 / x.sqrt();
-        assert_gradient!(root, slope, at 1e-3, 2.0; inside |x| *x > 0.0; scales |x| 0.5 * x);
+        let derivative = |x: f64| 0.5 / x.sqrt();
+        assert_gradient!(root, derivative, at 1e-3, 2.0; inside |x| *x > 0.0; scales |x| 0.5 * x);
     }
     #[test]
     fn a_recorded_program() {
@@ -256,28 +256,28 @@ mod hidden {
     }
     #[test]
     fn one_in_three_hundred() {
-        let slope = |(i, x): (usize, &f64)| {
+        let derivative = |(i, x): (usize, &f64)| {
             let off = if i == 150 { 1e-6 } else { 0.0 };
             (1.0 + off) * x.cos()
         };
         let report = Check::at(vec![0.3; 300])
             .value(sum_of_sines)
-            .gradient(|x| x.iter().enumerate().map(slope).collect())
+            .gradient(|x| x.iter().enumerate().map(derivative).collect())
             .run();
         refused(&report, BY_DIFFERENCES);
     }
     #[test]
     fn one_in_two_thousand_of_single_precision() {
-        let slope = |(i, x): (usize, &f32)| if i == 1000 { -x.cos() } else { x.cos() };
+        let derivative = |(i, x): (usize, &f32)| if i == 1000 { -x.cos() } else { x.cos() };
         let report = Check::at(vec![0.3_f32; 2000])
             .value(sum_of_sines)
             .dual(sum_of_sines)
-            .gradient(|x| x.iter().enumerate().map(slope).collect())
+            .gradient(|x| x.iter().enumerate().map(derivative).collect())
             .run();
         refused(&report, BY_DUALS);
     }
     #[test]
-    fn beside_a_far_larger_slope() {
+    fn beside_a_far_larger_derivative() {
         let wrong = |[a, b]: [f64; 2]| [2.0 * a, -2.0 * b];
         let check = Check::at([1e12, 1.0]).value(sum_of_squares);
         refused(&check.dual(sum_of_squares).gradient(wrong).run(), BY_DUALS);
@@ -287,12 +287,12 @@ mod hidden {
     }
     #[test]
     fn second_derivatives_beside_far_larger_ones() {
-        let slopes = |[a, b]: [f64; 2]| [2.0 * a, 2.0 * b];
+        let derivatives = |[a, b]: [f64; 2]| [2.0 * a, 2.0 * b];
         let check = |off: f64| {
-            let check = generic_check!(sum_of_squares, at [1e12, 1.0]).gradient(slopes);
+            let check = generic_check!(sum_of_squares, at [1e12, 1.0]).gradient(derivatives);
             check.hessian_times(move |_, [u, v]| [2.0 * u, (2.0 + off) * v])
         };
-        check(0.0).prove();
+        check(0.0).assert();
         refused(
             &check(1e-8).run(),
             Reason::CurvatureDisagrees(Witness::Dual),
@@ -300,7 +300,7 @@ mod hidden {
     }
     #[test]
     fn in_ties_of_many() {
-        // No share of the slope, or nine tenths: along the tie the function is smooth.
+        // No share of the derivative, or nine tenths: along the tie the function is smooth.
         let largest = |x: [f64; 4]| x.iter().fold(f64::MIN, |m, x| m.max(*x));
         for share in [0.0, 0.225] {
             let report = Check::at([1.0; 4]).value(largest).gradient(|_| [share; 4]);
@@ -309,7 +309,7 @@ mod hidden {
         Check::at([1.0; 4])
             .value(largest)
             .gradient(|_| [0.25; 4])
-            .prove();
+            .assert();
     }
     #[test]
     fn behind_a_tie_of_another_number() {
@@ -340,7 +340,7 @@ mod reports {
 
     #[test]
     fn shrinking_keeps_to_the_fault() {
-        // Wrong in y; where x is zero there is a kink, at which its slope has another share.
+        // Wrong in y; where x is zero there is a kink, at which its derivative has another share.
         fn f<S: Scalar>([x, y]: [S; 2]) -> S {
             x.most(S::zero()) * y + y * y
         }
@@ -372,7 +372,7 @@ mod reports {
             .to_string();
         for part in [
             "the derivative by hand and the duals disagree",
-            "slope of output 0 with respect to input 1",
+            "derivative of output 0 with respect to input 1",
             "apart by",
             "allowed here",
             "at fault, as far as the others tell: the derivative by hand",
@@ -402,6 +402,6 @@ mod reports {
             .value(|[x, y]: [f64; 2]| [x * x, y * y])
             .adjoint(|[x, y], s| [2.0 * x * s[0], 2.0 * y * s[1]])
             .hessian_times(|_, [u, v]| [2.0 * u, 2.0 * v])
-            .prove();
+            .assert();
     }
 }

@@ -46,10 +46,10 @@ fn gradient_hessian_and_products_agree_with_num_dual() {
     }
     let direction = seeded(|i, _| 0.1 * i as f64 - 0.4);
     let (_, again, product) = ad::hvp(overlap, pair(), direction);
-    let (_, slope) = ad::jvp(overlap, pair(), direction);
+    let (_, derivative) = ad::jvp(overlap, pair(), direction);
     let along = direction.scalars();
     let dot = |row: &[f64]| row.iter().zip(&along).map(|(x, y)| x * y).sum::<f64>();
-    assert!((slope - dot(&first.scalars())).abs() < 1e-13);
+    assert!((derivative - dot(&first.scalars())).abs() < 1e-13);
     for (i, row) in rows.iter().enumerate() {
         assert!((again.scalars()[i] - first.scalars()[i]).abs() < 1e-13);
         assert!((product.scalars()[i] - dot(row)).abs() < 1e-12);

@@ -1,4 +1,4 @@
-//! The harness that proves derivatives, and what it proves of ours.
+//! The harness that checks derivatives, and what it checks of ours.
 mod adjoint;
 mod behaviour;
 mod checker;
@@ -12,8 +12,8 @@ mod messages;
 mod num_dual;
 mod planted;
 mod program;
+mod program_derivatives;
 mod program_random;
-mod program_slopes;
 mod scatter;
 mod shrinking;
 mod strategy;

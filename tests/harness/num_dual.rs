@@ -1,25 +1,25 @@
-//! num-dual's own numbers as a witness of derivatives by hand: a mistake that the derivative shares with our duals, or that
-//! is one of the numbers themselves, is seen.
+//! num-dual's own numbers as a witness of derivatives by hand: a mistake that the derivative shares with our duals,
+//! or that is one of the numbers themselves, is seen.
 use crate::planted;
 
 use geograd::ad::check::verdict::{PAIRS, Reason, Witness};
 use geograd::check::{Check, Report};
 use geograd::kernels::SignedArea;
-use geograd::kernels::check::{prove, prove_ring};
+use geograd::kernels::check::{check, check_ring};
 use geograd::{Jet, Program, Scalar, Sym, Vec2, generic_check, operation};
 use geograd_tests::rows::{AreaTriangle, IofAabb2};
-use planted::{BY_DUALS, points, refused, smooth, smooth_slopes};
+use planted::{BY_DUALS, points, refused, smooth, smooth_derivatives};
 use std::any::TypeId;
 
 const BY_NUM_DUAL: Reason = Reason::Disagree(Witness::Adjoint, Witness::NumDual);
 
-/// How many slopes were compared with num-dual's.
+/// How many derivatives were compared with num-dual's.
 fn compared(report: &Report) -> u64 {
     let place = PAIRS.iter().position(|pair| pair.1 == Witness::NumDual);
     report.worst[place.unwrap()].count
 }
 
-/// The same value, and slopes off by a thousandth if the scalar is of one kind.
+/// The same value, and derivatives off by a thousandth if the scalar is of one kind.
 fn spoilt<S: Scalar, T: 'static>(x: S) -> S {
     match TypeId::of::<S>() == TypeId::of::<T>() {
         true => x.damp(<S::Primal as Scalar>::lit(0.999)),
@@ -30,7 +30,7 @@ fn spoilt<S: Scalar, T: 'static>(x: S) -> S {
 #[test]
 fn a_mistake_that_our_duals_share() {
     type Ours = Jet<f64, 1>;
-    let wrong = |x| smooth_slopes(x).map(|slope| 0.999 * slope);
+    let wrong = |x| smooth_derivatives(x).map(|derivative| 0.999 * derivative);
     let check = || {
         let dual = |x| spoilt::<Ours, Ours>(smooth(x));
         points().value(smooth).dual(dual).gradient(wrong)
@@ -53,7 +53,7 @@ fn a_mistake_that_our_duals_share() {
 #[test]
 fn macros_ask_it() {
     let report = generic_check!(smooth, at [0.7, 0.4])
-        .gradient(smooth_slopes)
+        .gradient(smooth_derivatives)
         .run();
     assert!(report.passed() && compared(&report) == 2, "{report}");
     assert!(
@@ -61,7 +61,7 @@ fn macros_ask_it() {
         "{}",
         report.details()
     );
-    let wrong = |x| smooth_slopes(x).map(|slope| 1.001 * slope);
+    let wrong = |x| smooth_derivatives(x).map(|derivative| 1.001 * derivative);
     let report = generic_check!(smooth, at [0.7, 0.4]).gradient(wrong).run();
     refused(&report, BY_NUM_DUAL);
     assert!(
@@ -85,28 +85,28 @@ fn long_inputs_are_projected() {
 }
 
 operation! {
-    /// The square of a number, which num-dual's numbers take to have another slope.
+    /// The square of a number, which num-dual's numbers take to have another derivative.
     pub Spoilt = "spoilt": (x: S) -> S {
         let square = x * x;
         let square = spoilt::<S, num_dual::Dual<f32>>(square);
         spoilt::<S, num_dual::Dual<f64>>(square)
     }
-    promises []
+    invariances []
     jumps Never
-    slopes ByHand |x, bar| { (x * x, x * bar * S::lit(2.0)) }
+    derivative ByHand |x, bar| { (x * x, x * bar * S::lit(2.0)) }
 }
 
 operation! {
-    /// The square of a number, with a slope that differences cannot tell from the right one.
+    /// The square of a number, with a derivative that differences cannot tell from the right one.
     pub Nearly = "nearly": (x: S) -> S { x * x }
-    promises []
+    invariances []
     jumps Never
-    slopes ByHand |x, bar| { (x * x, x * bar * S::lit(2.0 + 1e-11)) }
+    derivative ByHand |x, bar| { (x * x, x * bar * S::lit(2.0 + 1e-11)) }
 }
 
 #[test]
 fn duals_are_strict_where_nothing_ties() {
-    let report = prove::<Nearly, f64>(20, 1);
+    let report = check::<Nearly, f64>(20, 1);
     refused(&report, BY_DUALS);
     refused(&report, BY_NUM_DUAL);
 }
@@ -121,12 +121,12 @@ fn a_scalar_that_differs_is_found() {
 
 #[test]
 fn derivatives_by_hand_are_asked() {
-    let report = prove::<IofAabb2, f64>(5, 1);
+    let report = check::<IofAabb2, f64>(5, 1);
     assert!(report.passed() && compared(&report) > 0, "{report}");
-    let report = prove_ring::<SignedArea, f32>(5, 1);
+    let report = check_ring::<SignedArea, f32>(5, 1);
     assert!(report.passed() && compared(&report) > 0, "{report}");
     // A recorded one is differentiated by nobody's hand.
-    assert_eq!(compared(&prove::<AreaTriangle, f64>(5, 1)), 0);
+    assert_eq!(compared(&check::<AreaTriangle, f64>(5, 1)), 0);
     let norm = Program::trace(|v: Vec2<Sym<f64>>| v.x.hypot(v.y)).unwrap();
     let check = || Check::at(Vec2::new(3.0, 4.0));
     assert_eq!(compared(&check().program(&norm).run()), 0);

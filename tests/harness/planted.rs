@@ -15,7 +15,7 @@ pub const SAMPLES: usize = 60;
 pub fn smooth<S: Scalar>([x, y]: [S; 2]) -> S {
     x * x * y.sin() + (x * y).exp() * S::lit(0.25)
 }
-pub fn smooth_slopes([x, y]: [f64; 2]) -> [f64; 2] {
+pub fn smooth_derivatives([x, y]: [f64; 2]) -> [f64; 2] {
     let e = 0.25 * (x * y).exp();
     [2.0 * x * y.sin() + y * e, x * x * y.cos() + x * e]
 }

@@ -197,14 +197,14 @@ fn an_adjoint_by_hand_is_recorded_to_the_bit() {
         for kind in 0..2000 {
             let x = draw.input::<10>(kind).map(T::lit);
             let (a, b) = boxes(x);
-            let (value, slopes) = ad::adjoint::overlap::iou_obb2_grad(a, b);
+            let (value, derivatives) = ad::adjoint::overlap::iou_obb2_grad(a, b);
             let found = value_grad.eval((a, b));
             let flat = |x: (T, (Obb2<T>, Obb2<T>))| {
                 let mut all = [T::zero(); 11];
                 x.store(&mut all);
                 all.map(|x| x.canonical().widen())
             };
-            let numbers = bits(flat((value, slopes)));
+            let numbers = bits(flat((value, derivatives)));
             assert_eq!(bits(flat(found)), numbers, "{a:?} {b:?}");
             // The cotangent of the result is a number of its own.
             let pulled = vjp.eval(((a, b), T::one()));

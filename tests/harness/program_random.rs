@@ -1,4 +1,4 @@
-//! Random functions, recorded: bits, slopes, and zeros of either sign.
+//! Random functions, recorded: bits, derivatives, and zeros of either sign.
 #![expect(
     clippy::needless_range_loop,
     reason = "rows and columns are named by their numbers"
@@ -90,7 +90,7 @@ fn program<T: Plain>(plan: &Plan) -> Program<[T; INPUTS], T> {
 }
 
 #[test]
-fn random_functions_keep_their_bits_and_slopes() {
+fn random_functions_keep_their_bits_and_derivatives() {
     let (mut draw, mut compared, mut wild) = (Draw(1), 0, 0);
     for _ in 0..4000 {
         let plan = Plan::new(&mut draw);
@@ -119,7 +119,7 @@ fn random_functions_keep_their_bits_and_slopes() {
             }
             let jets = plan.eval_all(from_fn(|i| Jet::<_, INPUTS>::variable(x[i], i)));
             let jet = jets[jets.len() - 1];
-            let (_, slopes) = value_grad.eval(x);
+            let (_, derivatives) = value_grad.eval(x);
             // Duals lose a value that is put in place of NaN.
             let same =
                 |(y, z): (&Jet<f64, INPUTS>, f64)| y.value == z || y.value.is_nan() && z.is_nan();
@@ -127,19 +127,19 @@ fn random_functions_keep_their_bits_and_slopes() {
             // What is built of large numbers that cancel is not known to many digits.
             let numbers = jets
                 .iter()
-                .flat_map(|y| [y.value].into_iter().chain(y.slope));
+                .flat_map(|y| [y.value].into_iter().chain(y.derivative));
             let scale = numbers
                 .filter(|x| x.is_finite())
                 .fold(1.0_f64, |a, b| a.max(b.abs()));
             for i in 0..INPUTS {
-                let expected = jet.slope[i];
+                let expected = jet.derivative[i];
                 if !known || !expected.is_finite() || scale > 1e3 {
                     wild += 1;
                     continue;
                 }
                 compared += 1;
                 let (_, pushed) = jvp.eval((x, from_fn(|k| f64::from(i == k))));
-                for found in [slopes[i], pushed] {
+                for found in [derivatives[i], pushed] {
                     let close = (found - expected).abs() <= 1e-10 * scale * scale;
                     assert!(
                         close,
@@ -151,7 +151,7 @@ fn random_functions_keep_their_bits_and_slopes() {
     }
     assert!(
         compared > 2 * wild,
-        "{compared} slopes compared, {wild} wild"
+        "{compared} derivatives compared, {wild} wild"
     );
 }
 
@@ -251,7 +251,7 @@ impl Tangent for Flip {
     }
 }
 
-/// Values and slopes do not change with the signs of zeros inside.
+/// Values and derivatives do not change with the signs of zeros inside.
 fn flipped<const N: usize, const M: usize, F: Function<N, M>>() {
     let program = F::program::<f64>();
     let vjp = program.vjp();
@@ -265,11 +265,11 @@ fn flipped<const N: usize, const M: usize, F: Function<N, M>>() {
             program.eval(x).map(f64::to_bits),
             "{x:?}"
         );
-        let slopes = vjp
+        let derivatives = vjp
             .eval_on((x.map(Flip::any), bar.map(Flip::any)))
             .map(|y| y.0 + 0.0);
         assert_eq!(
-            slopes.map(f64::to_bits),
+            derivatives.map(f64::to_bits),
             vjp.eval((x, bar)).map(f64::to_bits),
             "{x:?}"
         );

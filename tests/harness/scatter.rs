@@ -1,8 +1,8 @@
-//! Single precision against double: a formula that scatters its results is refused, although moving its inputs by their last
-//! digits scatters them as much; where the function itself moves, it is accepted.
+//! Single precision against double: a formula that scatters its results is refused, although moving its inputs by
+//! their last digits scatters them as much; where the function itself moves, it is accepted.
 use crate::planted;
 
-use geograd::check::{Check, Plan, Reason, Witness};
+use geograd::check::{Check, Reason, Sampling, Witness};
 use geograd::{Obb2, Scalar, operation};
 use geograd_tests::rows::{IntersectionAreaObb2, IouObb2};
 use planted::refused;
@@ -16,22 +16,22 @@ fn scattered<S: Scalar>(x: S) -> S {
 operation! {
     /// The product of two numbers, by a formula that loses half of the digits in single precision.
     pub Value = "value": (x: S, y: S) -> S { scattered(x) * y }
-    promises []
+    invariances []
     jumps Never
-    slopes Reverse
+    derivative Reverse
 
-    /// The same of its slopes.
-    pub Slopes = "slopes": (x: S, y: S) -> S { x * y }
-    promises []
+    /// The same of its derivatives.
+    pub Derivatives = "derivatives": (x: S, y: S) -> S { x * y }
+    invariances []
     jumps Never
-    slopes ByHand |(x, y), bar| { (x * y, (scattered(y * bar), scattered(x * bar))) }
+    derivative ByHand |(x, y), bar| { (x * y, (scattered(y * bar), scattered(x * bar))) }
 }
 
 #[test]
 fn a_formula_that_scatters_is_refused() {
     let [single, _] = Check::of(Value).samples(40).run();
     refused(&single, Reason::ValuesDisagree(Witness::Wide));
-    let [single, _] = Check::of(Slopes).samples(40).run();
+    let [single, _] = Check::of(Derivatives).samples(40).run();
     refused(&single, Reason::Disagree(Witness::Adjoint, Witness::Wide));
     assert!(single.to_string().contains("remedy"), "{single}");
 }
@@ -41,7 +41,7 @@ fn thin_boxes_are_accepted() {
     // A thousandth wide, fifty long, from a hundred-millionth to a hundredth of a turn from parallel; and nested ones.
     let mut score = Check::of(IouObb2).hard(0).samples(0);
     let mut area = Check::of(IntersectionAreaObb2).hard(0).samples(0);
-    let plan = Plan::new(1, planted::SEED);
+    let plan = Sampling::new(1, planted::SEED);
     for i in 0..40 {
         let mut d = plan.draw(i);
         let (x, y, heading) = (

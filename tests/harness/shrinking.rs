@@ -9,10 +9,10 @@ fn failure(check: &Check<'_, impl Pack<Scalar = f64> + std::fmt::Debug>) -> Fail
     report.failures[0].clone()
 }
 
-/// The sum of squares, whose slopes are wrong where a number is larger than three.
+/// The sum of squares, whose derivatives are wrong where a number is larger than three.
 fn wrong_above_three(x: Vec<f64>) -> Vec<f64> {
-    let slope = |x: &f64| if *x > 3.0 { 2.5 * x } else { 2.0 * x };
-    x.iter().map(slope).collect()
+    let derivative = |x: &f64| if *x > 3.0 { 2.5 * x } else { 2.0 * x };
+    x.iter().map(derivative).collect()
 }
 fn squares(x: Vec<f64>) -> f64 {
     x.iter().map(|x| x * x).sum()
@@ -48,7 +48,7 @@ fn a_function_that_panics_at_short_lists() {
             .value(value)
             .gradient(|x| vec![x[1], -x[0], 0.0]),
     );
-    // With two numbers the list of slopes is too long, which is another reason.
+    // With two numbers the list of derivatives is too long, which is another reason.
     assert_eq!(
         failure.fault.reason,
         Reason::Disagree(

@@ -1,4 +1,4 @@
-//! The harness itself: at an exact tie any element between the slopes of both sides is right, and nothing else.
+//! The harness itself: at an exact tie any element between the derivatives of both sides is right, and nothing else.
 use crate::planted;
 
 use geograd::ad::check::verdict::Reason;
@@ -12,8 +12,8 @@ fn clearance<S: Scalar>((point, capsule): Input<S>) -> S {
     (point - capsule.segment().nearest(point)).length() - capsule.radius
 }
 
-/// Slopes of the clearance; the foot of the point has so much of each end where these coincide.
-fn slopes<S: Scalar>((point, capsule): Input<S>, at_tie: [f64; 2], bar: S) -> Input<S> {
+/// Derivatives of the clearance; the foot of the point has so much of each end where these coincide.
+fn derivatives<S: Scalar>((point, capsule): Input<S>, at_tie: [f64; 2], bar: S) -> Input<S> {
     let (arm, along) = (point - capsule.from, capsule.to - capsule.from);
     let square = along.dot(along);
     let tied = square.at_most(S::zero());
@@ -43,7 +43,9 @@ fn all_weight_to_the_first_end() {
     for beside in BESIDE {
         let check = || above(beside).dual(clearance::<Jet<f64, 1>>);
         for share in [[1.0, 0.0], [0.0, 1.0], [0.25, 0.75]] {
-            check().gradient(move |x| slopes(x, share, 1.0)).prove();
+            check()
+                .gradient(move |x| derivatives(x, share, 1.0))
+                .assert();
         }
     }
 }
@@ -53,7 +55,7 @@ fn too_much_weight() {
     for beside in BESIDE {
         let check = || above(beside).dual(clearance::<Jet<f64, 1>>);
         for share in [[1.0, 1.0], [0.0, 0.0], [1.5, -0.5], [1.0, 0.01]] {
-            let report = check().gradient(move |x| slopes(x, share, 1.0)).run();
+            let report = check().gradient(move |x| derivatives(x, share, 1.0)).run();
             assert!(!report.passed(), "{beside}, {share:?}\n{report}");
         }
     }
@@ -66,9 +68,9 @@ macro_rules! capsule {
             pub $Name = "clearance": (point: Vec2<S>, capsule: Capsule2<S>) -> S {
                 clearance((point, capsule))
             }
-            promises [TranslationX Stays, TranslationY Stays, Rotation Stays, Scaling Power(1)]
+            invariances [TranslationX Stays, TranslationY Stays, Rotation Stays, Scaling Power(1)]
             jumps Never
-            slopes ByHand |input, bar| { (clearance(input), slopes(input, $share, bar)) }
+            derivative ByHand |input, bar| { (clearance(input), derivatives(input, $share, bar)) }
         }
     };
 }
@@ -77,7 +79,7 @@ capsule!(BothEnds, [1.0, 1.0]);
 
 #[test]
 fn an_operation_may_choose() {
-    Check::of(FirstEnd).samples(40).prove();
+    Check::of(FirstEnd).samples(40).assert();
     // Unless the duals' way of sharing is asked for.
     let [_, double] = Check::of(FirstEnd).samples(40).shared_ties().run();
     refused(&double, BY_DUALS);
@@ -88,18 +90,18 @@ fn an_operation_may_choose() {
 operation! {
     /// The larger of two numbers.
     pub First = "first": (x: S, y: S) -> S { x.most(y) }
-    promises [Exchange Stays]
+    invariances [Exchange Stays]
     jumps Never
-    slopes ByHand |(x, y), bar| {
+    derivative ByHand |(x, y), bar| {
         let first = y.at_most(x);
         let zero = S::zero();
         (x.most(y), (S::select(first, bar, zero), S::select(first, zero, bar)))
     }
     /// The same, and both at a tie.
     pub Both = "both": (x: S, y: S) -> S { x.most(y) }
-    promises [Exchange Stays]
+    invariances [Exchange Stays]
     jumps Never
-    slopes ByHand |(x, y), bar| {
+    derivative ByHand |(x, y), bar| {
         let zero = S::zero();
         (x.most(y), (S::select(y.at_most(x), bar, zero), S::select(x.at_most(y), bar, zero)))
     }
@@ -107,7 +109,7 @@ operation! {
 
 #[test]
 fn an_element_need_not_be_the_same_exchanged() {
-    Check::of(First).samples(40).prove();
+    Check::of(First).samples(40).assert();
     let [_, double] = Check::of(Both).samples(40).run();
     let reasons = [BY_DUALS, Reason::OutsideKink];
     assert!(

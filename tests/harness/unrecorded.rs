@@ -1,7 +1,7 @@
 //! What cannot be recorded is refused for that, with what to do, and does not panic; values that lose digits on purpose
 //! are told how to say so.
 use geograd::check::{Check, Reason, Witness};
-use geograd::kernels::check::prove;
+use geograd::kernels::check::check;
 use geograd::{Unrecordable, operation};
 
 operation! {
@@ -10,36 +10,36 @@ operation! {
         let never = S::lit(f64::INFINITY) * x.magnitude();
         S::select(x.above(never), never, x.halved())
     }
-    promises []
+    invariances []
     jumps Never
-    slopes Reverse
+    derivative Reverse
 
     /// Half of a positive number, decided by a hint.
     pub Hinted = "hinted": (x: S) -> S {
         if x.above(S::zero()).any() { x.halved() } else { x }
     }
-    promises []
+    invariances []
     jumps Never
-    slopes Reverse
+    derivative Reverse
 
     /// By how much a hyperbola rises above its vertex.
     pub Rise = "rise": (x: S, y: S) -> S {
         (S::one() + x * x + y * y).root() - S::one()
     }
-    promises [Exchange Stays]
+    invariances [Exchange Stays]
     jumps Never
-    slopes Reverse
+    derivative Reverse
 
     /// The logarithm.
     pub Logarithm = "logarithm": (x: S) -> S { x.ln() }
-    promises []
+    invariances []
     jumps Never
-    slopes Reverse
+    derivative Reverse
 }
 
 #[test]
 fn is_refused() {
-    let report = prove::<Wild, f64>(5, 1);
+    let report = check::<Wild, f64>(5, 1);
     let reason = Reason::Unrecordable(Unrecordable::Constant);
     assert!(report.refused_for(reason), "{report}");
     assert_eq!(report.failures.len(), 1, "{report}");
@@ -74,8 +74,8 @@ fn cancelled_digits_name_their_remedy() {
     );
     let text = single.to_string();
     assert!(text.contains("`resolution`"), "{text}");
-    Check::of(Rise).resolution(1e-7).prove();
-    // What is far too coarse by its own word says nothing of the slopes.
+    Check::of(Rise).resolution(1e-7).assert();
+    // What is far too coarse by its own word says nothing of the derivatives.
     let [single, _] = Check::of(Rise).relative_resolution(1e-9).run();
     assert!(!single.passed(), "{single}");
 }
@@ -84,10 +84,10 @@ fn cancelled_digits_name_their_remedy() {
 fn an_operation_with_a_domain() {
     let [_, double] = Check::of(Logarithm).run();
     assert!(!double.passed(), "{double}");
-    Check::of(Logarithm).inside(|x| *x > 1e-3).prove();
+    Check::of(Logarithm).inside(|x| *x > 1e-3).assert();
     let scales = |x: &f64| x.abs();
     Check::of(Logarithm)
         .inside(|x| *x > 0.0)
         .scales(scales)
-        .prove();
+        .assert();
 }

@@ -2,8 +2,8 @@
 //! else; a batch that is wrong is refused.
 use geograd::ad::check::subject::{Conventions, Jumps};
 use geograd::ad::check::verdict::{Reason, Witness};
-use geograd::ad::check::{Check, Plan, examine};
-use geograd::kernels::check::{OpSubject, prove_pairs_on, prove_ring_on};
+use geograd::ad::check::{Check, Sampling, examine};
+use geograd::kernels::check::{OpSubject, check_pairs_on, check_ring_on};
 use geograd::kernels::gpu::Gpu;
 use geograd::kernels::op::Straight;
 use geograd::kernels::witness::{Answer, Batch};
@@ -13,11 +13,11 @@ use geograd::{Obb2, Pack, ad};
 use geograd_tests::rows::IouObb2;
 
 /// Every so many hard cases, and random inputs on top.
-fn plan() -> Plan<'static> {
-    Plan {
+fn plan() -> Sampling<'static> {
+    Sampling {
         hard: 23,
         shared_ties: true,
-        ..Plan::new(40, 1)
+        ..Sampling::new(40, 1)
     }
 }
 
@@ -37,22 +37,22 @@ fn gpu() -> Option<Gpu> {
     }
 }
 
-macro_rules! prove_all {
+macro_rules! check_all {
     (pairs { $($pair:ident: $pair_op:ty,)* } rings { $($ring:ident: $ring_op:ty,)* }
      straight { $($straight:ident: $straight_op:ty,)* } $($rest:tt)*) => {
         fn all_on(backend: Backend<'_>) {
             $(
-                let report = prove_pairs_on::<$pair_op, _, _>(backend, &plan()).unwrap();
+                let report = check_pairs_on::<$pair_op, _, _>(backend, &plan()).unwrap();
                 assert!(report.passed() && report.worst[5].count > 0, "{report}");
             )*
             $(
-                let report = prove_ring_on::<$ring_op>(backend, &plan()).unwrap();
+                let report = check_ring_on::<$ring_op>(backend, &plan()).unwrap();
                 assert!(report.passed() && report.worst[5].count > 0, "{report}");
             )*
         }
     };
 }
-geograd::for_each_op!(prove_all);
+geograd::for_each_op!(check_all);
 
 #[test]
 fn batches_on_the_cpu() {
@@ -72,25 +72,26 @@ fn a_wrong_batch_is_refused() {
         Obb2::new(0.0, 0.0, 2.0, 1.0, 0.25),
         Obb2::new(0.5, 0.25, 1.5, 1.0, 0.5),
     );
-    let report = |value: f32, slope: f32| {
+    let report = |value: f32, derivative: f32| {
         let ask = |inputs: &[Vec<f32>]| {
             let answer = |x: &Vec<f32>| {
                 let x: Vec<f64> = x.iter().map(|&x| f64::from(x)).collect();
                 let (a, b) = input.refill(&x);
                 let (iou, bars) =
                     ad::adjoint::overlap::iou_obb2_grad(a.cast::<f32>(), b.cast::<f32>());
-                let mut slopes: Vec<f64> = bars.scalars().iter().map(|&x| f64::from(x)).collect();
-                slopes[7] *= f64::from(slope);
+                let mut derivatives: Vec<f64> =
+                    bars.scalars().iter().map(|&x| f64::from(x)).collect();
+                derivatives[7] *= f64::from(derivative);
                 Answer {
                     value: vec![f64::from(iou * value)],
-                    rows: vec![slopes],
+                    rows: vec![derivatives],
                 }
             };
             Ok(inputs.iter().map(answer).collect())
         };
         let batch = Batch::new(vec![&ask], &[input.scalars()]).unwrap();
         let inputs = [input];
-        examine("wrong", &Plan::new(1, 1), &inputs, 1, |x, judge| {
+        examine("wrong", &Sampling::new(1, 1), &inputs, 1, |x, judge| {
             let subject = OpSubject::<Straight<IouObb2>, f32>::new(x, &[], None);
             judge(&subject.with_batch(Some(&batch)));
         })
@@ -150,5 +151,5 @@ fn a_backend_as_a_witness_of_ones_own_check() {
         let (a_bars, b_bars) = bars.expect("the backend answers");
         (a_bars[0], b_bars[0])
     })
-    .prove();
+    .assert();
 }

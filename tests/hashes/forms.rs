@@ -3,10 +3,10 @@
 //! What is generic over an operation only loads, calls and flattens: it is compiled for every row and format.
 use crate::print;
 use geograd::ad::forward::First;
+use geograd::kernels::item::Results;
 use geograd::kernels::op::{ValueGrad, Vjp};
 use geograd::kernels::real::Real;
-use geograd::kernels::row::Results;
-use geograd::kernels::{Columns, Cpu, Decided, Op, Row, Runs, Single};
+use geograd::kernels::{Columns, Cpu, Item, Op, Runs, Search, Single};
 use geograd::{Error, Fixed, Jet, Pack, Scalar};
 use std::marker::PhantomData;
 
@@ -27,7 +27,7 @@ pub fn round<S: Format>(x: f64) -> f64 {
 }
 
 /// The results of a form of one item, from its numbers and a cotangent.
-pub type Item = fn(&[f64], &[f64]) -> Vec<f64>;
+pub type OfItem = fn(&[f64], &[f64]) -> Vec<f64>;
 /// The results of forms of all items together.
 pub type Batch = fn(&Given) -> Vec<Found>;
 /// A form and its results.
@@ -44,8 +44,9 @@ impl Given {
         let cotangents = print::cotangents(inputs.len(), outputs);
         Given { inputs, cotangents }
     }
-    /// Hashes of the inputs, of items and of batches, or of what a batch is refused with. A form without any number is none.
-    pub fn forms(&self, items: &[(&'static str, Item)], batches: &[Batch]) -> Vec<(String, u64)> {
+    /// Hashes of the inputs, of items and of batches, or of what a batch is refused with. A form without any number
+    /// is none.
+    pub fn forms(&self, items: &[(&'static str, OfItem)], batches: &[Batch]) -> Vec<(String, u64)> {
         let mut all = vec![("inputs", Ok(self.inputs.concat()))];
         for (form, item) in items {
             let given = self.inputs.iter().zip(&self.cotangents);
@@ -83,10 +84,10 @@ pub fn flat<P: Fixed<Scalar: Into<f64>>>(shape: &P) -> Vec<f64> {
     all.extend(shape.codes().into_iter().map(f64::from));
     all
 }
-/// All slopes of a function of so many numbers by duals, after its value.
+/// All derivatives of a function of so many numbers by duals, after its value.
 pub fn jacobian<S: Format>(x: &[f64], f: &dyn Fn(&[First<S>]) -> Vec<First<S>>) -> Vec<f64> {
-    let (mut values, mut slopes) = (Vec::new(), Vec::new());
-    let width = First::<S>::zero().slope.len();
+    let (mut values, mut derivatives) = (Vec::new(), Vec::new());
+    let width = First::<S>::zero().derivative.len();
     for first in (0..x.len().max(1)).step_by(width) {
         let numbers = x.iter().enumerate();
         let jets: Vec<First<S>> = numbers
@@ -95,9 +96,9 @@ pub fn jacobian<S: Format>(x: &[f64], f: &dyn Fn(&[First<S>]) -> Vec<First<S>>) 
         let found = f(&jets);
         let used = (x.len() - first).min(width);
         values = found.iter().map(|jet| jet.value.into()).collect();
-        slopes.extend(found.iter().flat_map(|jet| jet.slope[..used].to_vec()));
+        derivatives.extend(found.iter().flat_map(|jet| jet.derivative[..used].to_vec()));
     }
-    values.extend(slopes.into_iter().map(Into::into));
+    values.extend(derivatives.into_iter().map(Into::into));
     values
 }
 
@@ -117,12 +118,12 @@ pub fn by_hand<O: Op, S: Format>(x: &[f64], bar: &[f64]) -> Vec<f64> {
     }
 }
 /// A search and its replay on plain numbers.
-pub fn replayed<D: Decided, S: Format>(x: &[f64], _: &[f64]) -> Vec<f64> {
+pub fn replayed<D: Search, S: Format>(x: &[f64], _: &[f64]) -> Vec<f64> {
     let x = load::<D::In<S>>(x);
     flat(&D::replay::<S>(x, D::decide::<S>(x)))
 }
 /// A search on plain numbers and its replay on duals.
-pub fn replayed_duals<D: Decided, S: Format>(x: &[f64], _: &[f64]) -> Vec<f64> {
+pub fn replayed_duals<D: Search, S: Format>(x: &[f64], _: &[f64]) -> Vec<f64> {
     let shape = load::<D::In<S>>(x);
     let (record, codes) = (D::decide::<S>(shape), shape.codes());
     jacobian::<S>(&x[..D::In::<S>::LEN], &|x| {
@@ -158,7 +159,7 @@ fn numbers(many: &impl Flat) -> Vec<f64> {
     many.flat(&mut all);
     all
 }
-fn aligned<C: Columns, R: Runs<C::Row>>(run: R, columns: C) -> Result<Vec<f64>, Error>
+fn aligned<C: Columns, R: Runs<C::Item>>(run: R, columns: C) -> Result<Vec<f64>, Error>
 where
     <R::Out as Results>::Many: Flat,
 {
@@ -178,8 +179,8 @@ pub fn items<R, X, Y>(given: &Given) -> Vec<Found>
 where
     R: Runs<X, Out = Y> + Default,
     Vjp<R>: Runs<(X, Y), Out = X> + Default,
-    X: Row<Scalar: Format, Many: Flat>,
-    Y: Row<Scalar = X::Scalar, Many: Flat>,
+    X: Item<Scalar: Format, Many: Flat>,
+    Y: Item<Scalar = X::Scalar, Many: Flat>,
 {
     let inputs: Vec<X> = load_all(&given.inputs);
     let mut bars: Vec<Y> = load_all(&given.cotangents);
@@ -205,7 +206,7 @@ pub trait Gradients {
 impl<R, X, T> Gradients for &Of<R, X, T>
 where
     ValueGrad<R>: Runs<X, Out = (T, X)> + Default,
-    X: Row<Scalar = T, Many: Flat>,
+    X: Item<Scalar = T, Many: Flat>,
     T: Format,
 {
     fn gradients(&self) -> Option<Batch> {
@@ -228,7 +229,7 @@ impl<R, X, Y> Gradients for Of<R, X, Y> {
 pub trait Pairs {
     fn pairs(&self) -> Option<Batch>;
 }
-/// Of one number as result: reductions and sums of slopes, too.
+/// Of one number as result: reductions and sums of derivatives, too.
 impl<R, A, B, T> Pairs for &&Of<R, (A, B), T>
 where
     R: Op<In<T> = (A, B), Out<T> = T>,
@@ -245,7 +246,7 @@ where
     R: Op + Runs<(A, B), Out = Y>,
     A: Single<Scalar: Format>,
     B: Single<Scalar = A::Scalar>,
-    Y: Row<Scalar = A::Scalar>,
+    Y: Item<Scalar = A::Scalar>,
 {
     fn pairs(&self) -> Option<Batch> {
         Some(|given| {

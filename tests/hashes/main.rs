@@ -1,6 +1,7 @@
 //! Hashes of the results of every row, to show that a change of the code changes no bit.
 //!
-//! `cargo run -p geograd-tests --no-default-features --features gpu,hashes --example hashes`; `-- --help` has the options.
+//! `cargo run -p geograd-tests --no-default-features --features gpu,hashes --example hashes`; `-- --help` has the
+//! options.
 //!
 //! It walks every row of `for_each_op!` in `f32` and `f64` at a fixed set of inputs (hard, random and extreme ones of
 //! `sample`), and prints a line per form: plain numbers, duals, an adjoint by hand, aligned batches, all pairs,
@@ -48,7 +49,7 @@ something differs, or 2 for a wrong argument or a file that cannot be read.
 
 /// The first lines of a written file.
 const HEAD: &str = "\
-# Row, format, form, hash: results of every row at a fixed set of inputs, on x86-64 Linux.
+# Item, format, form, hash: results of every row at a fixed set of inputs, on x86-64 Linux.
 # cargo run -p geograd-tests --no-default-features --features gpu,hashes --example hashes -- \\
 #   --check tests/hashes/hashes.txt
 ";

@@ -1,9 +1,9 @@
-//! The forms of rings and folds: values and slopes alone, of paths in one list, and of one path for all.
-use crate::forms::{Batch, Flat, Format, Found, Given, Item, flat, jacobian, load, load_all};
+//! The forms of rings and folds: values and derivatives alone, of paths in one list, and of one path for all.
+use crate::forms::{Batch, Flat, Format, Found, Given, OfItem, flat, jacobian, load, load_all};
 use geograd::ad::forward::First;
 use geograd::kernels::fold::{Folded, fold};
 use geograd::kernels::op::Source;
-use geograd::kernels::{Cpu, Fold, RingOp, Row};
+use geograd::kernels::{Cpu, Fold, Item, RingOp};
 use geograd::{Fixed, Pack, Scalar, Vec2};
 
 fn path<S: Scalar>(numbers: &[S]) -> Vec<Vec2<S>> {
@@ -28,7 +28,7 @@ fn ragged<S: Format>(given: &Given, behind: usize) -> (Vec<Vec2<S>>, Vec<usize>)
     (vertices, offsets)
 }
 
-pub fn ring_items<O: RingOp, S: Format>() -> Vec<(&'static str, Item)> {
+pub fn ring_items<O: RingOp, S: Format>() -> Vec<(&'static str, OfItem)> {
     vec![
         ("scalar", |x, _| flat(&O::value::<S>(&path_of(x)))),
         ("duals", |x, _| {
@@ -48,17 +48,17 @@ pub fn ring_batch<O: RingOp, S: Format>(given: &Given) -> Vec<Found> {
     let (run, cpu) = (O::default(), Cpu::new());
     let bars: Vec<O::Out<S>> = load_all(&given.cotangents);
     let values = cpu.ragged(run, &vertices, &offsets);
-    let slopes = cpu.ragged_vjp(run, &vertices, &offsets, &bars);
+    let derivatives = cpu.ragged_vjp(run, &vertices, &offsets, &bars);
     vec![
         (
             "ragged",
             values.map(|all| all.iter().flat_map(flat).collect()),
         ),
-        ("ragged_vjp", slopes.map(|bars| numbers(&bars))),
+        ("ragged_vjp", derivatives.map(|bars| numbers(&bars))),
     ]
 }
 
-pub fn fold_items<F: Fold, S: Format>() -> Vec<(&'static str, Item)> {
+pub fn fold_items<F: Fold, S: Format>() -> Vec<(&'static str, OfItem)> {
     vec![
         ("scalar", |x, _| {
             let (context, vertices) = x.split_at(F::Context::<S>::LEN);
@@ -82,7 +82,7 @@ pub fn fold_items<F: Fold, S: Format>() -> Vec<(&'static str, Item)> {
 /// Contexts are one column per path. The longest path meets all contexts, too.
 pub fn fold_batch<F: Fold, S: Format>() -> Batch
 where
-    F::Context<S>: Row<Scalar = S>,
+    F::Context<S>: Item<Scalar = S>,
 {
     |given| {
         let own = F::Context::<S>::LEN;
@@ -92,7 +92,7 @@ where
         let bars: Vec<F::Out<S>> = load_all(&given.cotangents);
         let (run, cpu) = (F::default(), Cpu::new());
         let values = |all: Vec<F::Out<S>>| all.iter().flat_map(flat).collect();
-        let slopes = |(contexts, vertices): (Vec<F::Context<S>>, Vec<Vec2<S>>)| {
+        let derivatives = |(contexts, vertices): (Vec<F::Context<S>>, Vec<Vec2<S>>)| {
             let mut all = numbers(&vertices);
             contexts.flat(&mut all);
             all
@@ -110,10 +110,10 @@ where
             (
                 "fold_vjp",
                 cpu.fold_vjp(run, &contexts, &vertices, &offsets, &bars)
-                    .map(slopes),
+                    .map(derivatives),
             ),
             ("fold_one", one.map(values)),
-            ("fold_one_vjp", pulled.map(slopes)),
+            ("fold_one_vjp", pulled.map(derivatives)),
         ]
     }
 }

@@ -4,7 +4,7 @@ use crate::{paths, print};
 use geograd::ad::check::sample::Sample;
 #[cfg(feature = "gpu")]
 use geograd::ad::program::WGSL as PRELUDE;
-use geograd::kernels::{Decided, Fold, Op, RingOp};
+use geograd::kernels::{Fold, Op, RingOp, Search};
 use geograd::{Fixed, Pack, Vec2};
 
 /// A row in one format, and what hashes its forms.
@@ -32,7 +32,7 @@ where
         &batches.iter().flatten().copied().collect::<Vec<_>>(),
     )
 }
-fn search<D: Decided, S: Format>(batches: &[Option<forms::Batch>]) -> Vec<(String, u64)>
+fn search<D: Search, S: Format>(batches: &[Option<forms::Batch>]) -> Vec<(String, u64)>
 where
     D::In<f64>: Sample,
 {
@@ -128,8 +128,8 @@ macro_rules! decided_batches {
     ($op:ty, $format:ty) => {
         batches!(
             $op,
-            <$op as Decided>::In<$format>,
-            <$op as Decided>::Out<$format>
+            <$op as Search>::In<$format>,
+            <$op as Search>::Out<$format>
         )
     };
 }
@@ -155,7 +155,7 @@ macro_rules! list {
      further {
          straight { $($more:ident: $more_op:ty,)* }
          folds { $($more_fold:ident: $more_fold_op:ty,)* }
-         decided { $($more_decided:ident: $more_decided_op:ty,)* }
+         decided { $($more_search:ident: $more_decided_op:ty,)* }
      }) => {
         /// Every row in both formats, and as shaders if this is built with the feature `gpu`.
         // Which implementation serves an operation is found by the references.
@@ -169,7 +169,7 @@ macro_rules! list {
             $(entries!(all, $fold, fold::<$fold_op>, fold_batches);)*
             $(entries!(all, $more_fold, fold::<$more_fold_op>, fold_batches);)*
             $(entries!(all, $decided, search::<$decided_op>, decided_batches);)*
-            $(entries!(all, $more_decided, search::<$more_decided_op>, decided_batches);)*
+            $(entries!(all, $more_search, search::<$more_decided_op>, decided_batches);)*
             #[cfg(feature = "gpu")]
             {
                 use geograd::kernels::gpu::{fold_sources, op_sources, pair_sources, replay_source, ring_sources};

@@ -2,7 +2,7 @@
 use geograd::kernels::{ClosestPoints, Cpu, Op};
 use geograd::{Error, Obb2, Program, Scalar, Sym, operation};
 
-pub fn slopes(a: &[Obb2<f64>], b: &[Obb2<f64>]) -> Result<(), Error> {
+pub fn derivatives(a: &[Obb2<f64>], b: &[Obb2<f64>]) -> Result<(), Error> {
     Cpu::new().aligned(ClosestPoints.jacobian(), (a, b))?;
     let corners = Program::trace(|b: Obb2<Sym<f64>>| b.corners())?;
     corners.jacobian().eval(a[0]);
@@ -16,7 +16,7 @@ pub fn twice<S: Scalar>(x: S) -> S {
 operation! {
     /// A ramp that chooses.
     pub Ramp = "ramp": (x: S) -> S { S::select(x.below(S::zero()), S::zero(), x) }
-    promises []
+    invariances []
     jumps Never
-    slopes Reverse
+    derivative Reverse
 }

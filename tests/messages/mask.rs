@@ -8,7 +8,7 @@ fn ramp<S: Scalar<Mask = bool>>(x: S) -> S {
 operation! {
     /// A ramp that branches.
     pub Ramp = "ramp": (x: S) -> S { ramp(x) }
-    promises []
+    invariances []
     jumps Never
-    slopes Reverse
+    derivative Reverse
 }

@@ -2,7 +2,7 @@
 //~ `.jacobian()` gives the gradient of every number of a result
 use geograd::{Error, Obb2, Program, Sym};
 
-pub fn slopes(shape: Obb2<f64>) -> Result<(), Error> {
+pub fn derivatives(shape: Obb2<f64>) -> Result<(), Error> {
     let corners = Program::trace(|b: Obb2<Sym<f64>>| b.corners())?;
     corners.value_grad().eval(shape);
     Ok(())

@@ -1,7 +1,7 @@
-//! Proves every operation of the library and prints the table.
+//! Checks every operation of the library and prints the table.
 //!
 //! `cargo run --release -p geograd-tests --example gradient_report`; `-- --help` has the options.
-use geograd::ad::check::{Plan, Report, SEED};
+use geograd::ad::check::{Report, SEED, Sampling};
 use geograd::kernels::dynamic::named_rows;
 use geograd::kernels::gpu::Gpu;
 use geograd_tests::fuzzers::{self, Fuzzer};
@@ -10,7 +10,7 @@ use indicatif::{ProgressBar, ProgressStyle};
 use std::process::ExitCode;
 
 const HELP: &str = "\
-Proves every operation of the library and prints the table. Built without --release it
+Checks every operation of the library and prints the table. Built without --release it
 knows the most important ones only.
 
   --op NAME       only a verb, as `iou`, or a verb of some shapes, as 'iou(obb2,obb2)'
@@ -21,16 +21,16 @@ knows the most important ones only.
   --details       how far apart the witnesses are, and where they come nearest to refusal
   --json          JSON lines instead of the table
   --svg FILE      a picture of the worst case of the (last) operation in f64
-  --fuzz COUNT    instead of proving slopes: so many inputs that nobody would think of
+  --fuzz COUNT    instead of checking derivatives: so many inputs that nobody would think of
                   (bit patterns, shared coordinates, multiples of 45 degrees, flat ones,
                   the ends of the format, all of it within one shape), shared by the
                   operations in both formats; numbers must be finite and in range as their
-                  rows promise, and all forms must give the same bits; what breaks that is
+                  rows invariance, and all forms must give the same bits; what breaks that is
                   printed as code, as simple as it can be
   --gpu           batches on a GPU as a further witness of f32 (needs --features gpu)
   --help          this text
 
-The exit status is 0 when everything is proved, 1 when something is refused, 2 for a
+The exit status is 0 when everything is checked, 1 when something is refused, 2 for a
 wrong argument, 3 when a GPU was asked for and there is none, or it failed.
 ";
 
@@ -102,7 +102,7 @@ fn fuzz_all(options: &Options, count: u64) -> ExitCode {
     bar.finish_and_clear();
     let rate = walked.inputs as f64 / walked.seconds / 1e6;
     println!(
-        "\n{} inputs, {rate:.2} million a second, {} operations broke a promise (seed {})",
+        "\n{} inputs, {rate:.2} million a second, {} operations broke a invariance (seed {})",
         walked.inputs, walked.broken, options.seed
     );
     ExitCode::from(walked.status())
@@ -125,12 +125,12 @@ fn main() -> ExitCode {
             return ExitCode::from(2);
         }
     };
-    let jobs: Vec<Proof> = list::proofs()
+    let jobs: Vec<Proof> = list::checks()
         .into_iter()
         .filter(|(name, wide, _)| options.wants(name, *wide))
         .collect();
     if jobs.is_empty() {
-        eprintln!("this build proves none of {}", options.rows.join(", "));
+        eprintln!("this build checks none of {}", options.rows.join(", "));
         return ExitCode::from(2);
     }
     if let Some(count) = options.fuzz {
@@ -151,21 +151,21 @@ fn main() -> ExitCode {
         eprintln!("batches of f32 on {gpu}");
     }
     let bar = progress(jobs.len());
-    let (mut proved, mut failed, mut picture) = (0, Vec::new(), None);
+    let (mut checked, mut failed, mut picture) = (0, Vec::new(), None);
     let say = |line: String| bar.suspend(|| println!("{line}"));
     if !options.json {
         say(Report::heading());
     }
-    for (name, wide, prove) in jobs {
+    for (name, wide, check) in jobs {
         bar.set_message(name);
         let tick = || bar.tick();
-        let plan = Plan {
+        let plan = Sampling {
             draws: options.svg.is_some() && wide,
             tick: Some(&tick),
             shared_ties: true,
-            ..Plan::new(options.samples, options.seed)
+            ..Sampling::new(options.samples, options.seed)
         };
-        let report = match prove(&plan, gpu.as_ref()) {
+        let report = match check(&plan, gpu.as_ref()) {
             Ok(report) => report,
             Err(error) => {
                 eprintln!("{name}: {error}");
@@ -182,7 +182,7 @@ fn main() -> ExitCode {
         }
         picture = report.picture.clone().or(picture);
         if report.passed() {
-            proved += 1;
+            checked += 1;
         } else {
             failed.push(report);
         }
@@ -195,7 +195,7 @@ fn main() -> ExitCode {
             println!("\n{report}");
         }
         println!(
-            "\n{proved} proved, {} refused (seed {})",
+            "\n{checked} checked, {} refused (seed {})",
             failed.len(),
             options.seed
         );

@@ -1,8 +1,8 @@
-//! One direction: the slopes along it against what steps along it say.
+//! One direction: the derivatives along it against what steps along it say.
+use crate::ad::check::compare::derivative_test::DerivativeTest;
 use crate::ad::check::compare::opinion::Opinion;
 use crate::ad::check::compare::projection::worst_input;
-use crate::ad::check::compare::slope_test::SlopeTest;
-use crate::ad::check::evidence::{Evidence, Row};
+use crate::ad::check::evidence::{Evidence, Item};
 use crate::ad::check::notes::{Notes, comparison};
 use crate::ad::check::subject::Jumps;
 use crate::ad::check::symmetry::Kind;
@@ -26,26 +26,26 @@ pub(crate) struct Along<'d> {
     pub(crate) climb: Climb<'d>,
     /// The same across the border of the domain, where the function may be asked there.
     pub(crate) across: Option<Climb<'d>>,
-    /// Whether others have judged the slope with respect to the number of the direction.
+    /// Whether others have judged the derivative with respect to the number of the direction.
     pub(crate) covered: bool,
 }
 
-/// What one row says along a direction: slopes along it, and per number where it is an axis.
-struct Slopes {
+/// What one row says along a direction: derivatives along it, and per number where it is an axis.
+struct Derivatives {
     by_hand: Option<f64>,
     by_duals: Option<f64>,
-    /// By what slopes along the direction are divided to be those with respect to one number.
+    /// By what derivatives along the direction are divided to be those with respect to one number.
     per: f64,
     along: bool,
 }
 
-impl Slopes {
+impl Derivatives {
     fn numbers(&self, difference: Option<f64>, sides: Option<[f64; 2]>) -> Numbers {
         Numbers {
-            adjoint: self.by_hand.map(|slope| slope / self.per),
-            dual: self.by_duals.map(|slope| slope / self.per),
-            difference: difference.map(|slope| slope / self.per),
-            sides: sides.map(|sides| sides.map(|slope| slope / self.per)),
+            adjoint: self.by_hand.map(|derivative| derivative / self.per),
+            dual: self.by_duals.map(|derivative| derivative / self.per),
+            difference: difference.map(|derivative| derivative / self.per),
+            sides: sides.map(|sides| sides.map(|derivative| derivative / self.per)),
             along: self.along,
             ..Numbers::default()
         }
@@ -77,8 +77,8 @@ impl Along<'_> {
         if moved().count() < 2 {
             return 0.0;
         }
-        let slope = |i: usize| e.rows.iter().fold(0.0_f64, |m, row| m.max(row.size[i]));
-        moved().map(|i| slope(i) * e.eps * e.x[i].abs()).sum()
+        let derivative = |i: usize| e.rows.iter().fold(0.0_f64, |m, row| m.max(row.size[i]));
+        moved().map(|i| derivative(i) * e.eps * e.x[i].abs()).sum()
     }
 
     /// Whether any output jumps along the direction by more than steps are rounded; a complaint if it must
@@ -117,21 +117,21 @@ impl Along<'_> {
     }
 
     /// One row: what kind of place it is along the direction, whether branches switch, and what steps say
-    /// about its slopes.
-    pub(crate) fn one_row(&self, row: &Row, noise: f64) -> Notes {
+    /// about its derivatives.
+    pub(crate) fn one_row(&self, row: &Item, noise: f64) -> Notes {
         let (e, direction) = (self.e, self.direction);
         let mut said = Notes::new(e.x.len());
         let mut noise = noise;
         // Along random directions the steps are rounded in every coordinate.
         if direction.iter().filter(|d| **d != 0.0).count() > 1
-            && let Some(slopes) = row.adjoint.as_ref().or(row.dual.as_ref())
+            && let Some(derivatives) = row.adjoint.as_ref().or(row.dual.as_ref())
         {
-            let each = slopes.iter().zip(e.x);
+            let each = derivatives.iter().zip(e.x);
             noise += each
-                .map(|(slope, x)| slope.abs() * x.abs() * f64::EPSILON)
+                .map(|(derivative, x)| derivative.abs() * x.abs() * f64::EPSILON)
                 .sum::<f64>();
         }
-        let slopes = Slopes {
+        let derivatives = Derivatives {
             by_hand: row.adjoint.as_ref().map(|list| dot(list, direction)),
             by_duals: match &row.dual {
                 Some(list) => Some(dot(list, direction)),
@@ -149,11 +149,11 @@ impl Along<'_> {
             (true, Some(x)) => x.abs() / direction[self.k].abs(),
             _ => 1.0,
         };
-        let test = SlopeTest {
+        let test = DerivativeTest {
             weights: &row.weights,
             here: self.here,
             climb: &ladder,
-            slope: 0.0,
+            derivative: 0.0,
             exact: f64::INFINITY,
             noise,
             rough: 0.0,
@@ -164,35 +164,37 @@ impl Along<'_> {
         };
         let mut place = None;
         let both = [
-            (Witness::Adjoint, slopes.by_hand),
-            (Witness::Dual, slopes.by_duals),
+            (Witness::Adjoint, derivatives.by_hand),
+            (Witness::Dual, derivatives.by_duals),
         ];
-        for (witness, slope) in both {
-            let Some(slope) = slope else { continue };
-            let test = SlopeTest {
-                slope,
+        for (witness, derivative) in both {
+            let Some(derivative) = derivative else {
+                continue;
+            };
+            let test = DerivativeTest {
+                derivative,
                 exact: row.allowed_along(direction),
                 hidden: e.eps * e.x.iter().fold(0.0_f64, |m, x| m.max(x.abs())),
                 guessed: e.subject.guessed_scales(),
                 ..test
             };
-            let (seen, opinion) = self.one_slope(row, witness, test, &slopes, &mut said);
+            let (seen, opinion) = self.one_derivative(row, witness, test, &derivatives, &mut said);
             place = match opinion {
                 Opinion::Fine { .. } => place.or(Some(seen)),
                 _ => Some(seen),
             };
             // Duals that say what the adjoint says need no check of their own.
             let equal = ROUNDINGS * e.eps * row.largest;
-            let gap = slopes.by_duals.map(|dual| (dual - slope).abs());
+            let gap = derivatives.by_duals.map(|dual| (dual - derivative).abs());
             if gap.is_some_and(|gap| gap <= equal) {
                 if let (false, Opinion::Fine { estimate, .. }) = (opinion.undefined(), opinion)
                     && let Some(found) = estimate
                 {
                     let tolerance = SAFETY * found.error + row.allowed_along(direction) + equal;
-                    let gap = slopes
+                    let gap = derivatives
                         .by_duals
                         .map_or(0.0, |dual| (dual - found.value).abs());
-                    self.note(row, 2, gap, (&found, tolerance), &slopes, &mut said);
+                    self.note(row, 2, gap, (&found, tolerance), &derivatives, &mut said);
                 }
                 break;
             }
@@ -226,26 +228,26 @@ impl Along<'_> {
     /// A comparison with an estimate.
     fn note(
         &self,
-        row: &Row,
+        row: &Item,
         pair: usize,
         gap: f64,
         (found, tolerance): (&Estimate, f64),
-        slopes: &Slopes,
+        derivatives: &Derivatives,
         said: &mut Notes,
     ) {
-        let numbers = slopes.numbers(Some(found.value), None);
-        let at = comparison(row, self.input(), numbers, tolerance / slopes.per);
-        let size = row.largest / slopes.per;
-        said.compared(pair, gap / slopes.per, size, self.e.eps, at);
+        let numbers = derivatives.numbers(Some(found.value), None);
+        let at = comparison(row, self.input(), numbers, tolerance / derivatives.per);
+        let size = row.largest / derivatives.per;
+        said.compared(pair, gap / derivatives.per, size, self.e.eps, at);
     }
 
     /// One witness: what kind of place it is, and what the last ladder said.
-    fn one_slope(
+    fn one_derivative(
         &self,
-        row: &Row,
+        row: &Item,
         witness: Witness,
-        mut test: SlopeTest<'_>,
-        slopes: &Slopes,
+        mut test: DerivativeTest<'_>,
+        derivatives: &Derivatives,
         said: &mut Notes,
     ) -> ((Place, bool), Opinion) {
         let (e, direction) = (self.e, self.direction);
@@ -272,9 +274,9 @@ impl Along<'_> {
             } => {
                 if let Some(found) = estimate.filter(|_| place != Place::Undefined) {
                     let tolerance = SAFETY * found.error + test.exact;
-                    let gap = (found.value - test.slope).abs();
+                    let gap = (found.value - test.derivative).abs();
                     let pair = if witness == Witness::Adjoint { 1 } else { 2 };
-                    self.note(row, pair, gap, (&found, tolerance), slopes, said);
+                    self.note(row, pair, gap, (&found, tolerance), derivatives, said);
                 }
                 (place, switched)
             }
@@ -282,7 +284,7 @@ impl Along<'_> {
                 estimate,
                 tolerance,
             } => {
-                let agree = slopes.by_hand.zip(slopes.by_duals);
+                let agree = derivatives.by_hand.zip(derivatives.by_duals);
                 let agree = agree.is_some_and(|(a, b)| (a - b).abs() <= test.exact);
                 let review = test.again(opinion, agree);
                 let found = review.against.unwrap_or(estimate);
@@ -305,15 +307,19 @@ impl Along<'_> {
                     said.convention = true;
                     (Place::Undefined, true)
                 } else if tied
-                    && e.among_slopes_nearby(&row.weights, direction, (test.slope, tolerance))
+                    && e.among_derivatives_nearby(
+                        &row.weights,
+                        direction,
+                        (test.derivative, tolerance),
+                    )
                 {
-                    // Along this direction the function has a slope, at the tie it has many.
+                    // Along this direction the function has a derivative, at the tie it has many.
                     said.convention = true;
                     (Place::Kink, true)
                 } else {
-                    let other = slopes.other(witness);
-                    let agrees =
-                        other.is_some_and(|slope| (slope - found.value).abs() <= tolerance);
+                    let other = derivatives.other(witness);
+                    let agrees = other
+                        .is_some_and(|derivative| (derivative - found.value).abs() <= tolerance);
                     let input = if e.x.len() <= FEW_INPUTS {
                         at.1
                     } else {
@@ -325,8 +331,8 @@ impl Along<'_> {
                         Reason::Disagree(witness, Witness::Difference),
                         agrees.then_some(witness),
                         (at.0, input),
-                        slopes.numbers(Some(found.value), None),
-                        tolerance / slopes.per,
+                        derivatives.numbers(Some(found.value), None),
+                        tolerance / derivatives.per,
                     );
                     (Place::Smooth, false)
                 }
@@ -334,13 +340,20 @@ impl Along<'_> {
             Opinion::Outside { sides, tolerance } => {
                 let border = self.here.ahead.len() < 2 || self.here.behind.len() < 2;
                 let found = chosen(e) && e.exactly_tied();
-                if self.flat(row, sides, (test.slope, tolerance)) || found || self.beyond(&test) {
+                if self.flat(row, sides, (test.derivative, tolerance))
+                    || found
+                    || self.beyond(&test)
+                {
                     said.convention = true;
                 } else if test.again(opinion, false).stands
-                    && !e.among_slopes_nearby(&row.weights, direction, (test.slope, tolerance))
+                    && !e.among_derivatives_nearby(
+                        &row.weights,
+                        direction,
+                        (test.derivative, tolerance),
+                    )
                 {
-                    let numbers = slopes.numbers(None, Some(sides));
-                    let tolerance = tolerance / slopes.per;
+                    let numbers = derivatives.numbers(None, Some(sides));
+                    let tolerance = tolerance / derivatives.per;
                     said.complain_of(Reason::OutsideKink, None, at, numbers, tolerance);
                 }
                 (if border { Place::Smooth } else { Place::Kink }, true)
@@ -349,29 +362,29 @@ impl Along<'_> {
         (place, opinion)
     }
 
-    /// Whether the slope is that of a declared convention: zero where the value is, or between zero and
+    /// Whether the derivative is that of a declared convention: zero where the value is, or between zero and
     /// that of the only side at the border of the domain.
-    fn flat(&self, row: &Row, sides: [f64; 2], (slope, tolerance): (f64, f64)) -> bool {
+    fn flat(&self, row: &Item, sides: [f64; 2], (derivative, tolerance): (f64, f64)) -> bool {
         let border = self.here.ahead.len() < 2 || self.here.behind.len() < 2;
         self.e.subject.conventions().flat
             && if border {
                 let (low, high) = (sides[0].min(0.0), sides[0].max(0.0));
-                slope >= low - tolerance && slope <= high + tolerance
+                derivative >= low - tolerance && derivative <= high + tolerance
             } else {
-                dot(&row.weights, &self.e.y) == 0.0 && slope.abs() <= tolerance
+                dot(&row.weights, &self.e.y) == 0.0 && derivative.abs() <= tolerance
             }
     }
 
-    /// Whether a kink exactly on the border of the domain has its other side beyond, and the slope is
+    /// Whether a kink exactly on the border of the domain has its other side beyond, and the derivative is
     /// between both.
-    fn beyond(&self, test: &SlopeTest<'_>) -> bool {
+    fn beyond(&self, test: &DerivativeTest<'_>) -> bool {
         let border = self.here.ahead.len() < 2 || self.here.behind.len() < 2;
         let Some(across) = self.across.filter(|_| border && self.e.exactly_tied()) else {
             return false;
         };
         let here = across(self.direction, FIRST[0]);
         let climb = |first| across(self.direction, first);
-        let there = SlopeTest {
+        let there = DerivativeTest {
             here: &here,
             climb: &climb,
             ..*test
@@ -380,13 +393,13 @@ impl Along<'_> {
         !said.undefined() && !said.complains()
     }
 
-    /// Whether there is no gradient at the input: the slope along the sum of two directions is not the sum of
-    /// the slopes, although there is one along each, seen from both sides or from one. So it is where a
+    /// Whether there is no gradient at the input: the derivative along the sum of two directions is not the sum of
+    /// the derivatives, although there is one along each, seen from both sides or from one. So it is where a
     /// function of homogeneous degree one that is not linear begins, as the circle through three points
     /// does where these coincide.
-    fn bent(&self, row: &Row) -> bool {
+    fn bent(&self, row: &Item) -> bool {
         let (e, weights, noise) = (self.e, &row.weights, row.noise);
-        let slopes = |direction: &[f64]| {
+        let derivatives = |direction: &[f64]| {
             let ladder = (self.climb)(direction, FIRST[0]);
             [
                 ladder.central(weights, noise, false),
@@ -394,13 +407,13 @@ impl Along<'_> {
                 ladder.one_sided(false, weights, noise),
             ]
         };
-        let here = slopes(self.direction);
+        let here = derivatives(self.direction);
         (0..e.x.len()).any(|i| {
             let mut other = vec![0.0; e.x.len()];
             other[i] = e.scales[i];
             let sum = other.iter().zip(self.direction).map(|(a, b)| a + b);
-            let both = slopes(&sum.collect::<Vec<f64>>());
-            let other = slopes(&other);
+            let both = derivatives(&sum.collect::<Vec<f64>>());
+            let other = derivatives(&other);
             (0..3).any(|side| {
                 let (Some(one), Some(other), Some(both)) = (here[side], other[side], both[side])
                 else {
@@ -413,9 +426,9 @@ impl Along<'_> {
         })
     }
 
-    /// Whether a slope is covered although differences are too coarse for one as large as others are:
+    /// Whether a derivative is covered although differences are too coarse for one as large as others are:
     /// not too coarse for this one as it typically is.
-    fn coarsely_covered(&self, row: &Row, said: Opinion, exact: f64) -> bool {
+    fn coarsely_covered(&self, row: &Item, said: Opinion, exact: f64) -> bool {
         let Opinion::Fine {
             estimate: Some(found),
             ..
@@ -424,9 +437,9 @@ impl Along<'_> {
             return false;
         };
         let e = self.e;
-        let slopes = |x: &[f64]| e.subject.adjoint(x, &row.weights);
+        let derivatives = |x: &[f64]| e.subject.adjoint(x, &row.weights);
         let typical = (row.adjoint.as_ref()).map_or(0.0, |list| {
-            let typical = e.typical(&row.weights, list, &slopes, TALL);
+            let typical = e.typical(&row.weights, list, &derivatives, TALL);
             typical[self.k] * self.direction[self.k].abs()
         });
         found.error == 0.0 || SAFETY * found.error + exact <= COARSE * typical
@@ -435,7 +448,7 @@ impl Along<'_> {
 
 /// Whether the result is something that was chosen, such as the nearest points of two shapes, and not a
 /// least or a greatest number: found by a search, or points that may jump. Where several
-/// choices are as good to the bit, slopes are those of one of them, or their mean, and need not be
+/// choices are as good to the bit, derivatives are those of one of them, or their mean, and need not be
 /// between those of the two that happen to win on either side. Of numbers that are no points this is not
 /// assumed: scores and areas that jump are not chosen from among others.
 fn chosen(e: &Evidence<'_>) -> bool {

@@ -1,5 +1,5 @@
 //! Second derivatives against one another.
-use crate::ad::check::evidence::{Evidence, Row};
+use crate::ad::check::evidence::{Evidence, Item};
 use crate::ad::check::notes::Notes;
 use crate::ad::check::sample::Draw;
 use crate::ad::check::tolerances::{
@@ -50,7 +50,7 @@ pub(crate) fn curvature(e: &Evidence<'_>, draw: &mut Draw) -> Notes {
         said.add(bent.by_duals());
         said.add(bent.widely());
         said.add(bent.symmetric(&u));
-        // Differences of slopes in single precision are mostly rounding: double precision has judged.
+        // Differences of derivatives in single precision are mostly rounding: double precision has judged.
         if e.wide.is_none() {
             said.add(bent.by_differences(&mut random));
         }
@@ -61,18 +61,18 @@ pub(crate) fn curvature(e: &Evidence<'_>, draw: &mut Draw) -> Notes {
 /// The Hessian of a row times a direction.
 struct Bend<'e> {
     e: &'e Evidence<'e>,
-    row: &'e Row,
+    row: &'e Item,
     direction: Vec<f64>,
     /// Through the adjoint.
     bend: Vec<f64>,
-    /// The largest second derivative or slope, in each number's unit.
+    /// The largest second derivative or derivative, in each number's unit.
     sizes: Vec<f64>,
     /// By how much it and that by duals of duals may be off together, as provoked rounding shows.
     spread: OnceCell<Vec<f64>>,
 }
 
 impl<'e> Bend<'e> {
-    fn new(e: &'e Evidence<'e>, row: &'e Row, direction: Vec<f64>, bend: Vec<f64>) -> Self {
+    fn new(e: &'e Evidence<'e>, row: &'e Item, direction: Vec<f64>, bend: Vec<f64>) -> Self {
         let largest_of = |list: &[f64]| {
             let each = list.iter().zip(&e.units);
             each.fold(0.0_f64, |m, (x, unit)| m.max(x.abs() * unit))
@@ -228,16 +228,16 @@ impl<'e> Bend<'e> {
             if !subject.inside(there) {
                 return None;
             }
-            let slopes = subject.adjoint(there, &row.weights)?;
-            let usable = slopes.len() == n && slopes.iter().all(|y| y.is_finite());
-            usable.then(|| (slopes, subject.traced(there).map(|(_, trace)| trace)))
+            let derivatives = subject.adjoint(there, &row.weights)?;
+            let usable = derivatives.len() == n && derivatives.iter().all(|y| y.is_finite());
+            usable.then(|| (derivatives, subject.traced(there).map(|(_, trace)| trace)))
         };
         let probe: Probe<'_> = &probe;
         let climb =
             |first| Ladder::climb(probe, subject.precision(), e.x, adjoint, e.trace, v, first);
         let ladder = climb(FIRST[0]);
         let moved: f64 = (0..n).map(|k| e.x[k].abs() * e.eps * self.sizes[k]).sum();
-        // Steps are rounded in every number, some of them away; what that does to the slopes is what
+        // Steps are rounded in every number, some of them away; what that does to the derivatives is what
         // moving the input by its last digits does.
         let bent = OnceCell::new();
         let bent = || {
@@ -294,7 +294,7 @@ impl<'e> Bend<'e> {
     }
 }
 
-/// One combination of second derivatives against a ladder of slopes.
+/// One combination of second derivatives against a ladder of derivatives.
 struct BendTest<'w> {
     weights: &'w [f64],
     bend: f64,
@@ -302,7 +302,7 @@ struct BendTest<'w> {
     size: f64,
     /// By how much it may be off by itself.
     exact: f64,
-    /// The rounding noise of the slopes.
+    /// The rounding noise of the derivatives.
     noise: f64,
 }
 
@@ -316,7 +316,7 @@ impl BendTest<'_> {
         let e = ladder.central(self.weights, self.noise, true)?;
         let tolerance = SAFETY * e.error + self.exact;
         let wrong = self.informative(&e) && (e.value - self.bend).abs() > tolerance;
-        // Where the slope itself has a kink, the second derivative may be that of either side.
+        // Where the derivative itself has a kink, the second derivative may be that of either side.
         let side = |ahead| ladder.one_sided(ahead, self.weights, self.noise);
         let between = side(true).zip(side(false)).is_some_and(|(a, b)| {
             let off = SAFETY * (a.error + b.error) + self.exact;

@@ -1,14 +1,14 @@
 //! The adjoint against duals and further witnesses: no steps, so hardly any tolerance.
 use crate::ad::check::compare::values::another;
-use crate::ad::check::evidence::{Evidence, Row};
+use crate::ad::check::evidence::{Evidence, Item};
 use crate::ad::check::notes::{Notes, comparison};
 use crate::ad::check::tolerances::{CONVENTION_BORDER, DECIDED, FEW_INPUTS, SAFETY};
 use crate::ad::check::verdict::{Numbers, Reason, Witness};
 use crate::ad::check::witness::dot;
 
-/// Whether a convention may decide about this slope: the value is zero and the input cannot be
+/// Whether a convention may decide about this derivative: the value is zero and the input cannot be
 /// moved both ways.
-pub(crate) fn conventional_border(e: &Evidence<'_>, row: &Row, i: usize) -> bool {
+pub(crate) fn conventional_border(e: &Evidence<'_>, row: &Item, i: usize) -> bool {
     let stuck = |sign: f64| {
         let mut there = e.x.to_vec();
         there[i] += sign * CONVENTION_BORDER * e.scales[i];
@@ -30,12 +30,12 @@ pub(crate) fn exact(e: &Evidence<'_>) -> Notes {
 /// and how far its own roundings carry it when they fall differently. `form` says which of several batches it is.
 fn rounding_of(
     e: &Evidence<'_>,
-    row: &Row,
+    row: &Item,
     (witness, form): (Witness, usize),
     said: &[f64],
 ) -> Vec<f64> {
-    // Differentiated backwards, edges that are nearly parallel hand on terms as much larger than the slope, and what
-    // rounding leaves of those may be as large as itself: no other decision.
+    // Differentiated backwards, edges that are nearly parallel hand on terms as much larger than the derivative, and
+    // what rounding leaves of those may be as large as itself: no other decision.
     let sizes: Vec<f64> = row.size.iter().map(|size| size / DECIDED).collect();
     if witness == Witness::NumDual {
         // Held as strictly as our own duals.
@@ -57,7 +57,7 @@ fn rounding_of(
     spread
 }
 
-fn one_row(e: &Evidence<'_>, row: &Row) -> Notes {
+fn one_row(e: &Evidence<'_>, row: &Item) -> Notes {
     let mut said = Notes::new(e.x.len());
     let Some(adjoint) = &row.adjoint else {
         return said;
@@ -78,11 +78,11 @@ fn one_row(e: &Evidence<'_>, row: &Row) -> Notes {
     let theirs = (e.x.len() <= FEW_INPUTS).then(|| e.by_num_dual(row, e.x));
     let others = dual
         .chain(theirs.flatten().map(|theirs| (Witness::NumDual, 0, theirs)))
-        .chain(further.map(|(k, slopes)| (Witness::Further(k), 0, slopes)))
+        .chain(further.map(|(k, derivatives)| (Witness::Further(k), 0, derivatives)))
         .chain(
             batches
                 .into_iter()
-                .map(|(form, (_, slopes))| (Witness::Batch, form, slopes)),
+                .map(|(form, (_, derivatives))| (Witness::Batch, form, derivatives)),
         );
     for (witness, form, other) in others {
         if other.len() != adjoint.len() {

@@ -30,9 +30,9 @@ pub(crate) fn linear(e: &Evidence<'_>, draw: &mut Draw) -> Notes {
     }
     let total = |i: usize| {
         let parts = e.rows.iter().zip(&factors).map(|(row, f)| {
-            let slope = row.adjoint.as_ref().map_or(0.0, |adjoint| adjoint[i]);
-            let own = ROUNDINGS * e.eps * slope.abs() + row.allowed(i);
-            (f * slope, f.abs() * own)
+            let derivative = row.adjoint.as_ref().map_or(0.0, |adjoint| adjoint[i]);
+            let own = ROUNDINGS * e.eps * derivative.abs() + row.allowed(i);
+            (f * derivative, f.abs() * own)
         });
         parts.fold((0.0, 0.0), |(s, t), (a, b)| (s + a, t + b))
     };

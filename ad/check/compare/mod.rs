@@ -10,17 +10,17 @@
 //! | `projection` | the adjoint with duals along a direction |
 //! | `linear` | the adjoint of a sum with the sum of the adjoints |
 //! | `steps` | adjoint and duals with differences, and with both sides at a kink |
-//! | `promise` | the value and its slopes with those of the moved input |
+//! | `promise` | the value and its derivatives with those of the moved input |
 //! | `curvature` | second derivatives with one another |
 pub(crate) mod along;
 pub(crate) mod curvature;
+pub(crate) mod derivative_test;
 pub(crate) mod exact;
+pub(crate) mod invariance;
 pub(crate) mod linear;
 pub(crate) mod nearby;
 pub(crate) mod opinion;
 pub(crate) mod projection;
-pub(crate) mod promise;
-pub(crate) mod slope_test;
 pub(crate) mod steps;
 pub(crate) mod values;
 pub(crate) mod wide;

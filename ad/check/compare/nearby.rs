@@ -1,5 +1,5 @@
-//! Slopes beside a kink: what a derivative at the kink may be between.
-use crate::ad::check::evidence::{Evidence, Row, finite};
+//! Derivatives beside a kink: what a derivative at the kink may be between.
+use crate::ad::check::evidence::{Evidence, Item, finite};
 use crate::ad::check::sample::Draw;
 use crate::ad::check::tolerances::{
     APPROACHES, FEW_INPUTS, MOVED_ROUNDINGS, NEARBY, NEARER, PLACES, TRIES,
@@ -12,16 +12,16 @@ fn minus(a: &[f64], b: &[f64]) -> Vec<f64> {
 }
 
 impl Evidence<'_> {
-    /// Whether a slope along a direction is between those at places beside the input.
+    /// Whether a derivative along a direction is between those at places beside the input.
     ///
     /// Where kinks of both signs meet (the larger one of two functions with kinks of their own), or where the
-    /// input is at the border of its domain, the slopes to both sides of the input do not bound what a
-    /// derivative there may be: the slopes of the function's smooth pieces do (Clarke's generalised gradient).
-    pub(crate) fn among_slopes_nearby(
+    /// input is at the border of its domain, the derivatives to both sides of the input do not bound what a
+    /// derivative there may be: the derivatives of the function's smooth pieces do (Clarke's generalised gradient).
+    pub(crate) fn among_derivatives_nearby(
         &self,
         weights: &[f64],
         direction: &[f64],
-        (slope, tolerance): (f64, f64),
+        (derivative, tolerance): (f64, f64),
     ) -> bool {
         let on = self.on();
         if on.precision() != Precision::F64 {
@@ -59,16 +59,16 @@ impl Evidence<'_> {
                 break;
             }
         }
-        slope >= least - tolerance && slope <= most + tolerance
+        derivative >= least - tolerance && derivative <= most + tolerance
     }
 
-    /// Whether the slopes by hand lie between those of the smooth pieces that meet at the input, as duals tell a few
-    /// last digits beside it: along every axis, along random directions, and along those that lead from the
-    /// pieces' slopes and their mean to the slopes in question.
+    /// Whether the derivatives by hand lie between those of the smooth pieces that meet at the input, as duals tell a
+    /// few last digits beside it: along every axis, along random directions, and along those that lead from the
+    /// pieces' derivatives and their mean to the derivatives in question.
     ///
     /// Steps need both sides of a kink, at several steps each. Here it is enough that the pieces are there, which
     /// may end as near as a millionth of the scales.
-    pub(crate) fn between_pieces(&self, row: &Row) -> bool {
+    pub(crate) fn between_pieces(&self, row: &Item) -> bool {
         let (on, n) = (self.on(), self.x.len());
         let Some(adjoint) = row.adjoint.as_ref().filter(|_| n <= FEW_INPUTS) else {
             return false;
@@ -95,22 +95,22 @@ impl Evidence<'_> {
                 if !on.inside(&there) {
                     return None;
                 }
-                let slopes = combined(&row.weights, &on.jacobian(&there)?, n);
-                finite(&slopes).then_some(slopes)
+                let derivatives = combined(&row.weights, &on.jacobian(&there)?, n);
+                finite(&derivatives).then_some(derivatives)
             })
             .collect();
         if pieces.is_empty() {
             return false;
         }
-        // Slopes times scales are comparable.
-        let scaled = |slopes: &[f64]| -> Vec<f64> {
-            let each = slopes.iter().zip(&self.scales);
-            each.map(|(slope, scale)| slope * scale).collect()
+        // Derivatives times scales are comparable.
+        let scaled = |derivatives: &[f64]| -> Vec<f64> {
+            let each = derivatives.iter().zip(&self.scales);
+            each.map(|(derivative, scale)| derivative * scale).collect()
         };
         let own = scaled(adjoint);
         let corners: Vec<Vec<f64>> = pieces.iter().map(|piece| scaled(piece)).collect();
-        // From one of them to the nearest of all that lie between: the way on is a direction that separates the slopes
-        // in question from the pieces', if there is one.
+        // From one of them to the nearest of all that lie between: the way on is a direction that separates the
+        // derivatives in question from the pieces', if there is one.
         let mut nearest = corners[0].clone();
         for _ in 0..APPROACHES {
             let on = minus(&own, &nearest);

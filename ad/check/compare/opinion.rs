@@ -1,22 +1,22 @@
-//! What a ladder of steps says about a slope.
+//! What a ladder of steps says about a derivative.
 use crate::ad::check::tolerances::{REPEATED, SAFETY};
 use crate::ad::check::verdict::Place;
 use crate::ad::check::witness::Estimate;
 
-/// What steps along one direction say about a slope.
+/// What steps along one direction say about a derivative.
 #[derive(Clone, Copy, Debug)]
 pub(crate) enum Opinion {
     /// In order, at such a place; `switched` when other branches were taken however small the step.
-    /// At an undefined place the estimate, if any, is too coarse for a slope as large as others are,
+    /// At an undefined place the estimate, if any, is too coarse for a derivative as large as others are,
     /// and agrees.
     Fine {
         place: Place,
         switched: bool,
         estimate: Option<Estimate>,
     },
-    /// Another slope.
+    /// Another derivative.
     Other { estimate: Estimate, tolerance: f64 },
-    /// A kink, and the slope is not between both sides; or the border of the domain, and it is not
+    /// A kink, and the derivative is not between both sides; or the border of the domain, and it is not
     /// that of the only side.
     Outside { sides: [f64; 2], tolerance: f64 },
 }
@@ -42,16 +42,16 @@ impl Opinion {
 pub(crate) struct Review {
     /// Whether it stands: another ladder repeats it, and none contradicts.
     pub(crate) stands: bool,
-    /// The best estimate against the slope, if any.
+    /// The best estimate against the derivative, if any.
     pub(crate) against: Option<Estimate>,
-    /// Whether some ladder says what the slope says.
+    /// Whether some ladder says what the derivative says.
     pub(crate) supported: bool,
 }
 
-/// Weighs what all ladders say about a slope; those in `own` began at the number's own size, and if
+/// Weighs what all ladders say about a derivative; those in `own` began at the number's own size, and if
 /// they complain, they know best.
 ///
-/// A ladder contradicts a complaint when what it says instead is another slope than the complaint's,
+/// A ladder contradicts a complaint when what it says instead is another derivative than the complaint's,
 /// by more than both may be off. One so coarse that it agrees with both has no opinion.
 pub(crate) fn review(said: &[Opinion], own: &[Opinion], exact: f64) -> Review {
     let mut against: Vec<Estimate> = Vec::new();

@@ -2,12 +2,12 @@
 //!
 //! One jvp costs about as much as one value, whatever the number of inputs, so this is how duals
 //! judge an input too long for a whole Jacobian. No number of the direction is smaller than half a
-//! unit: a single slope that is off by `e` units moves the product by `e / 2` at least, while the
-//! product may be off by what all slopes may be off by together. So among n inputs a single slope
-//! is refused from 32 n roundings of the largest slope on: 10⁻¹¹ of it for a thousand numbers in
+//! unit: a single derivative that is off by `e` units moves the product by `e / 2` at least, while the
+//! product may be off by what all derivatives may be off by together. So among n inputs a single derivative
+//! is refused from 32 n roundings of the largest derivative on: 10⁻¹¹ of it for a thousand numbers in
 //! double precision. What does not agree is halved until the number at fault is found.
 use crate::ad::check::compare::exact::conventional_border;
-use crate::ad::check::evidence::{Evidence, Row};
+use crate::ad::check::evidence::{Evidence, Item};
 use crate::ad::check::notes::{Notes, comparison};
 use crate::ad::check::sample::Draw;
 use crate::ad::check::subject::Subject;
@@ -104,7 +104,7 @@ pub(crate) fn projections(e: &Evidence<'_>, draw: &mut Draw) -> Notes {
 /// One row along one direction; the duals are those of `on`.
 struct Along<'e> {
     e: &'e Evidence<'e>,
-    row: &'e Row,
+    row: &'e Item,
     witness: Witness,
     on: &'e dyn Subject,
     direction: &'e [f64],
@@ -140,7 +140,7 @@ impl Along<'_> {
             return;
         };
         let input = range.start;
-        // One number left: say slopes rather than products.
+        // One number left: say derivatives rather than products.
         let per = if range.len() == 1 {
             direction[input]
         } else {
@@ -254,23 +254,23 @@ impl Along<'_> {
     }
 }
 
-/// The number of the input at which a slope that differences refuse along a direction is off
+/// The number of the input at which a derivative that differences refuse along a direction is off
 /// most, as far as halving the direction tells.
 pub(crate) fn worst_input(
     e: &Evidence<'_>,
-    row: &Row,
+    row: &Item,
     witness: Witness,
     direction: &[f64],
     climb: &dyn Fn(&[f64]) -> Ladder,
 ) -> usize {
     let excess = |range: &Range<usize>| {
         let there = part(direction, range);
-        let slope = match (witness, &row.adjoint) {
+        let derivative = match (witness, &row.adjoint) {
             (Witness::Adjoint, Some(list)) => dot(list, &there),
             _ => e.by_duals(row, &there)?,
         };
         let estimate = climb(&there).central(&row.weights, row.noise, false)?;
-        Some((estimate.value - slope).abs() - SAFETY * estimate.error)
+        Some((estimate.value - derivative).abs() - SAFETY * estimate.error)
     };
     let mut range = 0..direction.len();
     while range.len() > 1 {

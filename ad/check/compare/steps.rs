@@ -9,7 +9,7 @@ use crate::ad::check::tolerances::{
 use crate::ad::check::trace::Trace;
 use crate::ad::check::witness::{Ladder, axis};
 
-/// Slopes against differences along every direction. Of a long input that is `refused` already, or of
+/// Derivatives against differences along every direction. Of a long input that is `refused` already, or of
 /// which a direction is, no further directions are tried: they are all alike.
 pub(crate) fn steps(e: &Evidence<'_>, draw: &mut Draw, before: &Notes, refused: bool) -> Notes {
     let mut said = Notes::new(e.x.len());

@@ -1,18 +1,18 @@
 //! A function of `f32` against itself in `f64`, as far as single precision can tell.
-use crate::ad::check::evidence::{Evidence, Row, finite};
+use crate::ad::check::evidence::{Evidence, Item, finite};
 use crate::ad::check::notes::{Notes, comparison};
 use crate::ad::check::subject::Subject;
 use crate::ad::check::tolerances::{FEW_INPUTS, ROUNDINGS, SAFETY, SCATTER};
 use crate::ad::check::verdict::{Numbers, Reason, Witness};
 use crate::ad::check::witness::{combined, dot};
 
-/// Values and slopes against those in double precision, at the same inputs of single precision.
+/// Values and derivatives against those in double precision, at the same inputs of single precision.
 ///
-/// The value of an operation may be off by what the exact function does when inputs move by twice their rounding (that of
-/// numbers of one unit is the rounding of the largest), not by what moving does to the value in single precision: a
-/// formula that scatters its results is wrong by as much as it scatters. Edges a millionth from parallel are no such
-/// case, since there the function itself moves. A slope may scatter a hundred times as much. Of a closure nobody knows which
-/// of its numbers are of one unit; it may be as rough as it is.
+/// The value of an operation may be off by what the exact function does when inputs move by twice their rounding
+/// (that of numbers of one unit is the rounding of the largest), not by what moving does to the value in single
+/// precision: a formula that scatters its results is wrong by as much as it scatters. Edges a millionth from parallel
+/// are no such case, since there the function itself moves. A derivative may scatter a hundred times as much. Of a
+/// closure nobody knows which of its numbers are of one unit; it may be as rough as it is.
 pub(crate) fn wide(e: &Evidence<'_>) -> Notes {
     let mut said = Notes::new(e.x.len());
     let Some(wide) = e.wide.as_deref() else {
@@ -26,7 +26,7 @@ pub(crate) fn wide(e: &Evidence<'_>) -> Notes {
     // Longer inputs are projected.
     if e.x.len() <= FEW_INPUTS {
         for row in &e.rows {
-            said.add(slopes(e, wide, row));
+            said.add(derivatives(e, wide, row));
         }
     }
     said
@@ -68,9 +68,10 @@ fn values(e: &Evidence<'_>, wide: &dyn Subject, value: &[f64]) -> Notes {
     said
 }
 
-/// By how much an output may change within the rounding of the inputs, as the slopes by hand have it; zero of a closure.
+/// By how much an output may change within the rounding of the inputs, as the derivatives by hand have it; zero of a
+/// closure.
 fn reach(e: &Evidence<'_>, output: usize) -> f64 {
-    let alone = |row: &&Row| {
+    let alone = |row: &&Item| {
         row.weights
             .iter()
             .enumerate()
@@ -80,13 +81,14 @@ fn reach(e: &Evidence<'_>, output: usize) -> f64 {
     match row.and_then(|row| row.adjoint.as_ref()) {
         Some(adjoint) if e.subject.comparable() => {
             let each = adjoint.iter().zip(e.x);
-            each.map(|(slope, x)| (slope * x).abs() * e.eps).sum()
+            each.map(|(derivative, x)| (derivative * x).abs() * e.eps)
+                .sum()
         }
         _ => 0.0,
     }
 }
 
-fn slopes(e: &Evidence<'_>, wide: &dyn Subject, row: &Row) -> Notes {
+fn derivatives(e: &Evidence<'_>, wide: &dyn Subject, row: &Item) -> Notes {
     let mut said = Notes::new(e.x.len());
     let by_duals = |x: &[f64]| {
         let jacobian = wide.jacobian(x)?;
@@ -102,7 +104,7 @@ fn slopes(e: &Evidence<'_>, wide: &dyn Subject, row: &Row) -> Notes {
     let outside =
         |tolerance: &[f64]| (0..exact.len()).any(|i| (exact[i] - adjoint[i]).abs() > tolerance[i]);
     let provoked = outside(&tolerance);
-    // A quotient has a slope as large as itself divided by its divisor, before anything cancels.
+    // A quotient has a derivative as large as itself divided by its divisor, before anything cancels.
     let value = dot(&row.weights, &e.y).abs();
     // A value that is all rounding was decided by it: where shapes touch, they may be apart.
     let lost = value <= SAFETY * reach(e, row.output);
@@ -115,7 +117,7 @@ fn slopes(e: &Evidence<'_>, wide: &dyn Subject, row: &Row) -> Notes {
     if provoked {
         let by_hand = |x: &[f64]| e.subject.adjoint(x, &row.weights);
         let own = e.spread(adjoint, None, by_hand);
-        let rough = e.rough_slopes(&row.weights, adjoint, &by_hand);
+        let rough = e.rough_derivatives(&row.weights, adjoint, &by_hand);
         let with = |theirs: &[f64]| -> Vec<f64> {
             let each = (0..exact.len()).map(|i| {
                 let function = plain(i) + SAFETY * theirs[i];

@@ -20,7 +20,7 @@ macro_rules! sources {
      further {
          straight { $($more:ident: $more_op:ty,)* }
          folds { $($more_fold:ident: $more_fold_op:ty,)* }
-         decided { $($more_decided:ident: $more_decided_op:ty,)* }
+         decided { $($more_search:ident: $more_decided_op:ty,)* }
      }) => {
         fn sources(name: &str) -> Option<Sources> {
             let all: &[(&str, Sources)] = &[
@@ -94,11 +94,11 @@ fn cost(name: &str, form: Form) -> Result<Cost, Error> {
             bytes: 4,
             instructions: of("Value Pairs").map(|text| count(text, "body").total()),
         },
-        // Once for the rows and once for the columns; every slope is added up.
+        // Once for the rows and once for the columns; every derivative is added up.
         Form::PairsAdjoint => Cost {
             bytes: 8,
-            instructions: of("Vjp RowSlopes")
-                .zip(of("Vjp ColumnSlopes"))
+            instructions: of("Vjp RowDerivatives")
+                .zip(of("Vjp ColumnDerivatives"))
                 .map(|(rows, columns)| {
                     let sums = |text| numbers(text, "body").map_or(0, |(_, given)| given);
                     let both = [rows, columns];
@@ -109,7 +109,7 @@ fn cost(name: &str, form: Form) -> Result<Cost, Error> {
         },
         Form::Paths => paths("Fold", 8, &["fold_edge", "fold_join"]),
         Form::PathsAdjoint => paths(
-            "FoldSlopes",
+            "FoldDerivatives",
             16,
             &[
                 "fold_edge",

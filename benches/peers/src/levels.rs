@@ -19,14 +19,14 @@ const PART: usize = 200;
 const ROUNDS: usize = 15;
 
 /// The forms, each in million pairs a second: all pairs of two random lists as values, values with ten
-/// slopes each and adjoint; pairs that overlap, aligned, as values and with slopes; row maxima of the
+/// derivatives each and adjoint; pairs that overlap, aligned, as values and with derivatives; row maxima of the
 /// random lists; values of the street.
 const FORMS: [&str; 7] = [
     "value",
-    "slopes",
+    "derivatives",
     "vjp",
     "aligned",
-    "aligned-slopes",
+    "aligned-derivatives",
     "row-max",
     "sparse",
 ];
@@ -101,7 +101,7 @@ where
     let (mut v, mut x, mut y) = (zeros(N), a.clone(), b.clone());
     let aligned_with = a;
     // All pairs of the very lists that the peer is given: its call is fastest for lists that short, and ours
-    // writes slopes of more pairs than a cache holds at the speed of memory.
+    // writes derivatives of more pairs than a cache holds at the speed of memory.
     let (a, b) = (&a[..PART], &b[..PART]);
     let mut values = zeros(PART * PART);
     let mut grads = Table::new(PART, PART).expect("it fits");
@@ -238,7 +238,7 @@ pub fn levels() -> String {
             let mut row = format!("| {} | {format} |", level.name());
             for (form, timed) in FORMS.iter().zip(ours) {
                 let peer = match *form {
-                    "aligned" | "aligned-slopes" => &peers[1],
+                    "aligned" | "aligned-derivatives" => &peers[1],
                     "sparse" => &peers[2],
                     _ => &peers[0],
                 };

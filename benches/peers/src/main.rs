@@ -6,12 +6,11 @@
 //! headings in [-5, 5]), all pairs; "overlapping" are aligned pairs a small motion apart, as a loss
 //! sees them.
 //!
-//! `-- --levels [--csv FILE]` prints a table of every level of vector instructions that the machine has,
-//! `-- --shapes [--csv FILE]` one of losses, boxes in space and quadrilaterals, `-- --suppress [--csv FILE]` one of suppression;
-//! `-- --polygons` times distances of points from rings, and clipping; `-- --boolean` the overlap of polygons
-//! of any kind;
-//! `-- --paper FILE.svg [--csv FILE] [--backend cpu|gpu|auto]` times the IoU loss against the number of boxes and
-//! draws it, with the GPU's curves beside the CPU's (`--features gpu`).
+//! `-- --levels [--csv FILE]` prints a table of every level of vector instructions that the machine has, `-- --shapes
+//! [--csv FILE]` one of losses, boxes in space and quadrilaterals, `-- --suppress [--csv FILE]` one of suppression;
+//! `-- --polygons` times distances of points from rings, and clipping; `-- --boolean` the overlap of polygons of any
+//! kind; `-- --paper FILE.svg [--csv FILE] [--backend cpu|gpu|auto]` times the IoU loss against the number of boxes
+//! and draws it, with the GPU's curves beside the CPU's (`--features gpu`).
 mod boolean;
 mod levels;
 mod paper;
@@ -325,7 +324,7 @@ fn scaling() {
     let (up, mut p, mut q) = (vec![1.0; pairs], a.clone(), b.clone());
     let cores = std::thread::available_parallelism().map_or(1, usize::from);
     println!(
-        "\n| f32, all pairs of {LARGE} x {LARGE}, threads | value | value + ten slopes per pair | adjoint |\n| ---: | ---: | ---: | ---: |"
+        "\n| f32, all pairs of {LARGE} x {LARGE}, threads | value | value + ten derivatives per pair | adjoint |\n| ---: | ---: | ---: | ---: |"
     );
     let mut threads = 1;
     loop {
@@ -334,7 +333,7 @@ fn scaling() {
             let value = rate(fastest(|| {
                 cpu.all_pairs_planes(Iou, &a, &b, &mut values).unwrap()
             }));
-            let slopes = rate(fastest(|| {
+            let derivatives = rate(fastest(|| {
                 cpu.all_pairs_into(Iou.value_grad(), &a, &b, &mut grads)
                     .unwrap()
             }));
@@ -342,7 +341,7 @@ fn scaling() {
                 cpu.all_pairs_vjp_into(Iou, &a, &b, &up, &mut p, &mut q)
                     .unwrap()
             }));
-            println!("| {threads} | {value:.0} | {slopes:.0} | {adjoint:.0} |");
+            println!("| {threads} | {value:.0} | {derivatives:.0} | {adjoint:.0} |");
         });
         if threads >= cores {
             break;
@@ -365,10 +364,14 @@ fn peers() {
         cpu.all_pairs_planes(Iou, &a32, &b32, &mut values).unwrap()
     });
     let mut grads = Table::new(N, N).unwrap();
-    let ours_grad = line("geograd, f32, value + ten slopes per pair", pairs, || {
-        cpu.all_pairs_into(Iou.value_grad(), &a32, &b32, &mut grads)
-            .unwrap()
-    });
+    let ours_grad = line(
+        "geograd, f32, value + ten derivatives per pair",
+        pairs,
+        || {
+            cpu.all_pairs_into(Iou.value_grad(), &a32, &b32, &mut grads)
+                .unwrap()
+        },
+    );
     let (up, mut p, mut q) = (vec![1.0; pairs], a32.clone(), b32.clone());
     line(
         "geograd, f32, adjoint with an upstream matrix",
@@ -383,10 +386,14 @@ fn peers() {
         cpu.all_pairs_planes(Iou, &a, &b, &mut values).unwrap()
     });
     let mut grads = Table::new(N, N).unwrap();
-    line("geograd, f64, value + ten slopes per pair", pairs, || {
-        cpu.all_pairs_into(Iou.value_grad(), &a, &b, &mut grads)
-            .unwrap()
-    });
+    line(
+        "geograd, f64, value + ten derivatives per pair",
+        pairs,
+        || {
+            cpu.all_pairs_into(Iou.value_grad(), &a, &b, &mut grads)
+                .unwrap()
+        },
+    );
     let (up, mut p, mut q) = (vec![1.0; pairs], a.clone(), b.clone());
     line(
         "geograd, f64, adjoint with an upstream matrix",
@@ -408,7 +415,7 @@ fn peers() {
         },
     );
     line(
-        "geograd, f64, value + ten slopes, call by call (iou_obb2_grad)",
+        "geograd, f64, value + ten derivatives, call by call (iou_obb2_grad)",
         300 * 300,
         || {
             for &a in &a[..300] {
@@ -464,7 +471,7 @@ fn peers() {
         }
     });
     println!(
-        "\ngeograd f32 over powerboxesrs {:.1}x, over geo {:.0}x, over parry2d {:.0}x; f64 over f32 {:.2}; slopes over value {:.2}",
+        "\ngeograd f32 over powerboxesrs {:.1}x, over geo {:.0}x, over parry2d {:.0}x; f64 over f32 {:.2}; derivatives over value {:.2}",
         ours / powerboxes,
         ours / geo,
         ours / parry,

@@ -1,13 +1,13 @@
 //! The paper's experiment: the IoU loss forward, and forward and backward, against the number of boxes, in
 //! the plane and in space, drawn. With `--backend gpu` the GPU's curves beside the CPU's: boxes, results and
-//! slopes stay there, as in training, and a call is over when the GPU is done.
+//! derivatives stay there, as in training, and a call is over when the GPU is done.
 use super::levels::Timed;
 use super::{Dice, flat, narrow, on_threads};
 use common::cli::Machine;
 use geograd::kernels::gpu::Gpu;
 use geograd::kernels::op::ValueGrad;
 use geograd::kernels::resident::Resident;
-use geograd::kernels::{Cpu, Iou, Row, Runs, Single};
+use geograd::kernels::{Cpu, Iou, Item, Runs, Single};
 use geograd::{Obb2, Obb3, Rotation3, Vec3, YawBox3};
 use std::fmt::Write;
 use std::hint::black_box;
@@ -41,7 +41,7 @@ fn curves<'a, O, B>(
 where
     O: Runs<(B, B), Out = f32> + Copy + Send + 'a,
     B: Single<Scalar = f32>,
-    (B, B): Row<Scalar = f32>,
+    (B, B): Item<Scalar = f32>,
 {
     let cpu = Cpu::new();
     let forward = COUNTS.map(|n| {
@@ -93,7 +93,7 @@ fn curves_on<'a, O, B>(
 where
     O: Runs<(B, B), Out = f32> + Copy + Send + 'a,
     B: Single<Scalar = f32> + 'a,
-    (B, B): Row<Scalar = f32>,
+    (B, B): Item<Scalar = f32>,
 {
     let held = |n: usize| {
         let (a, b) = (&lists.guesses[..n], &lists.truths[..n]);
@@ -109,10 +109,10 @@ where
     });
     let backward = COUNTS.map(|n| {
         let (a, b) = held(n);
-        let mut slopes = here.aligned(ValueGrad::of(op), (&a, &b)).unwrap();
+        let mut derivatives = here.aligned(ValueGrad::of(op), (&a, &b)).unwrap();
         Timed::new(n, move || {
             let columns = (&a, &b);
-            here.aligned_into(ValueGrad::of(op), columns, &mut slopes)
+            here.aligned_into(ValueGrad::of(op), columns, &mut derivatives)
                 .unwrap();
             done(gpu);
         })

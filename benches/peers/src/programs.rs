@@ -14,9 +14,9 @@ pub const RATIOS: [Ratio; 5] = [
         "iou as a program, aligned",
     ),
     Ratio(
-        "the same with slopes",
-        "iou, aligned, slopes",
-        "iou as a program, aligned, slopes",
+        "the same with derivatives",
+        "iou, aligned, derivatives",
+        "iou as a program, aligned, derivatives",
     ),
     Ratio(
         "IoU of all pairs as a program over powerboxesrs'",
@@ -29,8 +29,8 @@ pub const RATIOS: [Ratio; 5] = [
         "copying points and segments",
     ),
     Ratio(
-        "the same with slopes, of copying both",
-        "point to segment, slopes",
+        "the same with derivatives, of copying both",
+        "point to segment, derivatives",
         "copying points and segments",
     ),
 ];
@@ -47,7 +47,7 @@ pub fn lines<'a>(
             .program::<f32>()
             .expect("it is recorded")
     };
-    let (value, slopes, pairs) = (iou(), iou().value_grad(), iou());
+    let (value, derivatives, pairs) = (iou(), iou().value_grad(), iou());
     let (mut values, mut more) = (vec![0.0; N], vec![0.0; N]);
     let (mut p, mut q) = (a.to_vec(), near.to_vec());
     let mut matrix = vec![0.0; PART * PART];
@@ -68,10 +68,10 @@ pub fn lines<'a>(
             }),
         },
         Line {
-            name: "iou as a program, aligned, slopes",
+            name: "iou as a program, aligned, derivatives",
             timed: Timed::new(N, move || {
                 let into = (&mut more[..], (&mut p[..], &mut q[..]));
-                cpu.aligned_into(&slopes, (a, near), into).unwrap();
+                cpu.aligned_into(&derivatives, (a, near), into).unwrap();
             }),
         },
         aligned("point to segment", Distance, points, segments),

@@ -6,7 +6,7 @@ use super::{Dice, N, by_parry, flat, narrow, on_threads, points, programs};
 use geograd::kernels::cpu::simd::Simd;
 use geograd::kernels::op::ValueGrad;
 use geograd::kernels::{
-    Cpu, Distance, Giou, IntersectionArea, Iou, IouBev, Row, Runs, Single, Table,
+    Cpu, Distance, Giou, IntersectionArea, Iou, IouBev, Item, Runs, Single, Table,
 };
 use geograd::{Obb2, Obb3, Rotation3, Segment2, Vec2, Vec3, YawBox3};
 use std::hint::black_box;
@@ -38,9 +38,9 @@ const RATIOS: [Ratio; 10] = [
         "giou",
     ),
     Ratio(
-        "GIoU value over value with slopes, aligned",
+        "GIoU value over value with derivatives, aligned",
         "giou, aligned",
-        "giou, aligned, slopes",
+        "giou, aligned, derivatives",
     ),
     Ratio(
         "2D IoU over upright IoU, aligned",
@@ -53,14 +53,14 @@ const RATIOS: [Ratio; 10] = [
         "upright iou, no filter",
     ),
     Ratio(
-        "upright value over value with slopes",
+        "upright value over value with derivatives",
         "upright iou, aligned",
-        "upright iou, aligned, slopes",
+        "upright iou, aligned, derivatives",
     ),
     Ratio(
-        "any turn: value over value with slopes",
+        "any turn: value over value with derivatives",
         "any turn, aligned",
-        "any turn, aligned, slopes",
+        "any turn, aligned, derivatives",
     ),
     Ratio(
         "quadrilaterals over parry2d-f64",
@@ -68,8 +68,8 @@ const RATIOS: [Ratio; 10] = [
         "parry2d-f64, quadrilaterals",
     ),
     Ratio(
-        "quadrilaterals with slopes over parry2d-f64's value",
-        "quadrilaterals, aligned, slopes",
+        "quadrilaterals with derivatives over parry2d-f64's value",
+        "quadrilaterals, aligned, derivatives",
         "parry2d-f64, quadrilaterals",
     ),
     Ratio(
@@ -103,7 +103,7 @@ where
     A: Single<Scalar = T>,
     B: Single<Scalar = T>,
     T: geograd::kernels::real::Real + Single<Scalar = T>,
-    (A, B): Row<Scalar = T>,
+    (A, B): Item<Scalar = T>,
 {
     let (cpu, mut values) = (Cpu::new(), vec![T::default(); a.len()]);
     let timed = Timed::new(a.len(), move || {
@@ -112,14 +112,14 @@ where
     Line { name, timed }
 }
 
-/// The same with slopes.
-fn slopes<'a, O, A, B, T>(name: &'static str, op: O, a: &'a [A], b: &'a [B]) -> Line<'a>
+/// The same with derivatives.
+fn derivatives<'a, O, A, B, T>(name: &'static str, op: O, a: &'a [A], b: &'a [B]) -> Line<'a>
 where
     O: Runs<(A, B), Out = T> + Copy + Send + 'a,
     A: Single<Scalar = T>,
     B: Single<Scalar = T>,
     T: geograd::kernels::real::Real + Single<Scalar = T>,
-    (A, B): Row<Scalar = T>,
+    (A, B): Item<Scalar = T>,
 {
     let (cpu, mut values) = (Cpu::new(), vec![T::default(); a.len()]);
     let (mut p, mut q) = (a.to_vec(), b.to_vec());
@@ -135,7 +135,7 @@ fn matrix<'a, O, A>(name: &'static str, cpu: Cpu, op: O, a: &'a [A], b: &'a [A])
 where
     O: Runs<(A, A), Out = f32> + Copy + Send + 'a,
     A: Single<Scalar = f32>,
-    (A, A): Row<Scalar = f32>,
+    (A, A): Item<Scalar = f32>,
 {
     let mut values = vec![0.0; a.len() * b.len()];
     let timed = Timed::new(values.len(), move || {
@@ -226,16 +226,16 @@ fn lines(lists: &Lists) -> Vec<Line<'_>> {
         matrix("iou, no filter", all, Iou, &a[..PART], &b[..PART]),
         matrix("giou", cpu, Giou, &a[..PART], &b[..PART]),
         Line {
-            name: "giou, slopes",
+            name: "giou, derivatives",
             timed: Timed::new(PART * PART, move || {
                 cpu.all_pairs_into(Giou.value_grad(), &a[..PART], &b[..PART], &mut grads)
                     .unwrap();
             }),
         },
         aligned("iou, aligned", Iou, a, near),
-        slopes("iou, aligned, slopes", Iou, a, near),
+        derivatives("iou, aligned, derivatives", Iou, a, near),
         aligned("giou, aligned", Giou, a, near),
-        slopes("giou, aligned, slopes", Giou, a, near),
+        derivatives("giou, aligned, derivatives", Giou, a, near),
         matrix(
             "upright iou",
             cpu,
@@ -251,16 +251,21 @@ fn lines(lists: &Lists) -> Vec<Line<'_>> {
             &upright_b[..PART],
         ),
         aligned("upright iou, aligned", Iou, upright, upright_near),
-        slopes("upright iou, aligned, slopes", Iou, upright, upright_near),
+        derivatives(
+            "upright iou, aligned, derivatives",
+            Iou,
+            upright,
+            upright_near,
+        ),
         aligned("bird's eye iou, aligned", IouBev, upright, upright_near),
-        slopes(
-            "bird's eye iou, aligned, slopes",
+        derivatives(
+            "bird's eye iou, aligned, derivatives",
             IouBev,
             upright,
             upright_near,
         ),
         aligned("any turn, aligned", Iou, tilted, tilted_near),
-        slopes("any turn, aligned, slopes", Iou, tilted, tilted_near),
+        derivatives("any turn, aligned, derivatives", Iou, tilted, tilted_near),
         matrix("any turn, scene", cpu, Iou, scene, scene),
         matrix("any turn, scene, no filter", all, Iou, scene, scene),
         aligned(
@@ -269,15 +274,20 @@ fn lines(lists: &Lists) -> Vec<Line<'_>> {
             quads,
             quads_near,
         ),
-        slopes(
-            "quadrilaterals, aligned, slopes",
+        derivatives(
+            "quadrilaterals, aligned, derivatives",
             IntersectionArea,
             quads,
             quads_near,
         ),
-        slopes("point to segment, slopes", Distance, points, &segments[0]),
-        slopes(
-            "segment to segment, slopes",
+        derivatives(
+            "point to segment, derivatives",
+            Distance,
+            points,
+            &segments[0],
+        ),
+        derivatives(
+            "segment to segment, derivatives",
             Distance,
             &segments[0],
             &segments[1],

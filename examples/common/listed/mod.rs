@@ -5,7 +5,7 @@ pub mod ready;
 use geograd::ad::check::sample::Sample;
 use geograd::kernels::gpu::GpuRing;
 use geograd::kernels::op::Vjp;
-use geograd::kernels::{Backend, Decided, Fold, Op, Row, Runs, Single};
+use geograd::kernels::{Backend, Fold, Item, Op, Runs, Search, Single};
 use geograd::{Error, Fixed};
 use ready::{Ready, aligned, folded, pairs, ring, shapes};
 
@@ -18,15 +18,15 @@ pub enum Form {
     Value,
     /// Results of items with their gradients.
     Gradient,
-    /// Slopes of items times a cotangent of the result.
+    /// Derivatives of items times a cotangent of the result.
     Adjoint,
     /// Results of all pairs.
     Pairs,
-    /// Slopes of all pairs times an upstream matrix, summed for every row and column.
+    /// Derivatives of all pairs times an upstream matrix, summed for every row and column.
     PairsAdjoint,
     /// Results of paths.
     Paths,
-    /// Slopes of paths times a cotangent of the result.
+    /// Derivatives of paths times a cotangent of the result.
     PathsAdjoint,
 }
 
@@ -68,15 +68,15 @@ impl<O> Of<O> {
 
 /// The gradient of one number, or of more the adjoint.
 pub trait Gradient {
-    fn slopes(&self) -> (Form, Make);
+    fn derivatives(&self) -> (Form, Make);
 }
 impl<O> Gradient for Of<O>
 where
     O: Op<Out<f32> = f32>,
     O::In<f64>: Sample,
-    O::In<f32>: Row<Scalar = f32>,
+    O::In<f32>: Item<Scalar = f32>,
 {
-    fn slopes(&self) -> (Form, Make) {
+    fn derivatives(&self) -> (Form, Make) {
         form(Form::Gradient, |backend, count| {
             let rows = shapes::<O::In<f64>, O::In<f32>>(count);
             aligned(backend, O::default().value_grad(), &rows)
@@ -87,10 +87,10 @@ impl<O> Gradient for &Of<O>
 where
     O: Op,
     O::In<f64>: Sample,
-    O::In<f32>: Row<Scalar = f32>,
-    O::Out<f32>: Row<Scalar = f32>,
+    O::In<f32>: Item<Scalar = f32>,
+    O::Out<f32>: Item<Scalar = f32>,
 {
-    fn slopes(&self) -> (Form, Make) {
+    fn derivatives(&self) -> (Form, Make) {
         form(Form::Adjoint, |backend, count| {
             let rows = shapes::<O::In<f64>, O::In<f32>>(count);
             let rows: Vec<_> = rows.into_iter().map(|x| (x, Fixed::filled(1.0))).collect();
@@ -135,8 +135,8 @@ impl<O> AllPairs for &Of<O> {
 pub fn value<O: Op>() -> (Form, Make)
 where
     O::In<f64>: Sample,
-    O::In<f32>: Row<Scalar = f32>,
-    O::Out<f32>: Row<Scalar = f32>,
+    O::In<f32>: Item<Scalar = f32>,
+    O::Out<f32>: Item<Scalar = f32>,
 {
     form(Form::Value, |backend, count| {
         let rows = shapes::<O::In<f64>, O::In<f32>>(count);
@@ -159,7 +159,7 @@ pub fn of_ring<O: GpuRing>() -> Vec<(Form, Make)> {
 /// The forms of a fold.
 pub fn of_fold<F>() -> Vec<(Form, Make)>
 where
-    F: Fold<Context<f32>: Row<Scalar = f32>, Context<f64>: Sample>,
+    F: Fold<Context<f32>: Item<Scalar = f32>, Context<f64>: Sample>,
 {
     vec![
         form(Form::Paths, |backend, count| {
@@ -172,12 +172,12 @@ where
 }
 
 /// The forms of what searches.
-pub fn of_decided<D, R, Y>() -> Vec<(Form, Make)>
+pub fn of_search<D, R, Y>() -> Vec<(Form, Make)>
 where
-    D: Decided<In<f32> = R, Out<f32> = Y> + Runs<R, Out = Y>,
+    D: Search<In<f32> = R, Out<f32> = Y> + Runs<R, Out = Y>,
     D::In<f64>: Sample,
-    R: Row<Scalar = f32>,
-    Y: Row<Scalar = f32>,
+    R: Item<Scalar = f32>,
+    Y: Item<Scalar = f32>,
     Vjp<D>: Runs<(R, Y), Out = R>,
 {
     vec![
@@ -187,7 +187,7 @@ where
         form(Form::Adjoint, |backend, count| {
             let rows = shapes::<D::In<f64>, R>(count).into_iter();
             let rows: Vec<(R, Y)> = rows.map(|x| (x, Y::filled(1.0))).collect();
-            aligned(backend, Decided::vjp(D::default()), &rows)
+            aligned(backend, Search::vjp(D::default()), &rows)
         }),
     ]
 }
@@ -199,7 +199,7 @@ macro_rules! list {
      further {
          straight { $($more:ident: $more_op:ty,)* }
          folds { $($more_fold:ident: $more_fold_op:ty,)* }
-         decided { $($more_decided:ident: $more_decided_op:ty,)* }
+         decided { $($more_search:ident: $more_decided_op:ty,)* }
      }) => {
         /// The whole list; unoptimised builds leave out its last section, as every operation costs them a
         /// second.
@@ -208,7 +208,7 @@ macro_rules! list {
         pub fn list() -> Vec<Listed> {
             macro_rules! straight {
                 ($name:ident: $op:ty) => {{
-                    let mut forms = vec![value::<$op>(), (&Of::<$op>::NEW).slopes()];
+                    let mut forms = vec![value::<$op>(), (&Of::<$op>::NEW).derivatives()];
                     forms.extend((&Of::<$op>::NEW).pairs());
                     Listed { name: stringify!($name), forms }
                 }};
@@ -219,15 +219,15 @@ macro_rules! list {
                 $(Listed { name: stringify!($ring), forms: of_ring::<$ring_op>() },)*
                 $(straight!($straight: $straight_op),)*
                 $(Listed { name: stringify!($fold), forms: of_fold::<$fold_op>() },)*
-                $(Listed { name: stringify!($decided), forms: of_decided::<$decided_op, _, _>() },)*
+                $(Listed { name: stringify!($decided), forms: of_search::<$decided_op, _, _>() },)*
             ];
             #[cfg(not(debug_assertions))]
             all.extend([
                 $(straight!($more: $more_op),)*
                 $(Listed { name: stringify!($more_fold), forms: of_fold::<$more_fold_op>() },)*
                 $(Listed {
-                    name: stringify!($more_decided),
-                    forms: of_decided::<$more_decided_op, _, _>(),
+                    name: stringify!($more_search),
+                    forms: of_search::<$more_decided_op, _, _>(),
                 },)*
             ]);
             all

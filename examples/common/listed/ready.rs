@@ -2,7 +2,7 @@
 use geograd::ad::check::sample::{Draw, Sample};
 use geograd::kernels::gpu::GpuRing;
 use geograd::kernels::resident::{Held, Matrix, Resident, RingBars, RingValues, Rings};
-use geograd::kernels::{Backend, Fold, Row, Runs, Single};
+use geograd::kernels::{Backend, Fold, Item, Runs, Single};
 use geograd::{Error, Fixed, Pack, Vec2};
 
 /// Corners of the paths.
@@ -27,7 +27,7 @@ const WAYS: usize = 64;
 
 /// A row moved in many ways by up to sixteen last digits of its largest number. No number changes its sign, so
 /// that sizes stay sizes; where the row would not be valid any more, it stays as it is.
-fn moved<R: Row<Scalar = f32>>(row: &R, draw: &mut Draw) -> Vec<R> {
+fn moved<R: Item<Scalar = f32>>(row: &R, draw: &mut Draw) -> Vec<R> {
     let numbers = row.scalars();
     let largest = numbers.iter().fold(0.0_f32, |most, x| most.max(x.abs()));
     let mut way = |way: usize| {
@@ -65,7 +65,7 @@ pub fn shapes<P: Sample + Fixed<Scalar = f64>, Q: Fixed<Scalar = f32>>(count: us
     (0..count).map(|i| drawn[i % DIFFERENT]).collect()
 }
 
-struct Aligned<'a, R: Row<Scalar = f32>, F: Runs<R>> {
+struct Aligned<'a, R: Item<Scalar = f32>, F: Runs<R>> {
     here: Resident<'a>,
     run: F,
     rows: Vec<R>,
@@ -73,7 +73,9 @@ struct Aligned<'a, R: Row<Scalar = f32>, F: Runs<R>> {
     found: Held<F::Out>,
 }
 
-impl<R: Row<Scalar = f32>, F: Runs<R, Out: Row<Scalar = f32>> + Copy> Ready for Aligned<'_, R, F> {
+impl<R: Item<Scalar = f32>, F: Runs<R, Out: Item<Scalar = f32>> + Copy> Ready
+    for Aligned<'_, R, F>
+{
     fn run(&mut self) -> Result<(), Error> {
         self.here
             .aligned_into(self.run, &self.held, &mut self.found)
@@ -100,8 +102,8 @@ pub fn aligned<'a, R, F>(
     rows: &[R],
 ) -> Result<Box<dyn Ready + 'a>, Error>
 where
-    R: Row<Scalar = f32> + 'a,
-    F: Runs<R, Out: Row<Scalar = f32>> + Copy + 'a,
+    R: Item<Scalar = f32> + 'a,
+    F: Runs<R, Out: Item<Scalar = f32>> + Copy + 'a,
 {
     let here = backend.resident();
     let held = here.upload(rows)?;
@@ -122,14 +124,14 @@ struct Pairs<'a, A, B, F> {
     a: Held<A>,
     b: Held<B>,
     matrix: Matrix,
-    slopes: Option<(Held<A>, Held<B>)>,
+    derivatives: Option<(Held<A>, Held<B>)>,
 }
 
 impl<A: Single<Scalar = f32>, B: Single<Scalar = f32>, F> Pairs<'_, A, B, F>
 where
     F: Runs<(A, B), Out = f32> + Copy,
 {
-    /// Slopes of every row of a matrix of moved shapes, and of every column.
+    /// Derivatives of every row of a matrix of moved shapes, and of every column.
     fn sums(&self, a: &[A], b: &[B]) -> Result<[Vec<f32>; 2], Error> {
         let here = Backend::Cpu.resident();
         let (a, b) = (here.upload(a)?, here.upload(b)?);
@@ -145,16 +147,16 @@ where
 {
     fn run(&mut self) -> Result<(), Error> {
         let (run, a, b) = (self.run, &self.a, &self.b);
-        match &mut self.slopes {
+        match &mut self.derivatives {
             None => self.here.all_pairs_into(run, a, b, &mut self.matrix),
-            Some(slopes) => {
-                *slopes = self.here.all_pairs_vjp(run, a, b, &self.matrix)?;
+            Some(derivatives) => {
+                *derivatives = self.here.all_pairs_vjp(run, a, b, &self.matrix)?;
                 Ok(())
             }
         }
     }
     fn numbers(&self) -> Result<Vec<Vec<f32>>, Error> {
-        match &self.slopes {
+        match &self.derivatives {
             None => Ok(vec![self.matrix.download()?]),
             Some((a, b)) => Ok([a.numbers()?, b.numbers()?].concat()),
         }
@@ -162,7 +164,7 @@ where
     fn beside(&self, list: usize, at: usize) -> Result<Option<Vec<f32>>, Error> {
         let mut draw = Draw::new(at as u64);
         let side = self.rows.len();
-        if self.slopes.is_none() {
+        if self.derivatives.is_none() {
             let there = moved(&(self.rows[at / side].0, self.rows[at % side].1), &mut draw);
             let here = Backend::Cpu.resident();
             let mut found = here.aligned(self.run, &here.upload(&there)?)?.numbers()?;
@@ -189,7 +191,7 @@ pub fn pairs<'a, A, B, F>(
     backend: Backend<'a>,
     run: F,
     rows: &[(A, B)],
-    slopes: bool,
+    derivatives: bool,
 ) -> Result<Box<dyn Ready + 'a>, Error>
 where
     A: Single<Scalar = f32> + 'a,
@@ -200,7 +202,7 @@ where
     let (a, b): (Vec<A>, Vec<B>) = rows.iter().copied().unzip();
     let (a, b) = (here.upload(&a)?, here.upload(&b)?);
     let matrix = here.all_pairs(run, &a, &b)?;
-    let slopes = match slopes {
+    let derivatives = match derivatives {
         true => Some(here.all_pairs_vjp(run, &a, &b, &matrix)?),
         false => None,
     };
@@ -211,7 +213,7 @@ where
         a,
         b,
         matrix,
-        slopes,
+        derivatives,
     }))
 }
 
@@ -237,14 +239,14 @@ struct Ring<O: GpuRing> {
     rings: Rings,
     values: Option<RingValues<O::Out<f32>>>,
     ups: Vec<O::Out<f32>>,
-    slopes: Option<RingBars>,
+    derivatives: Option<RingBars>,
 }
 
 impl<O: GpuRing> Ready for Ring<O> {
     fn run(&mut self) -> Result<(), Error> {
         match self.ups.is_empty() {
             true => self.values = Some(self.rings.ragged(O::default())?),
-            false => self.slopes = Some(self.rings.ragged_vjp(O::default(), &self.ups)?),
+            false => self.derivatives = Some(self.rings.ragged_vjp(O::default(), &self.ups)?),
         }
         Ok(())
     }
@@ -253,8 +255,14 @@ impl<O: GpuRing> Ready for Ring<O> {
         if let Some(values) = &self.values {
             all.push(values.download()?.iter().flat_map(Pack::scalars).collect());
         }
-        if let Some(slopes) = &self.slopes {
-            all.push(slopes.download()?.iter().flat_map(Pack::scalars).collect());
+        if let Some(derivatives) = &self.derivatives {
+            all.push(
+                derivatives
+                    .download()?
+                    .iter()
+                    .flat_map(Pack::scalars)
+                    .collect(),
+            );
         }
         Ok(all)
     }
@@ -263,15 +271,15 @@ impl<O: GpuRing> Ready for Ring<O> {
 pub fn ring<'a, O: GpuRing>(
     backend: Backend<'a>,
     count: usize,
-    slopes: bool,
+    derivatives: bool,
 ) -> Result<Box<dyn Ready + 'a>, Error> {
     let (vertices, offsets) = paths(count);
-    let ups = if slopes { count } else { 0 };
+    let ups = if derivatives { count } else { 0 };
     let mut ready = Ring::<O> {
         rings: backend.resident().upload_rings(&vertices, &offsets)?,
         values: None,
         ups: vec![Fixed::filled(1.0); ups],
-        slopes: None,
+        derivatives: None,
     };
     ready.run()?;
     Ok(Box::new(ready))
@@ -284,24 +292,26 @@ struct Folded<'a, F: Fold> {
     offsets: Vec<usize>,
     values: Vec<F::Out<f32>>,
     ups: Vec<F::Out<f32>>,
-    slopes: (Vec<F::Context<f32>>, Vec<Vec2<f32>>),
+    derivatives: (Vec<F::Context<f32>>, Vec<Vec2<f32>>),
 }
 
-impl<F: Fold<Context<f32>: Row<Scalar = f32>>> Ready for Folded<'_, F> {
+impl<F: Fold<Context<f32>: Item<Scalar = f32>>> Ready for Folded<'_, F> {
     fn run(&mut self) -> Result<(), Error> {
         let (contexts, vertices, offsets) = (&self.contexts, &self.vertices, &self.offsets);
         let (backend, run) = (self.backend, F::default());
         match self.ups.is_empty() {
             true => self.values = backend.fold(run, contexts, vertices, offsets)?,
-            false => self.slopes = backend.fold_vjp(run, contexts, vertices, offsets, &self.ups)?,
+            false => {
+                self.derivatives = backend.fold_vjp(run, contexts, vertices, offsets, &self.ups)?
+            }
         }
         Ok(())
     }
     fn numbers(&self) -> Result<Vec<Vec<f32>>, Error> {
         Ok(vec![
             self.values.iter().flat_map(Pack::scalars).collect(),
-            self.slopes.0.iter().flat_map(Pack::scalars).collect(),
-            self.slopes.1.iter().flat_map(Pack::scalars).collect(),
+            self.derivatives.0.iter().flat_map(Pack::scalars).collect(),
+            self.derivatives.1.iter().flat_map(Pack::scalars).collect(),
         ])
     }
 }
@@ -309,13 +319,13 @@ impl<F: Fold<Context<f32>: Row<Scalar = f32>>> Ready for Folded<'_, F> {
 pub fn folded<'a, F>(
     backend: Backend<'a>,
     count: usize,
-    slopes: bool,
+    derivatives: bool,
 ) -> Result<Box<dyn Ready + 'a>, Error>
 where
-    F: Fold<Context<f32>: Row<Scalar = f32>, Context<f64>: Sample>,
+    F: Fold<Context<f32>: Item<Scalar = f32>, Context<f64>: Sample>,
 {
     let (vertices, offsets) = paths(count);
-    let ups = if slopes { count } else { 0 };
+    let ups = if derivatives { count } else { 0 };
     let mut ready = Folded::<F> {
         backend,
         contexts: shapes::<F::Context<f64>, _>(count),
@@ -323,7 +333,7 @@ where
         offsets,
         values: Vec::new(),
         ups: vec![Fixed::filled(1.0); ups],
-        slopes: (Vec::new(), Vec::new()),
+        derivatives: (Vec::new(), Vec::new()),
     };
     ready.run()?;
     Ok(Box::new(ready))

@@ -6,8 +6,8 @@ use crate::input::{self, Shape};
 use crate::metric::Metric;
 use crate::number::Number;
 use geograd::kernels::Runs;
+use geograd::kernels::item::Single;
 use geograd::kernels::op::ValueGrad;
-use geograd::kernels::row::Single;
 use geograd::kernels::{Backend, Cpu, Table};
 use geograd::{Error, Program};
 
@@ -15,18 +15,18 @@ use geograd::{Error, Program};
 pub trait Boxes: Single<Scalar: Number> + Send + Sync {
     /// The columns of a table of them.
     const COLUMNS: &'static [&'static str];
-    /// The names of a box's slopes, in the order of [`slopes`](Boxes::slopes).
-    const SLOPES: &'static [&'static str];
+    /// The names of a box's derivatives, in the order of [`derivatives`](Boxes::derivatives).
+    const DERIVATIVE: &'static [&'static str];
 
     /// What is wrong with a box of finite numbers.
     fn check(self) -> Result<(), String> {
         Ok(())
     }
 
-    /// Shows the slopes of a result with respect to this box, given those with respect to its numbers.
-    fn slopes(self, by: Self, show: &mut dyn FnMut(Self::Scalar));
+    /// Shows the derivatives of a result with respect to this box, given those with respect to its numbers.
+    fn derivatives(self, by: Self, show: &mut dyn FnMut(Self::Scalar));
 
-    /// The scores of pairs, with slopes if they are wanted.
+    /// The scores of pairs, with derivatives if they are wanted.
     fn scores(
         metric: Metric,
         backend: Backend<'_>,
@@ -82,31 +82,31 @@ impl<P: Copy> Pairs<'_, P> {
     }
 }
 
-/// A score per pair, and if they were wanted its slopes with respect to both boxes.
+/// A score per pair, and if they were wanted its derivatives with respect to both boxes.
 #[derive(Debug)]
 pub struct Scores<P: Boxes> {
     pub values: Vec<P::Scalar>,
-    pub slopes: Option<[Vec<P>; 2]>,
+    pub derivatives: Option<[Vec<P>; 2]>,
 }
 
 impl<P: Boxes> Scores<P> {
     pub fn new(values: Vec<P::Scalar>) -> Self {
         Scores {
             values,
-            slopes: None,
+            derivatives: None,
         }
     }
 
-    pub fn with_slopes(values: Vec<P::Scalar>, a_bar: Vec<P>, b_bar: Vec<P>) -> Self {
+    pub fn with_derivatives(values: Vec<P::Scalar>, a_bar: Vec<P>, b_bar: Vec<P>) -> Self {
         Scores {
             values,
-            slopes: Some([a_bar, b_bar]),
+            derivatives: Some([a_bar, b_bar]),
         }
     }
 
     pub fn from_table(table: &Table<(P::Scalar, (P, P))>) -> Self {
-        let mut scores = Self::with_slopes(Vec::new(), Vec::new(), Vec::new());
-        let Some([a_bar, b_bar]) = &mut scores.slopes else {
+        let mut scores = Self::with_derivatives(Vec::new(), Vec::new(), Vec::new());
+        let Some([a_bar, b_bar]) = &mut scores.derivatives else {
             return scores;
         };
         for row in 0..table.rows() {
@@ -130,7 +130,7 @@ where
     match pairs {
         Pairs::Aligned(a, b) if grad => {
             let (values, (a_bar, b_bar)) = cpu.aligned(ValueGrad::of(op), (a, b))?;
-            Ok(Scores::with_slopes(values, a_bar, b_bar))
+            Ok(Scores::with_derivatives(values, a_bar, b_bar))
         }
         Pairs::Aligned(a, b) => Ok(Scores::new(cpu.aligned(op, (a, b))?)),
         Pairs::All(a, b) if grad => Ok(Scores::from_table(&cpu.all_pairs(
@@ -142,7 +142,7 @@ where
     }
 }
 
-/// The scores of a program of two boxes and a score of theirs that is known, with its slopes.
+/// The scores of a program of two boxes and a score of theirs that is known, with its derivatives.
 fn on_scores<P: Boxes>(
     program: &Program<(P, P, P::Scalar), P::Scalar>,
     pairs: Pairs<'_, P>,
@@ -151,7 +151,7 @@ fn on_scores<P: Boxes>(
     let cpu = Cpu::new();
     let (a, b) = pairs.listed();
     let columns = (&a, &b, &known.values);
-    let Some([mut known_a, mut known_b]) = known.slopes else {
+    let Some([mut known_a, mut known_b]) = known.derivatives else {
         return Ok(Scores::new(cpu.aligned(program, columns)?));
     };
     let (values, (a_bar, b_bar, along)) = cpu.aligned(&program.value_grad(), columns)?;
@@ -160,7 +160,7 @@ fn on_scores<P: Boxes>(
             *known = sum(*known, along, own);
         }
     }
-    Ok(Scores::with_slopes(values, known_a, known_b))
+    Ok(Scores::with_derivatives(values, known_a, known_b))
 }
 
 /// `x · factor + y`, number by number.

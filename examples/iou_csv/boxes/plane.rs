@@ -28,9 +28,9 @@ fn giou_in<S: Scalar>(a: S, b: S, around: S, iou: S) -> S {
 
 impl<T: Number> Boxes for Obb2<T> {
     const COLUMNS: &'static [&'static str] = &["x", "y", "w", "h", "r"];
-    const SLOPES: &'static [&'static str] = Self::COLUMNS;
+    const DERIVATIVE: &'static [&'static str] = Self::COLUMNS;
 
-    fn slopes(self, by: Self, show: &mut dyn FnMut(T)) {
+    fn derivatives(self, by: Self, show: &mut dyn FnMut(T)) {
         let all = [by.center.x, by.center.y, by.size.x, by.size.y, by.heading];
         all.into_iter().for_each(show);
     }

@@ -51,9 +51,9 @@ where
 
 impl<T: Number> Boxes for YawBox3<T> {
     const COLUMNS: &'static [&'static str] = &["x", "y", "z", "dx", "dy", "dz", "heading"];
-    const SLOPES: &'static [&'static str] = &["x", "y", "z", "dx", "dy", "dz", "r"];
+    const DERIVATIVE: &'static [&'static str] = &["x", "y", "z", "dx", "dy", "dz", "r"];
 
-    fn slopes(self, by: Self, show: &mut dyn FnMut(T)) {
+    fn derivatives(self, by: Self, show: &mut dyn FnMut(T)) {
         let (center, size) = (by.center, by.size);
         let all = [center.x, center.y, center.z, size.x, size.y, size.z];
         all.into_iter().chain([by.heading]).for_each(show);
@@ -79,7 +79,8 @@ impl<T: Number> Boxes for YawBox3<T> {
 impl<T: Number> Boxes for Obb3<T> {
     const COLUMNS: &'static [&'static str] =
         &["x", "y", "z", "dx", "dy", "dz", "qw", "qx", "qy", "qz"];
-    const SLOPES: &'static [&'static str] = &["x", "y", "z", "dx", "dy", "dz", "rx", "ry", "rz"];
+    const DERIVATIVE: &'static [&'static str] =
+        &["x", "y", "z", "dx", "dy", "dz", "rx", "ry", "rz"];
 
     fn check(self) -> Result<(), String> {
         let q = self.rotation;
@@ -89,9 +90,9 @@ impl<T: Number> Boxes for Obb3<T> {
         }
     }
 
-    fn slopes(self, by: Self, show: &mut dyn FnMut(T)) {
+    fn derivatives(self, by: Self, show: &mut dyn FnMut(T)) {
         let (center, size) = (by.center, by.size);
-        // Slopes are smaller the longer the quaternion is; turning is not.
+        // Derivatives are smaller the longer the quaternion is; turning is not.
         let turn = self.rotation.tangent_gradient(by.rotation);
         let all = [center.x, center.y, center.z, size.x, size.y, size.z];
         let all = all.into_iter().chain([turn.x, turn.y, turn.z]);

@@ -6,7 +6,7 @@ use crate::input::{self, Shape};
 use crate::number::Number;
 use geograd::predicate::{Turn, turn};
 use geograd::{Aabb2, Vec2, ring};
-pub use part::Slopes;
+pub use part::Derivatives;
 pub use score::score;
 
 /// A simple polygon, convex or not.

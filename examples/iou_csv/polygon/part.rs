@@ -1,4 +1,4 @@
-//! What scores of two simple polygons are made of: lengths and areas, with their slopes by all vertices.
+//! What scores of two simple polygons are made of: lengths and areas, with their derivatives by all vertices.
 //!
 //! The area of intersection is the library's
 //! ([`intersection_area`](geograd::overlap_polygon::rings::intersection_area), with its adjoint).
@@ -7,21 +7,21 @@ use crate::number::Number;
 use geograd::Vec2;
 use geograd::ad::adjoint::overlap_rings::intersection_area_vjp;
 use geograd::ad::adjoint::ring::signed_area_vjp;
-use geograd::hull::hull_area_decided;
-use geograd::measure::extent::diameter_decided;
+use geograd::hull::hull_area_search;
+use geograd::measure::extent::diameter_search;
 use geograd::overlap_polygon::rings::intersection_area;
 
-/// Slopes by the vertices of two polygons, in the order of their vertices.
+/// Derivatives by the vertices of two polygons, in the order of their vertices.
 #[derive(Clone, Debug)]
-pub struct Slopes<T> {
+pub struct Derivatives<T> {
     pub a: Vec<Vec2<T>>,
     pub b: Vec<Vec2<T>>,
 }
 
-impl<T: Number> Slopes<T> {
+impl<T: Number> Derivatives<T> {
     /// None yet.
     pub fn new(a: &Polygon<T>, b: &Polygon<T>) -> Self {
-        Slopes {
+        Derivatives {
             a: vec![Vec2::zero(); a.count()],
             b: vec![Vec2::zero(); b.count()],
         }
@@ -45,36 +45,36 @@ impl<T: Number> Slopes<T> {
     }
 }
 
-/// A number made of two polygons, and its slopes by their vertices.
+/// A number made of two polygons, and its derivatives by their vertices.
 pub struct Part<T> {
     pub value: T,
-    pub slopes: Slopes<T>,
+    pub derivatives: Derivatives<T>,
 }
 
-/// The slopes of `factors[0] A + factors[1] B` with the polygons' own areas A and B.
-pub fn own_areas<T: Number>(a: &Polygon<T>, b: &Polygon<T>, factors: [T; 2]) -> Slopes<T> {
-    let mut slopes = Slopes::new(a, b);
-    signed_area_vjp(&a.vertices, factors[0], &mut slopes.a);
-    signed_area_vjp(&b.vertices, factors[1], &mut slopes.b);
-    slopes
+/// The derivatives of `factors[0] A + factors[1] B` with the polygons' own areas A and B.
+pub fn own_areas<T: Number>(a: &Polygon<T>, b: &Polygon<T>, factors: [T; 2]) -> Derivatives<T> {
+    let mut derivatives = Derivatives::new(a, b);
+    signed_area_vjp(&a.vertices, factors[0], &mut derivatives.a);
+    signed_area_vjp(&b.vertices, factors[1], &mut derivatives.b);
+    derivatives
 }
 
 /// The area that both share.
 pub fn intersection<T: Number>(a: &Polygon<T>, b: &Polygon<T>, grad: bool) -> Part<T> {
-    let mut slopes = Slopes::new(a, b);
+    let mut derivatives = Derivatives::new(a, b);
     let zero = T::zero();
     let (p, q) = (a.bounds, b.bounds);
     if p.max.x <= q.min.x || q.max.x <= p.min.x || p.max.y <= q.min.y || q.max.y <= p.min.y {
         return Part {
             value: zero,
-            slopes,
+            derivatives,
         };
     }
     let (ring_a, ring_b) = (&a.vertices, &b.vertices);
     let sum = match grad {
         false => intersection_area(ring_a, ring_b),
         true => {
-            let (by_a, by_b) = (&mut slopes.a, &mut slopes.b);
+            let (by_a, by_b) = (&mut derivatives.a, &mut derivatives.b);
             intersection_area_vjp(ring_a, ring_b, T::one(), by_a, by_b)
         }
     };
@@ -85,12 +85,12 @@ pub fn intersection<T: Number>(a: &Polygon<T>, b: &Polygon<T>, grad: bool) -> Pa
     if sum <= rounding {
         return Part {
             value: zero,
-            slopes: Slopes::new(a, b),
+            derivatives: Derivatives::new(a, b),
         };
     }
     Part {
         value: sum.least(a.area).least(b.area),
-        slopes,
+        derivatives,
     }
 }
 
@@ -99,49 +99,49 @@ fn joint<T: Number>(a: &Polygon<T>, b: &Polygon<T>) -> Vec<Vec2<T>> {
     [&a.vertices[..], &b.vertices[..]].concat()
 }
 
-/// The area of the convex hull of both. Vertices at one place share its slope.
+/// The area of the convex hull of both. Vertices at one place share its derivative.
 pub fn hull<T: Number>(a: &Polygon<T>, b: &Polygon<T>) -> Part<T> {
     let points = joint(a, b);
-    let (value, record) = hull_area_decided(&points);
-    let mut slopes = Slopes::new(a, b);
+    let (value, record) = hull_area_search(&points);
+    let mut derivatives = Derivatives::new(a, b);
     let ring: Vec<_> = record.iter().map(|&k| points[k]).collect();
     let mut by = vec![Vec2::zero(); ring.len()];
     signed_area_vjp(&ring, T::one(), &mut by);
     for (&at, by) in ring.iter().zip(by) {
-        spread(&points, |p| p == at, by, &mut slopes);
+        spread(&points, |p| p == at, by, &mut derivatives);
     }
-    Part { value, slopes }
+    Part { value, derivatives }
 }
 
-/// Gives all points of some kind an equal share of a slope.
+/// Gives all points of some kind an equal share of a derivative.
 fn spread<T: Number>(
     points: &[Vec2<T>],
     is_one: impl Fn(Vec2<T>) -> bool,
-    slope: Vec2<T>,
-    slopes: &mut Slopes<T>,
+    derivative: Vec2<T>,
+    derivatives: &mut Derivatives<T>,
 ) {
     let all: Vec<usize> = (0..points.len()).filter(|&k| is_one(points[k])).collect();
-    let share = slope * (T::one() / T::lit(all.len().max(1) as f64));
+    let share = derivative * (T::one() / T::lit(all.len().max(1) as f64));
     for k in all {
-        *slopes.at(k) += share;
+        *derivatives.at(k) += share;
     }
 }
 
 /// The largest distance of two vertices.
 pub fn diameter<T: Number>(a: &Polygon<T>, b: &Polygon<T>) -> Part<T> {
     let points = joint(a, b);
-    let mut slopes = Slopes::new(a, b);
-    let Some((value, farthest)) = diameter_decided(&points) else {
+    let mut derivatives = Derivatives::new(a, b);
+    let Some((value, farthest)) = diameter_search(&points) else {
         return Part {
             value: T::zero(),
-            slopes,
+            derivatives,
         };
     };
     let way = (points[farthest.to] - points[farthest.from]).normalize_or_zero();
     let (from, to) = (points[farthest.from], points[farthest.to]);
-    spread(&points, |p| p == to, way, &mut slopes);
-    spread(&points, |p| p == from, -way, &mut slopes);
-    Part { value, slopes }
+    spread(&points, |p| p == to, way, &mut derivatives);
+    spread(&points, |p| p == from, -way, &mut derivatives);
+    Part { value, derivatives }
 }
 
 /// The diagonal of the axis-aligned box around both.
@@ -149,7 +149,7 @@ pub fn diagonal<T: Number>(a: &Polygon<T>, b: &Polygon<T>) -> Part<T> {
     let size = a.bounds.join(b.bounds).size();
     Part {
         value: size.length(),
-        slopes: by_bounds(a, b, size.normalize_or_zero()),
+        derivatives: by_bounds(a, b, size.normalize_or_zero()),
     }
 }
 
@@ -158,19 +158,19 @@ pub fn bounding_area<T: Number>(a: &Polygon<T>, b: &Polygon<T>) -> Part<T> {
     let size = a.bounds.join(b.bounds).size();
     Part {
         value: size.x * size.y,
-        slopes: by_bounds(a, b, Vec2::new(size.y, size.x)),
+        derivatives: by_bounds(a, b, Vec2::new(size.y, size.x)),
     }
 }
 
-/// The slopes of a function of the size of that box. Vertices that reach equally far share the slope.
-fn by_bounds<T: Number>(a: &Polygon<T>, b: &Polygon<T>, by: Vec2<T>) -> Slopes<T> {
+/// The derivatives of a function of the size of that box. Vertices that reach equally far share the derivative.
+fn by_bounds<T: Number>(a: &Polygon<T>, b: &Polygon<T>, by: Vec2<T>) -> Derivatives<T> {
     let points = joint(a, b);
     let bounds = a.bounds.join(b.bounds);
-    let mut slopes = Slopes::new(a, b);
+    let mut derivatives = Derivatives::new(a, b);
     let (x, y) = (Vec2::new(by.x, T::zero()), Vec2::new(T::zero(), by.y));
-    spread(&points, |p| p.x == bounds.max.x, x, &mut slopes);
-    spread(&points, |p| p.x == bounds.min.x, -x, &mut slopes);
-    spread(&points, |p| p.y == bounds.max.y, y, &mut slopes);
-    spread(&points, |p| p.y == bounds.min.y, -y, &mut slopes);
-    slopes
+    spread(&points, |p| p.x == bounds.max.x, x, &mut derivatives);
+    spread(&points, |p| p.x == bounds.min.x, -x, &mut derivatives);
+    spread(&points, |p| p.y == bounds.max.y, y, &mut derivatives);
+    spread(&points, |p| p.y == bounds.min.y, -y, &mut derivatives);
+    derivatives
 }

@@ -1,28 +1,28 @@
-//! Scores of two simple polygons, and their slopes by the vertices of both.
-use super::part::{Slopes, bounding_area, diagonal, diameter, hull, intersection, own_areas};
+//! Scores of two simple polygons, and their derivatives by the vertices of both.
+use super::part::{Derivatives, bounding_area, diagonal, diameter, hull, intersection, own_areas};
 use super::{Polygon, unit};
 use crate::metric::{Enclosing, Metric};
 use crate::number::Number;
 use geograd::ad::adjoint::ring::centroid_vjp;
 use geograd::{Vec2, ring};
 
-/// The score, and its slopes where they are wanted.
+/// The score, and its derivatives where they are wanted.
 pub fn score<T: Number>(
     metric: Metric,
     a: &Polygon<T>,
     b: &Polygon<T>,
-    slopes: Option<&mut Slopes<T>>,
+    derivatives: Option<&mut Derivatives<T>>,
 ) -> T {
     let scale = unit(a.bounds.join(b.bounds));
     if scale == T::one() {
-        return ordinary(metric, a, b, slopes);
+        return ordinary(metric, a, b, derivatives);
     }
     let (a, b) = (a.scaled(scale), b.scaled(scale));
-    let Some(slopes) = slopes else {
+    let Some(derivatives) = derivatives else {
         return ordinary(metric, &a, &b, None);
     };
-    let score = ordinary(metric, &a, &b, Some(slopes));
-    for by in slopes.a.iter_mut().chain(&mut slopes.b) {
+    let score = ordinary(metric, &a, &b, Some(derivatives));
+    for by in derivatives.a.iter_mut().chain(&mut derivatives.b) {
         *by = Vec2::new((by.x * scale).saturated(), (by.y * scale).saturated());
     }
     score
@@ -33,10 +33,10 @@ fn ordinary<T: Number>(
     metric: Metric,
     a: &Polygon<T>,
     b: &Polygon<T>,
-    mut slopes: Option<&mut Slopes<T>>,
+    mut derivatives: Option<&mut Derivatives<T>>,
 ) -> T {
     let (zero, one) = (T::zero(), T::one());
-    let inter = intersection(a, b, slopes.is_some());
+    let inter = intersection(a, b, derivatives.is_some());
     let union = a.area + b.area - inter.value;
     // What a polygon without area shares is nothing.
     let empty = T::lit(T::EMPTY);
@@ -46,13 +46,13 @@ fn ordinary<T: Number>(
         true => one,
         false => over(inter.value, union),
     };
-    let mut add = |part: &Slopes<T>, factor: T| {
-        if let Some(slopes) = &mut slopes {
-            slopes.add(part, factor);
+    let mut add = |part: &Derivatives<T>, factor: T| {
+        if let Some(derivatives) = &mut derivatives {
+            derivatives.add(part, factor);
         }
     };
     if metric == Metric::Iof {
-        add(&inter.slopes, over(one, a.area));
+        add(&inter.derivatives, over(one, a.area));
         // At most one, whatever the rounding.
         let iof = over(inter.value, a.area).least(one);
         add(&own_areas(a, b, [over(-iof, a.area), zero]), one);
@@ -61,7 +61,7 @@ fn ordinary<T: Number>(
     // dr = ((1 + r) dI − r (dA + dB)) / U. Of the same polygon twice they cancel.
     if !same {
         let each = over(-iou, union);
-        add(&inter.slopes, over(one + iou, union));
+        add(&inter.derivatives, over(one + iou, union));
         add(&own_areas(a, b, [each, each]), one);
     }
     match metric {
@@ -75,9 +75,9 @@ fn ordinary<T: Number>(
                 over(one, hull.value),
                 over(over(-union, hull.value), hull.value),
             );
-            add(&inter.slopes, -by_union);
+            add(&inter.derivatives, -by_union);
             add(&own_areas(a, b, [by_union, by_union]), one);
-            add(&hull.slopes, by_hull);
+            add(&hull.derivatives, by_hull);
             // Rounding can leave the hull a little smaller than what it encloses.
             iou - over((hull.value - union).most(zero), hull.value)
         }
@@ -90,9 +90,9 @@ fn ordinary<T: Number>(
             let way = to - from;
             let per = |x: T| over(x, around.value);
             let share = per(way.x).squared() + per(way.y).squared();
-            add(&around.slopes, per(share + share));
+            add(&around.derivatives, per(share + share));
             let pull = Vec2::new(per(per(way.x)), per(per(way.y))) * T::lit(2.0);
-            let mut centers = Slopes::new(a, b);
+            let mut centers = Derivatives::new(a, b);
             centroid_vjp(&a.vertices, pull, &mut centers.a);
             centroid_vjp(&b.vertices, -pull, &mut centers.b);
             add(&centers, one);

@@ -87,34 +87,34 @@ entries! {
     all_ordinary_obb2(numbers: &[T]) -> bool = boxes::all_ordinary_obb2::<T, V>;
     /// Scores of prepared rotated boxes.
     obb2_scores(over: Denominator, a: Tiles<'_, T>, b: Tiles<'_, T>, out: Results<'_, T>) = boxes::obb2_scores::<T, V>;
-    /// Scores of prepared rotated boxes with ten slopes each.
-    obb2_slopes(over: Denominator, a: Tiles<'_, T>, b: Tiles<'_, T>, seeds: Option<Tiles<'_, T>>, out: Results<'_, T>) = boxes::obb2_slopes::<T, V>;
+    /// Scores of prepared rotated boxes with ten derivatives each.
+    obb2_derivatives(over: Denominator, a: Tiles<'_, T>, b: Tiles<'_, T>, seeds: Option<Tiles<'_, T>>, out: Results<'_, T>) = boxes::obb2_derivatives::<T, V>;
     /// Whether rotated boxes are valid and of common size, or zero size.
     all_common_obb2(numbers: &[T]) -> bool = boxes::all_common_obb2::<T, V>;
     /// Generalised IoU of prepared rotated boxes.
     giou_scores(a: Tiles<'_, T>, b: Tiles<'_, T>, out: Results<'_, T>) = boxes::giou_scores::<T, V>;
-    /// Generalised IoU of prepared rotated boxes with ten slopes each.
-    giou_slopes(a: Tiles<'_, T>, b: Tiles<'_, T>, seeds: Option<Tiles<'_, T>>, out: Results<'_, T>) = boxes::giou_slopes::<T, V>;
+    /// Generalised IoU of prepared rotated boxes with ten derivatives each.
+    giou_derivatives(a: Tiles<'_, T>, b: Tiles<'_, T>, seeds: Option<Tiles<'_, T>>, out: Results<'_, T>) = boxes::giou_derivatives::<T, V>;
     /// Areas that convex quadrilaterals share.
     quad_scores(a: Tiles<'_, T>, b: Tiles<'_, T>, out: Results<'_, T>) = quads::quad_scores::<T, V>;
-    /// Areas that convex quadrilaterals share with sixteen slopes each.
-    quad_slopes(a: Tiles<'_, T>, b: Tiles<'_, T>, seeds: Option<Tiles<'_, T>>, out: Results<'_, T>) = quads::quad_slopes::<T, V>;
+    /// Areas that convex quadrilaterals share with sixteen derivatives each.
+    quad_derivatives(a: Tiles<'_, T>, b: Tiles<'_, T>, seeds: Option<Tiles<'_, T>>, out: Results<'_, T>) = quads::quad_derivatives::<T, V>;
     /// Whether upright boxes are valid and of common size, or zero size.
     all_common_upright(numbers: &[T]) -> bool = boxes::all_common_upright::<T, V>;
     /// Scores of upright boxes from what they share seen from above.
     upright_scores(over: Denominator, a: Tiles<'_, T>, b: Tiles<'_, T>, out: Results<'_, T>) = upright::scores::<T, V>;
-    /// The same with fourteen slopes each, from the ten slopes of that.
-    upright_slopes(over: Denominator, a: Tiles<'_, T>, b: Tiles<'_, T>, seeds: Option<Tiles<'_, T>>, out: Results<'_, T>) = upright::slopes::<T, V>;
+    /// The same with fourteen derivatives each, from the ten derivatives of that.
+    upright_derivatives(over: Denominator, a: Tiles<'_, T>, b: Tiles<'_, T>, seeds: Option<Tiles<'_, T>>, out: Results<'_, T>) = upright::derivatives::<T, V>;
     /// Whether boxes of any orientation in space are valid and of common size, or zero size.
     all_common_obb3(numbers: &[T]) -> bool = boxes3::all_common::<T, V>;
     /// Scores of boxes of any orientation in space.
     obb3_scores(over: Denominator, a: Tiles<'_, T>, b: Tiles<'_, T>, out: Results<'_, T>) = boxes3::scores::<T, V>;
-    /// Scores of boxes of any orientation in space with twenty slopes each.
-    obb3_slopes(over: Denominator, a: Tiles<'_, T>, b: Tiles<'_, T>, seeds: Option<Tiles<'_, T>>, out: Results<'_, T>) = boxes3::slopes::<T, V>;
+    /// Scores of boxes of any orientation in space with twenty derivatives each.
+    obb3_derivatives(over: Denominator, a: Tiles<'_, T>, b: Tiles<'_, T>, seeds: Option<Tiles<'_, T>>, out: Results<'_, T>) = boxes3::derivatives::<T, V>;
     /// Scores of axis-aligned boxes.
     aabb2_scores(over: Denominator, a: Tiles<'_, T>, b: Tiles<'_, T>, out: Results<'_, T>) = boxes::aabb2_scores::<T, V>;
-    /// Scores of axis-aligned boxes with eight slopes each.
-    aabb2_slopes(over: Denominator, a: Tiles<'_, T>, b: Tiles<'_, T>, seeds: Option<Tiles<'_, T>>, out: Results<'_, T>) = boxes::aabb2_slopes::<T, V>;
+    /// Scores of axis-aligned boxes with eight derivatives each.
+    aabb2_derivatives(over: Denominator, a: Tiles<'_, T>, b: Tiles<'_, T>, seeds: Option<Tiles<'_, T>>, out: Results<'_, T>) = boxes::aabb2_derivatives::<T, V>;
     /// Whether axis-aligned boxes are valid.
     all_aabb2(numbers: &[T]) -> bool = blocks::all_aabb2::<T, V>;
     /// Rows of numbers into tiles.
@@ -131,7 +131,7 @@ entries! {
     search(row: &[T; BOUNDS], levels: &[Vec<Lane<T>>], room: &mut Vec<u32>) -> [usize; 2] = blocks::search::<T, V>;
     /// Results of picked columns, put into a row per field.
     scatter(results: Planes<'_, T>, columns: &[u32], first: usize, rows: &mut [T], stride: usize) = blocks::scatter::<T, V>;
-    /// Slopes, added up.
+    /// Derivatives, added up.
     accumulate(results: Planes<'_, T>, fields: [usize; 2], count: usize, rows: &mut [Lane<T>], columns: &mut [Lane<T>]) = blocks::accumulate::<T, V>;
     /// The same for picked columns.
     accumulate_picked(results: Planes<'_, T>, fields: [usize; 2], columns: &[u32], rows: &mut [Lane<T>], sums: &mut [Lane<T>]) = blocks::accumulate_picked::<T, V>;

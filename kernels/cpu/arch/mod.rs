@@ -5,14 +5,14 @@
 //! Arrays of lanes (`Lanes`) leave it to the compiler to find vector instructions. For long kernels
 //! that takes a minute each, and harmless edits halve the speed. Types made of processor vectors
 //! compile twenty times as fast and always are what they say; a [`Scalar`] has no argument that could
-//! prove that the processor has those instructions, since `S::lit(1.0)` takes none.
+//! check that the processor has those instructions, since `S::lit(1.0)` takes none.
 //!
 //! # Why it is sound
 //!
-//! The types are private to this module and reach the rest of the crate only as the parameter `V` of
-//! the kernels listed in [`entry`]. Each entry instantiates its kernel inside a function compiled
-//! for the instruction set of `V`, and calls it only if [`Simd`](crate::kernels::cpu::simd::Simd) says that the processor has
-//! it. So no vector operation runs where it might not exist.
+//! The types are private to this module and reach the rest of the crate only as the parameter `V` of the kernels
+//! listed in [`entry`]. Each entry instantiates its kernel inside a function compiled for the instruction set of `V`,
+//! and calls it only if [`Simd`](crate::kernels::cpu::simd::Simd) says that the processor has it. So no vector
+//! operation runs where it might not exist.
 //!
 //! # Same bits
 //!
@@ -35,8 +35,8 @@ use crate::scalar::lanes::LaneMask;
 use crate::{Lanes, Scalar};
 use std::hint::black_box;
 
-/// Whether the largest kernels (boxes of any turn, slopes of quadrilaterals) are compiled: out of plain code the compiler
-/// would make them in minutes, so there they are interpreted, with the same bits.
+/// Whether the largest kernels (boxes of any turn, derivatives of quadrilaterals) are compiled: out of plain code the
+/// compiler would make them in minutes, so there they are interpreted, with the same bits.
 pub(crate) const LARGE: bool = cfg!(all(target_arch = "x86_64", not(geograd_portable)));
 
 /// A part of a [`Lane`] as a scalar.

@@ -2,13 +2,13 @@
 //!
 //! Compiled in this library only, by the entries in `arch`.
 mod bounds;
+mod derivatives;
 mod numbers;
 mod rows;
-mod slopes;
 
 pub(crate) use bounds::{near, search};
+pub(crate) use derivatives::{accumulate, accumulate_picked};
 pub(crate) use numbers::{
     add_up, all_aabb2, all_finite, all_up_to, all_within, count_above, largest,
 };
 pub(crate) use rows::{QUAD, bring, gather, scatter, spread, take};
-pub(crate) use slopes::{accumulate, accumulate_picked};

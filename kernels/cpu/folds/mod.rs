@@ -13,8 +13,8 @@ use crate::kernels::cpu::ragged::{check_offsets, check_vertices};
 use crate::kernels::cpu::simd::Simd;
 use crate::kernels::cpu::work::spread;
 use crate::kernels::fold::Fold;
+use crate::kernels::item::{Column, Columns, Leaf, STRETCH, Target, leaves_of};
 use crate::kernels::real::Real;
-use crate::kernels::row::{Column, Columns, Leaf, STRETCH, Target, leaves_of};
 use crate::{Error, Fixed, Pack, Vec2};
 use paths::{Paths, finished, paths, told};
 use programs::backwards;
@@ -29,7 +29,7 @@ pub(crate) fn shared<F: Fold, T: Real, C: Columns>(
     offsets: &[usize],
 ) -> Result<Vec<T>, Error>
 where
-    C::Row: Pack<Scalar = T>,
+    C::Item: Pack<Scalar = T>,
 {
     let spans = Spans::Ragged(offsets);
     let contexts = checked::<F, C, T>(context, vertices, spans)?;
@@ -54,8 +54,8 @@ impl Cpu {
         offsets: &[usize],
     ) -> Result<Vec<F::Out<T>>, Error>
     where
-        F: Fold<Context<T> = C::Row>,
-        C::Row: Pack<Scalar = T>,
+        F: Fold<Context<T> = C::Item>,
+        C::Item: Pack<Scalar = T>,
     {
         folded::<F, C, T>(&context, vertices, Spans::Ragged(offsets))
     }
@@ -87,8 +87,8 @@ impl Cpu {
         path: &[Vec2<T>],
     ) -> Result<Vec<F::Out<T>>, Error>
     where
-        F: Fold<Context<T> = C::Row>,
-        C::Row: Pack<Scalar = T>,
+        F: Fold<Context<T> = C::Item>,
+        C::Item: Pack<Scalar = T>,
     {
         let count = contexts_of(&contexts);
         folded::<F, C, T>(&contexts, path, Spans::Shared(count, path.len()))
@@ -109,8 +109,8 @@ impl Cpu {
         upstream: &[F::Out<T>],
     ) -> Result<(Vec<F::Context<T>>, Vec<Vec2<T>>), Error>
     where
-        F: Fold<Context<T> = C::Row>,
-        C::Row: Pack<Scalar = T>,
+        F: Fold<Context<T> = C::Item>,
+        C::Item: Pack<Scalar = T>,
     {
         pulled_back::<F, C, T>(&context, vertices, Spans::Ragged(offsets), upstream)
     }
@@ -129,8 +129,8 @@ impl Cpu {
         upstream: &[F::Out<T>],
     ) -> Result<(Vec<F::Context<T>>, Vec<Vec2<T>>), Error>
     where
-        F: Fold<Context<T> = C::Row>,
-        C::Row: Pack<Scalar = T>,
+        F: Fold<Context<T> = C::Item>,
+        C::Item: Pack<Scalar = T>,
     {
         let spans = Spans::Shared(contexts_of(&contexts), path.len());
         pulled_back::<F, C, T>(&contexts, path, spans, upstream)
@@ -151,7 +151,7 @@ fn folded<F: Fold, C: Columns, T: Real>(
     spans: Spans<'_>,
 ) -> Result<Vec<F::Out<T>>, Error>
 where
-    C::Row: Pack<Scalar = T>,
+    C::Item: Pack<Scalar = T>,
 {
     let contexts = checked::<F, C, T>(context, vertices, spans)?;
     let programs = programs::<F, T>()?;
@@ -175,7 +175,7 @@ fn pulled_back<F: Fold, C: Columns, T: Real>(
     upstream: &[F::Out<T>],
 ) -> Result<(Vec<F::Context<T>>, Vec<Vec2<T>>), Error>
 where
-    C::Row: Pack<Scalar = T>,
+    C::Item: Pack<Scalar = T>,
 {
     let contexts = checked::<F, C, T>(context, vertices, spans)?;
     expect(Argument::Upstream, spans.count(), upstream.len())?;
@@ -260,7 +260,7 @@ fn checked<'a, F: Fold, C: Columns, T: Real>(
     spans: Spans<'_>,
 ) -> Result<Vec<Column<'a, T>>, Error>
 where
-    C::Row: Pack<Scalar = T>,
+    C::Item: Pack<Scalar = T>,
 {
     match spans {
         Spans::Ragged(offsets) => check_offsets::<T>(vertices.len(), offsets)?,
@@ -280,7 +280,7 @@ where
     }
     let mut contexts = Vec::new();
     context.list(&mut |column| contexts.push(column));
-    let leaves = leaves_of::<C::Row>();
+    let leaves = leaves_of::<C::Item>();
     let mut plans: Vec<_> = leaves.into_iter().map(Preparation::plain).collect();
     name(&mut plans, F::ARGUMENTS);
     for (k, column) in contexts.iter().enumerate() {

@@ -3,8 +3,8 @@ use super::programs::with_winding;
 use crate::kernels::cpu::nearest::Spans;
 use crate::kernels::cpu::ragged::check_vertices;
 use crate::kernels::fold::{Fold, edges};
+use crate::kernels::item::Column;
 use crate::kernels::real::Real;
-use crate::kernels::row::Column;
 use crate::{Error, Fixed, Pack, Vec2};
 use std::ops::Range;
 

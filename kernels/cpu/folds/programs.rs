@@ -64,7 +64,7 @@ pub(crate) fn pull_back<F: Fold, S: Scalar>(
         false => programs::<F, f64>(),
     };
     let Ok(programs) = found else {
-        // What cannot be recorded has no slopes, and the harness says so.
+        // What cannot be recorded has no derivatives, and the harness says so.
         let none = S::lit(f64::NAN);
         return (Fixed::filled(none), vec![Vec2::filled(none); path.len()]);
     };

@@ -80,24 +80,24 @@ impl<T: Real> Maker<T> for Scores<T> {
     }
 }
 
-/// A kernel of two boxes: scores with slopes.
-type SlopesOf<T> =
+/// A kernel of two boxes: scores with derivatives.
+type DerivativesOf<T> =
     fn(Denominator, Tiles<'_, T>, Tiles<'_, T>, Option<Tiles<'_, T>>, Results<'_, T>);
-struct Slopes<T>(Denominator, SlopesOf<T>);
-impl<T: Real> Maker<T> for Slopes<T> {
+struct Derivatives<T>(Denominator, DerivativesOf<T>);
+impl<T: Real> Maker<T> for Derivatives<T> {
     fn make(&self, inputs: &[Tiles<'_, T>], out: Results<'_, T>) {
         (self.1)(self.0, inputs[0], inputs[1], inputs.get(2).copied(), out);
     }
 }
 
-/// The steepest cotangent that kernels bear: slopes of ordinary shapes are below 10²⁶ in single precision, and the
+/// The steepest cotangent that kernels bear: derivatives of ordinary shapes are below 10²⁶ in single precision, and the
 /// terms that they are made of.
 fn steepest<T: Real>() -> f64 {
     T::LARGEST.powf(0.3125)
 }
 
 /// A score of two shapes of a kind: how they are prepared, what its kernels make, and the scalar code of its value
-/// and of its value with slopes for shapes that kernels do not serve.
+/// and of its value with derivatives for shapes that kernels do not serve.
 fn score_of_two<T: Real, P: Fixed<Scalar = T>>(
     want: Want,
     shape: impl Fn() -> Preparation<T>,
@@ -135,7 +135,9 @@ fn of_obb2<T: Real>(over: Denominator, want: Want) -> Face<T> {
     };
     let maker: Box<dyn Maker<T>> = match want {
         Want::Value => Box::new(Scores(over, kernels.obb2_scores)),
-        Want::ValueGrad | Want::Jacobian | Want::Vjp => Box::new(Slopes(over, kernels.obb2_slopes)),
+        Want::ValueGrad | Want::Jacobian | Want::Vjp => {
+            Box::new(Derivatives(over, kernels.obb2_derivatives))
+        }
     };
     let value = move |a, b| score_framed::<T, true>(over, clip::frame(a), clip::frame(b));
     let vjp = move |a, b, out_bar| {
@@ -165,10 +167,10 @@ impl<T: Real> Maker<T> for Scored<T> {
         (self.0)(inputs[0], inputs[1], out);
     }
 }
-/// The same with slopes.
-type SlopesOfOneOf<T> = fn(Tiles<'_, T>, Tiles<'_, T>, Option<Tiles<'_, T>>, Results<'_, T>);
-struct SlopesOfOne<T>(SlopesOfOneOf<T>);
-impl<T: Real> Maker<T> for SlopesOfOne<T> {
+/// The same with derivatives.
+type DerivativesOfOneOf<T> = fn(Tiles<'_, T>, Tiles<'_, T>, Option<Tiles<'_, T>>, Results<'_, T>);
+struct DerivativesOfOne<T>(DerivativesOfOneOf<T>);
+impl<T: Real> Maker<T> for DerivativesOfOne<T> {
     fn make(&self, inputs: &[Tiles<'_, T>], out: Results<'_, T>) {
         (self.0)(inputs[0], inputs[1], inputs.get(2).copied(), out);
     }
@@ -194,7 +196,9 @@ fn of_giou<T: Real>(want: Want) -> Face<T> {
     };
     let maker: Box<dyn Maker<T>> = match want {
         Want::Value => Box::new(Scored(kernels.giou_scores)),
-        Want::ValueGrad | Want::Jacobian | Want::Vjp => Box::new(SlopesOfOne(kernels.giou_slopes)),
+        Want::ValueGrad | Want::Jacobian | Want::Vjp => {
+            Box::new(DerivativesOfOne(kernels.giou_derivatives))
+        }
     };
     let value = |a, b| giou_framed::<T, true>(clip::frame(a), clip::frame(b));
     let vjp = |a, b, out_bar| giou_framed_vjp::<T, true>(clip::frame(a), clip::frame(b), out_bar);
@@ -218,7 +222,9 @@ fn of_quads<T: Real>(want: Want) -> Face<T> {
     };
     let maker: Box<dyn Maker<T>> = match want {
         Want::Value => Box::new(Scored(kernels.quad_scores)),
-        Want::ValueGrad | Want::Jacobian | Want::Vjp => Box::new(SlopesOfOne(kernels.quad_slopes)),
+        Want::ValueGrad | Want::Jacobian | Want::Vjp => {
+            Box::new(DerivativesOfOne(kernels.quad_derivatives))
+        }
     };
     let value = |a, b| area_of_quads_vjp::<T, true>(a, b, T::one()).0;
     score_of_two(want, shape, maker, value, area_of_quads_vjp::<T, true>)
@@ -234,14 +240,14 @@ impl<T: Real> Maker<T> for UprightScores {
     }
 }
 
-/// The same with slopes.
-struct UprightSlopes(Denominator);
-impl<T: Real> Maker<T> for UprightSlopes {
+/// The same with derivatives.
+struct UprightDerivatives(Denominator);
+impl<T: Real> Maker<T> for UprightDerivatives {
     fn make(&self, inputs: &[Tiles<'_, T>], mut out: Results<'_, T>) {
         let kernels = T::kernels();
-        (kernels.obb2_slopes)(Denominator::None, inputs[0], inputs[1], None, out.again());
+        (kernels.obb2_derivatives)(Denominator::None, inputs[0], inputs[1], None, out.again());
         let seeds = inputs.get(2).copied();
-        (kernels.upright_slopes)(self.0, inputs[0], inputs[1], seeds, out);
+        (kernels.upright_derivatives)(self.0, inputs[0], inputs[1], seeds, out);
     }
 }
 
@@ -259,7 +265,7 @@ fn of_upright<T: Real>(over: Denominator, want: Want) -> Face<T> {
     };
     let maker: Box<dyn Maker<T>> = match want {
         Want::Value => Box::new(UprightScores(over)),
-        Want::ValueGrad | Want::Jacobian | Want::Vjp => Box::new(UprightSlopes(over)),
+        Want::ValueGrad | Want::Jacobian | Want::Vjp => Box::new(UprightDerivatives(over)),
     };
     let value = move |a: YawBox3<T>, b| score_yaw(over, a, b);
     score_of_two(want, shape, maker, value, move |a, b, out_bar| {
@@ -267,13 +273,13 @@ fn of_upright<T: Real>(over: Denominator, want: Want) -> Face<T> {
     })
 }
 
-/// Scores of upright boxes seen from above, with their slopes.
-struct BirdsEyeSlopes(Denominator);
-impl<T: Real> Maker<T> for BirdsEyeSlopes {
+/// Scores of upright boxes seen from above, with their derivatives.
+struct BirdsEyeDerivatives(Denominator);
+impl<T: Real> Maker<T> for BirdsEyeDerivatives {
     fn make(&self, inputs: &[Tiles<'_, T>], mut out: Results<'_, T>) {
         let seeds = inputs.get(2).copied();
-        (T::kernels().obb2_slopes)(self.0, inputs[0], inputs[1], seeds, out.again());
-        upright::spread_slopes(&mut out);
+        (T::kernels().obb2_derivatives)(self.0, inputs[0], inputs[1], seeds, out.again());
+        upright::spread_derivatives(&mut out);
     }
 }
 
@@ -291,7 +297,7 @@ fn of_birds_eye<T: Real>(over: Denominator, want: Want) -> Face<T> {
     };
     let maker: Box<dyn Maker<T>> = match want {
         Want::Value => Box::new(Scores(over, kernels.obb2_scores)),
-        Want::ValueGrad | Want::Jacobian | Want::Vjp => Box::new(BirdsEyeSlopes(over)),
+        Want::ValueGrad | Want::Jacobian | Want::Vjp => Box::new(BirdsEyeDerivatives(over)),
     };
     let flat = of_obb2::<T>(over, want).rare;
     Face {
@@ -336,7 +342,9 @@ fn of_obb3<T: Real>(over: Denominator, want: Want) -> Face<T> {
     };
     let maker: Box<dyn Maker<T>> = match want {
         Want::Value => Box::new(Scores(over, kernels.obb3_scores)),
-        Want::ValueGrad | Want::Jacobian | Want::Vjp => Box::new(Slopes(over, kernels.obb3_slopes)),
+        Want::ValueGrad | Want::Jacobian | Want::Vjp => {
+            Box::new(Derivatives(over, kernels.obb3_derivatives))
+        }
     };
     let value = move |a: Obb3<T>, b| score_obb3(over, a, b);
     score_of_two(want, shape, maker, value, move |a, b, out_bar| {
@@ -362,7 +370,7 @@ fn of_aabb2<T: Real>(over: Denominator, want: Want) -> Face<T> {
     let maker: Box<dyn Maker<T>> = match want {
         Want::Value => Box::new(Scores(over, kernels.aabb2_scores)),
         Want::ValueGrad | Want::Jacobian | Want::Vjp => {
-            Box::new(Slopes(over, kernels.aabb2_slopes))
+            Box::new(Derivatives(over, kernels.aabb2_derivatives))
         }
     };
     let vjp = move |a, b, out_bar| score_aabb2_vjp(over, a, b, out_bar);

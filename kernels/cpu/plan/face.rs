@@ -1,7 +1,7 @@
 //! What is prepared once per shape and what makes blocks of results: the same for every kind of maker.
 use crate::error::{Argument, Flaw};
 use crate::kernels::cpu::lane::{Lane, Results, Tiles};
-use crate::kernels::row::Leaf;
+use crate::kernels::item::Leaf;
 use std::sync::Arc;
 
 /// Something that computes blocks of items from one or more arguments.
@@ -70,7 +70,7 @@ pub(crate) fn name<T>(arguments: &mut [Preparation<T>], names: &[&'static str]) 
 }
 
 /// Results of an item that kernels do not serve: the numbers of its shapes, the cotangent of its
-/// result, and room for a result, or for a result and slopes.
+/// result, and room for a result, or for a result and derivatives.
 pub type Rare<T> = Box<dyn Fn(&[&[T]], &[T], &mut [T]) + Send + Sync>;
 
 /// What is wanted of an operation.
@@ -82,7 +82,7 @@ pub enum Want {
     ValueGrad,
     /// Its result and the gradient of each of its numbers.
     Jacobian,
-    /// Slopes times a cotangent of the result.
+    /// Derivatives times a cotangent of the result.
     Vjp,
 }
 
@@ -114,23 +114,23 @@ impl<T> Face<T> {
     pub(crate) fn made(&self) -> usize {
         self.skipped + self.gives.iter().sum::<usize>()
     }
-    /// What is wanted of an operation that takes and gives such shapes. Of slopes the result comes first.
+    /// What is wanted of an operation that takes and gives such shapes. Of derivatives the result comes first.
     pub(super) fn new(
         want: Want,
         arguments: Vec<Preparation<T>>,
         outputs: Vec<usize>,
         maker: Box<dyn Maker<T>>,
     ) -> Self {
-        let slopes: Vec<usize> = arguments.iter().map(|x| x.fields).collect();
+        let derivatives: Vec<usize> = arguments.iter().map(|x| x.fields).collect();
         let skipped = match want {
             Want::Value | Want::ValueGrad | Want::Jacobian => 0,
             Want::Vjp => outputs.iter().sum(),
         };
         let gives = match want {
             Want::Value => outputs,
-            Want::ValueGrad => [outputs, slopes].concat(),
-            Want::Jacobian => with_jacobian(outputs, &slopes),
-            Want::Vjp => slopes,
+            Want::ValueGrad => [outputs, derivatives].concat(),
+            Want::Jacobian => with_jacobian(outputs, &derivatives),
+            Want::Vjp => derivatives,
         };
         Face {
             arguments,

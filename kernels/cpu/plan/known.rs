@@ -9,9 +9,9 @@ use crate::ad::program::{Plain, Sym};
 use crate::error::Error;
 #[cfg(feature = "gpu")]
 use crate::kernels::gpu::Generated;
+use crate::kernels::item::Item;
 use crate::kernels::op::{self, Op};
 use crate::kernels::real::Real;
-use crate::kernels::row::Row;
 use crate::{Pack, Scalar, Unrecordable};
 use std::any::{Any, TypeId};
 use std::collections::HashMap;
@@ -80,7 +80,7 @@ fn kept(
     Ok(made)
 }
 
-/// What is wanted of an operation, as a program: the result, or the result and slopes, from the input
+/// What is wanted of an operation, as a program: the result, or the result and derivatives, from the input
 /// and then the cotangent.
 pub(crate) fn program_of<O: Op, T: Plain>(want: Want) -> Result<Arc<Recorded>, Error> {
     recorded_of(&const { Line::<T>::of::<O>() }, want)
@@ -96,34 +96,34 @@ pub(crate) fn recorded_of<T: Plain>(line: &Line<T>, want: Want) -> Result<Arc<Re
             return listed(line.inputs, TRIALS, &line.eval);
         }
         let value = || recorded_of(line, Want::Value);
-        match (line.slopes, want) {
-            (op::Slopes::ByHand, Want::Jacobian) => {
+        match (line.derivatives, want) {
+            (op::Derivative::ByHand, Want::Jacobian) => {
                 Ok(recorded_of(line, Want::Vjp)?.value_jacobian_of_vjp(line.outputs))
             }
-            (op::Slopes::Reverse, Want::Jacobian) => Ok(value()?.value_jacobian()),
-            (op::Slopes::Forward, Want::Jacobian) => Ok(value()?.value_jacobian_forwards()),
-            (op::Slopes::ByHand, Want::Vjp) => {
+            (op::Derivative::Reverse, Want::Jacobian) => Ok(value()?.value_jacobian()),
+            (op::Derivative::Forward, Want::Jacobian) => Ok(value()?.value_jacobian_forwards()),
+            (op::Derivative::ByHand, Want::Vjp) => {
                 listed(line.inputs + line.outputs, TRIALS, &|numbers| {
                     let (input, out_bar) = numbers.split_at(line.inputs);
                     (line.adjoint)(input, out_bar)
                 })
             }
-            (op::Slopes::ByHand, _) => listed(line.inputs, TRIALS, &|input| {
+            (op::Derivative::ByHand, _) => listed(line.inputs, TRIALS, &|input| {
                 (line.adjoint)(input, &vec![Sym::lit(1.0); line.outputs])
             }),
-            (op::Slopes::Reverse, Want::Vjp) => Ok(value()?.value_vjp()),
-            (op::Slopes::Reverse, _) => Ok(value()?.value_grad()),
-            (op::Slopes::Forward, Want::Vjp) => Ok(value()?.value_vjp_forwards()),
-            (op::Slopes::Forward, _) => Ok(value()?.value_grad_forwards()),
+            (op::Derivative::Reverse, Want::Vjp) => Ok(value()?.value_vjp()),
+            (op::Derivative::Reverse, _) => Ok(value()?.value_grad()),
+            (op::Derivative::Forward, Want::Vjp) => Ok(value()?.value_vjp_forwards()),
+            (op::Derivative::Forward, _) => Ok(value()?.value_grad_forwards()),
         }
     })
 }
 
 /// How batches compute what is wanted of an operation.
-pub fn face_of<O, R: Row>(want: Want, framed: bool) -> Result<Arc<Face<R::Scalar>>, Error>
+pub fn face_of<O, R: Item>(want: Want, framed: bool) -> Result<Arc<Face<R::Scalar>>, Error>
 where
     O: Op<In<<R as Pack>::Scalar> = R>,
-    O::Out<R::Scalar>: Row,
+    O::Out<R::Scalar>: Item,
 {
     let shaped = &const { Shaped::<R::Scalar>::of::<O, R>() };
     (R::Scalar::drivers().faced)(shaped, want, framed)
@@ -154,10 +154,13 @@ pub(crate) fn faced<T: Real>(
 
 /// What a GPU is given of what is wanted of an operation.
 #[cfg(feature = "gpu")]
-pub fn generated_of<O, R: Row>(want: Want, framed: bool) -> Result<Arc<Generated<R::Scalar>>, Error>
+pub fn generated_of<O, R: Item>(
+    want: Want,
+    framed: bool,
+) -> Result<Arc<Generated<R::Scalar>>, Error>
 where
     O: Op<In<<R as Pack>::Scalar> = R>,
-    O::Out<R::Scalar>: Row,
+    O::Out<R::Scalar>: Item,
 {
     generated(&const { Shaped::<R::Scalar>::of::<O, R>() }, want, framed)
 }

@@ -2,9 +2,9 @@
 use super::compiled::Compiled;
 use super::known::Known;
 use crate::ad::program::{Plain, Sym};
-use crate::kernels::op::{Op, Slopes};
+use crate::kernels::item::{Item, Leaf, leaves_of};
+use crate::kernels::op::{Derivative, Op};
 use crate::kernels::real::Real;
-use crate::kernels::row::{Leaf, Row, leaves_of};
 use crate::{Fixed, Pack, Scalar};
 use std::any::TypeId;
 
@@ -13,15 +13,15 @@ use std::any::TypeId;
 pub struct Line<T> {
     /// Its type.
     id: fn() -> TypeId,
-    /// The source of its slopes.
-    pub(crate) slopes: Slopes,
+    /// The source of its derivatives.
+    pub(crate) derivatives: Derivative,
     /// Numbers of its input, numbers of its result, and codes of both.
     pub(crate) inputs: usize,
     pub(crate) outputs: usize,
     pub(crate) codes: usize,
     /// The function.
     pub(crate) eval: fn(&[Sym<T>]) -> Vec<Sym<T>>,
-    /// The result and then the slopes, by hand, from the input and the cotangent.
+    /// The result and then the derivatives, by hand, from the input and the cotangent.
     pub(crate) adjoint: fn(&[Sym<T>], &[Sym<T>]) -> Vec<Sym<T>>,
     /// Its compiled kernels.
     pub(crate) compiled: fn() -> Option<Compiled>,
@@ -38,14 +38,14 @@ impl<T: Plain> Line<T> {
     pub(crate) const fn of<O: Op>() -> Self {
         Line {
             id: TypeId::of::<O>,
-            slopes: O::SLOPES,
+            derivatives: O::DERIVATIVE,
             inputs: O::In::<Sym<T>>::LEN,
             outputs: O::Out::<Sym<T>>::LEN,
             codes: O::In::<Sym<T>>::CODES + O::Out::<Sym<T>>::CODES,
             eval: |input| O::eval(O::In::<Sym<T>>::load(input)).scalars(),
-            adjoint: match O::SLOPES {
-                Slopes::ByHand => adjoint::<O, T>,
-                Slopes::Reverse | Slopes::Forward => |_, _| Vec::new(),
+            adjoint: match O::DERIVATIVE {
+                Derivative::ByHand => adjoint::<O, T>,
+                Derivative::Reverse | Derivative::Forward => |_, _| Vec::new(),
             },
             compiled: O::compiled,
         }
@@ -56,12 +56,12 @@ impl<T: Plain> Line<T> {
     }
 }
 
-/// The result and the slopes by hand. Without them they are NaN: the program fails to be finite, which nothing then
-/// hides.
+/// The result and the derivatives by hand. Without them they are NaN: the program fails to be finite, which nothing
+/// then hides.
 fn adjoint<O: Op, T: Plain>(input: &[Sym<T>], out_bar: &[Sym<T>]) -> Vec<Sym<T>> {
     let out_bar = O::Out::<Sym<T>>::load(out_bar);
     match O::adjoint(O::In::<Sym<T>>::load(input), out_bar) {
-        Some((value, slopes)) => [value.scalars(), slopes.scalars()].concat(),
+        Some((value, derivatives)) => [value.scalars(), derivatives.scalars()].concat(),
         None => vec![Sym::lit(f64::NAN); O::Out::<Sym<T>>::LEN + O::In::<Sym<T>>::LEN],
     }
 }
@@ -87,8 +87,8 @@ impl<T: Real> Shaped<T> {
     pub(crate) const fn of<O, R>() -> Self
     where
         O: Op<In<T> = R>,
-        R: Row<Scalar = T>,
-        O::Out<T>: Row<Scalar = T>,
+        R: Item<Scalar = T>,
+        O::Out<T>: Item<Scalar = T>,
     {
         Shaped {
             line: Line::of::<O>(),

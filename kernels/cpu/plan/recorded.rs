@@ -6,8 +6,8 @@ use crate::error::Error;
 use crate::kernels::cpu::lane::{Lane, Results, TILE, Tiles};
 use crate::kernels::cpu::program::Interpreted;
 use crate::kernels::cpu::program::split::{Piece, split};
+use crate::kernels::item::Leaf;
 use crate::kernels::real::Real;
-use crate::kernels::row::Leaf;
 use std::sync::Arc;
 
 /// How a recorded program is computed. Its inputs are the numbers of its arguments and then those of
@@ -57,7 +57,7 @@ pub(crate) fn prepared<T: Real>(
 }
 
 /// Something that computes one item: its numbers, the cotangent of its result or nothing, and room for
-/// a result, or for a result and slopes.
+/// a result, or for a result and derivatives.
 pub type Each<T> = fn(&[T], Option<&[T]>, &mut [T]);
 
 /// Computes item by item.

@@ -281,7 +281,7 @@ fn assign(
 }
 
 /// The graph with choices of the smaller or larger of two numbers as such, and numbers without their signs
-/// as one node each. The bits are the same, those of NaN included; only slopes would be others.
+/// as one node each. The bits are the same, those of NaN included; only derivatives would be others.
 fn polished(graph: &Graph, outputs: &[Id]) -> (Graph, Vec<Id>) {
     let mut polished = Graph::new(graph.format);
     let mut names: Vec<Id> = Vec::with_capacity(graph.len());

@@ -15,12 +15,12 @@ use crate::Error;
 use crate::error::Argument;
 use crate::kernels::Single;
 use crate::kernels::cpu::checked::check_argument;
+use crate::kernels::item::Column;
 use crate::kernels::op::{Ask, Runs};
 use crate::kernels::reduce::{Loss, check_sides, check_threshold};
-use crate::kernels::row::Column;
 use std::sync::Arc;
 
-/// What slopes are multiplied by.
+/// What derivatives are multiplied by.
 pub(crate) enum Seed<'a> {
     /// A number for every pair, row by row.
     Numbers(&'a [f32]),
@@ -196,21 +196,21 @@ impl<'a> Lists<'a> {
         Ok(self.sum()? / (rows * columns).max(1.0))
     }
 
-    /// The numbers of the slopes of both lists, of lists that were made for adjoints.
-    pub fn slopes(&self, seed: &Seed<'_>) -> Result<[Vec<f32>; 2], Error> {
+    /// The numbers of the derivatives of both lists, of lists that were made for adjoints.
+    pub fn derivatives(&self, seed: &Seed<'_>) -> Result<[Vec<f32>; 2], Error> {
         if let Seed::Matrix(matrix) = seed {
             let [rows, columns] = self.counts;
             self.gpu.fits(matrix, rows, columns, Argument::Upstream)?;
         }
         match &self.kernels {
-            Kernels::ByHand(lists) => Ok(lists.slopes(self.gpu, seed)?.0),
-            Kernels::Generated(made, sides) => self.gpu.slopes(made, sides, seed),
+            Kernels::ByHand(lists) => Ok(lists.derivatives(self.gpu, seed)?.0),
+            Kernels::Generated(made, sides) => self.gpu.derivatives(made, sides, seed),
         }
     }
 }
 
-/// The sum or mean of all results, and the numbers of its slopes for both lists. `make` makes the lists for results
-/// or for adjoints.
+/// The sum or mean of all results, and the numbers of its derivatives for both lists. `make` makes the lists for
+/// results or for adjoints.
 pub(crate) fn loss<'a>(
     make: impl Fn(Ask) -> Result<Lists<'a>, Error>,
     loss: Loss,
@@ -222,9 +222,9 @@ pub(crate) fn loss<'a>(
         Loss::Mean => 1.0 / (rows * columns).max(1.0),
     };
     let seed = Seed::Factor(factor as f32);
-    let (slopes, sum) = match &lists.kernels {
-        Kernels::ByHand(own) => own.slopes(lists.gpu, &seed)?,
-        Kernels::Generated(..) => (lists.slopes(&seed)?, make(Ask::PAIRS)?.sum()?),
+    let (derivatives, sum) = match &lists.kernels {
+        Kernels::ByHand(own) => own.derivatives(lists.gpu, &seed)?,
+        Kernels::Generated(..) => (lists.derivatives(&seed)?, make(Ask::PAIRS)?.sum()?),
     };
-    Ok((sum * factor, slopes))
+    Ok((sum * factor, derivatives))
 }

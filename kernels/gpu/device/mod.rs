@@ -241,5 +241,5 @@ impl Gpu {
     }
 }
 
-/// The most bytes of one shape in any buffer, or of one pair in a row of a matrix of slopes.
+/// The most bytes of one shape in any buffer, or of one pair in a row of a matrix of derivatives.
 const MOST_BYTES_PER_SHAPE: u64 = 64;

@@ -1,4 +1,4 @@
-//! All pairs by kernels by hand: the matrix, and slopes summed for every box.
+//! All pairs by kernels by hand: the matrix, and derivatives summed for every box.
 use super::block::{Block, block_of};
 use super::data::{Boxes, Piece};
 use super::download::parts;
@@ -57,9 +57,9 @@ impl Mirrored {
         Ok(())
     }
 
-    /// The numbers of the slopes of both lists, and the sum of all results where one factor is the seed of
+    /// The numbers of the derivatives of both lists, and the sum of all results where one factor is the seed of
     /// all.
-    pub fn slopes(&self, gpu: &Gpu, seed: &Seed<'_>) -> Result<([Vec<f32>; 2], f64), Error> {
+    pub fn derivatives(&self, gpu: &Gpu, seed: &Seed<'_>) -> Result<([Vec<f32>; 2], f64), Error> {
         let inner = &gpu.inner;
         let sweep = Sweep::new(inner, self, seed)?;
         let mut totals = Vec::new();
@@ -100,7 +100,7 @@ struct Sweep<'a> {
     fold: wgpu::ComputePipeline,
     fields: usize,
     lists: [&'a Boxes; 2],
-    slopes: [Vec<Piece>; 2],
+    derivatives: [Vec<Piece>; 2],
 }
 
 impl<'a> Sweep<'a> {
@@ -116,10 +116,10 @@ impl<'a> Sweep<'a> {
         let lists = [&of.a, &of.b];
         let fields = of.mirror.kind.fields();
         inner.guarded(|| {
-            let slopes = lists.map(|list| inner.pieces(list.len, fields));
+            let derivatives = lists.map(|list| inner.pieces(list.len, fields));
             if of.a.len == 0 || of.b.len == 0 {
                 // Sums of nothing.
-                inner.clear(slopes.iter().flatten().map(|piece| &piece.buffer));
+                inner.clear(derivatives.iter().flatten().map(|piece| &piece.buffer));
             }
             Ok(Sweep {
                 inner,
@@ -127,7 +127,7 @@ impl<'a> Sweep<'a> {
                 fold: inner.pair_pipeline(Source::of(Kernel::Fold, ANY), "fold_main"),
                 fields,
                 lists,
-                slopes,
+                derivatives,
             })
         })
     }
@@ -168,8 +168,8 @@ impl<'a> Sweep<'a> {
                 fields: fields as u32,
                 ..Params::default()
             };
-            let by_a = &self.slopes[0][block.row_piece].buffer;
-            let by_b = &self.slopes[1][block.column_piece].buffer;
+            let by_a = &self.derivatives[0][block.row_piece].buffer;
+            let by_b = &self.derivatives[1][block.column_piece].buffer;
             for (params, from, to) in [(rows, &row_parts, by_a), (columns, &column_parts, by_b)] {
                 let size = [groups(params.own_count as usize), fields as u32];
                 work.dispatch(&self.fold, params, &[(3, from), (5, to)], size);
@@ -178,10 +178,10 @@ impl<'a> Sweep<'a> {
         })
     }
 
-    /// Brings the slopes of both lists back, box by box.
+    /// Brings the derivatives of both lists back, box by box.
     fn bring(&self, gpu: &Gpu) -> Result<[Vec<f32>; 2], Error> {
         let whole = |items: usize| items.next_multiple_of(TILE) * self.fields;
-        let [a, b] = &self.slopes;
+        let [a, b] = &self.derivatives;
         let both = [parts(a, whole), parts(b, whole)].concat();
         let mut numbers = self
             .lists

@@ -2,9 +2,9 @@
 use crate::Error;
 use crate::kernels::cpu::plan::{Compiled, Face};
 use crate::kernels::gpu::Generated;
+use crate::kernels::item::Item;
 use crate::kernels::op::{Ask, Runs};
 use crate::kernels::replays::Replays;
-use crate::kernels::row::Row;
 use std::marker::PhantomData;
 use std::sync::Arc;
 
@@ -29,7 +29,7 @@ impl<'a, R, X> Typed<'a, R, X> {
     }
 }
 
-impl<R: Row<Scalar = f32>, X: Runs<R>> Plans for Typed<'_, R, X> {
+impl<R: Item<Scalar = f32>, X: Runs<R>> Plans for Typed<'_, R, X> {
     fn face(&self, ask: Ask) -> Result<Arc<Face<f32>>, Error> {
         self.0.face(ask)
     }

@@ -112,7 +112,7 @@ pub struct RingValues<T> {
     result: PhantomData<fn() -> T>,
 }
 
-/// One slope per vertex, on the GPU.
+/// One derivative per vertex, on the GPU.
 #[derive(Clone, Debug)]
 pub struct RingBars {
     values: RingValues<Vec2<f32>>,
@@ -139,7 +139,7 @@ impl<T: Fixed<Scalar = f32> + 'static> RingValues<T> {
 }
 
 impl RingBars {
-    /// Starts bringing the slopes back, in the order of the vertices.
+    /// Starts bringing the derivatives back, in the order of the vertices.
     ///
     /// # Errors
     ///
@@ -162,7 +162,8 @@ impl Gpu {
     ///
     /// # Errors
     ///
-    /// As on the processor; [`GpuFault::TooLarge`](crate::GpuFault::TooLarge) for a ring that fits no buffer, or what the device says.
+    /// As on the processor; [`GpuFault::TooLarge`](crate::GpuFault::TooLarge) for a ring that fits no buffer, or what
+    /// the device says.
     pub fn ragged<O: GpuRing>(
         &self,
         ring: O,
@@ -194,8 +195,8 @@ impl Gpu {
     ///
     /// # Errors
     ///
-    /// The input's as [`Cpu::ragged`](crate::kernels::Cpu::ragged), [`GpuFault::TooLarge`](crate::GpuFault::TooLarge) for a
-    /// ring that fits no buffer, or what the device says.
+    /// The input's as [`Cpu::ragged`](crate::kernels::Cpu::ragged), [`GpuFault::TooLarge`](crate::GpuFault::TooLarge)
+    /// for a ring that fits no buffer, or what the device says.
     pub(crate) fn upload_rings(
         &self,
         vertices: &[Vec2<f32>],
@@ -277,7 +278,7 @@ impl Gpu {
         })
     }
 
-    /// The adjoint of [`ragged`](Gpu::ragged): one slope per vertex.
+    /// The adjoint of [`ragged`](Gpu::ragged): one derivative per vertex.
     ///
     /// # Errors
     ///

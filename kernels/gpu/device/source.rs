@@ -138,7 +138,7 @@ pub trait GpuRing: RingOp {
     const MOMENTS: bool;
     /// Whether it sums lengths of edges.
     const LENGTHS: bool;
-    /// The measure of a ring and its slope at a vertex, in WGSL.
+    /// The measure of a ring and its derivative at a vertex, in WGSL.
     const WGSL: &'static str;
 }
 
@@ -173,7 +173,7 @@ pub(super) enum Kernel {
     Ragged(&'static str),
 }
 
-/// What slopes are multiplied by.
+/// What derivatives are multiplied by.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub(super) enum Seed {
     Matrix,

@@ -4,7 +4,7 @@ use super::oracle;
 use geograd::distance::segments::closest_points_of_segments;
 use geograd::{Jet, Pose2, Segment2, Vec2};
 
-type Slopes = Jet<f64, { 2 * MOST }>;
+type Derivatives = Jet<f64, { 2 * MOST }>;
 
 /// Every pair of kinds, several times.
 fn pairs(times: usize, mut test: impl FnMut(&mut Dice, usize, usize)) {
@@ -19,8 +19,8 @@ fn pairs(times: usize, mut test: impl FnMut(&mut Dice, usize, usize)) {
 }
 
 /// Both shapes with all of their numbers as variables.
-fn variables(i: usize, a: &[f64], j: usize, b: &[f64]) -> (Any<Slopes>, Any<Slopes>) {
-    let lift = |x: &[f64], first: usize| -> Vec<Slopes> {
+fn variables(i: usize, a: &[f64], j: usize, b: &[f64]) -> (Any<Derivatives>, Any<Derivatives>) {
+    let lift = |x: &[f64], first: usize| -> Vec<Derivatives> {
         (0..x.len())
             .map(|k| Jet::variable(x[k], first + k))
             .collect()
@@ -145,7 +145,7 @@ fn difference(f: impl Fn(f64) -> f64, x: f64) -> Option<f64> {
 }
 
 #[test]
-fn slopes_are_those_of_differences() {
+fn derivatives_are_those_of_differences() {
     let mut compared = 0;
     pairs(15, |dice, i, j| {
         if is_lines(i, j) {
@@ -174,7 +174,7 @@ fn slopes_are_those_of_differences() {
                 continue;
             };
             compared += 1;
-            let got = signed.slope[k];
+            let got = signed.derivative[k];
             let context = || format!("{:?}\n{:?}\nnumber {k}", build(i, &a), build(j, &b));
             assert!(
                 (got - want).abs() < 2e-5 * (1.0 + want.abs()),
@@ -184,7 +184,7 @@ fn slopes_are_those_of_differences() {
             let (inside, outside) = (signed.value < 0.0, signed.value > 0.0);
             let depth = if inside { -got } else { 0.0 };
             assert!(
-                (penetration.slope[k] - depth).abs() < 1e-11 * (1.0 + got.abs()),
+                (penetration.derivative[k] - depth).abs() < 1e-11 * (1.0 + got.abs()),
                 "{}",
                 context()
             );
@@ -194,7 +194,7 @@ fn slopes_are_those_of_differences() {
                 0.0
             };
             assert!(
-                (squared.slope[k] - square).abs() < 1e-9 * (1.0 + square.abs()),
+                (squared.derivative[k] - square).abs() < 1e-9 * (1.0 + square.abs()),
                 "{}",
                 context()
             );
@@ -204,7 +204,7 @@ fn slopes_are_those_of_differences() {
 }
 
 #[test]
-fn slopes_at_kinks_are_finite_and_shared_evenly_between_mirror_images() {
+fn derivatives_at_kinks_are_finite_and_shared_evenly_between_mirror_images() {
     pairs(30, |dice, i, j| {
         let (a, mut b) = (dice.shape(i, true, 2.0), dice.shape(j, true, 2.0));
         if i == j && dice.whole(4) == 0 {
@@ -230,13 +230,13 @@ fn slopes_at_kinks_are_finite_and_shared_evenly_between_mirror_images() {
         ] {
             assert!(number.value.is_finite(), "{}", context());
             assert!(
-                number.slope.iter().all(|s| s.is_finite()),
+                number.derivative.iter().all(|s| s.is_finite()),
                 "{}: {number:?}",
                 context()
             );
         }
         if distance.value == 0.0 {
-            assert_eq!(distance.slope, [0.0; 2 * MOST], "{}", context());
+            assert_eq!(distance.derivative, [0.0; 2 * MOST], "{}", context());
         }
         // A shift of both changes nothing, and a shift of one by less than itself.
         let shift = |kind: usize, first: usize, axis: usize| -> f64 {
@@ -246,7 +246,10 @@ fn slopes_at_kinks_are_finite_and_shared_evenly_between_mirror_images() {
                 4 => &[0, 2, 4],
                 _ => &[0, 2, 4, 6],
             };
-            places.iter().map(|p| signed.slope[first + p + axis]).sum()
+            places
+                .iter()
+                .map(|p| signed.derivative[first + p + axis])
+                .sum()
         };
         let of_a = Vec2::new(shift(i, 0, 0), shift(i, 0, 1));
         let of_b = Vec2::new(shift(j, count(i), 0), shift(j, count(i), 1));
@@ -329,7 +332,7 @@ fn single_precision_is_right_at_every_size_and_far_from_the_origin() {
         };
         let (x, y) = (build(i, &lift(&a, 0)), build(j, &lift(&b, count(i))));
         for number in [x.signed(y), x.farthest(y), x.closest(y).on_a.x] {
-            assert!(number.value.is_finite() && number.slope.iter().all(|s| s.is_finite()));
+            assert!(number.value.is_finite() && number.derivative.iter().all(|s| s.is_finite()));
         }
     });
     // Numbers of whole size, exact a million away.
@@ -375,13 +378,17 @@ fn segments_meet_at_their_points_and_parameters() {
         assert!((0.0..=1.0).contains(&found.along_a) && (0.0..=1.0).contains(&found.along_b));
         let back = closest_points_of_segments(of(&b), of(&a));
         assert!(back.on_a.distance(found.on_b) < 1e-13, "{}", context());
-        // Slopes: finite, and right where nothing changes its kind.
+        // Derivatives: finite, and right where nothing changes its kind.
         let all: Vec<f64> = a.iter().chain(&b).copied().collect();
         let x: Vec<Jet<f64, 8>> = (0..8).map(|k| Jet::variable(all[k], k)).collect();
         let p = |k: usize| Vec2::new(x[k], x[k + 1]);
         let jet = closest_points_of_segments(Segment2::new(p(0), p(2)), Segment2::new(p(4), p(6)));
         for number in [jet.on_a.x, jet.on_b.y, jet.along_a, jet.along_b] {
-            assert!(number.slope.iter().all(|s| s.is_finite()), "{}", context());
+            assert!(
+                number.derivative.iter().all(|s| s.is_finite()),
+                "{}",
+                context()
+            );
         }
         if whole || want < 1e-3 && want > 0.0 {
             continue;
@@ -395,7 +402,7 @@ fn segments_meet_at_their_points_and_parameters() {
                     .x
             };
             if let Some(want) = difference(f, all[k]).filter(|want| want.abs() < 1e2) {
-                let got = jet.on_a.x.slope[k];
+                let got = jet.on_a.x.derivative[k];
                 assert!(
                     (got - want).abs() < 1e-3 * (1.0 + want.abs()),
                     "{}: {got} {want}",
@@ -412,20 +419,23 @@ fn ties_share_equally() {
     let (x, y) = variables(0, &[1.0, 1.0], 5, &[0.0, 0.0, 2.0, 2.0]);
     let deep = x.signed(y);
     assert_eq!(deep.value, -1.0);
-    assert_eq!(deep.slope[..6], [0.0, 0.0, 0.25, 0.25, -0.25, -0.25]);
+    assert_eq!(deep.derivative[..6], [0.0, 0.0, 0.25, 0.25, -0.25, -0.25]);
     assert_eq!(x.penetration(y).direction.length().value, 1.0);
     // Equal segments side by side: both ends of both.
     let (x, y) = variables(3, &[0.0, 0.0, 4.0, 0.0], 3, &[0.0, 1.0, 4.0, 1.0]);
     let apart = x.signed(y);
     assert_eq!(apart.value, 1.0);
-    assert_eq!(apart.slope[..8], [0.0, -0.5, 0.0, -0.5, 0.0, 0.5, 0.0, 0.5]);
+    assert_eq!(
+        apart.derivative[..8],
+        [0.0, -0.5, 0.0, -0.5, 0.0, 0.5, 0.0, 0.5]
+    );
     let found = x.closest(y);
     assert_eq!((found.on_a.x.value, found.on_b.x.value), (2.0, 2.0));
     // Boxes face to face, of which the smaller one decides; then one in the other.
     let (x, y) = variables(6, &[0., 0., 4., 4., 0.], 6, &[5., 0.5, 2., 2., 0.]);
     let found = x.closest(y);
     assert_eq!((found.on_a.x.value, found.on_a.y.value), (2.0, 0.5));
-    assert_eq!(x.signed(y).slope[..5], [-1.0, 0.0, -0.5, 0.0, 0.5]);
+    assert_eq!(x.signed(y).derivative[..5], [-1.0, 0.0, -0.5, 0.0, 0.5]);
     let (x, y) = variables(6, &[0., 0., 4., 4., 0.], 6, &[2., 0., 2., 2., 0.]);
     let found = x.closest(y);
     assert_eq!((found.on_a.x.value, found.on_a.y.value), (2.0, 0.0));
@@ -533,7 +543,7 @@ fn depth_of_parallel_boxes_has_the_mean_of_both_ways_of_turning() {
         if round % 4 == 3 {
             b.size = geograd::Vec2::zero();
         }
-        let (depth, (slopes, _)) = gradient(|(a, b)| signed_distance(a, b), (a, b));
+        let (depth, (derivatives, _)) = gradient(|(a, b)| signed_distance(a, b), (a, b));
         // Where another face is nearly as deep, steps go beyond the kink.
         let step = 1e-7;
         let by = |by: f64| (signed_distance(Obb2 { heading: by, ..a }, b) - depth) / by;
@@ -543,7 +553,7 @@ fn depth_of_parallel_boxes_has_the_mean_of_both_ways_of_turning() {
             continue;
         }
         let mean = (left + right) / 2.0;
-        let found = slopes.heading;
+        let found = derivatives.heading;
         assert!(
             (found - mean).abs() < 1e-5,
             "{a:?} {b:?} {found} {left} {right}"

@@ -103,13 +103,16 @@ fn needles_overlap_what_they_cross() {
 }
 
 fn all_finite(rows: &[impl Pack<Scalar = f32>], at: &str) {
-    let slopes: Vec<f32> = rows.iter().flat_map(Pack::scalars).collect();
-    assert!(slopes.iter().all(|x| x.is_finite()), "{at}: {slopes:?}");
+    let derivatives: Vec<f32> = rows.iter().flat_map(Pack::scalars).collect();
+    assert!(
+        derivatives.iter().all(|x| x.is_finite()),
+        "{at}: {derivatives:?}"
+    );
 }
 
 /// A length that only the sine of such an angle makes is so short that its reciprocal is not finite.
 #[test]
-fn slopes_beside_angles_below_the_least_normal_number_are_finite() {
+fn derivatives_beside_angles_below_the_least_normal_number_are_finite() {
     let (disc, flat) = (
         Circle::new(Vec2::new(0.015625_f32, 0.0), 1.193028),
         Obb2::new(0.49999994_f32, 0.0, 1.486026, 0.0, -8.816208e-39),
@@ -118,9 +121,9 @@ fn slopes_beside_angles_below_the_least_normal_number_are_finite() {
         let found = penetration(a, b);
         (found.depth, found.direction)
     };
-    let ((depth, direction), slopes) = jacobian(deep, (disc, flat));
+    let ((depth, direction), derivatives) = jacobian(deep, (disc, flat));
     assert_eq!((depth, direction), (1.193028, Vec2::new(0.0, 1.0)));
-    let (of_depth, of_direction) = slopes;
+    let (of_depth, of_direction) = derivatives;
     let (by_disc, by_flat) = of_depth;
     assert_eq!((by_disc.center.y, by_disc.radius), (1.0, 1.0));
     assert_eq!(by_flat.center.y, -1.0);
@@ -136,8 +139,8 @@ fn slopes_beside_angles_below_the_least_normal_number_are_finite() {
         Obb2::new(-131072.0_f32, 63.999996, 0.0, 0.015625, -1.1754944e-38),
         Obb2::new(-131072.0_f32, -0.0234375, 0.0, 1.5258788e-5, -1e-45),
     );
-    let (_, slopes) = gradient(|(a, b): (Obb2<_>, Obb2<_>)| eiou_aabb_obb2(a, b), (a, b));
-    all_finite(&[slopes], "eiou_aabb_obb2");
+    let (_, derivatives) = gradient(|(a, b): (Obb2<_>, Obb2<_>)| eiou_aabb_obb2(a, b), (a, b));
+    all_finite(&[derivatives], "eiou_aabb_obb2");
 }
 
 /// A point on the line of a flat box: terms of the square of its distance cancel.

@@ -49,7 +49,7 @@ fn lines_cross_where_both_are() {
             .collect();
         let line = |k: usize| Line2::new(at(jets[k], jets[k + 1]), at(jets[k + 2], jets[k + 3]));
         let jet = crossing_of_lines(line(0), line(4));
-        assert!(jet.point.x.slope.iter().all(|s| s.is_finite()));
+        assert!(jet.point.x.derivative.iter().all(|s| s.is_finite()));
         if turn.abs() < 1e-2 {
             continue;
         }
@@ -58,7 +58,7 @@ fn lines_cross_where_both_are() {
         // The point stays on both lines as they move.
         for line in [line(0), line(4)] {
             let off = line.side(jet.point);
-            assert!(off.slope.iter().all(|s| s.abs() < 1e-8), "{off:?}");
+            assert!(off.derivative.iter().all(|s| s.abs() < 1e-8), "{off:?}");
         }
     }
     // No tolerance in units: short directions, far apart lengths, one nearly parallel.
@@ -112,7 +112,7 @@ fn segments_meet_in_nothing_a_point_or_a_segment() {
     let point = seg(1., 2., 1., 2.);
     assert_eq!(meeting_of_segments(point, point).kind, 1.0);
     assert_eq!(meeting_of_segments(point, seg(1., 3., 1., 3.)).kind, 0.0);
-    // Slopes of whole segments in every position are finite.
+    // Derivatives of whole segments in every position are finite.
     let mut dice = Dice(8);
     for _ in 0..3000 {
         let all: Vec<f64> = [dice.shape(3, true, 2.0), dice.shape(3, true, 2.0)].concat();
@@ -120,7 +120,7 @@ fn segments_meet_in_nothing_a_point_or_a_segment() {
         let p = |k: usize| at(x[k], x[k + 1]);
         let found = meeting_of_segments(Segment2::new(p(0), p(2)), Segment2::new(p(4), p(6)));
         for number in [found.from.x, found.from.y, found.to.x, found.to.y] {
-            assert!(number.slope.iter().all(|s| s.is_finite()), "{all:?}");
+            assert!(number.derivative.iter().all(|s| s.is_finite()), "{all:?}");
         }
         let want = oracle::signed_distance((3, &all[..4]), (3, &all[4..]));
         assert_eq!(found.kind.value > 0.0, want <= 1e-15, "{all:?}");
@@ -174,7 +174,7 @@ fn rays_hit_the_border_first() {
             let slack = if start_inside { 1e-9 } else { -1e-9 };
             assert_eq!(inside(t, slack), start_inside, "{}: at {t}", context());
         }
-        // Slopes: finite always, and right where the hit is clean.
+        // Derivatives: finite always, and right where the hit is clean.
         let all: Vec<f64> = ray.iter().chain(&shape).copied().collect();
         let jets: Vec<Jet<f64, 12>> = (0..all.len()).map(|k| Jet::variable(all[k], k)).collect();
         let of = |x: &[f64]| {
@@ -188,10 +188,14 @@ fn rays_hit_the_border_first() {
             build(kind, &jets[4..]),
         );
         for number in [jet.parameter, jet.point.x, jet.normal.x, jet.normal.y] {
-            assert!(number.slope.iter().all(|s| s.is_finite()), "{}", context());
+            assert!(
+                number.derivative.iter().all(|s| s.is_finite()),
+                "{}",
+                context()
+            );
         }
         if whole || found.kind == 0.0 {
-            assert!(found.kind > 0.0 || jet.parameter.slope == [0.0; 12]);
+            assert!(found.kind > 0.0 || jet.parameter.derivative == [0.0; 12]);
             continue;
         }
         for k in 0..4 + count(kind) {
@@ -201,13 +205,13 @@ fn rays_hit_the_border_first() {
                 of(&all).parameter
             };
             let (low, mid, high) = (f(-1e-6), f(0.0), f(1e-6));
-            let slope = (high - low) / 2e-6;
-            if (high - 2.0 * mid + low).abs() < 1e-10 && slope.abs() < 30.0 {
+            let derivative = (high - low) / 2e-6;
+            if (high - 2.0 * mid + low).abs() < 1e-10 && derivative.abs() < 30.0 {
                 compared += 1;
-                let got = jet.parameter.slope[k];
+                let got = jet.parameter.derivative[k];
                 assert!(
-                    (got - slope).abs() < 1e-4 * (1.0 + slope.abs()),
-                    "{} {k}: {got} {slope}",
+                    (got - derivative).abs() < 1e-4 * (1.0 + derivative.abs()),
+                    "{} {k}: {got} {derivative}",
                     context()
                 );
             }
@@ -283,7 +287,7 @@ fn spans_of_flat_and_endless_shapes() {
 }
 
 #[test]
-fn length_inside_takes_its_slopes_from_faces_along_an_axis_alone() {
+fn length_inside_takes_its_derivatives_from_faces_along_an_axis_alone() {
     use geograd::ad::forward::gradient;
     use geograd::{Segment2, Triangle2, Vec2, intersection::length_inside};
     let segment = Segment2::new(Vec2::new(0.5, -1.0), Vec2::new(0.5, 3.0));
@@ -292,14 +296,14 @@ fn length_inside_takes_its_slopes_from_faces_along_an_axis_alone() {
         Vec2::new(2.0, 0.0),
         Vec2::new(0.0, 2.0),
     );
-    let (length, (_, slopes)) = gradient(|(a, b)| length_inside(a, b), (segment, triangle));
+    let (length, (_, derivatives)) = gradient(|(a, b)| length_inside(a, b), (segment, triangle));
     assert_eq!(length, 1.5);
     // It enters after a quarter of the way from a to b and leaves after a quarter of that from c to b.
     for (found, expected) in [
-        (slopes.a.y, -0.75),
-        (slopes.b.y, -0.25 + 0.25),
-        (slopes.c.y, 0.75),
+        (derivatives.a.y, -0.75),
+        (derivatives.b.y, -0.25 + 0.25),
+        (derivatives.c.y, 0.75),
     ] {
-        assert!(f64::abs(found - expected) < 1e-15, "{slopes:?}");
+        assert!(f64::abs(found - expected) < 1e-15, "{derivatives:?}");
     }
 }

@@ -102,7 +102,7 @@ fn values_are_those_of_angles_and_samples() {
 }
 
 #[test]
-fn slopes_of_the_signed_distance_and_at_ties() {
+fn derivatives_of_the_signed_distance_and_at_ties() {
     let mut dice = Dice(5);
     let mut compared = 0;
     for _ in 0..1500 {
@@ -130,7 +130,7 @@ fn slopes_of_the_signed_distance_and_at_ties() {
             }
             compared += 1;
             assert!(
-                (got.slope[k] - (high - low) / 2e-6).abs() < 1e-5,
+                (got.derivative[k] - (high - low) / 2e-6).abs() < 1e-5,
                 "{all:?} {k}"
             );
         }
@@ -146,7 +146,7 @@ fn slopes_of_the_signed_distance_and_at_ties() {
     let deep = signed_distance_to_ring(v[4], &v[..4]);
     assert_eq!(deep.value, -1.0);
     assert_eq!(
-        deep.slope,
+        deep.derivative,
         [
             0.125, 0.125, -0.125, 0.125, -0.125, -0.125, 0.125, -0.125, 0.0, 0.0
         ]
@@ -157,7 +157,7 @@ fn slopes_of_the_signed_distance_and_at_ties() {
         signed_distance_to_ring(v[0], &v[..4]),
         signed_distance_to_ring(v[0], &same),
     ] {
-        assert_eq!((d.value, d.slope), (0.0, [0.0; 10]));
+        assert_eq!((d.value, d.derivative), (0.0, [0.0; 10]));
     }
     assert_eq!(signed_distance_to_ring(Vec2::new(0.0, 0.0), &[]), f64::MAX);
     let nothing: EdgeFold<Jet<f64, 1>> = EdgeFold::empty().join(EdgeFold::empty());
@@ -176,7 +176,7 @@ fn slopes_of_the_signed_distance_and_at_ties() {
 }
 
 #[test]
-fn an_edge_shares_its_slope_as_the_nearest_point_lies() {
+fn an_edge_shares_its_derivative_as_the_nearest_point_lies() {
     let x: [Jet<f64, 6>; 6] =
         std::array::from_fn(|k| Jet::variable([1., 2., 0., 0., 4., 0.][k], k));
     let d = edge_distance(
@@ -185,7 +185,7 @@ fn an_edge_shares_its_slope_as_the_nearest_point_lies() {
         Vec2::new(x[4], x[5]),
     );
     assert_eq!(
-        (d.value, d.slope),
+        (d.value, d.derivative),
         (2.0, [0.0, 1.0, 0.0, -0.75, 0.0, -0.25])
     );
     // However near: the direction is that of the normal, where a difference of points is noise.
@@ -206,7 +206,7 @@ fn an_edge_shares_its_slope_as_the_nearest_point_lies() {
     );
     let n = 1.25_f64.sqrt();
     assert!(
-        (d.slope[0] + 0.5 / n).abs() < 1e-14 && (d.slope[1] - 1.0 / n).abs() < 1e-14,
+        (d.derivative[0] + 0.5 / n).abs() < 1e-14 && (d.derivative[1] - 1.0 / n).abs() < 1e-14,
         "{d:?}"
     );
 }
@@ -241,7 +241,7 @@ fn the_length_of_a_segment_inside_is_that_of_samples() {
         );
         ring.reverse();
         assert!((length_inside_ring(segment, &ring) - got).abs() < 1e-14);
-        // Slopes by differences.
+        // Derivatives by differences.
         let all: Vec<f64> = ring.iter().chain(&s).flat_map(|v| [v.x, v.y]).collect();
         fn of<S: geograd::Scalar<Mask = bool>>(x: &[S]) -> S {
             let v: Vec<Vec2<S>> = x.chunks(2).map(|v| Vec2::new(v[0], v[1])).collect();
@@ -257,7 +257,10 @@ fn the_length_of_a_segment_inside_is_that_of_samples() {
             };
             let (low, mid, high) = (f(-1e-6), f(0.0), f(1e-6));
             if (high - 2.0 * mid + low).abs() < 1e-10 {
-                assert!((jet.slope[k] - (high - low) / 2e-6).abs() < 1e-4, "{k}");
+                assert!(
+                    (jet.derivative[k] - (high - low) / 2e-6).abs() < 1e-4,
+                    "{k}"
+                );
             }
         }
     }
@@ -276,10 +279,10 @@ fn the_length_of_a_segment_inside_is_that_of_samples() {
     );
 }
 
-/// Across an edge the signed distance is smooth: exactly on it the slope is the outward normal, of rings of
+/// Across an edge the signed distance is smooth: exactly on it the derivative is the outward normal, of rings of
 /// either orientation, and by either rule.
 #[test]
-fn on_an_edge_the_slope_is_the_outward_normal() {
+fn on_an_edge_the_derivative_is_the_outward_normal() {
     let square = [(0.0, 0.0), (2.0, 0.0), (2.0, 2.0), (0.0, 2.0)];
     let places = [
         ((1.0, 0.0), [0.0, -1.0]),
@@ -299,17 +302,17 @@ fn on_an_edge_the_slope_is_the_outward_normal() {
             for fill in [Fill::NonZero, Fill::EvenOdd] {
                 let found = fold_ring(point, &ring).signed_distance(fill);
                 assert_eq!(
-                    (found.value, found.slope),
+                    (found.value, found.derivative),
                     (0.0, normal),
                     "{place:?} {backwards}"
                 );
             }
-            assert_eq!(fold_ring(point, &ring).distance().slope, [0.0; 2]);
+            assert_eq!(fold_ring(point, &ring).distance().derivative, [0.0; 2]);
         }
     }
     // On a vertex, and where a ring runs back along itself, there is no such normal.
     let spike = [(0.0, 0.0), (2.0, 0.0), (1.0, 0.0)]
         .map(|(x, y)| Vec2::new(Jet::variable(x, 9), Jet::<f64, 2>::variable(y, 9)));
     let point = Vec2::new(Jet::variable(0.5, 0), Jet::variable(0.0, 1));
-    assert_eq!(signed_distance_to_ring(point, &spike).slope, [0.0; 2]);
+    assert_eq!(signed_distance_to_ring(point, &spike).derivative, [0.0; 2]);
 }

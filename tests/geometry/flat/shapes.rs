@@ -95,14 +95,14 @@ fn a_circumcircle_runs_through_its_points_at_every_size() {
                 assert!(off.abs() < 1e-10 * size, "{a:?} {b:?} {c:?} {off}");
             }
         }
-        // Slopes: centre and radius move so that every point stays on the circle.
+        // Derivatives: centre and radius move so that every point stays on the circle.
         let all = [a.x, a.y, b.x, b.y, c.x, c.y];
         let x: [Jet<f64, 6>; 6] = std::array::from_fn(|k| Jet::variable(all[k], k));
         let p = [at(x[0], x[1]), at(x[2], x[3]), at(x[4], x[5])];
         let round = circumcircle(p[0], p[1], p[2]);
         for p in p {
             let off = round.center.distance(p) - round.radius;
-            assert!(off.slope.iter().all(|s| s.abs() < 1e-7), "{off:?}");
+            assert!(off.derivative.iter().all(|s| s.abs() < 1e-7), "{off:?}");
         }
     }
 }
@@ -130,7 +130,7 @@ fn points_on_a_line_have_a_finite_circumcircle() {
             .fold(0.0, f64::max);
         for number in [round.center.x, round.center.y, round.radius] {
             assert!(
-                number.value.is_finite() && number.slope.iter().all(|s| s.is_finite()),
+                number.value.is_finite() && number.derivative.iter().all(|s| s.is_finite()),
                 "{x:?}"
             );
         }
@@ -144,14 +144,14 @@ fn points_on_a_line_have_a_finite_circumcircle() {
         );
         assert!(single.radius.is_finite() && single.center.is_finite());
     }
-    // Three sides of length zero share: half of the mean of the three points' slopes would be odd, the
+    // Three sides of length zero share: half of the mean of the three points' derivatives would be odd, the
     // centre moves with all of them.
     let x: [Jet<f64, 6>; 6] =
         std::array::from_fn(|k| Jet::variable([2., 3., 2., 3., 2., 3.][k], k));
     let round = circumcircle(at(x[0], x[1]), at(x[2], x[3]), at(x[4], x[5]));
-    let sum: f64 = (0..3).map(|k| round.center.x.slope[2 * k]).sum();
+    let sum: f64 = (0..3).map(|k| round.center.x.derivative[2 * k]).sum();
     assert!((sum - 1.0).abs() < 1e-15);
-    assert_eq!(round.radius.slope, [0.0; 6]);
+    assert_eq!(round.radius.derivative, [0.0; 6]);
 }
 
 #[test]
@@ -189,7 +189,7 @@ fn an_incircle_touches_all_sides_at_every_size() {
 }
 
 #[test]
-fn incircles_without_area_have_finite_slopes() {
+fn incircles_without_area_have_finite_derivatives() {
     let cases = [
         [2., 3., 2., 3., 2., 3.],
         [2., 3., 2., 3., 4., 3.],
@@ -205,11 +205,11 @@ fn incircles_without_area_have_finite_slopes() {
         let [a, b, c] = [at(x[0], x[1]), at(x[2], x[3]), at(x[4], x[5])];
         let circle = Triangle2::new(a, b, c).incircle();
         for number in [circle.center.x, circle.center.y, circle.radius] {
-            let slopes = number.slope.iter().all(|s| s.is_finite());
-            assert!(number.value.is_finite() && slopes, "{x:?} {number:?}");
+            let derivatives = number.derivative.iter().all(|s| s.is_finite());
+            assert!(number.value.is_finite() && derivatives, "{x:?} {number:?}");
         }
         // It goes where the triangle goes.
-        let along_x: f32 = circle.center.x.slope.iter().step_by(2).sum();
+        let along_x: f32 = circle.center.x.derivative.iter().step_by(2).sum();
         assert!((along_x - 1.0).abs() < 1e-6, "{x:?} {along_x}");
     }
     let p = at(2.0_f64, 3.0);
@@ -221,7 +221,7 @@ fn incircles_without_area_have_finite_slopes() {
 }
 
 #[test]
-fn intervals_measure_and_share_their_slopes() {
+fn intervals_measure_and_share_their_derivatives() {
     let mut dice = Dice(2);
     for _ in 0..2000 {
         let mut number = || dice.whole(7) as f64 / 2.0;
@@ -247,7 +247,7 @@ fn intervals_measure_and_share_their_slopes() {
     }
     let x: [Jet<f64, 4>; 4] = std::array::from_fn(|k| Jet::variable([1., 3., 1., 3.][k], k));
     let same = Interval::new(x[0], x[1]).iou(Interval::new(x[2], x[3]));
-    assert_eq!((same.value, same.slope), (1.0, [0.0; 4]));
+    assert_eq!((same.value, same.derivative), (1.0, [0.0; 4]));
     let tiny = Interval::new(0.0_f32, 1e-30).iou(Interval::new(5e-31, 1.5e-30));
     assert!((tiny - 1.0 / 3.0).abs() < 1e-6);
     assert_eq!(Interval::new(1.0, 1.0).iou(Interval::new(1.0, 1.0)), 0.0);

@@ -1,12 +1,12 @@
-//! Boolean operations of polygons of any kind, against an oracle, and their slopes.
+//! Boolean operations of polygons of any kind, against an oracle, and their derivatives.
 use super::cases::{any_ring, at, hard_rings, ring, stars};
 use super::rings::{differences, made, moved, zeros};
 use super::scanline::{self, Ring};
 use geograd::ad::adjoint::boolean::overlay_vjp;
 use geograd::ad::adjoint::ring::signed_area_vjp;
 use geograd::boolean::{
-    EdgeId, Operation, Origin, Owner, VertexId, iou_decided, iou_replay, overlay_decided,
-    overlay_replay,
+    EdgeId, Operation, Origin, Owner, VertexId, iou_replay, iou_search, overlay_replay,
+    overlay_search,
 };
 use geograd::error::{Argument, Flaw, VertexFault};
 use geograd::polygon::{self, Fill};
@@ -42,7 +42,7 @@ pub fn cases(dice: &mut Dice) -> Vec<(Vec<Ring>, Vec<Ring>)> {
 }
 
 fn result(a: &Polygon<f64>, b: &Polygon<f64>, operation: Operation, fill: Fill) -> Polygon<f64> {
-    overlay_replay(a, b, &overlay_decided(a, b, operation, fill).unwrap())
+    overlay_replay(a, b, &overlay_search(a, b, operation, fill).unwrap())
 }
 
 #[test]
@@ -82,7 +82,7 @@ fn areas_are_those_of_the_oracle() {
 
 /// Two squares, one turned by a little: nearly parallel edges cross in the middle of each other.
 #[test]
-fn nearly_parallel_edges_have_their_slopes() {
+fn nearly_parallel_edges_have_their_derivatives() {
     let square = [(-1., -1.), (1., -1.), (1., 1.), (-1., 1.)];
     let a = made(&[ring(&square)]);
     for angle in [1e-3_f64, 1e-5, 1e-7, 1e-9, 1e-12, 1e-15, 1e-17] {
@@ -90,7 +90,7 @@ fn nearly_parallel_edges_have_their_slopes() {
         let turned = square.map(|(x, y)| (cos * x - sin * y, sin * x + cos * y));
         let b = made(&[ring(&turned)]);
         for operation in [Operation::Union, Operation::Intersection] {
-            let trace = overlay_decided(&a, &b, operation, Fill::NonZero).unwrap();
+            let trace = overlay_search(&a, &b, operation, Fill::NonZero).unwrap();
             let found = by_duals(&a, &b, &trace, |p| polygon::signed_area(p));
             // By the motion of borders, in which no crossing is differentiated.
             let (mut a_bar, mut b_bar) = (zeros(&a), zeros(&b));
@@ -134,7 +134,7 @@ fn results_add_up_and_grow() {
             assert!(area(&part, &a, Operation::Difference) < 1e-12);
         }
         // Parts run counter-clockwise, their holes clockwise.
-        let trace = overlay_decided(&a, &b, Operation::Union, fill).unwrap();
+        let trace = overlay_search(&a, &b, Operation::Union, fill).unwrap();
         let union = overlay_replay(&a, &b, &trace);
         let mut rings = 0;
         for part in trace.parts() {
@@ -154,7 +154,7 @@ fn results_add_up_and_grow() {
     }
 }
 
-/// Slopes of a function of the result by duals through the replay.
+/// Derivatives of a function of the result by duals through the replay.
 fn by_duals<
     S: Fn(&Polygon<geograd::ad::forward::First<f64>>) -> geograd::ad::forward::First<f64>,
 >(
@@ -174,7 +174,7 @@ fn centroid_x<S: Scalar<Mask = bool>>(p: &Polygon<S>) -> S {
 
 /// Whether moving anything a little makes another result.
 fn is_safe(a: &Polygon<f64>, b: &Polygon<f64>, operation: Operation, fill: Fill) -> bool {
-    let trace = |a: &_, b: &_| overlay_decided(a, b, operation, fill).unwrap();
+    let trace = |a: &_, b: &_| overlay_search(a, b, operation, fill).unwrap();
     let mut dice = Dice(9);
     let known = trace(a, b);
     (0..40).all(|_| {
@@ -184,7 +184,7 @@ fn is_safe(a: &Polygon<f64>, b: &Polygon<f64>, operation: Operation, fill: Fill)
 }
 
 #[test]
-fn slopes_are_differences_of_the_operation() {
+fn derivatives_are_differences_of_the_operation() {
     let (mut dice, mut tried) = (Dice(3), 0);
     while tried < 16 {
         let (a, b) = match tried % 2 {
@@ -199,7 +199,7 @@ fn slopes_are_differences_of_the_operation() {
             continue;
         }
         tried += 1;
-        let trace = overlay_decided(&a, &b, operation, fill).unwrap();
+        let trace = overlay_search(&a, &b, operation, fill).unwrap();
         let close = |found: &[f64], expected: &[f64], near: f64| {
             for (found, expected) in found.iter().zip(expected) {
                 let near = near * (1.0 + expected.abs());
@@ -238,12 +238,16 @@ fn slopes_are_differences_of_the_operation() {
         let (mut a_bar, mut b_bar) = (zeros(&a), zeros(&b));
         overlay_vjp(&a, &b, &trace, &bars, &mut a_bar, &mut b_bar);
         close(&(a_bar, b_bar).scalars(), &duals[0], 1e-11);
-        let (value, record) = iou_decided(&a, &b, fill).unwrap();
+        let (value, record) = iou_search(&a, &b, fill).unwrap();
         let of = |(a, b): (Polygon<_>, Polygon<_>)| iou_replay(&a, &b, &record);
-        let (same, slopes) = geograd::gradient(of, (a.clone(), b.clone()));
+        let (same, derivatives) = geograd::gradient(of, (a.clone(), b.clone()));
         assert_eq!(value, same);
-        let again = |a: &_, b: &_| iou_decided(a, b, fill).unwrap().0;
-        close(&slopes.scalars(), &differences(again, &a, &b, 1e-6), 1e-5);
+        let again = |a: &_, b: &_| iou_search(a, b, fill).unwrap().0;
+        close(
+            &derivatives.scalars(),
+            &differences(again, &a, &b, 1e-6),
+            1e-5,
+        );
     }
 }
 
@@ -255,7 +259,7 @@ fn the_adjoint_is_that_of_the_replay() {
     for (k, (a, b)) in cases(&mut dice).into_iter().enumerate() {
         let (a, b) = (made(&a), made(&b));
         let (operation, _) = OPERATIONS[k % 4];
-        let trace = overlay_decided(&a, &b, operation, Fill::EvenOdd).unwrap();
+        let trace = overlay_search(&a, &b, operation, Fill::EvenOdd).unwrap();
         let weights: Vec<_> = (0..trace.vertex_count())
             .map(|_| at(dice.within(-1.0, 1.0), dice.within(-1.0, 1.0)))
             .collect();
@@ -277,10 +281,10 @@ fn the_adjoint_is_that_of_the_replay() {
     }
 }
 
-/// Where edges lie along each other the slope is the mean of both sides, which is what central
+/// Where edges lie along each other the derivative is the mean of both sides, which is what central
 /// differences give.
 #[test]
-fn edges_along_each_other_share_their_slopes() {
+fn edges_along_each_other_share_their_derivatives() {
     let square = |x: f64, y: f64, w: f64, h: f64| {
         vec![ring(&[(x, y), (x + w, y), (x + w, y + h), (x, y + h)])]
     };
@@ -302,7 +306,7 @@ fn edges_along_each_other_share_their_slopes() {
         let b = made(&b);
         for (operation, _) in &OPERATIONS[..2] {
             let operation = *operation;
-            let trace = overlay_decided(&a, &b, operation, Fill::EvenOdd).unwrap();
+            let trace = overlay_search(&a, &b, operation, Fill::EvenOdd).unwrap();
             let area = |a: &_, b: &_| polygon::signed_area(&result(a, b, operation, Fill::EvenOdd));
             let expected = differences(area, &a, &b, 1e-6);
             let found = by_duals(&a, &b, &trace, |p| polygon::signed_area(p));
@@ -317,17 +321,17 @@ fn edges_along_each_other_share_their_slopes() {
 }
 
 #[test]
-fn the_same_polygon_twice_has_iou_one_and_no_slope() {
+fn the_same_polygon_twice_has_iou_one_and_no_derivative() {
     let mut dice = Dice(5);
     let random = (0..30).map(|_| stars(&mut dice));
     for rings in random.chain(hard_rings()) {
         let a = made(&rings);
-        let (value, trace) = iou_decided(&a, &a, Fill::EvenOdd).unwrap();
+        let (value, trace) = iou_search(&a, &a, Fill::EvenOdd).unwrap();
         assert_eq!(value, 1.0, "{rings:?}");
         let of = |(a, b): (Polygon<_>, Polygon<_>)| iou_replay(&a, &b, &trace);
-        let (_, slopes) = geograd::gradient(of, (a.clone(), a.clone()));
+        let (_, derivatives) = geograd::gradient(of, (a.clone(), a.clone()));
         assert!(
-            slopes.scalars().iter().all(|x| x.abs() < 1e-12),
+            derivatives.scalars().iter().all(|x| x.abs() < 1e-12),
             "{rings:?}"
         );
     }
@@ -337,7 +341,7 @@ fn the_same_polygon_twice_has_iou_one_and_no_slope() {
 fn every_vertex_says_where_it_is_from() {
     let a = ring(&[(0., 0.), (2., 0.), (2., 2.), (0., 2.)]);
     let b = ring(&[(1., 1.), (3., 1.), (3., 3.), (1., 3.)]);
-    let trace = overlay_decided(&a, &b, Operation::Intersection, Fill::NonZero).unwrap();
+    let trace = overlay_search(&a, &b, Operation::Intersection, Fill::NonZero).unwrap();
     let vertex = |owner, vertex| {
         Origin::Vertex(VertexId {
             owner,
@@ -364,7 +368,7 @@ fn every_vertex_says_where_it_is_from() {
     assert_eq!(found, expected.map(|origin| vec![origin]));
     assert!(trace.parts().eq(std::iter::once(0..1)));
     // Identical ones: both vertices at once.
-    let trace = overlay_decided(&a, &a, Operation::Union, Fill::NonZero).unwrap();
+    let trace = overlay_search(&a, &a, Operation::Union, Fill::NonZero).unwrap();
     assert!(
         trace
             .origins()
@@ -372,13 +376,13 @@ fn every_vertex_says_where_it_is_from() {
     );
     // Nothing, and something that is nowhere near.
     let far = [at(9., 9.), at(10., 9.), at(9., 10.)];
-    let trace = overlay_decided(&a, &far, Operation::Intersection, Fill::NonZero).unwrap();
+    let trace = overlay_search(&a, &far, Operation::Intersection, Fill::NonZero).unwrap();
     assert_eq!((trace.vertex_count(), trace.parts().count()), (0, 0));
     let nothing: &[Ring] = &[];
-    let trace = overlay_decided(&a, nothing, Operation::Union, Fill::NonZero).unwrap();
+    let trace = overlay_search(&a, nothing, Operation::Union, Fill::NonZero).unwrap();
     assert_eq!(trace.vertex_count(), 4);
     assert_eq!(
-        iou_decided::<f64>(nothing, nothing, Fill::NonZero)
+        iou_search::<f64>(nothing, nothing, Fill::NonZero)
             .unwrap()
             .0,
         0.0
@@ -392,7 +396,7 @@ fn records_serve_every_format() {
         let (a, b) = (made(&stars(&mut dice)), made(&stars(&mut dice)));
         let (narrow_a, narrow_b) = (a.cast::<f32>(), b.cast::<f32>());
         let fill = Fill::EvenOdd;
-        let trace = overlay_decided(&narrow_a, &narrow_b, Operation::Union, fill).unwrap();
+        let trace = overlay_search(&narrow_a, &narrow_b, Operation::Union, fill).unwrap();
         let (wide, narrow) = (
             overlay_replay(&a, &b, &trace),
             overlay_replay(&narrow_a, &narrow_b, &trace),
@@ -407,7 +411,7 @@ fn flaws_name_polygon_ring_and_vertex() {
     let good = vec![ring(&[(0., 0.), (4., 0.), (0., 4.)])];
     let mut bad = good.clone();
     bad.push(ring(&[(0., 0.), (f64::INFINITY, 0.), (0., 4.)]));
-    let found = overlay_decided(&good[..], &bad[..], Operation::Union, Fill::NonZero).unwrap_err();
+    let found = overlay_search(&good[..], &bad[..], Operation::Union, Fill::NonZero).unwrap_err();
     let flaw = Flaw::Ring {
         ring: 1,
         index: 1,
@@ -423,7 +427,7 @@ fn flaws_name_polygon_ring_and_vertex() {
     );
     bad[1].truncate(1);
     bad[1][0] = at(0.0, 0.0);
-    assert!(iou_decided(&bad[..], &good[..], Fill::NonZero).is_err());
+    assert!(iou_search(&bad[..], &good[..], Fill::NonZero).is_err());
 }
 
 /// Small turned rings on a lattice, many of them along each other, beside a large one: their edges lie along each other
@@ -489,21 +493,21 @@ fn edges_within_a_step_of_each_other_have_results() {
     }
 }
 
-/// All operations end, with areas of the oracle and finite slopes.
+/// All operations end, with areas of the oracle and finite derivatives.
 fn judge_in_time(a: &[Ring], b: &[Ring]) {
     for fill in [Fill::NonZero, Fill::EvenOdd] {
         let truth = scanline::areas(a, b, fill);
         for (operation, kept) in OPERATIONS {
             let (p, q) = (made(a), made(b));
-            let trace = in_time(move || overlay_decided(&p, &q, operation, fill).unwrap());
+            let trace = in_time(move || overlay_search(&p, &q, operation, fill).unwrap());
             let expected: f64 = (0..3).filter(|&i| kept[i]).map(|i| truth[i]).sum();
             let (p, q) = (made(a), made(b));
             let of = |(p, q): (Polygon<_>, Polygon<_>)| {
                 polygon::signed_area(&overlay_replay(&p, &q, &trace))
             };
-            let (found, slopes) = geograd::gradient(of, (p, q));
+            let (found, derivatives) = geograd::gradient(of, (p, q));
             assert!((found - expected).abs() < 1e-14, "{found} {expected}");
-            assert!(slopes.scalars().into_iter().all(f64::is_finite));
+            assert!(derivatives.scalars().into_iter().all(f64::is_finite));
         }
     }
 }

@@ -1,4 +1,4 @@
-//! The family of intersection over union against brute force, and its slopes.
+//! The family of intersection over union against brute force, and its derivatives.
 use super::cases::{Polygon, convex, hard};
 use super::exact;
 use super::overlap::variables;
@@ -79,12 +79,11 @@ fn scores_are_those_of_their_formulas() {
         }
         let polygon = |x: Obb2<f64>| ConvexPolygon::from(x);
         if a.area() > 0.0 && b.area() > 0.0 {
-            let (giou, _) =
-                giou_polygons_decided::<f64, 4, 4, 8>(&polygon(a), &polygon(b)).unwrap();
+            let (giou, _) = giou_polygons_search::<f64, 4, 4, 8>(&polygon(a), &polygon(b)).unwrap();
             close(giou_obb2(a, b), giou);
             close(
                 diou_obb2(a, b),
-                diou_polygons_decided(&polygon(a), &polygon(b)).0,
+                diou_polygons_search(&polygon(a), &polygon(b)).0,
             );
         }
         let far = all
@@ -137,9 +136,9 @@ fn scores_are_those_of_their_formulas() {
     }
 }
 
-type Slopes = Jet<f64, 10>;
+type Derivatives = Jet<f64, 10>;
 
-fn lifted(a: Obb2<f64>, b: Obb2<f64>) -> (Obb2<Slopes>, Obb2<Slopes>) {
+fn lifted(a: Obb2<f64>, b: Obb2<f64>) -> (Obb2<Derivatives>, Obb2<Derivatives>) {
     let lift = |x: Obb2<f64>, first: usize| {
         let all = x.scalars();
         Obb2::load(&std::array::from_fn::<_, 5, _>(|k| {
@@ -150,7 +149,7 @@ fn lifted(a: Obb2<f64>, b: Obb2<f64>) -> (Obb2<Slopes>, Obb2<Slopes>) {
 }
 
 #[test]
-fn the_adjoint_of_generalised_iou_has_the_slopes() {
+fn the_adjoint_of_generalised_iou_has_the_derivatives() {
     let mut apart = 0;
     for (a, b) in pairs(33, 600) {
         let (x, y) = lifted(a, b);
@@ -158,8 +157,8 @@ fn the_adjoint_of_generalised_iou_has_the_slopes() {
         let (same, (by_a, by_b)) = giou_obb2_grad(a, b);
         assert_eq!(value.value, same);
         let all: Vec<f64> = by_a.scalars().into_iter().chain(by_b.scalars()).collect();
-        for (k, (slope, by_hand)) in value.slope.iter().zip(&all).enumerate() {
-            let size = 1.0 + slope.abs();
+        for (k, (derivative, by_hand)) in value.derivative.iter().zip(&all).enumerate() {
+            let size = 1.0 + derivative.abs();
             // A turn of 1e-9 magnifies roundings of the area of intersection.
             let slack = if (a.heading - b.heading).abs() == 1e-9 {
                 1e-6
@@ -167,8 +166,8 @@ fn the_adjoint_of_generalised_iou_has_the_slopes() {
                 1e-9
             };
             assert!(
-                (slope - by_hand).abs() < slack * size,
-                "{a} {b} {k} {slope} {by_hand}"
+                (derivative - by_hand).abs() < slack * size,
+                "{a} {b} {k} {derivative} {by_hand}"
             );
         }
         let (twice, _) = giou_obb2_vjp(a, b, 2.0);
@@ -187,11 +186,11 @@ fn the_adjoint_of_generalised_iou_has_the_slopes() {
 }
 
 #[test]
-fn slopes_are_those_of_differences() {
+fn derivatives_are_those_of_differences() {
     let scores: [(
         &str,
         fn(Obb2<f64>, Obb2<f64>) -> f64,
-        fn(Obb2<Slopes>, Obb2<Slopes>) -> Slopes,
+        fn(Obb2<Derivatives>, Obb2<Derivatives>) -> Derivatives,
     ); 9] = [
         ("giou", giou_obb2, giou_obb2),
         ("giou aabb", giou_aabb_obb2, giou_aabb_obb2),
@@ -213,7 +212,7 @@ fn slopes_are_those_of_differences() {
             let value = dual(x, y);
             let all: Vec<f64> = a.scalars().into_iter().chain(b.scalars()).collect();
             for k in 0..10 {
-                assert!(value.slope[k].is_finite(), "{name} {a} {b}");
+                assert!(value.derivative[k].is_finite(), "{name} {a} {b}");
                 let step = 1e-6;
                 let moved = |by: f64| {
                     let mut all = all.clone();
@@ -228,9 +227,9 @@ fn slopes_are_those_of_differences() {
                 let kink = (up + down - 2.0 * value.value).abs() / step;
                 let size = 1.0 + difference.abs();
                 assert!(
-                    (value.slope[k] - difference).abs() < 2e-5 * size + 1.01 * kink,
+                    (value.derivative[k] - difference).abs() < 2e-5 * size + 1.01 * kink,
                     "{name} {a} {b} {k} {} {difference} {kink}",
-                    value.slope[k]
+                    value.derivative[k]
                 );
             }
         }
@@ -238,7 +237,7 @@ fn slopes_are_those_of_differences() {
 }
 
 #[test]
-fn identical_shapes_score_one_without_slopes() {
+fn identical_shapes_score_one_without_derivatives() {
     for (a, _) in pairs(35, 60) {
         if a.size.x.min(a.size.y) < 1e-3 {
             continue;
@@ -256,7 +255,7 @@ fn identical_shapes_score_one_without_slopes() {
             assert_eq!(value.value, 1.0);
             assert!(
                 value
-                    .slope
+                    .derivative
                     .iter()
                     .all(|s| s.abs() < 1e-12 / a.size.x.min(a.size.y).min(1.0).powi(2)),
                 "{a} {value:?}"
@@ -289,17 +288,20 @@ fn identical_shapes_score_one_without_slopes() {
     for _ in 0..40 {
         let a = convex(&mut dice);
         let (x, y) = (variables(&a, 0), variables(&a, 24));
-        let (giou, trace) = giou_polygons_decided::<f64, 12, 12, 24>(&a, &a).unwrap();
+        let (giou, trace) = giou_polygons_search::<f64, 12, 12, 24>(&a, &a).unwrap();
         assert_eq!(giou, 1.0);
-        let slopes = giou_polygons_replay(&x, &y, &trace).slope;
+        let derivatives = giou_polygons_replay(&x, &y, &trace).derivative;
         let small = 1e-9 / a.area().min(1.0).powf(1.5);
-        assert!(slopes.iter().all(|s| s.abs() < small), "{slopes:?}");
-        // B5, B7: no number and no slope there.
-        let (diou, record) = diou_polygons_decided(&a, &a);
+        assert!(
+            derivatives.iter().all(|s| s.abs() < small),
+            "{derivatives:?}"
+        );
+        // B5, B7: no number and no derivative there.
+        let (diou, record) = diou_polygons_search(&a, &a);
         assert_eq!(diou, 1.0);
         assert!(
             diou_polygons_replay(&x, &y, record)
-                .slope
+                .derivative
                 .iter()
                 .all(|s| s.abs() < small)
         );
@@ -324,7 +326,7 @@ fn generalised_iou_of_polygons_is_that_of_the_oracle() {
         let hull = exact::ring_area(&exact::hull(&all));
         let union = area_a + area_b - inter;
         let truth = inter / union - (hull - union) / hull;
-        let (found, _) = giou_polygons_decided::<f64, 12, 12, 24>(&a, &b).unwrap();
+        let (found, _) = giou_polygons_search::<f64, 12, 12, 24>(&a, &b).unwrap();
         assert!((found - truth).abs() < 1e-12, "{a:?} {b:?} {found} {truth}");
     }
 }
@@ -386,7 +388,7 @@ fn scores_do_not_depend_on_place_size_and_order() {
                 ] {
                     assert!(value.value.is_finite(), "{width} {height} {x} {value:?}");
                     assert!(
-                        value.slope.iter().all(|s| !s.is_nan()),
+                        value.derivative.iter().all(|s| !s.is_nan()),
                         "{width} {height} {x} {value:?}"
                     );
                 }

@@ -1,4 +1,4 @@
-//! Areas of intersection of polygons against an oracle, and their slopes.
+//! Areas of intersection of polygons against an oracle, and their derivatives.
 use super::cases::{any_ring, at, convex, hard, polygon};
 use super::exact;
 use geograd::ad::adjoint::overlap_polygon::{
@@ -10,7 +10,7 @@ use geograd::overlap_polygon::{
 use geograd::{Aabb2, ConvexPolygon, Jet, Obb2, Vec2};
 use geograd_tests::Dice;
 
-type Slopes = Jet<f64, 48>;
+type Derivatives = Jet<f64, 48>;
 
 fn cast<R: Copy, T: Copy, const N: usize>(
     a: &ConvexPolygon<R, N>,
@@ -26,7 +26,7 @@ fn cast<R: Copy, T: Copy, const N: usize>(
 pub fn variables<const N: usize>(
     a: &ConvexPolygon<f64, N>,
     first: usize,
-) -> ConvexPolygon<Slopes, N> {
+) -> ConvexPolygon<Derivatives, N> {
     let mut next = first;
     ConvexPolygon {
         vertices: a.vertices.map(|v| {
@@ -94,7 +94,7 @@ fn areas_are_those_of_the_oracle() {
 }
 
 #[test]
-fn the_same_polygon_twice_has_iou_one_and_no_slope() {
+fn the_same_polygon_twice_has_iou_one_and_no_derivative() {
     let mut dice = Dice(2);
     for _ in 0..80 {
         let a = convex(&mut dice);
@@ -103,7 +103,7 @@ fn the_same_polygon_twice_has_iou_one_and_no_slope() {
         assert_eq!(iou_polygons(&single, &single), 1.0);
         let value = iou_polygons(&variables(&a, 0), &variables(&a, 24));
         let (by_a, by_b) = iou_polygons_vjp(&a, &a, 1.0);
-        assert_eq!(value.slope, [0.0; 48], "{value:?}");
+        assert_eq!(value.derivative, [0.0; 48], "{value:?}");
         for v in by_a.vertices.iter().chain(&by_b.vertices) {
             assert_eq!(*v, Vec2::zero());
         }
@@ -127,7 +127,7 @@ fn area_of(all: &[f64], a: &ConvexPolygon<f64, 12>, b: &ConvexPolygon<f64, 12>) 
 }
 
 #[test]
-fn slopes_are_those_of_differences_and_the_adjoint_has_them() {
+fn derivatives_are_those_of_differences_and_the_adjoint_has_them() {
     let mut dice = Dice(3);
     let mut seen = 0;
     for _ in 0..60 {
@@ -156,14 +156,14 @@ fn slopes_are_those_of_differences_and_the_adjoint_has_them() {
             let difference = (up - down) / (2.0 * step);
             let kink = (up + down - 2.0 * value.value).abs() / step;
             assert!(
-                (value.slope[k] - difference).abs() < 1e-5 + 1.01 * kink,
+                (value.derivative[k] - difference).abs() < 1e-5 + 1.01 * kink,
                 "{k} {} {difference} {kink}",
-                value.slope[k]
+                value.derivative[k]
             );
             assert!(
-                (value.slope[k] - adjoint[k]).abs() < 1e-9,
+                (value.derivative[k] - adjoint[k]).abs() < 1e-9,
                 "{k} {} {}",
-                value.slope[k],
+                value.derivative[k],
                 adjoint[k]
             );
             seen += usize::from(difference != 0.0);
@@ -173,7 +173,7 @@ fn slopes_are_those_of_differences_and_the_adjoint_has_them() {
 }
 
 #[test]
-fn hard_pairs_have_finite_slopes_between_the_one_sided_ones() {
+fn hard_pairs_have_finite_derivatives_between_the_one_sided_ones() {
     for (a, b) in hard() {
         let value = intersection_area_polygons(&variables(&a, 0), &variables(&b, 24));
         let (by_a, by_b) = intersection_area_polygons_vjp(&a, &b, 1.0);
@@ -193,9 +193,9 @@ fn hard_pairs_have_finite_slopes_between_the_one_sided_ones() {
         let large = all.iter().fold(0.0_f64, |m, x| m.max(x.abs()));
         for k in 0..48 {
             assert!(
-                value.slope[k].is_finite() && adjoint[k].is_finite(),
+                value.derivative[k].is_finite() && adjoint[k].is_finite(),
                 "{a:?} {b:?} {k} {} {}",
-                value.slope[k],
+                value.derivative[k],
                 adjoint[k]
             );
             if flat {
@@ -209,12 +209,12 @@ fn hard_pairs_have_finite_slopes_between_the_one_sided_ones() {
             let down = (value.value - area_of(&moved, &a, &b)) / step;
             let slack = 2e-6 * large.max(1.0);
             let (low, high) = (up.min(down) - slack, up.max(down) + slack);
-            // Where both merely touch the slope is zero by decree.
-            for slope in [value.slope[k], adjoint[k]] {
-                let inside = slope >= low && slope <= high;
+            // Where both merely touch the derivative is zero by decree.
+            for derivative in [value.derivative[k], adjoint[k]] {
+                let inside = derivative >= low && derivative <= high;
                 assert!(
-                    inside || value.value == 0.0 && slope == 0.0,
-                    "{a:?} {b:?} {k} {slope} {low} {high}"
+                    inside || value.value == 0.0 && derivative == 0.0,
+                    "{a:?} {b:?} {k} {derivative} {low} {high}"
                 );
             }
         }
@@ -246,7 +246,7 @@ fn second_derivatives() {
         count: p.count,
     };
     let value = intersection_area_polygons(&lift(&a, true), &lift(&b, false));
-    let slopes = |a: &ConvexPolygon<f64, 12>| intersection_area_polygons_vjp(a, &b, 1.0).0;
+    let derivatives = |a: &ConvexPolygon<f64, 12>| intersection_area_polygons_vjp(a, &b, 1.0).0;
     for k in 0..8 {
         let mut up = a;
         let mut down = a;
@@ -259,7 +259,7 @@ fn second_derivatives() {
             up.vertices[i].y += step;
             down.vertices[i].y -= step;
         }
-        let (up, down) = (slopes(&up), slopes(&down));
+        let (up, down) = (derivatives(&up), derivatives(&down));
         for m in 0..8 {
             let of = |p: &ConvexPolygon<f64, 12>| {
                 if m % 2 == 0 {
@@ -270,7 +270,7 @@ fn second_derivatives() {
             };
             let difference = (of(&up) - of(&down)) / (2.0 * step);
             assert!(
-                (value.slope[m].slope[k] - difference).abs() < 1e-6,
+                (value.derivative[m].derivative[k] - difference).abs() < 1e-6,
                 "{m} {k}"
             );
         }
@@ -320,7 +320,10 @@ fn far_from_the_origin_and_at_any_size_the_score_is_the_same() {
                 let (a, b) = (corner(size_a, 0.0), corner(size_b, x));
                 for found in [iou_polygons(&a, &b), intersection_area_polygons(&a, &b)] {
                     assert!(found.value.is_finite(), "{size_a} {size_b} {x} {found:?}");
-                    assert!(!found.slope[0].is_nan(), "{size_a} {size_b} {x} {found:?}");
+                    assert!(
+                        !found.derivative[0].is_nan(),
+                        "{size_a} {size_b} {x} {found:?}"
+                    );
                 }
             }
         }
@@ -350,12 +353,12 @@ fn rings_of_any_kind_are_measured_inside_a_polygon() {
 }
 
 #[test]
-fn the_adjoint_of_rings_inside_a_polygon_has_the_slopes() {
+fn the_adjoint_of_rings_inside_a_polygon_has_the_derivatives() {
     let mut dice = Dice(6);
     for _ in 0..40 {
         let (p, k) = (any_ring(&mut dice, 9), convex(&mut dice));
         let mut next = 24;
-        let variable: Vec<Vec2<Slopes>> = p
+        let variable: Vec<Vec2<Derivatives>> = p
             .iter()
             .map(|v| {
                 next += 2;
@@ -366,7 +369,7 @@ fn the_adjoint_of_rings_inside_a_polygon_has_the_slopes() {
         let mut bars = vec![at(9.0, 9.0); p.len()];
         let k_bar = area_inside_vjp(&[&p], &k, 1.0, &mut [&mut bars]);
         for (m, v) in k_bar.vertices.iter().chain(&bars).enumerate() {
-            let (x, y) = (value.slope[2 * m], value.slope[2 * m + 1]);
+            let (x, y) = (value.derivative[2 * m], value.derivative[2 * m + 1]);
             assert!(
                 (v.x - x).abs() + (v.y - y).abs() < 1e-8,
                 "{p:?} {k:?} {m} {v} {x} {y}"
@@ -455,7 +458,7 @@ fn pairs_on_which_the_paper_s_library_fails() {
 }
 
 #[test]
-fn sides_along_each_other_share_the_slope() {
+fn sides_along_each_other_share_the_derivative() {
     let a = polygon(&[(0., 0.), (2., 0.), (2., 2.), (0., 2.)]);
     let b = polygon(&[(1., 0.), (3., 0.), (3., 2.), (1., 2.)]);
     let (by_a, by_b) = intersection_area_polygons_vjp(&a, &b, 1.0);
@@ -466,7 +469,7 @@ fn sides_along_each_other_share_the_slope() {
         (down + 0.5).abs() < 1e-14 && (other + 0.5).abs() < 1e-14,
         "{down} {other}"
     );
-    assert!((value.slope[1] + value.slope[3] + 0.5).abs() < 1e-14);
+    assert!((value.derivative[1] + value.derivative[3] + 0.5).abs() < 1e-14);
 }
 
 /// A random convex quadrilateral, counter-clockwise: four points of an ellipse that is turned and moved.
@@ -577,7 +580,7 @@ fn quads_that_are_apart_share_exactly_nothing() {
 }
 
 #[test]
-fn slopes_of_quads_are_those_of_polygons() {
+fn derivatives_of_quads_are_those_of_polygons() {
     let mut dice = Dice(42);
     let cpu = geograd::kernels::Cpu::new();
     let (a, b): (Vec<_>, Vec<_>) = (0..500).map(|_| (quad(&mut dice), quad(&mut dice))).unzip();
@@ -599,7 +602,7 @@ fn slopes_of_quads_are_those_of_polygons() {
             );
         }
     }
-    // Identical ones: moving both changes nothing, and every slope is half of that of the area.
+    // Identical ones: moving both changes nothing, and every derivative is half of that of the area.
     for a in a {
         let (_, (p, q)) = cpu
             .aligned(geograd::kernels::Op::value_grad(op), (&[a], &[a]))

@@ -288,28 +288,28 @@ fn distance_iou_of_polygons_far_from_the_origin_keeps_its_digits() {
         ]
     }
     let [a, b] = triangles::<f64>();
-    let truth = diou_polygons_decided(&a, &b).0;
+    let truth = diou_polygons_search(&a, &b).0;
     assert!((truth + 0.156_969_04).abs() < 1e-8, "{truth}");
     let near = |x: ConvexPolygon<f64, 3>| ConvexPolygon {
         vertices: x.vertices.map(|v| Vec2::new(v.x - 1e4, v.y - 1e4)),
         count: 3,
     };
-    assert!((diou_polygons_decided(&near(a), &near(b)).0 - truth).abs() < 1e-15);
+    assert!((diou_polygons_search(&near(a), &near(b)).0 - truth).abs() < 1e-15);
     let [a, b] = triangles::<f32>();
-    let (found, record) = diou_polygons_decided(&a, &b);
+    let (found, record) = diou_polygons_search(&a, &b);
     assert!((f64::from(found) - truth).abs() < 2e-7, "{found} {truth}");
-    // Its slopes, too, are those of the same triangles at the origin.
-    let slope = |x: f64| {
+    // Its derivatives, too, are those of the same triangles at the origin.
+    let derivative = |x: f64| {
         let [a, mut b] = triangles::<Jet<f64, 1>>();
         let [c, d] = [&mut a.clone(), &mut b];
         for v in c.vertices.iter_mut().chain(&mut d.vertices) {
             v.x -= Jet::lit(x);
             v.y -= Jet::lit(x);
         }
-        d.vertices[1].x.slope[0] = 1.0;
-        diou_polygons_replay(c, d, record).slope[0]
+        d.vertices[1].x.derivative[0] = 1.0;
+        diou_polygons_replay(c, d, record).derivative[0]
     };
-    assert!((slope(0.0) - slope(1e4)).abs() < 1e-12);
+    assert!((derivative(0.0) - derivative(1e4)).abs() < 1e-12);
 }
 
 #[test]
@@ -331,8 +331,8 @@ fn giou_of_polygons_far_apart_keeps_the_area_of_the_far_one() {
             .map(|v| Vec2::new(f64::from(v.x), f64::from(v.y))),
         count: a.count,
     };
-    let (found, _) = giou_polygons_decided::<f32, 5, 5, 10>(&near, &far).unwrap();
-    let (known, _) = giou_polygons_decided::<f64, 5, 5, 10>(&wide(&near), &wide(&far)).unwrap();
+    let (found, _) = giou_polygons_search::<f32, 5, 5, 10>(&near, &far).unwrap();
+    let (known, _) = giou_polygons_search::<f64, 5, 5, 10>(&wide(&near), &wide(&far)).unwrap();
     // Not one unit in the last place more: the area of the far one is 4·10⁻⁴ of the hull's.
     assert!((f64::from(found) - known).abs() < 1e-7, "{found} {known}");
 }

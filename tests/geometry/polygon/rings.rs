@@ -154,7 +154,7 @@ fn measures_are_those_of_the_oracle() {
 }
 
 #[test]
-fn slopes_of_measures_are_their_differences() {
+fn derivatives_of_measures_are_their_differences() {
     let mut dice = Dice(2);
     let (nothing, measures): (
         _,
@@ -171,11 +171,11 @@ fn slopes_of_measures_are_their_differences() {
                     Vec2::new(
                         geograd::Jet {
                             value: 0.3,
-                            slope: [0.0],
+                            derivative: [0.0],
                         },
                         geograd::Jet {
                             value: 0.1,
-                            slope: [0.0],
+                            derivative: [0.0],
                         },
                     ),
                     Fill::EvenOdd,
@@ -192,14 +192,14 @@ fn slopes_of_measures_are_their_differences() {
                     next += 1;
                     geograd::Jet {
                         value,
-                        slope: [if next == k + 1 { 1.0 } else { 0.0 }],
+                        derivative: [if next == k + 1 { 1.0 } else { 0.0 }],
                     }
                 }))
             };
             let value = |p: &Polygon<f64>, _: &Polygon<f64>| along(0, p).value;
             let expected = differences(value, &a, &nothing, 1e-6);
             for (k, expected) in expected.iter().enumerate() {
-                let found = along(k, &a).slope[0];
+                let found = along(k, &a).derivative[0];
                 assert!(
                     (found - expected).abs() < 1e-6 * (1.0 + expected.abs()),
                     "{found} {expected}"
@@ -318,7 +318,7 @@ const SCORES: [Score; 4] = [
 ];
 
 #[test]
-fn slopes_of_overlaps_are_their_differences_and_those_of_duals() {
+fn derivatives_of_overlaps_are_their_differences_and_those_of_duals() {
     let mut dice = Dice(4);
     for round in 0..12 {
         let (a, b) = (made(&stars(&mut dice)), made(&stars(&mut dice)));
@@ -347,7 +347,7 @@ fn slopes_of_overlaps_are_their_differences_and_those_of_duals() {
 }
 
 #[test]
-fn hard_overlaps_have_finite_slopes() {
+fn hard_overlaps_have_finite_derivatives() {
     let hard = hard_rings();
     for a in &hard {
         for b in &hard {
@@ -366,7 +366,7 @@ fn hard_overlaps_have_finite_slopes() {
 }
 
 #[test]
-fn the_same_polygon_twice_has_iou_one_and_no_slope() {
+fn the_same_polygon_twice_has_iou_one_and_no_derivative() {
     let mut dice = Dice(5);
     let random = (0..30).map(|_| stars(&mut dice));
     for rings in random.chain(hard_rings()) {

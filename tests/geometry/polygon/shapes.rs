@@ -4,19 +4,19 @@ use super::exact;
 use super::overlap::variables;
 use geograd::ad::adjoint::clipping::clip_vjp;
 use geograd::clipping::{
-    ClipTrace, Corner, Side, clip, clip_decided, clip_replay, half_plane_decided, half_plane_replay,
+    ClipTrace, Corner, Side, clip, clip_replay, clip_search, half_plane_replay, half_plane_search,
 };
 use geograd::contain::{
-    Location, clearance_decided, contains, contains_even_odd, crossing, locate, winding_number,
+    Location, clearance_search, contains, contains_even_odd, crossing, locate, winding_number,
 };
 use geograd::hull::{
-    hull, hull_area_decided, hull_decided, hull_decided_in, merge, merge_decided, minkowski_sum,
-    minkowski_sum_decided,
+    hull, hull_area_search, hull_decided_in, hull_search, merge, merge_search, minkowski_sum,
+    minkowski_sum_search,
 };
-use geograd::measure::circle::{Support, circle_decided, circle_replay};
-use geograd::measure::extent::{diameter_decided, diameter_replay, width_decided, width_replay};
+use geograd::measure::circle::{Support, circle_replay, circle_search};
+use geograd::measure::extent::{diameter_replay, diameter_search, width_replay, width_search};
 use geograd::measure::moments::second_moments;
-use geograd::measure::rectangle::{rectangle_decided, rectangle_replay};
+use geograd::measure::rectangle::{rectangle_replay, rectangle_search};
 use geograd::measure::vertex_mean;
 use geograd::predicate::{Turn, turn, turn_between};
 use geograd::shape::edges;
@@ -188,12 +188,12 @@ fn hulls_are_those_of_brute_force() {
     for _ in 0..300 {
         let points = any_ring(&mut dice, 14);
         let truth = exact::hull(&points);
-        let found: Vec<_> = hull_decided(&points)
+        let found: Vec<_> = hull_search(&points)
             .into_iter()
             .map(|k| points[k])
             .collect();
         assert_eq!(found, truth, "{points:?}");
-        let (area, record) = hull_area_decided(&points);
+        let (area, record) = hull_area_search(&points);
         assert!((area - exact::ring_area(&truth)).abs() < 1e-12);
         assert!(record.len() == truth.len());
         if truth.len() > 2 {
@@ -203,10 +203,10 @@ fn hulls_are_those_of_brute_force() {
             }
         }
     }
-    assert!(hull_decided::<f64>(&[]).is_empty());
-    assert_eq!(hull_decided(&[at(1., 1.); 4]).len(), 1);
+    assert!(hull_search::<f64>(&[]).is_empty());
+    assert_eq!(hull_search(&[at(1., 1.); 4]).len(), 1);
     assert_eq!(
-        hull_decided(&ring(&[(2., 2.), (0., 0.), (1., 1.), (2., 2.)])).len(),
+        hull_search(&ring(&[(2., 2.), (0., 0.), (1., 1.), (2., 2.)])).len(),
         2
     );
     assert!(hull_decided_in(&[at(0., 0.); 3], &mut [0; 2]).is_err());
@@ -221,7 +221,7 @@ fn merged_hulls_have_all_vertices_of_both_inside() {
         let both: ConvexPolygon<f64, 24> = merge(&a, &b).unwrap();
         let all: Vec<_> = a.as_slice().iter().chain(b.as_slice()).copied().collect();
         assert_eq!(both.as_slice(), exact::hull(&all));
-        let trace = merge_decided::<_, 12, 12, 24>(&a, &b).unwrap();
+        let trace = merge_search::<_, 12, 12, 24>(&a, &b).unwrap();
         assert!(
             trace.corners[..trace.count]
                 .iter()
@@ -260,7 +260,7 @@ fn minkowski_sums_are_hulls_of_all_sums() {
             (sum.area() - area).abs() <= 1e-12 * area.max(1.0),
             "{a:?} {b:?} {sum:?}"
         );
-        let trace = minkowski_sum_decided::<_, 12, 12, 24>(&a, &b).unwrap();
+        let trace = minkowski_sum_search::<_, 12, 12, 24>(&a, &b).unwrap();
         assert!(trace.count <= a.count + b.count);
     }
     let square = ConvexPolygon::from(Aabb2::new(0.0, 0.0, 1.0, 1.0));
@@ -300,7 +300,7 @@ fn clips_are_those_of_the_oracle_with_provenance() {
     let mut kinds = [0; 4];
     for (a, b) in random.collect::<Vec<_>>().into_iter().chain(valid) {
         let truth = exact::clipped(a.as_slice(), b.as_slice());
-        let trace: ClipTrace<24> = clip_decided(&a, &b).unwrap();
+        let trace: ClipTrace<24> = clip_search(&a, &b).unwrap();
         let found = clip_replay(&a, &b, &trace);
         let area = exact::area(&truth).to_f64();
         let size = a.bounding().size().x.max(1.0) + b.bounding().size().x;
@@ -381,11 +381,11 @@ fn clips_are_those_of_the_oracle_with_provenance() {
 }
 
 #[test]
-fn slopes_of_a_clip_come_back_through_its_adjoint() {
+fn derivatives_of_a_clip_come_back_through_its_adjoint() {
     let mut dice = Dice(17);
     for _ in 0..60 {
         let (a, b) = (convex(&mut dice), convex(&mut dice));
-        let trace: ClipTrace<24> = clip_decided(&a, &b).unwrap();
+        let trace: ClipTrace<24> = clip_search(&a, &b).unwrap();
         let bars: [Vec2<f64>; 24] =
             std::array::from_fn(|_| at(dice.within(-1., 1.), dice.within(-1., 1.)));
         let value = clip_replay(&variables(&a, 0), &variables(&b, 24), &trace);
@@ -393,8 +393,8 @@ fn slopes_of_a_clip_come_back_through_its_adjoint() {
         for (m, v) in by_a.vertices.iter().chain(&by_b.vertices).enumerate() {
             let (mut x, mut y) = (0.0, 0.0);
             for (p, bar) in value.as_slice().iter().zip(&bars) {
-                x += p.x.slope[2 * m] * bar.x + p.y.slope[2 * m] * bar.y;
-                y += p.x.slope[2 * m + 1] * bar.x + p.y.slope[2 * m + 1] * bar.y;
+                x += p.x.derivative[2 * m] * bar.x + p.y.derivative[2 * m] * bar.y;
+                y += p.x.derivative[2 * m + 1] * bar.x + p.y.derivative[2 * m + 1] * bar.y;
             }
             let slack = 1e-9 * (1.0 + x.abs() + y.abs());
             assert!(
@@ -430,12 +430,12 @@ fn half_planes_cut_as_the_oracle_does() {
         if line[0] == line[1] {
             continue;
         }
-        let trace: ClipTrace<13> = half_plane_decided(&a, line).unwrap();
+        let trace: ClipTrace<13> = half_plane_search(&a, line).unwrap();
         let found = half_plane_replay(&a, line, &trace);
         let big = exact::points(&line);
         let truth = exact::cut(&exact::points(a.as_slice()), &big[0], &big[1]);
         assert!((found.area() - exact::area(&truth).to_f64()).abs() < 1e-12);
-        let back: ClipTrace<13> = half_plane_decided(&a, [line[1], line[0]]).unwrap();
+        let back: ClipTrace<13> = half_plane_search(&a, [line[1], line[0]]).unwrap();
         let rest = half_plane_replay(&a, line, &back);
         assert!((found.area() + rest.area() - a.area()).abs() < 1e-12);
         for k in 0..trace.count {
@@ -505,17 +505,18 @@ fn clearance_is_the_least_distance_with_the_right_sign() {
                 least = least.min(point.distance(a + (b - a) * (k as f64 / 1000.0)));
             }
         }
-        let (value, record) = clearance_decided(&[&p], point).unwrap();
+        let (value, record) = clearance_search(&[&p], point).unwrap();
         assert!((value.abs() - least).abs() < 1e-2 && value.abs() <= least + 1e-12);
         assert_eq!(value > 0.0, contains(&[&p], point));
-        // The slope is of length one.
+        // The derivative is of length one.
         let lifted: Vec<_> = p
             .iter()
             .map(|v| Vec2::new(Jet::<f64, 2>::variable(v.x, 9), Jet::variable(v.y, 9)))
             .collect();
         let at_point = Vec2::new(Jet::variable(point.x, 0), Jet::variable(point.y, 1));
-        let slope = geograd::contain::clearance_replay(&[&lifted], at_point, record).slope;
-        assert!((slope[0].hypot(slope[1]) - 1.0).abs() < 1e-9);
+        let derivative =
+            geograd::contain::clearance_replay(&[&lifted], at_point, record).derivative;
+        assert!((derivative[0].hypot(derivative[1]) - 1.0).abs() < 1e-9);
     }
 }
 
@@ -572,7 +573,7 @@ fn moments_are_those_of_triangles_and_turn_with_the_shape() {
         count: 4,
     };
     let axes = lifted.second_moments().principal_axes();
-    assert!(axes.angle.slope[0].is_finite() && axes.major.slope[0].is_finite());
+    assert!(axes.angle.derivative[0].is_finite() && axes.major.derivative[0].is_finite());
     assert_eq!(vertex_mean::<f64>(&[]), at(0.0, 0.0));
     // B9: the mean of the vertices is not the centroid.
     let tail = polygon(&[(0., 0.), (1., 0.), (1., 0.5), (0.5, 1.), (0., 1.)]);
@@ -652,18 +653,18 @@ fn extents_are_those_of_brute_force() {
         let points = any_ring(&mut dice, 11);
         let (diameter, width, area, radius) = brute_extents(&points);
         let close = |x: f64, y: f64| assert!((x - y).abs() < 1e-9, "{x} {y} {points:?}");
-        close(diameter_decided(&points).unwrap().0, diameter);
-        let (circle, _) = circle_decided(&points).unwrap();
+        close(diameter_search(&points).unwrap().0, diameter);
+        let (circle, _) = circle_search(&points).unwrap();
         close(circle.radius, radius);
         for &p in &points {
             assert!(p.distance(circle.center) <= circle.radius * (1.0 + 1e-12) + 1e-12);
         }
-        if hull_decided(&points).len() < 3 {
-            assert!(width_decided(&points).is_none() && rectangle_decided(&points).is_none());
+        if hull_search(&points).len() < 3 {
+            assert!(width_search(&points).is_none() && rectangle_search(&points).is_none());
             continue;
         }
-        close(width_decided(&points).unwrap().0, width);
-        let (around, _) = rectangle_decided(&points).unwrap();
+        close(width_search(&points).unwrap().0, width);
+        let (around, _) = rectangle_search(&points).unwrap();
         close(around.area(), area);
         let wider = Obb2 {
             size: around.size + at(1e-9, 1e-9),
@@ -673,15 +674,15 @@ fn extents_are_those_of_brute_force() {
     }
     // B8: no end there.
     let flat = ConvexPolygon::from(Aabb2::new(0.0, 0.0, 4.0, 0.0));
-    assert_eq!(diameter_decided(flat.as_slice()).unwrap().0, 4.0);
-    assert!(diameter_decided::<f64>(&[]).is_none() && circle_decided::<f64>(&[]).is_none());
-    assert_eq!(diameter_decided(&[at(1., 1.)]).unwrap().0, 0.0);
-    let (circle, support) = circle_decided(&[at(1., 1.); 3]).unwrap();
+    assert_eq!(diameter_search(flat.as_slice()).unwrap().0, 4.0);
+    assert!(diameter_search::<f64>(&[]).is_none() && circle_search::<f64>(&[]).is_none());
+    assert_eq!(diameter_search(&[at(1., 1.)]).unwrap().0, 0.0);
+    let (circle, support) = circle_search(&[at(1., 1.); 3]).unwrap();
     assert!(circle.radius == 0.0 && matches!(support, Support::One(_)));
 }
 
 #[test]
-fn extents_have_the_slopes_of_their_vertices() {
+fn extents_have_the_derivatives_of_their_vertices() {
     let mut dice = Dice(23);
     for _ in 0..30 {
         let a = convex(&mut dice);
@@ -689,7 +690,7 @@ fn extents_have_the_slopes_of_their_vertices() {
         let lifted = variables(&a, 0);
         let lifted = lifted.as_slice();
         let of = |values: [f64; 4],
-                  slopes: [Jet<f64, 48>; 4],
+                  derivatives: [Jet<f64, 48>; 4],
                   moved: &dyn Fn(&[Vec2<f64>]) -> [f64; 4]| {
             for k in 0..2 * points.len() {
                 let step = 1e-6;
@@ -705,7 +706,7 @@ fn extents_have_the_slopes_of_their_vertices() {
                 for m in 0..4 {
                     let difference = (up[m] - down[m]) / (2.0 * step);
                     let kink = (up[m] + down[m] - 2.0 * values[m]).abs() / step;
-                    let found = slopes[m].slope[k];
+                    let found = derivatives[m].derivative[k];
                     assert!(
                         (found - difference).abs() < 1e-4 * (1.0 + found.abs()) + 1.01 * kink,
                         "{m} {found} {difference} {kink}"
@@ -713,10 +714,10 @@ fn extents_have_the_slopes_of_their_vertices() {
                 }
             }
         };
-        let (diameter, farthest) = diameter_decided(points).unwrap();
-        let (width, narrowest) = width_decided(points).unwrap();
-        let (rectangle, resting) = rectangle_decided(points).unwrap();
-        let (circle, support) = circle_decided(points).unwrap();
+        let (diameter, farthest) = diameter_search(points).unwrap();
+        let (width, narrowest) = width_search(points).unwrap();
+        let (rectangle, resting) = rectangle_search(points).unwrap();
+        let (circle, support) = circle_search(points).unwrap();
         of(
             [diameter, width, rectangle.area(), circle.radius],
             [
@@ -727,10 +728,10 @@ fn extents_have_the_slopes_of_their_vertices() {
             ],
             &|p| {
                 [
-                    diameter_decided(p).unwrap().0,
-                    width_decided(p).unwrap().0,
-                    rectangle_decided(p).unwrap().0.area(),
-                    circle_decided(p).unwrap().0.radius,
+                    diameter_search(p).unwrap().0,
+                    width_search(p).unwrap().0,
+                    rectangle_search(p).unwrap().0.area(),
+                    circle_search(p).unwrap().0.radius,
                 ]
             },
         );

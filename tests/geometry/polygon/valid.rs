@@ -5,7 +5,7 @@ use super::rings::{made, moved};
 use super::scanline::{self, Ring};
 use super::simple::flaw;
 use geograd::boolean::{
-    Operation, overlay_decided, overlay_replay, valid, valid_decided, valid_replay,
+    Operation, overlay_replay, overlay_search, valid, valid_replay, valid_search,
 };
 use geograd::polygon::{self, Fill};
 use geograd::{Pack, Polygon, Scalar, Vec2};
@@ -95,9 +95,9 @@ fn touching_rings_make_parts_and_holes() {
     assert!(parts(&a, &a, Operation::Difference).is_empty());
 }
 
-/// In general position areas have the slopes of the usual result, values are those of the record.
+/// In general position areas have the derivatives of the usual result, values are those of the record.
 #[test]
-fn slopes_are_those_of_the_usual_result() {
+fn derivatives_are_those_of_the_usual_result() {
     fn all<S: Scalar<Mask = bool>>(parts: &[Polygon<S>]) -> S {
         let areas = parts.iter().map(polygon::signed_area);
         areas.fold(S::zero(), |sum, area: S| sum + area)
@@ -114,11 +114,11 @@ fn slopes_are_those_of_the_usual_result() {
         };
         let (a, b) = (made(&star()), made(&star()));
         for (operation, _) in OPERATIONS {
-            let trace = valid_decided(&a, &b, operation, Fill::NonZero).unwrap();
-            let usual = overlay_decided(&a, &b, operation, Fill::NonZero).unwrap();
+            let trace = valid_search(&a, &b, operation, Fill::NonZero).unwrap();
+            let usual = overlay_search(&a, &b, operation, Fill::NonZero).unwrap();
             let both = || (a.clone(), b.clone());
             let of = |(a, b): (Polygon<_>, Polygon<_>)| all(&valid_replay(&a, &b, &trace));
-            let (value, slopes) = geograd::gradient(of, both());
+            let (value, derivatives) = geograd::gradient(of, both());
             let parts = valid(&a, &b, operation, Fill::NonZero).unwrap();
             assert_eq!(value, area(&parts));
             let of = |(a, b): (Polygon<_>, Polygon<_>)| {
@@ -126,7 +126,7 @@ fn slopes_are_those_of_the_usual_result() {
             };
             let (near, expected) = geograd::gradient(of, both());
             assert!((value - near).abs() < 1e-13);
-            for (found, expected) in slopes.scalars().into_iter().zip(expected.scalars()) {
+            for (found, expected) in derivatives.scalars().into_iter().zip(expected.scalars()) {
                 assert!((found - expected).abs() < 1e-12, "{found} {expected}");
             }
         }

@@ -1,4 +1,4 @@
-//! The adjoint of all pairs: slopes summed for every shape, in a fixed order.
+//! The adjoint of all pairs: derivatives summed for every shape, in a fixed order.
 use super::operation::Generated;
 use super::pairs::Sides;
 use super::text::{Form, GROUP, STRIP};
@@ -11,9 +11,9 @@ use crate::kernels::gpu::device::block::block_of;
 use crate::kernels::gpu::device::lists::{Lists, Seed, loss};
 use crate::kernels::gpu::device::plans::{Plans, Typed};
 use crate::kernels::gpu::device::work::Work;
+use crate::kernels::item::Column;
 use crate::kernels::op::{Ask, Runs};
 use crate::kernels::reduce::Loss;
-use crate::kernels::row::Column;
 use std::sync::Arc;
 
 impl Gpu {
@@ -53,10 +53,10 @@ impl Gpu {
         )?;
         check_upstream(upstream, 1)?;
         let lists = Lists::of_columns(self, run, columns, Ask::ADJOINT)?;
-        lists.slopes(&Seed::Numbers(upstream))
+        lists.derivatives(&Seed::Numbers(upstream))
     }
 
-    /// The sum or the mean of all pairs of columns of numbers, and its slopes.
+    /// The sum or the mean of all pairs of columns of numbers, and its derivatives.
     pub(crate) fn loss_of(
         &self,
         run: &dyn Plans,
@@ -66,7 +66,7 @@ impl Gpu {
         loss(|ask| Lists::of_columns(self, run, columns, ask), of)
     }
 
-    /// The sum of all results and its slopes with respect to every shape of both lists, as
+    /// The sum of all results and its derivatives with respect to every shape of both lists, as
     /// [`Cpu::sum_grad`](crate::kernels::Cpu::sum_grad).
     ///
     /// # Errors
@@ -84,7 +84,7 @@ impl Gpu {
         self.loss(run, a, b, Loss::Sum)
     }
 
-    /// The mean of all results and its slopes, zeros where there are no pairs, as
+    /// The mean of all results and its derivatives, zeros where there are no pairs, as
     /// [`Cpu::mean_grad`](crate::kernels::Cpu::mean_grad).
     ///
     /// # Errors
@@ -113,26 +113,26 @@ impl Gpu {
         R: Runs<(A, B), Out = f32>,
     {
         let columns = [Column::of(a), Column::of(b)];
-        let (value, slopes) = self.loss_of(&Typed::<(A, B), R>::new(&run), &columns, of)?;
-        let (a_bar, b_bar) = shapes(slopes);
+        let (value, derivatives) = self.loss_of(&Typed::<(A, B), R>::new(&run), &columns, of)?;
+        let (a_bar, b_bar) = shapes(derivatives);
         Ok((value, a_bar, b_bar))
     }
 
-    /// The numbers of the slopes of both lists: strips of pairs are added in `f32`, those sums in `f64`, always in the same
-    /// order.
-    pub(in crate::kernels::gpu::device) fn slopes(
+    /// The numbers of the derivatives of both lists: strips of pairs are added in `f32`, those sums in `f64`, always
+    /// in the same order.
+    pub(in crate::kernels::gpu::device) fn derivatives(
         &self,
         made: &Arc<Generated<f32>>,
         sides: &Sides,
         seed: &Seed<'_>,
     ) -> Result<[Vec<f32>; 2], Error> {
         let [rows, columns] = sides.counts();
-        let a = self.sums(made, sides, seed, Form::RowSlopes, rows)?;
-        let b = self.sums(made, sides, seed, Form::ColumnSlopes, columns)?;
+        let a = self.sums(made, sides, seed, Form::RowDerivatives, rows)?;
+        let b = self.sums(made, sides, seed, Form::ColumnDerivatives, columns)?;
         Ok([a, b].map(|sums| sums.iter().map(|&x| x as f32 + 0.0).collect()))
     }
 
-    /// The sums of slopes of one list, shape by shape.
+    /// The sums of derivatives of one list, shape by shape.
     fn sums(
         &self,
         made: &Arc<Generated<f32>>,
@@ -159,7 +159,7 @@ impl Gpu {
             for mut piece in sides.pieces(&block, body.operations) {
                 piece.params.push(params);
                 let (own, walked, first) = match form {
-                    Form::RowSlopes => (
+                    Form::RowDerivatives => (
                         piece.rows,
                         piece.columns,
                         block.row_base + piece.params[1][2] as usize,

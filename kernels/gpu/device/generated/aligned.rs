@@ -10,9 +10,9 @@ use crate::kernels::gpu::device::Inner;
 use crate::kernels::gpu::device::download::Arrival;
 use crate::kernels::gpu::device::plans::{Plans, Typed};
 use crate::kernels::gpu::device::work::Work;
+use crate::kernels::item::{Column, Columns, Item, Piece, Results, STRETCH, Target};
 use crate::kernels::op::{Ask, Runs};
 use crate::kernels::replays::Replays;
-use crate::kernels::row::{Column, Columns, Piece, Results, Row, STRETCH, Target};
 use crate::kernels::targets::Targets;
 use crate::{Error, Pack};
 use std::collections::VecDeque;
@@ -22,22 +22,22 @@ use std::sync::Arc;
 impl Gpu {
     /// Item i of every column: one result per item, as [`Cpu::aligned`](crate::kernels::Cpu::aligned).
     ///
-    /// What searches ([`Decided`](crate::kernels::Decided)) is decided on the processor and replayed on the
-    /// GPU; its slopes are taken backwards. Every record that occurs is made a program once, so that pays
+    /// What searches ([`Search`](crate::kernels::Search)) is decided on the processor and replayed on the
+    /// GPU; its derivatives are taken backwards. Every record that occurs is made a program once, so that pays
     /// where many items have the same one.
     ///
     /// # Errors
     ///
-    /// As on the processor; [`Error::Program`] for what cannot be recorded, such as a result with whole
-    /// numbers, [`Error::Gpu`] for what the device says, of which [`GpuFault::TooLarge`](crate::GpuFault::TooLarge) is for a program
-    /// that fits no buffer.
-    pub fn aligned<C: Columns, R: Runs<C::Row>>(
+    /// As on the processor; [`Error::Program`] for what cannot be recorded, such as a result with whole numbers,
+    /// [`Error::Gpu`] for what the device says, of which [`GpuFault::TooLarge`](crate::GpuFault::TooLarge) is for a
+    /// program that fits no buffer.
+    pub fn aligned<C: Columns, R: Runs<C::Item>>(
         &self,
         run: R,
         columns: C,
     ) -> Result<<R::Out as Results>::Many, Error>
     where
-        C::Row: Pack<Scalar = f32>,
+        C::Item: Pack<Scalar = f32>,
     {
         let made = Made::of(&run)?;
         let columns = listed(&columns);
@@ -56,14 +56,14 @@ impl Gpu {
     /// # Errors
     ///
     /// As [`aligned`](Gpu::aligned), and [`Error::Length`] for a slice of another length.
-    pub fn aligned_into<C: Columns, R: Runs<C::Row>>(
+    pub fn aligned_into<C: Columns, R: Runs<C::Item>>(
         &self,
         run: R,
         columns: C,
         mut targets: impl Targets<R::Out>,
     ) -> Result<(), Error>
     where
-        C::Row: Pack<Scalar = f32>,
+        C::Item: Pack<Scalar = f32>,
     {
         let made = Made::of(&run)?;
         let columns = listed(&columns);
@@ -73,13 +73,13 @@ impl Gpu {
     }
 
     /// The numbers of every result, item by item.
-    pub(crate) fn rows<C: Columns, R: Runs<C::Row>>(
+    pub(crate) fn rows<C: Columns, R: Runs<C::Item>>(
         &self,
         run: R,
         columns: C,
     ) -> Result<Vec<Vec<f32>>, Error>
     where
-        C::Row: Pack<Scalar = f32>,
+        C::Item: Pack<Scalar = f32>,
     {
         let made = Made::of(&run)?;
         let columns = listed(&columns);
@@ -202,7 +202,7 @@ enum Made {
 }
 
 impl Made {
-    fn of<R: Row<Scalar = f32>>(run: &impl Runs<R>) -> Result<Self, Error> {
+    fn of<R: Item<Scalar = f32>>(run: &impl Runs<R>) -> Result<Self, Error> {
         Self::by(&Typed::new(run))
     }
     fn by(run: &dyn Plans) -> Result<Self, Error> {

@@ -11,7 +11,7 @@ use crate::kernels::cpu::plan::{Known, known};
 use crate::kernels::cpu::program::split::Piece;
 use crate::kernels::gpu::device::Gpu;
 use crate::kernels::gpu::device::work::Work;
-use crate::kernels::row::Columns;
+use crate::kernels::item::Columns;
 use crate::{Error, Fixed, Pack, Vec2};
 use std::fmt::Write;
 use std::ops::Range;
@@ -24,7 +24,7 @@ pub(super) struct GeneratedFold {
     edge: Body,
     join: Body,
     finish: Body,
-    /// The slopes of each; nothing of those after the result.
+    /// The derivatives of each; nothing of those after the result.
     edge_vjp: Body,
     join_vjp: Body,
     finish_vjp: Body,
@@ -48,14 +48,14 @@ pub(super) fn made<F: Fold>() -> Result<Arc<GeneratedFold>, Error> {
         let whole =
             |name, recorded: &Recorded| body_of(name, &piece(recorded), recorded.inputs, &[]);
         let edge_vjp = piece(&programs.edge_vjp);
-        let slopes = part(&edge_vjp, &edge_vjp.outputs[F::State::<f32>::LEN..]);
+        let derivatives = part(&edge_vjp, &edge_vjp.outputs[F::State::<f32>::LEN..]);
         let own = F::Context::<f32>::LEN;
         Ok(GeneratedFold {
             name: Name::default(),
             edge: whole("fold_edge", &programs.edge),
             join: whole("fold_join", &programs.join),
             finish: whole("fold_finish", &programs.finish),
-            edge_vjp: body_of("fold_edge_vjp", &slopes, programs.edge_vjp.inputs, &[]),
+            edge_vjp: body_of("fold_edge_vjp", &derivatives, programs.edge_vjp.inputs, &[]),
             join_vjp: whole("fold_join_vjp", &programs.join_vjp),
             finish_vjp: whole("fold_finish_vjp", &programs.finish_vjp),
             empty: F::empty::<f32>().scalars(),
@@ -85,11 +85,11 @@ impl GeneratedFold {
     pub fn text(&self, form: Form) -> String {
         let mut text = format!("{WGSL}\n{}\n{}\n", self.edge.text, self.join.text);
         match form {
-            Form::FoldSlopes => {
+            Form::FoldDerivatives => {
                 for body in [&self.edge_vjp, &self.join_vjp, &self.finish_vjp] {
                     text += &body.text;
                 }
-                text += &self.slopes();
+                text += &self.derivatives();
             }
             _ => {
                 text += &self.finish.text;
@@ -188,7 +188,7 @@ fn {entry}(@builtin(global_invocation_id) thread: vec3u) {{
         text + "}\n"
     }
     /// Forwards, keeping what is known before every edge; then backwards.
-    fn slopes(&self) -> String {
+    fn derivatives(&self) -> String {
         let (state, own, wide) = (self.state(), self.own, self.wide);
         let buffers = [
             ("read", "upstream"),
@@ -220,14 +220,16 @@ fn {entry}(@builtin(global_invocation_id) thread: vec3u) {{
         pulled.extend(names("bar", state));
         let pulled = call("fold_join_vjp", pulled);
         let hand_on = lines(state, &|k| format!("        bar{k} = pulled[{k}];\n"));
-        let mut slopes = edge_inputs;
-        slopes.extend(elements("pulled", state..2 * state));
-        let slopes = call("fold_edge_vjp", slopes);
-        let add = lines(own, &|k| format!("        context{k} += slopes[{k}];\n"));
+        let mut derivatives = edge_inputs;
+        derivatives.extend(elements("pulled", state..2 * state));
+        let derivatives = call("fold_edge_vjp", derivatives);
+        let add = lines(own, &|k| {
+            format!("        context{k} += derivatives[{k}];\n")
+        });
         let add_ends = lines(4, &|k| {
             let (end, axis) = (if k < 2 { "k" } else { "next" }, k % 2);
             format!(
-                "        path_bars[2u * (start + {end}) + {axis}u] += slopes[{}];\n",
+                "        path_bars[2u * (start + {end}) + {axis}u] += derivatives[{}];\n",
                 wide + k
             )
         });
@@ -246,7 +248,7 @@ fn {entry}(@builtin(global_invocation_id) thread: vec3u) {{
 {context}{bars}    for (var i = edges; i > 0u; i--) {{
         let k = i - 1u;
 {recall}{edge}        let pulled = {pulled};
-{hand_on}        let slopes = {slopes};
+{hand_on}        let derivatives = {derivatives};
 {add}{add_ends}    }}
 {put}{unused}}}
 "
@@ -276,8 +278,8 @@ impl Gpu {
         offsets: &[usize],
     ) -> Result<Vec<F::Out<f32>>, Error>
     where
-        F: Fold<Context<f32> = C::Row>,
-        C::Row: Pack<Scalar = f32>,
+        F: Fold<Context<f32> = C::Item>,
+        C::Item: Pack<Scalar = f32>,
     {
         let made = made::<F>()?;
         let shared = folds::shared::<F, f32, C>(&context, vertices, offsets)?;
@@ -324,8 +326,8 @@ impl Gpu {
         upstream: &[F::Out<f32>],
     ) -> Result<(Vec<F::Context<f32>>, Vec<Vec2<f32>>), Error>
     where
-        F: Fold<Context<f32> = C::Row>,
-        C::Row: Pack<Scalar = f32>,
+        F: Fold<Context<f32> = C::Item>,
+        C::Item: Pack<Scalar = f32>,
     {
         let made = made::<F>()?;
         let shared = folds::shared::<F, f32, C>(&context, vertices, offsets)?;
@@ -338,7 +340,7 @@ impl Gpu {
         let mut path_bars = Vec::with_capacity(vertices.len());
         for load in self.loads(&made, offsets, made.state().max(2))? {
             let (count, own_vertices) = (load.paths.len(), load.vertices.len());
-            let form = Form::FoldSlopes;
+            let form = Form::FoldDerivatives;
             let (by_context, by_vertex) = inner.guarded(|| {
                 let pipeline = inner.generated(&made.name, form, || made.text(form));
                 let own = self.bring(&made, &load, vertices, offsets, &shared);

@@ -15,8 +15,8 @@ use crate::Error;
 use crate::Fixed;
 use crate::kernels::Fold;
 use crate::kernels::cpu::plan::{Want, generated_of};
+use crate::kernels::item::Item;
 use crate::kernels::op::Op;
-use crate::kernels::row::Row;
 use operation::{Generated, Name};
 use std::collections::HashMap;
 use std::sync::Weak;
@@ -54,8 +54,8 @@ impl Inner {
 #[doc(hidden)]
 pub fn op_sources<O: Op>() -> Result<Vec<(String, String)>, Error>
 where
-    O::In<f32>: Row<Scalar = f32>,
-    O::Out<f32>: Row,
+    O::In<f32>: Item<Scalar = f32>,
+    O::Out<f32>: Item,
 {
     let wants: &[Want] = match O::Out::<f32>::LEN {
         1 => &[Want::Value, Want::ValueGrad, Want::Vjp],
@@ -80,8 +80,8 @@ where
             }
             Want::Value | Want::ValueGrad | Want::Jacobian => add(Form::Pairs, &made),
             Want::Vjp if O::Out::<f32>::LEN == 1 => {
-                add(Form::RowSlopes, &made);
-                add(Form::ColumnSlopes, &made);
+                add(Form::RowDerivatives, &made);
+                add(Form::ColumnDerivatives, &made);
             }
             Want::Vjp => (),
         }
@@ -102,7 +102,7 @@ fn is_of_one_list(made: &Generated<f32>) -> bool {
 #[doc(hidden)]
 pub fn fold_sources<F: Fold>(_fold: F) -> Result<Vec<(String, String)>, Error> {
     let made = folds::made::<F>()?;
-    Ok([Form::Fold, Form::FoldSlopes]
+    Ok([Form::Fold, Form::FoldDerivatives]
         .map(|form| (format!("{form:?}"), made.text(form)))
         .into())
 }

@@ -6,8 +6,8 @@ use crate::ad::program::wgsl::{Taken, exact, function_of};
 use crate::error::Field;
 use crate::kernels::cpu::plan::{List, Preparation, Want, name, prepared, with_jacobian};
 use crate::kernels::cpu::program::split::{Piece, split};
+use crate::kernels::item::Leaf;
 use crate::kernels::real::Real;
-use crate::kernels::row::Leaf;
 use std::iter::repeat;
 use std::sync::Arc;
 use std::sync::atomic::{AtomicU64, Ordering};
@@ -21,7 +21,7 @@ pub struct Generated<T> {
     pub(super) widths: Vec<usize>,
     /// Numbers of every shape that it gives.
     pub(super) gives: Vec<usize>,
-    /// Functions in WGSL: the whole, and for all pairs the slopes with respect to each argument.
+    /// Functions in WGSL: the whole, and for all pairs the derivatives with respect to each argument.
     pub(super) bodies: Vec<Body>,
 }
 
@@ -106,7 +106,7 @@ impl<T: Real> Generated<T> {
             all.extend(&outputs);
         }
         let (graph, results) = (&recorded.value.graph, &recorded.value.outputs);
-        // Of slopes the result comes first, which nobody asks for.
+        // Of derivatives the result comes first, which nobody asks for.
         let skipped = match want {
             Want::Value | Want::ValueGrad | Want::Jacobian => 0,
             Want::Vjp => outputs.iter().sum(),

@@ -12,9 +12,9 @@ use crate::kernels::gpu::device::plans::{Plans, Typed};
 use crate::kernels::gpu::device::source::Mirror;
 use crate::kernels::gpu::device::work::Work;
 use crate::kernels::gpu::device::{Gpu, Inner};
+use crate::kernels::item::{Column, STRETCH};
 use crate::kernels::op::{Ask, Runs};
 use crate::kernels::reduce::{Best, Found};
-use crate::kernels::row::{Column, STRETCH};
 use crate::kernels::{Single, Table};
 use crate::suppression::Pair;
 use std::ops::Range;
@@ -41,7 +41,7 @@ impl Side {
         column: &Column<'_, f32>,
     ) -> Result<Self, Error> {
         let count = column.len();
-        // Sums of slopes, which have the numbers of a shape, must fit a binding, too.
+        // Sums of derivatives, which have the numbers of a shape, must fit a binding, too.
         let width = made.widths[k].max(made.arguments[k].fields).max(1);
         let window = inner.most_bytes as usize / 4 / width;
         // So that no dispatch has more workgroups than it may have.

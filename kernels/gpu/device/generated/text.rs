@@ -12,7 +12,7 @@ pub(super) use crate::kernels::gpu::device::work::MOST_GROUPS;
 pub(super) const ROWS: usize = 16;
 /// Rows (or columns) that a thread of an adjoint walks through.
 pub(super) const STRIP: usize = 256;
-/// Slopes that are added before their sum is added to that of others, so that rounding grows slowly.
+/// Derivatives that are added before their sum is added to that of others, so that rounding grows slowly.
 const STEP: usize = 16;
 
 /// What a kernel does with the function.
@@ -24,18 +24,18 @@ pub(in super::super) enum Form {
     Columns,
     /// Every row with every column.
     Pairs,
-    /// Sums of slopes of every row of the first list.
-    RowSlopes,
-    /// Sums of slopes of every row of the second list.
-    ColumnSlopes,
+    /// Sums of derivatives of every row of the first list.
+    RowDerivatives,
+    /// Sums of derivatives of every row of the second list.
+    ColumnDerivatives,
     /// Which pairs are above a threshold, as bits.
     Masks,
     /// Instructions of every item.
     Replay,
     /// The edges of every path.
     Fold,
-    /// Slopes of every path.
-    FoldSlopes,
+    /// Derivatives of every path.
+    FoldDerivatives,
 }
 
 impl Form {
@@ -45,19 +45,19 @@ impl Form {
             Form::Aligned => "aligned_main",
             Form::Columns => "columns_main",
             Form::Pairs => "pairs_main",
-            Form::RowSlopes => "row_slopes_main",
-            Form::ColumnSlopes => "column_slopes_main",
+            Form::RowDerivatives => "row_slopes_main",
+            Form::ColumnDerivatives => "column_slopes_main",
             Form::Masks => "masks_main",
             Form::Replay => "replay_main",
             Form::Fold => "fold_main",
-            Form::FoldSlopes => "fold_slopes_main",
+            Form::FoldDerivatives => "fold_slopes_main",
         }
     }
     /// The function that it calls.
     pub(super) fn body(self, made: &Generated<f32>) -> &Body {
         match self {
-            Form::RowSlopes => &made.bodies[1],
-            Form::ColumnSlopes => &made.bodies[2],
+            Form::RowDerivatives => &made.bodies[1],
+            Form::ColumnDerivatives => &made.bodies[2],
             _ => &made.bodies[0],
         }
     }
@@ -65,7 +65,7 @@ impl Form {
     pub fn text(self, made: &Generated<f32>) -> String {
         let body = self.body(made);
         let kernel = match self {
-            Form::RowSlopes | Form::ColumnSlopes => slopes(made, body, self),
+            Form::RowDerivatives | Form::ColumnDerivatives => derivatives(made, body, self),
             Form::Pairs => pairs(made, body),
             Form::Columns => super::columns::text(made),
             Form::Masks => masks(made, body),
@@ -236,12 +236,12 @@ pub(super) fn bound(made: &Generated<f32>, a: &str, b: &str) -> String {
         .collect()
 }
 
-/// Sums of slopes of the shapes of one list: one thread per shape, which walks through a strip of the
+/// Sums of derivatives of the shapes of one list: one thread per shape, which walks through a strip of the
 /// other list and writes a partial sum. Parameters as for all pairs, then the factor for all results, or
 /// whether the upstream matrix has one for each; partial sums go strip by strip, field by field.
-fn slopes(made: &Generated<f32>, body: &Body, form: Form) -> String {
+fn derivatives(made: &Generated<f32>, body: &Body, form: Form) -> String {
     let (own, own_count, walked_count, at) = match form {
-        Form::RowSlopes => (
+        Form::RowDerivatives => (
             0,
             "x",
             "y",

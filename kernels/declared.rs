@@ -1,7 +1,7 @@
-//! What rows promise of results as data: where they are finite, within which range, of identical shapes and of
+//! What rows property of results as data: where they are finite, within which range, of identical shapes and of
 //! shapes apart. The fuzzer keeps to it.
 
-/// Of which valid finite inputs values and slopes are finite.
+/// Of which valid finite inputs values and derivatives are finite.
 ///
 /// ```
 /// use geograd::kernels::op::Finite;
@@ -12,11 +12,11 @@
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[non_exhaustive]
 pub enum Finite {
-    /// Of all of them, for upstream slopes of any size; duals within [`Limits::ORDINARY`].
+    /// Of all of them, for upstream derivatives of any size; duals within [`Limits::ORDINARY`].
     Always,
-    /// Of those within limits, for upstream slopes of one.
+    /// Of those within limits, for upstream derivatives of one.
     Within(Limits),
-    /// Values of those within limits; slopes need not be.
+    /// Values of those within limits; derivatives need not be.
     Values(Limits),
     /// Nothing is said.
     Unsaid,
@@ -47,8 +47,8 @@ impl Limits {
     /// From 2⁻²⁰ to 2²⁰ (about a millionth to a million) in `f32`, from 2⁻¹⁵⁰ to 2¹⁵⁰ in `f64`: what a row promises
     /// that says nothing.
     pub const ORDINARY: Limits = Limits::new([-20, 20], [-150, 150]);
-    /// Exponents of the least magnitude of an angle in `f32` and in `f64`: the product of a length and the sine of a lesser
-    /// one may be below the least normal number, whose reciprocal overflows.
+    /// Exponents of the least magnitude of an angle in `f32` and in `f64`: the product of a length and the sine of a
+    /// lesser one may be below the least normal number, whose reciprocal overflows.
     pub const LEAST_ANGLE: [i32; 2] = [-100, -900];
 }
 
@@ -98,11 +98,11 @@ impl Range {
 pub enum Extremes {
     /// Nothing is said.
     Unsaid,
-    /// Shapes apart score 0 with slopes of zero.
+    /// Shapes apart score 0 with derivatives of zero.
     Shared,
     /// The same, and identical shapes score 1, or 0 where they count as empty.
     Ratio,
-    /// The same, and slopes of identical shapes are zero.
+    /// The same, and derivatives of identical shapes are zero.
     Union,
     /// Identical shapes score 1, or 0 where they count as empty.
     One,

@@ -1,4 +1,4 @@
-//! Slopes by hand of the overlap of boxes of any orientation.
+//! Derivatives by hand of the overlap of boxes of any orientation.
 use super::obb::{far_apart, related, shared_within};
 use super::precise::to_about_half;
 use super::relate::{Relative3, relate3};
@@ -7,7 +7,7 @@ use crate::overlap::{Denominator, tamed};
 use crate::shape::{Obb3, Rotation3};
 use crate::{Scalar, Vec3};
 
-/// `out_bar` times the slopes of a score by the volume shared and by the volumes of both boxes.
+/// `out_bar` times the derivatives of a score by the volume shared and by the volumes of both boxes.
 ///
 /// `I / U` with `U = A + B − I`: `∂I = (1 + I/U) / U`, `∂A = ∂B = −(I/U) / U`. `I / A`: `∂I = 1/A`,
 /// `∂A = −(I/A) / A`. Zero where the denominator is.
@@ -34,7 +34,7 @@ fn by_volumes<S: Scalar>(
     }
 }
 
-/// Value of a score and `out_bar` times its slopes, one function for each kind of number.
+/// Value of a score and `out_bar` times its derivatives, one function for each kind of number.
 pub(crate) fn score_obb3_vjp<S: Scalar>(
     over: Denominator,
     a: Obb3<S>,
@@ -55,7 +55,7 @@ pub(crate) fn score_obb3_vjp_here<S: Scalar>(
     score_related_vjp::<S, false, false>(over, &relate3(a, b), [a, b], out_bar)
 }
 
-/// A slope times factors, all but the first powers of two, one after another. `EXTREME` ones grow no farther than
+/// A derivative times factors, all but the first powers of two, one after another. `EXTREME` ones grow no farther than
 /// the largest number.
 #[inline(always)]
 fn times<S: Scalar, const EXTREME: bool>(x: S, by: [S; 4]) -> S {
@@ -77,14 +77,14 @@ fn times_each<S: Scalar, const EXTREME: bool>(v: Vec3<S>, by: [S; 4]) -> Vec3<S>
     )
 }
 
-/// Value of a score and `out_bar` times its slopes.
+/// Value of a score and `out_bar` times its derivatives.
 ///
-/// The slopes of the volume come in a's frame: force F by the centre of b, torque τ by a turn of b about
+/// The derivatives of the volume come in a's frame: force F by the centre of b, torque τ by a turn of b about
 /// that centre. Moving b is moving a the other way; turning the pair about a's centre changes nothing, so
 /// the torque on a is `−(τ + c × F)`. Both torques are by body tangents; the quaternions' gradients follow.
 ///
 /// `EXTREME` says whether sizes, quaternions and `out_bar` may be so small or large that products over- or
-/// underflow: slopes that are too steep for the format are its largest number, then. Ordinary boxes have the
+/// underflow: derivatives that are too steep for the format are its largest number, then. Ordinary boxes have the
 /// same bits either way.
 #[inline(always)]
 fn score_related_vjp<S: Scalar, const EXTREME: bool, const PIECES: bool>(
@@ -94,15 +94,15 @@ fn score_related_vjp<S: Scalar, const EXTREME: bool, const PIECES: bool>(
     out_bar: S,
 ) -> (S, (Obb3<S>, Obb3<S>)) {
     let (mut shared, volume_a, volume_b) = shared_within::<S, PIECES>(pair);
-    // Centres so far apart that their place in the pair's unit overflows have no slopes either.
+    // Centres so far apart that their place in the pair's unit overflows have no derivatives either.
     let apart = far_apart(pair);
-    for slopes in [
+    for derivatives in [
         &mut shared.center,
         &mut shared.turn,
         &mut shared.half_a,
         &mut shared.half_b,
     ] {
-        *slopes = zero_where(apart, *slopes);
+        *derivatives = zero_where(apart, *derivatives);
     }
     let value = score(over, shared.volume, volume_a, volume_b, pair.scale);
     let value = S::select(apart, S::zero(), value);
@@ -124,7 +124,7 @@ fn score_related_vjp<S: Scalar, const EXTREME: bool, const PIECES: bool>(
     };
     let [bar, bar_a, bar_b] = zero_where(flat, bars);
     let (length, turn) = match over {
-        // A volume in the caller's unit is three lengths; its slope by a length is two.
+        // A volume in the caller's unit is three lengths; its derivative by a length is two.
         Denominator::None => {
             let per = one.over(pair.scale);
             ([per, per], [bar, per, per, per])
@@ -192,19 +192,19 @@ fn along_axes<S: Scalar>(axes: [Vec3<S>; 3], v: Vec3<S>) -> Vec3<S> {
     (axes[0] * v.x + axes[1] * v.y) + axes[2] * v.z
 }
 
-/// Slopes by the sizes of a box from those by its halves and by its own volume. A size is twice its half; a
+/// Derivatives by the sizes of a box from those by its halves and by its own volume. A size is twice its half; a
 /// volume is eight times the product of the halves.
 #[inline(always)]
 fn by_size<S: Scalar, const EXTREME: bool>(
     half: [S; 3],
-    slope: [S; 3],
+    derivative: [S; 3],
     [bar, own]: [S; 2],
 ) -> [S; 3] {
     let mut out = [S::zero(); 3];
     for i in 0..3 {
         let (j, l) = ((i + 1) % 3, (i + 2) % 3);
         let face = (half[j] + half[j]) * (half[l] + half[l]);
-        let (shared, whole) = (slope[i].halved() * bar, face * own);
+        let (shared, whole) = (derivative[i].halved() * bar, face * own);
         out[i] = if EXTREME {
             shared.saturated() + whole.saturated()
         } else {
@@ -224,7 +224,7 @@ fn by_quaternion<S: Scalar, const EXTREME: bool>(
         return rotation.quaternion_gradient(tangent);
     }
     // Of one whose length is about one half: sums of products with it are finite where the tangent leaves
-    // some room. The slope grows as the length falls.
+    // some room. The derivative grows as the length falls.
     let (near, first) = to_about_half(rotation);
     let (near, second) = to_about_half(near);
     let most = S::lit(S::LARGEST / 4096.0);
@@ -242,7 +242,7 @@ fn by_quaternion<S: Scalar, const EXTREME: bool>(
     )
 }
 
-/// A slope without the sign of a zero, times what was taken from the upstream slope.
+/// A derivative without the sign of a zero, times what was taken from the upstream derivative.
 #[inline(always)]
 fn finished<S: Scalar, const EXTREME: bool>(x: S, steep: S) -> S {
     if EXTREME {
@@ -260,7 +260,7 @@ fn finished_each<S: Scalar, const EXTREME: bool>(v: Vec3<S>, steep: S) -> Vec3<S
     )
 }
 
-/// A gradient without signs of zeros, times what was taken from the upstream slope.
+/// A gradient without signs of zeros, times what was taken from the upstream derivative.
 #[inline(always)]
 fn gradient<S: Scalar, const EXTREME: bool>(
     center: Vec3<S>,
@@ -281,9 +281,9 @@ fn gradient<S: Scalar, const EXTREME: bool>(
     }
 }
 
-/// The volume shared by two boxes of any orientation, and `out_bar` times its slopes by both.
+/// The volume shared by two boxes of any orientation, and `out_bar` times its derivatives by both.
 ///
-/// Slopes by the rotations are by the four numbers of their quaternions;
+/// Derivatives by the rotations are by the four numbers of their quaternions;
 /// [`Rotation3::tangent_gradient`] makes those of body tangents of them.
 ///
 /// ```
@@ -305,7 +305,7 @@ pub fn intersection_volume_obb3_vjp<S: Scalar>(
     score_obb3_vjp(Denominator::None, a, b, out_bar)
 }
 
-/// Intersection over union of two boxes of any orientation, and `out_bar` times its slopes by both.
+/// Intersection over union of two boxes of any orientation, and `out_bar` times its derivatives by both.
 ///
 /// As for [`intersection_volume_obb3_vjp`].
 #[must_use]
@@ -314,7 +314,7 @@ pub fn iou_obb3_vjp<S: Scalar>(a: Obb3<S>, b: Obb3<S>, out_bar: S) -> (S, (Obb3<
     score_obb3_vjp(Denominator::Union, a, b, out_bar)
 }
 
-/// The share of the first box that lies in the second, and `out_bar` times its slopes by both.
+/// The share of the first box that lies in the second, and `out_bar` times its derivatives by both.
 ///
 /// As for [`intersection_volume_obb3_vjp`].
 #[must_use]

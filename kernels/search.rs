@@ -2,11 +2,13 @@
 //!
 //! A search yields a *record* of decisions: indices and small enums, never numbers. The result is computed
 //! from the input and the record by a straight line, which duals and batches replay. Between decisions
-//! the result is smooth; where a decision changes, its slopes are those of the one that was taken.
+//! the result is smooth; where a decision changes, its derivatives are those of the one that was taken.
 use crate::error::Error;
 use crate::kernels::cpu::plan::{Face, Known, Want, known, name, of_items};
-use crate::kernels::op::{Ask, Extremes, Finite, Jacobian, Jumps, Limits, Promise, Range, Source};
-use crate::kernels::row::{Row, by_kind, by_shape, get, leaves_of, width};
+use crate::kernels::item::{Item, by_kind, by_shape, get, leaves_of, width};
+use crate::kernels::op::{
+    Ask, Extremes, Finite, Invariance, Jacobian, Jumps, Limits, Range, Source,
+};
 use crate::{Fixed, Jet, Pack, Scalar};
 use std::fmt::Debug;
 use std::hash::Hash;
@@ -14,10 +16,10 @@ use std::sync::Arc;
 
 /// An operation with a search.
 ///
-/// Batches run those of the [list](crate::for_each_op). One of another crate is proved by the harness
-/// ([`prove_decided_with`](crate::kernels::check::prove_decided_with)), but no batch takes it: that `Runs` is implemented
+/// Batches run those of the [list](crate::for_each_op). One of another crate is checked by the harness
+/// ([`check_search_with`](crate::kernels::check::check_search_with)), but no batch takes it: that `Runs` is implemented
 /// for it by its input, which is not of that crate either, is what Rust's rule of orphans forbids.
-pub trait Decided: Copy + Debug + Default + Send + Sync + 'static {
+pub trait Search: Copy + Debug + Default + Send + Sync + 'static {
     /// The name of the function, letter for letter.
     const NAME: &'static str;
     /// What it takes, made of any scalar.
@@ -27,10 +29,10 @@ pub trait Decided: Copy + Debug + Default + Send + Sync + 'static {
     /// What was decided. Items of the same record are replayed alike: a GPU is given every replay once.
     type Record: Copy + Eq + Hash + Send + Sync + 'static;
     /// Motions it follows; `&[]` says that it promises none.
-    const PROMISES: &'static [Promise];
+    const INVARIANCES: &'static [Invariance];
     /// Where its value may jump.
     const JUMPS: Jumps;
-    /// Of which inputs values and slopes are finite.
+    /// Of which inputs values and derivatives are finite.
     const FINITE: Finite = Finite::Within(Limits::ORDINARY);
     /// Within which every number of its result lies.
     const RANGE: Range = Range::ANY;
@@ -58,11 +60,11 @@ pub trait Decided: Copy + Debug + Default + Send + Sync + 'static {
     }
 }
 
-/// Numbers of the input whose slopes are taken at a time.
+/// Numbers of the input whose derivatives are taken at a time.
 const AT_A_TIME: usize = 4;
 
-/// The numbers of a result with slopes with respect to some numbers of the input, from one on.
-fn replayed<D: Decided<In<<R as Pack>::Scalar> = R>, R: Row>(
+/// The numbers of a result with derivatives with respect to some numbers of the input, from one on.
+fn replayed<D: Search<In<<R as Pack>::Scalar> = R>, R: Item>(
     numbers: &[R::Scalar],
     codes: &[u32],
     first: usize,
@@ -77,7 +79,7 @@ fn replayed<D: Decided<In<<R as Pack>::Scalar> = R>, R: Row>(
 }
 
 /// The result of one item, and the gradient of each of its numbers.
-fn item_and_jacobian<D: Decided<In<<R as Pack>::Scalar> = R>, R: Row>(
+fn item_and_jacobian<D: Search<In<<R as Pack>::Scalar> = R>, R: Item>(
     numbers: &[R::Scalar],
     out: &mut [R::Scalar],
 ) {
@@ -89,8 +91,8 @@ fn item_and_jacobian<D: Decided<In<<R as Pack>::Scalar> = R>, R: Row>(
     for first in (0..R::LEN).step_by(AT_A_TIME) {
         let replayed = replayed::<D, R>(&numbers, &codes, first, record);
         for (row, jet) in rows.chunks_exact_mut(R::LEN).zip(replayed) {
-            for (entry, slope) in row[first..].iter_mut().zip(jet.slope) {
-                *entry = slope;
+            for (entry, derivative) in row[first..].iter_mut().zip(jet.derivative) {
+                *entry = derivative;
             }
         }
     }
@@ -102,19 +104,19 @@ fn item_and_jacobian<D: Decided<In<<R as Pack>::Scalar> = R>, R: Row>(
     }
 }
 
-/// The result of one item, and slopes times a cotangent (ones, if there is none).
-fn item<D: Decided<In<<R as Pack>::Scalar> = R>, R: Row>(
+/// The result of one item, and derivatives times a cotangent (ones, if there is none).
+fn item<D: Search<In<<R as Pack>::Scalar> = R>, R: Item>(
     numbers: &[R::Scalar],
     out_bar: Option<&[R::Scalar]>,
     out: &mut [R::Scalar],
-    slopes: bool,
+    derivatives: bool,
 ) {
     let numbers = by_kind::<R>(numbers);
     let input = get::<R>(&numbers);
     let record = D::decide::<R::Scalar>(input);
     let result = D::Out::<R::Scalar>::LEN;
     D::replay::<R::Scalar>(input, record).store(out);
-    if !slopes {
+    if !derivatives {
         return;
     }
     let codes: Vec<u32> = input.codes();
@@ -123,11 +125,11 @@ fn item<D: Decided<In<<R as Pack>::Scalar> = R>, R: Row>(
         let replayed = replayed::<D, R>(&numbers, &codes, first, record);
         for (k, jet) in replayed.into_iter().enumerate() {
             let by = out_bar.map_or(R::Scalar::one(), |out_bar| out_bar[k]);
-            for (bar, slope) in bars[first..].iter_mut().zip(jet.slope) {
+            for (bar, derivative) in bars[first..].iter_mut().zip(jet.derivative) {
                 *bar = if k == 0 {
-                    slope * by
+                    derivative * by
                 } else {
-                    *bar + slope * by
+                    *bar + derivative * by
                 };
             }
         }
@@ -138,10 +140,10 @@ fn item<D: Decided<In<<R as Pack>::Scalar> = R>, R: Row>(
 
 /// How batches compute what is wanted of an operation.
 #[doc(hidden)]
-pub fn face<D, R: Row>(ask: Ask) -> Result<Arc<Face<R::Scalar>>, Error>
+pub fn face<D, R: Item>(ask: Ask) -> Result<Arc<Face<R::Scalar>>, Error>
 where
-    D: Decided<In<<R as Pack>::Scalar> = R>,
-    D::Out<R::Scalar>: Row,
+    D: Search<In<<R as Pack>::Scalar> = R>,
+    D::Out<R::Scalar>: Item,
 {
     let want = ask.want;
     known::<D, R::Scalar, _>(Known::Face(want, false), || {
@@ -188,21 +190,22 @@ macro_rules! __replays {
     ($($nothing:tt)*) => {};
 }
 
-/// Batches run an operation with a search. The macro is given constants, the operation, its input and its output, made of `S`.
+/// Batches run an operation with a search. The macro is given constants, the operation, its input and its output,
+/// made of `S`.
 #[doc(hidden)]
 #[macro_export]
-macro_rules! __runs_decided {
+macro_rules! __runs_search {
     ([$($constant:tt)*] $op:ty: $input:ty => $out:ty) => {
         impl<S: $crate::kernels::real::Real, $($constant)*> $crate::kernels::Runs<$input> for $op
         where
-            $out: $crate::kernels::Row<Scalar = S>,
+            $out: $crate::kernels::Item<Scalar = S>,
         {
             type Out = $out;
             fn face(
                 &self,
                 ask: $crate::kernels::op::Ask,
             ) -> ::core::result::Result<::std::sync::Arc<$crate::kernels::cpu::Face<S>>, $crate::Error> {
-                $crate::kernels::decided::face::<Self, $input>(ask)
+                $crate::kernels::search::face::<Self, $input>(ask)
             }
             $crate::__replays!([S] Self, $input);
         }
@@ -213,11 +216,11 @@ macro_rules! __runs_decided {
 #[derive(Clone, Copy, Debug)]
 pub struct Replayed<D>(std::marker::PhantomData<D>);
 
-impl<D: Decided> Source for Replayed<D> {
+impl<D: Search> Source for Replayed<D> {
     const NAME: &'static str = D::NAME;
     type In<S: Scalar> = D::In<S>;
     type Out<S: Scalar> = D::Out<S>;
-    const PROMISES: &'static [Promise] = D::PROMISES;
+    const INVARIANCES: &'static [Invariance] = D::INVARIANCES;
     const JUMPS: Jumps = D::JUMPS;
     const SEARCHES: bool = true;
     fn eval<S: Scalar<Mask = bool>>(&input: &Self::In<S>) -> Self::Out<S> {
@@ -226,12 +229,12 @@ impl<D: Decided> Source for Replayed<D> {
     fn vjp<S: Scalar<Mask = bool>>(&input: &Self::In<S>, out_bar: Self::Out<S>) -> Self::In<S> {
         let record = D::decide(input);
         let (numbers, codes, out_bar) = (input.scalars(), input.codes(), out_bar.scalars());
-        let slope = |at: usize| {
+        let derivative = |at: usize| {
             let jets = numbers.iter().enumerate();
             let jets: Vec<Jet<S, 1>> = jets
                 .map(|(i, &x)| Jet {
                     value: x,
-                    slope: [if i == at { S::one() } else { S::zero() }],
+                    derivative: [if i == at { S::one() } else { S::zero() }],
                 })
                 .collect();
             let moved = D::In::<Jet<S, 1>>::load(&jets).load_codes(&codes);
@@ -239,10 +242,10 @@ impl<D: Decided> Source for Replayed<D> {
             let terms = found
                 .iter()
                 .zip(&out_bar)
-                .map(|(jet, &bar)| jet.slope[0] * bar);
+                .map(|(jet, &bar)| jet.derivative[0] * bar);
             terms.fold(S::zero(), |sum, term| sum + term)
         };
-        let bars: Vec<S> = (0..numbers.len()).map(slope).collect();
+        let bars: Vec<S> = (0..numbers.len()).map(derivative).collect();
         D::In::<S>::load(&bars).load_codes(&codes)
     }
     fn map<S: Scalar, T: Scalar>(input: &Self::In<S>, f: &mut impl FnMut(S) -> T) -> Self::In<T> {

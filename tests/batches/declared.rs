@@ -1,8 +1,8 @@
-//! Rows promise as data what the documentation of the crate says.
+//! Rows property as data what the documentation of the crate says.
 use geograd::ad::jacobian;
 use geograd::intersection::crossing_of_lines;
 use geograd::kernels::op::{Finite, Limits};
-use geograd::kernels::{Decided as _, Fold as _, Op as _, RingOp as _};
+use geograd::kernels::{Fold as _, Op as _, RingOp as _, Search as _};
 use geograd::{Line2, Pack, Vec2};
 use geograd_tests::rows::CrossingOfLines;
 
@@ -13,7 +13,7 @@ macro_rules! promises {
      further {
          straight { $($more:ident: $more_op:ty,)* }
          folds { $($more_fold:ident: $more_fold_op:ty,)* }
-         decided { $($more_decided:ident: $more_decided_op:ty,)* }
+         decided { $($more_search:ident: $more_decided_op:ty,)* }
      }) => {
         vec![
             $((stringify!($pair), <$pair_op>::FINITE),)*
@@ -23,7 +23,7 @@ macro_rules! promises {
             $((stringify!($decided), <$decided_op>::FINITE),)*
             $((stringify!($more), <$more_op>::FINITE),)*
             $((stringify!($more_fold), <$more_fold_op>::FINITE),)*
-            $((stringify!($more_decided), <$more_decided_op>::FINITE),)*
+            $((stringify!($more_search), <$more_decided_op>::FINITE),)*
         ]
     };
 }
@@ -41,8 +41,8 @@ fn rows() -> Vec<(&'static str, Finite)> {
     all
 }
 
-/// The second promise of the crate's documentation: the rows that it names, and the limits of all others.
-fn second_promise() -> (String, String) {
+/// The second property of the crate's documentation: the rows that it names, and the limits of all others.
+fn second_property() -> (String, String) {
     let path = concat!(env!("CARGO_MANIFEST_DIR"), "/../src/lib.rs");
     let text = std::fs::read_to_string(path).unwrap();
     let start = text.find("2. **Finite in, finite out.**").unwrap();
@@ -54,7 +54,7 @@ fn second_promise() -> (String, String) {
 #[test]
 fn the_documentation_names_what_is_always_finite() {
     let rows = rows();
-    let (list, _) = second_promise();
+    let (list, _) = second_property();
     let mut named: Vec<&str> = list.split('`').skip(1).step_by(2).collect();
     let mut always: Vec<&str> = rows
         .iter()
@@ -68,7 +68,7 @@ fn the_documentation_names_what_is_always_finite() {
 
 #[test]
 fn the_documentation_says_within_which_limits_others_are_finite() {
-    let (_, others) = second_promise();
+    let (_, others) = second_property();
     let power = |exponent: i32| {
         let digits: String = exponent.abs().to_string();
         let raised = |digit: char| {
@@ -97,7 +97,7 @@ fn the_documentation_says_within_which_limits_others_are_finite() {
 
 /// The sine between two lines that are not parallel is as small as their numbers allow.
 #[test]
-fn slopes_of_a_crossing_are_finite_within_its_limits() {
+fn derivatives_of_a_crossing_are_finite_within_its_limits() {
     let Finite::Within(Limits { single, .. }) = CrossingOfLines::FINITE else {
         panic!("a crossing has limits");
     };
@@ -115,9 +115,10 @@ fn slopes_of_a_crossing_are_finite_within_its_limits() {
         };
         let ((.., found), (point, along_a, along_b, _)) = jacobian(crossing, pair);
         assert_eq!(found, 1.0);
-        let slopes = [point.x, point.y, along_a, along_b].map(|(a, b)| (a.scalars(), b.scalars()));
-        for slope in slopes.iter().flat_map(|(a, b)| a.iter().chain(b)) {
-            assert!(slope.is_finite(), "{other:?}: {slopes:?}");
+        let derivatives =
+            [point.x, point.y, along_a, along_b].map(|(a, b)| (a.scalars(), b.scalars()));
+        for derivative in derivatives.iter().flat_map(|(a, b)| a.iter().chain(b)) {
+            assert!(derivative.is_finite(), "{other:?}: {derivatives:?}");
         }
     }
 }

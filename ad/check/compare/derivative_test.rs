@@ -1,17 +1,17 @@
-//! One slope along one direction against what ladders of steps give for it.
+//! One derivative along one direction against what ladders of steps give for it.
 use crate::ad::check::compare::opinion::{Opinion, Review, review};
 use crate::ad::check::tolerances::{FINER, FIRST, INFORMATIVE, OWN_FIRST, OWN_SIZE, SAFETY, SIDES};
 use crate::ad::check::verdict::Place;
 use crate::ad::check::witness::{Estimate, Ladder};
 
-/// What is compared: a slope, and ladders of any first step along its direction.
-pub(crate) struct SlopeTest<'l> {
+/// What is compared: a derivative, and ladders of any first step along its direction.
+pub(crate) struct DerivativeTest<'l> {
     pub(crate) weights: &'l [f64],
     /// Values along the direction.
     pub(crate) here: &'l Ladder,
     /// The same from another first step.
     pub(crate) climb: &'l dyn Fn(f64) -> Ladder,
-    pub(crate) slope: f64,
+    pub(crate) derivative: f64,
     /// By how much that may be off by itself.
     pub(crate) exact: f64,
     /// The rounding noise of the value.
@@ -20,7 +20,7 @@ pub(crate) struct SlopeTest<'l> {
     pub(crate) rough: f64,
     /// The same of values that stand still: what they lose by cancellation does not show.
     pub(crate) hidden: f64,
-    /// The largest slope there is.
+    /// The largest derivative there is.
     pub(crate) size: f64,
     /// Whether the scales are only guessed, so that finer steps are worth a try.
     pub(crate) guessed: bool,
@@ -28,7 +28,7 @@ pub(crate) struct SlopeTest<'l> {
     pub(crate) own: f64,
 }
 
-impl SlopeTest<'_> {
+impl DerivativeTest<'_> {
     /// What the first ladder says.
     pub(crate) fn first(&self) -> Opinion {
         self.compare(self.here)
@@ -38,7 +38,7 @@ impl SlopeTest<'_> {
     fn other(&self, first: f64) -> Opinion {
         let ladder = (self.climb)(first);
         if ladder.still() && !self.here.still() {
-            // Too small steps, and no slope of zero.
+            // Too small steps, and no derivative of zero.
             return Opinion::Fine {
                 place: Place::Undefined,
                 switched: false,
@@ -81,10 +81,10 @@ impl SlopeTest<'_> {
         covered
     }
 
-    /// The slope against an estimate that is the same on both sides.
+    /// The derivative against an estimate that is the same on both sides.
     fn smooth(&self, e: Estimate, informative: bool, switched: bool, rough: f64) -> Opinion {
         let tolerance = SAFETY * e.error + self.exact;
-        let gap = (e.value - self.slope).abs();
+        let gap = (e.value - self.derivative).abs();
         let roughly = Estimate {
             error: e.error + rough / e.step,
             ..e
@@ -111,9 +111,9 @@ impl SlopeTest<'_> {
         }
     }
 
-    /// What a ladder says of the slope.
+    /// What a ladder says of the derivative.
     fn compare(&self, ladder: &Ladder) -> Opinion {
-        let (weights, slope, exact) = (self.weights, self.slope, self.exact);
+        let (weights, derivative, exact) = (self.weights, self.derivative, self.exact);
         let noise = self.noise.max(ladder.noise(weights));
         let rough = if ladder.still() {
             self.rough.max(self.hidden)
@@ -145,7 +145,7 @@ impl SlopeTest<'_> {
             return undefined;
         }
         if !border && (ahead.value - behind.value).abs() <= SIDES * SAFETY * error + exact {
-            // Where branches meet smoothly, the central slope converges slowly and the sides fast.
+            // Where branches meet smoothly, the central derivative converges slowly and the sides fast.
             let mean = Estimate {
                 value: 0.5 * (ahead.value + behind.value),
                 error: error + 0.5 * (ahead.value - behind.value).abs() / SAFETY,
@@ -163,7 +163,7 @@ impl SlopeTest<'_> {
         let (low, high) = (sides[0].min(sides[1]), sides[0].max(sides[1]));
         let coarse =
             SAFETY * error > INFORMATIVE * self.size.max(ahead.value.abs()).max(behind.value.abs());
-        let beyond = (low - slope).max(slope - high);
+        let beyond = (low - derivative).max(derivative - high);
         if coarse || tolerance.is_nan() {
             let middle = Estimate {
                 value: 0.5 * (low + high),

@@ -40,7 +40,7 @@ impl<T> Copy for Leaf<T> {}
 /// What batches take and give per item: a number, a shape, or a tuple of such.
 ///
 /// Numbers are `f32` or `f64`. `#[derive(Shape)]` implements it.
-pub trait Row: Fixed<Scalar: Real> {
+pub trait Item: Fixed<Scalar: Real> {
     /// Many of them: a vector of shapes; for a tuple a tuple of vectors.
     type Many: Send;
     /// As many as are wanted, all of them zero.
@@ -71,9 +71,9 @@ pub trait Results {
     fn places<'a>(many: &'a mut Self::Many, add: &mut dyn FnMut(Target<'a, Self::Scalar>));
 }
 
-impl<R: Row> Results for R {
+impl<R: Item> Results for R {
     type Scalar = <R as Pack>::Scalar;
-    type Many = <R as Row>::Many;
+    type Many = <R as Item>::Many;
     fn room(count: usize) -> Self::Many {
         R::many(count)
     }
@@ -85,17 +85,17 @@ impl<R: Row> Results for R {
     }
 }
 
-/// A result `Y` and its Jacobian with respect to an input `X`: many results, as always, and a vector with a Jacobian per
-/// item, which is the result's shape with the gradient, of the input's shape, in the place of every number.
+/// A result `Y` and its Jacobian with respect to an input `X`: many results, as always, and a vector with a Jacobian
+/// per item, which is the result's shape with the gradient, of the input's shape, in the place of every number.
 #[derive(Clone, Copy, Debug)]
 pub struct WithJacobian<Y, X>(PhantomData<fn(X) -> Y>);
 
-impl<Y: Row, X: Row<Scalar = Y::Scalar>> Results for WithJacobian<Y, X>
+impl<Y: Item, X: Item<Scalar = Y::Scalar>> Results for WithJacobian<Y, X>
 where
     Y::With<X>: Send,
 {
     type Scalar = <Y as Pack>::Scalar;
-    type Many = (<Y as Row>::Many, Vec<Y::With<X>>);
+    type Many = (<Y as Item>::Many, Vec<Y::With<X>>);
     fn room(count: usize) -> Self::Many {
         let zero = Self::Scalar::default();
         let gradient = Y::filled(zero).map(&mut |_| X::filled(zero));
@@ -115,7 +115,7 @@ where
 }
 
 /// Jacobians as a target: their gradients, one after another.
-pub(crate) fn jacobians<Y: Row, X: Row<Scalar = Y::Scalar>>(
+pub(crate) fn jacobians<Y: Item, X: Item<Scalar = Y::Scalar>>(
     all: &mut [Y::With<X>],
 ) -> Target<'_, Y::Scalar>
 where
@@ -171,7 +171,7 @@ pub(crate) fn put<P: Fixed<Scalar: Real>>(shape: P, numbers: &mut [P::Scalar]) {
 }
 
 /// The numbers of a row, which come shape by shape, as all scalars and then all codes.
-pub(crate) fn by_kind<R: Row>(numbers: &[R::Scalar]) -> Vec<R::Scalar> {
+pub(crate) fn by_kind<R: Item>(numbers: &[R::Scalar]) -> Vec<R::Scalar> {
     let (mut scalars, mut codes) = (Vec::with_capacity(numbers.len()), Vec::new());
     let mut rest = numbers;
     R::leaves(&mut |leaf| {
@@ -186,7 +186,11 @@ pub(crate) fn by_kind<R: Row>(numbers: &[R::Scalar]) -> Vec<R::Scalar> {
 }
 
 /// All scalars of a row, and all codes, shape by shape.
-pub(crate) fn by_shape<R: Row>(mut scalars: &[R::Scalar], codes: &[u32], mut to: &mut [R::Scalar]) {
+pub(crate) fn by_shape<R: Item>(
+    mut scalars: &[R::Scalar],
+    codes: &[u32],
+    mut to: &mut [R::Scalar],
+) {
     let mut codes = codes.iter();
     R::leaves(&mut |leaf| {
         let (own, rest) = std::mem::take(&mut to).split_at_mut(leaf.fields);
@@ -201,7 +205,7 @@ pub(crate) fn by_shape<R: Row>(mut scalars: &[R::Scalar], codes: &[u32], mut to:
 
 /// The leaf of a shape that is one.
 #[doc(hidden)]
-pub fn leaf<P: Row + Validate>() -> Leaf<P::Scalar> {
+pub fn leaf<P: Item + Validate>() -> Leaf<P::Scalar> {
     Leaf {
         shape: std::any::type_name::<P>,
         fields: width::<P>(),
@@ -214,7 +218,7 @@ pub fn leaf<P: Row + Validate>() -> Leaf<P::Scalar> {
 
 /// The quick way to tell that many shapes are valid: by their numbers alone, or by the rules of boxes, for which
 /// there are kernels.
-fn all_valid<P: Row + Validate>() -> fn(&[P::Scalar]) -> bool {
+fn all_valid<P: Item + Validate>() -> fn(&[P::Scalar]) -> bool {
     let is = |shape: TypeId| TypeId::of::<P>() == shape;
     if P::FINITE_SUFFICES {
         |x| (P::Scalar::kernels().all_finite)(x)
@@ -232,7 +236,7 @@ fn all_valid<P: Row + Validate>() -> fn(&[P::Scalar]) -> bool {
 }
 
 /// All leaves of a row.
-pub(crate) fn leaves_of<P: Row>() -> Vec<Leaf<P::Scalar>> {
+pub(crate) fn leaves_of<P: Item>() -> Vec<Leaf<P::Scalar>> {
     let mut all = Vec::new();
     P::leaves(&mut |leaf| all.push(leaf));
     all
@@ -248,38 +252,38 @@ macro_rules! __row_of_one {
             let zero = <Self::Scalar as ::core::default::Default>::default();
             ::std::vec![<Self as $crate::Fixed>::filled(zero); count]
         }
-        fn leaves(add: &mut dyn FnMut($crate::kernels::row::Leaf<Self::Scalar>)) {
+        fn leaves(add: &mut dyn FnMut($crate::kernels::item::Leaf<Self::Scalar>)) {
             // An array of none takes no column.
             if <Self as $crate::Fixed>::LEN > 0 {
-                add($crate::kernels::row::leaf::<Self>());
+                add($crate::kernels::item::leaf::<Self>());
             }
         }
         fn targets<'a>(
             many: &'a mut Self::Many,
-            add: &mut dyn FnMut($crate::kernels::row::Target<'a, Self::Scalar>),
+            add: &mut dyn FnMut($crate::kernels::item::Target<'a, Self::Scalar>),
         ) {
             if <Self as $crate::Fixed>::LEN > 0 {
-                add($crate::kernels::row::target(many));
+                add($crate::kernels::item::target(many));
             }
         }
     };
 }
 
-impl Row for f32 {
+impl Item for f32 {
     crate::__row_of_one!();
 }
-impl Row for f64 {
+impl Item for f64 {
     crate::__row_of_one!();
 }
 
-impl<P: Row + Validate, const N: usize> Row for [P; N] {
+impl<P: Item + Validate, const N: usize> Item for [P; N] {
     crate::__row_of_one!();
 }
 
 /// Rows of several shapes.
 macro_rules! tuples {
     ($($first:ident $($name:ident)*;)*) => { $(
-        impl<$first: Row, $($name: Row<Scalar = $first::Scalar>),*> Row for ($first, $($name,)*) {
+        impl<$first: Item, $($name: Item<Scalar = $first::Scalar>),*> Item for ($first, $($name,)*) {
             type Many = ($first::Many, $($name::Many,)*);
             fn many(count: usize) -> Self::Many {
                 ($first::many(count), $($name::many(count),)*)
@@ -302,15 +306,15 @@ macro_rules! tuples {
 tuples!(A B; A B C; A B C D; A B C D E; A B C D E F;);
 
 /// Where results go, one target per shape of a row.
-pub(crate) fn targets_of<P: Row>(many: &mut P::Many) -> Vec<Target<'_, P::Scalar>> {
+pub(crate) fn targets_of<P: Item>(many: &mut P::Many) -> Vec<Target<'_, P::Scalar>> {
     let mut all = Vec::new();
     P::targets(many, &mut |target| all.push(target));
     all
 }
 
 /// A shape that is one, and not a tuple: what a list of rows or columns is made of.
-pub trait Single: Row<Many = Vec<Self>> {}
-impl<P: Row<Many = Vec<P>>> Single for P {}
+pub trait Single: Item<Many = Vec<Self>> {}
+impl<P: Item<Many = Vec<P>>> Single for P {}
 
 /// Reads the numbers of some shapes, one after another.
 type Read<'a, T> = Box<dyn Fn(Range<usize>, &mut [T]) + Send + Sync + 'a>;
@@ -332,7 +336,7 @@ pub struct Column<'a, T> {
 
 impl<'a, T: Real> Column<'a, T> {
     /// Shapes as a column.
-    pub(crate) fn of<P: Row<Scalar = T>>(shapes: &'a [P]) -> Self {
+    pub(crate) fn of<P: Item<Scalar = T>>(shapes: &'a [P]) -> Self {
         let numbers = match arch::numbers(shapes) {
             Some(numbers) => Numbers::Lent(numbers),
             None => Numbers::Read(Box::new(move |items, rows| {
@@ -369,7 +373,7 @@ impl<'a, T: Real> Column<'a, T> {
         }
     }
     /// Some numbers of every shape of a list.
-    fn part<P: Row<Scalar = T>>(shapes: &'a [P], part: Range<usize>) -> Self {
+    fn part<P: Item<Scalar = T>>(shapes: &'a [P], part: Range<usize>) -> Self {
         let fields = part.len();
         Column {
             numbers: Numbers::Read(Box::new(move |items, rows| {
@@ -433,13 +437,13 @@ pub struct One<P>(pub P);
 /// The arguments of a batch: a slice or vector of shapes or numbers, [`One`], or a tuple of such.
 pub trait Columns {
     /// The arguments of one item.
-    type Row: Row;
+    type Item: Item;
     /// The columns, one per shape of a row.
     #[doc(hidden)]
-    fn list<'a>(&'a self, add: &mut dyn FnMut(Column<'a, <Self::Row as Pack>::Scalar>));
+    fn list<'a>(&'a self, add: &mut dyn FnMut(Column<'a, <Self::Item as Pack>::Scalar>));
 }
 
-fn list_slice<'a, P: Row>(shapes: &'a [P], add: &mut dyn FnMut(Column<'a, P::Scalar>)) {
+fn list_slice<'a, P: Item>(shapes: &'a [P], add: &mut dyn FnMut(Column<'a, P::Scalar>)) {
     let leaves = leaves_of::<P>();
     if leaves.len() == 1 {
         return add(Column::of(shapes));
@@ -451,26 +455,26 @@ fn list_slice<'a, P: Row>(shapes: &'a [P], add: &mut dyn FnMut(Column<'a, P::Sca
     }
 }
 
-impl<P: Row> Columns for &[P] {
-    type Row = P;
+impl<P: Item> Columns for &[P] {
+    type Item = P;
     fn list<'a>(&'a self, add: &mut dyn FnMut(Column<'a, P::Scalar>)) {
         list_slice(self, add);
     }
 }
-impl<P: Row> Columns for &Vec<P> {
-    type Row = P;
+impl<P: Item> Columns for &Vec<P> {
+    type Item = P;
     fn list<'a>(&'a self, add: &mut dyn FnMut(Column<'a, P::Scalar>)) {
         list_slice(self, add);
     }
 }
-impl<P: Row, const N: usize> Columns for &[P; N] {
-    type Row = P;
+impl<P: Item, const N: usize> Columns for &[P; N] {
+    type Item = P;
     fn list<'a>(&'a self, add: &mut dyn FnMut(Column<'a, P::Scalar>)) {
         list_slice(&self[..], add);
     }
 }
-impl<P: Row> Columns for One<P> {
-    type Row = P;
+impl<P: Item> Columns for One<P> {
+    type Item = P;
     fn list<'a>(&'a self, add: &mut dyn FnMut(Column<'a, P::Scalar>)) {
         list_slice(std::slice::from_ref(&self.0), &mut |column| {
             add(Column {
@@ -486,11 +490,11 @@ macro_rules! columns {
     ($($first:ident $($name:ident)*;)*) => { $(
         impl<$first: Columns, $($name: Columns),*> Columns for ($first, $($name,)*)
         where
-            $($name::Row: Fixed<Scalar = <$first::Row as Pack>::Scalar>,)*
+            $($name::Item: Fixed<Scalar = <$first::Item as Pack>::Scalar>,)*
         {
-            type Row = ($first::Row, $($name::Row,)*);
+            type Item = ($first::Item, $($name::Item,)*);
             #[allow(non_snake_case)]
-            fn list<'a>(&'a self, add: &mut dyn FnMut(Column<'a, <$first::Row as Pack>::Scalar>)) {
+            fn list<'a>(&'a self, add: &mut dyn FnMut(Column<'a, <$first::Item as Pack>::Scalar>)) {
                 let ($first, $($name,)*) = self;
                 $first.list(add);
                 $($name.list(add);)*
@@ -524,7 +528,7 @@ pub(crate) const STRETCH: usize = 2048;
 
 /// Shapes as a target.
 #[doc(hidden)]
-pub fn target<P: Row>(shapes: &mut [P]) -> Target<'_, P::Scalar> {
+pub fn target<P: Item>(shapes: &mut [P]) -> Target<'_, P::Scalar> {
     let count = shapes.len();
     let pieces = shapes.chunks_mut(STRETCH).map(|shapes| {
         if arch::is_plain::<P>() {

@@ -1,13 +1,13 @@
-//! Slopes of all pairs added up, in an order that never depends on vectors or on which pairs are left out.
+//! Derivatives of all pairs added up, in an order that never depends on vectors or on which pairs are left out.
 use super::rows::{QUAD, tile_of};
 use crate::kernels::cpu::arch::Vector;
 use crate::kernels::cpu::lane::{Lane, Planes, TILE};
 use crate::kernels::real::Real;
 
-/// Adds the slopes of results: to a row's sixteen sums per field of the first shape, and to the sums of
+/// Adds the derivatives of results: to a row's sixteen sums per field of the first shape, and to the sums of
 /// every column.
 ///
-/// Results are a value, then `fields[0]` and `fields[1]` slopes; column sums are tiles.
+/// Results are a value, then `fields[0]` and `fields[1]` derivatives; column sums are tiles.
 #[inline(always)]
 pub(crate) fn accumulate<T: Real, V: Vector<T>>(
     results: Planes<'_, T>,
@@ -18,43 +18,43 @@ pub(crate) fn accumulate<T: Real, V: Vector<T>>(
 ) {
     // What fills up the last tile does not count.
     let (whole, used) = (count / TILE, count % TILE);
-    let part = |slope: &Lane<T>| {
+    let part = |derivative: &Lane<T>| {
         let mut part = Lane([T::default(); TILE]);
-        part.0[..used].copy_from_slice(&slope.0[..used]);
+        part.0[..used].copy_from_slice(&derivative.0[..used]);
         part
     };
     // Field after field: a row's sum stays in a register.
     for (k, sum) in row_sums.iter_mut().enumerate().take(fields[0]) {
-        let slopes = results.field(1 + k);
+        let derivatives = results.field(1 + k);
         let mut at = 0;
         while at < TILE {
             let mut total = V::read(sum, at);
-            for slope in slopes.iter().take(whole) {
-                total += V::read(slope, at);
+            for derivative in derivatives.iter().take(whole) {
+                total += V::read(derivative, at);
             }
-            if let (1.., Some(slope)) = (used, slopes.get(whole)) {
-                total += V::read(&part(slope), at);
+            if let (1.., Some(derivative)) = (used, derivatives.get(whole)) {
+                total += V::read(&part(derivative), at);
             }
             total.write(sum, at);
             at += V::WIDTH;
         }
     }
     for k in 0..fields[1] {
-        let slopes = results.field(1 + fields[0] + k);
-        let mut add = |t: usize, slope: &Lane<T>| {
+        let derivatives = results.field(1 + fields[0] + k);
+        let mut add = |t: usize, derivative: &Lane<T>| {
             if let Some(sum) = column_sums.get_mut(t * fields[1] + k) {
                 let mut at = 0;
                 while at < TILE {
-                    (V::read(sum, at) + V::read(slope, at)).write(sum, at);
+                    (V::read(sum, at) + V::read(derivative, at)).write(sum, at);
                     at += V::WIDTH;
                 }
             }
         };
-        for (t, slope) in slopes.iter().enumerate().take(whole) {
-            add(t, slope);
+        for (t, derivative) in derivatives.iter().enumerate().take(whole) {
+            add(t, derivative);
         }
-        if let (1.., Some(slope)) = (used, slopes.get(whole)) {
-            add(whole, &part(slope));
+        if let (1.., Some(derivative)) = (used, derivatives.get(whole)) {
+            add(whole, &part(derivative));
         }
     }
 }
@@ -79,8 +79,8 @@ pub(crate) fn accumulate_picked<T: Real, V: Vector<T>>(
                 let add = |sums: &mut [Lane<T>], at: usize, first: usize, count: usize| {
                     for field in 0..count {
                         let at = at + field;
-                        let slope = results.field(first + field)[k / TILE].0[k % TILE];
-                        sums[at / TILE].0[at % TILE] += slope;
+                        let derivative = results.field(first + field)[k / TILE].0[k % TILE];
+                        sums[at / TILE].0[at % TILE] += derivative;
                     }
                 };
                 add(row_sums, j % TILE * strides[0], 1, fields[0]);
@@ -92,14 +92,14 @@ pub(crate) fn accumulate_picked<T: Real, V: Vector<T>>(
 
 /// Adds a quad of numbers to one in lanes.
 #[inline(always)]
-fn add_quad<T: Real>(lanes: &mut [Lane<T>], quad: usize, slopes: &[T; QUAD]) {
+fn add_quad<T: Real>(lanes: &mut [Lane<T>], quad: usize, derivatives: &[T; QUAD]) {
     let Some(lane) = lanes.get_mut(quad / QUAD) else {
         return;
     };
     let sums = &mut lane.0.as_chunks_mut::<QUAD>().0[quad % QUAD];
     let mut i = 0;
     while i < QUAD {
-        sums[i] += slopes[i];
+        sums[i] += derivatives[i];
         i += 1;
     }
 }

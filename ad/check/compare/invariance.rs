@@ -1,8 +1,8 @@
-//! Promises: the value and its slopes when the whole input moves.
-use crate::ad::check::evidence::{Evidence, Row};
+//! Invariances: the value and its derivatives when the whole input moves.
+use crate::ad::check::evidence::{Evidence, Item};
 use crate::ad::check::notes::Notes;
 use crate::ad::check::symmetry::{
-    Answer, Kind, Motion, Promise, answer, exchanged, moved_by, velocity,
+    Answer, Invariance, Kind, Motion, answer, exchanged, moved_by, velocity,
 };
 use crate::ad::check::tolerances::{
     DRAWS, GROWTH, ROTATION, ROUNDINGS, SAFETY, SCALING, TRANSLATION,
@@ -10,29 +10,29 @@ use crate::ad::check::tolerances::{
 use crate::ad::check::verdict::{Numbers, Reason, Witness};
 use crate::ad::check::witness::{beside, dot};
 
-/// Declared motions, of values and of slopes.
-pub(crate) fn promises(e: &Evidence<'_>) -> Notes {
+/// Declared motions, of values and of derivatives.
+pub(crate) fn invariances(e: &Evidence<'_>) -> Notes {
     let mut said = Notes::new(e.x.len());
     let kinds = e.subject.kinds();
     if kinds.len() != e.x.len() || e.x.is_empty() {
         return said;
     }
     let typical = e.scales.iter().fold(f64::INFINITY, |m, s| m.min(*s));
-    for &promise in e.subject.promises() {
-        let amount = match promise.motion {
+    for &invariance in e.subject.invariances() {
+        let amount = match invariance.motion {
             Motion::TranslationX | Motion::TranslationY => TRANSLATION * typical,
             Motion::Rotation => ROTATION,
             Motion::Scaling => SCALING,
             Motion::Exchange => 0.0,
         };
-        said.add(value_moves(e, promise, amount, &kinds));
+        said.add(value_moves(e, invariance, amount, &kinds));
         for row in &e.rows {
-            let Some(slopes) = &row.adjoint else {
+            let Some(derivatives) = &row.adjoint else {
                 continue;
             };
-            said.add(match promise.motion {
-                Motion::Exchange => slopes_exchange(e, row, slopes),
-                _ => slopes_balance(e, promise, row, slopes, &kinds),
+            said.add(match invariance.motion {
+                Motion::Exchange => derivatives_exchange(e, row, derivatives),
+                _ => derivatives_balance(e, invariance, row, derivatives, &kinds),
             });
         }
     }
@@ -50,30 +50,30 @@ fn outputs(e: &Evidence<'_>) -> Vec<Kind> {
 }
 
 /// The value of the whole input, moved, against the moved value.
-fn value_moves(e: &Evidence<'_>, promise: Promise, amount: f64, kinds: &[Kind]) -> Notes {
+fn value_moves(e: &Evidence<'_>, invariance: Invariance, amount: f64, kinds: &[Kind]) -> Notes {
     let (mut said, subject) = (Notes::new(e.x.len()), e.subject);
-    let (motion, precision) = (promise.motion, subject.precision());
+    let (motion, precision) = (invariance.motion, subject.precision());
     let there = moved_by(motion, amount, kinds, e.x);
     let there: Vec<f64> = there.iter().map(|x| precision.round(*x)).collect();
     if !subject.inside(&there) {
         return said;
     }
     let y = subject.value(&there);
-    let wanted = match promise.answer {
+    let wanted = match invariance.answer {
         Answer::Stays => e.y.clone(),
         Answer::Power(p) => e.y.iter().map(|y| y * amount.powi(p)).collect(),
         Answer::Follows => moved_by(motion, amount, &outputs(e), &e.y),
     };
     let spread = e.spread(&e.y, None, |x| Some(subject.value(x)));
-    // Moving rounds every number; what that may do, a slope says.
+    // Moving rounds every number; what that may do, a derivative says.
     let rows = e.rows.iter();
-    let slopes = rows.filter_map(|row| row.adjoint.as_ref().or(row.dual.as_ref()));
-    let moved = |slopes: &Vec<f64>| -> f64 {
-        let each = slopes.iter().zip(e.x).zip(&there);
+    let derivatives = rows.filter_map(|row| row.adjoint.as_ref().or(row.dual.as_ref()));
+    let moved = |derivatives: &Vec<f64>| -> f64 {
+        let each = derivatives.iter().zip(e.x).zip(&there);
         each.map(|((s, x), t)| s.abs() * (x.abs() + t.abs() / amount.max(1.0)))
             .sum()
     };
-    let rounding: f64 = slopes.map(moved).sum();
+    let rounding: f64 = derivatives.map(moved).sum();
     for j in (0..y.len()).filter(|&j| !e.both_saturated(y[j], wanted[j])) {
         let size = y[j].abs().max(wanted[j].abs());
         let growth = (size / e.y[j].abs().max(f64::MIN_POSITIVE)).clamp(1.0, GROWTH);
@@ -94,19 +94,19 @@ fn value_moves(e: &Evidence<'_>, promise: Promise, amount: f64, kinds: &[Kind]) 
     said
 }
 
-/// The slopes with the arguments exchanged against the exchanged slopes.
-fn slopes_exchange(e: &Evidence<'_>, row: &Row, slopes: &[f64]) -> Notes {
+/// The derivatives with the arguments exchanged against the exchanged derivatives.
+fn derivatives_exchange(e: &Evidence<'_>, row: &Item, derivatives: &[f64]) -> Notes {
     let mut said = Notes::new(e.x.len());
     let Some(other) = e.subject.adjoint(&exchanged(e.x), &row.weights) else {
         return said;
     };
     let other = exchanged(&other);
     for i in 0..other.len() {
-        if (other[i] - slopes[i]).abs() > row.allowed(i) {
+        if (other[i] - derivatives[i]).abs() > row.allowed(i) {
             e.provoke(row);
             e.provoke_exchanged(row);
         }
-        let sides = [slopes[i], other[i]];
+        let sides = [derivatives[i], other[i]];
         unbalanced(
             &mut said,
             Motion::Exchange,
@@ -118,21 +118,21 @@ fn slopes_exchange(e: &Evidence<'_>, row: &Row, slopes: &[f64]) -> Notes {
     said
 }
 
-/// The slopes along the motion of the input against the motion of the value.
-fn slopes_balance(
+/// The derivatives along the motion of the input against the motion of the value.
+fn derivatives_balance(
     e: &Evidence<'_>,
-    promise: Promise,
-    row: &Row,
-    slopes: &[f64],
+    invariance: Invariance,
+    row: &Item,
+    derivatives: &[f64],
     kinds: &[Kind],
 ) -> Notes {
     let mut said = Notes::new(e.x.len());
-    let speed = velocity(promise.motion, kinds, e.x);
-    let wanted = dot(&row.weights, &answer(promise, &outputs(e), &e.y));
-    let balance = dot(slopes, &speed);
+    let speed = velocity(invariance.motion, kinds, e.x);
+    let wanted = dot(&row.weights, &answer(invariance, &outputs(e), &e.y));
+    let balance = dot(derivatives, &speed);
     let tolerance = || -> f64 {
         let own = |i: usize| {
-            let own = ROUNDINGS * e.eps * slopes[i].abs() + row.allowed(i);
+            let own = ROUNDINGS * e.eps * derivatives[i].abs() + row.allowed(i);
             own * speed[i].abs()
         };
         (0..e.x.len()).map(own).sum::<f64>() + ROUNDINGS * e.eps * wanted.abs()
@@ -143,7 +143,7 @@ fn slopes_balance(
     let at = (row.output, 0);
     unbalanced(
         &mut said,
-        promise.motion,
+        invariance.motion,
         at,
         [balance, wanted],
         tolerance(),
@@ -167,7 +167,7 @@ fn unrest(e: &Evidence<'_>, x: &[f64], y: &[f64]) -> Vec<f64> {
     unrest
 }
 
-/// Complains about slopes that do not follow a motion.
+/// Complains about derivatives that do not follow a motion.
 fn unbalanced(
     said: &mut Notes,
     motion: Motion,

@@ -1,4 +1,4 @@
-//! Programs of slopes: against forward duals, at kinks and traps, in first and second order.
+//! Programs of derivatives: against forward duals, at kinks and traps, in first and second order.
 #![expect(
     clippy::needless_range_loop,
     reason = "rows and columns are named by their numbers"
@@ -12,7 +12,7 @@ use geograd::{Jet, Scalar, Vec2};
 use std::array::from_fn;
 
 functions! {
-    // The branch that is not taken has an infinite slope at zero and none below.
+    // The branch that is not taken has an infinite derivative at zero and none below.
     Trap 1 1 |[x]| {
         let wild = x.ln().over(x) + S::one().over(x).root();
         [S::select(x.at_most(S::zero()), S::lit(3.0) * x, wild)]
@@ -31,19 +31,20 @@ functions! {
     Norm 2 1 |[x, y]| [x.hypot(y)];
     Angle 2 1 |[x, y]| [y.atan2(x)];
     Quadratic 2 1 |[x, y]| [S::lit(3.0) * x * x + S::lit(5.0) * x * y + S::lit(-2.0) * y * y];
-    // What shares a decision: half the slope of x, the slope of y at another value.
+    // What shares a decision: half the derivative of x, the derivative of y at another value.
     Grafts 2 1 |[x, y]| {
         let share = S::select(x.equals(y), S::lit(0.5), S::one());
         [x.damp(share.primal()) * y.with_primal((x * y).primal()) + (x * y).root()]
     };
 }
 
-/// The value and slopes on jets.
+/// The value and derivatives on jets.
 fn jets<const N: usize, const M: usize, F: Function<N, M>>(x: [f64; N]) -> [Jet<f64, N>; M] {
     F::eval(from_fn(|i| Jet::variable(x[i], i)))
 }
 
-/// Whether a number is another one to a tolerance, in units of `scale`, or of one where slopes cancel. Where duals know nothing, nothing is asked.
+/// Whether a number is another one to a tolerance, in units of `scale`, or of one where derivatives cancel. Where
+/// duals know nothing, nothing is asked.
 #[track_caller]
 fn near(found: f64, expected: f64, scale: f64, at: &[f64]) {
     if expected.is_nan() {
@@ -62,13 +63,13 @@ fn largest(all: impl Iterator<Item = f64>) -> f64 {
 }
 
 /// Rows of the Jacobian from reverse, from forward, and pulled back at once, against duals.
-fn slopes<const N: usize, const M: usize, F: Function<N, M>>(wide: bool) {
+fn derivatives<const N: usize, const M: usize, F: Function<N, M>>(wide: bool) {
     let program = F::program::<f64>();
     let (vjp, jvp) = (program.vjp(), program.jvp());
     let mut draw = Draw(11);
     for kind in (0..3000).filter(|kind| wide || kind % 6 != 4) {
         let x = draw.input::<N>(kind);
-        let rows = jets::<N, M, F>(x).map(|y| y.slope);
+        let rows = jets::<N, M, F>(x).map(|y| y.derivative);
         for j in 0..M {
             let scale = largest(rows[j].into_iter());
             let found = vjp.eval((x, from_fn(|i| f64::from(i == j))));
@@ -103,33 +104,36 @@ fn slopes<const N: usize, const M: usize, F: Function<N, M>>(wide: bool) {
 }
 
 #[test]
-fn slopes_are_those_of_forward_duals() {
-    slopes::<3, 2, Everything>(true);
-    slopes::<6, 1, Distance>(true);
-    slopes::<8, 2, Quadrilateral>(false);
-    slopes::<8, 5, FromCorners>(false);
-    slopes::<8, 1, IouAabb2>(false);
-    slopes::<8, 1, AreaAabb2>(false);
+fn derivatives_are_those_of_forward_duals() {
+    derivatives::<3, 2, Everything>(true);
+    derivatives::<6, 1, Distance>(true);
+    derivatives::<8, 2, Quadrilateral>(false);
+    derivatives::<8, 5, FromCorners>(false);
+    derivatives::<8, 1, IouAabb2>(false);
+    derivatives::<8, 1, AreaAabb2>(false);
     // Corners a million times further apart one way than the other, and boxes turned by thousands of
-    // turns: slopes of neither are
+    // turns: derivatives of neither are
     // known to 10⁻¹².
-    slopes::<10, 1, IouObb2>(false);
-    slopes::<10, 1, AreaObb2>(false);
-    slopes::<10, 1, IofObb2>(false);
+    derivatives::<10, 1, IouObb2>(false);
+    derivatives::<10, 1, AreaObb2>(false);
+    derivatives::<10, 1, IofObb2>(false);
 }
 
 #[test]
-fn infinite_slopes_of_what_was_not_taken_leave_no_trace() {
+fn infinite_derivatives_of_what_was_not_taken_leave_no_trace() {
     let trap = Trap::program::<f64>();
-    let slope = |x: f64| trap.vjp().eval(([x], [1.0]))[0];
-    assert_eq!((slope(0.0), slope(-0.0), slope(-1.0)), (3.0, 3.0, 3.0));
-    assert!((slope(1.0) - 0.5).abs() < 1e-15);
-    slopes::<1, 1, Trap>(true);
-    slopes::<2, 1, TrapOfLeast>(true);
-    slopes::<3, 1, Choices>(true);
-    slopes::<2, 1, Norm>(true);
-    slopes::<2, 1, Angle>(true);
-    slopes::<2, 1, Grafts>(true);
+    let derivative = |x: f64| trap.vjp().eval(([x], [1.0]))[0];
+    assert_eq!(
+        (derivative(0.0), derivative(-0.0), derivative(-1.0)),
+        (3.0, 3.0, 3.0)
+    );
+    assert!((derivative(1.0) - 0.5).abs() < 1e-15);
+    derivatives::<1, 1, Trap>(true);
+    derivatives::<2, 1, TrapOfLeast>(true);
+    derivatives::<3, 1, Choices>(true);
+    derivatives::<2, 1, Norm>(true);
+    derivatives::<2, 1, Angle>(true);
+    derivatives::<2, 1, Grafts>(true);
 }
 
 /// The Hessian against jets of jets.
@@ -140,15 +144,17 @@ fn curvature<const N: usize, F: Function<N, 1>>(points: &[[f64; N]]) {
         let [y] = F::eval(from_fn(|i| {
             Jet::<_, N>::variable(Jet::<_, N>::variable(x[i], i), i)
         }));
-        let scale = largest(y.slope.iter().flat_map(|row| row.slope)) * 100.0;
+        let scale = largest(y.derivative.iter().flat_map(|row| row.derivative)) * 100.0;
         let found = hessian.eval(x);
         let along: [f64; N] = from_fn(|i| [0.7, -0.4, 0.1][i % 3]);
         let times = hvp.eval((x, along));
         for i in 0..N {
             for k in 0..N {
-                near(found[i][k], y.slope[i].slope[k], scale, &x);
+                near(found[i][k], y.derivative[i].derivative[k], scale, &x);
             }
-            let product = (0..N).map(|k| y.slope[i].slope[k] * along[k]).sum();
+            let product = (0..N)
+                .map(|k| y.derivative[i].derivative[k] * along[k])
+                .sum();
             near(times[i], product, scale * 4.0, &x);
         }
     }
@@ -202,15 +208,15 @@ fn hessians_of_known_functions() {
 
 #[test]
 fn an_adjoint_by_hand_comes_along_into_a_larger_program() {
-    // Wrong on purpose, so that one sees whose slopes they are.
+    // Wrong on purpose, so that one sees whose derivatives they are.
     let square = Program::trace(|x: Sym<f64>| x * x).unwrap();
     let odd = square
         .with_adjoint(|x: Sym<f64>| x * Sym::lit(7.0))
         .unwrap();
     assert_eq!(odd.value_grad().eval(3.0), (9.0, 21.0));
     let larger = Program::trace(|x: Vec2<Sym<f64>>| odd.eval_within(x.x + x.y) * x.y).unwrap();
-    let (value, slopes) = larger.value_grad().eval(Vec2::new(1.0, 2.0));
-    assert_eq!((value, slopes), (18.0, Vec2::new(42.0, 42.0 + 9.0)));
+    let (value, derivatives) = larger.value_grad().eval(Vec2::new(1.0, 2.0));
+    assert_eq!((value, derivatives), (18.0, Vec2::new(42.0, 42.0 + 9.0)));
     assert_eq!(
         larger
             .jvp()
@@ -218,6 +224,6 @@ fn an_adjoint_by_hand_comes_along_into_a_larger_program() {
             .1,
         42.0
     );
-    // ∂²/∂x² = y · 7, from the slopes of what was written by hand.
+    // ∂²/∂x² = y · 7, from the derivatives of what was written by hand.
     assert_eq!(larger.hessian::<2>().eval(Vec2::new(1.0, 2.0))[0].x, 14.0);
 }
