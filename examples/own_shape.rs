@@ -37,7 +37,7 @@ fn main() -> Result<(), geograd::Error> {
             by_car.heading, by_tree.crown
         );
     }
-    // Random and hard inputs, independent witnesses, every promise: panics on a refusal.
+    // Random and hard inputs, independent witnesses, every invariance: panics on a refusal.
     Check::of(SignedDistance.row::<(Obb2<f64>, Tree<f64>)>()).assert();
     Ok(())
 }

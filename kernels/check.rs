@@ -9,7 +9,7 @@
 //!
 //! An invariance is a motion of the input and what the result then does ([`symmetry`](crate::ad::check::symmetry)): it
 //! stays, grows with a power of the scale, or follows by the kinds of its numbers. The harness checks derivatives and
-//! promises, not the formula: a radius off by a factor of two passes, so a formula needs a test of its value, too.
+//! invariances, not the formula: a radius off by a factor of two passes, so a formula needs a test of its value, too.
 //!
 //! An operation is judged by its recording, so that the harness is compiled once, in the library. Where derivatives are
 //! by hand, the recording differentiated backwards in double precision is a further witness, and num-dual's numbers

@@ -44,7 +44,7 @@ impl Limits {
     pub const fn new(single: [i32; 2], double: [i32; 2]) -> Self {
         Limits { single, double }
     }
-    /// From 2⁻²⁰ to 2²⁰ (about a millionth to a million) in `f32`, from 2⁻¹⁵⁰ to 2¹⁵⁰ in `f64`: what a row promises
+    /// From 2⁻²⁰ to 2²⁰ (about a millionth to a million) in `f32`, from 2⁻¹⁵⁰ to 2¹⁵⁰ in `f64`: what a row guarantees
     /// that says nothing.
     pub const ORDINARY: Limits = Limits::new([-20, 20], [-150, 150]);
     /// Exponents of the least magnitude of an angle in `f32` and in `f64`: the product of a length and the sine of a

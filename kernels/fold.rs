@@ -61,7 +61,7 @@ pub trait Fold: Copy + Debug + Default + Send + Sync + 'static {
     const NAME: &'static str;
     /// Whether an edge leads from the last vertex back to the first.
     const CLOSED: bool;
-    /// Motions it follows; `&[]` says that it promises none.
+    /// Its invariances under motions; `&[]` declares none.
     const INVARIANCES: &'static [Invariance];
     /// Where its value may jump.
     const JUMPS: Jumps;

@@ -55,7 +55,7 @@ pub enum Derivative {
     Forward,
 }
 
-/// A generic function of fixed size, its promises, and the source of its derivatives.
+/// A generic function of fixed size, its invariances, and the source of its derivatives.
 ///
 /// A value of the type is the operation: `Cpu::new().aligned(Iou, (&a, &b))`.
 #[diagnostic::on_unimplemented(
@@ -70,7 +70,7 @@ pub trait Op: Copy + Debug + Default + Send + Sync + 'static {
     type In<S: Scalar>: Fixed<Scalar = S>;
     /// The result, made of the same scalar.
     type Out<S: Scalar>: Fixed<Scalar = S>;
-    /// Motions of the argument and their effect on the result; `&[]` promises none.
+    /// Motions of the argument and their effect on the result; `&[]` declares none.
     const INVARIANCES: &'static [Invariance];
     /// Places at which the value may jump.
     const JUMPS: Jumps;
@@ -357,7 +357,7 @@ pub trait RingOp: Copy + Debug + Default + Send + Sync + 'static {
     const NAME: &'static str;
     /// The result.
     type Out<S: Scalar>: Fixed<Scalar = S>;
-    /// Motions of the argument and their effect on the result; `&[]` promises none.
+    /// Motions of the argument and their effect on the result; `&[]` declares none.
     const INVARIANCES: &'static [Invariance];
     /// Places at which the value may jump.
     const JUMPS: Jumps;

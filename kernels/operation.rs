@@ -4,7 +4,7 @@
 /// programs take.
 ///
 /// A row says the type and its name, the arguments (one to six shapes or numbers made of `S`), the
-/// result and the formula, then what it promises, where it jumps, and where its derivatives come from. All
+/// result and the formula, then its invariances, its jumps, and the source of its derivatives. All
 /// three must be said: `invariances []` and `jumps Never` say none.
 ///
 /// Clauses stand in this order; those in brackets are optional.
@@ -18,7 +18,7 @@
 /// | `jumps` | `Never`, `FromZero` (where the value leaves zero), `Anywhere` |
 /// | \[`domain { … }`\] | a condition of the arguments outside of which nothing is checked |
 /// | \[`resolution x`\], \[`relative_resolution x`\] | the error of a value beyond rounding |
-/// | `derivatives` | `Reverse`; `Forward`, where large terms cancel backwards; <code>ByHand &#124;(a, b), out_bar&#124; { … }</code> |
+/// | `derivative` | `Reverse`; `Forward`, where large terms cancel backwards; <code>ByHand &#124;(a, b), out_bar&#124; { … }</code> |
 ///
 /// ```
 /// use geograd::kernels::Cpu;

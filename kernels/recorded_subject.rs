@@ -67,7 +67,7 @@ pub(crate) struct Recording<S: Number> {
     pub outputs: usize,
     /// What each number of a result is.
     pub output_kinds: Vec<Kind>,
-    /// What it promises.
+    /// Its invariances.
     pub invariances: &'static [Invariance],
     /// Where it jumps.
     pub jumps: Jumps,

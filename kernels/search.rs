@@ -28,7 +28,7 @@ pub trait Search: Copy + Debug + Default + Send + Sync + 'static {
     type Out<S: Scalar>: Fixed<Scalar = S>;
     /// What was decided. Items of the same record are replayed alike: a GPU is given every replay once.
     type Record: Copy + Eq + Hash + Send + Sync + 'static;
-    /// Motions it follows; `&[]` says that it promises none.
+    /// Its invariances under motions; `&[]` declares none.
     const INVARIANCES: &'static [Invariance];
     /// Where its value may jump.
     const JUMPS: Jumps;

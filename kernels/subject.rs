@@ -1,4 +1,4 @@
-//! An operation as a subject of the verification harness: its witnesses, what it promises, what it
+//! An operation as a subject of the verification harness: its witnesses, its invariances, what it
 //! does on purpose.
 use crate::ad::check::noise::{Noisy, noisy};
 use crate::ad::check::sample::Sample;

@@ -64,10 +64,10 @@
 //!      `iof_yaw`, `iou_birds_eye`, `intersection_volume_obb3`, `iou_obb3`, `iof_obb3`, `iou_aabb3_obb3`, `iou_yaw_obb3`;
 //!    - rings: `signed_area`, `perimeter`, `centroid`.
 //!
-//!    All other operations promise it where every length, coordinate and plain number is zero or of a magnitude from
+//!    All other operations guarantee it where every length, coordinate and plain number is zero or of a magnitude from
 //! 2⁻²⁰ to 2²⁰ in `f32` and from 2⁻¹⁵⁰ to 2¹⁵⁰ in `f64`, and every angle is zero or at least 2⁻¹⁰⁰ in `f32` and 2⁻⁹⁰⁰
 //! in
-//!    `f64`, for cotangents of one; duals promise it for all operations.
+//!    `f64`, for cotangents of one; duals guarantee it for all operations.
 //! Derivatives of `crossing_of_lines` grow with the square of the reciprocal of the sine between the lines: its
 //! numbers are
 //!    from 2⁻⁸ to 2⁸ in `f32`. A row says so as data (`Op::FINITE`).

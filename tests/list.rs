@@ -10,7 +10,7 @@ use geograd::kernels::gpu::Gpu;
 
 /// One operation in one format: its name, whether that is `f64`, and what checks it, with batches
 /// on a GPU as a further witness of `f32` if there is one.
-pub type Proof = (&'static str, bool, Check);
+pub type Judged = (&'static str, bool, Check);
 pub type Check = fn(&Sampling<'_>, Option<&Gpu>) -> Result<Report, Error>;
 
 macro_rules! checks {
@@ -83,6 +83,6 @@ macro_rules! checks {
 }
 
 /// Checks of all operations in both formats.
-pub fn checks() -> Vec<Proof> {
+pub fn checks() -> Vec<Judged> {
     geograd::for_each_op!(checks)
 }

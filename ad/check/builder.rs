@@ -223,14 +223,14 @@ impl<'a, S: Number, X: Pack<Scalar = S> + Debug + 'a> Check<'a, X> {
         self.scales = Some(Box::new(move |x| wide(&f(x))));
         self
     }
-    /// What the function promises under motions, and what each number of the input is.
+    /// The function's invariances under motions, and the kind of each number of the input.
     #[must_use]
     pub fn invariances(mut self, kinds: &[Kind], invariances: &[Invariance]) -> Self {
         self.kinds = kinds.to_vec();
         self.invariances = invariances.to_vec();
         self
     }
-    /// What each number of the result is, for promises that it
+    /// The kind of each number of the result, for invariances that it
     /// [follows](crate::ad::check::symmetry::Answer::Follows).
     #[must_use]
     pub fn result_kinds(mut self, kinds: &[Kind]) -> Self {

@@ -58,7 +58,7 @@ fn compare(e: &Evidence<'_>, draw: &mut Draw, said: &mut Notes) {
     if said.plain {
         said.add(curvature(e, draw));
     }
-    // Where there are no derivatives, other paths and promises are what was judged.
+    // Where there are no derivatives, other paths and invariances were judged.
     let derivatives = |row: &Item| row.adjoint.is_some() || row.dual.is_some();
     if !e.rows.iter().any(derivatives)
         && (!e.subject.other_values(e.x).is_empty() || !e.subject.invariances().is_empty())

@@ -162,7 +162,7 @@ pub trait Subject {
     fn resolution(&self, y: &[f64]) -> Vec<f64> {
         vec![0.0; y.len()]
     }
-    /// What each number is; needed for promises only.
+    /// The kind of each number; only invariances need it.
     fn kinds(&self) -> Vec<Kind> {
         Vec::new()
     }
@@ -171,7 +171,7 @@ pub trait Subject {
     fn output_kinds(&self) -> Vec<Kind> {
         Vec::new()
     }
-    /// What the function promises under motions.
+    /// The function's invariances under motions.
     fn invariances(&self) -> &[Invariance] {
         &[]
     }

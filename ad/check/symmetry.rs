@@ -1,4 +1,4 @@
-//! Motions a function promises to follow, and what they imply for its derivatives.
+//! Invariances of a function under motions, and what they imply for its derivatives.
 //!
 //! Where moving the input in a certain way changes the output in a known way, the derivative along
 //! that motion is known too. Translation invariance: the derivatives of all positions sum to zero.
@@ -90,7 +90,7 @@ pub fn velocity(motion: Motion, kinds: &[Kind], x: &[f64]) -> Vec<f64> {
         .collect()
 }
 
-/// The velocity of the output that the answer promises, when its numbers are of these kinds.
+/// The velocity of the output that the answer declares, when its numbers are of these kinds.
 #[must_use]
 pub fn answer(invariance: Invariance, kinds: &[Kind], y: &[f64]) -> Vec<f64> {
     match invariance.answer {

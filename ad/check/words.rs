@@ -116,8 +116,8 @@ pub(crate) fn remedy(reason: Reason) -> &'static [&'static str] {
 fn names(reason: Reason) -> [&'static str; 2] {
     match reason {
         Reason::ValuesDisagree(_) => ["the value", "the other value"],
-        Reason::MotionBroken(_) => ["value there", "promised"],
-        Reason::MotionUnbalanced(_) => ["derivative of the motion", "promised"],
+        Reason::MotionBroken(_) => ["value there", "declared"],
+        Reason::MotionUnbalanced(_) => ["derivative of the motion", "declared"],
         Reason::NotLinear => ["of the sum", "sum of each"],
         Reason::CurvatureNotSymmetric => ["in one order", "in the other"],
         Reason::Disagree(_, Witness::Wide) | Reason::CurvatureDisagrees(Witness::Wide) => {

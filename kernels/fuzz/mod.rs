@@ -49,7 +49,7 @@ use std::time::{Duration, Instant};
 /// Inputs of one batch: few enough for one thread.
 const CHUNK: usize = 2048;
 
-/// How an operation broke what is declared.
+/// How an operation broke a declared property.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 #[non_exhaustive]
 pub enum Property {

@@ -164,7 +164,7 @@ pub(super) fn limits_of<T: Real>(finite: Finite) -> Option<[i32; 2]> {
     }
 }
 
-/// Whether an angle is one of which a row with limits promises something.
+/// Returns whether a row with limits declares anything of this angle.
 pub(super) fn is_angle_within<T: Real>(x: T) -> bool {
     let [single, double] = Limits::LEAST_ANGLE;
     let least = if is_wide::<T>() { double } else { single };

@@ -41,7 +41,7 @@
 //! as that moves it: little, but where a function is steep or terms cancel. The harness measures it input by input
 //! ([`check_on`](crate::kernels::check::check_on)) and allows no more.
 //!
-//! Nor does WGSL promise infinities and NaN: a driver that finds a divisor to be always zero may put any number for the
+//! Nor does WGSL guarantee infinities and NaN: a driver that finds a divisor to be always zero may put any number for the
 //! quotient. A function of one's own guards what it divides by, not the result
 //! ([Guards](crate::ad::program#guards)).
 //!

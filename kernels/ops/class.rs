@@ -1,8 +1,8 @@
-//! Classes of invariance, and the promises that they make for shapes.
+//! Classes of invariance, and the invariances that they give shapes.
 use crate::kernels::op::{Answer, Invariance, Motion};
 use crate::kernels::ops::noun::{Noun, same};
 
-/// The answer of a function's result to motions of its arguments: a few words that make a list of promises.
+/// The answer of a function's result to motions of its arguments: a few words that make a list of invariances.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Class {
     shifts: Option<Answer>,
@@ -12,7 +12,7 @@ pub(crate) struct Class {
 }
 
 impl Class {
-    /// Nothing is promised.
+    /// No invariance.
     pub const NONE: Class = Class {
         shifts: None,
         turns: None,
@@ -70,7 +70,7 @@ impl Class {
             ..self
         }
     }
-    /// The promises of this class for the motions that all of these arguments have.
+    /// The invariances of this class for the motions that all of these arguments have.
     pub const fn invariances(self, arguments: &[Noun]) -> Invariances {
         let (mut shift, mut turn, mut i) = (true, true, 0);
         while i < arguments.len() {
@@ -88,7 +88,7 @@ impl Class {
     }
 }
 
-/// A list of promises, one for a motion at most.
+/// A list of invariances, one for a motion at most.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Invariances {
     all: [Invariance; 5],
@@ -113,7 +113,7 @@ impl Invariances {
     }
 }
 
-/// The promises of a class, given its words, and of the types of the arguments.
+/// The invariances of a class, given its words, and of the types of the arguments.
 macro_rules! invariances {
     ([$($word:ident $(($power:literal))?),*] $($type:ty),+) => {{
         const INVARIANCES: &crate::kernels::ops::class::Invariances =

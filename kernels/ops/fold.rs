@@ -80,7 +80,7 @@ impl Fold for LengthOfPolyline {
 }
 
 /// What is known of a point after some edges of a path, and what of that is asked for; the macro lists
-/// operations, whether the path is closed, what they promise, where they jump, and the answer.
+/// operations, whether the path is closed, their invariances, jumps, and the answer.
 macro_rules! of_point_and_path {
     ($(
         $(#[$($doc:tt)*])*
@@ -126,7 +126,7 @@ macro_rules! of_point_and_path {
         }
     )* };
 }
-// Without edges a distance is the largest finite number, whatever the scale: it promises none.
+// Without edges a distance is the largest finite number, whatever the scale: scaling is no invariance.
 of_point_and_path! {
     /// The [distance](crate::distance::ring::distance_to_polyline) of a point and a polyline; the largest
     /// finite number where that has fewer than two vertices.

@@ -9,7 +9,7 @@ use crate::kernels::verbs;
 use crate::{Aabb2, Capsule2, Circle, Line2, Obb2, Ray2, Segment2, Triangle2};
 
 // What is found jumps where lines are parallel, where a line grazes a shape, and where another face is
-// hit. Shifts would move directions like points, so they are not promised; with a direction that grows as all
+// hit. Shifts would move directions like points, so they are not declared; with a direction that grows as all
 // else does, parameters stay. A length inside is continuous, but for a segment along a straight side.
 table! {
     /// The [crossing](crate::intersection::crossing_of_lines()) of {}.

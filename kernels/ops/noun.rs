@@ -6,7 +6,7 @@ use crate::{
     Segment2, Triangle2, Vec2, Vec3, YawBox3,
 };
 
-/// A shape in the documentation and the promises of a row.
+/// A shape in the documentation and the invariances of a row.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Noun {
     /// The name of an argument.

@@ -25,8 +25,8 @@ impl<F: Copy, N> Copy for Function<F, N> {}
 
 /// Wraps a generic function of one to six shapes or numbers, so that batches run it without a row.
 ///
-/// The columns determine the shapes and the format in which it is recorded, once. It has no promises; the harness
-/// checks it as a [`Program`]. [`operation!`](crate::operation) gives a function a row with promises.
+/// The columns determine the shapes and the format in which it is recorded, once. It has no invariances; the harness
+/// checks it as a [`Program`]. [`operation!`](crate::operation) gives a function a row with invariances.
 ///
 /// ```
 /// use geograd::kernels::function;

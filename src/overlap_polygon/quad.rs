@@ -273,7 +273,7 @@ impl<S: Scalar> QuadPair<S> {
 ///
 /// What is not convex or runs clockwise has a finite result without a meaning;
 /// [`intersection_area_polygons`](super::intersection_area_polygons) takes polygons whose type keeps that
-/// promise. Right to a few roundings of the smaller area where sizes are alike or one contains the other, to
+/// invariant. Right to a few roundings of the smaller area where sizes are alike or one contains the other, to
 /// about R of them where one is R times longer and reaches across the other's border. Kinks: edges lying along
 /// each other, which share the derivative half and half.
 ///

@@ -1,4 +1,4 @@
-//! What batches promise: every form gives the numbers of the single call; bad input is refused with its place, and
+//! Batches: every form gives the numbers of the single call; bad input is refused with its place, and
 //! buffers are left alone.
 use geograd::error::{Argument, Field};
 use geograd::kernels::op::{Ringed, Source};

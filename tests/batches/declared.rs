@@ -6,7 +6,7 @@ use geograd::kernels::{Fold as _, Op as _, RingOp as _, Search as _};
 use geograd::{Line2, Pack, Vec2};
 use geograd_tests::rows::CrossingOfLines;
 
-macro_rules! promises {
+macro_rules! properties {
     (pairs { $($pair:ident: $pair_op:ty,)* } rings { $($ring:ident: $ring_op:ty,)* }
      straight { $($straight:ident: $straight_op:ty,)* }
      folds { $($fold:ident: $fold_op:ty,)* } decided { $($decided:ident: $decided_op:ty,)* }
@@ -34,9 +34,9 @@ macro_rules! further {
     };
 }
 
-/// What every row promises.
+/// The declared properties of every row.
 fn rows() -> Vec<(&'static str, Finite)> {
-    let mut all = geograd::for_each_op!(promises);
+    let mut all = geograd::for_each_op!(properties);
     all.extend(geograd_tests::more_fuzzed!(further));
     all
 }

@@ -11,7 +11,7 @@ use geograd_tests::rows::{GiouObb2, IntersectionAreaQuads, IouAabb2, IouAabb3, I
 const COUNT: u64 = 512;
 
 #[test]
-fn every_operation_keeps_its_promises() {
+fn every_operation_keeps_its_properties() {
     let mut broken = Vec::new();
     for (name, double, run) in geograd_tests::fuzzers::fuzzers() {
         let fuzzed = run(COUNT, 2);

@@ -1,4 +1,4 @@
-//! What batches on the CPU promise.
+//! Batches on the CPU.
 mod bits;
 mod calls;
 mod declared;

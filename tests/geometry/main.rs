@@ -1,4 +1,4 @@
-//! What geometry promises, number by number.
+//! Geometry, number by number.
 mod convention;
 mod crossing;
 mod detections;

@@ -1,4 +1,4 @@
-//! What the overlap scores promise: right values by an independent oracle, ranges, symmetry,
+//! Overlap scores: right values by an independent oracle, ranges, symmetry,
 //! invariance, exact answers for identical and separate boxes, finite results everywhere.
 use crate::oracle;
 

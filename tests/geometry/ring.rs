@@ -1,4 +1,4 @@
-//! What the measures of a ring promise.
+//! Measures of a ring.
 use geograd::ad::check::Check;
 use geograd::ad::check::strategy::ordinary;
 use geograd::ring::{centroid, perimeter, signed_area};

@@ -1,4 +1,4 @@
-//! What rotations and motions of space promise.
+//! Rotations and motions of space.
 use super::pairs::{Random, random_rotation};
 use geograd::shape::FACES;
 use geograd::{Aabb3, EulerOrder, Jet, Obb3, Pose3, Rotation3, Scalar, Sphere, Triangle3, Vec3};

@@ -1,4 +1,4 @@
-//! What overlap of boxes in space promises, against exact volumes.
+//! Overlap of boxes in space, against exact volumes.
 use super::oracle_solid::overlap;
 use super::pairs::{FAMILIES, Random, pair, random_rotation, single};
 use geograd::overlap3::{intersection_volume_obb3, iou_aabb3, iou_obb3, iou_obb3_vjp, iou_yaw};

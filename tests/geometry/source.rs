@@ -1,4 +1,4 @@
-//! What the source promises about itself.
+//! Rules of the source, checked.
 use std::path::{Path, PathBuf};
 
 fn sources(folder: &Path, found: &mut Vec<PathBuf>) {

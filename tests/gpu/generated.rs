@@ -150,7 +150,7 @@ fn programs_run_as_operations_do() {
     type Pair = (Vec2<Sym<f32>>, Circle<Sym<f32>>);
     let program = Program::trace(|(p, c): Pair| {
         let away = p - c.center;
-        // All that WGSL promises little of.
+        // Results that WGSL leaves open.
         let angle = away.y.atan2(away.x);
         let turns = (angle * Sym::lit(3.0)).sin() + (angle + c.radius).cos();
         turns + (-away.length()).exp() + (c.radius + Sym::one()).ln() + away.length().root()

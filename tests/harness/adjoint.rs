@@ -43,7 +43,7 @@ fn plan_of_rows(name: &str) -> Sampling<'static> {
 /// An operation of the list in one format is checked.
 fn checked(name: &str, wide: bool, plan: &Sampling<'_>) {
     let all = list::checks();
-    let found = all.iter().find(|proof| (proof.0, proof.1) == (name, wide));
+    let found = all.iter().find(|found| (found.0, found.1) == (name, wide));
     let (_, _, check) = found.expect("an operation of the list");
     let report = check(plan, None).expect("no batch that could fail");
     assert!(report.passed(), "{report}");

@@ -1,4 +1,4 @@
-//! The harness itself: planted faults of behaviour (seeds, purity, ties, second derivatives, promises,
+//! The harness itself: planted faults of behaviour (seeds, purity, ties, second derivatives, invariances,
 //! further witnesses) are refused for the right reason.
 use crate::planted;
 

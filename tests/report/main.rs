@@ -5,7 +5,7 @@ use geograd::ad::check::{Report, SEED, Sampling};
 use geograd::kernels::dynamic::named_rows;
 use geograd::kernels::gpu::Gpu;
 use geograd_tests::fuzzers::{self, Fuzzer};
-use geograd_tests::list::{self, Proof};
+use geograd_tests::list::{self, Judged};
 use indicatif::{ProgressBar, ProgressStyle};
 use std::process::ExitCode;
 
@@ -125,7 +125,7 @@ fn main() -> ExitCode {
             return ExitCode::from(2);
         }
     };
-    let jobs: Vec<Proof> = list::checks()
+    let jobs: Vec<Judged> = list::checks()
         .into_iter()
         .filter(|(name, wide, _)| options.wants(name, *wide))
         .collect();

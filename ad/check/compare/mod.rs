@@ -10,7 +10,7 @@
 //! | `projection` | the adjoint with duals along a direction |
 //! | `linear` | the adjoint of a sum with the sum of the adjoints |
 //! | `steps` | adjoint and duals with differences, and with both sides at a kink |
-//! | `promise` | the value and its derivatives with those of the moved input |
+//! | `invariance` | the value and its derivatives with those of the moved input |
 //! | `curvature` | second derivatives with one another |
 pub(crate) mod along;
 pub(crate) mod curvature;

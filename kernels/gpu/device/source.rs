@@ -24,7 +24,7 @@ pub(super) const STEP: usize = 64;
 /// thread's row.
 const STEP_MATRIX: usize = 8;
 /// The same for adjoints, which keep sums beside them, one of 20 bytes per walked shape and slot:
-/// at most 10 KiB, of the 16 KiB that WebGPU promises.
+/// at most 10 KiB, of the 16 KiB that WebGPU guarantees.
 const fn step_vjp(slots: usize) -> usize {
     if slots > 32 { 8 } else { 16 }
 }

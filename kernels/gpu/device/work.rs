@@ -181,7 +181,7 @@ impl<'a> Work<'a> {
     }
 }
 
-/// Workgroups along one dimension of a dispatch: what WebGPU promises of every device.
+/// Workgroups along one dimension of a dispatch: the guarantee of WebGPU for every device.
 pub(super) const MOST_GROUPS: usize = 65_535;
 
 /// Workgroups for so many threads.

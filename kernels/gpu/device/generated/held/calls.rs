@@ -216,5 +216,5 @@ impl Gpu {
     }
 }
 
-/// Buffers that a kernel binds at most, the results among them: as many as WebGPU promises of every device.
+/// Buffers that a kernel binds at most, the results among them: as many as WebGPU guarantees on every device.
 const MOST_BOUND: usize = 8;
