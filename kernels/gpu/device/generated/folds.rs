@@ -223,13 +223,11 @@ fn {entry}(@builtin(global_invocation_id) thread: vec3u) {{
         let mut derivatives = edge_inputs;
         derivatives.extend(elements("pulled", state..2 * state));
         let derivatives = call("fold_edge_vjp", derivatives);
-        let add = lines(own, &|k| {
-            format!("        context{k} += derivatives[{k}];\n")
-        });
+        let add = lines(own, &|k| format!("        context{k} += slopes[{k}];\n"));
         let add_ends = lines(4, &|k| {
             let (end, axis) = (if k < 2 { "k" } else { "next" }, k % 2);
             format!(
-                "        path_bars[2u * (start + {end}) + {axis}u] += derivatives[{}];\n",
+                "        path_bars[2u * (start + {end}) + {axis}u] += slopes[{}];\n",
                 wide + k
             )
         });
@@ -248,7 +246,7 @@ fn {entry}(@builtin(global_invocation_id) thread: vec3u) {{
 {context}{bars}    for (var i = edges; i > 0u; i--) {{
         let k = i - 1u;
 {recall}{edge}        let pulled = {pulled};
-{hand_on}        let derivatives = {derivatives};
+{hand_on}        let slopes = {derivatives};
 {add}{add_ends}    }}
 {put}{unused}}}
 "
