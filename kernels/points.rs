@@ -227,11 +227,10 @@ fn pieces<B: Container, R: Send>(
     let tree = Tree::new(&ends);
     let run = |(piece, points)| of(&tree, piece * PIECE, points);
     #[cfg(feature = "parallel")]
-    {
+    if crate::kernels::cpu::work::is_spread() {
         use rayon::prelude::*;
-        Ok(points.par_chunks(PIECE).enumerate().map(run).collect())
+        return Ok(points.par_chunks(PIECE).enumerate().map(run).collect());
     }
-    #[cfg(not(feature = "parallel"))]
     Ok(points.chunks(PIECE).enumerate().map(run).collect())
 }
 

@@ -1,0 +1,270 @@
+//! Arrays as rows of numbers, and arrays for results.
+use crate::call::Number;
+use crate::shapes::{Content, Shape, array};
+use crate::table::{Column, NUMBERS, table};
+use geograd::kernels::dynamic::Rows;
+use numpy::{
+    PyArrayDescrMethods, PyArrayDyn, PyArrayMethods, PyReadonlyArrayDyn, PyReadwriteArrayDyn, PyUntypedArray,
+    PyUntypedArrayMethods,
+};
+use pyo3::exceptions::{PyMemoryError, PyTypeError, PyValueError};
+use pyo3::prelude::*;
+use pyo3::types::{PyDict, PyTuple};
+
+/// An argument as it was given.
+pub enum Given<'py> {
+    Array(Bound<'py, PyUntypedArray>),
+    Number(f64),
+}
+
+impl<'py> Given<'py> {
+    /// An argument for a column: an array, or a shape of its kind.
+    pub fn new(x: &Bound<'py, PyAny>, column: &Column) -> PyResult<Self> {
+        if let Ok(shape) = x.cast::<Shape>() {
+            let shape = shape.get();
+            if column.kind != NUMBERS && shape.kind != column.kind {
+                return Err(PyTypeError::new_err(format!(
+                    "`{}` is {}, not {}",
+                    column.name,
+                    table().name(column.kind),
+                    table().name(shape.kind)
+                )));
+            }
+            return match &shape.content {
+                Content::Array(array) => Ok(Given::Array(array.bind(x.py()).clone())),
+                Content::Items(_) => Err(symbolic(&column.name)),
+            };
+        }
+        if column.axes.is_empty() {
+            if let Ok(number) = x.cast_exact::<pyo3::types::PyFloat>() {
+                return Ok(Given::Number(number.extract()?));
+            }
+        }
+        array(x, &column.name, column.kind).map(Given::Array)
+    }
+    /// Whether it is an array of `f32`, or says nothing.
+    fn format(&self) -> Option<bool> {
+        match self {
+            Given::Array(array) if array.ndim() > 0 => Some(array.dtype().itemsize() == 8),
+            _ => None,
+        }
+    }
+}
+
+/// Why symbols cannot be used here.
+pub fn symbolic(name: &str) -> PyErr {
+    PyTypeError::new_err(format!("`{name}` has symbols, which only the plain call of a verb or a function takes"))
+}
+
+/// Whether a call is in `f64`: not if all arrays are `f32`.
+pub fn is_double(given: &[Given<'_>]) -> bool {
+    let mut formats = given.iter().filter_map(Given::format).peekable();
+    formats.peek().is_none() || formats.any(|is_double| is_double)
+}
+
+/// An argument, its numbers one after another.
+pub struct Lent<'py, T: Number> {
+    numbers: PyReadonlyArrayDyn<'py, T>,
+    lead: Vec<usize>,
+    fields: usize,
+}
+
+impl<'py, T: Number> Lent<'py, T> {
+    /// The numbers of an argument, copied only where they are of another format or not one after another.
+    pub fn new(py: Python<'py>, given: Given<'py>, column: &Column) -> PyResult<Self> {
+        let array = match given {
+            Given::Array(array) => array.into_any(),
+            Given::Number(x) => PyArrayDyn::<T>::from_owned_array(py, numpy::ndarray::arr0(T::narrowed(x)).into_dyn()).into_any(),
+        };
+        let array = plain::<T>(array)?;
+        let lead = lead(array.shape(), column)?.to_vec();
+        let numbers = array.try_readonly().map_err(|_| in_use(&column.name))?;
+        Ok(Lent { numbers, lead, fields: column.fields() })
+    }
+    /// Axes before those of the fields.
+    pub fn lead(&self) -> &[usize] {
+        &self.lead
+    }
+    pub fn numbers(&self) -> PyResult<&[T]> {
+        self.numbers.as_slice().map_err(|error| PyValueError::new_err(error.to_string()))
+    }
+    /// As rows, of which one stands for all if it may.
+    pub fn rows(&self, may_be_one: bool) -> PyResult<Rows<'_, T>> {
+        let numbers = self.numbers()?;
+        Ok(match may_be_one && self.count() == 1 {
+            true => Rows::one(numbers),
+            false => Rows::new(numbers, self.fields),
+        })
+    }
+    pub fn count(&self) -> usize {
+        self.lead.iter().product()
+    }
+    /// Rows repeated for the leading axes of a result.
+    pub fn repeated(self, py: Python<'py>, lead: &[usize], column: &Column) -> PyResult<Self> {
+        let shape = with_fields(lead, column);
+        let numpy = py.import("numpy")?;
+        let array = numpy.call_method1("broadcast_to", (self.numbers.as_any(), PyTuple::new(py, &shape)?))?;
+        let array = plain::<T>(array)?;
+        let numbers = array.try_readonly().map_err(|_| in_use(&column.name))?;
+        Ok(Lent { numbers, lead: lead.to_vec(), fields: self.fields })
+    }
+}
+
+fn in_use(name: &str) -> PyErr {
+    PyValueError::new_err(format!("`{name}` is being written by another call"))
+}
+
+/// An array of a format whose numbers are one after another: itself, or a copy.
+fn plain<T: Number>(array: Bound<'_, PyAny>) -> PyResult<Bound<'_, PyArrayDyn<T>>> {
+    let py = array.py();
+    if let Ok(same) = array.cast::<PyArrayDyn<T>>() {
+        if same.is_c_contiguous() {
+            return Ok(same.clone());
+        }
+    }
+    let options = PyDict::new(py);
+    options.set_item("order", "C")?;
+    options.set_item("copy", false)?;
+    options.set_item("subok", false)?;
+    let made = array.call_method("astype", (numpy::dtype::<T>(py),), Some(&options))?;
+    Ok(made.cast_into::<PyArrayDyn<T>>()?)
+}
+
+/// The shape of an array of a column.
+pub fn with_fields(lead: &[usize], column: &Column) -> Vec<usize> {
+    let mut shape = lead.to_vec();
+    shape.extend(&column.axes);
+    shape
+}
+
+/// The axes of an array before those of its fields.
+fn lead<'a>(shape: &'a [usize], column: &Column) -> PyResult<&'a [usize]> {
+    if column.axes.is_empty() {
+        return Ok(shape);
+    }
+    match shape.split_last() {
+        Some((&fields, lead)) if fields == column.fields() => Ok(lead),
+        _ => {
+            let of = match table().shapes.get(usize::from(column.kind)) {
+                Some(kind) if column.kind != 0 => format!("rows of {} ({})", kind.name, kind.fields.join(", ")),
+                _ => format!("rows of {} numbers", column.fields()),
+            };
+            Err(PyValueError::new_err(format!(
+                "`{}`: an array of shape (..., {}) is needed, {of}, not {shape:?}",
+                column.name, column.fields()
+            )))
+        }
+    }
+}
+
+/// The leading axes of a result, by NumPy's rules, and how many rows that are.
+pub fn broadcast<T: Number>(lent: &[Lent<'_, T>], columns: &[Column]) -> PyResult<(Vec<usize>, usize)> {
+    let axes = lent.iter().map(|x| x.lead.len()).max().unwrap_or(0);
+    let mut lead = vec![1_usize; axes];
+    for (one, column) in lent.iter().zip(columns) {
+        let from = axes - one.lead.len();
+        for (axis, &size) in lead[from..].iter_mut().zip(&one.lead) {
+            match (*axis, size) {
+                (a, b) if a == b => {}
+                (1, size) => *axis = size,
+                (_, 1) => {}
+                (a, b) => {
+                    return Err(PyValueError::new_err(format!(
+                        "`{}` has {b} rows where {a} are needed: shapes {} do not go together",
+                        column.name,
+                        shapes_of(lent)
+                    )));
+                }
+            }
+        }
+    }
+    let count = lead.iter().try_fold(1_usize, |n, &size| n.checked_mul(size));
+    match count {
+        Some(count) => Ok((lead, count)),
+        None => Err(PyMemoryError::new_err("more rows than memory can hold")),
+    }
+}
+
+fn shapes_of<T: Number>(lent: &[Lent<'_, T>]) -> String {
+    let one = |x: &Lent<'_, T>| format!("{:?}", x.numbers.shape());
+    lent.iter().map(one).collect::<Vec<_>>().join(" and ")
+}
+
+/// Arguments whose rows are as many as those of the result, or one.
+pub fn aligned<'py, T: Number>(
+    py: Python<'py>,
+    lent: Vec<Lent<'py, T>>,
+    columns: &[Column],
+    lead: &[usize],
+    count: usize,
+) -> PyResult<Vec<Lent<'py, T>>> {
+    let fitted = lent.into_iter().zip(columns).map(|(one, column)| match one.count() {
+        1 => Ok(one),
+        n if n == count && n > 0 && one.lead.iter().filter(|&&x| x != 1).eq(lead.iter().filter(|&&x| x != 1)) => Ok(one),
+        0 if count == 0 => Ok(one),
+        _ => one.repeated(py, lead, column),
+    });
+    fitted.collect()
+}
+
+/// An array for results: a new one whose numbers are all written, or the caller's.
+pub struct Target<'py, T: Number> {
+    array: Bound<'py, PyArrayDyn<T>>,
+    object: Bound<'py, PyAny>,
+    is_callers: bool,
+}
+
+impl<'py, T: Number> Target<'py, T> {
+    pub fn new(py: Python<'py>, shape: &[usize]) -> PyResult<Self> {
+        let size = shape.iter().try_fold(1_usize, |n, &size| n.checked_mul(size));
+        if size.and_then(|size| size.checked_mul(size_of::<T>())).is_none_or(|bytes| isize::try_from(bytes).is_err()) {
+            return Err(PyMemoryError::new_err("more results than memory can hold"));
+        }
+        let array = py.import("numpy")?.call_method1("empty", (PyTuple::new(py, shape)?, numpy::dtype::<T>(py)))?;
+        let array = array.cast_into::<PyArrayDyn<T>>()?;
+        Ok(Target { object: array.as_any().clone(), array, is_callers: false })
+    }
+    /// The caller's array, or that of the caller's shape.
+    pub fn given(out: &Bound<'py, PyAny>, shape: &[usize], name: &str) -> PyResult<Self> {
+        let mut object = out.clone();
+        if let Ok(dressed) = out.cast::<Shape>() {
+            if let Content::Array(array) = &dressed.get().content {
+                object = array.bind(out.py()).clone().into_any();
+            }
+        }
+        let format = if T::IS_DOUBLE { "float64" } else { "float32" };
+        let array = object.cast::<PyArrayDyn<T>>().map_err(|_| {
+            PyTypeError::new_err(format!("out ({name}): an array of {format} is needed, like the arguments"))
+        })?;
+        let refused = |why: String| Err(PyValueError::new_err(format!("out ({name}): {why}")));
+        if array.shape() != shape {
+            return refused(format!("an array of shape {shape:?} is needed, not {:?}", array.shape()));
+        }
+        if !array.is_c_contiguous() {
+            return refused("its numbers are not one after another; an array in C order is needed".to_owned());
+        }
+        if !array.getattr("flags")?.getattr("writeable")?.is_truthy()? {
+            return refused("it is read-only".to_owned());
+        }
+        Ok(Target { array: array.clone(), object: out.clone(), is_callers: true })
+    }
+    pub fn lock(&self, name: &str) -> PyResult<PyReadwriteArrayDyn<'py, T>> {
+        self.array.try_readwrite().map_err(|_| {
+            PyValueError::new_err(format!(
+                "out ({name}): it shares memory with an argument or another result, or is used by another call"
+            ))
+        })
+    }
+    /// The result as an object: the caller's own, or the new array by `dress`.
+    pub fn done(self, dress: impl FnOnce(Bound<'py, PyAny>) -> PyResult<Bound<'py, PyAny>>) -> PyResult<Bound<'py, PyAny>> {
+        match self.is_callers {
+            true => Ok(self.object),
+            false => dress(self.object),
+        }
+    }
+}
+
+/// The numbers of a locked array.
+pub fn written<'a, T: Number>(guard: &'a mut PyReadwriteArrayDyn<'_, T>) -> PyResult<&'a mut [T]> {
+    guard.as_slice_mut().map_err(|error| PyValueError::new_err(error.to_string()))
+}

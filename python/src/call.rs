@@ -1,0 +1,287 @@
+//! What can be called: a row of the table, or a traced function, with everything that is derived of it.
+use crate::machine::OnMachine;
+use crate::raised;
+use crate::symbol::{Any, mixed};
+use crate::table::{Column, Kind, NUMBERS};
+use crate::traced::Traced;
+use geograd::kernels::dynamic::{Format, Function, Mode, OnPaths, Operation, Program, Sort, Symbol};
+use numpy::Element;
+use pyo3::PyResult;
+use pyo3::exceptions::PyTypeError;
+use std::sync::OnceLock;
+
+/// The functions of a callable that run item by item.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Form {
+    Value,
+    ValueGrad,
+    Vjp,
+    Jacobian,
+    Jvp,
+    Hvp,
+    Hessian,
+}
+
+impl Form {
+    pub const ALL: [(&'static str, Form); 7] = [
+        ("value", Form::Value),
+        ("value_grad", Form::ValueGrad),
+        ("vjp", Form::Vjp),
+        ("jacobian", Form::Jacobian),
+        ("jvp", Form::Jvp),
+        ("hvp", Form::Hvp),
+        ("hessian", Form::Hessian),
+    ];
+    pub fn named(name: &str) -> Option<Form> {
+        Form::ALL.iter().find(|form| form.0 == name).map(|form| form.1)
+    }
+}
+
+/// The two formats of arrays.
+pub trait Number: Format + Element + OnMachine {
+    const IS_DOUBLE: bool;
+    fn cache(cache: &Cache) -> &InFormat<Self>;
+    fn narrowed(x: f64) -> Self;
+    fn any(symbol: Symbol<Self>) -> Any;
+    fn symbol(any: Any) -> PyResult<Symbol<Self>>;
+}
+impl Number for f32 {
+    const IS_DOUBLE: bool = false;
+    fn cache(cache: &Cache) -> &InFormat<f32> {
+        &cache.single
+    }
+    fn narrowed(x: f64) -> f32 {
+        x as f32
+    }
+    fn any(symbol: Symbol<f32>) -> Any {
+        Any::Single(symbol)
+    }
+    fn symbol(any: Any) -> PyResult<Symbol<f32>> {
+        match any {
+            Any::Single(symbol) => Ok(symbol),
+            Any::Double(_) => Err(mixed()),
+        }
+    }
+}
+impl Number for f64 {
+    const IS_DOUBLE: bool = true;
+    fn cache(cache: &Cache) -> &InFormat<f64> {
+        &cache.double
+    }
+    fn narrowed(x: f64) -> f64 {
+        x
+    }
+    fn any(symbol: Symbol<f64>) -> Any {
+        Any::Double(symbol)
+    }
+    fn symbol(any: Any) -> PyResult<Symbol<f64>> {
+        match any {
+            Any::Double(symbol) => Ok(symbol),
+            Any::Single(_) => Err(mixed()),
+        }
+    }
+}
+
+/// What was made in one format. Read without locks, which a forked child might find held.
+pub struct InFormat<T: Number> {
+    functions: [OnceLock<Function<T>>; 7],
+    programs: [OnceLock<Program<T>>; 7],
+    on_paths: OnceLock<Option<OnPaths<T>>>,
+}
+
+impl<T: Number> Default for InFormat<T> {
+    fn default() -> Self {
+        InFormat {
+            functions: [const { OnceLock::new() }; 7],
+            programs: [const { OnceLock::new() }; 7],
+            on_paths: OnceLock::new(),
+        }
+    }
+}
+
+#[derive(Default)]
+pub struct Cache {
+    signatures: [OnceLock<Signature>; 7],
+    single: InFormat<f32>,
+    double: InFormat<f64>,
+}
+
+enum Body {
+    Row(&'static Operation),
+    Traced(Traced),
+}
+
+/// A row or a traced function.
+pub struct Callable {
+    body: Body,
+    /// What it takes, but for paths.
+    pub takes: Vec<Column>,
+    /// What it gives; of a traced function after the first recording only.
+    gives: OnceLock<Vec<Column>>,
+    cache: Cache,
+}
+
+/// What a form takes and gives.
+pub struct Signature {
+    pub takes: Vec<Column>,
+    pub gives: Vec<Column>,
+}
+
+impl Callable {
+    pub fn of_row(operation: &'static Operation, takes: Vec<Column>, gives: Vec<Column>) -> Self {
+        Callable {
+            body: Body::Row(operation),
+            takes,
+            gives: OnceLock::from(gives),
+            cache: Cache::default(),
+        }
+    }
+    pub fn of_traced(traced: Traced, takes: Vec<Column>) -> Self {
+        Callable { body: Body::Traced(traced), takes, gives: OnceLock::new(), cache: Cache::default() }
+    }
+    /// The row that it is.
+    pub fn operation(&self) -> Option<&'static Operation> {
+        match &self.body {
+            Body::Row(operation) => Some(operation),
+            Body::Traced(_) => None,
+        }
+    }
+    pub fn is_of_paths(&self) -> bool {
+        self.operation().is_some_and(|row| matches!(row.sort, Sort::Fold | Sort::Ring))
+    }
+    /// Whether its result is a tuple, even of one.
+    pub fn is_tuple(&self) -> bool {
+        match &self.body {
+            Body::Row(_) => self.gives().len() > 1,
+            Body::Traced(traced) => traced.is_tuple(),
+        }
+    }
+    /// What it gives, after it was recorded.
+    pub fn gives(&self) -> &[Column] {
+        self.gives.get().map_or(&[], |gives| gives)
+    }
+    /// Numbers of a result.
+    pub fn outputs(&self) -> usize {
+        self.gives().iter().map(Column::fields).sum()
+    }
+    /// Numbers of an input.
+    pub fn inputs(&self) -> usize {
+        self.takes.iter().map(Column::fields).sum()
+    }
+
+    /// The columns of a form.
+    pub fn signature(&self, form: Form) -> PyResult<&Signature> {
+        let kept = &self.cache.signatures[form as usize];
+        if let Some(signature) = kept.get() {
+            return Ok(signature);
+        }
+        if self.gives.get().is_none() {
+            self.program::<f64>(Form::Value)?;
+        }
+        let made = self.signed(form);
+        Ok(kept.get_or_init(|| made))
+    }
+    fn signed(&self, form: Form) -> Signature {
+        let named = |name: String, kind: Kind, like: &Column| Column { name, kind, axes: like.axes.clone() };
+        let (mut takes, mut gives) = (self.takes.clone(), self.gives().to_vec());
+        let own = self.takes.iter();
+        let slopes = own.clone().map(|x| named(format!("gradient by {}", x.name), NUMBERS, x));
+        let directions = own.map(|x| named(format!("direction of {}", x.name), NUMBERS, x));
+        let (inputs, outputs) = (self.inputs(), self.outputs());
+        let lone = match &gives[..] {
+            [one] => one.axes.is_empty(),
+            _ => false,
+        };
+        let matrix = |name: &str, axes: Vec<usize>| Column { name: name.to_owned(), kind: NUMBERS, axes };
+        match form {
+            Form::Value => {}
+            Form::ValueGrad => gives.extend(slopes),
+            Form::Vjp => {
+                takes.extend(gives.iter().map(|x| named("upstream".to_owned(), NUMBERS, x)));
+                gives = slopes.collect();
+            }
+            Form::Jvp => {
+                takes.extend(directions);
+                let along: Vec<Column> =
+                    gives.iter().map(|x| named("derivative".to_owned(), NUMBERS, x)).collect();
+                gives.extend(along);
+            }
+            Form::Hvp => {
+                takes.extend(directions);
+                gives = slopes.collect();
+            }
+            Form::Jacobian => {
+                let axes = if lone { vec![inputs] } else { vec![outputs, inputs] };
+                gives = vec![matrix("jacobian", axes)];
+            }
+            Form::Hessian => gives = vec![matrix("hessian", vec![inputs, inputs])],
+        }
+        Signature { takes, gives }
+    }
+
+    /// The program of a form.
+    pub fn program<T: Number>(&self, form: Form) -> PyResult<&Program<T>> {
+        let kept = &T::cache(&self.cache).programs[form as usize];
+        if let Some(program) = kept.get() {
+            return Ok(program);
+        }
+        let made = match (form, &self.body) {
+            (Form::Value, Body::Row(operation)) => operation.program::<T>().map_err(raised)?,
+            (Form::Value, Body::Traced(traced)) => {
+                let (program, gives) = traced.record::<T>(&self.takes)?;
+                let known = self.gives.get_or_init(|| gives.clone());
+                let widths = |all: &[Column]| all.iter().map(|x| x.axes.clone()).collect::<Vec<_>>();
+                if widths(known) != widths(&gives) {
+                    return Err(PyTypeError::new_err(
+                        "the function gave other results when it was recorded for the other format",
+                    ));
+                }
+                program
+            }
+            _ => {
+                let value = self.program::<T>(Form::Value)?;
+                match form {
+                    Form::Value => value.clone(),
+                    Form::ValueGrad => value.value_grad().map_err(raised)?,
+                    Form::Vjp => value.vjp().map_err(raised)?,
+                    Form::Jvp => value.jvp(),
+                    Form::Hvp => value.hvp().map_err(raised)?,
+                    Form::Jacobian => value.jacobian().map_err(raised)?,
+                    Form::Hessian => value.hessian().map_err(raised)?,
+                }
+            }
+        };
+        Ok(kept.get_or_init(|| made))
+    }
+
+    /// The function of a form.
+    pub fn function<T: Number>(&self, form: Form) -> PyResult<&Function<T>> {
+        let kept = &T::cache(&self.cache).functions[form as usize];
+        if let Some(function) = kept.get() {
+            return Ok(function);
+        }
+        let of_row = match &self.body {
+            Body::Row(operation) => {
+                let mode = match form {
+                    Form::Value => Some(Mode::Value),
+                    Form::ValueGrad => Some(Mode::ValueGrad),
+                    Form::Vjp => Some(Mode::Vjp),
+                    _ => None,
+                };
+                mode.and_then(|mode| operation.function::<T>(mode))
+            }
+            Body::Traced(_) => None,
+        };
+        let made = match of_row {
+            Some(function) => function,
+            None => self.program::<T>(form)?.function(),
+        };
+        Ok(kept.get_or_init(|| made))
+    }
+
+    /// The function of paths.
+    pub fn on_paths<T: Number>(&self) -> PyResult<&OnPaths<T>> {
+        let kept = T::cache(&self.cache).on_paths.get_or_init(|| self.operation()?.on_paths::<T>());
+        kept.as_ref().ok_or_else(|| PyTypeError::new_err("takes no paths"))
+    }
+}

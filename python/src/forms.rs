@@ -1,0 +1,478 @@
+//! The forms of a call, for rows of the table and traced functions alike.
+use crate::arrays::{Given, Lent, Target, aligned, broadcast, is_double, with_fields, written};
+use crate::call::{Callable, Form, Number};
+use crate::machine::Machine;
+use crate::raised;
+use crate::shapes::{Paths, dressed};
+use crate::table::{Column, NUMBERS};
+use crate::threads::on_threads;
+use geograd::kernels::reduce::{Best, Found};
+use geograd::kernels::dynamic::Rows;
+use numpy::{PyArray1, PyArrayMethods, PyUntypedArray, PyUntypedArrayMethods};
+use pyo3::exceptions::{PyTypeError, PyValueError};
+use pyo3::prelude::*;
+use pyo3::types::{PyList, PyTuple};
+
+type Object<'py> = Bound<'py, PyAny>;
+
+/// A call: what of, its name in messages, and its arguments.
+pub struct Call<'a, 'py> {
+    pub py: Python<'py>,
+    pub of: &'a Callable,
+    pub name: &'a str,
+    pub arguments: &'a [Object<'py>],
+    pub out: Option<&'a Object<'py>>,
+    pub machine: Machine,
+}
+
+/// Runs a call in the format of its arguments.
+macro_rules! in_format {
+    ($call:expr, $given:expr, $run:ident $(, $more:expr)*) => {
+        match is_double(&$given) {
+            true if $call.machine.is_gpu() => Err(PyTypeError::new_err(
+                "backend=\"gpu\" computes in float32: pass arrays of float32",
+            )),
+            true => $call.$run::<f64>($given $(, $more)*),
+            false => $call.$run::<f32>($given $(, $more)*),
+        }
+    };
+}
+
+/// Results of a list by their places: what `out` has there.
+fn flattened<'py>(out: &Object<'py>, into: &mut Vec<Option<Object<'py>>>) -> PyResult<()> {
+    if out.cast::<PyTuple>().is_ok() || out.cast::<PyList>().is_ok() {
+        for part in out.try_iter()? {
+            flattened(&part?, into)?;
+        }
+    } else {
+        into.push((!out.is_none()).then(|| out.clone()));
+    }
+    Ok(())
+}
+
+impl<'py> Call<'_, 'py> {
+    /// The arguments of columns.
+    fn given(&self, columns: &[Column]) -> PyResult<Vec<Given<'py>>> {
+        if self.arguments.len() != columns.len() {
+            let names: Vec<&str> = columns.iter().map(|column| column.name.as_str()).collect();
+            return Err(PyTypeError::new_err(format!(
+                "{} takes {} ({} arguments), not {}",
+                self.name,
+                names.join(", "),
+                columns.len(),
+                self.arguments.len()
+            )));
+        }
+        self.arguments.iter().zip(columns).map(|(x, column)| Given::new(x, column)).collect()
+    }
+    fn lent<T: Number>(&self, given: Vec<Given<'py>>, columns: &[Column]) -> PyResult<Vec<Lent<'py, T>>> {
+        given.into_iter().zip(columns).map(|(x, column)| Lent::new(self.py, x, column)).collect()
+    }
+    fn run<R: Send>(&self, items: usize, run: impl FnOnce() -> Result<R, geograd::Error> + Send) -> PyResult<R> {
+        let done = match self.machine.is_gpu() {
+            true => self.py.detach(run),
+            false => on_threads(self.py, items, run)?,
+        };
+        done.map_err(raised)
+    }
+
+    /// Item by item.
+    pub fn item_by_item(&self, form: Form) -> PyResult<Object<'py>> {
+        let given = self.given(&self.of.signature(form)?.takes)?;
+        in_format!(self, given, items, form)
+    }
+    fn items<T: Number>(&self, given: Vec<Given<'py>>, form: Form) -> PyResult<Object<'py>> {
+        let signature = self.of.signature(form)?;
+        let function = self.of.function::<T>(form)?;
+        let (takes, gives) = (&signature.takes, &signature.gives);
+        let lent = self.lent::<T>(given, takes)?;
+        let (lead, count) = broadcast(&lent, takes)?;
+        let lent = aligned(self.py, lent, takes, &lead, count)?;
+        let rows = lent.iter().map(|x| x.rows(true)).collect::<PyResult<Vec<_>>>()?;
+        let targets = self.targets::<T>(&lead, gives)?;
+        let mut guards = Vec::with_capacity(targets.len());
+        for (target, column) in targets.iter().zip(gives) {
+            guards.push(target.as_ref().map(|target| target.lock(&column.name)).transpose()?);
+        }
+        let mut slices = Vec::with_capacity(guards.len());
+        for guard in &mut guards {
+            slices.push(guard.as_mut().map(written).transpose()?);
+        }
+        let machine = &self.machine;
+        self.run(count, || T::aligned(function, machine, &rows, &mut slices))?;
+        drop(slices);
+        drop(guards);
+        let mut results = Vec::with_capacity(gives.len());
+        for (k, (target, column)) in targets.into_iter().zip(gives).enumerate() {
+            let is_value = matches!(form, Form::Value | Form::ValueGrad | Form::Jvp) && k < self.of.gives().len();
+            let kind = if is_value { column.kind } else { NUMBERS };
+            results.push(match target {
+                None => self.py.None().into_bound(self.py),
+                Some(target) => target.done(|array| match lead.is_empty() && column.axes.is_empty() {
+                    true => array.get_item(PyTuple::empty(self.py)),
+                    false => dressed(array, kind),
+                })?,
+            });
+        }
+        self.arranged(form, results)
+    }
+    /// New arrays for results, or the caller's.
+    fn targets<T: Number>(&self, lead: &[usize], gives: &[Column]) -> PyResult<Vec<Option<Target<'py, T>>>> {
+        let Some(out) = self.out else {
+            let new = |column: &Column| Target::new(self.py, &with_fields(lead, column)).map(Some);
+            return gives.iter().map(new).collect();
+        };
+        let mut all = Vec::with_capacity(gives.len());
+        flattened(out, &mut all)?;
+        if all.len() != gives.len() {
+            let names: Vec<&str> = gives.iter().map(|column| column.name.as_str()).collect();
+            return Err(PyValueError::new_err(format!(
+                "out: {} arrays where {} are needed ({}; None for what is not wanted)",
+                all.len(),
+                gives.len(),
+                names.join(", ")
+            )));
+        }
+        let given = all.iter().zip(gives).map(|(out, column)| match out {
+            None => Ok(None),
+            Some(out) => Target::given(out, &with_fields(lead, column), &column.name).map(Some),
+        });
+        given.collect()
+    }
+    /// Results in the form that a caller takes apart.
+    pub fn arranged(&self, form: Form, mut results: Vec<Object<'py>>) -> PyResult<Object<'py>> {
+        let (py, values) = (self.py, self.of.gives().len());
+        let tuple = |list: Vec<Object<'py>>| PyTuple::new(py, list).map(Bound::into_any);
+        let value = |mut list: Vec<Object<'py>>| match (self.of.is_tuple(), list.pop()) {
+            (false, Some(one)) if list.is_empty() => Ok(one),
+            (_, last) => tuple(list.into_iter().chain(last).collect()),
+        };
+        let slopes = |mut list: Vec<Object<'py>>| match (self.of.takes.len(), list.pop()) {
+            (1, Some(one)) => Ok(one),
+            (_, last) => tuple(list.into_iter().chain(last).collect()),
+        };
+        match form {
+            Form::Value => value(results),
+            Form::ValueGrad => {
+                let gradient = slopes(results.split_off(values))?;
+                tuple(vec![value(results)?, gradient])
+            }
+            Form::Jvp => {
+                let along = value(results.split_off(values))?;
+                tuple(vec![value(results)?, along])
+            }
+            Form::Vjp | Form::Hvp => slopes(results),
+            Form::Jacobian | Form::Hessian => Ok(results.remove(0)),
+        }
+    }
+
+    /// Both lists of a call of all pairs.
+    fn two(&self) -> PyResult<Vec<Given<'py>>> {
+        let takes = &self.of.takes;
+        if takes.len() != 2 {
+            return Err(PyTypeError::new_err(format!("{} takes {} arguments; pairs are of two", self.name, takes.len())));
+        }
+        self.given(takes)
+    }
+    fn lists<T: Number>(&self, given: Vec<Given<'py>>) -> PyResult<[Lent<'py, T>; 2]> {
+        let takes = &self.of.takes;
+        let lent = self.lent::<T>(given, takes)?;
+        for (one, column) in lent.iter().zip(takes) {
+            if one.lead().len() > 1 {
+                return Err(PyValueError::new_err(format!(
+                    "`{}`: a list of rows is needed, an array of shape {}, not one with {} leading axes",
+                    column.name,
+                    if column.axes.is_empty() { "(N,)".to_owned() } else { format!("(N, {})", column.fields()) },
+                    one.lead().len()
+                )));
+            }
+        }
+        <[Lent<'py, T>; 2]>::try_from(lent).map_err(|_| PyTypeError::new_err("two lists are needed"))
+    }
+    fn one_number(&self) -> PyResult<()> {
+        self.of.signature(Form::Value)?;
+        match self.of.outputs() {
+            1 => Ok(()),
+            found => Err(raised(geograd::Error::NotOneNumber { found })),
+        }
+    }
+    fn reduced<T: Number, R: Send>(
+        &self,
+        given: Vec<Given<'py>>,
+        reduce: impl FnOnce([Rows<'_, T>; 2]) -> Result<R, geograd::Error> + Send,
+    ) -> PyResult<R> {
+        self.one_number()?;
+        let [a, b] = self.lists::<T>(given)?;
+        let items = a.count().saturating_mul(b.count());
+        let lists = [a.rows(false)?, b.rows(false)?];
+        self.run(items, || reduce(lists))
+    }
+
+    /// Every row of `a` with every row of `b`.
+    pub fn all_pairs(&self) -> PyResult<Object<'py>> {
+        self.of.signature(Form::Value)?;
+        let given = self.two()?;
+        in_format!(self, given, pairs)
+    }
+    fn pairs<T: Number>(&self, given: Vec<Given<'py>>) -> PyResult<Object<'py>> {
+        let function = self.of.function::<T>(Form::Value)?;
+        let [a, b] = self.lists::<T>(given)?;
+        let (rows, columns, numbers) = (a.count(), b.count(), self.of.outputs());
+        let shape = match numbers {
+            1 => vec![rows, columns],
+            _ => vec![numbers, rows, columns],
+        };
+        let target = match self.out {
+            None => Target::new(self.py, &shape)?,
+            Some(out) => Target::given(out, &shape, "result")?,
+        };
+        let mut guard = target.lock("result")?;
+        let slice = written(&mut guard)?;
+        let (lists, machine) = ([a.rows(false)?, b.rows(false)?], &self.machine);
+        self.run(rows.saturating_mul(columns), || T::all_pairs(function, machine, lists, slice))?;
+        drop(guard);
+        target.done(|array| match numbers {
+            1 => Ok(array),
+            // Numbers of a result last, as everywhere.
+            _ => array.call_method1("transpose", (1, 2, 0)),
+        })
+    }
+
+    /// The largest result of every row or of every column, and where it is.
+    pub fn most(&self, of_rows: bool) -> PyResult<Object<'py>> {
+        let given = self.two()?;
+        in_format!(self, given, best, of_rows)
+    }
+    fn best<T: Number>(&self, given: Vec<Given<'py>>, of_rows: bool) -> PyResult<Object<'py>> {
+        let function = self.of.function::<T>(Form::Value)?;
+        let machine = &self.machine;
+        let found: Vec<Best<T>> = self.reduced::<T, _>(given, |lists| match of_rows {
+            true => T::row_max(function, machine, lists),
+            false => T::column_max(function, machine, lists),
+        })?;
+        let values = PyArray1::from_iter(self.py, found.iter().map(|best| best.value));
+        let places = PyArray1::from_iter(self.py, found.iter().map(|best| best.index as isize));
+        Ok((values, places).into_pyobject(self.py)?.into_any())
+    }
+
+    /// Every pair above a threshold: rows, columns, values.
+    pub fn above(&self, threshold: f64) -> PyResult<Object<'py>> {
+        let given = self.two()?;
+        in_format!(self, given, found, threshold)
+    }
+    fn found<T: Number>(&self, given: Vec<Given<'py>>, threshold: f64) -> PyResult<Object<'py>> {
+        let function = self.of.function::<T>(Form::Value)?;
+        let machine = &self.machine;
+        let all: Vec<Found<T>> = self.reduced::<T, _>(given, |lists| T::pairs_above(function, machine, lists, T::narrowed(threshold)))?;
+        let rows = PyArray1::from_iter(self.py, all.iter().map(|found| found.row as isize));
+        let columns = PyArray1::from_iter(self.py, all.iter().map(|found| found.column as isize));
+        let values = PyArray1::from_iter(self.py, all.iter().map(|found| found.value));
+        Ok((rows, columns, values).into_pyobject(self.py)?.into_any())
+    }
+
+    /// How many pairs are above a threshold.
+    pub fn count_above(&self, threshold: f64) -> PyResult<u64> {
+        let given = self.two()?;
+        in_format!(self, given, counted, threshold)
+    }
+    fn counted<T: Number>(&self, given: Vec<Given<'py>>, threshold: f64) -> PyResult<u64> {
+        let function = self.of.function::<T>(Form::Value)?;
+        let machine = &self.machine;
+        self.reduced::<T, _>(given, |lists| T::count_above(function, machine, lists, T::narrowed(threshold)))
+    }
+
+    /// The sum of all results, or their mean.
+    pub fn total(&self, is_mean: bool) -> PyResult<f64> {
+        let given = self.two()?;
+        in_format!(self, given, totalled, is_mean)
+    }
+    fn totalled<T: Number>(&self, given: Vec<Given<'py>>, is_mean: bool) -> PyResult<f64> {
+        let function = self.of.function::<T>(Form::Value)?;
+        let machine = &self.machine;
+        self.reduced::<T, _>(given, |lists| match is_mean {
+            true => T::mean(function, machine, lists),
+            false => T::sum(function, machine, lists),
+        })
+    }
+
+    /// The same with its gradient by both lists.
+    pub fn total_grad(&self, is_mean: bool) -> PyResult<Object<'py>> {
+        let given = self.two()?;
+        in_format!(self, given, lost, is_mean)
+    }
+    fn lost<T: Number>(&self, given: Vec<Given<'py>>, is_mean: bool) -> PyResult<Object<'py>> {
+        let function = self.of.function::<T>(Form::Value)?;
+        let machine = &self.machine;
+        let shapes = self.shapes_of(&given);
+        let (value, a, b) = self.reduced::<T, _>(given, |lists| match is_mean {
+            true => T::mean_grad(function, machine, lists),
+            false => T::sum_grad(function, machine, lists),
+        })?;
+        let slopes = (self.shaped(a, &shapes[0])?, self.shaped(b, &shapes[1])?);
+        Ok((value, slopes).into_pyobject(self.py)?.into_any())
+    }
+
+    /// Gradients of the sum of all results, each times its number of a matrix.
+    pub fn all_pairs_vjp(&self, upstream: &Object<'py>) -> PyResult<Object<'py>> {
+        let mut given = self.two()?;
+        let column = Column { name: "upstream".to_owned(), kind: NUMBERS, axes: Vec::new() };
+        given.push(Given::new(upstream, &column)?);
+        in_format!(self, given, pulled)
+    }
+    fn pulled<T: Number>(&self, mut given: Vec<Given<'py>>) -> PyResult<Object<'py>> {
+        let function = self.of.function::<T>(Form::Value)?;
+        let column = Column { name: "upstream".to_owned(), kind: NUMBERS, axes: Vec::new() };
+        let upstream = given.pop().ok_or_else(|| PyTypeError::new_err("upstream is needed"))?;
+        let upstream = Lent::<T>::new(self.py, upstream, &column)?;
+        let shapes = self.shapes_of(&given);
+        self.one_number()?;
+        let [a, b] = self.lists::<T>(given)?;
+        let wanted = [a.count(), b.count()];
+        if upstream.lead() != wanted {
+            return Err(PyValueError::new_err(format!(
+                "`upstream`: an array of shape {wanted:?} is needed, a number for every pair, not {:?}",
+                upstream.lead()
+            )));
+        }
+        let (lists, numbers, machine) = ([a.rows(false)?, b.rows(false)?], upstream.numbers()?, &self.machine);
+        let (a, b) = self.run(wanted[0].saturating_mul(wanted[1]), || T::all_pairs_vjp(function, machine, lists, numbers))?;
+        Ok((self.shaped(a, &shapes[0])?, self.shaped(b, &shapes[1])?).into_pyobject(self.py)?.into_any())
+    }
+    fn shapes_of(&self, given: &[Given<'py>]) -> Vec<Vec<usize>> {
+        let shape = |given: &Given<'py>| match given {
+            Given::Array(array) => array.shape().to_vec(),
+            Given::Number(_) => Vec::new(),
+        };
+        given.iter().map(shape).collect()
+    }
+    fn shaped<T: Number>(&self, numbers: Vec<T>, shape: &[usize]) -> PyResult<Object<'py>> {
+        PyArray1::from_vec(self.py, numbers).as_any().call_method1("reshape", (PyTuple::new(self.py, shape)?,))
+    }
+
+    /// A row of paths: the value, its gradient, or its adjoint.
+    pub fn paths(&self, form: Form) -> PyResult<Object<'py>> {
+        let takes = &self.of.takes;
+        let wanted = takes.len() + 1 + usize::from(form == Form::Vjp);
+        if self.arguments.len() != wanted {
+            let mut names: Vec<&str> = takes.iter().map(|column| column.name.as_str()).collect();
+            names.push("paths");
+            names.extend((form == Form::Vjp).then_some("upstream"));
+            return Err(PyTypeError::new_err(format!("{} takes {}", self.name, names.join(", "))));
+        }
+        if !matches!(form, Form::Value | Form::ValueGrad | Form::Vjp) {
+            return Err(PyTypeError::new_err(format!("{} is of paths: it has value_grad and vjp", self.name)));
+        }
+        let (contexts, rest) = self.arguments.split_at(takes.len());
+        let Ok(paths) = rest[0].cast::<Paths>() else {
+            return Err(PyTypeError::new_err(format!("{}: geograd.Paths is needed for paths", self.name)));
+        };
+        let mut given = contexts.iter().zip(takes).map(|(x, column)| Given::new(x, column)).collect::<PyResult<Vec<_>>>()?;
+        given.push(Given::Array(paths.get().vertices.bind(self.py).clone()));
+        if let Some(upstream) = rest.get(1) {
+            given.push(Given::new(upstream, &self.upstream())?);
+        }
+        let offsets = offsets(self.py, paths.get())?;
+        in_format!(self, given, on_paths, form, offsets)
+    }
+    fn upstream(&self) -> Column {
+        let axes = self.of.gives().first().map(|column| column.axes.clone()).unwrap_or_default();
+        Column { name: "upstream".to_owned(), kind: NUMBERS, axes }
+    }
+    fn on_paths<T: Number>(&self, mut given: Vec<Given<'py>>, form: Form, offsets: Vec<usize>) -> PyResult<Object<'py>> {
+        let function = self.of.on_paths::<T>()?;
+        let takes = &self.of.takes;
+        let count = offsets.len().saturating_sub(1);
+        let rest = given.split_off(takes.len());
+        let mut rest = rest.into_iter();
+        let column = Column { name: "vertices".to_owned(), kind: NUMBERS, axes: vec![2] };
+        let vertices = rest.next().ok_or_else(|| PyTypeError::new_err("paths are needed"))?;
+        let vertices = Lent::<T>::new(self.py, vertices, &column)?;
+        let upstream = match rest.next() {
+            None => None,
+            Some(upstream) => Some(self.full(upstream, &self.upstream(), count)?),
+        };
+        let mut contexts = Vec::new();
+        for (given, column) in given.into_iter().zip(takes) {
+            contexts.push(self.full::<T>(given, column, count)?);
+        }
+        let rows = contexts.iter().map(|x| x.rows(false)).collect::<PyResult<Vec<_>>>()?;
+        let (numbers, machine) = (vertices.numbers()?, &self.machine);
+        let items = numbers.len();
+        let gives = self.of.gives();
+        let shape = gives.first().map(|column| with_fields(&[count], column)).unwrap_or_default();
+        let kind = gives.first().map_or(NUMBERS, |column| column.kind);
+        let value = |of: Vec<T>| -> PyResult<Object<'py>> { dressed(self.shaped(of, &shape)?, kind) };
+        let slopes = |(columns, vertices): (Vec<Vec<T>>, Vec<T>)| -> PyResult<Vec<Object<'py>>> {
+            let mut all = Vec::new();
+            for (numbers, column) in columns.into_iter().zip(takes) {
+                all.push(self.shaped(numbers, &with_fields(&[count], column))?);
+            }
+            let size = vertices.len() / 2;
+            all.push(self.shaped(vertices, &[size, 2])?);
+            Ok(all)
+        };
+        let grouped = |mut all: Vec<Object<'py>>| match all.len() {
+            1 => Ok(all.remove(0)),
+            _ => PyTuple::new(self.py, all).map(Bound::into_any),
+        };
+        match form {
+            Form::Value => {
+                let found = self.run(items, || T::paths(function, machine, &rows, numbers, &offsets))?;
+                match self.out {
+                    None => value(found),
+                    Some(out) => {
+                        let target = Target::<T>::given(out, &shape, "result")?;
+                        let mut guard = target.lock("result")?;
+                        written(&mut guard)?.copy_from_slice(&found);
+                        drop(guard);
+                        target.done(Ok)
+                    }
+                }
+            }
+            _ if self.out.is_some() => Err(PyTypeError::new_err("out is for values of paths only")),
+            Form::ValueGrad => {
+                if function.gives() != 1 {
+                    return Err(raised(geograd::Error::NotOneNumber { found: function.gives() }));
+                }
+                let ones = vec![T::narrowed(1.0); count];
+                let (values, bars) = self.run(items, || {
+                    let values = T::paths(function, machine, &rows, numbers, &offsets)?;
+                    let bars = T::paths_vjp(function, machine, &rows, numbers, &offsets, &ones)?;
+                    Ok((values, bars))
+                })?;
+                Ok((value(values)?, grouped(slopes(bars)?)?).into_pyobject(self.py)?.into_any())
+            }
+            _ => {
+                let upstream = upstream.as_ref().ok_or_else(|| PyTypeError::new_err("upstream is needed"))?;
+                let upstream = upstream.numbers()?;
+                let bars = self.run(items, || T::paths_vjp(function, machine, &rows, numbers, &offsets, upstream))?;
+                grouped(slopes(bars)?)
+            }
+        }
+    }
+    /// A row for every path.
+    fn full<T: Number>(&self, given: Given<'py>, column: &Column, count: usize) -> PyResult<Lent<'py, T>> {
+        let lent = Lent::<T>::new(self.py, given, column)?;
+        if lent.lead() == [count] {
+            return Ok(lent);
+        }
+        if lent.count() != 1 {
+            return Err(PyValueError::new_err(format!(
+                "`{}` has {} rows where {count} are needed, one for each path",
+                column.name,
+                lent.count()
+            )));
+        }
+        lent.repeated(self.py, &[count], column)
+    }
+}
+
+/// The offsets of paths.
+fn offsets(py: Python<'_>, paths: &Paths) -> PyResult<Vec<usize>> {
+    let array: &Bound<'_, PyUntypedArray> = paths.offsets.bind(py);
+    let whole = array.as_any().call_method1("astype", (numpy::dtype::<i64>(py),))?;
+    let whole = whole.cast_into::<PyArray1<i64>>()?;
+    let whole = whole.readonly();
+    let negative = || PyValueError::new_err("offsets: an offset is negative");
+    whole.as_array().iter().map(|&x| usize::try_from(x).map_err(|_| negative())).collect()
+}

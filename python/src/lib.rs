@@ -1,0 +1,50 @@
+//! The module `geograd._core`.
+#![forbid(unsafe_code)]
+mod arrays;
+mod call;
+mod forms;
+mod machine;
+mod shapes;
+mod symbol;
+mod table;
+mod threads;
+mod traced;
+mod verb;
+
+use geograd::Error;
+use pyo3::exceptions::{PyMemoryError, PyRuntimeError, PyTypeError, PyValueError};
+use pyo3::prelude::*;
+
+/// An error of the library as an exception.
+pub(crate) fn raised(error: Error) -> PyErr {
+    let text = error.to_string();
+    match error {
+        Error::Program(_) | Error::NotOneNumber { .. } | Error::Arguments { .. } => PyTypeError::new_err(text),
+        Error::TooLarge => PyMemoryError::new_err(text),
+        Error::Gpu(_) => PyRuntimeError::new_err(text),
+        _ => PyValueError::new_err(text),
+    }
+}
+
+#[pymodule(gil_used = false)]
+fn _core(m: &Bound<'_, PyModule>) -> PyResult<()> {
+    m.add("__version__", env!("CARGO_PKG_VERSION"))?;
+    m.add_class::<shapes::Shape>()?;
+    m.add_class::<shapes::Paths>()?;
+    m.add_class::<symbol::Symbol>()?;
+    m.add_class::<symbol::Truth>()?;
+    m.add_class::<verb::Verb>()?;
+    m.add_class::<traced::Recorded>()?;
+    m.add_class::<traced::Program>()?;
+    m.add_function(wrap_pyfunction!(verb::shapes, m)?)?;
+    m.add_function(wrap_pyfunction!(verb::verbs, m)?)?;
+    m.add_function(wrap_pyfunction!(verb::rows, m)?)?;
+    m.add_function(wrap_pyfunction!(shapes::set_classes, m)?)?;
+    m.add_function(wrap_pyfunction!(symbol::where_, m)?)?;
+    m.add_function(wrap_pyfunction!(symbol::elementary, m)?)?;
+    m.add_function(wrap_pyfunction!(threads::get_num_threads, m)?)?;
+    m.add_function(wrap_pyfunction!(threads::set_num_threads, m)?)?;
+    m.add_function(wrap_pyfunction!(threads::before_fork, m)?)?;
+    m.add_function(wrap_pyfunction!(threads::after_fork, m)?)?;
+    Ok(())
+}

@@ -1,0 +1,307 @@
+//! Shapes over arrays or symbols, and paths.
+use crate::symbol::Symbol;
+use crate::table::{Kind, NUMBERS, POLYLINE, RING, table};
+use numpy::{PyUntypedArray, PyUntypedArrayMethods};
+use pyo3::exceptions::{PyRuntimeError, PyTypeError, PyValueError};
+use pyo3::prelude::*;
+use pyo3::sync::PyOnceLock;
+use pyo3::types::{PyDict, PyList, PyTuple, PyType};
+
+/// The numbers of a shape.
+pub enum Content {
+    /// An array whose last axis has the fields.
+    Array(Py<PyUntypedArray>),
+    /// Symbols and numbers, a field each.
+    Items(Vec<Py<PyAny>>),
+}
+
+/// Shapes of one kind: an array whose last axis has their numbers, or symbols.
+#[pyclass(frozen, subclass, name = "Shape", module = "geograd")]
+pub struct Shape {
+    pub kind: Kind,
+    pub content: Content,
+}
+
+/// Classes of shapes in Python, by kind.
+static CLASSES: PyOnceLock<Vec<Option<Py<PyType>>>> = PyOnceLock::new();
+/// What makes arrays of numbers of anything else: sequences, Arrow columns, geometries.
+static CONVERT: PyOnceLock<Py<PyAny>> = PyOnceLock::new();
+
+/// Says which classes shapes have, by the place of their kind, and what converts other things to arrays.
+#[pyfunction]
+pub fn set_classes(py: Python<'_>, classes: Vec<Option<Py<PyType>>>, convert: Py<PyAny>) -> PyResult<()> {
+    let again = |_| PyRuntimeError::new_err("classes are set already");
+    CLASSES.set(py, classes).map_err(again)?;
+    CONVERT.set(py, convert).map_err(|_| PyRuntimeError::new_err("classes are set already"))
+}
+
+/// An array of numbers of anything: exactly an array of NumPy's.
+pub fn converted<'py>(x: &Bound<'py, PyAny>, name: &str, kind: Kind) -> PyResult<Bound<'py, PyUntypedArray>> {
+    let py = x.py();
+    let convert = CONVERT.get(py).ok_or_else(|| PyRuntimeError::new_err("import geograd first"))?;
+    let made = convert.bind(py).call1((x, name, table().name(kind)))?;
+    Ok(made.cast_into::<PyUntypedArray>()?)
+}
+
+/// The array itself, or what it is converted to.
+pub fn array<'py>(x: &Bound<'py, PyAny>, name: &str, kind: Kind) -> PyResult<Bound<'py, PyUntypedArray>> {
+    match x.cast_exact::<PyUntypedArray>() {
+        Ok(array) if matches!(numpy::PyArrayDescrMethods::kind(&array.dtype()), b'f') => Ok(array.clone()),
+        _ => converted(x, name, kind),
+    }
+}
+
+/// The class of a kind.
+fn class(py: Python<'_>, kind: Kind) -> Option<&Py<PyType>> {
+    CLASSES.get(py)?.get(usize::from(kind))?.as_ref()
+}
+
+/// An array as shapes of a kind, if the kind has a class.
+pub fn dressed<'py>(array: Bound<'py, PyAny>, kind: Kind) -> PyResult<Bound<'py, PyAny>> {
+    match class(array.py(), kind) {
+        Some(class) => class.bind(array.py()).call1((array,)),
+        None => Ok(array),
+    }
+}
+
+/// Symbols as a shape of a kind, if the kind has a class; else as a list.
+pub fn dressed_items<'py>(py: Python<'py>, items: Vec<Py<PyAny>>, kind: Kind) -> PyResult<Bound<'py, PyAny>> {
+    match class(py, kind) {
+        Some(class) => class.bind(py).call1(PyTuple::new(py, items)?),
+        None => Ok(PyList::new(py, items)?.into_any()),
+    }
+}
+
+fn fields(kind: Kind) -> &'static [String] {
+    &table().shapes[usize::from(kind)].fields
+}
+
+#[pymethods]
+impl Shape {
+    #[new]
+    #[classmethod]
+    #[pyo3(signature = (*numbers, **named))]
+    fn new(
+        class: &Bound<'_, PyType>,
+        numbers: &Bound<'_, PyTuple>,
+        named: Option<&Bound<'_, PyDict>>,
+    ) -> PyResult<Self> {
+        let py = class.py();
+        let kind: Kind = class.getattr("_kind")?.extract()?;
+        let (name, fields) = (table().name(kind), fields(kind));
+        let wrong = || {
+            PyTypeError::new_err(format!(
+                "{name} is made of one array of shape (..., {}), or of its numbers: {name}({})",
+                fields.len(),
+                fields.join(", ")
+            ))
+        };
+        if numbers.len() == 1 && named.is_none() && fields.len() != 1 {
+            let one = numbers.get_item(0)?;
+            if let Ok(shape) = one.cast::<Shape>() {
+                return match shape.get() {
+                    shape if shape.kind == kind => Ok(Shape { kind, content: shape.content.shared(py) }),
+                    shape => Err(PyTypeError::new_err(format!("{name} of {}: that is another shape", table().name(shape.kind)))),
+                };
+            }
+            if let Ok(list) = one.extract::<Vec<Bound<'_, PyAny>>>() {
+                if list.iter().any(|x| x.cast::<Symbol>().is_ok()) {
+                    return match list.len() == fields.len() {
+                        true => Ok(Shape { kind, content: Content::Items(list.into_iter().map(Bound::unbind).collect()) }),
+                        false => Err(wrong()),
+                    };
+                }
+            }
+            let array = array(&one, name, kind)?;
+            return match array.shape().last() == Some(&fields.len()) {
+                true => Ok(Shape { kind, content: Content::Array(array.unbind()) }),
+                false => Err(PyValueError::new_err(format!(
+                    "rows of {name} have {} numbers ({}), so an array of shape (..., {}) is needed, not {:?}",
+                    fields.len(),
+                    fields.join(", "),
+                    fields.len(),
+                    array.shape()
+                ))),
+            };
+        }
+        let mut all: Vec<Bound<'_, PyAny>> = numbers.iter().collect();
+        if let Some(named) = named {
+            for field in &fields[all.len().min(fields.len())..] {
+                let spelled = field.replace(['.', '[', ']'], "_");
+                let found = named.get_item(field)?.or(named.get_item(spelled)?);
+                all.extend(found);
+            }
+            if all.len() != numbers.len() + named.len() {
+                return Err(wrong());
+            }
+        }
+        if all.len() != fields.len() {
+            return Err(wrong());
+        }
+        let symbolic = |x: &Bound<'_, PyAny>| x.cast::<Symbol>().is_ok();
+        if all.iter().any(symbolic) {
+            return Ok(Shape { kind, content: Content::Items(all.into_iter().map(Bound::unbind).collect()) });
+        }
+        let mut columns = Vec::with_capacity(all.len());
+        for (x, field) in all.iter().zip(fields) {
+            columns.push(array(x, field, NUMBERS)?);
+        }
+        let numpy = py.import("numpy")?;
+        let columns = numpy.call_method1("broadcast_arrays", PyTuple::new(py, columns)?)?;
+        let axis = PyDict::new(py);
+        axis.set_item("axis", -1)?;
+        let stacked = numpy.call_method("stack", (columns,), Some(&axis))?;
+        Ok(Shape { kind, content: Content::Array(stacked.cast_into::<PyUntypedArray>()?.unbind()) })
+    }
+
+    /// The numbers: an array whose last axis has the fields.
+    #[getter]
+    fn array(&self, py: Python<'_>) -> PyResult<Py<PyUntypedArray>> {
+        match &self.content {
+            Content::Array(array) => Ok(array.clone_ref(py)),
+            Content::Items(_) => Err(PyTypeError::new_err(format!(
+                "a {} of symbols is no array: the function is recorded once for all inputs",
+                table().name(self.kind)
+            ))),
+        }
+    }
+    /// Its numbers one by one: arrays over the leading axes, or symbols.
+    #[getter]
+    fn numbers(&self, py: Python<'_>) -> PyResult<Vec<Py<PyAny>>> {
+        (0..fields(self.kind).len()).map(|i| self.number(py, i)).collect()
+    }
+    /// The number in a place of its fields.
+    #[pyo3(name = "_number")]
+    pub fn number(&self, py: Python<'_>, place: usize) -> PyResult<Py<PyAny>> {
+        match &self.content {
+            Content::Array(array) => {
+                let key = (py.Ellipsis(), place);
+                Ok(array.bind(py).as_any().get_item(key)?.unbind())
+            }
+            Content::Items(items) => items
+                .get(place)
+                .map(|item| item.clone_ref(py))
+                .ok_or_else(|| PyTypeError::new_err("no such field")),
+        }
+    }
+    #[getter]
+    fn _is_symbolic(&self) -> bool {
+        matches!(self.content, Content::Items(_))
+    }
+    #[pyo3(signature = (dtype=None, copy=None))]
+    fn __array__(&self, py: Python<'_>, dtype: Option<&Bound<'_, PyAny>>, copy: Option<bool>) -> PyResult<Py<PyAny>> {
+        let array = self.array(py)?.into_bound(py).into_any();
+        let options = PyDict::new(py);
+        options.set_item("copy", copy.unwrap_or(false))?;
+        let dtype = match dtype {
+            Some(dtype) => dtype.clone(),
+            None => array.getattr("dtype")?,
+        };
+        Ok(array.call_method("astype", (dtype,), Some(&options))?.unbind())
+    }
+    fn __len__(&self, py: Python<'_>) -> PyResult<usize> {
+        let array = self.array(py)?;
+        let array = array.bind(py);
+        match array.ndim() {
+            1 => Err(PyTypeError::new_err(format!("one {} has no length", table().name(self.kind)))),
+            _ => Ok(array.shape()[0]),
+        }
+    }
+    fn __getitem__<'py>(&self, key: &Bound<'py, PyAny>) -> PyResult<Bound<'py, PyAny>> {
+        let py = key.py();
+        let array = self.array(py)?.into_bound(py);
+        let wanted = array.shape().last().copied();
+        // The fields stay whole.
+        let whole = pyo3::types::PySlice::full(py);
+        let mut keys: Vec<Bound<'py, PyAny>> = match key.cast::<PyTuple>() {
+            Ok(keys) => keys.iter().collect(),
+            Err(_) => vec![key.clone()],
+        };
+        if !keys.iter().any(|key| key.is(py.Ellipsis().bind(py))) {
+            keys.push(py.Ellipsis().into_bound(py));
+        }
+        keys.push(whole.into_any());
+        let found = array.as_any().get_item(PyTuple::new(py, keys)?)?;
+        match found.cast::<PyUntypedArray>() {
+            Ok(rows) if rows.shape().last().copied() == wanted => dressed(found, self.kind),
+            _ => Err(PyTypeError::new_err("an index is of rows; fields have names")),
+        }
+    }
+    fn __repr__(&self, py: Python<'_>) -> PyResult<String> {
+        let name = table().name(self.kind);
+        Ok(match &self.content {
+            Content::Array(array) => format!("{name}({})", array.bind(py).as_any().str()?),
+            Content::Items(_) => format!("<{name} of symbols: {}>", fields(self.kind).join(", ")),
+        })
+    }
+    fn __reduce__(slf: &Bound<'_, Self>) -> PyResult<(Py<PyAny>, (Py<PyUntypedArray>,))> {
+        Ok((slf.get_type().into_any().unbind(), (slf.get().array(slf.py())?,)))
+    }
+}
+
+impl Content {
+    fn shared(&self, py: Python<'_>) -> Content {
+        match self {
+            Content::Array(array) => Content::Array(array.clone_ref(py)),
+            Content::Items(items) => Content::Items(items.iter().map(|x| x.clone_ref(py)).collect()),
+        }
+    }
+}
+
+/// Paths: vertices one after another, and where each path starts; the last offset is the number of vertices.
+#[pyclass(frozen, subclass, name = "Paths", module = "geograd")]
+pub struct Paths {
+    pub vertices: Py<PyUntypedArray>,
+    pub offsets: Py<PyUntypedArray>,
+    /// Whether they are rings or polylines, if that is said.
+    pub kind: Option<Kind>,
+}
+
+#[pymethods]
+impl Paths {
+    #[new]
+    #[classmethod]
+    fn new(class: &Bound<'_, PyType>, vertices: &Bound<'_, PyAny>, offsets: &Bound<'_, PyAny>) -> PyResult<Self> {
+        let py = class.py();
+        let kind = match class.getattr("_closed")?.extract::<Option<bool>>()? {
+            Some(true) => Some(RING),
+            Some(false) => Some(POLYLINE),
+            None => None,
+        };
+        let vertices = array(vertices, "vertices", NUMBERS)?;
+        if vertices.ndim() != 2 || vertices.shape()[1] != 2 {
+            return Err(PyValueError::new_err(format!(
+                "vertices: an array of shape (V, 2) is needed, not {:?}",
+                vertices.shape()
+            )));
+        }
+        let numpy = py.import("numpy")?;
+        let offsets = numpy.call_method1("asarray", (offsets,))?.cast_into::<PyUntypedArray>()?;
+        let is_whole = matches!(numpy::PyArrayDescrMethods::kind(&offsets.dtype()), b'i' | b'u');
+        if !is_whole && !offsets.is_empty() {
+            return Err(PyTypeError::new_err("offsets: whole numbers are needed"));
+        }
+        if offsets.ndim() != 1 {
+            return Err(PyValueError::new_err(format!("offsets: an array of shape (N + 1,) is needed, not {:?}", offsets.shape())));
+        }
+        Ok(Paths { vertices: vertices.unbind(), offsets: offsets.unbind(), kind })
+    }
+    /// The vertices, an array of shape (V, 2).
+    #[getter]
+    fn vertices(&self, py: Python<'_>) -> Py<PyUntypedArray> {
+        self.vertices.clone_ref(py)
+    }
+    /// Where each path starts among the vertices, and their number.
+    #[getter]
+    fn offsets(&self, py: Python<'_>) -> Py<PyUntypedArray> {
+        self.offsets.clone_ref(py)
+    }
+    fn __len__(&self, py: Python<'_>) -> usize {
+        self.offsets.bind(py).len().saturating_sub(1)
+    }
+    fn __repr__(slf: &Bound<'_, Self>) -> PyResult<String> {
+        let paths = slf.get();
+        let (count, vertices) = (paths.__len__(slf.py()), paths.vertices.bind(slf.py()).shape()[0]);
+        Ok(format!("<{} {count} of {vertices} vertices>", slf.get_type().name()?))
+    }
+}

@@ -1,0 +1,160 @@
+//! The table of rows: shapes by number, verbs with their rows, and what every call takes and gives.
+use crate::call::Callable;
+use geograd::kernels::dynamic::{Bound, Layout, Operation, Sort, names};
+use geograd_rows::operations;
+use std::collections::HashMap;
+use std::sync::OnceLock;
+
+/// The place of a shape in the table.
+pub type Kind = u16;
+/// A lone number, which has no axis of its own.
+pub const NUMBER: Kind = 0;
+/// Rings and polylines, which have vertices and offsets.
+pub const RING: Kind = 1;
+pub const POLYLINE: Kind = 2;
+/// Numbers without a shape.
+pub const NUMBERS: Kind = Kind::MAX;
+
+/// A shape of the table.
+pub struct Shape {
+    pub name: String,
+    /// The names of its numbers, whole numbers last.
+    pub fields: Vec<String>,
+    /// How many of them are whole numbers.
+    pub codes: usize,
+    /// Where its layout is found: a row, and an argument of it.
+    layout: Option<(usize, usize)>,
+}
+
+/// An argument or a result.
+#[derive(Clone, Debug)]
+pub struct Column {
+    pub name: String,
+    pub kind: Kind,
+    /// Axes of the numbers of a row: none of a lone number, two of a matrix.
+    pub axes: Vec<usize>,
+}
+
+impl Column {
+    /// Numbers of a row.
+    pub fn fields(&self) -> usize {
+        self.axes.iter().product()
+    }
+}
+
+/// A row: a verb of certain shapes.
+pub struct Row {
+    pub operation: &'static Operation,
+    /// `iou(obb2,obb2)`.
+    pub spelling: String,
+    pub takes: Vec<Kind>,
+    pub call: Callable,
+}
+
+/// A verb with all its rows.
+pub struct Verb {
+    pub name: String,
+    pub rows: Vec<Row>,
+}
+
+/// All shapes and verbs.
+pub struct Table {
+    pub shapes: Vec<Shape>,
+    pub verbs: Vec<Verb>,
+    by_name: HashMap<String, Kind>,
+}
+
+impl Table {
+    /// The shape of a name.
+    pub fn kind(&self, name: &str) -> Option<Kind> {
+        self.by_name.get(name).copied()
+    }
+    /// The name of a shape.
+    pub fn name(&self, kind: Kind) -> &str {
+        self.shapes.get(usize::from(kind)).map_or("numbers", |shape| &shape.name)
+    }
+    /// The layout of a shape in a format.
+    pub fn layout<T: geograd::kernels::dynamic::Format>(&self, kind: Kind) -> Option<Layout<T>> {
+        let (row, argument) = self.shapes.get(usize::from(kind))?.layout?;
+        operations()[row].layouts::<T>().get(argument).copied()
+    }
+    fn add(&mut self, shape: Shape) -> Kind {
+        let kind = Kind::try_from(self.shapes.len()).unwrap_or(NUMBERS);
+        self.by_name.insert(shape.name.clone(), kind);
+        self.shapes.push(shape);
+        kind
+    }
+    fn new() -> Self {
+        let mut table = Table { shapes: Vec::new(), verbs: Vec::new(), by_name: HashMap::new() };
+        for name in ["number", "ring", "polyline"] {
+            table.add(Shape { name: name.to_owned(), fields: Vec::new(), codes: 0, layout: None });
+        }
+        let mut places: HashMap<String, usize> = HashMap::new();
+        for (place, (operation, name)) in operations().iter().zip(names_in_order()).enumerate() {
+            let mut takes: Vec<Column> = Vec::new();
+            let mut gives: Vec<Column> = Vec::new();
+            for (k, argument) in operation.arguments().into_iter().enumerate() {
+                let kind = table.kind_of(&argument.shape, Some((place, k)));
+                takes.push(column(argument.name.to_string(), kind, argument.shape.fields.len()));
+            }
+            for shape in operation.result() {
+                let kind = table.kind_of(&shape, None);
+                gives.push(column("result".to_owned(), kind, shape.fields.len()));
+            }
+            let mut kinds: Vec<Kind> = takes.iter().map(|column| column.kind).collect();
+            if matches!(operation.sort, Sort::Fold | Sort::Ring) {
+                kinds.push(if name.shapes == ["polyline"] { POLYLINE } else { RING });
+            }
+            let row = Row {
+                operation,
+                spelling: name.spelling,
+                takes: kinds,
+                call: Callable::of_row(operation, takes, gives),
+            };
+            let verb = *places.entry(name.verb.clone()).or_insert_with(|| {
+                table.verbs.push(Verb { name: name.verb.clone(), rows: Vec::new() });
+                table.verbs.len() - 1
+            });
+            table.verbs[verb].rows.push(row);
+        }
+        table
+    }
+    /// The place of a shape, which is new where it was not met.
+    fn kind_of(
+        &mut self,
+        shape: &geograd::kernels::dynamic::Shape,
+        layout: Option<(usize, usize)>,
+    ) -> Kind {
+        if let Some(kind) = self.kind(&shape.name) {
+            let known = &mut self.shapes[usize::from(kind)];
+            known.layout = known.layout.or(layout);
+            return kind;
+        }
+        let fields = shape.fields.iter().map(|field| field.name.to_string()).collect();
+        let codes = shape.fields.iter().filter(|field| is_whole(field.bound)).count();
+        self.add(Shape { name: shape.name.clone(), fields, codes, layout })
+    }
+}
+
+fn is_whole(bound: Bound) -> bool {
+    bound == Bound::Whole
+}
+
+fn column(name: String, kind: Kind, fields: usize) -> Column {
+    let axes = if kind == NUMBER { Vec::new() } else { vec![fields] };
+    Column { name, kind, axes }
+}
+
+/// The names of rows in the order of [`operations`], which is not that of the list.
+fn names_in_order() -> Vec<geograd::kernels::dynamic::Name> {
+    let mut by_row: HashMap<&'static str, geograd::kernels::dynamic::Name> =
+        names().into_iter().map(|name| (name.row, name)).collect();
+    let row = |operation: &Operation| by_row.remove(operation.name);
+    operations().iter().filter_map(row).collect()
+}
+
+/// The table, made at the first call.
+pub fn table() -> &'static Table {
+    static TABLE: OnceLock<Table> = OnceLock::new();
+    TABLE.get_or_init(Table::new)
+}

@@ -1,0 +1,104 @@
+//! Threads of this process: a pool for each process, since none of its threads lives on in a forked child.
+use pyo3::exceptions::{PyRuntimeError, PyValueError};
+use pyo3::prelude::*;
+use std::cell::RefCell;
+use std::sync::atomic::{AtomicUsize, Ordering};
+use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
+
+/// The pool of a process: its number, its threads, and itself.
+struct Kept {
+    process: u32,
+    threads: usize,
+    pool: Arc<rayon::ThreadPool>,
+}
+
+static POOL: Mutex<Option<Kept>> = Mutex::new(None);
+/// How many threads calls use; zero until the first call asks.
+static THREADS: AtomicUsize = AtomicUsize::new(0);
+
+thread_local! {
+    /// The lock of the pool while this thread forks.
+    static HELD: RefCell<Option<MutexGuard<'static, Option<Kept>>>> = const { RefCell::new(None) };
+}
+
+fn lock() -> MutexGuard<'static, Option<Kept>> {
+    POOL.lock().unwrap_or_else(PoisonError::into_inner)
+}
+
+/// How many threads calls use.
+#[pyfunction]
+pub fn get_num_threads() -> usize {
+    match THREADS.load(Ordering::Relaxed) {
+        0 => {
+            let asked = std::env::var("GEOGRAD_THREADS").ok();
+            let asked = asked.and_then(|asked| asked.trim().parse().ok()).filter(|&n| n > 0);
+            let all = || std::thread::available_parallelism().map_or(1, usize::from);
+            let threads = asked.unwrap_or_else(all);
+            THREADS.store(threads, Ordering::Relaxed);
+            threads
+        }
+        threads => threads,
+    }
+}
+
+/// Sets how many threads calls use.
+#[pyfunction]
+pub fn set_num_threads(threads: usize) -> PyResult<()> {
+    if threads == 0 {
+        return Err(PyValueError::new_err("threads: at least 1 is needed"));
+    }
+    THREADS.store(threads, Ordering::Relaxed);
+    Ok(())
+}
+
+/// Takes the lock of the pool, so that no other thread holds it in the child.
+#[pyfunction]
+pub fn before_fork() {
+    HELD.with_borrow_mut(|held| {
+        if held.is_none() {
+            *held = Some(lock());
+        }
+    });
+}
+/// Gives it back, in the parent and in the child.
+#[pyfunction]
+pub fn after_fork() {
+    HELD.with_borrow_mut(|held| *held = None);
+}
+
+/// The pool of this process.
+fn pool(threads: usize) -> PyResult<Arc<rayon::ThreadPool>> {
+    let process = std::process::id();
+    let mut kept = lock();
+    if let Some(kept) = &*kept {
+        if kept.process == process && kept.threads == threads {
+            return Ok(kept.pool.clone());
+        }
+    }
+    let made = rayon::ThreadPoolBuilder::new().num_threads(threads).build();
+    let made = made.map_err(|error| PyRuntimeError::new_err(error.to_string()))?;
+    let made = Arc::new(made);
+    let new = Kept { process, threads, pool: made.clone() };
+    if let Some(old) = kept.replace(new) {
+        // Dropped in a child, it would wake threads that are not there.
+        if old.process != process {
+            std::mem::forget(old);
+        }
+    }
+    Ok(made)
+}
+
+/// Items below which a call runs on its own thread: the library cuts no batch that is this small.
+pub const FEW: usize = 2048;
+
+/// Runs a call without Python's lock, on the threads of this process.
+pub fn on_threads<R: Send>(py: Python<'_>, items: usize, run: impl FnOnce() -> R + Send) -> PyResult<R> {
+    let threads = get_num_threads();
+    if threads == 1 || items <= FEW {
+        return Ok(py.detach(|| geograd::kernels::dynamic::on_this_thread(run)));
+    }
+    py.detach(|| {
+        let pool = pool(threads)?;
+        Ok(pool.install(run))
+    })
+}

@@ -1,0 +1,270 @@
+//! Functions of Python, recorded.
+use crate::call::{Callable, Form, Number};
+use crate::forms::Call;
+use crate::machine::Machine;
+use crate::raised;
+use crate::symbol::{Symbol, number};
+use crate::table::{Column, Kind, NUMBER, NUMBERS, table};
+use geograd::kernels::dynamic::{Layout, Program as Of, Tracing};
+use pyo3::exceptions::{PyTypeError, PyValueError};
+use pyo3::prelude::*;
+use pyo3::types::{PyList, PyTuple};
+use std::collections::HashSet;
+use std::sync::Mutex;
+use std::sync::atomic::{AtomicBool, Ordering};
+
+/// A function of Python that makes results of symbols.
+pub struct Traced {
+    /// Takes a list of symbols for every column; gives whether the result is a tuple, and for every part of it a name of a
+    /// shape, its numbers, and whether they have an axis of their own.
+    function: Py<PyAny>,
+    names: Vec<&'static str>,
+    is_tuple: AtomicBool,
+}
+
+/// What a traced function gives: a tuple or not, and its parts.
+type Result<'py> = (bool, Vec<(Option<String>, Vec<Bound<'py, PyAny>>, bool)>);
+
+impl Traced {
+    pub fn new(function: Py<PyAny>, takes: &[Column]) -> Self {
+        let names = takes.iter().map(|column| kept(&column.name)).collect();
+        Traced { function, names, is_tuple: AtomicBool::new(false) }
+    }
+    pub fn is_tuple(&self) -> bool {
+        self.is_tuple.load(Ordering::Relaxed)
+    }
+    /// Calls the function once, with symbols.
+    pub fn record<T: Number>(&self, takes: &[Column]) -> PyResult<(Of<T>, Vec<Column>)> {
+        Python::attach(|py| {
+            let layout = |column: &Column| match table().layout::<T>(column.kind) {
+                Some(layout) => layout,
+                None => Layout::numbers(column.fields()),
+            };
+            let layouts: Vec<Layout<T>> = takes.iter().map(layout).collect();
+            let tracing = Tracing::start(&layouts).map_err(raised)?;
+            let mut arguments = Vec::new();
+            for symbols in tracing.inputs() {
+                let symbols = symbols.into_iter().map(|x| Py::new(py, Symbol(T::any(x))));
+                arguments.push(PyList::new(py, symbols.collect::<PyResult<Vec<_>>>()?)?);
+            }
+            let made = self.function.bind(py).call1((PyList::new(py, arguments)?,))?;
+            let (is_tuple, parts): Result<'_> = made.extract()?;
+            let (mut results, mut gives) = (Vec::new(), Vec::new());
+            for (shape, items, has_axis) in parts {
+                let mut numbers = Vec::with_capacity(items.len());
+                for item in &items {
+                    let Some(symbol) = number::<T>(item)? else {
+                        return Err(PyTypeError::new_err(format!(
+                            "a traced function gives symbols and numbers, shapes, tuples and lists of them, not {}",
+                            item.get_type().name()?
+                        )));
+                    };
+                    numbers.push(symbol);
+                }
+                let kind: Kind = match shape {
+                    Some(name) => table().kind(&name).unwrap_or(NUMBERS),
+                    None if has_axis => NUMBERS,
+                    None => NUMBER,
+                };
+                let axes = if has_axis { vec![numbers.len()] } else { Vec::new() };
+                gives.push(Column { name: "result".to_owned(), kind, axes });
+                results.push(numbers);
+            }
+            let results: Vec<&[_]> = results.iter().map(Vec::as_slice).collect();
+            let program = tracing.finish(&results).map_err(raised)?;
+            let program = program.named(&self.names).map_err(raised)?;
+            self.is_tuple.store(is_tuple, Ordering::Relaxed);
+            Ok((program, gives))
+        })
+    }
+}
+
+/// A name that lives as long as the process, once for each text.
+fn kept(name: &str) -> &'static str {
+    static NAMES: Mutex<Option<HashSet<&'static str>>> = Mutex::new(None);
+    let mut names = NAMES.lock().unwrap_or_else(std::sync::PoisonError::into_inner);
+    let names = names.get_or_insert_default();
+    match names.get(name) {
+        Some(name) => name,
+        None => {
+            let name: &'static str = Box::leak(name.to_owned().into_boxed_str());
+            names.insert(name);
+            name
+        }
+    }
+}
+
+/// The forms of a traced function.
+#[pyclass(frozen, module = "geograd")]
+pub struct Recorded {
+    name: String,
+    call: Callable,
+}
+
+impl Recorded {
+    fn call<'a, 'py>(
+        &'a self,
+        arguments: &'a [Bound<'py, PyAny>],
+        out: Option<&'a Bound<'py, PyAny>>,
+        backend: Option<&str>,
+        py: Python<'py>,
+    ) -> PyResult<Call<'a, 'py>> {
+        Ok(Call { py, of: &self.call, name: &self.name, arguments, out, machine: Machine::named(backend)? })
+    }
+}
+
+#[pymethods]
+impl Recorded {
+    /// Of a function of symbols, and of the name, the shape (or none) and the size of every column that it takes; a size
+    /// of zero is a lone number.
+    #[new]
+    fn new(name: String, function: Py<PyAny>, takes: Vec<(String, Option<String>, usize)>) -> PyResult<Self> {
+        let mut columns = Vec::new();
+        for (name, shape, size) in takes {
+            let kind = match (&shape, size) {
+                (Some(shape), _) => {
+                    table().kind(shape).ok_or_else(|| PyValueError::new_err(format!("no shape is called {shape}")))?
+                }
+                (None, 0) => NUMBER,
+                (None, _) => NUMBERS,
+            };
+            let axes = if size == 0 { Vec::new() } else { vec![size] };
+            columns.push(Column { name, kind, axes });
+        }
+        let traced = Traced::new(function, &columns);
+        Ok(Recorded { name, call: Callable::of_traced(traced, columns) })
+    }
+    /// A form, item by item.
+    #[pyo3(signature = (form, arguments, out=None, backend=None))]
+    fn run<'py>(
+        &self,
+        py: Python<'py>,
+        form: &str,
+        arguments: Vec<Bound<'py, PyAny>>,
+        out: Option<&Bound<'py, PyAny>>,
+        backend: Option<&str>,
+    ) -> PyResult<Bound<'py, PyAny>> {
+        let call = self.call(&arguments, out, backend, py)?;
+        match form {
+            "all_pairs" => call.all_pairs(),
+            "row_max" => call.most(true),
+            "column_max" => call.most(false),
+            "sum" => Ok(call.total(false)?.into_pyobject(py)?.into_any()),
+            "mean" => Ok(call.total(true)?.into_pyobject(py)?.into_any()),
+            "sum_grad" => call.total_grad(false),
+            "mean_grad" => call.total_grad(true),
+            "above" | "count_above" | "all_pairs_vjp" => {
+                let [lists @ .., last] = &arguments[..] else {
+                    return Err(PyTypeError::new_err(format!("{form} takes two lists and a third argument")));
+                };
+                let call = self.call(lists, out, backend, py)?;
+                match form {
+                    "above" => call.above(last.extract()?),
+                    "count_above" => Ok(call.count_above(last.extract()?)?.into_pyobject(py)?.into_any()),
+                    _ => call.all_pairs_vjp(last),
+                }
+            }
+            _ => {
+                let form = Form::named(form).ok_or_else(|| PyValueError::new_err(format!("no form is called {form}")))?;
+                call.item_by_item(form)
+            }
+        }
+    }
+    /// The program of a form in a format.
+    #[pyo3(signature = (form="value", double=true))]
+    fn program(&self, form: &str, double: bool) -> PyResult<Program> {
+        Program::of(&self.call, form, double)
+    }
+}
+
+enum InEither {
+    Single(Of<f32>),
+    Double(Of<f64>),
+}
+
+/// The operations of a function, in the order in which they are carried out.
+#[pyclass(frozen, module = "geograd")]
+pub struct Program {
+    of: InEither,
+}
+
+macro_rules! either {
+    ($me:expr, |$x:ident| $body:expr) => {
+        match &$me.of {
+            InEither::Single($x) => $body,
+            InEither::Double($x) => $body,
+        }
+    };
+}
+
+impl Program {
+    /// That of a form of a callable.
+    pub fn of(call: &Callable, form: &str, double: bool) -> PyResult<Program> {
+        let form = Form::named(form).ok_or_else(|| PyValueError::new_err(format!("no form is called {form}")))?;
+        let of = match double {
+            true => InEither::Double(call.program::<f64>(form)?.clone()),
+            false => InEither::Single(call.program::<f32>(form)?.clone()),
+        };
+        Ok(Program { of })
+    }
+}
+
+#[pymethods]
+impl Program {
+    /// The format of its numbers: float32 or float64.
+    #[getter]
+    fn dtype(&self) -> &'static str {
+        match self.of {
+            InEither::Single(_) => "float32",
+            InEither::Double(_) => "float64",
+        }
+    }
+    /// How many operations a value takes.
+    #[getter]
+    fn cost(&self) -> usize {
+        either!(self, |program| program.cost().total())
+    }
+    /// The operations: name, operands by their places, and the number of a constant or the place of an input; then the
+    /// places of the results.
+    fn nodes(&self) -> (Vec<(&'static str, Vec<u32>, f64)>, Vec<u32>) {
+        use geograd::kernels::dynamic::Elementary;
+        let nodes = either!(self, |program| program.nodes());
+        let number = |operation: Elementary| match operation {
+            Elementary::Constant(x) => x,
+            Elementary::Input(place) => f64::from(place),
+            Elementary::Bool(truth) => f64::from(u8::from(truth)),
+            _ => 0.0,
+        };
+        let step = |step: geograd::kernels::dynamic::Step| (step.operation.name(), step.operands, number(step.operation));
+        (nodes.nodes.into_iter().map(step).collect(), nodes.outputs)
+    }
+    /// The results for the numbers of one input.
+    fn eval(&self, input: Vec<f64>) -> PyResult<Vec<f64>> {
+        match &self.of {
+            InEither::Single(program) => {
+                let input: Vec<f32> = input.into_iter().map(|x| x as f32).collect();
+                Ok(program.eval(&input).map_err(raised)?.into_iter().map(f64::from).collect())
+            }
+            InEither::Double(program) => program.eval(&input).map_err(raised),
+        }
+    }
+    /// The function in WGSL; of float32 only.
+    #[pyo3(signature = (name="function_of"))]
+    fn wgsl(&self, name: &str) -> PyResult<String> {
+        match &self.of {
+            InEither::Single(program) => program.wgsl(name).map_err(raised),
+            InEither::Double(_) => Err(PyTypeError::new_err("WGSL has no float64: take the program of float32")),
+        }
+    }
+    fn __str__(&self) -> String {
+        either!(self, |program| program.to_string())
+    }
+    fn __repr__(&self) -> String {
+        format!("<geograd.Program of {} operations in {}>", self.cost(), self.dtype())
+    }
+}
+
+/// The lists of a tuple.
+pub fn listed<'py>(tuple: &Bound<'py, PyTuple>) -> Vec<Bound<'py, PyAny>> {
+    tuple.iter().collect()
+}

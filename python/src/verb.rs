@@ -1,0 +1,669 @@
+//! Verbs: a row for every choice of shapes.
+use crate::arrays::symbolic;
+use crate::call::{Form, Number};
+use crate::forms::Call;
+use crate::machine::Machine;
+use crate::raised;
+use crate::shapes::{Content, Paths, Shape, dressed_items};
+use crate::symbol::{Any, Symbol, number};
+use crate::table::{Column, Kind, NUMBER, NUMBERS, POLYLINE, RING, Row, table};
+use crate::traced::{Program, listed};
+use geograd::kernels::dynamic::{Bound as Limit, Sort};
+use numpy::{PyUntypedArray, PyUntypedArrayMethods};
+use pyo3::exceptions::{PyKeyError, PyTypeError, PyValueError};
+use pyo3::prelude::*;
+use pyo3::types::{PyDict, PyList, PyString, PyTuple};
+
+type Object<'py> = Bound<'py, PyAny>;
+
+/// A verb: a function of shapes, of which the shapes choose the row.
+#[pyclass(frozen, subclass, module = "geograd")]
+pub struct Verb {
+    place: usize,
+}
+
+/// The shape of an argument as far as it says one.
+#[derive(Clone, Copy, PartialEq, Eq)]
+enum Said {
+    /// A plain array, which fits lone numbers only.
+    Nothing,
+    Kind(Kind),
+    /// Paths that may be rings or polylines.
+    Path,
+}
+
+impl Said {
+    fn of(x: &Object<'_>) -> Said {
+        if let Ok(shape) = x.cast::<Shape>() {
+            return Said::Kind(shape.get().kind);
+        }
+        if let Ok(paths) = x.cast::<Paths>() {
+            return paths.get().kind.map_or(Said::Path, Said::Kind);
+        }
+        Said::Nothing
+    }
+    fn fits(self, kind: Kind) -> bool {
+        match self {
+            Said::Nothing => kind == NUMBER,
+            Said::Kind(own) => own == kind,
+            Said::Path => kind == RING || kind == POLYLINE,
+        }
+    }
+    fn name(self) -> String {
+        match self {
+            Said::Nothing => "array".to_owned(),
+            Said::Kind(kind) => table().name(kind).to_owned(),
+            Said::Path => "paths".to_owned(),
+        }
+    }
+}
+
+/// What an argument `kind` says.
+enum Wanted {
+    Nothing,
+    /// The same of all shapes.
+    All(Kind),
+    Each(Vec<Option<Kind>>),
+}
+
+impl Wanted {
+    fn of(kind: Option<&Object<'_>>) -> PyResult<Wanted> {
+        let Some(kind) = kind.filter(|kind| !kind.is_none()) else { return Ok(Wanted::Nothing) };
+        if let Ok(list) = kind.cast::<PyTuple>() {
+            return Wanted::each(list.iter());
+        }
+        if let Ok(list) = kind.cast::<PyList>() {
+            return Wanted::each(list.iter());
+        }
+        one_kind(kind).map(Wanted::All)
+    }
+    fn each<'py>(list: impl Iterator<Item = Object<'py>>) -> PyResult<Wanted> {
+        let one = |kind: Object<'py>| match kind.is_none() {
+            true => Ok(None),
+            false => one_kind(&kind).map(Some),
+        };
+        list.map(one).collect::<PyResult<Vec<_>>>().map(Wanted::Each)
+    }
+}
+
+/// A shape by its name or its class.
+fn one_kind(kind: &Object<'_>) -> PyResult<Kind> {
+    if let Ok(name) = kind.cast::<PyString>() {
+        let name = name.to_cow()?;
+        return table().kind(&name).ok_or_else(|| {
+            let known: Vec<&str> = table().shapes.iter().map(|shape| shape.name.as_str()).collect();
+            PyValueError::new_err(format!("kind: no shape is called {name:?}; shapes are {}", known.join(", ")))
+        });
+    }
+    match kind.getattr("_kind") {
+        Ok(kind) => kind.extract(),
+        Err(_) => Err(PyTypeError::new_err("kind: the name of a shape, its class, or a tuple of such is needed")),
+    }
+}
+
+/// How many arguments a form takes beside those of the row.
+fn further(row: &Row, form: &str) -> usize {
+    match form {
+        "vjp" => row.call.gives().len(),
+        "jvp" | "hvp" => row.takes.len(),
+        _ => 0,
+    }
+}
+
+impl Verb {
+    fn of(&self) -> &'static crate::table::Verb {
+        &table().verbs[self.place]
+    }
+    /// The row for the arguments of a form.
+    fn row(&self, arguments: &[Object<'_>], kind: Option<&Object<'_>>, form: &str) -> PyResult<&'static Row> {
+        let verb = self.of();
+        let said: Vec<Said> = arguments.iter().map(Said::of).collect();
+        let wanted = Wanted::of(kind)?;
+        let fits = |row: &&Row| {
+            let n = row.takes.len();
+            if n + further(row, form) != said.len() {
+                return false;
+            }
+            row.takes.iter().enumerate().all(|(k, &kind)| {
+                let by_kind = match &wanted {
+                    Wanted::Nothing => None,
+                    Wanted::All(all) => (kind != NUMBER).then_some(*all),
+                    Wanted::Each(each) => each.get(k).copied().flatten(),
+                };
+                match (said[k], by_kind) {
+                    (Said::Nothing, Some(named)) => named == kind,
+                    (own, Some(named)) => own.fits(kind) && named == kind,
+                    (own, None) => own.fits(kind),
+                }
+            })
+        };
+        if let Wanted::Each(each) = &wanted {
+            let lengths = |row: &&Row| row.takes.len() == each.len();
+            if !verb.rows.iter().any(|row| lengths(&row)) {
+                return Err(self.refused(&said, form, "kind: a shape for every argument is needed"));
+            }
+        }
+        let mut rows = verb.rows.iter().filter(fits);
+        match (rows.next(), rows.next()) {
+            (Some(row), None) => Ok(row),
+            (Some(_), Some(_)) => Err(self.refused(&said, form, "more than one row fits; say which by kind=")),
+            (None, _) => {
+                let plain = said.contains(&Said::Nothing) && matches!(wanted, Wanted::Nothing);
+                let why = match plain {
+                    true => "a plain array does not say which shape its rows are: wrap it, as in geograd.Obb2(array), or pass kind=",
+                    false => "no row takes these shapes",
+                };
+                Err(self.refused(&said, form, why))
+            }
+        }
+    }
+    /// Why no row was found, with the rows that are there.
+    fn refused(&self, said: &[Said], form: &str, why: &str) -> PyErr {
+        let verb = self.of();
+        let given: Vec<String> = said.iter().map(|said| said.name()).collect();
+        let rows: Vec<String> = verb.rows.iter().map(|row| signature(&row.takes)).collect();
+        let form = if form == "value" { String::new() } else { format!(".{form}") };
+        PyTypeError::new_err(format!(
+            "geograd.{}{form} of ({}): {why}. Shapes that go together: {}",
+            verb.name,
+            given.join(", "),
+            rows.join(", ")
+        ))
+    }
+    fn call<'a, 'py>(
+        &self,
+        py: Python<'py>,
+        row: &'static Row,
+        arguments: &'a [Object<'py>],
+        out: Option<&'a Object<'py>>,
+        backend: Option<&str>,
+    ) -> PyResult<Call<'a, 'py>> {
+        Ok(Call { py, of: &row.call, name: &self.of().name, arguments, out, machine: Machine::named(backend)? })
+    }
+    fn run<'py>(
+        &self,
+        py: Python<'py>,
+        form: Form,
+        form_name: &str,
+        arguments: &Bound<'py, PyTuple>,
+        kind: Option<&Object<'py>>,
+        out: Option<&Object<'py>>,
+        backend: Option<&str>,
+    ) -> PyResult<Object<'py>> {
+        let arguments = listed(arguments);
+        let row = self.row(&arguments, kind, form_name)?;
+        if let Some(like) = arguments.iter().find_map(|x| symbol_in(x, 0)) {
+            if out.is_some() {
+                return Err(PyTypeError::new_err("out is for arrays, not for symbols"));
+            }
+            return match like {
+                Any::Single(_) => self.recorded::<f32>(py, row, form, &arguments),
+                Any::Double(_) => self.recorded::<f64>(py, row, form, &arguments),
+            };
+        }
+        let call = self.call(py, row, &arguments, out, backend)?;
+        match row.call.is_of_paths() {
+            true => call.paths(form),
+            false => call.item_by_item(form),
+        }
+    }
+    /// The row of symbols, as part of the function that is being recorded.
+    fn recorded<'py, T: Number>(
+        &self,
+        py: Python<'py>,
+        row: &'static Row,
+        form: Form,
+        arguments: &[Object<'py>],
+    ) -> PyResult<Object<'py>> {
+        let is_path = row.call.is_of_paths();
+        if is_path && form != Form::Value {
+            return Err(symbolic(&self.of().name));
+        }
+        let mut lists = Vec::new();
+        for (k, argument) in arguments.iter().enumerate() {
+            let mut list = Vec::new();
+            flat::<T>(argument, &mut list, 0)?;
+            if let Some(column) = row.call.takes.get(k).filter(|column| column.fields() != list.len()) {
+                return Err(PyTypeError::new_err(format!(
+                    "`{}` has {} numbers where {} are needed",
+                    column.name,
+                    list.len(),
+                    column.fields()
+                )));
+            }
+            lists.push(list);
+        }
+        let slices: Vec<&[_]> = lists.iter().map(Vec::as_slice).collect();
+        let (numbers, gives) = match (form, row.call.operation()) {
+            (Form::Value, Some(operation)) => {
+                (operation.on_symbols::<T>(&slices).map_err(raised)?, row.call.gives())
+            }
+            _ => {
+                let program = row.call.program::<T>(form)?;
+                (program.on_symbols(&slices).map_err(raised)?, &row.call.signature(form)?.gives[..])
+            }
+        };
+        let mut numbers = numbers.into_iter();
+        let mut results = Vec::new();
+        for column in gives {
+            let own = numbers.by_ref().take(column.fields());
+            let own = own.map(|x| Ok(Py::new(py, Symbol(T::any(x)))?.into_any())).collect::<PyResult<Vec<_>>>()?;
+            results.push(match (&column.axes[..], own.len()) {
+                ([], 1) => own.into_iter().next().map_or_else(|| py.None(), |x| x).into_bound(py),
+                _ => dressed_items(py, own, column.kind)?,
+            });
+        }
+        let call = self.call(py, row, arguments, None, None)?;
+        call.arranged(form, results)
+    }
+}
+
+/// The shapes of a row as they are written.
+fn signature(kinds: &[Kind]) -> String {
+    let names: Vec<&str> = kinds.iter().map(|&kind| table().name(kind)).collect();
+    format!("({})", names.join(", "))
+}
+
+/// A symbol in an argument.
+fn symbol_in(x: &Object<'_>, depth: usize) -> Option<Any> {
+    if let Ok(symbol) = x.cast::<Symbol>() {
+        return Some(symbol.get().0);
+    }
+    if let Ok(shape) = x.cast::<Shape>() {
+        return match &shape.get().content {
+            Content::Items(items) => items.iter().find_map(|item| symbol_in(item.bind(x.py()), depth + 1)),
+            Content::Array(_) => None,
+        };
+    }
+    let is_list = x.cast::<PyList>().is_ok() || x.cast::<PyTuple>().is_ok() || is_of_objects(x);
+    if is_list && depth < 4 {
+        let mut items = x.try_iter().ok()?;
+        return items.find_map(|item| symbol_in(&item.ok()?, depth + 1));
+    }
+    None
+}
+
+fn is_of_objects(x: &Object<'_>) -> bool {
+    x.cast::<PyUntypedArray>().is_ok_and(|array| {
+        array.ndim() > 0 && numpy::PyArrayDescrMethods::kind(&array.dtype()) == b'O'
+    })
+}
+
+/// The numbers of an argument one by one: symbols, and literals.
+fn flat<T: Number>(x: &Object<'_>, into: &mut Vec<geograd::kernels::dynamic::Symbol<T>>, depth: usize) -> PyResult<()> {
+    if let Ok(shape) = x.cast::<Shape>() {
+        return match &shape.get().content {
+            Content::Items(items) => items.iter().try_for_each(|item| flat(item.bind(x.py()), into, depth + 1)),
+            Content::Array(array) => flat(array.bind(x.py()), into, depth + 1),
+        };
+    }
+    if let Some(symbol) = number::<T>(x)? {
+        into.push(symbol);
+        return Ok(());
+    }
+    let is_list = x.cast::<PyList>().is_ok()
+        || x.cast::<PyTuple>().is_ok()
+        || x.cast::<PyUntypedArray>().is_ok_and(|array| array.ndim() == 1);
+    if !is_list || depth > 4 {
+        return Err(PyTypeError::new_err(format!(
+            "a verb of symbols takes shapes of symbols, symbols and numbers, one item each, not {}",
+            x.get_type().name()?
+        )));
+    }
+    for item in x.try_iter()? {
+        flat(&item?, into, depth + 1)?;
+    }
+    Ok(())
+}
+
+/// Forms of pairs: the row, and the call.
+macro_rules! of_pairs {
+    ($me:expr, $py:expr, $arguments:expr, $kind:expr, $out:expr, $backend:expr, $form:literal, |$call:ident| $run:expr) => {{
+        let row = $me.row(&$arguments, $kind, $form)?;
+        if let Some(argument) = $arguments.iter().position(|x| symbol_in(x, 0).is_some()) {
+            return Err(symbolic(&row.call.takes.get(argument).map_or("a", |column| &column.name)));
+        }
+        if row.call.is_of_paths() {
+            return Err(PyTypeError::new_err(concat!("paths have no ", $form)));
+        }
+        let $call = $me.call($py, row, &$arguments, $out, $backend)?;
+        $run
+    }};
+}
+
+#[pymethods]
+impl Verb {
+    #[new]
+    fn new(name: &str) -> PyResult<Self> {
+        let place = table().verbs.iter().position(|verb| verb.name == name);
+        place.map(|place| Verb { place }).ok_or_else(|| PyKeyError::new_err(name.to_owned()))
+    }
+    #[getter]
+    fn __name__(&self) -> &'static str {
+        &self.of().name
+    }
+    #[getter]
+    fn __qualname__(&self) -> &'static str {
+        &self.of().name
+    }
+    fn __repr__(&self) -> String {
+        format!("<geograd.{} of {} rows>", self.of().name, self.of().rows.len())
+    }
+    fn __reduce__(slf: &Bound<'_, Self>) -> PyResult<(Py<PyAny>, (&'static str,))> {
+        Ok((slf.get_type().into_any().unbind(), (&slf.get().of().name,)))
+    }
+
+    /// Item i of every argument.
+    #[pyo3(signature = (*arguments, kind=None, out=None, backend=None))]
+    fn __call__<'py>(
+        &self,
+        py: Python<'py>,
+        arguments: &Bound<'py, PyTuple>,
+        kind: Option<&Object<'py>>,
+        out: Option<&Object<'py>>,
+        backend: Option<&str>,
+    ) -> PyResult<Object<'py>> {
+        self.run(py, Form::Value, "value", arguments, kind, out, backend)
+    }
+    /// Item i of every argument: the plain call under its name.
+    #[pyo3(signature = (*arguments, kind=None, out=None, backend=None))]
+    fn aligned<'py>(
+        &self,
+        py: Python<'py>,
+        arguments: &Bound<'py, PyTuple>,
+        kind: Option<&Object<'py>>,
+        out: Option<&Object<'py>>,
+        backend: Option<&str>,
+    ) -> PyResult<Object<'py>> {
+        self.run(py, Form::Value, "value", arguments, kind, out, backend)
+    }
+    /// The value of every item, and its gradient by every argument.
+    #[pyo3(signature = (*arguments, kind=None, out=None, backend=None))]
+    fn value_grad<'py>(
+        &self,
+        py: Python<'py>,
+        arguments: &Bound<'py, PyTuple>,
+        kind: Option<&Object<'py>>,
+        out: Option<&Object<'py>>,
+        backend: Option<&str>,
+    ) -> PyResult<Object<'py>> {
+        self.run(py, Form::ValueGrad, "value_grad", arguments, kind, out, backend)
+    }
+    /// Cotangents of the arguments; those of the result come last.
+    #[pyo3(signature = (*arguments, kind=None, out=None, backend=None))]
+    fn vjp<'py>(
+        &self,
+        py: Python<'py>,
+        arguments: &Bound<'py, PyTuple>,
+        kind: Option<&Object<'py>>,
+        out: Option<&Object<'py>>,
+        backend: Option<&str>,
+    ) -> PyResult<Object<'py>> {
+        self.run(py, Form::Vjp, "vjp", arguments, kind, out, backend)
+    }
+    /// The derivatives of every number of the result by every number of the arguments.
+    #[pyo3(signature = (*arguments, kind=None, out=None, backend=None))]
+    fn jacobian<'py>(
+        &self,
+        py: Python<'py>,
+        arguments: &Bound<'py, PyTuple>,
+        kind: Option<&Object<'py>>,
+        out: Option<&Object<'py>>,
+        backend: Option<&str>,
+    ) -> PyResult<Object<'py>> {
+        self.run(py, Form::Jacobian, "jacobian", arguments, kind, out, backend)
+    }
+    /// The value and its derivative along directions, which come after the arguments.
+    #[pyo3(signature = (*arguments, kind=None, out=None, backend=None))]
+    fn jvp<'py>(
+        &self,
+        py: Python<'py>,
+        arguments: &Bound<'py, PyTuple>,
+        kind: Option<&Object<'py>>,
+        out: Option<&Object<'py>>,
+        backend: Option<&str>,
+    ) -> PyResult<Object<'py>> {
+        self.run(py, Form::Jvp, "jvp", arguments, kind, out, backend)
+    }
+    /// The derivative of the gradient along directions, which come after the arguments.
+    #[pyo3(signature = (*arguments, kind=None, out=None, backend=None))]
+    fn hvp<'py>(
+        &self,
+        py: Python<'py>,
+        arguments: &Bound<'py, PyTuple>,
+        kind: Option<&Object<'py>>,
+        out: Option<&Object<'py>>,
+        backend: Option<&str>,
+    ) -> PyResult<Object<'py>> {
+        self.run(py, Form::Hvp, "hvp", arguments, kind, out, backend)
+    }
+    /// The second derivatives by all numbers of the arguments.
+    #[pyo3(signature = (*arguments, kind=None, out=None, backend=None))]
+    fn hessian<'py>(
+        &self,
+        py: Python<'py>,
+        arguments: &Bound<'py, PyTuple>,
+        kind: Option<&Object<'py>>,
+        out: Option<&Object<'py>>,
+        backend: Option<&str>,
+    ) -> PyResult<Object<'py>> {
+        self.run(py, Form::Hessian, "hessian", arguments, kind, out, backend)
+    }
+
+    /// Every row of `a` with every row of `b`: a matrix.
+    #[pyo3(signature = (a, b, *, kind=None, out=None, backend=None))]
+    fn all_pairs<'py>(
+        &self,
+        py: Python<'py>,
+        a: Object<'py>,
+        b: Object<'py>,
+        kind: Option<&Object<'py>>,
+        out: Option<&Object<'py>>,
+        backend: Option<&str>,
+    ) -> PyResult<Object<'py>> {
+        let all = [a, b];
+        of_pairs!(self, py, all, kind, out, backend, "all_pairs", |call| call.all_pairs())
+    }
+    /// The largest result of every row of `a`, and its row of `b`.
+    #[pyo3(signature = (a, b, *, kind=None, backend=None))]
+    fn row_max<'py>(
+        &self,
+        py: Python<'py>,
+        a: Object<'py>,
+        b: Object<'py>,
+        kind: Option<&Object<'py>>,
+        backend: Option<&str>,
+    ) -> PyResult<Object<'py>> {
+        let all = [a, b];
+        of_pairs!(self, py, all, kind, None, backend, "row_max", |call| call.most(true))
+    }
+    /// The largest result of every row of `b`, and its row of `a`.
+    #[pyo3(signature = (a, b, *, kind=None, backend=None))]
+    fn column_max<'py>(
+        &self,
+        py: Python<'py>,
+        a: Object<'py>,
+        b: Object<'py>,
+        kind: Option<&Object<'py>>,
+        backend: Option<&str>,
+    ) -> PyResult<Object<'py>> {
+        let all = [a, b];
+        of_pairs!(self, py, all, kind, None, backend, "column_max", |call| call.most(false))
+    }
+    /// Every pair whose result is above a threshold: rows of `a`, rows of `b`, results.
+    #[pyo3(signature = (a, b, threshold, *, kind=None, backend=None))]
+    fn above<'py>(
+        &self,
+        py: Python<'py>,
+        a: Object<'py>,
+        b: Object<'py>,
+        threshold: f64,
+        kind: Option<&Object<'py>>,
+        backend: Option<&str>,
+    ) -> PyResult<Object<'py>> {
+        let all = [a, b];
+        of_pairs!(self, py, all, kind, None, backend, "above", |call| call.above(threshold))
+    }
+    /// How many pairs have a result above a threshold.
+    #[pyo3(signature = (a, b, threshold, *, kind=None, backend=None))]
+    fn count_above<'py>(
+        &self,
+        py: Python<'py>,
+        a: Object<'py>,
+        b: Object<'py>,
+        threshold: f64,
+        kind: Option<&Object<'py>>,
+        backend: Option<&str>,
+    ) -> PyResult<u64> {
+        let all = [a, b];
+        of_pairs!(self, py, all, kind, None, backend, "count_above", |call| call.count_above(threshold))
+    }
+    /// The sum of the results of all pairs.
+    #[pyo3(signature = (a, b, *, kind=None, backend=None))]
+    fn sum<'py>(
+        &self,
+        py: Python<'py>,
+        a: Object<'py>,
+        b: Object<'py>,
+        kind: Option<&Object<'py>>,
+        backend: Option<&str>,
+    ) -> PyResult<f64> {
+        let all = [a, b];
+        of_pairs!(self, py, all, kind, None, backend, "sum", |call| call.total(false))
+    }
+    /// The mean of the results of all pairs; zero where there are none.
+    #[pyo3(signature = (a, b, *, kind=None, backend=None))]
+    fn mean<'py>(
+        &self,
+        py: Python<'py>,
+        a: Object<'py>,
+        b: Object<'py>,
+        kind: Option<&Object<'py>>,
+        backend: Option<&str>,
+    ) -> PyResult<f64> {
+        let all = [a, b];
+        of_pairs!(self, py, all, kind, None, backend, "mean", |call| call.total(true))
+    }
+    /// The sum of the results of all pairs, and its gradients by both lists.
+    #[pyo3(signature = (a, b, *, kind=None, backend=None))]
+    fn sum_grad<'py>(
+        &self,
+        py: Python<'py>,
+        a: Object<'py>,
+        b: Object<'py>,
+        kind: Option<&Object<'py>>,
+        backend: Option<&str>,
+    ) -> PyResult<Object<'py>> {
+        let all = [a, b];
+        of_pairs!(self, py, all, kind, None, backend, "sum_grad", |call| call.total_grad(false))
+    }
+    /// The mean of the results of all pairs, and its gradients by both lists.
+    #[pyo3(signature = (a, b, *, kind=None, backend=None))]
+    fn mean_grad<'py>(
+        &self,
+        py: Python<'py>,
+        a: Object<'py>,
+        b: Object<'py>,
+        kind: Option<&Object<'py>>,
+        backend: Option<&str>,
+    ) -> PyResult<Object<'py>> {
+        let all = [a, b];
+        of_pairs!(self, py, all, kind, None, backend, "mean_grad", |call| call.total_grad(true))
+    }
+    /// Cotangents of both lists, for a matrix of those of all pairs.
+    #[pyo3(signature = (a, b, upstream, *, kind=None, backend=None))]
+    fn all_pairs_vjp<'py>(
+        &self,
+        py: Python<'py>,
+        a: Object<'py>,
+        b: Object<'py>,
+        upstream: Object<'py>,
+        kind: Option<&Object<'py>>,
+        backend: Option<&str>,
+    ) -> PyResult<Object<'py>> {
+        let all = [a, b];
+        of_pairs!(self, py, all, kind, None, backend, "all_pairs_vjp", |call| call.all_pairs_vjp(&upstream))
+    }
+    /// The operations of a form of a row, in a format.
+    #[pyo3(signature = (*, kind, form="value", double=true))]
+    fn program<'py>(&self, kind: &Object<'py>, form: &str, double: bool) -> PyResult<Program> {
+        let wanted = Wanted::of(Some(kind))?;
+        let fits = |row: &&Row| match &wanted {
+            Wanted::Nothing => false,
+            Wanted::All(all) => row.takes.iter().all(|&kind| kind == *all || kind == NUMBER),
+            Wanted::Each(each) => {
+                row.takes.len() == each.len()
+                    && row.takes.iter().zip(each).all(|(&kind, wanted)| wanted.is_none_or(|wanted| wanted == kind))
+            }
+        };
+        let mut rows = self.of().rows.iter().filter(fits);
+        match (rows.next(), rows.next()) {
+            (Some(row), None) => Program::of(&row.call, form, double),
+            _ => Err(self.refused(&[], "program", "kind= must name one row")),
+        }
+    }
+}
+
+/// The shapes of the table: name, fields, and how many of them are whole numbers.
+#[pyfunction]
+pub fn shapes() -> Vec<(&'static str, Vec<&'static str>, usize)> {
+    let shape = |shape: &'static crate::table::Shape| {
+        (shape.name.as_str(), shape.fields.iter().map(String::as_str).collect(), shape.codes)
+    };
+    table().shapes.iter().map(shape).collect()
+}
+
+/// The names of all verbs.
+#[pyfunction]
+pub fn verbs() -> Vec<&'static str> {
+    table().verbs.iter().map(|verb| verb.name.as_str()).collect()
+}
+
+/// What the table says of the rows of a verb.
+#[pyfunction]
+pub fn rows<'py>(py: Python<'py>, verb: &str) -> PyResult<Vec<Bound<'py, PyDict>>> {
+    let verb = table().verbs.iter().find(|one| one.name == verb).ok_or_else(|| PyKeyError::new_err(verb.to_owned()))?;
+    let limit = |bound: Limit| match bound {
+        Limit::Any => "any".to_owned(),
+        Limit::NotNegative => "not negative".to_owned(),
+        Limit::Positive => "positive".to_owned(),
+        Limit::AtMost(place) => format!("at most field {place}"),
+        Limit::Whole => "whole".to_owned(),
+        _ => String::new(),
+    };
+    let row = |row: &'static Row| {
+        let operation = row.call.operation().ok_or_else(|| PyValueError::new_err("no operation"))?;
+        let described = PyDict::new(py);
+        described.set_item("name", operation.name)?;
+        described.set_item("spelling", &row.spelling)?;
+        described.set_item("summary", operation.summary())?;
+        described.set_item("sort", match operation.sort {
+            Sort::Straight => "straight",
+            Sort::Search => "search",
+            Sort::Fold => "fold",
+            Sort::Ring => "ring",
+        })?;
+        let kinds: Vec<&str> = row.takes.iter().map(|&kind| table().name(kind)).collect();
+        described.set_item("kinds", kinds)?;
+        let columns = |columns: &[Column]| -> Vec<(String, String, usize)> {
+            let one = |column: &Column| {
+                let name = if column.kind == NUMBERS { "numbers" } else { table().name(column.kind) };
+                (column.name.clone(), name.to_owned(), column.axes.first().copied().unwrap_or(0))
+            };
+            columns.iter().map(one).collect()
+        };
+        described.set_item("takes", columns(&row.call.takes))?;
+        described.set_item("gives", columns(row.call.gives()))?;
+        let mut fields = Vec::new();
+        for argument in operation.arguments() {
+            let one = |x: &geograd::kernels::dynamic::Number| {
+                (x.name.to_string(), format!("{:?}", x.kind).to_lowercase(), limit(x.bound))
+            };
+            fields.push(argument.shape.fields.iter().map(one).collect::<Vec<_>>());
+        }
+        described.set_item("fields", fields)?;
+        described.set_item("jumps", format!("{:?}", operation.jumps))?;
+        Ok(described)
+    };
+    verb.rows.iter().map(row).collect()
+}
