@@ -4,8 +4,8 @@ use crate::shapes::{Content, Shape, array};
 use crate::table::{Column, NUMBERS, table};
 use geograd::kernels::dynamic::Rows;
 use numpy::{
-    PyArrayDescrMethods, PyArrayDyn, PyArrayMethods, PyReadonlyArrayDyn, PyReadwriteArrayDyn, PyUntypedArray,
-    PyUntypedArrayMethods,
+    PyArrayDescrMethods, PyArrayDyn, PyArrayMethods, PyReadonlyArrayDyn, PyReadwriteArrayDyn,
+    PyUntypedArray, PyUntypedArrayMethods,
 };
 use pyo3::exceptions::{PyMemoryError, PyTypeError, PyValueError};
 use pyo3::prelude::*;
@@ -40,7 +40,16 @@ impl<'py> Given<'py> {
                 return Ok(Given::Number(number.extract()?));
             }
         }
-        array(x, &column.name, column.kind).map(Given::Array)
+        let array = array(x, &column.name, column.kind)?;
+        // A lone number stands for a shape of one.
+        if table().is_one_number(column.kind)
+            && column.axes == [1]
+            && array.shape().last() != Some(&1)
+        {
+            let key = (x.py().Ellipsis(), x.py().None());
+            return Ok(Given::Array(array.as_any().get_item(key)?.cast_into()?));
+        }
+        Ok(Given::Array(array))
     }
     /// Whether it is an array of `f32`, or says nothing.
     fn format(&self) -> Option<bool> {
@@ -53,7 +62,9 @@ impl<'py> Given<'py> {
 
 /// Why symbols cannot be used here.
 pub fn symbolic(name: &str) -> PyErr {
-    PyTypeError::new_err(format!("`{name}` has symbols, which only the plain call of a verb or a function takes"))
+    PyTypeError::new_err(format!(
+        "`{name}` has symbols, which only the plain call of a verb or a function takes"
+    ))
 }
 
 /// Whether a call is in `f64`: not if all arrays are `f32`.
@@ -74,19 +85,29 @@ impl<'py, T: Number> Lent<'py, T> {
     pub fn new(py: Python<'py>, given: Given<'py>, column: &Column) -> PyResult<Self> {
         let array = match given {
             Given::Array(array) => array.into_any(),
-            Given::Number(x) => PyArrayDyn::<T>::from_owned_array(py, numpy::ndarray::arr0(T::narrowed(x)).into_dyn()).into_any(),
+            Given::Number(x) => PyArrayDyn::<T>::from_owned_array(
+                py,
+                numpy::ndarray::arr0(T::narrowed(x)).into_dyn(),
+            )
+            .into_any(),
         };
         let array = plain::<T>(array)?;
         let lead = lead(array.shape(), column)?.to_vec();
         let numbers = array.try_readonly().map_err(|_| in_use(&column.name))?;
-        Ok(Lent { numbers, lead, fields: column.fields() })
+        Ok(Lent {
+            numbers,
+            lead,
+            fields: column.fields(),
+        })
     }
     /// Axes before those of the fields.
     pub fn lead(&self) -> &[usize] {
         &self.lead
     }
     pub fn numbers(&self) -> PyResult<&[T]> {
-        self.numbers.as_slice().map_err(|error| PyValueError::new_err(error.to_string()))
+        self.numbers
+            .as_slice()
+            .map_err(|error| PyValueError::new_err(error.to_string()))
     }
     /// As rows, of which one stands for all if it may.
     pub fn rows(&self, may_be_one: bool) -> PyResult<Rows<'_, T>> {
@@ -103,10 +124,17 @@ impl<'py, T: Number> Lent<'py, T> {
     pub fn repeated(self, py: Python<'py>, lead: &[usize], column: &Column) -> PyResult<Self> {
         let shape = with_fields(lead, column);
         let numpy = py.import("numpy")?;
-        let array = numpy.call_method1("broadcast_to", (self.numbers.as_any(), PyTuple::new(py, &shape)?))?;
+        let array = numpy.call_method1(
+            "broadcast_to",
+            (self.numbers.as_any(), PyTuple::new(py, &shape)?),
+        )?;
         let array = plain::<T>(array)?;
         let numbers = array.try_readonly().map_err(|_| in_use(&column.name))?;
-        Ok(Lent { numbers, lead: lead.to_vec(), fields: self.fields })
+        Ok(Lent {
+            numbers,
+            lead: lead.to_vec(),
+            fields: self.fields,
+        })
     }
 }
 
@@ -146,19 +174,25 @@ fn lead<'a>(shape: &'a [usize], column: &Column) -> PyResult<&'a [usize]> {
         Some((&fields, lead)) if fields == column.fields() => Ok(lead),
         _ => {
             let of = match table().shapes.get(usize::from(column.kind)) {
-                Some(kind) if column.kind != 0 => format!("rows of {} ({})", kind.name, kind.fields.join(", ")),
+                Some(kind) if column.kind != 0 => {
+                    format!("rows of {} ({})", kind.name, kind.fields.join(", "))
+                }
                 _ => format!("rows of {} numbers", column.fields()),
             };
             Err(PyValueError::new_err(format!(
                 "`{}`: an array of shape (..., {}) is needed, {of}, not {shape:?}",
-                column.name, column.fields()
+                column.name,
+                column.fields()
             )))
         }
     }
 }
 
 /// The leading axes of a result, by NumPy's rules, and how many rows that are.
-pub fn broadcast<T: Number>(lent: &[Lent<'_, T>], columns: &[Column]) -> PyResult<(Vec<usize>, usize)> {
+pub fn broadcast<T: Number>(
+    lent: &[Lent<'_, T>],
+    columns: &[Column],
+) -> PyResult<(Vec<usize>, usize)> {
     let axes = lent.iter().map(|x| x.lead.len()).max().unwrap_or(0);
     let mut lead = vec![1_usize; axes];
     for (one, column) in lent.iter().zip(columns) {
@@ -178,7 +212,9 @@ pub fn broadcast<T: Number>(lent: &[Lent<'_, T>], columns: &[Column]) -> PyResul
             }
         }
     }
-    let count = lead.iter().try_fold(1_usize, |n, &size| n.checked_mul(size));
+    let count = lead
+        .iter()
+        .try_fold(1_usize, |n, &size| n.checked_mul(size));
     match count {
         Some(count) => Ok((lead, count)),
         None => Err(PyMemoryError::new_err("more rows than memory can hold")),
@@ -198,12 +234,24 @@ pub fn aligned<'py, T: Number>(
     lead: &[usize],
     count: usize,
 ) -> PyResult<Vec<Lent<'py, T>>> {
-    let fitted = lent.into_iter().zip(columns).map(|(one, column)| match one.count() {
-        1 => Ok(one),
-        n if n == count && n > 0 && one.lead.iter().filter(|&&x| x != 1).eq(lead.iter().filter(|&&x| x != 1)) => Ok(one),
-        0 if count == 0 => Ok(one),
-        _ => one.repeated(py, lead, column),
-    });
+    let fitted = lent
+        .into_iter()
+        .zip(columns)
+        .map(|(one, column)| match one.count() {
+            1 => Ok(one),
+            n if n == count
+                && n > 0
+                && one
+                    .lead
+                    .iter()
+                    .filter(|&&x| x != 1)
+                    .eq(lead.iter().filter(|&&x| x != 1)) =>
+            {
+                Ok(one)
+            }
+            0 if count == 0 => Ok(one),
+            _ => one.repeated(py, lead, column),
+        });
     fitted.collect()
 }
 
@@ -216,13 +264,24 @@ pub struct Target<'py, T: Number> {
 
 impl<'py, T: Number> Target<'py, T> {
     pub fn new(py: Python<'py>, shape: &[usize]) -> PyResult<Self> {
-        let size = shape.iter().try_fold(1_usize, |n, &size| n.checked_mul(size));
-        if size.and_then(|size| size.checked_mul(size_of::<T>())).is_none_or(|bytes| isize::try_from(bytes).is_err()) {
+        let size = shape
+            .iter()
+            .try_fold(1_usize, |n, &size| n.checked_mul(size));
+        if size
+            .and_then(|size| size.checked_mul(size_of::<T>()))
+            .is_none_or(|bytes| isize::try_from(bytes).is_err())
+        {
             return Err(PyMemoryError::new_err("more results than memory can hold"));
         }
-        let array = py.import("numpy")?.call_method1("empty", (PyTuple::new(py, shape)?, numpy::dtype::<T>(py)))?;
+        let array = py
+            .import("numpy")?
+            .call_method1("empty", (PyTuple::new(py, shape)?, numpy::dtype::<T>(py)))?;
         let array = array.cast_into::<PyArrayDyn<T>>()?;
-        Ok(Target { object: array.as_any().clone(), array, is_callers: false })
+        Ok(Target {
+            object: array.as_any().clone(),
+            array,
+            is_callers: false,
+        })
     }
     /// The caller's array, or that of the caller's shape.
     pub fn given(out: &Bound<'py, PyAny>, shape: &[usize], name: &str) -> PyResult<Self> {
@@ -234,19 +293,30 @@ impl<'py, T: Number> Target<'py, T> {
         }
         let format = if T::IS_DOUBLE { "float64" } else { "float32" };
         let array = object.cast::<PyArrayDyn<T>>().map_err(|_| {
-            PyTypeError::new_err(format!("out ({name}): an array of {format} is needed, like the arguments"))
+            PyTypeError::new_err(format!(
+                "out ({name}): an array of {format} is needed, like the arguments"
+            ))
         })?;
         let refused = |why: String| Err(PyValueError::new_err(format!("out ({name}): {why}")));
         if array.shape() != shape {
-            return refused(format!("an array of shape {shape:?} is needed, not {:?}", array.shape()));
+            return refused(format!(
+                "an array of shape {shape:?} is needed, not {:?}",
+                array.shape()
+            ));
         }
         if !array.is_c_contiguous() {
-            return refused("its numbers are not one after another; an array in C order is needed".to_owned());
+            return refused(
+                "its numbers are not one after another; an array in C order is needed".to_owned(),
+            );
         }
         if !array.getattr("flags")?.getattr("writeable")?.is_truthy()? {
             return refused("it is read-only".to_owned());
         }
-        Ok(Target { array: array.clone(), object: out.clone(), is_callers: true })
+        Ok(Target {
+            array: array.clone(),
+            object: out.clone(),
+            is_callers: true,
+        })
     }
     pub fn lock(&self, name: &str) -> PyResult<PyReadwriteArrayDyn<'py, T>> {
         self.array.try_readwrite().map_err(|_| {
@@ -256,7 +326,10 @@ impl<'py, T: Number> Target<'py, T> {
         })
     }
     /// The result as an object: the caller's own, or the new array by `dress`.
-    pub fn done(self, dress: impl FnOnce(Bound<'py, PyAny>) -> PyResult<Bound<'py, PyAny>>) -> PyResult<Bound<'py, PyAny>> {
+    pub fn done(
+        self,
+        dress: impl FnOnce(Bound<'py, PyAny>) -> PyResult<Bound<'py, PyAny>>,
+    ) -> PyResult<Bound<'py, PyAny>> {
         match self.is_callers {
             true => Ok(self.object),
             false => dress(self.object),
@@ -266,5 +339,7 @@ impl<'py, T: Number> Target<'py, T> {
 
 /// The numbers of a locked array.
 pub fn written<'a, T: Number>(guard: &'a mut PyReadwriteArrayDyn<'_, T>) -> PyResult<&'a mut [T]> {
-    guard.as_slice_mut().map_err(|error| PyValueError::new_err(error.to_string()))
+    guard
+        .as_slice_mut()
+        .map_err(|error| PyValueError::new_err(error.to_string()))
 }

@@ -4,7 +4,9 @@ use crate::raised;
 use crate::symbol::{Any, mixed};
 use crate::table::{Column, Kind, NUMBERS};
 use crate::traced::Traced;
-use geograd::kernels::dynamic::{Format, Function, Mode, OnPaths, Operation, Program, Sort, Symbol};
+use geograd::kernels::dynamic::{
+    Format, Function, Mode, OnPaths, Operation, Program, Sort, Symbol,
+};
 use numpy::Element;
 use pyo3::PyResult;
 use pyo3::exceptions::PyTypeError;
@@ -33,7 +35,10 @@ impl Form {
         ("hessian", Form::Hessian),
     ];
     pub fn named(name: &str) -> Option<Form> {
-        Form::ALL.iter().find(|form| form.0 == name).map(|form| form.1)
+        Form::ALL
+            .iter()
+            .find(|form| form.0 == name)
+            .map(|form| form.1)
     }
 }
 
@@ -137,7 +142,12 @@ impl Callable {
         }
     }
     pub fn of_traced(traced: Traced, takes: Vec<Column>) -> Self {
-        Callable { body: Body::Traced(traced), takes, gives: OnceLock::new(), cache: Cache::default() }
+        Callable {
+            body: Body::Traced(traced),
+            takes,
+            gives: OnceLock::new(),
+            cache: Cache::default(),
+        }
     }
     /// The row that it is.
     pub fn operation(&self) -> Option<&'static Operation> {
@@ -147,7 +157,8 @@ impl Callable {
         }
     }
     pub fn is_of_paths(&self) -> bool {
-        self.operation().is_some_and(|row| matches!(row.sort, Sort::Fold | Sort::Ring))
+        self.operation()
+            .is_some_and(|row| matches!(row.sort, Sort::Fold | Sort::Ring))
     }
     /// Whether its result is a tuple, even of one.
     pub fn is_tuple(&self) -> bool {
@@ -182,28 +193,44 @@ impl Callable {
         Ok(kept.get_or_init(|| made))
     }
     fn signed(&self, form: Form) -> Signature {
-        let named = |name: String, kind: Kind, like: &Column| Column { name, kind, axes: like.axes.clone() };
+        let named = |name: String, kind: Kind, like: &Column| Column {
+            name,
+            kind,
+            axes: like.axes.clone(),
+        };
         let (mut takes, mut gives) = (self.takes.clone(), self.gives().to_vec());
         let own = self.takes.iter();
-        let slopes = own.clone().map(|x| named(format!("gradient by {}", x.name), NUMBERS, x));
+        let slopes = own
+            .clone()
+            .map(|x| named(format!("gradient by {}", x.name), NUMBERS, x));
         let directions = own.map(|x| named(format!("direction of {}", x.name), NUMBERS, x));
         let (inputs, outputs) = (self.inputs(), self.outputs());
         let lone = match &gives[..] {
             [one] => one.axes.is_empty(),
             _ => false,
         };
-        let matrix = |name: &str, axes: Vec<usize>| Column { name: name.to_owned(), kind: NUMBERS, axes };
+        let matrix = |name: &str, axes: Vec<usize>| Column {
+            name: name.to_owned(),
+            kind: NUMBERS,
+            axes,
+        };
         match form {
             Form::Value => {}
             Form::ValueGrad => gives.extend(slopes),
             Form::Vjp => {
-                takes.extend(gives.iter().map(|x| named("upstream".to_owned(), NUMBERS, x)));
+                takes.extend(
+                    gives
+                        .iter()
+                        .map(|x| named("upstream".to_owned(), NUMBERS, x)),
+                );
                 gives = slopes.collect();
             }
             Form::Jvp => {
                 takes.extend(directions);
-                let along: Vec<Column> =
-                    gives.iter().map(|x| named("derivative".to_owned(), NUMBERS, x)).collect();
+                let along: Vec<Column> = gives
+                    .iter()
+                    .map(|x| named("derivative".to_owned(), NUMBERS, x))
+                    .collect();
                 gives.extend(along);
             }
             Form::Hvp => {
@@ -211,7 +238,11 @@ impl Callable {
                 gives = slopes.collect();
             }
             Form::Jacobian => {
-                let axes = if lone { vec![inputs] } else { vec![outputs, inputs] };
+                let axes = if lone {
+                    vec![inputs]
+                } else {
+                    vec![outputs, inputs]
+                };
                 gives = vec![matrix("jacobian", axes)];
             }
             Form::Hessian => gives = vec![matrix("hessian", vec![inputs, inputs])],
@@ -230,7 +261,8 @@ impl Callable {
             (Form::Value, Body::Traced(traced)) => {
                 let (program, gives) = traced.record::<T>(&self.takes)?;
                 let known = self.gives.get_or_init(|| gives.clone());
-                let widths = |all: &[Column]| all.iter().map(|x| x.axes.clone()).collect::<Vec<_>>();
+                let widths =
+                    |all: &[Column]| all.iter().map(|x| x.axes.clone()).collect::<Vec<_>>();
                 if widths(known) != widths(&gives) {
                     return Err(PyTypeError::new_err(
                         "the function gave other results when it was recorded for the other format",
@@ -281,7 +313,10 @@ impl Callable {
 
     /// The function of paths.
     pub fn on_paths<T: Number>(&self) -> PyResult<&OnPaths<T>> {
-        let kept = T::cache(&self.cache).on_paths.get_or_init(|| self.operation()?.on_paths::<T>());
-        kept.as_ref().ok_or_else(|| PyTypeError::new_err("takes no paths"))
+        let kept = T::cache(&self.cache)
+            .on_paths
+            .get_or_init(|| self.operation()?.on_paths::<T>());
+        kept.as_ref()
+            .ok_or_else(|| PyTypeError::new_err("takes no paths"))
     }
 }

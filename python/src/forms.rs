@@ -6,8 +6,8 @@ use crate::raised;
 use crate::shapes::{Paths, dressed};
 use crate::table::{Column, NUMBERS};
 use crate::threads::on_threads;
-use geograd::kernels::reduce::{Best, Found};
 use geograd::kernels::dynamic::Rows;
+use geograd::kernels::reduce::{Best, Found};
 use numpy::{PyArray1, PyArrayMethods, PyUntypedArray, PyUntypedArrayMethods};
 use pyo3::exceptions::{PyTypeError, PyValueError};
 use pyo3::prelude::*;
@@ -63,12 +63,28 @@ impl<'py> Call<'_, 'py> {
                 self.arguments.len()
             )));
         }
-        self.arguments.iter().zip(columns).map(|(x, column)| Given::new(x, column)).collect()
+        self.arguments
+            .iter()
+            .zip(columns)
+            .map(|(x, column)| Given::new(x, column))
+            .collect()
     }
-    fn lent<T: Number>(&self, given: Vec<Given<'py>>, columns: &[Column]) -> PyResult<Vec<Lent<'py, T>>> {
-        given.into_iter().zip(columns).map(|(x, column)| Lent::new(self.py, x, column)).collect()
+    fn lent<T: Number>(
+        &self,
+        given: Vec<Given<'py>>,
+        columns: &[Column],
+    ) -> PyResult<Vec<Lent<'py, T>>> {
+        given
+            .into_iter()
+            .zip(columns)
+            .map(|(x, column)| Lent::new(self.py, x, column))
+            .collect()
     }
-    fn run<R: Send>(&self, items: usize, run: impl FnOnce() -> Result<R, geograd::Error> + Send) -> PyResult<R> {
+    fn run<R: Send>(
+        &self,
+        items: usize,
+        run: impl FnOnce() -> Result<R, geograd::Error> + Send,
+    ) -> PyResult<R> {
         let done = match self.machine.is_gpu() {
             true => self.py.detach(run),
             false => on_threads(self.py, items, run)?,
@@ -88,11 +104,19 @@ impl<'py> Call<'_, 'py> {
         let lent = self.lent::<T>(given, takes)?;
         let (lead, count) = broadcast(&lent, takes)?;
         let lent = aligned(self.py, lent, takes, &lead, count)?;
-        let rows = lent.iter().map(|x| x.rows(true)).collect::<PyResult<Vec<_>>>()?;
+        let rows = lent
+            .iter()
+            .map(|x| x.rows(true))
+            .collect::<PyResult<Vec<_>>>()?;
         let targets = self.targets::<T>(&lead, gives)?;
         let mut guards = Vec::with_capacity(targets.len());
         for (target, column) in targets.iter().zip(gives) {
-            guards.push(target.as_ref().map(|target| target.lock(&column.name)).transpose()?);
+            guards.push(
+                target
+                    .as_ref()
+                    .map(|target| target.lock(&column.name))
+                    .transpose()?,
+            );
         }
         let mut slices = Vec::with_capacity(guards.len());
         for guard in &mut guards {
@@ -104,20 +128,27 @@ impl<'py> Call<'_, 'py> {
         drop(guards);
         let mut results = Vec::with_capacity(gives.len());
         for (k, (target, column)) in targets.into_iter().zip(gives).enumerate() {
-            let is_value = matches!(form, Form::Value | Form::ValueGrad | Form::Jvp) && k < self.of.gives().len();
+            let is_value = matches!(form, Form::Value | Form::ValueGrad | Form::Jvp)
+                && k < self.of.gives().len();
             let kind = if is_value { column.kind } else { NUMBERS };
             results.push(match target {
                 None => self.py.None().into_bound(self.py),
-                Some(target) => target.done(|array| match lead.is_empty() && column.axes.is_empty() {
-                    true => array.get_item(PyTuple::empty(self.py)),
-                    false => dressed(array, kind),
-                })?,
+                Some(target) => {
+                    target.done(|array| match lead.is_empty() && column.axes.is_empty() {
+                        true => array.get_item(PyTuple::empty(self.py)),
+                        false => dressed(array, kind),
+                    })?
+                }
             });
         }
         self.arranged(form, results)
     }
     /// New arrays for results, or the caller's.
-    fn targets<T: Number>(&self, lead: &[usize], gives: &[Column]) -> PyResult<Vec<Option<Target<'py, T>>>> {
+    fn targets<T: Number>(
+        &self,
+        lead: &[usize],
+        gives: &[Column],
+    ) -> PyResult<Vec<Option<Target<'py, T>>>> {
         let Some(out) = self.out else {
             let new = |column: &Column| Target::new(self.py, &with_fields(lead, column)).map(Some);
             return gives.iter().map(new).collect();
@@ -170,7 +201,11 @@ impl<'py> Call<'_, 'py> {
     fn two(&self) -> PyResult<Vec<Given<'py>>> {
         let takes = &self.of.takes;
         if takes.len() != 2 {
-            return Err(PyTypeError::new_err(format!("{} takes {} arguments; pairs are of two", self.name, takes.len())));
+            return Err(PyTypeError::new_err(format!(
+                "{} takes {} arguments; pairs are of two",
+                self.name,
+                takes.len()
+            )));
         }
         self.given(takes)
     }
@@ -182,12 +217,17 @@ impl<'py> Call<'_, 'py> {
                 return Err(PyValueError::new_err(format!(
                     "`{}`: a list of rows is needed, an array of shape {}, not one with {} leading axes",
                     column.name,
-                    if column.axes.is_empty() { "(N,)".to_owned() } else { format!("(N, {})", column.fields()) },
+                    if column.axes.is_empty() {
+                        "(N,)".to_owned()
+                    } else {
+                        format!("(N, {})", column.fields())
+                    },
                     one.lead().len()
                 )));
             }
         }
-        <[Lent<'py, T>; 2]>::try_from(lent).map_err(|_| PyTypeError::new_err("two lists are needed"))
+        <[Lent<'py, T>; 2]>::try_from(lent)
+            .map_err(|_| PyTypeError::new_err("two lists are needed"))
     }
     fn one_number(&self) -> PyResult<()> {
         self.of.signature(Form::Value)?;
@@ -229,7 +269,9 @@ impl<'py> Call<'_, 'py> {
         let mut guard = target.lock("result")?;
         let slice = written(&mut guard)?;
         let (lists, machine) = ([a.rows(false)?, b.rows(false)?], &self.machine);
-        self.run(rows.saturating_mul(columns), || T::all_pairs(function, machine, lists, slice))?;
+        self.run(rows.saturating_mul(columns), || {
+            T::all_pairs(function, machine, lists, slice)
+        })?;
         drop(guard);
         target.done(|array| match numbers {
             1 => Ok(array),
@@ -263,7 +305,9 @@ impl<'py> Call<'_, 'py> {
     fn found<T: Number>(&self, given: Vec<Given<'py>>, threshold: f64) -> PyResult<Object<'py>> {
         let function = self.of.function::<T>(Form::Value)?;
         let machine = &self.machine;
-        let all: Vec<Found<T>> = self.reduced::<T, _>(given, |lists| T::pairs_above(function, machine, lists, T::narrowed(threshold)))?;
+        let all: Vec<Found<T>> = self.reduced::<T, _>(given, |lists| {
+            T::pairs_above(function, machine, lists, T::narrowed(threshold))
+        })?;
         let rows = PyArray1::from_iter(self.py, all.iter().map(|found| found.row as isize));
         let columns = PyArray1::from_iter(self.py, all.iter().map(|found| found.column as isize));
         let values = PyArray1::from_iter(self.py, all.iter().map(|found| found.value));
@@ -278,7 +322,9 @@ impl<'py> Call<'_, 'py> {
     fn counted<T: Number>(&self, given: Vec<Given<'py>>, threshold: f64) -> PyResult<u64> {
         let function = self.of.function::<T>(Form::Value)?;
         let machine = &self.machine;
-        self.reduced::<T, _>(given, |lists| T::count_above(function, machine, lists, T::narrowed(threshold)))
+        self.reduced::<T, _>(given, |lists| {
+            T::count_above(function, machine, lists, T::narrowed(threshold))
+        })
     }
 
     /// The sum of all results, or their mean.
@@ -315,14 +361,24 @@ impl<'py> Call<'_, 'py> {
     /// Gradients of the sum of all results, each times its number of a matrix.
     pub fn all_pairs_vjp(&self, upstream: &Object<'py>) -> PyResult<Object<'py>> {
         let mut given = self.two()?;
-        let column = Column { name: "upstream".to_owned(), kind: NUMBERS, axes: Vec::new() };
+        let column = Column {
+            name: "upstream".to_owned(),
+            kind: NUMBERS,
+            axes: Vec::new(),
+        };
         given.push(Given::new(upstream, &column)?);
         in_format!(self, given, pulled)
     }
     fn pulled<T: Number>(&self, mut given: Vec<Given<'py>>) -> PyResult<Object<'py>> {
         let function = self.of.function::<T>(Form::Value)?;
-        let column = Column { name: "upstream".to_owned(), kind: NUMBERS, axes: Vec::new() };
-        let upstream = given.pop().ok_or_else(|| PyTypeError::new_err("upstream is needed"))?;
+        let column = Column {
+            name: "upstream".to_owned(),
+            kind: NUMBERS,
+            axes: Vec::new(),
+        };
+        let upstream = given
+            .pop()
+            .ok_or_else(|| PyTypeError::new_err("upstream is needed"))?;
         let upstream = Lent::<T>::new(self.py, upstream, &column)?;
         let shapes = self.shapes_of(&given);
         self.one_number()?;
@@ -334,9 +390,17 @@ impl<'py> Call<'_, 'py> {
                 upstream.lead()
             )));
         }
-        let (lists, numbers, machine) = ([a.rows(false)?, b.rows(false)?], upstream.numbers()?, &self.machine);
-        let (a, b) = self.run(wanted[0].saturating_mul(wanted[1]), || T::all_pairs_vjp(function, machine, lists, numbers))?;
-        Ok((self.shaped(a, &shapes[0])?, self.shaped(b, &shapes[1])?).into_pyobject(self.py)?.into_any())
+        let (lists, numbers, machine) = (
+            [a.rows(false)?, b.rows(false)?],
+            upstream.numbers()?,
+            &self.machine,
+        );
+        let (a, b) = self.run(wanted[0].saturating_mul(wanted[1]), || {
+            T::all_pairs_vjp(function, machine, lists, numbers)
+        })?;
+        Ok((self.shaped(a, &shapes[0])?, self.shaped(b, &shapes[1])?)
+            .into_pyobject(self.py)?
+            .into_any())
     }
     fn shapes_of(&self, given: &[Given<'py>]) -> Vec<Vec<usize>> {
         let shape = |given: &Given<'py>| match given {
@@ -346,7 +410,9 @@ impl<'py> Call<'_, 'py> {
         given.iter().map(shape).collect()
     }
     fn shaped<T: Number>(&self, numbers: Vec<T>, shape: &[usize]) -> PyResult<Object<'py>> {
-        PyArray1::from_vec(self.py, numbers).as_any().call_method1("reshape", (PyTuple::new(self.py, shape)?,))
+        PyArray1::from_vec(self.py, numbers)
+            .as_any()
+            .call_method1("reshape", (PyTuple::new(self.py, shape)?,))
     }
 
     /// A row of paths: the value, its gradient, or its adjoint.
@@ -357,16 +423,30 @@ impl<'py> Call<'_, 'py> {
             let mut names: Vec<&str> = takes.iter().map(|column| column.name.as_str()).collect();
             names.push("paths");
             names.extend((form == Form::Vjp).then_some("upstream"));
-            return Err(PyTypeError::new_err(format!("{} takes {}", self.name, names.join(", "))));
+            return Err(PyTypeError::new_err(format!(
+                "{} takes {}",
+                self.name,
+                names.join(", ")
+            )));
         }
         if !matches!(form, Form::Value | Form::ValueGrad | Form::Vjp) {
-            return Err(PyTypeError::new_err(format!("{} is of paths: it has value_grad and vjp", self.name)));
+            return Err(PyTypeError::new_err(format!(
+                "{} is of paths: it has value_grad and vjp",
+                self.name
+            )));
         }
         let (contexts, rest) = self.arguments.split_at(takes.len());
         let Ok(paths) = rest[0].cast::<Paths>() else {
-            return Err(PyTypeError::new_err(format!("{}: geograd.Paths is needed for paths", self.name)));
+            return Err(PyTypeError::new_err(format!(
+                "{}: geograd.Paths is needed for paths",
+                self.name
+            )));
         };
-        let mut given = contexts.iter().zip(takes).map(|(x, column)| Given::new(x, column)).collect::<PyResult<Vec<_>>>()?;
+        let mut given = contexts
+            .iter()
+            .zip(takes)
+            .map(|(x, column)| Given::new(x, column))
+            .collect::<PyResult<Vec<_>>>()?;
         given.push(Given::Array(paths.get().vertices.bind(self.py).clone()));
         if let Some(upstream) = rest.get(1) {
             given.push(Given::new(upstream, &self.upstream())?);
@@ -375,17 +455,37 @@ impl<'py> Call<'_, 'py> {
         in_format!(self, given, on_paths, form, offsets)
     }
     fn upstream(&self) -> Column {
-        let axes = self.of.gives().first().map(|column| column.axes.clone()).unwrap_or_default();
-        Column { name: "upstream".to_owned(), kind: NUMBERS, axes }
+        let axes = self
+            .of
+            .gives()
+            .first()
+            .map(|column| column.axes.clone())
+            .unwrap_or_default();
+        Column {
+            name: "upstream".to_owned(),
+            kind: NUMBERS,
+            axes,
+        }
     }
-    fn on_paths<T: Number>(&self, mut given: Vec<Given<'py>>, form: Form, offsets: Vec<usize>) -> PyResult<Object<'py>> {
+    fn on_paths<T: Number>(
+        &self,
+        mut given: Vec<Given<'py>>,
+        form: Form,
+        offsets: Vec<usize>,
+    ) -> PyResult<Object<'py>> {
         let function = self.of.on_paths::<T>()?;
         let takes = &self.of.takes;
         let count = offsets.len().saturating_sub(1);
         let rest = given.split_off(takes.len());
         let mut rest = rest.into_iter();
-        let column = Column { name: "vertices".to_owned(), kind: NUMBERS, axes: vec![2] };
-        let vertices = rest.next().ok_or_else(|| PyTypeError::new_err("paths are needed"))?;
+        let column = Column {
+            name: "vertices".to_owned(),
+            kind: NUMBERS,
+            axes: vec![2],
+        };
+        let vertices = rest
+            .next()
+            .ok_or_else(|| PyTypeError::new_err("paths are needed"))?;
         let vertices = Lent::<T>::new(self.py, vertices, &column)?;
         let upstream = match rest.next() {
             None => None,
@@ -395,13 +495,20 @@ impl<'py> Call<'_, 'py> {
         for (given, column) in given.into_iter().zip(takes) {
             contexts.push(self.full::<T>(given, column, count)?);
         }
-        let rows = contexts.iter().map(|x| x.rows(false)).collect::<PyResult<Vec<_>>>()?;
+        let rows = contexts
+            .iter()
+            .map(|x| x.rows(false))
+            .collect::<PyResult<Vec<_>>>()?;
         let (numbers, machine) = (vertices.numbers()?, &self.machine);
         let items = numbers.len();
         let gives = self.of.gives();
-        let shape = gives.first().map(|column| with_fields(&[count], column)).unwrap_or_default();
+        let shape = gives
+            .first()
+            .map(|column| with_fields(&[count], column))
+            .unwrap_or_default();
         let kind = gives.first().map_or(NUMBERS, |column| column.kind);
-        let value = |of: Vec<T>| -> PyResult<Object<'py>> { dressed(self.shaped(of, &shape)?, kind) };
+        let value =
+            |of: Vec<T>| -> PyResult<Object<'py>> { dressed(self.shaped(of, &shape)?, kind) };
         let slopes = |(columns, vertices): (Vec<Vec<T>>, Vec<T>)| -> PyResult<Vec<Object<'py>>> {
             let mut all = Vec::new();
             for (numbers, column) in columns.into_iter().zip(takes) {
@@ -417,7 +524,9 @@ impl<'py> Call<'_, 'py> {
         };
         match form {
             Form::Value => {
-                let found = self.run(items, || T::paths(function, machine, &rows, numbers, &offsets))?;
+                let found = self.run(items, || {
+                    T::paths(function, machine, &rows, numbers, &offsets)
+                })?;
                 match self.out {
                     None => value(found),
                     Some(out) => {
@@ -432,7 +541,9 @@ impl<'py> Call<'_, 'py> {
             _ if self.out.is_some() => Err(PyTypeError::new_err("out is for values of paths only")),
             Form::ValueGrad => {
                 if function.gives() != 1 {
-                    return Err(raised(geograd::Error::NotOneNumber { found: function.gives() }));
+                    return Err(raised(geograd::Error::NotOneNumber {
+                        found: function.gives(),
+                    }));
                 }
                 let ones = vec![T::narrowed(1.0); count];
                 let (values, bars) = self.run(items, || {
@@ -440,18 +551,29 @@ impl<'py> Call<'_, 'py> {
                     let bars = T::paths_vjp(function, machine, &rows, numbers, &offsets, &ones)?;
                     Ok((values, bars))
                 })?;
-                Ok((value(values)?, grouped(slopes(bars)?)?).into_pyobject(self.py)?.into_any())
+                Ok((value(values)?, grouped(slopes(bars)?)?)
+                    .into_pyobject(self.py)?
+                    .into_any())
             }
             _ => {
-                let upstream = upstream.as_ref().ok_or_else(|| PyTypeError::new_err("upstream is needed"))?;
+                let upstream = upstream
+                    .as_ref()
+                    .ok_or_else(|| PyTypeError::new_err("upstream is needed"))?;
                 let upstream = upstream.numbers()?;
-                let bars = self.run(items, || T::paths_vjp(function, machine, &rows, numbers, &offsets, upstream))?;
+                let bars = self.run(items, || {
+                    T::paths_vjp(function, machine, &rows, numbers, &offsets, upstream)
+                })?;
                 grouped(slopes(bars)?)
             }
         }
     }
     /// A row for every path.
-    fn full<T: Number>(&self, given: Given<'py>, column: &Column, count: usize) -> PyResult<Lent<'py, T>> {
+    fn full<T: Number>(
+        &self,
+        given: Given<'py>,
+        column: &Column,
+        count: usize,
+    ) -> PyResult<Lent<'py, T>> {
         let lent = Lent::<T>::new(self.py, given, column)?;
         if lent.lead() == [count] {
             return Ok(lent);
@@ -470,9 +592,15 @@ impl<'py> Call<'_, 'py> {
 /// The offsets of paths.
 fn offsets(py: Python<'_>, paths: &Paths) -> PyResult<Vec<usize>> {
     let array: &Bound<'_, PyUntypedArray> = paths.offsets.bind(py);
-    let whole = array.as_any().call_method1("astype", (numpy::dtype::<i64>(py),))?;
+    let whole = array
+        .as_any()
+        .call_method1("astype", (numpy::dtype::<i64>(py),))?;
     let whole = whole.cast_into::<PyArray1<i64>>()?;
     let whole = whole.readonly();
     let negative = || PyValueError::new_err("offsets: an offset is negative");
-    whole.as_array().iter().map(|&x| usize::try_from(x).map_err(|_| negative())).collect()
+    whole
+        .as_array()
+        .iter()
+        .map(|&x| usize::try_from(x).map_err(|_| negative()))
+        .collect()
 }

@@ -19,7 +19,9 @@ use pyo3::prelude::*;
 pub(crate) fn raised(error: Error) -> PyErr {
     let text = error.to_string();
     match error {
-        Error::Program(_) | Error::NotOneNumber { .. } | Error::Arguments { .. } => PyTypeError::new_err(text),
+        Error::Program(_) | Error::NotOneNumber { .. } | Error::Arguments { .. } => {
+            PyTypeError::new_err(text)
+        }
         Error::TooLarge => PyMemoryError::new_err(text),
         Error::Gpu(_) => PyRuntimeError::new_err(text),
         _ => PyValueError::new_err(text),

@@ -45,7 +45,9 @@ impl Machine {
         match name {
             None | Some("cpu") => Ok(Machine::Cpu),
             Some("gpu") => gpu().map(Machine::Gpu),
-            Some(other) => Err(PyValueError::new_err(format!("backend: \"cpu\" or \"gpu\" is needed, not {other:?}"))),
+            Some(other) => Err(PyValueError::new_err(format!(
+                "backend: \"cpu\" or \"gpu\" is needed, not {other:?}"
+            ))),
         }
     }
     pub fn is_gpu(&self) -> bool {
@@ -64,18 +66,65 @@ pub type Loss<T> = (f64, Vec<T>, Vec<T>);
 
 /// A function of a format on a machine. A GPU has no `f64`: calls refuse it before they come here.
 pub trait OnMachine: geograd::kernels::real::Real {
-    fn aligned(f: &Function<Self>, on: &Machine, rows: &[Rows<'_, Self>], out: &mut [Option<&mut [Self]>]) -> Result<(), Error>;
-    fn all_pairs(f: &Function<Self>, on: &Machine, lists: [Rows<'_, Self>; 2], out: &mut [Self]) -> Result<(), Error>;
-    fn row_max(f: &Function<Self>, on: &Machine, lists: [Rows<'_, Self>; 2]) -> Result<Vec<Best<Self>>, Error>;
-    fn column_max(f: &Function<Self>, on: &Machine, lists: [Rows<'_, Self>; 2]) -> Result<Vec<Best<Self>>, Error>;
-    fn pairs_above(f: &Function<Self>, on: &Machine, lists: [Rows<'_, Self>; 2], threshold: Self) -> Result<Vec<Found<Self>>, Error>;
-    fn count_above(f: &Function<Self>, on: &Machine, lists: [Rows<'_, Self>; 2], threshold: Self) -> Result<u64, Error>;
+    fn aligned(
+        f: &Function<Self>,
+        on: &Machine,
+        rows: &[Rows<'_, Self>],
+        out: &mut [Option<&mut [Self]>],
+    ) -> Result<(), Error>;
+    fn all_pairs(
+        f: &Function<Self>,
+        on: &Machine,
+        lists: [Rows<'_, Self>; 2],
+        out: &mut [Self],
+    ) -> Result<(), Error>;
+    fn row_max(
+        f: &Function<Self>,
+        on: &Machine,
+        lists: [Rows<'_, Self>; 2],
+    ) -> Result<Vec<Best<Self>>, Error>;
+    fn column_max(
+        f: &Function<Self>,
+        on: &Machine,
+        lists: [Rows<'_, Self>; 2],
+    ) -> Result<Vec<Best<Self>>, Error>;
+    fn pairs_above(
+        f: &Function<Self>,
+        on: &Machine,
+        lists: [Rows<'_, Self>; 2],
+        threshold: Self,
+    ) -> Result<Vec<Found<Self>>, Error>;
+    fn count_above(
+        f: &Function<Self>,
+        on: &Machine,
+        lists: [Rows<'_, Self>; 2],
+        threshold: Self,
+    ) -> Result<u64, Error>;
     fn sum(f: &Function<Self>, on: &Machine, lists: [Rows<'_, Self>; 2]) -> Result<f64, Error>;
     fn mean(f: &Function<Self>, on: &Machine, lists: [Rows<'_, Self>; 2]) -> Result<f64, Error>;
-    fn sum_grad(f: &Function<Self>, on: &Machine, lists: [Rows<'_, Self>; 2]) -> Result<Loss<Self>, Error>;
-    fn mean_grad(f: &Function<Self>, on: &Machine, lists: [Rows<'_, Self>; 2]) -> Result<Loss<Self>, Error>;
-    fn all_pairs_vjp(f: &Function<Self>, on: &Machine, lists: [Rows<'_, Self>; 2], upstream: &[Self]) -> Result<(Vec<Self>, Vec<Self>), Error>;
-    fn paths(f: &OnPaths<Self>, on: &Machine, rows: &[Rows<'_, Self>], vertices: &[Self], offsets: &[usize]) -> Result<Vec<Self>, Error>;
+    fn sum_grad(
+        f: &Function<Self>,
+        on: &Machine,
+        lists: [Rows<'_, Self>; 2],
+    ) -> Result<Loss<Self>, Error>;
+    fn mean_grad(
+        f: &Function<Self>,
+        on: &Machine,
+        lists: [Rows<'_, Self>; 2],
+    ) -> Result<Loss<Self>, Error>;
+    fn all_pairs_vjp(
+        f: &Function<Self>,
+        on: &Machine,
+        lists: [Rows<'_, Self>; 2],
+        upstream: &[Self],
+    ) -> Result<(Vec<Self>, Vec<Self>), Error>;
+    fn paths(
+        f: &OnPaths<Self>,
+        on: &Machine,
+        rows: &[Rows<'_, Self>],
+        vertices: &[Self],
+        offsets: &[usize],
+    ) -> Result<Vec<Self>, Error>;
     fn paths_vjp(
         f: &OnPaths<Self>,
         on: &Machine,
@@ -146,8 +195,15 @@ on_machine!(f64, _on => |f: &Function<f64>, _: &Machine, [a, b]: [Rows<'_, f64>;
 on_machine!(f32, on => pairs_of_singles, aligned_singles, on.backend();
     row_max_on column_max_on above_on count_above_on sum_on mean_on sum_grad_on mean_grad_on all_pairs_vjp_on values_on vjp_on);
 
-fn aligned_singles(f: &Function<f32>, on: &Machine, rows: &[Rows<'_, f32>], out: &mut [Option<&mut [f32]>]) -> Result<(), Error> {
-    let Machine::Gpu(_) = on else { return f.aligned_into(rows, out) };
+fn aligned_singles(
+    f: &Function<f32>,
+    on: &Machine,
+    rows: &[Rows<'_, f32>],
+    out: &mut [Option<&mut [f32]>],
+) -> Result<(), Error> {
+    let Machine::Gpu(_) = on else {
+        return f.aligned_into(rows, out);
+    };
     let lists = f.aligned_on(on.backend(), rows)?;
     for (list, out) in lists.iter().zip(out) {
         if let Some(out) = out {
@@ -157,8 +213,15 @@ fn aligned_singles(f: &Function<f32>, on: &Machine, rows: &[Rows<'_, f32>], out:
     Ok(())
 }
 
-fn pairs_of_singles(f: &Function<f32>, on: &Machine, [a, b]: [Rows<'_, f32>; 2], out: &mut [f32]) -> Result<(), Error> {
-    let Machine::Gpu(_) = on else { return f.all_pairs_into(a, b, out) };
+fn pairs_of_singles(
+    f: &Function<f32>,
+    on: &Machine,
+    [a, b]: [Rows<'_, f32>; 2],
+    out: &mut [f32],
+) -> Result<(), Error> {
+    let Machine::Gpu(_) = on else {
+        return f.all_pairs_into(a, b, out);
+    };
     out.copy_from_slice(&f.all_pairs_on(on.backend(), a, b)?);
     Ok(())
 }

@@ -1,7 +1,7 @@
 //! Shapes over arrays or symbols, and paths.
 use crate::symbol::Symbol;
 use crate::table::{Kind, NUMBERS, POLYLINE, RING, table};
-use numpy::{PyUntypedArray, PyUntypedArrayMethods};
+use numpy::{PyArrayDescrMethods, PyUntypedArray, PyUntypedArrayMethods};
 use pyo3::exceptions::{PyRuntimeError, PyTypeError, PyValueError};
 use pyo3::prelude::*;
 use pyo3::sync::PyOnceLock;
@@ -29,24 +29,50 @@ static CONVERT: PyOnceLock<Py<PyAny>> = PyOnceLock::new();
 
 /// Says which classes shapes have, by the place of their kind, and what converts other things to arrays.
 #[pyfunction]
-pub fn set_classes(py: Python<'_>, classes: Vec<Option<Py<PyType>>>, convert: Py<PyAny>) -> PyResult<()> {
+pub fn set_classes(
+    py: Python<'_>,
+    classes: Vec<Option<Py<PyType>>>,
+    convert: Py<PyAny>,
+) -> PyResult<()> {
     let again = |_| PyRuntimeError::new_err("classes are set already");
     CLASSES.set(py, classes).map_err(again)?;
-    CONVERT.set(py, convert).map_err(|_| PyRuntimeError::new_err("classes are set already"))
+    CONVERT
+        .set(py, convert)
+        .map_err(|_| PyRuntimeError::new_err("classes are set already"))
 }
 
 /// An array of numbers of anything: exactly an array of NumPy's.
-pub fn converted<'py>(x: &Bound<'py, PyAny>, name: &str, kind: Kind) -> PyResult<Bound<'py, PyUntypedArray>> {
+pub fn converted<'py>(
+    x: &Bound<'py, PyAny>,
+    name: &str,
+    kind: Kind,
+) -> PyResult<Bound<'py, PyUntypedArray>> {
     let py = x.py();
-    let convert = CONVERT.get(py).ok_or_else(|| PyRuntimeError::new_err("import geograd first"))?;
+    let convert = CONVERT
+        .get(py)
+        .ok_or_else(|| PyRuntimeError::new_err("import geograd first"))?;
     let made = convert.bind(py).call1((x, name, table().name(kind)))?;
     Ok(made.cast_into::<PyUntypedArray>()?)
 }
 
+/// Whether an array is of `float32` or `float64` in the byte order of this machine.
+fn is_format(array: &Bound<'_, PyUntypedArray>) -> bool {
+    let format = array.dtype();
+    format.kind() == b'f'
+        && matches!(format.itemsize(), 4 | 8)
+        && format.is_native_byteorder() != Some(false)
+}
+
 /// The array itself, or what it is converted to.
-pub fn array<'py>(x: &Bound<'py, PyAny>, name: &str, kind: Kind) -> PyResult<Bound<'py, PyUntypedArray>> {
+pub fn array<'py>(
+    x: &Bound<'py, PyAny>,
+    name: &str,
+    kind: Kind,
+) -> PyResult<Bound<'py, PyUntypedArray>> {
     match x.cast_exact::<PyUntypedArray>() {
-        Ok(array) if matches!(numpy::PyArrayDescrMethods::kind(&array.dtype()), b'f') => Ok(array.clone()),
+        Ok(array) if matches!(numpy::PyArrayDescrMethods::kind(&array.dtype()), b'f') => {
+            Ok(array.clone())
+        }
         _ => converted(x, name, kind),
     }
 }
@@ -65,7 +91,11 @@ pub fn dressed<'py>(array: Bound<'py, PyAny>, kind: Kind) -> PyResult<Bound<'py,
 }
 
 /// Symbols as a shape of a kind, if the kind has a class; else as a list.
-pub fn dressed_items<'py>(py: Python<'py>, items: Vec<Py<PyAny>>, kind: Kind) -> PyResult<Bound<'py, PyAny>> {
+pub fn dressed_items<'py>(
+    py: Python<'py>,
+    items: Vec<Py<PyAny>>,
+    kind: Kind,
+) -> PyResult<Bound<'py, PyAny>> {
     match class(py, kind) {
         Some(class) => class.bind(py).call1(PyTuple::new(py, items)?),
         None => Ok(PyList::new(py, items)?.into_any()),
@@ -96,25 +126,46 @@ impl Shape {
                 fields.join(", ")
             ))
         };
-        if numbers.len() == 1 && named.is_none() && fields.len() != 1 {
-            let one = numbers.get_item(0)?;
+        let one = numbers
+            .iter()
+            .next()
+            .filter(|_| numbers.len() == 1 && named.is_none());
+        let is_row = |one: &Bound<'_, PyAny>| {
+            fields.len() != 1
+                || one
+                    .cast::<PyUntypedArray>()
+                    .is_ok_and(|array| array.shape().last() == Some(&1))
+        };
+        if let Some(one) = one.filter(is_row) {
             if let Ok(shape) = one.cast::<Shape>() {
                 return match shape.get() {
-                    shape if shape.kind == kind => Ok(Shape { kind, content: shape.content.shared(py) }),
-                    shape => Err(PyTypeError::new_err(format!("{name} of {}: that is another shape", table().name(shape.kind)))),
+                    shape if shape.kind == kind => Ok(Shape {
+                        kind,
+                        content: shape.content.shared(py),
+                    }),
+                    shape => Err(PyTypeError::new_err(format!(
+                        "{name} of {}: that is another shape",
+                        table().name(shape.kind)
+                    ))),
                 };
             }
             if let Ok(list) = one.extract::<Vec<Bound<'_, PyAny>>>() {
                 if list.iter().any(|x| x.cast::<Symbol>().is_ok()) {
                     return match list.len() == fields.len() {
-                        true => Ok(Shape { kind, content: Content::Items(list.into_iter().map(Bound::unbind).collect()) }),
+                        true => Ok(Shape {
+                            kind,
+                            content: Content::Items(list.into_iter().map(Bound::unbind).collect()),
+                        }),
                         false => Err(wrong()),
                     };
                 }
             }
             let array = array(&one, name, kind)?;
             return match array.shape().last() == Some(&fields.len()) {
-                true => Ok(Shape { kind, content: Content::Array(array.unbind()) }),
+                true => Ok(Shape {
+                    kind,
+                    content: Content::Array(array.unbind()),
+                }),
                 false => Err(PyValueError::new_err(format!(
                     "rows of {name} have {} numbers ({}), so an array of shape (..., {}) is needed, not {:?}",
                     fields.len(),
@@ -140,7 +191,10 @@ impl Shape {
         }
         let symbolic = |x: &Bound<'_, PyAny>| x.cast::<Symbol>().is_ok();
         if all.iter().any(symbolic) {
-            return Ok(Shape { kind, content: Content::Items(all.into_iter().map(Bound::unbind).collect()) });
+            return Ok(Shape {
+                kind,
+                content: Content::Items(all.into_iter().map(Bound::unbind).collect()),
+            });
         }
         let mut columns = Vec::with_capacity(all.len());
         for (x, field) in all.iter().zip(fields) {
@@ -151,7 +205,10 @@ impl Shape {
         let axis = PyDict::new(py);
         axis.set_item("axis", -1)?;
         let stacked = numpy.call_method("stack", (columns,), Some(&axis))?;
-        Ok(Shape { kind, content: Content::Array(stacked.cast_into::<PyUntypedArray>()?.unbind()) })
+        Ok(Shape {
+            kind,
+            content: Content::Array(stacked.cast_into::<PyUntypedArray>()?.unbind()),
+        })
     }
 
     /// The numbers: an array whose last axis has the fields.
@@ -168,7 +225,9 @@ impl Shape {
     /// Its numbers one by one: arrays over the leading axes, or symbols.
     #[getter]
     fn numbers(&self, py: Python<'_>) -> PyResult<Vec<Py<PyAny>>> {
-        (0..fields(self.kind).len()).map(|i| self.number(py, i)).collect()
+        (0..fields(self.kind).len())
+            .map(|i| self.number(py, i))
+            .collect()
     }
     /// The number in a place of its fields.
     #[pyo3(name = "_number")]
@@ -189,7 +248,12 @@ impl Shape {
         matches!(self.content, Content::Items(_))
     }
     #[pyo3(signature = (dtype=None, copy=None))]
-    fn __array__(&self, py: Python<'_>, dtype: Option<&Bound<'_, PyAny>>, copy: Option<bool>) -> PyResult<Py<PyAny>> {
+    fn __array__(
+        &self,
+        py: Python<'_>,
+        dtype: Option<&Bound<'_, PyAny>>,
+        copy: Option<bool>,
+    ) -> PyResult<Py<PyAny>> {
         let array = self.array(py)?.into_bound(py).into_any();
         let options = PyDict::new(py);
         options.set_item("copy", copy.unwrap_or(false))?;
@@ -197,13 +261,18 @@ impl Shape {
             Some(dtype) => dtype.clone(),
             None => array.getattr("dtype")?,
         };
-        Ok(array.call_method("astype", (dtype,), Some(&options))?.unbind())
+        Ok(array
+            .call_method("astype", (dtype,), Some(&options))?
+            .unbind())
     }
     fn __len__(&self, py: Python<'_>) -> PyResult<usize> {
         let array = self.array(py)?;
         let array = array.bind(py);
         match array.ndim() {
-            1 => Err(PyTypeError::new_err(format!("one {} has no length", table().name(self.kind)))),
+            1 => Err(PyTypeError::new_err(format!(
+                "one {} has no length",
+                table().name(self.kind)
+            ))),
             _ => Ok(array.shape()[0]),
         }
     }
@@ -224,7 +293,9 @@ impl Shape {
         let found = array.as_any().get_item(PyTuple::new(py, keys)?)?;
         match found.cast::<PyUntypedArray>() {
             Ok(rows) if rows.shape().last().copied() == wanted => dressed(found, self.kind),
-            _ => Err(PyTypeError::new_err("an index is of rows; fields have names")),
+            _ => Err(PyTypeError::new_err(
+                "an index is of rows; fields have names",
+            )),
         }
     }
     fn __repr__(&self, py: Python<'_>) -> PyResult<String> {
@@ -235,7 +306,10 @@ impl Shape {
         })
     }
     fn __reduce__(slf: &Bound<'_, Self>) -> PyResult<(Py<PyAny>, (Py<PyUntypedArray>,))> {
-        Ok((slf.get_type().into_any().unbind(), (slf.get().array(slf.py())?,)))
+        Ok((
+            slf.get_type().into_any().unbind(),
+            (slf.get().array(slf.py())?,),
+        ))
     }
 }
 
@@ -243,7 +317,9 @@ impl Content {
     fn shared(&self, py: Python<'_>) -> Content {
         match self {
             Content::Array(array) => Content::Array(array.clone_ref(py)),
-            Content::Items(items) => Content::Items(items.iter().map(|x| x.clone_ref(py)).collect()),
+            Content::Items(items) => {
+                Content::Items(items.iter().map(|x| x.clone_ref(py)).collect())
+            }
         }
     }
 }
@@ -261,7 +337,11 @@ pub struct Paths {
 impl Paths {
     #[new]
     #[classmethod]
-    fn new(class: &Bound<'_, PyType>, vertices: &Bound<'_, PyAny>, offsets: &Bound<'_, PyAny>) -> PyResult<Self> {
+    fn new(
+        class: &Bound<'_, PyType>,
+        vertices: &Bound<'_, PyAny>,
+        offsets: &Bound<'_, PyAny>,
+    ) -> PyResult<Self> {
         let py = class.py();
         let kind = match class.getattr("_closed")?.extract::<Option<bool>>()? {
             Some(true) => Some(RING),
@@ -276,15 +356,24 @@ impl Paths {
             )));
         }
         let numpy = py.import("numpy")?;
-        let offsets = numpy.call_method1("asarray", (offsets,))?.cast_into::<PyUntypedArray>()?;
-        let is_whole = matches!(numpy::PyArrayDescrMethods::kind(&offsets.dtype()), b'i' | b'u');
+        let offsets = numpy
+            .call_method1("asarray", (offsets,))?
+            .cast_into::<PyUntypedArray>()?;
+        let is_whole = matches!(offsets.dtype().kind(), b'i' | b'u');
         if !is_whole && !offsets.is_empty() {
             return Err(PyTypeError::new_err("offsets: whole numbers are needed"));
         }
         if offsets.ndim() != 1 {
-            return Err(PyValueError::new_err(format!("offsets: an array of shape (N + 1,) is needed, not {:?}", offsets.shape())));
+            return Err(PyValueError::new_err(format!(
+                "offsets: an array of shape (N + 1,) is needed, not {:?}",
+                offsets.shape()
+            )));
         }
-        Ok(Paths { vertices: vertices.unbind(), offsets: offsets.unbind(), kind })
+        Ok(Paths {
+            vertices: vertices.unbind(),
+            offsets: offsets.unbind(),
+            kind,
+        })
     }
     /// The vertices, an array of shape (V, 2).
     #[getter]
@@ -301,7 +390,13 @@ impl Paths {
     }
     fn __repr__(slf: &Bound<'_, Self>) -> PyResult<String> {
         let paths = slf.get();
-        let (count, vertices) = (paths.__len__(slf.py()), paths.vertices.bind(slf.py()).shape()[0]);
-        Ok(format!("<{} {count} of {vertices} vertices>", slf.get_type().name()?))
+        let (count, vertices) = (
+            paths.__len__(slf.py()),
+            paths.vertices.bind(slf.py()).shape()[0],
+        );
+        Ok(format!(
+            "<{} {count} of {vertices} vertices>",
+            slf.get_type().name()?
+        ))
     }
 }

@@ -73,7 +73,11 @@ pub fn operand(like: Any, other: &Bound<'_, PyAny>) -> PyResult<Option<Any>> {
     if let Ok(symbol) = other.cast::<Symbol>() {
         return Ok(Some(symbol.get().0));
     }
-    if other.cast::<Truth>().is_ok() || other.cast::<PyUntypedArray>().is_ok_and(|array| array.ndim() > 0) {
+    if other.cast::<Truth>().is_ok()
+        || other
+            .cast::<PyUntypedArray>()
+            .is_ok_and(|array| array.ndim() > 0)
+    {
         return Ok(None);
     }
     match other.extract::<f64>() {
@@ -235,9 +239,13 @@ const RECORDED: &str = "+ - * / **, abs, sqrt, square, sin, cos, tan, exp, log, 
 
 /// A function of NumPy's name, of symbols and numbers; `None` where an argument is neither.
 fn called(py: Python<'_>, name: &str, inputs: &[Bound<'_, PyAny>]) -> PyResult<Option<Py<PyAny>>> {
-    if let "logical_and" | "bitwise_and" | "logical_or" | "bitwise_or" | "logical_not" | "invert" = name {
-        let truths: Option<Vec<AnyTruth>> =
-            inputs.iter().map(|x| x.cast::<Truth>().ok().map(|x| x.get().0)).collect();
+    if let "logical_and" | "bitwise_and" | "logical_or" | "bitwise_or" | "logical_not" | "invert" =
+        name
+    {
+        let truths: Option<Vec<AnyTruth>> = inputs
+            .iter()
+            .map(|x| x.cast::<Truth>().ok().map(|x| x.get().0))
+            .collect();
         let joined = match (name, truths.as_deref()) {
             ("logical_and" | "bitwise_and", Some([a, b])) => joined(*a, *b, true)?,
             ("logical_or" | "bitwise_or", Some([a, b])) => joined(*a, *b, false)?,
@@ -246,7 +254,9 @@ fn called(py: Python<'_>, name: &str, inputs: &[Bound<'_, PyAny>]) -> PyResult<O
         };
         return truth(py, joined).map(Some);
     }
-    let like = inputs.iter().find_map(|x| x.cast::<Symbol>().ok().map(|x| x.get().0));
+    let like = inputs
+        .iter()
+        .find_map(|x| x.cast::<Symbol>().ok().map(|x| x.get().0));
     let Some(like) = like else { return Ok(None) };
     let mut all = Vec::with_capacity(inputs.len());
     for input in inputs {
@@ -255,7 +265,11 @@ fn called(py: Python<'_>, name: &str, inputs: &[Bound<'_, PyAny>]) -> PyResult<O
             None => return Ok(None),
         }
     }
-    let unknown = || PyTypeError::new_err(format!("numpy.{name} cannot be recorded; what can: {RECORDED}"));
+    let unknown = || {
+        PyTypeError::new_err(format!(
+            "numpy.{name} cannot be recorded; what can: {RECORDED}"
+        ))
+    };
     match &all[..] {
         [x] => made(py, of_one(name, *x).ok_or_else(unknown)??).map(Some),
         [x, _] if name == "power" => {
@@ -272,7 +286,9 @@ fn called(py: Python<'_>, name: &str, inputs: &[Bound<'_, PyAny>]) -> PyResult<O
 }
 
 fn unwritten_power() -> PyErr {
-    PyTypeError::new_err("a power of a symbol must be a number: write geograd.exp(p * geograd.log(x)) for x > 0")
+    PyTypeError::new_err(
+        "a power of a symbol must be a number: write geograd.exp(p * geograd.log(x)) for x > 0",
+    )
 }
 
 fn joined(a: AnyTruth, b: AnyTruth, both: bool) -> PyResult<AnyTruth> {
@@ -300,7 +316,11 @@ fn binary(me: &Symbol, other: &Bound<'_, PyAny>, f: impl Fn(Any, Any) -> PyResul
         None => Ok(py.NotImplemented()),
     }
 }
-fn compared(me: &Symbol, other: &Bound<'_, PyAny>, f: impl Fn(Any, Any) -> PyResult<AnyTruth>) -> Out {
+fn compared(
+    me: &Symbol,
+    other: &Bound<'_, PyAny>,
+    f: impl Fn(Any, Any) -> PyResult<AnyTruth>,
+) -> Out {
     let py = other.py();
     match operand(me.0, other)? {
         Some(b) => truth(py, f(me.0, b)?),
@@ -344,7 +364,10 @@ impl Symbol {
     fn __pow__(&self, p: &Bound<'_, PyAny>, _modulo: &Bound<'_, PyAny>) -> Out {
         match p.cast::<Symbol>().is_ok() {
             true => Err(unwritten_power()),
-            false => made(p.py(), power(self.0, p.extract::<f64>().map_err(|_| unwritten_power())?)?),
+            false => made(
+                p.py(),
+                power(self.0, p.extract::<f64>().map_err(|_| unwritten_power())?)?,
+            ),
         }
     }
     fn __rpow__(&self, _base: &Bound<'_, PyAny>, _modulo: &Bound<'_, PyAny>) -> Out {
@@ -363,10 +386,14 @@ impl Symbol {
         compared(self, other, |a, b| at_most(b, a))
     }
     fn __eq__(&self, _other: &Bound<'_, PyAny>) -> Out {
-        Err(PyTypeError::new_err("symbols are not compared by == or `in`: write (a <= b) & (a >= b), or numpy.equal(a, b)"))
+        Err(PyTypeError::new_err(
+            "symbols are not compared by == or `in`: write (a <= b) & (a >= b), or numpy.equal(a, b)",
+        ))
     }
     fn __ne__(&self, _other: &Bound<'_, PyAny>) -> Out {
-        Err(PyTypeError::new_err("symbols are not compared by !=: write (a < b) | (a > b)"))
+        Err(PyTypeError::new_err(
+            "symbols are not compared by !=: write (a < b) | (a > b)",
+        ))
     }
     #[classattr]
     const __hash__: Option<Py<PyAny>> = None;
@@ -464,11 +491,17 @@ impl Symbol {
 }
 
 /// The nearest value between two bounds, either of which may be none.
-fn clipped(x: Any, low: Option<&Bound<'_, PyAny>>, high: Option<&Bound<'_, PyAny>>) -> PyResult<Any> {
+fn clipped(
+    x: Any,
+    low: Option<&Bound<'_, PyAny>>,
+    high: Option<&Bound<'_, PyAny>>,
+) -> PyResult<Any> {
     let bound = |bound: Option<&Bound<'_, PyAny>>| match bound {
         Some(bound) if !bound.is_none() => match operand(x, bound)? {
             Some(bound) => Ok(Some(bound)),
-            None => Err(PyTypeError::new_err("clip takes symbols and numbers as bounds")),
+            None => Err(PyTypeError::new_err(
+                "clip takes symbols and numbers as bounds",
+            )),
         },
         _ => Ok(None),
     };
@@ -491,7 +524,9 @@ fn universal(ufunc: &Bound<'_, PyAny>, method: &str, inputs: &Bound<'_, PyTuple>
     let py = ufunc.py();
     let name: String = ufunc.getattr("__name__")?.extract()?;
     if method != "__call__" {
-        return Err(PyTypeError::new_err(format!("numpy.{name}.{method} cannot be recorded; write a loop, or sum()")));
+        return Err(PyTypeError::new_err(format!(
+            "numpy.{name}.{method} cannot be recorded; write a loop, or sum()"
+        )));
     }
     let all: Vec<Bound<'_, PyAny>> = inputs.iter().collect();
     if let Some(made) = called(py, &name, &all)? {
@@ -514,7 +549,11 @@ fn universal(ufunc: &Bound<'_, PyAny>, method: &str, inputs: &Bound<'_, PyTuple>
 }
 
 /// A function of NumPy that is no universal one.
-fn numpys(function: &Bound<'_, PyAny>, arguments: &Bound<'_, PyTuple>, options: &Bound<'_, PyDict>) -> Out {
+fn numpys(
+    function: &Bound<'_, PyAny>,
+    arguments: &Bound<'_, PyTuple>,
+    options: &Bound<'_, PyDict>,
+) -> Out {
     let py = function.py();
     let name: String = function.getattr("__name__")?.extract()?;
     let argument = |k: usize, names: &[&str]| -> PyResult<Option<Bound<'_, PyAny>>> {
@@ -529,18 +568,27 @@ fn numpys(function: &Bound<'_, PyAny>, arguments: &Bound<'_, PyTuple>, options: 
         Ok(None)
     };
     match name.as_str() {
-        "where" if arguments.len() == 3 => {
-            where_(&arguments.get_item(0)?, &arguments.get_item(1)?, &arguments.get_item(2)?)
-        }
+        "where" if arguments.len() == 3 => where_(
+            &arguments.get_item(0)?,
+            &arguments.get_item(1)?,
+            &arguments.get_item(2)?,
+        ),
         "clip" => {
             let x = arguments.get_item(0)?;
             let Ok(symbol) = x.cast::<Symbol>() else {
-                return Err(PyTypeError::new_err("numpy.clip of a number between symbols: write numpy.minimum and numpy.maximum"));
+                return Err(PyTypeError::new_err(
+                    "numpy.clip of a number between symbols: write numpy.minimum and numpy.maximum",
+                ));
             };
-            let (low, high) = (argument(1, &["a_min", "min"])?, argument(2, &["a_max", "max"])?);
+            let (low, high) = (
+                argument(1, &["a_min", "min"])?,
+                argument(2, &["a_max", "max"])?,
+            );
             made(py, clipped(symbol.get().0, low.as_ref(), high.as_ref())?)
         }
-        _ => Err(PyTypeError::new_err(format!("numpy.{name} cannot be recorded; what can: {RECORDED}"))),
+        _ => Err(PyTypeError::new_err(format!(
+            "numpy.{name} cannot be recorded; what can: {RECORDED}"
+        ))),
     }
 }
 
@@ -603,7 +651,11 @@ impl Truth {
 #[pyo3(name = "where")]
 pub fn where_(condition: &Bound<'_, PyAny>, a: &Bound<'_, PyAny>, b: &Bound<'_, PyAny>) -> Out {
     let py = condition.py();
-    let wrong = || PyTypeError::new_err("where takes a comparison of symbols, and symbols or numbers to choose from");
+    let wrong = || {
+        PyTypeError::new_err(
+            "where takes a comparison of symbols, and symbols or numbers to choose from",
+        )
+    };
     let Ok(condition) = condition.cast::<Truth>() else {
         return match condition.extract::<bool>() {
             // A condition of numbers alone chooses now.
@@ -617,10 +669,17 @@ pub fn where_(condition: &Bound<'_, PyAny>, a: &Bound<'_, PyAny>, b: &Bound<'_, 
         AnyTruth::Single(_) => Any::Single(f::literal(0.0).map_err(refused)?),
         AnyTruth::Double(_) => Any::Double(f::literal(0.0).map_err(refused)?),
     };
-    let [a, b] = [operand(like, a)?.ok_or_else(wrong)?, operand(like, b)?.ok_or_else(wrong)?];
+    let [a, b] = [
+        operand(like, a)?.ok_or_else(wrong)?,
+        operand(like, b)?.ok_or_else(wrong)?,
+    ];
     let chosen = match (of, a, b) {
-        (AnyTruth::Single(c), Any::Single(a), Any::Single(b)) => f::select(c, a, b).map(Any::Single),
-        (AnyTruth::Double(c), Any::Double(a), Any::Double(b)) => f::select(c, a, b).map(Any::Double),
+        (AnyTruth::Single(c), Any::Single(a), Any::Single(b)) => {
+            f::select(c, a, b).map(Any::Single)
+        }
+        (AnyTruth::Double(c), Any::Double(a), Any::Double(b)) => {
+            f::select(c, a, b).map(Any::Double)
+        }
         _ => return Err(mixed()),
     };
     made(py, chosen.map_err(refused)?)
@@ -629,7 +688,11 @@ pub fn where_(condition: &Bound<'_, PyAny>, a: &Bound<'_, PyAny>, b: &Bound<'_, 
 /// A function of NumPy's name where an argument is a symbol; `None` where none is.
 #[pyfunction]
 #[pyo3(signature = (name, *inputs))]
-pub fn elementary(py: Python<'_>, name: &str, inputs: &Bound<'_, PyTuple>) -> PyResult<Option<Py<PyAny>>> {
+pub fn elementary(
+    py: Python<'_>,
+    name: &str,
+    inputs: &Bound<'_, PyTuple>,
+) -> PyResult<Option<Py<PyAny>>> {
     let all: Vec<Bound<'_, PyAny>> = inputs.iter().collect();
     called(py, name, &all)
 }

@@ -44,9 +44,6 @@ impl Column {
 
 /// A row: a verb of certain shapes.
 pub struct Row {
-    pub operation: &'static Operation,
-    /// `iou(obb2,obb2)`.
-    pub spelling: String,
     pub takes: Vec<Kind>,
     pub call: Callable,
 }
@@ -69,9 +66,17 @@ impl Table {
     pub fn kind(&self, name: &str) -> Option<Kind> {
         self.by_name.get(name).copied()
     }
+    /// Whether a lone number stands for a shape: it has no other.
+    pub fn is_one_number(&self, kind: Kind) -> bool {
+        self.shapes
+            .get(usize::from(kind))
+            .is_some_and(|shape| shape.fields.len() == 1)
+    }
     /// The name of a shape.
     pub fn name(&self, kind: Kind) -> &str {
-        self.shapes.get(usize::from(kind)).map_or("numbers", |shape| &shape.name)
+        self.shapes
+            .get(usize::from(kind))
+            .map_or("numbers", |shape| &shape.name)
     }
     /// The layout of a shape in a format.
     pub fn layout<T: geograd::kernels::dynamic::Format>(&self, kind: Kind) -> Option<Layout<T>> {
@@ -85,9 +90,18 @@ impl Table {
         kind
     }
     fn new() -> Self {
-        let mut table = Table { shapes: Vec::new(), verbs: Vec::new(), by_name: HashMap::new() };
+        let mut table = Table {
+            shapes: Vec::new(),
+            verbs: Vec::new(),
+            by_name: HashMap::new(),
+        };
         for name in ["number", "ring", "polyline"] {
-            table.add(Shape { name: name.to_owned(), fields: Vec::new(), codes: 0, layout: None });
+            table.add(Shape {
+                name: name.to_owned(),
+                fields: Vec::new(),
+                codes: 0,
+                layout: None,
+            });
         }
         let mut places: HashMap<String, usize> = HashMap::new();
         for (place, (operation, name)) in operations().iter().zip(names_in_order()).enumerate() {
@@ -95,7 +109,11 @@ impl Table {
             let mut gives: Vec<Column> = Vec::new();
             for (k, argument) in operation.arguments().into_iter().enumerate() {
                 let kind = table.kind_of(&argument.shape, Some((place, k)));
-                takes.push(column(argument.name.to_string(), kind, argument.shape.fields.len()));
+                takes.push(column(
+                    argument.name.to_string(),
+                    kind,
+                    argument.shape.fields.len(),
+                ));
             }
             for shape in operation.result() {
                 let kind = table.kind_of(&shape, None);
@@ -103,16 +121,21 @@ impl Table {
             }
             let mut kinds: Vec<Kind> = takes.iter().map(|column| column.kind).collect();
             if matches!(operation.sort, Sort::Fold | Sort::Ring) {
-                kinds.push(if name.shapes == ["polyline"] { POLYLINE } else { RING });
+                kinds.push(if name.shapes == ["polyline"] {
+                    POLYLINE
+                } else {
+                    RING
+                });
             }
             let row = Row {
-                operation,
-                spelling: name.spelling,
                 takes: kinds,
                 call: Callable::of_row(operation, takes, gives),
             };
             let verb = *places.entry(name.verb.clone()).or_insert_with(|| {
-                table.verbs.push(Verb { name: name.verb.clone(), rows: Vec::new() });
+                table.verbs.push(Verb {
+                    name: name.verb.clone(),
+                    rows: Vec::new(),
+                });
                 table.verbs.len() - 1
             });
             table.verbs[verb].rows.push(row);
@@ -125,15 +148,37 @@ impl Table {
         shape: &geograd::kernels::dynamic::Shape,
         layout: Option<(usize, usize)>,
     ) -> Kind {
-        if let Some(kind) = self.kind(&shape.name) {
+        let name = identifier(&shape.name);
+        if let Some(kind) = self.kind(&name) {
             let known = &mut self.shapes[usize::from(kind)];
             known.layout = known.layout.or(layout);
             return kind;
         }
-        let fields = shape.fields.iter().map(|field| field.name.to_string()).collect();
-        let codes = shape.fields.iter().filter(|field| is_whole(field.bound)).count();
-        self.add(Shape { name: shape.name.clone(), fields, codes, layout })
+        let fields = shape
+            .fields
+            .iter()
+            .map(|field| field.name.to_string())
+            .collect();
+        let codes = shape
+            .fields
+            .iter()
+            .filter(|field| is_whole(field.bound))
+            .count();
+        self.add(Shape {
+            name,
+            fields,
+            codes,
+            layout,
+        })
     }
+}
+
+/// The name of a shape as a name of Python: `ConvexPolygon6` of `ConvexPolygon<6>`, `Vec2x4` of `[Vec2; 4]`.
+fn identifier(name: &str) -> String {
+    let name = name.replace("; ", "x");
+    name.chars()
+        .filter(|c| c.is_alphanumeric() || *c == '_')
+        .collect()
 }
 
 fn is_whole(bound: Bound) -> bool {
@@ -141,7 +186,11 @@ fn is_whole(bound: Bound) -> bool {
 }
 
 fn column(name: String, kind: Kind, fields: usize) -> Column {
-    let axes = if kind == NUMBER { Vec::new() } else { vec![fields] };
+    let axes = if kind == NUMBER {
+        Vec::new()
+    } else {
+        vec![fields]
+    };
     Column { name, kind, axes }
 }
 

@@ -31,7 +31,9 @@ pub fn get_num_threads() -> usize {
     match THREADS.load(Ordering::Relaxed) {
         0 => {
             let asked = std::env::var("GEOGRAD_THREADS").ok();
-            let asked = asked.and_then(|asked| asked.trim().parse().ok()).filter(|&n| n > 0);
+            let asked = asked
+                .and_then(|asked| asked.trim().parse().ok())
+                .filter(|&n| n > 0);
             let all = || std::thread::available_parallelism().map_or(1, usize::from);
             let threads = asked.unwrap_or_else(all);
             THREADS.store(threads, Ordering::Relaxed);
@@ -78,7 +80,11 @@ fn pool(threads: usize) -> PyResult<Arc<rayon::ThreadPool>> {
     let made = rayon::ThreadPoolBuilder::new().num_threads(threads).build();
     let made = made.map_err(|error| PyRuntimeError::new_err(error.to_string()))?;
     let made = Arc::new(made);
-    let new = Kept { process, threads, pool: made.clone() };
+    let new = Kept {
+        process,
+        threads,
+        pool: made.clone(),
+    };
     if let Some(old) = kept.replace(new) {
         // Dropped in a child, it would wake threads that are not there.
         if old.process != process {
@@ -92,7 +98,11 @@ fn pool(threads: usize) -> PyResult<Arc<rayon::ThreadPool>> {
 pub const FEW: usize = 2048;
 
 /// Runs a call without Python's lock, on the threads of this process.
-pub fn on_threads<R: Send>(py: Python<'_>, items: usize, run: impl FnOnce() -> R + Send) -> PyResult<R> {
+pub fn on_threads<R: Send>(
+    py: Python<'_>,
+    items: usize,
+    run: impl FnOnce() -> R + Send,
+) -> PyResult<R> {
     let threads = get_num_threads();
     if threads == 1 || items <= FEW {
         return Ok(py.detach(|| geograd::kernels::dynamic::on_this_thread(run)));

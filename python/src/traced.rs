@@ -28,7 +28,11 @@ type Result<'py> = (bool, Vec<(Option<String>, Vec<Bound<'py, PyAny>>, bool)>);
 impl Traced {
     pub fn new(function: Py<PyAny>, takes: &[Column]) -> Self {
         let names = takes.iter().map(|column| kept(&column.name)).collect();
-        Traced { function, names, is_tuple: AtomicBool::new(false) }
+        Traced {
+            function,
+            names,
+            is_tuple: AtomicBool::new(false),
+        }
     }
     pub fn is_tuple(&self) -> bool {
         self.is_tuple.load(Ordering::Relaxed)
@@ -47,7 +51,10 @@ impl Traced {
                 let symbols = symbols.into_iter().map(|x| Py::new(py, Symbol(T::any(x))));
                 arguments.push(PyList::new(py, symbols.collect::<PyResult<Vec<_>>>()?)?);
             }
-            let made = self.function.bind(py).call1((PyList::new(py, arguments)?,))?;
+            let made = self
+                .function
+                .bind(py)
+                .call1((PyList::new(py, arguments)?,))?;
             let (is_tuple, parts): Result<'_> = made.extract()?;
             let (mut results, mut gives) = (Vec::new(), Vec::new());
             for (shape, items, has_axis) in parts {
@@ -66,8 +73,16 @@ impl Traced {
                     None if has_axis => NUMBERS,
                     None => NUMBER,
                 };
-                let axes = if has_axis { vec![numbers.len()] } else { Vec::new() };
-                gives.push(Column { name: "result".to_owned(), kind, axes });
+                let axes = if has_axis {
+                    vec![numbers.len()]
+                } else {
+                    Vec::new()
+                };
+                gives.push(Column {
+                    name: "result".to_owned(),
+                    kind,
+                    axes,
+                });
                 results.push(numbers);
             }
             let results: Vec<&[_]> = results.iter().map(Vec::as_slice).collect();
@@ -82,7 +97,9 @@ impl Traced {
 /// A name that lives as long as the process, once for each text.
 fn kept(name: &str) -> &'static str {
     static NAMES: Mutex<Option<HashSet<&'static str>>> = Mutex::new(None);
-    let mut names = NAMES.lock().unwrap_or_else(std::sync::PoisonError::into_inner);
+    let mut names = NAMES
+        .lock()
+        .unwrap_or_else(std::sync::PoisonError::into_inner);
     let names = names.get_or_insert_default();
     match names.get(name) {
         Some(name) => name,
@@ -109,7 +126,14 @@ impl Recorded {
         backend: Option<&str>,
         py: Python<'py>,
     ) -> PyResult<Call<'a, 'py>> {
-        Ok(Call { py, of: &self.call, name: &self.name, arguments, out, machine: Machine::named(backend)? })
+        Ok(Call {
+            py,
+            of: &self.call,
+            name: &self.name,
+            arguments,
+            out,
+            machine: Machine::named(backend)?,
+        })
     }
 }
 
@@ -118,13 +142,17 @@ impl Recorded {
     /// Of a function of symbols, and of the name, the shape (or none) and the size of every column that it takes; a size
     /// of zero is a lone number.
     #[new]
-    fn new(name: String, function: Py<PyAny>, takes: Vec<(String, Option<String>, usize)>) -> PyResult<Self> {
+    fn new(
+        name: String,
+        function: Py<PyAny>,
+        takes: Vec<(String, Option<String>, usize)>,
+    ) -> PyResult<Self> {
         let mut columns = Vec::new();
         for (name, shape, size) in takes {
             let kind = match (&shape, size) {
-                (Some(shape), _) => {
-                    table().kind(shape).ok_or_else(|| PyValueError::new_err(format!("no shape is called {shape}")))?
-                }
+                (Some(shape), _) => table()
+                    .kind(shape)
+                    .ok_or_else(|| PyValueError::new_err(format!("no shape is called {shape}")))?,
                 (None, 0) => NUMBER,
                 (None, _) => NUMBERS,
             };
@@ -132,7 +160,10 @@ impl Recorded {
             columns.push(Column { name, kind, axes });
         }
         let traced = Traced::new(function, &columns);
-        Ok(Recorded { name, call: Callable::of_traced(traced, columns) })
+        Ok(Recorded {
+            name,
+            call: Callable::of_traced(traced, columns),
+        })
     }
     /// A form, item by item.
     #[pyo3(signature = (form, arguments, out=None, backend=None))]
@@ -155,17 +186,23 @@ impl Recorded {
             "mean_grad" => call.total_grad(true),
             "above" | "count_above" | "all_pairs_vjp" => {
                 let [lists @ .., last] = &arguments[..] else {
-                    return Err(PyTypeError::new_err(format!("{form} takes two lists and a third argument")));
+                    return Err(PyTypeError::new_err(format!(
+                        "{form} takes two lists and a third argument"
+                    )));
                 };
                 let call = self.call(lists, out, backend, py)?;
                 match form {
                     "above" => call.above(last.extract()?),
-                    "count_above" => Ok(call.count_above(last.extract()?)?.into_pyobject(py)?.into_any()),
+                    "count_above" => Ok(call
+                        .count_above(last.extract()?)?
+                        .into_pyobject(py)?
+                        .into_any()),
                     _ => call.all_pairs_vjp(last),
                 }
             }
             _ => {
-                let form = Form::named(form).ok_or_else(|| PyValueError::new_err(format!("no form is called {form}")))?;
+                let form = Form::named(form)
+                    .ok_or_else(|| PyValueError::new_err(format!("no form is called {form}")))?;
                 call.item_by_item(form)
             }
         }
@@ -200,7 +237,8 @@ macro_rules! either {
 impl Program {
     /// That of a form of a callable.
     pub fn of(call: &Callable, form: &str, double: bool) -> PyResult<Program> {
-        let form = Form::named(form).ok_or_else(|| PyValueError::new_err(format!("no form is called {form}")))?;
+        let form = Form::named(form)
+            .ok_or_else(|| PyValueError::new_err(format!("no form is called {form}")))?;
         let of = match double {
             true => InEither::Double(call.program::<f64>(form)?.clone()),
             false => InEither::Single(call.program::<f32>(form)?.clone()),
@@ -235,7 +273,9 @@ impl Program {
             Elementary::Bool(truth) => f64::from(u8::from(truth)),
             _ => 0.0,
         };
-        let step = |step: geograd::kernels::dynamic::Step| (step.operation.name(), step.operands, number(step.operation));
+        let step = |step: geograd::kernels::dynamic::Step| {
+            (step.operation.name(), step.operands, number(step.operation))
+        };
         (nodes.nodes.into_iter().map(step).collect(), nodes.outputs)
     }
     /// The results for the numbers of one input.
@@ -243,7 +283,12 @@ impl Program {
         match &self.of {
             InEither::Single(program) => {
                 let input: Vec<f32> = input.into_iter().map(|x| x as f32).collect();
-                Ok(program.eval(&input).map_err(raised)?.into_iter().map(f64::from).collect())
+                Ok(program
+                    .eval(&input)
+                    .map_err(raised)?
+                    .into_iter()
+                    .map(f64::from)
+                    .collect())
             }
             InEither::Double(program) => program.eval(&input).map_err(raised),
         }
@@ -253,14 +298,20 @@ impl Program {
     fn wgsl(&self, name: &str) -> PyResult<String> {
         match &self.of {
             InEither::Single(program) => program.wgsl(name).map_err(raised),
-            InEither::Double(_) => Err(PyTypeError::new_err("WGSL has no float64: take the program of float32")),
+            InEither::Double(_) => Err(PyTypeError::new_err(
+                "WGSL has no float64: take the program of float32",
+            )),
         }
     }
     fn __str__(&self) -> String {
         either!(self, |program| program.to_string())
     }
     fn __repr__(&self) -> String {
-        format!("<geograd.Program of {} operations in {}>", self.cost(), self.dtype())
+        format!(
+            "<geograd.Program of {} operations in {}>",
+            self.cost(),
+            self.dtype()
+        )
     }
 }
 

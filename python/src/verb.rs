@@ -25,7 +25,7 @@ pub struct Verb {
 /// The shape of an argument as far as it says one.
 #[derive(Clone, Copy, PartialEq, Eq)]
 enum Said {
-    /// A plain array, which fits lone numbers only.
+    /// A plain array, which fits lone numbers, and shapes of one.
     Nothing,
     Kind(Kind),
     /// Paths that may be rings or polylines.
@@ -44,7 +44,7 @@ impl Said {
     }
     fn fits(self, kind: Kind) -> bool {
         match self {
-            Said::Nothing => kind == NUMBER,
+            Said::Nothing => kind == NUMBER || table().is_one_number(kind),
             Said::Kind(own) => own == kind,
             Said::Path => kind == RING || kind == POLYLINE,
         }
@@ -68,7 +68,9 @@ enum Wanted {
 
 impl Wanted {
     fn of(kind: Option<&Object<'_>>) -> PyResult<Wanted> {
-        let Some(kind) = kind.filter(|kind| !kind.is_none()) else { return Ok(Wanted::Nothing) };
+        let Some(kind) = kind.filter(|kind| !kind.is_none()) else {
+            return Ok(Wanted::Nothing);
+        };
         if let Ok(list) = kind.cast::<PyTuple>() {
             return Wanted::each(list.iter());
         }
@@ -82,7 +84,9 @@ impl Wanted {
             true => Ok(None),
             false => one_kind(&kind).map(Some),
         };
-        list.map(one).collect::<PyResult<Vec<_>>>().map(Wanted::Each)
+        list.map(one)
+            .collect::<PyResult<Vec<_>>>()
+            .map(Wanted::Each)
     }
 }
 
@@ -91,13 +95,22 @@ fn one_kind(kind: &Object<'_>) -> PyResult<Kind> {
     if let Ok(name) = kind.cast::<PyString>() {
         let name = name.to_cow()?;
         return table().kind(&name).ok_or_else(|| {
-            let known: Vec<&str> = table().shapes.iter().map(|shape| shape.name.as_str()).collect();
-            PyValueError::new_err(format!("kind: no shape is called {name:?}; shapes are {}", known.join(", ")))
+            let known: Vec<&str> = table()
+                .shapes
+                .iter()
+                .map(|shape| shape.name.as_str())
+                .collect();
+            PyValueError::new_err(format!(
+                "kind: no shape is called {name:?}; shapes are {}",
+                known.join(", ")
+            ))
         });
     }
     match kind.getattr("_kind") {
         Ok(kind) => kind.extract(),
-        Err(_) => Err(PyTypeError::new_err("kind: the name of a shape, its class, or a tuple of such is needed")),
+        Err(_) => Err(PyTypeError::new_err(
+            "kind: the name of a shape, its class, or a tuple of such is needed",
+        )),
     }
 }
 
@@ -115,19 +128,30 @@ impl Verb {
         &table().verbs[self.place]
     }
     /// The row for the arguments of a form.
-    fn row(&self, arguments: &[Object<'_>], kind: Option<&Object<'_>>, form: &str) -> PyResult<&'static Row> {
+    fn row(
+        &self,
+        arguments: &[Object<'_>],
+        kind: Option<&Object<'_>>,
+        to: Option<&Object<'_>>,
+        form: &str,
+    ) -> PyResult<&'static Row> {
         let verb = self.of();
         let said: Vec<Said> = arguments.iter().map(Said::of).collect();
         let wanted = Wanted::of(kind)?;
+        let to = to.filter(|to| !to.is_none()).map(one_kind).transpose()?;
         let fits = |row: &&Row| {
             let n = row.takes.len();
-            if n + further(row, form) != said.len() {
+            if n + further(row, form) != said.len()
+                || to.is_some_and(|to| row.call.gives()[0].kind != to)
+            {
                 return false;
             }
             row.takes.iter().enumerate().all(|(k, &kind)| {
                 let by_kind = match &wanted {
                     Wanted::Nothing => None,
-                    Wanted::All(all) => (kind != NUMBER).then_some(*all),
+                    Wanted::All(all) => {
+                        (kind != NUMBER && !table().is_one_number(kind)).then_some(*all)
+                    }
                     Wanted::Each(each) => each.get(k).copied().flatten(),
                 };
                 match (said[k], by_kind) {
@@ -140,17 +164,35 @@ impl Verb {
         if let Wanted::Each(each) = &wanted {
             let lengths = |row: &&Row| row.takes.len() == each.len();
             if !verb.rows.iter().any(|row| lengths(&row)) {
-                return Err(self.refused(&said, form, "kind: a shape for every argument is needed"));
+                return Err(self.refused(
+                    &said,
+                    form,
+                    "kind: a shape for every argument is needed",
+                ));
             }
         }
         let mut rows = verb.rows.iter().filter(fits);
         match (rows.next(), rows.next()) {
             (Some(row), None) => Ok(row),
-            (Some(_), Some(_)) => Err(self.refused(&said, form, "more than one row fits; say which by kind=")),
+            (Some(_), Some(_)) => {
+                let results: Vec<&str> = verb
+                    .rows
+                    .iter()
+                    .filter(fits)
+                    .map(|row| table().name(row.call.gives()[0].kind))
+                    .collect();
+                let why = format!(
+                    "several results are possible; say which by to=, one of {}",
+                    results.join(", ")
+                );
+                Err(self.refused(&said, form, &why))
+            }
             (None, _) => {
                 let plain = said.contains(&Said::Nothing) && matches!(wanted, Wanted::Nothing);
                 let why = match plain {
-                    true => "a plain array does not say which shape its rows are: wrap it, as in geograd.Obb2(array), or pass kind=",
+                    true => {
+                        "a plain array does not say which shape its rows are: wrap it, as in geograd.Obb2(array), or pass kind="
+                    }
                     false => "no row takes these shapes",
                 };
                 Err(self.refused(&said, form, why))
@@ -162,7 +204,11 @@ impl Verb {
         let verb = self.of();
         let given: Vec<String> = said.iter().map(|said| said.name()).collect();
         let rows: Vec<String> = verb.rows.iter().map(|row| signature(&row.takes)).collect();
-        let form = if form == "value" { String::new() } else { format!(".{form}") };
+        let form = if form == "value" {
+            String::new()
+        } else {
+            format!(".{form}")
+        };
         PyTypeError::new_err(format!(
             "geograd.{}{form} of ({}): {why}. Shapes that go together: {}",
             verb.name,
@@ -178,7 +224,14 @@ impl Verb {
         out: Option<&'a Object<'py>>,
         backend: Option<&str>,
     ) -> PyResult<Call<'a, 'py>> {
-        Ok(Call { py, of: &row.call, name: &self.of().name, arguments, out, machine: Machine::named(backend)? })
+        Ok(Call {
+            py,
+            of: &row.call,
+            name: &self.of().name,
+            arguments,
+            out,
+            machine: Machine::named(backend)?,
+        })
     }
     fn run<'py>(
         &self,
@@ -186,12 +239,11 @@ impl Verb {
         form: Form,
         form_name: &str,
         arguments: &Bound<'py, PyTuple>,
-        kind: Option<&Object<'py>>,
-        out: Option<&Object<'py>>,
+        [kind, to, out]: [Option<&Object<'py>>; 3],
         backend: Option<&str>,
     ) -> PyResult<Object<'py>> {
         let arguments = listed(arguments);
-        let row = self.row(&arguments, kind, form_name)?;
+        let row = self.row(&arguments, kind, to, form_name)?;
         if let Some(like) = arguments.iter().find_map(|x| symbol_in(x, 0)) {
             if out.is_some() {
                 return Err(PyTypeError::new_err("out is for arrays, not for symbols"));
@@ -223,7 +275,12 @@ impl Verb {
         for (k, argument) in arguments.iter().enumerate() {
             let mut list = Vec::new();
             flat::<T>(argument, &mut list, 0)?;
-            if let Some(column) = row.call.takes.get(k).filter(|column| column.fields() != list.len()) {
+            if let Some(column) = row
+                .call
+                .takes
+                .get(k)
+                .filter(|column| column.fields() != list.len())
+            {
                 return Err(PyTypeError::new_err(format!(
                     "`{}` has {} numbers where {} are needed",
                     column.name,
@@ -235,21 +292,31 @@ impl Verb {
         }
         let slices: Vec<&[_]> = lists.iter().map(Vec::as_slice).collect();
         let (numbers, gives) = match (form, row.call.operation()) {
-            (Form::Value, Some(operation)) => {
-                (operation.on_symbols::<T>(&slices).map_err(raised)?, row.call.gives())
-            }
+            (Form::Value, Some(operation)) => (
+                operation.on_symbols::<T>(&slices).map_err(raised)?,
+                row.call.gives(),
+            ),
             _ => {
                 let program = row.call.program::<T>(form)?;
-                (program.on_symbols(&slices).map_err(raised)?, &row.call.signature(form)?.gives[..])
+                (
+                    program.on_symbols(&slices).map_err(raised)?,
+                    &row.call.signature(form)?.gives[..],
+                )
             }
         };
         let mut numbers = numbers.into_iter();
         let mut results = Vec::new();
         for column in gives {
             let own = numbers.by_ref().take(column.fields());
-            let own = own.map(|x| Ok(Py::new(py, Symbol(T::any(x)))?.into_any())).collect::<PyResult<Vec<_>>>()?;
+            let own = own
+                .map(|x| Ok(Py::new(py, Symbol(T::any(x)))?.into_any()))
+                .collect::<PyResult<Vec<_>>>()?;
             results.push(match (&column.axes[..], own.len()) {
-                ([], 1) => own.into_iter().next().map_or_else(|| py.None(), |x| x).into_bound(py),
+                ([], 1) => own
+                    .into_iter()
+                    .next()
+                    .map_or_else(|| py.None(), |x| x)
+                    .into_bound(py),
                 _ => dressed_items(py, own, column.kind)?,
             });
         }
@@ -271,7 +338,9 @@ fn symbol_in(x: &Object<'_>, depth: usize) -> Option<Any> {
     }
     if let Ok(shape) = x.cast::<Shape>() {
         return match &shape.get().content {
-            Content::Items(items) => items.iter().find_map(|item| symbol_in(item.bind(x.py()), depth + 1)),
+            Content::Items(items) => items
+                .iter()
+                .find_map(|item| symbol_in(item.bind(x.py()), depth + 1)),
             Content::Array(_) => None,
         };
     }
@@ -290,10 +359,16 @@ fn is_of_objects(x: &Object<'_>) -> bool {
 }
 
 /// The numbers of an argument one by one: symbols, and literals.
-fn flat<T: Number>(x: &Object<'_>, into: &mut Vec<geograd::kernels::dynamic::Symbol<T>>, depth: usize) -> PyResult<()> {
+fn flat<T: Number>(
+    x: &Object<'_>,
+    into: &mut Vec<geograd::kernels::dynamic::Symbol<T>>,
+    depth: usize,
+) -> PyResult<()> {
     if let Ok(shape) = x.cast::<Shape>() {
         return match &shape.get().content {
-            Content::Items(items) => items.iter().try_for_each(|item| flat(item.bind(x.py()), into, depth + 1)),
+            Content::Items(items) => items
+                .iter()
+                .try_for_each(|item| flat(item.bind(x.py()), into, depth + 1)),
             Content::Array(array) => flat(array.bind(x.py()), into, depth + 1),
         };
     }
@@ -303,7 +378,8 @@ fn flat<T: Number>(x: &Object<'_>, into: &mut Vec<geograd::kernels::dynamic::Sym
     }
     let is_list = x.cast::<PyList>().is_ok()
         || x.cast::<PyTuple>().is_ok()
-        || x.cast::<PyUntypedArray>().is_ok_and(|array| array.ndim() == 1);
+        || x.cast::<PyUntypedArray>()
+            .is_ok_and(|array| array.ndim() == 1);
     if !is_list || depth > 4 {
         return Err(PyTypeError::new_err(format!(
             "a verb of symbols takes shapes of symbols, symbols and numbers, one item each, not {}",
@@ -319,9 +395,14 @@ fn flat<T: Number>(x: &Object<'_>, into: &mut Vec<geograd::kernels::dynamic::Sym
 /// Forms of pairs: the row, and the call.
 macro_rules! of_pairs {
     ($me:expr, $py:expr, $arguments:expr, $kind:expr, $out:expr, $backend:expr, $form:literal, |$call:ident| $run:expr) => {{
-        let row = $me.row(&$arguments, $kind, $form)?;
+        let row = $me.row(&$arguments, $kind, None, $form)?;
         if let Some(argument) = $arguments.iter().position(|x| symbol_in(x, 0).is_some()) {
-            return Err(symbolic(&row.call.takes.get(argument).map_or("a", |column| &column.name)));
+            return Err(symbolic(
+                &row.call
+                    .takes
+                    .get(argument)
+                    .map_or("a", |column| &column.name),
+            ));
         }
         if row.call.is_of_paths() {
             return Err(PyTypeError::new_err(concat!("paths have no ", $form)));
@@ -336,7 +417,9 @@ impl Verb {
     #[new]
     fn new(name: &str) -> PyResult<Self> {
         let place = table().verbs.iter().position(|verb| verb.name == name);
-        place.map(|place| Verb { place }).ok_or_else(|| PyKeyError::new_err(name.to_owned()))
+        place
+            .map(|place| Verb { place })
+            .ok_or_else(|| PyKeyError::new_err(name.to_owned()))
     }
     #[getter]
     fn __name__(&self) -> &'static str {
@@ -347,107 +430,154 @@ impl Verb {
         &self.of().name
     }
     fn __repr__(&self) -> String {
-        format!("<geograd.{} of {} rows>", self.of().name, self.of().rows.len())
+        format!(
+            "<geograd.{} of {} rows>",
+            self.of().name,
+            self.of().rows.len()
+        )
     }
     fn __reduce__(slf: &Bound<'_, Self>) -> PyResult<(Py<PyAny>, (&'static str,))> {
         Ok((slf.get_type().into_any().unbind(), (&slf.get().of().name,)))
     }
 
     /// Item i of every argument.
-    #[pyo3(signature = (*arguments, kind=None, out=None, backend=None))]
+    #[pyo3(signature = (*arguments, kind=None, to=None, out=None, backend=None))]
     fn __call__<'py>(
         &self,
         py: Python<'py>,
         arguments: &Bound<'py, PyTuple>,
         kind: Option<&Object<'py>>,
+        to: Option<&Object<'py>>,
         out: Option<&Object<'py>>,
         backend: Option<&str>,
     ) -> PyResult<Object<'py>> {
-        self.run(py, Form::Value, "value", arguments, kind, out, backend)
+        self.run(
+            py,
+            Form::Value,
+            "value",
+            arguments,
+            [kind, to, out],
+            backend,
+        )
     }
     /// Item i of every argument: the plain call under its name.
-    #[pyo3(signature = (*arguments, kind=None, out=None, backend=None))]
+    #[pyo3(signature = (*arguments, kind=None, to=None, out=None, backend=None))]
     fn aligned<'py>(
         &self,
         py: Python<'py>,
         arguments: &Bound<'py, PyTuple>,
         kind: Option<&Object<'py>>,
+        to: Option<&Object<'py>>,
         out: Option<&Object<'py>>,
         backend: Option<&str>,
     ) -> PyResult<Object<'py>> {
-        self.run(py, Form::Value, "value", arguments, kind, out, backend)
+        self.run(
+            py,
+            Form::Value,
+            "value",
+            arguments,
+            [kind, to, out],
+            backend,
+        )
     }
     /// The value of every item, and its gradient by every argument.
-    #[pyo3(signature = (*arguments, kind=None, out=None, backend=None))]
+    #[pyo3(signature = (*arguments, kind=None, to=None, out=None, backend=None))]
     fn value_grad<'py>(
         &self,
         py: Python<'py>,
         arguments: &Bound<'py, PyTuple>,
         kind: Option<&Object<'py>>,
+        to: Option<&Object<'py>>,
         out: Option<&Object<'py>>,
         backend: Option<&str>,
     ) -> PyResult<Object<'py>> {
-        self.run(py, Form::ValueGrad, "value_grad", arguments, kind, out, backend)
+        self.run(
+            py,
+            Form::ValueGrad,
+            "value_grad",
+            arguments,
+            [kind, to, out],
+            backend,
+        )
     }
     /// Cotangents of the arguments; those of the result come last.
-    #[pyo3(signature = (*arguments, kind=None, out=None, backend=None))]
+    #[pyo3(signature = (*arguments, kind=None, to=None, out=None, backend=None))]
     fn vjp<'py>(
         &self,
         py: Python<'py>,
         arguments: &Bound<'py, PyTuple>,
         kind: Option<&Object<'py>>,
+        to: Option<&Object<'py>>,
         out: Option<&Object<'py>>,
         backend: Option<&str>,
     ) -> PyResult<Object<'py>> {
-        self.run(py, Form::Vjp, "vjp", arguments, kind, out, backend)
+        self.run(py, Form::Vjp, "vjp", arguments, [kind, to, out], backend)
     }
     /// The derivatives of every number of the result by every number of the arguments.
-    #[pyo3(signature = (*arguments, kind=None, out=None, backend=None))]
+    #[pyo3(signature = (*arguments, kind=None, to=None, out=None, backend=None))]
     fn jacobian<'py>(
         &self,
         py: Python<'py>,
         arguments: &Bound<'py, PyTuple>,
         kind: Option<&Object<'py>>,
+        to: Option<&Object<'py>>,
         out: Option<&Object<'py>>,
         backend: Option<&str>,
     ) -> PyResult<Object<'py>> {
-        self.run(py, Form::Jacobian, "jacobian", arguments, kind, out, backend)
+        self.run(
+            py,
+            Form::Jacobian,
+            "jacobian",
+            arguments,
+            [kind, to, out],
+            backend,
+        )
     }
     /// The value and its derivative along directions, which come after the arguments.
-    #[pyo3(signature = (*arguments, kind=None, out=None, backend=None))]
+    #[pyo3(signature = (*arguments, kind=None, to=None, out=None, backend=None))]
     fn jvp<'py>(
         &self,
         py: Python<'py>,
         arguments: &Bound<'py, PyTuple>,
         kind: Option<&Object<'py>>,
+        to: Option<&Object<'py>>,
         out: Option<&Object<'py>>,
         backend: Option<&str>,
     ) -> PyResult<Object<'py>> {
-        self.run(py, Form::Jvp, "jvp", arguments, kind, out, backend)
+        self.run(py, Form::Jvp, "jvp", arguments, [kind, to, out], backend)
     }
     /// The derivative of the gradient along directions, which come after the arguments.
-    #[pyo3(signature = (*arguments, kind=None, out=None, backend=None))]
+    #[pyo3(signature = (*arguments, kind=None, to=None, out=None, backend=None))]
     fn hvp<'py>(
         &self,
         py: Python<'py>,
         arguments: &Bound<'py, PyTuple>,
         kind: Option<&Object<'py>>,
+        to: Option<&Object<'py>>,
         out: Option<&Object<'py>>,
         backend: Option<&str>,
     ) -> PyResult<Object<'py>> {
-        self.run(py, Form::Hvp, "hvp", arguments, kind, out, backend)
+        self.run(py, Form::Hvp, "hvp", arguments, [kind, to, out], backend)
     }
     /// The second derivatives by all numbers of the arguments.
-    #[pyo3(signature = (*arguments, kind=None, out=None, backend=None))]
+    #[pyo3(signature = (*arguments, kind=None, to=None, out=None, backend=None))]
     fn hessian<'py>(
         &self,
         py: Python<'py>,
         arguments: &Bound<'py, PyTuple>,
         kind: Option<&Object<'py>>,
+        to: Option<&Object<'py>>,
         out: Option<&Object<'py>>,
         backend: Option<&str>,
     ) -> PyResult<Object<'py>> {
-        self.run(py, Form::Hessian, "hessian", arguments, kind, out, backend)
+        self.run(
+            py,
+            Form::Hessian,
+            "hessian",
+            arguments,
+            [kind, to, out],
+            backend,
+        )
     }
 
     /// Every row of `a` with every row of `b`: a matrix.
@@ -462,7 +592,8 @@ impl Verb {
         backend: Option<&str>,
     ) -> PyResult<Object<'py>> {
         let all = [a, b];
-        of_pairs!(self, py, all, kind, out, backend, "all_pairs", |call| call.all_pairs())
+        of_pairs!(self, py, all, kind, out, backend, "all_pairs", |call| call
+            .all_pairs())
     }
     /// The largest result of every row of `a`, and its row of `b`.
     #[pyo3(signature = (a, b, *, kind=None, backend=None))]
@@ -475,7 +606,8 @@ impl Verb {
         backend: Option<&str>,
     ) -> PyResult<Object<'py>> {
         let all = [a, b];
-        of_pairs!(self, py, all, kind, None, backend, "row_max", |call| call.most(true))
+        of_pairs!(self, py, all, kind, None, backend, "row_max", |call| call
+            .most(true))
     }
     /// The largest result of every row of `b`, and its row of `a`.
     #[pyo3(signature = (a, b, *, kind=None, backend=None))]
@@ -488,7 +620,9 @@ impl Verb {
         backend: Option<&str>,
     ) -> PyResult<Object<'py>> {
         let all = [a, b];
-        of_pairs!(self, py, all, kind, None, backend, "column_max", |call| call.most(false))
+        of_pairs!(self, py, all, kind, None, backend, "column_max", |call| {
+            call.most(false)
+        })
     }
     /// Every pair whose result is above a threshold: rows of `a`, rows of `b`, results.
     #[pyo3(signature = (a, b, threshold, *, kind=None, backend=None))]
@@ -502,7 +636,8 @@ impl Verb {
         backend: Option<&str>,
     ) -> PyResult<Object<'py>> {
         let all = [a, b];
-        of_pairs!(self, py, all, kind, None, backend, "above", |call| call.above(threshold))
+        of_pairs!(self, py, all, kind, None, backend, "above", |call| call
+            .above(threshold))
     }
     /// How many pairs have a result above a threshold.
     #[pyo3(signature = (a, b, threshold, *, kind=None, backend=None))]
@@ -516,7 +651,9 @@ impl Verb {
         backend: Option<&str>,
     ) -> PyResult<u64> {
         let all = [a, b];
-        of_pairs!(self, py, all, kind, None, backend, "count_above", |call| call.count_above(threshold))
+        of_pairs!(self, py, all, kind, None, backend, "count_above", |call| {
+            call.count_above(threshold)
+        })
     }
     /// The sum of the results of all pairs.
     #[pyo3(signature = (a, b, *, kind=None, backend=None))]
@@ -529,7 +666,8 @@ impl Verb {
         backend: Option<&str>,
     ) -> PyResult<f64> {
         let all = [a, b];
-        of_pairs!(self, py, all, kind, None, backend, "sum", |call| call.total(false))
+        of_pairs!(self, py, all, kind, None, backend, "sum", |call| call
+            .total(false))
     }
     /// The mean of the results of all pairs; zero where there are none.
     #[pyo3(signature = (a, b, *, kind=None, backend=None))]
@@ -542,7 +680,8 @@ impl Verb {
         backend: Option<&str>,
     ) -> PyResult<f64> {
         let all = [a, b];
-        of_pairs!(self, py, all, kind, None, backend, "mean", |call| call.total(true))
+        of_pairs!(self, py, all, kind, None, backend, "mean", |call| call
+            .total(true))
     }
     /// The sum of the results of all pairs, and its gradients by both lists.
     #[pyo3(signature = (a, b, *, kind=None, backend=None))]
@@ -555,7 +694,8 @@ impl Verb {
         backend: Option<&str>,
     ) -> PyResult<Object<'py>> {
         let all = [a, b];
-        of_pairs!(self, py, all, kind, None, backend, "sum_grad", |call| call.total_grad(false))
+        of_pairs!(self, py, all, kind, None, backend, "sum_grad", |call| call
+            .total_grad(false))
     }
     /// The mean of the results of all pairs, and its gradients by both lists.
     #[pyo3(signature = (a, b, *, kind=None, backend=None))]
@@ -568,7 +708,8 @@ impl Verb {
         backend: Option<&str>,
     ) -> PyResult<Object<'py>> {
         let all = [a, b];
-        of_pairs!(self, py, all, kind, None, backend, "mean_grad", |call| call.total_grad(true))
+        of_pairs!(self, py, all, kind, None, backend, "mean_grad", |call| call
+            .total_grad(true))
     }
     /// Cotangents of both lists, for a matrix of those of all pairs.
     #[pyo3(signature = (a, b, upstream, *, kind=None, backend=None))]
@@ -582,18 +723,39 @@ impl Verb {
         backend: Option<&str>,
     ) -> PyResult<Object<'py>> {
         let all = [a, b];
-        of_pairs!(self, py, all, kind, None, backend, "all_pairs_vjp", |call| call.all_pairs_vjp(&upstream))
+        of_pairs!(
+            self,
+            py,
+            all,
+            kind,
+            None,
+            backend,
+            "all_pairs_vjp",
+            |call| call.all_pairs_vjp(&upstream)
+        )
     }
     /// The operations of a form of a row, in a format.
-    #[pyo3(signature = (*, kind, form="value", double=true))]
-    fn program<'py>(&self, kind: &Object<'py>, form: &str, double: bool) -> PyResult<Program> {
+    #[pyo3(signature = (*, kind, to=None, form="value", double=true))]
+    fn program<'py>(
+        &self,
+        kind: &Object<'py>,
+        to: Option<&Object<'py>>,
+        form: &str,
+        double: bool,
+    ) -> PyResult<Program> {
         let wanted = Wanted::of(Some(kind))?;
+        let to = to.map(one_kind).transpose()?;
         let fits = |row: &&Row| match &wanted {
+            _ if to.is_some_and(|to| row.call.gives()[0].kind != to) => false,
             Wanted::Nothing => false,
             Wanted::All(all) => row.takes.iter().all(|&kind| kind == *all || kind == NUMBER),
             Wanted::Each(each) => {
                 row.takes.len() == each.len()
-                    && row.takes.iter().zip(each).all(|(&kind, wanted)| wanted.is_none_or(|wanted| wanted == kind))
+                    && row
+                        .takes
+                        .iter()
+                        .zip(each)
+                        .all(|(&kind, wanted)| wanted.is_none_or(|wanted| wanted == kind))
             }
         };
         let mut rows = self.of().rows.iter().filter(fits);
@@ -608,7 +770,11 @@ impl Verb {
 #[pyfunction]
 pub fn shapes() -> Vec<(&'static str, Vec<&'static str>, usize)> {
     let shape = |shape: &'static crate::table::Shape| {
-        (shape.name.as_str(), shape.fields.iter().map(String::as_str).collect(), shape.codes)
+        (
+            shape.name.as_str(),
+            shape.fields.iter().map(String::as_str).collect(),
+            shape.codes,
+        )
     };
     table().shapes.iter().map(shape).collect()
 }
@@ -616,13 +782,21 @@ pub fn shapes() -> Vec<(&'static str, Vec<&'static str>, usize)> {
 /// The names of all verbs.
 #[pyfunction]
 pub fn verbs() -> Vec<&'static str> {
-    table().verbs.iter().map(|verb| verb.name.as_str()).collect()
+    table()
+        .verbs
+        .iter()
+        .map(|verb| verb.name.as_str())
+        .collect()
 }
 
 /// What the table says of the rows of a verb.
 #[pyfunction]
 pub fn rows<'py>(py: Python<'py>, verb: &str) -> PyResult<Vec<Bound<'py, PyDict>>> {
-    let verb = table().verbs.iter().find(|one| one.name == verb).ok_or_else(|| PyKeyError::new_err(verb.to_owned()))?;
+    let verb = table()
+        .verbs
+        .iter()
+        .find(|one| one.name == verb)
+        .ok_or_else(|| PyKeyError::new_err(verb.to_owned()))?;
     let limit = |bound: Limit| match bound {
         Limit::Any => "any".to_owned(),
         Limit::NotNegative => "not negative".to_owned(),
@@ -632,23 +806,36 @@ pub fn rows<'py>(py: Python<'py>, verb: &str) -> PyResult<Vec<Bound<'py, PyDict>
         _ => String::new(),
     };
     let row = |row: &'static Row| {
-        let operation = row.call.operation().ok_or_else(|| PyValueError::new_err("no operation"))?;
+        let operation = row
+            .call
+            .operation()
+            .ok_or_else(|| PyValueError::new_err("no operation"))?;
         let described = PyDict::new(py);
         described.set_item("name", operation.name)?;
-        described.set_item("spelling", &row.spelling)?;
         described.set_item("summary", operation.summary())?;
-        described.set_item("sort", match operation.sort {
-            Sort::Straight => "straight",
-            Sort::Search => "search",
-            Sort::Fold => "fold",
-            Sort::Ring => "ring",
-        })?;
+        described.set_item(
+            "sort",
+            match operation.sort {
+                Sort::Straight => "straight",
+                Sort::Search => "search",
+                Sort::Fold => "fold",
+                Sort::Ring => "ring",
+            },
+        )?;
         let kinds: Vec<&str> = row.takes.iter().map(|&kind| table().name(kind)).collect();
         described.set_item("kinds", kinds)?;
         let columns = |columns: &[Column]| -> Vec<(String, String, usize)> {
             let one = |column: &Column| {
-                let name = if column.kind == NUMBERS { "numbers" } else { table().name(column.kind) };
-                (column.name.clone(), name.to_owned(), column.axes.first().copied().unwrap_or(0))
+                let name = if column.kind == NUMBERS {
+                    "numbers"
+                } else {
+                    table().name(column.kind)
+                };
+                (
+                    column.name.clone(),
+                    name.to_owned(),
+                    column.axes.first().copied().unwrap_or(0),
+                )
             };
             columns.iter().map(one).collect()
         };
@@ -657,7 +844,11 @@ pub fn rows<'py>(py: Python<'py>, verb: &str) -> PyResult<Vec<Bound<'py, PyDict>
         let mut fields = Vec::new();
         for argument in operation.arguments() {
             let one = |x: &geograd::kernels::dynamic::Number| {
-                (x.name.to_string(), format!("{:?}", x.kind).to_lowercase(), limit(x.bound))
+                (
+                    x.name.to_string(),
+                    format!("{:?}", x.kind).to_lowercase(),
+                    limit(x.bound),
+                )
             };
             fields.push(argument.shape.fields.iter().map(one).collect::<Vec<_>>());
         }

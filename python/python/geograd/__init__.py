@@ -1,0 +1,40 @@
+"""Exact IoU, distances and overlaps of boxes and polygons on NumPy arrays, with exact gradients.
+
+Every verb (``geograd.iou``, ``geograd.distance``, ...) takes shapes: arrays whose last axis has the numbers of one::
+
+    a, b = geograd.Obb2(A), geograd.Obb2(B)            # A and B of shape (N, 5)
+    value = geograd.iou(a, b)                          # (N,)
+    value, (by_a, by_b) = geograd.iou.value_grad(a, b)
+    matrix = geograd.iou.all_pairs(a, b)               # (N, N)
+    value = geograd.iou(A, B, kind="Obb2")             # the same on plain arrays
+
+``@geograd.function`` records a function of your own once and gives it the same forms; ``geograd.check`` checks a gradient.
+"""
+
+import os as _os
+
+from . import _core
+from ._core import Paths, Program, Shape, Symbol, Truth, __version__, get_num_threads, set_num_threads
+from ._elementary import (
+    arctan2, clip, copysign, cos, exp, hypot, log, maximum, minimum, sin, sqrt, square, tan, where,
+)
+from ._function import Function, function
+from ._shapes import CLASSES as _CLASSES, Polylines, Rings
+from ._verbs import VERBS as _VERBS, Verb
+
+globals().update(_CLASSES)
+globals().update(_VERBS)
+
+# A child has none of its parent's threads, and must not find a lock held.
+if hasattr(_os, "register_at_fork"):
+    _os.register_at_fork(
+        before=_core.before_fork, after_in_parent=_core.after_fork, after_in_child=_core.after_fork
+    )
+
+__all__ = sorted(
+    [
+        "Function", "Paths", "Polylines", "Program", "Rings", "Shape", "Symbol", "Truth", "Verb", "__version__",
+        "arctan2", "clip", "copysign", "cos", "exp", "function", "get_num_threads", "hypot", "log", "maximum", "minimum",
+        "set_num_threads", "sin", "sqrt", "square", "tan", "where", *_CLASSES, *_VERBS,
+    ]
+)

@@ -1,0 +1,35 @@
+"""The verbs, made of the table."""
+
+from . import _core
+
+
+class Verb(_core.Verb):
+    """A function of shapes, of which the shapes choose the row."""
+
+    @property
+    def __doc__(self):
+        return describe(self.__name__)
+
+    __module__ = "geograd"
+
+
+def _spelled(column):
+    name, shape, size = column
+    return shape if size else "number"
+
+
+def describe(verb):
+    """The documentation of a verb: its rows, what they take and give."""
+    rows = _core.rows(verb)
+    lines = [rows[0]["summary"], "", "Rows:"]
+    for row in rows:
+        names = [name for name, _, _ in row["takes"]] + (["paths"] if row["sort"] in ("fold", "ring") else [])
+        takes = ", ".join(f"{name}: {kind}" for name, kind in zip(names, row["kinds"]))
+        gives = ", ".join(_spelled(column) for column in row["gives"])
+        lines.append(f"    {verb}({takes}) -> {gives}")
+        if row["summary"] != rows[0]["summary"]:
+            lines.append(f"        {row['summary']}")
+    return "\n".join(lines)
+
+
+VERBS = {name: Verb(name) for name in _core.verbs()}
