@@ -425,6 +425,14 @@ impl Symbol {
     fn conjugate(slf: Py<Self>) -> Py<Self> {
         slf
     }
+    /// The format in which the function is recorded: float32 or float64.
+    #[getter]
+    fn dtype(&self) -> &'static str {
+        match self.0 {
+            Any::Single(_) => "float32",
+            Any::Double(_) => "float64",
+        }
+    }
     fn __repr__(&self) -> &'static str {
         "<geograd.Symbol>"
     }

@@ -207,6 +207,24 @@ impl Recorded {
             }
         }
     }
+    /// What it gives: the shape of every result, or none, and how many numbers that has, zero of a lone number.
+    fn gives(&self) -> PyResult<Vec<(Option<&'static str>, usize)>> {
+        self.call.program::<f64>(Form::Value)?;
+        let one = |column: &Column| {
+            let shape = (column.kind != NUMBER && column.kind != NUMBERS)
+                .then(|| table().name(column.kind));
+            (
+                shape,
+                column.axes.iter().product::<usize>() * usize::from(!column.axes.is_empty()),
+            )
+        };
+        Ok(self.call.gives().iter().map(one).collect())
+    }
+    /// Whether its result is a tuple.
+    fn is_tuple(&self) -> PyResult<bool> {
+        self.call.program::<f64>(Form::Value)?;
+        Ok(self.call.is_tuple())
+    }
     /// The program of a form in a format.
     #[pyo3(signature = (form="value", double=true))]
     fn program(&self, form: &str, double: bool) -> PyResult<Program> {
@@ -292,6 +310,35 @@ impl Program {
             }
             InEither::Double(program) => program.eval(&input).map_err(raised),
         }
+    }
+    /// The results for symbols, as part of the function that is being recorded: a list of symbols for every argument.
+    fn on_symbols(
+        &self,
+        py: Python<'_>,
+        arguments: Vec<Vec<Bound<'_, PyAny>>>,
+    ) -> PyResult<Vec<Py<Symbol>>> {
+        fn of<T: Number>(
+            py: Python<'_>,
+            program: &Of<T>,
+            arguments: &[Vec<Bound<'_, PyAny>>],
+        ) -> PyResult<Vec<Py<Symbol>>> {
+            let one = |x: &Bound<'_, PyAny>| {
+                number::<T>(x)?.ok_or_else(|| {
+                    PyTypeError::new_err("a program of symbols takes symbols and numbers")
+                })
+            };
+            let lists = arguments
+                .iter()
+                .map(|list| list.iter().map(one).collect::<PyResult<Vec<_>>>());
+            let lists = lists.collect::<PyResult<Vec<_>>>()?;
+            let slices: Vec<&[_]> = lists.iter().map(Vec::as_slice).collect();
+            let results = program.on_symbols(&slices).map_err(raised)?;
+            results
+                .into_iter()
+                .map(|x| Py::new(py, Symbol(T::any(x))))
+                .collect()
+        }
+        either!(self, |program| of(py, program, &arguments))
     }
     /// The function in WGSL; of float32 only.
     #[pyo3(signature = (name="function_of"))]

@@ -1,0 +1,183 @@
+"""Functions of arrays with derivatives of any order, by name: what :mod:`geograd.torch` and :mod:`geograd.jax` call."""
+
+from __future__ import annotations
+
+import threading
+
+import numpy as np
+
+import geograd
+from geograd import _core
+
+#: Losses, and the scores that they are one minus.
+LOSSES = {
+    "IoULoss": "iou",
+    "GIoULoss": "giou",
+    "DIoULoss": "diou",
+    "CIoULoss": "ciou",
+    "EIoULoss": "eiou",
+    "ProbIoULoss": "probiou",
+    "KFIoULoss": "kfiou",
+}
+
+_NODES = {}
+_LOCK = threading.RLock()
+
+
+def _flat(results):
+    """Results in order, as arrays."""
+    if isinstance(results, tuple):
+        return [array for part in results for array in _flat(part)]
+    return [np.asarray(results)]
+
+
+class _Row:
+    """A row of a verb."""
+
+    def __init__(self, verb, row):
+        self.verb, self.kinds = getattr(geograd, verb), tuple(row["kinds"])
+        self.takes = [(name, shape, width) for name, shape, width in row["takes"]]
+        self.gives = [width for _, _, width in row["gives"]]
+        self.is_tuple = len(self.gives) > 1
+
+    def run(self, form, arrays):
+        form = getattr(self.verb, "aligned" if form == "value" else form)
+        return _flat(form(*arrays, kind=self.kinds))
+
+    def program(self, form, double):
+        return self.verb.program(kind=self.kinds, form=form, double=double)
+
+
+class _Own:
+    """A recorded function."""
+
+    def __init__(self, recorded, takes, gives, is_tuple):
+        self.recorded, self.takes, self.gives, self.is_tuple = recorded, takes, gives, is_tuple
+
+    def run(self, form, arrays):
+        return _flat(self.recorded.run(form, arrays))
+
+    def program(self, form, double):
+        return self.recorded.program(form, double)
+
+
+class Node:
+    """A form of a row or of a recorded function: what it takes and gives, and its derivatives as further nodes."""
+
+    def __init__(self, name, base, form, takes, gives):
+        self.name, self.base, self.form, self.takes, self.gives = name, base, form, takes, gives
+        self.is_tuple = form != "value" or base.is_tuple
+
+    def run(self, arrays):
+        return self.base.run(self.form, arrays)
+
+    def vjp(self):
+        """The node of the cotangents of the arguments."""
+        bars = [(f"upstream{k}", None, width) for k, width in enumerate(self.gives)]
+        return self._derived("vjp", bars, [width for _, _, width in self.takes])
+
+    def jvp(self):
+        """The node of the results, and of their derivatives along directions of the arguments."""
+        directions = [(f"along_{name}", None, width) for name, _, width in self.takes]
+        return self._derived("jvp", directions, [*self.gives, *self.gives])
+
+    def _derived(self, form, further, gives):
+        name = f"{self.name}|{form}"
+        with _LOCK:
+            if name not in _NODES:
+                base = self.base if self.form == "value" else self._recorded()
+                _NODES[name] = Node(name, base, form, [*self.takes, *further], list(gives))
+            return _NODES[name]
+
+    def _recorded(self):
+        """The form as a function of its own, of which forms can be made again."""
+
+        def function(lists):
+            program = self.base.program(self.form, lists[0][0].dtype == "float64")
+            symbols = program.on_symbols(lists)
+            parts, at = [], 0
+            for width in self.gives:
+                parts.append((None, symbols[at : at + max(width, 1)], width > 0))
+                at += max(width, 1)
+            return True, parts
+
+        takes = [(name, shape if shape in geograd._CLASSES else None, width) for name, shape, width in self.takes]
+        recorded = _core.Recorded(self.name, function, takes)
+        return _Own(recorded, self.takes, self.gives, True)
+
+
+def named(name):
+    """The node of a name: made where it was not asked for before, as in another process."""
+    with _LOCK:
+        if name in _NODES:
+            return _NODES[name]
+    base, *forms = name.split("|")
+    if base not in _NODES:
+        verb, kinds = base.rstrip(")").split("(")
+        of_verb(verb, tuple(kinds.split(",")), None)
+    node = _NODES[base]
+    for form in forms:
+        node = getattr(node, form)()
+    return node
+
+
+def of_verb(verb, kind, count):
+    """The node of a row: ``kind`` is a shape, or one for each argument."""
+    rows = _core.rows(verb)
+    names = lambda kind: kind if isinstance(kind, str) or kind is None else kind.__name__
+    if isinstance(kind, (tuple, list)):
+        wanted = tuple("number" if k is None else names(k) for k in kind)
+        fits = [row for row in rows if tuple(row["kinds"]) == wanted]
+    elif kind is not None:
+        fits = [
+            row
+            for row in rows
+            if all(k in (names(kind), "number") for k in row["kinds"])
+            and any(k == names(kind) for k in row["kinds"])
+            and (count is None or len(row["kinds"]) == count)
+        ]
+    else:
+        fits = [row for row in rows if all(k == "number" for k in row["kinds"])]
+    fits = [row for row in fits if row["sort"] in ("straight", "search")]
+    if len(fits) != 1:
+        known = ", ".join("(" + ", ".join(row["kinds"]) + ")" for row in rows if row["sort"] in ("straight", "search"))
+        asked = "kind= must name the shapes of the tensors" if kind is None else f"no row has kind={kind!r}"
+        raise TypeError(f"{verb}: {asked}. Shapes that go together: {known}")
+    base = _Row(verb, fits[0])
+    name = f"{verb}({','.join(base.kinds)})"
+    with _LOCK:
+        if name not in _NODES:
+            _NODES[name] = Node(name, base, "value", base.takes, base.gives)
+        return _NODES[name]
+
+
+def of_function(f):
+    """The node of a :class:`geograd.Function`."""
+    with _LOCK:
+        node = getattr(f, "_node", None)
+        if node is None:
+            takes = [leaf for own in f._leaves for leaf in own]
+            gives = [width for _, width in f._core.gives()]
+            name = f"{f.__name__}#{len(_NODES)}"
+            node = Node(name, _Own(f._core, takes, gives, f._core.is_tuple()), "value", takes, gives)
+            _NODES[name] = f._node = node
+        return node
+
+
+def split(function, leaves, names, arguments):
+    """The columns of the arguments of a function: an argument of several parts has all their numbers in its last axis."""
+    if len(arguments) != len(leaves):
+        raise TypeError(f"{function} takes {', '.join(names)}, not {len(arguments)} arguments")
+    columns = []
+    for argument, own, name in zip(arguments, leaves, names):
+        if len(own) == 1:
+            columns.append(argument)
+            continue
+        total = sum(max(width, 1) for _, _, width in own)
+        if argument.ndim == 0 or argument.shape[-1] != total:
+            raise ValueError(f"`{name}`: shape (..., {total}) is needed, not {tuple(argument.shape)}")
+        start = 0
+        for _, _, width in own:
+            columns.append(argument[..., start : start + width] if width else argument[..., start])
+            start += max(width, 1)
+    return columns
