@@ -3,8 +3,8 @@
 //! The derive (package `geograd-derive`) reads a struct's tokens without a parser of Rust. The code that it writes
 //! names this module and `ad::check::derived` only, so it needs no feature or dependency of its user's crate.
 pub use crate::ad::check::derived::{
-    all, as_angle, as_non_negative, as_positive, combined, drawn, hard, in_order, joined, mingled,
-    one_of, together,
+    all, as_angle, as_directions, as_non_negative, as_positive, as_rotation_vectors, combined,
+    drawn, hard, in_order, joined, mingled, one_of, together,
 };
 pub use crate::ad::check::sample::{Draw, Sample};
 pub use crate::ad::check::symmetry::Kind;
@@ -76,7 +76,9 @@ pub use {
 /// | `non_negative`, `positive` | all its numbers are |
 /// | `at_most = "other"` | none of its numbers exceeds the same one of the other field |
 /// | `names("width", "height")` | names of its numbers, instead of `field.x` and so on |
-/// | `angle`, `length`, `number` | what rotation and scaling do to its numbers; a lone scalar is a length |
+/// | `angle`, `length`, `number` | what turns and scaling do to its numbers; a lone scalar is a length |
+/// | `direction`, `rotation_vector` | its points do not shift: they are directions, or axes times angles in radians |
+/// | `kind = "AngleY"` | any other [`Kind`](crate::ad::check::symmetry::Kind) by its name |
 /// | `code` | whole numbers: see [`Code`](crate::Code) |
 ///
 /// | on the struct | |

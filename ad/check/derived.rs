@@ -55,6 +55,28 @@ pub fn all(kind: Kind, count: usize) -> Vec<Kind> {
     vec![kind; count]
 }
 
+/// The kinds of points as those of directions.
+pub fn as_directions(kinds: Vec<Kind>) -> Vec<Kind> {
+    let of = |kind| match kind {
+        Kind::X => Kind::DirectionX,
+        Kind::Y => Kind::DirectionY,
+        Kind::Z => Kind::DirectionZ,
+        kind => kind,
+    };
+    kinds.into_iter().map(of).collect()
+}
+
+/// The kinds of points in space as those of rotation vectors.
+pub fn as_rotation_vectors(kinds: Vec<Kind>) -> Vec<Kind> {
+    let of = |kind| match kind {
+        Kind::X => Kind::RotationVectorX,
+        Kind::Y => Kind::RotationVectorY,
+        Kind::Z => Kind::RotationVectorZ,
+        kind => kind,
+    };
+    kinds.into_iter().map(of).collect()
+}
+
 /// Numbers of about one as angles.
 pub fn as_angle(part: &mut impl Pack<Scalar = f64>) {
     part.each(&mut |x| *x *= FRAC_PI_2);
@@ -169,17 +191,17 @@ fn beside<X: Sample>(x: X, lengths: &[usize], near: Option<Vec<f64>>) -> X {
 pub fn together(own: Vec<f64>, kinds: &[Kind]) -> Vec<f64> {
     let lengths = || own.iter().zip(kinds).filter(|(_, kind)| kind.is_length());
     let place = lengths().fold(f64::INFINITY, |m, (s, k)| match k {
-        Kind::X | Kind::Y => m.min(*s),
+        k if k.is_place() => m.min(*s),
         _ => m,
     });
     // Without a place all are lengths along one line.
-    let place = match kinds.iter().any(|kind| matches!(kind, Kind::X | Kind::Y)) {
+    let place = match kinds.iter().any(|kind| kind.is_place()) {
         true => place,
         false => lengths().fold(place, |m, (s, _)| m.min(*s)),
     };
     let largest = lengths().fold(0.0_f64, |m, (s, _)| m.max(*s));
     let scale = |(own, kind): (&f64, &Kind)| match kind {
-        Kind::Angle | Kind::DirectionX | Kind::DirectionY if largest > 0.0 => {
+        kind if largest > 0.0 && kind.is_measured_at_one() => {
             (10.0 * place / largest).clamp(1e-9, 1.0)
         }
         kind if kind.is_length() && place.is_finite() => own.min(10.0 * place),

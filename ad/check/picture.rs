@@ -168,10 +168,22 @@ pub fn picture<X: Sample>(title: &str, input: &X, subject: &dyn Subject) -> Stri
         let kind = match kinds[i] {
             Kind::X => "x",
             Kind::Y => "y",
+            Kind::Z => "z",
             Kind::Length => "length",
             Kind::Angle => "angle",
+            Kind::AngleX => "angle about x",
+            Kind::AngleY => "angle about y",
             Kind::DirectionX => "x of a direction",
             Kind::DirectionY => "y of a direction",
+            Kind::DirectionZ => "z of a direction",
+            Kind::Offset => "offset along a direction",
+            Kind::QuaternionW => "w of a quaternion",
+            Kind::QuaternionX => "x of a quaternion",
+            Kind::QuaternionY => "y of a quaternion",
+            Kind::QuaternionZ => "z of a quaternion",
+            Kind::RotationVectorX => "x of a rotation vector",
+            Kind::RotationVectorY => "y of a rotation vector",
+            Kind::RotationVectorZ => "z of a rotation vector",
             Kind::Number => "number",
         };
         let row = 1.2 + i as f64;

@@ -159,7 +159,10 @@ impl Family {
     }
 }
 
-/// Moves a whole input: rotation about the origin, then scaling, then translation.
+/// Puts a whole input elsewhere: rotation about the origin of the plane, then scaling, then translation along x and y.
+///
+/// Inputs need not stay what they are to be worth a look: heights and rotations of space stay.
+/// [`moved_by`](crate::ad::check::symmetry::moved_by) has the motions of space.
 #[must_use]
 pub fn moved(x: &[f64], kinds: &[Kind], angle: f64, scale: f64, shift: [f64; 2]) -> Vec<f64> {
     let (sin, cos) = if angle == 0.0 {
@@ -171,11 +174,11 @@ pub fn moved(x: &[f64], kinds: &[Kind], angle: f64, scale: f64, shift: [f64; 2])
         .map(|i| match kinds[i] {
             Kind::X => (cos * x[i] - sin * x[i + 1]) * scale + shift[0],
             Kind::Y => (sin * x[i - 1] + cos * x[i]) * scale + shift[1],
-            Kind::Length => x[i] * scale,
-            Kind::Angle => x[i] + angle,
+            Kind::Z | Kind::Length | Kind::Offset => x[i] * scale,
+            Kind::Angle | Kind::AngleX | Kind::AngleY => x[i] + angle,
             Kind::DirectionX => cos * x[i] - sin * x[i + 1],
             Kind::DirectionY => sin * x[i - 1] + cos * x[i],
-            Kind::Number => x[i],
+            _ => x[i],
         })
         .collect()
 }
@@ -219,7 +222,7 @@ const PLACES: [(f64, f64, [f64; 2]); 7] = [
 /// A hard case in a place; nothing for a shape that cannot turn or does not fit there.
 fn put<X: Sample>(x: &X, (angle, scale, shift): (f64, f64, [f64; 2])) -> Option<X> {
     let kinds = x.kinds();
-    let turns = |kind: &Kind| matches!(kind, Kind::Angle | Kind::DirectionX);
+    let turns = |kind: &Kind| kind.is_angle() || *kind == Kind::DirectionX;
     if angle != 0.0 && !kinds.iter().any(turns) {
         return None;
     }

@@ -1,7 +1,6 @@
 //! How boxes of space are drawn, and what is hard about them.
 //!
-//! Motions are those of the plane: z is a length that only scaling changes, a quaternion four numbers
-//! which nothing changes.
+//! Boxes of any orientation turn about all axes, upright ones about z, axis-aligned ones not at all.
 use crate::ad::check::sample::{Draw, Sample};
 use crate::ad::check::symmetry::Kind;
 use crate::error::Validate;
@@ -100,7 +99,7 @@ impl Sample for Vec3<f64> {
         all.map(vector).to_vec()
     }
     fn kinds(&self) -> Vec<Kind> {
-        vec![Kind::X, Kind::Y, Kind::Length]
+        vec![Kind::X, Kind::Y, Kind::Z]
     }
     fn scales(&self) -> Vec<f64> {
         let size = self.x.abs().max(self.y.abs()).max(self.z.abs());
@@ -155,8 +154,8 @@ impl Sample for YawBox3<f64> {
         ]
     }
     fn kinds(&self) -> Vec<Kind> {
-        use Kind::{Angle, Length, X, Y};
-        vec![X, Y, Length, Length, Length, Length, Angle]
+        use Kind::{Angle, Length, X, Y, Z};
+        vec![X, Y, Z, Length, Length, Length, Angle]
     }
     fn scales(&self) -> Vec<f64> {
         let lengths = lengths(self.size);
@@ -223,9 +222,9 @@ impl Sample for Obb3<f64> {
         ]
     }
     fn kinds(&self) -> Vec<Kind> {
-        use Kind::{Length, Number, X, Y};
-        let place = [X, Y, Length, Length, Length, Length];
-        [&place[..], &[Number; 4]].concat()
+        use Kind::{Length, X, Y, Z};
+        let place = vec![X, Y, Z, Length, Length, Length];
+        [place, self.rotation.kinds()].concat()
     }
     fn scales(&self) -> Vec<f64> {
         let (lengths, q) = (lengths(self.size), self.rotation);
@@ -278,7 +277,7 @@ impl Sample for Aabb3<f64> {
         ]
     }
     fn kinds(&self) -> Vec<Kind> {
-        [Kind::X, Kind::Y, Kind::Length].repeat(2)
+        [Kind::X, Kind::Y, Kind::Z].repeat(2)
     }
     fn scales(&self) -> Vec<f64> {
         lengths(self.size())[3..].repeat(2)

@@ -3,15 +3,26 @@
 //! Where moving the input in a certain way changes the output in a known way, the derivative along
 //! that motion is known too. Translation invariance: the derivatives of all positions sum to zero.
 //! Rotation invariance: their torques balance. Homogeneity of degree p: Euler's `x · ∂y = p y`.
+//!
+//! A shape says how it moves by the [`Kind`] of each of its numbers. Numbers that only move together, such as the
+//! coordinates of a point or the four numbers of a quaternion, have kinds of their own and follow one another.
+use crate::{Rotation3, Vec3};
+use std::f64::consts::TAU;
 
-/// A motion of the whole input.
+/// A motion of the whole input, in the world's axes.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Motion {
     /// Along x.
     TranslationX,
     /// Along y.
     TranslationY,
-    /// About the origin.
+    /// Along z; shapes of the plane do not move.
+    TranslationZ,
+    /// About the x axis, from y to z; shapes of the plane do not turn.
+    RotationX,
+    /// About the y axis, from z to x; shapes of the plane do not turn.
+    RotationY,
+    /// About the origin of the plane, or about the z axis, from x to y.
     Rotation,
     /// Away from the origin.
     Scaling,
@@ -19,30 +30,79 @@ pub enum Motion {
     Exchange,
 }
 
-/// What a number of the input is, for the purpose of moving it.
+/// The meaning of a number of the input for motions.
+///
+/// Kinds of a group follow one another in the order of this list: `X`, `Y` and in space `Z`. Only a whole group turns.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Kind {
-    /// The x of a point; its y follows.
+    /// The x of a point.
     X,
-    /// The y of a point; its x precedes.
+    /// The y of a point.
     Y,
+    /// The z of a point.
+    Z,
     /// A length, which only scaling changes.
     Length,
-    /// An angle, which only rotation changes.
+    /// An angle about z, or of the plane, which only a turn about z changes.
     Angle,
-    /// The x of a direction, which only rotation changes; its y follows.
+    /// An angle about x, which only a turn about x changes.
+    AngleX,
+    /// An angle about y, which only a turn about y changes.
+    AngleY,
+    /// The x of a direction, which only turns change.
     DirectionX,
-    /// The y of a direction; its x precedes.
+    /// The y of a direction.
     DirectionY,
+    /// The z of a direction.
+    DirectionZ,
+    /// The inner product of a direction, whose numbers precede, with any point of a line or plane. Shifts along the
+    /// direction and scaling change it.
+    Offset,
+    /// The real part of the quaternion of a rotation, which only turns change.
+    QuaternionW,
+    /// Its part along x.
+    QuaternionX,
+    /// Its part along y.
+    QuaternionY,
+    /// Its part along z.
+    QuaternionZ,
+    /// The x of a rotation vector, the axis times the angle in radians, which only turns change.
+    RotationVectorX,
+    /// Its y.
+    RotationVectorY,
+    /// Its z.
+    RotationVectorZ,
     /// A number which no motion changes.
     Number,
 }
 
 impl Kind {
-    /// Whether it is measured in units of length.
+    /// True for what is measured in units of length.
     #[must_use]
     pub fn is_length(self) -> bool {
-        matches!(self, Kind::X | Kind::Y | Kind::Length)
+        matches!(
+            self,
+            Kind::X | Kind::Y | Kind::Z | Kind::Length | Kind::Offset
+        )
+    }
+    /// True for a coordinate of a point.
+    #[must_use]
+    pub fn is_place(self) -> bool {
+        matches!(self, Kind::X | Kind::Y | Kind::Z)
+    }
+    /// True for angles, directions and rotation vectors, whose own unit is one.
+    pub(crate) fn is_measured_at_one(self) -> bool {
+        let is_direction = matches!(self, Kind::DirectionX | Kind::DirectionY | Kind::DirectionZ);
+        let is_vector = matches!(
+            self,
+            Kind::RotationVectorX | Kind::RotationVectorY | Kind::RotationVectorZ
+        );
+        self.is_angle() || is_direction || is_vector
+    }
+    /// True for an angle in radians.
+    #[must_use]
+    pub fn is_angle(self) -> bool {
+        matches!(self, Kind::Angle | Kind::AngleX | Kind::AngleY)
     }
 }
 
@@ -74,20 +134,144 @@ impl Invariance {
     }
 }
 
+/// Numbers that move together; a place or a direction has two or three numbers.
+#[derive(Clone, Copy)]
+enum Group {
+    Place(usize),
+    Direction(usize),
+    /// A direction and the offset of a line or plane along it.
+    Plane(usize),
+    Quaternion,
+    RotationVector,
+    Single(Kind),
+}
+
+impl Group {
+    /// The group that a list of kinds begins with, and its length.
+    fn first(kinds: &[Kind]) -> (Group, usize) {
+        use Kind::{
+            DirectionX, DirectionY, DirectionZ, Offset, QuaternionW, QuaternionX, QuaternionY,
+            QuaternionZ, RotationVectorX, RotationVectorY, RotationVectorZ, X, Y, Z,
+        };
+        match kinds {
+            [X, Y, Z, ..] => (Group::Place(3), 3),
+            [X, Y, ..] => (Group::Place(2), 2),
+            [DirectionX, DirectionY, DirectionZ, Offset, ..] => (Group::Plane(3), 4),
+            [DirectionX, DirectionY, Offset, ..] => (Group::Plane(2), 3),
+            [DirectionX, DirectionY, DirectionZ, ..] => (Group::Direction(3), 3),
+            [DirectionX, DirectionY, ..] => (Group::Direction(2), 2),
+            [QuaternionW, QuaternionX, QuaternionY, QuaternionZ, ..] => (Group::Quaternion, 4),
+            [RotationVectorX, RotationVectorY, RotationVectorZ, ..] => (Group::RotationVector, 3),
+            _ => (Group::Single(kinds[0]), 1),
+        }
+    }
+}
+
+/// Calls a function with every group of numbers, its place and its numbers.
+fn each_group<'a>(kinds: &[Kind], x: &'a [f64], mut call: impl FnMut(Group, usize, &'a [f64])) {
+    let mut at = 0;
+    while at < x.len().min(kinds.len()) {
+        let (group, length) = Group::first(&kinds[at..x.len().min(kinds.len())]);
+        call(group, at, &x[at..at + length]);
+        at += length;
+    }
+}
+
+/// A motion by its axis: x is 0, y is 1, z is 2.
+enum Way {
+    Along(usize),
+    About(usize),
+    Away,
+    Exchange,
+}
+
+fn way(motion: Motion) -> Way {
+    match motion {
+        Motion::TranslationX => Way::Along(0),
+        Motion::TranslationY => Way::Along(1),
+        Motion::TranslationZ => Way::Along(2),
+        Motion::RotationX => Way::About(0),
+        Motion::RotationY => Way::About(1),
+        Motion::Rotation => Way::About(2),
+        Motion::Scaling => Way::Away,
+        Motion::Exchange => Way::Exchange,
+    }
+}
+
+/// The axis of an angle or of a coordinate, if it has one.
+fn axis_of(kind: Kind) -> Option<usize> {
+    match kind {
+        Kind::X | Kind::AngleX => Some(0),
+        Kind::Y | Kind::AngleY => Some(1),
+        Kind::Z | Kind::Angle => Some(2),
+        _ => None,
+    }
+}
+
+/// The two axes that a turn about an axis moves, the second one towards the negative first; nothing where numbers of
+/// the plane have only one of them.
+fn turning(axis: usize, numbers: usize) -> Option<[usize; 2]> {
+    let across = [(axis + 1) % 3, (axis + 2) % 3];
+    across.iter().all(|&i| i < numbers).then_some(across)
+}
+
+fn unit(axis: usize) -> Vec3<f64> {
+    let at = |i: usize| f64::from(u8::from(i == axis));
+    Vec3::new(at(0), at(1), at(2))
+}
+
 /// The velocity of numbers of the given kinds under a motion of unit speed.
 #[must_use]
 pub fn velocity(motion: Motion, kinds: &[Kind], x: &[f64]) -> Vec<f64> {
-    (0..x.len())
-        .map(|i| match (motion, kinds[i]) {
-            (Motion::TranslationX, Kind::X)
-            | (Motion::TranslationY, Kind::Y)
-            | (Motion::Rotation, Kind::Angle) => 1.0,
-            (Motion::Rotation, Kind::X | Kind::DirectionX) => -x[i + 1],
-            (Motion::Rotation, Kind::Y | Kind::DirectionY) => x[i - 1],
-            (Motion::Scaling, Kind::X | Kind::Y | Kind::Length) => x[i],
-            _ => 0.0,
-        })
-        .collect()
+    let mut speed = vec![0.0; x.len()];
+    each_group(kinds, x, |group, at, x| {
+        let speed = &mut speed[at..at + x.len()];
+        match (way(motion), group) {
+            (Way::Along(axis), Group::Place(n)) if axis < n => speed[axis] = 1.0,
+            (Way::Along(axis), Group::Plane(n)) if axis < n => speed[n] = x[axis],
+            (Way::Along(axis), Group::Single(kind @ (Kind::X | Kind::Y | Kind::Z))) => {
+                speed[0] = f64::from(u8::from(axis_of(kind) == Some(axis)));
+            }
+            (Way::About(axis), Group::Place(n) | Group::Direction(n) | Group::Plane(n)) => {
+                if let Some([i, j]) = turning(axis, n) {
+                    (speed[i], speed[j]) = (-x[j], x[i]);
+                }
+            }
+            // Half the product of the axis, as a quaternion, and the quaternion.
+            (Way::About(axis), Group::Quaternion) => {
+                let v = unit(axis).cross(Vec3::new(x[1], x[2], x[3])) + unit(axis) * x[0];
+                speed.copy_from_slice(&[-x[1 + axis], v.x, v.y, v.z].map(|x| 0.5 * x));
+            }
+            (Way::About(axis), Group::RotationVector) => {
+                let v = left_jacobian_inverse(Vec3::new(x[0], x[1], x[2]), unit(axis));
+                speed.copy_from_slice(&[v.x, v.y, v.z]);
+            }
+            (
+                Way::About(axis),
+                Group::Single(kind @ (Kind::Angle | Kind::AngleX | Kind::AngleY)),
+            ) => speed[0] = f64::from(u8::from(axis_of(kind) == Some(axis))),
+            (Way::Away, Group::Place(_)) => speed.copy_from_slice(x),
+            (Way::Away, Group::Plane(n)) => speed[n] = x[n],
+            (Way::Away, Group::Single(kind)) if kind.is_length() => speed[0] = x[0],
+            _ => {}
+        }
+    });
+    speed
+}
+
+/// The velocity of a rotation vector when the world turns about an axis at unit speed: the inverse of the left Jacobian
+/// of SO(3), times the axis. It has a pole at a length of 2π.
+fn left_jacobian_inverse(v: Vec3<f64>, axis: Vec3<f64>) -> Vec3<f64> {
+    let (angle, square) = (v.length(), v.length_squared());
+    // Below this angle four terms are exact in double precision; the closed form loses digits.
+    let factor = match angle < 0.1 {
+        true => {
+            1.0 / 12.0 + square * (1.0 / 720.0 + square * (1.0 / 30_240.0 + square / 1_209_600.0))
+        }
+        false => (1.0 - 0.5 * angle / (0.5 * angle).tan()) / square,
+    };
+    let side = v.cross(axis);
+    axis - side * 0.5 + v.cross(side) * factor
 }
 
 /// The velocity of the output that the answer declares, when its numbers are of these kinds.
@@ -107,15 +291,66 @@ pub fn exchanged(x: &[f64]) -> Vec<f64> {
     [b, a].concat()
 }
 
-/// Moves numbers of the given kinds by a finite amount.
+/// The numbers of the given kinds after a motion by an amount: a distance, an angle in radians, a factor.
 #[must_use]
 pub fn moved_by(motion: Motion, amount: f64, kinds: &[Kind], x: &[f64]) -> Vec<f64> {
-    use crate::ad::check::sample::moved;
-    match motion {
-        Motion::TranslationX => moved(x, kinds, 0.0, 1.0, [amount, 0.0]),
-        Motion::TranslationY => moved(x, kinds, 0.0, 1.0, [0.0, amount]),
-        Motion::Rotation => moved(x, kinds, amount, 1.0, [0.0, 0.0]),
-        Motion::Scaling => moved(x, kinds, 0.0, amount, [0.0, 0.0]),
-        Motion::Exchange => exchanged(x),
+    let way = way(motion);
+    if let Way::Exchange = way {
+        return exchanged(x);
     }
+    let (sin, cos) = amount.sin_cos();
+    let mut there = x.to_vec();
+    each_group(kinds, x, |group, at, x| {
+        let there = &mut there[at..at + x.len()];
+        match (&way, group) {
+            (&Way::Along(axis), Group::Place(n)) if axis < n => there[axis] += amount,
+            (&Way::Along(axis), Group::Plane(n)) if axis < n => there[n] += amount * x[axis],
+            (&Way::Along(axis), Group::Single(kind @ (Kind::X | Kind::Y | Kind::Z))) => {
+                if axis_of(kind) == Some(axis) {
+                    there[0] += amount;
+                }
+            }
+            (&Way::About(axis), Group::Place(n) | Group::Direction(n) | Group::Plane(n)) => {
+                if let Some([i, j]) = turning(axis, n) {
+                    (there[i], there[j]) = (cos * x[i] - sin * x[j], sin * x[i] + cos * x[j]);
+                }
+            }
+            (&Way::About(axis), Group::Quaternion) => {
+                let (sin, cos) = (0.5 * amount).sin_cos();
+                let (v, axis) = (Vec3::new(x[1], x[2], x[3]), unit(axis));
+                let turned = v * cos + (axis.cross(v) + axis * x[0]) * sin;
+                let w = cos * x[0] - sin * axis.dot(v);
+                there.copy_from_slice(&[w, turned.x, turned.y, turned.z]);
+            }
+            (&Way::About(axis), Group::RotationVector) => {
+                let v = turned_vector(Vec3::new(x[0], x[1], x[2]), unit(axis), amount);
+                there.copy_from_slice(&[v.x, v.y, v.z]);
+            }
+            (
+                &Way::About(axis),
+                Group::Single(kind @ (Kind::Angle | Kind::AngleX | Kind::AngleY)),
+            ) => {
+                if axis_of(kind) == Some(axis) {
+                    there[0] += amount;
+                }
+            }
+            (Way::Away, Group::Place(_)) => there.iter_mut().for_each(|x| *x *= amount),
+            (Way::Away, Group::Plane(n)) => there[n] *= amount,
+            (Way::Away, Group::Single(kind)) if kind.is_length() => there[0] *= amount,
+            _ => {}
+        }
+    });
+    there
+}
+
+/// The rotation vector after a turn of the world: of all vectors of that rotation the one nearest to it.
+fn turned_vector(v: Vec3<f64>, axis: Vec3<f64>, angle: f64) -> Vec3<f64> {
+    let turn = Rotation3::from_axis_angle(axis, angle);
+    let there = (turn * Rotation3::from_rotation_vector(v)).rotation_vector();
+    let length = there.length();
+    if length == 0.0 {
+        return there;
+    }
+    let turns = (v.dot(there) / length - length) / TAU;
+    there * (1.0 + TAU * turns.round() / length)
 }

@@ -24,7 +24,10 @@ impl fmt::Display for Motion {
         f.write_str(match self {
             Motion::TranslationX => "is moved along x",
             Motion::TranslationY => "is moved along y",
-            Motion::Rotation => "is turned about the origin",
+            Motion::TranslationZ => "is moved along z",
+            Motion::RotationX => "is turned about the x axis",
+            Motion::RotationY => "is turned about the y axis",
+            Motion::Rotation => "is turned about the origin, in space about the z axis",
             Motion::Scaling => "is scaled",
             Motion::Exchange => "has its two arguments exchanged",
         })

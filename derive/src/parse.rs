@@ -62,8 +62,16 @@ pub struct Field {
     pub positive: bool,
     /// The field that it does not exceed.
     pub at_most: Option<String>,
-    /// What motions do to its numbers: `Length`, `Angle` or `Number`.
-    pub kind: Option<&'static str>,
+    /// What motions do to its numbers.
+    pub kind: Option<Motions>,
+}
+
+/// What motions do to the numbers of a field.
+pub enum Motions {
+    /// Each is of this kind.
+    Kind(String),
+    /// Its points are directions, or rotation vectors: the function that says so.
+    Points(&'static str),
 }
 
 /// How a field is made of scalars.
@@ -318,9 +326,14 @@ fn field(mut tokens: Tokens<'_>, place: Option<usize>, scalar: &str) -> Result<F
             ("code", 1) => is_code = true,
             ("non_negative", 1) => field.non_negative = true,
             ("positive", 1) => field.positive = true,
-            ("length", 1) => field.kind = Some("Length"),
-            ("angle", 1) => field.kind = Some("Angle"),
-            ("number", 1) => field.kind = Some("Number"),
+            ("length", 1) => field.kind = Some(Motions::Kind("Length".to_owned())),
+            ("angle", 1) => field.kind = Some(Motions::Kind("Angle".to_owned())),
+            ("number", 1) => field.kind = Some(Motions::Kind("Number".to_owned())),
+            ("direction", 1) => field.kind = Some(Motions::Points("as_directions")),
+            ("rotation_vector", 1) => field.kind = Some(Motions::Points("as_rotation_vectors")),
+            ("kind", 3) if text_of(item.get(2)).is_some() => {
+                field.kind = text_of(item.get(2)).map(Motions::Kind);
+            }
             ("at_most", 3) if text_of(item.get(2)).is_some() => {
                 field.at_most = text_of(item.get(2));
             }
@@ -333,7 +346,8 @@ fn field(mut tokens: Tokens<'_>, place: Option<usize>, scalar: &str) -> Result<F
                 return Refusal::new(
                     span_of(item),
                     "a field of a shape knows `non_negative`, `positive`, `at_most = \"field\"`, \
-                     `names(\"a\", \"b\")`, `angle`, `length`, `number` and `code`",
+                     `names(\"a\", \"b\")`, `angle`, `length`, `number`, `direction`, `rotation_vector`, \
+                     `kind = \"AngleY\"` and `code`",
                 );
             }
         }

@@ -1,6 +1,6 @@
 //! What the derive says, as text; the types of fields keep their tokens, so that the compiler's
 //! complaints point at them.
-use crate::parse::{Field, Form, Parameter, Shape};
+use crate::parse::{Field, Form, Motions, Parameter, Shape};
 use proc_macro::{Group, TokenStream, TokenTree};
 use std::fmt::Write;
 
@@ -397,7 +397,7 @@ fn sample(writer: &Writer<'_>) -> String {
     let mended = writer.fields(|_, field, _| {
         let mut mended = String::new();
         let member = &field.member;
-        if field.kind == Some("Angle") {
+        if matches!(&field.kind, Some(Motions::Kind(kind)) if kind.starts_with("Angle")) {
             write!(mended, "__g::as_angle(&mut __x.{member});").ok();
         }
         if field.non_negative {
@@ -440,8 +440,11 @@ fn sample(writer: &Writer<'_>) -> String {
             false => what(field) + ", ",
         })
     };
-    let kinds = every(&|field| match field.kind {
-        Some(kind) => format!(
+    let kinds = every(&|field| match &field.kind {
+        Some(Motions::Points(as_)) => {
+            format!("__g::{as_}(__g::Sample::kinds(&self.{}))", field.member)
+        }
+        Some(Motions::Kind(kind)) => format!(
             "__g::all(__g::Kind::{kind}, __g::Pack::count(&self.{}))",
             field.member
         ),

@@ -240,6 +240,12 @@ impl<T: Real> Job<T> {
 
     /// Some numbers become those of other places of the same kind: shapes share coordinates, touch, are flat.
     fn mingle(&self, draw: &mut Draw, inputs: &mut Inputs<T>) {
+        // Heights mix with sizes, and parts of quaternions with one another.
+        let drawn_as = |kind| match kind {
+            Kind::Z => Kind::Length,
+            Kind::QuaternionX | Kind::QuaternionY | Kind::QuaternionZ => Kind::QuaternionW,
+            kind => kind,
+        };
         let kinds: Vec<(usize, usize, Kind)> = self
             .shapes
             .iter()
@@ -249,7 +255,7 @@ impl<T: Real> Job<T> {
                     .kinds
                     .iter()
                     .enumerate()
-                    .map(move |(k, &kind)| (s, k, kind))
+                    .map(move |(k, &kind)| (s, k, drawn_as(kind)))
             })
             .collect();
         for i in 0..inputs.count {
@@ -337,7 +343,7 @@ impl<T: Real> Job<T> {
         let along = power(draw);
         let across = if draw.once_in(2) { along } else { power(draw) };
         let stretch = |(&x, kind): (&T, &Kind)| match kind {
-            Kind::X | Kind::Length => x * along,
+            Kind::X | Kind::Z | Kind::Length | Kind::Offset => x * along,
             Kind::Y => x * across,
             _ => x,
         };
@@ -354,7 +360,7 @@ impl<T: Real> Job<T> {
         x.iter().zip(&self.kinds).all(|(&x, &kind)| {
             let size = x.widen().abs();
             match kind {
-                Kind::Angle => is_angle_within(x),
+                kind if kind.is_angle() => is_angle_within(x),
                 _ => !kind.is_length() || size == 0.0 || range.contains(&size),
             }
         })

@@ -350,7 +350,7 @@ impl<T: Real> Job<T> {
         let range = power(least)..=power(most);
         x.iter().zip(&self.kinds).all(|(x, &kind)| {
             let size = x.widen().abs();
-            kind == Kind::Angle || size == 0.0 || range.contains(&size)
+            kind.is_angle() || size == 0.0 || range.contains(&size)
         })
     }
 

@@ -86,7 +86,7 @@ impl Family {
     #[inline]
     pub fn number<T: Real>(self, kind: Kind, draw: &mut Draw) -> T {
         let bits = draw.bits();
-        let is_angle = kind == Kind::Angle;
+        let is_angle = kind.is_angle();
         match self {
             Family::Bits => {
                 let x = match is_wide::<T>() {
@@ -175,10 +175,10 @@ pub(super) fn is_angle_within<T: Real>(x: T) -> bool {
 /// A number within limits: its own digits with another exponent where that is beyond them; zero for a lesser angle.
 pub(super) fn limited<T: Real>(x: T, kind: Kind, [least, most]: [i32; 2]) -> T {
     let wide = x.widen();
-    if kind == Kind::Angle && !is_angle_within(x) {
+    if kind.is_angle() && !is_angle_within(x) {
         return T::zero();
     }
-    if wide == 0.0 || (kind == Kind::Angle && wide.abs() <= power(most)) {
+    if wide == 0.0 || (kind.is_angle() && wide.abs() <= power(most)) {
         return x;
     }
     let bits = wide.to_bits();

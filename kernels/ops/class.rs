@@ -1,6 +1,6 @@
 //! Classes of invariance, and the invariances that they give shapes.
 use crate::kernels::op::{Answer, Invariance, Motion};
-use crate::kernels::ops::noun::{Noun, same};
+use crate::kernels::ops::noun::{Moves, Noun, same};
 
 /// The answer of a function's result to motions of its arguments: a few words that make a list of invariances.
 #[derive(Clone, Copy, Debug)]
@@ -19,7 +19,7 @@ impl Class {
         scaling: None,
         exchange: None,
     };
-    /// Shifts stay; of turns and scaling nothing is said.
+    /// Shifts along all axes stay; of turns and scaling nothing is said.
     pub const fn shifts(self) -> Self {
         Class {
             shifts: Some(Answer::Stays),
@@ -33,7 +33,8 @@ impl Class {
             ..self.shifts()
         }
     }
-    /// Shifts, turns and scaling stay.
+    /// Shifts, turns and scaling stay. What turns and shifts there are is up to the shapes: in the plane about the
+    /// origin, of upright boxes about z, of boxes of any orientation about all axes.
     pub const fn similar(self) -> Self {
         Class {
             scaling: Some(Answer::Stays),
@@ -72,32 +73,38 @@ impl Class {
     }
     /// The invariances of this class for the motions that all of these arguments have.
     pub const fn invariances(self, arguments: &[Noun]) -> Invariances {
-        let (mut shift, mut turn, mut i) = (true, true, 0);
+        let (mut moves, mut i) = (Moves::WITH_ALL, 0);
         while i < arguments.len() {
-            shift = shift && arguments[i].shifts;
-            turn = turn && arguments[i].turns;
+            moves = moves.and(arguments[i].moves);
             i += 1;
         }
+        let Moves { shifts, turns } = moves;
         let alike = arguments.len() == 2 && same(arguments[0].one, arguments[1].one);
         Invariances::NONE
-            .with(Motion::TranslationX, self.shifts, shift)
-            .with(Motion::TranslationY, self.shifts, shift)
-            .with(Motion::Rotation, self.turns, turn)
+            .with(Motion::TranslationX, self.shifts, shifts[0])
+            .with(Motion::TranslationY, self.shifts, shifts[1])
+            .with(Motion::TranslationZ, self.shifts, shifts[2])
+            .with(Motion::RotationX, self.turns, turns[0])
+            .with(Motion::RotationY, self.turns, turns[1])
+            .with(Motion::Rotation, self.turns, turns[2])
             .with(Motion::Scaling, self.scaling, true)
             .with(Motion::Exchange, self.exchange, alike)
     }
 }
 
+/// How many motions there are.
+const MOTIONS: usize = 8;
+
 /// A list of invariances, one for a motion at most.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Invariances {
-    all: [Invariance; 5],
+    all: [Invariance; MOTIONS],
     count: usize,
 }
 
 impl Invariances {
     const NONE: Invariances = Invariances {
-        all: [Invariance::new(Motion::Exchange, Answer::Stays); 5],
+        all: [Invariance::new(Motion::Exchange, Answer::Stays); MOTIONS],
         count: 0,
     };
     const fn with(mut self, motion: Motion, answer: Option<Answer>, moves: bool) -> Self {

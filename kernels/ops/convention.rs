@@ -1,5 +1,6 @@
 //! Conversions between conventions of boxes as operations.
 //!
+//! Encodings of one frame follow motions; those of cameras and images have axes of their own, and promise nothing.
 //! Encodings with a chosen range jump at its ends, and where a box that is longer one way becomes longer the
 //! other way.
 use crate::convention::{
@@ -49,7 +50,7 @@ table! {
     /// The upright box of {}.
     Convert<YawBox3<S>>: (shape) -> YawBox3<S> { unsigned(shape.into()) } [] jumps Never derivative Forward {
         "yaw_of_kitti": KittiBox;
-        "yaw_of_lidar": LidarBox;
+        "yaw_of_lidar": LidarBox [follows];
     }
     /// KITTI's box of an upright box.
     Convert<KittiBox<S>>: (shape) -> KittiBox<S> { unsigned(shape.into()) } [] jumps Never derivative Forward {
@@ -57,8 +58,8 @@ table! {
     }
     /// The box of any orientation of {}.
     Convert<Obb3<S>>: (shape) -> Obb3<S> { unsigned(shape.into()) } [] jumps Never derivative Forward {
-        "obb3_of_nu_scenes": NuScenesBox;
-        "obb3_of_yaw": YawBox3;
+        "obb3_of_nu_scenes": NuScenesBox [follows];
+        "obb3_of_yaw": YawBox3 [follows];
     }
     /// An image's box where y points up, from the image's height.
     FlipY: (shape, image_height) -> Obb2<S> { unsigned(shape.upright(image_height)) } [] jumps Never derivative Forward {

@@ -1,6 +1,4 @@
 //! Distances of points from boxes of space as operations.
-//!
-//! Motions are those of the plane: boxes that turn about all axes declare nothing about turns.
 use crate::distance3::{distance, signed_distance};
 use crate::kernels::ops::rows::table;
 use crate::kernels::verbs::{Distance, SignedDistance};

@@ -1,7 +1,6 @@
 //! Boxes as Gaussians, as operations.
 //!
-//! Motions are those of the plane: boxes that turn about all axes declare nothing about turns. Where all
-//! lengths of a pair are zero, divergences jump to zero and similarities to those of identical boxes.
+//! Where all lengths of a pair are zero, divergences jump to zero and similarities to those of identical boxes.
 use crate::gaussian::{
     bhattacharyya, jeffreys, kfiou, kullback_leibler, probiou, solid, wasserstein,
     wasserstein_squared,

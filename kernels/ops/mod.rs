@@ -15,5 +15,5 @@ pub mod overlap;
 pub mod overlap3;
 pub mod polygon;
 pub mod ring;
-mod rows;
+pub(crate) mod rows;
 pub mod shape;

@@ -1,4 +1,4 @@
-//! Shapes in rows: their names in sentences, and the motions of the plane that they have.
+//! Shapes in rows: their names in sentences, and the motions that they have.
 use crate::convention::{Detectron2Box, ImageBox, KittiBox, LidarBox, NuScenesBox, Xyxyr};
 use crate::iou::Exponent;
 use crate::{
@@ -15,11 +15,52 @@ pub(crate) struct Noun {
     pub one: &'static str,
     /// Two of it.
     pub two: &'static str,
-    /// True if all of it moves along x and y like points.
-    pub shifts: bool,
-    /// True if it turns about the origin of the plane. Axis-aligned boxes cannot; the turn of a box of any orientation is
-    /// not an angle of the plane.
-    pub turns: bool,
+    /// The motions that it has.
+    pub moves: Moves,
+}
+
+/// The motions of the world that a shape follows: its kinds of numbers move, and what they mean moves along.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Moves {
+    /// Shifts along x, y and z.
+    pub shifts: [bool; 3],
+    /// Turns about x, y and z; in the plane about the origin, which is z.
+    pub turns: [bool; 3],
+}
+
+impl Moves {
+    const fn new(shifts: [bool; 3], turns: [bool; 3]) -> Self {
+        Moves { shifts, turns }
+    }
+    /// Encodings, which are converted only, and numbers of a line.
+    const NONE: Moves = Moves::new([false; 3], [false; 3]);
+    /// A number that no motion changes: it goes with all shapes.
+    pub const WITH_ALL: Moves = Moves::new([true; 3], [true; 3]);
+    /// Shapes of the plane.
+    const PLANE: Moves = Moves::new([true, true, false], [false, false, true]);
+    /// Axis-aligned shapes of the plane.
+    const PLANE_ALIGNED: Moves = Moves::new([true, true, false], [false; 3]);
+    /// Shapes of the plane with a direction among their points, which a shift would move, too.
+    const PLANE_DIRECTED: Moves = Moves::new([false; 3], [false, false, true]);
+    /// Shapes of space.
+    const SPACE: Moves = Moves::new([true; 3], [true; 3]);
+    /// Shapes of space with an angle about z.
+    const UPRIGHT: Moves = Moves::new([true; 3], [false, false, true]);
+    /// Shapes of space with an angle about y, as a camera sees upright ones.
+    const OF_CAMERA: Moves = Moves::new([true; 3], [false, true, false]);
+    /// Axis-aligned shapes of space.
+    const SPACE_ALIGNED: Moves = Moves::new([true; 3], [false; 3]);
+
+    /// The motions of both.
+    pub const fn and(self, other: Moves) -> Self {
+        let (mut both, mut i) = (self, 0);
+        while i < 3 {
+            both.shifts[i] = self.shifts[i] && other.shifts[i];
+            both.turns[i] = self.turns[i] && other.turns[i];
+            i += 1;
+        }
+        both
+    }
 }
 
 /// A type with a [`Noun`].
@@ -34,49 +75,48 @@ pub(crate) type Quad<S> = [Vec2<S>; 4];
 
 /// Shapes and their nouns.
 macro_rules! nouns {
-    ($([$($size:tt)*] $type:ty: $name:literal, $one:literal, $two:literal, $shifts:literal, $turns:literal;)*) => { $(
+    ($([$($size:tt)*] $type:ty: $name:literal, $one:literal, $two:literal, $moves:ident;)*) => { $(
         impl<$($size)*> Named for $type {
             const NOUN: Noun = Noun {
                 name: $name,
                 one: $one,
                 two: $two,
-                shifts: $shifts,
-                turns: $turns,
+                moves: Moves::$moves,
             };
         }
     )* };
 }
 nouns! {
-    //                   name       one                           two                             shifts turns
-    [] Vec2<f64>:        "point",    "a point",                    "two points",                    true,  true;
-    [] Vec3<f64>:        "point",    "a point",                    "two points",                    true,  true;
-    [] Segment2<f64>:    "segment",  "a segment",                  "two segments",                  true,  true;
-    [] Triangle2<f64>:   "triangle", "a triangle",                 "two triangles",                 true,  true;
-    [] Circle<f64>:      "circle",   "a circle",                   "two circles",                   true,  true;
-    [] Capsule2<f64>:    "capsule",  "a capsule",                  "two capsules",                  true,  true;
-    [] Quad<f64>:        "ring",     "four vertices",              "two quadrilaterals",            true,  true;
+    //                   name       one                           two                               moves
+    [] Vec2<f64>:        "point",    "a point",                    "two points",                    PLANE;
+    [] Vec3<f64>:        "point",    "a point",                    "two points",                    SPACE;
+    [] Segment2<f64>:    "segment",  "a segment",                  "two segments",                  PLANE;
+    [] Triangle2<f64>:   "triangle", "a triangle",                 "two triangles",                 PLANE;
+    [] Circle<f64>:      "circle",   "a circle",                   "two circles",                   PLANE;
+    [] Capsule2<f64>:    "capsule",  "a capsule",                  "two capsules",                  PLANE;
+    [] Quad<f64>:        "ring",     "four vertices",              "two quadrilaterals",            PLANE;
     [const N: usize] ConvexPolygon<f64, N>:
-                         "polygon",  "a convex polygon",           "two convex polygons",           true,  true;
-    [] Aabb2<f64>:       "shape",    "an axis-aligned box",        "two axis-aligned boxes",        true,  false;
-    [] Obb2<f64>:        "shape",    "a rotated box",              "two rotated boxes",             true,  true;
-    [] Aabb3<f64>:       "shape",    "an axis-aligned box",        "two axis-aligned boxes",        true,  false;
-    [] YawBox3<f64>:     "shape",    "an upright box",             "two upright boxes",             true,  true;
-    [] Obb3<f64>:        "shape",    "a box of any orientation",   "two boxes of any orientation",  true,  false;
-    [] Exponent<f64>:    "power",    "a power",                    "two powers",                    true,  true;
+                         "polygon",  "a convex polygon",           "two convex polygons",           PLANE;
+    [] Aabb2<f64>:       "shape",    "an axis-aligned box",        "two axis-aligned boxes",        PLANE_ALIGNED;
+    [] Obb2<f64>:        "shape",    "a rotated box",              "two rotated boxes",             PLANE;
+    [] Aabb3<f64>:       "shape",    "an axis-aligned box",        "two axis-aligned boxes",        SPACE_ALIGNED;
+    [] YawBox3<f64>:     "shape",    "an upright box",             "two upright boxes",             UPRIGHT;
+    [] Obb3<f64>:        "shape",    "a box of any orientation",   "two boxes of any orientation",  SPACE;
+    [] Exponent<f64>:    "power",    "a power",                    "two powers",                    WITH_ALL;
     // A shift moves directions like points.
-    [] Line2<f64>:       "line",     "a line",                     "two lines",                     false, true;
-    [] Ray2<f64>:        "ray",      "a ray",                      "two rays",                      false, true;
-    [] Pose2<f64>:       "pose",     "a pose",                     "two poses",                     false, true;
+    [] Line2<f64>:       "line",     "a line",                     "two lines",                     PLANE_DIRECTED;
+    [] Ray2<f64>:        "ray",      "a ray",                      "two rays",                      PLANE_DIRECTED;
+    [] Pose2<f64>:       "pose",     "a pose",                     "two poses",                     PLANE;
     // Their ends are lengths.
-    [] Interval<f64>:    "interval", "an interval",                "two intervals",                 false, false;
-    [] f64:              "x",        "a number",                   "two numbers",                   false, false;
-    // Encodings, which are converted only.
-    [] ImageBox<f64>:      "shape",  "an image's box",             "two boxes of an image",         false, false;
-    [] Detectron2Box<f64>: "shape",  "detectron2's box",           "two boxes of detectron2",       false, false;
-    [] Xyxyr<f64>:         "shape",  "bounds before turning, with the angle", "two bounds with angles", false, false;
-    [] KittiBox<f64>:      "shape",  "KITTI's box",                "two boxes of KITTI",            false, false;
-    [] LidarBox<f64>:      "shape",  "OpenPCDet's box",            "two boxes of OpenPCDet",        false, false;
-    [] NuScenesBox<f64>:   "shape",  "nuScenes' box",              "two boxes of nuScenes",         false, false;
+    [] Interval<f64>:    "interval", "an interval",                "two intervals",                 NONE;
+    [] f64:              "x",        "a number",                   "two numbers",                   NONE;
+    // Encodings.
+    [] ImageBox<f64>:      "shape",  "an image's box",             "two boxes of an image",         NONE;
+    [] Detectron2Box<f64>: "shape",  "detectron2's box",           "two boxes of detectron2",       NONE;
+    [] Xyxyr<f64>:         "shape",  "bounds before turning, with the angle", "two bounds with angles", NONE;
+    [] KittiBox<f64>:      "shape",  "KITTI's box",                "two boxes of KITTI",            OF_CAMERA;
+    [] LidarBox<f64>:      "shape",  "OpenPCDet's box",            "two boxes of OpenPCDet",        UPRIGHT;
+    [] NuScenesBox<f64>:   "shape",  "nuScenes' box",              "two boxes of nuScenes",         SPACE;
 }
 
 /// True for two equal texts.

@@ -1,6 +1,4 @@
 //! The overlap of boxes of space as operations.
-//!
-//! Motions are those of the plane: boxes that turn about all axes declare nothing about turns.
 use crate::ad::adjoint::bounds3::{intersection_volume_aabb3_vjp, iof_aabb3_vjp, iou_aabb3_vjp};
 use crate::ad::adjoint::overlap::iou_obb2_vjp;
 use crate::ad::adjoint::upright::{intersection_volume_yaw_vjp, iof_yaw_vjp, iou_yaw_vjp};

@@ -1,22 +1,10 @@
 //! Rows whose function another row has for other shapes: arguments exchanged, boxes of two kinds, two points.
 use super::{ClosestPoints, Distance, IntersectionVolume, Iof, Iou, SignedDistance};
 use crate::distance::{closest_points, distance, signed_distance};
+use crate::kernels::ops::rows::table;
 use crate::operation;
+use crate::overlap3::Overlaps;
 use crate::{Aabb2, Aabb3, Capsule2, Circle, Obb2, Obb3, Segment2, Triangle2, Vec2, Vec3, YawBox3};
-
-operation! {
-    /// The distance of two points.
-    Distance: (a: Vec2<S>, b: Vec2<S>) -> S { a.distance(b) }
-    invariances [TranslationX Stays, TranslationY Stays, Rotation Stays, Scaling Power(1), Exchange Stays]
-    jumps Never
-    derivative Reverse
-
-    /// The distance of two points in space.
-    Distance: (a: Vec3<S>, b: Vec3<S>) -> S { a.distance(b) }
-    invariances [TranslationX Stays, TranslationY Stays, Rotation Stays, Scaling Power(1), Exchange Stays]
-    jumps Never
-    derivative Reverse
-}
 
 /// Distances with the arguments exchanged.
 macro_rules! exchanged {
@@ -55,18 +43,35 @@ operation! {
     derivative Forward
 }
 
-/// Overlaps of boxes of two kinds.
-macro_rules! mixed {
-    ($Verb:ident by $method:ident, $($A:ident $B:ident;)*) => { $(
-        operation! {
-            /// The overlap of boxes of two kinds: [`Overlaps`](crate::overlap3::Overlaps).
-            $Verb: (a: $A<S>, b: $B<S>) -> S { a.$method(b) }
-            invariances [TranslationX Stays, TranslationY Stays]
-            jumps FromZero
-            derivative Forward
-        }
-    )* };
+table! {
+    /// [Intersection over union](crate::overlap3::Overlaps::iou_with) of {}, 0 to 1.
+    Iou: (a, b) -> S { a.iou_with(b) } [similar] range RATIO jumps FromZero derivative Forward {
+        "iou_yaw_aabb3": YawBox3, Aabb3;
+        "iou_obb3_aabb3": Obb3, Aabb3;
+        "iou_obb3_yaw": Obb3, YawBox3;
+    }
+    /// The [part of the first](crate::overlap3::Overlaps::iof_with) of {} that lies in the second, 0 to 1.
+    Iof: (a, b) -> S { a.iof(b) } [similar] range RATIO jumps FromZero derivative Forward {
+        "iof_aabb3_yaw": Aabb3, YawBox3;
+        "iof_yaw_aabb3": YawBox3, Aabb3;
+        "iof_aabb3_obb3": Aabb3, Obb3;
+        "iof_obb3_aabb3": Obb3, Aabb3;
+        "iof_yaw_obb3": YawBox3, Obb3;
+        "iof_obb3_yaw": Obb3, YawBox3;
+    }
+    /// [Volume](crate::overlap3::Overlaps::volume_shared_with) that {} share.
+    IntersectionVolume: (a, b) -> S { a.intersection_volume(b) }
+    [rigid(3)] range NOT_NEGATIVE jumps Never derivative Forward {
+        "intersection_volume_aabb3_yaw": Aabb3, YawBox3;
+        "intersection_volume_yaw_aabb3": YawBox3, Aabb3;
+        "intersection_volume_aabb3_obb3": Aabb3, Obb3;
+        "intersection_volume_obb3_aabb3": Obb3, Aabb3;
+        "intersection_volume_yaw_obb3": YawBox3, Obb3;
+        "intersection_volume_obb3_yaw": Obb3, YawBox3;
+    }
+    /// The distance of {}.
+    Distance: (a, b) -> S { a.distance(b) } [rigid(1), symmetric] jumps Never derivative Reverse {
+        "distance_points": Vec2, Vec2;
+        "distance_points3": Vec3, Vec3;
+    }
 }
-mixed! { Iou by iou, YawBox3 Aabb3; Obb3 Aabb3; Obb3 YawBox3; }
-mixed! { Iof by iof, Aabb3 YawBox3; YawBox3 Aabb3; Aabb3 Obb3; Obb3 Aabb3; YawBox3 Obb3; Obb3 YawBox3; }
-mixed! { IntersectionVolume by intersection_volume, Aabb3 YawBox3; YawBox3 Aabb3; Aabb3 Obb3; Obb3 Aabb3; YawBox3 Obb3; Obb3 YawBox3; }

@@ -35,7 +35,7 @@ pub struct KittiBox<S> {
     /// The middle of the bottom face.
     pub location: Vec3<S>,
     /// The turn about the camera's y axis in radians; zero for travel to the right.
-    #[shape(angle)]
+    #[shape(kind = "AngleY")]
     pub rotation_y: S,
 }
 

@@ -17,9 +17,10 @@ use crate::{Flaw, Scalar, Shape, Vec3};
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Plane3<S> {
     /// A direction orthogonal to the plane, of any length but zero.
-    #[shape(number)]
+    #[shape(direction)]
     pub normal: Vec3<S>,
     /// The normal's inner product with any point of the plane.
+    #[shape(kind = "Offset")]
     pub offset: S,
 }
 

@@ -26,16 +26,16 @@ use std::ops::Mul;
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Rotation3<S> {
     /// The real part.
-    #[shape(number)]
+    #[shape(kind = "QuaternionW")]
     pub w: S,
     /// The part along x.
-    #[shape(number)]
+    #[shape(kind = "QuaternionX")]
     pub x: S,
     /// The part along y.
-    #[shape(number)]
+    #[shape(kind = "QuaternionY")]
     pub y: S,
     /// The part along z.
-    #[shape(number)]
+    #[shape(kind = "QuaternionZ")]
     pub z: S,
 }
 

@@ -18,14 +18,21 @@ pub(crate) fn invariances(e: &Evidence<'_>) -> Notes {
         return said;
     }
     let typical = e.scales.iter().fold(f64::INFINITY, |m, s| m.min(*s));
+    // The same for every motion.
+    let spread = match e.subject.invariances() {
+        [] => Vec::new(),
+        _ => e.spread(&e.y, None, |x| Some(e.subject.value(x))),
+    };
     for &invariance in e.subject.invariances() {
         let amount = match invariance.motion {
-            Motion::TranslationX | Motion::TranslationY => TRANSLATION * typical,
-            Motion::Rotation => ROTATION,
+            Motion::TranslationX | Motion::TranslationY | Motion::TranslationZ => {
+                TRANSLATION * typical
+            }
+            Motion::RotationX | Motion::RotationY | Motion::Rotation => ROTATION,
             Motion::Scaling => SCALING,
             Motion::Exchange => 0.0,
         };
-        said.add(value_moves(e, invariance, amount, &kinds));
+        said.add(value_moves(e, invariance, amount, &kinds, &spread));
         for row in &e.rows {
             let Some(derivatives) = &row.adjoint else {
                 continue;
@@ -50,7 +57,13 @@ fn outputs(e: &Evidence<'_>) -> Vec<Kind> {
 }
 
 /// The value of the whole input, moved, against the moved value.
-fn value_moves(e: &Evidence<'_>, invariance: Invariance, amount: f64, kinds: &[Kind]) -> Notes {
+fn value_moves(
+    e: &Evidence<'_>,
+    invariance: Invariance,
+    amount: f64,
+    kinds: &[Kind],
+    spread: &[f64],
+) -> Notes {
     let (mut said, subject) = (Notes::new(e.x.len()), e.subject);
     let (motion, precision) = (invariance.motion, subject.precision());
     let there = moved_by(motion, amount, kinds, e.x);
@@ -64,7 +77,6 @@ fn value_moves(e: &Evidence<'_>, invariance: Invariance, amount: f64, kinds: &[K
         Answer::Power(p) => e.y.iter().map(|y| y * amount.powi(p)).collect(),
         Answer::Follows => moved_by(motion, amount, &outputs(e), &e.y),
     };
-    let spread = e.spread(&e.y, None, |x| Some(subject.value(x)));
     // Moving rounds every number; what that may do, a derivative says.
     let rows = e.rows.iter();
     let derivatives = rows.filter_map(|row| row.adjoint.as_ref().or(row.dual.as_ref()));
