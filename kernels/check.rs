@@ -291,11 +291,36 @@ where
     };
     let recordings = (recording::<O, S>(), wide);
     let report = recorded::<O::In<f64>, S>(O::NAME, sampling, asks, recordings);
-    let names = O::In::<f64>::names();
     report.map(|report| Report {
-        names: names.iter().map(ToString::to_string).collect(),
+        names: names_of::<O::In<f64>>(O::ARGUMENTS),
         ..report
     })
+}
+
+/// The names of the numbers of an input, given those of its arguments: `point.x`.
+fn names_of<X: Fixed>(arguments: &[&str]) -> Vec<String> {
+    let named = |i: usize| {
+        let field = X::name(i).to_string();
+        let (argument, rest) = match arguments {
+            [] => return field,
+            [one] => (*one, field.as_str()),
+            // A tuple numbers its parts.
+            several => {
+                let digits = field.bytes().take_while(u8::is_ascii_digit).count();
+                let part = field[..digits].parse::<usize>().ok();
+                match part.and_then(|part| several.get(part)) {
+                    Some(argument) => (*argument, &field[digits..]),
+                    None => return field,
+                }
+            }
+        };
+        match rest.trim_start_matches('.') {
+            "" | "value" => argument.to_owned(),
+            rest if rest.starts_with('[') => format!("{argument}{rest}"),
+            rest => format!("{argument}.{rest}"),
+        }
+    };
+    (0..X::LEN).map(named).collect()
 }
 
 /// Judges what was recorded of an operation; if nothing was, refuses it.
@@ -400,15 +425,13 @@ where
     D::Out<f64>: Sample,
 {
     let inputs = inputs::<D::In<f64>, S>(sampling);
-    without_batch(judged(
-        D::NAME,
-        sampling,
-        inputs,
-        Vec::new(),
-        &|x, _, judge| {
-            judge(&OpSubject::<Replayed<D>, S>::new(x, &[], None));
-        },
-    ))
+    let report = judged(D::NAME, sampling, inputs, Vec::new(), &|x, _, judge| {
+        judge(&OpSubject::<Replayed<D>, S>::new(x, &[], None));
+    });
+    Report {
+        names: names_of::<D::In<f64>>(D::ARGUMENTS),
+        ..without_batch(report)
+    }
 }
 
 fn without_batch(report: Result<Report, Error>) -> Report {

@@ -51,6 +51,18 @@ geograd::operation! {
     derivative Reverse
 }
 
+geograd::verb! {
+    /// The longest reach of an arm, in the unit of length.
+    pub Reach: (arm) => HasReach::reach
+}
+geograd::operation! {
+    /// The sum of the lengths of its links.
+    Reach: (arm: Arm<S>) -> S { arm.links[0] + arm.links[1] }
+    invariances [TranslationX Stays, TranslationY Stays, Rotation Stays, Scaling Power(1)]
+    jumps Never
+    derivative Reverse
+}
+
 fn main() -> Result<(), Error> {
     let wall = Obb2::new(0.85, 1.05, 1.1, 0.24, -0.35);
     let (center, base) = (Vec2::new(-0.95, -0.35), Vec2::new(0.0, 0.0));
@@ -86,6 +98,8 @@ fn main() -> Result<(), Error> {
         approx(derivatives[i].elbow, by_arm.elbow);
         approx(derivatives[i].links[1], by_arm.links[1]);
     }
+    // A verb is a method, too.
+    assert_eq!(Cpu::new().aligned(Reach, &arms[..1])?, [arms[0].reach()]);
     // What is not valid is refused by name.
     let flat = Arm {
         thickness: 0.0,

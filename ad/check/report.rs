@@ -128,7 +128,7 @@ impl Report {
     #[must_use]
     pub fn legend() -> &'static str {
         "smooth, kink, undef: what kind of place the inputs were.\n\
-         adj-dual, adj-diff: how far the derivative by hand was from duals and from differences in 99 of \
+         adj-dual, adj-diff: how far the tested derivative was from duals and from differences in 99 of \
          100 comparisons,\n  in units in the last place of the largest derivative of the same unit.\n\
          used: how near the worst of all comparisons came to refusal, as a share of what the errors of both \
          allow,\n  which are measured at each input; more than 100 % is refused.\n\

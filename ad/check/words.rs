@@ -8,7 +8,7 @@ impl fmt::Display for Witness {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         f.write_str(match self {
             Witness::Value => "the value",
-            Witness::Adjoint => "the derivative by hand",
+            Witness::Adjoint => "the tested derivative",
             Witness::Dual => "the duals",
             Witness::NumDual => "num-dual's numbers",
             Witness::Difference => "the differences",
@@ -49,10 +49,10 @@ impl fmt::Display for Reason {
             }
             Reason::Jump => f.write_str("the value jumps, and no jump is declared"),
             Reason::NotLinear => f.write_str(
-                "the derivative by hand of a sum of outputs is not the sum of their derivatives",
+                "the tested derivative of a sum of outputs is not the sum of their derivatives",
             ),
             Reason::CurvatureDisagrees(who) => {
-                write!(f, "the second derivative by hand and that by {who} disagree")
+                write!(f, "the tested second derivative and that by {who} disagree")
             }
             Reason::CurvatureNotSymmetric => {
                 f.write_str("second derivatives taken in the other order differ")
@@ -115,7 +115,7 @@ pub(crate) fn remedy(reason: Reason) -> &'static [&'static str] {
     }
 }
 
-/// What the numbers beside a verdict are called: that of the derivative by hand, and the other one.
+/// What the numbers beside a verdict are called: that of the tested derivative, and the other one.
 fn names(reason: Reason) -> [&'static str; 2] {
     match reason {
         Reason::ValuesDisagree(_) => ["the value", "the other value"],
@@ -124,11 +124,11 @@ fn names(reason: Reason) -> [&'static str; 2] {
         Reason::NotLinear => ["of the sum", "sum of each"],
         Reason::CurvatureNotSymmetric => ["in one order", "in the other"],
         Reason::Disagree(_, Witness::Wide) | Reason::CurvatureDisagrees(Witness::Wide) => {
-            ["by hand", "double precision"]
+            ["tested", "double precision"]
         }
-        Reason::Disagree(_, Witness::Batch) => ["by hand", "batch"],
-        Reason::Disagree(_, Witness::NumDual) => ["by hand", "num-dual"],
-        _ => ["by hand", "other witness"],
+        Reason::Disagree(_, Witness::Batch) => ["tested", "batch"],
+        Reason::Disagree(_, Witness::NumDual) => ["tested", "num-dual"],
+        _ => ["tested", "other witness"],
     }
 }
 

@@ -10,8 +10,8 @@ use crate::distance::upright::{
     squared_distance_aabb2,
 };
 use crate::distance::{
-    ClosestPoints, Penetration, clearance, closest_points, distance, farthest_distance,
-    penetration, signed_distance, squared_distance,
+    Contact, PointPair, clearance, closest_points, distance, farthest_distance, penetration,
+    signed_distance, squared_distance,
 };
 use crate::kernels::ops::rows::table;
 use crate::kernels::verbs::{
@@ -83,7 +83,7 @@ table! {
 table! {
     /// The [depth of overlap and its direction](crate::distance::penetration) of {}. The direction jumps to another
     /// deepest face.
-    verbs::Penetration: (a, b) -> Penetration<S> { penetration(a, b) } [shifts] jumps Anywhere derivative Reverse {
+    verbs::Penetration: (a, b) -> Contact<S> { penetration(a, b) } [shifts] jumps Anywhere derivative Reverse {
         "penetration_obb2": Obb2, Obb2 { penetration_obb2(a, b) } derivative Forward;
         "penetration_circles": Circle, Circle;
         "penetration_capsules": Capsule2, Capsule2;
@@ -92,7 +92,7 @@ table! {
         "penetration_circle_obb2": Circle, Obb2 derivative Forward;
     }
     /// The [nearest points](crate::distance::closest_points) of {}. Points jump to another nearest feature.
-    verbs::ClosestPoints: (a, b) -> ClosestPoints<S> { closest_points(a, b) } [follows] jumps Anywhere derivative Reverse {
+    verbs::ClosestPoints: (a, b) -> PointPair<S> { closest_points(a, b) } [follows] jumps Anywhere derivative Reverse {
         "closest_points_aabb2": Aabb2, Aabb2 { closest_points_aabb2(a, b) };
         "closest_points_obb2": Obb2, Obb2 { closest_points_obb2(a, b) };
         "closest_points_circle_obb2": Circle, Obb2 derivative Forward;

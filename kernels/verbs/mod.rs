@@ -20,9 +20,10 @@
 //!
 //! Overlaps, scores and intersections are methods of their first argument, too, for every row, own ones included
 //! ([`prelude`](crate::prelude)): `a.iou(b)`. Distances, closest points and penetration are methods of any two convex
-//! shapes of the plane ([`Convex`](crate::distance::Convex)); a row adds no method to them. A method, [`of`](Iou::of)
-//! and a batch return the same bits. A verb takes up to three arguments; [`function`] and an operation with a name of
-//! its own take up to six.
+//! shapes of the plane ([`Convex`](crate::distance::Convex)); a row adds no method to them, and a batch of a pair
+//! without a row runs `function(|a: Segment2<_>, b: Triangle2<_>| a.distance(b))`. A method, [`of`](Iou::of) and a
+//! batch return the same bits. A verb takes up to three arguments; [`function`] and an operation with a name of its
+//! own take up to six.
 //!
 //! # Verbs by shapes
 //!
@@ -113,13 +114,15 @@ pub type RowOf<V, In> = <V as Takes<In>>::By;
 
 /// Defines a verb: a value that batches run on all shapes for which it has a row.
 ///
+/// `=> HasGap::gap` is optional. It makes the verb a method of its first argument, by a trait as visible as the verb.
+///
 /// ```
 /// use geograd::prelude::*;
 /// use geograd::{operation, verb};
 ///
 /// verb! {
 ///     /// The free width between two vehicles; 0 where they touch.
-///     pub Gap: (a, b)
+///     pub Gap: (a, b) => HasGap::gap
 /// }
 /// operation! {
 ///     /// Between two rotated boxes.
@@ -133,11 +136,12 @@ pub type RowOf<V, In> = <V as Takes<In>>::By;
 ///
 /// let masts = [Circle::new(Vec2::new(0.0_f64, 0.0), 1.0), Circle::new(Vec2::new(5.0, 0.0), 1.0)];
 /// assert_eq!(Cpu::new().all_pairs(Gap, &masts[..1], &masts)?.values(), [0.0, 3.0]);
+/// assert_eq!(masts[0].gap(masts[1]), 3.0);
 /// # Ok::<(), geograd::Error>(())
 /// ```
 #[macro_export]
 macro_rules! verb {
-    ($( $(#[$doc:meta])* $vis:vis $Verb:ident: $arguments:tt )+) => { $(
+    ($( $(#[$doc:meta])* $vis:vis $Verb:ident: $arguments:tt $(=> $Trait:ident::$method:ident)? )+) => { $(
         $(#[$doc])*
         #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
         $vis struct $Verb;
@@ -155,7 +159,74 @@ macro_rules! verb {
         }
         $crate::__verb_runs!([] $Verb: $arguments);
         $crate::__verb_applies!($Verb: $arguments);
+        $( $crate::__verb_method!([$vis] $Trait::$method, $Verb: $arguments); )?
     )+ };
+}
+
+/// A verb as a method of its first argument, by the number of arguments.
+#[doc(hidden)]
+#[macro_export]
+macro_rules! __verb_method {
+    ([$vis:vis] $Trait:ident::$method:ident, $Verb:ident: ($a:ident)) => {
+        #[doc = ::core::concat!("[`", ::core::stringify!($Verb), "`] as a method.")]
+        $vis trait $Trait: Sized {
+            /// The result.
+            type Out;
+            #[doc = ::core::concat!("[`", ::core::stringify!($Verb), "`] of this shape.")]
+            #[must_use]
+            fn $method(self) -> Self::Out;
+        }
+        impl<A> $Trait for A
+        where
+            $Verb: $crate::kernels::verbs::Unary<A>,
+        {
+            type Out = <$Verb as $crate::kernels::verbs::Unary<A>>::Out;
+            #[inline]
+            fn $method(self) -> Self::Out {
+                <$Verb as $crate::kernels::verbs::Unary<A>>::apply(self)
+            }
+        }
+    };
+    ([$vis:vis] $Trait:ident::$method:ident, $Verb:ident: ($a:ident, $b:ident)) => {
+        #[doc = ::core::concat!("[`", ::core::stringify!($Verb), "`] as a method.")]
+        $vis trait $Trait<B>: Sized {
+            /// The result.
+            type Out;
+            #[doc = ::core::concat!("[`", ::core::stringify!($Verb), "`] of this shape and others.")]
+            #[must_use]
+            fn $method(self, $b: B) -> Self::Out;
+        }
+        impl<A, B> $Trait<B> for A
+        where
+            $Verb: $crate::kernels::verbs::Binary<A, B>,
+        {
+            type Out = <$Verb as $crate::kernels::verbs::Binary<A, B>>::Out;
+            #[inline]
+            fn $method(self, $b: B) -> Self::Out {
+                <$Verb as $crate::kernels::verbs::Binary<A, B>>::apply(self, $b)
+            }
+        }
+    };
+    ([$vis:vis] $Trait:ident::$method:ident, $Verb:ident: ($a:ident, $b:ident, $c:ident)) => {
+        #[doc = ::core::concat!("[`", ::core::stringify!($Verb), "`] as a method.")]
+        $vis trait $Trait<B, C>: Sized {
+            /// The result.
+            type Out;
+            #[doc = ::core::concat!("[`", ::core::stringify!($Verb), "`] of this shape and others.")]
+            #[must_use]
+            fn $method(self, $b: B, $c: C) -> Self::Out;
+        }
+        impl<A, B, C> $Trait<B, C> for A
+        where
+            $Verb: $crate::kernels::verbs::Ternary<A, B, C>,
+        {
+            type Out = <$Verb as $crate::kernels::verbs::Ternary<A, B, C>>::Out;
+            #[inline]
+            fn $method(self, $b: B, $c: C) -> Self::Out {
+                <$Verb as $crate::kernels::verbs::Ternary<A, B, C>>::apply(self, $b, $c)
+            }
+        }
+    };
 }
 
 /// The method `of`, by the number of arguments.

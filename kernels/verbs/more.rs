@@ -1,6 +1,7 @@
 //! Rows whose function another row has for other shapes: arguments exchanged, boxes of two kinds, two points.
 use super::{ClosestPoints, Distance, IntersectionVolume, Iof, Iou, SignedDistance};
 use crate::distance::{closest_points, distance, signed_distance};
+use crate::kernels::ops::noun::Number;
 use crate::kernels::ops::rows::table;
 use crate::operation;
 use crate::overlap3::Overlaps;
@@ -37,7 +38,7 @@ exchanged! {
 }
 operation! {
     /// The [nearest points](crate::distance::closest_points()) of a box and a circle.
-    ClosestPoints: (a: Obb2<S>, b: Circle<S>) -> crate::distance::ClosestPoints<S> { closest_points(a, b) }
+    ClosestPoints: (a: Obb2<S>, b: Circle<S>) -> crate::distance::PointPair<S> { closest_points(a, b) }
     invariances [TranslationX Follows, TranslationY Follows, Scaling Follows]
     jumps Anywhere
     derivative Forward
@@ -69,8 +70,11 @@ table! {
         "intersection_volume_yaw_obb3": YawBox3, Obb3;
         "intersection_volume_obb3_yaw": Obb3, YawBox3;
     }
-    /// The distance of {}.
+    /// The distance of {}, in the unit of length.
     Distance: (a, b) -> S { a.distance(b) } [rigid(1), symmetric] jumps Never derivative Reverse {
+        // Beside it the compiler does not take a shape of a wrong pair for the number of the row of a number and an
+        // interval: it lists pairs.
+        "distance_numbers": Number, Number { (a - b).magnitude() };
         "distance_points": Vec2, Vec2;
         "distance_points3": Vec3, Vec3;
     }

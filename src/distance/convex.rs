@@ -21,6 +21,19 @@ use crate::{Aabb2, Obb2, Scalar, Vec2};
 /// let curb = Segment2::new(Vec2::new(2.5, -9.0), Vec2::new(2.5, 9.0));
 /// assert_eq!(car.closest_points(curb).on_b.x, 2.5);
 /// ```
+///
+/// Batches of verbs take the pairs that have a row: the table of [`verbs`](crate::kernels::verbs). Any other pair runs by
+/// [`function`](crate::kernels::verbs::function), with derivatives, too:
+///
+/// ```
+/// use geograd::prelude::*;
+/// let curbs = [Segment2::new(Vec2::new(2.5_f64, -9.0), Vec2::new(2.5, 9.0))];
+/// let cars = [Triangle2::new(Vec2::new(0.0, 0.0), Vec2::new(1.0, 0.0), Vec2::new(0.0, 1.0))];
+/// let gap = function(|curb: Segment2<_>, car: Triangle2<_>| curb.distance(car));
+/// let (distance, (_, by_car)) = Cpu::new().aligned(gap.value_grad(), (&curbs, &cars))?;
+/// assert_eq!((distance[0], by_car[0].b.x), (1.5, -1.0));
+/// # Ok::<(), geograd::Error>(())
+/// ```
 pub trait Convex<S: Scalar>: Copy {
     /// What is inflated.
     type Core: Core<S>;
@@ -54,13 +67,13 @@ pub trait Convex<S: Scalar>: Copy {
     /// A point of each, nearest to each other: [`closest_points`](super::closest_points).
     #[must_use]
     #[inline]
-    fn closest_points<B: Convex<S>>(self, other: B) -> super::ClosestPoints<S> {
+    fn closest_points<B: Convex<S>>(self, other: B) -> super::PointPair<S> {
         super::closest_points(self, other)
     }
     /// How deep the shapes overlap, and the way out: [`penetration`](super::penetration).
     #[must_use]
     #[inline]
-    fn penetration<B: Convex<S>>(self, other: B) -> super::Penetration<S> {
+    fn penetration<B: Convex<S>>(self, other: B) -> super::Contact<S> {
         super::penetration(self, other)
     }
     /// The longest distance: [`farthest_distance`](super::farthest_distance).

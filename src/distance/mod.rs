@@ -63,7 +63,7 @@ pub use shapes::repeat_last;
 #[derive(Clone, Copy, Debug, PartialEq, crate::Shape)]
 #[repr(C)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
-pub struct ClosestPoints<S> {
+pub struct PointPair<S> {
     /// The point of a.
     pub on_a: Vec2<S>,
     /// The point of b.
@@ -81,11 +81,11 @@ pub struct FarthestPoints<S> {
     pub on_b: Vec2<S>,
 }
 
-/// How far two shapes are into each other, and which way is out.
+/// The penetration depth of two shapes, and the direction in which it is least.
 #[derive(Clone, Copy, Debug, PartialEq, crate::Shape)]
 #[repr(C)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
-pub struct Penetration<S> {
+pub struct Contact<S> {
     /// The length of the shortest shift after which the shapes only touch; 0 where they are apart.
     pub depth: S,
     /// The direction, of length one, of that shift of b; where they are apart, the direction from a
@@ -172,7 +172,7 @@ pub fn squared_distance<S: Scalar, A: Convex<S>, B: Convex<S>>(a: A, b: B) -> S 
 /// ```
 #[must_use]
 #[inline]
-pub fn closest_points<S: Scalar, A: Convex<S>, B: Convex<S>>(a: A, b: B) -> ClosestPoints<S> {
+pub fn closest_points<S: Scalar, A: Convex<S>, B: Convex<S>>(a: A, b: B) -> PointPair<S> {
     a.take_formula::<Closest, B>(b)
 }
 
@@ -189,7 +189,7 @@ pub fn closest_points<S: Scalar, A: Convex<S>, B: Convex<S>>(a: A, b: B) -> Clos
 /// ```
 #[must_use]
 #[inline]
-pub fn penetration<S: Scalar, A: Convex<S>, B: Convex<S>>(a: A, b: B) -> Penetration<S> {
+pub fn penetration<S: Scalar, A: Convex<S>, B: Convex<S>>(a: A, b: B) -> Contact<S> {
     a.take_formula::<Depth, B>(b)
 }
 

@@ -5,7 +5,7 @@
 //! they agree to the bit.
 use super::convex::{self, Convex, Core};
 use super::relation::{LENGTH, NORMAL, POINTS, relate};
-use super::{ClosestPoints, Penetration, edge, turned, upright};
+use super::{Contact, PointPair, edge, turned, upright};
 use crate::{Aabb2, Obb2, Scalar, Vec2};
 
 /// A function of two convex shapes, with a formula for each kind of pair.
@@ -107,9 +107,9 @@ impl<S: Scalar> PairFormula<S> for Squared {
 }
 
 impl<S: Scalar> PairFormula<S> for Closest {
-    type Out = ClosestPoints<S>;
+    type Out = PointPair<S>;
     #[inline]
-    fn cores<A: Convex<S>, B: Convex<S>>(a: A, b: B) -> ClosestPoints<S> {
+    fn cores<A: Convex<S>, B: Convex<S>>(a: A, b: B) -> PointPair<S> {
         let found = relate::<S, A, B, { POINTS }>(a, b);
         let [mut on_a, mut on_b] =
             [found.on_a, found.on_b].map(|v| found.origin + found.unscaled(v));
@@ -119,34 +119,34 @@ impl<S: Scalar> PairFormula<S> for Closest {
         if B::ROUND {
             on_b -= found.normal * b.radius();
         }
-        ClosestPoints {
+        PointPair {
             on_a: on_a.canonical(),
             on_b: on_b.canonical(),
         }
     }
     #[inline]
-    fn aabb2(a: Aabb2<S>, b: Aabb2<S>) -> ClosestPoints<S> {
+    fn aabb2(a: Aabb2<S>, b: Aabb2<S>) -> PointPair<S> {
         upright::closest_points_aabb2(a, b)
     }
     #[inline]
-    fn obb2(a: Obb2<S>, b: Obb2<S>) -> ClosestPoints<S> {
+    fn obb2(a: Obb2<S>, b: Obb2<S>) -> PointPair<S> {
         turned::closest_points_obb2(a, b)
     }
 }
 
 impl<S: Scalar> PairFormula<S> for Depth {
-    type Out = Penetration<S>;
+    type Out = Contact<S>;
     #[inline]
-    fn cores<A: Convex<S>, B: Convex<S>>(a: A, b: B) -> Penetration<S> {
+    fn cores<A: Convex<S>, B: Convex<S>>(a: A, b: B) -> Contact<S> {
         let found = relate::<S, A, B, { NORMAL }>(a, b);
         found.penetration(a.radius() + b.radius(), found.normal)
     }
     #[inline]
-    fn aabb2(a: Aabb2<S>, b: Aabb2<S>) -> Penetration<S> {
+    fn aabb2(a: Aabb2<S>, b: Aabb2<S>) -> Contact<S> {
         upright::penetration_aabb2(a, b)
     }
     #[inline]
-    fn obb2(a: Obb2<S>, b: Obb2<S>) -> Penetration<S> {
+    fn obb2(a: Obb2<S>, b: Obb2<S>) -> Contact<S> {
         turned::penetration_obb2(a, b)
     }
 }

@@ -1,5 +1,5 @@
 //! Two cores against each other, once for all functions of distance.
-use super::Penetration;
+use super::Contact;
 use super::convex::{Convex, Core};
 use super::edge::{choose, scale_of};
 use super::share::{Best, Deepest, Nearest};
@@ -53,9 +53,9 @@ impl<S: Scalar> Relation<S> {
     }
     /// The depth of overlap with both radii together, and a direction.
     #[inline(always)]
-    pub fn penetration(&self, radius: S, direction: Vec2<S>) -> Penetration<S> {
+    pub fn penetration(&self, radius: S, direction: Vec2<S>) -> Contact<S> {
         let depth = -self.parted(self.apart.over(self.scale) - radius);
-        Penetration {
+        Contact {
             depth: S::select(depth.above(S::zero()), depth, S::zero()).canonical(),
             direction: direction.canonical(),
         }

@@ -3,7 +3,7 @@ use super::cores::{BoxCore, Upright};
 use super::edge::{scale_of, size_of};
 use super::relation::{Relation, direction, joined};
 use super::share::{Best, Deepest, Nearest};
-use super::{ClosestPoints, Penetration};
+use super::{Contact, PointPair};
 use crate::clip::{Relative, frame, relate};
 use crate::{Obb2, Rotation2, Scalar, Vec2};
 
@@ -202,7 +202,7 @@ pub fn squared_distance_obb2<S: Scalar>(a: Obb2<S>, b: Obb2<S>) -> S {
 /// ```
 #[must_use]
 #[inline]
-pub fn penetration_obb2<S: Scalar>(a: Obb2<S>, b: Obb2<S>) -> Penetration<S> {
+pub fn penetration_obb2<S: Scalar>(a: Obb2<S>, b: Obb2<S>) -> Contact<S> {
     let (found, turn) = related(a, b);
     found.penetration(S::zero(), turn * found.normal)
 }
@@ -217,10 +217,10 @@ pub fn penetration_obb2<S: Scalar>(a: Obb2<S>, b: Obb2<S>) -> Penetration<S> {
 /// ```
 #[must_use]
 #[inline]
-pub fn closest_points_obb2<S: Scalar>(a: Obb2<S>, b: Obb2<S>) -> ClosestPoints<S> {
+pub fn closest_points_obb2<S: Scalar>(a: Obb2<S>, b: Obb2<S>) -> PointPair<S> {
     let (found, turn) = related(a, b);
     let outer = |center: Vec2<S>, v: Vec2<S>| (center + turn * found.unscaled(v)).canonical();
-    ClosestPoints {
+    PointPair {
         on_a: outer(a.center, found.on_a),
         on_b: outer(b.center, found.on_b),
     }

@@ -2,7 +2,7 @@
 //! [`distance`](mod@crate::distance) do for them.
 use super::edge::{choose, scale_of, size_of};
 use super::relation::direction;
-use super::{ClosestPoints, Penetration};
+use super::{Contact, PointPair};
 use crate::{Aabb2, Scalar, Vec2};
 
 /// The signed distance of two axis-aligned boxes, in the unit of length: the shortest way between them, or minus
@@ -109,7 +109,7 @@ fn facing<S: Scalar>(a: [S; 2], b: [S; 2]) -> ([S; 2], S) {
 /// ```
 #[must_use]
 #[inline]
-pub fn closest_points_aabb2<S: Scalar>(a: Aabb2<S>, b: Aabb2<S>) -> ClosestPoints<S> {
+pub fn closest_points_aabb2<S: Scalar>(a: Aabb2<S>, b: Aabb2<S>) -> PointPair<S> {
     let zero = S::zero();
     let axes = |of: fn(Vec2<S>) -> S| ([of(a.min), of(a.max)], [of(b.min), of(b.max)]);
     let axes = [axes(|v| v.x), axes(|v| v.y)];
@@ -124,7 +124,7 @@ pub fn closest_points_aabb2<S: Scalar>(a: Aabb2<S>, b: Aabb2<S>) -> ClosestPoint
             let middle = a[0].most(b[0]).halved() + a[1].least(b[1]).halved();
             facing.map(|bound| S::select(parted, bound, middle).canonical())
         });
-    ClosestPoints {
+    PointPair {
         on_a: Vec2::new(x[0], y[0]),
         on_b: Vec2::new(x[1], y[1]),
     }
@@ -143,7 +143,7 @@ pub fn closest_points_aabb2<S: Scalar>(a: Aabb2<S>, b: Aabb2<S>) -> ClosestPoint
 /// ```
 #[must_use]
 #[inline]
-pub fn penetration_aabb2<S: Scalar>(a: Aabb2<S>, b: Aabb2<S>) -> Penetration<S> {
+pub fn penetration_aabb2<S: Scalar>(a: Aabb2<S>, b: Aabb2<S>) -> Contact<S> {
     let (zero, one) = (S::zero(), S::one());
     let (right, left) = (b.min - a.max, a.min - b.max);
     let gap = right.most(left);
@@ -157,7 +157,7 @@ pub fn penetration_aabb2<S: Scalar>(a: Aabb2<S>, b: Aabb2<S>) -> Penetration<S> 
     let across = direction(way * scale_of::<S>(size_of(way)));
     let along_x = gap.x.at_least(gap.y);
     let out = choose(along_x, Vec2::new(side.x, zero), Vec2::new(zero, side.y));
-    Penetration {
+    Contact {
         depth: S::select(apart | !deep.above(zero), zero, deep).canonical(),
         direction: choose(apart, across, out).canonical(),
     }

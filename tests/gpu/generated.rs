@@ -224,13 +224,13 @@ fn jacobians_are_the_processors() {
     let run = geograd::kernels::ClosestPoints.jacobian();
     let (points, derivatives) = gpu.aligned(run, (&a, One(b[0]))).unwrap();
     let (expected, derivatives_expected) = Cpu::new().aligned(run, (&a, One(b[0]))).unwrap();
-    let all = |points: &[geograd::distance::ClosestPoints<f32>]| -> Vec<f32> {
+    let all = |points: &[geograd::distance::PointPair<f32>]| -> Vec<f32> {
         points.iter().flat_map(|x| x.scalars()).collect()
     };
     near(&all(&points), &all(&expected), 1e-4);
     // Which sides are nearest is decided within rounding: hardly an item may choose others.
     let differs = |(own, other): &(&_, &_)| -> bool {
-        let rows = |x: &geograd::distance::ClosestPoints<(Obb2<f32>, Obb2<f32>)>| -> Vec<f32> {
+        let rows = |x: &geograd::distance::PointPair<(Obb2<f32>, Obb2<f32>)>| -> Vec<f32> {
             x.scalars().iter().flat_map(Pack::scalars).collect()
         };
         let pairs = rows(own).into_iter().zip(rows(other));

@@ -371,11 +371,11 @@ mod reports {
             .run()
             .to_string();
         for part in [
-            "the derivative by hand and the duals disagree",
+            "the tested derivative and the duals disagree",
             "derivative of output 0 with respect to input 1",
             "apart by",
             "allowed here",
-            "at fault, as far as the others tell: the derivative by hand",
+            "at fault, as far as the others tell: the tested derivative",
             "let input = [",
         ] {
             assert!(text.contains(part), "{part}\n{text}");

@@ -9,6 +9,7 @@ mod everyday;
 mod forward;
 mod hashes;
 mod messages;
+mod motions;
 mod num_dual;
 mod planted;
 mod program;

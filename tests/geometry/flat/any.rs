@@ -1,5 +1,5 @@
 //! One type for every convex shape, so that one test runs over all pairs.
-use geograd::distance::{self, ClosestPoints, FarthestPoints, Penetration};
+use geograd::distance::{self, Contact, FarthestPoints, PointPair};
 use geograd::{
     Aabb2, Capsule2, Circle, Line2, Obb2, Pose2, Ray2, Scalar, Segment2, Triangle2, Vec2,
 };
@@ -74,10 +74,10 @@ impl<S: Scalar> Any<S> {
     pub fn squared(self, other: Self) -> S {
         with!(self, a => with!(other, b => distance::squared_distance(a, b)))
     }
-    pub fn closest(self, other: Self) -> ClosestPoints<S> {
+    pub fn closest(self, other: Self) -> PointPair<S> {
         with!(self, a => with!(other, b => distance::closest_points(a, b)))
     }
-    pub fn penetration(self, other: Self) -> Penetration<S> {
+    pub fn penetration(self, other: Self) -> Contact<S> {
         with!(self, a => with!(other, b => distance::penetration(a, b)))
     }
     pub fn farthest(self, other: Self) -> S {
