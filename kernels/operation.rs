@@ -11,7 +11,7 @@
 ///
 /// | clause | words |
 /// | --- | --- |
-/// | `invariances [Motion Answer, …]` | motions `TranslationX`, `TranslationY`, `Rotation`, `Scaling`, `Exchange` of all arguments; the result `Stays`, grows with `Power(p)` of the scale, or `Follows` |
+/// | `invariances [Motion Answer, …]` | motions of all arguments: `TranslationX`, `TranslationY`, `Rotation` (in space about z), `Scaling`, `Exchange`, and in space `TranslationZ`, `RotationX`, `RotationY`; the result `Stays`, grows with `Power(p)` of the scale, or `Follows` |
 /// | \[`finite`\] | `Always`, `Within(limits)`, `Values(limits)`, `Unsaid`: [`Finite`](crate::kernels::op::Finite) |
 /// | \[`range`\] | `RATIO`, `SIGNED`, `NOT_NEGATIVE`, …: the constants of [`Range`](crate::kernels::op::Range) |
 /// | \[`extremes`\] | `Shared`, `Ratio`, `Union`, `One`: [`Extremes`](crate::kernels::op::Extremes) |

@@ -1,6 +1,6 @@
 //! Conversions between conventions of boxes as operations.
 //!
-//! Encodings of one frame follow motions; those of cameras and images have axes of their own, and promise nothing.
+//! Encodings of one frame follow motions; those of cameras and images have axes of their own.
 //! Encodings with a chosen range jump at its ends, and where a box that is longer one way becomes longer the
 //! other way.
 use crate::convention::{

@@ -159,8 +159,8 @@ fn velocities_are_those_of_finite_motions() {
     }
 }
 
-/// The promised answers of a row to turns about x, y and z, and to a shift along z.
-fn promised<O: Op>() -> [Option<Answer>; 4] {
+/// The declared answers of an item to turns about x, y and z, and to a shift along z.
+fn answers<O: Op>() -> [Option<Answer>; 4] {
     let [x, y, z] = ROTATIONS;
     [x, y, z, Motion::TranslationZ].map(|motion| {
         let found = O::INVARIANCES
@@ -174,51 +174,51 @@ fn promised<O: Op>() -> [Option<Answer>; 4] {
 fn a_row_turns_as_its_shapes_do() {
     type Two<X> = (X, X);
     let stays = Some(Answer::Stays);
-    assert_eq!(promised::<RowOf<Iou, Two<Obb3<f64>>>>(), [stays; 4]);
+    assert_eq!(answers::<RowOf<Iou, Two<Obb3<f64>>>>(), [stays; 4]);
     assert_eq!(
-        promised::<RowOf<Distance, (Vec3<f64>, Obb3<f64>)>>(),
+        answers::<RowOf<Distance, (Vec3<f64>, Obb3<f64>)>>(),
         [stays; 4]
     );
-    assert_eq!(promised::<RowOf<Wasserstein, Two<Obb3<f64>>>>(), [stays; 4]);
+    assert_eq!(answers::<RowOf<Wasserstein, Two<Obb3<f64>>>>(), [stays; 4]);
     let upright = [None, None, stays, stays];
-    assert_eq!(promised::<RowOf<Iou, Two<YawBox3<f64>>>>(), upright);
-    assert_eq!(promised::<RowOf<IouBev, Two<YawBox3<f64>>>>(), upright);
-    assert_eq!(promised::<RowOf<Iou, (YawBox3<f64>, Obb3<f64>)>>(), upright);
+    assert_eq!(answers::<RowOf<Iou, Two<YawBox3<f64>>>>(), upright);
+    assert_eq!(answers::<RowOf<IouBev, Two<YawBox3<f64>>>>(), upright);
+    assert_eq!(answers::<RowOf<Iou, (YawBox3<f64>, Obb3<f64>)>>(), upright);
     let aligned = [None, None, None, stays];
-    assert_eq!(promised::<RowOf<Iou, (Aabb3<f64>, Obb3<f64>)>>(), aligned);
-    assert_eq!(promised::<RowOf<GiouAabb, Two<Obb3<f64>>>>(), aligned);
+    assert_eq!(answers::<RowOf<Iou, (Aabb3<f64>, Obb3<f64>)>>(), aligned);
+    assert_eq!(answers::<RowOf<GiouAabb, Two<Obb3<f64>>>>(), aligned);
     let follows = Some(Answer::Follows);
     assert_eq!(
-        promised::<RowOf<Convert<Obb3<f64>>, YawBox3<f64>>>(),
+        answers::<RowOf<Convert<Obb3<f64>>, YawBox3<f64>>>(),
         [None, None, follows, follows]
     );
     let plane = [None, None, stays, None];
-    assert_eq!(promised::<RowOf<Distance, Two<Vec2<f64>>>>(), plane);
+    assert_eq!(answers::<RowOf<Distance, Two<Vec2<f64>>>>(), plane);
 }
 
-/// Operations that promise a motion rightly or wrongly.
-macro_rules! promising {
+/// Operations that declare a motion rightly or wrongly.
+macro_rules! declared {
     ($($Name:ident: $a:ident: $A:ident, $b:ident: $B:ident, $formula:expr, [$($invariances:tt)*];)*) => {
         $( operation! {
             /// A function of two shapes of space.
-            pub $Name = "promising": ($a: $A<S>, $b: $B<S>) -> S { $formula }
+            pub $Name = "declared": ($a: $A<S>, $b: $B<S>) -> S { $formula }
             invariances [$($invariances)*]
             jumps Never
             derivative Reverse
         } )*
     };
 }
-promising! {
+declared! {
     UprightTurnsAboutX: a: Vec3, b: YawBox3, Distance.of(a, b), [RotationX Stays];
     UprightTurnsAboutY: a: Vec3, b: YawBox3, Distance.of(a, b), [RotationY Stays];
     AlignedTurns: a: Vec3, b: Aabb3, Distance.of(a, b), [Rotation Stays];
     HeightStays: a: Vec3, b: Vec3, a.z + b.z, [TranslationZ Stays];
     HeightTurns: a: Vec3, b: Vec3, a.z - b.z, [TranslationZ Stays, Rotation Stays, RotationX Stays];
     RealPartStays: a: Rotation3, b: Rotation3, a.w - b.w, [RotationY Stays];
-    // The bounds of one box grow as it turns; those of a long one by little at first.
-    BoundsTurn: a: Obb3, b: Vec3, a.bounding().size().x + b.z, [RotationX Stays];
-    BoundsTurnAboutZ: a: Obb3, b: Vec3, a.bounding().size().z - b.z, [Rotation Stays];
+    // Bounds keep their extent along the axis of a turn, and no other.
+    BoundsTurn: a: Obb3, b: Obb3, a.bounding().size().y + b.bounding().size().x, [RotationX Stays];
 
+    BoundsTurnAboutZ: a: Obb3, b: Obb3, a.bounding().size().z - b.bounding().size().z, [Rotation Stays];
     UprightMoves: a: Vec3, b: YawBox3, Distance.of(a, b),
         [TranslationX Stays, TranslationY Stays, TranslationZ Stays, Rotation Stays, Scaling Power(1)];
     HeightFalls: a: Vec3, b: Vec3, a.z - b.z, [TranslationZ Stays, Rotation Stays, Scaling Power(1)];
@@ -265,13 +265,13 @@ fn false_invariances_are_refused() {
         HeightTurns for RotationX;
         RealPartStays for RotationY;
         BoundsTurn for RotationX;
-        BoundsTurnAboutZ for Rotation;
     }
 }
 
 #[test]
 fn true_invariances_are_accepted() {
     Check::of(UprightMoves).samples(60).assert();
+    Check::of(BoundsTurnAboutZ).samples(60).assert();
     Check::of(HeightFalls).samples(60).assert();
     Check::of(AngleBetween).samples(60).assert();
     Check::of(PlaneMoves).samples(60).assert();
