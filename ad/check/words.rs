@@ -58,10 +58,10 @@ impl fmt::Display for Reason {
                 f.write_str("second derivatives taken in the other order differ")
             }
             Reason::MotionBroken(motion) => {
-                write!(f, "the value breaks a invariance when the input {motion}")
+                write!(f, "the value breaks an invariance when the input {motion}")
             }
             Reason::MotionUnbalanced(motion) => {
-                write!(f, "the derivatives break a invariance when the input {motion}")
+                write!(f, "the derivatives break an invariance when the input {motion}")
             }
             Reason::Unrecordable(why) => write!(f, "the operation cannot be recorded: {why}"),
             Reason::FewInside => f.write_str(

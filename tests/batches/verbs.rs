@@ -232,6 +232,7 @@ fn exchanged_arguments_and_two_kinds_of_boxes_have_the_same_values() {
     let (there, back) = (ClosestPoints.of(mast, car), ClosestPoints.of(car, mast));
     assert_eq!((there.on_a, there.on_b), (back.on_b, back.on_a));
     assert_eq!(Distance.of(Vec2::new(0.0, 0.0), Vec2::new(3.0, 4.0)), 5.0);
+    assert_eq!(Distance.of(2.0, 5.5), 3.5);
     let apart: f64 = Distance.of(Vec3::new(0.0, 1.0, 0.0), Vec3::new(2.0, 3.0, 1.0));
     assert!((apart - 3.0).abs() < 1e-15);
     let room = Aabb3::new(Vec3::new(-1.0_f64, -1.0, 0.0), Vec3::new(1.0, 1.0, 2.0));

@@ -386,6 +386,39 @@ mod reports {
         let text = report.to_string();
         assert!(text.contains("3 numbers where 2 are needed"), "{text}");
     }
+    mod tripled {
+        geograd::operation! {
+            /// A product, and a derivative by the second factor three times as large.
+            pub OfFactor = "of_factor": (point: geograd::Vec2<S>, factor: S) -> S { point.x * factor }
+            invariances []
+            jumps Never
+            derivative ByHand |(point, factor), bar| {
+                (point.x * factor, (geograd::Vec2::new(factor * bar, S::zero()), point.x * bar * S::lit(3.0)))
+            }
+            /// The same of a vertex of a ring.
+            pub OfVertex = "of_vertex": (factor: S, ring: [geograd::Vec2<S>; 2]) -> S { ring[1].y * factor }
+            invariances []
+            jumps Never
+            derivative ByHand |(factor, ring), bar| {
+                let mut by_ring = [geograd::Vec2::new(S::zero(), S::zero()); 2];
+                by_ring[1].y = factor * bar * S::lit(3.0);
+                (ring[1].y * factor, (ring[1].y * bar, by_ring))
+            }
+        }
+    }
+    #[test]
+    fn numbers_have_the_names_of_their_arguments() {
+        let [_, double] = geograd::check::Check::of(tripled::OfFactor)
+            .samples(20)
+            .run();
+        let text = double.to_string();
+        assert!(text.contains("input 2, which is factor ("), "{text}");
+        let [_, double] = geograd::check::Check::of(tripled::OfVertex)
+            .samples(20)
+            .run();
+        let text = double.to_string();
+        assert!(text.contains("input 4, which is ring[1].y ("), "{text}");
+    }
     #[test]
     fn a_long_list_does_not_hang() {
         // Forty thousand numbers: candidates are no longer made when nobody can pay for them.

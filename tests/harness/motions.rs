@@ -196,6 +196,12 @@ fn a_row_turns_as_its_shapes_do() {
     assert_eq!(answers::<RowOf<Distance, Two<Vec2<f64>>>>(), plane);
 }
 
+/// The extents of a box along the axes of the world.
+fn extent<S: Scalar>(shape: Obb3<S>) -> Vec3<S> {
+    let centred = Obb3::new(Vec3::zero(), shape.size, shape.rotation);
+    centred.bounding().size()
+}
+
 /// Operations that declare a motion rightly or wrongly.
 macro_rules! declared {
     ($($Name:ident: $a:ident: $A:ident, $b:ident: $B:ident, $formula:expr, [$($invariances:tt)*];)*) => {
@@ -216,9 +222,9 @@ declared! {
     HeightTurns: a: Vec3, b: Vec3, a.z - b.z, [TranslationZ Stays, Rotation Stays, RotationX Stays];
     RealPartStays: a: Rotation3, b: Rotation3, a.w - b.w, [RotationY Stays];
     // Bounds keep their extent along the axis of a turn, and no other.
-    BoundsTurn: a: Obb3, b: Obb3, a.bounding().size().y + b.bounding().size().x, [RotationX Stays];
+    BoundsTurn: a: Obb3, b: Obb3, extent(a).y + extent(b).x, [RotationX Stays];
 
-    BoundsTurnAboutZ: a: Obb3, b: Obb3, a.bounding().size().z - b.bounding().size().z, [Rotation Stays];
+    BoundsTurnAboutZ: a: Obb3, b: Obb3, extent(a).z - extent(b).z, [Rotation Stays];
     UprightMoves: a: Vec3, b: YawBox3, Distance.of(a, b),
         [TranslationX Stays, TranslationY Stays, TranslationZ Stays, Rotation Stays, Scaling Power(1)];
     HeightFalls: a: Vec3, b: Vec3, a.z - b.z, [TranslationZ Stays, Rotation Stays, Scaling Power(1)];

@@ -1,4 +1,5 @@
-//~ `geograd::kernels::Distance` of `geograd::Ray2<f64>` and `geograd::Segment2<f64>` is not defined
+//~ `geograd::kernels::Distance` of `
+//~ Ray2<f64>`
 //~ does not take these two shapes
 //~ `geograd::kernels::Distance` implements `geograd::kernels::Binary<
 //~ exchange them, or run `function(f)` of any generic function

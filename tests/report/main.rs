@@ -102,7 +102,7 @@ fn fuzz_all(options: &Options, count: u64) -> ExitCode {
     bar.finish_and_clear();
     let rate = walked.inputs as f64 / walked.seconds / 1e6;
     println!(
-        "\n{} inputs, {rate:.2} million a second, {} operations broke a invariance (seed {})",
+        "\n{} inputs, {rate:.2} million a second, {} operations broke an invariance (seed {})",
         walked.inputs, walked.broken, options.seed
     );
     ExitCode::from(walked.status())
