@@ -198,13 +198,13 @@ fn way(motion: Motion) -> Way {
     }
 }
 
-/// The axis of an angle or of a coordinate, if it has one.
-fn axis_of(kind: Kind) -> Option<usize> {
+/// True for a coordinate along an axis, and for an angle about it.
+fn lies_on(kind: Kind, axis: usize) -> bool {
     match kind {
-        Kind::X | Kind::AngleX => Some(0),
-        Kind::Y | Kind::AngleY => Some(1),
-        Kind::Z | Kind::Angle => Some(2),
-        _ => None,
+        Kind::X | Kind::AngleX => axis == 0,
+        Kind::Y | Kind::AngleY => axis == 1,
+        Kind::Z | Kind::Angle => axis == 2,
+        _ => false,
     }
 }
 
@@ -229,8 +229,8 @@ pub fn velocity(motion: Motion, kinds: &[Kind], x: &[f64]) -> Vec<f64> {
         match (way(motion), group) {
             (Way::Along(axis), Group::Place(n)) if axis < n => speed[axis] = 1.0,
             (Way::Along(axis), Group::Plane(n)) if axis < n => speed[n] = x[axis],
-            (Way::Along(axis), Group::Single(kind @ (Kind::X | Kind::Y | Kind::Z))) => {
-                speed[0] = f64::from(u8::from(axis_of(kind) == Some(axis)));
+            (Way::Along(axis), Group::Single(kind)) if kind.is_place() && lies_on(kind, axis) => {
+                speed[0] = 1.0;
             }
             (Way::About(axis), Group::Place(n) | Group::Direction(n) | Group::Plane(n)) => {
                 if let Some([i, j]) = turning(axis, n) {
@@ -246,10 +246,9 @@ pub fn velocity(motion: Motion, kinds: &[Kind], x: &[f64]) -> Vec<f64> {
                 let v = left_jacobian_inverse(Vec3::new(x[0], x[1], x[2]), unit(axis));
                 speed.copy_from_slice(&[v.x, v.y, v.z]);
             }
-            (
-                Way::About(axis),
-                Group::Single(kind @ (Kind::Angle | Kind::AngleX | Kind::AngleY)),
-            ) => speed[0] = f64::from(u8::from(axis_of(kind) == Some(axis))),
+            (Way::About(axis), Group::Single(kind)) if kind.is_angle() && lies_on(kind, axis) => {
+                speed[0] = 1.0;
+            }
             (Way::Away, Group::Place(_)) => speed.copy_from_slice(x),
             (Way::Away, Group::Plane(n)) => speed[n] = x[n],
             (Way::Away, Group::Single(kind)) if kind.is_length() => speed[0] = x[0],
@@ -305,10 +304,8 @@ pub fn moved_by(motion: Motion, amount: f64, kinds: &[Kind], x: &[f64]) -> Vec<f
         match (&way, group) {
             (&Way::Along(axis), Group::Place(n)) if axis < n => there[axis] += amount,
             (&Way::Along(axis), Group::Plane(n)) if axis < n => there[n] += amount * x[axis],
-            (&Way::Along(axis), Group::Single(kind @ (Kind::X | Kind::Y | Kind::Z))) => {
-                if axis_of(kind) == Some(axis) {
-                    there[0] += amount;
-                }
+            (&Way::Along(axis), Group::Single(kind)) if kind.is_place() && lies_on(kind, axis) => {
+                there[0] += amount;
             }
             (&Way::About(axis), Group::Place(n) | Group::Direction(n) | Group::Plane(n)) => {
                 if let Some([i, j]) = turning(axis, n) {
@@ -326,13 +323,8 @@ pub fn moved_by(motion: Motion, amount: f64, kinds: &[Kind], x: &[f64]) -> Vec<f
                 let v = turned_vector(Vec3::new(x[0], x[1], x[2]), unit(axis), amount);
                 there.copy_from_slice(&[v.x, v.y, v.z]);
             }
-            (
-                &Way::About(axis),
-                Group::Single(kind @ (Kind::Angle | Kind::AngleX | Kind::AngleY)),
-            ) => {
-                if axis_of(kind) == Some(axis) {
-                    there[0] += amount;
-                }
+            (&Way::About(axis), Group::Single(kind)) if kind.is_angle() && lies_on(kind, axis) => {
+                there[0] += amount;
             }
             (Way::Away, Group::Place(_)) => there.iter_mut().for_each(|x| *x *= amount),
             (Way::Away, Group::Plane(n)) => there[n] *= amount,
