@@ -1,6 +1,6 @@
 //! Samples of several things at once: numbers, arrays, tuples and [derived](crate::Shape) shapes.
 use crate::Pack;
-use crate::ad::check::sample::{Draw, Sample};
+use crate::ad::check::sample::{Draw, Sample, Sampler};
 use crate::ad::check::symmetry::Kind;
 use std::array::from_fn;
 use std::f64::consts::FRAC_PI_2;
@@ -10,7 +10,7 @@ const TRIES: usize = 100;
 /// The most hard cases of a derived shape: batches and pairs combine them further.
 const SHAPES: usize = 20;
 /// The most hard cases of a tuple of three or more.
-const TUPLES: usize = 500;
+pub(crate) const TUPLES: usize = 500;
 
 /// A random input whose numbers were made to fit its rules.
 pub fn drawn<X: Sample>(
@@ -103,7 +103,7 @@ pub fn in_order<P: Pack<Scalar = f64>>(low: &mut P, high: &mut P) {
 }
 
 /// Hard cases of parts, combined: all combinations, or some of many.
-fn combinations(counts: &[usize], most: usize) -> Vec<Vec<usize>> {
+pub(crate) fn combinations(counts: &[usize], most: usize) -> Vec<Vec<usize>> {
     let total = counts
         .iter()
         .fold(1_usize, |n, &count| n.saturating_mul(count));
@@ -147,16 +147,31 @@ pub fn combined<X: Sample>(
 
 /// Now and then some numbers of one part of an input are those of another part, exactly or nearly.
 pub fn mingled<X: Sample>(x: X, lengths: &[usize], draw: &mut Draw) -> X {
-    if lengths.len() < 2 || !draw.once_in(3) {
+    let (mut numbers, kinds) = (x.scalars(), x.kinds());
+    if !mingle(&mut numbers, &kinds, lengths, draw) {
         return x;
+    }
+    let mingled = x.refill(&numbers);
+    if mingled.inside() { mingled } else { x }
+}
+
+/// The same of plain numbers; false where all stay as they are.
+pub(crate) fn mingle(
+    numbers: &mut [f64],
+    kinds: &[Kind],
+    lengths: &[usize],
+    draw: &mut Draw,
+) -> bool {
+    if lengths.len() < 2 || !draw.once_in(3) {
+        return false;
     }
     let start = |part: usize| lengths[..part].iter().sum::<usize>();
     let to = 1 + draw.below(lengths.len() - 1);
     let from = draw.below(to);
     let (a, b) = (start(from), start(to));
-    let (n, kinds, mut numbers) = (lengths[to], x.kinds(), x.scalars());
+    let n = lengths[to];
     if lengths[from] != n || kinds[a..a + n] != kinds[b..b + n] {
-        return x;
+        return false;
     }
     let off = if draw.once_in(2) {
         0.0
@@ -168,8 +183,7 @@ pub fn mingled<X: Sample>(x: X, lengths: &[usize], draw: &mut Draw) -> X {
             numbers[b + i] = numbers[a + i] + off * draw.within(-1.0, 1.0);
         }
     }
-    let mingled = x.refill(&numbers);
-    if mingled.inside() { mingled } else { x }
+    true
 }
 
 /// An input whose second part is put beside its first, where they are of one kind.
@@ -343,6 +357,9 @@ macro_rules! tuples {
             }
             fn outlines(&self) -> Vec<Vec<[f64; 2]>> {
                 joined([$(self.$place.outlines()),*])
+            }
+            fn samplers() -> Vec<Sampler> {
+                joined([$($part::samplers()),*])
             }
         }
     )* };

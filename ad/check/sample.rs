@@ -100,6 +100,52 @@ pub trait Sample: Pack<Scalar = f64> + std::fmt::Debug {
     fn outlines(&self) -> Vec<Vec<[f64; 2]>> {
         Vec::new()
     }
+    /// How each of its parts is drawn, a part for every shape of a tuple.
+    #[doc(hidden)]
+    fn samplers() -> Vec<Sampler> {
+        vec![Sampler::of::<Self>()]
+    }
+}
+
+/// How a shape is drawn, without its type: its numbers as lists.
+#[derive(Clone, Copy, Debug)]
+pub struct Sampler {
+    /// A random one.
+    pub(crate) draw: fn(&mut Draw) -> Vec<f64>,
+    /// Another one that touches this one.
+    pub(crate) beside: fn(&[f64], &mut Draw) -> Vec<f64>,
+    pub(crate) hard: fn() -> Vec<Vec<f64>>,
+    pub(crate) kinds: fn() -> Vec<Kind>,
+    pub(crate) scales: fn(&[f64]) -> Vec<f64>,
+    pub(crate) inside: fn(&[f64]) -> bool,
+}
+
+impl Sampler {
+    /// That of a shape of fixed size.
+    #[must_use]
+    pub fn of<X: Sample>() -> Self {
+        // Hard cases are shapes of every kind.
+        fn like<X: Sample>(x: &[f64]) -> Option<X> {
+            let first = X::hard().into_iter().next()?;
+            (first.scalars().len() == x.len()).then(|| first.refill(x))
+        }
+        Sampler {
+            draw: |draw| X::draw(draw).scalars(),
+            beside: |x, draw| like::<X>(x).map_or_else(Vec::new, |x| x.beside(draw).scalars()),
+            hard: || X::hard().iter().map(Pack::scalars).collect(),
+            kinds: || {
+                let first = X::hard().into_iter().next();
+                first.map_or_else(Vec::new, |x| x.kinds())
+            },
+            scales: |x| like::<X>(x).map_or_else(Vec::new, |x| x.scales()),
+            inside: |x| like::<X>(x).is_some_and(|x| x.inside()),
+        }
+    }
+    /// That of a lone number.
+    #[must_use]
+    pub fn number() -> Self {
+        Sampler::of::<f64>()
+    }
 }
 
 /// Which inputs to draw.

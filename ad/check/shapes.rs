@@ -1,6 +1,6 @@
 //! How the library's own shapes are drawn, what is hard about them, and pairs of them.
 use crate::ad::check::derived::{together, units};
-use crate::ad::check::sample::{Draw, Sample};
+use crate::ad::check::sample::{Draw, Sample, Sampler};
 use crate::ad::check::symmetry::Kind;
 use crate::error::Validate;
 use crate::{Aabb2, ConvexPolygon, Obb2, Rotation2, Vec2};
@@ -408,5 +408,8 @@ impl<A: Sample, B: Sample> Sample for (A, B) {
     }
     fn inside(&self) -> bool {
         self.0.inside() && self.1.inside()
+    }
+    fn samplers() -> Vec<Sampler> {
+        [A::samplers(), B::samplers()].concat()
     }
 }

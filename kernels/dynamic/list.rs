@@ -6,7 +6,7 @@ use super::program::Program;
 use super::rows::{Layout, named};
 use super::symbol::Symbol;
 use crate::Fixed;
-use crate::ad::check::sample::Sample;
+use crate::ad::check::sample::{Sample, Sampler};
 use crate::ad::check::symmetry::Kind;
 use crate::ad::program::record::{TRIALS, listed};
 use crate::error::{Argument, Error, Field, Unrecordable};
@@ -63,6 +63,8 @@ pub struct Operation {
     inside: fn(&[f64]) -> bool,
     /// The kinds of the scalars of its arguments, and of its result.
     kinds: [fn() -> Vec<Kind>; 2],
+    /// How its arguments are drawn.
+    samplers: fn() -> Vec<Sampler>,
     single: Of<f32>,
     double: Of<f64>,
 }
@@ -165,6 +167,11 @@ impl Operation {
     #[must_use]
     pub fn result(&self) -> Vec<Shape> {
         shapes(&(self.double.gives)(), &(self.kinds[1])())
+    }
+    /// How its arguments are drawn, but for the path of a fold or a ring.
+    #[must_use]
+    pub fn samplers(&self) -> Vec<Sampler> {
+        (self.samplers)()
     }
     /// True where the operation is defined, given the numbers of a valid input, all arguments in a row. Folds and
     /// rings are defined at every valid input.
@@ -379,7 +386,7 @@ fn anywhere(_: &[f64]) -> bool {
 
 /// The description of an operation of any sort.
 macro_rules! said {
-    ($path:expr, $op:ty, $sort:ident, $names:expr, $derivatives:expr, $extremes:expr, $resolution:expr, $inside:expr, $kinds:expr, $single:expr, $double:expr) => {
+    ($path:expr, $op:ty, $sort:ident, $names:expr, $derivatives:expr, $extremes:expr, $resolution:expr, $inside:expr, $kinds:expr, $samplers:expr, $single:expr, $double:expr) => {
         Operation {
             name: <$op>::NAME,
             path: $path,
@@ -395,6 +402,7 @@ macro_rules! said {
             resolution: $resolution,
             inside: $inside,
             kinds: $kinds,
+            samplers: $samplers,
             single: $single,
             double: $double,
         }
@@ -432,6 +440,7 @@ where
         O::RESOLUTION,
         inside::<O>,
         [kinds_of::<O::In<f64>>, kinds_of::<O::Out<f64>>],
+        O::In::<f64>::samplers,
         of::<f32, O>(),
         of::<f64, O>()
     )
@@ -472,6 +481,7 @@ where
         [0.0; 2],
         anywhere,
         [kinds_of::<D::In<f64>>, kinds_of::<D::Out<f64>>],
+        D::In::<f64>::samplers,
         of::<f32, D>(),
         of::<f64, D>()
     )
@@ -497,6 +507,7 @@ where
         [0.0; 2],
         anywhere,
         [kinds_of::<F::Context<f64>>, kinds_of::<F::Out<f64>>],
+        F::Context::<f64>::samplers,
         Of {
             takes: leaves_of::<F::Context<f32>>,
             gives: leaves_of::<F::Out<f32>>,
@@ -528,6 +539,7 @@ where
         [0.0; 2],
         anywhere,
         [Vec::new, kinds_of::<O::Out<f64>>],
+        Vec::new,
         Of {
             takes: Vec::new,
             gives: leaves_of::<O::Out<f32>>,

@@ -7,6 +7,7 @@
 //! | folds and measures of rings | [`OnPaths`] |
 //! | a function of any arguments and results, recorded call by call | [`Tracing`], [`symbol`] |
 //! | its derivatives, and its operations as data | [`Program`], [`Nodes`] |
+//! | its check by the harness, and that of any two functions of lists | [`Program::check`], [`Inputs`] |
 //!
 //! Columns are slices of numbers, row by row ([`Rows`]); results are vectors, or go into the caller's slices. Whatever is
 //! wrong with an argument is an error that names it as the operation does, before anything is written.
@@ -31,6 +32,7 @@
 //!
 //! The list costs whoever calls [`operations`] or [`operation`] the compilation of every row in both formats, and nobody
 //! else.
+mod check;
 mod function;
 mod list;
 mod machines;
@@ -44,6 +46,8 @@ pub mod symbol;
 pub use crate::kernels::cpu::plan::Want as Mode;
 pub use crate::kernels::cpu::work::on_this_thread;
 pub use crate::kernels::fuzz::Bound;
+pub use crate::ad::check::sample::Sampler;
+pub use check::Inputs;
 pub use function::Function;
 pub use list::{Format, Number, Operation, Parameter, Shape, Sort, operation, operations};
 #[doc(hidden)]

@@ -2,6 +2,7 @@
 #![forbid(unsafe_code)]
 mod arrays;
 mod call;
+mod check;
 mod forms;
 mod machine;
 mod shapes;
@@ -38,6 +39,9 @@ fn _core(m: &Bound<'_, PyModule>) -> PyResult<()> {
     m.add_class::<verb::Verb>()?;
     m.add_class::<traced::Recorded>()?;
     m.add_class::<traced::Program>()?;
+    m.add_class::<check::Report>()?;
+    m.add_function(wrap_pyfunction!(check::check_recorded, m)?)?;
+    m.add_function(wrap_pyfunction!(check::check_callables, m)?)?;
     m.add_function(wrap_pyfunction!(verb::shapes, m)?)?;
     m.add_function(wrap_pyfunction!(verb::verbs, m)?)?;
     m.add_function(wrap_pyfunction!(verb::rows, m)?)?;

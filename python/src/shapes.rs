@@ -70,9 +70,7 @@ pub fn array<'py>(
     kind: Kind,
 ) -> PyResult<Bound<'py, PyUntypedArray>> {
     match x.cast_exact::<PyUntypedArray>() {
-        Ok(array) if matches!(numpy::PyArrayDescrMethods::kind(&array.dtype()), b'f') => {
-            Ok(array.clone())
-        }
+        Ok(array) if is_format(array) => Ok(array.clone()),
         _ => converted(x, name, kind),
     }
 }

@@ -1,6 +1,6 @@
 //! The table of rows: shapes by number, verbs with their rows, and what every call takes and gives.
 use crate::call::Callable;
-use geograd::kernels::dynamic::{Bound, Layout, Operation, Sort, names};
+use geograd::kernels::dynamic::{Bound, Layout, Operation, Sampler, Sort, names};
 use geograd_rows::operations;
 use std::collections::HashMap;
 use std::sync::OnceLock;
@@ -82,6 +82,11 @@ impl Table {
     pub fn layout<T: geograd::kernels::dynamic::Format>(&self, kind: Kind) -> Option<Layout<T>> {
         let (row, argument) = self.shapes.get(usize::from(kind))?.layout?;
         operations()[row].layouts::<T>().get(argument).copied()
+    }
+    /// How the harness draws a shape.
+    pub fn sampler(&self, kind: Kind) -> Option<Sampler> {
+        let (row, argument) = self.shapes.get(usize::from(kind))?.layout?;
+        operations()[row].samplers().get(argument).copied()
     }
     fn add(&mut self, shape: Shape) -> Kind {
         let kind = Kind::try_from(self.shapes.len()).unwrap_or(NUMBERS);

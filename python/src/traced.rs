@@ -114,12 +114,28 @@ fn kept(name: &str) -> &'static str {
 /// The forms of a traced function.
 #[pyclass(frozen, module = "geograd")]
 pub struct Recorded {
-    name: String,
-    call: Callable,
+    pub name: String,
+    pub call: Callable,
+}
+
+/// Columns by their names, the names of their shapes (or none) and their sizes; a size of zero is a lone number.
+pub fn columns(takes: Vec<(String, Option<String>, usize)>) -> PyResult<Vec<Column>> {
+    let column = |(name, shape, size): (String, Option<String>, usize)| {
+        let kind = match (&shape, size) {
+            (Some(shape), _) => table()
+                .kind(shape)
+                .ok_or_else(|| PyValueError::new_err(format!("no shape is called {shape}")))?,
+            (None, 0) => NUMBER,
+            (None, _) => NUMBERS,
+        };
+        let axes = if size == 0 { Vec::new() } else { vec![size] };
+        Ok(Column { name, kind, axes })
+    };
+    takes.into_iter().map(column).collect()
 }
 
 impl Recorded {
-    fn call<'a, 'py>(
+    fn called<'a, 'py>(
         &'a self,
         arguments: &'a [Bound<'py, PyAny>],
         out: Option<&'a Bound<'py, PyAny>>,
@@ -147,18 +163,7 @@ impl Recorded {
         function: Py<PyAny>,
         takes: Vec<(String, Option<String>, usize)>,
     ) -> PyResult<Self> {
-        let mut columns = Vec::new();
-        for (name, shape, size) in takes {
-            let kind = match (&shape, size) {
-                (Some(shape), _) => table()
-                    .kind(shape)
-                    .ok_or_else(|| PyValueError::new_err(format!("no shape is called {shape}")))?,
-                (None, 0) => NUMBER,
-                (None, _) => NUMBERS,
-            };
-            let axes = if size == 0 { Vec::new() } else { vec![size] };
-            columns.push(Column { name, kind, axes });
-        }
+        let columns = columns(takes)?;
         let traced = Traced::new(function, &columns);
         Ok(Recorded {
             name,
@@ -175,7 +180,7 @@ impl Recorded {
         out: Option<&Bound<'py, PyAny>>,
         backend: Option<&str>,
     ) -> PyResult<Bound<'py, PyAny>> {
-        let call = self.call(&arguments, out, backend, py)?;
+        let call = self.called(&arguments, out, backend, py)?;
         match form {
             "all_pairs" => call.all_pairs(),
             "row_max" => call.most(true),
@@ -190,7 +195,7 @@ impl Recorded {
                         "{form} takes two lists and a third argument"
                     )));
                 };
-                let call = self.call(lists, out, backend, py)?;
+                let call = self.called(lists, out, backend, py)?;
                 match form {
                     "above" => call.above(last.extract()?),
                     "count_above" => Ok(call

@@ -1,0 +1,224 @@
+//! Checks by the harness of functions whose shapes are known at run time.
+use super::program::Program;
+use crate::ad::check::derived::{TUPLES, combinations, mingle, together};
+use crate::ad::check::sample::{Draw, Sampler, moved};
+use crate::ad::check::symmetry::Kind;
+use crate::ad::check::trace::Number;
+use crate::ad::check::{Check, Report, Sampling};
+use crate::error::{Argument, Error};
+use crate::kernels::cpu::checked::expect;
+
+/// The inputs of a check: shapes one after another, each as its numbers.
+///
+/// ```
+/// use geograd::check::Sampling;
+/// use geograd::kernels::dynamic::{Inputs, operation};
+/// let iou = operation("iou_obb2").expect("is listed");
+/// let inputs = Inputs::new(iou.samplers());
+/// // The area of the first box less that of the second, and what somebody thinks is its gradient.
+/// let value = |x: Vec<f64>| x[2] * x[3] - x[7] * x[8];
+/// let gradient = |x: Vec<f64>| vec![0.0, 0.0, x[3], x[2], 0.0, 0.0, 0.0, -x[8], x[7], 0.0];
+/// let report = inputs.check::<f64>("areas", &Sampling::new(20, 1)).value(value).gradient(gradient).run();
+/// assert_eq!(report.failures[0].fault.input, 8);
+/// ```
+#[derive(Clone, Debug)]
+pub struct Inputs {
+    parts: Vec<Sampler>,
+    kinds: Vec<Kind>,
+    lengths: Vec<usize>,
+}
+
+impl Inputs {
+    /// Of such shapes.
+    #[must_use]
+    pub fn new(parts: Vec<Sampler>) -> Self {
+        let kinds: Vec<Vec<Kind>> = parts.iter().map(|part| (part.kinds)()).collect();
+        Inputs {
+            parts,
+            lengths: kinds.iter().map(Vec::len).collect(),
+            kinds: kinds.concat(),
+        }
+    }
+    /// How many numbers an input has.
+    #[must_use]
+    pub fn count(&self) -> usize {
+        self.kinds.len()
+    }
+    /// The numbers of every part.
+    fn split<'a>(&self, x: &'a [f64]) -> Vec<&'a [f64]> {
+        let mut rest = x;
+        let part = |&n: &usize| {
+            let (own, others) = rest.split_at(n.min(rest.len()));
+            rest = others;
+            own
+        };
+        self.lengths.iter().map(part).collect()
+    }
+    /// Whether every part is valid.
+    #[must_use]
+    pub fn inside(&self, x: &[f64]) -> bool {
+        let all = || self.parts.iter().zip(self.split(x));
+        x.len() == self.count() && all().all(|(part, own)| (part.inside)(own))
+    }
+    /// For each number, the length over which a function may be expected to change.
+    #[must_use]
+    pub fn scales(&self, x: &[f64]) -> Vec<f64> {
+        let all = self.parts.iter().zip(self.split(x));
+        let own: Vec<f64> = all.flat_map(|(part, own)| (part.scales)(own)).collect();
+        together(own, &self.kinds)
+    }
+    /// A random input, of which now and then shapes touch, share numbers, are far away, tiny or huge.
+    #[must_use]
+    pub fn draw(&self, draw: &mut Draw) -> Vec<f64> {
+        let mut parts: Vec<Vec<f64>> = self.parts.iter().map(|part| (part.draw)(draw)).collect();
+        let is_like_first = self.kinds[..self.lengths.first().copied().unwrap_or(0)]
+            == *self.kinds_of(1);
+        if parts.len() > 1 && is_like_first && draw.once_in(16) {
+            parts[1] = (self.parts[0].beside)(&parts[0], draw);
+        }
+        let plain = parts.concat();
+        let mut mingled = plain.clone();
+        mingle(&mut mingled, &self.kinds, &self.lengths, draw);
+        let own = if self.inside(&mingled) { mingled } else { plain };
+        let scale = match draw.below(16) {
+            0 => 1e-4,
+            1 => 1e5,
+            2 => draw.magnitude(1e-6, 1e6),
+            _ => 1.0,
+        };
+        let shift = match draw.below(12) {
+            0 => [1e5, -1e5],
+            1 => [draw.within(-1e3, 1e3), draw.within(-1e3, 1e3)],
+            _ => [0.0, 0.0],
+        };
+        let placed = moved(&own, &self.kinds, 0.0, scale, shift.map(|s| s * scale));
+        if self.inside(&placed) { placed } else { own }
+    }
+    fn kinds_of(&self, part: usize) -> &[Kind] {
+        let start = self.lengths.iter().take(part).sum::<usize>();
+        let length = self.lengths.get(part).copied().unwrap_or(0);
+        &self.kinds[start..start + length]
+    }
+    /// The hard cases of every shape, combined: all combinations, or some of many.
+    #[must_use]
+    pub fn hard(&self) -> Vec<Vec<f64>> {
+        let cases: Vec<Vec<Vec<f64>>> = self.parts.iter().map(|part| (part.hard)()).collect();
+        let counts: Vec<usize> = cases.iter().map(Vec::len).collect();
+        if counts.contains(&0) {
+            return Vec::new();
+        }
+        let all = combinations(&counts, TUPLES).into_iter();
+        let input = |at: Vec<usize>| -> Vec<f64> {
+            let own = at.iter().zip(&cases).map(|(&i, cases)| cases[i].as_slice());
+            own.collect::<Vec<_>>().concat()
+        };
+        all.map(input).filter(|x| self.inside(x)).collect()
+    }
+
+    /// A check at the inputs of a sampling, rounded to the format, to which a function is added.
+    #[must_use]
+    pub fn check<'a, S: Number>(&'a self, name: &str, sampling: &Sampling<'a>) -> Check<'a, Vec<S>> {
+        let is_own = sampling.inside;
+        let inside = move |x: &[f64]| self.inside(x) && is_own.is_none_or(|inside| inside(x));
+        let rounded = |x: Vec<f64>| -> Vec<S> { x.into_iter().map(S::nearest).collect() };
+        let wide = |x: &Vec<S>| -> Vec<f64> { x.iter().map(|x| x.widen()).collect() };
+        let hard = match sampling.hard {
+            0 => Vec::new(),
+            every => self.hard().into_iter().step_by(every).collect(),
+        };
+        let certain = sampling.points.iter().cloned().chain(hard);
+        let certain: Vec<Vec<S>> = certain.map(rounded).filter(|x| inside(&wide(x))).collect();
+        let random = (0..sampling.samples).map(|i| {
+            let mut draw = sampling.draw(i);
+            let mut x = rounded(self.draw(&mut draw));
+            for _ in 1..ATTEMPTS {
+                if inside(&wide(&x)) {
+                    break;
+                }
+                x = rounded(self.draw(&mut draw));
+            }
+            x
+        });
+        let random: Vec<Vec<S>> = random.filter(|x| inside(&wide(x))).collect();
+        let mut check = Check::among(certain).named(name).seed(sampling.seed);
+        check.points.extend(random);
+        check.kinds.clone_from(&self.kinds);
+        let own_scales = sampling.scales;
+        check
+            .inside(move |x| inside(&wide(x)))
+            .scales(move |x| {
+                let x = wide(x);
+                let scales = own_scales.map_or_else(|| self.scales(&x), |scales| scales(&x));
+                scales.into_iter().map(S::nearest).collect()
+            })
+            .resolution(sampling.resolution.map_or(0.0, |[absolute, _]| absolute))
+            .relative_resolution(sampling.resolution.map_or(0.0, |[_, share]| share))
+    }
+}
+
+/// How often a random input is drawn anew while it is outside the domain.
+const ATTEMPTS: usize = 16;
+
+/// A check of programs in a format: names of packs of its duals are known there only.
+macro_rules! checked_in {
+    ($($(#[$doc:meta])* $T:ty,)*) => { $(
+        impl Program<$T> {
+            $(#[$doc])*
+            ///
+            /// # Errors
+            ///
+            /// Those of its derivatives, and [`Error::Length`] for inputs of another number of numbers.
+            pub fn check(
+                &self,
+                name: &str,
+                inputs: &Inputs,
+                sampling: &Sampling<'_>,
+                wide: Option<&Program<f64>>,
+            ) -> Result<Report, Error> {
+                expect(Argument::Shape, self.sizes()[0], inputs.count())?;
+                let vjp = self.vjp()?;
+                let hvp = (self.sizes()[1] == 1).then(|| self.hvp()).transpose()?;
+                // Numbers are as many as there are inputs: nothing is refused.
+                let of = |program: &Self, x: &[$T]| program.eval(x).unwrap_or_default();
+                let mut check = inputs
+                    .check::<$T>(name, sampling)
+                    .value(|x: Vec<$T>| of(self, &x))
+                    .adjoint(|x, bar| of(&vjp, &[&x[..], bar].concat()))
+                    .dual(|x| self.eval_on(&x).unwrap_or_default())
+                    .traced(|x| self.eval_on(&x).unwrap_or_default())
+                    .second_order(|x| self.eval_on(&x).unwrap_or_default());
+                if let Some(hvp) = &hvp {
+                    check = check.hessian_times(|x, v| of(hvp, &[x, v].concat()));
+                }
+                if let Some(wide) = wide {
+                    check = check.wide(|x| wide.eval_on(&x).unwrap_or_default());
+                }
+                let names = self.takes().into_iter().flat_map(|(argument, layout)| {
+                    let names = layout.names().into_iter();
+                    names.map(move |field| match layout.fields() {
+                        1 => argument.to_string(),
+                        _ => field.within(&argument.to_string()).to_string(),
+                    })
+                });
+                Ok(Report { names: names.collect(), ..check.run() })
+            }
+        }
+    )* };
+}
+checked_in! {
+    /// A check of the derivatives of the program: backwards against forwards and differences, second ones against duals of
+    /// duals.
+    ///
+    /// ```
+    /// use geograd::check::Sampling;
+    /// use geograd::kernels::dynamic::{Inputs, operation};
+    /// let row = operation("distance_point_segment").expect("is listed");
+    /// let inputs = Inputs::new(row.samplers());
+    /// let report = row.program::<f64>()?.check("distance", &inputs, &Sampling::new(20, 1), None)?;
+    /// assert!(report.passed(), "{report}");
+    /// # Ok::<(), geograd::Error>(())
+    /// ```
+    f64,
+    /// A check of the derivatives of the program, which is held to the same function in `f64` if that is given.
+    f32,
+}
