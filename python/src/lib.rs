@@ -5,6 +5,7 @@ mod call;
 mod check;
 mod forms;
 mod machine;
+mod samples;
 mod shapes;
 mod symbol;
 mod table;
@@ -45,6 +46,8 @@ fn _core(m: &Bound<'_, PyModule>) -> PyResult<()> {
     m.add_function(wrap_pyfunction!(verb::shapes, m)?)?;
     m.add_function(wrap_pyfunction!(verb::verbs, m)?)?;
     m.add_function(wrap_pyfunction!(verb::rows, m)?)?;
+    m.add_function(wrap_pyfunction!(samples::samples, m)?)?;
+    m.add_function(wrap_pyfunction!(samples::hard_samples, m)?)?;
     m.add_function(wrap_pyfunction!(shapes::set_classes, m)?)?;
     m.add_function(wrap_pyfunction!(symbol::where_, m)?)?;
     m.add_function(wrap_pyfunction!(symbol::elementary, m)?)?;

@@ -277,12 +277,12 @@ def _loss(name, verb):
     return type(name, (Loss,), {"__init__": __init__, "__doc__": doc, "__module__": __name__})
 
 
-def check(fn, *inputs, samples=200, seed=1):
-    """Checks the gradient that autograd has of ``fn`` by the harness, and gives its report.
+def check(fn, *inputs, samples=200, spread=0.1, seed=1, quiet=False):
+    """Runs the harness on the gradient that autograd has of ``fn``, prints its report and returns it.
 
-    ``fn`` takes tensors and gives one number, or one number for each row. ``inputs`` are examples of its arguments: the
-    harness checks them, and ``samples`` random ones of their shapes and scales. Tensors that require no gradient
-    stay as they are.
+    ``fn`` takes tensors; its results are summed. ``inputs`` are examples of its arguments: the harness checks ``fn`` at
+    them, and at ``samples`` random inputs around them, whose numbers differ by ``spread`` times their size, or times the
+    size of the whole argument where a number is zero. Tensors that require no gradient stay as they are, unless none does.
     """
     inputs = [torch.as_tensor(x) for x in inputs]
     free = [k for k, x in enumerate(inputs) if x.requires_grad and x.is_floating_point()]
@@ -310,11 +310,25 @@ def check(fn, *inputs, samples=200, seed=1):
         parts = [torch.zeros_like(own[k]) if g is None else g for k, g in zip(free, grads)]
         return np.concatenate([part.detach().double().reshape(-1).numpy() for part in parts])
 
-    point = np.concatenate([inputs[k].detach().double().reshape(-1).numpy() for k in free])
+    parts = [inputs[k].detach().double().reshape(-1).numpy() for k in free]
+    sizes = [np.where(part != 0, np.abs(part), np.abs(part).max(initial=0) or 1.0) for part in parts]
+    point, size = np.concatenate(parts), np.concatenate(sizes)
+    rng = np.random.default_rng(seed)
+    points = [point, *(point + spread * size * rng.standard_normal((samples, len(point))))]
+
+    def inside(row):
+        try:
+            return bool(np.isfinite(value(row)))
+        except (ValueError, RuntimeError):
+            return False
+
     single = all(inputs[k].dtype == torch.float32 for k in free)
     name = getattr(fn, "__name__", type(fn).__name__)
     dtype = np.float32 if single else np.float64
-    return geograd.check(value, gradient, point, samples=samples, seed=seed, name=name, dtype=dtype)
+    return geograd.check(
+        value, gradient, takes=[len(point)], points=points, samples=0, hard=False, inside=inside, seed=seed, name=name, dtype=dtype,
+        quiet=quiet
+    )
 
 
 def __getattr__(name):
