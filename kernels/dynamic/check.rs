@@ -71,15 +71,19 @@ impl Inputs {
     #[must_use]
     pub fn draw(&self, draw: &mut Draw) -> Vec<f64> {
         let mut parts: Vec<Vec<f64>> = self.parts.iter().map(|part| (part.draw)(draw)).collect();
-        let is_like_first = self.kinds[..self.lengths.first().copied().unwrap_or(0)]
-            == *self.kinds_of(1);
+        let is_like_first =
+            self.kinds[..self.lengths.first().copied().unwrap_or(0)] == *self.kinds_of(1);
         if parts.len() > 1 && is_like_first && draw.once_in(16) {
             parts[1] = (self.parts[0].beside)(&parts[0], draw);
         }
         let plain = parts.concat();
         let mut mingled = plain.clone();
         mingle(&mut mingled, &self.kinds, &self.lengths, draw);
-        let own = if self.inside(&mingled) { mingled } else { plain };
+        let own = if self.inside(&mingled) {
+            mingled
+        } else {
+            plain
+        };
         let scale = match draw.below(16) {
             0 => 1e-4,
             1 => 1e5,
@@ -117,7 +121,11 @@ impl Inputs {
 
     /// A check at the inputs of a sampling, rounded to the format, to which a function is added.
     #[must_use]
-    pub fn check<'a, S: Number>(&'a self, name: &str, sampling: &Sampling<'a>) -> Check<'a, Vec<S>> {
+    pub fn check<'a, S: Number>(
+        &'a self,
+        name: &str,
+        sampling: &Sampling<'a>,
+    ) -> Check<'a, Vec<S>> {
         let is_own = sampling.inside;
         let inside = move |x: &[f64]| self.inside(x) && is_own.is_none_or(|inside| inside(x));
         let rounded = |x: Vec<f64>| -> Vec<S> { x.into_iter().map(S::nearest).collect() };

@@ -43,10 +43,10 @@ mod program;
 mod rows;
 pub mod symbol;
 
+pub use crate::ad::check::sample::Sampler;
 pub use crate::kernels::cpu::plan::Want as Mode;
 pub use crate::kernels::cpu::work::on_this_thread;
 pub use crate::kernels::fuzz::Bound;
-pub use crate::ad::check::sample::Sampler;
 pub use check::Inputs;
 pub use function::Function;
 pub use list::{Format, Number, Operation, Parameter, Shape, Sort, operation, operations};

@@ -17,3 +17,4 @@ mod shapes;
 mod spellings;
 mod straight;
 mod verbs;
+mod widths;

@@ -38,7 +38,8 @@ pub(crate) fn bring<T: Real, V: Vector<T>>(rows: &[T], fields: usize, out: &mut 
         7 => bring_tiles::<T, V, 7>(rows, out),
         8 => bring_tiles::<T, V, 8>(rows, out),
         10 => bring_tiles::<T, V, 10>(rows, out),
-        _ => 0,
+        0 => 0,
+        _ => bring_wide::<T, V>(rows, fields, out),
     };
     // What is left over.
     for (i, row) in rows.chunks_exact(fields).enumerate().skip(whole * TILE) {
@@ -85,6 +86,40 @@ fn bring_tiles<T: Real, V: Vector<T>, const FIELDS: usize>(
     groups.len()
 }
 
+/// Returns how many whole tiles it filled, of items of nine numbers or more.
+#[inline(always)]
+fn bring_wide<T: Real, V: Vector<T>>(rows: &[T], fields: usize, out: &mut [Lane<T>]) -> usize {
+    let groups = rows.chunks_exact(TILE * fields);
+    let whole = groups.len();
+    for (items, tile) in groups.zip(out.chunks_exact_mut(fields)) {
+        let mut next = 0;
+        while next < fields {
+            let start = next.min(fields - QUAD);
+            let Some(lanes) = tile[start..].first_chunk_mut::<QUAD>() else {
+                return 0;
+            };
+            let mut at = 0;
+            while at < TILE {
+                let parts = V::from_items(
+                    #[inline(always)]
+                    |i| match items[(at + i) % TILE * fields + start..].first_chunk() {
+                        Some(quad) => *quad,
+                        None => [T::default(); QUAD],
+                    },
+                );
+                let mut k = 0;
+                while k < QUAD {
+                    parts[k].write(&mut lanes[k], at);
+                    k += 1;
+                }
+                at += V::WIDTH;
+            }
+            next += QUAD;
+        }
+    }
+    whole
+}
+
 /// Whole tiles of items of less than four numbers; how many.
 #[inline(always)]
 fn bring_few<T: Real, const FIELDS: usize>(rows: &[T], out: &mut [Lane<T>]) -> usize {
@@ -125,6 +160,7 @@ pub(crate) fn take<T: Real, V: Vector<T>>(
         (6, 6) => take_tiles::<T, V, 6>(results, rows),
         (7, 7) => take_tiles::<T, V, 7>(results, rows),
         (8, 8) => take_tiles::<T, V, 8>(results, rows),
+        (9.., _) if fields == stride => take_wide::<T, V>(results, fields, rows),
         _ => 0,
     };
     for (i, row) in rows.chunks_exact_mut(stride).enumerate().skip(whole * TILE) {
@@ -170,6 +206,48 @@ fn take_tiles<T: Real, V: Vector<T>, const FIELDS: usize>(
                 quad += 1;
             }
             at += V::WIDTH;
+        }
+        whole += 1;
+    }
+    whole
+}
+
+/// Returns how many whole tiles it put into rows of nine numbers or more.
+#[inline(always)]
+fn take_wide<T: Real, V: Vector<T>>(
+    results: Planes<'_, T>,
+    fields: usize,
+    rows: &mut [T],
+) -> usize {
+    let mut whole = 0;
+    for items in rows.chunks_exact_mut(TILE * fields) {
+        let mut next = 0;
+        while next < fields {
+            let start = next.min(fields - QUAD);
+            let mut at = 0;
+            while at < TILE {
+                let mut parts = [V::splat(T::default()); QUAD];
+                let mut k = 0;
+                while k < QUAD {
+                    let Some(lane) = results.field(start + k).get(whole) else {
+                        return whole;
+                    };
+                    parts[k] = V::read(lane, at);
+                    k += 1;
+                }
+                V::to_items(
+                    parts,
+                    #[inline(always)]
+                    |i, numbers| {
+                        let item = &mut items[(at + i) % TILE * fields + start..];
+                        if let Some(quad) = item.first_chunk_mut() {
+                            *quad = numbers;
+                        }
+                    },
+                );
+                at += V::WIDTH;
+            }
+            next += QUAD;
         }
         whole += 1;
     }
