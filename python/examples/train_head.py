@@ -134,7 +134,7 @@ def draw_boxes(path, runs, images, truth):
 
 def main(arguments=None):
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
-    parser.add_argument("--steps", type=int, default=300, help="steps of a run (default 300)")
+    parser.add_argument("--steps", type=int, default=250, help="steps of a run (default 250)")
     parser.add_argument("--batch", type=int, default=64, help="images of a step (default 64)")
     parser.add_argument("--seed", type=int, default=1)
     parser.add_argument("--out", type=pathlib.Path, help="a folder for pictures (default: a temporary one)")
