@@ -3,8 +3,8 @@
     python gauss_newton.py
     python gauss_newton.py --touches 40 --noise 0.001
 
-The tip of the arm touches the border of a known rotated box. Of every touch the encoders give two angles; unknown are the
-lengths of both links, the place of the base and the offsets of both encoders. The residual is the signed distance of the tip
+The tip of the arm touches the border of a known rotated box, and the encoders give two angles for every touch. Six numbers are
+unknown: the lengths of both links, the place of the base and the offsets of both encoders. The residual is the signed distance of the tip
 from the box, a verb of the library inside a plain function, recorded once. Its Jacobian needs no formula.
 """
 
@@ -21,7 +21,7 @@ NAMES = ("upper link", "lower link", "base x", "base y", "shoulder offset", "elb
 
 @geograd.function
 def tip(arm: 6, angles: 2):
-    """Where the tip of the arm is."""
+    """The tip of the arm in metres."""
     upper, lower, x, y, shoulder, elbow = arm
     first = angles[0] + shoulder
     second = first + angles[1] + elbow
@@ -32,7 +32,7 @@ def tip(arm: 6, angles: 2):
 
 @geograd.function
 def miss(arm: 6, angles: 2, workpiece: geograd.Obb2):
-    """How far the tip is from the border of the workpiece: negative inside."""
+    """The distance of the tip from the border of the workpiece in metres, negative inside."""
     return geograd.signed_distance(tip(arm, angles), workpiece)
 
 

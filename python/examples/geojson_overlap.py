@@ -66,7 +66,7 @@ def metric(frame):
 
 
 def is_small_and_convex(polygon):
-    """Whether a ring of at most five vertices turns left at all of them."""
+    """True for a ring of at most five vertices that turns left at all of them."""
     xy = shapely.get_coordinates(polygon)[:-1]
     if len(xy) > 5 or shapely.get_num_interior_rings(polygon):
         return False

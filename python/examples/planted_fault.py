@@ -52,7 +52,7 @@ def gradient(point, segment, fault="none"):
 
 
 def differences_agree(fault, samples, rng):
-    """Whether central differences agree at random points."""
+    """True if central differences agree at random points."""
     for _ in range(samples):
         x = rng.normal(0, 1, 6)
         shapes = lambda x: (geograd.Vec2(x[:2]), geograd.Segment2(x[2:]))

@@ -24,7 +24,7 @@ NEEDS = {
 
 
 def run(name, *arguments):
-    """What a script prints."""
+    """The output of a script, which has to succeed."""
     for needed in NEEDS[name]:
         pytest.importorskip(needed)
     command = [sys.executable, str(EXAMPLES / f"{name}.py"), *map(str, arguments)]
@@ -82,15 +82,18 @@ def test_match_kitti_finds_most_labels(tmp_path):
 
 
 def test_match_kitti_reads_files(tmp_path):
-    # A car, the same one turned by half a turn and moved by a quarter of its length, and a region without labels.
+    # A car and a region without labels; the car turned by half a turn and moved by a quarter of its length, and a better
+    # box with a lower score, which comes too late.
     label = "0 1 Car 0 0 -1.6 600 170 700 250 1.5 1.6 4.0 2.0 1.7 20.0 0.0"
     region = "0 -1 DontCare -1 -1 -10 500 170 510 180 -1 -1 -1 -1000 -1000 -1000 -10"
     moved = f"0 -1 Car -1 -1 -10 600 170 700 250 1.5 1.6 4.0 3.0 1.7 20.0 {np.pi:.12f} 0.9"
     (tmp_path / "labels.txt").write_text(f"{label}\n{region}\n")
-    (tmp_path / "detections.txt").write_text(f"{moved}\n")
+    better = f"{label} 0.8"
+    (tmp_path / "detections.txt").write_text(f"{better}\n{moved}\n")
     files = ["--labels", tmp_path / "labels.txt", "--detections", tmp_path / "detections.txt"]
-    run("match_kitti", *files, "--out", tmp_path)
+    printed = run("match_kitti", *files, "--out", tmp_path)
     (match,) = rows(tmp_path / "matches.csv")
+    assert match["detection"] == "1" and number(printed, r"best IoU of a label: mean ([\d.]+)") == 1
     # Three metres of five.
     assert float(match["iou"]) == pytest.approx(0.6, abs=1e-6)
 
