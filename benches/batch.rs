@@ -3,11 +3,8 @@
 //! A plain main, no framework: medians of repeated runs, nothing asserted. For rotated boxes next
 //! to other libraries see `cargo run --release -p peers`.
 use geograd::ad::check::Sampling;
-use geograd::ad::check::sample::{Sample, random};
-use geograd::kernels::op::Vjp;
-use geograd::kernels::real::Real;
-use geograd::kernels::{Cpu, Fold, Item, Op, RingOp, Runs, Search, Single};
-use geograd::{Aabb2, Fixed, Obb2, Vec2};
+use geograd::kernels::dynamic::{Mode, Operation, Rows, Sort};
+use geograd::kernels::tested::{Tested, rows};
 use std::hint::black_box;
 use std::time::Instant;
 
@@ -38,149 +35,113 @@ fn roll(state: &mut u64) -> f32 {
     (*state >> 40) as f32 / (1 << 24) as f32
 }
 
-/// A shape to measure with.
-trait Draw: Fixed {
-    fn draw(state: &mut u64) -> Self;
-}
-
-impl Draw for Obb2<f32> {
-    fn draw(s: &mut u64) -> Self {
-        let mut at = |low: f32, high: f32| low + (high - low) * roll(s);
-        Obb2::new(
+/// Numbers of a rotated box, or of one along the axes.
+fn box_of(fields: usize, s: &mut u64) -> Vec<f32> {
+    let mut at = |low: f32, high: f32| low + (high - low) * roll(s);
+    if fields == 5 {
+        return vec![
             at(-5.0, 5.0),
             at(-5.0, 5.0),
             at(0.0, 5.0),
             at(0.0, 5.0),
             at(-5.0, 5.0),
-        )
+        ];
     }
+    let (x, y) = (at(0.0, 10.0), at(0.0, 10.0));
+    vec![x, y, x + at(0.0, 5.0), y + at(0.0, 5.0)]
 }
 
-impl Draw for Aabb2<f32> {
-    fn draw(s: &mut u64) -> Self {
-        let (x, y) = (roll(s) * 10.0, roll(s) * 10.0);
-        Aabb2::new(x, y, x + roll(s) * 5.0, y + roll(s) * 5.0)
-    }
-}
+/// Rows of two boxes in the plane whose pairs are measured, too.
+const SCORES: [&str; 6] = [
+    "intersection_area_obb2",
+    "iou_obb2",
+    "iof_obb2",
+    "intersection_area_aabb2",
+    "iou_aabb2",
+    "iof_aabb2",
+];
 
-fn pairs<O: Op<In<f32> = (P, P), Out<f32> = f32>, P: Draw + Single<Scalar = f32>>(op: O) {
-    let (mut state, cpu) = (3, Cpu::new());
-    let a: Vec<P> = (0..N).map(|_| Draw::draw(&mut state)).collect();
-    let b: Vec<P> = (0..N).map(|_| Draw::draw(&mut state)).collect();
+fn pairs(operation: &Operation) {
+    let of = |mode| operation.function::<f32>(mode).expect("is of fixed size");
+    let (value, value_grad) = (of(Mode::Value), of(Mode::ValueGrad));
+    let (mut state, fields) = (3, value.takes()[0].1.fields());
+    let mut list = || -> Vec<f32> { (0..N).flat_map(|_| box_of(fields, &mut state)).collect() };
+    let (a, b) = (list(), list());
+    let (a, b) = (Rows::new(&a, fields), Rows::new(&b, fields));
     let mut values = vec![0.0; N * N];
-    line(O::NAME, "all pairs, value", N * N, || {
-        cpu.all_pairs_planes(op, &a, &b, &mut values).unwrap();
+    line(operation.name, "all pairs, value", N * N, || {
+        value.all_pairs_into(a, b, &mut values).unwrap();
     });
-    let (mut p, mut q) = (a.clone(), b.clone());
-    line(O::NAME, "all pairs, adjoint", N * N, || {
-        cpu.all_pairs_vjp_into(op, &a, &b, &values, &mut p, &mut q)
-            .unwrap();
+    line(operation.name, "all pairs, adjoint", N * N, || {
+        black_box(value.all_pairs_vjp(a, b, &values).unwrap());
     });
-    line(O::NAME, "aligned, value + grad", N, || {
-        let into = (&mut values[..N], (&mut p, &mut q));
-        cpu.aligned_into(op.value_grad(), (&a, &b), into).unwrap();
-    });
-}
-
-fn rings<O: RingOp, T: Real>(op: O) {
-    let cpu = Cpu::new();
-    let mut state = 5;
-    let vertices: Vec<Vec2<T>> = (0..8 * N)
-        .map(|_| {
-            Vec2::new(
-                T::lit(roll(&mut state).into()),
-                T::lit(roll(&mut state).into()),
-            )
-        })
-        .collect();
-    let offsets: Vec<usize> = (0..=N).map(|i| 8 * i).collect();
-    line(O::NAME, "octagons, value", N, || {
-        black_box(cpu.ragged(op, &vertices, &offsets).unwrap());
-    });
-    let upstream = vec![O::Out::<T>::filled(T::lit(1.0)); N];
-    line(O::NAME, "octagons, adjoint", N, || {
-        black_box(cpu.ragged_vjp(op, &vertices, &offsets, &upstream).unwrap());
+    let (mut p, mut q) = (a.numbers().to_vec(), b.numbers().to_vec());
+    line(operation.name, "aligned, value + grad", N, || {
+        let mut into = [Some(&mut values[..N]), Some(&mut p[..]), Some(&mut q[..])];
+        value_grad.aligned_into(&[a, b], &mut into).unwrap();
     });
 }
 
-fn straight<O, R, Y>(op: O)
-where
-    O: Op<In<f64> = R, Out<f64> = Y>,
-    R: Sample + Item<Scalar = f64>,
-    Y: Item<Scalar = f64>,
-{
-    let (cpu, plan) = (Cpu::new(), Sampling::new(N, 7));
-    let drawn = (0..N).map(|i| random::<R>(&mut plan.draw(i)));
-    let rows: Vec<R> = drawn.filter(Sample::inside).collect();
-    let ones = vec![Y::filled(1.0); rows.len()];
-    line(O::NAME, "aligned, value, f64", rows.len(), || {
-        black_box(cpu.aligned(op, &rows).unwrap());
-    });
-    line(O::NAME, "aligned, adjoint, f64", rows.len(), || {
-        black_box(cpu.aligned(op.vjp(), (&rows, &ones)).unwrap());
-    });
-}
-
-fn folds<F: Fold>(fold: F)
-where
-    F::Context<f64>: Sample + Item<Scalar = f64>,
-    F::Out<f64>: Item,
-{
-    let (cpu, plan) = (Cpu::new(), Sampling::new(N, 7));
-    let contexts: Vec<F::Context<f64>> = (0..N).map(|i| random(&mut plan.draw(i))).collect();
-    let mut state = 5;
-    let mut roll = || f64::from(roll(&mut state));
-    let vertices: Vec<Vec2<f64>> = (0..8 * N).map(|_| Vec2::new(roll(), roll())).collect();
-    let offsets: Vec<usize> = (0..=N).map(|i| 8 * i).collect();
-    line(F::NAME, "octagons, value, f64", N, || {
-        black_box(cpu.fold(fold, &contexts, &vertices, &offsets).unwrap());
-    });
-    let ones = vec![F::Out::<f64>::filled(1.0); N];
-    line(F::NAME, "octagons, adjoint, f64", N, || {
-        black_box(
-            cpu.fold_vjp(fold, &contexts, &vertices, &offsets, &ones)
-                .unwrap(),
-        );
-    });
-}
-
-fn decided<D, R, Y>(op: D)
-where
-    D: Search<In<f64> = R, Out<f64> = Y> + Runs<R, Out = Y>,
-    R: Sample + Item<Scalar = f64>,
-    Y: Item<Scalar = f64>,
-    Vjp<D>: Runs<(R, Y), Out = R>,
-{
-    let (cpu, plan) = (Cpu::new(), Sampling::new(N, 7));
-    let drawn = (0..N).map(|i| random::<R>(&mut plan.draw(i)));
-    let rows: Vec<R> = drawn.filter(Sample::inside).collect();
-    let ones = vec![Y::filled(1.0); rows.len()];
-    line(D::NAME, "aligned, value, f64", rows.len(), || {
-        black_box(cpu.aligned(op, &rows).unwrap());
-    });
-    line(D::NAME, "aligned, adjoint, f64", rows.len(), || {
-        black_box(cpu.aligned(Search::vjp(op), (&rows, &ones)).unwrap());
-    });
-}
-
-macro_rules! measure {
-    (pairs { $($pair:ident: $pair_op:ty,)* } rings { $($ring:ident: $ring_op:ty,)* }
-     straight { $($straight:ident: $straight_op:ty,)* }
-     folds { $($fold:ident: $fold_op:ty,)* } decided { $($decided:ident: $decided_op:ty,)* }
-     further {
-         straight { $($more:ident: $more_op:ty,)* }
-         folds { $($more_fold:ident: $more_fold_op:ty,)* }
-         decided { $($more_search:ident: $more_decided_op:ty,)* }
-     }) => {
-        $(pairs(<$pair_op>::default());)*
-        $(rings::<_, f32>(<$ring_op>::default());)*
-        $(straight(<$straight_op>::default());)*
-        $(folds(<$fold_op>::default());)*
-        $(decided::<$decided_op, _, _>(<$decided_op>::default());)*
-        $(straight(<$more_op>::default());)*
-        $(folds(<$more_fold_op>::default());)*
-        $(decided::<$more_decided_op, _, _>(<$more_decided_op>::default());)*
+fn paths(row: &Tested) {
+    let on_paths = row.operation.on_paths::<f64>().expect("takes paths");
+    let wide: usize = on_paths.takes().iter().map(|x| x.1.fields()).sum();
+    let plan = Sampling::new(N, 7);
+    let context = |i| row.random(&mut plan.draw(i))[..wide].to_vec();
+    let contexts: Vec<f64> = (0..N).flat_map(context).collect();
+    let contexts: Vec<Rows<'_, f64>> = match wide {
+        0 => Vec::new(),
+        _ => vec![Rows::new(&contexts, wide)],
     };
+    let mut state = 5;
+    let vertices: Vec<f64> = (0..16 * N).map(|_| roll(&mut state).into()).collect();
+    let offsets: Vec<usize> = (0..=N).map(|i| 8 * i).collect();
+    line(row.name(), "octagons, value, f64", N, || {
+        black_box(on_paths.values(&contexts, &vertices, &offsets).unwrap());
+    });
+    let ones = vec![1.0; N * on_paths.gives()];
+    line(row.name(), "octagons, adjoint, f64", N, || {
+        black_box(on_paths.vjp(&contexts, &vertices, &offsets, &ones).unwrap());
+    });
+}
+
+fn aligned(row: &Tested) {
+    let of = |mode| {
+        row.operation
+            .function::<f64>(mode)
+            .expect("is of fixed size")
+    };
+    let (value, adjoint, plan) = (of(Mode::Value), of(Mode::Vjp), Sampling::new(N, 7));
+    let layouts = row.operation.layouts::<f64>();
+    let mut columns = vec![Vec::new(); layouts.len()];
+    let mut count = 0;
+    for i in 0..N {
+        let item = row.random(&mut plan.draw(i));
+        let mut rest = &item[..];
+        let mut parts = Vec::new();
+        for layout in &layouts {
+            let (own, others) = rest.split_at(layout.fields());
+            parts.push(own);
+            rest = others;
+        }
+        let mut all = parts.iter().zip(&layouts);
+        if all.all(|(own, layout)| layout.check(own).is_ok()) {
+            let columns = columns.iter_mut().zip(parts);
+            columns.for_each(|(column, own)| column.extend_from_slice(own));
+            count += 1;
+        }
+    }
+    let columns = columns.iter().zip(&layouts);
+    let mut rows: Vec<_> = columns
+        .map(|(x, layout)| Rows::new(x, layout.fields()))
+        .collect();
+    line(row.name(), "aligned, value, f64", count, || {
+        black_box(value.aligned(&rows).unwrap());
+    });
+    let ones = vec![1.0; value.gives().iter().sum()];
+    rows.push(Rows::one(&ones));
+    line(row.name(), "aligned, adjoint, f64", count, || {
+        black_box(adjoint.aligned(&rows).unwrap());
+    });
 }
 
 fn main() {
@@ -193,5 +154,11 @@ fn main() {
         std::thread::available_parallelism().map_or(1, |n| n.get()),
         geograd::kernels::cpu::simd::Simd::current().unwrap()
     );
-    geograd::for_each_op!(measure);
+    for row in rows() {
+        match row.operation.sort {
+            _ if SCORES.contains(&row.name()) => pairs(&row.operation),
+            Sort::Straight | Sort::Search => aligned(row),
+            Sort::Fold | Sort::Ring => paths(row),
+        }
+    }
 }

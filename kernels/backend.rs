@@ -133,18 +133,6 @@ impl Backend<'_> {
     {
         on_either!(self, aligned_into(run, columns, targets))
     }
-
-    /// The numbers of every result, item by item.
-    pub(crate) fn rows<C: Columns, R: Runs<C::Item>>(
-        self,
-        run: R,
-        columns: C,
-    ) -> Result<Vec<Vec<f32>>, Error>
-    where
-        C::Item: Pack<Scalar = f32>,
-    {
-        on_either!(self, rows(run, columns))
-    }
 }
 
 /// All pairs of two lists. A GPU refuses searches

@@ -17,42 +17,87 @@
 use crate::ad::check::picture::picture;
 use crate::ad::check::sample::{Sample, hard_cases, random};
 use crate::ad::check::subject::Subject;
+use crate::ad::check::symmetry::Kind;
 use crate::ad::check::trace::Number;
 use crate::ad::check::verdict::Reason;
 use crate::ad::check::witness::Precision;
 use crate::ad::check::{Report, Sampling, examine};
-use crate::kernels::cpu::plan::{Want, program_of};
+use crate::kernels::Backend;
+use crate::kernels::cpu::plan::{Shaped, Want, recorded_of};
+use crate::kernels::dynamic::Function;
 use crate::kernels::fold::{Fold, Folded};
 use crate::kernels::gpu::GpuRing;
-use crate::kernels::item::{Item, Single, target};
-use crate::kernels::op::{Derivative, Op, RingOp, Ringed};
+use crate::kernels::item::{Item, Single};
+use crate::kernels::op::{Derivative, Invariance, Jumps, Op, RingOp, Ringed};
 use crate::kernels::real::Real;
-use crate::kernels::recorded_subject::{RecordedSubject, Recording};
+use crate::kernels::recorded_subject::{ByHand, RecordedSubject, Recording};
 use crate::kernels::search::{Replayed, Search};
 use crate::kernels::witness::{Ask, Batch, ask_any, ask_gradient, ask_pairs, ask_rings};
-use crate::kernels::{Backend, Cpu};
 use crate::{Error, Fixed, Pack, Vec2};
+use std::any::Any;
 
 pub use crate::kernels::of::OfOperation;
 pub use crate::kernels::subject::{Fused, OpSubject, Path};
 
-/// The function itself.
-fn source<O: Op, S: Real>(x: &[S]) -> Vec<S> {
-    O::eval(O::In::<S>::load(x)).scalars()
+/// A straight line in one format as the harness and the fuzzer take it: batches of it, and the function on plain
+/// numbers.
+pub(crate) struct Examined<S: Number + Real> {
+    pub(crate) shaped: Shaped<S>,
+    /// The function.
+    pub(crate) alone: Path<S>,
+    /// The result and derivatives by hand.
+    pub(crate) by_hand: ByHand<S>,
+    /// The function on num-dual's numbers, where derivatives are by hand.
+    pub(crate) num_dual: Option<fn(&[S::NumDual]) -> Vec<S::NumDual>>,
 }
 
-/// The value by a batch.
-fn batch_value<O: Op, S: Real>(x: &[S]) -> Vec<S>
-where
-    O::In<S>: Item,
-    O::Out<S>: Item,
-{
-    let mut out = [O::Out::<S>::filled(S::zero())];
-    let into = target(&mut out);
-    let columns = &[O::In::<S>::load(x)][..];
-    match Cpu::new().run_into(O::default(), columns, vec![Some(into)]) {
-        Ok(()) => out[0].scalars(),
-        Err(_) => Vec::new(),
+impl<S: Number + Real> Clone for Examined<S> {
+    fn clone(&self) -> Self {
+        *self
+    }
+}
+impl<S: Number + Real> Copy for Examined<S> {}
+
+impl<S: Number + Real> Examined<S> {
+    pub(crate) const fn of<O: Op>() -> Self
+    where
+        O::In<S>: Item<Scalar = S>,
+        O::Out<S>: Item<Scalar = S>,
+    {
+        let is_by_hand = matches!(O::DERIVATIVE, Derivative::ByHand);
+        Examined {
+            shaped: Shaped::of::<O, O::In<S>>(),
+            alone: |x| O::eval(O::In::<S>::load(x)).scalars(),
+            by_hand: match is_by_hand {
+                true => by_hand::<O, S>,
+                false => |_, _| None,
+            },
+            // Compiled for derivatives by hand alone.
+            num_dual: match is_by_hand {
+                true => Some(on_num_dual::<O, S>),
+                false => None,
+            },
+        }
+    }
+    /// All that the harness needs of it.
+    fn recording(&self, stated: &Stated) -> Result<Recording<S>, Error> {
+        let line = &self.shaped.line;
+        let value = recorded_of(line, Want::Value)?;
+        let is_wide = Precision::of::<S>() == Precision::F64;
+        let by_hand_alone = line.derivatives == Derivative::ByHand && is_wide;
+        Ok(Recording {
+            reversed: by_hand_alone.then(|| value.value_vjp().into()),
+            value,
+            derivatives: recorded_of(line, Want::Vjp)?,
+            source: self.alone,
+            batch: Function::of_straight(self.shaped, Want::Value),
+            by_hand: self.by_hand,
+            num_dual: self.num_dual,
+            outputs: line.outputs,
+            output_kinds: (stated.output_kinds)(),
+            invariances: stated.invariances,
+            jumps: stated.jumps,
+        })
     }
 }
 
@@ -67,33 +112,43 @@ fn on_num_dual<O: Op, S: Number>(x: &[S::NumDual]) -> Vec<S::NumDual> {
     O::eval(O::In::<S::NumDual>::load(x)).scalars()
 }
 
-/// All that the harness needs of an operation in a format.
-fn recording<O: Op, S: Number + Real>() -> Result<Recording<S>, Error>
-where
-    O::In<S>: Item,
-    O::Out<S>: Item,
-    O::Out<f64>: Sample,
-{
-    let value = program_of::<O, S>(Want::Value)?;
-    let is_wide = Precision::of::<S>() == Precision::F64;
-    let by_hand_alone = O::DERIVATIVE == Derivative::ByHand && is_wide;
-    Ok(Recording {
-        reversed: by_hand_alone.then(|| value.value_vjp().into()),
-        value,
-        derivatives: program_of::<O, S>(Want::Vjp)?,
-        source: source::<O, S>,
-        batch: batch_value::<O, S>,
-        by_hand: by_hand::<O, S>,
-        // Compiled for derivatives by hand alone.
-        num_dual: match const { matches!(O::DERIVATIVE, Derivative::ByHand) } {
-            true => Some(on_num_dual::<O, S>),
-            false => None,
-        },
-        outputs: O::Out::<S>::LEN,
-        output_kinds: O::Out::<f64>::filled(1.0).kinds(),
-        invariances: O::INVARIANCES,
-        jumps: O::JUMPS,
-    })
+/// The statements of a straight line that the harness holds it to.
+#[derive(Clone, Copy)]
+pub(crate) struct Stated {
+    pub(crate) name: &'static str,
+    pub(crate) invariances: &'static [Invariance],
+    pub(crate) jumps: Jumps,
+    /// Its domain, if it states one.
+    pub(crate) inside: Option<fn(&[f64]) -> bool>,
+    pub(crate) resolution: [f64; 2],
+    pub(crate) output_kinds: fn() -> Vec<Kind>,
+}
+
+impl Stated {
+    const fn of<O: Op>() -> Self
+    where
+        O::Out<f64>: Sample,
+    {
+        Stated {
+            name: O::NAME,
+            invariances: O::INVARIANCES,
+            jumps: O::JUMPS,
+            inside: inside_of::<O>(),
+            resolution: O::RESOLUTION,
+            output_kinds: || O::Out::<f64>::filled(1.0).kinds(),
+        }
+    }
+}
+
+/// The domain of an operation on plain numbers, if it states one.
+pub(crate) const fn inside_of<O: Op>() -> Option<fn(&[f64]) -> bool> {
+    match O::DOMAIN.is_some() {
+        true => Some(|x| {
+            let is_whole = x.len() == O::In::<f64>::LEN;
+            is_whole && O::DOMAIN.is_none_or(|inside| inside(O::In::<f64>::load(x)))
+        }),
+        false => None,
+    }
 }
 
 /// The value of a ring that is a slice.
@@ -210,7 +265,7 @@ where
     O::In<S>: Item,
     O::Out<S>: Item,
 {
-    without_batch(straight::<O, S>(sampling, Vec::new()))
+    without_batch(straight::<O, S>(sampling, None, false))
 }
 
 /// The same in `f32`, with batches of items side by side on a backend as further witnesses (values and adjoints, and
@@ -230,12 +285,7 @@ where
     O::In<f32>: Item<Scalar = f32>,
     O::Out<f32>: Item<Scalar = f32>,
 {
-    straight::<O, f32>(
-        sampling,
-        vec![&|inputs| ask_any::<O>(backend, inputs), &|inputs| {
-            ask_gradient::<O>(backend, inputs)
-        }],
-    )
+    straight::<O, f32>(sampling, Some(backend), false)
 }
 
 /// The same with the kernels of all pairs as one witness more: other kernels, of which boxes in the plane have some
@@ -255,19 +305,13 @@ where
     A: Single<Scalar = f32>,
     B: Single<Scalar = f32>,
 {
-    straight::<O, f32>(
-        sampling,
-        vec![
-            &|inputs| ask_any::<O>(backend, inputs),
-            &|inputs| ask_gradient::<O>(backend, inputs),
-            &|inputs| ask_pairs::<O, A, B>(backend, inputs),
-        ],
-    )
+    straight::<O, f32>(sampling, Some(backend), true)
 }
 
 fn straight<O: Op, S: Number + Real>(
     sampling: &Sampling<'_>,
-    asks: Vec<Ask<'_>>,
+    backend: Option<Backend<'_>>,
+    pairs: bool,
 ) -> Result<Report, Error>
 where
     O::In<f64>: Sample + Item,
@@ -275,26 +319,53 @@ where
     O::In<S>: Item,
     O::Out<S>: Item,
 {
-    let domain = |x: &[f64]| O::DOMAIN.is_none_or(|inside| inside(O::In::<f64>::load(x)));
-    let stated: Option<&dyn Fn(&[f64]) -> bool> = match O::DOMAIN {
-        Some(_) => Some(&domain),
-        None => None,
-    };
+    let wide = &const { Examined::<f64>::of::<O>() };
+    let own = &const { Examined::<S>::of::<O>() };
+    examined::<O::In<f64>, S>(
+        &const { Stated::of::<O>() },
+        own,
+        wide,
+        (sampling, backend, pairs),
+    )
+}
+
+/// Judges a straight line, with batches on a backend as further witnesses of `f32`: items side by side, the value
+/// with its gradient, and all pairs if they are wanted.
+pub(crate) fn examined<X: Sample + Fixed, S: Number + Real>(
+    stated: &Stated,
+    own: &Examined<S>,
+    wide: &Examined<f64>,
+    (sampling, backend, pairs): (&Sampling<'_>, Option<Backend<'_>>, bool),
+) -> Result<Report, Error> {
+    let domain = stated
+        .inside
+        .as_ref()
+        .map(|inside| inside as &dyn Fn(&[f64]) -> bool);
     let sampling = &Sampling {
-        inside: sampling.inside.or(stated),
-        resolution: sampling.resolution.or(Some(O::RESOLUTION)),
+        inside: sampling.inside.or(domain),
+        resolution: sampling.resolution.or(Some(stated.resolution)),
         ..*sampling
     };
     let wide = match Precision::of::<S>() {
-        Precision::F32 => recording::<O, f64>().ok(),
+        Precision::F32 => wide.recording(stated).ok(),
         Precision::F64 => None,
     };
-    let recordings = (recording::<O, S>(), wide);
-    let report = recorded::<O::In<f64>, S>(O::NAME, sampling, asks, recordings);
-    report.map(|report| Report {
-        names: names_of::<O::In<f64>>(O::ARGUMENTS),
-        ..report
-    })
+    let recordings = (own.recording(stated), wide);
+    let shaped = (&own.shaped as &dyn Any)
+        .downcast_ref::<Shaped<f32>>()
+        .copied();
+    let (any, gradient, all_pairs);
+    let mut asks: Vec<Ask<'_>> = Vec::new();
+    if let (Some(backend), Some(shaped)) = (backend, shaped) {
+        any = move |inputs: &[Vec<f32>]| ask_any(backend, &shaped, inputs);
+        gradient = move |inputs: &[Vec<f32>]| ask_gradient(backend, &shaped, inputs);
+        all_pairs = move |inputs: &[Vec<f32>]| ask_pairs(backend, &shaped, inputs);
+        asks.extend([&any as Ask<'_>, &gradient]);
+        asks.extend(pairs.then_some(&all_pairs as Ask<'_>));
+    }
+    let names = names_of::<X>(own.shaped.arguments);
+    let report = recorded::<X, S>(stated.name, sampling, asks, recordings);
+    report.map(|report| Report { names, ..report })
 }
 
 /// The names of the numbers of an input, given those of its arguments: `point.x`.

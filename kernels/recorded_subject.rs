@@ -8,7 +8,9 @@ use crate::ad::check::trace::{Number, Trace, Traced, num_duals, of_num_duals, tr
 use crate::ad::check::witness::Precision;
 use crate::ad::forward::{Along, First};
 use crate::ad::program::recorded::Recorded;
+use crate::kernels::dynamic::{Function, Rows};
 use crate::kernels::op::Jumps;
+use crate::kernels::real::Real;
 use crate::kernels::subject::{Path, nearest, widened};
 use crate::kernels::witness::Batch;
 use crate::{Jet, Scalar};
@@ -46,7 +48,7 @@ pub(crate) type ByHand<S> = fn(&[S], &[S]) -> Option<(Vec<S>, Vec<S>)>;
 
 /// An operation in one format.
 #[derive(Clone)]
-pub(crate) struct Recording<S: Number> {
+pub(crate) struct Recording<S: Number + Real> {
     /// The result, recorded.
     pub value: Arc<Recorded>,
     /// The result and derivatives from the input and a cotangent, recorded: from wherever the operation says
@@ -58,7 +60,7 @@ pub(crate) struct Recording<S: Number> {
     /// The function itself, on plain numbers.
     pub source: Path<S>,
     /// The result by a batch.
-    pub batch: Path<S>,
+    pub batch: Function<S>,
     /// Derivatives by hand, on plain numbers.
     pub by_hand: ByHand<S>,
     /// The function itself on num-dual's numbers, where derivatives are by hand.
@@ -73,7 +75,22 @@ pub(crate) struct Recording<S: Number> {
     pub jumps: Jumps,
 }
 
-impl<S: Number> Recording<S> {
+impl<S: Number + Real> Recording<S> {
+    /// The result by a batch of one item; nothing where the batch refuses it.
+    fn batch_value(&self, x: &[S]) -> Vec<S> {
+        let mut rest = x;
+        let takes = self.batch.takes().into_iter();
+        let rows: Vec<Rows<'_, S>> = takes
+            .map(|(_, layout)| {
+                let (own, others) = rest.split_at(layout.fields());
+                rest = others;
+                Rows::new(own, layout.fields())
+            })
+            .collect();
+        self.batch
+            .aligned(&rows)
+            .map_or(Vec::new(), |lists| lists.concat())
+    }
     /// The derivatives, on any scalar.
     fn derivatives_on<T: Scalar>(&self, x: Vec<T>, y_bar: Vec<T>) -> Vec<T> {
         let mut all = self.derivatives.run_on(&[x, y_bar].concat());
@@ -100,7 +117,7 @@ impl<S: Number> Recording<S> {
 }
 
 /// A recorded operation near an input.
-pub struct RecordedSubject<'a, S: Number> {
+pub struct RecordedSubject<'a, S: Number + Real> {
     pub(crate) near: &'a dyn Near,
     pub(crate) recording: &'a Recording<S>,
     /// The same operation in double precision.
@@ -109,7 +126,7 @@ pub struct RecordedSubject<'a, S: Number> {
     pub(crate) batch: Option<&'a Batch<'a>>,
 }
 
-impl<S: Number> Subject for RecordedSubject<'_, S> {
+impl<S: Number + Real> Subject for RecordedSubject<'_, S> {
     fn precision(&self) -> Precision {
         Precision::of::<S>()
     }
@@ -127,7 +144,7 @@ impl<S: Number> Subject for RecordedSubject<'_, S> {
         let jets = recording.value.run_on(&jets);
         let mut all = vec![
             widened(&recording.value.run(&list)),
-            widened(&(recording.batch)(&list)),
+            widened(&recording.batch_value(&list)),
             jets.iter().map(|jet| jet.value.widen()).collect(),
         ];
         let ones = vec![S::one(); recording.outputs];

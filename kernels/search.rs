@@ -16,7 +16,7 @@ use std::sync::Arc;
 
 /// An operation with a search.
 ///
-/// Batches run those of the [list](crate::for_each_op). One of another crate is checked by the harness
+/// Batches run those of the library. One of another crate is checked by the harness
 /// ([`check_search_with`](crate::kernels::check::check_search_with)), but no batch takes it: that `Runs` is implemented
 /// for it by its input, which is not of that crate either, is what Rust's rule of orphans forbids.
 pub trait Search: Copy + Debug + Default + Send + Sync + 'static {

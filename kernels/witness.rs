@@ -13,16 +13,13 @@
 //! ```
 use crate::Error;
 use crate::kernels::Backend;
-use crate::kernels::cpu::plan::{self, Face, Want};
-#[cfg(feature = "gpu")]
-use crate::kernels::gpu::Generated;
+use crate::kernels::cpu::plan::{Shaped, Want};
+use crate::kernels::dynamic::{Function, Layout, Rows};
 use crate::kernels::gpu::GpuRing;
-use crate::kernels::item::{Item, Single};
-use crate::kernels::op::{self, Op, RingOp, Runs};
+use crate::kernels::op::RingOp;
 use crate::{Fixed, Pack, Vec2};
 use std::cell::Cell;
 use std::collections::HashMap;
-use std::sync::Arc;
 
 /// What a batch says about one input.
 #[derive(Clone, Debug)]
@@ -114,41 +111,74 @@ impl<'a> Batch<'a> {
 /// Inputs that all pairs are asked about at a time: of their square only the diagonal says something.
 const SIDE: usize = 64;
 
+/// Columns of a function's arguments, from the numbers of every input.
+fn columns(function: &Function<f32>, inputs: &[Vec<f32>]) -> Vec<(Vec<f32>, usize)> {
+    let mut from = 0;
+    let column = |(_, layout): (_, Layout<f32>)| {
+        let own = from..from + layout.fields();
+        from = own.end;
+        let rows = inputs.iter().flat_map(|x| x[own.clone()].iter().copied());
+        (rows.collect(), layout.fields())
+    };
+    function.takes().into_iter().map(column).collect()
+}
+
+/// What a function of columns gives on a backend, item by item.
+fn asked(
+    backend: Backend<'_>,
+    function: &Function<f32>,
+    inputs: &[Vec<f32>],
+) -> Result<Vec<Vec<f64>>, Error> {
+    let columns = columns(function, inputs);
+    let rows: Vec<_> = columns.iter().map(|(x, n)| Rows::new(x, *n)).collect();
+    let lists = function.aligned_on(backend, &rows)?;
+    let gives = function.gives();
+    let item = |i: usize| {
+        let lists = lists.iter().zip(&gives);
+        lists
+            .flat_map(|(list, n)| widened(&list[i * n..][..*n]))
+            .collect()
+    };
+    Ok((0..inputs.len()).map(item).collect())
+}
+
 /// Asks a backend about two shapes by all pairs: values from the matrix, derivatives from the adjoint of an upstream
 /// that counts every row with its own column alone. Inputs whose derivatives would meet infinite ones of a row with
-/// another column, which are none of theirs, are asked about by themselves.
-pub(crate) fn ask_pairs<O, A, B>(
+/// another column, which are none of theirs, are asked about by themselves. Nothing of other results than one number
+/// of two shapes.
+pub(crate) fn ask_pairs(
     backend: Backend<'_>,
+    shaped: &Shaped<f32>,
     inputs: &[Vec<f32>],
-) -> Result<Vec<Answer>, Error>
-where
-    O: Default + Runs<(A, B), Out = f32>,
-    A: Single<Scalar = f32>,
-    B: Single<Scalar = f32>,
-{
+) -> Result<Vec<Answer>, Error> {
+    let function = Function::of_straight(*shaped, Want::Value);
     let mut answers: Vec<Answer> = Vec::with_capacity(inputs.len());
+    if shaped.line.outputs != 1 || function.takes().len() != 2 {
+        return Ok(answers);
+    }
     for inputs in inputs.chunks(SIDE) {
         let first = answers.len();
-        let split = |x: &Vec<f32>| (A::load(&x[..A::LEN]), B::load(&x[A::LEN..]));
-        let (a, b): (Vec<A>, Vec<B>) = inputs.iter().map(split).unzip();
-        let side = a.len();
+        let side = inputs.len();
+        let lists = columns(&function, inputs);
+        let [(a, a_fields), (b, b_fields)] = &lists[..] else {
+            return Ok(answers);
+        };
+        let (a, b) = (Rows::new(a, *a_fields), Rows::new(b, *b_fields));
         let mut own = vec![0.0; side * side];
         own.iter_mut().step_by(side + 1).for_each(|x| *x = 1.0);
-        let values = backend.all_pairs(O::default(), &a, &b)?;
-        let (by_a, by_b) = backend.all_pairs_vjp(O::default(), &a, &b, &own)?;
-        answers.extend(
-            by_a.iter()
-                .zip(&by_b)
-                .enumerate()
-                .map(|(i, (a, b))| Answer {
-                    value: widened(&[values.at(i, i)]),
-                    rows: vec![widened(&[a.scalars(), b.scalars()].concat())],
-                }),
-        );
+        let values = function.all_pairs_on(backend, a, b)?;
+        let (by_a, by_b) = function.all_pairs_vjp_on(backend, a, b, &own)?;
+        let derivatives = by_a
+            .chunks_exact(*a_fields)
+            .zip(by_b.chunks_exact(*b_fields));
+        answers.extend(derivatives.enumerate().map(|(i, (a, b))| Answer {
+            value: widened(&values[i * (side + 1)..][..1]),
+            rows: vec![widened(&[a, b].concat())],
+        }));
         let is_finite = |answer: &Answer| answer.rows[0].iter().all(|x| x.is_finite());
         for (input, answer) in inputs.iter().zip(&mut answers[first..]) {
             if side > 1 && !is_finite(answer) {
-                let alone = ask_pairs::<O, A, B>(backend, std::slice::from_ref(input))?;
+                let alone = ask_pairs(backend, shaped, std::slice::from_ref(input))?;
                 *answer = alone.into_iter().next().unwrap_or(answer.clone());
             }
         }
@@ -157,31 +187,32 @@ where
 }
 
 /// Asks a backend about any operation, one call per output for the derivatives.
-pub(crate) fn ask_any<O: Op>(
+pub(crate) fn ask_any(
     backend: Backend<'_>,
+    shaped: &Shaped<f32>,
     inputs: &[Vec<f32>],
-) -> Result<Vec<Answer>, Error>
-where
-    O::In<f32>: Item<Scalar = f32>,
-    O::Out<f32>: Item<Scalar = f32>,
-{
-    let run = O::default();
-    let shapes: Vec<O::In<f32>> = inputs.iter().map(|x| O::In::<f32>::load(x)).collect();
-    let values = backend.rows(run, &shapes[..])?;
-    let mut answers: Vec<Answer> = values
-        .iter()
-        .map(|value| Answer {
-            value: widened(value),
-            rows: Vec::new(),
-        })
-        .collect();
-    let outputs = O::Out::<f32>::LEN;
+) -> Result<Vec<Answer>, Error> {
+    let values = asked(
+        backend,
+        &Function::of_straight(*shaped, Want::Value),
+        inputs,
+    )?;
+    let alone = |value| Answer {
+        value,
+        rows: Vec::new(),
+    };
+    let mut answers: Vec<Answer> = values.into_iter().map(alone).collect();
+    let (adjoint, outputs) = (
+        Function::of_straight(*shaped, Want::Vjp),
+        shaped.line.outputs,
+    );
     for j in 0..outputs {
-        let seed: Vec<f32> = (0..outputs).map(|k| f32::from(u8::from(j == k))).collect();
-        let seeds = vec![O::Out::<f32>::load(&seed); inputs.len()];
-        let bars = backend.rows(run.vjp(), (&shapes[..], &seeds[..]))?;
-        for (answer, bar) in answers.iter_mut().zip(&bars) {
-            answer.rows.push(widened(bar));
+        let seed = (0..outputs).map(|k| f32::from(u8::from(j == k)));
+        let seeded = |x: &Vec<f32>| x.iter().copied().chain(seed.clone()).collect();
+        let inputs: Vec<Vec<f32>> = inputs.iter().map(seeded).collect();
+        let bars = asked(backend, &adjoint, &inputs)?;
+        for (answer, bar) in answers.iter_mut().zip(bars) {
+            answer.rows.push(bar);
         }
     }
     Ok(answers)
@@ -189,43 +220,21 @@ where
 
 /// Asks a backend about an operation with one number as result, by the kernel that computes it with its gradient;
 /// nothing of others.
-pub(crate) fn ask_gradient<O: Op>(
+pub(crate) fn ask_gradient(
     backend: Backend<'_>,
+    shaped: &Shaped<f32>,
     inputs: &[Vec<f32>],
-) -> Result<Vec<Answer>, Error>
-where
-    O::In<f32>: Item<Scalar = f32>,
-    O::Out<f32>: Item<Scalar = f32>,
-{
-    if O::Out::<f32>::LEN != 1 {
+) -> Result<Vec<Answer>, Error> {
+    if shaped.line.outputs != 1 {
         return Ok(Vec::new());
     }
-    let shapes: Vec<O::In<f32>> = inputs.iter().map(|x| O::In::<f32>::load(x)).collect();
-    let all = backend.rows(AnyGradient(O::default()), &shapes[..])?;
-    let answer = |numbers: Vec<f32>| Answer {
-        value: widened(&numbers[..1]),
-        rows: vec![widened(&numbers[1..])],
+    let function = Function::of_straight(*shaped, Want::ValueGrad);
+    let answer = |numbers: Vec<f64>| Answer {
+        value: numbers[..1].to_vec(),
+        rows: vec![numbers[1..].to_vec()],
     };
+    let all = asked(backend, &function, inputs)?;
     Ok(all.into_iter().map(answer).collect())
-}
-
-/// [`ValueGrad`](crate::kernels::op::ValueGrad) of an operation of which only its length says that its result is a
-/// number.
-struct AnyGradient<O>(O);
-
-impl<O, R: Item> Runs<R> for AnyGradient<O>
-where
-    O: Op<In<<R as Pack>::Scalar> = R>,
-    O::Out<R::Scalar>: Item<Scalar = R::Scalar>,
-{
-    type Out = (O::Out<R::Scalar>, R);
-    fn face(&self, ask: op::Ask) -> Result<Arc<Face<R::Scalar>>, Error> {
-        plan::face_of::<O, R>(Want::ValueGrad, ask.framed)
-    }
-    #[cfg(feature = "gpu")]
-    fn generated(&self, ask: op::Ask) -> Result<Arc<Generated<R::Scalar>>, Error> {
-        plan::generated_of::<O, R>(Want::ValueGrad, ask.framed)
-    }
 }
 
 /// Asks a backend about rings, one call per output for the derivatives.

@@ -1,6 +1,5 @@
 //! Tests on a GPU: the context, and whether shader text is valid.
-use geograd::kernels::gpu::{Gpu, op_sources};
-use geograd::kernels::{Item, Op};
+use geograd::kernels::gpu::Gpu;
 use std::sync::OnceLock;
 
 /// One context for all tests of a binary; `None`, loudly, where there is no adapter.
@@ -36,16 +35,5 @@ pub fn validate(name: &str, text: &str) {
     let capabilities = Capabilities::SUBGROUP;
     if let Err(error) = Validator::new(ValidationFlags::all(), capabilities).validate(&module) {
         panic!("{name}: {}", error.emit_to_string(text));
-    }
-}
-
-/// Shader text needs no GPU to be judged.
-pub fn shaders_are_valid<O: Op>()
-where
-    O::In<f32>: Item<Scalar = f32>,
-    O::Out<f32>: Item,
-{
-    for (name, text) in op_sources::<O>().unwrap() {
-        validate(&name, &text);
     }
 }

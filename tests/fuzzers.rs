@@ -1,70 +1,30 @@
-//! Fuzzers of every row of the list, compiled here once for tests and reports.
-use geograd::kernels::fuzz::{self, Fuzzed};
+//! Fuzzers of every row of the list.
+use crate::list::{Tested, rows};
+use geograd::kernels::fuzz::Fuzzed;
 
-/// One operation in one format: its name, whether that is `f64`, and what fuzzes it.
-pub type Fuzzer = (&'static str, bool, Fuzz);
-pub type Fuzz = fn(u64, u64) -> Fuzzed;
-
-macro_rules! fuzzes {
-    (pairs { $($pair:ident: $pair_op:ty,)* } rings { $($ring:ident: $ring_op:ty,)* }
-     straight { $($straight:ident: $straight_op:ty,)* }
-     folds { $($fold:ident: $fold_op:ty,)* } decided { $($decided:ident: $decided_op:ty,)* }
-     further {
-         straight { $($more:ident: $more_op:ty,)* }
-         folds { $($more_fold:ident: $more_fold_op:ty,)* }
-         decided { $($more_search:ident: $more_decided_op:ty,)* }
-     }) => {
-        vec![
-            $(
-                (stringify!($pair), true, fuzz::operation::<$pair_op, f64> as Fuzz),
-                (stringify!($pair), false, fuzz::operation::<$pair_op, f32>),
-            )*
-            $(
-                (stringify!($ring), true, fuzz::ring::<$ring_op, f64>),
-                (stringify!($ring), false, fuzz::ring::<$ring_op, f32>),
-            )*
-            $(
-                (stringify!($straight), true, fuzz::operation::<$straight_op, f64>),
-                (stringify!($straight), false, fuzz::operation::<$straight_op, f32>),
-            )*
-            $(
-                (stringify!($fold), true, fuzz::fold::<$fold_op, f64>),
-                (stringify!($fold), false, fuzz::fold::<$fold_op, f32>),
-            )*
-            $(
-                (stringify!($decided), true, fuzz::decided::<$decided_op, f64>),
-                (stringify!($decided), false, fuzz::decided::<$decided_op, f32>),
-            )*
-            $(
-                (stringify!($more), true, fuzz::operation::<$more_op, f64>),
-                (stringify!($more), false, fuzz::operation::<$more_op, f32>),
-            )*
-            $(
-                (stringify!($more_fold), true, fuzz::fold::<$more_fold_op, f64>),
-                (stringify!($more_fold), false, fuzz::fold::<$more_fold_op, f32>),
-            )*
-            $(
-                (stringify!($more_search), true, fuzz::decided::<$more_decided_op, f64>),
-                (stringify!($more_search), false, fuzz::decided::<$more_decided_op, f32>),
-            )*
-        ]
-    };
+/// A row in one format.
+pub struct Fuzzer {
+    /// The name of its function.
+    pub name: &'static str,
+    /// True in `f64`.
+    pub wide: bool,
+    /// Fuzzes it with so many inputs from a seed.
+    pub run: Box<dyn Fn(u64, u64) -> Fuzzed>,
 }
 
-macro_rules! more_fuzzes {
-    ($($name:ident: $op:ty,)*) => {
-        [$(
-            (stringify!($name), true, fuzz::operation::<$op, f64> as Fuzz),
-            (stringify!($name), false, fuzz::operation::<$op, f32>),
-        )*]
-    };
-}
-
-/// Fuzzers of all operations in both formats.
+/// Fuzzers of all rows in both formats.
+#[must_use]
 pub fn fuzzers() -> Vec<Fuzzer> {
-    let mut all = geograd::for_each_op!(fuzzes);
-    all.extend(crate::more_fuzzed!(more_fuzzes));
-    all
+    let of = |row: &'static Tested, wide| Fuzzer {
+        name: row.name(),
+        wide,
+        run: match wide {
+            true => Box::new(|count, seed| row.fuzz::<f64>(count, seed)),
+            false => Box::new(|count, seed| row.fuzz::<f32>(count, seed)),
+        },
+    };
+    let both = |row| [of(row, true), of(row, false)];
+    rows().into_iter().flat_map(both).collect()
 }
 
 /// How a walk over fuzzers went.
@@ -101,15 +61,18 @@ pub fn walk(fuzzers: &[Fuzzer], count: u64, seed: u64, mut say: impl FnMut(&Fuzz
         probe @ FEW.. => (probe, true),
         _ => (each, false),
     };
-    let mut found: Vec<Fuzzed> = fuzzers.iter().map(|(_, _, run)| run(first, seed)).collect();
+    let mut found: Vec<Fuzzed> = fuzzers
+        .iter()
+        .map(|fuzzer| (fuzzer.run)(first, seed))
+        .collect();
     let rate = |fuzzed: &Fuzzed| fuzzed.inputs as f64 / fuzzed.time.as_secs_f64();
     let rates: f64 = found.iter().map(rate).sum();
     let rest = count.saturating_sub(first * all) as f64;
     let mut walked = Walked::default();
-    for ((_, _, run), fuzzed) in fuzzers.iter().zip(&mut found) {
+    for (fuzzer, fuzzed) in fuzzers.iter().zip(&mut found) {
         if is_timed && fuzzed.broken.is_none() {
             let more = (rest * rate(fuzzed) / rates) as u64;
-            let again = run(more, seed.wrapping_add(1));
+            let again = (fuzzer.run)(more, seed.wrapping_add(1));
             fuzzed.inputs += again.inputs;
             fuzzed.time += again.time;
             fuzzed.broken = again.broken;

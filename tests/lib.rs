@@ -6,28 +6,15 @@ pub mod adapter;
 pub mod calls;
 #[cfg(feature = "list")]
 pub mod corpus;
-#[cfg(feature = "gpu")]
+#[cfg(all(feature = "gpu", feature = "list"))]
 pub mod forms;
-#[cfg(feature = "fuzzers")]
+#[cfg(feature = "list")]
 pub mod fuzzers;
 #[path = "hashes/lines.rs"]
 pub mod lines;
 #[cfg(feature = "list")]
 pub mod list;
 pub mod rows;
-
-/// Operations of two shapes that are fuzzed beside the list.
-///
-/// `more_fuzzed!(with)` calls the macro `with!` with names and types.
-#[macro_export]
-macro_rules! more_fuzzed {
-    ($with:ident) => {
-        $with! {
-            iou_aabb3_obb3: $crate::rows::IouAabb3Obb3,
-            intersection_area_quads: $crate::rows::IntersectionAreaQuads,
-        }
-    };
-}
 
 /// A small reproducible source of numbers.
 #[derive(Clone, Debug)]

@@ -1,88 +1,133 @@
-//! Checks of every operation of the list, compiled here once for tests and reports.
-use geograd::Error;
-use geograd::ad::check::{Report, Sampling};
-use geograd::kernels::Backend;
-use geograd::kernels::check::{
-    check_fold_with, check_on, check_pairs_on, check_ring_on, check_ring_with, check_search_with,
-    check_with,
-};
-use geograd::kernels::gpu::Gpu;
+//! Rows of the library with all that judges them, compiled here once for tests and reports.
+use geograd::ad::check::sample::Draw;
+use geograd::kernels::dynamic::{Mode, named_rows};
+use geograd::kernels::tested;
+pub use geograd::kernels::tested::{Both, Tested};
+use std::panic::{AssertUnwindSafe, catch_unwind};
+use std::sync::Mutex;
+use std::sync::atomic::{AtomicUsize, Ordering};
 
-/// One operation in one format: its name, whether that is `f64`, and what checks it, with batches
-/// on a GPU as a further witness of `f32` if there is one.
-pub type Judged = (&'static str, bool, Check);
-pub type Check = fn(&Sampling<'_>, Option<&Gpu>) -> Result<Report, Error>;
+/// Rows that the harness refuses at more than some hard cases: a gradient that is not the function's on purpose, and
+/// pairs of shapes at whose ties derivatives of the search are shared otherwise.
+pub const REFUSED: [&str; 4] = [
+    "ciou_fixed_weight_aabb2",
+    "ciou_fixed_weight_obb2",
+    "intersection_area_quads",
+    "iou_aabb3_obb3",
+];
 
-macro_rules! checks {
-    (pairs { $($pair:ident: $pair_op:ty,)* } rings { $($ring:ident: $ring_op:ty,)* }
-     straight { $($straight:ident: $straight_op:ty,)* }
-     folds { $($fold:ident: $fold_op:ty,)* } decided { $($decided:ident: $decided_op:ty,)* }
-     further {
-         straight { $($more:ident: $more_op:ty,)* }
-         folds { $($more_fold:ident: $more_fold_op:ty,)* }
-         decided { $($more_search:ident: $more_decided_op:ty,)* }
-     }) => {
-        vec![
-            $(
-                (
-                    stringify!($pair),
-                    true,
-                    (|plan, _| Ok(check_with::<$pair_op, f64>(plan))) as Check,
-                ),
-                (stringify!($pair), false, |plan, gpu| match gpu {
-                    Some(gpu) => check_pairs_on::<$pair_op, _, _>(Backend::Gpu(gpu), plan),
-                    None => Ok(check_with::<$pair_op, f32>(plan)),
-                }),
-            )*
-            $(
-                (stringify!($ring), true, |plan, _| Ok(check_ring_with::<$ring_op, f64>(plan))),
-                (stringify!($ring), false, |plan, gpu| match gpu {
-                    Some(gpu) => check_ring_on::<$ring_op>(Backend::Gpu(gpu), plan),
-                    None => Ok(check_ring_with::<$ring_op, f32>(plan)),
-                }),
-            )*
-            $(
-                (stringify!($straight), true, |plan, _| Ok(check_with::<$straight_op, f64>(plan))),
-                (stringify!($straight), false, |plan, gpu| match gpu {
-                    Some(gpu) => check_on::<$straight_op>(Backend::Gpu(gpu), plan),
-                    None => Ok(check_with::<$straight_op, f32>(plan)),
-                }),
-            )*
-            $(
-                (stringify!($fold), true, |plan, _| Ok(check_fold_with::<$fold_op, f64>(plan))),
-                (stringify!($fold), false, |plan, _| Ok(check_fold_with::<$fold_op, f32>(plan))),
-            )*
-            $(
-                (stringify!($decided), true, |plan, _| Ok(check_search_with::<$decided_op, f64>(plan))),
-                (stringify!($decided), false, |plan, _| Ok(check_search_with::<$decided_op, f32>(plan))),
-            )*
-            // Too many to be compiled wherever examples are built and not run.
-            $(
-                #[cfg(not(debug_assertions))]
-                (stringify!($more), true, |plan, _| Ok(check_with::<$more_op, f64>(plan))),
-                #[cfg(not(debug_assertions))]
-                (stringify!($more), false, |plan, gpu| match gpu {
-                    Some(gpu) => check_on::<$more_op>(Backend::Gpu(gpu), plan),
-                    None => Ok(check_with::<$more_op, f32>(plan)),
-                }),
-            )*
-            $(
-                #[cfg(not(debug_assertions))]
-                (stringify!($more_fold), true, |plan, _| Ok(check_fold_with::<$more_fold_op, f64>(plan))),
-                #[cfg(not(debug_assertions))]
-                (stringify!($more_fold), false, |plan, _| Ok(check_fold_with::<$more_fold_op, f32>(plan))),
-            )*
-            $(
-                #[cfg(not(debug_assertions))]
-                (stringify!($more_search), true, |plan, _| Ok(check_search_with::<$more_decided_op, f64>(plan))),
-                #[cfg(not(debug_assertions))]
-                (stringify!($more_search), false, |plan, _| Ok(check_search_with::<$more_decided_op, f32>(plan))),
-            )*
-        ]
-    };
+/// All rows; only those that the variable `GEOGRAD_OP` names, as `iou` or `iou(obb2,obb2)`, if it is set.
+///
+/// # Panics
+///
+/// If it names none.
+#[must_use]
+pub fn rows() -> Vec<&'static Tested> {
+    let all = tested::rows().iter();
+    match std::env::var("GEOGRAD_OP") {
+        Ok(asked) => {
+            let named = named_rows(&asked).unwrap_or_else(|error| panic!("GEOGRAD_OP: {error}"));
+            all.filter(|row| named.contains(&row.name())).collect()
+        }
+        Err(_) => all.collect(),
+    }
 }
 
-/// Checks of all operations in both formats.
-pub fn checks() -> Vec<Judged> {
-    geograd::for_each_op!(checks)
+/// The rows that the harness checks.
+#[must_use]
+pub fn checked() -> Vec<&'static Tested> {
+    let all = rows().into_iter();
+    all.filter(|row| !REFUSED.contains(&row.name())).collect()
+}
+
+/// The row of a name.
+///
+/// # Panics
+///
+/// If there is none.
+#[must_use]
+pub fn row(name: &str) -> &'static Tested {
+    let found = tested::rows().iter().find(|row| row.name() == name);
+    found.unwrap_or_else(|| panic!("no row is named {name}"))
+}
+
+/// Carries out work for every row, on all cores.
+///
+/// # Panics
+///
+/// If it panics for a row; with the names of all such rows, after all of them.
+pub fn each(rows: &[&'static Tested], work: impl Fn(&'static Tested) + Sync) {
+    let (next, failed) = (AtomicUsize::new(0), Mutex::new(Vec::new()));
+    let turn = || {
+        while let Some(row) = rows.get(next.fetch_add(1, Ordering::Relaxed)) {
+            if catch_unwind(AssertUnwindSafe(|| work(row))).is_err() {
+                failed.lock().unwrap().push(row.name());
+            }
+        }
+    };
+    std::thread::scope(|scope| {
+        for _ in 1..std::thread::available_parallelism().map_or(1, usize::from) {
+            scope.spawn(turn);
+        }
+        turn();
+    });
+    let failed = failed.into_inner().unwrap();
+    assert!(
+        failed.is_empty(),
+        "{} of {} rows fail, for reasons that are above: {}",
+        failed.len(),
+        rows.len(),
+        failed.join(", ")
+    );
+}
+
+/// Items as a column of numbers for every argument of a row.
+#[must_use]
+pub fn columns<T: Both>(row: &Tested, items: &[Vec<T>]) -> Vec<Vec<T>> {
+    let mut from = 0;
+    let layouts = row.operation.layouts::<T>().into_iter();
+    let column = |fields: usize| {
+        let own = from..from + fields;
+        from = own.end;
+        items.iter().flat_map(|x| x[own.clone()].to_vec()).collect()
+    };
+    layouts.map(|layout| layout.fields()).map(column).collect()
+}
+
+/// Inputs that a draw makes, in a format: those that are valid.
+///
+/// # Panics
+///
+/// If none is.
+pub fn inputs<T: Both>(
+    row: &Tested,
+    count: usize,
+    mut drawn: impl FnMut(&mut Draw) -> Vec<f64>,
+) -> Vec<Vec<T>> {
+    let (mut draw, layouts) = (Draw::new(5), row.operation.layouts::<T>());
+    let mut all = Vec::new();
+    for _ in 0..10 * count.max(20) {
+        let item: Vec<T> = drawn(&mut draw).into_iter().map(T::lit).collect();
+        let mut rest = &item[..];
+        let is_valid = layouts.iter().all(|layout| {
+            let (own, others) = rest.split_at(layout.fields());
+            rest = others;
+            layout.check(own).is_ok()
+        });
+        if is_valid {
+            all.push(item);
+        }
+        if all.len() == count {
+            break;
+        }
+    }
+    assert!(!all.is_empty(), "no input of {} is valid", row.name());
+    all
+}
+
+/// How many numbers a result has; of paths none.
+#[must_use]
+pub fn outputs(row: &Tested) -> usize {
+    let function = row.operation.function::<f64>(Mode::Value);
+    function.map_or(0, |function| function.gives().iter().sum())
 }

@@ -1,7 +1,7 @@
 //! Any operation of the list in all its forms, on a GPU and on the CPU: how long it takes, and whether both
 //! say the same.
 use crate::listed::ready::Ready;
-use crate::listed::{Form, Listed, Make, list};
+use crate::listed::{Form, Listed, list};
 use common::cli::Failure;
 use geograd::kernels::gpu::{Gpu, Options};
 use geograd::kernels::{Backend, dynamic};
@@ -82,8 +82,8 @@ fn copying(gpu: &Gpu, numbers: usize) -> Result<Option<f64>, Error> {
 fn agrees(gpu: &Gpu, op: &Listed, count: usize) -> Result<bool, Error> {
     println!("{}", op.name);
     let mut agree = true;
-    for &(form, make) in &op.forms {
-        match both(gpu, form, make, count) {
+    for form in op.forms() {
+        match both(gpu, form, op, count) {
             Ok(same) => agree &= same,
             Err(Error::Program(Unrecordable::Search)) => {
                 println!(
@@ -98,10 +98,10 @@ fn agrees(gpu: &Gpu, op: &Listed, count: usize) -> Result<bool, Error> {
 }
 
 /// Runs a form on both machines, tells how fast they are, and compares.
-fn both(gpu: &Gpu, form: Form, make: Make, count: usize) -> Result<bool, Error> {
+fn both(gpu: &Gpu, form: Form, op: &Listed, count: usize) -> Result<bool, Error> {
     let start = Instant::now();
     // The first call brings everything up, and compiles.
-    let mut on_gpu = make(Backend::Gpu(gpu), count)?;
+    let mut on_gpu = op.make(form, Backend::Gpu(gpu), count)?;
     gpu.wait()?;
     let ready = start.elapsed();
     let _ = gpu.take_kernel_time();
@@ -110,7 +110,7 @@ fn both(gpu: &Gpu, form: Form, make: Make, count: usize) -> Result<bool, Error> 
     gpu.wait()?;
     let call = start.elapsed();
     let kernels = gpu.take_kernel_time();
-    let mut on_cpu = make(Backend::Cpu, count)?;
+    let mut on_cpu = op.make(form, Backend::Cpu, count)?;
     let start = Instant::now();
     on_cpu.run()?;
     let cpu = start.elapsed();

@@ -128,23 +128,6 @@ impl Cpu {
     }
 }
 
-impl Cpu {
-    /// The numbers of every result, item by item.
-    pub(crate) fn rows<C: Columns, R: Runs<C::Item>>(
-        &self,
-        run: R,
-        columns: C,
-    ) -> Result<Vec<Vec<ScalarOf<C>>>, Error> {
-        let face = run.face(Ask::ALIGNED)?;
-        let columns = listed(&columns);
-        let (count, rare) = checked(&face, &columns)?;
-        as_rows(&face.gives, count, |targets| {
-            compute(&face, columns, rare, count, targets);
-            Ok(())
-        })
-    }
-}
-
 /// The numbers of results for columns of shapes and cotangents: a list for every shape of a result.
 pub(crate) fn run_columns<T: Real>(
     face: &Face<T>,
@@ -157,30 +140,6 @@ pub(crate) fn run_columns<T: Real>(
     let targets = targets.map(|(list, &fields)| Some(Target::of_rows(list, fields)));
     compute(face, columns, rare, count, targets.collect());
     Ok(lists)
-}
-
-/// The numbers that a call writes into targets of so many numbers each, item by item.
-pub(crate) fn as_rows<T: Real>(
-    gives: &[usize],
-    count: usize,
-    fill: impl FnOnce(Vec<Option<Target<'_, T>>>) -> Result<(), Error>,
-) -> Result<Vec<Vec<T>>, Error> {
-    let mut parts: Vec<Vec<T>> = gives
-        .iter()
-        .map(|n| vec![T::default(); n * count])
-        .collect();
-    let targets = parts.iter_mut().zip(gives);
-    fill(
-        targets
-            .map(|(part, &fields)| Some(Target::of_rows(part, fields)))
-            .collect(),
-    )?;
-    let row = |i: usize| {
-        let own = parts.iter().zip(gives);
-        own.flat_map(|(part, &n)| part[i * n..(i + 1) * n].to_vec())
-            .collect()
-    };
-    Ok((0..count).map(row).collect())
 }
 
 /// The columns as a list.

@@ -1,4 +1,4 @@
-//! Every operation of the list, by name.
+//! Every operation of the library, by name.
 use super::Mode;
 use super::function::{Function, Origin, Searching};
 use super::paths::{Code, OnPaths, fold_double, fold_single, ring_double, ring_single};
@@ -10,14 +10,18 @@ use crate::ad::check::sample::{Sample, Sampler};
 use crate::ad::check::symmetry::Kind;
 use crate::ad::program::record::{TRIALS, listed};
 use crate::error::{Argument, Error, Field, Unrecordable};
+use crate::kernels::check::inside_of;
 use crate::kernels::cpu::plan::{Shaped, recorded_of};
 use crate::kernels::fold::Fold;
 use crate::kernels::fuzz::{Bound, bounds};
 use crate::kernels::gpu::GpuRing;
 use crate::kernels::item::{Item, Leaf, leaves_of};
 use crate::kernels::op::{Derivative, Extremes, Finite, Invariance, Jumps, Op, Range};
+use crate::kernels::ops;
+use crate::kernels::ops::list::{Walk, Written};
 use crate::kernels::real::Real;
 use crate::kernels::search::{self, Search};
+use std::sync::OnceLock;
 
 /// The sort of function that an operation is.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
@@ -32,13 +36,13 @@ pub enum Sort {
     Ring,
 }
 
-/// An operation of the [list](crate::for_each_op), without its types.
+/// An operation of the library, without its types.
 #[derive(Clone, Copy, Debug)]
 pub struct Operation {
     /// The name of its function.
     pub name: &'static str,
-    /// Its verb, as the list calls its type.
-    path: &'static str,
+    /// Its verb and its shapes.
+    pub(crate) row: Written,
     /// The sort of function that it is.
     pub sort: Sort,
     /// Its documentation in Markdown, with links to Rust's items; see [`summary`](Operation::summary).
@@ -60,9 +64,9 @@ pub struct Operation {
     /// Largest error of a value beyond rounding, in the unit of the result and as a share of it.
     pub resolution: [f64; 2],
     /// True at valid inputs for which the row is stated.
-    inside: fn(&[f64]) -> bool,
+    pub(crate) inside: Option<fn(&[f64]) -> bool>,
     /// The kinds of the scalars of its arguments, and of its result.
-    kinds: [fn() -> Vec<Kind>; 2],
+    pub(crate) kinds: [fn() -> Vec<Kind>; 2],
     /// How its arguments are drawn.
     samplers: fn() -> Vec<Sampler>,
     single: Of<f32>,
@@ -148,7 +152,7 @@ impl Operation {
     /// The name of its [verb](crate::kernels::verbs) in lower case: `iou` of `iou_obb2`, `convert` of conversions.
     #[must_use]
     pub fn verb(&self) -> String {
-        verb_of(self.path)
+        verb_of(self.row.verb)
     }
     /// The first paragraph of its documentation as plain text, without links.
     #[must_use]
@@ -177,7 +181,7 @@ impl Operation {
     /// rings are defined at every valid input.
     #[must_use]
     pub fn is_inside(&self, input: &[f64]) -> bool {
-        (self.inside)(input)
+        self.inside.is_none_or(|inside| inside(input))
     }
     /// The layouts of its arguments in a format, to trace functions of the same shapes.
     #[must_use]
@@ -301,6 +305,17 @@ impl Operation {
         program.on_symbols(arguments)
     }
 
+    /// The straight line that it is.
+    pub(crate) fn shaped<T: Format>(&self) -> Option<Shaped<T>> {
+        match T::of(self).body {
+            Body::Straight(shaped) => Some(shaped),
+            _ => None,
+        }
+    }
+    /// The same as its table writes it.
+    pub(crate) const fn written(self, row: Written) -> Self {
+        Operation { row, ..self }
+    }
     /// Why it is no program.
     const fn refused(&self) -> Error {
         Error::Program(match self.sort {
@@ -310,12 +325,12 @@ impl Operation {
     }
 }
 
-/// The verb in the path of a type of the list: the word after `verbs`, in lower case.
+/// The verb of a type, in lower case: `signed_area` of `verbs::SignedArea`.
 pub(super) fn verb_of(path: &str) -> String {
-    let verb = path.split("verbs").nth(1).unwrap_or(path);
-    let verb = verb.trim_start_matches(|c: char| !c.is_alphanumeric());
+    let verb = path.split('<').next().unwrap_or(path);
+    let verb = verb.rsplit("::").next().unwrap_or(verb).trim();
     let mut snake = String::new();
-    for c in verb.chars().take_while(|c| c.is_alphanumeric()) {
+    for c in verb.chars() {
         if c.is_uppercase() && !snake.is_empty() {
             snake.push('_');
         }
@@ -375,21 +390,16 @@ fn kinds_of<P: Fixed<Scalar = f64> + Sample>() -> Vec<Kind> {
     P::filled(1.0).kinds()
 }
 
-fn inside<O: Op>(input: &[f64]) -> bool {
-    let is_whole = input.len() == O::In::<f64>::LEN;
-    is_whole && O::DOMAIN.is_none_or(|domain| domain(O::In::load(input)))
-}
-
-fn anywhere(_: &[f64]) -> bool {
-    true
-}
-
 /// The description of an operation of any sort.
 macro_rules! said {
-    ($path:expr, $op:ty, $sort:ident, $names:expr, $derivatives:expr, $extremes:expr, $resolution:expr, $inside:expr, $kinds:expr, $samplers:expr, $single:expr, $double:expr) => {
+    ($op:ty, $sort:ident, $names:expr, $derivatives:expr, $extremes:expr, $resolution:expr, $inside:expr, $kinds:expr, $samplers:expr, $single:expr, $double:expr) => {
         Operation {
             name: <$op>::NAME,
-            path: $path,
+            row: Written {
+                name: "",
+                verb: "",
+                shapes: &[],
+            },
             sort: Sort::$sort,
             doc: <$op>::DOC,
             names: $names,
@@ -412,7 +422,7 @@ macro_rules! said {
 /// A straight line.
 #[doc(hidden)]
 #[must_use]
-pub const fn straight<O: Op>(path: &'static str) -> Operation
+pub const fn straight<O: Op>() -> Operation
 where
     O::In<f32>: Item<Scalar = f32>,
     O::Out<f32>: Item<Scalar = f32>,
@@ -431,14 +441,13 @@ where
         }
     }
     said!(
-        path,
         O,
         Straight,
         O::ARGUMENTS,
         Some(O::DERIVATIVE),
         O::EXTREMES,
         O::RESOLUTION,
-        inside::<O>,
+        inside_of::<O>(),
         [kinds_of::<O::In<f64>>, kinds_of::<O::Out<f64>>],
         O::In::<f64>::samplers,
         of::<f32, O>(),
@@ -449,7 +458,7 @@ where
 /// A search.
 #[doc(hidden)]
 #[must_use]
-pub const fn search<D: Search>(path: &'static str) -> Operation
+pub const fn search<D: Search>() -> Operation
 where
     D::In<f32>: Item<Scalar = f32>,
     D::Out<f32>: Item<Scalar = f32>,
@@ -472,14 +481,13 @@ where
         }
     }
     said!(
-        path,
         D,
         Search,
         D::ARGUMENTS,
         None,
         D::EXTREMES,
         [0.0; 2],
-        anywhere,
+        None,
         [kinds_of::<D::In<f64>>, kinds_of::<D::Out<f64>>],
         D::In::<f64>::samplers,
         of::<f32, D>(),
@@ -490,7 +498,7 @@ where
 /// A fold.
 #[doc(hidden)]
 #[must_use]
-pub const fn fold<F: Fold>(path: &'static str) -> Operation
+pub const fn fold<F: Fold>() -> Operation
 where
     F::Context<f32>: Item<Scalar = f32>,
     F::Out<f32>: Item<Scalar = f32>,
@@ -498,14 +506,13 @@ where
     F::Out<f64>: Item<Scalar = f64> + Sample,
 {
     said!(
-        path,
         F,
         Fold,
         F::ARGUMENTS,
         None,
         Extremes::Unsaid,
         [0.0; 2],
-        anywhere,
+        None,
         [kinds_of::<F::Context<f64>>, kinds_of::<F::Out<f64>>],
         F::Context::<f64>::samplers,
         Of {
@@ -524,20 +531,19 @@ where
 /// A measure of rings.
 #[doc(hidden)]
 #[must_use]
-pub const fn ring<O: GpuRing>(path: &'static str) -> Operation
+pub const fn ring<O: GpuRing>() -> Operation
 where
     O::Out<f32>: Item<Scalar = f32>,
     O::Out<f64>: Item<Scalar = f64> + Sample,
 {
     said!(
-        path,
         O,
         Ring,
         &[],
         None,
         Extremes::Unsaid,
         [0.0; 2],
-        anywhere,
+        None,
         [Vec::new, kinds_of::<O::Out<f64>>],
         Vec::new,
         Of {
@@ -553,40 +559,58 @@ where
     )
 }
 
-/// The list as one of values.
-macro_rules! all {
-    (
-        pairs { $($_p:ident: $pair:ty,)* }
-        rings { $($_r:ident: $ring:ty,)* }
-        straight { $($_s:ident: $straight:ty,)* }
-        folds { $($_f:ident: $fold:ty,)* }
-        decided { $($_d:ident: $decided:ty,)* }
-        further {
-            straight { $($_fs:ident: $further:ty,)* }
-            folds { $($_ff:ident: $further_fold:ty,)* }
-            decided { $($_fd:ident: $further_search:ty,)* }
-        }
-    ) => {
-        &[
-            $(straight::<$pair>(stringify!($pair)),)*
-            $(straight::<$straight>(stringify!($straight)),)*
-            $(straight::<$further>(stringify!($further)),)*
-            $(search::<$decided>(stringify!($decided)),)*
-            $(search::<$further_search>(stringify!($further_search)),)*
-            $(ring::<$ring>(stringify!($ring)),)*
-            $(fold::<$fold>(stringify!($fold)),)*
-            $(fold::<$further_fold>(stringify!($further_fold)),)*
-        ]
-    };
+/// Rows as values.
+struct Values(Vec<Operation>);
+
+impl Walk for Values {
+    fn straight<O: Op>(&mut self, row: Written)
+    where
+        O::In<f32>: Item<Scalar = f32>,
+        O::Out<f32>: Item<Scalar = f32>,
+        O::In<f64>: Item<Scalar = f64> + Sample,
+        O::Out<f64>: Item<Scalar = f64> + Sample,
+    {
+        self.0.push(const { straight::<O>() }.written(row));
+    }
+    fn search<D: Search>(&mut self, row: Written)
+    where
+        D::In<f32>: Item<Scalar = f32>,
+        D::Out<f32>: Item<Scalar = f32>,
+        D::In<f64>: Item<Scalar = f64> + Sample,
+        D::Out<f64>: Item<Scalar = f64> + Sample,
+    {
+        self.0.push(const { search::<D>() }.written(row));
+    }
+    fn fold<F: Fold>(&mut self, row: Written)
+    where
+        F::Context<f32>: Item<Scalar = f32>,
+        F::Out<f32>: Item<Scalar = f32>,
+        F::Context<f64>: Item<Scalar = f64> + Sample,
+        F::Out<f64>: Item<Scalar = f64> + Sample,
+    {
+        self.0.push(const { fold::<F>() }.written(row));
+    }
+    fn ring<O: GpuRing>(&mut self, row: Written)
+    where
+        O::Out<f32>: Item<Scalar = f32>,
+        O::Out<f64>: Item<Scalar = f64> + Sample,
+    {
+        self.0.push(const { ring::<O>() }.written(row));
+    }
 }
 
-/// Every operation of the [list](crate::for_each_op). A program that calls this compiles all of them, in both formats;
-/// who does not pays nothing.
+/// Every row of the library. A program that calls this compiles all of them, in both formats; who does not pays
+/// nothing.
 // Inlined, so that it is compiled where it is called.
 #[inline]
 #[must_use]
 pub fn operations() -> &'static [Operation] {
-    const { crate::for_each_op!(all) }
+    static ALL: OnceLock<Vec<Operation>> = OnceLock::new();
+    ALL.get_or_init(|| {
+        let mut all = Values(Vec::new());
+        ops::each(&mut all);
+        all.0
+    })
 }
 
 /// The operation of a name.

@@ -1,8 +1,10 @@
 //! Names of rows on command lines: `iou` for all rows of a verb, `iou(obb2,obb2)` for one.
 use super::list::verb_of;
+use crate::kernels::ops::list::Written;
+use crate::kernels::ops::written;
 use std::fmt;
 
-/// A row of the [list](crate::for_each_op) by its names.
+/// A row of the library by its names.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Name {
     /// Its name in reports: that of its function.
@@ -44,45 +46,20 @@ impl fmt::Display for Unnamed {
 
 impl std::error::Error for Unnamed {}
 
-macro_rules! all {
-    (pairs { $($pair:ident: $pair_op:ty,)* } rings { $($ring:ident: $ring_op:ty,)* }
-     straight { $($straight:ident: $straight_op:ty,)* }
-     folds { $($fold:ident: $fold_op:ty,)* } decided { $($decided:ident: $decided_op:ty,)* }
-     further {
-         straight { $($more:ident: $more_op:ty,)* }
-         folds { $($more_fold:ident: $more_fold_op:ty,)* }
-         decided { $($more_search:ident: $more_decided_op:ty,)* }
-     }) => {
-        &[
-            $((stringify!($pair), stringify!($pair_op)),)*
-            $((stringify!($ring), stringify!($ring_op)),)*
-            $((stringify!($straight), stringify!($straight_op)),)*
-            $((stringify!($fold), stringify!($fold_op)),)*
-            $((stringify!($decided), stringify!($decided_op)),)*
-            $((stringify!($more), stringify!($more_op)),)*
-            $((stringify!($more_fold), stringify!($more_fold_op)),)*
-            $((stringify!($more_search), stringify!($more_decided_op)),)*
-        ]
-    };
-}
-
-/// Names of the rows and their types as the list writes them.
-const ROWS: &[(&str, &str)] = crate::for_each_op!(all);
-
-/// The names of all rows, in the order of the list.
+/// The names of all rows, in the order of [`operations`](super::operations).
 #[must_use]
 pub fn names() -> Vec<Name> {
-    let name = |&(row, path)| {
-        let verb = verb_of(path);
-        let shapes = shapes(path);
+    let name = |row: &Written| {
+        let verb = verb_of(row.verb);
+        let shapes: Vec<String> = row.shapes.iter().map(|shape| spelled(shape)).collect();
         Name {
-            row,
+            row: row.name,
             spelling: format!("{verb}({})", shapes.join(",")).to_lowercase(),
             verb,
             shapes,
         }
     };
-    ROWS.iter().map(name).collect()
+    written().map(name).collect()
 }
 
 /// The names of rows in reports that a verb or a spelling names; those of all rows for an empty one.
@@ -113,51 +90,12 @@ pub fn named_rows(asked: &str) -> Result<Vec<&'static str>, Unnamed> {
     Err(function.map_or(Unnamed::Unknown, Unnamed::Function))
 }
 
-/// The shapes that a row takes, from its type.
-fn shapes(path: &str) -> Vec<String> {
-    let path: String = path.chars().filter(|c| !c.is_whitespace()).collect();
-    let Some((_, taken)) = path.split_once("Takes<") else {
-        let over = if path.contains("OverPolyline") {
-            "polyline"
-        } else {
-            "ring"
-        };
-        return vec![over.to_owned()];
-    };
-    let taken = taken.strip_suffix(">>::By").unwrap_or(taken);
-    let inner = taken.strip_prefix('(').and_then(|x| x.strip_suffix(')'));
-    let (mut all, mut depth) = (vec![String::new()], 0_i32);
-    for c in inner.unwrap_or(taken).chars() {
-        match c {
-            '<' | '[' => depth += 1,
-            '>' | ']' => depth -= 1,
-            _ => {}
-        }
-        match all.last_mut() {
-            Some(last) if depth > 0 || c != ',' => last.push(c),
-            _ => all.push(String::new()),
-        }
+/// A shape as tables write it, spelled as its type is.
+fn spelled(shape: &str) -> String {
+    match shape {
+        "Number" => "number",
+        "Quad" => "[Vec2;4]",
+        shape => shape,
     }
-    all.iter().map(|shape| short(shape)).collect()
-}
-
-/// `$crate::Obb2<f64>` as `Obb2`.
-fn short(shape: &str) -> String {
-    if shape == "f64" {
-        return "number".to_owned();
-    }
-    if let Some((of, count)) = shape
-        .strip_prefix('[')
-        .and_then(|x| x.strip_suffix(']'))
-        .and_then(|x| x.split_once(';'))
-    {
-        return format!("[{};{count}]", short(of));
-    }
-    let (path, of) = shape.split_once('<').unwrap_or((shape, ""));
-    let name = path.rsplit(':').next().unwrap_or(path);
-    // A polygon says how many corners it may have.
-    match of.strip_suffix('>').and_then(|of| of.split_once(',')) {
-        Some((_, corners)) => format!("{name}{corners}"),
-        None => name.to_owned(),
-    }
+    .to_owned()
 }

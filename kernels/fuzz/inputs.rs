@@ -111,7 +111,10 @@ pub(super) fn is_valid<T: Real>(job: &Job<T>, numbers: &[T]) -> bool {
 
 /// Whether numbers are inside the domain.
 pub(super) fn is_inside<T: Real>(job: &Job<T>, numbers: &[T]) -> bool {
-    job.domain.is_none_or(|inside| inside(numbers))
+    job.domain.is_none_or(|inside| {
+        let numbers: Vec<f64> = numbers.iter().map(|x| x.widen()).collect();
+        inside(&numbers)
+    })
 }
 
 /// Numbers of one kind beside one another: families of numbers.

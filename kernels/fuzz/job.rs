@@ -6,10 +6,11 @@ use crate::ad::check::symmetry::{Answer, Invariance, Kind, Motion};
 use crate::ad::program::recorded::Recorded;
 use crate::error::Error;
 use crate::kernels::Cpu;
+use crate::kernels::check::inside_of;
 use crate::kernels::cpu::aligned::run_columns;
 use crate::kernels::cpu::checked::numbers;
 use crate::kernels::cpu::pairs::Pairs;
-use crate::kernels::cpu::plan::{Compiled, Face, Want, face_of, program_of};
+use crate::kernels::cpu::plan::{Compiled, Face, Shaped, Want, recorded_of};
 use crate::kernels::fold::{Fold, Folded};
 use crate::kernels::item::{Column, Item, Leaf, by_kind, by_shape, get, leaves_of, width};
 use crate::kernels::op::{Ask, Extremes, Finite, Jumps, Op, Range, RingOp, Source};
@@ -83,7 +84,7 @@ pub struct Job<T: Real> {
     pub(super) outputs: Vec<usize>,
     pub(super) declared: Declared,
     /// Whether an input is inside the domain that the row states, if it states one.
-    pub(super) domain: Option<fn(&[T]) -> bool>,
+    pub(super) domain: Option<fn(&[f64]) -> bool>,
     /// Results.
     pub(super) values: Compute<T, 0>,
     /// Derivatives of cotangents.
@@ -102,6 +103,24 @@ pub struct Job<T: Real> {
     pub(super) show: fn(&[f64]) -> String,
 }
 
+/// A straight line in one format, with what makes and shows its inputs.
+pub(crate) struct Straight<T: Real> {
+    pub(crate) name: &'static str,
+    pub(crate) op: &'static str,
+    pub(crate) invariances: &'static [Invariance],
+    pub(crate) jumps: Jumps,
+    pub(crate) finite: Finite,
+    pub(crate) range: Range,
+    pub(crate) extremes: Extremes,
+    pub(crate) domain: Option<fn(&[f64]) -> bool>,
+    pub(crate) shaped: Shaped<T>,
+    pub(crate) alone: fn(&[T]) -> Vec<T>,
+    pub(crate) by_hand: fn(&[T], &[T]) -> Option<(Vec<T>, Vec<T>)>,
+    pub(crate) kinds: fn() -> Vec<Kind>,
+    pub(crate) sample: fn(&mut Draw) -> Vec<f64>,
+    pub(crate) show: fn(&[f64]) -> String,
+}
+
 /// Computes all pairs of the shapes in some places.
 pub(super) type Square<T> =
     Box<dyn Fn(&Inputs<T>, std::ops::Range<usize>) -> Result<Vec<T>, Error> + Sync>;
@@ -114,17 +133,17 @@ fn short(name: &'static str) -> &'static str {
 }
 
 /// The scalars and codes of a shape, as they lie in columns.
-fn all_numbers<X: Item>(x: &X) -> Vec<X::Scalar> {
+pub(crate) fn all_numbers<X: Item>(x: &X) -> Vec<X::Scalar> {
     let mut all = vec![X::Scalar::default(); leaves_of::<X>().iter().map(|leaf| leaf.fields).sum()];
     by_shape::<X>(&x.scalars(), &x.codes(), &mut all);
     all
 }
 
-fn sampled<X: Sample + Item>(draw: &mut Draw) -> Vec<f64> {
+pub(crate) fn sampled<X: Sample + Item>(draw: &mut Draw) -> Vec<f64> {
     all_numbers(&random::<X>(draw))
 }
 
-fn shown<X: Sample + Item>(numbers: &[f64]) -> String {
+pub(crate) fn shown<X: Sample + Item>(numbers: &[f64]) -> String {
     format!("{:?}", get::<X>(&by_kind::<X>(numbers)))
 }
 
@@ -199,32 +218,38 @@ impl<T: Real> Job<T> {
         O::Out<T>: Item<Scalar = T>,
         O::In<f64>: Sample + Item<Scalar = f64>,
     {
-        let is_number = O::Out::<T>::LEN == 1;
-        let kinds = kinds_of::<O::In<f64>>();
-        let face = |want, framed| face_of::<O, O::In<T>>(want, framed);
-        Job {
+        Job::of_line(&Straight {
             name: O::NAME,
             op: short(std::any::type_name::<O>()),
-            shapes: shapes(
-                leaves_of::<O::In<T>>(),
-                &kinds,
-                O::compiled() == Some(Compiled::Quads),
-            ),
-            kinds,
-            has_path: false,
-            outputs: leaves_of::<O::Out<T>>()
-                .iter()
-                .map(|leaf| leaf.fields)
-                .collect(),
-            declared: Declared::new((O::INVARIANCES, O::JUMPS), O::FINITE, O::RANGE, O::EXTREMES),
-            domain: O::DOMAIN.is_some().then_some(|x: &[T]| {
-                let x: Vec<f64> = x.iter().map(|x| x.widen()).collect();
-                O::DOMAIN.is_none_or(|inside| inside(O::In::<f64>::load(&x)))
-            }),
-            values: faced(move || face(Want::Value, false)),
-            derivatives: faced(move || face(Want::Vjp, false)),
-            both: is_number.then(|| faced(move || face(Want::ValueGrad, false))),
-            square: (leaves_of::<O::In<T>>().len() == 2).then(|| {
+            invariances: O::INVARIANCES,
+            jumps: O::JUMPS,
+            finite: O::FINITE,
+            range: O::RANGE,
+            extremes: O::EXTREMES,
+            domain: inside_of::<O>(),
+            shaped: Shaped::of::<O, O::In<T>>(),
+            alone: |x| O::eval(O::In::<T>::load(x)).scalars(),
+            by_hand: |x, out_bar| {
+                let (value, bars) = O::adjoint(O::In::<T>::load(x), O::Out::<T>::load(out_bar))?;
+                Some((value.scalars(), bars.scalars()))
+            },
+            kinds: kinds_of::<O::In<f64>>,
+            sample: sampled::<O::In<f64>>,
+            show: shown::<O::In<f64>>,
+        })
+    }
+
+    /// Of a straight line without its types.
+    pub(crate) fn of_line(line: &Straight<T>) -> Self {
+        let shaped = line.shaped;
+        let outputs = shaped.outputs();
+        let is_number = outputs == [1];
+        let (kinds, leaves) = ((line.kinds)(), (shaped.takes)());
+        let face = move |want, framed| (T::drivers().faced)(&shaped, want, framed);
+        Job {
+            name: line.name,
+            op: line.op,
+            square: (leaves.len() == 2).then(|| {
                 let want = if is_number {
                     Want::ValueGrad
                 } else {
@@ -232,14 +257,29 @@ impl<T: Real> Job<T> {
                 };
                 squared(move || face(want, true))
             }),
-            alone: |x| O::eval(O::In::<T>::load(x)).scalars(),
-            by_hand: |x, out_bar| {
-                let (value, bars) = O::adjoint(O::In::<T>::load(x), O::Out::<T>::load(out_bar))?;
-                Some((value.scalars(), bars.scalars()))
-            },
-            recorded: program_of::<O, T>(Want::Value).ok(),
-            sample: sampled::<O::In<f64>>,
-            show: shown::<O::In<f64>>,
+            shapes: shapes(
+                leaves,
+                &kinds,
+                (shaped.line.compiled)() == Some(Compiled::Quads),
+            ),
+            kinds,
+            has_path: false,
+            outputs,
+            declared: Declared::new(
+                (line.invariances, line.jumps),
+                line.finite,
+                line.range,
+                line.extremes,
+            ),
+            domain: line.domain,
+            values: faced(move || face(Want::Value, false)),
+            derivatives: faced(move || face(Want::Vjp, false)),
+            both: is_number.then(|| faced(move || face(Want::ValueGrad, false))),
+            alone: line.alone,
+            by_hand: line.by_hand,
+            recorded: recorded_of(&shaped.line, Want::Value).ok(),
+            sample: line.sample,
+            show: line.show,
         }
     }
 

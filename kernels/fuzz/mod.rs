@@ -30,6 +30,7 @@ mod shrink;
 
 #[doc(hidden)]
 pub use job::Job;
+pub(crate) use job::{Straight, all_numbers, sampled, shown};
 pub use rules::Bound;
 pub(crate) use rules::bounds;
 

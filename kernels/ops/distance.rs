@@ -38,6 +38,16 @@ table! {
         "distance_circle_obb2": Circle, Obb2;
         "distance_capsules": Capsule2, Capsule2;
         "distance_triangles": Triangle2, Triangle2;
+        "distance_points": Vec2, Vec2 { a.distance(b) };
+        "distance_segment_point": Segment2, Vec2;
+        "distance_circle_point": Circle, Vec2;
+        "distance_triangle_point": Triangle2, Vec2;
+        "distance_capsule_point": Capsule2, Vec2;
+        "distance_aabb2_point": Aabb2, Vec2;
+        "distance_obb2_point": Obb2, Vec2;
+        "distance_circle_segment": Circle, Segment2;
+        "distance_obb2_segment": Obb2, Segment2;
+        "distance_obb2_circle": Obb2, Circle;
     }
     /// The [squared distance](crate::distance::squared_distance) of {}.
     SquaredDistance: (a, b) -> S { squared_distance(a, b) } [rigid(2), symmetric] jumps Never derivative Reverse {
@@ -63,6 +73,15 @@ table! {
         "signed_distance_circle_obb2": Circle, Obb2;
         "signed_distance_capsules": Capsule2, Capsule2;
         "signed_distance_triangles": Triangle2, Triangle2 derivative Forward;
+        "signed_distance_segment_point": Segment2, Vec2;
+        "signed_distance_circle_point": Circle, Vec2;
+        "signed_distance_triangle_point": Triangle2, Vec2;
+        "signed_distance_capsule_point": Capsule2, Vec2;
+        "signed_distance_aabb2_point": Aabb2, Vec2;
+        "signed_distance_obb2_point": Obb2, Vec2;
+        "signed_distance_circle_segment": Circle, Segment2;
+        "signed_distance_obb2_segment": Obb2, Segment2;
+        "signed_distance_obb2_circle": Obb2, Circle;
     }
     /// The [clearance](crate::distance::clearance) of {}, positive inside.
     Clearance: (a, b) -> S { clearance(a, b) } [rigid(1)] jumps Never derivative Reverse {
@@ -77,10 +96,7 @@ table! {
         "farthest_distance_circle_obb2": Circle, Obb2;
         "farthest_distance_triangles": Triangle2, Triangle2;
     }
-}
-
-// Points and directions jump where another feature is nearest.
-table! {
+    // Points and directions jump where another feature is nearest.
     /// The [depth of overlap and its direction](crate::distance::penetration) of {}. The direction jumps to another
     /// deepest face.
     verbs::Penetration: (a, b) -> Contact<S> { penetration(a, b) } [shifts] jumps Anywhere derivative Reverse {
@@ -96,6 +112,7 @@ table! {
         "closest_points_aabb2": Aabb2, Aabb2 { closest_points_aabb2(a, b) };
         "closest_points_obb2": Obb2, Obb2 { closest_points_obb2(a, b) };
         "closest_points_circle_obb2": Circle, Obb2 derivative Forward;
+        "closest_points_obb2_circle": Obb2, Circle derivative Forward;
         "closest_points_point_segment": Vec2, Segment2;
         "closest_points_point_triangle": Vec2, Triangle2;
         "closest_points_point_obb2": Vec2, Obb2;

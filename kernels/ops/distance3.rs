@@ -10,6 +10,7 @@ table! {
         "distance_point_aabb3": Vec3, Aabb3;
         "distance_point_yaw": Vec3, YawBox3;
         "distance_point_obb3": Vec3, Obb3;
+        "distance_points3": Vec3, Vec3 { a.distance(b) };
     }
     /// The [signed distance](crate::distance3::signed_distance) of {}.
     SignedDistance: (a, b) -> S { signed_distance(a, b) } [rigid(1), symmetric] jumps Never derivative Reverse {

@@ -1,11 +1,11 @@
 //! Extents of convex polygons, and what is smallest around them, as operations.
 use crate::kernels::ops::rows::searches;
 use crate::kernels::verbs::{Diameter, MinimumCircle, MinimumRectangle, Width};
-use crate::measure::circle::{Support, circle_replay, circle_search};
+use crate::measure::circle::{Support, circle_search, circle_replay};
 use crate::measure::extent::{
-    Farthest, Narrowest, diameter_replay, diameter_search, width_replay, width_search,
+    Farthest, Narrowest, diameter_search, diameter_replay, width_search, width_replay,
 };
-use crate::measure::rectangle::{Resting, rectangle_replay, rectangle_search};
+use crate::measure::rectangle::{Resting, rectangle_search, rectangle_replay};
 use crate::{Circle, ConvexPolygon, Obb2};
 
 // A polygon without vertices, or on a line where that has no extent, is measured as its first place,

@@ -1,8 +1,10 @@
 //! Folds over paths as operations.
 use crate::distance::ring::{EdgeFold, Fill};
 use crate::kernels::fold::Fold;
-use crate::kernels::op::{Invariance, Jumps};
+use crate::kernels::op::{Jumps, Invariance};
 use crate::kernels::ops::class::invariances;
+use crate::kernels::ops::list::Written;
+use crate::kernels::ops::rows::listed;
 use crate::kernels::verbs::{
     self, Clearance, Distance, Length, OverPolyline, OverRing, SignedDistance, Winding,
 };
@@ -164,7 +166,23 @@ macro_rules! folds {
                 $By
             }
         }
-    )* };
+    )*
+    listed! {
+        names [$([Written { name: <$By as Fold>::NAME, verb: stringify!($Verb), shapes: &[path!($Over)] }]),*]
+        each |walk| { $(walk.fold::<$By>(Written {
+            name: <$By as Fold>::NAME, verb: stringify!($Verb), shapes: &[path!($Over)],
+        });)* }
+    } };
+}
+
+/// The name of a path.
+macro_rules! path {
+    (OverRing) => {
+        "ring"
+    };
+    (OverPolyline) => {
+        "polyline"
+    };
 }
 folds! {
     Distance, OverRing over_ring by DistancePointRing;

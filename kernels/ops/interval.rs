@@ -18,6 +18,8 @@ table! {
     Distance: (a, b) -> S { a.distance(b) } [rigid(1), symmetric] jumps Never derivative Reverse {
         "distance_intervals": Interval, Interval;
         "distance_number_interval": Number, Interval { b.distance_to(a) };
+        // Beside it the compiler does not take a shape of a wrong pair for the number of the line above: it lists pairs.
+        "distance_numbers": Number, Number { (a - b).magnitude() };
     }
     /// The [signed distance](Interval::signed_distance) of {}.
     SignedDistance: (a, b) -> S { a.signed_distance(b) } [rigid(1), symmetric] jumps Never derivative Reverse {

@@ -1,19 +1,29 @@
 //! The rows: every operation of the library, a family a file.
-pub mod class;
-pub mod convention;
-pub mod distance;
-pub mod distance3;
-pub mod extent;
-pub mod fold;
-pub mod gaussian;
-pub mod intersection;
-pub mod interval;
-pub mod iou;
-pub mod iou3;
-pub mod noun;
-pub mod overlap;
-pub mod overlap3;
-pub mod polygon;
-pub mod ring;
-pub(crate) mod rows;
-pub mod shape;
+pub(crate) mod class;
+pub mod list;
+pub(crate) mod noun;
+mod rows;
+
+/// The families, and the list of all their rows.
+macro_rules! families {
+    ($($family:ident)*) => {
+        $(pub(crate) mod $family;)*
+
+        /// Hands over every row of the library, with its types.
+        #[inline]
+        pub fn each<W: list::Walk>(walk: &mut W) {
+            $($family::each(walk);)*
+        }
+
+        /// The names of all rows, in the same order.
+        pub fn written() -> impl Iterator<Item = &'static list::Written> {
+            let families = [$($family::NAMES),*].into_iter().flatten();
+            families.flat_map(|rows| rows.iter())
+        }
+    };
+}
+families! {
+    overlap iou interval distance intersection shape gaussian convention
+    overlap3 iou3 distance3
+    polygon extent ring fold
+}

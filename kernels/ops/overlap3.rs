@@ -10,6 +10,7 @@ use crate::overlap3::{
     Overlaps, intersection_volume_aabb3, intersection_volume_obb3, intersection_volume_obb3_vjp,
     intersection_volume_yaw, iof_aabb3, iof_obb3, iof_obb3_vjp, iof_yaw, iou_aabb3,
     iou_aabb3_obb3_vjp, iou_birds_eye, iou_obb3, iou_obb3_vjp, iou_yaw, iou_yaw_obb3_vjp,
+    mixed_vjp,
 };
 use crate::{Aabb3, Obb2, Obb3, Scalar, Vec2, Vec3, YawBox3};
 
@@ -56,6 +57,38 @@ table! {
             derivative ByHand |(a, b), out_bar| { iou_aabb3_obb3_vjp(a, b, out_bar) };
         "iou_yaw_obb3": YawBox3, Obb3 finite Always
             derivative ByHand |(a, b), out_bar| { iou_yaw_obb3_vjp(a, b, out_bar) };
+        "iou_yaw_aabb3": YawBox3, Aabb3;
+        "iou_obb3_aabb3": Obb3, Aabb3
+            derivative ByHand |(a, b), out_bar| { mixed_vjp(a, b, |a, b| iou_obb3_vjp(a, b, out_bar)) };
+        "iou_obb3_yaw": Obb3, YawBox3
+            derivative ByHand |(a, b), out_bar| { mixed_vjp(a, b, |a, b| iou_obb3_vjp(a, b, out_bar)) };
+    }
+    /// [Volume](crate::overlap3::Overlaps::volume_shared_with) that {} share.
+    IntersectionVolume: (a, b) -> S { a.volume_shared_with(b) }
+    [rigid(3)] range NOT_NEGATIVE jumps Never derivative Forward {
+        "intersection_volume_aabb3_yaw": Aabb3, YawBox3;
+        "intersection_volume_yaw_aabb3": YawBox3, Aabb3;
+        "intersection_volume_aabb3_obb3": Aabb3, Obb3
+            derivative ByHand |(a, b), out_bar| { mixed_vjp(a, b, |a, b| intersection_volume_obb3_vjp(a, b, out_bar)) };
+        "intersection_volume_obb3_aabb3": Obb3, Aabb3
+            derivative ByHand |(a, b), out_bar| { mixed_vjp(a, b, |a, b| intersection_volume_obb3_vjp(a, b, out_bar)) };
+        "intersection_volume_yaw_obb3": YawBox3, Obb3
+            derivative ByHand |(a, b), out_bar| { mixed_vjp(a, b, |a, b| intersection_volume_obb3_vjp(a, b, out_bar)) };
+        "intersection_volume_obb3_yaw": Obb3, YawBox3
+            derivative ByHand |(a, b), out_bar| { mixed_vjp(a, b, |a, b| intersection_volume_obb3_vjp(a, b, out_bar)) };
+    }
+    /// The [part of the first](crate::overlap3::Overlaps::iof_with) of {} that lies in the second, 0 to 1.
+    Iof: (a, b) -> S { a.iof_with(b) } [similar] range RATIO jumps FromZero derivative Forward {
+        "iof_aabb3_yaw": Aabb3, YawBox3;
+        "iof_yaw_aabb3": YawBox3, Aabb3;
+        "iof_aabb3_obb3": Aabb3, Obb3
+            derivative ByHand |(a, b), out_bar| { mixed_vjp(a, b, |a, b| iof_obb3_vjp(a, b, out_bar)) };
+        "iof_obb3_aabb3": Obb3, Aabb3
+            derivative ByHand |(a, b), out_bar| { mixed_vjp(a, b, |a, b| iof_obb3_vjp(a, b, out_bar)) };
+        "iof_yaw_obb3": YawBox3, Obb3
+            derivative ByHand |(a, b), out_bar| { mixed_vjp(a, b, |a, b| iof_obb3_vjp(a, b, out_bar)) };
+        "iof_obb3_yaw": Obb3, YawBox3
+            derivative ByHand |(a, b), out_bar| { mixed_vjp(a, b, |a, b| iof_obb3_vjp(a, b, out_bar)) };
     }
     /// The [part of the first](crate::overlap3::iof_obb3) of {} that lies in the second, 0 to 1.
     Iof: (a, b) -> S { iof_aabb3(a, b) }

@@ -1,8 +1,8 @@
 //! Scores of convex polygons as operations.
 use crate::clipping::Corner;
-use crate::hull::{MergeTrace, merge_replay, merge_search};
+use crate::hull::{MergeTrace, merge_search, merge_replay};
 use crate::iou::{
-    FarthestCorners, diou_polygons_replay, diou_polygons_search, giou_polygons_replay,
+    FarthestCorners, diou_polygons_search, diou_polygons_replay, giou_polygons_replay,
 };
 use crate::kernels::ops::rows::searches;
 use crate::kernels::verbs::{Diou, Giou, HullArea, IntersectionArea, Iof, Iou};

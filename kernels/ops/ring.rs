@@ -1,7 +1,9 @@
 //! The measures of a ring as operations.
 use crate::kernels::cpu::rings::Measure;
-use crate::kernels::op::{Finite, Invariance, Jumps, Range, RingOp};
+use crate::kernels::op::{Finite, Jumps, Invariance, Range, RingOp};
 use crate::kernels::ops::class::invariances;
+use crate::kernels::ops::list::Written;
+use crate::kernels::ops::rows::listed;
 use crate::kernels::verbs::{Centroid, Perimeter, SignedArea};
 use crate::{Scalar, Vec2, ad, ring};
 
@@ -29,7 +31,13 @@ macro_rules! measures {
                 Some(Measure::$name)
             }
         }
-    )* };
+    )*
+    listed! {
+        names [$([Written { name: stringify!($function), verb: stringify!($name), shapes: &["ring"] }]),*]
+        each |walk| { $(walk.ring::<$name>(Written {
+            name: stringify!($function), verb: stringify!($name), shapes: &["ring"],
+        });)* }
+    } };
 }
 measures! {
     SignedArea = signed_area, signed_area_vjp: S, [rigid(2)], Never, ANY;

@@ -37,7 +37,27 @@ macro_rules! table {
         [$(crate::kernels::op::Extremes::$extremes,)? crate::kernels::op::Extremes::Unsaid],
         $jumps, $derivative;
         $($rows)*
-    } )* };
+    } )*
+    crate::kernels::ops::rows::listed! {
+        names [$(crate::kernels::ops::rows::table!(@list names [] $Verb; $($rows)*)),*]
+        each |walk| { $(crate::kernels::ops::rows::table!(@list each [walk] $Verb; $($rows)*);)* }
+    } };
+    (
+        @list $what:ident $walk:tt $Verb:ty;
+        $(
+            $(#[doc = $own_title:literal])?
+            $name:literal: $($Shape:ident),+ $($own_formula:block)?
+            $([$($own_class:tt)*])?
+            $(finite $own_finite:ident)?
+            $(range $own_range:ident)?
+            $(extremes $own_extremes:ident)?
+            $(jumps $own_jumps:ident)?
+            $(derivative $own_derivative:ident $(|$input:pat_param, $out_bar:ident| $adjoint:block)?)?
+            $(=> compiled { $compiled:expr })?;
+        )*
+    ) => {
+        [$(crate::kernels::ops::rows::line!($what $walk straight $Verb, $name, [$($Shape)+] ($($Shape<f64>),+))),*]
+    };
     (
         @rows [$title:expr] $Verb:ty, $arguments:tt, $out:ty, $formula:block, $class:tt, $finite:tt, $range:tt,
         $extremes:tt, $jumps:ident, $derivative:ident;
@@ -101,6 +121,41 @@ macro_rules! table {
         }
         crate::__takes!($Verb, ($($Shape<S>),+), Item, Item);
     }; )* };
+}
+
+/// A row in the list of its file: its names, or a call of what walks the list.
+macro_rules! line {
+    (names [] $sort:ident $Verb:ty, $name:literal, [$($shape:tt)+] $input:ty) => {
+        crate::kernels::ops::list::Written {
+            name: $name,
+            verb: stringify!($Verb),
+            shapes: &[$(stringify!($shape)),+],
+        }
+    };
+    (each [$walk:ident] $sort:ident $Verb:ty, $name:literal, [$($shape:tt)+] $input:ty) => {
+        $walk.$sort::<<$Verb as crate::kernels::verbs::Takes<$input>>::By>(
+            crate::kernels::ops::rows::line!(names [] $sort $Verb, $name, [$($shape)+] $input),
+        )
+    };
+}
+
+/// The list of a file of rows.
+macro_rules! listed {
+    (names [$($names:expr),* $(,)?] each |$walk:ident| $each:block) => {
+        /// The names of the rows of this file, a list for every verb.
+        pub(super) const NAMES: &[&[crate::kernels::ops::list::Written]] = &[$(&$names),*];
+
+        /// Hands over every row of this file.
+        // A lone argument needs no parentheses.
+        #[allow(unused_parens)]
+        #[inline]
+        pub(super) fn each<W: crate::kernels::ops::list::Walk>($walk: &mut W) {
+            // The scalar of a verb that names its result, as conversions do.
+            #[allow(dead_code)]
+            type S = f64;
+            $each
+        }
+    };
 }
 
 /// The first of alternatives: the line's, or else the head's.
@@ -178,7 +233,26 @@ macro_rules! searches {
         }
         crate::__runs_search!([$(const $N: usize),+] Item<$($N),+>: $input => $out);
         crate::kernels::ops::rows::finds!($Verb<$($N),+> ($($arg),+));
-    }; )* };
+    }; )*
+    crate::kernels::ops::rows::listed! {
+        names [$([crate::kernels::ops::rows::capacity!(names [] $Verb, $name, ($($arg),+))]),*]
+        each |walk| { $(crate::kernels::ops::rows::capacity!(each [walk] $Verb, $name, ($($arg),+));)* }
+    } };
+}
+
+/// The row of a search in the list: of polygons of up to six corners, or of two of up to five.
+macro_rules! capacity {
+    ($what:ident $walk:tt $Verb:ident, $name:literal, ($polygon:ident)) => {
+        crate::kernels::ops::rows::line!(
+            $what $walk search $Verb, $name, [ConvexPolygon6] crate::ConvexPolygon<f64, 6>
+        )
+    };
+    ($what:ident $walk:tt $Verb:ident, $name:literal, ($a:ident, $b:ident)) => {
+        crate::kernels::ops::rows::line!(
+            $what $walk search $Verb, $name, [ConvexPolygon5 ConvexPolygon5]
+            (crate::ConvexPolygon<f64, 5>, crate::ConvexPolygon<f64, 5>)
+        )
+    };
 }
 
 /// Joins a verb of convex polygons to its search.
@@ -227,4 +301,4 @@ macro_rules! finds {
     };
 }
 
-pub(crate) use {arguments, finds, first, searches, table, text};
+pub(crate) use {arguments, capacity, finds, first, line, listed, searches, table, text};

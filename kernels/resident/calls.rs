@@ -69,7 +69,11 @@ impl Resident<'_> {
     ///
     /// The input's for a shape that is not valid, or what the device says.
     pub fn upload<R: Item<Scalar = f32>>(self, items: &[R]) -> Result<Held<R>, Error> {
-        let numbers = numbers_of(items)?;
+        self.kept(items.len(), numbers_of(items)?)
+    }
+
+    /// Columns of numbers, checked, where they stay.
+    pub(super) fn kept<R>(self, count: usize, numbers: Vec<Numbers>) -> Result<Held<R>, Error> {
         let columns = match self.0 {
             Backend::Cpu => Side::Cpu(numbers),
             #[cfg(feature = "gpu")]
@@ -82,7 +86,7 @@ impl Resident<'_> {
             #[cfg(not(feature = "gpu"))]
             Backend::Gpu(gpu) => match *gpu {},
         };
-        Ok(Held::new(items.len(), columns))
+        Ok(Held::new(count, columns))
     }
 
     /// Computes item i of every column, as [`Cpu::aligned`]: a handle of one result per item.

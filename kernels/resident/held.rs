@@ -57,6 +57,28 @@ impl<R> Held<R> {
     pub fn is_empty(&self) -> bool {
         self.count == 0
     }
+    /// The numbers of the items: those of the first shape of every item, item by item, then those of the
+    /// second.
+    ///
+    /// ```
+    /// use geograd::kernels::Backend;
+    /// let held = Backend::Cpu.resident().upload(&[([1.0_f32, 2.0], 3.0_f32), ([4.0, 5.0], 6.0)])?;
+    /// assert_eq!(held.numbers()?, [vec![1.0, 2.0, 4.0, 5.0], vec![3.0, 6.0]]);
+    /// # Ok::<(), geograd::Error>(())
+    /// ```
+    ///
+    /// # Errors
+    ///
+    /// Those of the device.
+    pub fn numbers(&self) -> Result<Vec<Vec<f32>>, Error> {
+        match &self.columns {
+            Side::Cpu(own) => Ok(own.iter().map(|own| own.rows.clone()).collect()),
+            #[cfg(feature = "gpu")]
+            Side::Gpu(own) => gpu::held::start_download(own)?.wait(),
+            #[cfg(not(feature = "gpu"))]
+            Side::Gpu(_) => Err(Error::Gpu(crate::GpuFault::NotBuilt)),
+        }
+    }
 }
 
 /// The numbers of rows, checked, shape by shape.
@@ -119,29 +141,6 @@ impl<R: Item<Scalar = f32>> Held<R> {
                 let made = move |numbers: Vec<Vec<f32>>| many_of::<R>(count, &numbers);
                 Ok(Pending(Side::Gpu(arriving.map(made))))
             }
-            #[cfg(not(feature = "gpu"))]
-            Side::Gpu(_) => Err(Error::Gpu(crate::GpuFault::NotBuilt)),
-        }
-    }
-
-    /// The numbers of the items: those of the first shape of every item, item by item, then those of the
-    /// second.
-    ///
-    /// ```
-    /// use geograd::kernels::Backend;
-    /// let held = Backend::Cpu.resident().upload(&[([1.0_f32, 2.0], 3.0_f32), ([4.0, 5.0], 6.0)])?;
-    /// assert_eq!(held.numbers()?, [vec![1.0, 2.0, 4.0, 5.0], vec![3.0, 6.0]]);
-    /// # Ok::<(), geograd::Error>(())
-    /// ```
-    ///
-    /// # Errors
-    ///
-    /// Those of the device.
-    pub fn numbers(&self) -> Result<Vec<Vec<f32>>, Error> {
-        match &self.columns {
-            Side::Cpu(own) => Ok(own.iter().map(|own| own.rows.clone()).collect()),
-            #[cfg(feature = "gpu")]
-            Side::Gpu(own) => gpu::held::start_download(own)?.wait(),
             #[cfg(not(feature = "gpu"))]
             Side::Gpu(_) => Err(Error::Gpu(crate::GpuFault::NotBuilt)),
         }

@@ -65,10 +65,13 @@ macro_rules! on {
 mod calls;
 mod held;
 mod matrix;
+mod numbers;
 mod pairs;
 mod ring;
 
 pub use held::{Held, HeldColumns};
+#[doc(hidden)]
+pub use numbers::HeldNumbers;
 pub use ring::Rings;
 
 /// Handles: name, what is kept on the CPU and on a GPU, what comes back and how.

@@ -31,7 +31,6 @@
 mod function;
 mod list;
 pub mod methods;
-mod more;
 
 pub use function::{Arguments, Function, Traced, function};
 pub use list::*;

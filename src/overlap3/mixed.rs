@@ -3,8 +3,8 @@ use super::{
     intersection_volume_aabb3, intersection_volume_obb3, intersection_volume_yaw, iof_aabb3,
     iof_obb3, iof_yaw, iou_aabb3, iou_obb3, iou_obb3_vjp, iou_yaw,
 };
-use crate::Scalar;
 use crate::shape::{Aabb3, Obb3, Rotation3, YawBox3};
+use crate::{Pack, Scalar};
 
 /// Boxes that overlap another kind of box: every pair of [`Aabb3`], [`YawBox3`] and [`Obb3`]. The pair is
 /// measured as boxes of the more general kind.
@@ -141,4 +141,43 @@ pub fn iou_aabb3_obb3_vjp<S: Scalar>(
 ) -> (S, (Aabb3<S>, Obb3<S>)) {
     let (value, (a_bar, b_bar)) = iou_obb3_vjp(a.into(), b, out_bar);
     (value, (bounds(a_bar), b_bar))
+}
+
+/// A box of space as one of any orientation, and its gradient from that one's.
+pub(crate) trait AnyBox<S: Scalar>: Copy + Into<Obb3<S>> + Pack<Scalar = S> {
+    /// The gradient by this box from that by the same box as one of any orientation.
+    fn own_gradient(self, g: Obb3<S>) -> Self;
+}
+impl<S: Scalar> AnyBox<S> for Obb3<S> {
+    #[inline]
+    fn own_gradient(self, g: Obb3<S>) -> Self {
+        g
+    }
+}
+impl<S: Scalar> AnyBox<S> for YawBox3<S> {
+    #[inline]
+    fn own_gradient(self, g: Obb3<S>) -> Self {
+        upright(self, g)
+    }
+}
+impl<S: Scalar> AnyBox<S> for Aabb3<S> {
+    #[inline]
+    fn own_gradient(self, g: Obb3<S>) -> Self {
+        bounds(g)
+    }
+}
+
+/// The result and gradients for boxes of two kinds, from those for boxes of any orientation.
+#[inline]
+pub(crate) fn mixed_vjp<S: Scalar, A: AnyBox<S>, B: AnyBox<S>>(
+    a: A,
+    b: B,
+    vjp: impl FnOnce(Obb3<S>, Obb3<S>) -> (S, (Obb3<S>, Obb3<S>)),
+) -> (S, (A, B)) {
+    let (value, (a_bar, b_bar)) = vjp(a.into(), b.into());
+    let (mut a_bar, mut b_bar) = (a.own_gradient(a_bar), b.own_gradient(b_bar));
+    // Zeros have no sign, as in all results.
+    a_bar.each(&mut |x| *x = x.canonical());
+    b_bar.each(&mut |x| *x = x.canonical());
+    (value, (a_bar, b_bar))
 }

@@ -35,6 +35,7 @@ pub(crate) use aabb::{SharedBounds, share3};
 pub use aabb::{intersection_volume_aabb3, iof_aabb3, iou_aabb3};
 pub use derivatives::{intersection_volume_obb3_vjp, iof_obb3_vjp, iou_obb3_vjp};
 pub(crate) use derivatives::{score_obb3_vjp, score_obb3_vjp_here};
+pub(crate) use mixed::mixed_vjp;
 pub use mixed::{Overlaps, iou_aabb3_obb3_vjp, iou_yaw_obb3_vjp};
 pub use obb::{intersection_volume_obb3, iof_obb3, iou_obb3};
 pub(crate) use obb::{score_obb3, score_obb3_here};

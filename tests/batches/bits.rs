@@ -375,7 +375,7 @@ type Ring<T> = Vec<Vec2<T>>;
 
 /// Rings of all small sizes, and some long ones, against the scalar code.
 fn rings<O: RingOp, T: Number>(
-    eval: fn(&Ring<T>) -> O::Out<T>,
+    eval: fn(&[Vec2<T>]) -> O::Out<T>,
     vjp: fn(&Ring<T>, O::Out<T>) -> Ring<T>,
 ) {
     let mut dice = Dice(11);
@@ -420,75 +420,80 @@ fn rings<O: RingOp, T: Number>(
     });
 }
 
-macro_rules! tests {
-    (pairs { $($pair:ident: $pair_op:ty,)* } rings { $($ring:ident: $ring_op:ty,)* }
-     straight { $($straight:ident: $straight_op:ty,)* } $($rest:tt)*) => {
-        $(mod $pair {
-            use super::*;
-            #[test]
-            fn anywhere_in_a_batch() {
-                positions::<$pair_op, f32>();
-                positions::<$pair_op, f64>();
-            }
-            #[test]
-            fn of_long_lists() {
-                scenes::<$pair_op, f32>();
-                scenes::<$pair_op, f64>();
-            }
-        })*
-        $(#[test]
-        fn $ring() {
-            rings::<$ring_op, f32>(|ring| <$ring_op as RingOp>::value(ring), |ring, up| <Ringed<$ring_op> as Source>::vjp(ring, up));
-            rings::<$ring_op, f64>(|ring| <$ring_op as RingOp>::value(ring), |ring, up| <Ringed<$ring_op> as Source>::vjp(ring, up));
-        })*
-    };
+/// A row whose batches have kernels or a filter of their own.
+struct Compiled {
+    name: &'static str,
+    /// Everywhere in a batch, and of long lists; in `f32` and in `f64`.
+    positions: [fn(); 2],
+    scenes: [fn(); 2],
 }
-geograd::for_each_op!(tests);
 
-/// Operations of the list of straight lines that have kernels or a filter.
-macro_rules! more {
-    ($($format:ident { $($name:ident: $op:ident,)* })*) => { $($(mod $name {
-        use super::*;
-        use geograd_tests::rows::$op;
-        #[test]
-        fn anywhere_in_a_batch() {
-            positions::<$op, f32>();
-            more!(@$format positions $op);
+impl Compiled {
+    const fn of<O>() -> Self
+    where
+        O: Pair<f32, A: Drawn, B: Drawn> + Pair<f64, A: Drawn, B: Drawn>,
+    {
+        Compiled {
+            name: <O as geograd::kernels::Op>::NAME,
+            positions: [positions::<O, f32>, positions::<O, f64>],
+            scenes: [scenes::<O, f32>, scenes::<O, f64>],
         }
-        #[test]
-        fn of_long_lists() {
-            scenes::<$op, f32>();
-            more!(@$format scenes $op);
+    }
+    /// In both formats, or in `f32` alone where kernels and filters of `f64` are those of other rows.
+    fn formats(&self) -> usize {
+        // The kernels of the last one are compiled for x86-64 only; elsewhere its program runs, the longest of all.
+        let shared = ["iof_yaw", "iou_birds_eye", "iou_aabb3"];
+        let long = cfg!(geograd_portable) && self.name == "iou_obb3";
+        if shared.contains(&self.name) || long {
+            1
+        } else {
+            2
         }
-    })*)* };
-    (@both $test:ident $op:ident) => {
-        $test::<$op, f64>();
-    };
-    (@single $test:ident $op:ident) => {};
-}
-more! {
-    both {
-        giou_obb2: GiouObb2,
-        intersection_volume_yaw: IntersectionVolumeYaw,
-        iou_yaw: IouYaw,
-    }
-    // The same in double precision by kernels and filters that those above share.
-    single {
-        iof_yaw: IofYaw,
-        iou_birds_eye: IouBirdsEye,
-        iou_aabb3: IouAabb3,
     }
 }
-// Its kernels are compiled for x86-64 only; elsewhere its program runs, which is the longest of all.
-#[cfg(not(geograd_portable))]
-more! {
-    both {
-        iou_obb3: IouObb3,
+
+const COMPILED: [Compiled; 13] = {
+    use geograd_tests::rows::*;
+    [
+        Compiled::of::<IntersectionAreaObb2>(),
+        Compiled::of::<IouObb2>(),
+        Compiled::of::<IofObb2>(),
+        Compiled::of::<IntersectionAreaAabb2>(),
+        Compiled::of::<IouAabb2>(),
+        Compiled::of::<IofAabb2>(),
+        Compiled::of::<GiouObb2>(),
+        Compiled::of::<IntersectionVolumeYaw>(),
+        Compiled::of::<IouYaw>(),
+        Compiled::of::<IofYaw>(),
+        Compiled::of::<IouBirdsEye>(),
+        Compiled::of::<IouAabb3>(),
+        Compiled::of::<IouObb3>(),
+    ]
+};
+
+#[test]
+fn anywhere_in_a_batch() {
+    for row in &COMPILED {
+        eprintln!("{}", row.name);
+        row.positions[..row.formats()].iter().for_each(|run| run());
     }
 }
-#[cfg(geograd_portable)]
-more! {
-    single {
-        iou_obb3: IouObb3,
+
+#[test]
+fn of_long_lists() {
+    for row in &COMPILED {
+        eprintln!("{}", row.name);
+        row.scenes[..row.formats()].iter().for_each(|run| run());
     }
+}
+
+#[test]
+fn of_rings() {
+    fn of<O: RingOp>() {
+        rings::<O, f32>(O::value, <Ringed<O> as Source>::vjp);
+        rings::<O, f64>(O::value, <Ringed<O> as Source>::vjp);
+    }
+    of::<geograd::kernels::SignedArea>();
+    of::<geograd::kernels::Perimeter>();
+    of::<geograd::kernels::Centroid>();
 }

@@ -1,45 +1,11 @@
 //! Rows property as data what the documentation of the crate says.
+use crate::rows::finite;
 use geograd::ad::jacobian;
 use geograd::intersection::crossing_of_lines;
+use geograd::kernels::Op as _;
 use geograd::kernels::op::{Finite, Limits};
-use geograd::kernels::{Fold as _, Op as _, RingOp as _, Search as _};
 use geograd::{Line2, Pack, Vec2};
 use geograd_tests::rows::CrossingOfLines;
-
-macro_rules! properties {
-    (pairs { $($pair:ident: $pair_op:ty,)* } rings { $($ring:ident: $ring_op:ty,)* }
-     straight { $($straight:ident: $straight_op:ty,)* }
-     folds { $($fold:ident: $fold_op:ty,)* } decided { $($decided:ident: $decided_op:ty,)* }
-     further {
-         straight { $($more:ident: $more_op:ty,)* }
-         folds { $($more_fold:ident: $more_fold_op:ty,)* }
-         decided { $($more_search:ident: $more_decided_op:ty,)* }
-     }) => {
-        vec![
-            $((stringify!($pair), <$pair_op>::FINITE),)*
-            $((stringify!($ring), <$ring_op>::FINITE),)*
-            $((stringify!($straight), <$straight_op>::FINITE),)*
-            $((stringify!($fold), <$fold_op>::FINITE),)*
-            $((stringify!($decided), <$decided_op>::FINITE),)*
-            $((stringify!($more), <$more_op>::FINITE),)*
-            $((stringify!($more_fold), <$more_fold_op>::FINITE),)*
-            $((stringify!($more_search), <$more_decided_op>::FINITE),)*
-        ]
-    };
-}
-
-macro_rules! further {
-    ($($name:ident: $op:ty,)*) => {
-        [$((stringify!($name), <$op>::FINITE),)*]
-    };
-}
-
-/// The declared properties of every row.
-fn rows() -> Vec<(&'static str, Finite)> {
-    let mut all = geograd::for_each_op!(properties);
-    all.extend(geograd_tests::more_fuzzed!(further));
-    all
-}
 
 /// The second property of the crate's documentation: the rows that it names, and the limits of all others.
 fn second_property() -> (String, String) {
@@ -53,7 +19,7 @@ fn second_property() -> (String, String) {
 
 #[test]
 fn the_documentation_names_what_is_always_finite() {
-    let rows = rows();
+    let rows = finite();
     let (list, _) = second_property();
     let mut named: Vec<&str> = list.split('`').skip(1).step_by(2).collect();
     let mut always: Vec<&str> = rows
@@ -85,7 +51,7 @@ fn the_documentation_says_within_which_limits_others_are_finite() {
         let power = power(exponent);
         assert!(others.contains(&power), "{power} in {others}");
     }
-    for (name, finite) in rows() {
+    for (name, finite) in finite() {
         let is_said =
             matches!(finite, Finite::Always) || finite == Finite::Within(Limits::ORDINARY);
         assert!(

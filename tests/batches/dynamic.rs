@@ -1,38 +1,18 @@
 //! The untyped face gives the bits of the typed one, for every row; what it refuses, it refuses by name.
-use crate::straight::bits;
-use geograd::ad::check::sample::{Draw, Family, Sample, random};
+use crate::rows::{Number, bits};
+use geograd::ad::check::sample::Draw;
 use geograd::error::{Argument, Field};
 use geograd::kernels::dynamic::{
-    Bound, Elementary, Format, Function, Layout, Mode, Operation, Program, Rows, Sort, Symbol,
-    Tracing, operation, operations, symbol,
+    Bound, Elementary, Format, Function, Layout, Mode, Program, Rows, Symbol, Tracing, operation,
+    operations, symbol,
 };
-use geograd::kernels::{Cpu, Fold, Op, RingOp, Search, SignedArea, fold::fold};
+use geograd::kernels::{Cpu, Op, RingOp, SignedArea, fold::fold};
 use geograd::{
     Error, Fixed, Flaw, Jet, Obb2, Pack, Pose2, Scalar, Segment2, Unrecordable, Vec2, ad,
 };
+use geograd_tests::list;
 use geograd_tests::rows::{IouObb2, MoveSegment, SignedDistancePointRing};
 
-type Draws = fn(&mut Draw) -> Vec<f64>;
-
-/// A row of the list: its inputs, and its function.
-struct Entry {
-    name: &'static str,
-    draw: Draws,
-    /// An input of ordinary shapes, of which nothing is tied.
-    ordinary: Draws,
-    single: fn(&[f32]) -> Vec<f32>,
-    double: fn(&[f64]) -> Vec<f64>,
-}
-
-/// Scalars of all shapes and then codes.
-fn drawn<X: Sample + Fixed<Scalar = f64>>(draw: &mut Draw) -> Vec<f64> {
-    let x = random::<X>(draw);
-    let codes = x.codes().into_iter().map(f64::from);
-    x.scalars().into_iter().chain(codes).collect()
-}
-fn ordinary<X: Sample + Fixed<Scalar = f64>>(draw: &mut Draw) -> Vec<f64> {
-    Family::Ordinary.draw::<X>(draw).scalars()
-}
 fn path<T: Copy>(numbers: &[T]) -> Vec<Vec2<T>> {
     numbers
         .chunks_exact(2)
@@ -40,126 +20,9 @@ fn path<T: Copy>(numbers: &[T]) -> Vec<Vec2<T>> {
         .collect()
 }
 
-fn straight<O: Op, T: Scalar>(x: &[T]) -> Vec<T> {
-    O::eval(O::In::<T>::load(x)).scalars()
-}
-fn decided<D: Search, T: Scalar<Mask = bool> + Into<f64>>(x: &[T]) -> Vec<T> {
-    let (scalars, codes) = x.split_at(D::In::<T>::LEN);
-    let codes: Vec<u32> = codes.iter().map(|&x| x.into() as u32).collect();
-    let input = D::In::<T>::load(scalars).load_codes(&codes);
-    D::replay(input, D::decide(input)).scalars()
-}
-fn folded<F: Fold, T: Scalar>(x: &[T]) -> Vec<T> {
-    let (context, vertices) = x.split_at(F::Context::<T>::LEN);
-    fold::<F, T>(F::Context::<T>::load(context), &path(vertices)).scalars()
-}
-fn ringed<O: RingOp, T: Scalar>(x: &[T]) -> Vec<T> {
-    O::value(&path(x)).scalars()
-}
-
-macro_rules! entry {
-    ($row:ident, $draw:expr, $ordinary:expr, $function:ident, $op:ty) => {
-        Entry {
-            name: stringify!($row),
-            draw: $draw,
-            ordinary: $ordinary,
-            single: $function::<$op, f32>,
-            double: $function::<$op, f64>,
-        }
-    };
-}
-macro_rules! entries {
-    (pairs { $($pair:ident: $pair_op:ty,)* } rings { $($ring:ident: $ring_op:ty,)* }
-     straight { $($straight:ident: $straight_op:ty,)* }
-     folds { $($fold:ident: $fold_op:ty,)* } decided { $($decided:ident: $decided_op:ty,)* }
-     further {
-         straight { $($more:ident: $more_op:ty,)* }
-         folds { $($more_fold:ident: $more_fold_op:ty,)* }
-         decided { $($more_search:ident: $more_decided_op:ty,)* }
-     }) => { vec![
-        $(entry!($pair, drawn::<<$pair_op as Op>::In<f64>>, ordinary::<<$pair_op as Op>::In<f64>>, straight, $pair_op),)*
-        $(entry!($straight, drawn::<<$straight_op as Op>::In<f64>>, ordinary::<<$straight_op as Op>::In<f64>>, straight, $straight_op),)*
-        $(entry!($more, drawn::<<$more_op as Op>::In<f64>>, ordinary::<<$more_op as Op>::In<f64>>, straight, $more_op),)*
-        $(entry!($decided, drawn::<<$decided_op as Search>::In<f64>>, |_| Vec::new(), decided, $decided_op),)*
-        $(entry!($more_search, drawn::<<$more_decided_op as Search>::In<f64>>, |_| Vec::new(), decided, $more_decided_op),)*
-        $(entry!($ring, |draw| random::<Vec<Vec2<f64>>>(draw).scalars(), |_| Vec::new(), ringed, $ring_op),)*
-        $(entry!($fold, paths_of::<$fold_op>, |_| Vec::new(), folded, $fold_op),)*
-        $(entry!($more_fold, paths_of::<$more_fold_op>, |_| Vec::new(), folded, $more_fold_op),)*
-    ] };
-}
-fn paths_of<F: Fold>(draw: &mut Draw) -> Vec<f64>
-where
-    F::Context<f64>: Sample,
-{
-    random::<(F::Context<f64>, Vec<Vec2<f64>>)>(draw).scalars()
-}
-fn entries() -> Vec<Entry> {
-    geograd::for_each_op!(entries)
-}
-
-trait Number: Format + Scalar<Mask = bool> + Into<f64> {
-    fn function(entry: &Entry) -> fn(&[Self]) -> Vec<Self>;
-}
-impl Number for f32 {
-    fn function(entry: &Entry) -> fn(&[f32]) -> Vec<f32> {
-        entry.single
-    }
-}
-impl Number for f64 {
-    fn function(entry: &Entry) -> fn(&[f64]) -> Vec<f64> {
-        entry.double
-    }
-}
-
 /// Bits of numbers, of which zeros have no sign.
 fn bits_of<T: Into<f64> + Copy>(x: &[T]) -> Vec<u64> {
     x.iter().map(|&x| (x.into() + 0.0).to_bits()).collect()
-}
-
-/// Items as columns of their arguments, scalars before codes.
-fn columns<T: Number>(operation: &Operation, items: &[Vec<T>]) -> Vec<Vec<T>> {
-    let layouts = operation.layouts::<T>();
-    let scalars: usize = layouts.iter().map(|x| x.fields() - x.codes()).sum();
-    let mut columns = vec![Vec::new(); layouts.len()];
-    for item in items {
-        let (mut own, mut codes) = item.split_at(scalars);
-        for (column, layout) in columns.iter_mut().zip(&layouts) {
-            let (some, rest) = own.split_at(layout.fields() - layout.codes());
-            let (whole, others) = codes.split_at(layout.codes());
-            column.extend_from_slice(some);
-            column.extend_from_slice(whole);
-            (own, codes) = (rest, others);
-        }
-    }
-    columns
-}
-fn rows<'a, T: Number>(columns: &'a [Vec<T>], layouts: &[Layout<T>]) -> Vec<Rows<'a, T>> {
-    let all = columns.iter().zip(layouts);
-    all.map(|(numbers, layout)| Rows::new(numbers, layout.fields()))
-        .collect()
-}
-
-/// Valid items of a row.
-fn items<T: Number>(entry: &Entry, operation: &Operation, count: usize) -> Vec<Vec<T>> {
-    let mut draw = Draw::new(5);
-    let mut all = Vec::new();
-    for _ in 0..200 {
-        let item: Vec<T> = (entry.draw)(&mut draw).into_iter().map(T::lit).collect();
-        let layouts = operation.layouts::<T>();
-        let one = columns(operation, std::slice::from_ref(&item));
-        if one
-            .iter()
-            .zip(&layouts)
-            .all(|(row, layout)| layout.check(row).is_ok())
-        {
-            all.push(item);
-        }
-        if all.len() == count {
-            break;
-        }
-    }
-    assert!(!all.is_empty(), "no input of {} is valid", entry.name);
-    all
 }
 
 /// Row by row of several columns, one after another.
@@ -174,110 +37,20 @@ fn by_item<T: Copy>(lists: &[Vec<T>], count: usize) -> Vec<Vec<T>> {
     (0..count).map(row).collect()
 }
 
-fn same_bits<T: Number>() {
-    for entry in entries() {
-        let operation = operation(entry.name).expect(entry.name);
-        if operation.sort == Sort::Fold || operation.sort == Sort::Ring {
-            continue;
-        }
-        let name = entry.name;
-        let items = items::<T>(&entry, operation, 20);
-        let (count, layouts) = (items.len(), operation.layouts::<T>());
-        let columns = columns(operation, &items);
-        let rows = rows(&columns, &layouts);
-        let value = operation.value::<T>().expect(name);
-        let found = value.aligned(&rows).expect(name);
-        for (item, found) in items.iter().zip(by_item(&found, count)) {
-            let expected = T::function(&entry)(item);
-            assert_eq!(bits_of(&found), bits_of(&expected), "{name} at {item:?}");
-        }
-        // A cotangent of its own for every number.
-        let wide: usize = value.gives().iter().sum();
-        let bars: Vec<T> = (0..count * wide)
-            .map(|i| T::lit(0.25 + (i % 7) as f64))
-            .collect();
-        let with_bars: Vec<_> = rows
-            .iter()
-            .copied()
-            .chain([Rows::new(&bars, wide)])
-            .collect();
-        let derivatives = operation.vjp::<T>().expect(name);
-        let derivatives = by_item(&derivatives.aligned(&with_bars).expect(name), count);
-        let gradients = operation
-            .value_grad::<T>()
-            .map(|x| by_item(&x.aligned(&rows).expect(name), count));
-        assert_eq!(gradients.is_some(), wide == 1, "{name}");
-        match operation.program::<T>() {
-            Ok(program) => {
-                let vjp = program.vjp().expect(name);
-                let value_grad = (wide == 1).then(|| program.value_grad().expect(name));
-                for (i, item) in items.iter().enumerate() {
-                    let input = [&item[..], &bars[i * wide..][..wide]].concat();
-                    let expected = vjp.eval(&input).expect(name);
-                    assert_eq!(
-                        bits_of(&derivatives[i]),
-                        bits_of(&expected),
-                        "vjp of {name} at {item:?}"
-                    );
-                    if let (Some(gradients), Some(program)) = (&gradients, &value_grad) {
-                        let expected = program.eval(item).expect(name);
-                        assert_eq!(
-                            bits_of(&gradients[i]),
-                            bits_of(&expected),
-                            "{name} at {item:?}"
-                        );
-                    }
-                }
-            }
-            Err(error) => {
-                assert_eq!(operation.sort, Sort::Search, "{name}: {error}");
-                assert_eq!(error, Error::Program(Unrecordable::Search), "{name}");
-                // The cotangent of a result of one number scales its gradient.
-                for (i, gradient) in gradients.iter().flatten().enumerate() {
-                    for (k, argument) in operation
-                        .arguments()
-                        .iter()
-                        .flat_map(|x| &x.shape.fields)
-                        .enumerate()
-                    {
-                        let by: T = if argument.bound == Bound::Whole {
-                            T::one()
-                        } else {
-                            bars[i]
-                        };
-                        let expected = gradient[1 + k] * by;
-                        assert_eq!(
-                            bits_of(&[derivatives[i][k]]),
-                            bits_of(&[expected]),
-                            "{name} by {k}"
-                        );
-                    }
-                }
-            }
-        }
-    }
-}
-
-#[test]
-fn every_row_of_fixed_size_has_the_bits_of_its_function() {
-    same_bits::<f64>();
-    same_bits::<f32>();
-}
-
 #[test]
 fn every_path_has_the_bits_of_its_function() {
     fn of<T: Number>() {
-        for entry in entries() {
-            let operation = operation(entry.name).expect(entry.name);
+        for row in list::rows() {
+            let operation = &row.operation;
             let Some(on_paths) = operation.on_paths::<T>() else {
                 continue;
             };
-            let (name, mut draw) = (entry.name, Draw::new(9));
+            let (name, mut draw) = (row.name(), Draw::new(9));
             let wide: usize = on_paths.takes().iter().map(|x| x.1.fields()).sum();
             let (mut context, mut vertices, mut offsets) = (Vec::new(), Vec::new(), vec![0]);
             let mut items = Vec::new();
             for _ in 0..20 {
-                let item: Vec<T> = (entry.draw)(&mut draw).into_iter().map(T::lit).collect();
+                let item: Vec<T> = row.random(&mut draw).into_iter().map(T::lit).collect();
                 context.extend_from_slice(&item[..wide]);
                 vertices.extend_from_slice(&item[wide..]);
                 offsets.push(vertices.len() / 2);
@@ -291,7 +64,7 @@ fn every_path_has_the_bits_of_its_function() {
             let values = on_paths.values(&rows, &vertices, &offsets).expect(name);
             let mut expected = Vec::new();
             for item in &items {
-                expected.extend(T::function(&entry)(item));
+                expected.extend(row.alone(item));
             }
             assert_eq!(bits_of(&values), bits_of(&expected), "{name}");
             let mut into = vec![T::one(); values.len()];
@@ -338,7 +111,6 @@ fn every_path_has_the_bits_of_its_function() {
 
 #[test]
 fn rows_say_what_they_are() {
-    assert_eq!(operations().len(), entries().len());
     for operation in operations() {
         let name = operation.name;
         let summary = operation.summary();
@@ -915,6 +687,9 @@ fn operations_of_symbols_are_the_operations() {
     assert_eq!(loss.aligned(&columns).unwrap(), [[plain(&x) + 0.0]]);
 }
 
+/// Operations of the longest programs, boxes of any orientation.
+const LONG: usize = 5000;
+
 /// Every derivative program of a program against duals of its function.
 fn derivatives(program: &Program<f64>, x: &[f64], name: &str) {
     type Dual = Jet<f64, 1>;
@@ -969,6 +744,10 @@ fn derivatives(program: &Program<f64>, x: &[f64], name: &str) {
         &jacobian,
         name,
     );
+    // Of the longest ones second derivatives are made node by node as of all others, and take minutes.
+    if program.cost().total() > LONG {
+        return;
+    }
     // Second derivatives of an adjoint by hand are those of its formula, those of duals are of the function.
     let second = |s: &[f64], t: &[f64]| -> f64 {
         let point = |k: usize| Second {
@@ -1011,17 +790,16 @@ fn derivatives(program: &Program<f64>, x: &[f64], name: &str) {
 
 #[test]
 fn derivative_programs_are_those_of_duals() {
-    for entry in entries() {
-        let operation = operation(entry.name).expect(entry.name);
-        let Ok(program) = operation.program::<f64>() else {
-            continue;
+    let rows: Vec<_> = list::rows();
+    list::each(&rows, |row| {
+        let Ok(program) = row.operation.program::<f64>() else {
+            return;
         };
         let mut draw = Draw::new(17);
         for _ in 0..2 {
-            let item = (entry.ordinary)(&mut draw);
-            derivatives(&program, &item, entry.name);
+            derivatives(&program, &row.ordinary(&mut draw), row.name());
         }
-    }
+    });
     derivatives(&traced::<f64>(), &[0.3, -0.4, 1.5, 0.2, 0.9, 0.1], "traced");
     let one = operation("perimeter")
         .unwrap()

@@ -13,9 +13,10 @@ const COUNT: u64 = 512;
 #[test]
 fn every_operation_keeps_its_properties() {
     let mut broken = Vec::new();
-    for (name, double, run) in geograd_tests::fuzzers::fuzzers() {
-        let fuzzed = run(COUNT, 2);
-        assert!(fuzzed.inputs >= COUNT, "{name}, f64: {double}");
+    for fuzzer in geograd_tests::fuzzers::fuzzers() {
+        let fuzzed = (fuzzer.run)(COUNT, 2);
+        let Fuzzer { name, wide, .. } = fuzzer;
+        assert!(fuzzed.inputs >= COUNT, "{name}, f64: {wide}");
         if fuzzed.broken.is_some() {
             broken.push(fuzzed.to_string());
         }
@@ -448,14 +449,17 @@ fn what_is_wrong_is_found_and_named() {
 
 #[test]
 fn a_walk_that_finds_something_fails() {
-    let sound: Fuzzer = ("iou_obb2", false, fuzz::operation::<IouObb2, f32>);
-    let faulty: Fuzzer = (
-        "iou_obb2",
-        false,
-        fuzz::operation::<Faulty<OUT_OF_RANGE>, f32>,
-    );
+    let of = |run: fn(u64, u64) -> Fuzzed| Fuzzer {
+        name: "iou_obb2",
+        wide: false,
+        run: Box::new(run),
+    };
+    let fuzzers = [
+        of(fuzz::operation::<IouObb2, f32>),
+        of(fuzz::operation::<Faulty<OUT_OF_RANGE>, f32>),
+    ];
     let mut lines = Vec::new();
-    let walked = walk(&[sound, faulty], 100_000, 1, |fuzzed| {
+    let walked = walk(&fuzzers, 100_000, 1, |fuzzed| {
         lines.push(fuzzed.to_string())
     });
     assert_eq!((walked.broken, walked.status()), (1, 1));
@@ -465,7 +469,7 @@ fn a_walk_that_finds_something_fails() {
         "{}",
         lines[1]
     );
-    assert_eq!(walk(&[sound], 2000, 1, |_| {}).status(), 0);
+    assert_eq!(walk(&fuzzers[..1], 2000, 1, |_| {}).status(), 0);
 }
 
 #[test]

@@ -4,7 +4,6 @@ mod calls;
 mod declared;
 mod dynamic;
 mod fold;
-#[cfg(feature = "fuzzers")]
 mod fuzz;
 mod jacobian;
 mod memory;
@@ -12,6 +11,7 @@ mod names;
 mod polygon;
 mod program;
 mod reduce;
+mod rows;
 mod search;
 mod shapes;
 mod spellings;

@@ -28,10 +28,7 @@ fn table() -> String {
         let unit: String = words.collect();
         writeln!(text, "| [`{unit}`] | {} |", shapes.join(", ")).unwrap();
     }
-    text.push_str(
-        "\nPolygons may have other numbers of corners. `Distance` and `SignedDistance` in the plane take their arguments in either order; \
-         `Iou`, `Iof` and `IntersectionVolume` take boxes in space of any two kinds. Other pairs run by `function`.\n",
-    );
+    text.push_str("\nPolygons may have other numbers of corners. Other pairs run by `function`.\n");
     text
 }
 

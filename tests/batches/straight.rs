@@ -1,17 +1,10 @@
-//! Batches of every straight-line operation: the bits of the function and of its derivatives on plain
-//! numbers, at every level of vector instructions and at every position of a batch.
-use crate::bits::Turn;
-use geograd::ad::check::sample::{Draw, Family, Sample, random};
-use geograd::kernels::cpu::simd::Simd;
-use geograd::kernels::op::{Op, Source, Straight};
-use geograd::kernels::{Cpu, Item};
+//! Straight lines of shapes in batches; `rows` has every row.
+use geograd::ad::check::sample::{Draw, Sample, random};
+use geograd::kernels::Cpu;
+use geograd::kernels::op::Op;
 use geograd::scalar::float::Float;
-use geograd::{Fixed, Jet, Pack};
+use geograd::{Fixed, Pack};
 use geograd_tests::calls::Number;
-use std::fmt::Debug;
-
-/// Lengths of batches: less than any vector, not a whole number of them, several pieces.
-const LENGTHS: [usize; 3] = [1, 17, 300];
 
 /// Results of a batch, item by item.
 pub trait Items {
@@ -55,143 +48,6 @@ where
     };
     all.iter().map(rounded).collect()
 }
-
-/// Values and derivatives of batches are those of the function.
-fn same_bits<O: Op, T: Number>()
-where
-    O::In<f64>: Sample,
-    O::In<T>: Item<Scalar = T, Many: Items> + Debug,
-    O::Out<T>: Item<Scalar = T, Many: Items>,
-{
-    let all = inputs::<O, T>(LENGTHS[2]);
-    let mut draw = Draw::new(12);
-    let bars = (0..all.len()).map(|_| {
-        let numbers = (0..O::Out::<T>::LEN).map(|_| T::lit(draw.within(-2.0, 2.0)));
-        O::Out::load(&numbers.collect::<Vec<T>>())
-    });
-    let bars: Vec<O::Out<T>> = bars.collect();
-    let expected: Vec<[Vec<u64>; 2]> = all
-        .iter()
-        .zip(&bars)
-        .map(|(&x, &bar)| {
-            let (value, derivatives) = (O::eval(x), Straight::<O>::vjp(&x, bar));
-            let finite = |numbers: Vec<T>| numbers.iter().all(|x| x.widen().is_finite());
-            assert!(
-                finite(value.scalars()) && finite(derivatives.scalars()),
-                "{}: {x:?}",
-                O::NAME
-            );
-            [bits(&value), bits(&derivatives)]
-        })
-        .collect();
-    let _turn = Turn::take();
-    for level in Simd::available() {
-        Simd::limit(Some(level)).unwrap();
-        for count in LENGTHS {
-            let (all, bars) = (&all[..count], &bars[..count]);
-            let values = Cpu::new().aligned(O::default(), all).unwrap();
-            let derivatives = Cpu::new().aligned(O::default().vjp(), (all, bars)).unwrap();
-            for i in 0..count {
-                let found = [values.item(i), derivatives.item(i)];
-                assert_eq!(
-                    found,
-                    expected[i],
-                    "{} {level:?} {count}: {:?}",
-                    O::NAME,
-                    all[i]
-                );
-            }
-        }
-    }
-}
-
-/// A batch of values with gradients: the value, and the derivatives of a cotangent of one.
-fn same_gradient<O, T>()
-where
-    O: Op<Out<T> = T>,
-    O::In<f64>: Sample,
-    O::In<T>: Item<Scalar = T, Many: Items> + Debug,
-    T: Number + Item<Many: Items>,
-{
-    let all = inputs::<O, T>(LENGTHS[2]);
-    let _turn = Turn::take();
-    for level in Simd::available() {
-        Simd::limit(Some(level)).unwrap();
-        for count in LENGTHS {
-            let all = &all[..count];
-            let found = Cpu::new().aligned(O::default().value_grad(), all).unwrap();
-            for (i, x) in all.iter().enumerate() {
-                let derivatives = Straight::<O>::vjp(x, T::lit(1.0));
-                let expected = [bits(&O::eval(*x)), bits(&derivatives)].concat();
-                assert_eq!(
-                    found.item(i),
-                    expected,
-                    "{} {level:?} {count}: {x:?}",
-                    O::NAME
-                );
-            }
-        }
-    }
-}
-
-#[test]
-fn gradients() {
-    macro_rules! each {
-        ($($op:ident)*) => { $(
-            same_gradient::<geograd_tests::rows::$op, f64>();
-            same_gradient::<geograd_tests::rows::$op, f32>();
-        )* };
-    }
-    each! {
-        DistancePointSegment DistancePointCircle DistancePointTriangle DistanceSegments DistanceObb2
-        SignedDistancePointObb2 SquaredDistancePointSegment GiouObb2 GiouAabb2 GiouHullAabb2
-        GiouAabbObb2 DiouAabb2 DiouHullAabb2 DiouAabbObb2 EiouObb2 EiouAabb2 HullAreaObb2 HullAreaAabb2 AreaTriangle
-        PerimeterTriangle SignedAreaQuad PerimeterQuad
-    }
-}
-
-/// Derivatives are those of forward duals where no tie is near.
-fn derivatives_of_duals<O: Op>()
-where
-    O::In<f64>: Sample,
-{
-    let mut draw = Draw::new(13);
-    let ones = O::Out::<f64>::filled(1.0);
-    for _ in 0..100 {
-        let x: O::In<f64> = Family::Ordinary.draw(&mut draw);
-        let derivatives = Straight::<O>::vjp(&x, ones).scalars();
-        let numbers = x.scalars();
-        let largest = derivatives.iter().fold(1.0_f64, |m, s| m.max(s.abs()));
-        for (k, &derivative) in derivatives.iter().enumerate() {
-            let jets = numbers.iter().enumerate().map(|(i, &x)| Jet {
-                value: x,
-                derivative: [if i == k { 1.0 } else { 0.0 }],
-            });
-            let jets: Vec<Jet<f64, 1>> = jets.collect();
-            let out = O::eval(O::In::<Jet<f64, 1>>::load(&jets)).scalars();
-            let dual: f64 = out.iter().map(|y| y.derivative[0]).sum();
-            let gap = (dual - derivative).abs();
-            assert!(
-                gap <= 1e-12 * largest,
-                "{} by {k}: {dual} {derivative} at {x:?}",
-                O::NAME
-            );
-        }
-    }
-}
-
-macro_rules! each {
-    (pairs { $($pair:ident: $pair_op:ty,)* } rings { $($ring:ident: $ring_op:ty,)* }
-     straight { $($name:ident: $op:ty,)* } $($rest:tt)*) => { $(
-        #[test]
-        fn $name() {
-            same_bits::<$op, f64>();
-            same_bits::<$op, f32>();
-            derivatives_of_duals::<$op>();
-        }
-    )* };
-}
-geograd::for_each_op!(each);
 
 geograd::operation! {
     /// A difference, whose derivatives are its cotangent and the opposite.

@@ -40,7 +40,7 @@ fn compare(name: &str, text: &str) {
 fn kept<O: Op>(wanted: &[&str])
 where
     O::In<f32>: Item<Scalar = f32>,
-    O::Out<f32>: Item,
+    O::Out<f32>: Item<Scalar = f32>,
 {
     let all = op_sources::<O>().unwrap();
     for wanted in wanted {

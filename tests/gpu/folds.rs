@@ -1,17 +1,10 @@
 //! Folds over paths on a GPU.
-use crate::{gpu, small, validate};
+use crate::{gpu, small};
 use geograd::ad::check::sample::Draw;
-use geograd::kernels::gpu::{Gpu, fold_sources};
+use geograd::kernels::gpu::Gpu;
 use geograd::kernels::{Cpu, Fold, Item, One};
 use geograd::{Error, Fixed, GpuFault, Pack, Vec2};
 use geograd_tests::rows::fold;
-
-/// Shader text needs no GPU to be judged.
-pub fn shaders_are_valid<F: Fold>(fold: F) {
-    for (name, text) in fold_sources(fold).unwrap() {
-        validate(&name, &text);
-    }
-}
 
 /// Numbers that may differ by so much of their size, and of one.
 fn near(name: &str, found: &[f32], expected: &[f32], by: f32) {

@@ -18,8 +18,13 @@ mod rings;
 mod shapes;
 mod suppress;
 
-use geograd::kernels::gpu::{Gpu, Options, pair_sources, ring_sources};
+use geograd::kernels::dynamic::Sort;
+use geograd::kernels::gpu::{Gpu, GpuRing, Options};
+use geograd::kernels::{Centroid, Op, Perimeter, SignedArea};
 use geograd_tests::adapter::{any_gpu, validate};
+use geograd_tests::forms::agree;
+use geograd_tests::list::{self, Tested};
+use geograd_tests::rows::overlap;
 use std::sync::{Mutex, MutexGuard, PoisonError};
 
 /// One context for all tests, one test at a time: drivers in software use all cores anyway.
@@ -36,110 +41,126 @@ fn small() -> Gpu {
     Gpu::with(&options).unwrap()
 }
 
-macro_rules! walk {
-    (pairs { $($pair:ident: $pair_op:ty,)* } rings { $($ring:ident: $ring_op:ty,)* }
-     straight { $($straight:ident: $straight_op:ty,)* }
-     folds { $($fold:ident: $fold_op:ty,)* } decided { $($decided:ident: $decided_op:ty,)* }
-     further {
-         straight { $($more:ident: $more_op:ty,)* }
-         folds { $($more_fold:ident: $more_fold_op:ty,)* }
-         decided { $($more_search:ident: $more_decided_op:ty,)* }
-     }) => {
-        $(mod $pair {
-            #[test]
-            fn shaders_are_valid() {
-                for (name, text) in super::pair_sources::<$pair_op>() {
-                    super::validate(&name, &text);
-                }
-            }
-            #[test]
-            fn hard_pairs() {
-                super::parity::hard_pairs_agree::<$pair_op>();
-            }
-            #[test]
-            fn all_pairs() {
-                let Some((_turn, gpu)) = super::gpu() else { return };
-                super::parity::all_pairs_agree::<$pair_op>(gpu, 67, 300);
-                super::parity::all_pairs_agree::<$pair_op>(gpu, 1, 1);
-            }
-            #[test]
-            fn chains() {
-                super::resident::chains_agree::<$pair_op>();
-            }
-            #[test]
-            fn bad_input() {
-                super::faults::bad_input_is_refused::<$pair_op>();
-                super::faults::empty_batches_are_valid::<$pair_op>();
-            }
-            #[test]
-            fn all_pairs_split() {
-                let Some((_turn, _)) = super::gpu() else { return };
-                super::parity::all_pairs_agree::<$pair_op>(&super::small(), 70, 150);
-            }
-        })*
-        $(mod $ring {
-            #[test]
-            fn shaders_are_valid() {
-                for (name, text) in super::ring_sources::<$ring_op>() {
-                    super::validate(&name, &text);
-                }
-            }
-            #[test]
-            fn ragged() {
-                let Some((_turn, gpu)) = super::gpu() else { return };
-                super::rings::rings_agree::<$ring_op>(gpu);
-                super::rings::rings_agree::<$ring_op>(&super::small());
-            }
-            #[test]
-            fn moved() {
-                super::rings::moved_rings_agree::<$ring_op>();
-            }
-            #[test]
-            fn long() {
-                super::rings::long_rings::<$ring_op>();
-            }
-        })*
-        mod valid {
-            $(#[test]
-            fn $straight() {
-                geograd_tests::adapter::shaders_are_valid::<$straight_op>();
-            })*
-            $(#[test]
-            fn $pair() {
-                geograd_tests::adapter::shaders_are_valid::<$pair_op>();
-            })*
-            $(#[test]
-            fn $fold() {
-                super::folds::shaders_are_valid(<$fold_op>::default());
-            })*
-            $(#[test]
-            fn $more_fold() {
-                super::folds::shaders_are_valid(<$more_fold_op>::default());
-            })*
-        }
-        mod replayed {
-            $(#[test]
-            fn $decided() {
-                super::replays::agrees::<$decided_op, _, _>();
-            })*
-            $(#[test]
-            fn $more_search() {
-                super::replays::agrees::<$more_decided_op, _, _>();
-            })*
-        }
-        // Which implementation serves an operation is found by the references.
-        #[allow(clippy::needless_borrow)]
-        mod agree {
-            use geograd_tests::forms::{Agree, Forms};
-            $(#[test]
-            fn $straight() {
-                (&&&Forms::<$straight_op>::NEW).agree();
-            })*
-            $(#[test]
-            fn $pair() {
-                (&&&Forms::<$pair_op>::NEW).agree();
-            })*
-        }
-    };
+/// A row of two boxes in the plane, which has kernels by hand for all pairs.
+struct Boxes {
+    name: &'static str,
+    hard_pairs: fn(),
+    all_pairs: fn(),
+    chains: fn(),
+    bad_input: fn(),
 }
-geograd::for_each_op!(walk);
+
+impl Boxes {
+    const fn of<O: shapes::Score>() -> Self {
+        Boxes {
+            name: <O as Op>::NAME,
+            hard_pairs: parity::hard_pairs_agree::<O>,
+            all_pairs: || {
+                let Some((_turn, gpu)) = gpu() else { return };
+                parity::all_pairs_agree::<O>(gpu, 67, 300);
+                parity::all_pairs_agree::<O>(gpu, 1, 1);
+                parity::all_pairs_agree::<O>(&small(), 70, 150);
+            },
+            chains: resident::chains_agree::<O>,
+            bad_input: || {
+                faults::bad_input_is_refused::<O>();
+                faults::empty_batches_are_valid::<O>();
+            },
+        }
+    }
+}
+
+const BOXES: [Boxes; 6] = [
+    Boxes::of::<overlap::IntersectionAreaObb2>(),
+    Boxes::of::<overlap::IouObb2>(),
+    Boxes::of::<overlap::IofObb2>(),
+    Boxes::of::<overlap::IntersectionAreaAabb2>(),
+    Boxes::of::<overlap::IouAabb2>(),
+    Boxes::of::<overlap::IofAabb2>(),
+];
+
+/// Carries out a test of every row of boxes, and says which.
+fn of_boxes(test: fn(&Boxes) -> fn()) {
+    for boxes in &BOXES {
+        eprintln!("{}", boxes.name);
+        test(boxes)();
+    }
+}
+
+#[test]
+fn boxes_hard_pairs() {
+    of_boxes(|boxes| boxes.hard_pairs);
+}
+
+#[test]
+fn boxes_all_pairs() {
+    of_boxes(|boxes| boxes.all_pairs);
+}
+
+#[test]
+fn boxes_chains() {
+    of_boxes(|boxes| boxes.chains);
+}
+
+#[test]
+fn boxes_bad_input() {
+    of_boxes(|boxes| boxes.bad_input);
+}
+
+/// Whoever has shaders by hand is in the list above.
+#[test]
+fn all_shaders_by_hand_are_tested() {
+    let by_hand = |row: &&Tested| {
+        let shaders = row.shaders().unwrap();
+        let is_pairs = row.operation.sort == Sort::Straight;
+        is_pairs && shaders.iter().any(|(name, _)| name.starts_with("Source {"))
+    };
+    let mut found: Vec<_> = list::rows()
+        .into_iter()
+        .filter(by_hand)
+        .map(Tested::name)
+        .collect();
+    let mut tested = BOXES.map(|boxes| boxes.name);
+    found.sort_unstable();
+    tested.sort_unstable();
+    assert_eq!(found, tested);
+}
+
+#[test]
+fn measures_of_rings() {
+    fn of<O: GpuRing>() {
+        if let Some((_turn, gpu)) = gpu() {
+            rings::rings_agree::<O>(gpu);
+            rings::rings_agree::<O>(&small());
+        }
+        rings::moved_rings_agree::<O>();
+        rings::long_rings::<O>();
+    }
+    of::<SignedArea>();
+    of::<Perimeter>();
+    of::<Centroid>();
+}
+
+/// Shader text needs no GPU to be judged.
+#[test]
+fn shaders_are_valid() {
+    list::each(&list::rows(), |row| {
+        for (name, text) in row.shaders().unwrap() {
+            validate(&name, &text);
+        }
+    });
+}
+
+#[test]
+fn searches_are_replayed() {
+    list::each(&list::rows(), replays::agrees);
+}
+
+#[test]
+fn all_pairs_of_every_row() {
+    list::each(&list::rows(), |row| {
+        if row.operation.sort == Sort::Straight {
+            agree(row);
+        }
+    });
+}

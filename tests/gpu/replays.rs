@@ -1,32 +1,21 @@
 //! Operations with a search: decided on the processor, replayed on the GPU.
 use crate::{any_gpu, gpu, small, validate};
-use geograd::ad::check::sample::{Draw, Sample};
-use geograd::error::Validate;
+use geograd::ad::check::sample::Draw;
 use geograd::kernels::cpu::Face;
+use geograd::kernels::dynamic::{Mode, Rows, Sort};
 use geograd::kernels::gpu::replay_source;
-use geograd::kernels::op::{Ask, Invariance, Jumps, Vjp};
+use geograd::kernels::op::{Ask, Invariance, Jumps};
 use geograd::kernels::replays::{self, Replays};
 use geograd::kernels::search;
-use geograd::kernels::{Backend, Cpu, Item, One, Runs, Search};
+use geograd::kernels::{Backend, Cpu, One, Runs, Search};
 use geograd::kernels::{Diameter, Giou, Iou};
 use geograd::{ConvexPolygon, Error, Fixed, GpuFault, Pack, Scalar, Unrecordable, Vec2};
+use geograd_tests::list::{self, Tested};
 use std::sync::Arc;
 
 #[test]
 fn the_shader_is_valid() {
     validate("replay", &replay_source());
-}
-
-/// Ordinary inputs of an operation in single precision.
-fn inputs<D: Search>(count: usize) -> Vec<D::In<f32>>
-where
-    D::In<f64>: Sample + Pack<With<f32> = D::In<f32>>,
-    D::In<f32>: Validate,
-{
-    let mut draw = Draw::new(3);
-    let drawn =
-        std::iter::repeat_with(|| D::In::<f64>::ordinary(&mut draw).map(&mut |&x| x as f32));
-    drawn.filter(|x| x.validate().is_ok()).take(count).collect()
 }
 
 /// Numbers that may differ by so much of the largest of their item, and of one.
@@ -58,37 +47,51 @@ impl<A: Flat, B: Flat> Flat for (A, B) {
 }
 
 /// Values and derivatives are those of batches on the processor, and those are the operation's own.
-pub fn agrees<D, X, Y>()
-where
-    D: Search<In<f32> = X, Out<f32> = Y> + Runs<X, Out = Y>,
-    Vjp<D>: Runs<(X, Y), Out = X>,
-    D::In<f64>: Sample + Pack<With<f32> = X>,
-    X: Item<Scalar = f32> + Validate,
-    Y: Item<Scalar = f32>,
-    X::Many: Flat,
-    Y::Many: Flat,
-{
-    let (run, cpu) = (D::default(), Cpu::new());
+pub fn agrees(row: &Tested) {
+    let name = row.name();
+    if row.operation.sort != Sort::Search {
+        return;
+    }
+    let layouts = row.operation.layouts::<f32>();
     // Every pair of polygons has a record of its own, nearly.
-    let inputs = inputs::<D>(if X::CODES > 1 { 40 } else { 300 });
-    let alone: Vec<Y> = inputs
-        .iter()
-        .map(|&x| D::replay::<f32>(x, D::decide::<f32>(x)))
-        .collect();
-    let expected = cpu.aligned(run, &inputs[..]).unwrap().flat();
-    near(D::NAME, &expected, &alone.flat(), 1e-6);
+    let count = if layouts.len() > 1 { 40 } else { 300 };
+    let items = list::inputs::<f32>(row, count, |draw| row.ordinary(draw));
+    let alone: Vec<Vec<f32>> = items.iter().map(|x| row.alone(x)).collect();
+    let on = |backend, mode, bar: Option<&[f32]>| -> Vec<Vec<f32>> {
+        let function = row.operation.function::<f32>(mode).unwrap();
+        let columns = list::columns(row, &items);
+        let columns = columns.iter().zip(&layouts);
+        let mut rows: Vec<_> = columns.map(|(x, y)| Rows::new(x, y.fields())).collect();
+        rows.extend(bar.map(Rows::one));
+        let (lists, gives) = (
+            function.aligned_on(backend, &rows).unwrap(),
+            function.gives(),
+        );
+        let item = |i: usize| {
+            let lists = lists.iter().zip(&gives);
+            lists
+                .flat_map(|(list, n)| list[i * n..][..*n].to_vec())
+                .collect()
+        };
+        (0..items.len()).map(item).collect()
+    };
+    let expected = on(Backend::Cpu, Mode::Value, None);
+    near(name, &expected, &alone, 1e-6);
     let Some(gpu) = any_gpu() else { return };
-    let found = gpu.aligned(run, &inputs[..]).unwrap().flat();
-    near(D::NAME, &found, &expected, 2e-5);
-    let again = gpu.aligned(run, &inputs[..]).unwrap().flat();
-    assert_eq!(found, again);
-    for k in 0..Y::LEN {
-        let seed: Vec<f32> = (0..Y::LEN).map(|j| f32::from(u8::from(j == k))).collect();
-        let seeds = vec![Y::load(&seed); inputs.len()];
-        let columns = (&inputs[..], &seeds[..]);
-        let found = gpu.aligned(Search::vjp(run), columns).unwrap().flat();
-        let expected = cpu.aligned(Search::vjp(run), columns).unwrap().flat();
-        near(D::NAME, &found, &expected, 1e-4);
+    let gpu = Backend::Gpu(gpu);
+    let found = on(gpu, Mode::Value, None);
+    near(name, &found, &expected, 2e-5);
+    assert_eq!(found, on(gpu, Mode::Value, None), "{name}");
+    let outputs = list::outputs(row);
+    for k in 0..outputs {
+        let seed: Vec<f32> = (0..outputs).map(|j| f32::from(u8::from(j == k))).collect();
+        let found = on(gpu, Mode::Vjp, Some(&seed));
+        near(
+            name,
+            &found,
+            &on(Backend::Cpu, Mode::Vjp, Some(&seed)),
+            1e-4,
+        );
     }
 }
 

@@ -1,37 +1,40 @@
-//! Every operation of the list, checked by the harness: hard cases first, then random inputs, in
-//! both formats.
+//! Every row, checked by the harness: hard cases first, then random inputs, in both formats; in `f32` with batches on
+//! a GPU as further witnesses where there is one.
 use geograd::ad::check::Sampling;
-use geograd_tests::list;
+use geograd::kernels::Backend;
+use geograd_tests::list::{self, Tested};
 
 /// Random inputs per operation and format. Hard cases come on top.
 const SAMPLES: usize = 100;
 const SEED: u64 = 1;
-/// Of operations with kernels of their own optimised builds take all hard cases, unoptimised ones some, and fewer
-/// random inputs.
-const HOT: (usize, usize) = if cfg!(debug_assertions) {
-    (13, 40)
-} else {
-    (1, SAMPLES)
-};
 
-fn plan() -> Sampling<'static> {
-    let (hard, samples) = HOT;
-    Sampling {
-        hard,
-        shared_ties: true,
-        ..Sampling::new(samples, SEED)
-    }
-}
+/// Rows whose kernels, on the processor and on a GPU, are by hand.
+pub const HOT: [&str; 9] = [
+    "intersection_area_obb2",
+    "iou_obb2",
+    "iof_obb2",
+    "intersection_area_aabb2",
+    "iou_aabb2",
+    "iof_aabb2",
+    "signed_area",
+    "perimeter",
+    "centroid",
+];
 
-/// Of boxes of any turn in space, whose programs are the longest by far: a third of the inputs of others.
-const LONGEST: [&str; 3] = ["intersection_volume_obb3", "iou_obb3", "iof_obb3"];
+/// So many operations of a program take fewer inputs.
+const LONG: usize = 5000;
 
-/// For what runs as a recorded program, of which there are many: unoptimised builds take fewer inputs.
-fn plan_of_rows(name: &str) -> Sampling<'static> {
-    let (hard, samples) = match (cfg!(debug_assertions), LONGEST.contains(&name)) {
-        (true, true) => (3 * 149, 3),
-        (true, false) => (149, 10),
-        (false, _) => (5, SAMPLES),
+/// Optimised builds take all hard cases of hot rows and every fifth of others; unoptimised ones some, and fewer random
+/// inputs.
+fn plan(row: &Tested) -> Sampling<'static> {
+    let program = row.operation.program::<f64>();
+    let is_long = program.is_ok_and(|program| program.cost().total() > LONG);
+    let (hard, samples) = match (cfg!(debug_assertions), HOT.contains(&row.name()), is_long) {
+        (true, true, _) => (13, 40),
+        (true, _, true) => (3 * 149, 3),
+        (true, ..) => (149, 10),
+        (false, true, _) => (1, SAMPLES),
+        (false, ..) => (5, SAMPLES),
     };
     Sampling {
         hard,
@@ -40,53 +43,24 @@ fn plan_of_rows(name: &str) -> Sampling<'static> {
     }
 }
 
-/// An operation of the list in one format is checked.
-fn checked(name: &str, wide: bool, plan: &Sampling<'_>) {
-    let all = list::checks();
-    let found = all.iter().find(|found| (found.0, found.1) == (name, wide));
-    let (_, _, check) = found.expect("an operation of the list");
-    let report = check(plan, None).expect("no batch that could fail");
-    assert!(report.passed(), "{report}");
+#[test]
+fn double() {
+    list::each(&list::checked(), |row| {
+        let report = row.check::<f64>(&plan(row), None);
+        let report = report.expect("no batch that could fail");
+        assert!(report.passed(), "{report}");
+    });
 }
 
-macro_rules! check_all {
-    (pairs { $($pair:ident: $pair_op:ty,)* } rings { $($ring:ident: $ring_op:ty,)* }
-     straight { $($straight:ident: $straight_op:ty,)* }
-     folds { $($fold:ident: $fold_op:ty,)* } decided { $($decided:ident: $decided_op:ty,)* }
-     further {
-         straight { $($more:ident: $more_op:ty,)* }
-         folds { $($more_fold:ident: $more_fold_op:ty,)* }
-         decided { $($more_search:ident: $more_decided_op:ty,)* }
-     }) => {
-        check_all! { @each
-            hot { $($pair)* $($ring)* }
-            rows { $($straight)* $($fold)* $($decided)* }
-            further { $($more)* $($more_fold)* $($more_search)* }
-            f64 true
-        }
-        check_all! { @each
-            hot { $($pair)* $($ring)* }
-            rows { $($straight)* $($fold)* $($decided)* }
-            further { $($more)* $($more_fold)* $($more_search)* }
-            f32 false
-        }
-    };
-    (@each hot { $($hot:ident)* } rows { $($row:ident)* } further { $($more:ident)* } $format:ident $wide:literal) => {
-        mod $format {
-            use super::*;
-            $(#[test] fn $hot() {
-                checked(stringify!($hot), $wide, &plan());
-            })*
-            $(#[test] fn $row() {
-                checked(stringify!($row), $wide, &plan_of_rows(stringify!($row)));
-            })*
-            $(#[test] #[cfg(not(debug_assertions))] fn $more() {
-                checked(stringify!($more), $wide, &plan_of_rows(stringify!($more)));
-            })*
-        }
-    };
+#[test]
+fn single() {
+    let gpu = crate::witness::gpu();
+    let backend = gpu.as_ref().map(Backend::Gpu);
+    list::each(&list::checked(), |row| {
+        let report = row.check::<f32>(&plan(row), backend).unwrap();
+        assert!(report.passed(), "{report}");
+    });
 }
-geograd::for_each_op!(check_all);
 
 /// Inputs at which the harness once refused what is right.
 mod alarms {

@@ -1,15 +1,17 @@
 //! Batches as witnesses: those of the CPU, and of a GPU where there is one, agree with everybody
 //! else; a batch that is wrong is refused.
+use crate::adjoint::HOT;
 use geograd::ad::check::subject::{Conventions, Jumps};
 use geograd::ad::check::verdict::{Reason, Witness};
 use geograd::ad::check::{Check, Sampling, examine};
-use geograd::kernels::check::{OpSubject, check_pairs_on, check_ring_on};
+use geograd::kernels::check::OpSubject;
 use geograd::kernels::gpu::Gpu;
 use geograd::kernels::op::Straight;
 use geograd::kernels::witness::{Answer, Batch};
 use geograd::kernels::{Backend, Op};
 use geograd::{Error, GpuFault};
 use geograd::{Obb2, Pack, ad};
+use geograd_tests::list;
 use geograd_tests::rows::IouObb2;
 
 /// Every so many hard cases, and random inputs on top.
@@ -22,7 +24,7 @@ fn plan() -> Sampling<'static> {
 }
 
 /// A GPU, unless there is none and none is required.
-fn gpu() -> Option<Gpu> {
+pub fn gpu() -> Option<Gpu> {
     let required = std::env::var("GEOGRAD_REQUIRE_GPU").is_ok_and(|x| x == "1");
     match Gpu::new() {
         Ok(gpu) => Some(gpu),
@@ -37,33 +39,14 @@ fn gpu() -> Option<Gpu> {
     }
 }
 
-macro_rules! check_all {
-    (pairs { $($pair:ident: $pair_op:ty,)* } rings { $($ring:ident: $ring_op:ty,)* }
-     straight { $($straight:ident: $straight_op:ty,)* } $($rest:tt)*) => {
-        fn all_on(backend: Backend<'_>) {
-            $(
-                let report = check_pairs_on::<$pair_op, _, _>(backend, &plan()).unwrap();
-                assert!(report.passed() && report.worst[5].count > 0, "{report}");
-            )*
-            $(
-                let report = check_ring_on::<$ring_op>(backend, &plan()).unwrap();
-                assert!(report.passed() && report.worst[5].count > 0, "{report}");
-            )*
-        }
-    };
-}
-geograd::for_each_op!(check_all);
-
+/// On a GPU `adjoint::single` asks them.
 #[test]
 fn batches_on_the_cpu() {
-    all_on(Backend::Cpu);
-}
-
-#[test]
-fn batches_on_a_gpu() {
-    if let Some(gpu) = gpu() {
-        all_on(Backend::Gpu(&gpu));
-    }
+    let hot: Vec<_> = HOT.iter().map(|name| list::row(name)).collect();
+    list::each(&hot, |row| {
+        let report = row.check::<f32>(&plan(), Some(Backend::Cpu)).unwrap();
+        assert!(report.passed() && report.worst[5].count > 0, "{report}");
+    });
 }
 
 #[test]

@@ -3,15 +3,13 @@
 //! What is generic over an operation only loads, calls and flattens: it is compiled for every row and format.
 use crate::print;
 use geograd::ad::forward::First;
-use geograd::kernels::item::Results;
-use geograd::kernels::op::{ValueGrad, Vjp};
-use geograd::kernels::real::Real;
-use geograd::kernels::{Columns, Cpu, Item, Op, Runs, Search, Single};
+use geograd::kernels::dynamic::{self, Mode, Operation, Rows, Sort, operation};
+use geograd::kernels::reduce::Best;
+use geograd::kernels::{Op, Search, Single};
 use geograd::{Error, Fixed, Jet, Pack, Scalar};
-use std::marker::PhantomData;
 
 /// A format that batches serve.
-pub trait Format: Real + Single<Scalar = Self> + Into<f64> {
+pub trait Format: dynamic::Format + Single<Scalar = Self> + Into<f64> {
     const NAME: &'static str;
 }
 impl Format for f32 {
@@ -35,27 +33,31 @@ pub type Found = (&'static str, Result<Vec<f64>, Error>);
 
 /// What a batch is given: inputs, and a cotangent for each.
 pub struct Given {
+    /// The name of the row.
+    pub row: &'static str,
     pub inputs: Vec<Vec<f64>>,
     pub cotangents: Vec<Vec<f64>>,
 }
 
 impl Given {
-    pub fn new(inputs: Vec<Vec<f64>>, outputs: usize) -> Self {
+    pub fn new(row: &'static str, inputs: Vec<Vec<f64>>, outputs: usize) -> Self {
         let cotangents = print::cotangents(inputs.len(), outputs);
-        Given { inputs, cotangents }
+        Given {
+            row,
+            inputs,
+            cotangents,
+        }
     }
     /// Hashes of the inputs, of items and of batches, or of what a batch is refused with. A form without any number
     /// is none.
-    pub fn forms(&self, items: &[(&'static str, OfItem)], batches: &[Batch]) -> Vec<(String, u64)> {
+    pub fn forms(&self, items: &[(&'static str, OfItem)], batch: Batch) -> Vec<(String, u64)> {
         let mut all = vec![("inputs", Ok(self.inputs.concat()))];
         for (form, item) in items {
             let given = self.inputs.iter().zip(&self.cotangents);
             let found = given.flat_map(|(x, bar)| item(x, bar));
             all.push((form, Ok(found.collect())));
         }
-        for batch in batches {
-            all.extend(batch(self));
-        }
+        all.extend(batch(self));
         let hash = |(form, found): Found| match found {
             Ok(numbers) if numbers.is_empty() => None,
             Ok(numbers) => Some((form.to_owned(), print::of_numbers(&numbers))),
@@ -154,171 +156,125 @@ macro_rules! flats {
 }
 flats!(A B; A B C; A B C D; A B C D E; A B C D E F;);
 
-fn numbers(many: &impl Flat) -> Vec<f64> {
-    let mut all = Vec::new();
-    many.flat(&mut all);
-    all
-}
-fn aligned<C: Columns, R: Runs<C::Item>>(run: R, columns: C) -> Result<Vec<f64>, Error>
-where
-    <R::Out as Results>::Many: Flat,
-{
-    Ok(numbers(&Cpu::new().aligned(run, columns)?))
-}
-
-/// What runs in batches, what it takes and what it gives, by which the forms are found that it has: of a method
-/// called on `&&&Of`, the implementation for what is behind more references comes first.
-pub struct Of<R, X, Y>(PhantomData<(R, X, Y)>);
-
-impl<R, X, Y> Of<R, X, Y> {
-    pub const NEW: Self = Of(PhantomData);
-}
-
-/// Values and adjoints of items side by side.
-pub fn items<R, X, Y>(given: &Given) -> Vec<Found>
-where
-    R: Runs<X, Out = Y> + Default,
-    Vjp<R>: Runs<(X, Y), Out = X> + Default,
-    X: Item<Scalar: Format, Many: Flat>,
-    Y: Item<Scalar = X::Scalar, Many: Flat>,
-{
-    let inputs: Vec<X> = load_all(&given.inputs);
-    let mut bars: Vec<Y> = load_all(&given.cotangents);
+/// The forms of a batch of what is of fixed size, those that it has.
+pub fn batches<S: Format>(given: &Given) -> Vec<Found> {
+    let operation = operation(given.row).expect("the row is in the list");
+    let rounded = |all: &[Vec<f64>]| -> Vec<Vec<S>> {
+        let one = |x: &Vec<f64>| x.iter().map(|&x| S::lit(x)).collect();
+        all.iter().map(one).collect()
+    };
+    let (inputs, mut bars) = (rounded(&given.inputs), rounded(&given.cotangents));
+    let layouts = operation.layouts::<S>();
+    let fields: Vec<usize> = layouts.iter().map(|layout| layout.fields()).collect();
+    let codes: Vec<usize> = layouts.iter().map(|layout| layout.codes()).collect();
+    let columns = |inputs: &[Vec<S>]| columns(inputs, &fields, &codes);
+    let aligned = |mode: Mode, bars: Option<&[Vec<S>]>| -> Result<Vec<f64>, Error> {
+        let function = operation.function::<S>(mode).expect("is of fixed size");
+        let mut lists = columns(&inputs);
+        lists.extend(bars.map(<[Vec<S>]>::concat));
+        let takes = function.takes().into_iter();
+        let takes = takes.map(|(_, layout)| layout.fields());
+        let rows: Vec<_> = lists
+            .iter()
+            .zip(takes)
+            .map(|(x, n)| Rows::new(x, n))
+            .collect();
+        Ok(wide(&function.aligned(&rows)?.concat()))
+    };
     let mut all = vec![
-        ("aligned", aligned(R::default(), &inputs)),
-        ("aligned_vjp", aligned(Vjp::default(), (&inputs, &bars))),
+        ("aligned", aligned(Mode::Value, None)),
+        ("aligned_vjp", aligned(Mode::Vjp, Some(&bars))),
     ];
     // Some cotangents are too large for compiled kernels.
     for bar in bars.iter_mut().step_by(9) {
-        *bar = Y::filled(Scalar::lit(1e30));
+        bar.fill(S::lit(1e30));
     }
-    all.push((
-        "aligned_vjp_large",
-        aligned(Vjp::default(), (&inputs, &bars)),
-    ));
+    all.push(("aligned_vjp_large", aligned(Mode::Vjp, Some(&bars))));
+    let is_number = operation.value_grad::<S>().is_some();
+    if is_number {
+        all.push(("aligned_value_grad", aligned(Mode::ValueGrad, None)));
+    }
+    if operation.sort == Sort::Straight && fields.len() == 2 {
+        let step = inputs.len().div_ceil(SIDE).max(1);
+        let some: Vec<Vec<S>> = inputs.iter().step_by(step).cloned().collect();
+        let lists = columns(&some);
+        let (a, b) = (
+            Rows::new(&lists[0], fields[0]),
+            Rows::new(&lists[1], fields[1]),
+        );
+        all.extend(pairs(operation, is_number, a, b, some.len()));
+    }
     all
-}
-
-/// Values with gradients, for one number as result.
-pub trait Gradients {
-    fn gradients(&self) -> Option<Batch>;
-}
-impl<R, X, T> Gradients for &Of<R, X, T>
-where
-    ValueGrad<R>: Runs<X, Out = (T, X)> + Default,
-    X: Item<Scalar = T, Many: Flat>,
-    T: Format,
-{
-    fn gradients(&self) -> Option<Batch> {
-        Some(|given| {
-            let inputs: Vec<X> = load_all(&given.inputs);
-            vec![(
-                "aligned_value_grad",
-                aligned(ValueGrad::<R>::default(), &inputs),
-            )]
-        })
-    }
-}
-impl<R, X, Y> Gradients for Of<R, X, Y> {
-    fn gradients(&self) -> Option<Batch> {
-        None
-    }
-}
-
-/// Every shape of a list with every one of another.
-pub trait Pairs {
-    fn pairs(&self) -> Option<Batch>;
-}
-/// Of one number as result: reductions and sums of derivatives, too.
-impl<R, A, B, T> Pairs for &&Of<R, (A, B), T>
-where
-    R: Op<In<T> = (A, B), Out<T> = T>,
-    A: Single<Scalar = T>,
-    B: Single<Scalar = T>,
-    T: Format,
-{
-    fn pairs(&self) -> Option<Batch> {
-        Some(scores::<R, A, B, T>)
-    }
-}
-impl<R, A, B, Y> Pairs for &Of<R, (A, B), Y>
-where
-    R: Op + Runs<(A, B), Out = Y>,
-    A: Single<Scalar: Format>,
-    B: Single<Scalar = A::Scalar>,
-    Y: Item<Scalar = A::Scalar>,
-{
-    fn pairs(&self) -> Option<Batch> {
-        Some(|given| {
-            let (a, b) = lists::<A, B>(given);
-            vec![("all_pairs", table::<R, A, B>(R::default(), &a, &b))]
-        })
-    }
-}
-impl<R, X, Y> Pairs for Of<R, X, Y> {
-    fn pairs(&self) -> Option<Batch> {
-        None
-    }
 }
 
 /// The most shapes of a list whose pairs are formed.
 const SIDE: usize = 45;
 
-/// First and second shapes of some inputs.
-fn lists<A, B>(given: &Given) -> (Vec<A>, Vec<B>)
-where
-    A: Fixed<Scalar: Format>,
-    B: Fixed<Scalar = A::Scalar>,
-{
-    let step = given.inputs.len().div_ceil(SIDE).max(1);
-    let both = given.inputs.iter().step_by(step).map(|x| load::<(A, B)>(x));
-    both.unzip()
-}
-fn wide<S: Format>(numbers: &[S]) -> Vec<f64> {
-    numbers.iter().map(|&x| x.into()).collect()
-}
-fn table<R, A, B>(run: R, a: &[A], b: &[B]) -> Result<Vec<f64>, Error>
-where
-    R: Runs<(A, B)>,
-    A: Single<Scalar: Format>,
-    B: Single<Scalar = A::Scalar>,
-{
-    Ok(wide(Cpu::new().all_pairs(run, a, b)?.planes()))
-}
-fn scores<R, A, B, T>(given: &Given) -> Vec<Found>
-where
-    R: Op<In<T> = (A, B), Out<T> = T>,
-    A: Single<Scalar = T>,
-    B: Single<Scalar = T>,
-    T: Format,
-{
-    let ((a, b), run, cpu) = (lists::<A, B>(given), R::default(), Cpu::new());
-    let both = |found: Result<(Vec<A>, Vec<B>), Error>| found.map(|bars| numbers(&bars));
-    let bars = print::cotangents(1, a.len() * b.len()).concat();
-    let bars: Vec<T> = bars.into_iter().map(T::lit).collect();
-    let best = |found: Result<Vec<geograd::kernels::reduce::Best<T>>, Error>| {
-        let pair =
-            |best: &geograd::kernels::reduce::Best<T>| [best.value.into(), best.index as f64];
+/// Every shape of a list with every one of another; of one number as result reductions and sums of derivatives, too.
+fn pairs<S: Format>(
+    operation: &Operation,
+    is_number: bool,
+    a: Rows<'_, S>,
+    b: Rows<'_, S>,
+    side: usize,
+) -> Vec<Found> {
+    let run = operation.value::<S>().expect("is of fixed size");
+    let planes = run.all_pairs(a, b).map(|planes| wide(&planes));
+    let mut all = vec![("all_pairs", planes)];
+    if !is_number {
+        return all;
+    }
+    let graded = operation
+        .function::<S>(Mode::ValueGrad)
+        .expect("is of fixed size");
+    let bars = print::cotangents(1, side * side).concat();
+    let bars: Vec<S> = bars.into_iter().map(S::lit).collect();
+    let pulled = run.all_pairs_vjp(a, b, &bars);
+    let best = |found: Result<Vec<Best<S>>, Error>| {
+        let pair = |best: &Best<S>| [best.value.into(), best.index as f64];
         found.map(|all| all.iter().flat_map(pair).collect())
     };
-    let above = cpu.above(run, &a, &b, T::lit(0.25)).map(|all| {
+    let above = run.above(a, b, S::lit(0.25)).map(|all| {
         let found = all.iter();
         found
             .flat_map(|x| [x.row as f64, x.column as f64, x.value.into()])
             .collect()
     });
-    let summed = cpu.sum_grad(run, &a, &b).map(|(sum, a_bar, b_bar)| {
-        let mut all = numbers(&(a_bar, b_bar));
+    let summed = run.sum_grad(a, b).map(|(sum, a_bar, b_bar)| {
+        let mut all = wide(&[a_bar, b_bar].concat());
         all.push(sum);
         all
     });
-    vec![
-        ("all_pairs", table(run, &a, &b)),
-        ("all_pairs_value_grad", table(run.value_grad(), &a, &b)),
-        ("all_pairs_vjp", both(cpu.all_pairs_vjp(run, &a, &b, &bars))),
-        ("row_max", best(cpu.row_max(run, &a, &b))),
-        ("column_max", best(cpu.column_max(run, &a, &b))),
+    all.extend([
+        (
+            "all_pairs_value_grad",
+            graded.all_pairs(a, b).map(|planes| wide(&planes)),
+        ),
+        ("all_pairs_vjp", pulled.map(|(a, b)| wide(&[a, b].concat()))),
+        ("row_max", best(run.row_max(a, b))),
+        ("column_max", best(run.column_max(a, b))),
         ("above", above),
         ("sum_grad", summed),
-    ]
+    ]);
+    all
+}
+
+/// Inputs, of which codes follow all scalars, as columns, in which they follow those of their shape.
+fn columns<S: Format>(inputs: &[Vec<S>], fields: &[usize], codes: &[usize]) -> Vec<Vec<S>> {
+    let scalars: usize = fields.iter().sum::<usize>() - codes.iter().sum::<usize>();
+    let mut columns = vec![Vec::new(); fields.len()];
+    for input in inputs {
+        let (mut own, mut whole) = input.split_at(scalars);
+        for ((column, fields), codes) in columns.iter_mut().zip(fields).zip(codes) {
+            let (some, others) = own.split_at(fields - codes);
+            let (few, rest) = whole.split_at(*codes);
+            column.extend_from_slice(some);
+            column.extend_from_slice(few);
+            (own, whole) = (others, rest);
+        }
+    }
+    columns
+}
+fn wide<S: Format>(numbers: &[S]) -> Vec<f64> {
+    numbers.iter().map(|&x| x.into()).collect()
 }

@@ -3,7 +3,7 @@
 //! `cargo run -p geograd-tests --no-default-features --features gpu,hashes --example hashes`; `-- --help` has the
 //! options.
 //!
-//! It walks every row of `for_each_op!` in `f32` and `f64` at a fixed set of inputs (hard, random and extreme ones of
+//! It walks every row of the library in `f32` and `f64` at a fixed set of inputs (hard, random and extreme ones of
 //! `sample`), and prints a line per form: plain numbers, duals, an adjoint by hand, aligned batches, all pairs,
 //! reductions, folds, searches; and per template of a shader. `--check FILE` names each line that differs, `--names
 //! FILE` maps rows that were renamed, `--write FILE` records. Only `rows.rs`, `forms.rs` and `paths.rs` call the

@@ -1,62 +1,95 @@
-//! Every row of the list in both formats, and the text of its shaders.
-use crate::forms::{self, Format, Given, Gradients, Of, Pairs, flat, round};
+//! Every row of the library in both formats, and the text of its shaders.
+use crate::forms::{self, Batch, Format, Given, OfItem, flat, round};
 use crate::{paths, print};
 use geograd::ad::check::sample::Sample;
 #[cfg(feature = "gpu")]
 use geograd::ad::program::WGSL as PRELUDE;
-use geograd::kernels::{Fold, Op, RingOp, Search};
+use geograd::kernels::gpu::GpuRing;
+use geograd::kernels::ops::list::{Walk, Written};
+use geograd::kernels::{Fold, Item, Op, Search, ops};
 use geograd::{Fixed, Pack, Vec2};
+
+/// What hashes the forms of a row.
+type Run = Box<dyn Fn() -> Vec<(String, u64)> + Send>;
 
 /// A row in one format, and what hashes its forms.
 pub struct Entry {
     pub row: &'static str,
     /// `f32`, `f64`, or `wgsl` for the text of shaders.
     pub format: &'static str,
-    pub run: fn() -> Vec<(String, u64)>,
+    pub run: Run,
 }
 
 /// The format of shaders' text.
 pub const WGSL: &str = "wgsl";
 
-fn operation<O: Op, S: Format>(batches: &[Option<forms::Batch>]) -> Vec<(String, u64)>
+/// A row in one format by its inputs, the numbers of its result, and forms of one item and of batches.
+fn entry<S: Format>(
+    row: &'static str,
+    inputs: fn() -> Vec<Vec<f64>>,
+    outputs: usize,
+    items: Vec<(&'static str, OfItem)>,
+    batch: Batch,
+) -> Entry {
+    Entry {
+        row,
+        format: S::NAME,
+        run: Box::new(move || Given::new(row, inputs(), outputs).forms(&items, batch)),
+    }
+}
+
+fn operation<O: Op, S: Format>(row: &'static str) -> Entry
 where
     O::In<f64>: Sample,
 {
-    let inputs = print::inputs::<O::In<f64>>(round::<S>, flat);
-    Given::new(inputs, O::Out::<S>::LEN).forms(
-        &[
+    entry::<S>(
+        row,
+        || print::inputs::<O::In<f64>>(round::<S>, flat),
+        O::Out::<S>::LEN,
+        vec![
             ("scalar", forms::scalar::<O, S>),
             ("duals", forms::duals::<O, S>),
             ("by_hand", forms::by_hand::<O, S>),
         ],
-        &batches.iter().flatten().copied().collect::<Vec<_>>(),
+        forms::batches::<S>,
     )
 }
-fn search<D: Search, S: Format>(batches: &[Option<forms::Batch>]) -> Vec<(String, u64)>
+fn search<D: Search, S: Format>(row: &'static str) -> Entry
 where
     D::In<f64>: Sample,
 {
-    let inputs = print::inputs::<D::In<f64>>(round::<S>, flat);
-    Given::new(inputs, D::Out::<S>::LEN).forms(
-        &[
+    entry::<S>(
+        row,
+        || print::inputs::<D::In<f64>>(round::<S>, flat),
+        D::Out::<S>::LEN,
+        vec![
             ("scalar", forms::replayed::<D, S>),
             ("duals", forms::replayed_duals::<D, S>),
         ],
-        &batches.iter().flatten().copied().collect::<Vec<_>>(),
+        forms::batches::<S>,
     )
 }
-fn ring<O: RingOp, S: Format>() -> Vec<(String, u64)> {
-    let inputs = print::inputs::<Vec<Vec2<f64>>>(round::<S>, Pack::scalars);
-    let items = paths::ring_items::<O, S>();
-    Given::new(inputs, O::Out::<S>::LEN).forms(&items, &[paths::ring_batch::<O, S>])
+fn ring<O: GpuRing, S: Format>(row: &'static str) -> Entry {
+    entry::<S>(
+        row,
+        || print::inputs::<Vec<Vec2<f64>>>(round::<S>, Pack::scalars),
+        O::Out::<S>::LEN,
+        paths::ring_items::<O, S>(),
+        paths::ring_batch::<O, S>,
+    )
 }
-fn fold<F: Fold, S: Format>(batch: forms::Batch) -> Vec<(String, u64)>
+fn fold<F: Fold, S: Format>(row: &'static str) -> Entry
 where
     F::Context<f64>: Sample,
+    F::Context<S>: Item<Scalar = S>,
 {
-    let inputs = print::inputs::<(F::Context<f64>, Vec<Vec2<f64>>)>(round::<S>, Pack::scalars);
-    let items = paths::fold_items::<F, S>();
-    Given::new(inputs, F::Out::<S>::LEN).forms(&items, &[batch])
+    entry::<S>(
+        row,
+        || print::inputs::<(F::Context<f64>, Vec<Vec2<f64>>)>(round::<S>, Pack::scalars),
+        F::Out::<S>::LEN,
+        paths::fold_items::<F, S>(),
+        paths::fold_batch::<F, S>(),
+    )
 }
 
 /// Names and texts of shaders.
@@ -91,107 +124,94 @@ fn shaders(operation: &str, sources: Sources) -> Vec<(String, u64)> {
     sources.into_iter().map(hash).collect()
 }
 
-macro_rules! entries {
-    ($all:ident, $row:ident, $run:ident::<$op:ty> $(, $batches:ident)?) => {
-        $all.extend([
-            Entry {
-                row: stringify!($row),
-                format: f64::NAME,
-                run: || $run::<$op, f64>($($batches!($op, f64))?),
-            },
-            Entry {
-                row: stringify!($row),
-                format: f32::NAME,
-                run: || $run::<$op, f32>($($batches!($op, f32))?),
-            },
-        ]);
-    };
-    ($all:ident, $row:ident, |$operation:ident: $op:ty| $sources:expr) => {
-        $all.extend([Entry {
-            row: stringify!($row),
+/// All rows in both formats.
+#[derive(Default)]
+struct Rows(Vec<Entry>);
+
+impl Walk for Rows {
+    fn straight<O: Op>(&mut self, row: Written)
+    where
+        O::In<f32>: Item<Scalar = f32>,
+        O::Out<f32>: Item<Scalar = f32>,
+        O::In<f64>: Item<Scalar = f64> + Sample,
+        O::Out<f64>: Item<Scalar = f64> + Sample,
+    {
+        let row = row.name;
+        self.0
+            .extend([operation::<O, f64>(row), operation::<O, f32>(row)]);
+    }
+    fn search<D: Search>(&mut self, row: Written)
+    where
+        D::In<f32>: Item<Scalar = f32>,
+        D::Out<f32>: Item<Scalar = f32>,
+        D::In<f64>: Item<Scalar = f64> + Sample,
+        D::Out<f64>: Item<Scalar = f64> + Sample,
+    {
+        let row = row.name;
+        self.0
+            .extend([search::<D, f64>(row), search::<D, f32>(row)]);
+    }
+    fn fold<F: Fold>(&mut self, row: Written)
+    where
+        F::Context<f32>: Item<Scalar = f32>,
+        F::Out<f32>: Item<Scalar = f32>,
+        F::Context<f64>: Item<Scalar = f64> + Sample,
+        F::Out<f64>: Item<Scalar = f64> + Sample,
+    {
+        let row = row.name;
+        self.0.extend([fold::<F, f64>(row), fold::<F, f32>(row)]);
+        #[cfg(feature = "gpu")]
+        self.shaders(row, || geograd::kernels::gpu::fold_sources(F::default()));
+    }
+    fn ring<O: GpuRing>(&mut self, row: Written)
+    where
+        O::Out<f32>: Item<Scalar = f32>,
+        O::Out<f64>: Item<Scalar = f64> + Sample,
+    {
+        let row = row.name;
+        self.0.extend([ring::<O, f64>(row), ring::<O, f32>(row)]);
+        #[cfg(feature = "gpu")]
+        self.shaders(row, || Ok(geograd::kernels::gpu::ring_sources::<O>()));
+    }
+}
+
+#[cfg(feature = "gpu")]
+impl Rows {
+    fn shaders(&mut self, row: &'static str, sources: fn() -> Sources) {
+        self.0.push(Entry {
+            row,
             format: WGSL,
-            run: || {
-                type $operation = $op;
-                shaders($operation::NAME, $sources)
-            },
-        }]);
-    };
+            run: Box::new(move || shaders(row, sources())),
+        });
+    }
 }
 
-/// Batches of what is of fixed size.
-macro_rules! straight_batches {
-    ($op:ty, $format:ty) => {
-        batches!($op, <$op as Op>::In<$format>, <$op as Op>::Out<$format>)
-    };
-}
-macro_rules! decided_batches {
-    ($op:ty, $format:ty) => {
-        batches!(
-            $op,
-            <$op as Search>::In<$format>,
-            <$op as Search>::Out<$format>
-        )
-    };
-}
-macro_rules! batches {
-    ($op:ty, $in:ty, $out:ty) => {
-        &[
-            Some(forms::items::<$op, $in, $out>),
-            (&&Of::<$op, $in, $out>::NEW).gradients(),
-            (&&&Of::<$op, $in, $out>::NEW).pairs(),
-        ]
-    };
-}
-macro_rules! fold_batches {
-    ($op:ty, $format:ty) => {
-        paths::fold_batch::<$op, $format>()
-    };
-}
-
-macro_rules! list {
-    (pairs { $($pair:ident: $pair_op:ty,)* } rings { $($ring:ident: $ring_op:ty,)* }
-     straight { $($straight:ident: $straight_op:ty,)* }
-     folds { $($fold:ident: $fold_op:ty,)* } decided { $($decided:ident: $decided_op:ty,)* }
-     further {
-         straight { $($more:ident: $more_op:ty,)* }
-         folds { $($more_fold:ident: $more_fold_op:ty,)* }
-         decided { $($more_search:ident: $more_decided_op:ty,)* }
-     }) => {
-        /// Every row in both formats, and as shaders if this is built with the feature `gpu`.
-        // Which implementation serves an operation is found by the references.
-        #[allow(clippy::needless_borrow)]
-        pub fn all() -> Vec<Entry> {
-            let mut all = Vec::new();
-            $(entries!(all, $pair, operation::<$pair_op>, straight_batches);)*
-            $(entries!(all, $ring, ring::<$ring_op>);)*
-            $(entries!(all, $straight, operation::<$straight_op>, straight_batches);)*
-            $(entries!(all, $more, operation::<$more_op>, straight_batches);)*
-            $(entries!(all, $fold, fold::<$fold_op>, fold_batches);)*
-            $(entries!(all, $more_fold, fold::<$more_fold_op>, fold_batches);)*
-            $(entries!(all, $decided, search::<$decided_op>, decided_batches);)*
-            $(entries!(all, $more_search, search::<$more_decided_op>, decided_batches);)*
-            #[cfg(feature = "gpu")]
-            {
-                use geograd::kernels::gpu::{fold_sources, op_sources, pair_sources, replay_source, ring_sources};
-                $(entries!(all, $pair, |O: $pair_op| op_sources::<O>());)*
-                $(entries!(all, $pair, |O: $pair_op| Ok(pair_sources::<O>()));)*
-                $(entries!(all, $ring, |O: $ring_op| Ok(ring_sources::<O>()));)*
-                $(entries!(all, $straight, |O: $straight_op| op_sources::<O>());)*
-                $(entries!(all, $more, |O: $more_op| op_sources::<O>());)*
-                $(entries!(all, $fold, |F: $fold_op| fold_sources(F::default()));)*
-                $(entries!(all, $more_fold, |F: $more_fold_op| fold_sources(F::default()));)*
-                all.push(Entry {
-                    row: "all_shaders",
+/// Every row in both formats, and as shaders if this is built with the feature `gpu`.
+pub fn all() -> Vec<Entry> {
+    let mut all = Rows::default();
+    ops::each(&mut all);
+    #[cfg(feature = "gpu")]
+    {
+        use geograd::kernels::dynamic::{Sort, operations};
+        use geograd::kernels::gpu::{line_sources, replay_source};
+        for operation in operations() {
+            if operation.sort == Sort::Straight {
+                all.0.push(Entry {
+                    row: operation.name,
                     format: WGSL,
-                    run: || {
-                        let mut all = shaders("", Ok(vec![("replay".to_owned(), replay_source())]));
-                        all.push(("prelude".to_owned(), print::of_text(PRELUDE)));
-                        all
-                    },
+                    run: Box::new(|| shaders(operation.name, line_sources(operation))),
                 });
             }
-            all
         }
-    };
+        all.0.push(Entry {
+            row: "all_shaders",
+            format: WGSL,
+            run: Box::new(|| {
+                let mut all = shaders("", Ok(vec![("replay".to_owned(), replay_source())]));
+                all.push(("prelude".to_owned(), print::of_text(PRELUDE)));
+                all
+            }),
+        });
+    }
+    all.0
 }
-geograd::for_each_op!(list);

@@ -2,16 +2,16 @@
 //!
 //! `cargo run --release -p geograd-tests --example gradient_report`; `-- --help` has the options.
 use geograd::ad::check::{Report, SEED, Sampling};
+use geograd::kernels::Backend;
 use geograd::kernels::dynamic::named_rows;
 use geograd::kernels::gpu::Gpu;
 use geograd_tests::fuzzers::{self, Fuzzer};
-use geograd_tests::list::{self, Judged};
+use geograd_tests::list::{self, Tested};
 use indicatif::{ProgressBar, ProgressStyle};
 use std::process::ExitCode;
 
 const HELP: &str = "\
-Checks every operation of the library and prints the table. Built without --release it
-knows the most important ones only.
+Checks every operation of the library and prints the table.
 
   --op NAME       only a verb, as `iou`, or a verb of some shapes, as 'iou(obb2,obb2)'
   --samples N     random inputs per operation and format, 1000 unless told; hard
@@ -92,7 +92,7 @@ fn options() -> Result<Option<Options>, String> {
 fn fuzz_all(options: &Options, count: u64) -> ExitCode {
     let jobs: Vec<Fuzzer> = fuzzers::fuzzers()
         .into_iter()
-        .filter(|(name, wide, _)| options.wants(name, *wide))
+        .filter(|fuzzer| options.wants(fuzzer.name, fuzzer.wide))
         .collect();
     let bar = progress(jobs.len());
     let walked = fuzzers::walk(&jobs, count, options.seed, |fuzzed| {
@@ -125,16 +125,18 @@ fn main() -> ExitCode {
             return ExitCode::from(2);
         }
     };
-    let jobs: Vec<Judged> = list::checks()
-        .into_iter()
-        .filter(|(name, wide, _)| options.wants(name, *wide))
-        .collect();
-    if jobs.is_empty() {
-        eprintln!("this build checks none of {}", options.rows.join(", "));
-        return ExitCode::from(2);
-    }
     if let Some(count) = options.fuzz {
         return fuzz_all(&options, count);
+    }
+    let both = |row| [true, false].map(|wide| (row, wide));
+    let jobs: Vec<(&Tested, bool)> = list::checked()
+        .into_iter()
+        .flat_map(both)
+        .filter(|(row, wide)| options.wants(row.name(), *wide))
+        .collect();
+    if jobs.is_empty() {
+        eprintln!("the harness is not asked about {}", options.rows.join(", "));
+        return ExitCode::from(2);
     }
     let gpu = match options.gpu.then(Gpu::new).transpose() {
         Ok(gpu) => gpu,
@@ -156,7 +158,9 @@ fn main() -> ExitCode {
     if !options.json {
         say(Report::heading());
     }
-    for (name, wide, check) in jobs {
+    let backend = gpu.as_ref().map(Backend::Gpu);
+    for (row, wide) in jobs {
+        let name = row.name();
         bar.set_message(name);
         let tick = || bar.tick();
         let plan = Sampling {
@@ -165,7 +169,11 @@ fn main() -> ExitCode {
             shared_ties: true,
             ..Sampling::new(options.samples, options.seed)
         };
-        let report = match check(&plan, gpu.as_ref()) {
+        let report = match wide {
+            true => row.check::<f64>(&plan, None),
+            false => row.check::<f32>(&plan, backend),
+        };
+        let report = match report {
             Ok(report) => report,
             Err(error) => {
                 eprintln!("{name}: {error}");

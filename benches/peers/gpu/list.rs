@@ -5,36 +5,10 @@ use crate::listed::ready::CORNERS;
 use crate::listed::{Form, Listed, list};
 use crate::{Settings, fastest};
 use geograd::kernels::Backend;
-use geograd::kernels::gpu::{Gpu, fold_sources, op_sources};
+use geograd::kernels::gpu::Gpu;
 use geograd::{Error, Program, Scalar, Sym, Unrecordable};
 use std::fmt::Write;
 use std::time::Instant;
-
-/// Shaders of an operation, with names.
-type Sources = fn() -> Result<Vec<(String, String)>, Error>;
-
-macro_rules! sources {
-    (pairs { $($pair:ident: $pair_op:ty,)* } rings { $($ring:ident: $ring_op:ty,)* }
-     straight { $($straight:ident: $straight_op:ty,)* }
-     folds { $($fold:ident: $fold_op:ty,)* } decided { $($decided:ident: $decided_op:ty,)* }
-     further {
-         straight { $($more:ident: $more_op:ty,)* }
-         folds { $($more_fold:ident: $more_fold_op:ty,)* }
-         decided { $($more_search:ident: $more_decided_op:ty,)* }
-     }) => {
-        fn sources(name: &str) -> Option<Sources> {
-            let all: &[(&str, Sources)] = &[
-                $((stringify!($pair), op_sources::<$pair_op>),)*
-                $((stringify!($straight), op_sources::<$straight_op>),)*
-                $((stringify!($more), op_sources::<$more_op>),)*
-                $((stringify!($fold), || fold_sources(<$fold_op>::default())),)*
-                $((stringify!($more_fold), || fold_sources(<$more_fold_op>::default())),)*
-            ];
-            all.iter().find(|(own, _)| *own == name).map(|(_, sources)| *sources)
-        }
-    };
-}
-geograd::for_each_op!(sources);
 
 /// What an item moves and costs; `None` for what is not counted.
 #[derive(Clone, Copy, Debug)]
@@ -62,11 +36,8 @@ pub fn bytes(texts: &[(String, String)], kernel: &str) -> usize {
     counts.map_or(0, |(taken, given)| 4 * (taken + given))
 }
 
-fn cost(name: &str, form: Form) -> Result<Cost, Error> {
-    let texts = match sources(name) {
-        Some(sources) => sources()?,
-        None => Vec::new(),
-    };
+fn cost(op: &Listed, form: Form) -> Result<Cost, Error> {
+    let texts = op.shaders()?;
     let of = |kernel: &str| {
         let found = texts.iter().find(|(own, _)| own.ends_with(kernel));
         found.map(|(_, text)| text.as_str())
@@ -169,8 +140,8 @@ pub fn all(gpu: &Gpu, settings: &Settings, roofs: Roofs) -> Result<String, Error
             left_out.push(op.name);
             continue;
         }
-        for &(form, make) in &op.forms {
-            match line(gpu, settings, roofs, op, form, make) {
+        for form in op.forms() {
+            match line(gpu, settings, roofs, op, form) {
                 Ok(line) => csv += &line,
                 Err(Error::Program(Unrecordable::Search)) => {
                     searches.push(op.name);
@@ -197,12 +168,11 @@ fn line(
     roofs: Roofs,
     op: &Listed,
     form: Form,
-    make: crate::listed::Make,
 ) -> Result<String, Error> {
     let Cost {
         bytes,
         instructions,
-    } = cost(op.name, form)?;
+    } = cost(op, form)?;
     let most = match form {
         Form::Pairs | Form::PairsAdjoint => 1 << 24,
         Form::Paths | Form::PathsAdjoint => (1 << 24) / CORNERS,
@@ -210,7 +180,7 @@ fn line(
         _ => (1 << 22).min((1 << 29) / bytes.max(1)),
     };
     let wanted = ((most as f64 * settings.scale) as usize).max(256);
-    let mut ready = make(Backend::Gpu(gpu), wanted)?;
+    let mut ready = op.make(form, Backend::Gpu(gpu), wanted)?;
     let items = match form {
         Form::Pairs | Form::PairsAdjoint => ((wanted as f64).sqrt() as usize).pow(2),
         _ => wanted,

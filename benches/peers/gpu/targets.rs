@@ -24,11 +24,10 @@ fn rate(gpu: &Gpu, pairs: usize, run: impl FnMut() -> Result<(), Error>) -> Resu
 fn listed(gpu: &Gpu, name: &str, form: Form, items: usize) -> Result<f64, Error> {
     let all = list();
     let op = all.iter().find(|op| op.name == name);
-    let make = op.and_then(|op| op.forms.iter().find(|(own, _)| *own == form));
-    let Some((_, make)) = make else {
+    let Some(op) = op.filter(|op| op.forms().contains(&form)) else {
         return Ok(0.0);
     };
-    let mut ready = make(Backend::Gpu(gpu), items)?;
+    let mut ready = op.make(form, Backend::Gpu(gpu), items)?;
     rate(gpu, items, || ready.run())
 }
 

@@ -1,9 +1,10 @@
 //! Batches with all that they take, on any machine.
-use geograd::ad::check::sample::{Draw, Sample};
-use geograd::kernels::gpu::GpuRing;
-use geograd::kernels::resident::{Held, Matrix, Resident, RingBars, RingValues, Rings};
-use geograd::kernels::{Backend, Fold, Item, Runs, Single};
-use geograd::{Error, Fixed, Pack, Vec2};
+use geograd::Error;
+use geograd::ad::check::sample::Draw;
+use geograd::kernels::Backend;
+use geograd::kernels::dynamic::{Function, Layout, Mode, OnPaths, Rows};
+use geograd::kernels::resident::{HeldNumbers, Matrix, Resident};
+use geograd::kernels::tested::Tested;
 
 /// Corners of the paths.
 pub const CORNERS: usize = 16;
@@ -25,314 +26,343 @@ pub trait Ready {
 /// In so many ways items are moved.
 const WAYS: usize = 64;
 
-/// A row moved in many ways by up to sixteen last digits of its largest number. No number changes its sign, so
-/// that sizes stay sizes; where the row would not be valid any more, it stays as it is.
-fn moved<R: Item<Scalar = f32>>(row: &R, draw: &mut Draw) -> Vec<R> {
-    let numbers = row.scalars();
-    let largest = numbers.iter().fold(0.0_f32, |most, x| most.max(x.abs()));
-    let mut way = |way: usize| {
-        let digit = f32::EPSILON * largest * [1.0, 4.0, 16.0][way % 3];
-        let numbers: Vec<f32> = numbers
-            .iter()
-            .map(|&x| {
-                let there = x + digit * (2.0 * draw.unit() - 1.0) as f32;
-                if there * x < 0.0 { x } else { there }
-            })
-            .collect();
-        let there = R::load(&numbers).load_codes(&row.codes());
-        let is_valid = Backend::Cpu.resident().upload(&[there]).is_ok();
-        if is_valid { there } else { *row }
-    };
-    (0..WAYS).map(&mut way).collect()
+/// Items of several columns, item after item.
+#[derive(Clone)]
+struct Items {
+    layouts: Vec<Layout<f32>>,
+    all: Vec<Vec<f32>>,
 }
 
-/// A shape in single precision.
-fn single<P: Fixed<Scalar = f64>, Q: Fixed<Scalar = f32>>(shape: P) -> Q {
-    let numbers: Vec<f32> = shape.scalars().iter().map(|&x| x as f32).collect();
-    Q::load(&numbers).load_codes(&shape.codes())
-}
-
-/// So many shapes that are inside of what an operation takes.
-pub fn shapes<P: Sample + Fixed<Scalar = f64>, Q: Fixed<Scalar = f32>>(count: usize) -> Vec<Q> {
-    let mut draw = Draw::new(1);
-    let mut drawn = Vec::new();
-    while drawn.len() < count.min(DIFFERENT) {
-        let shape = P::ordinary(&mut draw);
-        if shape.inside() {
-            drawn.push(single(shape));
-        }
-    }
-    (0..count).map(|i| drawn[i % DIFFERENT]).collect()
-}
-
-struct Aligned<'a, R: Item<Scalar = f32>, F: Runs<R>> {
-    here: Resident<'a>,
-    run: F,
-    rows: Vec<R>,
-    held: Held<R>,
-    found: Held<F::Out>,
-}
-
-impl<R: Item<Scalar = f32>, F: Runs<R, Out: Item<Scalar = f32>> + Copy> Ready
-    for Aligned<'_, R, F>
-{
-    fn run(&mut self) -> Result<(), Error> {
-        self.here
-            .aligned_into(self.run, &self.held, &mut self.found)
-    }
-    fn numbers(&self) -> Result<Vec<Vec<f32>>, Error> {
-        self.found.numbers()
-    }
-    fn beside(&self, list: usize, at: usize) -> Result<Option<Vec<f32>>, Error> {
-        let width = self.numbers()?[list].len() / self.rows.len();
-        let there = moved(&self.rows[at / width], &mut Draw::new(at as u64));
-        let here = Backend::Cpu.resident();
-        let found = &here.aligned(self.run, &here.upload(&there)?)?.numbers()?[list];
-        Ok(Some(
-            (0..WAYS)
-                .map(|way| found[way * width + at % width])
-                .collect(),
-        ))
-    }
-}
-
-pub fn aligned<'a, R, F>(
-    backend: Backend<'a>,
-    run: F,
-    rows: &[R],
-) -> Result<Box<dyn Ready + 'a>, Error>
-where
-    R: Item<Scalar = f32> + 'a,
-    F: Runs<R, Out: Item<Scalar = f32>> + Copy + 'a,
-{
-    let here = backend.resident();
-    let held = here.upload(rows)?;
-    let found = here.aligned(run, &held)?;
-    Ok(Box::new(Aligned {
-        here,
-        run,
-        rows: rows.to_vec(),
-        held,
-        found,
-    }))
-}
-
-struct Pairs<'a, A, B, F> {
-    here: Resident<'a>,
-    run: F,
-    rows: Vec<(A, B)>,
-    a: Held<A>,
-    b: Held<B>,
-    matrix: Matrix,
-    derivatives: Option<(Held<A>, Held<B>)>,
-}
-
-impl<A: Single<Scalar = f32>, B: Single<Scalar = f32>, F> Pairs<'_, A, B, F>
-where
-    F: Runs<(A, B), Out = f32> + Copy,
-{
-    /// Derivatives of every row of a matrix of moved shapes, and of every column.
-    fn sums(&self, a: &[A], b: &[B]) -> Result<[Vec<f32>; 2], Error> {
-        let here = Backend::Cpu.resident();
-        let (a, b) = (here.upload(a)?, here.upload(b)?);
-        let matrix = here.all_pairs(self.run, &a, &b)?;
-        let (a, b) = here.all_pairs_vjp(self.run, &a, &b, &matrix)?;
-        Ok([a.numbers()?.concat(), b.numbers()?.concat()])
-    }
-}
-
-impl<A: Single<Scalar = f32>, B: Single<Scalar = f32>, F> Ready for Pairs<'_, A, B, F>
-where
-    F: Runs<(A, B), Out = f32> + Copy,
-{
-    fn run(&mut self) -> Result<(), Error> {
-        let (run, a, b) = (self.run, &self.a, &self.b);
-        match &mut self.derivatives {
-            None => self.here.all_pairs_into(run, a, b, &mut self.matrix),
-            Some(derivatives) => {
-                *derivatives = self.here.all_pairs_vjp(run, a, b, &self.matrix)?;
-                Ok(())
+impl Items {
+    /// So many inputs of a row that are valid.
+    fn drawn(row: &Tested, count: usize) -> Self {
+        let (mut draw, layouts) = (Draw::new(1), row.operation.layouts::<f32>());
+        let mut items = Items {
+            layouts,
+            all: Vec::new(),
+        };
+        while items.all.len() < count.min(DIFFERENT) {
+            let item: Vec<f32> = row.ordinary(&mut draw).iter().map(|&x| x as f32).collect();
+            if items.accept(&item) {
+                items.all.push(item);
             }
         }
+        items.all = (0..count)
+            .map(|i| items.all[i % DIFFERENT].clone())
+            .collect();
+        items
+    }
+    fn accept(&self, item: &[f32]) -> bool {
+        let mut rest = item;
+        self.layouts.iter().all(|layout| {
+            let (own, others) = rest.split_at(layout.fields());
+            rest = others;
+            layout.check(own).is_ok()
+        })
+    }
+    /// The column of an argument.
+    fn column(&self, k: usize) -> Vec<f32> {
+        let from: usize = self.layouts[..k].iter().map(Layout::fields).sum();
+        let own = from..from + self.layouts[k].fields();
+        self.all
+            .iter()
+            .flat_map(|x| x[own.clone()].to_vec())
+            .collect()
+    }
+    fn columns(&self) -> Vec<(Vec<f32>, usize)> {
+        let fields = |k: usize| self.layouts[k].fields();
+        (0..self.layouts.len())
+            .map(|k| (self.column(k), fields(k)))
+            .collect()
+    }
+    /// An item moved in many ways by up to sixteen last digits of its largest number. No number changes its sign, so
+    /// that sizes stay sizes; where the item would not be valid any more, it stays as it is.
+    fn moved(&self, item: &[f32], draw: &mut Draw) -> Items {
+        let largest = item.iter().fold(0.0_f32, |most, x| most.max(x.abs()));
+        // Whole numbers stay.
+        let is_scalar = self.layouts.iter().flat_map(|layout| {
+            let scalars = layout.fields() - layout.codes();
+            (0..layout.fields()).map(move |i| i < scalars)
+        });
+        let is_scalar: Vec<bool> = is_scalar.collect();
+        let mut way = |way: usize| -> Vec<f32> {
+            let digit = f32::EPSILON * largest * [1.0, 4.0, 16.0][way % 3];
+            let numbers = item.iter().zip(&is_scalar).map(|(&x, &is_scalar)| {
+                let there = x + digit * (2.0 * draw.unit() - 1.0) as f32;
+                if there * x < 0.0 || !is_scalar {
+                    x
+                } else {
+                    there
+                }
+            });
+            let there: Vec<f32> = numbers.collect();
+            if self.accept(&there) {
+                there
+            } else {
+                item.to_vec()
+            }
+        };
+        Items {
+            layouts: self.layouts.clone(),
+            all: (0..WAYS).map(&mut way).collect(),
+        }
+    }
+}
+
+fn rows(columns: &[(Vec<f32>, usize)]) -> Vec<Rows<'_, f32>> {
+    columns.iter().map(|(x, n)| Rows::new(x, *n)).collect()
+}
+
+struct Aligned<'a> {
+    here: Resident<'a>,
+    run: Function<f32>,
+    items: Items,
+    held: HeldNumbers,
+    found: Option<HeldNumbers>,
+}
+
+impl Ready for Aligned<'_> {
+    fn run(&mut self) -> Result<(), Error> {
+        let found = self.found.take();
+        self.found = Some(self.here.aligned_rows(&self.run, &self.held, found)?);
+        Ok(())
+    }
+    fn numbers(&self) -> Result<Vec<Vec<f32>>, Error> {
+        self.found
+            .as_ref()
+            .map_or(Ok(Vec::new()), HeldNumbers::numbers)
+    }
+    fn beside(&self, list: usize, at: usize) -> Result<Option<Vec<f32>>, Error> {
+        let width = self.run.gives()[list];
+        let there = self
+            .items
+            .moved(&self.items.all[at / width], &mut Draw::new(at as u64));
+        let found = &self.run.aligned(&rows(&there.columns()))?[list];
+        let way = |way: usize| found[way * width + at % width];
+        Ok(Some((0..WAYS).map(way).collect()))
+    }
+}
+
+/// So many items side by side.
+pub fn aligned<'a>(
+    backend: Backend<'a>,
+    row: &Tested,
+    mode: Mode,
+    count: usize,
+) -> Result<Box<dyn Ready + 'a>, Error> {
+    let (here, mut items) = (backend.resident(), Items::drawn(row, count));
+    let run = row
+        .operation
+        .function::<f32>(mode)
+        .expect("is of fixed size");
+    // Cotangents of one are arguments, too.
+    items.layouts = run.takes().into_iter().map(|(_, layout)| layout).collect();
+    let wide: usize = items.layouts.iter().map(Layout::fields).sum();
+    items.all.iter_mut().for_each(|item| item.resize(wide, 1.0));
+    let held = here.upload_rows(&rows(&items.columns()))?;
+    let mut ready = Aligned {
+        here,
+        run,
+        items,
+        held,
+        found: None,
+    };
+    ready.run()?;
+    Ok(Box::new(ready))
+}
+
+struct Pairs<'a> {
+    here: Resident<'a>,
+    run: Function<f32>,
+    items: Items,
+    a: HeldNumbers,
+    b: HeldNumbers,
+    matrix: Option<Matrix>,
+    /// Whether derivatives are wanted, and what they are.
+    derivatives: Option<Vec<HeldNumbers>>,
+}
+
+impl Pairs<'_> {
+    /// Derivatives of every row of a matrix of moved shapes, or of every column.
+    fn sums(&self, a: &[f32], b: &[f32], list: usize) -> Result<Vec<f32>, Error> {
+        let [n, m] = [0, 1].map(|k| self.items.layouts[k].fields());
+        let (a, b) = (Rows::new(a, n), Rows::new(b, m));
+        let matrix = self.run.all_pairs(a, b)?;
+        let (by_a, by_b) = self.run.all_pairs_vjp(a, b, &matrix)?;
+        Ok(if list == 0 { by_a } else { by_b })
+    }
+}
+
+impl Ready for Pairs<'_> {
+    fn run(&mut self) -> Result<(), Error> {
+        let (run, a, b) = (&self.run, &self.a, &self.b);
+        match (&mut self.derivatives, &self.matrix) {
+            (Some(derivatives), Some(matrix)) => {
+                *derivatives = self.here.all_pairs_vjp_rows(run, a, b, matrix)?.into();
+            }
+            _ => {
+                let into = self.matrix.take();
+                self.matrix = Some(self.here.all_pairs_rows(run, a, b, into)?);
+            }
+        }
+        Ok(())
     }
     fn numbers(&self) -> Result<Vec<Vec<f32>>, Error> {
         match &self.derivatives {
-            None => Ok(vec![self.matrix.download()?]),
-            Some((a, b)) => Ok([a.numbers()?, b.numbers()?].concat()),
+            Some(derivatives) => derivatives
+                .iter()
+                .map(|own| Ok(own.numbers()?.concat()))
+                .collect(),
+            None => self.matrix.iter().map(Matrix::download).collect(),
         }
     }
     fn beside(&self, list: usize, at: usize) -> Result<Option<Vec<f32>>, Error> {
         let mut draw = Draw::new(at as u64);
-        let side = self.rows.len();
+        let (items, n) = (&self.items, self.items.layouts[0].fields());
+        let side = items.all.len();
         if self.derivatives.is_none() {
-            let there = moved(&(self.rows[at / side].0, self.rows[at % side].1), &mut draw);
-            let here = Backend::Cpu.resident();
-            let mut found = here.aligned(self.run, &here.upload(&there)?)?.numbers()?;
-            return Ok(Some(found.swap_remove(0)));
+            let pair = [&items.all[at / side][..n], &items.all[at % side][n..]].concat();
+            let there = items.moved(&pair, &mut draw).columns();
+            return Ok(Some(self.run.aligned(&rows(&there))?.concat()));
         }
         // A sum over all of the others, each of which is moved, too.
-        let width = self.numbers()?[list].len() / side;
-        let all: Vec<Vec<(A, B)>> = self.rows.iter().map(|x| moved(x, &mut draw)).collect();
+        let width = items.layouts[list].fields();
+        let all: Vec<Items> = items
+            .all
+            .iter()
+            .map(|x| items.moved(x, &mut draw))
+            .collect();
         let way = |way: usize| {
-            let mine = all[at / width][way];
-            let others = all.iter().map(|x| x[way]);
-            let (a, b): (Vec<A>, Vec<B>) = match list {
-                0 => (vec![mine.0], others.map(|x| x.1).collect()),
-                _ => (others.map(|x| x.0).collect(), vec![mine.1]),
+            let mine = &all[at / width].all[way];
+            let others = all.iter().flat_map(|x| match list {
+                0 => x.all[way][n..].to_vec(),
+                _ => x.all[way][..n].to_vec(),
+            });
+            let others: Vec<f32> = others.collect();
+            let found = match list {
+                0 => self.sums(&mine[..n], &others, list)?,
+                _ => self.sums(&others, &mine[n..], list)?,
             };
-            Ok(self.sums(&a, &b)?[list][at % width])
+            Ok(found[at % width])
         };
         (0..WAYS).map(way).collect::<Result<_, _>>().map(Some)
     }
 }
 
-/// Of a square of so many pairs.
-pub fn pairs<'a, A, B, F>(
+/// Of a square of so many rows.
+pub fn pairs<'a>(
     backend: Backend<'a>,
-    run: F,
-    rows: &[(A, B)],
+    row: &Tested,
+    side: usize,
     derivatives: bool,
-) -> Result<Box<dyn Ready + 'a>, Error>
-where
-    A: Single<Scalar = f32> + 'a,
-    B: Single<Scalar = f32> + 'a,
-    F: Runs<(A, B), Out = f32> + Copy + 'a,
-{
-    let here = backend.resident();
-    let (a, b): (Vec<A>, Vec<B>) = rows.iter().copied().unzip();
-    let (a, b) = (here.upload(&a)?, here.upload(&b)?);
-    let matrix = here.all_pairs(run, &a, &b)?;
-    let derivatives = match derivatives {
-        true => Some(here.all_pairs_vjp(run, &a, &b, &matrix)?),
-        false => None,
-    };
-    Ok(Box::new(Pairs {
+) -> Result<Box<dyn Ready + 'a>, Error> {
+    let (here, items) = (backend.resident(), Items::drawn(row, side));
+    let columns = items.columns();
+    let lists = rows(&columns);
+    let (a, b) = (
+        here.upload_rows(&lists[..1])?,
+        here.upload_rows(&lists[1..])?,
+    );
+    let mut ready = Pairs {
         here,
-        run,
-        rows: rows.to_vec(),
+        run: row.operation.value::<f32>().expect("is of fixed size"),
+        items,
         a,
         b,
-        matrix,
-        derivatives,
-    }))
+        matrix: None,
+        derivatives: None,
+    };
+    ready.run()?;
+    if derivatives {
+        ready.derivatives = Some(Vec::new());
+        ready.run()?;
+    }
+    Ok(Box::new(ready))
 }
 
-/// Stars, one after another.
-fn paths(count: usize) -> (Vec<Vec2<f32>>, Vec<usize>) {
+/// Stars, one after another, as numbers.
+fn stars(count: usize) -> (Vec<f32>, Vec<usize>) {
     let mut draw = Draw::new(2);
     let corner = |k: usize| {
         let (radius, angle) = (
             0.5 + draw.unit(),
             k as f64 * std::f64::consts::TAU / CORNERS as f64,
         );
-        Vec2::new((radius * angle.cos()) as f32, (radius * angle.sin()) as f32)
+        [(radius * angle.cos()) as f32, (radius * angle.sin()) as f32]
     };
     let different: Vec<_> = (0..CORNERS * DIFFERENT).map(corner).collect();
-    let vertices = (0..CORNERS * count).map(|k| different[k % different.len()]);
+    let vertices = (0..CORNERS * count).flat_map(|k| different[k % different.len()]);
     (
         vertices.collect(),
         (0..=count).map(|i| i * CORNERS).collect(),
     )
 }
 
-struct Ring<O: GpuRing> {
-    rings: Rings,
-    values: Option<RingValues<O::Out<f32>>>,
-    ups: Vec<O::Out<f32>>,
-    derivatives: Option<RingBars>,
-}
-
-impl<O: GpuRing> Ready for Ring<O> {
-    fn run(&mut self) -> Result<(), Error> {
-        match self.ups.is_empty() {
-            true => self.values = Some(self.rings.ragged(O::default())?),
-            false => self.derivatives = Some(self.rings.ragged_vjp(O::default(), &self.ups)?),
-        }
-        Ok(())
-    }
-    fn numbers(&self) -> Result<Vec<Vec<f32>>, Error> {
-        let mut all = Vec::new();
-        if let Some(values) = &self.values {
-            all.push(values.download()?.iter().flat_map(Pack::scalars).collect());
-        }
-        if let Some(derivatives) = &self.derivatives {
-            all.push(
-                derivatives
-                    .download()?
-                    .iter()
-                    .flat_map(Pack::scalars)
-                    .collect(),
-            );
-        }
-        Ok(all)
-    }
-}
-
-pub fn ring<'a, O: GpuRing>(
+struct Paths<'a> {
     backend: Backend<'a>,
-    count: usize,
-    derivatives: bool,
-) -> Result<Box<dyn Ready + 'a>, Error> {
-    let (vertices, offsets) = paths(count);
-    let ups = if derivatives { count } else { 0 };
-    let mut ready = Ring::<O> {
-        rings: backend.resident().upload_rings(&vertices, &offsets)?,
-        values: None,
-        ups: vec![Fixed::filled(1.0); ups],
-        derivatives: None,
-    };
-    ready.run()?;
-    Ok(Box::new(ready))
-}
-
-struct Folded<'a, F: Fold> {
-    backend: Backend<'a>,
-    contexts: Vec<F::Context<f32>>,
-    vertices: Vec<Vec2<f32>>,
+    run: OnPaths<f32>,
+    contexts: Vec<(Vec<f32>, usize)>,
+    vertices: Vec<f32>,
     offsets: Vec<usize>,
-    values: Vec<F::Out<f32>>,
-    ups: Vec<F::Out<f32>>,
-    derivatives: (Vec<F::Context<f32>>, Vec<Vec2<f32>>),
+    values: Vec<f32>,
+    ups: Vec<f32>,
+    derivatives: (Vec<Vec<f32>>, Vec<f32>),
 }
 
-impl<F: Fold<Context<f32>: Item<Scalar = f32>>> Ready for Folded<'_, F> {
+impl Ready for Paths<'_> {
     fn run(&mut self) -> Result<(), Error> {
-        let (contexts, vertices, offsets) = (&self.contexts, &self.vertices, &self.offsets);
-        let (backend, run) = (self.backend, F::default());
+        let (contexts, run) = (rows(&self.contexts), &self.run);
+        let (backend, vertices, offsets) = (self.backend, &self.vertices, &self.offsets);
         match self.ups.is_empty() {
-            true => self.values = backend.fold(run, contexts, vertices, offsets)?,
+            true => self.values = run.values_on(backend, &contexts, vertices, offsets)?,
             false => {
-                self.derivatives = backend.fold_vjp(run, contexts, vertices, offsets, &self.ups)?
+                self.derivatives = run.vjp_on(backend, &contexts, vertices, offsets, &self.ups)?
             }
         }
         Ok(())
     }
     fn numbers(&self) -> Result<Vec<Vec<f32>>, Error> {
+        let (contexts, vertices) = &self.derivatives;
         Ok(vec![
-            self.values.iter().flat_map(Pack::scalars).collect(),
-            self.derivatives.0.iter().flat_map(Pack::scalars).collect(),
-            self.derivatives.1.iter().flat_map(Pack::scalars).collect(),
+            self.values.clone(),
+            contexts.concat(),
+            vertices.clone(),
         ])
     }
 }
 
-pub fn folded<'a, F>(
+/// So many paths.
+pub fn paths<'a>(
     backend: Backend<'a>,
+    row: &Tested,
     count: usize,
     derivatives: bool,
-) -> Result<Box<dyn Ready + 'a>, Error>
-where
-    F: Fold<Context<f32>: Item<Scalar = f32>, Context<f64>: Sample>,
-{
-    let (vertices, offsets) = paths(count);
-    let ups = if derivatives { count } else { 0 };
-    let mut ready = Folded::<F> {
+) -> Result<Box<dyn Ready + 'a>, Error> {
+    let (vertices, offsets) = stars(count);
+    let run = row.operation.on_paths::<f32>().expect("takes paths");
+    let mut draw = Draw::new(1);
+    let takes = run.takes();
+    let wide: usize = takes.iter().map(|(_, layout)| layout.fields()).sum();
+    let different = (0..count.min(DIFFERENT)).map(|_| {
+        let item = row.ordinary(&mut draw);
+        item[..wide].iter().map(|&x| x as f32).collect()
+    });
+    let mut items = Items {
+        layouts: takes.into_iter().map(|(_, layout)| layout).collect(),
+        all: different.collect(),
+    };
+    items.all = (0..count)
+        .map(|i| items.all[i % DIFFERENT].clone())
+        .collect();
+    let ups = if derivatives { count * run.gives() } else { 0 };
+    let mut ready = Paths {
         backend,
-        contexts: shapes::<F::Context<f64>, _>(count),
+        run,
+        contexts: items.columns(),
         vertices,
         offsets,
         values: Vec::new(),
-        ups: vec![Fixed::filled(1.0); ups],
+        ups: vec![1.0; ups],
         derivatives: (Vec::new(), Vec::new()),
     };
     ready.run()?;

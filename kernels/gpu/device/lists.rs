@@ -43,16 +43,6 @@ pub(crate) struct Lists<'a> {
     kernels: Kernels,
 }
 
-/// The mirror of what runs, if there is one.
-fn mirror_of<A, B, R>(run: &R) -> Option<Mirror>
-where
-    A: Single<Scalar = f32>,
-    B: Single<Scalar = f32>,
-    R: Runs<(A, B)>,
-{
-    run.compiled().and_then(Mirror::of)
-}
-
 impl<'a> Lists<'a> {
     /// Of slices, which are checked and brought up.
     pub fn of_slices<A: Single<Scalar = f32>, B: Single<Scalar = f32>, R: Runs<(A, B)>>(
@@ -110,10 +100,21 @@ impl<'a> Lists<'a> {
         b: &HeldColumn,
         ask: Ask,
     ) -> Result<Self, Error> {
+        Lists::of_held_numbers(gpu, &Typed::<(A, B), R>::new(run), a, b, ask)
+    }
+
+    /// The same of a function without the types of its shapes.
+    pub fn of_held_numbers(
+        gpu: &'a Gpu,
+        run: &dyn Plans,
+        a: &HeldColumn,
+        b: &HeldColumn,
+        ask: Ask,
+    ) -> Result<Self, Error> {
         gpu.inner.alive()?;
         a.is_of(gpu)?;
         b.is_of(gpu)?;
-        let kernels = match mirror_of(run) {
+        let kernels = match run.compiled().and_then(Mirror::of) {
             Some(mirror) => Kernels::ByHand(Mirrored {
                 mirror,
                 a: a.boxes(mirror.kind)?,

@@ -46,7 +46,7 @@ pub(crate) use generated::held;
 pub use generated::held::{Given, HeldColumn};
 #[doc(hidden)]
 pub use generated::operation::Generated;
-pub use generated::{fold_sources, op_sources, replay_source};
+pub use generated::{fold_sources, line_sources, op_sources, replay_source};
 pub(crate) use lists::Lists;
 pub(crate) use matrix::Matrix;
 pub(crate) use plans::Plans;

@@ -354,8 +354,13 @@ pub(super) fn ring_source<O: GpuRing>() -> String {
 #[doc(hidden)]
 #[must_use]
 pub fn pair_sources<O: Op>() -> Vec<(String, String)> {
+    compiled_sources(O::compiled())
+}
+
+/// The same by its compiled kernels.
+pub(super) fn compiled_sources(compiled: Option<Compiled>) -> Vec<(String, String)> {
     let mut all = Vec::new();
-    let Some(mirror) = O::compiled().and_then(Mirror::of) else {
+    let Some(mirror) = compiled.and_then(Mirror::of) else {
         return all;
     };
     let takes = [Take::Best, Take::Count, Take::Found, Take::Sum];

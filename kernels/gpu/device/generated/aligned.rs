@@ -1,7 +1,7 @@
 //! Item i of every column: one thread per item.
 use super::operation::Generated;
 use super::text::{Form, GROUP, MOST_GROUPS};
-use crate::kernels::cpu::aligned::{as_rows, fitting, items, listed, sound};
+use crate::kernels::cpu::aligned::{fitting, items, listed, sound};
 use crate::kernels::cpu::lane::TILE;
 use crate::kernels::cpu::plan::Face;
 use crate::kernels::cpu::work::spread;
@@ -70,23 +70,6 @@ impl Gpu {
         let count = made.checked(&columns)?;
         let targets = fitting::<R::Out>(&mut targets, count)?;
         self.run(&made, &columns, count, targets)
-    }
-
-    /// The numbers of every result, item by item.
-    pub(crate) fn rows<C: Columns, R: Runs<C::Item>>(
-        &self,
-        run: R,
-        columns: C,
-    ) -> Result<Vec<Vec<f32>>, Error>
-    where
-        C::Item: Pack<Scalar = f32>,
-    {
-        let made = Made::of(&run)?;
-        let columns = listed(&columns);
-        let count = made.checked(&columns)?;
-        as_rows(made.gives(), count, |targets| {
-            self.run(&made, &columns, count, targets)
-        })
     }
 
     /// Item i of every column of numbers: a list of numbers for every shape of a result.

@@ -10,13 +10,14 @@ mod replays;
 mod suppress;
 mod text;
 
+use super::source::compiled_sources;
 use super::{Inner, locked};
-use crate::Error;
-use crate::Fixed;
 use crate::kernels::Fold;
-use crate::kernels::cpu::plan::{Want, generated_of};
+use crate::kernels::cpu::plan::{Shaped, Want, generated};
+use crate::kernels::dynamic::Operation;
 use crate::kernels::item::Item;
 use crate::kernels::op::Op;
+use crate::{Error, Unrecordable};
 use operation::{Generated, Name};
 use std::collections::HashMap;
 use std::sync::Weak;
@@ -55,31 +56,47 @@ impl Inner {
 pub fn op_sources<O: Op>() -> Result<Vec<(String, String)>, Error>
 where
     O::In<f32>: Item<Scalar = f32>,
-    O::Out<f32>: Item,
+    O::Out<f32>: Item<Scalar = f32>,
 {
-    let wants: &[Want] = match O::Out::<f32>::LEN {
+    shaped_sources(O::NAME, &const { Shaped::of::<O, O::In<f32>>() })
+}
+
+/// Every shader a straight line can need, those by hand included.
+#[doc(hidden)]
+pub fn line_sources(operation: &Operation) -> Result<Vec<(String, String)>, Error> {
+    let Some(shaped) = operation.shaped::<f32>() else {
+        return Err(Error::Program(Unrecordable::Path));
+    };
+    let mut all = shaped_sources(operation.name, &shaped)?;
+    all.extend(compiled_sources((shaped.line.compiled)()));
+    Ok(all)
+}
+
+fn shaped_sources(name: &str, shaped: &Shaped<f32>) -> Result<Vec<(String, String)>, Error> {
+    let outputs = shaped.line.outputs;
+    let wants: &[Want] = match outputs {
         1 => &[Want::Value, Want::ValueGrad, Want::Vjp],
         _ => &[Want::Value, Want::Vjp],
     };
     let mut all = Vec::new();
     for &want in wants {
-        let made = generated_of::<O, O::In<f32>>(want, false)?;
+        let made = generated(shaped, want, false)?;
         let mut add = |form: Form, made: &Generated<f32>| {
-            all.push((format!("{} {want:?} {form:?}", O::NAME), form.text(made)));
+            all.push((format!("{name} {want:?} {form:?}"), form.text(made)));
         };
         add(Form::Aligned, &made);
         add(Form::Columns, &made);
         if made.arguments.len() != 2 {
             continue;
         }
-        let made = generated_of::<O, O::In<f32>>(want, true)?;
+        let made = generated(shaped, want, true)?;
         match want {
             Want::Value if made.gives == [1] && is_of_one_list(&made) => {
                 add(Form::Pairs, &made);
                 add(Form::Masks, &made);
             }
             Want::Value | Want::ValueGrad | Want::Jacobian => add(Form::Pairs, &made),
-            Want::Vjp if O::Out::<f32>::LEN == 1 => {
+            Want::Vjp if outputs == 1 => {
                 add(Form::RowDerivatives, &made);
                 add(Form::ColumnDerivatives, &made);
             }

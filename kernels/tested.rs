@@ -1,0 +1,406 @@
+//! The rows as the harness, the fuzzer, tests and benches take them: values without types.
+//!
+//! A program that asks for them compiles every row with all that judges it, and should do so in one place.
+use crate::ad::check::sample::{Draw, Family, Sample, random};
+use crate::ad::check::trace::Number;
+use crate::ad::check::{Report, Sampling};
+use crate::error::Error;
+use crate::kernels::Backend;
+use crate::kernels::check::{
+    Examined, Path, Stated, check_fold_with, check_ring_on, check_ring_with, check_search_with,
+    examined,
+};
+use crate::kernels::dynamic::{self, Format, Operation};
+use crate::kernels::fold::{Fold, Folded};
+use crate::kernels::fuzz::{self, Fuzzed, Job, Straight};
+use crate::kernels::gpu::GpuRing;
+use crate::kernels::item::{Item, by_kind, get};
+use crate::kernels::op::{Op, RingOp, Source};
+use crate::kernels::ops;
+use crate::kernels::ops::list::{Walk, Written};
+use crate::kernels::real::Real;
+use crate::kernels::recorded_subject::ByHand;
+use crate::kernels::search::Search;
+use crate::{Fixed, Pack, Vec2};
+use std::fmt;
+use std::sync::OnceLock;
+
+/// Texts of shaders, each with a name.
+pub type Shaders = Result<Vec<(String, String)>, Error>;
+
+/// A row of the library, with what draws its inputs and what judges it.
+///
+/// Numbers of an input are those of its columns: shape by shape, first field first, codes after the scalars of their
+/// shape; of a path, the vertices last.
+#[derive(Clone, Copy)]
+pub struct Tested {
+    /// The row.
+    pub operation: Operation,
+    inputs: Inputs,
+    single: Formed<f32>,
+    double: Formed<f64>,
+    #[cfg(feature = "gpu")]
+    shaders: fn(&Operation) -> Shaders,
+}
+
+impl fmt::Debug for Tested {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.debug_tuple("Tested").field(&self.operation.name).finish()
+    }
+}
+
+/// The inputs of a row.
+#[derive(Clone, Copy)]
+struct Inputs {
+    random: fn(&mut Draw) -> Vec<f64>,
+    ordinary: fn(&mut Draw) -> Vec<f64>,
+    hard: fn() -> Vec<Vec<f64>>,
+    show: fn(&[f64]) -> String,
+}
+
+/// A row in one format.
+struct Formed<S: Number + Real> {
+    alone: Path<S>,
+    by_hand: ByHand<S>,
+    num_dual: Option<fn(&[S::NumDual]) -> Vec<S::NumDual>>,
+    check: fn(&Tested, &Sampling<'_>, Option<Backend<'_>>) -> Result<Report, Error>,
+    fuzz: fn(&Tested, u64, u64) -> Fuzzed,
+}
+
+impl<S: Number + Real> Clone for Formed<S> {
+    fn clone(&self) -> Self {
+        *self
+    }
+}
+impl<S: Number + Real> Copy for Formed<S> {}
+
+/// `f32` or `f64`, in both of which a row is tested.
+pub trait Both: Format + Number {
+    #[doc(hidden)]
+    fn formed(row: &Tested) -> FormedIn<'_, Self>;
+}
+/// A row in one format.
+#[doc(hidden)]
+pub struct FormedIn<'a, S: Number + Real>(&'a Formed<S>);
+
+impl Both for f32 {
+    fn formed(row: &Tested) -> FormedIn<'_, f32> {
+        FormedIn(&row.single)
+    }
+}
+impl Both for f64 {
+    fn formed(row: &Tested) -> FormedIn<'_, f64> {
+        FormedIn(&row.double)
+    }
+}
+
+impl Tested {
+    /// The name of its function.
+    #[must_use]
+    pub const fn name(&self) -> &'static str {
+        self.operation.name
+    }
+    /// Runs every check of the harness; with a backend, batches on it are further witnesses of `f32`. Searches and
+    /// folds have none.
+    ///
+    /// # Errors
+    ///
+    /// The backend's.
+    pub fn check<S: Both>(
+        &self,
+        plan: &Sampling<'_>,
+        backend: Option<Backend<'_>>,
+    ) -> Result<Report, Error> {
+        (S::formed(self).0.check)(self, plan, backend)
+    }
+    /// Fuzzes it with so many inputs from a seed.
+    #[must_use]
+    pub fn fuzz<S: Both>(&self, count: u64, seed: u64) -> Fuzzed {
+        (S::formed(self).0.fuzz)(self, count, seed)
+    }
+    /// The result of one input by the function itself.
+    #[must_use]
+    pub fn alone<S: Both>(&self, x: &[S]) -> Vec<S> {
+        (S::formed(self).0.alone)(x)
+    }
+    /// The result and the derivatives of a cotangent by hand; `None` where there are none.
+    #[must_use]
+    pub fn by_hand<S: Both>(&self, x: &[S], out_bar: &[S]) -> Option<(Vec<S>, Vec<S>)> {
+        (S::formed(self).0.by_hand)(x, out_bar)
+    }
+    /// A random input.
+    #[must_use]
+    pub fn random(&self, draw: &mut Draw) -> Vec<f64> {
+        (self.inputs.random)(draw)
+    }
+    /// A random input of about unit size near the origin.
+    #[must_use]
+    pub fn ordinary(&self, draw: &mut Draw) -> Vec<f64> {
+        (self.inputs.ordinary)(draw)
+    }
+    /// The cases at which geometry fails.
+    #[must_use]
+    pub fn hard(&self) -> Vec<Vec<f64>> {
+        (self.inputs.hard)()
+    }
+    /// An input as code.
+    #[must_use]
+    pub fn show(&self, x: &[f64]) -> String {
+        (self.inputs.show)(x)
+    }
+    /// Every shader that it may need; of searches none of its own.
+    ///
+    /// # Errors
+    ///
+    /// Those of recording it.
+    #[cfg(feature = "gpu")]
+    pub fn shaders(&self) -> Shaders {
+        (self.shaders)(&self.operation)
+    }
+
+    fn stated(&self) -> Stated {
+        Stated {
+            name: self.operation.name,
+            invariances: self.operation.invariances,
+            jumps: self.operation.jumps,
+            inside: self.operation.inside,
+            resolution: self.operation.resolution,
+            output_kinds: self.operation.kinds[1],
+        }
+    }
+    fn examined<S: Both>(&self) -> Option<Examined<S>> {
+        let formed = S::formed(self).0;
+        Some(Examined {
+            shaped: self.operation.shaped::<S>()?,
+            alone: formed.alone,
+            by_hand: formed.by_hand,
+            num_dual: formed.num_dual,
+        })
+    }
+}
+
+/// Checks a straight line, whose inputs are of a type.
+fn check_straight<X: Sample + Fixed, S: Both>(
+    row: &Tested,
+    plan: &Sampling<'_>,
+    backend: Option<Backend<'_>>,
+) -> Result<Report, Error> {
+    match (row.examined::<S>(), row.examined::<f64>()) {
+        (Some(own), Some(wide)) => {
+            examined::<X, S>(&row.stated(), &own, &wide, (plan, backend, true))
+        }
+        _ => unreachable!("a straight line is checked as one"),
+    }
+}
+
+/// Fuzzes a straight line.
+fn fuzz_straight<S: Both>(row: &Tested, count: u64, seed: u64) -> Fuzzed {
+    let Some(Examined {
+        shaped,
+        alone,
+        by_hand,
+        ..
+    }) = row.examined::<S>()
+    else {
+        unreachable!("a straight line is fuzzed as one")
+    };
+    let operation = &row.operation;
+    let job = Job::of_line(&Straight {
+        name: operation.name,
+        op: operation.name,
+        invariances: operation.invariances,
+        jumps: operation.jumps,
+        finite: operation.finite,
+        range: operation.range,
+        extremes: operation.extremes,
+        domain: operation.inside,
+        shaped,
+        alone,
+        by_hand,
+        kinds: operation.kinds[0],
+        sample: row.inputs.random,
+        show: row.inputs.show,
+    });
+    S::fuzzed(&job, count, seed)
+}
+
+impl Inputs {
+    /// Of one type.
+    const fn of<X: Sample + Item>() -> Self {
+        Inputs {
+            random: fuzz::sampled::<X>,
+            ordinary: |draw| fuzz::all_numbers(&Family::Ordinary.draw::<X>(draw)),
+            hard: || X::hard().iter().map(fuzz::all_numbers).collect(),
+            show: fuzz::shown::<X>,
+        }
+    }
+    /// Of a path, with something before it or not.
+    const fn of_path<X: Sample>() -> Self {
+        Inputs {
+            random: |draw| random::<X>(draw).scalars(),
+            ordinary: |draw| Family::Ordinary.draw::<X>(draw).scalars(),
+            hard: || X::hard().iter().map(Pack::scalars).collect(),
+            show: |x| format!("{x:?}"),
+        }
+    }
+}
+
+fn path<S: Copy>(numbers: &[S]) -> Vec<Vec2<S>> {
+    let vertices = numbers.chunks_exact(2);
+    vertices.map(|v| Vec2 { x: v[0], y: v[1] }).collect()
+}
+
+/// Rows as values.
+struct Values(Vec<Tested>);
+
+impl Walk for Values {
+    fn straight<O: Op>(&mut self, row: Written)
+    where
+        O::In<f32>: Item<Scalar = f32>,
+        O::Out<f32>: Item<Scalar = f32>,
+        O::In<f64>: Item<Scalar = f64> + Sample,
+        O::Out<f64>: Item<Scalar = f64> + Sample,
+    {
+        const fn formed<O: Op, S: Both>() -> Formed<S>
+        where
+            O::In<S>: Item<Scalar = S>,
+            O::Out<S>: Item<Scalar = S>,
+            O::In<f64>: Sample,
+        {
+            let own = Examined::<S>::of::<O>();
+            Formed {
+                alone: own.alone,
+                by_hand: own.by_hand,
+                num_dual: own.num_dual,
+                check: check_straight::<O::In<f64>, S>,
+                fuzz: fuzz_straight::<S>,
+            }
+        }
+        self.0.push(Tested {
+            operation: const { dynamic::straight::<O>() }.written(row),
+            ..const {
+                Tested {
+                    operation: dynamic::straight::<O>(),
+                    inputs: Inputs::of::<O::In<f64>>(),
+                    single: formed::<O, f32>(),
+                    double: formed::<O, f64>(),
+                    #[cfg(feature = "gpu")]
+                    shaders: crate::kernels::gpu::line_sources,
+                }
+            }
+        });
+    }
+    fn search<D: Search>(&mut self, row: Written)
+    where
+        D::In<f32>: Item<Scalar = f32>,
+        D::Out<f32>: Item<Scalar = f32>,
+        D::In<f64>: Item<Scalar = f64> + Sample,
+        D::Out<f64>: Item<Scalar = f64> + Sample,
+    {
+        const fn formed<D: Search, S: Both>() -> Formed<S>
+        where
+            D::In<S>: Item<Scalar = S>,
+            D::Out<S>: Item<Scalar = S>,
+            D::In<f64>: Item<Scalar = f64> + Sample,
+            D::Out<f64>: Sample,
+        {
+            Formed {
+                alone: |x| {
+                    let input = get::<D::In<S>>(&by_kind::<D::In<S>>(x));
+                    D::replay::<S>(input, D::decide::<S>(input)).scalars()
+                },
+                by_hand: |_, _| None,
+                num_dual: None,
+                check: |_, plan, _| Ok(check_search_with::<D, S>(plan)),
+                fuzz: |_, count, seed| fuzz::decided::<D, S>(count, seed),
+            }
+        }
+        self.0.push(Tested {
+            operation: const { dynamic::search::<D>() }.written(row),
+            inputs: const { Inputs::of::<D::In<f64>>() },
+            single: const { formed::<D, f32>() },
+            double: const { formed::<D, f64>() },
+            #[cfg(feature = "gpu")]
+            shaders: |_| Ok(Vec::new()),
+        });
+    }
+    fn fold<F: Fold>(&mut self, row: Written)
+    where
+        F::Context<f32>: Item<Scalar = f32>,
+        F::Out<f32>: Item<Scalar = f32>,
+        F::Context<f64>: Item<Scalar = f64> + Sample,
+        F::Out<f64>: Item<Scalar = f64> + Sample,
+    {
+        const fn formed<F: Fold, S: Both>() -> Formed<S>
+        where
+            F::Context<S>: Item<Scalar = S>,
+            F::Context<f64>: Item<Scalar = f64> + Sample,
+            F::Out<f64>: Sample,
+        {
+            Formed {
+                alone: |x| {
+                    let (context, vertices) = x.split_at(F::Context::<S>::LEN);
+                    Folded::<F>::eval::<S>(&(F::Context::load(context), path(vertices))).scalars()
+                },
+                by_hand: |_, _| None,
+                num_dual: None,
+                check: |_, plan, _| Ok(check_fold_with::<F, S>(plan)),
+                fuzz: |_, count, seed| fuzz::fold::<F, S>(count, seed),
+            }
+        }
+        self.0.push(Tested {
+            operation: const { dynamic::fold::<F>() }.written(row),
+            inputs: const { Inputs::of_path::<(F::Context<f64>, Vec<Vec2<f64>>)>() },
+            single: const { formed::<F, f32>() },
+            double: const { formed::<F, f64>() },
+            #[cfg(feature = "gpu")]
+            shaders: |_| crate::kernels::gpu::fold_sources(F::default()),
+        });
+    }
+    fn ring<O: GpuRing>(&mut self, row: Written)
+    where
+        O::Out<f32>: Item<Scalar = f32>,
+        O::Out<f64>: Item<Scalar = f64> + Sample,
+    {
+        const fn formed<O: RingOp, S: Both>(
+            check: fn(&Tested, &Sampling<'_>, Option<Backend<'_>>) -> Result<Report, Error>,
+        ) -> Formed<S> {
+            Formed {
+                alone: |x| O::value(&path(x)).scalars(),
+                by_hand: |x, out_bar| {
+                    let ring = path(x);
+                    let mut bars = vec![Vec2::zero(); ring.len()];
+                    O::ring_vjp(&ring, O::Out::<S>::load(out_bar), &mut bars);
+                    Some((O::value(&ring).scalars(), bars.scalars()))
+                },
+                num_dual: None,
+                check,
+                fuzz: |_, count, seed| fuzz::ring::<O, S>(count, seed),
+            }
+        }
+        self.0.push(Tested {
+            operation: const { dynamic::ring::<O>() }.written(row),
+            inputs: const { Inputs::of_path::<Vec<Vec2<f64>>>() },
+            single: formed::<O, f32>(|_, plan, backend| match backend {
+                Some(backend) => check_ring_on::<O>(backend, plan),
+                None => Ok(check_ring_with::<O, f32>(plan)),
+            }),
+            double: formed::<O, f64>(|_, plan, _| Ok(check_ring_with::<O, f64>(plan))),
+            #[cfg(feature = "gpu")]
+            shaders: |_| Ok(crate::kernels::gpu::ring_sources::<O>()),
+        });
+    }
+}
+
+/// Every row of the library, in the order of [`operations`](crate::kernels::dynamic::operations).
+// Inlined, so that it is compiled where it is called.
+#[inline]
+#[must_use]
+pub fn rows() -> &'static [Tested] {
+    static ALL: OnceLock<Vec<Tested>> = OnceLock::new();
+    ALL.get_or_init(|| {
+        let mut all = Values(Vec::new());
+        ops::each(&mut all);
+        all.0
+    })
+}
