@@ -4,8 +4,8 @@
     python gauss_newton.py --touches 40 --noise 0.001
 
 The tip of the arm touches the border of a known rotated box, and the encoders give two angles for every touch. Six numbers are
-unknown: the lengths of both links, the place of the base and the offsets of both encoders. The residual is the signed distance of the tip
-from the box, a verb of the library inside a plain function, recorded once. Its Jacobian needs no formula.
+unknown: the lengths of both links, the place of the base and the offsets of both encoders. The residual is the signed
+distance of the tip from the box, a verb of the library inside a plain function, recorded once. Its Jacobian needs no formula.
 """
 
 import argparse
@@ -45,7 +45,8 @@ def touches(rng, arm, workpiece, count, noise):
     upper, lower, base_x, base_y, shoulder, elbow = arm
     dx, dy = workpiece[0] + cos * x - sin * y - base_x, workpiece[1] + sin * x + cos * y - base_y
     # Either side for the elbow.
-    bend = np.arccos((dx**2 + dy**2 - upper**2 - lower**2) / (2 * upper * lower)) * np.where(np.arange(count) // 4 % 2, 1, -1)
+    bend = np.arccos((dx**2 + dy**2 - upper**2 - lower**2) / (2 * upper * lower))
+    bend *= np.where(np.arange(count) // 4 % 2, 1, -1)
     first = np.arctan2(dy, dx) - np.arctan2(lower * np.sin(bend), upper + lower * np.cos(bend))
     exact = np.stack([first - shoulder, bend - elbow], axis=-1)
     return exact + rng.normal(0, noise, exact.shape)
@@ -110,9 +111,8 @@ def main(arguments=None):
 
     # Differences of the residual are an independent Jacobian.
     jacobian = miss.jacobian(nominal, angles, workpiece)[:, :6]
-    differences = np.stack(
-        [(miss(nominal + h, angles, workpiece) - miss(nominal - h, angles, workpiece)) / 2e-6 for h in 1e-6 * np.eye(6)], axis=-1
-    )
+    beside = lambda h: (miss(nominal + h, angles, workpiece) - miss(nominal - h, angles, workpiece)) / 2e-6
+    differences = np.stack([beside(h) for h in 1e-6 * np.eye(6)], axis=-1)
     print(f"Jacobian against differences: {np.abs(jacobian - differences).max():.1e} at most")
 
     arm, normal, history = solve(nominal, angles, workpiece, options.steps)

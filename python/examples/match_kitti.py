@@ -24,14 +24,19 @@ def read(path):
     frames, classes, boxes, scores = [], [], [], []
     for number, line in enumerate(path.read_text().splitlines(), 1):
         words = line.split()
-        if not words or words[2] not in CLASSES:  # DontCare has no box in space
+        if not words:
             continue
         if len(words) not in (17, 18):
             raise SystemExit(f"{path}:{number}: 17 or 18 columns are needed, not {len(words)}")
-        frames.append(int(words[0]))
+        if words[2] not in CLASSES:  # DontCare has no box in space
+            continue
+        try:
+            frames.append(int(words[0]))
+            boxes.append([float(word) for word in words[10:17]])
+            scores.append(float(words[17]) if len(words) == 18 else 1.0)
+        except ValueError as error:
+            raise SystemExit(f"{path}:{number}: {error}") from None
         classes.append(words[2])
-        boxes.append([float(word) for word in words[10:17]])
-        scores.append(float(words[17]) if len(words) == 18 else 1.0)
     boxes = np.array(boxes).reshape(-1, 7)
     return np.array(frames, int), np.array(classes, object), boxes, np.array(scores)
 
@@ -183,7 +188,8 @@ def main(arguments=None):
 
     overlaps = np.array([iou for *_, iou in rows])
     print(f"{len(boxes)} labels, {len(guesses)} detections, {len(np.unique(frames))} frames")
-    print(f"{len(rows)} matches at IoU {options.threshold}: recall {len(rows) / len(boxes):.3f}, precision {len(rows) / max(len(guesses), 1):.3f}")
+    recall, precision = len(rows) / len(boxes), len(rows) / max(len(guesses), 1)
+    print(f"{len(rows)} matches at IoU {options.threshold}: recall {recall:.3f}, precision {precision:.3f}")
     if len(overlaps):
         print(f"IoU of matches: mean {overlaps.mean():.3f}, least {overlaps.min():.3f}")
     print(f"best IoU of a label: mean {best.mean():.3f}, {np.mean(best == 0):.1%} without any overlap")

@@ -23,8 +23,8 @@ NEEDS = {
 }
 
 
-def run(name, *arguments):
-    """The output of a script, which has to succeed."""
+def run(name, *arguments, code=0):
+    """The output of a script, which has to end with a code."""
     for needed in NEEDS[name]:
         pytest.importorskip(needed)
     command = [sys.executable, str(EXAMPLES / f"{name}.py"), *map(str, arguments)]
@@ -34,8 +34,8 @@ def run(name, *arguments):
         command, capture_output=True, text=True, timeout=300,
         env={**os.environ, "PYTHONPATH": os.pathsep.join(filter(None, paths)), "PYTHONIOENCODING": "utf-8"}, encoding="utf-8",
     )
-    assert done.returncode == 0, done.stdout + done.stderr
-    return done.stdout
+    assert done.returncode == code, done.stdout + done.stderr
+    return done.stdout if code == 0 else done.stderr
 
 
 def number(text, pattern):
@@ -96,6 +96,13 @@ def test_match_kitti_reads_files(tmp_path):
     assert match["detection"] == "1" and number(printed, r"best IoU of a label: mean ([\d.]+)") == 1
     # Three metres of five.
     assert float(match["iou"]) == pytest.approx(0.6, abs=1e-6)
+
+
+def test_match_kitti_names_a_bad_line(tmp_path):
+    for line, why in [("0 1 Car 0 0", "17 or 18 columns"), (" ".join(["0", "1", "Car", *"x" * 14]), "'x'")]:
+        (tmp_path / "labels.txt").write_text(f"\n{line}\n")
+        printed = run("match_kitti", "--labels", tmp_path / "labels.txt", "--out", tmp_path, code=1)
+        assert "labels.txt:2: " in printed and why in printed and "Traceback" not in printed
 
 
 def test_gauss_newton_finds_the_arm(tmp_path):
