@@ -141,6 +141,16 @@ impl Sampler {
             inside: |x| like::<X>(x).is_some_and(|x| x.inside()),
         }
     }
+    /// The scalars of a random one.
+    #[must_use]
+    pub fn draw(&self, draw: &mut Draw) -> Vec<f64> {
+        (self.draw)(draw)
+    }
+    /// The scalars of the cases at which geometry fails.
+    #[must_use]
+    pub fn hard(&self) -> Vec<Vec<f64>> {
+        (self.hard)()
+    }
     /// That of a lone number.
     #[must_use]
     pub fn number() -> Self {

@@ -9,11 +9,10 @@ use crate::{Scalar, Vec2, ad, ring};
 
 /// Measures of a ring with compiled kernels: the macro lists them.
 macro_rules! measures {
-    ($($name:ident = $function:ident, $vjp:ident: $out:ty, $class:tt, $jumps:ident, $range:ident;)*) => { $(
+    ($($(#[doc = $doc:literal])* $name:ident = $function:ident, $vjp:ident: $out:ty, $class:tt, $jumps:ident, $range:ident;)*) => { $(
         impl RingOp for $name {
             const NAME: &'static str = stringify!($function);
-            const DOC: &'static str =
-                concat!("[`", stringify!($function), "`](crate::ring::", stringify!($function), ").");
+            const DOC: &'static str = concat!($($doc),*);
             type Out<S: Scalar> = $out;
             const INVARIANCES: &'static [Invariance] = invariances!($class Vec2<f64>);
             const JUMPS: Jumps = Jumps::$jumps;
@@ -40,8 +39,10 @@ macro_rules! measures {
     } };
 }
 measures! {
+    /// The signed area of a ring: positive where it turns counter-clockwise.
     SignedArea = signed_area, signed_area_vjp: S, [rigid(2)], Never, ANY;
+    /// The perimeter of a ring.
     Perimeter = perimeter, perimeter_vjp: S, [rigid(1)], Never, NOT_NEGATIVE;
-    // Its value jumps where the area is zero.
+    /// The centroid of the area of a ring; its value jumps where the area is zero.
     Centroid = centroid, centroid_vjp: Vec2<S>, [follows], Anywhere, ANY;
 }

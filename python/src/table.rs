@@ -22,6 +22,8 @@ pub struct Shape {
     pub fields: Vec<String>,
     /// How many of them are whole numbers.
     pub codes: usize,
+    /// What each of them is, and which values it may have.
+    pub meaning: Vec<(&'static str, String)>,
     /// Where its layout is found: a row, and an argument of it.
     layout: Option<(usize, usize)>,
 }
@@ -105,6 +107,7 @@ impl Table {
                 name: name.to_owned(),
                 fields: Vec::new(),
                 codes: 0,
+                meaning: Vec::new(),
                 layout: None,
             });
         }
@@ -169,10 +172,13 @@ impl Table {
             .iter()
             .filter(|field| is_whole(field.bound))
             .count();
+        let numbers = shape.fields.iter();
+        let meaning = numbers.map(|field| (unit(field), limit(shape, field.bound))).collect();
         self.add(Shape {
             name,
             fields,
             codes,
+            meaning,
             layout,
         })
     }
@@ -184,6 +190,36 @@ fn identifier(name: &str) -> String {
     name.chars()
         .filter(|c| c.is_alphanumeric() || *c == '_')
         .collect()
+}
+
+/// What a number is.
+fn unit(field: &geograd::kernels::dynamic::Number) -> &'static str {
+    use geograd::check::Kind;
+    match (field.bound, field.kind) {
+        (Bound::Whole, _) => "whole number",
+        (_, Kind::X | Kind::Y) => "coordinate",
+        (_, Kind::Length) => "length",
+        (_, Kind::Angle) => "angle in radians",
+        (_, Kind::DirectionX | Kind::DirectionY) => "part of a direction",
+        (_, Kind::Number) => "number",
+    }
+}
+
+/// Which values a number may have.
+fn limit(shape: &geograd::kernels::dynamic::Shape, bound: Bound) -> String {
+    let of = |what: &str, place: usize| {
+        let field = shape.fields.get(place);
+        field.map_or_else(String::new, |field| format!("{what} {}", field.name))
+    };
+    match bound {
+        Bound::NotNegative => "at least 0".to_owned(),
+        Bound::Positive => "above 0".to_owned(),
+        Bound::AtMost(place) => of("at most", place),
+        Bound::AtLeast(place) => of("at least", place),
+        Bound::Direction => "not all parts 0".to_owned(),
+        Bound::Unit => "on the unit circle".to_owned(),
+        _ => String::new(),
+    }
 }
 
 fn is_whole(bound: Bound) -> bool {

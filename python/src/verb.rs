@@ -8,8 +8,8 @@ use crate::shapes::{Content, Paths, Shape, dressed_items};
 use crate::symbol::{Any, Symbol, number};
 use crate::table::{Column, Kind, NUMBER, NUMBERS, POLYLINE, RING, Row, table};
 use crate::traced::{Program, listed};
-use geograd::kernels::dynamic::{Bound as Limit, Sort};
-use numpy::{PyUntypedArray, PyUntypedArrayMethods};
+use geograd::kernels::dynamic::Sort;
+use numpy::{PyArray2, PyUntypedArray, PyUntypedArrayMethods};
 use pyo3::exceptions::{PyKeyError, PyTypeError, PyValueError};
 use pyo3::prelude::*;
 use pyo3::types::{PyDict, PyList, PyString, PyTuple};
@@ -766,17 +766,44 @@ impl Verb {
     }
 }
 
-/// The shapes of the table: name, fields, and how many of them are whole numbers.
+/// The shapes of the table: name; fields, what each is and which values it may have; how many are whole numbers.
 #[pyfunction]
-pub fn shapes() -> Vec<(&'static str, Vec<&'static str>, usize)> {
+pub fn shapes() -> Vec<(&'static str, Vec<(&'static str, &'static str, &'static str)>, usize)> {
     let shape = |shape: &'static crate::table::Shape| {
-        (
-            shape.name.as_str(),
-            shape.fields.iter().map(String::as_str).collect(),
-            shape.codes,
-        )
+        let fields = shape.fields.iter().zip(&shape.meaning);
+        let fields = fields.map(|(name, (unit, limit))| (name.as_str(), *unit, limit.as_str()));
+        (shape.name.as_str(), fields.collect(), shape.codes)
     };
     table().shapes.iter().map(shape).collect()
+}
+
+/// Random valid inputs of a row, in all numbers of its arguments.
+#[pyfunction]
+pub fn samples<'py>(py: Python<'py>, row: &str, count: usize, seed: u64) -> PyResult<Bound<'py, PyArray2<f64>>> {
+    use geograd::check::Draw;
+    let operation = geograd_rows::operations().iter().find(|one| one.name == row);
+    let operation = operation.ok_or_else(|| PyKeyError::new_err(row.to_owned()))?;
+    let (samplers, layouts, mut draw) = (operation.samplers(), operation.layouts::<f64>(), Draw::new(seed));
+    let mut all: Vec<Vec<f64>> = Vec::new();
+    for _ in 0..count.saturating_mul(50) {
+        if all.len() == count {
+            break;
+        }
+        let mut parts = Vec::new();
+        for (sampler, layout) in samplers.iter().zip(&layouts) {
+            let scalars = sampler.draw(&mut draw);
+            // The number of vertices of a polygon, which is all that a whole number of an argument says.
+            let with = |code: usize| [&scalars[..], &vec![code as f64; layout.codes()]].concat();
+            let codes = (0..=scalars.len() / 2).rev().map(with);
+            parts.extend(codes.take(if layout.codes() == 0 { 1 } else { usize::MAX }).find(|x| layout.check(x).is_ok()));
+        }
+        let is_valid = parts.len() == layouts.len();
+        let numbers = parts.concat();
+        if is_valid && operation.is_inside(&numbers) {
+            all.push(numbers);
+        }
+    }
+    PyArray2::from_vec2(py, &all).map_err(|error| PyValueError::new_err(error.to_string()))
 }
 
 /// The names of all verbs.
@@ -797,14 +824,6 @@ pub fn rows<'py>(py: Python<'py>, verb: &str) -> PyResult<Vec<Bound<'py, PyDict>
         .iter()
         .find(|one| one.name == verb)
         .ok_or_else(|| PyKeyError::new_err(verb.to_owned()))?;
-    let limit = |bound: Limit| match bound {
-        Limit::Any => "any".to_owned(),
-        Limit::NotNegative => "not negative".to_owned(),
-        Limit::Positive => "positive".to_owned(),
-        Limit::AtMost(place) => format!("at most field {place}"),
-        Limit::Whole => "whole".to_owned(),
-        _ => String::new(),
-    };
     let row = |row: &'static Row| {
         let operation = row
             .call
@@ -841,18 +860,6 @@ pub fn rows<'py>(py: Python<'py>, verb: &str) -> PyResult<Vec<Bound<'py, PyDict>
         };
         described.set_item("takes", columns(&row.call.takes))?;
         described.set_item("gives", columns(row.call.gives()))?;
-        let mut fields = Vec::new();
-        for argument in operation.arguments() {
-            let one = |x: &geograd::kernels::dynamic::Number| {
-                (
-                    x.name.to_string(),
-                    format!("{:?}", x.kind).to_lowercase(),
-                    limit(x.bound),
-                )
-            };
-            fields.push(argument.shape.fields.iter().map(one).collect::<Vec<_>>());
-        }
-        described.set_item("fields", fields)?;
         described.set_item("jumps", format!("{:?}", operation.jumps))?;
         Ok(described)
     };

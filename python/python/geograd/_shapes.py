@@ -1,5 +1,6 @@
 """Classes of shapes, made of the table: a class for each, with its fields as attributes."""
 
+import keyword
 import re
 
 import numpy as np
@@ -41,6 +42,7 @@ def _attributes(fields):
     made, groups, lists = {}, {}, {}
     for place, field in enumerate(fields):
         head, _, rest = field.partition(".")
+        head = head + "_" if keyword.iskeyword(head) else head
         match = re.fullmatch(r"(\w*)\[(\d+)\]", head)
         if match:
             lists.setdefault(match[1] or "items", {}).setdefault(int(match[2]), []).append((rest, place))
@@ -114,15 +116,17 @@ def _cross(self, other):
 
 def _classes():
     made = []
-    for kind, (name, fields, codes) in enumerate(_core.shapes()):
-        if not fields:
+    for kind, (name, described, codes) in enumerate(_core.shapes()):
+        if not described:
             made.append(None)
             continue
+        fields = [field for field, _, _ in described]
+        lines = [f"    {field}: {unit}{', ' + limit if limit else ''}" for field, unit, limit in described]
         bases = (_Vector, _core.Shape) if name in ("Vec2", "Vec3") else (_core.Shape,)
         body = {
             "__slots__": (),
             "__module__": "geograd",
-            "__doc__": f"{name} over an array whose last axis has its numbers: {', '.join(fields)}.",
+            "__doc__": "\n".join([f"{name}: an array whose last axis has its numbers, in this order.", "", *lines]),
             "_kind": kind,
             "_fields": tuple(fields),
             "_codes": codes,

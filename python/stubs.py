@@ -1,0 +1,249 @@
+"""Writes the type stubs of the package, made of the table: `python stubs.py`; `python stubs.py --check` fails when they are stale."""
+
+import keyword
+import pathlib
+import sys
+
+import geograd
+from geograd import _core
+from geograd._verbs import describe
+
+FILE = pathlib.Path(__file__).parent / "python" / "geograd" / "__init__.pyi"
+
+HEAD = '''"""{doc}"""
+
+# Written by stubs.py, from the table of the library.
+from typing import Any, Callable, Iterable, Literal, Optional, Sequence, Tuple, Type, TypeVar, Union, overload
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+__version__: str
+
+Array = NDArray[Any]
+Kind = Union[str, Type["Shape"], None, Sequence[Union[str, Type["Shape"], None]]]
+Out = Any
+Backend = Optional[Literal["cpu", "gpu"]]
+Form = Literal["value", "value_grad", "vjp", "jacobian", "jvp", "hvp", "hessian"]
+Report = _core.Report
+
+class Symbol:
+    """A number of a function that is being recorded."""
+    def __add__(self, other: Any) -> Symbol: ...
+    def __radd__(self, other: Any) -> Symbol: ...
+    def __sub__(self, other: Any) -> Symbol: ...
+    def __rsub__(self, other: Any) -> Symbol: ...
+    def __mul__(self, other: Any) -> Symbol: ...
+    def __rmul__(self, other: Any) -> Symbol: ...
+    def __truediv__(self, other: Any) -> Symbol: ...
+    def __rtruediv__(self, other: Any) -> Symbol: ...
+    def __pow__(self, power: float) -> Symbol: ...
+    def __neg__(self) -> Symbol: ...
+    def __abs__(self) -> Symbol: ...
+    def __lt__(self, other: Any) -> Truth: ...
+    def __le__(self, other: Any) -> Truth: ...
+    def __gt__(self, other: Any) -> Truth: ...
+    def __ge__(self, other: Any) -> Truth: ...
+
+class Truth:
+    """The truth of a comparison in a function that is being recorded."""
+    def __and__(self, other: Truth) -> Truth: ...
+    def __or__(self, other: Truth) -> Truth: ...
+    def __invert__(self) -> Truth: ...
+
+class Shape:
+    """Shapes of one kind: an array whose last axis has their numbers, or symbols."""
+    @property
+    def array(self) -> Array: ...
+    @property
+    def numbers(self) -> list[Any]: ...
+    def __array__(self, dtype: Any = ..., copy: Optional[bool] = ...) -> Array: ...
+    def __len__(self) -> int: ...
+    def __getitem__(self: _Self, key: Any) -> _Self: ...
+
+_Self = TypeVar("_Self", bound=Shape)
+
+class Paths:
+    """Paths: vertices one after another, and where each path starts; the last offset is the number of vertices."""
+    def __init__(self, vertices: ArrayLike, offsets: ArrayLike) -> None: ...
+    @property
+    def vertices(self) -> Array: ...
+    @property
+    def offsets(self) -> Array: ...
+    def __len__(self) -> int: ...
+
+class Rings(Paths):
+    """Closed paths: the last vertex of each is joined with its first one."""
+    @classmethod
+    def of(cls, paths: Iterable[Any]) -> Rings: ...
+
+class Polylines(Paths):
+    """Open paths."""
+    @classmethod
+    def of(cls, paths: Iterable[Any]) -> Polylines: ...
+
+class Program:
+    """The operations of a function, in the order in which they are carried out."""
+    @property
+    def dtype(self) -> str: ...
+    @property
+    def cost(self) -> int: ...
+    def nodes(self) -> tuple[list[tuple[str, list[int], float]], list[int]]: ...
+    def eval(self, input: Sequence[float]) -> list[float]: ...
+    def wgsl(self, name: str = ...) -> str: ...
+
+class Reports(Tuple[Any, ...]):
+    """What the harness found out, a report for each format."""
+    @property
+    def passed(self) -> bool: ...
+
+class _Forms:
+    def row_max(self, a: Any, b: Any, *, {kind}backend: Backend = ...) -> tuple[Array, Array]:
+        """The largest result of every row of `a`, and its row of `b`."""
+    def column_max(self, a: Any, b: Any, *, {kind}backend: Backend = ...) -> tuple[Array, Array]:
+        """The largest result of every row of `b`, and its row of `a`."""
+    def all_pairs(self, a: Any, b: Any, *, {kind}out: Out = ..., backend: Backend = ...) -> Array:
+        """Every row of `a` with every row of `b`: a matrix."""
+    def above(self, a: Any, b: Any, threshold: float, *, {kind}backend: Backend = ...) -> tuple[Array, Array, Array]:
+        """Every pair whose result is above a threshold: rows of `a`, rows of `b`, results."""
+    def count_above(self, a: Any, b: Any, threshold: float, *, {kind}backend: Backend = ...) -> int:
+        """How many pairs have a result above a threshold."""
+    def sum(self, a: Any, b: Any, *, {kind}backend: Backend = ...) -> float:
+        """The sum of the results of all pairs."""
+    def mean(self, a: Any, b: Any, *, {kind}backend: Backend = ...) -> float:
+        """The mean of the results of all pairs; zero where there are none."""
+    def sum_grad(self, a: Any, b: Any, *, {kind}backend: Backend = ...) -> tuple[float, tuple[Array, Array]]:
+        """The sum of the results of all pairs, and its gradients by both lists."""
+    def mean_grad(self, a: Any, b: Any, *, {kind}backend: Backend = ...) -> tuple[float, tuple[Array, Array]]:
+        """The mean of the results of all pairs, and its gradients by both lists."""
+    def all_pairs_vjp(self, a: Any, b: Any, upstream: ArrayLike, *, {kind}backend: Backend = ...) -> tuple[Array, Array]:
+        """Cotangents of both lists, for a matrix of those of all pairs."""
+    def aligned(self, *arguments: Any, {item}) -> Any:
+        """Item i of every argument: the plain call under its name."""
+    def value_grad(self, *arguments: Any, {item}) -> tuple[Any, Any]:
+        """The value of every item, and its gradient by every argument."""
+    def vjp(self, *arguments: Any, {item}) -> Any:
+        """Cotangents of the arguments; those of the result come last."""
+    def jvp(self, *arguments: Any, {item}) -> tuple[Any, Any]:
+        """The value and its derivative along directions, which come after the arguments."""
+    def hvp(self, *arguments: Any, {item}) -> Any:
+        """The derivative of the gradient along directions, which come after the arguments."""
+    def jacobian(self, *arguments: Any, {item}) -> Array:
+        """The derivatives of every number of the result by every number of the arguments."""
+    def hessian(self, *arguments: Any, {item}) -> Array:
+        """The second derivatives by all numbers of the arguments."""
+
+class Verb(_Forms):
+    """A function of shapes, of which the shapes choose the row."""
+    __name__: str
+    def program(self, *, kind: Kind, to: Kind = ..., form: Form = ..., double: bool = ...) -> Program: ...
+
+class Function(_Forms):
+    """A function that is recorded once, at its first call, and then runs on arrays."""
+    __name__: str
+    __wrapped__: Callable[..., Any]
+    def __init__(self, function: Callable[..., Any]) -> None: ...
+    def __call__(self, *arguments: Any, out: Out = ..., backend: Backend = ...) -> Any: ...
+    @property
+    def program(self) -> Program: ...
+    def program_of(self, form: Form = ..., dtype: Any = ...) -> Program: ...
+    def wgsl(self, name: Optional[str] = ...) -> str: ...
+
+def function(f: Callable[..., Any]) -> Function:
+    """Records a function of annotated arguments once, and runs it on arrays, with all its derivatives."""
+
+def check(
+    f: Union[Function, Callable[..., Any]],
+    gradient: Optional[Callable[..., Any]] = ...,
+    *,
+    vjp: Optional[Callable[..., Any]] = ...,
+    takes: Any = ...,
+    samples: int = ...,
+    seed: int = ...,
+    hard: bool = ...,
+    inside: Optional[Callable[..., Any]] = ...,
+    resolution: float = ...,
+    relative_resolution: float = ...,
+    points: Sequence[Any] = ...,
+    dtype: Any = ...,
+    name: Optional[str] = ...,
+    quiet: bool = ...,
+) -> Reports:
+    """Runs the harness on the derivatives of a function, prints its report and returns it."""
+
+def set_num_threads(threads: int) -> None:
+    """Sets how many threads calls use."""
+def get_num_threads() -> int:
+    """How many threads calls use: GEOGRAD_THREADS, or all."""
+def where(condition: Any, a: Any, b: Any) -> Any:
+    """`a` where the condition holds, else `b`."""
+def clip(x: Any, low: Any, high: Any) -> Any:
+    """The nearest value between two bounds; of symbols the slope is shared at either."""
+'''
+
+ITEM = "kind: Kind = ..., to: Kind = ..., out: Out = ..., backend: Backend = ..."
+
+
+def documented(text, indent):
+    lines = text.replace("\\", "\\\\").splitlines()
+    if len(lines) == 1:
+        return f'{indent}"""{lines[0]}"""'
+    return "\n".join([f'{indent}"""{lines[0]}', *[f"{indent}{line}".rstrip() for line in lines[1:]], f'{indent}"""'])
+
+
+def field_groups(fields):
+    """The attributes of a shape: numbers, and parts of several."""
+    made = {}
+    for name, _, _ in fields:
+        head, _, rest = name.partition(".")
+        head, _, item = head.partition("[")
+        head = head + "_" if keyword.iskeyword(head) else head
+        made.setdefault(head or "items", []).append((rest, bool(item)))
+    for head, parts in made.items():
+        names = tuple(rest for rest, _ in parts)
+        if parts[0][1]:
+            kind = "list[Any]"
+        elif names == ("x", "y"):
+            kind = "Vec2"
+        elif names == ("x", "y", "z"):
+            kind = "Vec3"
+        else:
+            kind = "Any"
+        yield head, kind
+
+
+def stubs():
+    lines = [HEAD.format(doc=geograd.__doc__, item=ITEM, kind="kind: Kind = ..., ").replace("Report = _core.Report\n", "")]
+    for name in ("sqrt", "square", "sin", "cos", "tan", "exp", "log"):
+        lines.append(f"def {name}(x: Any) -> Any:\n" + documented(getattr(geograd, name).__doc__, "    "))
+    for name in ("arctan2", "hypot", "copysign", "minimum", "maximum"):
+        lines.append(f"def {name}(a: Any, b: Any) -> Any:\n" + documented(getattr(geograd, name).__doc__, "    "))
+    for name, fields, _ in _core.shapes():
+        if fields:
+            cls = getattr(geograd, name)
+            lines.append(f"\nclass {name}(Shape):\n" + documented(cls.__doc__, "    "))
+            lines.append("    def __init__(self, *numbers: Any, **named: Any) -> None: ...")
+            for head, kind in field_groups(fields):
+                lines.append(f"    @property\n    def {head}(self) -> {kind}: ...")
+    for name in _core.verbs():
+        lines.append(f"\nclass _{name}(Verb):\n" + documented(describe(name), "    "))
+        rows = _core.rows(name)
+        for row in rows:
+            names = [argument for argument, _, _ in row["takes"]] + (["paths"] if row["sort"] in ("fold", "ring") else [])
+            kinds = [{"number": "ArrayLike", "ring": "Paths", "polyline": "Paths"}.get(kind, kind) for kind in row["kinds"]]
+            takes = ", ".join(f"{argument}: {kind}" for argument, kind in zip(names, kinds))
+            (_, gives, size), *more = row["gives"]
+            result = "Any" if more else gives if size else "Array"
+            lines.append("    @overload")
+            to = "to: Kind = ..., "
+            lines.append(f"    def __call__(self, {takes}, /, *, kind: None = ..., {to}out: Out = ..., backend: Backend = ...) -> {result}: ...")
+        lines.append("    @overload\n    def __call__(self, *arguments: Any, kind: Kind, to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Any: ...")
+        lines.append(f"\n{name}: _{name}")
+    return "\n".join(lines) + "\n"
+
+
+if __name__ == "__main__":
+    text = stubs()
+    if "--check" in sys.argv:
+        sys.exit(0 if FILE.read_text() == text else f"{FILE} is stale: run python {__file__}")
+    FILE.write_text(text)
