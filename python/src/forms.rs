@@ -94,7 +94,11 @@ impl<'py> Call<'_, 'py> {
 
     /// Item by item.
     pub fn item_by_item(&self, form: Form) -> PyResult<Object<'py>> {
-        let given = self.given(&self.of.signature(form)?.takes)?;
+        let signature = self.of.signature(form)?;
+        if form == Form::ValueGrad {
+            self.one_number()?;
+        }
+        let given = self.given(&signature.takes)?;
         in_format!(self, given, items, form)
     }
     fn items<T: Number>(&self, given: Vec<Given<'py>>, form: Form) -> PyResult<Object<'py>> {

@@ -1,0 +1,43 @@
+import numpy as np
+import pytest
+
+import geograd
+from geograd import _core
+
+
+def rows():
+    """All rows: their verb, and what the table says of them."""
+    return [(verb, row) for verb in _core.verbs() for row in _core.rows(verb)]
+
+
+def fixed_rows():
+    """The rows of shapes of fixed size."""
+    return [(verb, row) for verb, row in rows() if row["sort"] in ("straight", "search")]
+
+
+def columns(row, numbers, dtype=np.float64):
+    """The arguments of a row as arrays, of all their numbers."""
+    made, start = [], 0
+    for _, _, size in row["takes"]:
+        part = numbers[:, start : start + max(size, 1)]
+        made.append(np.ascontiguousarray(part if size else part[:, 0], dtype))
+        start += max(size, 1)
+    return made
+
+
+def asked(row):
+    """The keywords that choose a row for plain arrays."""
+    (_, gives, _), *_ = row["gives"]
+    return {"kind": tuple(row["kinds"]), "to": gives}
+
+
+def samples(row, count=24, seed=3):
+    """Random valid inputs of about unit size."""
+    return _core.samples(row["name"], count, seed)
+
+
+@pytest.fixture
+def boxes():
+    draw = np.random.default_rng(7)
+    a = draw.uniform(1, 3, (40, 5))
+    return a, a + draw.normal(0, 0.3, a.shape)

@@ -1,0 +1,47 @@
+"""Stubs, documentation and names, which are made of the table."""
+
+import pathlib
+import subprocess
+import sys
+
+import pytest
+
+import geograd
+from geograd import _core
+
+PYTHON = pathlib.Path(__file__).parents[1]
+
+
+def test_stubs_are_those_of_the_table():
+    done = subprocess.run([sys.executable, PYTHON / "stubs.py", "--check"], capture_output=True, text=True)
+    assert done.returncode == 0, done.stderr
+
+
+def test_every_verb_says_what_it_is():
+    for verb in _core.verbs():
+        call = getattr(geograd, verb)
+        assert call.__name__ == verb and verb in geograd.__all__
+        for row in _core.rows(verb):
+            assert row["summary"][0].isupper() and row["summary"].endswith("."), row["name"]
+            assert row["summary"] in call.__doc__
+            assert f"{verb}(" in call.__doc__
+    for name, fields, _ in _core.shapes():
+        if fields:
+            assert all(field in getattr(geograd, name).__doc__ for field, _, _ in fields)
+
+
+def test_names_are_there():
+    assert set(geograd.__all__) <= set(dir(geograd))
+    assert len(_core.verbs()) >= 55 and sum(len(_core.rows(verb)) for verb in _core.verbs()) >= 190
+
+
+def test_no_other_library_is_imported():
+    code = "import sys, geograd; print([x for x in ('torch', 'jax', 'shapely', 'pyarrow') if x in sys.modules])"
+    assert subprocess.run([sys.executable, "-c", code], capture_output=True, text=True).stdout.strip() == "[]"
+
+
+@pytest.mark.parametrize("name", ["iou", "distance"])
+def test_help(name):
+    import pydoc
+
+    assert "Rows:" in pydoc.render_doc(getattr(geograd, name))
