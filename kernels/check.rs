@@ -89,7 +89,7 @@ impl<S: Number + Real> Examined<S> {
             reversed: by_hand_alone.then(|| value.value_vjp().into()),
             value,
             derivatives: recorded_of(line, Want::Vjp)?,
-            source: self.alone,
+            source: Some(self.alone),
             batch: Function::of_straight(self.shaped, Want::Value),
             by_hand: self.by_hand,
             num_dual: self.num_dual,

@@ -57,8 +57,8 @@ pub(crate) struct Recording<S: Number + Real> {
     /// The same by differentiating the recorded function backwards, where derivatives are by hand: another derivation
     /// of them. In double precision alone, since cotangents of nearly parallel boxes cancel in single.
     pub reversed: Option<Arc<Recorded>>,
-    /// The function itself, on plain numbers.
-    pub source: Path<S>,
+    /// The function itself, on plain numbers, where it is more than its recording.
+    pub source: Option<Path<S>>,
     /// The result by a batch.
     pub batch: Function<S>,
     /// Derivatives by hand, on plain numbers.
@@ -131,7 +131,12 @@ impl<S: Number + Real> Subject for RecordedSubject<'_, S> {
         Precision::of::<S>()
     }
     fn value(&self, x: &[f64]) -> Vec<f64> {
-        widened(&(self.recording.source)(&nearest(x)))
+        let list: Vec<S> = nearest(x);
+        let recording = self.recording;
+        widened(&match recording.source {
+            Some(source) => source(&list),
+            None => recording.value.run(&list),
+        })
     }
     fn other_values(&self, x: &[f64]) -> Vec<Vec<f64>> {
         let list: Vec<S> = nearest(x);

@@ -164,6 +164,7 @@ def check(
     inside: Optional[Callable[..., Any]] = ...,
     resolution: float = ...,
     relative_resolution: float = ...,
+    jumps: Literal["never", "from zero", "anywhere"] = ...,
     points: Sequence[Any] = ...,
     dtype: Any = ...,
     name: Optional[str] = ...,

@@ -117,6 +117,7 @@ pub struct Sampler {
     pub(crate) hard: fn() -> Vec<Vec<f64>>,
     pub(crate) kinds: fn() -> Vec<Kind>,
     pub(crate) scales: fn(&[f64]) -> Vec<f64>,
+    pub(crate) extents: fn(&[f64]) -> Vec<f64>,
     pub(crate) inside: fn(&[f64]) -> bool,
 }
 
@@ -138,6 +139,7 @@ impl Sampler {
                 first.map_or_else(Vec::new, |x| x.kinds())
             },
             scales: |x| like::<X>(x).map_or_else(Vec::new, |x| x.scales()),
+            extents: |x| like::<X>(x).map_or_else(Vec::new, |x| x.extents()),
             inside: |x| like::<X>(x).is_some_and(|x| x.inside()),
         }
     }

@@ -1,12 +1,17 @@
 //! Checks by the harness of functions whose shapes are known at run time.
 use super::program::Program;
-use crate::ad::check::derived::{TUPLES, combinations, mingle, together};
+use crate::ad::check::derived::{TUPLES, combinations, mingle, together, units};
 use crate::ad::check::sample::{Draw, Sampler, moved};
 use crate::ad::check::symmetry::Kind;
 use crate::ad::check::trace::Number;
-use crate::ad::check::{Check, Report, Sampling};
+use crate::ad::check::{Check, Report, Sampling, examine};
+use crate::ad::program::Format;
 use crate::error::{Argument, Error};
 use crate::kernels::cpu::checked::expect;
+use crate::kernels::op::Jumps;
+use crate::kernels::real::Real;
+use crate::kernels::recorded_subject::{Near, RecordedSubject, Recording};
+use std::sync::Arc;
 
 /// The inputs of a check: shapes one after another, each as its numbers.
 ///
@@ -119,6 +124,34 @@ impl Inputs {
         all.map(input).filter(|x| self.inside(x)).collect()
     }
 
+    /// The inputs of a sampling, rounded to a format; how many of them are no random ones; and how many more were drawn
+    /// outside the domain.
+    fn points<S: Number>(&self, sampling: &Sampling<'_>) -> (Vec<Vec<f64>>, usize, u64) {
+        let inside = |x: &[f64]| sampling.inside.is_none_or(|inside| inside(x));
+        let rounded =
+            |x: Vec<f64>| -> Vec<f64> { x.into_iter().map(|x| S::nearest(x).widen()).collect() };
+        let hard = match sampling.hard {
+            0 => Vec::new(),
+            every => self.hard().into_iter().step_by(every).collect(),
+        };
+        let certain = sampling.points.iter().cloned().chain(hard);
+        let mut all: Vec<Vec<f64>> = certain.map(rounded).filter(|x| self.inside(x)).collect();
+        let (random_from, mut outside) = (all.len(), 0);
+        for i in 0..sampling.samples {
+            let mut draw = sampling.draw(i);
+            let mut x = rounded(self.draw(&mut draw));
+            for _ in 1..ATTEMPTS {
+                if inside(&x) {
+                    break;
+                }
+                x = rounded(self.draw(&mut draw));
+                outside += 1;
+            }
+            all.extend(Some(x).filter(|x| self.inside(x)));
+        }
+        (all, random_from, outside)
+    }
+
     /// A check at the inputs of a sampling, rounded to the format, to which a function is added.
     #[must_use]
     pub fn check<'a, S: Number>(
@@ -126,32 +159,23 @@ impl Inputs {
         name: &str,
         sampling: &Sampling<'a>,
     ) -> Check<'a, Vec<S>> {
-        let is_own = sampling.inside;
-        let inside = move |x: &[f64]| self.inside(x) && is_own.is_none_or(|inside| inside(x));
-        let rounded = |x: Vec<f64>| -> Vec<S> { x.into_iter().map(S::nearest).collect() };
+        let (own_inside, own_scales) = (sampling.inside, sampling.scales);
+        let inside = move |x: &[f64]| self.inside(x) && own_inside.is_none_or(|inside| inside(x));
         let wide = |x: &Vec<S>| -> Vec<f64> { x.iter().map(|x| x.widen()).collect() };
-        let hard = match sampling.hard {
-            0 => Vec::new(),
-            every => self.hard().into_iter().step_by(every).collect(),
+        let (points, random_from, _) = self.points::<S>(sampling);
+        let [certain, random] = {
+            let (certain, random) = points.split_at(random_from);
+            [certain, random].map(|points| -> Vec<Vec<S>> {
+                let inside = points.iter().filter(|x| inside(x));
+                inside
+                    .map(|x| x.iter().map(|&x| S::nearest(x)).collect())
+                    .collect()
+            })
         };
-        let certain = sampling.points.iter().cloned().chain(hard);
-        let certain: Vec<Vec<S>> = certain.map(rounded).filter(|x| inside(&wide(x))).collect();
-        let random = (0..sampling.samples).map(|i| {
-            let mut draw = sampling.draw(i);
-            let mut x = rounded(self.draw(&mut draw));
-            for _ in 1..ATTEMPTS {
-                if inside(&wide(&x)) {
-                    break;
-                }
-                x = rounded(self.draw(&mut draw));
-            }
-            x
-        });
-        let random: Vec<Vec<S>> = random.filter(|x| inside(&wide(x))).collect();
+        let [absolute, share] = sampling.resolution.unwrap_or([0.0; 2]);
         let mut check = Check::among(certain).named(name).seed(sampling.seed);
         check.points.extend(random);
         check.kinds.clone_from(&self.kinds);
-        let own_scales = sampling.scales;
         check
             .inside(move |x| inside(&wide(x)))
             .scales(move |x| {
@@ -159,74 +183,108 @@ impl Inputs {
                 let scales = own_scales.map_or_else(|| self.scales(&x), |scales| scales(&x));
                 scales.into_iter().map(S::nearest).collect()
             })
-            .resolution(sampling.resolution.map_or(0.0, |[absolute, _]| absolute))
-            .relative_resolution(sampling.resolution.map_or(0.0, |[_, share]| share))
+            .resolution(absolute)
+            .relative_resolution(share)
     }
 }
 
 /// How often a random input is drawn anew while it is outside the domain.
 const ATTEMPTS: usize = 16;
 
-/// A check of programs in a format: names of packs of its duals are known there only.
-macro_rules! checked_in {
-    ($($(#[$doc:meta])* $T:ty,)*) => { $(
-        impl Program<$T> {
-            $(#[$doc])*
-            ///
-            /// # Errors
-            ///
-            /// Those of its derivatives, and [`Error::Length`] for inputs of another number of numbers.
-            pub fn check(
-                &self,
-                name: &str,
-                inputs: &Inputs,
-                sampling: &Sampling<'_>,
-                wide: Option<&Program<f64>>,
-            ) -> Result<Report, Error> {
-                expect(Argument::Shape, self.sizes()[0], inputs.count())?;
-                let vjp = self.vjp()?;
-                let hvp = (self.sizes()[1] == 1).then(|| self.hvp()).transpose()?;
-                // Numbers are as many as there are inputs: nothing is refused.
-                let of = |program: &Self, x: &[$T]| program.eval(x).unwrap_or_default();
-                let mut check = inputs
-                    .check::<$T>(name, sampling)
-                    .value(|x: Vec<$T>| of(self, &x))
-                    .adjoint(|x, bar| of(&vjp, &[&x[..], bar].concat()))
-                    .dual(|x| self.eval_on(&x).unwrap_or_default())
-                    .traced(|x| self.eval_on(&x).unwrap_or_default())
-                    .second_order(|x| self.eval_on(&x).unwrap_or_default());
-                if let Some(hvp) = &hvp {
-                    check = check.hessian_times(|x, v| of(hvp, &[x, v].concat()));
-                }
-                if let Some(wide) = wide {
-                    check = check.wide(|x| wide.eval_on(&x).unwrap_or_default());
-                }
-                let names = self.takes().into_iter().flat_map(|(argument, layout)| {
-                    let names = layout.names().into_iter();
-                    names.map(move |field| match layout.fields() {
-                        1 => argument.to_string(),
-                        _ => field.within(&argument.to_string()).to_string(),
-                    })
-                });
-                Ok(Report { names: names.collect(), ..check.run() })
-            }
-        }
-    )* };
+impl Near for Inputs {
+    fn kinds(&self) -> Vec<Kind> {
+        self.kinds.clone()
+    }
+    fn inside(&self, x: &[f64]) -> bool {
+        Inputs::inside(self, x)
+    }
+    fn scales(&self, x: &[f64]) -> Vec<f64> {
+        Inputs::scales(self, x)
+    }
+    fn units(&self, x: &[f64]) -> Vec<f64> {
+        units(&self.extents(x), &self.kinds)
+    }
+    fn extents(&self, x: &[f64]) -> Vec<f64> {
+        let all = self.parts.iter().zip(self.split(x));
+        all.flat_map(|(part, own)| (part.extents)(own)).collect()
+    }
 }
-checked_in! {
+
+impl<T: Real + Number> Program<T> {
+    /// What the harness asks of it.
+    fn recording(&self, jumps: Jumps) -> Recording<T> {
+        let recorded = self.recorded();
+        Recording {
+            derivatives: Arc::new(recorded.value_vjp()),
+            value: Arc::new(recorded.clone()),
+            reversed: None,
+            source: None,
+            batch: self.function(),
+            by_hand: |_, _| None,
+            num_dual: None,
+            outputs: self.sizes()[1],
+            output_kinds: Vec::new(),
+            invariances: &[],
+            jumps,
+        }
+    }
+
     /// A check of the derivatives of the program: backwards against forwards and differences, second ones against duals of
-    /// duals.
+    /// duals, and, in `f32`, all of them against the same function in `f64` if that is given.
     ///
     /// ```
-    /// use geograd::check::Sampling;
+    /// use geograd::check::{Jumps, Sampling};
     /// use geograd::kernels::dynamic::{Inputs, operation};
     /// let row = operation("distance_point_segment").expect("is listed");
-    /// let inputs = Inputs::new(row.samplers());
-    /// let report = row.program::<f64>()?.check("distance", &inputs, &Sampling::new(20, 1), None)?;
-    /// assert!(report.passed(), "{report}");
+    /// let (inputs, sampling) = (Inputs::new(row.samplers()), Sampling::new(20, 1));
+    /// let wide = row.program::<f64>()?;
+    /// for report in [
+    ///     wide.check("distance", &inputs, &sampling, Jumps::Never, None)?,
+    ///     row.program::<f32>()?.check("distance", &inputs, &sampling, Jumps::Never, Some(&wide))?,
+    /// ] {
+    ///     assert!(report.passed(), "{report}");
+    /// }
     /// # Ok::<(), geograd::Error>(())
     /// ```
-    f64,
-    /// A check of the derivatives of the program, which is held to the same function in `f64` if that is given.
-    f32,
+    ///
+    /// # Errors
+    ///
+    /// [`Error::Length`] for inputs of another number of numbers.
+    pub fn check(
+        &self,
+        name: &str,
+        inputs: &Inputs,
+        sampling: &Sampling<'_>,
+        jumps: Jumps,
+        wide: Option<&Program<f64>>,
+    ) -> Result<Report, Error> {
+        expect(Argument::Shape, self.sizes()[0], inputs.count())?;
+        let recording = self.recording(jumps);
+        let wide = match T::FORMAT {
+            Format::F32 => wide.map(|wide| wide.recording(jumps)),
+            Format::F64 => None,
+        };
+        let (points, random_from, outside) = inputs.points::<T>(sampling);
+        let report = examine(name, sampling, &points, random_from, |_, judge| {
+            let subject = RecordedSubject {
+                near: inputs,
+                recording: &recording,
+                wide: wide.as_ref(),
+                batch: None,
+            };
+            T::judged(&subject, judge);
+        });
+        let names = self.takes().into_iter().flat_map(|(argument, layout)| {
+            let names = layout.names().into_iter();
+            names.map(move |field| match layout.fields() {
+                1 => argument.to_string(),
+                _ => field.within(&argument.to_string()).to_string(),
+            })
+        });
+        Ok(Report {
+            names: names.collect(),
+            outside: report.outside + outside,
+            ..report
+        })
+    }
 }

@@ -116,6 +116,10 @@ impl<T: Real> Program<T> {
         ))
     }
 
+    /// Its graph.
+    pub(super) fn recorded(&self) -> &Recorded {
+        &self.inner.recorded
+    }
     /// A name and a layout for every argument.
     #[must_use]
     pub fn takes(&self) -> Vec<(Argument, Layout<T>)> {

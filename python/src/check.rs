@@ -4,7 +4,7 @@ use crate::raised;
 use crate::table::{Column, table};
 use crate::traced::Recorded;
 use geograd::ad::check::trace::Number as Judged;
-use geograd::check::{Report as Found, Sampling};
+use geograd::check::{Conventions, Jumps, Report as Found, Sampling};
 use geograd::kernels::dynamic::{Inputs, Sampler};
 use numpy::{PyArray1, PyArrayMethods};
 use pyo3::exceptions::{PyTypeError, PyValueError};
@@ -134,6 +134,22 @@ pub struct Asked<'py> {
     resolution: [f64; 2],
     #[pyo3(item)]
     points: Vec<Vec<f64>>,
+    /// Where the value may jump: nowhere, where it is zero, anywhere.
+    #[pyo3(item)]
+    jumps: String,
+}
+
+impl Asked<'_> {
+    fn jumps(&self) -> PyResult<Jumps> {
+        match self.jumps.as_str() {
+            "never" => Ok(Jumps::Never),
+            "from zero" => Ok(Jumps::FromZero),
+            "anywhere" => Ok(Jumps::Anywhere),
+            other => Err(PyValueError::new_err(format!(
+                "jumps: \"never\", \"from zero\" or \"anywhere\" is needed, not {other:?}"
+            ))),
+        }
+    }
 }
 
 /// The first exception of a function of Python, after which nothing is called any more.
@@ -196,13 +212,13 @@ pub fn check_recorded<'py>(
     use crate::call::Form;
     let double = of.call.program::<f64>(Form::Value)?.clone();
     let single = of.call.program::<f32>(Form::Value)?.clone();
-    let inputs = inputs(&of.call.takes);
+    let (inputs, jumps) = (inputs(&of.call.takes), asked.jumps()?);
     with(py, &asked, |sampling| {
         let double_report = double
-            .check(&of.name, &inputs, sampling, None)
+            .check(&of.name, &inputs, sampling, jumps, None)
             .map_err(raised)?;
         let single_report = single
-            .check(&of.name, &inputs, sampling, Some(&double))
+            .check(&of.name, &inputs, sampling, jumps, Some(&double))
             .map_err(raised)?;
         Ok(vec![
             Report {
@@ -228,10 +244,10 @@ pub fn check_callables<'py>(
     double: bool,
 ) -> PyResult<Report> {
     let columns = crate::traced::columns(takes)?;
-    let inputs = inputs(&columns);
+    let (inputs, jumps) = (inputs(&columns), asked.jumps()?);
     let found = with(py, &asked, |sampling| match double {
-        true => judged::<f64>(py, name, value, gradient, &inputs, sampling),
-        false => judged::<f32>(py, name, value, gradient, &inputs, sampling),
+        true => judged::<f64>([value, gradient], name, &inputs, sampling, jumps),
+        false => judged::<f32>([value, gradient], name, &inputs, sampling, jumps),
     })?;
     Ok(Report {
         found: Found {
@@ -241,14 +257,14 @@ pub fn check_callables<'py>(
     })
 }
 
-fn judged<'py, T: Number + Judged>(
-    py: Python<'py>,
+fn judged<T: Number + Judged>(
+    [value, gradient]: [&Bound<'_, PyAny>; 2],
     name: &str,
-    value: &Bound<'py, PyAny>,
-    gradient: &Bound<'py, PyAny>,
     inputs: &Inputs,
     sampling: &Sampling<'_>,
+    jumps: Jumps,
 ) -> PyResult<Found> {
+    let py = value.py();
     let (thrown, outputs) = (Thrown::default(), Cell::new(1));
     let nowhere = |n: usize| vec![T::narrowed(f64::NAN); n];
     let value = |x: Vec<T>| {
@@ -273,11 +289,12 @@ fn judged<'py, T: Number + Judged>(
             }
         })
     };
-    let found = inputs
-        .check::<T>(name, sampling)
-        .value(value)
-        .adjoint(adjoint)
-        .run();
+    let conventions = Conventions {
+        jumps,
+        ..Conventions::default()
+    };
+    let check = inputs.check::<T>(name, sampling).conventions(conventions);
+    let found = check.value(value).adjoint(adjoint).run();
     thrown.done(found)
 }
 

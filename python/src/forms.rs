@@ -233,6 +233,70 @@ impl<'py> Call<'_, 'py> {
         <[Lent<'py, T>; 2]>::try_from(lent)
             .map_err(|_| PyTypeError::new_err("two lists are needed"))
     }
+    /// Both lists of every batch: the axes of the batches, and the lists, each with all of these axes.
+    fn batched<T: Number>(
+        &self,
+        given: Vec<Given<'py>>,
+    ) -> PyResult<(Vec<usize>, [Lent<'py, T>; 2])> {
+        let takes = &self.of.takes;
+        let lent = self.lent::<T>(given, takes)?;
+        let most = lent.iter().map(|x| x.lead().len()).max().unwrap_or(0);
+        let pair = |all: Vec<Lent<'py, T>>| {
+            <[Lent<'py, T>; 2]>::try_from(all)
+                .map_err(|_| PyTypeError::new_err("two lists are needed"))
+        };
+        if most <= 1 {
+            return Ok((Vec::new(), pair(lent)?));
+        }
+        let axes = |x: &Lent<'py, T>| {
+            x.lead()
+                .split_last()
+                .map_or((1, Vec::new()), |(&n, axes)| (n, axes.to_vec()))
+        };
+        let own: Vec<(usize, Vec<usize>)> = lent.iter().map(axes).collect();
+        let mut batches = vec![1_usize; most - 1];
+        for ((_, axes), column) in own.iter().zip(takes) {
+            let from = batches.len() - axes.len();
+            for (axis, &size) in batches[from..].iter_mut().zip(axes) {
+                match (*axis, size) {
+                    (a, b) if a == b || b == 1 => {}
+                    (1, size) => *axis = size,
+                    (a, b) => {
+                        return Err(PyValueError::new_err(format!(
+                            "`{}` has {b} batches where {a} are needed",
+                            column.name
+                        )));
+                    }
+                }
+            }
+        }
+        let fitted =
+            lent.into_iter()
+                .zip(own)
+                .zip(takes)
+                .map(|((x, (n, axes)), column)| match axes == batches {
+                    true => Ok(x),
+                    false => x.repeated(self.py, &[&batches[..], &[n]].concat(), column),
+                });
+        let fitted = pair(fitted.collect::<PyResult<Vec<_>>>()?)?;
+        Ok((batches, fitted))
+    }
+    /// The lists of every batch, and how many rows each has.
+    fn each<'a, T: Number>(
+        &self,
+        batches: &[usize],
+        lists: &'a [Lent<'py, T>; 2],
+    ) -> PyResult<(Vec<[Rows<'a, T>; 2]>, [usize; 2])> {
+        let count: usize = batches.iter().product();
+        let rows = [0, 1].map(|k| lists[k].lead().last().copied().unwrap_or(1));
+        let fields = [0, 1].map(|k| self.of.takes[k].fields());
+        let numbers = [lists[0].numbers()?, lists[1].numbers()?];
+        let of = |k: usize, i: usize| {
+            let size = rows[k] * fields[k];
+            Rows::new(&numbers[k][i * size..(i + 1) * size], fields[k])
+        };
+        Ok(((0..count).map(|i| [of(0, i), of(1, i)]).collect(), rows))
+    }
     fn one_number(&self) -> PyResult<()> {
         self.of.signature(Form::Value)?;
         match self.of.outputs() {
@@ -260,27 +324,33 @@ impl<'py> Call<'_, 'py> {
     }
     fn pairs<T: Number>(&self, given: Vec<Given<'py>>) -> PyResult<Object<'py>> {
         let function = self.of.function::<T>(Form::Value)?;
-        let [a, b] = self.lists::<T>(given)?;
-        let (rows, columns, numbers) = (a.count(), b.count(), self.of.outputs());
-        let shape = match numbers {
-            1 => vec![rows, columns],
-            _ => vec![numbers, rows, columns],
-        };
+        let (batches, lists) = self.batched::<T>(given)?;
+        let (each, [rows, columns]) = self.each(&batches, &lists)?;
+        let numbers = self.of.outputs();
+        let planes = (numbers != 1).then_some(numbers);
+        let mut shape = batches.clone();
+        shape.extend(planes.into_iter().chain([rows, columns]));
         let target = match self.out {
             None => Target::new(self.py, &shape)?,
             Some(out) => Target::given(out, &shape, "result")?,
         };
         let mut guard = target.lock("result")?;
         let slice = written(&mut guard)?;
-        let (lists, machine) = ([a.rows(false)?, b.rows(false)?], &self.machine);
-        self.run(rows.saturating_mul(columns), || {
-            T::all_pairs(function, machine, lists, slice)
+        let (machine, size) = (&self.machine, numbers * rows * columns);
+        self.run(slice.len(), || {
+            let mut slices = slice.chunks_exact_mut(size.max(1));
+            each.into_iter().try_for_each(|lists| {
+                T::all_pairs(function, machine, lists, slices.next().unwrap_or_default())
+            })
         })?;
         drop(guard);
-        target.done(|array| match numbers {
-            1 => Ok(array),
+        target.done(|array| match planes {
+            None => Ok(array),
             // Numbers of a result last, as everywhere.
-            _ => array.call_method1("transpose", (1, 2, 0)),
+            Some(_) => self
+                .py
+                .import("numpy")?
+                .call_method1("moveaxis", (array, -3, -1)),
         })
     }
 
@@ -290,15 +360,28 @@ impl<'py> Call<'_, 'py> {
         in_format!(self, given, best, of_rows)
     }
     fn best<T: Number>(&self, given: Vec<Given<'py>>, of_rows: bool) -> PyResult<Object<'py>> {
+        self.one_number()?;
         let function = self.of.function::<T>(Form::Value)?;
+        let (batches, lists) = self.batched::<T>(given)?;
+        let (each, [rows, columns]) = self.each(&batches, &lists)?;
         let machine = &self.machine;
-        let found: Vec<Best<T>> = self.reduced::<T, _>(given, |lists| match of_rows {
-            true => T::row_max(function, machine, lists),
-            false => T::column_max(function, machine, lists),
+        let items = rows.saturating_mul(columns).saturating_mul(each.len());
+        let found: Vec<Best<T>> = self.run(items, || {
+            let all = each.into_iter().map(|lists| match of_rows {
+                true => T::row_max(function, machine, lists),
+                false => T::column_max(function, machine, lists),
+            });
+            Ok(all.collect::<Result<Vec<_>, geograd::Error>>()?.concat())
         })?;
         let values = PyArray1::from_iter(self.py, found.iter().map(|best| best.value));
         let places = PyArray1::from_iter(self.py, found.iter().map(|best| best.index as isize));
-        Ok((values, places).into_pyobject(self.py)?.into_any())
+        let mut shape = batches;
+        shape.push(if of_rows { rows } else { columns });
+        let shaped =
+            |array: &Object<'py>| array.call_method1("reshape", (PyTuple::new(self.py, &shape)?,));
+        Ok((shaped(values.as_any())?, shaped(places.as_any())?)
+            .into_pyobject(self.py)?
+            .into_any())
     }
 
     /// Every pair above a threshold: rows, columns, values.

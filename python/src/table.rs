@@ -173,7 +173,9 @@ impl Table {
             .filter(|field| is_whole(field.bound))
             .count();
         let numbers = shape.fields.iter();
-        let meaning = numbers.map(|field| (unit(field), limit(shape, field.bound))).collect();
+        let meaning = numbers
+            .map(|field| (unit(field), limit(shape, field.bound)))
+            .collect();
         self.add(Shape {
             name,
             fields,

@@ -768,7 +768,11 @@ impl Verb {
 
 /// The shapes of the table: name; fields, what each is and which values it may have; how many are whole numbers.
 #[pyfunction]
-pub fn shapes() -> Vec<(&'static str, Vec<(&'static str, &'static str, &'static str)>, usize)> {
+pub fn shapes() -> Vec<(
+    &'static str,
+    Vec<(&'static str, &'static str, &'static str)>,
+    usize,
+)> {
     let shape = |shape: &'static crate::table::Shape| {
         let fields = shape.fields.iter().zip(&shape.meaning);
         let fields = fields.map(|(name, (unit, limit))| (name.as_str(), *unit, limit.as_str()));
@@ -779,11 +783,22 @@ pub fn shapes() -> Vec<(&'static str, Vec<(&'static str, &'static str, &'static 
 
 /// Random valid inputs of a row, in all numbers of its arguments.
 #[pyfunction]
-pub fn samples<'py>(py: Python<'py>, row: &str, count: usize, seed: u64) -> PyResult<Bound<'py, PyArray2<f64>>> {
+pub fn samples<'py>(
+    py: Python<'py>,
+    row: &str,
+    count: usize,
+    seed: u64,
+) -> PyResult<Bound<'py, PyArray2<f64>>> {
     use geograd::check::Draw;
-    let operation = geograd_rows::operations().iter().find(|one| one.name == row);
+    let operation = geograd_rows::operations()
+        .iter()
+        .find(|one| one.name == row);
     let operation = operation.ok_or_else(|| PyKeyError::new_err(row.to_owned()))?;
-    let (samplers, layouts, mut draw) = (operation.samplers(), operation.layouts::<f64>(), Draw::new(seed));
+    let (samplers, layouts, mut draw) = (
+        operation.samplers(),
+        operation.layouts::<f64>(),
+        Draw::new(seed),
+    );
     let mut all: Vec<Vec<f64>> = Vec::new();
     for _ in 0..count.saturating_mul(50) {
         if all.len() == count {
@@ -795,7 +810,11 @@ pub fn samples<'py>(py: Python<'py>, row: &str, count: usize, seed: u64) -> PyRe
             // The number of vertices of a polygon, which is all that a whole number of an argument says.
             let with = |code: usize| [&scalars[..], &vec![code as f64; layout.codes()]].concat();
             let codes = (0..=scalars.len() / 2).rev().map(with);
-            parts.extend(codes.take(if layout.codes() == 0 { 1 } else { usize::MAX }).find(|x| layout.check(x).is_ok()));
+            parts.extend(
+                codes
+                    .take(if layout.codes() == 0 { 1 } else { usize::MAX })
+                    .find(|x| layout.check(x).is_ok()),
+            );
         }
         let is_valid = parts.len() == layouts.len();
         let numbers = parts.concat();

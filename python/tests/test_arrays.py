@@ -46,6 +46,15 @@ def test_broadcasting(boxes):
     np.testing.assert_array_equal(value.reshape(-1), geograd.iou(a, b))
     outer = geograd.iou(geograd.Obb2(boxes[0][:, None]), geograd.Obb2(boxes[1][None]))
     np.testing.assert_allclose(outer, geograd.iou.all_pairs(a, b), rtol=1e-13, atol=1e-300)
+    matrices = geograd.iou.all_pairs(*batches)
+    assert matrices.shape == (4, 10, 10)
+    largest, place = geograd.iou.row_max(*batches)
+    for i in range(4):
+        np.testing.assert_array_equal(matrices[i], geograd.iou.all_pairs(batches[0][i], batches[1][i]))
+    np.testing.assert_array_equal(largest, matrices.max(-1))
+    np.testing.assert_array_equal(place, matrices.argmax(-1))
+    shared = geograd.iou.all_pairs(batches[0], b[:7])
+    np.testing.assert_array_equal(shared[2], geograd.iou.all_pairs(batches[0][2], b[:7]))
     one, grads = geograd.iou.value_grad(a[0], b[0])
     assert np.ndim(one) == 0 and grads[0].shape == (5,)
     # One row that stands for all has a gradient for every item.
@@ -151,7 +160,8 @@ def test_wrong_calls(boxes):
         (lambda: geograd.iou.vjp(a, b), TypeError, "vjp"),
         (lambda: geograd.iou.above(a, b, float("nan")), ValueError, "threshold"),
         (lambda: geograd.iou.all_pairs_vjp(a, b, np.ones((40, 39))), ValueError, "upstream"),
-        (lambda: geograd.iou.all_pairs(geograd.Obb2(boxes[0].reshape(4, 10, 5)), b), ValueError, "leading axes"),
+        (lambda: geograd.iou.sum(geograd.Obb2(boxes[0].reshape(4, 10, 5)), b), ValueError, "leading axes"),
+        (lambda: geograd.iou.all_pairs(*[geograd.Obb2(x.reshape(n, -1, 5)) for x, n in zip(boxes, (4, 5))]), ValueError, "batches"),
         (lambda: geograd.convert(geograd.ImageBox(boxes[0])), TypeError, "to=.*Le90"),
         (lambda: geograd.corners.value_grad(a), TypeError, "8 numbers"),
         (lambda: geograd.Obb2(boxes[0][:, :4]), ValueError, "heading"),

@@ -70,7 +70,7 @@ def _arguments(f, takes):
 
 def check(
     f, gradient=None, *, vjp=None, takes=None, samples=200, seed=SEED, hard=True, inside=None, resolution=0.0,
-    relative_resolution=0.0, points=(), dtype=np.float64, name=None, quiet=False,
+    relative_resolution=0.0, jumps="never", points=(), dtype=np.float64, name=None, quiet=False,
 ):
     """Runs the harness on the derivatives of a function, prints its report and returns it; a report is true where nothing
     was refused.
@@ -83,11 +83,12 @@ def check(
     samples: how many random inputs, beside the hard cases of shapes (unless hard is false) and beside points.
     inside: where the function is defined: a function of the same arguments. No step leads outside.
     resolution, relative_resolution: how far values may be off, beyond rounding, by the way they are computed.
+    jumps: where the value may jump: "never", "from zero" (where it is zero, as an area does that vanishes) or "anywhere".
     """
     asked = {
         "samples": int(samples), "seed": int(seed), "hard": bool(hard), "inside": None,
         "resolution": [float(resolution), float(relative_resolution)],
-        "points": [[float(x) for x in _numbers(point)] for point in points],
+        "points": [[float(x) for x in _numbers(point)] for point in points], "jumps": jumps,
     }
     if isinstance(f, Function):
         if gradient is not None or vjp is not None:
