@@ -95,6 +95,7 @@ impl<S: Number + Real> Examined<S> {
             num_dual: self.num_dual,
             outputs: line.outputs,
             output_kinds: (stated.output_kinds)(),
+            nests: true,
             invariances: stated.invariances,
             jumps: stated.jumps,
         })

@@ -69,6 +69,8 @@ pub(crate) struct Recording<S: Number + Real> {
     pub outputs: usize,
     /// What each number of a result is.
     pub output_kinds: Vec<Kind>,
+    /// Whether duals of duals see its second derivatives: not those of a part with a gradient by hand.
+    pub nests: bool,
     /// Its invariances.
     pub invariances: &'static [Invariance],
     /// Where it jumps.
@@ -258,6 +260,9 @@ impl<S: Number + Real> Subject for RecordedSubject<'_, S> {
         Some(bends.iter().map(|bend| bend.0.widen()).collect())
     }
     fn second_order(&self, x: &[f64], y_bar: &[f64], direction: &[f64]) -> Option<Vec<f64>> {
+        if !self.recording.nests {
+            return None;
+        }
         let chunk = <First<S> as Scalar>::lit(0.0).derivative.len();
         let mut bends = vec![0.0; x.len()];
         let along = |value, derivative| Jet {

@@ -224,6 +224,7 @@ impl<T: Real + Number> Program<T> {
             num_dual: None,
             outputs: self.sizes()[1],
             output_kinds: Vec::new(),
+            nests: !recorded.has_parts_by_hand(),
             invariances: &[],
             jumps,
         }

@@ -199,10 +199,17 @@ fn unit(field: &geograd::kernels::dynamic::Number) -> &'static str {
     use geograd::check::Kind;
     match (field.bound, field.kind) {
         (Bound::Whole, _) => "whole number",
-        (_, Kind::X | Kind::Y) => "coordinate",
+        (_, Kind::X | Kind::Y | Kind::Z) => "coordinate",
         (_, Kind::Length) => "length",
-        (_, Kind::Angle) => "angle in radians",
-        (_, Kind::DirectionX | Kind::DirectionY) => "part of a direction",
+        (_, Kind::Offset) => "distance from the origin",
+        (_, Kind::Angle | Kind::AngleX | Kind::AngleY) => "angle in radians",
+        (_, Kind::DirectionX | Kind::DirectionY | Kind::DirectionZ) => "part of a direction",
+        (_, Kind::RotationVectorX | Kind::RotationVectorY | Kind::RotationVectorZ) => {
+            "part of a rotation vector in radians"
+        }
+        (_, Kind::QuaternionW | Kind::QuaternionX | Kind::QuaternionY | Kind::QuaternionZ) => {
+            "part of a quaternion"
+        }
         (_, Kind::Number) => "number",
     }
 }

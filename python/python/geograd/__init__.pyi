@@ -1,0 +1,2220 @@
+"""Exact IoU, distances and overlaps of boxes and polygons on NumPy arrays, with exact gradients.
+
+Every verb (``geograd.iou``, ``geograd.distance``, ...) takes shapes: arrays whose last axis has the numbers of one::
+
+    a, b = geograd.Obb2(A), geograd.Obb2(B)            # A and B of shape (N, 5)
+    value = geograd.iou(a, b)                          # (N,)
+    value, (by_a, by_b) = geograd.iou.value_grad(a, b)
+    matrix = geograd.iou.all_pairs(a, b)               # (N, N)
+    value = geograd.iou(A, B, kind="Obb2")             # the same on plain arrays
+
+``@geograd.function`` records a function of your own once and gives it the same forms; ``geograd.check`` checks a gradient.
+"""
+
+# Written by stubs.py, from the table of the library.
+from typing import Any, Callable, Iterable, Literal, Optional, Sequence, Tuple, Type, TypeVar, Union, overload
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+__version__: str
+
+Array = NDArray[Any]
+Kind = Union[str, Type["Shape"], None, Sequence[Union[str, Type["Shape"], None]]]
+Out = Any
+Backend = Optional[Literal["cpu", "gpu"]]
+Form = Literal["value", "value_grad", "vjp", "jacobian", "jvp", "hvp", "hessian"]
+
+class Symbol:
+    """A number of a function that is being recorded."""
+    def __add__(self, other: Any) -> Symbol: ...
+    def __radd__(self, other: Any) -> Symbol: ...
+    def __sub__(self, other: Any) -> Symbol: ...
+    def __rsub__(self, other: Any) -> Symbol: ...
+    def __mul__(self, other: Any) -> Symbol: ...
+    def __rmul__(self, other: Any) -> Symbol: ...
+    def __truediv__(self, other: Any) -> Symbol: ...
+    def __rtruediv__(self, other: Any) -> Symbol: ...
+    def __pow__(self, power: float) -> Symbol: ...
+    def __neg__(self) -> Symbol: ...
+    def __abs__(self) -> Symbol: ...
+    def __lt__(self, other: Any) -> Truth: ...
+    def __le__(self, other: Any) -> Truth: ...
+    def __gt__(self, other: Any) -> Truth: ...
+    def __ge__(self, other: Any) -> Truth: ...
+
+class Truth:
+    """The truth of a comparison in a function that is being recorded."""
+    def __and__(self, other: Truth) -> Truth: ...
+    def __or__(self, other: Truth) -> Truth: ...
+    def __invert__(self) -> Truth: ...
+
+class Shape:
+    """Shapes of one kind: an array whose last axis has their numbers, or symbols."""
+    @property
+    def array(self) -> Array: ...
+    @property
+    def numbers(self) -> list[Any]: ...
+    def __array__(self, dtype: Any = ..., copy: Optional[bool] = ...) -> Array: ...
+    def __len__(self) -> int: ...
+    def __getitem__(self: _Self, key: Any) -> _Self: ...
+
+_Self = TypeVar("_Self", bound=Shape)
+
+class Paths:
+    """Paths: vertices one after another, and where each path starts; the last offset is the number of vertices."""
+    def __init__(self, vertices: ArrayLike, offsets: ArrayLike) -> None: ...
+    @property
+    def vertices(self) -> Array: ...
+    @property
+    def offsets(self) -> Array: ...
+    def __len__(self) -> int: ...
+
+class Rings(Paths):
+    """Closed paths: the last vertex of each is joined with its first one."""
+    @classmethod
+    def of(cls, paths: Iterable[Any]) -> Rings: ...
+
+class Polylines(Paths):
+    """Open paths."""
+    @classmethod
+    def of(cls, paths: Iterable[Any]) -> Polylines: ...
+
+class Program:
+    """The operations of a function, in the order in which they are carried out."""
+    @property
+    def dtype(self) -> str: ...
+    @property
+    def cost(self) -> int: ...
+    def nodes(self) -> tuple[list[tuple[str, list[int], float]], list[int]]: ...
+    def eval(self, input: Sequence[float]) -> list[float]: ...
+    def wgsl(self, name: str = ...) -> str: ...
+
+class Reports(Tuple[Any, ...]):
+    """What the harness found out, a report for each format."""
+    @property
+    def passed(self) -> bool: ...
+
+class _Forms:
+    def row_max(self, a: Any, b: Any, *, kind: Kind = ..., backend: Backend = ...) -> tuple[Array, Array]:
+        """The largest result of every row of `a`, and its row of `b`."""
+    def column_max(self, a: Any, b: Any, *, kind: Kind = ..., backend: Backend = ...) -> tuple[Array, Array]:
+        """The largest result of every row of `b`, and its row of `a`."""
+    def all_pairs(self, a: Any, b: Any, *, kind: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array:
+        """Every row of `a` with every row of `b`: a matrix."""
+    def above(self, a: Any, b: Any, threshold: float, *, kind: Kind = ..., backend: Backend = ...) -> tuple[Array, Array, Array]:
+        """Every pair whose result is above a threshold: rows of `a`, rows of `b`, results."""
+    def count_above(self, a: Any, b: Any, threshold: float, *, kind: Kind = ..., backend: Backend = ...) -> int:
+        """How many pairs have a result above a threshold."""
+    def sum(self, a: Any, b: Any, *, kind: Kind = ..., backend: Backend = ...) -> float:
+        """The sum of the results of all pairs."""
+    def mean(self, a: Any, b: Any, *, kind: Kind = ..., backend: Backend = ...) -> float:
+        """The mean of the results of all pairs; zero where there are none."""
+    def sum_grad(self, a: Any, b: Any, *, kind: Kind = ..., backend: Backend = ...) -> tuple[float, tuple[Array, Array]]:
+        """The sum of the results of all pairs, and its gradients by both lists."""
+    def mean_grad(self, a: Any, b: Any, *, kind: Kind = ..., backend: Backend = ...) -> tuple[float, tuple[Array, Array]]:
+        """The mean of the results of all pairs, and its gradients by both lists."""
+    def all_pairs_vjp(self, a: Any, b: Any, upstream: ArrayLike, *, kind: Kind = ..., backend: Backend = ...) -> tuple[Array, Array]:
+        """Cotangents of both lists, for a matrix of those of all pairs."""
+    def aligned(self, *arguments: Any, kind: Kind = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Any:
+        """Item i of every argument: the plain call under its name."""
+    def value_grad(self, *arguments: Any, kind: Kind = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> tuple[Any, Any]:
+        """The value of every item, and its gradient by every argument."""
+    def vjp(self, *arguments: Any, kind: Kind = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Any:
+        """Cotangents of the arguments; those of the result come last."""
+    def jvp(self, *arguments: Any, kind: Kind = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> tuple[Any, Any]:
+        """The value and its derivative along directions, which come after the arguments."""
+    def hvp(self, *arguments: Any, kind: Kind = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Any:
+        """The derivative of the gradient along directions, which come after the arguments."""
+    def jacobian(self, *arguments: Any, kind: Kind = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array:
+        """The derivatives of every number of the result by every number of the arguments."""
+    def hessian(self, *arguments: Any, kind: Kind = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array:
+        """The second derivatives by all numbers of the arguments."""
+
+class Verb(_Forms):
+    """A function of shapes, of which the shapes choose the row."""
+    __name__: str
+    def program(self, *, kind: Kind, to: Kind = ..., form: Form = ..., double: bool = ...) -> Program: ...
+
+class Function(_Forms):
+    """A function that is recorded once, at its first call, and then runs on arrays."""
+    __name__: str
+    __wrapped__: Callable[..., Any]
+    def __init__(self, function: Callable[..., Any]) -> None: ...
+    def __call__(self, *arguments: Any, out: Out = ..., backend: Backend = ...) -> Any: ...
+    @property
+    def program(self) -> Program: ...
+    def program_of(self, form: Form = ..., dtype: Any = ...) -> Program: ...
+    def wgsl(self, name: Optional[str] = ...) -> str: ...
+
+def function(f: Callable[..., Any]) -> Function:
+    """Records a function of annotated arguments once, and runs it on arrays, with all its derivatives."""
+
+def check(
+    f: Union[Function, Callable[..., Any]],
+    gradient: Optional[Callable[..., Any]] = ...,
+    *,
+    vjp: Optional[Callable[..., Any]] = ...,
+    takes: Any = ...,
+    samples: int = ...,
+    seed: int = ...,
+    hard: bool = ...,
+    inside: Optional[Callable[..., Any]] = ...,
+    resolution: float = ...,
+    relative_resolution: float = ...,
+    jumps: Literal["never", "from zero", "anywhere"] = ...,
+    points: Sequence[Any] = ...,
+    dtype: Any = ...,
+    name: Optional[str] = ...,
+    quiet: bool = ...,
+) -> Reports:
+    """Runs the harness on the derivatives of a function, prints its report and returns it."""
+
+def set_num_threads(threads: int) -> None:
+    """Sets how many threads calls use."""
+def get_num_threads() -> int:
+    """How many threads calls use: GEOGRAD_THREADS, or all."""
+def where(condition: Any, a: Any, b: Any) -> Any:
+    """`a` where the condition holds, else `b`."""
+def clip(x: Any, low: Any, high: Any) -> Any:
+    """The nearest value between two bounds; of symbols the slope is shared at either."""
+
+def sqrt(x: Any) -> Any:
+    """The square root; of symbols zero with slope zero at zero and below."""
+def square(x: Any) -> Any:
+    """The square."""
+def sin(x: Any) -> Any:
+    """The sine of an angle in radians."""
+def cos(x: Any) -> Any:
+    """The cosine of an angle in radians."""
+def tan(x: Any) -> Any:
+    """The tangent of an angle in radians."""
+def exp(x: Any) -> Any:
+    """The exponential."""
+def log(x: Any) -> Any:
+    """The natural logarithm."""
+def arctan2(a: Any, b: Any) -> Any:
+    """The angle of the vector (b, a) in radians, from -pi to pi."""
+def hypot(a: Any, b: Any) -> Any:
+    """The length of the vector (a, b), with slope zero at the origin."""
+def copysign(a: Any, b: Any) -> Any:
+    """The magnitude of a with the sign of b."""
+def minimum(a: Any, b: Any) -> Any:
+    """The smaller one; of symbols an exact tie shares the slope."""
+def maximum(a: Any, b: Any) -> Any:
+    """The larger one; of symbols an exact tie shares the slope."""
+
+class Obb2(Shape):
+    """Obb2: an array whose last axis has its numbers, in this order.
+
+        x: coordinate
+        y: coordinate
+        width: length, at least 0
+        height: length, at least 0
+        heading: angle in radians
+    """
+    def __init__(self, *numbers: Any, **named: Any) -> None: ...
+    @property
+    def x(self) -> Any: ...
+    @property
+    def y(self) -> Any: ...
+    @property
+    def width(self) -> Any: ...
+    @property
+    def height(self) -> Any: ...
+    @property
+    def heading(self) -> Any: ...
+
+class Aabb2(Shape):
+    """Aabb2: an array whose last axis has its numbers, in this order.
+
+        min.x: coordinate, at most max.x
+        min.y: coordinate, at most max.y
+        max.x: coordinate, at least min.x
+        max.y: coordinate, at least min.y
+    """
+    def __init__(self, *numbers: Any, **named: Any) -> None: ...
+    @property
+    def min(self) -> Vec2: ...
+    @property
+    def max(self) -> Vec2: ...
+
+class Vec2(Shape):
+    """Vec2: an array whose last axis has its numbers, in this order.
+
+        x: coordinate
+        y: coordinate
+    """
+    def __init__(self, *numbers: Any, **named: Any) -> None: ...
+    @property
+    def x(self) -> Any: ...
+    @property
+    def y(self) -> Any: ...
+
+class Segment2(Shape):
+    """Segment2: an array whose last axis has its numbers, in this order.
+
+        from.x: coordinate
+        from.y: coordinate
+        to.x: coordinate
+        to.y: coordinate
+    """
+    def __init__(self, *numbers: Any, **named: Any) -> None: ...
+    @property
+    def from_(self) -> Vec2: ...
+    @property
+    def to(self) -> Vec2: ...
+
+class ClosestOnSegments(Shape):
+    """ClosestOnSegments: an array whose last axis has its numbers, in this order.
+
+        on_a.x: coordinate
+        on_a.y: coordinate
+        on_b.x: coordinate
+        on_b.y: coordinate
+        along_a: length
+        along_b: length
+    """
+    def __init__(self, *numbers: Any, **named: Any) -> None: ...
+    @property
+    def on_a(self) -> Vec2: ...
+    @property
+    def on_b(self) -> Vec2: ...
+    @property
+    def along_a(self) -> Any: ...
+    @property
+    def along_b(self) -> Any: ...
+
+class Circle(Shape):
+    """Circle: an array whose last axis has its numbers, in this order.
+
+        x: coordinate
+        y: coordinate
+        radius: length, at least 0
+    """
+    def __init__(self, *numbers: Any, **named: Any) -> None: ...
+    @property
+    def x(self) -> Any: ...
+    @property
+    def y(self) -> Any: ...
+    @property
+    def radius(self) -> Any: ...
+
+class Triangle2(Shape):
+    """Triangle2: an array whose last axis has its numbers, in this order.
+
+        a.x: coordinate
+        a.y: coordinate
+        b.x: coordinate
+        b.y: coordinate
+        c.x: coordinate
+        c.y: coordinate
+    """
+    def __init__(self, *numbers: Any, **named: Any) -> None: ...
+    @property
+    def a(self) -> Vec2: ...
+    @property
+    def b(self) -> Vec2: ...
+    @property
+    def c(self) -> Vec2: ...
+
+class Capsule2(Shape):
+    """Capsule2: an array whose last axis has its numbers, in this order.
+
+        from.x: coordinate
+        from.y: coordinate
+        to.x: coordinate
+        to.y: coordinate
+        radius: length, at least 0
+    """
+    def __init__(self, *numbers: Any, **named: Any) -> None: ...
+    @property
+    def from_(self) -> Vec2: ...
+    @property
+    def to(self) -> Vec2: ...
+    @property
+    def radius(self) -> Any: ...
+
+class Interval(Shape):
+    """Interval: an array whose last axis has its numbers, in this order.
+
+        min: length, at most max
+        max: length, at least min
+    """
+    def __init__(self, *numbers: Any, **named: Any) -> None: ...
+    @property
+    def min(self) -> Any: ...
+    @property
+    def max(self) -> Any: ...
+
+class Vec2x4(Shape):
+    """Vec2x4: an array whose last axis has its numbers, in this order.
+
+        [0].x: coordinate
+        [0].y: coordinate
+        [1].x: coordinate
+        [1].y: coordinate
+        [2].x: coordinate
+        [2].y: coordinate
+        [3].x: coordinate
+        [3].y: coordinate
+    """
+    def __init__(self, *numbers: Any, **named: Any) -> None: ...
+    @property
+    def items(self) -> list[Any]: ...
+
+class Exponent(Shape):
+    """Exponent: an array whose last axis has its numbers, in this order.
+
+        alpha: number, above 0
+    """
+    def __init__(self, *numbers: Any, **named: Any) -> None: ...
+    @property
+    def alpha(self) -> Any: ...
+
+class Pose2(Shape):
+    """Pose2: an array whose last axis has its numbers, in this order.
+
+        rotation.cos: part of a direction, on the unit circle
+        rotation.sin: part of a direction, on the unit circle
+        translation.x: coordinate
+        translation.y: coordinate
+    """
+    def __init__(self, *numbers: Any, **named: Any) -> None: ...
+    @property
+    def rotation(self) -> Any: ...
+    @property
+    def translation(self) -> Vec2: ...
+
+class Aabb3(Shape):
+    """Aabb3: an array whose last axis has its numbers, in this order.
+
+        min.x: coordinate, at most max.x
+        min.y: coordinate, at most max.y
+        min.z: coordinate, at most max.z
+        max.x: coordinate, at least min.x
+        max.y: coordinate, at least min.y
+        max.z: coordinate, at least min.z
+    """
+    def __init__(self, *numbers: Any, **named: Any) -> None: ...
+    @property
+    def min(self) -> Vec3: ...
+    @property
+    def max(self) -> Vec3: ...
+
+class YawBox3(Shape):
+    """YawBox3: an array whose last axis has its numbers, in this order.
+
+        x: coordinate
+        y: coordinate
+        z: coordinate
+        dx: length, at least 0
+        dy: length, at least 0
+        dz: length, at least 0
+        heading: angle in radians
+    """
+    def __init__(self, *numbers: Any, **named: Any) -> None: ...
+    @property
+    def x(self) -> Any: ...
+    @property
+    def y(self) -> Any: ...
+    @property
+    def z(self) -> Any: ...
+    @property
+    def dx(self) -> Any: ...
+    @property
+    def dy(self) -> Any: ...
+    @property
+    def dz(self) -> Any: ...
+    @property
+    def heading(self) -> Any: ...
+
+class Obb3(Shape):
+    """Obb3: an array whose last axis has its numbers, in this order.
+
+        x: coordinate
+        y: coordinate
+        z: coordinate
+        dx: length, at least 0
+        dy: length, at least 0
+        dz: length, at least 0
+        qw: part of a quaternion, not all parts 0
+        qx: part of a quaternion, not all parts 0
+        qy: part of a quaternion, not all parts 0
+        qz: part of a quaternion, not all parts 0
+    """
+    def __init__(self, *numbers: Any, **named: Any) -> None: ...
+    @property
+    def x(self) -> Any: ...
+    @property
+    def y(self) -> Any: ...
+    @property
+    def z(self) -> Any: ...
+    @property
+    def dx(self) -> Any: ...
+    @property
+    def dy(self) -> Any: ...
+    @property
+    def dz(self) -> Any: ...
+    @property
+    def qw(self) -> Any: ...
+    @property
+    def qx(self) -> Any: ...
+    @property
+    def qy(self) -> Any: ...
+    @property
+    def qz(self) -> Any: ...
+
+class Vec3(Shape):
+    """Vec3: an array whose last axis has its numbers, in this order.
+
+        x: coordinate
+        y: coordinate
+        z: coordinate
+    """
+    def __init__(self, *numbers: Any, **named: Any) -> None: ...
+    @property
+    def x(self) -> Any: ...
+    @property
+    def y(self) -> Any: ...
+    @property
+    def z(self) -> Any: ...
+
+class ImageBox(Shape):
+    """ImageBox: an array whose last axis has its numbers, in this order.
+
+        center.x: coordinate
+        center.y: coordinate
+        size.x: length, at least 0
+        size.y: length, at least 0
+        heading.radians: angle in radians
+    """
+    def __init__(self, *numbers: Any, **named: Any) -> None: ...
+    @property
+    def center(self) -> Vec2: ...
+    @property
+    def size(self) -> Vec2: ...
+    @property
+    def heading(self) -> Any: ...
+
+class Le90(Shape):
+    """Le90: an array whose last axis has its numbers, in this order.
+
+        center.x: coordinate
+        center.y: coordinate
+        size.x: length, at least 0
+        size.y: length, at least 0
+        heading.radians: angle in radians
+    """
+    def __init__(self, *numbers: Any, **named: Any) -> None: ...
+    @property
+    def center(self) -> Vec2: ...
+    @property
+    def size(self) -> Vec2: ...
+    @property
+    def heading(self) -> Any: ...
+
+class Le135(Shape):
+    """Le135: an array whose last axis has its numbers, in this order.
+
+        center.x: coordinate
+        center.y: coordinate
+        size.x: length, at least 0
+        size.y: length, at least 0
+        heading.radians: angle in radians
+    """
+    def __init__(self, *numbers: Any, **named: Any) -> None: ...
+    @property
+    def center(self) -> Vec2: ...
+    @property
+    def size(self) -> Vec2: ...
+    @property
+    def heading(self) -> Any: ...
+
+class OpenCvBox(Shape):
+    """OpenCvBox: an array whose last axis has its numbers, in this order.
+
+        center.x: coordinate
+        center.y: coordinate
+        size.x: length, at least 0
+        size.y: length, at least 0
+        heading.radians: angle in radians
+    """
+    def __init__(self, *numbers: Any, **named: Any) -> None: ...
+    @property
+    def center(self) -> Vec2: ...
+    @property
+    def size(self) -> Vec2: ...
+    @property
+    def heading(self) -> Any: ...
+
+class Xyxyr(Shape):
+    """Xyxyr: an array whose last axis has its numbers, in this order.
+
+        min.x: coordinate, at most max.x
+        min.y: coordinate, at most max.y
+        max.x: coordinate, at least min.x
+        max.y: coordinate, at least min.y
+        heading: angle in radians
+    """
+    def __init__(self, *numbers: Any, **named: Any) -> None: ...
+    @property
+    def min(self) -> Vec2: ...
+    @property
+    def max(self) -> Vec2: ...
+    @property
+    def heading(self) -> Any: ...
+
+class KittiBox(Shape):
+    """KittiBox: an array whose last axis has its numbers, in this order.
+
+        height: length, at least 0
+        width: length, at least 0
+        length: length, at least 0
+        location.x: coordinate
+        location.y: coordinate
+        location.z: coordinate
+        rotation_y: angle in radians
+    """
+    def __init__(self, *numbers: Any, **named: Any) -> None: ...
+    @property
+    def height(self) -> Any: ...
+    @property
+    def width(self) -> Any: ...
+    @property
+    def length(self) -> Any: ...
+    @property
+    def location(self) -> Vec3: ...
+    @property
+    def rotation_y(self) -> Any: ...
+
+class PointPair(Shape):
+    """PointPair: an array whose last axis has its numbers, in this order.
+
+        on_a.x: coordinate
+        on_a.y: coordinate
+        on_b.x: coordinate
+        on_b.y: coordinate
+    """
+    def __init__(self, *numbers: Any, **named: Any) -> None: ...
+    @property
+    def on_a(self) -> Vec2: ...
+    @property
+    def on_b(self) -> Vec2: ...
+
+class Line2(Shape):
+    """Line2: an array whose last axis has its numbers, in this order.
+
+        point.x: coordinate
+        point.y: coordinate
+        direction.x: coordinate, not all parts 0
+        direction.y: coordinate, not all parts 0
+    """
+    def __init__(self, *numbers: Any, **named: Any) -> None: ...
+    @property
+    def point(self) -> Vec2: ...
+    @property
+    def direction(self) -> Vec2: ...
+
+class Crossing(Shape):
+    """Crossing: an array whose last axis has its numbers, in this order.
+
+        point.x: coordinate
+        point.y: coordinate
+        along_a: length
+        along_b: length
+        found: length
+    """
+    def __init__(self, *numbers: Any, **named: Any) -> None: ...
+    @property
+    def point(self) -> Vec2: ...
+    @property
+    def along_a(self) -> Any: ...
+    @property
+    def along_b(self) -> Any: ...
+    @property
+    def found(self) -> Any: ...
+
+class Detectron2Box(Shape):
+    """Detectron2Box: an array whose last axis has its numbers, in this order.
+
+        center.x: coordinate
+        center.y: coordinate
+        size.x: length, at least 0
+        size.y: length, at least 0
+        heading.value: number
+    """
+    def __init__(self, *numbers: Any, **named: Any) -> None: ...
+    @property
+    def center(self) -> Vec2: ...
+    @property
+    def size(self) -> Vec2: ...
+    @property
+    def heading(self) -> Any: ...
+
+class Ray2(Shape):
+    """Ray2: an array whose last axis has its numbers, in this order.
+
+        point.x: coordinate
+        point.y: coordinate
+        direction.x: coordinate, not all parts 0
+        direction.y: coordinate, not all parts 0
+    """
+    def __init__(self, *numbers: Any, **named: Any) -> None: ...
+    @property
+    def point(self) -> Vec2: ...
+    @property
+    def direction(self) -> Vec2: ...
+
+class Hit(Shape):
+    """Hit: an array whose last axis has its numbers, in this order.
+
+        parameter: length
+        point.x: coordinate
+        point.y: coordinate
+        normal.x: coordinate
+        normal.y: coordinate
+        kind: length
+    """
+    def __init__(self, *numbers: Any, **named: Any) -> None: ...
+    @property
+    def parameter(self) -> Any: ...
+    @property
+    def point(self) -> Vec2: ...
+    @property
+    def normal(self) -> Vec2: ...
+    @property
+    def kind(self) -> Any: ...
+
+class Meeting(Shape):
+    """Meeting: an array whose last axis has its numbers, in this order.
+
+        from.x: coordinate
+        from.y: coordinate
+        to.x: coordinate
+        to.y: coordinate
+        kind: length
+    """
+    def __init__(self, *numbers: Any, **named: Any) -> None: ...
+    @property
+    def from_(self) -> Vec2: ...
+    @property
+    def to(self) -> Vec2: ...
+    @property
+    def kind(self) -> Any: ...
+
+class NuScenesBox(Shape):
+    """NuScenesBox: an array whose last axis has its numbers, in this order.
+
+        translation.x: coordinate
+        translation.y: coordinate
+        translation.z: coordinate
+        width: length, at least 0
+        length: length, at least 0
+        height: length, at least 0
+        rotation.w: part of a quaternion, not all parts 0
+        rotation.x: part of a quaternion, not all parts 0
+        rotation.y: part of a quaternion, not all parts 0
+        rotation.z: part of a quaternion, not all parts 0
+    """
+    def __init__(self, *numbers: Any, **named: Any) -> None: ...
+    @property
+    def translation(self) -> Vec3: ...
+    @property
+    def width(self) -> Any: ...
+    @property
+    def length(self) -> Any: ...
+    @property
+    def height(self) -> Any: ...
+    @property
+    def rotation(self) -> Any: ...
+
+class Contact(Shape):
+    """Contact: an array whose last axis has its numbers, in this order.
+
+        depth: length
+        direction.x: coordinate
+        direction.y: coordinate
+    """
+    def __init__(self, *numbers: Any, **named: Any) -> None: ...
+    @property
+    def depth(self) -> Any: ...
+    @property
+    def direction(self) -> Vec2: ...
+
+class Span(Shape):
+    """Span: an array whose last axis has its numbers, in this order.
+
+        enter: length
+        exit: length
+        found: length
+    """
+    def __init__(self, *numbers: Any, **named: Any) -> None: ...
+    @property
+    def enter(self) -> Any: ...
+    @property
+    def exit(self) -> Any: ...
+    @property
+    def found(self) -> Any: ...
+
+class LidarBox(Shape):
+    """LidarBox: an array whose last axis has its numbers, in this order.
+
+        center.x: coordinate
+        center.y: coordinate
+        center.z: coordinate
+        size.x: length, at least 0
+        size.y: length, at least 0
+        size.z: length, at least 0
+        heading: angle in radians
+    """
+    def __init__(self, *numbers: Any, **named: Any) -> None: ...
+    @property
+    def center(self) -> Vec3: ...
+    @property
+    def size(self) -> Vec3: ...
+    @property
+    def heading(self) -> Any: ...
+
+class ConvexPolygon6(Shape):
+    """ConvexPolygon6: an array whose last axis has its numbers, in this order.
+
+        vertices[0].x: coordinate
+        vertices[0].y: coordinate
+        vertices[1].x: coordinate
+        vertices[1].y: coordinate
+        vertices[2].x: coordinate
+        vertices[2].y: coordinate
+        vertices[3].x: coordinate
+        vertices[3].y: coordinate
+        vertices[4].x: coordinate
+        vertices[4].y: coordinate
+        vertices[5].x: coordinate
+        vertices[5].y: coordinate
+        codes[0]: whole number
+    """
+    def __init__(self, *numbers: Any, **named: Any) -> None: ...
+    @property
+    def vertices(self) -> list[Any]: ...
+    @property
+    def codes(self) -> list[Any]: ...
+
+class ConvexPolygon5(Shape):
+    """ConvexPolygon5: an array whose last axis has its numbers, in this order.
+
+        vertices[0].x: coordinate
+        vertices[0].y: coordinate
+        vertices[1].x: coordinate
+        vertices[1].y: coordinate
+        vertices[2].x: coordinate
+        vertices[2].y: coordinate
+        vertices[3].x: coordinate
+        vertices[3].y: coordinate
+        vertices[4].x: coordinate
+        vertices[4].y: coordinate
+        codes[0]: whole number
+    """
+    def __init__(self, *numbers: Any, **named: Any) -> None: ...
+    @property
+    def vertices(self) -> list[Any]: ...
+    @property
+    def codes(self) -> list[Any]: ...
+
+class SecondMoments(Shape):
+    """SecondMoments: an array whose last axis has its numbers, in this order.
+
+        xx: length
+        yy: length
+        xy: length
+    """
+    def __init__(self, *numbers: Any, **named: Any) -> None: ...
+    @property
+    def xx(self) -> Any: ...
+    @property
+    def yy(self) -> Any: ...
+    @property
+    def xy(self) -> Any: ...
+
+class _intersection_area(Verb):
+    """Area that two rotated boxes share.
+
+    Rows:
+        intersection_area(a: Obb2, b: Obb2) -> number
+        intersection_area(a: Aabb2, b: Aabb2) -> number
+            Area that two axis-aligned boxes share.
+        intersection_area(a: ConvexPolygon5, b: ConvexPolygon5) -> number
+            The area that two convex polygons of up to N vertices share. Nothing is searched for.
+    """
+    @overload
+    def __call__(self, a: Obb2, b: Obb2, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
+    @overload
+    def __call__(self, a: Aabb2, b: Aabb2, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
+    @overload
+    def __call__(self, a: ConvexPolygon5, b: ConvexPolygon5, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
+    @overload
+    def __call__(self, *arguments: Any, kind: Kind, to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Any: ...
+
+intersection_area: _intersection_area
+
+class _iou(Verb):
+    """Intersection over union of two rotated boxes, 0 to 1.
+
+    Rows:
+        iou(a: Obb2, b: Obb2) -> number
+        iou(a: Aabb2, b: Aabb2) -> number
+            Intersection over union of two axis-aligned boxes, 0 to 1.
+        iou(a: Interval, b: Interval) -> number
+            Intersection over union of two intervals, 0 to 1.
+        iou(a: Aabb3, b: Aabb3) -> number
+            Intersection over union of two axis-aligned boxes, 0 to 1.
+        iou(a: YawBox3, b: YawBox3) -> number
+            Intersection over union of two upright boxes, 0 to 1.
+        iou(a: Obb3, b: Obb3) -> number
+            Intersection over union of two boxes of any orientation, 0 to 1.
+        iou(a: Aabb3, b: YawBox3) -> number
+            Intersection over union of an axis-aligned box and an upright box, 0 to 1.
+        iou(a: YawBox3, b: Obb3) -> number
+            Intersection over union of an upright box and a box of any orientation, 0 to 1.
+        iou(a: ConvexPolygon5, b: ConvexPolygon5) -> number
+            The IoU of two convex polygons of up to N vertices.
+    """
+    @overload
+    def __call__(self, a: Obb2, b: Obb2, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
+    @overload
+    def __call__(self, a: Aabb2, b: Aabb2, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
+    @overload
+    def __call__(self, a: Interval, b: Interval, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
+    @overload
+    def __call__(self, a: Aabb3, b: Aabb3, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
+    @overload
+    def __call__(self, a: YawBox3, b: YawBox3, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
+    @overload
+    def __call__(self, a: Obb3, b: Obb3, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
+    @overload
+    def __call__(self, a: Aabb3, b: YawBox3, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
+    @overload
+    def __call__(self, a: YawBox3, b: Obb3, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
+    @overload
+    def __call__(self, a: ConvexPolygon5, b: ConvexPolygon5, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
+    @overload
+    def __call__(self, *arguments: Any, kind: Kind, to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Any: ...
+
+iou: _iou
+
+class _iof(Verb):
+    """The part of the first of two rotated boxes that lies in the second, 0 to 1.
+
+    Rows:
+        iof(a: Obb2, b: Obb2) -> number
+        iof(a: Aabb2, b: Aabb2) -> number
+            The part of the first of two axis-aligned boxes that lies in the second, 0 to 1.
+        iof(a: Aabb3, b: Aabb3) -> number
+            The part of the first of two axis-aligned boxes that lies in the second, 0 to 1.
+        iof(a: YawBox3, b: YawBox3) -> number
+            The part of the first of two upright boxes that lies in the second, 0 to 1.
+        iof(a: Obb3, b: Obb3) -> number
+            The part of the first of two boxes of any orientation that lies in the second, 0 to 1.
+        iof(a: ConvexPolygon5, b: ConvexPolygon5) -> number
+            The share of the first of two convex polygons of up to N vertices that lies in the second.
+    """
+    @overload
+    def __call__(self, a: Obb2, b: Obb2, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
+    @overload
+    def __call__(self, a: Aabb2, b: Aabb2, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
+    @overload
+    def __call__(self, a: Aabb3, b: Aabb3, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
+    @overload
+    def __call__(self, a: YawBox3, b: YawBox3, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
+    @overload
+    def __call__(self, a: Obb3, b: Obb3, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
+    @overload
+    def __call__(self, a: ConvexPolygon5, b: ConvexPolygon5, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
+    @overload
+    def __call__(self, *arguments: Any, kind: Kind, to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Any: ...
+
+iof: _iof
+
+class _distance(Verb):
+    """The distance of a point and a segment.
+
+    Rows:
+        distance(point: Vec2, segment: Segment2) -> number
+        distance(point: Vec2, circle: Circle) -> number
+            The distance of a point and a circle.
+        distance(point: Vec2, triangle: Triangle2) -> number
+            The distance of a point and a triangle.
+        distance(point: Vec2, capsule: Capsule2) -> number
+            The distance of a point and a capsule.
+        distance(point: Vec2, shape: Aabb2) -> number
+            The distance of a point and an axis-aligned box.
+        distance(point: Vec2, shape: Obb2) -> number
+            The distance of a point and a rotated box.
+        distance(segment: Segment2, circle: Circle) -> number
+            The distance of a segment and a circle.
+        distance(a: Circle, b: Circle) -> number
+            The distance of two circles.
+        distance(a: Interval, b: Interval) -> number
+            The distance of two intervals.
+        distance(x: number, interval: Interval) -> number
+            The distance of a number and an interval.
+        distance(point: Vec3, shape: Aabb3) -> number
+            The distance of a point and an axis-aligned box.
+        distance(point: Vec3, shape: YawBox3) -> number
+            The distance of a point and an upright box.
+        distance(point: Vec3, shape: Obb3) -> number
+            The distance of a point and a box of any orientation.
+        distance(a: Aabb2, b: Aabb2) -> number
+            The distance of two axis-aligned boxes.
+        distance(a: Capsule2, b: Capsule2) -> number
+            The distance of two capsules.
+        distance(circle: Circle, shape: Obb2) -> number
+            The distance of a circle and a rotated box.
+        distance(a: Obb2, b: Obb2) -> number
+            The distance of two rotated boxes.
+        distance(segment: Segment2, shape: Obb2) -> number
+            The distance of a segment and a rotated box.
+        distance(a: Segment2, b: Segment2) -> number
+            The distance of two segments.
+        distance(a: Triangle2, b: Triangle2) -> number
+            The distance of two triangles.
+        distance(point: Vec2, paths: polyline) -> number
+            The distance of a point and a polyline; the largest finite number where that has fewer than two vertices.
+        distance(point: Vec2, paths: ring) -> number
+            The distance of a point and the edges of a ring; without edges the largest finite number.
+    """
+    @overload
+    def __call__(self, point: Vec2, segment: Segment2, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
+    @overload
+    def __call__(self, point: Vec2, circle: Circle, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
+    @overload
+    def __call__(self, point: Vec2, triangle: Triangle2, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
+    @overload
+    def __call__(self, point: Vec2, capsule: Capsule2, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
+    @overload
+    def __call__(self, point: Vec2, shape: Aabb2, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
+    @overload
+    def __call__(self, point: Vec2, shape: Obb2, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
+    @overload
+    def __call__(self, segment: Segment2, circle: Circle, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
+    @overload
+    def __call__(self, a: Circle, b: Circle, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
+    @overload
+    def __call__(self, a: Interval, b: Interval, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
+    @overload
+    def __call__(self, x: ArrayLike, interval: Interval, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
+    @overload
+    def __call__(self, point: Vec3, shape: Aabb3, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
+    @overload
+    def __call__(self, point: Vec3, shape: YawBox3, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
+    @overload
+    def __call__(self, point: Vec3, shape: Obb3, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
+    @overload
+    def __call__(self, a: Aabb2, b: Aabb2, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
+    @overload
+    def __call__(self, a: Capsule2, b: Capsule2, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
+    @overload
+    def __call__(self, circle: Circle, shape: Obb2, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
+    @overload
+    def __call__(self, a: Obb2, b: Obb2, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
+    @overload
+    def __call__(self, segment: Segment2, shape: Obb2, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
+    @overload
+    def __call__(self, a: Segment2, b: Segment2, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
+    @overload
+    def __call__(self, a: Triangle2, b: Triangle2, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
+    @overload
+    def __call__(self, point: Vec2, paths: Paths, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
+    @overload
+    def __call__(self, point: Vec2, paths: Paths, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
+    @overload
+    def __call__(self, *arguments: Any, kind: Kind, to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Any: ...
+
+distance: _distance
+
+class _signed_distance(Verb):
+    """The signed distance of a point and a rotated box.
+
+    Rows:
+        signed_distance(point: Vec2, shape: Obb2) -> number
+        signed_distance(point: Vec2, circle: Circle) -> number
+            The signed distance of a point and a circle.
+        signed_distance(point: Vec2, capsule: Capsule2) -> number
+            The signed distance of a point and a capsule.
+        signed_distance(point: Vec2, shape: Aabb2) -> number
+            The signed distance of a point and an axis-aligned box.
+        signed_distance(a: Interval, b: Interval) -> number
+            The signed distance of two intervals.
+        signed_distance(point: Vec3, shape: Aabb3) -> number
+            The signed distance of a point and an axis-aligned box.
+        signed_distance(point: Vec3, shape: YawBox3) -> number
+            The signed distance of a point and an upright box.
+        signed_distance(point: Vec3, shape: Obb3) -> number
+            The signed distance of a point and a box of any orientation.
+        signed_distance(a: Aabb2, b: Aabb2) -> number
+            The signed distance of two axis-aligned boxes.
+        signed_distance(a: Capsule2, b: Capsule2) -> number
+            The signed distance of two capsules.
+        signed_distance(circle: Circle, shape: Obb2) -> number
+            The signed distance of a circle and a rotated box.
+        signed_distance(a: Circle, b: Circle) -> number
+            The signed distance of two circles.
+        signed_distance(a: Obb2, b: Obb2) -> number
+            The signed distance of two rotated boxes.
+        signed_distance(point: Vec2, triangle: Triangle2) -> number
+            The signed distance of a point and a triangle.
+        signed_distance(segment: Segment2, circle: Circle) -> number
+            The signed distance of a segment and a circle.
+        signed_distance(segment: Segment2, shape: Obb2) -> number
+            The signed distance of a segment and a rotated box.
+        signed_distance(a: Triangle2, b: Triangle2) -> number
+            The signed distance of two triangles.
+        signed_distance(point: Vec2, paths: ring) -> number
+            The signed distance of a point and a ring: negative inside. Without edges it is the largest finite number.
+    """
+    @overload
+    def __call__(self, point: Vec2, shape: Obb2, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
+    @overload
+    def __call__(self, point: Vec2, circle: Circle, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
+    @overload
+    def __call__(self, point: Vec2, capsule: Capsule2, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
+    @overload
+    def __call__(self, point: Vec2, shape: Aabb2, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
+    @overload
+    def __call__(self, a: Interval, b: Interval, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
+    @overload
+    def __call__(self, point: Vec3, shape: Aabb3, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
+    @overload
+    def __call__(self, point: Vec3, shape: YawBox3, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
+    @overload
+    def __call__(self, point: Vec3, shape: Obb3, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
+    @overload
+    def __call__(self, a: Aabb2, b: Aabb2, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
+    @overload
+    def __call__(self, a: Capsule2, b: Capsule2, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
+    @overload
+    def __call__(self, circle: Circle, shape: Obb2, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
+    @overload
+    def __call__(self, a: Circle, b: Circle, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
+    @overload
+    def __call__(self, a: Obb2, b: Obb2, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
+    @overload
+    def __call__(self, point: Vec2, triangle: Triangle2, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
+    @overload
+    def __call__(self, segment: Segment2, circle: Circle, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
+    @overload
+    def __call__(self, segment: Segment2, shape: Obb2, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
+    @overload
+    def __call__(self, a: Triangle2, b: Triangle2, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
+    @overload
+    def __call__(self, point: Vec2, paths: Paths, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
+    @overload
+    def __call__(self, *arguments: Any, kind: Kind, to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Any: ...
+
+signed_distance: _signed_distance
+
+class _closest_points(Verb):
+    """The nearest points of two segments, and where along both they lie.
+
+    Rows:
+        closest_points(a: Segment2, b: Segment2) -> ClosestOnSegments
+        closest_points(a: Aabb2, b: Aabb2) -> PointPair
+            The nearest points of two axis-aligned boxes. Points jump to another nearest feature.
+        closest_points(a: Capsule2, b: Capsule2) -> PointPair
+            The nearest points of two capsules. Points jump to another nearest feature.
+        closest_points(circle: Circle, shape: Obb2) -> PointPair
+            The nearest points of a circle and a rotated box. Points jump to another nearest feature.
+        closest_points(a: Obb2, b: Obb2) -> PointPair
+            The nearest points of two rotated boxes. Points jump to another nearest feature.
+        closest_points(point: Vec2, shape: Obb2) -> PointPair
+            The nearest points of a point and a rotated box. Points jump to another nearest feature.
+        closest_points(point: Vec2, segment: Segment2) -> PointPair
+            The nearest points of a point and a segment. Points jump to another nearest feature.
+        closest_points(point: Vec2, triangle: Triangle2) -> PointPair
+            The nearest points of a point and a triangle. Points jump to another nearest feature.
+    """
+    @overload
+    def __call__(self, a: Segment2, b: Segment2, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> ClosestOnSegments: ...
+    @overload
+    def __call__(self, a: Aabb2, b: Aabb2, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> PointPair: ...
+    @overload
+    def __call__(self, a: Capsule2, b: Capsule2, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> PointPair: ...
+    @overload
+    def __call__(self, circle: Circle, shape: Obb2, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> PointPair: ...
+    @overload
+    def __call__(self, a: Obb2, b: Obb2, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> PointPair: ...
+    @overload
+    def __call__(self, point: Vec2, shape: Obb2, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> PointPair: ...
+    @overload
+    def __call__(self, point: Vec2, segment: Segment2, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> PointPair: ...
+    @overload
+    def __call__(self, point: Vec2, triangle: Triangle2, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> PointPair: ...
+    @overload
+    def __call__(self, *arguments: Any, kind: Kind, to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Any: ...
+
+closest_points: _closest_points
+
+class _squared_distance(Verb):
+    """The squared distance of a point and a segment.
+
+    Rows:
+        squared_distance(point: Vec2, segment: Segment2) -> number
+        squared_distance(point: Vec2, triangle: Triangle2) -> number
+            The squared distance of a point and a triangle.
+        squared_distance(a: Aabb2, b: Aabb2) -> number
+            The squared distance of two axis-aligned boxes.
+        squared_distance(a: Obb2, b: Obb2) -> number
+            The squared distance of two rotated boxes.
+        squared_distance(a: Segment2, b: Segment2) -> number
+            The squared distance of two segments.
+        squared_distance(a: Triangle2, b: Triangle2) -> number
+            The squared distance of two triangles.
+    """
+    @overload
+    def __call__(self, point: Vec2, segment: Segment2, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
+    @overload
+    def __call__(self, point: Vec2, triangle: Triangle2, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
+    @overload
+    def __call__(self, a: Aabb2, b: Aabb2, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
+    @overload
+    def __call__(self, a: Obb2, b: Obb2, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
+    @overload
+    def __call__(self, a: Segment2, b: Segment2, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
+    @overload
+    def __call__(self, a: Triangle2, b: Triangle2, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
+    @overload
+    def __call__(self, *arguments: Any, kind: Kind, to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Any: ...
+
+squared_distance: _squared_distance
+
+class _giou(Verb):
+    """The generalised IoU of two rotated boxes. By the convex hull.
+
+    Rows:
+        giou(a: Obb2, b: Obb2) -> number
+        giou(a: Aabb3, b: Aabb3) -> number
+            The generalised IoU of two axis-aligned boxes. By the box around both.
+        giou(a: YawBox3, b: YawBox3) -> number
+            The generalised IoU of two upright boxes. By the convex hull of the grounds times the height of both.
+        giou(a: Aabb2, b: Aabb2) -> number
+            The generalised IoU of two axis-aligned boxes. By the box around both.
+        giou(a: Obb3, b: Obb3) -> number
+            The generalised IoU of two boxes of any orientation. By the smaller box around both along the axes of either.
+        giou(a: ConvexPolygon5, b: ConvexPolygon5) -> number
+            The generalised IoU of two convex polygons of up to N vertices. Its record says which of them are on the hull.
+    """
+    @overload
+    def __call__(self, a: Obb2, b: Obb2, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
+    @overload
+    def __call__(self, a: Aabb3, b: Aabb3, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
+    @overload
+    def __call__(self, a: YawBox3, b: YawBox3, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
+    @overload
+    def __call__(self, a: Aabb2, b: Aabb2, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
+    @overload
+    def __call__(self, a: Obb3, b: Obb3, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
+    @overload
+    def __call__(self, a: ConvexPolygon5, b: ConvexPolygon5, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
+    @overload
+    def __call__(self, *arguments: Any, kind: Kind, to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Any: ...
+
+giou: _giou
+
+class _giou_aabb(Verb):
+    """The generalised IoU of two rotated boxes by the box around both.
+
+    Rows:
+        giou_aabb(a: Obb2, b: Obb2) -> number
+        giou_aabb(a: YawBox3, b: YawBox3) -> number
+            The generalised IoU of two upright boxes by the box around both along the axes of the world.
+        giou_aabb(a: Obb3, b: Obb3) -> number
+            The generalised IoU of two boxes of any orientation by the box around both along the axes of the world.
+    """
+    @overload
+    def __call__(self, a: Obb2, b: Obb2, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
+    @overload
+    def __call__(self, a: YawBox3, b: YawBox3, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
+    @overload
+    def __call__(self, a: Obb3, b: Obb3, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
+    @overload
+    def __call__(self, *arguments: Any, kind: Kind, to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Any: ...
+
+giou_aabb: _giou_aabb
+
+class _diou(Verb):
+    """The distance IoU of two rotated boxes. By the convex hull.
+
+    Rows:
+        diou(a: Obb2, b: Obb2) -> number
+        diou(a: Aabb2, b: Aabb2) -> number
+            The distance IoU of two axis-aligned boxes. By the box around both.
+        diou(a: YawBox3, b: YawBox3) -> number
+            The distance IoU of two upright boxes. By the convex hull of the grounds times the height of both.
+        diou(a: Aabb3, b: Aabb3) -> number
+            The distance IoU of two axis-aligned boxes. By the box around both.
+        diou(a: Obb3, b: Obb3) -> number
+            The distance IoU of two boxes of any orientation. By the smaller box around both along the axes of either.
+        diou(a: ConvexPolygon5, b: ConvexPolygon5) -> number
+            The distance IoU of two convex polygons of up to N vertices. Its record says which of them are farthest apart.
+    """
+    @overload
+    def __call__(self, a: Obb2, b: Obb2, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
+    @overload
+    def __call__(self, a: Aabb2, b: Aabb2, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
+    @overload
+    def __call__(self, a: YawBox3, b: YawBox3, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
+    @overload
+    def __call__(self, a: Aabb3, b: Aabb3, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
+    @overload
+    def __call__(self, a: Obb3, b: Obb3, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
+    @overload
+    def __call__(self, a: ConvexPolygon5, b: ConvexPolygon5, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
+    @overload
+    def __call__(self, *arguments: Any, kind: Kind, to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Any: ...
+
+diou: _diou
+
+class _diou_aabb(Verb):
+    """The distance IoU of two rotated boxes by the diagonal of the box around both.
+
+    Rows:
+        diou_aabb(a: Obb2, b: Obb2) -> number
+        diou_aabb(a: Obb3, b: Obb3) -> number
+            The distance IoU of two boxes of any orientation by the box around both along the axes of the world.
+        diou_aabb(a: YawBox3, b: YawBox3) -> number
+            The distance IoU of two upright boxes by the box around both along the axes of the world.
+    """
+    @overload
+    def __call__(self, a: Obb2, b: Obb2, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
+    @overload
+    def __call__(self, a: Obb3, b: Obb3, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
+    @overload
+    def __call__(self, a: YawBox3, b: YawBox3, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
+    @overload
+    def __call__(self, *arguments: Any, kind: Kind, to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Any: ...
+
+diou_aabb: _diou_aabb
+
+class _ciou(Verb):
+    """The complete IoU of two rotated boxes. By the convex hull.
+
+    Rows:
+        ciou(a: Obb2, b: Obb2) -> number
+        ciou(a: Aabb2, b: Aabb2) -> number
+            The complete IoU of two axis-aligned boxes. By the box around both.
+        ciou(a: Aabb3, b: Aabb3) -> number
+            The complete IoU of two axis-aligned boxes. By the box around both.
+        ciou(a: YawBox3, b: YawBox3) -> number
+            The complete IoU of two upright boxes. By the convex hull of the grounds times the height of both.
+        ciou(a: Obb3, b: Obb3) -> number
+            The complete IoU of two boxes of any orientation. By the smaller box around both along the axes of either.
+    """
+    @overload
+    def __call__(self, a: Obb2, b: Obb2, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
+    @overload
+    def __call__(self, a: Aabb2, b: Aabb2, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
+    @overload
+    def __call__(self, a: Aabb3, b: Aabb3, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
+    @overload
+    def __call__(self, a: YawBox3, b: YawBox3, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
+    @overload
+    def __call__(self, a: Obb3, b: Obb3, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
+    @overload
+    def __call__(self, *arguments: Any, kind: Kind, to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Any: ...
+
+ciou: _ciou
+
+class _eiou(Verb):
+    """The efficient IoU of two axis-aligned boxes. By the box around both.
+
+    Rows:
+        eiou(a: Aabb2, b: Aabb2) -> number
+        eiou(a: Obb2, b: Obb2) -> number
+            The efficient IoU of two rotated boxes. By the convex hull.
+        eiou(a: Aabb3, b: Aabb3) -> number
+        eiou(a: YawBox3, b: YawBox3) -> number
+            The efficient IoU of two upright boxes. By the convex hull of the grounds times the height of both.
+        eiou(a: Obb3, b: Obb3) -> number
+            The efficient IoU of two boxes of any orientation. By the smaller box around both along the axes of either.
+    """
+    @overload
+    def __call__(self, a: Aabb2, b: Aabb2, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
+    @overload
+    def __call__(self, a: Obb2, b: Obb2, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
+    @overload
+    def __call__(self, a: Aabb3, b: Aabb3, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
+    @overload
+    def __call__(self, a: YawBox3, b: YawBox3, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
+    @overload
+    def __call__(self, a: Obb3, b: Obb3, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
+    @overload
+    def __call__(self, *arguments: Any, kind: Kind, to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Any: ...
+
+eiou: _eiou
+
+class _hull_area(Verb):
+    """The area of the convex hull of two rotated boxes.
+
+    Rows:
+        hull_area(a: Obb2, b: Obb2) -> number
+        hull_area(a: Aabb2, b: Aabb2) -> number
+            The area of the convex hull of two axis-aligned boxes.
+        hull_area(a: ConvexPolygon5, b: ConvexPolygon5) -> number
+            The area of the joint hull of two convex polygons of up to N vertices.
+    """
+    @overload
+    def __call__(self, a: Obb2, b: Obb2, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
+    @overload
+    def __call__(self, a: Aabb2, b: Aabb2, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
+    @overload
+    def __call__(self, a: ConvexPolygon5, b: ConvexPolygon5, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
+    @overload
+    def __call__(self, *arguments: Any, kind: Kind, to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Any: ...
+
+hull_area: _hull_area
+
+class _circumcircle(Verb):
+    """The circle through three points (circumcircle). It jumps where they are on one line.
+
+    Rows:
+        circumcircle(a: Vec2, b: Vec2, c: Vec2) -> Circle
+    """
+    @overload
+    def __call__(self, a: Vec2, b: Vec2, c: Vec2, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Circle: ...
+    @overload
+    def __call__(self, *arguments: Any, kind: Kind, to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Any: ...
+
+circumcircle: _circumcircle
+
+class _centroid(Verb):
+    """The centroid of four vertices.
+
+    Rows:
+        centroid(ring: Vec2x4) -> Vec2
+        centroid(shape: Triangle2) -> Vec2
+            The centroid of a triangle.
+        centroid(paths: ring) -> Vec2
+            The centroid of the area of a ring; its value jumps where the area is zero.
+    """
+    @overload
+    def __call__(self, ring: Vec2x4, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Vec2: ...
+    @overload
+    def __call__(self, shape: Triangle2, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Vec2: ...
+    @overload
+    def __call__(self, paths: Paths, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Vec2: ...
+    @overload
+    def __call__(self, *arguments: Any, kind: Kind, to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Any: ...
+
+centroid: _centroid
+
+class _intersection_length(Verb):
+    """Length that two intervals share.
+
+    Rows:
+        intersection_length(a: Interval, b: Interval) -> number
+    """
+    @overload
+    def __call__(self, a: Interval, b: Interval, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
+    @overload
+    def __call__(self, *arguments: Any, kind: Kind, to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Any: ...
+
+intersection_length: _intersection_length
+
+class _diou_hull(Verb):
+    """The distance IoU of two axis-aligned boxes by the diameter of the convex hull.
+
+    Rows:
+        diou_hull(a: Aabb2, b: Aabb2) -> number
+    """
+    @overload
+    def __call__(self, a: Aabb2, b: Aabb2, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
+    @overload
+    def __call__(self, *arguments: Any, kind: Kind, to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Any: ...
+
+diou_hull: _diou_hull
+
+class _alpha_iou(Verb):
+    """A power of the IoU of two axis-aligned boxes.
+
+    Rows:
+        alpha_iou(a: Aabb2, b: Aabb2, power: Exponent) -> number
+        alpha_iou(a: YawBox3, b: YawBox3) -> number
+            The IoU of two upright boxes to the power three, its paper's choice.
+        alpha_iou(a: Aabb3, b: Aabb3) -> number
+            The IoU of two axis-aligned boxes to the power three, its paper's choice.
+        alpha_iou(a: Obb2, b: Obb2, power: Exponent) -> number
+            A power of the IoU of two rotated boxes.
+    """
+    @overload
+    def __call__(self, a: Aabb2, b: Aabb2, power: Exponent, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
+    @overload
+    def __call__(self, a: YawBox3, b: YawBox3, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
+    @overload
+    def __call__(self, a: Aabb3, b: Aabb3, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
+    @overload
+    def __call__(self, a: Obb2, b: Obb2, power: Exponent, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
+    @overload
+    def __call__(self, *arguments: Any, kind: Kind, to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Any: ...
+
+alpha_iou: _alpha_iou
+
+class _clearance(Verb):
+    """The clearance of a point and an axis-aligned box, positive inside.
+
+    Rows:
+        clearance(point: Vec2, shape: Aabb2) -> number
+        clearance(point: Vec2, shape: Obb2) -> number
+            The clearance of a point and a rotated box, positive inside.
+        clearance(point: Vec2, paths: ring) -> number
+            How far a point is inside a ring by the even-odd rule, negative outside. Without edges it is minus the largest finite number.
+    """
+    @overload
+    def __call__(self, point: Vec2, shape: Aabb2, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
+    @overload
+    def __call__(self, point: Vec2, shape: Obb2, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
+    @overload
+    def __call__(self, point: Vec2, paths: Paths, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
+    @overload
+    def __call__(self, *arguments: Any, kind: Kind, to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Any: ...
+
+clearance: _clearance
+
+class _signed_area(Verb):
+    """The signed area of a triangle.
+
+    Rows:
+        signed_area(shape: Triangle2) -> number
+        signed_area(ring: Vec2x4) -> number
+            The signed area of four vertices.
+        signed_area(paths: ring) -> number
+            The signed area of a ring: positive where it turns counter-clockwise.
+    """
+    @overload
+    def __call__(self, shape: Triangle2, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
+    @overload
+    def __call__(self, ring: Vec2x4, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
+    @overload
+    def __call__(self, paths: Paths, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
+    @overload
+    def __call__(self, *arguments: Any, kind: Kind, to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Any: ...
+
+signed_area: _signed_area
+
+class _area(Verb):
+    """The area of a triangle.
+
+    Rows:
+        area(shape: Triangle2) -> number
+    """
+    @overload
+    def __call__(self, shape: Triangle2, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
+    @overload
+    def __call__(self, *arguments: Any, kind: Kind, to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Any: ...
+
+area: _area
+
+class _perimeter(Verb):
+    """The perimeter of a triangle.
+
+    Rows:
+        perimeter(shape: Triangle2) -> number
+        perimeter(ring: Vec2x4) -> number
+            The perimeter of four vertices.
+        perimeter(paths: ring) -> number
+            The perimeter of a ring.
+    """
+    @overload
+    def __call__(self, shape: Triangle2, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
+    @overload
+    def __call__(self, ring: Vec2x4, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
+    @overload
+    def __call__(self, paths: Paths, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
+    @overload
+    def __call__(self, *arguments: Any, kind: Kind, to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Any: ...
+
+perimeter: _perimeter
+
+class _incircle(Verb):
+    """The inscribed circle of a triangle.
+
+    Rows:
+        incircle(shape: Triangle2) -> Circle
+    """
+    @overload
+    def __call__(self, shape: Triangle2, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Circle: ...
+    @overload
+    def __call__(self, *arguments: Any, kind: Kind, to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Any: ...
+
+incircle: _incircle
+
+class _move(Verb):
+    """A segment, moved.
+
+    Rows:
+        move(pose: Pose2, segment: Segment2) -> Segment2
+    """
+    @overload
+    def __call__(self, pose: Pose2, segment: Segment2, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Segment2: ...
+    @overload
+    def __call__(self, *arguments: Any, kind: Kind, to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Any: ...
+
+move: _move
+
+class _intersection_volume(Verb):
+    """Volume that two axis-aligned boxes share.
+
+    Rows:
+        intersection_volume(a: Aabb3, b: Aabb3) -> number
+        intersection_volume(a: YawBox3, b: YawBox3) -> number
+            Volume that two upright boxes share.
+        intersection_volume(a: Obb3, b: Obb3) -> number
+            Volume that two boxes of any orientation share.
+    """
+    @overload
+    def __call__(self, a: Aabb3, b: Aabb3, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
+    @overload
+    def __call__(self, a: YawBox3, b: YawBox3, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
+    @overload
+    def __call__(self, a: Obb3, b: Obb3, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
+    @overload
+    def __call__(self, *arguments: Any, kind: Kind, to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Any: ...
+
+intersection_volume: _intersection_volume
+
+class _iou_bev(Verb):
+    """Intersection over union of two upright boxes, seen from above, 0 to 1.
+
+    Rows:
+        iou_bev(a: YawBox3, b: YawBox3) -> number
+    """
+    @overload
+    def __call__(self, a: YawBox3, b: YawBox3, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
+    @overload
+    def __call__(self, *arguments: Any, kind: Kind, to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Any: ...
+
+iou_bev: _iou_bev
+
+class _separation_aware(Verb):
+    """The IoU with a term for separation of two axis-aligned boxes.
+
+    Rows:
+        separation_aware(a: Aabb3, b: Aabb3) -> number
+        separation_aware(a: YawBox3, b: YawBox3) -> number
+            The IoU with a term for separation of two upright boxes.
+        separation_aware(a: Obb2, b: Obb2) -> number
+            The IoU with a term for separation of two rotated boxes.
+        separation_aware(a: Obb3, b: Obb3) -> number
+            The IoU with a term for separation of two boxes of any orientation.
+    """
+    @overload
+    def __call__(self, a: Aabb3, b: Aabb3, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
+    @overload
+    def __call__(self, a: YawBox3, b: YawBox3, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
+    @overload
+    def __call__(self, a: Obb2, b: Obb2, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
+    @overload
+    def __call__(self, a: Obb3, b: Obb3, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
+    @overload
+    def __call__(self, *arguments: Any, kind: Kind, to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Any: ...
+
+separation_aware: _separation_aware
+
+class _wasserstein(Verb):
+    """The Wasserstein distance of two rotated boxes as Gaussians.
+
+    Rows:
+        wasserstein(a: Obb2, b: Obb2) -> number
+        wasserstein(a: Obb3, b: Obb3) -> number
+            The Wasserstein distance of two boxes of any orientation as Gaussians.
+    """
+    @overload
+    def __call__(self, a: Obb2, b: Obb2, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
+    @overload
+    def __call__(self, a: Obb3, b: Obb3, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
+    @overload
+    def __call__(self, *arguments: Any, kind: Kind, to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Any: ...
+
+wasserstein: _wasserstein
+
+class _squared_wasserstein(Verb):
+    """The squared Wasserstein distance of two rotated boxes as Gaussians.
+
+    Rows:
+        squared_wasserstein(a: Obb2, b: Obb2) -> number
+        squared_wasserstein(a: Obb3, b: Obb3) -> number
+            The squared Wasserstein distance of two boxes of any orientation as Gaussians.
+    """
+    @overload
+    def __call__(self, a: Obb2, b: Obb2, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
+    @overload
+    def __call__(self, a: Obb3, b: Obb3, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
+    @overload
+    def __call__(self, *arguments: Any, kind: Kind, to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Any: ...
+
+squared_wasserstein: _squared_wasserstein
+
+class _kullback_leibler(Verb):
+    """The Kullback-Leibler divergence of two rotated boxes as Gaussians.
+
+    Rows:
+        kullback_leibler(a: Obb2, b: Obb2) -> number
+        kullback_leibler(a: Obb3, b: Obb3) -> number
+            The Kullback-Leibler divergence of two boxes of any orientation as Gaussians.
+    """
+    @overload
+    def __call__(self, a: Obb2, b: Obb2, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
+    @overload
+    def __call__(self, a: Obb3, b: Obb3, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
+    @overload
+    def __call__(self, *arguments: Any, kind: Kind, to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Any: ...
+
+kullback_leibler: _kullback_leibler
+
+class _jeffreys(Verb):
+    """The Jeffreys divergence of two rotated boxes as Gaussians.
+
+    Rows:
+        jeffreys(a: Obb2, b: Obb2) -> number
+        jeffreys(a: Obb3, b: Obb3) -> number
+            The Jeffreys divergence of two boxes of any orientation as Gaussians.
+    """
+    @overload
+    def __call__(self, a: Obb2, b: Obb2, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
+    @overload
+    def __call__(self, a: Obb3, b: Obb3, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
+    @overload
+    def __call__(self, *arguments: Any, kind: Kind, to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Any: ...
+
+jeffreys: _jeffreys
+
+class _bhattacharyya(Verb):
+    """The Bhattacharyya distance of two rotated boxes as Gaussians.
+
+    Rows:
+        bhattacharyya(a: Obb2, b: Obb2) -> number
+        bhattacharyya(a: Obb3, b: Obb3) -> number
+            The Bhattacharyya distance of two boxes of any orientation as Gaussians.
+    """
+    @overload
+    def __call__(self, a: Obb2, b: Obb2, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
+    @overload
+    def __call__(self, a: Obb3, b: Obb3, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
+    @overload
+    def __call__(self, *arguments: Any, kind: Kind, to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Any: ...
+
+bhattacharyya: _bhattacharyya
+
+class _probiou(Verb):
+    """The probabilistic IoU of two rotated boxes as Gaussians, 0 to 1.
+
+    Rows:
+        probiou(a: Obb2, b: Obb2) -> number
+        probiou(a: Obb3, b: Obb3) -> number
+            The probabilistic IoU of two boxes of any orientation as Gaussians, 0 to 1.
+    """
+    @overload
+    def __call__(self, a: Obb2, b: Obb2, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
+    @overload
+    def __call__(self, a: Obb3, b: Obb3, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
+    @overload
+    def __call__(self, *arguments: Any, kind: Kind, to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Any: ...
+
+probiou: _probiou
+
+class _kfiou(Verb):
+    """The IoU by a Kalman filter of two rotated boxes as Gaussians.
+
+    Rows:
+        kfiou(a: Obb2, b: Obb2) -> number
+        kfiou(a: Obb3, b: Obb3) -> number
+            The IoU by a Kalman filter of two boxes of any orientation as Gaussians.
+    """
+    @overload
+    def __call__(self, a: Obb2, b: Obb2, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
+    @overload
+    def __call__(self, a: Obb3, b: Obb3, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
+    @overload
+    def __call__(self, *arguments: Any, kind: Kind, to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Any: ...
+
+kfiou: _kfiou
+
+class _convert(Verb):
+    """mmrotate's Le90 of an image's box.
+
+    Rows:
+        convert(shape: ImageBox) -> Le90
+        convert(shape: ImageBox) -> Le135
+            mmrotate's Le135 of an image's box.
+        convert(shape: ImageBox) -> OpenCvBox
+            OpenCV's box of an image's box.
+        convert(shape: Xyxyr) -> Obb2
+            The rotated box of bounds before turning, and the angle.
+        convert(shape: KittiBox) -> YawBox3
+            The upright box of KITTI's box.
+        convert(shape: YawBox3) -> Obb3
+            The box of any orientation of an upright box.
+        convert(shape: ImageBox) -> Detectron2Box
+            detectron2's box of an image's box.
+        convert(shape: Detectron2Box) -> ImageBox
+            The image's box of detectron2's box.
+        convert(shape: YawBox3) -> KittiBox
+            KITTI's box of an upright box.
+        convert(shape: NuScenesBox) -> Obb3
+            The box of any orientation of nuScenes' box.
+        convert(shape: Obb2) -> Xyxyr
+            The bounds before turning, and the angle, of a rotated box.
+        convert(shape: LidarBox) -> YawBox3
+            The upright box of OpenPCDet's box.
+    """
+    @overload
+    def __call__(self, shape: ImageBox, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Le90: ...
+    @overload
+    def __call__(self, shape: ImageBox, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Le135: ...
+    @overload
+    def __call__(self, shape: ImageBox, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> OpenCvBox: ...
+    @overload
+    def __call__(self, shape: Xyxyr, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Obb2: ...
+    @overload
+    def __call__(self, shape: KittiBox, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> YawBox3: ...
+    @overload
+    def __call__(self, shape: YawBox3, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Obb3: ...
+    @overload
+    def __call__(self, shape: ImageBox, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Detectron2Box: ...
+    @overload
+    def __call__(self, shape: Detectron2Box, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> ImageBox: ...
+    @overload
+    def __call__(self, shape: YawBox3, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> KittiBox: ...
+    @overload
+    def __call__(self, shape: NuScenesBox, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Obb3: ...
+    @overload
+    def __call__(self, shape: Obb2, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Xyxyr: ...
+    @overload
+    def __call__(self, shape: LidarBox, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> YawBox3: ...
+    @overload
+    def __call__(self, *arguments: Any, kind: Kind, to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Any: ...
+
+convert: _convert
+
+class _corners(Verb):
+    """The corners of a rotated box.
+
+    Rows:
+        corners(shape: Obb2) -> Vec2x4
+    """
+    @overload
+    def __call__(self, shape: Obb2, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Vec2x4: ...
+    @overload
+    def __call__(self, *arguments: Any, kind: Kind, to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Any: ...
+
+corners: _corners
+
+class _ciou_aabb(Verb):
+    """The complete IoU of two rotated boxes by the diagonal of the box around both.
+
+    Rows:
+        ciou_aabb(a: Obb2, b: Obb2) -> number
+        ciou_aabb(a: Obb3, b: Obb3) -> number
+            The complete IoU of two boxes of any orientation by the box around both along the axes of the world.
+        ciou_aabb(a: YawBox3, b: YawBox3) -> number
+            The complete IoU of two upright boxes by the box around both along the axes of the world.
+    """
+    @overload
+    def __call__(self, a: Obb2, b: Obb2, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
+    @overload
+    def __call__(self, a: Obb3, b: Obb3, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
+    @overload
+    def __call__(self, a: YawBox3, b: YawBox3, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
+    @overload
+    def __call__(self, *arguments: Any, kind: Kind, to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Any: ...
+
+ciou_aabb: _ciou_aabb
+
+class _ciou_hull(Verb):
+    """The complete IoU of two axis-aligned boxes by the diameter of the convex hull.
+
+    Rows:
+        ciou_hull(a: Aabb2, b: Aabb2) -> number
+    """
+    @overload
+    def __call__(self, a: Aabb2, b: Aabb2, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
+    @overload
+    def __call__(self, *arguments: Any, kind: Kind, to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Any: ...
+
+ciou_hull: _ciou_hull
+
+class _ciou_rectangle(Verb):
+    """The complete IoU of two upright boxes by the rectangle of least area around both grounds times the height of both.
+
+    Rows:
+        ciou_rectangle(a: YawBox3, b: YawBox3) -> number
+    """
+    @overload
+    def __call__(self, a: YawBox3, b: YawBox3, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
+    @overload
+    def __call__(self, *arguments: Any, kind: Kind, to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Any: ...
+
+ciou_rectangle: _ciou_rectangle
+
+class _crossing(Verb):
+    """The crossing of two lines.
+
+    Rows:
+        crossing(a: Line2, b: Line2) -> Crossing
+    """
+    @overload
+    def __call__(self, a: Line2, b: Line2, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Crossing: ...
+    @overload
+    def __call__(self, *arguments: Any, kind: Kind, to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Any: ...
+
+crossing: _crossing
+
+class _diou_rectangle(Verb):
+    """The distance IoU of two upright boxes by the rectangle of least area around both grounds times the height of both.
+
+    Rows:
+        diou_rectangle(a: YawBox3, b: YawBox3) -> number
+    """
+    @overload
+    def __call__(self, a: YawBox3, b: YawBox3, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
+    @overload
+    def __call__(self, *arguments: Any, kind: Kind, to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Any: ...
+
+diou_rectangle: _diou_rectangle
+
+class _eiou_aabb(Verb):
+    """The efficient IoU of two rotated boxes by the box around both.
+
+    Rows:
+        eiou_aabb(a: Obb2, b: Obb2) -> number
+        eiou_aabb(a: Obb3, b: Obb3) -> number
+            The efficient IoU of two boxes of any orientation by the box around both along the axes of the world.
+        eiou_aabb(a: YawBox3, b: YawBox3) -> number
+            The efficient IoU of two upright boxes by the box around both along the axes of the world.
+    """
+    @overload
+    def __call__(self, a: Obb2, b: Obb2, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
+    @overload
+    def __call__(self, a: Obb3, b: Obb3, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
+    @overload
+    def __call__(self, a: YawBox3, b: YawBox3, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
+    @overload
+    def __call__(self, *arguments: Any, kind: Kind, to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Any: ...
+
+eiou_aabb: _eiou_aabb
+
+class _eiou_hull(Verb):
+    """The efficient IoU of two axis-aligned boxes by the convex hull.
+
+    Rows:
+        eiou_hull(a: Aabb2, b: Aabb2) -> number
+    """
+    @overload
+    def __call__(self, a: Aabb2, b: Aabb2, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
+    @overload
+    def __call__(self, *arguments: Any, kind: Kind, to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Any: ...
+
+eiou_hull: _eiou_hull
+
+class _eiou_rectangle(Verb):
+    """The efficient IoU of two upright boxes by the rectangle of least area around both grounds times the height of both.
+
+    Rows:
+        eiou_rectangle(a: YawBox3, b: YawBox3) -> number
+    """
+    @overload
+    def __call__(self, a: YawBox3, b: YawBox3, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
+    @overload
+    def __call__(self, *arguments: Any, kind: Kind, to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Any: ...
+
+eiou_rectangle: _eiou_rectangle
+
+class _farthest_distance(Verb):
+    """The longest distance of two axis-aligned boxes.
+
+    Rows:
+        farthest_distance(a: Aabb2, b: Aabb2) -> number
+        farthest_distance(circle: Circle, shape: Obb2) -> number
+            The longest distance of a circle and a rotated box.
+        farthest_distance(a: Obb2, b: Obb2) -> number
+            The longest distance of two rotated boxes.
+        farthest_distance(point: Vec2, shape: Obb2) -> number
+            The longest distance of a point and a rotated box.
+        farthest_distance(a: Triangle2, b: Triangle2) -> number
+            The longest distance of two triangles.
+    """
+    @overload
+    def __call__(self, a: Aabb2, b: Aabb2, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
+    @overload
+    def __call__(self, circle: Circle, shape: Obb2, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
+    @overload
+    def __call__(self, a: Obb2, b: Obb2, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
+    @overload
+    def __call__(self, point: Vec2, shape: Obb2, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
+    @overload
+    def __call__(self, a: Triangle2, b: Triangle2, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
+    @overload
+    def __call__(self, *arguments: Any, kind: Kind, to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Any: ...
+
+farthest_distance: _farthest_distance
+
+class _first_hit(Verb):
+    """The first hit of a ray and an axis-aligned box.
+
+    Rows:
+        first_hit(ray: Ray2, shape: Aabb2) -> Hit
+        first_hit(ray: Ray2, capsule: Capsule2) -> Hit
+            The first hit of a ray and a capsule.
+        first_hit(ray: Ray2, circle: Circle) -> Hit
+            The first hit of a ray and a circle.
+        first_hit(ray: Ray2, shape: Obb2) -> Hit
+            The first hit of a ray and a rotated box.
+        first_hit(ray: Ray2, triangle: Triangle2) -> Hit
+            The first hit of a ray and a triangle.
+    """
+    @overload
+    def __call__(self, ray: Ray2, shape: Aabb2, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Hit: ...
+    @overload
+    def __call__(self, ray: Ray2, capsule: Capsule2, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Hit: ...
+    @overload
+    def __call__(self, ray: Ray2, circle: Circle, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Hit: ...
+    @overload
+    def __call__(self, ray: Ray2, shape: Obb2, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Hit: ...
+    @overload
+    def __call__(self, ray: Ray2, triangle: Triangle2, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Hit: ...
+    @overload
+    def __call__(self, *arguments: Any, kind: Kind, to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Any: ...
+
+first_hit: _first_hit
+
+class _giou_hull(Verb):
+    """The generalised IoU of two axis-aligned boxes by the convex hull.
+
+    Rows:
+        giou_hull(a: Aabb2, b: Aabb2) -> number
+    """
+    @overload
+    def __call__(self, a: Aabb2, b: Aabb2, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
+    @overload
+    def __call__(self, *arguments: Any, kind: Kind, to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Any: ...
+
+giou_hull: _giou_hull
+
+class _giou_rectangle(Verb):
+    """The generalised IoU of two upright boxes by the rectangle of least area around both grounds times the height of both.
+
+    Rows:
+        giou_rectangle(a: YawBox3, b: YawBox3) -> number
+    """
+    @overload
+    def __call__(self, a: YawBox3, b: YawBox3, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
+    @overload
+    def __call__(self, *arguments: Any, kind: Kind, to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Any: ...
+
+giou_rectangle: _giou_rectangle
+
+class _length_inside(Verb):
+    """The length inside of a segment and an axis-aligned box.
+
+    Rows:
+        length_inside(segment: Segment2, shape: Aabb2) -> number
+        length_inside(segment: Segment2, capsule: Capsule2) -> number
+            The length inside of a segment and a capsule.
+        length_inside(segment: Segment2, circle: Circle) -> number
+            The length inside of a segment and a circle.
+        length_inside(segment: Segment2, shape: Obb2) -> number
+            The length inside of a segment and a rotated box.
+        length_inside(segment: Segment2, triangle: Triangle2) -> number
+            The length inside of a segment and a triangle.
+    """
+    @overload
+    def __call__(self, segment: Segment2, shape: Aabb2, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
+    @overload
+    def __call__(self, segment: Segment2, capsule: Capsule2, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
+    @overload
+    def __call__(self, segment: Segment2, circle: Circle, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
+    @overload
+    def __call__(self, segment: Segment2, shape: Obb2, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
+    @overload
+    def __call__(self, segment: Segment2, triangle: Triangle2, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
+    @overload
+    def __call__(self, *arguments: Any, kind: Kind, to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Any: ...
+
+length_inside: _length_inside
+
+class _meeting(Verb):
+    """The meeting of two segments.
+
+    Rows:
+        meeting(a: Segment2, b: Segment2) -> Meeting
+    """
+    @overload
+    def __call__(self, a: Segment2, b: Segment2, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Meeting: ...
+    @overload
+    def __call__(self, *arguments: Any, kind: Kind, to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Any: ...
+
+meeting: _meeting
+
+class _flip_y(Verb):
+    """An image's box where y points up, from the image's height.
+
+    Rows:
+        flip_y(shape: ImageBox, image_height: number) -> Obb2
+    """
+    @overload
+    def __call__(self, shape: ImageBox, image_height: ArrayLike, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Obb2: ...
+    @overload
+    def __call__(self, *arguments: Any, kind: Kind, to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Any: ...
+
+flip_y: _flip_y
+
+class _penetration(Verb):
+    """The depth of overlap and its direction of two axis-aligned boxes. The direction jumps to another deepest face.
+
+    Rows:
+        penetration(a: Aabb2, b: Aabb2) -> Contact
+        penetration(a: Capsule2, b: Capsule2) -> Contact
+            The depth of overlap and its direction of two capsules. The direction jumps to another deepest face.
+        penetration(circle: Circle, shape: Obb2) -> Contact
+            The depth of overlap and its direction of a circle and a rotated box. The direction jumps to another deepest face.
+        penetration(a: Circle, b: Circle) -> Contact
+            The depth of overlap and its direction of two circles. The direction jumps to another deepest face.
+        penetration(a: Obb2, b: Obb2) -> Contact
+            The depth of overlap and its direction of two rotated boxes. The direction jumps to another deepest face.
+        penetration(a: Triangle2, b: Triangle2) -> Contact
+            The depth of overlap and its direction of two triangles. The direction jumps to another deepest face.
+    """
+    @overload
+    def __call__(self, a: Aabb2, b: Aabb2, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Contact: ...
+    @overload
+    def __call__(self, a: Capsule2, b: Capsule2, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Contact: ...
+    @overload
+    def __call__(self, circle: Circle, shape: Obb2, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Contact: ...
+    @overload
+    def __call__(self, a: Circle, b: Circle, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Contact: ...
+    @overload
+    def __call__(self, a: Obb2, b: Obb2, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Contact: ...
+    @overload
+    def __call__(self, a: Triangle2, b: Triangle2, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Contact: ...
+    @overload
+    def __call__(self, *arguments: Any, kind: Kind, to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Any: ...
+
+penetration: _penetration
+
+class _span(Verb):
+    """The parameters of entry and exit of a line and an axis-aligned box.
+
+    Rows:
+        span(line: Line2, shape: Aabb2) -> Span
+        span(line: Line2, capsule: Capsule2) -> Span
+            The parameters of entry and exit of a line and a capsule.
+        span(line: Line2, circle: Circle) -> Span
+            The parameters of entry and exit of a line and a circle.
+        span(line: Line2, shape: Obb2) -> Span
+            The parameters of entry and exit of a line and a rotated box.
+        span(line: Line2, triangle: Triangle2) -> Span
+            The parameters of entry and exit of a line and a triangle.
+    """
+    @overload
+    def __call__(self, line: Line2, shape: Aabb2, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Span: ...
+    @overload
+    def __call__(self, line: Line2, capsule: Capsule2, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Span: ...
+    @overload
+    def __call__(self, line: Line2, circle: Circle, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Span: ...
+    @overload
+    def __call__(self, line: Line2, shape: Obb2, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Span: ...
+    @overload
+    def __call__(self, line: Line2, triangle: Triangle2, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Span: ...
+    @overload
+    def __call__(self, *arguments: Any, kind: Kind, to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Any: ...
+
+span: _span
+
+class _diameter(Verb):
+    """The diameter of a convex polygon of up to N vertices: the largest distance of two of them, which are its record.
+
+    Rows:
+        diameter(polygon: ConvexPolygon6) -> number
+    """
+    @overload
+    def __call__(self, polygon: ConvexPolygon6, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
+    @overload
+    def __call__(self, *arguments: Any, kind: Kind, to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Any: ...
+
+diameter: _diameter
+
+class _width(Verb):
+    """The width of a convex polygon of up to N vertices: the least distance of two parallel lines around it. Its record is what they touch.
+
+    Rows:
+        width(polygon: ConvexPolygon6) -> number
+    """
+    @overload
+    def __call__(self, polygon: ConvexPolygon6, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
+    @overload
+    def __call__(self, *arguments: Any, kind: Kind, to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Any: ...
+
+width: _width
+
+class _minimum_rectangle(Verb):
+    """The rectangle of least area around a convex polygon of up to N vertices. It jumps where another edge carries a smaller one.
+
+    Rows:
+        minimum_rectangle(polygon: ConvexPolygon6) -> Obb2
+    """
+    @overload
+    def __call__(self, polygon: ConvexPolygon6, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Obb2: ...
+    @overload
+    def __call__(self, *arguments: Any, kind: Kind, to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Any: ...
+
+minimum_rectangle: _minimum_rectangle
+
+class _minimum_circle(Verb):
+    """The smallest circle around a convex polygon of up to N vertices. Its record is what it goes through.
+
+    Rows:
+        minimum_circle(polygon: ConvexPolygon6) -> Circle
+    """
+    @overload
+    def __call__(self, polygon: ConvexPolygon6, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Circle: ...
+    @overload
+    def __call__(self, *arguments: Any, kind: Kind, to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Any: ...
+
+minimum_circle: _minimum_circle
+
+class _second_moments(Verb):
+    """The second moments of a ring's area about its centroid.
+
+    Rows:
+        second_moments(paths: ring) -> SecondMoments
+    """
+    @overload
+    def __call__(self, paths: Paths, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> SecondMoments: ...
+    @overload
+    def __call__(self, *arguments: Any, kind: Kind, to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Any: ...
+
+second_moments: _second_moments
+
+class _length(Verb):
+    """The length of a polyline: the sum of the distances of neighbouring vertices.
+
+    Rows:
+        length(paths: polyline) -> number
+    """
+    @overload
+    def __call__(self, paths: Paths, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
+    @overload
+    def __call__(self, *arguments: Any, kind: Kind, to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Any: ...
+
+length: _length
+
+class _winding(Verb):
+    """The winding number of a ring around a point: a whole number, which jumps at the border and has no derivatives.
+
+    Rows:
+        winding(point: Vec2, paths: ring) -> number
+    """
+    @overload
+    def __call__(self, point: Vec2, paths: Paths, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
+    @overload
+    def __call__(self, *arguments: Any, kind: Kind, to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Any: ...
+
+winding: _winding
