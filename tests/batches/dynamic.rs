@@ -1,11 +1,10 @@
 //! The untyped face gives the bits of the typed one, for every row; what it refuses, it refuses by name.
 use crate::rows::{Number, bits};
-use geograd::ad::check::Sampling;
 use geograd::ad::check::sample::Draw;
 use geograd::error::{Argument, Field};
 use geograd::kernels::dynamic::{
-    Bound, Elementary, Format, Function, Inputs, Layout, Mode, Program, Rows, Symbol, Tracing,
-    on_this_thread, operation, operations, symbol,
+    Bound, Elementary, Format, Function, Layout, Mode, Program, Rows, Symbol, Tracing, operation,
+    operations, symbol,
 };
 use geograd::kernels::{Cpu, Op, RingOp, SignedArea, fold::fold};
 use geograd::{
@@ -894,65 +893,4 @@ fn nodes_are_the_program() {
         .collect();
     assert_eq!(found, program.eval(&x).unwrap());
     assert_eq!(nodes.inputs, 10);
-}
-
-#[test]
-fn every_row_of_fixed_size_is_drawn_without_its_types() {
-    for operation in operations() {
-        let (name, samplers) = (operation.name, operation.samplers());
-        let layouts = operation.layouts::<f64>();
-        assert_eq!(samplers.len(), layouts.len(), "{name}");
-        let mut draw = Draw::new(3);
-        for (sampler, layout) in samplers.iter().zip(&layouts) {
-            let scalars = layout.fields() - layout.codes();
-            assert_eq!(sampler.draw(&mut draw).len(), scalars, "{name}");
-            let hard = sampler.hard();
-            assert!(
-                !hard.is_empty() && hard.iter().all(|x| x.len() == scalars),
-                "{name}"
-            );
-        }
-    }
-}
-
-#[test]
-fn programs_and_pairs_of_functions_are_checked() {
-    let row = operation("signed_distance_point_obb2").expect("is listed");
-    let inputs = Inputs::new(row.samplers());
-    let sampling = Sampling::new(20, 1);
-    let wide = row.program::<f64>().unwrap();
-    let never = ad::check::subject::Jumps::Never;
-    let report = wide.check("distance", &inputs, &sampling, never, None);
-    let report = report.unwrap();
-    assert!(report.passed() && report.samples > 20, "{report}");
-    assert_eq!(report.names[2], "shape.x");
-    let single = row.program::<f32>().unwrap();
-    let report = single.check("distance", &inputs, &sampling, never, Some(&wide));
-    assert!(report.as_ref().unwrap().passed(), "{}", report.unwrap());
-
-    let value = |x: Vec<f64>| wide.eval(&x).unwrap()[0];
-    let value_grad = wide.value_grad().unwrap();
-    let gradient = |x: Vec<f64>, by: f64| -> Vec<f64> {
-        let mut all = value_grad.eval(&x).unwrap();
-        all[1] *= by;
-        all.split_off(1)
-    };
-    let check = || inputs.check::<f64>("distance", &sampling).value(value);
-    assert!(check().gradient(|x| gradient(x, 1.0)).run().passed());
-    let report = check().gradient(|x| gradient(x, 1.001)).run();
-    assert_eq!(report.failures[0].fault.input, 0);
-    let short = Inputs::new(row.samplers()[..1].to_vec());
-    assert!(matches!(
-        wide.check("distance", &short, &sampling, never, None),
-        Err(Error::Length { .. })
-    ));
-}
-
-#[test]
-fn a_call_may_stay_on_its_thread() {
-    let many = BOXES.repeat(4000);
-    let all = [Rows::new(&many, 5), Rows::one(&TRUTHS[..5])];
-    let spread = iou(Mode::ValueGrad).aligned(&all).unwrap();
-    let alone = on_this_thread(|| iou(Mode::ValueGrad).aligned(&all)).unwrap();
-    assert_eq!(spread, alone);
 }
