@@ -6,7 +6,7 @@ import sys
 
 import geograd
 from geograd import _core
-from geograd._verbs import describe
+from geograd._verbs import describe, ordered
 
 FILE = pathlib.Path(__file__).parent / "python" / "geograd" / "__init__.pyi"
 
@@ -219,17 +219,16 @@ def stubs():
         lines.append(f"def {name}(x: Any) -> Any:\n" + documented(getattr(geograd, name).__doc__, "    "))
     for name in ("arctan2", "hypot", "copysign", "minimum", "maximum"):
         lines.append(f"def {name}(a: Any, b: Any) -> Any:\n" + documented(getattr(geograd, name).__doc__, "    "))
-    for name, fields, _ in _core.shapes():
+    for name, fields, _ in sorted(_core.shapes()):
         if fields:
             cls = getattr(geograd, name)
             lines.append(f"\nclass {name}(Shape):\n" + documented(cls.__doc__, "    "))
             lines.append("    def __init__(self, *numbers: Any, **named: Any) -> None: ...")
             for head, kind in field_groups(fields):
                 lines.append(f"    @property\n    def {head}(self) -> {kind}: ...")
-    for name in _core.verbs():
+    for name in sorted(_core.verbs()):
         lines.append(f"\nclass _{name}(Verb):\n" + documented(describe(name), "    "))
-        rows = _core.rows(name)
-        for row in rows:
+        for row in ordered(name):
             names = [argument for argument, _, _ in row["takes"]] + (["paths"] if row["sort"] in ("fold", "ring") else [])
             kinds = [{"number": "ArrayLike", "ring": "Paths", "polyline": "Paths"}.get(kind, kind) for kind in row["kinds"]]
             takes = ", ".join(f"{argument}: {kind}" for argument, kind in zip(names, kinds))

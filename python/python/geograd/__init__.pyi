@@ -204,27 +204,6 @@ def minimum(a: Any, b: Any) -> Any:
 def maximum(a: Any, b: Any) -> Any:
     """The larger one; of symbols an exact tie shares the slope."""
 
-class Obb2(Shape):
-    """Obb2: an array whose last axis has its numbers, in this order.
-
-        x: coordinate
-        y: coordinate
-        width: length, at least 0
-        height: length, at least 0
-        heading: angle in radians
-    """
-    def __init__(self, *numbers: Any, **named: Any) -> None: ...
-    @property
-    def x(self) -> Any: ...
-    @property
-    def y(self) -> Any: ...
-    @property
-    def width(self) -> Any: ...
-    @property
-    def height(self) -> Any: ...
-    @property
-    def heading(self) -> Any: ...
-
 class Aabb2(Shape):
     """Aabb2: an array whose last axis has its numbers, in this order.
 
@@ -239,31 +218,53 @@ class Aabb2(Shape):
     @property
     def max(self) -> Vec2: ...
 
-class Vec2(Shape):
-    """Vec2: an array whose last axis has its numbers, in this order.
+class Aabb3(Shape):
+    """Aabb3: an array whose last axis has its numbers, in this order.
 
-        x: coordinate
-        y: coordinate
+        min.x: coordinate, at most max.x
+        min.y: coordinate, at most max.y
+        min.z: coordinate, at most max.z
+        max.x: coordinate, at least min.x
+        max.y: coordinate, at least min.y
+        max.z: coordinate, at least min.z
     """
     def __init__(self, *numbers: Any, **named: Any) -> None: ...
     @property
-    def x(self) -> Any: ...
+    def min(self) -> Vec3: ...
     @property
-    def y(self) -> Any: ...
+    def max(self) -> Vec3: ...
 
-class Segment2(Shape):
-    """Segment2: an array whose last axis has its numbers, in this order.
+class Capsule2(Shape):
+    """Capsule2: an array whose last axis has its numbers, in this order.
 
         from.x: coordinate
         from.y: coordinate
         to.x: coordinate
         to.y: coordinate
+        radius: length, at least 0
     """
     def __init__(self, *numbers: Any, **named: Any) -> None: ...
     @property
     def from_(self) -> Vec2: ...
     @property
     def to(self) -> Vec2: ...
+    @property
+    def radius(self) -> Any: ...
+
+class Circle(Shape):
+    """Circle: an array whose last axis has its numbers, in this order.
+
+        x: coordinate
+        y: coordinate
+        radius: length, at least 0
+    """
+    def __init__(self, *numbers: Any, **named: Any) -> None: ...
+    @property
+    def x(self) -> Any: ...
+    @property
+    def y(self) -> Any: ...
+    @property
+    def radius(self) -> Any: ...
 
 class ClosestOnSegments(Shape):
     """ClosestOnSegments: an array whose last axis has its numbers, in this order.
@@ -285,336 +286,62 @@ class ClosestOnSegments(Shape):
     @property
     def along_b(self) -> Any: ...
 
-class Circle(Shape):
-    """Circle: an array whose last axis has its numbers, in this order.
+class Contact(Shape):
+    """Contact: an array whose last axis has its numbers, in this order.
 
-        x: coordinate
-        y: coordinate
-        radius: length, at least 0
+        depth: length
+        direction.x: coordinate
+        direction.y: coordinate
     """
     def __init__(self, *numbers: Any, **named: Any) -> None: ...
     @property
-    def x(self) -> Any: ...
-    @property
-    def y(self) -> Any: ...
-    @property
-    def radius(self) -> Any: ...
-
-class Triangle2(Shape):
-    """Triangle2: an array whose last axis has its numbers, in this order.
-
-        a.x: coordinate
-        a.y: coordinate
-        b.x: coordinate
-        b.y: coordinate
-        c.x: coordinate
-        c.y: coordinate
-    """
-    def __init__(self, *numbers: Any, **named: Any) -> None: ...
-    @property
-    def a(self) -> Vec2: ...
-    @property
-    def b(self) -> Vec2: ...
-    @property
-    def c(self) -> Vec2: ...
-
-class Capsule2(Shape):
-    """Capsule2: an array whose last axis has its numbers, in this order.
-
-        from.x: coordinate
-        from.y: coordinate
-        to.x: coordinate
-        to.y: coordinate
-        radius: length, at least 0
-    """
-    def __init__(self, *numbers: Any, **named: Any) -> None: ...
-    @property
-    def from_(self) -> Vec2: ...
-    @property
-    def to(self) -> Vec2: ...
-    @property
-    def radius(self) -> Any: ...
-
-class Interval(Shape):
-    """Interval: an array whose last axis has its numbers, in this order.
-
-        min: length, at most max
-        max: length, at least min
-    """
-    def __init__(self, *numbers: Any, **named: Any) -> None: ...
-    @property
-    def min(self) -> Any: ...
-    @property
-    def max(self) -> Any: ...
-
-class Vec2x4(Shape):
-    """Vec2x4: an array whose last axis has its numbers, in this order.
-
-        [0].x: coordinate
-        [0].y: coordinate
-        [1].x: coordinate
-        [1].y: coordinate
-        [2].x: coordinate
-        [2].y: coordinate
-        [3].x: coordinate
-        [3].y: coordinate
-    """
-    def __init__(self, *numbers: Any, **named: Any) -> None: ...
-    @property
-    def items(self) -> list[Any]: ...
-
-class Exponent(Shape):
-    """Exponent: an array whose last axis has its numbers, in this order.
-
-        alpha: number, above 0
-    """
-    def __init__(self, *numbers: Any, **named: Any) -> None: ...
-    @property
-    def alpha(self) -> Any: ...
-
-class Pose2(Shape):
-    """Pose2: an array whose last axis has its numbers, in this order.
-
-        rotation.cos: part of a direction, on the unit circle
-        rotation.sin: part of a direction, on the unit circle
-        translation.x: coordinate
-        translation.y: coordinate
-    """
-    def __init__(self, *numbers: Any, **named: Any) -> None: ...
-    @property
-    def rotation(self) -> Any: ...
-    @property
-    def translation(self) -> Vec2: ...
-
-class Aabb3(Shape):
-    """Aabb3: an array whose last axis has its numbers, in this order.
-
-        min.x: coordinate, at most max.x
-        min.y: coordinate, at most max.y
-        min.z: coordinate, at most max.z
-        max.x: coordinate, at least min.x
-        max.y: coordinate, at least min.y
-        max.z: coordinate, at least min.z
-    """
-    def __init__(self, *numbers: Any, **named: Any) -> None: ...
-    @property
-    def min(self) -> Vec3: ...
-    @property
-    def max(self) -> Vec3: ...
-
-class YawBox3(Shape):
-    """YawBox3: an array whose last axis has its numbers, in this order.
-
-        x: coordinate
-        y: coordinate
-        z: coordinate
-        dx: length, at least 0
-        dy: length, at least 0
-        dz: length, at least 0
-        heading: angle in radians
-    """
-    def __init__(self, *numbers: Any, **named: Any) -> None: ...
-    @property
-    def x(self) -> Any: ...
-    @property
-    def y(self) -> Any: ...
-    @property
-    def z(self) -> Any: ...
-    @property
-    def dx(self) -> Any: ...
-    @property
-    def dy(self) -> Any: ...
-    @property
-    def dz(self) -> Any: ...
-    @property
-    def heading(self) -> Any: ...
-
-class Obb3(Shape):
-    """Obb3: an array whose last axis has its numbers, in this order.
-
-        x: coordinate
-        y: coordinate
-        z: coordinate
-        dx: length, at least 0
-        dy: length, at least 0
-        dz: length, at least 0
-        qw: part of a quaternion, not all parts 0
-        qx: part of a quaternion, not all parts 0
-        qy: part of a quaternion, not all parts 0
-        qz: part of a quaternion, not all parts 0
-    """
-    def __init__(self, *numbers: Any, **named: Any) -> None: ...
-    @property
-    def x(self) -> Any: ...
-    @property
-    def y(self) -> Any: ...
-    @property
-    def z(self) -> Any: ...
-    @property
-    def dx(self) -> Any: ...
-    @property
-    def dy(self) -> Any: ...
-    @property
-    def dz(self) -> Any: ...
-    @property
-    def qw(self) -> Any: ...
-    @property
-    def qx(self) -> Any: ...
-    @property
-    def qy(self) -> Any: ...
-    @property
-    def qz(self) -> Any: ...
-
-class Vec3(Shape):
-    """Vec3: an array whose last axis has its numbers, in this order.
-
-        x: coordinate
-        y: coordinate
-        z: coordinate
-    """
-    def __init__(self, *numbers: Any, **named: Any) -> None: ...
-    @property
-    def x(self) -> Any: ...
-    @property
-    def y(self) -> Any: ...
-    @property
-    def z(self) -> Any: ...
-
-class ImageBox(Shape):
-    """ImageBox: an array whose last axis has its numbers, in this order.
-
-        center.x: coordinate
-        center.y: coordinate
-        size.x: length, at least 0
-        size.y: length, at least 0
-        heading.radians: angle in radians
-    """
-    def __init__(self, *numbers: Any, **named: Any) -> None: ...
-    @property
-    def center(self) -> Vec2: ...
-    @property
-    def size(self) -> Vec2: ...
-    @property
-    def heading(self) -> Any: ...
-
-class Le90(Shape):
-    """Le90: an array whose last axis has its numbers, in this order.
-
-        center.x: coordinate
-        center.y: coordinate
-        size.x: length, at least 0
-        size.y: length, at least 0
-        heading.radians: angle in radians
-    """
-    def __init__(self, *numbers: Any, **named: Any) -> None: ...
-    @property
-    def center(self) -> Vec2: ...
-    @property
-    def size(self) -> Vec2: ...
-    @property
-    def heading(self) -> Any: ...
-
-class Le135(Shape):
-    """Le135: an array whose last axis has its numbers, in this order.
-
-        center.x: coordinate
-        center.y: coordinate
-        size.x: length, at least 0
-        size.y: length, at least 0
-        heading.radians: angle in radians
-    """
-    def __init__(self, *numbers: Any, **named: Any) -> None: ...
-    @property
-    def center(self) -> Vec2: ...
-    @property
-    def size(self) -> Vec2: ...
-    @property
-    def heading(self) -> Any: ...
-
-class OpenCvBox(Shape):
-    """OpenCvBox: an array whose last axis has its numbers, in this order.
-
-        center.x: coordinate
-        center.y: coordinate
-        size.x: length, at least 0
-        size.y: length, at least 0
-        heading.radians: angle in radians
-    """
-    def __init__(self, *numbers: Any, **named: Any) -> None: ...
-    @property
-    def center(self) -> Vec2: ...
-    @property
-    def size(self) -> Vec2: ...
-    @property
-    def heading(self) -> Any: ...
-
-class Xyxyr(Shape):
-    """Xyxyr: an array whose last axis has its numbers, in this order.
-
-        min.x: coordinate, at most max.x
-        min.y: coordinate, at most max.y
-        max.x: coordinate, at least min.x
-        max.y: coordinate, at least min.y
-        heading: angle in radians
-    """
-    def __init__(self, *numbers: Any, **named: Any) -> None: ...
-    @property
-    def min(self) -> Vec2: ...
-    @property
-    def max(self) -> Vec2: ...
-    @property
-    def heading(self) -> Any: ...
-
-class KittiBox(Shape):
-    """KittiBox: an array whose last axis has its numbers, in this order.
-
-        height: length, at least 0
-        width: length, at least 0
-        length: length, at least 0
-        location.x: coordinate
-        location.y: coordinate
-        location.z: coordinate
-        rotation_y: angle in radians
-    """
-    def __init__(self, *numbers: Any, **named: Any) -> None: ...
-    @property
-    def height(self) -> Any: ...
-    @property
-    def width(self) -> Any: ...
-    @property
-    def length(self) -> Any: ...
-    @property
-    def location(self) -> Vec3: ...
-    @property
-    def rotation_y(self) -> Any: ...
-
-class PointPair(Shape):
-    """PointPair: an array whose last axis has its numbers, in this order.
-
-        on_a.x: coordinate
-        on_a.y: coordinate
-        on_b.x: coordinate
-        on_b.y: coordinate
-    """
-    def __init__(self, *numbers: Any, **named: Any) -> None: ...
-    @property
-    def on_a(self) -> Vec2: ...
-    @property
-    def on_b(self) -> Vec2: ...
-
-class Line2(Shape):
-    """Line2: an array whose last axis has its numbers, in this order.
-
-        point.x: coordinate
-        point.y: coordinate
-        direction.x: coordinate, not all parts 0
-        direction.y: coordinate, not all parts 0
-    """
-    def __init__(self, *numbers: Any, **named: Any) -> None: ...
-    @property
-    def point(self) -> Vec2: ...
+    def depth(self) -> Any: ...
     @property
     def direction(self) -> Vec2: ...
+
+class ConvexPolygon5(Shape):
+    """ConvexPolygon5: an array whose last axis has its numbers, in this order.
+
+        vertices[0].x: coordinate
+        vertices[0].y: coordinate
+        vertices[1].x: coordinate
+        vertices[1].y: coordinate
+        vertices[2].x: coordinate
+        vertices[2].y: coordinate
+        vertices[3].x: coordinate
+        vertices[3].y: coordinate
+        vertices[4].x: coordinate
+        vertices[4].y: coordinate
+        codes[0]: whole number
+    """
+    def __init__(self, *numbers: Any, **named: Any) -> None: ...
+    @property
+    def vertices(self) -> list[Any]: ...
+    @property
+    def codes(self) -> list[Any]: ...
+
+class ConvexPolygon6(Shape):
+    """ConvexPolygon6: an array whose last axis has its numbers, in this order.
+
+        vertices[0].x: coordinate
+        vertices[0].y: coordinate
+        vertices[1].x: coordinate
+        vertices[1].y: coordinate
+        vertices[2].x: coordinate
+        vertices[2].y: coordinate
+        vertices[3].x: coordinate
+        vertices[3].y: coordinate
+        vertices[4].x: coordinate
+        vertices[4].y: coordinate
+        vertices[5].x: coordinate
+        vertices[5].y: coordinate
+        codes[0]: whole number
+    """
+    def __init__(self, *numbers: Any, **named: Any) -> None: ...
+    @property
+    def vertices(self) -> list[Any]: ...
+    @property
+    def codes(self) -> list[Any]: ...
 
 class Crossing(Shape):
     """Crossing: an array whose last axis has its numbers, in this order.
@@ -652,19 +379,14 @@ class Detectron2Box(Shape):
     @property
     def heading(self) -> Any: ...
 
-class Ray2(Shape):
-    """Ray2: an array whose last axis has its numbers, in this order.
+class Exponent(Shape):
+    """Exponent: an array whose last axis has its numbers, in this order.
 
-        point.x: coordinate
-        point.y: coordinate
-        direction.x: coordinate, not all parts 0
-        direction.y: coordinate, not all parts 0
+        alpha: number, above 0
     """
     def __init__(self, *numbers: Any, **named: Any) -> None: ...
     @property
-    def point(self) -> Vec2: ...
-    @property
-    def direction(self) -> Vec2: ...
+    def alpha(self) -> Any: ...
 
 class Hit(Shape):
     """Hit: an array whose last axis has its numbers, in this order.
@@ -685,6 +407,125 @@ class Hit(Shape):
     def normal(self) -> Vec2: ...
     @property
     def kind(self) -> Any: ...
+
+class ImageBox(Shape):
+    """ImageBox: an array whose last axis has its numbers, in this order.
+
+        center.x: coordinate
+        center.y: coordinate
+        size.x: length, at least 0
+        size.y: length, at least 0
+        heading.radians: angle in radians
+    """
+    def __init__(self, *numbers: Any, **named: Any) -> None: ...
+    @property
+    def center(self) -> Vec2: ...
+    @property
+    def size(self) -> Vec2: ...
+    @property
+    def heading(self) -> Any: ...
+
+class Interval(Shape):
+    """Interval: an array whose last axis has its numbers, in this order.
+
+        min: length, at most max
+        max: length, at least min
+    """
+    def __init__(self, *numbers: Any, **named: Any) -> None: ...
+    @property
+    def min(self) -> Any: ...
+    @property
+    def max(self) -> Any: ...
+
+class KittiBox(Shape):
+    """KittiBox: an array whose last axis has its numbers, in this order.
+
+        height: length, at least 0
+        width: length, at least 0
+        length: length, at least 0
+        location.x: coordinate
+        location.y: coordinate
+        location.z: coordinate
+        rotation_y: angle in radians
+    """
+    def __init__(self, *numbers: Any, **named: Any) -> None: ...
+    @property
+    def height(self) -> Any: ...
+    @property
+    def width(self) -> Any: ...
+    @property
+    def length(self) -> Any: ...
+    @property
+    def location(self) -> Vec3: ...
+    @property
+    def rotation_y(self) -> Any: ...
+
+class Le135(Shape):
+    """Le135: an array whose last axis has its numbers, in this order.
+
+        center.x: coordinate
+        center.y: coordinate
+        size.x: length, at least 0
+        size.y: length, at least 0
+        heading.radians: angle in radians
+    """
+    def __init__(self, *numbers: Any, **named: Any) -> None: ...
+    @property
+    def center(self) -> Vec2: ...
+    @property
+    def size(self) -> Vec2: ...
+    @property
+    def heading(self) -> Any: ...
+
+class Le90(Shape):
+    """Le90: an array whose last axis has its numbers, in this order.
+
+        center.x: coordinate
+        center.y: coordinate
+        size.x: length, at least 0
+        size.y: length, at least 0
+        heading.radians: angle in radians
+    """
+    def __init__(self, *numbers: Any, **named: Any) -> None: ...
+    @property
+    def center(self) -> Vec2: ...
+    @property
+    def size(self) -> Vec2: ...
+    @property
+    def heading(self) -> Any: ...
+
+class LidarBox(Shape):
+    """LidarBox: an array whose last axis has its numbers, in this order.
+
+        center.x: coordinate
+        center.y: coordinate
+        center.z: coordinate
+        size.x: length, at least 0
+        size.y: length, at least 0
+        size.z: length, at least 0
+        heading: angle in radians
+    """
+    def __init__(self, *numbers: Any, **named: Any) -> None: ...
+    @property
+    def center(self) -> Vec3: ...
+    @property
+    def size(self) -> Vec3: ...
+    @property
+    def heading(self) -> Any: ...
+
+class Line2(Shape):
+    """Line2: an array whose last axis has its numbers, in this order.
+
+        point.x: coordinate
+        point.y: coordinate
+        direction.x: coordinate, not all parts 0
+        direction.y: coordinate, not all parts 0
+    """
+    def __init__(self, *numbers: Any, **named: Any) -> None: ...
+    @property
+    def point(self) -> Vec2: ...
+    @property
+    def direction(self) -> Vec2: ...
 
 class Meeting(Shape):
     """Meeting: an array whose last axis has its numbers, in this order.
@@ -729,96 +570,121 @@ class NuScenesBox(Shape):
     @property
     def rotation(self) -> Any: ...
 
-class Contact(Shape):
-    """Contact: an array whose last axis has its numbers, in this order.
+class Obb2(Shape):
+    """Obb2: an array whose last axis has its numbers, in this order.
 
-        depth: length
-        direction.x: coordinate
-        direction.y: coordinate
-    """
-    def __init__(self, *numbers: Any, **named: Any) -> None: ...
-    @property
-    def depth(self) -> Any: ...
-    @property
-    def direction(self) -> Vec2: ...
-
-class Span(Shape):
-    """Span: an array whose last axis has its numbers, in this order.
-
-        enter: length
-        exit: length
-        found: length
-    """
-    def __init__(self, *numbers: Any, **named: Any) -> None: ...
-    @property
-    def enter(self) -> Any: ...
-    @property
-    def exit(self) -> Any: ...
-    @property
-    def found(self) -> Any: ...
-
-class LidarBox(Shape):
-    """LidarBox: an array whose last axis has its numbers, in this order.
-
-        center.x: coordinate
-        center.y: coordinate
-        center.z: coordinate
-        size.x: length, at least 0
-        size.y: length, at least 0
-        size.z: length, at least 0
+        x: coordinate
+        y: coordinate
+        width: length, at least 0
+        height: length, at least 0
         heading: angle in radians
     """
     def __init__(self, *numbers: Any, **named: Any) -> None: ...
     @property
-    def center(self) -> Vec3: ...
+    def x(self) -> Any: ...
     @property
-    def size(self) -> Vec3: ...
+    def y(self) -> Any: ...
+    @property
+    def width(self) -> Any: ...
+    @property
+    def height(self) -> Any: ...
     @property
     def heading(self) -> Any: ...
 
-class ConvexPolygon6(Shape):
-    """ConvexPolygon6: an array whose last axis has its numbers, in this order.
+class Obb3(Shape):
+    """Obb3: an array whose last axis has its numbers, in this order.
 
-        vertices[0].x: coordinate
-        vertices[0].y: coordinate
-        vertices[1].x: coordinate
-        vertices[1].y: coordinate
-        vertices[2].x: coordinate
-        vertices[2].y: coordinate
-        vertices[3].x: coordinate
-        vertices[3].y: coordinate
-        vertices[4].x: coordinate
-        vertices[4].y: coordinate
-        vertices[5].x: coordinate
-        vertices[5].y: coordinate
-        codes[0]: whole number
+        x: coordinate
+        y: coordinate
+        z: coordinate
+        dx: length, at least 0
+        dy: length, at least 0
+        dz: length, at least 0
+        qw: part of a quaternion, not all parts 0
+        qx: part of a quaternion, not all parts 0
+        qy: part of a quaternion, not all parts 0
+        qz: part of a quaternion, not all parts 0
     """
     def __init__(self, *numbers: Any, **named: Any) -> None: ...
     @property
-    def vertices(self) -> list[Any]: ...
+    def x(self) -> Any: ...
     @property
-    def codes(self) -> list[Any]: ...
+    def y(self) -> Any: ...
+    @property
+    def z(self) -> Any: ...
+    @property
+    def dx(self) -> Any: ...
+    @property
+    def dy(self) -> Any: ...
+    @property
+    def dz(self) -> Any: ...
+    @property
+    def qw(self) -> Any: ...
+    @property
+    def qx(self) -> Any: ...
+    @property
+    def qy(self) -> Any: ...
+    @property
+    def qz(self) -> Any: ...
 
-class ConvexPolygon5(Shape):
-    """ConvexPolygon5: an array whose last axis has its numbers, in this order.
+class OpenCvBox(Shape):
+    """OpenCvBox: an array whose last axis has its numbers, in this order.
 
-        vertices[0].x: coordinate
-        vertices[0].y: coordinate
-        vertices[1].x: coordinate
-        vertices[1].y: coordinate
-        vertices[2].x: coordinate
-        vertices[2].y: coordinate
-        vertices[3].x: coordinate
-        vertices[3].y: coordinate
-        vertices[4].x: coordinate
-        vertices[4].y: coordinate
-        codes[0]: whole number
+        center.x: coordinate
+        center.y: coordinate
+        size.x: length, at least 0
+        size.y: length, at least 0
+        heading.radians: angle in radians
     """
     def __init__(self, *numbers: Any, **named: Any) -> None: ...
     @property
-    def vertices(self) -> list[Any]: ...
+    def center(self) -> Vec2: ...
     @property
-    def codes(self) -> list[Any]: ...
+    def size(self) -> Vec2: ...
+    @property
+    def heading(self) -> Any: ...
+
+class PointPair(Shape):
+    """PointPair: an array whose last axis has its numbers, in this order.
+
+        on_a.x: coordinate
+        on_a.y: coordinate
+        on_b.x: coordinate
+        on_b.y: coordinate
+    """
+    def __init__(self, *numbers: Any, **named: Any) -> None: ...
+    @property
+    def on_a(self) -> Vec2: ...
+    @property
+    def on_b(self) -> Vec2: ...
+
+class Pose2(Shape):
+    """Pose2: an array whose last axis has its numbers, in this order.
+
+        rotation.cos: part of a direction, on the unit circle
+        rotation.sin: part of a direction, on the unit circle
+        translation.x: coordinate
+        translation.y: coordinate
+    """
+    def __init__(self, *numbers: Any, **named: Any) -> None: ...
+    @property
+    def rotation(self) -> Any: ...
+    @property
+    def translation(self) -> Vec2: ...
+
+class Ray2(Shape):
+    """Ray2: an array whose last axis has its numbers, in this order.
+
+        point.x: coordinate
+        point.y: coordinate
+        direction.x: coordinate, not all parts 0
+        direction.y: coordinate, not all parts 0
+    """
+    def __init__(self, *numbers: Any, **named: Any) -> None: ...
+    @property
+    def point(self) -> Vec2: ...
+    @property
+    def direction(self) -> Vec2: ...
 
 class SecondMoments(Shape):
     """SecondMoments: an array whose last axis has its numbers, in this order.
@@ -835,669 +701,164 @@ class SecondMoments(Shape):
     @property
     def xy(self) -> Any: ...
 
-class _intersection_area(Verb):
-    """Area that two rotated boxes share.
+class Segment2(Shape):
+    """Segment2: an array whose last axis has its numbers, in this order.
 
-    Rows:
-        intersection_area(a: Obb2, b: Obb2) -> number
-        intersection_area(a: Aabb2, b: Aabb2) -> number
-            Area that two axis-aligned boxes share.
-        intersection_area(a: ConvexPolygon5, b: ConvexPolygon5) -> number
-            The area that two convex polygons of up to N vertices share. Nothing is searched for.
+        from.x: coordinate
+        from.y: coordinate
+        to.x: coordinate
+        to.y: coordinate
     """
-    @overload
-    def __call__(self, a: Obb2, b: Obb2, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
-    @overload
-    def __call__(self, a: Aabb2, b: Aabb2, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
-    @overload
-    def __call__(self, a: ConvexPolygon5, b: ConvexPolygon5, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
-    @overload
-    def __call__(self, *arguments: Any, kind: Kind, to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Any: ...
+    def __init__(self, *numbers: Any, **named: Any) -> None: ...
+    @property
+    def from_(self) -> Vec2: ...
+    @property
+    def to(self) -> Vec2: ...
 
-intersection_area: _intersection_area
+class Span(Shape):
+    """Span: an array whose last axis has its numbers, in this order.
 
-class _iou(Verb):
-    """Intersection over union of two rotated boxes, 0 to 1.
-
-    Rows:
-        iou(a: Obb2, b: Obb2) -> number
-        iou(a: Aabb2, b: Aabb2) -> number
-            Intersection over union of two axis-aligned boxes, 0 to 1.
-        iou(a: Interval, b: Interval) -> number
-            Intersection over union of two intervals, 0 to 1.
-        iou(a: Aabb3, b: Aabb3) -> number
-            Intersection over union of two axis-aligned boxes, 0 to 1.
-        iou(a: YawBox3, b: YawBox3) -> number
-            Intersection over union of two upright boxes, 0 to 1.
-        iou(a: Obb3, b: Obb3) -> number
-            Intersection over union of two boxes of any orientation, 0 to 1.
-        iou(a: Aabb3, b: YawBox3) -> number
-            Intersection over union of an axis-aligned box and an upright box, 0 to 1.
-        iou(a: YawBox3, b: Obb3) -> number
-            Intersection over union of an upright box and a box of any orientation, 0 to 1.
-        iou(a: ConvexPolygon5, b: ConvexPolygon5) -> number
-            The IoU of two convex polygons of up to N vertices.
+        enter: length
+        exit: length
+        found: length
     """
-    @overload
-    def __call__(self, a: Obb2, b: Obb2, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
-    @overload
-    def __call__(self, a: Aabb2, b: Aabb2, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
-    @overload
-    def __call__(self, a: Interval, b: Interval, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
-    @overload
-    def __call__(self, a: Aabb3, b: Aabb3, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
-    @overload
-    def __call__(self, a: YawBox3, b: YawBox3, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
-    @overload
-    def __call__(self, a: Obb3, b: Obb3, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
-    @overload
-    def __call__(self, a: Aabb3, b: YawBox3, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
-    @overload
-    def __call__(self, a: YawBox3, b: Obb3, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
-    @overload
-    def __call__(self, a: ConvexPolygon5, b: ConvexPolygon5, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
-    @overload
-    def __call__(self, *arguments: Any, kind: Kind, to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Any: ...
+    def __init__(self, *numbers: Any, **named: Any) -> None: ...
+    @property
+    def enter(self) -> Any: ...
+    @property
+    def exit(self) -> Any: ...
+    @property
+    def found(self) -> Any: ...
 
-iou: _iou
+class Triangle2(Shape):
+    """Triangle2: an array whose last axis has its numbers, in this order.
 
-class _iof(Verb):
-    """The part of the first of two rotated boxes that lies in the second, 0 to 1.
-
-    Rows:
-        iof(a: Obb2, b: Obb2) -> number
-        iof(a: Aabb2, b: Aabb2) -> number
-            The part of the first of two axis-aligned boxes that lies in the second, 0 to 1.
-        iof(a: Aabb3, b: Aabb3) -> number
-            The part of the first of two axis-aligned boxes that lies in the second, 0 to 1.
-        iof(a: YawBox3, b: YawBox3) -> number
-            The part of the first of two upright boxes that lies in the second, 0 to 1.
-        iof(a: Obb3, b: Obb3) -> number
-            The part of the first of two boxes of any orientation that lies in the second, 0 to 1.
-        iof(a: ConvexPolygon5, b: ConvexPolygon5) -> number
-            The share of the first of two convex polygons of up to N vertices that lies in the second.
+        a.x: coordinate
+        a.y: coordinate
+        b.x: coordinate
+        b.y: coordinate
+        c.x: coordinate
+        c.y: coordinate
     """
-    @overload
-    def __call__(self, a: Obb2, b: Obb2, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
-    @overload
-    def __call__(self, a: Aabb2, b: Aabb2, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
-    @overload
-    def __call__(self, a: Aabb3, b: Aabb3, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
-    @overload
-    def __call__(self, a: YawBox3, b: YawBox3, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
-    @overload
-    def __call__(self, a: Obb3, b: Obb3, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
-    @overload
-    def __call__(self, a: ConvexPolygon5, b: ConvexPolygon5, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
-    @overload
-    def __call__(self, *arguments: Any, kind: Kind, to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Any: ...
+    def __init__(self, *numbers: Any, **named: Any) -> None: ...
+    @property
+    def a(self) -> Vec2: ...
+    @property
+    def b(self) -> Vec2: ...
+    @property
+    def c(self) -> Vec2: ...
 
-iof: _iof
+class Vec2(Shape):
+    """Vec2: an array whose last axis has its numbers, in this order.
 
-class _distance(Verb):
-    """The distance of a point and a segment.
-
-    Rows:
-        distance(point: Vec2, segment: Segment2) -> number
-        distance(point: Vec2, circle: Circle) -> number
-            The distance of a point and a circle.
-        distance(point: Vec2, triangle: Triangle2) -> number
-            The distance of a point and a triangle.
-        distance(point: Vec2, capsule: Capsule2) -> number
-            The distance of a point and a capsule.
-        distance(point: Vec2, shape: Aabb2) -> number
-            The distance of a point and an axis-aligned box.
-        distance(point: Vec2, shape: Obb2) -> number
-            The distance of a point and a rotated box.
-        distance(segment: Segment2, circle: Circle) -> number
-            The distance of a segment and a circle.
-        distance(a: Circle, b: Circle) -> number
-            The distance of two circles.
-        distance(a: Interval, b: Interval) -> number
-            The distance of two intervals.
-        distance(x: number, interval: Interval) -> number
-            The distance of a number and an interval.
-        distance(point: Vec3, shape: Aabb3) -> number
-            The distance of a point and an axis-aligned box.
-        distance(point: Vec3, shape: YawBox3) -> number
-            The distance of a point and an upright box.
-        distance(point: Vec3, shape: Obb3) -> number
-            The distance of a point and a box of any orientation.
-        distance(a: Aabb2, b: Aabb2) -> number
-            The distance of two axis-aligned boxes.
-        distance(a: Capsule2, b: Capsule2) -> number
-            The distance of two capsules.
-        distance(circle: Circle, shape: Obb2) -> number
-            The distance of a circle and a rotated box.
-        distance(a: Obb2, b: Obb2) -> number
-            The distance of two rotated boxes.
-        distance(segment: Segment2, shape: Obb2) -> number
-            The distance of a segment and a rotated box.
-        distance(a: Segment2, b: Segment2) -> number
-            The distance of two segments.
-        distance(a: Triangle2, b: Triangle2) -> number
-            The distance of two triangles.
-        distance(point: Vec2, paths: polyline) -> number
-            The distance of a point and a polyline; the largest finite number where that has fewer than two vertices.
-        distance(point: Vec2, paths: ring) -> number
-            The distance of a point and the edges of a ring; without edges the largest finite number.
+        x: coordinate
+        y: coordinate
     """
-    @overload
-    def __call__(self, point: Vec2, segment: Segment2, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
-    @overload
-    def __call__(self, point: Vec2, circle: Circle, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
-    @overload
-    def __call__(self, point: Vec2, triangle: Triangle2, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
-    @overload
-    def __call__(self, point: Vec2, capsule: Capsule2, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
-    @overload
-    def __call__(self, point: Vec2, shape: Aabb2, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
-    @overload
-    def __call__(self, point: Vec2, shape: Obb2, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
-    @overload
-    def __call__(self, segment: Segment2, circle: Circle, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
-    @overload
-    def __call__(self, a: Circle, b: Circle, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
-    @overload
-    def __call__(self, a: Interval, b: Interval, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
-    @overload
-    def __call__(self, x: ArrayLike, interval: Interval, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
-    @overload
-    def __call__(self, point: Vec3, shape: Aabb3, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
-    @overload
-    def __call__(self, point: Vec3, shape: YawBox3, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
-    @overload
-    def __call__(self, point: Vec3, shape: Obb3, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
-    @overload
-    def __call__(self, a: Aabb2, b: Aabb2, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
-    @overload
-    def __call__(self, a: Capsule2, b: Capsule2, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
-    @overload
-    def __call__(self, circle: Circle, shape: Obb2, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
-    @overload
-    def __call__(self, a: Obb2, b: Obb2, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
-    @overload
-    def __call__(self, segment: Segment2, shape: Obb2, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
-    @overload
-    def __call__(self, a: Segment2, b: Segment2, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
-    @overload
-    def __call__(self, a: Triangle2, b: Triangle2, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
-    @overload
-    def __call__(self, point: Vec2, paths: Paths, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
-    @overload
-    def __call__(self, point: Vec2, paths: Paths, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
-    @overload
-    def __call__(self, *arguments: Any, kind: Kind, to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Any: ...
+    def __init__(self, *numbers: Any, **named: Any) -> None: ...
+    @property
+    def x(self) -> Any: ...
+    @property
+    def y(self) -> Any: ...
 
-distance: _distance
+class Vec2x4(Shape):
+    """Vec2x4: an array whose last axis has its numbers, in this order.
 
-class _signed_distance(Verb):
-    """The signed distance of a point and a rotated box.
-
-    Rows:
-        signed_distance(point: Vec2, shape: Obb2) -> number
-        signed_distance(point: Vec2, circle: Circle) -> number
-            The signed distance of a point and a circle.
-        signed_distance(point: Vec2, capsule: Capsule2) -> number
-            The signed distance of a point and a capsule.
-        signed_distance(point: Vec2, shape: Aabb2) -> number
-            The signed distance of a point and an axis-aligned box.
-        signed_distance(a: Interval, b: Interval) -> number
-            The signed distance of two intervals.
-        signed_distance(point: Vec3, shape: Aabb3) -> number
-            The signed distance of a point and an axis-aligned box.
-        signed_distance(point: Vec3, shape: YawBox3) -> number
-            The signed distance of a point and an upright box.
-        signed_distance(point: Vec3, shape: Obb3) -> number
-            The signed distance of a point and a box of any orientation.
-        signed_distance(a: Aabb2, b: Aabb2) -> number
-            The signed distance of two axis-aligned boxes.
-        signed_distance(a: Capsule2, b: Capsule2) -> number
-            The signed distance of two capsules.
-        signed_distance(circle: Circle, shape: Obb2) -> number
-            The signed distance of a circle and a rotated box.
-        signed_distance(a: Circle, b: Circle) -> number
-            The signed distance of two circles.
-        signed_distance(a: Obb2, b: Obb2) -> number
-            The signed distance of two rotated boxes.
-        signed_distance(point: Vec2, triangle: Triangle2) -> number
-            The signed distance of a point and a triangle.
-        signed_distance(segment: Segment2, circle: Circle) -> number
-            The signed distance of a segment and a circle.
-        signed_distance(segment: Segment2, shape: Obb2) -> number
-            The signed distance of a segment and a rotated box.
-        signed_distance(a: Triangle2, b: Triangle2) -> number
-            The signed distance of two triangles.
-        signed_distance(point: Vec2, paths: ring) -> number
-            The signed distance of a point and a ring: negative inside. Without edges it is the largest finite number.
+        [0].x: coordinate
+        [0].y: coordinate
+        [1].x: coordinate
+        [1].y: coordinate
+        [2].x: coordinate
+        [2].y: coordinate
+        [3].x: coordinate
+        [3].y: coordinate
     """
-    @overload
-    def __call__(self, point: Vec2, shape: Obb2, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
-    @overload
-    def __call__(self, point: Vec2, circle: Circle, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
-    @overload
-    def __call__(self, point: Vec2, capsule: Capsule2, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
-    @overload
-    def __call__(self, point: Vec2, shape: Aabb2, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
-    @overload
-    def __call__(self, a: Interval, b: Interval, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
-    @overload
-    def __call__(self, point: Vec3, shape: Aabb3, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
-    @overload
-    def __call__(self, point: Vec3, shape: YawBox3, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
-    @overload
-    def __call__(self, point: Vec3, shape: Obb3, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
-    @overload
-    def __call__(self, a: Aabb2, b: Aabb2, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
-    @overload
-    def __call__(self, a: Capsule2, b: Capsule2, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
-    @overload
-    def __call__(self, circle: Circle, shape: Obb2, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
-    @overload
-    def __call__(self, a: Circle, b: Circle, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
-    @overload
-    def __call__(self, a: Obb2, b: Obb2, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
-    @overload
-    def __call__(self, point: Vec2, triangle: Triangle2, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
-    @overload
-    def __call__(self, segment: Segment2, circle: Circle, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
-    @overload
-    def __call__(self, segment: Segment2, shape: Obb2, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
-    @overload
-    def __call__(self, a: Triangle2, b: Triangle2, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
-    @overload
-    def __call__(self, point: Vec2, paths: Paths, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
-    @overload
-    def __call__(self, *arguments: Any, kind: Kind, to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Any: ...
+    def __init__(self, *numbers: Any, **named: Any) -> None: ...
+    @property
+    def items(self) -> list[Any]: ...
 
-signed_distance: _signed_distance
+class Vec3(Shape):
+    """Vec3: an array whose last axis has its numbers, in this order.
 
-class _closest_points(Verb):
-    """The nearest points of two segments, and where along both they lie.
-
-    Rows:
-        closest_points(a: Segment2, b: Segment2) -> ClosestOnSegments
-        closest_points(a: Aabb2, b: Aabb2) -> PointPair
-            The nearest points of two axis-aligned boxes. Points jump to another nearest feature.
-        closest_points(a: Capsule2, b: Capsule2) -> PointPair
-            The nearest points of two capsules. Points jump to another nearest feature.
-        closest_points(circle: Circle, shape: Obb2) -> PointPair
-            The nearest points of a circle and a rotated box. Points jump to another nearest feature.
-        closest_points(a: Obb2, b: Obb2) -> PointPair
-            The nearest points of two rotated boxes. Points jump to another nearest feature.
-        closest_points(point: Vec2, shape: Obb2) -> PointPair
-            The nearest points of a point and a rotated box. Points jump to another nearest feature.
-        closest_points(point: Vec2, segment: Segment2) -> PointPair
-            The nearest points of a point and a segment. Points jump to another nearest feature.
-        closest_points(point: Vec2, triangle: Triangle2) -> PointPair
-            The nearest points of a point and a triangle. Points jump to another nearest feature.
+        x: coordinate
+        y: coordinate
+        z: coordinate
     """
-    @overload
-    def __call__(self, a: Segment2, b: Segment2, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> ClosestOnSegments: ...
-    @overload
-    def __call__(self, a: Aabb2, b: Aabb2, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> PointPair: ...
-    @overload
-    def __call__(self, a: Capsule2, b: Capsule2, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> PointPair: ...
-    @overload
-    def __call__(self, circle: Circle, shape: Obb2, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> PointPair: ...
-    @overload
-    def __call__(self, a: Obb2, b: Obb2, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> PointPair: ...
-    @overload
-    def __call__(self, point: Vec2, shape: Obb2, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> PointPair: ...
-    @overload
-    def __call__(self, point: Vec2, segment: Segment2, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> PointPair: ...
-    @overload
-    def __call__(self, point: Vec2, triangle: Triangle2, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> PointPair: ...
-    @overload
-    def __call__(self, *arguments: Any, kind: Kind, to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Any: ...
+    def __init__(self, *numbers: Any, **named: Any) -> None: ...
+    @property
+    def x(self) -> Any: ...
+    @property
+    def y(self) -> Any: ...
+    @property
+    def z(self) -> Any: ...
 
-closest_points: _closest_points
+class Xyxyr(Shape):
+    """Xyxyr: an array whose last axis has its numbers, in this order.
 
-class _squared_distance(Verb):
-    """The squared distance of a point and a segment.
-
-    Rows:
-        squared_distance(point: Vec2, segment: Segment2) -> number
-        squared_distance(point: Vec2, triangle: Triangle2) -> number
-            The squared distance of a point and a triangle.
-        squared_distance(a: Aabb2, b: Aabb2) -> number
-            The squared distance of two axis-aligned boxes.
-        squared_distance(a: Obb2, b: Obb2) -> number
-            The squared distance of two rotated boxes.
-        squared_distance(a: Segment2, b: Segment2) -> number
-            The squared distance of two segments.
-        squared_distance(a: Triangle2, b: Triangle2) -> number
-            The squared distance of two triangles.
+        min.x: coordinate, at most max.x
+        min.y: coordinate, at most max.y
+        max.x: coordinate, at least min.x
+        max.y: coordinate, at least min.y
+        heading: angle in radians
     """
-    @overload
-    def __call__(self, point: Vec2, segment: Segment2, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
-    @overload
-    def __call__(self, point: Vec2, triangle: Triangle2, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
-    @overload
-    def __call__(self, a: Aabb2, b: Aabb2, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
-    @overload
-    def __call__(self, a: Obb2, b: Obb2, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
-    @overload
-    def __call__(self, a: Segment2, b: Segment2, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
-    @overload
-    def __call__(self, a: Triangle2, b: Triangle2, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
-    @overload
-    def __call__(self, *arguments: Any, kind: Kind, to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Any: ...
+    def __init__(self, *numbers: Any, **named: Any) -> None: ...
+    @property
+    def min(self) -> Vec2: ...
+    @property
+    def max(self) -> Vec2: ...
+    @property
+    def heading(self) -> Any: ...
 
-squared_distance: _squared_distance
+class YawBox3(Shape):
+    """YawBox3: an array whose last axis has its numbers, in this order.
 
-class _giou(Verb):
-    """The generalised IoU of two rotated boxes. By the convex hull.
-
-    Rows:
-        giou(a: Obb2, b: Obb2) -> number
-        giou(a: Aabb3, b: Aabb3) -> number
-            The generalised IoU of two axis-aligned boxes. By the box around both.
-        giou(a: YawBox3, b: YawBox3) -> number
-            The generalised IoU of two upright boxes. By the convex hull of the grounds times the height of both.
-        giou(a: Aabb2, b: Aabb2) -> number
-            The generalised IoU of two axis-aligned boxes. By the box around both.
-        giou(a: Obb3, b: Obb3) -> number
-            The generalised IoU of two boxes of any orientation. By the smaller box around both along the axes of either.
-        giou(a: ConvexPolygon5, b: ConvexPolygon5) -> number
-            The generalised IoU of two convex polygons of up to N vertices. Its record says which of them are on the hull.
+        x: coordinate
+        y: coordinate
+        z: coordinate
+        dx: length, at least 0
+        dy: length, at least 0
+        dz: length, at least 0
+        heading: angle in radians
     """
-    @overload
-    def __call__(self, a: Obb2, b: Obb2, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
-    @overload
-    def __call__(self, a: Aabb3, b: Aabb3, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
-    @overload
-    def __call__(self, a: YawBox3, b: YawBox3, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
-    @overload
-    def __call__(self, a: Aabb2, b: Aabb2, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
-    @overload
-    def __call__(self, a: Obb3, b: Obb3, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
-    @overload
-    def __call__(self, a: ConvexPolygon5, b: ConvexPolygon5, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
-    @overload
-    def __call__(self, *arguments: Any, kind: Kind, to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Any: ...
-
-giou: _giou
-
-class _giou_aabb(Verb):
-    """The generalised IoU of two rotated boxes by the box around both.
-
-    Rows:
-        giou_aabb(a: Obb2, b: Obb2) -> number
-        giou_aabb(a: YawBox3, b: YawBox3) -> number
-            The generalised IoU of two upright boxes by the box around both along the axes of the world.
-        giou_aabb(a: Obb3, b: Obb3) -> number
-            The generalised IoU of two boxes of any orientation by the box around both along the axes of the world.
-    """
-    @overload
-    def __call__(self, a: Obb2, b: Obb2, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
-    @overload
-    def __call__(self, a: YawBox3, b: YawBox3, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
-    @overload
-    def __call__(self, a: Obb3, b: Obb3, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
-    @overload
-    def __call__(self, *arguments: Any, kind: Kind, to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Any: ...
-
-giou_aabb: _giou_aabb
-
-class _diou(Verb):
-    """The distance IoU of two rotated boxes. By the convex hull.
-
-    Rows:
-        diou(a: Obb2, b: Obb2) -> number
-        diou(a: Aabb2, b: Aabb2) -> number
-            The distance IoU of two axis-aligned boxes. By the box around both.
-        diou(a: YawBox3, b: YawBox3) -> number
-            The distance IoU of two upright boxes. By the convex hull of the grounds times the height of both.
-        diou(a: Aabb3, b: Aabb3) -> number
-            The distance IoU of two axis-aligned boxes. By the box around both.
-        diou(a: Obb3, b: Obb3) -> number
-            The distance IoU of two boxes of any orientation. By the smaller box around both along the axes of either.
-        diou(a: ConvexPolygon5, b: ConvexPolygon5) -> number
-            The distance IoU of two convex polygons of up to N vertices. Its record says which of them are farthest apart.
-    """
-    @overload
-    def __call__(self, a: Obb2, b: Obb2, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
-    @overload
-    def __call__(self, a: Aabb2, b: Aabb2, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
-    @overload
-    def __call__(self, a: YawBox3, b: YawBox3, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
-    @overload
-    def __call__(self, a: Aabb3, b: Aabb3, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
-    @overload
-    def __call__(self, a: Obb3, b: Obb3, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
-    @overload
-    def __call__(self, a: ConvexPolygon5, b: ConvexPolygon5, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
-    @overload
-    def __call__(self, *arguments: Any, kind: Kind, to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Any: ...
-
-diou: _diou
-
-class _diou_aabb(Verb):
-    """The distance IoU of two rotated boxes by the diagonal of the box around both.
-
-    Rows:
-        diou_aabb(a: Obb2, b: Obb2) -> number
-        diou_aabb(a: Obb3, b: Obb3) -> number
-            The distance IoU of two boxes of any orientation by the box around both along the axes of the world.
-        diou_aabb(a: YawBox3, b: YawBox3) -> number
-            The distance IoU of two upright boxes by the box around both along the axes of the world.
-    """
-    @overload
-    def __call__(self, a: Obb2, b: Obb2, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
-    @overload
-    def __call__(self, a: Obb3, b: Obb3, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
-    @overload
-    def __call__(self, a: YawBox3, b: YawBox3, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
-    @overload
-    def __call__(self, *arguments: Any, kind: Kind, to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Any: ...
-
-diou_aabb: _diou_aabb
-
-class _ciou(Verb):
-    """The complete IoU of two rotated boxes. By the convex hull.
-
-    Rows:
-        ciou(a: Obb2, b: Obb2) -> number
-        ciou(a: Aabb2, b: Aabb2) -> number
-            The complete IoU of two axis-aligned boxes. By the box around both.
-        ciou(a: Aabb3, b: Aabb3) -> number
-            The complete IoU of two axis-aligned boxes. By the box around both.
-        ciou(a: YawBox3, b: YawBox3) -> number
-            The complete IoU of two upright boxes. By the convex hull of the grounds times the height of both.
-        ciou(a: Obb3, b: Obb3) -> number
-            The complete IoU of two boxes of any orientation. By the smaller box around both along the axes of either.
-    """
-    @overload
-    def __call__(self, a: Obb2, b: Obb2, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
-    @overload
-    def __call__(self, a: Aabb2, b: Aabb2, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
-    @overload
-    def __call__(self, a: Aabb3, b: Aabb3, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
-    @overload
-    def __call__(self, a: YawBox3, b: YawBox3, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
-    @overload
-    def __call__(self, a: Obb3, b: Obb3, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
-    @overload
-    def __call__(self, *arguments: Any, kind: Kind, to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Any: ...
-
-ciou: _ciou
-
-class _eiou(Verb):
-    """The efficient IoU of two axis-aligned boxes. By the box around both.
-
-    Rows:
-        eiou(a: Aabb2, b: Aabb2) -> number
-        eiou(a: Obb2, b: Obb2) -> number
-            The efficient IoU of two rotated boxes. By the convex hull.
-        eiou(a: Aabb3, b: Aabb3) -> number
-        eiou(a: YawBox3, b: YawBox3) -> number
-            The efficient IoU of two upright boxes. By the convex hull of the grounds times the height of both.
-        eiou(a: Obb3, b: Obb3) -> number
-            The efficient IoU of two boxes of any orientation. By the smaller box around both along the axes of either.
-    """
-    @overload
-    def __call__(self, a: Aabb2, b: Aabb2, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
-    @overload
-    def __call__(self, a: Obb2, b: Obb2, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
-    @overload
-    def __call__(self, a: Aabb3, b: Aabb3, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
-    @overload
-    def __call__(self, a: YawBox3, b: YawBox3, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
-    @overload
-    def __call__(self, a: Obb3, b: Obb3, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
-    @overload
-    def __call__(self, *arguments: Any, kind: Kind, to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Any: ...
-
-eiou: _eiou
-
-class _hull_area(Verb):
-    """The area of the convex hull of two rotated boxes.
-
-    Rows:
-        hull_area(a: Obb2, b: Obb2) -> number
-        hull_area(a: Aabb2, b: Aabb2) -> number
-            The area of the convex hull of two axis-aligned boxes.
-        hull_area(a: ConvexPolygon5, b: ConvexPolygon5) -> number
-            The area of the joint hull of two convex polygons of up to N vertices.
-    """
-    @overload
-    def __call__(self, a: Obb2, b: Obb2, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
-    @overload
-    def __call__(self, a: Aabb2, b: Aabb2, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
-    @overload
-    def __call__(self, a: ConvexPolygon5, b: ConvexPolygon5, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
-    @overload
-    def __call__(self, *arguments: Any, kind: Kind, to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Any: ...
-
-hull_area: _hull_area
-
-class _circumcircle(Verb):
-    """The circle through three points (circumcircle). It jumps where they are on one line.
-
-    Rows:
-        circumcircle(a: Vec2, b: Vec2, c: Vec2) -> Circle
-    """
-    @overload
-    def __call__(self, a: Vec2, b: Vec2, c: Vec2, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Circle: ...
-    @overload
-    def __call__(self, *arguments: Any, kind: Kind, to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Any: ...
-
-circumcircle: _circumcircle
-
-class _centroid(Verb):
-    """The centroid of four vertices.
-
-    Rows:
-        centroid(ring: Vec2x4) -> Vec2
-        centroid(shape: Triangle2) -> Vec2
-            The centroid of a triangle.
-        centroid(paths: ring) -> Vec2
-            The centroid of the area of a ring; its value jumps where the area is zero.
-    """
-    @overload
-    def __call__(self, ring: Vec2x4, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Vec2: ...
-    @overload
-    def __call__(self, shape: Triangle2, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Vec2: ...
-    @overload
-    def __call__(self, paths: Paths, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Vec2: ...
-    @overload
-    def __call__(self, *arguments: Any, kind: Kind, to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Any: ...
-
-centroid: _centroid
-
-class _intersection_length(Verb):
-    """Length that two intervals share.
-
-    Rows:
-        intersection_length(a: Interval, b: Interval) -> number
-    """
-    @overload
-    def __call__(self, a: Interval, b: Interval, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
-    @overload
-    def __call__(self, *arguments: Any, kind: Kind, to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Any: ...
-
-intersection_length: _intersection_length
-
-class _diou_hull(Verb):
-    """The distance IoU of two axis-aligned boxes by the diameter of the convex hull.
-
-    Rows:
-        diou_hull(a: Aabb2, b: Aabb2) -> number
-    """
-    @overload
-    def __call__(self, a: Aabb2, b: Aabb2, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
-    @overload
-    def __call__(self, *arguments: Any, kind: Kind, to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Any: ...
-
-diou_hull: _diou_hull
+    def __init__(self, *numbers: Any, **named: Any) -> None: ...
+    @property
+    def x(self) -> Any: ...
+    @property
+    def y(self) -> Any: ...
+    @property
+    def z(self) -> Any: ...
+    @property
+    def dx(self) -> Any: ...
+    @property
+    def dy(self) -> Any: ...
+    @property
+    def dz(self) -> Any: ...
+    @property
+    def heading(self) -> Any: ...
 
 class _alpha_iou(Verb):
-    """A power of the IoU of two axis-aligned boxes.
+    """The IoU of two axis-aligned boxes to the power three, its paper's choice.
 
     Rows:
-        alpha_iou(a: Aabb2, b: Aabb2, power: Exponent) -> number
+        alpha_iou(a: Aabb3, b: Aabb3) -> number
         alpha_iou(a: YawBox3, b: YawBox3) -> number
             The IoU of two upright boxes to the power three, its paper's choice.
-        alpha_iou(a: Aabb3, b: Aabb3) -> number
-            The IoU of two axis-aligned boxes to the power three, its paper's choice.
+        alpha_iou(a: Aabb2, b: Aabb2, power: Exponent) -> number
+            A power of the IoU of two axis-aligned boxes.
         alpha_iou(a: Obb2, b: Obb2, power: Exponent) -> number
             A power of the IoU of two rotated boxes.
     """
     @overload
-    def __call__(self, a: Aabb2, b: Aabb2, power: Exponent, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
+    def __call__(self, a: Aabb3, b: Aabb3, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
     @overload
     def __call__(self, a: YawBox3, b: YawBox3, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
     @overload
-    def __call__(self, a: Aabb3, b: Aabb3, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
+    def __call__(self, a: Aabb2, b: Aabb2, power: Exponent, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
     @overload
     def __call__(self, a: Obb2, b: Obb2, power: Exponent, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
     @overload
     def __call__(self, *arguments: Any, kind: Kind, to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Any: ...
 
 alpha_iou: _alpha_iou
-
-class _clearance(Verb):
-    """The clearance of a point and an axis-aligned box, positive inside.
-
-    Rows:
-        clearance(point: Vec2, shape: Aabb2) -> number
-        clearance(point: Vec2, shape: Obb2) -> number
-            The clearance of a point and a rotated box, positive inside.
-        clearance(point: Vec2, paths: ring) -> number
-            How far a point is inside a ring by the even-odd rule, negative outside. Without edges it is minus the largest finite number.
-    """
-    @overload
-    def __call__(self, point: Vec2, shape: Aabb2, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
-    @overload
-    def __call__(self, point: Vec2, shape: Obb2, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
-    @overload
-    def __call__(self, point: Vec2, paths: Paths, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
-    @overload
-    def __call__(self, *arguments: Any, kind: Kind, to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Any: ...
-
-clearance: _clearance
-
-class _signed_area(Verb):
-    """The signed area of a triangle.
-
-    Rows:
-        signed_area(shape: Triangle2) -> number
-        signed_area(ring: Vec2x4) -> number
-            The signed area of four vertices.
-        signed_area(paths: ring) -> number
-            The signed area of a ring: positive where it turns counter-clockwise.
-    """
-    @overload
-    def __call__(self, shape: Triangle2, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
-    @overload
-    def __call__(self, ring: Vec2x4, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
-    @overload
-    def __call__(self, paths: Paths, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
-    @overload
-    def __call__(self, *arguments: Any, kind: Kind, to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Any: ...
-
-signed_area: _signed_area
 
 class _area(Verb):
     """The area of a triangle.
@@ -1511,180 +872,6 @@ class _area(Verb):
     def __call__(self, *arguments: Any, kind: Kind, to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Any: ...
 
 area: _area
-
-class _perimeter(Verb):
-    """The perimeter of a triangle.
-
-    Rows:
-        perimeter(shape: Triangle2) -> number
-        perimeter(ring: Vec2x4) -> number
-            The perimeter of four vertices.
-        perimeter(paths: ring) -> number
-            The perimeter of a ring.
-    """
-    @overload
-    def __call__(self, shape: Triangle2, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
-    @overload
-    def __call__(self, ring: Vec2x4, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
-    @overload
-    def __call__(self, paths: Paths, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
-    @overload
-    def __call__(self, *arguments: Any, kind: Kind, to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Any: ...
-
-perimeter: _perimeter
-
-class _incircle(Verb):
-    """The inscribed circle of a triangle.
-
-    Rows:
-        incircle(shape: Triangle2) -> Circle
-    """
-    @overload
-    def __call__(self, shape: Triangle2, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Circle: ...
-    @overload
-    def __call__(self, *arguments: Any, kind: Kind, to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Any: ...
-
-incircle: _incircle
-
-class _move(Verb):
-    """A segment, moved.
-
-    Rows:
-        move(pose: Pose2, segment: Segment2) -> Segment2
-    """
-    @overload
-    def __call__(self, pose: Pose2, segment: Segment2, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Segment2: ...
-    @overload
-    def __call__(self, *arguments: Any, kind: Kind, to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Any: ...
-
-move: _move
-
-class _intersection_volume(Verb):
-    """Volume that two axis-aligned boxes share.
-
-    Rows:
-        intersection_volume(a: Aabb3, b: Aabb3) -> number
-        intersection_volume(a: YawBox3, b: YawBox3) -> number
-            Volume that two upright boxes share.
-        intersection_volume(a: Obb3, b: Obb3) -> number
-            Volume that two boxes of any orientation share.
-    """
-    @overload
-    def __call__(self, a: Aabb3, b: Aabb3, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
-    @overload
-    def __call__(self, a: YawBox3, b: YawBox3, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
-    @overload
-    def __call__(self, a: Obb3, b: Obb3, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
-    @overload
-    def __call__(self, *arguments: Any, kind: Kind, to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Any: ...
-
-intersection_volume: _intersection_volume
-
-class _iou_bev(Verb):
-    """Intersection over union of two upright boxes, seen from above, 0 to 1.
-
-    Rows:
-        iou_bev(a: YawBox3, b: YawBox3) -> number
-    """
-    @overload
-    def __call__(self, a: YawBox3, b: YawBox3, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
-    @overload
-    def __call__(self, *arguments: Any, kind: Kind, to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Any: ...
-
-iou_bev: _iou_bev
-
-class _separation_aware(Verb):
-    """The IoU with a term for separation of two axis-aligned boxes.
-
-    Rows:
-        separation_aware(a: Aabb3, b: Aabb3) -> number
-        separation_aware(a: YawBox3, b: YawBox3) -> number
-            The IoU with a term for separation of two upright boxes.
-        separation_aware(a: Obb2, b: Obb2) -> number
-            The IoU with a term for separation of two rotated boxes.
-        separation_aware(a: Obb3, b: Obb3) -> number
-            The IoU with a term for separation of two boxes of any orientation.
-    """
-    @overload
-    def __call__(self, a: Aabb3, b: Aabb3, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
-    @overload
-    def __call__(self, a: YawBox3, b: YawBox3, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
-    @overload
-    def __call__(self, a: Obb2, b: Obb2, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
-    @overload
-    def __call__(self, a: Obb3, b: Obb3, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
-    @overload
-    def __call__(self, *arguments: Any, kind: Kind, to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Any: ...
-
-separation_aware: _separation_aware
-
-class _wasserstein(Verb):
-    """The Wasserstein distance of two rotated boxes as Gaussians.
-
-    Rows:
-        wasserstein(a: Obb2, b: Obb2) -> number
-        wasserstein(a: Obb3, b: Obb3) -> number
-            The Wasserstein distance of two boxes of any orientation as Gaussians.
-    """
-    @overload
-    def __call__(self, a: Obb2, b: Obb2, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
-    @overload
-    def __call__(self, a: Obb3, b: Obb3, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
-    @overload
-    def __call__(self, *arguments: Any, kind: Kind, to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Any: ...
-
-wasserstein: _wasserstein
-
-class _squared_wasserstein(Verb):
-    """The squared Wasserstein distance of two rotated boxes as Gaussians.
-
-    Rows:
-        squared_wasserstein(a: Obb2, b: Obb2) -> number
-        squared_wasserstein(a: Obb3, b: Obb3) -> number
-            The squared Wasserstein distance of two boxes of any orientation as Gaussians.
-    """
-    @overload
-    def __call__(self, a: Obb2, b: Obb2, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
-    @overload
-    def __call__(self, a: Obb3, b: Obb3, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
-    @overload
-    def __call__(self, *arguments: Any, kind: Kind, to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Any: ...
-
-squared_wasserstein: _squared_wasserstein
-
-class _kullback_leibler(Verb):
-    """The Kullback-Leibler divergence of two rotated boxes as Gaussians.
-
-    Rows:
-        kullback_leibler(a: Obb2, b: Obb2) -> number
-        kullback_leibler(a: Obb3, b: Obb3) -> number
-            The Kullback-Leibler divergence of two boxes of any orientation as Gaussians.
-    """
-    @overload
-    def __call__(self, a: Obb2, b: Obb2, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
-    @overload
-    def __call__(self, a: Obb3, b: Obb3, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
-    @overload
-    def __call__(self, *arguments: Any, kind: Kind, to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Any: ...
-
-kullback_leibler: _kullback_leibler
-
-class _jeffreys(Verb):
-    """The Jeffreys divergence of two rotated boxes as Gaussians.
-
-    Rows:
-        jeffreys(a: Obb2, b: Obb2) -> number
-        jeffreys(a: Obb3, b: Obb3) -> number
-            The Jeffreys divergence of two boxes of any orientation as Gaussians.
-    """
-    @overload
-    def __call__(self, a: Obb2, b: Obb2, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
-    @overload
-    def __call__(self, a: Obb3, b: Obb3, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
-    @overload
-    def __call__(self, *arguments: Any, kind: Kind, to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Any: ...
-
-jeffreys: _jeffreys
 
 class _bhattacharyya(Verb):
     """The Bhattacharyya distance of two rotated boxes as Gaussians.
@@ -1703,109 +890,54 @@ class _bhattacharyya(Verb):
 
 bhattacharyya: _bhattacharyya
 
-class _probiou(Verb):
-    """The probabilistic IoU of two rotated boxes as Gaussians, 0 to 1.
+class _centroid(Verb):
+    """The centroid of a triangle.
 
     Rows:
-        probiou(a: Obb2, b: Obb2) -> number
-        probiou(a: Obb3, b: Obb3) -> number
-            The probabilistic IoU of two boxes of any orientation as Gaussians, 0 to 1.
+        centroid(shape: Triangle2) -> Vec2
+        centroid(ring: Vec2x4) -> Vec2
+            The centroid of four vertices.
+        centroid(paths: ring) -> Vec2
+            The centroid of the area of a ring; its value jumps where the area is zero.
     """
+    @overload
+    def __call__(self, shape: Triangle2, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Vec2: ...
+    @overload
+    def __call__(self, ring: Vec2x4, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Vec2: ...
+    @overload
+    def __call__(self, paths: Paths, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Vec2: ...
+    @overload
+    def __call__(self, *arguments: Any, kind: Kind, to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Any: ...
+
+centroid: _centroid
+
+class _ciou(Verb):
+    """The complete IoU of two axis-aligned boxes. By the box around both.
+
+    Rows:
+        ciou(a: Aabb2, b: Aabb2) -> number
+        ciou(a: Aabb3, b: Aabb3) -> number
+        ciou(a: Obb2, b: Obb2) -> number
+            The complete IoU of two rotated boxes. By the convex hull.
+        ciou(a: Obb3, b: Obb3) -> number
+            The complete IoU of two boxes of any orientation. By the smaller box around both along the axes of either.
+        ciou(a: YawBox3, b: YawBox3) -> number
+            The complete IoU of two upright boxes. By the convex hull of the grounds times the height of both.
+    """
+    @overload
+    def __call__(self, a: Aabb2, b: Aabb2, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
+    @overload
+    def __call__(self, a: Aabb3, b: Aabb3, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
     @overload
     def __call__(self, a: Obb2, b: Obb2, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
     @overload
     def __call__(self, a: Obb3, b: Obb3, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
     @overload
-    def __call__(self, *arguments: Any, kind: Kind, to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Any: ...
-
-probiou: _probiou
-
-class _kfiou(Verb):
-    """The IoU by a Kalman filter of two rotated boxes as Gaussians.
-
-    Rows:
-        kfiou(a: Obb2, b: Obb2) -> number
-        kfiou(a: Obb3, b: Obb3) -> number
-            The IoU by a Kalman filter of two boxes of any orientation as Gaussians.
-    """
-    @overload
-    def __call__(self, a: Obb2, b: Obb2, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
-    @overload
-    def __call__(self, a: Obb3, b: Obb3, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
+    def __call__(self, a: YawBox3, b: YawBox3, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
     @overload
     def __call__(self, *arguments: Any, kind: Kind, to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Any: ...
 
-kfiou: _kfiou
-
-class _convert(Verb):
-    """mmrotate's Le90 of an image's box.
-
-    Rows:
-        convert(shape: ImageBox) -> Le90
-        convert(shape: ImageBox) -> Le135
-            mmrotate's Le135 of an image's box.
-        convert(shape: ImageBox) -> OpenCvBox
-            OpenCV's box of an image's box.
-        convert(shape: Xyxyr) -> Obb2
-            The rotated box of bounds before turning, and the angle.
-        convert(shape: KittiBox) -> YawBox3
-            The upright box of KITTI's box.
-        convert(shape: YawBox3) -> Obb3
-            The box of any orientation of an upright box.
-        convert(shape: ImageBox) -> Detectron2Box
-            detectron2's box of an image's box.
-        convert(shape: Detectron2Box) -> ImageBox
-            The image's box of detectron2's box.
-        convert(shape: YawBox3) -> KittiBox
-            KITTI's box of an upright box.
-        convert(shape: NuScenesBox) -> Obb3
-            The box of any orientation of nuScenes' box.
-        convert(shape: Obb2) -> Xyxyr
-            The bounds before turning, and the angle, of a rotated box.
-        convert(shape: LidarBox) -> YawBox3
-            The upright box of OpenPCDet's box.
-    """
-    @overload
-    def __call__(self, shape: ImageBox, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Le90: ...
-    @overload
-    def __call__(self, shape: ImageBox, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Le135: ...
-    @overload
-    def __call__(self, shape: ImageBox, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> OpenCvBox: ...
-    @overload
-    def __call__(self, shape: Xyxyr, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Obb2: ...
-    @overload
-    def __call__(self, shape: KittiBox, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> YawBox3: ...
-    @overload
-    def __call__(self, shape: YawBox3, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Obb3: ...
-    @overload
-    def __call__(self, shape: ImageBox, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Detectron2Box: ...
-    @overload
-    def __call__(self, shape: Detectron2Box, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> ImageBox: ...
-    @overload
-    def __call__(self, shape: YawBox3, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> KittiBox: ...
-    @overload
-    def __call__(self, shape: NuScenesBox, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Obb3: ...
-    @overload
-    def __call__(self, shape: Obb2, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Xyxyr: ...
-    @overload
-    def __call__(self, shape: LidarBox, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> YawBox3: ...
-    @overload
-    def __call__(self, *arguments: Any, kind: Kind, to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Any: ...
-
-convert: _convert
-
-class _corners(Verb):
-    """The corners of a rotated box.
-
-    Rows:
-        corners(shape: Obb2) -> Vec2x4
-    """
-    @overload
-    def __call__(self, shape: Obb2, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Vec2x4: ...
-    @overload
-    def __call__(self, *arguments: Any, kind: Kind, to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Any: ...
-
-corners: _corners
+ciou: _ciou
 
 class _ciou_aabb(Verb):
     """The complete IoU of two rotated boxes by the diagonal of the box around both.
@@ -1854,6 +986,151 @@ class _ciou_rectangle(Verb):
 
 ciou_rectangle: _ciou_rectangle
 
+class _circumcircle(Verb):
+    """The circle through three points (circumcircle). It jumps where they are on one line.
+
+    Rows:
+        circumcircle(a: Vec2, b: Vec2, c: Vec2) -> Circle
+    """
+    @overload
+    def __call__(self, a: Vec2, b: Vec2, c: Vec2, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Circle: ...
+    @overload
+    def __call__(self, *arguments: Any, kind: Kind, to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Any: ...
+
+circumcircle: _circumcircle
+
+class _clearance(Verb):
+    """The clearance of a point and an axis-aligned box, positive inside.
+
+    Rows:
+        clearance(point: Vec2, shape: Aabb2) -> number
+        clearance(point: Vec2, shape: Obb2) -> number
+            The clearance of a point and a rotated box, positive inside.
+        clearance(point: Vec2, paths: ring) -> number
+            How far a point is inside a ring by the even-odd rule, negative outside. Without edges it is minus the largest finite number.
+    """
+    @overload
+    def __call__(self, point: Vec2, shape: Aabb2, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
+    @overload
+    def __call__(self, point: Vec2, shape: Obb2, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
+    @overload
+    def __call__(self, point: Vec2, paths: Paths, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
+    @overload
+    def __call__(self, *arguments: Any, kind: Kind, to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Any: ...
+
+clearance: _clearance
+
+class _closest_points(Verb):
+    """The nearest points of two axis-aligned boxes. Points jump to another nearest feature.
+
+    Rows:
+        closest_points(a: Aabb2, b: Aabb2) -> PointPair
+        closest_points(a: Capsule2, b: Capsule2) -> PointPair
+            The nearest points of two capsules. Points jump to another nearest feature.
+        closest_points(circle: Circle, shape: Obb2) -> PointPair
+            The nearest points of a circle and a rotated box. Points jump to another nearest feature.
+        closest_points(a: Obb2, b: Obb2) -> PointPair
+            The nearest points of two rotated boxes. Points jump to another nearest feature.
+        closest_points(a: Segment2, b: Segment2) -> ClosestOnSegments
+            The nearest points of two segments, and where along both they lie.
+        closest_points(point: Vec2, shape: Obb2) -> PointPair
+            The nearest points of a point and a rotated box. Points jump to another nearest feature.
+        closest_points(point: Vec2, segment: Segment2) -> PointPair
+            The nearest points of a point and a segment. Points jump to another nearest feature.
+        closest_points(point: Vec2, triangle: Triangle2) -> PointPair
+            The nearest points of a point and a triangle. Points jump to another nearest feature.
+    """
+    @overload
+    def __call__(self, a: Aabb2, b: Aabb2, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> PointPair: ...
+    @overload
+    def __call__(self, a: Capsule2, b: Capsule2, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> PointPair: ...
+    @overload
+    def __call__(self, circle: Circle, shape: Obb2, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> PointPair: ...
+    @overload
+    def __call__(self, a: Obb2, b: Obb2, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> PointPair: ...
+    @overload
+    def __call__(self, a: Segment2, b: Segment2, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> ClosestOnSegments: ...
+    @overload
+    def __call__(self, point: Vec2, shape: Obb2, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> PointPair: ...
+    @overload
+    def __call__(self, point: Vec2, segment: Segment2, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> PointPair: ...
+    @overload
+    def __call__(self, point: Vec2, triangle: Triangle2, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> PointPair: ...
+    @overload
+    def __call__(self, *arguments: Any, kind: Kind, to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Any: ...
+
+closest_points: _closest_points
+
+class _convert(Verb):
+    """The image's box of detectron2's box.
+
+    Rows:
+        convert(shape: Detectron2Box) -> ImageBox
+        convert(shape: ImageBox) -> Detectron2Box
+            detectron2's box of an image's box.
+        convert(shape: ImageBox) -> Le135
+            mmrotate's Le135 of an image's box.
+        convert(shape: ImageBox) -> Le90
+            mmrotate's Le90 of an image's box.
+        convert(shape: ImageBox) -> OpenCvBox
+            OpenCV's box of an image's box.
+        convert(shape: KittiBox) -> YawBox3
+            The upright box of KITTI's box.
+        convert(shape: LidarBox) -> YawBox3
+            The upright box of OpenPCDet's box.
+        convert(shape: NuScenesBox) -> Obb3
+            The box of any orientation of nuScenes' box.
+        convert(shape: Obb2) -> Xyxyr
+            The bounds before turning, and the angle, of a rotated box.
+        convert(shape: Xyxyr) -> Obb2
+            The rotated box of bounds before turning, and the angle.
+        convert(shape: YawBox3) -> KittiBox
+            KITTI's box of an upright box.
+        convert(shape: YawBox3) -> Obb3
+            The box of any orientation of an upright box.
+    """
+    @overload
+    def __call__(self, shape: Detectron2Box, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> ImageBox: ...
+    @overload
+    def __call__(self, shape: ImageBox, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Detectron2Box: ...
+    @overload
+    def __call__(self, shape: ImageBox, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Le135: ...
+    @overload
+    def __call__(self, shape: ImageBox, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Le90: ...
+    @overload
+    def __call__(self, shape: ImageBox, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> OpenCvBox: ...
+    @overload
+    def __call__(self, shape: KittiBox, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> YawBox3: ...
+    @overload
+    def __call__(self, shape: LidarBox, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> YawBox3: ...
+    @overload
+    def __call__(self, shape: NuScenesBox, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Obb3: ...
+    @overload
+    def __call__(self, shape: Obb2, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Xyxyr: ...
+    @overload
+    def __call__(self, shape: Xyxyr, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Obb2: ...
+    @overload
+    def __call__(self, shape: YawBox3, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> KittiBox: ...
+    @overload
+    def __call__(self, shape: YawBox3, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Obb3: ...
+    @overload
+    def __call__(self, *arguments: Any, kind: Kind, to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Any: ...
+
+convert: _convert
+
+class _corners(Verb):
+    """The corners of a rotated box.
+
+    Rows:
+        corners(shape: Obb2) -> Vec2x4
+    """
+    @overload
+    def __call__(self, shape: Obb2, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Vec2x4: ...
+    @overload
+    def __call__(self, *arguments: Any, kind: Kind, to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Any: ...
+
+corners: _corners
+
 class _crossing(Verb):
     """The crossing of two lines.
 
@@ -1867,6 +1144,85 @@ class _crossing(Verb):
 
 crossing: _crossing
 
+class _diameter(Verb):
+    """The diameter of a convex polygon of up to N vertices: the largest distance of two of them, which are its record.
+
+    Rows:
+        diameter(polygon: ConvexPolygon6) -> number
+    """
+    @overload
+    def __call__(self, polygon: ConvexPolygon6, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
+    @overload
+    def __call__(self, *arguments: Any, kind: Kind, to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Any: ...
+
+diameter: _diameter
+
+class _diou(Verb):
+    """The distance IoU of two axis-aligned boxes. By the box around both.
+
+    Rows:
+        diou(a: Aabb2, b: Aabb2) -> number
+        diou(a: Aabb3, b: Aabb3) -> number
+        diou(a: ConvexPolygon5, b: ConvexPolygon5) -> number
+            The distance IoU of two convex polygons of up to N vertices. Its record says which of them are farthest apart.
+        diou(a: Obb2, b: Obb2) -> number
+            The distance IoU of two rotated boxes. By the convex hull.
+        diou(a: Obb3, b: Obb3) -> number
+            The distance IoU of two boxes of any orientation. By the smaller box around both along the axes of either.
+        diou(a: YawBox3, b: YawBox3) -> number
+            The distance IoU of two upright boxes. By the convex hull of the grounds times the height of both.
+    """
+    @overload
+    def __call__(self, a: Aabb2, b: Aabb2, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
+    @overload
+    def __call__(self, a: Aabb3, b: Aabb3, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
+    @overload
+    def __call__(self, a: ConvexPolygon5, b: ConvexPolygon5, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
+    @overload
+    def __call__(self, a: Obb2, b: Obb2, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
+    @overload
+    def __call__(self, a: Obb3, b: Obb3, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
+    @overload
+    def __call__(self, a: YawBox3, b: YawBox3, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
+    @overload
+    def __call__(self, *arguments: Any, kind: Kind, to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Any: ...
+
+diou: _diou
+
+class _diou_aabb(Verb):
+    """The distance IoU of two rotated boxes by the diagonal of the box around both.
+
+    Rows:
+        diou_aabb(a: Obb2, b: Obb2) -> number
+        diou_aabb(a: Obb3, b: Obb3) -> number
+            The distance IoU of two boxes of any orientation by the box around both along the axes of the world.
+        diou_aabb(a: YawBox3, b: YawBox3) -> number
+            The distance IoU of two upright boxes by the box around both along the axes of the world.
+    """
+    @overload
+    def __call__(self, a: Obb2, b: Obb2, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
+    @overload
+    def __call__(self, a: Obb3, b: Obb3, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
+    @overload
+    def __call__(self, a: YawBox3, b: YawBox3, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
+    @overload
+    def __call__(self, *arguments: Any, kind: Kind, to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Any: ...
+
+diou_aabb: _diou_aabb
+
+class _diou_hull(Verb):
+    """The distance IoU of two axis-aligned boxes by the diameter of the convex hull.
+
+    Rows:
+        diou_hull(a: Aabb2, b: Aabb2) -> number
+    """
+    @overload
+    def __call__(self, a: Aabb2, b: Aabb2, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
+    @overload
+    def __call__(self, *arguments: Any, kind: Kind, to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Any: ...
+
+diou_hull: _diou_hull
+
 class _diou_rectangle(Verb):
     """The distance IoU of two upright boxes by the rectangle of least area around both grounds times the height of both.
 
@@ -1879,6 +1235,131 @@ class _diou_rectangle(Verb):
     def __call__(self, *arguments: Any, kind: Kind, to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Any: ...
 
 diou_rectangle: _diou_rectangle
+
+class _distance(Verb):
+    """The distance of two axis-aligned boxes.
+
+    Rows:
+        distance(a: Aabb2, b: Aabb2) -> number
+        distance(a: Capsule2, b: Capsule2) -> number
+            The distance of two capsules.
+        distance(a: Circle, b: Circle) -> number
+            The distance of two circles.
+        distance(circle: Circle, shape: Obb2) -> number
+            The distance of a circle and a rotated box.
+        distance(a: Interval, b: Interval) -> number
+            The distance of two intervals.
+        distance(a: Obb2, b: Obb2) -> number
+            The distance of two rotated boxes.
+        distance(segment: Segment2, circle: Circle) -> number
+            The distance of a segment and a circle.
+        distance(segment: Segment2, shape: Obb2) -> number
+            The distance of a segment and a rotated box.
+        distance(a: Segment2, b: Segment2) -> number
+            The distance of two segments.
+        distance(a: Triangle2, b: Triangle2) -> number
+            The distance of two triangles.
+        distance(point: Vec2, shape: Aabb2) -> number
+            The distance of a point and an axis-aligned box.
+        distance(point: Vec2, capsule: Capsule2) -> number
+            The distance of a point and a capsule.
+        distance(point: Vec2, circle: Circle) -> number
+            The distance of a point and a circle.
+        distance(point: Vec2, shape: Obb2) -> number
+            The distance of a point and a rotated box.
+        distance(point: Vec2, segment: Segment2) -> number
+            The distance of a point and a segment.
+        distance(point: Vec2, triangle: Triangle2) -> number
+            The distance of a point and a triangle.
+        distance(point: Vec2, paths: polyline) -> number
+            The distance of a point and a polyline; the largest finite number where that has fewer than two vertices.
+        distance(point: Vec2, paths: ring) -> number
+            The distance of a point and the edges of a ring; without edges the largest finite number.
+        distance(point: Vec3, shape: Aabb3) -> number
+            The distance of a point and an axis-aligned box.
+        distance(point: Vec3, shape: Obb3) -> number
+            The distance of a point and a box of any orientation.
+        distance(point: Vec3, shape: YawBox3) -> number
+            The distance of a point and an upright box.
+        distance(x: number, interval: Interval) -> number
+            The distance of a number and an interval.
+    """
+    @overload
+    def __call__(self, a: Aabb2, b: Aabb2, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
+    @overload
+    def __call__(self, a: Capsule2, b: Capsule2, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
+    @overload
+    def __call__(self, a: Circle, b: Circle, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
+    @overload
+    def __call__(self, circle: Circle, shape: Obb2, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
+    @overload
+    def __call__(self, a: Interval, b: Interval, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
+    @overload
+    def __call__(self, a: Obb2, b: Obb2, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
+    @overload
+    def __call__(self, segment: Segment2, circle: Circle, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
+    @overload
+    def __call__(self, segment: Segment2, shape: Obb2, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
+    @overload
+    def __call__(self, a: Segment2, b: Segment2, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
+    @overload
+    def __call__(self, a: Triangle2, b: Triangle2, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
+    @overload
+    def __call__(self, point: Vec2, shape: Aabb2, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
+    @overload
+    def __call__(self, point: Vec2, capsule: Capsule2, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
+    @overload
+    def __call__(self, point: Vec2, circle: Circle, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
+    @overload
+    def __call__(self, point: Vec2, shape: Obb2, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
+    @overload
+    def __call__(self, point: Vec2, segment: Segment2, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
+    @overload
+    def __call__(self, point: Vec2, triangle: Triangle2, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
+    @overload
+    def __call__(self, point: Vec2, paths: Paths, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
+    @overload
+    def __call__(self, point: Vec2, paths: Paths, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
+    @overload
+    def __call__(self, point: Vec3, shape: Aabb3, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
+    @overload
+    def __call__(self, point: Vec3, shape: Obb3, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
+    @overload
+    def __call__(self, point: Vec3, shape: YawBox3, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
+    @overload
+    def __call__(self, x: ArrayLike, interval: Interval, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
+    @overload
+    def __call__(self, *arguments: Any, kind: Kind, to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Any: ...
+
+distance: _distance
+
+class _eiou(Verb):
+    """The efficient IoU of two axis-aligned boxes. By the box around both.
+
+    Rows:
+        eiou(a: Aabb2, b: Aabb2) -> number
+        eiou(a: Aabb3, b: Aabb3) -> number
+        eiou(a: Obb2, b: Obb2) -> number
+            The efficient IoU of two rotated boxes. By the convex hull.
+        eiou(a: Obb3, b: Obb3) -> number
+            The efficient IoU of two boxes of any orientation. By the smaller box around both along the axes of either.
+        eiou(a: YawBox3, b: YawBox3) -> number
+            The efficient IoU of two upright boxes. By the convex hull of the grounds times the height of both.
+    """
+    @overload
+    def __call__(self, a: Aabb2, b: Aabb2, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
+    @overload
+    def __call__(self, a: Aabb3, b: Aabb3, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
+    @overload
+    def __call__(self, a: Obb2, b: Obb2, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
+    @overload
+    def __call__(self, a: Obb3, b: Obb3, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
+    @overload
+    def __call__(self, a: YawBox3, b: YawBox3, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
+    @overload
+    def __call__(self, *arguments: Any, kind: Kind, to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Any: ...
+
+eiou: _eiou
 
 class _eiou_aabb(Verb):
     """The efficient IoU of two rotated boxes by the box around both.
@@ -1936,10 +1417,10 @@ class _farthest_distance(Verb):
             The longest distance of a circle and a rotated box.
         farthest_distance(a: Obb2, b: Obb2) -> number
             The longest distance of two rotated boxes.
-        farthest_distance(point: Vec2, shape: Obb2) -> number
-            The longest distance of a point and a rotated box.
         farthest_distance(a: Triangle2, b: Triangle2) -> number
             The longest distance of two triangles.
+        farthest_distance(point: Vec2, shape: Obb2) -> number
+            The longest distance of a point and a rotated box.
     """
     @overload
     def __call__(self, a: Aabb2, b: Aabb2, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
@@ -1948,9 +1429,9 @@ class _farthest_distance(Verb):
     @overload
     def __call__(self, a: Obb2, b: Obb2, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
     @overload
-    def __call__(self, point: Vec2, shape: Obb2, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
-    @overload
     def __call__(self, a: Triangle2, b: Triangle2, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
+    @overload
+    def __call__(self, point: Vec2, shape: Obb2, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
     @overload
     def __call__(self, *arguments: Any, kind: Kind, to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Any: ...
 
@@ -1985,6 +1466,72 @@ class _first_hit(Verb):
 
 first_hit: _first_hit
 
+class _flip_y(Verb):
+    """An image's box where y points up, from the image's height.
+
+    Rows:
+        flip_y(shape: ImageBox, image_height: number) -> Obb2
+    """
+    @overload
+    def __call__(self, shape: ImageBox, image_height: ArrayLike, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Obb2: ...
+    @overload
+    def __call__(self, *arguments: Any, kind: Kind, to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Any: ...
+
+flip_y: _flip_y
+
+class _giou(Verb):
+    """The generalised IoU of two axis-aligned boxes. By the box around both.
+
+    Rows:
+        giou(a: Aabb2, b: Aabb2) -> number
+        giou(a: Aabb3, b: Aabb3) -> number
+        giou(a: ConvexPolygon5, b: ConvexPolygon5) -> number
+            The generalised IoU of two convex polygons of up to N vertices. Its record says which of them are on the hull.
+        giou(a: Obb2, b: Obb2) -> number
+            The generalised IoU of two rotated boxes. By the convex hull.
+        giou(a: Obb3, b: Obb3) -> number
+            The generalised IoU of two boxes of any orientation. By the smaller box around both along the axes of either.
+        giou(a: YawBox3, b: YawBox3) -> number
+            The generalised IoU of two upright boxes. By the convex hull of the grounds times the height of both.
+    """
+    @overload
+    def __call__(self, a: Aabb2, b: Aabb2, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
+    @overload
+    def __call__(self, a: Aabb3, b: Aabb3, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
+    @overload
+    def __call__(self, a: ConvexPolygon5, b: ConvexPolygon5, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
+    @overload
+    def __call__(self, a: Obb2, b: Obb2, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
+    @overload
+    def __call__(self, a: Obb3, b: Obb3, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
+    @overload
+    def __call__(self, a: YawBox3, b: YawBox3, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
+    @overload
+    def __call__(self, *arguments: Any, kind: Kind, to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Any: ...
+
+giou: _giou
+
+class _giou_aabb(Verb):
+    """The generalised IoU of two rotated boxes by the box around both.
+
+    Rows:
+        giou_aabb(a: Obb2, b: Obb2) -> number
+        giou_aabb(a: Obb3, b: Obb3) -> number
+            The generalised IoU of two boxes of any orientation by the box around both along the axes of the world.
+        giou_aabb(a: YawBox3, b: YawBox3) -> number
+            The generalised IoU of two upright boxes by the box around both along the axes of the world.
+    """
+    @overload
+    def __call__(self, a: Obb2, b: Obb2, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
+    @overload
+    def __call__(self, a: Obb3, b: Obb3, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
+    @overload
+    def __call__(self, a: YawBox3, b: YawBox3, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
+    @overload
+    def __call__(self, *arguments: Any, kind: Kind, to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Any: ...
+
+giou_aabb: _giou_aabb
+
 class _giou_hull(Verb):
     """The generalised IoU of two axis-aligned boxes by the convex hull.
 
@@ -2010,6 +1557,248 @@ class _giou_rectangle(Verb):
     def __call__(self, *arguments: Any, kind: Kind, to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Any: ...
 
 giou_rectangle: _giou_rectangle
+
+class _hull_area(Verb):
+    """The area of the convex hull of two axis-aligned boxes.
+
+    Rows:
+        hull_area(a: Aabb2, b: Aabb2) -> number
+        hull_area(a: ConvexPolygon5, b: ConvexPolygon5) -> number
+            The area of the joint hull of two convex polygons of up to N vertices.
+        hull_area(a: Obb2, b: Obb2) -> number
+            The area of the convex hull of two rotated boxes.
+    """
+    @overload
+    def __call__(self, a: Aabb2, b: Aabb2, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
+    @overload
+    def __call__(self, a: ConvexPolygon5, b: ConvexPolygon5, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
+    @overload
+    def __call__(self, a: Obb2, b: Obb2, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
+    @overload
+    def __call__(self, *arguments: Any, kind: Kind, to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Any: ...
+
+hull_area: _hull_area
+
+class _incircle(Verb):
+    """The inscribed circle of a triangle.
+
+    Rows:
+        incircle(shape: Triangle2) -> Circle
+    """
+    @overload
+    def __call__(self, shape: Triangle2, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Circle: ...
+    @overload
+    def __call__(self, *arguments: Any, kind: Kind, to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Any: ...
+
+incircle: _incircle
+
+class _intersection_area(Verb):
+    """Area that two axis-aligned boxes share.
+
+    Rows:
+        intersection_area(a: Aabb2, b: Aabb2) -> number
+        intersection_area(a: ConvexPolygon5, b: ConvexPolygon5) -> number
+            The area that two convex polygons of up to N vertices share. Nothing is searched for.
+        intersection_area(a: Obb2, b: Obb2) -> number
+            Area that two rotated boxes share.
+    """
+    @overload
+    def __call__(self, a: Aabb2, b: Aabb2, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
+    @overload
+    def __call__(self, a: ConvexPolygon5, b: ConvexPolygon5, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
+    @overload
+    def __call__(self, a: Obb2, b: Obb2, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
+    @overload
+    def __call__(self, *arguments: Any, kind: Kind, to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Any: ...
+
+intersection_area: _intersection_area
+
+class _intersection_length(Verb):
+    """Length that two intervals share.
+
+    Rows:
+        intersection_length(a: Interval, b: Interval) -> number
+    """
+    @overload
+    def __call__(self, a: Interval, b: Interval, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
+    @overload
+    def __call__(self, *arguments: Any, kind: Kind, to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Any: ...
+
+intersection_length: _intersection_length
+
+class _intersection_volume(Verb):
+    """Volume that two axis-aligned boxes share.
+
+    Rows:
+        intersection_volume(a: Aabb3, b: Aabb3) -> number
+        intersection_volume(a: Obb3, b: Obb3) -> number
+            Volume that two boxes of any orientation share.
+        intersection_volume(a: YawBox3, b: YawBox3) -> number
+            Volume that two upright boxes share.
+    """
+    @overload
+    def __call__(self, a: Aabb3, b: Aabb3, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
+    @overload
+    def __call__(self, a: Obb3, b: Obb3, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
+    @overload
+    def __call__(self, a: YawBox3, b: YawBox3, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
+    @overload
+    def __call__(self, *arguments: Any, kind: Kind, to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Any: ...
+
+intersection_volume: _intersection_volume
+
+class _iof(Verb):
+    """The part of the first of two axis-aligned boxes that lies in the second, 0 to 1.
+
+    Rows:
+        iof(a: Aabb2, b: Aabb2) -> number
+        iof(a: Aabb3, b: Aabb3) -> number
+        iof(a: ConvexPolygon5, b: ConvexPolygon5) -> number
+            The share of the first of two convex polygons of up to N vertices that lies in the second.
+        iof(a: Obb2, b: Obb2) -> number
+            The part of the first of two rotated boxes that lies in the second, 0 to 1.
+        iof(a: Obb3, b: Obb3) -> number
+            The part of the first of two boxes of any orientation that lies in the second, 0 to 1.
+        iof(a: YawBox3, b: YawBox3) -> number
+            The part of the first of two upright boxes that lies in the second, 0 to 1.
+    """
+    @overload
+    def __call__(self, a: Aabb2, b: Aabb2, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
+    @overload
+    def __call__(self, a: Aabb3, b: Aabb3, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
+    @overload
+    def __call__(self, a: ConvexPolygon5, b: ConvexPolygon5, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
+    @overload
+    def __call__(self, a: Obb2, b: Obb2, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
+    @overload
+    def __call__(self, a: Obb3, b: Obb3, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
+    @overload
+    def __call__(self, a: YawBox3, b: YawBox3, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
+    @overload
+    def __call__(self, *arguments: Any, kind: Kind, to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Any: ...
+
+iof: _iof
+
+class _iou(Verb):
+    """Intersection over union of two axis-aligned boxes, 0 to 1.
+
+    Rows:
+        iou(a: Aabb2, b: Aabb2) -> number
+        iou(a: Aabb3, b: Aabb3) -> number
+        iou(a: Aabb3, b: YawBox3) -> number
+            Intersection over union of an axis-aligned box and an upright box, 0 to 1.
+        iou(a: ConvexPolygon5, b: ConvexPolygon5) -> number
+            The IoU of two convex polygons of up to N vertices.
+        iou(a: Interval, b: Interval) -> number
+            Intersection over union of two intervals, 0 to 1.
+        iou(a: Obb2, b: Obb2) -> number
+            Intersection over union of two rotated boxes, 0 to 1.
+        iou(a: Obb3, b: Obb3) -> number
+            Intersection over union of two boxes of any orientation, 0 to 1.
+        iou(a: YawBox3, b: Obb3) -> number
+            Intersection over union of an upright box and a box of any orientation, 0 to 1.
+        iou(a: YawBox3, b: YawBox3) -> number
+            Intersection over union of two upright boxes, 0 to 1.
+    """
+    @overload
+    def __call__(self, a: Aabb2, b: Aabb2, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
+    @overload
+    def __call__(self, a: Aabb3, b: Aabb3, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
+    @overload
+    def __call__(self, a: Aabb3, b: YawBox3, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
+    @overload
+    def __call__(self, a: ConvexPolygon5, b: ConvexPolygon5, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
+    @overload
+    def __call__(self, a: Interval, b: Interval, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
+    @overload
+    def __call__(self, a: Obb2, b: Obb2, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
+    @overload
+    def __call__(self, a: Obb3, b: Obb3, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
+    @overload
+    def __call__(self, a: YawBox3, b: Obb3, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
+    @overload
+    def __call__(self, a: YawBox3, b: YawBox3, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
+    @overload
+    def __call__(self, *arguments: Any, kind: Kind, to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Any: ...
+
+iou: _iou
+
+class _iou_bev(Verb):
+    """Intersection over union of two upright boxes, seen from above, 0 to 1.
+
+    Rows:
+        iou_bev(a: YawBox3, b: YawBox3) -> number
+    """
+    @overload
+    def __call__(self, a: YawBox3, b: YawBox3, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
+    @overload
+    def __call__(self, *arguments: Any, kind: Kind, to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Any: ...
+
+iou_bev: _iou_bev
+
+class _jeffreys(Verb):
+    """The Jeffreys divergence of two rotated boxes as Gaussians.
+
+    Rows:
+        jeffreys(a: Obb2, b: Obb2) -> number
+        jeffreys(a: Obb3, b: Obb3) -> number
+            The Jeffreys divergence of two boxes of any orientation as Gaussians.
+    """
+    @overload
+    def __call__(self, a: Obb2, b: Obb2, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
+    @overload
+    def __call__(self, a: Obb3, b: Obb3, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
+    @overload
+    def __call__(self, *arguments: Any, kind: Kind, to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Any: ...
+
+jeffreys: _jeffreys
+
+class _kfiou(Verb):
+    """The IoU by a Kalman filter of two rotated boxes as Gaussians.
+
+    Rows:
+        kfiou(a: Obb2, b: Obb2) -> number
+        kfiou(a: Obb3, b: Obb3) -> number
+            The IoU by a Kalman filter of two boxes of any orientation as Gaussians.
+    """
+    @overload
+    def __call__(self, a: Obb2, b: Obb2, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
+    @overload
+    def __call__(self, a: Obb3, b: Obb3, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
+    @overload
+    def __call__(self, *arguments: Any, kind: Kind, to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Any: ...
+
+kfiou: _kfiou
+
+class _kullback_leibler(Verb):
+    """The Kullback-Leibler divergence of two rotated boxes as Gaussians.
+
+    Rows:
+        kullback_leibler(a: Obb2, b: Obb2) -> number
+        kullback_leibler(a: Obb3, b: Obb3) -> number
+            The Kullback-Leibler divergence of two boxes of any orientation as Gaussians.
+    """
+    @overload
+    def __call__(self, a: Obb2, b: Obb2, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
+    @overload
+    def __call__(self, a: Obb3, b: Obb3, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
+    @overload
+    def __call__(self, *arguments: Any, kind: Kind, to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Any: ...
+
+kullback_leibler: _kullback_leibler
+
+class _length(Verb):
+    """The length of a polyline: the sum of the distances of neighbouring vertices.
+
+    Rows:
+        length(paths: polyline) -> number
+    """
+    @overload
+    def __call__(self, paths: Paths, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
+    @overload
+    def __call__(self, *arguments: Any, kind: Kind, to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Any: ...
+
+length: _length
 
 class _length_inside(Verb):
     """The length inside of a segment and an axis-aligned box.
@@ -2053,18 +1842,44 @@ class _meeting(Verb):
 
 meeting: _meeting
 
-class _flip_y(Verb):
-    """An image's box where y points up, from the image's height.
+class _minimum_circle(Verb):
+    """The smallest circle around a convex polygon of up to N vertices. Its record is what it goes through.
 
     Rows:
-        flip_y(shape: ImageBox, image_height: number) -> Obb2
+        minimum_circle(polygon: ConvexPolygon6) -> Circle
     """
     @overload
-    def __call__(self, shape: ImageBox, image_height: ArrayLike, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Obb2: ...
+    def __call__(self, polygon: ConvexPolygon6, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Circle: ...
     @overload
     def __call__(self, *arguments: Any, kind: Kind, to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Any: ...
 
-flip_y: _flip_y
+minimum_circle: _minimum_circle
+
+class _minimum_rectangle(Verb):
+    """The rectangle of least area around a convex polygon of up to N vertices. It jumps where another edge carries a smaller one.
+
+    Rows:
+        minimum_rectangle(polygon: ConvexPolygon6) -> Obb2
+    """
+    @overload
+    def __call__(self, polygon: ConvexPolygon6, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Obb2: ...
+    @overload
+    def __call__(self, *arguments: Any, kind: Kind, to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Any: ...
+
+minimum_rectangle: _minimum_rectangle
+
+class _move(Verb):
+    """A segment, moved.
+
+    Rows:
+        move(pose: Pose2, segment: Segment2) -> Segment2
+    """
+    @overload
+    def __call__(self, pose: Pose2, segment: Segment2, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Segment2: ...
+    @overload
+    def __call__(self, *arguments: Any, kind: Kind, to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Any: ...
+
+move: _move
 
 class _penetration(Verb):
     """The depth of overlap and its direction of two axis-aligned boxes. The direction jumps to another deepest face.
@@ -2073,10 +1888,10 @@ class _penetration(Verb):
         penetration(a: Aabb2, b: Aabb2) -> Contact
         penetration(a: Capsule2, b: Capsule2) -> Contact
             The depth of overlap and its direction of two capsules. The direction jumps to another deepest face.
-        penetration(circle: Circle, shape: Obb2) -> Contact
-            The depth of overlap and its direction of a circle and a rotated box. The direction jumps to another deepest face.
         penetration(a: Circle, b: Circle) -> Contact
             The depth of overlap and its direction of two circles. The direction jumps to another deepest face.
+        penetration(circle: Circle, shape: Obb2) -> Contact
+            The depth of overlap and its direction of a circle and a rotated box. The direction jumps to another deepest face.
         penetration(a: Obb2, b: Obb2) -> Contact
             The depth of overlap and its direction of two rotated boxes. The direction jumps to another deepest face.
         penetration(a: Triangle2, b: Triangle2) -> Contact
@@ -2087,9 +1902,9 @@ class _penetration(Verb):
     @overload
     def __call__(self, a: Capsule2, b: Capsule2, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Contact: ...
     @overload
-    def __call__(self, circle: Circle, shape: Obb2, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Contact: ...
-    @overload
     def __call__(self, a: Circle, b: Circle, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Contact: ...
+    @overload
+    def __call__(self, circle: Circle, shape: Obb2, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Contact: ...
     @overload
     def __call__(self, a: Obb2, b: Obb2, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Contact: ...
     @overload
@@ -2098,6 +1913,184 @@ class _penetration(Verb):
     def __call__(self, *arguments: Any, kind: Kind, to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Any: ...
 
 penetration: _penetration
+
+class _perimeter(Verb):
+    """The perimeter of a triangle.
+
+    Rows:
+        perimeter(shape: Triangle2) -> number
+        perimeter(ring: Vec2x4) -> number
+            The perimeter of four vertices.
+        perimeter(paths: ring) -> number
+            The perimeter of a ring.
+    """
+    @overload
+    def __call__(self, shape: Triangle2, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
+    @overload
+    def __call__(self, ring: Vec2x4, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
+    @overload
+    def __call__(self, paths: Paths, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
+    @overload
+    def __call__(self, *arguments: Any, kind: Kind, to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Any: ...
+
+perimeter: _perimeter
+
+class _probiou(Verb):
+    """The probabilistic IoU of two rotated boxes as Gaussians, 0 to 1.
+
+    Rows:
+        probiou(a: Obb2, b: Obb2) -> number
+        probiou(a: Obb3, b: Obb3) -> number
+            The probabilistic IoU of two boxes of any orientation as Gaussians, 0 to 1.
+    """
+    @overload
+    def __call__(self, a: Obb2, b: Obb2, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
+    @overload
+    def __call__(self, a: Obb3, b: Obb3, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
+    @overload
+    def __call__(self, *arguments: Any, kind: Kind, to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Any: ...
+
+probiou: _probiou
+
+class _second_moments(Verb):
+    """The second moments of a ring's area about its centroid.
+
+    Rows:
+        second_moments(paths: ring) -> SecondMoments
+    """
+    @overload
+    def __call__(self, paths: Paths, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> SecondMoments: ...
+    @overload
+    def __call__(self, *arguments: Any, kind: Kind, to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Any: ...
+
+second_moments: _second_moments
+
+class _separation_aware(Verb):
+    """The IoU with a term for separation of two axis-aligned boxes.
+
+    Rows:
+        separation_aware(a: Aabb3, b: Aabb3) -> number
+        separation_aware(a: Obb2, b: Obb2) -> number
+            The IoU with a term for separation of two rotated boxes.
+        separation_aware(a: Obb3, b: Obb3) -> number
+            The IoU with a term for separation of two boxes of any orientation.
+        separation_aware(a: YawBox3, b: YawBox3) -> number
+            The IoU with a term for separation of two upright boxes.
+    """
+    @overload
+    def __call__(self, a: Aabb3, b: Aabb3, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
+    @overload
+    def __call__(self, a: Obb2, b: Obb2, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
+    @overload
+    def __call__(self, a: Obb3, b: Obb3, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
+    @overload
+    def __call__(self, a: YawBox3, b: YawBox3, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
+    @overload
+    def __call__(self, *arguments: Any, kind: Kind, to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Any: ...
+
+separation_aware: _separation_aware
+
+class _signed_area(Verb):
+    """The signed area of a triangle.
+
+    Rows:
+        signed_area(shape: Triangle2) -> number
+        signed_area(ring: Vec2x4) -> number
+            The signed area of four vertices.
+        signed_area(paths: ring) -> number
+            The signed area of a ring: positive where it turns counter-clockwise.
+    """
+    @overload
+    def __call__(self, shape: Triangle2, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
+    @overload
+    def __call__(self, ring: Vec2x4, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
+    @overload
+    def __call__(self, paths: Paths, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
+    @overload
+    def __call__(self, *arguments: Any, kind: Kind, to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Any: ...
+
+signed_area: _signed_area
+
+class _signed_distance(Verb):
+    """The signed distance of two axis-aligned boxes.
+
+    Rows:
+        signed_distance(a: Aabb2, b: Aabb2) -> number
+        signed_distance(a: Capsule2, b: Capsule2) -> number
+            The signed distance of two capsules.
+        signed_distance(a: Circle, b: Circle) -> number
+            The signed distance of two circles.
+        signed_distance(circle: Circle, shape: Obb2) -> number
+            The signed distance of a circle and a rotated box.
+        signed_distance(a: Interval, b: Interval) -> number
+            The signed distance of two intervals.
+        signed_distance(a: Obb2, b: Obb2) -> number
+            The signed distance of two rotated boxes.
+        signed_distance(segment: Segment2, circle: Circle) -> number
+            The signed distance of a segment and a circle.
+        signed_distance(segment: Segment2, shape: Obb2) -> number
+            The signed distance of a segment and a rotated box.
+        signed_distance(a: Triangle2, b: Triangle2) -> number
+            The signed distance of two triangles.
+        signed_distance(point: Vec2, shape: Aabb2) -> number
+            The signed distance of a point and an axis-aligned box.
+        signed_distance(point: Vec2, capsule: Capsule2) -> number
+            The signed distance of a point and a capsule.
+        signed_distance(point: Vec2, circle: Circle) -> number
+            The signed distance of a point and a circle.
+        signed_distance(point: Vec2, shape: Obb2) -> number
+            The signed distance of a point and a rotated box.
+        signed_distance(point: Vec2, triangle: Triangle2) -> number
+            The signed distance of a point and a triangle.
+        signed_distance(point: Vec2, paths: ring) -> number
+            The signed distance of a point and a ring: negative inside. Without edges it is the largest finite number.
+        signed_distance(point: Vec3, shape: Aabb3) -> number
+            The signed distance of a point and an axis-aligned box.
+        signed_distance(point: Vec3, shape: Obb3) -> number
+            The signed distance of a point and a box of any orientation.
+        signed_distance(point: Vec3, shape: YawBox3) -> number
+            The signed distance of a point and an upright box.
+    """
+    @overload
+    def __call__(self, a: Aabb2, b: Aabb2, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
+    @overload
+    def __call__(self, a: Capsule2, b: Capsule2, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
+    @overload
+    def __call__(self, a: Circle, b: Circle, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
+    @overload
+    def __call__(self, circle: Circle, shape: Obb2, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
+    @overload
+    def __call__(self, a: Interval, b: Interval, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
+    @overload
+    def __call__(self, a: Obb2, b: Obb2, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
+    @overload
+    def __call__(self, segment: Segment2, circle: Circle, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
+    @overload
+    def __call__(self, segment: Segment2, shape: Obb2, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
+    @overload
+    def __call__(self, a: Triangle2, b: Triangle2, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
+    @overload
+    def __call__(self, point: Vec2, shape: Aabb2, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
+    @overload
+    def __call__(self, point: Vec2, capsule: Capsule2, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
+    @overload
+    def __call__(self, point: Vec2, circle: Circle, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
+    @overload
+    def __call__(self, point: Vec2, shape: Obb2, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
+    @overload
+    def __call__(self, point: Vec2, triangle: Triangle2, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
+    @overload
+    def __call__(self, point: Vec2, paths: Paths, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
+    @overload
+    def __call__(self, point: Vec3, shape: Aabb3, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
+    @overload
+    def __call__(self, point: Vec3, shape: Obb3, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
+    @overload
+    def __call__(self, point: Vec3, shape: YawBox3, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
+    @overload
+    def __call__(self, *arguments: Any, kind: Kind, to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Any: ...
+
+signed_distance: _signed_distance
 
 class _span(Verb):
     """The parameters of entry and exit of a line and an axis-aligned box.
@@ -2128,18 +2121,72 @@ class _span(Verb):
 
 span: _span
 
-class _diameter(Verb):
-    """The diameter of a convex polygon of up to N vertices: the largest distance of two of them, which are its record.
+class _squared_distance(Verb):
+    """The squared distance of two axis-aligned boxes.
 
     Rows:
-        diameter(polygon: ConvexPolygon6) -> number
+        squared_distance(a: Aabb2, b: Aabb2) -> number
+        squared_distance(a: Obb2, b: Obb2) -> number
+            The squared distance of two rotated boxes.
+        squared_distance(a: Segment2, b: Segment2) -> number
+            The squared distance of two segments.
+        squared_distance(a: Triangle2, b: Triangle2) -> number
+            The squared distance of two triangles.
+        squared_distance(point: Vec2, segment: Segment2) -> number
+            The squared distance of a point and a segment.
+        squared_distance(point: Vec2, triangle: Triangle2) -> number
+            The squared distance of a point and a triangle.
     """
     @overload
-    def __call__(self, polygon: ConvexPolygon6, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
+    def __call__(self, a: Aabb2, b: Aabb2, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
+    @overload
+    def __call__(self, a: Obb2, b: Obb2, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
+    @overload
+    def __call__(self, a: Segment2, b: Segment2, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
+    @overload
+    def __call__(self, a: Triangle2, b: Triangle2, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
+    @overload
+    def __call__(self, point: Vec2, segment: Segment2, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
+    @overload
+    def __call__(self, point: Vec2, triangle: Triangle2, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
     @overload
     def __call__(self, *arguments: Any, kind: Kind, to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Any: ...
 
-diameter: _diameter
+squared_distance: _squared_distance
+
+class _squared_wasserstein(Verb):
+    """The squared Wasserstein distance of two rotated boxes as Gaussians.
+
+    Rows:
+        squared_wasserstein(a: Obb2, b: Obb2) -> number
+        squared_wasserstein(a: Obb3, b: Obb3) -> number
+            The squared Wasserstein distance of two boxes of any orientation as Gaussians.
+    """
+    @overload
+    def __call__(self, a: Obb2, b: Obb2, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
+    @overload
+    def __call__(self, a: Obb3, b: Obb3, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
+    @overload
+    def __call__(self, *arguments: Any, kind: Kind, to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Any: ...
+
+squared_wasserstein: _squared_wasserstein
+
+class _wasserstein(Verb):
+    """The Wasserstein distance of two rotated boxes as Gaussians.
+
+    Rows:
+        wasserstein(a: Obb2, b: Obb2) -> number
+        wasserstein(a: Obb3, b: Obb3) -> number
+            The Wasserstein distance of two boxes of any orientation as Gaussians.
+    """
+    @overload
+    def __call__(self, a: Obb2, b: Obb2, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
+    @overload
+    def __call__(self, a: Obb3, b: Obb3, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
+    @overload
+    def __call__(self, *arguments: Any, kind: Kind, to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Any: ...
+
+wasserstein: _wasserstein
 
 class _width(Verb):
     """The width of a convex polygon of up to N vertices: the least distance of two parallel lines around it. Its record is what they touch.
@@ -2153,58 +2200,6 @@ class _width(Verb):
     def __call__(self, *arguments: Any, kind: Kind, to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Any: ...
 
 width: _width
-
-class _minimum_rectangle(Verb):
-    """The rectangle of least area around a convex polygon of up to N vertices. It jumps where another edge carries a smaller one.
-
-    Rows:
-        minimum_rectangle(polygon: ConvexPolygon6) -> Obb2
-    """
-    @overload
-    def __call__(self, polygon: ConvexPolygon6, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Obb2: ...
-    @overload
-    def __call__(self, *arguments: Any, kind: Kind, to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Any: ...
-
-minimum_rectangle: _minimum_rectangle
-
-class _minimum_circle(Verb):
-    """The smallest circle around a convex polygon of up to N vertices. Its record is what it goes through.
-
-    Rows:
-        minimum_circle(polygon: ConvexPolygon6) -> Circle
-    """
-    @overload
-    def __call__(self, polygon: ConvexPolygon6, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Circle: ...
-    @overload
-    def __call__(self, *arguments: Any, kind: Kind, to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Any: ...
-
-minimum_circle: _minimum_circle
-
-class _second_moments(Verb):
-    """The second moments of a ring's area about its centroid.
-
-    Rows:
-        second_moments(paths: ring) -> SecondMoments
-    """
-    @overload
-    def __call__(self, paths: Paths, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> SecondMoments: ...
-    @overload
-    def __call__(self, *arguments: Any, kind: Kind, to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Any: ...
-
-second_moments: _second_moments
-
-class _length(Verb):
-    """The length of a polyline: the sum of the distances of neighbouring vertices.
-
-    Rows:
-        length(paths: polyline) -> number
-    """
-    @overload
-    def __call__(self, paths: Paths, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
-    @overload
-    def __call__(self, *arguments: Any, kind: Kind, to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Any: ...
-
-length: _length
 
 class _winding(Verb):
     """The winding number of a ring around a point: a whole number, which jumps at the border and has no derivatives.

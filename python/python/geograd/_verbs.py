@@ -18,9 +18,14 @@ def _spelled(column):
     return shape if size else "number"
 
 
+def ordered(verb):
+    """The rows of a verb by the names of their shapes."""
+    return sorted(_core.rows(verb), key=lambda row: (len(row["kinds"]), row["kinds"], row["gives"]))
+
+
 def describe(verb):
     """The documentation of a verb: its rows, what they take and give."""
-    rows = _core.rows(verb)
+    rows = ordered(verb)
     lines = [rows[0]["summary"], "", "Rows:"]
     for row in rows:
         names = [name for name, _, _ in row["takes"]] + (["paths"] if row["sort"] in ("fold", "ring") else [])
