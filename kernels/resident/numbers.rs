@@ -66,6 +66,7 @@ impl Resident<'_> {
     ) -> Result<HeldNumbers, Error> {
         match self.0 {
             Backend::Cpu => {
+                drop(into);
                 let lists = run.aligned(&rows(columns)?)?;
                 let numbers = lists.into_iter().zip(run.gives());
                 let numbers = numbers.map(|(rows, fields)| Numbers { fields, rows });
@@ -110,6 +111,8 @@ impl Resident<'_> {
     ) -> Result<Matrix, Error> {
         match self.0 {
             Backend::Cpu => {
+                // A new matrix costs less than a check of the old one's size.
+                drop(into);
                 let values = run.all_pairs(list(a)?, list(b)?)?;
                 Ok(Matrix(Side::Cpu(reduce::Matrix::new(
                     a.count, b.count, values,

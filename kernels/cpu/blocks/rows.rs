@@ -95,16 +95,22 @@ fn bring_wide<T: Real, V: Vector<T>>(rows: &[T], fields: usize, out: &mut [Lane<
         let mut next = 0;
         while next < fields {
             let start = next.min(fields - QUAD);
-            let Some(lanes) = tile[start..].first_chunk_mut::<QUAD>() else {
+            let lanes = tile
+                .get_mut(start..)
+                .and_then(|tile| tile.first_chunk_mut::<QUAD>());
+            let Some(lanes) = lanes else {
                 return 0;
             };
             let mut at = 0;
             while at < TILE {
                 let parts = V::from_items(
                     #[inline(always)]
-                    |i| match items[(at + i) % TILE * fields + start..].first_chunk() {
-                        Some(quad) => *quad,
-                        None => [T::default(); QUAD],
+                    |i| {
+                        let item = items.get((at + i) % TILE * fields + start..);
+                        match item.and_then(|item| item.first_chunk()) {
+                            Some(quad) => *quad,
+                            None => [T::default(); QUAD],
+                        }
                     },
                 );
                 let mut k = 0;
@@ -239,8 +245,8 @@ fn take_wide<T: Real, V: Vector<T>>(
                     parts,
                     #[inline(always)]
                     |i, numbers| {
-                        let item = &mut items[(at + i) % TILE * fields + start..];
-                        if let Some(quad) = item.first_chunk_mut() {
+                        let item = items.get_mut((at + i) % TILE * fields + start..);
+                        if let Some(quad) = item.and_then(|item| item.first_chunk_mut()) {
                             *quad = numbers;
                         }
                     },
