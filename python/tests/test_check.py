@@ -7,9 +7,8 @@ import geograd
 
 
 @geograd.function
-def turned(a: geograd.Obb2, b: geograd.Vec2):
-    x, y = a.x - b.x, a.y - b.y
-    return x * x + y * y + np.sin(a.heading) * a.width
+def turned(a: geograd.Obb2, b: geograd.Obb2):
+    return 1 - geograd.iou(a, b) + 0.1 * (a.heading - b.heading) ** 2
 
 
 def test_a_traced_function(capsys):

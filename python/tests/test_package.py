@@ -1,5 +1,6 @@
 """Stubs, documentation and names, which are made of the table."""
 
+import pathlib
 import subprocess
 import sys
 
@@ -7,6 +8,14 @@ import pytest
 
 import geograd
 from geograd import _core
+
+PYTHON = pathlib.Path(__file__).parents[1]
+
+
+def test_stubs_are_those_of_the_table():
+    done = subprocess.run([sys.executable, PYTHON / "stubs.py", "--check"], capture_output=True, text=True)
+    assert done.returncode == 0, done.stderr
+
 
 def test_every_verb_says_what_it_is():
     for verb in _core.verbs():

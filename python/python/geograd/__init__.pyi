@@ -960,6 +960,23 @@ class _ciou_aabb(Verb):
 
 ciou_aabb: _ciou_aabb
 
+class _ciou_fixed_weight(Verb):
+    """The complete IoU of two axis-aligned boxes, its weight a constant in the gradient.
+
+    Rows:
+        ciou_fixed_weight(a: Aabb2, b: Aabb2) -> number
+        ciou_fixed_weight(a: Obb2, b: Obb2) -> number
+            The complete IoU of two rotated boxes, its weight a constant in the gradient.
+    """
+    @overload
+    def __call__(self, a: Aabb2, b: Aabb2, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
+    @overload
+    def __call__(self, a: Obb2, b: Obb2, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
+    @overload
+    def __call__(self, *arguments: Any, kind: Kind, to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Any: ...
+
+ciou_fixed_weight: _ciou_fixed_weight
+
 class _ciou_hull(Verb):
     """The complete IoU of two axis-aligned boxes by the diameter of the convex hull.
 
@@ -1029,10 +1046,14 @@ class _closest_points(Verb):
             The nearest points of two capsules. Points jump to another nearest feature.
         closest_points(circle: Circle, shape: Obb2) -> PointPair
             The nearest points of a circle and a rotated box. Points jump to another nearest feature.
+        closest_points(shape: Obb2, circle: Circle) -> PointPair
+            The nearest points of a rotated box and a circle. Points jump to another nearest feature.
         closest_points(a: Obb2, b: Obb2) -> PointPair
             The nearest points of two rotated boxes. Points jump to another nearest feature.
         closest_points(a: Segment2, b: Segment2) -> ClosestOnSegments
             The nearest points of two segments, and where along both they lie.
+        closest_points(a: Triangle2, b: Triangle2) -> PointPair
+            The nearest points of two triangles. Points jump to another nearest feature.
         closest_points(point: Vec2, shape: Obb2) -> PointPair
             The nearest points of a point and a rotated box. Points jump to another nearest feature.
         closest_points(point: Vec2, segment: Segment2) -> PointPair
@@ -1047,9 +1068,13 @@ class _closest_points(Verb):
     @overload
     def __call__(self, circle: Circle, shape: Obb2, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> PointPair: ...
     @overload
+    def __call__(self, shape: Obb2, circle: Circle, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> PointPair: ...
+    @overload
     def __call__(self, a: Obb2, b: Obb2, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> PointPair: ...
     @overload
     def __call__(self, a: Segment2, b: Segment2, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> ClosestOnSegments: ...
+    @overload
+    def __call__(self, a: Triangle2, b: Triangle2, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> PointPair: ...
     @overload
     def __call__(self, point: Vec2, shape: Obb2, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> PointPair: ...
     @overload
@@ -1241,24 +1266,42 @@ class _distance(Verb):
 
     Rows:
         distance(a: Aabb2, b: Aabb2) -> number
+        distance(shape: Aabb2, point: Vec2) -> number
+            The distance of an axis-aligned box and a point.
         distance(a: Capsule2, b: Capsule2) -> number
             The distance of two capsules.
+        distance(capsule: Capsule2, point: Vec2) -> number
+            The distance of a capsule and a point.
         distance(a: Circle, b: Circle) -> number
             The distance of two circles.
         distance(circle: Circle, shape: Obb2) -> number
             The distance of a circle and a rotated box.
+        distance(circle: Circle, segment: Segment2) -> number
+            The distance of a circle and a segment.
+        distance(circle: Circle, point: Vec2) -> number
+            The distance of a circle and a point.
         distance(a: Interval, b: Interval) -> number
             The distance of two intervals.
+        distance(shape: Obb2, circle: Circle) -> number
+            The distance of a rotated box and a circle.
         distance(a: Obb2, b: Obb2) -> number
             The distance of two rotated boxes.
+        distance(shape: Obb2, segment: Segment2) -> number
+            The distance of a rotated box and a segment.
+        distance(shape: Obb2, point: Vec2) -> number
+            The distance of a rotated box and a point.
         distance(segment: Segment2, circle: Circle) -> number
             The distance of a segment and a circle.
         distance(segment: Segment2, shape: Obb2) -> number
             The distance of a segment and a rotated box.
         distance(a: Segment2, b: Segment2) -> number
             The distance of two segments.
+        distance(segment: Segment2, point: Vec2) -> number
+            The distance of a segment and a point.
         distance(a: Triangle2, b: Triangle2) -> number
             The distance of two triangles.
+        distance(triangle: Triangle2, point: Vec2) -> number
+            The distance of a triangle and a point.
         distance(point: Vec2, shape: Aabb2) -> number
             The distance of a point and an axis-aligned box.
         distance(point: Vec2, capsule: Capsule2) -> number
@@ -1271,6 +1314,8 @@ class _distance(Verb):
             The distance of a point and a segment.
         distance(point: Vec2, triangle: Triangle2) -> number
             The distance of a point and a triangle.
+        distance(a: Vec2, b: Vec2) -> number
+            The distance of two points.
         distance(point: Vec2, paths: polyline) -> number
             The distance of a point and a polyline; the largest finite number where that has fewer than two vertices.
         distance(point: Vec2, paths: ring) -> number
@@ -1279,23 +1324,41 @@ class _distance(Verb):
             The distance of a point and an axis-aligned box.
         distance(point: Vec3, shape: Obb3) -> number
             The distance of a point and a box of any orientation.
+        distance(a: Vec3, b: Vec3) -> number
+            The distance of two points.
         distance(point: Vec3, shape: YawBox3) -> number
             The distance of a point and an upright box.
         distance(x: number, interval: Interval) -> number
             The distance of a number and an interval.
+        distance(a: number, b: number) -> number
+            The distance of two numbers.
     """
     @overload
     def __call__(self, a: Aabb2, b: Aabb2, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
     @overload
+    def __call__(self, shape: Aabb2, point: Vec2, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
+    @overload
     def __call__(self, a: Capsule2, b: Capsule2, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
+    @overload
+    def __call__(self, capsule: Capsule2, point: Vec2, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
     @overload
     def __call__(self, a: Circle, b: Circle, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
     @overload
     def __call__(self, circle: Circle, shape: Obb2, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
     @overload
+    def __call__(self, circle: Circle, segment: Segment2, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
+    @overload
+    def __call__(self, circle: Circle, point: Vec2, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
+    @overload
     def __call__(self, a: Interval, b: Interval, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
     @overload
+    def __call__(self, shape: Obb2, circle: Circle, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
+    @overload
     def __call__(self, a: Obb2, b: Obb2, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
+    @overload
+    def __call__(self, shape: Obb2, segment: Segment2, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
+    @overload
+    def __call__(self, shape: Obb2, point: Vec2, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
     @overload
     def __call__(self, segment: Segment2, circle: Circle, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
     @overload
@@ -1303,7 +1366,11 @@ class _distance(Verb):
     @overload
     def __call__(self, a: Segment2, b: Segment2, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
     @overload
+    def __call__(self, segment: Segment2, point: Vec2, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
+    @overload
     def __call__(self, a: Triangle2, b: Triangle2, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
+    @overload
+    def __call__(self, triangle: Triangle2, point: Vec2, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
     @overload
     def __call__(self, point: Vec2, shape: Aabb2, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
     @overload
@@ -1317,6 +1384,8 @@ class _distance(Verb):
     @overload
     def __call__(self, point: Vec2, triangle: Triangle2, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
     @overload
+    def __call__(self, a: Vec2, b: Vec2, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
+    @overload
     def __call__(self, point: Vec2, paths: Paths, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
     @overload
     def __call__(self, point: Vec2, paths: Paths, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
@@ -1325,9 +1394,13 @@ class _distance(Verb):
     @overload
     def __call__(self, point: Vec3, shape: Obb3, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
     @overload
+    def __call__(self, a: Vec3, b: Vec3, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
+    @overload
     def __call__(self, point: Vec3, shape: YawBox3, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
     @overload
     def __call__(self, x: ArrayLike, interval: Interval, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
+    @overload
+    def __call__(self, a: ArrayLike, b: ArrayLike, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
     @overload
     def __call__(self, *arguments: Any, kind: Kind, to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Any: ...
 
@@ -1601,6 +1674,8 @@ class _intersection_area(Verb):
             The area that two convex polygons of up to N vertices share. Nothing is searched for.
         intersection_area(a: Obb2, b: Obb2) -> number
             Area that two rotated boxes share.
+        intersection_area(a: Vec2x4, b: Vec2x4) -> number
+            Area that two quadrilaterals share.
     """
     @overload
     def __call__(self, a: Aabb2, b: Aabb2, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
@@ -1608,6 +1683,8 @@ class _intersection_area(Verb):
     def __call__(self, a: ConvexPolygon5, b: ConvexPolygon5, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
     @overload
     def __call__(self, a: Obb2, b: Obb2, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
+    @overload
+    def __call__(self, a: Vec2x4, b: Vec2x4, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
     @overload
     def __call__(self, *arguments: Any, kind: Kind, to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Any: ...
 
@@ -1631,15 +1708,39 @@ class _intersection_volume(Verb):
 
     Rows:
         intersection_volume(a: Aabb3, b: Aabb3) -> number
+        intersection_volume(a: Aabb3, b: Obb3) -> number
+            Volume that an axis-aligned box and a box of any orientation share.
+        intersection_volume(a: Aabb3, b: YawBox3) -> number
+            Volume that an axis-aligned box and an upright box share.
+        intersection_volume(a: Obb3, b: Aabb3) -> number
+            Volume that a box of any orientation and an axis-aligned box share.
         intersection_volume(a: Obb3, b: Obb3) -> number
             Volume that two boxes of any orientation share.
+        intersection_volume(a: Obb3, b: YawBox3) -> number
+            Volume that a box of any orientation and an upright box share.
+        intersection_volume(a: YawBox3, b: Aabb3) -> number
+            Volume that an upright box and an axis-aligned box share.
+        intersection_volume(a: YawBox3, b: Obb3) -> number
+            Volume that an upright box and a box of any orientation share.
         intersection_volume(a: YawBox3, b: YawBox3) -> number
             Volume that two upright boxes share.
     """
     @overload
     def __call__(self, a: Aabb3, b: Aabb3, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
     @overload
+    def __call__(self, a: Aabb3, b: Obb3, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
+    @overload
+    def __call__(self, a: Aabb3, b: YawBox3, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
+    @overload
+    def __call__(self, a: Obb3, b: Aabb3, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
+    @overload
     def __call__(self, a: Obb3, b: Obb3, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
+    @overload
+    def __call__(self, a: Obb3, b: YawBox3, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
+    @overload
+    def __call__(self, a: YawBox3, b: Aabb3, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
+    @overload
+    def __call__(self, a: YawBox3, b: Obb3, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
     @overload
     def __call__(self, a: YawBox3, b: YawBox3, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
     @overload
@@ -1653,12 +1754,24 @@ class _iof(Verb):
     Rows:
         iof(a: Aabb2, b: Aabb2) -> number
         iof(a: Aabb3, b: Aabb3) -> number
+        iof(a: Aabb3, b: Obb3) -> number
+            The part of the first of an axis-aligned box and a box of any orientation that lies in the second, 0 to 1.
+        iof(a: Aabb3, b: YawBox3) -> number
+            The part of the first of an axis-aligned box and an upright box that lies in the second, 0 to 1.
         iof(a: ConvexPolygon5, b: ConvexPolygon5) -> number
             The share of the first of two convex polygons of up to N vertices that lies in the second.
         iof(a: Obb2, b: Obb2) -> number
             The part of the first of two rotated boxes that lies in the second, 0 to 1.
+        iof(a: Obb3, b: Aabb3) -> number
+            The part of the first of a box of any orientation and an axis-aligned box that lies in the second, 0 to 1.
         iof(a: Obb3, b: Obb3) -> number
             The part of the first of two boxes of any orientation that lies in the second, 0 to 1.
+        iof(a: Obb3, b: YawBox3) -> number
+            The part of the first of a box of any orientation and an upright box that lies in the second, 0 to 1.
+        iof(a: YawBox3, b: Aabb3) -> number
+            The part of the first of an upright box and an axis-aligned box that lies in the second, 0 to 1.
+        iof(a: YawBox3, b: Obb3) -> number
+            The part of the first of an upright box and a box of any orientation that lies in the second, 0 to 1.
         iof(a: YawBox3, b: YawBox3) -> number
             The part of the first of two upright boxes that lies in the second, 0 to 1.
     """
@@ -1667,11 +1780,23 @@ class _iof(Verb):
     @overload
     def __call__(self, a: Aabb3, b: Aabb3, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
     @overload
+    def __call__(self, a: Aabb3, b: Obb3, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
+    @overload
+    def __call__(self, a: Aabb3, b: YawBox3, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
+    @overload
     def __call__(self, a: ConvexPolygon5, b: ConvexPolygon5, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
     @overload
     def __call__(self, a: Obb2, b: Obb2, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
     @overload
+    def __call__(self, a: Obb3, b: Aabb3, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
+    @overload
     def __call__(self, a: Obb3, b: Obb3, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
+    @overload
+    def __call__(self, a: Obb3, b: YawBox3, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
+    @overload
+    def __call__(self, a: YawBox3, b: Aabb3, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
+    @overload
+    def __call__(self, a: YawBox3, b: Obb3, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
     @overload
     def __call__(self, a: YawBox3, b: YawBox3, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
     @overload
@@ -1685,6 +1810,8 @@ class _iou(Verb):
     Rows:
         iou(a: Aabb2, b: Aabb2) -> number
         iou(a: Aabb3, b: Aabb3) -> number
+        iou(a: Aabb3, b: Obb3) -> number
+            Intersection over union of an axis-aligned box and a box of any orientation, 0 to 1.
         iou(a: Aabb3, b: YawBox3) -> number
             Intersection over union of an axis-aligned box and an upright box, 0 to 1.
         iou(a: ConvexPolygon5, b: ConvexPolygon5) -> number
@@ -1693,8 +1820,14 @@ class _iou(Verb):
             Intersection over union of two intervals, 0 to 1.
         iou(a: Obb2, b: Obb2) -> number
             Intersection over union of two rotated boxes, 0 to 1.
+        iou(a: Obb3, b: Aabb3) -> number
+            Intersection over union of a box of any orientation and an axis-aligned box, 0 to 1.
         iou(a: Obb3, b: Obb3) -> number
             Intersection over union of two boxes of any orientation, 0 to 1.
+        iou(a: Obb3, b: YawBox3) -> number
+            Intersection over union of a box of any orientation and an upright box, 0 to 1.
+        iou(a: YawBox3, b: Aabb3) -> number
+            Intersection over union of an upright box and an axis-aligned box, 0 to 1.
         iou(a: YawBox3, b: Obb3) -> number
             Intersection over union of an upright box and a box of any orientation, 0 to 1.
         iou(a: YawBox3, b: YawBox3) -> number
@@ -1705,6 +1838,8 @@ class _iou(Verb):
     @overload
     def __call__(self, a: Aabb3, b: Aabb3, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
     @overload
+    def __call__(self, a: Aabb3, b: Obb3, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
+    @overload
     def __call__(self, a: Aabb3, b: YawBox3, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
     @overload
     def __call__(self, a: ConvexPolygon5, b: ConvexPolygon5, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
@@ -1713,7 +1848,13 @@ class _iou(Verb):
     @overload
     def __call__(self, a: Obb2, b: Obb2, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
     @overload
+    def __call__(self, a: Obb3, b: Aabb3, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
+    @overload
     def __call__(self, a: Obb3, b: Obb3, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
+    @overload
+    def __call__(self, a: Obb3, b: YawBox3, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
+    @overload
+    def __call__(self, a: YawBox3, b: Aabb3, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
     @overload
     def __call__(self, a: YawBox3, b: Obb3, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
     @overload
@@ -2016,22 +2157,40 @@ class _signed_distance(Verb):
 
     Rows:
         signed_distance(a: Aabb2, b: Aabb2) -> number
+        signed_distance(shape: Aabb2, point: Vec2) -> number
+            The signed distance of an axis-aligned box and a point.
         signed_distance(a: Capsule2, b: Capsule2) -> number
             The signed distance of two capsules.
+        signed_distance(capsule: Capsule2, point: Vec2) -> number
+            The signed distance of a capsule and a point.
         signed_distance(a: Circle, b: Circle) -> number
             The signed distance of two circles.
         signed_distance(circle: Circle, shape: Obb2) -> number
             The signed distance of a circle and a rotated box.
+        signed_distance(circle: Circle, segment: Segment2) -> number
+            The signed distance of a circle and a segment.
+        signed_distance(circle: Circle, point: Vec2) -> number
+            The signed distance of a circle and a point.
         signed_distance(a: Interval, b: Interval) -> number
             The signed distance of two intervals.
+        signed_distance(shape: Obb2, circle: Circle) -> number
+            The signed distance of a rotated box and a circle.
         signed_distance(a: Obb2, b: Obb2) -> number
             The signed distance of two rotated boxes.
+        signed_distance(shape: Obb2, segment: Segment2) -> number
+            The signed distance of a rotated box and a segment.
+        signed_distance(shape: Obb2, point: Vec2) -> number
+            The signed distance of a rotated box and a point.
         signed_distance(segment: Segment2, circle: Circle) -> number
             The signed distance of a segment and a circle.
         signed_distance(segment: Segment2, shape: Obb2) -> number
             The signed distance of a segment and a rotated box.
+        signed_distance(segment: Segment2, point: Vec2) -> number
+            The signed distance of a segment and a point.
         signed_distance(a: Triangle2, b: Triangle2) -> number
             The signed distance of two triangles.
+        signed_distance(triangle: Triangle2, point: Vec2) -> number
+            The signed distance of a triangle and a point.
         signed_distance(point: Vec2, shape: Aabb2) -> number
             The signed distance of a point and an axis-aligned box.
         signed_distance(point: Vec2, capsule: Capsule2) -> number
@@ -2054,21 +2213,39 @@ class _signed_distance(Verb):
     @overload
     def __call__(self, a: Aabb2, b: Aabb2, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
     @overload
+    def __call__(self, shape: Aabb2, point: Vec2, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
+    @overload
     def __call__(self, a: Capsule2, b: Capsule2, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
+    @overload
+    def __call__(self, capsule: Capsule2, point: Vec2, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
     @overload
     def __call__(self, a: Circle, b: Circle, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
     @overload
     def __call__(self, circle: Circle, shape: Obb2, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
     @overload
+    def __call__(self, circle: Circle, segment: Segment2, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
+    @overload
+    def __call__(self, circle: Circle, point: Vec2, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
+    @overload
     def __call__(self, a: Interval, b: Interval, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
     @overload
+    def __call__(self, shape: Obb2, circle: Circle, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
+    @overload
     def __call__(self, a: Obb2, b: Obb2, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
+    @overload
+    def __call__(self, shape: Obb2, segment: Segment2, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
+    @overload
+    def __call__(self, shape: Obb2, point: Vec2, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
     @overload
     def __call__(self, segment: Segment2, circle: Circle, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
     @overload
     def __call__(self, segment: Segment2, shape: Obb2, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
     @overload
+    def __call__(self, segment: Segment2, point: Vec2, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
+    @overload
     def __call__(self, a: Triangle2, b: Triangle2, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
+    @overload
+    def __call__(self, triangle: Triangle2, point: Vec2, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
     @overload
     def __call__(self, point: Vec2, shape: Aabb2, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
     @overload
