@@ -62,7 +62,7 @@ pub use {
 /// * [`Pack`](crate::Pack) and [`Fixed`](crate::Fixed): the scalars in the order of the fields, and their
 ///   names;
 /// * [`Validate`](crate::Validate): every scalar is finite, every part valid, the rules below hold;
-/// * [`Item`](crate::kernels::Row): columns of it go into batches and come out of them;
+/// * [`Item`](crate::kernels::Item): columns of it go into batches and come out of them;
 /// * the comparisons of `approx`;
 /// * [`Sample`](crate::ad::check::sample::Sample) for `f64`: random and hard inputs for the harness and, with the
 ///   feature `proptest`, the strategies of `ad::check::strategy` and proptest's own `any`.
