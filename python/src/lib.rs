@@ -43,7 +43,7 @@ fn _core(m: &Bound<'_, PyModule>) -> PyResult<()> {
     m.add_class::<check::Report>()?;
     m.add_function(wrap_pyfunction!(check::check_recorded, m)?)?;
     m.add_function(wrap_pyfunction!(check::check_callables, m)?)?;
-    m.add_function(wrap_pyfunction!(verb::samples, m)?)?;
+    m.add_function(wrap_pyfunction!(verb::valid_samples, m)?)?;
     m.add_function(wrap_pyfunction!(verb::shapes, m)?)?;
     m.add_function(wrap_pyfunction!(verb::verbs, m)?)?;
     m.add_function(wrap_pyfunction!(verb::rows, m)?)?;

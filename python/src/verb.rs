@@ -783,7 +783,7 @@ pub fn shapes() -> Vec<(
 
 /// Random valid inputs of a row, in all numbers of its arguments.
 #[pyfunction]
-pub fn samples<'py>(
+pub fn valid_samples<'py>(
     py: Python<'py>,
     row: &str,
     count: usize,
