@@ -35,10 +35,10 @@ impl<'py> Given<'py> {
                 Content::Items(_) => Err(symbolic(&column.name)),
             };
         }
-        if column.axes.is_empty() {
-            if let Ok(number) = x.cast_exact::<pyo3::types::PyFloat>() {
-                return Ok(Given::Number(number.extract()?));
-            }
+        if column.axes.is_empty()
+            && let Ok(number) = x.cast_exact::<pyo3::types::PyFloat>()
+        {
+            return Ok(Given::Number(number.extract()?));
         }
         let array = array(x, &column.name, column.kind)?;
         // A lone number stands for a shape of one.
@@ -145,10 +145,10 @@ fn in_use(name: &str) -> PyErr {
 /// An array of a format whose numbers are one after another: itself, or a copy.
 fn plain<T: Number>(array: Bound<'_, PyAny>) -> PyResult<Bound<'_, PyArrayDyn<T>>> {
     let py = array.py();
-    if let Ok(same) = array.cast::<PyArrayDyn<T>>() {
-        if same.is_c_contiguous() {
-            return Ok(same.clone());
-        }
+    if let Ok(same) = array.cast::<PyArrayDyn<T>>()
+        && same.is_c_contiguous()
+    {
+        return Ok(same.clone());
     }
     let options = PyDict::new(py);
     options.set_item("order", "C")?;
@@ -286,10 +286,10 @@ impl<'py, T: Number> Target<'py, T> {
     /// The caller's array, or that of the caller's shape.
     pub fn given(out: &Bound<'py, PyAny>, shape: &[usize], name: &str) -> PyResult<Self> {
         let mut object = out.clone();
-        if let Ok(dressed) = out.cast::<Shape>() {
-            if let Content::Array(array) = &dressed.get().content {
-                object = array.bind(out.py()).clone().into_any();
-            }
+        if let Ok(dressed) = out.cast::<Shape>()
+            && let Content::Array(array) = &dressed.get().content
+        {
+            object = array.bind(out.py()).clone().into_any();
         }
         let format = if T::IS_DOUBLE { "float64" } else { "float32" };
         let array = object.cast::<PyArrayDyn<T>>().map_err(|_| {

@@ -20,10 +20,10 @@ fn gpu() -> PyResult<Gpu> {
     static GPU: Mutex<Option<(u32, Gpu)>> = Mutex::new(None);
     let mut kept = GPU.lock().unwrap_or_else(PoisonError::into_inner);
     let process = std::process::id();
-    if let Some((of, gpu)) = &*kept {
-        if *of == process {
-            return Ok(gpu.clone());
-        }
+    if let Some((of, gpu)) = &*kept
+        && *of == process
+    {
+        return Ok(gpu.clone());
     }
     let gpu = Gpu::new().map_err(raised)?;
     if let Some((of, old)) = kept.replace((process, gpu.clone())) {

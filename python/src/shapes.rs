@@ -147,16 +147,16 @@ impl Shape {
                     ))),
                 };
             }
-            if let Ok(list) = one.extract::<Vec<Bound<'_, PyAny>>>() {
-                if list.iter().any(|x| x.cast::<Symbol>().is_ok()) {
-                    return match list.len() == fields.len() {
-                        true => Ok(Shape {
-                            kind,
-                            content: Content::Items(list.into_iter().map(Bound::unbind).collect()),
-                        }),
-                        false => Err(wrong()),
-                    };
-                }
+            if let Ok(list) = one.extract::<Vec<Bound<'_, PyAny>>>()
+                && list.iter().any(|x| x.cast::<Symbol>().is_ok())
+            {
+                return match list.len() == fields.len() {
+                    true => Ok(Shape {
+                        kind,
+                        content: Content::Items(list.into_iter().map(Bound::unbind).collect()),
+                    }),
+                    false => Err(wrong()),
+                };
             }
             let array = array(&one, name, kind)?;
             return match array.shape().last() == Some(&fields.len()) {

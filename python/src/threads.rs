@@ -72,10 +72,11 @@ pub fn after_fork() {
 fn pool(threads: usize) -> PyResult<Arc<rayon::ThreadPool>> {
     let process = std::process::id();
     let mut kept = lock();
-    if let Some(kept) = &*kept {
-        if kept.process == process && kept.threads == threads {
-            return Ok(kept.pool.clone());
-        }
+    if let Some(kept) = &*kept
+        && kept.process == process
+        && kept.threads == threads
+    {
+        return Ok(kept.pool.clone());
     }
     let made = rayon::ThreadPoolBuilder::new().num_threads(threads).build();
     let made = made.map_err(|error| PyRuntimeError::new_err(error.to_string()))?;

@@ -315,7 +315,7 @@ impl Verb {
                 ([], 1) => own
                     .into_iter()
                     .next()
-                    .map_or_else(|| py.None(), |x| x)
+                    .unwrap_or_else(|| py.None())
                     .into_bound(py),
                 _ => dressed_items(py, own, column.kind)?,
             });
