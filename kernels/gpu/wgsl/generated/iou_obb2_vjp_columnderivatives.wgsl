@@ -1,4 +1,4 @@
-// iou_obb2 Vjp ColumnSlopes: generated from the Rust source, after `ad/program/prelude.wgsl`. To read, not to edit:
+// iou_obb2 Vjp ColumnDerivatives: generated from the Rust source, after `ad/program/prelude.wgsl`. To read, not to edit:
 // `tests/gpu/committed.rs` says how it is written.
 
 fn body(x: array<f32, 21>) -> array<f32, 5> {

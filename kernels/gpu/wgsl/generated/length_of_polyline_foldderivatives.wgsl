@@ -1,4 +1,4 @@
-// length_of_polyline FoldSlopes: generated from the Rust source, after `ad/program/prelude.wgsl`. To read, not to edit:
+// length_of_polyline FoldDerivatives: generated from the Rust source, after `ad/program/prelude.wgsl`. To read, not to edit:
 // `tests/gpu/committed.rs` says how it is written.
 
 fn fold_edge(x: array<f32, 4>) -> array<f32, 1> {

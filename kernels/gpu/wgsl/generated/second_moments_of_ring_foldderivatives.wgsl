@@ -1,4 +1,4 @@
-// second_moments_of_ring FoldSlopes: generated from the Rust source, after `ad/program/prelude.wgsl`. To read, not to edit:
+// second_moments_of_ring FoldDerivatives: generated from the Rust source, after `ad/program/prelude.wgsl`. To read, not to edit:
 // `tests/gpu/committed.rs` says how it is written.
 
 fn fold_edge(x: array<f32, 9>) -> array<f32, 6> {
