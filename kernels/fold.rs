@@ -111,7 +111,7 @@ pub trait Fold: Copy + Debug + Default + Send + Sync + 'static {
 ///
 /// ```
 /// use geograd::kernels::{OverRing, SignedDistance, fold::fold};
-/// type Item = <SignedDistance as OverRing>::By;
+/// type Row = <SignedDistance as OverRing>::By;
 /// use geograd::Vec2;
 /// let square = [(0.0, 0.0), (2.0, 0.0), (2.0, 2.0), (0.0, 2.0)].map(|(x, y)| Vec2::new(x, y));
 /// assert_eq!(fold::<Row, f64>(Vec2::new(1.0, 0.5), &square), -0.5);
