@@ -156,7 +156,7 @@ fn of_items<T: Number>(
     let rows = columns.iter().zip(fields).map(|(x, n)| Rows::new(x, n));
     let lists = function
         .aligned(&rows.collect::<Vec<_>>())
-        .expect(row.name());
+        .unwrap_or_else(|_| panic!("{}", row.name()));
     let gives = function.gives();
     let item = |i: usize| {
         let lists = lists.iter().zip(&gives);
