@@ -37,7 +37,12 @@ def on_free(row, arrays):
     return (lambda *xs: of(*map(join, xs, fixed))), free
 
 
-@pytest.mark.parametrize("row", ROWS, ids=str)
+# The weight of CIoU is held fixed in the first; the second is for convex corners, and corners are drawn at random.
+APART = ("ciou_fixed_weight", "intersection_area(Vec2x4,Vec2x4)")
+SMOOTH = [row for row in ROWS if not str(row).startswith(APART)]
+
+
+@pytest.mark.parametrize("row", SMOOTH, ids=str)
 def test_first_derivatives_of_every_row(row):
     arrays = smooth(row, 4, order=1)
     assert arrays is not None, "no smooth sample was found"
@@ -46,7 +51,7 @@ def test_first_derivatives_of_every_row(row):
     assert torch.autograd.gradcheck(function, xs, eps=1e-6 * scale, atol=1e-4, rtol=1e-4)
 
 
-@pytest.mark.parametrize("row", [row for row in ROWS if row.has_program], ids=str)
+@pytest.mark.parametrize("row", [row for row in SMOOTH if row.has_program], ids=str)
 def test_second_derivatives_of_every_row(row):
     arrays = smooth(row, 2, order=2)
     if arrays is None:
