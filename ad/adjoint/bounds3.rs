@@ -25,7 +25,7 @@ fn times<S: Scalar>(x: Vec3<S>, y: Vec3<S>) -> Vec3<S> {
     Vec3::new(x.x * y.x, x.y * y.y, x.z * y.z)
 }
 
-/// What the first of two shapes takes of the derivatives of shared bounds of which the smaller ones decide.
+/// Returns the first shape's part of the derivatives of shared bounds, of which the smaller ones decide.
 #[inline(always)]
 fn parts<S: Scalar>(mine: Vec3<S>, other: Vec3<S>) -> Vec3<S> {
     Vec3::new(

@@ -36,7 +36,7 @@ fn bounded<S: Scalar, const EXTREME: bool>(x: S) -> S {
     if EXTREME { x.clamp(-most, most) } else { x }
 }
 
-/// What derivatives of both areas are multiplied by, and a box's own area.
+/// Returns the factor of the derivatives of both areas, and a box's own area.
 struct Bars<S: Scalar> {
     nothing: S::Mask,
     inter: S,

@@ -151,7 +151,7 @@ pub(crate) fn score_scaled_vjp<S: Scalar, const EXTREME: bool>(
         + own_size_bar::<S, EXTREME>(pair.half_a, areas.own[0], falling);
     let size_b_bar = inter_size_bar::<S, EXTREME>(derivatives.half_b, half_bar)
         + own_size_bar::<S, EXTREME>(half_b, areas.own[1], falling);
-    // What is apart scores zero whatever the areas are, so those derivatives vanish by themselves.
+    // Boxes apart score zero whatever their areas are, so those derivatives vanish by themselves.
     let (u_bar, v_bar) = (
         bounded::<S, EXTREME>(derivatives.u * inter_bar),
         bounded::<S, EXTREME>(derivatives.v * inter_bar),
@@ -175,7 +175,7 @@ pub(crate) fn score_scaled_vjp<S: Scalar, const EXTREME: bool>(
     (value, grads)
 }
 
-/// What a box's size takes from the shared area's derivatives by its halves.
+/// Returns the derivatives by a box's size, of the shared area's derivatives by its halves.
 #[inline(always)]
 fn inter_size_bar<S: Scalar, const EXTREME: bool>(derivative: Vec2<S>, half_bar: S) -> Vec2<S> {
     Vec2::new(
@@ -184,13 +184,13 @@ fn inter_size_bar<S: Scalar, const EXTREME: bool>(derivative: Vec2<S>, half_bar:
     )
 }
 
-/// What a side takes from its own box, whose derivative is `own` times `falling`.
+/// Returns the derivative by a side of its own box, whose derivative is `own` times `falling`.
 #[inline(always)]
 pub(super) fn own_bar<S: Scalar, const EXTREME: bool>(own: S, falling: S) -> S {
     bounded::<S, EXTREME>(bounded::<S, EXTREME>(own) * falling)
 }
 
-/// What a box's size takes from its own area likewise.
+/// Returns the derivatives by a box's size of its own area likewise.
 #[inline(always)]
 fn own_size_bar<S: Scalar, const EXTREME: bool>(half: Vec2<S>, own: S, falling: S) -> Vec2<S> {
     Vec2::new(

@@ -51,7 +51,7 @@ struct Parts<S> {
     areas: [S; 3],
     /// By the height shared, that of a and that of b; but for `falling`, of the last two.
     heights: [S; 3],
-    /// What derivatives by a box's own area and height are to be multiplied by at last: of a speck beside
+    /// The last factor of the derivatives by a box's own area and height: of a speck beside
     /// a giant it is so small that nothing would be left of them before.
     falling: S,
 }
@@ -116,12 +116,12 @@ fn unless<S: Scalar>(mask: S::Mask, x: [S; 3]) -> [S; 3] {
     ]
 }
 
-/// What brings derivatives in the pair's units to the caller's: factors, one after another.
+/// The factors, one after another, that convert derivatives from the pair's units to the caller's.
 struct Units<S> {
     flat: [S; 3],
     tall: [S; 3],
     turn: [S; 3],
-    /// What was taken from the upstream derivative.
+    /// The factor taken out of the upstream derivative.
     steep: S,
 }
 

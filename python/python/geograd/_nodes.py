@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import functools
 import threading
 
 import numpy as np
@@ -22,6 +23,15 @@ LOSSES = {
 
 _NODES = {}
 _LOCK = threading.RLock()
+
+
+# A description of all rows of a verb takes longer than a call.
+_rows = functools.lru_cache(maxsize=None)(_core.rows)
+
+
+def size(lead, width):
+    """The shape of an argument or result of so many numbers, or of a lone number, over leading axes."""
+    return (*lead, width) if width else tuple(lead)
 
 
 def _flat(results):
@@ -123,7 +133,7 @@ def named(name):
 
 def of_verb(verb, kind, count):
     """The node of a row: ``kind`` is a shape, or one for each argument."""
-    rows = _core.rows(verb)
+    rows = _rows(verb)
     names = lambda kind: kind if isinstance(kind, str) or kind is None else kind.__name__
     if isinstance(kind, (tuple, list)):
         wanted = tuple("number" if k is None else names(k) for k in kind)

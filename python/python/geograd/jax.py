@@ -18,10 +18,6 @@ from geograd import _nodes
 __all__ = ["function"]
 
 
-def _size(lead, width):
-    return (*lead, width) if width else tuple(lead)
-
-
 def _lead(node, xs):
     shapes = []
     for (name, _, width), x in zip(node.takes, xs):
@@ -35,10 +31,10 @@ def _on_host(node, *xs):
     xs = [np.asarray(x) for x in xs]
     lead = _lead(node, xs)
     if 0 in lead:
-        return tuple(np.empty(_size(lead, width), xs[0].dtype) for width in node.gives)
-    arrays = [np.broadcast_to(x, _size(lead, width)) for (_, _, width), x in zip(node.takes, xs)]
+        return tuple(np.empty(_nodes.size(lead, width), xs[0].dtype) for width in node.gives)
+    arrays = [np.broadcast_to(x, _nodes.size(lead, width)) for (_, _, width), x in zip(node.takes, xs)]
     results = node.run([np.ascontiguousarray(x) for x in arrays])
-    return tuple(np.asarray(r, xs[0].dtype).reshape(_size(lead, w)) for r, w in zip(results, node.gives))
+    return tuple(np.asarray(r, xs[0].dtype).reshape(_nodes.size(lead, w)) for r, w in zip(results, node.gives))
 
 
 @functools.lru_cache(maxsize=None)
@@ -48,7 +44,7 @@ def _of(name):
 
     def call(*xs):
         lead = _lead(node, xs)
-        shapes = tuple(jax.ShapeDtypeStruct(_size(lead, width), xs[0].dtype) for width in node.gives)
+        shapes = tuple(jax.ShapeDtypeStruct(_nodes.size(lead, width), xs[0].dtype) for width in node.gives)
         return jax.pure_callback(functools.partial(_on_host, node), shapes, *xs, vmap_method="broadcast_all")
 
     whole = jax.custom_vjp(call)
@@ -65,7 +61,7 @@ def _of(name):
     def spread(*xs):
         # Arguments are broadcast outside, so that JAX itself sums their gradients.
         lead = _lead(node, xs)
-        return whole(*[jnp.broadcast_to(x, _size(lead, w)) for (_, _, w), x in zip(node.takes, xs)])
+        return whole(*[jnp.broadcast_to(x, _nodes.size(lead, w)) for (_, _, w), x in zip(node.takes, xs)])
 
     return spread
 

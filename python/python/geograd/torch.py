@@ -9,8 +9,6 @@ Tensors stay on the CPU: contiguous ones are lent to the library without a copy.
 
 from __future__ import annotations
 
-import threading
-
 import numpy as np
 import torch
 
@@ -33,15 +31,11 @@ def _lead(node, xs):
     return torch.broadcast_shapes(*shapes)
 
 
-def _size(lead, width):
-    return (*lead, width) if width else tuple(lead)
-
-
 def _lent(x, lead, width):
     """A tensor as an array of the leading shape; one item alone stays alone."""
     x = x.detach()
     if x.numel() != max(width, 1):
-        x = x.expand(_size(lead, width))
+        x = x.expand(_nodes.size(lead, width))
     elif x.dim() > bool(width):
         x = x.reshape((width,) if width else ())
     return x.contiguous().numpy()
@@ -52,12 +46,12 @@ def _call(name: str, xs: list[torch.Tensor]) -> list[torch.Tensor]:
     node = _nodes.named(name)
     lead = _lead(node, xs)
     if 0 in lead:
-        return [xs[0].new_empty(_size(lead, width)) for width in node.gives]
+        return [xs[0].new_empty(_nodes.size(lead, width)) for width in node.gives]
     arrays = [_lent(x, lead, width) for (_, _, width), x in zip(node.takes, xs)]
     results = []
     for result, width in zip(node.run(arrays), node.gives):
         result = torch.from_numpy(np.require(result, requirements=["C", "W"]))
-        size = _size(lead, width)
+        size = _nodes.size(lead, width)
         if result.numel() != int(np.prod(size)):
             # All arguments were one item.
             result = result.expand(size).clone()
@@ -69,7 +63,7 @@ def _call(name: str, xs: list[torch.Tensor]) -> list[torch.Tensor]:
 def _(name, xs):
     node = _nodes.named(name)
     lead = _lead(node, xs)
-    return [xs[0].new_empty(_size(lead, width)) for width in node.gives]
+    return [xs[0].new_empty(_nodes.size(lead, width)) for width in node.gives]
 
 
 def _summed(grads, xs):
@@ -80,7 +74,7 @@ def _summed(grads, xs):
 def _whole(node, xs, bars):
     """Cotangents of all results, zeros for those that no one uses."""
     lead = _lead(node, xs)
-    sizes = [_size(lead, width) for width in node.gives]
+    sizes = [_nodes.size(lead, width) for width in node.gives]
     return [
         xs[0].new_zeros(size) if bar is None else bar.expand(size) for bar, size in zip(bars, sizes)
     ]
