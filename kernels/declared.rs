@@ -1,7 +1,7 @@
-//! What rows property of results as data: where they are finite, within which range, of identical shapes and of
-//! shapes apart. The fuzzer keeps to it.
+//! Declared properties of results, as data: inputs for which they are finite, their range, and results of identical
+//! shapes and of shapes apart. The fuzzer tests them.
 
-/// Of which valid finite inputs values and derivatives are finite.
+/// The valid finite inputs whose values and derivatives are finite.
 ///
 /// ```
 /// use geograd::kernels::op::Finite;
@@ -12,14 +12,14 @@
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[non_exhaustive]
 pub enum Finite {
-    /// Of all of them, for upstream derivatives of any size; duals within [`Limits::ORDINARY`].
+    /// All of them, for cotangents of any size; duals within [`Limits::ORDINARY`].
     Always,
-    /// Of those within limits, for upstream derivatives of one.
+    /// Those within limits, for cotangents of one.
     Within(Limits),
-    /// Values of those within limits; derivatives need not be.
+    /// Those within limits, for values; derivatives need not be finite.
     Values(Limits),
-    /// Nothing is said.
-    Unsaid,
+    /// Nothing is declared.
+    Undeclared,
 }
 
 /// Limits of numbers: every length, coordinate and plain number is zero or between two powers of two in
@@ -52,7 +52,7 @@ impl Limits {
     pub const LEAST_ANGLE: [i32; 2] = [-100, -900];
 }
 
-/// Within which every number of a result lies, both ends included.
+/// The range of every number of a result, both ends included.
 ///
 /// ```
 /// use geograd::kernels::op::Range;
@@ -92,12 +92,12 @@ impl Range {
     }
 }
 
-/// What two identical shapes and two shapes apart score.
+/// The scores of two identical shapes and of two shapes apart.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[non_exhaustive]
 pub enum Extremes {
-    /// Nothing is said.
-    Unsaid,
+    /// Nothing is declared.
+    Undeclared,
     /// Shapes apart score 0 with derivatives of zero.
     Shared,
     /// The same, and identical shapes score 1, or 0 where they count as empty.

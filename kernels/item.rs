@@ -37,7 +37,7 @@ impl<T> Clone for Leaf<T> {
 }
 impl<T> Copy for Leaf<T> {}
 
-/// What batches take and give per item: a number, a shape, or a tuple of such.
+/// The type of an item: a number, a shape, or a tuple of such.
 ///
 /// Numbers are `f32` or `f64`. `#[derive(Shape)]` implements it.
 pub trait Item: Fixed<Scalar: Real> {
@@ -54,7 +54,7 @@ pub trait Item: Fixed<Scalar: Real> {
     fn targets<'a>(many: &'a mut Self::Many, add: &mut dyn FnMut(Target<'a, Self::Scalar>));
 }
 
-/// What a batch gives per item: a row, or a result with its [Jacobian](WithJacobian).
+/// The result of a batch per item: a shape or number, or a result with its [Jacobian](WithJacobian).
 pub trait Results {
     /// `f32` or `f64`.
     type Scalar: Real;
@@ -435,6 +435,11 @@ impl<'a, T: Real> Column<'a, T> {
 pub struct One<P>(pub P);
 
 /// The arguments of a batch: a slice or vector of shapes or numbers, [`One`], or a tuple of such.
+#[diagnostic::on_unimplemented(
+    message = "`{Self}` is not a column",
+    label = "not a column",
+    note = "a column is a slice, `&a` or `&a[..]`, or one shape for all items, `One(shape)`"
+)]
 pub trait Columns {
     /// The arguments of one item.
     type Item: Item;
@@ -507,7 +512,7 @@ columns!(A B; A B C; A B C D; A B C D E; A B C D E F;);
 /// Takes the numbers of results, one after another.
 type Write<'a, T> = Box<dyn FnOnce(&[T]) + Send + 'a>;
 
-/// Where one shape of every result goes.
+/// The memory for one shape of every result.
 pub struct Target<'a, T> {
     /// Piece by piece, each of [`STRETCH`] items, the last one of fewer.
     pieces: Vec<Piece<'a, T>>,

@@ -25,7 +25,7 @@
 //!
 //! # GPUs
 //!
-//! [`gpu`] has the same calls, except all pairs of searches. [`Backend`] is one front for both machines, and
+//! [`gpu`] has the same calls, except all pairs of searches. [`Backend`] has one interface for both machines, and
 //! [`resident`] keeps columns and results on the machine between calls.
 #[forbid(unsafe_code)]
 pub mod backend;

@@ -82,7 +82,7 @@ where
         self.points.push(point.scalars());
         self
     }
-    /// Where the operation is defined, beside what its shapes say: inputs outside are not judged, and no step leads
+    /// The domain of the operation, beside what its shapes say: inputs outside are not judged, and no step leads
     /// there. It stands in the place of the [domain](Op::DOMAIN) that the row states.
     ///
     /// ```
@@ -147,7 +147,7 @@ where
         self.sampling.shared_ties = true;
         self
     }
-    /// Judges: a report in single precision, and one in double.
+    /// Runs the check: a report in single precision, and one in double.
     #[must_use]
     pub fn run(&self) -> [Report; 2] {
         let sampling = Sampling {

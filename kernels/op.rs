@@ -81,7 +81,7 @@ pub trait Op: Copy + Debug + Default + Send + Sync + 'static {
     /// The range of every number of the result.
     const RANGE: Range = Range::ANY;
     /// The results of identical shapes and of shapes apart.
-    const EXTREMES: Extremes = Extremes::Unsaid;
+    const EXTREMES: Extremes = Extremes::Undeclared;
     /// The domain, in addition to the rules of its shapes; `None` for everywhere. The harness and the fuzzer keep to
     /// it; batches compute outside, too.
     const DOMAIN: Option<fn(Self::In<f64>) -> bool> = None;
@@ -190,6 +190,7 @@ impl<O> Vjp<O> {
 }
 
 /// The derivative that a batch needs, and its form.
+#[doc(hidden)]
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub struct Ask {
     /// The result, the result with its gradient, or the adjoint.
@@ -217,16 +218,16 @@ impl Ask {
     }
 }
 
-/// A function that a batch runs on rows of arguments: a verb, its gradient, Jacobian or adjoint, a program.
+/// A function that a batch runs on items: a verb, its gradient, Jacobian or adjoint, a program.
 #[diagnostic::on_unimplemented(
     message = "`{Self}` does not run on these columns",
-    label = "does not run on rows of `{R}`",
+    label = "does not run on items of `{R}`",
     note = "`.value_grad()` needs one number as result; `.jacobian()` gives the gradient of each of several",
     note = "an operation of two shapes takes two columns, `(&a, &b)`, made of its shapes and of one format",
     note = "a search of another crate (`Search`) is checked by the harness, and no batch takes it"
 )]
 pub trait Runs<R: Item> {
-    /// The result per row.
+    /// The result per item.
     type Out: Results<Scalar = R::Scalar>;
     /// The plan by which batches on the CPU compute it.
     ///

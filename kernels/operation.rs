@@ -12,7 +12,7 @@
 /// | clause | words |
 /// | --- | --- |
 /// | `invariances [Motion Answer, …]` | motions of all arguments: `TranslationX`, `TranslationY`, `Rotation` (in space about z), `Scaling`, `Exchange`, and in space `TranslationZ`, `RotationX`, `RotationY`; the result `Stays`, grows with `Power(p)` of the scale, or `Follows` |
-/// | \[`finite`\] | `Always`, `Within(limits)`, `Values(limits)`, `Unsaid`: [`Finite`](crate::kernels::op::Finite) |
+/// | \[`finite`\] | `Always`, `Within(limits)`, `Values(limits)`, `Undeclared`: [`Finite`](crate::kernels::op::Finite) |
 /// | \[`range`\] | `RATIO`, `SIGNED`, `NOT_NEGATIVE`, …: the constants of [`Range`](crate::kernels::op::Range) |
 /// | \[`extremes`\] | `Shared`, `Ratio`, `Union`, `One`: [`Extremes`](crate::kernels::op::Extremes) |
 /// | `jumps` | `Never`, `FromZero` (where the value leaves zero), `Anywhere` |
@@ -25,8 +25,8 @@
 /// use geograd::{Obb2, Vec2, operation};
 ///
 /// operation! {
-///     /// The clearance of a point from a box, measured along the box's axes.
-///     pub Clearance = "clearance": (point: Vec2<S>, shape: Obb2<S>) -> S {
+///     /// How far a point is beyond a box, along the box's axes; negative inside.
+///     pub Beyond = "beyond": (point: Vec2<S>, shape: Obb2<S>) -> S {
 ///         let local = shape.world_from_local().inverse() * point;
 ///         let (x, y) = (local.x.magnitude() - shape.size.x.halved(),
 ///             local.y.magnitude() - shape.size.y.halved());
@@ -39,12 +39,12 @@
 ///
 /// let points = [Vec2::new(3.0_f64, 0.0), Vec2::new(0.0, 2.0)];
 /// let shapes = [Obb2::new(0.0, 0.0, 2.0, 2.0, 0.0); 2];
-/// assert_eq!(Cpu::new().aligned(Clearance, (&points, &shapes))?, [2.0, 1.0]);
+/// assert_eq!(Cpu::new().aligned(Beyond, (&points, &shapes))?, [2.0, 1.0]);
 /// # Ok::<(), geograd::Error>(())
 /// ```
 ///
 /// A function that is not defined everywhere says where it is, of the same arguments made of `f64`; one whose values
-/// are off by more than rounding says by how much. Both come between `jumps` and `derivatives`, and [`Check::of`]
+/// are off by more than rounding says by how much. Both come between `jumps` and `derivative`, and [`Check::of`]
 /// takes them from there. A camera has a pole in the plane of its aperture, so its row is refused without the domain:
 ///
 /// ```

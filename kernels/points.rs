@@ -38,7 +38,7 @@ impl<T: Real> Place for Vec3<T> {
 pub trait Container: Copy + Validate + Sync {
     /// A point of its space.
     type Point: Place;
-    /// Whether the point is in the box; the border belongs to it.
+    /// `true` if the point is in the box; the border belongs to it.
     #[must_use]
     fn holds(self, point: Self::Point) -> bool;
     /// The lower and the upper ends of bounds that no point in it is outside of, whatever was rounded.

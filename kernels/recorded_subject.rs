@@ -69,7 +69,7 @@ pub(crate) struct Recording<S: Number + Real> {
     pub outputs: usize,
     /// What each number of a result is.
     pub output_kinds: Vec<Kind>,
-    /// Whether duals of duals see its second derivatives: not those of a part with a gradient by hand.
+    /// `true` if duals of duals see its second derivatives: not those of a part with a gradient by hand.
     pub nests: bool,
     /// Its invariances.
     pub invariances: &'static [Invariance],

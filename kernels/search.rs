@@ -37,7 +37,7 @@ pub trait Search: Copy + Debug + Default + Send + Sync + 'static {
     /// Within which every number of its result lies.
     const RANGE: Range = Range::ANY;
     /// What identical shapes and shapes apart score.
-    const EXTREMES: Extremes = Extremes::Unsaid;
+    const EXTREMES: Extremes = Extremes::Undeclared;
     /// The names of its arguments, one for each; empty without names of their own.
     const ARGUMENTS: &'static [&'static str] = &[];
     /// Documentation in Markdown: the doc comment of its row, empty without one.

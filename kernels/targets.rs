@@ -1,7 +1,7 @@
-//! Where the results of batches go.
+//! Memory for the results of batches.
 use crate::kernels::item::{Item, Results, Target, WithJacobian, jacobians, target};
 
-/// Where the results of a batch go: a slice or vector for every shape of a result, in a tuple like
+/// The memory for the results of a batch: a slice or vector for every shape of a result, in a tuple like
 /// the result's; [`Skip`] for what is not wanted.
 pub trait Targets<R: Results> {
     /// The targets, one per shape of a result.

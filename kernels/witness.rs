@@ -1,4 +1,4 @@
-//! Batches as witnesses: what a [`Backend`] answers, beside what everybody else says.
+//! Batches as witnesses: results of a [`Backend`] beside those of all other witnesses.
 //!
 //! ```
 //! use geograd::ad::check::Sampling;
@@ -6,7 +6,7 @@
 //! use geograd::kernels::{Backend, Iou, RowOf, check::check_on};
 //! // Of the hard cases every hundredth.
 //! let plan = Sampling { hard: 100, ..Sampling::new(10, 1) };
-//! // Backend::Gpu(&gpu) asks a GPU.
+//! // Backend::Gpu(&gpu) takes a GPU.
 //! let report = check_on::<RowOf<Iou, (Obb2<f64>, Obb2<f64>)>>(Backend::Cpu, &plan)?;
 //! assert!(report.passed(), "{report}");
 //! # Ok::<(), geograd::Error>(())
@@ -21,7 +21,7 @@ use crate::{Fixed, Pack, Vec2};
 use std::cell::Cell;
 use std::collections::HashMap;
 
-/// What a batch says about one input.
+/// The results of a batch for one input.
 #[derive(Clone, Debug)]
 pub struct Answer {
     /// The value.

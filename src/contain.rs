@@ -1,4 +1,4 @@
-//! Whether a point lies in a polygon, and how far from its border.
+//! Tests whether a point lies in a polygon, and its distance from the border.
 //!
 //! Borders belong to the polygon. [`winding_number`] and [`locate`] decide exactly; [`crossing`] is the
 //! straight-line body of a fold over edges, for batches, exact but for rounding on the border itself.
@@ -7,7 +7,7 @@ use crate::reference::Reference;
 use crate::shape::edges;
 use crate::{Aabb2, ConvexPolygon, Scalar, Vec2};
 
-/// Where a point is, seen from rings.
+/// The place of a point, seen from rings.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Location {
     /// On an edge or a vertex of a ring.
@@ -38,7 +38,7 @@ pub fn crossing<S: Scalar>(start: Vec2<S>, end: Vec2<S>, point: Vec2<S>) -> S {
     S::select(up, one, S::select(down, -one, zero))
 }
 
-/// Where a point is with respect to some rings, decided exactly.
+/// The place of a point with respect to some rings, decided exactly.
 ///
 /// ```
 /// use geograd::{Aabb2, Vec2, contain::{Location, locate}};
@@ -89,14 +89,14 @@ pub fn winding_number<S: Scalar<Mask = bool>>(ring: &[Vec2<S>], point: Vec2<S>) 
     }
 }
 
-/// Whether a point is on the border of some rings or they wind around it a number of times that is not
+/// `true` if a point is on the border of some rings or they wind around it a number of times that is not
 /// zero (the non-zero rule). Holes are rings of the other orientation.
 #[must_use]
 pub fn contains<S: Scalar<Mask = bool>>(rings: &[&[Vec2<S>]], point: Vec2<S>) -> bool {
     locate(rings, point) != Location::Off(0)
 }
 
-/// Whether a point is on the border of some rings or they wind around it an odd number of times (the
+/// `true` if a point is on the border of some rings or they wind around it an odd number of times (the
 /// even-odd rule). Holes may have either orientation.
 #[must_use]
 pub fn contains_even_odd<S: Scalar<Mask = bool>>(rings: &[&[Vec2<S>]], point: Vec2<S>) -> bool {
@@ -117,22 +117,22 @@ pub enum Nearest {
     End,
 }
 
-/// What decided a clearance.
+/// The record of a clearance: the place of a polygon's border that is nearest to the point.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-pub struct Clearance {
+pub struct NearestEdge {
     /// The ring ...
     pub ring: usize,
     /// ... and the edge of it nearest to the point, by the number of its start.
     pub edge: usize,
     /// The part of that edge.
     pub part: Nearest,
-    /// Whether the point is in the polygon by the non-zero rule; its border belongs to it.
+    /// `true` if the point is in the polygon by the non-zero rule; its border belongs to it.
     pub inside: bool,
 }
 
 /// How far a point is from the border of a polygon, in units of length: positive inside, negative
-/// outside, and what decided it; `None` for rings without vertices. (The signed distance of other
-/// operations is the negative of it; the sign here is the DGAL paper's.)
+/// outside, and what decided it; `None` for rings without vertices. (The sign is the DGAL paper's,
+/// opposite to that of [`signed_distance`](crate::distance::signed_distance()).)
 ///
 /// The sign is decided by winding numbers, so it is right where the point is on the extension of an
 /// edge. Kinks: several nearest places (the medial axis), and the border, where both one-sided derivatives
@@ -148,13 +148,13 @@ pub struct Clearance {
 pub fn clearance_search<S: Scalar<Mask = bool>>(
     rings: &[&[Vec2<S>]],
     point: Vec2<S>,
-) -> Option<(S, Clearance)> {
+) -> Option<(S, NearestEdge)> {
     let inside = contains(rings, point);
     let bounds = crate::overlap_polygon::bounds_of_rings(rings)?;
     let here = crate::reference::bounds_of(&[point])?;
     let seen = Reference::of_bounds(Aabb2::join(bounds, here));
     let at = seen.place(point);
-    let mut best: Option<(S::Primal, Clearance)> = None;
+    let mut best: Option<(S::Primal, NearestEdge)> = None;
     for (ring, vertices) in rings.iter().enumerate() {
         for (edge, ends) in edges(vertices).enumerate() {
             let [start, end] = ends.map(|v| seen.place(v));
@@ -170,7 +170,7 @@ pub fn clearance_search<S: Scalar<Mask = bool>>(
             };
             let squared = squared.primal();
             if best.is_none_or(|(least, _)| squared.below(least)) {
-                let record = Clearance {
+                let record = NearestEdge {
                     ring,
                     edge,
                     part,
@@ -191,7 +191,7 @@ pub fn clearance_search<S: Scalar<Mask = bool>>(
 ///
 /// When the record names a ring or an edge that is not there.
 #[must_use]
-pub fn clearance_replay<S: Scalar>(rings: &[&[Vec2<S>]], point: Vec2<S>, record: Clearance) -> S {
+pub fn clearance_replay<S: Scalar>(rings: &[&[Vec2<S>]], point: Vec2<S>, record: NearestEdge) -> S {
     let ring = rings[record.ring];
     let next = if record.edge + 1 < ring.len() {
         record.edge + 1
@@ -214,7 +214,7 @@ pub fn clearance_replay<S: Scalar>(rings: &[&[Vec2<S>]], point: Vec2<S>, record:
 }
 
 impl<S: Scalar, const N: usize> ConvexPolygon<S, N> {
-    /// Whether a point is in the polygon; the border belongs to it. Search exactly.
+    /// `true` if a point is in the polygon; the border belongs to it. Search exactly.
     #[must_use]
     #[inline]
     pub fn contains(&self, point: Vec2<S>) -> bool

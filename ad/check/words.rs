@@ -90,8 +90,8 @@ pub(crate) fn remedy(reason: Reason) -> &'static [&'static str] {
             "        (`resolution`, `relative_resolution`); otherwise write the formula so that they stay",
         ],
         Reason::Disagree(Witness::Adjoint, Witness::Wide) => &[
-            "remedy: single precision loses digits that the function does not; write the formula so that they stay,",
-            "        or check and use it in double precision alone",
+            "remedy: where no other witness disagrees, single precision loses digits that the function does not; write",
+            "        the formula so that they stay, or check and use it in double precision alone",
         ],
         Reason::FewInside => &[
             "remedy: say a wider domain, or give inputs inside it: with `Check::drawn`, or of an operation one by one with",

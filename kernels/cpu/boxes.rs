@@ -316,7 +316,7 @@ pub(crate) fn aabb2_derivatives<T: Real, V: Vector<T>>(
     }
 }
 
-/// Whether every rotated box is valid and [ordinary](crate::clip::is_ordinary).
+/// `true` if every rotated box is valid and [ordinary](crate::clip::is_ordinary).
 #[inline(always)]
 pub(crate) fn all_ordinary_obb2<T: Real, V: Vector<T>>(numbers: &[T]) -> bool {
     let fine = fine::<T>();
@@ -328,7 +328,7 @@ pub(crate) fn all_ordinary_obb2<T: Real, V: Vector<T>>(numbers: &[T]) -> bool {
     )
 }
 
-/// Whether every rotated box is valid, of a size from 10⁻⁵ to 10⁶ or zero, and no farther than 10⁹ from the
+/// `true` if every rotated box is valid, of a size from 10⁻⁵ to 10⁶ or zero, and no farther than 10⁹ from the
 /// origin.
 #[inline(always)]
 pub(crate) fn all_common_obb2<T: Real, V: Vector<T>>(numbers: &[T]) -> bool {
@@ -342,13 +342,13 @@ pub(crate) fn all_common_obb2<T: Real, V: Vector<T>>(numbers: &[T]) -> bool {
     )
 }
 
-/// Whether one number is zero or within limits; of a place or angle the magnitude.
+/// `true` if one number is zero or within limits; of a place or angle the magnitude.
 pub(crate) fn is_within<T: Real>(x: T, low: f64, high: f64) -> bool {
     let x = x.unsigned();
     x == T::default() || (x >= T::lit(low) && x <= T::lit(high))
 }
 
-/// Whether a valid upright box is of common size, as [`all_common_upright`] says of many.
+/// `true` if a valid upright box is of common size, as [`all_common_upright`] says of many.
 pub(crate) fn is_common_upright<T: Real>(x: &[T]) -> bool {
     let fine = fine::<T>();
     let place = |x: &T| is_within(*x, fine, COMMON_FAR);
@@ -356,7 +356,7 @@ pub(crate) fn is_common_upright<T: Real>(x: &[T]) -> bool {
     x[..3].iter().all(place) && x[3..6].iter().all(size) && is_within(x[6], fine, T::LARGEST)
 }
 
-/// Whether a valid rotated box is of common size, and not of zero size.
+/// `true` if a valid rotated box is of common size, and not of zero size.
 pub(crate) fn is_solid_obb2<T: Real>(x: &[T]) -> bool {
     let fine = fine::<T>();
     let place = |x: &T| is_within(*x, fine, COMMON_FAR);

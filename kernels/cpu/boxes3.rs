@@ -87,7 +87,7 @@ pub(crate) fn derivatives<T: Real, V: Vector<T>>(
 const LONG: f64 = 1e3;
 const SHORT: f64 = 1e-3;
 
-/// Whether a valid box is of common size and place, like those of [`all_common`].
+/// `true` if a valid box is of common size and place, like those of [`all_common`].
 pub(crate) fn is_common_obb3<T: Real>(x: &[T]) -> bool {
     let place = |x: &T| x.unsigned() <= T::lit(COMMON_FAR);
     let size = |x: &T| is_within(*x, COMMON_SMALL, COMMON_LARGE);
@@ -96,7 +96,7 @@ pub(crate) fn is_common_obb3<T: Real>(x: &[T]) -> bool {
     sized && x[6..].iter().all(turn) && x[6..].iter().any(|x| x.unsigned() >= T::lit(SHORT))
 }
 
-/// Whether every box is valid, of a size from 10⁻⁵ to 10⁶ or zero, no farther than 10⁹ from the origin, with a
+/// `true` if every box is valid, of a size from 10⁻⁵ to 10⁶ or zero, no farther than 10⁹ from the origin, with a
 /// quaternion that is neither very long nor very short.
 #[inline(always)]
 pub(crate) fn all_common<T: Real, V: Vector<T>>(numbers: &[T]) -> bool {

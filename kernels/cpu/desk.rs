@@ -15,7 +15,7 @@ pub struct Aligned<'a, T> {
     pub face: &'a Face<T>,
     /// The shapes, then the cotangents.
     pub columns: Vec<Column<'a, T>>,
-    /// Whether some shapes may be too rare for kernels.
+    /// `true` if some shapes may be too rare for kernels.
     pub rare: bool,
     /// How many items.
     pub count: usize,

@@ -239,7 +239,7 @@ pub struct Sieved<T> {
     pub(crate) edges: Vec<u32>,
     /// Of every path how many they are, and the winding number; `None` where all edges count.
     pub(crate) counts: Vec<(usize, Option<T>)>,
-    /// Whether a vertex was not finite.
+    /// `true` if a vertex was not finite.
     unsound: bool,
 }
 

@@ -17,7 +17,7 @@ pub struct Pairs<'a, T: Clone> {
     pub numbers: [Cow<'a, [T]>; 2],
     /// Whether some are too rare for kernels.
     pub rare: [bool; 2],
-    /// Whether pairs that are apart for certain may be left out.
+    /// `true` if pairs that are apart for certain may be left out.
     pub filter: bool,
 }
 

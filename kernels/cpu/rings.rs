@@ -90,7 +90,7 @@ pub(crate) fn values<T: Real, V: Vector<T>>(
     true
 }
 
-/// Whether every vertex is finite.
+/// `true` if every vertex is finite.
 #[inline(always)]
 fn finite<T: Real, V: Vector<T>>(vertices: &[Vec2<T>]) -> bool {
     match numbers(vertices) {
@@ -160,7 +160,7 @@ impl<T: Real> Side<T> {
             }
         }
     }
-    /// Whether every vertex is finite, unless finite ones add up to what is not.
+    /// `true` if every vertex is finite, unless finite ones add up to what is not.
     #[inline(always)]
     fn is_finite<V: Vector<T>>(&self) -> bool {
         let (mut x, mut y) = (V::zero(), V::zero());
@@ -275,7 +275,7 @@ pub(crate) fn bars<T: Real, V: Vector<T>>(
     }
 }
 
-/// Whether offsets never decrease nor exceed a number of vertices.
+/// `true` if offsets never decrease nor exceed a number of vertices.
 #[inline(always)]
 pub(crate) fn never_decreases<T: Real, V: Vector<T>>(offsets: &[usize], vertices: usize) -> bool {
     let rises = offsets

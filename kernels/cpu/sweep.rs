@@ -50,7 +50,7 @@ pub struct Part<'a, T> {
     /// The columns that this part and its neighbours are about. Those of which no part speaks have
     /// zeros.
     pub stretch: Range<usize>,
-    /// Whether it is the first part about its stretch.
+    /// `true` if it is the first part about its stretch.
     pub is_first: bool,
     /// The columns of this part.
     pub columns: Columns<'a>,
@@ -70,7 +70,7 @@ pub enum Columns<'a> {
 pub trait Chooses<T> {
     /// The next row.
     fn next(&mut self) -> Option<usize>;
-    /// Whether the row's result with a column is wanted.
+    /// `true` if the row's result with a column is wanted.
     fn wants(&self, _column: usize) -> bool {
         true
     }
@@ -205,7 +205,7 @@ impl<'a, T: Real> Sweep<'a, T> {
         }
     }
 
-    /// Whether pairs whose bounds do not meet are left out.
+    /// `true` if pairs whose bounds do not meet are left out.
     pub fn is_filtered(&self) -> bool {
         !self.picking.is_empty()
     }

@@ -59,7 +59,7 @@ impl Inputs {
         };
         self.lengths.iter().map(part).collect()
     }
-    /// Whether every part is valid.
+    /// `true` if every part is valid.
     #[must_use]
     pub fn inside(&self, x: &[f64]) -> bool {
         let all = || self.parts.iter().zip(self.split(x));

@@ -1,6 +1,7 @@
-//! The untyped face, for bindings and tools: operations by name, columns of plain numbers, functions of other languages.
+//! Operations without types of shapes, for bindings and tools: by name, on columns of plain numbers, and functions of
+//! other languages.
 //!
-//! | what | by |
+//! | access to | by |
 //! | --- | --- |
 //! | every operation, with the names of its arguments, fields and rules | [`operations`], [`operation`] |
 //! | its value, gradient and adjoint on columns of numbers, in every form of a batch | [`Function`] |
@@ -9,8 +10,8 @@
 //! | its derivatives, and its operations as data | [`Program`], [`Nodes`] |
 //! | its check by the harness, and that of any two functions of lists | [`Program::check`], [`Inputs`] |
 //!
-//! Columns are slices of numbers, row by row ([`Rows`]); results are vectors, or go into the caller's slices. Whatever is
-//! wrong with an argument is an error that names it as the operation does, before anything is written.
+//! Columns are slices of numbers, row by row ([`Rows`]); results are vectors, or go into the caller's slices. A wrong
+//! argument is an error that names it as the operation does, before anything is written.
 //!
 //! ```
 //! use geograd::kernels::dynamic::{Rows, operation};
@@ -30,8 +31,7 @@
 //! # Ok::<(), geograd::Error>(())
 //! ```
 //!
-//! The list costs whoever calls [`operations`] or [`operation`] the compilation of every row in both formats, and nobody
-//! else.
+//! A program that calls [`operations`] or [`operation`] compiles every row in both formats; other programs do not.
 mod check;
 mod function;
 mod list;

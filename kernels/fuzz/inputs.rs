@@ -98,7 +98,7 @@ impl<T: Real> Inputs<T> {
     }
 }
 
-/// Whether numbers are valid shapes.
+/// `true` if numbers are valid shapes.
 pub(super) fn is_valid<T: Real>(job: &Job<T>, numbers: &[T]) -> bool {
     let mut rest = numbers;
     job.shapes.iter().all(|shape| {
@@ -109,7 +109,7 @@ pub(super) fn is_valid<T: Real>(job: &Job<T>, numbers: &[T]) -> bool {
         && is_inside(job, numbers)
 }
 
-/// Whether numbers are inside the domain.
+/// `true` if numbers are inside the domain.
 pub(super) fn is_inside<T: Real>(job: &Job<T>, numbers: &[T]) -> bool {
     job.domain.is_none_or(|inside| {
         let numbers: Vec<f64> = numbers.iter().map(|x| x.widen()).collect();
@@ -354,7 +354,7 @@ impl<T: Real> Job<T> {
         (self.fits(&x, limits) && is_valid(self, &x)).then_some(x)
     }
 
-    /// Whether lengths and angles are within limits.
+    /// `true` if lengths and angles are within limits.
     fn fits(&self, x: &[T], limits: Option<[i32; 2]>) -> bool {
         let Some([least, most]) = limits else {
             return true;

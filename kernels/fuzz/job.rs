@@ -78,7 +78,7 @@ pub struct Job<T: Real> {
     pub(super) shapes: Vec<Shape<T>>,
     /// What every number of an input is, but for vertices.
     pub(super) kinds: Vec<Kind>,
-    /// Whether a path comes with an input.
+    /// `true` if a path comes with an input.
     pub(super) has_path: bool,
     /// Numbers of every shape of a result.
     pub(super) outputs: Vec<usize>,
@@ -342,7 +342,7 @@ impl<T: Real> Job<T> {
                 (O::INVARIANCES, O::JUMPS),
                 O::FINITE,
                 O::RANGE,
-                Extremes::Unsaid,
+                Extremes::Undeclared,
             ),
             domain: None,
             values: Box::new(|inputs, []| {
@@ -388,7 +388,7 @@ impl<T: Real> Job<T> {
                 (F::INVARIANCES, F::JUMPS),
                 F::FINITE,
                 F::RANGE,
-                Extremes::Unsaid,
+                Extremes::Undeclared,
             ),
             domain: None,
             values: Box::new(|inputs, []| {

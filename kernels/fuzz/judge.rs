@@ -69,7 +69,7 @@ pub(super) fn unless(property: Property, place: Option<usize>) -> Outcome {
     place.map_or(Ok(()), |at| Err(Finding { property, at }))
 }
 
-/// Whether two lists have the same bits.
+/// `true` if two lists have the same bits.
 fn same<T: Real>(a: &[T], b: &[T]) -> bool {
     let bits = |x: &T| x.widen().to_bits();
     a.len() == b.len() && a.iter().map(bits).eq(b.iter().map(bits))
@@ -164,7 +164,7 @@ impl<T: Real> Job<T> {
     }
 
     fn finite_values(&self, values: &Lists<T>) -> Outcome {
-        if self.declared.finite == Finite::Unsaid {
+        if self.declared.finite == Finite::Undeclared {
             return Ok(());
         }
         values
@@ -174,7 +174,7 @@ impl<T: Real> Job<T> {
     }
 
     fn finite_derivatives(&self, inputs: &Inputs<T>, derivatives: &Lists<T>) -> Outcome {
-        if matches!(self.declared.finite, Finite::Unsaid | Finite::Values(_)) {
+        if matches!(self.declared.finite, Finite::Undeclared | Finite::Values(_)) {
             return Ok(());
         }
         derivatives.iter().enumerate().try_for_each(|(k, list)| {
@@ -219,8 +219,9 @@ impl<T: Real> Job<T> {
             property: Property::Accepted,
             at: place,
         };
-        let is_wild =
-            |list: &[T]| self.declared.finite == Finite::Unsaid && !list.iter().all(|x| x.finite());
+        let is_wild = |list: &[T]| {
+            self.declared.finite == Finite::Undeclared && !list.iter().all(|x| x.finite())
+        };
         let mut places = (0..inputs.count).step_by(how.single);
         broken(places.find(|&i| {
             let x = inputs.item(self, i);
@@ -344,7 +345,7 @@ impl<T: Real> Job<T> {
         Ok(())
     }
 
-    /// Whether duals are declared to be finite, too.
+    /// `true` if duals are declared to be finite, too.
     fn is_for_duals(&self, x: &[T]) -> bool {
         let [least, most] = limits_of::<T>(Finite::Within(Limits::ORDINARY)).unwrap_or_default();
         let range = power(least)..=power(most);

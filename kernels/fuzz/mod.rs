@@ -1,9 +1,9 @@
-//! Operations on very many inputs that nobody would think of: what rows property of all finite valid input.
+//! Operations on very many inputs: the properties that rows declare of all finite valid inputs.
 //!
-//! Of every input: value and derivatives are [finite](crate::kernels::op::Finite), and the value is in its
-//! [range](crate::kernels::op::Range). Of pairs: identical shapes and shapes apart score [as they
+//! Every input: value and derivatives are [finite](crate::kernels::op::Finite), and the value is in its
+//! [range](crate::kernels::op::Range). Pairs: identical shapes and shapes apart score [as they
 //! should](crate::kernels::op::Extremes), and what stays when shapes are exchanged stays to a few roundings of the
-//! longest aspect. Of rows that are always finite derivatives stay so for upstream derivatives of any size. Of some
+//! longest aspect. Rows that are always finite: derivatives stay so for upstream derivatives of any size. Some
 //! inputs: other levels of instructions, other forms of a batch, other positions and the scalar code give the same
 //! bits, and duals are finite with the same value.
 //!

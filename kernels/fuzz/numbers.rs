@@ -31,7 +31,7 @@ const SHARED: [f64; 16] = [
     0.0, -0.0, 1.0, -1.0, 2.0, -2.0, 0.5, -0.5, 3.0, 0.1, -0.1, 1e-3, 1e3, 0.25, 1.5, -3.0,
 ];
 
-/// Whether a format is double precision.
+/// `true` if a format is double precision.
 pub(super) fn is_wide<T: Real>() -> bool {
     T::LARGEST > f64::from(f32::MAX)
 }
@@ -160,7 +160,7 @@ pub(super) fn limits_of<T: Real>(finite: Finite) -> Option<[i32; 2]> {
     match finite {
         Finite::Always => None,
         Finite::Within(limits) | Finite::Values(limits) => Some(of(limits)),
-        Finite::Unsaid => Some(of(Limits::ORDINARY)),
+        Finite::Undeclared => Some(of(Limits::ORDINARY)),
     }
 }
 

@@ -154,7 +154,7 @@ impl<T: Real> Job<T> {
         // which scores with derivatives there compare with sizes.
         let all = || sides.iter().flatten().copied();
         let way = match self.declared.extremes {
-            Extremes::Unsaid | Extremes::One => {
+            Extremes::Undeclared | Extremes::One => {
                 let [a, b] = [0, 1].map(numbers);
                 let pairs = a.iter().zip(b).zip(&self.kinds);
                 let lengths = pairs.filter(|(_, kind)| kind.is_length());

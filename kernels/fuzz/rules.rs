@@ -66,7 +66,7 @@ pub(crate) fn bounds<T: Real>(leaf: &Leaf<T>, kinds: &[Kind]) -> Vec<Bound> {
 #[derive(Clone, Debug)]
 pub(super) struct Rules {
     rules: Vec<Rule>,
-    /// Whether they are all rules that there are.
+    /// `true` if they are all rules that there are.
     pub known: bool,
 }
 

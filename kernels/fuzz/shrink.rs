@@ -26,7 +26,7 @@ fn broken<T: Real>(job: &Job<T>, x: &[T], bars: &[T]) -> Option<Property> {
     found.err().map(|found| found.property)
 }
 
-/// Whether a number is as limits want it.
+/// `true` if a number is as limits want it.
 fn fits<T: Real>(job: &Job<T>, x: T) -> bool {
     let Some([least, most]) = limits_of::<T>(job.declared.finite) else {
         return true;

@@ -73,6 +73,7 @@ table! {
         "signed_distance_circle_obb2": Circle, Obb2;
         "signed_distance_capsules": Capsule2, Capsule2;
         "signed_distance_triangles": Triangle2, Triangle2 derivative Forward;
+        "signed_distance_point_segment": Vec2, Segment2;
         "signed_distance_segment_point": Segment2, Vec2;
         "signed_distance_circle_point": Circle, Vec2;
         "signed_distance_triangle_point": Triangle2, Vec2;

@@ -8,7 +8,7 @@ use crate::kernels::ops::rows::listed;
 use crate::kernels::verbs::{
     self, Clearance, Distance, Length, OverPolyline, OverRing, SignedDistance, Winding,
 };
-use crate::measure::moments::{SecondMoments, Sums, finish, of_edge};
+use crate::measure::moments::{AreaMoments, Sums, finish, of_edge};
 use crate::reference::{Reference, bounds_of};
 use crate::{Aabb2, Scalar, Vec2};
 
@@ -26,7 +26,7 @@ impl Fold for SecondMomentsOfRing {
     type Context<S: Scalar> = [S; 0];
     type Reference<S: Scalar> = Reference<S>;
     type State<S: Scalar> = Sums<S>;
-    type Out<S: Scalar> = SecondMoments<S>;
+    type Out<S: Scalar> = AreaMoments<S>;
     fn reference<S: Scalar>(_: [S; 0], ring: &[Vec2<S>]) -> Reference<S> {
         let nothing = Aabb2 {
             min: Vec2::zero(),
@@ -43,7 +43,7 @@ impl Fold for SecondMomentsOfRing {
     fn join<S: Scalar>(one: Sums<S>, other: Sums<S>) -> Sums<S> {
         std::array::from_fn(|k| one[k] + other[k])
     }
-    fn finish<S: Scalar>(_: [S; 0], seen: Reference<S>, sums: Sums<S>) -> SecondMoments<S> {
+    fn finish<S: Scalar>(_: [S; 0], seen: Reference<S>, sums: Sums<S>) -> AreaMoments<S> {
         finish(sums, &seen)
     }
 }

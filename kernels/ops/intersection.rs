@@ -1,6 +1,6 @@
 //! Crossings, hits and lengths inside shapes as operations.
 use crate::intersection::{
-    Crossing, Hit, Meeting, Span, crossing_of_lines, first_hit, length_inside, meeting_of_segments,
+    Chord, CommonPart, CommonPoint, Hit, crossing_of_lines, first_hit, length_inside, meeting_of_segments,
     span,
 };
 use crate::kernels::op::Limits;
@@ -13,14 +13,14 @@ use crate::{Aabb2, Capsule2, Circle, Line2, Obb2, Ray2, Segment2, Triangle2};
 // else does, parameters stay. A length inside is continuous, but for a segment along a straight side.
 table! {
     /// The [crossing](crate::intersection::crossing_of_lines()) of {}.
-    verbs::Crossing: (a, b) -> Crossing<S> { crossing_of_lines(a, b) } []
+    verbs::Crossing: (a, b) -> CommonPoint<S> { crossing_of_lines(a, b) } []
     // Derivatives grow with the square of the reciprocal of the sine, which is a rounding of the product of the
     // directions.
     finite Within(Limits::new([-8, 8], [-150, 150])) jumps Anywhere derivative Reverse {
         "crossing_of_lines": Line2, Line2;
     }
     /// The [meeting](crate::intersection::meeting_of_segments()) of {}.
-    verbs::Meeting: (a, b) -> Meeting<S> { meeting_of_segments(a, b) } [] jumps Anywhere derivative Reverse {
+    verbs::Meeting: (a, b) -> CommonPart<S> { meeting_of_segments(a, b) } [] jumps Anywhere derivative Reverse {
         "meeting_of_segments": Segment2, Segment2;
     }
     /// The [first hit](crate::intersection::first_hit) of {}.
@@ -32,7 +32,7 @@ table! {
         "first_hit_ray_obb2": Ray2, Obb2;
     }
     /// The [parameters of entry and exit](crate::intersection::span()) of {}.
-    verbs::Span: (a, b) -> Span<S> { span(a, b) } [similar] jumps Anywhere derivative Reverse {
+    verbs::Span: (a, b) -> Chord<S> { span(a, b) } [similar] jumps Anywhere derivative Reverse {
         "span_line_circle": Line2, Circle;
         "span_line_triangle": Line2, Triangle2;
         "span_line_capsule": Line2, Capsule2;

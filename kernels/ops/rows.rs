@@ -34,7 +34,7 @@ macro_rules! table {
             crate::kernels::op::Finite::Within(crate::kernels::op::Limits::ORDINARY),
         ],
         [$(crate::kernels::op::Range::$range,)? crate::kernels::op::Range::ANY],
-        [$(crate::kernels::op::Extremes::$extremes,)? crate::kernels::op::Extremes::Unsaid],
+        [$(crate::kernels::op::Extremes::$extremes,)? crate::kernels::op::Extremes::Undeclared],
         $jumps, $derivative;
         $($rows)*
     } )*

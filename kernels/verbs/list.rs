@@ -74,7 +74,8 @@ verb! {
     pub SquaredDistance: (a, b)
     /// Distance of two shapes, or minus the depth of their overlap, in the unit of length.
     pub SignedDistance: (a, b)
-    /// Depth of a point in a shape, negative outside, in the unit of length: minus the signed distance.
+    /// Depth of a point in a shape, positive inside and negative outside, in the unit of length: minus the signed
+    /// distance. The free way to an obstacle is [`Distance`].
     pub Clearance: (a, b)
     /// Closest points: one of each shape, with the smallest distance from each other.
     pub ClosestPoints: (a, b)
@@ -84,11 +85,11 @@ verb! {
     pub Penetration: (a, b)
     /// Point in which two lines cross.
     pub Crossing: (a, b)
-    /// Point in which two segments meet.
+    /// Part that two segments share: nothing, a point, or a segment.
     pub Meeting: (a, b)
     /// First point of a shape that a ray hits.
     pub FirstHit: (ray, shape)
-    /// Part of a line that lies in a shape.
+    /// Parameters at which a line enters and leaves a shape.
     pub Span: (line, shape)
     /// Length of the part of a segment that lies in a shape, in the unit of length.
     pub LengthInside: (segment, shape)
@@ -161,7 +162,7 @@ crate::__verb_runs!([To,] Convert<To>: (shape));
 verb! {
     /// Length of a path, in the unit of length.
     pub Length: (path)
-    /// Second moments of an area about its centroid.
+    /// Second moments of an area about its centroid, in the fourth power of the unit of length.
     pub SecondMoments: (shape)
     /// Winding number of a ring about a point.
     pub Winding: (point, ring)

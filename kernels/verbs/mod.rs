@@ -20,10 +20,10 @@
 //!
 //! Overlaps, scores and intersections are methods of their first argument, too, for every row, own ones included
 //! ([`prelude`](crate::prelude)): `a.iou(b)`. Distances, closest points and penetration are methods of any two convex
-//! shapes of the plane ([`Convex`](crate::distance::Convex)); a row adds no method to them, and a batch of a pair
-//! without a row runs `function(|a: Segment2<_>, b: Triangle2<_>| a.distance(b))`. A method, [`of`](Iou::of) and a
-//! batch return the same bits. A verb takes up to three arguments; [`function`] and an operation with a name of its
-//! own take up to six.
+//! shapes of the plane ([`Convex`](crate::distance::Convex)); a row adds no method to them: `Distance.of(a, b)` calls
+//! it. A batch of a pair without a row runs `function(|a: Segment2<_>, b: Triangle2<_>| a.distance(b))`. A method,
+//! [`of`](Iou::of) and a batch return the same bits. A verb takes up to three arguments; [`function`] and an operation
+//! with a name of its own take up to six.
 //!
 //! # Verbs by shapes
 //!
@@ -62,7 +62,7 @@ pub trait Unary<A> {
     message = "`{Self}` of `{A}` and `{B}` is not defined",
     label = "`{Self}` does not take these two shapes",
     note = "a row adds shapes of your own: `operation! {{ {Self}: (a: …, b: …) -> … {{ … }} … }}`",
-    note = "two shapes of the library without a row: exchange them, or run `function(f)` of any generic function"
+    note = "a row has one order of its shapes: exchange them, or run `function(f)` of any generic function"
 )]
 pub trait Binary<A, B> {
     /// The result.

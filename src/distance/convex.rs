@@ -1,4 +1,4 @@
-//! What distances ask of a shape: a convex core of few corners, inflated by a radius.
+//! Convex shapes as distances take them: a core of few corners, inflated by a radius.
 use super::edge::{Edge, choose, reach, size_of};
 use super::pair::PairFormula;
 use super::share::{Ahead, Best, Deepest, Nearest};
@@ -34,6 +34,12 @@ use crate::{Aabb2, Obb2, Scalar, Vec2};
 /// assert_eq!((distance[0], by_car[0].b.x), (1.5, -1.0));
 /// # Ok::<(), geograd::Error>(())
 /// ```
+#[diagnostic::on_unimplemented(
+    message = "the methods of distances do not take `{Self}`",
+    label = "not a convex shape of the plane",
+    note = "a row of `Distance` for shapes of your own is called by `Distance.of(a, b)` and by batches",
+    note = "`impl Convex` gives a convex shape of the plane the distances from all others"
+)]
 pub trait Convex<S: Scalar>: Copy {
     /// What is inflated.
     type Core: Core<S>;

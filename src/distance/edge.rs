@@ -28,7 +28,7 @@ impl<S: Scalar> Edge<S> {
     }
 }
 
-/// Where an edge is nearest to a point.
+/// The place of an edge that is nearest to a point.
 #[derive(Clone, Copy, Debug)]
 pub struct Reach<S> {
     /// The parameter of the nearest point of the edge.
@@ -40,7 +40,7 @@ pub struct Reach<S> {
     pub apart: Vec2<S>,
 }
 
-/// Where an edge is nearest to the point `edge.from + arm`. Coordinates are of a size near one, or
+/// The place of an edge that is nearest to the point `edge.from + arm`. Coordinates are of a size near one, or
 /// smaller.
 ///
 /// Edges shorter than ε² count as points: t is ½ (or the bound nearest to it), with derivative zero.
@@ -165,7 +165,7 @@ pub fn edge_squared_distance<S: Scalar>(point: Vec2<S>, from: Vec2<S>, to: Vec2<
     square.over(scale).over(scale).saturated().canonical()
 }
 
-/// What the edge between two points adds to the winding number around a point: 1 where it crosses
+/// The part of the edge between two points in the winding number around a point: 1 where it crosses
 /// the ray from the point along +x upwards, −1 where downwards, else 0. A constant: no derivative.
 ///
 /// An edge has its lower end and lacks its upper one, so a ring's edges add up to a whole number for

@@ -113,8 +113,9 @@ pub fn signed_distance<S: Scalar, A: Convex<S>, B: Convex<S>>(a: A, b: B) -> S {
     a.take_formula::<Signed, B>(b)
 }
 
-/// The signed distance with DGAL's sign: positive where shapes overlap, as a clearance
-/// of something that is to stay inside.
+/// The signed distance with DGAL's sign, in the unit of length: positive where shapes overlap, negative apart.
+///
+/// It measures what is to stay inside, such as a robot in its lane. The free way to an obstacle is [`distance`].
 ///
 /// ```
 /// use geograd::{Aabb2, Vec2, distance::clearance};

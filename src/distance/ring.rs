@@ -123,7 +123,7 @@ impl<S: Scalar> EdgeFold<S> {
         let mean = self.sum.over(S::select(none, S::one(), self.count));
         mean.with_primal(self.distance.primal()).canonical()
     }
-    /// Whether the point is inside: by the rule, a winding number that is not zero, or that is odd.
+    /// `true` where the point is inside: by the rule, a winding number that is not zero, or that is odd.
     #[must_use]
     #[inline(always)]
     pub fn inside(self, fill: Fill) -> S::Mask {
@@ -154,7 +154,7 @@ impl<S: Scalar> EdgeFold<S> {
     }
 }
 
-/// Whether a rule puts a winding number inside.
+/// `true` where a rule puts a winding number inside.
 #[inline(always)]
 fn fills<S: Scalar>(winding: S, fill: Fill) -> S::Mask {
     match fill {
@@ -163,7 +163,7 @@ fn fills<S: Scalar>(winding: S, fill: Fill) -> S::Mask {
     }
 }
 
-/// Whether a whole number is even.
+/// `true` where a whole number is even.
 #[inline(always)]
 fn is_even<S: Scalar>(whole: S) -> S::Mask {
     // Adding and taking away 1.5 / ε rounds to a whole number.

@@ -4,7 +4,7 @@ use super::edge::{Edge, choose, reach, scale_of, size_of};
 use super::share::{Best, Carry};
 use crate::{Scalar, Segment2, Vec2};
 
-/// Where two segments are nearest to each other.
+/// The places in which two segments are nearest to each other.
 #[derive(Clone, Copy, Debug, PartialEq, crate::Shape)]
 #[repr(C)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
@@ -14,8 +14,10 @@ pub struct ClosestOnSegments<S> {
     /// The point of b.
     pub on_b: Vec2<S>,
     /// The fraction of the way along a at which its point lies, in `[0, 1]`.
+    #[shape(number)]
     pub along_a: S,
     /// The fraction of the way along b at which its point lies, in `[0, 1]`.
+    #[shape(number)]
     pub along_b: S,
 }
 

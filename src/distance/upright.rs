@@ -8,7 +8,7 @@ use crate::{Aabb2, Scalar, Vec2};
 /// The signed distance of two axis-aligned boxes, in the unit of length: the shortest way between them, or minus
 /// the length of the shortest shift after which they only touch.
 ///
-/// What [`signed_distance`](super::signed_distance) gives for them, by the two gaps between their bounds alone: it
+/// Their [`signed_distance`](super::signed_distance), by the two gaps between their bounds alone: it
 /// has no kink beside those of the distance itself, however flat the boxes are. Kinks: where bounds tie, or
 /// the gaps of boxes that overlap, which share the derivative half and half; boxes that touch with a corner.
 ///
@@ -96,7 +96,7 @@ fn facing<S: Scalar>(a: [S; 2], b: [S; 2]) -> ([S; 2], S) {
 /// The points in which two axis-aligned boxes are nearest to each other, or which the shortest shift brings together
 /// where they overlap.
 ///
-/// What [`closest_points`](super::closest_points) gives for them: along sides
+/// Their [`closest_points`](super::closest_points): along sides
 /// that face each other the middle of what they share. All coordinates are bounds, or
 /// means of two, so that no size costs them digits. Kinks and jumps: where bounds tie, and where the depths of boxes
 /// that overlap do.
@@ -132,7 +132,7 @@ pub fn closest_points_aabb2<S: Scalar>(a: Aabb2<S>, b: Aabb2<S>) -> PointPair<S>
 
 /// How deep two axis-aligned boxes overlap, and in which direction b leaves a by the shortest way.
 ///
-/// What [`penetration`](super::penetration) gives for them, by their bounds alone. Where the ways out along x and along
+/// Their [`penetration`](super::penetration), by their bounds alone. Where the ways out along x and along
 /// y tie, the depth shares its derivative and the direction is along x. Kinks: where bounds tie.
 ///
 /// ```

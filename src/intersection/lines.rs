@@ -2,31 +2,35 @@
 use crate::distance::edge::{choose, scale_of, size_of};
 use crate::{Line2, Scalar, Segment2, Vec2};
 
-/// Where two lines cross.
+/// The point in which two lines cross, and its parameters on both.
 #[derive(Clone, Copy, Debug, PartialEq, crate::Shape)]
 #[repr(C)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
-pub struct Crossing<S> {
+pub struct CommonPoint<S> {
     /// The point; for parallel lines a's own point.
     pub point: Vec2<S>,
     /// Its parameter on a; 0 for parallel lines.
+    #[shape(number)]
     pub along_a: S,
     /// Its parameter on b; 0 for parallel lines.
+    #[shape(number)]
     pub along_b: S,
     /// 1 where the lines cross, 0 where they are parallel. A constant.
+    #[shape(number)]
     pub found: S,
 }
 
-/// What two segments share.
+/// The part that two segments share: nothing, a point, or a segment.
 #[derive(Clone, Copy, Debug, PartialEq, crate::Shape)]
 #[repr(C)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
-pub struct Meeting<S> {
-    /// Where the shared part begins, in the direction of the longer segment.
+pub struct CommonPart<S> {
+    /// The start of the shared part, in the direction of the longer segment.
     pub from: Vec2<S>,
-    /// Where it ends.
+    /// Its end.
     pub to: Vec2<S>,
     /// 0 for nothing, 1 for a point (`from` and `to` are the same), 2 for a segment. A constant.
+    #[shape(number)]
     pub kind: S,
 }
 
@@ -54,7 +58,7 @@ pub(crate) fn flag<S: Scalar>(mask: S::Mask) -> S {
 /// ```
 #[must_use]
 #[inline]
-pub fn crossing_of_lines<S: Scalar>(a: Line2<S>, b: Line2<S>) -> Crossing<S> {
+pub fn crossing_of_lines<S: Scalar>(a: Line2<S>, b: Line2<S>) -> CommonPoint<S> {
     let way = b.point - a.point;
     let scale = |v: Vec2<S>| scale_of::<S>(size_of(v));
     let (of_a, of_b, of_way) = (scale(a.direction), scale(b.direction), scale(way));
@@ -69,7 +73,7 @@ pub fn crossing_of_lines<S: Scalar>(a: Line2<S>, b: Line2<S>) -> Crossing<S> {
     };
     let along_a = along(w.perp_dot(db), of_a);
     let along_b = along(w.perp_dot(da), of_b);
-    Crossing {
+    CommonPoint {
         point: (a.point + a.direction * along_a).canonical(),
         along_a: along_a.canonical(),
         along_b: along_b.canonical(),
@@ -77,10 +81,10 @@ pub fn crossing_of_lines<S: Scalar>(a: Line2<S>, b: Line2<S>) -> Crossing<S> {
     }
 }
 
-/// What two segments share: nothing, a point, or a segment where they lie along each other. Ends belong
+/// The part that two segments share: nothing, a point, or a segment where they lie along each other. Ends belong
 /// to segments.
 ///
-/// Whether they lie along each other is decided by cross products that are exactly zero; after rounding,
+/// Segments lie along each other if cross products are exactly zero; after rounding,
 /// nearly parallel segments share nothing or one point. Without a meeting both points are the start
 /// of the longer segment. Derivatives are those of the kind that was found; ends that tie share.
 ///
@@ -95,7 +99,7 @@ pub fn crossing_of_lines<S: Scalar>(a: Line2<S>, b: Line2<S>) -> Crossing<S> {
 /// ```
 #[must_use]
 #[inline]
-pub fn meeting_of_segments<S: Scalar>(a: Segment2<S>, b: Segment2<S>) -> Meeting<S> {
+pub fn meeting_of_segments<S: Scalar>(a: Segment2<S>, b: Segment2<S>) -> CommonPart<S> {
     // The longer one is the base, so that a segment of length zero lies along the other.
     let swap = size_of(a.along()).below(size_of(b.along()));
     let pick = |yes: Segment2<S>, no: Segment2<S>| {
@@ -135,7 +139,7 @@ pub fn meeting_of_segments<S: Scalar>(a: Segment2<S>, b: Segment2<S>) -> Meeting
         S::lit(2.0),
         flag::<S>(along | across),
     );
-    Meeting {
+    CommonPart {
         from: base.point_at(low),
         to: base.point_at(high),
         kind,

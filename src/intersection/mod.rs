@@ -1,4 +1,4 @@
-//! Where shapes meet: crossings of lines and segments, hits of rays, lengths of segments inside
+//! Intersections of shapes: crossings of lines and segments, hits of rays, lengths of segments inside
 //! shapes and polygons.
 //!
 //! | function | gives |
@@ -10,8 +10,8 @@
 //! | [`length_inside`] | how much of a segment lies in a convex shape |
 //! | [`length_inside_ring`] | how much of a segment lies in a polygon of any kind |
 //!
-//! Whether there is a result is a whole number in it, so that results are shapes like any other; what
-//! a result without a meeting holds is finite and has derivative zero where said.
+//! A whole number in the result says if there is one, so that results are shapes like any other. A result without
+//! a meeting is finite, with derivative zero where said.
 //!
 //! Values and derivatives are finite where every length and coordinate is zero or of a magnitude from 2⁻²⁰ to 2²⁰ in
 //! `f32`, from 2⁻¹⁵⁰ to 2¹⁵⁰ in `f64`.
@@ -24,6 +24,6 @@ mod lines;
 mod ring;
 pub mod span;
 
-pub use lines::{Crossing, Meeting, crossing_of_lines, meeting_of_segments};
+pub use lines::{CommonPart, CommonPoint, crossing_of_lines, meeting_of_segments};
 pub use ring::{edge_inside, length_inside_ring};
-pub use span::{Hit, Span, first_hit, length_inside, span};
+pub use span::{Chord, Hit, first_hit, length_inside, span};

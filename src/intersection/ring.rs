@@ -2,7 +2,7 @@
 use crate::distance::edge::{scale_of, size_of};
 use crate::{Scalar, Segment2, Vec2};
 
-/// What the edge between two points adds to the share of a segment that lies inside a ring, in
+/// The part of the edge between two points in the share of a segment that lies inside a ring, in
 /// `[−1, 1]`.
 ///
 /// The winding number around the segment's point at parameter s is the number of edges that cross its line

@@ -5,27 +5,31 @@ use crate::distance::edge::{choose, scale_of, size_of};
 use crate::distance::share::{Best, Carry};
 use crate::{Line2, Ray2, Scalar, Segment2, Vec2};
 
-/// The parameters at which a line is in a convex shape.
+/// The chord of a line in a convex shape: the parameters of the line between which it is in the shape.
 #[derive(Clone, Copy, Debug, PartialEq, crate::Shape)]
 #[repr(C)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
-pub struct Span<S> {
+pub struct Chord<S> {
     /// The least of them; 0 where the line misses the shape, minus the largest finite number where the
     /// shape has no end.
+    #[shape(number)]
     pub enter: S,
     /// The greatest of them; 0 where the line misses the shape, the largest finite number where the
     /// shape has no end.
+    #[shape(number)]
     pub exit: S,
     /// 1 where the line meets the shape, 0 where it misses it. A constant.
+    #[shape(number)]
     pub found: S,
 }
 
-/// Where a ray first meets the border of a shape.
+/// The first point of a ray on the border of a shape.
 #[derive(Clone, Copy, Debug, PartialEq, crate::Shape)]
 #[repr(C)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Hit<S> {
     /// The parameter of the ray; the largest finite number for a miss.
+    #[shape(number)]
     pub parameter: S,
     /// The point; the ray's start for a miss.
     pub point: Vec2<S>,
@@ -33,6 +37,7 @@ pub struct Hit<S> {
     /// of radius zero.
     pub normal: Vec2<S>,
     /// 0 for a miss, 1 for a hit from outside, 2 from inside, where the ray leaves. A constant.
+    #[shape(number)]
     pub kind: S,
 }
 
@@ -305,17 +310,17 @@ fn find<S: Scalar, A: Convex<S>>(line: Line2<S>, shape: A) -> Found<S> {
 /// ```
 #[must_use]
 #[inline]
-pub fn span<S: Scalar, A: Convex<S>>(line: Line2<S>, shape: A) -> Span<S> {
+pub fn span<S: Scalar, A: Convex<S>>(line: Line2<S>, shape: A) -> Chord<S> {
     let inside = find(line, shape);
     let pick = |t: S| S::select(inside.found, t, S::zero()).canonical();
-    Span {
+    Chord {
         enter: pick(inside.enter.t),
         exit: pick(inside.exit.t),
         found: flag::<S>(inside.found),
     }
 }
 
-/// Where a ray first meets the border of a convex shape: where it enters or, from inside, where it
+/// The first point of a ray on the border of a convex shape: where it enters or, from inside, where it
 /// leaves.
 ///
 /// A start on the border is a hit from outside with parameter 0 if the ray enters there. The parameter

@@ -13,7 +13,7 @@ pub struct Farthest {
     pub to: usize,
 }
 
-/// Where a set of points is narrowest, by index: between the line through two of them, neighbours on
+/// The place in which a set of points is narrowest, by index: between the line through two of them, neighbours on
 /// the hull, and a third one.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub struct Narrowest {

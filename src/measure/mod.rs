@@ -8,7 +8,7 @@
 //! | rectangle of least area around points | [`rectangle`] |
 //! | smallest circle around points | [`circle`] |
 //!
-//! Areas, centres and moments are sums over edges. Extents and enclosing shapes are searches: `…_decided`
+//! Areas, centres and moments are sums over edges. Extents and enclosing shapes are searches: `…_search`
 //! gives the value and which vertices decided it, `…_replay` the value from vertices and that record,
 //! with the derivatives of exactly those vertices (the envelope theorem: a vertex that does not decide
 //! has derivative zero). Ties go to the first found.

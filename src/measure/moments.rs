@@ -8,12 +8,15 @@ use crate::{Scalar, Vec2};
 /// `yy = ∫ y² dA`, `xy = ∫ x y dA`. (An engineer's `I_x` is `yy`, the polar moment `xx + yy`.)
 #[derive(Clone, Copy, Debug, PartialEq, crate::Shape)]
 #[repr(C)]
-pub struct SecondMoments<S> {
+pub struct AreaMoments<S> {
     /// `∫ x² dA`.
+    #[shape(number)]
     pub xx: S,
     /// `∫ y² dA`.
+    #[shape(number)]
     pub yy: S,
     /// `∫ x y dA`.
+    #[shape(number)]
     pub xy: S,
 }
 
@@ -29,7 +32,7 @@ pub struct PrincipalAxes<S> {
     pub angle: S,
 }
 
-impl<S: Scalar> SecondMoments<S> {
+impl<S: Scalar> AreaMoments<S> {
     /// The principal axes.
     ///
     /// Kink: equal moments in all directions (a square, a circle), where angle and derivative are zero.
@@ -59,7 +62,7 @@ impl<S: Scalar> SecondMoments<S> {
     #[must_use]
     #[inline]
     pub fn displaced(self, area: S, by: Vec2<S>) -> Self {
-        SecondMoments {
+        AreaMoments {
             xx: (self.xx + area * by.x * by.x).saturated(),
             yy: (self.yy + area * by.y * by.y).saturated(),
             xy: (self.xy + area * by.x * by.y).saturated(),
@@ -97,7 +100,7 @@ pub fn of_edge<S: Scalar>(start: Vec2<S>, end: Vec2<S>) -> Sums<S> {
 /// double), where moments are beyond all numbers unless nearly nothing is enclosed.
 #[must_use]
 #[inline(always)]
-pub fn finish<S: Scalar>(sums: Sums<S>, seen: &Reference<S>) -> SecondMoments<S> {
+pub fn finish<S: Scalar>(sums: Sums<S>, seen: &Reference<S>) -> AreaMoments<S> {
     let [twice, x, y, xx, yy, xy] = sums;
     let flat = twice.equals(S::zero());
     let thrice = S::lit(3.0) * S::select(flat, S::one(), twice);
@@ -111,7 +114,7 @@ pub fn finish<S: Scalar>(sums: Sums<S>, seen: &Reference<S>) -> SecondMoments<S>
         let area = seen.outer(seen.outer(x));
         seen.outer(seen.outer(area)).saturated().canonical()
     };
-    SecondMoments {
+    AreaMoments {
         xx: outer(central(xx, 12.0, x, x)),
         yy: outer(central(yy, 12.0, y, y)),
         xy: outer(central(xy, 24.0, x, y)),
@@ -133,8 +136,8 @@ pub fn finish<S: Scalar>(sums: Sums<S>, seen: &Reference<S>) -> SecondMoments<S>
 /// ```
 #[must_use]
 #[inline]
-pub fn second_moments<S: Scalar>(rings: &[&[Vec2<S>]]) -> SecondMoments<S> {
-    let zero = SecondMoments {
+pub fn second_moments<S: Scalar>(rings: &[&[Vec2<S>]]) -> AreaMoments<S> {
+    let zero = AreaMoments {
         xx: S::zero(),
         yy: S::zero(),
         xy: S::zero(),

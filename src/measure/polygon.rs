@@ -1,5 +1,5 @@
-//! What a convex polygon can say about itself.
-use crate::measure::moments::{SecondMoments, second_moments};
+//! Measures of a convex polygon as methods.
+use crate::measure::moments::{AreaMoments, second_moments};
 use crate::{ConvexPolygon, Scalar, Vec2, ring};
 
 /// The mean of some points; the origin for none. Of a polygon's vertices it is not the centroid of
@@ -67,7 +67,7 @@ impl<S: Scalar, const N: usize> ConvexPolygon<S, N> {
     /// The second moments of the area about its centroid.
     #[must_use]
     #[inline]
-    pub fn second_moments(&self) -> SecondMoments<S> {
+    pub fn second_moments(&self) -> AreaMoments<S> {
         second_moments(&[self.as_slice()])
     }
 }

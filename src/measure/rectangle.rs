@@ -4,7 +4,7 @@ use crate::predicate::{Turn, turn_between};
 use crate::reference::Reference;
 use crate::{Obb2, Scalar, Vec2};
 
-/// What a rectangle around points rests on, by index: an edge of their hull lies along its bottom,
+/// The points that a rectangle around points rests on, by index: an edge of their hull lies along its bottom,
 /// three more points on its other sides.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub struct Resting {

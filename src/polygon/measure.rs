@@ -1,6 +1,6 @@
-//! What polygons with holes measure.
+//! Measures of polygons with holes.
 use super::{Rings, Sides};
-use crate::measure::moments::{SecondMoments, finish, of_edge};
+use crate::measure::moments::{AreaMoments, finish, of_edge};
 use crate::reference::Reference;
 use crate::{Scalar, Vec2, ring};
 
@@ -99,11 +99,11 @@ pub fn centroid<'a, S: Scalar<Mask = bool>>(rings: impl Into<Rings<'a, S>>) -> V
 #[must_use]
 pub fn second_moments<'a, S: Scalar<Mask = bool>>(
     rings: impl Into<Rings<'a, S>>,
-) -> SecondMoments<S> {
+) -> AreaMoments<S> {
     let rings = rings.into();
     match sums(rings, &Sides::decided(rings)) {
         Some((seen, sums)) => finish(sums, &seen),
-        None => SecondMoments {
+        None => AreaMoments {
             xx: S::zero(),
             yy: S::zero(),
             xy: S::zero(),

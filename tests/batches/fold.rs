@@ -5,7 +5,7 @@ use geograd::kernels::fold::{Folded, fold};
 use geograd::kernels::op::Source;
 use geograd::kernels::{Cpu, One};
 use geograd::kernels::{Diameter, Iou};
-use geograd::measure::moments::{SecondMoments, second_moments};
+use geograd::measure::moments::{AreaMoments, second_moments};
 use geograd::{ConvexPolygon, Error, Vec2};
 use geograd_tests::Dice;
 use geograd_tests::rows::{SecondMomentsOfRing, SignedDistancePointRing, WindingOfRing};
@@ -240,7 +240,7 @@ fn adjoints_of_folds_are_derivatives() {
 #[test]
 fn moments_pull_on_vertices() {
     let ring = [(0.0, 0.0), (3.0, 0.5), (2.0, 2.5), (0.5, 2.0)].map(|(x, y)| Vec2::new(x, y));
-    let up = SecondMoments {
+    let up = AreaMoments {
         xx: 1.0,
         yy: -0.5,
         xy: 0.25,

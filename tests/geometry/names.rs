@@ -23,6 +23,7 @@ fn word(text: &str) -> &str {
 struct Names {
     seen: BTreeSet<PathBuf>,
     items: BTreeSet<String>,
+    types: BTreeSet<String>,
     verbs: BTreeSet<String>,
 }
 
@@ -86,12 +87,17 @@ impl Names {
         ];
         let mut item = item;
         let mut declared = false;
+        let mut is_type = false;
         while let Some(kind) = words.iter().find(|&&kind| word(item) == kind) {
             declared = true;
+            is_type |= ["struct", "enum", "type"].contains(kind);
             item = item[kind.len()..].trim_start();
         }
         if declared && !word(item).is_empty() {
             self.items.insert(word(item).to_owned());
+            if is_type {
+                self.types.insert(word(item).to_owned());
+            }
         }
         declared
     }
@@ -208,6 +214,9 @@ fn a_verb_is_one_name_whatever_its_shapes() {
         .filter(|name| joins_shapes(name, &names.verbs))
         .collect();
     assert!(joined.is_empty(), "{joined:?}");
+    // `Convert` is a struct with a parameter. An import of another type of that name would hide the verb.
+    let hiding: Vec<_> = names.types.intersection(&names.verbs).collect();
+    assert_eq!(hiding, ["Convert"]);
 }
 
 /// Text between backticks, fenced blocks left out.

@@ -5,7 +5,7 @@ use crate::{Aabb2, Fixed, Obb2, Pose2, Rotation2, Vec2, Vec3};
 use std::any::TypeId;
 use std::slice;
 
-/// Whether a shape is one of the library's that are made of nothing but numbers of this format, in
+/// `true` if a shape is one of the library's that are made of nothing but numbers of this format, in
 /// the order of their fields, without gaps.
 pub fn is_plain<P: Fixed>() -> bool
 where

@@ -42,7 +42,7 @@ pub(crate) fn add_up<T: Real, V: Vector<T>>(numbers: &[T], sums: &mut [f64; TILE
     }
 }
 
-/// Whether every number is finite.
+/// `true` if every number is finite.
 #[allow(clippy::eq_op)]
 #[inline(always)]
 pub(crate) fn all_finite<T: Real, V: Vector<T>>(numbers: &[T]) -> bool {
@@ -61,7 +61,7 @@ pub(crate) fn all_finite<T: Real, V: Vector<T>>(numbers: &[T]) -> bool {
     sum.equals(V::zero()).all() && rest.iter().all(|x| x.finite())
 }
 
-/// Whether every number is finite and none beyond a limit.
+/// `true` if every number is finite and none beyond a limit.
 #[inline(always)]
 pub(crate) fn all_up_to<T: Real, V: Vector<T>>(numbers: &[T], limit: f64) -> bool {
     let (whole, rest) = numbers.as_chunks::<TILE>();
@@ -97,7 +97,7 @@ fn within<T: Real, V: Vector<T>>(
     all
 }
 
-/// Whether every number is zero or within the limits of its field, for items of so many fields; of
+/// `true` if every number is zero or within the limits of its field, for items of so many fields; of
 /// signed fields the magnitude.
 #[inline(always)]
 pub(crate) fn all_within<T: Real, V: Vector<T>, const FIELDS: usize>(
@@ -142,7 +142,7 @@ pub(crate) fn all_within<T: Real, V: Vector<T>, const FIELDS: usize>(
         })
 }
 
-/// Whether every axis-aligned box is finite and no lower bound is above its upper one.
+/// `true` if every axis-aligned box is finite and no lower bound is above its upper one.
 #[inline(always)]
 pub(crate) fn all_aabb2<T: Real, V: Vector<T>>(numbers: &[T]) -> bool {
     let (items, _) = numbers.as_chunks::<4>();

@@ -176,7 +176,7 @@ impl<T: Real> Maker<T> for DerivativesOfOne<T> {
     }
 }
 
-/// Whether every rotated box is of common size, and none of zero size.
+/// `true` if every rotated box is of common size, and none of zero size.
 fn all_solid<T: Real>(numbers: &[T]) -> bool {
     let solid = |all: bool, x: &[T]| all & x[2].above(T::default()) & x[3].above(T::default());
     (T::kernels().all_common_obb2)(numbers) && numbers.chunks_exact(OBB2).fold(true, solid)

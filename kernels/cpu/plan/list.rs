@@ -90,7 +90,7 @@ impl<'a, T: Real> List<'a, T> {
         let tile = self.bounds.as_ref()?[i / TILE * BOUNDS..].first_chunk::<BOUNDS>()?;
         Some(tile.each_ref().map(|lane| lane.0[i % TILE]))
     }
-    /// Whether kernels do not serve a shape.
+    /// `true` if kernels do not serve a shape.
     pub fn is_rare(&self, i: usize) -> bool {
         self.rare.binary_search(&(i as u32)).is_ok()
     }

@@ -170,7 +170,7 @@ fn several<T: Real, V: Vector<T>, const A: usize, const N: usize>(
     }
 }
 
-/// Whether a truth holds for every item, or for none.
+/// `true` if a truth holds for every item, or for none.
 #[inline(always)]
 fn is<T: Real, V: Vector<T>>(memory: Memory<'_, T>, slot: u16, all: bool) -> bool {
     let bits = if all { (1 << V::WIDTH) - 1 } else { 0 };
@@ -213,7 +213,7 @@ pub(crate) struct Pass<'a, T> {
     pub(crate) tiles: usize,
     /// From one tile of results to the next, and from one number to the next.
     pub(crate) steps: [usize; 2],
-    /// Whether zeros of results lose their signs.
+    /// `true` if zeros of results lose their signs.
     pub(crate) canonical: bool,
 }
 

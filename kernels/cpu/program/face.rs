@@ -11,9 +11,9 @@ use crate::kernels::real::Real;
 /// How a program is carried out. Results are the same bits any way.
 #[derive(Clone, Copy, Debug, Default)]
 pub struct Way {
-    /// Whether what depends on one argument alone is computed before, once per item.
+    /// `true` if what depends on one argument alone is computed before, once per item.
     pub frames: bool,
-    /// Whether blocks leave out what they do not need.
+    /// `true` if blocks leave out what they do not need.
     pub skipping: bool,
     /// Lanes of a slot, if not as usual.
     pub width: Option<usize>,

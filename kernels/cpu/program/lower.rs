@@ -50,7 +50,7 @@ impl Lowering<'_> {
             (None, None) => Vec::new(),
         }
     }
-    /// Whether an instruction gives a node.
+    /// `true` if an instruction gives a node.
     fn is_computed(&self, x: Id) -> bool {
         self.steps[x as usize].is_some() || self.groups.contains_key(&x)
     }

@@ -16,7 +16,7 @@ const FEW: usize = 12;
 pub(crate) struct Skip {
     /// The truth.
     pub(crate) mask: Id,
-    /// Whether it is to hold for all items, or for none.
+    /// `true` if it is to hold for all items, or for none.
     pub(crate) all: bool,
     /// The nodes that do not matter then.
     pub(crate) idle: Vec<bool>,

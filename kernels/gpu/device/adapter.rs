@@ -69,11 +69,11 @@ pub struct Adapter {
     pub driver: String,
     /// The interface: Vulkan, Metal, Dx12 or Gl.
     pub backend: String,
-    /// Whether it is a driver in software.
+    /// `true` if it is a driver in software.
     pub is_software: bool,
-    /// Whether it adds across threads by itself.
+    /// `true` if it adds across threads by itself.
     pub subgroups: bool,
-    /// Whether it measures the time of kernels.
+    /// `true` if it measures the time of kernels.
     pub timestamps: bool,
     /// The most bytes of one buffer that a kernel can read.
     pub most_bytes: u64,

@@ -16,7 +16,7 @@ pub(super) struct Boxes {
     pub kind: Kind,
     pub pieces: Vec<Piece>,
     pub len: usize,
-    /// Whether plain products of their numbers stay far from over- and underflow.
+    /// `true` if plain products of their numbers stay far from over- and underflow.
     pub is_ordinary: bool,
 }
 

@@ -13,7 +13,7 @@ pub struct Founds {
     gpu: Gpu,
     /// Triples of row, column and score, and how many.
     lists: Vec<(wgpu::Buffer, usize)>,
-    /// Whether rows come once per piece of columns.
+    /// `true` if rows come once per piece of columns.
     is_mixed: bool,
 }
 
@@ -24,7 +24,7 @@ impl Founds {
         self.lists.iter().map(|list| list.1).sum()
     }
 
-    /// Whether there are none.
+    /// `true` if there are none.
     #[must_use]
     pub fn is_empty(&self) -> bool {
         self.lists.is_empty()

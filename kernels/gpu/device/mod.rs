@@ -176,7 +176,7 @@ impl Gpu {
         })
     }
 
-    /// Whether it computes faster than the processor: not so for a driver in software, unless the
+    /// `true` if it computes faster than the processor: not so for a driver in software, unless the
     /// environment asks for one.
     pub(crate) fn is_worth_it(&self) -> bool {
         !self.adapter().is_software || std::env::var_os("GEOGRAD_GPU").is_some()
@@ -194,7 +194,7 @@ impl Gpu {
         &self.inner.adapter
     }
 
-    /// Whether sums across threads use subgroup operations. Results differ in rounding.
+    /// `true` if sums across threads use subgroup operations. Results differ in rounding.
     #[must_use]
     pub fn has_subgroups(&self) -> bool {
         self.inner.slots > 0

@@ -209,9 +209,9 @@ const PAIRS: &str = include_str!("../wgsl/pairs.wgsl");
 pub(super) struct Source {
     pub kernel: Kernel,
     pub mirror: Mirror,
-    /// Whether shapes may be such that plain products of their numbers over- or underflow.
+    /// `true` if shapes may be such that plain products of their numbers over- or underflow.
     pub extreme: bool,
-    /// Whether threads stand for rows, and not for columns.
+    /// `true` if threads stand for rows, and not for columns.
     pub own_rows: bool,
     /// Slots for sums of rows: the most subgroups an adjoint's workgroup can have; zero without
     /// subgroups.

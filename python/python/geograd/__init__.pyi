@@ -234,6 +234,21 @@ class Aabb3(Shape):
     @property
     def max(self) -> Vec3: ...
 
+class AreaMoments(Shape):
+    """AreaMoments: an array whose last axis has its numbers, in this order.
+
+        xx: number
+        yy: number
+        xy: number
+    """
+    def __init__(self, *numbers: Any, **named: Any) -> None: ...
+    @property
+    def xx(self) -> Any: ...
+    @property
+    def yy(self) -> Any: ...
+    @property
+    def xy(self) -> Any: ...
+
 class Capsule2(Shape):
     """Capsule2: an array whose last axis has its numbers, in this order.
 
@@ -250,6 +265,21 @@ class Capsule2(Shape):
     def to(self) -> Vec2: ...
     @property
     def radius(self) -> Any: ...
+
+class Chord(Shape):
+    """Chord: an array whose last axis has its numbers, in this order.
+
+        enter: number
+        exit: number
+        found: number
+    """
+    def __init__(self, *numbers: Any, **named: Any) -> None: ...
+    @property
+    def enter(self) -> Any: ...
+    @property
+    def exit(self) -> Any: ...
+    @property
+    def found(self) -> Any: ...
 
 class Circle(Shape):
     """Circle: an array whose last axis has its numbers, in this order.
@@ -273,8 +303,8 @@ class ClosestOnSegments(Shape):
         on_a.y: coordinate
         on_b.x: coordinate
         on_b.y: coordinate
-        along_a: length
-        along_b: length
+        along_a: number
+        along_b: number
     """
     def __init__(self, *numbers: Any, **named: Any) -> None: ...
     @property
@@ -285,6 +315,42 @@ class ClosestOnSegments(Shape):
     def along_a(self) -> Any: ...
     @property
     def along_b(self) -> Any: ...
+
+class CommonPart(Shape):
+    """CommonPart: an array whose last axis has its numbers, in this order.
+
+        from.x: coordinate
+        from.y: coordinate
+        to.x: coordinate
+        to.y: coordinate
+        kind: number
+    """
+    def __init__(self, *numbers: Any, **named: Any) -> None: ...
+    @property
+    def from_(self) -> Vec2: ...
+    @property
+    def to(self) -> Vec2: ...
+    @property
+    def kind(self) -> Any: ...
+
+class CommonPoint(Shape):
+    """CommonPoint: an array whose last axis has its numbers, in this order.
+
+        point.x: coordinate
+        point.y: coordinate
+        along_a: number
+        along_b: number
+        found: number
+    """
+    def __init__(self, *numbers: Any, **named: Any) -> None: ...
+    @property
+    def point(self) -> Vec2: ...
+    @property
+    def along_a(self) -> Any: ...
+    @property
+    def along_b(self) -> Any: ...
+    @property
+    def found(self) -> Any: ...
 
 class Contact(Shape):
     """Contact: an array whose last axis has its numbers, in this order.
@@ -343,25 +409,6 @@ class ConvexPolygon6(Shape):
     @property
     def codes(self) -> list[Any]: ...
 
-class Crossing(Shape):
-    """Crossing: an array whose last axis has its numbers, in this order.
-
-        point.x: coordinate
-        point.y: coordinate
-        along_a: length
-        along_b: length
-        found: length
-    """
-    def __init__(self, *numbers: Any, **named: Any) -> None: ...
-    @property
-    def point(self) -> Vec2: ...
-    @property
-    def along_a(self) -> Any: ...
-    @property
-    def along_b(self) -> Any: ...
-    @property
-    def found(self) -> Any: ...
-
 class Detectron2Box(Shape):
     """Detectron2Box: an array whose last axis has its numbers, in this order.
 
@@ -391,12 +438,12 @@ class Exponent(Shape):
 class Hit(Shape):
     """Hit: an array whose last axis has its numbers, in this order.
 
-        parameter: length
+        parameter: number
         point.x: coordinate
         point.y: coordinate
         normal.x: coordinate
         normal.y: coordinate
-        kind: length
+        kind: number
     """
     def __init__(self, *numbers: Any, **named: Any) -> None: ...
     @property
@@ -526,23 +573,6 @@ class Line2(Shape):
     def point(self) -> Vec2: ...
     @property
     def direction(self) -> Vec2: ...
-
-class Meeting(Shape):
-    """Meeting: an array whose last axis has its numbers, in this order.
-
-        from.x: coordinate
-        from.y: coordinate
-        to.x: coordinate
-        to.y: coordinate
-        kind: length
-    """
-    def __init__(self, *numbers: Any, **named: Any) -> None: ...
-    @property
-    def from_(self) -> Vec2: ...
-    @property
-    def to(self) -> Vec2: ...
-    @property
-    def kind(self) -> Any: ...
 
 class NuScenesBox(Shape):
     """NuScenesBox: an array whose last axis has its numbers, in this order.
@@ -686,21 +716,6 @@ class Ray2(Shape):
     @property
     def direction(self) -> Vec2: ...
 
-class SecondMoments(Shape):
-    """SecondMoments: an array whose last axis has its numbers, in this order.
-
-        xx: length
-        yy: length
-        xy: length
-    """
-    def __init__(self, *numbers: Any, **named: Any) -> None: ...
-    @property
-    def xx(self) -> Any: ...
-    @property
-    def yy(self) -> Any: ...
-    @property
-    def xy(self) -> Any: ...
-
 class Segment2(Shape):
     """Segment2: an array whose last axis has its numbers, in this order.
 
@@ -714,21 +729,6 @@ class Segment2(Shape):
     def from_(self) -> Vec2: ...
     @property
     def to(self) -> Vec2: ...
-
-class Span(Shape):
-    """Span: an array whose last axis has its numbers, in this order.
-
-        enter: length
-        exit: length
-        found: length
-    """
-    def __init__(self, *numbers: Any, **named: Any) -> None: ...
-    @property
-    def enter(self) -> Any: ...
-    @property
-    def exit(self) -> Any: ...
-    @property
-    def found(self) -> Any: ...
 
 class Triangle2(Shape):
     """Triangle2: an array whose last axis has its numbers, in this order.
@@ -1160,10 +1160,10 @@ class _crossing(Verb):
     """The crossing of two lines.
 
     Rows:
-        crossing(a: Line2, b: Line2) -> Crossing
+        crossing(a: Line2, b: Line2) -> CommonPoint
     """
     @overload
-    def __call__(self, a: Line2, b: Line2, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Crossing: ...
+    def __call__(self, a: Line2, b: Line2, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> CommonPoint: ...
     @overload
     def __call__(self, *arguments: Any, kind: Kind, to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Any: ...
 
@@ -1268,6 +1268,8 @@ class _distance(Verb):
         distance(a: Aabb2, b: Aabb2) -> number
         distance(shape: Aabb2, point: Vec2) -> number
             The distance of an axis-aligned box and a point.
+        distance(shape: Aabb3, point: Vec3) -> number
+            The distance of an axis-aligned box and a point.
         distance(a: Capsule2, b: Capsule2) -> number
             The distance of two capsules.
         distance(capsule: Capsule2, point: Vec2) -> number
@@ -1290,6 +1292,8 @@ class _distance(Verb):
             The distance of a rotated box and a segment.
         distance(shape: Obb2, point: Vec2) -> number
             The distance of a rotated box and a point.
+        distance(shape: Obb3, point: Vec3) -> number
+            The distance of a box of any orientation and a point.
         distance(segment: Segment2, circle: Circle) -> number
             The distance of a segment and a circle.
         distance(segment: Segment2, shape: Obb2) -> number
@@ -1328,6 +1332,8 @@ class _distance(Verb):
             The distance of two points.
         distance(point: Vec3, shape: YawBox3) -> number
             The distance of a point and an upright box.
+        distance(shape: YawBox3, point: Vec3) -> number
+            The distance of an upright box and a point.
         distance(x: number, interval: Interval) -> number
             The distance of a number and an interval.
         distance(a: number, b: number) -> number
@@ -1337,6 +1343,8 @@ class _distance(Verb):
     def __call__(self, a: Aabb2, b: Aabb2, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
     @overload
     def __call__(self, shape: Aabb2, point: Vec2, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
+    @overload
+    def __call__(self, shape: Aabb3, point: Vec3, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
     @overload
     def __call__(self, a: Capsule2, b: Capsule2, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
     @overload
@@ -1359,6 +1367,8 @@ class _distance(Verb):
     def __call__(self, shape: Obb2, segment: Segment2, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
     @overload
     def __call__(self, shape: Obb2, point: Vec2, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
+    @overload
+    def __call__(self, shape: Obb3, point: Vec3, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
     @overload
     def __call__(self, segment: Segment2, circle: Circle, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
     @overload
@@ -1397,6 +1407,8 @@ class _distance(Verb):
     def __call__(self, a: Vec3, b: Vec3, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
     @overload
     def __call__(self, point: Vec3, shape: YawBox3, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
+    @overload
+    def __call__(self, shape: YawBox3, point: Vec3, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
     @overload
     def __call__(self, x: ArrayLike, interval: Interval, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
     @overload
@@ -1974,10 +1986,10 @@ class _meeting(Verb):
     """The meeting of two segments.
 
     Rows:
-        meeting(a: Segment2, b: Segment2) -> Meeting
+        meeting(a: Segment2, b: Segment2) -> CommonPart
     """
     @overload
-    def __call__(self, a: Segment2, b: Segment2, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Meeting: ...
+    def __call__(self, a: Segment2, b: Segment2, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> CommonPart: ...
     @overload
     def __call__(self, *arguments: Any, kind: Kind, to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Any: ...
 
@@ -2097,10 +2109,10 @@ class _second_moments(Verb):
     """The second moments of a ring's area about its centroid.
 
     Rows:
-        second_moments(paths: ring) -> SecondMoments
+        second_moments(paths: ring) -> AreaMoments
     """
     @overload
-    def __call__(self, paths: Paths, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> SecondMoments: ...
+    def __call__(self, paths: Paths, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> AreaMoments: ...
     @overload
     def __call__(self, *arguments: Any, kind: Kind, to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Any: ...
 
@@ -2159,6 +2171,8 @@ class _signed_distance(Verb):
         signed_distance(a: Aabb2, b: Aabb2) -> number
         signed_distance(shape: Aabb2, point: Vec2) -> number
             The signed distance of an axis-aligned box and a point.
+        signed_distance(shape: Aabb3, point: Vec3) -> number
+            The signed distance of an axis-aligned box and a point.
         signed_distance(a: Capsule2, b: Capsule2) -> number
             The signed distance of two capsules.
         signed_distance(capsule: Capsule2, point: Vec2) -> number
@@ -2181,6 +2195,8 @@ class _signed_distance(Verb):
             The signed distance of a rotated box and a segment.
         signed_distance(shape: Obb2, point: Vec2) -> number
             The signed distance of a rotated box and a point.
+        signed_distance(shape: Obb3, point: Vec3) -> number
+            The signed distance of a box of any orientation and a point.
         signed_distance(segment: Segment2, circle: Circle) -> number
             The signed distance of a segment and a circle.
         signed_distance(segment: Segment2, shape: Obb2) -> number
@@ -2199,6 +2215,8 @@ class _signed_distance(Verb):
             The signed distance of a point and a circle.
         signed_distance(point: Vec2, shape: Obb2) -> number
             The signed distance of a point and a rotated box.
+        signed_distance(point: Vec2, segment: Segment2) -> number
+            The signed distance of a point and a segment.
         signed_distance(point: Vec2, triangle: Triangle2) -> number
             The signed distance of a point and a triangle.
         signed_distance(point: Vec2, paths: ring) -> number
@@ -2209,11 +2227,15 @@ class _signed_distance(Verb):
             The signed distance of a point and a box of any orientation.
         signed_distance(point: Vec3, shape: YawBox3) -> number
             The signed distance of a point and an upright box.
+        signed_distance(shape: YawBox3, point: Vec3) -> number
+            The signed distance of an upright box and a point.
     """
     @overload
     def __call__(self, a: Aabb2, b: Aabb2, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
     @overload
     def __call__(self, shape: Aabb2, point: Vec2, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
+    @overload
+    def __call__(self, shape: Aabb3, point: Vec3, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
     @overload
     def __call__(self, a: Capsule2, b: Capsule2, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
     @overload
@@ -2237,6 +2259,8 @@ class _signed_distance(Verb):
     @overload
     def __call__(self, shape: Obb2, point: Vec2, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
     @overload
+    def __call__(self, shape: Obb3, point: Vec3, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
+    @overload
     def __call__(self, segment: Segment2, circle: Circle, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
     @overload
     def __call__(self, segment: Segment2, shape: Obb2, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
@@ -2255,6 +2279,8 @@ class _signed_distance(Verb):
     @overload
     def __call__(self, point: Vec2, shape: Obb2, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
     @overload
+    def __call__(self, point: Vec2, segment: Segment2, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
+    @overload
     def __call__(self, point: Vec2, triangle: Triangle2, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
     @overload
     def __call__(self, point: Vec2, paths: Paths, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
@@ -2265,6 +2291,8 @@ class _signed_distance(Verb):
     @overload
     def __call__(self, point: Vec3, shape: YawBox3, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
     @overload
+    def __call__(self, shape: YawBox3, point: Vec3, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
+    @overload
     def __call__(self, *arguments: Any, kind: Kind, to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Any: ...
 
 signed_distance: _signed_distance
@@ -2273,26 +2301,26 @@ class _span(Verb):
     """The parameters of entry and exit of a line and an axis-aligned box.
 
     Rows:
-        span(line: Line2, shape: Aabb2) -> Span
-        span(line: Line2, capsule: Capsule2) -> Span
+        span(line: Line2, shape: Aabb2) -> Chord
+        span(line: Line2, capsule: Capsule2) -> Chord
             The parameters of entry and exit of a line and a capsule.
-        span(line: Line2, circle: Circle) -> Span
+        span(line: Line2, circle: Circle) -> Chord
             The parameters of entry and exit of a line and a circle.
-        span(line: Line2, shape: Obb2) -> Span
+        span(line: Line2, shape: Obb2) -> Chord
             The parameters of entry and exit of a line and a rotated box.
-        span(line: Line2, triangle: Triangle2) -> Span
+        span(line: Line2, triangle: Triangle2) -> Chord
             The parameters of entry and exit of a line and a triangle.
     """
     @overload
-    def __call__(self, line: Line2, shape: Aabb2, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Span: ...
+    def __call__(self, line: Line2, shape: Aabb2, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Chord: ...
     @overload
-    def __call__(self, line: Line2, capsule: Capsule2, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Span: ...
+    def __call__(self, line: Line2, capsule: Capsule2, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Chord: ...
     @overload
-    def __call__(self, line: Line2, circle: Circle, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Span: ...
+    def __call__(self, line: Line2, circle: Circle, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Chord: ...
     @overload
-    def __call__(self, line: Line2, shape: Obb2, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Span: ...
+    def __call__(self, line: Line2, shape: Obb2, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Chord: ...
     @overload
-    def __call__(self, line: Line2, triangle: Triangle2, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Span: ...
+    def __call__(self, line: Line2, triangle: Triangle2, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Chord: ...
     @overload
     def __call__(self, *arguments: Any, kind: Kind, to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Any: ...
 

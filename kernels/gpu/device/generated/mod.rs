@@ -106,7 +106,7 @@ fn shaped_sources(name: &str, shaped: &Shaped<f32>) -> Result<Vec<(String, Strin
     Ok(all)
 }
 
-/// Whether both arguments may be shapes of one list.
+/// `true` if both arguments may be shapes of one list.
 fn is_of_one_list(made: &Generated<f32>) -> bool {
     made.arguments[0].fields == made.arguments[1].fields
 }

@@ -231,7 +231,7 @@ fn unlike(all: impl Iterator<Item = String>) -> Vec<String> {
     names
 }
 
-/// Whether a frame is all numbers of a shape, as they are.
+/// `true` if a frame is all numbers of a shape, as they are.
 fn is_whole(frame: &Piece, fields: usize) -> bool {
     let input = |(k, &x): (usize, &Id)| frame.graph.at(x) == Node::Input(k as u32);
     frame.outputs.len() == fields && frame.outputs.iter().enumerate().all(input)

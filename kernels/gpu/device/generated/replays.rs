@@ -104,7 +104,7 @@ impl Load {
         let widest = slots.max(sizes[0]).max(sizes[1]);
         [4 * code, items * widest]
     }
-    /// Whether it still fits with that.
+    /// `true` if it still fits with that.
     fn fits(&self, replay: &Replay, is_new: bool, sizes: [usize; 2], most_bytes: usize) -> bool {
         let [code, slots] = self.numbers(replay, is_new, sizes);
         4 * code <= most_bytes
