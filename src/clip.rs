@@ -423,7 +423,7 @@ pub(crate) const COMMON_LARGE: f64 = 1e6;
 /// Coordinates of the centre of such shapes are not beyond this.
 pub(crate) const COMMON_FAR: f64 = 1e9;
 
-/// Whether a box is valid and plain products of its numbers stay far from over- and underflow, so
+/// `true` where a box is valid and plain products of its numbers stay far from over- and underflow, so
 /// that a batch of such boxes needs no [`size_scale`]. The results are the same bits either way.
 ///
 /// Without branches: a batch asks this of every box before anything else.
@@ -440,7 +440,7 @@ pub fn is_ordinary<S: Scalar>(shape: Obb2<S>) -> S::Mask {
         & zero_or_within(shape.heading.unsigned(), fine, S::lit(S::LARGEST))
 }
 
-/// Whether a number is zero or from `low` to `high`.
+/// `true` where a number is zero or from `low` to `high`.
 #[inline(always)]
 pub(crate) fn zero_or_within<S: Scalar>(x: S, low: S, high: S) -> S::Mask {
     x.equals(S::zero()) | (x.at_least(low) & x.at_most(high))

@@ -1,4 +1,4 @@
-//! What `#[derive(Shape)]` gives, and what the code that it writes calls.
+//! `#[derive(Shape)]`, and the functions that the code calls that it writes.
 //!
 //! The derive (package `geograd-derive`) reads a struct's tokens without a parser of Rust. The code that it writes
 //! names this module and `ad::check::derived` only, so it needs no feature or dependency of its user's crate.
@@ -87,7 +87,7 @@ pub use {
 /// | `except(Validate, approx, Sample, Arbitrary)` | leaves these to you |
 /// | `crate = "name"` | the library's name, where a manifest renames it |
 ///
-/// What cannot be a shape does not compile:
+/// A type that cannot be a shape does not compile:
 ///
 /// ```compile_fail
 /// #[derive(Clone, Copy, geograd::Shape)]

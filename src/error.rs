@@ -1,4 +1,4 @@
-//! Errors as data: the argument, the row, the field and the fault.
+//! Errors as data: the argument, the item (`row` in messages and fields), the field and the fault.
 use std::fmt;
 
 /// The argument of a call to which an error belongs.

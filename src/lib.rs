@@ -77,7 +77,7 @@
 //! 5. **Reproducible.** A batch returns exactly the bits of calling the function once per item, at every SIMD level,
 //!    batch position and thread count, with culling on or off.
 //! 6. **Kinks have one policy:** the derivative of the branch taken; ties share; a norm at zero has derivative 0.
-//! 7. **Typed errors** name argument, row and field; nothing is written when something is wrong.
+//! 7. **Typed errors** name argument, item and field; nothing is written when something is wrong.
 //! 8. **Safe.** One module, `kernels/cpu/arch`, has `unsafe` code: it calls vector instructions after it has asked the
 //!    processor for them, and reads shapes as the numbers that they are.
 //!

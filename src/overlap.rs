@@ -95,7 +95,7 @@ pub(crate) fn scaled_shared_area<S: Scalar, const EXTREME: bool>(
     (pair, area)
 }
 
-/// What an area of intersection is divided by.
+/// The divisor of an area of intersection.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Denominator {
     /// Nothing: the score is the area itself.
@@ -213,7 +213,7 @@ pub fn iof_obb2<S: Scalar>(a: Obb2<S>, b: Obb2<S>) -> S {
     score_framed::<S, true>(Denominator::First, frame(a), frame(b))
 }
 
-/// What two axis-aligned boxes share, all sizes halved and in units of `1 / scale`.
+/// The shared part of two axis-aligned boxes, all sizes halved and in units of `1 / scale`.
 #[derive(Clone, Copy, Debug)]
 pub struct Shared<S: Scalar> {
     /// Half the size of the shared part.

@@ -105,7 +105,7 @@ pub(crate) fn left_to_right<S: Scalar<Mask = bool>>(a: Vec2<S>, b: Vec2<S>) -> O
     order(a.x, b.x).then(order(a.y, b.y))
 }
 
-/// Whether two points have the same coordinates.
+/// `true` if two points have the same coordinates.
 #[inline]
 pub(crate) fn same<S: Scalar<Mask = bool>>(a: Vec2<S>, b: Vec2<S>) -> bool {
     a.x.equals(b.x) && a.y.equals(b.y)

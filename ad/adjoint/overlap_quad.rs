@@ -31,7 +31,7 @@ struct Part<S> {
     weight: S,
 }
 
-/// Whether two corners are apart.
+/// `true` where two corners are apart.
 #[inline(always)]
 fn is_side<S: Scalar>(from: Vec2<S>, to: Vec2<S>) -> S::Mask {
     !(from.x.equals(to.x) & from.y.equals(to.y))

@@ -208,7 +208,7 @@ impl<'a, S: Number, X: Pack<Scalar = S> + Debug + 'a> Check<'a, X> {
         }));
         self
     }
-    /// Where the function is defined: no step leads outside. A refused input is shrunk, to other
+    /// The domain of the function: no step leads outside. A refused input is shrunk, to other
     /// lengths too: those outside, and those at which the function panics, are passed over. Without
     /// this a function is taken to be defined wherever it does not panic.
     #[must_use]
@@ -261,7 +261,7 @@ impl<'a, S: Number, X: Pack<Scalar = S> + Debug + 'a> Check<'a, X> {
         self.resolution[1] = share;
         self
     }
-    /// What the function does on purpose.
+    /// Conventions of the function.
     #[must_use]
     pub fn conventions(mut self, conventions: Conventions) -> Self {
         self.conventions = conventions;

@@ -89,12 +89,12 @@ pub(crate) struct Evidence<'a> {
     pub(crate) rows: Vec<Item>,
 }
 
-/// Whether all numbers are finite.
+/// `true` if all numbers are finite.
 pub(crate) fn finite(list: &[f64]) -> bool {
     list.iter().all(|x| x.is_finite())
 }
 
-/// Whether two lists have the same bits.
+/// `true` if two lists have the same bits.
 pub(crate) fn same_bits(a: &[f64], b: &[f64]) -> bool {
     a.len() == b.len() && a.iter().zip(b).all(|(a, b)| a.to_bits() == b.to_bits())
 }
@@ -289,12 +289,12 @@ impl<'a> Evidence<'a> {
         self.wide.as_deref().unwrap_or(self.subject)
     }
 
-    /// Whether the input is a tie of the source, to the bit.
+    /// `true` if the input is a tie of the source, to the bit.
     pub(crate) fn exactly_tied(&self) -> bool {
         self.trace.is_some_and(|trace| trace.margin == 0.0)
     }
 
-    /// Whether the duals may be wrong because the input is an exact tie of their source, of which they
+    /// `true` if the duals may be wrong because the input is an exact tie of their source, of which they
     /// take a share although it may be no kink of the function; the adjoint is asked anyway.
     pub(crate) fn tie_of_duals(&self) -> bool {
         self.exactly_tied() && !self.subject.conventions().shared_ties
@@ -333,7 +333,7 @@ fn off_scale(wide: Option<&dyn Subject>, x: &[f64], outputs: usize) -> Vec<bool>
 }
 
 impl Evidence<'_> {
-    /// Whether two numbers say no more than that both are above the largest one of single precision.
+    /// `true` if two numbers say no more than that both are above the largest one of single precision.
     pub(crate) fn both_saturated(&self, one: f64, other: f64) -> bool {
         let most = one.abs().min(other.abs());
         self.subject.precision() == Precision::F32

@@ -86,7 +86,7 @@ fn unchanged(e: &Evidence<'_>) -> Notes {
 }
 
 impl Evidence<'_> {
-    /// Whether a complaint of duals may be explained by differences: at a tie duals and adjoint may each
+    /// `true` if a complaint of duals may be explained by differences: at a tie duals and adjoint may each
     /// take an element of their own.
     pub(crate) fn excusable(&self, fault: &Fault) -> bool {
         let by_duals = [Witness::Dual, Witness::NumDual, Witness::Wide]
@@ -150,7 +150,7 @@ fn one_of_a_kind(all: Vec<Fault>) -> Vec<Fault> {
     kept
 }
 
-/// Whether what duals say is explained: the input is a kink there, at which the adjoint has stood every step. Then it
+/// `true` if what duals say is explained: the input is a kink there, at which the adjoint has stood every step. Then it
 /// is between the derivatives of both sides, as the duals are, and a convention. Where steps could not tell, it must
 /// be between the derivatives of the pieces that meet there.
 fn explained(e: Option<&Evidence<'_>>, fault: &Fault, said: &Notes, others: &[Fault]) -> bool {

@@ -68,11 +68,11 @@
 //! # A function with a kink
 //!
 //! At a kink a derivative is right when it lies between the derivatives of both sides along every direction, and
-//! where many numbers tie, equals the derivative along the direction that keeps the tie. Where kinks of both signs
-//! meet, and at the border of the domain, both sides do not bound it: there it may lie between the derivatives at
+//! where many numbers tie, equals the derivative along the direction that keeps the tie. Both sides do not bound
+//! it where kinks of both signs meet, and at the border of the domain: there it may lie between the derivatives at
 //! places nearby. It may be another element than the duals'
 //! ([`shared_ties`](crate::ad::check::subject::Conventions::shared_ties) asks for theirs, of an operation
-//! [`Sampling::shared_ties`]). Where steps cannot tell both sides, duals a few last digits beside the input must. The
+//! [`Sampling::shared_ties`]). Duals a few last digits beside the input tell both sides where steps cannot. The
 //! report says how many samples were kinks, so that a function cannot pass by being nothing but kinks; and a number
 //! of the input about which no witness could say anything is
 //! [`Unjudged`](crate::ad::check::verdict::Reason::Unjudged).
@@ -98,9 +98,9 @@
 //!
 //! # A long input
 //!
-//! Up to 48 numbers are judged one by one, each derivative by its own digits. Of more the derivatives are multiplied
-//! with a direction and compared with what duals and differences say along it; halving the direction finds the number
-//! at fault.
+//! Up to 48 numbers are judged one by one, each derivative by its own digits. Derivatives of more
+//! numbers are multiplied with a direction and compared with duals and differences along it; halving the direction
+//! finds the number at fault.
 //!
 //! ```
 //! use geograd::ad::check::Check;
@@ -124,8 +124,8 @@
 //! library's operations, on the CPU or a GPU, are witnesses in [`kernels::check`](crate::kernels::check::check_on).
 //!
 //! num-dual's own numbers judge derivatives by hand beside our [`Jet`](crate::Jet): one of the two may be wrong in
-//! the same way as the derivative. `assert_gradient!(generic …)`, operations with an adjoint by hand and rings ask
-//! them; a check of closures is told with [`Check::num_dual`].
+//! the same way as the derivative. `assert_gradient!(generic …)`, operations with an adjoint by hand and rings use
+//! them; a check of closures takes them by [`Check::num_dual`].
 //!
 //! ```
 //! use geograd::ad::check::Check;
@@ -190,17 +190,17 @@
 //! their size: what is left of `1 - 0.9997` has four digits less, and that is no mistake. One that
 //! loses more, half of its digits say, is refused.
 //!
-//! Where a value is decided within rounding (a tie that is none in exact arithmetic), no witness
-//! is better than another, and what provoked rounding changes is tolerated. Exact ties of equal
+//! No witness is better than another where a value is decided within rounding (a tie that is none in exact
+//! arithmetic), and what provoked rounding changes is tolerated. Exact ties of equal
 //! inputs are judged strictly in double precision.
 //!
 //! # How it is made
 //!
 //! One input is judged in [`judge`](mod@judge): `evidence` gathers once what is known there (values, derivatives by
-//! hand and by duals, branches, inputs beside it), each file of `compare` holds a comparison that reads it and has
-//! its say (`notes`), and `judge` decides what is refused. Every number by which it decides is in `tolerances`, with
-//! its reason; `rounding` measures at each input what a witness may be off by. Steps are in [`witness`], what they
-//! say about one derivative in `compare/derivative_test`, how complaints are weighed in `compare/opinion`.
+//! hand and by duals, branches, inputs beside it), each file of `compare` holds a comparison that reads it and
+//! adds its findings (`notes`), and `judge` decides what is refused. Every number by which it decides is in
+//! `tolerances`, with its reason; `rounding` measures at each input what a witness may be off by. Steps are in [`witness`], what they
+//! show of one derivative in `compare/derivative_test`, how findings are weighed in `compare/opinion`.
 //! [`examine`](fn@examine) walks the inputs, `shrink` makes refused ones simple, [`report`] has the lines, `words`
 //! the sentences. A function is a [`Subject`](subject::Subject): lists of numbers in and out.
 //!

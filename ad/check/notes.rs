@@ -12,9 +12,9 @@ pub(crate) struct Notes {
     pub(crate) worst: [Worst; PAIRS.len()],
     /// Whether some witness could judge the derivative with respect to each number of the input.
     pub(crate) covered: Vec<bool>,
-    /// Whether a declared convention was needed.
+    /// `true` if a declared convention was needed.
     pub(crate) convention: bool,
-    /// Whether the value jumps.
+    /// `true` if the value jumps.
     pub(crate) jump: bool,
     /// Directions along which the function is smooth, kinked and not to be judged.
     pub(crate) directions: [u64; 3],
@@ -22,7 +22,7 @@ pub(crate) struct Notes {
     pub(crate) switched: u64,
     /// Outputs and directions at which steps could tell, and what kind of place it is along them.
     pub(crate) told: Vec<(usize, usize, Place)>,
-    /// Whether the function stays in one branch for a while along all directions, so that second
+    /// `true` if the function stays in one branch for a while along all directions, so that second
     /// derivatives make sense.
     pub(crate) plain: bool,
 }

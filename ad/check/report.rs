@@ -1,4 +1,4 @@
-//! What came out: a line of a table, and what was refused in words.
+//! Reports of checks: a line of a table, and what was refused in words.
 use crate::ad::check::verdict::{Fault, Numbers, PAIRS, Reason, Worst};
 use crate::ad::check::witness::Precision;
 use crate::ad::check::words::{outvoted, place, remedy, write_numbers};
@@ -112,19 +112,19 @@ impl Report {
             ..Report::empty(name, seed)
         }
     }
-    /// Whether nothing was refused.
+    /// `true` if nothing was refused.
     #[must_use]
     pub fn passed(&self) -> bool {
         self.refused == 0 && self.failures.is_empty()
     }
-    /// Whether something was refused for this reason.
+    /// `true` if something was refused for this reason.
     #[must_use]
     pub fn refused_for(&self, reason: Reason) -> bool {
         self.failures
             .iter()
             .any(|failure| failure.fault.reason == reason)
     }
-    /// What the columns of a table are.
+    /// The meaning of the columns of a table.
     #[must_use]
     pub fn legend() -> &'static str {
         "smooth, kink, undef: what kind of place the inputs were.\n\

@@ -1,4 +1,4 @@
-//! Where functions are checked: seeded random inputs and hard cases of every shape.
+//! Inputs of checks: seeded random inputs and hard cases of every shape.
 //!
 //! A generator of our own keeps the library free of dependencies and the samples the same on every
 //! machine. Random pairs are snapped to each other now and then, so that ties, touching sides and
@@ -94,7 +94,7 @@ pub trait Sample: Pack<Scalar = f64> + std::fmt::Debug {
     fn units(&self) -> Vec<f64> {
         self.extents()
     }
-    /// Whether it is valid.
+    /// `true` if it is valid.
     fn inside(&self) -> bool;
     /// What to draw of it.
     fn outlines(&self) -> Vec<Vec<[f64; 2]>> {

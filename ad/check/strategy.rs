@@ -121,7 +121,7 @@ pub struct Simpler<X> {
     now: X,
     /// The number of the next simpler one to try.
     next: usize,
-    /// Whether all have been tried.
+    /// `true` if all have been tried.
     done: bool,
 }
 

@@ -4,25 +4,25 @@ use crate::ad::check::tolerances::{LEAST_SCALE, NO_UNIT};
 use crate::ad::check::trace::Trace;
 use crate::ad::check::witness::Precision;
 
-/// What a function does on purpose at places where its derivative is nobody's.
+/// The conventions of a function at places without a derivative.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Conventions {
     /// Where the value is zero, or the input lies on the border of its domain, the derivative may be
     /// zero although it is not between the derivatives of both sides.
     pub flat: bool,
-    /// Where the value may jump.
+    /// Places at which the value may jump.
     pub jumps: Jumps,
-    /// Whether at a tie the derivative by hand must be the very one of the duals, and not another
+    /// `true` if at a tie the derivative by hand must be the very one of the duals, and not another
     /// between the derivatives of both sides.
     pub shared_ties: bool,
-    /// Whether the function searches, and its derivatives are those of what was found: where something else is as
+    /// `true` if the function searches, and its derivatives are those of what was found: where something else is as
     /// good to the bit, they need not be between the derivatives of both sides. The two that happen to win on
     /// either side of such a tie are not all that tie: of a box and a box with the same heading, any pair of
     /// points of two sides is nearest. It counts at exact ties of the source only.
     pub searches: bool,
 }
 
-/// Where a function may jump.
+/// Places at which a function may jump.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Jumps {
     /// Nowhere.
@@ -122,11 +122,11 @@ pub trait Subject {
     fn wide(&self) -> Option<Box<dyn Subject + '_>> {
         None
     }
-    /// Whether an input is valid.
+    /// `true` if an input is valid.
     fn inside(&self, _x: &[f64]) -> bool {
         true
     }
-    /// Whether the function may be asked at inputs that are not valid, too: at the border of its domain that
+    /// `true` if the function may be asked at inputs that are not valid, too: at the border of its domain that
     /// shows both sides of a kink that lies exactly there.
     fn total(&self) -> bool {
         false
@@ -135,7 +135,7 @@ pub trait Subject {
     fn scales(&self, x: &[f64]) -> Vec<f64> {
         default_scales(x)
     }
-    /// Whether the scales are only guessed from the numbers.
+    /// `true` if the scales are only guessed from the numbers.
     fn guessed_scales(&self) -> bool {
         false
     }
@@ -144,7 +144,7 @@ pub trait Subject {
     fn units(&self, x: &[f64]) -> Vec<f64> {
         self.scales(x)
     }
-    /// Whether derivatives times units are sums of terms as large as the largest of them, so that none can
+    /// `true` if derivatives times units are sums of terms as large as the largest of them, so that none can
     /// be held to less than its rounding. If not, every derivative is held to its own digits and to what
     /// provoked rounding shows.
     fn comparable(&self) -> bool {

@@ -1,4 +1,4 @@
-//! What the harness can say: typed reasons, the numbers behind them, no strings.
+//! The verdicts of the harness: typed reasons, the numbers behind them, no strings.
 use crate::Unrecordable;
 use crate::ad::check::symmetry::Motion;
 
@@ -62,7 +62,7 @@ pub enum Reason {
     Unjudged,
 }
 
-/// What kind of place a sample turned out to be.
+/// The kind of place that a sample is.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Place {
     /// Differentiable as far as can be seen.
@@ -86,7 +86,7 @@ pub struct Numbers {
     pub other: Option<f64>,
     /// Derivatives of both sides, at a kink.
     pub sides: Option<[f64; 2]>,
-    /// Whether they are derivatives along a random direction, in which several numbers of the input move,
+    /// `true` if they are derivatives along a random direction, in which several numbers of the input move,
     /// and not with respect to one of them.
     pub along: bool,
     /// How many numbers there were, and how many there should have been.
@@ -144,7 +144,7 @@ pub struct Worst {
 pub struct Nearest {
     /// Which share of the tolerance.
     pub share: f64,
-    /// Whether rounding was provoked.
+    /// `true` if rounding was provoked.
     pub provoked: bool,
     /// The number of the sample.
     pub sample: usize,
@@ -229,7 +229,7 @@ pub const PAIRS: [(Witness, Witness); 7] = [
     (Witness::Adjoint, Witness::NumDual),
 ];
 
-/// What was found at one sample.
+/// The findings at one sample.
 #[derive(Clone, Debug)]
 pub struct Findings {
     /// What kind of place it is.
@@ -238,9 +238,9 @@ pub struct Findings {
     pub directions: [u64; 3],
     /// Directions along which another branch was taken, however small the step.
     pub switched: u64,
-    /// Whether the value jumps there.
+    /// `true` if the value jumps there.
     pub jump: bool,
-    /// Whether a declared convention was needed.
+    /// `true` if a declared convention was needed.
     pub convention: bool,
     /// How near the nearest change of branch is, relative; infinite when nothing was compared.
     pub margin: f64,

@@ -98,7 +98,7 @@ pub struct Rung {
     pub step: f64,
     /// The value there.
     pub values: Vec<f64>,
-    /// Whether the same branches were taken as at the point; true when nothing is known.
+    /// `true` if the same branches were taken as at the point; true when nothing is known.
     pub same: bool,
     /// The branches taken; zero when nothing is known.
     pub branch: u64,
@@ -116,7 +116,7 @@ pub struct Ladder {
     pub behind: Vec<Rung>,
     /// The value at the point.
     pub center: Vec<f64>,
-    /// Whether branches are known.
+    /// `true` if branches are known.
     pub traced: bool,
 }
 
@@ -265,7 +265,7 @@ impl Ladder {
         side(&self.ahead).min(side(&self.behind))
     }
 
-    /// Whether both sides have a branch of their own long enough to be judged by.
+    /// `true` if both sides have a branch of their own long enough to be judged by.
     #[must_use]
     pub fn settled(&self) -> bool {
         [&self.ahead, &self.behind].iter().all(|side| {
@@ -279,7 +279,7 @@ impl Ladder {
         })
     }
 
-    /// Whether the value stands still along the whole ladder.
+    /// `true` if the value stands still along the whole ladder.
     #[must_use]
     pub fn still(&self) -> bool {
         let rungs = self.ahead.iter().chain(&self.behind);

@@ -1,4 +1,4 @@
-//! What a program costs.
+//! The cost of a program.
 use super::graph::{Graph, Node};
 use std::fmt;
 

@@ -30,7 +30,7 @@ pub(super) fn carriers(node: Node) -> &'static [usize] {
     }
 }
 
-/// Whether a zero times the derivative by this operand is zero, whatever the values are.
+/// `true` if a zero times the derivative by this operand is zero, whatever the values are.
 pub(super) fn keeps_zero(graph: &Graph, node: Node, operand: usize) -> bool {
     use Node::*;
     let finite = |x| graph.constant(x).is_some_and(f64::is_finite);

@@ -194,7 +194,7 @@ impl Node {
         found
     }
 
-    /// Whether the node is a truth, not a number.
+    /// `true` if the node is a truth, not a number.
     pub(crate) fn is_mask(self) -> bool {
         use Node::*;
         matches!(
@@ -209,7 +209,7 @@ impl Node {
 pub(crate) struct Graph {
     /// The format of the numbers.
     pub(crate) format: Format,
-    /// Whether infinite and NaN results of operations on constants become constants, too: where a
+    /// `true` if infinite and NaN results of operations on constants become constants, too: where a
     /// function is run on plain numbers.
     pub(crate) plain: bool,
     /// The operations, in an order in which they can be carried out.

@@ -101,7 +101,7 @@ pub(super) fn places<T: Plain>(
     recording.sound().map(|()| places)
 }
 
-/// Whether the program gives what the function gives where every hint is answered by the truth: on
+/// `true` if the program gives what the function gives where every hint is answered by the truth: on
 /// plain numbers. Those are symbols of constants, with which every operation is carried out at once.
 fn agrees<T: Plain>(
     recorded: &Recorded,

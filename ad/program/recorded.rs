@@ -74,7 +74,7 @@ impl Recorded {
         evaluate(&self.graph, &self.outputs, inputs)
     }
 
-    /// Whether gradients by hand are parts of it, whose own derivatives duals of duals do not see.
+    /// `true` if gradients by hand are parts of it, whose own derivatives duals of duals do not see.
     pub(crate) fn has_parts_by_hand(&self) -> bool {
         let is_part = |node: &Node| matches!(node, Node::Graft { share: Some(_), .. });
         self.graph.nodes().iter().any(is_part)

@@ -13,7 +13,7 @@ struct Guard {
     mask: Id,
     /// What the mask must be.
     side: bool,
-    /// Whether the cotangent is zero already where the condition does not hold.
+    /// `true` if the cotangent is zero already where the condition does not hold.
     zero: bool,
 }
 

@@ -110,7 +110,7 @@ impl Graph {
         }
     }
 
-    /// Whether one is the negation of the other.
+    /// `true` if one is the negation of the other.
     fn opposite(&self, a: Id, b: Id) -> bool {
         self.at(a) == Node::Not(b) || self.at(b) == Node::Not(a)
     }

@@ -178,11 +178,11 @@ impl<T: Plain> Not for SymMask<T> {
     }
 }
 impl<T: Plain> Mask for SymMask<T> {
-    /// Whether it is not known to be false.
+    /// `true` if it is not known to be false.
     fn any(self) -> bool {
         self.symbol.hint(true)
     }
-    /// Whether it is known to be true.
+    /// `true` if it is known to be true.
     fn all(self) -> bool {
         self.symbol.hint(false)
     }

@@ -50,7 +50,7 @@ pub(crate) fn function(name: &str, recorded: &Recorded) -> String {
 pub(crate) struct Taken {
     /// Its name.
     pub name: String,
-    /// Whether it is [exact](exact).
+    /// `true` if it is [exact](exact).
     pub is_exact: bool,
 }
 

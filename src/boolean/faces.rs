@@ -21,7 +21,7 @@ fn turn(a: Point, b: Point, c: Point) -> i128 {
     ux * vy - uy * vx
 }
 
-/// Whether three places of a ring are in line.
+/// `true` if three places of a ring are in line.
 pub(super) fn is_straight(a: Point, b: Point, c: Point) -> bool {
     turn(a, b, c) == 0
 }
@@ -159,7 +159,7 @@ impl Border {
         let of = |&k: &usize| turn(seen, self.pieces[k].from, self.pieces[k].to);
         ring.iter().map(of).sum()
     }
-    /// Whether a place is inside a ring and not on its border.
+    /// `true` if a place is inside a ring and not on its border.
     fn is_inside(&self, at: Point, ring: &[usize]) -> bool {
         let mut is_inside = false;
         for &k in ring {
@@ -184,7 +184,7 @@ impl Border {
     }
 }
 
-/// Whether two places in line with a third one lie on one side of it.
+/// `true` if two places in line with a third one lie on one side of it.
 fn is_same_way(at: Point, a: Point, b: Point) -> bool {
     let [ux, uy, vx, vy] = [a.x - at.x, a.y - at.y, b.x - at.x, b.y - at.y].map(i128::from);
     ux * vx + uy * vy > 0

@@ -181,7 +181,7 @@ impl Grid {
         let steps = EXTENT / (1_u64 << squares::<S>().bits) as f64;
         [at.x, at.y].map(|x| x as f64 / steps / self.unit * 2.0)
     }
-    /// Whether two vertices are one, or follow each other in a ring at one place.
+    /// `true` if two vertices are one, or follow each other in a ring at one place.
     pub fn is_joined(&self, a: VertexId, b: VertexId) -> bool {
         if (a.owner, a.ring) != (b.owner, b.ring) {
             return false;

@@ -14,7 +14,7 @@ fn made<S: Scalar<Mask = bool>>(
     overlay_search(a, b, operation, fill).map(|trace| overlay_replay(a, b, &trace))
 }
 
-/// What is in either of two polygons of any kind. See the [module](super).
+/// The union of two polygons of any kind. See the [module](super).
 ///
 /// ```
 /// use geograd::{Aabb2, boolean::union, polygon::{Fill, perimeter}};
@@ -34,7 +34,7 @@ pub fn union<'a, S: Scalar<Mask = bool>>(
     made(a.into(), b.into(), Operation::Union, fill)
 }
 
-/// What two polygons of any kind share. See the [module](super).
+/// The intersection of two polygons of any kind. See the [module](super).
 ///
 /// # Errors
 ///
@@ -47,7 +47,7 @@ pub fn intersection<'a, S: Scalar<Mask = bool>>(
     made(a.into(), b.into(), Operation::Intersection, fill)
 }
 
-/// What is in the first and not in the second of two polygons of any kind. See the [module](super).
+/// The difference of two polygons of any kind: what is in the first and not in the second. See the [module](super).
 ///
 /// ```
 /// use geograd::{Aabb2, boolean::difference, polygon::{Fill, area}};
@@ -68,7 +68,7 @@ pub fn difference<'a, S: Scalar<Mask = bool>>(
     made(a.into(), b.into(), Operation::Difference, fill)
 }
 
-/// What is in exactly one of two polygons of any kind. See the [module](super).
+/// The symmetric difference of two polygons of any kind: what is in exactly one of them. See the [module](super).
 ///
 /// # Errors
 ///

@@ -1,6 +1,6 @@
-//! What a boolean operation decided.
+//! Records of boolean operations.
 
-/// What to make of two polygons.
+/// A boolean operation of two polygons.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Operation {
     /// What is in either.

@@ -1,4 +1,4 @@
-//! Where two edges cross.
+//! Crossings of two edges.
 use crate::reference::Reference;
 use crate::{Scalar, Vec2};
 

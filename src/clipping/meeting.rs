@@ -1,4 +1,4 @@
-//! Where the borders of two convex polygons meet, in order, decided exactly.
+//! Points in which the borders of two convex polygons meet, in order, decided exactly.
 use super::Corner;
 use crate::error::{Flaw, VertexFault};
 use crate::predicate::{Turn, left_to_right, same, turn, turn_between};

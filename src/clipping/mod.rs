@@ -21,7 +21,7 @@ mod pair;
 pub use half_plane::{half_plane_replay, half_plane_search};
 pub use pair::{clip, clip_replay, clip_search};
 
-/// Where a vertex is from.
+/// The origin of a vertex.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Corner {
     /// A vertex of the first polygon, by number.
@@ -47,7 +47,7 @@ pub enum Side {
     B(usize),
 }
 
-/// What clipping decided: the provenance of every vertex and edge of the result.
+/// The record of clipping: the provenance of every vertex and edge of the result.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct ClipTrace<const K: usize> {
     /// Where each vertex is from, counter-clockwise; the first `count` matter.

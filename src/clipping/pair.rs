@@ -12,7 +12,7 @@ use crate::error::Flaw;
 use crate::predicate::{Turn, turn_between};
 use crate::{ConvexPolygon, Scalar};
 
-/// What two convex polygons share, as a record of where every vertex and every side of it is from.
+/// The record of the intersection of two convex polygons: where every vertex and every side of it is from.
 /// Search exactly, `O(n log m)`; the polygons must be valid, or the record means nothing.
 ///
 /// ```
@@ -93,7 +93,7 @@ fn vertices_between(from: usize, to: usize) -> (usize, usize) {
     (from / 2 + 1, to.div_ceil(2))
 }
 
-/// Whether the first vertex of a chain of `inner` lies in `outer`.
+/// `true` if the first vertex of a chain of `inner` lies in `outer`.
 fn starts_inside<S: Scalar<Mask = bool>>(
     outer: Border<'_, S>,
     inner: Border<'_, S>,
@@ -102,7 +102,7 @@ fn starts_inside<S: Scalar<Mask = bool>>(
     chain.0 < chain.1 && outer.contains(inner.at(chain.0))
 }
 
-/// What two convex polygons share, from both and the record of [`clip_search`]. Derivatives of a crossing
+/// The intersection of two convex polygons, from both and the record of [`clip_search`]. Derivatives of a crossing
 /// are those of the two edges that cross; its own are unbounded as these become parallel, though those of
 /// areas are not.
 #[must_use]
@@ -117,7 +117,7 @@ pub fn clip_replay<S: Scalar, const N: usize, const M: usize, const K: usize>(
     )
 }
 
-/// What two convex polygons share: a polygon, a segment (two vertices), a point (one) or nothing (none).
+/// The intersection of two convex polygons: a polygon, a segment (two vertices), a point (one) or nothing (none).
 ///
 /// ```
 /// use geograd::{Aabb2, ConvexPolygon, Vec2, clipping::clip};
@@ -138,7 +138,7 @@ pub fn clip<S: Scalar<Mask = bool>, const N: usize, const M: usize, const K: usi
 }
 
 impl<S: Scalar<Mask = bool>, const N: usize> ConvexPolygon<S, N> {
-    /// Whether both polygons have a point in common; borders belong to both. Search exactly.
+    /// `true` if both polygons have a point in common; borders belong to both. Search exactly.
     ///
     /// ```
     /// use geograd::{Aabb2, ConvexPolygon};

@@ -5,7 +5,7 @@ use crate::error::Flaw;
 use crate::predicate::same;
 use crate::{ConvexPolygon, Scalar, Vec2};
 
-/// What two polygons were made into: where each vertex of the result is from.
+/// The record of a merge: where each vertex of the result is from.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub struct MergeTrace<const K: usize> {
     /// One entry per vertex; the first `count` matter. Only corners of a and of b occur.

@@ -4,7 +4,7 @@ use crate::error::Flaw;
 use crate::predicate::{Turn, left_to_right, same, turn_between};
 use crate::{ConvexPolygon, Scalar, Vec2};
 
-/// What a Minkowski sum is made of: each vertex is the sum of a vertex of `a` and one of `b`.
+/// The record of a Minkowski sum: each vertex is the sum of a vertex of `a` and one of `b`.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct SumTrace<const K: usize> {
     /// A vertex of a and one of b; the first `count` pairs matter.

@@ -1,4 +1,4 @@
-//! What DIoU, CIoU and EIoU of boxes of the plane are made of.
+//! Terms of DIoU, CIoU and EIoU of boxes of the plane.
 use crate::scalar::speck;
 use crate::{Scalar, Vec2};
 

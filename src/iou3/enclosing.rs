@@ -9,7 +9,7 @@ use crate::overlap::area_from_half;
 use crate::shape::{Aabb3, YawBox3};
 use crate::{Obb2, Scalar, Vec2, Vec3};
 
-/// What is put around a pair of boxes.
+/// The shape around a pair of boxes.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Enclosing {
     /// The smallest box along the axes of the world.

@@ -57,7 +57,7 @@ pub use enclosing::Enclosing;
 pub use rectangle::smallest_rectangle;
 pub use separation::{penetration_or_gap, separation_aware};
 
-/// What scores take from an overlap: numbers without a unit, by the shape around two boxes.
+/// Terms of scores that come from an overlap: numbers without a unit, by the shape around two boxes.
 #[derive(Clone, Copy, Debug)]
 pub struct Terms<S> {
     /// The share of the volume of the enclosing shape that neither box covers, in `[0, 1]`: GIoU's.

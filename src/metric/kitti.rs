@@ -101,7 +101,7 @@ pub enum Label {
     Other,
 }
 
-/// What the rules look at in a truth.
+/// The properties of a truth that the rules read.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Truth {
     /// Its class.

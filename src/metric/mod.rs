@@ -49,7 +49,7 @@ impl<'a> Frame<'a> {
     }
 }
 
-/// What became of a detection.
+/// The outcome of a detection.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Outcome {
     /// It found this truth.
@@ -71,7 +71,7 @@ fn flags(name: &'static str, flags: &[bool], count: usize) -> Result<(), Error> 
     })
 }
 
-/// What becomes of every detection of a frame.
+/// The outcomes of all detections of a frame.
 ///
 /// By descending score every detection takes the truth that it overlaps most, of those that no other one
 /// took and that it overlaps by at least the threshold. It takes an ignored truth only where no other one is

@@ -33,7 +33,7 @@ pub(crate) struct Pair<'a, S: Scalar> {
     pub rings: [Rings<'a, S>; 2],
     pub sides: [Sides; 2],
     pub seen: Reference<S>,
-    /// Whether b is the smaller one.
+    /// `true` if b is the smaller one.
     pub in_b: bool,
     /// Where nothing is shared: value and derivatives are zero.
     pub apart: bool,

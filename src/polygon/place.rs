@@ -1,11 +1,11 @@
-//! Where a point is, seen from a polygon.
+//! The place of a point, seen from a polygon.
 use super::{Fill, Rings};
 use crate::contain::{Location, locate};
 use crate::distance::ring::{EdgeFold, fold_ring};
 use crate::{Scalar, Vec2};
 
 impl<S: Scalar<Mask = bool>> Rings<'_, S> {
-    /// Where a point is: on the border, or how often the rings wind around it. Search exactly.
+    /// The place of a point: on the border, or how often the rings wind around it. Search exactly.
     #[must_use]
     pub fn locate(&self, point: Vec2<S>) -> Location {
         let mut sum = 0;
@@ -17,7 +17,7 @@ impl<S: Scalar<Mask = bool>> Rings<'_, S> {
         }
         Location::Off(sum)
     }
-    /// Whether a point is in the polygon by a fill rule; its border belongs to it. Search exactly.
+    /// `true` if a point is in the polygon by a fill rule; its border belongs to it. Search exactly.
     ///
     /// ```
     /// use geograd::{Aabb2, Rings, Vec2, polygon::Fill};

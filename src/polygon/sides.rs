@@ -48,7 +48,7 @@ impl Sides {
             others: (1..rings.count()).map(turned).collect(),
         }
     }
-    /// Whether a ring counts the other way round.
+    /// `true` if a ring counts the other way round.
     #[must_use]
     #[inline]
     pub fn is_turned(&self, ring: usize) -> bool {
@@ -64,7 +64,7 @@ impl Sides {
     }
 }
 
-/// Whether a ring lies in another one, both not crossing.
+/// `true` if a ring lies in another one, both not crossing.
 fn lies_in<S: Scalar<Mask = bool>>(
     inner: &[Vec2<S>],
     outer: &[Vec2<S>],

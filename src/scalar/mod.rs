@@ -20,8 +20,8 @@
 //!
 //! * *Straight lines* ask for `S: Scalar` alone. They run on floats, SIMD lanes, duals and the symbols of a
 //!   [recording](crate::ad::program).
-//! * *Searches* (clipping, hulls) ask for `S: Scalar<Mask = bool>`. `…_decided` returns a trace of the decisions, which
-//!   holds no numbers; `…_replay` computes the result from inputs and trace, with derivatives.
+//! * *Searches* (clipping, hulls) ask for `S: Scalar<Mask = bool>`. `…_search` returns a record of the decisions, which
+//!   holds no numbers; `…_replay` computes the result from inputs and record, with derivatives.
 //! * *Folds* are sums over the edges of a list of any length ([`Fold`](crate::kernels::Fold)).
 //!
 //! A dual type implements `dual::Tangent`, which applies the chain rule; everything else follows from it.
@@ -94,7 +94,7 @@ impl Mask for bool {
 ///
 /// # Writing a generic function
 ///
-/// Two habits of plain numbers do not compile for `S: Scalar`.
+/// Some habits of plain numbers do not compile for `S: Scalar`.
 ///
 /// **Literals.** `2.0` is an `f64`, and `2.0 * x` asks for an `f64` times an `S`: "cannot multiply `{float}` by `S`".
 /// [`lit`](Scalar::lit) makes an `S` of it; [`halved`](Scalar::halved), [`squared`](Scalar::squared),
@@ -114,6 +114,10 @@ impl Mask for bool {
 /// }
 /// assert_eq!(energy(2.0, 3.0), 9.0);
 /// ```
+///
+/// **Functions.** The methods of this trait are all that `S` has: π is `S::lit(PI)`, the arc sine of `x`
+/// `x.atan2((S::one() - x * x).root())`, the arc cosine the same with exchanged arguments. Formulas of rows have no
+/// further bounds, such as the compiler may suggest.
 ///
 /// **Branches.** A comparison gives a [`Mask`], which is a `bool` for some scalars only: lanes have several outcomes,
 /// recorded numbers have none yet. [`select`](Scalar::select), [`least`](Scalar::least), [`most`](Scalar::most) and

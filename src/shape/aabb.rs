@@ -120,13 +120,13 @@ impl<S: Scalar> Aabb2<S> {
             max: self.max.most(other.max),
         }
     }
-    /// Whether the other box is in this one; borders belong to both.
+    /// `true` where the other box is in this one; borders belong to both.
     #[must_use]
     #[inline(always)]
     pub fn encloses(self, other: Self) -> S::Mask {
         self.contains(other.min) & self.contains(other.max)
     }
-    /// Whether both boxes have a point in common; borders belong to both.
+    /// `true` where both boxes have a point in common; borders belong to both.
     ///
     /// ```
     /// use geograd::Aabb2;
@@ -143,7 +143,7 @@ impl<S: Scalar> Aabb2<S> {
         let across = other.min.x.at_most(self.max.x) & other.min.y.at_most(self.max.y);
         x & y & across
     }
-    /// Whether the point is in the box; the border belongs to it.
+    /// `true` where the point is in the box; the border belongs to it.
     #[must_use]
     #[inline(always)]
     pub fn contains(self, point: Vec2<S>) -> S::Mask {

@@ -117,7 +117,7 @@ impl<S: Scalar> Aabb3<S> {
     pub fn join(self, other: Self) -> Self {
         Aabb3::new(self.min.least(other.min), self.max.most(other.max))
     }
-    /// Whether the point is in the box; the border belongs to it.
+    /// `true` where the point is in the box; the border belongs to it.
     #[must_use]
     #[inline(always)]
     pub fn contains(self, point: Vec3<S>) -> S::Mask {

@@ -79,7 +79,7 @@ impl<S: Scalar> Capsule2<S> {
             max: (inner.max + reach).canonical(),
         }
     }
-    /// Whether the point is in the capsule; the border belongs to it.
+    /// `true` where the point is in the capsule; the border belongs to it.
     #[must_use]
     #[inline]
     pub fn contains(self, point: Vec2<S>) -> S::Mask {

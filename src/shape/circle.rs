@@ -69,7 +69,7 @@ impl<S: Scalar> Circle<S> {
             max: (self.center + reach).canonical(),
         }
     }
-    /// Whether the point is in the disc; the border belongs to it.
+    /// `true` where the point is in the disc; the border belongs to it.
     #[must_use]
     #[inline(always)]
     pub fn contains(self, point: Vec2<S>) -> S::Mask {

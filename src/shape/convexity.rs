@@ -1,4 +1,4 @@
-//! What makes a ring a convex polygon, decided exactly.
+//! Convexity of rings, decided exactly.
 use crate::error::{Flaw, VertexFault};
 use crate::predicate::{Turn, same, turn};
 use crate::{Scalar, Vec2};
@@ -57,7 +57,7 @@ pub(crate) fn check_convex<S: Scalar<Mask = bool>>(vertices: &[Vec2<S>]) -> Resu
     Ok(())
 }
 
-/// Whether `q` is between `p` and `r`, all three on a line.
+/// `true` if `q` is between `p` and `r`, all three on a line.
 pub(super) fn between<S: Scalar<Mask = bool>>(p: Vec2<S>, q: Vec2<S>, r: Vec2<S>) -> bool {
     use crate::predicate::left_to_right as order;
     order(p, q) != order(r, q)
@@ -68,7 +68,7 @@ pub(super) fn corner_of<S: Scalar<Mask = bool>>(ring: &[Vec2<S>]) -> Option<usiz
     (0..ring.len()).min_by(|&i, &j| crate::predicate::left_to_right(ring[i], ring[j]))
 }
 
-/// Whether a simple ring runs clockwise, by the turn at its lowest vertex.
+/// `true` if a simple ring runs clockwise, by the turn at its lowest vertex.
 pub(super) fn runs_clockwise<S: Scalar<Mask = bool>>(ring: &[Vec2<S>]) -> bool {
     let Some(corner) = corner_of(ring) else {
         return false;

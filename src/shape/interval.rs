@@ -61,7 +61,7 @@ impl<S: Scalar> Interval<S> {
     pub fn center(self) -> S {
         (self.min.halved() + self.max.halved()).canonical()
     }
-    /// Whether the number is in the interval; its bounds belong to it.
+    /// `true` where the number is in the interval; its bounds belong to it.
     #[must_use]
     #[inline(always)]
     pub fn contains(self, x: S) -> S::Mask {

@@ -120,7 +120,7 @@ impl<S: Scalar> Obb2<S> {
             pose * Vec2::new(-x, y),
         ]
     }
-    /// Whether the point is in the box; the border belongs to it.
+    /// `true` where the point is in the box; the border belongs to it.
     #[must_use]
     #[inline(always)]
     pub fn contains(self, point: Vec2<S>) -> S::Mask {

@@ -104,7 +104,7 @@ impl<S: Scalar> Obb3<S> {
         };
         [face(0), face(1), face(2), face(3), face(4), face(5)]
     }
-    /// Whether the point is in the box; the border belongs to it.
+    /// `true` where the point is in the box; the border belongs to it.
     #[must_use]
     #[inline]
     pub fn contains(self, point: Vec3<S>) -> S::Mask {

@@ -67,7 +67,7 @@ impl<S: Scalar> Plane3<S> {
     pub fn project(self, point: Vec3<S>) -> Vec3<S> {
         point - self.normal.normalize_or_zero() * self.signed_distance(point)
     }
-    /// Whether the point is behind the plane or on it.
+    /// `true` where the point is behind the plane or on it.
     #[must_use]
     #[inline(always)]
     pub fn contains(self, point: Vec3<S>) -> S::Mask {

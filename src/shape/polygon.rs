@@ -33,7 +33,7 @@ pub struct ConvexPolygon<S, const N: usize> {
 }
 
 impl<S: PartialEq, const N: usize> PartialEq for ConvexPolygon<S, N> {
-    /// Whether both have the same vertices in the same order.
+    /// `true` if both have the same vertices in the same order.
     fn eq(&self, other: &Self) -> bool {
         self.as_slice() == other.as_slice()
     }

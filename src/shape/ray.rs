@@ -17,7 +17,7 @@ use std::ops::Mul;
 #[shape(validate = has_direction)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Ray2<S> {
-    /// Where it starts, at parameter 0.
+    /// Its start, at parameter 0.
     pub point: Vec2<S>,
     /// The way from parameter 0 to parameter 1.
     pub direction: Vec2<S>,

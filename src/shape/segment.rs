@@ -17,9 +17,9 @@ use std::ops::Mul;
 #[repr(C)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Segment2<S> {
-    /// Where it starts.
+    /// Its start.
     pub from: Vec2<S>,
-    /// Where it ends.
+    /// Its end.
     pub to: Vec2<S>,
 }
 

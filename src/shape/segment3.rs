@@ -12,9 +12,9 @@ use crate::{Scalar, Shape, Vec3};
 #[repr(C)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Segment3<S> {
-    /// Where it starts.
+    /// Its start.
     pub start: Vec3<S>,
-    /// Where it ends.
+    /// Its end.
     pub end: Vec3<S>,
 }
 

@@ -48,7 +48,7 @@ impl<S: Scalar> Sphere<S> {
     pub fn signed_distance(self, point: Vec3<S>) -> S {
         point.distance(self.center) - self.radius
     }
-    /// Whether the point is in the ball; the surface belongs to it.
+    /// `true` where the point is in the ball; the surface belongs to it.
     #[must_use]
     #[inline(always)]
     pub fn contains(self, point: Vec3<S>) -> S::Mask {

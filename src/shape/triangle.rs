@@ -148,7 +148,7 @@ impl<S: Scalar> Triangle2<S> {
             radius: b.perp_dot(short).magnitude().canonical(),
         }
     }
-    /// Whether the point is in the triangle; the border belongs to it.
+    /// `true` where the point is in the triangle; the border belongs to it.
     #[must_use]
     #[inline]
     pub fn contains(self, point: Vec2<S>) -> S::Mask {

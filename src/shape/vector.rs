@@ -92,7 +92,7 @@ macro_rules! vector {
             pub(crate) fn saturated(self) -> Self {
                 Self { $($field: self.$field.saturated()),* }
             }
-            /// Whether every coordinate is a finite number.
+            /// `true` if every coordinate is a finite number.
             #[must_use]
             #[inline]
             pub fn is_finite(self) -> bool {

@@ -84,7 +84,7 @@ impl<S: Scalar> YawBox3<S> {
             at(c, high),
         ]
     }
-    /// Whether the point is in the box; the border belongs to it.
+    /// `true` where the point is in the box; the border belongs to it.
     #[must_use]
     #[inline(always)]
     pub fn contains(self, point: Vec3<S>) -> S::Mask {

@@ -5,7 +5,7 @@ use crate::error::Error;
 use std::cmp::Ordering;
 use std::collections::BinaryHeap;
 
-/// What a soft suppression decided: which pairs lowered which scores, and what was kept.
+/// The record of a soft suppression: which pairs lowered which scores, and what was kept.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct Decayed {
     /// The kept detections, in the order in which they were taken.

@@ -26,7 +26,7 @@ pub(crate) struct Along<'d> {
     pub(crate) climb: Climb<'d>,
     /// The same across the border of the domain, where the function may be asked there.
     pub(crate) across: Option<Climb<'d>>,
-    /// Whether others have judged the derivative with respect to the number of the direction.
+    /// `true` if others have judged the derivative with respect to the number of the direction.
     pub(crate) covered: bool,
 }
 
@@ -60,7 +60,7 @@ impl Derivatives {
 }
 
 impl Along<'_> {
-    /// Whether the direction is that of one number.
+    /// `true` if the direction is that of one number.
     fn is_axis(&self) -> bool {
         self.e.x.len() <= FEW_INPUTS && self.k < self.e.x.len()
     }
@@ -362,7 +362,7 @@ impl Along<'_> {
         (place, opinion)
     }
 
-    /// Whether the derivative is that of a declared convention: zero where the value is, or between zero and
+    /// `true` if the derivative is that of a declared convention: zero where the value is, or between zero and
     /// that of the only side at the border of the domain.
     fn flat(&self, row: &Item, sides: [f64; 2], (derivative, tolerance): (f64, f64)) -> bool {
         let border = self.here.ahead.len() < 2 || self.here.behind.len() < 2;
@@ -375,7 +375,7 @@ impl Along<'_> {
             }
     }
 
-    /// Whether a kink exactly on the border of the domain has its other side beyond, and the derivative is
+    /// `true` if a kink exactly on the border of the domain has its other side beyond, and the derivative is
     /// between both.
     fn beyond(&self, test: &DerivativeTest<'_>) -> bool {
         let border = self.here.ahead.len() < 2 || self.here.behind.len() < 2;
@@ -393,7 +393,7 @@ impl Along<'_> {
         !said.undefined() && !said.complains()
     }
 
-    /// Whether there is no gradient at the input: the derivative along the sum of two directions is not the sum of
+    /// `true` if there is no gradient at the input: the derivative along the sum of two directions is not the sum of
     /// the derivatives, although there is one along each, seen from both sides or from one. So it is where a
     /// function of homogeneous degree one that is not linear begins, as the circle through three points
     /// does where these coincide.
@@ -426,7 +426,7 @@ impl Along<'_> {
         })
     }
 
-    /// Whether a derivative is covered although differences are too coarse for one as large as others are:
+    /// `true` if a derivative is covered although differences are too coarse for one as large as others are:
     /// not too coarse for this one as it typically is.
     fn coarsely_covered(&self, row: &Item, said: Opinion, exact: f64) -> bool {
         let Opinion::Fine {
@@ -446,7 +446,7 @@ impl Along<'_> {
     }
 }
 
-/// Whether the result is something that was chosen, such as the nearest points of two shapes, and not a
+/// `true` if the result is something that was chosen, such as the nearest points of two shapes, and not a
 /// least or a greatest number: found by a search, or points that may jump. Where several
 /// choices are as good to the bit, derivatives are those of one of them, or their mean, and need not be
 /// between those of the two that happen to win on either side. Of numbers that are no points this is not

@@ -10,7 +10,7 @@ use crate::ad::check::verdict::{Numbers, Reason, Witness};
 use crate::ad::check::witness::{Estimate, Ladder, Probe, axis, dot};
 use std::cell::OnceCell;
 
-/// Whether a complaint stands: some other ladder repeats it, and none contradicts.
+/// `true` if a complaint stands: some other ladder repeats it, and none contradicts.
 fn confirmed(again: impl Iterator<Item = Option<bool>>) -> bool {
     let mut repeated = false;
     for said in again.flatten() {

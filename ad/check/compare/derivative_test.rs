@@ -22,7 +22,7 @@ pub(crate) struct DerivativeTest<'l> {
     pub(crate) hidden: f64,
     /// The largest derivative there is.
     pub(crate) size: f64,
-    /// Whether the scales are only guessed, so that finer steps are worth a try.
+    /// `true` if the scales are only guessed, so that finer steps are worth a try.
     pub(crate) guessed: bool,
     /// The number's own size in units of its scale.
     pub(crate) own: f64,

@@ -6,7 +6,7 @@ use crate::ad::check::tolerances::{CONVENTION_BORDER, DECIDED, FEW_INPUTS, SAFET
 use crate::ad::check::verdict::{Numbers, Reason, Witness};
 use crate::ad::check::witness::dot;
 
-/// Whether a convention may decide about this derivative: the value is zero and the input cannot be
+/// `true` if a convention may decide about this derivative: the value is zero and the input cannot be
 /// moved both ways.
 pub(crate) fn conventional_border(e: &Evidence<'_>, row: &Item, i: usize) -> bool {
     let stuck = |sign: f64| {

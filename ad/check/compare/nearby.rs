@@ -12,7 +12,7 @@ fn minus(a: &[f64], b: &[f64]) -> Vec<f64> {
 }
 
 impl Evidence<'_> {
-    /// Whether a derivative along a direction is between those at places beside the input.
+    /// `true` if a derivative along a direction is between those at places beside the input.
     ///
     /// Where kinks of both signs meet (the larger one of two functions with kinks of their own), or where the
     /// input is at the border of its domain, the derivatives to both sides of the input do not bound what a
@@ -62,7 +62,7 @@ impl Evidence<'_> {
         derivative >= least - tolerance && derivative <= most + tolerance
     }
 
-    /// Whether the derivatives by hand lie between those of the smooth pieces that meet at the input, as duals tell a
+    /// `true` if the derivatives by hand lie between those of the smooth pieces that meet at the input, as duals tell a
     /// few last digits beside it: along every axis, along random directions, and along those that lead from the
     /// pieces' derivatives and their mean to the derivatives in question.
     ///

@@ -22,7 +22,7 @@ pub(crate) enum Opinion {
 }
 
 impl Opinion {
-    /// Whether nothing was said.
+    /// `true` if nothing was said.
     pub(crate) fn undefined(&self) -> bool {
         matches!(
             self,
@@ -32,7 +32,7 @@ impl Opinion {
             }
         )
     }
-    /// Whether it is a complaint.
+    /// `true` if it is a complaint.
     pub(crate) fn complains(&self) -> bool {
         !matches!(self, Opinion::Fine { .. })
     }
@@ -40,11 +40,11 @@ impl Opinion {
 
 /// What other ladders make of a complaint.
 pub(crate) struct Review {
-    /// Whether it stands: another ladder repeats it, and none contradicts.
+    /// `true` if it stands: another ladder repeats it, and none contradicts.
     pub(crate) stands: bool,
     /// The best estimate against the derivative, if any.
     pub(crate) against: Option<Estimate>,
-    /// Whether some ladder says what the derivative says.
+    /// `true` if some ladder says what the derivative says.
     pub(crate) supported: bool,
 }
 
