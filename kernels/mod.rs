@@ -10,7 +10,7 @@
 //! | [`Cpu::ragged`], [`Cpu::fold`] | paths as vertices and offsets | one result per path |
 //!
 //! The function is a value: a [verb](verbs) such as [`Iou`]; its gradient ([`value_grad`](Iou::value_grad)), Jacobian
-//! ([`jacobian`](Iou::jacobian)) or adjoint ([`vjp`](Iou::vjp)); an [operation](op) or a search ([`Search`]); a plain
+//! ([`jacobian`](Iou::jacobian)) or adjoint ([`vjp`](Iou::vjp)); an [operation](op); a [`search`](search::search); a plain
 //! generic [`function`]; a [`Program`](crate::Program). Columns are slices, vectors or [`One`]. Calls that end in
 //! `_into` write into the caller's memory. [`operation!`](crate::operation) makes a function an operation.
 //!

@@ -224,7 +224,7 @@ impl Ask {
     label = "does not run on items of `{R}`",
     note = "`.value_grad()` needs one number as result; `.jacobian()` gives the gradient of each of several",
     note = "an operation of two shapes takes two columns, `(&a, &b)`, made of its shapes and of one format",
-    note = "a search of another crate (`Search`) is checked by the harness, and no batch takes it"
+    note = "`search(s)` runs a search (`Search`)"
 )]
 pub trait Runs<R: Item> {
     /// The result per item.

@@ -7,8 +7,10 @@ use crate::error::Error;
 use crate::kernels::cpu::plan::{Face, Known, Want, known, name, of_items};
 use crate::kernels::item::{Item, by_kind, by_shape, get, leaves_of, width};
 use crate::kernels::op::{
-    Ask, Extremes, Finite, Invariance, Jacobian, Jumps, Limits, Range, Source,
+    Ask, Extremes, Finite, Invariance, Jacobian, Jumps, Limits, Range, Runs, Source, ValueGrad, Vjp,
 };
+#[cfg(feature = "gpu")]
+use crate::kernels::replays::Replays;
 use crate::{Fixed, Jet, Pack, Scalar};
 use std::fmt::Debug;
 use std::hash::Hash;
@@ -16,9 +18,8 @@ use std::sync::Arc;
 
 /// An operation with a search.
 ///
-/// Batches run those of the library. One of another crate is checked by the harness
-/// ([`check_search_with`](crate::kernels::check::check_search_with)), but no batch takes it: that `Runs` is implemented
-/// for it by its input, which is not of that crate either, is what Rust's rule of orphans forbids.
+/// [`search`] makes it a function of batches; [`check_search_with`](crate::kernels::check::check_search_with) checks its
+/// derivatives.
 pub trait Search: Copy + Debug + Default + Send + Sync + 'static {
     /// The name of the function, letter for letter.
     const NAME: &'static str;
@@ -46,18 +47,6 @@ pub trait Search: Copy + Debug + Default + Send + Sync + 'static {
     fn decide<S: Scalar<Mask = bool>>(input: Self::In<S>) -> Self::Record;
     /// The result, given what was decided.
     fn replay<S: Scalar>(input: Self::In<S>, record: Self::Record) -> Self::Out<S>;
-    /// The operation whose result is the result with its gradient, for one number as result.
-    fn value_grad(self) -> crate::kernels::op::ValueGrad<Self> {
-        crate::kernels::op::ValueGrad(self)
-    }
-    /// The operation whose result is the result with its Jacobian; see [`Op::jacobian`](crate::kernels::Op::jacobian).
-    fn jacobian(self) -> Jacobian<Self> {
-        Jacobian(self)
-    }
-    /// Its adjoint: from an input and a cotangent of the result to the cotangent of the input.
-    fn vjp(self) -> crate::kernels::op::Vjp<Self> {
-        crate::kernels::op::Vjp(self)
-    }
 }
 
 /// Numbers of the input whose derivatives are taken at a time.
@@ -139,8 +128,7 @@ fn item<D: Search<In<<R as Pack>::Scalar> = R>, R: Item>(
 }
 
 /// How batches compute what is wanted of an operation.
-#[doc(hidden)]
-pub fn face<D, R: Item>(ask: Ask) -> Result<Arc<Face<R::Scalar>>, Error>
+pub(crate) fn face<D, R: Item>(ask: Ask) -> Result<Arc<Face<R::Scalar>>, Error>
 where
     D: Search<In<<R as Pack>::Scalar> = R>,
     D::Out<R::Scalar>: Item,
@@ -164,52 +152,95 @@ where
     })
 }
 
-/// What a GPU replays of an operation with a search; nothing without the feature `gpu`.
-#[cfg(feature = "gpu")]
-#[doc(hidden)]
-#[macro_export]
-macro_rules! __replays {
-    ([$scalar:ident] $op:ty, $input:ty) => {
-        fn replays(
-            &self,
-            ask: $crate::kernels::op::Ask,
-        ) -> ::core::option::Option<
-            ::core::result::Result<
-                ::std::sync::Arc<dyn $crate::kernels::replays::Replays<$scalar>>,
-                $crate::Error,
-            >,
-        > {
-            ::core::option::Option::Some($crate::kernels::replays::of::<$op, $input>(ask))
-        }
-    };
-}
-#[cfg(not(feature = "gpu"))]
-#[doc(hidden)]
-#[macro_export]
-macro_rules! __replays {
-    ($($nothing:tt)*) => {};
+/// A search that batches take: the value of [`search`].
+#[derive(Clone, Copy, Debug, Default)]
+pub struct Searched<D>(std::marker::PhantomData<fn() -> D>);
+
+/// Returns a search as a function of batches, with gradients like any other.
+///
+/// Aligned batches run it on the CPU and on a GPU; all pairs and their reductions run on the CPU.
+///
+/// ```
+/// use geograd::kernels::op::{Invariance, Jumps};
+/// use geograd::kernels::search::{Search, search};
+/// use geograd::kernels::Cpu;
+/// use geograd::{Scalar, Segment2, Vec2};
+///
+/// /// The end of a segment that is nearer to a point.
+/// #[derive(Clone, Copy, Debug, Default)]
+/// struct NearerEnd;
+///
+/// impl Search for NearerEnd {
+///     const NAME: &'static str = "nearer_end";
+///     type In<S: Scalar> = (Vec2<S>, Segment2<S>);
+///     type Out<S: Scalar> = Vec2<S>;
+///     type Record = bool;
+///     const INVARIANCES: &'static [Invariance] = &[];
+///     const JUMPS: Jumps = Jumps::Anywhere;
+///     fn decide<S: Scalar<Mask = bool>>((point, segment): Self::In<S>) -> bool {
+///         let [to_start, to_end] = [segment.start, segment.end].map(|end| (end - point).length_squared());
+///         to_start.at_most(to_end)
+///     }
+///     fn replay<S: Scalar>((_, segment): Self::In<S>, is_start: bool) -> Vec2<S> {
+///         if is_start { segment.start } else { segment.end }
+///     }
+/// }
+///
+/// let points = [Vec2::new(1.0_f64, 2.0), Vec2::new(8.0, 1.0)];
+/// let segments = [Segment2::new(Vec2::new(0.0, 0.0), Vec2::new(9.0, 0.0)); 2];
+/// let cpu = Cpu::new();
+/// let (ends, by) = cpu.aligned(search(NearerEnd).jacobian(), (&points, &segments))?;
+/// assert_eq!(ends[1], Vec2::new(9.0, 0.0));
+/// assert_eq!(by[1].x.1.end.x, 1.0);
+/// # Ok::<(), geograd::Error>(())
+/// ```
+#[must_use]
+pub const fn search<D: Search>(_search: D) -> Searched<D> {
+    Searched(std::marker::PhantomData)
 }
 
-/// Batches run an operation with a search. The macro is given constants, the operation, its input and its output,
-/// made of `S`.
+impl<D: Search> Searched<D> {
+    /// The search with its gradient: batches return the result, one number, and the gradient by every argument.
+    #[must_use]
+    pub const fn value_grad(self) -> ValueGrad<Self> {
+        ValueGrad(self)
+    }
+    /// The search with its Jacobian: aligned batches return the result, and in its shape the gradient of every number.
+    #[must_use]
+    pub const fn jacobian(self) -> Jacobian<Self> {
+        Jacobian(self)
+    }
+    /// The adjoint: batches take the arguments and a cotangent of the result, and return the cotangents of the
+    /// arguments.
+    #[must_use]
+    pub const fn vjp(self) -> Vjp<Self> {
+        Vjp(self)
+    }
+}
+
+/// A function of batches that is a search.
 #[doc(hidden)]
-#[macro_export]
-macro_rules! __runs_search {
-    ([$($constant:tt)*] $op:ty: $input:ty => $out:ty) => {
-        impl<S: $crate::kernels::real::Real, $($constant)*> $crate::kernels::Runs<$input> for $op
-        where
-            $out: $crate::kernels::Item<Scalar = S>,
-        {
-            type Out = $out;
-            fn face(
-                &self,
-                ask: $crate::kernels::op::Ask,
-            ) -> ::core::result::Result<::std::sync::Arc<$crate::kernels::cpu::Face<S>>, $crate::Error> {
-                $crate::kernels::search::face::<Self, $input>(ask)
-            }
-            $crate::__replays!([S] Self, $input);
-        }
-    };
+pub trait Searches {
+    /// The search.
+    type Search: Search;
+}
+impl<D: Search> Searches for Searched<D> {
+    type Search = D;
+}
+
+impl<D, R: Item> Runs<R> for Searched<D>
+where
+    D: Search<In<<R as Pack>::Scalar> = R>,
+    D::Out<R::Scalar>: Item,
+{
+    type Out = D::Out<R::Scalar>;
+    fn face(&self, ask: Ask) -> Result<Arc<Face<R::Scalar>>, Error> {
+        face::<D, R>(ask)
+    }
+    #[cfg(feature = "gpu")]
+    fn replays(&self, ask: Ask) -> Option<Result<Arc<dyn Replays<R::Scalar>>, Error>> {
+        Some(crate::kernels::replays::of::<D, R>(ask))
+    }
 }
 
 /// An operation with a search, as the harness sees it.

@@ -179,7 +179,7 @@ def get_num_threads() -> int:
 def where(condition: Any, a: Any, b: Any) -> Any:
     """`a` where the condition holds, else `b`."""
 def clip(x: Any, low: Any, high: Any) -> Any:
-    """The nearest value between two bounds; of symbols the slope is shared at either."""
+    """The nearest value between two bounds; of symbols the derivative is shared at either."""
 '''
 
 ITEM = "kind: Kind = ..., to: Kind = ..., out: Out = ..., backend: Backend = ..."

@@ -132,10 +132,15 @@ pub(crate) const COARSE: f64 = 0.5;
 pub(crate) const NEARBY: f64 = 1e-6;
 /// How much nearer every other of them may be: a piece between two kinks may be as small as rounding.
 pub(crate) const NEARER: f64 = 1e-8;
+/// The same where only steps tell the derivative, a tenth of the way to the place at most: of steps still nearer rounding
+/// is all that shows.
+pub(crate) const NEARER_STEPS: f64 = 1e-2;
 /// How many of them are looked at, and how many are tried: of a box without width only those are in the
 /// domain that have one.
 pub(crate) const PLACES: usize = 48;
 pub(crate) const TRIES: usize = 4000;
+/// At how many places beside an input derivatives must be right to be taken for a choice at the input itself.
+pub(crate) const FEW_PLACES: usize = 6;
 /// How many steps lead to the nearest of all derivatives between those of several pieces: with the two pieces of most
 /// kinks one is enough.
 pub(crate) const APPROACHES: usize = 100;

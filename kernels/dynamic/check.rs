@@ -2,6 +2,7 @@
 use super::program::Program;
 use crate::ad::check::derived::{TUPLES, combinations, mingle, together, units};
 use crate::ad::check::sample::{Draw, Sampler, moved};
+use crate::ad::check::subject::Conventions;
 use crate::ad::check::symmetry::Kind;
 use crate::ad::check::trace::Number;
 use crate::ad::check::{Check, Report, Sampling, examine};
@@ -152,7 +153,17 @@ impl Inputs {
         (all, random_from, outside)
     }
 
-    /// A check at the inputs of a sampling, rounded to the format, to which a function is added.
+    /// The conventions of functions of shapes: a derivative that is zero where the value is, or between zero and the
+    /// only side at the border of the domain, as of a box without width.
+    pub const CONVENTIONS: Conventions = Conventions {
+        flat: true,
+        jumps: Jumps::Never,
+        shared_ties: false,
+        searches: false,
+    };
+
+    /// A check at the inputs of a sampling, rounded to the format, to which a function is added; by
+    /// [these conventions](Inputs::CONVENTIONS), unless others are set.
     #[must_use]
     pub fn check<'a, S: Number>(
         &'a self,
@@ -185,6 +196,7 @@ impl Inputs {
             })
             .resolution(absolute)
             .relative_resolution(share)
+            .conventions(Inputs::CONVENTIONS)
     }
 }
 

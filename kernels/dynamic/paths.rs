@@ -26,10 +26,25 @@ pub(super) struct Code<T: 'static> {
         &[usize],
         &[T],
     ) -> Result<Derivatives<T>, Error>,
+    /// The same for one path that all contexts share; `None` for rings, which have no contexts.
+    pub(super) shared: Option<Shared<T>>,
     /// The result of one path from the numbers of its context and then of its vertices.
     pub(super) symbols: fn(&[Sym<T>]) -> Vec<Sym<T>>,
 }
 
+/// A fold over one path for many contexts: values, and derivatives for a cotangent of every one.
+#[derive(Debug)]
+pub(super) struct Shared<T: 'static> {
+    values: fn(&[Rows<'_, T>], &[Vec2<T>]) -> Result<Vec<T>, Error>,
+    derivatives: fn(&[Rows<'_, T>], &[Vec2<T>], &[T]) -> Result<Derivatives<T>, Error>,
+}
+
+impl<T> Clone for Shared<T> {
+    fn clone(&self) -> Self {
+        *self
+    }
+}
+impl<T> Copy for Shared<T> {}
 impl<T> Clone for Code<T> {
     fn clone(&self) -> Self {
         *self
@@ -93,6 +108,23 @@ macro_rules! fold_in {
                     numbers(&vertices).into_owned(),
                 ))
             },
+            shared: Some(Shared {
+                values: |rows, path| {
+                    let contexts = Contexts::<F::Context<$format>>::new(rows);
+                    let values = Cpu::new().fold_one(F::default(), contexts, path)?;
+                    Ok(numbers(&values).into_owned())
+                },
+                derivatives: |rows, path, upstream| {
+                    let contexts = Contexts::<F::Context<$format>>::new(rows);
+                    let upstream = loaded::<F::Out<$format>>(upstream);
+                    let (contexts, vertices) =
+                        Cpu::new().fold_one_vjp(F::default(), contexts, path, &upstream)?;
+                    Ok((
+                        numbers(&contexts).into_owned(),
+                        numbers(&vertices).into_owned(),
+                    ))
+                },
+            }),
             symbols: |x| {
                 let (context, vertices) = x.split_at(F::Context::<Sym<$format>>::LEN);
                 let context = F::Context::<Sym<$format>>::load(context);
@@ -115,6 +147,7 @@ macro_rules! ring_in {
                 let vertices = $machine.ragged_vjp(O::default(), vertices, offsets, &upstream)?;
                 Ok((Vec::new(), numbers(&vertices).into_owned()))
             },
+            shared: None,
             symbols: |x| crate::Pack::scalars(&O::value::<Sym<$format>>(&path(x))),
         }
     };
@@ -146,7 +179,8 @@ pub(super) const fn ring_double<O: RingOp>() -> Code<f64> {
 /// A function of paths: a fold, or a measure of rings.
 ///
 /// Paths are vertices, two numbers each, and offsets: path i has the vertices `offsets[i]..offsets[i + 1]`. Further
-/// arguments of a fold are columns with a row per path.
+/// arguments of a fold are columns with a row per path; one row stands for all paths, and, on the processor, one path
+/// for all rows.
 ///
 /// ```
 /// use geograd::kernels::dynamic::{Rows, operation};
@@ -158,6 +192,9 @@ pub(super) const fn ring_double<O: RingOp>() -> Code<f64> {
 /// let (by_point, by_vertex) = distance.vjp(&point, &square, &[0, 4], &[1.0])?;
 /// assert_eq!(by_point[0], [0.0, -1.0]);
 /// assert_eq!(by_vertex[1] + by_vertex[3], 1.0);
+/// // Many points and one ring.
+/// let points = [Rows::new(&[1.0, 0.5, 3.0, 1.0], 2)];
+/// assert_eq!(distance.values(&points, &square, &[0, 4])?, [-0.5, 1.0]);
 /// # Ok::<(), geograd::Error>(())
 /// ```
 #[derive(Clone, Debug)]
@@ -195,7 +232,7 @@ impl<T: Real> OnPaths<T> {
         self.gives
     }
 
-    /// The numbers of one result per path.
+    /// The numbers of one result per path, or per row where all share one path.
     ///
     /// # Errors
     ///
@@ -271,7 +308,10 @@ impl<T: Real> OnPaths<T> {
         offsets: &[usize],
     ) -> Result<Vec<T>, Error> {
         let vertices = self.checked(contexts, vertices)?;
-        let values = (self.code.values)(backend, contexts, &vertices, offsets);
+        let values = match self.shared(backend, contexts, &vertices, offsets) {
+            Some((shared, _)) => (shared.values)(contexts, &vertices),
+            None => (self.code.values)(backend, contexts, &vertices, offsets),
+        };
         values.map_err(|e| renamed(e, &self.names))
     }
 
@@ -284,13 +324,20 @@ impl<T: Real> OnPaths<T> {
         upstream: &[T],
     ) -> Result<(Vec<Vec<T>>, Vec<T>), Error> {
         let vertices = self.checked(contexts, vertices)?;
-        let paths = offsets.len().saturating_sub(1);
+        let shared = self.shared(backend, contexts, &vertices, offsets);
+        let results = match shared {
+            Some((_, contexts)) => contexts,
+            None => offsets.len().saturating_sub(1),
+        };
         expect(
             Argument::Upstream,
-            paths.saturating_mul(self.gives),
+            results.saturating_mul(self.gives),
             upstream.len(),
         )?;
-        let derivatives = (self.code.derivatives)(backend, contexts, &vertices, offsets, upstream);
+        let derivatives = match shared {
+            Some((shared, _)) => (shared.derivatives)(contexts, &vertices, upstream),
+            None => (self.code.derivatives)(backend, contexts, &vertices, offsets, upstream),
+        };
         let (all, vertices) = derivatives.map_err(|e| renamed(e, &self.names))?;
         let wide: usize = self.takes.iter().map(|leaf| leaf.fields).sum();
         let mut from = 0;
@@ -302,6 +349,20 @@ impl<T: Real> OnPaths<T> {
             columns.push(rows.flat_map(|row| row[own.clone()].to_vec()).collect());
         }
         Ok((columns, vertices))
+    }
+
+    /// How many contexts share the only path, and what runs them, if they do.
+    fn shared(
+        &self,
+        backend: Backend<'_>,
+        contexts: &[Rows<'_, T>],
+        vertices: &[Vec2<T>],
+        offsets: &[usize],
+    ) -> Option<(Shared<T>, usize)> {
+        let is_one = *offsets == [0, vertices.len()] && matches!(backend, Backend::Cpu);
+        let count = contexts.iter().find_map(Rows::count)?;
+        let shared = self.code.shared.filter(|_| is_one && count != 1)?;
+        Some((shared, count))
     }
 
     /// The vertices, and whether there are as many columns, as wide, as there should be.

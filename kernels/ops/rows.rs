@@ -132,6 +132,11 @@ macro_rules! line {
             shapes: &[$(stringify!($shape)),+],
         }
     };
+    (each [$walk:ident] search $Verb:ty, $name:literal, [$($shape:tt)+] $input:ty) => {
+        $walk.search::<<<$Verb as crate::kernels::verbs::Takes<$input>>::By as crate::kernels::search::Searches>::Search>(
+            crate::kernels::ops::rows::line!(names [] search $Verb, $name, [$($shape)+] $input),
+        )
+    };
     (each [$walk:ident] $sort:ident $Verb:ty, $name:literal, [$($shape:tt)+] $input:ty) => {
         $walk.$sort::<<$Verb as crate::kernels::verbs::Takes<$input>>::By>(
             crate::kernels::ops::rows::line!(names [] $sort $Verb, $name, [$($shape)+] $input),
@@ -231,7 +236,6 @@ macro_rules! searches {
                 $replay
             }
         }
-        crate::__runs_search!([$(const $N: usize),+] Item<$($N),+>: $input => $out);
         crate::kernels::ops::rows::finds!($Verb<$($N),+> ($($arg),+));
     }; )*
     crate::kernels::ops::rows::listed! {
@@ -262,8 +266,8 @@ macro_rules! finds {
             crate::kernels::verbs::Unary<crate::ConvexPolygon<S, N>> for $Verb
         {
             type Out = <Item<N> as crate::kernels::search::Search>::Out<S>;
-            type By = Item<N>;
-            const BY: Item<N> = Item;
+            type By = crate::kernels::search::Searched<Item<N>>;
+            const BY: Self::By = crate::kernels::search::search(Item);
             #[inline]
             fn apply(polygon: crate::ConvexPolygon<S, N>) -> Self::Out {
                 use crate::kernels::search::Search;
@@ -289,8 +293,8 @@ macro_rules! finds {
             for $Verb
         {
             type Out = <Item<$($capacity),+> as crate::kernels::search::Search>::Out<S>;
-            type By = Item<$($capacity),+>;
-            const BY: Self::By = Item;
+            type By = crate::kernels::search::Searched<Item<$($capacity),+>>;
+            const BY: Self::By = crate::kernels::search::search(Item);
             #[inline]
             fn apply(a: crate::ConvexPolygon<S, $N>, b: crate::ConvexPolygon<S, $N>) -> Self::Out {
                 use crate::kernels::search::Search;

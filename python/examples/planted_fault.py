@@ -56,8 +56,8 @@ def differences_agree(fault, samples, rng):
     for _ in range(samples):
         x = rng.normal(0, 1, 6)
         shapes = lambda x: (geograd.Vec2(x[:2]), geograd.Segment2(x[2:]))
-        slopes = [(distance(*shapes(x + h)) - distance(*shapes(x - h))) / 2e-6 for h in 1e-6 * np.eye(6)]
-        if not np.allclose(slopes, gradient(*shapes(x), fault), rtol=1e-3, atol=1e-5):
+        derivatives = [(distance(*shapes(x + h)) - distance(*shapes(x - h))) / 2e-6 for h in 1e-6 * np.eye(6)]
+        if not np.allclose(derivatives, gradient(*shapes(x), fault), rtol=1e-3, atol=1e-5):
             return False
     return True
 

@@ -200,7 +200,7 @@ impl Callable {
         };
         let (mut takes, mut gives) = (self.takes.clone(), self.gives().to_vec());
         let own = self.takes.iter();
-        let slopes = own
+        let derivatives = own
             .clone()
             .map(|x| named(format!("gradient by {}", x.name), NUMBERS, x));
         let directions = own.map(|x| named(format!("direction of {}", x.name), NUMBERS, x));
@@ -216,14 +216,14 @@ impl Callable {
         };
         match form {
             Form::Value => {}
-            Form::ValueGrad => gives.extend(slopes),
+            Form::ValueGrad => gives.extend(derivatives),
             Form::Vjp => {
                 takes.extend(
                     gives
                         .iter()
                         .map(|x| named("upstream".to_owned(), NUMBERS, x)),
                 );
-                gives = slopes.collect();
+                gives = derivatives.collect();
             }
             Form::Jvp => {
                 takes.extend(directions);
@@ -235,7 +235,7 @@ impl Callable {
             }
             Form::Hvp => {
                 takes.extend(directions);
-                gives = slopes.collect();
+                gives = derivatives.collect();
             }
             Form::Jacobian => {
                 let axes = if lone {

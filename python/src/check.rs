@@ -279,19 +279,19 @@ fn judged<T: Number + Judged>(
         let n = x.len();
         thrown.or(nowhere(n), || {
             let arguments = (PyArray1::from_vec(py, x), PyArray1::from_slice(py, bar));
-            let slopes = listed::<T>(&gradient.call1(arguments)?)?;
-            match slopes.len() == n {
-                true => Ok(slopes),
+            let derivatives = listed::<T>(&gradient.call1(arguments)?)?;
+            match derivatives.len() == n {
+                true => Ok(derivatives),
                 false => Err(PyValueError::new_err(format!(
                     "the gradient has {} numbers where {n} are needed",
-                    slopes.len()
+                    derivatives.len()
                 ))),
             }
         })
     };
     let conventions = Conventions {
         jumps,
-        ..Conventions::default()
+        ..Inputs::CONVENTIONS
     };
     let check = inputs.check::<T>(name, sampling).conventions(conventions);
     let found = check.value(value).adjoint(adjoint).run();

@@ -182,21 +182,21 @@ impl<'py> Call<'_, 'py> {
             (false, Some(one)) if list.is_empty() => Ok(one),
             (_, last) => tuple(list.into_iter().chain(last).collect()),
         };
-        let slopes = |mut list: Vec<Object<'py>>| match (self.of.takes.len(), list.pop()) {
+        let derivatives = |mut list: Vec<Object<'py>>| match (self.of.takes.len(), list.pop()) {
             (1, Some(one)) => Ok(one),
             (_, last) => tuple(list.into_iter().chain(last).collect()),
         };
         match form {
             Form::Value => value(results),
             Form::ValueGrad => {
-                let gradient = slopes(results.split_off(values))?;
+                let gradient = derivatives(results.split_off(values))?;
                 tuple(vec![value(results)?, gradient])
             }
             Form::Jvp => {
                 let along = value(results.split_off(values))?;
                 tuple(vec![value(results)?, along])
             }
-            Form::Vjp | Form::Hvp => slopes(results),
+            Form::Vjp | Form::Hvp => derivatives(results),
             Form::Jacobian | Form::Hessian => Ok(results.remove(0)),
         }
     }
@@ -441,8 +441,8 @@ impl<'py> Call<'_, 'py> {
             true => T::mean_grad(function, machine, lists),
             false => T::sum_grad(function, machine, lists),
         })?;
-        let slopes = (self.shaped(a, &shapes[0])?, self.shaped(b, &shapes[1])?);
-        Ok((value, slopes).into_pyobject(self.py)?.into_any())
+        let derivatives = (self.shaped(a, &shapes[0])?, self.shaped(b, &shapes[1])?);
+        Ok((value, derivatives).into_pyobject(self.py)?.into_any())
     }
 
     /// Gradients of the sum of all results, each times its number of a matrix.
@@ -562,7 +562,7 @@ impl<'py> Call<'_, 'py> {
     ) -> PyResult<Object<'py>> {
         let function = self.of.on_paths::<T>()?;
         let takes = &self.of.takes;
-        let count = offsets.len().saturating_sub(1);
+        let paths = offsets.len().saturating_sub(1);
         let rest = given.split_off(takes.len());
         let mut rest = rest.into_iter();
         let column = Column {
@@ -574,13 +574,27 @@ impl<'py> Call<'_, 'py> {
             .next()
             .ok_or_else(|| PyTypeError::new_err("paths are needed"))?;
         let vertices = Lent::<T>::new(self.py, vertices, &column)?;
+        let lent = given.into_iter().zip(takes);
+        let lent = lent
+            .map(|(given, column)| Lent::<T>::new(self.py, given, column))
+            .collect::<PyResult<Vec<_>>>()?;
+        // One path stands for all rows, as one row does for all paths.
+        let many = lent.iter().map(Lent::count).find(|&rows| rows != 1);
+        let count = match (paths, many) {
+            (1, Some(rows)) if !self.machine.is_gpu() => rows,
+            _ => paths,
+        };
         let upstream = match rest.next() {
             None => None,
-            Some(upstream) => Some(self.full(upstream, &self.upstream(), count)?),
+            Some(upstream) => {
+                let column = self.upstream();
+                let lent = Lent::<T>::new(self.py, upstream, &column)?;
+                Some(self.full(lent, &column, count)?)
+            }
         };
         let mut contexts = Vec::new();
-        for (given, column) in given.into_iter().zip(takes) {
-            contexts.push(self.full::<T>(given, column, count)?);
+        for (lent, column) in lent.into_iter().zip(takes) {
+            contexts.push(self.full::<T>(lent, column, count)?);
         }
         let rows = contexts
             .iter()
@@ -596,15 +610,16 @@ impl<'py> Call<'_, 'py> {
         let kind = gives.first().map_or(NUMBERS, |column| column.kind);
         let value =
             |of: Vec<T>| -> PyResult<Object<'py>> { dressed(self.shaped(of, &shape)?, kind) };
-        let slopes = |(columns, vertices): (Vec<Vec<T>>, Vec<T>)| -> PyResult<Vec<Object<'py>>> {
-            let mut all = Vec::new();
-            for (numbers, column) in columns.into_iter().zip(takes) {
-                all.push(self.shaped(numbers, &with_fields(&[count], column))?);
-            }
-            let size = vertices.len() / 2;
-            all.push(self.shaped(vertices, &[size, 2])?);
-            Ok(all)
-        };
+        let derivatives =
+            |(columns, vertices): (Vec<Vec<T>>, Vec<T>)| -> PyResult<Vec<Object<'py>>> {
+                let mut all = Vec::new();
+                for (numbers, column) in columns.into_iter().zip(takes) {
+                    all.push(self.shaped(numbers, &with_fields(&[count], column))?);
+                }
+                let size = vertices.len() / 2;
+                all.push(self.shaped(vertices, &[size, 2])?);
+                Ok(all)
+            };
         let grouped = |mut all: Vec<Object<'py>>| match all.len() {
             1 => Ok(all.remove(0)),
             _ => PyTuple::new(self.py, all).map(Bound::into_any),
@@ -638,7 +653,7 @@ impl<'py> Call<'_, 'py> {
                     let bars = T::paths_vjp(function, machine, &rows, numbers, &offsets, &ones)?;
                     Ok((values, bars))
                 })?;
-                Ok((value(values)?, grouped(slopes(bars)?)?)
+                Ok((value(values)?, grouped(derivatives(bars)?)?)
                     .into_pyobject(self.py)?
                     .into_any())
             }
@@ -650,18 +665,17 @@ impl<'py> Call<'_, 'py> {
                 let bars = self.run(items, || {
                     T::paths_vjp(function, machine, &rows, numbers, &offsets, upstream)
                 })?;
-                grouped(slopes(bars)?)
+                grouped(derivatives(bars)?)
             }
         }
     }
     /// A row for every path.
     fn full<T: Number>(
         &self,
-        given: Given<'py>,
+        lent: Lent<'py, T>,
         column: &Column,
         count: usize,
     ) -> PyResult<Lent<'py, T>> {
-        let lent = Lent::<T>::new(self.py, given, column)?;
         if lent.lead() == [count] {
             return Ok(lent);
         }

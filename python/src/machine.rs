@@ -61,7 +61,7 @@ impl Machine {
     }
 }
 
-/// Lists of slopes with a number before them.
+/// Lists of derivatives with a number before them.
 pub type Loss<T> = (f64, Vec<T>, Vec<T>);
 
 /// A function of a format on a machine. A GPU has no `f64`: calls refuse it before they come here.

@@ -70,9 +70,9 @@ def test_out(boxes):
     value, by_a = np.empty(40), np.empty((40, 5))
     got = geograd.iou.value_grad(a, b, out=(value, (by_a, None)))
     assert got[0] is value and got[1][0] is by_a and got[1][1] is None
-    expected, slopes = geograd.iou.value_grad(a, b)
+    expected, derivatives = geograd.iou.value_grad(a, b)
     np.testing.assert_array_equal(value, expected)
-    np.testing.assert_array_equal(by_a, slopes[0])
+    np.testing.assert_array_equal(by_a, derivatives[0])
     matrix = np.empty((40, 40))
     assert geograd.iou.all_pairs(a, b, out=matrix) is matrix
     np.testing.assert_array_equal(np.diag(matrix), expected)

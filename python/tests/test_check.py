@@ -53,8 +53,8 @@ def test_arrays_of_numbers():
 
 def test_domains_and_kinks():
     root = lambda x: np.sqrt(x)
-    slope = lambda x: 0.5 / np.sqrt(x)
-    assert geograd.check(root, slope, takes=[float], inside=lambda x: x > 1e-3, samples=50, quiet=True)
+    derivative = lambda x: 0.5 / np.sqrt(x)
+    assert geograd.check(root, derivative, takes=[float], inside=lambda x: x > 1e-3, samples=50, quiet=True)
     larger = lambda x, y: max(x, y)
     assert geograd.check(larger, lambda x, y: (float(x > y) + 0.5 * (x == y), float(y > x) + 0.5 * (x == y)), takes=[float] * 2, quiet=True)
     both = lambda x, y: (float(x >= y), float(y >= x))

@@ -22,8 +22,8 @@ def test_forms_agree():
     step = 1e-6
     moved = A.copy()
     moved[:, 0] += step
-    slope = (geograd.iou(geograd.Obb2(moved), b) - value) / step
-    np.testing.assert_allclose(slope, by_a[:, 0], atol=1e-4)
+    derivative = (geograd.iou(geograd.Obb2(moved), b) - value) / step
+    np.testing.assert_allclose(derivative, by_a[:, 0], atol=1e-4)
 
 
 def test_a_plain_array_never_guesses():

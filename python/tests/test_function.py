@@ -31,11 +31,11 @@ def test_values_and_gradients(boxes):
     value, (by_a, by_b) = loss.value_grad(a, b)
     np.testing.assert_allclose(value, expected, rtol=1e-14)
     np.testing.assert_array_equal(loss(geograd.Obb2(a), b), value)
-    slopes = geograd.iou.value_grad(a, b, kind="Obb2")[1]
+    derivatives = geograd.iou.value_grad(a, b, kind="Obb2")[1]
     sign = np.zeros_like(a)
     sign[:, 4] = 0.1 * np.sign(a[:, 4] - b[:, 4])
-    np.testing.assert_allclose(by_a, sign - slopes[0], atol=1e-12)
-    np.testing.assert_allclose(by_b, -sign - slopes[1], atol=1e-12)
+    np.testing.assert_allclose(by_a, sign - derivatives[0], atol=1e-12)
+    np.testing.assert_allclose(by_b, -sign - derivatives[1], atol=1e-12)
     assert loss(a.astype(np.float32), b.astype(np.float32)).dtype == np.float32
     np.testing.assert_allclose(loss.vjp(a, b, np.full(40, 3.0))[0], 3 * by_a, rtol=1e-12)
     with pytest.raises(ValueError, match=r"`a` row 3: width is negative"):

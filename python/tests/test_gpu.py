@@ -34,8 +34,8 @@ def test_calls_on_a_gpu():
     np.testing.assert_allclose(geograd.iou.all_pairs(a, b, backend="gpu"), matrix, **near)
     np.testing.assert_allclose(geograd.iou.row_max(a, b, backend="gpu")[0], matrix.max(1), **near)
     np.testing.assert_allclose(geograd.iou.sum(a, b, backend="gpu"), matrix.sum(), rtol=1e-4)
-    total, slopes = geograd.iou.sum_grad(a, b, backend="gpu")
-    np.testing.assert_allclose(slopes[0], geograd.iou.sum_grad(a, b)[1][0], rtol=1e-2, atol=1e-2)
+    total, derivatives = geograd.iou.sum_grad(a, b, backend="gpu")
+    np.testing.assert_allclose(derivatives[0], geograd.iou.sum_grad(a, b)[1][0], rtol=1e-2, atol=1e-2)
     rings = geograd.Rings(A[:, :2], np.arange(0, 301, 4))
     np.testing.assert_allclose(geograd.signed_area(rings, backend="gpu"), geograd.signed_area(rings), **near)
 

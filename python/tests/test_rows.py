@@ -70,8 +70,8 @@ def test_gradients(verb, row):
         value, by = call.value_grad(*arguments, **asked(row))
         by = by if isinstance(by, tuple) else (by,)
         np.testing.assert_array_equal(value, call(*arguments, **asked(row)))
-        slopes = np.concatenate([one.reshape(24, -1) for one in by], 1)
-        scaled = slopes * upstream[0][:, None]
+        derivatives = np.concatenate([one.reshape(24, -1) for one in by], 1)
+        scaled = derivatives * upstream[0][:, None]
         if row["sort"] == "straight":
             assert differing(flat, scaled) < 1e-9
     if row["sort"] == "straight":
@@ -135,10 +135,10 @@ def test_pairs(verb, row):
     np.testing.assert_allclose(call.mean(a, b, **by), matrix.mean(), rtol=1e-9, atol=1e-9 * size)
     ones = np.ones_like(matrix)
     pulled = call.all_pairs_vjp(a, b, ones, **by)
-    total, slopes = call.sum_grad(a, b, **by)
+    total, derivatives = call.sum_grad(a, b, **by)
     mean, shares = call.mean_grad(a, b, **by)
     np.testing.assert_allclose([total, mean], [call.sum(a, b, **by), call.mean(a, b, **by)], rtol=1e-12)
-    for one, two, share, argument in zip(pulled, slopes, shares, (a, b)):
+    for one, two, share, argument in zip(pulled, derivatives, shares, (a, b)):
         assert one.shape == argument.shape
         np.testing.assert_allclose(one, two, rtol=1e-9, atol=1e-9 * max(np.abs(two).max(), 1e-300))
         if row["sort"] == "straight":

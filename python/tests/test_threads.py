@@ -35,9 +35,9 @@ def test_threads_change_no_bit(many, threads):
         geograd.set_num_threads(count)
         assert geograd.get_num_threads() == count
         made.append(geograd.iou.value_grad(*many))
-    for value, slopes in made[1:]:
+    for value, derivatives in made[1:]:
         np.testing.assert_array_equal(value, made[0][0])
-        np.testing.assert_array_equal(slopes[0], made[0][1][0])
+        np.testing.assert_array_equal(derivatives[0], made[0][1][0])
     for wrong in (0, -1):
         with pytest.raises((ValueError, OverflowError)):
             geograd.set_num_threads(wrong)

@@ -1,6 +1,7 @@
 """Values and gradients against formulas written here."""
 
 import numpy as np
+import pytest
 
 import geograd
 
@@ -53,12 +54,25 @@ def test_paths():
     step = 1e-6
     moved = rings.vertices.copy()
     moved[0, 0] += step
-    slope = (geograd.signed_area(geograd.Rings(moved, rings.offsets)) - value)[0] / step
-    np.testing.assert_allclose(by_vertex[0, 0], slope, atol=1e-6)
+    derivative = (geograd.signed_area(geograd.Rings(moved, rings.offsets)) - value)[0] / step
+    np.testing.assert_allclose(by_vertex[0, 0], derivative, atol=1e-6)
     value, (by_point, by_vertex) = geograd.signed_distance.value_grad(points, rings)
     assert by_point.shape == (3, 2) and by_vertex.shape == rings.vertices.shape
     np.testing.assert_allclose(by_point[0], [0, -1])
     bars = geograd.signed_distance.vjp(points, rings, np.array([2.0, 1, 1]))
     np.testing.assert_allclose(bars[0][0], [0, -2])
+    # One ring and many points; none, too.
+    ring = geograd.Rings(rings.vertices[:4], [0, 4])
+    many = np.array([[1.0, 0.5], [3.0, 1.0], [5.0, 2.0]])
+    np.testing.assert_allclose(geograd.signed_distance(geograd.Vec2(many), ring), [-0.5, 1, 3])
+    assert geograd.signed_distance(geograd.Vec2(many[:0]), ring).shape == (0,)
+    value, (by_point, by_vertex) = geograd.signed_distance.value_grad(geograd.Vec2(many), ring)
+    alone = [geograd.signed_distance.value_grad(geograd.Vec2(x[None]), ring) for x in many]
+    np.testing.assert_array_equal(by_point, np.concatenate([one[1][0] for one in alone]))
+    np.testing.assert_allclose(by_vertex, sum(one[1][1] for one in alone), atol=1e-12)
+    bars = geograd.signed_distance.vjp(geograd.Vec2(many), ring, np.array([0.0, 2, 0]))
+    np.testing.assert_allclose(bars[1], 2 * alone[1][1][1], atol=1e-12)
+    with pytest.raises(ValueError, match="3 rows where 2 are needed"):
+        geograd.signed_distance(geograd.Vec2(many), geograd.Rings(rings.vertices[:7], [0, 4, 7]))
     single = geograd.Rings(rings.vertices.astype(np.float32), rings.offsets)
     assert geograd.signed_area(single).dtype == np.float32

@@ -38,6 +38,12 @@ pub trait Tangent:
     fn chain(self, f: [Self::Inner; 4]) -> Self;
     /// Part by part `yes` or `no`.
     fn pick(mask: <Self::Inner as Scalar>::Mask, yes: Self, no: Self) -> Self;
+    /// Runs one operation on such numbers. Large numbers do so out of line: a program of their operations in line takes
+    /// minutes to compile and is no faster.
+    #[cfg_attr(not(debug_assertions), inline(always))]
+    fn operation<R>(run: impl FnOnce() -> R) -> R {
+        run()
+    }
     /// Half of every part. A product has the derivative `∞ · 0` where the value is infinite.
     #[cfg_attr(not(debug_assertions), inline(always))]
     fn half(self) -> Self {
@@ -83,24 +89,28 @@ impl<D: Tangent> Scalar for D {
     }
     #[cfg_attr(not(debug_assertions), inline(always))]
     fn over(self, divisor: Self) -> Self {
-        // Scaling the divisor to about one keeps its square from over- or underflowing.
-        let scale = Self::from_primal(Self::Primal::one().over(divisor.primal()));
-        let quotient = (self * scale) / (divisor * scale);
-        // Only the derivative parts are wanted from it: the value is that of plain numbers, also
-        // where it overflows.
-        let (zero, one) = (D::Inner::zero(), D::Inner::one());
-        quotient.chain([self.value().over(divisor.value()), one, zero, zero])
+        D::operation(|| {
+            // Scaling the divisor to about one keeps its square from over- or underflowing.
+            let scale = Self::from_primal(Self::Primal::one().over(divisor.primal()));
+            let quotient = (self * scale) / (divisor * scale);
+            // Only the derivative parts are wanted from it: the value is that of plain numbers, also
+            // where it overflows.
+            let (zero, one) = (D::Inner::zero(), D::Inner::one());
+            quotient.chain([self.value().over(divisor.value()), one, zero, zero])
+        })
     }
     #[cfg_attr(not(debug_assertions), inline(always))]
     fn root(self) -> Self {
-        let x = self.value();
-        let flat = self.at_most(Self::zero());
-        let x = D::Inner::select(flat, D::Inner::one(), x);
-        let root = x.root();
-        let f1 = D::Inner::lit(0.5).over(root);
-        let f2 = -f1.halved().over(x);
-        let f3 = D::Inner::lit(-1.5) * f2.over(x);
-        D::pick(flat, Self::zero(), self.chain([root, f1, f2, f3]))
+        D::operation(|| {
+            let x = self.value();
+            let flat = self.at_most(Self::zero());
+            let x = D::Inner::select(flat, D::Inner::one(), x);
+            let root = x.root();
+            let f1 = D::Inner::lit(0.5).over(root);
+            let f2 = -f1.halved().over(x);
+            let f3 = D::Inner::lit(-1.5) * f2.over(x);
+            D::pick(flat, Self::zero(), self.chain([root, f1, f2, f3]))
+        })
     }
     #[cfg_attr(not(debug_assertions), inline(always))]
     fn halved(self) -> Self {
@@ -108,26 +118,30 @@ impl<D: Tangent> Scalar for D {
     }
     #[cfg_attr(not(debug_assertions), inline(always))]
     fn sin_cos(self) -> (Self, Self) {
-        let (sin, cos) = self.value().sin_cos();
-        (
-            self.chain([sin, cos, -sin, -cos]),
-            self.chain([cos, -sin, -cos, sin]),
-        )
+        D::operation(|| {
+            let (sin, cos) = self.value().sin_cos();
+            (
+                self.chain([sin, cos, -sin, -cos]),
+                self.chain([cos, -sin, -cos, sin]),
+            )
+        })
     }
     #[cfg_attr(not(debug_assertions), inline(always))]
     fn sin_cos_parts(self) -> [(Self, Self); 2] {
-        let [(sin_high, sin_low), (cos_high, cos_low)] = self.value().sin_cos_parts();
-        let (sin, cos) = (sin_high + sin_low, cos_high + cos_low);
-        [
-            (
-                D::constant(sin_high),
-                self.chain([sin_low, cos, -sin, -cos]),
-            ),
-            (
-                D::constant(cos_high),
-                self.chain([cos_low, -sin, -cos, sin]),
-            ),
-        ]
+        D::operation(|| {
+            let [(sin_high, sin_low), (cos_high, cos_low)] = self.value().sin_cos_parts();
+            let (sin, cos) = (sin_high + sin_low, cos_high + cos_low);
+            [
+                (
+                    D::constant(sin_high),
+                    self.chain([sin_low, cos, -sin, -cos]),
+                ),
+                (
+                    D::constant(cos_high),
+                    self.chain([cos_low, -sin, -cos, sin]),
+                ),
+            ]
+        })
     }
     #[cfg_attr(not(debug_assertions), inline(always))]
     fn parts(self) -> (Self, Self) {
@@ -137,34 +151,40 @@ impl<D: Tangent> Scalar for D {
     }
     #[cfg_attr(not(debug_assertions), inline(always))]
     fn atan2(self, x: Self) -> Self {
-        let (y, zero, one) = (self, D::Inner::zero(), D::Inner::one());
-        let large = x.primal().magnitude().most(y.primal().magnitude());
-        let origin = large.at_most(Self::Primal::zero());
-        let scale =
-            Self::from_primal(Self::Primal::select(origin, Self::Primal::one(), large).binade());
-        let (x, y) = (x * scale, y * scale);
-        // In the frame turned by the angle itself, the angle is the arctangent of a number whose
-        // value is zero: nothing to divide by but the length.
-        let length = x.value().hypot(y.value());
-        let length = D::Inner::select(origin, one, length);
-        let (cos, sin) = (
-            D::constant(x.value().over(length)),
-            D::constant(y.value().over(length)),
-        );
-        let derivative = (y * cos - x * sin).over(x * cos + y * sin);
-        let angle = derivative.chain([y.value().atan2(x.value()), one, zero, D::Inner::lit(-2.0)]);
-        D::pick(origin, Self::zero(), angle)
+        D::operation(|| {
+            let (y, zero, one) = (self, D::Inner::zero(), D::Inner::one());
+            let large = x.primal().magnitude().most(y.primal().magnitude());
+            let origin = large.at_most(Self::Primal::zero());
+            let scale = Self::from_primal(
+                Self::Primal::select(origin, Self::Primal::one(), large).binade(),
+            );
+            let (x, y) = (x * scale, y * scale);
+            // In the frame turned by the angle itself, the angle is the arctangent of a number whose
+            // value is zero: nothing to divide by but the length.
+            let length = x.value().hypot(y.value());
+            let length = D::Inner::select(origin, one, length);
+            let (cos, sin) = (
+                D::constant(x.value().over(length)),
+                D::constant(y.value().over(length)),
+            );
+            let derivative = (y * cos - x * sin).over(x * cos + y * sin);
+            let angle =
+                derivative.chain([y.value().atan2(x.value()), one, zero, D::Inner::lit(-2.0)]);
+            D::pick(origin, Self::zero(), angle)
+        })
     }
     #[cfg_attr(not(debug_assertions), inline(always))]
     fn exp(self) -> Self {
-        self.chain([self.value().exp(); 4])
+        D::operation(|| self.chain([self.value().exp(); 4]))
     }
     #[cfg_attr(not(debug_assertions), inline(always))]
     fn ln(self) -> Self {
-        let x = self.value();
-        let f1 = D::Inner::one().over(x);
-        let f2 = -(f1 * f1);
-        self.chain([x.ln(), f1, f2, D::Inner::lit(-2.0) * f2 * f1])
+        D::operation(|| {
+            let x = self.value();
+            let f1 = D::Inner::one().over(x);
+            let f2 = -(f1 * f1);
+            self.chain([x.ln(), f1, f2, D::Inner::lit(-2.0) * f2 * f1])
+        })
     }
     #[cfg_attr(not(debug_assertions), inline(always))]
     fn binade(self) -> Self {

@@ -25,7 +25,17 @@ pub struct Jet<T, const N: usize> {
     pub derivative: [T; N],
 }
 
+/// Runs an operation, out of line in release builds.
+#[cfg_attr(not(debug_assertions), inline(never))]
+fn out_of_line<R>(run: impl FnOnce() -> R) -> R {
+    run()
+}
+
 impl<T: Scalar, const N: usize> Jet<T, N> {
+    /// Whether operations run out of line: those of nested numbers of 128 bytes and more, of which one is a hundred
+    /// instructions.
+    const LARGE: bool = size_of::<T>() > size_of::<T::Primal>() && size_of::<Self>() >= 128;
+
     /// The independent variable of direction `i`; a constant when `i` is `N` or more.
     #[cfg_attr(not(debug_assertions), inline(always))]
     pub fn variable(value: T, i: usize) -> Self {
@@ -52,14 +62,14 @@ impl<T: Scalar, const N: usize> Add for Jet<T, N> {
     type Output = Self;
     #[cfg_attr(not(debug_assertions), inline(always))]
     fn add(self, other: Self) -> Self {
-        self.join(other, self.value + other.value, |a, b| a + b)
+        Self::operation(|| self.join(other, self.value + other.value, |a, b| a + b))
     }
 }
 impl<T: Scalar, const N: usize> Sub for Jet<T, N> {
     type Output = Self;
     #[cfg_attr(not(debug_assertions), inline(always))]
     fn sub(self, other: Self) -> Self {
-        self.join(other, self.value - other.value, |a, b| a - b)
+        Self::operation(|| self.join(other, self.value - other.value, |a, b| a - b))
     }
 }
 impl<T: Scalar, const N: usize> Mul for Jet<T, N> {
@@ -69,23 +79,25 @@ impl<T: Scalar, const N: usize> Mul for Jet<T, N> {
     #[cfg_attr(not(debug_assertions), inline(always))]
     fn mul(self, other: Self) -> Self {
         let (x, y) = (self.value, other.value);
-        self.join(other, x * y, |a, b| a * y + b * x)
+        Self::operation(|| self.join(other, x * y, |a, b| a * y + b * x))
     }
 }
 impl<T: Scalar, const N: usize> Div for Jet<T, N> {
     type Output = Self;
     #[cfg_attr(not(debug_assertions), inline(always))]
     fn div(self, other: Self) -> Self {
-        let quotient = self.value.over(other.value);
-        let inverse = T::one().over(other.value);
-        self.join(other, quotient, |a, b| (a - quotient * b) * inverse)
+        Self::operation(|| {
+            let quotient = self.value.over(other.value);
+            let inverse = T::one().over(other.value);
+            self.join(other, quotient, |a, b| (a - quotient * b) * inverse)
+        })
     }
 }
 impl<T: Scalar, const N: usize> Neg for Jet<T, N> {
     type Output = Self;
     #[cfg_attr(not(debug_assertions), inline(always))]
     fn neg(self) -> Self {
-        self.parts(-self.value, |a| -a)
+        Self::operation(|| self.parts(-self.value, |a| -a))
     }
 }
 impl<T: Scalar, const N: usize> AddAssign for Jet<T, N> {
@@ -110,6 +122,14 @@ impl<T: Scalar, const N: usize> MulAssign for Jet<T, N> {
 impl<T: Scalar, const N: usize> Tangent for Jet<T, N> {
     type Inner = T;
     #[cfg_attr(not(debug_assertions), inline(always))]
+    fn operation<R>(run: impl FnOnce() -> R) -> R {
+        if const { Self::LARGE } {
+            out_of_line(run)
+        } else {
+            run()
+        }
+    }
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn value(self) -> T {
         self.value
     }
@@ -122,16 +142,18 @@ impl<T: Scalar, const N: usize> Tangent for Jet<T, N> {
     }
     #[cfg_attr(not(debug_assertions), inline(always))]
     fn chain(self, f: [T; 4]) -> Self {
-        self.parts(f[0], |a| a * f[1])
+        Self::operation(|| self.parts(f[0], |a| a * f[1]))
     }
     #[cfg_attr(not(debug_assertions), inline(always))]
     fn pick(mask: T::Mask, yes: Self, no: Self) -> Self {
-        yes.join(no, T::select(mask, yes.value, no.value), |a, b| {
-            T::select(mask, a, b)
+        Self::operation(|| {
+            yes.join(no, T::select(mask, yes.value, no.value), |a, b| {
+                T::select(mask, a, b)
+            })
         })
     }
     #[cfg_attr(not(debug_assertions), inline(always))]
     fn half(self) -> Self {
-        self.parts(self.value.halved(), T::halved)
+        Self::operation(|| self.parts(self.value.halved(), T::halved))
     }
 }

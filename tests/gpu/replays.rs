@@ -1,17 +1,14 @@
 //! Operations with a search: decided on the processor, replayed on the GPU.
 use crate::{any_gpu, gpu, small, validate};
 use geograd::ad::check::sample::Draw;
-use geograd::kernels::cpu::Face;
 use geograd::kernels::dynamic::{Mode, Rows, Sort};
 use geograd::kernels::gpu::replay_source;
-use geograd::kernels::op::{Ask, Invariance, Jumps};
-use geograd::kernels::replays::{self, Replays};
-use geograd::kernels::search;
-use geograd::kernels::{Backend, Cpu, One, Runs, Search};
+use geograd::kernels::op::{Invariance, Jumps};
+use geograd::kernels::search::search;
+use geograd::kernels::{Backend, Cpu, One, Search};
 use geograd::kernels::{Diameter, Giou, Iou};
 use geograd::{ConvexPolygon, Error, Fixed, GpuFault, Pack, Scalar, Unrecordable, Vec2};
 use geograd_tests::list::{self, Tested};
-use std::sync::Arc;
 
 #[test]
 fn the_shader_is_valid() {
@@ -229,16 +226,6 @@ impl Search for Everything {
     }
 }
 
-impl Runs<[f32; 3]> for Everything {
-    type Out = [f32; 4];
-    fn face(&self, ask: Ask) -> Result<Arc<Face<f32>>, Error> {
-        search::face::<Everything, [f32; 3]>(ask)
-    }
-    fn replays(&self, ask: Ask) -> Option<Result<Arc<dyn Replays<f32>>, Error>> {
-        Some(replays::of::<Everything, [f32; 3]>(ask))
-    }
-}
-
 #[test]
 fn every_instruction() {
     let text = replay_source();
@@ -256,11 +243,15 @@ fn every_instruction() {
     let mut items: Vec<[f32; 3]> = (0..500).map(|_| [number(), number(), number()]).collect();
     items.extend([[1.0, 1.0, 2.0], [2.0, 1.0, 1.0], [1.5; 3], [1.0, 2.0, 1.0]]);
     let cpu = Cpu::new();
-    let found = gpu.aligned(Everything, &items).unwrap();
-    let expected = cpu.aligned(Everything, &items).unwrap();
+    let found = gpu.aligned(search(Everything), &items).unwrap();
+    let expected = cpu.aligned(search(Everything), &items).unwrap();
     near("everything", &found.flat(), &expected.flat(), 1e-5);
     let seeds = vec![[1.0, -0.5, 0.25, 2.0]; items.len()];
-    let found = gpu.aligned(Everything.vjp(), (&items, &seeds)).unwrap();
-    let expected = cpu.aligned(Everything.vjp(), (&items, &seeds)).unwrap();
+    let found = gpu
+        .aligned(search(Everything).vjp(), (&items, &seeds))
+        .unwrap();
+    let expected = cpu
+        .aligned(search(Everything).vjp(), (&items, &seeds))
+        .unwrap();
     near("adjoint", &found.flat(), &expected.flat(), 1e-4);
 }

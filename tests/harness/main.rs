@@ -7,6 +7,7 @@ mod difficult;
 mod domain;
 mod everyday;
 mod forward;
+mod given;
 mod hashes;
 mod messages;
 mod motions;

@@ -70,11 +70,12 @@ impl Along<'_> {
     }
 
     /// By how much the value may change within the rounding of the steps along a direction. Along
-    /// an axis steps are exact.
+    /// an axis steps are exact; of a function whose branches are not known, which may round its input, every number
+    /// counts.
     fn reach(&self) -> f64 {
         let e = self.e;
-        let moved = || (0..e.x.len()).filter(|&i| self.direction[i] != 0.0);
-        if moved().count() < 2 {
+        let moved = || (0..e.x.len()).filter(|&i| !self.here.traced || self.direction[i] != 0.0);
+        if self.here.traced && moved().count() < 2 {
             return 0.0;
         }
         let derivative = |i: usize| e.rows.iter().fold(0.0_f64, |m, row| m.max(row.size[i]));
@@ -294,6 +295,8 @@ impl Along<'_> {
                     tolerance
                 };
                 let tied = agree && e.exactly_tied();
+                // Of a function that is not known by its source steps alone tell whether pieces meet.
+                let unknown = !self.here.traced && derivatives.other(witness).is_none();
                 if !review.stands {
                     if review.supported {
                         (Place::Smooth, false)
@@ -306,7 +309,7 @@ impl Along<'_> {
                 } else if tied && (chosen(e) || self.bent(row)) {
                     said.convention = true;
                     (Place::Undefined, true)
-                } else if tied
+                } else if (tied || unknown)
                     && e.among_derivatives_nearby(
                         &row.weights,
                         direction,
@@ -316,6 +319,9 @@ impl Along<'_> {
                     // Along this direction the function has a derivative, at the tie it has many.
                     said.convention = true;
                     (Place::Kink, true)
+                } else if unknown && self.chosen_here(row) {
+                    said.convention = true;
+                    (Place::Undefined, true)
                 } else {
                     let other = derivatives.other(witness);
                     let agrees = other
@@ -340,9 +346,13 @@ impl Along<'_> {
             Opinion::Outside { sides, tolerance } => {
                 let border = self.here.ahead.len() < 2 || self.here.behind.len() < 2;
                 let found = chosen(e) && e.exactly_tied();
+                let unknown = !self.here.traced && derivatives.other(witness).is_none();
                 if self.flat(row, sides, (test.derivative, tolerance))
                     || found
                     || self.beyond(&test)
+                    // Nobody can be asked beyond the border, and a kink may lie on it.
+                    || (unknown && border && e.subject.conventions().flat)
+                    || (unknown && self.chosen_here(row))
                 {
                     said.convention = true;
                 } else if test.again(opinion, false).stands
@@ -373,6 +383,13 @@ impl Along<'_> {
             } else {
                 dot(&row.weights, &self.e.y) == 0.0 && derivative.abs() <= tolerance
             }
+    }
+
+    /// `true` if a function of unknown source that may jump anywhere has right derivatives at places beside the input: at
+    /// the input itself it then has several results to choose from.
+    fn chosen_here(&self, row: &Item) -> bool {
+        self.e.subject.conventions().jumps == Jumps::Anywhere
+            && self.e.is_right_beside(row, self.direction)
     }
 
     /// `true` if a kink exactly on the border of the domain has its other side beyond, and the derivative is

@@ -2,7 +2,7 @@
 use crate::ad::check::evidence::Evidence;
 use crate::ad::check::notes::Notes;
 use crate::ad::check::sample::Draw;
-use crate::ad::check::tolerances::ROUNDINGS;
+use crate::ad::check::tolerances::{ROUNDINGS, SAFETY};
 use crate::ad::check::verdict::{Numbers, Reason, Witness};
 
 /// The adjoint of a random sum against the sum of the adjoints, and that of nothing against nothing.
@@ -28,11 +28,16 @@ pub(crate) fn linear(e: &Evidence<'_>, draw: &mut Draw) -> Notes {
         said.complain_of_length(Witness::Adjoint, 0, [combined.len(), e.x.len()]);
         return said;
     }
+    // The roundings inside a function of unknown source do not show; mistakes of this kind are as large as the sum.
+    let unseen = match e.subject.noisy(e.x, &weights, 0) {
+        Some(_) => 1.0,
+        None => SAFETY * SAFETY,
+    };
     let total = |i: usize| {
         let parts = e.rows.iter().zip(&factors).map(|(row, f)| {
             let derivative = row.adjoint.as_ref().map_or(0.0, |adjoint| adjoint[i]);
             let own = ROUNDINGS * e.eps * derivative.abs() + row.allowed(i);
-            (f * derivative, f.abs() * own)
+            (f * derivative, f.abs() * own * unseen)
         });
         parts.fold((0.0, 0.0), |(s, t), (a, b)| (s + a, t + b))
     };

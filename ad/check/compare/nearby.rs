@@ -2,9 +2,10 @@
 use crate::ad::check::evidence::{Evidence, Item, finite};
 use crate::ad::check::sample::Draw;
 use crate::ad::check::tolerances::{
-    APPROACHES, FEW_INPUTS, MOVED_ROUNDINGS, NEARBY, NEARER, PLACES, TRIES,
+    APPROACHES, FEW_INPUTS, FEW_PLACES, FIRST, INFORMATIVE, MOVED_ROUNDINGS, NEARBY, NEARER,
+    NEARER_STEPS, PLACES, SAFETY, SIDES, TRIES,
 };
-use crate::ad::check::witness::{Precision, combined, dot};
+use crate::ad::check::witness::{Estimate, Ladder, Precision, combined, dot};
 
 /// The difference of two lists.
 fn minus(a: &[f64], b: &[f64]) -> Vec<f64> {
@@ -27,6 +28,7 @@ impl Evidence<'_> {
         if on.precision() != Precision::F64 {
             return false;
         }
+        let by_duals = on.along(self.x, direction).is_some();
         // A function of single precision may have decided as if its input were another one.
         let rounding = self.subject.rounding(self.x);
         let mut draw = Draw::new(11);
@@ -35,7 +37,8 @@ impl Evidence<'_> {
             // The input may lie between two kinks that are nearer to each other than that.
             let far = match k % 2 {
                 0 => NEARBY,
-                _ => NEARBY * NEARER.powf(draw.within(0.0, 1.0)),
+                _ if by_duals => NEARBY * NEARER.powf(draw.within(0.0, 1.0)),
+                _ => NEARBY * NEARER_STEPS.powf(draw.within(0.0, 1.0)),
             };
             let there: Vec<f64> = (self.x.iter().zip(&self.scales))
                 .zip(&rounding)
@@ -46,20 +49,97 @@ impl Evidence<'_> {
             if !on.inside(&there) {
                 continue;
             }
-            let Some(along) = on.along(&there, direction) else {
-                return false;
+            let (own, error) = match on.along(&there, direction) {
+                Some(along) => (dot(weights, &along), 0.0),
+                None if by_duals => return false,
+                None => match self.by_steps(weights, direction, (&there, far)) {
+                    Some(found) => (found.value, SAFETY * found.error),
+                    None => continue,
+                },
             };
-            let own = dot(weights, &along);
-            if !own.is_finite() {
+            if !own.is_finite() || error > INFORMATIVE * own.abs().max(derivative.abs()) {
                 continue;
             }
-            (least, most) = (least.min(own), most.max(own));
+            (least, most) = (least.min(own - error), most.max(own + error));
             seen += 1;
             if seen == PLACES {
                 break;
             }
         }
         derivative >= least - tolerance && derivative <= most + tolerance
+    }
+
+    /// `true` if the derivatives by hand along a direction are those of differences at several places beside the input.
+    pub(crate) fn is_right_beside(&self, row: &Item, direction: &[f64]) -> bool {
+        let on = self.on();
+        let mut draw = Draw::new(17);
+        let mut seen = 0;
+        for _ in 0..TRIES {
+            let each = self.x.iter().zip(&self.scales);
+            let there: Vec<f64> = each
+                .map(|(x, scale)| x + NEARBY * scale * draw.within(-1.0, 1.0))
+                .collect();
+            if !on.inside(&there) {
+                continue;
+            }
+            let Some(found) = self.by_steps(&row.weights, direction, (&there, NEARBY)) else {
+                continue;
+            };
+            let Some(adjoint) = on.adjoint(&there, &row.weights) else {
+                return false;
+            };
+            let own = dot(&adjoint, direction);
+            let error = SAFETY * found.error;
+            if error > INFORMATIVE * found.value.abs().max(row.largest) {
+                continue;
+            }
+            if (own - found.value).abs() > error + row.allowed_along(direction) {
+                return false;
+            }
+            seen += 1;
+            if seen == FEW_PLACES {
+                return true;
+            }
+        }
+        false
+    }
+
+    /// The derivative along a direction at a place beside the input by differences, of steps that are small beside the
+    /// way to it; `None` where they see a kink.
+    fn by_steps(
+        &self,
+        weights: &[f64],
+        direction: &[f64],
+        (there, far): (&[f64], f64),
+    ) -> Option<Estimate> {
+        let on = self.on();
+        let center = on.value(there);
+        let probe = |x: &[f64]| {
+            let values = on.inside(x).then(|| on.value(x))?;
+            let usable = values.len() == center.len() && finite(&values);
+            usable.then_some((values, None))
+        };
+        let first = FIRST[0] * far;
+        let ladder = Ladder::climb(
+            &probe,
+            on.precision(),
+            there,
+            &center,
+            None,
+            direction,
+            first,
+        );
+        let terms = weights.iter().zip(&center).map(|(w, y)| (w * y).abs());
+        let noise = self.eps * terms.sum::<f64>();
+        let noise = noise.max(ladder.noise(weights));
+        let ahead = ladder.one_sided(true, weights, noise)?;
+        let behind = ladder.one_sided(false, weights, noise)?;
+        let is_kink =
+            (ahead.value - behind.value).abs() > SIDES * SAFETY * ahead.error.max(behind.error);
+        if is_kink {
+            return None;
+        }
+        ladder.central(weights, noise, false)
     }
 
     /// `true` if the derivatives by hand lie between those of the smooth pieces that meet at the input, as duals tell a

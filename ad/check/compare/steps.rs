@@ -111,19 +111,21 @@ fn directions(e: &Evidence<'_>, draw: &mut Draw) -> (Vec<Vec<f64>>, Vec<Vec<f64>
     let mut more: Vec<Vec<f64>> = (0..KINK_DIRECTIONS).map(|_| random()).collect();
     // A number at the border of its domain can move to one side only, and one side of a kink says
     // nothing of the other: there such a number stays, so that both sides are seen.
-    let bordered = |i: usize| {
-        let inside = [-BORDER, BORDER].map(|step| {
-            let mut there = e.x.to_vec();
-            there[i] += step * e.scales[i];
-            e.on().inside(&there)
-        });
-        inside.contains(&false)
-    };
-    for i in (0..n).filter(|&i| bordered(i)) {
+    for i in (0..n).filter(|&i| bordered(e, i)) {
         more.iter_mut().for_each(|direction| direction[i] = 0.0);
     }
     more.retain(|direction| direction.iter().any(|d| *d != 0.0));
     (axes.collect(), more)
+}
+
+/// `true` if a number is at the border of its domain.
+fn bordered(e: &Evidence<'_>, i: usize) -> bool {
+    let inside = [-BORDER, BORDER].map(|step| {
+        let mut there = e.x.to_vec();
+        there[i] += step * e.scales[i];
+        e.on().inside(&there)
+    });
+    inside.contains(&false)
 }
 
 /// Directions that keep ties: along each all numbers of one magnitude move alike. There a kink of
@@ -132,8 +134,10 @@ fn tied(e: &Evidence<'_>) -> Vec<Vec<f64>> {
     let mut sizes: Vec<u64> = e.x.iter().map(|x| x.abs().to_bits()).collect();
     sizes.sort_unstable();
     sizes.dedup();
+    // Where no source tells what is beyond a border, a number stays there.
+    let stays = |i: usize| e.trace.is_none() && bordered(e, i);
     let direction = |size: u64| {
-        let member = |i: &usize| e.x[*i].abs().to_bits() == size;
+        let member = |i: &usize| e.x[*i].abs().to_bits() == size && !stays(*i);
         let group: Vec<usize> = (0..e.x.len()).filter(member).collect();
         let least = |m: f64, &i: &usize| m.min(e.scales[i]);
         let step = group.iter().fold(f64::INFINITY, least);

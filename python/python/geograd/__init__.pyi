@@ -177,10 +177,10 @@ def get_num_threads() -> int:
 def where(condition: Any, a: Any, b: Any) -> Any:
     """`a` where the condition holds, else `b`."""
 def clip(x: Any, low: Any, high: Any) -> Any:
-    """The nearest value between two bounds; of symbols the slope is shared at either."""
+    """The nearest value between two bounds; of symbols the derivative is shared at either."""
 
 def sqrt(x: Any) -> Any:
-    """The square root; of symbols zero with slope zero at zero and below."""
+    """The square root; of symbols zero with derivative zero at zero and below."""
 def square(x: Any) -> Any:
     """The square."""
 def sin(x: Any) -> Any:
@@ -196,13 +196,13 @@ def log(x: Any) -> Any:
 def arctan2(a: Any, b: Any) -> Any:
     """The angle of the vector (b, a) in radians, from -pi to pi."""
 def hypot(a: Any, b: Any) -> Any:
-    """The length of the vector (a, b), with slope zero at the origin."""
+    """The length of the vector (a, b), with derivative zero at the origin."""
 def copysign(a: Any, b: Any) -> Any:
     """The magnitude of a with the sign of b."""
 def minimum(a: Any, b: Any) -> Any:
-    """The smaller one; of symbols an exact tie shares the slope."""
+    """The smaller one; of symbols an exact tie shares the derivative."""
 def maximum(a: Any, b: Any) -> Any:
-    """The larger one; of symbols an exact tie shares the slope."""
+    """The larger one; of symbols an exact tie shares the derivative."""
 
 class Aabb2(Shape):
     """Aabb2: an array whose last axis has its numbers, in this order.

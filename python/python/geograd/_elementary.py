@@ -24,7 +24,7 @@ def _made(name, count, doc):
     return made
 
 
-sqrt = _made("sqrt", 1, "The square root; of symbols zero with slope zero at zero and below.")
+sqrt = _made("sqrt", 1, "The square root; of symbols zero with derivative zero at zero and below.")
 square = _made("square", 1, "The square.")
 sin = _made("sin", 1, "The sine of an angle in radians.")
 cos = _made("cos", 1, "The cosine of an angle in radians.")
@@ -32,10 +32,10 @@ tan = _made("tan", 1, "The tangent of an angle in radians.")
 exp = _made("exp", 1, "The exponential.")
 log = _made("log", 1, "The natural logarithm.")
 arctan2 = _made("arctan2", 2, "The angle of the vector (b, a) in radians, from -pi to pi.")
-hypot = _made("hypot", 2, "The length of the vector (a, b), with slope zero at the origin.")
+hypot = _made("hypot", 2, "The length of the vector (a, b), with derivative zero at the origin.")
 copysign = _made("copysign", 2, "The magnitude of a with the sign of b.")
-minimum = _made("minimum", 2, "The smaller one; of symbols an exact tie shares the slope.")
-maximum = _made("maximum", 2, "The larger one; of symbols an exact tie shares the slope.")
+minimum = _made("minimum", 2, "The smaller one; of symbols an exact tie shares the derivative.")
+maximum = _made("maximum", 2, "The larger one; of symbols an exact tie shares the derivative.")
 
 
 def where(condition, a, b):
@@ -46,7 +46,7 @@ def where(condition, a, b):
 
 
 def clip(x, low, high):
-    """The nearest value between two bounds; of symbols the slope is shared at either."""
+    """The nearest value between two bounds; of symbols the derivative is shared at either."""
     if isinstance(x, Symbol):
         return x.clip(low, high)
     return minimum(maximum(x, low), high)

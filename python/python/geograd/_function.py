@@ -166,14 +166,14 @@ class Function:
             made.extend([argument] if own is None or len(own) == 1 else _columns(argument, own))
         return made
 
-    def _joined(self, slopes):
+    def _joined(self, derivatives):
         """Gradients of the arguments, of those of all their parts."""
         if self._is_plain:
-            return slopes
-        slopes = list(slopes) if isinstance(slopes, tuple) else [slopes]
+            return derivatives
+        derivatives = list(derivatives) if isinstance(derivatives, tuple) else [derivatives]
         made = []
         for own in self._leaves:
-            parts, slopes = slopes[: len(own)], slopes[len(own):]
+            parts, derivatives = derivatives[: len(own)], derivatives[len(own):]
             wide = [np.asarray(part)[..., None] if size == 0 else part for part, (_, _, size) in zip(parts, own)]
             made.append(parts[0] if len(parts) == 1 else np.concatenate(wide, -1))
         return made[0] if len(made) == 1 else tuple(made)
@@ -188,8 +188,8 @@ class Function:
 
     def value_grad(self, *arguments, out=None, backend=None):
         """The value of every item, one number, and its gradient by every argument."""
-        value, slopes = self._core.run("value_grad", self._split(arguments), out, backend)
-        return value, self._joined(slopes)
+        value, derivatives = self._core.run("value_grad", self._split(arguments), out, backend)
+        return value, self._joined(derivatives)
 
     def vjp(self, *arguments, out=None, backend=None):
         """Cotangents of the arguments; those of the results come last."""

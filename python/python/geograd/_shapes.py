@@ -100,7 +100,7 @@ class _Vector:
         return sum(products[1:], products[0])
 
     def length(self):
-        """The length: zero with slope zero at the origin."""
+        """The length: zero with derivative zero at the origin."""
         from ._elementary import hypot
 
         first, *rest = self.numbers
