@@ -18,6 +18,9 @@ pub(crate) const SAFETY: f64 = 8.0;
 /// cross, lengths are differences of coordinates, and derivatives were seen off by twelve times as much, beside a tie
 /// of enclosing rectangles by sixty. Of values none is more than explained.
 pub(crate) const SCATTER: f64 = 100.0;
+/// How many times that much the adjoint of a sum may be off where no source shows the roundings inside it; an adjoint
+/// that is not linear is off by a share of itself.
+pub(crate) const UNSEEN: f64 = 1e6;
 /// How many roundings more than a derivative a second derivative may have: each product of two derivatives has two,
 /// and both are sums.
 pub(crate) const CURVATURE_ROUNDINGS: f64 = 4.0 * ROUNDINGS;
@@ -139,6 +142,9 @@ pub(crate) const NEARER_STEPS: f64 = 1e-2;
 /// domain that have one.
 pub(crate) const PLACES: usize = 48;
 pub(crate) const TRIES: usize = 4000;
+/// How many of them steps look at: they say nothing where a kink is as near as they are long, as most are where many
+/// pieces meet.
+pub(crate) const PLACES_OF_STEPS: usize = 240;
 /// At how many places beside an input derivatives must be right to be taken for a choice at the input itself.
 pub(crate) const FEW_PLACES: usize = 6;
 /// How many steps lead to the nearest of all derivatives between those of several pieces: with the two pieces of most

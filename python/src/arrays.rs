@@ -51,7 +51,7 @@ impl<'py> Given<'py> {
         }
         Ok(Given::Array(array))
     }
-    /// Whether it is an array of `f32`, or says nothing.
+    /// True if it is an array of `f32`, or says nothing.
     fn format(&self) -> Option<bool> {
         match self {
             Given::Array(array) if array.ndim() > 0 => Some(array.dtype().itemsize() == 8),
@@ -67,7 +67,7 @@ pub fn symbolic(name: &str) -> PyErr {
     ))
 }
 
-/// Whether a call is in `f64`: not if all arrays are `f32`.
+/// True if a call is in `f64`: not if all arrays are `f32`.
 pub fn is_double(given: &[Given<'_>]) -> bool {
     let mut formats = given.iter().filter_map(Given::format).peekable();
     formats.peek().is_none() || formats.any(|is_double| is_double)

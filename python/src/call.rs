@@ -160,7 +160,7 @@ impl Callable {
         self.operation()
             .is_some_and(|row| matches!(row.sort, Sort::Fold | Sort::Ring))
     }
-    /// Whether its result is a tuple, even of one.
+    /// True if its result is a tuple, even of one.
     pub fn is_tuple(&self) -> bool {
         match &self.body {
             Body::Row(_) => self.gives().len() > 1,

@@ -19,7 +19,7 @@ pub struct Report {
 
 #[pymethods]
 impl Report {
-    /// Whether nothing was refused.
+    /// True if nothing was refused.
     #[getter]
     fn passed(&self) -> bool {
         self.found.passed()

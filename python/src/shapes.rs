@@ -55,7 +55,7 @@ pub fn converted<'py>(
     Ok(made.cast_into::<PyUntypedArray>()?)
 }
 
-/// Whether an array is of `float32` or `float64` in the byte order of this machine.
+/// True if an array is of `float32` or `float64` in the byte order of this machine.
 fn is_format(array: &Bound<'_, PyUntypedArray>) -> bool {
     let format = array.dtype();
     format.kind() == b'f'
@@ -327,7 +327,7 @@ impl Content {
 pub struct Paths {
     pub vertices: Py<PyUntypedArray>,
     pub offsets: Py<PyUntypedArray>,
-    /// Whether they are rings or polylines, if that is said.
+    /// True if they are rings or polylines, if that is said.
     pub kind: Option<Kind>,
 }
 

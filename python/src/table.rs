@@ -68,7 +68,7 @@ impl Table {
     pub fn kind(&self, name: &str) -> Option<Kind> {
         self.by_name.get(name).copied()
     }
-    /// Whether a lone number stands for a shape: it has no other.
+    /// True if a lone number stands for a shape: it has no other.
     pub fn is_one_number(&self, kind: Kind) -> bool {
         self.shapes
             .get(usize::from(kind))

@@ -225,7 +225,7 @@ impl Recorded {
         };
         Ok(self.call.gives().iter().map(one).collect())
     }
-    /// Whether its result is a tuple.
+    /// True if its result is a tuple.
     fn is_tuple(&self) -> PyResult<bool> {
         self.call.program::<f64>(Form::Value)?;
         Ok(self.call.is_tuple())

@@ -82,7 +82,7 @@ impl Along<'_> {
         moved().map(|i| derivative(i) * e.eps * e.x[i].abs()).sum()
     }
 
-    /// Whether any output jumps along the direction by more than steps are rounded; a complaint if it must
+    /// `true` if any output jumps along the direction by more than steps are rounded; a complaint if it must
     /// not.
     pub(crate) fn jumps(&self) -> Notes {
         let (e, here) = (self.e, self.here);

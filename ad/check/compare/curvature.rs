@@ -327,7 +327,7 @@ impl BendTest<'_> {
         (wrong && !between).then_some((e, tolerance))
     }
 
-    /// Whether another ladder says the same; nothing when it is too coarse to tell.
+    /// `true` if another ladder says the same; nothing when it is too coarse to tell.
     fn repeats(&self, again: &Ladder, found: Estimate) -> Option<bool> {
         let covered = again.central(self.weights, self.noise, true)?;
         self.informative(&covered).then(|| {

@@ -2,7 +2,7 @@
 use crate::ad::check::evidence::Evidence;
 use crate::ad::check::notes::Notes;
 use crate::ad::check::sample::Draw;
-use crate::ad::check::tolerances::{ROUNDINGS, SAFETY};
+use crate::ad::check::tolerances::{ROUNDINGS, UNSEEN};
 use crate::ad::check::verdict::{Numbers, Reason, Witness};
 
 /// The adjoint of a random sum against the sum of the adjoints, and that of nothing against nothing.
@@ -31,7 +31,7 @@ pub(crate) fn linear(e: &Evidence<'_>, draw: &mut Draw) -> Notes {
     // The roundings inside a function of unknown source do not show; mistakes of this kind are as large as the sum.
     let unseen = match e.subject.noisy(e.x, &weights, 0) {
         Some(_) => 1.0,
-        None => SAFETY * SAFETY,
+        None => UNSEEN,
     };
     let total = |i: usize| {
         let parts = e.rows.iter().zip(&factors).map(|(row, f)| {

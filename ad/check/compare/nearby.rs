@@ -3,7 +3,7 @@ use crate::ad::check::evidence::{Evidence, Item, finite};
 use crate::ad::check::sample::Draw;
 use crate::ad::check::tolerances::{
     APPROACHES, FEW_INPUTS, FEW_PLACES, FIRST, INFORMATIVE, MOVED_ROUNDINGS, NEARBY, NEARER,
-    NEARER_STEPS, PLACES, SAFETY, SIDES, TRIES,
+    NEARER_STEPS, PLACES, PLACES_OF_STEPS, SAFETY, SIDES, TRIES,
 };
 use crate::ad::check::witness::{Estimate, Ladder, Precision, combined, dot};
 
@@ -29,6 +29,7 @@ impl Evidence<'_> {
             return false;
         }
         let by_duals = on.along(self.x, direction).is_some();
+        let places = if by_duals { PLACES } else { PLACES_OF_STEPS };
         // A function of single precision may have decided as if its input were another one.
         let rounding = self.subject.rounding(self.x);
         let mut draw = Draw::new(11);
@@ -62,7 +63,7 @@ impl Evidence<'_> {
             }
             (least, most) = (least.min(own - error), most.max(own + error));
             seen += 1;
-            if seen == PLACES {
+            if seen == places {
                 break;
             }
         }
