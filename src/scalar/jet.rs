@@ -74,8 +74,6 @@ impl<T: Scalar, const N: usize> Sub for Jet<T, N> {
 }
 impl<T: Scalar, const N: usize> Mul for Jet<T, N> {
     type Output = Self;
-    // The product rule is a sum.
-    #[expect(clippy::suspicious_arithmetic_impl)]
     #[cfg_attr(not(debug_assertions), inline(always))]
     fn mul(self, other: Self) -> Self {
         let (x, y) = (self.value, other.value);
