@@ -142,9 +142,9 @@ pub(crate) const NEARER_STEPS: f64 = 1e-2;
 /// domain that have one.
 pub(crate) const PLACES: usize = 48;
 pub(crate) const TRIES: usize = 4000;
-/// How many of them steps look at: they say nothing where a kink is as near as they are long, as most are where many
-/// pieces meet.
-pub(crate) const PLACES_OF_STEPS: usize = 240;
+/// How many are tried where only steps tell, each of which asks for two dozen values; a refused input is judged anew four
+/// hundred times while it is made simpler.
+pub(crate) const TRIES_OF_STEPS: usize = 96;
 /// At how many places beside an input derivatives must be right to be taken for a choice at the input itself.
 pub(crate) const FEW_PLACES: usize = 6;
 /// How many steps lead to the nearest of all derivatives between those of several pieces: with the two pieces of most

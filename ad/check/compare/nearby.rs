@@ -3,7 +3,7 @@ use crate::ad::check::evidence::{Evidence, Item, finite};
 use crate::ad::check::sample::Draw;
 use crate::ad::check::tolerances::{
     APPROACHES, FEW_INPUTS, FEW_PLACES, FIRST, INFORMATIVE, MOVED_ROUNDINGS, NEARBY, NEARER,
-    NEARER_STEPS, PLACES, PLACES_OF_STEPS, SAFETY, SIDES, TRIES,
+    NEARER_STEPS, PLACES, SAFETY, SIDES, TRIES, TRIES_OF_STEPS,
 };
 use crate::ad::check::witness::{Estimate, Ladder, Precision, combined, dot};
 
@@ -29,12 +29,12 @@ impl Evidence<'_> {
             return false;
         }
         let by_duals = on.along(self.x, direction).is_some();
-        let places = if by_duals { PLACES } else { PLACES_OF_STEPS };
+        let tries = if by_duals { TRIES } else { TRIES_OF_STEPS };
         // A function of single precision may have decided as if its input were another one.
         let rounding = self.subject.rounding(self.x);
         let mut draw = Draw::new(11);
         let (mut least, mut most, mut seen) = (f64::INFINITY, f64::NEG_INFINITY, 0);
-        for k in 0..TRIES {
+        for k in 0..tries {
             // The input may lie between two kinks that are nearer to each other than that.
             let far = match k % 2 {
                 0 => NEARBY,
@@ -62,12 +62,15 @@ impl Evidence<'_> {
                 continue;
             }
             (least, most) = (least.min(own - error), most.max(own + error));
+            if derivative >= least - tolerance && derivative <= most + tolerance {
+                return true;
+            }
             seen += 1;
-            if seen == places {
+            if seen == PLACES {
                 break;
             }
         }
-        derivative >= least - tolerance && derivative <= most + tolerance
+        false
     }
 
     /// `true` if the derivatives by hand along a direction are those of differences at several places beside the input.
@@ -75,7 +78,7 @@ impl Evidence<'_> {
         let on = self.on();
         let mut draw = Draw::new(17);
         let mut seen = 0;
-        for _ in 0..TRIES {
+        for _ in 0..TRIES_OF_STEPS {
             let each = self.x.iter().zip(&self.scales);
             let there: Vec<f64> = each
                 .map(|(x, scale)| x + NEARBY * scale * draw.within(-1.0, 1.0))
