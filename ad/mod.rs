@@ -21,12 +21,18 @@
 //! # Verification
 //!
 //! [`check`] checks derivatives, the library's and yours, as does
-//! [`assert_gradient!`](crate::assert_gradient).
+//! [`assert_gradient!`](crate::assert_gradient); both need the feature `check`. [`declared`] has the properties that
+//! functions declare, [`sample`] draws inputs.
 //!
 //! `x_bar` is the cotangent of `x`. `…_grad` functions return value and gradient together.
 pub mod adjoint;
+#[cfg(feature = "check")]
 pub mod check;
+pub mod declared;
 pub mod forward;
 pub mod program;
+pub mod sample;
+#[cfg(not(feature = "check"))]
+mod unchecked;
 
 pub use forward::{gradient, hessian, hvp, jacobian, jvp, value};

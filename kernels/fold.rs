@@ -2,8 +2,8 @@
 //!
 //! A fold is what happens at one edge, how two results are joined, and how it ends. Edges may be
 //! computed in any order and side by side; batches run their body as a program.
-use crate::kernels::op::{Finite, Invariance, Jumps, Limits, Range, Source};
-use crate::{Fixed, Pack, Scalar, Vec2};
+use crate::kernels::op::{Finite, Invariance, Jumps, Limits, Range};
+use crate::{Fixed, Scalar, Vec2};
 use std::fmt::Debug;
 
 /// An operation over the edges of a path.
@@ -132,35 +132,5 @@ pub(crate) fn edges<F: Fold>(vertices: usize) -> usize {
         vertices
     } else {
         vertices.saturating_sub(1)
-    }
-}
-
-/// A fold, as the harness sees it.
-#[derive(Clone, Copy, Debug)]
-pub struct Folded<F>(std::marker::PhantomData<F>);
-
-impl<F: Fold> Source for Folded<F> {
-    const NAME: &'static str = F::NAME;
-    type In<S: Scalar> = (F::Context<S>, Vec<Vec2<S>>);
-    type Out<S: Scalar> = F::Out<S>;
-    const INVARIANCES: &'static [Invariance] = F::INVARIANCES;
-    const JUMPS: Jumps = F::JUMPS;
-    fn eval<S: Scalar<Mask = bool>>((context, path): &Self::In<S>) -> F::Out<S> {
-        fold::<F, S>(*context, path)
-    }
-    fn vjp<S: Scalar<Mask = bool>>(
-        (context, path): &Self::In<S>,
-        out_bar: F::Out<S>,
-    ) -> Self::In<S> {
-        let (context_bar, path_bar) =
-            crate::kernels::cpu::folds::pull_back::<F, S>(*context, path, out_bar);
-        (context_bar, path_bar)
-    }
-    fn map<S: Scalar, T: Scalar>(input: &Self::In<S>, f: &mut impl FnMut(S) -> T) -> Self::In<T> {
-        let context: Vec<T> = input.0.scalars().into_iter().map(&mut *f).collect();
-        (
-            F::Context::load(&context),
-            Pack::map(&input.1, &mut |s| f(*s)),
-        )
     }
 }

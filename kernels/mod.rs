@@ -30,6 +30,9 @@
 #[forbid(unsafe_code)]
 pub mod backend;
 #[forbid(unsafe_code)]
+mod bounds;
+#[cfg(feature = "check")]
+#[forbid(unsafe_code)]
 pub mod check;
 pub mod cpu;
 #[forbid(unsafe_code)]
@@ -38,14 +41,13 @@ mod declared;
 pub mod dynamic;
 #[forbid(unsafe_code)]
 pub mod fold;
+#[cfg(feature = "check")]
 #[forbid(unsafe_code)]
 pub mod fuzz;
 #[forbid(unsafe_code)]
 pub mod gpu;
 #[forbid(unsafe_code)]
 pub mod item;
-#[forbid(unsafe_code)]
-mod of;
 #[forbid(unsafe_code)]
 pub mod op;
 #[forbid(unsafe_code)]
@@ -60,8 +62,6 @@ mod program;
 #[forbid(unsafe_code)]
 pub mod real;
 #[forbid(unsafe_code)]
-mod recorded_subject;
-#[forbid(unsafe_code)]
 pub mod reduce;
 #[cfg(feature = "gpu")]
 #[doc(hidden)]
@@ -72,16 +72,16 @@ pub mod resident;
 #[forbid(unsafe_code)]
 pub mod search;
 #[forbid(unsafe_code)]
-mod subject;
-#[forbid(unsafe_code)]
 mod suppress;
 #[forbid(unsafe_code)]
 mod targets;
+#[cfg(feature = "check")]
 #[doc(hidden)]
 #[forbid(unsafe_code)]
 pub mod tested;
 #[forbid(unsafe_code)]
 pub mod verbs;
+#[cfg(feature = "check")]
 #[forbid(unsafe_code)]
 pub mod witness;
 

@@ -25,9 +25,7 @@
 //! assert_eq!(Cpu::new().aligned(Distance, (&a, &b))?, [5.0]);
 //! # Ok::<(), geograd::Error>(())
 //! ```
-pub use crate::ad::check::subject::Jumps;
-pub use crate::ad::check::symmetry::{Answer, Invariance, Motion};
-use crate::ad::check::trace::Number;
+pub use crate::ad::declared::{Answer, Invariance, Jumps, Motion};
 pub use crate::ad::program::{Jacobian, OneNumber};
 use crate::ad::program::{Plain, Program};
 use crate::error::Error;
@@ -379,98 +377,13 @@ pub trait RingOp: Copy + Debug + Default + Send + Sync + 'static {
     }
 }
 
-/// An operation as a subject of the harness.
-pub trait Source: 'static {
-    /// The name of the forward function, letter for letter.
-    const NAME: &'static str;
-    /// The argument, made of any scalar.
-    type In<S: Scalar>: Pack<Scalar = S>;
-    /// The result, made of the same scalar.
-    type Out<S: Scalar>: Fixed<Scalar = S>;
-    /// Motions of the argument and their effect on the result.
-    const INVARIANCES: &'static [Invariance];
-    /// Places at which the value may jump.
-    const JUMPS: Jumps;
-    /// `true` for a search, whose derivatives are those of its replay.
-    const SEARCHES: bool = false;
-    /// The generic source.
-    fn eval<S: Scalar<Mask = bool>>(input: &Self::In<S>) -> Self::Out<S>;
-    /// The gradient of `out_bar · output` with respect to the input.
-    fn vjp<S: Scalar<Mask = bool>>(input: &Self::In<S>, out_bar: Self::Out<S>) -> Self::In<S>;
-    /// The function on num-dual's numbers; only for operations with an adjoint by hand, as a witness of it.
-    fn on_num_dual<S: Number>(_input: &Self::In<S::NumDual>) -> Option<Self::Out<S::NumDual>> {
-        None
-    }
-    /// The input with every scalar replaced.
-    fn map<S: Scalar, T: Scalar>(input: &Self::In<S>, f: &mut impl FnMut(S) -> T) -> Self::In<T>;
-}
-
-/// An operation of fixed size as a subject of the harness.
-#[derive(Clone, Copy, Debug)]
-pub struct Straight<O>(std::marker::PhantomData<O>);
-
-impl<O: Op> Source for Straight<O> {
-    const NAME: &'static str = O::NAME;
-    type In<S: Scalar> = O::In<S>;
-    type Out<S: Scalar> = O::Out<S>;
-    const INVARIANCES: &'static [Invariance] = O::INVARIANCES;
-    const JUMPS: Jumps = O::JUMPS;
-    fn eval<S: Scalar<Mask = bool>>(&input: &Self::In<S>) -> Self::Out<S> {
-        O::eval(input)
-    }
-    fn vjp<S: Scalar<Mask = bool>>(&input: &Self::In<S>, out_bar: Self::Out<S>) -> Self::In<S> {
-        if let Some((_, input_bar)) = O::adjoint(input, out_bar) {
-            return input_bar;
-        }
-        // In the format that the scalar has.
-        let recorded = match S::EPSILON > 1e-10 {
-            true => plan::program_of::<O, f32>(Want::Vjp),
-            false => plan::program_of::<O, f64>(Want::Vjp),
-        };
-        let numbers = [input.scalars(), out_bar.scalars()].concat();
-        match recorded {
-            Ok(recorded) => {
-                let all = recorded.run_on(&numbers);
-                O::In::load(&all[Self::Out::<S>::LEN..])
-            }
-            // What cannot be recorded has no derivatives, and the harness says so.
-            Err(_) => O::In::filled(S::lit(f64::NAN)),
-        }
-    }
-    fn on_num_dual<S: Number>(&input: &Self::In<S::NumDual>) -> Option<Self::Out<S::NumDual>> {
-        match const { matches!(O::DERIVATIVE, Derivative::ByHand) } {
-            true => Some(O::eval(input)),
-            false => None,
-        }
-    }
-    fn map<S: Scalar, T: Scalar>(input: &Self::In<S>, f: &mut impl FnMut(S) -> T) -> Self::In<T> {
-        let numbers: Vec<T> = input.scalars().into_iter().map(f).collect();
-        O::In::load(&numbers)
-    }
-}
-
-/// An operation of a ring as a subject of the harness.
-#[derive(Clone, Copy, Debug)]
-pub struct Ringed<O>(std::marker::PhantomData<O>);
-
-impl<O: RingOp> Source for Ringed<O> {
-    const NAME: &'static str = O::NAME;
-    type In<S: Scalar> = Vec<Vec2<S>>;
-    type Out<S: Scalar> = O::Out<S>;
-    const INVARIANCES: &'static [Invariance] = O::INVARIANCES;
-    const JUMPS: Jumps = O::JUMPS;
-    fn eval<S: Scalar<Mask = bool>>(ring: &Vec<Vec2<S>>) -> O::Out<S> {
-        O::value(ring)
-    }
-    fn vjp<S: Scalar<Mask = bool>>(ring: &Vec<Vec2<S>>, out_bar: O::Out<S>) -> Vec<Vec2<S>> {
-        let mut ring_bar = vec![Vec2::zero(); ring.len()];
-        O::ring_vjp(ring, out_bar, &mut ring_bar);
-        ring_bar
-    }
-    fn on_num_dual<S: Number>(ring: &Vec<Vec2<S::NumDual>>) -> Option<O::Out<S::NumDual>> {
-        Some(O::value(ring))
-    }
-    fn map<S: Scalar, T: Scalar>(ring: &Vec<Vec2<S>>, f: &mut impl FnMut(S) -> T) -> Vec<Vec2<T>> {
-        Pack::map(ring, &mut |s| f(*s))
+/// The domain of an operation on plain numbers, if it states one.
+pub(crate) const fn inside_of<O: Op>() -> Option<fn(&[f64]) -> bool> {
+    match O::DOMAIN.is_some() {
+        true => Some(|x| {
+            let is_whole = x.len() == O::In::<f64>::LEN;
+            is_whole && O::DOMAIN.is_none_or(|inside| inside(O::In::<f64>::load(x)))
+        }),
+        false => None,
     }
 }

@@ -7,7 +7,7 @@ use crate::error::Error;
 use crate::kernels::cpu::plan::{Face, Known, Want, known, name, of_items};
 use crate::kernels::item::{Item, by_kind, by_shape, get, leaves_of, width};
 use crate::kernels::op::{
-    Ask, Extremes, Finite, Invariance, Jacobian, Jumps, Limits, Range, Runs, Source, ValueGrad, Vjp,
+    Ask, Extremes, Finite, Invariance, Jacobian, Jumps, Limits, Range, Runs, ValueGrad, Vjp,
 };
 #[cfg(feature = "gpu")]
 use crate::kernels::replays::Replays;
@@ -240,47 +240,5 @@ where
     #[cfg(feature = "gpu")]
     fn replays(&self, ask: Ask) -> Option<Result<Arc<dyn Replays<R::Scalar>>, Error>> {
         Some(crate::kernels::replays::of::<D, R>(ask))
-    }
-}
-
-/// An operation with a search, as the harness sees it.
-#[derive(Clone, Copy, Debug)]
-pub struct Replayed<D>(std::marker::PhantomData<D>);
-
-impl<D: Search> Source for Replayed<D> {
-    const NAME: &'static str = D::NAME;
-    type In<S: Scalar> = D::In<S>;
-    type Out<S: Scalar> = D::Out<S>;
-    const INVARIANCES: &'static [Invariance] = D::INVARIANCES;
-    const JUMPS: Jumps = D::JUMPS;
-    const SEARCHES: bool = true;
-    fn eval<S: Scalar<Mask = bool>>(&input: &Self::In<S>) -> Self::Out<S> {
-        D::replay(input, D::decide(input))
-    }
-    fn vjp<S: Scalar<Mask = bool>>(&input: &Self::In<S>, out_bar: Self::Out<S>) -> Self::In<S> {
-        let record = D::decide(input);
-        let (numbers, codes, out_bar) = (input.scalars(), input.codes(), out_bar.scalars());
-        let derivative = |at: usize| {
-            let jets = numbers.iter().enumerate();
-            let jets: Vec<Jet<S, 1>> = jets
-                .map(|(i, &x)| Jet {
-                    value: x,
-                    derivative: [if i == at { S::one() } else { S::zero() }],
-                })
-                .collect();
-            let moved = D::In::<Jet<S, 1>>::load(&jets).load_codes(&codes);
-            let found = D::replay(moved, record).scalars();
-            let terms = found
-                .iter()
-                .zip(&out_bar)
-                .map(|(jet, &bar)| jet.derivative[0] * bar);
-            terms.fold(S::zero(), |sum, term| sum + term)
-        };
-        let bars: Vec<S> = (0..numbers.len()).map(derivative).collect();
-        D::In::<S>::load(&bars).load_codes(&codes)
-    }
-    fn map<S: Scalar, T: Scalar>(input: &Self::In<S>, f: &mut impl FnMut(S) -> T) -> Self::In<T> {
-        let numbers: Vec<T> = input.scalars().into_iter().map(f).collect();
-        D::In::<T>::load(&numbers).load_codes(&input.codes())
     }
 }

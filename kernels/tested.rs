@@ -1,25 +1,23 @@
 //! The rows as the harness, the fuzzer, tests and benches take them: values without types.
 //!
 //! A program that asks for them compiles every row with all that judges it, and should do so in one place.
-use crate::ad::check::sample::{Draw, Family, Sample, random};
-use crate::ad::check::trace::Number;
 use crate::ad::check::{Report, Sampling};
+use crate::ad::sample::{Draw, Family, Sample, random};
 use crate::error::Error;
 use crate::kernels::Backend;
+use crate::kernels::check::recorded_subject::ByHand;
 use crate::kernels::check::{
-    Examined, Path, Stated, check_fold_with, check_ring_on, check_ring_with, check_search_with,
-    examined,
+    Examined, Folded, Judged, Path, Source, Stated, check_fold_with, check_ring_on,
+    check_ring_with, check_search_with, examined,
 };
 use crate::kernels::dynamic::{self, Format, Operation};
-use crate::kernels::fold::{Fold, Folded};
+use crate::kernels::fold::Fold;
 use crate::kernels::fuzz::{self, Fuzzed, Job, Straight};
 use crate::kernels::gpu::GpuRing;
 use crate::kernels::item::{Item, by_kind, get};
-use crate::kernels::op::{Op, RingOp, Source};
+use crate::kernels::op::{Op, RingOp};
 use crate::kernels::ops;
 use crate::kernels::ops::list::{Walk, Written};
-use crate::kernels::real::Real;
-use crate::kernels::recorded_subject::ByHand;
 use crate::kernels::search::Search;
 use crate::{Fixed, Pack, Vec2};
 use std::fmt;
@@ -59,7 +57,7 @@ struct Inputs {
 }
 
 /// A row in one format.
-struct Formed<S: Number + Real> {
+struct Formed<S: Judged> {
     alone: Path<S>,
     by_hand: ByHand<S>,
     num_dual: Option<fn(&[S::NumDual]) -> Vec<S::NumDual>>,
@@ -67,21 +65,21 @@ struct Formed<S: Number + Real> {
     fuzz: fn(&Tested, u64, u64) -> Fuzzed,
 }
 
-impl<S: Number + Real> Clone for Formed<S> {
+impl<S: Judged> Clone for Formed<S> {
     fn clone(&self) -> Self {
         *self
     }
 }
-impl<S: Number + Real> Copy for Formed<S> {}
+impl<S: Judged> Copy for Formed<S> {}
 
 /// `f32` or `f64`, in both of which a row is tested.
-pub trait Both: Format + Number {
+pub trait Both: Format + Judged {
     #[doc(hidden)]
     fn formed(row: &Tested) -> FormedIn<'_, Self>;
 }
 /// A row in one format.
 #[doc(hidden)]
-pub struct FormedIn<'a, S: Number + Real>(&'a Formed<S>);
+pub struct FormedIn<'a, S: Judged>(&'a Formed<S>);
 
 impl Both for f32 {
     fn formed(row: &Tested) -> FormedIn<'_, f32> {

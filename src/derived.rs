@@ -1,13 +1,13 @@
 //! `#[derive(Shape)]`, and the functions that the code calls that it writes.
 //!
 //! The derive (package `geograd-derive`) reads a struct's tokens without a parser of Rust. The code that it writes
-//! names this module and `ad::check::derived` only, so it needs no feature or dependency of its user's crate.
-pub use crate::ad::check::derived::{
+//! names this module only, so it needs no feature or dependency of its user's crate.
+pub use crate::ad::declared::Kind;
+pub use crate::ad::sample::derived::{
     all, as_angle, as_directions, as_non_negative, as_positive, as_rotation_vectors, combined,
     drawn, hard, in_order, joined, mingled, one_of, together,
 };
-pub use crate::ad::check::sample::{Draw, Sample};
-pub use crate::ad::check::symmetry::Kind;
+pub use crate::ad::sample::{Draw, Sample};
 pub use crate::error::{Field, Flaw, Validate};
 pub use crate::kernels::item::Item;
 pub use crate::kernels::real::Real;
@@ -19,8 +19,8 @@ pub use approx;
 pub use std::vec::Vec;
 #[cfg(feature = "proptest")]
 pub use {
-    crate::ad::check::sample::Family,
-    crate::ad::check::strategy::{Shapes, of},
+    crate::ad::sample::Family,
+    crate::ad::sample::strategy::{Shapes, of},
     proptest::arbitrary::Arbitrary,
 };
 
@@ -64,8 +64,8 @@ pub use {
 /// * [`Validate`](crate::Validate): every scalar is finite, every part valid, the rules below hold;
 /// * [`Item`](crate::kernels::Item): columns of it go into batches and come out of them;
 /// * the comparisons of `approx`;
-/// * [`Sample`](crate::ad::check::sample::Sample) for `f64`: random and hard inputs for the harness and, with the
-///   feature `proptest`, the strategies of `ad::check::strategy` and proptest's own `any`.
+/// * [`Sample`](crate::ad::sample::Sample) for `f64`: random and hard inputs for the harness and, with the
+///   feature `proptest`, the strategies of `ad::sample::strategy` and proptest's own `any`.
 ///
 /// The code names the crate `geograd`. With a dependency of another name, say `gg`, write `#[shape(crate = "gg")]`.
 ///
@@ -78,7 +78,7 @@ pub use {
 /// | `names("width", "height")` | names of its numbers, instead of `field.x` and so on |
 /// | `angle`, `length`, `number` | what turns and scaling do to its numbers; a lone scalar is a length |
 /// | `direction`, `rotation_vector` | its points do not shift: they are directions, or axes times angles in radians |
-/// | `kind = "AngleY"` | any other [`Kind`](crate::ad::check::symmetry::Kind) by its name |
+/// | `kind = "AngleY"` | any other [`Kind`](crate::ad::declared::Kind) by its name |
 /// | `code` | whole numbers: see [`Code`](crate::Code) |
 ///
 /// | on the struct | |

@@ -85,8 +85,11 @@
 //!
 //! `parallel` (default): batches on all cores. `gpu`: batches on a GPU. `glam`, `geo-types`, `mint`,
 //! `nalgebra`: conversions of points and vectors; the last one also `num-dual`'s vector duals. `serde`:
-//! serialization. `proptest`: strategies. `boolean`: [boolean operations](boolean) of polygons.
+//! serialization. `proptest`: strategies. `boolean`: [boolean operations](boolean) of polygons. `check`: the
+//! [harness](check) that checks derivatives, for `[dev-dependencies]`.
 #![warn(missing_docs)]
+// Pages of other modules link to the harness.
+#![cfg_attr(not(feature = "check"), allow(rustdoc::broken_intra_doc_links))]
 #![deny(unsafe_code)]
 
 // What `#[derive(Shape)]` writes calls the library by its name, inside the library, too.
@@ -178,13 +181,17 @@ pub mod kernels;
 ///
 /// `assert_gradient!(program &program, at …)` checks a recording, `Check::of(operation).assert()` an operation.
 /// [`ad::check`] has the other options of a [`Check`](check::Check), and how far its verdict goes.
+///
+/// It needs the feature `check`, best in `[dev-dependencies]` alone: a build without it compiles nothing that only
+/// checks.
+#[cfg(feature = "check")]
 #[forbid(unsafe_code)]
 pub mod check {
-    pub use crate::ad::check::sample::{Draw, Sample};
-    pub use crate::ad::check::subject::{Conventions, Jumps};
-    pub use crate::ad::check::symmetry::{Answer, Invariance, Kind, Motion};
+    pub use crate::ad::check::subject::Conventions;
     pub use crate::ad::check::verdict::{Reason, Witness};
     pub use crate::ad::check::{Check, Failure, Report, Sampling};
+    pub use crate::ad::declared::{Answer, Invariance, Jumps, Kind, Motion};
+    pub use crate::ad::sample::{Draw, Sample};
     pub use crate::scalar::Scalar;
     pub use crate::{assert_gradient, generic_check};
 }

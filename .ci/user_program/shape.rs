@@ -1,8 +1,6 @@
-//! A user's program with shapes and a function of its own: batches, the harness, programs. It runs here, and is
-//! compiled outside the workspace with the feature `gpu`, too.
-use geograd::ad::check::Sampling;
+//! A user's program with shapes and a function of its own: batches and programs; its tests run the harness. It runs
+//! here without the feature `check`, and is compiled outside the workspace with the feature `gpu`, too.
 use geograd::distance::Convex;
-use geograd::kernels::check::check_with;
 use geograd::kernels::{Cpu, One, Op, Skip};
 use geograd::{Capsule2, Circle, Error, Obb2, Pose2, Program, Scalar, Shape, Sym, Vec2, ad};
 
@@ -111,14 +109,6 @@ fn main() -> Result<(), Error> {
     let program = Program::trace(|x: (Arm<Sym<f32>>, Obb2<_>, Post<_>)| Clearance::eval(x))?;
     assert!(program.wgsl("clearance")?.starts_with("fn clearance("));
 
-    let mut plan = Sampling::new(20, 1);
-    plan.hard = 40;
-    for report in [
-        check_with::<Clearance, f64>(&plan),
-        check_with::<Clearance, f32>(&plan),
-    ] {
-        assert!(report.passed(), "{report}");
-    }
     let hit = values.iter().filter(|value| **value < 0.0).count();
     println!("{hit} of {} postures collide", arms.len());
     Ok(())
@@ -126,4 +116,34 @@ fn main() -> Result<(), Error> {
 
 fn approx(a: f64, b: f64) {
     assert!((a - b).abs() <= 1e-12 * (1.0 + b.abs()), "{a} {b}");
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{Arm, Clearance};
+    use geograd::check::*;
+    use geograd::kernels::check::check_with;
+
+    #[test]
+    fn the_harness_accepts_the_row() {
+        let mut plan = Sampling::new(20, 1);
+        plan.hard = 40;
+        for report in [
+            check_with::<Clearance, f64>(&plan),
+            check_with::<Clearance, f32>(&plan),
+        ] {
+            assert!(report.passed(), "{report}");
+        }
+    }
+
+    #[test]
+    fn the_derive_draws_valid_arms() {
+        let mut draw = Draw::new(1);
+        assert!((0..100).all(|_| Arm::<f64>::draw(&mut draw).inside()));
+    }
+
+    #[test]
+    fn a_gradient_is_checked_in_a_line() {
+        assert_gradient!(|x: f64| x * x, |x: f64| 2.0 * x, at 3.0);
+    }
 }

@@ -1,11 +1,11 @@
 //! A check of closures, put together step by step.
 use crate::ad::check::closures::Near;
-use crate::ad::check::sample::{Draw, Sample, hard_cases, random};
 use crate::ad::check::second_order::{BentFn, TracedBentFn};
 use crate::ad::check::subject::Conventions;
 use crate::ad::check::symmetry::{Invariance, Kind};
 use crate::ad::check::trace::{Number, Trace, Traced, of_num_duals, trace};
 use crate::ad::check::{Report, SEED, Sampling, examine, narrow};
+use crate::ad::sample::{Draw, Sample, hard_cases, random};
 use crate::{Jet, Pack};
 use std::fmt::Debug;
 

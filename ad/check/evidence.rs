@@ -1,7 +1,6 @@
 //! What is known of a function at one input: gathered once, before anything is compared. Comparisons
 //! read it; what they make of it are [notes](crate::ad::check::notes).
 use crate::ad::check::notes::Notes;
-use crate::ad::check::sample::Draw;
 use crate::ad::check::subject::Subject;
 use crate::ad::check::tolerances::{
     COMBINATIONS, FEW_INPUTS, FEW_OUTPUTS, NOISE_ROUNDS, ROUNDINGS, ROUNDS,
@@ -9,6 +8,7 @@ use crate::ad::check::tolerances::{
 use crate::ad::check::trace::Trace;
 use crate::ad::check::verdict::{Reason, Witness};
 use crate::ad::check::witness::{Precision, beside, combined, dot};
+use crate::ad::sample::Draw;
 use std::cell::{Cell, RefCell};
 
 /// The derivatives of one combination of the outputs.

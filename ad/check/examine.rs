@@ -3,13 +3,13 @@ use crate::Pack;
 use crate::ad::check::agreed::{Agreed, Held};
 use crate::ad::check::judge::judge;
 use crate::ad::check::report::{Failure, Report};
-use crate::ad::check::sample::Draw;
 use crate::ad::check::shrink::{code, shrunk};
 use crate::ad::check::subject::Subject;
 use crate::ad::check::tolerances::{ENOUGH, INSIDE_ONE_IN, KEPT, SMOOTH_ONE_IN};
 use crate::ad::check::trace::Number;
 use crate::ad::check::verdict::{Findings, Place, Reason};
 use crate::ad::check::witness::Precision;
+use crate::ad::sample::Draw;
 use std::fmt::Debug;
 
 /// The seed of everything random, unless another one is given.

@@ -17,11 +17,11 @@ use crate::ad::check::compare::values::values;
 use crate::ad::check::compare::wide::wide;
 use crate::ad::check::evidence::{Evidence, Item, same_bits};
 use crate::ad::check::notes::Notes;
-use crate::ad::check::sample::Draw;
 use crate::ad::check::subject::Subject;
 use crate::ad::check::symmetry::Motion;
 use crate::ad::check::tolerances::FEW_INPUTS;
 use crate::ad::check::verdict::{Fault, Findings, Place, Reason, Witness};
+use crate::ad::sample::Draw;
 
 /// Checks everything at one input. `seed` chooses random directions.
 #[must_use]

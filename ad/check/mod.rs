@@ -213,7 +213,6 @@ mod agreed;
 mod builder;
 mod closures;
 mod compare;
-pub(crate) mod derived;
 mod details;
 mod evidence;
 mod examine;
@@ -227,13 +226,8 @@ mod programs;
 pub mod report;
 pub mod roughness;
 mod rounding;
-pub mod sample;
 mod second_order;
-mod shapes;
 mod shrink;
-mod solids;
-#[cfg(feature = "proptest")]
-pub mod strategy;
 pub mod subject;
 pub mod symmetry;
 pub(crate) mod tolerances;
@@ -246,6 +240,9 @@ pub use crate::ad::check::builder::Check;
 pub use crate::ad::check::examine::{SEED, Sampling, examine};
 pub use crate::ad::check::report::{Failure, Report};
 pub use crate::ad::check::second_order::Bent;
+pub use crate::ad::sample;
+#[cfg(feature = "proptest")]
+pub use crate::ad::sample::strategy;
 
 /// A list as floats.
 pub(crate) fn narrow<S: trace::Number>(list: &[f64]) -> Vec<S> {

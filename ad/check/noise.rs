@@ -7,9 +7,9 @@
 //! at all, and the spread of a few runs is the error of one. Exact results stay, and equal ones move
 //! alike, so that most ties stay ties.
 use crate::Scalar;
-use crate::ad::check::sample::Draw;
 use crate::ad::check::trace::{Number, wrapped, wrapped_operators};
 use crate::ad::check::witness::Precision;
+use crate::ad::sample::Draw;
 use std::cell::Cell;
 use std::ops::{Add, AddAssign, Div, Mul, MulAssign, Neg, Sub, SubAssign};
 

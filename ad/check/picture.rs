@@ -1,8 +1,8 @@
 //! One input as a picture: the shapes, and what each witness says their points should do.
-use crate::ad::check::sample::Sample;
 use crate::ad::check::subject::Subject;
 use crate::ad::check::symmetry::Kind;
 use crate::ad::check::witness::{Ladder, dot};
+use crate::ad::sample::Sample;
 use std::fmt::Write;
 
 /// The derivatives of the sum of all outputs by hand, by duals and by differences.

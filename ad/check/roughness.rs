@@ -1,7 +1,7 @@
 //! The rounding errors of a function nobody can look into, measured from outside.
-use crate::ad::check::sample::Draw;
 use crate::ad::check::tolerances::{MEDIAN, SHARE_OF_ORDER, SPACINGS_F32, SPACINGS_F64};
 use crate::ad::check::witness::Precision;
+use crate::ad::sample::Draw;
 
 /// How rough a list-valued function is beside a point, per number: the standard deviation of its
 /// rounding errors, from tables of differences (Hamming; Moré and Wild, "Estimating computational

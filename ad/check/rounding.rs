@@ -10,13 +10,13 @@
 //! the input's.
 use crate::ad::check::evidence::{Beside, Evidence, Item};
 use crate::ad::check::roughness::roughness;
-use crate::ad::check::sample::Draw;
 use crate::ad::check::subject::Subject;
 use crate::ad::check::symmetry::exchanged;
 use crate::ad::check::tolerances::{
     DECIDED, DRAWS, ELSEWHERE, FEW_INPUTS, ROUGH, RUNS, SAFETY, TALL, TALL_BEND,
 };
 use crate::ad::check::witness::{Precision, axis, beside, combined, dot};
+use crate::ad::sample::Draw;
 
 impl Evidence<'_> {
     /// The largest change of a list-valued function under provoked rounding, per number. With

@@ -3,41 +3,9 @@ use crate::Pack;
 use crate::ad::check::tolerances::{FEW_INPUTS, SHRINKING};
 use crate::ad::check::trace::Number;
 use crate::ad::check::verdict::{Fault, Findings, Place};
+use crate::ad::sample::simpler;
 use std::fmt::Debug;
 use std::panic::{AssertUnwindSafe, catch_unwind};
-
-/// Simpler inputs, simplest first: fewer elements, then fewer digits. For shrinking.
-pub fn simpler<S: Number, X: Pack<Scalar = S>>(x: &X) -> impl Iterator<Item = X> {
-    let list: Vec<S> = x.scalars();
-    let rounded = (0..list.len()).flat_map(move |i| {
-        let (at, list) = (list[i].widen(), list.clone());
-        let power = if at == 0.0 {
-            1.0
-        } else {
-            10_f64.powi(at.abs().log10().floor() as i32)
-        };
-        let simple = [
-            0.0,
-            at.signum(),
-            at.round(),
-            (at / power).round() * power,
-            (at * 64.0).round() / 64.0,
-        ];
-        // Simpler means fewer digits, or it might go round in circles.
-        let simple = simple.into_iter().filter(move |s| digits(*s) < digits(at));
-        simple.map(move |simple| {
-            let mut simpler = list.clone();
-            simpler[i] = S::nearest(simple);
-            x.refill(&simpler)
-        })
-    });
-    x.fewer().chain(rounded)
-}
-
-/// How long a number is when written out.
-fn digits(x: f64) -> usize {
-    if x == 0.0 { 0 } else { format!("{x:e}").len() }
-}
 
 /// The simplest input found that fails in the same way: for the same reason, at the same number of an
 /// input of the same length, at the same kind of place, with no other witness outvoted. A function

@@ -1,8 +1,9 @@
 //! A function under test as the harness sees it: lists of numbers in, lists of numbers out.
-use crate::ad::check::symmetry::{Invariance, Kind};
 use crate::ad::check::tolerances::{LEAST_SCALE, NO_UNIT};
 use crate::ad::check::trace::Trace;
 use crate::ad::check::witness::Precision;
+pub use crate::ad::declared::Jumps;
+use crate::ad::declared::{Invariance, Kind};
 
 /// The conventions of a function at places without a derivative.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -20,18 +21,6 @@ pub struct Conventions {
     /// either side of such a tie are not all that tie: of a box and a box with the same heading, any pair of
     /// points of two sides is nearest. It counts at exact ties of the source only.
     pub searches: bool,
-}
-
-/// Places at which a function may jump.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub enum Jumps {
-    /// Nowhere.
-    #[default]
-    Never,
-    /// Where its value is exactly zero.
-    FromZero,
-    /// Anywhere.
-    Anywhere,
 }
 
 /// A function near one input, with every way there is to differentiate it. All lists are `f64`;

@@ -6,12 +6,12 @@
 //! Richardson's scheme; of all extrapolations the one with the smallest error estimate counts
 //! (Ridders' method), where the estimate includes the rounding noise of the values.
 use crate::Scalar;
-use crate::ad::check::sample::Draw;
 use crate::ad::check::tolerances::{
     JUMP_NOISE, JUMP_STAYS, LAST_DIGITS, MOVED_ROUNDINGS, NOISE_OF_RUNGS, POWERS, RATIO, RUNGS,
     SAME_STEP, SETTLED, SMALL_RUNGS, TRUNCATION,
 };
 use crate::ad::check::trace::Trace;
+use crate::ad::sample::Draw;
 
 /// The number format a function is checked in.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]

@@ -75,6 +75,7 @@ impl Recorded {
     }
 
     /// `true` if gradients by hand are parts of it, whose own derivatives duals of duals do not see.
+    #[cfg(feature = "check")]
     pub(crate) fn has_parts_by_hand(&self) -> bool {
         let is_part = |node: &Node| matches!(node, Node::Graft { share: Some(_), .. });
         self.graph.nodes().iter().any(is_part)

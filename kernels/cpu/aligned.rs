@@ -128,20 +128,6 @@ impl Cpu {
     }
 }
 
-/// The numbers of results for columns of shapes and cotangents: a list for every shape of a result.
-pub(crate) fn run_columns<T: Real>(
-    face: &Face<T>,
-    columns: Vec<Column<'_, T>>,
-) -> Result<Vec<Vec<T>>, Error> {
-    let (count, rare) = checked(face, &columns)?;
-    let lists = face.gives.iter().map(|n| vec![T::default(); n * count]);
-    let mut lists: Vec<Vec<T>> = lists.collect();
-    let targets = lists.iter_mut().zip(&face.gives);
-    let targets = targets.map(|(list, &fields)| Some(Target::of_rows(list, fields)));
-    compute(face, columns, rare, count, targets.collect());
-    Ok(lists)
-}
-
 /// The columns as a list.
 pub(crate) fn listed<C: Columns>(columns: &C) -> Vec<Column<'_, ScalarOf<C>>> {
     let mut all = Vec::new();

@@ -1,17 +1,22 @@
 //! Checks by the harness of functions whose shapes are known at run time.
+use super::Mode;
+use super::function::{Function, Origin};
 use super::program::Program;
-use crate::ad::check::derived::{TUPLES, combinations, mingle, together, units};
-use crate::ad::check::sample::{Draw, Sampler, moved};
+use super::rows::named;
 use crate::ad::check::subject::Conventions;
-use crate::ad::check::symmetry::Kind;
 use crate::ad::check::trace::Number;
 use crate::ad::check::{Check, Report, Sampling, examine};
+use crate::ad::declared::Kind;
 use crate::ad::program::Format;
+use crate::ad::sample::derived::{TUPLES, combinations, mingle, together, units};
+use crate::ad::sample::{Draw, Sampler, moved};
 use crate::error::{Argument, Error};
+use crate::kernels::check::Judged;
+use crate::kernels::check::recorded_subject::{Near, RecordedSubject, Recording};
 use crate::kernels::cpu::checked::expect;
+use crate::kernels::cpu::plan::Shaped;
 use crate::kernels::op::Jumps;
 use crate::kernels::real::Real;
-use crate::kernels::recorded_subject::{Near, RecordedSubject, Recording};
 use std::sync::Arc;
 
 /// The inputs of a check: shapes one after another, each as its numbers.
@@ -222,7 +227,21 @@ impl Near for Inputs {
     }
 }
 
-impl<T: Real + Number> Program<T> {
+impl<T: Real> Function<T> {
+    /// A straight line.
+    pub(crate) fn of_straight(shaped: Shaped<T>, mode: Mode) -> Self {
+        let takes = (shaped.takes)();
+        Function {
+            mode,
+            names: named(shaped.arguments, takes.len()),
+            takes,
+            outputs: shaped.outputs(),
+            origin: Origin::Straight(shaped),
+        }
+    }
+}
+
+impl<T: Judged> Program<T> {
     /// What the harness asks of it.
     fn recording(&self, jumps: Jumps) -> Recording<T> {
         let recorded = self.recorded();

@@ -1,7 +1,7 @@
 //! Functions of columns of numbers, in every form of a batch.
 use super::Mode;
 use super::program::Program;
-use super::rows::{Layout, Rows, named, renamed};
+use super::rows::{Layout, Rows, renamed};
 use crate::error::{Argument, Error};
 use crate::kernels::cpu::aligned::{checked, compute};
 use crate::kernels::cpu::all_pairs::Bearable;
@@ -74,17 +74,6 @@ impl<T: Real> std::fmt::Debug for Function<T> {
 }
 
 impl<T: Real> Function<T> {
-    /// A straight line.
-    pub(crate) fn of_straight(shaped: Shaped<T>, mode: Mode) -> Self {
-        let takes = (shaped.takes)();
-        Function {
-            mode,
-            names: named(shaped.arguments, takes.len()),
-            takes,
-            outputs: shaped.outputs(),
-            origin: Origin::Straight(shaped),
-        }
-    }
     /// A name and a layout for every column that it takes; cotangents of an adjoint come last.
     #[must_use]
     pub fn takes(&self) -> Vec<(Argument, Layout<T>)> {

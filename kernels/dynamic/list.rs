@@ -6,17 +6,16 @@ use super::program::Program;
 use super::rows::{Layout, named};
 use super::symbol::Symbol;
 use crate::Fixed;
-use crate::ad::check::sample::{Sample, Sampler};
-use crate::ad::check::symmetry::Kind;
+use crate::ad::declared::Kind;
 use crate::ad::program::record::{TRIALS, listed};
+use crate::ad::sample::{Sample, Sampler};
 use crate::error::{Argument, Error, Field, Unrecordable};
-use crate::kernels::check::inside_of;
+use crate::kernels::bounds::{Bound, bounds};
 use crate::kernels::cpu::plan::{Shaped, recorded_of};
 use crate::kernels::fold::Fold;
-use crate::kernels::fuzz::{Bound, bounds};
 use crate::kernels::gpu::GpuRing;
 use crate::kernels::item::{Item, Leaf, leaves_of};
-use crate::kernels::op::{Derivative, Extremes, Finite, Invariance, Jumps, Op, Range};
+use crate::kernels::op::{Derivative, Extremes, Finite, Invariance, Jumps, Op, Range, inside_of};
 use crate::kernels::ops;
 use crate::kernels::ops::list::{Walk, Written};
 use crate::kernels::real::Real;
@@ -306,6 +305,7 @@ impl Operation {
     }
 
     /// The straight line that it is.
+    #[cfg(feature = "check")]
     pub(crate) fn shaped<T: Format>(&self) -> Option<Shaped<T>> {
         match T::of(self).body {
             Body::Straight(shaped) => Some(shaped),

@@ -32,6 +32,7 @@
 //! ```
 //!
 //! A program that calls [`operations`] or [`operation`] compiles every row in both formats; other programs do not.
+#[cfg(feature = "check")]
 mod check;
 mod function;
 mod list;
@@ -43,10 +44,11 @@ mod program;
 mod rows;
 pub mod symbol;
 
-pub use crate::ad::check::sample::Sampler;
+pub use crate::ad::sample::Sampler;
+pub use crate::kernels::bounds::Bound;
 pub use crate::kernels::cpu::plan::Want as Mode;
 pub use crate::kernels::cpu::work::on_this_thread;
-pub use crate::kernels::fuzz::Bound;
+#[cfg(feature = "check")]
 pub use check::Inputs;
 pub use function::Function;
 pub use list::{Format, Number, Operation, Parameter, Shape, Sort, operation, operations};

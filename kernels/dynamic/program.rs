@@ -117,6 +117,7 @@ impl<T: Real> Program<T> {
     }
 
     /// Its graph.
+    #[cfg(feature = "check")]
     pub(super) fn recorded(&self) -> &Recorded {
         &self.inner.recorded
     }

@@ -3,8 +3,8 @@ use super::job::Job;
 use super::numbers::{Family, is_angle_within, limited, limits_of, power};
 use super::{Finding, Property};
 use crate::Vec2;
-use crate::ad::check::sample::Draw;
-use crate::ad::check::symmetry::Kind;
+use crate::ad::declared::Kind;
+use crate::ad::sample::Draw;
 use crate::kernels::op::Finite;
 use crate::kernels::real::Real;
 

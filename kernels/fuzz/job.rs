@@ -1,19 +1,19 @@
 //! An operation of any sort on plain numbers, so that what fuzzes it is compiled once.
 use super::inputs::Inputs;
 use super::rules::Rules;
-use crate::ad::check::sample::{Draw, Sample, random};
-use crate::ad::check::symmetry::{Answer, Invariance, Kind, Motion};
+use crate::ad::declared::{Answer, Invariance, Kind, Motion};
 use crate::ad::program::recorded::Recorded;
+use crate::ad::sample::{Draw, Sample, random};
 use crate::error::Error;
 use crate::kernels::Cpu;
-use crate::kernels::check::inside_of;
-use crate::kernels::cpu::aligned::run_columns;
+use crate::kernels::check::{Folded, Source};
+use crate::kernels::cpu::aligned::{checked, compute};
 use crate::kernels::cpu::checked::numbers;
 use crate::kernels::cpu::pairs::Pairs;
 use crate::kernels::cpu::plan::{Compiled, Face, Shaped, Want, recorded_of};
-use crate::kernels::fold::{Fold, Folded};
-use crate::kernels::item::{Column, Item, Leaf, by_kind, by_shape, get, leaves_of, width};
-use crate::kernels::op::{Ask, Extremes, Finite, Jumps, Op, Range, RingOp, Source};
+use crate::kernels::fold::Fold;
+use crate::kernels::item::{Column, Item, Leaf, Target, by_kind, by_shape, get, leaves_of, width};
+use crate::kernels::op::{Ask, Extremes, Finite, Jumps, Op, Range, RingOp, inside_of};
 use crate::kernels::real::Real;
 use crate::kernels::search::{self, Search};
 use crate::{Fixed, Pack, Vec2};
@@ -456,4 +456,15 @@ fn path<T: Real>(numbers: &[T]) -> Vec<Vec2<T>> {
 
 fn shown_path(numbers: &[f64]) -> String {
     format!("vec!{:?}", path(numbers))
+}
+
+/// The numbers of results for columns of shapes and cotangents: a list for every shape of a result.
+fn run_columns<T: Real>(face: &Face<T>, columns: Vec<Column<'_, T>>) -> Result<Vec<Vec<T>>, Error> {
+    let (count, rare) = checked(face, &columns)?;
+    let lists = face.gives.iter().map(|n| vec![T::default(); n * count]);
+    let mut lists: Vec<Vec<T>> = lists.collect();
+    let targets = lists.iter_mut().zip(&face.gives);
+    let targets = targets.map(|(list, &fields)| Some(Target::of_rows(list, fields)));
+    compute(face, columns, rare, count, targets.collect());
+    Ok(lists)
 }

@@ -31,10 +31,9 @@ mod shrink;
 #[doc(hidden)]
 pub use job::Job;
 pub(crate) use job::{Straight, all_numbers, sampled, shown};
-pub use rules::Bound;
-pub(crate) use rules::bounds;
 
-use crate::ad::check::sample::{Draw, Sample};
+use crate::ad::sample::{Draw, Sample};
+use crate::kernels::check::Judged;
 use crate::kernels::fold::Fold;
 use crate::kernels::item::Item;
 use crate::kernels::op::{Op, RingOp};
@@ -150,7 +149,7 @@ impl fmt::Display for Fuzzed {
 
 /// Fuzzes an operation of fixed size on all cores; stops at the first thing that it finds.
 #[must_use]
-pub fn operation<O: Op, T: Real>(count: u64, seed: u64) -> Fuzzed
+pub fn operation<O: Op, T: Judged>(count: u64, seed: u64) -> Fuzzed
 where
     O::In<T>: Item<Scalar = T>,
     O::Out<T>: Item<Scalar = T>,
@@ -161,7 +160,7 @@ where
 
 /// Fuzzes an operation with a search.
 #[must_use]
-pub fn decided<D: Search, T: Real>(count: u64, seed: u64) -> Fuzzed
+pub fn decided<D: Search, T: Judged>(count: u64, seed: u64) -> Fuzzed
 where
     D::In<T>: Item<Scalar = T>,
     D::Out<T>: Item<Scalar = T>,
@@ -172,13 +171,13 @@ where
 
 /// Fuzzes a measure of rings.
 #[must_use]
-pub fn ring<O: RingOp, T: Real>(count: u64, seed: u64) -> Fuzzed {
+pub fn ring<O: RingOp, T: Judged>(count: u64, seed: u64) -> Fuzzed {
     T::fuzzed(&Job::of_ring::<O>(), count, seed)
 }
 
 /// Fuzzes a fold over paths.
 #[must_use]
-pub fn fold<F: Fold, T: Real>(count: u64, seed: u64) -> Fuzzed
+pub fn fold<F: Fold, T: Judged>(count: u64, seed: u64) -> Fuzzed
 where
     F::Context<T>: Item<Scalar = T>,
     F::Context<f64>: Sample + Item<Scalar = f64>,

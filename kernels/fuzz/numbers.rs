@@ -1,6 +1,6 @@
 //! Numbers of kinds that break things.
-use crate::ad::check::sample::Draw;
-use crate::ad::check::symmetry::Kind;
+use crate::ad::declared::Kind;
+use crate::ad::sample::Draw;
 use crate::kernels::op::{Finite, Limits};
 use crate::kernels::real::Real;
 use std::f64::consts::FRAC_PI_4;

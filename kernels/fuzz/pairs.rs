@@ -3,7 +3,7 @@ use super::inputs::{Inputs, is_inside};
 use super::job::Job;
 use super::judge::{Found, Outcome, first_where, unless};
 use super::{Finding, Property};
-use crate::ad::check::symmetry::Kind;
+use crate::ad::declared::Kind;
 use crate::kernels::op::Extremes;
 use crate::kernels::real::Real;
 

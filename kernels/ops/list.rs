@@ -1,5 +1,5 @@
 //! The list of rows: what the tables hand over, and who takes it.
-use crate::ad::check::sample::Sample;
+use crate::ad::sample::Sample;
 use crate::kernels::fold::Fold;
 use crate::kernels::gpu::GpuRing;
 use crate::kernels::item::Item;

@@ -1,7 +1,8 @@
 //! Same bits, signs of zeros included: of the scalar code, at every level of vector instructions, at
 //! every position of a batch, for any number of threads, with the filter of all pairs and without.
+use geograd::kernels::check::{Ringed, Source, Straight};
 use geograd::kernels::cpu::simd::Simd;
-use geograd::kernels::op::{RingOp, Ringed, Source, Straight};
+use geograd::kernels::op::RingOp;
 use geograd::kernels::reduce::Matrix;
 use geograd::scalar::float::Float;
 use geograd::{Aabb2, Aabb3, Obb2, Obb3, Pack, Rotation3, Scalar, Vec2, Vec3, YawBox3};

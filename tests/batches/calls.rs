@@ -1,7 +1,7 @@
 //! Batches: every form gives the numbers of the single call; bad input is refused with its place, and
 //! buffers are left alone.
 use geograd::error::{Argument, Field};
-use geograd::kernels::op::{Ringed, Source};
+use geograd::kernels::check::{Ringed, Source};
 use geograd::kernels::{Centroid, Op, Perimeter, RingOp, SignedArea};
 use geograd::{Aabb2, Error, Flaw, Obb2, Pack, Vec2};
 use geograd_tests::calls::{self, Number};

@@ -1,8 +1,9 @@
 //! Folds over paths and operations with a search, in batches.
 use geograd::error::{Argument, Field, Flaw};
+use geograd::kernels::check::Folded;
+use geograd::kernels::check::Source;
 use geograd::kernels::cpu::simd::Simd;
-use geograd::kernels::fold::{Folded, fold};
-use geograd::kernels::op::Source;
+use geograd::kernels::fold::fold;
 use geograd::kernels::{Cpu, One};
 use geograd::kernels::{Diameter, Iou};
 use geograd::measure::moments::{AreaMoments, second_moments};

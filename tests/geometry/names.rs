@@ -261,8 +261,9 @@ fn readme_installs_from_the_repository_of_the_package() {
         .find(|line| line.starts_with("repository = "))
         .unwrap());
     let readme = read("README.md");
-    let install = readme.lines().find(|line| line.contains("git = ")).unwrap();
-    assert_eq!(of(install), repository);
+    let lines = readme.lines().filter(|line| line.contains("git = "));
+    let addresses: Vec<String> = lines.map(of).collect();
+    assert_eq!(addresses, [repository.clone(), repository]);
 }
 
 /// The programs of README print what README says.

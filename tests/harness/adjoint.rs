@@ -69,7 +69,7 @@ mod alarms {
     use geograd::ad::check::{self, Report, examine};
     use geograd::kernels::Centroid;
     use geograd::kernels::check::{OpSubject, check_with};
-    use geograd::kernels::op::{Ringed, Source, Straight};
+    use geograd::kernels::check::{Ringed, Source, Straight};
     use geograd::{Aabb2, Obb2, Vec2};
     use geograd_tests::rows::{IntersectionAreaObb2, IofAabb2, IofObb2, IouObb2};
 

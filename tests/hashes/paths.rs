@@ -1,8 +1,9 @@
 //! The forms of rings and folds: values and derivatives alone, of paths in one list, and of one path for all.
 use crate::forms::{Batch, Flat, Format, Found, Given, OfItem, flat, jacobian, load, load_all};
 use geograd::ad::forward::First;
-use geograd::kernels::fold::{Folded, fold};
-use geograd::kernels::op::Source;
+use geograd::kernels::check::Folded;
+use geograd::kernels::check::Source;
+use geograd::kernels::fold::fold;
 use geograd::kernels::{Cpu, Fold, Item, RingOp};
 use geograd::{Fixed, Pack, Scalar, Vec2};
 

@@ -1,13 +1,13 @@
 //! Second derivatives against one another.
 use crate::ad::check::evidence::{Evidence, Item};
 use crate::ad::check::notes::Notes;
-use crate::ad::check::sample::Draw;
 use crate::ad::check::tolerances::{
     COMBINATIONS, CURVATURE_ROUNDINGS, FEW_INPUTS, FIRST, INFORMATIVE, ROUNDINGS, SAFETY,
 };
 use crate::ad::check::trace::Trace;
 use crate::ad::check::verdict::{Numbers, Reason, Witness};
 use crate::ad::check::witness::{Estimate, Ladder, Probe, axis, dot};
+use crate::ad::sample::Draw;
 use std::cell::OnceCell;
 
 /// `true` if a complaint stands: some other ladder repeats it, and none contradicts.

@@ -1,9 +1,9 @@
 //! The adjoint is linear in what it is seeded with.
 use crate::ad::check::evidence::Evidence;
 use crate::ad::check::notes::Notes;
-use crate::ad::check::sample::Draw;
 use crate::ad::check::tolerances::{ROUNDINGS, UNSEEN};
 use crate::ad::check::verdict::{Numbers, Reason, Witness};
+use crate::ad::sample::Draw;
 
 /// The adjoint of a random sum against the sum of the adjoints, and that of nothing against nothing.
 pub(crate) fn linear(e: &Evidence<'_>, draw: &mut Draw) -> Notes {

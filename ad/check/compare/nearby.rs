@@ -1,11 +1,11 @@
 //! Derivatives beside a kink: what a derivative at the kink may be between.
 use crate::ad::check::evidence::{Evidence, Item, finite};
-use crate::ad::check::sample::Draw;
 use crate::ad::check::tolerances::{
     APPROACHES, FEW_INPUTS, FEW_PLACES, FIRST, INFORMATIVE, MOVED_ROUNDINGS, NEARBY, NEARER,
     NEARER_STEPS, PLACES, SAFETY, SIDES, TRIES, TRIES_OF_STEPS,
 };
 use crate::ad::check::witness::{Estimate, Ladder, Precision, combined, dot};
+use crate::ad::sample::Draw;
 
 /// The difference of two lists.
 fn minus(a: &[f64], b: &[f64]) -> Vec<f64> {

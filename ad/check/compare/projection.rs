@@ -9,11 +9,11 @@
 use crate::ad::check::compare::exact::conventional_border;
 use crate::ad::check::evidence::{Evidence, Item};
 use crate::ad::check::notes::{Notes, comparison};
-use crate::ad::check::sample::Draw;
 use crate::ad::check::subject::Subject;
 use crate::ad::check::tolerances::{FEW_INPUTS, PARTS, PROJECTIONS, ROUNDINGS, SAFETY};
 use crate::ad::check::verdict::{Numbers, Reason, Witness};
 use crate::ad::check::witness::{Ladder, dot};
+use crate::ad::sample::Draw;
 use std::cell::Cell;
 use std::ops::Range;
 

@@ -2,12 +2,12 @@
 use crate::ad::check::compare::along::Along;
 use crate::ad::check::evidence::Evidence;
 use crate::ad::check::notes::Notes;
-use crate::ad::check::sample::Draw;
 use crate::ad::check::tolerances::{
     BORDER, FEW_INPUTS, FIRST, KINK_DIRECTIONS, LONG_DIRECTIONS, TIED_DIRECTIONS, WIDE_NOISE,
 };
 use crate::ad::check::trace::Trace;
 use crate::ad::check::witness::{Ladder, axis};
+use crate::ad::sample::Draw;
 
 /// Derivatives against differences along every direction. Of a long input that is `refused` already, or of
 /// which a direction is, no further directions are tried: they are all alike.

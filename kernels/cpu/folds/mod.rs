@@ -17,8 +17,7 @@ use crate::kernels::item::{Column, Columns, Leaf, STRETCH, Target, leaves_of};
 use crate::kernels::real::Real;
 use crate::{Error, Fixed, Pack, Vec2};
 use paths::{Paths, finished, paths, told};
-use programs::backwards;
-pub(crate) use programs::{Programs, programs, pull_back};
+pub(crate) use programs::{Programs, backwards, programs};
 use std::sync::Arc;
 
 /// Checks paths; of every one its context and then its reference, as numbers.

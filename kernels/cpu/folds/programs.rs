@@ -1,9 +1,9 @@
-//! The bodies of a fold as programs, and its adjoint from edge to edge.
+//! The bodies of a fold as programs, and its adjoint from the result to every edge.
 use crate::ad::program::record::record;
 use crate::ad::program::recorded::Recorded;
 use crate::ad::program::{Plain, Sym};
 use crate::kernels::cpu::plan::{Known, known};
-use crate::kernels::fold::{Fold, edges};
+use crate::kernels::fold::Fold;
 use crate::{Error, Fixed, Pack, Scalar, Vec2};
 use std::sync::Arc;
 
@@ -52,49 +52,8 @@ pub(crate) fn programs<F: Fold, T: Plain>() -> Result<Arc<Programs>, Error> {
     })
 }
 
-/// The adjoint of a fold for one path, on any scalar: cotangents of the context and of every vertex.
-pub(crate) fn pull_back<F: Fold, S: Scalar>(
-    context: F::Context<S>,
-    path: &[Vec2<S>],
-    out_bar: F::Out<S>,
-) -> (F::Context<S>, Vec<Vec2<S>>) {
-    // In the format that the scalar has.
-    let found = match S::EPSILON > 1e-10 {
-        true => programs::<F, f32>(),
-        false => programs::<F, f64>(),
-    };
-    let Ok(programs) = found else {
-        // What cannot be recorded has no derivatives, and the harness says so.
-        let none = S::lit(f64::NAN);
-        return (Fixed::filled(none), vec![Vec2::filled(none); path.len()]);
-    };
-    let reference = F::reference(context, path);
-    let ends = |k: usize| [path[k], path[(k + 1) % path.len()]];
-    let count = edges::<F>(path.len());
-    let states: Vec<F::State<S>> = (0..count)
-        .map(|k| F::edge(context, reference, ends(k)[0], ends(k)[1]))
-        .collect();
-    let shared = [context.scalars(), reference.scalars()].concat();
-    let (mut context_bar, state_bars) =
-        backwards::<F, S>(&programs, &shared, &states, None, out_bar);
-    let mut path_bar = vec![Vec2::<S>::zero(); path.len()];
-    for (k, state_bar) in state_bars.into_iter().enumerate() {
-        let [from, to] = ends(k);
-        let points = [from.x, from.y, to.x, to.y];
-        let input = [&shared[..], &points, &state_bar.scalars()].concat();
-        let bars = &programs.edge_vjp.run_on(&input)[F::State::<S>::LEN..];
-        for (bar, &x) in context_bar.iter_mut().zip(bars) {
-            *bar += x;
-        }
-        let at = |i: usize| bars[shared.len() + i];
-        path_bar[k] += Vec2::new(at(0), at(1));
-        path_bar[(k + 1) % path.len()] += Vec2::new(at(2), at(3));
-    }
-    (F::Context::load(&context_bar), path_bar)
-}
-
 /// From the cotangent of a result to that of the context and of what every edge told.
-pub(super) fn backwards<F: Fold, S: Scalar>(
+pub(crate) fn backwards<F: Fold, S: Scalar>(
     programs: &Programs,
     shared: &[S],
     states: &[F::State<S>],

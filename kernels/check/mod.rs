@@ -14,34 +14,71 @@
 //! An operation is judged by its recording, so that the harness is compiled once, in the library. Where derivatives are
 //! by hand, the recording differentiated backwards in double precision is a further witness, and num-dual's numbers
 //! another.
+mod of;
+pub(crate) mod recorded_subject;
+mod source;
+pub(crate) mod subject;
+
+pub use of::OfOperation;
+pub use source::{Folded, Replayed, Ringed, Source, Straight};
+pub use subject::{Fused, OpSubject, Path};
+
 use crate::ad::check::picture::picture;
-use crate::ad::check::sample::{Sample, hard_cases, random};
 use crate::ad::check::subject::Subject;
-use crate::ad::check::symmetry::Kind;
 use crate::ad::check::trace::Number;
 use crate::ad::check::verdict::Reason;
 use crate::ad::check::witness::Precision;
 use crate::ad::check::{Report, Sampling, examine};
+use crate::ad::declared::Kind;
+use crate::ad::sample::{Sample, hard_cases, random};
 use crate::kernels::Backend;
+use crate::kernels::check::recorded_subject::{ByHand, RecordedSubject, Recording};
 use crate::kernels::cpu::plan::{Shaped, Want, recorded_of};
 use crate::kernels::dynamic::Function;
-use crate::kernels::fold::{Fold, Folded};
+use crate::kernels::fold::Fold;
+use crate::kernels::fuzz::{self, Fuzzed, Job};
 use crate::kernels::gpu::GpuRing;
 use crate::kernels::item::{Item, Single};
-use crate::kernels::op::{Derivative, Invariance, Jumps, Op, RingOp, Ringed};
+use crate::kernels::op::{Derivative, Invariance, Jumps, Op, RingOp, inside_of};
 use crate::kernels::real::Real;
-use crate::kernels::recorded_subject::{ByHand, RecordedSubject, Recording};
-use crate::kernels::search::{Replayed, Search};
+use crate::kernels::search::Search;
 use crate::kernels::witness::{Ask, Batch, ask_any, ask_gradient, ask_pairs, ask_rings};
 use crate::{Error, Fixed, Pack, Vec2};
 use std::any::Any;
 
-pub use crate::kernels::of::OfOperation;
-pub use crate::kernels::subject::{Fused, OpSubject, Path};
+/// `f32` or `f64`, in which the harness and the fuzzer run operations.
+///
+/// The methods of a concrete format are compiled in this library, with its optimisation; generic functions would be
+/// compiled anew wherever an operation is checked.
+pub trait Judged: Number + Real {
+    /// Hands a recorded operation to whoever judges it.
+    #[doc(hidden)]
+    fn judged(subject: &RecordedSubject<'_, Self>, judge: &mut dyn FnMut(&dyn Subject));
+    /// Fuzzes an operation.
+    #[doc(hidden)]
+    fn fuzzed(job: &Job<Self>, count: u64, seed: u64) -> Fuzzed;
+}
+
+impl Judged for f32 {
+    fn judged(subject: &RecordedSubject<'_, f32>, judge: &mut dyn FnMut(&dyn Subject)) {
+        judge(subject);
+    }
+    fn fuzzed(job: &Job<f32>, count: u64, seed: u64) -> Fuzzed {
+        fuzz::run(job, count, seed)
+    }
+}
+impl Judged for f64 {
+    fn judged(subject: &RecordedSubject<'_, f64>, judge: &mut dyn FnMut(&dyn Subject)) {
+        judge(subject);
+    }
+    fn fuzzed(job: &Job<f64>, count: u64, seed: u64) -> Fuzzed {
+        fuzz::run(job, count, seed)
+    }
+}
 
 /// A straight line in one format as the harness and the fuzzer take it: batches of it, and the function on plain
 /// numbers.
-pub(crate) struct Examined<S: Number + Real> {
+pub(crate) struct Examined<S: Judged> {
     pub(crate) shaped: Shaped<S>,
     /// The function.
     pub(crate) alone: Path<S>,
@@ -51,14 +88,14 @@ pub(crate) struct Examined<S: Number + Real> {
     pub(crate) num_dual: Option<fn(&[S::NumDual]) -> Vec<S::NumDual>>,
 }
 
-impl<S: Number + Real> Clone for Examined<S> {
+impl<S: Judged> Clone for Examined<S> {
     fn clone(&self) -> Self {
         *self
     }
 }
-impl<S: Number + Real> Copy for Examined<S> {}
+impl<S: Judged> Copy for Examined<S> {}
 
-impl<S: Number + Real> Examined<S> {
+impl<S: Judged> Examined<S> {
     pub(crate) const fn of<O: Op>() -> Self
     where
         O::In<S>: Item<Scalar = S>,
@@ -138,17 +175,6 @@ impl Stated {
             resolution: O::RESOLUTION,
             output_kinds: || O::Out::<f64>::filled(1.0).kinds(),
         }
-    }
-}
-
-/// The domain of an operation on plain numbers, if it states one.
-pub(crate) const fn inside_of<O: Op>() -> Option<fn(&[f64]) -> bool> {
-    match O::DOMAIN.is_some() {
-        true => Some(|x| {
-            let is_whole = x.len() == O::In::<f64>::LEN;
-            is_whole && O::DOMAIN.is_none_or(|inside| inside(O::In::<f64>::load(x)))
-        }),
-        false => None,
     }
 }
 
@@ -248,7 +274,7 @@ fn judged<X: Sample>(
 }
 
 /// Runs every check of an operation.
-pub fn check<O: Op, S: Number + Real>(samples: usize, seed: u64) -> Report
+pub fn check<O: Op, S: Judged>(samples: usize, seed: u64) -> Report
 where
     O::In<f64>: Sample + Item,
     O::Out<f64>: Sample + Item,
@@ -259,7 +285,7 @@ where
 }
 
 /// The same by a sampling.
-pub fn check_with<O: Op, S: Number + Real>(sampling: &Sampling<'_>) -> Report
+pub fn check_with<O: Op, S: Judged>(sampling: &Sampling<'_>) -> Report
 where
     O::In<f64>: Sample + Item,
     O::Out<f64>: Sample + Item,
@@ -309,7 +335,7 @@ where
     straight::<O, f32>(sampling, Some(backend), true)
 }
 
-fn straight<O: Op, S: Number + Real>(
+fn straight<O: Op, S: Judged>(
     sampling: &Sampling<'_>,
     backend: Option<Backend<'_>>,
     pairs: bool,
@@ -332,7 +358,7 @@ where
 
 /// Judges a straight line, with batches on a backend as further witnesses of `f32`: items side by side, the value
 /// with its gradient, and all pairs if they are wanted.
-pub(crate) fn examined<X: Sample + Fixed, S: Number + Real>(
+pub(crate) fn examined<X: Sample + Fixed, S: Judged>(
     stated: &Stated,
     own: &Examined<S>,
     wide: &Examined<f64>,
@@ -396,7 +422,7 @@ fn names_of<X: Fixed>(arguments: &[&str]) -> Vec<String> {
 }
 
 /// Judges what was recorded of an operation; if nothing was, refuses it.
-fn recorded<X: Sample, S: Number + Real>(
+fn recorded<X: Sample, S: Judged>(
     name: &'static str,
     sampling: &Sampling<'_>,
     asks: Vec<Ask<'_>>,
@@ -428,7 +454,7 @@ fn recorded<X: Sample, S: Number + Real>(
 }
 
 /// Runs every check of an operation of a ring.
-pub fn check_ring<O: RingOp, S: Number + Real>(samples: usize, seed: u64) -> Report
+pub fn check_ring<O: RingOp, S: Judged>(samples: usize, seed: u64) -> Report
 where
     O::Out<f64>: Sample,
 {
@@ -436,7 +462,7 @@ where
 }
 
 /// The same by a sampling.
-pub fn check_ring_with<O: RingOp, S: Number + Real>(sampling: &Sampling<'_>) -> Report
+pub fn check_ring_with<O: RingOp, S: Judged>(sampling: &Sampling<'_>) -> Report
 where
     O::Out<f64>: Sample,
 {
@@ -458,10 +484,7 @@ where
     ring::<O, f32>(sampling, vec![&|inputs| ask_rings::<O>(backend, inputs)])
 }
 
-fn ring<O: RingOp, S: Number + Real>(
-    sampling: &Sampling<'_>,
-    asks: Vec<Ask<'_>>,
-) -> Result<Report, Error>
+fn ring<O: RingOp, S: Judged>(sampling: &Sampling<'_>, asks: Vec<Ask<'_>>) -> Result<Report, Error>
 where
     O::Out<f64>: Sample,
 {
@@ -473,7 +496,7 @@ where
 }
 
 /// Runs every check of a fold over paths.
-pub fn check_fold_with<F: Fold, S: Number + Real>(sampling: &Sampling<'_>) -> Report
+pub fn check_fold_with<F: Fold, S: Judged>(sampling: &Sampling<'_>) -> Report
 where
     F::Context<f64>: Sample,
     F::Out<f64>: Sample,
@@ -491,7 +514,7 @@ where
 }
 
 /// Runs every check of an operation with a search.
-pub fn check_search_with<D: Search, S: Number + Real>(sampling: &Sampling<'_>) -> Report
+pub fn check_search_with<D: Search, S: Judged>(sampling: &Sampling<'_>) -> Report
 where
     D::In<f64>: Sample,
     D::Out<f64>: Sample,

@@ -2,10 +2,10 @@
 //! properties. Needs the feature `proptest`.
 //!
 //! What is drawn, what is hard and how a failing shape is made simpler is the harness's own code
-//! ([`ad::check::sample`](crate::ad::check::sample)); a failing input prints as code.
+//! ([`ad::sample`](crate::ad::sample)); a failing input prints as code.
 //!
 //! ```
-//! use geograd::ad::check::strategy::{any, thin, touching};
+//! use geograd::ad::sample::strategy::{any, thin, touching};
 //! use geograd::{Obb2, Vec2};
 //! use proptest::prelude::*;
 //!
@@ -37,8 +37,7 @@
 //! #     rings();
 //! # }
 //! ```
-use crate::ad::check::sample::{Draw, Family, Sample};
-use crate::ad::check::shrink::simpler;
+use crate::ad::sample::{Draw, Family, Sample, simpler};
 use proptest::prelude::Rng;
 use proptest::strategy::{NewTree, Strategy, ValueTree};
 use proptest::test_runner::TestRunner;

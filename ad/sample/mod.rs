@@ -4,8 +4,15 @@
 //! machine. Random pairs are snapped to each other now and then, so that ties, touching sides and
 //! near ties come up without being asked for; whole inputs are moved far away and scaled, because
 //! that is where digits are lost.
-use crate::Pack;
-use crate::ad::check::symmetry::Kind;
+pub(crate) mod derived;
+mod shapes;
+mod solids;
+#[cfg(feature = "proptest")]
+pub mod strategy;
+
+use crate::ad::declared::Kind;
+use crate::scalar::float::Float;
+use crate::{Pack, Scalar};
 use std::f64::consts::FRAC_PI_2;
 
 /// A small seeded generator of random numbers (SplitMix64).
@@ -109,6 +116,10 @@ pub trait Sample: Pack<Scalar = f64> + std::fmt::Debug {
 
 /// How a shape is drawn, without its type: its numbers as lists.
 #[derive(Clone, Copy, Debug)]
+#[cfg_attr(
+    not(feature = "check"),
+    expect(dead_code, reason = "only the harness asks for all of it")
+)]
 pub struct Sampler {
     /// A random one.
     pub(crate) draw: fn(&mut Draw) -> Vec<f64>,
@@ -295,4 +306,37 @@ pub fn hard_cases<X: Sample>() -> Vec<X> {
         .iter()
         .flat_map(|place| plain.iter().filter_map(|x| put(x, *place)))
         .collect()
+}
+
+/// Simpler inputs, simplest first: fewer elements, then fewer digits. For shrinking.
+pub fn simpler<S: Scalar + Float, X: Pack<Scalar = S>>(x: &X) -> impl Iterator<Item = X> {
+    let list: Vec<S> = x.scalars();
+    let rounded = (0..list.len()).flat_map(move |i| {
+        let (at, list) = (list[i].widen(), list.clone());
+        let power = if at == 0.0 {
+            1.0
+        } else {
+            10_f64.powi(at.abs().log10().floor() as i32)
+        };
+        let simple = [
+            0.0,
+            at.signum(),
+            at.round(),
+            (at / power).round() * power,
+            (at * 64.0).round() / 64.0,
+        ];
+        // Simpler means fewer digits, or it might go round in circles.
+        let simple = simple.into_iter().filter(move |s| digits(*s) < digits(at));
+        simple.map(move |simple| {
+            let mut simpler = list.clone();
+            simpler[i] = <S as Scalar>::lit(simple);
+            x.refill(&simpler)
+        })
+    });
+    x.fewer().chain(rounded)
+}
+
+/// How long a number is when written out.
+fn digits(x: f64) -> usize {
+    if x == 0.0 { 0 } else { format!("{x:e}").len() }
 }

@@ -1,6 +1,6 @@
 //! A check of an operation that is a value: `Check::of(Iou.row::<(Obb2<f64>, Obb2<f64>)>())`.
-use crate::ad::check::sample::Sample;
 use crate::ad::check::{Check, Report, SEED, Sampling};
+use crate::ad::sample::Sample;
 use crate::kernels::check::check_with;
 use crate::kernels::item::Item;
 use crate::kernels::op::Op;

@@ -1,8 +1,8 @@
 //! How boxes of space are drawn, and what is hard about them.
 //!
 //! Boxes of any orientation turn about all axes, upright ones about z, axis-aligned ones not at all.
-use crate::ad::check::sample::{Draw, Sample};
-use crate::ad::check::symmetry::Kind;
+use crate::ad::declared::Kind;
+use crate::ad::sample::{Draw, Sample};
 use crate::error::Validate;
 use crate::shape::{Aabb3, Obb3, Rotation3, YawBox3};
 use crate::{Obb2, Vec3};

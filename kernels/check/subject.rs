@@ -1,13 +1,13 @@
 //! An operation as a subject of the verification harness: its witnesses, its invariances, what it
 //! does on purpose.
 use crate::ad::check::noise::{Noisy, noisy};
-use crate::ad::check::sample::Sample;
 use crate::ad::check::subject::{Conventions, Subject};
-use crate::ad::check::symmetry::{Invariance, Kind};
 use crate::ad::check::trace::{Number, Trace, Traced, of_num_duals, trace};
 use crate::ad::check::witness::Precision;
+use crate::ad::declared::{Invariance, Kind};
 use crate::ad::forward::{Along, First};
-use crate::kernels::op::Source;
+use crate::ad::sample::Sample;
+use crate::kernels::check::Source;
 use crate::kernels::witness::Batch;
 use crate::scalar::float::Float;
 use crate::{Fixed, Jet, Pack, Scalar};

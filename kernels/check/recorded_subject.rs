@@ -1,17 +1,17 @@
 //! A recorded operation as a subject of the verification harness: lists of numbers in, lists of numbers
 //! out. It is compiled once, in the library, whatever the operation (`Real::judged` sees to that).
 use crate::ad::check::noise::{Noisy, noisy};
-use crate::ad::check::sample::Sample;
 use crate::ad::check::subject::{Conventions, Subject};
-use crate::ad::check::symmetry::{Invariance, Kind};
-use crate::ad::check::trace::{Number, Trace, Traced, num_duals, of_num_duals, trace};
+use crate::ad::check::trace::{Trace, Traced, num_duals, of_num_duals, trace};
 use crate::ad::check::witness::Precision;
+use crate::ad::declared::{Invariance, Kind};
 use crate::ad::forward::{Along, First};
 use crate::ad::program::recorded::Recorded;
+use crate::ad::sample::Sample;
+use crate::kernels::check::Judged;
+use crate::kernels::check::subject::{Path, nearest, widened};
 use crate::kernels::dynamic::{Function, Rows};
 use crate::kernels::op::Jumps;
-use crate::kernels::real::Real;
-use crate::kernels::subject::{Path, nearest, widened};
 use crate::kernels::witness::Batch;
 use crate::{Jet, Scalar};
 use std::sync::Arc;
@@ -48,7 +48,7 @@ pub(crate) type ByHand<S> = fn(&[S], &[S]) -> Option<(Vec<S>, Vec<S>)>;
 
 /// An operation in one format.
 #[derive(Clone)]
-pub(crate) struct Recording<S: Number + Real> {
+pub(crate) struct Recording<S: Judged> {
     /// The result, recorded.
     pub value: Arc<Recorded>,
     /// The result and derivatives from the input and a cotangent, recorded: from wherever the operation says
@@ -77,7 +77,7 @@ pub(crate) struct Recording<S: Number + Real> {
     pub jumps: Jumps,
 }
 
-impl<S: Number + Real> Recording<S> {
+impl<S: Judged> Recording<S> {
     /// The result by a batch of one item; nothing where the batch refuses it.
     fn batch_value(&self, x: &[S]) -> Vec<S> {
         let mut rest = x;
@@ -119,7 +119,7 @@ impl<S: Number + Real> Recording<S> {
 }
 
 /// A recorded operation near an input.
-pub struct RecordedSubject<'a, S: Number + Real> {
+pub struct RecordedSubject<'a, S: Judged> {
     pub(crate) near: &'a dyn Near,
     pub(crate) recording: &'a Recording<S>,
     /// The same operation in double precision.
@@ -128,7 +128,7 @@ pub struct RecordedSubject<'a, S: Number + Real> {
     pub(crate) batch: Option<&'a Batch<'a>>,
 }
 
-impl<S: Number + Real> Subject for RecordedSubject<'_, S> {
+impl<S: Judged> Subject for RecordedSubject<'_, S> {
     fn precision(&self) -> Precision {
         Precision::of::<S>()
     }

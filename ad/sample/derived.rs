@@ -1,7 +1,7 @@
 //! Samples of several things at once: numbers, arrays, tuples and [derived](crate::Shape) shapes.
 use crate::Pack;
-use crate::ad::check::sample::{Draw, Sample, Sampler};
-use crate::ad::check::symmetry::Kind;
+use crate::ad::declared::Kind;
+use crate::ad::sample::{Draw, Sample, Sampler};
 use std::array::from_fn;
 use std::f64::consts::FRAC_PI_2;
 

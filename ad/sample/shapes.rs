@@ -1,7 +1,7 @@
 //! How the library's own shapes are drawn, what is hard about them, and pairs of them.
-use crate::ad::check::derived::{together, units};
-use crate::ad::check::sample::{Draw, Sample, Sampler};
-use crate::ad::check::symmetry::Kind;
+use crate::ad::declared::Kind;
+use crate::ad::sample::derived::{together, units};
+use crate::ad::sample::{Draw, Sample, Sampler};
 use crate::error::Validate;
 use crate::{Aabb2, ConvexPolygon, Obb2, Rotation2, Vec2};
 use std::f64::consts::{FRAC_PI_2, FRAC_PI_4, PI};

@@ -1,0 +1,216 @@
+//! Operations, searches and folds as the harness takes them: one function, generic over the scalar, and its adjoint.
+use crate::ad::check::trace::Number;
+use crate::kernels::cpu::folds::{backwards, programs};
+use crate::kernels::cpu::plan::{self, Want};
+use crate::kernels::fold::{Fold, edges, fold};
+use crate::kernels::op::{Derivative, Invariance, Jumps, Op, RingOp};
+use crate::kernels::search::Search;
+use crate::{Fixed, Jet, Pack, Scalar, Vec2};
+
+/// An operation as a subject of the harness.
+pub trait Source: 'static {
+    /// The name of the forward function, letter for letter.
+    const NAME: &'static str;
+    /// The argument, made of any scalar.
+    type In<S: Scalar>: Pack<Scalar = S>;
+    /// The result, made of the same scalar.
+    type Out<S: Scalar>: Fixed<Scalar = S>;
+    /// Motions of the argument and their effect on the result.
+    const INVARIANCES: &'static [Invariance];
+    /// Places at which the value may jump.
+    const JUMPS: Jumps;
+    /// `true` for a search, whose derivatives are those of its replay.
+    const SEARCHES: bool = false;
+    /// The generic source.
+    fn eval<S: Scalar<Mask = bool>>(input: &Self::In<S>) -> Self::Out<S>;
+    /// The gradient of `out_bar · output` with respect to the input.
+    fn vjp<S: Scalar<Mask = bool>>(input: &Self::In<S>, out_bar: Self::Out<S>) -> Self::In<S>;
+    /// The function on num-dual's numbers; only for operations with an adjoint by hand, as a witness of it.
+    fn on_num_dual<S: Number>(_input: &Self::In<S::NumDual>) -> Option<Self::Out<S::NumDual>> {
+        None
+    }
+    /// The input with every scalar replaced.
+    fn map<S: Scalar, T: Scalar>(input: &Self::In<S>, f: &mut impl FnMut(S) -> T) -> Self::In<T>;
+}
+
+/// An operation of fixed size as a subject of the harness.
+#[derive(Clone, Copy, Debug)]
+pub struct Straight<O>(std::marker::PhantomData<O>);
+
+impl<O: Op> Source for Straight<O> {
+    const NAME: &'static str = O::NAME;
+    type In<S: Scalar> = O::In<S>;
+    type Out<S: Scalar> = O::Out<S>;
+    const INVARIANCES: &'static [Invariance] = O::INVARIANCES;
+    const JUMPS: Jumps = O::JUMPS;
+    fn eval<S: Scalar<Mask = bool>>(&input: &Self::In<S>) -> Self::Out<S> {
+        O::eval(input)
+    }
+    fn vjp<S: Scalar<Mask = bool>>(&input: &Self::In<S>, out_bar: Self::Out<S>) -> Self::In<S> {
+        if let Some((_, input_bar)) = O::adjoint(input, out_bar) {
+            return input_bar;
+        }
+        // In the format that the scalar has.
+        let recorded = match S::EPSILON > 1e-10 {
+            true => plan::program_of::<O, f32>(Want::Vjp),
+            false => plan::program_of::<O, f64>(Want::Vjp),
+        };
+        let numbers = [input.scalars(), out_bar.scalars()].concat();
+        match recorded {
+            Ok(recorded) => {
+                let all = recorded.run_on(&numbers);
+                O::In::load(&all[Self::Out::<S>::LEN..])
+            }
+            // What cannot be recorded has no derivatives, and the harness says so.
+            Err(_) => O::In::filled(S::lit(f64::NAN)),
+        }
+    }
+    fn on_num_dual<S: Number>(&input: &Self::In<S::NumDual>) -> Option<Self::Out<S::NumDual>> {
+        match const { matches!(O::DERIVATIVE, Derivative::ByHand) } {
+            true => Some(O::eval(input)),
+            false => None,
+        }
+    }
+    fn map<S: Scalar, T: Scalar>(input: &Self::In<S>, f: &mut impl FnMut(S) -> T) -> Self::In<T> {
+        let numbers: Vec<T> = input.scalars().into_iter().map(f).collect();
+        O::In::load(&numbers)
+    }
+}
+
+/// An operation of a ring as a subject of the harness.
+#[derive(Clone, Copy, Debug)]
+pub struct Ringed<O>(std::marker::PhantomData<O>);
+
+impl<O: RingOp> Source for Ringed<O> {
+    const NAME: &'static str = O::NAME;
+    type In<S: Scalar> = Vec<Vec2<S>>;
+    type Out<S: Scalar> = O::Out<S>;
+    const INVARIANCES: &'static [Invariance] = O::INVARIANCES;
+    const JUMPS: Jumps = O::JUMPS;
+    fn eval<S: Scalar<Mask = bool>>(ring: &Vec<Vec2<S>>) -> O::Out<S> {
+        O::value(ring)
+    }
+    fn vjp<S: Scalar<Mask = bool>>(ring: &Vec<Vec2<S>>, out_bar: O::Out<S>) -> Vec<Vec2<S>> {
+        let mut ring_bar = vec![Vec2::zero(); ring.len()];
+        O::ring_vjp(ring, out_bar, &mut ring_bar);
+        ring_bar
+    }
+    fn on_num_dual<S: Number>(ring: &Vec<Vec2<S::NumDual>>) -> Option<O::Out<S::NumDual>> {
+        Some(O::value(ring))
+    }
+    fn map<S: Scalar, T: Scalar>(ring: &Vec<Vec2<S>>, f: &mut impl FnMut(S) -> T) -> Vec<Vec2<T>> {
+        Pack::map(ring, &mut |s| f(*s))
+    }
+}
+
+/// An operation with a search, as the harness sees it.
+#[derive(Clone, Copy, Debug)]
+pub struct Replayed<D>(std::marker::PhantomData<D>);
+
+impl<D: Search> Source for Replayed<D> {
+    const NAME: &'static str = D::NAME;
+    type In<S: Scalar> = D::In<S>;
+    type Out<S: Scalar> = D::Out<S>;
+    const INVARIANCES: &'static [Invariance] = D::INVARIANCES;
+    const JUMPS: Jumps = D::JUMPS;
+    const SEARCHES: bool = true;
+    fn eval<S: Scalar<Mask = bool>>(&input: &Self::In<S>) -> Self::Out<S> {
+        D::replay(input, D::decide(input))
+    }
+    fn vjp<S: Scalar<Mask = bool>>(&input: &Self::In<S>, out_bar: Self::Out<S>) -> Self::In<S> {
+        let record = D::decide(input);
+        let (numbers, codes, out_bar) = (input.scalars(), input.codes(), out_bar.scalars());
+        let derivative = |at: usize| {
+            let jets = numbers.iter().enumerate();
+            let jets: Vec<Jet<S, 1>> = jets
+                .map(|(i, &x)| Jet {
+                    value: x,
+                    derivative: [if i == at { S::one() } else { S::zero() }],
+                })
+                .collect();
+            let moved = D::In::<Jet<S, 1>>::load(&jets).load_codes(&codes);
+            let found = D::replay(moved, record).scalars();
+            let terms = found
+                .iter()
+                .zip(&out_bar)
+                .map(|(jet, &bar)| jet.derivative[0] * bar);
+            terms.fold(S::zero(), |sum, term| sum + term)
+        };
+        let bars: Vec<S> = (0..numbers.len()).map(derivative).collect();
+        D::In::<S>::load(&bars).load_codes(&codes)
+    }
+    fn map<S: Scalar, T: Scalar>(input: &Self::In<S>, f: &mut impl FnMut(S) -> T) -> Self::In<T> {
+        let numbers: Vec<T> = input.scalars().into_iter().map(f).collect();
+        D::In::<T>::load(&numbers).load_codes(&input.codes())
+    }
+}
+
+/// A fold, as the harness sees it.
+#[derive(Clone, Copy, Debug)]
+pub struct Folded<F>(std::marker::PhantomData<F>);
+
+impl<F: Fold> Source for Folded<F> {
+    const NAME: &'static str = F::NAME;
+    type In<S: Scalar> = (F::Context<S>, Vec<Vec2<S>>);
+    type Out<S: Scalar> = F::Out<S>;
+    const INVARIANCES: &'static [Invariance] = F::INVARIANCES;
+    const JUMPS: Jumps = F::JUMPS;
+    fn eval<S: Scalar<Mask = bool>>((context, path): &Self::In<S>) -> F::Out<S> {
+        fold::<F, S>(*context, path)
+    }
+    fn vjp<S: Scalar<Mask = bool>>(
+        (context, path): &Self::In<S>,
+        out_bar: F::Out<S>,
+    ) -> Self::In<S> {
+        let (context_bar, path_bar) = pull_back::<F, S>(*context, path, out_bar);
+        (context_bar, path_bar)
+    }
+    fn map<S: Scalar, T: Scalar>(input: &Self::In<S>, f: &mut impl FnMut(S) -> T) -> Self::In<T> {
+        let context: Vec<T> = input.0.scalars().into_iter().map(&mut *f).collect();
+        (
+            F::Context::load(&context),
+            Pack::map(&input.1, &mut |s| f(*s)),
+        )
+    }
+}
+
+/// The adjoint of a fold for one path, on any scalar: cotangents of the context and of every vertex.
+fn pull_back<F: Fold, S: Scalar>(
+    context: F::Context<S>,
+    path: &[Vec2<S>],
+    out_bar: F::Out<S>,
+) -> (F::Context<S>, Vec<Vec2<S>>) {
+    // In the format that the scalar has.
+    let found = match S::EPSILON > 1e-10 {
+        true => programs::<F, f32>(),
+        false => programs::<F, f64>(),
+    };
+    let Ok(programs) = found else {
+        // What cannot be recorded has no derivatives, and the harness says so.
+        let none = S::lit(f64::NAN);
+        return (Fixed::filled(none), vec![Vec2::filled(none); path.len()]);
+    };
+    let reference = F::reference(context, path);
+    let ends = |k: usize| [path[k], path[(k + 1) % path.len()]];
+    let count = edges::<F>(path.len());
+    let states: Vec<F::State<S>> = (0..count)
+        .map(|k| F::edge(context, reference, ends(k)[0], ends(k)[1]))
+        .collect();
+    let shared = [context.scalars(), reference.scalars()].concat();
+    let (mut context_bar, state_bars) =
+        backwards::<F, S>(&programs, &shared, &states, None, out_bar);
+    let mut path_bar = vec![Vec2::<S>::zero(); path.len()];
+    for (k, state_bar) in state_bars.into_iter().enumerate() {
+        let [from, to] = ends(k);
+        let points = [from.x, from.y, to.x, to.y];
+        let input = [&shared[..], &points, &state_bar.scalars()].concat();
+        let bars = &programs.edge_vjp.run_on(&input)[F::State::<S>::LEN..];
+        for (bar, &x) in context_bar.iter_mut().zip(bars) {
+            *bar += x;
+        }
+        let at = |i: usize| bars[shared.len() + i];
+        path_bar[k] += Vec2::new(at(0), at(1));
+        path_bar[(k + 1) % path.len()] += Vec2::new(at(2), at(3));
+    }
+    (F::Context::load(&context_bar), path_bar)
+}
