@@ -111,3 +111,20 @@ fn wrong_derivatives_of_every_row_are_refused() {
         assert_eq!(report.passed(), first_counts.passed(), "{report}");
     });
 }
+
+#[test]
+fn a_millionth_is_refused() {
+    let inputs = Inputs::new(vec![geograd::kernels::dynamic::Sampler::number(); 4]);
+    let sampling = Sampling::new(200, 1);
+    let check = |fault: f64| {
+        let gradient = move |x: Vec<f64>| -> Vec<f64> {
+            let one = |x: f64| 2.0 * x * (1.0 + if x > 1.0 { fault } else { 0.0 });
+            x.into_iter().map(one).collect()
+        };
+        let check = inputs.check::<f64>("squares", &sampling);
+        let squares = |x: Vec<f64>| x.iter().map(|x| x * x).sum::<f64>();
+        check.value(squares).gradient(gradient).run()
+    };
+    assert!(check(0.0).passed());
+    assert!(!check(1e-6).passed());
+}

@@ -7,7 +7,7 @@ use crate::ad::check::notes::{Notes, comparison};
 use crate::ad::check::subject::Jumps;
 use crate::ad::check::symmetry::Kind;
 use crate::ad::check::tolerances::{
-    COARSE, FEW_INPUTS, FIRST, INFORMATIVE, NEAR_JUMP, ROUNDINGS, SAFETY, TALL,
+    COARSE, DECIDED, FEW_INPUTS, FIRST, INFORMATIVE, NEAR_JUMP, ROUNDINGS, SAFETY, TALL,
 };
 use crate::ad::check::verdict::{Numbers, Place, Reason, Witness};
 use crate::ad::check::witness::{Estimate, Ladder, dot};
@@ -314,6 +314,8 @@ impl Along<'_> {
                         &row.weights,
                         direction,
                         (test.derivative, tolerance),
+                        // A function without a kink bends: so do its derivatives between places.
+                        if tied { 0.0 } else { DECIDED * row.largest },
                     )
                 {
                     // Along this direction the function has a derivative, at the tie it has many.
@@ -360,6 +362,7 @@ impl Along<'_> {
                         &row.weights,
                         direction,
                         (test.derivative, tolerance),
+                        0.0,
                     )
                 {
                     let numbers = derivatives.numbers(None, Some(sides));

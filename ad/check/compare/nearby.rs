@@ -18,11 +18,13 @@ impl Evidence<'_> {
     /// Where kinks of both signs meet (the larger one of two functions with kinks of their own), or where the
     /// input is at the border of its domain, the derivatives to both sides of the input do not bound what a
     /// derivative there may be: the derivatives of the function's smooth pieces do (Clarke's generalised gradient).
+    /// Those of the pieces differ by `apart` at least.
     pub(crate) fn among_derivatives_nearby(
         &self,
         weights: &[f64],
         direction: &[f64],
         (derivative, tolerance): (f64, f64),
+        apart: f64,
     ) -> bool {
         let on = self.on();
         if on.precision() != Precision::F64 {
@@ -62,7 +64,8 @@ impl Evidence<'_> {
                 continue;
             }
             (least, most) = (least.min(own - error), most.max(own + error));
-            if derivative >= least - tolerance && derivative <= most + tolerance {
+            let is_between = derivative >= least - tolerance && derivative <= most + tolerance;
+            if is_between && most - least >= apart {
                 return true;
             }
             seen += 1;
