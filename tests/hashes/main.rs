@@ -49,7 +49,7 @@ something differs, or 2 for a wrong argument or a file that cannot be read.
 
 /// The first lines of a written file.
 const HEAD: &str = "\
-# Item, format, form, hash: results of every row at a fixed set of inputs, on x86-64 Linux.
+# Row, format, form, hash: results of every row at a fixed set of inputs, on x86-64 Linux.
 # cargo run -p geograd-tests --no-default-features --features gpu,hashes --example hashes -- \\
 #   --check tests/hashes/hashes.txt
 ";
