@@ -305,7 +305,7 @@ impl Operation {
     }
 
     /// The straight line that it is.
-    #[cfg(feature = "check")]
+    #[cfg(any(feature = "check", feature = "gpu"))]
     pub(crate) fn shaped<T: Format>(&self) -> Option<Shaped<T>> {
         match T::of(self).body {
             Body::Straight(shaped) => Some(shaped),
