@@ -178,11 +178,11 @@ pub struct Searched<D>(std::marker::PhantomData<fn() -> D>);
 ///     const INVARIANCES: &'static [Invariance] = &[];
 ///     const JUMPS: Jumps = Jumps::Anywhere;
 ///     fn decide<S: Scalar<Mask = bool>>((point, segment): Self::In<S>) -> bool {
-///         let [to_start, to_end] = [segment.start, segment.end].map(|end| (end - point).length_squared());
-///         to_start.at_most(to_end)
+///         let [to_from, to_to] = [segment.from, segment.to].map(|end| (end - point).length_squared());
+///         to_from.at_most(to_to)
 ///     }
-///     fn replay<S: Scalar>((_, segment): Self::In<S>, is_start: bool) -> Vec2<S> {
-///         if is_start { segment.start } else { segment.end }
+///     fn replay<S: Scalar>((_, segment): Self::In<S>, is_from: bool) -> Vec2<S> {
+///         if is_from { segment.from } else { segment.to }
 ///     }
 /// }
 ///
@@ -191,7 +191,7 @@ pub struct Searched<D>(std::marker::PhantomData<fn() -> D>);
 /// let cpu = Cpu::new();
 /// let (ends, by) = cpu.aligned(search(NearerEnd).jacobian(), (&points, &segments))?;
 /// assert_eq!(ends[1], Vec2::new(9.0, 0.0));
-/// assert_eq!(by[1].x.1.end.x, 1.0);
+/// assert_eq!(by[1].x.1.to.x, 1.0);
 /// # Ok::<(), geograd::Error>(())
 /// ```
 #[must_use]

@@ -60,6 +60,11 @@ impl Derivatives {
 }
 
 impl Along<'_> {
+    /// `true` for a function of shapes of which no source is known: shapes have borders and ties.
+    fn is_of_shapes(&self) -> bool {
+        !self.here.traced && self.e.subject.conventions().flat
+    }
+
     /// `true` if the direction is that of one number.
     fn is_axis(&self) -> bool {
         self.e.x.len() <= FEW_INPUTS && self.k < self.e.x.len()
@@ -74,8 +79,8 @@ impl Along<'_> {
     /// counts.
     fn reach(&self) -> f64 {
         let e = self.e;
-        let moved = || (0..e.x.len()).filter(|&i| !self.here.traced || self.direction[i] != 0.0);
-        if self.here.traced && moved().count() < 2 {
+        let moved = || (0..e.x.len()).filter(|&i| self.is_of_shapes() || self.direction[i] != 0.0);
+        if !self.is_of_shapes() && moved().count() < 2 {
             return 0.0;
         }
         let derivative = |i: usize| e.rows.iter().fold(0.0_f64, |m, row| m.max(row.size[i]));
@@ -296,7 +301,7 @@ impl Along<'_> {
                 };
                 let tied = agree && e.exactly_tied();
                 // Of a function that is not known by its source steps alone tell whether pieces meet.
-                let unknown = !self.here.traced && derivatives.other(witness).is_none();
+                let unknown = self.is_of_shapes() && derivatives.other(witness).is_none();
                 if !review.stands {
                     if review.supported {
                         (Place::Smooth, false)
@@ -348,12 +353,12 @@ impl Along<'_> {
             Opinion::Outside { sides, tolerance } => {
                 let border = self.here.ahead.len() < 2 || self.here.behind.len() < 2;
                 let found = chosen(e) && e.exactly_tied();
-                let unknown = !self.here.traced && derivatives.other(witness).is_none();
+                let unknown = self.is_of_shapes() && derivatives.other(witness).is_none();
                 if self.flat(row, sides, (test.derivative, tolerance))
                     || found
                     || self.beyond(&test)
                     // Nobody can be asked beyond the border, and a kink may lie on it.
-                    || (unknown && border && e.subject.conventions().flat)
+                    || (unknown && border)
                     || (unknown && self.chosen_here(row))
                 {
                     said.convention = true;

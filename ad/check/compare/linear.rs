@@ -29,10 +29,8 @@ pub(crate) fn linear(e: &Evidence<'_>, draw: &mut Draw) -> Notes {
         return said;
     }
     // The roundings inside a function of unknown source do not show; mistakes of this kind are as large as the sum.
-    let unseen = match e.subject.noisy(e.x, &weights, 0) {
-        Some(_) => 1.0,
-        None => UNSEEN,
-    };
+    let is_unseen = e.subject.conventions().flat && e.subject.noisy(e.x, &weights, 0).is_none();
+    let unseen = if is_unseen { UNSEEN } else { 1.0 };
     let total = |i: usize| {
         let parts = e.rows.iter().zip(&factors).map(|(row, f)| {
             let derivative = row.adjoint.as_ref().map_or(0.0, |adjoint| adjoint[i]);

@@ -135,7 +135,7 @@ fn tied(e: &Evidence<'_>) -> Vec<Vec<f64>> {
     sizes.sort_unstable();
     sizes.dedup();
     // Where no source tells what is beyond a border, a number stays there.
-    let stays = |i: usize| e.trace.is_none() && bordered(e, i);
+    let stays = |i: usize| e.trace.is_none() && e.subject.conventions().flat && bordered(e, i);
     let direction = |size: u64| {
         let member = |i: &usize| e.x[*i].abs().to_bits() == size && !stays(*i);
         let group: Vec<usize> = (0..e.x.len()).filter(member).collect();
