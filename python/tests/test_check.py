@@ -44,7 +44,7 @@ def test_arrays_of_numbers():
     assert geograd.check(square, lambda x: 2 * x, takes=4, samples=50, quiet=True)
     # A tenth of the inputs have another gradient by a millionth.
     steady = lambda x: 2 * x * (1 + 1e-6 * (x > 1))
-    assert not geograd.check(square, steady, takes=4, samples=200, quiet=True)
+    assert not geograd.check(square, steady, takes=1, samples=100, hard=False, quiet=True)
     pair = lambda x, y: np.array([x * y, x - y])
     vjp = lambda x, y, bar: (y * bar[0] + bar[1], x * bar[0] - bar[1])
     assert geograd.check(pair, vjp=vjp, takes=[float, float], samples=50, quiet=True)
