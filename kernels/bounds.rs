@@ -96,7 +96,7 @@ pub(crate) fn rules_of<T: Real>(leaf: &Leaf<T>, kinds: &[Kind], is_convex: bool)
                 Err(Flaw::NotPositive(_)) => Rule::Positive(i),
                 _ => Rule::NotNegative(i),
             });
-        } else if let Some(Flaw::Inverted(_)) = flaw(&with(&[i]), one) {
+        } else if let Some(Flaw::Inverted(..)) = flaw(&with(&[i]), one) {
             let upper = (0..n).find(|&j| j != i && flaw(&with(&[i, j]), one).is_none());
             rules.extend(upper.map(|j| Rule::Ordered(i, j)));
         }

@@ -208,7 +208,7 @@ fn check<P: Validate>(name: &'static str, shapes: &[P]) -> Result<(), Error> {
     for (row, shape) in shapes.iter().enumerate() {
         shape.validate().map_err(|flaw| Error::Invalid {
             argument: Argument::Named(name),
-            row,
+            item: row,
             flaw,
         })?;
     }

@@ -53,7 +53,7 @@ pub(crate) fn check_sides(rows: usize, columns: usize, of_rows: bool) -> Result<
 pub(crate) fn check_threshold<T: Real>(threshold: T) -> Result<(), Error> {
     threshold.validate().map_err(|flaw| Error::Invalid {
         argument: Argument::Threshold,
-        row: 0,
+        item: 0,
         flaw,
     })
 }

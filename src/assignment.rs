@@ -81,7 +81,7 @@ pub fn optimal(gains: &[f64], rows: usize, columns: usize) -> Result<Vec<(usize,
         let flaw = Flaw::NotFinite(Field::VALUE);
         return Err(Error::Invalid {
             argument,
-            row,
+            item: row,
             flaw,
         });
     }

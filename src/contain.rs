@@ -117,7 +117,7 @@ pub enum Nearest {
     End,
 }
 
-/// The record of a clearance: the place of a polygon's border that is nearest to the point.
+/// The record of a depth: the place of a polygon's border that is nearest to the point.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub struct NearestEdge {
     /// The ring ...
@@ -136,16 +136,16 @@ pub struct NearestEdge {
 ///
 /// The sign is decided by winding numbers, so it is right where the point is on the extension of an
 /// edge. Kinks: several nearest places (the medial axis), and the border, where both one-sided derivatives
-/// are those of the inside. Derivatives: see [`clearance_replay`].
+/// are those of the inside. Derivatives: see [`depth_replay`].
 ///
 /// ```
-/// use geograd::{Aabb2, Vec2, contain::clearance_search};
+/// use geograd::{Aabb2, Vec2, contain::depth_search};
 /// let square = Aabb2::new(0.0, 0.0, 1.0, 1.0).corners();
-/// let clearance = |x, y| clearance_search(&[&square], Vec2::new(x, y)).unwrap().0;
-/// assert_eq!((clearance(2.0, 0.0), clearance(2.0, 0.5), clearance(0.5, 0.25)), (-1.0, -1.0, 0.25));
+/// let depth = |x, y| depth_search(&[&square], Vec2::new(x, y)).unwrap().0;
+/// assert_eq!((depth(2.0, 0.0), depth(2.0, 0.5), depth(0.5, 0.25)), (-1.0, -1.0, 0.25));
 /// ```
 #[must_use]
-pub fn clearance_search<S: Scalar<Mask = bool>>(
+pub fn depth_search<S: Scalar<Mask = bool>>(
     rings: &[&[Vec2<S>]],
     point: Vec2<S>,
 ) -> Option<(S, NearestEdge)> {
@@ -180,7 +180,7 @@ pub fn clearance_search<S: Scalar<Mask = bool>>(
             }
         }
     }
-    best.map(|(_, record)| (clearance_replay(rings, point, record), record))
+    best.map(|(_, record)| (depth_replay(rings, point, record), record))
 }
 
 /// The signed distance of a point from the part of an edge that a record names, with derivatives to the
@@ -191,7 +191,7 @@ pub fn clearance_search<S: Scalar<Mask = bool>>(
 ///
 /// When the record names a ring or an edge that is not there.
 #[must_use]
-pub fn clearance_replay<S: Scalar>(rings: &[&[Vec2<S>]], point: Vec2<S>, record: NearestEdge) -> S {
+pub fn depth_replay<S: Scalar>(rings: &[&[Vec2<S>]], point: Vec2<S>, record: NearestEdge) -> S {
     let ring = rings[record.ring];
     let next = if record.edge + 1 < ring.len() {
         record.edge + 1
@@ -226,10 +226,10 @@ impl<S: Scalar, const N: usize> ConvexPolygon<S, N> {
     /// How far a point is from the border: positive inside, negative outside; zero for no vertices.
     #[must_use]
     #[inline]
-    pub fn clearance(&self, point: Vec2<S>) -> S
+    pub fn depth(&self, point: Vec2<S>) -> S
     where
         S: Scalar<Mask = bool>,
     {
-        clearance_search(&[self.as_slice()], point).map_or(S::zero(), |(value, _)| value)
+        depth_search(&[self.as_slice()], point).map_or(S::zero(), |(value, _)| value)
     }
 }

@@ -120,12 +120,12 @@ fn first<P: Pack<Scalar: Copy>>(
 /// A part's first flaw; the numbers have names of their own.
 #[inline]
 pub fn valid_as<P: Fixed + Validate>(part: &P, names: &[&str]) -> Result<(), Flaw> {
-    let renamed = |flaw: Flaw| {
-        let i = (0..P::LEN).find(|&i| P::name(i) == flaw.field());
+    let renamed = |own: Field| {
+        let i = (0..P::LEN).find(|&i| P::name(i) == own);
         let name = i.and_then(|i| names.get(i));
-        name.map_or(flaw, |name| flaw.of(Field::new(name)))
+        name.map_or(own, |name| Field::new(name))
     };
-    part.validate().map_err(renamed)
+    part.validate().map_err(|flaw| flaw.renamed(renamed))
 }
 
 /// `Ok` when no number of a part is below zero; the part begins at scalar `at` of the whole.
@@ -152,9 +152,15 @@ where
     }
 }
 
-/// `Ok` when no number of a part exceeds that of another part.
+/// `Ok` when no number of a part exceeds that of another part, which the whole calls `other`.
 #[inline]
-pub fn at_most<W: Fixed, P: Fixed>(whole: &W, low: &P, high: &P, at: usize) -> Result<(), Flaw>
+pub fn at_most<W: Fixed, P: Fixed>(
+    _: &W,
+    low: &P,
+    high: &P,
+    at: usize,
+    other: &str,
+) -> Result<(), Flaw>
 where
     P::Scalar: Scalar<Mask = bool>,
 {
@@ -170,7 +176,7 @@ where
         i += 1;
     });
     match found {
-        Some(i) => flawed(whole, Flaw::Inverted, at + i),
+        Some(i) => Err(Flaw::Inverted(W::name(at + i), P::name(i).within(other))),
         None => Ok(()),
     }
 }

@@ -99,7 +99,7 @@
 //! `fun='exp'` `e^(1−k) − 1`. Each adds a smooth L1 loss of encoded centres. `RotatedIoULoss` is one minus
 //! [`Iou`](crate::kernels::Iou) of `Obb2`, or its logarithm. `ConvexGIoULoss` and `BCConvexGIoULoss` are
 //! [`giou_polygons_search`](crate::iou::giou_polygons_search), `SpatialBorderLoss` is
-//! [`contain::clearance_search`](crate::contain::clearance_search). `KLDRepPointsLoss` has no counterpart: Gaussians
+//! [`contain::depth_search`](crate::contain::depth_search). `KLDRepPointsLoss` has no counterpart: Gaussians
 //! are made of boxes here, not of points. All of them in space: [`gaussian::solid`](crate::gaussian::solid).
 //!
 //! ## ultralytics

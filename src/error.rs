@@ -1,4 +1,4 @@
-//! Errors as data: the argument, the item (`row` in messages and fields), the field and the fault.
+//! Errors as data: the argument, the item, the field and the fault.
 use std::fmt;
 
 /// The argument of a call to which an error belongs.
@@ -209,8 +209,8 @@ pub enum Flaw {
     Negative(Field),
     /// A size that must be above zero is not.
     NotPositive(Field),
-    /// A lower bound is above its upper bound.
-    Inverted(Field),
+    /// A lower bound is above an upper one: both fields.
+    Inverted(Field, Field),
     /// A direction is the zero vector.
     Zero(Field),
     /// A shape's own rule is broken: the field, and what it is or is not.
@@ -275,7 +275,7 @@ impl Flaw {
             Flaw::NotFinite(field)
             | Flaw::Negative(field)
             | Flaw::NotPositive(field)
-            | Flaw::Inverted(field)
+            | Flaw::Inverted(field, _)
             | Flaw::Zero(field)
             | Flaw::Broken(field, _) => field,
             Flaw::Vertex { index, .. } => Field::VALUE.within_item(index).within("vertices"),
@@ -285,28 +285,28 @@ impl Flaw {
             }
         }
     }
-    /// The same flaw of another field.
+    /// The same flaw, its fields by other names.
     #[must_use]
-    pub const fn of(self, field: Field) -> Self {
+    pub fn renamed(self, name: impl Fn(Field) -> Field) -> Self {
         match self {
-            Flaw::NotFinite(_) => Flaw::NotFinite(field),
-            Flaw::Negative(_) => Flaw::Negative(field),
-            Flaw::NotPositive(_) => Flaw::NotPositive(field),
-            Flaw::Inverted(_) => Flaw::Inverted(field),
-            Flaw::Zero(_) => Flaw::Zero(field),
-            Flaw::Broken(_, rule) => Flaw::Broken(field, rule),
+            Flaw::NotFinite(field) => Flaw::NotFinite(name(field)),
+            Flaw::Negative(field) => Flaw::Negative(name(field)),
+            Flaw::NotPositive(field) => Flaw::NotPositive(name(field)),
+            Flaw::Inverted(low, high) => Flaw::Inverted(name(low), name(high)),
+            Flaw::Zero(field) => Flaw::Zero(name(field)),
+            Flaw::Broken(field, rule) => Flaw::Broken(name(field), rule),
             Flaw::Vertex { .. } | Flaw::Ring { .. } => self,
         }
     }
     /// The same flaw of a part of another shape, which calls the part so.
     #[must_use]
     pub fn within(self, field: &str) -> Self {
-        self.of(self.field().within(field))
+        self.renamed(|own| own.within(field))
     }
     /// The same flaw of an item of an array.
     #[must_use]
     pub fn within_item(self, item: usize) -> Self {
-        self.of(self.field().within_item(item))
+        self.renamed(|own| own.within_item(item))
     }
 }
 
@@ -316,7 +316,7 @@ impl fmt::Display for Flaw {
             Flaw::NotFinite(field) => write!(f, "{field} is not a finite number"),
             Flaw::Negative(field) => write!(f, "{field} is negative"),
             Flaw::NotPositive(field) => write!(f, "{field} is not positive"),
-            Flaw::Inverted(field) => write!(f, "{field} is above its upper bound"),
+            Flaw::Inverted(low, high) => write!(f, "{low} is above {high}"),
             Flaw::Broken(field, rule) => write!(f, "{field} {rule}"),
             Flaw::Zero(field) => write!(f, "{field} is zero"),
             Flaw::Vertex { index, fault } => write!(f, "vertex {index} {fault}"),
@@ -385,33 +385,33 @@ pub enum Error {
         /// The number of its items.
         found: usize,
     },
-    /// A row of an argument is not a valid shape.
+    /// An item of an argument is not a valid shape.
     Invalid {
         /// The argument.
         argument: Argument,
-        /// The row, from zero.
-        row: usize,
+        /// The item, from zero.
+        item: usize,
         /// The rule that it breaks.
         flaw: Flaw,
     },
-    /// The offsets of a ragged batch decrease at this row, do not start at zero (row 0) or do not
-    /// end at the number of vertices (last row).
+    /// The offsets of a ragged batch decrease at this item, do not start at zero (item 0) or do not
+    /// end at the number of vertices (last item).
     Offsets {
         /// The index into the offsets.
-        row: usize,
+        item: usize,
     },
     /// The same of a call that takes more than one list.
     OffsetsOf {
         /// The list.
         argument: Argument,
         /// The index into its offsets.
-        row: usize,
+        item: usize,
     },
-    /// Rows of an argument have the wrong number of fields.
+    /// Items of an argument have the wrong number of fields.
     Fields {
         /// The argument.
         argument: Argument,
-        /// The count of numbers of one of its rows.
+        /// The count of numbers of one of its items.
         expected: usize,
         /// The count of numbers given.
         found: usize,
@@ -460,21 +460,21 @@ impl fmt::Display for Error {
             } => write!(f, "`threshold`: {flaw}"),
             Error::Invalid {
                 argument,
-                row,
+                item,
                 flaw,
             } => {
-                write!(f, "`{argument}` row {row}: {flaw}")
+                write!(f, "`{argument}` item {item}: {flaw}")
             }
-            Error::Offsets { row } => {
+            Error::Offsets { item } => {
                 write!(
                     f,
-                    "`offsets` row {row}: offsets go from 0 to the number of vertices and never decrease"
+                    "`offsets` item {item}: offsets go from 0 to the number of vertices and never decrease"
                 )
             }
-            Error::OffsetsOf { argument, row } => {
+            Error::OffsetsOf { argument, item } => {
                 write!(
                     f,
-                    "`{argument}`: offset {row}: offsets go from 0 to the number of vertices and never decrease"
+                    "`{argument}`: offset {item}: offsets go from 0 to the number of vertices and never decrease"
                 )
             }
             Error::Fields {
@@ -483,7 +483,7 @@ impl fmt::Display for Error {
                 found,
             } => write!(
                 f,
-                "rows of `{argument}` have {found} numbers where {expected} are needed"
+                "items of `{argument}` have {found} numbers where {expected} are needed"
             ),
             Error::Arguments { expected, found } => {
                 write!(f, "{found} arguments where {expected} are needed")

@@ -58,7 +58,7 @@
 //! | `distance(Point2, Point2)` | [`Vec2::distance`] | B7: the gradient of equal points was no number |
 //! | `distance(Line2, Point2)` | [`Line2::side`] (signed), [`distance`](crate::distance::distance()) | B1: wrong gradient with respect to the line |
 //! | `distance(Segment2, Point2)` | [`distance`](crate::distance::distance()) | B1; B3: a sign that means nothing beyond the ends |
-//! | `distance(Poly2, Point2)` | [`ConvexPolygon::clearance`], [`clearance_search`](crate::contain::clearance_search) (with the edge); the opposite sign: [`signed_distance_to_ring`](crate::distance::ring::signed_distance_to_ring) | B1; B3: positive on the extension of an edge |
+//! | `distance(Poly2, Point2)` | [`ConvexPolygon::depth`], [`depth_search`](crate::contain::depth_search) (with the edge); the opposite sign: [`signed_distance_to_ring`](crate::distance::ring::signed_distance_to_ring) | B1; B3: positive on the extension of an edge |
 //! | `intersect(Line2, Line2)` | [`crossing_of_lines`](crate::intersection::crossing_of_lines()) | infinite for parallel lines |
 //! | `intersect(AABox2, AABox2)` | [`Aabb2::meet`] | |
 //! | `intersect(Poly2, Poly2)` and its flags | [`clip`](crate::clipping::clip()), [`clip_search`](crate::clipping::clip_search), [`clip_replay`](crate::clipping::clip_replay), [`clip_vjp`](crate::ad::adjoint::clipping::clip_vjp) | B4, B6: boxes of one heading; B10, B11, B12: single precision, small shapes, long ones |
@@ -90,7 +90,7 @@
 //! | `box2d_nms` | [`suppression`](crate::suppression): [`hard`](crate::suppression::hard()), [`soft`](crate::suppression::soft()) with both decays | wrong on GPUs above 64 boxes |
 //! | `box2dr_pdist` | [`SignedDistance`](crate::kernels::SignedDistance) of `Vec2` and `Obb2` | read beyond its memory; B1 |
 //! | `seg1d_pdist` | [`Interval::signed_distance_to`], [`Distance`](crate::kernels::Distance) of `S` and `Interval` | |
-//! | `box2dr_crop` | [`above`](crate::kernels::Cpu::above) of [`Clearance`](crate::kernels::Clearance) of `Vec2` and `Obb2`, or [`Obb2::contains`] | |
+//! | `box2dr_crop` | [`above`](crate::kernels::Cpu::above) of [`Depth`](crate::kernels::Depth) of `Vec2` and `Obb2`, or [`Obb2::contains`] | |
 //! | `box3dr_pdist` | [`SignedDistance`](crate::kernels::SignedDistance) of `Vec3` and `YawBox3` | B1 |
 //! | `box3dp_crop` | [`YawBox3::contains`](crate::shape::YawBox3::contains) | |
 //! | `seg1d_iou` | [`Interval::iou`], [`Iou`](crate::kernels::Iou) of `Interval` | took one interval's length for both |

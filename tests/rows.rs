@@ -68,8 +68,8 @@ rows! {
     SignedDistanceCircleObb2 = verbs::SignedDistance: (Circle<f64>, Obb2<f64>);
     SignedDistanceCapsules = verbs::SignedDistance: (Capsule2<f64>, Capsule2<f64>);
     SignedDistanceTriangles = verbs::SignedDistance: (Triangle2<f64>, Triangle2<f64>);
-    ClearancePointAabb2 = verbs::Clearance: (Vec2<f64>, Aabb2<f64>);
-    ClearancePointObb2 = verbs::Clearance: (Vec2<f64>, Obb2<f64>);
+    DepthPointAabb2 = verbs::Depth: (Vec2<f64>, Aabb2<f64>);
+    DepthPointObb2 = verbs::Depth: (Vec2<f64>, Obb2<f64>);
     SquaredDistancePointSegment = verbs::SquaredDistance: (Vec2<f64>, Segment2<f64>);
     SquaredDistancePointTriangle = verbs::SquaredDistance: (Vec2<f64>, Triangle2<f64>);
     SquaredDistanceSegments = verbs::SquaredDistance: (Segment2<f64>, Segment2<f64>);
@@ -226,7 +226,7 @@ folds! {
     DistancePointPolyline = Distance OverPolyline;
     DistancePointRing = Distance OverRing;
     SignedDistancePointRing = SignedDistance OverRing;
-    ClearancePointRing = Clearance OverRing;
+    DepthPointRing = Depth OverRing;
     WindingOfRing = Winding OverRing;
     LengthOfPolyline = Length OverPolyline;
     SecondMomentsOfRing = SecondMoments OverRing;
@@ -234,17 +234,16 @@ folds! {
 
 pub mod distance {
     pub use super::{
-        ClearancePointAabb2, ClearancePointObb2, ClosestPointsAabb2, ClosestPointsCapsules,
-        ClosestPointsCircleObb2, ClosestPointsObb2, ClosestPointsOfSegments,
-        ClosestPointsPointObb2, ClosestPointsPointSegment, ClosestPointsPointTriangle,
-        ClosestPointsTriangles, DistanceAabb2, DistanceCapsules, DistanceCircleObb2,
-        DistanceCircles, DistanceObb2, DistancePointAabb2, DistancePointCapsule,
-        DistancePointCircle, DistancePointObb2, DistancePointSegment, DistancePointTriangle,
-        DistanceSegmentCircle, DistanceSegmentObb2, DistanceSegments, DistanceTriangles,
-        FarthestDistanceAabb2, FarthestDistanceCircleObb2, FarthestDistanceObb2,
-        FarthestDistancePointObb2, FarthestDistanceTriangles, PenetrationAabb2,
-        PenetrationCapsules, PenetrationCircleObb2, PenetrationCircles, PenetrationObb2,
-        PenetrationTriangles, SignedDistanceAabb2, SignedDistanceCapsules,
+        ClosestPointsAabb2, ClosestPointsCapsules, ClosestPointsCircleObb2, ClosestPointsObb2,
+        ClosestPointsOfSegments, ClosestPointsPointObb2, ClosestPointsPointSegment,
+        ClosestPointsPointTriangle, ClosestPointsTriangles, DepthPointAabb2, DepthPointObb2,
+        DistanceAabb2, DistanceCapsules, DistanceCircleObb2, DistanceCircles, DistanceObb2,
+        DistancePointAabb2, DistancePointCapsule, DistancePointCircle, DistancePointObb2,
+        DistancePointSegment, DistancePointTriangle, DistanceSegmentCircle, DistanceSegmentObb2,
+        DistanceSegments, DistanceTriangles, FarthestDistanceAabb2, FarthestDistanceCircleObb2,
+        FarthestDistanceObb2, FarthestDistancePointObb2, FarthestDistanceTriangles,
+        PenetrationAabb2, PenetrationCapsules, PenetrationCircleObb2, PenetrationCircles,
+        PenetrationObb2, PenetrationTriangles, SignedDistanceAabb2, SignedDistanceCapsules,
         SignedDistanceCircleObb2, SignedDistanceCircles, SignedDistanceObb2,
         SignedDistancePointAabb2, SignedDistancePointCapsule, SignedDistancePointCircle,
         SignedDistancePointObb2, SignedDistancePointTriangle, SignedDistanceSegmentCircle,
@@ -255,7 +254,7 @@ pub mod distance {
 }
 pub mod fold {
     pub use super::{
-        ClearancePointRing, DistancePointPolyline, DistancePointRing, LengthOfPolyline,
+        DepthPointRing, DistancePointPolyline, DistancePointRing, LengthOfPolyline,
         SecondMomentsOfRing, SignedDistancePointRing, WindingOfRing,
     };
 }

@@ -312,7 +312,7 @@ fn validate(writer: &Writer<'_>) -> String {
             if let Some(other) = &field.at_most {
                 write!(
                     rules,
-                    "__g::at_most(self, &self.{member}, &self.{other}, {at})?;"
+                    "__g::at_most(self, &self.{member}, &self.{other}, {at}, {other:?})?;"
                 )
                 .ok();
             }

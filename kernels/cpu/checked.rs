@@ -42,7 +42,7 @@ pub(crate) fn check_upstream<T: Real>(upstream: &[T], fields: usize) -> Result<(
     for (i, &x) in upstream.iter().enumerate() {
         x.validate().map_err(|flaw| Error::Invalid {
             argument: Argument::Upstream,
-            row: i / fields,
+            item: i / fields,
             flaw,
         })?;
     }
@@ -161,7 +161,7 @@ pub(crate) fn check<T: Real>(
     match first_flaw.into_inner() {
         Ok(Some((row, flaw))) => Err(Error::Invalid {
             argument,
-            row,
+            item: row,
             flaw,
         }),
         _ => Ok(is_any_rare.into_inner().unwrap_or(true)),

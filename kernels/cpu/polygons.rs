@@ -208,7 +208,10 @@ fn crossed<'a, T: Real>(
 
 fn check<T: Real>(argument: Argument, list: RingList<'_, T>) -> Result<(), Error> {
     check_offsets::<T>(list.vertices.len(), list.offsets).map_err(|error| match error {
-        Error::Offsets { row } => Error::OffsetsOf { argument, row },
+        Error::Offsets { item: row } => Error::OffsetsOf {
+            argument,
+            item: row,
+        },
         error => error,
     })?;
     if (T::kernels().all_finite)(&numbers(list.vertices)) {
@@ -220,7 +223,7 @@ fn check<T: Real>(argument: Argument, list: RingList<'_, T>) -> Result<(), Error
             let fault = VertexFault::NotFinite;
             return Err(Error::Invalid {
                 argument,
-                row,
+                item: row,
                 flaw: Flaw::Vertex { index, fault },
             });
         }

@@ -158,7 +158,7 @@ impl Cpu {
             for derivative in out_bar.scalars() {
                 derivative.validate().map_err(|flaw| Error::Invalid {
                     argument: Argument::Upstream,
-                    row,
+                    item: row,
                     flaw,
                 })?;
             }
@@ -197,19 +197,19 @@ pub(crate) fn check_ragged<T: Real>(vertices: &[Vec2<T>], offsets: &[usize]) -> 
 pub(crate) fn check_offsets<T: Real>(vertices: usize, offsets: &[usize]) -> Result<(), Error> {
     Simd::current()?;
     if offsets.first() != Some(&0) {
-        return Err(Error::Offsets { row: 0 });
+        return Err(Error::Offsets { item: 0 });
     }
     if !(T::kernels().never_decreases)(offsets, vertices) {
         for row in 1..offsets.len() {
             if offsets[row] < offsets[row - 1] || offsets[row] > vertices {
-                return Err(Error::Offsets { row });
+                return Err(Error::Offsets { item: row });
             }
         }
     }
     match offsets.last() == Some(&vertices) {
         true => Ok(()),
         false => Err(Error::Offsets {
-            row: offsets.len() - 1,
+            item: offsets.len() - 1,
         }),
     }
 }
@@ -219,7 +219,7 @@ pub(crate) fn check_vertices<T: Real>(vertices: &[Vec2<T>]) -> Result<(), Error>
     for (row, vertex) in vertices.iter().enumerate() {
         vertex.validate().map_err(|flaw| Error::Invalid {
             argument: Argument::Vertices,
-            row,
+            item: row,
             flaw,
         })?;
     }

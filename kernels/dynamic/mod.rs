@@ -27,7 +27,7 @@
 //! let value = iou.value::<f64>().expect("is of fixed size");
 //! assert_eq!(value.row_max(Rows::new(&truth, 5), Rows::new(&boxes, 5))?[0].index, 0);
 //! let wrong = value.aligned(&[Rows::new(&[0.0, 0.0, -2.0, 2.0, 0.0], 5), Rows::one(&truth)]);
-//! assert_eq!(wrong.unwrap_err().to_string(), "`a` row 0: width is negative");
+//! assert_eq!(wrong.unwrap_err().to_string(), "`a` item 0: width is negative");
 //! # Ok::<(), geograd::Error>(())
 //! ```
 //!

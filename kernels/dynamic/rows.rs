@@ -163,7 +163,7 @@ impl<T: Real> Layout<T> {
         }
         (self.leaf.check)(row).map_err(|flaw| Error::Invalid {
             argument,
-            row: 0,
+            item: 0,
             flaw,
         })
     }
@@ -214,11 +214,11 @@ pub(super) fn renamed(error: Error, names: &[Argument]) -> Error {
         },
         Error::Invalid {
             argument,
-            row,
+            item: row,
             flaw,
         } => Error::Invalid {
             argument: name(argument),
-            row,
+            item: row,
             flaw,
         },
         _ => error,

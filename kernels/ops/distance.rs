@@ -10,12 +10,12 @@ use crate::distance::upright::{
     squared_distance_aabb2,
 };
 use crate::distance::{
-    Contact, PointPair, clearance, closest_points, distance, farthest_distance, penetration,
+    Contact, PointPair, depth, closest_points, distance, farthest_distance, penetration,
     signed_distance, squared_distance,
 };
 use crate::kernels::ops::rows::table;
 use crate::kernels::verbs::{
-    self, Clearance, Distance, FarthestDistance, SignedDistance, SquaredDistance,
+    self, Depth, Distance, FarthestDistance, SignedDistance, SquaredDistance,
 };
 use crate::{Aabb2, Capsule2, Circle, Obb2, Segment2, Triangle2, Vec2};
 
@@ -84,10 +84,10 @@ table! {
         "signed_distance_obb2_segment": Obb2, Segment2;
         "signed_distance_obb2_circle": Obb2, Circle;
     }
-    /// The [clearance](crate::distance::clearance) of {}, positive inside.
-    Clearance: (a, b) -> S { clearance(a, b) } [rigid(1)] jumps Never derivative Reverse {
-        "clearance_point_aabb2": Vec2, Aabb2;
-        "clearance_point_obb2": Vec2, Obb2;
+    /// The [depth](crate::distance::depth) of {}, positive inside.
+    Depth: (a, b) -> S { depth(a, b) } [rigid(1)] jumps Never derivative Reverse {
+        "depth_point_aabb2": Vec2, Aabb2;
+        "depth_point_obb2": Vec2, Obb2;
     }
     /// The [longest distance](crate::distance::farthest_distance) of {}.
     FarthestDistance: (a, b) -> S { farthest_distance(a, b) } [rigid(1), symmetric] jumps Never derivative Reverse {

@@ -6,7 +6,7 @@ use crate::kernels::ops::class::invariances;
 use crate::kernels::ops::list::Written;
 use crate::kernels::ops::rows::listed;
 use crate::kernels::verbs::{
-    self, Clearance, Distance, Length, OverPolyline, OverRing, SignedDistance, Winding,
+    self, Depth, Distance, Length, OverPolyline, OverRing, SignedDistance, Winding,
 };
 use crate::measure::moments::{AreaMoments, Sums, finish, of_edge};
 use crate::reference::{Reference, bounds_of};
@@ -144,7 +144,7 @@ of_point_and_path! {
         |state| state.signed_distance(Fill::NonZero);
     /// How far a point is inside a ring by the even-odd rule, negative outside. Without edges it is minus
     /// the largest finite number.
-    ClearancePointRing = "clearance_point_ring", closed true, [isometric], jumps Never:
+    DepthPointRing = "depth_point_ring", closed true, [isometric], jumps Never:
         |state| (-state.signed_distance(Fill::EvenOdd)).canonical();
     /// The [winding number](crate::distance::ring::winding_of_ring) of a ring around a point: a whole
     /// number, which jumps at the border and has no derivatives.
@@ -188,7 +188,7 @@ folds! {
     Distance, OverRing over_ring by DistancePointRing;
     Distance, OverPolyline over_polyline by DistancePointPolyline;
     SignedDistance, OverRing over_ring by SignedDistancePointRing;
-    Clearance, OverRing over_ring by ClearancePointRing;
+    Depth, OverRing over_ring by DepthPointRing;
     Winding, OverRing over_ring by WindingOfRing;
     Length, OverPolyline over_polyline by LengthOfPolyline;
     verbs::SecondMoments, OverRing over_ring by SecondMomentsOfRing;

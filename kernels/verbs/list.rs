@@ -76,7 +76,7 @@ verb! {
     pub SignedDistance: (a, b)
     /// Depth of a point in a shape, positive inside and negative outside, in the unit of length: minus the signed
     /// distance. The free way to an obstacle is [`Distance`].
-    pub Clearance: (a, b)
+    pub Depth: (a, b)
     /// Closest points: one of each shape, with the smallest distance from each other.
     pub ClosestPoints: (a, b)
     /// Longest distance of a point of one shape from a point of the other, in the unit of length.

@@ -105,7 +105,7 @@ def test_out_is_left_alone(boxes):
     a = a.copy()
     a[3, 2] = -1
     out = np.full(40, 7.0)
-    with pytest.raises(ValueError, match=r"`a` row 3: width is negative"):
+    with pytest.raises(ValueError, match=r"`a` item 3: width is negative"):
         geograd.iou(a, b, kind="Obb2", out=out)
     assert (out == 7).all()
     out.flags.writeable = False
@@ -129,9 +129,9 @@ BAD = {
     "width": (lambda a: a[:, :4], ValueError, r"\(\.\.\., 5\).*width"),
     "lone": (lambda a: 1.0, ValueError, "shape"),
     "rows": (lambda a: a[:7], ValueError, "7 rows|40"),
-    "nan": (lambda a: np.where(np.arange(40)[:, None] == 2, np.nan, a), ValueError, "row 2: x is not a finite number"),
-    "infinite": (lambda a: np.where(np.arange(40)[:, None] == 5, np.inf, a), ValueError, "row 5"),
-    "negative": (lambda a: -a, ValueError, "row 0: width is negative"),
+    "nan": (lambda a: np.where(np.arange(40)[:, None] == 2, np.nan, a), ValueError, "item 2: x is not a finite number"),
+    "infinite": (lambda a: np.where(np.arange(40)[:, None] == 5, np.inf, a), ValueError, "item 5"),
+    "negative": (lambda a: -a, ValueError, "item 0: width is negative"),
 }
 
 

@@ -38,7 +38,7 @@ def test_values_and_gradients(boxes):
     np.testing.assert_allclose(by_b, -sign - derivatives[1], atol=1e-12)
     assert loss(a.astype(np.float32), b.astype(np.float32)).dtype == np.float32
     np.testing.assert_allclose(loss.vjp(a, b, np.full(40, 3.0))[0], 3 * by_a, rtol=1e-12)
-    with pytest.raises(ValueError, match=r"`a` row 3: width is negative"):
+    with pytest.raises(ValueError, match=r"`a` item 3: width is negative"):
         loss(np.where(np.arange(40)[:, None] == 3, -a, a), b)
     with pytest.raises(TypeError, match="`b` is Obb2, not ImageBox"):
         loss(a, geograd.ImageBox(b))
@@ -133,7 +133,7 @@ def test_arguments_of_parts():
     np.testing.assert_allclose(by_target[:, 2], -1)
     with pytest.raises(ValueError, match="`arm`.*5"):
         reach(numbers[:, :3], whole)
-    with pytest.raises(ValueError, match=r"arm\.base.*row 1"):
+    with pytest.raises(ValueError, match=r"arm\.base.*item 1"):
         wrong = numbers.copy()
         wrong[1, 0] = np.nan
         reach(wrong, whole)

@@ -85,5 +85,5 @@ def test_errors_say_what_to_do():
         geograd.jax.iuo
     bad = A.copy()
     bad[2, 2] = -1.0
-    with pytest.raises(Exception, match="`a` row 2: width is negative"):
+    with pytest.raises(Exception, match="`a` item 2: width is negative"):
         jax.block_until_ready(iou(bad, B))

@@ -179,7 +179,7 @@ def test_errors_say_what_to_do():
         iou(A, B)
     bad = a.detach().clone()
     bad[2, 2] = -1.0
-    with pytest.raises(ValueError, match="`a` row 2: width is negative"):
+    with pytest.raises(ValueError, match="`a` item 2: width is negative"):
         iou(bad, b)
     with pytest.raises(AttributeError, match="no attribute 'iuo'"):
         geograd.torch.iuo

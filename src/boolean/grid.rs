@@ -236,7 +236,7 @@ pub(super) fn invalid(owner: Owner, flaw: Flaw) -> Error {
     };
     Error::Invalid {
         argument,
-        row: 0,
+        item: 0,
         flaw,
     }
 }

@@ -21,7 +21,7 @@
 //! | [`ring`] | distances of a point from polylines and polygons of any kind, edge by edge |
 //!
 //! The signed distance is positive outside. (DGAL's sign is the opposite, positive inside:
-//! [`clearance`].)
+//! [`depth`].)
 //!
 //! # Derivatives
 //!
@@ -118,12 +118,12 @@ pub fn signed_distance<S: Scalar, A: Convex<S>, B: Convex<S>>(a: A, b: B) -> S {
 /// It measures what is to stay inside, such as a robot in its lane. The free way to an obstacle is [`distance`].
 ///
 /// ```
-/// use geograd::{Aabb2, Vec2, distance::clearance};
-/// assert_eq!(clearance(Aabb2::new(-1.0, -1.0, 1.0, 1.0), Vec2::new(0.5, 0.0)), 0.5);
+/// use geograd::{Aabb2, Vec2, distance::depth};
+/// assert_eq!(depth(Aabb2::new(-1.0, -1.0, 1.0, 1.0), Vec2::new(0.5, 0.0)), 0.5);
 /// ```
 #[must_use]
 #[inline]
-pub fn clearance<S: Scalar, A: Convex<S>, B: Convex<S>>(a: A, b: B) -> S {
+pub fn depth<S: Scalar, A: Convex<S>, B: Convex<S>>(a: A, b: B) -> S {
     (-signed_distance(a, b)).canonical()
 }
 

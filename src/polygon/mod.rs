@@ -8,7 +8,7 @@
 //!   [`overlap_polygon::rings`](crate::overlap_polygon::rings) take rings that do not cross, nested to any
 //!   depth and each of either orientation. What an odd number of rings enclose is inside. [`Sides`] is
 //!   that decision, made once and kept.
-//! * [`locate`](Rings::locate), [`contains`](Rings::contains), [`clearance`](Rings::clearance) and
+//! * [`locate`](Rings::locate), [`contains`](Rings::contains), [`depth`](Rings::depth) and
 //!   [`boolean`](crate::boolean) take rings of any kind, and a [`Fill`] that says which winding numbers
 //!   are inside.
 //!

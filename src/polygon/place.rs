@@ -46,11 +46,11 @@ impl<S: Scalar<Mask = bool>> Rings<'_, S> {
     /// let (outer, hole) = (Aabb2::new(0.0, 0.0, 4.0, 4.0).corners(), Aabb2::new(1.0, 1.0, 3.0, 3.0).corners());
     /// let rings = [outer.as_slice(), &hole];
     /// let rings = Rings::from(&rings[..]);
-    /// assert_eq!(rings.clearance(Vec2::new(0.25, 2.0), Fill::EvenOdd), 0.25);
-    /// assert_eq!(rings.clearance(Vec2::new(1.5, 2.0), Fill::EvenOdd), -0.5);
+    /// assert_eq!(rings.depth(Vec2::new(0.25, 2.0), Fill::EvenOdd), 0.25);
+    /// assert_eq!(rings.depth(Vec2::new(1.5, 2.0), Fill::EvenOdd), -0.5);
     /// ```
     #[must_use]
-    pub fn clearance(&self, point: Vec2<S>, fill: Fill) -> S {
+    pub fn depth(&self, point: Vec2<S>, fill: Fill) -> S {
         let mut state = EdgeFold::empty();
         for ring in self.iter().filter(|ring| !ring.is_empty()) {
             state = state.join(fold_ring(point, ring));

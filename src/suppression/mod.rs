@@ -117,7 +117,7 @@ pub(crate) fn invalid(name: &'static str, row: usize, flaw: Flaw) -> Error {
     let argument = Argument::Named(name);
     Error::Invalid {
         argument,
-        row,
+        item: row,
         flaw,
     }
 }

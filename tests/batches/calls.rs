@@ -200,12 +200,12 @@ fn bad_input_is_refused_with_its_place() {
     for (bad, row, flaw) in &cases {
         let in_a = Error::Invalid {
             argument: Argument::A,
-            row: *row,
+            item: *row,
             flaw: *flaw,
         };
         let in_b = Error::Invalid {
             argument: Argument::B,
-            row: *row,
+            item: *row,
             flaw: *flaw,
         };
         type Run = fn(
@@ -258,7 +258,7 @@ fn bad_input_is_refused_with_its_place() {
     );
     let nan = Error::Invalid {
         argument: Argument::Upstream,
-        row: 1,
+        item: 1,
         flaw: Flaw::NotFinite(Field::VALUE),
     };
     assert_eq!(
@@ -270,18 +270,18 @@ fn bad_input_is_refused_with_its_place() {
         calls::aligned::<IouAabb2, f64>(&inverted, &inverted),
         Err(Error::Invalid {
             argument: Argument::A,
-            row: 0,
-            flaw: Flaw::Inverted(Field::new("min.y"))
+            item: 0,
+            flaw: Flaw::Inverted(Field::new("min.y"), Field::new("max.y"))
         })
     );
     assert_eq!(
         Error::Invalid {
             argument: Argument::A,
-            row: 3,
+            item: 3,
             flaw: Flaw::Negative(Field::new("width"))
         }
         .to_string(),
-        "`a` row 3: width is negative"
+        "`a` item 3: width is negative"
     );
     let refused = calls::above::<IouObb2, f64>(&good, &good, f64::NAN).unwrap_err();
     assert_eq!(
@@ -327,7 +327,7 @@ fn ragged_batches_agree_with_single_calls() {
     ] {
         assert_eq!(
             calls::ragged::<SignedArea, f64>(&vertices[..3], &bad),
-            Err(Error::Offsets { row })
+            Err(Error::Offsets { item: row })
         );
     }
     let nan = [Vec2::new(0.0, f64::NAN)];
@@ -335,7 +335,7 @@ fn ragged_batches_agree_with_single_calls() {
         calls::ragged::<Perimeter, f64>(&nan, &[0, 1]),
         Err(Error::Invalid {
             argument: Argument::Vertices,
-            row: 0,
+            item: 0,
             flaw: Flaw::NotFinite(Field::new("y"))
         })
     );

@@ -334,7 +334,7 @@ fn errors_name_argument_row_and_field_and_nothing_is_written() {
         into(&points, 2, &[segments; 2].concat(), 4),
         Error::Invalid {
             argument: point,
-            row: 1,
+            item: 1,
             flaw
         }
     );
@@ -346,7 +346,7 @@ fn errors_name_argument_row_and_field_and_nothing_is_written() {
     assert_eq!(into(&points, 2, &segments, 2), fields);
     assert_eq!(
         fields.to_string(),
-        "rows of `segment` have 2 numbers where 4 are needed"
+        "items of `segment` have 2 numbers where 4 are needed"
     );
     let length = |argument, expected, found| Error::Length {
         argument,
@@ -375,7 +375,7 @@ fn errors_name_argument_row_and_field_and_nothing_is_written() {
     let error = iou(Mode::Value)
         .row_max(Rows::new(&BOXES, 5), Rows::new(&wrong, 5))
         .unwrap_err();
-    assert_eq!(error.to_string(), "`b` row 0: height is negative");
+    assert_eq!(error.to_string(), "`b` item 0: height is negative");
     let error = iou(Mode::Value)
         .row_max(Rows::new(&BOXES, 5), Rows::new(&[], 5))
         .unwrap_err();
@@ -391,7 +391,7 @@ fn errors_name_argument_row_and_field_and_nothing_is_written() {
         iou(Mode::Vjp).aligned(&rows),
         Err(Error::Invalid {
             argument: Argument::Upstream,
-            row: 1,
+            item: 1,
             flaw
         })
     );
@@ -419,7 +419,7 @@ fn errors_name_argument_row_and_field_and_nothing_is_written() {
         refused,
         Err(Error::Invalid {
             argument: point,
-            row: 1,
+            item: 1,
             flaw: Flaw::NotFinite(Field::new("y"))
         })
     );
@@ -501,14 +501,14 @@ fn functions_of_any_arity_are_traced() {
         let error = program
             .aligned(&[rows[0], rows[1], Rows::new(&[&wild[..]; 3].concat(), 3)])
             .unwrap_err();
-        assert_eq!(error.to_string(), "`c` row 0: [1] is not a finite number");
+        assert_eq!(error.to_string(), "`c` item 0: [1] is not a finite number");
         let named = program.named(&["place", "speed", "weights"]).unwrap();
         let error = named
             .aligned(&[rows[0], rows[1], Rows::new(&[&wild[..]; 3].concat(), 3)])
             .unwrap_err();
         assert_eq!(
             error.to_string(),
-            "`weights` row 0: [1] is not a finite number"
+            "`weights` item 0: [1] is not a finite number"
         );
         assert!(named.to_string().contains("place.x"), "{named}");
     }
@@ -530,7 +530,7 @@ fn functions_of_any_arity_are_traced() {
         sum.aligned(&rows),
         Err(Error::Invalid {
             argument: Argument::Input(7),
-            row: 0,
+            item: 0,
             flaw
         })
     );

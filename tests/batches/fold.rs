@@ -186,7 +186,7 @@ fn a_path_that_all_share_is_as_good_as_one_for_each() {
     let (argument, row) = (Argument::Vertices, 0);
     let refused = Error::Invalid {
         argument,
-        row,
+        item: row,
         flaw,
     };
     assert_eq!(cpu.fold_one(op, &points, &nan), Err(refused));
@@ -277,7 +277,7 @@ fn folds_refuse_what_is_wrong() {
     let one = [Vec2::new(0.5, 0.5)];
     assert_eq!(
         cpu.fold(SignedDistancePointRing, &one, &ring, &[0, 2]),
-        Err(Error::Offsets { row: 1 })
+        Err(Error::Offsets { item: 1 })
     );
     assert_eq!(
         cpu.fold(SignedDistancePointRing, &one, &ring, &[0, 1, 3]),
@@ -292,7 +292,7 @@ fn folds_refuse_what_is_wrong() {
         cpu.fold(SignedDistancePointRing, &nan, &ring, &[0, 3]),
         Err(Error::Invalid {
             argument: Argument::Named("point"),
-            row: 0,
+            item: 0,
             flaw: Flaw::NotFinite(Field::new("x"))
         })
     );
@@ -307,7 +307,7 @@ fn folds_refuse_what_is_wrong() {
         wild,
         Err(Error::Invalid {
             argument: Argument::Upstream,
-            row: 0,
+            item: 0,
             ..
         })
     ));
@@ -342,7 +342,7 @@ fn searches_are_decided_and_replayed() {
         cpu.aligned(Diameter, &flat),
         Err(Error::Invalid {
             argument: Argument::Named("polygon"),
-            row: 1,
+            item: 1,
             ..
         })
     ));

@@ -34,11 +34,14 @@ fn a_shape_that_is_not_valid() {
         error,
         Error::Invalid {
             argument,
-            row,
+            item: row,
             flaw
         }
     );
-    assert_eq!(error.to_string(), "`robot` row 1: x is not a finite number");
+    assert_eq!(
+        error.to_string(),
+        "`robot` item 1: x is not a finite number"
+    );
     // With derivatives, too.
     assert_eq!(cpu.aligned(Spare.value_grad(), columns).unwrap_err(), error);
     assert_eq!(cpu.aligned(Spare.jacobian(), columns).unwrap_err(), error);
@@ -51,7 +54,7 @@ fn a_shape_that_is_not_valid() {
         .unwrap_err();
     assert_eq!(
         error.to_string(),
-        "`margin` row 0: value is not a finite number"
+        "`margin` item 0: value is not a finite number"
     );
 }
 
@@ -85,7 +88,10 @@ fn all_pairs_and_searches() {
     let error = Cpu::new()
         .all_pairs(Distance, &[NAN], &[wall()])
         .unwrap_err();
-    assert_eq!(error.to_string(), "`point` row 0: x is not a finite number");
+    assert_eq!(
+        error.to_string(),
+        "`point` item 0: x is not a finite number"
+    );
     let polygon = ConvexPolygon::<f64, 4>::from(Obb2::new(0.0, 0.0, 2.0, 1.0, 0.3));
     let mut flawed = polygon;
     flawed.vertices[0].x = f64::NAN;
@@ -93,7 +99,7 @@ fn all_pairs_and_searches() {
         .aligned(MinimumRectangle, &[polygon, flawed])
         .unwrap_err();
     assert!(
-        error.to_string().starts_with("`polygon` row 1: "),
+        error.to_string().starts_with("`polygon` item 1: "),
         "{error}"
     );
 }

@@ -142,13 +142,13 @@ fn bad_lists_of_rings_are_refused_with_ring_and_vertex() {
     };
     let refused = Error::Invalid {
         argument: Argument::B,
-        row: 1,
+        item: 1,
         flaw,
     };
     assert_eq!(cpu.all_rings(score, good, both), Err(refused));
     assert_eq!(
         refused.to_string(),
-        "`b` row 1: vertex 2 has a coordinate that is not a finite number"
+        "`b` item 1: vertex 2 has a coordinate that is not a finite number"
     );
     let short = RingList {
         vertices: &square,
@@ -156,7 +156,7 @@ fn bad_lists_of_rings_are_refused_with_ring_and_vertex() {
     };
     let refused = Error::OffsetsOf {
         argument: Argument::A,
-        row: 1,
+        item: 1,
     };
     assert_eq!(cpu.rings(score, short, good), Err(refused));
     let none = RingList {
@@ -183,7 +183,7 @@ fn bad_lists_of_rings_are_refused_with_ring_and_vertex() {
         refused,
         Error::Invalid {
             argument: Argument::Upstream,
-            row: 0,
+            item: 0,
             ..
         }
     ));

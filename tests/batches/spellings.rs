@@ -110,7 +110,7 @@ spellings! {
     distances_of_boxes {
         DistanceAabb2 |(a, b)| distance::distance(a, b), a.distance(b), distance::upright::distance_aabb2(a, b);
         SignedDistanceAabb2 |(a, b)| distance::signed_distance(a, b), a.signed_distance(b),
-            (-distance::clearance(a, b)).canonical(), distance::upright::signed_distance_aabb2(a, b);
+            (-distance::depth(a, b)).canonical(), distance::upright::signed_distance_aabb2(a, b);
         SquaredDistanceAabb2 |(a, b)| distance::squared_distance(a, b), a.squared_distance(b),
             distance::upright::squared_distance_aabb2(a, b);
         FarthestDistanceAabb2 |(a, b)| distance::farthest_distance(a, b), a.farthest_distance(b),
@@ -121,7 +121,7 @@ spellings! {
             distance::upright::penetration_aabb2(a, b);
         DistanceObb2 |(a, b)| distance::distance(a, b), a.distance(b), distance::turned::distance_obb2(a, b);
         SignedDistanceObb2 |(a, b)| distance::signed_distance(a, b), a.signed_distance(b),
-            (-distance::clearance(a, b)).canonical(), distance::turned::signed_distance_obb2(a, b);
+            (-distance::depth(a, b)).canonical(), distance::turned::signed_distance_obb2(a, b);
         SquaredDistanceObb2 |(a, b)| distance::squared_distance(a, b), a.squared_distance(b),
             distance::turned::squared_distance_obb2(a, b);
         FarthestDistanceObb2 |(a, b)| distance::farthest_distance(a, b), a.farthest_distance(b),
@@ -165,8 +165,8 @@ spellings! {
         SignedDistanceCircleObb2 |(a, b)| distance::signed_distance(a, b), Convex::signed_distance(a, b);
         SignedDistanceCapsules |(a, b)| distance::signed_distance(a, b), Convex::signed_distance(a, b);
         SignedDistanceTriangles |(a, b)| distance::signed_distance(a, b), Convex::signed_distance(a, b);
-        ClearancePointAabb2 |(a, b)| distance::clearance(a, b), (-distance::signed_distance(a, b)).canonical();
-        ClearancePointObb2 |(a, b)| distance::clearance(a, b), (-distance::signed_distance(a, b)).canonical();
+        DepthPointAabb2 |(a, b)| distance::depth(a, b), (-distance::signed_distance(a, b)).canonical();
+        DepthPointObb2 |(a, b)| distance::depth(a, b), (-distance::signed_distance(a, b)).canonical();
     }
     points_and_depths {
         PenetrationCircles |(a, b)| distance::penetration(a, b), Convex::penetration(a, b);

@@ -310,7 +310,7 @@ fn what_is_wrong_is_said() {
         nan,
         Error::Invalid {
             argument: named("scores"),
-            row: 1,
+            item: 1,
             flaw
         }
     );
@@ -324,7 +324,7 @@ fn what_is_wrong_is_said() {
     let beyond = hard(&[0.5], &[pair], Rules::above(0.5)).unwrap_err();
     assert_eq!(
         beyond.to_string(),
-        "`pairs` row 0: second is beyond the scores"
+        "`pairs` item 0: second is beyond the scores"
     );
     let classes = Rules {
         classes: Some(&[1, 2]),
@@ -561,7 +561,7 @@ fn suppression_of_boxes_says_what_is_wrong() {
     let found = cpu.suppress(IouObb2, &boxes, &[0.5, 0.5], Rules::above(0.5));
     assert!(matches!(found, Err(Error::Length { .. })));
     let found = cpu.suppress(IouObb2, &boxes, &[0.5, f32::NAN, 0.5], Rules::above(0.5));
-    assert!(matches!(found, Err(Error::Invalid { row: 1, .. })));
+    assert!(matches!(found, Err(Error::Invalid { item: 1, .. })));
     for overlap in [-0.1, 1.5, f32::NAN] {
         let found = cpu.suppress(IouObb2, &boxes, &[0.5; 3], Rules::above(overlap));
         assert!(matches!(found, Err(Error::Invalid { .. })), "{overlap}");
@@ -569,7 +569,7 @@ fn suppression_of_boxes_says_what_is_wrong() {
     let mut wrong = boxes;
     wrong[2].size.x = -1.0;
     let found = cpu.suppress(IouObb2, &wrong, &[0.9, 0.1, 0.5], Rules::above(0.5));
-    assert!(matches!(found, Err(Error::Invalid { row: 2, .. })));
+    assert!(matches!(found, Err(Error::Invalid { item: 2, .. })));
     let rules = Rules {
         classes: Some(&[1, 2]),
         ..Rules::above(0.5)

@@ -7,7 +7,7 @@ use geograd::ad::adjoint::overlap::iou_aabb2_grad;
 use geograd::ad::adjoint::overlap_polygon::iou_polygons_vjp;
 use geograd::clipping::clip;
 use geograd::distance::ring::signed_distance_to_ring;
-use geograd::distance::{clearance, distance, farthest_distance, signed_distance};
+use geograd::distance::{depth, distance, farthest_distance, signed_distance};
 use geograd::hull::merge;
 use geograd::iou::{diou_aabb2, diou_polygons_search, giou_polygons_search};
 use geograd::measure::extent::{diameter_search, width_search};
@@ -90,7 +90,7 @@ fn b3_signs_on_the_extension_of_an_edge() {
         assert_eq!(signed_distance_to_ring(point, &square), want);
         assert_eq!(signed_distance(square, point), want);
         // The paper's sign, positive inside, by another name.
-        assert_eq!(clearance(square, point), -want);
+        assert_eq!(depth(square, point), -want);
     }
     let clockwise = [square[3], square[2], square[1], square[0]];
     assert_eq!(signed_distance_to_ring(at(2.0, 0.0), &clockwise), 1.0);

@@ -396,7 +396,7 @@ fn points_find_the_boxes_of_the_loop() {
         found,
         Err(Error::Invalid {
             argument: Argument::Named("points"),
-            row: 1,
+            item: 1,
             ..
         })
     ));
@@ -409,7 +409,7 @@ fn points_find_the_boxes_of_the_loop() {
         found,
         Err(Error::Invalid {
             argument: Argument::Named("boxes"),
-            row: 1,
+            item: 1,
             ..
         })
     ));

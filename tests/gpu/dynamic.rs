@@ -88,7 +88,7 @@ fn the_untyped_face_has_the_bits_of_the_typed_one() {
     );
     let wrong = [0.0, 0.0, 1.0, -1.0, 0.0];
     let error = value.sum_on(on, rows, Rows::new(&wrong, 5)).unwrap_err();
-    assert_eq!(error.to_string(), "`b` row 0: height is negative");
+    assert_eq!(error.to_string(), "`b` item 0: height is negative");
 
     // A traced function: the distance of two points, twice.
     let tracing = Tracing::<f32>::start(&[Layout::numbers(2), Layout::of::<Vec2<f32>>()]).unwrap();

@@ -15,7 +15,7 @@ pub fn bad_input_is_refused<O: Score>() {
     let good = O::Shape::hard()[0];
     let invalid = |argument| Error::Invalid {
         argument,
-        row: 1,
+        item: 1,
         flaw,
     };
     let (run, here) = (O::default(), Backend::Gpu(gpu).resident());
@@ -334,8 +334,8 @@ fn rows_in_errors_count_from_the_start() {
     let refused = calls::row_max::<overlap::IouAabb2, f32>(&boxes, &boxes[..500]);
     let expected = Error::Invalid {
         argument: Argument::A,
-        row: 599,
-        flaw: Flaw::Inverted(Field::new("min.x")),
+        item: 599,
+        flaw: Flaw::Inverted(Field::new("min.x"), Field::new("max.x")),
     };
     assert_eq!(refused.unwrap_err(), expected);
 }

@@ -67,7 +67,7 @@ fn folds() {
         &offsets,
     );
     folds_agree(gpu, fold::DistancePointRing, context, &vertices, &offsets);
-    folds_agree(gpu, fold::ClearancePointRing, context, &vertices, &offsets);
+    folds_agree(gpu, fold::DepthPointRing, context, &vertices, &offsets);
     folds_agree(gpu, fold::WindingOfRing, context, &vertices, &offsets);
     // What fits no buffer is an error, what fits is cut.
     let small = small();

@@ -292,7 +292,7 @@ fn bad_input_is_refused() {
         refused.unwrap_err(),
         Error::Invalid {
             argument: Argument::Upstream,
-            row: 0,
+            item: 0,
             flaw: Flaw::NotFinite(_)
         }
     ));

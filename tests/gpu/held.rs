@@ -243,7 +243,7 @@ fn wrong_columns_are_refused() {
         bad[3].size.x = f32::NAN;
         let invalid = here.upload(&bad).unwrap_err();
         assert!(
-            matches!(invalid, Error::Invalid { row: 3, .. }),
+            matches!(invalid, Error::Invalid { item: 3, .. }),
             "{invalid}"
         );
         let mut held = here.upload(&shapes).unwrap();

@@ -251,7 +251,7 @@ fn updates_are_checked_and_change_nothing_when_refused() {
         let mut a = here.upload(&[good, good]).unwrap();
         let expected = Error::Invalid {
             argument: Argument::Shape,
-            row: 1,
+            item: 1,
             flaw: Flaw::NotFinite(Field::new("max.x")),
         };
         assert_eq!(a.update(&[good, bad]).unwrap_err(), expected);

@@ -1016,14 +1016,14 @@ class _circumcircle(Verb):
 
 circumcircle: _circumcircle
 
-class _clearance(Verb):
-    """The clearance of a point and an axis-aligned box, positive inside.
+class _depth(Verb):
+    """The depth of a point and an axis-aligned box, positive inside.
 
     Rows:
-        clearance(point: Vec2, shape: Aabb2) -> number
-        clearance(point: Vec2, shape: Obb2) -> number
-            The clearance of a point and a rotated box, positive inside.
-        clearance(point: Vec2, paths: ring) -> number
+        depth(point: Vec2, shape: Aabb2) -> number
+        depth(point: Vec2, shape: Obb2) -> number
+            The depth of a point and a rotated box, positive inside.
+        depth(point: Vec2, paths: ring) -> number
             How far a point is inside a ring by the even-odd rule, negative outside. Without edges it is minus the largest finite number.
     """
     @overload
@@ -1035,7 +1035,7 @@ class _clearance(Verb):
     @overload
     def __call__(self, *arguments: Any, kind: Kind, to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Any: ...
 
-clearance: _clearance
+depth: _depth
 
 class _closest_points(Verb):
     """The nearest points of two axis-aligned boxes. Points jump to another nearest feature.

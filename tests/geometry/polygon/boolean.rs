@@ -421,7 +421,7 @@ fn flaws_name_polygon_ring_and_vertex() {
         found,
         Error::Invalid {
             argument: Argument::B,
-            row: 0,
+            item: 0,
             flaw
         }
     );

@@ -167,7 +167,7 @@ fn derivatives_of_measures_are_their_differences() {
             |p| polygon::centroid(p).x,
             |p| polygon::second_moments(p).xy,
             |p| {
-                p.rings().clearance(
+                p.rings().depth(
                     Vec2::new(
                         geograd::Jet {
                             value: 0.3,
@@ -210,7 +210,7 @@ fn derivatives_of_measures_are_their_differences() {
 }
 
 #[test]
-fn clearances_know_holes() {
+fn depths_know_holes() {
     let rings = [
         ring(&[(0., 0.), (4., 0.), (4., 4.), (0., 4.)]),
         ring(&[(1., 1.), (3., 1.), (3., 3.), (1., 3.)]),
@@ -224,10 +224,10 @@ fn clearances_know_holes() {
         (4.0, 4.0, 0.0, 0.0),
         (7.0, 8.0, -5.0, -5.0),
     ] {
-        assert_eq!(rings.clearance(at(x, y), Fill::EvenOdd), even_odd);
-        assert_eq!(rings.clearance(at(x, y), Fill::NonZero), non_zero);
+        assert_eq!(rings.depth(at(x, y), Fill::EvenOdd), even_odd);
+        assert_eq!(rings.depth(at(x, y), Fill::NonZero), non_zero);
     }
-    assert!(Rings::from(&[] as &[Ring]).clearance(at(0.0, 0.0), Fill::NonZero) < -1e300);
+    assert!(Rings::from(&[] as &[Ring]).depth(at(0.0, 0.0), Fill::NonZero) < -1e300);
     assert_eq!(rings.bounding(), Some(Aabb2::new(0.0, 0.0, 4.0, 4.0)));
 }
 

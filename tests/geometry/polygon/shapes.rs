@@ -7,7 +7,7 @@ use geograd::clipping::{
     ClipTrace, Corner, Side, clip, clip_replay, clip_search, half_plane_replay, half_plane_search,
 };
 use geograd::contain::{
-    Location, clearance_search, contains, contains_even_odd, crossing, locate, winding_number,
+    Location, contains, contains_even_odd, crossing, depth_search, locate, winding_number,
 };
 use geograd::hull::{
     hull, hull_area_search, hull_decided_in, hull_search, merge, merge_search, minkowski_sum,
@@ -488,11 +488,11 @@ fn points_are_where_the_rings_wind_around_them() {
 }
 
 #[test]
-fn clearance_is_the_least_distance_with_the_right_sign() {
+fn depth_is_the_least_distance_with_the_right_sign() {
     // B3: +1 there for the first.
     let square = ConvexPolygon::from(Aabb2::new(0.0, 0.0, 1.0, 1.0));
-    assert_eq!(square.clearance(at(2.0, 0.0)), -1.0);
-    assert_eq!(square.clearance(at(2.0, 0.5)), -1.0);
+    assert_eq!(square.depth(at(2.0, 0.0)), -1.0);
+    assert_eq!(square.depth(at(2.0, 0.5)), -1.0);
     let mut dice = Dice(20);
     for _ in 0..200 {
         let (p, point) = (
@@ -505,7 +505,7 @@ fn clearance_is_the_least_distance_with_the_right_sign() {
                 least = least.min(point.distance(a + (b - a) * (k as f64 / 1000.0)));
             }
         }
-        let (value, record) = clearance_search(&[&p], point).unwrap();
+        let (value, record) = depth_search(&[&p], point).unwrap();
         assert!((value.abs() - least).abs() < 1e-2 && value.abs() <= least + 1e-12);
         assert_eq!(value > 0.0, contains(&[&p], point));
         // The derivative is of length one.
@@ -514,8 +514,7 @@ fn clearance_is_the_least_distance_with_the_right_sign() {
             .map(|v| Vec2::new(Jet::<f64, 2>::variable(v.x, 9), Jet::variable(v.y, 9)))
             .collect();
         let at_point = Vec2::new(Jet::variable(point.x, 0), Jet::variable(point.y, 1));
-        let derivative =
-            geograd::contain::clearance_replay(&[&lifted], at_point, record).derivative;
+        let derivative = geograd::contain::depth_replay(&[&lifted], at_point, record).derivative;
         assert!((derivative[0].hypot(derivative[1]) - 1.0).abs() < 1e-9);
     }
 }
