@@ -152,14 +152,14 @@ where
     }
 }
 
-/// `Ok` when no number of a part exceeds that of another part, which the whole calls `other`.
+/// `Ok` when no number of a part exceeds that of another part, the field `upper` of the whole.
 #[inline]
 pub fn at_most<W: Fixed, P: Fixed>(
     _: &W,
     low: &P,
     high: &P,
     at: usize,
-    other: &str,
+    upper: &'static str,
 ) -> Result<(), Flaw>
 where
     P::Scalar: Scalar<Mask = bool>,
@@ -176,7 +176,7 @@ where
         i += 1;
     });
     match found {
-        Some(i) => Err(Flaw::Inverted(W::name(at + i), P::name(i).within(other))),
+        Some(i) => Err(Flaw::Inverted(W::name(at + i), upper)),
         None => Ok(()),
     }
 }

@@ -209,8 +209,8 @@ pub enum Flaw {
     Negative(Field),
     /// A size that must be above zero is not.
     NotPositive(Field),
-    /// A lower bound is above an upper one: both fields.
-    Inverted(Field, Field),
+    /// A lower bound is above an upper one: the field, and the name of the shape's field that it exceeds.
+    Inverted(Field, &'static str),
     /// A direction is the zero vector.
     Zero(Field),
     /// A shape's own rule is broken: the field, and what it is or is not.
@@ -292,7 +292,7 @@ impl Flaw {
             Flaw::NotFinite(field) => Flaw::NotFinite(name(field)),
             Flaw::Negative(field) => Flaw::Negative(name(field)),
             Flaw::NotPositive(field) => Flaw::NotPositive(name(field)),
-            Flaw::Inverted(low, high) => Flaw::Inverted(name(low), name(high)),
+            Flaw::Inverted(field, upper) => Flaw::Inverted(name(field), upper),
             Flaw::Zero(field) => Flaw::Zero(name(field)),
             Flaw::Broken(field, rule) => Flaw::Broken(name(field), rule),
             Flaw::Vertex { .. } | Flaw::Ring { .. } => self,
@@ -316,7 +316,7 @@ impl fmt::Display for Flaw {
             Flaw::NotFinite(field) => write!(f, "{field} is not a finite number"),
             Flaw::Negative(field) => write!(f, "{field} is negative"),
             Flaw::NotPositive(field) => write!(f, "{field} is not positive"),
-            Flaw::Inverted(low, high) => write!(f, "{low} is above {high}"),
+            Flaw::Inverted(field, upper) => write!(f, "{field} is above {upper}"),
             Flaw::Broken(field, rule) => write!(f, "{field} {rule}"),
             Flaw::Zero(field) => write!(f, "{field} is zero"),
             Flaw::Vertex { index, fault } => write!(f, "vertex {index} {fault}"),

@@ -271,7 +271,7 @@ fn bad_input_is_refused_with_its_place() {
         Err(Error::Invalid {
             argument: Argument::A,
             item: 0,
-            flaw: Flaw::Inverted(Field::new("min.y"), Field::new("max.y"))
+            flaw: Flaw::Inverted(Field::new("min.y"), "max")
         })
     );
     assert_eq!(

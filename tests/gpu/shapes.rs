@@ -123,7 +123,7 @@ impl Draw for Aabb2<f32> {
         true
     }
     fn flawed() -> (Self, Flaw) {
-        let flaw = Flaw::Inverted(Field::new("min.x"), Field::new("max.x"));
+        let flaw = Flaw::Inverted(Field::new("min.x"), "max");
         (Aabb2::new(1.0, 0.0, 0.0, 1.0), flaw)
     }
 }

@@ -63,7 +63,7 @@ fn constructors_name_the_field() {
     );
     assert_eq!(
         Interval::try_new(2.0, 1.0),
-        Err(Flaw::Inverted(Field::new("min"), Field::new("max")))
+        Err(Flaw::Inverted(Field::new("min"), "max"))
     );
     assert_eq!(
         Interval::try_new(2.0, nan),
