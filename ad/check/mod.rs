@@ -6,7 +6,7 @@
 //! its seed, finite, right at kinks, consistent with declared invariances, and have the right derivatives itself. A
 //! refused input is made as simple as it can be, in its numbers and its length, and printed as code.
 //!
-//! What one check needs is in one module, [`geograd::check`](crate::check).
+//! One module, [`geograd::check`](crate::check), has all that a check needs.
 //!
 //! # A correct derivative
 //!

@@ -133,8 +133,8 @@ impl Evidence<'_> {
         spread
     }
 
-    /// What is linear in a direction, asked along that direction made shorter by a factor drawn from
-    /// a seed, and made longer again: for [`roundings`](Self::roundings).
+    /// The value of a function linear in a direction, by a shorter direction: the factor is drawn from
+    /// a seed, and the result divided by it. It is for [`roundings`](Self::roundings).
     pub(crate) fn along_shorter(
         &self,
         direction: &[f64],
@@ -245,7 +245,7 @@ impl Evidence<'_> {
         derivatives: &dyn Fn(&[f64]) -> Option<Vec<f64>>,
         tallest: f64,
     ) -> Vec<f64> {
-        // What derivatives of one unit may be off by is known.
+        // Derivatives of one unit have a known bound of their error.
         if self.subject.comparable() {
             return vec![0.0; base.len()];
         }
@@ -263,9 +263,9 @@ impl Evidence<'_> {
         rough
     }
 
-    /// Whether a derivative lies among those at inputs beside this one, which another witness tells if there is
-    /// one. One that does not is no victim of rounding: it is wrong at this input alone. For each number of a
-    /// short input, only those inputs count at which that number is another one: the fault may be a special case
+    /// `true` if a derivative lies among those at inputs beside this one, by another witness if there is
+    /// one. Otherwise rounding does not explain it: it is wrong at this input alone. For each number of a
+    /// short input, only inputs with another value of that number count: the fault may be a special case
     /// of it.
     fn is_among_neighbours(
         &self,
@@ -297,7 +297,7 @@ impl Evidence<'_> {
         }
     }
 
-    /// Adds to a row's tolerance what provoked rounding shows.
+    /// Adds to a row's tolerance the changes that provoked rounding shows.
     pub(crate) fn provoke(&self, row: &Item) {
         if row.provoked.replace(true) {
             return;
@@ -353,8 +353,8 @@ impl Evidence<'_> {
         each.collect()
     }
 
-    /// Where single precision is judged by double, decisions may fall differently: what that does
-    /// counts too.
+    /// Adds to a row's tolerance the effect of decisions that fall differently in single and in double precision,
+    /// once.
     pub(crate) fn provoke_widely(&self, row: &Item) {
         let (Some(wide), Some(adjoint)) = (&self.wide, &row.adjoint) else {
             return;
@@ -368,7 +368,7 @@ impl Evidence<'_> {
         row.allow(|i| SAFETY * (own[i] + theirs.get(i).unwrap_or(&0.0)));
     }
 
-    /// Adds what provoked rounding shows with the arguments exchanged, once.
+    /// Adds the changes that provoked rounding shows with the arguments exchanged, once.
     pub(crate) fn provoke_exchanged(&self, row: &Item) {
         if row.provoked_exchanged.replace(true) {
             return;

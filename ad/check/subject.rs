@@ -8,8 +8,8 @@ use crate::ad::declared::{Invariance, Kind};
 /// The conventions of a function at places without a derivative.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Conventions {
-    /// Where the value is zero, or the input lies on the border of its domain, the derivative may be
-    /// zero although it is not between the derivatives of both sides.
+    /// `true` if the derivative may be zero where the value is zero, or where the input lies on the border of its
+    /// domain, although zero is not between the derivatives of both sides.
     pub flat: bool,
     /// Places at which the value may jump.
     pub jumps: Jumps,
@@ -155,8 +155,8 @@ pub trait Subject {
     fn kinds(&self) -> Vec<Kind> {
         Vec::new()
     }
-    /// What each number of the result is; needed for results that [follow](crate::ad::check::symmetry::Answer::Follows)
-    /// only. What is not said stays where it is.
+    /// The kind of each number of the result; only results that [follow](crate::ad::check::symmetry::Answer::Follows)
+    /// need it. Numbers without a kind stay where they are.
     fn output_kinds(&self) -> Vec<Kind> {
         Vec::new()
     }
@@ -164,7 +164,7 @@ pub trait Subject {
     fn invariances(&self) -> &[Invariance] {
         &[]
     }
-    /// What it does on purpose.
+    /// The function's conventions at kinks and jumps.
     fn conventions(&self) -> Conventions {
         Conventions::default()
     }

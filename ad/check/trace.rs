@@ -20,7 +20,7 @@ use crate::{Pack, Scalar};
 use std::cell::Cell;
 use std::ops::{Add, AddAssign, Div, Mul, MulAssign, Neg, Sub, SubAssign};
 
-/// What one run recorded.
+/// The comparisons that one run recorded.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Trace {
     /// The outcomes of all comparisons, in order, hashed.
@@ -132,7 +132,7 @@ impl<T: Number> Traced<T> {
     }
 }
 
-/// What every wrapper of one float hands on as it is: the items of its `Scalar`.
+/// The items of `Scalar` that every wrapper of one float forwards unchanged.
 macro_rules! wrapped {
     ($wrapper:ident of $number:ident) => {
         type Mask = bool;

@@ -30,11 +30,11 @@ pub(crate) struct Along<'d> {
     pub(crate) covered: bool,
 }
 
-/// What one row says along a direction: derivatives along it, and per number where it is an axis.
+/// The derivatives of one row along a direction, and per number if the direction is an axis.
 struct Derivatives {
     by_hand: Option<f64>,
     by_duals: Option<f64>,
-    /// By what derivatives along the direction are divided to be those with respect to one number.
+    /// The divisor that makes a derivative along the direction one with respect to one number.
     per: f64,
     along: bool,
 }
@@ -50,7 +50,7 @@ impl Derivatives {
             ..Numbers::default()
         }
     }
-    /// What the other of the two exact witnesses says.
+    /// The derivative by the other of the two exact witnesses.
     fn other(&self, witness: Witness) -> Option<f64> {
         match witness {
             Witness::Adjoint => self.by_duals,
@@ -300,7 +300,7 @@ impl Along<'_> {
                     tolerance
                 };
                 let tied = agree && e.exactly_tied();
-                // Of a function that is not known by its source steps alone tell whether pieces meet.
+                // Without the function's source, steps alone tell whether pieces meet.
                 let unknown = self.is_of_shapes() && derivatives.other(witness).is_none();
                 if !review.stands {
                     if review.supported {

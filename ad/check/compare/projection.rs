@@ -17,14 +17,14 @@ use crate::ad::sample::Draw;
 use std::cell::Cell;
 use std::ops::Range;
 
-/// What both sides say along a direction.
+/// The derivatives of two witnesses along a direction.
 #[derive(Clone, Copy)]
 struct Product {
     adjoint: f64,
     other: f64,
-    /// What rounding explains by itself.
+    /// The difference that rounding explains by itself.
     plain: f64,
-    /// With what provoked rounding shows.
+    /// The same, with the changes that provoked rounding shows.
     tolerance: f64,
 }
 
@@ -33,7 +33,7 @@ impl Product {
         let gap = (self.adjoint - self.other).abs();
         if gap.is_nan() { f64::INFINITY } else { gap }
     }
-    /// What both say, per so much of the direction.
+    /// Both derivatives, divided by `per`.
     fn numbers(&self, witness: Witness, per: f64, along: bool) -> Numbers {
         let other = self.other / per;
         Numbers {
