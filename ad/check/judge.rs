@@ -150,9 +150,9 @@ fn one_of_a_kind(all: Vec<Fault>) -> Vec<Fault> {
     kept
 }
 
-/// `true` if what duals say is explained: the input is a kink there, at which the adjoint has stood every step. Then it
-/// is between the derivatives of both sides, as the duals are, and a convention. Where steps could not tell, it must
-/// be between the derivatives of the pieces that meet there.
+/// `true` if the complaint of the duals is explained: the input is a kink there, and the adjoint agrees with every
+/// step. Then it is between the derivatives of both sides, as the duals are, and a convention. If steps could not
+/// tell, it must be between the derivatives of the pieces that meet there.
 fn explained(e: Option<&Evidence<'_>>, fault: &Fault, said: &Notes, others: &[Fault]) -> bool {
     let Some(e) = e else { return false };
     let row = e.rows.iter().find(|row| row.output == fault.output);

@@ -1,12 +1,12 @@
 //! The part of a judgement that provokes rounding: how far each witness can be trusted here.
 //!
-//! Four kinds of rounding are provoked, each by what leaves the true answer where it is, or nearly. Inputs move by
-//! their last digits, which shows what a function does to errors of its input and of its value's computation. The
-//! adjoint's own operations round at random ([`noise`](crate::ad::check::noise)). Of a closure, whose operations
-//! nobody sees, the roughness between equally spaced inputs is measured ([`roughness`]). What is linear in a
-//! direction (duals, second derivatives) is asked along the direction made shorter: the answer is shorter by as much,
-//! except that every sum and product of derivatives on the way has rounded differently. No rounding of the input
-//! shows that: where two large equal derivatives cancel, what is left is their last digit, which does not move with
+//! Four kinds of rounding are provoked, each by a change that leaves the true result as it is, or nearly. Inputs
+//! move by their last digits, which shows the effect of errors of the input and of the value's computation. The
+//! adjoint's own operations round at random ([`noise`](crate::ad::check::noise)). The operations of a closure are
+//! not visible, so its roughness between equally spaced inputs is measured ([`roughness`]). Functions linear in a
+//! direction (duals, second derivatives) are computed along a shorter direction: the result is shorter by as much,
+//! but every sum and product of derivatives rounds differently. No rounding of the input
+//! shows that: where two large equal derivatives cancel, the rest is their last digit, which does not move with
 //! the input's.
 use crate::ad::check::evidence::{Beside, Evidence, Item};
 use crate::ad::check::roughness::roughness;
@@ -89,8 +89,8 @@ impl Evidence<'_> {
         spread
     }
 
-    /// The largest change of a derivative when its own roundings fall differently. What changes more
-    /// than a thousandth of the sizes was decided differently, which is no rounding.
+    /// The largest change of a derivative when its own roundings fall differently. A change of more
+    /// than a thousandth of the size comes from another decision, not from rounding.
     pub(crate) fn roundings(
         &self,
         base: &[f64],
@@ -168,8 +168,8 @@ impl Evidence<'_> {
     }
 
     /// How large each derivative gets when the numbers of the input change over their size, all together
-    /// and one by one. Where a derivative is far steeper than the value is large, another feature is near
-    /// and nothing is said.
+    /// and one by one. Places with a derivative far larger than the value do not count: another feature is
+    /// near.
     pub(crate) fn typical(
         &self,
         weights: &[f64],

@@ -24,9 +24,9 @@ pub struct Conventions {
 }
 
 /// A function near one input, with every way there is to differentiate it. All lists are `f64`;
-/// a function of `f32` is asked only at inputs that are `f32` numbers and answers in them.
+/// a function of `f32` gets only inputs that are `f32` numbers, and its results are such numbers.
 ///
-/// Only [`value`](Subject::value) is required. What is `None` is not checked.
+/// Only [`value`](Subject::value) is required. A method that returns `None` is not checked.
 pub trait Subject {
     /// The format the function computes in.
     fn precision(&self) -> Precision;

@@ -14,9 +14,9 @@ pub(crate) const ROUNDINGS: f64 = 16.0;
 /// and the change from one extrapolation to the next, estimate an error and do not bound it. A factor off
 /// by 10⁻⁶ is refused all the same.
 pub(crate) const SAFETY: f64 = 8.0;
-/// How many times what the exact function explains a derivative of single precision may scatter: where thin boxes
+/// How many times the change of the exact function a derivative of single precision may scatter. Where thin boxes
 /// cross, lengths are differences of coordinates, and derivatives were seen off by twelve times as much, beside a tie
-/// of enclosing rectangles by sixty. Of values none is more than explained.
+/// of enclosing rectangles by sixty. No value scatters more than the exact function.
 pub(crate) const SCATTER: f64 = 100.0;
 /// How many times that much the adjoint of a sum may be off where no source shows the roundings inside it; an adjoint
 /// that is not linear is off by a share of itself.

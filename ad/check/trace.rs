@@ -1,9 +1,9 @@
-//! Branch tracing: a scalar that remembers how every comparison came out.
+//! Branch tracing: a scalar that records the outcome of every comparison.
 //!
 //! Two points with the same [`Trace`] ran through the same branches, so between them a function
-//! made of arithmetic is smooth and finite differences can be believed. Where traces differ there
-//! may be a kink (or only a harmless change of branch), and the smallest margin says how near it
-//! was.
+//! made of arithmetic is smooth and finite differences can be believed. Between points with different
+//! traces there may be a kink (or only a harmless change of branch); the smallest margin says how near
+//! it was.
 //!
 //! ```
 //! use geograd::ad::check::trace::{Traced, trace};

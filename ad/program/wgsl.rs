@@ -233,7 +233,7 @@ fn shared(a: &str, b: &str, (more, less): (&str, &str), bar: &str) -> String {
     format!("select(select({more}, {bar} * 0.5f, {a} == {b}), {less}, {a} < {b})")
 }
 
-/// A finite number. Those below the smallest normal one are given by their bits.
+/// A finite number. Numbers below the smallest normal one are given by their bits.
 fn literal(x: f32) -> String {
     if x == 0.0 || x.is_normal() {
         format!("{x:e}f")

@@ -472,10 +472,10 @@ impl Along<'_> {
 }
 
 /// `true` if the result is something that was chosen, such as the nearest points of two shapes, and not a
-/// least or a greatest number: found by a search, or points that may jump. Where several
-/// choices are as good to the bit, derivatives are those of one of them, or their mean, and need not be
-/// between those of the two that happen to win on either side. Of numbers that are no points this is not
-/// assumed: scores and areas that jump are not chosen from among others.
+/// least or a greatest number: found by a search, or points that may jump. If several
+/// choices are as good to the bit, derivatives are those of one of them, or their mean. They need not be
+/// between the derivatives of the two choices on either side. Numbers that are no points
+/// do not count: scores and areas that jump are not chosen from among others.
 fn chosen(e: &Evidence<'_>) -> bool {
     let conventions = e.subject.conventions();
     let points = || e.subject.output_kinds().contains(&Kind::X);

@@ -5,7 +5,7 @@
 //! unit: a single derivative that is off by `e` units moves the product by `e / 2` at least, while the
 //! product may be off by what all derivatives may be off by together. So among n inputs a single derivative
 //! is refused from 32 n roundings of the largest derivative on: 10⁻¹¹ of it for a thousand numbers in
-//! double precision. What does not agree is halved until the number at fault is found.
+//! double precision. A direction along which they disagree is halved until the number at fault is found.
 use crate::ad::check::compare::exact::conventional_border;
 use crate::ad::check::evidence::{Evidence, Item};
 use crate::ad::check::notes::{Notes, comparison};

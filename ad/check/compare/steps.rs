@@ -9,8 +9,8 @@ use crate::ad::check::trace::Trace;
 use crate::ad::check::witness::{Ladder, axis};
 use crate::ad::sample::Draw;
 
-/// Derivatives against differences along every direction. Of a long input that is `refused` already, or of
-/// which a direction is, no further directions are tried: they are all alike.
+/// Derivatives against differences along every direction. A long input that is `refused` already, by itself or
+/// along a direction, is tried along no further ones: they are all alike.
 pub(crate) fn steps(e: &Evidence<'_>, draw: &mut Draw, before: &Notes, refused: bool) -> Notes {
     let mut said = Notes::new(e.x.len());
     let on = e.on();
