@@ -6,7 +6,7 @@ use geograd::ad::check::trace::Traced;
 /// A function of some numbers with one number as result, and its right gradient by hand. Kinds of scalars
 /// are taken out here, once, so that whatever walks the corpus is compiled once.
 pub struct Function {
-    /// What it is called.
+    /// The name.
     pub name: &'static str,
     /// For each number of the input, the interval that it is drawn from.
     pub domain: &'static [[f64; 2]],

@@ -9,7 +9,7 @@ use geograd::{Fixed, Pack, Scalar};
 use std::cell::Cell;
 use std::ops::{Add, AddAssign, Div, Mul, MulAssign, Neg, Sub, SubAssign};
 
-/// Where the mistake is made.
+/// The place of the mistake.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Place {
     /// In a value: sums are differences, factors are forgotten, functions are left out or replaced by their

@@ -38,7 +38,7 @@ fn a_mistake_that_our_duals_share() {
     let report = check().num_dual(smooth).run();
     refused(&report, BY_NUM_DUAL);
     assert!(!report.refused_for(BY_DUALS), "{report}");
-    // What changes the value by less than its rounding nobody else sees.
+    // No other witness sees a term that changes the value by less than its rounding.
     fn little<S: Scalar>(x: S) -> S {
         S::lit(1e9) + x * x * S::lit(1e-9)
     }

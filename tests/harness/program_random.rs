@@ -124,7 +124,7 @@ fn random_functions_keep_their_bits_and_derivatives() {
             let same =
                 |(y, z): (&Jet<f64, INPUTS>, f64)| y.value == z || y.value.is_nan() && z.is_nan();
             let known = jets.iter().zip(plan.eval_all(x)).all(same);
-            // What is built of large numbers that cancel is not known to many digits.
+            // Results of large numbers that cancel have few digits.
             let numbers = jets
                 .iter()
                 .flat_map(|y| [y.value].into_iter().chain(y.derivative));
