@@ -1,5 +1,4 @@
-//! The notes of a comparison of witnesses at one input. Only
-//! [`judge`](crate::ad::check::judge) refuses.
+//! The notes of a comparison of witnesses at one input. Only [`judge`](crate::ad::check::judge) refuses.
 use crate::ad::check::evidence::Item;
 use crate::ad::check::verdict::{Fault, Nearest, Numbers, PAIRS, Place, Reason, Witness, Worst};
 

@@ -16,9 +16,9 @@ pub struct Conventions {
     /// `true` if at a tie the derivative by hand must be the very one of the duals, and not another
     /// between the derivatives of both sides.
     pub shared_ties: bool,
-    /// `true` if the function searches, and its derivatives are those of what was found: where something else is as
-    /// good to the bit, they need not be between the derivatives of both sides. The two that happen to win on
-    /// either side of such a tie are not all that tie: of a box and a box with the same heading, any pair of
+    /// `true` if the function searches, and its derivatives are those of the found choice. If other choices are as
+    /// good to the bit, they need not be between the derivatives of both sides. The two choices on either side of such
+    /// a tie are not all that tie: between two boxes with the same heading, any pair of
     /// points of two sides is nearest. It counts at exact ties of the source only.
     pub searches: bool,
 }

@@ -14,9 +14,9 @@ pub(crate) const ROUNDINGS: f64 = 16.0;
 /// and the change from one extrapolation to the next, estimate an error and do not bound it. A factor off
 /// by 10⁻⁶ is refused all the same.
 pub(crate) const SAFETY: f64 = 8.0;
-/// How many times the change of the exact function a derivative of single precision may scatter. Where thin boxes
-/// cross, lengths are differences of coordinates, and derivatives were seen off by twelve times as much, beside a tie
-/// of enclosing rectangles by sixty. No value scatters more than the exact function.
+/// How many times the change of the exact function a derivative of single precision may scatter. Lengths of thin
+/// boxes that cross are differences of coordinates: derivatives were off by twelve times as much there, and by
+/// sixty beside a tie of enclosing rectangles. No value scatters more than the exact function.
 pub(crate) const SCATTER: f64 = 100.0;
 /// How many times that much the adjoint of a sum may be off where no source shows the roundings inside it; an adjoint
 /// that is not linear is off by a share of itself.
@@ -169,7 +169,7 @@ pub(crate) const SHARE_OF_ORDER: [f64; 2] = [1.0 / 20.0, 1.0 / 70.0];
 /// The standard deviation of normal errors by the median of their size.
 pub(crate) const MEDIAN: f64 = 1.4826;
 
-// Scales nobody gave, and the whole run.
+// Default scales, and the whole run.
 
 /// A number is taken to change over no less than this share of the largest one.
 pub(crate) const LEAST_SCALE: f64 = 1e-3;

@@ -73,7 +73,7 @@ impl Sweep<'_> {
             }
             let mut path = bar.path.clone();
             if let Some((mask, side)) = taken(self.graph, node, place) {
-                // A choice proper hands on what it has; all others give zero to what they do not take.
+                // A `Select` gives its cotangent as it is; all others give zero to the operand that they do not take.
                 let zero = !matches!(node, Node::Select(..));
                 let guard = Guard { mask, side, zero };
                 match path.iter().find(|known| known.mask == guard.mask) {

@@ -1,4 +1,4 @@
-//! Inputs that nobody would think of, and whether the search for them finds what is wrong.
+//! Unexpected inputs, and tests that the fuzzers find planted faults.
 use geograd::kernels::fuzz::{self, Fuzzed, Property};
 use geograd::kernels::op::{Derivative, Extremes, Finite, Jumps, Limits, Op, Range};
 use geograd::kernels::real::Real;

@@ -26,7 +26,7 @@ pub struct Function {
     pub gradient_single: fn(&[f32]) -> Vec<f32>,
     /// The same with one step of the formula changed.
     pub gradient_mutant: fn(&[Mutant]) -> Vec<Mutant>,
-    /// Wrong gradients that somebody might write, and what is wrong.
+    /// Plausible wrong gradients, each with its mistake in words.
     pub wrong: &'static [(&'static str, fn(&[f64]) -> Vec<f64>)],
 }
 

@@ -3,7 +3,7 @@
 /// The kind of mistake of a fault.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub enum Kind {
-    /// Something that somebody might write, by hand.
+    /// A plausible mistake in a gradient by hand.
     ByHand,
     /// One step of the formula is another one.
     Formula,

@@ -136,7 +136,7 @@ impl Tangent for Mutant {
         self.value
     }
     fn constant(value: f64) -> Self {
-        // Nobody mistakes a zero or a one.
+        // Zeros and ones stay as they are: a mistake in them is not planted.
         if value == 0.0 || value == 1.0 {
             return Mutant {
                 value,

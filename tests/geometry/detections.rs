@@ -382,7 +382,7 @@ fn assignments_are_the_best() {
         let sum: f64 = pairs.iter().map(|&(i, j)| gains[i * columns + j]).sum();
         let best = best_sum(&gains, columns, 0, &mut vec![false; columns]);
         assert!((sum - best).abs() < 1e-12, "{sum} {best}");
-        // Greedy, by taking the largest of what is left.
+        // Greedy: the largest of the remaining pairs is taken.
         let mut left: Vec<Pair<f64>> = (0..rows * columns)
             .map(|k| Pair {
                 first: k / columns,

@@ -150,7 +150,7 @@ fn ties_at_the_threshold() {
     let mut draw = Draw::new(7);
     let (mut shapes, mut scores) = (Vec::new(), Vec::new());
     for k in 0..400 {
-        // Two squares, one moved by half a side: an IoU of a third, or what rounding makes of it.
+        // Two squares, one moved by half a side: an IoU of a third, up to rounding.
         let (angle, x, y) = (
             draw.within(-3.0, 3.0),
             draw.within(-5.0, 5.0),

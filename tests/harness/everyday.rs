@@ -421,7 +421,7 @@ mod reports {
     }
     #[test]
     fn a_long_list_does_not_hang() {
-        // Forty thousand numbers: candidates are no longer made when nobody can pay for them.
+        // Forty thousand numbers: shrinking stops before its candidates cost too much.
         let report = Check::at(vec![0.5; 40_000])
             .value(|x: Vec<f64>| x.iter().map(|x| x * x).sum::<f64>())
             .gradient(|x| x.iter().map(|x| 2.1 * x).collect())

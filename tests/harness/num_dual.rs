@@ -125,7 +125,7 @@ fn derivatives_by_hand_are_asked() {
     assert!(report.passed() && compared(&report) > 0, "{report}");
     let report = check_ring::<SignedArea, f32>(5, 1);
     assert!(report.passed() && compared(&report) > 0, "{report}");
-    // A recorded one is differentiated by nobody's hand.
+    // A recorded operation has no derivative by hand.
     assert_eq!(compared(&check::<AreaTriangle, f64>(5, 1)), 0);
     let norm = Program::trace(|v: Vec2<Sym<f64>>| v.x.hypot(v.y)).unwrap();
     let check = || Check::at(Vec2::new(3.0, 4.0));

@@ -357,7 +357,7 @@ impl Along<'_> {
                 if self.flat(row, sides, (test.derivative, tolerance))
                     || found
                     || self.beyond(&test)
-                    // Nobody can be asked beyond the border, and a kink may lie on it.
+                    // No witness is known beyond the border, and a kink may lie on it.
                     || (unknown && border)
                     || (unknown && self.chosen_here(row))
                 {

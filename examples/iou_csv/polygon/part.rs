@@ -78,7 +78,7 @@ pub fn intersection<T: Number>(a: &Polygon<T>, b: &Polygon<T>, grad: bool) -> Pa
             intersection_area_vjp(ring_a, ring_b, T::one(), by_a, by_b)
         }
     };
-    // Contributions of edges add up with a rounding of the smaller one's size: polygons that merely touch
+    // Contributions of edges add up with a rounding of the smaller one's size: polygons that only touch
     // share nothing.
     let (p, q) = (p.size(), q.size());
     let rounding = T::lit(16.0 * T::EPSILON) * (p.x * p.y).least(q.x * q.y);
