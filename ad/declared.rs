@@ -116,12 +116,12 @@ pub enum Answer {
 pub struct Invariance {
     /// How the input moves.
     pub motion: Motion,
-    /// What the output does.
+    /// How the output answers.
     pub answer: Answer,
 }
 
 impl Invariance {
-    /// That such a motion has such an answer.
+    /// The property that this motion has this answer.
     #[must_use]
     pub const fn new(motion: Motion, answer: Answer) -> Self {
         Invariance { motion, answer }
@@ -134,7 +134,7 @@ pub enum Jumps {
     /// Nowhere.
     #[default]
     Never,
-    /// Where its value is exactly zero.
+    /// At inputs with a value of exactly zero.
     FromZero,
     /// Anywhere.
     Anywhere,

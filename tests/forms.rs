@@ -235,7 +235,7 @@ fn derivatives_agree(
     bars: [&[f32]; 2],
     [(rows, a_fields), (columns, b_fields)]: [(usize, usize); 2],
 ) {
-    // What is left where terms cancel within a derivative is known to a few digits of those.
+    // A derivative whose terms cancel is known to a few digits of the terms.
     let largest = match bound {
         Bound::All => 1.0,
         Bound::Most => grads.iter().map(|x| x.abs()).fold(1.0, f32::max),

@@ -46,7 +46,7 @@ impl Walked {
     }
 }
 
-/// Of so many parts of the inputs the first tells how fast a fuzzer is.
+/// The number of parts of the inputs; the first one times a fuzzer.
 const PARTS: u64 = 16;
 
 /// Fewer inputs tell nothing.

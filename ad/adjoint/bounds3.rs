@@ -35,7 +35,7 @@ fn parts<S: Scalar>(mine: Vec3<S>, other: Vec3<S>) -> Vec3<S> {
     )
 }
 
-/// What is left of one.
+/// `1 - x`, number by number.
 #[inline(always)]
 fn rest<S: Scalar>(x: Vec3<S>) -> Vec3<S> {
     Vec3::new(S::one() - x.x, S::one() - x.y, S::one() - x.z)
@@ -64,7 +64,7 @@ fn score_vjp<S: Scalar>(over: Denominator, a: Aabb3<S>, b: Aabb3<S>, out_bar: S)
     let half = Vec3::new(none(half.x), none(half.y), none(half.z));
     let value = score(over, volumes[0], volumes[1], volumes[2], scale);
     let derivatives = score_derivatives(over, value, volumes, out_bar);
-    // Of identical boxes the union is as flat as can be, by symmetry.
+    // The score over the union has derivative zero at identical boxes, by symmetry.
     let flat = match over {
         Denominator::Union => apart | same,
         Denominator::None | Denominator::First => apart,
@@ -77,7 +77,7 @@ fn score_vjp<S: Scalar>(over: Denominator, a: Aabb3<S>, b: Aabb3<S>, out_bar: S)
     let shared = (faces(half) * (four * shared_bar)).saturated();
     let own_a = (faces(half_a) * (four * derivatives.own[0])).saturated() * falling;
     let own_b = (faces(half_b) * (four * derivatives.own[1])).saturated() * falling;
-    // Of a volume by one length, which leaves two; of a ratio.
+    // Factors into the caller's unit, for the derivative of a volume (it leaves two lengths) or of a ratio.
     let units = match over {
         Denominator::None => {
             let unit = one.over(scale);

@@ -6,7 +6,7 @@
 //! border already has. No intersection point is differentiated, and nothing is divided by the sine
 //! of the angle between two edges.
 //!
-//! Where a side of b lies exactly along one of a, the shared stretch counts half for each: the mean
+//! A side of b may lie exactly along one of a. The shared stretch then counts half for each: the mean
 //! of both sides of the kink.
 use crate::clip::{Clip, End, Relative};
 use crate::{Mask, Scalar, Vec2};
@@ -26,7 +26,7 @@ pub struct Derivatives<S> {
     pub half_b: Vec2<S>,
 }
 
-/// Where an upright edge from `low` to `high` enters and leaves a, as heights. Both ends beyond the
+/// The heights at which an upright edge from `low` to `high` enters and leaves a. Both ends beyond the
 /// same side put both crossings at the upper end.
 #[inline(always)]
 fn crossings<S: Scalar>(low: S, high: S, lower: End<S>, upper: End<S>, steepness: S) -> (S, S) {
@@ -47,11 +47,11 @@ fn crossing<S: Scalar>(from: S, low: S, high: S, rise: S, out: S::Mask) -> S {
     S::select(out | at.above(high), high, at)
 }
 
-/// Of the height of a that an edge beside it covers, what lies beyond a's right side minus what it leaves
-/// out beyond the left one, from the edge's first end to its last.
+/// The height of a that an edge beside it covers: the part beyond a's right side minus the part beyond the left
+/// one, from the edge's first end to its last.
 ///
-/// An edge with both ends beyond one side covers its whole `rise`. That is not taken from how far they lie
-/// beyond: of a speck in a giant both are so large that their difference has no digits left.
+/// An edge with both ends beyond one side covers its whole `rise`. The distances beyond the side do not give it:
+/// of a speck in a giant both are so large that their difference has no digits left.
 #[inline(always)]
 fn beside<S: Scalar>(out: S::Mask, [first, last]: [End<S>; 2], rise: S, derivative: S) -> S {
     let one_side = (first.beyond * last.beyond).above(S::zero());
@@ -63,8 +63,8 @@ fn beside<S: Scalar>(out: S::Mask, [first, last]: [End<S>; 2], rise: S, derivati
     S::select(out, S::zero(), covered)
 }
 
-/// What an edge adds to the length of a's top and bottom inside b: the x where it returns below
-/// (above) minus the x where it leaves.
+/// The length of a's top and bottom inside b that an edge adds: the x at which it returns below
+/// (above) minus the x at which it leaves.
 #[inline(always)]
 fn between<S: Scalar>(out: S::Mask, from: S, start: End<S>, to: S, end: End<S>) -> S {
     S::select(

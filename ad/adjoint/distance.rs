@@ -45,8 +45,8 @@ pub fn distance_point_segment_vjp<S: Scalar>(
 }
 
 /// The [distance](crate::distance::distance()) of two segments and its adjoint: the distance, and `out_bar`
-/// times its derivatives with respect to both. Zero where they meet. Where several ends are equally near, as those of
-/// parallel segments, they share the derivative equally.
+/// times its derivatives with respect to both. Derivatives are zero where the segments meet. Ends that are equally
+/// near, as those of parallel segments, share the derivative equally.
 ///
 /// ```
 /// use geograd::{Segment2, Vec2, ad::adjoint::distance::distance_segments_vjp};

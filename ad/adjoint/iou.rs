@@ -47,7 +47,7 @@ struct Bars<S: Scalar> {
 }
 
 impl<S: Scalar> Bars<S> {
-    /// What reaches a number through both areas, and what its box's own area adds, times one.
+    /// The derivative with respect to a number: the parts by both areas plus the part by its own box's area.
     #[inline(always)]
     fn sum<const EXTREME: bool>(&self, shared: S, around: S, own_area: S) -> S {
         let x = S::select(self.nothing, S::zero(), shared);

@@ -16,8 +16,7 @@ pub(crate) struct AreaDerivatives<S> {
     pub inter: S,
     /// By the areas of both boxes, but for `falling`.
     pub own: [S; 2],
-    /// What those are to be multiplied by at last: it may be so small that nothing would be left of
-    /// them before.
+    /// The last factor of `own`: it may be so small that an earlier product with it would be zero.
     pub falling: S,
 }
 
@@ -324,7 +323,7 @@ fn times<S: Scalar>(x: Vec2<S>, y: Vec2<S>) -> Vec2<S> {
     Vec2::new(x.x * y.x, x.y * y.y)
 }
 
-/// What is left of one.
+/// `1 - x`, number by number.
 #[inline(always)]
 fn rest<S: Scalar>(x: Vec2<S>) -> Vec2<S> {
     Vec2::new(S::one() - x.x, S::one() - x.y)

@@ -11,8 +11,8 @@
 //!
 //! In the sum over pairs of triangles the part of `f` that is inside `T(g)` is between two rays, up to
 //! where `f` and `g` cross; nothing is divided by the sine of the angle between two edges, and the
-//! crossing point itself is not differentiated, so nearly parallel edges are harmless. Where the
-//! edges lie along each other both count half.
+//! crossing point itself is not differentiated, so nearly parallel edges are harmless. Edges that lie
+//! along each other count half each.
 use crate::overlap_polygon::{Fan, Inside, SharedArea, Wedge, bounds_of_rings, measure, mixed};
 use crate::reference::choose;
 use crate::shape::edges;

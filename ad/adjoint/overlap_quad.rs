@@ -23,7 +23,7 @@ use crate::{Scalar, Vec2};
 /// Two quadrilaterals, or a cotangent of each.
 type Quads<S> = ([Vec2<S>; 4], [Vec2<S>; 4]);
 
-/// What of a side is inside, from one fraction of it to another, and how much it counts.
+/// The part of a side that is inside, from one fraction of it to another, and its weight.
 #[derive(Clone, Copy)]
 struct Part<S> {
     from: S,
@@ -84,7 +84,7 @@ fn derivatives<S: Scalar>(pair: &QuadPair<S>) -> Quads<S> {
             let along = parallel & start.unsigned().at_most(tiny);
             let (s, t) = (start * per, -(pair.left_of_a[k][i] * per));
             let t = S::select(along, zero, t);
-            // Where the side of a leaves b to the right, that of b comes into a.
+            // The side of b comes into a at the point at which the side of a leaves b to the right.
             let leaves = per.above(zero);
             let s_leaves = S::select(leaves & !along, s, one);
             let s_enters = S::select(leaves, zero, s);

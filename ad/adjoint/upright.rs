@@ -35,7 +35,7 @@ fn upright<S: Scalar>(x: YawBox3<S>) -> Upright<S> {
     }
 }
 
-/// Where both boxes are the same set of points, in the same way.
+/// `true` where both boxes are the same set of points, given by the same numbers.
 #[inline(always)]
 fn same<S: Scalar>(a: &Upright<S>, b: &Upright<S>) -> S::Mask {
     let (p, q) = (&a.flat, &b.flat);
@@ -98,7 +98,7 @@ fn parts<S: Scalar>(
     }
 }
 
-/// The part that the first of two bounds has where the smaller one decides.
+/// The derivative of the smaller of two bounds by the first: one, zero, or half in a tie.
 #[inline(always)]
 fn part_of_smaller<S: Scalar>(mine: S, other: S) -> S {
     let won = S::select(mine.below(other), S::one(), S::zero());
@@ -198,7 +198,7 @@ pub(crate) fn score_from_area_vjp<S: Scalar, const EXTREME: bool>(
         heights,
         falling,
     } = parts(over, value, areas, &height, out_bar);
-    // Of identical boxes the union is as flat as can be, by symmetry.
+    // The score over the union has derivative zero at identical boxes, by symmetry.
     let flat = match over {
         Denominator::Union => same(a, b),
         _ => one.below(zero),
@@ -209,13 +209,13 @@ pub(crate) fn score_from_area_vjp<S: Scalar, const EXTREME: bool>(
     let up = at_b - at_a;
     let nothing = height.shared.at_most(zero);
     let shared_bar = S::select(nothing, zero, heights[0]);
-    // What a has of the top and of the bottom.
+    // The parts of a in the top and in the bottom of the shared height.
     let top = part_of_smaller(tall_a, up + tall_b);
     let bottom = part_of_smaller(up - tall_b, -tall_a);
     let by_up = bottom - top;
     let (by_a, by_b) = (top + bottom, (one - top) + (one - bottom));
 
-    // From the pair's units to the caller's: of a volume by one length, which leaves two.
+    // From the pair's units to the caller's: the derivative of a volume by one length leaves two lengths.
     let (flat_units, tall_units, turn_units) = match over {
         Denominator::None => {
             let (length, tall) = (one.over(scale), one.over(height.scale));

@@ -1,5 +1,5 @@
-//! What is known of a function at one input: gathered once, before anything is compared. Comparisons
-//! read it; what they make of it are [notes](crate::ad::check::notes).
+//! The evidence about a function at one input, gathered once, before anything is compared. Comparisons
+//! read it and write [notes](crate::ad::check::notes).
 use crate::ad::check::notes::Notes;
 use crate::ad::check::subject::Subject;
 use crate::ad::check::tolerances::{
@@ -21,7 +21,7 @@ pub(crate) struct Item {
     pub(crate) plain: Vec<f64>,
     /// The same with what provoked rounding shows, as far as it was provoked.
     pub(crate) tolerance: RefCell<Vec<f64>>,
-    /// Whether rounding was provoked, in double precision too, and with the arguments exchanged.
+    /// `true` once rounding was provoked; then the same in double precision, and with the arguments exchanged.
     pub(crate) provoked: Cell<bool>,
     pub(crate) provoked_widely: Cell<bool>,
     pub(crate) provoked_exchanged: Cell<bool>,
@@ -52,7 +52,7 @@ impl Item {
     }
 }
 
-/// What is known about an input beside the one that is judged.
+/// The relation of an input to the judged one beside it.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Beside {
     /// The same branches.

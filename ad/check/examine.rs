@@ -20,26 +20,26 @@ pub const SEED: u64 = 0x6765_6f67_7261_6421;
 pub struct Sampling<'a> {
     /// How many random inputs.
     pub samples: usize,
-    /// What they are drawn from.
+    /// The seed of the random inputs.
     pub seed: u64,
     /// Hard cases come first: every so many of them, all by default, none for zero.
     pub hard: usize,
     /// Inputs that come before all others, as lists of numbers, of an operation of fixed size.
     pub points: &'a [Vec<f64>],
-    /// Whether to draw the worst case of an operation.
+    /// `true` to draw the worst case of an operation.
     pub draws: bool,
     /// Called after every sample: for a progress bar.
     pub tick: Option<&'a dyn Fn()>,
-    /// Whether a derivative by hand must share an exact tie as duals do. Without it any element between the derivatives
-    /// of both sides is right.
+    /// `true` if a derivative by hand must share an exact tie as duals do. Otherwise any element between the
+    /// derivatives of both sides is right.
     pub shared_ties: bool,
     /// How far values may be off, absolutely and as a share: see
-    /// [`Check::resolution`](crate::check::Check::resolution). `None` takes what an operation says of itself.
+    /// [`Check::resolution`](crate::check::Check::resolution). `None` takes the operation's own resolution.
     pub resolution: Option<[f64; 2]>,
     /// The domain, beside the rules of the shapes: inputs outside are not judged, no step leads there. `None` takes
-    /// what an operation says of itself.
+    /// the operation's own domain.
     pub inside: Option<&'a dyn Fn(&[f64]) -> bool>,
-    /// For each number, the length over which the function may be expected to change, if shapes do not tell.
+    /// For each number, the length over which the function may be expected to change, if shapes do not give it.
     pub scales: Option<&'a dyn Fn(&[f64]) -> Vec<f64>>,
 }
 

@@ -44,7 +44,7 @@ pub fn judge(subject: &dyn Subject, x: &[f64], seed: u64) -> Findings {
 fn compare(e: &Evidence<'_>, draw: &mut Draw, said: &mut Notes) {
     said.add(exact(e));
     said.add(wide(e));
-    // What a tie explains along an axis, it need not explain along other directions.
+    // A tie that explains a difference along an axis need not explain one along other directions.
     if !said.convention && !said.complaints.iter().any(|fault| e.excusable(fault)) {
         said.add(projections(e, draw));
     }
@@ -58,7 +58,7 @@ fn compare(e: &Evidence<'_>, draw: &mut Draw, said: &mut Notes) {
     if said.plain {
         said.add(curvature(e, draw));
     }
-    // Where there are no derivatives, other paths and invariances were judged.
+    // A function without derivatives was judged by other paths and invariances.
     let derivatives = |row: &Item| row.adjoint.is_some() || row.dual.is_some();
     if !e.rows.iter().any(derivatives)
         && (!e.subject.other_values(e.x).is_empty() || !e.subject.invariances().is_empty())
@@ -150,9 +150,9 @@ fn one_of_a_kind(all: Vec<Fault>) -> Vec<Fault> {
     kept
 }
 
-/// `true` if what duals say is explained: the input is a kink there, at which the adjoint has stood every step. Then it
-/// is between the derivatives of both sides, as the duals are, and a convention. Where steps could not tell, it must
-/// be between the derivatives of the pieces that meet there.
+/// `true` if the complaint of the duals is explained: the input is a kink there, and the adjoint agrees with every
+/// step. Then it is between the derivatives of both sides, as the duals are, and a convention. If steps could not
+/// tell, it must be between the derivatives of the pieces that meet there.
 fn explained(e: Option<&Evidence<'_>>, fault: &Fault, said: &Notes, others: &[Fault]) -> bool {
     let Some(e) = e else { return false };
     let row = e.rows.iter().find(|row| row.output == fault.output);
@@ -187,7 +187,7 @@ fn explained(e: Option<&Evidence<'_>>, fault: &Fault, said: &Notes, others: &[Fa
         || row.is_some_and(|row| e.between_pieces(row))
 }
 
-/// Where adjoint and duals differ, the one that the differences are against is outvoted.
+/// Marks the adjoint or the duals as the suspect: if they differ, the one that finite differences contradict.
 fn vote(faults: &mut [Fault]) {
     let all = faults.to_vec();
     for fault in faults {

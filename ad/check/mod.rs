@@ -6,7 +6,7 @@
 //! its seed, finite, right at kinks, consistent with declared invariances, and have the right derivatives itself. A
 //! refused input is made as simple as it can be, in its numbers and its length, and printed as code.
 //!
-//! What one check needs is in one module, [`geograd::check`](crate::check).
+//! One module, [`geograd::check`](crate::check), has all that a check needs.
 //!
 //! # A correct derivative
 //!
@@ -187,11 +187,11 @@
 //! over its own size or a thousandth of the largest one, whichever tells.
 //!
 //! A derivative may be off by the rounding of terms as large as it gets when the inputs change over
-//! their size: what is left of `1 - 0.9997` has four digits less, and that is no mistake. One that
+//! their size: `1 - 0.9997` has four digits less, and that is no mistake. One that
 //! loses more, half of its digits say, is refused.
 //!
 //! No witness is better than another where a value is decided within rounding (a tie that is none in exact
-//! arithmetic), and what provoked rounding changes is tolerated. Exact ties of equal
+//! arithmetic), and the changes by provoked rounding are tolerated. Exact ties of equal
 //! inputs are judged strictly in double precision.
 //!
 //! # How it is made

@@ -1,16 +1,15 @@
-//! What a comparison of witnesses has to say about one input. It refuses nothing: that is for
-//! [`judge`](crate::ad::check::judge).
+//! The notes of a comparison of witnesses at one input. Only [`judge`](crate::ad::check::judge) refuses.
 use crate::ad::check::evidence::Item;
 use crate::ad::check::verdict::{Fault, Nearest, Numbers, PAIRS, Place, Reason, Witness, Worst};
 
-/// What one comparison, or several, have to say.
+/// The findings of one comparison, or of several.
 #[derive(Clone, Debug)]
 pub(crate) struct Notes {
-    /// What they complain about, first things first.
+    /// The complaints, in order of importance.
     pub(crate) complaints: Vec<Fault>,
     /// How far apart each pair of witnesses was.
     pub(crate) worst: [Worst; PAIRS.len()],
-    /// Whether some witness could judge the derivative with respect to each number of the input.
+    /// For each number of the input, `true` if some witness could judge the derivative with respect to it.
     pub(crate) covered: Vec<bool>,
     /// `true` if a declared convention was needed.
     pub(crate) convention: bool,
@@ -28,7 +27,7 @@ pub(crate) struct Notes {
 }
 
 impl Notes {
-    /// Nothing said yet about an input of so many numbers.
+    /// Empty notes about an input of `inputs` numbers.
     pub(crate) fn new(inputs: usize) -> Self {
         Notes {
             complaints: Vec::new(),
@@ -88,7 +87,7 @@ impl Notes {
         self.worst[pair].note(gap, size, eps, at);
     }
 
-    /// What somebody else says, behind what was said so far.
+    /// Adds the findings of another comparison after these.
     pub(crate) fn add(&mut self, other: Notes) {
         self.complaints.extend(other.complaints);
         for (all, one) in self.worst.iter_mut().zip(&other.worst) {

@@ -9,7 +9,7 @@ use std::fmt;
 pub struct Failure {
     /// The number of the sample, counted from the first hard case or point.
     pub sample: usize,
-    /// What was refused.
+    /// The refused derivative or property.
     pub fault: Fault,
     /// The input, shrunk as far as it still fails for the same reason.
     pub input: Vec<f64>,
@@ -18,7 +18,7 @@ pub struct Failure {
 }
 
 impl Failure {
-    /// What no single input is refused for.
+    /// A failure of the function as a whole, without an input.
     pub(crate) fn of_all(reason: Reason, sample: usize, input: usize) -> Self {
         Failure {
             sample,
@@ -43,7 +43,7 @@ pub struct Report {
     pub name: String,
     /// The format it computes in.
     pub precision: Precision,
-    /// What random samples were drawn from.
+    /// The seed of the random samples.
     pub seed: u64,
     /// How many inputs were judged.
     pub samples: u64,
@@ -67,7 +67,7 @@ pub struct Report {
     pub nearest: [String; PAIRS.len()],
     /// The input nearest to refusal by differences as SVG, when the sampling says to draw it.
     pub picture: Option<String>,
-    /// What the numbers of the input are called, where they have names.
+    /// The names of the input's numbers, if they have some.
     pub names: Vec<String>,
     /// How many samples were refused.
     pub refused: u64,
@@ -98,7 +98,7 @@ impl Report {
             failures: Vec::new(),
         }
     }
-    /// Of a function that cannot be judged at all.
+    /// The report on a function that cannot be judged.
     pub(crate) fn refused_whole(
         name: &str,
         seed: u64,

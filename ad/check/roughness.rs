@@ -1,4 +1,4 @@
-//! The rounding errors of a function nobody can look into, measured from outside.
+//! The rounding errors of a function without a source, measured from its values.
 use crate::ad::check::tolerances::{MEDIAN, SHARE_OF_ORDER, SPACINGS_F32, SPACINGS_F64};
 use crate::ad::check::witness::Precision;
 use crate::ad::sample::Draw;

@@ -1,12 +1,12 @@
 //! The part of a judgement that provokes rounding: how far each witness can be trusted here.
 //!
-//! Four kinds of rounding are provoked, each by what leaves the true answer where it is, or nearly. Inputs move by
-//! their last digits, which shows what a function does to errors of its input and of its value's computation. The
-//! adjoint's own operations round at random ([`noise`](crate::ad::check::noise)). Of a closure, whose operations
-//! nobody sees, the roughness between equally spaced inputs is measured ([`roughness`]). What is linear in a
-//! direction (duals, second derivatives) is asked along the direction made shorter: the answer is shorter by as much,
-//! except that every sum and product of derivatives on the way has rounded differently. No rounding of the input
-//! shows that: where two large equal derivatives cancel, what is left is their last digit, which does not move with
+//! Four kinds of rounding are provoked, each by a change that leaves the true result as it is, or nearly. Inputs
+//! move by their last digits, which shows the effect of errors of the input and of the value's computation. The
+//! adjoint's own operations round at random ([`noise`](crate::ad::check::noise)). The operations of a closure are
+//! not visible, so its roughness between equally spaced inputs is measured ([`roughness`]). Functions linear in a
+//! direction (duals, second derivatives) are computed along a shorter direction: the result is shorter by as much,
+//! but every sum and product of derivatives rounds differently. No rounding of the input
+//! shows that: where two large equal derivatives cancel, the rest is their last digit, which does not move with
 //! the input's.
 use crate::ad::check::evidence::{Beside, Evidence, Item};
 use crate::ad::check::roughness::roughness;
@@ -89,8 +89,8 @@ impl Evidence<'_> {
         spread
     }
 
-    /// The largest change of a derivative when its own roundings fall differently. What changes more
-    /// than a thousandth of the sizes was decided differently, which is no rounding.
+    /// The largest change of a derivative when its own roundings fall differently. A change of more
+    /// than a thousandth of the size comes from another decision, not from rounding.
     pub(crate) fn roundings(
         &self,
         base: &[f64],
@@ -133,8 +133,8 @@ impl Evidence<'_> {
         spread
     }
 
-    /// What is linear in a direction, asked along that direction made shorter by a factor drawn from
-    /// a seed, and made longer again: for [`roundings`](Self::roundings).
+    /// The value of a function linear in a direction, by a shorter direction: the factor is drawn from
+    /// a seed, and the result divided by it. It is for [`roundings`](Self::roundings).
     pub(crate) fn along_shorter(
         &self,
         direction: &[f64],
@@ -168,8 +168,8 @@ impl Evidence<'_> {
     }
 
     /// How large each derivative gets when the numbers of the input change over their size, all together
-    /// and one by one. Where a derivative is far steeper than the value is large, another feature is near
-    /// and nothing is said.
+    /// and one by one. Places with a derivative far larger than the value do not count: another feature is
+    /// near.
     pub(crate) fn typical(
         &self,
         weights: &[f64],
@@ -245,7 +245,7 @@ impl Evidence<'_> {
         derivatives: &dyn Fn(&[f64]) -> Option<Vec<f64>>,
         tallest: f64,
     ) -> Vec<f64> {
-        // What derivatives of one unit may be off by is known.
+        // Derivatives of one unit have a known bound of their error.
         if self.subject.comparable() {
             return vec![0.0; base.len()];
         }
@@ -263,9 +263,9 @@ impl Evidence<'_> {
         rough
     }
 
-    /// Whether a derivative lies among those at inputs beside this one, which another witness tells if there is
-    /// one. One that does not is no victim of rounding: it is wrong at this input alone. For each number of a
-    /// short input, only those inputs count at which that number is another one: the fault may be a special case
+    /// `true` if a derivative lies among those at inputs beside this one, by another witness if there is
+    /// one. Otherwise rounding does not explain it: it is wrong at this input alone. For each number of a
+    /// short input, only inputs with another value of that number count: the fault may be a special case
     /// of it.
     fn is_among_neighbours(
         &self,
@@ -297,7 +297,7 @@ impl Evidence<'_> {
         }
     }
 
-    /// Adds to a row's tolerance what provoked rounding shows.
+    /// Adds to a row's tolerance the changes that provoked rounding shows.
     pub(crate) fn provoke(&self, row: &Item) {
         if row.provoked.replace(true) {
             return;
@@ -353,8 +353,8 @@ impl Evidence<'_> {
         each.collect()
     }
 
-    /// Where single precision is judged by double, decisions may fall differently: what that does
-    /// counts too.
+    /// Adds to a row's tolerance the effect of decisions that fall differently in single and in double precision,
+    /// once.
     pub(crate) fn provoke_widely(&self, row: &Item) {
         let (Some(wide), Some(adjoint)) = (&self.wide, &row.adjoint) else {
             return;
@@ -368,7 +368,7 @@ impl Evidence<'_> {
         row.allow(|i| SAFETY * (own[i] + theirs.get(i).unwrap_or(&0.0)));
     }
 
-    /// Adds what provoked rounding shows with the arguments exchanged, once.
+    /// Adds the changes that provoked rounding shows with the arguments exchanged, once.
     pub(crate) fn provoke_exchanged(&self, row: &Item) {
         if row.provoked_exchanged.replace(true) {
             return;

@@ -80,7 +80,7 @@ impl<'a, S: Number, X: Pack<Scalar = S> + Debug + 'a> Check<'a, X> {
     }
     /// The generic source in double precision, of a function of `f32`: then values and derivatives are
     /// compared with those, and differences are taken there, where they are not mostly rounding.
-    /// Of a function of `f64` it is not asked.
+    /// A function of `f64` does not use it.
     ///
     /// ```
     /// use geograd::ad::check::Check;

@@ -8,25 +8,25 @@ use crate::ad::declared::{Invariance, Kind};
 /// The conventions of a function at places without a derivative.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Conventions {
-    /// Where the value is zero, or the input lies on the border of its domain, the derivative may be
-    /// zero although it is not between the derivatives of both sides.
+    /// `true` if the derivative may be zero where the value is zero, or where the input lies on the border of its
+    /// domain, although zero is not between the derivatives of both sides.
     pub flat: bool,
     /// Places at which the value may jump.
     pub jumps: Jumps,
     /// `true` if at a tie the derivative by hand must be the very one of the duals, and not another
     /// between the derivatives of both sides.
     pub shared_ties: bool,
-    /// `true` if the function searches, and its derivatives are those of what was found: where something else is as
-    /// good to the bit, they need not be between the derivatives of both sides. The two that happen to win on
-    /// either side of such a tie are not all that tie: of a box and a box with the same heading, any pair of
+    /// `true` if the function searches, and its derivatives are those of the found choice. If other choices are as
+    /// good to the bit, they need not be between the derivatives of both sides. The two choices on either side of such
+    /// a tie are not all that tie: between two boxes with the same heading, any pair of
     /// points of two sides is nearest. It counts at exact ties of the source only.
     pub searches: bool,
 }
 
 /// A function near one input, with every way there is to differentiate it. All lists are `f64`;
-/// a function of `f32` is asked only at inputs that are `f32` numbers and answers in them.
+/// a function of `f32` gets only inputs that are `f32` numbers, and its results are such numbers.
 ///
-/// Only [`value`](Subject::value) is required. What is `None` is not checked.
+/// Only [`value`](Subject::value) is required. A method that returns `None` is not checked.
 pub trait Subject {
     /// The format the function computes in.
     fn precision(&self) -> Precision;
@@ -155,8 +155,8 @@ pub trait Subject {
     fn kinds(&self) -> Vec<Kind> {
         Vec::new()
     }
-    /// What each number of the result is; needed for results that [follow](crate::ad::check::symmetry::Answer::Follows)
-    /// only. What is not said stays where it is.
+    /// The kind of each number of the result; only results that [follow](crate::ad::check::symmetry::Answer::Follows)
+    /// need it. Numbers without a kind stay where they are.
     fn output_kinds(&self) -> Vec<Kind> {
         Vec::new()
     }
@@ -164,7 +164,7 @@ pub trait Subject {
     fn invariances(&self) -> &[Invariance] {
         &[]
     }
-    /// What it does on purpose.
+    /// The function's conventions at kinks and jumps.
     fn conventions(&self) -> Conventions {
         Conventions::default()
     }

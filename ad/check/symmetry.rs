@@ -1,7 +1,7 @@
 //! Invariances of a function under motions, and what they imply for its derivatives.
 //!
-//! Where moving the input in a certain way changes the output in a known way, the derivative along
-//! that motion is known too. Translation invariance: the derivatives of all positions sum to zero.
+//! A motion of the input may change the output in a known way; the derivative along
+//! that motion is then known too. Translation invariance: the derivatives of all positions sum to zero.
 //! Rotation invariance: their torques balance. Homogeneity of degree p: Euler's `x · ∂y = p y`.
 //!
 //! A shape says how it moves by the [`Kind`] of each of its numbers.

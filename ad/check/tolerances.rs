@@ -14,9 +14,9 @@ pub(crate) const ROUNDINGS: f64 = 16.0;
 /// and the change from one extrapolation to the next, estimate an error and do not bound it. A factor off
 /// by 10⁻⁶ is refused all the same.
 pub(crate) const SAFETY: f64 = 8.0;
-/// How many times what the exact function explains a derivative of single precision may scatter: where thin boxes
-/// cross, lengths are differences of coordinates, and derivatives were seen off by twelve times as much, beside a tie
-/// of enclosing rectangles by sixty. Of values none is more than explained.
+/// How many times the change of the exact function a derivative of single precision may scatter. Lengths of thin
+/// boxes that cross are differences of coordinates: derivatives were off by twelve times as much there, and by
+/// sixty beside a tie of enclosing rectangles. No value scatters more than the exact function.
 pub(crate) const SCATTER: f64 = 100.0;
 /// How many times that much the adjoint of a sum may be off where no source shows the roundings inside it; an adjoint
 /// that is not linear is off by a share of itself.
@@ -24,7 +24,7 @@ pub(crate) const UNSEEN: f64 = 1e6;
 /// How many roundings more than a derivative a second derivative may have: each product of two derivatives has two,
 /// and both are sums.
 pub(crate) const CURVATURE_ROUNDINGS: f64 = 4.0 * ROUNDINGS;
-/// Of what is larger than this share of the sizes, a change is another decision and no rounding.
+/// A change larger than this share of the size comes from another decision, not from rounding.
 pub(crate) const DECIDED: f64 = 1e-3;
 /// By how many units in its last place a derivative may be rough and still be as good as terms as large
 /// as the derivative typically is allow; rougher ones lose digits without need, and get one unit.
@@ -36,7 +36,7 @@ pub(crate) const TALL: f64 = 64.0;
 /// The same of a second derivative along a direction as long as the scales, times the size of its number:
 /// the feature is as much steeper once more.
 pub(crate) const TALL_BEND: f64 = TALL * TALL;
-/// Where else the size of a derivative is looked at: at zero, at half and at one and a half of the input.
+/// The multiples of the input at which the size of a derivative is measured too: zero, half, one and a half.
 pub(crate) const ELSEWHERE: [f64; 3] = [0.0, 0.5, 1.5];
 /// How many units of double precision a sum of numbers of `f64` may be off by, where it stands for the
 /// noise of a function known in double precision.
@@ -83,7 +83,7 @@ pub(crate) const TIED_DIRECTIONS: usize = 8;
 /// last ones look for features smaller than the first one can see. No two are a power of the ratio apart,
 /// so that no two ladders share a step.
 pub(crate) const FIRST: [f64; 5] = [0.1, 0.037, 0.23, 1e-3, 1e-5];
-/// Of these the ones finer than the others.
+/// The range of the finer ones in [`FIRST`].
 pub(crate) const FINER: std::ops::Range<usize> = 3..5;
 /// How many steps a ladder has on each side.
 pub(crate) const RUNGS: i32 = 12;
@@ -169,13 +169,13 @@ pub(crate) const SHARE_OF_ORDER: [f64; 2] = [1.0 / 20.0, 1.0 / 70.0];
 /// The standard deviation of normal errors by the median of their size.
 pub(crate) const MEDIAN: f64 = 1.4826;
 
-// Scales nobody gave, and the whole run.
+// Default scales, and the whole run.
 
 /// A number is taken to change over no less than this share of the largest one.
 pub(crate) const LEAST_SCALE: f64 = 1e-3;
 /// Above this numbers have no unit in common, and products of them would overflow.
 pub(crate) const NO_UNIT: f64 = 1e150;
-/// Of this many random inputs or more, one in so many must be smooth, or nothing was checked.
+/// From this many random inputs on, one in `SMOOTH_ONE_IN` must be smooth, or nothing was checked.
 pub(crate) const ENOUGH: usize = 20;
 pub(crate) const SMOOTH_ONE_IN: usize = 10;
 /// And one in so many must be inside the domain.

@@ -1,9 +1,9 @@
-//! Branch tracing: a scalar that remembers how every comparison came out.
+//! Branch tracing: a scalar that records the outcome of every comparison.
 //!
 //! Two points with the same [`Trace`] ran through the same branches, so between them a function
-//! made of arithmetic is smooth and finite differences can be believed. Where traces differ there
-//! may be a kink (or only a harmless change of branch), and the smallest margin says how near it
-//! was.
+//! made of arithmetic is smooth and finite differences can be believed. Between points with different
+//! traces there may be a kink (or only a harmless change of branch); the smallest margin says how near
+//! it was.
 //!
 //! ```
 //! use geograd::ad::check::trace::{Traced, trace};
@@ -20,7 +20,7 @@ use crate::{Pack, Scalar};
 use std::cell::Cell;
 use std::ops::{Add, AddAssign, Div, Mul, MulAssign, Neg, Sub, SubAssign};
 
-/// What one run recorded.
+/// The comparisons that one run recorded.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Trace {
     /// The outcomes of all comparisons, in order, hashed.
@@ -132,7 +132,7 @@ impl<T: Number> Traced<T> {
     }
 }
 
-/// What every wrapper of one float hands on as it is: the items of its `Scalar`.
+/// The items of `Scalar` that every wrapper of one float forwards unchanged.
 macro_rules! wrapped {
     ($wrapper:ident of $number:ident) => {
         type Mask = bool;

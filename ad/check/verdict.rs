@@ -76,13 +76,13 @@ pub enum Place {
 /// One number per witness, as far as there is one.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Numbers {
-    /// Of the derivative by hand.
+    /// The number by the derivative by hand.
     pub adjoint: Option<f64>,
-    /// Of forward duals.
+    /// The number by forward duals.
     pub dual: Option<f64>,
-    /// Of finite differences.
+    /// The number by finite differences.
     pub difference: Option<f64>,
-    /// Of the further witness in question.
+    /// The number by the further witness in question.
     pub other: Option<f64>,
     /// Derivatives of both sides, at a kink.
     pub sides: Option<[f64; 2]>,
@@ -115,7 +115,7 @@ pub struct Fault {
     pub output: usize,
     /// The number of the input concerned.
     pub input: usize,
-    /// What every witness says.
+    /// The number of every witness.
     pub numbers: Numbers,
     /// How much the two numbers in question may differ.
     pub tolerance: f64,
@@ -152,7 +152,7 @@ pub struct Nearest {
     pub output: usize,
     /// The number of the input.
     pub input: usize,
-    /// What every witness says.
+    /// The number of every witness.
     pub numbers: Numbers,
     /// How much the two numbers in question may differ.
     pub tolerance: f64,
@@ -232,7 +232,7 @@ pub const PAIRS: [(Witness, Witness); 7] = [
 /// The findings at one sample.
 #[derive(Clone, Debug)]
 pub struct Findings {
-    /// What kind of place it is.
+    /// The kind of place.
     pub place: Place,
     /// Directions along which the function is smooth, kinked and not to be judged.
     pub directions: [u64; 3],
@@ -244,9 +244,9 @@ pub struct Findings {
     pub convention: bool,
     /// How near the nearest change of branch is, relative; infinite when nothing was compared.
     pub margin: f64,
-    /// Whether some witness could judge the derivative with respect to each number of the input.
+    /// For each number of the input, `true` if some witness could judge the derivative with respect to it.
     pub covered: Vec<bool>,
-    /// What each pair of [`PAIRS`] differs by.
+    /// The worst difference of each pair of [`PAIRS`].
     pub worst: [Worst; PAIRS.len()],
     /// Everything refused, first things first.
     pub faults: Vec<Fault>,

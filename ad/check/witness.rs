@@ -350,8 +350,8 @@ pub(crate) fn combined(weights: &[f64], jacobian: &[Vec<f64>], inputs: usize) ->
 
 /// Extrapolates `(step, derivative)` to step zero, eliminating the powers `order, 2 order, …`.
 ///
-/// Of all extrapolations the one with the smallest error counts. Its error is the change from the
-/// ones it was made of, the noise, and whatever makes smaller steps disagree with it: a function
+/// The extrapolation with the smallest error counts. Its error is the change from the
+/// ones it was made of, the noise, and the disagreement of smaller steps: a function
 /// with a feature smaller than the large steps looks smooth, and wrong, to them.
 fn extrapolated(points: &[(f64, f64)], order: i32, noise: f64) -> Option<Estimate> {
     let mut best: Option<Estimate> = None;

@@ -115,7 +115,7 @@ pub(crate) fn remedy(reason: Reason) -> &'static [&'static str] {
     }
 }
 
-/// What the numbers beside a verdict are called: that of the tested derivative, and the other one.
+/// The names of the two numbers beside a verdict: the tested derivative's, and the other one.
 fn names(reason: Reason) -> [&'static str; 2] {
     match reason {
         Reason::ValuesDisagree(_) => ["the value", "the other value"],
@@ -153,7 +153,7 @@ fn gap(reason: Reason, numbers: &Numbers) -> Option<f64> {
     pair.map(|(a, b)| (a - b).abs())
 }
 
-/// What every witness says, a line each, how far apart they are, and how far they may be.
+/// Writes the number of every witness, a line each, how far apart they are, and how far they may be.
 pub(crate) fn write_numbers(
     f: &mut impl fmt::Write,
     reason: Reason,
@@ -218,7 +218,7 @@ pub(crate) fn place(fault: &Fault, names: &[String]) -> String {
     }
 }
 
-/// Who is wrong, as far as the others tell.
+/// The sentence about the suspect: the witness that the others outvote.
 pub(crate) fn outvoted(suspect: Witness) -> String {
     format!("at fault, as far as the others tell: {suspect}")
 }

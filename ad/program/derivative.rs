@@ -196,7 +196,7 @@ pub(super) fn along(graph: &mut Graph, me: Id, operand: usize, t: Id) -> Id {
 /// A vector brought to a length of about one by a power of two: squares of very small and of very
 /// large numbers are not numbers of the format.
 struct Scaled {
-    /// Whether it is the zero vector, which is left as it is.
+    /// The truth that it is the zero vector, which stays as it is.
     origin: Id,
     /// The power of two.
     scale: Id,

@@ -1,4 +1,4 @@
-//! What nodes mean, on any scalar.
+//! The evaluation of nodes, on any scalar.
 use super::graph::{Graph, Id, Node};
 use crate::Scalar;
 
@@ -24,7 +24,7 @@ impl<S: Scalar> Slot<S> {
     }
 }
 
-/// What a node gives, from what its operands gave.
+/// The result of a node, from the results of its operands.
 ///
 /// Derivatives follow the scalar's own rules, so that a program evaluated on dual numbers has the derivatives
 /// that the recorded function has on them.

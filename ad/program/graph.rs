@@ -1,4 +1,4 @@
-//! What a program is made of: a list of operations on numbers and truths, each written once.
+//! The graph of a program: a list of operations on numbers and truths, each written once.
 //!
 //! A [`Graph`] is a list of [`Node`]s in an order in which every node comes after its operands.
 //! Equal nodes are one node. Nodes are made through [`Graph::make`], which simplifies exactly.
@@ -65,11 +65,11 @@ pub(crate) enum Node {
     Cos(Id),
     /// The high half of `sin x`: twelve bits of the significand in `f32`, a constant to derivatives.
     SinHigh(Id),
-    /// What `sin x` is beyond its high half.
+    /// The low half of `sin x`: the rest beyond its high half.
     SinLow(Id),
     /// The high half of `cos x`, a constant to derivatives.
     CosHigh(Id),
-    /// What `cos x` is beyond its high half.
+    /// The low half of `cos x`: the rest beyond its high half.
     CosLow(Id),
     /// The angle of the vector with ordinate `.0` and abscissa `.1`; of the zero vector 0, with
     /// derivative 0.
@@ -82,23 +82,23 @@ pub(crate) enum Node {
     Binade(Id),
     /// The high half of the significand, a constant to derivatives.
     High(Id),
-    /// The value of `value` with the derivatives of `derivative`, multiplied by `share`: what
+    /// The value of `value` with the derivatives of `derivative`, multiplied by `share`.
     /// [`primal`](crate::Scalar::primal), [`with_primal`](crate::Scalar::with_primal),
-    /// [`damp`](crate::Scalar::damp) and adjoints by hand are. Gone from a
-    /// [lowered](Graph::lowered) graph.
+    /// [`damp`](crate::Scalar::damp) and adjoints by hand make it. A
+    /// [lowered](Graph::lowered) graph has none.
     Graft {
-        /// Where the value comes from.
+        /// The node of the value.
         value: Id,
-        /// Where the derivatives come from; without, there are none.
+        /// The node of the derivatives; without it, there are none.
         derivative: Option<Id>,
-        /// What the derivatives are multiplied by; without, 1. Its own derivatives count for second
+        /// The factor of the derivatives; without it, 1. Its own derivatives count for second
         /// derivatives.
         share: Option<Id>,
     },
-    /// `Split(a, b, bar)`: `bar` if `a < b`, `bar / 2` if `a = b`, else 0. What reaches `a` of the
+    /// `Split(a, b, bar)`: `bar` if `a < b`, `bar / 2` if `a = b`, else 0. It is the share of `a` in the
     /// cotangent of [`Min(a, b)`](Node::Min).
     Split(Id, Id, Id),
-    /// `Rest(a, b, bar)`: 0 if `a < b`, `bar / 2` if `a = b`, else `bar`. What reaches `b` of the
+    /// `Rest(a, b, bar)`: 0 if `a < b`, `bar / 2` if `a = b`, else `bar`. It is the share of `b` in the
     /// cotangent of [`Min(a, b)`](Node::Min). (That is not `Split(b, a, bar)` where one is NaN.)
     Rest(Id, Id, Id),
     /// A truth.
@@ -183,7 +183,7 @@ impl Node {
         }
     }
 
-    /// What the node is computed from.
+    /// The operands of the node.
     pub(crate) fn operands(self) -> Operands {
         let mut found = Operands::default();
         self.renamed(|x| {
@@ -275,7 +275,7 @@ impl Graph {
         }
     }
 
-    /// What the outputs are computed from, for derivatives (grafts included) or for values only.
+    /// The nodes that the outputs need, for derivatives (grafts included) or for values only.
     pub(crate) fn live(&self, outputs: &[Id], with_derivatives: bool) -> Vec<bool> {
         let mut live = vec![false; self.nodes.len()];
         let mut open = outputs.to_vec();

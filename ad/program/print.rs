@@ -12,7 +12,7 @@ pub(crate) fn print(
 ) -> fmt::Result {
     use Node::*;
     let graph = &recorded.value.graph;
-    // What is no operation is written where it is used.
+    // Constants and inputs are written at their uses.
     let name = |x: Id| match graph.at(x) {
         Const(bits) => format!("{:?}", f64::from_bits(bits)),
         Bool(truth) => truth.to_string(),

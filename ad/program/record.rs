@@ -101,8 +101,8 @@ pub(super) fn places<T: Plain>(
     recording.sound().map(|()| places)
 }
 
-/// `true` if the program gives what the function gives where every hint is answered by the truth: on
-/// plain numbers. Those are symbols of constants, with which every operation is carried out at once.
+/// `true` if the program gives the results of the function on plain numbers, for which every hint is answered by
+/// the truth. Plain numbers are symbols of constants here, and every operation on them is carried out at once.
 fn agrees<T: Plain>(
     recorded: &Recorded,
     inputs: usize,

@@ -8,7 +8,7 @@ use crate::{Scalar, Unrecordable};
 /// A recorded function of a list of numbers with a list of numbers as result.
 #[derive(Clone, Debug)]
 pub(crate) struct Recorded {
-    /// What was recorded, with what derivatives need.
+    /// The recorded graph, with the nodes that only derivatives need.
     graph: Graph,
     /// How many numbers go in.
     pub(crate) inputs: usize,
@@ -16,7 +16,7 @@ pub(crate) struct Recorded {
     outputs: Vec<Id>,
     /// The gradient of the only result, where it was written by hand.
     by_hand: Option<Vec<Id>>,
-    /// What values need.
+    /// The graph without the nodes that only derivatives need.
     pub(crate) value: Lowered,
 }
 
@@ -81,7 +81,7 @@ impl Recorded {
         self.graph.nodes().iter().any(is_part)
     }
 
-    /// Where the gradient's numbers are, after they were added to a copy of the graph.
+    /// A copy of the graph with the gradient added, and the nodes of the gradient's numbers.
     fn gradient(&self) -> (Graph, Vec<Id>) {
         let mut graph = self.graph.clone();
         let gradient = match &self.by_hand {
@@ -210,7 +210,7 @@ impl Recorded {
         forward(graph, &self.outputs, &direction)
     }
 
-    /// What another program of the same input gives, after the result.
+    /// The result, followed by the results of another program of the same input.
     fn after_result(&self, other: Recorded) -> Recorded {
         let outputs: Vec<Id> = self.outputs.iter().chain(&other.outputs).copied().collect();
         Recorded::new(other.graph, other.inputs, &outputs)

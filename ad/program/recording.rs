@@ -112,7 +112,7 @@ impl Recording {
         self.flaw.map_or(Ok(()), Err)
     }
 
-    /// Where a symbol of this recording points to; spoils the recording if it is not of it.
+    /// The node of a symbol of this recording; a symbol of another recording spoils this one.
     pub(super) fn place(&mut self, symbol: Symbol) -> Id {
         if symbol.recording != self.name {
             self.spoil(Unrecordable::ForeignSymbol);
@@ -141,7 +141,7 @@ pub(super) struct Symbol {
 }
 
 impl Symbol {
-    /// What operations outside any recording give.
+    /// The result of operations outside any recording.
     const INERT: Symbol = Symbol {
         recording: NOWHERE,
         place: 0,

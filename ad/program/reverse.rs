@@ -11,7 +11,7 @@ use super::graph::{Graph, Id, Node};
 #[derive(Clone, Copy, Debug)]
 struct Guard {
     mask: Id,
-    /// What the mask must be.
+    /// The required value of the mask.
     side: bool,
     /// `true` if the cotangent is zero already where the condition does not hold.
     zero: bool,
@@ -73,7 +73,7 @@ impl Sweep<'_> {
             }
             let mut path = bar.path.clone();
             if let Some((mask, side)) = taken(self.graph, node, place) {
-                // A choice proper hands on what it has; all others give zero to what they do not take.
+                // A `Select` gives its cotangent as it is; all others give zero to the operand that they do not take.
                 let zero = !matches!(node, Node::Select(..));
                 let guard = Guard { mask, side, zero };
                 match path.iter().find(|known| known.mask == guard.mask) {
@@ -131,7 +131,7 @@ impl Sweep<'_> {
                 self.graph.make(Node::Add(a, b))
             }
         };
-        // Where neither counts, the sum is a zero that must not meet an infinite derivative, either.
+        // If neither counts, the sum is zero, and its product with an infinite derivative must not count, either.
         let either = {
             let (a, b) = (
                 self.hold(&old.path[common..]),
@@ -149,7 +149,7 @@ impl Sweep<'_> {
         Bar { value, path }
     }
 
-    /// Whether all conditions hold.
+    /// The node that is true if all conditions hold.
     fn hold<'a>(&mut self, path: impl IntoIterator<Item = &'a Guard>) -> Id {
         let mut all = self.graph.push(Node::Bool(true));
         for guard in path {

@@ -115,7 +115,7 @@ impl Graph {
         self.at(a) == Node::Not(b) || self.at(b) == Node::Not(a)
     }
 
-    /// What an operation on constants gives.
+    /// The result of an operation on constants.
     fn outcome<T: crate::Scalar<Mask = bool>>(&self, node: Node) -> Slot<T> {
         apply::<T>(node, &[], |x| match self.at(x) {
             Node::Bool(truth) => Slot::mask(truth),

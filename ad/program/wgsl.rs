@@ -90,8 +90,8 @@ pub(crate) fn function_of(
     text
 }
 
-/// What is rounded to a whole number by adding a large one and taking it away again. Drivers may take the
-/// two for nothing (Mesa's do); WGSL has a function for it, which rounds the same way.
+/// The number that a node rounds to a whole one by adding and subtracting a large one. Drivers may
+/// remove both steps (Mesa's do); WGSL has a function for it, which rounds the same way.
 fn rounded(graph: &Graph, node: Node) -> Option<Id> {
     const SHIFT: f64 = 1.5 * (1 << 23) as f64;
     let is_shift = |x: Id| graph.constant(x) == Some(SHIFT);
@@ -227,13 +227,13 @@ fn expression(node: Node, known: &[String]) -> String {
     }
 }
 
-/// What reaches one of two numbers of the cotangent of the smaller one: the second where a is less, the first where it
-/// is more, half of the cotangent in a tie.
+/// The share of one of two numbers in the cotangent of their minimum: `less` if a is less, `more` if it is more,
+/// half of the cotangent in a tie.
 fn shared(a: &str, b: &str, (more, less): (&str, &str), bar: &str) -> String {
     format!("select(select({more}, {bar} * 0.5f, {a} == {b}), {less}, {a} < {b})")
 }
 
-/// A finite number. Those below the smallest normal one are given by their bits.
+/// A finite number. Numbers below the smallest normal one are given by their bits.
 fn literal(x: f32) -> String {
     if x == 0.0 || x.is_normal() {
         format!("{x:e}f")

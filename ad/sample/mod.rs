@@ -83,7 +83,7 @@ pub trait Sample: Pack<Scalar = f64> + std::fmt::Debug {
     }
     /// The cases at which geometry fails.
     fn hard() -> Vec<Self>;
-    /// What each number is.
+    /// The kind of each number.
     fn kinds(&self) -> Vec<Kind>;
     /// For each number, the length over which the function may be expected to change.
     fn scales(&self) -> Vec<f64>;
@@ -103,7 +103,7 @@ pub trait Sample: Pack<Scalar = f64> + std::fmt::Debug {
     }
     /// `true` if it is valid.
     fn inside(&self) -> bool;
-    /// What to draw of it.
+    /// The outlines that a picture of it shows.
     fn outlines(&self) -> Vec<Vec<[f64; 2]>> {
         Vec::new()
     }
@@ -179,7 +179,7 @@ pub enum Family {
     Any,
     /// The cases at which geometry fails.
     Hard,
-    /// Of about unit size near the origin.
+    /// Shapes of about unit size near the origin.
     Ordinary,
     /// Much longer than wide.
     Thin,
@@ -189,7 +189,7 @@ pub enum Family {
     Huge,
     /// As far from the origin as 10² to 10⁶ of their own size.
     Far,
-    /// Of several shapes, the second touches the first.
+    /// Several shapes, of which the second touches the first.
     Touching,
 }
 
@@ -277,7 +277,7 @@ pub fn random<X: Sample>(draw: &mut Draw) -> X {
     if placed.inside() { placed } else { x }
 }
 
-/// Where hard cases are put: turned by an angle, scaled, moved away.
+/// The places of hard cases: turned by an angle, scaled, moved away.
 const PLACES: [(f64, f64, [f64; 2]); 7] = [
     (0.0, 1.0, [0.0, 0.0]),
     (0.0, 1.0, [1e5, 3.0]),

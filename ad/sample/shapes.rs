@@ -221,7 +221,7 @@ impl Sample for Vec<Vec2<f64>> {
     fn scales(&self) -> Vec<f64> {
         let size = Aabb2::around(self).map_or(1.0, |bounds| {
             let size = bounds.size();
-            // Of a point its distance from the origin, or from whatever else there is near it.
+            // A ring that is one point has no size: its distance from the origin stands for it.
             let place = bounds.min.x.abs().max(bounds.min.y.abs());
             positive(if size.x.max(size.y) > 0.0 {
                 size.x.max(size.y)

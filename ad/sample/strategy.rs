@@ -1,8 +1,8 @@
-//! Strategies for [`proptest`]: shapes as the harness draws them, for anybody's own
-//! properties. Needs the feature `proptest`.
+//! Strategies for [`proptest`]: shapes as the harness draws them, for properties of your own.
+//! Needs the feature `proptest`.
 //!
-//! What is drawn, what is hard and how a failing shape is made simpler is the harness's own code
-//! ([`ad::sample`](crate::ad::sample)); a failing input prints as code.
+//! The harness's own code ([`ad::sample`](crate::ad::sample)) draws shapes, lists hard cases and makes a failing
+//! shape simpler; a failing input prints as code.
 //!
 //! ```
 //! use geograd::ad::sample::strategy::{any, thin, touching};
@@ -72,7 +72,7 @@ families! {
     any = Any;
     /// The cases at which geometry fails: ties, zero sizes, shapes inside each other.
     hard = Hard;
-    /// Of about unit size near the origin.
+    /// Shapes of about unit size near the origin.
     ordinary = Ordinary;
     /// Much longer than wide.
     thin = Thin;
@@ -82,7 +82,7 @@ families! {
     huge = Huge;
     /// As far from the origin as 10² to 10⁶ of their own size.
     far = Far;
-    /// Of pairs, the second shape touches the first.
+    /// Pairs in which the second shape touches the first.
     touching = Touching;
 }
 

@@ -1,4 +1,4 @@
-//! What a struct says about itself, read from its tokens.
+//! The declaration of a struct, read from its tokens.
 use proc_macro::{Delimiter, Group, Ident, Literal, Punct, Spacing, Span, TokenStream, TokenTree};
 
 /// Why a struct is not a shape, and where that shows.
@@ -36,9 +36,9 @@ pub struct Shape {
     pub scalar: String,
     pub parameters: Vec<Parameter>,
     pub fields: Vec<Field>,
-    /// Functions that know further rules.
+    /// Functions with further rules.
     pub rules: Vec<TokenStream>,
-    /// What the author writes by hand.
+    /// The implementations that the author writes by hand.
     pub except: Vec<String>,
     /// The path of the library, where its name is another.
     pub library: String,
@@ -62,11 +62,11 @@ pub struct Field {
     pub positive: bool,
     /// The field that it does not exceed.
     pub at_most: Option<String>,
-    /// What motions do to its numbers.
+    /// The effect of motions on its numbers.
     pub kind: Option<Motions>,
 }
 
-/// What motions do to the numbers of a field.
+/// The effect of motions on the numbers of a field.
 pub enum Motions {
     /// Each is of this kind.
     Kind(String),
@@ -251,7 +251,7 @@ pub fn shape(input: TokenStream) -> Result<Shape, Refusal> {
 
 const UNBOUND: &str = "a shape's struct has no bounds: functions of it have";
 
-/// What can be left to the author.
+/// The implementations that can be left to the author.
 const EXCEPTIONS: [&str; 4] = ["Validate", "approx", "Sample", "Arbitrary"];
 
 /// Takes generic parameters off the front: the scalar's name, and all in order.
@@ -396,7 +396,7 @@ fn form(tokens: Tokens<'_>, scalar: &str) -> Result<Form, Refusal> {
     }
 }
 
-/// Whether a type is made of the scalar at all.
+/// `true` if a type contains the scalar.
 fn mentions(tokens: Tokens<'_>, scalar: &str) -> bool {
     tokens.iter().any(|token| match token {
         TokenTree::Group(group) => mentions(&list(group.stream()), scalar),

@@ -1,5 +1,5 @@
-//! What the derive says, as text; the types of fields keep their tokens, so that the compiler's
-//! complaints point at them.
+//! The output of the derive, as text; the types of fields keep their tokens, so that the compiler's
+//! errors point at them.
 use crate::parse::{Field, Form, Motions, Parameter, Shape};
 use proc_macro::{Group, TokenStream, TokenTree};
 use std::fmt::Write;
@@ -124,7 +124,7 @@ fn each(form: &Form, place: &str, depth: usize) -> String {
     }
 }
 
-/// Whether two places are about equal; `compare` is a function's name and what it takes besides.
+/// The text of a test that two places are about equal; `compare` is a function's name and its further arguments.
 fn about(form: &Form, [a, b]: [&str; 2], depth: usize, compare: (&str, &str)) -> String {
     match form {
         Form::Scalar | Form::Shape => format!("{}(&{a}, &{b}, {})", compare.0, compare.1),

@@ -38,7 +38,7 @@ const STEPS: [f64; 2] = [0.15, 0.001];
 /// How much of the past Adam keeps, of derivatives and of their squares.
 const KEPT: [f64; 2] = [0.8, 0.95];
 
-/// Where a descent is.
+/// The state of a descent.
 #[derive(Clone, Debug)]
 pub struct State {
     pub a_from_b: Pose3<f64>,

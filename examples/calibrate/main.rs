@@ -5,8 +5,8 @@
 //! cargo run --release -p geograd-examples --example calibrate -- --seed 3 --svg calibrate.svg --csv calibrate.csv
 //! ```
 //!
-//! Nobody says which box of one sensor is which one of the other; some are seen by one sensor only, some are
-//! far off, some are of nothing. In every step the boxes are paired anew.
+//! The pairs of boxes are unknown. Some boxes are seen by one sensor only, some are
+//! far off, some are false. In every step the boxes are paired anew.
 //!
 //! | file | what it holds |
 //! | --- | --- |

@@ -20,7 +20,7 @@ const BEFORE: &str = r##"fill="#e8590c" fill-opacity="0.10" stroke="#e8590c" str
 const AFTER: &str = r##"fill="#1864ab" fill-opacity="0.10" stroke="#1864ab" stroke-width="1.5""##;
 const ALONE: &str = r##"fill="none" stroke="#868e96" stroke-width="1.2" stroke-dasharray="4 3""##;
 
-/// Where a place of the first sensor's lies on a map.
+/// The place on a map of a point in the first sensor's coordinates.
 fn place(left: f64, at: Vec3<f64>) -> Vec2<f64> {
     let scale = SIDE / (2.0 * FAR + 6.0);
     let middle = 0.5 * SIDE;
@@ -65,7 +65,7 @@ fn map(page: &mut String, k: usize, scene: &Scene, state: &State, style: &str, n
         let small = format!(r#"font-size="11" fill="{FAINT}""#);
         text(page, at, &small, &format!("{ring:.0} m"));
     }
-    // What overlaps belongs together.
+    // A box that overlaps another one is joined to it.
     let overlaps = |pair: &&geograd::suppression::Pair<f64>| pair.overlap > 0.0;
     let mut is_joined = vec![false; scene.b.len()];
     for pair in state.pairs.iter().filter(overlaps) {

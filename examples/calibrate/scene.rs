@@ -13,15 +13,15 @@ const MISSED: f64 = 0.1;
 const WRONG: f64 = 0.12;
 const GHOSTS: usize = 4;
 
-/// What the sensors see, and how they stand to each other.
+/// The boxes that the sensors see, and the motion between the sensors.
 pub struct Scene {
     /// The boxes of the first sensor, in its coordinates.
     pub a: Vec<Obb3<f64>>,
-    /// Those of the second sensor, in its own.
+    /// The boxes of the second sensor, in its own coordinates.
     pub b: Vec<Obb3<f64>>,
     /// The truth.
     pub a_from_b: Pose3<f64>,
-    /// What is known at the start: by how the sensors were mounted, say.
+    /// The motion known at the start, from the mounting of the sensors, say.
     pub guess: Pose3<f64>,
 }
 

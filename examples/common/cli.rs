@@ -1,4 +1,4 @@
-//! What the examples' command lines share: how they fail, and which machine runs the batches.
+//! Shared parts of the examples' command lines: how they fail, and which machine runs the batches.
 pub use crate::failure::{Failure, say};
 use geograd::kernels::Backend;
 use geograd::kernels::backend::Auto;
@@ -59,7 +59,7 @@ pub fn on_the_cpu(program: &str, why: &str) -> Machine {
     Machine::Cpu
 }
 
-/// What a failed call on a GPU means to whoever runs the program.
+/// The message for the user about a failed call.
 fn reason(error: Error) -> String {
     let wanted = std::env::var("GEOGRAD_GPU").unwrap_or_default();
     match error {

@@ -33,7 +33,7 @@ impl Failure {
     }
 }
 
-/// Prints a text. A reader that has seen enough and gone away is no failure.
+/// Prints a text. Output that the reader has closed is no failure.
 pub fn say(text: &str) {
     let _ = std::io::stdout().write_all(text.as_bytes());
 }

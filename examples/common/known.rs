@@ -1,6 +1,6 @@
 //! Boxes of space whose overlap is known: scores made of it and of something cheap.
 //!
-//! The overlap of two boxes of any orientation has compiled derivatives of its own. What the scores add to it
+//! The overlap of two boxes of any orientation has compiled derivatives of its own. The rest of a score
 //! is recorded by itself, with the overlap as one more argument, so that nothing large is recorded twice.
 use geograd::iou3::{Enclosing, Solid, Terms};
 use geograd::{Obb3, Scalar, Vec3};

@@ -83,7 +83,7 @@ pub fn progress(count: usize) -> ProgressBar {
     ProgressBar::new(count as u64).with_style(style.expect("a valid template"))
 }
 
-/// What came out of a batch.
+/// The summary of a batch.
 pub fn summary(took: Duration, values: &[f32], derivatives: &[Arm<f32>]) -> String {
     let (count, seconds) = (values.len(), took.as_secs_f64());
     let rate = count as f64 / seconds / 1e6;

@@ -7,7 +7,7 @@ use std::f32::consts::{PI, TAU};
 use std::ffi::OsStr;
 use std::fmt::Write as _;
 
-/// What stands around the arm.
+/// The obstacles around the arm.
 pub const WALL: Obb2<f32> = Obb2::new(0.85, 1.05, 1.1, 0.24, -0.35);
 pub const POST: Post<f32> = Post {
     center: Vec2::new(-0.95, -0.35),
@@ -85,7 +85,7 @@ fn colour(band: i32) -> String {
     mix([248.0, 250.0, 252.0], [104.0, 166.0, 212.0], t)
 }
 
-/// Where the joints lie on the page.
+/// The place of two joint angles on the page.
 fn joints(at: Vec2<f32>) -> Vec2<f32> {
     Vec2::new(
         LEFT[1] + (at.x + PI) / TAU * SIDE,
@@ -93,7 +93,7 @@ fn joints(at: Vec2<f32>) -> Vec2<f32> {
     )
 }
 
-/// Where a place lies on the page.
+/// The place of a point on the page.
 fn place(at: Vec2<f32>) -> Vec2<f32> {
     let scale = SIDE / PLACE;
     Vec2::new(
@@ -124,7 +124,7 @@ impl Field {
         Ok(Field { values })
     }
 
-    /// Where the field crosses a level between point `k` and its neighbour to the right or above.
+    /// The place at which the field crosses a level between point `k` and its neighbour to the right or above.
     fn crossing(&self, level: f32, k: usize, above: bool) -> Vec2<f32> {
         let step = if above { Self::WIDTH } else { 1 };
         let (from, to) = (self.values[k] - level, self.values[k + step] - level);
@@ -331,7 +331,7 @@ fn field(page: &mut String, way: &[Vec2<f32>]) -> Result<(), Error> {
     Ok(())
 }
 
-/// What the colours mean.
+/// Writes the legend of the colours.
 fn legend(page: &mut String) {
     let (width, x, y) = (24.0, LEFT[1] + 110.0, TOP + SIDE + 40.0);
     for (i, band) in (BANDS.start() - 1..=*BANDS.end()).enumerate() {

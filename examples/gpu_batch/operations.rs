@@ -153,7 +153,7 @@ fn compare(on_cpu: &dyn Ready, found: &[Vec<f32>]) -> Result<Compared, Error> {
         for (at, (&x, &y)) in found.iter().zip(expected).enumerate() {
             let off = (x - y).abs() / (1.0 + y.abs());
             told.results += 1;
-            // What is no number is as far off as can be.
+            // NaN counts as infinitely far off.
             told.worst = told
                 .worst
                 .max(if off.is_nan() { f32::INFINITY } else { off });

@@ -7,7 +7,7 @@ const TOLD: usize = 10;
 
 /// A shape that a row of a table is.
 pub trait Shape: Sized {
-    /// Whether names are a header of such a table; `Err` for one that would mix the columns up.
+    /// `true` if names are a header of such a table; `Err` for one that would mix the columns up.
     fn is_header(names: &[String], line: &str) -> Result<bool, String>;
     /// The shape of the fields of a row.
     fn parse(fields: &[&str]) -> Result<Self, String>;
@@ -50,7 +50,7 @@ pub fn read<P: Shape>(path: &Path, option: &str) -> Result<Vec<P>, String> {
     Err(wrong.join("\n"))
 }
 
-/// Whether the first line is a header: no field of it is a number.
+/// `true` if the first line is a header: no field of it is a number.
 fn header<P: Shape>(line: &str) -> Result<bool, String> {
     let names: Vec<String> = line.split(',').map(|f| f.trim().to_lowercase()).collect();
     if line.trim().is_empty() || names.iter().any(|name| name.parse::<f64>().is_ok()) {
@@ -67,7 +67,7 @@ fn parse<P: Shape>(line: &str) -> Result<P, String> {
     P::parse(&fields)
 }
 
-/// Whether names are a header of these columns. One that names them in another order is an error,
+/// `true` if names are a header of these columns. A header in another order is an error,
 /// because reading on would mix them up.
 pub fn names_columns(names: &[String], columns: &[&str], line: &str) -> Result<bool, String> {
     let wanted = columns.join(",");

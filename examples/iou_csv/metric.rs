@@ -1,12 +1,12 @@
-//! What is computed of a pair, and of what: the words of the command line.
+//! The scores of a pair and the formats of its shapes, by the words of the command line.
 use common::cli::Failure;
 
-/// What is computed of a pair of shapes.
+/// The score of a pair of shapes.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Metric {
     Iou,
     Iof,
-    /// With that around a pair.
+    /// GIoU with an enclosing shape.
     Giou(Enclosing),
     Diou(Enclosing),
     /// DIoU with the axis-aligned box around a pair.
@@ -39,7 +39,7 @@ impl Metric {
         }
     }
 
-    /// What it puts around a pair, if that can be chosen.
+    /// The shape that it puts around a pair, if that can be chosen.
     pub fn enclosing(&mut self) -> Option<&mut Enclosing> {
         match self {
             Metric::Giou(around)
@@ -50,7 +50,7 @@ impl Metric {
         }
     }
 
-    /// Whether it compares widths and heights.
+    /// `true` if it compares widths and heights.
     pub fn compares_sizes(self) -> bool {
         matches!(self, Metric::Ciou(_) | Metric::Eiou(_))
     }
@@ -63,13 +63,13 @@ impl Metric {
         })
     }
 
-    /// Whether GPUs compute it.
+    /// `true` if GPUs compute it.
     pub fn is_on_gpus(self) -> bool {
         matches!(self, Metric::Iou | Metric::Iof)
     }
 }
 
-/// What scores put around a pair.
+/// The shape that scores put around a pair.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Enclosing {
     /// The axis-aligned box.
@@ -93,7 +93,7 @@ impl Enclosing {
     }
 }
 
-/// What a row of a file is.
+/// The shape of a row of a file.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Format {
     Obb2,

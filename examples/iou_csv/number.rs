@@ -11,7 +11,7 @@ use std::str::FromStr;
 
 /// A format of numbers, and overlaps of rotated boxes computed in it on any machine.
 pub trait Number: Real + Single<Scalar = Self> + FromStr + Debug + Into<f64> + Send + Sync {
-    /// Whether GPUs compute in it.
+    /// `true` if GPUs compute in it.
     const ON_GPUS: bool;
 
     fn iou(

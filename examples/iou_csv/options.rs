@@ -167,7 +167,7 @@ pub fn options() -> Result<Option<Options>, Failure> {
     }))
 }
 
-/// Whether both are names of one file that is there.
+/// `true` if both are names of one existing file.
 pub fn same_file(a: &Path, b: &Path) -> bool {
     matches!((a.canonicalize(), b.canonicalize()), (Ok(a), Ok(b)) if a == b && a.is_file())
 }

@@ -8,16 +8,16 @@ use std::path::{Path, PathBuf};
 /// Rows turned into text at a time by one thread.
 const STRETCH: usize = 1 << 14;
 
-/// Where the result goes.
+/// The output: a file or standard output.
 pub struct Sink {
     to: BufWriter<Box<dyn Write>>,
     name: String,
-    /// What comes before the first row. It waits for that row or the end, so that a job that fails
+    /// The text before the first row. It is written with that row or at the end, so that a job that fails
     /// before writes nothing.
     header: String,
     /// The file being written and the name it gets when complete.
     pending: Option<(PathBuf, PathBuf)>,
-    /// The reader has gone away: what is left need not be written.
+    /// `true` if the reader has closed the output: the rest need not be written.
     closed: bool,
 }
 
@@ -119,7 +119,7 @@ impl Sink {
         }
     }
 
-    /// Whether the reader has gone away.
+    /// `true` if the reader has closed the output.
     pub fn is_closed(&self) -> bool {
         self.closed
     }
@@ -153,7 +153,7 @@ impl Drop for Sink {
 /// The fields of a row.
 pub struct Fields<'a> {
     text: &'a mut String,
-    /// Whether there is one already.
+    /// `true` if there is one already.
     any: bool,
 }
 

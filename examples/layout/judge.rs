@@ -49,7 +49,7 @@ impl<'a> Judge<'a> {
         for (k, &first) in Kind::ALL.iter().enumerate() {
             for &second in &Kind::ALL[..=k] {
                 let both = of(first).flat_map(|i| of(second).map(move |j| (i, j)));
-                // Of one kind every two once.
+                // Every two shapes of one kind are a pair once.
                 let pairs: Vec<_> = both.filter(|(i, j)| first != second || i > j).collect();
                 type Recorded = (
                     Size<Sym<f32>>,

@@ -12,7 +12,7 @@ pub const CLEARANCE: f64 = 0.06;
 /// How long the first step is, in units of length and in radians.
 const STEP: f64 = 0.08;
 
-/// What a shape is.
+/// The kind of a shape.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Kind {
     Disc,
@@ -21,7 +21,7 @@ pub enum Kind {
     Wedge,
 }
 
-/// What a shape measures, in its own frame: a disc's radius; half the length of a stick without its caps, and
+/// The sizes of a shape, in its own frame: a disc's radius; half the length of a stick without its caps, and
 /// its radius; a crate's width and height; the corners of a wedge, counter-clockwise. Zeros fill the rest.
 pub type Size<S> = [S; 6];
 
@@ -32,7 +32,7 @@ pub struct Form {
     pub size: Size<f64>,
 }
 
-/// Where a shape is: x, y, heading.
+/// The place of a shape: x, y, heading.
 pub type Place<S> = [S; 3];
 
 /// A shape in the container.
@@ -141,7 +141,7 @@ impl<S: Scalar> Placed<S> {
     }
 }
 
-/// What a gap costs: nothing where it is wide enough, else the square of what it lacks.
+/// The cost of a gap: zero if it is wide enough, else the square of the missing width.
 pub fn cost<S: Scalar>(gap: S) -> S {
     let lack = (S::lit(CLEARANCE) - gap).most(S::zero());
     lack * lack
@@ -150,7 +150,7 @@ pub fn cost<S: Scalar>(gap: S) -> S {
 /// How well shapes lie.
 #[derive(Clone, Copy, Debug)]
 pub struct Step {
-    /// The sum of what all gaps cost.
+    /// The sum of the costs of all gaps.
     pub loss: f64,
     /// How deep the worst pair is in each other, or a shape in a wall.
     pub penetration: f64,
@@ -207,7 +207,7 @@ impl Layout {
                     layout.found[i][k] -= length * along;
                 }
             }
-            // What is stuck is shaken, less and less, in the first half.
+            // A stuck layout is shaken, less and less, in the first half.
             if t % 40 == 39 && share < 0.5 && step.penetration > 1e-2 {
                 for place in &mut layout.found {
                     for x in place {

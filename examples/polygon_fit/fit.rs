@@ -7,7 +7,7 @@ use geograd::predicate::{Turn, turn};
 use geograd::shape::edges;
 use geograd::{Pack, Polygon, Scalar, Vec2};
 
-/// What is made small.
+/// The loss that a fit minimizes.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Loss {
     /// One less the intersection over union.
@@ -74,7 +74,7 @@ fn between<S: Scalar<Mask = bool>>(a: &Polygon<S>, b: &Polygon<S>) -> S {
     sum
 }
 
-/// Where a fit stands.
+/// The state of a fit.
 #[derive(Clone, Copy, Debug)]
 pub struct Step {
     pub loss: f64,
@@ -180,7 +180,7 @@ fn moved(polygon: &Polygon<f64>, way: &[Vec2<f64>], pace: f64, shape: Shape) -> 
     next
 }
 
-/// Whether no two edges cross.
+/// `true` if no two edges cross.
 fn is_simple(polygon: &Polygon<f64>) -> bool {
     let rings = polygon.rings();
     let all: Vec<_> = rings.iter().flat_map(edges).collect();

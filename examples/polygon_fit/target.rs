@@ -2,7 +2,7 @@
 use geograd::{Polygon, Vec2};
 use std::f64::consts::TAU;
 
-/// What is fitted.
+/// The polygon that is fitted.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Shape {
     /// A convex polygon, to the outline without its hole.

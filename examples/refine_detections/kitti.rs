@@ -12,7 +12,7 @@ use std::path::Path;
 /// Bad lines are told on stderr, at most this many of each file one by one.
 const TOLD: usize = 20;
 
-/// What became of the lines of all files.
+/// The counts of lines and boxes read from all files.
 #[derive(Debug, Default)]
 pub struct Report {
     /// Lines that could not be used.

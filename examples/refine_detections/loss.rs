@@ -1,8 +1,8 @@
-//! What boxes are moved by: a score of a box and its truth, 1 where both are the same. Losses are one minus
-//! these.
+//! The scores that move boxes: of a box and its truth, 1 where both are the same. A loss is one minus
+//! the score.
 use common::cli::Failure;
 
-/// Where boxes overlap.
+/// The space in which boxes overlap.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Space {
     /// Seen from above.
@@ -24,7 +24,7 @@ impl Space {
     }
 }
 
-/// What a box is moved by.
+/// The loss that moves a box.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Loss {
     #[default]
@@ -80,7 +80,7 @@ impl Loss {
         }
     }
 
-    /// A pair is left alone when its score is this near to one. Those that are flat there come nearer.
+    /// The score from which a pair is no longer moved. Scores that are flat near one come nearer to it.
     pub fn close(self) -> f32 {
         match self {
             Loss::Kld | Loss::Kfiou => 1.0 - 2e-6,
@@ -88,7 +88,7 @@ impl Loss {
         }
     }
 
-    /// Whether it takes the overlap of both boxes.
+    /// `true` if it takes the overlap of both boxes.
     pub fn needs_iou(self, space: Space) -> bool {
         match self {
             Loss::Iou | Loss::Giou | Loss::Separation => true,
@@ -97,13 +97,13 @@ impl Loss {
         }
     }
 
-    /// Whether it has derivatives for boxes that do not overlap.
+    /// `true` if it has derivatives for boxes that do not overlap.
     pub fn reaches(self) -> bool {
         self != Loss::Iou
     }
 }
 
-/// The loss and where it is taken.
+/// The loss and the space in which it is taken.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Goal {
     pub loss: Loss,

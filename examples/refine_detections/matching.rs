@@ -21,9 +21,9 @@ pub struct Match {
 
 /// All matches of a frame, and the number of pairs scored.
 ///
-/// Every detection with every truth is one batch. Of all ways to pair them one to one within
-/// their classes this takes the one whose overlaps have the largest sum (the Hungarian method), and
-/// drops the pairs without overlap.
+/// Every detection with every truth is one batch. Pairs are one to one within
+/// their classes and have the largest sum of overlaps (the Hungarian method);
+/// pairs without overlap are dropped.
 pub fn match_frame(
     backend: Backend<'_>,
     space: Space,
@@ -91,7 +91,7 @@ pub fn apart(number: u32, frame: &Frame, matches: &[Match]) -> Vec<Match> {
 #[derive(Clone, Copy, Debug, Default)]
 pub struct Quality {
     pub matches: usize,
-    /// Of all matches; `None` without matches.
+    /// The mean IoU of all matches; `None` without matches.
     pub mean_iou: Option<f64>,
     /// Precision and recall at overlap 0.5 and at 0.7; `None` where there is nothing to count.
     pub precision: [Option<f64>; 2],
@@ -102,7 +102,7 @@ pub struct Quality {
 pub const THRESHOLDS: [f32; 2] = [0.5, 0.7];
 
 impl Quality {
-    /// Of that many detections and truths with these matches.
+    /// The quality of so many detections and truths with these matches.
     pub fn of(matches: &[Match], detections: usize, truths: usize) -> Self {
         let part = |count: f64, of: usize| (of > 0).then(|| count / of as f64);
         let good = THRESHOLDS.map(|t| matches.iter().filter(|m| m.iou >= t).count() as f64);

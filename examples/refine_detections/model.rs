@@ -1,14 +1,14 @@
-//! What a frame holds.
+//! The contents of a frame.
 use geograd::{Obb2, YawBox3};
 use std::collections::{BTreeMap, BTreeSet};
 
-/// What an object is. Only objects of the same class are matched.
+/// The class of an object. Only objects of the same class are matched.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub enum Class {
     Car,
     Pedestrian,
     Cyclist,
-    /// Something no detector here looks for.
+    /// Any other class, without a detector here.
     Other,
 }
 

@@ -71,7 +71,7 @@ pub struct Options {
     pub goal: Goal,
     pub nms: Option<f32>,
     pub csv: Option<PathBuf>,
-    /// Whether average precision is told.
+    /// `true` if average precision is printed.
     pub judged: bool,
 }
 

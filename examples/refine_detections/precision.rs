@@ -26,7 +26,7 @@ pub struct Precision {
 /// Average precision of every class that has detections or truths.
 ///
 /// Detections of all frames are taken by descending score, each for the truth of its class and frame that
-/// it overlaps most and that is not taken. What is alike (a van for a car) is neither right nor wrong.
+/// it overlaps most and that is not taken. A similar class (a van for a car) is neither right nor wrong.
 pub fn by_class(frames: &Frames, space: Space) -> Result<Vec<Precision>, Error> {
     let mut all = Vec::new();
     for (class, threshold) in CLASSES {

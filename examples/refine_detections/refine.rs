@@ -20,7 +20,7 @@ const SHORTER: f32 = 0.5;
 /// A pair is left alone when its longest step, relative to its size, is this short.
 const STILL: f32 = 1e-5;
 
-/// What it cost.
+/// The cost of a refinement.
 #[derive(Clone, Copy, Debug, Default)]
 pub struct Cost {
     /// Scores computed with their gradients.
@@ -126,7 +126,7 @@ impl Walker {
     }
 }
 
-/// Where the boxes end up after at most that many steps towards their truths. Every step of all
+/// The boxes after at most `steps` steps towards their truths. Every step of all
 /// pairs that still move is one batch.
 pub fn refine(
     backend: Backend<'_>,

@@ -77,7 +77,7 @@ fn frame(seed: u64, number: u32) -> Frame {
         let first = (start / lane.spacing).floor() as i64;
         let count = ((FAR - NEAR) / lane.spacing).ceil() as i64 + 1;
         for place in first..=first + count {
-            // What an object is depends on its place in its lane, so it stays the same over time.
+            // An object is drawn from its place in its lane, so it stays the same over time.
             let mut draw = Draw::new(&[seed, k as u64, place as u64]);
             if draw.uniform() > lane.filled {
                 continue;
@@ -159,7 +159,7 @@ fn upright(ground: Obb2<f32>, z: f32, height: f32) -> YawBox3<f32> {
     )
 }
 
-/// What a middling detector makes of an object: mostly near, sometimes far off, sometimes nothing.
+/// The detection of an object by a middling detector: mostly near, sometimes far off, sometimes none.
 fn detect(truth: &Seen, draw: &mut Draw, up: &mut Draw) -> Option<Seen> {
     let Obb2 {
         center,
@@ -168,7 +168,7 @@ fn detect(truth: &Seen, draw: &mut Draw, up: &mut Draw) -> Option<Seen> {
     } = truth.ground();
     let far = center.length() / FAR;
     let seen = draw.uniform() > 0.03 + 0.10 * far;
-    // One in ten is off by much; one in twenty looks the wrong way, which is the same box.
+    // One in ten is off by much; one in twenty has the opposite heading, which is the same box.
     let blunder = if draw.uniform() < 0.1 { 3.5 } else { 1.0 };
     let turned = if draw.uniform() < 0.05 { PI } else { 0.0 };
     let spread = blunder * (0.4 + 0.6 * far);

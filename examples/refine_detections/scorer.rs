@@ -153,7 +153,7 @@ fn in_space(loss: Loss) -> Result<Program<Pair, f32>, Error> {
     }
 }
 
-/// What computes the scores of many pairs.
+/// The scores of many pairs, as batches.
 #[derive(Debug)]
 pub struct Scorer {
     goal: Goal,

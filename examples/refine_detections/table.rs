@@ -6,14 +6,14 @@ use crate::refine;
 use std::fmt::Write as _;
 use std::time::Duration;
 
-/// What there is.
+/// The counts of a run.
 pub struct Counts {
     pub frames: usize,
     pub detections: usize,
     pub truths: usize,
     /// Detections with low scores, and truths of other classes.
     pub left_out: (usize, usize),
-    /// Detections that overlap a better one; `None` where nobody asked.
+    /// Detections that overlap a better one; `None` if suppression was not asked for.
     pub suppressed: Option<usize>,
     /// Detections that are moved without overlap.
     pub apart: usize,

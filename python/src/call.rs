@@ -1,4 +1,4 @@
-//! What can be called: a row of the table, or a traced function, with everything that is derived of it.
+//! Callables: a row of the table, or a traced function, with everything that is derived of it.
 use crate::machine::OnMachine;
 use crate::raised;
 use crate::symbol::{Any, mixed};
@@ -87,7 +87,7 @@ impl Number for f64 {
     }
 }
 
-/// What was made in one format. Read without locks, which a forked child might find held.
+/// The functions and programs made in one format. Reading takes no lock, which a forked child might find held.
 pub struct InFormat<T: Number> {
     functions: [OnceLock<Function<T>>; 7],
     programs: [OnceLock<Program<T>>; 7],
@@ -119,14 +119,14 @@ enum Body {
 /// A row or a traced function.
 pub struct Callable {
     body: Body,
-    /// What it takes, but for paths.
+    /// The arguments, but for paths.
     pub takes: Vec<Column>,
-    /// What it gives; of a traced function after the first recording only.
+    /// The results; a traced function has them after its first recording only.
     gives: OnceLock<Vec<Column>>,
     cache: Cache,
 }
 
-/// What a form takes and gives.
+/// The arguments and results of a form.
 pub struct Signature {
     pub takes: Vec<Column>,
     pub gives: Vec<Column>,
@@ -167,7 +167,7 @@ impl Callable {
             Body::Traced(traced) => traced.is_tuple(),
         }
     }
-    /// What it gives, after it was recorded.
+    /// The results, after it was recorded; none before.
     pub fn gives(&self) -> &[Column] {
         self.gives.get().map_or(&[], |gives| gives)
     }

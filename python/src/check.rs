@@ -11,7 +11,7 @@ use pyo3::exceptions::{PyTypeError, PyValueError};
 use pyo3::prelude::*;
 use std::cell::{Cell, RefCell};
 
-/// What the harness found out about a function in a format.
+/// The findings of the harness about a function in a format.
 #[pyclass(frozen, module = "geograd")]
 pub struct Report {
     found: Found,
@@ -119,7 +119,7 @@ fn names(columns: &[Column]) -> Vec<String> {
     all
 }
 
-/// What is asked of a check beside its function.
+/// The arguments of a check beside its function.
 #[derive(FromPyObject)]
 pub struct Asked<'py> {
     #[pyo3(item)]
@@ -134,7 +134,7 @@ pub struct Asked<'py> {
     resolution: [f64; 2],
     #[pyo3(item)]
     points: Vec<Vec<f64>>,
-    /// Where the value may jump: nowhere, where it is zero, anywhere.
+    /// The places at which the value may jump: nowhere, where it is zero, anywhere.
     #[pyo3(item)]
     jumps: String,
 }

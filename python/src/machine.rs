@@ -7,7 +7,7 @@ use geograd::{Error, kernels::Backend};
 use pyo3::exceptions::PyValueError;
 use pyo3::prelude::*;
 
-/// Where a call runs.
+/// The machine that runs a call.
 pub enum Machine {
     Cpu,
     Gpu(Gpu),

@@ -24,10 +24,10 @@ pub struct Shape {
 
 /// Classes of shapes in Python, by kind.
 static CLASSES: PyOnceLock<Vec<Option<Py<PyType>>>> = PyOnceLock::new();
-/// What makes arrays of numbers of anything else: sequences, Arrow columns, geometries.
+/// The function that converts anything else to arrays of numbers: sequences, Arrow columns, geometries.
 static CONVERT: PyOnceLock<Py<PyAny>> = PyOnceLock::new();
 
-/// Says which classes shapes have, by the place of their kind, and what converts other things to arrays.
+/// Sets the classes of shapes, by the place of their kind, and the function that converts other things to arrays.
 #[pyfunction]
 pub fn set_classes(
     py: Python<'_>,
@@ -378,7 +378,7 @@ impl Paths {
     fn vertices(&self, py: Python<'_>) -> Py<PyUntypedArray> {
         self.vertices.clone_ref(py)
     }
-    /// Where each path starts among the vertices, and their number.
+    /// The index of each path's first vertex, and the number of vertices.
     #[getter]
     fn offsets(&self, py: Python<'_>) -> Py<PyUntypedArray> {
         self.offsets.clone_ref(py)

@@ -233,7 +233,7 @@ fn comparison(name: &str) -> Option<Compare> {
     })
 }
 
-/// What can be recorded, for messages.
+/// The operations that can be recorded, for messages.
 const RECORDED: &str = "+ - * / **, abs, sqrt, square, sin, cos, tan, exp, log, arctan2, hypot, copysign, minimum, maximum, clip, where, \
                         comparisons and geograd's verbs";
 

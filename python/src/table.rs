@@ -22,9 +22,9 @@ pub struct Shape {
     pub fields: Vec<String>,
     /// How many of them are whole numbers.
     pub codes: usize,
-    /// What each of them is, and which values it may have.
+    /// The unit of each of them, and the values that it may have.
     pub meaning: Vec<(&'static str, String)>,
-    /// Where its layout is found: a row, and an argument of it.
+    /// The row and its argument that have the layout.
     layout: Option<(usize, usize)>,
 }
 
@@ -194,7 +194,7 @@ fn identifier(name: &str) -> String {
         .collect()
 }
 
-/// What a number is.
+/// The unit of a number.
 fn unit(field: &geograd::kernels::dynamic::Number) -> &'static str {
     use geograd::check::Kind;
     match (field.bound, field.kind) {
@@ -214,7 +214,7 @@ fn unit(field: &geograd::kernels::dynamic::Number) -> &'static str {
     }
 }
 
-/// Which values a number may have.
+/// The limits of a number's values.
 fn limit(shape: &geograd::kernels::dynamic::Shape, bound: Bound) -> String {
     let of = |what: &str, place: usize| {
         let field = shape.fields.get(place);

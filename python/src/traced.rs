@@ -22,7 +22,7 @@ pub struct Traced {
     is_tuple: AtomicBool,
 }
 
-/// What a traced function gives: a tuple or not, and its parts.
+/// The result of a traced function: a tuple or not, and its parts.
 type Result<'py> = (bool, Vec<(Option<String>, Vec<Bound<'py, PyAny>>, bool)>);
 
 impl Traced {
@@ -155,7 +155,7 @@ impl Recorded {
 
 #[pymethods]
 impl Recorded {
-    /// Of a function of symbols, and of the name, the shape (or none) and the size of every column that it takes; a size
+    /// Takes a function of symbols, and the name, the shape (or none) and the size of each of its columns; a size
     /// of zero is a lone number.
     #[new]
     fn new(
@@ -212,7 +212,7 @@ impl Recorded {
             }
         }
     }
-    /// What it gives: the shape of every result, or none, and how many numbers that has, zero of a lone number.
+    /// The shape of every result, or none, and how many numbers that has, zero for a lone number.
     fn gives(&self) -> PyResult<Vec<(Option<&'static str>, usize)>> {
         self.call.program::<f64>(Form::Value)?;
         let one = |column: &Column| {

@@ -58,10 +58,10 @@ impl Said {
     }
 }
 
-/// What an argument `kind` says.
+/// The meaning of an argument `kind`.
 enum Wanted {
     Nothing,
-    /// The same of all shapes.
+    /// The same kind for all shapes.
     All(Kind),
     Each(Vec<Option<Kind>>),
 }
@@ -835,7 +835,7 @@ pub fn verbs() -> Vec<&'static str> {
         .collect()
 }
 
-/// What the table says of the rows of a verb.
+/// The entries of the table for the rows of a verb.
 #[pyfunction]
 pub fn rows<'py>(py: Python<'py>, verb: &str) -> PyResult<Vec<Bound<'py, PyDict>>> {
     let verb = table()

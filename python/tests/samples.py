@@ -140,8 +140,8 @@ def smooth(row, count, order):
             def grads(x):
                 bars = [np.ones((len(x), size)) if size else np.ones(len(x)) for _, _, size in node_gives]
                 return row.gradient(row.split(x), bars)
-            # Where shapes share a number, first derivatives are shared at the tie, and second ones of both sides say nothing
-            # of it.
+            # Shapes that share a number are a tie: first derivatives are shared there, and second ones of both sides do
+            # not show it.
             apart = np.diff(np.sort(x, 1), axis=1).min(1, initial=1) > 1e-3
             x = x[apart]
             x = x[_agrees(grads, x, 1.0)] if len(x) else x

@@ -175,13 +175,13 @@ type B<O, T> = <O as Pair<T>>::B;
 /// Upstream derivatives of aligned pairs, by turns.
 const UPSTREAM: [f64; 7] = [1.0, -0.5, 0.0, 3.0, -0.0, 1e20, -3e38];
 
-/// What the scalar code gives of all pairs of two lists.
+/// The results of the scalar code for all pairs of two lists.
 struct Known<O: Pair<T>, T: Number> {
     a: Vec<A<O, T>>,
     b: Vec<B<O, T>>,
-    /// Of each pair the value, then its derivatives.
+    /// The value of each pair, then its derivatives.
     pairs: Vec<Vec<u64>>,
-    /// Of pairs with equal places the upstream derivative times the derivatives.
+    /// The upstream derivative times the derivatives, for pairs of shapes with equal indices.
     aligned: Vec<Vec<u64>>,
 }
 

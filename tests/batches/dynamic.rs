@@ -744,7 +744,7 @@ fn derivatives(program: &Program<f64>, x: &[f64], name: &str) {
         &jacobian,
         name,
     );
-    // Of the longest ones second derivatives are made node by node as of all others, and take minutes.
+    // Second derivatives of the longest programs take minutes; they are made node by node, as those of all others.
     if program.cost().total() > LONG {
         return;
     }

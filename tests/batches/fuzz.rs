@@ -1,4 +1,4 @@
-//! Inputs that nobody would think of, and whether the search for them finds what is wrong.
+//! Unexpected inputs, and tests that the fuzzers find planted faults.
 use geograd::kernels::fuzz::{self, Fuzzed, Property};
 use geograd::kernels::op::{Derivative, Extremes, Finite, Jumps, Limits, Op, Range};
 use geograd::kernels::real::Real;
@@ -24,8 +24,8 @@ fn every_operation_keeps_its_properties() {
     assert!(broken.is_empty(), "{}", broken.join("\n"));
 }
 
-/// Of two shapes, for upstream derivatives of any size: all derivatives are finite, a batch has the bits of the
-/// scalar code, and exchanging the shapes changes the value by no more than a little.
+/// Asserts the properties of pairs of shapes, for upstream derivatives of any size. All derivatives are finite, a
+/// batch has the bits of the scalar code, and exchanging the shapes changes the value by little at most.
 fn bears<O, P, T>(inputs: &[&[f64]])
 where
     O: Op<In<T> = (P, P), Out<T> = T>,
@@ -69,7 +69,7 @@ where
     }
 }
 
-/// What fuzzing has found: results that were not finite, or a value that was lost beside a distance or a size.
+/// Findings of the fuzzers: results that were not finite, or a value that was lost beside a distance or a size.
 #[test]
 fn what_was_found_once_stays_mended() {
     bears::<IouAabb3, _, f32>(&[
@@ -363,7 +363,7 @@ struct Faulty<const FAULT: usize>;
 
 /// A derivative is no number where a box is long.
 const NO_NUMBER: usize = 0;
-/// What shares more than half shares more than all.
+/// Boxes that share more than half have a score above one.
 const OUT_OF_RANGE: usize = 1;
 /// Identical boxes are nearly so.
 const NOT_ITSELF: usize = 2;
@@ -421,7 +421,7 @@ fn faulty<S: Scalar, const FAULT: usize>(a: Obb2<S>, b: Obb2<S>, value: S) -> S 
     }
 }
 
-/// What is found of an operation.
+/// The findings of the fuzzer about an operation.
 fn found<const FAULT: usize>() -> Fuzzed {
     let fuzzed = fuzz::operation::<Faulty<FAULT>, f32>(1_000_000, 3);
     let broken = fuzzed.broken.as_ref();
@@ -514,7 +514,7 @@ fn limits_are_kept_to() {
     assert_eq!(limited.broken, None, "{limited}");
 }
 
-/// Of a coordinate at the largest number what rounding took from a difference was none.
+/// The rounding error of a difference is a number for a coordinate at the largest number, too.
 #[test]
 fn differences_of_the_largest_numbers_are_finite() {
     bears::<GiouObb2, _, f32>(&[&[
@@ -539,7 +539,7 @@ fn differences_of_the_largest_numbers_are_finite() {
     );
 }
 
-/// What was found by a hostile reading: derivatives of boxes apart, one of them flat, near the limits.
+/// Derivatives of boxes apart, one of them flat, near the limits of the format.
 #[test]
 fn derivatives_of_flat_boxes_apart_are_zero() {
     fn zero<T: Real + Single<Scalar = T>>(numbers: [[f64; 4]; 2]) {

@@ -40,8 +40,8 @@ fn near(own: &[Vec<f64>], other: &[Vec<f64>]) {
     }
 }
 
-/// Of operations of one shape and of two: values are those of the operation, every row is the adjoint of an axis of the
-/// result to the bit, and duals say the same.
+/// Asserts for operations of one shape and of two: values are those of the operation, every row is the adjoint of an
+/// axis of the result to the bit, and duals agree.
 macro_rules! agree {
     ($($Op:ident($A:ty $(, $B:ty)?);)*) => { $({
         type Out = <$Op as Op>::Out<f64>;

@@ -67,7 +67,7 @@ fn ring<O: RingOp, T: Number>() {
     calls::ragged_vjp::<O, T>(&vertices[1..], &ends, &values).unwrap();
 }
 
-/// What is not a batch of two boxes.
+/// All other batches than those of two boxes.
 fn others<T: Number>() {
     ring::<SignedArea, T>();
     ring::<Perimeter, T>();

@@ -96,7 +96,7 @@ fn line<S: Scalar>(seed: u64, steps: usize, inputs: &[S]) -> [S; OUTPUTS] {
         };
         numbers.push(made);
     }
-    // What only some items need.
+    // Only some items need the product.
     let costly = numbers[numbers.len() - 1] * numbers[numbers.len() - 2];
     let last = S::select(masks[dice.below(2)], S::one(), costly);
     let mut result = [last; OUTPUTS];

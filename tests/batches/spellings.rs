@@ -15,7 +15,7 @@ use geograd_tests::Dice;
 use geograd_tests::calls::Number;
 use std::fmt::Debug;
 
-/// Of a batch, item by item, and of everything else that bears the name of its operation.
+/// Asserts equal bits of a batch, item by item, and of everything else with the name of its operation.
 fn same<O: Op, T: Number>(spellings: &[&dyn Fn(O::In<T>) -> O::Out<T>])
 where
     O::In<f64>: Sample,

@@ -1,4 +1,4 @@
-//! Who judges gradients: geograd's harness, two ordinary checkers to compare it with, and anybody else.
+//! Checkers of gradients: geograd's harness, two ordinary checkers to compare it with, and any other.
 use crate::corpus::function::Function;
 use crate::corpus::inputs::name_bits;
 use geograd::ad::check::sample::Draw;
@@ -9,7 +9,7 @@ use geograd::{Jet, Pack};
 
 /// One question to a checker: is this the gradient of that function?
 pub struct Task<'a> {
-    /// What the function is called.
+    /// The name of the function.
     pub name: &'a str,
     /// The function.
     pub value: &'a dyn Fn(&[f64]) -> f64,
@@ -17,18 +17,18 @@ pub struct Task<'a> {
     pub gradient: &'a dyn Fn(&[f64]) -> Vec<f64>,
     /// For each number of the input, its interval.
     pub domain: &'a [[f64; 2]],
-    /// Where to look; all lie in the domain.
+    /// The inputs to judge; all lie in the domain.
     pub points: &'a [Vec<f64>],
     /// The function's generic source on duals, for checkers that can use it.
     pub dual: fn(&[Jet<f64, 1>]) -> Jet<f64, 1>,
     /// The same on numbers that record comparisons.
     pub traced: fn(&[Traced<f64>]) -> Traced<f64>,
-    /// What everything random is to be drawn from.
+    /// The seed of everything random.
     pub seed: u64,
 }
 
 impl<'a> Task<'a> {
-    /// Whether a gradient is that of a function of the corpus.
+    /// The question whether a gradient is that of a function of the corpus.
     #[must_use]
     pub fn new(
         function: &'a Function,
@@ -49,9 +49,9 @@ impl<'a> Task<'a> {
     }
 }
 
-/// Somebody who accepts or refuses gradients. A closure that takes a [`Task`] is one.
+/// A checker that accepts or refuses gradients. A closure that takes a [`Task`] is one.
 pub trait Checker: Sync {
-    /// Whether the gradient is accepted.
+    /// `true` if the gradient is accepted.
     fn accepts(&self, task: &Task<'_>) -> bool;
 }
 
@@ -118,7 +118,7 @@ impl Geograd {
 
 impl Checker for Geograd {
     fn accepts(&self, task: &Task<'_>) -> bool {
-        // Whether a derivative could be judged at all is known at the end only.
+        // Only the last run shows which derivatives could not be judged.
         let final_word = |report: &Report| {
             let unjudged = |r: Reason| matches!(r, Reason::Unjudged | Reason::NothingSmooth);
             report

@@ -10,15 +10,15 @@ pub type Gradient = Box<dyn Fn(&[f64]) -> Vec<f64>>;
 
 /// A wrong gradient.
 pub struct Fault {
-    /// What kind of mistake.
+    /// The kind of mistake.
     pub kind: Kind,
-    /// What is wrong.
+    /// The mistake in words.
     pub what: String,
     fresh: Box<dyn Fn() -> Gradient + Send + Sync>,
 }
 
 impl Fault {
-    /// The gradient, which nobody has called before.
+    /// A fresh copy of the gradient, without any earlier call.
     #[must_use]
     pub fn gradient(&self) -> Gradient {
         (self.fresh)()
@@ -112,7 +112,7 @@ fn mistakes(function: &'static Function, inputs: &Inputs, all: &mut Vec<Fault>) 
     }
 }
 
-/// What can happen to one derivative.
+/// Adds the faults of one derivative.
 fn single_derivatives(function: &'static Function, inputs: &Inputs, all: &mut Vec<Fault>) {
     let n = function.domain.len();
     let right = function.gradient;
@@ -210,7 +210,7 @@ fn single_derivatives(function: &'static Function, inputs: &Inputs, all: &mut Ve
     }
 }
 
-/// What can happen to all derivatives together.
+/// Adds the faults of all derivatives together.
 fn whole_gradients(function: &'static Function, all: &mut Vec<Fault>) {
     let (value, right) = (function.value, function.gradient);
     let mut whole =
@@ -305,7 +305,7 @@ fn whole_gradients(function: &'static Function, all: &mut Vec<Fault>) {
     });
 }
 
-/// What can happen in one place.
+/// Adds the faults in one place.
 fn places(function: &'static Function, inputs: &Inputs, all: &mut Vec<Fault>) {
     let right = function.gradient;
     let widths: Vec<f64> = function

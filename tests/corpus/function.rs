@@ -6,7 +6,7 @@ use geograd::ad::check::trace::Traced;
 /// A function of some numbers with one number as result, and its right gradient by hand. Kinds of scalars
 /// are taken out here, once, so that whatever walks the corpus is compiled once.
 pub struct Function {
-    /// What it is called.
+    /// The name.
     pub name: &'static str,
     /// For each number of the input, the interval that it is drawn from.
     pub domain: &'static [[f64; 2]],
@@ -26,7 +26,7 @@ pub struct Function {
     pub gradient_single: fn(&[f32]) -> Vec<f32>,
     /// The same with one step of the formula changed.
     pub gradient_mutant: fn(&[Mutant]) -> Vec<Mutant>,
-    /// Wrong gradients that somebody might write, and what is wrong.
+    /// Plausible wrong gradients, each with its mistake in words.
     pub wrong: &'static [(&'static str, fn(&[f64]) -> Vec<f64>)],
 }
 

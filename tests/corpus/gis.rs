@@ -214,7 +214,7 @@ fn ring_area_derivatives<S: Scalar>(p: [S; 8]) -> [S; 8] {
 }
 fn ring_area_open(p: [f64; 8]) -> [f64; 8] {
     let mut g = ring_area_derivatives(p);
-    // What the edge from the last point to the first adds to each of them.
+    // The part that the edge from the last point to the first adds to each of them.
     g[0] += 0.5 * p[7];
     g[1] -= 0.5 * p[6];
     g[6] -= 0.5 * p[1];
@@ -332,7 +332,7 @@ fn hillshade_unnormalised(x: [f64; 4]) -> [f64; 4] {
 
 const STATIONS: [[f64; 2]; 3] = [[-0.5, -0.5], [1.5, -0.25], [0.5, 2.0]];
 
-/// What three stations measured, interpolated: the place, the measurements, the power of the distance.
+/// The interpolated measurements of three stations: the place, the measurements, the power of the distance.
 fn inverse_distance<S: Scalar>([x, y, a, b, c, power]: [S; 6]) -> S {
     let (mut sum, mut all) = (S::zero(), S::zero());
     for ([u, v], value) in STATIONS.map(literals::<S, _>).into_iter().zip([a, b, c]) {

@@ -302,7 +302,7 @@ fn barycentric_fixed_area(x: [f64; 8]) -> [f64; 8] {
     barycentric_parts(x, 0.0)
 }
 
-/// Where a ray first meets a sphere, in lengths of its direction: origin, direction, centre, radius.
+/// The distance at which a ray first meets a sphere, in lengths of its direction: origin, direction, centre, radius.
 fn ray_sphere<S: Scalar>(x: [S; 10]) -> S {
     let (d, r) = ([x[3], x[4], x[5]], x[9]);
     let off = minus([x[0], x[1], x[2]], [x[6], x[7], x[8]]);

@@ -1,4 +1,4 @@
-//! Where a function of the corpus is checked, and how wrong a gradient is there.
+//! The inputs at which a function of the corpus is checked, and the error of a gradient there.
 use crate::corpus::function::Function;
 use geograd::ad::check::sample::Draw;
 
@@ -20,7 +20,7 @@ pub struct Inputs {
     right: Vec<Right>,
 }
 
-/// What is right at an input.
+/// The right derivatives at an input.
 enum Right {
     /// This gradient.
     One(Vec<f64>),
@@ -87,8 +87,8 @@ impl Inputs {
 }
 
 impl Inputs {
-    /// Whether a gradient is finite, and wherever it is wrong jumps by as much between neighbours in the last digit
-    /// of the input: because it is wrong at single inputs only, or nothing but rounding.
+    /// `true` if a gradient is finite, and each of its errors is a jump as large between neighbours in the last digit
+    /// of the input. Such a gradient is wrong at single inputs only, or by rounding only.
     #[must_use]
     pub fn unsteady(&self, gradient: &dyn Fn(&[f64]) -> Vec<f64>) -> bool {
         let mut draw = Draw::new(0);

@@ -1,9 +1,9 @@
-//! What kinds of mistakes there are.
+//! The kinds of mistakes.
 
-/// What kind of mistake a fault is.
+/// The kind of mistake of a fault.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub enum Kind {
-    /// Something that somebody might write, by hand.
+    /// A plausible mistake in a gradient by hand.
     ByHand,
     /// One step of the formula is another one.
     Formula,
@@ -46,7 +46,7 @@ pub enum Kind {
     Single,
     /// The gradient is a difference with a fixed step.
     Difference,
-    /// What an earlier call left is added.
+    /// The rest of an earlier call is added.
     Stale,
 }
 

@@ -337,7 +337,7 @@ fn leaky_neuron_dry(x: [f64; 5]) -> [f64; 5] {
     leaky_parts(x, 0.0)
 }
 
-/// What two weights pay for their size: weight of absolute values, weight of squares.
+/// The penalty of two weights for their size: weight of absolute values, weight of squares.
 fn elastic_net<S: Scalar>([v, w, one, two]: [S; 4]) -> S {
     one * (v.magnitude() + w.magnitude()) + two * (v * v + w * w)
 }

@@ -8,22 +8,22 @@ use geograd::Jet;
 use geograd::ad::check::sample::Draw;
 use std::time::Instant;
 
-/// What is asked about one gradient.
+/// The question about one gradient.
 #[derive(Clone, Debug)]
 pub struct Question {
-    /// What kind of fault; none for a right gradient.
+    /// The kind of fault; none for a right gradient.
     pub kind: Option<Kind>,
     /// Which one.
     pub what: String,
     /// How wrong it is, by [`Inputs::error`].
     pub error: f64,
-    /// Whether it jumps wherever it is wrong, by [`Inputs::unsteady`].
+    /// `true` if each of its errors is a jump, by [`Inputs::unsteady`].
     pub unsteady: bool,
-    /// What each checker said: whether it accepts.
+    /// For each checker, `true` if it accepts.
     pub accepted: Vec<bool>,
 }
 
-/// What was found out with one function.
+/// The findings about one function.
 pub struct Findings {
     /// The function.
     pub function: &'static Function,

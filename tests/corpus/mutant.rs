@@ -9,7 +9,7 @@ use geograd::{Fixed, Pack, Scalar};
 use std::cell::Cell;
 use std::ops::{Add, AddAssign, Div, Mul, MulAssign, Neg, Sub, SubAssign};
 
-/// Where the mistake is made.
+/// The place of the mistake.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Place {
     /// In a value: sums are differences, factors are forgotten, functions are left out or replaced by their
@@ -136,7 +136,7 @@ impl Tangent for Mutant {
         self.value
     }
     fn constant(value: f64) -> Self {
-        // Nobody mistakes a zero or a one.
+        // Zeros and ones stay as they are: a mistake in them is not planted.
         if value == 0.0 || value == 1.0 {
             return Mutant {
                 value,

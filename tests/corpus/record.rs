@@ -1,4 +1,4 @@
-//! What is known of the errors of geograd's harness: anything else is news.
+//! The known errors of geograd's harness: a test reports any other.
 use crate::corpus::checkers::{Geograd, Task};
 use crate::corpus::faults::faults;
 use crate::corpus::inputs::{Inputs, RANDOM};
@@ -7,8 +7,8 @@ use crate::corpus::measure::{Question, right};
 use crate::corpus::tables::Run;
 use std::fmt::Write;
 
-/// Errors of a derivative that are smaller, relative to its usual size, are counted in the table of sizes only: what
-/// one part in a million of one derivative does to a value is less than its rounding when the value is larger by as
+/// Errors of a derivative that are smaller, relative to its usual size, are counted in the table of sizes only. One
+/// part in a million of a derivative changes a value by less than its rounding when the value is larger by as
 /// much.
 pub const VISIBLE: f64 = 1e-6;
 
@@ -23,8 +23,8 @@ struct Known {
 
 /// Functions whose right gradients are refused at some inputs, and why.
 const REFUSED: &[Known] = &[
-    // Near its axis the derivative across it is what is left of 1 - 1: half of its digits, though it stands beside
-    // derivatives of one.
+    // Near its axis the derivative across it is a difference of numbers near 1. It has half of its digits, though it
+    // stands beside derivatives of one.
     Known {
         checker: "geograd",
         function: "capsule_distance",
@@ -33,7 +33,7 @@ const REFUSED: &[Known] = &[
         checker: "geograd-closures",
         function: "capsule_distance",
     },
-    // What is left of 1 - tanh².
+    // The derivative has the rest of 1 - tanh², where digits cancel.
     Known {
         checker: "geograd",
         function: "gelu_neuron",
@@ -45,14 +45,14 @@ const REFUSED: &[Known] = &[
     },
 ];
 
-/// Whether a checker of ours, by its name, is known to refuse right gradients of a function.
+/// `true` if a checker of ours, by its name, is known to refuse right gradients of a function.
 #[must_use]
 pub fn refused(checker: &str, function: &str) -> bool {
     let here = |known: &Known| known.checker == checker && known.function == function;
     REFUSED.iter().any(here)
 }
 
-/// Whether geograd's harness is known to err so.
+/// `true` if the error of geograd's harness is a known one.
 fn known(checker: &str, function: &str, question: &Question) -> bool {
     match question.kind {
         // A derivative that jumps within the last digit of the input is taken to be rounded so badly.
@@ -61,15 +61,15 @@ fn known(checker: &str, function: &str, question: &Question) -> bool {
     }
 }
 
-/// What one of geograd's checkers got wrong.
+/// The errors of one of geograd's checkers.
 pub struct Verdict {
-    /// In words, with the report of every refusal that is news.
+    /// The errors in words, with the report of every unknown refusal.
     pub text: String,
     /// How many errors are of no known kind.
     pub unknown: usize,
 }
 
-/// What a checker got wrong, by its name and its place in the order in which checkers were asked; nothing for others
+/// The errors of a checker, by its name and its place in the order in which checkers were asked; `None` for others
 /// than geograd's.
 #[must_use]
 pub fn verdict(checker: &str, place: usize, runs: &[Run]) -> Option<Verdict> {
@@ -127,7 +127,7 @@ pub fn verdict(checker: &str, place: usize, runs: &[Run]) -> Option<Verdict> {
     Some(Verdict { text, unknown })
 }
 
-/// Where a fault is most wrong, with what is right there.
+/// The input at which a fault is most wrong, with its gradient and the right one.
 fn missed(run: &Run, question: &Question) -> String {
     let function = run.findings.function;
     let inputs = Inputs::new(function, RANDOM, run.seed);

@@ -347,7 +347,7 @@ fn pendulum_energy_uncoupled(x: [f64; 8]) -> [f64; 8] {
     g
 }
 
-/// What a trajectory pays for coming nearer to an obstacle than the reach: half the square of it.
+/// The cost of a trajectory nearer to an obstacle than the reach: half the square of the depth.
 fn obstacle_cost<S: Scalar>([px, py, ox, oy, reach]: [S; 5]) -> S {
     let d = minus([px, py], [ox, oy]);
     let deep = (reach - dot(d, d).root()).most(S::zero());

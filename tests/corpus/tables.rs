@@ -1,4 +1,4 @@
-//! What was found out, as tables.
+//! The findings, as tables.
 use crate::corpus::measure::{Findings, Question};
 use std::collections::{BTreeMap, BTreeSet};
 use std::fmt::Write;
@@ -7,20 +7,20 @@ use std::fmt::Write;
 pub struct Run {
     /// The field it belongs to.
     pub field: &'static str,
-    /// What inputs were drawn from.
+    /// The seed of the inputs.
     pub seed: u64,
-    /// What was found out.
+    /// The findings.
     pub findings: Findings,
 }
 
-/// A line of a table: what several questions have in common.
+/// A line of a table: the counts of several questions.
 #[derive(Default)]
 struct Line {
     functions: BTreeSet<&'static str>,
     right: usize,
     faults: usize,
     equivalent: usize,
-    /// Of each checker: right ones refused, faults missed, seconds.
+    /// For each checker: right ones refused, faults missed, seconds.
     errors: Vec<(usize, usize, f64)>,
 }
 

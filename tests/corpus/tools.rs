@@ -1,4 +1,4 @@
-//! What several functions of the corpus are made of.
+//! Common parts of the functions of the corpus.
 use geograd::Scalar;
 use std::array::from_fn;
 

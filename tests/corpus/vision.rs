@@ -89,7 +89,7 @@ fn epipolar_residual_transposed(x: [f64; 13]) -> [f64; 13] {
 
 const SEEN: [f64; 2] = [0.8, -0.6];
 
-/// Where a homography takes a point: both coordinates, weighted.
+/// The image of a point by a homography: both coordinates, weighted.
 fn homography_transfer<S: Scalar>([a, b, c, d, e, f, g, h, i, x, y]: [S; 11]) -> S {
     let w = g * x + h * y + i;
     dot(
@@ -251,7 +251,7 @@ fn huber<S: Scalar>(e: S) -> S {
 fn huber_derivative<S: Scalar>(e: S) -> S {
     S::select(e.unsigned().at_most(S::one()), e, sign(e))
 }
-/// What two pixels differ by after gain and bias, robustly.
+/// The robust difference of two pixels after gain and bias.
 fn photometric_huber<S: Scalar>([a, b, gain, bias]: [S; 4]) -> S {
     huber(gain * a + bias - b)
 }

@@ -2,7 +2,7 @@
 use crate::example;
 use std::process::Command;
 
-/// What an example prints.
+/// The output of an example.
 fn printed(name: &str) -> String {
     let output = Command::new(example(name)).output().unwrap();
     assert!(output.status.success(), "{output:?}");

@@ -2,7 +2,7 @@
 use crate::{folder, run, status, stderr, stdout};
 use std::path::Path;
 
-/// What a run prints: the header, and the rows as numbers (`None` for empty fields).
+/// The output of a run: the header, and the rows as numbers (`None` for empty fields).
 fn table(at: &Path, arguments: &str) -> (String, Vec<Vec<Option<f64>>>) {
     let done = run("iou_csv", at, arguments);
     assert_eq!((status(&done), stderr(&done)), (0, ""), "{arguments}");

@@ -31,7 +31,7 @@ fn example(name: &str) -> PathBuf {
     program
 }
 
-/// Whether a program is there, and newer than all it was built from.
+/// `true` if a program exists and is newer than all its sources.
 fn is_built(program: &Path) -> bool {
     let changed = |path: &Path| std::fs::metadata(path).and_then(|file| file.modified());
     let Ok(built) = changed(program) else {
@@ -201,7 +201,7 @@ fn iou_csv_keeps_its_inputs() {
     }
     let kept = std::fs::read_to_string(at.join("a.csv")).unwrap();
     assert_eq!(kept, "0,0,2,2,0\n");
-    // What is wrong with one file as both inputs is told once.
+    // One file as both inputs has its error printed once.
     let done = run("iou_csv", &at, "--a bad.csv --b ./bad.csv");
     assert_eq!(status(&done), 1);
     assert_eq!(stderr(&done).matches("w is negative").count(), 1);
@@ -538,7 +538,7 @@ fn backend_auto_without_a_gpu_is_the_cpu_and_says_so() {
     );
 }
 
-/// What auto says on stderr where the environment is made to offer this and no more.
+/// The stderr of `--backend auto` in an environment that offers only this driver.
 #[cfg(target_os = "linux")]
 fn told_by_auto(folder: &Path, driver: &str, wanted: Option<&str>) -> String {
     let mut run = command(
@@ -589,7 +589,7 @@ fn backend_auto_says_which_of_the_reasons_it_was() {
     );
 }
 
-/// Where Mesa's software driver says it is.
+/// The path of the manifest of Mesa's software driver.
 #[cfg(target_os = "linux")]
 fn software_driver() -> Option<String> {
     let folder = std::fs::read_dir("/usr/share/vulkan/icd.d").ok()?;
@@ -597,7 +597,7 @@ fn software_driver() -> Option<String> {
     files.find(|file| file.contains("lvp_icd"))
 }
 
-/// Whether there is a GPU to test on, a driver in software included. Without one the tests say so
+/// `true` if there is a GPU to test on, a driver in software included. Without one the tests print that
 /// and pass, unless `GEOGRAD_REQUIRE_GPU=1`.
 #[cfg(feature = "gpu")]
 fn has_gpu() -> bool {

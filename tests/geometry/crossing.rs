@@ -81,10 +81,10 @@ fn what_thin_boxes_that_cross_share_is_found() {
     }
     errors.sort_by(f64::total_cmp);
     shares.sort_by(f64::total_cmp);
-    // Of the volume of a box.
+    // Errors as shares of the volume of a box.
     assert!(errors[2970] < 1.5e-6, "{:e}", errors[2970]);
     assert!(errors[2999] < 3e-5, "{:e}", errors[2999]);
-    // Of what they share.
+    // Errors as shares of the shared volume.
     assert!(
         shares[2700] < 6e-3 && shares[2970] < 4e-2,
         "{:e}",

@@ -382,7 +382,7 @@ fn assignments_are_the_best() {
         let sum: f64 = pairs.iter().map(|&(i, j)| gains[i * columns + j]).sum();
         let best = best_sum(&gains, columns, 0, &mut vec![false; columns]);
         assert!((sum - best).abs() < 1e-12, "{sum} {best}");
-        // Greedy, by taking the largest of what is left.
+        // Greedy: the largest of the remaining pairs is taken.
         let mut left: Vec<Pair<f64>> = (0..rows * columns)
             .map(|k| Pair {
                 first: k / columns,
@@ -419,10 +419,10 @@ fn average_precision_of_a_known_curve() {
     assert_eq!(points[4], last);
     let all = average_precision(&points, Recalls::All);
     assert!((all - (1.0 + 2.0 / 3.0 + 0.6) / 4.0).abs() < 1e-15);
-    // Of eleven: 0, .1, .2 reach 1; .3, .4, .5 two thirds; .6, .7 three fifths.
+    // Eleven recalls: 0, .1, .2 reach 1; .3, .4, .5 two thirds; .6, .7 three fifths.
     let eleven = average_precision(&points, Recalls::Eleven);
     assert!((eleven - (3.0 + 3.0 * 2.0 / 3.0 + 2.0 * 0.6) / 11.0).abs() < 1e-15);
-    // Of forty: ten to 1/4, ten to 1/2, ten to 3/4.
+    // Forty recalls: ten to 1/4, ten to 1/2, ten to 3/4.
     let forty = average_precision(&points, Recalls::Forty);
     assert!((forty - (10.0 + 10.0 * 2.0 / 3.0 + 10.0 * 0.6) / 40.0).abs() < 1e-14);
     assert_eq!(average_precision(&[], Recalls::All), 0.0);
@@ -493,7 +493,7 @@ fn suppression_of_boxes_is_that_of_their_pairs() {
         (1500, 300.0),
     ] {
         let (boxes, scores, classes) = crowd(&mut dice, count, side);
-        // Of a pair the better one is the first argument: the list sorted by scores says the same.
+        // The better one of a pair is the first argument: the list sorted by scores gives the same.
         let best = order(&scores, 0.1).unwrap();
         let sorted: Vec<_> = best.iter().map(|&i| boxes[i]).collect();
         let sorted_scores: Vec<_> = best.iter().map(|&i| scores[i]).collect();

@@ -57,8 +57,6 @@ fn bounds(shape: Obb2<f64>) -> Aabb2<f64> {
 const PAIRS: usize = 20_000;
 
 /// Areas of intersection, IoU, IoF of rotated boxes, of axis-aligned ones; area, perimeter, centroid.
-///
-/// Those of rotated boxes are new since derivatives by the sizes of a speck in a giant keep their digits.
 const DOUBLE: [u64; 9] = [
     0x949c_6d09_24ed_d7b5,
     0xbef2_bbfe_8e4b_295c,

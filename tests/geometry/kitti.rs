@@ -158,7 +158,7 @@ pub struct Dense {
     pub unlabelled: Vec<f64>,
 }
 
-/// What a walk over a frame finds: the scores of right detections, and how many are wrong and missed.
+/// The result of a walk over a frame: the scores of right detections, and how many are wrong and missed.
 struct Walk {
     right: Vec<f64>,
     wrong: usize,

@@ -20,7 +20,7 @@ fn close(ours: f64, theirs: f64, by: f64, what: &str) {
 struct Matrix([f64; 3]);
 
 impl Matrix {
-    /// Of a box whose deviations are its sizes times a number.
+    /// The covariance of a box whose deviations are its sizes times a number.
     fn of(shape: Obb2<f64>, deviation: f64) -> Self {
         let (sin, cos) = shape.heading.sin_cos();
         let [p, q] = [shape.size.x, shape.size.y].map(|x| (x * deviation).powi(2));
@@ -164,7 +164,7 @@ fn probiou_of_ultralytics() {
     }
 }
 
-/// What the losses of axis-aligned boxes are made of, with their small numbers.
+/// The parts of the losses of axis-aligned boxes, with the small constants of other libraries.
 struct Parts {
     iou: f64,
     union: f64,

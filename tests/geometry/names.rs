@@ -170,7 +170,7 @@ fn begins_with_noun(name: &str) -> bool {
     NOUNS.iter().any(|noun| name.starts_with(noun))
 }
 
-/// Whether a name is that of a verb with the shapes that it takes, such as `IouObb2`, `AreaOfRing` or `KittiOfYaw`.
+/// `true` if a name is that of a verb with its shapes, such as `IouObb2`, `AreaOfRing` or `KittiOfYaw`.
 fn joins_shapes(name: &str, verbs: &BTreeSet<String>) -> bool {
     let (before, of) = name.split_once("Of").unwrap_or((name, ""));
     if begins_with_noun(before) && begins_with_noun(of) {

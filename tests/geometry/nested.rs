@@ -13,14 +13,14 @@ struct Nested {
     small: [f64; 3],
     giant: [f64; 3],
     center: [f64; 3],
-    /// Of both.
+    /// The headings of both.
     headings: [f64; 2],
     quaternions: [[f64; 4]; 2],
 }
 
 fn nested() -> impl Strategy<Value = Nested> {
     let small = prop::array::uniform3(0.2..1.0_f64);
-    // Of sides so different that lines of the giant's edges meet those of the small one far away.
+    // Its sides are so different that lines of the giant's edges meet those of the small one far away.
     let giant = prop::array::uniform3(0.0..1.0_f64);
     let center = prop::array::uniform3(-0.15..0.15_f64);
     let headings = prop::array::uniform2(-4.0..4.0_f64);

@@ -149,7 +149,7 @@ struct Shape {
     size: Vec<Fixed>,
 }
 
-/// Of five numbers, in the plane, or of ten, in space; in their order.
+/// The box of five numbers, in the plane, or of ten, in space; in their order.
 fn shape(x: &[Fixed]) -> Shape {
     let zero = number(0.0);
     if let [u, v, width, height, heading] = x {

@@ -40,7 +40,7 @@ pub fn random_rotation(random: &mut Random) -> Rotation3<f64> {
     }
 }
 
-/// What a pair can be like.
+/// The families of pairs.
 pub const FAMILIES: [&str; 19] = [
     "random",
     "upright",

@@ -1,7 +1,7 @@
 //! Bugs of the library that came with the paper (DGAL, C++, as of 2021) and of its Python face: one test
 //! per bug, under its number, with the right answer and why. The table in `geograd::paper` names them.
 //!
-//! What cannot happen here: B15 (an unqualified `abs` that binds to that of integers), B17 (a binding that
+//! Three bugs cannot happen here: B15 (an unqualified `abs` that binds to that of integers), B17 (a binding that
 //! calls another function), B20 (gradients that the caller must zero first: gradients are results).
 use geograd::ad::adjoint::overlap::iou_aabb2_grad;
 use geograd::ad::adjoint::overlap_polygon::iou_polygons_vjp;

@@ -1,4 +1,4 @@
-//! What is said to be a straight line can be recorded, and says the same then; so do lanes.
+//! Functions declared to be straight lines can be recorded; the program and lanes give the same results.
 use super::pairs::{FAMILIES, Random, pair, single};
 use geograd::ad::program::{Program, Sym};
 use geograd::iou3::{Enclosing, giou, separation_aware};

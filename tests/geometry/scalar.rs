@@ -86,7 +86,7 @@ fn derivatives<S: Scalar>(x: impl Fn(f64, f64) -> S, derivative: impl Fn(S) -> f
     assert_eq!(derivative(x(2.0, 0.0).atan2(x(0.0, 1.0))), -0.5);
     assert_eq!(derivative(x(1.0, 1.0).atan2(x(0.0, 0.0))), 0.0);
     assert_eq!(derivative(x(0.0, 1.0).atan2(x(-2.0, 0.0))), -0.5);
-    // What a select drops leaves no trace.
+    // The dropped side of a select has no effect.
     let dropped = S::select(
         x(0.0, 0.0).below(x(1.0, 0.0)),
         x(1.0, 2.0),

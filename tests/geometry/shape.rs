@@ -272,7 +272,7 @@ fn comparison_looks_at_every_scalar_and_code() {
 
 #[test]
 fn derivatives_are_shapes() {
-    // Where the hand is, of a chain of the robot's joints.
+    // A function of the place of the robot's hand and of its joints.
     fn reach<S: Scalar, const N: usize>(robot: Robot<S, N>) -> S {
         let hand = robot.base * Vec2::new(robot.links[0], robot.links[1]);
         let bend = robot

@@ -35,7 +35,7 @@ fn extent(points: impl Iterator<Item = f64>) -> f64 {
     high - low
 }
 
-/// What scores take from an enclosing shape: its volume, its diameter's square, and lengths for sizes.
+/// The measures of an enclosing shape in scores: its volume, its diameter's square, and lengths for sizes.
 type Around = (f64, f64, [f64; 3]);
 
 /// GIoU, DIoU, CIoU and EIoU of two boxes from their IoU and what is around them.

@@ -41,7 +41,7 @@ pub fn bad_input_is_refused<O: Score>() {
     assert!(here.upload(&[f32::INFINITY]).is_err());
     assert!(here.upload_matrix(2, 2, &[1.0; 3]).is_err());
     assert!(here.above(run, &on, &on, f32::NAN).is_err());
-    // What was refused harmed nothing.
+    // The refused calls leave the data as they were.
     assert!(here.aligned(run, (&on, &on)).unwrap().download().is_ok());
 }
 
@@ -135,7 +135,7 @@ fn a_lost_device_is_an_error() {
     assert_eq!(lost.unwrap_err(), Error::Gpu(GpuFault::DeviceLost));
 }
 
-/// What every call of the front comes to.
+/// The outcome of every call of the front.
 fn every_call(backend: Backend<'_>) -> Vec<Result<(), Error>> {
     type O = overlap::IouObb2;
     type R = ring::Centroid;
@@ -306,7 +306,7 @@ fn starve(gpu: &Gpu) {
     };
     eprintln!("starved after {}", held.len());
     assert_eq!(error, Error::Gpu(GpuFault::OutOfMemory));
-    // What was there before is as it was, with the memory still full and after it was given back.
+    // Earlier data are unchanged, with the memory still full and after it was given back.
     assert_eq!(again(), expected);
     held.clear();
     gpu.wait().unwrap();

@@ -69,7 +69,7 @@ fn folds() {
     folds_agree(gpu, fold::DistancePointRing, context, &vertices, &offsets);
     folds_agree(gpu, fold::DepthPointRing, context, &vertices, &offsets);
     folds_agree(gpu, fold::WindingOfRing, context, &vertices, &offsets);
-    // What fits no buffer is an error, what fits is cut.
+    // A path that fits no buffer is an error; paths that fit are split into chunks.
     let small = small();
     let run = fold::SignedDistancePointRing;
     let found = small

@@ -254,7 +254,7 @@ fn jacobians_are_the_processors() {
         rows.flat_map(|x| x.scalars()).collect()
     };
     near(&rows(&derivatives), &rows(&expected), 1e-5);
-    // What searches is replayed with its derivatives.
+    // A search is replayed with its derivatives.
     let mut draw = Draw::new(5);
     let polygon = |_| geograd::ConvexPolygon::<f64, 5>::ordinary(&mut draw).map(&mut |&x| x as f32);
     let polygons: Vec<geograd::ConvexPolygon<f32, 5>> = (0..50).map(polygon).collect();

@@ -29,7 +29,7 @@ fn near(found: &[Vec<f32>], expected: &[Vec<f32>], by: f32) {
     }
 }
 
-/// What a test asks of every machine.
+/// The results of a chain of calls, which a test compares between machines.
 fn chain(here: Resident<'_>, count: usize) -> Result<Vec<Vec<f32>>, Error> {
     let points = here.upload(&ordinary::<Vec2<f64>, _>(count, 1))?;
     let segments = here.upload(&ordinary::<Segment2<f64>, _>(count, 2))?;

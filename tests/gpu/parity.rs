@@ -94,7 +94,7 @@ pub fn all_pairs_agree<O: Score>(gpu: &Gpu, rows: usize, columns: usize) {
     let derivatives = derivatives_of_pairs::<O>(gpu, &a, &b);
     let upstream: Vec<f32> = (0..values.len()).map(|_| draws.next() - 0.5).collect();
     let (by_a, by_b) = gpu.all_pairs_vjp(O::default(), &a, &b, &upstream).unwrap();
-    // Of slices, and of data that stay: the same bits.
+    // Slices and resident data give the same bits.
     let here = Backend::Gpu(gpu).resident();
     let (on_a, on_b) = (here.upload(&a).unwrap(), here.upload(&b).unwrap());
     let on_upstream = here.upload_matrix(rows, columns, &upstream).unwrap();
@@ -148,7 +148,7 @@ fn reductions_agree<O: Score>(gpu: &Gpu, a: &[O::Shape], b: &[O::Shape], values:
     assert_eq!(bits(&matrix.download().unwrap()), bits(values));
     let held = reduce::Matrix::new(rows, columns, values.to_vec()).unwrap();
 
-    // Of the matrix there is nothing to round but sums.
+    // Only the sums over the matrix are rounded.
     let best = matrix.row_max().unwrap().download().unwrap();
     assert_eq!(best, held.row_max().unwrap());
     let best = matrix.column_max().unwrap().download().unwrap();
@@ -308,8 +308,8 @@ fn identical_and_thin_boxes() {
     }
 }
 
-/// Where sizes differ by many powers of ten: finite wherever the source is finite (that it always
-/// is, is for its own tests), and the same values.
+/// Asserts for sizes that differ by many powers of ten: finite wherever the source is finite (its own
+/// tests show that it always is), and the same values.
 fn extremes_agree<O: Score<Shape = Obb2<f32>>>(gpu: &Gpu) {
     let sizes = [0.0, 1e-38, 1e-20, 1.0, 1e18, 1e38_f32];
     let mut boxes = Vec::new();
@@ -414,7 +414,7 @@ fn thin_boxes_along_each_other() {
             }
         }
     }
-    // Where thin boxes are all but parallel, derivatives depend on the last digits of the sine between them.
+    // Derivatives of thin boxes that are almost parallel depend on the last digits of the sine between them.
     let (values, derivatives) = worst.split_at(3);
     assert!(values.iter().all(|&x| x < 1e-6), "{worst:?}");
     assert!(derivatives.iter().all(|&x| x < 1e-4), "{worst:?}");

@@ -117,7 +117,7 @@ fn polygons_of_many_sizes() {
             .collect()
     };
     let (many, b) = (list(0), list(1));
-    // Of what is dear a few.
+    // Costly calls take a part of the list.
     let (a, b) = (&many[..400], &b[..400]);
     let cpu = Cpu::new();
     let found = gpu.aligned(Iou, (a, b)).unwrap();

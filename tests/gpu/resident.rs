@@ -10,7 +10,7 @@ use geograd::kernels::{Backend, Op};
 use geograd::{Aabb2, Error, Flaw, Obb2};
 use geograd_tests::rows::overlap;
 
-/// What a chain of calls comes to.
+/// The results of a chain of calls.
 struct Outcome<P> {
     values: Vec<f32>,
     bars: [Vec<P>; 8],

@@ -7,7 +7,7 @@ use geograd::{Aabb2, Fixed, Flaw, Obb2};
 /// A score of two boxes in the plane: of all pairs it has kernels by hand.
 pub trait Score: Op<In<f32> = (Self::Shape, Self::Shape), Out<f32> = f32> {
     type Shape: Draw + Single<Scalar = f32>;
-    /// What the area of intersection is divided by.
+    /// The denominator of the area of intersection.
     const OVER: Denominator;
 }
 impl<O, A> Score for O
@@ -38,11 +38,11 @@ impl Draws {
 
 pub trait Draw: Fixed<Scalar = f32> + PartialEq + std::fmt::Debug {
     fn draw(draws: &mut Draws) -> Self;
-    /// Shapes among which every pair is worth a look.
+    /// Shapes of which every pair is a hard case.
     fn hard() -> Vec<Self>;
     /// The longer and the shorter side.
     fn sides(self) -> (f64, f64);
-    /// Whether which side of a kink a pair is on is decided without rounding: ties are ties on
+    /// `true` if the side of a kink that a pair is on is decided without rounding: ties are ties on
     /// every machine.
     fn decides_exactly(self, other: Self) -> bool;
     /// A shape with a flaw, and the flaw.

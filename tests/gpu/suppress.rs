@@ -150,7 +150,7 @@ fn ties_at_the_threshold() {
     let mut draw = Draw::new(7);
     let (mut shapes, mut scores) = (Vec::new(), Vec::new());
     for k in 0..400 {
-        // Two squares, one moved by half a side: an IoU of a third, or what rounding makes of it.
+        // Two squares, one moved by half a side: an IoU of a third, up to rounding.
         let (angle, x, y) = (
             draw.within(-3.0, 3.0),
             draw.within(-5.0, 5.0),
@@ -202,7 +202,7 @@ fn ties_at_the_threshold() {
     );
 }
 
-/// What counts as near to the threshold is many times what the driver is off by.
+/// The width that counts as near to the threshold is many times the error of the driver.
 #[test]
 fn the_driver_is_never_so_wrong() {
     let Some((_turn, gpu)) = gpu() else { return };
@@ -273,7 +273,7 @@ impl Runs<(Obb2<f32>, Obb2<f32>)> for Off {
     }
 }
 
-/// What rounding may decide is decided on the processor, whatever the driver makes of it.
+/// The processor makes the decisions that depend on rounding, whatever the driver computes.
 #[test]
 fn a_driver_that_is_off() {
     let Some((_turn, gpu)) = gpu() else { return };

@@ -139,7 +139,7 @@ fn tie_of_duals_and_hand_differ() {
         let at = Check::at([1.0, 1.0]).and([2.0, 1.0]);
         at.value(larger).dual(larger).gradient(wrong)
     };
-    // Anybody's convention will do, unless one is asked for.
+    // Any convention passes, unless one is required.
     let report = check().run();
     assert!(report.passed() && report.conventions == 1, "{report}");
     let shared = Conventions {

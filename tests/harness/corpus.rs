@@ -122,7 +122,7 @@ fn right_ones_are_accepted() {
 
 #[test]
 fn a_few_faults_of_every_kind_are_refused() {
-    // Of every kind so many, each of another function.
+    // So many faults of every kind, each of another function.
     const EACH: usize = 4;
     let mut asked = BTreeMap::new();
     for (k, function) in functions().enumerate() {
@@ -136,8 +136,8 @@ fn a_few_faults_of_every_kind_are_refused() {
             if *count == EACH || !kinds.insert(fault.kind) {
                 continue;
             }
-            // What is wrong at one input and right at its neighbours in the last digit passes at present, as the
-            // rates of the corpus say.
+            // A gradient that is wrong at one input and right at its neighbours in the last digit is accepted; the
+            // rates of the corpus count it.
             let error = inputs.error(&fault.gradient());
             if inputs.unsteady(&fault.gradient()) || error < 1e-9 {
                 continue; // Or changes nothing.

@@ -106,7 +106,7 @@ mod accepted {
         let single = |x: f32| 1.0 / (1.0 + (-x).exp()) - 1.0;
         let check = Check::among([8.0_f32, 0.5]).value(loss).dual(loss);
         check.gradient(single).assert();
-        // Of the value itself single precision keeps too few digits.
+        // Single precision keeps too few digits of the value itself.
         let wide = Check::among([8.0_f32, 0.5]).value(loss).wide(loss);
         refused(
             &wide.gradient(single).run(),
@@ -156,7 +156,7 @@ mod accepted {
     }
     #[test]
     fn second_derivatives_of_a_saturated_softmax() {
-        // The loss of a logit that has won: its second derivative is what is left of one, squared.
+        // The loss of a saturated logit: digits of its second derivative cancel in `p - p²`.
         fn loss<S: Scalar>([a, b]: [S; 2]) -> S {
             let m = a.most(b);
             m + ((a - m).exp() + (b - m).exp()).ln() - a
@@ -183,7 +183,7 @@ mod accepted {
                 .hessian_times(hessian)
                 .assert();
         }
-        // Where it has not won, the mixed derivative forgotten shows.
+        // A logit that is not saturated shows a forgotten mixed derivative.
         let wrong = move |x, [u, v]: [f64; 2]| {
             let [p, q] = shares(x);
             [(p - p * p) * u, (q - q * q) * v]
@@ -421,7 +421,7 @@ mod reports {
     }
     #[test]
     fn a_long_list_does_not_hang() {
-        // Forty thousand numbers: candidates are no longer made when nobody can pay for them.
+        // Forty thousand numbers: shrinking stops before its candidates cost too much.
         let report = Check::at(vec![0.5; 40_000])
             .value(|x: Vec<f64>| x.iter().map(|x| x * x).sum::<f64>())
             .gradient(|x| x.iter().map(|x| 2.1 * x).collect())

@@ -5,7 +5,7 @@ use geograd::kernels::dynamic::{Inputs, Mode, Operation, Rows, Sort};
 use geograd::kernels::tested::Tested;
 use geograd_tests::list::{checked, each};
 
-/// A check of a row by its values and what somebody makes of its derivatives.
+/// The report of a check of a row by its values and by its derivatives after `other` has changed them.
 fn given(
     row: &Operation,
     samples: usize,

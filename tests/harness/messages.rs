@@ -1,5 +1,5 @@
-//! What the compiler says of calls that do not compile: each file of `tests/messages` is compiled by itself, and its first
-//! lines, after `//~`, are parts of what the compiler says.
+//! The compiler's messages for calls that do not compile: each file of `tests/messages` is compiled by itself, and its
+//! first lines, after `//~`, are parts of the message.
 use std::env;
 use std::fs;
 use std::path::{Path, PathBuf};
@@ -19,7 +19,7 @@ fn library(deps: &Path) -> PathBuf {
         .expect("the library")
 }
 
-/// Whether a file compiles, and what the compiler says.
+/// `true` if a file compiles, and the output of the compiler.
 fn compiled(file: &Path) -> (bool, String) {
     let deps = env::current_exe().unwrap().parent().unwrap().to_path_buf();
     let rustc = env::var_os("RUSTC").unwrap_or_else(|| "rustc".into());

@@ -38,7 +38,7 @@ fn a_mistake_that_our_duals_share() {
     let report = check().num_dual(smooth).run();
     refused(&report, BY_NUM_DUAL);
     assert!(!report.refused_for(BY_DUALS), "{report}");
-    // What changes the value by less than its rounding nobody else sees.
+    // No other witness sees a term that changes the value by less than its rounding.
     fn little<S: Scalar>(x: S) -> S {
         S::lit(1e9) + x * x * S::lit(1e-9)
     }
@@ -125,7 +125,7 @@ fn derivatives_by_hand_are_asked() {
     assert!(report.passed() && compared(&report) > 0, "{report}");
     let report = check_ring::<SignedArea, f32>(5, 1);
     assert!(report.passed() && compared(&report) > 0, "{report}");
-    // A recorded one is differentiated by nobody's hand.
+    // A recorded operation has no derivative by hand.
     assert_eq!(compared(&check::<AreaTriangle, f64>(5, 1)), 0);
     let norm = Program::trace(|v: Vec2<Sym<f64>>| v.x.hypot(v.y)).unwrap();
     let check = || Check::at(Vec2::new(3.0, 4.0));

@@ -233,7 +233,7 @@ fn symbols_of_another_recording_are_refused() {
     assert!(!sum.below(before).any() || sum.below(before).any());
     assert_eq!(refusal(|x| x + before), foreign);
     assert_eq!(refusal(|_| before), foreign);
-    // Of the one outside, in the one inside, and the other way round.
+    // Symbols of the outer recording in the inner one, and the other way round.
     let within = refusal(|x| {
         assert_eq!(refusal(|y| x * y), foreign);
         assert_eq!(refusal(|_| x), foreign);
@@ -251,7 +251,7 @@ fn symbols_of_another_recording_are_refused() {
     assert_eq!(refusal(|x| x.most(kept.get())), foreign);
     let masks = refusal(|x| Sym::select(kept.get().below(kept.get()), x, x + Sym::one()));
     assert_eq!(masks, foreign);
-    // Of another format.
+    // Symbols of another format.
     assert_eq!(
         refusal(|x| {
             let _ = Sym::<f64>::one();
@@ -259,7 +259,7 @@ fn symbols_of_another_recording_are_refused() {
         }),
         foreign
     );
-    // Of another thread.
+    // Symbols of another thread.
     let elsewhere = refusal(|x| {
         let other = std::thread::scope(|s| s.spawn(|| x + x).join());
         x + other.expect("it does not panic")

@@ -31,7 +31,7 @@ functions! {
     Norm 2 1 |[x, y]| [x.hypot(y)];
     Angle 2 1 |[x, y]| [y.atan2(x)];
     Quadratic 2 1 |[x, y]| [S::lit(3.0) * x * x + S::lit(5.0) * x * y + S::lit(-2.0) * y * y];
-    // What shares a decision: half the derivative of x, the derivative of y at another value.
+    // Grafts that share a decision: half the derivative of x, the derivative of y at another value.
     Grafts 2 1 |[x, y]| {
         let share = S::select(x.equals(y), S::lit(0.5), S::one());
         [x.damp(share.primal()) * y.with_primal((x * y).primal()) + (x * y).root()]
@@ -43,8 +43,8 @@ fn jets<const N: usize, const M: usize, F: Function<N, M>>(x: [f64; N]) -> [Jet<
     F::eval(from_fn(|i| Jet::variable(x[i], i)))
 }
 
-/// Whether a number is another one to a tolerance, in units of `scale`, or of one where derivatives cancel. Where
-/// duals know nothing, nothing is asked.
+/// Asserts that a number is another one to a tolerance, in units of `scale`, or of one where derivatives cancel. If
+/// duals give NaN, any number passes.
 #[track_caller]
 fn near(found: f64, expected: f64, scale: f64, at: &[f64]) {
     if expected.is_nan() {

@@ -98,7 +98,7 @@ fn random_functions_keep_their_bits_and_derivatives() {
         let (value_grad, jvp) = (double.value_grad(), double.jvp());
         for kind in 0..9 {
             let x = input(&mut draw, kind);
-            // An infinity from a division by zero has the sign of that zero, which is nobody's.
+            // An infinity from a division by zero has the sign of that zero, which is not defined.
             let exact = |all: &[f64]| all.iter().all(|x| !x.is_infinite());
             let y = x.map(|x| x as f32);
             let (found, expected) = (single.eval(y), plan.eval(y));
@@ -124,7 +124,7 @@ fn random_functions_keep_their_bits_and_derivatives() {
             let same =
                 |(y, z): (&Jet<f64, INPUTS>, f64)| y.value == z || y.value.is_nan() && z.is_nan();
             let known = jets.iter().zip(plan.eval_all(x)).all(same);
-            // What is built of large numbers that cancel is not known to many digits.
+            // Results of large numbers that cancel have few digits.
             let numbers = jets
                 .iter()
                 .flat_map(|y| [y.value].into_iter().chain(y.derivative));

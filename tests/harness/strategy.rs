@@ -51,7 +51,7 @@ fn families_are_what_they_are_called() {
     });
 }
 
-/// What a property that fails is shrunk to.
+/// The input to which a failing property is shrunk.
 fn minimal<X: Sample>(shapes: Shapes<X>, fails: impl Fn(&X) -> bool) -> X {
     let config = Config {
         failure_persistence: None,

@@ -1,5 +1,5 @@
-//! What cannot be recorded is refused for that, with what to do, and does not panic; values that lose digits on purpose
-//! are told how to say so.
+//! A function that cannot be recorded is refused for that, with a remedy, and does not panic. Refusals of values that
+//! lose digits on purpose name the way to declare it.
 use geograd::check::{Check, Reason, Witness};
 use geograd::kernels::check::check;
 use geograd::{Unrecordable, operation};
@@ -75,7 +75,7 @@ fn cancelled_digits_name_their_remedy() {
     let text = single.to_string();
     assert!(text.contains("`resolution`"), "{text}");
     Check::of(Rise).resolution(1e-7).assert();
-    // What is far too coarse by its own word says nothing of the derivatives.
+    // A declared resolution that is far too coarse does not excuse the derivatives.
     let [single, _] = Check::of(Rise).relative_resolution(1e-9).run();
     assert!(!single.passed(), "{single}");
 }

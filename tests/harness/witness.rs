@@ -113,7 +113,7 @@ fn an_error_of_the_backend_is_handed_on() {
 
 #[test]
 fn a_backend_as_a_witness_of_ones_own_check() {
-    // What a user of the feature `gpu` writes; `Backend::Gpu(&gpu)` asks the GPU.
+    // The code of a user of the feature `gpu`; `Backend::Gpu(&gpu)` computes on the GPU.
     let gpu = gpu();
     let backend = gpu.as_ref().map_or(Backend::Cpu, Backend::Gpu);
     type Pair = (Obb2<f32>, Obb2<f32>);

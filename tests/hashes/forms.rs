@@ -1,6 +1,6 @@
 //! The forms of a row as functions of plain numbers.
 //!
-//! What is generic over an operation only loads, calls and flattens: it is compiled for every row and format.
+//! Code generic over an operation only loads, calls and flattens: it is compiled for every row and format.
 use crate::print;
 use geograd::ad::forward::First;
 use geograd::kernels::dynamic::{self, Mode, Operation, Rows, Sort, operation};
@@ -31,7 +31,7 @@ pub type Batch = fn(&Given) -> Vec<Found>;
 /// A form and its results.
 pub type Found = (&'static str, Result<Vec<f64>, Error>);
 
-/// What a batch is given: inputs, and a cotangent for each.
+/// The arguments of a batch: inputs, and a cotangent for each.
 pub struct Given {
     /// The name of the row.
     pub row: &'static str,

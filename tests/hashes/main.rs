@@ -63,7 +63,7 @@ struct Options {
 }
 
 impl Options {
-    /// Whether this run hashes a row in a format.
+    /// `true` if this run hashes a row in a format.
     fn wants(&self, row: &str, format: &str) -> bool {
         row.contains(&self.op) && (format != WGSL || cfg!(feature = "gpu"))
     }
@@ -129,7 +129,7 @@ fn hashed(options: &Options) -> Result<Lines, String> {
     Ok(found)
 }
 
-/// Whether nothing differs.
+/// Hashes the rows and compares them with a file or writes them; `true` if nothing differs.
 fn run(options: &Options) -> Result<bool, String> {
     let expected = match &options.check {
         Some(path) => {

@@ -9,10 +9,10 @@ use geograd::kernels::ops::list::{Walk, Written};
 use geograd::kernels::{Fold, Item, Op, Search, ops};
 use geograd::{Fixed, Pack, Vec2};
 
-/// What hashes the forms of a row.
+/// A function that hashes the forms of a row.
 type Run = Box<dyn Fn() -> Vec<(String, u64)> + Send>;
 
-/// A row in one format, and what hashes its forms.
+/// A row in one format, and the function that hashes its forms.
 pub struct Entry {
     pub row: &'static str,
     /// `f32`, `f64`, or `wgsl` for the text of shaders.

@@ -1,4 +1,4 @@
-// What the other files mean.
+// The correct form of the other files.
 use geograd::kernels::{ClosestPoints, Cpu, Op};
 use geograd::{Error, Obb2, Program, Scalar, Sym, operation};
 

@@ -34,7 +34,7 @@ The exit status is 0 when everything is checked, 1 when something is refused, 2 
 wrong argument, 3 when a GPU was asked for and there is none, or it failed.
 ";
 
-/// What the command line says.
+/// The options of the command line.
 struct Options {
     rows: Vec<&'static str>,
     samples: usize,

@@ -30,11 +30,11 @@ pub(crate) struct Along<'d> {
     pub(crate) covered: bool,
 }
 
-/// What one row says along a direction: derivatives along it, and per number where it is an axis.
+/// The derivatives of one row along a direction, and per number if the direction is an axis.
 struct Derivatives {
     by_hand: Option<f64>,
     by_duals: Option<f64>,
-    /// By what derivatives along the direction are divided to be those with respect to one number.
+    /// The divisor that makes a derivative along the direction one with respect to one number.
     per: f64,
     along: bool,
 }
@@ -50,7 +50,7 @@ impl Derivatives {
             ..Numbers::default()
         }
     }
-    /// What the other of the two exact witnesses says.
+    /// The derivative by the other of the two exact witnesses.
     fn other(&self, witness: Witness) -> Option<f64> {
         match witness {
             Witness::Adjoint => self.by_duals,
@@ -300,7 +300,7 @@ impl Along<'_> {
                     tolerance
                 };
                 let tied = agree && e.exactly_tied();
-                // Of a function that is not known by its source steps alone tell whether pieces meet.
+                // Without the function's source, steps alone tell whether pieces meet.
                 let unknown = self.is_of_shapes() && derivatives.other(witness).is_none();
                 if !review.stands {
                     if review.supported {
@@ -357,7 +357,7 @@ impl Along<'_> {
                 if self.flat(row, sides, (test.derivative, tolerance))
                     || found
                     || self.beyond(&test)
-                    // Nobody can be asked beyond the border, and a kink may lie on it.
+                    // No witness is known beyond the border, and a kink may lie on it.
                     || (unknown && border)
                     || (unknown && self.chosen_here(row))
                 {
@@ -472,10 +472,10 @@ impl Along<'_> {
 }
 
 /// `true` if the result is something that was chosen, such as the nearest points of two shapes, and not a
-/// least or a greatest number: found by a search, or points that may jump. Where several
-/// choices are as good to the bit, derivatives are those of one of them, or their mean, and need not be
-/// between those of the two that happen to win on either side. Of numbers that are no points this is not
-/// assumed: scores and areas that jump are not chosen from among others.
+/// least or a greatest number: found by a search, or points that may jump. If several
+/// choices are as good to the bit, derivatives are those of one of them, or their mean. They need not be
+/// between the derivatives of the two choices on either side. Numbers that are no points
+/// do not count: scores and areas that jump are not chosen from among others.
 fn chosen(e: &Evidence<'_>) -> bool {
     let conventions = e.subject.conventions();
     let points = || e.subject.output_kinds().contains(&Kind::X);

@@ -99,8 +99,8 @@ impl<'e> Bend<'e> {
         short.then(nested).flatten()
     }
 
-    /// What roundings explain by themselves: of the largest in the same unit where such are summed,
-    /// otherwise of its own digits.
+    /// The error that roundings alone explain: a share of the largest second derivative in the same unit where such
+    /// are summed, otherwise of its own size.
     fn exact(&self, i: usize) -> f64 {
         let size = if self.e.subject.comparable() {
             self.sizes[i]
@@ -311,12 +311,12 @@ impl BendTest<'_> {
         SAFETY * e.error <= INFORMATIVE * self.size.max(e.value.abs())
     }
 
-    /// What a ladder says against the second derivative, and how much they may differ.
+    /// The estimate of a ladder that contradicts the second derivative, and how much they may differ.
     fn wrong(&self, ladder: &Ladder) -> Option<(Estimate, f64)> {
         let e = ladder.central(self.weights, self.noise, true)?;
         let tolerance = SAFETY * e.error + self.exact;
         let wrong = self.informative(&e) && (e.value - self.bend).abs() > tolerance;
-        // Where the derivative itself has a kink, the second derivative may be that of either side.
+        // At a kink of the derivative itself, the second derivative may be that of either side.
         let side = |ahead| ladder.one_sided(ahead, self.weights, self.noise);
         let between = side(true).zip(side(false)).is_some_and(|(a, b)| {
             let off = SAFETY * (a.error + b.error) + self.exact;

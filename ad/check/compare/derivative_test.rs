@@ -4,7 +4,7 @@ use crate::ad::check::tolerances::{FINER, FIRST, INFORMATIVE, OWN_FIRST, OWN_SIZ
 use crate::ad::check::verdict::Place;
 use crate::ad::check::witness::{Estimate, Ladder};
 
-/// What is compared: a derivative, and ladders of any first step along its direction.
+/// The two sides of a comparison: a derivative, and ladders of any first step along its direction.
 pub(crate) struct DerivativeTest<'l> {
     pub(crate) weights: &'l [f64],
     /// Values along the direction.
@@ -12,15 +12,15 @@ pub(crate) struct DerivativeTest<'l> {
     /// The same from another first step.
     pub(crate) climb: &'l dyn Fn(f64) -> Ladder,
     pub(crate) derivative: f64,
-    /// By how much that may be off by itself.
+    /// The error that the derivative may have by itself.
     pub(crate) exact: f64,
     /// The rounding noise of the value.
     pub(crate) noise: f64,
-    /// How rough the values were found to be: what that explains is no complaint.
+    /// The measured roughness of the values: a gap that it explains is no complaint.
     pub(crate) rough: f64,
-    /// The same of values that stand still: what they lose by cancellation does not show.
+    /// The same of constant values: they do not show the digits that they lose by cancellation.
     pub(crate) hidden: f64,
-    /// The largest derivative there is.
+    /// The largest derivative.
     pub(crate) size: f64,
     /// `true` if the scales are only guessed, so that finer steps are worth a try.
     pub(crate) guessed: bool,
@@ -29,16 +29,16 @@ pub(crate) struct DerivativeTest<'l> {
 }
 
 impl DerivativeTest<'_> {
-    /// What the first ladder says.
+    /// The opinion of the first ladder.
     pub(crate) fn first(&self) -> Opinion {
         self.compare(self.here)
     }
 
-    /// What another says.
+    /// The opinion of a ladder with another first step.
     fn other(&self, first: f64) -> Opinion {
         let ladder = (self.climb)(first);
         if ladder.still() && !self.here.still() {
-            // Too small steps, and no derivative of zero.
+            // Too small steps: the derivative need not be zero.
             return Opinion::Fine {
                 place: Place::Undefined,
                 switched: false,
@@ -48,14 +48,14 @@ impl DerivativeTest<'_> {
         self.compare(&ladder)
     }
 
-    /// What ladders say that begin at the number's own size, where that is far smaller than its scale.
+    /// The opinions of ladders that begin at the number's own size, where that is far smaller than its scale.
     fn of_own_size(&self) -> Vec<Opinion> {
         let worth = self.guessed && self.own > 0.0 && self.own < OWN_SIZE;
         let firsts = OWN_FIRST.iter().filter(|_| worth);
         firsts.map(|first| self.other(first * self.own)).collect()
     }
 
-    /// Finer steps, where the first ones say nothing.
+    /// The opinion of finer steps, where the first ones decide nothing.
     pub(crate) fn finer(&self, said: Opinion) -> Opinion {
         if !said.undefined() || !self.guessed {
             return said;
@@ -67,8 +67,8 @@ impl DerivativeTest<'_> {
         own.chain(finer.filter(fine)).last().unwrap_or(said)
     }
 
-    /// What all ladders make of a complaint. Against two witnesses that `agree` the finest steps must
-    /// speak: a pole that steps leap over is no comparison that a trace could show.
+    /// The review of a complaint by all ladders. Against two witnesses that `agree` the finest steps must
+    /// decide: a trace has no comparison that shows a pole between two steps.
     pub(crate) fn again(&self, said: Opinion, agree: bool) -> Review {
         let mut all = vec![said];
         all.extend(FIRST[1..].iter().map(|&first| self.other(first)));
@@ -111,7 +111,7 @@ impl DerivativeTest<'_> {
         }
     }
 
-    /// What a ladder says of the derivative.
+    /// The opinion of a ladder about the derivative.
     fn compare(&self, ladder: &Ladder) -> Opinion {
         let (weights, derivative, exact) = (self.weights, self.derivative, self.exact);
         let noise = self.noise.max(ladder.noise(weights));
@@ -145,7 +145,7 @@ impl DerivativeTest<'_> {
             return undefined;
         }
         if !border && (ahead.value - behind.value).abs() <= SIDES * SAFETY * error + exact {
-            // Where branches meet smoothly, the central derivative converges slowly and the sides fast.
+            // At a smooth junction of branches the central derivative converges slowly and the sides fast.
             let mean = Estimate {
                 value: 0.5 * (ahead.value + behind.value),
                 error: error + 0.5 * (ahead.value - behind.value).abs() / SAFETY,

@@ -26,16 +26,17 @@ pub(crate) fn exact(e: &Evidence<'_>) -> Notes {
     said
 }
 
-/// What a witness that is neither adjoint nor duals may be off by: what it says of inputs moved by their last digits,
-/// and how far its own roundings carry it when they fall differently. `form` says which of several batches it is.
+/// The error that a witness other than the adjoint and the duals may have, per number. It is the change of its
+/// derivative when inputs move by their last digits, or when its own roundings fall differently. `form` is the
+/// number of the batch.
 fn rounding_of(
     e: &Evidence<'_>,
     row: &Item,
     (witness, form): (Witness, usize),
     said: &[f64],
 ) -> Vec<f64> {
-    // Differentiated backwards, edges that are nearly parallel hand on terms as much larger than the derivative, and
-    // what rounding leaves of those may be as large as itself: no other decision.
+    // Backwards, edges that are nearly parallel give terms as much larger than the derivative. Their rounding may be as
+    // large as the derivative itself, without another decision.
     let sizes: Vec<f64> = row.size.iter().map(|size| size / DECIDED).collect();
     if witness == Witness::NumDual {
         // Held as strictly as our own duals.

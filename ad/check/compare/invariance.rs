@@ -46,7 +46,7 @@ pub(crate) fn invariances(e: &Evidence<'_>) -> Notes {
     said
 }
 
-/// What the numbers of the result are.
+/// The kind of each number of the result.
 fn outputs(e: &Evidence<'_>) -> Vec<Kind> {
     let kinds = e.subject.output_kinds();
     if kinds.len() == e.y.len() {

@@ -1,8 +1,8 @@
-//! Independent comparisons: each reads the [evidence](crate::ad::check::evidence) about one input and has
-//! its say, without knowing of the others. What it complains about is refused by
-//! [`judge`](crate::ad::check::judge), or explained by what others say.
+//! Independent comparisons: each reads the [evidence](crate::ad::check::evidence) about one input and
+//! returns its findings. [`judge`](crate::ad::check::judge) refuses the complaints, or explains them by the
+//! findings of others.
 //!
-//! | file | what is compared |
+//! | file | comparison |
 //! | --- | --- |
 //! | `values` | the value with that of other paths |
 //! | `exact` | the adjoint with duals, ours and num-dual's, batches and further witnesses |

@@ -15,10 +15,10 @@ fn minus(a: &[f64], b: &[f64]) -> Vec<f64> {
 impl Evidence<'_> {
     /// `true` if a derivative along a direction is between those at places beside the input.
     ///
-    /// Where kinks of both signs meet (the larger one of two functions with kinks of their own), or where the
-    /// input is at the border of its domain, the derivatives to both sides of the input do not bound what a
-    /// derivative there may be: the derivatives of the function's smooth pieces do (Clarke's generalised gradient).
-    /// Those of the pieces differ by `apart` at least.
+    /// Kinks of both signs may meet (the larger one of two functions with kinks of their own), or the input may be
+    /// at the border of its domain. The derivatives to both sides of the input do not bound a right derivative there;
+    /// the derivatives of the function's smooth pieces do (Clarke's generalised gradient). Derivatives of two pieces
+    /// differ by at least `apart`.
     pub(crate) fn among_derivatives_nearby(
         &self,
         weights: &[f64],

@@ -1,9 +1,9 @@
-//! What a ladder of steps says about a derivative.
+//! The opinion of a ladder of steps about a derivative.
 use crate::ad::check::tolerances::{REPEATED, SAFETY};
 use crate::ad::check::verdict::Place;
 use crate::ad::check::witness::Estimate;
 
-/// What steps along one direction say about a derivative.
+/// The opinion of the steps along one direction about a derivative.
 #[derive(Clone, Copy, Debug)]
 pub(crate) enum Opinion {
     /// In order, at such a place; `switched` when other branches were taken however small the step.
@@ -22,7 +22,7 @@ pub(crate) enum Opinion {
 }
 
 impl Opinion {
-    /// `true` if nothing was said.
+    /// `true` if the steps decide nothing.
     pub(crate) fn undefined(&self) -> bool {
         matches!(
             self,
@@ -38,21 +38,21 @@ impl Opinion {
     }
 }
 
-/// What other ladders make of a complaint.
+/// The verdict of other ladders on a complaint.
 pub(crate) struct Review {
     /// `true` if it stands: another ladder repeats it, and none contradicts.
     pub(crate) stands: bool,
     /// The best estimate against the derivative, if any.
     pub(crate) against: Option<Estimate>,
-    /// `true` if some ladder says what the derivative says.
+    /// `true` if some ladder agrees with the derivative.
     pub(crate) supported: bool,
 }
 
-/// Weighs what all ladders say about a derivative; those in `own` began at the number's own size, and if
-/// they complain, they know best.
+/// Weighs the opinions of all ladders about a derivative. Ladders in `own` began at the number's own size; their
+/// complaints have priority.
 ///
-/// A ladder contradicts a complaint when what it says instead is another derivative than the complaint's,
-/// by more than both may be off. One so coarse that it agrees with both has no opinion.
+/// A ladder contradicts a complaint when its own derivative differs from the complaint's
+/// by more than both may be off. One so coarse that it agrees with both does not count.
 pub(crate) fn review(said: &[Opinion], own: &[Opinion], exact: f64) -> Review {
     let mut against: Vec<Estimate> = Vec::new();
     let mut support: Vec<Estimate> = Vec::new();

@@ -5,7 +5,7 @@
 //! unit: a single derivative that is off by `e` units moves the product by `e / 2` at least, while the
 //! product may be off by what all derivatives may be off by together. So among n inputs a single derivative
 //! is refused from 32 n roundings of the largest derivative on: 10⁻¹¹ of it for a thousand numbers in
-//! double precision. What does not agree is halved until the number at fault is found.
+//! double precision. A direction along which they disagree is halved until the number at fault is found.
 use crate::ad::check::compare::exact::conventional_border;
 use crate::ad::check::evidence::{Evidence, Item};
 use crate::ad::check::notes::{Notes, comparison};
@@ -17,14 +17,14 @@ use crate::ad::sample::Draw;
 use std::cell::Cell;
 use std::ops::Range;
 
-/// What both sides say along a direction.
+/// The derivatives of two witnesses along a direction.
 #[derive(Clone, Copy)]
 struct Product {
     adjoint: f64,
     other: f64,
-    /// What rounding explains by itself.
+    /// The difference that rounding explains by itself.
     plain: f64,
-    /// With what provoked rounding shows.
+    /// The same, with the changes that provoked rounding shows.
     tolerance: f64,
 }
 
@@ -33,7 +33,7 @@ impl Product {
         let gap = (self.adjoint - self.other).abs();
         if gap.is_nan() { f64::INFINITY } else { gap }
     }
-    /// What both say, per so much of the direction.
+    /// Both derivatives, divided by `per`.
     fn numbers(&self, witness: Witness, per: f64, along: bool) -> Numbers {
         let other = self.other / per;
         Numbers {

@@ -9,8 +9,8 @@ use crate::ad::check::trace::Trace;
 use crate::ad::check::witness::{Ladder, axis};
 use crate::ad::sample::Draw;
 
-/// Derivatives against differences along every direction. Of a long input that is `refused` already, or of
-/// which a direction is, no further directions are tried: they are all alike.
+/// Derivatives against differences along every direction. A long input that is `refused` already, by itself or
+/// along a direction, is tried along no further ones: they are all alike.
 pub(crate) fn steps(e: &Evidence<'_>, draw: &mut Draw, before: &Notes, refused: bool) -> Notes {
     let mut said = Notes::new(e.x.len());
     let on = e.on();
@@ -47,7 +47,7 @@ pub(crate) fn steps(e: &Evidence<'_>, draw: &mut Draw, before: &Notes, refused: 
         Ladder::climb(&anywhere, precision, e.x, &center, trace, direction, first)
     };
     let (mut directions, more) = directions(e, draw);
-    // Where differences are taken in double precision, rounding is that of its numbers.
+    // Differences in double precision have the rounding of its numbers.
     let wide_noise = e.wide.as_ref().map(|_| {
         let sizes: f64 = center.iter().map(|y| y.abs()).sum();
         let own: f64 = e.resolution.iter().sum();
@@ -103,7 +103,7 @@ fn directions(e: &Evidence<'_>, draw: &mut Draw) -> (Vec<Vec<f64>>, Vec<Vec<f64>
     };
     if n > FEW_INPUTS {
         let all = (0..LONG_DIRECTIONS).map(|_| random()).collect();
-        // What follows draws on.
+        // Unused draws, so that the later ones stay the same.
         (0..KINK_DIRECTIONS).for_each(|_| drop(random()));
         return (all, Vec::new());
     }
@@ -134,7 +134,7 @@ fn tied(e: &Evidence<'_>) -> Vec<Vec<f64>> {
     let mut sizes: Vec<u64> = e.x.iter().map(|x| x.abs().to_bits()).collect();
     sizes.sort_unstable();
     sizes.dedup();
-    // Where no source tells what is beyond a border, a number stays there.
+    // Without a source nothing is known beyond a border, so a number there stays.
     let stays = |i: usize| e.trace.is_none() && e.subject.conventions().flat && bordered(e, i);
     let direction = |size: u64| {
         let member = |i: &usize| e.x[*i].abs().to_bits() == size && !stays(*i);

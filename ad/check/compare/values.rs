@@ -4,7 +4,7 @@ use crate::ad::check::notes::Notes;
 use crate::ad::check::tolerances::{ROUNDINGS, SAFETY};
 use crate::ad::check::verdict::{Numbers, Reason, Witness};
 
-/// What traced numbers, duals and other paths have for values.
+/// Compares the value with those of traced numbers, duals and other paths.
 pub(crate) fn values(e: &Evidence<'_>) -> Notes {
     let mut said = Notes::new(e.x.len());
     // Numbers that carry more compute the value as it is, to a few roundings.

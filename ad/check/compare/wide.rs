@@ -8,11 +8,11 @@ use crate::ad::check::witness::{combined, dot};
 
 /// Values and derivatives against those in double precision, at the same inputs of single precision.
 ///
-/// The value of an operation may be off by what the exact function does when inputs move by twice their rounding
-/// (that of numbers of one unit is the rounding of the largest), not by what moving does to the value in single
-/// precision: a formula that scatters its results is wrong by as much as it scatters. Edges a millionth from parallel
-/// are no such case, since there the function itself moves. A derivative may scatter a hundred times as much. Of a
-/// closure nobody knows which of its numbers are of one unit; it may be as rough as it is.
+/// The value of an operation may be off by the change of the exact function when inputs move by twice their rounding
+/// (that of numbers of one unit is the rounding of the largest). The change of the value in single precision does
+/// not count: a formula that scatters its results is wrong by as much as it scatters. Edges a millionth from parallel
+/// are no such case, since there the function itself moves. A derivative may scatter a hundred times as much. A
+/// closure does not tell which of its numbers are of one unit; it may be as rough as it is.
 pub(crate) fn wide(e: &Evidence<'_>) -> Notes {
     let mut said = Notes::new(e.x.len());
     let Some(wide) = e.wide.as_deref() else {

@@ -32,8 +32,8 @@ impl Counts {
     }
 }
 
-/// What a call of the function costs from its beginning to its end: whatever hangs on a run-time
-/// condition is left out, an early return as well as what only parallel boxes need.
+/// The instructions of a call of the function from its beginning to its end. Code under a run-time
+/// condition does not count: early returns, and branches that only parallel boxes need.
 pub fn count(text: &str, function: &str) -> Counts {
     let module = naga::front::wgsl::parse_str(text).expect("the shaders are tested to be valid");
     let info = naga::valid::Validator::new(

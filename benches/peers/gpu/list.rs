@@ -10,7 +10,7 @@ use geograd::{Error, Program, Scalar, Sym, Unrecordable};
 use std::fmt::Write;
 use std::time::Instant;
 
-/// What an item moves and costs; `None` for what is not counted.
+/// The bytes that an item moves and its instructions; `None` if they are not counted.
 #[derive(Clone, Copy, Debug)]
 struct Cost {
     bytes: usize,

@@ -1,4 +1,4 @@
-//! What a large card is to reach, measured: `cargo bench -p peers --features gpu -- targets`.
+//! Targets of a large card, measured: `cargo bench -p peers --features gpu -- targets`.
 use crate::list::Roofs;
 use crate::listed::{Form, list};
 use crate::{Draw, Settings, fastest};
@@ -8,7 +8,7 @@ use geograd::kernels::gpu::{Gpu, op_sources};
 use geograd::kernels::{Backend, Distance, Iou, Op, RowOf};
 use geograd::{Segment2, Vec2};
 
-/// One line: what, how much there is to be, how much there is.
+/// Prints one line: the target's name, the wanted rate, the measured rate.
 fn told(what: &str, unit: &str, wanted: f64, found: f64) {
     let verdict = if found >= wanted { "met" } else { "missed" };
     println!("| {what} | {wanted} {unit} | {found:.2} {unit} | {verdict} |");

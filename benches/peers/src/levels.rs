@@ -139,7 +139,7 @@ where
     ]
 }
 
-/// What the filter does for the street, in seconds: the matrix, filling it with zeros, row maxima and
+/// Times of the filter on the street, in seconds: the matrix, filling it with zeros, row maxima and
 /// pairs above a tenth with the filter, and both without.
 fn filter(street: &[Obb2<f32>]) -> Vec<Timed<'_>> {
     let n = STREET * STREET;

@@ -1,4 +1,4 @@
-//! What the interpreter of programs takes, next to compiled kernels and to copying.
+//! Times of the interpreter of programs, next to compiled kernels and to copying.
 use super::N;
 use super::levels::Timed;
 use super::shapes::{Line, PART, Ratio, aligned};

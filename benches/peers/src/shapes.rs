@@ -16,16 +16,16 @@ pub const PART: usize = 200;
 /// How often all takes its turn.
 const ROUNDS: usize = 12;
 
-/// One line of the table: what, and how it is timed at the level in use.
+/// One line of the table: its name, and its timing at the level in use.
 pub struct Line<'a> {
     pub name: &'static str,
     pub timed: Timed<'a>,
 }
 
-/// Something that is measured, and what it is divided by.
+/// A ratio of two lines: its name, the numerator, the denominator.
 pub struct Ratio(pub &'static str, pub &'static str, pub &'static str);
 
-/// What is asked: the first line's rate over the second one's.
+/// The reported ratios: the first line's rate over the second one's.
 const RATIOS: [Ratio; 10] = [
     Ratio(
         "GIoU of all pairs over powerboxesrs'",
@@ -144,7 +144,7 @@ where
     Line { name, timed }
 }
 
-/// What all lines are made of.
+/// The inputs of all lines.
 struct Lists {
     a: Vec<Obb2<f32>>,
     b: Vec<Obb2<f32>>,
@@ -172,7 +172,7 @@ impl Lists {
             .collect();
         let [a32, b32, near32, wide] = [&a, &b, &near, &wide].map(|list| narrow(list));
         let mut lists = [&a32, &near32, &b32].map(|list| solids(list, dice));
-        // What is near stays near in height and tilt.
+        // Boxes that are near stay near in height and tilt.
         for i in 0..N {
             let (upright, tilted) = (lists[0].0[i], lists[0].1[i]);
             let (near, turned) = (&mut lists[1].0[i], &mut lists[1].1[i]);

@@ -8,7 +8,7 @@ use geograd::kernels::dynamic::{Mode, Sort};
 use geograd::kernels::tested::{Tested, rows};
 use ready::{Ready, aligned, pairs, paths};
 
-/// What is computed of an operation.
+/// The forms of an operation that can be run.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Form {
     /// Results of items.

@@ -14,16 +14,16 @@ const DIFFERENT: usize = 4096;
 /// A batch with all that it takes where it is computed.
 pub trait Ready {
     fn run(&mut self) -> Result<(), Error>;
-    /// What the last run gave, a list for every shape of a result.
+    /// The results of the last run, a list for every shape of a result.
     fn numbers(&self) -> Result<Vec<Vec<f32>>, Error>;
-    /// A number of a list, computed on the processor of inputs that are moved by a few last digits in many ways:
-    /// beside a kink or a jump these differ. `None` of paths.
+    /// A number of a list, computed on the processor at inputs moved by a few last digits in many ways:
+    /// beside a kink or a jump the results differ. `None` for paths.
     fn beside(&self, _list: usize, _at: usize) -> Result<Option<Vec<f32>>, Error> {
         Ok(None)
     }
 }
 
-/// In so many ways items are moved.
+/// The number of ways in which items are moved.
 const WAYS: usize = 64;
 
 /// Items of several columns, item after item.
@@ -178,7 +178,7 @@ struct Pairs<'a> {
     a: HeldNumbers,
     b: HeldNumbers,
     matrix: Option<Matrix>,
-    /// Whether derivatives are wanted, and what they are.
+    /// The derivatives, if they are wanted.
     derivatives: Option<Vec<HeldNumbers>>,
 }
 
@@ -249,7 +249,7 @@ impl Ready for Pairs<'_> {
     }
 }
 
-/// Of a square of so many rows.
+/// The matrix of `side` rows and as many columns, ready to run.
 pub fn pairs<'a>(
     backend: Backend<'a>,
     row: &Tested,

@@ -18,7 +18,7 @@ pub trait Boxes: Single<Scalar: Number> + Send + Sync {
     /// The names of a box's derivatives, in the order of [`derivatives`](Boxes::derivatives).
     const DERIVATIVE: &'static [&'static str];
 
-    /// What is wrong with a box of finite numbers.
+    /// Checks a box of finite numbers; the error says what is wrong with it.
     fn check(self) -> Result<(), String> {
         Ok(())
     }

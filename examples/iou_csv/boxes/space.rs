@@ -10,7 +10,7 @@ use geograd::iou3::{self, Solid};
 use geograd::kernels::{Backend, Iof, Iou};
 use geograd::{Error, Fixed, Obb3, Program, Sym, YawBox3};
 
-/// What the scores of two boxes add to their IoU.
+/// The recorded score of two boxes, with their IoU as an argument.
 fn program<T, P, Q>(metric: Metric) -> Result<Program<(P, P, T), T>, Error>
 where
     T: Number + Plain,

@@ -14,7 +14,7 @@ pub use score::score;
 pub struct Polygon<T> {
     /// The vertices, counter-clockwise.
     vertices: Vec<Vec2<T>>,
-    /// Whether they were given the other way round.
+    /// `true` if they were given clockwise.
     turned: bool,
     area: T,
     bounds: Aabb2<T>,
@@ -93,7 +93,7 @@ fn bounds_of<T: Number>(vertices: &[Vec2<T>]) -> Aabb2<T> {
     })
 }
 
-/// What lengths are multiplied by so that areas and their squares are finite and not zero: a power of two,
+/// The factor of lengths that keeps areas and their squares finite and above zero: a power of two,
 /// and one for all ordinary sizes.
 fn unit<T: Number>(bounds: Aabb2<T>) -> T {
     let half = bounds.max * T::lit(0.5) - bounds.min * T::lit(0.5);

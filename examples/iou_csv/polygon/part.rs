@@ -1,4 +1,4 @@
-//! What scores of two simple polygons are made of: lengths and areas, with their derivatives by all vertices.
+//! The parts of scores of two simple polygons: lengths and areas, with their derivatives by all vertices.
 //!
 //! The area of intersection is the library's
 //! ([`intersection_area`](geograd::overlap_polygon::rings::intersection_area), with its adjoint).
@@ -19,7 +19,7 @@ pub struct Derivatives<T> {
 }
 
 impl<T: Number> Derivatives<T> {
-    /// None yet.
+    /// Derivatives that are all zero.
     pub fn new(a: &Polygon<T>, b: &Polygon<T>) -> Self {
         Derivatives {
             a: vec![Vec2::zero(); a.count()],
@@ -27,7 +27,7 @@ impl<T: Number> Derivatives<T> {
         }
     }
 
-    /// Adds those of something times a factor.
+    /// Adds other derivatives times a factor.
     pub fn add(&mut self, other: &Self, factor: T) {
         for (own, other) in [(&mut self.a, &other.a), (&mut self.b, &other.b)] {
             for (own, other) in own.iter_mut().zip(other) {
@@ -36,7 +36,7 @@ impl<T: Number> Derivatives<T> {
         }
     }
 
-    /// Of both lists one after another.
+    /// The derivative by vertex `k` of both lists one after another.
     fn at(&mut self, k: usize) -> &mut Vec2<T> {
         match k.checked_sub(self.a.len()) {
             None => &mut self.a[k],
@@ -78,7 +78,7 @@ pub fn intersection<T: Number>(a: &Polygon<T>, b: &Polygon<T>, grad: bool) -> Pa
             intersection_area_vjp(ring_a, ring_b, T::one(), by_a, by_b)
         }
     };
-    // Contributions of edges add up with a rounding of the smaller one's size: polygons that merely touch
+    // Contributions of edges add up with a rounding of the smaller one's size: polygons that only touch
     // share nothing.
     let (p, q) = (p.size(), q.size());
     let rounding = T::lit(16.0 * T::EPSILON) * (p.x * p.y).least(q.x * q.y);

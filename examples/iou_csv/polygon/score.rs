@@ -38,7 +38,7 @@ fn ordinary<T: Number>(
     let (zero, one) = (T::zero(), T::one());
     let inter = intersection(a, b, derivatives.is_some());
     let union = a.area + b.area - inter.value;
-    // What a polygon without area shares is nothing.
+    // A polygon without area shares nothing.
     let empty = T::lit(T::EMPTY);
     let over = |x: T, y: T| if y > empty { x / y } else { zero };
     let same = is_same(a, b);
@@ -58,7 +58,7 @@ fn ordinary<T: Number>(
         add(&own_areas(a, b, [over(-iof, a.area), zero]), one);
         return if same && a.area > empty { one } else { iof };
     }
-    // dr = ((1 + r) dI − r (dA + dB)) / U. Of the same polygon twice they cancel.
+    // dr = ((1 + r) dI − r (dA + dB)) / U. For the same polygon twice the terms cancel.
     if !same {
         let each = over(-iou, union);
         add(&inter.derivatives, over(one + iou, union));
@@ -101,7 +101,7 @@ fn ordinary<T: Number>(
     }
 }
 
-/// Whether both have the same vertices, from whichever they start.
+/// `true` if both have the same vertices in the same order, from any start.
 fn is_same<T: Number>(a: &Polygon<T>, b: &Polygon<T>) -> bool {
     let n = a.count();
     let from = |start: usize| (0..n).all(|k| a.vertices[k] == b.vertices[(start + k) % n]);

@@ -54,7 +54,7 @@ impl Kind {
     }
 }
 
-/// Where metres lie on the page.
+/// The map from metres to the page.
 #[derive(Clone, Copy)]
 pub struct View {
     /// The lower left corner, in metres and on the page.

@@ -14,7 +14,7 @@ const FOOT: f32 = 40.0;
 /// Two strips below the maps, before and after; none where heights do not count.
 pub struct Strips {
     top: f32,
-    /// What they show: from where to where, forward and up, in metres.
+    /// The range that they show, forward and up, in metres.
     min: Vec2<f32>,
     max: Vec2<f32>,
     /// Pixels per metre.
@@ -70,12 +70,12 @@ impl Strips {
         }
     }
 
-    /// Of one strip.
+    /// The height of one strip.
     fn strip(&self) -> f32 {
         self.scale * (self.max.y - self.min.y)
     }
 
-    /// Of both with what is written around them.
+    /// The height of both with the text around them.
     pub fn height(&self) -> f32 {
         match self.scale > 0.0 {
             true => 2.0 * (NAME + self.strip()) + FOOT,

@@ -544,7 +544,7 @@ fn depth_of_parallel_boxes_has_the_mean_of_both_ways_of_turning() {
             b.size = geograd::Vec2::zero();
         }
         let (depth, (derivatives, _)) = gradient(|(a, b)| signed_distance(a, b), (a, b));
-        // Where another face is nearly as deep, steps go beyond the kink.
+        // Steps go beyond the kink if another face is nearly as deep.
         let step = 1e-7;
         let by = |by: f64| (signed_distance(Obb2 { heading: by, ..a }, b) - depth) / by;
         let [left, right] = [-step, step].map(by);
@@ -635,7 +635,7 @@ fn faces_that_are_all_but_parallel_are_told_apart_in_single_precision() {
     use geograd::{Obb2, Pack};
     let of = |[x, y, width, height, heading]: [f32; 5]| Obb2::new(x, y, width, height, heading);
     let angle = 1e-5_f32;
-    // What parts them best, or is nearest, or farthest, differs from the next by less than a digit.
+    // The parting, nearest or farthest feature of each pair differs from the next one by less than a digit.
     let pairs = [
         [[0.5, 0.25, 1.0, 0.0, 0.0], [0.0, 0.0, 2.0, 1.0, angle]],
         [[0.5, 0.2, 1.0, 0.5, 0.0], [0.0, 0.0, 2.0, 1.0, angle]],

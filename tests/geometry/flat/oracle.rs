@@ -1,6 +1,6 @@
 //! Distances by another way: the hull of all differences of corners, and the origin.
 
-/// A shape as corners and radius, made here from its numbers. What has no end gets a far one.
+/// A shape as corners and radius, made here from its numbers. An infinite shape gets a far end.
 pub fn corners(kind: usize, x: &[f64]) -> (Vec<[f64; 2]>, f64) {
     let p = |k: usize| [x[k], x[k + 1]];
     let far = |t: f64| {
@@ -110,7 +110,7 @@ pub fn farthest(a: (usize, &[f64]), b: (usize, &[f64])) -> f64 {
     most + ra + rb
 }
 
-/// Whether a point is within `slack` of a shape.
+/// `true` if a point is within `slack` of a shape.
 pub fn holds(shape: (usize, &[f64]), point: [f64; 2], slack: f64) -> bool {
     signed_distance((0, &point), shape) <= slack
 }

@@ -127,7 +127,7 @@ fn results_add_up_and_grow() {
         let all = area(&a, &b, Operation::Union);
         assert!((all - shared - area(&a, &b, Operation::SymmetricDifference)).abs() < 1e-12);
         assert!((area(&b, &a, Operation::Union) - all).abs() < 1e-12);
-        // What is smaller shares less.
+        // A part shares less than the whole.
         let part = result(&a, &c, Operation::Intersection, fill);
         if part.rings().validate().is_ok() {
             assert!(area(&part, &b, Operation::Intersection) <= shared + 1e-12);
@@ -172,7 +172,7 @@ fn centroid_x<S: Scalar<Mask = bool>>(p: &Polygon<S>) -> S {
     polygon::centroid(p).x
 }
 
-/// Whether moving anything a little makes another result.
+/// `true` if small moves of all vertices leave the number of vertices of the result.
 fn is_safe(a: &Polygon<f64>, b: &Polygon<f64>, operation: Operation, fill: Fill) -> bool {
     let trace = |a: &_, b: &_| overlay_search(a, b, operation, fill).unwrap();
     let mut dice = Dice(9);
@@ -281,8 +281,8 @@ fn the_adjoint_is_that_of_the_replay() {
     }
 }
 
-/// Where edges lie along each other the derivative is the mean of both sides, which is what central
-/// differences give.
+/// At edges that lie along each other the derivative is the mean of both sides, as by central
+/// differences.
 #[test]
 fn edges_along_each_other_share_their_derivatives() {
     let square = |x: f64, y: f64, w: f64, h: f64| {
@@ -458,7 +458,7 @@ fn turned_beside_large(dice: &mut Dice) -> [Vec<Ring>; 2] {
     found
 }
 
-/// What a function returns, unless it takes longer than a minute.
+/// The result of a function; panics if it takes longer than a minute.
 fn in_time<T: Send + 'static>(of: impl FnOnce() -> T + Send + 'static) -> T {
     let (sender, receiver) = std::sync::mpsc::channel();
     std::thread::spawn(move || sender.send(of()));
@@ -484,7 +484,7 @@ fn edges_within_a_step_of_each_other_have_results() {
         (-0.0016720642615652792, -0.0009165612017181319),
     ]);
     let large = ring(&[(4.0, 3.0), (4.0, 4.0), (3.0, 4.0)]);
-    // Of all sizes, the last needs the most pieces: four millions are not enough.
+    // The last size needs the most pieces: four millions are not enough.
     let sized = |ring: &Ring, size: f64| ring.iter().map(|&v| v * size).collect::<Ring>();
     for exponent in [-10, -6, -1, 0, 4] {
         let size = 2f64.powi(exponent);

@@ -70,7 +70,7 @@ pub fn side(a: &Point, b: &Point, p: &Point) -> Big {
     ab[0].mul(&ap[1]).sub(&ab[1].mul(&ap[0]))
 }
 
-/// What is left of a ring on the left of a line. Only its signed area means something when the ring is
+/// The part of a ring on the left of a line. Only its signed area means something when the ring is
 /// not convex.
 pub fn cut(ring: &[Point], from: &Point, to: &Point) -> Vec<Point> {
     let mut kept = Vec::new();

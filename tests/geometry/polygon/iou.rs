@@ -411,7 +411,7 @@ fn scores_do_not_depend_on_place_size_and_order() {
     assert_eq!(diou_hull_aabb2(a, b), 0.04);
 }
 
-/// One box all but covers the other: what neither covers is not a difference of two large areas.
+/// One box covers almost all of the other: the area outside both is not a difference of two large areas.
 #[test]
 fn generalised_iou_keeps_its_digits() {
     let large: Aabb2<f64> = Aabb2::new(-700_000.0, 0.0, 1e10, 1e10);

@@ -209,7 +209,7 @@ fn hard_pairs_have_finite_derivatives_between_the_one_sided_ones() {
             let down = (value.value - area_of(&moved, &a, &b)) / step;
             let slack = 2e-6 * large.max(1.0);
             let (low, high) = (up.min(down) - slack, up.max(down) + slack);
-            // Where both merely touch the derivative is zero by decree.
+            // The derivative at a touch is zero by convention.
             for derivative in [value.derivative[k], adjoint[k]] {
                 let inside = derivative >= low && derivative <= high;
                 assert!(

@@ -127,7 +127,7 @@ fn scores_stay_in_their_ranges_and_do_not_turn() {
         for (i, (name, score, low)) in TURNED.into_iter().enumerate() {
             let value = score(a, b);
             assert!(value >= low && value <= iou, "{name} {a} {b} {value}");
-            // Of boxes all but without areas rounding decides what they share, and which part of their hull
+            // Rounding decides the shared area of boxes of almost no area, and the part of their hull that
             // they cover.
             let sides = [a.size.x, a.size.y, b.size.x, b.size.y];
             let longest = sides

@@ -39,7 +39,7 @@ fn minus(a: &Point, b: &Point) -> Point {
     [a[0].sub(&b[0]), a[1].sub(&b[1])]
 }
 
-/// Where two edges cross, by x.
+/// The x at which two edges cross.
 fn meeting(a: &Edge, b: &Edge) -> Option<Big> {
     let (u, v) = (minus(&a.to, &a.from), minus(&b.to, &b.from));
     let turn = cross(&u, &v);

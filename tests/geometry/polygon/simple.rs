@@ -36,12 +36,12 @@ fn cross(a: Point, b: Point, c: Point) -> i128 {
     (ux * vy - uy * vx).signum()
 }
 
-/// Whether a place in line with both ends of a segment is on it.
+/// `true` if a place in line with both ends of a segment is on it.
 fn between(p: Point, [a, b]: [Point; 2]) -> bool {
     (0..2).all(|k| a[k].min(b[k]) <= p[k] && p[k] <= a[k].max(b[k]))
 }
 
-/// What two segments share.
+/// The shared points of two segments.
 enum Shared {
     Nothing,
     Place(Point),
@@ -96,7 +96,7 @@ fn places(ring: &[Point]) -> Vec<Point> {
     segments(ring).into_iter().flat_map(both).collect()
 }
 
-/// Where two rings touch; an error where they share more than places.
+/// The places at which two rings touch; an error if they share more than places.
 fn touches(p: &[Point], q: &[Point]) -> Result<Vec<Point>, &'static str> {
     let mut all = Vec::new();
     for s in segments(p) {
@@ -113,7 +113,7 @@ fn touches(p: &[Point], q: &[Point]) -> Result<Vec<Point>, &'static str> {
     Ok(all)
 }
 
-/// Whether a ring meets itself only where one edge goes on in the next.
+/// `true` if a ring meets itself only at the ends of neighbouring edges.
 fn is_simple(ring: &[Point]) -> bool {
     let (edges, count) = (segments(ring), ring.len());
     count >= 3
@@ -154,7 +154,7 @@ fn is_connected(part: &[Vec<Point>]) -> Result<bool, &'static str> {
     Ok(true)
 }
 
-/// What is wrong with polygons, each an outer ring and its holes.
+/// Checks polygons, each an outer ring and its holes; the error names the flaw.
 pub fn flaw(parts: &[Polygon<f64>]) -> Result<(), &'static str> {
     let parts = whole(parts);
     for part in &parts {

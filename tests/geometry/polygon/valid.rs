@@ -89,7 +89,7 @@ fn touching_rings_make_parts_and_holes() {
     // Squares in squares.
     let nested = [5.0, 4.0, 3.0, 2.0].map(|half| square(-half, -half, 2.0 * half));
     assert_eq!(parts(&nested, &nested, Operation::Union), [2, 2]);
-    // What has no area is no part.
+    // A part has an area.
     let a = [square(0.0, 0.0, 1.0)];
     assert!(parts(&a, &[square(1.0, 0.0, 1.0)], Operation::Intersection).is_empty());
     assert!(parts(&a, &a, Operation::Difference).is_empty());
@@ -185,7 +185,7 @@ fn edges_along_each_other_but_for_rounding() {
     assert!(parts_found > 500, "{parts_found}");
 }
 
-/// What the oracle must refuse, or the other tests say nothing.
+/// The oracle refuses polygons with flaws; the other tests rely on it.
 #[test]
 fn the_oracle_sees_every_kind_of_flaw() {
     let judge = |rings: &[&[(f64, f64)]]| {
