@@ -5,16 +5,17 @@ use crate::{Aabb2, Fixed, Obb2, Pose2, Rotation2, Vec2, Vec3};
 use std::any::TypeId;
 use std::slice;
 
-/// `true` if a shape is one of the library's that are made of nothing but numbers of this format, in
-/// the order of their fields, without gaps.
+/// `true` if a shape is one of the library's, or an array of up to sixteen numbers: nothing but numbers of this format,
+/// in the order of their fields, without gaps.
 pub fn is_plain<P: Fixed>() -> bool
 where
     P::Scalar: 'static,
 {
     /// Lists the shapes: all of them `repr(C)`, of one type of number all through.
     macro_rules! any_of {
-        ($($shape:ident)*) => {
+        ($($shape:ident)*; $($length:literal)*) => {
             $(TypeId::of::<P>() == TypeId::of::<$shape<P::Scalar>>() ||)*
+            $(TypeId::of::<P>() == TypeId::of::<[P::Scalar; $length]>() ||)*
             TypeId::of::<P>() == TypeId::of::<[Vec2<P::Scalar>; 3]>() ||
             TypeId::of::<P>() == TypeId::of::<[Vec2<P::Scalar>; 4]>() ||
             TypeId::of::<P>() == TypeId::of::<P::Scalar>()
@@ -22,7 +23,7 @@ where
     }
     const { assert!(size_of::<P::Scalar>() > 0) };
     any_of!(Vec2 Vec3 Rotation2 Rotation3 Pose2 Aabb2 Aabb3 Obb2 Obb3 YawBox3
-        Segment2 Triangle2 Circle Capsule2)
+        Segment2 Triangle2 Circle Capsule2; 1 2 3 4 5 6 7 8 9 10 11 12 13 14 15 16)
         && size_of::<P>() == P::LEN * size_of::<P::Scalar>()
         && align_of::<P>() == align_of::<P::Scalar>()
 }
