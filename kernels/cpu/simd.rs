@@ -19,7 +19,7 @@ use std::sync::atomic::{AtomicU8, Ordering};
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
 #[non_exhaustive]
 pub enum Simd {
-    /// What every processor of the target has.
+    /// The instructions that every processor of the target has.
     Baseline = 1,
     /// AVX2 and what came with it (x86-64-v3).
     Avx2 = 2,
@@ -112,7 +112,7 @@ fn best() -> Simd {
         macro_rules! has {
             ($($feature:tt)*) => { $(std::arch::is_x86_feature_detected!($feature) &&)* true };
         }
-        // What the entries in `arch` are compiled for.
+        // The features that the entries in `arch` are compiled for.
         if has!("avx2" "fma" "bmi1" "bmi2" "lzcnt" "popcnt") {
             if has!("avx512f" "avx512bw" "avx512cd" "avx512dq" "avx512vl") {
                 return Simd::V4;
