@@ -1,4 +1,4 @@
-//! What stands for the GPU in a build without the feature `gpu`: types without values, so that
+//! The stand-in of the GPU in a build without the feature `gpu`: types without values, so that
 //! [`Backend`](crate::kernels::Backend) is the same in both.
 use crate::kernels::op::RingOp;
 use crate::{Error, GpuFault};
