@@ -88,7 +88,7 @@ pub(crate) fn numbers<T: Real, P: Fixed<Scalar = T>>(shapes: &[P]) -> Cow<'_, [T
     }
 }
 
-/// Hands out room for the numbers of shapes, and makes shapes of what was put there. Shapes keep their codes.
+/// Runs a function on room for the numbers of shapes, and makes shapes of its numbers. Shapes keep their codes.
 pub(crate) fn fill<T: Real, P: Fixed<Scalar = T>, R>(
     shapes: &mut [P],
     run: impl FnOnce(&mut [T]) -> R,

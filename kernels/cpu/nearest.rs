@@ -1,8 +1,8 @@
 //! A block kernel of points and paths: which edges can be the nearest ones, and how often the path winds.
 //!
 //! The squared distances of a thousand edges, rounded as they may be, tell the nearest edges from all others.
-//! Only the edges that remain are folded with derivatives, so that the result has the bits of the fold over all
-//! edges, whatever the vectors' width is.
+//! Only the edges that remain are folded with derivatives. So the result has the bits of the fold over all edges,
+//! whatever the vectors' width is.
 //!
 //! Compiled in this library only, by the entries in `arch`.
 use crate::kernels::cpu::arch::{Vector, flat};

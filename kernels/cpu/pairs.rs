@@ -59,7 +59,7 @@ impl<T: Real> Pairs<'_, T> {
 }
 
 impl<T: Real> Pairs<'_, T> {
-    /// Computes the rows that somebody chooses, on this thread.
+    /// Computes the rows that `who` chooses, on this thread.
     pub fn chosen(&self, who: &mut impl Chooses<T>) {
         let [a, b] = self.lists();
         Sweep::new(self.face, None, &a, &b).run_chosen(who);

@@ -10,8 +10,8 @@
 //! | [`Avx2`](Simd::Avx2) | x86-64-v3: Intel since Haswell, AMD since Excavator | 8 |
 //! | [`V4`](Simd::V4) | x86-64-v4: servers since Skylake, AMD since Zen 4 | 16 |
 //!
-//! Plain code for other targets than x86-64 has been tested as the baseline there; nobody has run it
-//! on NEON or wasm yet.
+//! Plain code for other targets than x86-64 has been tested as the baseline there, but not on NEON or
+//! wasm.
 use crate::Error;
 use std::sync::atomic::{AtomicU8, Ordering};
 
@@ -27,8 +27,8 @@ pub enum Simd {
     V4 = 3,
 }
 
-/// The level in use; zero until somebody asks, [`REFUSED`] when the environment asks for one that
-/// is not there.
+/// The level in use; zero before the first call, [`REFUSED`] if the environment names one that is not
+/// there.
 static LEVEL: AtomicU8 = AtomicU8::new(0);
 const REFUSED: u8 = u8::MAX;
 

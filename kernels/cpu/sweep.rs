@@ -154,7 +154,7 @@ impl<'a, T: Real> Sweep<'a, T> {
         }
     }
 
-    /// Computes the rows that somebody chooses, each with the later columns that are wanted and, where
+    /// Computes the rows that `who` chooses, each with the later columns that are wanted and, where
     /// there are bounds, near.
     pub fn run_chosen(mut self, who: &mut impl Chooses<T>) {
         if self.picking.is_empty() {

@@ -31,7 +31,7 @@ impl GpuRing for crate::kernels::SignedArea {}
 impl GpuRing for crate::kernels::Perimeter {}
 impl GpuRing for crate::kernels::Centroid {}
 
-/// Handles that nobody can have.
+/// Handles without values.
 macro_rules! none {
     ($($name:ident)*) => { $(
         /// Stands for what is on a GPU.

@@ -336,8 +336,8 @@ fn gather_quads<T: Real, V: Vector<T>, const QUADS: usize>(
                     i += 1;
                 }
             }
-            // The last tile, four places at a time: how many there are is anybody's guess, so beyond the last one
-            // stands the last one.
+            // The last tile, four places at a time. The number of items cannot be predicted, so the places after
+            // the last item repeat it.
             None => {
                 own = [own_last; TILE];
                 let end = picked.len().wrapping_sub(1);

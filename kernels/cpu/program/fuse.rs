@@ -71,7 +71,7 @@ fn alone(node: Node) -> Option<Step> {
     Some(Step::new(op, &node.operands(), [None; 2]))
 }
 
-/// Every instruction that can compute a node. `of` gives an operand's node if nobody else needs it.
+/// Every instruction that can compute a node. `of` gives an operand's node if no other node needs it.
 fn candidates(node: Node, of: impl Fn(Id) -> Option<Node>, found: &mut Vec<Step>) {
     use Node as N;
     found.extend(alone(node));
@@ -223,7 +223,7 @@ impl Group {
     pub(crate) fn operands(&self) -> &[Id] {
         &self.from[..self.count]
     }
-    /// The nodes, in the order of the instruction's results; `None` for a result that nobody needs.
+    /// The nodes, in the order of the instruction's results; `None` for a result that is not needed.
     pub(crate) fn results(&self) -> &[Option<Id>] {
         &self.results[..self.made]
     }

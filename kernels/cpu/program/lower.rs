@@ -188,7 +188,7 @@ fn assign(
             constants.len() - 1
         }) as u32)
     };
-    // One for all results that nobody needs.
+    // One slot for all results that are not needed.
     let mut waste = None;
     let mut code: Vec<(Op, [Place; 4], [Place; 4])> = Vec::new();
     let mut jump = None;
