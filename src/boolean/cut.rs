@@ -18,9 +18,9 @@ const GROWTH: (usize, usize) = (8, 1024);
 /// How many rounds there may be: by then ends attract crossings from everywhere.
 const ROUNDS: u32 = 120;
 
-/// The least difference of directions, in radians or half of that, of edges that are close to each other for
-/// 2²⁴ steps at most when they cross. Their cuts end after 2¹⁶ pieces, because ends attract crossings from further away
-/// in every round.
+/// The difference of directions, in radians or half of that, up to which the pieces of two edges may become many.
+/// Edges that cross at a larger one are close to each other for 2²⁴ steps at most. Their cuts end after 2¹⁶ pieces,
+/// because ends attract crossings from further away in every round.
 const SLIGHT: f64 = 1.0 / (1 << 20) as f64;
 
 /// How many steps apart edges are close to each other, and for how many steps they may be it.
