@@ -6,7 +6,7 @@ use std::sync::Arc;
 
 /// Something that computes blocks of items from one or more arguments.
 ///
-/// A compiled kernel is one; a recorded program will be another. It knows nothing of batches.
+/// Compiled kernels and interpreted programs are makers. A maker does not depend on batches.
 pub trait Maker<T>: Send + Sync {
     /// Computes as many tiles of results as are asked for. Each input has at least as many tiles, or
     /// one that stands for all.
