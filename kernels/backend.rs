@@ -105,7 +105,7 @@ impl Backend<'_> {
     ///
     /// # Errors
     ///
-    /// Those of the CPU, and [`Error::Gpu`].
+    /// The errors of the CPU, and [`Error::Gpu`].
     pub fn aligned<C: Columns, R: Runs<C::Item>>(
         self,
         run: R,
@@ -142,7 +142,7 @@ impl Backend<'_> {
     ///
     /// # Errors
     ///
-    /// Those of the CPU, and [`Error::Gpu`].
+    /// The errors of the CPU, and [`Error::Gpu`].
     pub fn all_pairs<A, B, R>(self, run: R, a: &[A], b: &[B]) -> Result<Table<R::Out>, Error>
     where
         A: Single<Scalar = f32>,
@@ -161,7 +161,7 @@ macro_rules! of_pairs {
             ///
             /// # Errors
             ///
-            /// Those of the CPU, and [`Error::Gpu`].
+            /// The errors of the CPU, and [`Error::Gpu`].
             pub fn $name<A: Single<Scalar = f32>, B: Single<Scalar = f32>, R>(
                 self,
                 run: R,
@@ -215,7 +215,7 @@ impl Backend<'_> {
     ///
     /// # Errors
     ///
-    /// Those of the CPU, and [`Error::Gpu`].
+    /// The errors of the CPU, and [`Error::Gpu`].
     pub fn fold<F, C: Columns>(
         self,
         fold: F,
@@ -254,7 +254,7 @@ impl Backend<'_> {
     ///
     /// # Errors
     ///
-    /// Those of the CPU, and [`Error::Gpu`].
+    /// The errors of the CPU, and [`Error::Gpu`].
     pub fn ragged<O: GpuRing>(
         self,
         ring: O,

@@ -29,7 +29,7 @@ pub enum Bound {
     Any,
     /// None below zero.
     NotNegative,
-    /// Those above zero.
+    /// All above zero.
     Positive,
     /// None above the number in this place of the same shape.
     AtMost(usize),

@@ -14,9 +14,9 @@
 pub enum Finite {
     /// All of them, for cotangents of any size; duals within [`Limits::ORDINARY`].
     Always,
-    /// Those within limits, for cotangents of one.
+    /// Inputs within limits, for cotangents of one.
     Within(Limits),
-    /// Those within limits, for values; derivatives need not be finite.
+    /// Inputs within limits, for values; derivatives need not be finite.
     Values(Limits),
     /// Nothing is declared.
     Undeclared,

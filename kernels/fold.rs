@@ -59,38 +59,39 @@ use std::fmt::Debug;
 pub trait Fold: Copy + Debug + Default + Send + Sync + 'static {
     /// The name of the function, letter for letter.
     const NAME: &'static str;
-    /// Whether an edge leads from the last vertex back to the first.
+    /// `true` if an edge leads from the last vertex back to the first.
     const CLOSED: bool;
     /// Its invariances under motions; `&[]` declares none.
     const INVARIANCES: &'static [Invariance];
-    /// Where its value may jump.
+    /// Places at which its value may jump.
     const JUMPS: Jumps;
-    /// Of which inputs values and derivatives are finite.
+    /// Inputs whose values and derivatives are finite.
     const FINITE: Finite = Finite::Within(Limits::ORDINARY);
-    /// Within which every number of its result lies.
+    /// The range of every number of its result.
     const RANGE: Range = Range::ANY;
     /// The names of the shapes and numbers of its context, one for each; empty where they have none of their own.
     const ARGUMENTS: &'static [&'static str] = &[];
     /// Documentation in Markdown: the doc comment of its row, empty without one.
     const DOC: &'static str = "";
-    /// Of a fold that takes no more of a path than the edges nearest to the point that its context begins with,
-    /// and the winding number around that: which number of the state that is. Batches then fold no other edges.
+    /// The number of the state that is the winding number around the point that the context begins with. `None`
+    /// unless the fold takes no more of a path than that number and the edges nearest to the point: batches then
+    /// fold no other edges.
     #[doc(hidden)]
     const WINDING: Option<usize> = None;
-    /// What else it takes: shapes, numbers, a tuple of them, or `[S; 0]` for nothing.
+    /// The arguments beside the path: shapes, numbers, a tuple of them, or `[S; 0]` for nothing.
     type Context<S: Scalar>: Fixed<Scalar = S>;
-    /// Constants that say from where a path is looked at; `[S; 0]` for none.
+    /// Constants that say from where a path is seen; `[S; 0]` for none.
     type Reference<S: Scalar>: Fixed<Scalar = S>;
-    /// What is known after some edges.
+    /// The state after some edges.
     type State<S: Scalar>: Fixed<Scalar = S>;
     /// The result.
     type Out<S: Scalar>: Fixed<Scalar = S>;
-    /// From where a path is looked at. Its derivatives are not followed: the result must not depend on it
+    /// The place from which a path is seen. Its derivatives are not followed: the result must not depend on it
     /// but for rounding.
     fn reference<S: Scalar>(context: Self::Context<S>, path: &[Vec2<S>]) -> Self::Reference<S>;
-    /// What is known after no edge.
+    /// The state after no edge.
     fn empty<S: Scalar>() -> Self::State<S>;
-    /// What one edge tells.
+    /// The state of one edge.
     fn edge<S: Scalar>(
         context: Self::Context<S>,
         reference: Self::Reference<S>,

@@ -24,9 +24,9 @@ pub struct Leaf<T> {
     pub codes: usize,
     /// The name of a scalar.
     pub name: fn(usize) -> Field,
-    /// What is wrong with numbers of such a shape.
+    /// Returns the flaw of numbers that are no valid shape.
     pub check: fn(&[T]) -> Result<(), Flaw>,
-    /// Whether numbers are those of valid shapes, told quickly. May say no too often.
+    /// `true` if numbers are those of valid shapes: a quick test, which may also fail for some of these.
     pub all_valid: fn(&[T]) -> bool,
 }
 
@@ -49,7 +49,7 @@ pub trait Item: Fixed<Scalar: Real> {
     /// The shapes of a row, first first.
     #[doc(hidden)]
     fn leaves(add: &mut dyn FnMut(Leaf<Self::Scalar>));
-    /// Where results go, one target per shape of a row.
+    /// Adds the targets of results, one per shape of a row.
     #[doc(hidden)]
     fn targets<'a>(many: &'a mut Self::Many, add: &mut dyn FnMut(Target<'a, Self::Scalar>));
 }
@@ -66,7 +66,7 @@ pub trait Results {
     /// Numbers of every target.
     #[doc(hidden)]
     fn widths() -> Vec<usize>;
-    /// Where they go.
+    /// Adds the targets of the results.
     #[doc(hidden)]
     fn places<'a>(many: &'a mut Self::Many, add: &mut dyn FnMut(Target<'a, Self::Scalar>));
 }
@@ -305,21 +305,21 @@ macro_rules! tuples {
 }
 tuples!(A B; A B C; A B C D; A B C D E; A B C D E F;);
 
-/// Where results go, one target per shape of a row.
+/// The targets of results, one per shape of a row.
 pub(crate) fn targets_of<P: Item>(many: &mut P::Many) -> Vec<Target<'_, P::Scalar>> {
     let mut all = Vec::new();
     P::targets(many, &mut |target| all.push(target));
     all
 }
 
-/// A shape that is one, and not a tuple: what a list of rows or columns is made of.
+/// A shape that is one, and not a tuple: lists of rows or columns consist of such.
 pub trait Single: Item<Many = Vec<Self>> {}
 impl<P: Item<Many = Vec<P>>> Single for P {}
 
 /// Reads the numbers of some shapes, one after another.
 type Read<'a, T> = Box<dyn Fn(Range<usize>, &mut [T]) + Send + Sync + 'a>;
 
-/// Where the numbers of a column are.
+/// The numbers of a column, in memory or by a function.
 enum Numbers<'a, T> {
     Lent(&'a [T]),
     Read(Read<'a, T>),

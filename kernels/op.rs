@@ -120,7 +120,7 @@ pub trait Op: Copy + Debug + Default + Send + Sync + 'static {
     ///
     /// # Errors
     ///
-    /// Those of recording it: [`Error::Program`].
+    /// The errors of recording it: [`Error::Program`].
     fn program<T: Plain>(self) -> Result<Program<Self::In<T>, Self::Out<T>>, Error> {
         let value = plan::program_of::<Self, T>(Want::Value)?;
         if Self::DERIVATIVE != Derivative::ByHand || Self::Out::<T>::LEN != 1 {
@@ -231,7 +231,7 @@ pub trait Runs<R: Item> {
     ///
     /// # Errors
     ///
-    /// Those of recording it.
+    /// The errors of recording it.
     #[doc(hidden)]
     fn face(&self, ask: Ask) -> Result<Arc<Face<R::Scalar>>, Error>;
     /// The compiled kernels of an operation, if it has some.
@@ -243,7 +243,7 @@ pub trait Runs<R: Item> {
     ///
     /// # Errors
     ///
-    /// Those of recording it: searches cannot be recorded.
+    /// The errors of recording it: searches cannot be recorded.
     #[cfg(feature = "gpu")]
     #[doc(hidden)]
     fn generated(&self, _ask: Ask) -> Result<Arc<Generated<R::Scalar>>, Error> {

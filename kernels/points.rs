@@ -215,7 +215,7 @@ fn check<P: Validate>(name: &'static str, shapes: &[P]) -> Result<(), Error> {
     Ok(())
 }
 
-/// What `of` makes of every piece of the points, in their order.
+/// The results of `of` for every piece of the points, in their order.
 fn pieces<B: Container, R: Send>(
     points: &[B::Point],
     boxes: &[B],

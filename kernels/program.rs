@@ -9,8 +9,7 @@ use crate::kernels::item::{Item, Leaf, Results, leaves_of};
 use crate::kernels::op::{Ask, Runs};
 use std::sync::{Arc, PoisonError};
 
-/// Batches run programs as they run operations. What interprets one is made once, however often it
-/// runs.
+/// Batches run programs as they run operations. The interpreter of a program is made once, for all its runs.
 ///
 /// ```
 /// use geograd::ad::program::{Program, Sym};
@@ -38,11 +37,11 @@ where
     }
 }
 
-/// What a machine makes of a program: of what is wanted, the shapes that it takes, the numbers that it
-/// gives, the recording, and whether frames are made once per shape.
+/// Makes the code of a machine from a program: from the wanted part, the shapes that it takes, the numbers that
+/// it gives, the recording, and `true` if frames are made once per shape.
 type Make<T, M> = fn(Want, Vec<Leaf<T>>, Vec<usize>, &Recorded, bool) -> Result<M, Error>;
 
-/// Something that is made of a program once; `machine` says for whom.
+/// The code of a program, made once per machine; `machine` is the number of the machine.
 fn made<In: Item, Out: Item<Scalar = In::Scalar>, M: Send + Sync + 'static>(
     program: &Program<In, Out>,
     machine: u8,

@@ -9,10 +9,10 @@ use crate::{Pack, Scalar};
 pub trait Real:
     Scalar<Mask = bool, Primal = Self> + Plain + Pack<Scalar = Self> + Default + PartialOrd + Kept
 {
-    /// What is compiled for every level of vector instructions.
+    /// The kernels compiled for every level of vector instructions.
     #[doc(hidden)]
     fn kernels() -> &'static Kernels<Self>;
-    /// What is compiled once, in this library.
+    /// The functions compiled once, in this library.
     #[doc(hidden)]
     fn drivers() -> &'static Drivers<Self>;
 }

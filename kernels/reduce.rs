@@ -25,7 +25,7 @@ pub struct Found<T = f32> {
     pub value: T,
 }
 
-/// What all results come to.
+/// The loss of all results.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Loss {
     Sum,

@@ -1,8 +1,8 @@
 //! Replays of operations with a search, for machines that cannot search.
 //!
-//! What is decided is decided on the processor. Given the decisions, and the codes of the input, the result
-//! is a straight line: it is recorded once for every record that occurs, and becomes a list of
-//! instructions, with which a GPU replays all items of that record.
+//! The processor makes the decisions. Given these, and the codes of the input, the result is a straight line. It
+//! is recorded once for every record that occurs, and becomes a list of instructions, with which a GPU replays
+//! all items of that record.
 use crate::Error;
 use crate::ad::program::Sym;
 use crate::ad::program::graph::{Id, Node};
@@ -21,8 +21,8 @@ use std::sync::{Arc, PoisonError, RwLock};
 /// Records that are kept; beyond that many all are recorded anew.
 const MOST_KNOWN: usize = 1 << 14;
 
-/// A replay as instructions of four words each: what is done and the slot of the result; two operands;
-/// two more. Where there are several results, the others stand in the place of operands.
+/// A replay as instructions of four words each: operation and slot of the result; two operands; two more. If
+/// there are several results, the others stand in the place of operands.
 #[derive(Debug)]
 pub struct Replay {
     /// In order.
@@ -45,7 +45,7 @@ pub trait Replays<T>: Send + Sync {
     ///
     /// # Errors
     ///
-    /// Those of recording it.
+    /// The errors of recording it.
     fn decide(&self, numbers: &[T], taken: &mut Vec<T>) -> Result<Arc<Replay>, Error>;
     /// How many numbers a replay takes, and how many it gives.
     fn sizes(&self) -> [usize; 2];
@@ -62,11 +62,11 @@ struct Of<D: Search, T> {
     format: std::marker::PhantomData<fn() -> T>,
 }
 
-/// What is wanted of an operation with a search.
+/// The wanted part of an operation with a search.
 ///
 /// # Errors
 ///
-/// None: what cannot be recorded is found out item by item.
+/// None: the errors of recording are those of `decide`, item by item.
 pub fn of<D, R: Item>(ask: Ask) -> Result<Arc<dyn Replays<R::Scalar>>, Error>
 where
     D: Search<In<<R as Pack>::Scalar> = R>,
@@ -186,7 +186,7 @@ fn instructions(
                 let head = to(own.op as u32, first);
                 [head, two(x, rest[0]), two(rest[1], rest[2]), 0]
             }
-            // Of most instructions the second result is none.
+            // Most instructions have no second result.
             op => [
                 to(op as u32, first),
                 two(x, y),

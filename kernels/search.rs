@@ -23,21 +23,21 @@ use std::sync::Arc;
 pub trait Search: Copy + Debug + Default + Send + Sync + 'static {
     /// The name of the function, letter for letter.
     const NAME: &'static str;
-    /// What it takes, made of any scalar.
+    /// The arguments, made of any scalar.
     type In<S: Scalar>: Fixed<Scalar = S>;
-    /// What it gives, made of the same scalar.
+    /// The result, made of the same scalar.
     type Out<S: Scalar>: Fixed<Scalar = S>;
-    /// What was decided. Items of the same record are replayed alike: a GPU is given every replay once.
+    /// The decisions. Items of the same record are replayed alike: a GPU gets every replay once.
     type Record: Copy + Eq + Hash + Send + Sync + 'static;
     /// Its invariances under motions; `&[]` declares none.
     const INVARIANCES: &'static [Invariance];
-    /// Where its value may jump.
+    /// Places at which its value may jump.
     const JUMPS: Jumps;
-    /// Of which inputs values and derivatives are finite.
+    /// Inputs whose values and derivatives are finite.
     const FINITE: Finite = Finite::Within(Limits::ORDINARY);
-    /// Within which every number of its result lies.
+    /// The range of every number of its result.
     const RANGE: Range = Range::ANY;
-    /// What identical shapes and shapes apart score.
+    /// The scores of identical shapes and of shapes apart.
     const EXTREMES: Extremes = Extremes::Undeclared;
     /// The names of its arguments, one for each; empty without names of their own.
     const ARGUMENTS: &'static [&'static str] = &[];
@@ -45,7 +45,7 @@ pub trait Search: Copy + Debug + Default + Send + Sync + 'static {
     const DOC: &'static str = "";
     /// The search.
     fn decide<S: Scalar<Mask = bool>>(input: Self::In<S>) -> Self::Record;
-    /// The result, given what was decided.
+    /// The result, given the decisions.
     fn replay<S: Scalar>(input: Self::In<S>, record: Self::Record) -> Self::Out<S>;
 }
 

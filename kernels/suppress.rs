@@ -26,8 +26,7 @@ impl<T> From<Found<T>> for Pair<T> {
 
 impl Cpu {
     /// Every two shapes of a list whose result is above the threshold, each two once: for
-    /// [`suppression`](crate::suppression). Of the two the one that comes first in the list is the first
-    /// argument.
+    /// [`suppression`](crate::suppression). The one that comes first in the list is the first argument.
     ///
     /// # Errors
     ///
@@ -49,9 +48,9 @@ impl Cpu {
     /// The shapes that no better one, kept itself, overlaps by more than the threshold: their places, the
     /// best first.
     ///
-    /// What [`suppression::hard`](crate::suppression::hard) does with all [`overlaps`](Cpu::overlaps), but
-    /// only pairs are computed of which one was kept. Of two shapes the better one is the first
-    /// argument.
+    /// The result is that of [`suppression::hard`](crate::suppression::hard) with all
+    /// [`overlaps`](Cpu::overlaps). Only pairs with a kept shape are computed. The better one of two shapes is
+    /// the first argument.
     ///
     /// # Errors
     ///
@@ -89,7 +88,7 @@ impl Cpu {
     }
 }
 
-/// Checks what suppression is asked for, but for the shapes.
+/// Checks the arguments of suppression, but for the shapes.
 pub(crate) fn checked<S: Real>(
     count: usize,
     scores: &[S],
@@ -116,7 +115,7 @@ pub(crate) struct Ranked<A> {
 }
 
 impl<A: Single> Ranked<A> {
-    /// What suppresses.
+    /// The rules of suppression, with the classes of the ranked shapes.
     pub fn greed(&self, rules: &Rules<'_, A::Scalar>) -> Greed<'_, A::Scalar> {
         Greed {
             threshold: rules.overlap,
@@ -133,7 +132,7 @@ pub(crate) fn ranked<A: Single>(
     scores: &[A::Scalar],
     rules: &Rules<'_, A::Scalar>,
 ) -> Result<Ranked<A>, Error> {
-    // Of all of them, so that errors name the caller's rows.
+    // All shapes are checked, so that errors name the caller's rows.
     check(Argument::A, &face.arguments[0], &Column::of(shapes))?;
     let order = order(scores, rules.score)?;
     Ok(Ranked {

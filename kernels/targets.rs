@@ -9,7 +9,7 @@ pub trait Targets<R: Results> {
     fn list<'a>(&'a mut self, add: &mut dyn FnMut(Option<Target<'a, R::Scalar>>));
 }
 
-/// In the place of results that nobody wants.
+/// The place of results that are not wanted.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Skip;
 
@@ -20,7 +20,7 @@ impl<R: Results> Targets<R> for Skip {
         }
     }
 }
-/// Where a result goes, and where its Jacobian.
+/// The targets of a result and of its Jacobian.
 impl<Y: Item, X: Item<Scalar = Y::Scalar>, T: Targets<Y>> Targets<WithJacobian<Y, X>>
     for (T, &mut [Y::With<X>])
 where

@@ -146,11 +146,11 @@ impl Tested {
     pub fn show(&self, x: &[f64]) -> String {
         (self.inputs.show)(x)
     }
-    /// Every shader that it may need; of searches none of its own.
+    /// Every shader that it may need; a search has none of its own.
     ///
     /// # Errors
     ///
-    /// Those of recording it.
+    /// The errors of recording it.
     #[cfg(feature = "gpu")]
     pub fn shaders(&self) -> Shaders {
         (self.shaders)(&self.operation)
@@ -223,7 +223,7 @@ fn fuzz_straight<S: Both>(row: &Tested, count: u64, seed: u64) -> Fuzzed {
 }
 
 impl Inputs {
-    /// Of one type.
+    /// Inputs of one type.
     const fn of<X: Sample + Item>() -> Self {
         Inputs {
             random: fuzz::sampled::<X>,
@@ -232,7 +232,7 @@ impl Inputs {
             show: fuzz::shown::<X>,
         }
     }
-    /// Of a path, with something before it or not.
+    /// Inputs with a path, and something before it or not.
     const fn of_path<X: Sample>() -> Self {
         Inputs {
             random: |draw| random::<X>(draw).scalars(),

@@ -47,7 +47,7 @@ pub type Ask<'a> = &'a dyn Fn(&[Vec<f32>]) -> Result<Vec<Answer>, Error>;
 /// others (shrunk ones, those beside a point) one by one.
 pub struct Batch<'a> {
     asks: Vec<Ask<'a>>,
-    /// What each form answered.
+    /// The answers of each form so far.
     known: Vec<HashMap<Vec<u32>, Answer>>,
     error: Cell<Option<Error>>,
 }
@@ -83,7 +83,7 @@ impl<'a> Batch<'a> {
     pub fn forms(&self) -> usize {
         self.asks.len()
     }
-    /// What a form says about an input; nothing after an error, which [`error`](Batch::error) keeps.
+    /// The answer of a form for an input; nothing after an error, which [`error`](Batch::error) keeps.
     #[must_use]
     pub fn about(&self, form: usize, x: &[f64]) -> Option<Answer> {
         let x = single(x);
@@ -123,7 +123,7 @@ fn columns(function: &Function<f32>, inputs: &[Vec<f32>]) -> Vec<(Vec<f32>, usiz
     function.takes().into_iter().map(column).collect()
 }
 
-/// What a function of columns gives on a backend, item by item.
+/// The results of a function of columns on a backend, item by item.
 fn asked(
     backend: Backend<'_>,
     function: &Function<f32>,

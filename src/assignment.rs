@@ -4,9 +4,9 @@ use crate::error::{Argument, Error, Field, Flaw};
 use crate::suppression::Pair;
 use std::cmp::Ordering;
 
-/// One-to-one pairs by descending overlap: the largest one first, then the largest one of those whose two
-/// ends are both free, and so on. Of equal overlaps the one with the smaller first place, then the smaller
-/// second place. What is not a number comes last.
+/// One-to-one pairs by descending overlap: the largest one first, then the largest one of those whose two ends
+/// are both free, and so on. Equal overlaps are ordered by the smaller first place, then by the smaller second
+/// place. Overlaps that are not a number come last.
 ///
 /// ```
 /// use geograd::assignment::greedy;

@@ -110,11 +110,11 @@ pub struct Relative<S: Scalar> {
     pub half_a: Vec2<S>,
     /// Half the size of b, exchanged when it was turned by an odd number of quarters.
     pub half_b: Vec2<S>,
-    /// Where the size of b was exchanged.
+    /// `true` where the size of b was exchanged.
     pub swapped: S::Mask,
-    /// Where the sides are parallel.
+    /// `true` where the sides are parallel.
     pub parallel: S::Mask,
-    /// Where the boxes are apart or merely touch, by the separating-axis test.
+    /// `true` where the boxes are apart or merely touch, by the separating-axis test.
     pub apart: S::Mask,
 }
 
@@ -144,10 +144,9 @@ fn difference<S: Scalar, const EXTREME: bool>(a: S, b: S, scale: S) -> (S, S) {
 
 /// Sees `b` from `a`.
 ///
-/// The difference of the centres comes first, so the distance from the origin costs no digits.
-/// Where the scalar has 24 bits the products carry low parts: the result is right to about 2⁻³⁵ of
-/// its inputs even where it cancels, which long thin boxes need. `EXTREME` says whether there is a
-/// scale at all.
+/// The difference of the centres comes first, so the distance from the origin costs no digits. The products of a
+/// scalar with 24 bits carry low parts. The result is then right to about 2⁻³⁵ of its inputs even where it
+/// cancels, which long thin boxes need. `EXTREME` says that there is a scale.
 #[inline(always)]
 pub fn relate<S: Scalar, const EXTREME: bool>(a: Framed<S>, b: Framed<S>, scale: S) -> Relative<S> {
     let (dx, lost_x) = difference::<S, EXTREME>(a.center.x, b.center.x, scale);
@@ -220,7 +219,7 @@ pub fn relate<S: Scalar, const EXTREME: bool>(a: Framed<S>, b: Framed<S>, scale:
 pub struct End<S> {
     /// Clamped to a.
     pub x: S,
-    /// What the clamp took away: positive beyond the right side, negative beyond the left.
+    /// The part of x that the clamp took away: positive beyond the right side, negative beyond the left.
     pub beyond: S,
 }
 
@@ -254,7 +253,7 @@ pub struct Clip<S: Scalar> {
     pub high: Vec2<S>,
     /// The corners' y clamped to a.
     pub y: [S; 4],
-    /// What that clamp took away.
+    /// The part of y that the clamp took away.
     pub above: [S; 4],
     /// Both ends of the bottom edge, from left to right.
     pub bottom: [End<S>; 2],
@@ -399,7 +398,7 @@ pub fn related_area<S: Scalar>(pair: &Relative<S>, area: S) -> S {
     S::select(nothing_shared(pair, area), S::zero(), area)
 }
 
-/// Where a pair counts as sharing nothing, so that value and derivatives are zero.
+/// `true` where a pair counts as sharing nothing, so that value and derivatives are zero.
 #[inline(always)]
 pub fn nothing_shared<S: Scalar>(pair: &Relative<S>, area: S) -> S::Mask {
     pair.apart | area.below(S::zero())

@@ -16,9 +16,9 @@ pub enum Location {
     Off(i32),
 }
 
-/// What an edge adds to the number of times that a ring winds around a point: +1 where it passes to the
-/// right of it upwards, −1 downwards, else 0; the sum over a closed ring is the winding number, and its
-/// odd values are the inside by the even-odd rule. Straight line, no derivative.
+/// The contribution of an edge to the winding number of a ring around a point: +1 where it passes to the right of
+/// the point upwards, −1 downwards, else 0. The sum over a closed ring is the winding number; its odd values are
+/// the inside by the even-odd rule. Straight line, no derivative.
 ///
 /// An edge has its lower end and not its upper one. Sunday, Inclusion of a point in a polygon, 2001.
 ///
@@ -183,9 +183,9 @@ pub fn depth_search<S: Scalar<Mask = bool>>(
     best.map(|(_, record)| (depth_replay(rings, point, record), record))
 }
 
-/// The signed distance of a point from the part of an edge that a record names, with derivatives to the
-/// point and to that edge's ends. Where the distance is zero between the ends of an edge, the derivative
-/// is that of the side on the edge's left, else zero.
+/// The signed distance of a point from the part of an edge that a record names. Its derivatives are to the point
+/// and to that edge's ends. At distance zero between the ends of an edge, the derivative is that of the side on the
+/// edge's left, else zero.
 ///
 /// # Panics
 ///

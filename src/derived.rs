@@ -57,7 +57,7 @@ pub use {
 /// approx::assert_relative_eq!(arm, arm.cast::<f32>().cast::<f64>());
 /// ```
 ///
-/// # What it gives
+/// # Implementations
 ///
 /// * [`Pack`](crate::Pack) and [`Fixed`](crate::Fixed): the scalars in the order of the fields, and their
 ///   names;

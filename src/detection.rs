@@ -72,9 +72,9 @@
 //!
 //! # The same numbers
 //!
-//! Loss functions of other libraries are formulas of ours, with small numbers added that keep them from dividing by
-//! zero. Below `p` is the predicted box, `t` the target, `A` an area, `ε` theirs; `ln1p(d)` is `ln(1 + d)`. Where only
-//! ε tells them apart, results agree to ε over an area or a squared length of the boxes, in pixels.
+//! Loss functions of other libraries are formulas of ours, with small numbers added that keep them from dividing
+//! by zero. Below `p` is the predicted box, `t` the target, `A` an area, `ε` theirs; `ln1p(d)` is `ln(1 + d)`. If
+//! only ε tells them apart, results agree to ε over an area or a squared length of the boxes, in pixels.
 //!
 //! ## mmrotate
 //!
@@ -131,7 +131,7 @@
 //! | `GIoULoss`, `DIoULoss` | `1 −` [`giou_aabb2`](crate::iou::giou_aabb2), `1 −` [`diou_aabb2`](crate::iou::diou_aabb2), ε = 10⁻⁶ |
 //! | `CIoULoss` | one minus [`ciou_fixed_weight_aabb2`](crate::iou::ciou_fixed_weight_aabb2) where the IoU is above ½, else one minus [`diou_aabb2`](crate::iou::diou_aabb2), within `[0, 2]` |
 //!
-//! # What none of them has
+//! # Functions that none of them has
 //!
 //! Overlap of boxes under full rotation with derivatives ([`Iou`](crate::kernels::Iou) of `Obb3`), of two kinds of
 //! boxes ([`Overlaps`](crate::overlap3::Overlaps)), and an overlap that goes on beyond contact

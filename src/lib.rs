@@ -92,7 +92,7 @@
 #![cfg_attr(not(feature = "check"), allow(rustdoc::broken_intra_doc_links))]
 #![deny(unsafe_code)]
 
-// What `#[derive(Shape)]` writes calls the library by its name, inside the library, too.
+// The code of `#[derive(Shape)]` calls the library by its name, inside the library, too.
 extern crate self as geograd;
 
 #[forbid(unsafe_code)]

@@ -1,15 +1,14 @@
 //! How much two boxes overlap: area of intersection, intersection over union, intersection over
 //! the first box.
 //!
-//! All results are exactly zero, with all derivatives zero, for boxes that are apart or merely touch.
-//! The ratios are within `[0, 1]`; identical boxes of positive area give exactly 1 with derivative
-//! zero. Where a ratio's denominator is zero it is 0 with derivative zero.
+//! All results are exactly zero, with all derivatives zero, for boxes that are apart or merely touch. The ratios
+//! are within `[0, 1]`; identical boxes of positive area give exactly 1 with derivative zero. A ratio with a
+//! denominator of zero is 0 with derivative zero.
 //!
-//! Ratios by the union are right to a few roundings. Where one box is R times longer than the other,
-//! the area and its ratio to the small box are right to about R roundings: in `f32`, the share of a
-//! car in a kilometre of lane to 10⁻⁵. Exchanging the boxes of a union changes the result by no more than
-//! about the longest aspect times a rounding: in `f32` by 10⁻⁴ where a box is 3·10⁷ times longer than
-//! wide.
+//! Ratios by the union are right to a few roundings. If one box is R times longer than the other, the area and
+//! its ratio to the small box are right to about R roundings: in `f32`, the share of a car in a kilometre of lane
+//! to 10⁻⁵. Exchanging the boxes of a union changes the result by no more than about the longest aspect times a
+//! rounding: in `f32` by 10⁻⁴ where a box is 3·10⁷ times longer than wide.
 //!
 //! A box counts as empty when it is so thin that, with its longer side as the unit of length, its area is
 //! at most [`Scalar::EMPTY`]: longer than wide by a factor beyond about 10³⁷ in `f32` and 10³⁰⁶ in `f64`.
@@ -222,7 +221,7 @@ pub struct Shared<S: Scalar> {
     pub half_a: Vec2<S>,
     /// Half the size of b.
     pub half_b: Vec2<S>,
-    /// Where the boxes are apart or merely touch.
+    /// `true` where the boxes are apart or merely touch.
     pub apart: S::Mask,
     /// The power of two by which sizes were multiplied.
     pub scale: S,

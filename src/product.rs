@@ -276,7 +276,7 @@ impl<C: Code, const N: usize> Code for [C; N] {
     }
 }
 
-// What the parts of a shape do one after another; derived code calls these, too.
+// Steps that the parts of a shape take one after another; derived code calls these, too.
 
 /// Takes a shape off the front of a slice of scalars.
 #[inline(always)]

@@ -1,5 +1,5 @@
-//! Where polygons are seen from: a place near them and a unit of length of their own, so that neither
-//! the distance from the origin nor the size costs digits, and no product over- or underflows.
+//! The place from which polygons are seen: a place near them and a unit of length of their own. So neither the
+//! distance from the origin nor the size costs digits, and no product over- or underflows.
 use crate::{Aabb2, Scalar, Vec2};
 
 /// A place and a unit of length in which vertices are seen; all of it constant, without derivatives.
@@ -74,10 +74,10 @@ impl<S: Scalar> Reference<S> {
         };
         (seen, in_a, apart)
     }
-    /// The same for fourth powers of length. What is longer than 2³⁰ in single precision is 2²⁶ local units instead
-    /// of one: the fourth power of the unit is then finite, and what derivatives by local coordinates are multiplied
-    /// by on the way back, before the unit itself divides them. Not what is longer than 2³⁵, which is
-    /// [`too_long`](Reference::too_long).
+    /// The same for fourth powers of length. A shape longer than 2³⁰ in single precision is 2²⁶ local units
+    /// instead of one. Then the fourth power of the unit is finite. So is the factor of derivatives by local
+    /// coordinates on the way back, before the unit itself divides them. A shape longer than 2³⁵ stays as it is:
+    /// see [`too_long`](Reference::too_long).
     #[must_use]
     #[inline(always)]
     pub(crate) fn of_fourth_powers(mut self) -> Self {
@@ -95,7 +95,7 @@ impl<S: Scalar> Reference<S> {
         let far = seen.place(bounds.max);
         seen.shifted(Vec2::new(far.x.halved(), far.y.halved()))
     }
-    /// Where the fourth power of the unit need not be finite.
+    /// `true` where the fourth power of the unit need not be finite.
     #[inline(always)]
     pub(crate) fn too_long(&self) -> S::Mask {
         self.scale.below(least_unit::<S>())
@@ -107,7 +107,7 @@ impl<S: Scalar> Reference<S> {
         self.shift += constant(by);
         self
     }
-    /// A vertex in local coordinates. What is too far away to matter stays where it is just that far.
+    /// A vertex in local coordinates. A vertex too far away to matter stays where it is just that far.
     #[must_use]
     #[inline(always)]
     pub fn place(&self, vertex: Vec2<S>) -> Vec2<S> {

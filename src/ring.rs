@@ -42,7 +42,7 @@ impl<S: Copy> Vertices<S> for &[Vec2<S>] {
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Local<S> {
     first: Vec2<S>,
-    /// What halved vertices are multiplied by, a constant; `None` leaves vertices as they are.
+    /// The factor of halved vertices, a constant; `None` leaves vertices as they are.
     scale: Option<S>,
 }
 
@@ -202,7 +202,7 @@ fn largest_of<S: Scalar>(
     largest
 }
 
-/// Where an extent is such that products of three lengths stay far from over- and underflow.
+/// `true` where products of three lengths of that extent stay far from over- and underflow.
 #[inline(always)]
 fn is_ordinary<S: Scalar>(extent: S::Primal) -> S::Mask {
     // A quarter of the range of exponents, to either side of one.
@@ -304,11 +304,10 @@ pub(crate) fn perimeter_of<S: Scalar>(ring: impl Vertices<S>) -> S {
 
 /// The centroid of the area of a ring (not of its vertices): where a plate of that shape balances.
 ///
-/// Where the signed area is exactly zero (fewer than three vertices, collinear vertices, a
-/// symmetric figure of eight) there is no such point: the mean of the vertices is returned, with
-/// its derivative; the origin for no vertices. That case is a jump, and near it the result grows without
-/// bound for rings whose lobes cancel (it saturates at the largest finite number). Source: Green's
-/// theorem.
+/// If the signed area is exactly zero (fewer than three vertices, collinear vertices, a symmetric figure of
+/// eight) there is no such point. The result is then the mean of the vertices, with its derivative; the origin
+/// for no vertices. That case is a jump, and near it the result grows without bound for rings whose lobes cancel
+/// (it saturates at the largest finite number). Source: Green's theorem.
 ///
 /// ```
 /// use geograd::{Vec2, ring::centroid};
@@ -328,7 +327,7 @@ pub fn centroid<S: Scalar>(ring: &[Vec2<S>]) -> Vec2<S> {
 pub(crate) struct Measured<S: Scalar> {
     /// The centroid or the mean of the vertices.
     pub value: Vec2<S>,
-    /// Where it is the mean of the vertices.
+    /// `true` where it is the mean of the vertices.
     pub flat: S::Mask,
 }
 

@@ -11,9 +11,9 @@
 //! stays, grows with a power of the scale, or follows by the kinds of its numbers. The harness checks derivatives and
 //! invariances, not the formula: a radius off by a factor of two passes, so a formula needs a test of its value, too.
 //!
-//! An operation is judged by its recording, so that the harness is compiled once, in the library. Where derivatives are
-//! by hand, the recording differentiated backwards in double precision is a further witness, and num-dual's numbers
-//! another.
+//! An operation is judged by its recording, so that the harness is compiled once, in the library. An adjoint by
+//! hand has two further witnesses: the recording differentiated backwards in double precision, and num-dual's
+//! numbers.
 mod of;
 pub(crate) mod recorded_subject;
 mod source;

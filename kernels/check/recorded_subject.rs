@@ -16,7 +16,7 @@ use crate::kernels::witness::Batch;
 use crate::{Jet, Scalar};
 use std::sync::Arc;
 
-/// What the harness asks of the shapes of an input.
+/// The properties of the shapes of an input that the harness needs.
 pub(crate) trait Near {
     fn kinds(&self) -> Vec<Kind>;
     fn inside(&self, x: &[f64]) -> bool;
@@ -67,13 +67,13 @@ pub(crate) struct Recording<S: Judged> {
     pub num_dual: Option<fn(&[S::NumDual]) -> Vec<S::NumDual>>,
     /// How many numbers a result has.
     pub outputs: usize,
-    /// What each number of a result is.
+    /// The kind of each number of a result.
     pub output_kinds: Vec<Kind>,
     /// `true` if duals of duals see its second derivatives: not those of a part with a gradient by hand.
     pub nests: bool,
     /// Its invariances.
     pub invariances: &'static [Invariance],
-    /// Where it jumps.
+    /// Places at which its value may jump.
     pub jumps: Jumps,
 }
 

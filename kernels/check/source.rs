@@ -61,7 +61,7 @@ impl<O: Op> Source for Straight<O> {
                 let all = recorded.run_on(&numbers);
                 O::In::load(&all[Self::Out::<S>::LEN..])
             }
-            // What cannot be recorded has no derivatives, and the harness says so.
+            // A function that cannot be recorded has no derivatives: the harness reports NaN.
             Err(_) => O::In::filled(S::lit(f64::NAN)),
         }
     }
@@ -186,7 +186,7 @@ fn pull_back<F: Fold, S: Scalar>(
         false => programs::<F, f64>(),
     };
     let Ok(programs) = found else {
-        // What cannot be recorded has no derivatives, and the harness says so.
+        // A fold that cannot be recorded has no derivatives: the harness reports NaN.
         let none = S::lit(f64::NAN);
         return (Fixed::filled(none), vec![Vec2::filled(none); path.len()]);
     };

@@ -186,7 +186,7 @@ pub(crate) fn sound<T: Real>(
             None => {
                 let numbers = column.all();
                 check_upstream(&numbers, column.fields)?;
-                // What is too steep for kernels is as rare as shapes that are.
+                // A cotangent too steep for kernels makes its item rare, as a rare shape does.
                 rare |= !(T::kernels().all_up_to)(&numbers, steepest);
             }
         }

@@ -116,7 +116,7 @@ pub(crate) fn put<T: Real, V: Vector<T>, const N: usize, const LANES: usize>(
     }
 }
 
-/// What derivatives of a tile are multiplied by: one where nothing is given.
+/// The factor of the derivatives of a tile: one where none is given.
 #[inline(always)]
 pub(crate) fn seed<T: Real, V: Vector<T>>(seeds: Option<Tiles<'_, T>>, t: usize, at: usize) -> V {
     match seeds.and_then(|seeds| seeds.tile::<1>(t)) {

@@ -82,8 +82,8 @@ pub(crate) fn derivatives<T: Real, V: Vector<T>>(
     }
 }
 
-/// Of quaternions that kernels serve no number is beyond the first limit, and the largest one is no smaller than
-/// the second.
+/// Limits of the quaternions that kernels serve: every number is at most the first, the largest one at least the
+/// second.
 const LONG: f64 = 1e3;
 const SHORT: f64 = 1e-3;
 

@@ -1,4 +1,4 @@
-//! What stands between columns of shapes and plain numbers: checks, and room for results.
+//! Checks of columns of shapes, and their conversion to plain numbers with room for results.
 use crate::Fixed;
 use crate::ad::adjoint::overlap::tamed;
 use crate::error::{Argument, Error, Validate};
@@ -88,7 +88,7 @@ pub(crate) fn numbers<T: Real, P: Fixed<Scalar = T>>(shapes: &[P]) -> Cow<'_, [T
     }
 }
 
-/// Hands out room for the numbers of shapes, and makes shapes of what was put there. Shapes keep their codes.
+/// Runs a function on room for the numbers of shapes, and makes shapes of its numbers. Shapes keep their codes.
 pub(crate) fn fill<T: Real, P: Fixed<Scalar = T>, R>(
     shapes: &mut [P],
     run: impl FnOnce(&mut [T]) -> R,
@@ -107,7 +107,8 @@ pub(crate) fn fill<T: Real, P: Fixed<Scalar = T>, R>(
 /// Shapes looked at together: few enough for the innermost cache.
 const GROUP: usize = 2048;
 
-/// Checks every shape of a column that is number `k` of the arguments. Whether some may be too rare for kernels.
+/// Checks every shape of a column that is number `k` of the arguments; `true` if some may be too rare for
+/// kernels.
 pub(crate) fn check_argument<T: Real>(
     k: usize,
     arguments: &[Preparation<T>],
@@ -116,7 +117,7 @@ pub(crate) fn check_argument<T: Real>(
     check(arguments[k].argument(k), &arguments[k], column)
 }
 
-/// Checks every shape of a column. Whether some may be too rare for kernels.
+/// Checks every shape of a column; `true` if some may be too rare for kernels.
 pub(crate) fn check<T: Real>(
     argument: Argument,
     plan: &Preparation<T>,

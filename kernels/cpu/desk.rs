@@ -11,7 +11,7 @@ const ITEMS: usize = 256;
 
 /// Aligned items as numbers, checked, and where their results go.
 pub struct Aligned<'a, T> {
-    /// What is computed.
+    /// The plan by which the items are computed.
     pub face: &'a Face<T>,
     /// The shapes, then the cotangents.
     pub columns: Vec<Column<'a, T>>,
@@ -19,7 +19,7 @@ pub struct Aligned<'a, T> {
     pub rare: bool,
     /// How many items.
     pub count: usize,
-    /// Where results go, for every shape of a result.
+    /// The targets of the results, for every shape of a result.
     pub targets: Vec<Option<Target<'a, T>>>,
 }
 

@@ -5,7 +5,7 @@ use crate::kernels::cpu::pairs::Pairs;
 use crate::kernels::cpu::sweep::Chooses;
 use crate::kernels::real::Real;
 
-/// What suppresses.
+/// The rules of suppression.
 #[derive(Clone, Copy, Debug)]
 pub struct Greed<'a, T> {
     /// Results above this one suppress.
@@ -16,7 +16,7 @@ pub struct Greed<'a, T> {
     pub most: usize,
 }
 
-/// What is kept so far.
+/// The shapes kept so far, and those suppressed.
 struct Kept<'a, T> {
     rules: Greed<'a, T>,
     /// The shape that suppresses now.
@@ -49,8 +49,8 @@ impl<T: Real> Chooses<T> for Kept<'_, T> {
     }
 }
 
-/// The shapes of a list, given the best first, that no better one, kept itself, suppresses. Of a pair the
-/// better one is the first argument.
+/// The shapes of a list, given the best first, that no better one, kept itself, suppresses. The better one of a
+/// pair is the first argument.
 pub fn suppress<T: Real>(pairs: &Pairs<'_, T>, rules: Greed<'_, T>) -> Vec<usize> {
     let [count, _] = pairs.counts();
     let mut kept = Kept {

@@ -79,7 +79,7 @@ impl<T> Results<'_, T> {
             tiles: self.tiles,
         }
     }
-    /// Where a field of a tile goes.
+    /// The lane of a field of a tile.
     #[inline(always)]
     pub fn lane(&mut self, t: usize, k: usize) -> Option<&mut Lane<T>> {
         self.lanes.get_mut(k * PLANE + t)
@@ -130,11 +130,11 @@ thread_local! {
 /// the system's for giving pages and taking them back.
 #[derive(Debug)]
 pub struct Stock<T> {
-    /// What a call computes with.
+    /// The lanes that a call computes with.
     desk: RefCell<Vec<Lane<T>>>,
-    /// Lists that nobody has.
+    /// Lists that are not lent.
     lists: RefCell<Vec<Vec<Lane<T>>>>,
-    /// What was furnished, by the number of whose it is; the latest come last.
+    /// Rooms, each with the number of its owner; the latest come last.
     rooms: RefCell<Vec<(u64, Vec<Lane<T>>)>>,
 }
 
@@ -176,12 +176,12 @@ pub(crate) fn with_lanes<T: Kept + Copy + Default, R>(
             }
             run(&mut lanes[..count])
         }
-        // Lent already, further up.
+        // The lanes are lent already, further up.
         Err(_) => run(&mut vec![Lane::default(); count]),
     })
 }
 
-/// Lends the thread's room of a number. `furnish` is asked to make one unless it was kept since the last time.
+/// Lends the thread's room of a number. `furnish` makes one unless the thread still keeps it.
 pub(crate) fn with_room<T: Kept, R>(
     whose: u64,
     furnish: impl FnOnce() -> Vec<Lane<T>>,
@@ -206,8 +206,8 @@ pub(crate) fn with_room<T: Kept, R>(
     result
 }
 
-/// So many lists and rooms a thread keeps, and none of more lanes: half a megabyte of single precision. What is filled in
-/// longer ones takes longer than to make room for them.
+/// How many lists and rooms a thread keeps, and of how many lanes at most: half a megabyte of single precision. A
+/// longer list takes longer to fill than to allocate.
 const KEPT_LISTS: usize = 8;
 const KEPT_LANES: usize = 1 << 13;
 
@@ -219,7 +219,7 @@ pub struct Lent<T: Kept> {
 }
 
 impl<T: Kept + Copy + Default> Lent<T> {
-    /// So many lanes: those of a list that nobody has, or new ones.
+    /// So many lanes: those of a list that is not lent, or new ones.
     pub(crate) fn new(count: usize) -> Self {
         if count == 0 {
             return Lent {

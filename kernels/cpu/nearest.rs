@@ -1,8 +1,8 @@
 //! A block kernel of points and paths: which edges can be the nearest ones, and how often the path winds.
 //!
-//! Of a thousand edges a distance needs the nearest ones. Their squared distances, rounded as they may be, tell
-//! all others apart; only what is left is folded with derivatives, so that the result has the bits of the fold
-//! over all edges, whatever the vectors' width is.
+//! The squared distances of a thousand edges, rounded as they may be, tell the nearest edges from all others.
+//! Only the edges that remain are folded with derivatives. So the result has the bits of the fold over all edges,
+//! whatever the vectors' width is.
 //!
 //! Compiled in this library only, by the entries in `arch`.
 use crate::kernels::cpu::arch::{Vector, flat};
@@ -14,14 +14,14 @@ use crate::kernels::real::Real;
 use crate::{Scalar, Vec2};
 use std::ops::Range;
 
-/// Where squares and signs hold.
+/// The limits within which squares and signs are right.
 #[derive(Clone, Copy, Debug)]
 pub struct Limits<T> {
     /// Vertices no farther than this, as seen from the point.
     far: T,
     /// The farthest of them no nearer than this.
     near: T,
-    /// Edges of a squared length up to this count as their ends. They are shorter than what rounding leaves open.
+    /// Edges of a squared length up to this count as their ends. They are shorter than the error of rounding.
     short: T,
     /// Products whose sign counts are above this.
     doubt: T,
@@ -39,12 +39,12 @@ impl<T: Real> Limits<T> {
     }
 }
 
-/// What rounding leaves open of a distance, in units of ε times the farthest coordinate. Both ways to find
-/// a distance are off by less than half of it: each of their two products and quotients of vectors has a few
-/// roundings of a length below `2√2` such units, where an edge begins and ends two more.
+/// The error of a distance by rounding, in units of ε times the farthest coordinate. Both ways to find a distance
+/// are off by less than half of it. Each of their two products and quotients of vectors has a few roundings of a
+/// length below `2√2` such units; the ends of an edge have two more.
 const SLACK: f64 = 64.0;
 
-/// What is known after some edges.
+/// The state after some edges.
 struct Seen<S> {
     /// The least squared distance.
     least: S,
@@ -107,7 +107,7 @@ pub struct Edges<T> {
 }
 
 impl<T: Real> Edges<T> {
-    /// Of another path, closed or not.
+    /// Takes another path, closed or not.
     fn set(&mut self, path: &[Vec2<T>], closed: bool) {
         self.count = path.len() - usize::from(!closed && !path.is_empty());
         let lanes = tiles(self.count) + 1;
@@ -194,7 +194,7 @@ pub(crate) fn near_edges<T: Real, V: Vector<T>>(
             let mut bits = V::bits(V::read(lane, at).at_most(limit));
             while bits != 0 {
                 let edge = t * TILE + at + bits.trailing_zeros() as usize;
-                // What fills up the last lane repeats the last vertex.
+                // The places that fill up the last lane repeat the last vertex.
                 if let (true, Some(place)) = (edge < path.count, picked.get_mut(count)) {
                     *place = edge as u32;
                     count += 1;
@@ -207,10 +207,10 @@ pub(crate) fn near_edges<T: Real, V: Vector<T>>(
     Some((count, seen.winding))
 }
 
-/// Where the vertices of paths are.
+/// The ranges of the vertices of paths.
 #[derive(Clone, Copy, Debug)]
 pub enum Spans<'a> {
-    /// Path i has those between two offsets.
+    /// Path i has the vertices between two offsets.
     Ragged(&'a [usize]),
     /// So many paths have all of them.
     Shared(usize, usize),
@@ -237,13 +237,13 @@ impl Spans<'_> {
 #[derive(Default)]
 pub struct Sieved<T> {
     pub(crate) edges: Vec<u32>,
-    /// Of every path how many they are, and the winding number; `None` where all edges count.
+    /// The number of edges of every path, and its winding number; `None` where all edges count.
     pub(crate) counts: Vec<(usize, Option<T>)>,
     /// `true` if a vertex was not finite.
     unsound: bool,
 }
 
-/// Vertices that a piece of work looks at.
+/// The number of vertices of a piece of work.
 const PIECE: usize = 1 << 14;
 
 /// Which edges of every path can be nearest to its point, on all threads; `None` if a vertex is not finite.

@@ -15,7 +15,7 @@ pub struct Pairs<'a, T: Clone> {
     pub face: &'a Face<T>,
     /// The shapes of both lists.
     pub numbers: [Cow<'a, [T]>; 2],
-    /// Whether some are too rare for kernels.
+    /// `true` if some shapes of a list are too rare for kernels.
     pub rare: [bool; 2],
     /// `true` if pairs that are apart for certain may be left out.
     pub filter: bool,
@@ -38,8 +38,8 @@ impl<T: Real> Pairs<'_, T> {
             )
         })
     }
-    /// Computes all pairs piece by piece, on all threads: each piece is some rows and what `work`
-    /// has for it. Whether pairs were left out.
+    /// Computes all pairs piece by piece, on all threads: each piece is some rows and its own entry of `work`.
+    /// The result is `true` if pairs were left out.
     pub fn sweep<W: Send>(
         &self,
         upstream: Option<Upstream<'_, T>>,
@@ -59,7 +59,7 @@ impl<T: Real> Pairs<'_, T> {
 }
 
 impl<T: Real> Pairs<'_, T> {
-    /// Computes the rows that somebody chooses, on this thread.
+    /// Computes the rows that `who` chooses, on this thread.
     pub fn chosen(&self, who: &mut impl Chooses<T>) {
         let [a, b] = self.lists();
         Sweep::new(self.face, None, &a, &b).run_chosen(who);
@@ -180,8 +180,8 @@ fn folded<T: Real>(mut numbers: [T; TILE]) -> T {
 
 /// Derivatives of the sum of upstream times scores, with respect to every shape of both lists.
 ///
-/// Of a row sixteen sums are kept, column `j` counts for sum `j` modulo sixteen; of a column one per
-/// piece of rows. All are added in a fixed order, the same for either way of lying.
+/// Each row has sixteen sums: column `j` counts for sum `j` modulo sixteen. Each column has one sum per piece of
+/// rows. All are added in a fixed order, the same for both layouts.
 pub fn pull_back<T: Real>(
     pairs: &Pairs<'_, T>,
     upstream: Upstream<'_, T>,

@@ -21,7 +21,7 @@ use crate::{Aabb2, Vec2};
 pub struct RingList<'a, T> {
     /// The vertices of all polygons.
     pub vertices: &'a [Vec2<T>],
-    /// Where each polygon begins, and the end.
+    /// The first vertex of each polygon, and the end of the last.
     pub offsets: &'a [usize],
 }
 
@@ -36,7 +36,7 @@ impl<'a, T> RingList<'a, T> {
     }
 }
 
-/// What is measured of two polygons.
+/// A measure of two polygons.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 #[non_exhaustive]
 pub enum RingScore {
@@ -341,7 +341,7 @@ pub(crate) fn derivatives<T: Real>(pairs: RingPairs<'_, T>, upstream: &[T]) -> P
     spread(work, |(first, out, up, a_bars, b_bars): Work<'_, T>| {
         let (mut hits, mut one, mut other) = (Vec::new(), Vec::new(), Vec::new());
         let last = first + out.len() / wide;
-        // Of aligned polygons those of the same rows, else all of them.
+        // The vertices of the second list that the piece takes: those of the same rows if aligned, else all.
         let base = if pairs.all { 0 } else { b.offsets[first] };
         let end = if pairs.all {
             b.vertices.len()

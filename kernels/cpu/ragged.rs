@@ -226,7 +226,7 @@ pub(crate) fn check_vertices<T: Real>(vertices: &[Vec2<T>]) -> Result<(), Error>
     Ok(())
 }
 
-/// Where to cut a ragged batch: indices of rings, about [`STRETCH`] vertices or rings apart.
+/// The cuts of a ragged batch: indices of rings, about [`STRETCH`] vertices or rings apart.
 pub(crate) fn cuts(offsets: &[usize]) -> Vec<usize> {
     let rings = offsets.len() - 1;
     let mut cuts = vec![0];

@@ -33,8 +33,8 @@ impl Measure {
 /// would make the order of additions another.
 const SMALL: usize = ring::SIDE;
 
-/// One result per ring; ring `i` has the vertices `offsets[i]..offsets[i + 1]`. Whether all of those are
-/// finite: where one is not, the results are any numbers.
+/// Measures every ring: ring `i` has the vertices `offsets[i]..offsets[i + 1]`. The result is `true` if all
+/// vertices are finite; where one is not, the measures are any numbers.
 #[inline(always)]
 pub(crate) fn values<T: Real, V: Vector<T>>(
     measure: Measure,
@@ -65,7 +65,8 @@ pub(crate) fn values<T: Real, V: Vector<T>>(
             }
             if small {
                 side.fill::<V>(vertices, ends);
-                // What is at hand already is looked at there; an infinite sum of finite numbers is told apart.
+                // The vertices already in tiles are tested there; an infinite sum of finite numbers is told
+                // apart.
                 let own = vertices.get(ends[0]..ends[V::WIDTH]).unwrap_or_default();
                 if !side.is_finite::<V>() && !finite::<T, V>(own) {
                     return false;

@@ -10,8 +10,8 @@
 //! | [`Avx2`](Simd::Avx2) | x86-64-v3: Intel since Haswell, AMD since Excavator | 8 |
 //! | [`V4`](Simd::V4) | x86-64-v4: servers since Skylake, AMD since Zen 4 | 16 |
 //!
-//! Plain code for other targets than x86-64 has been tested as the baseline there; nobody has run it
-//! on NEON or wasm yet.
+//! Plain code for other targets than x86-64 has been tested as the baseline there, but not on NEON or
+//! wasm.
 use crate::Error;
 use std::sync::atomic::{AtomicU8, Ordering};
 
@@ -19,7 +19,7 @@ use std::sync::atomic::{AtomicU8, Ordering};
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
 #[non_exhaustive]
 pub enum Simd {
-    /// What every processor of the target has.
+    /// The instructions that every processor of the target has.
     Baseline = 1,
     /// AVX2 and what came with it (x86-64-v3).
     Avx2 = 2,
@@ -27,8 +27,8 @@ pub enum Simd {
     V4 = 3,
 }
 
-/// The level in use; zero until somebody asks, [`REFUSED`] when the environment asks for one that
-/// is not there.
+/// The level in use; zero before the first call, [`REFUSED`] if the environment names one that is not
+/// there.
 static LEVEL: AtomicU8 = AtomicU8::new(0);
 const REFUSED: u8 = u8::MAX;
 
@@ -112,7 +112,7 @@ fn best() -> Simd {
         macro_rules! has {
             ($($feature:tt)*) => { $(std::arch::is_x86_feature_detected!($feature) &&)* true };
         }
-        // What the entries in `arch` are compiled for.
+        // The features that the entries in `arch` are compiled for.
         if has!("avx2" "fma" "bmi1" "bmi2" "lzcnt" "popcnt") {
             if has!("avx512f" "avx512bw" "avx512cd" "avx512dq" "avx512vl") {
                 return Simd::V4;

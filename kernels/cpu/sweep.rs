@@ -1,8 +1,8 @@
 //! All pairs of two prepared lists, row by row, as far as they need to be computed.
 //!
-//! A filter by bounds leaves out pairs whose result is zero for certain. What is left over closes
-//! ranks, is computed tile by tile, and goes to a consumer with the columns it belongs to; nothing
-//! depends on which pairs were left out.
+//! A filter by bounds leaves out pairs whose result is zero for certain. The other columns of a row are packed
+//! and computed tile by tile. A consumer gets the results with their columns. Results do not depend on which
+//! pairs were left out.
 use crate::kernels::cpu::arch::flat;
 use crate::kernels::cpu::boxes::BOUNDS;
 use crate::kernels::cpu::lane::{
@@ -18,14 +18,14 @@ use std::ops::Range;
 /// longer ones stop being faster.
 const BLOCK_OF_SUMS: usize = 64;
 
-/// Of at least so many columns, and at most so small a share of near pairs, a tree finds them.
+/// Bounds of the use of a tree: at least so many columns, and at most so small a share of near pairs.
 const LONG: usize = 512;
 const SPARSE: f64 = 1.0 / 24.0;
 
-/// Where more than this share of pairs is near, sums leave none out.
+/// A share of near pairs: above it, sums leave none out.
 const DENSE: f64 = 0.6;
 
-/// Rows that are asked for the share of near pairs.
+/// Rows by which the share of near pairs is estimated.
 const ASKED: usize = 16;
 
 /// Tiles of rows with few columns each that one call of a kernel computes: what one tile waits for is done
@@ -43,12 +43,11 @@ pub struct Upstream<'a, T> {
 
 /// Results of a row with some columns.
 ///
-/// What a row gives comes stretch by stretch. A long stretch may come in more than one part.
+/// The results of a row come stretch by stretch. A long stretch may come in more than one part.
 pub struct Part<'a, T> {
     /// The row.
     pub row: usize,
-    /// The columns that this part and its neighbours are about. Those of which no part speaks have
-    /// zeros.
+    /// The columns that this part and its neighbours belong to. Columns that are in no part have zeros.
     pub stretch: Range<usize>,
     /// `true` if it is the first part about its stretch.
     pub is_first: bool,
@@ -66,7 +65,7 @@ pub enum Columns<'a> {
     Picked(&'a [u32]),
 }
 
-/// Somebody who wants results of one row after another, each with some later columns.
+/// A choice of rows, and of the later columns whose results with a row are wanted.
 pub trait Chooses<T> {
     /// The next row.
     fn next(&mut self) -> Option<usize>;
@@ -82,7 +81,7 @@ pub trait Chooses<T> {
     fn take(&mut self, columns: &[u32], results: Planes<'_, T>);
 }
 
-/// What is computed of all pairs.
+/// A computation of all pairs.
 pub struct Sweep<'a, T: Kept> {
     a: &'a List<'a, T>,
     b: &'a List<'a, T>,
@@ -94,7 +93,7 @@ pub struct Sweep<'a, T: Kept> {
     picking: Lent<T>,
     stride: usize,
     tree: Option<Tree<T>>,
-    /// What derivatives are multiplied by.
+    /// The factors of derivatives.
     upstream: Option<Upstream<'a, T>>,
     /// Tiles of columns of a stretch.
     block: usize,
@@ -155,7 +154,7 @@ impl<'a, T: Real> Sweep<'a, T> {
         }
     }
 
-    /// Computes the rows that somebody chooses, each with the later columns that are wanted and, where
+    /// Computes the rows that `who` chooses, each with the later columns that are wanted and, where
     /// there are bounds, near.
     pub fn run_chosen(mut self, who: &mut impl Chooses<T>) {
         if self.picking.is_empty() {
@@ -228,8 +227,8 @@ impl<'a, T: Real> Sweep<'a, T> {
         near as f64 / asked.max(1) as f64
     }
 
-    /// Computes some rows and hands over what they give. Of each row columns come in order; rows come
-    /// in order for each column.
+    /// Computes some rows and calls `consume` with their results. Each row has its columns in order; each column
+    /// has its rows in order.
     pub fn run(&self, rows: Range<usize>, consume: impl FnMut(Part<'_, T>)) {
         let lanes = Desk::lanes(self).iter().sum();
         with_lanes(lanes, |lanes| self.run_on(lanes, rows, consume));
@@ -301,7 +300,7 @@ struct Group {
     columns: Vec<u32>,
 }
 
-/// What one thread computes with.
+/// The lanes and numbers that one thread computes with.
 struct Desk<'a, T: Kept> {
     sweep: &'a Sweep<'a, T>,
     row: usize,

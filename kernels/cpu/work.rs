@@ -2,7 +2,7 @@
 use std::cell::Cell;
 
 thread_local! {
-    /// Whether batches that this thread calls stay on it.
+    /// `true` if batches that this thread calls stay on it.
     static STAYS: Cell<bool> = const { Cell::new(false) };
 }
 

@@ -40,7 +40,7 @@ pub struct Inputs {
 }
 
 impl Inputs {
-    /// Of such shapes.
+    /// The inputs that such shapes make up.
     #[must_use]
     pub fn new(parts: Vec<Sampler>) -> Self {
         let kinds: Vec<Vec<Kind>> = parts.iter().map(|part| (part.kinds)()).collect();
@@ -242,7 +242,7 @@ impl<T: Real> Function<T> {
 }
 
 impl<T: Judged> Program<T> {
-    /// What the harness asks of it.
+    /// The recording that the harness checks.
     fn recording(&self, jumps: Jumps) -> Recording<T> {
         let recorded = self.recorded();
         Recording {

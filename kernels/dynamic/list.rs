@@ -265,7 +265,7 @@ impl Operation {
     ///
     /// # Errors
     ///
-    /// Those of recording it, and [`Unrecordable::Path`] for what takes no path.
+    /// The errors of recording it, and [`Unrecordable::Path`] for an operation that takes no path.
     pub fn program_of_path<T: Format>(&self, vertices: usize) -> Result<Program<T>, Error> {
         let own = T::of(self);
         let Body::Path(code) = own.body else {

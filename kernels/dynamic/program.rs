@@ -185,12 +185,12 @@ impl<T: Real> Program<T> {
     ///
     /// # Errors
     ///
-    /// Those of [`Function::aligned`].
+    /// The errors of [`Function::aligned`].
     pub fn aligned(&self, rows: &[Rows<'_, T>]) -> Result<Vec<Vec<T>>, Error> {
         self.function().aligned(rows)
     }
 
-    /// A derivative of it: what it takes beside the same arguments, and what it gives.
+    /// A derivative of it, from the arguments that it takes beside the same ones, and its results.
     fn derived(
         &self,
         recorded: Recorded,
@@ -236,7 +236,7 @@ impl<T: Real> Program<T> {
     ///
     /// # Errors
     ///
-    /// Those of recording it.
+    /// The errors of recording it.
     pub fn vjp(&self) -> Result<Self, Error> {
         let recorded = match &self.inner.line {
             Some(line) => recorded_of(line, Mode::Vjp)?.without_first(line.outputs),
@@ -266,7 +266,7 @@ impl<T: Real> Program<T> {
     ///
     /// # Errors
     ///
-    /// Those of recording it.
+    /// The errors of recording it.
     pub fn jacobian(&self) -> Result<Self, Error> {
         let [inputs, outputs] = self.sizes();
         let recorded = match &self.inner.line {

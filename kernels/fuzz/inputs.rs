@@ -24,7 +24,7 @@ pub(super) struct Inputs<T> {
     pub columns: Vec<Vec<T>>,
     /// Vertices of paths, where an input has one.
     pub vertices: Vec<Vec2<T>>,
-    /// Where every path begins, and the end of the last.
+    /// The first vertex of every path, and the end of the last.
     pub offsets: Vec<usize>,
     /// How many inputs.
     pub count: usize,
@@ -144,7 +144,7 @@ impl<T: Real> Job<T> {
             _ => Mix::ByNumber,
         };
         let any = |draw: &mut Draw| match (self.declared.finite, mix) {
-            // What is far from ordinary takes the scalar code, which is a tenth as fast.
+            // Inputs far from ordinary take the scalar code, which is a tenth as fast.
             (Finite::Always, Mix::One) if !draw.once_in(6) => Family::quick(draw),
             _ => Family::any::<T>(draw),
         };
@@ -301,7 +301,7 @@ impl<T: Real> Job<T> {
         if self.shapes.iter().all(|shape| shape.rules.known) {
             return;
         }
-        // What has rules of its own is drawn by the harness, and stretched.
+        // Shapes with rules of their own are drawn by the harness, and stretched.
         let mut base = Vec::new();
         for i in 0..inputs.count {
             if i % GROUP == 0 {

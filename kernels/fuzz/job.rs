@@ -32,7 +32,7 @@ pub(super) struct Shape<T> {
     pub rules: Rules,
 }
 
-/// What a row invariances.
+/// The declared properties of a row.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Declared {
     pub finite: Finite,
@@ -76,14 +76,14 @@ pub struct Job<T: Real> {
     /// The name of its type.
     pub(super) op: &'static str,
     pub(super) shapes: Vec<Shape<T>>,
-    /// What every number of an input is, but for vertices.
+    /// The kind of every number of an input, but for vertices.
     pub(super) kinds: Vec<Kind>,
     /// `true` if a path comes with an input.
     pub(super) has_path: bool,
     /// Numbers of every shape of a result.
     pub(super) outputs: Vec<usize>,
     pub(super) declared: Declared,
-    /// Whether an input is inside the domain that the row states, if it states one.
+    /// The test that an input is inside the domain that the row states, if it states one.
     pub(super) domain: Option<fn(&[f64]) -> bool>,
     /// Results.
     pub(super) values: Compute<T, 0>,
@@ -163,17 +163,17 @@ fn shapes<T: Real>(leaves: Vec<Leaf<T>>, kinds: &[Kind], is_convex: bool) -> Vec
     leaves.into_iter().map(shape).collect()
 }
 
-/// What is common to all sorts: shapes by name and kind.
+/// The kinds of the numbers of a shape: common to all sorts of jobs.
 fn kinds_of<X: Sample + Item>() -> Vec<Kind> {
     X::filled(1.0).kinds()
 }
 
-/// What batches compute by a face.
+/// The results that batches compute by a face.
 fn faced<T: Real, const N: usize>(
     face: impl Fn() -> Result<Arc<Face<T>>, Error> + Sync + 'static,
 ) -> Compute<T, N> {
     Box::new(move |inputs, bars| {
-        // Made when it is asked for first, and kept.
+        // The face is made at the first call, and kept.
         let face = &face()?;
         let columns = face.arguments.iter().zip(&inputs.columns);
         let mut columns: Vec<Column<'_, T>> = columns
@@ -211,7 +211,7 @@ fn squared<T: Real>(face: impl Fn() -> Result<Arc<Face<T>>, Error> + Sync + 'sta
 }
 
 impl<T: Real> Job<T> {
-    /// Of an operation of fixed size.
+    /// The job of an operation of fixed size.
     pub(super) fn of_op<O: Op>() -> Self
     where
         O::In<T>: Item<Scalar = T>,
@@ -239,7 +239,7 @@ impl<T: Real> Job<T> {
         })
     }
 
-    /// Of a straight line without its types.
+    /// The job of a straight line without its types.
     pub(crate) fn of_line(line: &Straight<T>) -> Self {
         let shaped = line.shaped;
         let outputs = shaped.outputs();
@@ -283,7 +283,7 @@ impl<T: Real> Job<T> {
         }
     }
 
-    /// Of an operation with a search.
+    /// The job of an operation with a search.
     pub(super) fn of_search<D: Search>() -> Self
     where
         D::In<T>: Item<Scalar = T>,
@@ -329,7 +329,7 @@ impl<T: Real> Job<T> {
         }
     }
 
-    /// Of a measure of rings.
+    /// The job of a measure of rings.
     pub(super) fn of_ring<O: RingOp>() -> Self {
         Job {
             name: O::NAME,
@@ -370,7 +370,7 @@ impl<T: Real> Job<T> {
         }
     }
 
-    /// Of a fold over a path.
+    /// The job of a fold over a path.
     pub(super) fn of_fold<F: Fold>() -> Self
     where
         F::Context<T>: Item<Scalar = T>,

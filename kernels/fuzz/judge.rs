@@ -1,4 +1,4 @@
-//! What is asked of many inputs of an operation.
+//! Tests of many inputs of an operation at a time.
 use super::inputs::Inputs;
 use super::job::{Job, Lists};
 use super::numbers::{Family, limits_of, power};
@@ -11,7 +11,7 @@ use crate::kernels::op::{Finite, Limits};
 use crate::kernels::real::Real;
 use crate::{Jet, Scalar};
 
-/// Of so many inputs one is computed again by the scalar code, and one with duals.
+/// One of so many inputs is computed again by the scalar code, and one with duals.
 const SINGLE: usize = 127;
 const DUAL: usize = 1021;
 

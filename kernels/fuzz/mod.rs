@@ -102,7 +102,7 @@ pub struct Broken {
     pub code: String,
 }
 
-/// What was fuzzed, and how it went.
+/// The operation that was fuzzed, and the outcome.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Fuzzed {
     /// The operation.
@@ -115,7 +115,7 @@ pub struct Fuzzed {
     pub outside: u64,
     /// How long it took.
     pub time: Duration,
-    /// The first thing that was found, if any.
+    /// The first broken property, if any.
     pub broken: Option<Broken>,
 }
 
@@ -147,7 +147,7 @@ impl fmt::Display for Fuzzed {
     }
 }
 
-/// Fuzzes an operation of fixed size on all cores; stops at the first thing that it finds.
+/// Fuzzes an operation of fixed size on all cores; stops at the first broken property.
 #[must_use]
 pub fn operation<O: Op, T: Judged>(count: u64, seed: u64) -> Fuzzed
 where
@@ -185,7 +185,7 @@ where
     T::fuzzed(&Job::of_fold::<F>(), count, seed)
 }
 
-/// What breaks a property among many inputs.
+/// A broken property, and the place among many inputs.
 struct Finding {
     property: Property,
     at: usize,

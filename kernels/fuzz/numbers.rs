@@ -14,15 +14,15 @@ pub(super) enum Family {
     Moderate,
     /// Few different numbers, so that shapes share coordinates; angles of multiples of 45 degrees.
     Shared,
-    /// Those, and others a few roundings beside.
+    /// Few different numbers, and others a few roundings beside.
     Nearly,
-    /// Of about unit size.
+    /// Numbers of about unit size.
     Ordinary,
-    /// Those times a power of two, the same for all.
+    /// Numbers of about unit size times a power of two, the same for all.
     Scaled(i32),
     /// Powers of two.
     Powers,
-    /// The largest and the least ones, and what is near them.
+    /// The largest and the least numbers, and others near them.
     Limits,
 }
 

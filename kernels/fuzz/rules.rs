@@ -20,7 +20,7 @@ impl Rules {
             known: leaf.codes == 0,
         };
         let n = leaf.fields;
-        // Numbers that nobody would choose show whether something else is asked.
+        // Arbitrary numbers show whether the shape has other rules.
         rules.known = rules.known
             && (0..n as u32 + 8).all(|k| {
                 let number = |i: usize| T::lit(f64::from((i as u32 * 7 + k * 5) % 11) - 5.0);

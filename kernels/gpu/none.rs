@@ -1,4 +1,4 @@
-//! What stands for the GPU in a build without the feature `gpu`: types without values, so that
+//! The stand-in of the GPU in a build without the feature `gpu`: types without values, so that
 //! [`Backend`](crate::kernels::Backend) is the same in both.
 use crate::kernels::op::RingOp;
 use crate::{Error, GpuFault};
@@ -31,7 +31,7 @@ impl GpuRing for crate::kernels::SignedArea {}
 impl GpuRing for crate::kernels::Perimeter {}
 impl GpuRing for crate::kernels::Centroid {}
 
-/// Handles that nobody can have.
+/// Handles without values.
 macro_rules! none {
     ($($name:ident)*) => { $(
         /// Stands for what is on a GPU.

@@ -33,8 +33,8 @@ impl Class {
             ..self.shifts()
         }
     }
-    /// Shifts, turns and scaling stay. What turns and shifts there are is up to the shapes: in the plane about the
-    /// origin, of upright boxes about z, of boxes of any orientation about all axes.
+    /// Shifts, turns and scaling stay. The shapes decide which turns and shifts there are: shapes in the plane
+    /// turn about the origin, upright boxes about z, boxes of any orientation about all axes.
     pub const fn similar(self) -> Self {
         Class {
             scaling: Some(Answer::Stays),

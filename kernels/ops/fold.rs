@@ -81,8 +81,8 @@ impl Fold for LengthOfPolyline {
     }
 }
 
-/// What is known of a point after some edges of a path, and what of that is asked for; the macro lists
-/// operations, whether the path is closed, their invariances, jumps, and the answer.
+/// Folds with the state of a point after some edges of a path, and an answer from the last state. The macro lists
+/// operations, `true` for a closed path, their invariances, jumps, and the answer.
 macro_rules! of_point_and_path {
     ($(
         $(#[$($doc:tt)*])*

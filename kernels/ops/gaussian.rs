@@ -1,6 +1,6 @@
 //! Boxes as Gaussians, as operations.
 //!
-//! Where all lengths of a pair are zero, divergences jump to zero and similarities to those of identical boxes.
+//! If all lengths of a pair are zero, divergences jump to zero and similarities to those of identical boxes.
 use crate::gaussian::{
     bhattacharyya, jeffreys, kfiou, kullback_leibler, probiou, solid, wasserstein,
     wasserstein_squared,

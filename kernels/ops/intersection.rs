@@ -8,9 +8,9 @@ use crate::kernels::ops::rows::table;
 use crate::kernels::verbs;
 use crate::{Aabb2, Capsule2, Circle, Line2, Obb2, Ray2, Segment2, Triangle2};
 
-// What is found jumps where lines are parallel, where a line grazes a shape, and where another face is
-// hit. Shifts would move directions like points, so they are not declared; with a direction that grows as all
-// else does, parameters stay. A length inside is continuous, but for a segment along a straight side.
+// The crossing or hit jumps where lines are parallel, where a line grazes a shape, and where another face is hit.
+// Shifts would move directions like points, so they are not declared. Parameters stay if a direction grows with
+// the scale, as all else does. A length inside is continuous, but for a segment along a straight side.
 table! {
     /// The [crossing](crate::intersection::crossing_of_lines()) of {}.
     verbs::Crossing: (a, b) -> CommonPoint<S> { crossing_of_lines(a, b) } []

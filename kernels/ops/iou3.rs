@@ -1,6 +1,6 @@
 //! The family of IoU in space, and overlaps that have derivatives for boxes apart, as operations.
 //!
-//! What a plain name puts around a pair is in the table of [`iou3`](crate::iou3); suffixes name other shapes.
+//! The table of [`iou3`](crate::iou3) has the enclosing shape of a plain name; suffixes name other shapes.
 use crate::ad::adjoint::iou3::score_obb3_vjp;
 use crate::iou::separation_aware_obb2;
 use crate::iou3::{Enclosing, Score, alpha_iou, ciou, diou, eiou, giou, separation_aware};

@@ -9,7 +9,7 @@ macro_rules! families {
     ($($family:ident)*) => {
         $(pub(crate) mod $family;)*
 
-        /// Hands over every row of the library, with its types.
+        /// Walks through every row of the library, with its types.
         #[inline]
         pub fn each<W: list::Walk>(walk: &mut W) {
             $($family::each(walk);)*

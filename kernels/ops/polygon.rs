@@ -27,9 +27,9 @@ fn joint_hull<S: Scalar<Mask = bool>, const N: usize, const K: usize>(
     })
 }
 
-// What depends on a joint hull is given the room for it: at least twice that of the polygons. Values stay when
-// polygons are exchanged; which one is seen from the other decides how sides along each other share the
-// derivative, so that is not declared.
+// Operations by a joint hull have room for it: at least twice that of the polygons. Values stay when polygons are
+// exchanged. The choice of the polygon from which the other is seen decides how sides along each other share the
+// derivative. So that invariance is not declared.
 searches! {
     /// The [area](crate::overlap_polygon::intersection_area_polygons) that two convex polygons of up to `N`
     /// vertices share. Nothing is searched for.

@@ -150,7 +150,7 @@ macro_rules! listed {
         /// The names of the rows of this file, a list for every verb.
         pub(super) const NAMES: &[&[crate::kernels::ops::list::Written]] = &[$(&$names),*];
 
-        /// Hands over every row of this file.
+        /// Walks through every row of this file.
         // A lone argument needs no parentheses.
         #[allow(unused_parens)]
         #[inline]

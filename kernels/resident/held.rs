@@ -69,7 +69,7 @@ impl<R> Held<R> {
     ///
     /// # Errors
     ///
-    /// Those of the device.
+    /// The errors of the device.
     pub fn numbers(&self) -> Result<Vec<Vec<f32>>, Error> {
         match &self.columns {
             Side::Cpu(own) => Ok(own.iter().map(|own| own.rows.clone()).collect()),
@@ -121,7 +121,7 @@ impl<R: Item<Scalar = f32>> Held<R> {
     ///
     /// # Errors
     ///
-    /// Those of the device.
+    /// The errors of the device.
     pub fn download(&self) -> Result<R::Many, Error> {
         Ok(many_of::<R>(self.count, &self.numbers()?))
     }
@@ -130,7 +130,7 @@ impl<R: Item<Scalar = f32>> Held<R> {
     ///
     /// # Errors
     ///
-    /// Those of the device.
+    /// The errors of the device.
     pub fn start_download(&self) -> Result<Pending<R::Many>, Error> {
         match &self.columns {
             Side::Cpu(_) => Ok(Pending(Side::Cpu(Some(self.download()?)))),

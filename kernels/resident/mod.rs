@@ -86,7 +86,7 @@ macro_rules! handles {
             ///
             /// # Errors
             ///
-            /// Those of the device.
+            /// The errors of the device.
             pub fn download(&self) -> Result<$out, Error> {
                 self.start_download()?.wait()
             }
@@ -95,7 +95,7 @@ macro_rules! handles {
             ///
             /// # Errors
             ///
-            /// Those of the device.
+            /// The errors of the device.
             pub fn start_download(&self) -> Result<Pending<$out>, Error> {
                 on!(own = &self.0;
                     Ok(Pending(Side::Cpu(Some($get(own)))));
@@ -222,7 +222,7 @@ impl Matrix {
     ///
     /// # Errors
     ///
-    /// Those of the device.
+    /// The errors of the device.
     pub fn duplicate(&self) -> Result<Matrix, Error> {
         on!(own = &self.0;
             Ok(Matrix(Side::Cpu(own.clone())));

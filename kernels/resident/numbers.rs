@@ -37,11 +37,11 @@ fn list(held: &HeldNumbers) -> Result<Rows<'_, f32>, Error> {
 }
 
 impl Resident<'_> {
-    /// Uploads columns of what a function takes, all of one length; the call that takes them checks them.
+    /// Uploads columns of arguments of a function, all of one length; the call that takes them checks them.
     ///
     /// # Errors
     ///
-    /// What the device says.
+    /// The errors of the device.
     #[doc(hidden)]
     pub fn upload_rows(self, columns: &[Rows<'_, f32>]) -> Result<HeldNumbers, Error> {
         let count = columns.first().and_then(Rows::count).unwrap_or(0);

@@ -42,7 +42,7 @@ impl Rings {
     ///
     /// # Errors
     ///
-    /// Those of the device.
+    /// The errors of the device.
     pub fn ragged<O: GpuRing>(&self, op: O) -> Result<RingValues<<O as RingOp>::Out<f32>>, Error> {
         on!(own = &self.0;
             Ok(RingValues(Side::Cpu(Cpu::new().ragged(op, &own.0, &own.1)?)));

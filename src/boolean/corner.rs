@@ -1,4 +1,4 @@
-//! What a vertex of the result is made of, from the edges before and after it.
+//! The origins of a vertex of the result, from the edges before and after it.
 use super::grid::Grid;
 use super::{Origin, OverlayTrace, VertexId};
 use i_overlay::i_float::int::point::IntPoint;
@@ -7,7 +7,7 @@ use i_overlay::i_float::int::point::IntPoint;
 pub(super) struct Border {
     /// The numbers of the edges that it lies on, in ascending order.
     pub edges: Vec<usize>,
-    /// Where it ends.
+    /// Its end.
     pub end: IntPoint<i64>,
 }
 
@@ -32,8 +32,8 @@ fn meeting(grid: &Grid, before: usize, after: usize, at: IntPoint<i64>) -> Meeti
         return Meeting::Joined([u, v]);
     }
     let (u, v) = (first.along, second.along);
-    // Where both end here, edges that rounding makes parallel to a thousandth of a right angle's digits
-    // would have their crossing anywhere; both own vertices are as good.
+    // If both end here, the crossing of edges that rounding makes parallel to a thousandth of a right angle's
+    // digits could be anywhere; both own vertices are as good.
     let slight = if own.0.is_some() && own.1.is_some() {
         1e-13
     } else {
@@ -43,7 +43,7 @@ fn meeting(grid: &Grid, before: usize, after: usize, at: IntPoint<i64>) -> Meeti
     if before == after || cross <= slight * u.length() * v.length() {
         return Meeting::InLine;
     }
-    // Of both orders one, so that equal origins are found equal.
+    // Both orders give one origin, so that equal origins are found equal.
     let (p, q) = (first.id.min(second.id), first.id.max(second.id));
     Meeting::Across(Origin::Cross(p, q))
 }
@@ -60,7 +60,7 @@ pub(super) fn corner(grid: &Grid, before: &Border, after: &Border, trace: &mut O
 
 /// The origins of the end of a piece of the border and of the start of the next one, which are at one place.
 ///
-/// Where a piece lies on several edges, its ends move with the mean of them.
+/// The ends of a piece on several edges move with the mean of these.
 pub(super) fn origins(grid: &Grid, before: &Border, after: &Border) -> [Vec<Origin>; 2] {
     let at = before.end;
     joined(grid, before, after)
@@ -80,7 +80,7 @@ fn push(trace: &mut OverlayTrace, origins: &[Origin]) {
     }
 }
 
-/// Where every edge before goes on in one after: those vertices.
+/// The vertices at which every edge before goes on in one after.
 fn joined(grid: &Grid, before: &Border, after: &Border) -> Option<[Vec<Origin>; 2]> {
     if before.edges.len() != after.edges.len() {
         return None;
@@ -100,7 +100,7 @@ fn joined(grid: &Grid, before: &Border, after: &Border) -> Option<[Vec<Origin>; 
     Some(found)
 }
 
-/// Where all edges before cross all after, or are joined to them: all those places.
+/// The places at which all edges before cross all after, or are joined to them.
 fn across(grid: &Grid, before: &Border, after: &Border) -> Option<[Vec<Origin>; 2]> {
     let mut found = [Vec::new(), Vec::new()];
     for &i in &before.edges {

@@ -1,10 +1,10 @@
 //! Edges cut into pieces that meet at their ends only, or the answer that these would be too many.
 //!
-//! i_overlay cuts edges where they cross, rounds these places to the grid, and begins again until nothing crosses. Where
-//! edges lie within a few steps of each other over a length of many steps, each round bends pieces to where they cross
-//! anew, and their number doubles until pieces are about as short as steps: more of them than fit any memory. i_overlay
-//! has no limit of rounds. So where edges lie like this the rounds are here, by its rules (those of version 9.1, bit for
-//! bit) and with a limit; i_overlay then finds nothing left to cut.
+//! i_overlay cuts edges where they cross, rounds these places to the grid, and begins again until nothing
+//! crosses. Some edges lie within a few steps of each other over a length of many steps. Then each round bends
+//! pieces to where they cross anew. Their number doubles until pieces are about as short as steps: more of them
+//! than fit any memory. i_overlay has no limit of rounds. So the rounds of such edges are here, by its rules
+//! (those of version 9.1, bit for bit) and with a limit; i_overlay then finds nothing left to cut.
 use i_overlay::i_float::int::number::int::IntNumber;
 use i_overlay::i_float::int::number::product_uint::UIntProduct;
 use i_overlay::i_float::int::number::uint::UIntNumber;
@@ -18,9 +18,9 @@ const GROWTH: (usize, usize) = (8, 1024);
 /// How many rounds there may be: by then ends attract crossings from everywhere.
 const ROUNDS: u32 = 120;
 
-/// The difference of directions, in radians or half of that, from which on edges that cross are close to each other for
-/// 2²⁴ steps at most. What is cut anew there ends after 2¹⁶ pieces, because ends attract crossings from further away in
-/// every round.
+/// The difference of directions, in radians or half of that, up to which the pieces of two edges may become many.
+/// Edges that cross at a larger one are close to each other for 2²⁴ steps at most. Their cuts end after 2¹⁶ pieces,
+/// because ends attract crossings from further away in every round.
 const SLIGHT: f64 = 1.0 / (1 << 20) as f64;
 
 /// How many steps apart edges are close to each other, and for how many steps they may be it.
@@ -182,7 +182,8 @@ pub(super) fn cut(
     None
 }
 
-/// Makes lines of pieces. Those that run as often one way as the other, of both inputs, bound nothing and are left out.
+/// Makes lines of pieces. Pieces of both inputs that run as often one way as the other bound nothing and are left
+/// out.
 fn merge(pieces: &mut Vec<Piece>, lines: &mut Vec<Line>, of_second: &impl Fn(usize) -> bool) {
     pieces.sort_unstable_by_key(|piece| piece.ends);
     lines.clear();
@@ -213,8 +214,8 @@ fn merge(pieces: &mut Vec<Piece>, lines: &mut Vec<Line>, of_second: &impl Fn(usi
     pieces.truncate(kept);
 }
 
-/// Adds where lines cross, which are in ascending order, and says whether any of these places was rounded. Of lines that
-/// the last round left alone no two cross.
+/// Adds the crossings of lines, which are in ascending order; `true` if any of these places was rounded. No two
+/// lines that the last round left alone cross.
 fn crossings(lines: &[Line], radius: u128, cuts: &mut Vec<Cut>) -> bool {
     let mut is_rounded = false;
     let bands = Bands::new(lines);
@@ -279,9 +280,10 @@ fn side(from: Point, to: Point, at: Point) -> i128 {
     (ux * vy - uy * vx).signum()
 }
 
-/// Adds where two lines are to be cut, the first in order first; whether that is not where they cross exactly.
+/// Adds the places at which two lines are to be cut, the first in order first; `true` if that is not their exact
+/// crossing.
 ///
-/// Where the square of the distance of an end from there is at most `radius`, it is that end.
+/// An end whose squared distance from the crossing is at most `radius` takes its place.
 fn cross([p, q]: [[Point; 2]; 2], numbers: [u32; 2], radius: u128, cuts: &mut Vec<Cut>) -> bool {
     let mut add = |k: usize, at| {
         cuts.push(Cut {
@@ -349,8 +351,8 @@ fn square_distance(a: Point, b: Point) -> u128 {
     x * x + y * y
 }
 
-/// Where two lines cross that are not parallel, rounded: to the nearest step, and towards the start of the first where
-/// that one is parallel to an axis.
+/// The crossing of two lines that are not parallel, rounded: to the nearest step, and towards the start of the
+/// first where that one is parallel to an axis.
 fn meeting(p: [Point; 2], q: [Point; 2]) -> Point {
     let start = p[0];
     let seen = |at: Point| [at.x - start.x, at.y - start.y].map(i128::from);

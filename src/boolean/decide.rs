@@ -54,7 +54,7 @@ impl Pieces {
         }
         Ok(Pieces::of(grid, edges, fill))
     }
-    /// Of polygons whose edges are rounded to numbers of the format.
+    /// The pieces of polygons whose edges are rounded to numbers of the format.
     pub fn snapped<S: Scalar<Mask = bool>>(
         inputs: [Rings<'_, S>; 2],
         fill: Fill,
@@ -63,7 +63,7 @@ impl Pieces {
         let edges = grid.snap(squares::<S>());
         Ok(Pieces::of(grid, edges, fill))
     }
-    /// Of pieces of edges, each with the number of its edge.
+    /// Takes pieces of edges, each with the number of its edge.
     fn of(grid: Grid, edges: Numbered, fill: Fill) -> Self {
         let mut overlay = EdgeOverlay::new(edges.len());
         for (k, [a, b]) in edges {
@@ -136,7 +136,7 @@ impl Pieces {
     }
 }
 
-/// Where every vertex of the result of a boolean operation is from. See the [module](super).
+/// The origin of every vertex of the result of a boolean operation. See the [module](super).
 ///
 /// # Errors
 ///

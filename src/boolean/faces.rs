@@ -135,7 +135,7 @@ impl Border {
     /// A closed walk as rings that visit no place twice.
     fn simple(&self, cycle: &[usize]) -> Vec<Ring> {
         let (mut rings, mut open): (Vec<Ring>, Ring) = (Vec::new(), Vec::new());
-        // Where the walk so far has been.
+        // The places of the walk so far, each with its index in `open`.
         let mut places = std::collections::HashMap::new();
         for &k in cycle {
             let at = self.pieces[k].from;

@@ -47,7 +47,7 @@ impl Edge {
     }
 }
 
-/// Where a grid is seen from.
+/// The place from which a grid is seen.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Steps {
     /// From near both inputs, so that far away it is no coarser.

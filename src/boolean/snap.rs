@@ -61,7 +61,7 @@ impl Squares {
         });
         path
     }
-    /// Whether an edge meets a square: whether neither an axis nor the normal of the edge separates them. The upper and
+    /// `true` if an edge meets a square: neither an axis nor the normal of the edge separates them. The upper and
     /// right sides of the square are infinitely little inside of where they are.
     fn meets(self, from: Point, to: Point, square: Point) -> bool {
         let (center, half) = (self.center(square), self.half());
@@ -91,7 +91,7 @@ impl Squares {
     }
 }
 
-/// Where two edges cross that are not parallel, rounded down in both coordinates.
+/// The crossing of two edges that are not parallel, rounded down in both coordinates.
 fn crossing(a: [Point; 2], b: [Point; 2]) -> Option<Point> {
     let apart = |a: [i64; 2], b: [i64; 2]| {
         a[0].max(a[1]) < b[0].min(b[1]) || b[0].max(b[1]) < a[0].min(a[1])

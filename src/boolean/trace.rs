@@ -3,13 +3,13 @@
 /// A boolean operation of two polygons.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Operation {
-    /// What is in either.
+    /// The points in either.
     Union,
-    /// What is in both.
+    /// The points in both.
     Intersection,
-    /// What is in the first and not in the second.
+    /// The points in the first and not in the second.
     Difference,
-    /// What is in exactly one.
+    /// The points in exactly one.
     SymmetricDifference,
 }
 
@@ -44,7 +44,7 @@ pub struct EdgeId {
     pub edge: usize,
 }
 
-/// Where a vertex of the result is from.
+/// The origin of a vertex of the result.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub enum Origin {
     /// A vertex of an input.
@@ -61,7 +61,7 @@ pub enum Origin {
     },
 }
 
-/// What a boolean operation decided: where every vertex of the result is from. It holds no numbers.
+/// The record of a boolean operation: the origin of every vertex of the result. It holds no numbers.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct OverlayTrace {
     pub(super) origins: Vec<Origin>,
@@ -74,8 +74,8 @@ pub struct OverlayTrace {
 }
 
 impl OverlayTrace {
-    /// Where each vertex of the result is from, one ring after the other. With several origins, which are
-    /// then at one place, it is the mean of them.
+    /// The origins of each vertex of the result, one ring after the other. A vertex with several origins, which
+    /// are then at one place, is the mean of them.
     pub fn origins(&self) -> impl Iterator<Item = &[Origin]> {
         let starts = std::iter::once(&0).chain(&self.vertices);
         starts
@@ -100,16 +100,16 @@ impl OverlayTrace {
     }
 }
 
-/// What intersection over union decided.
+/// The record of intersection over union.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct IouTrace {
-    /// What both polygons share.
+    /// The polygon that both share.
     pub intersection: OverlayTrace,
-    /// What they cover together.
+    /// The polygon that they cover together.
     pub union: OverlayTrace,
 }
 
-/// Where a vertex of a valid result is from.
+/// The origin of a vertex of a valid result.
 #[derive(Clone, Debug, PartialEq)]
 #[cfg_attr(
     not(feature = "boolean"),

@@ -17,8 +17,8 @@ pub(crate) struct Meeting<S> {
     pub cross: S,
 }
 
-/// The crossing of two edges that are known to cross. Where rounding leaves them parallel it is in the
-/// middle of the first one.
+/// The crossing of two edges that are known to cross; the middle of the first one if rounding leaves them
+/// parallel.
 #[inline]
 pub(crate) fn meet<S: Scalar>(a: [Vec2<S>; 2], b: [Vec2<S>; 2]) -> Meeting<S> {
     let seen = Reference::of_ring(&[a[0], a[1], b[0], b[1]]);

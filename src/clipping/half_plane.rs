@@ -4,10 +4,9 @@ use crate::error::{Flaw, VertexFault};
 use crate::predicate::{Turn, turn};
 use crate::{ConvexPolygon, Scalar, Vec2};
 
-/// What is left of a convex polygon on the left of the line through two points, as a record: corners of
-/// the polygon are `A`, the line is edge 0 of `B`. `O(n)`. The line itself belongs to its left, so a
-/// polygon that only touches it leaves a point or a segment; where both points of the line are the same,
-/// all is left.
+/// The part of a convex polygon on the left of the line through two points, as a record: corners of the polygon
+/// are `A`, the line is edge 0 of `B`. `O(n)`. The line itself belongs to its left, so a polygon that only
+/// touches it leaves a point or a segment. If both points of the line are the same, the whole polygon is left.
 ///
 /// # Errors
 ///
@@ -37,8 +36,7 @@ pub fn half_plane_search<S: Scalar<Mask = bool>, const N: usize, const K: usize>
     Ok(trace)
 }
 
-/// What is left of a polygon on the left of a line, from both and the record of
-/// [`half_plane_search`].
+/// The part of a polygon on the left of a line, from both and the record of [`half_plane_search`].
 ///
 /// ```
 /// use geograd::{Aabb2, ConvexPolygon, Vec2};

@@ -14,7 +14,7 @@ pub(super) struct Meeting {
     pub on_b: usize,
 }
 
-/// Where the line of an edge of a enters or leaves b.
+/// The vertex or edge of b at which the line of an edge of a enters or leaves b.
 #[derive(Clone, Copy, Debug, PartialEq)]
 enum Contact {
     Vertex(usize),
@@ -72,7 +72,7 @@ fn last_where(len: usize, holds: impl Fn(usize) -> bool) -> usize {
     low
 }
 
-/// Where the line of edge `i` of a enters and leaves b, in this order.
+/// The line of edge `i` of a, with its contacts: where it enters b, and where it leaves b.
 struct Reach<'a, S> {
     a: Border<'a, S>,
     b: Border<'a, S>,
@@ -81,7 +81,8 @@ struct Reach<'a, S> {
 }
 
 impl<S: Scalar<Mask = bool>> Reach<'_, S> {
-    /// Where on the edge a place on its line is: at the start, behind it and before the end, or not.
+    /// The position on the edge of a place on its line: `Equal` at the start, `Greater` behind it and before the
+    /// end, else `None`.
     fn order(&self, point: Vec2<S>) -> Option<Ordering> {
         let [start, end] = self.a.edge(self.i);
         let ahead = left_to_right(start, end);

@@ -1,10 +1,9 @@
 //! Clipping of convex polygons, with the provenance of every vertex and edge.
 //!
-//! A search decides, with exact predicates on the given vertices only, which corners and crossings the
-//! result has: [`clip_search`]. Its record holds no numbers. [`clip_replay`] makes the polygon from
-//! the given ones and the record, so duals pass through it; its adjoint replays it likewise. Where the
-//! shapes only touch, the result is a point (one vertex) or a segment (two), where they are apart it is
-//! empty (none).
+//! A search decides, with exact predicates on the given vertices only, which corners and crossings the result
+//! has: [`clip_search`]. Its record holds no numbers. [`clip_replay`] makes the polygon from the given ones and
+//! the record, so duals pass through it; its adjoint replays it likewise. The result of shapes that only touch is
+//! a point (one vertex) or a segment (two); that of shapes apart is empty (none).
 //!
 //! Every vertex has one origin, as the record names it, and all of its derivative is by that: a vertex that both
 //! polygons have is the first one's, or the crossing of two edges. So `clip(a, a)` has the derivatives of its first
@@ -50,10 +49,10 @@ pub enum Side {
 /// The record of clipping: the provenance of every vertex and edge of the result.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct ClipTrace<const K: usize> {
-    /// Where each vertex is from, counter-clockwise; the first `count` matter.
+    /// The origin of each vertex, counter-clockwise; the first `count` matter.
     pub corners: [Corner; K],
-    /// Which edge the side from each vertex to the next one lies on. Where edges of both lie along
-    /// each other, that of the first.
+    /// The edge on which the side from each vertex to the next one lies. If edges of both lie along each other,
+    /// it is that of the first.
     pub sides: [Side; K],
     /// How many vertices the result has: 0 when apart, 1 for a point, 2 for a segment.
     pub count: usize,

@@ -53,7 +53,7 @@ impl<S: Scalar> ImageBox<S> {
             .into(),
         }
     }
-    /// The box in a mirror: the same numbers read where y points up. What mirrors do not change, such as
+    /// The box in a mirror: the same numbers read where y points up. Measures that mirrors do not change, such as
     /// areas and overlaps of two boxes that are both mirrored, can be computed from it.
     #[must_use]
     #[inline(always)]
@@ -138,8 +138,8 @@ ranged! {
     }
 }
 ranged! {
-    /// What OpenCV's `minAreaRect` has given since 4.5.1, but for degrees: either side may be the longer one.
-    /// Kinks: the ends of the range.
+    /// The box of OpenCV's `minAreaRect` since 4.5.1, but for degrees: either side may be the longer one. Kinks:
+    /// the ends of the range.
     OpenCvBox { "In `(0, π/2]`." }
     |shape| {
         let angle = Period::Half.wrap(shape.heading.radians);

@@ -41,13 +41,13 @@ use crate::{Aabb2, Obb2, Scalar, Vec2};
     note = "`impl Convex` gives a convex shape of the plane the distances from all others"
 )]
 pub trait Convex<S: Scalar>: Copy {
-    /// What is inflated.
+    /// The core: the shape before it is inflated.
     type Core: Core<S>;
-    /// Whether the radius may be other than zero.
+    /// `true` if the radius may be other than zero.
     const ROUND: bool = false;
-    /// What is inflated.
+    /// The core that is inflated.
     fn core(self) -> Self::Core;
-    /// By how much; not negative.
+    /// The radius of inflation; not negative.
     #[cfg_attr(not(debug_assertions), inline(always))]
     fn radius(&self) -> S {
         S::zero()
@@ -132,9 +132,9 @@ pub trait Core<S: Scalar>: Copy {
     type Away: AsRef<[Vec2<S>]>;
     /// 0 for a point, 1 for a piece of a line, 2 for what has an area.
     const DIMENSION: usize;
-    /// Whether it ends in every direction.
+    /// `true` if it ends in every direction.
     const BOUNDED: bool = true;
-    /// Whether it is a box, whose corners need not be compared to know the farthest one from a point.
+    /// `true` if it is a box, whose corners need not be compared to know the farthest one from a point.
     const SYMMETRIC: bool = false;
     /// A point of it, or near it, from which the others are seen.
     fn anchor(&self) -> Vec2<S>;
@@ -154,7 +154,7 @@ pub trait Core<S: Scalar>: Copy {
     fn far(&self, corners: &[Vec2<S>]) -> Best<S, S> {
         farthest(self.corners().as_ref(), corners)
     }
-    /// Where a line is inside of the core or, for a piece of a line, of the strip that far to both
+    /// The part of a line inside of the core; for a piece of a line, inside of the strip of `radius` to both
     /// sides of it.
     fn inside(&self, beam: Beam<S>, radius: S) -> Inside<S>;
     /// The least of `normal · point` over the corners, and the corner.

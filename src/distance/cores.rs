@@ -86,7 +86,7 @@ impl<S: Scalar, const AWAY: usize> EdgeCore<S, 1, AWAY> {
         EdgeCore {
             edge: Edge {
                 from,
-                // Of a length near one, whatever the unit of the rest.
+                // The direction has a length near one, whatever the unit of the rest.
                 along: direction * scale_of::<S>(size_of(direction)),
                 low: if AWAY == 2 { -large } else { S::zero() },
                 high: large,
@@ -356,7 +356,7 @@ impl<S: Scalar, R: Turn<S>> Core<S> for BoxCore<S, R> {
             )
         }))
     }
-    /// Of a box the farthest corner is on the other side along both axes.
+    /// The farthest corner of a box is on the other side along both axes.
     #[cfg_attr(not(debug_assertions), inline(always))]
     fn far(&self, corners: &[Vec2<S>]) -> Best<S, S> {
         Best::most_of(corners.iter().map(|&corner| {

@@ -34,10 +34,9 @@
 //! `f32`, from 2⁻¹⁵⁰ to 2¹⁵⁰ in `f64`.
 //!
 //! Kinks: at distance zero the distance and its derivatives are 0 (the signed distance keeps its derivative
-//! there). Where several pairs of corner and edge are equally near, as for parallel edges, they
-//! share the derivative and the point equally: for two boxes face to face the points are the middle of what
-//! faces each other, or of its ends' repetitions. Where several faces are equally deep they share the
-//! derivative, and the direction is that of the first.
+//! there). Pairs of corner and edge that are equally near, as for parallel edges, share the derivative and the
+//! point equally. For two boxes face to face the points are the middle of the facing parts, or of the repetitions
+//! of their ends. Faces that are equally deep share the derivative, and the direction is that of the first.
 use crate::{Scalar, Vec2};
 
 pub mod bounds;
@@ -161,10 +160,10 @@ pub fn squared_distance<S: Scalar, A: Convex<S>, B: Convex<S>>(a: A, b: B) -> S 
 
 /// The points in which two convex shapes are nearest to each other.
 ///
-/// Where they overlap, the points that [`penetration`] brings together: `on_b` is that point of b which
-/// is deepest in a (or the reverse), `on_a` the point of a's border to which it must go. Ties and
-/// derivatives: see the [module](self). Where two lines cross the points are nearest to each other's
-/// given points and mean nothing.
+/// For shapes that overlap they are the points that [`penetration`] brings together: `on_b` is that point of b
+/// which is deepest in a (or the reverse), `on_a` the point of a's border to which it must go. Ties and
+/// derivatives: see the [module](self). The points of two lines that cross are nearest to each other's given
+/// points and mean nothing.
 ///
 /// ```
 /// use geograd::{Aabb2, Circle, Vec2, distance::closest_points};
@@ -212,10 +211,10 @@ pub fn farthest_distance<S: Scalar, A: Convex<S>, B: Convex<S>>(a: A, b: B) -> S
 }
 
 /// The points between which [`farthest_distance`] is: corners of both, or the points of round shapes beyond their
-/// centres and ends. For bounded shapes; of a ray or a line only the given point counts.
+/// centres and ends. For bounded shapes; only the given point of a ray or a line counts.
 ///
-/// Of several pairs that are equally far it is the first, counted along a's corners and then b's, so that both are
-/// corners: points jump where pairs tie. Of round shapes with one centre they are two ends of one diameter.
+/// The first of several pairs that are equally far counts, along a's corners and then b's, so that both are
+/// corners: points jump where pairs tie. Round shapes with one centre have two ends of one diameter.
 ///
 /// ```
 /// use geograd::{Aabb2, Circle, Vec2, distance::farthest_points};

@@ -12,16 +12,16 @@ use crate::{Aabb2, Obb2, Scalar, Vec2};
 pub trait PairFormula<S: Scalar> {
     /// Its result.
     type Out;
-    /// Of any two shapes, by their cores.
+    /// The result for any two shapes, by their cores.
     fn cores<A: Convex<S>, B: Convex<S>>(a: A, b: B) -> Self::Out;
-    /// Of two points.
+    /// The result for two points.
     #[inline]
     fn points(a: Vec2<S>, b: Vec2<S>) -> Self::Out {
         Self::cores(a, b)
     }
-    /// Of two axis-aligned boxes.
+    /// The result for two axis-aligned boxes.
     fn aabb2(a: Aabb2<S>, b: Aabb2<S>) -> Self::Out;
-    /// Of two rotated boxes.
+    /// The result for two rotated boxes.
     fn obb2(a: Obb2<S>, b: Obb2<S>) -> Self::Out;
 }
 
@@ -165,7 +165,7 @@ impl<S: Scalar> PairFormula<S> for Farthest {
         let square = match (A::Core::SYMMETRIC, B::Core::SYMMETRIC) {
             (true, false) => core_a.far(to),
             (false, true) => core_b.far(from),
-            // Of two boxes neither comes first, so that exchanging them changes no derivative.
+            // Neither of two boxes comes first, so that exchanging them changes no derivative.
             _ => convex::farthest(from, to),
         };
         let square = square.mean();

@@ -6,8 +6,7 @@ use super::share::{Best, Deepest, Nearest};
 use crate::scalar::speck;
 use crate::{Scalar, Vec2};
 
-/// What two convex shapes are to each other. Lengths are in units of `1 / scale`, points are seen from
-/// `origin`.
+/// The relation of two convex shapes. Lengths are in units of `1 / scale`, points are seen from `origin`.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Relation<S: Scalar> {
     /// The signed distance of the cores.
@@ -19,9 +18,9 @@ pub(crate) struct Relation<S: Scalar> {
     pub on_a: Vec2<S>,
     /// The point of b's core.
     pub on_b: Vec2<S>,
-    /// Where the cores overlap without end: no shift of any length parts them.
+    /// `true` where the cores overlap without end: no shift of any length parts them.
     pub endless: S::Mask,
-    /// Where the cores share more than a border.
+    /// `true` where the cores share more than a border.
     pub overlap: S::Mask,
     /// The way between the nearest points of cores that are apart.
     pub way: Vec2<S>,

@@ -12,14 +12,14 @@ use crate::{Scalar, Vec2};
 /// Which points of the plane a ring's winding number puts inside.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
 pub enum Fill {
-    /// Those with a winding number other than zero: loops add up.
+    /// Points with a winding number other than zero: loops add up.
     #[default]
     NonZero,
-    /// Those with an odd winding number: every crossing changes sides.
+    /// Points with an odd winding number: every crossing changes sides.
     EvenOdd,
 }
 
-/// What is known of a point after some edges.
+/// The state of a point after some edges.
 #[derive(Clone, Copy, Debug, PartialEq, crate::Shape)]
 #[repr(C)]
 pub struct EdgeFold<S> {
@@ -29,10 +29,10 @@ pub struct EdgeFold<S> {
     sum: S,
     /// How many they are.
     count: S,
-    /// Of an edge that the point is exactly on its distance to the left of it: zero but for derivatives. Here
-    /// where the winding number on that side is the point's own.
+    /// The distance to the left of an edge that the point is exactly on: zero but for derivatives. It counts here
+    /// if the winding number on that side is the point's own.
     left: S,
-    /// Here where that on its right side is.
+    /// The same if the winding number on the right side is the point's own.
     right: S,
     /// The winding number so far.
     pub winding: S,

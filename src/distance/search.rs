@@ -29,7 +29,7 @@ fn larger<P: Scalar>(a: P, b: P) -> P {
     P::select(a.below(b), b, a)
 }
 
-/// Whether a square is no larger than another one but for rounding.
+/// `true` where a square is no larger than another one but for rounding.
 #[inline(always)]
 fn about_least<P: Scalar>(square: P, least: P) -> P::Mask {
     square.at_most(least * P::lit(1.0 + 64.0 * P::EPSILON))

@@ -2,7 +2,7 @@
 use super::edge::choose;
 use crate::{Scalar, Vec2};
 
-/// What can be added up and divided: what a [`Best`] carries.
+/// Values that can be added up and divided: a [`Best`] carries one.
 pub trait Carry<S: Scalar>: Copy {
     /// The sum where `tie`, else `self` where `keep`, else `other`.
     fn join(self, other: Self, keep: S::Mask, tie: S::Mask) -> Self;
@@ -48,7 +48,7 @@ impl<S: Scalar, A: Carry<S>, B: Carry<S>> Carry<S> for (A, B) {
 /// are.
 #[derive(Clone, Copy, Debug)]
 pub struct Best<S, C> {
-    /// What is compared.
+    /// The value that is compared.
     pub value: S,
     /// The sum of what the best ones carry.
     pub sum: C,
@@ -103,7 +103,7 @@ impl<S: Scalar, C: Carry<S>> Best<S, C> {
             .reduce(Self::most)
             .expect("a core has at least one face")
     }
-    /// What the best ones carry, on average.
+    /// The mean of the values that the best ones carry.
     #[cfg_attr(not(debug_assertions), inline(always))]
     pub fn mean(self) -> C {
         self.sum.times(S::one().over(self.count))

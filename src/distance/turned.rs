@@ -34,14 +34,14 @@ fn signed<S: Scalar>(negative: bool, x: S) -> S {
     if negative { -x } else { x }
 }
 
-/// What the cosine is short of one, which it does not show itself where the angle is small.
+/// One minus the cosine, by the sine: the cosine of a small angle rounds to one.
 #[inline(always)]
 fn short<S: Scalar>(pair: &Relative<S>) -> S {
     (pair.sin * pair.sin).over(S::one() + pair.cos)
 }
 
-/// By how much `first + last` is beyond `half` on either side, zero between. What is as large as `half` is
-/// subtracted before what is small is added.
+/// The length by which `first + last` is beyond `half` on either side, zero between. The large `half` and `first`
+/// are subtracted before the small `last` is added.
 #[inline(always)]
 fn beyond<S: Scalar>(first: S, last: S, half: S) -> S {
     let zero = S::zero();
@@ -269,8 +269,8 @@ pub fn farthest_distance_obb2<S: Scalar>(a: Obb2<S>, b: Obb2<S>) -> S {
     let (sx, sy, tx, ty) = (sx * i, sy * j, tx * k, ty * l);
     let (xx, xy, yx, yy) = (xx * (i * k), xy * (i * l), yx * (j * k), yy * (j * l));
     let inner = ((sx + sy) + (tx + ty)) + ((xx + yy) + (xy + yx));
-    // What each other choice of signs has less is the sum of the terms whose sign it changes. So a term that
-    // many choices share, however large, hides nothing.
+    // Every other choice of signs is less by the sum of the terms whose sign it changes. So a large term that
+    // many choices share hides no difference.
     let losses = (1..16).map(|k: usize| {
         let [i, j, k, l] = [1, 2, 4, 8].map(|bit| k & bit != 0);
         let changed = |change: bool, x: S| if change { x } else { S::zero() };

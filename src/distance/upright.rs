@@ -116,7 +116,7 @@ pub fn closest_points_aabb2<S: Scalar>(a: Aabb2<S>, b: Aabb2<S>) -> PointPair<S>
     let [(x, gap_x), (y, gap_y)] = axes.map(|(a, b)| facing(a, b));
     let (apart_x, apart_y) = (gap_x.above(zero), gap_y.above(zero));
     let apart = apart_x | apart_y;
-    // Of boxes that overlap the shallower axis parts them.
+    // The shallower axis parts boxes that overlap.
     let first = gap_x.at_least(gap_y);
     let parted = [apart_x | !apart & first, apart_y | !apart & !first];
     let [x, y] =
@@ -132,8 +132,8 @@ pub fn closest_points_aabb2<S: Scalar>(a: Aabb2<S>, b: Aabb2<S>) -> PointPair<S>
 
 /// How deep two axis-aligned boxes overlap, and in which direction b leaves a by the shortest way.
 ///
-/// Their [`penetration`](super::penetration), by their bounds alone. Where the ways out along x and along
-/// y tie, the depth shares its derivative and the direction is along x. Kinks: where bounds tie.
+/// Their [`penetration`](super::penetration), by their bounds alone. If the ways out along x and along y tie, the
+/// depth shares its derivative and the direction is along x. Kinks: where bounds tie.
 ///
 /// ```
 /// use geograd::{Aabb2, Vec2, distance::upright::penetration_aabb2};

@@ -4,7 +4,8 @@ use crate::Scalar;
 
 /// The units of the sizes of two boxes: powers of two, constants.
 pub(super) struct Shapes<S: Scalar> {
-    /// What brings the largest size of the first box into `[2, 4)`; a box without size takes that of the other.
+    /// The factor that brings the largest size of the first box into `[2, 4)`; a box without size takes that of
+    /// the other.
     pub a: S,
     /// The same for the second box.
     pub b: S,
@@ -12,9 +13,9 @@ pub(super) struct Shapes<S: Scalar> {
     pub share_a: S,
     /// The same for the second box.
     pub share_b: S,
-    /// What brings the largest size of both into `[2, 4)`.
+    /// The factor that brings the largest size of both into `[2, 4)`.
     pub both: S,
-    /// Where neither box has a size.
+    /// `true` where neither box has a size.
     pub none: S::Mask,
 }
 
@@ -68,7 +69,7 @@ pub(super) struct Way<S: Scalar> {
     pub squared: S,
     /// The power of two that brings its largest coordinate into `[2, 4)`, a constant.
     pub unit: S,
-    /// Where there is none: the centres agree.
+    /// `true` where there is no way: the centres agree.
     pub none: S::Mask,
 }
 

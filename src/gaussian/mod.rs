@@ -248,8 +248,8 @@ pub(crate) fn fused<S: Scalar>(of_a: S, of_b: S) -> S {
     S::select(empty, S::zero(), value).canonical()
 }
 
-/// The loss `1 − 1 / (τ + ln(1 + d))` of a distance or divergence `d ≥ 0`, in `[1 − 1/τ, 1)`; with `τ = 1`
-/// from 0. What the papers put around [`wasserstein`] and [`kullback_leibler`].
+/// The loss `1 − 1 / (τ + ln(1 + d))` of a distance or divergence `d ≥ 0`, in `[1 − 1/τ, 1)`; at
+/// least 0 with `τ = 1`. The papers apply it to [`wasserstein`] and [`kullback_leibler`].
 #[must_use]
 #[inline]
 pub fn saturating_loss<S: Scalar>(d: S, tau: S) -> S {

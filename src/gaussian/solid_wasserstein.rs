@@ -19,7 +19,7 @@ struct Pair<S: Scalar> {
     /// The rotation.
     turn: [[S; 3]; 3],
     units: Shapes<S>,
-    /// Where both boxes are the same.
+    /// `true` where both boxes are the same.
     same: S::Mask,
 }
 
@@ -137,8 +137,8 @@ fn of_shapes<S: Scalar>(pair: &Pair<S>) -> S {
     sum - gain(&aligned, &best) * (units.share_a * units.share_b)
 }
 
-/// What moving the best rotation Q along with the pair takes from the sum of squares: nothing here, and no
-/// derivative, but a second derivative.
+/// The decrease of the sum of squares as the best rotation Q moves along with the pair. Its value and derivative
+/// are zero here; its second derivative is not.
 ///
 /// With `K = Qᵀ M`, symmetric where Q is the best, a further turn ω changes `⟨M, Q⟩` by `ω · v − ½ ωᵀ P ω`,
 /// where v is twice the skew part of K and `P = tr K − K`; the best ω gains `½ vᵀ P⁻¹ v` of it, so twice that

@@ -41,8 +41,8 @@ pub struct Hit<S> {
     pub kind: S,
 }
 
-/// A parameter and the normal at it. Where several tie, the parameter shares the derivative and the
-/// first normal is taken.
+/// A parameter and the normal at it. If several tie, the parameter shares the derivative and the first normal is
+/// taken.
 #[derive(Clone, Copy, Debug)]
 struct Border<S> {
     t: S,
@@ -73,8 +73,8 @@ pub struct Beam<S> {
     along: Vec2<S>,
 }
 
-/// Where a beam enters and leaves a convex piece; empty where it enters at the largest number and
-/// leaves at the smallest.
+/// The range of a beam inside a convex piece: where it enters and where it leaves. It is empty if the beam enters
+/// at the largest number and leaves at the smallest.
 #[derive(Clone, Copy, Debug)]
 pub struct Inside<S> {
     enter: Best<S, Border<S>>,
@@ -194,8 +194,8 @@ impl<S: Scalar> Inside<S> {
             let normal = -unit(along.perp());
             inside = inside.behind(beam, corners[i], normal);
         }
-        // Faces of a flat polygon do not say where it ends; its bounds do. Of others they would share the derivative of
-        // faces along an axis.
+        // The faces of a flat polygon do not say where it ends; its bounds do. The bounds of other polygons would
+        // share the derivative of faces along an axis.
         let (mut twice, mut reach) = (S::zero(), S::zero());
         for i in 1..n {
             let way = corners[i] - corners[0];
@@ -214,7 +214,7 @@ impl<S: Scalar> Inside<S> {
             .behind(beam, max, up)
             .behind(beam, min, -right)
             .behind(beam, min, -up);
-        // Where both say the same it is the faces that the line crosses.
+        // If both are equal, the faces count: the line crosses these.
         let crossed = |faces: Best<S, Border<S>>, bounds: Best<S, Border<S>>| {
             let same = faces.value.equals(bounds.value);
             let never = S::one().below(S::zero());

@@ -44,13 +44,13 @@ fn generalised<S: Scalar>(a: Aabb2<S>, b: Aabb2<S>, hull: bool) -> S {
     let half = |scale: S| move |low: S, high: S| (high.halved() - low.halved()) * scale;
     let x = Parts::of([a.min.x, a.max.x], [b.min.x, b.max.x], half(scale.x));
     let y = Parts::of([a.min.y, a.max.y], [b.min.y, b.max.y], half(scale.y));
-    // What neither box covers is summed up from what it is made of: the difference of the areas of the
-    // box around both and of the union would lose its digits where one box all but covers the other.
+    // The area that neither box covers is the sum of its parts. The area of the box around both less that of
+    // the union would lose its digits if one box all but covers the other.
     let mut rest = (x.a * (y.b + y.neither) + x.b * (y.a + y.neither))
         + (x.both * y.neither + x.neither * y.whole());
     if hull {
         rest -= hull_of_bounds(a, b, scale).1.halved();
-        // Rounding must not leave less than nothing.
+        // Rounding must not make it negative.
         let short = rest.below(S::zero());
         rest = S::select(short, rest.with_primal(S::Primal::zero()), rest);
     }

@@ -40,7 +40,7 @@ use crate::{Aabb2, Obb2, Scalar, Vec2};
 /// farther along that normal, 0 where b does and ½ at a tie: `A₀ = a₀ + a₂`, `A₁ = a₁ + a₃`, `B₀`, `B₁` likewise.
 #[derive(Clone, Copy, Debug)]
 pub struct HullOfBoxes<S: Scalar> {
-    /// Where everything was mirrored: y, and b's turn, have the other sign.
+    /// `true` where everything was mirrored: y, and b's turn, have the other sign.
     pub mirrored: S::Mask,
     /// Cosine and sine of b's turn, both not negative.
     pub turn: Vec2<S>,
@@ -101,7 +101,7 @@ fn larger<S: Scalar>(x: S, y: S) -> S {
 pub fn hull_of_related<S: Scalar>(pair: &Relative<S>) -> HullOfBoxes<S> {
     let mirrored = pair.sin.below(S::zero());
     let (u, v) = (pair.u, S::select(mirrored, -pair.v, pair.v));
-    // What `relate` has computed is written as there, for compilers to see.
+    // The products are written as in `relate`, so that compilers compute them once.
     let (cos, sin) = (pair.cos, pair.sin.unsigned());
     let (a, b) = (pair.half_a, pair.half_b);
     let arms @ [px, py, qx, qy] = [b.x * cos, b.x * sin, b.y * sin, b.y * cos];
@@ -151,7 +151,7 @@ impl<S: Scalar> HullOfBoxes<S> {
             (py * lean.y - qy * lean.x) - a.y * own.x,
         )
     }
-    /// What a's right and upper side gain by b's arms, per length: the factors of x and y.
+    /// The gain of a's right and upper side by b's arms, per length: the factors of x and y.
     #[must_use]
     #[inline(always)]
     pub fn beside(&self) -> Vec2<S> {
@@ -185,7 +185,7 @@ pub fn hull_area_obb2<S: Scalar>(a: Obb2<S>, b: Obb2<S>) -> S {
     let scale = hull_scale(&a, &b);
     let pair = relate::<S, true>(a, b, scale);
     let area = hull_of_related(&pair).area();
-    // Of flat boxes along one line rounding leaves a little of either sign.
+    // Rounding leaves a little area of either sign to flat boxes along one line.
     let none = area.below(S::zero());
     let area = S::select(none, area.with_primal(S::Primal::zero()), area);
     area.over(scale).over(scale).saturated().canonical()

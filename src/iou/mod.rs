@@ -33,9 +33,9 @@
 //!
 //! Losses are one minus the score. Shapes that are apart have derivatives in all but IoU, IoF and `alpha_iou`:
 //! they are drawn together. Identical shapes of positive area have exactly 1 with derivative zero (but for
-//! `giou_aabb_obb2` of turned boxes). GIoU is −1 only where rounding makes it so, DIoU also for two points.
-//! Where a denominator is zero (two shapes of no area on a line; coincident points) its term is zero with
-//! derivative zero.
+//! `giou_aabb_obb2` of turned boxes). GIoU is −1 only where rounding makes it so, DIoU also for two points. A
+//! term with a denominator of zero (two shapes of no area on a line; coincident points) is zero with derivative
+//! zero.
 //!
 //! Values and derivatives are finite where every length and coordinate is zero or of a magnitude from 2⁻²⁰ to 2²⁰ in
 //! `f32`, from 2⁻¹⁵⁰ to 2¹⁵⁰ in `f64`; those of [`giou_obb2`] and its adjoint for all finite valid input, for

@@ -56,7 +56,7 @@ pub(super) struct Terms<S> {
     pub way: S,
     /// The sizes of both boxes along their own axes.
     pub sizes: [Vec2<S>; 2],
-    /// What the differences of the sizes are divided by.
+    /// The divisors of the differences of the sizes.
     pub against: Vec2<S>,
 }
 

@@ -35,7 +35,7 @@ pub(super) fn outside<S: Scalar>(covered: [S; 2], shared: S, empty: S::Mask) -> 
     S::select(empty, S::zero(), rest)
 }
 
-/// What both share, from what they cover: with `I/U = i` and `U = A + B − I`.
+/// The shared part, from the parts that both cover: with `I/U = i` and `U = A + B − I`.
 #[inline(always)]
 pub(super) fn shared<S: Scalar>(covered: [S; 2], iou: S) -> S {
     (covered[0] + covered[1]) * iou.over(S::one() + iou)
@@ -114,7 +114,7 @@ struct Ground<S: Scalar> {
     way: S,
     across: S,
     sizes: [Vec2<S>; 2],
-    /// What differences of sizes are divided by.
+    /// The divisors of the differences of the sizes.
     against: Vec2<S>,
     scale: S,
 }

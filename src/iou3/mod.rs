@@ -35,7 +35,7 @@
 //!
 //! Losses are one minus these. Identical boxes of positive volume have exactly 1 with derivative zero (but for
 //! `giou` by the world's axes of turned boxes). GIoU is −1 only where rounding makes it so, DIoU also for two
-//! points. Where a denominator is zero its term is zero with derivative zero. An enclosing shape that is so thin
+//! points. A term with a denominator of zero is zero with derivative zero. An enclosing shape that is so thin
 //! that its volume (of [`Obb3`]) or its ground's area underflows counts as empty: it has no GIoU term.
 //!
 //! Values and derivatives are finite where every length and coordinate is zero or of a magnitude from 2⁻²⁰ to 2²⁰ in
@@ -76,7 +76,7 @@ pub trait Solid<S: Scalar>: Copy + Into<Obb3<S>> {
     /// The size along the box's own axes.
     #[must_use]
     fn own_size(self) -> Vec3<S>;
-    /// What scores take from the IoU, by the chosen shape around both boxes.
+    /// The terms that scores subtract from the IoU, by the chosen shape around both boxes.
     #[must_use]
     fn terms(self, other: Self, iou: S, kind: Enclosing) -> Terms<S>;
 }
@@ -253,7 +253,8 @@ pub(crate) fn score_with_iou<S: Scalar>(
     }
 }
 
-/// `xᵅ` of an overlap x in `[0, 1]`, for `α > 0`; zero with derivative zero at zero. Of IoU it is the α-IoU.
+/// `xᵅ` of an overlap x in `[0, 1]`, for `α > 0`; zero with derivative zero at zero. The power of an IoU is the
+/// α-IoU.
 #[must_use]
 #[inline]
 pub fn alpha_iou<S: Scalar>(overlap: S, alpha: S) -> S {

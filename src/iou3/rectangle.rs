@@ -30,9 +30,9 @@ struct Along<S: Scalar> {
     width: S,
     /// The square of the length of the direction.
     squared: S,
-    /// Where the direction is nearer to y than to x.
+    /// `true` where the direction is nearer to y than to x.
     steep: S::Mask,
-    /// Where it is along an edge of the hull.
+    /// `true` where it is along an edge of the hull.
     is_edge: S::Mask,
 }
 
@@ -224,9 +224,9 @@ pub(super) fn least_rectangle<S: Scalar>(pair: &Relative<S>) -> Rectangle<S> {
 }
 
 /// The size of the rectangle of least area around two boxes of the plane, in units of length: along the side
-/// nearer to the first box's own x axis, and across. Of several that are equal to within rounding the mean.
+/// nearer to the first box's own x axis, and across. If several are equal to within rounding, it is their mean.
 ///
-/// Kinks: where another direction becomes the best; exact ties, and what differs by less than rounding,
+/// Kinks: where another direction becomes the best; exact ties, and areas that differ by less than rounding,
 /// share the derivative.
 ///
 /// ```

@@ -95,9 +95,9 @@ pub fn of_edge<S: Scalar>(start: Vec2<S>, end: Vec2<S>) -> Sums<S> {
     ]
 }
 
-/// The end of the fold: second moments about the centroid, in the caller's unit. Where the area is zero they are
-/// those about the local origin: zero. No derivative for what is longer than 2³⁵ in single precision (2²⁶⁶ in
-/// double), where moments are beyond all numbers unless nearly nothing is enclosed.
+/// The end of the fold: second moments about the centroid, in the caller's unit. If the area is zero they are
+/// those about the local origin: zero. A ring longer than 2³⁵ in single precision (2²⁶⁶ in double) has no
+/// derivative: its moments are beyond all numbers unless nearly nothing is enclosed.
 #[must_use]
 #[inline(always)]
 pub fn finish<S: Scalar>(sums: Sums<S>, seen: &Reference<S>) -> AreaMoments<S> {

@@ -2,8 +2,8 @@
 use crate::measure::moments::{AreaMoments, second_moments};
 use crate::{ConvexPolygon, Scalar, Vec2, ring};
 
-/// The mean of some points; the origin for none. Of a polygon's vertices it is not the centroid of
-/// its area: see [`ring::centroid`].
+/// The mean of some points; the origin for none. The mean of a polygon's vertices is not the centroid of its
+/// area: see [`ring::centroid`].
 ///
 /// ```
 /// use geograd::{Vec2, measure::vertex_mean};

@@ -2,15 +2,15 @@
 //! a difficulty, how they are matched, and average precision at forty or eleven recalls.
 //!
 //! Geiger, Lenz and Urtasun, *Are we ready for autonomous driving?*, CVPR 2012; forty recalls since Simonelli et
-//! al., *Disentangling monocular 3D object detection*, ICCV 2019. What differs from [`outcomes`](super::outcomes):
+//! al., *Disentangling monocular 3D object detection*, ICCV 2019. Differences from [`outcomes`](super::outcomes):
 //!
 //! * truths choose detections, in the order of the truths, and not the other way round;
 //! * precision is read at about forty scores, those of right detections at which recall passes a fortieth;
 //! * an overlap must be above the threshold, equality is not enough;
-//! * detections in regions without labels are left out of what is wrong: of the share of the detection in
-//!   the region, where other overlaps are intersections over unions. Those regions are parts of the image;
-//!   they have no place in space, so the kit leaves out nothing where overlaps are of boxes in space or seen
-//!   from above.
+//! * detections in regions without labels are not wrong: their overlap is the share of the detection in the
+//!   region, where other overlaps are intersections over unions. The regions are parts of the image; they
+//!   have no place in space, so the kit leaves out nothing where overlaps are of boxes in space or seen from
+//!   above.
 //!
 //! Compared with public copies of the kit's source. They differ in one thing: newer ones ignore a truth whose
 //! height equals the limit, as is done here, older ones do not. Orientation similarity is not computed.
@@ -169,7 +169,7 @@ impl Judged {
     }
 }
 
-/// What became of the detections of a frame of at least a score, and how many truths were missed.
+/// The outcomes of the detections of a frame of at least a score, and the number of truths missed.
 struct Matched {
     outcomes: Vec<Outcome>,
     missed: usize,

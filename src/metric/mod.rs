@@ -27,7 +27,7 @@ pub struct Frame<'a> {
     pub truths: usize,
     /// Overlaps of detections (the first of a pair) and truths (the second); others do not overlap.
     pub pairs: &'a [Pair<f64>],
-    /// Truths that nobody has to find, such as those of a similar class, too far away or too hidden; empty
+    /// Truths that need not be found, such as those of a similar class, too far away or too hidden; empty
     /// where all count.
     pub ignored_truths: &'a [bool],
     /// Detections that cannot be wrong, such as those too small or in a region without labels; empty where

@@ -5,16 +5,16 @@ use crate::overlap::Denominator;
 use crate::shape::Aabb3;
 use crate::{Scalar, Vec3};
 
-/// What two axis-aligned boxes share, all sizes halved and in units of `1 / scale`.
+/// The shared part of two axis-aligned boxes, all sizes halved and in units of `1 / scale`.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct SharedBounds<S: Scalar> {
     /// Half the size of the shared part, of a and of b.
     pub half: [Vec3<S>; 3],
     /// The volume shared, that of a and that of b.
     pub volumes: [S; 3],
-    /// Where the boxes are apart or merely touch.
+    /// `true` where the boxes are apart or merely touch.
     pub apart: S::Mask,
-    /// Where both are the same box.
+    /// `true` where both are the same box.
     pub same: S::Mask,
     /// The power of two by which sizes were multiplied.
     pub scale: S,

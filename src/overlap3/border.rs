@@ -19,9 +19,9 @@
 //!    + Σ corners             s_0 s_1 s_2 · X_0 X_1 X_2
 //! ```
 //!
-//! Every integrand is a polynomial between the places where a coordinate begins or ceases to be clamped.
-//! Those crossings are computed once per edge and shared by the faces that meet there, so that rounding
-//! cannot tear the border.
+//! Every integrand is a polynomial between the places where a coordinate begins or ceases to be clamped. These
+//! crossings are computed once per edge and shared by the faces that meet there, so that rounding cannot tear the
+//! border.
 //!
 //! # Derivatives
 //!
@@ -50,14 +50,14 @@ pub struct Shared3<S> {
     pub half_b: [S; 3],
 }
 
-/// What can be said of two boxes before the border of one is clamped to the other.
+/// The bounds of two boxes against each other, before the border of one is clamped to the other.
 struct Glance<S: Scalar> {
     /// The most that they can share: each against the other's bounds in its own frame. Zero where one of the
     /// fifteen axes separates them.
     most: S,
-    /// Where a lies in b, and touches none of its faces.
+    /// `true` where a lies in b, and touches none of its faces.
     a_inside: S::Mask,
-    /// Where b lies in a, and touches none of its faces.
+    /// `true` where b lies in a, and touches none of its faces.
     b_inside: S::Mask,
 }
 
@@ -241,7 +241,7 @@ impl<S: Scalar> Derivatives<S> {
     }
 }
 
-/// Of a box inside the other exactly its volume, which only its own sizes change. The integrals over the
+/// Gives a box inside the other exactly its volume, which only its own sizes change. The integrals over the
 /// border of a box of a thousand times its size would lose three digits of it.
 #[inline(always)]
 fn nested<S: Scalar, const DERIVATIVE: bool>(
@@ -250,7 +250,7 @@ fn nested<S: Scalar, const DERIVATIVE: bool>(
     out: &mut Shared3<S>,
 ) {
     let (h, p, zero) = (pair.half_a, pair.half_b, S::zero());
-    // Of boxes without volume neither shares more when it alone grows.
+    // Boxes without volume share no more when one of them alone grows.
     let solid = seen.most.above(zero);
     let (a, b) = (seen.a_inside & solid, seen.b_inside & solid);
     out.volume = S::select(a, volume_from_half(h), out.volume);
@@ -281,10 +281,10 @@ fn same_box<S: Scalar, const DERIVATIVE: bool>(
     found: Shared3<S>,
 ) -> Shared3<S> {
     let (same, h, zero) = (pair.same, pair.half_a, S::zero());
-    // Of both, so that derivatives through this value are shared, too.
+    // The volume is made of both boxes, so that derivatives through this value are shared, too.
     let p = pair.half_b;
     let whole = (h[0] + p[0]) * (h[1] + p[1]) * (h[2] + p[2]);
-    // Of boxes without volume neither shares more when it alone grows.
+    // Boxes without volume share no more when one of them alone grows.
     let flat = whole.at_most(zero);
     let whole = S::select(flat, zero, whole);
     let mut out = found;

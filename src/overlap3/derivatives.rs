@@ -117,7 +117,8 @@ fn score_related_vjp<S: Scalar, const EXTREME: bool, const PIECES: bool>(
         _ => value,
     };
     let bars = by_volumes(over, ratio, [shared.volume, volume_a, volume_b], out_bar);
-    // Of identical boxes the union is as flat as can be, by symmetry; of boxes apart every score is.
+    // Identical boxes: the derivatives of the union's ratio are zero by symmetry. Boxes apart: those of every
+    // score are zero.
     let flat = match over {
         Denominator::Union => pair.same | apart,
         _ => apart,
@@ -223,7 +224,7 @@ fn by_quaternion<S: Scalar, const EXTREME: bool>(
     if !EXTREME {
         return rotation.quaternion_gradient(tangent);
     }
-    // Of one whose length is about one half: sums of products with it are finite where the tangent leaves
+    // The rotation gets a length of about one half: sums of products with it are finite where the tangent leaves
     // some room. The derivative grows as the length falls.
     let (near, first) = to_about_half(rotation);
     let (near, second) = to_about_half(near);

@@ -21,18 +21,18 @@ pub(super) fn tiny<S: Scalar>() -> f64 {
 /// Both boxes relative to a point near both, so that rounding is a common shift of all of it, which thin
 /// boxes need.
 ///
-/// What is done along one axis is done along all three. So it is written once, for an edge along axis 0 and
-/// a face across axis 2, and the axes of both boxes take turns ([`turn`](Cut::turn)): kernels then
-/// have a loop of three rounds in which every index is a constant.
+/// The steps along all three axes are the same. So they are written once, for an edge along axis 0 and a face
+/// across axis 2. The axes of both boxes take turns ([`turn`](Cut::turn)). Kernels then have a loop of three
+/// rounds in which every index is a constant.
 #[derive(Clone, Copy)]
 pub(super) struct Cut<S: Scalar> {
     /// Entries of the rotation.
     pub r: [[S; 3]; 3],
-    /// Their reciprocals. Whether a coordinate rises or falls is read from the sign of these, always.
+    /// Their reciprocals. The sign of these, always, decides if a coordinate rises or falls.
     pub rho: [[S; 3]; 3],
-    /// Where an entry counts as zero, off the diagonal.
+    /// `true` where an entry counts as zero, off the diagonal.
     pub flat: [[S::Mask; 3]; 3],
-    /// What is added to a crossing there: the middle of the edge, so that ties are halves.
+    /// The number added to a crossing there: the middle of the edge, so that ties are halves.
     pub middle: [[S; 3]; 3],
     /// Bounds of a.
     pub k: [[S; 2]; 3],
@@ -54,7 +54,7 @@ impl<S: Scalar> Cut<S> {
     }
 }
 
-/// What was 1 is 0, what was 2 is 1, what was 0 is 2.
+/// Moves entry 1 to 0, entry 2 to 1, and entry 0 to 2.
 #[inline(always)]
 pub(super) fn turn<X: Copy>(x: &mut [X; 3]) {
     [x[0], x[1], x[2]] = [x[1], x[2], x[0]];
@@ -78,7 +78,7 @@ fn turn_pairs<X: Copy>(x: &mut [[X; 2]; 3]) {
 /// that the edge follows.
 #[derive(Clone, Copy)]
 pub(super) struct Edge<S> {
-    /// Where t is zero, in a's frame.
+    /// The point at which t is zero, in a's frame.
     pub start: [S; 3],
     /// The t where a coordinate is at its lower and upper bound.
     pub at: [[S; 2]; 3],
@@ -358,12 +358,12 @@ fn edge_term_here<S: Scalar, const DERIVATIVE: bool>(
         six += (ends[n + 1] - ends[n]) * mixed;
     }
     if DERIVATIVE {
-        // Where the edge is beyond a along its own direction, X_0 is a bound of a.
+        // X_0 is a bound of a where the edge is beyond a along its own direction.
         let q0 = coordinate(cut, edge, 1, cut.f[0][0]) * coordinate(cut, edge, 2, cut.f[0][0]);
         let q1 = coordinate(cut, edge, 1, cut.f[0][1]) * coordinate(cut, edge, 2, cut.f[0][1]);
         bounds.high[0] = less_signed(bounds.high[0], a, b, both[3] - q1);
         bounds.low[0] = less_signed(bounds.low[0], a, b, q0 - both[0]);
-        // Where X_1 is a bound, the integral of X_2; and the other way round.
+        // The integral of X_2 where X_1 is a bound; and the other way round.
         clamped_part::<S, 1, 2>(cut, edge, [a, b], [t0, j0, j1, t1], bounds);
         clamped_part::<S, 2, 1>(cut, edge, [a, b], [t0, l0, l1, t1], bounds);
     }

@@ -38,7 +38,7 @@ struct Side<S: Scalar> {
     leave: S,
     /// Negative where z falls along it.
     rises: S,
-    /// Where z counts as constant along it.
+    /// `true` where z counts as constant along it.
     flat: S::Mask,
     /// `z + z₀/2` at parameter zero, and half its derivative.
     z: S,
@@ -166,7 +166,7 @@ fn face_apart<S: Scalar, const DERIVATIVE: bool>(
     face_here::<S, DERIVATIVE, true>(cut, side, bounds)
 }
 
-/// What the sides of the region have in common.
+/// The numbers that the sides of the region have in common.
 struct Seen<'a, S: Scalar> {
     cut: &'a Cut<S>,
     side: usize,
@@ -179,8 +179,8 @@ struct Seen<'a, S: Scalar> {
     /// The bounds of z, raised by half of z₀.
     raised: [S; 2],
     points: [[S; 2]; 3],
-    /// Of a point of the plane through the middle, seen from every level point, crossed with the directions
-    /// of both kinds of edges.
+    /// The cross products of a point of the plane through the middle, seen from every level point, with the
+    /// directions of both kinds of edges.
     cross: [[S; 3]; 2],
 }
 
@@ -228,7 +228,7 @@ impl<S: Scalar> Seen<'_, S> {
         sums.add::<DERIVATIVE, PIECES>(border, weight, self.raised, &self.points);
     }
 
-    /// Where an edge crosses the lower or the upper (`G`) bound of coordinate `OWN`: the other coordinate.
+    /// The other coordinate of an edge where it crosses the lower or the upper (`G`) bound of coordinate `OWN`.
     #[inline(always)]
     fn crossing<const N: usize, const OWN: usize, const G: usize>(&self, edge: usize) -> S {
         let (edge, own, other) = (&self.edges[N][edge], OF_EDGE[N][OWN], OF_EDGE[N][1 - OWN]);
@@ -249,7 +249,7 @@ impl<S: Scalar> Seen<'_, S> {
         } = self.cut;
         let other = 1 - N;
         let (bound, [low_bound, high_bound], z_bounds) = (k[N][G], k[other], k[2]);
-        // Where the four edges of the face cross it.
+        // The crossings of the four edges of the face with it.
         let (low_u, high_u) = (self.crossing::<0, N, G>(0), self.crossing::<0, N, G>(1));
         let (low_v, high_v) = (self.crossing::<1, N, G>(0), self.crossing::<1, N, G>(1));
         let (low, high, one_of, another) = if N == 0 {
@@ -284,7 +284,7 @@ impl<S: Scalar> Seen<'_, S> {
         };
         let height = sums.add::<DERIVATIVE, PIECES>(border, weight, self.raised, &self.points);
         if DERIVATIVE {
-            // What a's face gains when it moves outwards.
+            // The gain of a's face when it moves outwards.
             let gain = height - self.half_z0 * (to.most(from) - from);
             let bar = if G == 1 {
                 &mut bounds.high[N]

@@ -102,7 +102,7 @@ methods! { Aabb3 YawBox3 Obb3 }
 /// z axis is the third of its body tangents.
 #[inline]
 fn upright<S: Scalar>(shape: YawBox3<S>, g: Obb3<S>) -> YawBox3<S> {
-    // Of an eighth, so that a sum of the largest numbers is one.
+    // An eighth of the gradient, so that a sum of the largest numbers is finite.
     let q = g.rotation;
     let eighth = S::lit(0.125);
     let q = Rotation3::new(q.w * eighth, q.x * eighth, q.y * eighth, q.z * eighth);

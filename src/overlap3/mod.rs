@@ -5,9 +5,9 @@
 //! bounds for [`Aabb3`](crate::shape::Aabb3), the overlap in the plane times that of the heights for
 //! [`YawBox3`](crate::shape::YawBox3), and for [`Obb3`](crate::shape::Obb3) the integral over the clamped [`border`].
 //!
-//! All results are exactly zero, with all derivatives zero, for boxes that are apart or merely touch. The
-//! ratios are within `[0, 1]`; identical boxes of positive volume give exactly 1 with derivative zero. Where a
-//! ratio's denominator is zero it is 0 with derivative zero.
+//! All results are exactly zero, with all derivatives zero, for boxes that are apart or merely touch. The ratios
+//! are within `[0, 1]`; identical boxes of positive volume give exactly 1 with derivative zero. A ratio with a
+//! denominator of zero is 0 with derivative zero.
 //!
 //! Values and derivatives are finite for all finite valid input, for upstream derivatives of any size; derivatives by
 //! duals, and of an axis-aligned box with an upright one, where every length and coordinate is zero or of a magnitude

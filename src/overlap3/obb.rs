@@ -74,7 +74,7 @@ fn without_curvature<S: Scalar>(pair: &Relative3<S>) -> Relative3<S> {
     }
 }
 
-/// Where two related boxes can share nothing at a glance: balls around them are apart.
+/// `true` where two related boxes can share nothing at a glance: balls around them are apart.
 #[inline(always)]
 pub(super) fn far_apart<S: Scalar>(pair: &Relative3<S>) -> S::Mask {
     // (|h| + |p|)² ≤ 2 |h|² + 2 |p|², with room for rounding.

@@ -81,9 +81,9 @@ pub(super) fn to_about_half<S: Scalar>(q: Rotation3<S>) -> (Rotation3<S>, S) {
     (q, scale)
 }
 
-/// The rotation from a to b, of any length. Where products carry low parts it is right to about 2⁻³⁵
-/// even where they cancel, which long thin boxes need; `cube` is one of the 24 rotations of the cube,
-/// made of zeros and ones.
+/// The rotation from a to b, of any length. With products that carry low parts it is right to about 2⁻³⁵ even
+/// where they cancel, which long thin boxes need. `cube` is one of the 24 rotations of the cube, made of zeros
+/// and ones.
 #[inline(always)]
 pub(super) fn relative<S: Scalar>(
     a: Quaternion<S>,
@@ -171,8 +171,7 @@ fn along<S: Scalar>(column: [Parts<S>; 3], v: [S; 3], v_parts: [Parts<S>; 3], un
     (exact + rest).over(unit)
 }
 
-/// A vector in the frame of a rotation. Where the scalar has 24 bits it is right to about 2⁻³⁵ of its
-/// length.
+/// A vector in the frame of a rotation. For a scalar with 24 bits it is right to about 2⁻³⁵ of its length.
 #[inline(always)]
 pub(super) fn into_frame<S: Scalar>(q: Quaternion<S>, v: [S; 3], lost: [S; 3]) -> [S; 3] {
     if !S::COMPENSATED {

@@ -25,7 +25,7 @@ pub struct Relative3<S: Scalar> {
     pub renamed: Renaming<S>,
     /// The power of two by which lengths were multiplied.
     pub scale: S,
-    /// Where both boxes are the same set of points.
+    /// `true` where both boxes are the same set of points.
     pub same: S::Mask,
 }
 

@@ -6,8 +6,7 @@ use crate::overlap::{
 use crate::shape::YawBox3;
 use crate::{Scalar, Vec2};
 
-/// What is multiplied where two upright boxes are compared, so that no product over- or underflows: powers
-/// of two.
+/// The factors of two upright boxes that are compared, so that no product over- or underflows: powers of two.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Scales<S> {
     /// Lengths seen from above.

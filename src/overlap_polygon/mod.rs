@@ -49,9 +49,9 @@ pub(crate) struct SharedArea<S: Scalar> {
     pub seen: Reference<S>,
     /// Shared area, area of a, area of b.
     pub areas: [S; 3],
-    /// Where nothing is shared: value and derivatives are zero.
+    /// `true` where nothing is shared: value and derivatives are zero.
     pub nothing: S::Mask,
-    /// Where both are the same vertices in the same order: each has half the derivatives of its own area.
+    /// `true` where both are the same vertices in the same order: each has half the derivatives of its own area.
     pub same: S::Mask,
 }
 
@@ -85,7 +85,7 @@ fn pair_reference<S: Scalar>(a: &[Vec2<S>], b: &[Vec2<S>]) -> (Reference<S>, S::
     (seen.shifted(middle), in_a, apart)
 }
 
-/// Where two polygons are the same vertices in the same order.
+/// `true` where two polygons are the same vertices in the same order.
 #[inline(always)]
 fn same_vertices<S: Scalar>(a: &[Vec2<S>], b: &[Vec2<S>]) -> S::Mask {
     let zero = S::zero();
@@ -212,7 +212,7 @@ pub fn iof_polygons<S: Scalar, const N: usize, const M: usize>(
     ratio_of_first(inter, area_a).canonical()
 }
 
-/// What rings are measured against: a convex polygon, and where both are seen from. The body of a fold
+/// The convex polygon that rings are measured against, and the place from which both are seen. The body of a fold
 /// over edges takes it.
 #[derive(Clone, Copy, Debug)]
 pub struct Inside<S: Scalar, const M: usize> {

@@ -46,7 +46,7 @@ fn in_triangle<S: Scalar>(x: [S; 4], y: [S; 4], all: S) -> S {
     while k < 4 {
         let next = (k + 1) % 4;
         let rise = y[next] - y[k];
-        // What a rise so small adds is nothing whatever the derivative, and its reciprocal may be infinite.
+        // A rise this small adds nothing whatever the derivative, and its reciprocal may be infinite.
         let level = rise.unsigned().at_most(S::lit(TINY * S::EMPTY));
         let derivative = (x[next] - x[k]).over(S::select(level, one, rise));
         let (start, end) = (
@@ -82,7 +82,7 @@ fn far<S: Scalar>(of: [S; 4], to: [S; 4], all: S) -> [S; 4] {
     }
     side
 }
-/// Where a side has all corners on its right or on itself.
+/// `true` where a side has all corners on its right or on itself.
 #[inline(always)]
 fn separates<S: Scalar>(side: [S; 4], along: Vec2<S>) -> S::Mask {
     let zero = S::zero();
@@ -114,10 +114,10 @@ pub(crate) struct QuadPair<S: Scalar> {
     pub left_of_a: [[S; 4]; 4],
     /// The area that they share: zero, without a derivative, where nothing is.
     pub area: S,
-    /// Where nothing is shared.
+    /// `true` where nothing is shared.
     pub nothing: S::Mask,
-    /// Where a and b are exchanged: b is the smaller one, since heights over sides that are much longer
-    /// than what is measured lose its digits.
+    /// `true` where a and b are exchanged: b is the smaller one, since heights over sides that are much longer
+    /// than the measured shape lose its digits.
     pub exchanged: S::Mask,
     /// The power of two.
     pub scale: S,
@@ -219,7 +219,7 @@ impl<S: Scalar> QuadPair<S> {
                 left_of_a[k][i] = corner + (cross[i][k] - cross[i][next]);
                 i += 1;
             }
-            // Of a side without a length all of them are zero.
+            // A side without a length has zeros only.
             let (most, least) = (most_of(left_of_a[k]), least_of(left_of_a[k]));
             inside = inside.least(least);
             let (most, least) = (S::from_primal(most), S::from_primal(least));
@@ -238,8 +238,8 @@ impl<S: Scalar> QuadPair<S> {
             | separates(left_of_b[2], to[3] - to[2])
             | separates(left_of_b[3], to[3]);
 
-        // With every corner clear of a's sides b shares all it has, which the integral over the border of
-        // an a of R times its size would give to R roundings. What is nearer is a kink, found by that.
+        // If every corner is clear of a's sides, b shares its whole area. The integral over the border of an a of
+        // R times its size would give that to R roundings. A nearer corner is a kink, which the integral finds.
         let whole = (first + second).halved();
         let inside = S::from_primal(inside).above(S::lit(64.0 * S::EPSILON));
         let area = S::select(inside, whole, area);
@@ -271,11 +271,11 @@ impl<S: Scalar> QuadPair<S> {
 /// squared units of length. Exactly zero, with derivative zero, where they are apart or merely touch;
 /// saturates at the largest finite number. Repeated and collinear vertices are fine.
 ///
-/// What is not convex or runs clockwise has a finite result without a meaning;
+/// A quadrilateral that is not convex or runs clockwise has a finite result without a meaning;
 /// [`intersection_area_polygons`](super::intersection_area_polygons) takes polygons whose type keeps that
-/// invariant. Right to a few roundings of the smaller area where sizes are alike or one contains the other, to
-/// about R of them where one is R times longer and reaches across the other's border. Kinks: edges lying along
-/// each other, which share the derivative half and half.
+/// invariant. Right to a few roundings of the smaller area if sizes are alike or one contains the other. Right to
+/// about R of them if one is R times longer and reaches across the other's border. Kinks: edges lying along each
+/// other, which share the derivative half and half.
 ///
 /// ```
 /// use geograd::{Aabb2, overlap_polygon::intersection_area_quads};

@@ -35,7 +35,7 @@ pub(crate) struct Pair<'a, S: Scalar> {
     pub seen: Reference<S>,
     /// `true` if b is the smaller one.
     pub in_b: bool,
-    /// Where nothing is shared: value and derivatives are zero.
+    /// `true` if nothing is shared: value and derivatives are zero.
     pub apart: bool,
     /// Both are the same vertices in the same order.
     pub same: bool,
@@ -187,9 +187,9 @@ pub fn union_area<'a, S: Scalar<Mask = bool>>(
     })
 }
 
-/// Intersection over union of two polygons, in `[0, 1]`; exactly 1 with derivative zero for the same vertices twice,
-/// zero with derivative zero where their bounds are apart or the union is empty. Of polygons apart whose bounds
-/// overlap it is zero to a few roundings, and so are its derivatives. See the [module](self).
+/// Intersection over union of two polygons, in `[0, 1]`; exactly 1 with derivative zero for the same vertices
+/// twice, zero with derivative zero where their bounds are apart or the union is empty. For polygons apart whose
+/// bounds overlap it is zero to a few roundings, and so are its derivatives. See the [module](self).
 ///
 /// ```
 /// use geograd::{Aabb2, Polygon, overlap_polygon::rings::iou};

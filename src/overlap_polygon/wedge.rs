@@ -7,11 +7,11 @@ use crate::{Mask, Scalar, Vec2};
 /// they run counter-clockwise around it.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Wedge<S: Scalar> {
-    /// Where the triangles share any direction.
+    /// `true` where the triangles share any direction.
     pub shared: S::Mask,
-    /// Where the first edge ran clockwise.
+    /// `true` where the first edge ran clockwise.
     pub turned_f: S::Mask,
-    /// Where the second edge ran clockwise.
+    /// `true` where the second edge ran clockwise.
     pub turned_g: S::Mask,
     /// The directions' first ray goes through the start of `g` (else of `f`).
     pub first_g: S::Mask,
@@ -153,7 +153,7 @@ pub(crate) fn shared_twice<S: Scalar>(pair: &Wedge<S>, of_g: S::Mask) -> S {
     S::select(mixed::<S>(pair), -area, area)
 }
 
-/// Where the two triangles are of opposite orientation.
+/// `true` where the two triangles are of opposite orientation.
 #[inline(always)]
 pub(crate) fn mixed<S: Scalar>(pair: &Wedge<S>) -> S::Mask {
     (pair.turned_f & !pair.turned_g) | (pair.turned_g & !pair.turned_f)
@@ -217,8 +217,8 @@ impl<S: Scalar, const M: usize> Fan<S, M> {
     pub fn wedge(&self, f: [Vec2<S>; 2], k: usize) -> Option<Wedge<S>> {
         between(f, self.edge(k), [f[0].perp_dot(f[1]), self.twice[k]])
     }
-    /// What an edge of a ring contributes to twice the area that the ring shares with this, which may be the
-    /// smaller one.
+    /// The contribution of an edge of a ring to twice the area that the ring shares with this polygon, which may
+    /// be the smaller one.
     #[inline(always)]
     pub fn shared_with(&self, edge: [Vec2<S>; 2], smaller: S::Mask) -> S {
         let mut sum = S::zero();
@@ -231,8 +231,8 @@ impl<S: Scalar, const M: usize> Fan<S, M> {
         }
         sum
     }
-    /// Where one of the edges has all of the other polygon on its right or on itself, both being
-    /// convex: they are apart or merely touch.
+    /// `true` where one of the edges has all of the other polygon on its right or on itself, both being convex:
+    /// they are apart or merely touch.
     #[inline(always)]
     pub fn separates<const N: usize>(&self, other: &Fan<S, N>) -> S::Mask {
         let zero = S::zero();

@@ -60,8 +60,8 @@ pub fn perimeter<'a, S: Scalar>(rings: impl Into<Rings<'a, S>>) -> S {
     sum.saturated().canonical()
 }
 
-/// The centroid of the area of a polygon, of rings that do not cross and have either orientation. Where the
-/// area is exactly zero it is the mean of the vertices (a jump); the origin without vertices.
+/// The centroid of the area of a polygon, of rings that do not cross and have either orientation. If the area is
+/// exactly zero it is the mean of the vertices (a jump); the origin without vertices.
 ///
 /// ```
 /// use geograd::{Aabb2, Vec2, polygon};

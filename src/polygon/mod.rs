@@ -6,8 +6,8 @@
 //!
 //! * [`area`], [`centroid`], [`second_moments`] and the overlap of
 //!   [`overlap_polygon::rings`](crate::overlap_polygon::rings) take rings that do not cross, nested to any
-//!   depth and each of either orientation. What an odd number of rings enclose is inside. [`Sides`] is
-//!   that decision, made once and kept.
+//!   depth and each of either orientation. Points that an odd number of rings enclose are inside.
+//!   [`Sides`] is that decision, made once and kept.
 //! * [`locate`](Rings::locate), [`contains`](Rings::contains), [`depth`](Rings::depth) and
 //!   [`boolean`](crate::boolean) take rings of any kind, and a [`Fill`] that says which winding numbers
 //!   are inside.

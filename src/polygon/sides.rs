@@ -18,7 +18,7 @@ use crate::{Scalar, Vec2, ring};
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct Sides {
     first: bool,
-    /// Those of the second ring and further ones: a polygon of one ring needs no memory.
+    /// The sides of the second ring and further ones: a polygon of one ring needs no memory.
     others: Vec<bool>,
 }
 
@@ -29,8 +29,8 @@ impl Sides {
         others: Vec::new(),
     };
 
-    /// Decides it, from the signs of areas and exact tests of vertices. Of two identical rings the later
-    /// one lies in the earlier one.
+    /// Decides it, from the signs of areas and exact tests of vertices. The later one of two identical rings lies
+    /// in the earlier one.
     #[must_use]
     pub fn decided<'a, S: Scalar<Mask = bool>>(rings: impl Into<Rings<'a, S>>) -> Self {
         let rings = rings.into();

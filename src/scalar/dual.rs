@@ -28,7 +28,7 @@ pub trait Tangent:
     + SubAssign
     + MulAssign
 {
-    /// What value and derivative parts are made of.
+    /// The scalar of the value and of the derivatives.
     type Inner: Scalar;
     /// The value.
     fn value(self) -> Self::Inner;

@@ -175,7 +175,7 @@ pub(crate) fn split_single(wide: f64) -> (f32, f32) {
 /// Leaves twelve bits of a significand of an `f64`.
 pub(crate) const HIGH_OF_SINGLE: u64 = !((1 << 41) - 1);
 
-/// What differs between the two formats, for the numbers here and the lanes built on them.
+/// The differences between the two formats, for the numbers here and the lanes built on them.
 pub trait Float: Copy + std::fmt::Debug + Send + Sync + 'static {
     /// The bit pattern as an integer, also the type of a lane's mask.
     type Bits: Copy + std::fmt::Debug + Send + Sync + 'static;
@@ -298,7 +298,7 @@ macro_rules! float {
                 if self == 0.0 && x == 0.0 {
                     0.0
                 } else {
-                    // Which of two zeros is meant is nobody's decision.
+                    // The sign of a zero has no meaning here.
                     (self.widen() + 0.0).atan2(x.widen() + 0.0) as $f
                 }
             }

@@ -32,7 +32,7 @@ fn out_of_line<R>(run: impl FnOnce() -> R) -> R {
 }
 
 impl<T: Scalar, const N: usize> Jet<T, N> {
-    /// Whether operations run out of line: those of nested numbers of 128 bytes and more, of which one is a hundred
+    /// `true` if operations run out of line: those of nested numbers of 128 bytes and more, each a hundred
     /// instructions.
     const LARGE: bool = size_of::<T>() > size_of::<T::Primal>() && size_of::<Self>() >= 128;
 

@@ -70,7 +70,8 @@ impl<S: Scalar, const MOST: bool> Extreme<S, MOST> {
         }
         best.value()
     }
-    /// Of three, by two comparisons and what a tie of all takes from the third: a sixth, from a half to a third.
+    /// The extreme of three numbers, by two comparisons. A tie of all takes a sixth from the share of the third:
+    /// from a half to a third.
     #[inline(always)]
     fn of_three(x: S, y: S, z: S) -> S {
         let of = |x: S, y: S| if MOST { x.most(y) } else { x.least(y) };
@@ -127,7 +128,7 @@ pub(crate) struct Span<S: Scalar> {
 }
 
 impl<S: Scalar> Span<S> {
-    /// Of one number.
+    /// The span of one number.
     #[inline(always)]
     pub(crate) fn new(x: S) -> Self {
         Span {

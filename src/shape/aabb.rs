@@ -48,8 +48,8 @@ impl<S: Scalar> Aabb2<S> {
         let made = Aabb2 { min, max };
         made.validate().map(|()| made)
     }
-    /// The smallest box around the points; `None` without points. Where several points share a
-    /// bound they share its derivative equally.
+    /// The smallest box around the points; `None` without points. Points that share a bound share its derivative
+    /// equally.
     #[must_use]
     pub fn around(points: &[Vec2<S>]) -> Option<Self> {
         let (&first, rest) = points.split_first()?;

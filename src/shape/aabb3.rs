@@ -45,8 +45,8 @@ impl<S> Aabb3<S> {
 }
 
 impl<S: Scalar> Aabb3<S> {
-    /// The smallest box around the points; `None` without points. Where several points share a bound
-    /// they share its derivative equally.
+    /// The smallest box around the points; `None` without points. Points that share a bound share its derivative
+    /// equally.
     #[must_use]
     pub fn around(points: &[Vec3<S>]) -> Option<Self> {
         let (&first, rest) = points.split_first()?;

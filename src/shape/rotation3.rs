@@ -7,10 +7,9 @@ use std::ops::Mul;
 /// divides by its length, so that derivatives by the four numbers are those of the direction alone. A
 /// quaternion and its negative are the same rotation.
 ///
-/// Optimisers that step in the four numbers need nothing else. Those that step in three use the *body
-/// tangent*: the rotation vector, in the body's own axes, of a small turn applied first. Gradients go
-/// from one to the other with [`tangent_gradient`](Self::tangent_gradient), steps with
-/// [`retract`](Self::retract).
+/// Optimisers that step in the four numbers need nothing else. Others step in three and use the *body tangent*:
+/// the rotation vector, in the body's own axes, of a small turn applied first. Gradients go from one to the other
+/// with [`tangent_gradient`](Self::tangent_gradient), steps with [`retract`](Self::retract).
 ///
 /// The zero quaternion is not valid; it acts as no rotation, with derivative zero.
 ///
@@ -95,8 +94,8 @@ impl<S: Scalar> Rotation3<S> {
             z.over(length),
         )
     }
-    /// The same rotation with a quaternion of length one and `w ≥ 0`. Where `w = 0`, the first of x, y
-    /// and z that is not zero is positive.
+    /// The same rotation with a quaternion of length one and `w ≥ 0`. If `w = 0`, the first of x, y and z that is
+    /// not zero is positive.
     #[must_use]
     #[inline(always)]
     pub fn canonical(self) -> Self {

@@ -159,7 +159,7 @@ impl<S: Scalar> Triangle2<S> {
                 .perp_dot(arm * unit_power(arm))
                 .at_least(S::zero())
         };
-        // Where the triangle is flat, its bounds keep points of its line out.
+        // The bounds of a flat triangle keep out other points of its line.
         left_of(a, b) & left_of(b, c) & left_of(c, a) & self.bounding().contains(point)
     }
 }

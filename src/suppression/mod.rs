@@ -156,7 +156,7 @@ pub fn order<S: Scalar<Mask = bool>>(scores: &[S], least: S) -> Result<Vec<usize
     Ok(order)
 }
 
-/// Who overlaps whom, both ways, within a class.
+/// The overlapping pairs of each detection, both ways, within a class.
 pub(crate) struct Neighbours {
     start: Vec<usize>,
     /// The other one, and the pair.

@@ -83,13 +83,13 @@ entries! {
     obb2_frames(shapes: Tiles<'_, T>, view: View, frames: &mut [Lane<T>]) = boxes::obb2_frames::<T, V>;
     /// Bounds of prepared rotated boxes.
     obb2_bounds(frames: Tiles<'_, T>, bounds: &mut [Lane<T>]) = boxes::obb2_bounds::<T, V>;
-    /// Whether rotated boxes are valid and of ordinary size.
+    /// `true` if rotated boxes are valid and of ordinary size.
     all_ordinary_obb2(numbers: &[T]) -> bool = boxes::all_ordinary_obb2::<T, V>;
     /// Scores of prepared rotated boxes.
     obb2_scores(over: Denominator, a: Tiles<'_, T>, b: Tiles<'_, T>, out: Results<'_, T>) = boxes::obb2_scores::<T, V>;
     /// Scores of prepared rotated boxes with ten derivatives each.
     obb2_derivatives(over: Denominator, a: Tiles<'_, T>, b: Tiles<'_, T>, seeds: Option<Tiles<'_, T>>, out: Results<'_, T>) = boxes::obb2_derivatives::<T, V>;
-    /// Whether rotated boxes are valid and of common size, or zero size.
+    /// `true` if rotated boxes are valid and of common size, or zero size.
     all_common_obb2(numbers: &[T]) -> bool = boxes::all_common_obb2::<T, V>;
     /// Generalised IoU of prepared rotated boxes.
     giou_scores(a: Tiles<'_, T>, b: Tiles<'_, T>, out: Results<'_, T>) = boxes::giou_scores::<T, V>;
@@ -99,13 +99,13 @@ entries! {
     quad_scores(a: Tiles<'_, T>, b: Tiles<'_, T>, out: Results<'_, T>) = quads::quad_scores::<T, V>;
     /// Areas that convex quadrilaterals share with sixteen derivatives each.
     quad_derivatives(a: Tiles<'_, T>, b: Tiles<'_, T>, seeds: Option<Tiles<'_, T>>, out: Results<'_, T>) = quads::quad_derivatives::<T, V>;
-    /// Whether upright boxes are valid and of common size, or zero size.
+    /// `true` if upright boxes are valid and of common size, or zero size.
     all_common_upright(numbers: &[T]) -> bool = boxes::all_common_upright::<T, V>;
     /// Scores of upright boxes from what they share seen from above.
     upright_scores(over: Denominator, a: Tiles<'_, T>, b: Tiles<'_, T>, out: Results<'_, T>) = upright::scores::<T, V>;
     /// The same with fourteen derivatives each, from the ten derivatives of that.
     upright_derivatives(over: Denominator, a: Tiles<'_, T>, b: Tiles<'_, T>, seeds: Option<Tiles<'_, T>>, out: Results<'_, T>) = upright::derivatives::<T, V>;
-    /// Whether boxes of any orientation in space are valid and of common size, or zero size.
+    /// `true` if boxes of any orientation in space are valid and of common size, or zero size.
     all_common_obb3(numbers: &[T]) -> bool = boxes3::all_common::<T, V>;
     /// Scores of boxes of any orientation in space.
     obb3_scores(over: Denominator, a: Tiles<'_, T>, b: Tiles<'_, T>, out: Results<'_, T>) = boxes3::scores::<T, V>;
@@ -115,7 +115,7 @@ entries! {
     aabb2_scores(over: Denominator, a: Tiles<'_, T>, b: Tiles<'_, T>, out: Results<'_, T>) = boxes::aabb2_scores::<T, V>;
     /// Scores of axis-aligned boxes with eight derivatives each.
     aabb2_derivatives(over: Denominator, a: Tiles<'_, T>, b: Tiles<'_, T>, seeds: Option<Tiles<'_, T>>, out: Results<'_, T>) = boxes::aabb2_derivatives::<T, V>;
-    /// Whether axis-aligned boxes are valid.
+    /// `true` if axis-aligned boxes are valid.
     all_aabb2(numbers: &[T]) -> bool = blocks::all_aabb2::<T, V>;
     /// Rows of numbers into tiles.
     bring(rows: &[T], fields: usize, out: &mut [Lane<T>]) = blocks::bring::<T, V>;
@@ -141,11 +141,11 @@ entries! {
     count_above(numbers: &[T], threshold: T) -> u64 = blocks::count_above::<T, V>;
     /// Numbers added to sixteen sums.
     add_up(numbers: &[T], sums: &mut [f64; TILE]) = blocks::add_up::<T, V>;
-    /// Whether every number is finite.
+    /// `true` if every number is finite.
     all_finite(numbers: &[T]) -> bool = blocks::all_finite::<T, V>;
-    /// Whether every number is finite and none beyond a limit.
+    /// `true` if every number is finite and none beyond a limit.
     all_up_to(numbers: &[T], limit: f64) -> bool = blocks::all_up_to::<T, V>;
-    /// Whether offsets never decrease nor exceed a number of vertices.
+    /// `true` if offsets never decrease nor exceed a number of vertices.
     never_decreases(offsets: &[usize], vertices: usize) -> bool = rings::never_decreases::<T, V>;
     /// A part of a block by a recorded program.
     interpret(tape: &Tape, pass: Pass<'_, T>, out: &mut [Lane<T>]) = program::interpret::<T, V>;

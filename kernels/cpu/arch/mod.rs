@@ -35,18 +35,18 @@ use crate::scalar::lanes::LaneMask;
 use crate::{Lanes, Scalar};
 use std::hint::black_box;
 
-/// Whether the largest kernels (boxes of any turn, derivatives of quadrilaterals) are compiled: out of plain code the
-/// compiler would make them in minutes, so there they are interpreted, with the same bits.
+/// `true` if the largest kernels (boxes of any turn, derivatives of quadrilaterals) are compiled. Out of plain
+/// code the compiler would take minutes for them, so there they are interpreted, with the same bits.
 pub(crate) const LARGE: bool = cfg!(all(target_arch = "x86_64", not(geograd_portable)));
 
 /// A part of a [`Lane`] as a scalar.
 pub(crate) trait Vector<T>: Scalar<Primal = Self> {
     /// How many numbers: a power of two, at most [`TILE`].
     const WIDTH: usize;
-    /// Whether a loop over the parts of a lane must hide that they are few: of plain code the compiler
-    /// would compute them all at once, out of registers and across each other.
+    /// `true` if a loop over the parts of a lane must hide that they are few. Out of plain code the compiler
+    /// would compute all parts at once, out of registers and across each other.
     const HIDDEN: bool = false;
-    /// Where the parts of a lane begin.
+    /// The index at which each part of a lane begins.
     #[inline(always)]
     fn starts() -> impl Iterator<Item = usize> {
         (0..TILE / Self::WIDTH).map(

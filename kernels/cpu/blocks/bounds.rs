@@ -91,11 +91,11 @@ fn places(bits: u32, base: u32, room: &mut [u32; TILE]) -> usize {
     few + high.count_ones() as usize
 }
 
-/// Finds every item of a tree of bounds that meets those of the row. Level 0 has the items, in the tree's order; each
-/// box of a higher level bounds a tile of the one below, up to a single tile. What is found is written one level
-/// after the other; of the last one, the items, come back where their places begin and end.
+/// Finds every item of a tree of bounds that meets those of the row. Level 0 has the items, in the tree's order.
+/// Each box of a higher level bounds a tile of the one below, up to a single tile. The places found are written
+/// one level after the other. The result is the range of those of level 0, the items.
 ///
-/// There is no branch per item, since which of them meet is anybody's guess. `room` grows as needed.
+/// There is no branch per item: which of them meet cannot be predicted. `room` grows as needed.
 #[inline(always)]
 pub(crate) fn search<T: Real, V: Vector<T>>(
     row: &[T; BOUNDS],

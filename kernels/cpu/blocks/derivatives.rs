@@ -16,7 +16,7 @@ pub(crate) fn accumulate<T: Real, V: Vector<T>>(
     row_sums: &mut [Lane<T>],
     column_sums: &mut [Lane<T>],
 ) {
-    // What fills up the last tile does not count.
+    // The copies that fill up the last tile do not count.
     let (whole, used) = (count / TILE, count % TILE);
     let part = |derivative: &Lane<T>| {
         let mut part = Lane([T::default(); TILE]);

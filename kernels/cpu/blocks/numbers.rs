@@ -76,8 +76,8 @@ pub(crate) fn all_up_to<T: Real, V: Vector<T>>(numbers: &[T], limit: f64) -> boo
     all.all() && rest.iter().all(|x| x.unsigned().at_most(limit))
 }
 
-/// Whether the numbers of a lane are zero or within limits, as far as all so far are; `limits` are −1 where
-/// magnitudes are asked about, else 1, and how small and how large they may be.
+/// `true` if the numbers of a lane are zero or within limits, and all before were. `limits` are −1 for a limit of
+/// magnitudes, else 1; the smallest size; the largest size.
 #[inline(always)]
 fn within<T: Real, V: Vector<T>>(
     numbers: &[T; TILE],

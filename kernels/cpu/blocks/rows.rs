@@ -6,7 +6,7 @@ use crate::kernels::real::Real;
 /// Numbers that are brought and taken together.
 pub(crate) const QUAD: usize = 4;
 
-/// Where a quad of so many fields begins: one after another, the last one as late as it may.
+/// The first field of a quad: one quad after another, the last one moved back to end with the fields.
 #[inline(always)]
 const fn quad_start(quad: usize, fields: usize) -> usize {
     let (next, last) = (quad * QUAD, fields - QUAD);
@@ -41,7 +41,7 @@ pub(crate) fn bring<T: Real, V: Vector<T>>(rows: &[T], fields: usize, out: &mut 
         0 => 0,
         _ => bring_wide::<T, V>(rows, fields, out),
     };
-    // What is left over.
+    // The items after the last whole tile.
     for (i, row) in rows.chunks_exact(fields).enumerate().skip(whole * TILE) {
         for (lane, &x) in out[i / TILE * fields..].iter_mut().zip(row) {
             lane.0[i % TILE] = x;
@@ -296,7 +296,7 @@ pub(crate) fn gather<T: Real, V: Vector<T>>(
                     lane.0[k % TILE] = x;
                 }
             }
-            // What fills up the last tile must be valid; the last item is at hand.
+            // The places that fill up the last tile must hold valid shapes: they repeat the last item.
             if let (Some(&last), used @ 1..) = (picked.last(), picked.len() % TILE) {
                 let row = &rows[last as usize * stride..];
                 let tile = &mut out[picked.len() / TILE * fields..];
@@ -336,8 +336,8 @@ fn gather_quads<T: Real, V: Vector<T>, const QUADS: usize>(
                     i += 1;
                 }
             }
-            // The last tile, four places at a time: how many there are is anybody's guess, so beyond the last one
-            // stands the last one.
+            // The last tile, four places at a time. The number of items cannot be predicted, so the places after
+            // the last item repeat it.
             None => {
                 own = [own_last; TILE];
                 let end = picked.len().wrapping_sub(1);

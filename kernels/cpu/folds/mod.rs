@@ -309,7 +309,7 @@ fn face<F: Fold, T: Real>(recorded: &Recorded, want: Want) -> Result<Arc<Face<T>
     })
 }
 
-/// What every edge tells.
+/// The states of all edges.
 fn states<F: Fold, T: Real>(programs: &Programs, paths: &Paths<'_, T>) -> Result<Vec<T>, Error> {
     let (wide, state) = (
         F::Context::<T>::LEN + F::Reference::<T>::LEN,

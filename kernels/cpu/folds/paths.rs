@@ -8,16 +8,16 @@ use crate::kernels::real::Real;
 use crate::{Error, Fixed, Pack, Vec2};
 use std::ops::Range;
 
-/// Paths that are folded: what belongs to every edge.
+/// Paths that are folded, with the numbers of every edge.
 pub(super) struct Paths<'a, T> {
     pub(super) vertices: &'a [Vec2<T>],
     /// The path of every edge, and its ends.
     pub(super) edges: Vec<(u32, u32, u32)>,
-    /// Where the edges of every path begin, and the end.
+    /// The index of the first edge of every path, and the end of the last.
     pub(super) starts: Vec<usize>,
-    /// Of every path its context and then its reference.
+    /// The context and then the reference of every path.
     pub(super) shared: Vec<T>,
-    /// Of every path the winding number, where not all of its edges are listed.
+    /// The winding number of every path; `None` where all of its edges are listed.
     pub(super) windings: Vec<Option<T>>,
 }
 
@@ -84,7 +84,7 @@ impl<T: Real> Paths<'_, T> {
         }
         self.starts.push(self.edges.len());
     }
-    /// What the body takes, edge by edge, as columns.
+    /// The arguments of the body, edge by edge, as columns.
     pub(super) fn columns<'a>(
         &'a self,
         wide: usize,
@@ -119,7 +119,7 @@ impl<T: Real> Paths<'_, T> {
     }
 }
 
-/// What the listed edges of a path told.
+/// The states of the listed edges of a path.
 pub(super) fn told<F: Fold, T: Real>(
     paths: &Paths<'_, T>,
     states: &[T],

@@ -52,7 +52,7 @@ pub(crate) fn programs<F: Fold, T: Plain>() -> Result<Arc<Programs>, Error> {
     })
 }
 
-/// From the cotangent of a result to that of the context and of what every edge told.
+/// The cotangents of the context and of the states of all edges, from that of a result.
 pub(crate) fn backwards<F: Fold, S: Scalar>(
     programs: &Programs,
     shared: &[S],
@@ -60,7 +60,7 @@ pub(crate) fn backwards<F: Fold, S: Scalar>(
     winding: Option<S>,
     out_bar: F::Out<S>,
 ) -> (Vec<S>, Vec<F::State<S>>) {
-    // What is known before every edge, and after the last one.
+    // The joined states before every edge, and after the last one.
     let mut before = vec![F::empty::<S>()];
     for &state in states {
         before.push(F::join(before[before.len() - 1], state));

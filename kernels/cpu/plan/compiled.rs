@@ -22,7 +22,7 @@ use crate::shape::{Obb3, YawBox3};
 use crate::{Aabb2, Fixed, Obb2, Vec2, clip};
 use std::sync::Arc;
 
-/// What batches know of an operation beside its program.
+/// The compiled kernels, or bounds, that batches have for an operation beside its program.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Compiled {
     /// A score of rotated boxes.
@@ -51,7 +51,7 @@ pub(super) fn of_compiled<T: Real>(compiled: Compiled, want: Want) -> Option<Fac
         Compiled::Giou => Some(of_giou(want)),
         Compiled::Upright(over) => Some(of_upright(over, want)),
         Compiled::BirdsEye(over) => Some(of_birds_eye(over, want)),
-        // What is not compiled for this target is interpreted.
+        // Kernels that are not compiled for this target are interpreted.
         Compiled::Quads if LARGE || want == Want::Value => Some(of_quads(want)),
         Compiled::Obb3(over) if LARGE => Some(of_obb3(over, want)),
         Compiled::Quads | Compiled::Obb3(_) | Compiled::Aabb3 => None,

@@ -1,4 +1,4 @@
-//! What is prepared once per shape and what makes blocks of results: the same for every kind of maker.
+//! The preparation of a shape and the maker of blocks of results: the same for every kind of maker.
 use crate::error::{Argument, Flaw};
 use crate::kernels::cpu::lane::{Lane, Results, Tiles};
 use crate::kernels::item::Leaf;
@@ -6,7 +6,7 @@ use std::sync::Arc;
 
 /// Something that computes blocks of items from one or more arguments.
 ///
-/// A compiled kernel is one; a recorded program will be another. It knows nothing of batches.
+/// Compiled kernels and interpreted programs are makers. A maker does not depend on batches.
 pub trait Maker<T>: Send + Sync {
     /// Computes as many tiles of results as are asked for. Each input has at least as many tiles, or
     /// one that stands for all.
@@ -19,7 +19,7 @@ pub type Prepare<T> = Arc<dyn Fn(Tiles<'_, T>, &mut [Lane<T>]) + Send + Sync>;
 /// Something that is made of each of many shapes and of the same shapes prepared.
 pub type Outline<T> = Arc<dyn Fn([Tiles<'_, T>; 2], &mut [Lane<T>]) + Send + Sync>;
 
-/// What is done once for every shape of a column.
+/// The preparation of every shape of a column.
 pub struct Preparation<T> {
     /// The operation's name of the argument, if it has one.
     pub name: Option<&'static str>,
@@ -29,11 +29,12 @@ pub struct Preparation<T> {
     pub frame: Option<(usize, Prepare<T>)>,
     /// The bounds of shapes in the plane; `None` where pairs that are apart have results to compute.
     pub bounds: Option<Outline<T>>,
-    /// Whether numbers are those of valid shapes of ordinary size, told quickly. May say no too often.
+    /// `true` if numbers are those of valid shapes of ordinary size: a quick test, which may also fail for some
+    /// of these.
     pub all_ordinary: fn(&[T]) -> bool,
-    /// What is wrong with a shape.
+    /// Returns the flaw of a shape that is not valid.
     pub check: fn(&[T]) -> Result<(), Flaw>,
-    /// Whether a valid shape is too rare for kernels.
+    /// `true` if a valid shape is too rare for kernels.
     pub is_rare: fn(&[T]) -> bool,
 }
 
@@ -73,12 +74,12 @@ pub(crate) fn name<T>(arguments: &mut [Preparation<T>], names: &[&'static str]) 
 /// result, and room for a result, or for a result and derivatives.
 pub type Rare<T> = Box<dyn Fn(&[&[T]], &[T], &mut [T]) + Send + Sync>;
 
-/// What is wanted of an operation.
+/// The part of an operation that is wanted: its value or derivatives.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Want {
     /// Its result.
     Value,
-    /// Its result and the gradient of that, which is one number.
+    /// Its result and the gradient of that; the result is one number.
     ValueGrad,
     /// Its result and the gradient of each of its numbers.
     Jacobian,
@@ -114,7 +115,7 @@ impl<T> Face<T> {
     pub(crate) fn made(&self) -> usize {
         self.skipped + self.gives.iter().sum::<usize>()
     }
-    /// What is wanted of an operation that takes and gives such shapes. Of derivatives the result comes first.
+    /// The plan of an operation that takes and gives such shapes. The result comes before its derivatives.
     pub(super) fn new(
         want: Want,
         arguments: Vec<Preparation<T>>,

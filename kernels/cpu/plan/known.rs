@@ -1,4 +1,4 @@
-//! What was made of an operation before: programs and faces are made once per operation and format.
+//! The programs and faces of operations: each is made once per operation and format, and kept.
 use super::compiled::{of_compiled, outline};
 use super::face::{Face, Want, name};
 use super::line::{Line, Shaped};
@@ -17,7 +17,7 @@ use std::any::{Any, TypeId};
 use std::collections::HashMap;
 use std::sync::{Arc, PoisonError, RwLock};
 
-/// What is kept of an operation.
+/// A key of an object kept for an operation.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub(crate) enum Known {
     /// The programs of a fold.
@@ -28,18 +28,18 @@ pub(crate) enum Known {
     Program(Want),
     /// How batches compute it, aligned or all pairs.
     Face(Want, bool),
-    /// What a GPU is given of it, aligned or all pairs.
+    /// The kernel for a GPU, aligned or all pairs.
     #[cfg(feature = "gpu")]
     Shader(Want, bool),
-    /// What a GPU is given of a fold.
+    /// The kernels of a fold for a GPU.
     #[cfg(feature = "gpu")]
     FoldShader,
-    /// What a GPU replays of an operation with a search.
+    /// The replays for a GPU of an operation with a search.
     #[cfg(feature = "gpu")]
     Replays(Want),
 }
 
-/// What was asked for before, by operation and format.
+/// The objects made so far, by operation and format.
 type Kept = HashMap<(TypeId, TypeId, Known), Made>;
 type Made = Arc<dyn Any + Send + Sync>;
 static KNOWN: RwLock<Option<Kept>> = RwLock::new(None);
@@ -63,7 +63,7 @@ fn known_by<X: Send + Sync + 'static>(
         .unwrap_or_else(|_| unreachable!("a key stands for one type")))
 }
 
-/// What was made before under a key, or is made now.
+/// The object under a key: the kept one, or one made now.
 fn kept(
     key: (TypeId, TypeId, Known),
     make: &dyn Fn() -> Result<Made, Error>,
@@ -80,8 +80,8 @@ fn kept(
     Ok(made)
 }
 
-/// What is wanted of an operation, as a program: the result, or the result and derivatives, from the input
-/// and then the cotangent.
+/// The wanted part of an operation as a program: the result, or the result and derivatives, from the input and
+/// then the cotangent.
 pub(crate) fn program_of<O: Op, T: Plain>(want: Want) -> Result<Arc<Recorded>, Error> {
     recorded_of(&const { Line::<T>::of::<O>() }, want)
 }
@@ -152,7 +152,7 @@ pub(crate) fn faced<T: Real>(
     })
 }
 
-/// What a GPU is given of what is wanted of an operation.
+/// The kernel for a GPU that computes the wanted part of an operation.
 #[cfg(feature = "gpu")]
 pub fn generated_of<O, R: Item>(
     want: Want,

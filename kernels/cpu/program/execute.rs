@@ -245,7 +245,7 @@ pub(crate) fn interpret<T: Real, V: Vector<T>>(
         for (k, slot) in places.by_ref().take(fields).enumerate() {
             let &Some(slot) = slot else { continue };
             for (t, lane) in memory.slot(slot).as_flattened().iter().enumerate() {
-                // What fills up the last strip must be harmless; the last tile is at hand.
+                // The places that fill up the last strip must be harmless: they repeat the last tile.
                 let t = pass.first + t.min(pass.tiles - 1);
                 if let Some(from) = argument.lanes.get(t * argument.step + k) {
                     lane.set(copied::<T, V>(from));

@@ -24,12 +24,12 @@ pub struct Way {
 pub struct Trial(Recorded);
 
 impl Trial {
-    /// Of a program.
+    /// Takes the recording of a program.
     #[must_use]
     pub fn of<In, Out>(program: &Program<In, Out>) -> Trial {
         Trial(program.recorded().clone())
     }
-    /// What it gives for one input, node by node.
+    /// The results for one input, node by node.
     #[must_use]
     pub fn run<T: Real>(&self, inputs: &[T]) -> Vec<T> {
         self.0.run(inputs)

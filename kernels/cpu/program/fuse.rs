@@ -1,9 +1,9 @@
-//! Which nodes an instruction computes: a node with those of its operands that nobody else needs.
+//! The choice of nodes that an instruction computes: a node with those of its operands that no other node needs.
 use crate::ad::program::graph::{Graph, Id, Node};
 use crate::kernels::cpu::program::instructions::Op;
 use std::collections::HashMap;
 
-/// What an instruction costs beside its operands, in units of an operand.
+/// The cost of an instruction beside its operands, in units of an operand.
 const CHOICE: u32 = 3;
 
 /// An instruction on nodes.
@@ -71,7 +71,7 @@ fn alone(node: Node) -> Option<Step> {
     Some(Step::new(op, &node.operands(), [None; 2]))
 }
 
-/// Every instruction that can compute a node. `of` gives an operand's node if nobody else needs it.
+/// Every instruction that can compute a node. `of` gives an operand's node if no other node needs it.
 fn candidates(node: Node, of: impl Fn(Id) -> Option<Node>, found: &mut Vec<Step>) {
     use Node as N;
     found.extend(alone(node));
@@ -223,7 +223,7 @@ impl Group {
     pub(crate) fn operands(&self) -> &[Id] {
         &self.from[..self.count]
     }
-    /// The nodes, in the order of the instruction's results; `None` for a result that nobody needs.
+    /// The nodes, in the order of the instruction's results; `None` for a result that is not needed.
     pub(crate) fn results(&self) -> &[Option<Id>] {
         &self.results[..self.made]
     }
@@ -303,7 +303,7 @@ fn turn([a, b, c, d]: [Id; 4], [p, q, r, s]: [Id; 4]) -> Option<[Id; 4]> {
 
 /// The operands of an instruction in order.
 fn sorted(step: &Step) -> [Id; 4] {
-    // What is none comes last.
+    // Places without an operand come last.
     let mut from = [Id::MAX; 4];
     from[..step.count].copy_from_slice(step.operands());
     from.sort_unstable();
@@ -347,7 +347,7 @@ pub(crate) fn cover(graph: &Graph, uses: &[u32]) -> Vec<Option<Step>> {
         found.clear();
         let of = |x: Id| (uses[x as usize] == 1).then(|| graph.at(x));
         candidates(node, of, &mut found);
-        // What is needed elsewhere, too, has been paid for.
+        // A node that others need, too, costs nothing here: it is computed anyway.
         let own = |&x: &Id| {
             if uses[x as usize] == 1 {
                 costs[x as usize]

@@ -99,7 +99,7 @@ pub(crate) use instructions;
 /// The names as an enumeration.
 macro_rules! names {
     ($($name:ident($($x:ident),*) = $value:expr;)*) => {
-        /// What an instruction does.
+        /// The operation of an instruction.
         #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
         pub(crate) enum Op {
             $(
@@ -126,7 +126,7 @@ instructions! { names!() }
 /// An instruction: what it does, with numbers of which slots, and to which ones.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Code {
-    /// What it does.
+    /// The operation.
     pub(crate) op: Op,
     /// Slots of results; most instructions have one.
     pub(crate) to: [u16; 4],

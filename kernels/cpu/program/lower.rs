@@ -14,15 +14,15 @@ pub(crate) struct Tape {
     pub(crate) code: Vec<Code>,
     /// How many slots there are; those of constants come last.
     pub(crate) slots: usize,
-    /// What slots hold before the first instruction and after the last one.
+    /// Slots of constants, with their values: the same before the first instruction and after the last one.
     pub(crate) constants: Vec<(u16, f64)>,
-    /// Where each input goes; `None` for one that nothing needs.
+    /// The slot of each input; `None` for one that nothing needs.
     pub(crate) inputs: Vec<Option<u16>>,
-    /// Where each output is.
+    /// The slot of each output.
     pub(crate) outputs: Vec<u16>,
 }
 
-/// Where a node is: in a slot, or a constant.
+/// The place of a node: a slot, or a constant.
 #[derive(Clone, Copy)]
 enum Place {
     Slot(u32),
@@ -32,7 +32,7 @@ enum Place {
 struct Lowering<'a> {
     graph: &'a Graph,
     steps: Vec<Option<Step>>,
-    /// Of each node those that are computed together with it.
+    /// The group of each node that is computed together with others.
     groups: HashMap<Id, Group>,
     /// How many slots each node takes to be computed, were everything needed once (Sethi and Ullman).
     room: Vec<u32>,
@@ -42,7 +42,7 @@ struct Lowering<'a> {
 }
 
 impl Lowering<'_> {
-    /// What has to be there before a node.
+    /// The nodes that must be computed before a node.
     fn operands(&self, x: Id) -> Vec<Id> {
         match (self.groups.get(&x), &self.steps[x as usize]) {
             (Some(group), _) => group.operands().to_vec(),
@@ -64,7 +64,7 @@ impl Lowering<'_> {
             if !ready {
                 open.push((x, true));
                 let mut operands = self.operands(x);
-                // What needs most room comes first, while there is little else to be kept.
+                // The operand with most need of room comes first, while few others have to be kept.
                 operands.sort_by_key(|&y| self.room[y as usize]);
                 open.extend(operands.into_iter().map(|y| (y, false)));
                 continue;
@@ -126,7 +126,7 @@ impl Tape {
         if let Some(skip) = &skip {
             lowering.visit(skip.mask, &nothing);
             let idle = (0..graph.len() as Id).filter(|&x| skip.idle[x as usize]);
-            // Those inside other instructions are left to them.
+            // Nodes inside other instructions are computed by those.
             let idle: Vec<Id> = idle.filter(|&x| lowering.is_computed(x)).collect();
             for &x in &idle {
                 for y in lowering.operands(x) {
@@ -188,7 +188,7 @@ fn assign(
             constants.len() - 1
         }) as u32)
     };
-    // One for all results that nobody needs.
+    // One slot for all results that are not needed.
     let mut waste = None;
     let mut code: Vec<(Op, [Place; 4], [Place; 4])> = Vec::new();
     let mut jump = None;

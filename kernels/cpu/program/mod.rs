@@ -1,9 +1,9 @@
 //! Recorded programs as makers of blocks: an interpreter.
 //!
-//! A program's graph becomes a tape of instructions (`lower`), each of which computes one number of
-//! every item of a block from others. Choosing an instruction costs about as much as a hundred items of it, so
-//! blocks are as long as the innermost cache allows. What the interpreter is compiled to depends on
-//! the format and the level of vector instructions only; results have the same bits at all of them.
+//! A program's graph becomes a tape of instructions (`lower`), each of which computes one number of every item of
+//! a block from others. Choosing an instruction costs about as much as a hundred items of it, so blocks are as
+//! long as the innermost cache allows. The code that the interpreter is compiled to depends on the format and the
+//! level of vector instructions only; results have the same bits at all of them.
 mod execute;
 pub mod face;
 mod fuse;
@@ -36,13 +36,13 @@ pub(crate) struct Interpreted {
     fields: Vec<usize>,
     /// Unlike that of any other.
     number: u64,
-    /// Where tests want another number of lanes.
+    /// The number of lanes that tests ask for, if another one.
     width: Option<usize>,
 }
 
 impl Interpreted {
-    /// A program of a graph without grafts. Its inputs are the numbers of all arguments, one argument
-    /// after another. `skipping` says whether a block may leave out what none of its items needs.
+    /// A program of a graph without grafts. Its inputs are the numbers of all arguments, one argument after
+    /// another. If `skipping` is set, a block may leave out nodes that none of its items needs.
     ///
     /// # Errors
     ///

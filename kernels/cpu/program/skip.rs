@@ -1,14 +1,14 @@
-//! What a block can leave out: nodes that matter only where a truth does not hold, or does.
+//! The nodes that a block can leave out: those that matter only where a truth does not hold, or only where it
+//! does.
 //!
-//! Boxes that are apart share nothing, whatever the clipping of their sides gives: where all items of a
-//! block are apart, nothing needs to be clipped. Such truths are found in the graph: of every choice by
-//! the truth (or by one that follows from it) the side that is never taken is cut off, and what no output
-//! can be reached from any more need not be computed. What stands in its place instead is some number
-//! that is not chosen.
+//! Boxes that are apart share nothing, whatever the clipping of their sides gives: where all items of a block are
+//! apart, nothing needs to be clipped. Such truths are found in the graph. Every choice by the truth (or by one
+//! that follows from it) loses the side that is never taken. A node that then reaches no output need not be
+//! computed: its slot holds some number that is not chosen.
 use crate::ad::program::graph::{Graph, Id, Node};
 use crate::kernels::cpu::program::fuse::sine_of;
 
-/// Fewer nodes than this are not worth the question.
+/// With fewer nodes than this the test of the truth costs more than it saves.
 const FEW: usize = 12;
 
 /// Something to leave out.
@@ -22,7 +22,7 @@ pub(crate) struct Skip {
     pub(crate) idle: Vec<bool>,
 }
 
-/// What is known of truths if one of them is.
+/// The truths that are known if one of them is.
 fn consequences(graph: &Graph, mask: Id, truth: bool) -> Vec<Option<bool>> {
     let mut known = vec![None; graph.len()];
     known[mask as usize] = Some(truth);
@@ -74,7 +74,7 @@ fn idle(graph: &Graph, live: &[bool], outputs: &[Id], mask: Id, truth: bool) -> 
             idle[i] &= !kept.contains(&(angle, parts));
         }
     }
-    // What needs something that is computed after the others cannot be among them.
+    // A node that needs a number computed after the idle ones cannot be idle.
     let mut after = vec![false; graph.len()];
     for (i, node) in graph.nodes().iter().enumerate() {
         let operands = node.operands();

@@ -3,9 +3,9 @@ use crate::ad::program::graph::Id;
 
 /// Slots in use and free ones.
 pub(crate) struct Slots {
-    /// Of each node the slot.
+    /// The slot of each node.
     of: Vec<Option<u32>>,
-    /// Of each node how often it is still to be read.
+    /// The number of reads of each node that are still to come.
     left: Vec<u32>,
     free: Vec<u32>,
     /// How many slots there are.
@@ -35,7 +35,7 @@ impl Slots {
         self.of[x as usize] = Some(slot);
         slot
     }
-    /// Where a node is.
+    /// The slot of a node.
     pub(crate) fn at(&self, x: Id) -> Option<u32> {
         self.of[x as usize]
     }

@@ -1,7 +1,7 @@
-//! What depends on one argument alone: found in the graph, computed once per item of that argument.
+//! The numbers that depend on one argument alone: found in the graph, computed once per item of that argument.
 //!
-//! In a batch of all pairs every argument meets many others. What is made of it alone, its sines for
-//! one, is the same each time.
+//! In a batch of all pairs every argument meets many others. A number made of it alone, such as its sine, is the
+//! same each time.
 use crate::ad::program::graph::{Graph, Id, Node};
 
 /// A graph with its inputs and outputs.
@@ -13,18 +13,18 @@ pub(crate) struct Piece {
     pub(crate) outputs: Vec<Id>,
 }
 
-/// A program in parts: what is made of each argument, and the rest.
+/// A program in parts: the numbers made of each argument, and the rest.
 #[derive(Clone, Debug)]
 pub(crate) struct Split {
-    /// Of each argument its frame: numbers that depend on no other one.
+    /// The frame of each argument: numbers that depend on no other one.
     pub(crate) frames: Vec<Piece>,
-    /// The results from all frames, one frame after another, and then what has none.
+    /// The results from all frames, one frame after another, and then the arguments without a frame.
     pub(crate) body: Piece,
     /// How many numbers the body takes of each.
     pub(crate) widths: Vec<usize>,
 }
 
-/// What a node depends on.
+/// The arguments that a node depends on.
 #[derive(Clone, Copy, PartialEq, Eq)]
 enum Origin {
     Nothing,

@@ -1,13 +1,13 @@
-//! Which GPU: choosing and describing adapters.
+//! Choosing and describing adapters.
 use crate::{Error, GpuFault};
 use std::fmt;
 
-/// Which adapter a context is for.
+/// The adapter that a context is for.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 #[non_exhaustive]
 pub enum Choice {
-    /// What the environment variable `GEOGRAD_GPU` says; without it the fastest kind: discrete,
-    /// then integrated, virtual, other, and last a driver in software.
+    /// The adapter that the environment variable `GEOGRAD_GPU` names; without it the fastest kind: discrete, then
+    /// integrated, virtual, other, and last a driver in software.
     #[default]
     Best,
     /// By index into [`Gpu::adapters`](super::Gpu::adapters).
@@ -36,13 +36,13 @@ impl Choice {
 #[derive(Clone, Debug)]
 #[non_exhaustive]
 pub struct Options {
-    /// Which adapter.
+    /// The adapter.
     pub adapter: Choice,
     /// The most bytes of one buffer, below what the device allows: mostly for tests of splitting.
     pub most_bytes: Option<u64>,
-    /// Whether to use subgroup operations where there are any (default: yes).
+    /// `true` to use subgroup operations if there are any (the default).
     pub subgroups: bool,
-    /// Whether to measure the time of kernels (default: no). Every call then waits for its end.
+    /// `true` to measure the time of kernels (default: `false`). Every call then waits for its end.
     pub timing: bool,
 }
 
@@ -57,7 +57,7 @@ impl Default for Options {
     }
 }
 
-/// What an adapter is.
+/// A description of an adapter.
 #[derive(Clone, Debug, PartialEq, Eq)]
 #[non_exhaustive]
 pub struct Adapter {

@@ -175,7 +175,7 @@ impl<T> Pending<T> {
         }
     }
 
-    /// What is made of what arrives.
+    /// The same download, with a function of its result.
     pub(crate) fn map<U>(self, with: impl Fn(T) -> U + Send + 'static) -> Pending<U>
     where
         T: 'static,
@@ -187,7 +187,7 @@ impl<T> Pending<T> {
         }
     }
 
-    /// Whether the numbers have arrived. Never blocks.
+    /// `true` if the numbers have arrived. Never blocks.
     ///
     /// # Errors
     ///
@@ -225,7 +225,7 @@ impl<T> Future for Pending<T> {
         }
         if !this.arrival.watched {
             this.arrival.watched = true;
-            // Somebody has to drive the device while the task sleeps.
+            // A thread drives the device while the task sleeps.
             let (gpu, state) = (this.arrival.gpu.clone(), Arc::clone(&this.arrival.state));
             let submission = this.arrival.submission.clone();
             std::thread::spawn(move || {
@@ -239,7 +239,7 @@ impl<T> Future for Pending<T> {
     }
 }
 
-/// What to bring back of each piece, whose numbers follow from its items.
+/// The buffers of some pieces and the bytes to bring back, whose numbers follow from their items.
 pub(super) fn parts(
     pieces: &[Piece],
     numbers: impl Fn(usize) -> usize,
@@ -258,7 +258,7 @@ macro_rules! download {
             ///
             /// # Errors
             ///
-            /// What the device says.
+            /// The errors of the device.
             pub fn download(&self) -> Result<$out, Error> {
                 self.start_download()?.wait()
             }

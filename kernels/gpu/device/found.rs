@@ -34,7 +34,7 @@ impl Founds {
     ///
     /// # Errors
     ///
-    /// What the device says.
+    /// The errors of the device.
     pub fn start_download(&self) -> Result<Pending<Vec<Found>>, Error> {
         let (len, is_mixed) = (self.len(), self.is_mixed);
         let lists = self.lists.iter();
@@ -61,7 +61,7 @@ download! {
     [] Founds => Vec<Found>;
 }
 
-/// Of one pair in a list.
+/// Bytes of one pair in a list.
 const BYTES: u64 = 12;
 
 impl Table<'_> {

@@ -20,7 +20,7 @@ use crate::kernels::op::{Ask, Runs};
 use crate::kernels::reduce::{Loss, check_sides, check_threshold};
 use std::sync::Arc;
 
-/// What derivatives are multiplied by.
+/// The factors of derivatives.
 pub(crate) enum Seed<'a> {
     /// A number for every pair, row by row.
     Numbers(&'a [f32]),
@@ -36,7 +36,7 @@ enum Kernels {
     Generated(Arc<Generated<f32>>, Sides),
 }
 
-/// Two lists on the GPU and what is computed of their pairs.
+/// Two lists on the GPU and the kernels of their pairs.
 pub(crate) struct Lists<'a> {
     gpu: &'a Gpu,
     counts: [usize; 2],
@@ -44,7 +44,7 @@ pub(crate) struct Lists<'a> {
 }
 
 impl<'a> Lists<'a> {
-    /// Of slices, which are checked and brought up.
+    /// The lists of slices, which are checked and brought up.
     pub fn of_slices<A: Single<Scalar = f32>, B: Single<Scalar = f32>, R: Runs<(A, B)>>(
         gpu: &'a Gpu,
         run: &R,
@@ -92,7 +92,7 @@ impl<'a> Lists<'a> {
         })
     }
 
-    /// Of columns that stay on the GPU.
+    /// The lists of columns that stay on the GPU.
     pub fn of_held<A: Single<Scalar = f32>, B: Single<Scalar = f32>, R: Runs<(A, B)>>(
         gpu: &'a Gpu,
         run: &R,

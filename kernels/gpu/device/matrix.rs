@@ -68,7 +68,7 @@ impl Matrix {
     ///
     /// # Errors
     ///
-    /// What the device says.
+    /// The errors of the device.
     pub fn duplicate(&self) -> Result<Matrix, Error> {
         let made = || Matrix::room(&self.gpu, self.rows, self.columns);
         let mut to = self.gpu.inner.guarded(made)?;
@@ -135,7 +135,7 @@ impl Matrix {
     ///
     /// # Errors
     ///
-    /// What the device says.
+    /// The errors of the device.
     pub fn start_download(&self) -> Result<Pending<Vec<f32>>, Error> {
         let (rows, columns) = (self.rows, self.columns);
         let blocks: Vec<Block> = self.blocks.iter().map(|&(block, _)| block).collect();

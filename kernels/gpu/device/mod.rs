@@ -67,7 +67,7 @@ pub struct Gpu {
     inner: Arc<Inner>,
 }
 
-/// What all clones share.
+/// The part of a context that all clones share.
 struct Inner {
     device: wgpu::Device,
     queue: wgpu::Queue,
@@ -188,7 +188,7 @@ impl Gpu {
         adapter::all().into_iter().map(|(_, info)| info).collect()
     }
 
-    /// What the context runs on.
+    /// The adapter that the context runs on.
     #[must_use]
     pub fn adapter(&self) -> &Adapter {
         &self.inner.adapter
@@ -231,7 +231,7 @@ impl Gpu {
         self.inner.wait(None)
     }
 
-    /// Whether a handle's context is this one.
+    /// Refuses a handle of another context.
     fn owns(&self, other: &Gpu) -> Result<(), Error> {
         if Arc::ptr_eq(&self.inner, &other.inner) {
             Ok(())

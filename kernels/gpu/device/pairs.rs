@@ -92,8 +92,8 @@ impl Mirrored {
 
 /// The adjoint of all pairs, block by block.
 ///
-/// What a kernel leaves are partial sums: per strip of rows for columns, per workgroup of columns
-/// for rows. They are added block by block, in order.
+/// A kernel leaves partial sums: per strip of rows for columns, per workgroup of columns for rows. They are added
+/// block by block, in order.
 struct Sweep<'a> {
     inner: &'a Inner,
     pipeline: wgpu::ComputePipeline,

@@ -1,6 +1,6 @@
 //! Reductions on the GPU, of all pairs of two lists or of a matrix that is there already.
 //!
-//! Of two lists the whole matrix never exists, so memory stays bounded.
+//! The whole matrix of two lists never exists, so memory stays bounded.
 use super::data::Piece;
 use super::download::{download, parts};
 use super::source::Take;
@@ -30,7 +30,7 @@ impl Bests {
     ///
     /// # Errors
     ///
-    /// What the device says.
+    /// The errors of the device.
     pub fn start_download(&self) -> Result<Pending<Vec<Best>>, Error> {
         let mut all = parts(&self.values, |n| n);
         all.extend(parts(&self.indices, |n| n));
@@ -173,7 +173,7 @@ impl Matrix {
     ///
     /// # Errors
     ///
-    /// What the device says.
+    /// The errors of the device.
     pub fn sum(&self) -> Result<f64, Error> {
         Table::of_matrix(self, true).sum()
     }
@@ -182,7 +182,7 @@ impl Matrix {
     ///
     /// # Errors
     ///
-    /// What the device says.
+    /// The errors of the device.
     pub fn mean(&self) -> Result<f64, Error> {
         let count = self.rows as f64 * self.columns as f64;
         Ok(self.sum()? / count.max(1.0))

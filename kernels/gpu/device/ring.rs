@@ -20,7 +20,7 @@ struct Run {
     long: Option<LongRings>,
 }
 
-/// The long rings of a run, cut into spans: a thread each would take its time.
+/// The long rings of a run, cut into spans: one thread for each ring would be slow.
 #[derive(Clone, Debug)]
 struct LongRings {
     /// Which long ring, and the first vertex in it.
@@ -51,7 +51,7 @@ impl LongRings {
     }
 }
 
-/// What the kernels of long rings are given, and how many threads of them.
+/// The threads of a kernel of long rings: one per span, or one per long ring.
 enum Over {
     Spans,
     Longs,
@@ -123,7 +123,7 @@ impl<T: Fixed<Scalar = f32> + 'static> RingValues<T> {
     ///
     /// # Errors
     ///
-    /// What the device says.
+    /// The errors of the device.
     pub fn start_download(&self) -> Result<Pending<Vec<T>>, Error> {
         let parts: Vec<_> = self.parts.iter().map(|(buffer, n)| (buffer, *n)).collect();
         let arrival = self.gpu.inner.bring(&self.gpu, &parts)?;
@@ -143,7 +143,7 @@ impl RingBars {
     ///
     /// # Errors
     ///
-    /// What the device says.
+    /// The errors of the device.
     pub fn start_download(&self) -> Result<Pending<Vec<Vec2<f32>>>, Error> {
         self.values.start_download()
     }

@@ -105,12 +105,12 @@ impl Kind {
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub(super) struct Mirror {
     pub kind: Kind,
-    /// What an area of intersection is divided by.
+    /// The divisor of the area of intersection.
     pub over: Denominator,
 }
 
 impl Mirror {
-    /// That of an operation, if it has one.
+    /// The mirror of an operation, if it has one.
     pub fn of(compiled: Compiled) -> Option<Self> {
         match compiled {
             Compiled::Obb2(over) => Some(Mirror {
@@ -134,9 +134,9 @@ pub(super) const ANY: Mirror = Mirror {
 
 /// An operation of a ring that has a mirror in WGSL.
 pub trait GpuRing: RingOp {
-    /// Whether it sums moments of edges.
+    /// `true` if it sums moments of edges.
     const MOMENTS: bool;
-    /// Whether it sums lengths of edges.
+    /// `true` if it sums lengths of edges.
     const LENGTHS: bool;
     /// The measure of a ring and its derivative at a vertex, in WGSL.
     const WGSL: &'static str;
@@ -158,22 +158,22 @@ impl GpuRing for Centroid {
     const WGSL: &'static str = include_str!("../wgsl/centroid.wgsl");
 }
 
-/// What a shader does.
+/// The task of a shader.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub(super) enum Kernel {
     Pairs,
     Vjp(Seed),
     Fold,
-    /// Of two lists.
+    /// A reduction of two lists.
     Reduce(Take),
-    /// Of a matrix that is there already.
+    /// A reduction of a matrix that is there already.
     ReduceMatrix(Take),
     Gather,
-    /// Of rings, by the operation's name.
+    /// A measure of rings, by the operation's name.
     Ragged(&'static str),
 }
 
-/// What derivatives are multiplied by.
+/// The factors of derivatives.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub(super) enum Seed {
     Matrix,
@@ -181,7 +181,7 @@ pub(super) enum Seed {
     Factor,
 }
 
-/// What a reduction takes of scores.
+/// The result that a reduction takes from scores.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub(super) enum Take {
     Best,

@@ -14,9 +14,9 @@ use std::sync::Arc;
 /// One dispatch of a reduction: a run of own rows (or columns) by a run of walked ones.
 #[derive(Clone, Debug)]
 pub(super) struct Sweep {
-    /// Where the own ones begin in what is bound.
+    /// The index of the first own one in its buffer.
     own_start: usize,
-    /// Where their results go.
+    /// The piece of their results.
     pub out_piece: usize,
     out_start: usize,
     /// The first one's index in the whole list.
@@ -100,7 +100,7 @@ struct Results<'a> {
 }
 
 impl<'a> Table<'a> {
-    /// Of two lists: the kernels compute what they reduce.
+    /// The table of two lists: the kernels compute the results that they reduce.
     pub fn of_lists(gpu: &'a Gpu, lists: &Mirrored, own_rows: bool) -> Self {
         let (a, b) = (&lists.a, &lists.b);
         let (own, walked) = if own_rows { (a, b) } else { (b, a) };
@@ -124,14 +124,14 @@ impl<'a> Table<'a> {
         }
     }
 
-    /// Of a matrix that is there already.
+    /// The table of a matrix that is there already.
     pub fn of_matrix(matrix: &'a Matrix, own_rows: bool) -> Self {
         let blocks = matrix.blocks.iter().map(|(block, buffer)| (*block, buffer));
         let counts = [matrix.rows, matrix.columns];
         Self::of_blocks(&matrix.gpu, blocks, counts, own_rows)
     }
 
-    /// Of all pairs of two lists of so many shapes: never more than a block of their results exists.
+    /// The table of all pairs of two lists of so many shapes: never more than a block of their results exists.
     pub fn of_generated(
         gpu: &'a Gpu,
         made: &'a Arc<Generated<f32>>,

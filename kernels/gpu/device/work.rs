@@ -18,7 +18,7 @@ pub(super) struct Params {
     pub own_base: u32,
     pub parts: u32,
     pub more: u32,
-    /// What scores are compared with, or derivatives multiplied by.
+    /// The threshold of scores, or the factor of derivatives.
     pub factor: f32,
     pub fields: u32,
     pub out_start: u32,

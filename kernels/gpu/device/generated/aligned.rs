@@ -22,15 +22,15 @@ use std::sync::Arc;
 impl Gpu {
     /// Item i of every column: one result per item, as [`Cpu::aligned`](crate::kernels::Cpu::aligned).
     ///
-    /// What searches ([`Search`](crate::kernels::Search)) is decided on the processor and replayed on the
-    /// GPU; its derivatives are taken backwards. Every record that occurs is made a program once, so that pays
-    /// where many items have the same one.
+    /// Searches ([`Search`](crate::kernels::Search)) are decided on the processor and replayed on the GPU; their
+    /// derivatives are taken backwards. Every record that occurs is made a program once, so that pays where many
+    /// items have the same one.
     ///
     /// # Errors
     ///
-    /// As on the processor; [`Error::Program`] for what cannot be recorded, such as a result with whole numbers,
-    /// [`Error::Gpu`] for what the device says, of which [`GpuFault::TooLarge`](crate::GpuFault::TooLarge) is for a
-    /// program that fits no buffer.
+    /// As on the processor; [`Error::Program`] for operations that cannot be recorded, such as one with whole
+    /// numbers as result; [`Error::Gpu`] for errors of the device. A program that fits no buffer gives
+    /// [`GpuFault::TooLarge`](crate::GpuFault::TooLarge).
     pub fn aligned<C: Columns, R: Runs<C::Item>>(
         &self,
         run: R,
@@ -178,7 +178,7 @@ impl Gpu {
     }
 }
 
-/// What computes items: a kernel, or replays of what the processor decides.
+/// The code that computes items: a kernel, or replays of decisions of the processor.
 enum Made {
     Kernel(Arc<Generated<f32>>),
     Replays(Arc<dyn Replays<f32>>, Arc<Face<f32>>),
@@ -256,7 +256,7 @@ pub(super) fn tiles(
 /// Items on their way back.
 struct Chunk {
     items: Range<usize>,
-    /// Where the numbers of every shape of a result begin, and how many there are.
+    /// The first number of every shape of a result, and the count of all numbers.
     starts: Vec<usize>,
     numbers: usize,
 }

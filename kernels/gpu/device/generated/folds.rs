@@ -28,7 +28,7 @@ pub(super) struct GeneratedFold {
     edge_vjp: Body,
     join_vjp: Body,
     finish_vjp: Body,
-    /// What is known after no edge.
+    /// The state after no edge.
     empty: Vec<f32>,
     is_closed: bool,
     /// Numbers of a context, of that and a reference, and of a result.
@@ -37,7 +37,7 @@ pub(super) struct GeneratedFold {
     gives: usize,
 }
 
-/// What a GPU is given of a fold.
+/// The kernels of a fold for a GPU.
 pub(super) fn made<F: Fold>() -> Result<Arc<GeneratedFold>, Error> {
     known::<F, f32, _>(Known::FoldShader, || {
         let programs = folds::programs::<F, f32>()?;
@@ -147,7 +147,7 @@ fn {entry}(@builtin(global_invocation_id) thread: vec3u) {{
         }
         text
     }
-    /// What one edge tells, as `told`, and the numbers that it takes.
+    /// The text that computes the state of one edge, as `told`, and the numbers that it takes.
     fn edge_of(&self) -> (String, Vec<String>) {
         let mut inputs = names("s", self.wide);
         inputs.extend(["tail.x", "tail.y", "tip.x", "tip.y"].map(str::to_owned));
@@ -161,7 +161,7 @@ fn {entry}(@builtin(global_invocation_id) thread: vec3u) {{
         );
         (text, inputs)
     }
-    /// Joins what an edge told to the state.
+    /// Joins the state of an edge to that of the edges before.
     fn join_of(&self) -> String {
         let mut inputs = names("state", self.state());
         inputs.extend(elements("told", 0..self.state()));

@@ -23,12 +23,12 @@ use std::collections::HashMap;
 use std::sync::Weak;
 use text::Form;
 
-/// Pipelines of generated kernels, by whose they are, and which kernel it is.
+/// Pipelines of generated kernels, by the number of the program and the form of the kernel.
 pub(super) type Pipelines = HashMap<(u64, Form), (Weak<u64>, wgpu::ComputePipeline)>;
 
 impl Inner {
-    /// The pipeline of a generated kernel, compiled the first time it is asked for. Those of programs that
-    /// are gone are given up.
+    /// The pipeline of a generated kernel, compiled at the first call. Pipelines of programs that are gone are
+    /// given up.
     fn generated(
         &self,
         name: &Name,
@@ -51,7 +51,7 @@ impl Inner {
 ///
 /// # Errors
 ///
-/// Those of recording it.
+/// The errors of recording it.
 #[doc(hidden)]
 pub fn op_sources<O: Op>() -> Result<Vec<(String, String)>, Error>
 where
@@ -115,7 +115,7 @@ fn is_of_one_list(made: &Generated<f32>) -> bool {
 ///
 /// # Errors
 ///
-/// Those of recording it.
+/// The errors of recording it.
 #[doc(hidden)]
 pub fn fold_sources<F: Fold>(_fold: F) -> Result<Vec<(String, String)>, Error> {
     let made = folds::made::<F>()?;

@@ -1,4 +1,4 @@
-//! What a GPU is given of an operation or a program: a function in WGSL, and what the processor prepares.
+//! An operation or a program for a GPU: a function in WGSL, and the shapes as the processor prepares them.
 use crate::Error;
 use crate::ad::program::graph::{Graph, Id, Node};
 use crate::ad::program::recorded::Recorded;
@@ -35,8 +35,8 @@ pub(super) struct Body {
     pub gives: usize,
 }
 
-/// Sines of an angle: what the processor computes at upload, in double precision, for the same numbers as
-/// its own batches start from.
+/// `true` for sines of an angle. The processor computes them at upload, in double precision, for the same numbers
+/// as its own batches start from.
 fn is_sine(node: Node) -> bool {
     use Node::*;
     matches!(
@@ -68,7 +68,7 @@ pub(super) fn part(piece: &Piece, outputs: &[Id]) -> Piece {
     }
 }
 
-/// A name that nothing else has, by which pipelines are kept as long as there is somebody of that name.
+/// A name that nothing else has; pipelines are kept as long as it lives.
 #[derive(Clone, Debug)]
 pub(super) struct Name(pub Arc<u64>);
 
@@ -85,8 +85,8 @@ impl<T: Real> Generated<T> {
         name(&mut self.arguments, names);
         self
     }
-    /// Of a recorded function. `framed` says that it is for all pairs, where what depends on one shape
-    /// alone is computed once per shape.
+    /// The code of a recorded function. If `framed` is set it is for all pairs: numbers that depend on one shape
+    /// alone are computed once per shape.
     pub(crate) fn new(
         want: Want,
         leaves: Vec<Leaf<T>>,
@@ -106,7 +106,7 @@ impl<T: Real> Generated<T> {
             all.extend(&outputs);
         }
         let (graph, results) = (&recorded.value.graph, &recorded.value.outputs);
-        // Of derivatives the result comes first, which nobody asks for.
+        // The result comes before its derivatives; the adjoint leaves it out.
         let skipped = match want {
             Want::Value | Want::ValueGrad | Want::Jacobian => 0,
             Want::Vjp => outputs.iter().sum(),
@@ -190,7 +190,7 @@ impl<T: Real> Generated<T> {
 /// The letters of arguments.
 const LETTERS: &str = "abcdefghijklmnopqrstuvwxyz";
 
-/// What a prepared number is, where that is short.
+/// The description of a prepared number, if it is short.
 fn described(graph: &Graph, x: Id, fields: &[String]) -> String {
     let of = |what: &str, x: Id| format!("{} {what}", described(graph, x, fields));
     let made = || {

@@ -26,10 +26,10 @@ use std::fmt::Write;
 use std::ops::Range;
 use std::sync::Arc;
 
-/// Results that are nearer to the threshold than this are the processor's to compute.
+/// The distance from the threshold below which the processor computes a result.
 ///
-/// On thin, nearly parallel boxes, the worst ones known, a driver in software was off by 3.3·10⁻⁴ of an
-/// IoU: this is ten times as much. Of pairs that overlap at all, about one in a hundred is so near.
+/// On thin, nearly parallel boxes, the worst ones known, a driver in software was off by 3.3·10⁻⁴ of an IoU: this
+/// is ten times as much. About one in a hundred pairs that overlap is so near.
 const NEAR: f32 = 1.0 / 256.0;
 
 /// Columns of a word of bits.
@@ -43,13 +43,13 @@ impl Gpu {
     /// The shapes that no better one, kept itself, overlaps by more than the threshold: their places, the
     /// best first, as [`Cpu::suppress`](crate::kernels::Cpu::suppress).
     ///
-    /// What is kept is what the processor keeps: pairs whose result is within 1/256 of the threshold are
-    /// computed once more, on the processor, when it matters. So that holds for scores between zero and
-    /// one, such as an IoU of any boxes, which no driver gets wrong by so much.
+    /// The kept shapes are those that the processor keeps. Pairs whose result is within 1/256 of the threshold
+    /// are computed once more, on the processor, if the decision depends on them. So that holds for scores
+    /// between zero and one, such as an IoU of any boxes, which no driver gets wrong by so much.
     ///
     /// # Errors
     ///
-    /// As on the processor; [`Error::Program`] for what searches, [`Error::Gpu`] for what the device says.
+    /// As on the processor; [`Error::Program`] for searches, [`Error::Gpu`] for errors of the device.
     ///
     /// ```no_run
     /// use geograd::kernels::{IouBev, gpu::Gpu};
@@ -126,7 +126,7 @@ struct Block {
     masks: Vec<[u32; 2]>,
 }
 
-/// What is kept so far.
+/// The shapes kept so far, and those suppressed.
 struct Kept<'a> {
     masks: Masks<'a>,
     greed: Greed<'a, f32>,
@@ -149,7 +149,7 @@ fn has(bits: &[u32], place: usize) -> bool {
 }
 
 impl Kept<'_> {
-    /// Asks for masks of the next rows that are still there. Whether there are any.
+    /// Gets masks of the next rows that are still there; `true` if there are any.
     fn advance(&mut self) -> bool {
         let count = self.masks.count;
         let rest = (self.next..count).filter(|&row| !has(&self.gone, row));
@@ -222,7 +222,7 @@ struct Window {
     ids: wgpu::Buffer,
 }
 
-/// What the GPU is given of all shapes.
+/// The shapes on the GPU, and the kernel that makes masks of them.
 struct Masks<'a> {
     gpu: &'a Gpu,
     made: &'a Arc<Generated<f32>>,

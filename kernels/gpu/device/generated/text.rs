@@ -15,7 +15,7 @@ pub(super) const STRIP: usize = 256;
 /// Derivatives that are added before their sum is added to that of others, so that rounding grows slowly.
 const STEP: usize = 16;
 
-/// What a kernel does with the function.
+/// The kernel around the function.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub(in super::super) enum Form {
     /// Item i of every column.
@@ -75,7 +75,7 @@ impl Form {
     }
 }
 
-/// Where a number is: items in tiles, field after field within a tile, as on the processor.
+/// The place of a number: items in tiles, field after field within a tile, as on the processor.
 const PLACE: &str = "\
 fn place(item: u32, fields: u32) -> u32 {
     return item / 16u * 16u * fields + item % 16u;

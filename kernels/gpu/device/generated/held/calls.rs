@@ -164,8 +164,7 @@ impl Gpu {
         Ok(count.unwrap_or(1))
     }
 
-    /// Where results go: over those that are there, if they lie side by side and nothing is read from
-    /// them, or into new buffers.
+    /// The buffers of results: present ones, if they lie side by side and nothing is read from them, or new ones.
     fn room(
         &self,
         made: &Generated<f32>,

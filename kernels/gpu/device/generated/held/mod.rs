@@ -56,8 +56,7 @@ struct Windows {
 }
 
 impl Windows {
-    /// Where items from this one on are: the buffer, the number in it, and the first item that is in
-    /// another one.
+    /// The place of an item: the buffer, the number in it, and the first later item that is in another buffer.
     fn at(&self, item: usize, width: usize) -> (&wgpu::Buffer, usize, usize) {
         let k = item / self.window;
         let (buffer, start) = &self.parts[k];
@@ -143,8 +142,8 @@ impl HeldColumn {
         self.fields
     }
 
-    /// The shapes that were found best, in that order. What prepares shapes is the processor, so they are
-    /// put together there.
+    /// The shapes that were found best, in that order. They are put together on the processor, which prepares
+    /// shapes.
     pub(crate) fn picked(&self, bests: &[Best]) -> Result<Self, Error> {
         let rows = self.rows(&mut locked(&self.state))?;
         let own = |best: &Best| &rows[best.index * self.fields..][..self.fields];
@@ -183,7 +182,7 @@ impl HeldColumn {
         Ok(rows)
     }
 
-    /// What to bring back: buffer by buffer the first byte, and how many, of whole tiles.
+    /// The parts to bring back: for every buffer the first byte, and the number of bytes, of whole tiles.
     fn parts(&self, state: &State) -> Vec<(wgpu::Buffer, u64, u64)> {
         let Some((_, plain)) = &state.plain else {
             return Vec::new();
@@ -294,8 +293,8 @@ impl HeldColumn {
         gpu.owns(&self.gpu)
     }
 
-    /// Where results may go that are computed over these ones: whole columns of one buffer, `None` if they
-    /// lie in another way or are lent to others.
+    /// The buffers that new results may overwrite: whole columns of one buffer. `None` if they lie in another way
+    /// or are lent to others.
     fn results(&self) -> Option<Windows> {
         let state = locked(&self.state);
         state.plain.as_ref().map(|(_, plain)| plain.clone())
@@ -317,7 +316,7 @@ pub(crate) fn start_download(columns: &[HeldColumn]) -> Result<Pending<Vec<Vec<f
     let Some(first) = columns.first() else {
         return Err(Error::Gpu(GpuFault::ForeignBuffer));
     };
-    // What the processor has already, or which parts of what arrives it is made of.
+    // Rows that the processor has already; for the others the range of their parts.
     let mut known = Vec::new();
     let mut parts = Vec::new();
     for column in columns {
