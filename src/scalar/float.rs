@@ -1,14 +1,15 @@
 //! `f32` and `f64` as scalars, and the elementary functions they share with SIMD lanes.
 //!
-//! Sine and cosine are our own polynomials, evaluated in `f64`, so that a number and a lane give
+//! Sine, cosine, exponential and logarithm are polynomials, evaluated in `f64`, so that a number and a lane give
 //! the same bits on every machine and at every SIMD level.
 use crate::Scalar;
+use crate::scalar::exponential::{exp_single, exp_wide, ln_single, ln_wide};
 
 /// Above this angle the three-part reduction loses digits and the platform's library takes over.
 const REDUCED: f64 = 800_000.0;
 
 /// Adding and taking away 1.5 · 2⁵² rounds an `f64` to the nearest integer.
-const SHIFT: f64 = 6_755_399_441_055_744.0;
+pub(crate) const SHIFT: f64 = 6_755_399_441_055_744.0;
 
 /// The nearest multiple of a quarter turn, in quarters.
 #[inline(always)]
@@ -34,7 +35,7 @@ fn turned<W: Scalar>(quadrant: W, sin: W, cos: W) -> (W, W) {
 
 /// A polynomial, the constant first.
 #[inline(always)]
-fn polynomial<W: Scalar, const N: usize>(coefficients: [f64; N], z: W) -> W {
+pub(crate) fn polynomial<W: Scalar, const N: usize>(coefficients: [f64; N], z: W) -> W {
     let mut sum = W::lit(coefficients[N - 1]);
     let mut i = N - 1;
     while i > 0 {
@@ -201,7 +202,7 @@ pub trait Float: Copy + std::fmt::Debug + Send + Sync + 'static {
 macro_rules! float {
     ($f:ident, $bits:ident, compensated: $compensated:literal, parallel: $parallel:literal,
      low_half: $low:literal, mantissa: $mantissa:literal,
-     sines: $sin_cos:ident, split: $split:expr) => {
+     sines: $sin_cos:ident, split: $split:expr, exponentials: $exp:ident $ln:ident) => {
         impl Float for $f {
             type Bits = $bits;
             const NONE: $bits = 0;
@@ -304,11 +305,11 @@ macro_rules! float {
             }
             #[inline(always)]
             fn exp(self) -> Self {
-                self.widen().exp() as $f
+                $exp(self.widen()) as $f
             }
             #[inline(always)]
             fn ln(self) -> Self {
-                self.widen().ln() as $f
+                $ln(self.widen()) as $f
             }
             #[inline(always)]
             fn binade(self) -> Self {
@@ -352,6 +353,6 @@ macro_rules! float {
 }
 
 float!(f32, u32, compensated: true, parallel: 2e-10, low_half: 12, mantissa: 23,
-    sines: sin_cos_single, split: split_single);
+    sines: sin_cos_single, split: split_single, exponentials: exp_single ln_single);
 float!(f64, u64, compensated: false, parallel: 4e-16, low_half: 27, mantissa: 52,
-    sines: sin_cos_wide, split: f64::parts);
+    sines: sin_cos_wide, split: f64::parts, exponentials: exp_wide ln_wide);

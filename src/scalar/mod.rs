@@ -28,6 +28,7 @@
 pub mod dual;
 #[cfg(feature = "nalgebra")]
 mod dual_vector;
+pub(crate) mod exponential;
 pub mod float;
 pub mod jet;
 pub mod lanes;

@@ -1,4 +1,5 @@
 //! Every scalar on every kink, and its elementary functions against the platform's.
+use super::oracle::Fixed;
 use geograd::{Jet, Lanes, Mask, Scalar};
 use num_dual::{Dual, Dual2, Dual3, HyperDual, HyperHyperDual, Real};
 
@@ -269,4 +270,92 @@ fn duals_have_the_values_of_plain_numbers() {
             plain.to_bits()
         );
     }
+}
+
+/// The exponential of the oracle: Taylor's series of a 1024th, squared ten times.
+fn exact_exp(x: f64) -> Fixed {
+    let small = Fixed(Fixed::new(x).0 >> 10);
+    let (mut term, mut sum) = (Fixed::new(1.0), Fixed::new(1.0));
+    for n in 1..40 {
+        term = Fixed(term.mul(&small).0 / n);
+        sum = sum.add(&term);
+    }
+    (0..10).fold(sum, |x, _| x.mul(&x))
+}
+
+#[test]
+fn exponential_and_logarithm_are_within_a_unit_in_the_last_place() {
+    let one = Fixed::new(1.0);
+    let off = |exact: &Fixed| (exact.sub(&one)).to_f64().abs() / f64::EPSILON;
+    let mut worst = [0.0_f64; 2];
+    for i in -400..400 {
+        let x = f64::from(i) * 0.0731 + f64::from(i).powi(3) * 1e-9;
+        // e⁻ˣ times the computed eˣ is 1 but for its error.
+        let exp = Scalar::exp(x);
+        worst[0] = worst[0].max(off(&exact_exp(-x).mul(&Fixed::new(exp))));
+        let y = exp * (1.0 + 1e-3 * f64::from(i % 7));
+        let ln = Scalar::ln(y);
+        let share = ln.abs().max(f64::MIN_POSITIVE);
+        let error = off(&exact_exp(-ln).mul(&Fixed::new(y)));
+        worst[1] = worst[1].max(error / share);
+        assert_eq!(Lanes::<f64, 4>::splat(x).exp().0[2], exp);
+        assert_eq!(Lanes::<f64, 4>::splat(y).ln().0[1], ln);
+        let single = x as f32;
+        assert_eq!(
+            Scalar::exp(single),
+            f64::from(single).exp() as f32,
+            "{single}"
+        );
+        assert_eq!(
+            Lanes::<f32, 8>::splat(single).exp().0[7],
+            Scalar::exp(single)
+        );
+        let single = y as f32;
+        if single.is_finite() && single > 0.0 {
+            assert_eq!(
+                Scalar::ln(single),
+                f64::from(single).ln() as f32,
+                "{single}"
+            );
+        }
+    }
+    assert!(worst[0] < 1.0 && worst[1] < 1.0, "{worst:?}");
+}
+
+#[test]
+fn exponential_and_logarithm_at_their_limits() {
+    let infinity = f64::INFINITY;
+    for (x, want) in [
+        (0.0, 1.0),
+        (-0.0, 1.0),
+        (1.0, std::f64::consts::E),
+        (709.782_712_893_384, 1.797_693_134_862_273_2e308),
+        (709.79, infinity),
+        (infinity, infinity),
+        (f64::MAX, infinity),
+        (-745.2, 0.0),
+        (-infinity, 0.0),
+        (-745.0, 5e-324),
+    ] {
+        assert_eq!(Scalar::exp(x), want, "exp {x}");
+    }
+    for (x, want) in [
+        (1.0, 0.0),
+        (std::f64::consts::E, 1.0),
+        (5e-324, -744.440_071_921_381_2),
+        (f64::MAX, 709.782_712_893_384),
+        (f64::MIN_POSITIVE, -708.396_418_532_264_1),
+        (0.0, -infinity),
+        (-0.0, -infinity),
+        (infinity, infinity),
+    ] {
+        assert_eq!(Scalar::ln(x), want, "ln {x}");
+        assert_eq!(Lanes([x, 2.0]).ln().0[0], want);
+    }
+    assert!(Scalar::ln(-1.0_f64).is_nan() && Scalar::ln(f64::NAN).is_nan());
+    assert!(Scalar::exp(f64::NAN).is_nan() && Scalar::exp(f32::NAN).is_nan());
+    assert_eq!(Scalar::exp(89.0_f32), f32::INFINITY);
+    assert_eq!(Scalar::exp(-104.0_f32), 0.0);
+    assert_eq!(Scalar::exp(-103.0_f32), f64::exp(-103.0) as f32);
+    assert_eq!(Scalar::ln(1e-45_f32), f64::from(1e-45_f32).ln() as f32);
 }

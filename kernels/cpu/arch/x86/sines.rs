@@ -38,13 +38,19 @@ macro_rules! narrow {
     ($name:ident = 2 $half:ident of $wide:ident: $widen:ident $narrow:ident $and:ident;
      low |$v:ident| $low:expr, high $high:expr; join |$x:ident, $y:ident| $join:expr) => {
         impl $name {
+            /// Both halves in `f64`.
+            #[inline(always)]
+            pub(super) fn halves(self) -> [$wide; 2] {
+                let $v = self.0;
+                [$wide(arch!($widen($low))), $wide(arch!($widen($high)))]
+            }
             /// Sines and cosines of both halves.
             #[inline(always)]
             pub(super) fn wide_sin_cos(self) -> [($wide, $wide); 2] {
-                let $v = self.0;
+                let [low, high] = self.halves();
                 [
-                    sin_cos_single($wide(arch!($widen($low))), $wide::library),
-                    sin_cos_single($wide(arch!($widen($high))), $wide::library),
+                    sin_cos_single(low, $wide::library),
+                    sin_cos_single(high, $wide::library),
                 ]
             }
             #[inline(always)]
@@ -52,7 +58,7 @@ macro_rules! narrow {
                 $name(arch!($join))
             }
             #[inline(always)]
-            fn narrow(low: $wide, high: $wide) -> Self {
+            pub(super) fn narrow(low: $wide, high: $wide) -> Self {
                 Self::join(arch!($narrow(low.0)), arch!($narrow(high.0)))
             }
             /// High part and rest of numbers in `f64`, as [`split_single`](crate::scalar::float::split_single).

@@ -10,6 +10,7 @@ macro_rules! vector {
      masks |$a:ident, $b:ident| $mask_and:expr, $mask_or:expr, $mask_not:expr, $mask_bits:expr;
      words |$word:ident| $mask_word:expr, $mask_truth:expr;
      sines |$angle:ident| $sin_cos:expr, $sin_cos_parts:expr;
+     exponentials $exp:ident $ln:ident;
      items $from_items:ident $to_items:ident) => {
         $(#[$doc])*
         #[derive(Clone, Copy, Debug)]
@@ -72,11 +73,6 @@ macro_rules! vector {
             #[inline(always)]
             fn from_array(numbers: [$t; $n]) -> Self {
                 $name(arch!(std::mem::transmute::<[$t; $n], $raw>(numbers)))
-            }
-            /// Number by number, for what has no vector instruction.
-            #[inline(always)]
-            fn each(self, f: impl Fn($t) -> $t) -> Self {
-                Self::from_array(self.array().map(f))
             }
         }
 
@@ -252,11 +248,11 @@ macro_rules! vector {
             }
             #[inline(always)]
             fn exp(self) -> Self {
-                self.each(Scalar::exp)
+                self.$exp()
             }
             #[inline(always)]
             fn ln(self) -> Self {
-                self.each(Scalar::ln)
+                self.$ln()
             }
             #[inline(always)]
             fn binade(self) -> Self {

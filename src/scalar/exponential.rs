@@ -1,0 +1,170 @@
+//! Exponentials and logarithms of `f64`, and of lanes of it: polynomials, so that a number and a lane give the same bits on
+//! every machine and at every SIMD level.
+use crate::Scalar;
+use crate::scalar::float::{SHIFT, polynomial};
+
+/// ln 2 in two parts (fdlibm, `e_exp.c`): the first has 33 bits, so that its product with an exponent is exact.
+const LN_2: [f64; 2] = [
+    6.931_471_803_691_238_164_90e-1,
+    1.908_214_929_270_587_700_02e-10,
+];
+
+/// Numbers of `f64` whose exponents can be read and written.
+pub(crate) trait Exponents: Scalar<Primal = Self> {
+    /// `2ᵏ` for a whole `k` from −1022 to 1023.
+    fn power_of_two(k: Self) -> Self;
+    /// `(e, m)` of a normal positive number `2ᵉ m`, `m` in `[1, 2)`.
+    fn exponent(self) -> (Self, Self);
+}
+
+/// The exponent's bias in the low bits of [`SHIFT`]'s significand.
+const BIASED: f64 = SHIFT + 1023.0;
+/// The bits of 2⁵², of which a whole number takes the low ones.
+pub(crate) const WHOLE: u64 = 0x4330_0000_0000_0000;
+/// The bits of a significand, and those of 1.
+pub(crate) const FRACTION: u64 = 0x000f_ffff_ffff_ffff;
+pub(crate) const ONE: u64 = 0x3ff0_0000_0000_0000;
+/// Turns the number with the bits of [`WHOLE`] and an exponent field into the exponent.
+pub(crate) const UNBIASED: f64 = 4_503_599_627_370_496.0 + 1023.0;
+/// Bits of a significand.
+pub(crate) const BITS: i32 = 52;
+
+/// `k` with its bias in the low bits of the significand: shifted left by [`BITS`] they are `2ᵏ`.
+#[inline(always)]
+pub(crate) fn biased<W: Scalar>(k: W) -> W {
+    k + W::lit(BIASED)
+}
+
+impl Exponents for f64 {
+    #[inline(always)]
+    fn power_of_two(k: f64) -> f64 {
+        f64::from_bits(biased(k).to_bits() << BITS)
+    }
+    #[inline(always)]
+    fn exponent(self) -> (f64, f64) {
+        let bits = self.to_bits();
+        (
+            f64::from_bits(bits >> BITS | WHOLE) - UNBIASED,
+            f64::from_bits(bits & FRACTION | ONE),
+        )
+    }
+}
+
+/// The nearest whole number.
+#[inline(always)]
+fn rounded<W: Scalar>(x: W) -> W {
+    let shift = W::lit(SHIFT);
+    (x + shift) - shift
+}
+
+/// The exponential; within one unit in the last place.
+///
+/// `eᵏ ˡⁿ² ⁺ ʳ = 2ᵏ eʳ` with `|r| ≤ ln 2 / 2`, and Taylor's series of `eʳ`: its first term left out is below 2⁻⁵⁷.
+#[inline(always)]
+pub(crate) fn exp_wide<W: Exponents>(x: W) -> W {
+    // 1/n! from n = 2.
+    let series = [
+        0.5,
+        1.666_666_666_666_666_6e-1,
+        4.166_666_666_666_666_4e-2,
+        8.333_333_333_333_333e-3,
+        1.388_888_888_888_889e-3,
+        1.984_126_984_126_984e-4,
+        2.480_158_730_158_73e-5,
+        2.755_731_922_398_589e-6,
+        2.755_731_922_398_589e-7,
+        2.505_210_838_544_172e-8,
+        2.087_675_698_786_81e-9,
+        1.605_904_383_682_161_3e-10,
+    ];
+    // Beyond these limits results are 0 and infinity.
+    let near = x.most(W::lit(-746.0)).least(W::lit(710.0));
+    let (k, power) = reduced(near, series);
+    // Two factors: results may be subnormal, and 2¹⁰²⁴ is no number.
+    let half = rounded(k.halved());
+    let all = power * W::power_of_two(half) * W::power_of_two(k - half);
+    W::select(x.equals(x), all, x)
+}
+
+/// The exponential in `f64` of a number that is an `f32`: right to 2⁻³⁶.
+#[inline(always)]
+pub(crate) fn exp_single<W: Exponents>(x: W) -> W {
+    // 1/n! from n = 2.
+    let series = [
+        0.5,
+        1.666_666_666_666_666_6e-1,
+        4.166_666_666_666_666_4e-2,
+        8.333_333_333_333_333e-3,
+        1.388_888_888_888_889e-3,
+        1.984_126_984_126_984e-4,
+        2.480_158_730_158_73e-5,
+        2.755_731_922_398_589e-6,
+    ];
+    // Beyond these limits results are 0 and infinity as `f32`.
+    let near = x.most(W::lit(-150.0)).least(W::lit(90.0));
+    let (k, power) = reduced(near, series);
+    W::select(x.equals(x), power * W::power_of_two(k), x)
+}
+
+/// `k` and `eʳ` with `x = k ln 2 + r`.
+#[inline(always)]
+fn reduced<W: Scalar, const N: usize>(x: W, series: [f64; N]) -> (W, W) {
+    let k = rounded(x * W::lit(std::f64::consts::LOG2_E));
+    let r = (x - k * W::lit(LN_2[0])) - k * W::lit(LN_2[1]);
+    (k, W::one() + (r + r * r * polynomial(series, r)))
+}
+
+/// The natural logarithm; within one unit in the last place. −∞ for zero, NaN below.
+///
+/// The reduction and the minimax polynomial of fdlibm (`e_log.c`).
+#[inline(always)]
+pub(crate) fn ln_wide<W: Exponents>(x: W) -> W {
+    ln_by(
+        x,
+        [
+            6.666_666_666_666_735_130e-1,
+            3.999_999_999_940_941_908e-1,
+            2.857_142_874_366_239_149e-1,
+            2.222_219_843_214_978_396e-1,
+            1.818_357_216_161_805_012e-1,
+            1.531_383_769_920_937_332e-1,
+            1.479_819_860_511_658_591e-1,
+        ],
+    )
+}
+
+/// The natural logarithm in `f64` of a number that is an `f32`: right to 2⁻³⁴.
+///
+/// With the series of the inverse hyperbolic tangent in place of the minimax polynomial.
+#[inline(always)]
+pub(crate) fn ln_single<W: Exponents>(x: W) -> W {
+    ln_by(x, [2.0 / 3.0, 2.0 / 5.0, 2.0 / 7.0, 2.0 / 9.0, 2.0 / 11.0])
+}
+
+#[inline(always)]
+fn ln_by<W: Exponents, const N: usize>(x: W, series: [f64; N]) -> W {
+    let (zero, largest) = (W::zero(), W::lit(f64::MAX));
+    // A subnormal number becomes normal by 2⁵⁴.
+    let subnormal = x.below(W::lit(f64::MIN_POSITIVE));
+    let scaled = W::select(subnormal, x * W::lit(18_014_398_509_481_984.0), x);
+    let (exponent, fraction) = scaled.exponent();
+    let exponent = exponent - W::select(subnormal, W::lit(54.0), zero);
+    // The significand from 1/√2 to √2.
+    let high = fraction.above(W::lit(std::f64::consts::SQRT_2));
+    let fraction = W::select(high, fraction.halved(), fraction);
+    let exponent = exponent + W::select(high, W::one(), zero);
+    let f = fraction - W::one();
+    let s = f.over(W::lit(2.0) + f);
+    let z = s * s;
+    let square = (f * f).halved();
+    let rest = s * (square + z * polynomial(series, z)) + exponent * W::lit(LN_2[1]);
+    let value = exponent * W::lit(LN_2[0]) - ((square - rest) - f);
+    let ordinary = zero.below(x) & x.at_most(largest);
+    let (low, infinite) = (W::lit(f64::NEG_INFINITY), W::lit(f64::INFINITY));
+    let outside = W::select(
+        x.equals(zero),
+        low,
+        W::select(x.above(largest), infinite, W::lit(f64::NAN)),
+    );
+    W::select(ordinary, value, outside)
+}
