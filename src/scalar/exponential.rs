@@ -110,8 +110,11 @@ pub(crate) fn exp_single<W: Exponents>(x: W) -> W {
 #[inline(always)]
 fn reduced<W: Scalar, const N: usize>(x: W, series: [f64; N]) -> (W, W) {
     let k = rounded(x * W::lit(std::f64::consts::LOG2_E));
-    let r = (x - k * W::lit(LN_2[0])) - k * W::lit(LN_2[1]);
-    (k, W::one() + (r + r * r * polynomial(series, r)))
+    let (high, low) = (x - k * W::lit(LN_2[0]), k * W::lit(LN_2[1]));
+    let r = high - low;
+    // The part of r that rounding took.
+    let rest = (high - r) - low;
+    (k, W::one() + (r + (r * r * polynomial(series, r) + rest)))
 }
 
 /// The natural logarithm; within one unit in the last place. −∞ for zero, NaN below.
